@@ -1,0 +1,31 @@
+#pragma once
+// The one door to Boost.Asio for the core: coroutines and the executor. Sockets and serial ports are the
+// business of transports/. (<utility> first: Boost 1.74's awaitable.hpp uses std::exchange without it.)
+#include <utility>
+
+#include <boost/asio/any_io_executor.hpp>
+#include <boost/asio/async_result.hpp>
+#include <boost/asio/awaitable.hpp>
+#include <boost/asio/co_spawn.hpp>
+#include <boost/asio/detached.hpp>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/post.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <boost/asio/this_coro.hpp>
+#include <boost/asio/use_awaitable.hpp>
+
+namespace hw {
+
+namespace asio = boost::asio;
+using IoContext = asio::io_context;
+using Executor = IoContext::executor_type;
+
+/// What an asynchronous procedure returns. Rule for g++ 12: no braces and no capturing lambda inside a
+/// co_await expression; build the value on the line before.
+template <class T = void>
+using Task = asio::awaitable<T, Executor>;
+
+/// Completion token for Task: `co_await async_something(..., use_task)`.
+inline constexpr asio::use_awaitable_t<Executor> use_task{};
+
+}  // namespace hw

@@ -1,0 +1,121 @@
+#pragma once
+// The bench: what surrounds an emulated controller (switches, loads, hands on its front panel) and what can be
+// seen of it. Reached from scripts, from bench files and from the bench panel.
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/base/fixed_text.h"
+#include "core/base/result.h"
+#include "core/base/units.h"
+#include "core/time/clock.h"
+
+namespace hw {
+
+/// What hangs on one axis, in steps of the controller. Positions are those of the load, counted from where it
+/// stood when the bench was built; absent switches never act.
+struct AxisPlace {
+  std::optional<Steps> minus, plus;       ///< where the travel limit switches act
+  std::optional<Steps> home_from, home_to;  ///< zone in which the home switch acts
+  std::optional<Steps> index_every;       ///< encoder index marks
+  std::optional<double> counts_per_step;  ///< encoder
+  std::optional<Steps> backlash;
+};
+
+namespace bench {
+struct Input {
+  int number;  ///< the maker's number, from 1
+  bool active; ///< true: operated (an active-low input is pulled to 0 V)
+  Input(int n, bool a) : number(n), active(a) {}
+};
+struct Limit {
+  AxisId axis;
+  Sign sign;
+  bool operated;  ///< by hand, beside what the travel does
+  Limit(AxisId a, Sign s, bool o) : axis(a), sign(s), operated(o) {}
+};
+struct HomeSwitch {
+  AxisId axis;
+  bool operated;
+  HomeSwitch(AxisId a, bool o) : axis(a), operated(o) {}
+};
+struct Analog {
+  int number;
+  std::int32_t value;
+  Analog(int n, std::int32_t v) : number(n), value(v) {}
+};
+struct Button {
+  std::string name;
+  bool pressed;
+  Button(std::string n, bool p) : name(std::move(n)), pressed(p) {}
+};
+struct Jam {
+  AxisId axis;
+  bool on;
+  Jam(AxisId a, bool o) : axis(a), on(o) {}
+};
+struct Slip {  ///< the load jumps by so many steps without the controller knowing
+  AxisId axis;
+  Steps by;
+  Slip(AxisId a, Steps b) : axis(a), by(b) {}
+};
+struct Place {
+  AxisId axis;
+  AxisPlace place;
+  Place(AxisId a, AxisPlace p) : axis(a), place(p) {}
+};
+struct Power {
+  bool on;
+  explicit Power(bool o) : on(o) {}
+};
+struct PowerCycle {};
+// Faults of the wire, done by the transport in front of the emulator.
+struct Unplug {
+  bool on;
+  explicit Unplug(bool o) : on(o) {}
+};
+struct Garble {  ///< flips bits in the next `bytes` that leave the controller
+  int bytes;
+  explicit Garble(int n) : bytes(n) {}
+};
+struct Drop {
+  int bytes;
+  explicit Drop(int n) : bytes(n) {}
+};
+}  // namespace bench
+
+using BenchCommand =
+    std::variant<bench::Input, bench::Limit, bench::HomeSwitch, bench::Analog, bench::Button, bench::Jam,
+                 bench::Slip, bench::Place, bench::Power, bench::PowerCycle, bench::Unplug, bench::Garble,
+                 bench::Drop>;
+
+enum class Lamp : std::uint8_t { off, on };
+
+/// What can be seen on the bench at one instant. Fixed size, copied without allocation.
+struct BenchView {
+  bool present = false;  ///< false: a real controller, nothing to see
+  bool powered = true, unplugged = false;
+  std::uint32_t lamps = 0;    ///< bit n = BenchFacts::lamps[n] lit
+  std::uint32_t buttons = 0;  ///< bit n = BenchFacts::buttons[n] pressed
+  std::uint32_t inputs_operated = 0;
+  std::uint32_t outputs = 0;
+  std::array<std::int32_t, 8> analog{};
+  std::array<Steps, max_axes> load_position{};
+  std::uint32_t limits_minus = 0, limits_plus = 0;              ///< bit per axis: switch operated, by travel or hand
+  std::uint32_t limits_minus_by_hand = 0, limits_plus_by_hand = 0;
+  std::uint32_t jammed = 0;
+  std::uint32_t lamps_blink = 0;  ///< bit n: the lamp changes by itself now
+};
+
+/// A pulse on an output that is tied to a position, with the moment it began.
+struct TriggerPulse {
+  Instant at{};
+  int output = 0;
+  Duration width{};
+  std::array<Steps, max_axes> position{};  ///< the controller's counters at that moment
+};
+
+}  // namespace hw

@@ -1,0 +1,160 @@
+#pragma once
+// A controller described in data. Setup, I/O, jog, status, terminal completion and help are drawn from it;
+// panels know no device by name. Built once per open controller (its options may change the number of axes),
+// immutable afterwards, read by any thread.
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/base/units.h"
+
+namespace hw {
+
+struct AxisInfo {
+  std::string name;         ///< the maker's: "1", "X"
+  std::string description;  ///< "motor 1"
+};
+
+/// A ready-made conversion from steps to a real unit (lead screws, rotary tables).
+struct UnitChoice {
+  std::string label;  ///< "BiSlide E04, 0.4 inch a turn"
+  std::string unit;   ///< "mm", "inch", "°"
+  double per_step;    ///< units per step
+  int decimals;       ///< that one step needs
+};
+
+struct HomingMode {
+  std::string id;     ///< for scripts: "limit"
+  std::string label;  ///< "to the limit switch"
+};
+
+struct InputInfo {
+  std::string name;  ///< "In 1"
+  std::string help;
+  bool active_low = true;
+};
+struct OutputInfo {
+  std::string name;  ///< "Out 1"
+  std::string help;
+  bool settable = true;
+};
+struct AnalogInfo {
+  std::string name, unit;  ///< "Analog", "counts"
+  std::int32_t minimum, maximum;
+};
+
+struct ParamChoice {
+  std::int64_t value;
+  std::string label;
+};
+struct ParamBit {
+  int bit;
+  std::string label;
+};
+struct ParamInfo {
+  std::string mnemonic;     ///< what stands between set/get and the value: "j1M", "DM", "HSX"
+  std::string label;        ///< "First jog speed of motor 1"
+  std::string explanation;  ///< for somebody who has not read the manual
+  std::string unit;         ///< "steps/s" or empty
+  std::string group;        ///< heading in Setup
+  std::int64_t minimum = 0, maximum = 0, fallback = 0;  ///< fallback: the factory value
+  std::vector<ParamChoice> choices;  ///< not empty: exactly these values
+  std::vector<ParamBit> bits;        ///< not empty: a bit field
+  bool also_zero = false;            ///< 0 is allowed too and switches it off (range starts above)
+  bool stored = true;                ///< kept by Store
+  bool readable = true;
+  int axis = -1;
+  std::string warning;  ///< not empty: asked before it is written, naming the axis
+  std::string manual;   ///< "Appendix H"
+
+  [[nodiscard]] bool accepts(std::int64_t v) const {
+    if (!choices.empty()) {
+      for (const ParamChoice& c : choices)
+        if (c.value == v) return true;
+      return false;
+    }
+    return (v >= minimum && v <= maximum) || (also_zero && v == 0);
+  }
+};
+
+struct CommandInfo {
+  std::string form;     ///< "SmMx"
+  std::string example;  ///< "S1M500"
+  std::string help;     ///< "speed of motor m, 1 to 6000 steps/s"
+  bool moves = false;   ///< Enter would (or might) move something now
+  bool stored = false;  ///< goes into the program, does nothing now
+  std::string manual;
+};
+
+struct ProgramFacts {
+  int slots = 0;                ///< 0: no stored programs
+  std::string slot_word;        ///< "Program"
+  int capacity = 0;             ///< per slot, in `capacity_unit`
+  std::string capacity_unit;    ///< "bytes"
+  bool shared_capacity = false; ///< one memory for all slots
+  std::string file_suffix;      ///< ".vxm"
+  char comment = ';';
+};
+
+enum class LampColour : std::uint8_t { green, yellow, red };
+struct BenchButton {
+  std::string name;  ///< "Run", "1-"
+  bool moves = false;
+  int row = 0;
+};
+struct BenchLamp {
+  std::string name;
+  LampColour colour;
+};
+/// What can be done to the emulated device by hand.
+struct BenchFacts {
+  std::string panel_title;  ///< "VXM front panel"
+  std::vector<BenchButton> buttons;
+  std::vector<BenchLamp> lamps;
+  bool power_switch = true;
+};
+
+struct Capabilities {
+  bool single_step = false;        ///< Pause, Resume, SingleStep
+  bool store = false;              ///< non-volatile memory with a limited write life
+  std::int32_t store_life = 0;     ///< writes
+  bool one_axis_at_a_time = false;
+  bool homes = true;
+  bool reset = false;
+  int usual_baud = 9600;
+  std::vector<int> bauds;
+};
+
+struct Catalog {
+  std::string model;         ///< "vxm": as in an address
+  std::string name;          ///< "Velmex VXM"
+  std::string short_name;    ///< "VXM"
+  std::string summary;       ///< "stepping motors, 2 or 4"
+  std::string step_word = "steps";
+  std::vector<AxisInfo> axes;
+  std::vector<UnitChoice> units;
+  std::vector<HomingMode> homing_modes;
+  std::vector<InputInfo> inputs;
+  std::vector<OutputInfo> outputs;
+  std::vector<AnalogInfo> analog;
+  std::vector<ParamInfo> params;
+  std::vector<CommandInfo> commands;
+  ProgramFacts program;
+  BenchFacts bench;
+  Capabilities can;
+  Pps jog_speed{2000}, jog_speed_min{1}, jog_speed_max{6000};
+  Steps position_min{}, position_max{}, move_max{};
+
+  [[nodiscard]] int find_axis(std::string_view axis_name) const {
+    for (std::size_t i = 0; i < axes.size(); ++i)
+      if (axes[i].name == axis_name) return static_cast<int>(i);
+    return -1;
+  }
+  [[nodiscard]] int find_param(std::string_view mnemonic) const {
+    for (std::size_t i = 0; i < params.size(); ++i)
+      if (params[i].mnemonic == mnemonic) return static_cast<int>(i);
+    return -1;
+  }
+};
+
+}  // namespace hw

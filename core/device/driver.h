@@ -1,0 +1,50 @@
+#pragma once
+// Turns intents into transactions of one model, polls its state, decodes what comes back. Written as
+// coroutines that read like the manual's procedures. Io thread only; the pump calls it.
+#include <functional>
+#include <string>
+
+#include "core/base/asio.h"
+#include "core/device/catalog.h"
+#include "core/device/intent.h"
+#include "core/device/snapshot.h"
+#include "core/link/link.h"
+
+namespace hw {
+
+/// What a driver is given. All outlive it.
+struct DriverContext {
+  Scheduler& scheduler;
+  const Catalog& catalog;
+  Snapshot& draft;                        ///< the driver writes it; the pump publishes it
+  std::function<void(Notice)> notify;     ///< what must not be lost
+  std::function<void()> changed;          ///< something came unasked: publish soon, poll soon
+};
+
+class Driver {
+ public:
+  virtual ~Driver() = default;
+
+  /// Wire is open: get the controller to listen, find out what it is, read its state. Moves nothing.
+  virtual Task<Result<>> connect(Link& link) = 0;
+  /// One round of status. Called when no intent waits.
+  virtual Task<Result<>> poll() = 0;
+  /// Everything but Stop and Abort. Returns when the intent is under way (moves) or finished (the rest).
+  virtual Task<Result<>> perform(const IntentBody& intent) = 0;
+  /// Stop and Abort: runs beside whatever perform() or poll() is under way, which finds its waiting
+  /// transactions dropped.
+  virtual Task<Result<>> stop(int axis, bool at_once) = 0;
+  /// The wire is gone: nothing may be believed any more. The link is invalid afterwards.
+  virtual void wire_lost() = 0;
+  /// Raw text and its reply without terminator (scripts, `send`).
+  virtual Task<Result<std::string>> query(std::string text, Duration patience) = 0;
+  /// Next unsolicited text for a script, if any has come since the last call.
+  virtual bool take_unsolicited(std::string& text) = 0;
+
+  /// The poll law: how long to wait between rounds.
+  [[nodiscard]] virtual Duration moving_period() const = 0;
+  [[nodiscard]] virtual Duration idle_period() const = 0;
+
+};
+
+}  // namespace hw

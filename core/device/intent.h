@@ -1,0 +1,130 @@
+#pragma once
+// What the user wants, as a value. A few verbs serve every controller; what a controller cannot do its driver
+// refuses with a sentence.
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "core/base/units.h"
+
+namespace hw {
+
+using IntentId = std::uint64_t;
+
+struct AxisTarget {
+  AxisId axis;
+  Steps value;
+};
+
+namespace intent {
+
+struct MoveTo {
+  std::vector<AxisTarget> targets;  ///< absolute; several axes: together where the controller can, else in order
+  Pps speed;                        ///< 0: as the controller is set
+  explicit MoveTo(std::vector<AxisTarget> t, Pps s = {}) : targets(std::move(t)), speed(s) {}
+};
+struct MoveBy {
+  std::vector<AxisTarget> distances;
+  Pps speed;
+  explicit MoveBy(std::vector<AxisTarget> d, Pps s = {}) : distances(std::move(d)), speed(s) {}
+};
+/// Continuous jog. Whoever holds it sends JogKeepAlive at least every 250 ms, else the pump stops the axis.
+struct JogStart {
+  AxisId axis;
+  Sign sign;
+  Pps speed;  ///< 0: the controller's own jog or high speed
+  bool dead_man;  ///< false for scripts, which stop it themselves
+  JogStart(AxisId a, Sign s, Pps v = {}, bool guarded = true) : axis(a), sign(s), speed(v), dead_man(guarded) {}
+};
+struct JogKeepAlive {};
+struct JogStop {};
+struct Home {
+  AxisId axis;
+  Sign sign;
+  int mode;  ///< index into Catalog::homing_modes
+  Home(AxisId a, Sign s, int m = 0) : axis(a), sign(s), mode(m) {}
+};
+/// Ramp down. Always goes out first. On an axis that is already stopping, or asked twice: at once, without ramp.
+struct Stop {
+  int axis;  ///< -1: all
+  explicit Stop(int a = -1) : axis(a) {}
+};
+/// At once, without ramp; positions may be lost.
+struct Abort {
+  int axis;
+  explicit Abort(int a = -1) : axis(a) {}
+};
+/// Makes the present position read `value` (0: zero here). axis -1: all axes to 0.
+struct SetPosition {
+  int axis;
+  Steps value;
+  explicit SetPosition(int a, Steps v = {}) : axis(a), value(v) {}
+};
+struct SetOutput {
+  int number;  ///< the maker's number, from 1
+  bool on;
+  SetOutput(int n, bool o) : number(n), on(o) {}
+};
+struct SetParam {
+  std::string mnemonic;
+  std::int64_t value;
+  bool confirmed;  ///< the user has read the parameter's warning
+  SetParam(std::string m, std::int64_t v, bool c = false) : mnemonic(std::move(m)), value(v), confirmed(c) {}
+};
+struct ReadParams {};  ///< all of them, into Snapshot::params
+/// Copy set-up and programs into the controller's non-volatile memory.
+struct Store {};
+struct SelectProgram {
+  int slot;
+  explicit SelectProgram(int s) : slot(s) {}
+};
+/// Clear the slot, write the text, read it back and compare. Texts with own program headings: slot -1.
+struct LoadProgram {
+  int slot;
+  std::string text;
+  LoadProgram(int s, std::string t) : slot(s), text(std::move(t)) {}
+};
+struct UploadProgram {  ///< -> Notice{program} with the listing
+  int slot;
+  explicit UploadProgram(int s) : slot(s) {}
+};
+struct ClearProgram {
+  int slot;
+  explicit ClearProgram(int s) : slot(s) {}
+};
+struct RunProgram {
+  int slot;
+  explicit RunProgram(int s) : slot(s) {}
+};
+struct Pause {};       ///< hold before the next command
+struct Resume {};      ///< go on from a hold or a wait for the host
+struct SingleStep {};  ///< from a hold: one command
+struct HaltProgram {};
+/// The maker's own text, framing added by the driver, no waiting.
+struct SendText {
+  std::string text;
+  explicit SendText(std::string t) : text(std::move(t)) {}
+};
+struct Reset {};      ///< as if power had been switched off and on
+struct Reconnect {};  ///< try now
+struct ReadAgain {};  ///< read the whole state afresh (after a doubt)
+
+}  // namespace intent
+
+using IntentBody =
+    std::variant<intent::MoveTo, intent::MoveBy, intent::JogStart, intent::JogKeepAlive, intent::JogStop,
+                 intent::Home, intent::Stop, intent::Abort, intent::SetPosition, intent::SetOutput,
+                 intent::SetParam, intent::ReadParams, intent::Store, intent::SelectProgram, intent::LoadProgram,
+                 intent::UploadProgram, intent::ClearProgram, intent::RunProgram, intent::Pause, intent::Resume,
+                 intent::SingleStep, intent::HaltProgram, intent::SendText, intent::Reset, intent::Reconnect,
+                 intent::ReadAgain>;
+
+struct Intent {
+  IntentId id = 0;
+  IntentBody body;
+  Intent(IntentId i, IntentBody b) : id(i), body(std::move(b)) {}
+};
+
+}  // namespace hw

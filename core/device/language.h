@@ -1,0 +1,82 @@
+#pragma once
+// What a console wants to know of a program text while it is typed, and before metal moves.
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/time/clock.h"
+
+namespace hw {
+
+enum class TokenKind : std::uint8_t { moves, flow, plain, comment, bad };
+struct Token {
+  int begin = 0, end = 0;  ///< bytes within the line
+  TokenKind kind = TokenKind::plain;
+};
+struct Problem {
+  bool error = true;  ///< false: a warning
+  int line = 0, column = 0, length = 0;  ///< from 0, in bytes
+  std::string sentence;
+  std::string fix_label, fix_text;  ///< not empty: replacing column..+length by fix_text mends it
+};
+struct LineReport {
+  std::vector<Token> tokens;
+  int cost = 0;           ///< bytes or low-level lines
+  int first_command = -1; ///< index of its first stored command within the slot's listing
+  int command_count = 0;
+  int slot = -1;          ///< for texts with program headings
+};
+struct ProgramReport {
+  std::vector<LineReport> lines;
+  std::vector<Problem> problems;
+  std::map<int, int> cost;                           ///< per slot, in the catalog's capacity unit
+  std::map<int, std::vector<std::string>> listing;   ///< per slot: the commands in canonical form
+  [[nodiscard]] bool has_errors() const {
+    for (const Problem& p : problems)
+      if (p.error) return true;
+    return false;
+  }
+};
+
+struct RehearsedAxis {
+  std::string name;
+  std::int64_t position = 0, minimum = 0, maximum = 0, travel = 0;
+};
+struct RehearsedEvent {
+  double t = 0;
+  std::string what;
+  int slot = -1, command = -1;
+};
+struct Rehearsal {
+  double duration_s = 0;
+  bool finished = false;
+  std::string error;  ///< not empty: what stopped it, as a sentence
+  std::vector<RehearsedAxis> axes;
+  std::map<std::string, int> outputs;
+  std::string sent_to_host;
+  std::map<std::string, int> program_size;  ///< "0" -> 14
+  std::vector<RehearsedEvent> events;
+  int moves = 0;
+  bool limit_touched = false;
+};
+struct RehearseOptions {
+  double for_seconds = 3600;
+  int slot = 0;              ///< the program that is started
+  std::string bench_toml;    ///< a bench file's text, or empty
+  int axes = 0;              ///< 0: as few as the text needs
+};
+
+class Language {
+ public:
+  virtual ~Language() = default;
+  /// `slot`: where text before the first program heading belongs.
+  [[nodiscard]] virtual ProgramReport analyse(std::string_view text, int slot) const = 0;
+  /// Dry run from the power-up state, in virtual time. Pure and long: for a worker thread.
+  [[nodiscard]] virtual Result<Rehearsal> rehearse(std::string_view text, const RehearseOptions& options) const = 0;
+};
+
+}  // namespace hw

@@ -1,0 +1,37 @@
+#pragma once
+// The list of controllers. A new one is a folder in core/devices/ and one line in core/devices/registry.cpp.
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "core/device/catalog.h"
+#include "core/device/driver.h"
+#include "core/device/emulator.h"
+#include "core/device/language.h"
+#include "core/link/traffic.h"
+
+namespace hw {
+
+/// key=value options of an address ("motors" -> "4"). Keys are known to the device type or to the transport.
+using DeviceOptions = std::map<std::string, std::string>;
+
+struct DeviceType {
+  std::string_view model;
+  Result<Catalog> (*make_catalog)(const DeviceOptions&);
+  std::unique_ptr<Driver> (*make_driver)(DriverContext);
+  Result<std::unique_ptr<Emulator>> (*make_emulator)(const DeviceOptions&);
+  const Language& (*language)();
+  /// What bytes on the wire mean, for the terminal. Pure; any thread. Appends to nothing, returns a sentence.
+  std::string (*explain)(std::string_view bytes, Way way, TrafficKind kind, std::string_view asked);
+  /// A harmless question and whether the answer is this model's (`scan`): sent at each rate of the catalog.
+  std::string_view probe;
+  bool (*recognises)(std::string_view reply);
+};
+
+/// In the order of the address table. From core/devices/registry.cpp.
+std::span<const DeviceType> device_types();
+const DeviceType* find_device_type(std::string_view model);
+
+}  // namespace hw

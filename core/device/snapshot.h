@@ -1,0 +1,133 @@
+#pragma once
+// One instant of one controller, as its driver knows it. A plain value of fixed size: published by the driver,
+// copied without allocation, drawn by every panel. What is not known is marked so, never guessed.
+#include <array>
+#include <cstdint>
+
+#include "core/base/fixed_text.h"
+#include "core/base/units.h"
+#include "core/device/intent.h"
+#include "core/time/clock.h"
+
+namespace hw {
+
+enum class LinkState : std::uint8_t { connecting, good, late, lost, closed };
+
+enum class Activity : std::uint8_t { unknown, idle, moving, jogging, homing, stopping, error };
+
+struct AxisState {
+  Steps position{};
+  Instant seen_at{};            ///< when the position was read
+  bool position_known = false;  ///< false: never read, or not true any more since a loss or reset
+  bool position_doubtful = false;  ///< the controller counts, but steps may have been lost (see `doubt`)
+  Activity activity = Activity::unknown;
+  std::int8_t direction = 0;  ///< -1, 0, +1 of the present motion
+  Pps speed{};                ///< asked speed of the present motion; 0 when unknown or at rest
+  bool has_target = false;
+  Steps target{};
+  bool has_encoder = false;
+  Steps encoder{};
+  bool limit_minus = false, limit_plus = false, home = false, alarm = false;
+  bool limits_known = false;
+  bool enabled = true;
+};
+
+enum class RunState : std::uint8_t { idle, running, waiting, held, error };
+
+struct ProgramState {
+  RunState run = RunState::idle;
+  bool owned = false;           ///< a stored program of the user's, not a move of the console
+  std::int8_t slot = -1;        ///< the program that runs, or the selected one
+  std::int16_t command = -1;    ///< index of the live command in the slot's listing; -1 unknown
+  bool command_told = false;    ///< true: the controller said so; false: worked out
+  bool stepping = false;        ///< stops before each command
+  Instant started_at{};
+};
+
+/// What became of the newest intents; a panel finds its own by id.
+enum class Fate : std::uint8_t { pending, done, refused, failed };
+struct IntentFate {
+  IntentId id = 0;
+  Fate fate = Fate::pending;
+  FixedText<320> sentence;  ///< refused or failed: Fault::sentence()
+};
+
+struct ParamState {
+  std::int64_t value = 0;
+  bool known = false;
+  bool stored = true;  ///< false: changed in RAM since the last store
+};
+
+/// What the controller has said of itself.
+struct Identity {
+  FixedText<32> model;     ///< as the controller or catalog names it
+  FixedText<24> firmware;  ///< empty: not known
+  FixedText<24> serial;
+};
+
+struct LinkHealth {
+  LinkState state = LinkState::connecting;
+  Duration round_trip{};
+  float polls_per_second = 0;
+  std::uint32_t misses_in_a_row = 0;
+  std::uint64_t timeouts = 0, unparsed_bytes = 0;
+  Instant lost_at{};
+  Instant next_attempt{};
+  int attempts = 0;
+  FixedText<320> sentence;  ///< why it is late, lost or closed; what is being done
+};
+
+inline constexpr int max_inputs = 32, max_outputs = 32, max_analog = 8, max_params = 256, max_slots = 8;
+
+struct Snapshot {
+  std::uint64_t sequence = 0;
+  Instant at{};
+  LinkHealth link;
+  Identity identity;
+  int axis_count = 0;
+  std::array<AxisState, max_axes> axes{};
+  std::uint32_t inputs = 0, inputs_known = 0;    ///< bit n-1 = the catalog's input n; 1 = electrically high
+  std::uint32_t outputs = 0, outputs_known = 0;  ///< bit n-1 = output n; 1 = on
+  Instant io_seen_at{};
+  std::array<std::int32_t, max_analog> analog{};
+  std::uint32_t analog_known = 0;
+  ProgramState program;
+  std::array<std::int16_t, max_slots> slot_bytes_used{};  ///< -1 unknown
+  std::array<ParamState, max_params> params{};            ///< by index in Catalog::params
+  bool unsaved_setup = false, unsaved_programs = false;   ///< in RAM and not stored
+  std::int32_t store_count = -1;                          ///< writes used of the non-volatile memory, if known
+  Duration poll_period{};                                 ///< what the poll law asks for now
+  std::array<IntentFate, 8> fates{};                      ///< newest first
+  FixedText<320> notice;  ///< the worst thing that is true now and is not in the fields above; empty: nothing
+
+  [[nodiscard]] const IntentFate* fate_of(IntentId id) const {
+    for (const IntentFate& f : fates)
+      if (f.id == id && id != 0) return &f;
+    return nullptr;
+  }
+  [[nodiscard]] bool any_axis_moving() const {
+    for (int i = 0; i < axis_count; ++i)
+      if (axes[i].activity == Activity::moving || axes[i].activity == Activity::jogging ||
+          axes[i].activity == Activity::homing || axes[i].activity == Activity::stopping)
+        return true;
+    return false;
+  }
+};
+
+/// Older than three poll periods (and at least 0.6 s): shown dimmed and marked.
+inline bool is_stale(Instant seen_at, Instant now, Duration poll_period) {
+  const Duration limit = std::max<Duration>(3 * poll_period, Millis(600));
+  return now - seen_at > limit;
+}
+
+/// Things that must not be lost: they travel in a ring beside the snapshots.
+struct Notice {
+  enum class Kind : std::uint8_t { info, warning, error, program, report, question };
+  Kind kind = Kind::info;
+  Instant at{};
+  IntentId intent = 0;
+  int slot = -1;     ///< program: which slot `text` is the listing of
+  std::string text;  ///< a sentence, or the listing
+};
+
+}  // namespace hw

@@ -1,0 +1,21 @@
+#include "core/link/framing.h"
+
+namespace hw {
+
+std::optional<std::size_t> ReplyShape::complete(std::string_view received) const {
+  switch (kind) {
+    case Kind::none: return 0;
+    case Kind::fixed: return received.size() >= count ? std::optional<std::size_t>(count) : std::nullopt;
+    case Kind::quiet_end: return std::nullopt;
+    case Kind::lines: break;
+  }
+  std::size_t end = 0;
+  for (int i = 0; i < count; ++i) {
+    const auto at = received.find(terminator, end);
+    if (at == std::string_view::npos) return std::nullopt;
+    end = at + 1;
+  }
+  return end;
+}
+
+}  // namespace hw

@@ -1,0 +1,34 @@
+#pragma once
+// What a transport implements: an ordered stream of bytes both ways. Io thread only.
+#include <string>
+#include <string_view>
+
+#include "core/base/result.h"
+
+namespace hw {
+
+class Stream {
+ public:
+  /// Hears what comes in. Called from the io thread, never from inside a call into the stream.
+  class Listener {
+   public:
+    virtual ~Listener() = default;
+    virtual void bytes_arrived(std::string_view bytes) = 0;
+    /// The wire is gone (cable pulled, peer closed). Nothing arrives any more; send() does nothing.
+    virtual void stream_closed(const Fault& why) = 0;
+  };
+
+  virtual ~Stream() = default;
+  /// Null: nobody listens, what arrives is dropped.
+  virtual void listen(Listener* listener) = 0;
+  /// Never blocks. Bytes go out in the order of the calls.
+  virtual void send(std::string_view bytes) = 0;
+  /// Line rate in baud, 8N1. Streams without a rate accept and ignore it.
+  virtual Result<> set_rate(int baud) = 0;
+  /// 0: no rate, bytes arrive as fast as they can.
+  [[nodiscard]] virtual int rate() const = 0;
+  /// Where it leads, for a person: "/dev/ttyUSB0, 9600 baud".
+  [[nodiscard]] virtual std::string describe() const = 0;
+};
+
+}  // namespace hw

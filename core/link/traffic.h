@@ -1,0 +1,24 @@
+#pragma once
+// The time-stamped record of a wire. Written by the link (io thread), drained by one reader.
+#include <cstdint>
+#include <string>
+
+#include "core/base/ring.h"
+#include "core/time/clock.h"
+
+namespace hw {
+
+enum class Way : std::uint8_t { sent, received };
+/// Why bytes went out, or what they were taken for when they came in.
+enum class TrafficKind : std::uint8_t { stop, intent, transfer, poll, unsolicited, unparsed };
+
+struct TrafficEntry {
+  Instant at{};
+  Way way = Way::sent;
+  TrafficKind kind = TrafficKind::intent;
+  std::string bytes;  ///< as on the wire; up to 15 bytes need no allocation
+};
+
+using TrafficRing = Ring<TrafficEntry>;
+
+}  // namespace hw

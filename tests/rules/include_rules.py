@@ -1,0 +1,66 @@
+#!/usr/bin/env python3
+"""Keeps the arrows of the house: which folder may include which, and who may name a device."""
+import pathlib
+import re
+import sys
+
+ROOT = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".").resolve()
+FORBIDDEN_FOLDERS = {
+    "core": ("gui/", "panels/", "transports/"),
+    "transports": ("gui/", "panels/"),
+    "gui": ("panels/", "transports/"),
+    "panels": ("transports/",),
+}
+CORE_ORDER = ["base", "time", "motion", "link", "device", "devices", "session", "script"]
+DEVICE_NAME = re.compile(r"\b(vxm|arcus|pmx|dmx|vme58|velmex)", re.IGNORECASE)
+INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
+problems = []
+
+
+def check(path):
+    name = path.relative_to(ROOT).as_posix()
+    parts = name.split("/")
+    text = path.read_text(encoding="utf-8")
+    top, stem = parts[0], path.stem
+    app = name.startswith("gui/app/")
+    for header in INCLUDE.findall(text):
+        say = lambda why: problems.append(f"{name}: includes {header}: {why}")
+        if not app:
+            for folder in FORBIDDEN_FOLDERS[top]:
+                if header.startswith(folder):
+                    say(f"{top} may not know {folder}")
+        if header.startswith("boost/asio") and name != "core/base/asio.h" and top != "transports":
+            say("Boost.Asio comes through core/base/asio.h")
+        if ("imgui" in header or "GLFW" in header) and top in ("core", "transports"):
+            say("no window below the gui")
+        if top == "core" and header.startswith("core/"):
+            here, there = parts[1], header.split("/")[1]
+            if here in CORE_ORDER and there in CORE_ORDER and CORE_ORDER.index(there) > CORE_ORDER.index(here):
+                say("core: base <- time <- motion <- link <- device <- devices <- session <- script")
+        if name.startswith("core/devices/") and header.startswith("core/devices/"):
+            mine, other = parts[2], header.split("/")[2]
+            if mine != other and "." not in mine and other != "arcus":
+                say("a device knows no other device")
+            told = header.rsplit("/", 1)[1]
+            controller_side = ("emulator", "program", "report")
+            host_side = ("driver", "codec")
+            if stem.startswith(controller_side) and told.startswith(host_side):
+                say("emulator and driver share facts.h only")
+            if stem.startswith(host_side) and told.startswith(("emulator", "report")):
+                say("emulator and driver share facts.h only")
+        if header in ("core/base/asio.h", "core/time/scheduler.h") and (
+            parts[1] == "motion" or (top == "core" and stem.startswith(("emulator", "codec", "program", "report")))
+        ):
+            say("motion, codec and emulator are pure")
+    if top in ("panels", "gui") and not app:
+        for number, line in enumerate(text.splitlines(), 1):
+            if DEVICE_NAME.search(line):
+                problems.append(f"{name}:{number}: names a device; ask the catalog")
+
+
+for folder in FORBIDDEN_FOLDERS:
+    for suffix in ("*.h", "*.cpp"):
+        for file in sorted((ROOT / folder).rglob(suffix)):
+            check(file)
+print("\n".join(problems) or "include rules: all arrows point the right way")
+sys.exit(bool(problems))
