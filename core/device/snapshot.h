@@ -1,8 +1,10 @@
 #pragma once
-// One instant of one controller, as its driver knows it. A plain value of fixed size: published by the driver,
-// copied without allocation, drawn by every panel. What is not known is marked so, never guessed.
+// One instant of one controller, as its driver knows it. A plain value of fixed size: published by the
+// driver, copied without allocation, drawn by every panel. What is not known is marked so, never guessed.
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <string>
 
 #include "core/base/fixed_text.h"
 #include "core/base/units.h"
@@ -15,12 +17,16 @@ enum class LinkState : std::uint8_t { connecting, good, late, lost, closed };
 
 enum class Activity : std::uint8_t { unknown, idle, moving, jogging, homing, stopping, error };
 
+/// How the latest motion of an axis came to its end.
+enum class EndedBy : std::uint8_t { nothing, target, limit, stop, abort, error, lost };
+
 struct AxisState {
   Steps position{};
-  Instant seen_at{};            ///< when the position was read
-  bool position_known = false;  ///< false: never read, or not true any more since a loss or reset
+  Instant seen_at{};               ///< when the position was read
+  bool position_known = false;     ///< false: never read, or not true any more since a loss or reset
   bool position_doubtful = false;  ///< the controller counts, but steps may have been lost (see `doubt`)
   Activity activity = Activity::unknown;
+  EndedBy ended_by = EndedBy::nothing;
   std::int8_t direction = 0;  ///< -1, 0, +1 of the present motion
   Pps speed{};                ///< asked speed of the present motion; 0 when unknown or at rest
   bool has_target = false;
@@ -36,11 +42,11 @@ enum class RunState : std::uint8_t { idle, running, waiting, held, error };
 
 struct ProgramState {
   RunState run = RunState::idle;
-  bool owned = false;           ///< a stored program of the user's, not a move of the console
-  std::int8_t slot = -1;        ///< the program that runs, or the selected one
-  std::int16_t command = -1;    ///< index of the live command in the slot's listing; -1 unknown
-  bool command_told = false;    ///< true: the controller said so; false: worked out
-  bool stepping = false;        ///< stops before each command
+  bool owned = false;         ///< a stored program of the user's, not a move of the console
+  std::int8_t slot = -1;      ///< the program that runs, or the selected one
+  std::int16_t command = -1;  ///< index of the live command in the slot's listing; -1 unknown
+  bool command_told = false;  ///< true: the controller said so; false: worked out
+  bool stepping = false;      ///< stops before each command
   Instant started_at{};
 };
 
@@ -95,9 +101,9 @@ struct Snapshot {
   std::array<std::int16_t, max_slots> slot_bytes_used{};  ///< -1 unknown
   std::array<ParamState, max_params> params{};            ///< by index in Catalog::params
   bool unsaved_setup = false, unsaved_programs = false;   ///< in RAM and not stored
-  std::int32_t store_count = -1;                          ///< writes used of the non-volatile memory, if known
-  Duration poll_period{};                                 ///< what the poll law asks for now
-  std::array<IntentFate, 8> fates{};                      ///< newest first
+  std::int32_t store_count = -1;      ///< writes used of the non-volatile memory, if known
+  Duration poll_period{};             ///< what the poll law asks for now
+  std::array<IntentFate, 8> fates{};  ///< newest first
   FixedText<320> notice;  ///< the worst thing that is true now and is not in the fields above; empty: nothing
 
   [[nodiscard]] const IntentFate* fate_of(IntentId id) const {
