@@ -1,6 +1,10 @@
 #pragma once
 // The one door to Boost.Asio for the core: coroutines and the executor. Sockets and serial ports are the
 // business of transports/. (<utility> first: Boost 1.74's awaitable.hpp uses std::exchange without it.)
+// clang-format off
+#include <optional>
+#include <utility>
+
 #include <boost/asio/any_io_executor.hpp>
 #include <boost/asio/async_result.hpp>
 #include <boost/asio/awaitable.hpp>
@@ -11,8 +15,7 @@
 #include <boost/asio/steady_timer.hpp>
 #include <boost/asio/this_coro.hpp>
 #include <boost/asio/use_awaitable.hpp>
-#include <optional>
-#include <utility>
+// clang-format on
 
 namespace hw {
 
