@@ -107,7 +107,6 @@ struct BenchView {
   std::uint32_t limits_minus_by_hand = 0, limits_plus_by_hand = 0;
   std::uint32_t jammed = 0;
   std::uint32_t lamps_blink = 0;  ///< bit n: the lamp changes by itself now
-
   bool operator==(const BenchView&) const = default;
 };
 

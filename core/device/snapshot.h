@@ -36,6 +36,7 @@ struct AxisState {
   bool limit_minus = false, limit_plus = false, home = false, alarm = false;
   bool limits_known = false;
   bool enabled = true;
+  bool operator==(const AxisState&) const = default;
 };
 
 enum class RunState : std::uint8_t { idle, running, waiting, held, error };
@@ -48,6 +49,7 @@ struct ProgramState {
   bool command_told = false;  ///< true: the controller said so; false: worked out
   bool stepping = false;      ///< stops before each command
   Instant started_at{};
+  bool operator==(const ProgramState&) const = default;
 };
 
 /// What became of the newest intents; a panel finds its own by id.
@@ -56,12 +58,14 @@ struct IntentFate {
   IntentId id = 0;
   Fate fate = Fate::pending;
   FixedText<320> sentence;  ///< refused or failed: Fault::sentence()
+  bool operator==(const IntentFate&) const = default;
 };
 
 struct ParamState {
   std::int64_t value = 0;
   bool known = false;
   bool stored = true;  ///< false: changed in RAM since the last store
+  bool operator==(const ParamState&) const = default;
 };
 
 /// What the controller has said of itself.
@@ -69,6 +73,7 @@ struct Identity {
   FixedText<32> model;     ///< as the controller or catalog names it
   FixedText<24> firmware;  ///< empty: not known
   FixedText<24> serial;
+  bool operator==(const Identity&) const = default;
 };
 
 struct LinkHealth {
@@ -134,6 +139,9 @@ struct Notice {
   IntentId intent = 0;
   int slot = -1;     ///< program: which slot `text` is the listing of
   std::string text;  ///< a sentence, or the listing
+
+  Notice() = default;
+  Notice(Kind k, Instant when, std::string t) : kind(k), at(when), text(std::move(t)) {}
 };
 
 }  // namespace hw
