@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <string>
 #include <string_view>
 
 namespace hw {
@@ -11,8 +12,9 @@ template <std::size_t N>
 class FixedText {
  public:
   constexpr FixedText() = default;
-  FixedText(std::string_view text) { assign(text); }  // NOLINT: converts on purpose
-  FixedText(const char* text) { assign(text); }       // NOLINT
+  FixedText(std::string_view text) { assign(text); }    // NOLINT: converts on purpose
+  FixedText(const char* text) { assign(text); }         // NOLINT
+  FixedText(const std::string& text) { assign(text); }  // NOLINT
 
   /// Keeps the first N bytes; what does not fit is cut at a character boundary (UTF-8).
   void assign(std::string_view text) {

@@ -58,10 +58,10 @@ struct ParamInfo {
   std::string unit;         ///< "steps/s" or empty
   std::string group;        ///< heading in Setup
   std::int64_t minimum = 0, maximum = 0, fallback = 0;  ///< fallback: the factory value
-  std::vector<ParamChoice> choices;  ///< not empty: exactly these values
-  std::vector<ParamBit> bits;        ///< not empty: a bit field
-  bool also_zero = false;            ///< 0 is allowed too and switches it off (range starts above)
-  bool stored = true;                ///< kept by Store
+  std::vector<ParamChoice> choices;                     ///< not empty: exactly these values
+  std::vector<ParamBit> bits;                           ///< not empty: a bit field
+  bool also_zero = false;  ///< 0 is allowed too and switches it off (range starts above)
+  bool stored = true;      ///< kept by Store
   bool readable = true;
   int axis = -1;
   std::string warning;  ///< not empty: asked before it is written, naming the axis
@@ -87,12 +87,12 @@ struct CommandInfo {
 };
 
 struct ProgramFacts {
-  int slots = 0;                ///< 0: no stored programs
-  std::string slot_word;        ///< "Program"
-  int capacity = 0;             ///< per slot, in `capacity_unit`
-  std::string capacity_unit;    ///< "bytes"
-  bool shared_capacity = false; ///< one memory for all slots
-  std::string file_suffix;      ///< ".vxm"
+  int slots = 0;                 ///< 0: no stored programs
+  std::string slot_word;         ///< "Program"
+  int capacity = 0;              ///< per slot, in `capacity_unit`
+  std::string capacity_unit;     ///< "bytes"
+  bool shared_capacity = false;  ///< one memory for all slots
+  std::string file_suffix;       ///< ".vxm"
   char comment = ';';
 };
 
@@ -115,9 +115,9 @@ struct BenchFacts {
 };
 
 struct Capabilities {
-  bool single_step = false;        ///< Pause, Resume, SingleStep
-  bool store = false;              ///< non-volatile memory with a limited write life
-  std::int32_t store_life = 0;     ///< writes
+  bool single_step = false;     ///< Pause, Resume, SingleStep
+  bool store = false;           ///< non-volatile memory with a limited write life
+  std::int32_t store_life = 0;  ///< writes
   bool one_axis_at_a_time = false;
   bool homes = true;
   bool reset = false;
@@ -126,10 +126,10 @@ struct Capabilities {
 };
 
 struct Catalog {
-  std::string model;         ///< "vxm": as in an address
-  std::string name;          ///< "Velmex VXM"
-  std::string short_name;    ///< "VXM"
-  std::string summary;       ///< "stepping motors, 2 or 4"
+  std::string model;       ///< "vxm": as in an address
+  std::string name;        ///< "Velmex VXM"
+  std::string short_name;  ///< "VXM"
+  std::string summary;     ///< "stepping motors, 2 or 4"
   std::string step_word = "steps";
   std::vector<AxisInfo> axes;
   std::vector<UnitChoice> units;

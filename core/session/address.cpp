@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+
 #include <fmt/format.h>
 
 #include "core/device/registry.h"
@@ -18,9 +19,10 @@ std::string model_list() {
 }
 
 tl::unexpected<Fault> bad(std::string what) {
-  return fail(FaultKind::text, std::move(what), "Nothing was opened.",
-              "An address reads MODEL@TRANSPORT:WHERE,key=value, for example vxm@serial:/dev/ttyUSB0,baud=9600 "
-              "or vxm@emulator.");
+  return fail(
+      FaultKind::text, std::move(what), "Nothing was opened.",
+      "An address reads MODEL@TRANSPORT:WHERE,key=value, for example vxm@serial:/dev/ttyUSB0,baud=9600 "
+      "or vxm@emulator.");
 }
 
 Result<> read_options(std::string_view rest, Address& address) {
@@ -49,7 +51,8 @@ Result<Address> Address::parse(std::string_view text) {
   std::transform(address.model.begin(), address.model.end(), address.model.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   if (!find_device_type(address.model))
-    return bad(fmt::format("There is no controller model \"{}\". Known: {}.", text.substr(0, at), model_list()));
+    return bad(
+        fmt::format("There is no controller model \"{}\". Known: {}.", text.substr(0, at), model_list()));
   const std::string_view rest = text.substr(at + 1);
   const auto comma = rest.find(',');
   const std::string_view way = rest.substr(0, comma);
@@ -90,7 +93,8 @@ Result<int> Address::number(std::string_view key, int fallback) const {
 Result<std::pair<std::string, int>> split_host_port(std::string_view where) {
   const auto colon = where.rfind(':');
   if (colon == where.npos || colon == 0)
-    return fail(FaultKind::text, fmt::format("\"{}\" is no HOST:PORT.", where), {}, "For example 192.168.1.40:4001.");
+    return fail(FaultKind::text, fmt::format("\"{}\" is no HOST:PORT.", where), {},
+                "For example 192.168.1.40:4001.");
   std::string_view host = where.substr(0, colon);
   const std::string_view digits = where.substr(colon + 1);
   if (host.size() > 2 && host.front() == '[' && host.back() == ']') host = host.substr(1, host.size() - 2);

@@ -31,9 +31,9 @@ struct Wire {
   std::shared_ptr<BenchAccess> bench;  ///< null: not an emulator of ours
 };
 
-/// Resumes with an open wire or a fault that names the place. An emulator that was unplugged opens again as the
-/// same emulator: `again` is the bench of the wire that was lost, or null.
-using WireOpener =
-    std::function<Task<Result<Wire>>(Scheduler& scheduler, Address address, std::shared_ptr<BenchAccess> again)>;
+/// Resumes with an open wire or a fault that names the place. An emulator that was unplugged opens again as
+/// the same emulator: `again` is the bench of the wire that was lost, or null.
+using WireOpener = std::function<Task<Result<Wire>>(Scheduler& scheduler, Address address,
+                                                    std::shared_ptr<BenchAccess> again)>;
 
 }  // namespace hw
