@@ -29,8 +29,8 @@ std::vector<UnitChoice> units() {
   };
 }
 
-// In this order they are inputs 1 to 8 of a script and of the snapshot. The `~` byte carries the jog inputs in
-// its low four bits and In 1 to In 4 in its high four (Appendix A).
+// In this order they are inputs 1 to 8 of a script and of the snapshot. The `~` byte carries the jog inputs
+// in its low four bits and In 1 to In 4 in its high four (Appendix A).
 std::vector<InputInfo> inputs() {
   return {
       {"In 1", "Programs wait for it (U0, U1, U30, U31, U50, U51) and branch on it (U11, U21). Pin 5.", true},
@@ -56,8 +56,8 @@ std::vector<OutputInfo> outputs() {
 BenchFacts bench() {
   BenchFacts b;
   b.panel_title = "VXM front panel";
-  b.buttons = {{"1-", true, 0}, {"1+", true, 0}, {"2-", true, 0}, {"2+", true, 0}, {"Run", true, 1},
-               {"Stop", false, 1}};
+  b.buttons = {{"1-", true, 0}, {"1+", true, 0},  {"2-", true, 0},
+               {"2+", true, 0}, {"Run", true, 1}, {"Stop", false, 1}};
   b.lamps = {{"Power", LampColour::green}, {"On-Line", LampColour::yellow}};
   return b;
 }

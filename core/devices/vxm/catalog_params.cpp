@@ -1,6 +1,6 @@
-// Every parameter of the VXM: what `set`, `get`, B and O reach. The mnemonic is what stands between set/get and
-// the value; so `B` is the baud rate (setB38). Backlash compensation, which the maker sets by a bare B20, is
-// called Bx, as the manual heads it.
+// Every parameter of the VXM: what `set`, `get`, B and O reach. The mnemonic is what stands between set/get
+// and the value; so `B` is the baud rate (setB38). Backlash compensation, which the maker sets by a bare B20,
+// is called Bx, as the manual heads it.
 #include <fmt/format.h>
 
 #include "core/devices/vxm/catalog.h"
@@ -20,7 +20,8 @@ std::vector<ParamChoice> motor_types() {
 
 std::string motor_warning(int m) {
   return fmt::format(
-      "The controller drives motor {0} with the power of the type chosen here. A type that does not match the "
+      "The controller drives motor {0} with the power of the type chosen here. A type that does not match "
+      "the "
       "motor connected to motor {0} can severely damage the motor and the controller. Compare it with the "
       "label on motor {0} before you confirm.",
       m);
@@ -40,10 +41,11 @@ void range(ParamInfo& p, std::int64_t low, std::int64_t high, std::int64_t fallb
 }
 
 ParamInfo motor_type(int m) {
-  ParamInfo p = row(fmt::format("M{}M", m), "Motors", fmt::format("Type of motor {}", m),
-                    "Which motor is connected. The controller sets the current from it. 0 is the factory value "
-                    "for very small motors: a larger one only buzzes and does not move. While jogging by the "
-                    "buttons the motor gets 70 % of its power.");
+  ParamInfo p =
+      row(fmt::format("M{}M", m), "Motors", fmt::format("Type of motor {}", m),
+          "Which motor is connected. The controller sets the current from it. 0 is the factory value "
+          "for very small motors: a larger one only buzzes and does not move. While jogging by the "
+          "buttons the motor gets 70 % of its power.");
   range(p, 0, 6, 0);
   p.choices = motor_types();
   p.warning = motor_warning(m);
@@ -52,10 +54,11 @@ ParamInfo motor_type(int m) {
 }
 
 ParamInfo motor_type_full(int m) {
-  ParamInfo p = row(fmt::format("MA{}M", m), "Motors", fmt::format("Type of motor {}, full power when jogging", m),
-                    "The same choice of motor, but the jog buttons and the joystick drive it with 100 % of its "
-                    "power instead of 70 %. The controller does not tell which of the two it was given, so only "
-                    "the type itself can be read back.");
+  ParamInfo p =
+      row(fmt::format("MA{}M", m), "Motors", fmt::format("Type of motor {}, full power when jogging", m),
+          "The same choice of motor, but the jog buttons and the joystick drive it with 100 % of its "
+          "power instead of 70 %. The controller does not tell which of the two it was given, so only "
+          "the type itself can be read back.");
   range(p, 0, 6, 0);
   p.choices = motor_types();
   p.readable = false;
@@ -80,10 +83,11 @@ ParamInfo limit_mode(int m) {
 }
 
 ParamInfo pulse_every(int m) {
-  ParamInfo p = row(fmt::format("P{}M", m), "Position pulses", fmt::format("Pulse every so many steps of motor {}", m),
-                    "Makes a pulse on output 2 each time the motor has turned by this many steps, also while "
-                    "jogging, for example to trigger a camera. The first pulse comes after half of the distance. "
-                    "0 switches it off.");
+  ParamInfo p =
+      row(fmt::format("P{}M", m), "Position pulses", fmt::format("Pulse every so many steps of motor {}", m),
+          "Makes a pulse on output 2 each time the motor has turned by this many steps, also while "
+          "jogging, for example to trigger a camera. The first pulse comes after half of the distance. "
+          "0 switches it off.");
   range(p, 1, 32767, 0, "steps");
   p.also_zero = true;
   p.manual = "Appendix D p.41";
@@ -91,9 +95,10 @@ ParamInfo pulse_every(int m) {
 }
 
 ParamInfo jog_first(int m) {
-  ParamInfo p = row(fmt::format("j{}M", m), "Jog buttons", fmt::format("First jog speed of motor {}", m),
-                    "Top speed when a jog button on the controller's front panel is held longer than 0.3 s. "
-                    "0 makes the buttons of this motor do nothing. It does not concern jogging from the screen.");
+  ParamInfo p =
+      row(fmt::format("j{}M", m), "Jog buttons", fmt::format("First jog speed of motor {}", m),
+          "Top speed when a jog button on the controller's front panel is held longer than 0.3 s. "
+          "0 makes the buttons of this motor do nothing. It does not concern jogging from the screen.");
   range(p, 1, 6000, 2000, "steps/s");
   p.also_zero = true;
   p.manual = "Appendix H p.49";
@@ -101,9 +106,10 @@ ParamInfo jog_first(int m) {
 }
 
 ParamInfo jog_second(int m) {
-  ParamInfo p = row(fmt::format("J{}M", m), "Jog buttons", fmt::format("Second jog speed of motor {}", m),
-                    "Top speed of the jog buttons while input 2 is low, for example by the button of a digital "
-                    "joystick. Set it slow to approach a point by hand.");
+  ParamInfo p =
+      row(fmt::format("J{}M", m), "Jog buttons", fmt::format("Second jog speed of motor {}", m),
+          "Top speed of the jog buttons while input 2 is low, for example by the button of a digital "
+          "joystick. Set it slow to approach a point by hand.");
   range(p, 40, 6000, 2000, "steps/s");
   p.manual = "Appendix H p.49";
   return p;
@@ -116,10 +122,11 @@ std::vector<ParamChoice> joystick_ranges() {
 }
 
 ParamInfo joystick_first(int m) {
-  ParamInfo p = row(fmt::format("jA{}M", m), "Joystick", fmt::format("First joystick range of motor {}", m),
-                    "Range of speeds that an analog joystick gives from a small to a full deflection. The "
-                    "joystick must be at its centre when the controller is switched on: that place is taken as "
-                    "no motion.");
+  ParamInfo p =
+      row(fmt::format("jA{}M", m), "Joystick", fmt::format("First joystick range of motor {}", m),
+          "Range of speeds that an analog joystick gives from a small to a full deflection. The "
+          "joystick must be at its centre when the controller is switched on: that place is taken as "
+          "no motion.");
   range(p, 0, 24, 0);
   p.choices = joystick_ranges();
   p.manual = "Appendix J p.54";
@@ -127,9 +134,10 @@ ParamInfo joystick_first(int m) {
 }
 
 ParamInfo joystick_second(int m) {
-  ParamInfo p = row(fmt::format("JA{}M", m), "Joystick", fmt::format("Second joystick range of motor {}", m),
-                    "Range of speeds of the analog joystick while input 2 is low, chosen by one of the buttons "
-                    "on the joystick.");
+  ParamInfo p =
+      row(fmt::format("JA{}M", m), "Joystick", fmt::format("Second joystick range of motor {}", m),
+          "Range of speeds of the analog joystick while input 2 is low, chosen by one of the buttons "
+          "on the joystick.");
   range(p, 0, 24, 0);
   p.choices = joystick_ranges();
   p.manual = "Appendix J p.54";
@@ -137,19 +145,21 @@ ParamInfo joystick_second(int m) {
 }
 
 ParamInfo deadband() {
-  ParamInfo p = row("DA", "Joystick", "Joystick dead band",
-                    "How far the analog joystick must leave its centre before a motor turns. Small values make "
-                    "it hard to move one axis alone, large ones delay a change of direction.");
+  ParamInfo p =
+      row("DA", "Joystick", "Joystick dead band",
+          "How far the analog joystick must leave its centre before a motor turns. Small values make "
+          "it hard to move one axis alone, large ones delay a change of direction.");
   range(p, 20, 100, 40, "counts");
   p.manual = "Appendix J p.54";
   return p;
 }
 
 ParamInfo mode() {
-  ParamInfo p = row("DM", "Mode", "Controller mode",
-                    "Turns the direction of single motors round, makes this controller the Master of a second "
-                    "one, lets it behave like the older NF90, or lets program 4 run before the first run after "
-                    "power-up, which is where a homing routine belongs.");
+  ParamInfo p =
+      row("DM", "Mode", "Controller mode",
+          "Turns the direction of single motors round, makes this controller the Master of a second "
+          "one, lets it behave like the older NF90, or lets program 4 run before the first run after "
+          "power-up, which is where a homing routine belongs.");
   range(p, 1, 255, 1);
   p.bits = {{0, "always on"},
             {1, "motor 1 turns the other way"},
@@ -167,10 +177,11 @@ ParamInfo mode() {
 }
 
 ParamInfo input_mode() {
-  ParamInfo p = row("I", "Inputs", "What the inputs do",
-                    "Which of the Run and Stop buttons and of the inputs 1 to 4 act, and how: stopping with or "
-                    "without a ramp, choosing a program, branching out of a wait, or capturing positions. The "
-                    "Stop input is no emergency stop: for that, the power must be cut.");
+  ParamInfo p =
+      row("I", "Inputs", "What the inputs do",
+          "Which of the Run and Stop buttons and of the inputs 1 to 4 act, and how: stopping with or "
+          "without a ramp, choosing a program, branching out of a wait, or capturing positions. The "
+          "Stop input is no emergency stop: for that, the power must be cut.");
   range(p, 0, 255, 7);
   p.bits = {{0, "Run button and input start programs"},
             {1, "Stop button and input 4 stop programs"},
@@ -185,29 +196,32 @@ ParamInfo input_mode() {
 }
 
 ParamInfo pulse_width() {
-  ParamInfo p = row("PA", "Position pulses", "Pulse width",
-                    "How long each position pulse on output 2 lasts, in units of ten microseconds: 1 is 10 µs, "
-                    "200 is 2 ms. It serves the pulses every so many steps and those of U7.");
+  ParamInfo p =
+      row("PA", "Position pulses", "Pulse width",
+          "How long each position pulse on output 2 lasts, in units of ten microseconds: 1 is 10 µs, "
+          "200 is 2 ms. It serves the pulses every so many steps and those of U7.");
   range(p, 1, 255, 1, "10 µs");
   p.manual = "Appendix D p.42";
   return p;
 }
 
 ParamInfo backlash() {
-  ParamInfo p = row("Bx", "Precision", "Backlash compensation",
-                    "Each move in the negative direction overruns by so many steps and comes back, so that every "
-                    "position is reached from the same side and play in the screw does not show. 0 is off; 1 "
-                    "means 20 steps. It holds for all motors. Sent as B and the number.");
+  ParamInfo p =
+      row("Bx", "Precision", "Backlash compensation",
+          "Each move in the negative direction overruns by so many steps and comes back, so that every "
+          "position is reached from the same side and play in the screw does not show. 0 is off; 1 "
+          "means 20 steps. It holds for all motors. Sent as B and the number.");
   range(p, 0, 255, 0, "steps");
   p.manual = "Appendix F p.45";
   return p;
 }
 
 ParamInfo limit_report() {
-  ParamInfo p = row("O", "Limit switches", "When a limit switch is hit",
-                    "A limit switch always stops the motor. This says whether the controller tells the computer "
-                    "by the letter O, and whether a running program ends there. Without it a program goes on "
-                    "with its next command from the wrong place.");
+  ParamInfo p =
+      row("O", "Limit switches", "When a limit switch is hit",
+          "A limit switch always stops the motor. This says whether the controller tells the computer "
+          "by the letter O, and whether a running program ends there. Without it a program goes on "
+          "with its next command from the wrong place.");
   range(p, 0, 3, 0);
   p.choices = {{0, "0: stop the motor only"},
                {1, "1: tell the computer"},
@@ -218,10 +232,11 @@ ParamInfo limit_report() {
 }
 
 ParamInfo baud() {
-  ParamInfo p = row("B", "Communication", "Baud rate",
-                    "Speed of the serial line. The console changes its own side together with the controller and "
-                    "goes back if it gets no answer. The controller keeps the new rate over power-off only after "
-                    "Store. It does not tell its rate, so none is shown.");
+  ParamInfo p =
+      row("B", "Communication", "Baud rate",
+          "Speed of the serial line. The console changes its own side together with the controller and "
+          "goes back if it gets no answer. The controller keeps the new rate over power-off only after "
+          "Store. It does not tell its rate, so none is shown.");
   range(p, 9, 38, 9);
   p.choices = {{9, "9600 baud"}, {19, "19200 baud"}, {38, "38400 baud"}};
   p.readable = false;
@@ -230,10 +245,11 @@ ParamInfo baud() {
 }
 
 ParamInfo association() {
-  ParamInfo p = row("PMA", "Two controllers", "Programs started together",
-                    "Lets the Slave run its own program of the same number whenever the Master runs that program. "
-                    "Commands for motors 3 and 4 use program 0 of the Slave and erase what stands there, so do "
-                    "not couple program 0 in a system that uses them.");
+  ParamInfo p =
+      row("PMA", "Two controllers", "Programs started together",
+          "Lets the Slave run its own program of the same number whenever the Master runs that program. "
+          "Commands for motors 3 and 4 use program 0 of the Slave and erase what stands there, so do "
+          "not couple program 0 in a system that uses them.");
   range(p, -5, 255, 255);
   p.choices = {{255, "off"}};
   for (int x = 0; x <= 4; ++x) p.choices.push_back({x, fmt::format("program {}", x)});

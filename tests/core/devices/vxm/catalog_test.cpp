@@ -1,8 +1,8 @@
 #include "core/devices/vxm/catalog.h"
 
-#include <gtest/gtest.h>
-
 #include <set>
+
+#include <gtest/gtest.h>
 
 namespace hw::vxm {
 namespace {
@@ -16,7 +16,8 @@ TEST(VxmCatalog, MotorsDecideTheAxes) {
   const auto three = make_catalog({{"motors", "3"}});
   ASSERT_FALSE(three);
   EXPECT_EQ(three.error().sentence(),
-            "motors=3 is not possible with a VXM. Nothing was opened. Give motors=2 for one controller, or motors=4 "
+            "motors=3 is not possible with a VXM. Nothing was opened. Give motors=2 for one controller, or "
+            "motors=4 "
             "for a Master with its Slave.");
 }
 
@@ -38,7 +39,8 @@ TEST(VxmCatalog, EveryParameterIsExplainedToAStranger) {
 
 TEST(VxmCatalog, HasEverySetAndGetOfTheManual) {
   const Catalog two = catalog("2"), four = catalog("4");
-  for (const char* name : {"M1M", "MA1M", "B", "DM", "DA", "j1M", "J2M", "jA1M", "JA2M", "L1M", "P2M", "PA", "I", "Bx", "O"})
+  for (const char* name :
+       {"M1M", "MA1M", "B", "DM", "DA", "j1M", "J2M", "jA1M", "JA2M", "L1M", "P2M", "PA", "I", "Bx", "O"})
     EXPECT_GE(two.find_param(name), 0) << name;
   for (const char* name : {"M3M", "j4M", "P4M", "PMA"}) {
     EXPECT_LT(two.find_param(name), 0) << name;
@@ -77,7 +79,8 @@ TEST(VxmCatalog, EveryCommandHasHelpAndOnlyRunsMove) {
 }
 
 TEST(VxmCatalog, UnitsAreTheManualsTable) {
-  for (const UnitChoice& u : make_catalog({})->units)
+  const Catalog c = catalog("2");
+  for (const UnitChoice& u : c.units)
     if (u.label.find("E04: ") != std::string::npos) {
       EXPECT_DOUBLE_EQ(u.per_step, 0.001);
       EXPECT_EQ(u.unit, "inch");
