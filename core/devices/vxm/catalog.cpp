@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "core/devices/vxm/facts.h"
+
 namespace hw::vxm {
 namespace {
 
@@ -53,12 +55,19 @@ std::vector<OutputInfo> outputs() {
   };
 }
 
-BenchFacts bench() {
+// In the order of the bits of a BenchView.
+BenchFacts bench(int motors) {
+  const std::size_t controllers = motors > motors_per_controller ? 2 : 1;
   BenchFacts b;
   b.panel_title = "VXM front panel";
-  b.buttons = {{"1-", true, 0}, {"1+", true, 0},  {"2-", true, 0},
-               {"2+", true, 0}, {"Run", true, 1}, {"Stop", false, 1}};
-  b.lamps = {{"Power", LampColour::green}, {"On-Line", LampColour::yellow}};
+  for (std::size_t i = 0; i < controllers * buttons_per_controller; ++i) {
+    const std::string_view name = panel_buttons[i];
+    const bool jog = name.ends_with('-') || name.ends_with('+');
+    b.buttons.push_back({std::string(name), jog || name.ends_with("Run"),
+                         static_cast<int>(2 * (i / buttons_per_controller) + (jog ? 0 : 1))});
+  }
+  for (std::size_t i = 0; i < controllers * lamps_per_controller; ++i)
+    b.lamps.push_back({std::string(panel_lamps[i]), i % 2 ? LampColour::yellow : LampColour::green});
   return b;
 }
 
@@ -66,7 +75,7 @@ Capabilities capabilities() {
   Capabilities can;
   can.single_step = true;
   can.store = true;
-  can.store_life = 100'000;
+  can.store_life = store_life;
   can.one_axis_at_a_time = true;
   can.reset = true;
   can.usual_baud = 9600;
@@ -76,11 +85,12 @@ Capabilities capabilities() {
 
 Result<int> motor_count(const DeviceOptions& options) {
   const auto found = options.find("motors");
-  if (found == options.end() || found->second == "2") return 2;
-  if (found->second == "4") return 4;
-  return fail(FaultKind::text, fmt::format("motors={} is not possible with a VXM.", found->second),
+  if (found == options.end()) return motors_per_controller;
+  const std::string& text = found->second;
+  if (text.size() == 1 && text[0] >= '1' && text[0] <= '0' + max_motors) return text[0] - '0';
+  return fail(FaultKind::text, fmt::format("motors={} is not possible with a VXM.", text),
               "Nothing was opened.",
-              "Give motors=2 for one controller, or motors=4 for a Master with its Slave.");
+              "Give motors=1 or 2 for one controller, motors=3 or 4 for a Master with its Slave.");
 }
 
 }  // namespace
@@ -100,22 +110,22 @@ Result<Catalog> make_catalog(const DeviceOptions& options) {
                     {"switch", "onto the home switch of a rotary table, and zero there"}};
   c.inputs = inputs();
   c.outputs = outputs();
-  c.analog = {{"Analog", "counts", 0, 1024}};
+  c.analog = {{"Analog", "counts", analog_min, analog_max}};
   c.params = params(*motors);
   c.commands = commands(*motors);
-  c.program.slots = 5;
+  c.program.slots = program_count;
   c.program.slot_word = "Program";
-  c.program.capacity = 256;
+  c.program.capacity = program_bytes;
   c.program.capacity_unit = "bytes";
   c.program.file_suffix = ".vxm";
-  c.bench = bench();
+  c.bench = bench(*motors);
   c.can = capabilities();
-  c.jog_speed = Pps{2000};
-  c.jog_speed_min = Pps{1};
-  c.jog_speed_max = Pps{6000};
-  c.position_min = Steps{-8'388'608};
-  c.position_max = Steps{8'388'607};
-  c.move_max = Steps{16'777'215};
+  c.jog_speed = Pps{default_speed};
+  c.jog_speed_min = Pps{min_speed};
+  c.jog_speed_max = Pps{max_speed};
+  c.position_min = Steps{position_min};
+  c.position_max = Steps{position_max};
+  c.move_max = Steps{max_index};
   return c;
 }
 

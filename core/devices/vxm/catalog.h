@@ -4,7 +4,7 @@
 
 namespace hw::vxm {
 
-/// Option `motors`: 2 (one controller) or 4 (a Master with its Slave on the VXM bus).
+/// Option `motors`: 1 or 2 (one controller, 2 unless given), 3 or 4 (a Master with its Slave on the VXM bus).
 Result<Catalog> make_catalog(const DeviceOptions& options);
 
 /// Asks for the state and moves nothing, whatever mode the controller is in.

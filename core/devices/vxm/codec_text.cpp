@@ -21,10 +21,10 @@ class Reader {
  public:
   Reader(std::string_view text, int motor) : text_(text), motor_(static_cast<std::uint8_t>(motor)) {}
 
-  bool next(Command& c) {
+  bool next(TextCommand& c) {
     skip_to_command();
     if (at_ >= text_.size()) return false;
-    c = Command();
+    c = TextCommand();
     c.begin = at_;
     read(c);
     c.end = at_;
@@ -61,7 +61,7 @@ class Reader {
   // ---- pieces of commands
 
   /// What is wrong when neither of the characters hoped for came: the character begins something new.
-  void give_up(Command& c) {
+  void give_up(TextCommand& c) {
     c.flaw = ended() ? Flaw::open : is_ender(peek()) || peek() == ';' ? Flaw::no_value : Flaw::unknown;
     c.name = std::string(text_.substr(c.begin, std::max<std::size_t>(at_ - c.begin, 1)));
     if (at_ == c.begin) ++at_;
@@ -73,7 +73,7 @@ class Reader {
     return value;
   }
   /// The number has begun; what follows must end it.
-  void end_number(Command& c) {
+  void end_number(TextCommand& c) {
     if (peek() == ';') skip_remark();
     if (ended()) return void(c.flaw = Flaw::open);
     if (is_ender(peek())) return void(++at_);
@@ -82,14 +82,14 @@ class Reader {
     c.flaw = Flaw::unknown;
     c.name = std::string(text_.substr(c.begin, at_ - c.begin));
   }
-  void number(Command& c, bool may_be_negative = true) {
+  void number(TextCommand& c, bool may_be_negative = true) {
     if (may_be_negative) c.minus = take('-');
     if (!is_digit(peek())) return give_up(c);
     c.value = digits();
     end_number(c);
   }
   /// "1M" before the number, or a short form for the motor addressed last.
-  void motor_and_number(Command& c, bool may_be_negative) {
+  void motor_and_number(TextCommand& c, bool may_be_negative) {
     if (is_digit(peek())) {
       const auto first = digits();
       if (!take('M')) {
@@ -106,7 +106,7 @@ class Reader {
     if (c.flaw == Flaw::none && c.motor >= 1 && c.motor <= max_motors) motor_ = c.motor;
   }
   /// For commands that act with or without a number.
-  void optional_number(Command& c, Verb with, Verb without) {
+  void optional_number(TextCommand& c, Verb with, Verb without) {
     if (is_ender(peek())) return ++at_, void(c.verb = without);
     if (peek() == ';') return skip_remark(), void(c.verb = without);
     if (ended()) return c.verb = without, void(c.flaw = Flaw::open);
@@ -116,7 +116,7 @@ class Reader {
 
   // ---- commands
 
-  void read(Command& c) {
+  void read(TextCommand& c) {
     const char first = text_[at_++];
     switch (first) {
       case 'I': return index(c);
@@ -145,7 +145,7 @@ class Reader {
       c.name = std::string(1, first);
     }
   }
-  void index(Command& c) {
+  void index(TextCommand& c) {
     const bool absolute = take('A');
     motor_and_number(c, true);
     if (absolute)
@@ -153,12 +153,12 @@ class Reader {
     else
       c.verb = c.value == 0 ? Verb::home : Verb::index_by;
   }
-  void speed(Command& c) {
+  void speed(TextCommand& c) {
     c.full_power = take('A');
     motor_and_number(c, true);
     c.verb = c.minus ? Verb::speed_analog : Verb::speed;
   }
-  void loop(Command& c) {
+  void loop(TextCommand& c) {
     if (take('M')) {
       number(c);
       c.verb = c.value != 0 ? Verb::loop_reverse : c.minus ? Verb::marker_reset : Verb::marker_set;
@@ -170,19 +170,19 @@ class Reader {
       c.verb = c.value != 0 ? Verb::loop : c.minus ? Verb::marker_set : Verb::loop_forever;
     }
   }
-  void jump(Command& c) {
+  void jump(TextCommand& c) {
     if (!take('M')) return c.verb = Verb::jump, number(c, false);
     number(c);
     c.verb = c.minus ? Verb::jump_pick : Verb::jump_return;
   }
-  void program_or_pause(Command& c) {
+  void program_or_pause(TextCommand& c) {
     if (take('A')) return c.verb = Verb::pause_output, number(c);
     if (!take('M')) return c.verb = Verb::pause, number(c);
     if (take('A')) return optional_number(c, Verb::associate, Verb::ask_associate);
     optional_number(c, Verb::select, Verb::ask_selected);
     if (c.verb == Verb::select && c.minus) c.verb = Verb::empty;
   }
-  void word(Command& c, char first) {
+  void word(TextCommand& c, char first) {
     c.verb = Verb::word;
     for (const std::string_view w : words) {
       if (w[0] != first) continue;
@@ -195,7 +195,7 @@ class Reader {
     give_up(c);
     c.flaw = c.flaw == Flaw::no_value ? Flaw::unknown : c.flaw;
   }
-  void setup(Command& c, char first) {
+  void setup(TextCommand& c, char first) {
     c.verb = first == 's' ? Verb::set : Verb::get;
     if (!take('e') || !take('t') || !mnemonic(c)) return give_up(c);
     if (c.verb == Verb::get) return;
@@ -204,7 +204,7 @@ class Reader {
     if (c.flaw != Flaw::unknown) c.name = name;
   }
   /// What stands between set/get and the value.
-  bool mnemonic(Command& c) {
+  bool mnemonic(TextCommand& c) {
     for (const char plain : {'B', 'I'})
       if (take(plain)) return c.name = plain, true;
     if (take('D')) {
@@ -237,7 +237,7 @@ struct Range {
   std::int64_t low, high;
 };
 
-Range setup_range(const Command& c) {
+Range setup_range(const TextCommand& c) {
   if (c.name == "Bx") return {0, max_backlash};
   if (c.name == "O") return {0, max_limit_report};
   if (c.name == "D") return {0, 0};
@@ -249,7 +249,7 @@ Range setup_range(const Command& c) {
   return {1, 0};
 }
 
-Range range_of(const Command& c) {
+Range range_of(const TextCommand& c) {
   switch (c.verb) {
     case Verb::index_by: return {-max_index, max_index};
     case Verb::index_to: return {position_min, position_max};
@@ -275,7 +275,7 @@ bool contains(const Table& table, std::int64_t value, Of of) {
   return std::any_of(table.begin(), table.end(), [&](const auto& row) { return of(row) == value; });
 }
 
-bool possible(const Command& c) {
+bool possible(const TextCommand& c) {
   const auto itself = [](int n) { return n; };
   const bool has_motor =
       c.verb <= Verb::acceleration || (c.name.size() > 1 && c.name.back() == 'M' && c.name != "DM");
@@ -297,10 +297,10 @@ bool possible(const Command& c) {
 
 }  // namespace
 
-std::vector<Command> read_text(std::string_view text, int motor) {
-  std::vector<Command> all;
+std::vector<TextCommand> read_text(std::string_view text, int motor) {
+  std::vector<TextCommand> all;
   Reader reader(text, motor);
-  for (Command c; reader.next(c); all.push_back(c))
+  for (TextCommand c; reader.next(c); all.push_back(c))
     if (c.flaw == Flaw::none && !possible(c)) c.flaw = Flaw::range;
   return all;
 }
@@ -309,7 +309,7 @@ bool ends_open(std::string_view text) {
   const auto all = read_text(text);
   // A number without its end, but also a spoilt command: the controller drops what follows up to an ender.
   if (all.empty()) return text.find(';') != std::string_view::npos && !text.ends_with('\r');
-  const Command& last = all.back();
+  const TextCommand& last = all.back();
   if (last.flaw == Flaw::open) return true;
   if (text.rfind(';') != std::string_view::npos && text.rfind(';') >= last.begin)
     return !text.ends_with('\r');
@@ -317,7 +317,7 @@ bool ends_open(std::string_view text) {
          !is_ender(text.back());
 }
 
-std::string canonical(const Command& c) {
+std::string canonical(const TextCommand& c) {
   if (c.flaw == Flaw::unknown) return c.name;
   const char* sign = c.minus ? "-" : "";
   const char* full = c.full_power ? "A" : "";
@@ -361,7 +361,7 @@ std::string canonical(const Command& c) {
   return {};
 }
 
-int program_cost(const Command& c) {
+int program_cost(const TextCommand& c) {
   switch (c.verb) {
     case Verb::index_by:
     case Verb::index_to:
@@ -387,7 +387,7 @@ int program_cost(const Command& c) {
   }
 }
 
-std::string allowed_values(const Command& c) {
+std::string allowed_values(const TextCommand& c) {
   switch (c.verb) {
     case Verb::index_by: return fmt::format("1 to {} steps", max_index);
     case Verb::index_to: return fmt::format("{} to {} steps", position_min, position_max);

@@ -51,7 +51,7 @@ enum class Flaw : std::uint8_t {
   open,      ///< the text ends in the middle of it
 };
 
-struct Command {
+struct TextCommand {
   Verb verb = Verb::letter;
   Flaw flaw = Flaw::none;
   char letter = 0;          ///< of Verb::letter
@@ -66,16 +66,16 @@ struct Command {
   [[nodiscard]] bool stored() const { return verb <= Verb::pair_ends; }
 };
 
-/// Reads a text as the controller would: a line feed counts for nothing, a remark lasts to the carriage return.
-/// `motor` is the one addressed last before it.
-std::vector<Command> read_text(std::string_view text, int motor = 1);
+/// Reads a text as the controller would: a line feed counts for nothing, a remark lasts to the carriage
+/// return. `motor` is the one addressed last before it.
+std::vector<TextCommand> read_text(std::string_view text, int motor = 1);
 /// True if the controller would take the next byte for a part of the last command.
 bool ends_open(std::string_view text);
 /// As `lst` writes it: motor always shown, no ender.
-std::string canonical(const Command& command);
+std::string canonical(const TextCommand& command);
 /// Bytes of program memory.
-int program_cost(const Command& command);
+int program_cost(const TextCommand& command);
 /// "1 to 6000 steps/s" for the value of this command; empty when it has none.
-std::string allowed_values(const Command& command);
+std::string allowed_values(const TextCommand& command);
 
 }  // namespace hw::vxm

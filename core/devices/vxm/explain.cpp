@@ -15,7 +15,7 @@ std::string times(std::int64_t n) { return fmt::format("loop {} times", n); }
 std::string tenths(std::int64_t n) {
   return n % 10 ? fmt::format("{}.{} s", n / 10, n % 10) : fmt::format("{} s", n / 10);
 }
-std::string pause_length(const Command& c) {
+std::string pause_length(const TextCommand& c) {
   return c.minus ? fmt::format("{:g} ms", static_cast<double>(c.value) / 10) : tenths(c.value);
 }
 
@@ -67,7 +67,7 @@ std::string user_command(std::int64_t number) {
   return "a U command that the VXM does not have";
 }
 
-std::string stored_command(const Command& c) {
+std::string stored_command(const TextCommand& c) {
   const int motor = c.motor;
   const char* turns = c.minus ? ", motor 1 turns round each pass" : "";
   switch (c.verb) {
@@ -183,7 +183,7 @@ std::string word_command(std::string_view word) {
   return "delete the last command of the selected program";
 }
 
-std::string immediate_command(const Command& c) {
+std::string immediate_command(const TextCommand& c) {
   switch (c.verb) {
     case Verb::slave_begins: return "begin of commands for the Slave";
     case Verb::slave_ends: return "end of commands for the Slave";
@@ -206,7 +206,7 @@ std::string immediate_command(const Command& c) {
 
 std::string explain_sent(std::string_view bytes) {
   std::string all;
-  for (const Command& c : read_text(bytes)) all += (all.empty() ? "" : "; ") + explain_command(c);
+  for (const TextCommand& c : read_text(bytes)) all += (all.empty() ? "" : "; ") + explain_command(c);
   if (all.empty() && !bytes.empty()) return "end of a command";
   return all;
 }
@@ -242,7 +242,7 @@ std::string raw_byte(char question, unsigned char byte) {
   return "on: " + operated(byte, outputs, "no output");
 }
 
-std::string explain_answer(std::string_view reply, const Command& question) {
+std::string explain_answer(std::string_view reply, const TextCommand& question) {
   const char letter = question.verb == Verb::letter ? question.letter : '\0';
   if (letter == '?' || letter == '~' || letter == '$')
     return reply.size() == 1 ? raw_byte(letter, static_cast<unsigned char>(reply[0])) : std::string();
@@ -305,7 +305,7 @@ std::string explain_messages(std::string_view bytes) {
 
 }  // namespace
 
-std::string explain_command(const Command& c) {
+std::string explain_command(const TextCommand& c) {
   switch (c.flaw) {
     case Flaw::unknown: return fmt::format("no command of the VXM: {}", c.name);
     case Flaw::no_value: return "a command without its number: the controller drops it";

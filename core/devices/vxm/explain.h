@@ -7,11 +7,11 @@
 
 namespace hw::vxm {
 
-struct Command;
+struct TextCommand;
 
 /// `asked`: what was sent last before a received entry. Empty when there is nothing to say.
 std::string explain(std::string_view bytes, Way way, TrafficKind kind, std::string_view asked);
 /// "store: motor 1 moves by +400 steps"
-std::string explain_command(const Command& command);
+std::string explain_command(const TextCommand& command);
 
 }  // namespace hw::vxm

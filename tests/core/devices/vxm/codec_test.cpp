@@ -131,7 +131,7 @@ TEST(VxmCodec, EachErrorIsExplainedWithAdvice) {
 
 std::string canon(std::string_view text, int motor = 1) {
   std::string all;
-  for (const Command& c : read_text(text, motor)) {
+  for (const TextCommand& c : read_text(text, motor)) {
     constexpr std::string_view flaws = " ?#!~";
     all += (all.empty() ? "" : " ") + canonical(c);
     if (c.flaw != Flaw::none) all += flaws[static_cast<int>(c.flaw)];
@@ -149,7 +149,8 @@ TEST(VxmText, ReadsWhatPeopleWrite) {
   EXPECT_EQ(canon("I1M400 ;one turn\rI1M0 ; home, or not\r"), "I1M400 I1M0");
   EXPECT_EQ(canon("I1M2000, I2M300, L-4, LM0, LM-0, LA5\r"), "I1M2000 I2M300 L-4 LM0 LM-0 LA5");
   EXPECT_EQ(canon("(I3M800,I1M400,)R"), "( I3M800 I1M400 ) R");
-  EXPECT_EQ(canon("PM-0\r\nIA1M-0,U5,P-500,PA0,JM-1,J3,SA1M-12\r\n"), "PM-0 IA1M-0 U5 P-500 PA0 JM-1 J3 SA1M-12");
+  EXPECT_EQ(canon("PM-0\r\nIA1M-0,U5,P-500,PA0,JM-1,J3,SA1M-12\r\n"),
+            "PM-0 IA1M-0 U5 P-500 PA0 JM-1 J3 SA1M-12");
   EXPECT_EQ(canon("P10.0\r"), "P10 0?") << "the period ends the number, the orphan 0 means nothing";
   EXPECT_EQ(canon("getM1MsetM1M3\rgetD0getPA setPA4\rsetjA2M0\rB20\rB\rO\rPMA-0\rPMA\r"),
             "getM1M setM1M3 getD0 getPA setPA4 setjA2M0 B20 B O PMA-0 PMA");
@@ -182,7 +183,7 @@ TEST(VxmText, KnowsWhenTheControllerStillWaitsForAnEnd) {
 TEST(VxmText, CountsTheBytesOfTheManualsExamples) {
   const auto cost = [](std::string_view text) {
     int sum = 0;
-    for (const Command& c : read_text(text)) sum += program_cost(c);
+    for (const TextCommand& c : read_text(text)) sum += program_cost(c);
     return sum;
   };
   EXPECT_EQ(cost("I1M400,R"), 4);
@@ -201,7 +202,7 @@ TEST(VxmText, AnyBytesAreReadToTheirEnd) {
     std::string text;
     for (unsigned n = random() % 24; n > 0; --n) text += likely[random() % likely.size()];
     std::size_t at = 0;
-    for (const Command& c : read_text(text)) {
+    for (const TextCommand& c : read_text(text)) {
       ASSERT_GE(c.begin, at) << text;
       ASSERT_GT(c.end, c.begin) << text;
       ASSERT_LE(c.end, text.size()) << text;
