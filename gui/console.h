@@ -10,7 +10,6 @@
 #include "core/session/recent.h"
 #include "core/session/user_files.h"
 #include "core/session/wire.h"
-#include "gui/keyboard.h"
 #include "gui/layout.h"
 #include "gui/panel.h"
 #include "gui/port_finder.h"
@@ -18,6 +17,9 @@
 #include "gui/toasts.h"
 
 namespace hw::gui {
+
+enum class Command : std::uint8_t;
+struct CommandEdge;
 
 struct Outside {
   Scheduler& scheduler;

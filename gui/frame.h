@@ -11,7 +11,6 @@
 #include "core/device/snapshot.h"
 #include "gui/layout.h"
 #include "gui/mood.h"
-#include "gui/registry.h"
 
 namespace hw::gui {
 
@@ -23,7 +22,7 @@ class Ui;
 struct PageFrame {
   Ui& ui;
   Console& console;
-  Rect area;  ///< pixels; the panel is an ImGui child there, with its cursor at the top left
+  Box area;  ///< logical pixels; the panel is an ImGui child there, with its cursor at the top left
   Tier tier;
   Instant clock;  ///< present time; an age is clock - seen_at
 
@@ -49,8 +48,6 @@ struct Frame : PageFrame {
   [[nodiscard]] bool connected() const {
     return now.link.state == LinkState::good || now.link.state == LinkState::late;
   }
-  /// Why nothing can be sent that moves or writes now, as a sentence that says when it ends; empty: it can.
-  [[nodiscard]] std::string_view why_not_now() const;
 };
 
 }  // namespace hw::gui

@@ -46,6 +46,11 @@ class Tab {
   /// As send(), and a refusal or failure is told: see take_complaint().
   IntentId send_followed(IntentBody body);
   void operate_bench(BenchCommand command) { door_.operate_bench(std::move(command)); }
+  /// Why nothing may be moved now (no link, a program runs), as a sentence that says when it ends; empty: it
+  /// may. Valid until the next refresh().
+  [[nodiscard]] std::string_view why_not_move() const { return why_not_move_; }
+  /// The same for one axis: also when something must be chosen in the set-up first.
+  [[nodiscard]] std::string_view why_not_move(AxisId axis) const;
   void stop_all();  ///< Stop to this controller; a held jog is forgotten, since the stop ends it
 
   // ---- names and units
@@ -74,6 +79,7 @@ class Tab {
 
  private:
   void follow_fates();
+  void find_why_not_move();
   void work_out_units();
 
   std::shared_ptr<Session> session_;
@@ -86,6 +92,10 @@ class Tab {
   const BenchView* bench_ = &no_bench;
   Instant clock_{};
   std::array<DisplayUnit, max_axes> units_;
+  std::string why_not_move_;
+  LinkState told_link_ = LinkState::closed;
+  ProgramState told_program_;
+  bool told_ = false;
   std::vector<IntentId> followed_;
   std::vector<Notice> notices_;
   std::vector<std::string> complaints_;
