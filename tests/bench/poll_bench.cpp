@@ -1,15 +1,15 @@
-// One poll through the whole stack against the least that a round trip can cost: the same question to the same
-// responder from plain C and from a bare coroutine. Compare the three in one run.
+// One poll through the whole stack against the least that a round trip can cost: the same question to the
+// same responder from plain C and from a bare coroutine. Compare the three in one run.
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/read.hpp>
+#include <boost/asio/write.hpp>
+
 #include <arpa/inet.h>
 #include <benchmark/benchmark.h>
 #include <netinet/in.h>
 #include <netinet/tcp.h>
 #include <sys/socket.h>
 #include <unistd.h>
-
-#include <boost/asio/ip/tcp.hpp>
-#include <boost/asio/read.hpp>
-#include <boost/asio/write.hpp>
 
 #include "core/session/session.h"
 #include "core/time/real_scheduler.h"
@@ -26,7 +26,8 @@ void raw_c(benchmark::State& state) {
   there.sin_family = AF_INET;
   there.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
   there.sin_port = htons(static_cast<std::uint16_t>(responder.port()));
-  if (connect(s, reinterpret_cast<sockaddr*>(&there), sizeof there) != 0) return state.SkipWithError("no responder");
+  if (connect(s, reinterpret_cast<sockaddr*>(&there), sizeof there) != 0)
+    return state.SkipWithError("no responder");
   const int on = 1;
   setsockopt(s, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
   char reply[16];

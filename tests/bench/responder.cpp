@@ -1,5 +1,9 @@
 #include "tests/bench/responder.h"
 
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
 #include <arpa/inet.h>
 #include <netinet/in.h>
 #include <netinet/tcp.h>
@@ -9,10 +13,6 @@
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
-
-#include <cstdio>
-#include <cstdlib>
-#include <cstring>
 
 namespace hw {
 namespace {
@@ -55,9 +55,12 @@ void serve(int client) {
       const char* reply = nullptr;
       if (c == '\r' || c == ',' || c == '\n') {
         word[n] = 0;
-        if (strcmp(word, "PM") == 0) reply = "0\r";
-        else if (strcmp(word, "B") == 0 || strcmp(word, "O") == 0) reply = "0\r";
-        else if (strncmp(word, "get", 3) == 0) reply = "1\r";
+        if (strcmp(word, "PM") == 0)
+          reply = "0\r";
+        else if (strcmp(word, "B") == 0 || strcmp(word, "O") == 0)
+          reply = "0\r";
+        else if (strncmp(word, "get", 3) == 0)
+          reply = "1\r";
         n = 0;
       } else {
         if (n + 1 < sizeof word) word[n++] = c;

@@ -1,25 +1,24 @@
-#include "tests/contract/rig.h"
-
 #include <cstring>
 #include <set>
+
+#include "tests/contract/rig.h"
 
 namespace hw {
 namespace {
 
-using testing::HasSubstr;
 using std::chrono::seconds;
+using testing::HasSubstr;
 
 std::vector<const DeviceType*> all_types() {
   std::vector<const DeviceType*> all;
   for (const DeviceType& type : device_types()) all.push_back(&type);
   return all;
 }
-INSTANTIATE_TEST_SUITE_P(Every, ContractTest, testing::ValuesIn(all_types()),
-                         [](const auto& info) {
-                           std::string name(info.param->model);
-                           std::replace(name.begin(), name.end(), '-', '_');
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Every, ContractTest, testing::ValuesIn(all_types()), [](const auto& info) {
+  std::string name(info.param->model);
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+});
 
 TEST_P(ContractTest, TheCatalogIsWhole) {
   const Catalog& c = session->catalog();
@@ -119,7 +118,8 @@ TEST_P(ContractTest, APowerCycleIsNoticedAndNothingMoves) {
   perform(intent::MoveTo({{AxisId{0}, Steps(400)}}));
   ASSERT_TRUE(becomes_idle(seconds(20)));
   operate(bench::PowerCycle());
-  ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::good && axis().position == Steps(0); }, seconds(30)));
+  ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::good && axis().position == Steps(0); },
+                        seconds(30)));
   run(seconds(5));
   EXPECT_EQ(axis().position, Steps(0));
   Notice told;

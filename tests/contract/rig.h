@@ -1,6 +1,6 @@
 #pragma once
-// One registered controller as an in-process emulator, opened through the real wire, link, driver and session in
-// virtual time. A fifth controller is tested by being listed.
+// One registered controller as an in-process emulator, opened through the real wire, link, driver and session
+// in virtual time. A fifth controller is tested by being listed.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -53,7 +53,8 @@ class ContractTest : public testing::TestWithParam<const DeviceType*> {
   }
   bool becomes_idle(Duration patience) {
     run(Millis(300));
-    return run_until([this] { return !now().any_axis_moving() && now().program.run == RunState::idle; }, patience);
+    return run_until([this] { return !now().any_axis_moving() && now().program.run == RunState::idle; },
+                     patience);
   }
 
   IoContext io;
