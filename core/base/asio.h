@@ -1,6 +1,8 @@
 #pragma once
 // The one door to Boost.Asio for the core: coroutines and the executor. Sockets and serial ports are the
 // business of transports/. (<utility> first: Boost 1.74's awaitable.hpp uses std::exchange without it.)
+// clang-format off
+#include <optional>
 #include <utility>
 
 #include <boost/asio/any_io_executor.hpp>
@@ -13,6 +15,7 @@
 #include <boost/asio/steady_timer.hpp>
 #include <boost/asio/this_coro.hpp>
 #include <boost/asio/use_awaitable.hpp>
+// clang-format on
 
 namespace hw {
 
@@ -27,5 +30,26 @@ using Task = asio::awaitable<T, Executor>;
 
 /// Completion token for Task: `co_await async_something(..., use_task)`.
 inline constexpr asio::use_awaitable_t<Executor> use_task{};
+
+/// A suspended Task, kept by whoever will resume it. Resuming goes through the executor, never inline.
+class Suspended {
+ public:
+  [[nodiscard]] bool waiting() const { return handler_.has_value(); }
+  void resume(const Executor& executor) {
+    if (!handler_) return;
+    Handler handler = std::move(*handler_);
+    handler_.reset();
+    asio::post(executor, std::move(handler));
+  }
+  /// Suspends the calling Task until resume(). One at a time.
+  Task<> here() {
+    return asio::async_initiate<const asio::use_awaitable_t<Executor>, void()>(
+        [this](Handler handler) { handler_.emplace(std::move(handler)); }, use_task);
+  }
+
+ private:
+  using Handler = asio::async_result<asio::use_awaitable_t<Executor>, void()>::handler_type;
+  std::optional<Handler> handler_;
+};
 
 }  // namespace hw

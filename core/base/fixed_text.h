@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <string>
 #include <string_view>
 
 namespace hw {
@@ -11,15 +12,16 @@ template <std::size_t N>
 class FixedText {
  public:
   constexpr FixedText() = default;
-  FixedText(std::string_view text) { assign(text); }  // NOLINT: converts on purpose
-  FixedText(const char* text) { assign(text); }       // NOLINT
+  FixedText(std::string_view text) { assign(text); }    // NOLINT: converts on purpose
+  FixedText(const char* text) { assign(text); }         // NOLINT
+  FixedText(const std::string& text) { assign(text); }  // NOLINT
 
   /// Keeps the first N bytes; what does not fit is cut at a character boundary (UTF-8).
   void assign(std::string_view text) {
     std::size_t n = std::min(text.size(), N);
     if (n < text.size())
       while (n > 0 && (static_cast<unsigned char>(text[n]) & 0xC0) == 0x80) --n;
-    std::memcpy(bytes_.data(), text.data(), n);
+    if (n > 0) std::memcpy(bytes_.data(), text.data(), n);
     size_ = n;
   }
   void clear() { size_ = 0; }

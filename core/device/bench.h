@@ -1,6 +1,6 @@
 #pragma once
-// The bench: what surrounds an emulated controller (switches, loads, hands on its front panel) and what can be
-// seen of it. Reached from scripts, from bench files and from the bench panel.
+// The bench: what surrounds an emulated controller (switches, loads, hands on its front panel) and what can
+// be seen of it. Reached from scripts, from bench files and from the bench panel.
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -18,17 +18,17 @@ namespace hw {
 /// What hangs on one axis, in steps of the controller. Positions are those of the load, counted from where it
 /// stood when the bench was built; absent switches never act.
 struct AxisPlace {
-  std::optional<Steps> minus, plus;       ///< where the travel limit switches act
+  std::optional<Steps> minus, plus;         ///< where the travel limit switches act
   std::optional<Steps> home_from, home_to;  ///< zone in which the home switch acts
-  std::optional<Steps> index_every;       ///< encoder index marks
-  std::optional<double> counts_per_step;  ///< encoder
+  std::optional<Steps> index_every;         ///< encoder index marks
+  std::optional<double> counts_per_step;    ///< encoder
   std::optional<Steps> backlash;
 };
 
 namespace bench {
 struct Input {
-  int number;  ///< the maker's number, from 1
-  bool active; ///< true: operated (an active-low input is pulled to 0 V)
+  int number;   ///< the maker's number, from 1
+  bool active;  ///< true: operated (an active-low input is pulled to 0 V)
   Input(int n, bool a) : number(n), active(a) {}
 };
 struct Limit {
@@ -87,10 +87,9 @@ struct Drop {
 };
 }  // namespace bench
 
-using BenchCommand =
-    std::variant<bench::Input, bench::Limit, bench::HomeSwitch, bench::Analog, bench::Button, bench::Jam,
-                 bench::Slip, bench::Place, bench::Power, bench::PowerCycle, bench::Unplug, bench::Garble,
-                 bench::Drop>;
+using BenchCommand = std::variant<bench::Input, bench::Limit, bench::HomeSwitch, bench::Analog, bench::Button,
+                                  bench::Jam, bench::Slip, bench::Place, bench::Power, bench::PowerCycle,
+                                  bench::Unplug, bench::Garble, bench::Drop>;
 
 enum class Lamp : std::uint8_t { off, on };
 
@@ -104,10 +103,11 @@ struct BenchView {
   std::uint32_t outputs = 0;
   std::array<std::int32_t, 8> analog{};
   std::array<Steps, max_axes> load_position{};
-  std::uint32_t limits_minus = 0, limits_plus = 0;              ///< bit per axis: switch operated, by travel or hand
+  std::uint32_t limits_minus = 0, limits_plus = 0;  ///< bit per axis: switch operated, by travel or hand
   std::uint32_t limits_minus_by_hand = 0, limits_plus_by_hand = 0;
   std::uint32_t jammed = 0;
   std::uint32_t lamps_blink = 0;  ///< bit n: the lamp changes by itself now
+  bool operator==(const BenchView&) const = default;
 };
 
 /// A pulse on an output that is tied to a position, with the moment it began.

@@ -4,6 +4,7 @@
 // immutable afterwards, read by any thread.
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/units.h"
@@ -58,14 +59,17 @@ struct ParamInfo {
   std::string unit;         ///< "steps/s" or empty
   std::string group;        ///< heading in Setup
   std::int64_t minimum = 0, maximum = 0, fallback = 0;  ///< fallback: the factory value
-  std::vector<ParamChoice> choices;  ///< not empty: exactly these values
-  std::vector<ParamBit> bits;        ///< not empty: a bit field
-  bool also_zero = false;            ///< 0 is allowed too and switches it off (range starts above)
-  bool stored = true;                ///< kept by Store
+  std::vector<ParamChoice> choices;                     ///< not empty: exactly these values
+  std::vector<ParamBit> bits;                           ///< not empty: a bit field
+  bool also_zero = false;  ///< 0 is allowed too and switches it off (range starts above)
+  bool stored = true;      ///< kept by Store
   bool readable = true;
   int axis = -1;
   std::string warning;  ///< not empty: asked before it is written, naming the axis
   std::string manual;   ///< "Appendix H"
+  /// Not empty: while the value is `unset_value` its axis must not move yet. The sentence says why and what to do.
+  std::string before_moving;
+  std::int64_t unset_value = 0;
 
   [[nodiscard]] bool accepts(std::int64_t v) const {
     if (!choices.empty()) {
@@ -87,13 +91,19 @@ struct CommandInfo {
 };
 
 struct ProgramFacts {
-  int slots = 0;                ///< 0: no stored programs
-  std::string slot_word;        ///< "Program"
-  int capacity = 0;             ///< per slot, in `capacity_unit`
-  std::string capacity_unit;    ///< "bytes"
-  bool shared_capacity = false; ///< one memory for all slots
-  std::string file_suffix;      ///< ".vxm"
+  int slots = 0;                 ///< 0: no stored programs
+  std::string slot_word;         ///< "Program"
+  int capacity = 0;              ///< per slot, in `capacity_unit`
+  std::string capacity_unit;     ///< "bytes"
+  bool shared_capacity = false;  ///< one memory for all slots
+  std::string file_suffix;       ///< ".vxm"
   char comment = ';';
+};
+
+/// What can be chosen before a controller is opened or its emulator started: key=value of an address.
+struct OptionInfo {
+  std::string key;                                           ///< "motors"
+  std::vector<std::pair<std::string, std::string>> choices;  ///< value and label: "4", "4 motors"; first: usual
 };
 
 enum class LampColour : std::uint8_t { green, yellow, red };
@@ -115,9 +125,9 @@ struct BenchFacts {
 };
 
 struct Capabilities {
-  bool single_step = false;        ///< Pause, Resume, SingleStep
-  bool store = false;              ///< non-volatile memory with a limited write life
-  std::int32_t store_life = 0;     ///< writes
+  bool single_step = false;     ///< Pause, Resume, SingleStep
+  bool store = false;           ///< non-volatile memory with a limited write life
+  std::int32_t store_life = 0;  ///< writes
   bool one_axis_at_a_time = false;
   bool homes = true;
   bool reset = false;
@@ -126,11 +136,12 @@ struct Capabilities {
 };
 
 struct Catalog {
-  std::string model;         ///< "vxm": as in an address
-  std::string name;          ///< "Velmex VXM"
-  std::string short_name;    ///< "VXM"
-  std::string summary;       ///< "stepping motors, 2 or 4"
+  std::string model;       ///< "vxm": as in an address
+  std::string name;        ///< "Velmex VXM"
+  std::string short_name;  ///< "VXM"
+  std::string summary;     ///< "stepping motors, 2 or 4"
   std::string step_word = "steps";
+  std::vector<OptionInfo> options;
   std::vector<AxisInfo> axes;
   std::vector<UnitChoice> units;
   std::vector<HomingMode> homing_modes;

@@ -16,9 +16,9 @@ namespace hw {
 struct DriverContext {
   Scheduler& scheduler;
   const Catalog& catalog;
-  Snapshot& draft;                        ///< the driver writes it; the pump publishes it
-  std::function<void(Notice)> notify;     ///< what must not be lost
-  std::function<void()> changed;          ///< something came unasked: publish soon, poll soon
+  Snapshot& draft;                     ///< the driver writes it; the pump publishes it
+  std::function<void(Notice)> notify;  ///< what must not be lost
+  std::function<void()> changed;       ///< something came unasked: publish soon, poll soon
 };
 
 class Driver {
@@ -44,7 +44,6 @@ class Driver {
   /// The poll law: how long to wait between rounds.
   [[nodiscard]] virtual Duration moving_period() const = 0;
   [[nodiscard]] virtual Duration idle_period() const = 0;
-
 };
 
 }  // namespace hw

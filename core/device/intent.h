@@ -21,8 +21,9 @@ struct AxisTarget {
 namespace intent {
 
 struct MoveTo {
-  std::vector<AxisTarget> targets;  ///< absolute; several axes: together where the controller can, else in order
-  Pps speed;                        ///< 0: as the controller is set
+  std::vector<AxisTarget>
+      targets;  ///< absolute; several axes: together where the controller can, else in order
+  Pps speed;    ///< 0: as the controller is set
   explicit MoveTo(std::vector<AxisTarget> t, Pps s = {}) : targets(std::move(t)), speed(s) {}
 };
 struct MoveBy {
@@ -34,9 +35,10 @@ struct MoveBy {
 struct JogStart {
   AxisId axis;
   Sign sign;
-  Pps speed;  ///< 0: the controller's own jog or high speed
+  Pps speed;      ///< 0: the controller's own jog or high speed
   bool dead_man;  ///< false for scripts, which stop it themselves
-  JogStart(AxisId a, Sign s, Pps v = {}, bool guarded = true) : axis(a), sign(s), speed(v), dead_man(guarded) {}
+  JogStart(AxisId a, Sign s, Pps v = {}, bool guarded = true)
+      : axis(a), sign(s), speed(v), dead_man(guarded) {}
 };
 struct JogKeepAlive {};
 struct JogStop {};
@@ -46,7 +48,8 @@ struct Home {
   int mode;  ///< index into Catalog::homing_modes
   Home(AxisId a, Sign s, int m = 0) : axis(a), sign(s), mode(m) {}
 };
-/// Ramp down. Always goes out first. On an axis that is already stopping, or asked twice: at once, without ramp.
+/// Ramp down. Always goes out first. On an axis that is already stopping, or asked twice: at once, without
+/// ramp.
 struct Stop {
   int axis;  ///< -1: all
   explicit Stop(int a = -1) : axis(a) {}
@@ -116,10 +119,10 @@ struct ReadAgain {};  ///< read the whole state afresh (after a doubt)
 using IntentBody =
     std::variant<intent::MoveTo, intent::MoveBy, intent::JogStart, intent::JogKeepAlive, intent::JogStop,
                  intent::Home, intent::Stop, intent::Abort, intent::SetPosition, intent::SetOutput,
-                 intent::SetParam, intent::ReadParams, intent::Store, intent::SelectProgram, intent::LoadProgram,
-                 intent::UploadProgram, intent::ClearProgram, intent::RunProgram, intent::Pause, intent::Resume,
-                 intent::SingleStep, intent::HaltProgram, intent::SendText, intent::Reset, intent::Reconnect,
-                 intent::ReadAgain>;
+                 intent::SetParam, intent::ReadParams, intent::Store, intent::SelectProgram,
+                 intent::LoadProgram, intent::UploadProgram, intent::ClearProgram, intent::RunProgram,
+                 intent::Pause, intent::Resume, intent::SingleStep, intent::HaltProgram, intent::SendText,
+                 intent::Reset, intent::Reconnect, intent::ReadAgain>;
 
 struct Intent {
   IntentId id = 0;

@@ -18,23 +18,23 @@ struct Token {
   TokenKind kind = TokenKind::plain;
 };
 struct Problem {
-  bool error = true;  ///< false: a warning
+  bool error = true;                     ///< false: a warning
   int line = 0, column = 0, length = 0;  ///< from 0, in bytes
   std::string sentence;
   std::string fix_label, fix_text;  ///< not empty: replacing column..+length by fix_text mends it
 };
 struct LineReport {
   std::vector<Token> tokens;
-  int cost = 0;           ///< bytes or low-level lines
-  int first_command = -1; ///< index of its first stored command within the slot's listing
+  int cost = 0;            ///< bytes or low-level lines
+  int first_command = -1;  ///< index of its first stored command within the slot's listing
   int command_count = 0;
-  int slot = -1;          ///< for texts with program headings
+  int slot = -1;  ///< for texts with program headings
 };
 struct ProgramReport {
   std::vector<LineReport> lines;
   std::vector<Problem> problems;
-  std::map<int, int> cost;                           ///< per slot, in the catalog's capacity unit
-  std::map<int, std::vector<std::string>> listing;   ///< per slot: the commands in canonical form
+  std::map<int, int> cost;                          ///< per slot, in the catalog's capacity unit
+  std::map<int, std::vector<std::string>> listing;  ///< per slot: the commands in canonical form
   [[nodiscard]] bool has_errors() const {
     for (const Problem& p : problems)
       if (p.error) return true;
@@ -65,9 +65,9 @@ struct Rehearsal {
 };
 struct RehearseOptions {
   double for_seconds = 3600;
-  int slot = 0;              ///< the program that is started
-  std::string bench_toml;    ///< a bench file's text, or empty
-  int axes = 0;              ///< 0: as few as the text needs
+  int slot = 0;            ///< the program that is started
+  std::string bench_toml;  ///< a bench file's text, or empty
+  int axes = 0;            ///< 0: as few as the text needs
 };
 
 class Language {
@@ -76,7 +76,8 @@ class Language {
   /// `slot`: where text before the first program heading belongs.
   [[nodiscard]] virtual ProgramReport analyse(std::string_view text, int slot) const = 0;
   /// Dry run from the power-up state, in virtual time. Pure and long: for a worker thread.
-  [[nodiscard]] virtual Result<Rehearsal> rehearse(std::string_view text, const RehearseOptions& options) const = 0;
+  [[nodiscard]] virtual Result<Rehearsal> rehearse(std::string_view text,
+                                                   const RehearseOptions& options) const = 0;
 };
 
 }  // namespace hw

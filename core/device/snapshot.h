@@ -1,8 +1,10 @@
 #pragma once
-// One instant of one controller, as its driver knows it. A plain value of fixed size: published by the driver,
-// copied without allocation, drawn by every panel. What is not known is marked so, never guessed.
+// One instant of one controller, as its driver knows it. A plain value of fixed size: published by the
+// driver, copied without allocation, drawn by every panel. What is not known is marked so, never guessed.
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <string>
 
 #include "core/base/fixed_text.h"
 #include "core/base/units.h"
@@ -15,12 +17,16 @@ enum class LinkState : std::uint8_t { connecting, good, late, lost, closed };
 
 enum class Activity : std::uint8_t { unknown, idle, moving, jogging, homing, stopping, error };
 
+/// How the latest motion of an axis came to its end.
+enum class EndedBy : std::uint8_t { nothing, target, limit, stop, abort, error, lost };
+
 struct AxisState {
   Steps position{};
-  Instant seen_at{};            ///< when the position was read
-  bool position_known = false;  ///< false: never read, or not true any more since a loss or reset
+  Instant seen_at{};               ///< when the position was read
+  bool position_known = false;     ///< false: never read, or not true any more since a loss or reset
   bool position_doubtful = false;  ///< the controller counts, but steps may have been lost (see `doubt`)
   Activity activity = Activity::unknown;
+  EndedBy ended_by = EndedBy::nothing;
   std::int8_t direction = 0;  ///< -1, 0, +1 of the present motion
   Pps speed{};                ///< asked speed of the present motion; 0 when unknown or at rest
   bool has_target = false;
@@ -30,18 +36,20 @@ struct AxisState {
   bool limit_minus = false, limit_plus = false, home = false, alarm = false;
   bool limits_known = false;
   bool enabled = true;
+  bool operator==(const AxisState&) const = default;
 };
 
 enum class RunState : std::uint8_t { idle, running, waiting, held, error };
 
 struct ProgramState {
   RunState run = RunState::idle;
-  bool owned = false;           ///< a stored program of the user's, not a move of the console
-  std::int8_t slot = -1;        ///< the program that runs, or the selected one
-  std::int16_t command = -1;    ///< index of the live command in the slot's listing; -1 unknown
-  bool command_told = false;    ///< true: the controller said so; false: worked out
-  bool stepping = false;        ///< stops before each command
+  bool owned = false;         ///< a stored program of the user's, not a move of the console
+  std::int8_t slot = -1;      ///< the program that runs, or the selected one
+  std::int16_t command = -1;  ///< index of the live command in the slot's listing; -1 unknown
+  bool command_told = false;  ///< true: the controller said so; false: worked out
+  bool stepping = false;      ///< stops before each command
   Instant started_at{};
+  bool operator==(const ProgramState&) const = default;
 };
 
 /// What became of the newest intents; a panel finds its own by id.
@@ -50,12 +58,14 @@ struct IntentFate {
   IntentId id = 0;
   Fate fate = Fate::pending;
   FixedText<320> sentence;  ///< refused or failed: Fault::sentence()
+  bool operator==(const IntentFate&) const = default;
 };
 
 struct ParamState {
   std::int64_t value = 0;
   bool known = false;
   bool stored = true;  ///< false: changed in RAM since the last store
+  bool operator==(const ParamState&) const = default;
 };
 
 /// What the controller has said of itself.
@@ -63,6 +73,7 @@ struct Identity {
   FixedText<32> model;     ///< as the controller or catalog names it
   FixedText<24> firmware;  ///< empty: not known
   FixedText<24> serial;
+  bool operator==(const Identity&) const = default;
 };
 
 struct LinkHealth {
@@ -95,9 +106,9 @@ struct Snapshot {
   std::array<std::int16_t, max_slots> slot_bytes_used{};  ///< -1 unknown
   std::array<ParamState, max_params> params{};            ///< by index in Catalog::params
   bool unsaved_setup = false, unsaved_programs = false;   ///< in RAM and not stored
-  std::int32_t store_count = -1;                          ///< writes used of the non-volatile memory, if known
-  Duration poll_period{};                                 ///< what the poll law asks for now
-  std::array<IntentFate, 8> fates{};                      ///< newest first
+  std::int32_t store_count = -1;      ///< writes used of the non-volatile memory, if known
+  Duration poll_period{};             ///< what the poll law asks for now
+  std::array<IntentFate, 8> fates{};  ///< newest first
   FixedText<320> notice;  ///< the worst thing that is true now and is not in the fields above; empty: nothing
 
   [[nodiscard]] const IntentFate* fate_of(IntentId id) const {
@@ -128,6 +139,9 @@ struct Notice {
   IntentId intent = 0;
   int slot = -1;     ///< program: which slot `text` is the listing of
   std::string text;  ///< a sentence, or the listing
+
+  Notice() = default;
+  Notice(Kind k, Instant when, std::string t) : kind(k), at(when), text(std::move(t)) {}
 };
 
 }  // namespace hw

@@ -1,7 +1,7 @@
 #pragma once
 // One wire and its order: transactions wait in four queues, stop before intent before program transfer before
-// poll; one is in flight at a time; each has a deadline. Bytes nobody asked for go to the owner's `unsolicited`
-// handler. Io thread only.
+// poll; one is in flight at a time; each has a deadline. Bytes nobody asked for go to the owner's
+// `unsolicited` handler. Io thread only.
 #include <array>
 #include <deque>
 #include <functional>
@@ -25,9 +25,9 @@ struct Transaction {
   /// Time allowed from the first byte sent to the end of the reply, beyond what the wire itself needs at its
   /// rate for `bytes` and an answer of usual length.
   Duration patience = Millis(200);
-  /// A byte that may stand anywhere in front of the reply and is not part of it (a prompt that crossed it).
-  /// Given to `unsolicited`.
-  std::string_view strangers;
+  /// How many bytes at the front of what came in are messages of their own and no part of the reply (a prompt
+  /// that crossed the question): they are given to `unsolicited`. npos: more must come to tell. Null: none.
+  std::size_t (*stranger)(std::string_view received) = nullptr;
 
   Transaction() = default;
   Transaction(std::string b, ReplyShape r, Priority p) : bytes(std::move(b)), reply(r), priority(p) {}
@@ -47,10 +47,10 @@ class Link final : private Stream::Listener {
 
   /// Resumes with the reply (terminator included), or with a fault: no_answer, lost, stopped.
   Task<Result<std::string>> transact(Transaction transaction);
-  /// Puts bytes on the wire at once, before anything that waits, without expecting a reply.
-  void send_now(std::string_view bytes, TrafficKind kind);
-  /// Ends every waiting transaction that is not a stop with Fault{stopped}. The one in flight goes on.
-  void drop_waiting();
+  /// From now until end_stop() intents and transfers, waiting or new, end with Fault{stopped}, so that no
+  /// procedure that was under way can send its next step behind the stop. The one in flight goes on.
+  void begin_stop();
+  void end_stop() { stopping_ = false; }
 
   /// Bytes that no transaction claimed. The handler returns how many it understood; the rest counts as
   /// unparsed. Called with at least one byte.
@@ -67,12 +67,14 @@ class Link final : private Stream::Listener {
 
  private:
   struct Pending;
+  static constexpr Duration settle_time = Millis(50);
   void bytes_arrived(std::string_view bytes) override;
   void stream_closed(const Fault& why) override;
   void start_next();
   void finish(Result<std::string> result);
   void on_deadline();
   void take_received();
+  bool strip_strangers();
   void give_unsolicited(std::string_view bytes);
   void record(Way way, TrafficKind kind, std::string_view bytes);
 
@@ -83,11 +85,14 @@ class Link final : private Stream::Listener {
   Pending* in_flight_ = nullptr;
   std::string received_;
   Instant sent_at_{};
+  Instant settle_until_{};  ///< after a miss: a late reply must not be taken for the next one's
   Timer deadline_;
+  Timer settled_;
   Instant second_began_{};
   int polls_this_second_ = 0;
   LinkStatistics statistics_;
   bool open_ = true;
+  bool stopping_ = false;
 };
 
 }  // namespace hw

@@ -14,7 +14,9 @@ class RealScheduler final : public Scheduler {
   void wait();
 
   std::chrono::steady_clock::time_point start_;
-  asio::basic_waitable_timer<std::chrono::steady_clock, asio::wait_traits<std::chrono::steady_clock>, Executor> timer_;
+  asio::basic_waitable_timer<std::chrono::steady_clock, asio::wait_traits<std::chrono::steady_clock>,
+                             Executor>
+      timer_;
   Instant waiting_for_ = Instant::max();
 };
 

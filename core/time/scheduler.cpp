@@ -44,8 +44,8 @@ void Scheduler::sift_down(std::size_t i) {
   for (;;) {
     std::size_t child = 2 * i + 1;
     if (child >= heap_.size()) break;
-    if (child + 1 < heap_.size() && earlier(heap_[child + 1]->when_, heap_[child + 1]->order_,
-                                            heap_[child]->when_, heap_[child]->order_))
+    if (child + 1 < heap_.size() &&
+        earlier(heap_[child + 1]->when_, heap_[child + 1]->order_, heap_[child]->when_, heap_[child]->order_))
       ++child;
     if (!earlier(heap_[child]->when_, heap_[child]->order_, t->when_, t->order_)) break;
     put(i, heap_[child]);
@@ -79,49 +79,38 @@ void Scheduler::fire_due(Instant now) {
 
 // One suspended coroutine. It lives in the coroutine's own frame, so waiting allocates nothing of ours.
 struct Event::Waiter {
-  Event& event;
-  std::function<void(bool)> resume;
+  Event* event;  // null once finished: the event may be gone before the coroutine runs again
+  Suspended suspended;
+  bool notified = false;
   Timer timer;
 
-  explicit Waiter(Event& e) : event(e), timer(e.scheduler_, [this] { finish(false); }) {
-    event.waiters_.push_back(this);
+  explicit Waiter(Event& e) : event(&e), timer(e.scheduler_, [this] { finish(false); }) {
+    event->waiters_.push_back(this);
   }
-  ~Waiter() { leave(); }
-  void leave() { std::erase(event.waiters_, this); }
-  void finish(bool notified) {
+  ~Waiter() {
+    if (event) std::erase(event->waiters_, this);
+  }
+  void finish(bool by_notify) {
     timer.disarm();
-    leave();
-    if (auto go = std::exchange(resume, nullptr)) go(notified);
+    notified = by_notify;
+    Event* const was = std::exchange(event, nullptr);
+    std::erase(was->waiters_, this);
+    suspended.resume(was->scheduler_.executor());
   }
 };
 
-namespace {
-// Suspends the calling coroutine; `start` gets the function that resumes it (by post, never inline).
-template <class Start>
-Task<bool> suspend(Scheduler& scheduler, Start start) {
-  return asio::async_initiate<decltype(use_task), void(bool)>(
-      [&scheduler, start](auto handler) mutable {
-        auto shared = std::make_shared<decltype(handler)>(std::move(handler));
-        start(std::function<void(bool)>([&scheduler, shared](bool value) {
-          asio::post(scheduler.executor(), [shared, value] { std::move (*shared)(value); });
-        }));
-      },
-      use_task);
-}
-}  // namespace
+Event::~Event() { notify(); }
 
 Task<bool> Event::wait_until(Instant deadline) {
   Waiter waiter(*this);
-  Waiter* self = &waiter;
   if (deadline != Instant::max()) waiter.timer.arm(deadline);
-  auto start = [self](std::function<void(bool)> resume) { self->resume = std::move(resume); };
-  co_return co_await suspend(scheduler_, start);
+  co_await waiter.suspended.here();
+  co_return waiter.notified;
 }
 Task<> Event::wait() { co_await wait_until(Instant::max()); }
 
 void Event::notify() {
-  auto waiting = std::exchange(waiters_, {});
-  for (Waiter* w : waiting) w->finish(true);
+  while (!waiters_.empty()) waiters_.front()->finish(true);
 }
 
 Task<> Scheduler::sleep_until(Instant when) {

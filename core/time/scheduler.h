@@ -30,8 +30,8 @@ class Timer {
   Scheduler& scheduler_;
   std::function<void()> fire_;
   Instant when_{};
-  std::uint64_t order_ = 0;    // first armed, first fired among equals
-  std::size_t place_ = none;   // index in the scheduler's heap
+  std::uint64_t order_ = 0;   // first armed, first fired among equals
+  std::size_t place_ = none;  // index in the scheduler's heap
 };
 
 class Scheduler {
@@ -72,6 +72,9 @@ class Scheduler {
 class Event {
  public:
   explicit Event(Scheduler& scheduler) : scheduler_(scheduler) {}
+  ~Event();  ///< wakes whoever still waits; they must not touch the event again
+  Event(const Event&) = delete;
+  Event& operator=(const Event&) = delete;
   /// True: notify() came. False: the deadline passed first.
   Task<bool> wait_until(Instant deadline);
   Task<> wait();

@@ -1,0 +1,80 @@
+#pragma once
+// The life of one open controller: connect, perform intents in order, poll in between, publish what is known;
+// when the wire is lost say so, and come back. A stop never waits behind anything here. Io thread only.
+#include <deque>
+#include <functional>
+#include <memory>
+
+#include "core/device/registry.h"
+#include "core/link/link.h"
+#include "core/time/scheduler.h"
+
+namespace hw {
+
+class Pump {
+ public:
+  struct Ways {
+    std::function<Task<Result<std::unique_ptr<Stream>>>()> open_wire;
+    std::function<void(const Snapshot&)> publish;
+    std::function<void(Notice)> notify;
+    TrafficRing* traffic = nullptr;
+  };
+
+  Pump(Scheduler& scheduler, const DeviceType& type, const Catalog& catalog, Ways ways);
+  ~Pump();
+
+  void start();
+  /// Stops what the console holds, closes the wire. The pump may be destroyed when it resumes.
+  Task<> shut_down();
+
+  void post(Intent intent);
+  /// Raw text and its reply, in the order of intents.
+  Task<Result<std::string>> query(std::string text, Duration patience);
+
+  [[nodiscard]] const Snapshot& known() const { return draft_; }
+  [[nodiscard]] Driver& driver() { return *driver_; }
+  [[nodiscard]] bool busy() const { return performing_ || !queue_.empty() || stops_under_way_ > 0; }
+  /// Notified after each publication.
+  [[nodiscard]] Event& published() { return published_; }
+
+  static constexpr Duration dead_man = Millis(250);
+  static constexpr int misses_until_lost = 3;
+
+ private:
+  struct Job;  // an intent, or a query with its waiting coroutine
+
+  Task<> live();
+  Task<> serve();
+  Task<> perform_next();
+  Task<> run_stop(Intent intent);
+  Task<> stop_and_report(Intent intent, int axis, bool at_once);
+  Task<bool> open_and_connect();
+  Task<> wait_for_retry();
+  void post_stop(Intent intent);
+  void refuse_queued(const char* why);
+  void hold_jog(const Intent& intent);
+  void jog_let_go();
+  void poll_finished(const Result<>& result);
+  void lose_wire(const Fault& why);
+  void set_fate(IntentId id, Fate fate, std::string_view sentence = {});
+  void publish();
+
+  Scheduler& scheduler_;
+  const Catalog& catalog_;
+  Ways ways_;
+  Snapshot draft_;
+  std::unique_ptr<Driver> driver_;
+  std::unique_ptr<Link> link_;
+  std::deque<std::unique_ptr<Job>> queue_;
+  Event wake_, published_, ended_;
+  Timer dead_man_;
+  Instant next_poll_{};
+  int fast_polls_ = 0;
+  int stops_under_way_ = 0;
+  int attempt_ = 0;
+  bool performing_ = false;
+  bool jogging_ = false;
+  bool running_ = false, closing_ = false, retry_now_ = false;
+};
+
+}  // namespace hw

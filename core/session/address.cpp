@@ -1,0 +1,108 @@
+#include "core/session/address.h"
+
+#include <algorithm>
+#include <charconv>
+
+#include <fmt/format.h>
+
+#include "core/device/registry.h"
+
+namespace hw {
+namespace {
+
+constexpr std::string_view transports[] = {"emulator", "serial", "tcp", "rfc2217", "usb", "vme", "bus"};
+
+std::string model_list() {
+  std::string all;
+  for (const DeviceType& type : device_types()) all += (all.empty() ? "" : ", ") + std::string(type.model);
+  return all;
+}
+
+tl::unexpected<Fault> bad(std::string what) {
+  return fail(
+      FaultKind::text, std::move(what), "Nothing was opened.",
+      "An address reads MODEL@TRANSPORT:WHERE,key=value, for example vxm@serial:/dev/ttyUSB0,baud=9600 "
+      "or vxm@emulator.");
+}
+
+Result<> read_options(std::string_view rest, Address& address) {
+  while (!rest.empty()) {
+    const auto comma = rest.find(',');
+    const std::string_view pair = rest.substr(0, comma);
+    rest = comma == rest.npos ? std::string_view{} : rest.substr(comma + 1);
+    const auto equals = pair.find('=');
+    if (equals == pair.npos || equals == 0)
+      return bad(fmt::format("\"{}\" in the address is no key=value pair.", pair));
+    auto& value = address.options[std::string(pair.substr(0, equals))];
+    if (!value.empty()) return bad(fmt::format("The address gives {} twice.", pair.substr(0, equals)));
+    value = pair.substr(equals + 1);
+    if (value.empty()) return bad(fmt::format("The address gives no value for {}.", pair.substr(0, equals)));
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<Address> Address::parse(std::string_view text) {
+  Address address;
+  const auto at = text.find('@');
+  if (at == text.npos) return bad(fmt::format("\"{}\" is no address: it has no @.", text));
+  address.model = text.substr(0, at);
+  std::transform(address.model.begin(), address.model.end(), address.model.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (!find_device_type(address.model))
+    return bad(
+        fmt::format("There is no controller model \"{}\". Known: {}.", text.substr(0, at), model_list()));
+  const std::string_view rest = text.substr(at + 1);
+  const auto comma = rest.find(',');
+  const std::string_view way = rest.substr(0, comma);
+  const auto colon = way.find(':');
+  address.transport = way.substr(0, colon);
+  if (colon != way.npos) address.where = way.substr(colon + 1);
+  if (std::find(std::begin(transports), std::end(transports), address.transport) == std::end(transports))
+    return bad(fmt::format("\"{}\" is no way to a controller.", address.transport));
+  const bool needs_place = address.transport != "emulator" && address.transport != "usb";
+  if (needs_place && address.where.empty())
+    return bad(fmt::format("The address does not say where: {}@{}:WHERE.", address.model, address.transport));
+  if (address.transport == "emulator" && !address.where.empty())
+    return bad(fmt::format("An emulator has no place: \"{}\" is too much.", address.where));
+  if (comma != rest.npos) {
+    if (auto read = read_options(rest.substr(comma + 1), address); !read) return fail(read.error());
+  }
+  return address;
+}
+
+std::string Address::text() const {
+  std::string out = model + "@" + transport;
+  if (!where.empty()) out += ":" + where;
+  for (const auto& [key, value] : options) out += "," + key + "=" + value;
+  return out;
+}
+
+Result<int> Address::number(std::string_view key, int fallback) const {
+  const auto found = options.find(std::string(key));
+  if (found == options.end()) return fallback;
+  int value = 0;
+  const std::string& s = found->second;
+  const auto [end, error] = std::from_chars(s.data(), s.data() + s.size(), value);
+  if (error != std::errc{} || end != s.data() + s.size())
+    return bad(fmt::format("{}={} in the address is no whole number.", key, s));
+  return value;
+}
+
+Result<std::pair<std::string, int>> split_host_port(std::string_view where) {
+  const auto colon = where.rfind(':');
+  if (colon == where.npos || colon == 0)
+    return fail(FaultKind::text, fmt::format("\"{}\" is no HOST:PORT.", where), {},
+                "For example 192.168.1.40:4001.");
+  std::string_view host = where.substr(0, colon);
+  const std::string_view digits = where.substr(colon + 1);
+  if (host.size() > 2 && host.front() == '[' && host.back() == ']') host = host.substr(1, host.size() - 2);
+  int port = -1;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), port);
+  if (error != std::errc{} || end != digits.data() + digits.size() || port < 0 || port > 65535)
+    return fail(FaultKind::text, fmt::format("\"{}\" is no port number (0 to 65535).", digits));
+  return std::pair(std::string(host), port);
+}
+
+}  // namespace hw

@@ -1,0 +1,30 @@
+#pragma once
+// MODEL@TRANSPORT[:WHERE][,key=value...]: which controller, and the way to it.
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "core/base/result.h"
+
+namespace hw {
+
+struct Address {
+  std::string model;      ///< "vxm", lower case
+  std::string transport;  ///< "emulator", "serial", "tcp", "rfc2217" ...
+  std::string where;      ///< "/dev/ttyUSB0", "HOST:PORT"; empty for an emulator
+  std::map<std::string, std::string> options;
+
+  /// Checks form, model (of device_types()) and transport name; not whether anything is there.
+  static Result<Address> parse(std::string_view text);
+  /// The same address in canonical form.
+  [[nodiscard]] std::string text() const;
+  [[nodiscard]] bool emulated() const { return transport == "emulator"; }
+  /// `fallback` when absent; a fault when it is no whole number.
+  [[nodiscard]] Result<int> number(std::string_view key, int fallback) const;
+};
+
+/// "HOST:PORT" or "[IPV6]:PORT".
+Result<std::pair<std::string, int>> split_host_port(std::string_view where);
+
+}  // namespace hw

@@ -1,0 +1,169 @@
+#include "core/session/session.h"
+
+#include <fmt/format.h>
+
+namespace hw {
+
+Result<std::shared_ptr<Session>> Session::open(Scheduler& scheduler, const Address& address,
+                                               WireOpener opener, std::function<void()> wake) {
+  const DeviceType* type = find_device_type(address.model);
+  if (!type) return fail(FaultKind::text, fmt::format("There is no controller model \"{}\".", address.model));
+  auto catalog = type->make_catalog(address.options);
+  if (!catalog) return fail(catalog.error());
+  std::shared_ptr<Session> session(
+      new Session(scheduler, address, *type, std::move(*catalog), std::move(opener), std::move(wake)));
+  session->pump_.start();
+  return session;
+}
+
+Session::Session(Scheduler& scheduler, Address address, const DeviceType& type, Catalog catalog,
+                 WireOpener opener, std::function<void()> wake)
+    : scheduler_(scheduler),
+      address_(std::move(address)),
+      type_(type),
+      catalog_(std::move(catalog)),
+      opener_(std::move(opener)),
+      wake_(std::move(wake)),
+      pump_(scheduler, type, catalog_,
+            Pump::Ways{[this] { return open_wire(); }, [this](const Snapshot& s) { show(s); },
+                       [this](Notice n) { tell(std::move(n)); }, &traffic_}) {}
+
+Session::~Session() {
+  if (bench_) bench_->changed = nullptr;
+}
+
+IntentId Session::send(IntentBody body) {
+  const IntentId id = ++last_intent_;
+  asio::post(scheduler_.executor(),
+             [self = shared_from_this(), intent = Intent(id, std::move(body))]() mutable {
+               self->pump_.post(std::move(intent));
+             });
+  return id;
+}
+
+void Session::operate_bench(BenchCommand command) {
+  asio::post(scheduler_.executor(), [self = shared_from_this(), command = std::move(command)] {
+    if (!self->bench_) return;
+    const auto done = self->bench_->operate(command);
+    if (!done) self->tell(Notice(Notice::Kind::error, self->now(), done.error().sentence()));
+    self->show_bench();
+  });
+}
+
+Task<Result<std::unique_ptr<Stream>>> Session::open_wire() {
+  auto opened = co_await opener_(scheduler_, address_, bench_);
+  if (!opened) co_return fail(opened.error());
+  if (opened->bench) {
+    bench_ = opened->bench;
+    bench_->changed = [this] { show_bench(); };
+    show_bench();
+  }
+  co_return std::move(opened->stream);
+}
+
+Task<Result<>> Session::perform(IntentBody body) {
+  const auto self = shared_from_this();
+  const IntentId id = ++last_intent_;
+  Intent intent(id, std::move(body));
+  pump_.post(std::move(intent));
+  for (;;) {
+    const IntentFate* fate = known().fate_of(id);
+    if (!fate)
+      co_return fail(FaultKind::internal, "Too many commands at once: what became of this one is not known.");
+    if (fate->fate == Fate::done) co_return Result<>();
+    if (fate->fate == Fate::refused) co_return fail(FaultKind::refused, std::string(fate->sentence.view()));
+    if (fate->fate == Fate::failed) co_return fail(FaultKind::controller, std::string(fate->sentence.view()));
+    co_await pump_.published().wait();
+  }
+}
+
+std::string why_not_finished(const Snapshot& s, const Catalog& catalog) {
+  if (s.link.state == LinkState::lost || s.link.state == LinkState::closed)
+    return fmt::format("The link is lost. {}", s.link.sentence.view());
+  if (s.program.run == RunState::error) return std::string(s.notice.view());
+  for (int i = 0; i < s.axis_count; ++i) {
+    const auto because = [&](const char* what) {
+      return fmt::format("Axis {} {}.", catalog.axes[i].name, what);
+    };
+    switch (s.axes[i].ended_by) {
+      case EndedBy::limit: return because("was ended by its limit switch");
+      case EndedBy::stop: return because("was stopped");
+      case EndedBy::abort: return because("was stopped at once");
+      case EndedBy::error: return because("was ended by an error of the controller");
+      case EndedBy::lost: return because("was lost sight of while it moved");
+      case EndedBy::nothing:
+      case EndedBy::target: break;
+    }
+  }
+  return {};
+}
+
+Task<Result<>> Session::wait_until_idle(Duration patience) {
+  const auto self = shared_from_this();
+  const Instant deadline = scheduler_.now() + patience;
+  const Instant asked_at = scheduler_.now();
+  bool in_time = true;
+  while (in_time) {
+    const Snapshot& s = known();
+    const bool gone = s.link.state == LinkState::lost || s.link.state == LinkState::closed;
+    const bool fresh = s.axis_count == 0 || s.axes[0].seen_at >= asked_at;
+    const bool running = s.program.run != RunState::idle && s.program.run != RunState::error;
+    if (gone || s.program.run == RunState::error ||
+        (!pump_.busy() && fresh && !running && !s.any_axis_moving())) {
+      std::string reason = why_not_finished(s, catalog_);
+      if (reason.empty()) co_return Result<>();
+      co_return fail(gone ? FaultKind::lost : FaultKind::controller, std::move(reason));
+    }
+    in_time = co_await pump_.published().wait_until(deadline);
+  }
+  co_return fail(FaultKind::no_answer,
+                 fmt::format("Timeout: still not idle after {:.1f} s.", seconds(patience)));
+}
+
+Task<> Session::close() {
+  const auto self = shared_from_this();
+  co_await pump_.shut_down();
+  if (bench_) bench_->changed = nullptr;
+}
+
+// What a person would see differently: everything but times and counters.
+static bool looks_same(const Snapshot& a, const Snapshot& b) {
+  for (int i = 0; i < a.axis_count; ++i) {
+    AxisState x = a.axes[i], y = b.axes[i];
+    x.seen_at = y.seen_at = Instant{};
+    if (!(x == y)) return false;
+  }
+  return a.axis_count == b.axis_count && a.link.state == b.link.state && a.link.sentence == b.link.sentence &&
+         a.link.next_attempt == b.link.next_attempt && a.identity == b.identity && a.inputs == b.inputs &&
+         a.inputs_known == b.inputs_known && a.outputs == b.outputs && a.outputs_known == b.outputs_known &&
+         a.analog == b.analog && a.analog_known == b.analog_known && a.program == b.program &&
+         a.slot_bytes_used == b.slot_bytes_used && a.params == b.params &&
+         a.unsaved_setup == b.unsaved_setup && a.unsaved_programs == b.unsaved_programs &&
+         a.store_count == b.store_count && a.fates == b.fates && a.notice == b.notice;
+}
+
+void Session::show(const Snapshot& snapshot) {
+  const bool news = !looks_same(snapshot, shown_);
+  latest_.publish(snapshot);
+  if (!news) return;
+  shown_ = snapshot;
+  if (wake_) wake_();
+}
+
+void Session::show_bench() {
+  if (!bench_) return;
+  BenchView view;
+  view.present = true;
+  bench_->look(view);
+  if (view == bench_view_) return;
+  bench_view_ = view;
+  latest_bench_.publish(view);
+  if (wake_) wake_();
+}
+
+void Session::tell(Notice notice) {
+  notices_.push(std::move(notice));
+  if (wake_) wake_();
+}
+
+}  // namespace hw

@@ -1,0 +1,75 @@
+#pragma once
+// One open controller as the rest of the console sees it. Three kinds of members: any thread may send
+// intents; one reader thread takes snapshots and rings; the io thread does the rest.
+#include <atomic>
+#include <functional>
+#include <memory>
+
+#include "core/base/latest.h"
+#include "core/device/pump.h"
+#include "core/session/wire.h"
+
+namespace hw {
+
+class Session : public std::enable_shared_from_this<Session> {
+ public:
+  /// Io thread. `wake` is called from the io thread when a reader would see something new.
+  static Result<std::shared_ptr<Session>> open(Scheduler& scheduler, const Address& address,
+                                               WireOpener opener, std::function<void()> wake);
+  ~Session();
+
+  // ---- any thread
+  IntentId send(IntentBody body);
+  void operate_bench(BenchCommand command);
+  [[nodiscard]] const Catalog& catalog() const { return catalog_; }
+  [[nodiscard]] const DeviceType& type() const { return type_; }
+  [[nodiscard]] const Address& address() const { return address_; }
+  [[nodiscard]] Instant now() const { return scheduler_.now(); }
+
+  // ---- the one reader thread
+  const Snapshot& snapshot() { return latest_.view(); }
+  const BenchView& bench_view() { return latest_bench_.view(); }
+  [[nodiscard]] TrafficRing& traffic() { return traffic_; }
+  [[nodiscard]] Ring<Notice>& notices() { return notices_; }
+
+  // ---- io thread
+  [[nodiscard]] const Snapshot& known() const { return pump_.known(); }
+  [[nodiscard]] Pump& pump() { return pump_; }
+  [[nodiscard]] const std::shared_ptr<BenchAccess>& bench() const { return bench_; }
+  /// Performs and resumes with what became of it.
+  Task<Result<>> perform(IntentBody body);
+  /// Resumes when nothing moves or runs any more and the state is fresh.
+  Task<Result<>> wait_until_idle(Duration patience);
+  Task<> close();
+
+  static constexpr std::size_t traffic_capacity = 1 << 16;
+
+ private:
+  Session(Scheduler& scheduler, Address address, const DeviceType& type, Catalog catalog, WireOpener opener,
+          std::function<void()> wake);
+  Task<Result<std::unique_ptr<Stream>>> open_wire();
+  void show(const Snapshot& snapshot);
+  void show_bench();
+  void tell(Notice notice);
+
+  Scheduler& scheduler_;
+  const Address address_;
+  const DeviceType& type_;
+  const Catalog catalog_;
+  WireOpener opener_;
+  std::function<void()> wake_;
+  std::atomic<IntentId> last_intent_{0};
+  Latest<Snapshot> latest_;
+  Latest<BenchView> latest_bench_;
+  TrafficRing traffic_{traffic_capacity};
+  Ring<Notice> notices_{1024};
+  std::shared_ptr<BenchAccess> bench_;
+  BenchView bench_view_;
+  Snapshot shown_;  ///< what the reader was last woken for
+  Pump pump_;
+};
+
+/// Why a motion or program is not simply finished, as a sentence; empty: it is.
+std::string why_not_finished(const Snapshot& snapshot, const Catalog& catalog);
+
+}  // namespace hw

@@ -1,0 +1,39 @@
+#pragma once
+// An opened way to a controller, and how a session gets one without knowing the transports.
+#include <functional>
+#include <memory>
+
+#include "core/base/asio.h"
+#include "core/device/bench.h"
+#include "core/link/stream.h"
+#include "core/session/address.h"
+#include "core/time/scheduler.h"
+
+namespace hw {
+
+class Emulator;
+
+/// The bench of an emulator in this process. Io thread only.
+class BenchAccess {
+ public:
+  virtual ~BenchAccess() = default;
+  /// Device and wire faults alike (Unplug, Garble, Drop are done on the wire).
+  virtual Result<> operate(const BenchCommand& command) = 0;
+  virtual void look(BenchView& view) const = 0;
+  /// At present time; for the record of trigger pulses.
+  [[nodiscard]] virtual const Emulator& emulator() const = 0;
+  /// Called (io thread) when something of look() may have changed by itself or by operate().
+  std::function<void()> changed;
+};
+
+struct Wire {
+  std::unique_ptr<Stream> stream;
+  std::shared_ptr<BenchAccess> bench;  ///< null: not an emulator of ours
+};
+
+/// Resumes with an open wire or a fault that names the place. An emulator that was unplugged opens again as
+/// the same emulator: `again` is the bench of the wire that was lost, or null.
+using WireOpener = std::function<Task<Result<Wire>>(Scheduler& scheduler, Address address,
+                                                    std::shared_ptr<BenchAccess> again)>;
+
+}  // namespace hw

@@ -1,0 +1,157 @@
+#include "core/link/link.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/time/virtual_scheduler.h"
+
+namespace hw {
+namespace {
+
+using testing::ElementsAre;
+
+/// A wire whose other end is the test.
+class FakeStream : public Stream {
+ public:
+  void listen(Listener* l) override { listener = l; }
+  void send(std::string_view bytes) override { sent.emplace_back(bytes); }
+  Result<> set_rate(int baud) override { return rate_ = baud, Result<>(); }
+  [[nodiscard]] int rate() const override { return rate_; }
+  [[nodiscard]] std::string describe() const override { return "a test"; }
+
+  Listener* listener = nullptr;
+  std::vector<std::string> sent;
+  int rate_ = 0;
+};
+
+struct LinkTest : testing::Test {
+  IoContext io;
+  VirtualScheduler time{io};
+  TrafficRing traffic{64};
+  FakeStream* wire = new FakeStream;
+  Link link{time, std::unique_ptr<Stream>(wire), &traffic};
+
+  struct Answer {
+    bool came = false;
+    Result<std::string> result{std::string()};
+  };
+  static Task<> ask(Link& link, Transaction t, Answer& answer) {
+    answer.result = co_await link.transact(std::move(t));
+    answer.came = true;
+  }
+  void start(std::string bytes, ReplyShape shape, Priority p, Answer& answer) {
+    Transaction t(std::move(bytes), shape, p);
+    asio::co_spawn(io, ask(link, std::move(t), answer), asio::detached);
+    time.run_for(Duration::zero());
+  }
+  void arrive(std::string_view bytes) {
+    wire->listener->bytes_arrived(bytes);
+    time.run_for(Duration::zero());
+  }
+};
+
+TEST_F(LinkTest, AStopOvertakesEverythingThatWaits) {
+  Answer first, poll, intent, stop;
+  start("X", ReplyShape::line(), Priority::poll, first);
+  start("Y", ReplyShape::line(), Priority::poll, poll);
+  start("I1M400\r", ReplyShape::nothing(), Priority::intent, intent);
+  start("D", ReplyShape::nothing(), Priority::stop, stop);
+  EXPECT_THAT(wire->sent, ElementsAre("X"));
+  arrive("+0000000\r");
+  EXPECT_THAT(wire->sent, ElementsAre("X", "D", "I1M400\r", "Y"));
+  EXPECT_TRUE(first.came && stop.came && intent.came);
+  EXPECT_FALSE(poll.came);
+}
+
+TEST_F(LinkTest, AnUnansweredQuestionEndsAtItsDeadlineAndALateReplyIsNotTakenForTheNext) {
+  Answer lost, next;
+  start("X", ReplyShape::line(), Priority::poll, lost);
+  start("Y", ReplyShape::line(), Priority::poll, next);
+  time.run_for(Millis(199));
+  EXPECT_FALSE(lost.came);
+  time.run_for(Millis(2));
+  ASSERT_TRUE(lost.came);
+  EXPECT_EQ(lost.result.error().kind, FaultKind::no_answer);
+  arrive("+0000001\r");
+  EXPECT_FALSE(next.came) << "the late answer to X is no answer to Y";
+  time.run_for(Millis(60));
+  arrive("+0000002\r");
+  ASSERT_TRUE(next.came);
+  EXPECT_EQ(*next.result, "+0000002\r");
+  EXPECT_EQ(link.statistics().unparsed_bytes, 9u);
+}
+
+TEST_F(LinkTest, WhatComesBeforeTheReplyIsHandedOver) {
+  std::string unsolicited;
+  link.unsolicited = [&](std::string_view bytes) { return unsolicited += bytes, bytes.size(); };
+  Answer answer;
+  Transaction t("X", ReplyShape::line(), Priority::poll);
+  t.stranger = [](std::string_view received) -> std::size_t {
+    if (received.front() != ':') return received.front() == '+' ? 0 : 1;
+    const auto end = received.find('.');
+    return end == received.npos ? end : end + 1;
+  };
+  asio::co_spawn(io, ask(link, std::move(t), answer), asio::detached);
+  time.run_for(Duration::zero());
+  arrive("^:+12\r");
+  EXPECT_EQ(unsolicited, "^");
+  arrive("3.+00");
+  arrive("00400\r^");
+  ASSERT_TRUE(answer.came);
+  EXPECT_EQ(*answer.result, "+0000400\r");
+  EXPECT_EQ(unsolicited, "^:+12\r3.^");
+}
+
+TEST_F(LinkTest, NothingOfAProcedureGoesOutBehindAStop) {
+  Answer flying, waiting, later, after;
+  start("X", ReplyShape::line(), Priority::poll, flying);
+  start("S1M400\r", ReplyShape::nothing(), Priority::transfer, waiting);
+  link.begin_stop();
+  start("R", ReplyShape::nothing(), Priority::intent, later);
+  for (const Answer* a : {&waiting, &later}) {
+    ASSERT_TRUE(a->came);
+    EXPECT_EQ(a->result.error().kind, FaultKind::stopped);
+  }
+  arrive("+0000000\r");
+  EXPECT_TRUE(flying.result.has_value());
+  link.end_stop();
+  start("R", ReplyShape::nothing(), Priority::intent, after);
+  EXPECT_THAT(wire->sent, ElementsAre("X", "R"));
+}
+
+TEST_F(LinkTest, AClosedWireEndsEveryTransaction) {
+  Answer flying, waiting;
+  start("X", ReplyShape::line(), Priority::poll, flying);
+  start("Y", ReplyShape::line(), Priority::poll, waiting);
+  wire->listener->stream_closed(Fault(FaultKind::lost, "The cable was pulled."));
+  time.run_for(Duration::zero());
+  ASSERT_TRUE(flying.came && waiting.came);
+  EXPECT_EQ(flying.result.error().what, "The cable was pulled.");
+  EXPECT_FALSE(link.is_open());
+}
+
+TEST_F(LinkTest, AListWithoutAnEndMarkEndsWhenTheWireIsQuiet) {
+  Answer list;
+  start("lst", ReplyShape::until_quiet(50), Priority::intent, list);
+  arrive("PM0 M252\r");
+  time.run_for(Millis(40));
+  arrive("I1M400\r");
+  time.run_for(Millis(40));
+  EXPECT_FALSE(list.came);
+  time.run_for(Millis(20));
+  ASSERT_TRUE(list.came);
+  EXPECT_EQ(*list.result, "PM0 M252\rI1M400\r");
+}
+
+TEST_F(LinkTest, PatienceGrowsWithTheTimeThatTheWireNeeds) {
+  wire->rate_ = 9600;
+  Answer answer;
+  start("X", ReplyShape::line(), Priority::poll, answer);
+  time.run_for(Millis(210));
+  EXPECT_FALSE(answer.came);
+  time.run_for(Millis(10));
+  EXPECT_TRUE(answer.came);
+}
+
+}  // namespace
+}  // namespace hw
