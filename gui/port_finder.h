@@ -31,7 +31,7 @@ struct FoundPort {
   std::string hardware;  ///< "FTDI FT232R, A10K2LQX"
   std::string usb_serial;
   State state = State::not_asked;
-  std::string title;     ///< "Velmex VXM"; empty while unknown
+  std::string title;     ///< the catalog's name of what answers; empty while unknown
   std::string sentence;  ///< "answers at 9600 baud in 11 ms"; busy, forbidden, silent: why and what to do
   std::string address;   ///< answers: what Connect opens
   std::vector<Check> checks;        ///< of the last test
