@@ -7,6 +7,7 @@
 
 #include "core/base/file.h"
 #include "core/device/bench_file.h"
+#include "transports/rfc2217.h"
 #include "transports/serial.h"
 #include "transports/tcp.h"
 
@@ -122,6 +123,16 @@ Task<Result<Wire>> open_tcp_wire(Scheduler& scheduler, const DeviceType& type, A
   co_return real_wire(std::move(*stream));
 }
 
+Task<Result<Wire>> open_rfc2217_wire(Scheduler& scheduler, const DeviceType& type, Address address,
+                                     std::shared_ptr<BenchAccess>, const OpenOptions&) {
+  const auto baud = take_baud(type, address.options);
+  if (!baud) co_return fail(baud.error());
+  if (auto checked = check_device_keys(type, address.options); !checked) co_return fail(checked.error());
+  auto stream = co_await open_rfc2217(scheduler, std::move(address.where), *baud);
+  if (!stream) co_return fail(stream.error());
+  co_return real_wire(std::move(*stream));
+}
+
 using Open = Task<Result<Wire>> (*)(Scheduler&, const DeviceType&, Address, std::shared_ptr<BenchAccess>,
                                     const OpenOptions&);
 struct Transport {
@@ -132,6 +143,7 @@ constexpr Transport transports[] = {
     {"emulator", open_emulator},
     {"serial", open_serial_wire},
     {"tcp", open_tcp_wire},
+    {"rfc2217", open_rfc2217_wire},
 };
 
 Task<Result<Wire>> open_wire(Scheduler& scheduler, Address address, std::shared_ptr<BenchAccess> again,
