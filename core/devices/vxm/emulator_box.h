@@ -153,7 +153,7 @@ class Box {
   void go_signal();
   void stop_input();
   void restore_out();
-  void note(std::string what);
+  void note(const char* what);
 
   // emulator_flow.cpp
   void do_loop(const Command& command, int at);

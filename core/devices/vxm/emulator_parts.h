@@ -158,9 +158,11 @@ struct Jog {
 
 /// What a rehearsal hears.
 struct Trace {
+  enum class Told : std::uint8_t { command, event };
   Instant at{};
   int program = 0, command = 0;
   std::string what;
+  Told told = Told::event;
 };
 
 /// A pulse before the other controller's positions are known.

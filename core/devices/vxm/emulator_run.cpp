@@ -16,10 +16,8 @@ constexpr Duration breath = Millis(1);
 
 }  // namespace
 
-void Box::note(std::string what) {
-  if (trace == nullptr) return;
-  const Frame* frame = run_.stack.empty() ? nullptr : &run_.stack.back();
-  trace->push_back({now_, frame ? frame->program : -1, frame ? frame->next : -1, std::move(what)});
+void Box::note(const char* what) {
+  if (trace != nullptr) trace->push_back({now_, -1, -1, what, Trace::Told::event});
 }
 
 void Box::start_run(int program) {
@@ -116,7 +114,8 @@ bool Box::execute_next() {
   // A coupled program has the Slave's motors, or a hand that jogged lets them ramp down.
   if (for_slave && slave() != nullptr && (slave()->run_.on || slave()->motion_.active)) return false;
   run_.step_allowed = false;
-  note(shown(command, analog_));
+  if (trace != nullptr)
+    trace->push_back({now_, frame.program, frame.next, shown(command, analog_), Trace::Told::command});
   const int at = frame.next++;
   perform(command, at);
   return true;
