@@ -117,36 +117,60 @@ std::string VxmEmulator::save_memory() const {
   return text;
 }
 
-Result<> VxmEmulator::load_memory(std::string_view text) {
-  std::string problem;
-  Box* box = &box_;
-  int number = 0;
-  while (!text.empty()) {
+namespace {
+
+struct LoadedMemory {
+  int good_lines = 0;
+  std::string problem;  ///< of the first bad line
+};
+
+/// Takes every line that means something into the saved memories.
+LoadedMemory load_lines(std::string_view text, Box& first) {
+  LoadedMemory loaded;
+  Box* box = &first;
+  for (int number = 1; !text.empty(); ++number) {
     const auto end = std::min(text.find('\n'), text.size());
     std::string_view line = text.substr(0, end);
     text.remove_prefix(std::min(end + 1, text.size()));
-    ++number;
     if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
-    std::string why;
     if (line.empty() || line.front() == '#') continue;
+    std::string why;
     if (line == "[controller 1]") {
-      box = &box_;
+      box = &first;
     } else if (line == "[controller 2]") {
-      box = box_.slave();  // null: a memory of four motors, two are fitted
+      box = first.slave();  // null: a memory of four motors where two are fitted
     } else if (line.substr(0, 9) == "stores = " && line.size() > 9 && line.size() < 20 &&
                line.find_first_not_of("0123456789", 9) == std::string_view::npos) {
-      box_.stores = std::stoull(std::string(line.substr(9)));
+      first.stores = std::stoull(std::string(line.substr(9)));
     } else if (box != nullptr) {
       why = box->load_line(line);
     }
-    if (problem.empty() && !why.empty()) problem = "Line " + std::to_string(number) + " " + why + ".";
+    loaded.good_lines += why.empty();
+    if (loaded.problem.empty() && !why.empty())
+      loaded.problem = "line " + std::to_string(number) + " " + why + ".";
   }
+  return loaded;
+}
+
+}  // namespace
+
+Result<> VxmEmulator::load_memory(std::string_view text) {
+  Box loaded_box = box_;
+  loaded_box.stores = 0;
+  loaded_box.forget_saved();
+  if (Box* s = loaded_box.slave()) s->forget_saved();
+  const LoadedMemory loaded = load_lines(text, loaded_box);
+  if (loaded.good_lines == 0)
+    return fail(FaultKind::text,
+                "This is no memory of a VXM" + (loaded.problem.empty() ? "." : ": " + loaded.problem),
+                "The memory stays as it was.");
+  box_ = std::move(loaded_box);
   if (Box* s = box_.slave()) s->take_saved();
   box_.take_saved();
   ++memory_loads_;
   after();
-  if (problem.empty()) return {};
-  return fail(FaultKind::text, "The memory of the VXM is damaged: " + problem,
+  if (loaded.problem.empty()) return {};
+  return fail(FaultKind::text, "The memory of the VXM is damaged: " + loaded.problem,
               "What could be read was taken; the rest has its factory value.",
               "Check motor types and programs before you run a motor.");
 }

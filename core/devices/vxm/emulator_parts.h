@@ -158,11 +158,9 @@ struct Jog {
 
 /// What a rehearsal hears.
 struct Trace {
-  enum class Told : std::uint8_t { command, event };
   Instant at{};
-  int program = 0, command = 0;
+  int program = -1, command = -1;  ///< -1: no command, an event
   std::string what;
-  Told told = Told::event;
 };
 
 /// A pulse before the other controller's positions are known.

@@ -109,6 +109,7 @@ class Walk {
     while (!bad.empty() && bad.back() == ' ') bad.remove_suffix(1), --p.length;
     token(p, TokenKind::bad);
     out_.report.problems.push_back(problem_of_text(bad, p, number_missing));
+    if (!bad.empty() && bad.back() == ')') group_.reset();  // said once
   }
 
   void letter(const Reading& r) {
