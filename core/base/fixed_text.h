@@ -21,7 +21,7 @@ class FixedText {
     std::size_t n = std::min(text.size(), N);
     if (n < text.size())
       while (n > 0 && (static_cast<unsigned char>(text[n]) & 0xC0) == 0x80) --n;
-    std::memcpy(bytes_.data(), text.data(), n);
+    if (n > 0) std::memcpy(bytes_.data(), text.data(), n);
     size_ = n;
   }
   void clear() { size_ = 0; }

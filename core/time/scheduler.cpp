@@ -79,21 +79,23 @@ void Scheduler::fire_due(Instant now) {
 
 // One suspended coroutine. It lives in the coroutine's own frame, so waiting allocates nothing of ours.
 struct Event::Waiter {
-  Event& event;
+  Event* event;  // null once finished: the event may be gone before the coroutine runs again
   Suspended suspended;
   bool notified = false;
   Timer timer;
 
-  explicit Waiter(Event& e) : event(e), timer(e.scheduler_, [this] { finish(false); }) {
-    event.waiters_.push_back(this);
+  explicit Waiter(Event& e) : event(&e), timer(e.scheduler_, [this] { finish(false); }) {
+    event->waiters_.push_back(this);
   }
-  ~Waiter() { leave(); }
-  void leave() { std::erase(event.waiters_, this); }
+  ~Waiter() {
+    if (event) std::erase(event->waiters_, this);
+  }
   void finish(bool by_notify) {
     timer.disarm();
-    leave();
     notified = by_notify;
-    suspended.resume(event.scheduler_.executor());
+    Event* const was = std::exchange(event, nullptr);
+    std::erase(was->waiters_, this);
+    suspended.resume(was->scheduler_.executor());
   }
 };
 

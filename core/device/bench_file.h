@@ -1,0 +1,45 @@
+#pragma once
+// A bench described in a TOML file: what hangs on the axes, how inputs stand at the start, what happens
+// later.
+//
+//   quirks = ["overrun"]
+//   [axis.1]                      # keys of AxisPlace, the same as in a script's bench:place()
+//   minus = -1000
+//   plus = 90000
+//   home = [2000, 2400]
+//   [input]
+//   1 = true                      # operated from the start
+//   [analog]
+//   1 = 300
+//   [[at]]                        # later: the names and arguments of a script's bench
+//   t = 2.5                       # seconds
+//   limit = ["1", "+", true]
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/device/bench.h"
+#include "core/device/catalog.h"
+
+namespace hw {
+
+struct TimedBenchCommand {
+  Duration at;  ///< since the bench was set up
+  BenchCommand command;
+};
+
+struct BenchFile {
+  std::vector<std::string> quirks;
+  std::vector<BenchCommand> at_start;
+  std::vector<TimedBenchCommand> later;  ///< earliest first
+};
+
+/// Names axes by `catalog`. A fault begins `name:LINE:COLUMN: `.
+Result<BenchFile> parse_bench_file(std::string_view text, const Catalog& catalog,
+                                   std::string_view name = "bench file");
+
+/// What is wrong with such a place ("minus must be below plus"); empty: nothing.
+std::string_view problem_of(const AxisPlace& place);
+
+}  // namespace hw

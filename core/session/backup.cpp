@@ -1,0 +1,89 @@
+#include "core/session/backup.h"
+
+#include <fmt/format.h>
+
+namespace hw {
+namespace {
+
+/// The listing of `slot` that UploadProgram left among the notices.
+Result<std::string> listing_of(Session& session, int slot) {
+  Result<std::string> listing = fail(FaultKind::no_answer, fmt::format("Program {} was not listed.", slot));
+  session.notices().drain([&](Notice& notice) {
+    if (notice.kind == Notice::Kind::program && notice.slot == slot) listing = std::move(notice.text);
+  });
+  return listing;
+}
+
+Task<Result<>> read_parameters(std::shared_ptr<Session> session) {
+  if (session->catalog().params.empty()) co_return Result<>();
+  IntentBody read = intent::ReadParams();
+  co_return co_await session->perform(std::move(read));
+}
+
+}  // namespace
+
+Task<Result<Backup>> take_backup(std::shared_ptr<Session> session) {
+  const Catalog& catalog = session->catalog();
+  Backup backup;
+  backup.model = catalog.model;
+  auto read = co_await read_parameters(session);
+  if (!read) co_return fail(read.error());
+  const Snapshot& known = session->known();
+  backup.firmware = std::string(known.identity.firmware.view());
+  for (std::size_t i = 0; i < catalog.params.size() && i < known.params.size(); ++i)
+    if (known.params[i].known)
+      backup.parameters.push_back({catalog.params[i].mnemonic, known.params[i].value, 0});
+  for (int slot = 0; slot < catalog.program.slots; ++slot) {
+    IntentBody upload = intent::UploadProgram(slot);
+    auto uploaded = co_await session->perform(std::move(upload));
+    if (!uploaded) co_return fail(uploaded.error());
+    auto listing = listing_of(*session, slot);
+    if (!listing) co_return fail(listing.error());
+    if (!listing->empty()) backup.programs[slot] = std::move(*listing);
+  }
+  co_return backup;
+}
+
+std::string RestoreReport::sentence() const {
+  std::string all = fmt::format("{} parameters written, {} were equal already, {} programs written.",
+                                parameters_written, parameters_equal, programs_written);
+  for (const std::string& s : left_out) all += " " + s;
+  return all;
+}
+
+Task<Result<RestoreReport>> restore_backup(std::shared_ptr<Session> session, Backup backup,
+                                           std::string file_name, bool warnings_read) {
+  const Catalog& catalog = session->catalog();
+  auto checked = check_backup(backup, catalog, file_name);
+  if (!checked) co_return fail(checked.error());
+  auto read = co_await read_parameters(session);
+  if (!read) co_return fail(read.error());
+  RestoreReport report;
+  report.left_out = std::move(checked->problems);
+  for (const ParameterEntry& entry : checked->parameters) {
+    const auto i = static_cast<std::size_t>(catalog.find_param(entry.mnemonic));
+    const ParamState state = session->known().params[i];
+    if (state.known && state.value == entry.value) {
+      ++report.parameters_equal;
+      continue;
+    }
+    if (!catalog.params[i].warning.empty() && !warnings_read) {
+      report.left_out.push_back(fmt::format("{} = {} was left out, because it needs a confirmation: {}",
+                                            entry.mnemonic, entry.value, catalog.params[i].warning));
+      continue;
+    }
+    IntentBody set = intent::SetParam(entry.mnemonic, entry.value, true);
+    auto done = co_await session->perform(std::move(set));
+    if (!done) co_return fail(done.error());
+    ++report.parameters_written;
+  }
+  for (const auto& [slot, text] : checked->programs) {
+    IntentBody load = intent::LoadProgram(slot, text);
+    auto done = co_await session->perform(std::move(load));
+    if (!done) co_return fail(done.error());
+    ++report.programs_written;
+  }
+  co_return report;
+}
+
+}  // namespace hw

@@ -1,0 +1,195 @@
+#include "core/session/parameter_file.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#define TOML_EXCEPTIONS 0
+#include <charconv>
+
+#include <toml++/toml.h>
+
+#include "core/session/user_files.h"
+
+namespace hw {
+namespace {
+
+std::string quoted(std::string_view text, bool many_lines) {
+  std::string out = many_lines ? "\"\"\"\n" : "\"";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\')
+      (out += '\\') += c;
+    else if (c == '\n' && many_lines)
+      out += c;
+    else if (byte < 0x20 || byte == 0x7F)
+      out += fmt::format("\\u{:04X}", byte);
+    else
+      out += c;
+  }
+  return out + (many_lines ? "\"\"\"" : "\"");
+}
+
+std::string key_of(std::string_view name) {
+  for (const char c : name)
+    if (!std::isalnum(static_cast<unsigned char>(c)) && c != '_' && c != '-') return quoted(name, false);
+  return name.empty() ? "\"\"" : std::string(name);
+}
+
+int line_of(const toml::node& node) { return static_cast<int>(node.source().begin.line); }
+
+tl::unexpected<Fault> bad_file(const std::string& name, int line, std::string_view what) {
+  return fail(FaultKind::text, fmt::format("{}, line {}: {}.", name, line, what),
+              "Nothing was taken from the file.", "Mend that line, or choose another file.");
+}
+
+Result<> take_parameters(const toml::table& table, const std::string& name, Backup& out) {
+  for (const auto& [key, node] : table) {
+    const auto number = node.value_exact<std::int64_t>();
+    if (!number)
+      return bad_file(name, line_of(node), fmt::format("{} is not given a whole number", key.str()));
+    out.parameters.push_back({std::string(key.str()), *number, line_of(node)});
+  }
+  return {};
+}
+
+Result<> take_programs(const toml::table& table, const std::string& name, Backup& out) {
+  for (const auto& [key, node] : table) {
+    const std::string_view digits = key.str();
+    int slot = -1;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), slot);
+    const auto text = node.value_exact<std::string>();
+    if (error != std::errc() || end != digits.data() + digits.size() || !text)
+      return bad_file(name, line_of(node), fmt::format("{} is no program with a text", digits));
+    out.programs[slot] = *text;
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string range_of(const ParamInfo& p) {
+  if (!p.choices.empty()) {
+    std::vector<std::int64_t> values;
+    for (const ParamChoice& c : p.choices) values.push_back(c.value);
+    return fmt::format("{}", fmt::join(values, ", "));
+  }
+  return fmt::format("{}{} to {}", p.also_zero && p.minimum > 0 ? "0 or " : "", p.minimum, p.maximum);
+}
+
+std::string write_backup(const Backup& b, const Catalog& catalog) {
+  std::string out = fmt::format("# {}{}{}\n", catalog.name, b.saved_at.empty() ? "" : ", saved ", b.saved_at);
+  const auto line = [&](const char* key, const std::string& value) {
+    if (!value.empty()) out += fmt::format("{} = {}\n", key, quoted(value, false));
+  };
+  line("model", b.model);
+  line("name", b.name);
+  line("firmware", b.firmware);
+  line("saved_at", b.saved_at);
+  out += "\n[parameters]\n";
+  std::string group;
+  for (const ParameterEntry& entry : b.parameters) {
+    const int i = catalog.find_param(entry.mnemonic);
+    const std::string assignment = fmt::format("{} = {}", key_of(entry.mnemonic), entry.value);
+    if (i < 0) {
+      out += assignment + "\n";
+      continue;
+    }
+    const ParamInfo& p = catalog.params[static_cast<std::size_t>(i)];
+    if (p.group != group) out += fmt::format("# {}\n", group = p.group);
+    out += fmt::format("{:<16} # {}{}{}\n", assignment, p.label, p.unit.empty() ? "" : ", ", p.unit);
+  }
+  if (b.programs.empty()) return out;
+  out += "\n[programs]\n";
+  for (const auto& [slot, text] : b.programs) out += fmt::format("{} = {}\n", slot, quoted(text, true));
+  return out;
+}
+
+Result<Backup> parse_backup(std::string_view text, const std::string& name) {
+  const toml::parse_result parsed = toml::parse(text);
+  if (!parsed) {
+    const auto& error = parsed.error();
+    return bad_file(name, static_cast<int>(error.source().begin.line), error.description());
+  }
+  const toml::table& root = parsed.table();
+  Backup b;
+  for (const auto& [key, node] : root) {
+    const std::string_view k = key.str();
+    const toml::table* table = node.as_table();
+    Result<> taken;
+    if (k == "parameters" && table)
+      taken = take_parameters(*table, name, b);
+    else if (k == "programs" && table)
+      taken = take_programs(*table, name, b);
+    else if (const auto value = node.value_exact<std::string>(); value && k == "model")
+      b.model = *value;
+    else if (value && k == "name")
+      b.name = *value;
+    else if (value && k == "firmware")
+      b.firmware = *value;
+    else if (value && k == "saved_at")
+      b.saved_at = *value;
+    else
+      return bad_file(name, line_of(node), fmt::format("{} means nothing here", k));
+    if (!taken) return fail(taken.error());
+  }
+  if (b.model.empty())
+    return fail(FaultKind::text,
+                fmt::format("{} does not say for which controller it is (model = \"...\").", name),
+                "Nothing was taken from the file.", "Choose a file that was saved here.");
+  // toml++ sorts by name; the order of the file is the one that a person knows.
+  std::stable_sort(b.parameters.begin(), b.parameters.end(),
+                   [](const ParameterEntry& x, const ParameterEntry& y) { return x.line < y.line; });
+  return b;
+}
+
+Result<> save_backup(const std::filesystem::path& path, const Backup& backup, const Catalog& catalog) {
+  auto written = write_file(path, write_backup(backup, catalog));
+  if (written) return written;
+  Fault fault = std::move(written.error());
+  fault.done = "An older file of that name is as it was.";
+  return fail(std::move(fault));
+}
+
+Result<Backup> load_backup(const std::filesystem::path& path) {
+  constexpr std::uintmax_t largest = 1'000'000;
+  auto bytes = read_file(path, largest);
+  if (!bytes) return fail(bytes.error());
+  return parse_backup(*bytes, path.filename().string());
+}
+
+Result<CheckedBackup> check_backup(const Backup& backup, const Catalog& catalog, const std::string& name) {
+  if (backup.model != catalog.model)
+    return fail(
+        FaultKind::text,
+        fmt::format("{} is for a controller \"{}\", this one is \"{}\".", name, backup.model, catalog.model),
+        "Nothing was taken from the file.", "Choose a file of this model.");
+  CheckedBackup checked;
+  for (const ParameterEntry& entry : backup.parameters) {
+    const int i = catalog.find_param(entry.mnemonic);
+    const auto where = entry.line > 0 ? fmt::format("{}, line {}", name, entry.line) : name;
+    if (i < 0) {
+      checked.problems.push_back(
+          fmt::format("{}: {} is no parameter of this controller. It was left out.", where, entry.mnemonic));
+      continue;
+    }
+    const ParamInfo& p = catalog.params[static_cast<std::size_t>(i)];
+    if (!p.accepts(entry.value)) {
+      checked.problems.push_back(fmt::format("{}: {} = {} is out of range, {} takes {}. It was left out.",
+                                             where, entry.mnemonic, entry.value, entry.mnemonic,
+                                             range_of(p)));
+      continue;
+    }
+    checked.parameters.push_back(entry);
+  }
+  for (const auto& [slot, text] : backup.programs) {
+    if (slot >= 0 && slot < catalog.program.slots)
+      checked.programs[slot] = text;
+    else
+      checked.problems.push_back(
+          fmt::format("{}: there is no {} {} in this controller. It was left out.", name,
+                      catalog.program.slot_word.empty() ? "program" : catalog.program.slot_word, slot));
+  }
+  return checked;
+}
+
+}  // namespace hw

@@ -1,0 +1,60 @@
+#include "core/session/recent.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "core/session/json_file.h"
+
+namespace hw {
+
+using nlohmann::json;
+
+Result<> RecentConnections::load() {
+  list_.clear();
+  if (!folders_.enabled) return {};
+  const auto path = folders_.state / "recent.json";
+  constexpr const char* what = "the last connections";
+  const auto object = read_json(path, what);
+  if (!object) return fail(object.error());
+  try {
+    for (const json& entry : object->value("connections", json::array()))
+      list_.push_back({entry.at("address").get<std::string>(), entry.value("name", "")});
+  } catch (const json::exception&) {
+    list_.clear();
+    return fail(damaged(path, what));
+  }
+  if (list_.size() > capacity) list_.resize(capacity);
+  return {};
+}
+
+Result<> RecentConnections::opened(std::string address, std::string name) {
+  const auto same = [&](const RecentConnection& c) { return c.address == address; };
+  const auto old = std::find_if(list_.begin(), list_.end(), same);
+  if (old != list_.end()) {
+    if (name.empty()) name = old->name;
+    list_.erase(old);
+  }
+  list_.insert(list_.begin(), {std::move(address), std::move(name)});
+  if (list_.size() > capacity) list_.resize(capacity);
+  return save();
+}
+
+Result<> RecentConnections::renamed(std::string_view address, std::string name) {
+  for (RecentConnection& c : list_)
+    if (c.address == address) c.name = name;
+  return save();
+}
+
+Result<> RecentConnections::remove(std::string_view address) {
+  std::erase_if(list_, [&](const RecentConnection& c) { return c.address == address; });
+  return save();
+}
+
+Result<> RecentConnections::save() const {
+  if (!folders_.enabled) return {};
+  json list = json::array();
+  for (const RecentConnection& c : list_) list.push_back({{"address", c.address}, {"name", c.name}});
+  return write_json(folders_.state / "recent.json", {{"connections", list}});
+}
+
+}  // namespace hw

@@ -1,0 +1,35 @@
+# Sourced by run.sh and test.sh: installs what is missing and builds. Debian 12.
+# Needs no network when everything is there.
+
+build_packages=(g++ cmake ninja-build pkg-config python3 mold
+  libglfw3-dev libimgui-dev libgl-dev libegl-dev libboost-dev libspdlog-dev libfmt-dev libcli11-dev
+  libtomlplusplus-dev nlohmann-json3-dev liblua5.4-dev libstb-dev libexpected-dev fonts-inter fonts-jetbrains-mono
+  libgl1-mesa-dri)
+test_packages=(libgtest-dev libgmock-dev libbenchmark-dev xvfb xdotool x11-utils ser2net universal-ctags)
+
+say() { printf '\n== %s\n' "$*"; }
+
+install_missing() {
+  local missing=()
+  for package in "$@"; do
+    dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q 'install ok installed' || missing+=("$package")
+  done
+  [ ${#missing[@]} -eq 0 ] && return
+  say "installing ${missing[*]}"
+  local as_root=()
+  if [ "$(id -u)" -ne 0 ]; then
+    command -v sudo >/dev/null || { echo "These packages are missing and there is no sudo: ${missing[*]}" >&2; return 1; }
+    as_root=(sudo)
+  fi
+  "${as_root[@]}" apt-get update -qq
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}"
+}
+
+# build PRESET [cmake option...]
+build() {
+  local preset=$1
+  shift
+  say "building ($preset)"
+  cmake --preset "$preset" "$@" >/dev/null
+  cmake --build --preset "$preset" -- --quiet
+}

@@ -1,0 +1,14 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds, runs every test (the window tests start their own Xvfb).
+#   ./test.sh [PRESET]    release (default), debug, asan, tsan
+set -euo pipefail
+cd "$(dirname "$0")"
+. ./setup.sh
+
+preset=${1:-release}
+install_missing "${build_packages[@]}" "${test_packages[@]}"
+build "$preset" -DHW_TESTS=ON
+say "testing ($preset)"
+export ASAN_OPTIONS=${ASAN_OPTIONS:-detect_leaks=1:strict_string_checks=1}
+export UBSAN_OPTIONS=${UBSAN_OPTIONS:-print_stacktrace=1}
+ctest --preset "$preset" -j 2

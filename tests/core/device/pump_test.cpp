@@ -1,0 +1,271 @@
+// The life of a connection, seen from the wire: a toy controller whose every byte the test reads.
+#include "core/device/pump.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/time/virtual_scheduler.h"
+
+namespace hw {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+/// Says what goes out; answers '?' with '!' unless it is told to be silent.
+class ToyWire : public Stream {
+ public:
+  ToyWire(Scheduler& scheduler, std::vector<std::string>& sent, bool& silent)
+      : scheduler_(scheduler), sent_(sent), silent_(silent) {}
+  ~ToyWire() override { *alive_ = false; }
+  void listen(Listener* listener) override { listener_ = listener; }
+  void send(std::string_view bytes) override {
+    sent_.emplace_back(bytes);
+    if (bytes != "?" || silent_) return;
+    asio::post(scheduler_.executor(), [this, alive = alive_] {
+      if (*alive && listener_) listener_->bytes_arrived("!");
+    });
+  }
+  Result<> set_rate(int) override { return {}; }
+  [[nodiscard]] int rate() const override { return 0; }
+  [[nodiscard]] std::string describe() const override { return "a toy"; }
+
+ private:
+  Scheduler& scheduler_;
+  std::vector<std::string>& sent_;
+  bool& silent_;
+  Listener* listener_ = nullptr;
+  std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);
+};
+
+class ToyDriver : public Driver {
+ public:
+  explicit ToyDriver(DriverContext context) : context_(std::move(context)) {}
+
+  Task<Result<>> connect(Link& link) override {
+    link_ = &link;
+    auto greeted = co_await say("hello", Priority::intent);
+    if (!greeted) co_return greeted;
+    co_return co_await poll();
+  }
+  Task<Result<>> poll() override {
+    Transaction t("?", ReplyShape::bytes(1), Priority::poll);
+    auto reply = co_await link_->transact(std::move(t));
+    if (!reply) co_return fail(reply.error());
+    context_.draft.axes[0].seen_at = context_.scheduler.now();
+    co_return Result<>();
+  }
+  Task<Result<>> perform(const IntentBody& body) override {
+    if (std::holds_alternative<intent::LoadProgram>(body)) {
+      for (int i = 0; i < 5; ++i) {
+        auto sent = co_await say("line " + std::to_string(i), Priority::transfer);
+        if (!sent) co_return sent;
+        co_await context_.scheduler.sleep_for(Millis(10));
+      }
+      co_return Result<>();
+    }
+    if (std::holds_alternative<intent::Store>(body))
+      co_return fail(FaultKind::refused, "No memory.", "Nothing was sent.");
+    const bool jog = std::holds_alternative<intent::JogStart>(body);
+    co_return co_await say(jog ? "jog" : "go", Priority::intent);
+  }
+  Task<Result<>> stop(int, bool at_once) override {
+    co_return co_await say(at_once ? "kill" : "stop", Priority::stop);
+  }
+  void wire_lost() override { link_ = nullptr; }
+  Task<Result<std::string>> query(std::string text, Duration) override {
+    auto sent = co_await say(text, Priority::intent);
+    if (!sent) co_return fail(sent.error());
+    co_return "answer to " + text;
+  }
+  bool take_unsolicited(std::string&) override { return false; }
+  [[nodiscard]] Duration moving_period() const override { return Millis(20); }
+  [[nodiscard]] Duration idle_period() const override { return Millis(200); }
+
+ private:
+  Task<Result<>> say(std::string text, Priority priority) {
+    Transaction t(std::move(text), ReplyShape::nothing(), priority);
+    auto sent = co_await link_->transact(std::move(t));
+    if (!sent) co_return fail(sent.error());
+    co_return Result<>();
+  }
+  DriverContext context_;
+  Link* link_ = nullptr;
+};
+
+std::unique_ptr<Driver> make_toy(DriverContext context) {
+  return std::make_unique<ToyDriver>(std::move(context));
+}
+
+struct PumpTest : testing::Test {
+  IoContext io;
+  VirtualScheduler time{io};
+  Catalog catalog = [] {
+    Catalog c;
+    c.axes.push_back({"1", "motor 1"});
+    c.name = "Toy";
+    return c;
+  }();
+  DeviceType type{};
+  std::vector<std::string> sent;
+  bool silent = false;
+  int opened = 0;
+  bool port_missing = false;
+  std::vector<std::string> notices;
+  Snapshot latest;
+  std::unique_ptr<Pump> pump;
+  IntentId last_id = 0;
+
+  void SetUp() override {
+    type.make_driver = &make_toy;
+    Pump::Ways ways;
+    ways.open_wire = [this] { return open(); };
+    ways.publish = [this](const Snapshot& s) { latest = s; };
+    ways.notify = [this](Notice n) { notices.push_back(std::move(n.text)); };
+    pump = std::make_unique<Pump>(time, type, catalog, std::move(ways));
+    pump->start();
+    time.run_for(Millis(1));
+  }
+  void TearDown() override {
+    asio::co_spawn(io, pump->shut_down(), asio::detached);
+    time.run_for(Millis(10));
+    EXPECT_EQ(latest.link.state, LinkState::closed);
+  }
+  Task<Result<std::unique_ptr<Stream>>> open() {
+    ++opened;
+    if (port_missing) co_return fail(FaultKind::port, "/dev/ttyUSB0 does not exist.");
+    std::unique_ptr<Stream> wire = std::make_unique<ToyWire>(time, sent, silent);
+    co_return wire;
+  }
+  IntentId post(IntentBody body) {
+    pump->post(Intent(++last_id, std::move(body)));
+    return last_id;
+  }
+  [[nodiscard]] std::vector<std::string> commands() const {
+    std::vector<std::string> all;
+    for (const std::string& s : sent)
+      if (s != "?") all.push_back(s);
+    return all;
+  }
+  [[nodiscard]] int polls() const { return static_cast<int>(std::count(sent.begin(), sent.end(), "?")); }
+};
+
+TEST_F(PumpTest, PollsSlowlyAtRestAfterAFewQuickRounds) {
+  time.run_for(Millis(100));
+  sent.clear();
+  time.run_for(std::chrono::seconds(2));
+  EXPECT_EQ(polls(), 10);
+  EXPECT_EQ(latest.link.state, LinkState::good);
+}
+
+TEST_F(PumpTest, NothingOfADownloadGoesOutBehindAStop) {
+  const IntentId load = post(intent::LoadProgram(0, "text"));
+  time.run_for(Millis(25));
+  const IntentId stop = post(intent::Stop());
+  time.run_for(Millis(100));
+  EXPECT_THAT(commands(), ElementsAre("hello", "line 0", "line 1", "line 2", "stop"));
+  EXPECT_EQ(latest.fate_of(stop)->fate, Fate::done);
+  EXPECT_EQ(latest.fate_of(load)->fate, Fate::failed);
+  EXPECT_THAT(std::string(latest.fate_of(load)->sentence.view()), HasSubstr("A stop came first"));
+}
+
+TEST_F(PumpTest, WhatWaitsBehindAProcedureIsRefusedWhenAStopComes) {
+  post(intent::LoadProgram(0, "text"));
+  time.run_for(Millis(5));
+  const IntentId move = post(intent::MoveTo({{AxisId{0}, Steps(400)}}));
+  post(intent::Stop());
+  time.run_for(Millis(200));
+  EXPECT_EQ(latest.fate_of(move)->fate, Fate::refused);
+  EXPECT_THAT(commands(), ElementsAre("hello", "line 0", "stop"));
+  post(intent::MoveTo({{AxisId{0}, Steps(400)}}));
+  time.run_for(Millis(50));
+  EXPECT_THAT(commands(), ElementsAre("hello", "line 0", "stop", "go"))
+      << "after the stop the console works again";
+}
+
+TEST_F(PumpTest, AJogThatNobodyHoldsIsStopped) {
+  post(intent::JogStart(AxisId{0}, Sign::plus));
+  for (int i = 0; i < 10; ++i) {
+    time.run_for(Millis(100));
+    post(intent::JogKeepAlive());
+  }
+  EXPECT_THAT(commands(), ElementsAre("hello", "jog"));
+  time.run_for(Millis(249));
+  EXPECT_THAT(commands(), ElementsAre("hello", "jog"));
+  time.run_for(Millis(2));
+  EXPECT_THAT(commands(), ElementsAre("hello", "jog", "stop"));
+  EXPECT_THAT(notices, ElementsAre(HasSubstr("did not hold the jog")));
+}
+
+TEST_F(PumpTest, ALateKeepAliveDoesNotReviveAStoppedJog) {
+  post(intent::JogStart(AxisId{0}, Sign::plus));
+  time.run_for(Millis(100));
+  post(intent::JogStop());
+  post(intent::JogKeepAlive());
+  time.run_for(std::chrono::seconds(1));
+  EXPECT_THAT(commands(), ElementsAre("hello", "jog", "stop"));
+}
+
+TEST_F(PumpTest, ThreeMissesAreALossThatIsSaidAndHeals) {
+  time.run_for(Millis(500));
+  silent = true;
+  while (latest.link.state != LinkState::lost) time.run_for(Millis(10));
+  EXPECT_LT(time.now(), Instant(std::chrono::seconds(2)));
+  EXPECT_THAT(std::string(latest.link.sentence.view()), HasSubstr("no motion will resume by itself"));
+  const IntentId move = post(intent::MoveTo({{AxisId{0}, Steps(400)}}));
+  time.run_for(Millis(300));
+  silent = false;
+  time.run_for(std::chrono::seconds(6));
+  EXPECT_EQ(latest.link.state, LinkState::good);
+  EXPECT_GE(opened, 2);
+  EXPECT_EQ(std::count(sent.begin(), sent.end(), "go"), 0)
+      << "a move asked for while the link was lost is not replayed";
+  ASSERT_NE(latest.fate_of(move), nullptr);
+  EXPECT_EQ(latest.fate_of(move)->fate, Fate::refused);
+}
+
+TEST_F(PumpTest, AStopWithoutAConnectionSaysThatItDoesNotReach) {
+  silent = port_missing = true;
+  time.run_for(std::chrono::seconds(10));
+  const IntentId stop = post(intent::Stop());
+  EXPECT_EQ(latest.fate_of(stop)->fate, Fate::failed);
+  EXPECT_THAT(std::string(latest.fate_of(stop)->sentence.view()), HasSubstr("power switch"));
+}
+
+TEST_F(PumpTest, ReconnectTriesAtOnce) {
+  time.run_for(Millis(100));
+  silent = true;
+  port_missing = true;
+  time.run_for(std::chrono::seconds(20));
+  EXPECT_EQ(latest.link.state, LinkState::lost);
+  EXPECT_THAT(std::string(latest.link.sentence.view()), HasSubstr("/dev/ttyUSB0 does not exist"));
+  port_missing = silent = false;
+  const Instant before = time.now();
+  post(intent::Reconnect());
+  time.run_for(Millis(10));
+  EXPECT_EQ(latest.link.state, LinkState::good);
+  EXPECT_LT(time.now() - before, Millis(11));
+}
+
+TEST_F(PumpTest, ARefusalIsToldApartFromAFailure) {
+  const IntentId store = post(intent::Store());
+  time.run_for(Millis(50));
+  EXPECT_EQ(latest.fate_of(store)->fate, Fate::refused);
+  EXPECT_EQ(latest.fate_of(store)->sentence.view(), "No memory. Nothing was sent.");
+}
+
+TEST_F(PumpTest, AQueryWaitsItsTurnAndGetsItsAnswer) {
+  Result<std::string> answer{std::string()};
+  const auto ask = [](Pump& p, Result<std::string>& out) -> Task<> {
+    std::string text = "X";
+    out = co_await p.query(std::move(text), Millis(100));
+  };
+  post(intent::LoadProgram(0, "text"));
+  asio::co_spawn(io, ask(*pump, answer), asio::detached);
+  time.run_for(Millis(200));
+  EXPECT_EQ(*answer, "answer to X");
+  EXPECT_EQ(commands().back(), "X");
+}
+
+}  // namespace
+}  // namespace hw

@@ -1,0 +1,136 @@
+// Profiles, unsaved texts and last connections: what survives, and that a damaged file never blocks.
+#include <gmock/gmock.h>
+
+#include "core/session/autosave.h"
+#include "core/session/profile.h"
+#include "core/session/recent.h"
+#include "tests/core/session/folder.h"
+
+namespace hw {
+namespace {
+
+using ::testing::HasSubstr;
+
+Profile stage() {
+  Profile p;
+  p.name = "VXM stage";
+  p.unit = "mm";
+  p.axes[0].name = "across";
+  p.axes[0].unit_choice = "BiSlide E04";
+  p.axes[1].reversed = true;
+  p.jog_step = Steps(40);
+  p.jog_speed = Pps(800);
+  return p;
+}
+
+TEST(Profile, ComesBackAsItWas) {
+  test::Folder folder;
+  const ProfileStore store(UserFolders::below(folder.path()));
+  ASSERT_TRUE(store.save("usb-A10K2LQX", stage()));
+  EXPECT_EQ(*store.load("usb-A10K2LQX"), stage());
+  EXPECT_EQ(*store.load("usb-other"), Profile());
+}
+
+TEST(Profile, KeyIsTheAdapterThenThePathThenTheAddress) {
+  Address serial;
+  serial.model = "vxm", serial.transport = "serial", serial.where = "/dev/ttyS0";
+  EXPECT_EQ(profile_key(serial, "A10K"), "usb-A10K");
+  EXPECT_EQ(profile_key(serial, ""), "/dev/ttyS0");
+  Address emulated;
+  emulated.model = "vxm", emulated.transport = "emulator";
+  EXPECT_EQ(profile_key(emulated, ""), "vxm@emulator");
+}
+
+TEST(Profile, DamagedFileIsPutAsideWithASentence) {
+  for (const char* damage : {"{\"name\": ", "{\"name\": 5}", "[]", "{\"axes\": [3]}", ""}) {
+    test::Folder folder;
+    const ProfileStore store(UserFolders::below(folder.path()));
+    const std::string file = "config/profiles/" + file_name_for("k") + ".json";
+    folder.put(file, damage);
+    const auto loaded = store.load("k");
+    ASSERT_FALSE(loaded) << damage;
+    EXPECT_THAT(loaded.error().sentence(), HasSubstr("is damaged"));
+    EXPECT_THAT(loaded.error().sentence(), HasSubstr(".damaged, and a new one begins"));
+    EXPECT_EQ(folder.get(file + ".damaged"), damage);
+    EXPECT_TRUE(store.load("k")) << "the next start goes on";
+    EXPECT_TRUE(store.save("k", stage()));
+  }
+}
+
+TEST(Autosave, UnsavedTextsComeBackAndGo) {
+  test::Folder folder;
+  const Autosave autosave(UserFolders::below(folder.path()));
+  const std::vector<UnsavedText> texts = {{0, "I1M400\n; 45\xC2\xB0\n", "/tmp/a.vxm"}, {3, "", ""}};
+  ASSERT_TRUE(autosave.keep("/dev/ttyUSB0", texts));
+  EXPECT_EQ(*autosave.restore("/dev/ttyUSB0"), texts);
+  EXPECT_TRUE(autosave.restore("/dev/ttyUSB1")->empty());
+  ASSERT_TRUE(autosave.keep("/dev/ttyUSB0", {}));
+  EXPECT_TRUE(autosave.restore("/dev/ttyUSB0")->empty());
+  EXPECT_EQ(folder.files(), 0);
+}
+
+TEST(Autosave, DamagedFileIsPutAside) {
+  test::Folder folder;
+  const Autosave autosave(UserFolders::below(folder.path()));
+  folder.put("state/unsaved/" + file_name_for("k") + ".json", "{\"texts\": [{\"slot\": \"x\"}]}");
+  const auto restored = autosave.restore("k");
+  ASSERT_FALSE(restored);
+  EXPECT_THAT(restored.error().sentence(), HasSubstr("unsaved program texts is damaged"));
+  EXPECT_TRUE(autosave.restore("k"));
+}
+
+TEST(Recent, NewestFirstWithoutDoubles) {
+  test::Folder folder;
+  RecentConnections recent(UserFolders::below(folder.path()));
+  ASSERT_TRUE(recent.load());
+  ASSERT_TRUE(recent.opened("vxm@emulator", "Bench"));
+  ASSERT_TRUE(recent.opened("vxm@serial:/dev/ttyUSB0", ""));
+  ASSERT_TRUE(recent.opened("vxm@emulator", ""));
+  RecentConnections again(UserFolders::below(folder.path()));
+  ASSERT_TRUE(again.load());
+  const std::vector<RecentConnection> expected = {{"vxm@emulator", "Bench"}, {"vxm@serial:/dev/ttyUSB0", ""}};
+  EXPECT_EQ(again.list(), expected);
+  ASSERT_TRUE(again.remove("vxm@emulator"));
+  ASSERT_TRUE(again.renamed("vxm@serial:/dev/ttyUSB0", "Stage"));
+  EXPECT_EQ(again.list(), (std::vector<RecentConnection>{{"vxm@serial:/dev/ttyUSB0", "Stage"}}));
+}
+
+TEST(Recent, KeepsTheLastTwelve) {
+  test::Folder folder;
+  RecentConnections recent(UserFolders::below(folder.path()));
+  for (int i = 0; i < 20; ++i) ASSERT_TRUE(recent.opened("vxm@tcp:h:" + std::to_string(i), ""));
+  EXPECT_EQ(recent.list().size(), RecentConnections::capacity);
+  EXPECT_EQ(recent.list().front().address, "vxm@tcp:h:19");
+}
+
+TEST(Recent, DamagedFileIsPutAside) {
+  test::Folder folder;
+  folder.put("state/recent.json", "not json");
+  RecentConnections recent(UserFolders::below(folder.path()));
+  const auto loaded = recent.load();
+  ASSERT_FALSE(loaded);
+  EXPECT_THAT(loaded.error().sentence(), HasSubstr("the last connections is damaged"));
+  EXPECT_TRUE(recent.opened("vxm@emulator", ""));
+}
+
+TEST(KeptFiles, HeadlessRunsTouchNothing) {
+  const ProfileStore profiles(UserFolders::none());
+  const Autosave autosave(UserFolders::none());
+  RecentConnections recent(UserFolders::none());
+  EXPECT_TRUE(profiles.save("k", stage()));
+  EXPECT_EQ(*profiles.load("k"), Profile());
+  EXPECT_TRUE(autosave.keep("k", {{0, "I1M1", ""}}));
+  EXPECT_TRUE(autosave.restore("k")->empty());
+  EXPECT_TRUE(recent.load());
+  EXPECT_TRUE(recent.opened("vxm@emulator", ""));
+}
+
+TEST(KeptFiles, NamesOfFilesDiffer) {
+  EXPECT_NE(file_name_for("/dev/ttyUSB0"), file_name_for("dev-ttyUSB0"));
+  EXPECT_EQ(file_name_for("/dev/ttyUSB0").find('/'), std::string::npos);
+  EXPECT_LT(file_name_for(std::string(500, 'x')).size(), 80u);
+  EXPECT_NE(file_name_for("..").front(), '-');
+}
+
+}  // namespace
+}  // namespace hw

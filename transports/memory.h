@@ -1,0 +1,24 @@
+#pragma once
+// A wire inside this process: what goes in at one end comes out at the other, by post and in order, so that a
+// virtual run replays exactly.
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "core/link/stream.h"
+#include "core/time/scheduler.h"
+
+namespace hw {
+
+struct MemoryWire {
+  std::string name = "memory";  ///< for describe()
+  int baud = 0;                 ///< one rate, seen and set from both ends; 0: the wire has none
+  Fault gone =
+      Fault(FaultKind::lost, "The other end of the wire is gone.");  ///< told to the end that is left
+};
+
+/// Destroying one end closes the other.
+std::pair<std::unique_ptr<Stream>, std::unique_ptr<Stream>> make_memory_pair(Scheduler& scheduler,
+                                                                             MemoryWire wire = {});
+
+}  // namespace hw

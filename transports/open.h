@@ -1,0 +1,27 @@
+#pragma once
+// From an address to an open wire: the table of transports. Their keys: baud (serial, rfc2217, emulator),
+// and for the in-process emulator wire=real|off, speed=X, state=FILE, bench=FILE. All other keys belong to
+// the device type.
+#include <memory>
+
+#include "core/device/registry.h"
+#include "core/session/wire.h"
+#include "transports/serve.h"
+
+namespace hw {
+
+struct OpenOptions {
+  /// Failures beside the wire (a state file that cannot be written).
+  Trouble trouble;
+  /// What `bench=FILE` means: applies the text of a bench file.
+  std::function<Result<>(const Catalog& catalog, std::string_view text, Emulator& emulator)> apply_bench;
+};
+
+WireOpener make_wire_opener(OpenOptions options = {});
+
+/// An emulated controller ready to be served or plugged in. `keys`: those of the emulator transport and those
+/// of the device type, as in an address.
+Result<std::shared_ptr<EmulatorHost>> make_emulator_host(Scheduler& scheduler, const DeviceType& type,
+                                                         DeviceOptions keys, const OpenOptions& options);
+
+}  // namespace hw

@@ -1,0 +1,271 @@
+#include "transports/serve.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "core/base/file.h"
+#include "transports/memory.h"
+
+namespace hw {
+
+struct EmulatorHost::Client final : Stream::Listener {
+  EmulatorHost& host;
+  std::unique_ptr<Stream> stream;
+  bool by_cable;
+
+  Client(EmulatorHost& h, std::unique_ptr<Stream> s, bool c) : host(h), stream(std::move(s)), by_cable(c) {
+    stream->listen(this);
+  }
+  void bytes_arrived(std::string_view bytes) override {
+    const auto keep = host.shared_from_this();
+    keep->bytes_from(*this, bytes);
+  }
+  void stream_closed(const Fault&) override {
+    const auto keep = host.shared_from_this();
+    std::erase_if(keep->clients_, [this](const auto& client) { return client.get() == this; });
+  }
+};
+
+EmulatorHost::EmulatorHost(Scheduler& scheduler, std::unique_ptr<Emulator> emulator, HostOptions options)
+    : scheduler_(scheduler),
+      emulator_(std::move(emulator)),
+      options_(std::move(options)),
+      began_(scheduler.now()),
+      timer_(scheduler, [this] { alarm(); }) {}
+
+EmulatorHost::~EmulatorHost() = default;
+
+Result<std::shared_ptr<EmulatorHost>> EmulatorHost::make(Scheduler& scheduler,
+                                                         std::unique_ptr<Emulator> emulator,
+                                                         HostOptions options, Trouble trouble) {
+  const std::string path = options.state_file;
+  std::shared_ptr<EmulatorHost> host(new EmulatorHost(scheduler, std::move(emulator), std::move(options)));
+  if (!path.empty()) {
+    if (::access(path.c_str(), F_OK) == 0) {
+      const auto text = read_text_file(path);
+      if (!text) return fail(text.error());
+      if (auto loaded = host->emulator_->load_memory(*text); !loaded) {
+        Fault fault = loaded.error();
+        fault.what = fmt::format("{} is not the saved memory of this controller: {}", path, fault.what);
+        return fail(std::move(fault));
+      }
+    }
+    host->state_ = std::make_unique<StateFile>(scheduler, path, std::move(trouble));
+  }
+  host->kept_version_ = host->emulator_->memory_version();
+  host->run_until(host->emulator_time());
+  return host;
+}
+
+// ---- time ----
+
+Instant EmulatorHost::emulator_time() const {
+  const Duration passed = scheduler_.now() - began_;
+  if (options_.speed == 1) return Instant(passed);
+  return Instant(Duration(std::llround(static_cast<double>(passed.count()) * options_.speed)));
+}
+
+Instant EmulatorHost::scheduler_time(Instant emulated) const {
+  const Duration passed = emulated.time_since_epoch();
+  if (options_.speed == 1) return began_ + passed;
+  return began_ + Duration(static_cast<Duration::rep>(
+                      std::ceil(static_cast<double>(passed.count()) / options_.speed)));
+}
+
+Instant EmulatorHost::next_due() const {
+  const Instant own = emulator_->next_event().value_or(Instant::max());
+  return std::min({own, incoming_.due(), outgoing_.due()});
+}
+
+void EmulatorHost::alarm() {
+  const auto keep = shared_from_this();
+  run_until(std::max(emulator_time(), armed_for_));  // scaling rounds; what is due is due
+}
+
+void EmulatorHost::advance(Instant when) const {
+  reached_ = std::max(reached_, when);
+  emulator_->advance_to(reached_);
+}
+
+// Everything due, in its order and at its own time however late the alarm came, then the present.
+void EmulatorHost::catch_up(Instant now) {
+  for (Instant next = next_due(); next <= now; next = next_due()) step_to(next);
+  step_to(now);
+}
+
+void EmulatorHost::run_until(Instant now) {
+  catch_up(now);
+  finish_round();
+}
+
+void EmulatorHost::step_to(Instant when) {
+  advance(when);
+  while (incoming_.due() <= when) {
+    land(incoming_.first());
+    incoming_.pop(emulator_->rate());
+  }
+  take_output();
+  while (outgoing_.due() <= when) {
+    leaving_ += outgoing_.first().value;
+    outgoing_.pop(emulator_->rate());
+  }
+}
+
+void EmulatorHost::finish_round() {
+  deliver();
+  keep_memory();
+  if (const Instant next = next_due(); next != Instant::max()) {
+    armed_for_ = next;
+    timer_.arm(scheduler_time(next));
+  } else {
+    timer_.disarm();
+  }
+  tell_changed();
+}
+
+// ---- bytes ----
+
+void EmulatorHost::add_client(std::unique_ptr<Stream> stream, bool by_cable) {
+  clients_.push_back(std::make_unique<Client>(*this, std::move(stream), by_cable));
+}
+
+void EmulatorHost::attach(std::unique_ptr<Stream> client) { add_client(std::move(client), false); }
+
+void EmulatorHost::bytes_from(const Client& client, std::string_view bytes) {
+  if (unplugged_) return;
+  const Instant now = emulator_time();
+  catch_up(now);
+  if (options_.byte_times) {
+    incoming_.put(bytes, client.stream->rate(), now, emulator_->rate());
+  } else {
+    emulator_->receive(bytes);
+  }
+  run_until(now);
+}
+
+void EmulatorHost::land(ByteLine::Byte byte) {
+  const int rate = emulator_->rate();
+  if (byte.sender_baud == 0 || rate == 0 || byte.sender_baud == rate) {
+    emulator_->receive(std::string_view(&byte.value, 1));
+  } else {
+    emulator_->receive(misread(static_cast<unsigned char>(byte.value), byte.sender_baud, rate));
+  }
+}
+
+void EmulatorHost::take_output() {
+  fresh_.clear();
+  emulator_->take_output(fresh_);
+  if (fresh_.empty() || unplugged_) return;
+  if (options_.byte_times) {
+    outgoing_.put(fresh_, 0, reached_, emulator_->rate());
+  } else {
+    leaving_ += fresh_;
+  }
+}
+
+void EmulatorHost::deliver() {
+  if (leaving_.empty()) return;
+  spoil(leaving_);
+  const int rate = emulator_->rate();
+  for (const auto& client : clients_) {
+    const int theirs = options_.byte_times ? client->stream->rate() : 0;
+    if (theirs == 0 || rate == 0 || theirs == rate) {
+      client->stream->send(leaving_);
+      continue;
+    }
+    std::string wrong;
+    for (const char c : leaving_) wrong += misread(static_cast<unsigned char>(c), rate, theirs);
+    client->stream->send(wrong);
+  }
+  leaving_.clear();
+}
+
+void EmulatorHost::spoil(std::string& bytes) {
+  const auto dropped = std::min<std::size_t>(static_cast<std::size_t>(to_drop_), bytes.size());
+  bytes.erase(0, dropped);
+  to_drop_ -= static_cast<int>(dropped);
+  static constexpr unsigned char flips[] = {0xA5, 0x5A, 0xC3, 0x3C};
+  for (char& c : bytes) {
+    if (to_garble_ == 0) break;
+    --to_garble_;
+    c = static_cast<char>(static_cast<unsigned char>(c) ^ flips[garbled_++ % std::size(flips)]);
+  }
+}
+
+// ---- memory ----
+
+void EmulatorHost::keep_memory() {
+  if (!state_ || emulator_->memory_version() == kept_version_) return;
+  kept_version_ = emulator_->memory_version();
+  state_->keep(emulator_->save_memory());
+}
+
+// ---- bench ----
+
+Result<std::unique_ptr<Stream>> EmulatorHost::plug_in(int baud) {
+  if (unplugged_)
+    return fail(FaultKind::port, fmt::format("The cable of the {} is pulled.", options_.name),
+                "Nothing was opened.", "Plug it in again on the bench.");
+  MemoryWire wire;
+  wire.name = options_.name;
+  wire.gone = Fault(FaultKind::lost, fmt::format("The cable of the {} was pulled.", options_.name),
+                    "What was on the wire is lost.", "Plug it in again.");
+  if (options_.byte_times) wire.baud = baud != 0 ? baud : emulator_->rate();
+  auto [ours, theirs] = make_memory_pair(scheduler_, std::move(wire));
+  add_client(std::move(ours), true);
+  return std::move(theirs);
+}
+
+Result<> EmulatorHost::operate(const BenchCommand& command) {
+  const auto keep = shared_from_this();
+  if (const auto* unplug = std::get_if<bench::Unplug>(&command)) {
+    pull_cable(unplug->on);
+  } else if (const auto* garble = std::get_if<bench::Garble>(&command)) {
+    to_garble_ = std::max(0, garble->bytes);
+  } else if (const auto* drop = std::get_if<bench::Drop>(&command)) {
+    to_drop_ = std::max(0, drop->bytes);
+  } else {
+    const Instant now = emulator_time();
+    catch_up(now);
+    const auto done = emulator_->operate(command);
+    run_until(now);
+    return done;
+  }
+  tell_changed();
+  return {};
+}
+
+void EmulatorHost::pull_cable(bool pulled) {
+  unplugged_ = pulled;
+  incoming_.clear();
+  outgoing_.clear();
+  leaving_.clear();
+  if (pulled) std::erase_if(clients_, [](const auto& client) { return client->by_cable; });
+}
+
+void EmulatorHost::look(BenchView& view) const {
+  advance(emulator_time());
+  emulator_->look(view);
+  view.present = true;
+  view.unplugged = unplugged_;
+}
+
+const Emulator& EmulatorHost::emulator() const {
+  advance(emulator_time());
+  return *emulator_;
+}
+
+void EmulatorHost::tell_changed() {
+  if (!changed) return;
+  BenchView view;
+  look(view);
+  if (view == seen_) return;
+  seen_ = view;
+  const auto tell = changed;  // it may replace itself
+  tell();
+}
+
+}  // namespace hw

@@ -1,0 +1,31 @@
+#include "transports/state_file.h"
+
+#include "core/base/file.h"
+
+namespace hw {
+
+StateFile::StateFile(Scheduler& scheduler, std::string path, Trouble trouble)
+    : scheduler_(scheduler),
+      path_(std::move(path)),
+      trouble_(std::make_shared<Trouble>(std::move(trouble))) {}
+
+StateFile::~StateFile() { worker_.join(); }
+
+void StateFile::keep(std::string text) {
+  std::weak_ptr<Trouble> told = trouble_;
+  const Executor home = scheduler_.executor();
+  asio::post(worker_, [path = path_, text = std::move(text), told, home] {
+    const Result<> written = write_file_atomically(path, text);
+    if (written) return;
+    Fault fault = written.error();
+    fault.done =
+        "The memory of the emulated controller is not saved; the file still holds what was saved before.";
+    fault.advice = "Make room or choose another file, then store again.";
+    asio::post(home, [told, fault] {
+      const auto trouble = told.lock();
+      if (trouble && *trouble) (*trouble)(fault);
+    });
+  });
+}
+
+}  // namespace hw
