@@ -12,13 +12,14 @@ TEST(VxmSyntax, CarriageReturnCommaAndPeriodEndACommand) {
   for (const char not_an_ender : {' ', '\n', '\t', '\0'}) {
     Rig rig = Rig::online();
     rig.send(std::string("I1M400") + not_an_ender);
+    EXPECT_EQ(rig.ask("M,"), "") << int{not_an_ender} << ": the value is still open, so M is a wrong character";
     EXPECT_EQ(rig.used_bytes(), 0) << int{not_an_ender};
   }
 }
 
 TEST(VxmSyntax, BlanksLineFeedsAndNulsAreDroppedAnywhere) {
   Rig rig = Rig::online();
-  rig.send(std::string("I 1\tM\n4 0\0 0 ,\nP 1 0,", 20));
+  rig.send(std::string("I 1\tM\n4 0\0 0 ,\nP 1 0,", 21));
   EXPECT_EQ(visible(rig.ask("lst")), "PM0 M249<cr>I1M400<cr>P10<cr>");
   EXPECT_EQ(rig.ask("l s\nt").substr(0, 3), "PM0");
 }
@@ -85,7 +86,7 @@ TEST(VxmSyntax, AWrongCharacterBehindADigitDropsUpToTheEnder) {
 TEST(VxmSyntax, CaseMatters) {
   Rig rig = Rig::online();
   EXPECT_EQ(rig.ask("v"), "");
-  rig.send("i1m400,I1m400,SETI3,seti3,LST");
+  rig.send("i1m400,I1m400,seti3,setp1m4,p10,u5,");
   rig.send(",");
   rig.output();
   EXPECT_EQ(rig.used_bytes(), 0);
