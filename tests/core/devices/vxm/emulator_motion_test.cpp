@@ -1,5 +1,7 @@
 // Motion: ramps, stops, limits, backlash (p.16 to 18, 23; App. E, F, N, O). The profile is a trapezoid with
 // 1000*A steps/s2 from standstill (V54 to V56).
+#include <cmath>
+
 #include "tests/core/devices/vxm/rig.h"
 
 namespace hw::vxm::proof {

@@ -1,4 +1,6 @@
 // Continuous indexes and pulses tied to positions (App. D, G; V35, V75 to V78, V82).
+#include <cmath>
+
 #include "tests/core/devices/vxm/rig.h"
 
 namespace hw::vxm::proof {

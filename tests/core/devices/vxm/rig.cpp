@@ -20,6 +20,7 @@ Rig::Rig(const DeviceOptions& options) {
     std::abort();
   }
   emulator_ = std::move(*made);
+  for (int motor = 1; motor <= (options.count("motors") ? 4 : 2); ++motor) place(motor, {});
   run_for(power_up_time);
 }
 

@@ -3,6 +3,7 @@
 // like a session at a terminal: rig.send("F"), rig.run_until_output("^"), rig.press("1+").
 #include <chrono>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -11,15 +12,18 @@
 #include <gtest/gtest.h>
 
 #include "core/device/emulator.h"
-#include "core/device/registry.h"
+
 
 namespace hw::vxm::proof {
 
 using namespace std::chrono_literals;
 
+using DeviceOptions = std::map<std::string, std::string>;
+
 class Rig {
  public:
-  /// Powers it up and lets the lamp sequence pass, as an operator would wait for it.
+  /// Powers it up and lets the lamp sequence pass, as an operator would wait for it. The slides are endless
+  /// until place() says where their switches are.
   explicit Rig(const DeviceOptions& options = {});
   static Rig with_slave();
   /// In mode F with an empty program.
