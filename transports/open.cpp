@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/base/file.h"
+#include "transports/tcp.h"
 
 namespace hw {
 namespace {
@@ -71,6 +72,25 @@ Task<Result<Wire>> open_emulator(Scheduler& scheduler, const DeviceType& type, A
   co_return plug_in(std::move(host), baud);
 }
 
+Result<> no_keys_left(const DeviceType& type, const DeviceOptions& keys) {
+  if (const auto catalog = type.make_catalog(keys); !catalog) return fail(catalog.error());
+  return {};
+}
+
+Wire real_wire(std::unique_ptr<Stream> stream) {
+  Wire wire;
+  wire.stream = std::move(stream);
+  return wire;
+}
+
+Task<Result<Wire>> open_tcp_wire(Scheduler& scheduler, const DeviceType& type, Address address,
+                                 std::shared_ptr<BenchAccess>, const OpenOptions&) {
+  if (auto understood = no_keys_left(type, address.options); !understood) co_return fail(understood.error());
+  auto stream = co_await open_tcp(scheduler, std::move(address.where));
+  if (!stream) co_return fail(stream.error());
+  co_return real_wire(std::move(*stream));
+}
+
 using Open = Task<Result<Wire>> (*)(Scheduler&, const DeviceType&, Address, std::shared_ptr<BenchAccess>,
                                     const OpenOptions&);
 struct Transport {
@@ -79,6 +99,7 @@ struct Transport {
 };
 constexpr Transport transports[] = {
     {"emulator", open_emulator},
+    {"tcp", open_tcp_wire},
 };
 
 Task<Result<Wire>> open_wire(Scheduler& scheduler, Address address, std::shared_ptr<BenchAccess> again,

@@ -4,6 +4,7 @@
 // immutable afterwards, read by any thread.
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/units.h"
@@ -66,6 +67,9 @@ struct ParamInfo {
   int axis = -1;
   std::string warning;  ///< not empty: asked before it is written, naming the axis
   std::string manual;   ///< "Appendix H"
+  /// Not empty: while the value is `unset_value` its axis must not move yet. The sentence says why and what to do.
+  std::string before_moving;
+  std::int64_t unset_value = 0;
 
   [[nodiscard]] bool accepts(std::int64_t v) const {
     if (!choices.empty()) {
@@ -94,6 +98,12 @@ struct ProgramFacts {
   bool shared_capacity = false;  ///< one memory for all slots
   std::string file_suffix;       ///< ".vxm"
   char comment = ';';
+};
+
+/// What can be chosen before a controller is opened or its emulator started: key=value of an address.
+struct OptionInfo {
+  std::string key;                                           ///< "motors"
+  std::vector<std::pair<std::string, std::string>> choices;  ///< value and label: "4", "4 motors"; first: usual
 };
 
 enum class LampColour : std::uint8_t { green, yellow, red };
@@ -131,6 +141,7 @@ struct Catalog {
   std::string short_name;  ///< "VXM"
   std::string summary;     ///< "stepping motors, 2 or 4"
   std::string step_word = "steps";
+  std::vector<OptionInfo> options;
   std::vector<AxisInfo> axes;
   std::vector<UnitChoice> units;
   std::vector<HomingMode> homing_modes;

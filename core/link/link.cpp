@@ -24,7 +24,9 @@ static TrafficKind kind_of(Priority p) {
 }
 
 static bool yields_to_stop(Priority p) { return p == Priority::intent || p == Priority::transfer; }
-static tl::unexpected<Fault> overtaken() { return fail(FaultKind::stopped, "A stop came first.", "This was not sent."); }
+static tl::unexpected<Fault> overtaken() {
+  return fail(FaultKind::stopped, "A stop came first.", "This was not sent.");
+}
 
 Link::Link(Scheduler& scheduler, std::unique_ptr<Stream> stream, TrafficRing* traffic)
     : scheduler_(scheduler),
@@ -131,15 +133,21 @@ void Link::bytes_arrived(std::string_view bytes) {
   take_received();
 }
 
-// In front of a reply: what the reply cannot begin with.
-void Link::strip_strangers() {
-  const std::string_view starts = in_flight_->transaction.reply_starts;
-  if (starts.empty()) return;
-  const auto first = std::min(received_.find_first_of(starts), received_.size());
-  if (first == 0) return;
-  const std::string strangers = received_.substr(0, first);
-  received_.erase(0, first);
-  give_unsolicited(strangers);
+// False: what came in cannot be told from a reply yet.
+bool Link::strip_strangers() {
+  const auto stranger = in_flight_->transaction.stranger;
+  if (!stranger) return true;
+  std::size_t length = 0, next = 0;
+  while (length < received_.size() && (next = stranger(std::string_view(received_).substr(length))) > 0) {
+    if (next == std::string_view::npos) break;
+    length += next;
+  }
+  if (length > 0) {
+    const std::string strangers = received_.substr(0, length);
+    received_.erase(0, length);
+    give_unsolicited(strangers);
+  }
+  return next != std::string_view::npos;
 }
 
 void Link::take_received() {
@@ -148,7 +156,7 @@ void Link::take_received() {
       give_unsolicited(std::exchange(received_, {}));
       return;
     }
-    strip_strangers();
+    if (!strip_strangers()) return;
     if (!in_flight_ || received_.empty()) continue;
     const Transaction& t = in_flight_->transaction;
     if (t.reply.kind == ReplyShape::Kind::quiet_end) {

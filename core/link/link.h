@@ -25,9 +25,9 @@ struct Transaction {
   /// Time allowed from the first byte sent to the end of the reply, beyond what the wire itself needs at its
   /// rate for `bytes` and an answer of usual length.
   Duration patience = Millis(200);
-  /// Bytes that a reply can begin with; what comes before one of them is given to `unsolicited` (a prompt
-  /// that crossed the question). Empty: any byte.
-  std::string_view reply_starts;
+  /// How many bytes at the front of what came in are messages of their own and no part of the reply (a prompt
+  /// that crossed the question): they are given to `unsolicited`. npos: more must come to tell. Null: none.
+  std::size_t (*stranger)(std::string_view received) = nullptr;
 
   Transaction() = default;
   Transaction(std::string b, ReplyShape r, Priority p) : bytes(std::move(b)), reply(r), priority(p) {}
@@ -74,7 +74,7 @@ class Link final : private Stream::Listener {
   void finish(Result<std::string> result);
   void on_deadline();
   void take_received();
-  void strip_strangers();
+  bool strip_strangers();
   void give_unsolicited(std::string_view bytes);
   void record(Way way, TrafficKind kind, std::string_view bytes);
 

@@ -86,14 +86,20 @@ TEST_F(LinkTest, WhatComesBeforeTheReplyIsHandedOver) {
   link.unsolicited = [&](std::string_view bytes) { return unsolicited += bytes, bytes.size(); };
   Answer answer;
   Transaction t("X", ReplyShape::line(), Priority::poll);
-  t.reply_starts = "+-";
+  t.stranger = [](std::string_view received) -> std::size_t {
+    if (received.front() != ':') return received.front() == '+' ? 0 : 1;
+    const auto end = received.find('.');
+    return end == received.npos ? end : end + 1;
+  };
   asio::co_spawn(io, ask(link, std::move(t), answer), asio::detached);
   time.run_for(Duration::zero());
-  arrive("^+00");
+  arrive("^:+12\r");
+  EXPECT_EQ(unsolicited, "^");
+  arrive("3.+00");
   arrive("00400\r^");
   ASSERT_TRUE(answer.came);
   EXPECT_EQ(*answer.result, "+0000400\r");
-  EXPECT_EQ(unsolicited, "^^");
+  EXPECT_EQ(unsolicited, "^:+12\r3.^");
 }
 
 TEST_F(LinkTest, NothingOfAProcedureGoesOutBehindAStop) {

@@ -1,0 +1,292 @@
+// Every parameter of the VXM: what `set`, `get`, B and O reach. The mnemonic is what stands between set/get
+// and the value; so `B` is the baud rate (setB38). Backlash compensation, which the maker sets by a bare B20,
+// is called Bx, as the manual heads it.
+#include <fmt/format.h>
+
+#include "core/devices/vxm/catalog.h"
+
+namespace hw::vxm {
+namespace {
+
+std::vector<ParamChoice> motor_types() {
+  return {{0, "0: default, 0.4 to 0.7 A (factory value)"},
+          {1, "1: Vexta PK245 (1.2 A)"},
+          {2, "2: Slo-Syn M061 (3.8 A)"},
+          {3, "3: Slo-Syn M062 (4.7 A), Vexta PK264 (3 A)"},
+          {4, "4: Slo-Syn M063 (4.6 A), Vexta PK266 (3 A)"},
+          {5, "5: Slo-Syn M091 (4.7 A), Vexta PK268 (3 A)"},
+          {6, "6: Slo-Syn M092 (4.6 A), Vexta PK296 (4.5 A)"}};
+}
+
+std::string motor_warning(int m) {
+  return fmt::format(
+      "The controller drives motor {0} with the power of the type chosen here. A type that does not match "
+      "the "
+      "motor connected to motor {0} can severely damage the motor and the controller. Compare it with the "
+      "label on motor {0} before you confirm.",
+      m);
+}
+
+ParamInfo row(std::string mnemonic, std::string group, std::string label, std::string explanation) {
+  ParamInfo p;
+  p.mnemonic = std::move(mnemonic);
+  p.group = std::move(group);
+  p.label = std::move(label);
+  p.explanation = std::move(explanation);
+  return p;
+}
+
+void range(ParamInfo& p, std::int64_t low, std::int64_t high, std::int64_t fallback, std::string unit = {}) {
+  p.minimum = low, p.maximum = high, p.fallback = fallback, p.unit = std::move(unit);
+}
+
+ParamInfo motor_type(int m) {
+  ParamInfo p =
+      row(fmt::format("M{}M", m), "Motors", fmt::format("Type of motor {}", m),
+          "Which motor is connected. The controller sets the current from it. 0 is the factory value "
+          "for very small motors: a larger one only buzzes and does not move. While jogging by the "
+          "buttons the motor gets 70 % of its power.");
+  range(p, 0, 6, 0);
+  p.choices = motor_types();
+  p.warning = motor_warning(m);
+  p.manual = "Setup Commands p.25";
+  return p;
+}
+
+ParamInfo motor_type_full(int m) {
+  ParamInfo p =
+      row(fmt::format("MA{}M", m), "Motors", fmt::format("Type of motor {}, full power when jogging", m),
+          "The same choice of motor, but the jog buttons and the joystick drive it with 100 % of its "
+          "power instead of 70 %. The controller does not tell which of the two it was given, so only "
+          "the type itself can be read back.");
+  range(p, 0, 6, 0);
+  p.choices = motor_types();
+  p.readable = false;
+  p.warning = motor_warning(m);
+  p.manual = "Appendix M p.64";
+  return p;
+}
+
+ParamInfo limit_mode(int m) {
+  ParamInfo p = row(fmt::format("L{}M", m), "Limit switches", fmt::format("Limit switches of motor {}", m),
+                    "How the two limit inputs are wired and whether they stop the motor. Velmex slides have "
+                    "normally closed switches: leave automatic. A rotary table with a home switch needs the "
+                    "home switch setting, so that the switch acts only while homing.");
+  range(p, -2, 2, 0);
+  p.choices = {{0, "0: automatic, normally closed once seen closed"},
+               {1, "1: on, normally closed"},
+               {2, "2: home switch only, normally closed"},
+               {-1, "-1: on, normally open"},
+               {-2, "-2: home switch only, normally open"}};
+  p.manual = "Appendix N p.66";
+  return p;
+}
+
+ParamInfo pulse_every(int m) {
+  ParamInfo p =
+      row(fmt::format("P{}M", m), "Position pulses", fmt::format("Pulse every so many steps of motor {}", m),
+          "Makes a pulse on output 2 each time the motor has turned by this many steps, also while "
+          "jogging, for example to trigger a camera. The first pulse comes after half of the distance. "
+          "0 switches it off.");
+  range(p, 1, 32767, 0, "steps");
+  p.also_zero = true;
+  p.manual = "Appendix D p.41";
+  return p;
+}
+
+ParamInfo jog_first(int m) {
+  ParamInfo p =
+      row(fmt::format("j{}M", m), "Jog buttons", fmt::format("First jog speed of motor {}", m),
+          "Top speed when a jog button on the controller's front panel is held longer than 0.3 s. "
+          "0 makes the buttons of this motor do nothing. It does not concern jogging from the screen.");
+  range(p, 1, 6000, 2000, "steps/s");
+  p.also_zero = true;
+  p.manual = "Appendix H p.49";
+  return p;
+}
+
+ParamInfo jog_second(int m) {
+  ParamInfo p =
+      row(fmt::format("J{}M", m), "Jog buttons", fmt::format("Second jog speed of motor {}", m),
+          "Top speed of the jog buttons while input 2 is low, for example by the button of a digital "
+          "joystick. Set it slow to approach a point by hand.");
+  range(p, 40, 6000, 2000, "steps/s");
+  p.manual = "Appendix H p.49";
+  return p;
+}
+
+std::vector<ParamChoice> joystick_ranges() {
+  std::vector<ParamChoice> all{{0, "0: joystick off"}};
+  for (int x = 1; x <= 24; ++x) all.push_back({x, fmt::format("{0}: {0} to {1} steps/s", x, 250 * x)});
+  return all;
+}
+
+ParamInfo joystick_first(int m) {
+  ParamInfo p =
+      row(fmt::format("jA{}M", m), "Joystick", fmt::format("First joystick range of motor {}", m),
+          "Range of speeds that an analog joystick gives from a small to a full deflection. The "
+          "joystick must be at its centre when the controller is switched on: that place is taken as "
+          "no motion.");
+  range(p, 0, 24, 0);
+  p.choices = joystick_ranges();
+  p.manual = "Appendix J p.54";
+  return p;
+}
+
+ParamInfo joystick_second(int m) {
+  ParamInfo p =
+      row(fmt::format("JA{}M", m), "Joystick", fmt::format("Second joystick range of motor {}", m),
+          "Range of speeds of the analog joystick while input 2 is low, chosen by one of the buttons "
+          "on the joystick.");
+  range(p, 0, 24, 0);
+  p.choices = joystick_ranges();
+  p.manual = "Appendix J p.54";
+  return p;
+}
+
+ParamInfo deadband() {
+  ParamInfo p =
+      row("DA", "Joystick", "Joystick dead band",
+          "How far the analog joystick must leave its centre before a motor turns. Small values make "
+          "it hard to move one axis alone, large ones delay a change of direction.");
+  range(p, 20, 100, 40, "counts");
+  p.manual = "Appendix J p.54";
+  return p;
+}
+
+ParamInfo mode() {
+  ParamInfo p =
+      row("DM", "Mode", "Controller mode",
+          "Turns the direction of single motors round, makes this controller the Master of a second "
+          "one, lets it behave like the older NF90, or lets program 4 run before the first run after "
+          "power-up, which is where a homing routine belongs.");
+  range(p, 1, 255, 1);
+  p.bits = {{0, "always on"},
+            {1, "motor 1 turns the other way"},
+            {2, "motor 2 turns the other way"},
+            {3, "behave like the older NF90"},
+            {4, "motor 3 turns the other way"},
+            {5, "motor 4 turns the other way"},
+            {6, "this controller is the Master of a second one"},
+            {7, "run program 4 first after power-up"}};
+  p.warning =
+      "This changes the direction of motors, the meaning of commands or the role of the controller at once. "
+      "Positions and programs made for the old mode may lead elsewhere with the new one.";
+  p.manual = "Appendix O p.68";
+  return p;
+}
+
+ParamInfo input_mode() {
+  ParamInfo p =
+      row("I", "Inputs", "What the inputs do",
+          "Which of the Run and Stop buttons and of the inputs 1 to 4 act, and how: stopping with or "
+          "without a ramp, choosing a program, branching out of a wait, or capturing positions. The "
+          "Stop input is no emergency stop: for that, the power must be cut.");
+  range(p, 0, 255, 7);
+  p.bits = {{0, "Run button and input start programs"},
+            {1, "Stop button and input 4 stop programs"},
+            {2, "input 3 ends a wait and jumps to program 3"},
+            {3, "Run and input 1 react in 0.1 ms instead of 1 ms"},
+            {4, "Stop is hard, without a ramp"},
+            {5, "after Stop, go on with program 4"},
+            {6, "inputs 2 and 3 select program 0 to 3 (clears bit 2)"},
+            {7, "input 4 captures positions (clears bit 1)"}};
+  p.manual = "Appendix C p.38";
+  return p;
+}
+
+ParamInfo pulse_width() {
+  ParamInfo p =
+      row("PA", "Position pulses", "Pulse width",
+          "How long each position pulse on output 2 lasts, in units of ten microseconds: 1 is 10 µs, "
+          "200 is 2 ms. It serves the pulses every so many steps and those of U7.");
+  range(p, 1, 255, 1, "10 µs");
+  p.manual = "Appendix D p.42";
+  return p;
+}
+
+ParamInfo backlash() {
+  ParamInfo p =
+      row("Bx", "Precision", "Backlash compensation",
+          "Each move in the negative direction overruns by so many steps and comes back, so that every "
+          "position is reached from the same side and play in the screw does not show. 0 is off; 1 "
+          "means 20 steps. It holds for all motors. Sent as B and the number.");
+  range(p, 0, 255, 0, "steps");
+  p.manual = "Appendix F p.45";
+  return p;
+}
+
+ParamInfo limit_report() {
+  ParamInfo p =
+      row("O", "Limit switches", "When a limit switch is hit",
+          "A limit switch always stops the motor. This says whether the controller tells the computer "
+          "by the letter O, and whether a running program ends there. Without it a program goes on "
+          "with its next command from the wrong place.");
+  range(p, 0, 3, 0);
+  p.choices = {{0, "0: stop the motor only"},
+               {1, "1: tell the computer"},
+               {2, "2: end the program"},
+               {3, "3: tell the computer and end the program"}};
+  p.manual = "Appendix F p.46";
+  return p;
+}
+
+ParamInfo baud() {
+  ParamInfo p =
+      row("B", "Communication", "Baud rate",
+          "Speed of the serial line. The console changes its own side together with the controller and "
+          "goes back if it gets no answer. The controller keeps the new rate over power-off only after "
+          "Store. It does not tell its rate, so none is shown.");
+  range(p, 9, 38, 9);
+  p.choices = {{9, "9600 baud"}, {19, "19200 baud"}, {38, "38400 baud"}};
+  p.readable = false;
+  p.manual = "Setup Commands p.25";
+  return p;
+}
+
+ParamInfo association() {
+  ParamInfo p =
+      row("PMA", "Two controllers", "Programs started together",
+          "Lets the Slave run its own program of the same number whenever the Master runs that program. "
+          "Commands for motors 3 and 4 use program 0 of the Slave and erase what stands there, so do "
+          "not couple program 0 in a system that uses them.");
+  range(p, -5, 255, 255);
+  p.choices = {{255, "off"}};
+  for (int x = 0; x <= 4; ++x) p.choices.push_back({x, fmt::format("program {}", x)});
+  p.choices.push_back({-5, "all but program 0"});  // PMA-0; a number has no minus zero
+  for (int x = 1; x <= 4; ++x) p.choices.push_back({-x, fmt::format("all but program {}", x)});
+  p.stored = false;
+  p.manual = "Appendix G p.48";
+  return p;
+}
+
+}  // namespace
+
+std::vector<ParamInfo> params(int motors) {
+  std::vector<ParamInfo> all;
+  for (auto make : {motor_type, motor_type_full, limit_mode})
+    for (int m = 1; m <= motors; ++m) {
+      all.push_back(make(m));
+      all.back().axis = m - 1;
+    }
+  all.push_back(limit_report());
+  all.push_back(backlash());
+  all.push_back(input_mode());
+  all.push_back(mode());
+  for (auto make : {jog_first, jog_second, joystick_first, joystick_second})
+    for (int m = 1; m <= motors; ++m) {
+      all.push_back(make(m));
+      all.back().axis = m - 1;
+    }
+  all.push_back(deadband());
+  for (int m = 1; m <= motors; ++m) {
+    all.push_back(pulse_every(m));
+    all.back().axis = m - 1;
+  }
+  all.push_back(pulse_width());
+  all.push_back(baud());
+  if (motors > 2) all.push_back(association());
+  return all;
+}
+
+}  // namespace hw::vxm

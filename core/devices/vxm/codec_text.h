@@ -1,0 +1,81 @@
+#pragma once
+// The maker's text, read command by command: what a line means, its canonical form, what it costs, whether it
+// is finished. For the console's side of the wire; pure. Follows the manual p.9, 16 to 25 and the appendices.
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hw::vxm {
+
+enum class Verb : std::uint8_t {
+  index_by,       ///< ImMx, ImM-x
+  index_to,       ///< IAmMx
+  zero_here,      ///< IAmM-0
+  home,           ///< ImM0, ImM-0
+  speed,          ///< SmMx
+  speed_analog,   ///< SmM-x
+  acceleration,   ///< AmMx
+  loop_forever,   ///< L0
+  marker_set,     ///< LM0, and L-0 of the NF90
+  marker_reset,   ///< LM-0
+  loop,           ///< Lx, L-x
+  loop_always,    ///< LAx, LA-x
+  loop_reverse,   ///< LM-2, LM-3
+  jump,           ///< Jx
+  jump_return,    ///< JMx
+  jump_pick,      ///< JM-x
+  pause,          ///< Px, P-x
+  pause_output,   ///< PAx, PA-x
+  user,           ///< Ux
+  pair_begins,    ///< (
+  pair_ends,      ///< )
+  slave_begins,   ///< [
+  slave_ends,     ///< ]
+  select,         ///< PMx
+  empty,          ///< PM-x
+  ask_selected,   ///< PM
+  associate,      ///< PMAx
+  ask_associate,  ///< PMA
+  set,            ///< set... , Bx, Ox
+  get,            ///< get... , B, O
+  letter,         ///< X, V, R ...: acts at once
+  word,           ///< lst, rsm, res, del
+};
+
+enum class Flaw : std::uint8_t {
+  none,
+  unknown,   ///< no command of the VXM
+  no_value,  ///< the number is missing
+  range,     ///< the number is not possible
+  open,      ///< the text ends in the middle of it
+};
+
+struct TextCommand {
+  Verb verb = Verb::letter;
+  Flaw flaw = Flaw::none;
+  char letter = 0;          ///< of Verb::letter
+  std::uint8_t motor = 0;   ///< 1 to 4; of a short form: the one addressed last
+  bool full_power = false;  ///< SA, setMA
+  bool minus = false;       ///< a minus sign stands before the number, also before 0
+  std::int64_t value = 0;   ///< magnitude
+  std::string name;  ///< mnemonic of set and get: "j1M"; the word of Verb::word; the text of an unknown one
+  std::size_t begin = 0, end = 0;  ///< place in the text, ender included
+
+  [[nodiscard]] std::int64_t signed_value() const { return minus ? -value : value; }
+  [[nodiscard]] bool stored() const { return verb <= Verb::pair_ends; }
+};
+
+/// Reads a text as the controller would: a line feed counts for nothing, a remark lasts to the carriage
+/// return. `motor` is the one addressed last before it.
+std::vector<TextCommand> read_text(std::string_view text, int motor = 1);
+/// True if the controller would take the next byte for a part of the last command.
+bool ends_open(std::string_view text);
+/// As `lst` writes it: motor always shown, no ender.
+std::string canonical(const TextCommand& command);
+/// Bytes of program memory.
+int program_cost(const TextCommand& command);
+/// "1 to 6000 steps/s" for the value of this command; empty when it has none.
+std::string allowed_values(const TextCommand& command);
+
+}  // namespace hw::vxm

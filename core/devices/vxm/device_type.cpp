@@ -1,0 +1,18 @@
+#include "core/devices/vxm/device_type.h"
+
+#include "core/devices/vxm/catalog.h"
+#include "core/devices/vxm/explain.h"
+
+namespace hw::vxm {
+
+DeviceType device_type() {
+  DeviceType t{};
+  t.model = "vxm";
+  t.make_catalog = make_catalog;
+  t.explain = explain;
+  t.probe = probe;
+  t.recognises = recognises;
+  return t;
+}
+
+}  // namespace hw::vxm

@@ -1,0 +1,17 @@
+#pragma once
+// The meaning of traffic in plain words, for the terminal. Pure; any thread.
+#include <string>
+#include <string_view>
+
+#include "core/link/traffic.h"
+
+namespace hw::vxm {
+
+struct TextCommand;
+
+/// `asked`: what was sent last before a received entry. Empty when there is nothing to say.
+std::string explain(std::string_view bytes, Way way, TrafficKind kind, std::string_view asked);
+/// "store: motor 1 moves by +400 steps"
+std::string explain_command(const TextCommand& command);
+
+}  // namespace hw::vxm

@@ -1,0 +1,53 @@
+#pragma once
+// What a panel gets: one controller at one instant, and the ways to act on it. Made by the console for each
+// panel and frame; a panel keeps nothing of it, holds view state only, and never knows a device by name.
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "core/device/bench.h"
+#include "core/device/catalog.h"
+#include "core/device/intent.h"
+#include "core/device/snapshot.h"
+#include "gui/layout.h"
+#include "gui/mood.h"
+
+namespace hw::gui {
+
+class Console;
+class Tab;
+class Ui;
+
+/// What a page that belongs to no controller gets (connect, keyboard map).
+struct PageFrame {
+  Ui& ui;
+  Console& console;
+  Box area;  ///< logical pixels; the panel is an ImGui child there, with its cursor at the top left
+  Tier tier;
+  Instant clock;  ///< present time; an age is clock - seen_at
+
+  /// A sentence at the bottom right. Faults stay until they are read, the rest goes after 6 s.
+  void toast(Mood mood, std::string sentence) const;
+};
+
+struct Frame : PageFrame {
+  Tab& tab;  ///< names, units, texts and traffic of this controller
+  const Catalog& catalog;
+  const Snapshot& now;
+  const BenchView& bench;
+
+  /// Sends it. If it is refused or fails, the sentence is shown as a toast.
+  IntentId send(IntentBody body) const;
+  /// Sends it; this panel itself shows what became of it, from now.fate_of(id).
+  IntentId send_and_watch(IntentBody body) const;
+  void operate_bench(BenchCommand command) const;
+  /// Brings the panel `tab/ID` to the front and, if named, scrolls to one of its widgets and gives it the
+  /// focus.
+  void show_panel(std::string_view id, std::string_view widget = {}) const;
+
+  [[nodiscard]] bool connected() const {
+    return now.link.state == LinkState::good || now.link.state == LinkState::late;
+  }
+};
+
+}  // namespace hw::gui

@@ -1,0 +1,48 @@
+#pragma once
+// Where everything stands, from the size of the window alone. Pure: logical pixels in, rectangles out.
+#include <cstdint>
+
+namespace hw::gui {
+
+/// By logical window size. What collapses, in the order of the look: captions, right column to a rail,
+/// rehearsal to a line, steps, terminal, tabs to a menu, left column to a strip. STOP ALL, positions, limit
+/// lamps and the status line never do.
+enum class Tier : std::uint8_t { wide, medium, narrow };
+
+/// Logical pixels.
+struct Box {
+  float x = 0, y = 0, width = 0, height = 0;
+  [[nodiscard]] float right() const { return x + width; }
+  [[nodiscard]] float bottom() const { return y + height; }
+  [[nodiscard]] bool empty() const { return width <= 0 || height <= 0; }
+};
+
+/// What the user has dragged; a double click restores. Kept from run to run.
+struct Splitters {
+  float left = 304, right = 272, below = 300;
+  bool operator==(const Splitters&) const = default;
+};
+
+struct Layout {
+  Tier tier = Tier::wide;
+  Box brand, tabs, add, link, stop;  ///< of the top bar; `tabs` shrinks first
+  Box left, centre, right, status;   ///< narrow: left is the strip of positions, right is empty
+  float tab_width = 176;
+  bool controller_menu = false;  ///< one menu instead of tabs
+  bool right_is_rail = false;
+};
+
+struct LayoutWishes {
+  float width = 1440, height = 900;  ///< of the window
+  int controllers = 1;               ///< how many tabs (the connection page counts when it is shown)
+  float strip_height = 0;            ///< narrow: what the positions need
+  Splitters splitters;
+};
+
+Layout lay_out(const LayoutWishes& wishes);
+
+/// Height of the part below in a centre of that height, at least three rows of traffic; 0: no room, it
+/// becomes a tab.
+float below_height(float centre_height, const Splitters& splitters, Tier tier);
+
+}  // namespace hw::gui

@@ -1,0 +1,55 @@
+#pragma once
+// A part of the screen. The list of all panels stands in panels/panel_list.cpp; the console lays them out by
+// their place and never names one.
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "gui/frame.h"
+
+namespace hw::gui {
+
+/// One object per open controller: its members are the view state of that controller.
+class Panel {
+ public:
+  virtual ~Panel() = default;
+  virtual void draw(Frame& frame) = 0;
+};
+
+/// Without a controller; one object.
+class Page {
+ public:
+  virtual ~Page() = default;
+  virtual void draw(PageFrame& frame) = 0;
+};
+
+enum class Place : std::uint8_t {
+  top_left,  ///< positions: the top of the left column, in a narrow window the strip; never scrolls
+  left,      ///< the rest of the left column; in a narrow window the first panel tab
+  centre,    ///< a panel tab
+  below,     ///< under the panel tabs (the terminal); without room one more panel tab
+  right,     ///< the right column, from the top; a rail in a medium, the last panel tab in a narrow window
+};
+
+struct PanelEntry {
+  std::string_view id;  ///< `tab/ID`
+  std::string_view title;
+  Place place;
+  std::unique_ptr<Panel> (*make)();
+  /// Whether this controller has something to show there; null: always.
+  bool (*wanted)(const Catalog&, bool emulated) = nullptr;
+};
+
+struct PageEntry {
+  std::string_view id;  ///< "connect", "help"
+  std::string_view title;
+  std::unique_ptr<Page> (*make)();
+};
+
+/// What the console shows, in this order.
+struct PanelList {
+  std::span<const PanelEntry> panels;
+  std::span<const PageEntry> pages;  ///< the first is shown when no controller is open
+};
+
+}  // namespace hw::gui

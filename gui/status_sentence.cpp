@@ -1,0 +1,190 @@
+#include "gui/status_sentence.h"
+
+#include <fmt/format.h>
+
+#include "gui/units_format.h"
+
+namespace hw::gui {
+namespace {
+
+using Said = std::optional<StatusSentence>;
+
+StatusSentence say(Mood mood, std::string text) { return {mood, std::move(text)}; }
+AxisId axis(int index) { return AxisId{static_cast<std::uint8_t>(index)}; }
+
+/// "motor 1", within a sentence.
+std::string plain_name(const Catalog& catalog, int index) {
+  const AxisInfo& info = catalog.axes[static_cast<std::size_t>(index)];
+  return info.description.empty() ? "axis " + info.name : info.description;
+}
+/// "Motor 1", at its beginning.
+std::string name_of(const Catalog& catalog, int index) {
+  std::string name = plain_name(catalog, index);
+  if (name[0] >= 'a' && name[0] <= 'z') name[0] = static_cast<char>(name[0] - 'a' + 'A');
+  return name;
+}
+
+std::string_view sign_word(bool plus) { return plus ? "+" : "\u2212"; }
+
+Said say_link(const StatusFacts& f) {
+  const LinkHealth& link = f.now.link;
+  switch (link.state) {
+    case LinkState::lost: {
+      std::string text =
+          fmt::format("{} does not answer since {}.", f.catalog.short_name, f.time_of_day(link.lost_at));
+      if (!link.sentence.empty()) text += fmt::format(" {}", link.sentence.view());
+      return say(Mood::fault, text + " Stop does not reach it: use its power switch.");
+    }
+    case LinkState::closed: return say(Mood::plain, "The connection is closed.");
+    case LinkState::connecting:
+      if (link.attempts > 1)
+        return say(Mood::warn, fmt::format("Asking {}, attempt {}.", f.catalog.name, link.attempts));
+      return say(Mood::plain, fmt::format("Asking {} what it is and where it stands.", f.catalog.name));
+    case LinkState::good:
+    case LinkState::late: break;
+  }
+  return {};
+}
+
+Said say_error(const StatusFacts& f) {
+  if (!f.now.notice.empty()) return say(Mood::fault, std::string(f.now.notice.view()));
+  for (int i = 0; i < f.now.axis_count; ++i)
+    if (f.now.axes[i].activity == Activity::error || f.now.axes[i].alarm)
+      return say(Mood::fault,
+                 fmt::format("{} is in error. Stop it, and look at the terminal.", name_of(f.catalog, i)));
+  if (f.now.program.run == RunState::error) return say(Mood::fault, "The program ended with an error.");
+  return {};
+}
+
+Said say_late(const StatusFacts& f) {
+  if (f.now.link.state != LinkState::late) return {};
+  std::string text =
+      fmt::format("{} answers late: {} missed.", f.catalog.short_name,
+                  f.now.link.misses_in_a_row == 1 ? std::string("one question")
+                                                  : fmt::format("{} questions", f.now.link.misses_in_a_row));
+  if (!f.now.link.sentence.empty()) text += fmt::format(" {}", f.now.link.sentence.view());
+  return say(Mood::warn, std::move(text));
+}
+
+bool moves(const AxisState& a) {
+  return a.activity == Activity::moving || a.activity == Activity::jogging ||
+         a.activity == Activity::homing || a.activity == Activity::stopping;
+}
+
+Said say_motion(const StatusFacts& f) {
+  constexpr std::string_view way_out = "Esc stops everything.";
+  const bool whole_program = f.now.program.owned && f.now.program.run == RunState::running;
+  for (int i = 0; i < f.now.axis_count; ++i) {
+    const AxisState& a = f.now.axes[i];
+    if (!moves(a)) continue;
+    const std::string name = name_of(f.catalog, i);
+    if (whole_program)
+      return say(Mood::motion, fmt::format("{} {} is running: {} moves. {}", f.catalog.program.slot_word,
+                                           f.now.program.slot, name, way_out));
+    if (a.activity == Activity::stopping) return say(Mood::motion, fmt::format("{} comes to a stop.", name));
+    if (a.activity == Activity::homing)
+      return say(Mood::motion,
+                 fmt::format("{} is looking for home, {}. {}", name, sign_word(a.direction > 0), way_out));
+    if (f.held && f.held->axis == axis(i)) {
+      const std::string at = a.speed.value > 0 ? " at " + f.show_speed(axis(i), a.speed) : std::string();
+      return say(Mood::motion, fmt::format("You hold {}{}. {} moves{} until you let go. {}",
+                                           f.catalog.axes[static_cast<std::size_t>(i)].name,
+                                           sign_word(f.held->sign == Sign::plus), name, at, way_out));
+    }
+    if (a.has_target)
+      return say(Mood::motion,
+                 fmt::format("{} moves to {}. {}", name, f.show_position(axis(i), a.target), way_out));
+    return say(Mood::motion, fmt::format("{} moves {}. {}", name, sign_word(a.direction > 0), way_out));
+  }
+  return {};
+}
+
+Said say_program(const StatusFacts& f) {
+  const ProgramState& p = f.now.program;
+  if (!p.owned) return {};
+  const std::string what = fmt::format("{} {}", f.catalog.program.slot_word, p.slot);
+  if (p.run == RunState::running) return say(Mood::motion, what + " is running. Esc stops everything.");
+  if (p.run == RunState::waiting)
+    return say(Mood::motion,
+               what + " waits. It goes on by itself when what it waits for comes. Esc stops everything.");
+  if (p.run == RunState::held)
+    return say(Mood::warn, what + " is held before its next command. Step, go on, or stop it.");
+  return {};
+}
+
+Said say_position(const StatusFacts& f) {
+  for (int i = 0; i < f.now.axis_count; ++i) {
+    const AxisState& a = f.now.axes[i];
+    if (!a.position_known)
+      return say(Mood::warn, fmt::format("Where {} stands is not known. Home it, or say where it is.",
+                                         plain_name(f.catalog, i)));
+    if (a.position_doubtful)
+      return say(Mood::warn,
+                 fmt::format("The position of {} is doubtful: steps may have been lost. Home it, or say "
+                             "where it is.",
+                             plain_name(f.catalog, i)));
+  }
+  return {};
+}
+
+Said say_limit(const StatusFacts& f) {
+  for (int i = 0; i < f.now.axis_count; ++i) {
+    const AxisState& a = f.now.axes[i];
+    if (!a.limits_known || (!a.limit_minus && !a.limit_plus)) continue;
+    const std::string name = name_of(f.catalog, i);
+    if (a.limit_minus && a.limit_plus)
+      return say(Mood::warn,
+                 fmt::format("Both limits of {} are operated, so it cannot move. Look at its switches "
+                             "and their cable.",
+                             plain_name(f.catalog, i)));
+    return say(Mood::warn, fmt::format("{} stands on its {} limit. It can only move {}.", name,
+                                       sign_word(a.limit_plus), sign_word(a.limit_minus)));
+  }
+  return {};
+}
+
+Said say_unset(const StatusFacts& f) {
+  for (int i = 0; i < f.now.axis_count; ++i)
+    if (const int param = unset_before_moving(f.catalog, f.now, axis(i)); param >= 0)
+      return say(Mood::warn, f.catalog.params[static_cast<std::size_t>(param)].before_moving);
+  return {};
+}
+
+Said say_stale(const StatusFacts& f) {
+  for (int i = 0; i < f.now.axis_count; ++i)
+    if (is_stale(f.now.axes[i].seen_at, f.clock, f.now.poll_period))
+      return say(Mood::warn, fmt::format("The position of {} is {} old.", plain_name(f.catalog, i),
+                                         format_duration(seconds(f.clock - f.now.axes[i].seen_at)).view()));
+  return {};
+}
+
+Said say_unsaved(const StatusFacts& f) {
+  if (!f.catalog.can.store || (!f.now.unsaved_setup && !f.now.unsaved_programs)) return {};
+  const char* what = f.now.unsaved_setup && f.now.unsaved_programs ? "Set-up and programs are"
+                     : f.now.unsaved_setup                         ? "The set-up is"
+                                                                   : "A program is";
+  return say(Mood::plain,
+             fmt::format("Idle. {} in the controller's RAM only, and gone when it is switched off. Store "
+                         "keeps it.",
+                         what));
+}
+
+}  // namespace
+
+int unset_before_moving(const Catalog& catalog, const Snapshot& now, AxisId wanted) {
+  for (std::size_t i = 0; i < catalog.params.size() && i < now.params.size(); ++i) {
+    const ParamInfo& info = catalog.params[i];
+    if (info.before_moving.empty() || info.axis != wanted.index) continue;
+    if (now.params[i].known && now.params[i].value == info.unset_value) return static_cast<int>(i);
+  }
+  return -1;
+}
+
+StatusSentence status_sentence(const StatusFacts& facts) {
+  for (const auto part : {say_link, say_error, say_late, say_motion, say_program, say_unset, say_position,
+                          say_limit, say_stale, say_unsaved})
+    if (Said said = part(facts)) return std::move(*said);
+  return say(Mood::plain, "Idle. Hold a jog button, type where to go, or run a program.");
+}
+
+}  // namespace hw::gui

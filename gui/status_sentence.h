@@ -1,0 +1,36 @@
+#pragma once
+// The status line: the worst true thing of a controller in one or two sentences, and what to do about it.
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "core/device/catalog.h"
+#include "core/device/snapshot.h"
+#include "gui/jog_hold.h"
+#include "gui/mood.h"
+
+namespace hw::gui {
+
+struct StatusSentence {
+  Mood mood = Mood::plain;
+  std::string text;
+  bool operator==(const StatusSentence&) const = default;
+};
+
+struct StatusFacts {
+  const Catalog& catalog;
+  const Snapshot& now;
+  Instant clock;
+  std::optional<JogHold::Control> held;                     ///< the user holds this
+  bool jogging = false;                                     ///< long enough for a continuous jog
+  std::function<std::string(AxisId, Steps)> show_position;  ///< "12.000 mm"
+  std::function<std::string(AxisId, Pps)> show_speed;       ///< "5.000 mm/s"
+  std::function<std::string(Instant)> time_of_day;          ///< "14:20:08"
+};
+
+StatusSentence status_sentence(const StatusFacts& facts);
+
+/// A parameter that must be chosen before an axis may move and is not: its index, or -1.
+int unset_before_moving(const Catalog& catalog, const Snapshot& now, AxisId axis);
+
+}  // namespace hw::gui

@@ -1,0 +1,145 @@
+#include "gui/tab.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "gui/status_sentence.h"
+
+namespace hw::gui {
+
+const Snapshot Tab::nothing_known;
+const BenchView Tab::no_bench;
+
+DisplayUnit display_unit(const Catalog& catalog, const Profile& profile, AxisId axis) {
+  DisplayUnit steps;
+  steps.name = catalog.step_word;
+  if (profile.unit.empty() || profile.unit == catalog.step_word) return steps;
+  const AxisProfile& wish = profile.axes[axis.index];
+  for (const UnitChoice& choice : catalog.units)
+    if (choice.label == wish.unit_choice)
+      return DisplayUnit{choice.unit, wish.reversed ? -choice.per_step : choice.per_step, choice.decimals,
+                         true};
+  return steps;
+}
+
+static Tab::Door door_of(Session& session) {
+  return {[&session](IntentBody body) { return session.send(std::move(body)); },
+          [&session](BenchCommand command) { session.operate_bench(std::move(command)); }};
+}
+
+Tab::Tab(std::shared_ptr<Session> session, std::string key)
+    : profile_key(std::move(key)),
+      jog([this](IntentBody body) { return send_followed(std::move(body)); }),
+      session_(std::move(session)),
+      address_(session_->address()),
+      catalog_(session_->catalog()),
+      door_(door_of(*session_)) {
+  work_out_units();
+  refresh();
+}
+
+Tab::Tab(Address address, Catalog catalog, Door door)
+    : jog([this](IntentBody body) { return send_followed(std::move(body)); }),
+      address_(std::move(address)),
+      catalog_(std::move(catalog)),
+      door_(std::move(door)) {
+  work_out_units();
+}
+
+void Tab::refresh() {
+  if (!session_) return;
+  now_ = &session_->snapshot();
+  bench_ = &session_->bench_view();
+  clock_ = session_->now();
+  session_->notices().drain([this](Notice& notice) { notices_.push_back(std::move(notice)); });
+  follow_fates();
+  find_why_not_move();
+}
+
+void Tab::show(const Snapshot& snapshot, const BenchView& bench, Instant clock) {
+  now_ = &snapshot;
+  bench_ = &bench;
+  clock_ = clock;
+  follow_fates();
+  find_why_not_move();
+}
+
+IntentId Tab::send_followed(IntentBody body) {
+  const bool keep_alive = std::holds_alternative<intent::JogKeepAlive>(body);
+  const IntentId id = send(std::move(body));
+  if (!keep_alive) followed_.push_back(id);
+  return id;
+}
+
+void Tab::stop_all() {
+  jog.forget();
+  send_followed(intent::Stop());
+}
+
+void Tab::follow_fates() {
+  const auto settled = [this](IntentId id) {
+    const IntentFate* fate = now_->fate_of(id);
+    if (!fate) {  // not taken up yet, or so long ago that newer ones have pushed it out
+      const IntentId newest = now_->fates[0].id;
+      return newest > id + now_->fates.size();
+    }
+    if (fate->fate == Fate::pending) return false;
+    if (fate->fate == Fate::done) return true;
+    if (id == jog.jog_intent()) jog.forget();  // there is no jog to stop
+    complaints_.emplace_back(fate->sentence.view());
+    return true;
+  };
+  std::erase_if(followed_, settled);
+}
+
+void Tab::find_why_not_move() {
+  if (told_ && told_link_ == now_->link.state && told_program_ == now_->program) return;
+  told_ = true;
+  told_link_ = now_->link.state;
+  told_program_ = now_->program;
+  const ProgramState& p = now_->program;
+  const bool busy =
+      p.owned && (p.run == RunState::running || p.run == RunState::waiting || p.run == RunState::held);
+  if (told_link_ == LinkState::connecting)
+    why_not_move_ = "The controller is being asked what it is. Jog, Go and Home come when it has answered.";
+  else if (told_link_ == LinkState::lost || told_link_ == LinkState::closed)
+    why_not_move_ = "There is no link. Jog, Go and Home come back when the controller answers.";
+  else if (busy)
+    why_not_move_ = fmt::format("{} {} {}. Jog, Go and Home come back when it ends or is stopped.",
+                                catalog_.program.slot_word, p.slot,
+                                p.run == RunState::running ? "is running"
+                                : p.run == RunState::held  ? "is held"
+                                                           : "waits");
+  else
+    why_not_move_.clear();
+}
+
+std::string_view Tab::why_not_move(AxisId axis) const {
+  if (!why_not_move_.empty()) return why_not_move_;
+  const int unset = unset_before_moving(catalog_, *now_, axis);
+  return unset < 0 ? std::string_view()
+                   : std::string_view(catalog_.params[static_cast<std::size_t>(unset)].before_moving);
+}
+
+std::string_view Tab::name() const {
+  return profile.name.empty() ? std::string_view(catalog_.short_name) : std::string_view(profile.name);
+}
+
+std::string Tab::axis_title(AxisId axis) const {
+  const std::string& own = catalog_.axes[axis.index].name;
+  const std::string& users = profile.axes[axis.index].name;
+  return users.empty() ? own : own + " " + users;
+}
+
+void Tab::profile_edited() {
+  profile_changed = true;
+  work_out_units();
+}
+
+void Tab::work_out_units() {
+  for (std::size_t i = 0; i < catalog_.axes.size() && i < units_.size(); ++i)
+    units_[i] = display_unit(catalog_, profile, AxisId{static_cast<std::uint8_t>(i)});
+}
+
+}  // namespace hw::gui

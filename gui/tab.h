@@ -1,0 +1,107 @@
+#pragma once
+// The GUI thread's side of one open controller: its newest snapshot, what the user calls things and how he
+// likes to see them, his texts, the hand on its jog pad, and its panels. Everything here belongs to the GUI
+// thread; the Session is the only door to the other.
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/session/profile.h"
+#include "core/session/session.h"
+#include "gui/jog_hold.h"
+#include "gui/panel.h"
+#include "gui/units_format.h"
+
+namespace hw::gui {
+
+class Tab {
+ public:
+  /// The two ways down. Tests of panels give their own and look at what comes out.
+  struct Door {
+    std::function<IntentId(IntentBody)> send;
+    std::function<void(BenchCommand)> operate_bench;
+  };
+
+  Tab(std::shared_ptr<Session> session, std::string profile_key);
+  Tab(Address address, Catalog catalog, Door door);
+  Tab(const Tab&) = delete;
+  Tab& operator=(const Tab&) = delete;
+
+  /// Once a frame: takes what is new from the session.
+  void refresh();
+  /// Shows a snapshot of no session. For tests.
+  void show(const Snapshot& snapshot, const BenchView& bench, Instant clock);
+
+  [[nodiscard]] const Catalog& catalog() const { return catalog_; }
+  [[nodiscard]] const Snapshot& now() const { return *now_; }
+  [[nodiscard]] const BenchView& bench() const { return *bench_; }
+  [[nodiscard]] Instant clock() const { return clock_; }
+  [[nodiscard]] const Address& address() const { return address_; }
+  [[nodiscard]] bool emulated() const { return address_.emulated(); }
+  [[nodiscard]] const DeviceType* type() const { return session_ ? &session_->type() : nullptr; }
+  [[nodiscard]] const std::shared_ptr<Session>& session() const { return session_; }
+
+  IntentId send(IntentBody body) { return door_.send(std::move(body)); }
+  /// As send(), and a refusal or failure is told: see take_complaint().
+  IntentId send_followed(IntentBody body);
+  void operate_bench(BenchCommand command) { door_.operate_bench(std::move(command)); }
+  /// Why nothing may be moved now (no link, a program runs), as a sentence that says when it ends; empty: it
+  /// may. Valid until the next refresh().
+  [[nodiscard]] std::string_view why_not_move() const { return why_not_move_; }
+  /// The same for one axis: also when something must be chosen in the set-up first.
+  [[nodiscard]] std::string_view why_not_move(AxisId axis) const;
+  void stop_all();  ///< Stop to this controller; a held jog is forgotten, since the stop ends it
+
+  // ---- names and units
+  Profile profile;
+  std::string profile_key;       ///< what the profile is kept under
+  bool profile_changed = false;  ///< to be saved
+  [[nodiscard]] std::string_view name() const;
+  [[nodiscard]] const DisplayUnit& unit(AxisId axis) const { return units_[axis.index]; }
+  /// "1 across": the maker's name and the user's.
+  [[nodiscard]] std::string axis_title(AxisId axis) const;
+  /// After a change of the profile's units.
+  void profile_edited();
+  [[nodiscard]] Steps jog_step() const { return profile.jog_step; }
+  /// Held jog: the user's choice, else 0 (the controller's own).
+  [[nodiscard]] Pps jog_speed() const { return profile.jog_speed; }
+
+  // ---- what must be told once
+  [[nodiscard]] std::vector<Notice>& notices() { return notices_; }
+  [[nodiscard]] std::vector<std::string>& complaints() { return complaints_; }
+
+  // ---- view
+  JogHold jog;
+  std::string centre_panel;  ///< id of the panel in front
+  /// This controller's panels, beside the console's list; made when they are first drawn.
+  std::vector<std::unique_ptr<Panel>> panels;
+
+ private:
+  void follow_fates();
+  void find_why_not_move();
+  void work_out_units();
+
+  std::shared_ptr<Session> session_;
+  const Address address_;
+  const Catalog catalog_;
+  Door door_;
+  static const Snapshot nothing_known;
+  static const BenchView no_bench;
+  const Snapshot* now_ = &nothing_known;
+  const BenchView* bench_ = &no_bench;
+  Instant clock_{};
+  std::array<DisplayUnit, max_axes> units_;
+  std::string why_not_move_;
+  LinkState told_link_ = LinkState::closed;
+  ProgramState told_program_;
+  bool told_ = false;
+  std::vector<IntentId> followed_;
+  std::vector<Notice> notices_;
+  std::vector<std::string> complaints_;
+};
+
+/// The conversion that the profile names for this axis; the controller's own steps when there is none.
+DisplayUnit display_unit(const Catalog& catalog, const Profile& profile, AxisId axis);
+
+}  // namespace hw::gui

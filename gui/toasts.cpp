@@ -1,0 +1,33 @@
+#include "gui/toasts.h"
+
+#include <algorithm>
+
+namespace hw::gui {
+
+void Toasts::add(Mood mood, std::string text) {
+  for (Toast& toast : list_)
+    if (toast.text == text) {
+      toast.until_s = -1;  // said again: its time starts anew
+      return;
+    }
+  if (list_.size() == at_most) list_.erase(list_.begin());
+  list_.push_back({next_number_++, mood, std::move(text), -1});
+}
+
+void Toasts::dismiss(int number) {
+  std::erase_if(list_, [number](const Toast& t) { return t.number == number; });
+}
+
+void Toasts::tick(double now_s) {
+  for (Toast& toast : list_)
+    if (toast.until_s < 0) toast.until_s = toast.mood == Mood::fault ? 1e18 : now_s + shown_for_s;
+  std::erase_if(list_, [now_s](const Toast& t) { return t.until_s <= now_s; });
+}
+
+double Toasts::due_in_s(double now_s) const {
+  double due = 1e18;
+  for (const Toast& toast : list_) due = std::min(due, std::max(0.0, toast.until_s - now_s));
+  return due;
+}
+
+}  // namespace hw::gui

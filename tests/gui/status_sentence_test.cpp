@@ -1,0 +1,127 @@
+#include "gui/status_sentence.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+namespace hw::gui {
+namespace {
+
+class StatusSentenceTest : public testing::Test {
+ protected:
+  Catalog catalog;
+  Snapshot now;
+  Instant clock{Millis(10'000)};
+  std::optional<JogHold::Control> held;
+
+  StatusSentenceTest() {
+    catalog.name = "Example Two";
+    catalog.short_name = "Two";
+    catalog.axes = {{"1", "motor 1"}, {"2", "motor 2"}};
+    catalog.program.slot_word = "Program";
+    catalog.can.store = true;
+    ParamInfo type;
+    type.mnemonic = "type1";
+    type.axis = 0;
+    type.before_moving = "No motor is chosen for motor 1, so it must not move. Choose it in Setup.";
+    catalog.params.push_back(type);
+    now.axis_count = 2;
+    now.link.state = LinkState::good;
+    now.poll_period = Millis(200);
+    for (int i = 0; i < 2; ++i) {
+      now.axes[i].position_known = now.axes[i].limits_known = true;
+      now.axes[i].activity = Activity::idle;
+      now.axes[i].seen_at = clock;
+    }
+    now.params[0].known = true;
+    now.params[0].value = 3;
+  }
+  StatusSentence say() const {
+    return status_sentence({catalog, now, clock, held, held.has_value(),
+                            [](AxisId, Steps s) { return fmt::format("{} steps", s.value); },
+                            [](AxisId, Pps v) { return fmt::format("{} steps/s", v.value); },
+                            [](Instant) { return std::string("14:20:08"); }});
+  }
+};
+
+TEST_F(StatusSentenceTest, Idle) {
+  EXPECT_EQ(say().text, "Idle. Hold a jog button, type where to go, or run a program.");
+  EXPECT_EQ(say().mood, Mood::plain);
+}
+
+TEST_F(StatusSentenceTest, Moving) {
+  now.axes[0].activity = Activity::moving;
+  now.axes[0].has_target = true;
+  now.axes[0].target = Steps(400);
+  EXPECT_EQ(say(), (StatusSentence{Mood::motion, "Motor 1 moves to 400 steps. Esc stops everything."}));
+}
+
+TEST_F(StatusSentenceTest, Held) {
+  now.axes[0].activity = Activity::jogging;
+  now.axes[0].direction = 1;
+  now.axes[0].speed = Pps(2000);
+  held = JogHold::Control{JogHold::Hand::mouse, AxisId{0}, Sign::plus};
+  EXPECT_EQ(say().text, "You hold 1+. Motor 1 moves at 2000 steps/s until you let go. Esc stops everything.");
+}
+
+TEST_F(StatusSentenceTest, LostIsTheWorstAndNamesTheWayOut) {
+  now.axes[0].activity = Activity::moving;
+  now.axes[1].limit_plus = true;
+  now.link.state = LinkState::lost;
+  now.link.sentence = "The cable is gone.";
+  EXPECT_EQ(say(), (StatusSentence{Mood::fault,
+                                   "Two does not answer since 14:20:08. The cable is gone. Stop does not "
+                                   "reach it: use its power switch."}));
+}
+
+TEST_F(StatusSentenceTest, AnErrorOfTheControllerIsToldAsTheDriverTellsIt) {
+  now.notice = "The program memory is full. Clear a program.";
+  EXPECT_EQ(say(), (StatusSentence{Mood::fault, "The program memory is full. Clear a program."}));
+}
+
+TEST_F(StatusSentenceTest, LimitSaysWhereItCanGo) {
+  now.axes[1].limit_plus = true;
+  EXPECT_EQ(say(), (StatusSentence{Mood::warn, "Motor 2 stands on its + limit. It can only move −."}));
+  now.axes[1].limit_minus = true;
+  EXPECT_EQ(say().text,
+            "Both limits of motor 2 are operated, so it cannot move. Look at its switches and their cable.");
+}
+
+TEST_F(StatusSentenceTest, MotorThatIsNotChosenIsSaidBeforeTheFirstMove) {
+  now.params[0].value = 0;
+  EXPECT_EQ(say().mood, Mood::warn);
+  EXPECT_EQ(say().text, catalog.params[0].before_moving);
+  EXPECT_EQ(unset_before_moving(catalog, now, AxisId{0}), 0);
+  EXPECT_EQ(unset_before_moving(catalog, now, AxisId{1}), -1);
+  now.params[0].known = false;
+  EXPECT_EQ(unset_before_moving(catalog, now, AxisId{0}), -1) << "what was not read is not claimed";
+}
+
+TEST_F(StatusSentenceTest, DoubtIsSaid) {
+  now.axes[0].position_doubtful = true;
+  EXPECT_EQ(say().mood, Mood::warn);
+  now.axes[0].position_known = false;
+  EXPECT_EQ(say().text, "Where motor 1 stands is not known. Home it, or say where it is.");
+}
+
+TEST_F(StatusSentenceTest, OldValuesAreNotTakenForNew) {
+  clock += Millis(5'000);
+  EXPECT_EQ(say(), (StatusSentence{Mood::warn, "The position of motor 1 is 5.0 s old."}));
+}
+
+TEST_F(StatusSentenceTest, WhatIsNotStoredIsSaidAtRest) {
+  now.unsaved_setup = true;
+  EXPECT_EQ(say().text,
+            "Idle. The set-up is in the controller's RAM only, and gone when it is switched off. Store "
+            "keeps it.");
+}
+
+TEST_F(StatusSentenceTest, ProgramThatWaits) {
+  now.program.owned = true;
+  now.program.slot = 2;
+  now.program.run = RunState::waiting;
+  EXPECT_EQ(say().text,
+            "Program 2 waits. It goes on by itself when what it waits for comes. Esc stops everything.");
+}
+
+}  // namespace
+}  // namespace hw::gui

@@ -1,0 +1,55 @@
+#pragma once
+// What every transport that is a file descriptor shares: it always reads, into one fixed buffer; it writes at
+// once and queues only what the kernel does not take; neither allocates as long as the queue is empty.
+#include <memory>
+
+#include "core/link/stream.h"
+#include "core/time/scheduler.h"
+
+namespace hw {
+
+class FdStream : public Stream {
+ public:
+  enum class Kind { tty, socket };
+  /// When the other side has not read a megabyte: give up, or lose what is new, as a serial line would.
+  enum class WhenStuck { close, lose };
+
+  ~FdStream() override;
+  void listen(Listener* listener) final;
+  void send(std::string_view bytes) override;
+
+ protected:
+  /// Takes `fd` over; reading begins with the first listener.
+  FdStream(Scheduler& scheduler, int fd, Kind kind, WhenStuck when_stuck = WhenStuck::close);
+
+  [[nodiscard]] Scheduler& scheduler() const { return scheduler_; }
+  [[nodiscard]] int fd() const;  ///< -1 once closed
+  /// Ends the stream as if the other side had: the listener hears `why` from the io thread's loop.
+  void end_soon(Fault why);
+  /// Bytes off the descriptor. What is for the listener goes to deliver(), after which *this may be gone.
+  virtual void received(std::string_view bytes) { deliver(bytes); }
+  void deliver(std::string_view bytes) {
+    if (listener_) listener_->bytes_arrived(bytes);
+  }
+  /// Errors that do not end the stream: what was being written is lost, reading stops until read_on().
+  [[nodiscard]] virtual bool survives(int error) const { return (void)error, false; }
+  virtual void reading_stopped() {}
+  void read_on();
+  /// Goes on with another descriptor.
+  void replace(int fd);
+  /// `error`: an errno; 0: the other side closed.
+  [[nodiscard]] virtual Fault why_ended(int error) const = 0;
+
+ private:
+  struct Io;
+  void end(const Fault& why);
+  void read_failed(int error);
+
+  Scheduler& scheduler_;
+  Listener* listener_ = nullptr;
+  Kind kind_;
+  WhenStuck when_stuck_;
+  std::shared_ptr<Io> io_;  // outlives *this while an operation is under way
+};
+
+}  // namespace hw

@@ -1,0 +1,16 @@
+#pragma once
+// Terminal settings that serial ports and pseudo-terminals share.
+#include <optional>
+
+#include <termios.h>
+
+namespace hw {
+
+/// The kernel's constant; none: no such standard rate.
+std::optional<speed_t> speed_constant(int baud);
+/// 0: unknown or hung up.
+int baud_of(speed_t constant);
+/// Raw, 8N1, no flow control, modem lines ignored, reads that do not wait.
+void make_raw_8n1(termios& settings);
+
+}  // namespace hw
