@@ -1,8 +1,8 @@
 #include "gui/traffic_log.h"
 
-#include <gmock/gmock.h>
-
 #include <map>
+
+#include <gmock/gmock.h>
 
 namespace hw::gui {
 namespace {
@@ -25,10 +25,13 @@ TrafficEntry entry(double at_s, Way way, TrafficKind kind, std::string bytes) {
   return e;
 }
 TrafficEntry sent(TrafficKind kind, std::string bytes) { return entry(1, Way::sent, kind, std::move(bytes)); }
-TrafficEntry came(TrafficKind kind, std::string bytes) { return entry(1, Way::received, kind, std::move(bytes)); }
+TrafficEntry came(TrafficKind kind, std::string bytes) {
+  return entry(1, Way::received, kind, std::move(bytes));
+}
 
 std::vector<std::string> shown(TrafficLog& log) {
-  while (log.update_rows()) {}
+  while (log.update_rows()) {
+  }
   std::vector<std::string> out;
   for (std::size_t i = 0; i < log.row_count(); ++i) out.push_back(log.line(log.row(i)).raw);
   return out;
@@ -52,7 +55,8 @@ TEST_F(TrafficLogTest, SaysWhenWhatAndWhatItMeans) {
   log.append(entry(4.951, Way::sent, TrafficKind::intent, "M\r"));
   log.append(entry(4.963, Way::received, TrafficKind::intent, "229\r"));
   log.append(entry(5.0, Way::received, TrafficKind::unparsed, "\x01\xFE"));
-  ASSERT_THAT(shown(log), ElementsAre("M\u2039cr\u203A", "229\u2039cr\u203A", "\u203901\u203A\u2039FE\u203A"));
+  ASSERT_THAT(shown(log),
+              ElementsAre("M\u2039cr\u203A", "229\u2039cr\u203A", "\u203901\u203A\u2039FE\u203A"));
   EXPECT_EQ(log.line(log.row(0)).time, "14:02:04.951");
   EXPECT_EQ(log.line(log.row(1)).time, "14:02:04.963");
   EXPECT_EQ(log.line(log.row(1)).meaning, "answer to M\r");
@@ -74,8 +78,8 @@ TEST_F(TrafficLogTest, FoldsPollsIntoOneLineThatCounts) {
   poll("V");
   log.append(sent(TrafficKind::intent, "R\r"));
   for (int i = 0; i < 12345; ++i) poll("X");
-  EXPECT_THAT(shown(log), ElementsAre("6 polls of X, Y, V folded.", "R\u2039cr\u203A",
-                                      "12\u2009345 polls of X folded."));
+  EXPECT_THAT(shown(log),
+              ElementsAre("6 polls of X, Y, V folded.", "R\u2039cr\u203A", "12\u2009345 polls of X folded."));
 }
 
 TEST_F(TrafficLogTest, FoldOpensAndClosesAndGoesOnCounting) {
@@ -135,7 +139,8 @@ TEST_F(TrafficLogTest, FilterLooksThroughOldLinesInSlices) {
   filter("ask a");
   EXPECT_TRUE(log.update_rows());
   EXPECT_EQ(log.row_count(), 4096u);
-  while (log.update_rows()) {}
+  while (log.update_rows()) {
+  }
   EXPECT_EQ(log.row_count(), 10000u);
 }
 
