@@ -35,7 +35,7 @@ Tab::Tab(std::shared_ptr<Session> session, std::string key)
       address_(session_->address()),
       catalog_(session_->catalog()),
       door_(door_of(*session_)),
-      work_(catalog_, session_->type().language ? &session_->type().language() : nullptr,
+      desk_(catalog_, session_->type().language ? &session_->type().language() : nullptr,
             session_->type().explain) {
   work_out_units();
   refresh();
@@ -46,7 +46,7 @@ Tab::Tab(Address address, Catalog catalog, Door door, const Language* language)
       address_(std::move(address)),
       catalog_(std::move(catalog)),
       door_(std::move(door)),
-      work_(catalog_, language, nullptr) {
+      desk_(catalog_, language, nullptr) {
   work_out_units();
 }
 
@@ -56,10 +56,10 @@ void Tab::refresh() {
   bench_ = &session_->bench_view();
   clock_ = session_->now();
   session_->notices().drain([this](Notice& notice) { take(notice); });
-  work_.traffic.drain(session_->traffic());
+  desk_.traffic.drain(session_->traffic());
   follow_fates();
   find_why_not_move();
-  work_.refresh(*now_, clock_, [this](IntentBody body) { return send(std::move(body)); });
+  desk_.refresh(*now_, clock_, [this](IntentBody body) { return send(std::move(body)); });
 }
 
 void Tab::show(const Snapshot& snapshot, const BenchView& bench, Instant clock) {
@@ -68,18 +68,18 @@ void Tab::show(const Snapshot& snapshot, const BenchView& bench, Instant clock) 
   clock_ = clock;
   follow_fates();
   find_why_not_move();
-  work_.refresh(*now_, clock_, [this](IntentBody body) { return send(std::move(body)); });
+  desk_.refresh(*now_, clock_, [this](IntentBody body) { return send(std::move(body)); });
 }
 
 void Tab::take(Notice& notice) {
   if (notice.kind == Notice::Kind::program)
-    work_.listed(notice);
+    desk_.listed(notice);
   else
     notices_.push_back(std::move(notice));
 }
 
 IntentId Tab::send(IntentBody body) {
-  work_.sent(body);
+  desk_.sent(body);
   return door_.send(std::move(body));
 }
 

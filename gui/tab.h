@@ -12,7 +12,7 @@
 #include "gui/jog_hold.h"
 #include "gui/panel.h"
 #include "gui/units_format.h"
-#include "gui/work.h"
+#include "gui/desk.h"
 
 namespace hw::gui {
 
@@ -69,7 +69,7 @@ class Tab {
   [[nodiscard]] Pps jog_speed() const { return profile.jog_speed; }
 
   /// Traffic, program texts, edited set-up: what outlives the panel that shows it.
-  [[nodiscard]] Work& work() { return work_; }
+  [[nodiscard]] Desk& desk() { return desk_; }
 
   // ---- what must be told once
   [[nodiscard]] std::vector<Notice>& notices() { return notices_; }
@@ -91,7 +91,7 @@ class Tab {
   const Address address_;
   const Catalog catalog_;
   Door door_;
-  Work work_;
+  Desk desk_;
   static const Snapshot nothing_known;
   static const BenchView no_bench;
   const Snapshot* now_ = &nothing_known;

@@ -18,11 +18,11 @@
 
 namespace hw::gui {
 
-class Work {
+class Desk {
  public:
   using Send = std::function<IntentId(IntentBody)>;
 
-  Work(const Catalog& catalog, const Language* language, TrafficLog::Explain explain);
+  Desk(const Catalog& catalog, const Language* language, TrafficLog::Explain explain);
 
   TrafficLog traffic;
   ProgramTexts texts;

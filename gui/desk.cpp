@@ -1,4 +1,4 @@
-#include "gui/work.h"
+#include "gui/desk.h"
 
 #include <variant>
 
@@ -7,7 +7,7 @@ namespace hw::gui {
 // Short enough that a crash costs a word or two, long enough that not each key is a file.
 static constexpr Duration autosave_after = Millis(1000);
 
-Work::Work(const Catalog& catalog, const Language* language, TrafficLog::Explain explain)
+Desk::Desk(const Catalog& catalog, const Language* language, TrafficLog::Explain explain)
     : traffic(explain),
       texts(catalog.program, language),
       setup(catalog),
@@ -15,7 +15,7 @@ Work::Work(const Catalog& catalog, const Language* language, TrafficLog::Explain
       catalog_(catalog),
       language_(language) {}
 
-Result<> Work::keep_texts(Autosave autosave, std::string key) {
+Result<> Desk::keep_texts(Autosave autosave, std::string key) {
   autosave_ = std::move(autosave);
   autosave_key_ = std::move(key);
   const auto restored = autosave_.restore(autosave_key_);
@@ -25,12 +25,12 @@ Result<> Work::keep_texts(Autosave autosave, std::string key) {
   return {};
 }
 
-void Work::sent(const IntentBody& body) {
+void Desk::sent(const IntentBody& body) {
   if (std::holds_alternative<intent::SendText>(body) || std::holds_alternative<intent::Reset>(body))
     texts.doubt();
 }
 
-void Work::refresh(const Snapshot& now, Instant clock, const Send& send) {
+void Desk::refresh(const Snapshot& now, Instant clock, const Send& send) {
   if (!worker_) own_worker_.deliver();
   if (now.link.state == LinkState::lost || now.link.state == LinkState::closed) texts.doubt();
   job.update(texts, now, catalog_, clock, send);
@@ -39,7 +39,7 @@ void Work::refresh(const Snapshot& now, Instant clock, const Send& send) {
   autosave(clock);
 }
 
-void Work::autosave(Instant clock) {
+void Desk::autosave(Instant clock) {
   if (!autosave_.enabled() || texts.changes() == autosaved_) return;
   if (!dirty_) {
     dirty_ = true;
@@ -56,7 +56,7 @@ void Work::autosave(Instant clock) {
       [](Result<>) {}, alive_);
 }
 
-double Work::autosave_due_in(Instant clock) const {
+double Desk::autosave_due_in(Instant clock) const {
   return dirty_ ? std::max(0.0, seconds(autosave_after - (clock - changed_at_))) : -1;
 }
 
