@@ -13,7 +13,7 @@ TEST(VxmLoops, NestedLoopsMultiply) {
   rig.run("I1M1,LA5,LA4,");
   EXPECT_EQ(rig.position(1), 20) << "consecutive loops: the product of their counts (p.20)";
   rig.run("IA1M-0,I1M1,LA3,I2M1,LA4,");
-  EXPECT_EQ(rig.position(1), 3) << "IA1M-0 stands inside the outer loop";
+  EXPECT_EQ(rig.position(1), 1) << "both loops go back to the start, over IA1M-0";
   EXPECT_EQ(rig.position(2), 4);
 }
 

@@ -84,7 +84,7 @@ TEST(VxmNonstop, EachIndexSignalsTheHost) {
 TEST(VxmNonstop, WhatIsNotAllowedRaisesEC) {
   expect_ec("U7,I1M100,");
   expect_ec("U77,I1M100,I2M100,U9,");
-  expect_ec("U8,I1M100,P1,I1M100,U9,");
+  expect_ec("U77,I1M100,P1,I1M100,U9,");
   expect_ec("U7,I1M100,U0,U9,");
   expect_ec("U7,I1M100,IA1M500,U9,");
   expect_ec("U7,I1M100,I1M0,U9,");

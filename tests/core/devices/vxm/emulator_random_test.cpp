@@ -109,7 +109,7 @@ TEST_P(VxmRandomSeed, NothingBreaksIt) {
     }
   }
   for (int input = 1; input <= 4; ++input) rig.input(input, false);
-  rig.send(",\rK,res");
+  rig.send("\r]\r,K,res");  // out of a remark, a bracket, a number
   rig.run_for(10s);
   rig.send("F");
   rig.output();
