@@ -1,6 +1,7 @@
 #include "core/devices/vxm/device_type.h"
 
 #include "core/devices/vxm/catalog.h"
+#include "core/devices/vxm/driver.h"
 #include "core/devices/vxm/explain.h"
 
 namespace hw::vxm {
@@ -9,6 +10,7 @@ DeviceType device_type() {
   DeviceType t{};
   t.model = "vxm";
   t.make_catalog = make_catalog;
+  t.make_driver = make_driver;
   t.explain = explain;
   t.probe = probe;
   t.recognises = recognises;
