@@ -2,6 +2,7 @@
 
 #include "core/devices/vxm/catalog.h"
 #include "core/devices/vxm/driver.h"
+#include "core/devices/vxm/emulator.h"
 #include "core/devices/vxm/explain.h"
 
 namespace hw::vxm {
@@ -11,6 +12,7 @@ DeviceType device_type() {
   t.model = "vxm";
   t.make_catalog = make_catalog;
   t.make_driver = make_driver;
+  t.make_emulator = make_emulator;
   t.explain = explain;
   t.probe = probe;
   t.recognises = recognises;

@@ -34,7 +34,7 @@ class VxmDriver final : public Driver {
   void wire_lost() override;
   Task<Result<std::string>> query(std::string text, Duration patience) override;
   bool take_unsolicited(std::string& text) override;
-  [[nodiscard]] Duration moving_period() const override { return Duration::zero(); }
+  [[nodiscard]] Duration moving_period() const override;
   [[nodiscard]] Duration idle_period() const override { return Millis(200); }
 
  private:
@@ -207,6 +207,7 @@ class VxmDriver final : public Driver {
   bool identity_read_ = false, sizes_read_ = false, essentials_read_ = false;
   int next_param_ = 0;
   int round_ = 0;
+  Instant round_began_{};
   std::array<Instant, max_motors> moved_at_{};
   std::array<double, max_motors> seen_speed_{};  ///< steps/s between the last two readings
 

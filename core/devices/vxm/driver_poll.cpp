@@ -26,8 +26,19 @@ Task<Result<>> VxmDriver::poll() {
   co_return polled;
 }
 
+// As often as the wire bears: a round that took its time on the wire is followed by the next at once. Where bytes
+// take no time (TCP, in process) two hundred rounds a second are enough.
+Duration VxmDriver::moving_period() const {
+  constexpr std::size_t bytes_of_a_round = 22;  // X, Y and V with their answers
+  constexpr Duration without_wire = Millis(5);
+  const Duration round = link_ ? link_->wire_time(bytes_of_a_round) : Duration::zero();
+  if (round == Duration::zero()) return without_wire;
+  return std::max(Duration::zero(), round - (scheduler_.now() - round_began_));
+}
+
 Task<Result<>> VxmDriver::poll_on_line() {
   ++round_;
+  round_began_ = scheduler_.now();
   if (std::exchange(release_hold_, false)) {
     auto released = co_await say("H", Priority::poll);
     if (!released) co_return released;
