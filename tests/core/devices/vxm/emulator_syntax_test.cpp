@@ -12,7 +12,8 @@ TEST(VxmSyntax, CarriageReturnCommaAndPeriodEndACommand) {
   for (const char not_an_ender : {' ', '\n', '\t', '\0'}) {
     Rig rig = Rig::online();
     rig.send(std::string("I1M400") + not_an_ender);
-    EXPECT_EQ(rig.ask("M,"), "") << int{not_an_ender} << ": the value is still open, so M is a wrong character";
+    EXPECT_EQ(rig.ask("M,"), "") << int{not_an_ender}
+                                 << ": the value is still open, so M is a wrong character";
     EXPECT_EQ(rig.used_bytes(), 0) << int{not_an_ender};
   }
 }

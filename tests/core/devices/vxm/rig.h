@@ -13,7 +13,6 @@
 
 #include "core/device/emulator.h"
 
-
 namespace hw::vxm::proof {
 
 using namespace std::chrono_literals;
