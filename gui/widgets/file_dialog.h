@@ -14,7 +14,7 @@ namespace hw::gui {
 
 class FileDialog {
  public:
-  /// `start`: a folder, or a file whose folder is shown. `suffixes` like {".vxm", ".txt"}: others are hidden
+  /// `start`: a folder, or a file whose folder is shown. `suffixes` like {".prg", ".txt"}: others are hidden
   /// until asked for; empty: all are shown.
   void ask_open(std::string title, const std::filesystem::path& start,
                 std::vector<std::string> suffixes = {});
