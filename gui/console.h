@@ -10,6 +10,7 @@
 #include "core/session/recent.h"
 #include "core/session/user_files.h"
 #include "core/session/wire.h"
+#include "gui/dialogs.h"
 #include "gui/layout.h"
 #include "gui/panel.h"
 #include "gui/port_finder.h"
@@ -20,6 +21,7 @@ namespace hw::gui {
 
 enum class Command : std::uint8_t;
 struct CommandEdge;
+class Keyboard;
 
 struct Outside {
   Scheduler& scheduler;
@@ -69,17 +71,23 @@ class Console {
   [[nodiscard]] bool dark() const { return dark_; }  ///< whoever owns the screen follows it between frames
   void set_dark(bool dark) { dark_ = dark; }
   Splitters splitters;
+  /// A dialog that is open, over whichever controller it is about.
+  Dialogs dialogs;
+  bool right_open = false;  ///< medium: the right column lies over the centre
 
   // ---- hands
   /// Ramp down everything, everywhere; a second time: at once.
   void stop_all();
-  /// On arrival of a key, before the next frame.
+  /// Has this keyboard's edges act on arrival, before the next frame.
+  void attach(Keyboard& keyboard);
   void on_edge(const CommandEdge& edge);
   /// The window lost the focus or is about to close: nothing is held any more.
   void let_go();
 
   // ---- frame
   void draw(Ui& ui);
+  /// Writes what the user has named, chosen and dragged. Also done by the way; call it before the end.
+  void save();
 
   // ---- for pages and panels
   [[nodiscard]] Instant clock() const { return outside_.scheduler.now(); }
@@ -88,16 +96,21 @@ class Console {
   [[nodiscard]] RecentConnections& recent() { return recent_; }
   [[nodiscard]] const UserFolders& folders() const { return outside_.folders; }
   [[nodiscard]] const PanelList& list() const { return list_; }
-  /// The address of an open controller that uses this way; null: none.
+  [[nodiscard]] Toasts& toasts() { return toasts_; }
+  /// The open controller that uses this port; null: none.
   [[nodiscard]] const Tab* open_at(std::string_view where) const;
+  /// The object behind a page, made when it is first shown.
+  [[nodiscard]] Page& page_object(std::string_view id);
 
  private:
-  friend class Workspace;
   Tab& add(std::unique_ptr<Tab> tab);
-  void refresh();
-  void tell(Result<> outcome);
-  void jog_key(Command key, bool down, double at_s);
-  void save_profiles();
+  void refresh(Ui& ui);
+  void tell_news(Tab& tab);
+  void tell(const Result<>& outcome);
+  void jog_key(Tab& tab, Command key, bool down, double at_s);
+  void confirm_held_key(Ui& ui);
+  void load_choices();
+  void save_choices();
 
   PanelList list_;
   Outside outside_;
@@ -108,7 +121,8 @@ class Console {
   std::string page_;
   std::vector<std::unique_ptr<Page>> pages_;
   Toasts toasts_;
-  bool dark_ = true;
+  bool dark_ = true, choices_saved_dark_ = true;
+  Splitters choices_saved_;
   std::shared_ptr<int> closing_ = std::make_shared<int>(0);
 };
 
