@@ -1,0 +1,32 @@
+#pragma once
+// GL without a display: an EGL surfaceless context and a frame buffer of its own.
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include <imgui.h>
+
+namespace hw::gui {
+
+class GlCanvas {
+ public:
+  /// Null when this machine has no such GL.
+  static std::unique_ptr<GlCanvas> open();
+  ~GlCanvas();
+  GlCanvas(const GlCanvas&) = delete;
+  GlCanvas& operator=(const GlCanvas&) = delete;
+
+  /// Draws through ImGui's GL3 backend and reads the pixels back, rows from the top. False when GL failed.
+  bool render(ImDrawData& data, int atlas_generation, ImU32 ground, std::vector<std::uint32_t>& pixels);
+
+ private:
+  struct Egl;
+  explicit GlCanvas(std::unique_ptr<Egl> egl);
+  bool size_to(int width, int height);
+
+  std::unique_ptr<Egl> egl_;
+  unsigned frame_buffer_ = 0, colour_ = 0;
+  int width_ = 0, height_ = 0, atlas_generation_ = 0;
+};
+
+}  // namespace hw::gui

@@ -1,0 +1,148 @@
+#include "gui/input_queue.h"
+
+#define GLFW_INCLUDE_NONE
+#include <cfloat>
+
+#include <GLFW/glfw3.h>
+
+namespace hw::gui {
+namespace {
+
+bool is_modifier(int key) { return key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER; }
+/// Keys that come with a text event of their own, so that their order with text does not matter.
+bool is_printing(int key) { return key >= GLFW_KEY_SPACE && key <= GLFW_KEY_WORLD_2; }
+
+void refresh_modifiers(ImGuiIO& io) {
+  const auto either = [&](int left, int right) { return io.KeysDown[left] || io.KeysDown[right]; };
+  io.KeyCtrl = either(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
+  io.KeyShift = either(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
+  io.KeyAlt = either(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT);
+  io.KeySuper = either(GLFW_KEY_LEFT_SUPER, GLFW_KEY_RIGHT_SUPER);
+}
+
+InputEvent make(InputKind kind, bool down, int code, float x, float y, double at_s) {
+  InputEvent e;
+  e.kind = kind;
+  e.down = down;
+  e.code = code;
+  e.x = x;
+  e.y = y;
+  e.at_s = at_s;
+  return e;
+}
+
+}  // namespace
+
+InputEvent InputEvent::mouse_move(float x, float y, double at_s) {
+  return make(InputKind::mouse_move, false, 0, x, y, at_s);
+}
+InputEvent InputEvent::mouse_button(int button, bool down, double at_s) {
+  return make(InputKind::mouse_button, down, button, 0, 0, at_s);
+}
+InputEvent InputEvent::wheel(float x, float y, double at_s) {
+  return make(InputKind::wheel, false, 0, x, y, at_s);
+}
+InputEvent InputEvent::key(int glfw_key, bool down, double at_s) {
+  return make(InputKind::key, down, glfw_key, 0, 0, at_s);
+}
+InputEvent InputEvent::text(unsigned code_point, double at_s) {
+  return make(InputKind::text, false, static_cast<int>(code_point), 0, 0, at_s);
+}
+InputEvent InputEvent::focus_lost(double at_s) { return make(InputKind::focus_lost, false, 0, 0, 0, at_s); }
+
+void InputQueue::push(const InputEvent& event) {
+  if (listener_ && listener_(event)) return;
+  // A mouse that only moves needs one place in the queue.
+  if (event.kind == InputKind::mouse_move && !waiting_.empty() &&
+      waiting_.back().kind == InputKind::mouse_move)
+    waiting_.back() = event;
+  else
+    waiting_.push_back(event);
+}
+
+bool InputQueue::fits(const InputEvent& event, const Fed& fed, const ImGuiIO&) const {
+  switch (event.kind) {
+    case InputKind::mouse_move: return !fed.button;
+    case InputKind::mouse_button: return !fed.button && !fed.key;
+    case InputKind::wheel: return true;
+    case InputKind::key:
+      if (is_modifier(event.code)) return !fed.key && !fed.button;
+      return !fed.key && !fed.button && !(fed.text && !is_printing(event.code));
+    case InputKind::text: return !fed.edit_key;
+    case InputKind::focus_lost: return !fed.key && !fed.button && !fed.text;
+  }
+  return true;
+}
+
+void InputQueue::apply(const InputEvent& event, Fed& fed, ImGuiIO& io) {
+  switch (event.kind) {
+    case InputKind::mouse_move:
+      io.MousePos = ImVec2(event.x, event.y);
+      fed.moved = true;
+      break;
+    case InputKind::mouse_button:
+      if (event.code < 0 || event.code >= 5) break;
+      io.MouseDown[event.code] = event.down;
+      if (event.code == 0) (event.down ? pressed_at_s_ : released_at_s_) = event.at_s;
+      fed.button = true;
+      break;
+    case InputKind::wheel:
+      io.MouseWheelH += event.x;
+      io.MouseWheel += event.y;
+      break;
+    case InputKind::key:
+      if (event.code < 0 || event.code >= IM_ARRAYSIZE(io.KeysDown)) break;
+      io.KeysDown[event.code] = event.down;
+      refresh_modifiers(io);
+      fed.key = true;
+      fed.edit_key = !is_printing(event.code) || io.KeyCtrl || io.KeyAlt;
+      break;
+    case InputKind::text:
+      io.AddInputCharacter(static_cast<unsigned>(event.code));
+      fed.text = true;
+      break;
+    case InputKind::focus_lost:
+      for (bool& down : io.KeysDown) down = false;
+      for (bool& down : io.MouseDown) down = false;
+      refresh_modifiers(io);
+      // Away from every widget: letting go must not count as a click on what was pressed.
+      io.MousePos = ImVec2(-FLT_MAX, -FLT_MAX);
+      released_at_s_ = event.at_s;
+      fed.button = fed.key = true;
+      break;
+  }
+}
+
+bool InputQueue::feed(ImGuiIO& io) {
+  Fed fed;
+  while (!waiting_.empty() && fits(waiting_.front(), fed, io)) {
+    apply(waiting_.front(), fed, io);
+    waiting_.pop_front();
+  }
+  return !waiting_.empty();
+}
+
+void map_keys(ImGuiIO& io) {
+  for (int& key : io.KeyMap) key = -1;
+  io.KeyMap[ImGuiKey_LeftArrow] = GLFW_KEY_LEFT;
+  io.KeyMap[ImGuiKey_RightArrow] = GLFW_KEY_RIGHT;
+  io.KeyMap[ImGuiKey_UpArrow] = GLFW_KEY_UP;
+  io.KeyMap[ImGuiKey_DownArrow] = GLFW_KEY_DOWN;
+  io.KeyMap[ImGuiKey_PageUp] = GLFW_KEY_PAGE_UP;
+  io.KeyMap[ImGuiKey_PageDown] = GLFW_KEY_PAGE_DOWN;
+  io.KeyMap[ImGuiKey_Home] = GLFW_KEY_HOME;
+  io.KeyMap[ImGuiKey_End] = GLFW_KEY_END;
+  io.KeyMap[ImGuiKey_Insert] = GLFW_KEY_INSERT;
+  io.KeyMap[ImGuiKey_Delete] = GLFW_KEY_DELETE;
+  io.KeyMap[ImGuiKey_Backspace] = GLFW_KEY_BACKSPACE;
+  io.KeyMap[ImGuiKey_Enter] = GLFW_KEY_ENTER;
+  io.KeyMap[ImGuiKey_KeyPadEnter] = GLFW_KEY_KP_ENTER;
+  io.KeyMap[ImGuiKey_A] = GLFW_KEY_A;
+  io.KeyMap[ImGuiKey_C] = GLFW_KEY_C;
+  io.KeyMap[ImGuiKey_V] = GLFW_KEY_V;
+  io.KeyMap[ImGuiKey_X] = GLFW_KEY_X;
+  io.KeyMap[ImGuiKey_Y] = GLFW_KEY_Y;
+  io.KeyMap[ImGuiKey_Z] = GLFW_KEY_Z;
+}
+
+}  // namespace hw::gui

@@ -1,0 +1,67 @@
+#pragma once
+// Everything a hand does, in order, between the window's callbacks (or a script) and ImGui. ImGui 1.86 looks
+// at keys and buttons once per frame and so loses a tap that goes down and up in between; here each edge
+// waits for a frame of its own. Who must see edges at once (shortcuts, jog, Esc) is shown them on arrival.
+#include <cstdint>
+#include <deque>
+#include <functional>
+
+#include <imgui.h>
+
+namespace hw::gui {
+
+enum class InputKind : std::uint8_t {
+  mouse_move,    ///< x, y in pixels
+  mouse_button,  ///< code 0 left, 1 right, 2 middle; down
+  wheel,         ///< x, y in notches
+  key,           ///< code: a GLFW key; down. Auto-repeat is not an event
+  text,          ///< code: a Unicode code point
+  focus_lost,    ///< all that is held is let go
+};
+
+struct InputEvent {
+  InputKind kind = InputKind::mouse_move;
+  bool down = false;
+  int code = 0;
+  float x = 0, y = 0;
+  double at_s = 0;  ///< when it happened, on the clock of the frames
+
+  static InputEvent mouse_move(float x, float y, double at_s);
+  static InputEvent mouse_button(int button, bool down, double at_s);
+  static InputEvent wheel(float x, float y, double at_s);
+  static InputEvent key(int glfw_key, bool down, double at_s);
+  static InputEvent text(unsigned code_point, double at_s);
+  static InputEvent focus_lost(double at_s);
+};
+
+class InputQueue {
+ public:
+  /// Shown each event on arrival; true: taken, ImGui does not get it.
+  using Listener = std::function<bool(const InputEvent&)>;
+  void set_listener(Listener listener) { listener_ = std::move(listener); }
+
+  void push(const InputEvent& event);
+  /// Moves one frame's worth into ImGui: at most one edge per key and button, in order. True: more is
+  /// waiting, so another frame should follow at once.
+  bool feed(ImGuiIO& io);
+  [[nodiscard]] bool empty() const { return waiting_.empty(); }
+  /// When the newest press and release of the left button that ImGui has seen happened: how long a hand held.
+  [[nodiscard]] double pressed_at_s() const { return pressed_at_s_; }
+  [[nodiscard]] double released_at_s() const { return released_at_s_; }
+
+ private:
+  struct Fed {  // what this frame has had so far
+    bool button = false, moved = false, edit_key = false, key = false, text = false;
+  };
+  [[nodiscard]] bool fits(const InputEvent& event, const Fed& fed, const ImGuiIO& io) const;
+  void apply(const InputEvent& event, Fed& fed, ImGuiIO& io);
+
+  Listener listener_;
+  std::deque<InputEvent> waiting_;
+  double pressed_at_s_ = 0, released_at_s_ = 0;
+};
+
+/// Tells ImGui which GLFW key is which; Tab and Escape are ours.
+void map_keys(ImGuiIO& io);
+
+}  // namespace hw::gui

@@ -1,0 +1,111 @@
+#include "gui/keyboard.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+namespace hw::gui {
+namespace {
+
+constexpr bool ctrl = true, shift = true, plain = false;
+constexpr int by_letter = -1;  // where `?` lies depends on the keyboard's country: its text event counts
+constexpr Shortcut table[] = {
+    {Command::stop_all, GLFW_KEY_ESCAPE, plain, plain, Reach::always, false, "Esc", "Stop all controllers"},
+    {Command::jog_left, GLFW_KEY_LEFT, plain, plain, Reach::outside_text, true, "Left",
+     "Jog axis 1 - while held"},
+    {Command::jog_right, GLFW_KEY_RIGHT, plain, plain, Reach::outside_text, true, "Right",
+     "Jog axis 1 + while held"},
+    {Command::jog_down, GLFW_KEY_DOWN, plain, plain, Reach::outside_text, true, "Down",
+     "Jog axis 2 - while held"},
+    {Command::jog_up, GLFW_KEY_UP, plain, plain, Reach::outside_text, true, "Up", "Jog axis 2 + while held"},
+    {Command::jog_page_down, GLFW_KEY_PAGE_DOWN, plain, plain, Reach::outside_text, true, "Page down",
+     "Jog axis 3 - while held"},
+    {Command::jog_page_up, GLFW_KEY_PAGE_UP, plain, plain, Reach::outside_text, true, "Page up",
+     "Jog axis 3 + while held"},
+    {Command::run, GLFW_KEY_ENTER, ctrl, plain, Reach::always, false, "Ctrl Enter", "Run the program"},
+    {Command::run, GLFW_KEY_KP_ENTER, ctrl, plain, Reach::always, false, "", ""},
+    {Command::simulate, GLFW_KEY_F5, plain, plain, Reach::always, false, "F5", "Simulate the program"},
+    {Command::save, GLFW_KEY_S, ctrl, plain, Reach::always, false, "Ctrl S", "Save the text to its file"},
+    {Command::open, GLFW_KEY_O, ctrl, plain, Reach::always, false, "Ctrl O", "Open a file"},
+    {Command::next_controller, GLFW_KEY_TAB, ctrl, plain, Reach::always, false, "Ctrl Tab",
+     "Next controller"},
+    {Command::previous_controller, GLFW_KEY_TAB, ctrl, shift, Reach::always, false, "Ctrl Shift Tab",
+     "Previous controller"},
+    {Command::show_map, by_letter, plain, plain, Reach::outside_text, false, "?", "This map"},
+    {Command::show_map, GLFW_KEY_F1, plain, plain, Reach::always, false, "F1", "This map, also while typing"},
+};
+
+}  // namespace
+
+std::span<const Shortcut> shortcuts() { return table; }
+
+void Keyboard::emit(Command c, bool down, double at_s) {
+  (down ? next_.pressed : next_.released)[index(c)] = true;
+  if (on_edge) on_edge(CommandEdge{c, down, at_s});
+}
+
+const Shortcut* Keyboard::match(int key) const {
+  for (const Shortcut& s : table)
+    if (s.key == key && (s.command == Command::stop_all || (s.ctrl == ctrl_ && s.shift == shift_)) &&
+        (s.reach == Reach::always || !typing_))
+      return &s;
+  return nullptr;
+}
+
+bool Keyboard::key_down(const InputEvent& event) {
+  const Shortcut* s = match(event.code);
+  if (!s) return false;
+  bool& taken = taken_[static_cast<std::size_t>(event.code)];
+  if (taken) return true;  // a repeat that a window system sent as a press
+  taken = true;
+  if (s->held) held_[index(s->command)] = true;
+  emit(s->command, true, event.at_s);
+  return true;
+}
+
+bool Keyboard::key_up(const InputEvent& event) {
+  bool& taken = taken_[static_cast<std::size_t>(event.code)];
+  if (!taken) return false;
+  taken = false;
+  for (const Shortcut& s : table)
+    if (s.key == event.code && s.held && held_[index(s.command)]) {
+      held_[index(s.command)] = false;
+      emit(s.command, false, event.at_s);
+    }
+  return true;
+}
+
+bool Keyboard::see(const InputEvent& event) {
+  if (event.kind == InputKind::focus_lost) {
+    release_all(event.at_s);
+    return false;
+  }
+  if (event.kind == InputKind::text) {
+    if (event.code != '?' || typing_) return false;
+    emit(Command::show_map, true, event.at_s);
+    return true;
+  }
+  if (event.kind != InputKind::key || event.code < 0 || event.code >= static_cast<int>(taken_.size()))
+    return false;
+  if (event.code == GLFW_KEY_LEFT_CONTROL || event.code == GLFW_KEY_RIGHT_CONTROL) ctrl_ = event.down;
+  if (event.code == GLFW_KEY_LEFT_SHIFT || event.code == GLFW_KEY_RIGHT_SHIFT) shift_ = event.down;
+  return event.down ? key_down(event) : key_up(event);
+}
+
+void Keyboard::set_typing(bool typing) { typing_ = typing; }
+
+void Keyboard::release_all(double at_s) {
+  for (std::size_t i = 0; i < n; ++i)
+    if (held_[i]) {
+      held_[i] = false;
+      emit(static_cast<Command>(i), false, at_s);
+    }
+  taken_.fill(false);
+  ctrl_ = shift_ = false;
+}
+
+void Keyboard::begin_frame() {
+  now_ = next_;
+  next_ = Edges();
+}
+
+}  // namespace hw::gui

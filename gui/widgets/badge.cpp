@@ -1,0 +1,59 @@
+#include "gui/widgets/badge.h"
+
+#include "gui/widgets/text.h"
+
+namespace hw::gui {
+namespace {
+
+struct Pair {
+  Tone ink, tint;
+};
+Pair pair_of(BadgeTone tone) {
+  switch (tone) {
+    case BadgeTone::emulated: return {Tone::emu, Tone::emu_t};
+    case BadgeTone::ok: return {Tone::ok, Tone::ok_t};
+    case BadgeTone::warn: return {Tone::warn, Tone::warn_t};
+    case BadgeTone::fault: return {Tone::fault, Tone::fault_t};
+    case BadgeTone::motion: break;
+  }
+  return {Tone::motion, Tone::motion_t};
+}
+
+}  // namespace
+
+float badge_width(const Ui& ui, Icon icon, std::string_view words) {
+  return std::ceil(text_width(ui, Face::small_bold, words)) + ui.px(icon == Icon::none ? 12 : 30);
+}
+
+void badge(Ui& ui, std::string_view id, BadgeTone tone, Icon icon, std::string_view words,
+           std::string_view tip) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const Rect r{at, ImVec2(at.x + badge_width(ui, icon, words), at.y + ui.px(20))};
+  const Pair pair = pair_of(tone);
+  draw_fill(ui, r, ui[pair.tint], 2);
+  float x = r.min.x + ui.px(6);
+  if (icon != Icon::none) {
+    draw_icon(ImGui::GetWindowDrawList(), icon, ImVec2(x + ui.px(6), std::floor(r.centre().y)), ui.px(11),
+              ui[pair.ink]);
+    x += ui.px(18);
+  }
+  draw_text_line(ui, x, r.max.x, r.centre().y, Face::small_bold, ui[pair.ink], words);
+  ImGui::Dummy(ImVec2(r.width(), r.height()));
+  if (!id.empty()) show(ui, {id, Kind::text, words, words, {}, false, tip}, r);
+}
+
+void outlined_badge(Ui& ui, std::string_view id, std::string_view caption, std::string_view word, Tone tone,
+                    std::string_view tip) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float caption_width = std::ceil(text_width(ui, Face::small, caption));
+  const float word_width = std::ceil(text_width(ui, Face::small_bold, word));
+  const Rect r{at, ImVec2(at.x + ui.px(24) + caption_width + word_width, at.y + ui.px(24))};
+  draw_outline(ui, r, ui[tone == Tone::fault ? Tone::fault : Tone::edge]);
+  draw_text_line(ui, r.min.x + ui.px(8), r.max.x, r.centre().y, Face::small, ui[Tone::ink2], caption);
+  draw_text_line(ui, r.min.x + ui.px(16) + caption_width, r.max.x, r.centre().y, Face::small_bold, ui[tone],
+                 word);
+  ImGui::Dummy(ImVec2(r.width(), r.height()));
+  if (!id.empty()) show(ui, {id, Kind::text, caption, word, {}, false, tip}, r);
+}
+
+}  // namespace hw::gui

@@ -1,0 +1,23 @@
+#pragma once
+// Marks that are never clicked: EMULATED, UNTRUSTED, "02 is slow", "stop guaranteed by: host".
+#include <string_view>
+
+#include "gui/widgets/icons.h"
+#include "gui/widgets/touch.h"
+
+namespace hw::gui {
+
+enum class BadgeTone : std::uint8_t { emulated, ok, warn, fault, motion };
+/// 20 high: tint and colour, shape and word.
+void badge(Ui& ui, std::string_view id, BadgeTone tone, Icon icon, std::string_view words,
+           std::string_view tip = {});
+float badge_width(const Ui& ui, Icon icon, std::string_view words);
+inline void emulated_badge(Ui& ui, std::string_view id) {
+  badge(ui, id, BadgeTone::emulated, Icon::emulated, "EMULATED",
+        "No real controller: an emulator inside this program.");
+}
+/// 24 high outline: a caption and a word in a tone. fault: the outline turns red.
+void outlined_badge(Ui& ui, std::string_view id, std::string_view caption, std::string_view word, Tone tone,
+                    std::string_view tip = {});
+
+}  // namespace hw::gui

@@ -1,0 +1,34 @@
+#pragma once
+// One of several: a segment when they fit on a line, a drop-down when not.
+#include <span>
+#include <string_view>
+
+#include "gui/widgets/touch.h"
+
+namespace hw::gui {
+
+struct SegmentOptions {
+  std::string_view disabled = {};
+  float cell_width = 32;  ///< least width of a cell
+  float height = 32;
+};
+/// Cells in a well; ids are `id/<name>`. Returns the index just chosen, or -1.
+int segment(Ui& ui, std::string_view id, std::span<const std::string_view> names, int chosen,
+            const SegmentOptions& options = {});
+
+struct DropdownOptions {
+  std::string_view disabled = {};
+  std::string_view tip = {};
+  float width = 0;  ///< 0: as wide as the longest name
+  bool error = false;
+};
+/// Button with the chosen name and a chevron; opens rows of 32 whose ids are `id/<name>`. Returns the index
+/// just chosen, or -1. With the list open Up, Down, Enter choose.
+int dropdown(Ui& ui, std::string_view id, std::string_view label, std::span<const std::string_view> names,
+             int chosen, const DropdownOptions& options = {});
+
+/// A button that opens a list of actions. Returns the index just chosen, or -1.
+int menu(Ui& ui, std::string_view id, std::string_view label, std::span<const std::string_view> names,
+         std::string_view disabled = {});
+
+}  // namespace hw::gui

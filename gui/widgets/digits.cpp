@@ -1,0 +1,79 @@
+#include "gui/widgets/digits.h"
+
+#include <array>
+#include <cstdio>
+#include <cstring>
+
+#include "gui/widgets/text.h"
+
+namespace hw::gui {
+namespace {
+
+constexpr float unit_slot = 36;
+
+void draw_hatching(Ui& ui, const Rect& r) {
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  list->PushClipRect(r.min, r.max, true);
+  const ImU32 colour = with_alpha(ui[Tone::edge], 0.55f);
+  for (float x = r.min.x - r.height(); x < r.max.x; x += ui.px(8))
+    list->AddLine(ImVec2(x, r.max.y), ImVec2(x + r.height(), r.min.y), colour, ui.hair());
+  list->PopClipRect();
+}
+
+}  // namespace
+
+Touch digits(Ui& ui, std::string_view id, std::string_view label, std::string_view number,
+             std::string_view unit, const DigitsOptions& o) {
+  const float w = width_px(ui, o.width), h = ui.line(o.face);
+  const Touch t = touch(ui, {id, Kind::button, label, number, {}, false, o.tip}, ImVec2(w, h));
+  const float right = t.rect.max.x - ui.px(unit_slot), figures = text_width(ui, o.face, number);
+  if (o.state == DigitsState::untrusted) {
+    // Only as high as the figures: from cap height to base line, and 3 beyond.
+    const float cap = size_of(o.face).em * 0.727f * ui.scale * 0.5f + ui.px(3), y = t.rect.centre().y;
+    draw_hatching(ui, {ImVec2(right - figures, std::floor(y - cap)), ImVec2(right, std::floor(y + cap))});
+  }
+  draw_text_right(ui, ImVec2(right, t.rect.min.y), o.face,
+                  ui[o.state == DigitsState::good ? Tone::ink : Tone::ink3], number);
+  // The unit stands on the base line of the figures: boxes of both faces are centred on their capitals.
+  const float drop = (size_of(o.face).em - size_of(Face::title).em) * 0.727f * 0.5f * ui.scale;
+  const float y = t.rect.centre().y - ui.line(Face::title) * 0.5f + drop;
+  draw_text_right(ui, ImVec2(t.rect.max.x, std::floor(y + 0.5f)), Face::title, ui[Tone::ink2], unit);
+  if (t.ring) draw_outline(ui, t.rect, ui[Tone::ink], 0, ui.px(2));
+  return t;
+}
+
+Face digits_face(const Ui& ui, std::span<const std::string_view> numbers, Face wanted, float width_px) {
+  constexpr std::array faces{Face::digits48, Face::digits36, Face::digits32, Face::digits26};
+  for (Face face : faces) {
+    if (size_of(face).em > size_of(wanted).em) continue;
+    bool fits = true;
+    for (std::string_view number : numbers)
+      fits &= text_width(ui, face, number) + ui.px(unit_slot) <= width_px;
+    if (fits) return face;
+  }
+  return Face::digits26;
+}
+
+std::string_view format_number(std::span<char> buffer, double value, int decimals) {
+  char plain[64];
+  const int n = std::snprintf(plain, sizeof plain, "%.*f", decimals, std::fabs(value));
+  bool zero = true;
+  for (int i = 0; i < n; ++i) zero &= plain[i] == '0' || plain[i] == '.';
+  std::size_t out = 0;
+  const auto put = [&](std::string_view s) {
+    if (out + s.size() > buffer.size()) return;
+    std::memcpy(buffer.data() + out, s.data(), s.size());
+    out += s.size();
+  };
+  if (value < 0 && !zero) put("\xE2\x88\x92");
+  const char* point = std::strchr(plain, '.');
+  const int whole = static_cast<int>(point ? point - plain : n);
+  for (int i = 0; i < n; ++i) {
+    const int left = whole - i;
+    if (whole >= 5 && i > 0 && left > 0 && left % 3 == 0) put("\xE2\x80\x89");
+    put({plain + i, 1});
+  }
+  return {buffer.data(), out};
+}
+
+}  // namespace hw::gui

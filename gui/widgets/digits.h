@@ -1,0 +1,35 @@
+#pragma once
+// The number is the hero: right aligned tabular figures with the unit in a slot of 36 beside them.
+#include <span>
+#include <string_view>
+
+#include "gui/widgets/touch.h"
+
+namespace hw::gui {
+
+enum class DigitsState : std::uint8_t {
+  good,
+  off,        ///< ink3
+  stale,      ///< ink3; the age stands below
+  untrusted,  ///< ink3 on diagonal hatching
+};
+
+struct DigitsOptions {
+  Face face = Face::digits48;
+  DigitsState state = DigitsState::good;
+  std::string_view tip = {};
+  float width = fill;
+};
+
+/// `number` as it shall be read ("−150.000"); registers as a button: a click copies or sets.
+Touch digits(Ui& ui, std::string_view id, std::string_view label, std::string_view number,
+             std::string_view unit, const DigitsOptions& options = {});
+
+/// The largest of `wanted` and smaller in which all numbers fit beside their unit, so that the points of all
+/// axes stay in one column.
+Face digits_face(const Ui& ui, std::span<const std::string_view> numbers, Face wanted, float width_px);
+
+/// Number formats of the look: real minus, thin spaces from five figures on. Writes into `buffer`.
+std::string_view format_number(std::span<char> buffer, double value, int decimals);
+
+}  // namespace hw::gui

@@ -1,0 +1,31 @@
+#pragma once
+// A button that acts as long as it is held: the jog buttons. Leaving it with the mouse does not stop, letting
+// go does; there is no repeat.
+#include <string_view>
+
+#include "gui/widgets/icons.h"
+#include "gui/widgets/touch.h"
+
+namespace hw::gui {
+
+struct HoldOptions {
+  Icon icon = Icon::none;
+  std::string_view disabled = {};
+  std::string_view tip = {};
+  float width = 56, height = 56;  ///< 48 in medium windows
+  bool moving = true;             ///< false: front panel buttons of a bench
+  bool lit = false;               ///< held by something else (its key): drawn as held
+};
+
+struct Hold {
+  Touch touch;
+  /// ended may come without started (pressed while disabled): stopping what does not move is harmless.
+  bool started = false;  ///< this frame
+  bool held = false;
+  bool ended = false;                          ///< this frame; also when it became disabled while held
+  double pressed_at_s = 0, released_at_s = 0;  ///< of the hand: for telling a tap from a hold
+};
+
+Hold hold_button(Ui& ui, std::string_view id, std::string_view label, const HoldOptions& options = {});
+
+}  // namespace hw::gui

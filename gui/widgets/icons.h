@@ -1,0 +1,59 @@
+#pragma once
+// All shapes of the console, drawn, not glyphs: each state has a shape beside its word and its colour.
+#include <cstdint>
+
+#include <imgui.h>
+
+namespace hw::gui {
+
+enum class Icon : std::uint8_t {
+  none,
+  play,          ///< solid triangle to the right: moving +, run
+  play_outline,  ///< simulate; worked out
+  back,          ///< solid triangle to the left: moving -
+  up,
+  down,
+  pause,         ///< two bars: hold, waiting
+  step,          ///< triangle against a bar
+  stop,          ///< square
+  ring,          ///< idle, off
+  disc,          ///< on
+  ring_dot,      ///< armed, waiting latch
+  square,        ///< limit, clear
+  square_solid,  ///< limit, hit
+  home_minus,    ///< bar, arrow towards it from the right
+  home_plus,
+  limit_minus,  ///< bar, triangle at it
+  limit_plus,
+  cross,  ///< off, refused
+  check,
+  clock,          ///< stale
+  plug,           ///< pulled plug: lost
+  diamond,        ///< untrusted
+  diamond_solid,  ///< fault
+  emulated,       ///< two squares, one behind the other
+  info,
+  warning,
+  chevron_down,
+  chevron_up,
+  chevron_left,
+  chevron_right,
+  plus,
+  minus,
+  arrow_left,
+  arrow_right,
+  enter,
+  prompt,
+  folder,
+  file,
+  count
+};
+
+/// `size` in pixels is the side of the square it fits into; 12 logical pixels as a rule.
+void draw_icon(ImDrawList* list, Icon icon, ImVec2 centre, float size, ImU32 colour);
+/// The sign of the house: a handwheel with its knob in the motion colour.
+void draw_brand(ImDrawList* list, ImVec2 centre, float size, ImU32 ink, ImU32 knob);
+/// Four bars, `lit` of them in colour.
+void draw_signal(ImDrawList* list, ImVec2 top_left, float size, int lit, ImU32 colour, ImU32 off);
+
+}  // namespace hw::gui

@@ -1,0 +1,71 @@
+#include "gui/widgets/state_word.h"
+
+#include "gui/widgets/text.h"
+
+namespace hw::gui {
+namespace {
+
+constexpr StateLook looks[] = {
+    {Icon::ring, "IDLE", "idle", Tone::ink2},
+    {Icon::play, "MOVING +", "moving +", Tone::motion},
+    {Icon::back, "MOVING \xE2\x88\x92", "moving \xE2\x88\x92", Tone::motion},
+    {Icon::play, "MOVING", "moving", Tone::motion},
+    {Icon::home_plus, "HOMING", "homing", Tone::motion},
+    {Icon::home_minus, "HOMING", "homing", Tone::motion},
+    {Icon::pause, "STOPPING", "stopping", Tone::motion},
+    {Icon::limit_plus, "LIMIT +", "limit +", Tone::warn},
+    {Icon::limit_minus, "LIMIT \xE2\x88\x92", "limit \xE2\x88\x92", Tone::warn},
+    {Icon::cross, "OFF", "off", Tone::ink3},
+    {Icon::clock, "STALE", "late", Tone::warn},
+    {Icon::diamond, "UNTRUSTED", "untrusted", Tone::warn},
+    {Icon::plug, "LOST", "link lost", Tone::fault},
+    {Icon::diamond_solid, "FAULT", "fault", Tone::fault},
+    {Icon::pause, "WAITING", "waiting", Tone::warn},
+    {Icon::clock, "CONNECTING", "connecting", Tone::ink2},
+};
+
+float state_width(const Ui& ui, const StateLook& look, Face face) {
+  return ui.px(12) + ui.px(8) + std::ceil(text_width(ui, face, look.word));
+}
+
+Rect draw_state(Ui& ui, ImVec2 at, const StateLook& look, Face face) {
+  const float h = ui.line(face);
+  draw_icon(ImGui::GetWindowDrawList(), look.icon, ImVec2(at.x + ui.px(6), at.y + std::floor(h * 0.5f)),
+            ui.px(12), ui[look.tone]);
+  draw_text(ui, ImVec2(at.x + ui.px(20), at.y), face, ui[look.tone], look.word);
+  return {at, ImVec2(at.x + state_width(ui, look, face), at.y + h)};
+}
+
+void tell(Ui& ui, std::string_view id, std::string_view words, const Rect& rect) {
+  if (!id.empty()) show(ui, {id, Kind::text, words, words, {}, false, {}}, rect);
+}
+
+}  // namespace
+
+const StateLook& look_of(State state) { return looks[static_cast<std::size_t>(state)]; }
+
+void state_word(Ui& ui, std::string_view id, State state, Face face) {
+  const StateLook& look = look_of(state);
+  const Rect rect = draw_state(ui, ImGui::GetCursorScreenPos(), look, face);
+  ImGui::Dummy(ImVec2(rect.width(), rect.height()));
+  tell(ui, id, look.word, rect);
+}
+
+void draw_state_right(Ui& ui, std::string_view id, ImVec2 right, State state, Face face) {
+  const StateLook& look = look_of(state);
+  tell(ui, id, look.word, draw_state(ui, ImVec2(right.x - state_width(ui, look, face), right.y), look, face));
+}
+
+void shape_and_words(Ui& ui, std::string_view id, Icon icon, Tone icon_tone, std::string_view words,
+                     Tone tone, Face face) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float h = ui.line(face), right = at.x + ImGui::GetContentRegionAvail().x;
+  draw_icon(ImGui::GetWindowDrawList(), icon, ImVec2(at.x + ui.px(6), at.y + std::floor(h * 0.5f)), ui.px(12),
+            ui[icon_tone]);
+  draw_text_line(ui, at.x + ui.px(24), right, at.y + h * 0.5f, face, ui[tone], words);
+  const ImVec2 size(std::min(right - at.x, ui.px(24) + std::ceil(text_width(ui, face, words))), h);
+  ImGui::Dummy(size);
+  tell(ui, id, words, {at, ImVec2(at.x + size.x, at.y + size.y)});
+}
+
+}  // namespace hw::gui

@@ -1,0 +1,45 @@
+#pragma once
+// What an axis or controller does, by shape, word and colour at once: a grey print must still be readable.
+#include <string_view>
+
+#include "gui/widgets/icons.h"
+#include "gui/widgets/touch.h"
+
+namespace hw::gui {
+
+enum class State : std::uint8_t {
+  idle,
+  moving_plus,
+  moving_minus,
+  moving,  ///< several axes, or the direction is not known
+  homing_plus,
+  homing_minus,
+  stopping,
+  limit_plus,
+  limit_minus,
+  off,
+  stale,
+  untrusted,
+  lost,
+  fault,
+  waiting,
+  connecting,
+};
+
+struct StateLook {
+  Icon icon;
+  std::string_view word;   ///< capitals, for an axis
+  std::string_view small;  ///< as the second line of a tab writes it
+  Tone tone;
+};
+const StateLook& look_of(State state);
+
+/// Shape, gap 8, word in capitals; right aligned at `right` when drawn with draw_state_right.
+void state_word(Ui& ui, std::string_view id, State state, Face face = Face::body_bold);
+/// At an exact place: ends at `right.x`, in a line of the face. Registers id when it is not empty.
+void draw_state_right(Ui& ui, std::string_view id, ImVec2 right, State state, Face face = Face::title_bold);
+/// Shape and a sentence of the panel's own: status line, tab, badge row.
+void shape_and_words(Ui& ui, std::string_view id, Icon icon, Tone icon_tone, std::string_view words,
+                     Tone tone, Face face = Face::body);
+
+}  // namespace hw::gui

@@ -1,0 +1,185 @@
+#include "gui/widgets/text.h"
+
+#include <cfloat>
+
+#include <imgui_internal.h>
+
+namespace hw::gui {
+namespace {
+
+constexpr std::string_view ellipsis = "\xE2\x80\xA6";
+
+ImVec2 snapped(ImVec2 at) { return ImVec2(std::floor(at.x), std::floor(at.y)); }
+
+/// The line of the face is higher than its box: where the box starts in it.
+float box_top(const Ui& ui, Face face, float line_px) {
+  return std::floor((line_px - ui.font(face)->FontSize) * 0.5f + 0.5f);
+}
+
+}  // namespace
+
+float text_width(const Ui& ui, Face face, std::string_view s) {
+  ImFont* font = ui.font(face);
+  return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, s.data(), s.data() + s.size()).x;
+}
+
+std::size_t text_fit(const Ui& ui, Face face, std::string_view s, float width_px) {
+  ImFont* font = ui.font(face);
+  const char* rest = s.data();
+  font->CalcTextSizeA(font->FontSize, width_px, 0, s.data(), s.data() + s.size(), &rest);
+  return static_cast<std::size_t>(rest - s.data());
+}
+
+void draw_text(const Ui& ui, ImVec2 at, Face face, ImU32 colour, std::string_view s) {
+  if (s.empty()) return;
+  ImFont* font = ui.font(face);
+  const ImVec2 pos = snapped(ImVec2(at.x, at.y + box_top(ui, face, ui.line(face))));
+  ImGui::GetWindowDrawList()->AddText(font, font->FontSize, pos, colour, s.data(), s.data() + s.size());
+}
+
+void draw_text_right(const Ui& ui, ImVec2 right, Face face, ImU32 colour, std::string_view s) {
+  draw_text(ui, ImVec2(right.x - std::ceil(text_width(ui, face, s)), right.y), face, colour, s);
+}
+
+void draw_text_centred(const Ui& ui, const Rect& in, Face face, ImU32 colour, std::string_view s) {
+  const float x = (in.min.x + in.max.x - text_width(ui, face, s)) * 0.5f;
+  const float y = (in.min.y + in.max.y - ui.line(face)) * 0.5f;
+  draw_text(ui, ImVec2(std::floor(x + 0.5f), std::floor(y + 0.5f)), face, colour, s);
+}
+
+void draw_text_line(const Ui& ui, float left, float right, float centre_y, Face face, ImU32 colour,
+                    std::string_view s) {
+  const ImVec2 at(left, std::floor(centre_y - ui.line(face) * 0.5f + 0.5f));
+  if (left + text_width(ui, face, s) <= right) return draw_text(ui, at, face, colour, s);
+  const std::size_t fits = text_fit(ui, face, s, right - left - text_width(ui, face, ellipsis));
+  draw_text(ui, at, face, colour, s.substr(0, fits));
+  draw_text(ui, ImVec2(left + text_width(ui, face, s.substr(0, fits)), at.y), face, colour, ellipsis);
+}
+
+void text(Ui& ui, Face face, Tone tone, std::string_view s) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const ImVec2 size(std::ceil(text_width(ui, face, s)), ui.line(face));
+  draw_text(ui, at, face, ui[tone], s);
+  ImGui::Dummy(size);
+}
+
+float wrapped_height(const Ui& ui, Face face, std::string_view s, float width_px) {
+  ImFont* font = ui.font(face);
+  float lines = 0;
+  const char *at = s.data(), *end = s.data() + s.size();
+  while (at < end) {
+    const char* next = font->CalcWordWrapPositionA(1.0f, at, end, width_px);
+    if (next == at) ++next;
+    const char* newline = static_cast<const char*>(memchr(at, '\n', static_cast<std::size_t>(next - at)));
+    at = newline ? newline + 1 : next;
+    while (!newline && at < end && *at == ' ') ++at;
+    ++lines;
+  }
+  return lines * ui.line(face);
+}
+
+void wrapped(Ui& ui, Face face, Tone tone, std::string_view s, float width) {
+  ImFont* font = ui.font(face);
+  const ImVec2 start = ImGui::GetCursorScreenPos();
+  const float limit = width_px(ui, width);
+  float y = start.y;
+  const char *at = s.data(), *end = s.data() + s.size();
+  while (at < end) {
+    const char* next = font->CalcWordWrapPositionA(1.0f, at, end, limit);
+    if (next == at) ++next;  // not even one character fits
+    const char* newline = static_cast<const char*>(memchr(at, '\n', static_cast<std::size_t>(next - at)));
+    const char* stop = newline ? newline : next;
+    draw_text(ui, ImVec2(start.x, y), face, ui[tone], {at, static_cast<std::size_t>(stop - at)});
+    y += ui.line(face);
+    at = newline ? newline + 1 : next;
+    while (!newline && at < end && *at == ' ') ++at;
+  }
+  ImGui::Dummy(ImVec2(limit, y - start.y));
+}
+
+void named_text(Ui& ui, std::string_view id, Face face, Tone tone, std::string_view s) {
+  text(ui, face, tone, s);
+  Widget w;
+  w.id = id;
+  w.label = w.value = s;
+  w.kind = Kind::text;
+  w.rect = {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()};
+  const ImRect& clip = ImGui::GetCurrentWindow()->ClipRect;
+  w.clip = {clip.Min, clip.Max};
+  ui.registry.add(w);
+}
+
+float width_px(const Ui& ui, float width) {
+  return width < 0 ? std::max(1.0f, std::floor(ImGui::GetContentRegionAvail().x)) : ui.px(width);
+}
+
+void gap(Ui& ui, float height) {
+  ImGui::SetCursorScreenPos(
+      ImVec2(ImGui::GetCursorScreenPos().x, ImGui::GetCursorScreenPos().y + ui.px(height)));
+}
+
+void group_line(Ui& ui, float space) {
+  gap(ui, space);
+  const ImGuiWindow* window = ImGui::GetCurrentWindow();
+  const float y = std::floor(ImGui::GetCursorScreenPos().y);
+  window->DrawList->AddRectFilled(ImVec2(window->InnerRect.Min.x, y),
+                                  ImVec2(window->InnerRect.Max.x, y + ui.hair()), ui[Tone::line]);
+  ImGui::SetCursorScreenPos(ImVec2(ImGui::GetCursorScreenPos().x, y + ui.hair()));
+  gap(ui, space);
+}
+
+void section_title(Ui& ui, std::string_view title, std::string_view caption, float height) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float h = ui.px(height), width = ImGui::GetContentRegionAvail().x;
+  draw_text_line(ui, at.x, at.x + width, at.y + h * 0.5f, Face::body_bold, ui[Tone::ink], title);
+  if (!caption.empty())
+    draw_text_right(ui, ImVec2(at.x + width, at.y + std::floor((h - ui.line(Face::small)) * 0.5f + 1)),
+                    Face::small, ui[Tone::ink2], caption);
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + h));
+}
+
+void key_value(Ui& ui, std::string_view id, std::string_view key, std::string_view value, Tone tone) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x, h = ui.px(24);
+  const float value_width = std::ceil(text_width(ui, Face::body, value));
+  draw_text_line(ui, at.x, at.x + width - value_width - ui.px(8), at.y + h * 0.5f, Face::body, ui[Tone::ink2],
+                 key);
+  draw_text_line(ui, at.x + width - value_width, at.x + width + 1, at.y + h * 0.5f, Face::body, ui[tone],
+                 value);
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + h));
+  if (id.empty()) return;
+  Widget w;
+  w.id = id;
+  w.label = key;
+  w.value = value;
+  w.kind = Kind::text;
+  w.rect = {at, ImVec2(at.x + width, at.y + h)};
+  const ImRect& clip = ImGui::GetCurrentWindow()->ClipRect;
+  w.clip = {clip.Min, clip.Max};
+  ui.registry.add(w);
+}
+
+void tooltip(Ui& ui, std::string_view sentence, const Rect* beside) {
+  if (sentence.empty()) return;
+  const float limit = ui.px(320);
+  const float width = std::min(limit, std::ceil(text_width(ui, Face::small, sentence)) + 1);
+  const float height = wrapped_height(ui, Face::small, sentence, width);
+  const ImVec2 pad = ui.px(8, 6);
+  const ImVec2 size(width + 2 * pad.x, height + 2 * pad.y);
+  ImVec2 at = beside ? ImVec2(beside->min.x, beside->max.y + ui.px(6))
+                     : ImVec2(ImGui::GetIO().MousePos.x + ui.px(12), ImGui::GetIO().MousePos.y + ui.px(18));
+  at.x = std::clamp(at.x, 0.0f, std::max(0.0f, ui.size_px.x - size.x));
+  if (at.y + size.y > ui.size_px.y)
+    at.y = (beside ? beside->min.y : ImGui::GetIO().MousePos.y) - size.y - ui.px(6);
+  ImGui::SetNextWindowPos(snapped(at));
+  ImGui::SetNextWindowSize(size);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, pad);
+  ImGui::PushStyleColor(ImGuiCol_PopupBg, ui[Tone::raised]);
+  ImGui::BeginTooltip();
+  wrapped(ui, Face::small, Tone::ink, sentence, width / ui.scale);
+  ImGui::EndTooltip();
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar();
+}
+
+}  // namespace hw::gui

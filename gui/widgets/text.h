@@ -1,0 +1,49 @@
+#pragma once
+// Words on the screen, at whole pixels.
+#include <string_view>
+
+#include "gui/ui.h"
+
+namespace hw::gui {
+
+/// Width in pixels.
+float text_width(const Ui& ui, Face face, std::string_view s);
+/// As many bytes of `s` as fit into `width_px`, cut at a character.
+std::size_t text_fit(const Ui& ui, Face face, std::string_view s, float width_px);
+
+/// At an exact place: `at` is the top left corner of the text's line.
+void draw_text(const Ui& ui, ImVec2 at, Face face, ImU32 colour, std::string_view s);
+/// Ends at `right.x`.
+void draw_text_right(const Ui& ui, ImVec2 right, Face face, ImU32 colour, std::string_view s);
+/// Centred in the rectangle.
+void draw_text_centred(const Ui& ui, const Rect& in, Face face, ImU32 colour, std::string_view s);
+/// From `left`, vertically centred on the line `centre_y`; what does not fit before `right` ends in an
+/// ellipsis.
+void draw_text_line(const Ui& ui, float left, float right, float centre_y, Face face, ImU32 colour,
+                    std::string_view s);
+
+/// At ImGui's cursor, in a line of the face's height.
+void text(Ui& ui, Face face, Tone tone, std::string_view s);
+/// A sentence in lines no wider than `width` (logical; fill: the rest).
+void wrapped(Ui& ui, Face face, Tone tone, std::string_view s, float width = fill);
+/// Height in pixels that wrapped() would take.
+float wrapped_height(const Ui& ui, Face face, std::string_view s, float width_px);
+/// A text that scripts may read by path: the same as text(), registered.
+void named_text(Ui& ui, std::string_view id, Face face, Tone tone, std::string_view s);
+
+/// Pixels of the rest of the line for `fill`, else the scaled width.
+float width_px(const Ui& ui, float width);
+/// Empty space of a group border, in logical pixels.
+void gap(Ui& ui, float height);
+/// Hairline across the full column, with `space` above and below.
+void group_line(Ui& ui, float space = 12);
+/// Title of a group in a row of 40 (44 with a control in it); leaves the cursor below. A caption stands
+/// right.
+void section_title(Ui& ui, std::string_view title, std::string_view caption = {}, float height = 40);
+/// Key in ink2 at the left, value at the right, in a row of 24.
+void key_value(Ui& ui, std::string_view id, std::string_view key, std::string_view value,
+               Tone tone = Tone::ink);
+/// Tooltip near the mouse, or under `beside` when the focus asked for it.
+void tooltip(Ui& ui, std::string_view sentence, const Rect* beside = nullptr);
+
+}  // namespace hw::gui

@@ -1,0 +1,47 @@
+#pragma once
+// How every widget is touched: by mouse, by keyboard through the focus ring, by a script through the same
+// input. Places the widget at ImGui's cursor, registers it, and tells what happened to it in this frame.
+#include <string_view>
+
+#include "gui/ui.h"
+
+namespace hw::gui {
+
+struct About {
+  std::string_view id;
+  Kind kind = Kind::button;
+  std::string_view label;
+  std::string_view value = {};
+  std::string_view disabled = {};  ///< not empty: disabled, and why
+  bool moving = false;             ///< can start motion
+  std::string_view tip = {};
+};
+
+struct Touch {
+  Rect rect;
+  bool enabled = true;
+  bool hovered = false;
+  bool held = false;     ///< pressed now
+  bool clicked = false;  ///< pressed and let go on it, or Enter
+  bool started = false;  ///< pressed in this frame
+  bool ended = false;    ///< let go in this frame, wherever the mouse is then
+  bool double_clicked = false;
+  double pressed_at_s = 0, released_at_s = 0;  ///< times of the hand, not of the frame
+  bool ring = false;                           ///< shows the focus ring
+  bool armed = false;                          ///< one press of the keyboard has come, the second moves
+};
+
+/// `size` in pixels.
+Touch touch(Ui& ui, const About& about, ImVec2 size);
+/// The same for what nobody can press (lamps, meters): registers the last ImGui item's place or `rect`.
+void show(Ui& ui, const About& about, const Rect& rect);
+/// 2 px ring, 2 px outside the control.
+void draw_ring(Ui& ui, const Touch& t);
+/// Outline of `hair` width that lies on whole pixels inside `r`.
+void draw_outline(Ui& ui, const Rect& r, ImU32 colour, float rounding = 3, float width = 0);
+void draw_dashed_outline(Ui& ui, const Rect& r, ImU32 colour);
+/// The 2 px line along the bottom of what moves metal.
+void draw_motion_edge(Ui& ui, const Rect& r, ImU32 colour);
+void draw_fill(Ui& ui, const Rect& r, ImU32 colour, float rounding = 3);
+
+}  // namespace hw::gui

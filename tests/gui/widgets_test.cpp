@@ -1,0 +1,258 @@
+// Widgets through real frames, by the hands of a script: what a person would see happen.
+#include <gtest/gtest.h>
+
+#include "gui/widgets/button.h"
+#include "gui/widgets/choice.h"
+#include "gui/widgets/digits.h"
+#include "gui/widgets/hold_button.h"
+#include "gui/widgets/number_field.h"
+#include "gui/widgets/text_field.h"
+#include "tests/gui/stage.h"
+
+namespace hw::gui {
+namespace {
+
+TEST(Button, ClickIsOneClick) {
+  int clicks = 0;
+  Stage stage(
+      in_window([&](Ui& ui) { clicks += button(ui, "program/run", "Run", {.moving = true}).clicked; }));
+  ASSERT_TRUE(stage.hand.click("program/run"));
+  EXPECT_EQ(clicks, 1);
+}
+
+TEST(Button, LettingGoElsewhereIsNoClick) {
+  int clicks = 0;
+  Stage stage(in_window([&](Ui& ui) { clicks += button(ui, "a", "A").clicked; }));
+  ASSERT_TRUE(stage.hand.press("a"));
+  stage.push(InputEvent::mouse_move(900, 600, stage.now_s));
+  ASSERT_TRUE(stage.hand.release("a"));
+  EXPECT_EQ(clicks, 0);
+}
+
+TEST(Button, FocusLossWhilePressedIsNoClick) {
+  int clicks = 0;
+  Stage stage(in_window([&](Ui& ui) { clicks += button(ui, "a", "A").clicked; }));
+  ASSERT_TRUE(stage.hand.press("a"));
+  stage.hand.lose_focus();
+  EXPECT_EQ(clicks, 0);
+}
+
+struct HoldCount {
+  int started = 0, held = 0, ended = 0;
+  double lasted_s = 0;
+  void take(const Hold& h) {
+    started += h.started;
+    held += h.held;
+    ended += h.ended;
+    if (h.ended) lasted_s = h.released_at_s - h.pressed_at_s;
+  }
+};
+
+TEST(HoldButton, StartsHoldsAndEnds) {
+  HoldCount count;
+  Stage stage(in_window([&](Ui& ui) { count.take(hold_button(ui, "jog/1/+", "1+")); }));
+  ASSERT_TRUE(stage.hand.press("jog/1/+"));
+  stage.frames(30);
+  EXPECT_EQ(count.started, 1);
+  EXPECT_GE(count.held, 30);
+  EXPECT_EQ(count.ended, 0);
+  ASSERT_TRUE(stage.hand.release("jog/1/+"));
+  EXPECT_EQ(count.ended, 1);
+  EXPECT_NEAR(count.lasted_s, 31.0 / 60, 0.03);
+}
+
+TEST(HoldButton, LeavingWithTheMouseGoesOnLettingGoEnds) {
+  HoldCount count;
+  Stage stage(in_window([&](Ui& ui) { count.take(hold_button(ui, "j", "1+")); }));
+  ASSERT_TRUE(stage.hand.press("j"));
+  stage.push(InputEvent::mouse_move(1000, 700, stage.now_s));
+  stage.frames(5);
+  EXPECT_EQ(count.ended, 0);
+  ASSERT_TRUE(stage.hand.release("j"));
+  EXPECT_EQ(count.ended, 1);
+}
+
+TEST(HoldButton, FocusLossEnds) {
+  HoldCount count;
+  Stage stage(in_window([&](Ui& ui) { count.take(hold_button(ui, "j", "1+")); }));
+  ASSERT_TRUE(stage.hand.press("j"));
+  stage.hand.lose_focus();
+  EXPECT_EQ(count.ended, 1);
+}
+
+TEST(HoldButton, BecomingDisabledWhileHeldEnds) {
+  HoldCount count;
+  std::string_view disabled;
+  Stage stage(in_window([&](Ui& ui) { count.take(hold_button(ui, "j", "1+", {.disabled = disabled})); }));
+  ASSERT_TRUE(stage.hand.press("j"));
+  disabled = "Link lost.";
+  stage.frames(1);
+  EXPECT_GE(count.ended, 1);
+}
+
+TEST(HoldButton, ATapBetweenTwoFramesStartsAndEnds) {
+  HoldCount count;
+  Stage stage(in_window([&](Ui& ui) { count.take(hold_button(ui, "j", "1+")); }));
+  stage.frames(2);
+  const ImVec2 at = stage.find("j")->rect.centre();
+  stage.push(InputEvent::mouse_move(at.x, at.y, 1.0));
+  stage.frames(2);
+  for (int tap = 0; tap < 5; ++tap) {
+    stage.push(InputEvent::mouse_button(0, true, 1.0));
+    stage.push(InputEvent::mouse_button(0, false, 1.004));
+  }
+  stage.frames(12);
+  EXPECT_EQ(count.started, 5);
+  EXPECT_EQ(count.ended, 5);
+  EXPECT_NEAR(count.lasted_s, 0.004, 1e-9);
+}
+
+TEST(NumberField, CommaAndPointBothRead) {
+  EXPECT_EQ(read_number("12,5"), 12.5);
+  EXPECT_EQ(read_number("12.5"), 12.5);
+  EXPECT_EQ(read_number("\xE2\x88\x92"
+                        "3"),
+            -3.0);
+  EXPECT_EQ(read_number("57\xE2\x80\x89"
+                        "000"),
+            57000.0);
+  EXPECT_EQ(read_number(" +7 "), 7.0);
+  for (const char* bad : {"", "1.2.3", "1,2.3", "x", "1e5", "--1", "1-2", "inf", "nan"})
+    EXPECT_FALSE(read_number(bad)) << bad;
+}
+
+TEST(NumberField, SaysTheRangeInWords) {
+  const NumberRange range{1, 6000, 0, ""};
+  EXPECT_EQ(range_sentence("8000", range), "1 to 6000 only");
+  EXPECT_EQ(range_sentence("6000", range), "");
+  EXPECT_EQ(range_sentence("1.5", range), "Whole numbers only");
+  EXPECT_EQ(range_sentence("12a", range), "This is not a number.");
+}
+
+struct OneNumber {
+  NumberField field;
+  double value = 10;
+  int commits = 0;
+  void draw(Ui& ui) {
+    NumberOptions options;
+    options.range = {1, 6000, 1, "mm"};
+    options.width = 104;
+    const NumberEvent e = number_field(ui, "setup/S", "speed", value, field, options);
+    if (e.committed) {
+      value = e.value;
+      ++commits;
+    }
+    button(ui, "other", "Other");
+  }
+};
+
+TEST(NumberField, TypedAndEnteredIsCommittedOnce) {
+  OneNumber one;
+  Stage stage(in_window([&](Ui& ui) { one.draw(ui); }));
+  ASSERT_TRUE(stage.hand.type("setup/S", "12,5\n"));
+  EXPECT_EQ(one.value, 12.5);
+  EXPECT_EQ(one.commits, 1);
+  EXPECT_EQ(*stage.hand.value("setup/S"), "12.5");
+}
+
+TEST(NumberField, LeavingCommitsToo) {
+  OneNumber one;
+  Stage stage(in_window([&](Ui& ui) { one.draw(ui); }));
+  ASSERT_TRUE(stage.hand.type("setup/S", "77"));
+  EXPECT_EQ(one.commits, 0);
+  ASSERT_TRUE(stage.hand.click("other"));
+  EXPECT_EQ(one.value, 77);
+  EXPECT_EQ(one.commits, 1);
+}
+
+TEST(NumberField, OutOfRangeIsNotReportedAndStaysTyped) {
+  OneNumber one;
+  Stage stage(in_window([&](Ui& ui) { one.draw(ui); }));
+  ASSERT_TRUE(stage.hand.type("setup/S", "8000\n"));
+  EXPECT_EQ(one.commits, 0);
+  EXPECT_EQ(one.field.sentence, "1 to 6000 mm only");
+  EXPECT_EQ(*stage.hand.value("setup/S"), "8000");
+  ASSERT_TRUE(stage.hand.type("setup/S", "60\n"));
+  EXPECT_EQ(one.value, 60);
+  EXPECT_TRUE(one.field.sentence.empty());
+}
+
+TEST(NumberField, WheelChangesNothing) {
+  OneNumber one;
+  Stage stage(in_window([&](Ui& ui) { one.draw(ui); }));
+  ASSERT_TRUE(stage.hand.click("setup/S"));
+  stage.push(InputEvent::wheel(0, -3, stage.now_s));
+  stage.frames(3);
+  EXPECT_EQ(*stage.hand.value("setup/S"), "10.0");
+}
+
+TEST(TextField, HistoryAndCompletion) {
+  std::string text;
+  LineHelp help;
+  help.history = [](std::string& line, int direction) {
+    line = direction < 0 ? "older" : "newer";
+    return true;
+  };
+  help.complete = [](std::string& line, std::size_t& cursor) {
+    line += "M1";
+    cursor = line.size();
+    return true;
+  };
+  std::vector<std::string> sent;
+  Stage stage(in_window([&](Ui& ui) {
+    const Field f = text_field(ui, "terminal/command", "command", text, {.keep_focus = true, .help = &help});
+    if (f.entered) {
+      sent.push_back(text);
+      text.clear();
+    }
+    button(ui, "after", "After");
+  }));
+  ASSERT_TRUE(stage.hand.type("terminal/command", "S1"));
+  ASSERT_TRUE(stage.hand.key("Tab"));
+  EXPECT_EQ(text, "S1M1");
+  EXPECT_TRUE(stage.surface.screen().focus().is("terminal/command")) << "Tab completes, it does not leave";
+  ASSERT_TRUE(stage.hand.key("Enter"));
+  ASSERT_TRUE(stage.hand.key("Up"));
+  EXPECT_EQ(text, "older");
+  ASSERT_TRUE(stage.hand.key("Enter"));
+  EXPECT_EQ(sent, (std::vector<std::string>{"S1M1", "older"}));
+}
+
+TEST(Choice, SegmentAndDropdown) {
+  static const std::string_view names[] = {"mm", "steps", "inch"};
+  int slot = 0, unit = 0;
+  Stage stage(in_window([&](Ui& ui) {
+    if (const int i = segment(ui, "program/slot", names, slot); i >= 0) slot = i;
+    if (const int i = dropdown(ui, "dro/unit", "unit", names, unit); i >= 0) unit = i;
+  }));
+  ASSERT_TRUE(stage.hand.click("program/slot/inch"));
+  EXPECT_EQ(slot, 2);
+  ASSERT_TRUE(stage.hand.click("dro/unit"));
+  ASSERT_TRUE(stage.hand.click("dro/unit/steps"));
+  EXPECT_EQ(unit, 1);
+  EXPECT_EQ(*stage.hand.value("dro/unit"), "steps");
+  ASSERT_TRUE(stage.hand.click("dro/unit"));
+  EXPECT_FALSE(stage.hand.click("program/slot/mm")) << "covered by the open list";
+  ASSERT_TRUE(stage.hand.key("Down"));
+  ASSERT_TRUE(stage.hand.key("Enter"));
+  EXPECT_EQ(unit, 2);
+}
+
+TEST(Digits, NumbersOfTheLook) {
+  char buffer[64];
+  EXPECT_EQ(format_number(buffer, -150, 3),
+            "\xE2\x88\x92"
+            "150.000");
+  EXPECT_EQ(format_number(buffer, -0.0001, 3), "0.000");
+  EXPECT_EQ(format_number(buffer, 57000, 0),
+            "57\xE2\x80\x89"
+            "000");
+  EXPECT_EQ(format_number(buffer, 1234567.5, 1),
+            "1\xE2\x80\x89"
+            "234\xE2\x80\x89"
+            "567.5");
+  EXPECT_EQ(format_number(buffer, 3120, 0), "3120");
+}
+
+}  // namespace
+}  // namespace hw::gui
