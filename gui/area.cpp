@@ -9,8 +9,8 @@ void begin_area(Ui& ui, const char* name, const Box& box, Tone ground, float pad
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(padding), 0));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
   ImGui::PushStyleColor(ImGuiCol_WindowBg, ui[ground]);
-  ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                           ImGuiWindowFlags_NoNav;
+  ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                           ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav;
   if (!on_top) flags |= ImGuiWindowFlags_NoBringToFrontOnFocus;
   ImGui::Begin(name, nullptr, flags);
   ImGui::PopStyleColor();
@@ -19,11 +19,12 @@ void begin_area(Ui& ui, const char* name, const Box& box, Tone ground, float pad
 
 void end_area() { ImGui::End(); }
 
-void begin_part(Ui& ui, const char* name, float width, float height, Tone ground, float padding, bool scrolls) {
+void begin_part(Ui& ui, const char* name, float width, float height, Tone ground, float padding,
+                bool scrolls) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(padding), 0));
   ImGui::PushStyleColor(ImGuiCol_ChildBg, ui[ground]);
-  ImGuiWindowFlags flags = ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysUseWindowPadding |
-                           ImGuiWindowFlags_NoNav;
+  ImGuiWindowFlags flags =
+      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoNav;
   if (!scrolls) flags |= ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
   ImGui::BeginChild(name, ImVec2(width, height), false, flags);
   ImGui::PopStyleColor();

@@ -10,7 +10,8 @@ inline Rect in_pixels(const Ui& ui, const Box& box) {
 }
 
 /// Always followed by end_area(). `padding`: at the left and right, logical.
-void begin_area(Ui& ui, const char* name, const Box& box, Tone ground, float padding = 16, bool on_top = false);
+void begin_area(Ui& ui, const char* name, const Box& box, Tone ground, float padding = 16,
+                bool on_top = false);
 void end_area();
 
 /// A child of the current window from the cursor to the given height (0: the rest), scrolling when it must.

@@ -65,7 +65,8 @@ State worst_state(const Snapshot& now, Instant clock) {
     else if (weight(state) > weight(worst))
       worst = state;
   }
-  const bool program = now.program.owned && (now.program.run == RunState::waiting || now.program.run == RunState::held);
+  const bool program =
+      now.program.owned && (now.program.run == RunState::waiting || now.program.run == RunState::held);
   if (program && weight(worst) < weight(State::waiting)) worst = State::waiting;
   return worst;
 }

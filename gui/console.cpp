@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "core/session/json_file.h"
 #include "gui/keyboard.h"
-#include "gui/status_line.h"
+#include "gui/messages.h"
 #include "gui/top_bar.h"
 #include "gui/ui.h"
 #include "gui/workspace.h"
@@ -127,6 +127,11 @@ void Console::show_page(std::string_view id) {
   page_ = id;
 }
 
+void Console::toggle_map() {
+  if (page_ != "help") return show_page("help");
+  show_page(tabs_.empty() ? list_.pages[0].id : std::string_view());
+}
+
 Page& Console::page_object(std::string_view id) {
   std::size_t at = 0;
   for (std::size_t i = 0; i < list_.pages.size(); ++i)
@@ -178,8 +183,8 @@ struct JogKey {
   Sign sign;
 };
 constexpr JogKey jog_keys[] = {
-    {Command::jog_left, 0, Sign::minus},     {Command::jog_right, 0, Sign::plus},
-    {Command::jog_down, 1, Sign::minus},     {Command::jog_up, 1, Sign::plus},
+    {Command::jog_left, 0, Sign::minus},      {Command::jog_right, 0, Sign::plus},
+    {Command::jog_down, 1, Sign::minus},      {Command::jog_up, 1, Sign::plus},
     {Command::jog_page_down, 2, Sign::minus}, {Command::jog_page_up, 2, Sign::plus},
 };
 
@@ -191,7 +196,7 @@ void Console::on_edge(const CommandEdge& edge) {
   } else if (edge.command == Command::next_controller || edge.command == Command::previous_controller) {
     if (edge.down) activate_next(edge.command == Command::next_controller ? 1 : -1);
   } else if (edge.command == Command::show_map) {
-    if (edge.down) show_page(page_ == "help" ? std::string_view() : "help");
+    if (edge.down) toggle_map();
   } else if (Tab* tab = active()) {
     jog_key(*tab, edge.command, edge.down, edge.at_s);
   }
@@ -203,7 +208,8 @@ void Console::jog_key(Tab& tab, Command command, bool down, double at_s) {
     const AxisId axis{key.axis};
     const JogHold::Control control{JogHold::Hand::keyboard, axis, key.sign};
     if (!down) return tab.jog.release(control, at_s);
-    if (const std::string_view why = tab.why_not_move(axis); !why.empty()) return toast(Mood::warn, std::string(why));
+    if (const std::string_view why = tab.why_not_move(axis); !why.empty())
+      return toast(Mood::warn, std::string(why));
     tab.jog.press(control, {tab.jog_step(), tab.jog_speed()}, at_s);
   }
 }
@@ -224,11 +230,8 @@ void Console::refresh(Ui& ui) {
   for (const auto& tab : tabs_) {
     tab->refresh();
     tell_news(*tab);
-    if (tab->profile_changed) {
-      tab->profile_changed = false;
-      tell(ProfileStore(outside_.folders).save(tab->profile_key, tab->profile));
-    }
   }
+  if (!ImGui::IsMouseDown(0)) save();  // not at each step of a slider that is being dragged
   toasts_.tick(ui.now_s);
   ui.wake_in(toasts_.due_in_s(ui.now_s));
 }
@@ -295,8 +298,10 @@ void Console::save_choices() {
   if (!outside_.folders.enabled || (choices_saved_ == splitters && choices_saved_dark_ == dark_)) return;
   choices_saved_ = splitters;
   choices_saved_dark_ = dark_;
-  const nlohmann::json object = {
-      {"left", splitters.left}, {"right", splitters.right}, {"below", splitters.below}, {"dark", dark_ ? 1 : 0}};
+  const nlohmann::json object = {{"left", splitters.left},
+                                 {"right", splitters.right},
+                                 {"below", splitters.below},
+                                 {"dark", dark_ ? 1 : 0}};
   tell(write_json(outside_.folders.state / "window.json", object));
 }
 

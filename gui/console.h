@@ -1,6 +1,7 @@
 #pragma once
 // The console: its controllers, which one is in front, what is shown, and what reaches all of them (Stop).
 // Knows no device and no panel by name. GUI thread only; what it needs of the world is given in Outside.
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <string>
@@ -109,6 +110,7 @@ class Console {
   void tell(const Result<>& outcome);
   void jog_key(Tab& tab, Command key, bool down, double at_s);
   void confirm_held_key(Ui& ui);
+  void toggle_map();
   void load_choices();
   void save_choices();
 
@@ -123,7 +125,8 @@ class Console {
   Toasts toasts_;
   bool dark_ = true, choices_saved_dark_ = true;
   Splitters choices_saved_;
-  std::shared_ptr<int> closing_ = std::make_shared<int>(0);
+  std::shared_ptr<std::atomic<int>> closing_ = std::make_shared<std::atomic<int>>(0);
+  std::string wanted_widget_;
 };
 
 }  // namespace hw::gui

@@ -63,7 +63,8 @@ void Dialogs::draw(Ui& ui, Console& console) {
   ImGui::SetNextWindowSize(ImVec2(std::min(ui.px(width), ui.size_px.x), 0));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ui.px(16, 16));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, ui.hair());
-  constexpr auto flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
+  constexpr auto flags =
+      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
   if (ImGui::BeginPopupModal("dialog", nullptr, flags | ImGuiWindowFlags_AlwaysAutoResize)) {
     if (ui.cancelled() && !just_opened_) close();
     switch (kind_) {
@@ -111,9 +112,11 @@ void Dialogs::draw_close(Ui& ui, Console& console) {
   const ProgramState& program = tab.now().program;
   title(ui, fmt::format("Close {}?", tab.name()));
   const std::string what =
-      program.owned ? fmt::format("{} {} runs in the controller, and goes on there when this window no longer watches it.",
-                                  tab.catalog().program.slot_word, program.slot)
-                    : std::string("An axis is moving, and nobody would watch it.");
+      program.owned
+          ? fmt::format(
+                "{} {} runs in the controller, and goes on there when this window no longer watches it.",
+                tab.catalog().program.slot_word, program.slot)
+          : std::string("An axis is moving, and nobody would watch it.");
   wrapped(ui, Face::body, Tone::ink2, what);
   gap(ui, 12);
   bool gone = false;
@@ -135,7 +138,8 @@ void Dialogs::draw_close(Ui& ui, Console& console) {
 void Dialogs::draw_reset(Ui& ui) {
   const Snapshot& now = tab_->now();
   title(ui, fmt::format("Reset {}?", tab_->name()));
-  std::string what = "As if its power had been switched off and on: it stops, and its positions start from zero.";
+  std::string what =
+      "As if its power had been switched off and on: it stops, and its positions start from zero.";
   if (now.unsaved_setup || now.unsaved_programs)
     what += " What is in its RAM and not stored is lost. Store it first to keep it.";
   wrapped(ui, Face::body, Tone::ink2, what);

@@ -29,15 +29,18 @@ bool begin_popup(Ui& ui, const char* name, const Touch& button, float width, int
 bool popup_row(Ui& ui, std::string_view id, std::string_view label, std::string_view caption, bool on,
                std::string_view disabled) {
   const float width = ImGui::GetContentRegionAvail().x;
-  const Touch t = touch(ui, {id, Kind::row, label, on ? "on" : caption, disabled, false, {}}, ImVec2(width, ui.px(32)));
+  const Touch t =
+      touch(ui, {id, Kind::row, label, on ? "on" : caption, disabled, false, {}}, ImVec2(width, ui.px(32)));
   ImDrawList* list = ImGui::GetWindowDrawList();
-  if (t.enabled && (on || t.hovered)) list->AddRectFilled(t.rect.min, t.rect.max, ui[t.hovered ? Tone::hover : Tone::sel]);
+  if (t.enabled && (on || t.hovered))
+    list->AddRectFilled(t.rect.min, t.rect.max, ui[t.hovered ? Tone::hover : Tone::sel]);
   if (on) list->AddRectFilled(t.rect.min, ImVec2(t.rect.min.x + ui.px(3), t.rect.max.y), ui[Tone::ink]);
   const float middle = t.rect.centre().y, right = t.rect.max.x - ui.px(12);
   const float caption_width = caption.empty() ? 0 : std::ceil(text_width(ui, Face::small, caption));
-  draw_text_line(ui, t.rect.min.x + ui.px(12), right - caption_width, middle, on ? Face::body_bold : Face::body,
-                 ui[t.enabled ? Tone::ink : Tone::ink3], label);
-  if (!caption.empty()) draw_text_line(ui, right - caption_width, right + 1, middle, Face::small, ui[Tone::ink2], caption);
+  draw_text_line(ui, t.rect.min.x + ui.px(12), right - caption_width, middle,
+                 on ? Face::body_bold : Face::body, ui[t.enabled ? Tone::ink : Tone::ink3], label);
+  if (!caption.empty())
+    draw_text_line(ui, right - caption_width, right + 1, middle, Face::small, ui[Tone::ink2], caption);
   if (t.ring) draw_outline(ui, t.rect, ui[Tone::ink], 0, ui.px(2));
   if (t.clicked) ImGui::CloseCurrentPopup();
   return t.clicked;
@@ -45,8 +48,8 @@ bool popup_row(Ui& ui, std::string_view id, std::string_view label, std::string_
 
 void popup_line(Ui& ui) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  ImGui::GetWindowDrawList()->AddRectFilled(at, ImVec2(at.x + ImGui::GetContentRegionAvail().x, at.y + ui.hair()),
-                                            ui[Tone::line]);
+  ImGui::GetWindowDrawList()->AddRectFilled(
+      at, ImVec2(at.x + ImGui::GetContentRegionAvail().x, at.y + ui.hair()), ui[Tone::line]);
 }
 
 void end_popup() {

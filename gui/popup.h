@@ -10,8 +10,8 @@ namespace hw::gui {
 /// button's.
 bool begin_popup(Ui& ui, const char* name, const Touch& button, float width, int rows, bool right = false);
 /// True when it was chosen; the list closes by itself.
-bool popup_row(Ui& ui, std::string_view id, std::string_view label, std::string_view caption = {}, bool on = false,
-               std::string_view disabled = {});
+bool popup_row(Ui& ui, std::string_view id, std::string_view label, std::string_view caption = {},
+               bool on = false, std::string_view disabled = {});
 /// A hairline between groups of rows; counts as no row.
 void popup_line(Ui& ui);
 void end_popup();

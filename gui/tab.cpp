@@ -52,7 +52,9 @@ void Tab::refresh() {
   now_ = &session_->snapshot();
   bench_ = &session_->bench_view();
   clock_ = session_->now();
-  session_->notices().drain([this](Notice& notice) { notices_.push_back(std::move(notice)); });
+  session_->notices().drain([this](Notice& notice) {
+    (notice.kind == Notice::Kind::program ? listings : notices_).push_back(std::move(notice));
+  });
   follow_fates();
   find_why_not_move();
 }
@@ -76,6 +78,8 @@ void Tab::stop_all() {
   jog.forget();
   send_followed(intent::Stop());
 }
+
+std::vector<Notice> Tab::take_notices() { return std::exchange(notices_, {}); }
 
 void Tab::follow_fates() {
   const auto settled = [this](IntentId id) {

@@ -68,7 +68,9 @@ class Tab {
   [[nodiscard]] Pps jog_speed() const { return profile.jog_speed; }
 
   // ---- what must be told once
-  [[nodiscard]] std::vector<Notice>& notices() { return notices_; }
+  /// Messages since the last call. Listings (Notice::Kind::program) stay for the program panel: see listings.
+  [[nodiscard]] std::vector<Notice> take_notices();
+  std::vector<Notice> listings;
   [[nodiscard]] std::vector<std::string>& complaints() { return complaints_; }
 
   // ---- view

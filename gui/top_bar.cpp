@@ -20,7 +20,8 @@ void stand_at(Ui& ui, float x, float y) { ImGui::SetCursorScreenPos(ui.px(x, y))
 std::string not_reached(const Console& console) {
   std::string names;
   for (const auto& tab : console.tabs())
-    if (tab->now().link.state == LinkState::lost) names += (names.empty() ? "" : ", ") + std::string(tab->name());
+    if (tab->now().link.state == LinkState::lost)
+      names += (names.empty() ? "" : ", ") + std::string(tab->name());
   return names.empty() ? names : "does not reach " + names;
 }
 
@@ -37,16 +38,18 @@ void draw_menu(Ui& ui, Console& console, const Touch& opener) {
   Tab* tab = console.active();
   if (!begin_popup(ui, "menu", opener, 264, 7)) return;
   const std::string_view none = tab ? "" : "No controller is in front.";
-  const std::string_view no_reset = !tab                     ? none
-                                    : !tab->catalog().can.reset ? "This controller cannot be reset over the wire."
-                                                                : "";
+  const std::string_view no_reset = !tab ? none
+                                    : !tab->catalog().can.reset
+                                        ? "This controller cannot be reset over the wire."
+                                        : "";
   if (popup_row(ui, "menu/names", "Names ...", {}, false, none)) console.dialogs.names(*tab);
   if (popup_row(ui, "menu/reconnect", "Connect again", {}, false, none)) console.reconnect(*tab);
   if (popup_row(ui, "menu/reset", "Reset controller ...", {}, false, no_reset)) console.dialogs.reset(*tab);
   const bool close = popup_row(ui, "menu/close", "Close controller", {}, false, none);
   popup_line(ui);
   if (popup_row(ui, "menu/connect", "Connect another", "+")) console.show_page(console.list().pages[0].id);
-  if (popup_row(ui, "menu/theme", console.dark() ? "Light theme" : "Dark theme")) console.set_dark(!console.dark());
+  if (popup_row(ui, "menu/theme", console.dark() ? "Light theme" : "Dark theme"))
+    console.set_dark(!console.dark());
   if (popup_row(ui, "menu/help", "Keyboard map", "?")) console.show_page("help");
   end_popup();
   if (close) console.dialogs.close_controller(console, *tab);
@@ -59,14 +62,16 @@ void draw_brand_and_menu(Ui& ui, Console& console, const Layout& layout) {
   const ImVec2 sign(ui.px(only_sign ? layout.brand.width / 2 : 30), middle);
   if (only_sign) {
     stand_at(ui, 0, 0);
-    const Touch t = touch(ui, {"menu", Kind::button, "Menu", {}, {}, false, "Menu"}, ui.px(layout.brand.width, layout.brand.height));
+    const Touch t = touch(ui, {"menu", Kind::button, "Menu", {}, {}, false, "Menu"},
+                          ui.px(layout.brand.width, layout.brand.height));
     if (t.hovered || t.held) list->AddRectFilled(t.rect.min, t.rect.max, ui[Tone::hover]);
     draw_brand(list, sign, ui.px(28), ui[Tone::ink], ui[Tone::motion]);
     if (t.ring) draw_outline(ui, t.rect, ui[Tone::ink], 0, ui.px(2));
     return draw_menu(ui, console, t);
   }
   draw_brand(list, sign, ui.px(28), ui[Tone::ink], ui[Tone::motion]);
-  draw_text_line(ui, ui.px(56), ui.px(layout.brand.width), middle, Face::title_bold, ui[Tone::ink], "Handwheel");
+  draw_text_line(ui, ui.px(56), ui.px(layout.brand.width), middle, Face::title_bold, ui[Tone::ink],
+                 "Handwheel");
   ButtonOptions quiet;
   quiet.style = ButtonStyle::quiet;
   const float menu_width = button_width(ui, "Menu", quiet);
@@ -89,12 +94,15 @@ struct TabLook {
 void draw_tab_face(Ui& ui, const Rect& r, const TabLook& look) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   const float left = r.min.x + ui.px(16), right = r.max.x - ui.px(12);
-  draw_text_line(ui, left, right, r.min.y + ui.px(19), Face::body_bold, ui[look.active ? Tone::ink : Tone::ink2], look.name);
+  draw_text_line(ui, left, right, r.min.y + ui.px(19), Face::body_bold,
+                 ui[look.active ? Tone::ink : Tone::ink2], look.name);
   const float second = r.min.y + ui.px(37);
   const float badge = look.emulated ? std::ceil(text_width(ui, Face::small_bold, "EMULATED")) : 0;
-  if (look.emulated) draw_text_line(ui, right - badge, r.max.x, second, Face::small_bold, ui[Tone::emu], "EMULATED");
+  if (look.emulated)
+    draw_text_line(ui, right - badge, r.max.x, second, Face::small_bold, ui[Tone::emu], "EMULATED");
   draw_icon(list, look.icon, ImVec2(left + ui.px(6), std::floor(second)), ui.px(11), ui[look.tone]);
-  draw_text_line(ui, left + ui.px(19), right - badge - ui.px(4), second, Face::small, ui[look.tone], look.second);
+  draw_text_line(ui, left + ui.px(19), right - badge - ui.px(4), second, Face::small, ui[look.tone],
+                 look.second);
 }
 
 Touch draw_tab(Ui& ui, std::string_view id, const TabLook& look, float x, float width, float height) {
@@ -126,8 +134,10 @@ void draw_page_tab(Ui& ui, Console& console, float x, float width, float height)
     list->AddRectFilled(t.rect.min, ImVec2(t.rect.max.x, ui.px(2)), ui[Tone::ink]);
     line_right_of(ui, t.rect);
     const float middle = t.rect.centre().y;
-    draw_icon(list, Icon::plus, ImVec2(t.rect.min.x + ui.px(22), std::floor(middle)), ui.px(12), ui[Tone::ink2]);
-    draw_text_line(ui, t.rect.min.x + ui.px(40), t.rect.max.x, middle, Face::body_bold, ui[Tone::ink], page.title);
+    draw_icon(list, Icon::plus, ImVec2(t.rect.min.x + ui.px(22), std::floor(middle)), ui.px(12),
+              ui[Tone::ink2]);
+    draw_text_line(ui, t.rect.min.x + ui.px(40), t.rect.max.x, middle, Face::body_bold, ui[Tone::ink],
+                   page.title);
   }
 }
 
@@ -143,15 +153,16 @@ void draw_controller_menu(Ui& ui, Console& console, const Layout& layout) {
   for (const PageEntry& page : console.list().pages)
     if (page.id == console.page()) look.name = page.title;
   const Touch t = draw_tab(ui, "controller/menu", look, layout.tabs.x, layout.tabs.width, layout.tabs.height);
-  draw_icon(ImGui::GetWindowDrawList(), Icon::chevron_down, ImVec2(t.rect.max.x - ui.px(16), t.rect.min.y + ui.px(19)),
-            ui.px(12), ui[Tone::ink2]);
+  draw_icon(ImGui::GetWindowDrawList(), Icon::chevron_down,
+            ImVec2(t.rect.max.x - ui.px(16), t.rect.min.y + ui.px(19)), ui.px(12), ui[Tone::ink2]);
   if (!begin_popup(ui, "controllers", t, 220, static_cast<int>(console.tabs().size()) + 1)) return;
   Tab* chosen = nullptr;
   for (std::size_t i = 0; i < console.tabs().size(); ++i) {
     Tab& tab = *console.tabs()[i];
     const StateLook& state = look_of(worst_state(tab.now(), tab.clock()));
     const std::string caption = fmt::format("{}{}", state.small, tab.emulated() ? ", EMULATED" : "");
-    if (popup_row(ui, fmt::format("controller/{}", i + 1), tab.name(), caption, &tab == console.active())) chosen = &tab;
+    if (popup_row(ui, fmt::format("controller/{}", i + 1), tab.name(), caption, &tab == console.active()))
+      chosen = &tab;
   }
   if (popup_row(ui, "controller/new", "Connect another")) console.show_page(console.list().pages[0].id);
   end_popup();
@@ -165,18 +176,27 @@ void draw_controllers(Ui& ui, Console& console, const Layout& layout) {
   for (std::size_t i = 0; i < console.tabs().size(); ++i, x += layout.tab_width) {
     Tab& tab = *console.tabs()[i];
     const std::string id = fmt::format("controller/{}", i + 1);
-    if (draw_tab(ui, id, look_of_tab(console, tab), x, layout.tab_width, layout.tabs.height).clicked) chosen = &tab;
+    if (draw_tab(ui, id, look_of_tab(console, tab), x, layout.tab_width, layout.tabs.height).clicked)
+      chosen = &tab;
   }
   if (!console.page().empty()) draw_page_tab(ui, console, x, layout.tab_width, layout.tabs.height);
   if (chosen) console.activate(*chosen);
   if (console.page() == console.list().pages[0].id) return;
   stand_at(ui, layout.add.x, 0);
-  const Touch add = touch(ui, {"controller/new", Kind::button, "Connect another controller", {}, {}, false,
-                               "Connect another controller"},
+  const Touch add = touch(ui,
+                          {"controller/new",
+                           Kind::button,
+                           "Connect another controller",
+                           {},
+                           {},
+                           false,
+                           "Connect another controller"},
                           ui.px(layout.add.width, layout.add.height));
-  if (add.hovered || add.held) ImGui::GetWindowDrawList()->AddRectFilled(add.rect.min, add.rect.max, ui[Tone::hover]);
+  if (add.hovered || add.held)
+    ImGui::GetWindowDrawList()->AddRectFilled(add.rect.min, add.rect.max, ui[Tone::hover]);
   line_right_of(ui, add.rect);
-  draw_icon(ImGui::GetWindowDrawList(), Icon::plus, ImVec2(add.rect.centre().x, add.rect.centre().y), ui.px(14), ui[Tone::ink2]);
+  draw_icon(ImGui::GetWindowDrawList(), Icon::plus, ImVec2(add.rect.centre().x, add.rect.centre().y),
+            ui.px(14), ui[Tone::ink2]);
   if (add.ring) draw_outline(ui, add.rect, ui[Tone::ink], 0, ui.px(2));
   if (add.clicked) console.show_page(console.list().pages[0].id);
 }
@@ -207,10 +227,12 @@ void draw_link(Ui& ui, Console& console, const Layout& layout) {
     const LinkHealth& link = tab->now().link;
     words = link_words(link);
     const double ms = seconds(link.round_trip) * 1e3;
-    if (link.state == LinkState::lost || link.state == LinkState::closed || link.state == LinkState::connecting)
+    if (link.state == LinkState::lost || link.state == LinkState::closed ||
+        link.state == LinkState::connecting)
       *fmt::format_to_n(second, sizeof second - 1, "attempt {}", std::max(1, link.attempts)).out = 0;
     else if (layout.tier == Tier::wide)
-      *fmt::format_to_n(second, sizeof second - 1, "{:.1f} ms, {:.0f} polls/s", ms, link.polls_per_second).out = 0;
+      *fmt::format_to_n(second, sizeof second - 1, "{:.1f} ms, {:.0f} polls/s", ms, link.polls_per_second)
+           .out = 0;
     else
       *fmt::format_to_n(second, sizeof second - 1, "{:.1f} ms", ms).out = 0;
   } else if (!console.tabs().empty()) {
@@ -221,7 +243,9 @@ void draw_link(Ui& ui, Console& console, const Layout& layout) {
   const float right = r.max.x - ui.px(bars ? 48 : 16);
   draw_text_right(ui, ImVec2(right, ui.px(12)), Face::small_bold, ui[words.tone], words.word);
   draw_text_right(ui, ImVec2(right, ui.px(29)), Face::small, ui[Tone::ink2], second);
-  if (bars) draw_signal(ImGui::GetWindowDrawList(), ImVec2(r.max.x - ui.px(38), ui.px(19)), ui.px(22), words.bars, ui[words.tone], ui[Tone::line]);
+  if (bars)
+    draw_signal(ImGui::GetWindowDrawList(), ImVec2(r.max.x - ui.px(38), ui.px(19)), ui.px(22), words.bars,
+                ui[words.tone], ui[Tone::line]);
   const std::string value = fmt::format("{}, {}", words.word, second);
   const std::string_view why = tab ? tab->now().link.sentence.view() : std::string_view();
   show(ui, {"link/health", Kind::text, words.word, value, {}, false, why}, r);
