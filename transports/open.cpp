@@ -6,6 +6,9 @@
 #include <fmt/format.h>
 
 #include "core/base/file.h"
+#include "core/device/bench_file.h"
+#include "transports/rfc2217.h"
+#include "transports/serial.h"
 #include "transports/tcp.h"
 
 namespace hw {
@@ -46,6 +49,15 @@ Result<HostOptions> take_host_options(std::string_view model, DeviceOptions& key
   return host;
 }
 
+Result<BenchFile> read_bench(const std::string& file, const DeviceType& type, const DeviceOptions& keys) {
+  if (file.empty()) return BenchFile();
+  const auto text = read_text_file(file);
+  if (!text) return fail(text.error());
+  const auto catalog = type.make_catalog(keys);
+  if (!catalog) return fail(catalog.error());
+  return parse_bench_file(*text, *catalog, file);
+}
+
 Result<Wire> plug_in(std::shared_ptr<EmulatorHost> host, int baud) {
   auto stream = host->plug_in(baud);
   if (!stream) return fail(stream.error());
@@ -72,8 +84,10 @@ Task<Result<Wire>> open_emulator(Scheduler& scheduler, const DeviceType& type, A
   co_return plug_in(std::move(host), baud);
 }
 
-Result<> no_keys_left(const DeviceType& type, const DeviceOptions& keys) {
-  if (const auto catalog = type.make_catalog(keys); !catalog) return fail(catalog.error());
+// The keys of a device type are those that its emulator takes; a misspelt one would go unnoticed otherwise.
+Result<> check_device_keys(const DeviceType& type, const DeviceOptions& keys) {
+  if (keys.empty() || !type.make_emulator) return {};
+  if (const auto emulator = type.make_emulator(keys); !emulator) return fail(emulator.error());
   return {};
 }
 
@@ -83,10 +97,38 @@ Wire real_wire(std::unique_ptr<Stream> stream) {
   return wire;
 }
 
+// baud=, or the rate that this model usually has.
+Result<int> take_baud(const DeviceType& type, DeviceOptions& keys) {
+  if (const std::string text = take(keys, "baud"); !text.empty()) return read_baud(text);
+  const auto catalog = type.make_catalog(keys);
+  if (!catalog) return fail(catalog.error());
+  return catalog->can.usual_baud;
+}
+
+Task<Result<Wire>> open_serial_wire(Scheduler& scheduler, const DeviceType& type, Address address,
+                                    std::shared_ptr<BenchAccess>, const OpenOptions&) {
+  const auto baud = take_baud(type, address.options);
+  if (!baud) co_return fail(baud.error());
+  if (auto checked = check_device_keys(type, address.options); !checked) co_return fail(checked.error());
+  auto stream = open_serial(scheduler, address.where, *baud);
+  if (!stream) co_return fail(stream.error());
+  co_return real_wire(std::move(*stream));
+}
+
 Task<Result<Wire>> open_tcp_wire(Scheduler& scheduler, const DeviceType& type, Address address,
                                  std::shared_ptr<BenchAccess>, const OpenOptions&) {
-  if (auto understood = no_keys_left(type, address.options); !understood) co_return fail(understood.error());
+  if (auto checked = check_device_keys(type, address.options); !checked) co_return fail(checked.error());
   auto stream = co_await open_tcp(scheduler, std::move(address.where));
+  if (!stream) co_return fail(stream.error());
+  co_return real_wire(std::move(*stream));
+}
+
+Task<Result<Wire>> open_rfc2217_wire(Scheduler& scheduler, const DeviceType& type, Address address,
+                                     std::shared_ptr<BenchAccess>, const OpenOptions&) {
+  const auto baud = take_baud(type, address.options);
+  if (!baud) co_return fail(baud.error());
+  if (auto checked = check_device_keys(type, address.options); !checked) co_return fail(checked.error());
+  auto stream = co_await open_rfc2217(scheduler, std::move(address.where), *baud);
   if (!stream) co_return fail(stream.error());
   co_return real_wire(std::move(*stream));
 }
@@ -99,7 +141,9 @@ struct Transport {
 };
 constexpr Transport transports[] = {
     {"emulator", open_emulator},
+    {"serial", open_serial_wire},
     {"tcp", open_tcp_wire},
+    {"rfc2217", open_rfc2217_wire},
 };
 
 Task<Result<Wire>> open_wire(Scheduler& scheduler, Address address, std::shared_ptr<BenchAccess> again,
@@ -127,19 +171,19 @@ Result<std::shared_ptr<EmulatorHost>> make_emulator_host(Scheduler& scheduler, c
                                                          DeviceOptions keys, const OpenOptions& options) {
   auto host_options = take_host_options(type.model, keys);
   if (!host_options) return fail(host_options.error());
-  const std::string bench_file = take(keys, "bench");
+  const auto bench = read_bench(take(keys, "bench"), type, keys);
+  if (!bench) return fail(bench.error());
+  for (const std::string& quirk : bench->quirks) {
+    std::string& all = keys["quirk"];
+    all += (all.empty() ? "" : "+") + quirk;
+  }
+  if (!type.make_emulator) return bad(fmt::format("There is no emulated {}.", type.model), {});
   auto emulator = type.make_emulator(keys);
   if (!emulator) return fail(emulator.error());
-  if (!bench_file.empty()) {
-    if (!options.apply_bench) return bad(fmt::format("bench={}: no bench files here.", bench_file), {});
-    const auto text = read_text_file(bench_file);
-    if (!text) return fail(text.error());
-    const auto catalog = type.make_catalog(keys);
-    if (!catalog) return fail(catalog.error());
-    if (auto applied = options.apply_bench(*catalog, *text, **emulator); !applied)
-      return fail(applied.error());
-  }
-  return EmulatorHost::make(scheduler, std::move(*emulator), std::move(*host_options), options.trouble);
+  auto host = EmulatorHost::make(scheduler, std::move(*emulator), std::move(*host_options), options.trouble);
+  if (!host) return host;
+  if (auto stands = (*host)->set_up(*bench); !stands) return fail(stands.error());
+  return host;
 }
 
 }  // namespace hw

@@ -13,8 +13,6 @@ namespace hw {
 struct OpenOptions {
   /// Failures beside the wire (a state file that cannot be written).
   Trouble trouble;
-  /// What `bench=FILE` means: applies the text of a bench file.
-  std::function<Result<>(const Catalog& catalog, std::string_view text, Emulator& emulator)> apply_bench;
 };
 
 WireOpener make_wire_opener(OpenOptions options = {});

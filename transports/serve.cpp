@@ -77,7 +77,8 @@ Instant EmulatorHost::scheduler_time(Instant emulated) const {
 
 Instant EmulatorHost::next_due() const {
   const Instant own = emulator_->next_event().value_or(Instant::max());
-  return std::min({own, incoming_.due(), outgoing_.due()});
+  const Instant planned = plan_.empty() ? Instant::max() : Instant(plan_.front().at);
+  return std::min({own, planned, incoming_.due(), outgoing_.due()});
 }
 
 void EmulatorHost::alarm() {
@@ -103,6 +104,11 @@ void EmulatorHost::run_until(Instant now) {
 
 void EmulatorHost::step_to(Instant when) {
   advance(when);
+  while (!plan_.empty() && Instant(plan_.front().at) <= when) {
+    const BenchCommand command = std::move(plan_.front().command);
+    plan_.pop_front();
+    (void)apply(command);  // nobody waits for the answer
+  }
   while (incoming_.due() <= when) {
     land(incoming_.first());
     incoming_.pop(emulator_->rate());
@@ -219,8 +225,28 @@ Result<std::unique_ptr<Stream>> EmulatorHost::plug_in(int baud) {
   return std::move(theirs);
 }
 
+Result<> EmulatorHost::set_up(const BenchFile& bench) {
+  for (const BenchCommand& command : bench.at_start)
+    if (auto done = operate(command); !done) return done;
+  const Duration now = emulator_time().time_since_epoch();
+  for (TimedBenchCommand planned : bench.later) {
+    planned.at += now;
+    plan_.push_back(std::move(planned));
+  }
+  finish_round();
+  return {};
+}
+
 Result<> EmulatorHost::operate(const BenchCommand& command) {
   const auto keep = shared_from_this();
+  const Instant now = emulator_time();
+  catch_up(now);
+  auto done = apply(command);
+  run_until(now);
+  return done;
+}
+
+Result<> EmulatorHost::apply(const BenchCommand& command) {
   if (const auto* unplug = std::get_if<bench::Unplug>(&command)) {
     pull_cable(unplug->on);
   } else if (const auto* garble = std::get_if<bench::Garble>(&command)) {
@@ -228,13 +254,8 @@ Result<> EmulatorHost::operate(const BenchCommand& command) {
   } else if (const auto* drop = std::get_if<bench::Drop>(&command)) {
     to_drop_ = std::max(0, drop->bytes);
   } else {
-    const Instant now = emulator_time();
-    catch_up(now);
-    const auto done = emulator_->operate(command);
-    run_until(now);
-    return done;
+    return emulator_->operate(command);
   }
-  tell_changed();
   return {};
 }
 

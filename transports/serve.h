@@ -6,10 +6,12 @@
 // With `byte_times` a byte takes effect when its last bit has arrived and leaves ten bit times after the one
 // before it, at the controller's present rate; a client at another rate garbles both ways. Without, the wire
 // has no rate and no delay.
+#include <deque>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "core/device/bench_file.h"
 #include "core/device/emulator.h"
 #include "core/session/wire.h"
 #include "transports/byte_line.h"
@@ -38,6 +40,8 @@ class EmulatorHost final : public BenchAccess, public std::enable_shared_from_th
   /// `baud` is the rate of the client's port; 0: that of the controller.
   Result<std::unique_ptr<Stream>> plug_in(int baud = 0);
 
+  /// What the file says of the start happens now, the rest in the emulator's time from now on.
+  Result<> set_up(const BenchFile& bench);
   Result<> operate(const BenchCommand& command) override;
   void look(BenchView& view) const override;
   [[nodiscard]] const Emulator& emulator() const override;
@@ -67,6 +71,7 @@ class EmulatorHost final : public BenchAccess, public std::enable_shared_from_th
   void spoil(std::string& bytes);
   void keep_memory();
   void tell_changed();
+  Result<> apply(const BenchCommand& command);
   void pull_cable(bool pulled);
 
   Scheduler& scheduler_;
@@ -83,6 +88,7 @@ class EmulatorHost final : public BenchAccess, public std::enable_shared_from_th
   int to_garble_ = 0, to_drop_ = 0, garbled_ = 0;
   std::unique_ptr<StateFile> state_;
   std::uint64_t kept_version_ = 0;
+  std::deque<TimedBenchCommand> plan_;  // `at` in emulated time, earliest first
   BenchView seen_;
 };
 

@@ -289,6 +289,33 @@ TEST_F(Serve, MayBeDestroyedFromInsideItsOwnNews) {
   EXPECT_TRUE(ear.closed);
 }
 
+TEST_F(Serve, ABenchFileActsAtTheStartAndLater) {
+  auto host = make();
+  BenchFile file;
+  file.at_start.emplace_back(bench::Drop(1));
+  file.later.push_back({Millis(50), bench::Unplug(true)});
+  file.later.push_back({Millis(80), bench::Unplug(false)});
+  ASSERT_TRUE(host->set_up(file));
+  auto stream = *host->plug_in();
+  Ear ear(*stream);
+  stream->send("X");
+  clock.run_for(Millis(49));
+  EXPECT_EQ(ear.heard, "0000400\r");
+  EXPECT_FALSE(ear.closed);
+  clock.run_for(Millis(1));
+  EXPECT_TRUE(ear.closed);
+  EXPECT_FALSE(host->plug_in());
+  clock.run_for(Millis(30));
+  EXPECT_TRUE(host->plug_in());
+}
+
+TEST_F(Serve, ABenchFileThatAsksForWhatIsNotThereIsRefused) {
+  auto host = make();
+  BenchFile file;
+  file.at_start.emplace_back(bench::Input(1, true));
+  EXPECT_FALSE(host->set_up(file));
+}
+
 // ---- state file ----
 
 class ServeState : public Serve {

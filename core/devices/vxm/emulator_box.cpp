@@ -1,0 +1,130 @@
+#include "core/devices/vxm/emulator_box.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace hw::vxm {
+namespace {
+
+std::size_t ix(int i) { return static_cast<std::size_t>(i); }
+
+std::optional<Instant> earlier(std::optional<Instant> a, std::optional<Instant> b) {
+  if (!a) return b;
+  if (!b) return a;
+  return std::min(*a, *b);
+}
+
+}  // namespace
+
+Box::Box() { power_up(); }
+
+void Box::link(Box slave) {
+  slave.is_slave_ = true;
+  linked_.clear();
+  linked_.push_back(std::move(slave));
+  saved_.setup.mode |= mode_master;
+  power_up();
+}
+
+void Box::power(bool on, Instant now) {
+  if (on == powered_) return;
+  set_time(now);
+  cut_motion(MotionEnd::stopped);
+  powered_ = on, blocked_ = false;
+  if (on) {
+    power_up();
+  } else {
+    run_ = Run(), jog_ = Jog(), motion_ended_ = false, error_ = 0, outputs_ = 0;
+    online_ = echo_ = group_cr_ = false;
+    out.clear(), replied = 0;
+  }
+  if (Box* s = slave()) s->power(on, now);
+}
+
+void Box::reset() {
+  cut_motion(MotionEnd::stopped);
+  power_up();
+  if (Box* s = slave()) s->reset();
+  update_rules();
+}
+
+/// All that is not in non-volatile memory is forgotten.
+void Box::power_up() {
+  memory_ = saved_;
+  powered_at_ = now_;
+  online_ = echo_ = group_cr_ = false;
+  first_run_ = true;
+  reset_letters_ = 0;
+  reader_.reset(), bus_reader_.reset();
+  bracket_ = false, group_.reset();
+  selected_ = 0, current_motor_ = 1, error_ = 0;
+  hold_ = false, jog_in_waits_ = false, nf90_pause_out_ = true;
+  outputs_ = 0, pulse_until_ = never_changed;
+  motion_ = Motion(), motion_ended_ = false;
+  jog_ = Jog(), run_ = Run();
+  slowed_at_ = 0, captures_ = 0;
+  for (auto& list : captured_) list.fill(0);
+  analog_centre_ = analog_;  // where the joystick stands now is its middle (App. J)
+  buttons_blocked_ = any_button_low();
+  for (int i = 0; i < motors_per_controller; ++i) {
+    Axis& a = axes_[ix(i)];
+    a.counter = 0, a.comb = 0, a.speed = default_speed, a.accel = default_accel;
+    a.seen_closed = {};
+    note_closed(i);
+  }
+  update_rules();
+}
+
+bool Box::any_button_low() const {
+  const auto low = [this](int i) { return line(i).low; };
+  return low(0) || low(1) || low(2) || low(3) || low(line_run) || low(line_in_4);
+}
+
+void Box::set_time(Instant now) {
+  now_ = std::max(now_, now);
+  if (Box* s = slave()) s->set_time(now);
+  sync();
+}
+
+bool Box::settle() {
+  bool any = false;
+  for (bool changed = true; changed;) {
+    changed = slave() != nullptr && slave()->settle_own();
+    changed = settle_own() || changed;
+    any = any || changed;
+  }
+  return any;
+}
+
+bool Box::settle_own() {
+  if (!powered_) return false;
+  bool changed = end_motion_if_due();
+  if (Box* s = slave(); s != nullptr && s->error_ != 0 && error_ == 0 && slave_found()) {
+    raise(std::exchange(s->error_, '\0'));
+    changed = true;
+  }
+  changed = run_if_due() || changed;
+  changed = run_button_if_due() || changed;
+  if (Box* s = slave()) {
+    const bool waits = run_.doing == Doing::waiting && run_.wait.on_slave;
+    s->jog_by_master_ = !slave_found() || (run_.on ? waits && s->jog_in_waits_ : !online_);
+  }
+  return update_jog() || changed;
+}
+
+std::optional<Instant> Box::own_event() const {
+  auto next = motion_event();
+  if (run_.on && (run_.doing == Doing::pausing || run_.doing == Doing::breathing))
+    next = earlier(next, run_.until);
+  if (run_.on) next = earlier(next, wait_event());
+  next = earlier(next, run_button_event());
+  next = earlier(next, jog_event());
+  return earlier(next, lamp_event());
+}
+
+std::optional<Instant> Box::next_event() const {
+  if (!powered_) return std::nullopt;
+  return slave() != nullptr ? earlier(own_event(), slave()->own_event()) : own_event();
+}
+
+}  // namespace hw::vxm

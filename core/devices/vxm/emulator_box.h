@@ -1,0 +1,248 @@
+#pragma once
+// One VXM: two motors, program memory, inputs and outputs, front panel. A Master holds its Slave, a second
+// one of the same kind. Time comes from outside: set_time() moves counters and loads, settle() does what is
+// due.
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/devices/vxm/emulator_parts.h"
+#include "core/devices/vxm/program_syntax.h"
+
+namespace hw::vxm {
+
+class Box {
+ public:
+  Box();
+  /// As delivered for three or four motors: this one is the Master of `slave`.
+  void link(Box slave);
+
+  // --- power and time: emulator_box.cpp
+  void power(bool on, Instant now);
+  [[nodiscard]] bool powered() const { return powered_; }
+  void reset();  ///< res: as power off and on, lines and loads stay
+  void set_time(Instant now);
+  bool settle();  ///< true: something happened
+  [[nodiscard]] std::optional<Instant> next_event() const;
+
+  // --- the wire: emulator_wire.cpp
+  void receive(char c);
+  std::string out;          ///< sent to the host, to be taken away
+  std::size_t replied = 0;  ///< bytes of `out` that a request has brought since it was last set to 0
+  char error_first = error_mark;
+  [[nodiscard]] int rate() const;
+
+  // --- hands on the bench: emulator_bench.cpp
+  void set_line(int line, bool low);
+  void set_analog(int value);
+  void plant_changed(int axis);
+  [[nodiscard]] motion::Plant& plant(int axis) { return axes_[static_cast<std::size_t>(axis)].plant; }
+  [[nodiscard]] const Axis& axis(int axis) const { return axes_[static_cast<std::size_t>(axis)]; }
+  [[nodiscard]] const Line& line(int line) const { return lines_[static_cast<std::size_t>(line)]; }
+  void set_fitted(int axis, bool fitted) { axes_[static_cast<std::size_t>(axis)].fitted = fitted; }
+  [[nodiscard]] int analog() const { return analog_; }
+  [[nodiscard]] int outputs() const;
+  struct Lamps {
+    bool power = false, online = false, power_blinks = false, online_blinks = false;
+  };
+  [[nodiscard]] Lamps lamps() const;
+  void block() { blocked_ = true; }  ///< receive overrun: deaf until power-off
+
+  [[nodiscard]] Box* slave() { return linked_.empty() ? nullptr : &linked_.front(); }
+  [[nodiscard]] const Box* slave() const { return linked_.empty() ? nullptr : &linked_.front(); }
+  [[nodiscard]] std::int32_t counter_at(int axis, Instant t) const;
+  std::vector<Pulse> pulses;  ///< since they were last taken away
+
+  // --- memory: emulator_memory.cpp
+  [[nodiscard]] std::string saved_text() const;
+  /// A sentence about the first line that means nothing, or empty.
+  std::string load_line(std::string_view line);
+  void take_saved();
+  std::uint64_t stores = 0;  ///< writes to non-volatile memory
+
+  // --- for rehearsals
+  std::vector<Trace>* trace = nullptr;
+  [[nodiscard]] bool running() const { return run_.on; }
+  [[nodiscard]] const Run& run() const { return run_; }
+  [[nodiscard]] char error() const { return error_; }
+  [[nodiscard]] bool limit_was_hit() const { return limit_was_hit_; }
+  [[nodiscard]] const Program& program(int i) const { return memory_.programs[static_cast<std::size_t>(i)]; }
+  void go() { go_signal(); }
+
+ private:
+  // emulator_box.cpp
+  void power_up();
+  bool settle_own();
+  [[nodiscard]] std::optional<Instant> own_event() const;
+  [[nodiscard]] std::optional<Instant> lamp_event() const;
+  [[nodiscard]] bool any_button_low() const;
+
+  // emulator_wire.cpp
+  void local_letter(char c);
+  void running_letter(char c);
+  void error_letter(char c);
+  void online_char(char c);
+  void obey(const Reading& reading);
+  void obey_letter(char c);
+  void obey_word(const Reading& word);
+  void bus_char(char c);
+  bool status_letter(char c);
+  void set_mode_letter(char c);
+  void verify();
+  void send_slave_position(int axis);
+  void reply(std::string_view text);
+  void prompt(char c);
+  void send_error(char letter);
+  [[nodiscard]] int limits_byte() const;
+  [[nodiscard]] int inputs_byte() const;
+  void digitize();
+  void capture();
+  void zero_all();
+
+  // emulator_setup.cpp
+  void store(const Reading& word);
+  void store_group();
+  void select_program(const Reading& word);
+  void associate(const Reading& word);
+  void set_value(const Reading& word);
+  void get_value(const Reading& word);
+  void set_motor_value(Head head, int axis, int value, bool minus);
+  void set_inputs(int value);
+  void save();
+  void erase();
+  void update_rules();
+  [[nodiscard]] bool slave_found() const;
+  Box* need_slave();  ///< null: EB is sent and everything reset
+
+  // emulator_motion.cpp
+  void sync();
+  void turn(int axis, Sign sign, std::int64_t steps);
+  void note_pulses(int axis, Sign sign, std::int64_t steps);
+  void apply_turn(int axis, Sign sign, std::int64_t steps);
+  bool start_motion(MotionKind kind, int axis, Sign sign, const motion::Profile& profile);
+  void begin_index(int axis, std::int64_t distance, int home);
+  void decelerate();
+  void cut_motion(MotionEnd end);
+  bool end_motion_if_due();
+  [[nodiscard]] std::optional<Instant> motion_event() const;
+  [[nodiscard]] motion::Ramp ramp(int axis) const;
+  [[nodiscard]] Sign physical(int axis, Sign sign) const;
+  [[nodiscard]] bool limit_active(int axis, Sign side) const;
+  [[nodiscard]] std::optional<std::int64_t> turns_until_stop(int axis, Sign sign, bool homing) const;
+  void note_closed(int axis);
+
+  // emulator_run.cpp
+  void start_run(int program);
+  bool run_if_due();
+  bool go_on();
+  bool execute_next();
+  void perform(const Command& command, int at);
+  bool left_out(const Frame& frame, const Program& program, int& unit) const;
+  void begin_moves();
+  void begin_next_moves();
+  void moves_done();
+  void take_motion_end(Box& box, bool homing);
+  void end_frame();
+  void finish_run();
+  void end_stopped_run();
+  void kill();
+  void raise(char letter);
+  void hold_toggle();
+  void go_signal();
+  void stop_input();
+  void restore_out();
+  void note(std::string what);
+
+  // emulator_flow.cpp
+  void do_loop(const Command& command, int at);
+  void jump_back(Frame& frame, int target);
+  void do_jump(int program);
+  void do_call(int program, bool pick);
+  void do_index(const Command& command);
+  void do_index_to(const Command& command);
+  void do_group(const Command& command);
+  void plan_relative(const Command& command, bool with_next);
+  void plan_ways_back(int but_axis);
+  void plan_index_to(const Command& command, bool with_next);
+  void do_speed(const Command& command);
+  void do_pause(const Command& command);
+  void do_user(const Command& command, int at);
+  void do_skip(int u);
+  void set_output(int number, bool on);
+  [[nodiscard]] bool reversed(int axis) const;
+  [[nodiscard]] bool in_pick() const;
+  [[nodiscard]] int open_loops() const;
+  [[nodiscard]] int open_jumps() const;
+
+  // emulator_wait.cpp
+  void begin_wait(int u, bool on_slave);
+  [[nodiscard]] std::optional<Instant> wait_event() const;
+  bool wait_if_due();
+  void end_wait();
+  [[nodiscard]] Duration valid_time() const;
+  [[nodiscard]] const Box& wait_box() const;
+  [[nodiscard]] bool branch_low() const;
+
+  // emulator_nonstop.cpp
+  void begin_nonstop(int signal);
+  [[nodiscard]] bool allowed_in_nonstop(const Command& command) const;
+  void nonstop_index(const Command& command);
+  void nonstop_signal();
+  void end_nonstop(int u, int at);
+  void nonstop_motion_ended();
+
+  // emulator_jog.cpp
+  bool update_jog();
+  [[nodiscard]] bool jog_allowed() const;
+  [[nodiscard]] int jog_speed(int axis) const;
+  [[nodiscard]] int joystick_speed(int axis) const;
+  [[nodiscard]] int joystick_axis() const;
+  [[nodiscard]] bool wants_jog(int axis, Sign sign) const;
+  void jog_start();
+  void jog_turn(int axis, Sign sign, int speed, bool joystick);
+  void jog_end();
+  [[nodiscard]] std::optional<Instant> jog_event() const;
+  [[nodiscard]] std::optional<Instant> run_button_event() const;
+  bool run_button_if_due();
+
+  Instant now_{};
+  std::vector<Box> linked_;
+  bool is_slave_ = false, powered_ = true, blocked_ = false;
+  Instant powered_at_{};
+  bool buttons_blocked_ = false;  ///< held low at power-up
+  bool online_ = false, echo_ = false, group_cr_ = false, first_run_ = true;
+  int reset_letters_ = 0;  ///< of `res` while running
+
+  Memory memory_, saved_;
+  struct Rules {  ///< what this controller's motors obey; a Slave's partly come from its Master
+    bool nf90 = false;
+    int backlash = 0;
+    std::array<bool, 2> inverted{};
+  } rules_;
+
+  Reader reader_, bus_reader_;
+  bool bracket_ = false;
+  std::optional<Command> group_;
+  int selected_ = 0, current_motor_ = 1;
+  char error_ = 0;
+  bool hold_ = false, jog_in_waits_ = false, nf90_pause_out_ = true;
+  bool jog_by_master_ = true;  ///< a Slave's buttons jog when its Master allows it
+  int outputs_ = 0;
+  Instant pulse_until_ = never_changed;
+
+  std::array<Axis, 2> axes_;
+  std::array<Line, line_count> lines_;
+  int analog_ = analog_default, analog_centre_ = analog_default;
+  Motion motion_;
+  bool motion_ended_ = false;  ///< and nobody has taken note yet
+  Jog jog_;
+  Run run_;
+  std::int32_t slowed_at_ = 0;  ///< `*`
+  std::array<std::array<std::int32_t, 4>, 2> captured_{};
+  int captures_ = 0;
+  bool limit_was_hit_ = false;
+};
+
+}  // namespace hw::vxm

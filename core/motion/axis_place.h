@@ -1,0 +1,18 @@
+#pragma once
+#include <optional>
+
+#include "core/base/units.h"
+
+namespace hw {
+
+/// What hangs on one axis, in steps of the controller. Positions are those of the load, counted from where it
+/// stood when the bench was built; absent switches never act.
+struct AxisPlace {
+  std::optional<Steps> minus, plus;         ///< where the travel limit switches act
+  std::optional<Steps> home_from, home_to;  ///< zone in which the home switch acts
+  std::optional<Steps> index_every;         ///< encoder index marks
+  std::optional<double> counts_per_step;    ///< encoder
+  std::optional<Steps> backlash;
+};
+
+}  // namespace hw

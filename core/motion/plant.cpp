@@ -1,0 +1,72 @@
+#include "core/motion/plant.h"
+
+#include <algorithm>
+
+namespace hw::motion {
+namespace {
+
+constexpr std::int64_t far_away = std::int64_t{1} << 52;  // keeps sums of absurd distances defined
+
+std::int64_t bounded(std::int64_t steps) { return std::clamp(steps, -far_away, far_away); }
+
+std::optional<Steps> bounded(std::optional<Steps> steps) {
+  if (steps) steps->value = bounded(steps->value);
+  return steps;
+}
+
+}  // namespace
+
+void Plant::set_place(const AxisPlace& place) {
+  place_ = place;
+  for (auto* mark : {&place_.minus, &place_.plus, &place_.home_from, &place_.home_to}) *mark = bounded(*mark);
+  if (place_.home_from && place_.home_to && *place_.home_to < *place_.home_from)
+    std::swap(place_.home_from, place_.home_to);
+  place_.backlash = Steps(std::clamp<std::int64_t>(place.backlash.value_or(Steps(0)).value, 0, far_away));
+  play_used_ = place_.backlash->value;  // as after a move to plus
+}
+
+std::int64_t Plant::play(Sign way) const {
+  const std::int64_t all = place_.backlash.value_or(Steps(0)).value;
+  return way == Sign::plus ? all - play_used_ : play_used_;
+}
+
+void Plant::turn(Sign sign, std::int64_t steps) {
+  if (jammed_ || steps <= 0) return;
+  const std::int64_t taken = std::min(steps, play(sign));
+  play_used_ += factor(sign) * taken;
+  load_ = bounded(load_ + factor(sign) * (bounded(steps) - taken));
+}
+
+void Plant::slip(Steps by) { load_ = bounded(load_ + bounded(by.value)); }
+
+bool Plant::home_operated() const {
+  if (home_by_hand_) return true;
+  if (!place_.home_from || !place_.home_to) return false;
+  return load_ >= place_.home_from->value && load_ <= place_.home_to->value;
+}
+
+bool Plant::limit_operated(Sign side) const {
+  if (limit_by_hand(side)) return true;
+  if (side == Sign::plus) return place_.plus && load_ >= place_.plus->value;
+  return place_.minus && load_ <= place_.minus->value;
+}
+
+std::optional<std::int64_t> Plant::turns_until(Sign way, std::optional<Steps> mark) const {
+  if (!mark || jammed_) return std::nullopt;
+  const std::int64_t gap = factor(way) * (mark->value - load_);
+  if (gap <= 0) return std::nullopt;  // behind
+  return gap + play(way);
+}
+
+std::optional<std::int64_t> Plant::turns_until_limit(Sign way) const {
+  if (limit_operated(way)) return 0;
+  return turns_until(way, way == Sign::plus ? place_.plus : place_.minus);
+}
+
+std::optional<std::int64_t> Plant::turns_until_home(Sign way) const {
+  if (home_operated()) return 0;
+  if (!place_.home_from || !place_.home_to) return std::nullopt;
+  return turns_until(way, way == Sign::plus ? place_.home_from : place_.home_to);
+}
+
+}  // namespace hw::motion

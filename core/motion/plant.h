@@ -1,0 +1,47 @@
+#pragma once
+// What hangs on an axis: a load with play, travel limit switches, a home zone, hands that operate a switch,
+// jam it or let it slip. The controller counts steps; the plant knows where the load really is.
+#include <cstdint>
+#include <optional>
+
+#include "core/base/units.h"
+#include "core/motion/axis_place.h"
+
+namespace hw::motion {
+
+class Plant {
+ public:
+  void set_place(const AxisPlace& place);
+  [[nodiscard]] const AxisPlace& place() const { return place_; }
+  [[nodiscard]] Steps load() const { return Steps(load_); }
+
+  /// The motor turns by `steps` (not negative) towards `sign`.
+  void turn(Sign sign, std::int64_t steps);
+  void slip(Steps by);
+  void jam(bool on) { jammed_ = on; }
+  [[nodiscard]] bool jammed() const { return jammed_; }
+
+  void operate_limit(Sign side, bool on) { (side == Sign::plus ? plus_by_hand_ : minus_by_hand_) = on; }
+  void operate_home(bool on) { home_by_hand_ = on; }
+  [[nodiscard]] bool limit_by_hand(Sign side) const {
+    return side == Sign::plus ? plus_by_hand_ : minus_by_hand_;
+  }
+  [[nodiscard]] bool limit_operated(Sign side) const;
+  [[nodiscard]] bool home_operated() const;
+
+  /// Turns towards `way` until the travel limit switch on that side acts: 0 when it does already.
+  [[nodiscard]] std::optional<std::int64_t> turns_until_limit(Sign way) const;
+  /// Likewise for entering the home zone from outside.
+  [[nodiscard]] std::optional<std::int64_t> turns_until_home(Sign way) const;
+
+ private:
+  [[nodiscard]] std::int64_t play(Sign way) const;
+  [[nodiscard]] std::optional<std::int64_t> turns_until(Sign way, std::optional<Steps> mark) const;
+
+  AxisPlace place_;
+  std::int64_t load_ = 0;
+  std::int64_t play_used_ = 0;  ///< 0: next turn to minus moves the load; backlash: next turn to plus does
+  bool jammed_ = false, minus_by_hand_ = false, plus_by_hand_ = false, home_by_hand_ = false;
+};
+
+}  // namespace hw::motion

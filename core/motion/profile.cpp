@@ -1,0 +1,156 @@
+#include "core/motion/profile.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hw::motion {
+namespace {
+
+constexpr double slowest = 1e-6;     // steps/s; keeps divisions finite
+constexpr double longest_s = 3.0e9;  // 95 years: what still fits beside a start in nanoseconds
+
+double at_least_slow(double v) { return std::max(v, slowest); }
+
+/// The first nanosecond that is not before `s`.
+Duration round_up(double s) {
+  return Duration(static_cast<Duration::rep>(std::ceil(std::clamp(s, 0.0, longest_s) * 1e9 - 1e-3)));
+}
+
+}  // namespace
+
+void Profile::add(double to, double v1) {
+  if (to <= distance_ || count_ == static_cast<int>(stretches_.size())) return;
+  const double mean = at_least_slow((v_ + v1) / 2);
+  Stretch s{time_, (to - distance_) / mean, distance_, to, v_, v1};
+  stretches_[static_cast<std::size_t>(count_++)] = s;
+  time_ += s.lasts_s, distance_ = to, v_ = v1;
+}
+
+void Profile::finish(std::int64_t length) {
+  length_ = length;
+  end_ = start_ + round_up(time_);
+}
+
+Profile Profile::index(Instant start, std::int64_t length, Pps slew, const Ramp& ramp) {
+  Profile p;
+  p.start_ = start;
+  const double way = static_cast<double>(std::max<std::int64_t>(length, 0));
+  const double base = std::min(std::max(ramp.start_speed.value, 0.0), slew.value);
+  const double triangle =
+      std::sqrt(base * base + 2 * way * ramp.accel * ramp.decel / (ramp.accel + ramp.decel));
+  const double peak = at_least_slow(std::min(slew.value, triangle));
+  p.v_ = base;
+  const double up = (peak * peak - base * base) / (2 * ramp.accel);
+  const double down = (peak * peak - base * base) / (2 * ramp.decel);
+  p.add(std::min(up, way), peak);
+  if (way - down > p.distance_ * (1 + 1e-12)) p.add(way - down, peak);
+  p.add(way, base);
+  p.finish(static_cast<std::int64_t>(way));
+  return p;
+}
+
+Profile Profile::change(Instant start, double from, Pps now, Pps wanted, const Ramp& ramp, std::int64_t end) {
+  Profile p;
+  p.start_ = start, p.from_ = p.distance_ = from, p.v_ = now.value;
+  const double v0 = now.value, v1 = at_least_slow(wanted.value);
+  const double rate = v1 > v0 ? ramp.accel : -ramp.decel;
+  const double way = std::max(static_cast<double>(end) - from, 0.0),
+               needed = (v1 * v1 - v0 * v0) / (2 * rate);
+  if (needed >= way) {
+    p.add(from + way, std::sqrt(std::max(v0 * v0 + 2 * rate * way, 0.0)));
+  } else {
+    p.add(from + needed, v1);
+    p.v_ = v1;
+    p.add(static_cast<double>(end), v1);
+  }
+  p.finish(end);
+  return p;
+}
+
+Profile Profile::stop(Instant start, double from, Pps now, double decel) {
+  const std::int64_t end = std::llround(from + now.value * now.value / (2 * decel));
+  Profile p;
+  p.start_ = start, p.from_ = p.distance_ = from, p.v_ = now.value;
+  // Less than half a step to go: the step under way is not made.
+  const bool here = static_cast<double>(end) <= from;
+  if (!here) p.add(static_cast<double>(end), 0);
+  p.finish(here ? static_cast<std::int64_t>(std::floor(from)) : end);
+  return p;
+}
+
+Profile Profile::stop_within(Instant start, double from, Pps now, std::int64_t length) {
+  Profile p;
+  p.start_ = start, p.from_ = p.distance_ = from, p.v_ = now.value;
+  const auto end = static_cast<std::int64_t>(std::llround(from)) + std::max<std::int64_t>(length, 0);
+  p.add(static_cast<double>(end), 0);
+  p.finish(end);
+  return p;
+}
+
+const Profile::Stretch* Profile::at(double t) const {
+  for (int i = 0; i < count_; ++i) {
+    const Stretch& s = stretches_[static_cast<std::size_t>(i)];
+    if (t < s.begin_s + s.lasts_s || i + 1 == count_) return &s;
+  }
+  return nullptr;
+}
+
+double Profile::distance(Instant t) const {
+  if (t >= end_) return count_ > 0 ? distance_ : static_cast<double>(length_);
+  const double since = std::max(since_start(t), 0.0);
+  const Stretch* s = at(since);
+  if (s == nullptr) return from_;
+  const double u = std::clamp(since - s->begin_s, 0.0, s->lasts_s);
+  return std::min(s->from + s->v0 * u + (s->v1 - s->v0) / s->lasts_s * u * u / 2, s->to);
+}
+
+Pps Profile::speed(Instant t) const {
+  if (t >= end_) return Pps(0);
+  const double since = std::max(since_start(t), 0.0);
+  const Stretch* s = at(since);
+  if (s == nullptr) return Pps(0);
+  const double u = std::clamp(since - s->begin_s, 0.0, s->lasts_s);
+  return Pps(s->v0 + (s->v1 - s->v0) * u / s->lasts_s);
+}
+
+Pps Profile::final_speed() const { return Pps(v_); }
+
+Instant Profile::time_at(std::int64_t k) const {
+  const double d = static_cast<double>(k);
+  if (d <= from_) return start_;
+  if (k >= length_) return end_;
+  for (int i = 0; i < count_; ++i) {
+    const Stretch& s = stretches_[static_cast<std::size_t>(i)];
+    if (d > s.to && i + 1 < count_) continue;
+    const double rate = (s.v1 - s.v0) / s.lasts_s;
+    double u;
+    if (rate >= 0) {  // from its beginning, and from its end while slowing: neither loses digits near rest
+      const double way = d - s.from;
+      u = 2 * way / (s.v0 + std::sqrt(s.v0 * s.v0 + 2 * rate * way));
+    } else {
+      const double rest = s.to - d;
+      u = s.lasts_s - (rest > 0 ? 2 * rest / (s.v1 + std::sqrt(s.v1 * s.v1 - 2 * rate * rest)) : 0.0);
+    }
+    return std::min(start_ + round_up(s.begin_s + u), end_);
+  }
+  return end_;
+}
+
+std::int64_t Profile::steps(Instant t) const {
+  if (t >= end_) return length_;
+  if (t < start_) return static_cast<std::int64_t>(std::floor(from_));
+  auto k = static_cast<std::int64_t>(std::floor(distance(t)));
+  const auto first = static_cast<std::int64_t>(std::floor(from_));
+  while (k > first && time_at(k) > t) --k;  // one step at most: makes steps() and time_at() agree
+  while (k < length_ && time_at(k + 1) <= t) ++k;
+  return k;
+}
+
+std::optional<Instant> Profile::slows_at() const {
+  if (count_ == 0 || v_ > slowest) return std::nullopt;
+  const Stretch& last = stretches_[static_cast<std::size_t>(count_ - 1)];
+  if (last.v1 >= last.v0) return std::nullopt;
+  return std::min(start_ + round_up(last.begin_s), end_);
+}
+
+}  // namespace hw::motion

@@ -1,0 +1,72 @@
+#pragma once
+// A profile is a closed form of distance over time: stretches of constant acceleration, one after the other.
+// Distance counts steps travelled, whatever the direction; the step `k` happens at one exact moment.
+//
+//   speed     slew
+//     |    ________
+//     |   /        \      index(): ramp up, slew, ramp down; a triangle when the way is too short
+//     |  /          \     change(): from one speed to another, then on to the end at that speed
+//     | /            \    stop():   from one speed to rest on a whole step
+//     +------------------ time
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "core/base/units.h"
+#include "core/time/clock.h"
+
+namespace hw::motion {
+
+struct Ramp {
+  double accel = 1, decel = 1;  ///< steps/s²
+  Pps start_speed;              ///< speed that needs no ramp
+  Ramp(double up, double down, Pps start = Pps(0)) : accel(up), decel(down), start_speed(start) {}
+};
+
+class Profile {
+ public:
+  /// Ends at once, having gone nowhere.
+  Profile() = default;
+  /// From rest over `length` steps to rest.
+  static Profile index(Instant start, std::int64_t length, Pps slew, const Ramp& ramp);
+  /// At `start` the distance is `from` and the speed `now`; goes to `wanted` and keeps it up to `end`.
+  static Profile change(Instant start, double from, Pps now, Pps wanted, const Ramp& ramp, std::int64_t end);
+  /// Down to rest on the whole step nearest to the natural stopping point.
+  static Profile stop(Instant start, double from, Pps now, double decel);
+  /// Down to rest after exactly `length` more steps, at whatever constant rate that takes.
+  static Profile stop_within(Instant start, double from, Pps now, std::int64_t length);
+
+  [[nodiscard]] Instant start() const { return start_; }
+  [[nodiscard]] Instant end() const { return end_; }
+  /// Steps in all when it has ended.
+  [[nodiscard]] std::int64_t length() const { return length_; }
+  [[nodiscard]] double distance(Instant t) const;
+  [[nodiscard]] Pps speed(Instant t) const;
+  [[nodiscard]] Pps final_speed() const;
+  /// Whole steps made up to and including `t`.
+  [[nodiscard]] std::int64_t steps(Instant t) const;
+  /// When step `k` is made: at the start for what lies behind it, at the end for all beyond the end.
+  [[nodiscard]] Instant time_at(std::int64_t k) const;
+  /// When the way down to rest begins, if it ends at rest.
+  [[nodiscard]] std::optional<Instant> slows_at() const;
+
+  /// A distance that no motion reaches: for moves without an end of their own.
+  static constexpr std::int64_t endless = std::int64_t{1} << 50;
+
+ private:
+  struct Stretch {
+    double begin_s, lasts_s, from, to, v0, v1;
+  };
+  void add(double to, double v1);
+  void finish(std::int64_t length);
+  [[nodiscard]] double since_start(Instant t) const { return seconds(t - start_); }
+  [[nodiscard]] const Stretch* at(double t) const;
+
+  Instant start_{}, end_{};
+  std::int64_t length_ = 0;
+  double from_ = 0, v_ = 0, distance_ = 0, time_ = 0;  ///< where it begins; where the next stretch begins
+  std::array<Stretch, 3> stretches_{};
+  int count_ = 0;
+};
+
+}  // namespace hw::motion

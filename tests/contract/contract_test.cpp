@@ -1,0 +1,167 @@
+#include <cstring>
+#include <set>
+
+#include "tests/contract/rig.h"
+
+namespace hw {
+namespace {
+
+using std::chrono::seconds;
+using testing::HasSubstr;
+
+std::vector<const DeviceType*> all_types() {
+  std::vector<const DeviceType*> all;
+  for (const DeviceType& type : device_types()) all.push_back(&type);
+  return all;
+}
+INSTANTIATE_TEST_SUITE_P(Every, ContractTest, testing::ValuesIn(all_types()), [](const auto& info) {
+  std::string name(info.param->model);
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+});
+
+TEST_P(ContractTest, TheCatalogIsWhole) {
+  const Catalog& c = session->catalog();
+  EXPECT_EQ(c.model, GetParam()->model);
+  EXPECT_FALSE(c.axes.empty());
+  EXPECT_LE(c.params.size(), static_cast<std::size_t>(max_params));
+  std::set<std::string> mnemonics;
+  for (const ParamInfo& p : c.params) {
+    EXPECT_TRUE(mnemonics.insert(p.mnemonic).second) << p.mnemonic << " stands twice";
+    EXPECT_NE(p.label, p.mnemonic);
+    EXPECT_GT(p.explanation.size(), 40u) << p.mnemonic;
+    EXPECT_TRUE(p.accepts(p.fallback)) << p.mnemonic << ": the factory value is out of range";
+  }
+  for (const CommandInfo& command : c.commands) EXPECT_FALSE(command.help.empty()) << command.form;
+}
+
+TEST_P(ContractTest, AFreshControllerIsKnownAndAtRest) {
+  EXPECT_TRUE(axis().position_known);
+  EXPECT_EQ(axis().position, Steps(0));
+  EXPECT_EQ(axis().activity, Activity::idle);
+  EXPECT_FALSE(is_stale(axis().seen_at, time.now(), now().poll_period));
+}
+
+TEST_P(ContractTest, AMoveEndsWhereItWasSent) {
+  EXPECT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(400)}})).fate, Fate::done);
+  ASSERT_TRUE(becomes_idle(seconds(20)));
+  EXPECT_EQ(axis().position, Steps(400));
+  EXPECT_EQ(axis().ended_by, EndedBy::target);
+  EXPECT_EQ(perform(intent::MoveBy({{AxisId{0}, Steps(-100)}})).fate, Fate::done);
+  ASSERT_TRUE(becomes_idle(seconds(20)));
+  EXPECT_EQ(axis().position, Steps(300));
+}
+
+TEST_P(ContractTest, AHeldJogMovesAndStopsWhenItIsLetGo) {
+  session->send(intent::JogStart(AxisId{0}, Sign::plus, {}, false));
+  run(seconds(1));
+  EXPECT_GT(axis().direction, 0);
+  session->send(intent::JogStop());
+  ASSERT_TRUE(becomes_idle(seconds(20)));
+  const Steps there = axis().position;
+  EXPECT_GT(there, Steps(0));
+  run(seconds(5));
+  EXPECT_EQ(axis().position, there);
+}
+
+TEST_P(ContractTest, AJogThatIsNotHeldEndsByItself) {
+  session->send(intent::JogStart(AxisId{0}, Sign::plus));
+  ASSERT_TRUE(becomes_idle(seconds(20)));
+  const Steps there = axis().position;
+  run(seconds(5));
+  EXPECT_EQ(axis().position, there);
+}
+
+TEST_P(ContractTest, StopEndsALongMoveAtOnceAndItStaysEnded) {
+  perform(intent::MoveBy({{AxisId{0}, Steps(50000)}}));
+  run(seconds(2));
+  ASSERT_EQ(axis().activity, Activity::moving);
+  const IntentId stop = session->send(intent::Stop());
+  ASSERT_TRUE(becomes_idle(seconds(20)));
+  EXPECT_EQ(now().fate_of(stop)->fate, Fate::done);
+  const Steps there = axis().position;
+  EXPECT_LT(there, Steps(49000));
+  run(seconds(5));
+  EXPECT_EQ(axis().position, there);
+  EXPECT_EQ(axis().ended_by, EndedBy::stop);
+}
+
+TEST_P(ContractTest, APulledCableIsSaidAndHealsWithoutMovingAnything) {
+  perform(intent::MoveBy({{AxisId{0}, Steps(2000)}}));
+  run(Millis(500));
+  operate(bench::Unplug(true));
+  ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::lost; }, seconds(10)));
+  EXPECT_FALSE(now().link.sentence.empty());
+  run(seconds(20));
+  EXPECT_FALSE(axis().position_known && !is_stale(axis().seen_at, time.now(), now().poll_period))
+      << "a position that cannot be read may not look live";
+  operate(bench::Unplug(false));
+  ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::good; }, seconds(20)));
+  ASSERT_TRUE(becomes_idle(seconds(20)));
+  EXPECT_EQ(axis().position, Steps(2000)) << "the controller went on by itself; nothing was repeated";
+}
+
+TEST_P(ContractTest, GarbledAndDroppedBytesLoseNothing) {
+  for (int i = 0; i < 5; ++i) {
+    operate(bench::Garble(7));
+    run(seconds(1));
+    operate(bench::Drop(5));
+    run(seconds(1));
+  }
+  ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::good; }, seconds(20)));
+  EXPECT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(400)}})).fate, Fate::done);
+  ASSERT_TRUE(becomes_idle(seconds(20)));
+  EXPECT_EQ(axis().position, Steps(400));
+}
+
+TEST_P(ContractTest, APowerCycleIsNoticedAndNothingMoves) {
+  perform(intent::MoveTo({{AxisId{0}, Steps(400)}}));
+  ASSERT_TRUE(becomes_idle(seconds(20)));
+  operate(bench::PowerCycle());
+  ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::good && axis().position == Steps(0); },
+                        seconds(30)));
+  run(seconds(5));
+  EXPECT_EQ(axis().position, Steps(0));
+  Notice told;
+  bool said = false;
+  session->notices().drain([&](const Notice& n) { said = said || n.text.find("power") != n.text.npos; });
+  EXPECT_TRUE(said);
+}
+
+TEST_P(ContractTest, ValuesOutOfRangeAreRefusedInWordsAndNothingIsSent) {
+  for (const ParamInfo& p : session->catalog().params) {
+    if (!p.choices.empty() || !p.bits.empty()) continue;
+    const IntentFate fate = perform(intent::SetParam(p.mnemonic, p.maximum + 1, true));
+    EXPECT_EQ(fate.fate, Fate::refused) << p.mnemonic;
+    EXPECT_THAT(std::string(fate.sentence.view()), HasSubstr("Nothing was sent")) << p.mnemonic;
+  }
+}
+
+TEST_P(ContractTest, EveryParameterCanBeReadAndTakesItsFactoryValueAgain) {
+  ASSERT_EQ(perform(intent::ReadParams(), seconds(60)).fate, Fate::done);
+  const Catalog& c = session->catalog();
+  for (std::size_t i = 0; i < c.params.size(); ++i) {
+    if (!c.params[i].readable) continue;
+    EXPECT_TRUE(now().params[i].known) << c.params[i].mnemonic;
+    EXPECT_EQ(now().params[i].value, c.params[i].fallback) << c.params[i].mnemonic;
+  }
+}
+
+TEST_P(ContractTest, TheLanguageNeverFailsOnAnyText) {
+  const Language& language = GetParam()->language();
+  for (const char* text : {"", "\n\n\n", ";", "\xff\xfe", "I1M", "ÄÖÜ", "((((", "99999999999999999999"}) {
+    const ProgramReport report = language.analyse(text, 0);
+    const auto lines = std::count(text, text + std::strlen(text), '\n') + 1;
+    EXPECT_GE(static_cast<long>(report.lines.size()) + 1, lines) << text;
+  }
+}
+
+TEST_P(ContractTest, WithoutAnybodyWatchingItStaysGoodForAnHour) {
+  run(std::chrono::hours(1));
+  EXPECT_EQ(now().link.state, LinkState::good);
+  EXPECT_EQ(now().link.timeouts, 0u);
+  EXPECT_EQ(now().link.unparsed_bytes, 0u);
+}
+
+}  // namespace
+}  // namespace hw

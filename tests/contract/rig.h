@@ -1,0 +1,65 @@
+#pragma once
+// One registered controller as an in-process emulator, opened through the real wire, link, driver and session
+// in virtual time. A fifth controller is tested by being listed.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/session/session.h"
+#include "core/time/virtual_scheduler.h"
+#include "transports/open.h"
+
+namespace hw {
+
+class ContractTest : public testing::TestWithParam<const DeviceType*> {
+ protected:
+  void SetUp() override {
+    auto address = Address::parse(std::string(GetParam()->model) + "@emulator");
+    ASSERT_TRUE(address) << address.error().sentence();
+    auto opened = Session::open(time, *address, make_wire_opener(), [] {});
+    ASSERT_TRUE(opened) << opened.error().sentence();
+    session = *opened;
+    ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::good; }, std::chrono::seconds(10)))
+        << now().link.sentence.view();
+    run(std::chrono::seconds(2));
+  }
+  void TearDown() override {
+    if (!session) return;
+    asio::co_spawn(io, session->close(), asio::detached);
+    run(std::chrono::seconds(2));
+    EXPECT_EQ(now().link.state, LinkState::closed);
+  }
+
+  void run(Duration d) { time.run_for(d); }
+  bool run_until(const std::function<bool()>& done, Duration patience) {
+    return time.run_until(time.now() + patience, done);
+  }
+  [[nodiscard]] const Snapshot& now() const { return session->known(); }
+  [[nodiscard]] const AxisState& axis() const { return now().axes[0]; }
+  [[nodiscard]] Steps load() const {
+    BenchView view;
+    session->bench()->look(view);
+    return view.load_position[0];
+  }
+  void operate(BenchCommand command) {
+    auto done = session->bench()->operate(command);
+    EXPECT_TRUE(done) << done.error().sentence();
+  }
+  /// What became of it, once that is known.
+  IntentFate perform(IntentBody body, Duration patience = std::chrono::seconds(10)) {
+    const IntentId id = session->send(std::move(body));
+    run_until([&] { return now().fate_of(id) && now().fate_of(id)->fate != Fate::pending; }, patience);
+    const IntentFate* fate = now().fate_of(id);
+    return fate ? *fate : IntentFate{};
+  }
+  bool becomes_idle(Duration patience) {
+    run(Millis(300));
+    return run_until([this] { return !now().any_axis_moving() && now().program.run == RunState::idle; },
+                     patience);
+  }
+
+  IoContext io;
+  VirtualScheduler time{io};
+  std::shared_ptr<Session> session;
+};
+
+}  // namespace hw
