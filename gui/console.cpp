@@ -51,6 +51,9 @@ Tab& Console::adopt(std::shared_ptr<Session> session) {
   } else {
     toast(Mood::warn, profile.error().sentence());
   }
+  if (outside_.folders.enabled)
+    tell(tab->desk().keep_texts(Autosave(outside_.folders), tab->profile_key));
+  tab->desk().use(outside_.worker);
   return add(std::move(tab));
 }
 
@@ -230,6 +233,7 @@ void Console::refresh(Ui& ui) {
   for (const auto& tab : tabs_) {
     tab->refresh();
     tell_news(*tab);
+    if (const double due = tab->desk().autosave_due_in(tab->clock()); due >= 0) ui.wake_in(due);
   }
   if (!ImGui::IsMouseDown(0)) save();  // not at each step of a slider that is being dragged
   toasts_.tick(ui.now_s);

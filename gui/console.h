@@ -29,6 +29,7 @@ struct Outside {
   WireOpener open_wire;
   std::function<void()> wake;   ///< any thread: a frame is wanted
   PortFinder* ports = nullptr;  ///< null: finds nothing
+  Worker* worker = nullptr;     ///< long jobs of programs; null: within the frame
   UserFolders folders = UserFolders::none();
   std::function<std::string(const Address&)> usb_serial;  ///< of the adapter behind an address; may be null
   std::function<double(Instant)> second_of_day;           ///< wall clock; null: counts from the start
@@ -49,6 +50,8 @@ class Console {
   Result<Tab*> open(std::string_view address);
   /// The same for a session that somebody else has opened (a script). It is closed with the tab.
   Tab& adopt(std::shared_ptr<Session> session);
+  /// The same for one that is not a session's (tests).
+  Tab& add(std::unique_ptr<Tab> tab);
   void close(Tab& tab);
   void close_all();
   /// Sessions that were told to close and are not done yet. The scheduler must run until it is 0.
@@ -104,7 +107,6 @@ class Console {
   [[nodiscard]] Page& page_object(std::string_view id);
 
  private:
-  Tab& add(std::unique_ptr<Tab> tab);
   void refresh(Ui& ui);
   void tell_news(Tab& tab);
   void tell(const Result<>& outcome);
