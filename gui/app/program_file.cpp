@@ -1,0 +1,36 @@
+#include "gui/app/program_file.h"
+
+#include <fmt/format.h>
+
+#include "core/base/file.h"
+#include "core/device/registry.h"
+
+namespace hw::app {
+
+static std::string models() {
+  std::string all;
+  for (const DeviceType& type : device_types()) all += (all.empty() ? "" : ", ") + std::string(type.model);
+  return all;
+}
+
+Result<ProgramFile> read_program(const Given& given) {
+  if (!given.has("for"))
+    return fail(FaultKind::text, "It is not said which controller the program is for.", {},
+                fmt::format("Add --for MODEL ({}).", models()));
+  const DeviceType* type = find_device_type(given.one("for"));
+  if (!type)
+    return fail(FaultKind::text, fmt::format("There is no controller model \"{}\".", given.one("for")), {},
+                fmt::format("Known: {}.", models()));
+  auto catalog = type->make_catalog({});
+  if (!catalog) return fail(catalog.error());
+  auto text = read_text_file(given.words[0]);
+  if (!text) return fail(text.error());
+  ProgramFile program;
+  program.path = given.words[0];
+  program.text = std::move(*text);
+  program.language = &type->language();
+  program.catalog = std::move(*catalog);
+  return program;
+}
+
+}  // namespace hw::app
