@@ -34,16 +34,19 @@ Tab::Tab(std::shared_ptr<Session> session, std::string key)
       session_(std::move(session)),
       address_(session_->address()),
       catalog_(session_->catalog()),
-      door_(door_of(*session_)) {
+      door_(door_of(*session_)),
+      desk_(catalog_, session_->type().language ? &session_->type().language() : nullptr,
+            session_->type().explain) {
   work_out_units();
   refresh();
 }
 
-Tab::Tab(Address address, Catalog catalog, Door door)
+Tab::Tab(Address address, Catalog catalog, Door door, const Language* language)
     : jog([this](IntentBody body) { return send_followed(std::move(body)); }),
       address_(std::move(address)),
       catalog_(std::move(catalog)),
-      door_(std::move(door)) {
+      door_(std::move(door)),
+      desk_(catalog_, language, nullptr) {
   work_out_units();
 }
 
@@ -52,9 +55,11 @@ void Tab::refresh() {
   now_ = &session_->snapshot();
   bench_ = &session_->bench_view();
   clock_ = session_->now();
-  session_->notices().drain([this](Notice& notice) { notices_.push_back(std::move(notice)); });
+  session_->notices().drain([this](Notice& notice) { take(notice); });
+  desk_.traffic.drain(session_->traffic());
   follow_fates();
   find_why_not_move();
+  desk_.refresh(*now_, clock_, [this](IntentBody body) { return send(std::move(body)); });
 }
 
 void Tab::show(const Snapshot& snapshot, const BenchView& bench, Instant clock) {
@@ -63,6 +68,19 @@ void Tab::show(const Snapshot& snapshot, const BenchView& bench, Instant clock) 
   clock_ = clock;
   follow_fates();
   find_why_not_move();
+  desk_.refresh(*now_, clock_, [this](IntentBody body) { return send(std::move(body)); });
+}
+
+void Tab::take(Notice& notice) {
+  if (notice.kind == Notice::Kind::program)
+    desk_.listed(notice);
+  else
+    notices_.push_back(std::move(notice));
+}
+
+IntentId Tab::send(IntentBody body) {
+  desk_.sent(body);
+  return door_.send(std::move(body));
 }
 
 IntentId Tab::send_followed(IntentBody body) {

@@ -12,6 +12,7 @@
 #include "gui/jog_hold.h"
 #include "gui/panel.h"
 #include "gui/units_format.h"
+#include "gui/desk.h"
 
 namespace hw::gui {
 
@@ -24,7 +25,7 @@ class Tab {
   };
 
   Tab(std::shared_ptr<Session> session, std::string profile_key);
-  Tab(Address address, Catalog catalog, Door door);
+  Tab(Address address, Catalog catalog, Door door, const Language* language = nullptr);
   Tab(const Tab&) = delete;
   Tab& operator=(const Tab&) = delete;
 
@@ -42,7 +43,7 @@ class Tab {
   [[nodiscard]] const DeviceType* type() const { return session_ ? &session_->type() : nullptr; }
   [[nodiscard]] const std::shared_ptr<Session>& session() const { return session_; }
 
-  IntentId send(IntentBody body) { return door_.send(std::move(body)); }
+  IntentId send(IntentBody body);
   /// As send(), and a refusal or failure is told: see take_complaint().
   IntentId send_followed(IntentBody body);
   void operate_bench(BenchCommand command) { door_.operate_bench(std::move(command)); }
@@ -67,6 +68,9 @@ class Tab {
   /// Held jog: the user's choice, else 0 (the controller's own).
   [[nodiscard]] Pps jog_speed() const { return profile.jog_speed; }
 
+  /// Traffic, program texts, edited set-up: what outlives the panel that shows it.
+  [[nodiscard]] Desk& desk() { return desk_; }
+
   // ---- what must be told once
   [[nodiscard]] std::vector<Notice>& notices() { return notices_; }
   [[nodiscard]] std::vector<std::string>& complaints() { return complaints_; }
@@ -80,12 +84,14 @@ class Tab {
  private:
   void follow_fates();
   void find_why_not_move();
+  void take(Notice& notice);
   void work_out_units();
 
   std::shared_ptr<Session> session_;
   const Address address_;
   const Catalog catalog_;
   Door door_;
+  Desk desk_;
   static const Snapshot nothing_known;
   static const BenchView no_bench;
   const Snapshot* now_ = &nothing_known;

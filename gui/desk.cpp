@@ -1,0 +1,63 @@
+#include "gui/desk.h"
+
+#include <variant>
+
+namespace hw::gui {
+
+// Short enough that a crash costs a word or two, long enough that not each key is a file.
+static constexpr Duration autosave_after = Millis(1000);
+
+Desk::Desk(const Catalog& catalog, const Language* language, TrafficLog::Explain explain)
+    : traffic(explain),
+      texts(catalog.program, language),
+      setup(catalog),
+      help(catalog.commands),
+      catalog_(catalog),
+      language_(language) {}
+
+Result<> Desk::keep_texts(Autosave autosave, std::string key) {
+  autosave_ = std::move(autosave);
+  autosave_key_ = std::move(key);
+  const auto restored = autosave_.restore(autosave_key_);
+  if (!restored) return fail(restored.error());
+  texts.restore(*restored);
+  autosaved_ = texts.changes();
+  return {};
+}
+
+void Desk::sent(const IntentBody& body) {
+  if (std::holds_alternative<intent::SendText>(body) || std::holds_alternative<intent::Reset>(body))
+    texts.doubt();
+}
+
+void Desk::refresh(const Snapshot& now, Instant clock, const Send& send) {
+  if (!worker_) own_worker_.deliver();
+  if (now.link.state == LinkState::lost || now.link.state == LinkState::closed) texts.doubt();
+  job.update(texts, now, catalog_, clock, send);
+  setup_write.update(now, catalog_, send);
+  setup.settle(now);
+  autosave(clock);
+}
+
+void Desk::autosave(Instant clock) {
+  if (!autosave_.enabled() || texts.changes() == autosaved_) return;
+  if (!dirty_) {
+    dirty_ = true;
+    changed_at_ = clock;
+  }
+  if (clock - changed_at_ < autosave_after) return;
+  dirty_ = false;
+  autosaved_ = texts.changes();
+  worker().run(
+      [autosave = autosave_, key = autosave_key_, unsaved = texts.unsaved()] {
+        return autosave.keep(key,
+                             unsaved);  // a full disk is told when the user saves; here it would only nag
+      },
+      [](Result<>) {}, alive_);
+}
+
+double Desk::autosave_due_in(Instant clock) const {
+  return dirty_ ? std::max(0.0, seconds(autosave_after - (clock - changed_at_))) : -1;
+}
+
+}  // namespace hw::gui

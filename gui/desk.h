@@ -1,0 +1,69 @@
+#pragma once
+// What the user works at with one controller, beside its state: the record of its wire, program texts and
+// what is done with them, edited set-up, typed commands. One per tab, whichever panels are in front. GUI
+// thread.
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/device/registry.h"
+#include "core/session/autosave.h"
+#include "gui/command_help.h"
+#include "gui/program_job.h"
+#include "gui/program_texts.h"
+#include "gui/rehearsals.h"
+#include "gui/setup_edits.h"
+#include "gui/traffic_log.h"
+#include "gui/worker.h"
+
+namespace hw::gui {
+
+class Desk {
+ public:
+  using Send = std::function<IntentId(IntentBody)>;
+
+  Desk(const Catalog& catalog, const Language* language, TrafficLog::Explain explain);
+
+  TrafficLog traffic;
+  ProgramTexts texts;
+  ProgramJob job;
+  Rehearsals rehearsals;
+  SetupEdits setup;
+  SetupWrite setup_write;
+  const CommandHelp help;
+  std::vector<std::string> history;  ///< typed commands, oldest first
+
+  /// Null: this model has no program language.
+  [[nodiscard]] const Language* language() const { return language_; }
+  /// Where long jobs run; without one they run within the frame.
+  void use(Worker* worker) { worker_ = worker; }
+  [[nodiscard]] Worker& worker() { return worker_ ? *worker_ : own_worker_; }
+  /// Unsaved texts are kept under `key` from now on; those of last time come back. A fault: their file was
+  /// damaged, nothing came back.
+  Result<> keep_texts(Autosave autosave, std::string key);
+  /// Seconds until the autosave wants a frame; negative: it does not.
+  [[nodiscard]] double autosave_due_in(Instant clock) const;
+
+  /// A listing came up from the controller.
+  void listed(const Notice& notice) { texts.listed(notice.slot, notice.text, notice.at); }
+  /// Something went down that may change what the controller holds.
+  void sent(const IntentBody& body);
+  /// Once a frame, after the snapshot and its notices were taken.
+  void refresh(const Snapshot& now, Instant clock, const Send& send);
+
+ private:
+  void autosave(Instant clock);
+
+  const Catalog& catalog_;
+  const Language* language_;
+  Worker own_worker_;
+  Worker* worker_ = nullptr;
+  Autosave autosave_{UserFolders::none()};
+  std::string autosave_key_;
+  std::uint64_t autosaved_ = 0;
+  Instant changed_at_{};
+  bool dirty_ = false;
+  std::shared_ptr<int> alive_ = std::make_shared<int>(0);
+};
+
+}  // namespace hw::gui

@@ -1,0 +1,149 @@
+#include "gui/program_job.h"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace hw::gui {
+
+void ProgramJob::refuse(std::string sentence) {
+  stage_ = Stage::idle;
+  told_ = {Mood::fault, std::move(sentence)};
+}
+
+bool ProgramJob::begin(Goal goal, int slot, ProgramTexts& texts, const Snapshot& now, const Catalog& catalog,
+                       const Send& send) {
+  if (busy()) return refuse("One program transfer at a time: wait until the present one has ended."), false;
+  goal_ = goal;
+  slot_ = slot;
+  text_ = texts.text(slot);
+  if (goal == Goal::fetch) {
+    stage_ = Stage::fetching;
+    waiting_for_ = send(intent::UploadProgram(slot));
+    return true;
+  }
+  if (goal == Goal::clear) {
+    stage_ = Stage::clearing;
+    waiting_for_ = send(intent::ClearProgram(slot));
+    return true;
+  }
+  const ProgramReport& report = texts.report(slot);
+  for (const Problem& p : report.problems)
+    if (p.error) return refuse(fmt::format("Nothing was sent. Line {}: {}", p.line + 1, p.sentence)), false;
+  const int capacity = catalog.program.capacity;
+  if (const int cost = texts.cost(slot); capacity > 0 && cost > capacity)
+    return refuse(
+               fmt::format("Nothing was sent. The program needs {} {} and {} fit: {} too many. Shorten it.",
+                           cost, catalog.program.capacity_unit, capacity, cost - capacity)),
+           false;
+  if (texts.controller_has(slot)) return after_load(send), true;
+  const int used = now.slot_bytes_used[static_cast<std::size_t>(slot)];
+  const HeldProgram& held = texts.held(slot);
+  const bool ours = held.known && held.from_here;
+  if (used == 0 || ours) return load(texts, send), true;
+  stage_ = Stage::comparing;
+  waiting_for_ = send(intent::UploadProgram(slot));
+  return true;
+}
+
+void ProgramJob::load(ProgramTexts& texts, const Send& send) {
+  stage_ = Stage::loading;
+  const bool many = texts.has_headings(slot_);
+  waiting_for_ = send(intent::LoadProgram(many ? -1 : slot_, text_));
+}
+
+void ProgramJob::after_load(const Send& send) {
+  if (goal_ == Goal::store) {
+    stage_ = Stage::storing;
+    waiting_for_ = send(intent::Store());
+    return;
+  }
+  if (goal_ == Goal::run_stepping) send(intent::Pause());
+  stage_ = Stage::starting;
+  waiting_for_ = send(intent::RunProgram(slot_));
+}
+
+void ProgramJob::update(ProgramTexts& texts, const Snapshot& now, const Catalog& catalog, Instant clock,
+                        const Send& send) {
+  if (stage_ == Stage::idle) return;
+  if (now.link.state == LinkState::lost || now.link.state == LinkState::closed)
+    return refuse(
+        "The link was lost before the program was transferred. Look at it again when the link is back.");
+  if (stage_ == Stage::asking) return;
+  const IntentFate* fate = now.fate_of(waiting_for_);
+  if (!fate || fate->fate == Fate::pending) return;
+  if (fate->fate == Fate::done) return done(texts, now, catalog, clock, send);
+  if (stage_ == Stage::loading || stage_ == Stage::clearing) texts.doubt();
+  refuse(std::string(fate->sentence.view()));
+}
+
+void ProgramJob::done(ProgramTexts& texts, const Snapshot& now, const Catalog& catalog, Instant clock,
+                      const Send& send) {
+  switch (stage_) {
+    case Stage::comparing: return compared(texts, now, catalog, send);
+    case Stage::loading: texts.loaded(slot_, text_, clock); return after_load(send);
+    case Stage::fetching:
+      stage_ = Stage::idle;
+      if (!texts.held(slot_).known)
+        return refuse("The controller listed nothing. The text here is as it was.");
+      texts.set_text(slot_, texts.held(slot_).text);
+      told_ = {Mood::ok,
+               fmt::format("{} {} was brought here from the controller.", catalog.program.slot_word, slot_)};
+      return;
+    case Stage::clearing:
+      stage_ = Stage::idle;
+      texts.cleared(slot_, clock);
+      told_ = {Mood::ok, fmt::format("{} {} in the controller is empty. The text here is as it was.",
+                                     catalog.program.slot_word, slot_)};
+      return;
+    case Stage::storing:
+      stage_ = Stage::idle;
+      told_ = {Mood::ok, "Stored in the controller."};
+      if (now.store_count >= 0 && catalog.can.store_life > 0)
+        told_.sentence += fmt::format(" {} of {} writes used.", now.store_count, catalog.can.store_life);
+      return;
+    default: stage_ = Stage::idle;
+  }
+}
+
+void ProgramJob::compared(ProgramTexts& texts, const Snapshot& now, const Catalog& catalog,
+                          const Send& send) {
+  const HeldProgram& held = texts.held(slot_);
+  if (held.known && text_ == texts.text(slot_) && texts.controller_has(slot_)) return after_load(send);
+  if (held.known && held.listing.empty()) return load(texts, send);
+  const int used = now.slot_bytes_used[static_cast<std::size_t>(slot_)];
+  question_ = fmt::format(
+      "{} {} in the controller holds another program{}, which was not loaded from here. "
+      "Loading this text would overwrite it.",
+      catalog.program.slot_word, slot_,
+      used > 0 ? fmt::format(" of {} {}", used, catalog.program.capacity_unit) : "");
+  stage_ = Stage::asking;
+}
+
+void ProgramJob::answer(Answer answer, ProgramTexts& texts, const Send& send) {
+  if (stage_ != Stage::asking) return;
+  switch (answer) {
+    case Answer::overwrite: return load(texts, send);
+    case Answer::fetch_instead:
+      texts.set_text(slot_, texts.held(slot_).text);
+      stage_ = Stage::idle;
+      return;
+    case Answer::leave:
+      stage_ = Stage::idle;
+      told_ = {Mood::plain, "Nothing was sent. The controller's program is as it was."};
+  }
+}
+
+std::string ProgramJob::words(const ProgramFacts& facts) const {
+  const auto about = [&](const char* verb) { return fmt::format("{} {} {}", verb, facts.slot_word, slot_); };
+  switch (stage_) {
+    case Stage::comparing: return about("Comparing");
+    case Stage::loading: return about("Loading");
+    case Stage::fetching: return about("Reading");
+    case Stage::clearing: return about("Emptying");
+    case Stage::storing: return "Storing";
+    default: return {};
+  }
+}
+
+}  // namespace hw::gui

@@ -1,0 +1,69 @@
+#pragma once
+// What takes several intents: running a text that the controller may not hold yet, storing it, bringing a
+// program up. One job at a time per controller; it goes on while other panels are in front. GUI thread.
+#include <functional>
+#include <string>
+
+#include "core/device/intent.h"
+#include "core/device/snapshot.h"
+#include "gui/program_texts.h"
+
+namespace hw::gui {
+
+class ProgramJob {
+ public:
+  enum class Goal : std::uint8_t {
+    run,
+    run_stepping,  ///< held before its first command
+    store,         ///< into the slot, then into non-volatile memory
+    fetch,         ///< the controller's program into the editor
+    clear,         ///< empties the slot in the controller
+  };
+  enum class Stage : std::uint8_t { idle, comparing, asking, loading, starting, storing, fetching, clearing };
+  enum class Answer : std::uint8_t { overwrite, fetch_instead, leave };
+
+  using Send = std::function<IntentId(IntentBody)>;
+  struct Told {
+    Mood mood = Mood::plain;
+    std::string sentence;
+  };
+
+  /// Begins; false with a sentence in take_told() when it cannot (errors in the text, another job, no text).
+  bool begin(Goal goal, int slot, ProgramTexts& texts, const Snapshot& now, const Catalog& catalog,
+             const Send& send);
+  /// Once a frame, after the tab's notices have reached the texts.
+  void update(ProgramTexts& texts, const Snapshot& now, const Catalog& catalog, Instant clock,
+              const Send& send);
+  void answer(Answer answer, ProgramTexts& texts, const Send& send);
+  /// A stop, or a lost wire: what was planned after the present step is not done.
+  void give_up() { stage_ = Stage::idle; }
+
+  [[nodiscard]] Stage stage() const { return stage_; }
+  [[nodiscard]] bool busy() const { return stage_ != Stage::idle; }
+  [[nodiscard]] int slot() const { return slot_; }
+  [[nodiscard]] Goal goal() const { return goal_; }
+  /// While asking: what would be lost.
+  [[nodiscard]] const std::string& question() const { return question_; }
+  /// "Loading program 0": what is under way, for the toolbar; empty when nothing is.
+  [[nodiscard]] std::string words(const ProgramFacts& facts) const;
+  /// What came of it, told once; empty sentence: nothing new.
+  Told take_told() { return std::exchange(told_, Told()); }
+
+ private:
+  void load(ProgramTexts& texts, const Send& send);
+  void after_load(const Send& send);
+  void compared(ProgramTexts& texts, const Snapshot& now, const Catalog& catalog, const Send& send);
+  void done(ProgramTexts& texts, const Snapshot& now, const Catalog& catalog, Instant clock,
+            const Send& send);
+  void refuse(std::string sentence);
+
+  Goal goal_ = Goal::run;
+  Stage stage_ = Stage::idle;
+  int slot_ = 0;
+  IntentId waiting_for_ = 0;
+  std::string text_;  ///< as it was when the job began: this is what is loaded
+  std::string question_;
+  Told told_;
+};
+
+}  // namespace hw::gui

@@ -1,0 +1,81 @@
+#pragma once
+// Edited values of a controller's parameters, against what the controller has and what a file says. Nothing
+// is sent until the user says so; what is written is read back by the driver. GUI thread.
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/device/catalog.h"
+#include "core/device/intent.h"
+#include "core/device/snapshot.h"
+#include "core/session/parameter_file.h"
+
+namespace hw::gui {
+
+class SetupEdits {
+ public:
+  explicit SetupEdits(const Catalog& catalog);
+
+  [[nodiscard]] std::size_t size() const { return edits_.size(); }
+  /// What somebody wants the parameter to be; nothing: as the controller has it.
+  [[nodiscard]] std::optional<std::int64_t> edited(std::size_t i) const { return edits_[i]; }
+  /// False: out of range, nothing was changed; `why` says the range in words.
+  bool set(std::size_t i, std::int64_t value, std::string* why = nullptr);
+  void undo(std::size_t i) { edits_[i].reset(); }
+  void undo_all();
+  /// Edited value, else the controller's, else nothing.
+  [[nodiscard]] std::optional<std::int64_t> shown(std::size_t i, const Snapshot& now) const;
+  /// Differs from what the controller is known to have (or that is not known).
+  [[nodiscard]] bool changed(std::size_t i, const Snapshot& now) const;
+  [[nodiscard]] bool off_factory(std::size_t i, const Snapshot& now) const;
+  [[nodiscard]] std::vector<std::size_t> to_send(const Snapshot& now) const;
+  [[nodiscard]] int changes(const Snapshot& now) const;
+  /// Forgets edits that the controller has by now.
+  void settle(const Snapshot& now);
+
+  /// Takes the values of a file as edits. Returns sentences about what was left out.
+  std::vector<std::string> take(const CheckedBackup& file, const Snapshot& now, int* differing = nullptr);
+  /// All values as shown, for a file.
+  [[nodiscard]] Backup to_file(const Snapshot& now) const;
+
+  /// Whether every letter group of `filter` is found in mnemonic, label, group, explanation or unit.
+  [[nodiscard]] bool matches(std::size_t i, std::string_view filter) const;
+
+ private:
+  const Catalog& catalog_;
+  std::vector<std::optional<std::int64_t>> edits_;
+  std::vector<std::string> searched_;  ///< in lower case
+};
+
+/// Writes one after another, each only when the one before has ended well.
+class SetupWrite {
+ public:
+  using Send = std::function<IntentId(IntentBody)>;
+  /// `confirmed`: the warnings of these parameters were read.
+  void begin(const SetupEdits& edits, const Snapshot& now, const Catalog& catalog, bool confirmed,
+             const Send& send);
+  void update(const Snapshot& now, const Catalog& catalog, const Send& send);
+  [[nodiscard]] bool busy() const { return next_ < values_.size(); }
+  [[nodiscard]] std::size_t written() const { return next_; }
+  [[nodiscard]] std::size_t all() const { return values_.size(); }
+  /// Told once when it has ended: "3 values written." or the refusal.
+  struct Told {
+    bool good = true;
+    std::string sentence;
+  };
+  Told take_told() { return std::exchange(told_, Told()); }
+
+ private:
+  void send_next(const Catalog& catalog, const Send& send);
+  std::vector<std::pair<std::size_t, std::int64_t>> values_;
+  std::size_t next_ = 0;
+  IntentId waiting_for_ = 0;
+  bool confirmed_ = false;
+  Told told_;
+};
+
+/// The words of a value: the label of a choice, the names of set bits, or number and unit.
+std::string value_in_words(const ParamInfo& param, std::int64_t value);
+
+}  // namespace hw::gui
