@@ -29,14 +29,14 @@ std::string where(lua_State* L) {
   return {};
 }
 
+// The lines that led to the one where the error happened, which its message names.
 std::string callers(lua_State* L) {
   std::string all;
   lua_Debug at;
-  for (int level = 1, shown = 0; shown < 8 && lua_getstack(L, level, &at); ++level) {
+  for (int level = 0, found = 0; found < 9 && lua_getstack(L, level, &at); ++level) {
     lua_getinfo(L, "Sl", &at);
     if (at.currentline <= 0) continue;
-    all += fmt::format("\n  called from {}:{}", at.short_src, at.currentline);
-    ++shown;
+    if (found++ > 0) all += fmt::format("\n  called from {}:{}", at.short_src, at.currentline);
   }
   return all;
 }
@@ -55,10 +55,7 @@ struct Runner::Fiber {
 // ---- the state and its limits
 
 Runner::Runner(HybridScheduler& scheduler, RunOptions options)
-    : scheduler_(scheduler),
-      options_(std::move(options)),
-      began_(scheduler.now()),
-      ended_(scheduler) {
+    : scheduler_(scheduler), options_(std::move(options)), began_(scheduler.now()), ended_(scheduler) {
   lua_ = lua_newstate(&Runner::allocate, this);
   *static_cast<Runner**>(lua_getextraspace(lua_)) = this;
 }

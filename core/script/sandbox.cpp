@@ -6,7 +6,8 @@
 #include <lua.hpp>
 #include <string_view>
 
-#include "core/base/file.h"
+#include "core/session/text_file.h"
+#include "core/session/user_files.h"
 
 namespace hw::script {
 namespace {
@@ -107,7 +108,7 @@ bool load_module(lua_State* L, const std::string& folder, std::string_view name)
   if (path.empty()) return say(quoted + "there is no " + file + " in the script's folder");
   if (path.compare(0, root.size() + 1, root == "/" ? root : root + "/") != 0)
     return say(quoted + "that file is outside of the script's folder");
-  const auto text = read_text_file(path);
+  const auto text = read_file(path, largest_program_text);
   if (!text) return say(quoted + text.error().sentence());
   return luaL_loadbufferx(L, text->data(), text->size(), ("@" + file).c_str(), "t") == LUA_OK;
 }

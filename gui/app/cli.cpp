@@ -17,24 +17,11 @@ const OptionSpec bench_option{"bench", "FILE.toml", "what surrounds the emulated
 
 const std::vector<Subcommand>& subcommands() {
   static const std::vector<Subcommand> all = {
-      {"open",
-       "the console, with these controllers connected",
-       {{"ADDRESS", "MODEL@TRANSPORT:WHERE, for example vxm@serial:/dev/ttyUSB0 or vxm@emulator", 0, -1}},
-       {},
-       open_console},
-      {"demo",
-       "the console with emulated controllers; without a display a headless demonstration",
-       {},
-       {{"pictures", "FOLDER",
-         "where the headless demonstration leaves its pictures (default: demo beside the program)"},
-        {"headless", "", "no window even where there is a display"}},
-       demo},
       {"run",
        "run a Lua script without a window",
        {{"SCRIPT.lua", "the script", 1, 1}, {"ARGS", "its hw.args; -- ends the options", 0, -1}},
        {{"realtime", "",
          "wall-clock time (else virtual time while every controller is an emulator in process)"},
-        {"gui", "", "with the panels, laid out and driven without a display"},
         {"traffic", "FILE", "write down every byte of every wire"}},
        run_script},
       {"emulate",
@@ -96,7 +83,7 @@ void add_words(Parsed& parsed) {
   parsed.words.resize(specs.size());
   for (std::size_t i = 0; i < specs.size(); ++i) {
     auto* option = parsed.app->add_option(specs[i].name, parsed.words[i], specs[i].help);
-    option->type_name("");
+    option->type_name("")->allow_extra_args(specs[i].maximum != 1);
     option->expected(specs[i].minimum,
                      specs[i].maximum < 0 ? CLI::detail::expected_max_vector_size : specs[i].maximum);
     if (specs[i].minimum > 0) option->required();
@@ -110,7 +97,7 @@ void add_options(Parsed& parsed) {
     CLI::Option* option = nullptr;
     if (*spec.placeholder) {
       option = parsed.app->add_option(names, parsed.values[spec.name], spec.help);
-      option->type_name(spec.placeholder)->expected(1);
+      option->type_name(spec.placeholder)->expected(1)->allow_extra_args(false);
       option->multi_option_policy(spec.repeatable ? CLI::MultiOptionPolicy::TakeAll
                                                   : CLI::MultiOptionPolicy::Throw);
     } else {
@@ -199,7 +186,8 @@ int run_command_line(int argc, char** argv) {
   if (verbose) log::set_level(log::Level::debug);
   for (const Parsed& one : parsed)
     if (one.app->parsed()) return one.command->run(collect(one, std::move(behind_dashes)));
-  return open_console(Given());
+  fmt::print("{}", app.help());
+  return usage;
 }
 
 }  // namespace hw::app

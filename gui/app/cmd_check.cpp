@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "core/base/file.h"
 #include "core/device/registry.h"
 #include "gui/app/cli.h"
 #include "gui/app/program_file.h"

@@ -23,7 +23,7 @@ void print_log(std::string_view line) {
 
 int run_script(const Given& given) {
   const auto file = load_text(given.words[0]);
-  if (!file) return complain(file.error());
+  if (!file) return complain(file.error().what);
 
   script::RunOptions options;
   options.path = given.words[0];

@@ -3,8 +3,9 @@
 
 #include <fmt/format.h>
 
-#include "core/base/file.h"
 #include "core/device/bench_file.h"
+#include "core/session/text_file.h"
+#include "core/session/user_files.h"
 #include "gui/app/cli.h"
 #include "gui/app/program_file.h"
 
@@ -59,7 +60,7 @@ void print_words(const Rehearsal& r, const Catalog& catalog) {
 
 // A bench file's mistakes are told under its own name, before anything runs.
 Result<std::string> read_bench(const std::string& path, const Catalog& catalog) {
-  auto text = read_text_file(path);
+  auto text = read_file(path, largest_program_text);
   if (!text) return text;
   if (auto parsed = parse_bench_file(*text, catalog, path); !parsed) return fail(parsed.error());
   return text;

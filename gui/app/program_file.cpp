@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "core/base/file.h"
 #include "core/device/registry.h"
+#include "core/session/text_file.h"
 
 namespace hw::app {
 
@@ -23,11 +23,11 @@ Result<ProgramFile> read_program(const Given& given) {
                 fmt::format("Known: {}.", models()));
   auto catalog = type->make_catalog({});
   if (!catalog) return fail(catalog.error());
-  auto text = read_text_file(given.words[0]);
-  if (!text) return fail(text.error());
+  auto file = load_text(given.words[0]);
+  if (!file) return fail(FaultKind::port, file.error().what);
   ProgramFile program;
   program.path = given.words[0];
-  program.text = std::move(*text);
+  program.text = std::move(file->text);
   program.language = &type->language();
   program.catalog = std::move(*catalog);
   return program;

@@ -29,7 +29,7 @@ class Tapped final : public Stream, private Stream::Listener {
  public:
   Tapped(std::unique_ptr<Stream> inner, Scheduler& scheduler, std::shared_ptr<TrafficFile> file, int wire)
       : inner_(std::move(inner)), scheduler_(scheduler), file_(std::move(file)), wire_(wire) {}
-  void listen(Listener* listener) override {
+  void listen(Stream::Listener* listener) override {
     listener_ = listener;
     inner_->listen(listener ? this : nullptr);
   }
@@ -55,7 +55,7 @@ class Tapped final : public Stream, private Stream::Listener {
   Scheduler& scheduler_;
   std::shared_ptr<TrafficFile> file_;
   int wire_;
-  Listener* listener_ = nullptr;
+  Stream::Listener* listener_ = nullptr;
 };
 
 Task<Result<Wire>> open_tapped(Scheduler& scheduler, Address address, std::shared_ptr<BenchAccess> again,
