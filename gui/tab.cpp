@@ -1,5 +1,7 @@
 #include "gui/tab.h"
 
+#include "core/session/session.h"
+
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -49,6 +51,8 @@ Tab::Tab(Address address, Catalog catalog, Door door, const Language* language)
       desk_(catalog_, language, nullptr) {
   work_out_units();
 }
+
+const DeviceType* Tab::type() const { return session_ ? &session_->type() : nullptr; }
 
 void Tab::refresh() {
   if (!session_) return;
