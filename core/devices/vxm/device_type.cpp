@@ -1,6 +1,8 @@
 #include "core/devices/vxm/device_type.h"
 
 #include "core/devices/vxm/catalog.h"
+#include "core/devices/vxm/driver.h"
+#include "core/devices/vxm/emulator.h"
 #include "core/devices/vxm/explain.h"
 
 namespace hw::vxm {
@@ -9,6 +11,8 @@ DeviceType device_type() {
   DeviceType t{};
   t.model = "vxm";
   t.make_catalog = make_catalog;
+  t.make_driver = make_driver;
+  t.make_emulator = make_emulator;
   t.explain = explain;
   t.probe = probe;
   t.recognises = recognises;
