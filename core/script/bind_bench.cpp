@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "core/device/bench_file.h"
+#include "core/device/emulator.h"
 #include "core/script/bind.h"
 
 namespace hw::script {

@@ -55,6 +55,7 @@ const std::vector<Subcommand>& subcommands() {
         bench_option,
         {"for-seconds", "N", "stop a program that does not end by then (default 3600, simulated)"}},
        simulate},
+      {"scan", "serial ports, and which controllers answer on them; moves nothing", {}, {}, scan},
       {"backup",
        "set-up and programs of a controller into a file",
        {{"ADDRESS", "the controller", 1, 1}},
