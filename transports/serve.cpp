@@ -6,10 +6,13 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "core/base/file.h"
+#include "core/session/user_files.h"
 #include "transports/memory.h"
 
 namespace hw {
+namespace {
+constexpr std::uintmax_t largest_file = 1 << 20;
+}
 
 struct EmulatorHost::Client final : Stream::Listener {
   EmulatorHost& host;
@@ -45,7 +48,7 @@ Result<std::shared_ptr<EmulatorHost>> EmulatorHost::make(Scheduler& scheduler,
   std::shared_ptr<EmulatorHost> host(new EmulatorHost(scheduler, std::move(emulator), std::move(options)));
   if (!path.empty()) {
     if (::access(path.c_str(), F_OK) == 0) {
-      const auto text = read_text_file(path);
+      const auto text = read_file(path, largest_file);
       if (!text) return fail(text.error());
       if (auto loaded = host->emulator_->load_memory(*text); !loaded) {
         Fault fault = loaded.error();

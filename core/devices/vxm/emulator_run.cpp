@@ -24,6 +24,7 @@ void Box::note(std::string what) {
 
 void Box::start_run(int program) {
   reader_.reset();
+  bracket_ = false, group_.reset();  // the Run button may come in the middle of a text
   for (auto& list : captured_) list.fill(0);
   captures_ = 0;
   limit_was_hit_ = false;
