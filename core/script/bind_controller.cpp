@@ -198,12 +198,6 @@ int push_encoder(lua_State* L, const Snapshot& known, const Catalog& catalog, in
   lua_pushinteger(L, known.axes[axis].encoder.value);
   return 1;
 }
-int push_velocity(lua_State* L, const Snapshot& known, const Catalog&, int axis) {
-  const AxisState& state = known.axes[axis];
-  lua_pushnumber(L, state.speed.value * (state.direction < 0 ? -1 : state.direction > 0 ? 1 : 0));
-  return 1;
-}
-
 const char* name_of(Activity a) {
   switch (a) {
     case Activity::unknown: return "unknown";
@@ -298,9 +292,35 @@ int push_whole_status(lua_State* L, const Snapshot& known, const Catalog&, int) 
   return 1;
 }
 
+// Measured: steps between two rounds of status over the time between them. At rest 0 at once.
+Task<Answer> measure_velocity(Runner& runner, SessionPtr session, int axis) {
+  const AxisState& state = session->known().axes[axis];
+  co_await session->pump().refresh();
+  const Steps from = state.position;
+  const Instant from_at = state.seen_at;
+  if (session->known().any_axis_moving()) {
+    co_await runner.sleep_until(runner.scheduler().now() + Millis(20));
+    co_await session->pump().refresh();
+  }
+  const Duration passed = state.seen_at - from_at;
+  const double speed =
+      passed > Duration::zero() ? static_cast<double>((state.position - from).value) / seconds(passed) : 0;
+  const LinkHealth& link = session->known().link;
+  if (link.state == LinkState::lost || link.state == LinkState::closed)
+    co_return answer_refused(why_unknown(link));
+  co_return [speed](lua_State* L) {
+    lua_pushnumber(L, speed);
+    return 1;
+  };
+}
+int velocity(Call& call) {
+  const int axis = axis_of(call, 1, "velocity");
+  if (axis < 0) return call.refuse(no_axis(session_of(call)->catalog()));
+  return call.wait(measure_velocity(call.runner(), session_of(call), axis));
+}
+
 int position(Call& call) { return of_axis(call, push_position); }
 int encoder(Call& call) { return of_axis(call, push_encoder); }
-int velocity(Call& call) { return of_axis(call, push_velocity); }
 int status(Call& call) {
   if (!call.has(1)) return ask(call, push_whole_status, 0, false);
   return of_axis(call, push_axis_status);

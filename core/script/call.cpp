@@ -45,7 +45,7 @@ bool Call::on(int argument, const char* what) const {
 
 Duration Call::patience(int argument, double fallback_s) const {
   const double s = has(argument) ? number(argument, "seconds") : fallback_s;
-  if (s < 0 || s > 1e9) wrong(argument, "seconds", "from 0 to a billion seconds");
+  if (s < 0 || s > 1e6) wrong(argument, "seconds", "from 0 to a million seconds");
   return from_seconds(s);
 }
 

@@ -33,7 +33,7 @@ class Call {
   [[nodiscard]] double number(int argument, const char* what) const;
   [[nodiscard]] std::int64_t whole(int argument, const char* what) const;
   [[nodiscard]] bool on(int argument, const char* what) const;  ///< absent: true
-  /// Seconds, from 0 to 1e9.
+  /// Seconds, from 0 to 1e6.
   [[nodiscard]] Duration patience(int argument, double fallback_s) const;
 
   // Results.
