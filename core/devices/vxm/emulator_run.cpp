@@ -16,10 +16,8 @@ constexpr Duration breath = Millis(1);
 
 }  // namespace
 
-void Box::note(std::string what) {
-  if (trace == nullptr) return;
-  const Frame* frame = run_.stack.empty() ? nullptr : &run_.stack.back();
-  trace->push_back({now_, frame ? frame->program : -1, frame ? frame->next : -1, std::move(what)});
+void Box::note(const char* what) {
+  if (trace != nullptr) trace->push_back({now_, -1, -1, what});
 }
 
 void Box::start_run(int program) {
@@ -28,6 +26,7 @@ void Box::start_run(int program) {
   for (auto& list : captured_) list.fill(0);
   captures_ = 0;
   limit_was_hit_ = false;
+  moves_begun_ = 0;
   const bool stop_held = (memory_.setup.inputs & inputs_stop) != 0 && line(line_in_4).low && !is_slave_;
   if (stop_held) {  // programs do not run while Stop is held (App. C); the host is told as if it were stopped
     send_error(error_stopped);
@@ -117,7 +116,7 @@ bool Box::execute_next() {
   // A coupled program has the Slave's motors, or a hand that jogged lets them ramp down.
   if (for_slave && slave() != nullptr && (slave()->run_.on || slave()->motion_.active)) return false;
   run_.step_allowed = false;
-  note(shown(command, analog_));
+  if (trace != nullptr) trace->push_back({now_, frame.program, frame.next, shown(command, analog_)});
   const int at = frame.next++;
   perform(command, at);
   return true;
@@ -188,6 +187,7 @@ void Box::begin_next_moves() {
       if (box != this) box->memory_.programs[0].clear();  // the Master works through it (App. G)
       current_motor_ = move.motor;
       run_.homing = move.home != 0;
+      ++moves_begun_;
       box->begin_index((move.motor - 1) % motors_per_controller, move.distance, move.home);
     }
     run_.doing = Doing::moving;
