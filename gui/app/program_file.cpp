@@ -21,6 +21,8 @@ Result<ProgramFile> read_program(const Given& given) {
   if (!type)
     return fail(FaultKind::text, fmt::format("There is no controller model \"{}\".", given.one("for")), {},
                 fmt::format("Known: {}.", models()));
+  if (!type->language)
+    return fail(FaultKind::port, fmt::format("Programs for the {} are not understood yet.", type->model));
   auto catalog = type->make_catalog({});
   if (!catalog) return fail(catalog.error());
   auto file = load_text(given.words[0]);

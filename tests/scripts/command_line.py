@@ -66,7 +66,7 @@ class Usage(Case):
         self.expect(run("--version"), 0, "handwheel ")
         result = run("--help")
         self.expect(result, 0)
-        for name in "open demo run emulate send check simulate scan backup restore".split():
+        for name in "run emulate send check simulate scan backup restore".split():
             self.assertIn(name, result.stdout)
             self.expect(run(name, "--help"), 0, "handwheel " + name)
 
@@ -204,9 +204,10 @@ class Replay(Case):
         first, second = self.traffic("one"), self.traffic("two")
         self.assertEqual(first, second)
         self.assertGreater(len(first), 10000)
-        text = first.decode()
-        self.assertRegex(text, r"(?m)^ +6\.0\d+ 2 # .*pulled")  # the cable
-        self.assertRegex(text, r"2 < \+0000800")  # the move after it
+        lines = re.findall(r"(?m)^ *([\d.]+) (\d+) (.) (.*)$", first.decode())
+        self.assertTrue(any(way == "#" and "pulled" in what for _, _, way, what in lines), "the cable was pulled")
+        heard = "".join(what for _, wire, way, what in lines if wire != "1" and way == "<")
+        self.assertIn("+0000800", heard, "the move after it")
         # The same in every build: renew the file with the sum that is shown when a change is meant.
         wanted = HERE / "replay.sha256"
         if wanted.exists():

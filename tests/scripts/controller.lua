@@ -86,7 +86,7 @@ same(c:output(1, false), true, "set output")
 same(c:analog(1), 512, "analog")
 c.bench:analog(1, 100)
 same(c:analog(1), 100, "analog after the bench")
-refused("input 9", nil, select(2, c:input(9)), "There is no input 9. VXM has 1 to 4.")
+refused("input 99", nil, select(2, c:input(99)), "There is no input 99.")
 
 -- parameters
 same(c:get("M1M"), 4, "get")
