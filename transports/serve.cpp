@@ -119,6 +119,7 @@ void EmulatorHost::step_to(Instant when) {
   take_output();
   while (outgoing_.due() <= when) {
     leaving_ += outgoing_.first().value;
+    left_at_ = outgoing_.due();
     outgoing_.pop(emulator_->rate());
   }
 }
@@ -148,11 +149,17 @@ void EmulatorHost::bytes_from(const Client& client, std::string_view bytes) {
   const Instant now = emulator_time();
   catch_up(now);
   if (options_.byte_times) {
-    incoming_.put(bytes, client.stream->rate(), now, emulator_->rate());
+    incoming_.put(bytes, client.stream->rate(), now - take_lateness(), emulator_->rate());
   } else {
     emulator_->receive(bytes);
   }
   run_until(now);
+}
+
+// A real timer fires some microseconds late, so the client had its reply late and asks its next question
+// late; that is our doing and not counted as time on the wire.
+Duration EmulatorHost::take_lateness() {
+  return std::min(std::exchange(late_, Duration{}), byte_time(emulator_->rate()));
 }
 
 void EmulatorHost::land(ByteLine::Byte byte) {
@@ -190,6 +197,7 @@ void EmulatorHost::deliver() {
     client->stream->send(wrong);
   }
   leaving_.clear();
+  if (options_.byte_times) late_ = std::max(Duration{}, emulator_time() - left_at_);
 }
 
 void EmulatorHost::spoil(std::string& bytes) {

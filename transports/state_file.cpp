@@ -18,7 +18,8 @@ void StateFile::keep(std::string text) {
     const Result<> written = write_file(path, text);
     if (written) return;
     Fault fault = written.error();
-    fault.done = "The memory of the emulated controller is not saved; " + path + " still holds what was saved before.";
+    fault.done =
+        "The memory of the emulated controller is not saved; " + path + " still holds what was saved before.";
     asio::post(home, [told, fault] {
       const auto trouble = told.lock();
       if (trouble && *trouble) (*trouble)(fault);

@@ -116,8 +116,8 @@ void CodeEditor::draw_gutter(Ui& ui, const EditorLook& look, const Metrics& m, i
   const Tone tone = error ? Tone::fault : live ? Tone::motion : here ? Tone::ink : Tone::ink3;
   char number[12];
   const int n = std::snprintf(number, sizeof number, "%d", line + 1);
-  draw_text_right(ui, ImVec2(row.min.x + ui.px(number_right), row.min.y), Face::code_field, ui[tone],
-                  {number, static_cast<std::size_t>(n)});
+  draw_text_right(ui, ImVec2(row.min.x + ui.px(number_right), row.min.y + ui.px(2)), Face::code_field,
+                  ui[tone], {number, static_cast<std::size_t>(n)});
   const ImVec2 mark(row.min.x + ui.px(mark_x), std::floor(row.centre().y));
   ImDrawList* list = ImGui::GetWindowDrawList();
   const Problem* warning = problem_in(look, line, false);

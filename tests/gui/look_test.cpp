@@ -59,8 +59,8 @@ TEST(Fonts, HaveTheSignsThatSentencesUse) {
   fonts.build(1);
   for (const ImWchar c : {0x2009, 0x2013, 0x2026, 0x2212, 0x2264, 0x2265, 0x2039, 0x203A, 0xB0, 0xB5})
     for (const Face face : {Face::small, Face::body, Face::body_bold, Face::code}) {
-      if (face != Face::code || c != 0x2009)  // the wire has no thin spaces, nor has its face
-        EXPECT_NE(fonts[face]->FindGlyphNoFallback(c), nullptr) << std::hex << c;
+      if (face == Face::code && c == 0x2009) continue;  // the wire has no thin spaces, nor has its face
+      EXPECT_NE(fonts[face]->FindGlyphNoFallback(c), nullptr) << std::hex << c;
     }
 }
 
