@@ -1,7 +1,6 @@
 #include "gui/app/wiring.h"
 
 #include <csignal>
-#include <future>
 #include <optional>
 
 #include "core/base/log.h"
@@ -17,21 +16,11 @@ WireOpener wire_opener() {
 
 IoThread::IoThread() : thread_([this] { io_.run(); }) {}
 
-IoThread::~IoThread() {
+void IoThread::stop() {
+  if (!thread_.joinable()) return;
   busy_.reset();
   io_.stop();
   thread_.join();
-}
-
-static Task<> finish_then(std::function<Task<>()> work, std::promise<void>& over) {
-  co_await work();
-  over.set_value();
-}
-
-void IoThread::finish(std::function<Task<>()> work) {
-  std::promise<void> over;
-  asio::co_spawn(io_.get_executor(), finish_then(std::move(work), over), asio::detached);
-  over.get_future().wait();
 }
 
 static Task<> keep_status(const std::function<Task<int>(Scheduler&)>& job, Scheduler& scheduler,

@@ -17,13 +17,12 @@ WireOpener wire_opener();
 class IoThread {
  public:
   IoThread();
-  ~IoThread();  ///< joins; what still waits is dropped
+  ~IoThread() { stop(); }
+  /// Joins; what still waits is dropped.
+  void stop();
   IoThread(const IoThread&) = delete;
   IoThread& operator=(const IoThread&) = delete;
   [[nodiscard]] Scheduler& scheduler() { return scheduler_; }
-  /// Any other thread: runs `work` on the io thread and waits until it is over.
-  void finish(std::function<Task<>()> work);
-
  private:
   IoContext io_{1};
   RealScheduler scheduler_{io_};

@@ -4,6 +4,7 @@
 #include "core/devices/vxm/driver.h"
 #include "core/devices/vxm/emulator.h"
 #include "core/devices/vxm/explain.h"
+#include "core/devices/vxm/program_language.h"
 
 namespace hw::vxm {
 
@@ -13,6 +14,7 @@ DeviceType device_type() {
   t.make_catalog = make_catalog;
   t.make_driver = make_driver;
   t.make_emulator = make_emulator;
+  t.language = program_language;
   t.explain = explain;
   t.probe = probe;
   t.recognises = recognises;

@@ -88,6 +88,7 @@ class VxmDriver final : public Driver {
   void heard_limit();
   void for_scripts(std::string text);
   Task<Result<>> send_text(std::string text);
+  void warn_of_flaws(const std::vector<TextCommand>& commands);
   void note_sent(const std::vector<TextCommand>& commands);
   Task<Result<std::string>> wait_for_prompt(Duration patience);
   void tell(Notice::Kind kind, std::string text);

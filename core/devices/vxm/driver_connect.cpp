@@ -16,6 +16,8 @@ struct Greeting {
 };
 Greeting read_greeting(std::string_view bytes) {
   Greeting g;
+  // Whatever was echoed before: V and the state behind it are sense enough.
+  if (bytes.size() > 2 && bytes[bytes.size() - 2] == 'V') bytes.remove_prefix(bytes.size() - 2);
   while (!bytes.empty()) {
     const char first = bytes.front();
     if (first == 'V' && !g.echo) {
@@ -215,6 +217,7 @@ void VxmDriver::forget_ram() {
 Task<Result<>> VxmDriver::resume_after_loss(char state) {
   if (state == ready && job_.active()) job_.leg_over = true, job_.ended_by = EndedBy::lost;
   if (state == vxm::busy && !job_.active()) show_running(-1);
+  if (state == vxm::busy && job_.active()) show_leg(job_.legs.front());
   if (!std::exchange(lost_while_busy_, false)) co_return Result<>();
   auto read = co_await read_positions(Priority::intent, state == ready);
   if (!read) co_return read;

@@ -26,8 +26,8 @@ Task<Result<>> VxmDriver::poll() {
   co_return polled;
 }
 
-// As often as the wire bears: a round that took its time on the wire is followed by the next at once. Where bytes
-// take no time (TCP, in process) two hundred rounds a second are enough.
+// As often as the wire bears: a round that took its time on the wire is followed by the next at once. Where
+// bytes take no time (TCP, in process) two hundred rounds a second are enough.
 Duration VxmDriver::moving_period() const {
   constexpr std::size_t bytes_of_a_round = 22;  // X, Y and V with their answers
   constexpr Duration without_wire = Millis(5);
@@ -46,12 +46,13 @@ Task<Result<>> VxmDriver::poll_on_line() {
   }
   auto finished = co_await finish_leg();
   if (!finished) co_return finished;
-  auto read = co_await read_positions(Priority::poll, !busy());
-  if (!read) co_return read;
+  // V first: it is answered in every mode, so a restart shows before X is asked in vain.
   auto state = co_await ask_state(Priority::poll);
   if (!state) co_return fail(state.error());
   auto taken = co_await take_state(*state);
   if (!taken || stay_local_) co_return taken;
+  auto read = co_await read_positions(Priority::poll, !busy());
+  if (!read) co_return read;
   if (busy()) {
     constexpr char in_turn[] = {'?', '~', '$', '@'};
     if (round_ % io_every) co_return Result<>();
@@ -201,6 +202,7 @@ Task<Result<>> VxmDriver::catch_up() {
   co_return Result<>();
 }
 
+// Called each round: nothing here allocates while all is well.
 void VxmDriver::show_worst() {
   if (halted_) {
     const ErrorWords words = explain_error(halted_);
@@ -213,13 +215,23 @@ void VxmDriver::show_worst() {
     return;
   }
   draft_.notice.clear();
+  constexpr std::string_view types[] = {"M1M", "M2M", "M3M", "M4M"};
+  constexpr std::string_view untold[] = {
+      "Motor 1 is set to type 0, the factory value for the smallest motors. Choose the connected motor in "
+      "Setup, Motors, "
+      "before the first move.",
+      "Motor 2 is set to type 0, the factory value for the smallest motors. Choose the connected motor in "
+      "Setup, Motors, "
+      "before the first move.",
+      "Motor 3 is set to type 0, the factory value for the smallest motors. Choose the connected motor in "
+      "Setup, Motors, "
+      "before the first move.",
+      "Motor 4 is set to type 0, the factory value for the smallest motors. Choose the connected motor in "
+      "Setup, Motors, "
+      "before the first move."};
   for (int i = 0; i < draft_.axis_count; ++i)
-    if (param(fmt::format("M{}M", i + 1)) == 0) {
-      draft_.notice = fmt::format(
-          "Motor {} is set to type 0, the factory value for the smallest motors. Choose the connected motor "
-          "in Setup, "
-          "Motors, before the first move.",
-          i + 1);
+    if (param(types[i]) == 0) {
+      draft_.notice = untold[i];
       return;
     }
 }

@@ -291,7 +291,32 @@ void VxmDriver::note_sent(const std::vector<TextCommand>& commands) {
   }
 }
 
+// The controller drops what it does not know without a word.
+void VxmDriver::warn_of_flaws(const std::vector<TextCommand>& commands) {
+  for (const TextCommand& c : commands) {
+    if (c.flaw == Flaw::unknown)
+      tell(Notice::Kind::warning,
+           fmt::format(
+               "{} is no command of the VXM: the controller drops it without a word. It was sent as it "
+               "is. Press ? for the list of commands.",
+               printable(c.name)));
+    if (c.flaw == Flaw::range)
+      tell(Notice::Kind::warning,
+           fmt::format(
+               "{} is not possible, it takes {}: the controller drops it without a word. It was sent as "
+               "it is. Send it again with another number.",
+               canonical(c), allowed_values(c)));
+    if (c.flaw == Flaw::no_value)
+      tell(Notice::Kind::warning,
+           fmt::format(
+               "{} lacks its number: the controller drops it without a word. It was sent as it is. Send "
+               "it again with its number.",
+               printable(c.name)));
+  }
+}
+
 Task<Result<>> VxmDriver::send_text(std::string text) {
+  if (ends_open(text)) text += '\r';
   const auto commands = read_text(text);
   for (const TextCommand& c : commands) {
     const bool taken_while_running =
@@ -303,7 +328,7 @@ Task<Result<>> VxmDriver::send_text(std::string text) {
                       canonical(c)),
           "Nothing was sent.", "Wait until it ends, or stop it.");
   }
-  if (ends_open(text)) text += '\r';
+  warn_of_flaws(commands);
   bool echo = false;
   for (const TextCommand& c : commands)
     echo = c.verb == Verb::letter ? c.letter == 'E' || (echo && c.letter != 'F') : echo;
@@ -352,6 +377,7 @@ bool VxmDriver::answers(std::string_view text) const {
 Task<Result<std::string>> VxmDriver::query(std::string text, Duration patience) {
   auto settled = co_await finish_leg();
   if (!settled) co_return fail(settled.error());
+  if (ends_open(text)) text += '\r';
   const auto commands = read_text(text);
   if (commands.empty())
     co_return fail(FaultKind::refused, "There is no command in that text.", "Nothing was sent.");
@@ -362,7 +388,6 @@ Task<Result<std::string>> VxmDriver::query(std::string text, Duration patience) 
     if (!sent) co_return fail(sent.error());
     co_return co_await wait_for_prompt(patience);
   }
-  if (ends_open(text)) text += '\r';
   note_sent(commands);
   if (last.verb == Verb::letter && last.letter == 'K') killed_at_ = scheduler_.now();
   auto reply = co_await ask(std::move(text), shape->shape, Priority::intent, shape->stranger, patience);

@@ -155,7 +155,7 @@ class Box {
   void go_signal();
   void stop_input();
   void restore_out();
-  void note(const char* what);
+  void note(std::string what);
 
   // emulator_flow.cpp
   void do_loop(const Command& command, int at);

@@ -16,8 +16,8 @@ constexpr Duration breath = Millis(1);
 
 }  // namespace
 
-void Box::note(const char* what) {
-  if (trace != nullptr) trace->push_back({now_, -1, -1, what});
+void Box::note(std::string what) {
+  if (trace != nullptr) trace->push_back({now_, -1, -1, std::move(what)});
 }
 
 void Box::start_run(int program) {
@@ -170,7 +170,7 @@ void Box::end_frame() {
 }
 
 void Box::finish_run() {
-  note("end");
+  note("the program ends");
   run_ = Run();
   prompt(vxm::prompt);
 }
@@ -224,11 +224,18 @@ void Box::moves_done() {
 
 /// A limit hit is told to the host and may end the program (App. F); moves to a limit never end it.
 void Box::take_motion_end(Box& box, bool homing) {
-  if (!box.motion_ended_) return;
+  const MotionKind kind = box.motion_.kind;
+  if (!box.motion_ended_ || kind == MotionKind::jog || kind == MotionKind::joystick) return;
   box.motion_ended_ = false;
   if (box.motion_.end != MotionEnd::limit) return;
   limit_was_hit_ = true;
-  note(homing ? "reached the limit switch" : "hit a limit switch");
+  if (trace != nullptr) {
+    const int motor = box.motion_.axis + 1 + (&box == this ? 0 : motors_per_controller);
+    const std::int32_t at = box.axes_[ix(box.motion_.axis)].counter;
+    note("motor " + std::to_string(motor) + (homing ? " reaches its" : " hits a") + " limit switch at " +
+         std::to_string(at));
+  }
+
   if (memory_.setup.limit_report & 1) prompt(over_travel);
   if ((memory_.setup.limit_report & 2) && !homing) run_.hit_limit = true;
 }

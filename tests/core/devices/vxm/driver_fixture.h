@@ -1,9 +1,11 @@
 #pragma once
 // A console without its window: pump, driver, link, and an emulated VXM at the other end.
+#include <iostream>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -41,6 +43,7 @@ class DriverTest : public testing::Test {
   }
   void TearDown() override {
     if (!pump) return;
+    if (HasFailure()) std::cerr << conversation();
     asio::co_spawn(io, pump->shut_down(), asio::detached);
     run(2);
     pump.reset();
@@ -115,6 +118,21 @@ class DriverTest : public testing::Test {
       if (e.way == Way::sent && e.kind != TrafficKind::poll) all += e.bytes;
     });
     return all;
+  }
+  /// The end of what went over the wire, for a failed test.
+  std::string conversation() {
+    std::vector<std::string> lines;
+    traffic.drain([&](const TrafficEntry& e) {
+      std::string bytes;
+      for (const char c : e.bytes)
+        bytes +=
+            c >= ' ' && c < 127 ? std::string(1, c) : fmt::format("<{:02X}>", static_cast<unsigned char>(c));
+      lines.push_back(fmt::format("{:10.4f} {} {} {}\n", seconds(e.at), static_cast<int>(e.kind),
+                                  e.way == Way::sent ? "->" : "  <-", bytes));
+    });
+    std::string all;
+    for (std::size_t i = lines.size() > 60 ? lines.size() - 60 : 0; i < lines.size(); ++i) all += lines[i];
+    return all + all_notices() + std::string(latest.link.sentence.view()) + "\n";
   }
   bool told(std::string_view part) {
     for (const Notice& n : notices)

@@ -93,6 +93,7 @@ TEST_F(VxmDriverMoves, AJogEndsWithItsStop) {
   EXPECT_EQ(perform(intent::JogStop()), "");
   EXPECT_TRUE(wait_idle(3));
   EXPECT_EQ(latest.axes[0].ended_by, EndedBy::stop);
+  EXPECT_EQ(perform(intent::JogStop()), "") << "released twice: that is no second stop";
   const auto stopped_at = position();
   EXPECT_LT(stopped_at, 2400);
   run(2);
