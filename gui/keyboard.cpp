@@ -91,6 +91,12 @@ bool Keyboard::see(const InputEvent& event) {
   return event.down ? key_down(event) : key_up(event);
 }
 
+bool Keyboard::jogging() const {
+  for (auto c = index(Command::jog_left); c <= index(Command::jog_page_down); ++c)
+    if (held_[c]) return true;
+  return false;
+}
+
 void Keyboard::set_typing(bool typing) { typing_ = typing; }
 
 void Keyboard::release_all(double at_s) {

@@ -63,6 +63,7 @@ class Keyboard {
   bool see(const InputEvent& event);
 
   [[nodiscard]] bool held(Command c) const { return held_[index(c)]; }
+  [[nodiscard]] bool jogging() const;
   /// Whether its key went down (or up) since the frame before. For code that draws.
   [[nodiscard]] bool pressed(Command c) const { return now_.pressed[index(c)]; }
   [[nodiscard]] bool released(Command c) const { return now_.released[index(c)]; }

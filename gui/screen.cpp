@@ -56,6 +56,7 @@ void Screen::frame(double now_s, ImVec2 size_px, const Draw& draw) {
   typing_ = ui.typing() || (g.ActiveId != 0 && g.ActiveId == g.InputTextState.ID);
   field_takes_tab_ = typing_ && ui.takes_tab();
   keyboard_.set_typing(typing_ || ui.takes_arrows() || registry_.top_layer() > 0);
+  if (keyboard_.jogging()) ui.wake_in(1.0 / 30);  // whoever holds sends keep-alives: frames go on
   wake_in_s_ = input_.empty() ? ui.wake_in_s() : 0;
 }
 

@@ -87,8 +87,7 @@ void apply(const Theme& theme, float scale, ImGuiStyle& style) {
   set(ImGuiCol_ScrollbarGrabActive, Tone::edge);
   set(ImGuiCol_TableBorderLight, Tone::line);
   set(ImGuiCol_TableBorderStrong, Tone::line);
-  set(ImGuiCol_ModalWindowDimBg, Tone::ground);
-  style.Colors[ImGuiCol_ModalWindowDimBg].w = 0.6f;
+  style.Colors[ImGuiCol_ModalWindowDimBg] = ImVec4(0, 0, 0, 0);  // begin_modal() dims all but STOP ALL
 }
 
 double contrast(ImU32 a, ImU32 b) {

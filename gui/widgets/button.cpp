@@ -118,7 +118,7 @@ bool link(Ui& ui, std::string_view id, std::string_view label, std::string_view 
 }
 
 Touch stop_button(Ui& ui, ImVec2 size, std::string_view second) {
-  const Touch t = touch(ui, {"stop_all", Kind::button, "STOP ALL", second, {}, false, {}}, size);
+  const Touch t = touch(ui, {"stop_all", Kind::button, "STOP ALL", second, {}, false, {}, true}, size);
   ImDrawList* list = ImGui::GetWindowDrawList();
   const ImU32 fill_colour = t.held ? ui[Tone::on_stop] : ui[Tone::stop];
   const ImU32 ink = t.held ? ui[Tone::stop] : ui[Tone::on_stop];

@@ -34,7 +34,8 @@ Touch button(Ui& ui, std::string_view id, std::string_view label, const ButtonOp
 float button_width(const Ui& ui, std::string_view label, const ButtonOptions& options = {});
 /// Underlined small text within a line: "Show".
 bool link(Ui& ui, std::string_view id, std::string_view label, std::string_view disabled = {});
-/// STOP ALL: fills the rectangle of the given size, never disabled. `second`: "does not reach 03".
+/// STOP ALL: fills the rectangle of the given size, never disabled; `clicked` comes with the press already,
+/// also while a dialog or list is open. `second`: "does not reach 03".
 Touch stop_button(Ui& ui, ImVec2 size, std::string_view second = {});
 
 }  // namespace hw::gui

@@ -41,6 +41,7 @@ Hold hold_button(Ui& ui, std::string_view id, std::string_view label, const Hold
   Hold hold;
   hold.touch = touch(ui, about, ui.px(o.width, o.height));
   const Touch& t = hold.touch;
+  if (t.held) ui.wake_in(1.0 / 30);  // whoever holds sends keep-alives: frames go on
   hold.started = t.started;
   hold.held = t.held;
   // Disabled while held: ImGui still has the item active, and the hand's letting go must not be lost.

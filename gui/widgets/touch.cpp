@@ -56,10 +56,10 @@ Touch touch(Ui& ui, const About& about, ImVec2 size) {
   const char* begin = about.id.data();
   ImGui::PushID(begin, begin + about.id.size());
   const bool pressed = ImGui::InvisibleButton("", size);
-  const bool over = ImGui::IsItemHovered();
+  const bool over = about.always ? t.rect.contains(ImGui::GetIO().MousePos) : ImGui::IsItemHovered();
   t.hovered = over;
   if (t.enabled) {
-    t.clicked = pressed;
+    t.clicked = about.always ? over && ImGui::IsMouseClicked(0) : pressed;
     press_by_mouse(ui, t);
     if (t.started) ui.focus.set(about.id);
     press_by_keyboard(ui, about.id, t);

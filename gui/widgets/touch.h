@@ -15,6 +15,7 @@ struct About {
   std::string_view disabled = {};  ///< not empty: disabled, and why
   bool moving = false;             ///< can start motion
   std::string_view tip = {};
+  bool always = false;  ///< STOP ALL: works on the press already, and under every dialog and list
 };
 
 struct Touch {

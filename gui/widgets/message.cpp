@@ -1,0 +1,218 @@
+#include "gui/widgets/message.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include <imgui_internal.h>
+
+#include "gui/widgets/button.h"
+#include "gui/widgets/text.h"
+
+namespace hw::gui {
+namespace {
+
+struct Look {
+  Tone ink, tint;
+  Icon icon;
+};
+Look look_of(Mood mood) {
+  switch (mood) {
+    case Mood::plain: return {Tone::ink2, Tone::raised, Icon::info};
+    case Mood::ok: return {Tone::ok, Tone::ok_t, Icon::check};
+    case Mood::motion: return {Tone::motion, Tone::motion_t, Icon::play};
+    case Mood::warn: return {Tone::warn, Tone::warn_t, Icon::warning};
+    case Mood::fault: break;
+  }
+  return {Tone::fault, Tone::fault_t, Icon::diamond_solid};
+}
+
+/// Dims the screen but for the modal itself and STOP ALL, which works under it.
+void dim_around_modal(Ui& ui) {
+  const ImGuiWindow* window = ImGui::GetCurrentWindow();
+  Rect holes[2] = {{window->Pos, ImVec2(window->Pos.x + window->Size.x, window->Pos.y + window->Size.y)}, {}};
+  if (const Widget* stop = ui.registry.find("stop_all")) holes[1] = stop->rect;
+  float edges[6] = {0, holes[0].min.y, holes[0].max.y, holes[1].min.y, holes[1].max.y, ui.size_px.y};
+  std::sort(edges, edges + 6);
+  window->DrawList->PushClipRectFullScreen();
+  const ImU32 colour = with_alpha(ui[Tone::ground], ui.theme.dark ? 0.6f : 0.5f);
+  for (int i = 0; i + 1 < 6; ++i) {
+    const float y0 = edges[i], y1 = edges[i + 1], middle = (y0 + y1) * 0.5f;
+    float x = 0;
+    if (y1 <= y0) continue;
+    const bool swapped = holes[1].min.x < holes[0].min.x;
+    for (const Rect& hole : {holes[swapped], holes[!swapped]}) {
+      if (middle < hole.min.y || middle >= hole.max.y) continue;
+      window->DrawList->AddRectFilled(ImVec2(x, y0), ImVec2(std::max(x, hole.min.x), y1), colour);
+      x = std::max(x, hole.max.x);
+    }
+    window->DrawList->AddRectFilled(ImVec2(x, y0), ImVec2(ui.size_px.x, y1), colour);
+  }
+  window->DrawList->PopClipRect();
+}
+
+/// `<id>/<tail>` in `buffer`.
+std::string_view child(std::span<char> buffer, std::string_view id, std::string_view tail) {
+  const int n = std::snprintf(buffer.data(), buffer.size(), "%.*s/%.*s", static_cast<int>(id.size()),
+                              id.data(), static_cast<int>(tail.size()), tail.data());
+  return {buffer.data(), static_cast<std::size_t>(std::clamp(n, 0, static_cast<int>(buffer.size()) - 1))};
+}
+
+int draw_actions(Ui& ui, std::span<const Action> actions, std::string_view aside) {
+  int picked = -1;
+  for (int i = 0; i < static_cast<int>(actions.size()); ++i) {
+    const Action& a = actions[static_cast<std::size_t>(i)];
+    ButtonOptions o;
+    o.style = a.main ? ButtonStyle::normal : ButtonStyle::quiet;
+    o.disabled = a.disabled;
+    o.moving = a.moving;
+    if (i > 0) ImGui::SameLine();
+    if (button(ui, a.id, a.label, o).clicked) picked = i;
+    if (i == 0 && !aside.empty()) {
+      ImGui::SameLine();
+      const ImVec2 at = ImGui::GetCursorScreenPos();
+      draw_text_line(ui, at.x + ui.px(8), at.x + ui.px(400), at.y + ui.px(16), Face::body, ui[Tone::ink2],
+                     aside);
+      ImGui::Dummy(ImVec2(std::ceil(text_width(ui, Face::body, aside)) + ui.px(16), ui.px(32)));
+    }
+  }
+  return picked;
+}
+
+}  // namespace
+
+void tinted(Ui& ui, Mood mood, float height_px) {
+  const ImGuiWindow* window = ImGui::GetCurrentWindow();
+  const float y = ImGui::GetCursorScreenPos().y;
+  const Look look = look_of(mood);
+  const ImVec2 from(window->InnerRect.Min.x, y), to(window->InnerRect.Max.x, y + height_px);
+  window->DrawList->AddRectFilled(from, to, ui[look.tint]);
+  window->DrawList->AddRectFilled(from, ImVec2(from.x + ui.px(3), to.y), ui[look.ink]);
+}
+
+int banner(Ui& ui, std::string_view id, const Banner& what, std::span<const Action> actions) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x, indent = ui.px(28);
+  const float sentences = wrapped_height(ui, Face::body, what.sentences, width - indent);
+  const float rows = actions.empty() ? 0 : ui.px(32) + ui.px(8);
+  const float height = ui.px(12) + ui.line(Face::title_bold) + ui.px(6) + sentences + rows + ui.px(12);
+  const Look look = look_of(what.mood);
+  tinted(ui, what.mood, height);
+  draw_icon(ImGui::GetWindowDrawList(), what.icon, ImVec2(at.x + ui.px(8), at.y + ui.px(22)), ui.px(14),
+            ui[look.ink]);
+  draw_text_line(ui, at.x + indent, at.x + width, at.y + ui.px(22), Face::title_bold, ui[Tone::ink],
+                 what.title);
+  show(ui, {id, Kind::text, what.title, what.sentences, {}, false, {}},
+       {at, ImVec2(at.x + width, at.y + height)});
+  ImGui::SetCursorScreenPos(ImVec2(at.x + indent, at.y + ui.px(18) + ui.line(Face::title_bold)));
+  ImGui::BeginGroup();
+  wrapped(ui, Face::body, Tone::ink, what.sentences, (width - indent) / ui.scale);
+  int picked = -1;
+  if (!actions.empty()) {
+    gap(ui, 4);
+    picked = draw_actions(ui, actions, what.aside);
+  }
+  ImGui::EndGroup();
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + height));
+  return picked;
+}
+
+namespace {
+
+/// One toast as a small window whose top left corner is at `at`. True: clicked.
+bool draw_toast(Ui& ui, const Toasts::Toast& toast, ImVec2 at, ImVec2 size) {
+  char name[24], id[24];
+  std::snprintf(name, sizeof name, "##toast%d", toast.number);
+  std::snprintf(id, sizeof id, "toast/%d", toast.number);
+  ImGui::SetNextWindowPos(ImVec2(std::floor(at.x), std::floor(at.y)));
+  ImGui::SetNextWindowSize(size);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+  ImGui::Begin(name, nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoBackground);
+  ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
+  const Touch t = touch(ui, {id, Kind::button, toast.text, toast.text, {}, false, "Click to close."}, size);
+  draw_fill(ui, t.rect, ui[t.hovered ? Tone::hover : Tone::raised]);
+  draw_outline(ui, t.rect, ui[Tone::edge]);
+  const Look look = look_of(toast.mood);
+  draw_icon(ImGui::GetWindowDrawList(), look.icon, ImVec2(t.rect.min.x + ui.px(18), t.rect.min.y + ui.px(20)),
+            ui.px(12), ui[look.ink]);
+  ImGui::SetCursorScreenPos(ImVec2(t.rect.min.x + ui.px(34), t.rect.min.y + ui.px(10)));
+  wrapped(ui, Face::body, Tone::ink, toast.text, (size.x - ui.px(44)) / ui.scale);
+  if (t.ring) draw_outline(ui, t.rect, ui[Tone::ink], 3, ui.px(2));
+  ImGui::End();
+  ImGui::PopStyleVar();
+  return t.clicked;
+}
+
+}  // namespace
+
+void draw_toasts(Ui& ui, Toasts& toasts, const Rect& within) {
+  toasts.tick(ui.now_s);
+  ui.wake_in(toasts.due_in_s(ui.now_s));
+  const float width = std::min(ui.px(320), within.width() - ui.px(32));
+  float bottom = within.max.y - ui.px(16);
+  int closed = 0;
+  for (auto toast = toasts.list().rbegin(); toast != toasts.list().rend(); ++toast) {
+    const float h =
+        std::max(ui.px(40), wrapped_height(ui, Face::body, toast->text, width - ui.px(44)) + ui.px(20));
+    bottom -= h;
+    if (draw_toast(ui, *toast, ImVec2(within.max.x - ui.px(16) - width, bottom), ImVec2(width, h)))
+      closed = toast->number;
+    bottom -= ui.px(8);
+  }
+  if (closed) toasts.dismiss(closed);
+}
+
+bool begin_modal(Ui& ui, std::string_view id, bool open, float width, float height) {
+  char name[96];
+  std::snprintf(name, sizeof name, "##%.*s", static_cast<int>(id.size()), id.data());
+  if (open && !ImGui::IsPopupOpen(name)) ImGui::OpenPopup(name);
+  if (!open) return false;
+  const float w = std::min(ui.px(width), ui.size_px.x - ui.px(32));
+  const float h = height > 0 ? std::min(ui.px(height), ui.size_px.y - ui.px(32)) : 0;
+  ImGui::SetNextWindowPos(ImVec2(std::floor(ui.size_px.x * 0.5f), std::floor(ui.size_px.y * 0.5f)),
+                          ImGuiCond_Always, ImVec2(0.5f, 0.5f));
+  ImGui::SetNextWindowSize(ImVec2(w, h));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ui.px(24, 20));
+  ImGui::PushStyleVar(ImGuiStyleVar_PopupRounding, ui.px(6));
+  ImGuiWindowFlags flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
+                           ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav;
+  if (height == 0) flags |= ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoScrollbar;
+  const bool shown = ImGui::BeginPopupModal(name, nullptr, flags);
+  ImGui::PopStyleVar(2);
+  if (!shown) return false;
+  ui.take_arrows();
+  dim_around_modal(ui);
+  return true;
+}
+
+void end_modal() { ImGui::EndPopup(); }
+
+Answer dialog(Ui& ui, std::string_view id, bool& open, const Dialog& what) {
+  if (!begin_modal(ui, id, open, 480)) return Answer::none;
+  char buffer[128];
+  if (ImGui::IsWindowAppearing()) ui.focus.move_to(child(buffer, id, "no"));
+  text(ui, Face::title_bold, Tone::ink, what.title);
+  gap(ui, 8);
+  wrapped(ui, Face::body, Tone::ink2, what.sentences, 432);
+  gap(ui, 16);
+  Answer answer = Answer::none;
+  const ButtonOptions no{.style = ButtonStyle::outlined};
+  const ButtonOptions yes{.style = what.moving ? ButtonStyle::normal : ButtonStyle::primary,
+                          .moving = what.moving};
+  const float both = ui.px(button_width(ui, what.no, no)) + ui.px(button_width(ui, what.yes, yes)) + ui.px(8);
+  ImGui::SetCursorScreenPos(
+      ImVec2(ImGui::GetCursorScreenPos().x + std::max(0.0f, ImGui::GetContentRegionAvail().x - both),
+             ImGui::GetCursorScreenPos().y));
+  if (button(ui, child(buffer, id, "no"), what.no, no).clicked || ui.cancelled()) answer = Answer::no;
+  ImGui::SameLine();
+  if (button(ui, child(buffer, id, "yes"), what.yes, yes).clicked) answer = Answer::yes;
+  if (answer != Answer::none) {
+    open = false;
+    ImGui::CloseCurrentPopup();
+  }
+  end_modal();
+  return answer;
+}
+
+}  // namespace hw::gui

@@ -1,0 +1,52 @@
+#pragma once
+// What the console says by itself: a banner for the worst that is true, toasts for what was done, a dialog
+// before what cannot be undone.
+#include <span>
+#include <string_view>
+
+#include "gui/mood.h"
+#include "gui/toasts.h"
+#include "gui/widgets/icons.h"
+#include "gui/widgets/touch.h"
+
+namespace hw::gui {
+
+struct Action {
+  std::string_view id, label;
+  std::string_view disabled = {};
+  bool main = false;  ///< a raised button; others are quiet
+  bool moving = false;
+};
+struct Banner {
+  Mood mood = Mood::fault;
+  Icon icon = Icon::diamond_solid;
+  std::string_view title;
+  std::string_view sentences;   ///< lines broken by '\n'
+  std::string_view aside = {};  ///< beside the actions: "Attempt 5 in 3 s."
+};
+/// Across the full width of the window, bar 3. Returns the index of the action just clicked, or -1.
+int banner(Ui& ui, std::string_view id, const Banner& what, std::span<const Action> actions);
+/// Tint of a row or card with its bar at the left, from the cursor down `height` pixels; draws nothing else.
+void tinted(Ui& ui, Mood mood, float height_px);
+
+/// At the bottom right of `within`, newest below; a click closes one. Ids: `toast/NUMBER`.
+void draw_toasts(Ui& ui, Toasts& toasts, const Rect& within);
+
+struct Dialog {
+  std::string_view title;
+  std::string_view sentences;
+  std::string_view yes;  ///< a verb: "Store in controller"
+  std::string_view no = "Cancel";
+  bool moving = false;  ///< yes can start motion
+};
+enum class Answer : std::uint8_t { none, yes, no };
+/// Modal while `open`; Esc is no. The focus stands on no, so Enter by accident does nothing.
+/// Ids: `id/yes`, `id/no`.
+Answer dialog(Ui& ui, std::string_view id, bool& open, const Dialog& what);
+
+/// The frame of a modal window, centred; true: draw its content, then end_modal(). Width and height logical;
+/// height 0: as its content needs.
+bool begin_modal(Ui& ui, std::string_view id, bool open, float width, float height = 0);
+void end_modal();
+
+}  // namespace hw::gui

@@ -1,0 +1,22 @@
+#pragma once
+// The windows of a frame that layout.h places, and the borders between them.
+#include <string_view>
+
+#include "gui/widgets/touch.h"
+
+namespace hw::gui {
+
+/// One of the five windows of a frame. Panels are drawn between begin and end; `padding` logical.
+void begin_region(Ui& ui, const char* name, const Rect& where, Tone ground, ImVec2 padding = ImVec2(16, 0),
+                  bool scrolls = false);
+void end_region();
+
+struct SplitRange {
+  float min, max, normal;
+};
+/// A border that is dragged; double click restores. `size` is logical; `towards`: +1 when dragging right
+/// (down) makes it larger. With the focus ring + and - move it. True when it changed.
+bool splitter(Ui& ui, std::string_view id, const Rect& border, bool vertical, float& size,
+              const SplitRange& range, int towards);
+
+}  // namespace hw::gui

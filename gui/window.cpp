@@ -1,0 +1,285 @@
+#include "gui/window.h"
+
+#define GLFW_INCLUDE_NONE
+#include <algorithm>
+#include <cfloat>
+#include <cmath>
+#include <future>
+
+#include <GL/gl.h>
+#include <GLFW/glfw3.h>
+#include <backends/imgui_impl_opengl3.h>
+
+#include "gui/offscreen.h"
+
+namespace hw::gui {
+namespace {
+
+constexpr double frame_seconds = 1.0 / 60;
+constexpr int frames_after_input = 3;
+enum { cursor_arrow, cursor_text, cursor_ew, cursor_ns };
+
+std::string glfw_says() {
+  const char* words = nullptr;
+  glfwGetError(&words);
+  return words ? std::string(" (") + words + ")" : std::string();
+}
+
+float monitor_scale() {
+  float x = 1, y = 1;
+  if (GLFWmonitor* monitor = glfwGetPrimaryMonitor()) glfwGetMonitorContentScale(monitor, &x, &y);
+  return x > 0 ? x : 1;
+}
+
+}  // namespace
+
+struct Window::Callbacks {
+  static Window& of(GLFWwindow* w) { return *static_cast<Window*>(glfwGetWindowUserPointer(w)); }
+
+  static void key(GLFWwindow* w, int key, int, int action, int) {
+    if (key < 0) return;
+    if (action == GLFW_REPEAT) return of(w).touched(1);  // ImGui counts its own repeats, but needs frames
+    of(w).push(InputEvent::key(key, action == GLFW_PRESS, of(w).now_s()));
+  }
+  static void character(GLFWwindow* w, unsigned code) { of(w).push(InputEvent::text(code, of(w).now_s())); }
+  static void button(GLFWwindow* w, int button, int action, int) {
+    of(w).push(InputEvent::mouse_button(button, action == GLFW_PRESS, of(w).now_s()));
+  }
+  static void cursor(GLFWwindow* w, double x, double y) {
+    const ImVec2 at = of(w).to_pixels(x, y);
+    of(w).push(InputEvent::mouse_move(at.x, at.y, of(w).now_s()));
+  }
+  static void enter(GLFWwindow* w, int entered) {
+    const bool held = glfwGetMouseButton(w, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS;
+    if (!entered && !held) of(w).push(InputEvent::mouse_move(-FLT_MAX, -FLT_MAX, of(w).now_s()));
+  }
+  static void scroll(GLFWwindow* w, double x, double y) {
+    of(w).push(InputEvent::wheel(static_cast<float>(x), static_cast<float>(y), of(w).now_s()));
+  }
+  static void focus(GLFWwindow* w, int focused) {
+    if (!focused) of(w).push(InputEvent::focus_lost(of(w).now_s()));
+    of(w).touched(1);
+  }
+  static void size(GLFWwindow* w, int, int) { of(w).touched(2); }
+  static void refresh(GLFWwindow* w) { of(w).touched(1); }
+  static void scale(GLFWwindow* w, float x, float) {
+    of(w).screen_->set_scale(x * of(w).options_.scale);
+    of(w).touched(2);
+  }
+  static void drop(GLFWwindow* w, int count, const char** paths) {
+    if (of(w).on_drop) of(w).on_drop(std::vector<std::string>(paths, paths + count));
+    of(w).touched(frames_after_input);
+  }
+  static void close(GLFWwindow* w) {
+    glfwSetWindowShouldClose(w, GLFW_FALSE);
+    if (!of(w).on_close || of(w).on_close()) of(w).closing_ = true;
+    of(w).touched(frames_after_input);
+  }
+};
+
+Window::Window(WindowOptions options) : options_(std::move(options)) {}
+
+Result<std::unique_ptr<Window>> Window::open(WindowOptions options) {
+  if (!glfwInit())
+    return fail(FaultKind::port, "No window can be opened: there is no display" + glfw_says() + ".",
+                "Nothing was started.",
+                "Start it in a desktop session, or use `handwheel run SCRIPT --gui`.");
+  std::unique_ptr<Window> window(new Window(std::move(options)));
+  const Result<> made = window->create();
+  if (!made) return fail(made.error());
+  return window;
+}
+
+Result<> Window::create() {
+  opened_at_s_ = glfwGetTime();
+  const float scale = monitor_scale() * options_.scale;
+  // The atlas takes about as long as the window and its GL: both at once.
+  std::future<Fonts> fonts = std::async(std::launch::async, [scale] {
+    Fonts f;
+    f.build(scale);
+    return f;
+  });
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 2);
+  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+  glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+  glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_FALSE);
+  const auto pixels = [&](int logical) {
+    return static_cast<int>(std::lround(static_cast<float>(logical) * scale));
+  };
+  window_ = glfwCreateWindow(pixels(options_.width), pixels(options_.height), options_.title.c_str(), nullptr,
+                             nullptr);
+  if (!window_)
+    return fail(FaultKind::port, "The window could not be opened: no OpenGL 3.2" + glfw_says() + ".",
+                "Nothing was started.", "Install a graphics driver or Mesa (libgl1-mesa-dri).");
+  glfwMakeContextCurrent(window_);
+  glfwSwapInterval(0);  // a swap that waits would keep Esc waiting; the loop itself keeps 60 frames a second
+  screen_ = std::make_unique<Screen>(fonts.get(), options_.dark);
+  gl_ready_ = ImGui_ImplOpenGL3_Init("#version 150");
+  ImGui::GetIO().BackendFlags |= ImGuiBackendFlags_HasMouseCursors;
+  glfwSetWindowSizeLimits(window_, pixels(480), pixels(320), GLFW_DONT_CARE, GLFW_DONT_CARE);
+  connect_callbacks();
+  connect_clipboard();
+  return {};
+}
+
+Window::~Window() {
+  if (screen_) screen_->make_current();
+  if (gl_ready_) ImGui_ImplOpenGL3_Shutdown();
+  screen_.reset();
+  for (GLFWcursor* cursor : cursors_)
+    if (cursor) glfwDestroyCursor(cursor);
+  if (window_) glfwDestroyWindow(window_);
+  glfwTerminate();
+}
+
+void Window::connect_callbacks() {
+  glfwSetWindowUserPointer(window_, this);
+  glfwSetKeyCallback(window_, Callbacks::key);
+  glfwSetCharCallback(window_, Callbacks::character);
+  glfwSetMouseButtonCallback(window_, Callbacks::button);
+  glfwSetCursorPosCallback(window_, Callbacks::cursor);
+  glfwSetCursorEnterCallback(window_, Callbacks::enter);
+  glfwSetScrollCallback(window_, Callbacks::scroll);
+  glfwSetWindowFocusCallback(window_, Callbacks::focus);
+  glfwSetFramebufferSizeCallback(window_, Callbacks::size);
+  glfwSetWindowRefreshCallback(window_, Callbacks::refresh);
+  glfwSetWindowContentScaleCallback(window_, Callbacks::scale);
+  glfwSetDropCallback(window_, Callbacks::drop);
+  glfwSetWindowCloseCallback(window_, Callbacks::close);
+}
+
+void Window::connect_clipboard() {
+  ImGuiIO& io = ImGui::GetIO();
+  io.ClipboardUserData = window_;
+  io.SetClipboardTextFn = [](void* w, const char* text) {
+    glfwSetClipboardString(static_cast<GLFWwindow*>(w), text);
+  };
+  io.GetClipboardTextFn = [](void* w) { return glfwGetClipboardString(static_cast<GLFWwindow*>(w)); };
+}
+
+double Window::now_s() const { return options_.now_s ? options_.now_s() : glfwGetTime() - opened_at_s_; }
+
+ImVec2 Window::to_pixels(double x, double y) const {
+  int w = 1, h = 1, fw = 1, fh = 1;
+  glfwGetWindowSize(window_, &w, &h);
+  glfwGetFramebufferSize(window_, &fw, &fh);
+  return ImVec2(static_cast<float>(x * fw / std::max(1, w)), static_cast<float>(y * fh / std::max(1, h)));
+}
+
+ImVec2 Window::logical_size() const {
+  int w = 0, h = 0;
+  glfwGetFramebufferSize(window_, &w, &h);
+  return ImVec2(static_cast<float>(w) / screen_->scale(), static_cast<float>(h) / screen_->scale());
+}
+
+void Window::push(const InputEvent& event) {
+  screen_->input().push(event);
+  touched(frames_after_input);
+}
+
+void Window::touched(int frames) { frames_wanted_ = std::max(frames_wanted_, frames); }
+
+void Window::wake() {
+  woken_ = true;
+  glfwPostEmptyEvent();
+}
+
+void Window::set_title(const std::string& title) { glfwSetWindowTitle(window_, title.c_str()); }
+
+void Window::resize(int width, int height, float scale) {
+  options_.scale = scale;
+  const float all = monitor_scale() * scale;
+  screen_->set_scale(all);
+  glfwSetWindowSize(window_, static_cast<int>(std::lround(static_cast<float>(width) * all)),
+                    static_cast<int>(std::lround(static_cast<float>(height) * all)));
+  touched(frames_after_input);
+}
+
+bool Window::frame_is_due() const {
+  return frames_wanted_ > 0 || woken_ || screen_->more_input() ||
+         now_s() - last_frame_s_ >= screen_->wake_in_s();
+}
+
+void Window::wait() {
+  const double since = now_s() - last_frame_s_;
+  const bool wants = frames_wanted_ > 0 || woken_ || screen_->more_input();
+  const double until = std::max(wants ? 0.0 : screen_->wake_in_s(), frame_seconds) - since;
+  if (until <= 0)
+    glfwPollEvents();
+  else
+    glfwWaitEventsTimeout(std::min(until, 3600.0));
+}
+
+void Window::run(const Draw& draw) {
+  while (!closing_) {
+    wait();
+    if (glfwGetWindowAttrib(window_, GLFW_ICONIFIED)) {
+      frames_wanted_ = 0;
+      woken_ = false;
+      glfwWaitEventsTimeout(0.5);
+      touched(1);
+    }
+    if (!frame_is_due() || now_s() - last_frame_s_ < frame_seconds * 0.98) continue;
+    woken_ = false;
+    frames_wanted_ = std::max(0, frames_wanted_ - 1);
+    frame(now_s(), draw);
+  }
+}
+
+void Window::frame(double now_s, const Draw& draw) {
+  int w = 0, h = 0;
+  glfwGetFramebufferSize(window_, &w, &h);
+  last_frame_s_ = now_s;
+  screen_->frame(now_s, ImVec2(static_cast<float>(std::max(w, 1)), static_cast<float>(std::max(h, 1))), draw);
+  if (screen_->atlas_generation() != atlas_generation_) {
+    if (atlas_generation_ == 0)
+      ImGui_ImplOpenGL3_NewFrame();  // makes shaders and texture
+    else
+      ImGui_ImplOpenGL3_DestroyFontsTexture(), ImGui_ImplOpenGL3_CreateFontsTexture();
+    atlas_generation_ = screen_->atlas_generation();
+  }
+  const ImVec4 ground = ImGui::ColorConvertU32ToFloat4(screen_->theme()[Tone::ground]);
+  glViewport(0, 0, w, h);
+  glDisable(GL_SCISSOR_TEST);
+  glClearColor(ground.x, ground.y, ground.z, 1);
+  glClear(GL_COLOR_BUFFER_BIT);
+  ImGui_ImplOpenGL3_RenderDrawData(screen_->draw_data());
+  glfwSwapBuffers(window_);
+  show_cursor();
+  if (++frames_ == 1 && on_first_frame) on_first_frame();
+}
+
+void Window::show_cursor() {
+  int wanted = cursor_arrow;
+  switch (ImGui::GetMouseCursor()) {
+    case ImGuiMouseCursor_TextInput: wanted = cursor_text; break;
+    case ImGuiMouseCursor_ResizeEW: wanted = cursor_ew; break;
+    case ImGuiMouseCursor_ResizeNS: wanted = cursor_ns; break;
+    default: break;
+  }
+  if (wanted == cursor_shown_) return;
+  constexpr int shapes[] = {GLFW_ARROW_CURSOR, GLFW_IBEAM_CURSOR, GLFW_HRESIZE_CURSOR, GLFW_VRESIZE_CURSOR};
+  if (!cursors_[wanted]) cursors_[wanted] = glfwCreateStandardCursor(shapes[wanted]);
+  glfwSetCursor(window_, cursors_[wanted]);
+  cursor_shown_ = wanted;
+}
+
+Result<> Window::screenshot(const std::string& path) {
+  int w = 0, h = 0;
+  glfwGetFramebufferSize(window_, &w, &h);
+  ImDrawData* data = screen_->draw_data();
+  if (!data || w <= 0 || h <= 0)
+    return fail(FaultKind::internal, "There is no frame yet to take a picture of.");
+  const ImVec4 ground = ImGui::ColorConvertU32ToFloat4(screen_->theme()[Tone::ground]);
+  glClearColor(ground.x, ground.y, ground.z, 1);
+  glClear(GL_COLOR_BUFFER_BIT);
+  ImGui_ImplOpenGL3_RenderDrawData(data);
+  std::vector<std::uint32_t> pixels(static_cast<std::size_t>(w) * static_cast<std::size_t>(h));
+  glReadPixels(0, 0, w, h, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+  const auto row = [&](int y) { return pixels.begin() + static_cast<std::ptrdiff_t>(y) * w; };
+  for (int y = 0; y < h / 2; ++y) std::swap_ranges(row(y), row(y) + w, row(h - 1 - y));
+  return write_png(path, pixels, w, h);
+}
+
+}  // namespace hw::gui

@@ -1,0 +1,120 @@
+#include "transports/scan.h"
+
+#include <filesystem>
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <pty.h>
+#include <unistd.h>
+
+#include "core/device/registry.h"
+#include "tests/transports/ear.h"
+#include "tests/transports/toy_emulator.h"
+#include "transports/pty_endpoint.h"
+#include "transports/serial.h"
+#include "transports/serve.h"
+
+namespace hw {
+namespace {
+
+using test::run_task;
+
+class Scan : public ::testing::Test {
+ protected:
+  Scan() {
+    std::filesystem::create_directories(folder);
+    if (const DeviceType* type = find_device_type("vxm")) bauds = type->make_catalog({})->can.bauds;
+  }
+  ~Scan() override { std::filesystem::remove_all(folder); }
+
+  // The toy answers V as a VXM does.
+  std::shared_ptr<EmulatorHost> serve(const std::string& name, int baud) {
+    HostOptions options;
+    options.byte_times = true;
+    auto toy = std::make_unique<test::ToyEmulator>();
+    toy->receive(baud == 38400 ? "4" : "9");
+    auto host = *EmulatorHost::make(clock, std::move(toy), options);
+    host->attach(std::move(*open_pty_endpoint(clock, folder / name, baud)));
+    return host;
+  }
+  SerialPort port(const std::string& path) {
+    SerialPort p;
+    p.path = path;
+    return p;
+  }
+  PortReport probe(const std::string& path) { return run_task(io, probe_port(clock, port(path))); }
+
+  std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("hw-scan-" + std::to_string(::getpid()));
+  IoContext io{1};
+  RealScheduler clock{io};
+  std::vector<int> bauds;
+};
+
+TEST_F(Scan, FindsTheModelAndItsRate) {
+  for (const int baud : {9600, 38400}) {
+    const auto host = serve("stage", baud);
+    const auto report = probe(folder / "stage");
+    ASSERT_EQ(report.finding, PortFinding::answers) << report.sentence();
+    EXPECT_EQ(report.baud, baud);
+    EXPECT_EQ(report.address(),
+              "vxm@serial:" + (folder / "stage").string() + ",baud=" + std::to_string(baud));
+    EXPECT_NE(report.sentence().find("answers at " + std::to_string(baud)), std::string::npos);
+    EXPECT_LT(report.round_trip, Millis(100));
+  }
+}
+
+TEST_F(Scan, AsksNothingButALoneV) {
+  const auto host = serve("stage", 9600);
+  probe(folder / "stage");
+  EXPECT_EQ(static_cast<const test::ToyEmulator&>(host->emulator()).heard(), "9V");
+}
+
+TEST_F(Scan, ASilentPortIsAskedAtEachRate) {
+  int master = -1, slave = -1;
+  char name[64];
+  ASSERT_EQ(::openpty(&master, &slave, name, nullptr, nullptr), 0);
+  const auto report = probe(name);
+  EXPECT_EQ(report.finding, PortFinding::silent);
+  EXPECT_EQ(report.asked, bauds);
+  char asked[64];
+  EXPECT_EQ(::read(master, asked, sizeof asked), static_cast<ssize_t>(bauds.size()));
+  EXPECT_EQ(std::string(asked, bauds.size()), std::string(bauds.size(), 'V'));
+  EXPECT_NE(report.sentence().find("switched on"), std::string::npos);
+  ::close(master), ::close(slave);
+}
+
+// Something that talks all the time, such as a GPS receiver.
+TEST_F(Scan, BytesThatMakeNoSenseAreShown) {
+  int master = -1, slave = -1;
+  char name[64];
+  ASSERT_EQ(::openpty(&master, &slave, name, nullptr, nullptr), 0);
+  Timer chatter(clock, [&] {
+    (void)!::write(master, "$GPRMC\r\n", 8);
+    chatter.arm(clock.now() + Millis(10));
+  });
+  chatter.arm(clock.now() + Millis(10));
+  const auto report = probe(name);
+  EXPECT_EQ(report.finding, PortFinding::garbled);
+  EXPECT_NE(report.sentence().find("$GPRMC<0D>"), std::string::npos) << report.sentence();
+  EXPECT_EQ(report.address(), "");
+  ::close(master), ::close(slave);
+}
+
+TEST_F(Scan, PortsInUseOrMissingAreSaidAndTheOthersStillAsked) {
+  const auto host = serve("stage", 9600), other = serve("other", 9600);
+  const auto held = open_serial(clock, folder / "other", 9600);
+  std::vector<std::string> told;
+  auto task = scan_ports(clock, {port(folder / "other"), port("/dev/ttyUSB77"), port(folder / "stage")},
+                         [&](const PortReport& report) { told.push_back(report.port.path); });
+  const auto reports = run_task(io, std::move(task));
+  ASSERT_EQ(reports.size(), 3u);
+  EXPECT_EQ(reports[0].finding, PortFinding::busy);
+  EXPECT_NE(reports[0].sentence().find("in use"), std::string::npos);
+  EXPECT_EQ(reports[1].finding, PortFinding::unusable);
+  EXPECT_EQ(reports[2].finding, PortFinding::answers);
+  EXPECT_EQ(told.size(), 3u);
+}
+
+}  // namespace
+}  // namespace hw
