@@ -7,7 +7,9 @@
 #include "gui/widgets/text.h"
 #include "gui/widgets/text_field.h"
 
-namespace hw::gui {
+namespace hw::panels {
+
+using namespace gui;
 
 void FilePrompt::ask_open(std::string title, std::string) {
   open_ = true;
@@ -39,4 +41,4 @@ std::optional<std::filesystem::path> FilePrompt::draw(Ui& ui) {
   return chosen;
 }
 
-}  // namespace hw::gui
+}  // namespace hw::panels

@@ -6,7 +6,7 @@
 
 #include "gui/ui.h"
 
-namespace hw::gui {
+namespace hw::panels {
 
 class FilePrompt {
  public:
@@ -14,11 +14,11 @@ class FilePrompt {
   void ask_save(std::string title, std::filesystem::path suggested);
   [[nodiscard]] bool open() const { return open_; }
   /// Each frame; the path once it was chosen.
-  std::optional<std::filesystem::path> draw(Ui& ui);
+  std::optional<std::filesystem::path> draw(gui::Ui& ui);
 
  private:
   bool open_ = false, saving_ = false;
   std::string title_, path_;
 };
 
-}  // namespace hw::gui
+}  // namespace hw::panels

@@ -14,7 +14,9 @@
 #include "gui/widgets/slider.h"
 #include "gui/widgets/text.h"
 
-namespace hw::gui {
+namespace hw::panels {
+
+using namespace gui;
 namespace {
 
 constexpr float toolbar_height = 56, slots_height = 40, note_height = 40, line_height = 36, ask_height = 92;
@@ -34,7 +36,7 @@ void line_across(const Frame& f, float y) {
 
 }  // namespace
 
-void ProgramPanel::draw(Frame& f) {
+void Program::draw(Frame& f) {
   follow(f);
   shortcuts(f);
   draw_toolbar(f);
@@ -44,7 +46,7 @@ void ProgramPanel::draw(Frame& f) {
   draw_dialogs(f);
 }
 
-void ProgramPanel::follow(Frame& f) {
+void Program::follow(Frame& f) {
   Desk& desk = f.tab.desk();
   auto told = desk.job.take_told();
   if (!told.sentence.empty()) f.toast(told.mood, std::move(told.sentence));
@@ -52,7 +54,7 @@ void ProgramPanel::follow(Frame& f) {
   if (const double due = desk.autosave_due_in(f.clock); due >= 0) f.ui.wake_in(due + 0.01);
 }
 
-void ProgramPanel::shortcuts(Frame& f) {
+void Program::shortcuts(Frame& f) {
   const Keyboard& keys = f.ui.keyboard;
   if (keys.pressed(Command::run) && why_not_run(f).empty()) run(f, false);
   if (keys.pressed(Command::simulate)) simulate(f);
@@ -63,7 +65,7 @@ void ProgramPanel::shortcuts(Frame& f) {
 // ---- toolbar
 // -----------------------------------------------------------------------------------------------
 
-std::string_view ProgramPanel::why_not_run(const Frame& f) const {
+std::string_view Program::why_not_run(const Frame& f) const {
   const Desk& desk = f.tab.desk();
   if (!f.connected()) return "There is no link. Run comes back when the controller answers.";
   if (desk.job.busy()) return "A program is being transferred.";
@@ -75,7 +77,7 @@ std::string_view ProgramPanel::why_not_run(const Frame& f) const {
   return {};
 }
 
-void ProgramPanel::draw_toolbar(Frame& f) {
+void Program::draw_toolbar(Frame& f) {
   Ui& ui = f.ui;
   Desk& desk = f.tab.desk();
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -145,7 +147,7 @@ void ProgramPanel::draw_toolbar(Frame& f) {
 }
 
 // Follows the typing: what the text costs of what there is.
-void ProgramPanel::draw_memory(Frame& f, float left) {
+void Program::draw_memory(Frame& f, float left) {
   const int capacity = f.catalog.program.capacity;
   if (capacity <= 0) return;
   Ui& ui = f.ui;
@@ -190,7 +192,7 @@ void ProgramPanel::draw_memory(Frame& f, float left) {
 // ---- slots and files
 // ---------------------------------------------------------------------------------------
 
-void ProgramPanel::draw_slots(Frame& f) {
+void Program::draw_slots(Frame& f) {
   Ui& ui = f.ui;
   Desk& desk = f.tab.desk();
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -242,11 +244,11 @@ constexpr std::array<std::string_view, 4> more = {"Save as", "Load from controll
                                                   "New text"};
 }  // namespace
 
-ButtonOptions ProgramPanel::file_button_look(const Frame& f, const char* keys) {
+ButtonOptions Program::file_button_look(const Frame& f, const char* keys) {
   return {.style = ButtonStyle::quiet, .keys = f.area.width >= 800 ? keys : ""};
 }
 
-float ProgramPanel::file_buttons_width(const Frame& f) {
+float Program::file_buttons_width(const Frame& f) {
   float width = f.ui.px(72);
   for (const FileButton& b : file_buttons)
     width += f.ui.px(
@@ -254,7 +256,7 @@ float ProgramPanel::file_buttons_width(const Frame& f) {
   return width;
 }
 
-void ProgramPanel::draw_file_buttons(Frame& f) {
+void Program::draw_file_buttons(Frame& f) {
   Ui& ui = f.ui;
   Desk& desk = f.tab.desk();
   const bool roomy = f.area.width >= 800;
@@ -282,7 +284,7 @@ void ProgramPanel::draw_file_buttons(Frame& f) {
   }
 }
 
-std::filesystem::path ProgramPanel::suggested_name(const Frame& f) const {
+std::filesystem::path Program::suggested_name(const Frame& f) const {
   const ProgramTexts& texts = f.tab.desk().texts;
   const auto& path = texts.file(texts.chosen());
   return path.empty() ? std::filesystem::path(fmt::format("program{}", f.catalog.program.file_suffix)) : path;
@@ -291,7 +293,7 @@ std::filesystem::path ProgramPanel::suggested_name(const Frame& f) const {
 // ---- work
 // --------------------------------------------------------------------------------------------------
 
-void ProgramPanel::draw_work(Frame& f, float bottom) {
+void Program::draw_work(Frame& f, float bottom) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float height = (bottom - at.y) / ui.scale;
@@ -309,7 +311,7 @@ void ProgramPanel::draw_work(Frame& f, float bottom) {
 }
 
 // What stands under the editor, from the bottom up; returns where the editor ends.
-float ProgramPanel::draw_below(Frame& f) {
+float Program::draw_below(Frame& f) {
   Ui& ui = f.ui;
   Desk& desk = f.tab.desk();
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -338,7 +340,7 @@ float ProgramPanel::draw_below(Frame& f) {
   return y;
 }
 
-void ProgramPanel::draw_note(Frame& f, float top, float height) {
+void Program::draw_note(Frame& f, float top, float height) {
   Ui& ui = f.ui;
   line_across(f, top);
   const float middle = top + ui.px(height / 2), left = ui.px(f.area.x + 16);
@@ -363,7 +365,7 @@ void ProgramPanel::draw_note(Frame& f, float top, float height) {
 }
 
 // "2 errors, next": goes from one problem to the next.
-float ProgramPanel::draw_problem_link(Frame& f, const ProgramReport& report, float right, float middle) {
+float Program::draw_problem_link(Frame& f, const ProgramReport& report, float right, float middle) {
   Ui& ui = f.ui;
   int errors = 0;
   for (const Problem& p : report.problems) errors += p.error;
@@ -382,7 +384,7 @@ float ProgramPanel::draw_problem_link(Frame& f, const ProgramReport& report, flo
   return left - ui.px(12);
 }
 
-void ProgramPanel::draw_ask(Frame& f, float top) {
+void Program::draw_ask(Frame& f, float top) {
   Ui& ui = f.ui;
   Desk& desk = f.tab.desk();
   ImGui::SetCursorScreenPos(ImVec2(ui.px(f.area.x), top));
@@ -407,13 +409,13 @@ void ProgramPanel::draw_ask(Frame& f, float top) {
 // ---- what buttons do
 // ---------------------------------------------------------------------------------------
 
-void ProgramPanel::start(Frame& f, ProgramJob::Goal goal) {
+void Program::start(Frame& f, ProgramJob::Goal goal) {
   Desk& desk = f.tab.desk();
   const auto send = [&](IntentBody body) { return f.send_and_watch(std::move(body)); };
   desk.job.begin(goal, desk.texts.chosen(), desk.texts, f.now, f.catalog, send);
 }
 
-void ProgramPanel::run(Frame& f, bool stepping) {
+void Program::run(Frame& f, bool stepping) {
   const ProgramState& p = f.now.program;
   if (under_way(p) && p.run != RunState::running) {
     if (stepping && p.run == RunState::held)
@@ -425,7 +427,7 @@ void ProgramPanel::run(Frame& f, bool stepping) {
   start(f, stepping ? ProgramJob::Goal::run_stepping : ProgramJob::Goal::run);
 }
 
-void ProgramPanel::simulate(Frame& f) {
+void Program::simulate(Frame& f) {
   Desk& desk = f.tab.desk();
   const int slot = desk.texts.chosen();
   if (!desk.language() || desk.texts.text(slot).empty()) return;
@@ -435,7 +437,7 @@ void ProgramPanel::simulate(Frame& f) {
   desk.rehearsals.start(*desk.language(), desk.texts.text(slot), options, desk.worker());
 }
 
-void ProgramPanel::check(Frame& f) {
+void Program::check(Frame& f) {
   Desk& desk = f.tab.desk();
   const int slot = desk.texts.chosen();
   const ProgramReport& report = desk.texts.report(slot);
@@ -455,14 +457,14 @@ void ProgramPanel::check(Frame& f) {
 // ---- files
 // -------------------------------------------------------------------------------------------------
 
-void ProgramPanel::save(Frame& f) {
+void Program::save(Frame& f) {
   ProgramTexts& texts = f.tab.desk().texts;
   const auto& path = texts.file(texts.chosen());
   if (path.empty()) return save_.ask_save("Save the program", suggested_name(f));
   save_as(f, path);
 }
 
-void ProgramPanel::save_as(Frame& f, const std::filesystem::path& path) {
+void Program::save_as(Frame& f, const std::filesystem::path& path) {
   Desk& desk = f.tab.desk();
   const int slot = desk.texts.chosen();
   TextFile file = desk.texts.to_save(slot);
@@ -483,7 +485,7 @@ void ProgramPanel::save_as(Frame& f, const std::filesystem::path& path) {
       desk.alive());
 }
 
-void ProgramPanel::ask_or_open(Frame& f, const std::filesystem::path& path) {
+void Program::ask_or_open(Frame& f, const std::filesystem::path& path) {
   const ProgramTexts& texts = f.tab.desk().texts;
   if (!texts.edited(texts.chosen())) return open(f, path);
   to_open_ = path;
@@ -492,7 +494,7 @@ void ProgramPanel::ask_or_open(Frame& f, const std::filesystem::path& path) {
   asking_replace_ = true;
 }
 
-void ProgramPanel::open(Frame& f, const std::filesystem::path& path) {
+void Program::open(Frame& f, const std::filesystem::path& path) {
   Desk& desk = f.tab.desk();
   desk.worker().run(
       [path] { return load_text(path); },
@@ -504,7 +506,7 @@ void ProgramPanel::open(Frame& f, const std::filesystem::path& path) {
       desk.alive());
 }
 
-void ProgramPanel::draw_dialogs(Frame& f) {
+void Program::draw_dialogs(Frame& f) {
   if (asking_replace_) {
     const Dialog what{
         .title = "Replace the text?", .sentences = question_, .yes = "Replace", .no = "Keep the text"};
@@ -521,4 +523,4 @@ void ProgramPanel::draw_dialogs(Frame& f) {
   if (const auto path = save_.draw(f.ui)) save_as(f, *path);
 }
 
-}  // namespace hw::gui
+}  // namespace hw::panels

@@ -11,38 +11,38 @@
 #include "panels/program_editor.h"
 #include "panels/rehearsal_card.h"
 
-namespace hw::gui {
+namespace hw::panels {
 
-class ProgramPanel final : public Panel {
+class Program final : public gui::Panel {
  public:
-  void draw(Frame& frame) override;
+  void draw(gui::Frame& frame) override;
 
  private:
-  void follow(Frame& frame);
-  void draw_toolbar(Frame& frame);
-  void draw_memory(Frame& frame, float left);
-  void draw_slots(Frame& frame);
-  void draw_file_buttons(Frame& frame);
-  static ButtonOptions file_button_look(const Frame& frame, const char* keys);
-  static float file_buttons_width(const Frame& frame);
-  [[nodiscard]] std::filesystem::path suggested_name(const Frame& frame) const;
-  void draw_work(Frame& frame, float bottom);
-  float draw_below(Frame& frame);
-  void draw_note(Frame& frame, float top, float height);
-  float draw_problem_link(Frame& frame, const ProgramReport& report, float right, float middle);
-  void draw_ask(Frame& frame, float top);
-  void draw_dialogs(Frame& frame);
-  void shortcuts(Frame& frame);
+  void follow(gui::Frame& frame);
+  void draw_toolbar(gui::Frame& frame);
+  void draw_memory(gui::Frame& frame, float left);
+  void draw_slots(gui::Frame& frame);
+  void draw_file_buttons(gui::Frame& frame);
+  static gui::ButtonOptions file_button_look(const gui::Frame& frame, const char* keys);
+  static float file_buttons_width(const gui::Frame& frame);
+  [[nodiscard]] std::filesystem::path suggested_name(const gui::Frame& frame) const;
+  void draw_work(gui::Frame& frame, float bottom);
+  float draw_below(gui::Frame& frame);
+  void draw_note(gui::Frame& frame, float top, float height);
+  float draw_problem_link(gui::Frame& frame, const ProgramReport& report, float right, float middle);
+  void draw_ask(gui::Frame& frame, float top);
+  void draw_dialogs(gui::Frame& frame);
+  void shortcuts(gui::Frame& frame);
 
-  void run(Frame& frame, bool stepping);
-  void simulate(Frame& frame);
-  void check(Frame& frame);
-  void start(Frame& frame, ProgramJob::Goal goal);
-  void save(Frame& frame);
-  void save_as(Frame& frame, const std::filesystem::path& path);
-  void open(Frame& frame, const std::filesystem::path& path);
-  void ask_or_open(Frame& frame, const std::filesystem::path& path);
-  [[nodiscard]] std::string_view why_not_run(const Frame& frame) const;
+  void run(gui::Frame& frame, bool stepping);
+  void simulate(gui::Frame& frame);
+  void check(gui::Frame& frame);
+  void start(gui::Frame& frame, gui::ProgramJob::Goal goal);
+  void save(gui::Frame& frame);
+  void save_as(gui::Frame& frame, const std::filesystem::path& path);
+  void open(gui::Frame& frame, const std::filesystem::path& path);
+  void ask_or_open(gui::Frame& frame, const std::filesystem::path& path);
+  [[nodiscard]] std::string_view why_not_run(const gui::Frame& frame) const;
 
   ProgramEditor editor_;
   RehearsalCard rehearsal_;
@@ -51,9 +51,9 @@ class ProgramPanel final : public Panel {
   bool asking_replace_ = false, asking_clear_ = false;
   std::filesystem::path to_open_;
   std::string question_, words_;
-  ProgramNote note_;
+  gui::ProgramNote note_;
   std::string note_time_;
   int next_problem_ = -1;
 };
 
-}  // namespace hw::gui
+}  // namespace hw::panels

@@ -6,14 +6,14 @@
 #include "gui/desk.h"
 #include "gui/frame.h"
 
-namespace hw::gui {
+namespace hw::panels {
 
 class ProgramEditor {
  public:
   /// At ImGui's cursor, logical size.
-  void draw(Frame& frame, int slot, float width, float height);
+  void draw(gui::Frame& frame, int slot, float width, float height);
   /// Brings a line (from 0) into sight and puts the caret there.
   void go_to(int slot, int line, int column);
 };
 
-}  // namespace hw::gui
+}  // namespace hw::panels

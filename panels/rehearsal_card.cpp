@@ -10,7 +10,9 @@
 #include "gui/widgets/slider.h"
 #include "gui/widgets/text.h"
 
-namespace hw::gui {
+namespace hw::panels {
+
+using namespace gui;
 
 // The words of the outcome in the user's units; the caption says which text they are of.
 void RehearsalCard::refresh(Frame& f, int slot) {
@@ -221,4 +223,4 @@ bool RehearsalCard::draw_line(Frame& f, int slot, bool opened) {
   return t.clicked;
 }
 
-}  // namespace hw::gui
+}  // namespace hw::panels

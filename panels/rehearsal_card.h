@@ -4,26 +4,26 @@
 #include "gui/frame.h"
 #include "gui/ui.h"
 
-namespace hw::gui {
+namespace hw::panels {
 
 class RehearsalCard {
  public:
   /// At ImGui's cursor, `width` and `height` logical.
-  void draw_column(Frame& frame, int slot, float width, float height);
+  void draw_column(gui::Frame& frame, int slot, float width, float height);
   /// One line of 36. True: a click wants the column.
-  bool draw_line(Frame& frame, int slot, bool opened);
+  bool draw_line(gui::Frame& frame, int slot, bool opened);
 
  private:
-  void refresh(Frame& frame, int slot);
-  void draw_progress(Frame& frame);
-  void draw_axes(Frame& frame);
-  void draw_verdict(Frame& frame);
-  void draw_events(Frame& frame);
+  void refresh(gui::Frame& frame, int slot);
+  void draw_progress(gui::Frame& frame);
+  void draw_axes(gui::Frame& frame);
+  void draw_verdict(gui::Frame& frame);
+  void draw_events(gui::Frame& frame);
 
   // What is shown, made anew only when it changes.
   int version_ = -1, slot_ = -1;
   std::string text_of_units_;
-  const Rehearsals::Outcome* outcome_ = nullptr;
+  const gui::Rehearsals::Outcome* outcome_ = nullptr;
   std::string time_, fault_, sends_, spans_;
   struct Axis {
     std::string name, span;
@@ -35,4 +35,4 @@ class RehearsalCard {
   std::string_view said_caption_;
 };
 
-}  // namespace hw::gui
+}  // namespace hw::panels

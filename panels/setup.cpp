@@ -12,7 +12,9 @@
 #include "gui/widgets/message.h"
 #include "gui/widgets/text.h"
 
-namespace hw::gui {
+namespace hw::panels {
+
+using namespace gui;
 namespace {
 
 constexpr float facts_width = 272;
@@ -28,7 +30,7 @@ void row_line(Ui& ui, const Frame& f, float y) {
 
 }  // namespace
 
-void SetupPanel::draw(Frame& f) {
+void Setup::draw(Frame& f) {
   rows_.resize(f.catalog.params.size());
   follow(f);
   draw_toolbar(f);
@@ -48,7 +50,7 @@ void SetupPanel::draw(Frame& f) {
 }
 
 // What is under way, and the first reading.
-void SetupPanel::follow(Frame& f) {
+void Setup::follow(Frame& f) {
   if (f.connected() && !asked_to_read_) {
     asked_to_read_ = true;
     for (std::size_t i = 0; i < f.catalog.params.size(); ++i)
@@ -70,7 +72,7 @@ void SetupPanel::follow(Frame& f) {
   }
 }
 
-std::string SetupPanel::summary(const Frame& f) const {
+std::string Setup::summary(const Frame& f) const {
   const SetupEdits& edits = f.tab.desk().setup;
   const int changes = edits.changes(f.now);
   int unknown = 0;
@@ -93,7 +95,7 @@ std::string SetupPanel::summary(const Frame& f) const {
 // ---- toolbar
 // -----------------------------------------------------------------------------------------------
 
-void SetupPanel::draw_toolbar(Frame& f) {
+void Setup::draw_toolbar(Frame& f) {
   Ui& ui = f.ui;
   Desk& desk = f.tab.desk();
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -151,7 +153,7 @@ void SetupPanel::draw_toolbar(Frame& f) {
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(56)));
 }
 
-void SetupPanel::draw_filter(Frame& f) {
+void Setup::draw_filter(Frame& f) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   constexpr float height = 48;
@@ -173,7 +175,7 @@ void SetupPanel::draw_filter(Frame& f) {
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(height) + ui.hair()));
 }
 
-void SetupPanel::draw_problems(Frame& f) {
+void Setup::draw_problems(Frame& f) {
   if (problems_.empty()) return;
   Ui& ui = f.ui;
   constexpr std::size_t most = 4;
@@ -202,14 +204,14 @@ void SetupPanel::draw_problems(Frame& f) {
 // ---- list
 // --------------------------------------------------------------------------------------------------
 
-bool SetupPanel::listed(const Frame& f, std::size_t i) const {
+bool Setup::listed(const Frame& f, std::size_t i) const {
   const SetupEdits& edits = f.tab.desk().setup;
   if (show_ == Show::changed && !edits.changed(i, f.now)) return false;
   if (show_ == Show::off_factory && !edits.off_factory(i, f.now)) return false;
   return edits.matches(i, filter_);
 }
 
-void SetupPanel::draw_list(Frame& f, float width) {
+void Setup::draw_list(Frame& f, float width) {
   Ui& ui = f.ui;
   SetupEdits& edits = f.tab.desk().setup;
   const float top = ImGui::GetCursorScreenPos().y;
@@ -244,14 +246,14 @@ void SetupPanel::draw_list(Frame& f, float width) {
   ImGui::EndChild();
 }
 
-void SetupPanel::draw_explanation(Frame& f, const ParamInfo& p, float left, float right) {
+void Setup::draw_explanation(Frame& f, const ParamInfo& p, float left, float right) {
   Ui& ui = f.ui;
   ImGui::SetCursorScreenPos(ImVec2(left + ui.px(56), ImGui::GetCursorScreenPos().y - ui.px(2)));
   wrapped(ui, Face::small, Tone::ink2, p.explanation, (right - left) / ui.scale - 56);
   ImGui::SetCursorScreenPos(ImVec2(left, ImGui::GetCursorScreenPos().y + ui.px(8)));
 }
 
-void SetupPanel::draw_facts(Frame& f, float left) {
+void Setup::draw_facts(Frame& f, float left) {
   if (chosen_ >= f.catalog.params.size()) return;
   Ui& ui = f.ui;
   const ParamInfo& p = f.catalog.params[chosen_];
@@ -295,7 +297,7 @@ void SetupPanel::draw_facts(Frame& f, float left) {
 // ---- writing
 // -----------------------------------------------------------------------------------------------
 
-void SetupPanel::ask_or_write(Frame& f) {
+void Setup::ask_or_write(Frame& f) {
   question_.clear();
   int warnings = 0;
   for (const std::size_t i : f.tab.desk().setup.to_send(f.now)) {
@@ -311,12 +313,12 @@ void SetupPanel::ask_or_write(Frame& f) {
   if (!asking_) write(f, false);
 }
 
-void SetupPanel::write(Frame& f, bool confirmed) {
+void Setup::write(Frame& f, bool confirmed) {
   const auto send = [&](IntentBody body) { return f.send_and_watch(std::move(body)); };
   f.tab.desk().setup_write.begin(f.tab.desk().setup, f.now, f.catalog, confirmed, send);
 }
 
-void SetupPanel::draw_question(Frame& f) {
+void Setup::draw_question(Frame& f) {
   if (!asking_) return;
   const Dialog what{.title = question_title_, .sentences = question_, .yes = "Write", .no = "Leave as it is"};
   if (dialog(f.ui, "setup/confirm", asking_, what) == Answer::yes) write(f, true);
@@ -325,7 +327,7 @@ void SetupPanel::draw_question(Frame& f) {
 // ---- files
 // -------------------------------------------------------------------------------------------------
 
-void SetupPanel::draw_files(Frame& f) {
+void Setup::draw_files(Frame& f) {
   Desk& desk = f.tab.desk();
   Console& console = f.console;
   if (const auto path = open_.draw(f.ui)) taken_from_file(f, load_backup(*path), path->filename().string());
@@ -343,7 +345,7 @@ void SetupPanel::draw_files(Frame& f) {
                     desk.alive());
 }
 
-void SetupPanel::taken_from_file(Frame& f, const Result<Backup>& file, const std::string& name) {
+void Setup::taken_from_file(Frame& f, const Result<Backup>& file, const std::string& name) {
   if (!file) return f.toast(Mood::fault, file.error().sentence());
   const auto checked = check_backup(*file, f.catalog, name);
   if (!checked) return f.toast(Mood::fault, checked.error().sentence());
@@ -357,4 +359,4 @@ void SetupPanel::taken_from_file(Frame& f, const Result<Backup>& file, const std
                                          differing, name));
 }
 
-}  // namespace hw::gui
+}  // namespace hw::panels

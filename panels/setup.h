@@ -9,29 +9,29 @@
 #include "panels/file_prompt.h"
 #include "panels/setup_row.h"
 
-namespace hw::gui {
+namespace hw::panels {
 
-class SetupPanel final : public Panel {
+class Setup final : public gui::Panel {
  public:
-  void draw(Frame& frame) override;
+  void draw(gui::Frame& frame) override;
 
  private:
   enum class Show : std::uint8_t { all, changed, off_factory };
 
-  void follow(Frame& frame);
-  void draw_toolbar(Frame& frame);
-  void draw_filter(Frame& frame);
-  void draw_problems(Frame& frame);
-  void draw_list(Frame& frame, float width);
-  void draw_facts(Frame& frame, float left);
-  void draw_explanation(Frame& frame, const ParamInfo& param, float left, float right);
-  void draw_question(Frame& frame);
-  void draw_files(Frame& frame);
-  void write(Frame& frame, bool confirmed);
-  void ask_or_write(Frame& frame);
-  void taken_from_file(Frame& frame, const Result<Backup>& file, const std::string& name);
-  [[nodiscard]] bool listed(const Frame& frame, std::size_t i) const;
-  [[nodiscard]] std::string summary(const Frame& frame) const;
+  void follow(gui::Frame& frame);
+  void draw_toolbar(gui::Frame& frame);
+  void draw_filter(gui::Frame& frame);
+  void draw_problems(gui::Frame& frame);
+  void draw_list(gui::Frame& frame, float width);
+  void draw_facts(gui::Frame& frame, float left);
+  void draw_explanation(gui::Frame& frame, const ParamInfo& param, float left, float right);
+  void draw_question(gui::Frame& frame);
+  void draw_files(gui::Frame& frame);
+  void write(gui::Frame& frame, bool confirmed);
+  void ask_or_write(gui::Frame& frame);
+  void taken_from_file(gui::Frame& frame, const Result<Backup>& file, const std::string& name);
+  [[nodiscard]] bool listed(const gui::Frame& frame, std::size_t i) const;
+  [[nodiscard]] std::string summary(const gui::Frame& frame) const;
 
   std::vector<SetupRowState> rows_;
   std::string filter_;
@@ -45,4 +45,4 @@ class SetupPanel final : public Panel {
   FilePrompt open_, save_;
 };
 
-}  // namespace hw::gui
+}  // namespace hw::panels

@@ -9,7 +9,9 @@
 #include "gui/widgets/icons.h"
 #include "gui/widgets/text.h"
 
-namespace hw::gui {
+namespace hw::panels {
+
+using namespace gui;
 namespace {
 
 constexpr float row_height = 40, bit_height = 32, mnemonic_width = 56;
@@ -207,4 +209,4 @@ void SetupRow::draw_bits(float y) {
   ImGui::SetCursorScreenPos(ImVec2(left_, row_y + ui_.px(4)));
 }
 
-}  // namespace hw::gui
+}  // namespace hw::panels

@@ -9,18 +9,19 @@
 #include "gui/ui.h"
 #include "gui/widgets/number_field.h"
 
-namespace hw::gui {
+namespace hw::panels {
 
 /// View state of one row.
 struct SetupRowState {
-  NumberField number;
+  gui::NumberField number;
   std::vector<std::string> names;       ///< of the choices
   std::vector<std::string_view> views;  ///< into `names`
 };
 
 class SetupRow {
  public:
-  SetupRow(Frame& frame, SetupEdits& edits, std::size_t i, SetupRowState& state, float left, float right);
+  SetupRow(gui::Frame& frame, gui::SetupEdits& edits, std::size_t i, SetupRowState& state, float left,
+           float right);
   /// At ImGui's cursor. True: the caret or the ring is on it, or (if that counts) the mouse.
   bool draw(bool hover_counts);
 
@@ -35,9 +36,9 @@ class SetupRow {
   [[nodiscard]] std::string_view why_not() const;
   void part_id(std::string_view part, char (&out)[96], std::size_t& size) const;
 
-  Frame& f_;
-  Ui& ui_;
-  SetupEdits& edits_;
+  gui::Frame& f_;
+  gui::Ui& ui_;
+  gui::SetupEdits& edits_;
   const std::size_t i_;
   const ParamInfo& p_;
   const ParamState& has_;
@@ -48,4 +49,4 @@ class SetupRow {
   [[nodiscard]] std::string_view id() const { return {id_, id_size_}; }
 };
 
-}  // namespace hw::gui
+}  // namespace hw::panels

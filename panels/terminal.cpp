@@ -10,14 +10,16 @@
 #include "gui/widgets/button.h"
 #include "gui/widgets/text.h"
 
-namespace hw::gui {
+namespace hw::panels {
 
-TerminalPanel::TerminalPanel() {
+using namespace gui;
+
+Terminal::Terminal() {
   line_help_.history = [this](std::string& text, int direction) { return older_or_newer(text, direction); };
   line_help_.complete = [this](std::string& text, std::size_t& cursor) { return complete(text, cursor); };
 }
 
-void TerminalPanel::draw(Frame& f) {
+void Terminal::draw(Frame& f) {
   Desk& desk = f.tab.desk();
   desk_ = &desk;
   constexpr float head = 44, command_row = 48, offered_row = 24;
@@ -45,7 +47,7 @@ void TerminalPanel::draw(Frame& f) {
 // ---- head
 // --------------------------------------------------------------------------------------------------
 
-void TerminalPanel::draw_head(Frame& f, TrafficLog& log) {
+void Terminal::draw_head(Frame& f, TrafficLog& log) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float middle = at.y + ui.px(22), left = ui.px(f.area.x + 16);
@@ -98,7 +100,7 @@ void TerminalPanel::draw_head(Frame& f, TrafficLog& log) {
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(44)));
 }
 
-void TerminalPanel::draw_lost(Ui& ui, const TrafficLog& log, float left, float right, float middle) {
+void Terminal::draw_lost(Ui& ui, const TrafficLog& log, float left, float right, float middle) {
   if (log.lost() == 0) return;
   char words[64];
   const auto end = fmt::format_to_n(words, sizeof words, "{} entries missing", log.lost());
@@ -106,7 +108,7 @@ void TerminalPanel::draw_lost(Ui& ui, const TrafficLog& log, float left, float r
                  {words, std::min(end.size, sizeof words)});
 }
 
-void TerminalPanel::act(Frame& f, TrafficLog& log, std::string_view id) {
+void Terminal::act(Frame& f, TrafficLog& log, std::string_view id) {
   if (id == "terminal/save") return save_.ask_save("Save the log", "traffic.log");
   if (id == "terminal/copy") {
     ImGui::SetClipboardText(rows_.copied(log).c_str());
@@ -120,7 +122,7 @@ void TerminalPanel::act(Frame& f, TrafficLog& log, std::string_view id) {
 // ---- the line
 // ----------------------------------------------------------------------------------------------
 
-bool TerminalPanel::older_or_newer(std::string& text, int direction) {
+bool Terminal::older_or_newer(std::string& text, int direction) {
   if (!offered_.empty()) {
     const std::size_t n = offered_.size();
     offered_chosen_ = (offered_chosen_ + n + static_cast<std::size_t>(direction + static_cast<int>(n))) % n;
@@ -137,7 +139,7 @@ bool TerminalPanel::older_or_newer(std::string& text, int direction) {
 }
 
 // Tab adds what is certain; when nothing is, it shows what could come.
-bool TerminalPanel::complete(std::string& text, std::size_t& cursor) {
+bool Terminal::complete(std::string& text, std::size_t& cursor) {
   std::string longer = desk_->help.complete(text);
   if (longer != text) {
     text = std::move(longer);
@@ -150,7 +152,7 @@ bool TerminalPanel::complete(std::string& text, std::size_t& cursor) {
   return false;
 }
 
-void TerminalPanel::draw_list(Frame& f) {
+void Terminal::draw_list(Frame& f) {
   Ui& ui = f.ui;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
   ImGui::PushStyleColor(ImGuiCol_ChildBg, ui[Tone::raised]);
@@ -191,7 +193,7 @@ void TerminalPanel::draw_list(Frame& f) {
   ImGui::EndChild();
 }
 
-void TerminalPanel::draw_command(Frame& f) {
+void Terminal::draw_command(Frame& f) {
   Ui& ui = f.ui;
   const float top = ui.px(f.area.bottom() - 40);
   ImGui::GetWindowDrawList()->AddRectFilled(
@@ -226,7 +228,7 @@ void TerminalPanel::draw_command(Frame& f) {
   if (sent || field.entered) send(f);
 }
 
-void TerminalPanel::send(Frame& f) {
+void Terminal::send(Frame& f) {
   if (command_.empty()) return;
   if (!f.connected())
     return f.toast(Mood::warn, "There is no link. Nothing was sent; what you typed stays here.");
@@ -243,4 +245,4 @@ void TerminalPanel::send(Frame& f) {
   rows_.to_the_end();
 }
 
-}  // namespace hw::gui
+}  // namespace hw::panels

@@ -11,7 +11,9 @@
 #include "gui/widgets/text.h"
 #include "gui/widgets/touch.h"
 
-namespace hw::gui {
+namespace hw::panels {
+
+using namespace gui;
 namespace {
 
 // Columns of the look, logical pixels from the left edge.
@@ -170,4 +172,4 @@ void TerminalLog::say(Ui& ui, TrafficLog& log, Span visible) {
        {corner, ImVec2(corner.x + size_.x, corner.y + size_.y)});
 }
 
-}  // namespace hw::gui
+}  // namespace hw::panels

@@ -7,14 +7,14 @@
 #include "gui/traffic_log.h"
 #include "gui/ui.h"
 
-namespace hw::gui {
+namespace hw::panels {
 
 class TerminalLog {
  public:
   /// Fills the rest of the width and `height` pixels.
-  void draw(Ui& ui, TrafficLog& log, float height);
+  void draw(gui::Ui& ui, gui::TrafficLog& log, float height);
   /// What is chosen as text; nothing chosen: everything that is shown.
-  [[nodiscard]] std::string copied(TrafficLog& log) const;
+  [[nodiscard]] std::string copied(gui::TrafficLog& log) const;
   void to_the_end() { follow_ = true; }
   void choose_none() { anchor_ = caret_ = none; }
 
@@ -23,12 +23,12 @@ class TerminalLog {
   struct Span {
     std::size_t begin, end;
   };
-  void draw_rows(Ui& ui, TrafficLog& log, float row_height);
-  void draw_row(Ui& ui, TrafficLog& log, const TrafficLog::Row& row, const Rect& place);
-  void draw_fold(Ui& ui, TrafficLog& log, const TrafficLog::Row& row, const Rect& place);
-  void choose(Ui& ui, TrafficLog& log, float row_height);
-  void say(Ui& ui, TrafficLog& log, Span visible);
-  [[nodiscard]] bool chosen(const TrafficLog::Row& row) const;
+  void draw_rows(gui::Ui& ui, gui::TrafficLog& log, float row_height);
+  void draw_row(gui::Ui& ui, gui::TrafficLog& log, const gui::TrafficLog::Row& row, const gui::Rect& place);
+  void draw_fold(gui::Ui& ui, gui::TrafficLog& log, const gui::TrafficLog::Row& row, const gui::Rect& place);
+  void choose(gui::Ui& ui, gui::TrafficLog& log, float row_height);
+  void say(gui::Ui& ui, gui::TrafficLog& log, Span visible);
+  [[nodiscard]] bool chosen(const gui::TrafficLog::Row& row) const;
 
   bool follow_ = true;  ///< the newest row stays in sight
   // Rows come and go at both ends, records keep their number.
@@ -40,4 +40,4 @@ class TerminalLog {
   ImVec2 size_{};
 };
 
-}  // namespace hw::gui
+}  // namespace hw::panels
