@@ -1,5 +1,7 @@
 #include "gui/tab.h"
 
+#include "core/session/session.h"
+
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -50,6 +52,8 @@ Tab::Tab(Address address, Catalog catalog, Door door, const Language* language)
   work_out_units();
 }
 
+const DeviceType* Tab::type() const { return session_ ? &session_->type() : nullptr; }
+
 void Tab::refresh() {
   if (!session_) return;
   now_ = &session_->snapshot();
@@ -94,6 +98,8 @@ void Tab::stop_all() {
   jog.forget();
   send_followed(intent::Stop());
 }
+
+std::vector<Notice> Tab::take_notices() { return std::exchange(notices_, {}); }
 
 void Tab::follow_fates() {
   const auto settled = [this](IntentId id) {

@@ -8,11 +8,16 @@
 #include <vector>
 
 #include "core/session/profile.h"
-#include "core/session/session.h"
+#include "core/device/registry.h"
+#include "core/session/address.h"
 #include "gui/jog_hold.h"
 #include "gui/panel.h"
 #include "gui/units_format.h"
 #include "gui/desk.h"
+
+namespace hw {
+class Session;  // kept out of here: panels need not compile coroutines
+}
 
 namespace hw::gui {
 
@@ -40,7 +45,7 @@ class Tab {
   [[nodiscard]] Instant clock() const { return clock_; }
   [[nodiscard]] const Address& address() const { return address_; }
   [[nodiscard]] bool emulated() const { return address_.emulated(); }
-  [[nodiscard]] const DeviceType* type() const { return session_ ? &session_->type() : nullptr; }
+  [[nodiscard]] const DeviceType* type() const;
   [[nodiscard]] const std::shared_ptr<Session>& session() const { return session_; }
 
   IntentId send(IntentBody body);
@@ -72,7 +77,8 @@ class Tab {
   [[nodiscard]] Desk& desk() { return desk_; }
 
   // ---- what must be told once
-  [[nodiscard]] std::vector<Notice>& notices() { return notices_; }
+  /// Messages since the last call; listings go to the desk.
+  [[nodiscard]] std::vector<Notice> take_notices();
   [[nodiscard]] std::vector<std::string>& complaints() { return complaints_; }
 
   // ---- view

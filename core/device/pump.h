@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 
+#include "core/device/driver.h"
 #include "core/device/registry.h"
 #include "core/link/link.h"
 #include "core/time/scheduler.h"

@@ -7,12 +7,14 @@
 #include <string_view>
 
 #include "core/device/catalog.h"
-#include "core/device/driver.h"
-#include "core/device/emulator.h"
 #include "core/device/language.h"
 #include "core/link/traffic.h"
 
 namespace hw {
+
+class Driver;  // kept out of here: whoever only lists or draws controllers need not compile coroutines
+struct DriverContext;
+class Emulator;
 
 /// key=value options of an address ("motors" -> "4"). Keys are known to the device type or to the transport.
 using DeviceOptions = std::map<std::string, std::string>;

@@ -5,6 +5,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include "core/device/emulator.h"
 #include "core/device/registry.h"
 
 namespace hw {

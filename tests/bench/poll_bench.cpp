@@ -11,6 +11,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include "core/device/driver.h"
 #include "core/session/session.h"
 #include "core/time/real_scheduler.h"
 #include "tests/bench/responder.h"
