@@ -59,7 +59,7 @@ void Program::shortcuts(Frame& f) {
   if (keys.pressed(Command::run) && why_not_run(f).empty()) run(f, false);
   if (keys.pressed(Command::simulate)) simulate(f);
   if (keys.pressed(Command::save)) save(f);
-  if (keys.pressed(Command::open)) open_.ask_open("Open a program", f.catalog.program.file_suffix);
+  if (keys.pressed(Command::open)) ask_open(f);
 }
 
 // ---- toolbar
@@ -271,12 +271,12 @@ void Program::draw_file_buttons(Frame& f) {
     ImGui::SameLine(0, 0);
     if (!clicked) continue;
     if (id == "program/check") check(f);
-    if (id == "program/open") open_.ask_open("Open a program", f.catalog.program.file_suffix);
+    if (id == "program/open") ask_open(f);
     if (id == "program/save") save(f);
     if (id == "program/store") start(f, ProgramJob::Goal::store);
   }
   switch (menu(ui, "program/more", "More", more)) {
-    case 0: save_.ask_save("Save the program", suggested_name(f)); break;
+    case 0: ask_save(f); break;
     case 1: start(f, ProgramJob::Goal::fetch); break;
     case 2: asking_clear_ = true; break;
     case 3: desk.texts.opened(desk.texts.chosen(), {}, TextFile()); break;
@@ -284,10 +284,16 @@ void Program::draw_file_buttons(Frame& f) {
   }
 }
 
-std::filesystem::path Program::suggested_name(const Frame& f) const {
+void Program::ask_open(const Frame& f) {
+  open_.ask_open("Open a program", open_.folder(), {f.catalog.program.file_suffix, ".txt"});
+}
+
+void Program::ask_save(const Frame& f) {
   const ProgramTexts& texts = f.tab.desk().texts;
   const auto& path = texts.file(texts.chosen());
-  return path.empty() ? std::filesystem::path(fmt::format("program{}", f.catalog.program.file_suffix)) : path;
+  const auto suggested = fmt::format("program{}", f.catalog.program.file_suffix);
+  save_.ask_save("Save the program", path.empty() ? save_.folder() / suggested : path,
+                 {f.catalog.program.file_suffix});
 }
 
 // ---- work
@@ -460,7 +466,7 @@ void Program::check(Frame& f) {
 void Program::save(Frame& f) {
   ProgramTexts& texts = f.tab.desk().texts;
   const auto& path = texts.file(texts.chosen());
-  if (path.empty()) return save_.ask_save("Save the program", suggested_name(f));
+  if (path.empty()) return ask_save(f);
   save_as(f, path);
 }
 

@@ -7,7 +7,7 @@
 #include "gui/desk.h"
 #include "gui/panel.h"
 #include "gui/widgets/button.h"
-#include "panels/file_prompt.h"
+#include "gui/widgets/file_dialog.h"
 #include "panels/program_editor.h"
 #include "panels/rehearsal_card.h"
 
@@ -25,7 +25,8 @@ class Program final : public gui::Panel {
   void draw_file_buttons(gui::Frame& frame);
   static gui::ButtonOptions file_button_look(const gui::Frame& frame, const char* keys);
   static float file_buttons_width(const gui::Frame& frame);
-  [[nodiscard]] std::filesystem::path suggested_name(const gui::Frame& frame) const;
+  void ask_open(const gui::Frame& frame);
+  void ask_save(const gui::Frame& frame);
   void draw_work(gui::Frame& frame, float bottom);
   float draw_below(gui::Frame& frame);
   void draw_note(gui::Frame& frame, float top, float height);
@@ -46,7 +47,7 @@ class Program final : public gui::Panel {
 
   ProgramEditor editor_;
   RehearsalCard rehearsal_;
-  FilePrompt open_, save_;
+  gui::FileDialog open_, save_;
   bool rehearsal_open_ = false;  ///< medium and narrow: the column instead of the line
   bool asking_replace_ = false, asking_clear_ = false;
   std::filesystem::path to_open_;

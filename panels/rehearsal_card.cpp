@@ -14,6 +14,15 @@ namespace hw::panels {
 
 using namespace gui;
 
+// To a tenth of a second, as a person compares two runs: "1 min 08.6 s".
+static std::string exact_time(double s) {
+  const auto tenths = static_cast<long long>(s * 10 + 0.5);
+  if (tenths >= 36000)
+    return fmt::format("{} h {:02} min {:02} s", tenths / 36000, tenths / 600 % 60, tenths / 10 % 60);
+  if (tenths >= 600) return fmt::format("{} min {:02}.{} s", tenths / 600, tenths / 10 % 60, tenths % 10);
+  return fmt::format("{}.{} s", tenths / 10, tenths % 10);
+}
+
 // The words of the outcome in the user's units; the caption says which text they are of.
 void RehearsalCard::refresh(Frame& f, int slot) {
   Desk& desk = f.tab.desk();
@@ -52,7 +61,7 @@ void RehearsalCard::refresh(Frame& f, int slot) {
     return;
   }
   const Rehearsal& r = *outcome_->result;
-  time_ = format_duration(r.duration_s).view();
+  time_ = exact_time(r.duration_s);
   fault_ = r.error;
   if (fault_.empty() && !r.finished)
     fault_ =

@@ -145,10 +145,12 @@ void Setup::draw_toolbar(Frame& f) {
   const ButtonOptions quiet{.style = ButtonStyle::quiet, .height = 40};
   const float right = button_width(ui, "Open", quiet) + button_width(ui, "Save", quiet);
   ImGui::SetCursorScreenPos(ImVec2(ui.px(f.area.right() - 8 - right), at.y + ui.px(8)));
-  if (button(ui, "setup/open", "Open", quiet).clicked) open_.ask_open("Open a set-up", ".toml");
+  if (button(ui, "setup/open", "Open", quiet).clicked)
+    open_.ask_open("Open a set-up", open_.folder(), {".toml"});
   ImGui::SameLine(0, 0);
   if (button(ui, "setup/save", "Save", quiet).clicked)
-    save_.ask_save("Save the set-up", fmt::format("{}-setup.toml", f.catalog.model));
+    save_.ask_save("Save the set-up", save_.folder() / fmt::format("{}-setup.toml", f.catalog.model),
+                   {".toml"});
   row_line(ui, f, at.y + ui.px(56));
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(56)));
 }

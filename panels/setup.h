@@ -6,7 +6,7 @@
 
 #include "gui/desk.h"
 #include "gui/panel.h"
-#include "panels/file_prompt.h"
+#include "gui/widgets/file_dialog.h"
 #include "panels/setup_row.h"
 
 namespace hw::panels {
@@ -42,7 +42,7 @@ class Setup final : public gui::Panel {
   bool asking_ = false, asked_to_read_ = false;
   std::string question_title_, question_;
   IntentId storing_ = 0, reading_ = 0;
-  FilePrompt open_, save_;
+  gui::FileDialog open_, save_;
 };
 
 }  // namespace hw::panels

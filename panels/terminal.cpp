@@ -109,7 +109,8 @@ void Terminal::draw_lost(Ui& ui, const TrafficLog& log, float left, float right,
 }
 
 void Terminal::act(Frame& f, TrafficLog& log, std::string_view id) {
-  if (id == "terminal/save") return save_.ask_save("Save the log", "traffic.log");
+  if (id == "terminal/save")
+    return save_.ask_save("Save the log", save_.folder() / "traffic.log", {".log", ".txt"});
   if (id == "terminal/copy") {
     ImGui::SetClipboardText(rows_.copied(log).c_str());
     return f.toast(Mood::ok, "The log was copied.");

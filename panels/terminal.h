@@ -5,8 +5,8 @@
 
 #include "gui/desk.h"
 #include "gui/panel.h"
+#include "gui/widgets/file_dialog.h"
 #include "gui/widgets/text_field.h"
-#include "panels/file_prompt.h"
 #include "panels/terminal_log.h"
 
 namespace hw::panels {
@@ -36,7 +36,7 @@ class Terminal final : public gui::Panel {
   std::vector<std::size_t> offered_;  ///< not empty: the list is open
   std::size_t offered_chosen_ = 0;
   bool took_offer_ = false;
-  FilePrompt save_;
+  gui::FileDialog save_;
 };
 
 }  // namespace hw::panels

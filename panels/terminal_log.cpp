@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 #include <imgui_internal.h>
@@ -78,6 +79,7 @@ void TerminalLog::draw_rows(Ui& ui, TrafficLog& log, float row_height) {
     draw_row(ui, log, log.row(i), {ImVec2(corner.x, y), ImVec2(corner.x + size_.x, y + row_height)});
   }
   say(ui, log, {begin, end});
+  if (to_toggle_) log.toggle(*std::exchange(to_toggle_, std::nullopt));
 }
 
 void TerminalLog::draw_row(Ui& ui, TrafficLog& log, const TrafficLog::Row& row, const Rect& place) {
@@ -115,7 +117,7 @@ void TerminalLog::draw_fold(Ui& ui, TrafficLog& log, const TrafficLog::Row& row,
   const auto end = fmt::format_to_n(id, sizeof id, "terminal/fold/{}", row.first);
   ImGui::SetCursorScreenPos(ImVec2(left + width + ui.px(6), std::floor(middle - ui.line(Face::small) / 2)));
   if (link(ui, {id, std::min(end.size, sizeof id)}, row.open ? "Hide" : "Show")) {
-    log.toggle(row);
+    to_toggle_ = row;
     follow_ = false;
   }
 }
@@ -132,6 +134,7 @@ void TerminalLog::choose(Ui& ui, TrafficLog& log, float row_height) {
     return &log.row(static_cast<std::size_t>(
         std::clamp<std::ptrdiff_t>(i, 0, static_cast<std::ptrdiff_t>(log.row_count()) - 1)));
   };
+  if (ImGui::IsMouseClicked(0)) active_ = over;
   if (over && ImGui::IsMouseClicked(0) && mouse.x < corner.x + size_.x - scrollbar) {
     ui.focus.set("terminal/log");
     dragging_ = true;
@@ -143,12 +146,13 @@ void TerminalLog::choose(Ui& ui, TrafficLog& log, float row_height) {
   if (dragging_ && ImGui::IsMouseDown(0))
     if (const auto* row = under_mouse()) caret_ = row->last >= anchor_ ? row->last : row->first;
   if (!ImGui::IsMouseDown(0)) dragging_ = false;
-  if (!ui.focus.is("terminal/log") || ui.typing() || !ImGui::GetIO().KeyCtrl) return;
-  if (ImGui::IsKeyPressed('A', false) && log.row_count() > 0) {
+  if (!active_ || !ImGui::GetIO().KeyCtrl) return;
+  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_A), false) && log.row_count() > 0) {
     anchor_ = log.row(0).first;
     caret_ = log.row(log.row_count() - 1).last;
   }
-  if (ImGui::IsKeyPressed('C', false)) ImGui::SetClipboardText(copied(log).c_str());
+  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_C), false))
+    ImGui::SetClipboardText(copied(log).c_str());
 }
 
 std::string TerminalLog::copied(TrafficLog& log) const {

@@ -1,6 +1,7 @@
 #pragma once
 // The rows of traffic: drawn only where they are seen, chosen with the mouse, copied as text.
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "gui/frame.h"
@@ -33,7 +34,8 @@ class TerminalLog {
   bool follow_ = true;  ///< the newest row stays in sight
   // Rows come and go at both ends, records keep their number.
   std::uint64_t anchor_ = none, caret_ = none;
-  bool dragging_ = false;
+  bool dragging_ = false, active_ = false;  ///< active: the last click was into the rows
+  std::optional<gui::TrafficLog::Row> to_toggle_;
   std::string said_;  ///< what scripts read
   std::uint64_t said_version_ = 0;
   std::size_t said_begin_ = 0;
