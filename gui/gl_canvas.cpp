@@ -21,6 +21,11 @@ bool has(const char* list, const char* word) { return list && std::strstr(list, 
 
 }  // namespace
 
+void use_new_font_texture(ImDrawData& data) {
+  for (int n = 0; n < data.CmdListsCount; ++n)
+    for (ImDrawCmd& command : data.CmdLists[n]->CmdBuffer) command.TextureId = ImGui::GetIO().Fonts->TexID;
+}
+
 struct GlCanvas::Egl {
   EGLDisplay display = EGL_NO_DISPLAY;
   EGLContext context = EGL_NO_CONTEXT;
@@ -113,6 +118,7 @@ bool GlCanvas::render(ImDrawData& data, int atlas_generation, ImU32 ground,
     ImGui_ImplOpenGL3_CreateFontsTexture();
     atlas_generation_ = atlas_generation;
   }
+  use_new_font_texture(data);
   const ImVec4 c = ImGui::ColorConvertU32ToFloat4(ground);
   glViewport(0, 0, width, height);
   glDisable(GL_SCISSOR_TEST);

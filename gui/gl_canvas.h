@@ -8,6 +8,9 @@
 
 namespace hw::gui {
 
+/// Draw lists remember the texture of the atlas as it was while they were made; a new atlas has another one.
+void use_new_font_texture(ImDrawData& data);
+
 class GlCanvas {
  public:
   /// Null when this machine has no such GL.

@@ -10,6 +10,7 @@
 #include <GLFW/glfw3.h>
 #include <backends/imgui_impl_opengl3.h>
 
+#include "gui/gl_canvas.h"
 #include "gui/offscreen.h"
 
 namespace hw::gui {
@@ -238,6 +239,7 @@ void Window::frame(double now_s, const Draw& draw) {
     else
       ImGui_ImplOpenGL3_DestroyFontsTexture(), ImGui_ImplOpenGL3_CreateFontsTexture();
     atlas_generation_ = screen_->atlas_generation();
+    use_new_font_texture(*screen_->draw_data());
   }
   const ImVec4 ground = ImGui::ColorConvertU32ToFloat4(screen_->theme()[Tone::ground]);
   glViewport(0, 0, w, h);

@@ -5,14 +5,16 @@
 
 #include <fmt/format.h>
 
-#include "core/base/file.h"
 #include "core/device/bench_file.h"
+#include "core/session/user_files.h"
 #include "transports/rfc2217.h"
 #include "transports/serial.h"
 #include "transports/tcp.h"
 
 namespace hw {
 namespace {
+
+constexpr std::uintmax_t largest_bench_file = 1 << 20;
 
 std::string take(DeviceOptions& keys, const char* key, std::string fallback = {}) {
   const auto found = keys.find(key);
@@ -51,7 +53,7 @@ Result<HostOptions> take_host_options(std::string_view model, DeviceOptions& key
 
 Result<BenchFile> read_bench(const std::string& file, const DeviceType& type, const DeviceOptions& keys) {
   if (file.empty()) return BenchFile();
-  const auto text = read_text_file(file);
+  const auto text = read_file(file, largest_bench_file);
   if (!text) return fail(text.error());
   const auto catalog = type.make_catalog(keys);
   if (!catalog) return fail(catalog.error());

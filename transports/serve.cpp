@@ -6,10 +6,13 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "core/base/file.h"
+#include "core/session/user_files.h"
 #include "transports/memory.h"
 
 namespace hw {
+namespace {
+constexpr std::uintmax_t largest_file = 1 << 20;
+}
 
 struct EmulatorHost::Client final : Stream::Listener {
   EmulatorHost& host;
@@ -45,7 +48,7 @@ Result<std::shared_ptr<EmulatorHost>> EmulatorHost::make(Scheduler& scheduler,
   std::shared_ptr<EmulatorHost> host(new EmulatorHost(scheduler, std::move(emulator), std::move(options)));
   if (!path.empty()) {
     if (::access(path.c_str(), F_OK) == 0) {
-      const auto text = read_text_file(path);
+      const auto text = read_file(path, largest_file);
       if (!text) return fail(text.error());
       if (auto loaded = host->emulator_->load_memory(*text); !loaded) {
         Fault fault = loaded.error();
@@ -116,6 +119,7 @@ void EmulatorHost::step_to(Instant when) {
   take_output();
   while (outgoing_.due() <= when) {
     leaving_ += outgoing_.first().value;
+    left_at_ = outgoing_.due();
     outgoing_.pop(emulator_->rate());
   }
 }
@@ -145,11 +149,17 @@ void EmulatorHost::bytes_from(const Client& client, std::string_view bytes) {
   const Instant now = emulator_time();
   catch_up(now);
   if (options_.byte_times) {
-    incoming_.put(bytes, client.stream->rate(), now, emulator_->rate());
+    incoming_.put(bytes, client.stream->rate(), now - take_lateness(), emulator_->rate());
   } else {
     emulator_->receive(bytes);
   }
   run_until(now);
+}
+
+// A real timer fires some microseconds late, so the client had its reply late and asks its next question
+// late; that is our doing and not counted as time on the wire.
+Duration EmulatorHost::take_lateness() {
+  return std::min(std::exchange(late_, Duration{}), byte_time(emulator_->rate()));
 }
 
 void EmulatorHost::land(ByteLine::Byte byte) {
@@ -187,6 +197,7 @@ void EmulatorHost::deliver() {
     client->stream->send(wrong);
   }
   leaving_.clear();
+  if (options_.byte_times) late_ = std::max(Duration{}, emulator_time() - left_at_);
 }
 
 void EmulatorHost::spoil(std::string& bytes) {

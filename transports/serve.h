@@ -65,6 +65,7 @@ class EmulatorHost final : public BenchAccess, public std::enable_shared_from_th
   void run_until(Instant now);
   void step_to(Instant when);
   void finish_round();
+  Duration take_lateness();
   void land(ByteLine::Byte byte);
   void take_output();
   void deliver();
@@ -82,6 +83,8 @@ class EmulatorHost final : public BenchAccess, public std::enable_shared_from_th
   Instant armed_for_{};        // this and the next in emulated time
   mutable Instant reached_{};  // looking moves time on too
   ByteLine incoming_, outgoing_;
+  Instant left_at_{};  // emulated, as is the next: when the last byte left, and how much later that was done
+  Duration late_{};
   std::string fresh_, leaving_;  // output just taken; output at the end of the wire
   std::vector<std::unique_ptr<Client>> clients_;
   bool unplugged_ = false;

@@ -1,6 +1,6 @@
 #include "transports/state_file.h"
 
-#include "core/base/file.h"
+#include "core/session/user_files.h"
 
 namespace hw {
 
@@ -15,12 +15,11 @@ void StateFile::keep(std::string text) {
   std::weak_ptr<Trouble> told = trouble_;
   const Executor home = scheduler_.executor();
   asio::post(worker_, [path = path_, text = std::move(text), told, home] {
-    const Result<> written = write_file_atomically(path, text);
+    const Result<> written = write_file(path, text);
     if (written) return;
     Fault fault = written.error();
     fault.done =
-        "The memory of the emulated controller is not saved; the file still holds what was saved before.";
-    fault.advice = "Make room or choose another file, then store again.";
+        "The memory of the emulated controller is not saved; " + path + " still holds what was saved before.";
     asio::post(home, [told, fault] {
       const auto trouble = told.lock();
       if (trouble && *trouble) (*trouble)(fault);

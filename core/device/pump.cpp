@@ -198,6 +198,11 @@ void Pump::post(Intent intent) {
     if (jogging_ && dead_man_.armed()) dead_man_.arm(scheduler_.now() + dead_man);
     return;
   }
+  if (std::holds_alternative<intent::JogStop>(intent.body) && !jogging_) {
+    // Released twice, or a jog that was refused. A second stop would mean: at once, without a ramp.
+    set_fate(intent.id, Fate::done);
+    return publish();
+  }
   const bool stop = std::holds_alternative<intent::Stop>(intent.body) ||
                     std::holds_alternative<intent::Abort>(intent.body) ||
                     std::holds_alternative<intent::JogStop>(intent.body) ||

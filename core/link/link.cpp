@@ -78,7 +78,11 @@ void Link::start_next() {
   record(Way::sent, kind_of(t.priority), t.bytes);
   if (t.reply.kind == ReplyShape::Kind::none) {
     stream_->send(t.bytes);
-    finish(std::string());
+    // It stays in flight while it is on the wire: what comes next, a stop perhaps, must not stand in a queue
+    // of the port's, where nothing overtakes.
+    const Duration on_wire = wire_time(t.bytes.size());
+    if (on_wire == Duration::zero()) return finish(std::string());
+    deadline_.arm(sent_at_ + on_wire);
     return;
   }
   constexpr std::size_t usual_answer = 16;
@@ -109,6 +113,7 @@ void Link::finish(Result<std::string> result) {
 
 void Link::on_deadline() {
   if (!in_flight_) return;
+  if (in_flight_->transaction.reply.kind == ReplyShape::Kind::none) return finish(std::string());
   if (in_flight_->transaction.reply.kind == ReplyShape::Kind::quiet_end && !received_.empty()) {
     finish(std::exchange(received_, {}));
     return;
@@ -152,7 +157,7 @@ bool Link::strip_strangers() {
 
 void Link::take_received() {
   while (!received_.empty()) {
-    if (!in_flight_) {
+    if (!in_flight_ || in_flight_->transaction.reply.kind == ReplyShape::Kind::none) {
       give_unsolicited(std::exchange(received_, {}));
       return;
     }

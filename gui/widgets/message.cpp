@@ -81,12 +81,9 @@ int draw_actions(Ui& ui, std::span<const Action> actions, std::string_view aside
 }  // namespace
 
 void tinted(Ui& ui, Mood mood, float height_px) {
-  const ImGuiWindow* window = ImGui::GetCurrentWindow();
   const float y = ImGui::GetCursorScreenPos().y;
   const Look look = look_of(mood);
-  const ImVec2 from(window->InnerRect.Min.x, y), to(window->InnerRect.Max.x, y + height_px);
-  window->DrawList->AddRectFilled(from, to, ui[look.tint]);
-  window->DrawList->AddRectFilled(from, ImVec2(from.x + ui.px(3), to.y), ui[look.ink]);
+  draw_across(ui, y, y + height_px, ui[look.tint], ui[look.ink]);
 }
 
 int banner(Ui& ui, std::string_view id, const Banner& what, std::span<const Action> actions) {
@@ -174,12 +171,13 @@ bool begin_modal(Ui& ui, std::string_view id, bool open, float width, float heig
                           ImGuiCond_Always, ImVec2(0.5f, 0.5f));
   ImGui::SetNextWindowSize(ImVec2(w, h));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ui.px(24, 20));
-  ImGui::PushStyleVar(ImGuiStyleVar_PopupRounding, ui.px(6));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ui.px(6));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, ui.hair());
   ImGuiWindowFlags flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
                            ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav;
   if (height == 0) flags |= ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoScrollbar;
   const bool shown = ImGui::BeginPopupModal(name, nullptr, flags);
-  ImGui::PopStyleVar(2);
+  ImGui::PopStyleVar(3);
   if (!shown) return false;
   ui.take_arrows();
   dim_around_modal(ui);

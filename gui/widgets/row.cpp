@@ -46,10 +46,9 @@ void table_head(Ui& ui, const Columns& columns) {
 }
 
 Touch row(Ui& ui, std::string_view id, std::string_view label, const RowOptions& o) {
-  const ImGuiWindow* window = ImGui::GetCurrentWindow();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, h = ui.px(o.height);
-  ImDrawList* list = window->DrawList;
+  ImDrawList* list = ImGui::GetWindowDrawList();
   list->ChannelsSplit(2);
   list->ChannelsSetCurrent(1);
   Touch t;
@@ -61,14 +60,15 @@ Touch row(Ui& ui, std::string_view id, std::string_view label, const RowOptions&
     show(ui, {id, Kind::text, label, o.value, {}, false, {}}, t.rect);
   }
   list->ChannelsSetCurrent(0);
-  const ImVec2 from(window->InnerRect.Min.x, at.y), to(window->InnerRect.Max.x, at.y + h);
-  if (o.bad || o.chosen || (t.hovered && o.pressable))
-    list->AddRectFilled(from, to, ui[o.bad ? Tone::fault_t : o.chosen ? Tone::sel : Tone::raised]);
-  if (o.bad || o.chosen)
-    list->AddRectFilled(from, ImVec2(from.x + ui.px(3), to.y), ui[o.bad ? Tone::fault : Tone::ink]);
-  if (o.hairline) list->AddRectFilled(from, ImVec2(to.x, from.y + ui.hair()), ui[Tone::line]);
+  const ImU32 ground = o.bad                      ? ui[Tone::fault_t]
+                       : o.chosen                 ? ui[Tone::sel]
+                       : t.hovered && o.pressable ? ui[Tone::raised]
+                                                  : 0;
+  const ImU32 bar = o.bad ? ui[Tone::fault] : o.chosen ? ui[Tone::ink] : 0;
+  const Rect whole = draw_across(ui, at.y, at.y + h, ground, bar);
+  if (o.hairline) draw_across(ui, at.y, at.y + ui.hair(), ui[Tone::line]);
   list->ChannelsMerge();
-  if (t.ring) draw_outline(ui, {from, to}, ui[Tone::ink], 0, ui.px(2));
+  if (t.ring) draw_outline(ui, whole, ui[Tone::ink], 0, ui.px(2));
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + h));
   return t;
 }

@@ -20,7 +20,7 @@ Touch controller_tab(Ui& ui, std::string_view id, const ControllerTab& tab, floa
   draw_text_line(ui, left, right, t.rect.min.y + ui.px(19), Face::body_bold,
                  ui[tab.active ? Tone::ink : Tone::ink2], tab.name);
   const float second = t.rect.min.y + ui.px(38);
-  draw_icon(list, tab.icon, ImVec2(left + ui.px(6), second - ui.px(1)), ui.px(11), ui[tab.tone]);
+  draw_icon(list, tab.icon, ImVec2(left + ui.px(6), second), ui.px(11), ui[tab.tone]);
   float end = right;
   if (tab.emulated) {
     end -= std::ceil(text_width(ui, Face::small_bold, "EMULATED"));
@@ -33,10 +33,9 @@ Touch controller_tab(Ui& ui, std::string_view id, const ControllerTab& tab, floa
 
 int panel_tabs(Ui& ui, std::span<const PanelTab> tabs, int active) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const ImGuiWindow* window = ImGui::GetCurrentWindow();
+  ImGuiWindow* window = ImGui::GetCurrentWindow();
   const float h = ui.px(40);
-  window->DrawList->AddRectFilled(ImVec2(window->InnerRect.Min.x, at.y + h - ui.hair()),
-                                  ImVec2(window->InnerRect.Max.x, at.y + h), ui[Tone::line]);
+  draw_across(ui, at.y + h - ui.hair(), at.y + h, ui[Tone::line]);
   int picked = -1;
   float x = at.x;
   for (int i = 0; i < static_cast<int>(tabs.size()); ++i) {

@@ -118,12 +118,23 @@ void gap(Ui& ui, float height) {
       ImVec2(ImGui::GetCursorScreenPos().x, ImGui::GetCursorScreenPos().y + ui.px(height)));
 }
 
+Rect draw_across(const Ui& ui, float top, float bottom, ImU32 colour, ImU32 bar) {
+  // A window's own clip rectangle leaves half of its padding out.
+  const ImGuiWindow* window = ImGui::GetCurrentWindow();
+  ImRect clip = window->InnerRect;
+  clip.ClipWith(window->OuterRectClipped);
+  const Rect r{ImVec2(window->InnerRect.Min.x, top), ImVec2(window->InnerRect.Max.x, bottom)};
+  window->DrawList->PushClipRect(clip.Min, clip.Max, false);
+  if (colour) window->DrawList->AddRectFilled(r.min, r.max, colour);
+  if (bar) window->DrawList->AddRectFilled(r.min, ImVec2(r.min.x + ui.px(3), bottom), bar);
+  window->DrawList->PopClipRect();
+  return r;
+}
+
 void group_line(Ui& ui, float space) {
   gap(ui, space);
-  const ImGuiWindow* window = ImGui::GetCurrentWindow();
   const float y = std::floor(ImGui::GetCursorScreenPos().y);
-  window->DrawList->AddRectFilled(ImVec2(window->InnerRect.Min.x, y),
-                                  ImVec2(window->InnerRect.Max.x, y + ui.hair()), ui[Tone::line]);
+  draw_across(ui, y, y + ui.hair(), ui[Tone::line]);
   ImGui::SetCursorScreenPos(ImVec2(ImGui::GetCursorScreenPos().x, y + ui.hair()));
   gap(ui, space);
 }

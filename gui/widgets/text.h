@@ -33,6 +33,8 @@ void named_text(Ui& ui, std::string_view id, Face face, Tone tone, std::string_v
 
 /// Pixels of the rest of the line for `fill`, else the scaled width.
 float width_px(const Ui& ui, float width);
+/// Fills from the left to the right border of the window, across its padding too; `bar`: 3 px at the left.
+Rect draw_across(const Ui& ui, float top, float bottom, ImU32 colour, ImU32 bar = 0);
 /// Empty space of a group border, in logical pixels.
 void gap(Ui& ui, float height);
 /// Hairline across the full column, with `space` above and below.

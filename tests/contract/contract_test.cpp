@@ -124,7 +124,7 @@ TEST_P(ContractTest, APowerCycleIsNoticedAndNothingMoves) {
   EXPECT_EQ(axis().position, Steps(0));
   Notice told;
   bool said = false;
-  session->notices().drain([&](const Notice& n) { said = said || n.text.find("power") != n.text.npos; });
+  session->notices().drain([&](const Notice& n) { said = said || n.text.find("switched off and on") != n.text.npos; });
   EXPECT_TRUE(said);
 }
 

@@ -379,10 +379,26 @@ TEST_F(ServeState, AFullDiskIsSaidAndNothingElseStops) {
   stream->send("SV");
   const bool told = test::poll_until(io, [&] { return !troubles.empty(); });
   ASSERT_TRUE(told);
-  EXPECT_NE(troubles[0].what.find(options.state_file), std::string::npos);
+  EXPECT_NE(troubles[0].done.find(options.state_file), std::string::npos);
   EXPECT_NE(troubles[0].done.find("not saved"), std::string::npos);
   clock.run_for(Millis(1));
   EXPECT_EQ(ear.heard, "R");
+}
+
+// A file that is always full, and by that name nothing to be replaced.
+TEST_F(ServeState, NoSpaceLeft) {
+  options.state_file = folder / "full";
+  std::filesystem::create_symlink("/dev/full", options.state_file);
+  auto host = EmulatorHost::make(clock, std::make_unique<ToyEmulator>(), options);
+  ASSERT_FALSE(host) << "it cannot be read either";
+  std::filesystem::remove(options.state_file);
+  host = make(options);
+  auto stream = *(*host)->plug_in();
+  std::filesystem::create_symlink("/dev/full", options.state_file);
+  stream->send("S");
+  ASSERT_TRUE(test::poll_until(io, [&] { return !troubles.empty(); }));
+  EXPECT_NE(troubles[0].sentence().find("full"), std::string::npos);
+  EXPECT_NE(troubles[0].advice.find("space"), std::string::npos);
 }
 
 }  // namespace

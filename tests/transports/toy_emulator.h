@@ -29,6 +29,10 @@ class ToyEmulator final : public Emulator {
       powered_ = power->on;
       return {};
     }
+    if (std::holds_alternative<bench::PowerCycle>(command)) {
+      output_ += 'J';
+      return {};
+    }
     return fail(FaultKind::refused, "The toy has no such thing.");
   }
   void look(BenchView& view) const override {

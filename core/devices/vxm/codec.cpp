@@ -164,9 +164,10 @@ Message next_message(std::string_view bytes) {
       return is(Message::Kind::error, 2);
     case held: {
       constexpr std::size_t longest_command = 48;  // a pair of indexes with all their digits
-      const auto end = bytes.find('\r');
+      constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-,()";
+      const auto end = bytes.find_first_not_of(letters, 1);
       if (end == bytes.npos && bytes.size() <= longest_command) return m;
-      if (end == bytes.npos || end > longest_command) return is(Message::Kind::unknown, 1);
+      if (end == bytes.npos || end > longest_command || bytes[end] != '\r') return is(Message::Kind::unknown, 1);
       m.text = bytes.substr(1, end - 1);
       return is(Message::Kind::held, end + 1);
     }

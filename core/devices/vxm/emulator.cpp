@@ -1,9 +1,9 @@
 #include "core/devices/vxm/emulator.h"
 
 #include <algorithm>
-#include <optional>
+#include <utility>
 
-#include "core/devices/vxm/emulator_box.h"
+#include "core/devices/vxm/emulator_vxm.h"
 
 namespace hw::vxm {
 namespace {
@@ -12,70 +12,9 @@ std::size_t ix(int i) { return static_cast<std::size_t>(i); }
 
 constexpr std::size_t pulses_kept = 100'000;
 
-struct Options {
-  int motors = 2;
-  bool overrun = false, barred = false;
-};
+}  // namespace
 
-class VxmEmulator final : public Emulator {
- public:
-  explicit VxmEmulator(const Options& options);
-
-  void receive(std::string_view bytes) override;
-  void take_output(std::string& sink) override;
-  [[nodiscard]] std::optional<Instant> next_event() const override;
-  void advance_to(Instant now) override;
-  Result<> operate(const BenchCommand& command) override;
-  void look(BenchView& view) const override;
-  [[nodiscard]] const std::vector<TriggerPulse>& pulses() const override;
-  [[nodiscard]] int rate() const override { return box_.rate(); }
-  [[nodiscard]] std::string save_memory() const override;
-  Result<> load_memory(std::string_view text) override;
-  [[nodiscard]] std::uint64_t memory_version() const override { return box_.stores + memory_loads_; }
-  [[nodiscard]] std::unique_ptr<Emulator> clone() const override {
-    return std::make_unique<VxmEmulator>(*this);
-  }
-
- private:
-  void after();
-  void gather_pulses(Box& box, int first_axis, int first_output);
-  void pace_replies();
-  Box& box_of(int axis) { return axis < motors_per_controller ? box_ : *box_.slave(); }
-  [[nodiscard]] const Box& box_of(int axis) const {
-    return axis < motors_per_controller ? box_ : *box_.slave();
-  }
-  [[nodiscard]] int boxes() const { return options_.motors > motors_per_controller ? 2 : 1; }
-  Result<> check_axis(AxisId axis) const;
-
-  Result<> act(const bench::Input& c);
-  Result<> act(const bench::Limit& c);
-  Result<> act(const bench::HomeSwitch& c);
-  Result<> act(const bench::Analog& c);
-  Result<> act(const bench::Button& c);
-  Result<> act(const bench::Jam& c);
-  Result<> act(const bench::Slip& c);
-  Result<> act(const bench::Place& c);
-  Result<> act(const bench::Power& c);
-  Result<> act(const bench::PowerCycle& c);
-  Result<> act(const bench::Unplug&) { return wire_fault(); }
-  Result<> act(const bench::Garble&) { return wire_fault(); }
-  Result<> act(const bench::Drop&) { return wire_fault(); }
-  static Result<> wire_fault() {
-    return fail(FaultKind::refused, "Faults of the wire are made where the wire is, not in the controller.");
-  }
-  void press(int button, bool on);
-
-  Options options_;
-  Box box_;
-  Instant now_{};
-  std::uint32_t buttons_ = 0, inputs_ = 0;
-  std::string held_back_;  ///< quirk overrun: the reply that is being sent
-  Instant answering_until_{};
-  std::uint64_t memory_loads_ = 0;
-  mutable std::vector<TriggerPulse> pulses_;
-};
-
-VxmEmulator::VxmEmulator(const Options& options) : options_(options) {
+VxmEmulator::VxmEmulator(const EmulatorOptions& options) : options_(options) {
   if (options.motors > motors_per_controller) box_.link(Box());
   if (options.barred) box_.error_first = error_mark_barred;
   AxisPlace slide;
@@ -168,165 +107,6 @@ const std::vector<TriggerPulse>& VxmEmulator::pulses() const {
   return pulses_;
 }
 
-// --- the bench
-// ----------------------------------------------------------------------------------------------
-
-Result<> VxmEmulator::operate(const BenchCommand& command) {
-  auto result = std::visit([this](const auto& c) { return act(c); }, command);
-  box_.settle();
-  after();
-  return result;
-}
-
-Result<> VxmEmulator::check_axis(AxisId axis) const {
-  if (axis.index < options_.motors) return {};
-  return fail(FaultKind::refused,
-              "This bench has " + std::to_string(options_.motors) + " motors and no motor " +
-                  std::to_string(axis.index + 1) + ".",
-              "Nothing was changed.");
-}
-
-Result<> VxmEmulator::act(const bench::Input& c) {
-  const int count = boxes() * inputs_per_controller;
-  if (c.number < 1 || c.number > count)
-    return fail(
-        FaultKind::refused,
-        "There is no input " + std::to_string(c.number) + ": inputs are 1 to " + std::to_string(count) + ".",
-        "Nothing was changed.");
-  const std::uint32_t bit = 1u << (c.number - 1);
-  inputs_ = c.active ? inputs_ | bit : inputs_ & ~bit;
-  const int box = (c.number - 1) / inputs_per_controller, input = (c.number - 1) % inputs_per_controller;
-  const std::uint32_t stop = box == 0 ? 1u << 5 : 1u << 11;
-  const bool low = c.active || (input == 3 && (buttons_ & stop) != 0);
-  (box == 0 ? box_ : *box_.slave()).set_line(line_in_1 + input, low);
-  return {};
-}
-
-Result<> VxmEmulator::act(const bench::Button& c) {
-  const auto found = std::find(panel_buttons.begin(), panel_buttons.end(), c.name);
-  const int button = static_cast<int>(found - panel_buttons.begin());
-  if (found == panel_buttons.end() || (button >= buttons_per_controller && boxes() < 2)) {
-    std::string all;
-    for (int i = 0; i < boxes() * buttons_per_controller; ++i)
-      all += (i ? ", " : "") + std::string(panel_buttons[ix(i)]);
-    return fail(FaultKind::refused, "The front panel has no button \"" + c.name + "\".",
-                "Nothing was changed.", "Its buttons are " + all + ".");
-  }
-  press(button, c.pressed);
-  return {};
-}
-
-void VxmEmulator::press(int button, bool on) {
-  const std::uint32_t bit = 1u << button;
-  buttons_ = on ? buttons_ | bit : buttons_ & ~bit;
-  const bool of_slave = button >= buttons_per_controller;
-  Box& box = of_slave ? *box_.slave() : box_;
-  // Master: 1- 1+ 2- 2+ Run Stop; Slave: 3- 3+ 4- 4+ Run Stop. Stop is wired to input 4.
-  const int local = of_slave ? button - buttons_per_controller : button;
-  if (local < 4) return box.set_line(line_jog + local, on);
-  if (local == 4) return box.set_line(line_run, on);
-  const std::uint32_t input_4 = of_slave ? 1u << 7 : 1u << 3;
-  box.set_line(line_in_4, on || (inputs_ & input_4) != 0);
-}
-
-Result<> VxmEmulator::act(const bench::Limit& c) {
-  if (auto bad = check_axis(c.axis); !bad) return bad;
-  const int axis = c.axis.index, local = axis % motors_per_controller;
-  box_of(axis).plant(local).operate_limit(c.sign, c.operated);
-  box_of(axis).plant_changed(local);
-  return {};
-}
-
-Result<> VxmEmulator::act(const bench::HomeSwitch& c) {
-  if (auto bad = check_axis(c.axis); !bad) return bad;
-  const int axis = c.axis.index, local = axis % motors_per_controller;
-  box_of(axis).plant(local).operate_home(c.operated);
-  box_of(axis).plant_changed(local);
-  return {};
-}
-
-Result<> VxmEmulator::act(const bench::Analog& c) {
-  if (c.number < 1 || c.number > boxes())
-    return fail(FaultKind::refused, "There is no analog input " + std::to_string(c.number) + ".",
-                "Nothing was changed.");
-  if (c.value < analog_min || c.value > analog_max)
-    return fail(FaultKind::refused, std::to_string(c.value) + " is no reading of the analog input.",
-                "Nothing was changed.", "It gives 0 to 1024.");
-  (c.number == 1 ? box_ : *box_.slave()).set_analog(c.value);
-  return {};
-}
-
-Result<> VxmEmulator::act(const bench::Jam& c) {
-  if (auto bad = check_axis(c.axis); !bad) return bad;
-  const int axis = c.axis.index, local = axis % motors_per_controller;
-  box_of(axis).plant(local).jam(c.on);
-  box_of(axis).plant_changed(local);
-  return {};
-}
-
-Result<> VxmEmulator::act(const bench::Slip& c) {
-  if (auto bad = check_axis(c.axis); !bad) return bad;
-  const int axis = c.axis.index, local = axis % motors_per_controller;
-  box_of(axis).plant(local).slip(c.by);
-  box_of(axis).plant_changed(local);
-  return {};
-}
-
-Result<> VxmEmulator::act(const bench::Place& c) {
-  if (auto bad = check_axis(c.axis); !bad) return bad;
-  if (c.place.index_every || c.place.counts_per_step)
-    return fail(FaultKind::refused,
-                "A VXM has no encoder: index_every and counts_per_step mean nothing to it.",
-                "The place of motor " + std::to_string(c.axis.index + 1) + " was not changed.");
-  if (c.place.home_from.has_value() != c.place.home_to.has_value())
-    return fail(FaultKind::refused, "A home zone needs both ends.",
-                "The place of motor " + std::to_string(c.axis.index + 1) + " was not changed.");
-  const int axis = c.axis.index, local = axis % motors_per_controller;
-  box_of(axis).plant(local).set_place(c.place);
-  box_of(axis).plant_changed(local);
-  return {};
-}
-
-Result<> VxmEmulator::act(const bench::Power& c) {
-  box_.power(c.on, now_);
-  if (!c.on) held_back_.clear();
-  answering_until_ = now_;
-  return {};
-}
-
-Result<> VxmEmulator::act(const bench::PowerCycle&) {
-  (void)act(bench::Power(false));
-  return act(bench::Power(true));
-}
-
-void VxmEmulator::look(BenchView& view) const {
-  view = BenchView();
-  view.present = true;
-  view.powered = box_.powered();
-  view.buttons = buttons_;
-  view.inputs_operated = inputs_;
-  for (int i = 0; i < boxes(); ++i) {
-    const Box& box = i == 0 ? box_ : *box_.slave();
-    const Box::Lamps lamps = box.lamps();
-    const std::uint32_t power = 1u << (i * lamps_per_controller), online = power << 1;
-    view.lamps |= (lamps.power ? power : 0) | (lamps.online ? online : 0);
-    view.lamps_blink |= (lamps.power_blinks ? power : 0) | (lamps.online_blinks ? online : 0);
-    view.outputs |= static_cast<std::uint32_t>(box.outputs()) << (i * outputs_per_controller);
-    view.analog[ix(i)] = box.analog();
-  }
-  for (int axis = 0; axis < options_.motors; ++axis) {
-    const motion::Plant& plant = box_of(axis).axis(axis % motors_per_controller).plant;
-    const std::uint32_t bit = 1u << axis;
-    view.load_position[ix(axis)] = plant.load();
-    const bool home = plant.home_operated();
-    if (home || plant.limit_operated(Sign::minus)) view.limits_minus |= bit;
-    if (home || plant.limit_operated(Sign::plus)) view.limits_plus |= bit;
-    if (plant.limit_by_hand(Sign::minus)) view.limits_minus_by_hand |= bit;
-    if (plant.limit_by_hand(Sign::plus)) view.limits_plus_by_hand |= bit;
-    if (plant.jammed()) view.jammed |= bit;
-  }
-}
-
 // --- non-volatile memory -----------------------------------------------------------------------------------
 
 std::string VxmEmulator::save_memory() const {
@@ -337,42 +117,68 @@ std::string VxmEmulator::save_memory() const {
   return text;
 }
 
-Result<> VxmEmulator::load_memory(std::string_view text) {
-  std::string problem;
-  Box* box = &box_;
-  int number = 0;
-  while (!text.empty()) {
+namespace {
+
+struct LoadedMemory {
+  int good_lines = 0;
+  std::string problem;  ///< of the first bad line
+};
+
+/// Takes every line that means something into the saved memories.
+LoadedMemory load_lines(std::string_view text, Box& first) {
+  LoadedMemory loaded;
+  Box* box = &first;
+  for (int number = 1; !text.empty(); ++number) {
     const auto end = std::min(text.find('\n'), text.size());
     std::string_view line = text.substr(0, end);
     text.remove_prefix(std::min(end + 1, text.size()));
-    ++number;
     if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
-    std::string why;
     if (line.empty() || line.front() == '#') continue;
+    std::string why;
     if (line == "[controller 1]") {
-      box = &box_;
+      box = &first;
     } else if (line == "[controller 2]") {
-      box = box_.slave();  // null: a memory of four motors, two are fitted
+      box = first.slave();  // null: a memory of four motors where two are fitted
     } else if (line.substr(0, 9) == "stores = " && line.size() > 9 && line.size() < 20 &&
                line.find_first_not_of("0123456789", 9) == std::string_view::npos) {
-      box_.stores = std::stoull(std::string(line.substr(9)));
+      first.stores = std::stoull(std::string(line.substr(9)));
     } else if (box != nullptr) {
       why = box->load_line(line);
     }
-    if (problem.empty() && !why.empty()) problem = "Line " + std::to_string(number) + " " + why + ".";
+    loaded.good_lines += why.empty();
+    if (loaded.problem.empty() && !why.empty())
+      loaded.problem = "line " + std::to_string(number) + " " + why + ".";
   }
+  return loaded;
+}
+
+}  // namespace
+
+Result<> VxmEmulator::load_memory(std::string_view text) {
+  Box loaded_box = box_;
+  loaded_box.stores = 0;
+  loaded_box.forget_saved();
+  if (Box* s = loaded_box.slave()) s->forget_saved();
+  const LoadedMemory loaded = load_lines(text, loaded_box);
+  if (loaded.good_lines == 0)
+    return fail(FaultKind::text,
+                "This is no memory of a VXM" + (loaded.problem.empty() ? "." : ": " + loaded.problem),
+                "The memory stays as it was.");
+  box_ = std::move(loaded_box);
   if (Box* s = box_.slave()) s->take_saved();
   box_.take_saved();
   ++memory_loads_;
   after();
-  if (problem.empty()) return {};
-  return fail(FaultKind::text, "The memory of the VXM is damaged: " + problem,
+  if (loaded.problem.empty()) return {};
+  return fail(FaultKind::text, "The memory of the VXM is damaged: " + loaded.problem,
               "What could be read was taken; the rest has its factory value.",
               "Check motor types and programs before you run a motor.");
 }
 
-Result<Options> read_options(const std::map<std::string, std::string>& given) {
-  Options options;
+namespace {
+
+Result<EmulatorOptions> read_options(const std::map<std::string, std::string>& given) {
+  EmulatorOptions options;
   for (const auto& [key, value] : given) {
     if (key == "motors") {
       if (value.size() != 1 || value[0] < '1' || value[0] > '4')

@@ -107,7 +107,9 @@ bool Box::settle_own() {
   changed = run_button_if_due() || changed;
   if (Box* s = slave()) {
     const bool waits = run_.doing == Doing::waiting && run_.wait.on_slave;
-    s->jog_by_master_ = !slave_found() || (run_.on ? waits && s->jog_in_waits_ : !online_);
+    const bool may_jog = !slave_found() || (run_.on ? waits && s->jog_in_waits_ : !online_);
+    changed = changed || may_jog != s->jog_by_master_;
+    s->jog_by_master_ = may_jog;
   }
   return update_jog() || changed;
 }

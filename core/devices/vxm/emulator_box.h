@@ -59,6 +59,7 @@ class Box {
   [[nodiscard]] std::string saved_text() const;
   /// A sentence about the first line that means nothing, or empty.
   std::string load_line(std::string_view line);
+  void forget_saved() { saved_ = Memory(); }
   void take_saved();
   std::uint64_t stores = 0;  ///< writes to non-volatile memory
 
@@ -68,6 +69,7 @@ class Box {
   [[nodiscard]] const Run& run() const { return run_; }
   [[nodiscard]] char error() const { return error_; }
   [[nodiscard]] bool limit_was_hit() const { return limit_was_hit_; }
+  [[nodiscard]] int moves_begun() const { return moves_begun_; }
   [[nodiscard]] const Program& program(int i) const { return memory_.programs[static_cast<std::size_t>(i)]; }
   void go() { go_signal(); }
 
@@ -243,6 +245,7 @@ class Box {
   std::array<std::array<std::int32_t, 4>, 2> captured_{};
   int captures_ = 0;
   bool limit_was_hit_ = false;
+  int moves_begun_ = 0;  ///< in this run
 };
 
 }  // namespace hw::vxm

@@ -49,9 +49,10 @@ int Box::joystick_speed(int axis) const {
 
 bool Box::update_jog() {
   using Phase = Jog::Phase;
-  if (motion_ended_ && (motion_.kind == MotionKind::jog || motion_.kind == MotionKind::joystick)) {
-    motion_ended_ = false;
-    jog_.phase = motion_.end == MotionEnd::limit ? Phase::blocked : Phase::none;
+  const bool mine = motion_.kind == MotionKind::jog || motion_.kind == MotionKind::joystick;
+  if ((jog_.phase == Phase::turning || jog_.phase == Phase::ending) && !(mine && motion_.active)) {
+    jog_.phase = mine && motion_.end == MotionEnd::limit ? Phase::blocked : Phase::none;
+    if (mine) motion_ended_ = false;
     return true;
   }
   const bool allowed = jog_allowed();

@@ -61,6 +61,7 @@ void Box::nonstop_index(const Command& command) {
   const Pps now(goes_on ? n.speed : 0), wanted(axes_[ix(axis)].speed);
   n.sign = sign;
   current_motor_ = command.motor;
+  ++moves_begun_;
   run_.moves.clear();
   run_.next_move = 0;
   run_.homing = false;

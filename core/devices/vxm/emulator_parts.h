@@ -159,7 +159,7 @@ struct Jog {
 /// What a rehearsal hears.
 struct Trace {
   Instant at{};
-  int program = 0, command = 0;
+  int program = -1, command = -1;  ///< -1: no command, an event
   std::string what;
 };
 

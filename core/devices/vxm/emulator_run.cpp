@@ -17,16 +17,16 @@ constexpr Duration breath = Millis(1);
 }  // namespace
 
 void Box::note(std::string what) {
-  if (trace == nullptr) return;
-  const Frame* frame = run_.stack.empty() ? nullptr : &run_.stack.back();
-  trace->push_back({now_, frame ? frame->program : -1, frame ? frame->next : -1, std::move(what)});
+  if (trace != nullptr) trace->push_back({now_, -1, -1, std::move(what)});
 }
 
 void Box::start_run(int program) {
   reader_.reset();
+  bracket_ = false, group_.reset();  // the Run button may come in the middle of a text
   for (auto& list : captured_) list.fill(0);
   captures_ = 0;
   limit_was_hit_ = false;
+  moves_begun_ = 0;
   const bool stop_held = (memory_.setup.inputs & inputs_stop) != 0 && line(line_in_4).low && !is_slave_;
   if (stop_held) {  // programs do not run while Stop is held (App. C); the host is told as if it were stopped
     send_error(error_stopped);
@@ -116,7 +116,7 @@ bool Box::execute_next() {
   // A coupled program has the Slave's motors, or a hand that jogged lets them ramp down.
   if (for_slave && slave() != nullptr && (slave()->run_.on || slave()->motion_.active)) return false;
   run_.step_allowed = false;
-  note(shown(command, analog_));
+  if (trace != nullptr) trace->push_back({now_, frame.program, frame.next, shown(command, analog_)});
   const int at = frame.next++;
   perform(command, at);
   return true;
@@ -170,7 +170,7 @@ void Box::end_frame() {
 }
 
 void Box::finish_run() {
-  note("end");
+  note("the program ends");
   run_ = Run();
   prompt(vxm::prompt);
 }
@@ -187,6 +187,7 @@ void Box::begin_next_moves() {
       if (box != this) box->memory_.programs[0].clear();  // the Master works through it (App. G)
       current_motor_ = move.motor;
       run_.homing = move.home != 0;
+      ++moves_begun_;
       box->begin_index((move.motor - 1) % motors_per_controller, move.distance, move.home);
     }
     run_.doing = Doing::moving;
@@ -223,11 +224,18 @@ void Box::moves_done() {
 
 /// A limit hit is told to the host and may end the program (App. F); moves to a limit never end it.
 void Box::take_motion_end(Box& box, bool homing) {
-  if (!box.motion_ended_) return;
+  const MotionKind kind = box.motion_.kind;
+  if (!box.motion_ended_ || kind == MotionKind::jog || kind == MotionKind::joystick) return;
   box.motion_ended_ = false;
   if (box.motion_.end != MotionEnd::limit) return;
   limit_was_hit_ = true;
-  note(homing ? "reached the limit switch" : "hit a limit switch");
+  if (trace != nullptr) {
+    const int motor = box.motion_.axis + 1 + (&box == this ? 0 : motors_per_controller);
+    const std::int32_t at = box.axes_[ix(box.motion_.axis)].counter;
+    note("motor " + std::to_string(motor) + (homing ? " reaches its" : " hits a") + " limit switch at " +
+         std::to_string(at));
+  }
+
   if (memory_.setup.limit_report & 1) prompt(over_travel);
   if ((memory_.setup.limit_report & 2) && !homing) run_.hit_limit = true;
 }

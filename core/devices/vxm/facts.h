@@ -32,7 +32,7 @@ struct StoredForm {
   std::string_view head;
   int bytes;
 };
-inline constexpr std::array<StoredForm, 12> stored_forms{{
+inline constexpr std::array<StoredForm, 13> stored_forms{{
     {"I", 4},
     {"IA", 4},
     {"S", 3},
@@ -42,6 +42,7 @@ inline constexpr std::array<StoredForm, 12> stored_forms{{
     {"LA", 3},
     {"LM", 1},
     {"J", 2},
+    {"JM", 2},
     {"P", 3},
     {"PA", 3},
     {"U", 2},

@@ -143,6 +143,19 @@ TEST_F(LinkTest, AListWithoutAnEndMarkEndsWhenTheWireIsQuiet) {
   EXPECT_EQ(*list.result, "PM0 M252\rI1M400\r");
 }
 
+TEST_F(LinkTest, WhatNeedsNoReplyIsDoneWhenTheWireHasCarriedIt) {
+  wire->rate_ = 9600;
+  Answer line, next, stop;
+  start("I1M400\r", ReplyShape::nothing(), Priority::transfer, line);
+  start("I1M500\r", ReplyShape::nothing(), Priority::transfer, next);
+  time.run_for(Millis(5));
+  start("D", ReplyShape::nothing(), Priority::stop, stop);
+  EXPECT_THAT(wire->sent, ElementsAre("I1M400\r"));
+  time.run_for(Millis(3));
+  EXPECT_TRUE(line.came);
+  EXPECT_THAT(wire->sent, ElementsAre("I1M400\r", "D"));
+}
+
 TEST_F(LinkTest, PatienceGrowsWithTheTimeThatTheWireNeeds) {
   wire->rate_ = 9600;
   Answer answer;

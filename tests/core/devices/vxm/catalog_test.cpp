@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/device/snapshot.h"
+
 namespace hw::vxm {
 namespace {
 

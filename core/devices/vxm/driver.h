@@ -1,0 +1,223 @@
+#pragma once
+// The VXM from the console's side. One subject per file:
+//   driver_talk.cpp     questions, raw text, what comes unasked
+//   driver_connect.cpp  getting it to listen, finding out what it is, power-cycles, lost wires
+//   driver_poll.cpp     the round of status
+//   driver_moves.cpp    moves, jogs, homing, zero, outputs: runs of a program that nobody uses
+//   driver_stop.cpp     stops (decision V102)
+//   driver_program.cpp  load, read, run, hold, step
+//   driver_params.cpp   set-up
+#include <array>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/device/driver.h"
+#include "core/devices/vxm/codec.h"
+#include "core/devices/vxm/codec_text.h"
+#include "core/devices/vxm/facts.h"
+
+namespace hw::vxm {
+
+std::unique_ptr<Driver> make_driver(DriverContext context);
+
+class VxmDriver final : public Driver {
+ public:
+  explicit VxmDriver(DriverContext context);
+
+  Task<Result<>> connect(Link& link) override;
+  Task<Result<>> poll() override;
+  Task<Result<>> perform(const IntentBody& intent) override;
+  Task<Result<>> stop(int axis, bool at_once) override;
+  void wire_lost() override;
+  Task<Result<std::string>> query(std::string text, Duration patience) override;
+  bool take_unsolicited(std::string& text) override;
+  [[nodiscard]] Duration moving_period() const override;
+  [[nodiscard]] Duration idle_period() const override { return Millis(200); }
+
+ private:
+  // ---- what the driver knows beside the snapshot
+
+  /// One run of the console's own: at most one index (or a pair on two controllers), so that D always ends
+  /// it.
+  struct Leg {
+    std::string text;  ///< stored commands, each with its end
+    int axis = -1, second_axis = -1;
+    Activity activity = Activity::idle;  ///< idle: switches or sets something, moves nothing
+    Sign sign = Sign::plus;
+    std::optional<Steps> target;
+    int speed = 0;        ///< 0: as the controller is set
+    bool zeroes = false;  ///< ends with its axis called zero
+  };
+  /// The legs of one intent; the first is under way.
+  struct Job {
+    std::deque<Leg> legs;
+    bool jog = false;                     ///< starts again at the end of its bounded index
+    EndedBy ended_by = EndedBy::nothing;  ///< why it was cut short
+    bool leg_over = false;                ///< prompt seen or missed; positions still to be read
+    bool limit_reported = false;
+    [[nodiscard]] bool active() const { return !legs.empty(); }
+  };
+  enum class Mode : std::uint8_t { unknown, on_line, local };
+  /// What a stop is doing. A second stop kills.
+  enum class Stopping : std::uint8_t { no, ramp, program };
+
+  // ---- driver_talk.cpp
+  using Stranger = std::size_t (*)(std::string_view);
+  Task<Result<std::string>> ask(std::string question, ReplyShape shape, Priority priority, Stranger stranger,
+                                Duration patience = Millis(200));
+  template <class T>
+  Task<Result<T>> ask_decoded(std::string question, ReplyShape shape, Priority priority, Stranger stranger,
+                              std::optional<T> (*decode)(std::string_view));
+  Task<Result<>> say(std::string text, Priority priority);
+  Task<Result<char>> ask_state(Priority priority);
+  Task<Result<Steps>> ask_position(int motor, Priority priority);
+  Task<Result<std::int64_t>> ask_number(std::string question, Priority priority);
+  Task<Result<std::string>> ask_text(std::string question, Priority priority);
+  Task<Result<unsigned char>> ask_raw(char question, Priority priority);
+  Task<Result<Listing>> ask_listing(Priority priority);
+  Task<> wait_for_quiet();
+  std::size_t hear(std::string_view bytes);
+  void heard(const Message& message);
+  void heard_prompt();
+  void heard_held(std::string_view command);
+  void heard_error(char letter);
+  void heard_limit();
+  void for_scripts(std::string text);
+  Task<Result<>> send_text(std::string text);
+  void warn_of_flaws(const std::vector<TextCommand>& commands);
+  void note_sent(const std::vector<TextCommand>& commands);
+  Task<Result<std::string>> wait_for_prompt(Duration patience);
+  void tell(Notice::Kind kind, std::string text);
+  void tell(const Fault& fault);
+
+  // ---- driver_connect.cpp
+  Task<Result<>> greet();
+  Task<Result<>> go_on_line(bool said_before);
+  Task<Result<>> found_local(char state);
+  Task<Result<>> found_restarted(const char* why);
+  Task<Result<>> read_identity();
+  Task<Result<>> read_sizes();
+  Task<Result<>> read_essentials();
+  Task<Result<>> resume_after_loss(char state);
+  void forget_ram();
+
+  // ---- driver_poll.cpp
+  Task<Result<>> poll_on_line();
+  Task<Result<>> poll_local();
+  Task<Result<>> read_positions(Priority priority, bool at_rest);
+  Task<Result<>> read_io(char which, Priority priority);
+  Task<Result<>> read_all_io(Priority priority);
+  Task<Result<>> take_state(char state);
+  Task<Result<>> catch_up();
+  void show_position(int axis, Steps position);
+  void show_worst();
+  [[nodiscard]] bool busy() const { return job_.active() || stored_running_; }
+
+  // ---- driver_moves.cpp
+  Task<Result<>> move(const std::vector<AxisTarget>& targets, Pps speed, bool relative);
+  Task<Result<>> jog(const intent::JogStart& jog);
+  Task<Result<>> home(const intent::Home& home);
+  Task<Result<>> set_position(const intent::SetPosition& wish);
+  Task<Result<>> set_output(const intent::SetOutput& wish);
+  Result<> may_move(int axis) const;
+  Result<> may_run() const;
+  Result<int> checked_speed(Pps speed) const;
+  Task<Result<int>> find_scratch();
+  bool may_be_scratch(int slot) const;
+  Task<Result<>> begin(Job job);
+  Task<Result<>> start_leg();
+  Task<Result<>> run_quickly(Leg leg);
+  Task<Result<>> finish_leg();
+  Task<Result<>> clean_scratch();
+  Task<Result<>> restore_speeds();
+  std::string leg_program(const Leg& leg);
+  EndedBy how_it_ended(const Leg& leg) const;
+  void show_leg(const Leg& leg);
+  void show_leg_ended(const Leg& leg, EndedBy ended_by);
+  std::optional<Leg> next_jog_leg(const Leg& last, EndedBy ended_by) const;
+  Leg jog_leg(int axis, Sign sign, int speed) const;
+  void warn_of_motor_type(int axis);
+
+  // ---- driver_stop.cpp
+  Task<Result<>> stop_unknown();
+  Task<Result<>> stop_program();
+  Task<bool> wait_for_standstill(Instant give_up);
+  Task<Result<>> kill(bool standing);
+  void doubt_positions();
+  void run_ended(EndedBy ended_by);
+
+  // ---- driver_program.cpp
+  Task<Result<>> load(const intent::LoadProgram& wish);
+  Task<Result<>> load_slot(int slot, const std::vector<std::string>& lines,
+                           const std::vector<std::string>& expected);
+  Task<Result<>> verify_slot(int slot, const std::vector<std::string>& expected);
+  Task<Result<>> upload(int slot);
+  Task<Result<>> clear(int slot);
+  Task<Result<>> select(int slot);
+  Task<Result<>> run(int slot);
+  Task<Result<>> pause();
+  Task<Result<>> resume();
+  Task<Result<>> single_step();
+  Result<> may_touch_programs() const;
+  void show_running(int slot);
+
+  // ---- driver_params.cpp
+  Task<Result<>> perform_program(const IntentBody& body);
+  static int slot_of(const IntentBody& body);
+  Task<Result<>> read_again();
+  Task<Result<>> set_param(const intent::SetParam& wish);
+  Task<Result<>> set_baud(std::int64_t number);
+  Task<Result<>> read_param(int index, Priority priority);
+  Task<Result<>> read_params();
+  Task<Result<>> store();
+  Task<Result<>> reset();
+  [[nodiscard]] std::optional<std::int64_t> param(std::string_view mnemonic) const;
+  [[nodiscard]] bool reachable(const ParamInfo& info) const;
+
+  Scheduler& scheduler_;
+  const Catalog& catalog_;
+  Snapshot& draft_;
+  std::function<void(Notice)> notify_;
+  std::function<void()> changed_;
+  Link* link_ = nullptr;
+  Event news_;
+
+  Mode mode_ = Mode::unknown;
+  bool connected_before_ = false, stay_local_ = false;
+  bool slave_present_ = false;
+  bool lost_while_busy_ = false;
+  Instant lost_at_{};
+
+  Job job_;
+  int scratch_ = -1;            ///< slot that holds a leg of ours and must be emptied; -1: none
+  int confirmed_scratch_ = -1;  ///< slot that lst has shown empty
+  bool stored_running_ = false;
+  bool hold_on_ = false;
+  bool release_hold_ = false;
+  char halted_ = 0;  ///< letter of the error that waits for K
+  Stopping stopping_ = Stopping::no;
+  int selected_ = -1;
+  std::array<std::optional<std::vector<std::string>>, program_count> listings_;
+  std::array<std::optional<int>, max_motors> known_speed_;  ///< S as the user's commands left it
+  std::array<bool, max_motors> our_speed_{};                ///< S of a leg that was cut off may be in force
+  std::array<bool, max_motors> type_warned_{};
+
+  bool identity_read_ = false, sizes_read_ = false, essentials_read_ = false;
+  int next_param_ = 0;
+  int round_ = 0;
+  Instant round_began_{};
+  std::array<Instant, max_motors> moved_at_{};
+  std::array<double, max_motors> seen_speed_{};  ///< steps/s between the last two readings
+
+  std::string unasked_;  ///< a message that has not come to its end
+  Instant heard_at_{};
+  bool raw_asked_ = false;
+  std::optional<char> second_raw_;
+  Instant killed_at_{};
+  std::deque<std::string> for_scripts_;
+};
+
+}  // namespace hw::vxm

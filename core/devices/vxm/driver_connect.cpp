@@ -1,0 +1,325 @@
+// Getting a controller to listen and finding out what it is; what is left after a restart or a lost wire.
+#include <fmt/format.h>
+
+#include "core/devices/vxm/driver.h"
+
+namespace hw::vxm {
+namespace {
+
+constexpr std::uint16_t greeting_quiet_ms = 20;
+
+/// What came back on V when nothing is known of the mode yet.
+struct Greeting {
+  char state = 0;
+  bool echo = false;
+  bool sense = true;  ///< false: bytes that no VXM sends
+};
+Greeting read_greeting(std::string_view bytes) {
+  Greeting g;
+  // Whatever was echoed before: V and the state behind it are sense enough.
+  if (bytes.size() > 2 && bytes[bytes.size() - 2] == 'V') bytes.remove_prefix(bytes.size() - 2);
+  while (!bytes.empty()) {
+    const char first = bytes.front();
+    if (first == 'V' && !g.echo) {
+      g.echo = true;
+      bytes.remove_prefix(1);
+    } else if (decode_state(bytes.substr(0, 1))) {
+      g.state = first;
+      bytes.remove_prefix(1);
+    } else {
+      const Message m = next_message(bytes);
+      if (m.kind == Message::Kind::unknown) g.sense = false;
+      bytes.remove_prefix(m.length > 0 ? m.length : bytes.size());
+    }
+  }
+  return g;
+}
+
+tl::unexpected<Fault> silent(int rate) {
+  std::string what = "Nothing answers to V, the VXM's question for its state";
+  what += rate > 0 ? fmt::format(", at {} baud.", rate) : ".";
+  return fail(
+      FaultKind::no_answer, std::move(what), "Nothing else was sent but a carriage return.",
+      "Check that the controller is switched on (green lamp), the cable, and the baud rate: 9600, 19200 or "
+      "38400. If both lamps flash fast it waits for K after an error; if On-Line flashes alone, switch it "
+      "off and on.");
+}
+
+tl::unexpected<Fault> nonsense(std::string_view bytes, int rate) {
+  std::string hex;
+  for (const char c : bytes.substr(0, 8))
+    hex += fmt::format("{}{:02X}", hex.empty() ? "" : " ", static_cast<unsigned char>(c));
+  const bool plain = std::all_of(bytes.begin(), bytes.end(),
+                                 [](char c) { return (c >= ' ' && c < 127) || c == '\r' || c == '\n'; });
+  std::string what = fmt::format("What answers to V is no VXM: {} came back instead of R, B, J or b.", hex);
+  if (plain)
+    return fail(FaultKind::garbled, std::move(what), "Nothing more was sent.",
+                "Another device is on this port. Choose its model, or another port.");
+  std::string advice = "This looks like a wrong baud rate. Try";
+  for (const Baud& b : bauds)
+    if (b.rate != rate) advice += fmt::format(" {}{}", b.rate, &b == &bauds.back() ? "" : ",");
+  return fail(FaultKind::garbled, std::move(what), "Nothing more was sent.", advice + ".");
+}
+
+}  // namespace
+
+std::unique_ptr<Driver> make_driver(DriverContext context) {
+  return std::make_unique<VxmDriver>(std::move(context));
+}
+
+VxmDriver::VxmDriver(DriverContext context)
+    : scheduler_(context.scheduler),
+      catalog_(context.catalog),
+      draft_(context.draft),
+      notify_(std::move(context.notify)),
+      changed_(std::move(context.changed)),
+      news_(context.scheduler) {
+  draft_.axis_count = static_cast<int>(catalog_.axes.size());
+  draft_.identity.model = catalog_.name;
+  draft_.slot_bytes_used.fill(-1);
+}
+
+Task<Result<>> VxmDriver::connect(Link& link) {
+  link_ = &link;
+  link.unsolicited = [this](std::string_view bytes) { return hear(bytes); };
+  auto greeted = co_await greet();
+  if (!greeted) co_return greeted;
+  connected_before_ = true;
+  if (!busy()) {
+    auto caught_up = co_await catch_up();
+    if (!caught_up) co_return caught_up;
+  }
+  co_return co_await poll();
+}
+
+// V alone first: it moves nothing in any mode. A carriage return ends a command that somebody left half said.
+Task<Result<>> VxmDriver::greet() {
+  std::string bytes;
+  Greeting greeting;
+  for (const char* question : {"V", "\r", "V"}) {
+    auto reply = co_await ask(
+        question, question[0] == '\r' ? ReplyShape::nothing() : ReplyShape::until_quiet(greeting_quiet_ms),
+        Priority::intent, nullptr, Millis(300));
+    if (!reply && reply.error().kind != FaultKind::no_answer) co_return fail(reply.error());
+    if (reply) bytes = *reply;
+    greeting = read_greeting(bytes);
+    if (greeting.state || !bytes.empty()) break;
+  }
+  const int rate = link_ ? link_->stream().rate() : 0;
+  if (bytes.empty()) co_return silent(rate);
+  if (!greeting.state || !greeting.sense) co_return nonsense(bytes, rate);
+  if (greeting.state == jog_idle || greeting.state == jog_moving)
+    co_return co_await found_local(greeting.state);
+  mode_ = Mode::on_line;
+  // F: no echo, no carriage returns behind prompts, whoever asked for them.
+  auto said = co_await say("F", Priority::intent);
+  if (!said) co_return said;
+  if (greeting.echo)
+    tell(Notice::Kind::info, "The controller echoed what it was sent. Echo has been switched off.");
+  auto state = co_await ask_state(Priority::intent);
+  if (!state && greeting.echo)
+    co_return fail(FaultKind::garbled,
+                   "The controller echoes what it is sent, and does not stop that while its program runs.",
+                   "Nothing else was sent.", "Wait until the program ends, or stop it by the Stop button.");
+  if (!state) co_return fail(state.error());
+  co_return co_await resume_after_loss(*state);
+}
+
+// The first time Local mode is the usual state after power-up. Later it means that the controller was
+// restarted.
+Task<Result<>> VxmDriver::found_local(char state) {
+  if (connected_before_ && !stay_local_) co_return co_await found_restarted("It answers from Local mode");
+  stay_local_ = false;
+  auto on_line = co_await go_on_line(false);
+  if (!on_line) co_return on_line;
+  tell(Notice::Kind::info,
+       state == jog_moving
+           ? "Somebody was jogging at the controller's buttons. It is on-line now: they are off."
+           : "The controller was in Local mode. It is on-line now: its jog buttons are off.");
+  co_return Result<>();
+}
+
+Task<Result<>> VxmDriver::go_on_line(bool said_before) {
+  if (!said_before) {
+    auto said = co_await say("F", Priority::intent);
+    if (!said) co_return said;
+  }
+  auto state = co_await ask_state(Priority::intent);
+  if (!state) co_return fail(state.error());
+  if (*state == jog_idle || *state == jog_moving)
+    co_return fail(
+        FaultKind::controller, "The controller stays in Local mode although it was asked to go on-line (F).",
+        {}, "Let go of all buttons at its front panel; if its green lamp flashes, wait until it is steady.");
+  mode_ = Mode::on_line;
+  co_return Result<>();
+}
+
+// Power off and on, or res: positions are zero wherever the motors stand, RAM holds what was stored last.
+Task<Result<>> VxmDriver::found_restarted(const char* why) {
+  const bool was_moving = busy();
+  auto reply = co_await ask("D", ReplyShape::until_quiet(greeting_quiet_ms), Priority::intent, nullptr);
+  std::optional<Digitized> places;
+  if (reply) places = decode_digitized(*reply, max_motors);
+  bool zero = true;
+  if (places)
+    for (const Steps place : places->positions) zero = zero && place.value == 0;
+  job_ = Job();
+  stored_running_ = false;
+  draft_.program.run = RunState::idle;
+  draft_.program.owned = false;
+  stopping_ = Stopping::no;
+  mode_ = Mode::unknown;
+  auto on_line = co_await go_on_line(false);
+  if (!on_line) co_return on_line;
+  for (int i = 0; i < draft_.axis_count; ++i) {
+    AxisState& axis = draft_.axes[i];
+    if (axis.activity != Activity::idle && axis.activity != Activity::unknown) axis.ended_by = EndedBy::lost;
+    axis.activity = Activity::idle;
+    axis.direction = 0;
+    axis.has_target = false;
+    axis.position_doubtful = zero;
+  }
+  if (zero) {
+    forget_ram();
+    tell(Notice::Kind::warning,
+         fmt::format(
+             "{}: the controller was switched off and on, or reset. Its positions read zero where the motors "
+             "stand now, and what was not stored is gone. {}Find home before the next absolute move.",
+             why, was_moving ? "The motion that was under way was not taken up again. " : ""));
+  } else {
+    tell(Notice::Kind::warning,
+         fmt::format("{} although it was on-line. It has been put on-line again; its positions "
+                     "are kept. Nothing else was sent.",
+                     why));
+  }
+  co_return co_await read_positions(Priority::intent, true);
+}
+
+void VxmDriver::forget_ram() {
+  hold_on_ = false;
+  halted_ = 0;
+  scratch_ = confirmed_scratch_ = -1;
+  selected_ = 0;
+  identity_read_ = sizes_read_ = essentials_read_ = false;
+  next_param_ = 0;
+  for (auto& listing : listings_) listing.reset();
+  for (auto& speed : known_speed_) speed = default_speed;
+  our_speed_.fill(false);
+  draft_.slot_bytes_used.fill(-1);
+  for (ParamState& p : draft_.params) p = ParamState();
+  draft_.unsaved_setup = draft_.unsaved_programs = false;
+  draft_.program.slot = 0;
+  draft_.program.command = -1;
+  draft_.program.stepping = false;
+}
+
+// After a lost wire the state is read afresh. What moved went on without us.
+Task<Result<>> VxmDriver::resume_after_loss(char state) {
+  if (state == ready && job_.active()) job_.leg_over = true, job_.ended_by = EndedBy::lost;
+  if (state == vxm::busy && !job_.active()) show_running(-1);
+  if (state == vxm::busy && job_.active()) show_leg(job_.legs.front());
+  if (!std::exchange(lost_while_busy_, false)) co_return Result<>();
+  auto read = co_await read_positions(Priority::intent, state == ready);
+  if (!read) co_return read;
+  std::string where;
+  for (int i = 0; i < draft_.axis_count; ++i)
+    if (draft_.axes[i].position_known)
+      where += fmt::format("{}motor {} stands at {} steps", where.empty() ? "" : ", ", i + 1,
+                           draft_.axes[i].position.value);
+  tell(Notice::Kind::warning, fmt::format("The connection was gone for {:.1f} s while the controller was at "
+                                          "work. It {}; {}. Nothing was sent "
+                                          "again.",
+                                          seconds(scheduler_.now() - lost_at_),
+                                          state == vxm::busy ? "still is" : "has finished meanwhile", where));
+  co_return Result<>();
+}
+
+void VxmDriver::wire_lost() {
+  if (!link_) return;
+  link_ = nullptr;
+  lost_while_busy_ = lost_while_busy_ || busy();
+  lost_at_ = scheduler_.now();
+  unasked_.clear();
+  raw_asked_ = false;
+  stopping_ = Stopping::no;
+  if (job_.active() && job_.legs.size() > 1) job_.legs.erase(job_.legs.begin() + 1, job_.legs.end());
+  job_.jog = false;  // nothing of ours begins by itself after this
+  for (int i = 0; i < draft_.axis_count; ++i) {
+    AxisState& axis = draft_.axes[i];
+    if (axis.activity != Activity::idle && axis.activity != Activity::unknown) axis.ended_by = EndedBy::lost;
+    axis.activity = Activity::unknown;
+    axis.position_known = false;
+    axis.limits_known = false;
+    axis.direction = 0;
+  }
+  draft_.inputs_known = draft_.outputs_known = draft_.analog_known = 0;
+  news_.notify();
+}
+
+// ---- what it is
+
+Task<Result<>> VxmDriver::read_identity() {
+  auto version = co_await ask_text("getD0", Priority::poll);
+  if (!version) co_return fail(version.error());
+  auto date = co_await ask_text("getD1", Priority::poll);
+  if (!date) co_return fail(date.error());
+  auto motors = co_await ask_number("getD2", Priority::poll);
+  if (!motors) co_return fail(motors.error());
+  draft_.identity.firmware = fmt::format("{} ({})", *version, *date);
+  slave_present_ = *motors == 4;
+  const int axes = static_cast<int>(catalog_.axes.size());
+  for (int i = 0; i < axes; ++i) draft_.axes[i].enabled = i < motors_per_controller || slave_present_;
+  if (axes > motors_per_controller && !slave_present_)
+    tell(Notice::Kind::warning,
+         "The controller finds no second one on the VXM bus, so motors 3 and 4 cannot be used. Nothing is "
+         "sent to "
+         "them. Check the Slave's power and cable, and that this controller is the Master (DM bit 6); then "
+         "reconnect.");
+  if (axes <= motors_per_controller && slave_present_)
+    tell(Notice::Kind::info,
+         "A second controller answers on the VXM bus: motors 3 and 4 can be used when the address says "
+         "motors=4.");
+  identity_read_ = true;
+  co_return Result<>();
+}
+
+// M speaks of the selected program, so each must be selected in turn and the user's choice put back.
+Task<Result<>> VxmDriver::read_sizes() {
+  auto selected = co_await ask_number("PM\r", Priority::poll);
+  if (!selected) co_return fail(selected.error());
+  if (*selected < 0 || *selected >= program_count)
+    co_return fail(
+        FaultKind::garbled,
+        fmt::format("The controller says that program {} is selected, but it has 0 to 4.", *selected));
+  selected_ = static_cast<int>(*selected);
+  Result<> outcome;
+  for (int slot = 0; slot < program_count && outcome; ++slot) {
+    if (draft_.slot_bytes_used[static_cast<std::size_t>(slot)] >= 0) continue;
+    outcome = co_await say(select_program(slot), Priority::poll);
+    if (!outcome) break;
+    auto free = co_await ask_number("M", Priority::poll);
+    if (!free) outcome = fail(free.error());
+    if (free)
+      draft_.slot_bytes_used[static_cast<std::size_t>(slot)] =
+          static_cast<std::int16_t>(program_bytes - *free);
+  }
+  auto restored = co_await say(select_program(selected_), Priority::poll);
+  if (!stored_running_) draft_.program.slot = static_cast<std::int8_t>(selected_);
+  if (!outcome) co_return outcome;
+  sizes_read_ = restored.has_value();
+  co_return restored;
+}
+
+// What the driver itself must know before it moves anything.
+Task<Result<>> VxmDriver::read_essentials() {
+  for (const char* mnemonic : {"DM", "I", "O", "PMA", "M1M", "M2M", "M3M", "M4M"}) {
+    const int index = catalog_.find_param(mnemonic);
+    if (index < 0) continue;
+    auto read = co_await read_param(index, Priority::poll);
+    if (!read) co_return read;
+  }
+  essentials_read_ = true;
+  co_return Result<>();
+}
+
+}  // namespace hw::vxm

@@ -1,0 +1,239 @@
+// One round of status. While something moves: where it is and whether it still runs, as often as the wire
+// bears; at rest everything, five times a second.
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/devices/vxm/driver.h"
+
+namespace hw::vxm {
+namespace {
+
+constexpr int io_every = 8;          // rounds in motion between two looks at one of the inputs and outputs
+constexpr int params_per_round = 4;  // set-up is read in the gaps, a few values a round
+
+}  // namespace
+
+Task<Result<>> VxmDriver::poll() {
+  if (!link_) co_return fail(FaultKind::lost, "There is no connection to the controller.");
+  if (halted_) co_return Result<>();  // it would not answer
+  Result<> polled;
+  if (stay_local_)
+    polled = co_await poll_local();
+  else
+    polled = co_await poll_on_line();
+  show_worst();
+  co_return polled;
+}
+
+// As often as the wire bears: a round that took its time on the wire is followed by the next at once. Where
+// bytes take no time (TCP, in process) two hundred rounds a second are enough.
+Duration VxmDriver::moving_period() const {
+  constexpr std::size_t bytes_of_a_round = 22;  // X, Y and V with their answers
+  constexpr Duration without_wire = Millis(5);
+  const Duration round = link_ ? link_->wire_time(bytes_of_a_round) : Duration::zero();
+  if (round == Duration::zero()) return without_wire;
+  return std::max(Duration::zero(), round - (scheduler_.now() - round_began_));
+}
+
+Task<Result<>> VxmDriver::poll_on_line() {
+  ++round_;
+  round_began_ = scheduler_.now();
+  if (std::exchange(release_hold_, false)) {
+    auto released = co_await say("H", Priority::poll);
+    if (!released) co_return released;
+    hold_on_ = false;
+  }
+  auto finished = co_await finish_leg();
+  if (!finished) co_return finished;
+  // V first: it is answered in every mode, so a restart shows before X is asked in vain.
+  auto state = co_await ask_state(Priority::poll);
+  if (!state) co_return fail(state.error());
+  auto taken = co_await take_state(*state);
+  if (!taken || stay_local_) co_return taken;
+  auto read = co_await read_positions(Priority::poll, !busy());
+  if (!read) co_return read;
+  if (busy()) {
+    constexpr char in_turn[] = {'?', '~', '$', '@'};
+    if (round_ % io_every) co_return Result<>();
+    co_return co_await read_io(in_turn[round_ / io_every % 4], Priority::poll);
+  }
+  auto io = co_await read_all_io(Priority::poll);
+  if (!io) co_return io;
+  co_return co_await catch_up();
+}
+
+// Q was sent on purpose: only V and D are answered now.
+Task<Result<>> VxmDriver::poll_local() {
+  auto state = co_await ask_state(Priority::poll);
+  if (!state) co_return fail(state.error());
+  if (*state == ready || *state == vxm::busy) {
+    stay_local_ = false;
+    mode_ = Mode::on_line;
+    co_return Result<>();
+  }
+  const int lines = slave_present_ ? 4 : 2;
+  auto reply = co_await ask("D", ReplyShape::several_lines(static_cast<std::uint16_t>(lines)), Priority::poll,
+                            nullptr);
+  if (!reply) co_return fail(reply.error());
+  const auto places = decode_digitized(*reply, max_motors);
+  if (!places) co_return Result<>();
+  for (int i = 0; i < draft_.axis_count && i < static_cast<int>(places->positions.size()); ++i) {
+    AxisState& axis = draft_.axes[i];
+    const auto before = axis.position;
+    show_position(i, places->positions[static_cast<std::size_t>(i)]);
+    const bool turns = *state == jog_moving && before != axis.position;
+    axis.activity = turns ? Activity::jogging : Activity::idle;
+    axis.direction = static_cast<std::int8_t>(!turns ? 0 : axis.position > before ? 1 : -1);
+  }
+  co_return Result<>();
+}
+
+// Z and T are answered at standstill only.
+Task<Result<>> VxmDriver::read_positions(Priority priority, bool at_rest) {
+  for (int i = 0; i < draft_.axis_count; ++i) {
+    if (i >= motors_per_controller && (!at_rest || !slave_present_)) break;
+    auto position = co_await ask_position(i + 1, priority);
+    if (!position) co_return fail(position.error());
+    show_position(i, *position);
+  }
+  co_return Result<>();
+}
+
+void VxmDriver::show_position(int index, Steps position) {
+  AxisState& axis = draft_.axes[index];
+  const auto i = static_cast<std::size_t>(index);
+  const Instant now = scheduler_.now();
+  const bool moved = axis.position_known && axis.position != position;
+  if (axis.position_known && now > axis.seen_at)
+    seen_speed_[i] =
+        std::abs(static_cast<double>((position - axis.position).value)) / seconds(now - axis.seen_at);
+  if (moved) moved_at_[i] = now;
+  if (stored_running_ && !job_.active()) {  // what a program moves shows by its positions only
+    constexpr Duration seems_moving = Millis(150);
+    const bool turns = moved || now - moved_at_[i] < seems_moving;
+    if (moved) axis.direction = static_cast<std::int8_t>(position > axis.position ? 1 : -1);
+    if (!turns) axis.direction = 0;
+    const bool stops = stopping_ == Stopping::program && turns;
+    axis.activity = stops ? Activity::stopping : turns ? Activity::moving : Activity::idle;
+  } else if (!job_.active() && axis.activity != Activity::error) {
+    axis.activity = Activity::idle;
+    axis.direction = 0;
+  }
+  axis.position = position;
+  axis.position_known = true;
+  axis.seen_at = now;
+}
+
+Task<Result<>> VxmDriver::take_state(char state) {
+  if (state == jog_idle || state == jog_moving) {
+    if (stay_local_) co_return Result<>();
+    co_return co_await found_restarted("The controller has gone to Local mode");
+  }
+  mode_ = Mode::on_line;
+  if (state == vxm::busy && !busy()) {
+    show_running(-1);  // by the Run button, or from before this connection
+  } else if (state == ready && job_.active()) {
+    job_.leg_over = true;  // its prompt was lost, or comes in the next moment
+  } else if (state == ready && stored_running_) {
+    run_ended(EndedBy::target);
+  }
+  co_return Result<>();
+}
+
+Task<Result<>> VxmDriver::read_io(char which, Priority priority) {
+  if (which == '@') {
+    auto number = co_await ask_number("@", priority);
+    if (!number) co_return fail(number.error());
+    draft_.analog[0] = static_cast<std::int32_t>(*number);
+    draft_.analog_known |= 1;
+    co_return Result<>();
+  }
+  auto raw = co_await ask_raw(which, priority);
+  if (!raw) co_return fail(raw.error());
+  draft_.io_seen_at = scheduler_.now();
+  if (which == '~') {
+    draft_.inputs = inputs_of(*raw);
+    draft_.inputs_known = 0xFF;
+  } else if (which == '$') {
+    draft_.outputs = *raw & 0x0Fu;
+    draft_.outputs_known = 0x0F;
+  } else {
+    for (int i = 0; i < draft_.axis_count; ++i) {
+      draft_.axes[i].limit_minus = limit_active(*raw, i, Sign::minus);
+      draft_.axes[i].limit_plus = limit_active(*raw, i, Sign::plus);
+      draft_.axes[i].limits_known = i < motors_per_controller || slave_present_;
+    }
+  }
+  co_return Result<>();
+}
+
+Task<Result<>> VxmDriver::read_all_io(Priority priority) {
+  for (const char which : {'?', '~', '$', '@'}) {
+    auto read = co_await read_io(which, priority);
+    if (!read) co_return read;
+  }
+  co_return Result<>();
+}
+
+// What could not be read while a program ran, or has become uncertain since.
+Task<Result<>> VxmDriver::catch_up() {
+  if (!identity_read_) {
+    auto read = co_await read_identity();
+    if (!read) co_return read;
+  }
+  if (!essentials_read_) {
+    auto read = co_await read_essentials();
+    if (!read) co_return read;
+  }
+  if (!sizes_read_) {
+    auto read = co_await read_sizes();
+    if (!read) co_return read;
+  }
+  const int count = static_cast<int>(catalog_.params.size());
+  for (int read = 0; next_param_ < count && read < params_per_round; ++next_param_) {
+    if (draft_.params[static_cast<std::size_t>(next_param_)].known ||
+        !catalog_.params[static_cast<std::size_t>(next_param_)].readable)
+      continue;
+    auto done = co_await read_param(next_param_, Priority::poll);
+    if (!done) co_return done;
+    ++read;
+  }
+  co_return Result<>();
+}
+
+// Called each round: nothing here allocates while all is well.
+void VxmDriver::show_worst() {
+  if (halted_) {
+    const ErrorWords words = explain_error(halted_);
+    draft_.notice = words.what + " " + words.advice;
+    return;
+  }
+  if (stay_local_) {
+    draft_.notice =
+        "The controller is in Local mode: its own buttons jog. The next command puts it on-line again.";
+    return;
+  }
+  draft_.notice.clear();
+  constexpr std::string_view types[] = {"M1M", "M2M", "M3M", "M4M"};
+  constexpr std::string_view untold[] = {
+      "Motor 1 is set to type 0, the factory value for the smallest motors. Choose the connected motor in "
+      "Setup, Motors, "
+      "before the first move.",
+      "Motor 2 is set to type 0, the factory value for the smallest motors. Choose the connected motor in "
+      "Setup, Motors, "
+      "before the first move.",
+      "Motor 3 is set to type 0, the factory value for the smallest motors. Choose the connected motor in "
+      "Setup, Motors, "
+      "before the first move.",
+      "Motor 4 is set to type 0, the factory value for the smallest motors. Choose the connected motor in "
+      "Setup, Motors, "
+      "before the first move."};
+  for (int i = 0; i < draft_.axis_count; ++i)
+    if (param(types[i]) == 0) {
+      draft_.notice = untold[i];
+      return;
+    }
+}
+
+}  // namespace hw::vxm

@@ -1,0 +1,337 @@
+// Stored programs: writing them with a comparison afterwards, reading, running, holding, stepping.
+#include <algorithm>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "core/devices/vxm/driver.h"
+
+namespace hw::vxm {
+namespace {
+
+std::size_t at(int slot) { return static_cast<std::size_t>(slot); }
+
+/// One thing to be sent: a command, a pair of indexes in parentheses, or text in brackets for the Slave.
+struct Entry {
+  std::string text;                    ///< with its end
+  std::vector<std::string> canonical;  ///< as lst shows it, command by command; empty: lst does not show it
+  int cost = 0;
+};
+struct Plan {
+  std::map<int, std::vector<Entry>> slots;
+  std::string left_out;  ///< commands of the text that are no part of a program
+};
+
+int line_of(std::string_view text, std::size_t place) {
+  return 1 +
+         static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(place), '\r'));
+}
+
+std::string with_carriage_returns(std::string_view text) {
+  std::string all;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '\n' && i > 0 && text[i - 1] == '\r') continue;
+    all += text[i] == '\n' ? '\r' : text[i];
+  }
+  if (!all.ends_with('\r')) all += '\r';
+  return all;
+}
+
+tl::unexpected<Fault> bad_line(int line, const std::string& what) {
+  return fail(FaultKind::text, fmt::format("Line {}: {}", line, what),
+              "Nothing was sent; the controller holds what it held.", "Mend the line and load again.");
+}
+
+bool is_orphan_digit(const TextCommand& c) {  // "5080.0": the period ends the number, the 0 is for nothing
+  return c.flaw == Flaw::unknown && c.name.size() == 1 && c.name[0] >= '0' && c.name[0] <= '9';
+}
+
+// What a text becomes when it is loaded: commands per program, short forms with their motor written out.
+Result<Plan> plan_of(std::string_view text, int first_slot) {
+  Plan plan;
+  int slot = first_slot;
+  if (slot >= 0) plan.slots[slot];
+  Entry* pair = nullptr;
+  std::size_t slave_begin = std::string_view::npos;
+  for (const TextCommand& c : read_text(text)) {
+    const int line = line_of(text, c.begin);
+    if (is_orphan_digit(c)) continue;
+    if (c.flaw == Flaw::unknown) return bad_line(line, fmt::format("{} is no command of the VXM.", c.name));
+    if (c.flaw == Flaw::no_value || c.flaw == Flaw::open)
+      return bad_line(line, fmt::format("{} lacks its number.", c.name));
+    if (c.flaw == Flaw::range)
+      return bad_line(line, fmt::format("{} is not possible: it takes {}.", canonical(c), allowed_values(c)));
+    if (c.verb == Verb::slave_begins) slave_begin = c.begin;
+    if (slave_begin != std::string_view::npos) {
+      if (c.verb != Verb::slave_ends) continue;
+      Entry for_slave;
+      for_slave.text = std::string(text.substr(slave_begin, c.end - slave_begin));
+      slave_begin = std::string_view::npos;
+      plan.slots[std::max(slot, 0)].push_back(std::move(for_slave));
+      continue;
+    }
+    if (c.verb == Verb::select || c.verb == Verb::empty) {
+      slot = static_cast<int>(c.value);
+      if (c.verb == Verb::empty) plan.slots[slot].clear();
+      plan.slots[slot];
+      pair = nullptr;
+      continue;
+    }
+    if (!c.stored()) {
+      const bool needless =
+          c.verb == Verb::letter && std::string_view("EFGC").find(c.letter) != std::string_view::npos;
+      if (!needless)
+        plan.left_out +=
+            fmt::format("{}{} in line {}", plan.left_out.empty() ? "" : ", ", canonical(c), line);
+      continue;
+    }
+    if (slot < 0) return bad_line(line, "it stands before the first program heading (PM-0 to PM-4).");
+    auto& entries = plan.slots[slot];
+    if (c.verb == Verb::pair_begins) {
+      entries.emplace_back();
+      pair = &entries.back();
+    }
+    Entry& entry = pair ? *pair : entries.emplace_back();
+    const bool bracket = c.verb == Verb::pair_begins || c.verb == Verb::pair_ends;
+    entry.text += canonical(c) + (bracket ? "" : pair ? "," : "\r");
+    entry.canonical.push_back(canonical(c));
+    entry.cost += program_cost(c);
+    if (c.verb == Verb::pair_ends) pair = nullptr;
+  }
+  for (const auto& [number, entries] : plan.slots) {
+    int cost = 0;
+    for (const Entry& e : entries) cost += e.cost;
+    if (cost > program_bytes)
+      return fail(FaultKind::refused,
+                  fmt::format("Program {} needs {} bytes, {} more than the {} that it has.", number, cost,
+                              cost - program_bytes, program_bytes),
+                  "Nothing was sent; the controller holds what it held.",
+                  "Shorten it, or move a part into another program (JM).");
+  }
+  return plan;
+}
+
+std::vector<TextCommand> commands_of(const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string& line : lines) text += line + '\r';
+  return read_text(text);
+}
+
+// `SmM-x` is listed as the speed that the analog input gives now (App. I p.53).
+bool same_command(const std::string& sent, const TextCommand& held) {
+  if (sent == canonical(held)) return true;
+  const auto wanted = read_text(sent + '\r');
+  return wanted.size() == 1 && wanted[0].verb == Verb::speed_analog && held.verb == Verb::speed &&
+         wanted[0].motor == held.motor && wanted[0].full_power == held.full_power;
+}
+
+}  // namespace
+
+Result<> VxmDriver::may_touch_programs() const {
+  if (halted_)
+    return fail(FaultKind::refused, explain_error(halted_).what, "Nothing was sent.",
+                explain_error(halted_).advice);
+  if (busy())
+    return fail(FaultKind::refused, "The controller is at work and takes no program commands meanwhile.",
+                "Nothing was sent.", "Wait until it ends, or stop it.");
+  return {};
+}
+
+// ---- writing
+
+Task<Result<>> VxmDriver::load(const intent::LoadProgram& wish) {
+  if (auto may = may_touch_programs(); !may) co_return may;
+  const std::string text = with_carriage_returns(wish.text);
+  auto plan = plan_of(text, wish.slot);
+  if (!plan) co_return fail(plan.error());
+  if (selected_ < 0) {
+    auto read = co_await read_sizes();
+    if (!read) co_return read;
+  }
+  Result<> loaded;
+  for (const auto& [slot, entries] : plan->slots) {
+    std::vector<std::string> lines, expected;
+    for (const Entry& e : entries) {
+      lines.push_back(e.text);
+      expected.insert(expected.end(), e.canonical.begin(), e.canonical.end());
+    }
+    loaded = co_await load_slot(slot, lines, expected);
+    if (!loaded) break;
+  }
+  auto restored = co_await say(select_program(selected_), Priority::poll);
+  if (!loaded) co_return loaded;
+  if (!plan->left_out.empty())
+    tell(Notice::Kind::info, fmt::format("Not part of a program and so not sent: {}.", plan->left_out));
+  co_return restored;
+}
+
+Task<Result<>> VxmDriver::load_slot(int slot, const std::vector<std::string>& lines,
+                                    const std::vector<std::string>& expected) {
+  draft_.slot_bytes_used[at(slot)] = -1;
+  listings_[at(slot)].reset();
+  if (confirmed_scratch_ == slot) confirmed_scratch_ = -1;
+  sizes_read_ = false;
+  draft_.unsaved_programs = true;
+  auto sent = co_await say(empty_program(slot), Priority::transfer);
+  for (std::size_t i = 0; i < lines.size() && sent && !halted_; ++i)
+    sent = co_await say(lines[i], Priority::transfer);
+  if (halted_)
+    co_return fail(FaultKind::controller, explain_error(halted_).what,
+                   fmt::format("Program {} is incomplete in the controller.", slot),
+                   explain_error(halted_).advice);
+  if (!sent)
+    co_return fail(sent.error().kind, sent.error().what,
+                   fmt::format("Program {} is incomplete in the controller.", slot),
+                   "Load it again before it is run.");
+  co_return co_await verify_slot(slot, expected);
+}
+
+Task<Result<>> VxmDriver::verify_slot(int slot, const std::vector<std::string>& expected) {
+  auto listing = co_await ask_listing(Priority::transfer);
+  if (!listing)
+    co_return fail(
+        listing.error().kind,
+        fmt::format("Program {} was sent but could not be read back: {}", slot, listing.error().what),
+        "It was not run.", "Load it again before it is run.");
+  draft_.slot_bytes_used[at(slot)] = static_cast<std::int16_t>(program_bytes - listing->free_bytes);
+  listings_[at(slot)] = listing->commands;
+  const auto held = commands_of(listing->commands);
+  for (std::size_t i = 0; i < std::max(held.size(), expected.size()); ++i) {
+    if (i < held.size() && i < expected.size() && same_command(expected[i], held[i])) continue;
+    const std::string wanted = i < expected.size() ? expected[i] : "nothing more";
+    const std::string found = i < held.size() ? canonical(held[i]) : "nothing more";
+    co_return fail(
+        FaultKind::garbled,
+        fmt::format("Program {} differs in the controller: command {} was sent as {}, and reads back as {}.",
+                    slot, i + 1, wanted, found),
+        "It was not run.", "Load it again before it is run.");
+  }
+  if (listing->slot != slot)
+    co_return fail(FaultKind::garbled,
+                   fmt::format("Program {} was to be written, but the controller shows program {}.", slot,
+                               listing->slot),
+                   "It was not run.", "Load it again before it is run.");
+  co_return Result<>();
+}
+
+Task<Result<>> VxmDriver::clear(int slot) {
+  if (auto may = may_touch_programs(); !may) co_return may;
+  const std::vector<std::string> nothing;
+  auto cleared = co_await load_slot(slot, nothing, nothing);
+  auto restored = co_await say(select_program(std::max(selected_, 0)), Priority::poll);
+  if (!cleared) co_return cleared;
+  co_return restored;
+}
+
+// ---- reading
+
+Task<Result<>> VxmDriver::upload(int slot) {
+  if (auto may = may_touch_programs(); !may) co_return may;
+  auto chosen = co_await say(select_program(slot), Priority::transfer);
+  if (!chosen) co_return chosen;
+  auto listing = co_await ask_listing(Priority::transfer);
+  auto restored = co_await say(select_program(std::max(selected_, 0)), Priority::poll);
+  if (!listing) co_return fail(listing.error());
+  draft_.slot_bytes_used[at(slot)] = static_cast<std::int16_t>(program_bytes - listing->free_bytes);
+  listings_[at(slot)] = listing->commands;
+  std::string text;
+  for (const std::string& command : listing->commands) text += command + "\n";
+  Notice notice(Notice::Kind::program, scheduler_.now(), std::move(text));
+  notice.slot = slot;
+  if (notify_) notify_(std::move(notice));
+  co_return restored;
+}
+
+Task<Result<>> VxmDriver::select(int slot) {
+  if (auto may = may_touch_programs(); !may) co_return may;
+  auto said = co_await say(select_program(slot), Priority::intent);
+  if (!said) co_return said;
+  auto selected = co_await ask_number("PM\r", Priority::intent);
+  if (!selected) co_return fail(selected.error());
+  selected_ = static_cast<int>(*selected);
+  draft_.program.slot = static_cast<std::int8_t>(selected_);
+  if (selected_ == slot) co_return Result<>();
+  co_return fail(FaultKind::controller,
+                 fmt::format("Program {} was to be selected, but the controller says {}.", slot, selected_));
+}
+
+// ---- running
+
+void VxmDriver::show_running(int slot) {
+  stored_running_ = true;
+  ProgramState& p = draft_.program;
+  p.run = RunState::running;
+  p.owned = true;
+  p.slot = static_cast<std::int8_t>(slot >= 0 ? slot : selected_);
+  p.command = -1;
+  p.command_told = false;
+  p.stepping = hold_on_;
+  p.started_at = scheduler_.now();
+  for (int i = 0; i < draft_.axis_count; ++i) draft_.axes[i].ended_by = EndedBy::nothing;
+}
+
+Task<Result<>> VxmDriver::run(int slot) {
+  if (auto may = may_run(); !may) co_return may;
+  if (draft_.slot_bytes_used[at(slot)] == 0)
+    co_return fail(FaultKind::refused, fmt::format("Program {} of the controller is empty.", slot),
+                   "Nothing was run.", "Load it first.");
+  auto speeds = co_await restore_speeds();
+  if (!speeds) co_return speeds;
+  for (int i = 0; i < draft_.axis_count; ++i) warn_of_motor_type(i);
+  std::string text = hold_on_ ? "H" : "";
+  text += select_program(slot) + "R";
+  auto sent = co_await say(std::move(text), Priority::intent);
+  if (!sent) co_return sent;
+  hold_on_ = false;
+  selected_ = slot;
+  show_running(slot);
+  if (listings_[at(slot)])
+    for (const TextCommand& c : commands_of(*listings_[at(slot)]))
+      if (c.verb == Verb::speed && c.motor >= 1 && c.motor <= max_motors)
+        known_speed_[at(c.motor - 1)] = static_cast<int>(c.value);
+  co_return sent;
+}
+
+// H is a switch: it is said only when it changes what is wanted.
+Task<Result<>> VxmDriver::pause() {
+  if (!stored_running_) co_return fail(FaultKind::refused, "No program is running.", "Nothing was sent.");
+  if (hold_on_) co_return Result<>();
+  auto said = co_await say("H", Priority::intent);
+  if (!said) co_return said;
+  hold_on_ = true;
+  draft_.program.stepping = true;
+  co_return said;
+}
+
+Task<Result<>> VxmDriver::resume() {
+  ProgramState& p = draft_.program;
+  if (!stored_running_)
+    co_return fail(FaultKind::refused, "No program is held or waits.", "Nothing was sent.", "Run it.");
+  if (!hold_on_ && p.run != RunState::waiting) co_return Result<>();
+  const bool waits = p.run == RunState::waiting;
+  auto said = co_await say(waits ? "G" : "H", Priority::intent);
+  if (!said) co_return said;
+  if (!waits) hold_on_ = p.stepping = false;
+  p.run = RunState::running;
+  p.command = -1;
+  co_return said;
+}
+
+Task<Result<>> VxmDriver::single_step() {
+  ProgramState& p = draft_.program;
+  if (!stored_running_) {  // start it held: nothing moves before the next step
+    if (auto may = may_run(); !may) co_return may;
+    std::string text = hold_on_ ? "R" : "HR";
+    auto started = co_await say(std::move(text), Priority::intent);
+    if (!started) co_return started;
+    hold_on_ = true;
+    show_running(selected_);
+    co_return started;
+  }
+  if (p.run != RunState::held) co_return co_await pause();
+  auto said = co_await say("G", Priority::intent);
+  if (said) p.run = RunState::running;
+  co_return said;
+}
+
+}  // namespace hw::vxm

@@ -1,0 +1,167 @@
+// Bench commands, sorted to the controller that they concern.
+#include <algorithm>
+
+#include "core/devices/vxm/emulator_vxm.h"
+
+namespace hw::vxm {
+namespace {
+std::size_t ix(int i) { return static_cast<std::size_t>(i); }
+}  // namespace
+
+Result<> VxmEmulator::operate(const BenchCommand& command) {
+  auto result = std::visit([this](const auto& c) { return act(c); }, command);
+  box_.settle();
+  after();
+  return result;
+}
+
+Result<> VxmEmulator::check_axis(AxisId axis) const {
+  if (axis.index < options_.motors) return {};
+  return fail(FaultKind::refused,
+              "This bench has " + std::to_string(options_.motors) + " motors and no motor " +
+                  std::to_string(axis.index + 1) + ".",
+              "Nothing was changed.");
+}
+
+Result<> VxmEmulator::act(const bench::Input& c) {
+  const int count = boxes() * inputs_per_controller;
+  if (c.number < 1 || c.number > count)
+    return fail(
+        FaultKind::refused,
+        "There is no input " + std::to_string(c.number) + ": inputs are 1 to " + std::to_string(count) + ".",
+        "Nothing was changed.");
+  const std::uint32_t bit = 1u << (c.number - 1);
+  inputs_ = c.active ? inputs_ | bit : inputs_ & ~bit;
+  const int box = (c.number - 1) / inputs_per_controller, input = (c.number - 1) % inputs_per_controller;
+  const std::uint32_t stop = box == 0 ? 1u << 5 : 1u << 11;
+  const bool low = c.active || (input == 3 && (buttons_ & stop) != 0);
+  (box == 0 ? box_ : *box_.slave()).set_line(line_in_1 + input, low);
+  return {};
+}
+
+Result<> VxmEmulator::act(const bench::Button& c) {
+  const auto found = std::find(panel_buttons.begin(), panel_buttons.end(), c.name);
+  const int button = static_cast<int>(found - panel_buttons.begin());
+  if (found == panel_buttons.end() || (button >= buttons_per_controller && boxes() < 2)) {
+    std::string all;
+    for (int i = 0; i < boxes() * buttons_per_controller; ++i)
+      all += (i ? ", " : "") + std::string(panel_buttons[ix(i)]);
+    return fail(FaultKind::refused, "The front panel has no button \"" + c.name + "\".",
+                "Nothing was changed.", "Its buttons are " + all + ".");
+  }
+  press(button, c.pressed);
+  return {};
+}
+
+void VxmEmulator::press(int button, bool on) {
+  const std::uint32_t bit = 1u << button;
+  buttons_ = on ? buttons_ | bit : buttons_ & ~bit;
+  const bool of_slave = button >= buttons_per_controller;
+  Box& box = of_slave ? *box_.slave() : box_;
+  // Master: 1- 1+ 2- 2+ Run Stop; Slave: 3- 3+ 4- 4+ Run Stop. Stop is wired to input 4.
+  const int local = of_slave ? button - buttons_per_controller : button;
+  if (local < 4) return box.set_line(line_jog + local, on);
+  if (local == 4) return box.set_line(line_run, on);
+  const std::uint32_t input_4 = of_slave ? 1u << 7 : 1u << 3;
+  box.set_line(line_in_4, on || (inputs_ & input_4) != 0);
+}
+
+Result<> VxmEmulator::act(const bench::Limit& c) {
+  if (auto bad = check_axis(c.axis); !bad) return bad;
+  const int axis = c.axis.index, local = axis % motors_per_controller;
+  box_of(axis).plant(local).operate_limit(c.sign, c.operated);
+  box_of(axis).plant_changed(local);
+  return {};
+}
+
+Result<> VxmEmulator::act(const bench::HomeSwitch& c) {
+  if (auto bad = check_axis(c.axis); !bad) return bad;
+  const int axis = c.axis.index, local = axis % motors_per_controller;
+  box_of(axis).plant(local).operate_home(c.operated);
+  box_of(axis).plant_changed(local);
+  return {};
+}
+
+Result<> VxmEmulator::act(const bench::Analog& c) {
+  if (c.number < 1 || c.number > boxes())
+    return fail(FaultKind::refused, "There is no analog input " + std::to_string(c.number) + ".",
+                "Nothing was changed.");
+  if (c.value < analog_min || c.value > analog_max)
+    return fail(FaultKind::refused, std::to_string(c.value) + " is no reading of the analog input.",
+                "Nothing was changed.", "It gives 0 to 1024.");
+  (c.number == 1 ? box_ : *box_.slave()).set_analog(c.value);
+  return {};
+}
+
+Result<> VxmEmulator::act(const bench::Jam& c) {
+  if (auto bad = check_axis(c.axis); !bad) return bad;
+  const int axis = c.axis.index, local = axis % motors_per_controller;
+  box_of(axis).plant(local).jam(c.on);
+  box_of(axis).plant_changed(local);
+  return {};
+}
+
+Result<> VxmEmulator::act(const bench::Slip& c) {
+  if (auto bad = check_axis(c.axis); !bad) return bad;
+  const int axis = c.axis.index, local = axis % motors_per_controller;
+  box_of(axis).plant(local).slip(c.by);
+  box_of(axis).plant_changed(local);
+  return {};
+}
+
+Result<> VxmEmulator::act(const bench::Place& c) {
+  if (auto bad = check_axis(c.axis); !bad) return bad;
+  if (c.place.index_every || c.place.counts_per_step)
+    return fail(FaultKind::refused,
+                "A VXM has no encoder: index_every and counts_per_step mean nothing to it.",
+                "The place of motor " + std::to_string(c.axis.index + 1) + " was not changed.");
+  if (c.place.home_from.has_value() != c.place.home_to.has_value())
+    return fail(FaultKind::refused, "A home zone needs both ends.",
+                "The place of motor " + std::to_string(c.axis.index + 1) + " was not changed.");
+  const int axis = c.axis.index, local = axis % motors_per_controller;
+  box_of(axis).plant(local).set_place(c.place);
+  box_of(axis).plant_changed(local);
+  return {};
+}
+
+Result<> VxmEmulator::act(const bench::Power& c) {
+  box_.power(c.on, now_);
+  if (!c.on) held_back_.clear();
+  answering_until_ = now_;
+  return {};
+}
+
+Result<> VxmEmulator::act(const bench::PowerCycle&) {
+  (void)act(bench::Power(false));
+  return act(bench::Power(true));
+}
+
+void VxmEmulator::look(BenchView& view) const {
+  view = BenchView();
+  view.present = true;
+  view.powered = box_.powered();
+  view.buttons = buttons_;
+  view.inputs_operated = inputs_;
+  for (int i = 0; i < boxes(); ++i) {
+    const Box& box = i == 0 ? box_ : *box_.slave();
+    const Box::Lamps lamps = box.lamps();
+    const std::uint32_t power = 1u << (i * lamps_per_controller), online = power << 1;
+    view.lamps |= (lamps.power ? power : 0) | (lamps.online ? online : 0);
+    view.lamps_blink |= (lamps.power_blinks ? power : 0) | (lamps.online_blinks ? online : 0);
+    view.outputs |= static_cast<std::uint32_t>(box.outputs()) << (i * outputs_per_controller);
+    view.analog[ix(i)] = box.analog();
+  }
+  for (int axis = 0; axis < options_.motors; ++axis) {
+    const motion::Plant& plant = box_of(axis).axis(axis % motors_per_controller).plant;
+    const std::uint32_t bit = 1u << axis;
+    view.load_position[ix(axis)] = plant.load();
+    const bool home = plant.home_operated();
+    if (home || plant.limit_operated(Sign::minus)) view.limits_minus |= bit;
+    if (home || plant.limit_operated(Sign::plus)) view.limits_plus |= bit;
+    if (plant.limit_by_hand(Sign::minus)) view.limits_minus_by_hand |= bit;
+    if (plant.limit_by_hand(Sign::plus)) view.limits_plus_by_hand |= bit;
+    if (plant.jammed()) view.jammed |= bit;
+  }
+}
+
+}  // namespace hw::vxm

@@ -1,0 +1,79 @@
+#pragma once
+// The emulator as its owner sees it: a controller, its Slave, the hands on both, and what left over the wire.
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/device/emulator.h"
+#include "core/devices/vxm/emulator_box.h"
+
+namespace hw::vxm {
+
+/// Of the address.
+struct EmulatorOptions {
+  int motors = 2;
+  bool overrun = false, barred = false;
+};
+
+class VxmEmulator final : public Emulator {
+ public:
+  explicit VxmEmulator(const EmulatorOptions& options);
+
+  void receive(std::string_view bytes) override;
+  void take_output(std::string& sink) override;
+  [[nodiscard]] std::optional<Instant> next_event() const override;
+  void advance_to(Instant now) override;
+  Result<> operate(const BenchCommand& command) override;
+  void look(BenchView& view) const override;
+  [[nodiscard]] const std::vector<TriggerPulse>& pulses() const override;
+  [[nodiscard]] int rate() const override { return box_.rate(); }
+  [[nodiscard]] std::string save_memory() const override;
+  Result<> load_memory(std::string_view text) override;
+  [[nodiscard]] std::uint64_t memory_version() const override { return box_.stores + memory_loads_; }
+  [[nodiscard]] std::unique_ptr<Emulator> clone() const override {
+    return std::make_unique<VxmEmulator>(*this);
+  }
+
+  /// The controller itself, for rehearsals.
+  [[nodiscard]] Box& box() { return box_; }
+
+ private:
+  void after();
+  void gather_pulses(Box& box, int first_axis, int first_output);
+  void pace_replies();
+  Box& box_of(int axis) { return axis < motors_per_controller ? box_ : *box_.slave(); }
+  [[nodiscard]] const Box& box_of(int axis) const {
+    return axis < motors_per_controller ? box_ : *box_.slave();
+  }
+  [[nodiscard]] int boxes() const { return options_.motors > motors_per_controller ? 2 : 1; }
+  Result<> check_axis(AxisId axis) const;
+
+  Result<> act(const bench::Input& c);
+  Result<> act(const bench::Limit& c);
+  Result<> act(const bench::HomeSwitch& c);
+  Result<> act(const bench::Analog& c);
+  Result<> act(const bench::Button& c);
+  Result<> act(const bench::Jam& c);
+  Result<> act(const bench::Slip& c);
+  Result<> act(const bench::Place& c);
+  Result<> act(const bench::Power& c);
+  Result<> act(const bench::PowerCycle& c);
+  Result<> act(const bench::Unplug&) { return wire_fault(); }
+  Result<> act(const bench::Garble&) { return wire_fault(); }
+  Result<> act(const bench::Drop&) { return wire_fault(); }
+  static Result<> wire_fault() {
+    return fail(FaultKind::refused, "Faults of the wire are made where the wire is, not in the controller.");
+  }
+  void press(int button, bool on);
+
+  EmulatorOptions options_;
+  Box box_;
+  Instant now_{};
+  std::uint32_t buttons_ = 0, inputs_ = 0;
+  std::string held_back_;  ///< quirk overrun: the reply that is being sent
+  Instant answering_until_{};
+  std::uint64_t memory_loads_ = 0;
+  mutable std::vector<TriggerPulse> pulses_;
+};
+
+}  // namespace hw::vxm

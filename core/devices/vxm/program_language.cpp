@@ -1,0 +1,29 @@
+#include "core/devices/vxm/program_language.h"
+
+#include "core/devices/vxm/program_analysis.h"
+#include "core/devices/vxm/program_rehearsal.h"
+
+namespace hw::vxm {
+namespace {
+
+class VxmLanguage final : public Language {
+ public:
+  [[nodiscard]] ProgramReport analyse(std::string_view text, int slot) const override {
+    Analysis analysis = analyse_text(text, slot);
+    check_programs(analysis);
+    return std::move(analysis.report);
+  }
+  [[nodiscard]] Result<Rehearsal> rehearse(std::string_view text,
+                                           const RehearseOptions& options) const override {
+    return rehearse_program(text, options);
+  }
+};
+
+}  // namespace
+
+const Language& program_language() {
+  static const VxmLanguage language;
+  return language;
+}
+
+}  // namespace hw::vxm

@@ -1,0 +1,205 @@
+#include "core/devices/vxm/program_rehearsal.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "core/device/bench_file.h"
+#include "core/devices/vxm/catalog.h"
+#include "core/devices/vxm/emulator_vxm.h"
+#include "core/devices/vxm/program_analysis.h"
+#include "core/devices/vxm/report.h"
+
+namespace hw::vxm {
+namespace {
+
+constexpr std::size_t most_events = 10'000;
+constexpr int most_breaths = 100'000;  // in a row, a millisecond each
+
+std::string error_sentence(char letter) {
+  const std::string name = std::string("E") + letter + ": ";
+  switch (letter) {
+    case error_memory: return name + "the text does not fit into the 256 bytes of its program.";
+    case error_loops: return name + "more than ten loops were open at once.";
+    case error_jumps: return name + "more than four JM jumps were open at once.";
+    case error_nonstop:
+      return name + "nonstop indexing met a command that may not stand there, another motor or no U9.";
+    default: return name + "the controller stopped with an error.";
+  }
+}
+
+/// What a wait waits for, in words.
+std::string waited_for(const Wait& wait) {
+  const std::string of_slave = wait.on_slave ? " of the Slave" : "";
+  switch (wait.u) {
+    case 32: return "the Jog 1- button" + of_slave;
+    case 33: return "the Jog 1+ button" + of_slave;
+    case 90: return "the Run button" + of_slave;
+    case 13:
+    case 23: return "one of the buttons Jog 1-, Jog 1+ and Run" + of_slave;
+    default: return "input 1" + of_slave;
+  }
+}
+
+class Rehearsing {
+ public:
+  Rehearsing(const Analysis& analysis, const RehearseOptions& options, int motors)
+      : analysis_(analysis), options_(options), emulator_(emulator_options(motors)), motors_(motors) {}
+
+  Result<> set_bench(const BenchFile& bench) {
+    for (const BenchCommand& command : bench.at_start)
+      if (auto done = emulator_.operate(command); !done) return done;
+    later_ = bench.later;
+    return {};
+  }
+
+  Rehearsal run() {
+    Box& box = emulator_.box();
+    emulator_.receive("F" + analysis_.script);
+    emulator_.receive("PM" + std::to_string(options_.slot) + ",");
+    for (int i = 0; i < program_count; ++i)
+      if (box.program(i).used() > 0) result_.program_size[std::to_string(i)] = box.program(i).used();
+    if (box.error() != 0) {
+      result_.error = error_sentence(box.error());
+      return finish();
+    }
+    std::string before;
+    emulator_.take_output(before);
+    box.trace = &trace_;
+    emulator_.receive("R");
+    go_through();
+    box.trace = nullptr;
+    return finish();
+  }
+
+ private:
+  static EmulatorOptions emulator_options(int motors) {
+    EmulatorOptions options;
+    options.motors = motors;
+    return options;
+  }
+
+  /// Until the program ends, stops for good, or its time is over.
+  void go_through() {
+    Box& box = emulator_.box();
+    const Instant last = Instant(from_seconds(std::clamp(options_.for_seconds, 0.0, 1e9)));
+    collect();
+    int breaths = 0;
+    while (box.running()) {
+      if (box.run().doing == Doing::for_host) {
+        event(now_, "the host answers W with G", -1, -1);
+        box.go();
+        box.settle();
+        collect();
+        continue;
+      }
+      std::optional<Instant> next = emulator_.next_event();
+      if (!later_.empty()) {
+        const Instant hand = Instant(later_.front().at);
+        if (!next || hand < *next) next = hand;
+      }
+      // What loops without ever taking time would only burn the rest of it.
+      const bool empty_loop = box.run().doing == Doing::breathing && later_.empty();
+      breaths = empty_loop ? breaths + 1 : 0;
+      if (!next || *next > last || breaths > most_breaths) return out_of_time(last);
+      now_ = std::max(now_, *next);
+      emulator_.advance_to(now_);
+      while (!later_.empty() && Instant(later_.front().at) <= now_) {
+        (void)emulator_.operate(later_.front().command);
+        later_.erase(later_.begin());
+      }
+      collect();
+    }
+    result_.finished = box.error() == 0;
+    if (box.error() != 0) result_.error = error_sentence(box.error());
+  }
+
+  void out_of_time(Instant last) {
+    const Box& box = emulator_.box();
+    const Run& run = box.run();
+    const std::string program = "Program " + std::to_string(run.stack.empty() ? 0 : run.stack.back().program);
+    if (run.doing == Doing::waiting)
+      result_.error = program + " waits in U" + std::to_string(run.wait.u + (run.wait.on_slave ? 100 : 0)) +
+                      " for " + waited_for(run.wait) + ", and nobody operates it.";
+    else
+      result_.error = program + " was still running when the rehearsal ended.";
+    now_ = std::max(now_, last);
+    if (run.doing != Doing::breathing) emulator_.advance_to(now_);
+    collect();
+  }
+
+  void event(Instant t, std::string what, int slot, int command) {
+    if (result_.events.size() == most_events) {
+      result_.events.push_back({seconds(t), "more events, not listed", -1, -1});
+      return;
+    }
+    if (result_.events.size() < most_events)
+      result_.events.push_back({seconds(t), std::move(what), slot, command});
+  }
+
+  void collect() {
+    Box& box = emulator_.box();
+    for (Trace& t : trace_) event(t.at, std::move(t.what), t.program, t.command);
+    trace_.clear();
+    if (result_.events.size() > most_events) box.trace = nullptr;
+    result_.moves = box.moves_begun();
+    emulator_.take_output(result_.sent_to_host);
+    if (box.limit_was_hit()) result_.limit_touched = true;
+  }
+
+  Rehearsal finish() {
+    Box& box = emulator_.box();
+    result_.duration_s = seconds(now_);
+    for (int i = 0; i < motors_; ++i) {
+      const Box& owner = i < motors_per_controller ? box : *box.slave();
+      const Axis& axis = owner.axis(i % motors_per_controller);
+      RehearsedAxis a;
+      a.name = std::to_string(i + 1);
+      a.position = axis.counter, a.minimum = axis.lowest, a.maximum = axis.highest, a.travel = axis.travelled;
+      result_.axes.push_back(std::move(a));
+    }
+    const int boxes = motors_ > motors_per_controller ? 2 : 1;
+    for (int i = 0; i < boxes * outputs_per_controller; ++i) {
+      const Box& owner = i < outputs_per_controller ? box : *box.slave();
+      result_.outputs[std::to_string(i + 1)] = owner.outputs() >> (i % outputs_per_controller) & 1;
+    }
+    return std::move(result_);
+  }
+
+  const Analysis& analysis_;
+  const RehearseOptions& options_;
+  VxmEmulator emulator_;
+  int motors_;
+  std::vector<TimedBenchCommand> later_;
+  std::vector<Trace> trace_;
+  Instant now_{};
+  Rehearsal result_;
+};
+
+Result<> refuse_errors(const ProgramReport& report) {
+  for (const Problem& p : report.problems)
+    if (p.error)
+      return fail(FaultKind::text, "Line " + std::to_string(p.line + 1) + ": " + p.sentence,
+                  "Nothing was rehearsed.");
+  return {};
+}
+
+}  // namespace
+
+Result<Rehearsal> rehearse_program(std::string_view text, const RehearseOptions& options) {
+  Analysis analysis = analyse_text(text, options.slot);
+  check_programs(analysis);
+  if (auto good = refuse_errors(analysis.report); !good) return fail(good.error());
+  const int needed = analysis.motors > motors_per_controller ? max_motors : motors_per_controller;
+  const int motors = std::clamp(options.axes == 0 ? needed : options.axes, 1, max_motors);
+  Rehearsing rehearsing(analysis, options, motors);
+  if (!options.bench_toml.empty()) {
+    auto catalog = make_catalog({{"motors", std::to_string(motors)}});
+    if (!catalog) return fail(catalog.error());
+    const auto bench = parse_bench_file(options.bench_toml, *catalog);
+    if (!bench) return fail(bench.error());
+    if (auto done = rehearsing.set_bench(*bench); !done) return fail(done.error());
+  }
+  return rehearsing.run();
+}
+
+}  // namespace hw::vxm

@@ -1,0 +1,9 @@
+#pragma once
+// A dry run: an emulated VXM at power-up, given the text and started, in virtual time.
+#include "core/device/language.h"
+
+namespace hw::vxm {
+
+[[nodiscard]] Result<Rehearsal> rehearse_program(std::string_view text, const RehearseOptions& options);
+
+}  // namespace hw::vxm

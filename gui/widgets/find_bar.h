@@ -1,0 +1,30 @@
+#pragma once
+// Find within an editor: a row above the text. Ctrl+F opens it, Enter and F3 go on, Esc or its cross closes
+// it.
+#include <string>
+#include <string_view>
+
+#include "gui/ui.h"
+#include "gui/widgets/text_model.h"
+
+namespace hw::gui {
+
+class FindBar {
+ public:
+  void open(Ui& ui, std::string_view id, const TextModel& model);
+  [[nodiscard]] bool is_open() const { return open_; }
+  [[nodiscard]] const std::string& needle() const { return needle_; }
+  /// Draws the row of 40 when open. True: the caret went to a place found.
+  bool draw(Ui& ui, std::string_view id, TextModel& model);
+  /// True when there was one.
+  bool next(TextModel& model, bool forward);
+
+ private:
+  void count(const TextModel& model);
+  std::string needle_, counted_needle_;
+  std::uint64_t counted_version_ = 0;
+  int count_ = 0;
+  bool open_ = false, failed_ = false;
+};
+
+}  // namespace hw::gui

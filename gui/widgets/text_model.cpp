@@ -1,0 +1,343 @@
+#include "gui/widgets/text_model.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace hw::gui {
+namespace {
+
+bool is_inside_character(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
+bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || (c & 0x80); }
+char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
+
+/// Where text ends that is put at `at`.
+Place end_of(Place at, std::string_view text) {
+  const auto newlines = static_cast<int>(std::count(text.begin(), text.end(), '\n'));
+  if (newlines == 0) return {at.line, at.byte + static_cast<int>(text.size())};
+  return {at.line + newlines, static_cast<int>(text.size() - text.rfind('\n') - 1)};
+}
+
+/// Files of other systems end lines by CR LF or CR.
+std::string with_unix_lines(std::string_view text) {
+  std::string out;
+  out.reserve(text.size());
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '\r')
+      out += text[i];
+    else if (i + 1 >= text.size() || text[i + 1] != '\n')
+      out += '\n';
+  }
+  return out;
+}
+
+bool is_blank(std::string_view line) { return line.find_first_not_of(" \t") == std::string_view::npos; }
+
+}  // namespace
+
+void TextModel::set_text(std::string_view text) {
+  const std::string clean = with_unix_lines(text);
+  lines_.assign(1, {});
+  put({0, 0}, clean);
+  done_.clear();
+  undone_.clear();
+  caret_ = anchor_ = clamp(caret_);
+  wanted_column_ = -1;
+  ++version_;
+}
+
+std::string TextModel::text() const { return text_of({{0, 0}, end()}); }
+
+Place TextModel::end() const { return {line_count() - 1, static_cast<int>(lines_.back().size())}; }
+
+Place TextModel::clamp(Place p) const {
+  p.line = std::clamp(p.line, 0, line_count() - 1);
+  const std::string& l = line(p.line);
+  p.byte = std::clamp(p.byte, 0, static_cast<int>(l.size()));
+  while (p.byte > 0 && p.byte < static_cast<int>(l.size()) &&
+         is_inside_character(l[static_cast<std::size_t>(p.byte)]))
+    --p.byte;
+  return p;
+}
+
+std::string TextModel::text_of(const Stretch& s) const {
+  const auto part = [&](int i, int from, int to) {
+    return std::string_view(line(i)).substr(static_cast<std::size_t>(from),
+                                            static_cast<std::size_t>(to - from));
+  };
+  if (s.begin.line == s.end.line) return std::string(part(s.begin.line, s.begin.byte, s.end.byte));
+  std::string out(part(s.begin.line, s.begin.byte, static_cast<int>(line(s.begin.line).size())));
+  for (int i = s.begin.line + 1; i < s.end.line; ++i) out.append("\n").append(line(i));
+  return out.append("\n").append(part(s.end.line, 0, s.end.byte));
+}
+
+int TextModel::column(Place p) const {
+  int n = 0;
+  const std::string& l = line(p.line);
+  for (int i = 0; i < p.byte; ++i) {
+    const char c = l[static_cast<std::size_t>(i)];
+    if (!is_inside_character(c)) n += c == '\t' ? tab_columns : 1;
+  }
+  return n;
+}
+
+Place TextModel::at_column(int line_index, int wanted) const {
+  const std::string& l = line(line_index);
+  int n = 0;
+  std::size_t i = 0;
+  while (i < l.size()) {
+    const int width = l[i] == '\t' ? tab_columns : 1;
+    if (n + (width + 1) / 2 > wanted) break;
+    n += width;
+    do ++i;
+    while (i < l.size() && is_inside_character(l[i]));
+  }
+  return {line_index, static_cast<int>(i)};
+}
+
+Stretch TextModel::selection() const {
+  return caret_ < anchor_ ? Stretch{caret_, anchor_} : Stretch{anchor_, caret_};
+}
+
+void TextModel::move_to(Place to, bool extend) {
+  caret_ = clamp(to);
+  if (!extend) anchor_ = caret_;
+  wanted_column_ = -1;
+  if (!done_.empty()) done_.back().typing = false;
+}
+
+Place TextModel::before(Place p) const {
+  if (p.byte == 0) return p.line == 0 ? p : Place{p.line - 1, static_cast<int>(line(p.line - 1).size())};
+  return clamp({p.line, p.byte - 1});
+}
+
+Place TextModel::after(Place p) const {
+  const std::string& l = line(p.line);
+  if (p.byte >= static_cast<int>(l.size())) return p.line + 1 < line_count() ? Place{p.line + 1, 0} : p;
+  auto i = static_cast<std::size_t>(p.byte) + 1;
+  while (i < l.size() && is_inside_character(l[i])) ++i;
+  return {p.line, static_cast<int>(i)};
+}
+
+Place TextModel::word_before(Place p) const {
+  if (p.byte == 0) return before(p);
+  const std::string& l = line(p.line);
+  auto i = static_cast<std::size_t>(p.byte);
+  while (i > 0 && !is_word(l[i - 1])) --i;
+  while (i > 0 && is_word(l[i - 1])) --i;
+  return {p.line, static_cast<int>(i)};
+}
+
+Place TextModel::word_after(Place p) const {
+  const std::string& l = line(p.line);
+  auto i = static_cast<std::size_t>(p.byte);
+  if (i >= l.size()) return after(p);
+  while (i < l.size() && is_word(l[i])) ++i;
+  while (i < l.size() && !is_word(l[i])) ++i;
+  return {p.line, static_cast<int>(i)};
+}
+
+void TextModel::left(Step step, bool extend) {
+  if (has_selection() && !extend && step == Step::character) return move_to(selection().begin, false);
+  switch (step) {
+    case Step::character: return move_to(before(caret_), extend);
+    case Step::word: return move_to(word_before(caret_), extend);
+    case Step::text_end: return move_to({0, 0}, extend);
+    case Step::line_end: break;
+  }
+  // First to the first letter, then to the margin.
+  const std::size_t indent = std::min(line(caret_.line).find_first_not_of(" \t"), line(caret_.line).size());
+  move_to({caret_.line, caret_.byte == static_cast<int>(indent) ? 0 : static_cast<int>(indent)}, extend);
+}
+
+void TextModel::right(Step step, bool extend) {
+  if (has_selection() && !extend && step == Step::character) return move_to(selection().end, false);
+  switch (step) {
+    case Step::character: return move_to(after(caret_), extend);
+    case Step::word: return move_to(word_after(caret_), extend);
+    case Step::text_end: return move_to(end(), extend);
+    case Step::line_end: break;
+  }
+  move_to({caret_.line, static_cast<int>(line(caret_.line).size())}, extend);
+}
+
+void TextModel::down(int lines, bool extend) {
+  const int wanted = wanted_column_ >= 0 ? wanted_column_ : column(caret_);
+  const int target = caret_.line + lines;
+  if (target < 0)
+    move_to({0, 0}, extend);
+  else if (target >= line_count())
+    move_to(end(), extend);
+  else
+    move_to(at_column(target, wanted), extend);
+  wanted_column_ = wanted;
+}
+
+void TextModel::select_all() {
+  move_to({0, 0}, false);
+  move_to(end(), true);
+}
+
+void TextModel::select_word() {
+  const std::string& l = line(caret_.line);
+  auto from = static_cast<std::size_t>(caret_.byte), to = from;
+  while (from > 0 && is_word(l[from - 1])) --from;
+  while (to < l.size() && is_word(l[to])) ++to;
+  const int at = caret_.line;
+  move_to({at, static_cast<int>(from)}, false);
+  move_to({at, static_cast<int>(to)}, true);
+}
+
+void TextModel::select_line() {
+  const int at = caret_.line;
+  move_to({at, 0}, false);
+  move_to(at + 1 < line_count() ? Place{at + 1, 0} : end(), true);
+}
+
+Place TextModel::put(Place at, std::string_view text) {
+  std::string& first = lines_[static_cast<std::size_t>(at.line)];
+  const std::string tail = first.substr(static_cast<std::size_t>(at.byte));
+  first.resize(static_cast<std::size_t>(at.byte));
+  std::vector<std::string> more;
+  std::size_t newline = text.find('\n');
+  first.append(text.substr(0, newline));
+  while (newline != std::string_view::npos) {
+    const std::size_t next = text.find('\n', newline + 1);
+    more.emplace_back(text.substr(newline + 1, next == std::string_view::npos ? next : next - newline - 1));
+    newline = next;
+  }
+  (more.empty() ? first : more.back()).append(tail);
+  lines_.insert(lines_.begin() + at.line + 1, std::make_move_iterator(more.begin()),
+                std::make_move_iterator(more.end()));
+  return end_of(at, text);
+}
+
+void TextModel::cut(const Stretch& s) {
+  std::string& first = lines_[static_cast<std::size_t>(s.begin.line)];
+  const std::string tail = line(s.end.line).substr(static_cast<std::size_t>(s.end.byte));
+  first.resize(static_cast<std::size_t>(s.begin.byte));
+  first += tail;
+  lines_.erase(lines_.begin() + s.begin.line + 1, lines_.begin() + s.end.line + 1);
+}
+
+bool TextModel::joins(const Edit& last, const Stretch& what, std::string_view by) const {
+  return last.typing && what.begin == what.end && by != "\n" && what.begin == end_of(last.at, last.added);
+}
+
+void TextModel::apply(const Stretch& what, std::string_view by, bool typing) {
+  if (what.begin == what.end && by.empty()) return;
+  if (typing && !done_.empty() && joins(done_.back(), what, by)) {
+    done_.back().added += by;
+  } else {
+    done_.push_back(Edit{what.begin, text_of(what), std::string(by), caret_, anchor_, typing});
+  }
+  undone_.clear();
+  cut(what);
+  caret_ = anchor_ = put(what.begin, by);
+  wanted_column_ = -1;
+  ++version_;
+}
+
+void TextModel::insert(std::string_view typed) {
+  const std::string clean = with_unix_lines(typed);
+  apply(selection(), clean, clean.size() <= 4 && clean != "\n");
+}
+
+void TextModel::backspace(bool word) {
+  apply(has_selection() ? selection() : Stretch{word ? word_before(caret_) : before(caret_), caret_}, {},
+        false);
+}
+
+void TextModel::erase(bool word) {
+  apply(has_selection() ? selection() : Stretch{caret_, word ? word_after(caret_) : after(caret_)}, {},
+        false);
+}
+
+void TextModel::replace(const Stretch& what, std::string_view by) {
+  apply({clamp(what.begin), clamp(what.end)}, with_unix_lines(by), false);
+}
+
+void TextModel::toggle_comment(std::string_view mark) {
+  const Stretch chosen = selection();
+  const int first = chosen.begin.line;
+  // A selection that ends before the first letter of a line does not mean that line.
+  const int last = chosen.end.byte == 0 && chosen.end.line > first ? chosen.end.line - 1 : chosen.end.line;
+  const std::string_view bare = mark.substr(0, mark.find_last_not_of(' ') + 1);
+  bool all = true;
+  for (int i = first; i <= last; ++i) all &= is_blank(line(i)) || line(i).starts_with(bare);
+  std::string changed;
+  for (int i = first; i <= last; ++i) {
+    std::string_view l = line(i);
+    if (i > first) changed += '\n';
+    if (is_blank(l)) {
+      changed += l;
+    } else if (all) {
+      l.remove_prefix(l.starts_with(mark) ? mark.size() : bare.size());
+      changed += l;
+    } else {
+      changed.append(mark).append(l);
+    }
+  }
+  const Place caret = caret_, anchor = anchor_;
+  const int size_before = static_cast<int>(line(caret.line).size());
+  replace({{first, 0}, {last, static_cast<int>(line(last).size())}}, changed);
+  const int grown = static_cast<int>(line(caret.line).size()) - size_before;
+  anchor_ = clamp(anchor == caret ? Place{anchor.line, anchor.byte + grown} : anchor);
+  caret_ = clamp({caret.line, caret.byte + (caret.byte > 0 ? grown : 0)});
+  if (anchor == caret) anchor_ = caret_;
+}
+
+bool TextModel::undo() {
+  if (done_.empty()) return false;
+  Edit edit = std::move(done_.back());
+  done_.pop_back();
+  cut({edit.at, end_of(edit.at, edit.added)});
+  put(edit.at, edit.removed);
+  caret_ = edit.caret_before;
+  anchor_ = edit.anchor_before;
+  edit.typing = false;
+  undone_.push_back(std::move(edit));
+  ++version_;
+  return true;
+}
+
+bool TextModel::redo() {
+  if (undone_.empty()) return false;
+  Edit edit = std::move(undone_.back());
+  undone_.pop_back();
+  cut({edit.at, end_of(edit.at, edit.removed)});
+  caret_ = anchor_ = put(edit.at, edit.added);
+  done_.push_back(std::move(edit));
+  ++version_;
+  return true;
+}
+
+std::optional<int> TextModel::find_in_line(std::string_view needle, int line_index, int from,
+                                           bool forward) const {
+  const std::string& l = line(line_index);
+  const auto same = [](char a, char b) { return lower(a) == lower(b); };
+  if (forward) {
+    if (from > static_cast<int>(l.size())) return {};
+    const auto hit = std::search(l.begin() + from, l.end(), needle.begin(), needle.end(), same);
+    if (hit == l.end()) return {};
+    return static_cast<int>(hit - l.begin());
+  }
+  const auto stop = l.begin() + std::clamp(from, 0, static_cast<int>(l.size()));
+  const auto hit = std::find_end(l.begin(), stop, needle.begin(), needle.end(), same);
+  if (hit == stop) return {};
+  return static_cast<int>(hit - l.begin());
+}
+
+std::optional<Stretch> TextModel::find(std::string_view needle, Place from, bool forward) const {
+  if (needle.empty()) return {};
+  const int n = line_count(), size = static_cast<int>(needle.size());
+  for (int i = 0; i <= n; ++i) {
+    const int at = (from.line + (forward ? i : n - i % n)) % n;
+    const int all = static_cast<int>(line(at).size());
+    const int start = i == 0 ? from.byte : forward ? 0 : all;
+    if (const std::optional<int> hit = find_in_line(needle, at, start, forward))
+      return Stretch{{at, *hit}, {at, *hit + size}};
+  }
+  return {};
+}
+
+}  // namespace hw::gui

@@ -1,0 +1,95 @@
+#pragma once
+// A text of lines with a caret, a selection and undo. Knows nothing of drawing. Places count bytes within a
+// line and always stand between characters.
+#include <compare>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hw::gui {
+
+struct Place {
+  int line = 0, byte = 0;
+  auto operator<=>(const Place&) const = default;
+};
+struct Stretch {
+  Place begin, end;
+  bool operator==(const Stretch&) const = default;
+};
+
+class TextModel {
+ public:
+  TextModel() : lines_(1) {}
+
+  /// Another text: undo is forgotten, the caret stays as near as it can.
+  void set_text(std::string_view text);
+  [[nodiscard]] std::string text() const;
+  [[nodiscard]] int line_count() const { return static_cast<int>(lines_.size()); }
+  [[nodiscard]] const std::string& line(int i) const { return lines_[static_cast<std::size_t>(i)]; }
+  /// Grows with each change of the text.
+  [[nodiscard]] std::uint64_t version() const { return version_; }
+
+  // ---- caret and selection
+  [[nodiscard]] Place caret() const { return caret_; }
+  [[nodiscard]] bool has_selection() const { return caret_ != anchor_; }
+  [[nodiscard]] Stretch selection() const;
+  [[nodiscard]] std::string selected() const { return text_of(selection()); }
+  /// `extend`: the selection's other end stays.
+  void move_to(Place to, bool extend);
+  enum class Step : std::uint8_t { character, word, line_end, text_end };
+  void left(Step step, bool extend);
+  void right(Step step, bool extend);
+  void down(int lines, bool extend);  ///< negative: up; keeps the column
+  void select_all();
+  void select_word();  ///< around the caret
+  void select_line();
+
+  // ---- changes; each one is one undo step, but typed characters join
+  void insert(std::string_view typed);
+  void backspace(bool word);
+  void erase(bool word);
+  void replace(const Stretch& what, std::string_view by);
+  /// Puts `mark` before each chosen line, or takes it away when all have it. Empty lines stay.
+  void toggle_comment(std::string_view mark);
+  bool undo();
+  bool redo();
+
+  /// The next place after (before) `from`, going round; letters of either case match.
+  [[nodiscard]] std::optional<Stretch> find(std::string_view needle, Place from, bool forward) const;
+  [[nodiscard]] std::string text_of(const Stretch& s) const;
+  /// Nearest place that exists.
+  [[nodiscard]] Place clamp(Place p) const;
+  [[nodiscard]] Place end() const;
+  /// Characters before a byte, a tab counting four; and back.
+  [[nodiscard]] int column(Place p) const;
+  [[nodiscard]] Place at_column(int line, int column) const;
+  static constexpr int tab_columns = 4;
+
+ private:
+  struct Edit {
+    Place at;
+    std::string removed, added;
+    Place caret_before, anchor_before;
+    bool typing = false;  // may be joined by the next typed character
+  };
+  Place put(Place at, std::string_view text);
+  void cut(const Stretch& s);
+  void apply(const Stretch& what, std::string_view by, bool typing);
+  [[nodiscard]] bool joins(const Edit& last, const Stretch& what, std::string_view by) const;
+  [[nodiscard]] Place before(Place p) const;
+  [[nodiscard]] Place after(Place p) const;
+  [[nodiscard]] Place word_before(Place p) const;
+  [[nodiscard]] Place word_after(Place p) const;
+  [[nodiscard]] std::optional<int> find_in_line(std::string_view needle, int line, int from,
+                                                bool forward) const;
+
+  std::vector<std::string> lines_;
+  Place caret_, anchor_;
+  int wanted_column_ = -1;  // of a way up or down through shorter lines
+  std::vector<Edit> done_, undone_;
+  std::uint64_t version_ = 1;
+};
+
+}  // namespace hw::gui

@@ -1,0 +1,216 @@
+#include "tests/core/devices/vxm/driver_fixture.h"
+
+namespace hw::vxm {
+namespace {
+
+using testing::HasSubstr;
+
+class VxmDriverMoves : public DriverTest {};
+
+TEST_F(VxmDriverMoves, MovesToAPositionAndSaysSo) {
+  start();
+  sent();
+  EXPECT_EQ(move_to(0, 400), "");
+  EXPECT_EQ(latest.axes[0].activity, Activity::moving);
+  EXPECT_EQ(latest.axes[0].target, Steps{400});
+  EXPECT_EQ(latest.axes[0].direction, 1);
+  EXPECT_TRUE(wait_idle());
+  EXPECT_EQ(position(), 400);
+  EXPECT_EQ(latest.axes[0].ended_by, EndedBy::target);
+  EXPECT_THAT(sent(), HasSubstr("IA1M400\rR"));
+}
+
+TEST_F(VxmDriverMoves, UsesAnEmptyProgramAndLeavesNothingForTheRunButton) {
+  start();
+  EXPECT_EQ(perform(intent::LoadProgram(0, "I1M100\n")), "");
+  EXPECT_EQ(move_by(0, 400), "");
+  EXPECT_TRUE(wait_idle());
+  EXPECT_EQ(position(), 400);
+  EXPECT_EQ(query("PM"), "0");
+  EXPECT_EQ(query("M"), "252");
+  EXPECT_EQ(query("PM4,lst"), "PM4 M256");
+  EXPECT_EQ(perform(intent::SelectProgram(0)), "");
+  ASSERT_TRUE(loop->operate(bench::Button("Run", true)));
+  run(0.2);
+  ASSERT_TRUE(loop->operate(bench::Button("Run", false)));
+  run(0.3);
+  EXPECT_TRUE(wait_idle());
+  EXPECT_EQ(position(), 500) << "Run ran program 0, not the move of the console";
+}
+
+TEST_F(VxmDriverMoves, RunButtonDoesNotRepeatAJogInAnEmptyController) {
+  start();
+  EXPECT_EQ(move_by(1, 50), "");
+  EXPECT_TRUE(wait_idle());
+  EXPECT_EQ(position(1), 50);
+  ASSERT_TRUE(loop->operate(bench::Button("Run", true)));
+  run(0.5);
+  ASSERT_TRUE(loop->operate(bench::Button("Run", false)));
+  run(1);
+  EXPECT_EQ(position(1), 50);
+}
+
+TEST_F(VxmDriverMoves, SeveralAxesRunOneAfterTheOther) {
+  start();
+  std::vector<AxisTarget> both = target(0, 300);
+  both.push_back(target(1, -200)[0]);
+  EXPECT_EQ(perform(intent::MoveTo(both)), "");
+  EXPECT_TRUE(wait_idle());
+  EXPECT_EQ(position(0), 300);
+  EXPECT_EQ(position(1), -200);
+}
+
+TEST_F(VxmDriverMoves, AxesOfTwoControllersRunTogether) {
+  start({{"motors", "4"}});
+  std::vector<AxisTarget> both = target(0, 400);
+  both.push_back(target(2, 800)[0]);
+  sent();
+  EXPECT_EQ(perform(intent::MoveTo(both)), "");
+  EXPECT_TRUE(wait_idle());
+  EXPECT_EQ(position(0), 400);
+  EXPECT_EQ(position(2), 800);
+  EXPECT_THAT(sent(), HasSubstr("(I3M800,I1M400,)R"));
+}
+
+TEST_F(VxmDriverMoves, ASpeedOfItsOwnIsPutBack) {
+  start();
+  EXPECT_EQ(send("S1M700,"), "");
+  EXPECT_EQ(send("R"), "");
+  wait_idle();
+  EXPECT_EQ(send("C"), "");
+  sent();
+  EXPECT_EQ(move_by(0, 100, 500), "");
+  EXPECT_TRUE(wait_idle());
+  EXPECT_THAT(sent(), HasSubstr("S1M500\rI1M100\rS1M700\rR"));
+}
+
+TEST_F(VxmDriverMoves, AJogEndsWithItsStop) {
+  start({}, true);
+  EXPECT_EQ(perform(intent::JogStart(AxisId{0}, Sign::plus, Pps{1000}, false)), "");
+  EXPECT_EQ(latest.axes[0].activity, Activity::jogging);
+  run(2);
+  EXPECT_GT(position(), 800);
+  EXPECT_EQ(perform(intent::JogStop()), "");
+  EXPECT_TRUE(wait_idle(3));
+  EXPECT_EQ(latest.axes[0].ended_by, EndedBy::stop);
+  EXPECT_EQ(perform(intent::JogStop()), "") << "released twice: that is no second stop";
+  const auto stopped_at = position();
+  EXPECT_LT(stopped_at, 2400);
+  run(2);
+  EXPECT_EQ(position(), stopped_at);
+  EXPECT_FALSE(latest.axes[0].position_doubtful);
+  EXPECT_EQ(query("PM"), "0");
+}
+
+TEST_F(VxmDriverMoves, AJogAtTheSwitchStopsThereQuietly) {
+  start();
+  ASSERT_TRUE(loop->operate(bench::Limit(AxisId{0}, Sign::plus, true)));
+  EXPECT_EQ(perform(intent::JogStart(AxisId{0}, Sign::plus, Pps{0}, false)), "");
+  EXPECT_TRUE(wait_idle(3));
+  EXPECT_EQ(position(), 0);
+  EXPECT_EQ(latest.axes[0].ended_by, EndedBy::limit);
+  EXPECT_TRUE(latest.axes[0].limit_plus);
+}
+
+TEST_F(VxmDriverMoves, ALimitThatEndsAMoveIsToldWithNumbers) {
+  start();
+  EXPECT_EQ(move_to(0, 3000), "");
+  run(1.0);
+  ASSERT_TRUE(loop->operate(bench::Limit(AxisId{0}, Sign::plus, true)));
+  EXPECT_TRUE(wait_idle());
+  EXPECT_EQ(latest.axes[0].ended_by, EndedBy::limit);
+  EXPECT_TRUE(told("The + limit switch ended the move of motor 1 at ")) << all_notices();
+  EXPECT_TRUE(told(" steps before 3000.")) << all_notices();
+}
+
+TEST_F(VxmDriverMoves, HomesToTheSwitchAndCallsItZero) {
+  start();
+  EXPECT_EQ(perform(intent::Home(AxisId{0}, Sign::minus, 1)), "");
+  EXPECT_EQ(latest.axes[0].activity, Activity::homing);
+  EXPECT_TRUE(wait_idle(300));
+  EXPECT_EQ(position(), 0);
+  EXPECT_TRUE(latest.axes[0].limit_minus);
+  EXPECT_EQ(latest.axes[0].ended_by, EndedBy::target);
+}
+
+TEST_F(VxmDriverMoves, SetsZeroOnlyHere) {
+  start();
+  move_to(0, 123);
+  wait_idle();
+  EXPECT_EQ(perform(intent::SetPosition(0, Steps{5})),
+            "A VXM can only call the present position zero, not 5. Nothing was sent. Set zero here, or move "
+            "to where zero "
+            "shall be first.");
+  EXPECT_EQ(perform(intent::SetPosition(0)), "");
+  EXPECT_EQ(position(), 0);
+  move_to(1, 77);
+  wait_idle();
+  EXPECT_EQ(perform(intent::SetPosition(-1)), "");
+  EXPECT_EQ(position(1), 0);
+}
+
+TEST_F(VxmDriverMoves, SwitchesOutputs) {
+  start();
+  EXPECT_EQ(perform(intent::SetOutput(2, true)), "");
+  EXPECT_EQ(latest.outputs, 2u);
+  EXPECT_EQ(perform(intent::SetOutput(2, false)), "");
+  EXPECT_EQ(latest.outputs, 0u);
+  EXPECT_THAT(perform(intent::SetOutput(5, true)), HasSubstr("There is no output 5"));
+}
+
+TEST_F(VxmDriverMoves, RefusesWhatCannotBe) {
+  start();
+  EXPECT_EQ(move_to(0, 9'000'000),
+            "Position 9000000 of motor 1 lies outside the controller's register, -8388608 to 8388607. "
+            "Nothing was sent.");
+  EXPECT_EQ(move_by(0, 100, 7000),
+            "7000 steps/s is not possible: a VXM motor takes 1 to 6000 steps/s. Nothing was sent.");
+  EXPECT_EQ(move_by(2, 100), "There is no motor 3 here. Nothing was sent.");
+  move_by(0, 8000);
+  EXPECT_EQ(move_by(1, 100),
+            "Motor 1 is still moving, and a VXM does one thing at a time. Nothing was sent. Wait until it "
+            "ends, or stop it.");
+  EXPECT_TRUE(wait_idle());
+  ASSERT_TRUE(loop->operate(bench::Input(4, true)));
+  run(0.5);
+  EXPECT_EQ(move_by(1, 100),
+            "The Stop button or input 4 is held: the controller starts nothing while it is low. Nothing was "
+            "sent. Release "
+            "it, then try again.");
+}
+
+TEST_F(VxmDriverMoves, AsksWhichProgramMayBeEmptiedWhenAllAreUsed) {
+  start();
+  for (int slot = 0; slot < 5; ++slot) EXPECT_EQ(perform(intent::LoadProgram(slot, "I1M10\n")), "");
+  EXPECT_THAT(move_by(0, 100), HasSubstr("All five programs of the controller hold commands"));
+  ASSERT_FALSE(notices.empty());
+  EXPECT_EQ(notices.back().kind, Notice::Kind::question);
+  EXPECT_EQ(perform(intent::ClearProgram(3)), "");
+  EXPECT_EQ(move_by(0, 100), "");
+  EXPECT_TRUE(wait_idle());
+  EXPECT_EQ(position(), 100);
+  EXPECT_EQ(query("PM4,M"), "252") << "the others are as they were";
+}
+
+TEST_F(VxmDriverMoves, NeverUsesAProgramThatStartsByItself) {
+  start();
+  EXPECT_EQ(perform(intent::SetParam("DM", 129, true)), "");
+  sent();
+  EXPECT_EQ(move_by(0, 10), "");
+  EXPECT_THAT(sent(), HasSubstr("PM-3\rI1M10\rR"));
+}
+
+TEST_F(VxmDriverMoves, SaysBeforeTheFirstMoveThatTheMotorTypeIsTheFactorys) {
+  start();
+  EXPECT_THAT(std::string(latest.notice.view()), HasSubstr("Motor 1 is set to type 0"));
+  move_by(0, 10);
+  wait_idle();
+  move_by(0, 10);
+  wait_idle();
+  EXPECT_EQ(std::count_if(notices.begin(), notices.end(),
+                          [](const Notice& n) { return n.text.find("type 0") != std::string::npos; }),
+            1);
+}
+
+}  // namespace
+}  // namespace hw::vxm

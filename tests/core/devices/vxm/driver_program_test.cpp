@@ -1,0 +1,198 @@
+#include "tests/core/devices/vxm/driver_fixture.h"
+
+namespace hw::vxm {
+namespace {
+
+using testing::HasSubstr;
+
+class VxmDriverProgram : public DriverTest {};
+
+TEST_F(VxmDriverProgram, LoadsReadsBackAndCompares) {
+  start();
+  EXPECT_EQ(perform(intent::LoadProgram(1, "; a remark\nS1M2000, A1M2 ; at speed\nI1M400\nP1,L5\n")), "");
+  EXPECT_EQ(latest.slot_bytes_used[1], 15);
+  EXPECT_TRUE(latest.unsaved_programs);
+  EXPECT_EQ(latest.program.slot, 0) << "the user's selection is put back";
+  EXPECT_EQ(perform(intent::UploadProgram(1)), "");
+  ASSERT_FALSE(notices.empty());
+  EXPECT_EQ(notices.back().kind, Notice::Kind::program);
+  EXPECT_EQ(notices.back().slot, 1);
+  EXPECT_EQ(notices.back().text, "S1M2000\nA1M2\nI1M400\nP1\nL5\n");
+  EXPECT_EQ(query("PM"), "0");
+}
+
+TEST_F(VxmDriverProgram, ATextWithHeadingsFillsItsPrograms) {
+  start();
+  EXPECT_EQ(
+      perform(intent::LoadProgram(
+          -1, "E\nPM-1 ;Select and clear Program 1\nS1M4000\nIA1M0\n\nPM-0\nU12\nJ1\nS1M2000\nI1M8000\nR\n")),
+      "");
+  EXPECT_EQ(latest.slot_bytes_used[0], 2 + 2 + 3 + 4);
+  EXPECT_EQ(latest.slot_bytes_used[1], 7);
+  EXPECT_EQ(position(), 0) << "R in a text runs nothing";
+  EXPECT_TRUE(told("Not part of a program and so not sent: R in line 11."));
+}
+
+TEST_F(VxmDriverProgram, RefusesAWrongLineBeforeAnythingIsSent) {
+  start();
+  perform(intent::LoadProgram(0, "I1M7\n"));
+  sent();
+  EXPECT_EQ(perform(intent::LoadProgram(0, "I1M400\nS2M8000\n")),
+            "Line 2: S2M8000 is not possible: it takes 1 to 6000 steps/s. Nothing was sent; the controller "
+            "holds what it held. "
+            "Mend the line and load again.");
+  EXPECT_EQ(perform(intent::LoadProgram(0, "I1M400\nMOVE 3\n")).substr(0, 8), "Line 2: ");
+  EXPECT_THAT(perform(intent::LoadProgram(-1, "I1M400\n")),
+              HasSubstr("Line 1: it stands before the first program heading"));
+  EXPECT_EQ(sent(), "");
+  EXPECT_EQ(query("M"), "252");
+}
+
+TEST_F(VxmDriverProgram, RefusesATooLongProgramWithNumbers) {
+  start();
+  std::string text;
+  for (int i = 0; i < 65; ++i) text += "I1M400\n";
+  EXPECT_EQ(perform(intent::LoadProgram(3, text)),
+            "Program 3 needs 260 bytes, 4 more than the 256 that it has. Nothing was sent; the controller "
+            "holds what it held. "
+            "Shorten it, or move a part into another program (JM).");
+  EXPECT_EQ(latest.slot_bytes_used[3], 0);
+}
+
+TEST_F(VxmDriverProgram, FillsAProgramToItsLastByte) {
+  start({}, true);
+  std::string text;
+  for (int i = 0; i < 64; ++i) text += "I1M400\n";
+  EXPECT_EQ(perform(intent::LoadProgram(3, text)), "");
+  EXPECT_EQ(latest.slot_bytes_used[3], 256);
+}
+
+TEST_F(VxmDriverProgram, APairForTwoControllersIsWrittenAsOne) {
+  start({{"motors", "4"}});
+  EXPECT_EQ(perform(intent::LoadProgram(0, "(I3M800,I1M400,)\nSA1M-12\n")), "");
+  EXPECT_EQ(latest.slot_bytes_used[0], 13);
+}
+
+TEST_F(VxmDriverProgram, RunsAndTellsTheEnd) {
+  start();
+  ASSERT_EQ(perform(intent::LoadProgram(2, "I1M400\nI2M200\n")), "");
+  EXPECT_EQ(perform(intent::RunProgram(2)), "");
+  EXPECT_EQ(latest.program.run, RunState::running);
+  EXPECT_TRUE(latest.program.owned);
+  EXPECT_EQ(latest.program.slot, 2);
+  EXPECT_TRUE(wait_idle());
+  EXPECT_EQ(position(0), 400);
+  EXPECT_EQ(position(1), 200);
+  EXPECT_EQ(unsolicited(), "^");
+  EXPECT_EQ(perform(intent::RunProgram(1)),
+            "Program 1 of the controller is empty. Nothing was run. Load it first.");
+}
+
+TEST_F(VxmDriverProgram, StepsThroughAndKnowsTheLiveCommand) {
+  start();
+  ASSERT_EQ(perform(intent::LoadProgram(0, "I1M100\nI2M50\nI1M100\n")), "");
+  EXPECT_EQ(perform(intent::SingleStep()), "");
+  run(0.2);
+  EXPECT_EQ(latest.program.run, RunState::held);
+  EXPECT_EQ(latest.program.command, 0);
+  EXPECT_FALSE(latest.program.command_told) << "I1M100 stands there twice";
+  EXPECT_EQ(position(), 0) << "nothing moves before the next step";
+  EXPECT_EQ(perform(intent::SingleStep()), "");
+  run(2);
+  EXPECT_EQ(position(), 100);
+  EXPECT_EQ(latest.program.command, 1);
+  EXPECT_TRUE(latest.program.command_told);
+  EXPECT_EQ(perform(intent::SingleStep()), "");
+  run(2);
+  EXPECT_EQ(latest.program.command, 2);
+  EXPECT_EQ(perform(intent::Resume()), "");
+  EXPECT_TRUE(wait_idle());
+  EXPECT_EQ(position(), 200);
+  EXPECT_FALSE(latest.program.stepping);
+}
+
+TEST_F(VxmDriverProgram, PausesBetweenTwoCommandsAndGoesOn) {
+  start();
+  ASSERT_EQ(perform(intent::LoadProgram(0, "I1M1000\nI1M1000\nI1M1000\n")), "");
+  ASSERT_EQ(perform(intent::RunProgram(0)), "");
+  run(0.3);
+  EXPECT_EQ(perform(intent::Pause()), "");
+  run(5);
+  EXPECT_EQ(latest.program.run, RunState::held);
+  EXPECT_EQ(position(), 1000);
+  EXPECT_EQ(perform(intent::Resume()), "");
+  EXPECT_TRUE(wait_idle());
+  EXPECT_EQ(position(), 3000);
+}
+
+TEST_F(VxmDriverProgram, AWaitForTheHostGoesOnWithResume) {
+  start();
+  ASSERT_EQ(perform(intent::LoadProgram(0, "U6\nI1M100\n")), "");
+  ASSERT_EQ(perform(intent::RunProgram(0)), "");
+  run(0.3);
+  EXPECT_EQ(latest.program.run, RunState::waiting);
+  EXPECT_EQ(unsolicited(), "W");
+  EXPECT_EQ(perform(intent::Resume()), "");
+  EXPECT_TRUE(wait_idle());
+  EXPECT_EQ(position(), 100);
+}
+
+TEST_F(VxmDriverProgram, AHoldLeftOnDoesNotHoldAMoveOfTheConsole) {
+  start();
+  EXPECT_EQ(send("H"), "");
+  EXPECT_EQ(move_by(0, 100), "");
+  EXPECT_TRUE(wait_idle());
+  EXPECT_EQ(position(), 100);
+}
+
+TEST_F(VxmDriverProgram, AnErrorOfTheControllerIsExplainedAndWaitsForTheUser) {
+  start();
+  std::string nested = "LM0\n";
+  for (int i = 0; i < 11; ++i) nested += "P0\nLA2\n";
+  ASSERT_EQ(perform(intent::LoadProgram(0, "U7\nI1M100\n")), "");
+  ASSERT_EQ(perform(intent::RunProgram(0)), "");
+  run(2);
+  EXPECT_EQ(latest.program.run, RunState::error);
+  EXPECT_EQ(latest.axes[0].activity, Activity::error);
+  EXPECT_THAT(std::string(latest.notice.view()),
+              HasSubstr("The controller reports EC: nonstop indexing has no U9"));
+  EXPECT_THAT(move_by(0, 10), HasSubstr("It accepts nothing until it gets K. Nothing was sent. Press Stop"));
+  EXPECT_EQ(latest.link.state, LinkState::good) << "it was not asked in vain";
+  sent();
+  EXPECT_EQ(perform(intent::Stop()), "");
+  EXPECT_EQ(sent(), "K");
+  EXPECT_EQ(latest.program.run, RunState::idle);
+  EXPECT_EQ(move_by(0, 10), "");
+  EXPECT_TRUE(wait_idle());
+}
+
+TEST_F(VxmDriverProgram, TheStopButtonEndsAProgramAndIsNamed) {
+  start();
+  ASSERT_EQ(perform(intent::LoadProgram(0, "I1M9000\nI1M9000\n")), "");
+  ASSERT_EQ(perform(intent::RunProgram(0)), "");
+  run(1);
+  ASSERT_TRUE(loop->operate(bench::Button("Stop", true)));
+  run(0.1);
+  ASSERT_TRUE(loop->operate(bench::Button("Stop", false)));
+  EXPECT_TRUE(wait_idle());
+  EXPECT_TRUE(told("The controller reports ES: the Stop button or input 4 ended the program."));
+  EXPECT_LT(position(), 9000);
+}
+
+TEST_F(VxmDriverProgram, LinesThatTheControllerDidNotGetAreFound) {
+  start();
+  // What reads back garbled is asked for once more; what then differs is told.
+  loop->garble(0);
+  ASSERT_EQ(perform(intent::LoadProgram(0, "I1M400\n")), "");
+  const IntentId load = ++last_id;
+  pump->post(Intent(load, intent::LoadProgram(0, "I1M400\nI1M500\n")));
+  run_until([&] { return loop->to_controller.ends_with("lst"); }, 2);
+  loop->garble(400);
+  run(3);
+  EXPECT_EQ(fate(load), Fate::failed);
+  EXPECT_THAT(std::string(pump->known().fate_of(load)->sentence.view()),
+              HasSubstr("Load it again before it is run."));
+}
+
+}  // namespace
+}  // namespace hw::vxm

@@ -1,0 +1,54 @@
+#pragma once
+// One case for each command form of vxm.tsv (a table of every form in the manual, with the page it stands
+// on).
+//
+//   VXM_FORM("vxm.index.inc.pos") { ... }
+//
+// registers a test for that id. Before the body runs, what the table says of the form is checked in each
+// state of the controller: the bytes of program memory that it takes, whether anything is answered, and that
+// it is dropped where it is not accepted (decisions V12, V13). The body asserts reply bytes and one effect.
+#include <string>
+#include <vector>
+
+#include "tests/core/devices/vxm/rig.h"
+
+namespace hw::vxm::proof {
+
+struct Form {
+  std::string id, form, example, kind, when, args, fallback, reply, memory, effect, manual;
+
+  [[nodiscard]] bool is(std::string_view some_kind) const { return kind == some_kind; }
+  /// `state`: local, online or running.
+  [[nodiscard]] bool accepted_when(std::string_view state) const;
+  /// Bytes that the example takes in program memory.
+  [[nodiscard]] int bytes() const;
+};
+
+/// All rows of vxm.tsv.
+const std::vector<Form>& form_table();
+
+using FormBody = void (*)(const Form&);
+bool register_form(const char* id, FormBody body, const char* file, int line);
+bool has_case(std::string_view id);
+/// Ids that have a case but no row.
+std::vector<std::string> cases_without_row();
+
+/// A Rig on which the form can work: with a Slave or in NF90 mode where it needs them.
+Rig rig_for(const Form& form);
+
+/// A parameter: default before, `after` once the form's example was sent on-line; untouched by it in local
+/// mode and during a run.
+void expect_setting(const Form& form, const std::string& query, const std::string& before,
+                    const std::string& after);
+/// Dropped at its ender: no reply, nothing stored, nothing changed.
+void expect_dropped(Rig& rig, const std::string& command);
+
+#define HW_JOIN_(a, b) a##b
+#define HW_JOIN(a, b) HW_JOIN_(a, b)
+#define VXM_FORM(id)                                                                           \
+  static void HW_JOIN(form_body_, __LINE__)(const ::hw::vxm::proof::Form&);                    \
+  static const bool HW_JOIN(form_registered_, __LINE__) =                                      \
+      ::hw::vxm::proof::register_form(id, &HW_JOIN(form_body_, __LINE__), __FILE__, __LINE__); \
+  static void HW_JOIN(form_body_, __LINE__)([[maybe_unused]] const ::hw::vxm::proof::Form& form)
+
+}  // namespace hw::vxm::proof

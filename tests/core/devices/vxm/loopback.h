@@ -1,0 +1,54 @@
+#pragma once
+// An emulated VXM at the other end of a wire, in virtual time, with the byte times of its rate if wanted.
+#include <deque>
+#include <memory>
+#include <string>
+
+#include "core/device/emulator.h"
+#include "core/link/stream.h"
+#include "core/time/scheduler.h"
+
+namespace hw::vxm {
+
+class Loopback {
+ public:
+  /// Options as in an address: motors, quirk.
+  Loopback(Scheduler& scheduler, const std::map<std::string, std::string>& options, bool byte_times);
+  ~Loopback();
+
+  /// A new cable. Closed by pull().
+  std::unique_ptr<Stream> plug();
+  void pull();
+  void garble(int bytes) { garble_ += bytes; }
+  void drop(int bytes) { drop_ += bytes; }
+  /// A program that answers everything in its own way stands in for the controller.
+  void replace_by(std::string (*other)(std::string_view)) { other_ = other; }
+
+  Emulator& emulator() { return *emulator_; }
+  Result<> operate(const BenchCommand& command);
+  int client_rate = 0;        ///< 0: that of the controller
+  std::string to_controller;  ///< every byte that was sent
+
+ private:
+  class End;
+  struct Byte {
+    Instant at;
+    char value;
+  };
+  void sent(std::string_view bytes);
+  void step();
+  void schedule();
+  [[nodiscard]] Duration byte_time() const;
+
+  Scheduler& scheduler_;
+  std::unique_ptr<Emulator> emulator_;
+  bool byte_times_;
+  Timer timer_;
+  std::deque<Byte> in_, out_;
+  Instant in_free_{}, out_free_{};
+  End* end_ = nullptr;
+  int garble_ = 0, drop_ = 0;
+  std::string (*other_)(std::string_view) = nullptr;
+};
+
+}  // namespace hw::vxm

@@ -1,0 +1,132 @@
+// The dry run of program texts.
+#include <chrono>
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/devices/vxm/program_language.h"
+
+using namespace hw;
+using testing::HasSubstr;
+
+namespace {
+
+Rehearsal rehearse(std::string_view text, RehearseOptions options = {}) {
+  auto r = vxm::program_language().rehearse(text, options);
+  if (!r) {
+    ADD_FAILURE() << r.error().sentence();
+    return {};
+  }
+  return *r;
+}
+
+TEST(VxmRehearsal, Example6EndsWhereItBegan) {
+  const Rehearsal r = rehearse("P10,I1M400,L10,I1M-3600\nR\n");
+  EXPECT_TRUE(r.finished);
+  EXPECT_EQ(r.error, "");
+  ASSERT_EQ(r.axes.size(), 2u);
+  EXPECT_EQ(r.axes[0].name, "1");
+  EXPECT_EQ(r.axes[0].position, 0);
+  EXPECT_EQ(r.axes[0].maximum, 3600);
+  EXPECT_EQ(r.axes[0].minimum, 0);
+  EXPECT_EQ(r.axes[0].travel, 7200);
+  EXPECT_EQ(r.program_size.at("0"), 14);
+  EXPECT_EQ(r.sent_to_host, "^");
+  EXPECT_EQ(r.moves, 10);
+  // Ten seconds of pauses, nine triangles of 400 steps, one trapezoid of 3600.
+  EXPECT_NEAR(r.duration_s, 10 + 9 * 2 * std::sqrt(400 / 2000.0) + (1 + 1600 / 2000.0 + 1), 1e-6);
+  ASSERT_FALSE(r.events.empty());
+  EXPECT_EQ(r.events[0].what, "P10");
+  EXPECT_EQ(r.events[0].command, 0);
+}
+
+TEST(VxmRehearsal, AnswersTheWaitForTheHost) {
+  const Rehearsal r = rehearse("I1M200, P10, L7, I2M400, L-4, U6, LM-2, R");
+  EXPECT_TRUE(r.finished);
+  EXPECT_EQ(r.sent_to_host, "WW^");
+  EXPECT_EQ(r.axes[0].position, 0);
+  EXPECT_EQ(r.axes[1].position, 0);
+  EXPECT_EQ(r.axes[1].maximum, 1200);
+  int answers = 0;
+  for (const auto& e : r.events) answers += e.what == "the host answers W with G";
+  EXPECT_EQ(answers, 2);
+}
+
+TEST(VxmRehearsal, AWaitThatNobodyEndsIsSaidInWords) {
+  RehearseOptions options;
+  options.for_seconds = 120;
+  const Rehearsal r = rehearse("I1M400,U50,I1M-400", options);
+  EXPECT_FALSE(r.finished);
+  EXPECT_EQ(r.duration_s, 120);
+  EXPECT_EQ(r.error, "Program 0 waits in U50 for input 1, and nobody operates it.");
+  EXPECT_EQ(r.axes[0].position, 400);
+}
+
+TEST(VxmRehearsal, ABenchFileOperatesTheInput) {
+  RehearseOptions options;
+  options.bench_toml = "[[at]]\nt = 2.0\ninput = [1, true]\n[[at]]\nt = 2.5\ninput = [1, false]\n";
+  const Rehearsal r = rehearse("U50,I1M-400", options);
+  EXPECT_TRUE(r.finished) << r.error;
+  EXPECT_NEAR(r.duration_s, 2.52 + 2 * std::sqrt(400 / 2000.0), 1e-6);
+}
+
+TEST(VxmRehearsal, EndlessProgramsEnd) {
+  RehearseOptions options;
+  options.for_seconds = 3600;
+  const auto began = std::chrono::steady_clock::now();
+  for (const auto* text : {"I1M400,P10,I1M-400,L0", "L0", "U5,U4,L0", "LM0,LA65535,LA65535,LA65535", "J0"}) {
+    const Rehearsal r = rehearse(text, options);
+    EXPECT_FALSE(r.finished);
+    EXPECT_EQ(r.duration_s, 3600) << text;
+    EXPECT_THAT(r.error, HasSubstr("still running"));
+  }
+  EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(20));
+}
+
+TEST(VxmRehearsal, ErrorsOfTheRunAreSentences) {
+  const Rehearsal r = rehearse("PM-1,JM2,PM-2,JM3,PM-3,JM4,PM-4,JM1,PM-0,JM1");
+  EXPECT_FALSE(r.finished);
+  EXPECT_THAT(r.error, HasSubstr("more than four JM jumps"));
+  EXPECT_EQ(r.sent_to_host, "EJ");
+}
+
+TEST(VxmRehearsal, HomingTouchesTheLimit) {
+  const Rehearsal r = rehearse("S1M600,I1M0,I1M-200,IA1M-0,R");
+  EXPECT_TRUE(r.finished);
+  EXPECT_TRUE(r.limit_touched);
+  EXPECT_EQ(r.axes[0].position, 0);
+  EXPECT_EQ(r.axes[0].travel, 100200);
+}
+
+TEST(VxmRehearsal, MotorsThreeAndFourNeedTheSlave) {
+  const Rehearsal r = rehearse("(I3M800,I1M400,)R");
+  ASSERT_EQ(r.axes.size(), 4u);
+  EXPECT_EQ(r.axes[2].position, 800);
+  EXPECT_EQ(r.axes[0].position, 400);
+  EXPECT_NEAR(r.duration_s, 2 * std::sqrt(800 / 2000.0), 1e-6);
+}
+
+TEST(VxmRehearsal, ATextWithErrorsIsNotRun) {
+  const auto r = vxm::program_language().rehearse("I1M400\nS1M9999", {});
+  ASSERT_FALSE(r);
+  EXPECT_THAT(r.error().sentence(), HasSubstr("Line 2: 9999 is too fast for motor 1."));
+  EXPECT_THAT(r.error().sentence(), HasSubstr("Nothing was rehearsed."));
+}
+
+TEST(VxmRehearsal, OneHourIsQuick) {
+  // 1,200 moves and as many pauses.
+  RehearseOptions options;
+  options.for_seconds = 7200;
+  const auto began = std::chrono::steady_clock::now();
+  const Rehearsal r = rehearse("I1M2000,P10,L-600,LM0,I2M2000,P10,I2M-2000,L600", options);
+  const auto took = std::chrono::steady_clock::now() - began;
+  EXPECT_TRUE(r.finished);
+  EXPECT_GT(r.duration_s, 3600);
+#if defined(NDEBUG) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+  EXPECT_LT(took, std::chrono::milliseconds(200)) << "a shared machine: the figure itself is in tests/bench";
+#endif
+  (void)took;
+}
+
+}  // namespace

@@ -1,0 +1,148 @@
+// The input queue and the keyboard's map: taps between frames are kept, releases wait, Esc and jog act at
+// once.
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <gtest/gtest.h>
+
+#include "gui/input_queue.h"
+#include "gui/keyboard.h"
+#include "gui/widgets/text_field.h"
+#include "tests/gui/stage.h"
+
+namespace hw::gui {
+namespace {
+
+TEST(InputQueue, AReleaseWaitsForTheFrameAfterItsPress) {
+  InputQueue queue;
+  ImGuiIO io;
+  queue.push(InputEvent::key(GLFW_KEY_A, true, 0));
+  queue.push(InputEvent::key(GLFW_KEY_A, false, 0));
+  EXPECT_TRUE(queue.feed(io)) << "more is waiting";
+  EXPECT_TRUE(io.KeysDown[GLFW_KEY_A]);
+  EXPECT_FALSE(queue.feed(io));
+  EXPECT_FALSE(io.KeysDown[GLFW_KEY_A]);
+}
+
+TEST(InputQueue, AnEarlierPlaceOfTheMouseDoesNotSlipUnderALaterPress) {
+  InputQueue queue;
+  ImGuiIO io;
+  queue.push(InputEvent::mouse_move(10, 10, 0));
+  queue.push(InputEvent::mouse_button(0, true, 0));
+  queue.push(InputEvent::mouse_move(90, 90, 0));
+  EXPECT_TRUE(queue.feed(io));
+  EXPECT_EQ(io.MousePos.x, 10);
+  EXPECT_TRUE(io.MouseDown[0]);
+  queue.feed(io);
+  EXPECT_EQ(io.MousePos.x, 90);
+}
+
+TEST(InputQueue, TextKeepsItsOrderWithEditingKeys) {
+  std::string text;
+  Stage stage(in_window([&](Ui& ui) { text_field(ui, "f", "field", text); }));
+  ASSERT_TRUE(stage.hand.click("f"));
+  for (const char c : std::string("ab")) stage.push(InputEvent::text(static_cast<unsigned>(c), 0));
+  for (const int key : {GLFW_KEY_BACKSPACE, GLFW_KEY_BACKSPACE}) {
+    stage.push(InputEvent::key(key, true, 0));
+    stage.push(InputEvent::key(key, false, 0));
+  }
+  stage.push(InputEvent::text('c', 0));
+  stage.frames(12);
+  EXPECT_EQ(text, "c");
+}
+
+TEST(InputQueue, FocusLossLetsGoOfEverything) {
+  InputQueue queue;
+  ImGuiIO io;
+  queue.push(InputEvent::mouse_button(0, true, 0));
+  queue.feed(io);
+  queue.push(InputEvent::key(GLFW_KEY_B, true, 0));
+  queue.feed(io);
+  queue.push(InputEvent::focus_lost(0));
+  queue.feed(io);
+  EXPECT_FALSE(io.MouseDown[0]);
+  EXPECT_FALSE(io.KeysDown[GLFW_KEY_B]);
+}
+
+struct Recorder {
+  Keyboard keyboard;
+  std::vector<std::pair<Command, bool>> edges;
+  Recorder() {
+    keyboard.on_edge = [this](const CommandEdge& e) { edges.emplace_back(e.command, e.down); };
+  }
+  bool key(int code, bool down) { return keyboard.see(InputEvent::key(code, down, 0)); }
+  using Edges = std::vector<std::pair<Command, bool>>;
+};
+
+TEST(Keyboard, EscStopsAlsoWhileTyping) {
+  Recorder r;
+  r.keyboard.set_typing(true);
+  EXPECT_TRUE(r.key(GLFW_KEY_ESCAPE, true)) << "ImGui must not see it";
+  EXPECT_EQ(r.edges, (Recorder::Edges{{Command::stop_all, true}}));
+}
+
+TEST(Keyboard, EscStopsWithAnyModifier) {
+  Recorder r;
+  r.key(GLFW_KEY_LEFT_CONTROL, true);
+  EXPECT_TRUE(r.key(GLFW_KEY_ESCAPE, true));
+  EXPECT_EQ(r.edges.size(), 1u);
+}
+
+TEST(Keyboard, JogKeysHoldAndLetGoOnce) {
+  Recorder r;
+  EXPECT_TRUE(r.key(GLFW_KEY_RIGHT, true));
+  EXPECT_TRUE(r.key(GLFW_KEY_RIGHT, true)) << "a repeat";
+  EXPECT_TRUE(r.keyboard.held(Command::jog_right));
+  EXPECT_TRUE(r.key(GLFW_KEY_RIGHT, false));
+  EXPECT_FALSE(r.keyboard.held(Command::jog_right));
+  EXPECT_EQ(r.edges, (Recorder::Edges{{Command::jog_right, true}, {Command::jog_right, false}}));
+}
+
+TEST(Keyboard, ArrowsBelongToTheTextWhileTyping) {
+  Recorder r;
+  r.keyboard.set_typing(true);
+  EXPECT_FALSE(r.key(GLFW_KEY_RIGHT, true));
+  EXPECT_FALSE(r.key(GLFW_KEY_RIGHT, false));
+  EXPECT_TRUE(r.edges.empty());
+}
+
+TEST(Keyboard, AJogThatBeganGoesOnUntilItsKeyIsUp) {
+  Recorder r;
+  r.key(GLFW_KEY_UP, true);
+  r.keyboard.set_typing(true);
+  EXPECT_TRUE(r.key(GLFW_KEY_UP, false));
+  EXPECT_EQ(r.edges.back(), (std::pair{Command::jog_up, false}));
+}
+
+TEST(Keyboard, FocusLossReleasesHeldJogs) {
+  Recorder r;
+  r.key(GLFW_KEY_LEFT, true);
+  r.keyboard.see(InputEvent::focus_lost(1));
+  EXPECT_EQ(r.edges.back(), (std::pair{Command::jog_left, false}));
+  EXPECT_FALSE(r.keyboard.held(Command::jog_left));
+}
+
+TEST(Keyboard, ModifiersMakeTheDifference) {
+  Recorder r;
+  EXPECT_FALSE(r.key(GLFW_KEY_ENTER, true));
+  r.key(GLFW_KEY_ENTER, false);
+  r.key(GLFW_KEY_LEFT_CONTROL, true);
+  EXPECT_TRUE(r.key(GLFW_KEY_ENTER, true));
+  EXPECT_TRUE(r.key(GLFW_KEY_TAB, true));
+  EXPECT_FALSE(r.key(GLFW_KEY_LEFT, true)) << "Ctrl+Left does not jog";
+  EXPECT_EQ(r.edges, (Recorder::Edges{{Command::run, true}, {Command::next_controller, true}}));
+}
+
+TEST(Keyboard, TheMapOpensByTheCharacterOutsideOfText) {
+  Recorder r;
+  EXPECT_TRUE(r.keyboard.see(InputEvent::text('?', 0)));
+  r.keyboard.set_typing(true);
+  EXPECT_FALSE(r.keyboard.see(InputEvent::text('?', 0)));
+  EXPECT_EQ(r.edges.size(), 1u);
+}
+
+TEST(Keyboard, EachShortcutOfTheMapIsExplained) {
+  for (const Shortcut& s : shortcuts()) EXPECT_EQ(s.keys.empty(), s.does.empty()) << s.keys;
+}
+
+}  // namespace
+}  // namespace hw::gui
