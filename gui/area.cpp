@@ -2,23 +2,6 @@
 
 namespace hw::gui {
 
-void begin_area(Ui& ui, const char* name, const Box& box, Tone ground, float padding, bool on_top) {
-  const Rect r = in_pixels(ui, box);
-  ImGui::SetNextWindowPos(r.min);
-  ImGui::SetNextWindowSize(ImVec2(r.width(), r.height()));
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(padding), 0));
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, ui[ground]);
-  ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                           ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav;
-  if (!on_top) flags |= ImGuiWindowFlags_NoBringToFrontOnFocus;
-  ImGui::Begin(name, nullptr, flags);
-  ImGui::PopStyleColor();
-  ImGui::PopStyleVar(2);
-}
-
-void end_area() { ImGui::End(); }
-
 void begin_part(Ui& ui, const char* name, float width, float height, Tone ground, float padding,
                 bool scrolls) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(padding), 0));

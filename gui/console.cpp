@@ -7,22 +7,33 @@
 #include <fmt/format.h>
 
 #include "core/session/json_file.h"
+#include "core/session/session.h"
+#include "gui/area.h"
 #include "gui/keyboard.h"
 #include "gui/messages.h"
+#include "gui/outside.h"
 #include "gui/top_bar.h"
 #include "gui/ui.h"
+#include "gui/widgets/message.h"
 #include "gui/workspace.h"
 
 namespace hw::gui {
 
 Console::Console(PanelList list, Outside outside)
-    : list_(list), outside_(std::move(outside)), recent_(outside_.folders), pages_(list.pages.size()) {
+    : list_(list),
+      outside_(std::make_unique<Outside>(std::move(outside))),
+      recent_(outside_->folders),
+      pages_(list.pages.size()) {
   tell(recent_.load());
   load_choices();
   if (!list_.pages.empty()) page_ = list_.pages[0].id;
 }
 
 Console::~Console() = default;
+
+Instant Console::clock() const { return outside_->scheduler.now(); }
+PortFinder& Console::ports() { return outside_->ports ? *outside_->ports : no_ports_; }
+const UserFolders& Console::folders() const { return outside_->folders; }
 
 // ---- controllers
 
@@ -32,7 +43,7 @@ Result<Tab*> Console::open(std::string_view text) {
   if (const Tab* other = address->where.empty() ? nullptr : open_at(address->where))
     return fail(FaultKind::port, fmt::format("{} is open already, as {}.", address->where, other->name()),
                 "Nothing was opened.", "Use its tab, or close it first.");
-  auto session = Session::open(outside_.scheduler, *address, outside_.open_wire, outside_.wake);
+  auto session = Session::open(outside_->scheduler, *address, outside_->open_wire, outside_->wake);
   if (!session) return fail(session.error());
   Tab& tab = adopt(std::move(*session));
   tell(recent_.opened(address->text(), std::string(tab.profile.name)));
@@ -41,9 +52,10 @@ Result<Tab*> Console::open(std::string_view text) {
 
 Tab& Console::adopt(std::shared_ptr<Session> session) {
   const Address& address = session->address();
-  std::string key = profile_key(address, outside_.usb_serial ? outside_.usb_serial(address) : std::string());
+  std::string key =
+      profile_key(address, outside_->usb_serial ? outside_->usb_serial(address) : std::string());
   auto tab = std::make_unique<Tab>(std::move(session), std::move(key));
-  auto profile = ProfileStore(outside_.folders).load(tab->profile_key);
+  auto profile = ProfileStore(outside_->folders).load(tab->profile_key);
   if (profile) {
     tab->profile = std::move(*profile);
     tab->profile_edited();
@@ -51,9 +63,8 @@ Tab& Console::adopt(std::shared_ptr<Session> session) {
   } else {
     toast(Mood::warn, profile.error().sentence());
   }
-  if (outside_.folders.enabled)
-    tell(tab->desk().keep_texts(Autosave(outside_.folders), tab->profile_key));
-  tab->desk().use(outside_.worker);
+  if (outside_->folders.enabled) tell(tab->desk().keep_texts(Autosave(outside_->folders), tab->profile_key));
+  tab->desk().use(outside_->worker);
   return add(std::move(tab));
 }
 
@@ -71,7 +82,7 @@ void Console::close(Tab& tab) {
     ++*closing_;
     Task<> closed = session->close();
     // The session lives until its last coroutine has ended; the count tells when the scheduler may stop.
-    asio::co_spawn(outside_.scheduler.executor(), std::move(closed),
+    asio::co_spawn(outside_->scheduler.executor(), std::move(closed),
                    [session, counter = closing_](std::exception_ptr) { --*counter; });
   }
   const auto at = std::find_if(tabs_.begin(), tabs_.end(), [&](const auto& t) { return t.get() == &tab; });
@@ -158,7 +169,7 @@ void Console::start_demo() {
 }
 
 std::string Console::time_of_day(Instant when) const {
-  const double s = outside_.second_of_day ? outside_.second_of_day(when) : seconds(when);
+  const double s = outside_->second_of_day ? outside_->second_of_day(when) : seconds(when);
   const auto whole = static_cast<long long>(std::floor(s));
   return fmt::format("{:02}:{:02}:{:02}", whole / 3600 % 24, whole / 60 % 60, whole % 60);
 }
@@ -236,8 +247,6 @@ void Console::refresh(Ui& ui) {
     if (const double due = tab->desk().autosave_due_in(tab->clock()); due >= 0) ui.wake_in(due);
   }
   if (!ImGui::IsMouseDown(0)) save();  // not at each step of a slider that is being dragged
-  toasts_.tick(ui.now_s);
-  ui.wake_in(toasts_.due_in_s(ui.now_s));
 }
 
 void Console::tell_news(Tab& tab) {
@@ -272,7 +281,7 @@ void Console::draw(Ui& ui) {
   draw_workspace(ui, *this, layout);
   draw_status_line(ui, *this, layout);
   dialogs.draw(ui, *this);
-  draw_toasts(ui, *this, layout);
+  draw_toasts(ui, toasts_, in_pixels(ui, layout.centre));
   confirm_held_key(ui);
   for (const auto& tab : tabs_) {
     tab->jog.tick(ui.now_s);
@@ -283,8 +292,8 @@ void Console::draw(Ui& ui) {
 // ---- what is kept
 
 void Console::load_choices() {
-  if (!outside_.folders.enabled) return;
-  const auto read = read_json(outside_.folders.state / "window.json", "the sizes of the window's parts");
+  if (!outside_->folders.enabled) return;
+  const auto read = read_json(outside_->folders.state / "window.json", "the sizes of the window's parts");
   if (!read) return toast(Mood::warn, read.error().sentence());
   const auto number = [&](const char* key, float fallback) {
     const auto at = read->find(key);
@@ -299,14 +308,14 @@ void Console::load_choices() {
 }
 
 void Console::save_choices() {
-  if (!outside_.folders.enabled || (choices_saved_ == splitters && choices_saved_dark_ == dark_)) return;
+  if (!outside_->folders.enabled || (choices_saved_ == splitters && choices_saved_dark_ == dark_)) return;
   choices_saved_ = splitters;
   choices_saved_dark_ = dark_;
   const nlohmann::json object = {{"left", splitters.left},
                                  {"right", splitters.right},
                                  {"below", splitters.below},
                                  {"dark", dark_ ? 1 : 0}};
-  tell(write_json(outside_.folders.state / "window.json", object));
+  tell(write_json(outside_->folders.state / "window.json", object));
 }
 
 void Console::save() {
@@ -314,7 +323,7 @@ void Console::save() {
   for (const auto& tab : tabs_)
     if (tab->profile_changed) {
       tab->profile_changed = false;
-      tell(ProfileStore(outside_.folders).save(tab->profile_key, tab->profile));
+      tell(ProfileStore(outside_->folders).save(tab->profile_key, tab->profile));
     }
 }
 

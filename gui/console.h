@@ -10,7 +10,6 @@
 
 #include "core/session/recent.h"
 #include "core/session/user_files.h"
-#include "core/session/wire.h"
 #include "gui/dialogs.h"
 #include "gui/layout.h"
 #include "gui/panel.h"
@@ -23,19 +22,7 @@ namespace hw::gui {
 enum class Command : std::uint8_t;
 struct CommandEdge;
 class Keyboard;
-
-struct Outside {
-  Scheduler& scheduler;
-  WireOpener open_wire;
-  std::function<void()> wake;   ///< any thread: a frame is wanted
-  PortFinder* ports = nullptr;  ///< null: finds nothing
-  Worker* worker = nullptr;     ///< long jobs of programs; null: within the frame
-  UserFolders folders = UserFolders::none();
-  std::function<std::string(const Address&)> usb_serial;  ///< of the adapter behind an address; may be null
-  std::function<double(Instant)> second_of_day;           ///< wall clock; null: counts from the start
-  Outside(Scheduler& s, WireOpener opener, std::function<void()> w)
-      : scheduler(s), open_wire(std::move(opener)), wake(std::move(w)) {}
-};
+struct Outside;  // what it needs of the world: outside.h
 
 class Console {
  public:
@@ -66,6 +53,7 @@ class Console {
 
   // ---- what is shown
   void show_page(std::string_view id);
+  void toggle_map();  ///< the keyboard map, and back
   [[nodiscard]] std::string_view page() const { return page_; }  ///< empty: a controller is in front
   /// Brings a panel of the active controller to the front; `widget`: brought into view and focused as well.
   void show_panel(std::string_view id, std::string_view widget = {});
@@ -94,11 +82,11 @@ class Console {
   void save();
 
   // ---- for pages and panels
-  [[nodiscard]] Instant clock() const { return outside_.scheduler.now(); }
+  [[nodiscard]] Instant clock() const;
   [[nodiscard]] std::string time_of_day(Instant when) const;  ///< "14:20:08"
-  [[nodiscard]] PortFinder& ports() { return outside_.ports ? *outside_.ports : no_ports_; }
+  [[nodiscard]] PortFinder& ports();
   [[nodiscard]] RecentConnections& recent() { return recent_; }
-  [[nodiscard]] const UserFolders& folders() const { return outside_.folders; }
+  [[nodiscard]] const UserFolders& folders() const;
   [[nodiscard]] const PanelList& list() const { return list_; }
   [[nodiscard]] Toasts& toasts() { return toasts_; }
   /// The open controller that uses this port; null: none.
@@ -112,12 +100,11 @@ class Console {
   void tell(const Result<>& outcome);
   void jog_key(Tab& tab, Command key, bool down, double at_s);
   void confirm_held_key(Ui& ui);
-  void toggle_map();
   void load_choices();
   void save_choices();
 
   PanelList list_;
-  Outside outside_;
+  std::unique_ptr<Outside> outside_;
   NoPorts no_ports_;
   RecentConnections recent_;
   std::vector<std::unique_ptr<Tab>> tabs_;

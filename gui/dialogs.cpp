@@ -5,6 +5,7 @@
 #include "gui/console.h"
 #include "gui/ui.h"
 #include "gui/widgets/button.h"
+#include "gui/widgets/message.h"
 #include "gui/widgets/text.h"
 #include "gui/widgets/text_field.h"
 
@@ -57,28 +58,17 @@ void Dialogs::close_controller(Console& console, Tab& tab) {
 void Dialogs::reset(Tab& tab) { begin(Kind::reset, tab); }
 
 void Dialogs::draw(Ui& ui, Console& console) {
-  if (kind_ == Kind::none) return;
-  if (just_opened_) ImGui::OpenPopup("dialog");
-  ImGui::SetNextWindowPos(ImVec2(ui.size_px.x / 2, ui.size_px.y / 2), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
-  ImGui::SetNextWindowSize(ImVec2(std::min(ui.px(width), ui.size_px.x), 0));
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ui.px(16, 16));
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, ui.hair());
-  constexpr auto flags =
-      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
-  if (ImGui::BeginPopupModal("dialog", nullptr, flags | ImGuiWindowFlags_AlwaysAutoResize)) {
-    if (ui.cancelled() && !just_opened_) close();
-    switch (kind_) {
-      case Kind::names: draw_names(ui, console); break;
-      case Kind::close_controller: draw_close(ui, console); break;
-      case Kind::reset: draw_reset(ui); break;
-      case Kind::none: break;
-    }
-    if (kind_ == Kind::none) ImGui::CloseCurrentPopup();
-    ImGui::EndPopup();
+  if (!begin_modal(ui, "dialog", open(), width + 48)) return;
+  if (ui.cancelled() && !just_opened_) close();
+  switch (kind_) {
+    case Kind::names: draw_names(ui, console); break;
+    case Kind::close_controller: draw_close(ui, console); break;
+    case Kind::reset: draw_reset(ui); break;
+    case Kind::none: break;
   }
-  ImGui::PopStyleVar(2);
-  if (just_opened_) ui.wake_in(0);
   just_opened_ = false;
+  if (kind_ == Kind::none) ImGui::CloseCurrentPopup();
+  end_modal();
 }
 
 void Dialogs::draw_names(Ui& ui, Console& console) {

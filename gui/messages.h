@@ -1,5 +1,5 @@
 #pragma once
-// The three places where the console speaks: the status line, the banner over the centre, the toasts.
+// Where the console speaks by itself: the status line, and the banner over the centre.
 #include "gui/layout.h"
 
 namespace hw::gui {
@@ -11,6 +11,5 @@ class Ui;
 void draw_status_line(Ui& ui, Console& console, const Layout& layout);
 /// At the cursor, across the current window; draws nothing when nothing is wrong.
 void draw_banner(Ui& ui, Console& console, Tab& tab, const Layout& layout);
-void draw_toasts(Ui& ui, Console& console, const Layout& layout);
 
 }  // namespace hw::gui

@@ -1,11 +1,10 @@
 #include "gui/tab.h"
 
-#include "core/session/session.h"
-
 #include <algorithm>
 
 #include <fmt/format.h>
 
+#include "core/session/session.h"
 #include "gui/status_sentence.h"
 
 namespace hw::gui {

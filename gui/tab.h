@@ -7,13 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "core/session/profile.h"
 #include "core/device/registry.h"
 #include "core/session/address.h"
+#include "core/session/profile.h"
+#include "gui/desk.h"
 #include "gui/jog_hold.h"
 #include "gui/panel.h"
 #include "gui/units_format.h"
-#include "gui/desk.h"
 
 namespace hw {
 class Session;  // kept out of here: panels need not compile coroutines

@@ -9,6 +9,7 @@
 #include "gui/widgets/badge.h"
 #include "gui/widgets/button.h"
 #include "gui/widgets/icons.h"
+#include "gui/widgets/tabs.h"
 #include "gui/widgets/text.h"
 
 namespace hw::gui {
@@ -28,10 +29,7 @@ std::string not_reached(const Console& console) {
 void draw_stop(Ui& ui, Console& console, const Layout& layout) {
   stand_at(ui, layout.stop.x, layout.stop.y);
   const Touch t = stop_button(ui, ui.px(layout.stop.width, layout.stop.height), not_reached(console));
-  // The mouse is asked directly: an open list or dialog must not stand between a hand and the stop.
-  const bool struck = ImGui::IsMouseClicked(0) && t.rect.contains(ImGui::GetIO().MousePos);
-  const bool by_key = t.started && !ImGui::IsMouseDown(0);
-  if (struck || by_key) console.stop_all();
+  if (t.clicked) console.stop_all();  // with the press already
 }
 
 void draw_menu(Ui& ui, Console& console, const Touch& opener) {
@@ -84,43 +82,9 @@ void draw_brand_and_menu(Ui& ui, Console& console, const Layout& layout) {
   if (button(ui, "help", "?", quiet).clicked) console.show_page("help");
 }
 
-struct TabLook {
-  std::string_view name, second;
-  Icon icon;
-  Tone tone;
-  bool emulated, active;
-};
-
-void draw_tab_face(Ui& ui, const Rect& r, const TabLook& look) {
-  ImDrawList* list = ImGui::GetWindowDrawList();
-  const float left = r.min.x + ui.px(16), right = r.max.x - ui.px(12);
-  draw_text_line(ui, left, right, r.min.y + ui.px(19), Face::body_bold,
-                 ui[look.active ? Tone::ink : Tone::ink2], look.name);
-  const float second = r.min.y + ui.px(37);
-  const float badge = look.emulated ? std::ceil(text_width(ui, Face::small_bold, "EMULATED")) : 0;
-  if (look.emulated)
-    draw_text_line(ui, right - badge, r.max.x, second, Face::small_bold, ui[Tone::emu], "EMULATED");
-  draw_icon(list, look.icon, ImVec2(left + ui.px(6), std::floor(second)), ui.px(11), ui[look.tone]);
-  draw_text_line(ui, left + ui.px(19), right - badge - ui.px(4), second, Face::small, ui[look.tone],
-                 look.second);
-}
-
-Touch draw_tab(Ui& ui, std::string_view id, const TabLook& look, float x, float width, float height) {
-  stand_at(ui, x, 0);
-  const Touch t = touch(ui, {id, Kind::tab, look.name, look.second, {}, false, {}}, ui.px(width, height));
-  ImDrawList* list = ImGui::GetWindowDrawList();
-  if (look.active || t.hovered || t.held)
-    list->AddRectFilled(t.rect.min, t.rect.max, ui[look.active ? Tone::panel : Tone::hover]);
-  if (look.active) list->AddRectFilled(t.rect.min, ImVec2(t.rect.max.x, ui.px(2)), ui[Tone::ink]);
-  line_right_of(ui, t.rect);
-  draw_tab_face(ui, t.rect, look);
-  if (t.ring) draw_outline(ui, t.rect, ui[Tone::ink], 0, ui.px(2));
-  return t;
-}
-
-TabLook look_of_tab(Console& console, Tab& tab) {
+ControllerTab face_of(Console& console, Tab& tab) {
   const StateLook& state = look_of(worst_state(tab.now(), tab.clock()));
-  return {tab.name(), state.small, state.icon, state.tone, tab.emulated(), console.active() == &tab};
+  return {tab.name(), state.icon, state.tone, state.small, tab.emulated(), console.active() == &tab};
 }
 
 void draw_page_tab(Ui& ui, Console& console, float x, float width, float height) {
@@ -141,18 +105,15 @@ void draw_page_tab(Ui& ui, Console& console, float x, float width, float height)
   }
 }
 
-/// One button with the name in front and the worst state of all; its list has every controller.
+/// One button with the controller in front, or the worst of all; its list has every controller.
 void draw_controller_menu(Ui& ui, Console& console, const Layout& layout) {
-  TabLook look{"Controllers", "", Icon::none, Tone::ink2, false, true};
-  State worst = State::idle;
-  for (const auto& tab : console.tabs()) {
-    const State state = worst_state(tab->now(), tab->clock());
-    if (state > worst) worst = state;
-  }
-  if (Tab* active = console.active()) look = look_of_tab(console, *active);
+  ControllerTab face{"Controllers"};
+  face.active = true;
+  if (Tab* active = console.active()) face = face_of(console, *active);
   for (const PageEntry& page : console.list().pages)
-    if (page.id == console.page()) look.name = page.title;
-  const Touch t = draw_tab(ui, "controller/menu", look, layout.tabs.x, layout.tabs.width, layout.tabs.height);
+    if (page.id == console.page()) face.name = page.title;
+  stand_at(ui, layout.tabs.x, 0);
+  const Touch t = controller_tab(ui, "controller/menu", face, layout.tabs.width);
   draw_icon(ImGui::GetWindowDrawList(), Icon::chevron_down,
             ImVec2(t.rect.max.x - ui.px(16), t.rect.min.y + ui.px(19)), ui.px(12), ui[Tone::ink2]);
   if (!begin_popup(ui, "controllers", t, 220, static_cast<int>(console.tabs().size()) + 1)) return;
@@ -176,8 +137,8 @@ void draw_controllers(Ui& ui, Console& console, const Layout& layout) {
   for (std::size_t i = 0; i < console.tabs().size(); ++i, x += layout.tab_width) {
     Tab& tab = *console.tabs()[i];
     const std::string id = fmt::format("controller/{}", i + 1);
-    if (draw_tab(ui, id, look_of_tab(console, tab), x, layout.tab_width, layout.tabs.height).clicked)
-      chosen = &tab;
+    stand_at(ui, x, 0);
+    if (controller_tab(ui, id, face_of(console, tab), layout.tab_width).clicked) chosen = &tab;
   }
   if (!console.page().empty()) draw_page_tab(ui, console, x, layout.tab_width, layout.tabs.height);
   if (chosen) console.activate(*chosen);
@@ -255,13 +216,13 @@ void draw_link(Ui& ui, Console& console, const Layout& layout) {
 
 void draw_top_bar(Ui& ui, Console& console, const Layout& layout) {
   const Box bar{0, 0, layout.stop.right(), layout.stop.height};
-  begin_area(ui, "top", bar, Tone::ground, 0);
+  begin_region(ui, "top", in_pixels(ui, bar), Tone::ground, ImVec2(0, 0));
   draw_stop(ui, console, layout);
   line_below(ui, in_pixels(ui, {0, 0, layout.stop.x, bar.height}));
   draw_brand_and_menu(ui, console, layout);
   draw_controllers(ui, console, layout);
   draw_link(ui, console, layout);
-  end_area();
+  end_region();
 }
 
 }  // namespace hw::gui

@@ -8,6 +8,7 @@
 #include "gui/console.h"
 #include "gui/messages.h"
 #include "gui/widgets/button.h"
+#include "gui/widgets/tabs.h"
 #include "gui/widgets/text.h"
 
 namespace hw::gui {
@@ -39,25 +40,6 @@ struct Work {
       if (console.list().panels[i].place == place && wanted(console.list().panels[i])) draw(i, area, rail);
   }
 };
-
-/// A border that can be dragged; a double click restores.
-void splitter(Ui& ui, std::string_view id, const Box& hit, bool vertical, float& value, float direction,
-              float restore) {
-  const Rect r = in_pixels(ui, hit);
-  const ImVec2 keep = ImGui::GetCursorScreenPos();
-  ImGui::SetCursorScreenPos(r.min);
-  const Touch t = touch(ui, {id, Kind::slider, "Border", {}, {}, false, {}}, ImVec2(r.width(), r.height()));
-  if (t.hovered || t.held)
-    ImGui::SetMouseCursor(vertical ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
-  if (t.held && ImGui::IsMouseDown(0)) {
-    const ImVec2 moved = ImGui::GetIO().MouseDelta;
-    value += direction * (vertical ? moved.x : moved.y) / ui.scale;
-  }
-  if (t.double_clicked) value = restore;
-  if (t.hovered || t.held || t.ring)
-    ImGui::GetWindowDrawList()->AddRectFilled(r.min, r.max, ui[t.held ? Tone::edge : Tone::line]);
-  ImGui::SetCursorScreenPos(keep);
-}
 
 // ---- centre
 
@@ -95,33 +77,19 @@ TabItems tab_items(const Work& w, bool below_is_tab) {
 }
 
 void draw_panel_tabs(const Work& w, const TabItems& items, const TabItem& chosen) {
-  Ui& ui = w.ui;
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  float x = at.x + ui.px(4);
+  std::array<std::array<char, 48>, 16> ids;
+  std::array<PanelTab, 16> tabs;
+  int active = -1;
   for (std::size_t i = 0; i < items.count; ++i) {
-    const TabItem& item = items.items[i];
-    const bool on = item.id == chosen.id;
-    const float width = std::ceil(text_width(ui, Face::body_bold, item.title)) + ui.px(32);
-    char id[48];
-    const auto end = fmt::format_to_n(id, sizeof id, "tab/{}", item.id);
-    ImGui::SetCursorScreenPos(ImVec2(x, at.y));
-    const Touch t = touch(
-        ui, {{id, std::min(end.size, sizeof id)}, Kind::tab, item.title, on ? "on" : "off", {}, false, {}},
-        ImVec2(width, ui.px(40)));
-    draw_text_centred(ui, t.rect, on ? Face::body_bold : Face::body,
-                      ui[on || t.hovered ? Tone::ink : Tone::ink2], item.title);
-    if (on)
-      ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(t.rect.min.x + ui.px(12), t.rect.max.y - ui.px(2)),
-                                                ImVec2(t.rect.max.x - ui.px(12), t.rect.max.y),
-                                                ui[Tone::ink]);
-    if (t.ring) draw_outline(ui, t.rect, ui[Tone::ink], 0, ui.px(2));
-    if (t.clicked) w.tab.centre_panel = item.id;
-    x = t.rect.max.x;
+    const auto end = fmt::format_to_n(ids[i].data(), ids[i].size(), "tab/{}", items.items[i].id);
+    tabs[i] = {{ids[i].data(), std::min(end.size, ids[i].size())}, items.items[i].title};
+    if (items.items[i].id == chosen.id) active = static_cast<int>(i);
   }
-  const float y = at.y + ui.px(40);
-  ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(at.x, y - ui.hair()),
-                                            ImVec2(at.x + ImGui::GetWindowWidth(), y), ui[Tone::line]);
-  ImGui::SetCursorScreenPos(ImVec2(at.x, y));
+  ImGui::SetCursorScreenPos(
+      ImVec2(ImGui::GetCursorScreenPos().x + w.ui.px(16), ImGui::GetCursorScreenPos().y));
+  const int picked = panel_tabs(w.ui, {tabs.data(), items.count}, active);
+  if (picked >= 0) w.tab.centre_panel = items.items[static_cast<std::size_t>(picked)].id;
+  ImGui::SetCursorScreenPos(ImVec2(w.ui.px(w.layout.centre.x), ImGui::GetCursorScreenPos().y));
 }
 
 void draw_chosen(const Work& w, const TabItem& chosen, const Box& area) {
@@ -139,10 +107,10 @@ void draw_chosen(const Work& w, const TabItem& chosen, const Box& area) {
 void draw_centre(const Work& w) {
   const Box& box = w.layout.centre;
   Ui& ui = w.ui;
-  begin_area(ui, "centre", box, Tone::panel, 0);
+  begin_region(ui, "centre", in_pixels(ui, box), Tone::panel, ImVec2(0, 0));
   float below = below_height(box.height - 40, w.console.splitters, w.layout.tier);
   const TabItems items = tab_items(w, below == 0);
-  if (items.count == 0) return end_area();
+  if (items.count == 0) return end_region();
   const TabItem& chosen = items.chosen(w.tab.centre_panel);
   draw_panel_tabs(w, items, chosen);
   draw_banner(ui, w.console, w.tab, w.layout);
@@ -160,10 +128,10 @@ void draw_centre(const Work& w) {
     ImGui::GetWindowDrawList()->AddRectFilled(line.min, ImVec2(line.max.x, line.min.y + ui.hair()),
                                               ui[Tone::line]);
     if (w.layout.tier == Tier::wide)
-      splitter(ui, "splitter/below", {box.x, area.y - 3, box.width, 6}, false, w.console.splitters.below, -1,
-               Splitters().below);
+      splitter(ui, "splitter/below", in_pixels(ui, {box.x, area.y, box.width, 1}), false,
+               w.console.splitters.below, {152, 700, Splitters().below}, -1);
   }
-  end_area();
+  end_region();
 }
 
 // ---- side columns
@@ -171,7 +139,7 @@ void draw_centre(const Work& w) {
 void draw_left(const Work& w) {
   const Box& box = w.layout.left;
   Ui& ui = w.ui;
-  begin_area(ui, "left", box, Tone::panel, 16);
+  begin_region(ui, "left", in_pixels(ui, box), Tone::panel);
   line_right_of(ui, in_pixels(ui, box));
   const Box inner{box.x + 16, box.y, box.width - 32, box.height};
   w.draw_all(Place::top_left, inner);
@@ -182,14 +150,14 @@ void draw_left(const Work& w) {
   w.draw_all(Place::left, {inner.x, top / ui.scale, inner.width, left_over / ui.scale});
   end_part();
   if (w.layout.tier == Tier::wide)
-    splitter(ui, "splitter/left", {box.right() - 4, box.y, 4, box.height}, true, w.console.splitters.left, 1,
-             Splitters().left);
-  end_area();
+    splitter(ui, "splitter/left", in_pixels(ui, {box.right() - 1, box.y, 1, box.height}), true,
+             w.console.splitters.left, {264, 400, Splitters().left}, 1);
+  end_region();
 }
 
 void draw_right(const Work& w, const Box& box, bool over_centre) {
   Ui& ui = w.ui;
-  begin_area(ui, over_centre ? "right over" : "right", box, Tone::panel, 0, over_centre);
+  begin_region(ui, over_centre ? "right over" : "right", in_pixels(ui, box), Tone::panel, ImVec2(0, 0));
   const Rect r = in_pixels(ui, box);
   ImGui::GetWindowDrawList()->AddRectFilled(r.min, ImVec2(r.min.x + ui.hair(), r.max.y),
                                             ui[over_centre ? Tone::edge : Tone::line]);
@@ -198,15 +166,15 @@ void draw_right(const Work& w, const Box& box, bool over_centre) {
   w.draw_all(Place::right, {box.x + 16, box.y, box.width - 32, box.height});
   end_part();
   if (w.layout.tier == Tier::wide)
-    splitter(ui, "splitter/right", {box.x, box.y, 4, box.height}, true, w.console.splitters.right, -1,
-             Splitters().right);
-  end_area();
+    splitter(ui, "splitter/right", in_pixels(ui, {box.x, box.y, 1, box.height}), true,
+             w.console.splitters.right, {240, 400, Splitters().right}, -1);
+  end_region();
 }
 
 void draw_rail(const Work& w) {
   const Box& box = w.layout.right;
   Ui& ui = w.ui;
-  begin_area(ui, "rail", box, Tone::panel, 0);
+  begin_region(ui, "rail", in_pixels(ui, box), Tone::panel, ImVec2(0, 0));
   const Rect r = in_pixels(ui, box);
   ImGui::GetWindowDrawList()->AddRectFilled(r.min, ImVec2(r.min.x + ui.hair(), r.max.y), ui[Tone::line]);
   ButtonOptions o;
@@ -219,7 +187,7 @@ void draw_rail(const Work& w) {
   if (button(ui, "rail/open", "", o).clicked) w.console.right_open = !w.console.right_open;
   ImGui::SetCursorScreenPos(ui.px(box.x, box.y + 40));
   w.draw_all(Place::right, {box.x, box.y + 40, box.width, box.height - 40}, true);
-  end_area();
+  end_region();
   if (!w.console.right_open) return;
   const float width = 272;
   draw_right(w, {box.x - width, box.y, width, box.height}, true);
@@ -227,18 +195,18 @@ void draw_rail(const Work& w) {
 
 void draw_strip(const Work& w) {
   const Box& box = w.layout.left;
-  begin_area(w.ui, "left", box, Tone::panel, 16);
+  begin_region(w.ui, "left", in_pixels(w.ui, box), Tone::panel);
   line_below(w.ui, in_pixels(w.ui, box));
   w.draw_all(Place::top_left, {box.x + 16, box.y, box.width - 32, box.height});
-  end_area();
+  end_region();
 }
 
 void draw_page(Ui& ui, Console& console, const Layout& layout) {
   const Box body{0, layout.stop.bottom(), layout.status.width, layout.status.y - layout.stop.bottom()};
-  begin_area(ui, "page", body, Tone::panel, 0);
+  begin_region(ui, "page", in_pixels(ui, body), Tone::panel, ImVec2(0, 0));
   PageFrame frame{ui, console, body, layout.tier, false, console.clock()};
   console.page_object(console.page()).draw(frame);
-  end_area();
+  end_region();
 }
 
 }  // namespace
