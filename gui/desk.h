@@ -2,7 +2,7 @@
 // What the user works at with one controller, beside its state: the record of its wire, program texts and
 // what is done with them, edited set-up, typed commands. One per tab, whichever panels are in front. GUI
 // thread.
-#include <span>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -31,13 +31,16 @@ class Desk {
   SetupEdits setup;
   SetupWrite setup_write;
   const CommandHelp help;
-  std::vector<std::string> history;  ///< typed commands, oldest first
+  std::vector<std::string> history;            ///< typed commands, oldest first
+  std::vector<std::filesystem::path> dropped;  ///< files let fall on the window, to be opened
 
   /// Null: this model has no program language.
   [[nodiscard]] const Language* language() const { return language_; }
   /// Where long jobs run; without one they run within the frame.
   void use(Worker* worker) { worker_ = worker; }
   [[nodiscard]] Worker& worker() { return worker_ ? *worker_ : own_worker_; }
+  /// For Worker::run: results are dropped when this desk is gone.
+  [[nodiscard]] std::weak_ptr<void> alive() const { return alive_; }
   /// Unsaved texts are kept under `key` from now on; those of last time come back. A fault: their file was
   /// damaged, nothing came back.
   Result<> keep_texts(Autosave autosave, std::string key);

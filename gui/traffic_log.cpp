@@ -192,6 +192,7 @@ void TrafficLog::drop_old_rows() {
 bool TrafficLog::update_rows() {
   drop_old_rows();
   std::size_t looked_at = 0;
+  version_ += rows_up_to_ < next_;
   for (; rows_up_to_ < next_; ++rows_up_to_) {
     if (filter_.empty()) {
       add_row(rows_up_to_);

@@ -29,7 +29,7 @@ void CodeEditor::remember() {
   widest_ = static_cast<float>(columns);
 }
 
-void CodeEditor::go_to(Place place) {
+void CodeEditor::go_to(TextPlace place) {
   model_.move_to(place, false);
   reveal_ = true;
 }
@@ -82,12 +82,12 @@ int CodeEditor::line_at(const Metrics& m, float y) const {
   return low;
 }
 
-Place CodeEditor::place_at(const Metrics& m, ImVec2 at) const {
+TextPlace CodeEditor::place_at(const Metrics& m, ImVec2 at) const {
   const float columns = std::max(0.0f, (at.x - m.origin.x) / m.advance);
   return model_.at_column(line_at(m, at.y), static_cast<int>(columns + 0.5f));
 }
 
-float CodeEditor::x_of(const Metrics& m, Place p) const {
+float CodeEditor::x_of(const Metrics& m, TextPlace p) const {
   return std::floor(m.origin.x + static_cast<float>(model_.column(p)) * m.advance);
 }
 
@@ -161,7 +161,7 @@ void CodeEditor::use_caret_keys(const Metrics& m, bool ctrl, bool shift) {
   using Step = TextModel::Step;
   const auto pressed = [](ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), true); };
   const std::uint64_t version = model_.version();
-  const Place before = model_.caret();
+  const TextPlace before = model_.caret();
   const int page = std::max(1, static_cast<int>(m.view.height() / m.line) - 1);
   if (pressed(ImGuiKey_LeftArrow)) model_.left(ctrl ? Step::word : Step::character, shift);
   if (pressed(ImGuiKey_RightArrow)) model_.right(ctrl ? Step::word : Step::character, shift);

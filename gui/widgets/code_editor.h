@@ -43,7 +43,7 @@ class CodeEditor {
   [[nodiscard]] const std::string& text() const { return text_; }
   TextModel& model() { return model_; }
   /// Puts the caret there and brings the line into sight.
-  void go_to(Place place);
+  void go_to(TextPlace place);
 
  private:
   struct Metrics {
@@ -55,8 +55,8 @@ class CodeEditor {
   void collect_problems(const EditorLook& look);
   [[nodiscard]] float top_of(const Metrics& m, int line) const;
   [[nodiscard]] int line_at(const Metrics& m, float y) const;
-  [[nodiscard]] Place place_at(const Metrics& m, ImVec2 at) const;
-  [[nodiscard]] float x_of(const Metrics& m, Place p) const;
+  [[nodiscard]] TextPlace place_at(const Metrics& m, ImVec2 at) const;
+  [[nodiscard]] float x_of(const Metrics& m, TextPlace p) const;
   [[nodiscard]] const Problem* problem_in(const EditorLook& look, int line, bool error) const;
 
   void use_mouse(Ui& ui, const Metrics& m, const Touch& t);

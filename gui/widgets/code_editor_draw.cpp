@@ -193,7 +193,7 @@ void CodeEditor::draw_problem_row(Ui& ui, const EditorLook& look, const Metrics&
 }
 
 void CodeEditor::draw_caret(Ui& ui, const Metrics& m) {
-  const Place caret = model_.caret();
+  const TextPlace caret = model_.caret();
   const float x = x_of(m, caret), top = top_of(m, caret.line);
   if (x < m.view.min.x + m.text_x - ui.px(2)) return;
   ImGui::GetWindowDrawList()->AddRectFilled(

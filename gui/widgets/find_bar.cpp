@@ -47,7 +47,7 @@ void FindBar::count(const TextModel& model) {
   counted_version_ = model.version();
   counted_needle_ = needle_;
   count_ = 0;
-  Place at{0, 0};
+  TextPlace at{0, 0};
   for (auto hit = model.find(needle_, at, true); hit && hit->begin >= at && count_ < 10000;
        hit = model.find(needle_, at, true)) {
     ++count_;

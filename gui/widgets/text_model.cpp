@@ -11,7 +11,7 @@ bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c =
 char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
 
 /// Where text ends that is put at `at`.
-Place end_of(Place at, std::string_view text) {
+TextPlace end_of(TextPlace at, std::string_view text) {
   const auto newlines = static_cast<int>(std::count(text.begin(), text.end(), '\n'));
   if (newlines == 0) return {at.line, at.byte + static_cast<int>(text.size())};
   return {at.line + newlines, static_cast<int>(text.size() - text.rfind('\n') - 1)};
@@ -47,9 +47,9 @@ void TextModel::set_text(std::string_view text) {
 
 std::string TextModel::text() const { return text_of({{0, 0}, end()}); }
 
-Place TextModel::end() const { return {line_count() - 1, static_cast<int>(lines_.back().size())}; }
+TextPlace TextModel::end() const { return {line_count() - 1, static_cast<int>(lines_.back().size())}; }
 
-Place TextModel::clamp(Place p) const {
+TextPlace TextModel::clamp(TextPlace p) const {
   p.line = std::clamp(p.line, 0, line_count() - 1);
   const std::string& l = line(p.line);
   p.byte = std::clamp(p.byte, 0, static_cast<int>(l.size()));
@@ -70,7 +70,7 @@ std::string TextModel::text_of(const Stretch& s) const {
   return out.append("\n").append(part(s.end.line, 0, s.end.byte));
 }
 
-int TextModel::column(Place p) const {
+int TextModel::column(TextPlace p) const {
   int n = 0;
   const std::string& l = line(p.line);
   for (int i = 0; i < p.byte; ++i) {
@@ -80,7 +80,7 @@ int TextModel::column(Place p) const {
   return n;
 }
 
-Place TextModel::at_column(int line_index, int wanted) const {
+TextPlace TextModel::at_column(int line_index, int wanted) const {
   const std::string& l = line(line_index);
   int n = 0;
   std::size_t i = 0;
@@ -98,27 +98,27 @@ Stretch TextModel::selection() const {
   return caret_ < anchor_ ? Stretch{caret_, anchor_} : Stretch{anchor_, caret_};
 }
 
-void TextModel::move_to(Place to, bool extend) {
+void TextModel::move_to(TextPlace to, bool extend) {
   caret_ = clamp(to);
   if (!extend) anchor_ = caret_;
   wanted_column_ = -1;
   if (!done_.empty()) done_.back().typing = false;
 }
 
-Place TextModel::before(Place p) const {
-  if (p.byte == 0) return p.line == 0 ? p : Place{p.line - 1, static_cast<int>(line(p.line - 1).size())};
+TextPlace TextModel::before(TextPlace p) const {
+  if (p.byte == 0) return p.line == 0 ? p : TextPlace{p.line - 1, static_cast<int>(line(p.line - 1).size())};
   return clamp({p.line, p.byte - 1});
 }
 
-Place TextModel::after(Place p) const {
+TextPlace TextModel::after(TextPlace p) const {
   const std::string& l = line(p.line);
-  if (p.byte >= static_cast<int>(l.size())) return p.line + 1 < line_count() ? Place{p.line + 1, 0} : p;
+  if (p.byte >= static_cast<int>(l.size())) return p.line + 1 < line_count() ? TextPlace{p.line + 1, 0} : p;
   auto i = static_cast<std::size_t>(p.byte) + 1;
   while (i < l.size() && is_inside_character(l[i])) ++i;
   return {p.line, static_cast<int>(i)};
 }
 
-Place TextModel::word_before(Place p) const {
+TextPlace TextModel::word_before(TextPlace p) const {
   if (p.byte == 0) return before(p);
   const std::string& l = line(p.line);
   auto i = static_cast<std::size_t>(p.byte);
@@ -127,7 +127,7 @@ Place TextModel::word_before(Place p) const {
   return {p.line, static_cast<int>(i)};
 }
 
-Place TextModel::word_after(Place p) const {
+TextPlace TextModel::word_after(TextPlace p) const {
   const std::string& l = line(p.line);
   auto i = static_cast<std::size_t>(p.byte);
   if (i >= l.size()) return after(p);
@@ -190,10 +190,10 @@ void TextModel::select_word() {
 void TextModel::select_line() {
   const int at = caret_.line;
   move_to({at, 0}, false);
-  move_to(at + 1 < line_count() ? Place{at + 1, 0} : end(), true);
+  move_to(at + 1 < line_count() ? TextPlace{at + 1, 0} : end(), true);
 }
 
-Place TextModel::put(Place at, std::string_view text) {
+TextPlace TextModel::put(TextPlace at, std::string_view text) {
   std::string& first = lines_[static_cast<std::size_t>(at.line)];
   const std::string tail = first.substr(static_cast<std::size_t>(at.byte));
   first.resize(static_cast<std::size_t>(at.byte));
@@ -277,11 +277,11 @@ void TextModel::toggle_comment(std::string_view mark) {
       changed.append(mark).append(l);
     }
   }
-  const Place caret = caret_, anchor = anchor_;
+  const TextPlace caret = caret_, anchor = anchor_;
   const int size_before = static_cast<int>(line(caret.line).size());
   replace({{first, 0}, {last, static_cast<int>(line(last).size())}}, changed);
   const int grown = static_cast<int>(line(caret.line).size()) - size_before;
-  anchor_ = clamp(anchor == caret ? Place{anchor.line, anchor.byte + grown} : anchor);
+  anchor_ = clamp(anchor == caret ? TextPlace{anchor.line, anchor.byte + grown} : anchor);
   caret_ = clamp({caret.line, caret.byte + (caret.byte > 0 ? grown : 0)});
   if (anchor == caret) anchor_ = caret_;
 }
@@ -327,7 +327,7 @@ std::optional<int> TextModel::find_in_line(std::string_view needle, int line_ind
   return static_cast<int>(hit - l.begin());
 }
 
-std::optional<Stretch> TextModel::find(std::string_view needle, Place from, bool forward) const {
+std::optional<Stretch> TextModel::find(std::string_view needle, TextPlace from, bool forward) const {
   if (needle.empty()) return {};
   const int n = line_count(), size = static_cast<int>(needle.size());
   for (int i = 0; i <= n; ++i) {

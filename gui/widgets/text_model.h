@@ -10,12 +10,12 @@
 
 namespace hw::gui {
 
-struct Place {
+struct TextPlace {
   int line = 0, byte = 0;
-  auto operator<=>(const Place&) const = default;
+  auto operator<=>(const TextPlace&) const = default;
 };
 struct Stretch {
-  Place begin, end;
+  TextPlace begin, end;
   bool operator==(const Stretch&) const = default;
 };
 
@@ -32,12 +32,12 @@ class TextModel {
   [[nodiscard]] std::uint64_t version() const { return version_; }
 
   // ---- caret and selection
-  [[nodiscard]] Place caret() const { return caret_; }
+  [[nodiscard]] TextPlace caret() const { return caret_; }
   [[nodiscard]] bool has_selection() const { return caret_ != anchor_; }
   [[nodiscard]] Stretch selection() const;
   [[nodiscard]] std::string selected() const { return text_of(selection()); }
   /// `extend`: the selection's other end stays.
-  void move_to(Place to, bool extend);
+  void move_to(TextPlace to, bool extend);
   enum class Step : std::uint8_t { character, word, line_end, text_end };
   void left(Step step, bool extend);
   void right(Step step, bool extend);
@@ -57,36 +57,36 @@ class TextModel {
   bool redo();
 
   /// The next place after (before) `from`, going round; letters of either case match.
-  [[nodiscard]] std::optional<Stretch> find(std::string_view needle, Place from, bool forward) const;
+  [[nodiscard]] std::optional<Stretch> find(std::string_view needle, TextPlace from, bool forward) const;
   [[nodiscard]] std::string text_of(const Stretch& s) const;
   /// Nearest place that exists.
-  [[nodiscard]] Place clamp(Place p) const;
-  [[nodiscard]] Place end() const;
+  [[nodiscard]] TextPlace clamp(TextPlace p) const;
+  [[nodiscard]] TextPlace end() const;
   /// Characters before a byte, a tab counting four; and back.
-  [[nodiscard]] int column(Place p) const;
-  [[nodiscard]] Place at_column(int line, int column) const;
+  [[nodiscard]] int column(TextPlace p) const;
+  [[nodiscard]] TextPlace at_column(int line, int column) const;
   static constexpr int tab_columns = 4;
 
  private:
   struct Edit {
-    Place at;
+    TextPlace at;
     std::string removed, added;
-    Place caret_before, anchor_before;
+    TextPlace caret_before, anchor_before;
     bool typing = false;  // may be joined by the next typed character
   };
-  Place put(Place at, std::string_view text);
+  TextPlace put(TextPlace at, std::string_view text);
   void cut(const Stretch& s);
   void apply(const Stretch& what, std::string_view by, bool typing);
   [[nodiscard]] bool joins(const Edit& last, const Stretch& what, std::string_view by) const;
-  [[nodiscard]] Place before(Place p) const;
-  [[nodiscard]] Place after(Place p) const;
-  [[nodiscard]] Place word_before(Place p) const;
-  [[nodiscard]] Place word_after(Place p) const;
+  [[nodiscard]] TextPlace before(TextPlace p) const;
+  [[nodiscard]] TextPlace after(TextPlace p) const;
+  [[nodiscard]] TextPlace word_before(TextPlace p) const;
+  [[nodiscard]] TextPlace word_after(TextPlace p) const;
   [[nodiscard]] std::optional<int> find_in_line(std::string_view needle, int line, int from,
                                                 bool forward) const;
 
   std::vector<std::string> lines_;
-  Place caret_, anchor_;
+  TextPlace caret_, anchor_;
   int wanted_column_ = -1;  // of a way up or down through shorter lines
   std::vector<Edit> done_, undone_;
   std::uint64_t version_ = 1;

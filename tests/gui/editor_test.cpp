@@ -64,11 +64,11 @@ TEST(CodeEditor, ArrowsMoveTheCaretAndJogNothing) {
   ASSERT_TRUE(b.stage.hand.click("program/text"));
   ASSERT_TRUE(b.stage.hand.key("Ctrl+Home"));
   ASSERT_TRUE(b.stage.hand.key("Right"));
-  EXPECT_EQ(b.editor.model().caret(), (Place{0, 1}));
+  EXPECT_EQ(b.editor.model().caret(), (TextPlace{0, 1}));
   EXPECT_EQ(jogs, 0);
   ASSERT_TRUE(b.stage.hand.click("other"));
   ASSERT_TRUE(b.stage.hand.key("Right"));
-  EXPECT_EQ(b.editor.model().caret(), (Place{0, 1}));
+  EXPECT_EQ(b.editor.model().caret(), (TextPlace{0, 1}));
   EXPECT_EQ(jogs, 2) << "down and up of a jog key";
 }
 
@@ -122,7 +122,7 @@ TEST(CodeEditor, Finds) {
   ASSERT_TRUE(b.stage.hand.exists("program/text/find"));
   ASSERT_TRUE(b.stage.hand.type("program/text/find", "one"));
   EXPECT_EQ(b.editor.model().selected(), "one");
-  const Place first = b.editor.model().selection().begin;
+  const TextPlace first = b.editor.model().selection().begin;
   ASSERT_TRUE(b.stage.hand.key("Enter"));
   EXPECT_NE(b.editor.model().selection().begin, first);
   ASSERT_TRUE(b.stage.hand.key("Escape"));

@@ -55,7 +55,7 @@ TEST(TextModel, SelectionIsReplaced) {
   EXPECT_EQ(m.selected(), "ne\ntwo\nth");
   m.insert("-");
   EXPECT_EQ(m.text(), "o-ree");
-  EXPECT_EQ(m.caret(), (Place{0, 2}));
+  EXPECT_EQ(m.caret(), (TextPlace{0, 2}));
   m.undo();
   EXPECT_EQ(m.text(), "one\ntwo\nthree");
   EXPECT_EQ(m.selected(), "ne\ntwo\nth");
@@ -63,12 +63,12 @@ TEST(TextModel, SelectionIsReplaced) {
 
 TEST(TextModel, PlacesStandBetweenCharacters) {
   TextModel m = model("10 \xC2\xB5s");
-  EXPECT_EQ(m.clamp({0, 4}), (Place{0, 3}));
+  EXPECT_EQ(m.clamp({0, 4}), (TextPlace{0, 3}));
   m.move_to({0, 3}, false);
   m.right(Step::character, false);
-  EXPECT_EQ(m.caret(), (Place{0, 5}));
+  EXPECT_EQ(m.caret(), (TextPlace{0, 5}));
   EXPECT_EQ(m.column(m.caret()), 4);
-  EXPECT_EQ(m.at_column(0, 4), (Place{0, 5}));
+  EXPECT_EQ(m.at_column(0, 4), (TextPlace{0, 5}));
   m.backspace(false);
   EXPECT_EQ(m.text(), "10 s");
 }
@@ -77,13 +77,13 @@ TEST(TextModel, UpAndDownKeepTheColumn) {
   TextModel m = model("long line\nx\nlong again");
   m.move_to({0, 7}, false);
   m.down(1, false);
-  EXPECT_EQ(m.caret(), (Place{1, 1}));
+  EXPECT_EQ(m.caret(), (TextPlace{1, 1}));
   m.down(1, false);
-  EXPECT_EQ(m.caret(), (Place{2, 7}));
+  EXPECT_EQ(m.caret(), (TextPlace{2, 7}));
   m.down(1, false);
   EXPECT_EQ(m.caret(), m.end());
   m.down(-9, true);
-  EXPECT_EQ(m.selection().begin, (Place{0, 0}));
+  EXPECT_EQ(m.selection().begin, (TextPlace{0, 0}));
 }
 
 TEST(TextModel, Words) {
@@ -130,13 +130,13 @@ TEST(TextModel, FindGoesRound) {
   const TextModel m = model("abc\nxABCx\nabc");
   auto hit = m.find("abc", {0, 1}, true);
   ASSERT_TRUE(hit);
-  EXPECT_EQ(hit->begin, (Place{1, 1})) << "either case";
+  EXPECT_EQ(hit->begin, (TextPlace{1, 1})) << "either case";
   hit = m.find("abc", {2, 1}, true);
   ASSERT_TRUE(hit);
-  EXPECT_EQ(hit->begin, (Place{0, 0}));
+  EXPECT_EQ(hit->begin, (TextPlace{0, 0}));
   hit = m.find("abc", {0, 0}, false);
   ASSERT_TRUE(hit);
-  EXPECT_EQ(hit->begin, (Place{2, 0}));
+  EXPECT_EQ(hit->begin, (TextPlace{2, 0}));
   EXPECT_FALSE(m.find("zzz", {0, 0}, true));
   EXPECT_FALSE(m.find("", {0, 0}, true));
 }

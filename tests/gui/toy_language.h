@@ -6,6 +6,7 @@
 
 #include "core/device/catalog.h"
 #include "core/device/language.h"
+#include "core/session/address.h"
 
 namespace hw::test {
 
@@ -87,6 +88,12 @@ inline ParamInfo toy_param(const char* mnemonic, const char* label, const char* 
   p.explanation = std::string(label) + ", explained for a stranger.";
   p.minimum = low, p.maximum = high, p.fallback = fallback;
   return p;
+}
+
+inline Address toy_address() {
+  Address a;
+  a.model = "toy", a.transport = "emulator";
+  return a;
 }
 
 inline Catalog toy_catalog() {

@@ -1,0 +1,60 @@
+#pragma once
+// The program: text, what it costs, what is wrong with it, what it would do, and the controller that runs it.
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "gui/desk.h"
+#include "gui/panel.h"
+#include "gui/widgets/button.h"
+#include "gui/widgets/file_dialog.h"
+#include "panels/program_editor.h"
+#include "panels/rehearsal_card.h"
+
+namespace hw::panels {
+
+class Program final : public gui::Panel {
+ public:
+  void draw(gui::Frame& frame) override;
+
+ private:
+  void follow(gui::Frame& frame);
+  void draw_toolbar(gui::Frame& frame);
+  void draw_memory(gui::Frame& frame, float left);
+  void draw_slots(gui::Frame& frame);
+  void draw_file_buttons(gui::Frame& frame);
+  static gui::ButtonOptions file_button_look(const gui::Frame& frame, const char* keys);
+  static float file_buttons_width(const gui::Frame& frame);
+  void ask_open(const gui::Frame& frame);
+  void ask_save(const gui::Frame& frame);
+  void draw_work(gui::Frame& frame, float bottom);
+  float draw_below(gui::Frame& frame);
+  void draw_note(gui::Frame& frame, float top, float height);
+  float draw_problem_link(gui::Frame& frame, const ProgramReport& report, float right, float middle);
+  void draw_ask(gui::Frame& frame, float top);
+  void draw_dialogs(gui::Frame& frame);
+  void shortcuts(gui::Frame& frame);
+
+  void run(gui::Frame& frame, bool stepping);
+  void simulate(gui::Frame& frame);
+  void check(gui::Frame& frame);
+  void start(gui::Frame& frame, gui::ProgramJob::Goal goal);
+  void save(gui::Frame& frame);
+  void save_as(gui::Frame& frame, const std::filesystem::path& path);
+  void open(gui::Frame& frame, const std::filesystem::path& path);
+  void ask_or_open(gui::Frame& frame, const std::filesystem::path& path);
+  [[nodiscard]] std::string_view why_not_run(const gui::Frame& frame) const;
+
+  ProgramEditor editor_;
+  RehearsalCard rehearsal_;
+  gui::FileDialog open_, save_;
+  bool rehearsal_open_ = false;  ///< medium and narrow: the column instead of the line
+  bool asking_replace_ = false, asking_clear_ = false;
+  std::filesystem::path to_open_;
+  std::string question_, words_;
+  gui::ProgramNote note_;
+  std::string note_time_;
+  int next_problem_ = -1;
+};
+
+}  // namespace hw::panels

@@ -1,0 +1,31 @@
+#pragma once
+// The editor of one controller's program texts: the toolkit's editor, fed from the texts and the snapshot.
+// Each slot keeps its own caret, selection and undo.
+#include <array>
+#include <string>
+
+#include "core/device/snapshot.h"
+#include "gui/frame.h"
+#include "gui/widgets/code_editor.h"
+
+namespace hw::panels {
+
+class ProgramEditor {
+ public:
+  /// At ImGui's cursor, logical size.
+  void draw(gui::Frame& frame, int slot, float width, float height);
+  /// Brings a line (from 0) into sight and puts the caret there.
+  void go_to(int slot, int line, int byte);
+
+ private:
+  void take_changes(gui::Frame& frame, int slot);
+
+  struct Slot {
+    gui::CodeEditor editor;
+    std::uint64_t version = 0;  ///< of ProgramTexts, that the editor shows
+  };
+  std::array<Slot, max_slots> slots_;
+  std::string comment_mark_;
+};
+
+}  // namespace hw::panels

@@ -1,0 +1,235 @@
+#include "panels/rehearsal_card.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "gui/tab.h"
+#include "gui/widgets/button.h"
+#include "gui/widgets/icons.h"
+#include "gui/widgets/slider.h"
+#include "gui/widgets/text.h"
+
+namespace hw::panels {
+
+using namespace gui;
+
+// To a tenth of a second, as a person compares two runs: "1 min 08.6 s".
+static std::string exact_time(double s) {
+  const auto tenths = static_cast<long long>(s * 10 + 0.5);
+  if (tenths >= 36000)
+    return fmt::format("{} h {:02} min {:02} s", tenths / 36000, tenths / 600 % 60, tenths / 10 % 60);
+  if (tenths >= 600) return fmt::format("{} min {:02}.{} s", tenths / 600, tenths / 10 % 60, tenths % 10);
+  return fmt::format("{}.{} s", tenths / 10, tenths % 10);
+}
+
+// The words of the outcome in the user's units; the caption says which text they are of.
+void RehearsalCard::refresh(Frame& f, int slot) {
+  Desk& desk = f.tab.desk();
+  outcome_ = desk.rehearsals.of(slot);
+  const int older = desk.rehearsals.older_than_line(slot, desk.texts.text(slot));
+  const HeldProgram& held = desk.texts.held(slot);
+  old_ = outcome_ && older >= 0;
+  const ProgramState& p = f.now.program;
+  of_running_ =
+      outcome_ && p.owned && p.slot == slot && p.run != RunState::idle && held.text == outcome_->text;
+  if (desk.rehearsals.under_way(slot))
+    said_caption_ = "working it out";
+  else if (!outcome_)
+    said_caption_ = "";
+  else if (of_running_)
+    said_caption_ = "of the version running";
+  else if (old_) {
+    const auto end = fmt::format_to_n(caption_, sizeof caption_, "before line {}", older + 1);
+    said_caption_ = {caption_, std::min(end.size, sizeof caption_)};
+  } else {
+    said_caption_ = "of this text";
+  }
+  std::string units;
+  for (std::size_t i = 0; i < f.catalog.axes.size(); ++i)
+    units += f.tab.unit(AxisId{static_cast<std::uint8_t>(i)}).name + "\n";
+  if (version_ == desk.rehearsals.version() && slot_ == slot && units == text_of_units_) return;
+  version_ = desk.rehearsals.version();
+  slot_ = slot;
+  text_of_units_ = std::move(units);
+  axes_.clear();
+  event_times_.clear();
+  time_.clear(), fault_.clear(), sends_.clear(), spans_.clear();
+  if (!outcome_) return;
+  if (!outcome_->result) {
+    fault_ = outcome_->result.error().sentence();
+    return;
+  }
+  const Rehearsal& r = *outcome_->result;
+  time_ = exact_time(r.duration_s);
+  fault_ = r.error;
+  if (fault_.empty() && !r.finished)
+    fault_ =
+        fmt::format("It has not ended after {}; it may never end.", format_duration(r.duration_s).view());
+  for (const RehearsedAxis& axis : r.axes) {
+    const int i = f.catalog.find_axis(axis.name);
+    if (i < 0) continue;
+    const DisplayUnit& unit = f.tab.unit(AxisId{static_cast<std::uint8_t>(i)});
+    std::string span = axis.minimum == axis.maximum
+                           ? std::string("does not move")
+                           : fmt::format("{} to {}", format_position(Steps(axis.minimum), unit).view(),
+                                         format_with_unit(Steps(axis.maximum), unit).view());
+    if (axis.minimum != axis.maximum)
+      spans_ += fmt::format("{}{}: {}", spans_.empty() ? "" : ", ", axis.name, span);
+    axes_.push_back({axis.name, std::move(span)});
+  }
+  for (const char c : r.sent_to_host)
+    if (c == '\r')
+      sends_ += ' ';
+    else
+      sends_ += c;
+  constexpr std::size_t most_events = 200;
+  for (std::size_t i = 0; i < std::min(r.events.size(), most_events); ++i)
+    event_times_.push_back(fmt::format("{:.1f} s", r.events[i].t));
+}
+
+void RehearsalCard::draw_column(Frame& f, int slot, float width, float height) {
+  Ui& ui = f.ui;
+  refresh(f, slot);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(16), 0));
+  ImGui::BeginChild(
+      "rehearsal", ImVec2(ui.px(width), ui.px(height)), false,
+      ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav);
+  ImGui::PopStyleVar();
+  section_title(ui, "Rehearsal", said_caption_);
+  if (!outcome_) {
+    wrapped(ui, Face::body, Tone::ink2,
+            "Simulate runs the text without moving anything: how long it takes, how far each axis goes, what "
+            "it sends.");
+  } else if (!outcome_->result) {
+    named_text(ui, "rehearsal/result", Face::body_medium, Tone::fault, "It cannot run.");
+    wrapped(ui, Face::body, Tone::ink, fault_);
+  } else {
+    draw_progress(f);
+    draw_axes(f);
+    draw_verdict(f);
+    draw_events(f);
+  }
+  gap(ui, 12);
+  ImGui::EndChild();
+}
+
+void RehearsalCard::draw_progress(Frame& f) {
+  Ui& ui = f.ui;
+  const Rehearsal& r = *outcome_->result;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float right = at.x + ImGui::GetContentRegionAvail().x;
+  named_text(ui, "rehearsal/result", Face::time, old_ && !of_running_ ? Tone::ink3 : Tone::ink, time_);
+  float share = 0;
+  if (of_running_ && r.duration_s > 0) {
+    const double gone = seconds(f.clock - f.now.program.started_at);
+    share = static_cast<float>(std::clamp(gone / r.duration_s, 0.0, 1.0));
+    const NumberText left = format_duration(std::max(0.0, r.duration_s - gone));
+    NumberText words = left;
+    words.append(" left");
+    draw_text_right(ui, ImVec2(right, at.y + ui.px(4)), Face::body, ui[Tone::ink2], words);
+    if (f.now.program.run == RunState::running) ui.wake_in(0.1);
+  }
+  gap(ui, 8);
+  meter(ui, "rehearsal/progress", "Done", share, {.tone = Tone::motion, .old = old_ && !of_running_});
+  gap(ui, 12);
+}
+
+void RehearsalCard::draw_axes(Frame& f) {
+  char id[48];
+  for (const Axis& axis : axes_) {
+    const auto end = fmt::format_to_n(id, sizeof id, "rehearsal/axis/{}", axis.name);
+    key_value(f.ui, {id, std::min(end.size, sizeof id)}, axis.name, axis.span);
+  }
+  gap(f.ui, 8);
+}
+
+void RehearsalCard::draw_verdict(Frame& f) {
+  Ui& ui = f.ui;
+  const Rehearsal& r = *outcome_->result;
+  if (!fault_.empty()) {
+    wrapped(ui, Face::body, Tone::fault, fault_);
+    gap(ui, 8);
+  }
+  key_value(ui, "rehearsal/limits", "Limits", r.limit_touched ? "touched" : "none touched",
+            r.limit_touched ? Tone::warn : Tone::ok);
+  char words[32];
+  auto end = fmt::format_to_n(words, sizeof words, "{}", r.moves);
+  key_value(ui, "rehearsal/moves", "Moves", {words, std::min(end.size, sizeof words)});
+  char id[48], key[48];
+  for (const auto& [output, on] : r.outputs) {
+    if (on == 0) continue;
+    end = fmt::format_to_n(id, sizeof id, "rehearsal/out/{}", output);
+    const auto key_end = fmt::format_to_n(key, sizeof key, "Output {} at the end", output);
+    key_value(ui, {id, std::min(end.size, sizeof id)}, {key, std::min(key_end.size, sizeof key)}, "on");
+  }
+  key_value(ui, "rehearsal/sends", "Sends",
+            sends_.empty() ? std::string_view("nothing") : std::string_view(sends_));
+}
+
+void RehearsalCard::draw_events(Frame& f) {
+  Ui& ui = f.ui;
+  const Rehearsal& r = *outcome_->result;
+  if (event_times_.empty()) return;
+  group_line(ui, 8);
+  const float left = ImGui::GetCursorScreenPos().x, right = left + ImGui::GetContentRegionAvail().x;
+  for (std::size_t i = 0; i < event_times_.size(); ++i) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float middle = at.y + ui.px(10);
+    draw_text_line(ui, left, left + ui.px(60), middle, Face::code_time, ui[Tone::ink3], event_times_[i]);
+    draw_text_line(ui, left + ui.px(64), right, middle, Face::small, ui[Tone::ink2], r.events[i].what);
+    ImGui::Dummy(ImVec2(right - left, ui.px(20) - ImGui::GetStyle().ItemSpacing.y));
+  }
+  if (r.events.size() > event_times_.size()) text(ui, Face::small, Tone::ink3, "and more");
+}
+
+bool RehearsalCard::draw_line(Frame& f, int slot, bool opened) {
+  Ui& ui = f.ui;
+  refresh(f, slot);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float left = ui.px(f.area.x + 16), right = ui.px(f.area.right() - 16), middle = at.y + ui.px(18);
+  ImGui::SetCursorScreenPos(ImVec2(ui.px(f.area.x), at.y));
+  const Touch t = touch(ui,
+                        {.id = "rehearsal/expand",
+                         .kind = Kind::toggle,
+                         .label = "Rehearsal",
+                         .value = opened ? "open" : "closed"},
+                        ImVec2(ui.px(f.area.width), ui.px(36)));
+  if (t.hovered) draw_fill(ui, t.rect, ui[Tone::hover], 0);
+  ImGui::GetWindowDrawList()->AddRectFilled(t.rect.min, ImVec2(t.rect.max.x, t.rect.min.y + ui.hair()),
+                                            ui[Tone::line]);
+  float x = left;
+  const auto word = [&](Face face, Tone tone, std::string_view s) {
+    draw_text_line(ui, x, right - ui.px(24), middle, face, ui[tone], s);
+    x += std::ceil(text_width(ui, face, s)) + ui.px(14);
+  };
+  word(Face::body_bold, Tone::ink, "Rehearsal");
+  const Tone tone = old_ && !of_running_ ? Tone::ink3 : Tone::ink;
+  if (!outcome_) {
+    word(Face::body, Tone::ink2,
+         said_caption_.empty() ? "Simulate runs the text without moving anything." : said_caption_);
+  } else if (!outcome_->result || !fault_.empty()) {
+    word(Face::body, Tone::fault, fault_);
+  } else {
+    word(Face::body_medium, tone, time_);
+    if (old_) word(Face::small, Tone::ink3, said_caption_);
+    word(Face::body, Tone::ink2, spans_);
+    const bool touched = outcome_->result->limit_touched;
+    draw_icon(ImGui::GetWindowDrawList(), touched ? Icon::warning : Icon::check, ImVec2(x + ui.px(6), middle),
+              ui.px(12), ui[touched ? Tone::warn : Tone::ok]);
+    x += ui.px(20);
+    word(Face::body, Tone::ink, touched ? "a limit is touched" : "no limit touched");
+  }
+  show(ui,
+       {.id = "rehearsal/result",
+        .kind = Kind::text,
+        .label = "Rehearsal",
+        .value = fault_.empty() ? time_ : fault_},
+       t.rect);
+  draw_icon(ImGui::GetWindowDrawList(), opened ? Icon::chevron_up : Icon::chevron_down,
+            ImVec2(right - ui.px(6), middle), ui.px(12), ui[Tone::ink2]);
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(36)));
+  return t.clicked;
+}
+
+}  // namespace hw::panels

@@ -1,0 +1,38 @@
+#pragma once
+// What a dry run of the text came to: time, spans, verdict. As a column beside the editor, or as one line.
+#include "gui/desk.h"
+#include "gui/frame.h"
+#include "gui/ui.h"
+
+namespace hw::panels {
+
+class RehearsalCard {
+ public:
+  /// At ImGui's cursor, `width` and `height` logical.
+  void draw_column(gui::Frame& frame, int slot, float width, float height);
+  /// One line of 36. True: a click wants the column.
+  bool draw_line(gui::Frame& frame, int slot, bool opened);
+
+ private:
+  void refresh(gui::Frame& frame, int slot);
+  void draw_progress(gui::Frame& frame);
+  void draw_axes(gui::Frame& frame);
+  void draw_verdict(gui::Frame& frame);
+  void draw_events(gui::Frame& frame);
+
+  // What is shown, made anew only when it changes.
+  int version_ = -1, slot_ = -1;
+  std::string text_of_units_;
+  const gui::Rehearsals::Outcome* outcome_ = nullptr;
+  std::string time_, fault_, sends_, spans_;
+  struct Axis {
+    std::string name, span;
+  };
+  std::vector<Axis> axes_;
+  std::vector<std::string> event_times_;
+  bool old_ = false, of_running_ = false;
+  char caption_[48] = {};
+  std::string_view said_caption_;
+};
+
+}  // namespace hw::panels

@@ -1,0 +1,249 @@
+#include "panels/terminal.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "core/session/user_files.h"
+#include "gui/console.h"
+#include "gui/tab.h"
+#include "gui/widgets/button.h"
+#include "gui/widgets/text.h"
+
+namespace hw::panels {
+
+using namespace gui;
+
+Terminal::Terminal() {
+  line_help_.history = [this](std::string& text, int direction) { return older_or_newer(text, direction); };
+  line_help_.complete = [this](std::string& text, std::size_t& cursor) { return complete(text, cursor); };
+}
+
+void Terminal::draw(Frame& f) {
+  Desk& desk = f.tab.desk();
+  desk_ = &desk;
+  constexpr float head = 44, command_row = 48, offered_row = 24;
+  const bool with_head = f.area.height >= head + command_row + 3 * 20;
+  if (with_head) draw_head(f, desk.traffic);
+  const float offered = std::min<float>(static_cast<float>(offered_.size()), 8) * offered_row;
+  const float bottom = f.ui.px(f.area.bottom());
+  const float left_for_log = bottom - ImGui::GetCursorScreenPos().y - f.ui.px(command_row) - f.ui.px(offered);
+  rows_.draw(f.ui, desk.traffic, std::max(left_for_log, f.ui.px(20)));
+  if (!offered_.empty()) draw_list(f);
+  draw_command(f);
+  if (const auto path = save_.draw(f.ui)) {
+    desk.worker().run([path = *path, text = desk.traffic.text_of_all()] { return write_file(path, text); },
+                      [&console = f.console, path = *path](Result<> written) {
+                        if (written)
+                          console.toast(Mood::ok, fmt::format("The log was saved as {}.", path.string()));
+                        else
+                          console.toast(Mood::fault, written.error().sentence());
+                      },
+                      desk.alive());
+  }
+  desk_ = nullptr;
+}
+
+// ---- head
+// --------------------------------------------------------------------------------------------------
+
+void Terminal::draw_head(Frame& f, TrafficLog& log) {
+  Ui& ui = f.ui;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float middle = at.y + ui.px(22), left = ui.px(f.area.x + 16);
+  draw_text_line(ui, left, ui.px(f.area.right()), middle, Face::body_bold, ui[Tone::ink], "Terminal");
+  TrafficLog::View view = log.view();
+  filter_ = view.filter;
+
+  struct Part {
+    const char *id, *label, *tip;
+    bool* on;  // null: an action
+  };
+  const Part toggles[] = {
+      {"terminal/decoded", "Decoded", "What the bytes mean, after the manual.", &view.decoded},
+      {"terminal/fold", "Polls folded", "What the console asks by itself, in one line that counts.",
+       &view.fold_polls},
+      {"terminal/hex", "Hex", "Every byte in hexadecimal.", &view.hex},
+  };
+  const Part actions[] = {
+      {"terminal/copy", "Copy", "The chosen lines, or all that are shown.", nullptr},
+      {"terminal/clear", "Clear", "Empties this list. Nothing is sent.", nullptr},
+      {"terminal/save", "Save log", "All that is kept, with times, into a file.", nullptr},
+  };
+  const auto look = [](const Part& p) {
+    return ButtonOptions{
+        .style = p.on ? ButtonStyle::segment : ButtonStyle::quiet, .tip = p.tip, .on = p.on && *p.on};
+  };
+  const bool roomy = f.area.width >= 700;
+  const float filter_width = roomy ? 128 : 96, space = roomy ? 8 : 0;
+  float width = filter_width + space;
+  for (const Part& p : toggles) width += button_width(ui, p.label, look(p)) + space;
+  for (const Part& p : actions) width += button_width(ui, p.label, look(p));
+  float x = f.area.right() - 16 - width;
+  const auto place = [&](float w) {
+    ImGui::SetCursorScreenPos(ImVec2(ui.px(x), at.y + ui.px(6)));
+    x += w;
+  };
+  for (const Part& p : toggles) {
+    place(button_width(ui, p.label, look(p)) + space);
+    if (button(ui, p.id, p.label, look(p)).clicked) *p.on = !*p.on;
+  }
+  place(filter_width + space);
+  text_field(ui, "terminal/filter", "Filter", filter_, {.placeholder = "Filter", .width = filter_width});
+  view.filter = filter_;
+  for (const Part& p : actions) {
+    place(button_width(ui, p.label, look(p)));
+    if (button(ui, p.id, p.label, look(p)).clicked) act(f, log, p.id);
+  }
+  log.set_view(std::move(view));
+  draw_lost(ui, log, left + ui.px(72), ui.px(f.area.right() - 24 - width), middle);
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(44)));
+}
+
+void Terminal::draw_lost(Ui& ui, const TrafficLog& log, float left, float right, float middle) {
+  if (log.lost() == 0) return;
+  char words[64];
+  const auto end = fmt::format_to_n(words, sizeof words, "{} entries missing", log.lost());
+  draw_text_line(ui, left, right, middle, Face::small, ui[Tone::warn],
+                 {words, std::min(end.size, sizeof words)});
+}
+
+void Terminal::act(Frame& f, TrafficLog& log, std::string_view id) {
+  if (id == "terminal/save")
+    return save_.ask_save("Save the log", save_.folder() / "traffic.log", {".log", ".txt"});
+  if (id == "terminal/copy") {
+    ImGui::SetClipboardText(rows_.copied(log).c_str());
+    return f.toast(Mood::ok, "The log was copied.");
+  }
+  log.clear();
+  rows_.choose_none();
+  rows_.to_the_end();
+}
+
+// ---- the line
+// ----------------------------------------------------------------------------------------------
+
+bool Terminal::older_or_newer(std::string& text, int direction) {
+  if (!offered_.empty()) {
+    const std::size_t n = offered_.size();
+    offered_chosen_ = (offered_chosen_ + n + static_cast<std::size_t>(direction + static_cast<int>(n))) % n;
+    text = desk_->help.with(text, offered_[offered_chosen_]);
+    took_offer_ = true;
+    return true;
+  }
+  const auto& history = desk_->history;
+  if (direction < 0 && history_at_ == history.size()) draft_ = text;
+  if (direction < 0 ? history_at_ == 0 : history_at_ >= history.size()) return false;
+  direction < 0 ? --history_at_ : ++history_at_;
+  text = history_at_ == history.size() ? draft_ : history[history_at_];
+  return true;
+}
+
+// Tab adds what is certain; when nothing is, it shows what could come.
+bool Terminal::complete(std::string& text, std::size_t& cursor) {
+  std::string longer = desk_->help.complete(text);
+  if (longer != text) {
+    text = std::move(longer);
+    cursor = text.size();
+    return true;
+  }
+  offered_ = offered_.empty() ? desk_->help.candidates(text) : std::vector<std::size_t>();
+  offered_chosen_ = offered_.size();
+  if (!offered_.empty()) offered_chosen_ = offered_.size() - 1;
+  return false;
+}
+
+void Terminal::draw_list(Frame& f) {
+  Ui& ui = f.ui;
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+  ImGui::PushStyleColor(ImGuiCol_ChildBg, ui[Tone::raised]);
+  const float row = ui.px(24);
+  const auto shown = static_cast<float>(std::min<std::size_t>(offered_.size(), 8));
+  ImGui::BeginChild("terminal/offered", ImVec2(0, shown * row), false,
+                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav);
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar();
+  for (std::size_t i = 0; i < offered_.size(); ++i) {
+    const CommandInfo& command = f.catalog.commands[offered_[i]];
+    char id[64];
+    const auto end = fmt::format_to_n(id, sizeof id, "terminal/offer/{}", command.form);
+    const Touch t = touch(ui,
+                          {.id = {id, std::min(end.size, sizeof id)},
+                           .kind = Kind::row,
+                           .label = command.form,
+                           .value = command.help},
+                          ImVec2(ImGui::GetContentRegionAvail().x, row));
+    if (t.hovered || (took_offer_ && i == offered_chosen_)) draw_fill(ui, t.rect, ui[Tone::hover], 0);
+    const float middle = std::floor(t.rect.centre().y);
+    draw_text_line(ui, t.rect.min.x + ui.px(16), t.rect.max.x, middle, Face::code_field, ui[Tone::ink],
+                   command.form);
+    const float help_x = t.rect.min.x + ui.px(140);
+    if (command.moves)
+      draw_icon(ImGui::GetWindowDrawList(), Icon::play, ImVec2(help_x - ui.px(14), middle), ui.px(9),
+                ui[Tone::motion]);
+    draw_text_line(ui, help_x, t.rect.max.x - ui.px(16), middle, Face::body, ui[Tone::ink2], command.help);
+    if (t.clicked) {
+      command_ = desk_->help.with(command_, offered_[i]);
+      offered_.clear();
+      took_offer_ = false;
+      type_into(ui, "terminal/command");
+      break;
+    }
+  }
+  ImGui::SetCursorPosY(ImGui::GetCursorPosY());
+  ImGui::EndChild();
+}
+
+void Terminal::draw_command(Frame& f) {
+  Ui& ui = f.ui;
+  const float top = ui.px(f.area.bottom() - 40);
+  ImGui::GetWindowDrawList()->AddRectFilled(
+      ImVec2(ui.px(f.area.x), ui.px(f.area.bottom() - 48)),
+      ImVec2(ui.px(f.area.right()), ui.px(f.area.bottom() - 48) + ui.hair()), ui[Tone::line]);
+  const ButtonOptions send_look{
+      .icon_after = Icon::enter,
+      .disabled = f.connected() ? std::string_view() : "There is no link. What you type stays here."};
+  const float send_width = button_width(ui, "Send", send_look);
+  if (hint_of_ != command_) {
+    hint_of_ = command_;
+    hint_ = f.tab.desk().help.hint(command_).sentence;
+  }
+  ImGui::SetCursorScreenPos(ImVec2(ui.px(f.area.x + 16), top));
+  const FieldOptions look{.placeholder = "Command, or Tab for the list",
+                          .hint = hint_,
+                          .prompt = Icon::prompt,
+                          .face = Face::code_field,
+                          .width = f.area.width - 40 - send_width,
+                          .keep_focus = true,
+                          .help = &line_help_};
+  const Field field = text_field(ui, "terminal/command", "Command", command_, look);
+  if (field.edited && !took_offer_) offered_.clear();
+  ImGui::SetCursorScreenPos(ImVec2(ui.px(f.area.right() - 16 - send_width), top));
+  const bool sent = button(ui, "terminal/send", "Send", send_look).clicked;
+  if (ui.cancelled()) offered_.clear();
+  if (field.entered && !offered_.empty() && took_offer_) {
+    offered_.clear();
+    took_offer_ = false;
+    return;
+  }
+  if (sent || field.entered) send(f);
+}
+
+void Terminal::send(Frame& f) {
+  if (command_.empty()) return;
+  if (!f.connected())
+    return f.toast(Mood::warn, "There is no link. Nothing was sent; what you typed stays here.");
+  f.send(intent::SendText(command_));
+  auto& history = f.tab.desk().history;
+  if (history.empty() || history.back() != command_) history.push_back(command_);
+  constexpr std::size_t remembered = 200;
+  if (history.size() > remembered) history.erase(history.begin());
+  history_at_ = history.size();
+  command_.clear();
+  draft_.clear();
+  offered_.clear();
+  took_offer_ = false;
+  rows_.to_the_end();
+}
+
+}  // namespace hw::panels

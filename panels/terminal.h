@@ -1,0 +1,42 @@
+#pragma once
+// The wire as it speaks: traffic decoded, and a line to speak to it oneself.
+#include <string>
+#include <vector>
+
+#include "gui/desk.h"
+#include "gui/panel.h"
+#include "gui/widgets/file_dialog.h"
+#include "gui/widgets/text_field.h"
+#include "panels/terminal_log.h"
+
+namespace hw::panels {
+
+class Terminal final : public gui::Panel {
+ public:
+  Terminal();
+  void draw(gui::Frame& frame) override;
+
+ private:
+  void draw_head(gui::Frame& frame, gui::TrafficLog& log);
+  static void draw_lost(gui::Ui& ui, const gui::TrafficLog& log, float left, float right, float middle);
+  void act(gui::Frame& frame, gui::TrafficLog& log, std::string_view id);
+  void draw_list(gui::Frame& frame);
+  void draw_command(gui::Frame& frame);
+  void send(gui::Frame& frame);
+  bool older_or_newer(std::string& text, int direction);
+  bool complete(std::string& text, std::size_t& cursor);
+
+  TerminalLog rows_;
+  std::string command_, filter_;
+  std::string hint_, hint_of_;  ///< help for the text that it was made of
+  gui::LineHelp line_help_;
+  gui::Desk* desk_ = nullptr;  ///< while drawing: for the two helpers of the line
+  std::size_t history_at_ = 0;
+  std::string draft_;                 ///< what was typed before Up was pressed
+  std::vector<std::size_t> offered_;  ///< not empty: the list is open
+  std::size_t offered_chosen_ = 0;
+  bool took_offer_ = false;
+  gui::FileDialog save_;
+};
+
+}  // namespace hw::panels

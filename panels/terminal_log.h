@@ -1,0 +1,45 @@
+#pragma once
+// The rows of traffic: drawn only where they are seen, chosen with the mouse, copied as text.
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "gui/frame.h"
+#include "gui/traffic_log.h"
+#include "gui/ui.h"
+
+namespace hw::panels {
+
+class TerminalLog {
+ public:
+  /// Fills the rest of the width and `height` pixels.
+  void draw(gui::Ui& ui, gui::TrafficLog& log, float height);
+  /// What is chosen as text; nothing chosen: everything that is shown.
+  [[nodiscard]] std::string copied(gui::TrafficLog& log) const;
+  void to_the_end() { follow_ = true; }
+  void choose_none() { anchor_ = caret_ = none; }
+
+ private:
+  static constexpr std::uint64_t none = ~std::uint64_t{0};
+  struct Span {
+    std::size_t begin, end;
+  };
+  void draw_rows(gui::Ui& ui, gui::TrafficLog& log, float row_height);
+  void draw_row(gui::Ui& ui, gui::TrafficLog& log, const gui::TrafficLog::Row& row, const gui::Rect& place);
+  void draw_fold(gui::Ui& ui, gui::TrafficLog& log, const gui::TrafficLog::Row& row, const gui::Rect& place);
+  void choose(gui::Ui& ui, gui::TrafficLog& log, float row_height);
+  void say(gui::Ui& ui, gui::TrafficLog& log, Span visible);
+  [[nodiscard]] bool chosen(const gui::TrafficLog::Row& row) const;
+
+  bool follow_ = true;  ///< the newest row stays in sight
+  // Rows come and go at both ends, records keep their number.
+  std::uint64_t anchor_ = none, caret_ = none;
+  bool dragging_ = false, active_ = false;  ///< active: the last click was into the rows
+  std::optional<gui::TrafficLog::Row> to_toggle_;
+  std::string said_;  ///< what scripts read
+  std::uint64_t said_version_ = 0;
+  std::size_t said_begin_ = 0;
+  ImVec2 size_{};
+};
+
+}  // namespace hw::panels

@@ -1,0 +1,196 @@
+#include "panels/program.h"
+
+#include "tests/core/session/folder.h"
+#include "tests/panels/panel_stage.h"
+
+namespace hw::panels {
+namespace {
+
+using ::testing::HasSubstr;
+
+struct ProgramTest : ::testing::Test {
+  ProgramTest() {
+    s.now.slot_bytes_used[0] = 0;
+    s.stage.frames(2);
+  }
+  void write(const char* text) {
+    s.tab.desk().texts.set_text(s.tab.desk().texts.chosen(), text);
+    s.stage.frames(2);
+  }
+  gui::ProgramTexts& texts() { return s.tab.desk().texts; }
+  Program panel;
+  test::PanelStage s{panel, 864, 480};
+};
+
+TEST_F(ProgramTest, TypingReachesTheTextAndTheMeter) {
+  s.type("program/text", "I1M400, L0");
+  EXPECT_EQ(texts().text(0), "I1M400, L0");
+  EXPECT_EQ(s.value("program/memory"), "4 of 20 bytes");
+  EXPECT_EQ(s.value("program/file"), "not in a file");
+}
+
+TEST_F(ProgramTest, RunLoadsThenRuns) {
+  write("I1M400");
+  s.click("program/run");
+  ASSERT_TRUE(s.last<intent::LoadProgram>());
+  EXPECT_EQ(s.last<intent::LoadProgram>()->slot, 0);
+  EXPECT_EQ(s.last<intent::LoadProgram>()->text, "I1M400");
+  EXPECT_THAT(s.reason("program/run"), HasSubstr("transferred"));
+  EXPECT_THAT(s.value("program/note"), HasSubstr("Loading Program 0"));
+  s.settle(Fate::done);
+  ASSERT_TRUE(s.last<intent::RunProgram>());
+  s.settle(Fate::done);
+  EXPECT_THAT(s.value("program/note"), HasSubstr("The controller holds this text, loaded at"));
+}
+
+TEST_F(ProgramTest, KeysDoTheSame) {
+  write("I1M400");
+  ASSERT_TRUE(s.stage.hand.key("Ctrl+Enter"));
+  s.stage.frames(2);
+  EXPECT_TRUE(s.last<intent::LoadProgram>());
+  ASSERT_TRUE(s.stage.hand.key("F5"));
+  s.stage.frames(3);
+  EXPECT_THAT(s.value("rehearsal/result"), HasSubstr("1 min"));
+}
+
+TEST_F(ProgramTest, SlotInUseByAnotherProgramIsAskedAbout) {
+  s.now.slot_bytes_used[0] = 12;
+  write("I1M400");
+  s.click("program/run");
+  ASSERT_TRUE(s.last<intent::UploadProgram>());
+  texts().listed(0, "L9\n", s.tab.clock());
+  s.settle(Fate::done);
+  ASSERT_TRUE(s.stage.find("program/ask/overwrite"));
+  EXPECT_EQ(s.sent.size(), 1u);
+  s.click("program/ask/leave");
+  EXPECT_FALSE(s.stage.find("program/ask/overwrite"));
+  EXPECT_THAT(s.toast(), HasSubstr("Nothing was sent."));
+  EXPECT_EQ(texts().text(0), "I1M400");
+}
+
+TEST_F(ProgramTest, ErrorHasASentenceAndAMend) {
+  write("I1\nBAD");
+  ASSERT_TRUE(s.stage.find("program/problem/1"));
+  EXPECT_THAT(s.value("program/note"), HasSubstr("Mend line 2"));
+  s.click("program/run");
+  EXPECT_TRUE(s.sent.empty());
+  EXPECT_THAT(s.toast(), HasSubstr("Nothing was sent. Line 2: BAD is no command."));
+  s.click("program/problem/1/fix");
+  EXPECT_EQ(texts().text(0), "I1\nGOOD");
+  EXPECT_FALSE(s.stage.find("program/problem/1"));
+}
+
+TEST_F(ProgramTest, TooLongIsSaidByMeterAndRefusedByRun) {
+  write("A,B,C,D,E,F,G,H,J,K,M");
+  EXPECT_EQ(s.value("program/memory"), "22 of 20: 2 too many");
+  s.click("program/run");
+  EXPECT_TRUE(s.sent.empty());
+  EXPECT_THAT(s.toast(), HasSubstr("2 too many. Shorten it."));
+  EXPECT_EQ(texts().text(0), "A,B,C,D,E,F,G,H,J,K,M");
+}
+
+TEST_F(ProgramTest, SlotsKeepTheirOwnTexts) {
+  write("I1");
+  s.click("program/slot/1");
+  EXPECT_EQ(s.value("program/text"), "");
+  write("L0");
+  s.click("program/slot/0");
+  EXPECT_EQ(s.value("program/text"), "I1");
+}
+
+TEST_F(ProgramTest, ButtonsFollowTheRun) {
+  write("I1,L0");
+  texts().loaded(0, "I1,L0", s.tab.clock());
+  EXPECT_EQ(s.reason("program/hold"), "No program runs.");
+  s.now.program.run = RunState::running, s.now.program.owned = true, s.now.program.slot = 0;
+  s.stage.frames(2);
+  EXPECT_THAT(s.reason("program/run"), HasSubstr("A program is running."));
+  s.click("program/hold");
+  EXPECT_TRUE(s.last<intent::Pause>());
+  s.now.program.run = RunState::held;
+  s.stage.frames(2);
+  s.click("program/step");
+  EXPECT_TRUE(s.last<intent::SingleStep>());
+  s.click("program/run");
+  EXPECT_TRUE(s.last<intent::Resume>());
+  s.click("program/stop");
+  EXPECT_TRUE(s.last<intent::HaltProgram>());
+}
+
+TEST_F(ProgramTest, RehearsalSaysWhenItIsOlderThanTheText) {
+  write("I1\nI2\nL0");
+  s.click("program/simulate");
+  EXPECT_THAT(s.value("rehearsal/result"), HasSubstr("1 min 08.6 s"));
+  EXPECT_EQ(s.value("rehearsal/moves"), "40");
+  write("I1\nI3\nL0");
+  EXPECT_EQ(s.tab.desk().rehearsals.older_than_line(0, texts().text(0)), 1);
+}
+
+TEST_F(ProgramTest, SavesOpensAndSaysWhatWentWrong) {
+  test::Folder folder;
+  write("I1M400");
+  s.click("program/save");
+  ASSERT_TRUE(s.stage.find("file/path"));
+  s.type("file/path", (folder.path() / "scan.toy").c_str());
+  s.click("file/save");
+  s.stage.frames(3);
+  EXPECT_EQ(folder.get("scan.toy"), "I1M400");
+  EXPECT_EQ(s.value("program/file"), "scan.toy");
+  write("I1M500");
+  EXPECT_TRUE(texts().edited(0));
+  texts().saved(0, "/dev/full", "");
+  s.click("program/save");
+  s.stage.frames(3);
+  EXPECT_THAT(s.toast(), HasSubstr("the disk is full"));
+  EXPECT_THAT(s.toast(), HasSubstr("The text is kept here"));
+  EXPECT_EQ(texts().text(0), "I1M500");
+  EXPECT_TRUE(texts().edited(0));
+}
+
+TEST_F(ProgramTest, DroppedFileThatIsNoTextLeavesTheProgram) {
+  test::Folder folder;
+  write("I1M400");
+  texts().saved(0, folder.path() / "a.toy", "I1M400");
+  s.tab.desk().dropped.push_back(folder.put("photo.png", std::string("\x89PNG\0\0", 6)));
+  s.stage.frames(3);
+  EXPECT_THAT(s.toast(), HasSubstr("photo.png is not a text"));
+  EXPECT_EQ(texts().text(0), "I1M400");
+  s.tab.desk().dropped.push_back(folder.put("b.toy", "L0\n"));
+  s.stage.frames(3);
+  EXPECT_EQ(texts().text(0), "L0\n");
+  EXPECT_EQ(s.value("program/file"), "b.toy");
+}
+
+TEST_F(ProgramTest, OpeningOverUnsavedTextAsks) {
+  test::Folder folder;
+  write("I1M400");
+  s.tab.desk().dropped.push_back(folder.put("b.toy", "L0\n"));
+  s.stage.frames(3);
+  ASSERT_TRUE(s.stage.find("program/replace/no"));
+  s.click("program/replace/no");
+  EXPECT_EQ(texts().text(0), "I1M400");
+}
+
+TEST_F(ProgramTest, FitsEachTier) {
+  write("I1\nI2");
+  for (const auto& [width, height, tier] :
+       {std::tuple{704, 420, gui::Tier::medium}, std::tuple{720, 260, gui::Tier::narrow},
+        std::tuple{640, 220, gui::Tier::narrow}}) {
+    Program fresh;
+    test::PanelStage other(fresh, width, height, 1, tier);
+    other.tab.desk().texts.set_text(0, "I1M400");
+    other.stage.frames(3);
+    for (const char* id : {"program/run", "program/hold", "program/step", "program/stop", "program/simulate",
+                           "program/check", "program/open", "program/save", "program/store", "program/more",
+                           "program/text", "program/memory", "rehearsal/result"}) {
+      const gui::Widget* w = other.stage.find(id);
+      ASSERT_TRUE(w) << id << " at " << width;
+      EXPECT_GE(w->rect.min.x, 0) << id;
+      EXPECT_LE(w->rect.max.x, width) << id;
+      EXPECT_LE(w->rect.max.y, height) << id;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace hw::panels

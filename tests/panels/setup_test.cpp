@@ -1,0 +1,134 @@
+#include "panels/setup.h"
+
+#include "tests/core/session/folder.h"
+#include "tests/panels/panel_stage.h"
+
+namespace hw::panels {
+namespace {
+
+using ::testing::HasSubstr;
+
+struct SetupTest : ::testing::Test {
+  SetupTest() { s.stage.frames(2); }
+  panels::Setup panel;
+  test::PanelStage s{panel};
+};
+
+TEST_F(SetupTest, EditedValueGoesOutWithWriteOnly) {
+  s.type("setup/j1M", "100\n");
+  EXPECT_TRUE(s.sent.empty());
+  EXPECT_EQ(s.value("setup/j1M"), "100");
+  EXPECT_THAT(s.value("setup/state"), HasSubstr("1 value edited, not written yet."));
+  ASSERT_TRUE(s.stage.find("setup/j1M/was"));
+  s.click("setup/write");
+  ASSERT_TRUE(s.last<intent::SetParam>());
+  EXPECT_EQ(s.last<intent::SetParam>()->mnemonic, "j1M");
+  EXPECT_EQ(s.last<intent::SetParam>()->value, 100);
+  s.now.params[1].value = 100;
+  s.settle(Fate::done);
+  EXPECT_THAT(s.toast(), HasSubstr("1 value written and read back."));
+  EXPECT_THAT(s.reason("setup/write"), HasSubstr("Nothing here differs"));
+}
+
+TEST_F(SetupTest, OutOfRangeIsSaidAndNotTaken) {
+  s.type("setup/j1M", "9000\n");
+  EXPECT_THAT(s.reason("setup/write"), HasSubstr("Nothing here differs"));
+  EXPECT_EQ(s.value("setup/j1M"), "9000") << "what was typed stays to be mended";
+  EXPECT_TRUE(s.sent.empty());
+}
+
+TEST_F(SetupTest, WasBringsTheOldValueBack) {
+  s.type("setup/j1M", "100\n");
+  s.click("setup/j1M/was");
+  EXPECT_EQ(s.value("setup/j1M"), "2000");
+  EXPECT_FALSE(s.stage.find("setup/j1M/was"));
+}
+
+TEST_F(SetupTest, WarningIsConfirmedBeforeItIsWritten) {
+  s.click("setup/M1M");
+  s.click("setup/M1M/2: big");
+  EXPECT_EQ(s.value("setup/M1M"), "2: big");
+  s.click("setup/write");
+  EXPECT_TRUE(s.sent.empty());
+  ASSERT_TRUE(s.stage.find("setup/confirm/yes"));
+  s.click("setup/confirm/no");
+  EXPECT_TRUE(s.sent.empty());
+  s.click("setup/write");
+  s.click("setup/confirm/yes");
+  ASSERT_TRUE(s.last<intent::SetParam>());
+  EXPECT_TRUE(s.last<intent::SetParam>()->confirmed);
+  EXPECT_EQ(s.last<intent::SetParam>()->value, 2);
+}
+
+TEST_F(SetupTest, BitsAreBoxes) {
+  EXPECT_EQ(s.value("setup/I"), "7");
+  EXPECT_EQ(s.value("setup/I/4"), "off");
+  s.click("setup/I/4");
+  EXPECT_EQ(s.value("setup/I"), "23");
+  s.click("setup/I/4");
+  EXPECT_EQ(s.value("setup/I"), "7");
+}
+
+TEST_F(SetupTest, SearchAndShowNarrowTheList) {
+  s.type("setup/filter", "jog speed");
+  EXPECT_TRUE(s.stage.find("setup/j1M"));
+  EXPECT_FALSE(s.stage.find("setup/M1M"));
+  s.type("setup/filter", "");
+  s.click("setup/show/Not factory");
+  EXPECT_FALSE(s.stage.find("setup/j1M"));
+  s.now.params[1].value = 55;
+  s.stage.frames(2);
+  EXPECT_TRUE(s.stage.find("setup/j1M"));
+}
+
+TEST_F(SetupTest, StoreSaysHowManyWritesWereUsed) {
+  s.click("setup/store");
+  ASSERT_TRUE(s.last<intent::Store>());
+  s.now.store_count = 13;
+  s.settle(Fate::done);
+  EXPECT_EQ(s.toast(), "Stored in the controller. 13 of 100000 writes used.");
+}
+
+TEST_F(SetupTest, ARefusedWriteSaysWhyAndKeepsTheValue) {
+  s.type("setup/j1M", "100\n");
+  s.click("setup/write");
+  s.settle(Fate::refused, "A program runs. Nothing was sent.");
+  EXPECT_THAT(s.toast(), HasSubstr("j1M: A program runs."));
+  EXPECT_EQ(s.value("setup/j1M"), "100");
+}
+
+TEST_F(SetupTest, WithoutLinkNothingCanBeWritten) {
+  s.now.link.state = LinkState::lost;
+  s.stage.frames(2);
+  EXPECT_THAT(s.reason("setup/write"), HasSubstr("no link"));
+  EXPECT_THAT(s.reason("setup/j1M"), HasSubstr("no link"));
+}
+
+TEST_F(SetupTest, UnknownValuesAreReadOnce) {
+  panels::Setup fresh;
+  test::PanelStage other(fresh);
+  other.now.params[1].known = false;
+  other.stage.frames(3);
+  ASSERT_EQ(other.sent.size(), 1u);
+  EXPECT_TRUE(other.last<intent::ReadParams>());
+  EXPECT_THAT(other.value("setup/state"), HasSubstr("1 value not read yet."));
+}
+
+TEST_F(SetupTest, EveryParameterCanBeReachedInEachTier) {
+  for (const auto& [width, height, tier] :
+       {std::tuple{864, 700, gui::Tier::wide}, std::tuple{704, 400, gui::Tier::medium},
+        std::tuple{720, 300, gui::Tier::narrow}}) {
+    panels::Setup fresh;
+    test::PanelStage other(fresh, width, height, 1, tier);
+    other.stage.frames(3);
+    for (const ParamInfo& p : other.catalog.params) {
+      const gui::Widget* w = other.stage.find("setup/" + p.mnemonic);
+      ASSERT_TRUE(w) << p.mnemonic;
+      EXPECT_GE(w->rect.min.x, 0);
+      EXPECT_LE(w->rect.max.x, width);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace hw::panels
