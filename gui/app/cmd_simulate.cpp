@@ -87,7 +87,9 @@ int simulate(const Given& given) {
     print_json(*rehearsed, program->catalog);
   else
     print_words(*rehearsed, program->catalog);
-  return rehearsed->error.empty() ? done : failed;
+  // A program that has no end is no failure; it was asked how it goes for so long.
+  if (rehearsed->error.empty() || rehearsed->duration_s >= *for_seconds) return done;
+  return complain(rehearsed->error);
 }
 
 }  // namespace hw::app
