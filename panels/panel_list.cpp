@@ -8,6 +8,9 @@
 #include "panels/jog.h"
 #include "panels/limits.h"
 #include "panels/position.h"
+#include "panels/program.h"
+#include "panels/setup.h"
+#include "panels/terminal.h"
 
 namespace hw::panels {
 namespace {
@@ -26,12 +29,17 @@ std::unique_ptr<gui::Page> make_page() {
 bool has_signals(const Catalog& c, bool) {
   return !c.inputs.empty() || !c.outputs.empty() || !c.analog.empty();
 }
+bool has_programs(const Catalog& c, bool) { return c.program.slots > 0; }
+bool has_parameters(const Catalog& c, bool) { return !c.params.empty(); }
 bool has_bench(const Catalog&, bool emulated) { return emulated; }
 
 constexpr gui::PanelEntry panels[] = {
     {"position", "Position", Place::top_left, make<Position>, nullptr},
     {"jog", "Jog", Place::left, make<Jog>, nullptr},
     {"goto_home", "Go to, home", Place::left, make<GotoHome>, nullptr},
+    {"program", "Program", Place::centre, make<Program>, has_programs},
+    {"setup", "Setup", Place::centre, make<Setup>, has_parameters},
+    {"terminal", "Terminal", Place::below, make<Terminal>, nullptr},
     {"limits", "Limits", Place::right, make<Limits>, nullptr},
     {"inputs_outputs", "Inputs and outputs", Place::right, make<InputsOutputs>, has_signals},
     {"bench", "Bench", Place::right, make<Bench>, has_bench},

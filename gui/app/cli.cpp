@@ -17,6 +17,12 @@ const OptionSpec bench_option{"bench", "FILE.toml", "what surrounds the emulated
 
 const std::vector<Subcommand>& subcommands() {
   static const std::vector<Subcommand> all = {
+      {"open",
+       "the console (also without any subcommand)",
+       {{"ADDRESS", "controllers to open; none: the connection page", 0, -1}},
+       {},
+       open_console},
+      {"demo", "the console with emulated controllers", {}, {}, demo},
       {"run",
        "run a Lua script without a window",
        {{"SCRIPT.lua", "the script", 1, 1}, {"ARGS", "its hw.args; -- ends the options", 0, -1}},
@@ -187,8 +193,7 @@ int run_command_line(int argc, char** argv) {
   if (verbose) log::set_level(log::Level::debug);
   for (const Parsed& one : parsed)
     if (one.app->parsed()) return one.command->run(collect(one, std::move(behind_dashes)));
-  fmt::print("{}", app.help());
-  return usage;
+  return open_console({});
 }
 
 }  // namespace hw::app

@@ -1,0 +1,113 @@
+#include "gui/app/port_watch.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace hw::app {
+namespace {
+
+using gui::FoundPort;
+
+FoundPort::State state_of(PortFinding finding) {
+  switch (finding) {
+    case PortFinding::answers: return FoundPort::State::answers;
+    case PortFinding::busy: return FoundPort::State::busy;
+    case PortFinding::not_permitted: return FoundPort::State::forbidden;
+    case PortFinding::silent:
+    case PortFinding::garbled: return FoundPort::State::silent;
+    case PortFinding::unusable: return FoundPort::State::failed;
+  }
+  return FoundPort::State::failed;
+}
+
+// The four links of the chain between this computer and a controller, as far as the test went.
+std::vector<FoundPort::Check> checks_of(const PortReport& r) {
+  using Is = FoundPort::Check::Result;
+  const bool opened = r.finding == PortFinding::answers || r.finding == PortFinding::silent || r.finding == PortFinding::garbled;
+  const bool returned = r.finding == PortFinding::answers || r.finding == PortFinding::garbled;
+  const auto link = [](Is result, std::string what, std::string found) {
+    FoundPort::Check check;
+    check.result = result, check.what = std::move(what), check.found = std::move(found);
+    return check;
+  };
+  const Is behind = opened ? Is::bad : Is::not_reached;
+  return {link(opened ? Is::good : Is::bad, "Port opens", opened ? "nobody else holds it" : r.sentence()),
+          link(opened ? Is::good : Is::not_reached, "Bytes leave", opened ? fmt::format("{} speeds", r.asked.size()) : ""),
+          link(returned ? Is::good : behind, "Bytes return", returned ? "they do" : opened ? "none came back" : ""),
+          link(r.finding == PortFinding::answers ? Is::good : returned ? Is::bad : Is::not_reached, "Reply makes sense",
+               r.finding == PortFinding::answers ? r.name : returned ? "it does not" : "")};
+}
+
+Task<> probe_and_tell(Scheduler& scheduler, SerialPort port, std::shared_ptr<Ring<PortReport>> reports,
+                      std::function<void()> wake) {
+  PortReport report = co_await probe_port(scheduler, std::move(port));
+  reports->push(std::move(report));
+  if (wake) wake();
+}
+
+}  // namespace
+
+void PortWatch::take(PortReport& report) {
+  --asking_;
+  const auto at = std::find_if(found_.begin(), found_.end(), [&](const FoundPort& p) { return p.path == report.port.path; });
+  if (at == found_.end()) return;  // unplugged meanwhile
+  at->state = state_of(report.finding);
+  at->title = report.name;
+  at->sentence = report.sentence();
+  at->address = report.address();
+  at->checks = checks_of(report);
+  at->advice.clear();
+  if (report.finding == PortFinding::silent)
+    at->advice = {"Supply. Is the controller's green lamp lit?",
+                  "Cable. It must be straight through; try it with RX and TX swapped (a null-modem adapter).",
+                  "The port. Is the cable in this one? Pull it and watch which port leaves this list."};
+}
+
+const std::vector<FoundPort>& PortWatch::ports() {
+  reports_->drain([this](PortReport& report) { take(report); });
+  if (watching_ && scheduler_.now() - listed_at_ >= look_every) list();
+  return found_;
+}
+
+void PortWatch::watch(bool on) {
+  if (on && !watching_) list();
+  watching_ = on;
+}
+
+void PortWatch::look() {
+  list();
+  for (const FoundPort& port : found_)
+    if (port.state != FoundPort::State::asking) ask(port.path);
+}
+
+// New ports are asked once by themselves; those that have gone leave the list.
+void PortWatch::list() {
+  listed_at_ = scheduler_.now();
+  const std::vector<SerialPort> there = list_serial_ports();
+  std::erase_if(found_, [&](const FoundPort& p) {
+    return std::none_of(there.begin(), there.end(), [&](const SerialPort& s) { return s.path == p.path; });
+  });
+  for (const SerialPort& port : there) {
+    known_[port.path] = port;
+    if (std::any_of(found_.begin(), found_.end(), [&](const FoundPort& p) { return p.path == port.path; })) continue;
+    FoundPort fresh;
+    fresh.path = port.path;
+    fresh.hardware = port.label();
+    fresh.usb_serial = port.serial;
+    found_.push_back(std::move(fresh));
+    ask(port.path);
+  }
+}
+
+void PortWatch::ask(const std::string& path) {
+  const auto known = known_.find(path);
+  const auto at = std::find_if(found_.begin(), found_.end(), [&](const FoundPort& p) { return p.path == path; });
+  if (known == known_.end() || at == found_.end()) return;
+  at->state = FoundPort::State::asking;
+  at->sentence.clear();
+  ++asking_;
+  asio::co_spawn(scheduler_.executor(), probe_and_tell(scheduler_, known->second, reports_, wake_), asio::detached);
+}
+
+}  // namespace hw::app

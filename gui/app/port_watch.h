@@ -1,0 +1,41 @@
+#pragma once
+// The connection page's eyes: serial ports by their files, and a harmless question to each, on the io thread.
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/base/ring.h"
+#include "core/time/scheduler.h"
+#include "gui/port_finder.h"
+#include "transports/scan.h"
+
+namespace hw::app {
+
+class PortWatch final : public gui::PortFinder {
+ public:
+  PortWatch(Scheduler& scheduler, std::function<void()> wake) : scheduler_(scheduler), wake_(std::move(wake)) {}
+
+  const std::vector<gui::FoundPort>& ports() override;
+  void look() override;
+  void watch(bool on) override;
+  void ask(const std::string& path) override;
+  [[nodiscard]] bool busy() const override { return asking_ > 0; }
+
+  static constexpr Duration look_every = std::chrono::seconds(2);
+
+ private:
+  void take(PortReport& report);
+  void list();
+  void probe(const SerialPort& port);
+
+  Scheduler& scheduler_;
+  std::function<void()> wake_;
+  std::vector<gui::FoundPort> found_;
+  std::map<std::string, SerialPort> known_;
+  std::shared_ptr<Ring<PortReport>> reports_ = std::make_shared<Ring<PortReport>>(64);  // io thread -> here
+  int asking_ = 0;
+  bool watching_ = false;
+  Instant listed_at_{};
+};
+
+}  // namespace hw::app
