@@ -131,6 +131,7 @@ Task<int> do_jobs(Scheduler& scheduler) {
 }
 
 int headless_demo() {
+  std::setvbuf(stdout, nullptr, _IOLBF, 0);
   fmt::print("There is no display: the emulators do a job in words, then the console is drawn into pictures.\n");
   if (const int status = run_here(do_jobs); status != done) return status;
   const std::filesystem::path folder = "build/demo";

@@ -20,12 +20,14 @@ float box_top(const Ui& ui, Face face, float line_px) {
 
 float text_width(const Ui& ui, Face face, std::string_view s) {
   ImFont* font = ui.font(face);
+  if (s.empty()) return 0;  // an empty view may have no address, and ImGui would look for an end
   return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, s.data(), s.data() + s.size()).x;
 }
 
 std::size_t text_fit(const Ui& ui, Face face, std::string_view s, float width_px) {
   ImFont* font = ui.font(face);
   const char* rest = s.data();
+  if (s.empty()) return 0;
   font->CalcTextSizeA(font->FontSize, width_px, 0, s.data(), s.data() + s.size(), &rest);
   return static_cast<std::size_t>(rest - s.data());
 }
