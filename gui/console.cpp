@@ -26,7 +26,7 @@ Console::Console(PanelList list, Outside outside)
       pages_(list.pages.size()) {
   tell(recent_.load());
   load_choices();
-  if (!list_.pages.empty()) page_ = list_.pages[0].id;
+  if (!list_.pages.empty()) show_page(list_.pages[0].id);
 }
 
 Console::~Console() = default;
@@ -115,7 +115,7 @@ Tab* Console::active() { return page_.empty() ? active_ : nullptr; }
 void Console::activate(Tab& tab) {
   if (active_ && active_ != &tab) active_->jog.let_go();
   active_ = &tab;
-  page_.clear();
+  if (!page_.empty()) show_page({});
   right_open = false;
 }
 
@@ -139,6 +139,7 @@ const Tab* Console::open_at(std::string_view where) const {
 void Console::show_page(std::string_view id) {
   if (active_) active_->jog.let_go();
   page_ = id;
+  ports().watch(!list_.pages.empty() && page_ == list_.pages[0].id);
 }
 
 void Console::toggle_map() {
@@ -156,7 +157,7 @@ Page& Console::page_object(std::string_view id) {
 
 void Console::show_panel(std::string_view id, std::string_view widget) {
   if (!active_) return;
-  page_.clear();
+  show_page({});
   active_->centre_panel = id;
   wanted_widget_ = widget;
 }
@@ -222,7 +223,7 @@ void Console::jog_key(Tab& tab, Command command, bool down, double at_s) {
     const AxisId axis{key.axis};
     const JogHold::Control control{JogHold::Hand::keyboard, axis, key.sign};
     if (!down) return tab.jog.release(control, at_s);
-    if (const std::string_view why = tab.why_not_move(axis); !why.empty())
+    if (const std::string_view why = tab.why_not_move(); !why.empty())
       return toast(Mood::warn, std::string(why));
     tab.jog.press(control, {tab.jog_step(), tab.jog_speed()}, at_s);
   }

@@ -133,8 +133,11 @@ void draw_lost(Ui& ui, Console& console, Tab& tab) {
 void draw_unset(Ui& ui, Console& console, Tab& tab, int param) {
   const ParamInfo& info = tab.catalog().params[static_cast<std::size_t>(param)];
   const Banner what{Mood::warn, Icon::warning, "Before the first move", info.before_moving};
-  const Action actions[] = {{.id = "fault/setup", .label = "Choose it in Setup", .main = true}};
-  if (banner(ui, "fault/unset", what, actions) == 0) console.show_panel("setup", "setup/" + info.mnemonic);
+  const Action actions[] = {{.id = "fault/setup", .label = "Choose it in Setup", .main = true},
+                            {.id = "fault/unset_read", .label = "Leave it"}};
+  const int picked = banner(ui, "fault/unset", what, actions);
+  if (picked == 0) console.show_panel("setup", "setup/" + info.mnemonic);
+  if (picked == 1) tab.unset_read = true;
 }
 
 }  // namespace
@@ -142,7 +145,8 @@ void draw_unset(Ui& ui, Console& console, Tab& tab, int param) {
 void draw_banner(Ui& ui, Console& console, Tab& tab, const Layout& layout) {
   const Snapshot& now = tab.now();
   if (now.link.state == LinkState::lost) return draw_lost(ui, console, tab);
-  if (layout.tier == Tier::narrow || tab.centre_panel == "setup") return;  // the status line says it as well
+  if (layout.tier == Tier::narrow || tab.unset_read || tab.centre_panel == "setup")
+    return;  // the status line says it as well
   for (int i = 0; i < now.axis_count; ++i)
     if (const int param = unset_before_moving(tab.catalog(), now, AxisId{static_cast<std::uint8_t>(i)});
         param >= 0)

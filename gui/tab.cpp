@@ -138,13 +138,6 @@ void Tab::find_why_not_move() {
     why_not_move_.clear();
 }
 
-std::string_view Tab::why_not_move(AxisId axis) const {
-  if (!why_not_move_.empty()) return why_not_move_;
-  const int unset = unset_before_moving(catalog_, *now_, axis);
-  return unset < 0 ? std::string_view()
-                   : std::string_view(catalog_.params[static_cast<std::size_t>(unset)].before_moving);
-}
-
 std::string_view Tab::name() const {
   return profile.name.empty() ? std::string_view(catalog_.short_name) : std::string_view(profile.name);
 }

@@ -56,8 +56,6 @@ class Tab {
   /// Why nothing may be moved now (no link, a program runs), as a sentence that says when it ends; empty: it
   /// may. Valid until the next refresh().
   [[nodiscard]] std::string_view why_not_move() const { return why_not_move_; }
-  /// The same for one axis: also when something must be chosen in the set-up first.
-  [[nodiscard]] std::string_view why_not_move(AxisId axis) const;
   void stop_all();  ///< Stop to this controller; a held jog is forgotten, since the stop ends it
 
   // ---- names and units
@@ -84,6 +82,7 @@ class Tab {
 
   // ---- view
   JogHold jog;
+  bool unset_read = false;   ///< the user has read what should be chosen before the first move
   std::string centre_panel;  ///< id of the panel in front
   /// This controller's panels, beside the console's list; made when they are first drawn.
   std::vector<std::unique_ptr<Panel>> panels;
