@@ -40,16 +40,15 @@ bool ProgramJob::begin(Goal goal, int slot, ProgramTexts& texts, const Snapshot&
   const int used = now.slot_bytes_used[static_cast<std::size_t>(slot)];
   const HeldProgram& held = texts.held(slot);
   const bool ours = held.known && held.from_here;
-  if (used == 0 || ours) return load(texts, send), true;
+  if (used == 0 || ours) return load(send), true;
   stage_ = Stage::comparing;
   waiting_for_ = send(intent::UploadProgram(slot));
   return true;
 }
 
-void ProgramJob::load(ProgramTexts& texts, const Send& send) {
+void ProgramJob::load(const Send& send) {
   stage_ = Stage::loading;
-  const bool many = texts.has_headings(slot_);
-  waiting_for_ = send(intent::LoadProgram(many ? -1 : slot_, text_));
+  waiting_for_ = send(intent::LoadProgram(slot_, text_));
 }
 
 void ProgramJob::after_load(const Send& send) {
@@ -58,9 +57,13 @@ void ProgramJob::after_load(const Send& send) {
     waiting_for_ = send(intent::Store());
     return;
   }
-  if (goal_ == Goal::run_stepping) send(intent::Pause());
   stage_ = Stage::starting;
-  waiting_for_ = send(intent::RunProgram(slot_));
+  if (goal_ == Goal::run_stepping) {
+    send(intent::SelectProgram(slot_));
+    waiting_for_ = send(intent::SingleStep());
+  } else {
+    waiting_for_ = send(intent::RunProgram(slot_));
+  }
 }
 
 void ProgramJob::update(ProgramTexts& texts, const Snapshot& now, const Catalog& catalog, Instant clock,
@@ -110,7 +113,7 @@ void ProgramJob::compared(ProgramTexts& texts, const Snapshot& now, const Catalo
                           const Send& send) {
   const HeldProgram& held = texts.held(slot_);
   if (held.known && text_ == texts.text(slot_) && texts.controller_has(slot_)) return after_load(send);
-  if (held.known && held.listing.empty()) return load(texts, send);
+  if (held.known && held.listing.empty()) return load(send);
   const int used = now.slot_bytes_used[static_cast<std::size_t>(slot_)];
   question_ = fmt::format(
       "{} {} in the controller holds another program{}, which was not loaded from here. "
@@ -123,7 +126,7 @@ void ProgramJob::compared(ProgramTexts& texts, const Snapshot& now, const Catalo
 void ProgramJob::answer(Answer answer, ProgramTexts& texts, const Send& send) {
   if (stage_ != Stage::asking) return;
   switch (answer) {
-    case Answer::overwrite: return load(texts, send);
+    case Answer::overwrite: return load(send);
     case Answer::fetch_instead:
       texts.set_text(slot_, texts.held(slot_).text);
       stage_ = Stage::idle;

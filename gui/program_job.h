@@ -50,7 +50,7 @@ class ProgramJob {
   Told take_told() { return std::exchange(told_, Told()); }
 
  private:
-  void load(ProgramTexts& texts, const Send& send);
+  void load(const Send& send);
   void after_load(const Send& send);
   void compared(ProgramTexts& texts, const Snapshot& now, const Catalog& catalog, const Send& send);
   void done(ProgramTexts& texts, const Snapshot& now, const Catalog& catalog, Instant clock,

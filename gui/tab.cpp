@@ -42,12 +42,12 @@ Tab::Tab(std::shared_ptr<Session> session, std::string key)
   refresh();
 }
 
-Tab::Tab(Address address, Catalog catalog, Door door, const Language* language)
+Tab::Tab(Address address, Catalog catalog, Door door, const Language* language, TrafficLog::Explain explain)
     : jog([this](IntentBody body) { return send_followed(std::move(body)); }),
       address_(std::move(address)),
       catalog_(std::move(catalog)),
       door_(std::move(door)),
-      desk_(catalog_, language, nullptr) {
+      desk_(catalog_, language, explain) {
   work_out_units();
 }
 

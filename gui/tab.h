@@ -30,7 +30,8 @@ class Tab {
   };
 
   Tab(std::shared_ptr<Session> session, std::string profile_key);
-  Tab(Address address, Catalog catalog, Door door, const Language* language = nullptr);
+  Tab(Address address, Catalog catalog, Door door, const Language* language = nullptr,
+      TrafficLog::Explain explain = nullptr);
   Tab(const Tab&) = delete;
   Tab& operator=(const Tab&) = delete;
 

@@ -364,7 +364,9 @@ void Program::draw_note(Frame& f, float top, float height) {
   const std::string_view said = busy ? std::string_view(words_) : std::string_view(note_.sentence);
   float right = ui.px(f.area.right() - 16);
   const ProgramReport& report = f.tab.desk().texts.report(f.tab.desk().texts.chosen());
-  if (!report.problems.empty()) right = draw_problem_link(f, report, right, middle);
+  const float said_end = left + ui.px(20) + std::ceil(text_width(ui, Face::body, said));
+  if (!report.problems.empty() && said_end + ui.px(110) < right)
+    right = draw_problem_link(f, report, right, middle);
   draw_text_line(ui, left + ui.px(20), right, middle, Face::body, ui[Tone::ink2], said);
   show(ui, {.id = "program/note", .kind = Kind::text, .label = "State", .value = said},
        {ImVec2(left, top), ImVec2(right, top + ui.px(height))});

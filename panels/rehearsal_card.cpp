@@ -212,7 +212,7 @@ bool RehearsalCard::draw_line(Frame& f, int slot, bool opened) {
     word(Face::body, Tone::fault, fault_);
   } else {
     word(Face::body_medium, tone, time_);
-    if (old_) word(Face::small, Tone::ink3, said_caption_);
+    if (old_ && !of_running_) word(Face::small, Tone::ink3, said_caption_);
     word(Face::body, Tone::ink2, spans_);
     const bool touched = outcome_->result->limit_touched;
     draw_icon(ImGui::GetWindowDrawList(), touched ? Icon::warning : Icon::check, ImVec2(x + ui.px(6), middle),

@@ -78,17 +78,16 @@ std::string Setup::summary(const Frame& f) const {
   int unknown = 0;
   for (std::size_t i = 0; i < f.catalog.params.size(); ++i)
     unknown += f.catalog.params[i].readable && !f.now.params[i].known;
-  const auto values = [](int n) { return fmt::format("{} value{}", n, n == 1 ? "" : "s"); };
   std::string words;
   if (changes > 0 && !from_file_.empty())
-    words = fmt::format("{} of {} differ from the controller.", values(changes), from_file_);
+    words = fmt::format("{} from {}, not written yet.", changes, from_file_);
   else if (changes > 0)
-    words = fmt::format("{} edited, not written yet.", values(changes));
+    words = fmt::format("{} edited, not written yet.", changes);
   else if (unknown > 0)
-    words = fmt::format("{} not read yet.", values(unknown));
-  else
+    words = fmt::format("{} not read yet.", unknown);
+  else if (!f.now.unsaved_setup)
     words = "All as the controller has it.";
-  if (f.now.unsaved_setup) words += " What is in force is not stored: power-off undoes it.";
+  if (f.now.unsaved_setup) words += words.empty() ? "In force, but not stored." : " Not stored.";
   return words;
 }
 
@@ -271,6 +270,10 @@ void Setup::draw_facts(Frame& f, float left) {
   gap(ui, 8);
   wrapped(ui, Face::body, Tone::ink2, p.explanation);
   gap(ui, 12);
+  if (const auto shown = f.tab.desk().setup.shown(chosen_, f.now); shown && !p.choices.empty()) {
+    wrapped(ui, Face::body, Tone::ink, value_in_words(p, *shown));
+    gap(ui, 12);
+  }
   const auto fact = [&](const char* id, const char* key, const std::string& value, Tone tone = Tone::ink) {
     key_value(ui, id, key, value, tone);
   };

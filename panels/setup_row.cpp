@@ -60,7 +60,7 @@ std::string_view SetupRow::why_not() const {
 float SetupRow::control_width() const {
   const float room = (right_ - left_) / ui_.scale;
   if (!p_.bits.empty()) return 96;
-  return p_.choices.empty() ? 128 : std::clamp(room * 0.48f, 160.f, 300.f);
+  return p_.choices.empty() ? 128 : std::clamp(room * 0.4f, 160.f, 300.f);
 }
 
 bool SetupRow::draw(bool hover_counts) {

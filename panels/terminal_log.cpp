@@ -124,7 +124,7 @@ void TerminalLog::draw_fold(Ui& ui, TrafficLog& log, const TrafficLog::Row& row,
 
 void TerminalLog::choose(Ui& ui, TrafficLog& log, float row_height) {
   const ImVec2 corner = ImGui::GetWindowPos();
-  const bool over = ImGui::IsWindowHovered() && !ImGui::IsAnyItemHovered();
+  const bool over = ImGui::IsWindowHovered() && GImGui->HoveredId == 0;  // not over a link
   const float scrollbar = ImGui::GetScrollMaxY() > 0 ? ImGui::GetStyle().ScrollbarSize : 0;
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const auto under_mouse = [&]() -> const TrafficLog::Row* {

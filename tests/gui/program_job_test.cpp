@@ -140,8 +140,8 @@ TEST_F(ProgramJobTest, SteppingHoldsBeforeTheFirstCommand) {
   begin(ProgramJob::Goal::run_stepping);
   settle(Fate::done);
   ASSERT_EQ(sent.size(), 3u);
-  EXPECT_TRUE(std::holds_alternative<intent::Pause>(sent[1]));
-  EXPECT_TRUE(std::holds_alternative<intent::RunProgram>(sent[2]));
+  EXPECT_TRUE(std::holds_alternative<intent::SelectProgram>(sent[1]));
+  EXPECT_TRUE(std::holds_alternative<intent::SingleStep>(sent[2]));
 }
 
 TEST_F(ProgramJobTest, FetchBringsTheListingAndClearLeavesTheText) {

@@ -1,11 +1,10 @@
 #pragma once
 // One panel in a window of its own, with a snapshot that the test writes and intents that it reads.
-#include <optional>
+#include <memory>
 #include <vector>
 
 #include <gmock/gmock.h>
 
-#include "core/time/virtual_scheduler.h"
 #include "gui/console.h"
 #include "gui/frame.h"
 #include "gui/tab.h"
@@ -14,19 +13,22 @@
 
 namespace hw::test {
 
-inline gui::Outside nowhere(Scheduler& scheduler) {
-  return gui::Outside(
-      scheduler,
-      [](Scheduler&, Address, std::shared_ptr<BenchAccess>) -> Task<Result<Wire>> {
-        co_return fail(FaultKind::port, "There is nothing.");
-      },
-      [] {});
-}
+/// A console without controllers, with a scheduler of its own.
+class EmptyConsole {
+ public:
+  EmptyConsole();
+  ~EmptyConsole();
+  gui::Console& operator*();
+
+ private:
+  struct World;
+  std::unique_ptr<World> world_;
+};
 
 struct PanelStage {
   explicit PanelStage(gui::Panel& p, int width = 864, int height = 700, float scale = 1,
                       gui::Tier t = gui::Tier::wide, bool dark = true, Catalog of = toy_catalog(),
-                      const Language* understood = nullptr)
+                      const Language* understood = nullptr, gui::TrafficLog::Explain explain = nullptr)
       : panel(p),
         tier(t),
         catalog(std::move(of)),
@@ -36,7 +38,7 @@ struct PanelStage {
                              return static_cast<IntentId>(sent.size());
                            },
                            [](BenchCommand) {}},
-            understood ? understood : &language),
+            understood ? understood : &language, explain),
         stage([this](gui::Ui& ui) { draw(ui); }, width, height, scale, dark) {
     now.link.state = LinkState::good;
     now.axis_count = 2;
@@ -99,9 +101,8 @@ struct PanelStage {
 
   gui::Panel& panel;
   gui::Tier tier;
-  IoContext io;
-  VirtualScheduler scheduler{io};
-  gui::Console console{gui::PanelList{}, nowhere(scheduler)};
+  EmptyConsole world;
+  gui::Console& console = *world;
   ToyLanguage language;
   Catalog catalog;
   std::vector<IntentBody> sent;

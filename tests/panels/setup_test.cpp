@@ -18,7 +18,7 @@ TEST_F(SetupTest, EditedValueGoesOutWithWriteOnly) {
   s.type("setup/j1M", "100\n");
   EXPECT_TRUE(s.sent.empty());
   EXPECT_EQ(s.value("setup/j1M"), "100");
-  EXPECT_THAT(s.value("setup/state"), HasSubstr("1 value edited, not written yet."));
+  EXPECT_THAT(s.value("setup/state"), HasSubstr("1 edited, not written yet."));
   ASSERT_TRUE(s.stage.find("setup/j1M/was"));
   s.click("setup/write");
   ASSERT_TRUE(s.last<intent::SetParam>());
@@ -111,7 +111,7 @@ TEST_F(SetupTest, UnknownValuesAreReadOnce) {
   other.stage.frames(3);
   ASSERT_EQ(other.sent.size(), 1u);
   EXPECT_TRUE(other.last<intent::ReadParams>());
-  EXPECT_THAT(other.value("setup/state"), HasSubstr("1 value not read yet."));
+  EXPECT_THAT(other.value("setup/state"), HasSubstr("1 not read yet."));
 }
 
 TEST_F(SetupTest, EveryParameterCanBeReachedInEachTier) {

@@ -30,6 +30,7 @@ class Walk {
     for (const char c : text) feed(c);
     feed('\r');
     if (const auto remark = remark_at_; remark >= 0) {
+      keep_before(remark);
       report.tokens.push_back({remark, static_cast<int>(text.size()), TokenKind::comment});
       if (ran_)
         warn({number_, remark, static_cast<int>(text.size()) - remark},
@@ -58,6 +59,18 @@ class Walk {
   }
 
  private:
+  /// The reader ends the last command of a line at its return, behind the remark; for a person (and for a
+  /// mend) it ends with its last character.
+  void keep_before(int remark) {
+    const auto end_of = [&](int begin, int end) {
+      end = std::min(end, remark);
+      while (end > begin && text_[ix(end - 1)] == ' ') --end;
+      return end;
+    };
+    for (Token& t : report_->tokens) t.end = end_of(t.begin, t.end);
+    for (Problem& p : out_.report.problems)
+      if (p.line == number_ && p.column < remark) p.length = end_of(p.column, p.column + p.length) - p.column;
+  }
   [[nodiscard]] int size() { return static_cast<int>(out_.programs[slot_].size()); }
   [[nodiscard]] std::string_view typed(const Reading& r) const {
     const auto from = std::max<std::int64_t>(r.begin - base_, 0);
