@@ -146,6 +146,7 @@ class VxmDriver final : public Driver {
   Task<Result<>> stop_program();
   Task<bool> wait_for_standstill(Instant give_up);
   Task<Result<>> kill(bool standing);
+  void killed(EndedBy ended_by = EndedBy::abort);
   void doubt_positions();
   void run_ended(EndedBy ended_by);
 

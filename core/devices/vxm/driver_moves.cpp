@@ -387,6 +387,9 @@ Task<Result<>> VxmDriver::jog(const intent::JogStart& wish) {
 Task<Result<>> VxmDriver::home(const intent::Home& wish) {
   const int axis = wish.axis.index;
   if (auto may = may_move(axis); !may) co_return may;
+  if (wish.mode < 0 || wish.mode >= static_cast<int>(catalog_.homing_modes.size()))
+    co_return fail(FaultKind::refused, fmt::format("There is no way of homing number {}.", wish.mode),
+                   "Nothing was sent.");
   if (param("DM").value_or(0) & mode_nf90 && wish.sign == Sign::plus)
     co_return fail(FaultKind::refused,
                    fmt::format("In NF90 emulation I{}M0 runs to zero, not to the + limit switch.", axis + 1),
