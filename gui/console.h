@@ -1,6 +1,7 @@
 #pragma once
 // The console: its controllers, which one is in front, what is shown, and what reaches all of them (Stop).
 // Knows no device and no panel by name. GUI thread only; what it needs of the world is given in Outside.
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <string>
@@ -9,7 +10,7 @@
 
 #include "core/session/recent.h"
 #include "core/session/user_files.h"
-#include "core/session/wire.h"
+#include "gui/dialogs.h"
 #include "gui/layout.h"
 #include "gui/panel.h"
 #include "gui/port_finder.h"
@@ -20,18 +21,8 @@ namespace hw::gui {
 
 enum class Command : std::uint8_t;
 struct CommandEdge;
-
-struct Outside {
-  Scheduler& scheduler;
-  WireOpener open_wire;
-  std::function<void()> wake;   ///< any thread: a frame is wanted
-  PortFinder* ports = nullptr;  ///< null: finds nothing
-  UserFolders folders = UserFolders::none();
-  std::function<std::string(const Address&)> usb_serial;  ///< of the adapter behind an address; may be null
-  std::function<double(Instant)> second_of_day;           ///< wall clock; null: counts from the start
-  Outside(Scheduler& s, WireOpener opener, std::function<void()> w)
-      : scheduler(s), open_wire(std::move(opener)), wake(std::move(w)) {}
-};
+class Keyboard;
+struct Outside;  // what it needs of the world: outside.h
 
 class Console {
  public:
@@ -46,6 +37,8 @@ class Console {
   Result<Tab*> open(std::string_view address);
   /// The same for a session that somebody else has opened (a script). It is closed with the tab.
   Tab& adopt(std::shared_ptr<Session> session);
+  /// The same for one that is not a session's (tests).
+  Tab& add(std::unique_ptr<Tab> tab);
   void close(Tab& tab);
   void close_all();
   /// Sessions that were told to close and are not done yet. The scheduler must run until it is 0.
@@ -60,6 +53,7 @@ class Console {
 
   // ---- what is shown
   void show_page(std::string_view id);
+  void toggle_map();  ///< the keyboard map, and back
   [[nodiscard]] std::string_view page() const { return page_; }  ///< empty: a controller is in front
   /// Brings a panel of the active controller to the front; `widget`: brought into view and focused as well.
   void show_panel(std::string_view id, std::string_view widget = {});
@@ -69,38 +63,48 @@ class Console {
   [[nodiscard]] bool dark() const { return dark_; }  ///< whoever owns the screen follows it between frames
   void set_dark(bool dark) { dark_ = dark; }
   Splitters splitters;
+  /// A dialog that is open, over whichever controller it is about.
+  Dialogs dialogs;
+  bool right_open = false;  ///< medium: the right column lies over the centre
 
   // ---- hands
   /// Ramp down everything, everywhere; a second time: at once.
   void stop_all();
-  /// On arrival of a key, before the next frame.
+  /// Has this keyboard's edges act on arrival, before the next frame.
+  void attach(Keyboard& keyboard);
   void on_edge(const CommandEdge& edge);
   /// The window lost the focus or is about to close: nothing is held any more.
   void let_go();
 
   // ---- frame
   void draw(Ui& ui);
+  /// Writes what the user has named, chosen and dragged. Also done by the way; call it before the end.
+  void save();
 
   // ---- for pages and panels
-  [[nodiscard]] Instant clock() const { return outside_.scheduler.now(); }
+  [[nodiscard]] Instant clock() const;
   [[nodiscard]] std::string time_of_day(Instant when) const;  ///< "14:20:08"
-  [[nodiscard]] PortFinder& ports() { return outside_.ports ? *outside_.ports : no_ports_; }
+  [[nodiscard]] PortFinder& ports();
   [[nodiscard]] RecentConnections& recent() { return recent_; }
-  [[nodiscard]] const UserFolders& folders() const { return outside_.folders; }
+  [[nodiscard]] const UserFolders& folders() const;
   [[nodiscard]] const PanelList& list() const { return list_; }
-  /// The address of an open controller that uses this way; null: none.
+  [[nodiscard]] Toasts& toasts() { return toasts_; }
+  /// The open controller that uses this port; null: none.
   [[nodiscard]] const Tab* open_at(std::string_view where) const;
+  /// The object behind a page, made when it is first shown.
+  [[nodiscard]] Page& page_object(std::string_view id);
 
  private:
-  friend class Workspace;
-  Tab& add(std::unique_ptr<Tab> tab);
-  void refresh();
-  void tell(Result<> outcome);
-  void jog_key(Command key, bool down, double at_s);
-  void save_profiles();
+  void refresh(Ui& ui);
+  void tell_news(Tab& tab);
+  void tell(const Result<>& outcome);
+  void jog_key(Tab& tab, Command key, bool down, double at_s);
+  void confirm_held_key(Ui& ui);
+  void load_choices();
+  void save_choices();
 
   PanelList list_;
-  Outside outside_;
+  std::unique_ptr<Outside> outside_;
   NoPorts no_ports_;
   RecentConnections recent_;
   std::vector<std::unique_ptr<Tab>> tabs_;
@@ -108,8 +112,10 @@ class Console {
   std::string page_;
   std::vector<std::unique_ptr<Page>> pages_;
   Toasts toasts_;
-  bool dark_ = true;
-  std::shared_ptr<int> closing_ = std::make_shared<int>(0);
+  bool dark_ = true, choices_saved_dark_ = true;
+  Splitters choices_saved_;
+  std::shared_ptr<std::atomic<int>> closing_ = std::make_shared<std::atomic<int>>(0);
+  std::string wanted_widget_;
 };
 
 }  // namespace hw::gui

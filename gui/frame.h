@@ -24,6 +24,7 @@ struct PageFrame {
   Console& console;
   Box area;  ///< logical pixels; the panel is an ImGui child there, with its cursor at the top left
   Tier tier;
+  bool rail;      ///< a column of 56 wide with lamps only
   Instant clock;  ///< present time; an age is clock - seen_at
 
   /// A sentence at the bottom right. Faults stay until they are read, the rest goes after 6 s.

@@ -76,6 +76,7 @@ bool Keyboard::key_up(const InputEvent& event) {
 
 bool Keyboard::see(const InputEvent& event) {
   if (event.kind == InputKind::focus_lost) {
+    if (on_focus_lost) on_focus_lost(event.at_s);
     release_all(event.at_s);
     return false;
   }

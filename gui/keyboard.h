@@ -58,6 +58,9 @@ class Keyboard {
  public:
   /// Called on arrival of an edge, before the next frame.
   std::function<void(const CommandEdge&)> on_edge;
+  /// The window lost the keyboard. Called before the held keys are released, so that whoever acts on a release can
+  /// tell it from a hand that lets go.
+  std::function<void(double at_s)> on_focus_lost;
 
   /// For InputQueue's listener: true when the event is a shortcut's, so that ImGui must not see it.
   bool see(const InputEvent& event);

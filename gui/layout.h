@@ -17,6 +17,9 @@ struct Box {
   [[nodiscard]] bool empty() const { return width <= 0 || height <= 0; }
 };
 
+/// Narrow: two axes a row in the strip of positions.
+inline constexpr float strip_row_height = 76;
+
 /// What the user has dragged; a double click restores. Kept from run to run.
 struct Splitters {
   float left = 304, right = 272, below = 300;

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "gui/frame.h"
+#include "gui/status_sentence.h"
 
 namespace hw::gui {
 
@@ -21,6 +22,8 @@ class Page {
  public:
   virtual ~Page() = default;
   virtual void draw(PageFrame& frame) = 0;
+  /// For the status line while it is in front.
+  virtual StatusSentence status(Console& console) = 0;
 };
 
 enum class Place : std::uint8_t {

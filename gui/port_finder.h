@@ -44,15 +44,14 @@ class PortFinder {
 
   /// GUI thread. The list as it is now; changes are announced by the console's wake().
   virtual const std::vector<FoundPort>& ports() = 0;
-  /// Looks again which ports exist, and asks the new ones. Never a port that is open here.
+  /// Looks again which ports exist, and asks each. One that is open here is locked, so it only says so.
   virtual void look() = 0;
+  /// While on, new cables appear by themselves and are asked. On while the connection page is open.
+  virtual void watch(bool on) = 0;
   /// Asks one port afresh: opens it, a lone harmless question at each rate, closes it.
   virtual void ask(const std::string& path) = 0;
   /// Something is being looked for or asked.
   [[nodiscard]] virtual bool busy() const = 0;
-  /// Seconds since the list was last brought up to date, and how long that took; negative: never.
-  [[nodiscard]] virtual double looked_ago_s() const = 0;
-  [[nodiscard]] virtual double looking_took_s() const = 0;
 };
 
 /// Finds nothing: headless runs.
@@ -60,10 +59,9 @@ class NoPorts final : public PortFinder {
  public:
   const std::vector<FoundPort>& ports() override { return none_; }
   void look() override {}
+  void watch(bool) override {}
   void ask(const std::string&) override {}
   [[nodiscard]] bool busy() const override { return false; }
-  [[nodiscard]] double looked_ago_s() const override { return -1; }
-  [[nodiscard]] double looking_took_s() const override { return 0; }
 
  private:
   std::vector<FoundPort> none_;

@@ -1,11 +1,10 @@
 #include "gui/tab.h"
 
-#include "core/session/session.h"
-
 #include <algorithm>
 
 #include <fmt/format.h>
 
+#include "core/session/session.h"
 #include "gui/status_sentence.h"
 
 namespace hw::gui {
@@ -99,6 +98,8 @@ void Tab::stop_all() {
   send_followed(intent::Stop());
 }
 
+std::vector<Notice> Tab::take_notices() { return std::exchange(notices_, {}); }
+
 void Tab::follow_fates() {
   const auto settled = [this](IntentId id) {
     const IntentFate* fate = now_->fate_of(id);
@@ -135,13 +136,6 @@ void Tab::find_why_not_move() {
                                                            : "waits");
   else
     why_not_move_.clear();
-}
-
-std::string_view Tab::why_not_move(AxisId axis) const {
-  if (!why_not_move_.empty()) return why_not_move_;
-  const int unset = unset_before_moving(catalog_, *now_, axis);
-  return unset < 0 ? std::string_view()
-                   : std::string_view(catalog_.params[static_cast<std::size_t>(unset)].before_moving);
 }
 
 std::string_view Tab::name() const {

@@ -7,13 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "core/session/profile.h"
 #include "core/device/registry.h"
 #include "core/session/address.h"
+#include "core/session/profile.h"
+#include "gui/desk.h"
 #include "gui/jog_hold.h"
 #include "gui/panel.h"
 #include "gui/units_format.h"
-#include "gui/desk.h"
 
 namespace hw {
 class Session;  // kept out of here: panels need not compile coroutines
@@ -55,8 +55,6 @@ class Tab {
   /// Why nothing may be moved now (no link, a program runs), as a sentence that says when it ends; empty: it
   /// may. Valid until the next refresh().
   [[nodiscard]] std::string_view why_not_move() const { return why_not_move_; }
-  /// The same for one axis: also when something must be chosen in the set-up first.
-  [[nodiscard]] std::string_view why_not_move(AxisId axis) const;
   void stop_all();  ///< Stop to this controller; a held jog is forgotten, since the stop ends it
 
   // ---- names and units
@@ -77,11 +75,13 @@ class Tab {
   [[nodiscard]] Desk& desk() { return desk_; }
 
   // ---- what must be told once
-  [[nodiscard]] std::vector<Notice>& notices() { return notices_; }
+  /// Messages since the last call; listings go to the desk.
+  [[nodiscard]] std::vector<Notice> take_notices();
   [[nodiscard]] std::vector<std::string>& complaints() { return complaints_; }
 
   // ---- view
   JogHold jog;
+  bool unset_read = false;   ///< the user has read what should be chosen before the first move
   std::string centre_panel;  ///< id of the panel in front
   /// This controller's panels, beside the console's list; made when they are first drawn.
   std::vector<std::unique_ptr<Panel>> panels;

@@ -67,7 +67,7 @@ struct ParamInfo {
   int axis = -1;
   std::string warning;  ///< not empty: asked before it is written, naming the axis
   std::string manual;   ///< "Appendix H"
-  /// Not empty: while the value is `unset_value` its axis must not move yet. The sentence says why and what to do.
+  /// Not empty: said before the first move of its axis while the value is `unset_value`: why, and what to do.
   std::string before_moving;
   std::int64_t unset_value = 0;
 

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <map>
 #include <string>
 #include <string_view>
 
@@ -86,7 +87,9 @@ void pass_time(Emulator& emulator, Instant& now, Bytes& in) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   Bytes in(data, size);
-  auto made = vxm::make_emulator(in.next() & 1 ? DeviceOptions{{"motors", "4"}} : DeviceOptions{});
+  std::map<std::string, std::string> options;
+  if (in.next() & 1) options["motors"] = "4";
+  auto made = vxm::make_emulator(options);
   require(made.has_value());
   Emulator& emulator = **made;
   Instant now{};

@@ -95,7 +95,7 @@ TEST_F(TabTest, StopEndsTheHoldWithoutASecondStop) {
 
 TEST_F(TabTest, SaysWhyNothingMayMove) {
   show();
-  EXPECT_EQ(tab.why_not_move(AxisId{1}), "");
+  EXPECT_EQ(tab.why_not_move(), "");
   now.program.owned = true;
   now.program.slot = 0;
   now.program.run = RunState::running;
@@ -104,13 +104,6 @@ TEST_F(TabTest, SaysWhyNothingMayMove) {
   now.link.state = LinkState::lost;
   show();
   EXPECT_EQ(tab.why_not_move(), "There is no link. Jog, Go and Home come back when the controller answers.");
-}
-
-TEST_F(TabTest, AnAxisWhoseSetUpIsNotChosenMayNotMove) {
-  now.params[0].known = true;
-  show();
-  EXPECT_EQ(tab.why_not_move(AxisId{0}), "No motor is chosen.");
-  EXPECT_EQ(tab.why_not_move(AxisId{1}), "");
 }
 
 }  // namespace

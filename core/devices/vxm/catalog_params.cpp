@@ -49,6 +49,11 @@ ParamInfo motor_type(int m) {
   range(p, 0, 6, 0);
   p.choices = motor_types();
   p.warning = motor_warning(m);
+  p.before_moving = fmt::format(
+      "No type is chosen for motor {0} (0, the factory value), so it gets the power of a very small motor: a larger "
+      "one only buzzes and loses steps. Choose the type that stands on its label.",
+      m);
+  p.unset_value = 0;
   p.manual = "Setup Commands p.25";
   return p;
 }

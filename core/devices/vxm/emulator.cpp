@@ -198,8 +198,9 @@ Result<EmulatorOptions> read_options(const std::map<std::string, std::string>& g
                       "Its quirks are overrun and e-bar.");
       }
     } else if (key == "baud") {
-      const bool known = std::any_of(bauds.begin(), bauds.end(),
-                                     [&](const Baud& b) { return std::to_string(b.rate) == value; });
+      const bool known = std::any_of(bauds.begin(), bauds.end(), [&rate = value](const Baud& b) {
+        return std::to_string(b.rate) == rate;
+      });
       if (!known)
         return fail(FaultKind::text, "baud=" + value + ": a VXM works at 9600, 19200 or 38400 baud.");
     } else {

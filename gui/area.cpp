@@ -1,0 +1,27 @@
+#include "gui/area.h"
+
+namespace hw::gui {
+
+void begin_part(Ui& ui, const char* name, float width, float height, Tone ground, float padding,
+                bool scrolls) {
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(padding), 0));
+  ImGui::PushStyleColor(ImGuiCol_ChildBg, ui[ground]);
+  ImGuiWindowFlags flags =
+      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoNav;
+  if (!scrolls) flags |= ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
+  ImGui::BeginChild(name, ImVec2(width, height), false, flags);
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar();
+}
+
+void end_part() { ImGui::EndChild(); }
+
+void line_right_of(Ui& ui, const Rect& r) {
+  ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(r.max.x - ui.hair(), r.min.y), r.max, ui[Tone::line]);
+}
+
+void line_below(Ui& ui, const Rect& r) {
+  ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(r.min.x, r.max.y - ui.hair()), r.max, ui[Tone::line]);
+}
+
+}  // namespace hw::gui

@@ -1,0 +1,74 @@
+#include "gui/axis_look.h"
+
+namespace hw::gui {
+namespace {
+
+/// From harmless to bad.
+int weight(State state) {
+  switch (state) {
+    case State::idle: return 0;
+    case State::off: return 1;
+    case State::limit_plus:
+    case State::limit_minus: return 2;
+    case State::waiting: return 3;
+    case State::moving_plus:
+    case State::moving_minus:
+    case State::moving:
+    case State::homing_plus:
+    case State::homing_minus:
+    case State::stopping: return 4;
+    case State::connecting: return 5;
+    case State::stale:
+    case State::untrusted: return 6;
+    case State::fault: return 7;
+    case State::lost: return 8;
+  }
+  return 0;
+}
+
+}  // namespace
+
+bool is_motion(State state) { return weight(state) == 4; }
+
+bool is_old(const Snapshot& now, int axis, Instant clock) {
+  return is_stale(now.axes[static_cast<std::size_t>(axis)].seen_at, clock, now.poll_period);
+}
+
+State state_of(const Snapshot& now, int axis, Instant clock) {
+  const AxisState& a = now.axes[static_cast<std::size_t>(axis)];
+  if (now.link.state == LinkState::lost || now.link.state == LinkState::closed) return State::lost;
+  if (now.link.state == LinkState::connecting || a.activity == Activity::unknown) return State::connecting;
+  if (a.alarm || a.activity == Activity::error) return State::fault;
+  if (is_old(now, axis, clock)) return State::stale;
+  switch (a.activity) {
+    case Activity::moving:
+    case Activity::jogging:
+      return a.direction > 0 ? State::moving_plus : a.direction < 0 ? State::moving_minus : State::moving;
+    case Activity::homing: return a.direction < 0 ? State::homing_minus : State::homing_plus;
+    case Activity::stopping: return State::stopping;
+    default: break;
+  }
+  if (!a.enabled) return State::off;
+  if (a.limits_known && a.limit_plus) return State::limit_plus;
+  if (a.limits_known && a.limit_minus) return State::limit_minus;
+  return State::idle;
+}
+
+State worst_state(const Snapshot& now, Instant clock) {
+  if (now.link.state == LinkState::lost || now.link.state == LinkState::closed) return State::lost;
+  State worst = now.link.state == LinkState::late ? State::stale : State::idle;
+  if (!now.notice.empty() || now.program.run == RunState::error) worst = State::fault;
+  for (int i = 0; i < now.axis_count; ++i) {
+    const State state = state_of(now, i, clock);
+    if (is_motion(state) && is_motion(worst) && state != worst)
+      worst = State::moving;
+    else if (weight(state) > weight(worst))
+      worst = state;
+  }
+  const bool program =
+      now.program.owned && (now.program.run == RunState::waiting || now.program.run == RunState::held);
+  if (program && weight(worst) < weight(State::waiting)) worst = State::waiting;
+  return worst;
+}
+
+}  // namespace hw::gui

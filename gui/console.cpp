@@ -1,0 +1,331 @@
+#include "gui/console.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include <fmt/format.h>
+
+#include "core/session/json_file.h"
+#include "core/session/session.h"
+#include "gui/area.h"
+#include "gui/keyboard.h"
+#include "gui/messages.h"
+#include "gui/outside.h"
+#include "gui/top_bar.h"
+#include "gui/ui.h"
+#include "gui/widgets/message.h"
+#include "gui/workspace.h"
+
+namespace hw::gui {
+
+Console::Console(PanelList list, Outside outside)
+    : list_(list),
+      outside_(std::make_unique<Outside>(std::move(outside))),
+      recent_(outside_->folders),
+      pages_(list.pages.size()) {
+  tell(recent_.load());
+  load_choices();
+  if (!list_.pages.empty()) show_page(list_.pages[0].id);
+}
+
+Console::~Console() = default;
+
+Instant Console::clock() const { return outside_->scheduler.now(); }
+PortFinder& Console::ports() { return outside_->ports ? *outside_->ports : no_ports_; }
+const UserFolders& Console::folders() const { return outside_->folders; }
+
+// ---- controllers
+
+Result<Tab*> Console::open(std::string_view text) {
+  auto address = Address::parse(text);
+  if (!address) return fail(address.error());
+  if (const Tab* other = address->where.empty() ? nullptr : open_at(address->where))
+    return fail(FaultKind::port, fmt::format("{} is open already, as {}.", address->where, other->name()),
+                "Nothing was opened.", "Use its tab, or close it first.");
+  auto session = Session::open(outside_->scheduler, *address, outside_->open_wire, outside_->wake);
+  if (!session) return fail(session.error());
+  Tab& tab = adopt(std::move(*session));
+  tell(recent_.opened(address->text(), std::string(tab.profile.name)));
+  return &tab;
+}
+
+Tab& Console::adopt(std::shared_ptr<Session> session) {
+  const Address& address = session->address();
+  std::string key =
+      profile_key(address, outside_->usb_serial ? outside_->usb_serial(address) : std::string());
+  auto tab = std::make_unique<Tab>(std::move(session), std::move(key));
+  auto profile = ProfileStore(outside_->folders).load(tab->profile_key);
+  if (profile) {
+    tab->profile = std::move(*profile);
+    tab->profile_edited();
+    tab->profile_changed = false;
+  } else {
+    toast(Mood::warn, profile.error().sentence());
+  }
+  if (outside_->folders.enabled) tell(tab->desk().keep_texts(Autosave(outside_->folders), tab->profile_key));
+  tab->desk().use(outside_->worker);
+  return add(std::move(tab));
+}
+
+Tab& Console::add(std::unique_ptr<Tab> tab) {
+  tab->panels.resize(list_.panels.size());
+  tabs_.push_back(std::move(tab));
+  activate(*tabs_.back());
+  return *tabs_.back();
+}
+
+void Console::close(Tab& tab) {
+  tab.jog.let_go();
+  save();
+  if (std::shared_ptr<Session> session = tab.session()) {
+    ++*closing_;
+    Task<> closed = session->close();
+    // The session lives until its last coroutine has ended; the count tells when the scheduler may stop.
+    asio::co_spawn(outside_->scheduler.executor(), std::move(closed),
+                   [session, counter = closing_](std::exception_ptr) { --*counter; });
+  }
+  const auto at = std::find_if(tabs_.begin(), tabs_.end(), [&](const auto& t) { return t.get() == &tab; });
+  const auto index = at - tabs_.begin();
+  const bool was_active = active_ == &tab;
+  dialogs.close();
+  tabs_.erase(at);
+  if (!was_active) return;
+  active_ = nullptr;
+  if (tabs_.empty())
+    show_page(list_.pages.empty() ? std::string_view() : list_.pages[0].id);
+  else
+    activate(*tabs_[std::min<std::size_t>(static_cast<std::size_t>(index), tabs_.size() - 1)]);
+}
+
+void Console::close_all() {
+  while (!tabs_.empty()) close(*tabs_.back());
+}
+
+void Console::rename(Tab& tab, std::string name) {
+  tab.profile.name = std::move(name);
+  tab.profile_edited();
+  tell(recent_.renamed(tab.address().text(), tab.profile.name));
+}
+
+void Console::reconnect(Tab& tab) { tab.send_followed(intent::Reconnect()); }
+
+Tab* Console::active() { return page_.empty() ? active_ : nullptr; }
+
+void Console::activate(Tab& tab) {
+  if (active_ && active_ != &tab) active_->jog.let_go();
+  active_ = &tab;
+  if (!page_.empty()) show_page({});
+  right_open = false;
+}
+
+void Console::activate_next(int direction) {
+  if (tabs_.empty()) return;
+  const int n = static_cast<int>(tabs_.size());
+  int at = 0;
+  for (int i = 0; i < n; ++i)
+    if (tabs_[static_cast<std::size_t>(i)].get() == active_) at = i;
+  activate(*tabs_[static_cast<std::size_t>(((page_.empty() ? at + direction : at) % n + n) % n)]);
+}
+
+const Tab* Console::open_at(std::string_view where) const {
+  for (const auto& tab : tabs_)
+    if (tab->address().where == where) return tab.get();
+  return nullptr;
+}
+
+// ---- what is shown
+
+void Console::show_page(std::string_view id) {
+  if (active_) active_->jog.let_go();
+  page_ = id;
+  ports().watch(!list_.pages.empty() && page_ == list_.pages[0].id);
+}
+
+void Console::toggle_map() {
+  if (page_ != "help") return show_page("help");
+  show_page(tabs_.empty() ? list_.pages[0].id : std::string_view());
+}
+
+Page& Console::page_object(std::string_view id) {
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < list_.pages.size(); ++i)
+    if (list_.pages[i].id == id) at = i;
+  if (!pages_[at]) pages_[at] = list_.pages[at].make();
+  return *pages_[at];
+}
+
+void Console::show_panel(std::string_view id, std::string_view widget) {
+  if (!active_) return;
+  show_page({});
+  active_->centre_panel = id;
+  wanted_widget_ = widget;
+}
+
+void Console::start_demo() {
+  for (const DeviceType& type : device_types())
+    if (auto opened = open(std::string(type.model) + "@emulator"); !opened)
+      toast(Mood::fault, opened.error().sentence());
+  if (!tabs_.empty()) activate(*tabs_.front());
+}
+
+std::string Console::time_of_day(Instant when) const {
+  const double s = outside_->second_of_day ? outside_->second_of_day(when) : seconds(when);
+  const auto whole = static_cast<long long>(std::floor(s));
+  return fmt::format("{:02}:{:02}:{:02}", whole / 3600 % 24, whole / 60 % 60, whole % 60);
+}
+
+// ---- hands
+
+void Console::stop_all() {
+  for (const auto& tab : tabs_) tab->stop_all();
+}
+
+void Console::let_go() {
+  for (const auto& tab : tabs_) tab->jog.let_go();
+}
+
+void Console::attach(Keyboard& keyboard) {
+  keyboard.on_edge = [this](const CommandEdge& edge) { on_edge(edge); };
+  keyboard.on_focus_lost = [this](double) { let_go(); };
+}
+
+namespace {
+
+struct JogKey {
+  Command command;
+  std::uint8_t axis;
+  Sign sign;
+};
+constexpr JogKey jog_keys[] = {
+    {Command::jog_left, 0, Sign::minus},      {Command::jog_right, 0, Sign::plus},
+    {Command::jog_down, 1, Sign::minus},      {Command::jog_up, 1, Sign::plus},
+    {Command::jog_page_down, 2, Sign::minus}, {Command::jog_page_up, 2, Sign::plus},
+};
+
+}  // namespace
+
+void Console::on_edge(const CommandEdge& edge) {
+  if (edge.command == Command::stop_all) {
+    if (edge.down) stop_all();
+  } else if (edge.command == Command::next_controller || edge.command == Command::previous_controller) {
+    if (edge.down) activate_next(edge.command == Command::next_controller ? 1 : -1);
+  } else if (edge.command == Command::show_map) {
+    if (edge.down) toggle_map();
+  } else if (Tab* tab = active()) {
+    jog_key(*tab, edge.command, edge.down, edge.at_s);
+  }
+}
+
+void Console::jog_key(Tab& tab, Command command, bool down, double at_s) {
+  for (const JogKey& key : jog_keys) {
+    if (key.command != command || key.axis >= tab.catalog().axes.size()) continue;
+    const AxisId axis{key.axis};
+    const JogHold::Control control{JogHold::Hand::keyboard, axis, key.sign};
+    if (!down) return tab.jog.release(control, at_s);
+    if (const std::string_view why = tab.why_not_move(); !why.empty())
+      return toast(Mood::warn, std::string(why));
+    tab.jog.press(control, {tab.jog_step(), tab.jog_speed()}, at_s);
+  }
+}
+
+void Console::confirm_held_key(Ui& ui) {
+  Tab* tab = active();
+  if (!tab) return;
+  const auto held = tab->jog.control();
+  if (!held || held->hand != JogHold::Hand::keyboard) return;
+  for (const JogKey& key : jog_keys)
+    if (key.axis == held->axis.index && key.sign == held->sign && ui.keyboard.held(key.command))
+      tab->jog.confirm(*held);
+}
+
+// ---- frame
+
+void Console::refresh(Ui& ui) {
+  for (const auto& tab : tabs_) {
+    tab->refresh();
+    tell_news(*tab);
+    if (const double due = tab->desk().autosave_due_in(tab->clock()); due >= 0) ui.wake_in(due);
+  }
+  if (!ImGui::IsMouseDown(0)) save();  // not at each step of a slider that is being dragged
+}
+
+void Console::tell_news(Tab& tab) {
+  for (std::string& complaint : tab.complaints()) toast(Mood::fault, std::move(complaint));
+  tab.complaints().clear();
+  for (Notice& notice : tab.take_notices())
+    toast(notice.kind == Notice::Kind::error     ? Mood::fault
+          : notice.kind == Notice::Kind::warning ? Mood::warn
+                                                 : Mood::plain,
+          std::move(notice.text));
+}
+
+void Console::tell(const Result<>& outcome) {
+  if (!outcome) toast(Mood::fault, outcome.error().sentence());
+}
+
+void Console::draw(Ui& ui) {
+  refresh(ui);
+  if (!wanted_widget_.empty()) {
+    ui.registry.scroll_to(wanted_widget_);
+    ui.focus.move_to(wanted_widget_);
+    wanted_widget_.clear();
+  }
+  LayoutWishes wishes;
+  wishes.width = ui.size_px.x / ui.scale;
+  wishes.height = ui.size_px.y / ui.scale;
+  wishes.controllers = static_cast<int>(tabs_.size()) + (page_.empty() ? 0 : 1);
+  wishes.splitters = splitters;
+  wishes.strip_height = active() ? strip_height(*active()) : 0;
+  const Layout layout = lay_out(wishes);
+  draw_top_bar(ui, *this, layout);  // STOP ALL is the first widget of the frame
+  draw_workspace(ui, *this, layout);
+  draw_status_line(ui, *this, layout);
+  dialogs.draw(ui, *this);
+  draw_toasts(ui, toasts_, in_pixels(ui, layout.centre));
+  confirm_held_key(ui);
+  for (const auto& tab : tabs_) {
+    tab->jog.tick(ui.now_s);
+    ui.wake_in(tab->jog.due_in_s(ui.now_s));
+  }
+}
+
+// ---- what is kept
+
+void Console::load_choices() {
+  if (!outside_->folders.enabled) return;
+  const auto read = read_json(outside_->folders.state / "window.json", "the sizes of the window's parts");
+  if (!read) return toast(Mood::warn, read.error().sentence());
+  const auto number = [&](const char* key, float fallback) {
+    const auto at = read->find(key);
+    return at != read->end() && at->is_number() ? at->get<float>() : fallback;
+  };
+  splitters.left = number("left", splitters.left);
+  splitters.right = number("right", splitters.right);
+  splitters.below = number("below", splitters.below);
+  dark_ = number("dark", 1) != 0;
+  choices_saved_ = splitters;
+  choices_saved_dark_ = dark_;
+}
+
+void Console::save_choices() {
+  if (!outside_->folders.enabled || (choices_saved_ == splitters && choices_saved_dark_ == dark_)) return;
+  choices_saved_ = splitters;
+  choices_saved_dark_ = dark_;
+  const nlohmann::json object = {{"left", splitters.left},
+                                 {"right", splitters.right},
+                                 {"below", splitters.below},
+                                 {"dark", dark_ ? 1 : 0}};
+  tell(write_json(outside_->folders.state / "window.json", object));
+}
+
+void Console::save() {
+  save_choices();
+  for (const auto& tab : tabs_)
+    if (tab->profile_changed) {
+      tab->profile_changed = false;
+      tell(ProfileStore(outside_->folders).save(tab->profile_key, tab->profile));
+    }
+}
+
+}  // namespace hw::gui

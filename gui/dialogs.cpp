@@ -1,0 +1,147 @@
+#include "gui/dialogs.h"
+
+#include <fmt/format.h>
+
+#include "gui/console.h"
+#include "gui/ui.h"
+#include "gui/widgets/button.h"
+#include "gui/widgets/message.h"
+#include "gui/widgets/text.h"
+#include "gui/widgets/text_field.h"
+
+namespace hw::gui {
+namespace {
+
+constexpr float width = 440;
+
+void title(Ui& ui, std::string_view words) {
+  text(ui, Face::title_bold, Tone::ink, words);
+  gap(ui, 8);
+}
+
+/// Label at the left, field at the right of it.
+Field labelled_field(Ui& ui, std::string_view id, std::string_view label, std::string& text_of,
+                     std::string_view placeholder) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  draw_text_line(ui, at.x, at.x + ui.px(120), at.y + ui.px(16), Face::body, ui[Tone::ink2], label);
+  ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(128), at.y));
+  FieldOptions options;
+  options.placeholder = placeholder;
+  return text_field(ui, id, label, text_of, options);
+}
+
+}  // namespace
+
+void Dialogs::begin(Kind kind, Tab& tab) {
+  kind_ = kind;
+  tab_ = &tab;
+  just_opened_ = true;
+}
+
+void Dialogs::names(Tab& tab) {
+  begin(Kind::names, tab);
+  name_ = tab.profile.name;
+  axis_names_.clear();
+  for (std::size_t i = 0; i < tab.catalog().axes.size(); ++i) axis_names_.push_back(tab.profile.axes[i].name);
+}
+
+void Dialogs::close_controller(Console& console, Tab& tab) {
+  const ProgramState& program = tab.now().program;
+  const bool busy = tab.now().any_axis_moving() || (program.owned && program.run != RunState::idle);
+  const bool there = tab.now().link.state == LinkState::good || tab.now().link.state == LinkState::late;
+  if (busy && there)
+    begin(Kind::close_controller, tab);
+  else
+    console.close(tab);
+}
+
+void Dialogs::reset(Tab& tab) { begin(Kind::reset, tab); }
+
+void Dialogs::draw(Ui& ui, Console& console) {
+  if (!begin_modal(ui, "dialog", open(), width + 48)) return;
+  if (ui.cancelled() && !just_opened_) close();
+  switch (kind_) {
+    case Kind::names: draw_names(ui, console); break;
+    case Kind::close_controller: draw_close(ui, console); break;
+    case Kind::reset: draw_reset(ui); break;
+    case Kind::none: break;
+  }
+  just_opened_ = false;
+  if (kind_ == Kind::none) ImGui::CloseCurrentPopup();
+  end_modal();
+}
+
+void Dialogs::draw_names(Ui& ui, Console& console) {
+  title(ui, "Names");
+  wrapped(ui, Face::small, Tone::ink2, "Yours, for the screen only. The controller does not know them.");
+  gap(ui, 12);
+  if (just_opened_) type_into(ui, "names/controller");
+  bool done = labelled_field(ui, "names/controller", "Controller", name_, tab_->catalog().short_name).entered;
+  for (std::size_t i = 0; i < axis_names_.size(); ++i) {
+    const AxisInfo& axis = tab_->catalog().axes[i];
+    gap(ui, 4);
+    const std::string label = axis.description.empty() ? "Axis " + axis.name : axis.description;
+    done |= labelled_field(ui, "names/" + axis.name, label, axis_names_[i], "across, lift, turn ...").entered;
+  }
+  gap(ui, 12);
+  ButtonOptions primary;
+  primary.style = ButtonStyle::primary;
+  done |= button(ui, "names/ok", "Use these names", primary).clicked;
+  ImGui::SameLine();
+  ButtonOptions quiet;
+  quiet.style = ButtonStyle::quiet;
+  if (button(ui, "names/cancel", "Cancel", quiet).clicked) close();
+  if (!done) return;
+  for (std::size_t i = 0; i < axis_names_.size(); ++i) tab_->profile.axes[i].name = axis_names_[i];
+  console.rename(*tab_, name_);
+  close();
+}
+
+void Dialogs::draw_close(Ui& ui, Console& console) {
+  Tab& tab = *tab_;
+  const ProgramState& program = tab.now().program;
+  title(ui, fmt::format("Close {}?", tab.name()));
+  const std::string what =
+      program.owned
+          ? fmt::format(
+                "{} {} runs in the controller, and goes on there when this window no longer watches it.",
+                tab.catalog().program.slot_word, program.slot)
+          : std::string("An axis is moving, and nobody would watch it.");
+  wrapped(ui, Face::body, Tone::ink2, what);
+  gap(ui, 12);
+  bool gone = false;
+  if (button(ui, "close/stop", "Stop it and close").clicked) {
+    tab.stop_all();
+    gone = true;
+  }
+  ImGui::SameLine();
+  ButtonOptions quiet;
+  quiet.style = ButtonStyle::quiet;
+  gone |= button(ui, "close/leave", "Close, let it go on", quiet).clicked;
+  ImGui::SameLine();
+  if (button(ui, "close/cancel", "Cancel", quiet).clicked) close();
+  if (!gone) return;
+  close();
+  console.close(tab);
+}
+
+void Dialogs::draw_reset(Ui& ui) {
+  const Snapshot& now = tab_->now();
+  title(ui, fmt::format("Reset {}?", tab_->name()));
+  std::string what =
+      "As if its power had been switched off and on: it stops, and its positions start from zero.";
+  if (now.unsaved_setup || now.unsaved_programs)
+    what += " What is in its RAM and not stored is lost. Store it first to keep it.";
+  wrapped(ui, Face::body, Tone::ink2, what);
+  gap(ui, 12);
+  if (button(ui, "reset/ok", "Reset it").clicked) {
+    tab_->send_followed(intent::Reset());
+    close();
+  }
+  ImGui::SameLine();
+  ButtonOptions quiet;
+  quiet.style = ButtonStyle::quiet;
+  if (button(ui, "reset/cancel", "Cancel", quiet).clicked) close();
+}
+
+}  // namespace hw::gui

@@ -1,0 +1,37 @@
+#pragma once
+// The few questions that the console itself asks. One at a time, over everything but STOP ALL and Esc.
+#include <string>
+#include <vector>
+
+namespace hw::gui {
+
+class Console;
+class Tab;
+class Ui;
+
+class Dialogs {
+ public:
+  /// Names of the controller and its axes.
+  void names(Tab& tab);
+  /// Closes it, after asking when something moves or a program runs.
+  void close_controller(Console& console, Tab& tab);
+  void reset(Tab& tab);
+  [[nodiscard]] bool open() const { return kind_ != Kind::none; }
+  void close() { kind_ = Kind::none; }
+  void draw(Ui& ui, Console& console);
+
+ private:
+  enum class Kind { none, names, close_controller, reset };
+  void begin(Kind kind, Tab& tab);
+  void draw_names(Ui& ui, Console& console);
+  void draw_close(Ui& ui, Console& console);
+  void draw_reset(Ui& ui);
+
+  Kind kind_ = Kind::none;
+  bool just_opened_ = false;
+  Tab* tab_ = nullptr;
+  std::string name_;
+  std::vector<std::string> axis_names_;
+};
+
+}  // namespace hw::gui

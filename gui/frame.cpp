@@ -1,0 +1,14 @@
+#include "gui/frame.h"
+
+#include "gui/console.h"
+
+namespace hw::gui {
+
+void PageFrame::toast(Mood mood, std::string sentence) const { console.toast(mood, std::move(sentence)); }
+
+IntentId Frame::send(IntentBody body) const { return tab.send_followed(std::move(body)); }
+IntentId Frame::send_and_watch(IntentBody body) const { return tab.send(std::move(body)); }
+void Frame::operate_bench(BenchCommand command) const { tab.operate_bench(std::move(command)); }
+void Frame::show_panel(std::string_view id, std::string_view widget) const { console.show_panel(id, widget); }
+
+}  // namespace hw::gui

@@ -1,0 +1,156 @@
+#include "gui/messages.h"
+
+#include <cmath>
+#include <span>
+
+#include <fmt/format.h>
+
+#include "gui/area.h"
+#include "gui/console.h"
+#include "gui/status_sentence.h"
+#include "gui/widgets/button.h"
+#include "gui/widgets/message.h"
+#include "gui/widgets/state_word.h"
+#include "gui/widgets/text.h"
+
+namespace hw::gui {
+namespace {
+
+struct MoodLook {
+  Icon icon;
+  Tone tone;
+};
+
+MoodLook mood_look(Mood mood) {
+  switch (mood) {
+    case Mood::ok: return {Icon::check, Tone::ok};
+    case Mood::motion: return {Icon::play, Tone::motion};
+    case Mood::warn: return {Icon::warning, Tone::warn};
+    case Mood::fault: return {Icon::diamond_solid, Tone::fault};
+    case Mood::plain: break;
+  }
+  return {Icon::ring, Tone::ink2};
+}
+
+StatusSentence sentence_of(Console& console, Tab& tab) {
+  const auto held = tab.jog.control();
+  return status_sentence(
+      {tab.catalog(), tab.now(), tab.clock(), held, tab.jog.jogging(),
+       [&](AxisId a, Steps s) { return std::string(format_with_unit(s, tab.unit(a)).view()); },
+       [&](AxisId a, Pps v) { return std::string(format_speed(v, tab.unit(a)).view()); },
+       [&](Instant when) { return console.time_of_day(when); }});
+}
+
+/// What is in RAM and not stored: at the right of the status line, whatever else is true. Returns its width.
+float draw_unsaved(Ui& ui, Console& console, Tab& tab, const Box& line) {
+  const Snapshot& now = tab.now();
+  if (!tab.catalog().can.store || (!now.unsaved_setup && !now.unsaved_programs)) return 0;
+  const std::string_view words = now.unsaved_setup && now.unsaved_programs ? "Set-up and programs not stored"
+                                 : now.unsaved_setup                       ? "Set-up not stored"
+                                                                           : "Program not stored";
+  ButtonOptions o;
+  o.style = ButtonStyle::quiet;
+  o.icon = Icon::warning;
+  o.height = 28;
+  o.tip = "It is in the controller's RAM only and gone when it is switched off. Store it in Setup.";
+  const float width = button_width(ui, words, o);
+  ImGui::SetCursorScreenPos(ui.px(line.right() - width - 8, line.y + (line.height - 28) / 2));
+  if (button(ui, "status/unsaved", words, o).clicked) console.show_panel("setup");
+  return width + 16;
+}
+
+}  // namespace
+
+void draw_status_line(Ui& ui, Console& console, const Layout& layout) {
+  begin_region(ui, "status", in_pixels(ui, layout.status), Tone::ground);
+  const Rect r = in_pixels(ui, layout.status);
+  ImGui::GetWindowDrawList()->AddRectFilled(r.min, ImVec2(r.max.x, r.min.y + ui.hair()), ui[Tone::line]);
+  Tab* tab = console.active();
+  StatusSentence said;
+  float taken = 0;
+  if (tab) {
+    said = sentence_of(console, *tab);
+    taken = draw_unsaved(ui, console, *tab, layout.status);
+  } else if (!console.page().empty()) {
+    said = console.page_object(console.page()).status(console);
+  }
+  const MoodLook look = mood_look(said.mood);
+  const float middle = r.centre().y, left = r.min.x + ui.px(16);
+  draw_icon(ImGui::GetWindowDrawList(), look.icon, ImVec2(left + ui.px(6), std::floor(middle)), ui.px(12),
+            ui[look.tone]);
+  draw_text_line(ui, left + ui.px(24), r.max.x - ui.px(16 + taken), middle, Face::body, ui[Tone::ink],
+                 said.text);
+  show(ui, {"status/text", Kind::text, "Status", said.text, {}, false, {}}, r);
+  end_region();
+}
+
+// ---- banner
+
+namespace {
+
+std::string report(const Console& console, const Tab& tab) {
+  const LinkHealth& link = tab.now().link;
+  return fmt::format(
+      "{} ({}) at {}\nlost at {}, {} attempts since\n{}\ntimeouts {}, bytes not understood {}\n", tab.name(),
+      tab.catalog().name, tab.address().text(), console.time_of_day(link.lost_at), link.attempts,
+      link.sentence.view(), link.timeouts, link.unparsed_bytes);
+}
+
+/// "Attempt 5 in 3 s.", and a frame when the number changes.
+std::string_view next_attempt(Ui& ui, const Console& console, const LinkHealth& link,
+                              std::span<char> buffer) {
+  const double wait = seconds(link.next_attempt - console.clock());
+  const double whole = std::ceil(wait);
+  const auto end = wait > 0 ? fmt::format_to_n(buffer.data(), buffer.size(), "Attempt {} in {:.0f} s.",
+                                               link.attempts + 1, whole)
+                            : fmt::format_to_n(buffer.data(), buffer.size(), "Attempt {} is under way.",
+                                               std::max(1, link.attempts));
+  if (wait > 0) ui.wake_in(wait - (whole - 1) + 0.001);
+  return {buffer.data(), std::min(end.size, buffer.size())};
+}
+
+void draw_lost(Ui& ui, Console& console, Tab& tab) {
+  const LinkHealth& link = tab.now().link;
+  const std::string title =
+      fmt::format("{} does not answer since {}.", tab.name(), console.time_of_day(link.lost_at));
+  const std::string sentences = fmt::format(
+      "{}\nStop does not reach it: to be sure, use its power switch. When it is back its state is read "
+      "afresh; nothing moves "
+      "by itself.",
+      link.sentence.view());
+  char attempt[64];
+  const Banner what{Mood::fault, Icon::plug, title, sentences, next_attempt(ui, console, link, attempt)};
+  const Action actions[] = {{.id = "fault/try_now", .label = "Try now", .main = true},
+                            {.id = "fault/report", .label = "Copy this report"}};
+  const int picked = banner(ui, "fault/lost", what, actions);
+  if (picked == 0) console.reconnect(tab);
+  if (picked != 1) return;
+  ImGui::SetClipboardText(report(console, tab).c_str());
+  console.toast(Mood::ok, "The report is in the clipboard.");
+}
+
+/// Something must be chosen in the set-up before the first move.
+void draw_unset(Ui& ui, Console& console, Tab& tab, int param) {
+  const ParamInfo& info = tab.catalog().params[static_cast<std::size_t>(param)];
+  const Banner what{Mood::warn, Icon::warning, "Before the first move", info.before_moving};
+  const Action actions[] = {{.id = "fault/setup", .label = "Choose it in Setup", .main = true},
+                            {.id = "fault/unset_read", .label = "Leave it"}};
+  const int picked = banner(ui, "fault/unset", what, actions);
+  if (picked == 0) console.show_panel("setup", "setup/" + info.mnemonic);
+  if (picked == 1) tab.unset_read = true;
+}
+
+}  // namespace
+
+void draw_banner(Ui& ui, Console& console, Tab& tab, const Layout& layout) {
+  const Snapshot& now = tab.now();
+  if (now.link.state == LinkState::lost) return draw_lost(ui, console, tab);
+  if (layout.tier == Tier::narrow || tab.unset_read || tab.centre_panel == "setup")
+    return;  // the status line says it as well
+  for (int i = 0; i < now.axis_count; ++i)
+    if (const int param = unset_before_moving(tab.catalog(), now, AxisId{static_cast<std::uint8_t>(i)});
+        param >= 0)
+      return draw_unset(ui, console, tab, param);
+}
+
+}  // namespace hw::gui

@@ -1,0 +1,236 @@
+#include "gui/workspace.h"
+
+#include <array>
+
+#include <fmt/format.h>
+
+#include "gui/area.h"
+#include "gui/console.h"
+#include "gui/messages.h"
+#include "gui/widgets/button.h"
+#include "gui/widgets/tabs.h"
+#include "gui/widgets/text.h"
+
+namespace hw::gui {
+namespace {
+
+/// One controller's workspace in one frame.
+struct Work {
+  Ui& ui;
+  Console& console;
+  Tab& tab;
+  const Layout& layout;
+
+  [[nodiscard]] bool wanted(const PanelEntry& entry) const {
+    return !entry.wanted || entry.wanted(tab.catalog(), tab.bench().present);
+  }
+  void draw(std::size_t index, const Box& area, bool rail = false) const {
+    const PanelEntry& entry = console.list().panels[index];
+    auto& panel = tab.panels[index];
+    if (!panel) panel = entry.make();
+    Frame frame{
+        {ui, console, area, layout.tier, rail, tab.clock()}, tab, tab.catalog(), tab.now(), tab.bench()};
+    ImGui::PushID(entry.id.data(), entry.id.data() + entry.id.size());
+    panel->draw(frame);
+    ImGui::PopID();
+  }
+  /// All panels of a place, one under the other.
+  void draw_all(Place place, const Box& area, bool rail = false) const {
+    for (std::size_t i = 0; i < console.list().panels.size(); ++i)
+      if (console.list().panels[i].place == place && wanted(console.list().panels[i])) draw(i, area, rail);
+  }
+};
+
+// ---- centre
+
+struct TabItem {
+  std::string_view id, title;
+  int panel;  ///< -1: the left column, -2: the right column
+};
+
+struct TabItems {
+  std::array<TabItem, 16> items;
+  std::size_t count = 0;
+  void add(TabItem item) {
+    if (count < items.size()) items[count++] = item;
+  }
+  [[nodiscard]] const TabItem& chosen(std::string_view id) const {
+    for (std::size_t i = 0; i < count; ++i)
+      if (items[i].id == id) return items[i];
+    for (std::size_t i = 0; i < count; ++i)
+      if (items[i].panel >= 0) return items[i];
+    return items[0];
+  }
+};
+
+TabItems tab_items(const Work& w, bool below_is_tab) {
+  TabItems items;
+  const bool narrow = w.layout.tier == Tier::narrow;
+  if (narrow) items.add({"jog", "Jog", -1});
+  const auto panels = w.console.list().panels;
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    const bool here = panels[i].place == Place::centre || (panels[i].place == Place::below && below_is_tab);
+    if (here && w.wanted(panels[i])) items.add({panels[i].id, panels[i].title, static_cast<int>(i)});
+  }
+  if (narrow) items.add({"io", "I/O and limits", -2});
+  return items;
+}
+
+void draw_panel_tabs(const Work& w, const TabItems& items, const TabItem& chosen) {
+  std::array<std::array<char, 48>, 16> ids;
+  std::array<PanelTab, 16> tabs;
+  int active = -1;
+  for (std::size_t i = 0; i < items.count; ++i) {
+    const auto end = fmt::format_to_n(ids[i].data(), ids[i].size(), "tab/{}", items.items[i].id);
+    tabs[i] = {{ids[i].data(), std::min(end.size, ids[i].size())}, items.items[i].title};
+    if (items.items[i].id == chosen.id) active = static_cast<int>(i);
+  }
+  ImGui::SetCursorScreenPos(
+      ImVec2(ImGui::GetCursorScreenPos().x + w.ui.px(16), ImGui::GetCursorScreenPos().y));
+  const int picked = panel_tabs(w.ui, {tabs.data(), items.count}, active);
+  if (picked >= 0) w.tab.centre_panel = items.items[static_cast<std::size_t>(picked)].id;
+  ImGui::SetCursorScreenPos(ImVec2(w.ui.px(w.layout.centre.x), ImGui::GetCursorScreenPos().y));
+}
+
+void draw_chosen(const Work& w, const TabItem& chosen, const Box& area) {
+  if (chosen.panel >= 0) {
+    begin_part(w.ui, "work", 0, w.ui.px(area.height), Tone::panel, 0, false);
+    w.draw(static_cast<std::size_t>(chosen.panel), area);
+  } else {
+    begin_part(w.ui, "work", 0, w.ui.px(area.height), Tone::panel, 16);
+    const Box inner{area.x + 16, area.y, area.width - 32, area.height};
+    w.draw_all(chosen.panel == -1 ? Place::left : Place::right, inner);
+  }
+  end_part();
+}
+
+void draw_centre(const Work& w) {
+  const Box& box = w.layout.centre;
+  Ui& ui = w.ui;
+  begin_region(ui, "centre", in_pixels(ui, box), Tone::panel, ImVec2(0, 0));
+  float below = below_height(box.height - 40, w.console.splitters, w.layout.tier);
+  const TabItems items = tab_items(w, below == 0);
+  if (items.count == 0) return end_region();
+  const TabItem& chosen = items.chosen(w.tab.centre_panel);
+  draw_panel_tabs(w, items, chosen);
+  draw_banner(ui, w.console, w.tab, w.layout);
+  const float top = ImGui::GetCursorScreenPos().y / ui.scale;
+  if (box.bottom() - top - below < 160) below = std::max(0.0f, box.bottom() - top - 160);
+  const Box work{box.x, top, box.width, box.bottom() - top - below};
+  draw_chosen(w, chosen, work);
+  if (below > 0) {
+    const Box area{box.x, work.bottom(), box.width, below};
+    ImGui::SetCursorScreenPos(ui.px(area.x, area.y));
+    begin_part(ui, "below", 0, ui.px(area.height), Tone::panel, 0, false);
+    w.draw_all(Place::below, area);
+    end_part();
+    const Rect line = in_pixels(ui, area);
+    ImGui::GetWindowDrawList()->AddRectFilled(line.min, ImVec2(line.max.x, line.min.y + ui.hair()),
+                                              ui[Tone::line]);
+    if (w.layout.tier == Tier::wide)
+      splitter(ui, "splitter/below", in_pixels(ui, {box.x, area.y, box.width, 1}), false,
+               w.console.splitters.below, {152, 700, Splitters().below}, -1);
+  }
+  end_region();
+}
+
+// ---- side columns
+
+void draw_left(const Work& w) {
+  const Box& box = w.layout.left;
+  Ui& ui = w.ui;
+  begin_region(ui, "left", in_pixels(ui, box), Tone::panel);
+  line_right_of(ui, in_pixels(ui, box));
+  const Box inner{box.x + 16, box.y, box.width - 32, box.height};
+  w.draw_all(Place::top_left, inner);
+  const float top = ImGui::GetCursorScreenPos().y;
+  ImGui::SetCursorScreenPos(ImVec2(ui.px(box.x), top));
+  const float left_over = ui.px(box.bottom()) - top;
+  begin_part(ui, "rest", ui.px(box.width) - ui.hair(), left_over, Tone::panel, 16);
+  w.draw_all(Place::left, {inner.x, top / ui.scale, inner.width, left_over / ui.scale});
+  end_part();
+  if (w.layout.tier == Tier::wide)
+    splitter(ui, "splitter/left", in_pixels(ui, {box.right() - 1, box.y, 1, box.height}), true,
+             w.console.splitters.left, {264, 400, Splitters().left}, 1);
+  end_region();
+}
+
+void draw_right(const Work& w, const Box& box, bool over_centre) {
+  Ui& ui = w.ui;
+  begin_region(ui, over_centre ? "right over" : "right", in_pixels(ui, box), Tone::panel, ImVec2(0, 0));
+  const Rect r = in_pixels(ui, box);
+  ImGui::GetWindowDrawList()->AddRectFilled(r.min, ImVec2(r.min.x + ui.hair(), r.max.y),
+                                            ui[over_centre ? Tone::edge : Tone::line]);
+  ImGui::SetCursorScreenPos(ImVec2(r.min.x + ui.hair(), r.min.y));
+  begin_part(ui, "parts", r.width() - ui.hair(), r.height(), Tone::panel, 16);
+  w.draw_all(Place::right, {box.x + 16, box.y, box.width - 32, box.height});
+  end_part();
+  if (w.layout.tier == Tier::wide)
+    splitter(ui, "splitter/right", in_pixels(ui, {box.x, box.y, 1, box.height}), true,
+             w.console.splitters.right, {240, 400, Splitters().right}, -1);
+  end_region();
+}
+
+void draw_rail(const Work& w) {
+  const Box& box = w.layout.right;
+  Ui& ui = w.ui;
+  begin_region(ui, "rail", in_pixels(ui, box), Tone::panel, ImVec2(0, 0));
+  const Rect r = in_pixels(ui, box);
+  ImGui::GetWindowDrawList()->AddRectFilled(r.min, ImVec2(r.min.x + ui.hair(), r.max.y), ui[Tone::line]);
+  ButtonOptions o;
+  o.style = ButtonStyle::quiet;
+  o.icon = w.console.right_open ? Icon::chevron_right : Icon::chevron_left;
+  o.width = 40;
+  o.height = 40;
+  o.tip = w.console.right_open ? "Fold inputs, outputs and bench" : "Inputs, outputs and bench";
+  ImGui::SetCursorScreenPos(ui.px(box.x + 8, box.y));
+  if (button(ui, "rail/open", "", o).clicked) w.console.right_open = !w.console.right_open;
+  ImGui::SetCursorScreenPos(ui.px(box.x, box.y + 40));
+  w.draw_all(Place::right, {box.x, box.y + 40, box.width, box.height - 40}, true);
+  end_region();
+  if (!w.console.right_open) return;
+  const float width = 272;
+  draw_right(w, {box.x - width, box.y, width, box.height}, true);
+}
+
+void draw_strip(const Work& w) {
+  const Box& box = w.layout.left;
+  begin_region(w.ui, "left", in_pixels(w.ui, box), Tone::panel);
+  line_below(w.ui, in_pixels(w.ui, box));
+  w.draw_all(Place::top_left, {box.x + 16, box.y, box.width - 32, box.height});
+  end_region();
+}
+
+void draw_page(Ui& ui, Console& console, const Layout& layout) {
+  const Box body{0, layout.stop.bottom(), layout.status.width, layout.status.y - layout.stop.bottom()};
+  begin_region(ui, "page", in_pixels(ui, body), Tone::panel, ImVec2(0, 0));
+  PageFrame frame{ui, console, body, layout.tier, false, console.clock()};
+  console.page_object(console.page()).draw(frame);
+  end_region();
+}
+
+}  // namespace
+
+float strip_height(const Tab& tab) {
+  return strip_row_height * static_cast<float>((tab.catalog().axes.size() + 1) / 2);
+}
+
+void draw_workspace(Ui& ui, Console& console, const Layout& layout) {
+  Tab* tab = console.active();
+  if (!tab) {
+    if (!console.page().empty()) draw_page(ui, console, layout);
+    return;
+  }
+  const Work work{ui, console, *tab, layout};
+  if (layout.tier == Tier::narrow)
+    draw_strip(work);
+  else
+    draw_left(work);
+  draw_centre(work);
+  if (layout.right_is_rail)
+    draw_rail(work);
+  else if (!layout.right.empty())
+    draw_right(work, layout.right, false);
+}
+
+}  // namespace hw::gui

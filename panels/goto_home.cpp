@@ -1,0 +1,184 @@
+#include "panels/goto_home.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "gui/tab.h"
+#include "gui/widgets/button.h"
+#include "gui/widgets/choice.h"
+#include "gui/widgets/message.h"
+#include "gui/widgets/text.h"
+#include "panels/path.h"
+
+namespace hw::panels {
+
+using namespace gui;
+
+namespace {
+
+constexpr float name_width = 20, go_width = 44, home_width = 42, between = 4, apart = 8;
+
+float homes_width(const Frame& f) { return f.catalog.can.homes ? 2 * home_width + between : 0; }
+
+}  // namespace
+
+void GotoHome::draw(Frame& f) {
+  draw_title(f);
+  for (std::size_t i = 0; i < f.catalog.axes.size(); ++i) {
+    const AxisId axis{static_cast<std::uint8_t>(i)};
+    follow(f, axis);
+    draw_row(f, axis);
+  }
+  gap(f.ui, 8);
+}
+
+void GotoHome::draw_title(Frame& f) {
+  Ui& ui = f.ui;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  section_title(ui, "Go to", {}, 40);
+  const ImVec2 after = ImGui::GetCursorScreenPos();
+  if (!f.catalog.can.homes) return;
+  const float x = at.x + ui.px(f.area.width - homes_width(f));
+  if (f.catalog.homing_modes.size() < 2) {
+    draw_text_line(ui, x, x + ui.px(90), at.y + ui.px(20), Face::body_bold, ui[Tone::ink], "Home");
+    return;
+  }
+  // The way of homing, for all axes; its button says Home.
+  ImGui::SetCursorScreenPos(ImVec2(x, at.y + ui.px(4)));
+  std::vector<std::string_view> names;
+  for (const HomingMode& mode : f.catalog.homing_modes) names.push_back(mode.label);
+  const int picked = menu(ui, "home/mode", "Home", names, {});
+  if (picked >= 0) {
+    mode_ = picked;
+    f.toast(Mood::plain, fmt::format("Home now means: {}.", names[static_cast<std::size_t>(picked)]));
+  }
+  ImGui::SetCursorScreenPos(after);
+}
+
+void GotoHome::draw_row(Frame& f, AxisId axis) {
+  Ui& ui = f.ui;
+  Row& row = rows_[axis.index];
+  const std::string& name = f.catalog.axes[axis.index].name;
+  const DisplayUnit& unit = f.tab.unit(axis);
+  const std::string_view why = f.tab.why_not_move();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  draw_text_line(ui, at.x, at.x + ui.px(name_width), at.y + ui.px(16), Face::body_bold, ui[Tone::ink], name);
+  const float homes = homes_width(f) > 0 ? homes_width(f) + apart : 0;
+  NumberOptions o;
+  o.range.decimals = unit.real ? unit.decimals : 0;
+  o.range.unit = unit.name;
+  o.width = f.area.width - name_width - go_width - between - homes;
+  o.disabled = why;
+  o.refused = row.refused;
+  o.sentence_below = false;
+  ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(name_width), at.y));
+  const NumberEvent typed =
+      number_field(ui, Path("goto/{}", name), Path("Go to, axis {}", name), std::nullopt, row.field, o);
+  if (typed.field.edited) row.refused.clear(), row.offers = false;
+  ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(f.area.width - homes - go_width), at.y));
+  ButtonOptions button_options;
+  button_options.moving = true;
+  button_options.width = go_width;
+  button_options.disabled = !why.empty() ? why : row.field.text.empty() ? "Type where to go first." : "";
+  const bool clicked = button(ui, Path("goto/{}/go", name), "Go", button_options).clicked;
+  if (homes > 0) {
+    ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(f.area.width - homes_width(f)), at.y));
+    draw_homes(f, axis, why);
+  }
+  if (clicked || typed.entered) go(f, axis);
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(36)));
+  draw_refusal(f, axis);
+}
+
+void GotoHome::draw_homes(Frame& f, AxisId axis, std::string_view why) {
+  const std::string& name = f.catalog.axes[axis.index].name;
+  for (const Sign sign : {Sign::minus, Sign::plus}) {
+    ButtonOptions o;
+    o.moving = true;
+    o.width = home_width;
+    o.disabled = why;
+    if (sign == Sign::minus)
+      o.icon = Icon::home_minus;
+    else
+      o.icon_after = Icon::home_plus;
+    const std::string_view mode = f.catalog.homing_modes.empty()
+                                      ? std::string_view()
+                                      : f.catalog.homing_modes[static_cast<std::size_t>(mode_)].label;
+    const Path tip("Home, {}: {}", sign == Sign::minus ? "in the \u2212 direction" : "in the + direction",
+                   mode);
+    o.tip = tip;
+    if (button(f.ui, Path("home/{}/{}", name, letter(sign)), sign == Sign::minus ? "\u2212" : "+", o).clicked)
+      f.send(intent::Home(axis, sign, mode_));
+    if (sign == Sign::minus) ImGui::SameLine(0, f.ui.px(between));
+  }
+}
+
+// ---- what becomes of it
+
+void GotoHome::go(Frame& f, AxisId axis) {
+  Row& row = rows_[axis.index];
+  const DisplayUnit& unit = f.tab.unit(axis);
+  row.offers = false;
+  const auto target = parse_position(row.field.text, unit);
+  if (!target) {
+    row.refused = target.error().sentence();
+    return;
+  }
+  const Steps low = f.catalog.position_min, high = f.catalog.position_max;
+  if (low < high && (*target < low || *target > high)) {
+    row.nearest = std::clamp(*target, low, high);
+    row.offers = true;
+    const bool above = *target > high;
+    const Steps past = above ? *target - high : low - *target;
+    row.refused =
+        fmt::format("{} lies {} past the {} end of what {} can count, {}. Nothing was sent.",
+                    format_with_unit(*target, unit).view(), format_with_unit(past, unit).view(),
+                    above ? "+" : "\u2212", f.catalog.short_name, format_with_unit(row.nearest, unit).view());
+    return;
+  }
+  go_to(f, axis, *target);
+}
+
+void GotoHome::go_to(Frame& f, AxisId axis, Steps target) {
+  Row& row = rows_[axis.index];
+  row.refused.clear();
+  row.offers = false;
+  std::vector<AxisTarget> one(1, AxisTarget{axis, target});
+  row.asked = f.send_and_watch(intent::MoveTo(std::move(one)));
+}
+
+void GotoHome::follow(Frame& f, AxisId axis) {
+  Row& row = rows_[axis.index];
+  const IntentFate* fate = f.now.fate_of(row.asked);
+  if (!fate || fate->fate == Fate::pending) return;
+  if (fate->fate != Fate::done) row.refused = fate->sentence.view();
+  row.asked = 0;
+}
+
+void GotoHome::draw_refusal(Frame& f, AxisId axis) {
+  Row& row = rows_[axis.index];
+  if (row.refused.empty()) return;
+  Ui& ui = f.ui;
+  const std::string& name = f.catalog.axes[axis.index].name;
+  const DisplayUnit& unit = f.tab.unit(axis);
+  const float width = f.area.width;
+  const float words = wrapped_height(ui, Face::body, row.refused, ui.px(width));
+  tinted(ui, Mood::fault, words + ui.px(row.offers ? 64 : 24));
+  gap(ui, 8);
+  wrapped(ui, Face::body, Tone::ink, row.refused, width);
+  if (row.offers) {
+    gap(ui, 4);
+    ButtonOptions o;
+    o.moving = true;
+    o.disabled = f.tab.why_not_move();
+    const std::string label = fmt::format("Go to {}", format_with_unit(row.nearest, unit).view());
+    if (button(ui, Path("goto/{}/nearest", name), label, o).clicked) {
+      const Steps nearest = row.nearest;
+      row.field.set(from_steps(nearest, unit), unit.real ? unit.decimals : 0);
+      go_to(f, axis, nearest);
+    }
+  }
+  gap(ui, 16);
+}
+
+}  // namespace hw::panels

@@ -1,0 +1,13 @@
+#pragma once
+#include "gui/panel.h"
+
+namespace hw::panels {
+
+/// The map of the keyboard.
+class Help final : public gui::Page {
+ public:
+  void draw(gui::PageFrame& frame) override;
+  gui::StatusSentence status(gui::Console& console) override;
+};
+
+}  // namespace hw::panels

@@ -1,0 +1,23 @@
+#pragma once
+#include <array>
+
+#include "gui/panel.h"
+
+namespace hw::panels {
+
+/// Inputs as lamps, outputs as toggles that change when the controller has said so, analog inputs as meters.
+class InputsOutputs final : public gui::Panel {
+ public:
+  void draw(gui::Frame& frame) override;
+
+ private:
+  void draw_inputs(gui::Frame& frame);
+  void draw_outputs(gui::Frame& frame);
+  void draw_output(gui::Frame& frame, int number, float width);
+  void draw_analog(gui::Frame& frame, int number);
+  void draw_rail(gui::Frame& frame);
+
+  std::array<IntentId, max_outputs + 1> asked_{};  ///< by output number: what was sent last and is not done
+};
+
+}  // namespace hw::panels

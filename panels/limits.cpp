@@ -1,0 +1,89 @@
+#include "panels/limits.h"
+
+#include "gui/axis_look.h"
+#include "gui/ui.h"
+#include "gui/widgets/lamp.h"
+#include "gui/widgets/text.h"
+#include "panels/path.h"
+
+namespace hw::panels {
+
+using namespace gui;
+
+namespace {
+
+struct LimitLook {
+  LampState state;
+  std::string_view word;
+};
+
+LimitLook look_of(const Frame& f, int axis, Sign sign) {
+  const AxisState& a = f.now.axes[static_cast<std::size_t>(axis)];
+  const bool hit = sign == Sign::minus ? a.limit_minus : a.limit_plus;
+  if (!a.limits_known || !f.connected())
+    return {LampState::unknown, a.limits_known ? (hit ? "HIT?" : "clear?") : "?"};
+  if (is_old(f.now, axis, f.clock)) return {LampState::unknown, hit ? "HIT?" : "clear?"};
+  return hit ? LimitLook{LampState::hit, "HIT"} : LimitLook{LampState::off, "clear"};
+}
+
+std::string_view sign_text(Sign sign) { return sign == Sign::plus ? "+" : "\u2212"; }
+
+}  // namespace
+
+void Limits::draw(Frame& f) {
+  if (f.rail) return draw_rail(f);
+  Ui& ui = f.ui;
+  section_title(ui, "Limits", {}, 40);
+  const float name_width = 28, cell = (f.area.width - name_width) / 2;
+  for (int i = 0; i < static_cast<int>(f.catalog.axes.size()); ++i) {
+    const std::string& name = f.catalog.axes[static_cast<std::size_t>(i)].name;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    draw_text_line(ui, at.x, at.x + ui.px(name_width), at.y + ui.px(14), Face::body_bold, ui[Tone::ink],
+                   name);
+    for (const Sign sign : {Sign::minus, Sign::plus}) {
+      const LimitLook look = look_of(f, i, sign);
+      LampOptions o;
+      o.shape = LampShape::square;
+      o.state = look.state;
+      o.word = look.word;
+      o.width = cell;
+      o.height = 28;
+      const float x = name_width + (sign == Sign::plus ? cell : 0);
+      ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(x), at.y));
+      lamp(ui, Path("io/limit/{}/{}", name, letter(sign)), Path("{}{}", name, sign_text(sign)), o);
+    }
+    ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(28)));
+  }
+  group_line(ui, 10);
+}
+
+void Limits::draw_rail(Frame& f) {
+  Ui& ui = f.ui;
+  const ImVec2 top = ImGui::GetCursorScreenPos();
+  float y = top.y;
+  const float middle = top.x + ui.px(f.area.width / 2);
+  const auto line = [&](Face face, Tone tone, std::string_view words) {
+    draw_text_centred(ui, {ImVec2(top.x, y), ImVec2(top.x + ui.px(f.area.width), y + ui.px(16))}, face,
+                      ui[tone], words);
+    y += ui.px(20);
+  };
+  line(Face::small_bold, Tone::ink, "Limits");
+  for (int i = 0; i < static_cast<int>(f.catalog.axes.size()); ++i)
+    for (const Sign sign : {Sign::minus, Sign::plus}) {
+      const std::string& name = f.catalog.axes[static_cast<std::size_t>(i)].name;
+      const LimitLook look = look_of(f, i, sign);
+      const Rect r{ImVec2(top.x, y), ImVec2(top.x + ui.px(f.area.width), y + ui.px(36))};
+      draw_lamp(ui, ImVec2(std::floor(middle), y + ui.px(8)), 12, LampShape::square, look.state);
+      y += ui.px(18);
+      const bool hit = look.state == LampState::hit;
+      line(hit ? Face::small_bold : Face::small, hit ? Tone::warn : Tone::ink2,
+           Path("{}{}", name, sign_text(sign)));
+      show(ui,
+           {Path("io/limit/{}/{}", name, letter(sign)), Kind::lamp, name, look.word, {}, false, look.word},
+           r);
+    }
+  ImGui::SetCursorScreenPos(ImVec2(top.x, y));
+  group_line(ui, 8);
+}
+
+}  // namespace hw::panels

@@ -1,0 +1,9 @@
+#pragma once
+#include "gui/panel.h"
+
+namespace hw::panels {
+
+/// Everything that the console shows, in this order. A new panel is a pair of files and one line there.
+gui::PanelList panel_list();
+
+}  // namespace hw::panels

@@ -1,0 +1,24 @@
+#pragma once
+// Widget paths and short texts on the stack: drawing a frame at rest allocates nothing.
+#include <string_view>
+
+#include <fmt/format.h>
+
+namespace hw::panels {
+
+class Path {
+ public:
+  template <class... Args>
+  explicit Path(fmt::format_string<Args...> format, Args&&... args) {
+    const auto end = fmt::format_to_n(bytes_, sizeof bytes_, format, std::forward<Args>(args)...);
+    size_ = end.size < sizeof bytes_ ? end.size : sizeof bytes_;
+  }
+  [[nodiscard]] std::string_view view() const { return {bytes_, size_}; }
+  operator std::string_view() const { return view(); }  // NOLINT: converts on purpose
+
+ private:
+  char bytes_[128];
+  std::size_t size_;
+};
+
+}  // namespace hw::panels

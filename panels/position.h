@@ -1,0 +1,26 @@
+#pragma once
+#include <string>
+
+#include "gui/panel.h"
+#include "gui/widgets/digits.h"
+
+namespace hw::panels {
+
+/// Where each axis stands, what it does, and how far that is to be believed.
+class Position final : public gui::Panel {
+ public:
+  void draw(gui::Frame& frame) override;
+
+ private:
+  void draw_title(gui::Frame& frame);
+  void draw_column(gui::Frame& frame);
+  void draw_strip(gui::Frame& frame);
+  void draw_axis(gui::Frame& frame, AxisId axis, float width, gui::Face face, bool in_strip);
+  void draw_digits(gui::Frame& frame, AxisId axis, float width, gui::Face face);
+  void draw_captions(gui::Frame& frame, AxisId axis, ImVec2 at, float width);
+  void draw_axis_menu(gui::Frame& frame, AxisId axis, const gui::Touch& digits);
+
+  std::string typed_;  ///< "set to" of the menu that is open
+};
+
+}  // namespace hw::panels

@@ -1,0 +1,266 @@
+// Every panel in every window, theme and state: what must be there is there, and says what is true.
+#include <cstdlib>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "tests/panels/console_stage.h"
+
+namespace hw::panels {
+namespace {
+
+using namespace gui;
+
+struct Window {
+  const char* name;
+  int width, height;
+  float scale;
+};
+constexpr Window windows[] = {{"wide", 1440, 900, 1}, {"medium", 1024, 700, 1}, {"double", 1440, 900, 2}};
+
+void keep_picture(ConsoleStage& s, const std::string& name) {
+  if (const char* folder = std::getenv("HW_PICTURES")) {
+    const auto written = s.hand.screenshot(fmt::format("{}/{}.png", folder, name));
+    EXPECT_TRUE(written.has_value()) << written.error().sentence();
+  }
+}
+
+class Screens : public testing::TestWithParam<std::tuple<Window, bool>> {
+ protected:
+  Window window = std::get<0>(GetParam());
+  bool dark = std::get<1>(GetParam());
+  // Sizes are logical where the stage makes the surface; the double one is what 1440 x 900 pixels give at 200
+  // %.
+  ConsoleStage s{static_cast<int>(static_cast<float>(window.width) / window.scale),
+                 static_cast<int>(static_cast<float>(window.height) / window.scale), window.scale, dark};
+  std::string picture(const char* what) const {
+    return fmt::format("{}-{}-{}", what, window.name, dark ? "dark" : "light");
+  }
+  void expect(std::initializer_list<const char*> ids) {
+    for (const char* id : ids) {
+      const Widget* w = s.stage.find(id);
+      ASSERT_TRUE(w) << id;
+      EXPECT_GT(w->rect.width(), 0) << id;
+    }
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(All, Screens, testing::Combine(testing::ValuesIn(windows), testing::Bool()),
+                         [](const auto& info) {
+                           return fmt::format("{}_{}", std::get<0>(info.param).name,
+                                              std::get<1>(info.param) ? "dark" : "light");
+                         });
+
+TEST_P(Screens, WithoutController) {
+  s.run(0.1);
+  expect({"stop_all", "connect/address", "connect/demo", "status/text", "link/health"});
+  keep_picture(s, picture("connect"));
+}
+
+TEST_P(Screens, Typical) {
+  Example& a = s.add();
+  a.tab->profile.name = "Stage";
+  a.tab->profile.axes[0].name = "across";
+  a.tab->profile.unit = "real";
+  a.tab->profile.axes[0].unit_choice = a.tab->profile.axes[1].unit_choice = "screw of 1 mm";
+  a.tab->profile.jog_step = Steps(40);
+  a.tab->profile_edited();
+  a.now.axes[0].position = Steps(3120);
+  a.now.axes[0].activity = Activity::moving;
+  a.now.axes[0].direction = 1;
+  a.now.axes[0].has_target = true;
+  a.now.axes[0].target = Steps(4800);
+  a.now.axes[0].speed = Pps(2000);
+  a.now.axes[1].position = Steps(-60000);
+  a.now.outputs = 2;
+  a.now.unsaved_setup = true;
+  s.run(0.2);
+  expect({"stop_all", "dro/1/position", "dro/1/state", "dro/2/steps", "dro/emulated", "io/limit/1/+",
+          "io/limit/2/-", "status/text", "status/unsaved", "link/health"});
+  EXPECT_EQ(s.value("dro/1/position"), "7.800");
+  EXPECT_EQ(s.value("dro/2/position"), "-150.000");
+  EXPECT_EQ(s.value("dro/1/state"), "MOVING +");
+  EXPECT_EQ(s.value("status/text"), "Motor 1 moves to 12.000 mm. Esc stops everything.");
+  keep_picture(s, picture("typical"));
+}
+
+TEST_P(Screens, Lost) {
+  Example& a = s.add();
+  s.run(0.5);
+  s.stale = true;
+  a.now.axes[0].position = Steps(36560);
+  a.now.axes[0].position_doubtful = true;
+  a.now.link.state = LinkState::lost;
+  a.now.link.lost_at = s.scheduler.now();
+  a.now.link.next_attempt = s.scheduler.now() + Millis(8000);
+  a.now.link.attempts = 4;
+  a.now.link.sentence = "The cable of /dev/ttyUSB0 was pulled. No command was repeated.";
+  s.run(2);
+  expect({"stop_all", "dro/1/position", "fault/try_now", "fault/report", "io/limit/1/+"});
+  EXPECT_EQ(s.value("dro/1/state"), "LOST");
+  EXPECT_EQ(s.value("stop_all"), "does not reach Example");
+  EXPECT_NE(s.value("status/text").find("use its power switch"), std::string::npos);
+  keep_picture(s, picture("lost"));
+  const auto tried = s.hand.click("fault/try_now");
+  ASSERT_TRUE(tried.has_value()) << tried.error().sentence();
+  EXPECT_TRUE(a.last<intent::Reconnect>());
+}
+
+TEST_P(Screens, FourAxes) {
+  Example& a = s.add(example_catalog(4));
+  a.now.axes[3].position = Steps(-8388608);
+  a.now.axes[2].limit_minus = true;
+  s.run(0.2);
+  for (int i = 1; i <= 4; ++i)
+    for (const char* id : {"dro/{}/position", "dro/{}/state", "io/limit/{}/+"}) {
+      const Widget* w = s.stage.find(fmt::format(fmt::runtime(id), i));
+      ASSERT_TRUE(w) << id << i;
+      EXPECT_TRUE(w->in_view()) << id << i;
+    }
+  EXPECT_EQ(s.value("dro/3/state"), "LIMIT -");
+  EXPECT_EQ(s.value("dro/4/position"), "-8388608");
+  keep_picture(s, picture("four"));
+}
+
+TEST_P(Screens, NothingKnownYet) {
+  Example& a = s.add();
+  a.now = Snapshot();
+  a.now.axis_count = 2;
+  a.bench = BenchView();
+  s.stale = true;
+  s.run(0.2);
+  EXPECT_EQ(s.value("dro/1/position"), "-");
+  EXPECT_EQ(s.value("dro/1/state"), "CONNECTING");
+  EXPECT_EQ(s.value("io/limit/1/+"), "?");
+  keep_picture(s, picture("nothing"));
+}
+
+TEST_P(Screens, BeforeTheFirstMoveTheMotorTypeIsAskedFor) {
+  Example& a = s.add();
+  a.now.params[0].value = 0;
+  s.run(0.2);
+  EXPECT_EQ(s.value("status/text"), "No type is chosen for motor 1.");
+  if (window.scale == 1) expect({"fault/setup", "fault/unset_read"});
+  keep_picture(s, picture("unset"));
+}
+
+TEST_P(Screens, KeyboardMap) {
+  s.add();
+  s.run(0.1);
+  const auto pressed = s.hand.key("?");
+  ASSERT_TRUE(pressed.has_value());
+  s.run(0.1);
+  expect({"help/1", "help/back"});
+  keep_picture(s, picture("help"));
+  ASSERT_TRUE(s.hand.key("?").has_value());
+  s.run(0.1);
+  EXPECT_FALSE(s.hand.exists("help/back"));
+}
+
+TEST(ScreensOnce, StopAllAndStatusNeverLeaveTheWindow) {
+  for (const auto& [w, h] : {std::pair{640, 400}, {720, 450}, {1024, 700}, {1440, 900}, {2560, 1440}}) {
+    ConsoleStage s(w, h);
+    s.add(example_catalog(4));
+    s.run(0.1);
+    for (const char* id : {"stop_all", "status/text", "dro/4/position", "dro/4/state"}) {
+      const Widget* widget = s.stage.find(id);
+      ASSERT_TRUE(widget) << id;
+      EXPECT_GE(widget->rect.min.x, 0) << id << w;
+      EXPECT_LE(widget->rect.max.x, w) << id << w;
+      EXPECT_GE(widget->rect.min.y, 0) << id << w;
+      EXPECT_LE(widget->rect.max.y, h) << id << w;
+    }
+  }
+}
+
+TEST(ScreensOnce, NarrowWindowHasJogAndSignalsAsTabs) {
+  ConsoleStage s(720, 450);
+  Example& a = s.add();
+  s.run(0.1);
+  ASSERT_TRUE(s.hand.click("tab/jog").has_value());
+  s.run(0.1);
+  ASSERT_TRUE(s.hand.press("jog/1/+").has_value());
+  s.run(0.5);
+  EXPECT_EQ(a.count<intent::JogStart>(), 1);
+  ASSERT_TRUE(s.hand.release("jog/1/+").has_value());
+  ASSERT_TRUE(s.hand.click("tab/io").has_value());
+  s.run(0.1);
+  EXPECT_TRUE(s.hand.exists("io/out/1"));
+}
+
+TEST(ScreensOnce, RailUnfoldsOverTheCentre) {
+  ConsoleStage s(1024, 700);
+  s.add();
+  s.run(0.1);
+  EXPECT_FALSE(s.hand.exists("io/out/1"));
+  ASSERT_TRUE(s.hand.click("rail/open").has_value());
+  s.run(0.1);
+  EXPECT_TRUE(s.hand.click("io/out/1").has_value());
+}
+
+TEST(ScreensOnce, ControllersAreRenamedAndClosed) {
+  ConsoleStage s;
+  s.add();
+  s.add();
+  s.run(0.1);
+  ASSERT_TRUE(s.hand.click("menu").has_value());
+  s.run(0.1);
+  ASSERT_TRUE(s.hand.click("menu/names").has_value());
+  s.run(0.1);
+  ASSERT_TRUE(s.hand.type("names/controller", "Stage").has_value());
+  ASSERT_TRUE(s.hand.type("names/1", "across").has_value());
+  ASSERT_TRUE(s.hand.click("names/ok").has_value());
+  s.run(0.1);
+  EXPECT_EQ(s.console.tabs()[1]->name(), "Stage");
+  EXPECT_EQ(s.console.tabs()[1]->axis_title(AxisId{0}), "1 across");
+  ASSERT_TRUE(s.hand.click("menu").has_value());
+  s.run(0.1);
+  ASSERT_TRUE(s.hand.click("menu/close").has_value());
+  s.run(0.1);
+  ASSERT_EQ(s.console.tabs().size(), 1u);
+  EXPECT_EQ(s.console.active(), s.console.tabs()[0].get());
+}
+
+TEST(ScreensOnce, ClosingWhatMovesAsksFirst) {
+  ConsoleStage s;
+  Example& a = s.add();
+  a.now.axes[0].activity = Activity::moving;
+  s.run(0.1);
+  ASSERT_TRUE(s.hand.click("menu").has_value());
+  s.run(0.1);
+  ASSERT_TRUE(s.hand.click("menu/close").has_value());
+  s.run(0.1);
+  EXPECT_EQ(s.console.tabs().size(), 1u);
+  ASSERT_TRUE(s.hand.click("close/stop").has_value());
+  s.run(0.1);
+  EXPECT_EQ(a.count<intent::Stop>(), 1);
+  EXPECT_TRUE(s.console.tabs().empty());
+  EXPECT_EQ(s.console.page(), "connect");
+}
+
+TEST(ScreensOnce, AnAddressThatMakesNoSenseIsRefusedInWords) {
+  ConsoleStage s;
+  s.run(0.1);
+  ASSERT_TRUE(s.hand.type("connect/address", "teapot@stove\n").has_value());
+  s.run(0.1);
+  EXPECT_NE(s.value("connect/refused").find("teapot"), std::string::npos);
+  EXPECT_EQ(s.value("connect/address"), "teapot@stove");
+}
+
+TEST(ScreensOnce, ARefusalThatNobodyWatchesIsSaidOnce) {
+  ConsoleStage s;
+  Example& a = s.add();
+  s.run(0.1);
+  ASSERT_TRUE(s.hand.click("home/1/-").has_value());
+  a.fate(Fate::refused, "The home switch is not there. Nothing was sent.");
+  s.run(0.2);
+  EXPECT_EQ(s.value("toast/1"), "The home switch is not there. Nothing was sent.");
+  s.run(10);
+  EXPECT_TRUE(s.hand.exists("toast/1")) << "a fault stays until it is read";
+  ASSERT_TRUE(s.hand.click("toast/1").has_value());
+  s.run(0.1);
+  EXPECT_FALSE(s.hand.exists("toast/1"));
+}
+
+}  // namespace
+}  // namespace hw::panels
