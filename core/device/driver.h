@@ -38,6 +38,8 @@ class Driver {
   virtual void wire_lost() = 0;
   /// Raw text and its reply without terminator (scripts, `send`).
   virtual Task<Result<std::string>> query(std::string text, Duration patience) = 0;
+  /// Whether the controller answers this raw text by itself and at once.
+  [[nodiscard]] virtual bool answers(std::string_view) const { return true; }
   /// Next unsolicited text for a script, if any has come since the last call.
   virtual bool take_unsolicited(std::string& text) = 0;
 

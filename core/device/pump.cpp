@@ -158,12 +158,14 @@ Task<> Pump::serve() {
       co_await wake_.wait_until(next_poll_);
       continue;
     }
+    ++rounds_begun_;
     auto polled = co_await driver_->poll();
     poll_finished(polled);
   }
 }
 
 void Pump::poll_finished(const Result<>& result) {
+  rounds_ended_ = rounds_begun_;
   const LinkStatistics& s = link_->statistics();
   LinkHealth& health = draft_.link;
   health.round_trip = s.last_round_trip;
@@ -187,8 +189,21 @@ void Pump::poll_finished(const Result<>& result) {
   const bool fast = fast_polls_ > 0 || draft_.any_axis_moving() || draft_.program.run == RunState::running;
   if (fast_polls_ > 0) --fast_polls_;
   draft_.poll_period = fast ? driver_->moving_period() : driver_->idle_period();
-  next_poll_ = scheduler_.now() + draft_.poll_period;
+  next_poll_ = scheduler_.now();
+  if (rounds_ended_ >= round_wanted_) next_poll_ += draft_.poll_period;
   publish();
+}
+
+Task<> Pump::refresh() {
+  const std::uint64_t wanted = rounds_begun_ + 1;
+  const auto connected = [this] {
+    return draft_.link.state == LinkState::good || draft_.link.state == LinkState::late;
+  };
+  if (!connected()) co_return;
+  round_wanted_ = std::max(round_wanted_, wanted);
+  next_poll_ = scheduler_.now();
+  wake_.notify();
+  while (rounds_ended_ < wanted && connected() && !closing_) co_await published_.wait();
 }
 
 // ---- intents

@@ -32,6 +32,9 @@ class Pump {
   /// Raw text and its reply, in the order of intents.
   Task<Result<std::string>> query(std::string text, Duration patience);
 
+  /// Resumes after a round of status that began after this call, or at once when there is no connection.
+  Task<> refresh();
+
   [[nodiscard]] const Snapshot& known() const { return draft_; }
   [[nodiscard]] Driver& driver() { return *driver_; }
   [[nodiscard]] bool busy() const { return performing_ || !queue_.empty() || stops_under_way_ > 0; }
@@ -70,6 +73,7 @@ class Pump {
   Event wake_, published_, ended_;
   Timer dead_man_;
   Instant next_poll_{};
+  std::uint64_t rounds_begun_ = 0, rounds_ended_ = 0, round_wanted_ = 0;
   int fast_polls_ = 0;
   int stops_under_way_ = 0;
   int attempt_ = 0;

@@ -77,6 +77,24 @@ Task<Result<>> Session::perform(IntentBody body) {
   }
 }
 
+Task<Result<>> Session::wait_until_connected() {
+  const auto self = shared_from_this();
+  for (;;) {
+    const LinkHealth& link = known().link;
+    if (link.state == LinkState::good || link.state == LinkState::late) co_return Result<>();
+    if (link.state != LinkState::connecting)
+      co_return fail(FaultKind::lost, std::string(link.sentence.view()));
+    co_await pump_.published().wait();
+  }
+}
+
+Task<Result<std::string>> Session::listing(int slot) {
+  const auto self = shared_from_this();
+  const auto uploaded = co_await perform(intent::UploadProgram(slot));
+  if (!uploaded) co_return fail(uploaded.error());
+  co_return listings_[slot];
+}
+
 std::string why_not_finished(const Snapshot& s, const Catalog& catalog) {
   if (s.link.state == LinkState::lost || s.link.state == LinkState::closed)
     return fmt::format("The link is lost. {}", s.link.sentence.view());
@@ -162,6 +180,7 @@ void Session::show_bench() {
 }
 
 void Session::tell(Notice notice) {
+  if (notice.kind == Notice::Kind::program) listings_[notice.slot] = notice.text;
   notices_.push(std::move(notice));
   if (wake_) wake_();
 }

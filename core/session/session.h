@@ -3,6 +3,7 @@
 // intents; one reader thread takes snapshots and rings; the io thread does the rest.
 #include <atomic>
 #include <functional>
+#include <map>
 #include <memory>
 
 #include "core/base/latest.h"
@@ -38,6 +39,10 @@ class Session : public std::enable_shared_from_this<Session> {
   [[nodiscard]] const std::shared_ptr<BenchAccess>& bench() const { return bench_; }
   /// Performs and resumes with what became of it.
   Task<Result<>> perform(IntentBody body);
+  /// Resumes when the controller answers, or with the reason why the first attempt failed.
+  Task<Result<>> wait_until_connected();
+  /// The text of a stored program, read from the controller.
+  Task<Result<std::string>> listing(int slot);
   /// Resumes when nothing moves or runs any more and the state is fresh.
   Task<Result<>> wait_until_idle(Duration patience);
   Task<> close();
@@ -65,7 +70,8 @@ class Session : public std::enable_shared_from_this<Session> {
   Ring<Notice> notices_{1024};
   std::shared_ptr<BenchAccess> bench_;
   BenchView bench_view_;
-  Snapshot shown_;  ///< what the reader was last woken for
+  std::map<int, std::string> listings_;  ///< by slot, as last told
+  Snapshot shown_;                       ///< what the reader was last woken for
   Pump pump_;
 };
 

@@ -34,6 +34,7 @@ class VxmDriver final : public Driver {
   Task<Result<>> stop(int axis, bool at_once) override;
   void wire_lost() override;
   Task<Result<std::string>> query(std::string text, Duration patience) override;
+  [[nodiscard]] bool answers(std::string_view text) const override;
   bool take_unsolicited(std::string& text) override;
   [[nodiscard]] Duration moving_period() const override;
   [[nodiscard]] Duration idle_period() const override { return Millis(200); }

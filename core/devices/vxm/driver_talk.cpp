@@ -370,6 +370,13 @@ std::optional<AnswerShape> answer_shape(const TextCommand& c, int motors, bool l
 }
 }  // namespace
 
+bool VxmDriver::answers(std::string_view text) const {
+  const auto commands = read_text(text);
+  return !commands.empty() &&
+         answer_shape(commands.back(), static_cast<int>(catalog_.axes.size()), mode_ == Mode::local)
+             .has_value();
+}
+
 Task<Result<std::string>> VxmDriver::query(std::string text, Duration patience) {
   auto settled = co_await finish_leg();
   if (!settled) co_return fail(settled.error());

@@ -129,6 +129,22 @@ TEST(VxmJog, WhereAJogEndsProgramsGoOn) {
   EXPECT_EQ(rig.load(1), 0) << "registers count jogs too (App. H)";
 }
 
+TEST(VxmJog, StopDuringAJogInAWaitEndsBoth) {
+  Rig rig = Rig::online();
+  rig.send("U2,U0,R");
+  rig.press("1+");
+  rig.run_for(2s);
+  rig.press("Stop");
+  EXPECT_TRUE(rig.run_until_output("^", 2s));
+  EXPECT_EQ(rig.output(), "ES^");
+  rig.release("Stop");
+  rig.release("1+");
+  rig.send("Q");
+  const auto stands = rig.load(1);
+  rig.click("1+");
+  EXPECT_EQ(rig.load(1), stands + 1) << "the buttons work as before";
+}
+
 TEST(VxmJoystick, StandsAtTheCentreAndInTheDeadBand) {
   Rig rig = Rig::online();
   rig.send("setjA1M4,Q");

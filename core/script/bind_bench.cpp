@@ -1,0 +1,223 @@
+// `c.bench`: the hand on an emulated controller. What the bench refuses is an error at the script's line: a
+// test that goes on without its limit switch proves nothing.
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/device/bench_file.h"
+#include "core/device/emulator.h"
+#include "core/script/bind.h"
+
+namespace hw::script {
+namespace {
+
+BenchAccess& bench_of(const Call& call) {
+  const auto& bench = session_of(call)->bench();
+  if (!bench)
+    throw Misuse(fmt::format("{} is no emulator in this process, so it has no bench",
+                             session_of(call)->address().text()));
+  return *bench;
+}
+
+int operate(Call& call, const BenchCommand& command) {
+  const auto done = bench_of(call).operate(command);
+  if (!done) throw Misuse("bench: " + done.error().sentence());
+  return call.yes();
+}
+
+AxisId axis_of(const Call& call) {
+  const Catalog& catalog = session_of(call)->catalog();
+  const int index = axis_index(call.L, call.place(1), catalog, "bench");
+  if (index < 0) throw Misuse(fmt::format("bench: {} has no such axis", catalog.short_name));
+  return AxisId{static_cast<std::uint8_t>(index)};
+}
+
+int small(const Call& call, int argument, const char* what) {
+  const std::int64_t value = call.whole(argument, what);
+  if (value < -1'000'000'000 || value > 1'000'000'000)
+    throw Misuse(fmt::format("bench: {} is too large", what));
+  return static_cast<int>(value);
+}
+
+int input(Call& call) { return operate(call, bench::Input(small(call, 1, "input"), call.on(2, "on"))); }
+
+int limit(Call& call) {
+  const std::string side = call.text(2, "side");
+  if (side != "+" && side != "-") throw Misuse("bench: the side of a limit switch is \"+\" or \"-\"");
+  return operate(call, bench::Limit(axis_of(call), side == "+" ? Sign::plus : Sign::minus, call.on(3, "on")));
+}
+
+int home(Call& call) { return operate(call, bench::HomeSwitch(axis_of(call), call.on(2, "on"))); }
+int analog(Call& call) {
+  return operate(call, bench::Analog(small(call, 1, "analog input"), small(call, 2, "value")));
+}
+int button(Call& call) { return operate(call, bench::Button(call.text(1, "button"), call.on(2, "on"))); }
+int jam(Call& call) { return operate(call, bench::Jam(axis_of(call), call.on(2, "on"))); }
+int slip(Call& call) { return operate(call, bench::Slip(axis_of(call), Steps(small(call, 2, "counts")))); }
+int unplug(Call& call) { return operate(call, bench::Unplug(call.on(1, "on"))); }
+int garble(Call& call) { return operate(call, bench::Garble(small(call, 1, "bytes"))); }
+int drop(Call& call) { return operate(call, bench::Drop(small(call, 1, "bytes"))); }
+int power(Call& call) { return operate(call, bench::Power(call.on(1, "on"))); }
+int power_cycle(Call& call) { return operate(call, bench::PowerCycle()); }
+
+// at(t, fn): t on the clock of hw.now(); what is past happens at once.
+int at(Call& call) {
+  const double t = call.number(1, "time");
+  if (!lua_isfunction(call.L, call.place(2))) throw Misuse("bench:at: argument 2 must be a function");
+  if (std::abs(t) > 1e9) throw Misuse("bench:at: the time is too far away");
+  Runner& runner = call.runner();
+  lua_pushvalue(call.L, call.place(2));
+  runner.run_at(call.L, runner.began() + from_seconds(t));
+  return call.nothing();
+}
+
+// ---- place(axis, {minus=, plus=, home={from, to}, ...}): the keys of a bench file's [axis.N]
+
+std::optional<Steps> steps(lua_State* L, int table, const char* key) {
+  lua_getfield(L, table, key);
+  int whole = 0;
+  const lua_Integer value = lua_tointegerx(L, -1, &whole);
+  const bool absent = lua_isnil(L, -1);
+  lua_pop(L, 1);
+  if (absent) return {};
+  if (!whole) throw Misuse(fmt::format("bench:place: {} must be a whole number", key));
+  return Steps(value);
+}
+
+void read_home(lua_State* L, int table, AxisPlace& place) {
+  lua_getfield(L, table, "home");
+  if (!lua_isnil(L, -1)) {
+    int ok_from = 0, ok_to = 0;
+    if (lua_istable(L, -1)) {
+      lua_rawgeti(L, -1, 1);
+      lua_rawgeti(L, -2, 2);
+      place.home_from = Steps(lua_tointegerx(L, -2, &ok_from));
+      place.home_to = Steps(lua_tointegerx(L, -1, &ok_to));
+      lua_pop(L, 2);
+    }
+    if (!ok_from || !ok_to) throw Misuse("bench:place: home must be {from, to}");
+  }
+  lua_pop(L, 1);
+}
+
+void refuse_unknown_keys(lua_State* L, int table) {
+  static constexpr std::string_view known[] = {"minus",           "plus",    "home", "index_every",
+                                               "counts_per_step", "backlash"};
+  lua_pushnil(L);
+  while (lua_next(L, table)) {
+    lua_pop(L, 1);
+    const std::string_view key = lua_type(L, -1) == LUA_TSTRING ? lua_tostring(L, -1) : "(no text)";
+    if (std::find(std::begin(known), std::end(known), key) == std::end(known))
+      throw Misuse(
+          fmt::format("bench:place: a place has no \"{}\"; known are minus, plus, home, index_every, "
+                      "counts_per_step, backlash",
+                      key));
+  }
+}
+
+int place(Call& call) {
+  const int table = call.place(2);
+  if (!lua_istable(call.L, table)) throw Misuse("bench:place: argument 2 must be a table like {plus=90000}");
+  refuse_unknown_keys(call.L, table);
+  AxisPlace place;
+  place.minus = steps(call.L, table, "minus");
+  place.plus = steps(call.L, table, "plus");
+  place.index_every = steps(call.L, table, "index_every");
+  place.backlash = steps(call.L, table, "backlash");
+  read_home(call.L, table, place);
+  if (lua_getfield(call.L, table, "counts_per_step") != LUA_TNIL) {
+    if (lua_type(call.L, -1) != LUA_TNUMBER) throw Misuse("bench:place: counts_per_step must be a number");
+    place.counts_per_step = lua_tonumber(call.L, -1);
+  }
+  lua_pop(call.L, 1);
+  if (const auto problem = problem_of(place); !problem.empty())
+    throw Misuse("bench:place: " + std::string(problem));
+  return operate(call, bench::Place(axis_of(call), place));
+}
+
+// ---- what can be seen
+
+void push_positions(lua_State* L, const std::array<Steps, max_axes>& all, std::size_t count) {
+  lua_createtable(L, static_cast<int>(count), 0);
+  for (std::size_t i = 0; i < count; ++i) {
+    lua_pushinteger(L, all[i].value);
+    lua_rawseti(L, -2, static_cast<lua_Integer>(i + 1));
+  }
+}
+
+// The pulses so far, oldest first: {t=, output=, width=, position={...}}.
+int pulses(Call& call) {
+  lua_State* L = call.L;
+  const auto& all = bench_of(call).emulator().pulses();
+  const std::size_t axes = session_of(call)->catalog().axes.size();
+  lua_createtable(L, static_cast<int>(all.size()), 0);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    lua_createtable(L, 0, 4);
+    lua_pushnumber(L, seconds(all[i].at));
+    lua_setfield(L, -2, "t");
+    lua_pushinteger(L, all[i].output);
+    lua_setfield(L, -2, "output");
+    lua_pushnumber(L, seconds(all[i].width));
+    lua_setfield(L, -2, "width");
+    push_positions(L, all[i].position, axes);
+    lua_setfield(L, -2, "position");
+    lua_rawseti(L, -2, static_cast<lua_Integer>(i + 1));
+  }
+  return 1;
+}
+
+// A set of bits as {name=true/false}.
+template <class Named>
+void set_bits(lua_State* L, const char* field, const std::vector<Named>& named, std::uint32_t bits) {
+  lua_createtable(L, 0, static_cast<int>(named.size()));
+  for (std::size_t i = 0; i < named.size(); ++i) {
+    lua_pushboolean(L, (bits >> i) & 1u);
+    lua_setfield(L, -2, named[i].name.c_str());
+  }
+  lua_setfield(L, -2, field);
+}
+
+// look(): {powered=, unplugged=, lamps={Power=true ...}, buttons={...}, load={...}}.
+int look(Call& call) {
+  lua_State* L = call.L;
+  BenchView view;
+  bench_of(call).look(view);
+  const Catalog& catalog = session_of(call)->catalog();
+  lua_createtable(L, 0, 6);
+  lua_pushboolean(L, view.powered);
+  lua_setfield(L, -2, "powered");
+  lua_pushboolean(L, view.unplugged);
+  lua_setfield(L, -2, "unplugged");
+  set_bits(L, "lamps", catalog.bench.lamps, view.lamps);
+  set_bits(L, "buttons", catalog.bench.buttons, view.buttons);
+  push_positions(L, view.load_position, catalog.axes.size());
+  lua_setfield(L, -2, "load");
+  return 1;
+}
+
+constexpr Function methods[] = {
+    {"input", input},   {"limit", limit}, {"home", home},     {"analog", analog},
+    {"button", button}, {"jam", jam},     {"slip", slip},     {"unplug", unplug},
+    {"garble", garble}, {"drop", drop},   {"power", power},   {"power_cycle", power_cycle},
+    {"at", at},         {"place", place}, {"pulses", pulses}, {"look", look},
+};
+
+int drop_bench(lua_State* L) {
+  static_cast<std::shared_ptr<Session>*>(lua_touserdata(L, 1))->~shared_ptr();
+  return 0;
+}
+
+}  // namespace
+
+void bind_bench(lua_State* L) {
+  luaL_newmetatable(L, "bench");
+  push_functions(L, std::begin(methods), std::end(methods), 1);
+  lua_setfield(L, -2, "__index");
+  lua_pushcfunction(L, drop_bench);
+  lua_setfield(L, -2, "__gc");
+  lua_pushboolean(L, 0);
+  lua_setfield(L, -2, "__metatable");
+  lua_pop(L, 1);
+}
+
+}  // namespace hw::script

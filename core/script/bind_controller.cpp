@@ -1,0 +1,545 @@
+// What hw.open() gives: one controller. Rule for everything that is read (position, status, inputs ...): the
+// call asks for a round of status that begins after it, so what it gives back is never older than the call;
+// what cannot be read now is nil and a reason, never an old value.
+#include <algorithm>
+#include <cmath>
+#include <new>
+
+#include <fmt/format.h>
+
+#include "core/script/bind.h"
+
+namespace hw::script {
+namespace {
+
+constexpr const char* controller_type = "controller";
+using SessionPtr = std::shared_ptr<Session>;
+
+// ---- arguments
+
+int axis_of(const Call& call, int argument, const char* function) {
+  return axis_index(call.L, call.place(argument), session_of(call)->catalog(), function);
+}
+
+std::string no_axis(const Catalog& catalog) {
+  std::string names;
+  for (const AxisInfo& axis : catalog.axes) names += (names.empty() ? "" : ", ") + axis.name;
+  return fmt::format("There is no such axis. {} has: {}.", catalog.short_name, names);
+}
+
+AxisId id_of(int index) { return AxisId{static_cast<std::uint8_t>(index)}; }
+
+Sign sign_of(const Call& call, int argument) {
+  const std::string sign = call.text(argument, "direction");
+  if (sign == "+") return Sign::plus;
+  if (sign == "-") return Sign::minus;
+  throw Misuse("the direction must be \"+\" or \"-\"");
+}
+
+// {[1]=400} or {X=1000, Y=0}, put into the catalog's order. False: an axis that is not there.
+bool read_targets(const Call& call, int argument, std::vector<AxisTarget>& targets) {
+  const int table = call.place(argument);
+  if (!lua_istable(call.L, table)) throw Misuse("the targets must be a table like {[1]=400}");
+  lua_pushnil(call.L);
+  while (lua_next(call.L, table)) {
+    const int axis = axis_index(call.L, -2, session_of(call)->catalog(), "targets");
+    int whole = 0;
+    const lua_Integer steps = lua_tointegerx(call.L, -1, &whole);
+    if (!whole) throw Misuse("a target must be a whole number of steps");
+    lua_pop(call.L, 1);
+    if (axis < 0) return false;
+    targets.push_back(AxisTarget{id_of(axis), Steps(steps)});
+  }
+  std::sort(targets.begin(), targets.end(), [](const auto& a, const auto& b) { return a.axis < b.axis; });
+  if (targets.empty()) throw Misuse("the table of targets is empty");
+  return true;
+}
+
+// ---- commands
+
+Task<Answer> perform_body(SessionPtr session, IntentBody body) {
+  const auto result = co_await session->perform(std::move(body));
+  co_return answer_of(result);
+}
+int perform(Call& call, IntentBody body) {
+  return call.wait(perform_body(session_of(call), std::move(body)));
+}
+
+template <class Move>
+int move(Call& call) {
+  std::vector<AxisTarget> targets;
+  if (!read_targets(call, 1, targets)) return call.refuse(no_axis(session_of(call)->catalog()));
+  return perform(call, Move(std::move(targets)));
+}
+
+int jog(Call& call) {
+  const int axis = axis_of(call, 1, "jog");
+  if (axis < 0) return call.refuse(no_axis(session_of(call)->catalog()));
+  const Pps speed(call.has(3) ? call.number(3, "speed") : 0);
+  return perform(call, intent::JogStart(id_of(axis), sign_of(call, 2), speed, false));
+}
+
+int home(Call& call) {
+  const Catalog& catalog = session_of(call)->catalog();
+  const int axis = axis_of(call, 1, "home");
+  if (axis < 0) return call.refuse(no_axis(catalog));
+  int mode = 0;
+  if (call.has(3)) {
+    const std::string wanted = call.text(3, "mode");
+    const auto& modes = catalog.homing_modes;
+    const auto found =
+        std::find_if(modes.begin(), modes.end(), [&](const HomingMode& m) { return m.id == wanted; });
+    if (found == modes.end()) return call.refuse(fmt::format("There is no way of homing \"{}\".", wanted));
+    mode = static_cast<int>(found - modes.begin());
+  }
+  return perform(call, intent::Home(id_of(axis), sign_of(call, 2), mode));
+}
+
+template <class How>
+int stop(Call& call) {
+  int axis = -1;
+  if (call.has(1)) {
+    axis = axis_of(call, 1, "stop");
+    if (axis < 0) return call.refuse(no_axis(session_of(call)->catalog()));
+  }
+  return perform(call, How(axis));
+}
+
+Task<Answer> wait_idle(SessionPtr session, Duration patience) {
+  const auto idle = co_await session->wait_until_idle(patience);
+  co_return answer_of(idle);
+}
+int wait(Call& call) { return call.wait(wait_idle(session_of(call), call.patience(1, 3600))); }
+
+// ---- raw text
+
+int send(Call& call) {
+  const SessionPtr& session = session_of(call);
+  const LinkHealth& link = session->known().link;
+  if (link.state == LinkState::lost || link.state == LinkState::closed)
+    return call.refuse(fmt::format("There is no connection. {}", link.sentence.view()));
+  session->send(intent::SendText(call.text(1, "text")));
+  return call.yes();
+}
+
+Task<Answer> query_text(SessionPtr session, std::string text, Duration patience) {
+  auto reply = co_await session->pump().query(std::move(text), patience);
+  if (!reply) co_return answer_refused(reply.error().sentence());
+  co_return answer_text(std::move(*reply));
+}
+int query(Call& call) {
+  return call.wait(query_text(session_of(call), call.text(1, "text"), call.patience(2, 1)));
+}
+
+Task<Answer> read_text(Runner& runner, SessionPtr session, Duration patience) {
+  const Instant deadline = runner.scheduler().now() + patience;
+  std::string text;
+  for (bool in_time = true; in_time && !runner.over();) {
+    if (session->pump().driver().take_unsolicited(text)) co_return answer_text(std::move(text));
+    if (session->known().link.state == LinkState::closed) break;
+    in_time = co_await session->pump().published().wait_until(deadline);
+  }
+  if (session->pump().driver().take_unsolicited(text)) co_return answer_text(std::move(text));
+  co_return answer_refused("Nothing came.");
+}
+int read(Call& call) { return call.wait(read_text(call.runner(), session_of(call), call.patience(1, 1))); }
+
+// ---- what is known
+
+using Push = int (*)(lua_State*, const Snapshot&, const Catalog&, int number);
+
+// Whether the controller can be believed now; else why not.
+std::string why_unknown(const LinkHealth& link) {
+  if (link.state == LinkState::lost || link.state == LinkState::closed)
+    return fmt::format("There is no connection. {}", link.sentence.view());
+  return std::string(link.sentence.view());
+}
+
+int push_unknown(lua_State* L, std::string reason) {
+  lua_pushnil(L);
+  lua_pushlstring(L, reason.data(), reason.size());
+  return 2;
+}
+
+Task<Answer> read_fresh(SessionPtr session, Instant asked_at, Push push, int number, bool of_axis) {
+  co_await session->pump().refresh();
+  co_return [session, asked_at, push, number, of_axis](lua_State* L) {
+    const Snapshot& known = session->known();
+    const LinkHealth& link = known.link;
+    if (link.state == LinkState::lost || link.state == LinkState::closed)
+      return push_unknown(L, why_unknown(link));
+    if (of_axis && number >= 0 && known.axes[number].seen_at < asked_at)
+      return push_unknown(L, fmt::format("Axis {} cannot be read now. {}",
+                                         session->catalog().axes[number].name, link.sentence.view()));
+    return push(L, known, session->catalog(), number);
+  };
+}
+
+int ask(Call& call, Push push, int number, bool of_axis) {
+  return call.wait(read_fresh(session_of(call), call.runner().scheduler().now(), push, number, of_axis));
+}
+
+int of_axis(Call& call, Push push) {
+  const int axis = axis_of(call, 1, "axis");
+  if (axis < 0) return call.refuse(no_axis(session_of(call)->catalog()));
+  return ask(call, push, axis, true);
+}
+
+int push_position(lua_State* L, const Snapshot& known, const Catalog& catalog, int axis) {
+  const AxisState& state = known.axes[axis];
+  if (!state.position_known)
+    return push_unknown(L, fmt::format("The position of axis {} is not known.", catalog.axes[axis].name));
+  lua_pushinteger(L, state.position.value);
+  return 1;
+}
+int push_encoder(lua_State* L, const Snapshot& known, const Catalog& catalog, int axis) {
+  if (!known.axes[axis].has_encoder)
+    return push_unknown(L, fmt::format("Axis {} has no encoder.", catalog.axes[axis].name));
+  lua_pushinteger(L, known.axes[axis].encoder.value);
+  return 1;
+}
+const char* name_of(Activity a) {
+  switch (a) {
+    case Activity::unknown: return "unknown";
+    case Activity::idle: return "idle";
+    case Activity::moving: return "moving";
+    case Activity::jogging: return "jogging";
+    case Activity::homing: return "homing";
+    case Activity::stopping: return "stopping";
+    case Activity::error: return "error";
+  }
+  return "unknown";
+}
+const char* name_of(EndedBy e) {
+  switch (e) {
+    case EndedBy::nothing: return "nothing";
+    case EndedBy::target: return "target";
+    case EndedBy::limit: return "limit";
+    case EndedBy::stop: return "stop";
+    case EndedBy::abort: return "abort";
+    case EndedBy::error: return "error";
+    case EndedBy::lost: return "lost";
+  }
+  return "nothing";
+}
+const char* name_of(RunState r) {
+  switch (r) {
+    case RunState::idle: return "idle";
+    case RunState::running: return "running";
+    case RunState::waiting: return "waiting";
+    case RunState::held: return "held";
+    case RunState::error: return "error";
+  }
+  return "idle";
+}
+const char* name_of(LinkState l) {
+  switch (l) {
+    case LinkState::connecting: return "connecting";
+    case LinkState::good: return "good";
+    case LinkState::late: return "late";
+    case LinkState::lost: return "lost";
+    case LinkState::closed: return "closed";
+  }
+  return "connecting";
+}
+
+void set_flag(lua_State* L, const char* name, bool on) {
+  lua_pushboolean(L, on);
+  lua_setfield(L, -2, name);
+}
+void set_word(lua_State* L, const char* name, std::string_view word) {
+  lua_pushlstring(L, word.data(), word.size());
+  lua_setfield(L, -2, name);
+}
+void set_whole(lua_State* L, const char* name, std::int64_t value) {
+  lua_pushinteger(L, value);
+  lua_setfield(L, -2, name);
+}
+
+int push_axis_status(lua_State* L, const Snapshot& known, const Catalog&, int axis) {
+  const AxisState& s = known.axes[axis];
+  lua_createtable(L, 0, 14);
+  set_flag(L, "moving",
+           s.activity == Activity::moving || s.activity == Activity::jogging ||
+               s.activity == Activity::homing || s.activity == Activity::stopping);
+  set_flag(L, "idle", s.activity == Activity::idle);
+  set_flag(L, "jogging", s.activity == Activity::jogging);
+  set_flag(L, "homing", s.activity == Activity::homing);
+  set_flag(L, "stopping", s.activity == Activity::stopping);
+  set_flag(L, "limit_minus", s.limit_minus);
+  set_flag(L, "limit_plus", s.limit_plus);
+  set_flag(L, "home", s.home);
+  set_flag(L, "alarm", s.alarm);
+  set_flag(L, "enabled", s.enabled);
+  set_flag(L, "position_known", s.position_known);
+  set_flag(L, "position_doubtful", s.position_doubtful);
+  set_word(L, "activity", name_of(s.activity));
+  set_word(L, "ended_by", name_of(s.ended_by));
+  return 1;
+}
+
+int push_whole_status(lua_State* L, const Snapshot& known, const Catalog&, int) {
+  lua_createtable(L, 0, 10);
+  set_flag(L, "moving", known.any_axis_moving());
+  set_word(L, "link", name_of(known.link.state));
+  set_word(L, "program", name_of(known.program.run));
+  set_whole(L, "program_number", known.program.slot);
+  set_whole(L, "program_command", known.program.command);
+  set_flag(L, "unsaved_setup", known.unsaved_setup);
+  set_flag(L, "unsaved_programs", known.unsaved_programs);
+  set_word(L, "notice", known.notice.view());
+  set_word(L, "firmware", known.identity.firmware.view());
+  return 1;
+}
+
+// Measured: steps between two rounds of status over the time between them. At rest 0 at once.
+Task<Answer> measure_velocity(Runner& runner, SessionPtr session, int axis) {
+  const AxisState& state = session->known().axes[axis];
+  co_await session->pump().refresh();
+  const Steps from = state.position;
+  const Instant from_at = state.seen_at;
+  if (session->known().any_axis_moving()) {
+    co_await runner.sleep_until(runner.scheduler().now() + Millis(20));
+    co_await session->pump().refresh();
+  }
+  const Duration passed = state.seen_at - from_at;
+  const double speed =
+      passed > Duration::zero() ? static_cast<double>((state.position - from).value) / seconds(passed) : 0;
+  const LinkHealth& link = session->known().link;
+  if (link.state == LinkState::lost || link.state == LinkState::closed)
+    co_return answer_refused(why_unknown(link));
+  co_return [speed](lua_State* L) {
+    lua_pushnumber(L, speed);
+    return 1;
+  };
+}
+int velocity(Call& call) {
+  const int axis = axis_of(call, 1, "velocity");
+  if (axis < 0) return call.refuse(no_axis(session_of(call)->catalog()));
+  return call.wait(measure_velocity(call.runner(), session_of(call), axis));
+}
+
+int position(Call& call) { return of_axis(call, push_position); }
+int encoder(Call& call) { return of_axis(call, push_encoder); }
+int status(Call& call) {
+  if (!call.has(1)) return ask(call, push_whole_status, 0, false);
+  return of_axis(call, push_axis_status);
+}
+
+// ---- inputs and outputs, by the maker's number from 1
+
+// nullopt in words: "There is no input 9. VXM has 1 to 4."
+std::string no_such(const Catalog& catalog, const char* what, std::int64_t number, std::size_t count) {
+  return count == 0
+             ? fmt::format("{} has no {}s.", catalog.short_name, what)
+             : fmt::format("There is no {} {}. {} has 1 to {}.", what, number, catalog.short_name, count);
+}
+bool within(std::int64_t number, std::size_t count) {
+  return number >= 1 && number <= static_cast<std::int64_t>(count);
+}
+
+int push_input(lua_State* L, const Snapshot& known, const Catalog& catalog, int number) {
+  const std::uint32_t bit = 1u << (number - 1);
+  if (!(known.inputs_known & bit)) return push_unknown(L, fmt::format("Input {} has not been read.", number));
+  const bool high = known.inputs & bit;
+  lua_pushboolean(L, high != catalog.inputs[number - 1].active_low);
+  return 1;
+}
+int input(Call& call) {
+  const Catalog& catalog = session_of(call)->catalog();
+  const std::int64_t n = call.whole(1, "input");
+  if (!within(n, catalog.inputs.size()))
+    return call.refuse(no_such(catalog, "input", n, catalog.inputs.size()));
+  return ask(call, push_input, static_cast<int>(n), false);
+}
+
+int push_output(lua_State* L, const Snapshot& known, const Catalog&, int number) {
+  const std::uint32_t bit = 1u << (number - 1);
+  if (!(known.outputs_known & bit))
+    return push_unknown(L, fmt::format("Output {} has not been read.", number));
+  lua_pushboolean(L, (known.outputs & bit) != 0);
+  return 1;
+}
+int output(Call& call) {
+  const Catalog& catalog = session_of(call)->catalog();
+  const std::int64_t n = call.whole(1, "output");
+  if (!within(n, catalog.outputs.size()))
+    return call.refuse(no_such(catalog, "output", n, catalog.outputs.size()));
+  if (!call.has(2)) return ask(call, push_output, static_cast<int>(n), false);
+  return perform(call, intent::SetOutput(static_cast<int>(n), call.on(2, "on")));
+}
+
+int push_analog(lua_State* L, const Snapshot& known, const Catalog&, int number) {
+  if (!(known.analog_known & (1u << (number - 1))))
+    return push_unknown(L, fmt::format("Analog input {} has not been read.", number));
+  lua_pushinteger(L, known.analog[number - 1]);
+  return 1;
+}
+int analog(Call& call) {
+  const Catalog& catalog = session_of(call)->catalog();
+  const std::int64_t n = call.whole(1, "analog input");
+  if (!within(n, catalog.analog.size()))
+    return call.refuse(no_such(catalog, "analog input", n, catalog.analog.size()));
+  return ask(call, push_analog, static_cast<int>(n), false);
+}
+
+// ---- parameters
+
+std::string no_param(const Catalog& catalog, const std::string& name) {
+  return fmt::format("{} has no parameter \"{}\".", catalog.short_name, name);
+}
+
+Task<Answer> get_param(SessionPtr session, int index) {
+  const ParamInfo& info = session->catalog().params[index];
+  if (info.readable) {
+    const auto read = co_await session->perform(intent::ReadParams());
+    if (!read) co_return answer_refused(read.error().sentence());
+  }
+  const ParamState state = session->known().params[index];
+  if (!state.known)
+    co_return answer_refused(fmt::format("{} cannot be read from this controller.", info.mnemonic));
+  co_return [state](lua_State* L) {
+    lua_pushinteger(L, state.value);
+    return 1;
+  };
+}
+int get(Call& call) {
+  const std::string name = call.text(1, "parameter");
+  const int index = session_of(call)->catalog().find_param(name);
+  if (index < 0) return call.refuse(no_param(session_of(call)->catalog(), name));
+  return call.wait(get_param(session_of(call), index));
+}
+
+// A script says what it means: it confirms what the console would ask a person.
+int set(Call& call) {
+  const std::string name = call.text(1, "parameter");
+  if (session_of(call)->catalog().find_param(name) < 0)
+    return call.refuse(no_param(session_of(call)->catalog(), name));
+  return perform(call, intent::SetParam(name, call.whole(2, "value"), true));
+}
+
+// ---- stored programs
+
+int selected(const SessionPtr& session) { return std::max<int>(0, session->known().program.slot); }
+
+int slot_of(const Call& call, int argument) {
+  const SessionPtr& session = session_of(call);
+  if (!call.has(argument)) return selected(session);
+  const std::int64_t n = call.whole(argument, "program");
+  return n >= 0 && n < session->catalog().program.slots ? static_cast<int>(n) : -1;
+}
+std::string no_slot(const Catalog& catalog) {
+  return fmt::format("There is no such program. {} has 0 to {}.", catalog.short_name,
+                     catalog.program.slots - 1);
+}
+
+int load(Call& call) {
+  std::string text = call.text(1, "text");
+  const int slot = slot_of(call, 2);
+  if (slot < 0) return call.refuse(no_slot(session_of(call)->catalog()));
+  return perform(call, intent::LoadProgram(slot, std::move(text)));
+}
+int run(Call& call) {
+  const int slot = slot_of(call, 1);
+  if (slot < 0) return call.refuse(no_slot(session_of(call)->catalog()));
+  return perform(call, intent::RunProgram(slot));
+}
+
+template <class Verb>
+int simply(Call& call) {
+  return perform(call, Verb());
+}
+
+Task<Answer> upload(SessionPtr session, int slot) {
+  auto listing = co_await session->listing(slot);
+  if (!listing) co_return answer_refused(listing.error().sentence());
+  co_return answer_text(std::move(*listing));
+}
+int program(Call& call) {
+  const int slot = slot_of(call, 1);
+  if (slot < 0) return call.refuse(no_slot(session_of(call)->catalog()));
+  return call.wait(upload(session_of(call), slot));
+}
+
+constexpr Function methods[] = {
+    {"send", send},
+    {"query", query},
+    {"read", read},
+    {"move_to", move<intent::MoveTo>},
+    {"move_by", move<intent::MoveBy>},
+    {"jog", jog},
+    {"home", home},
+    {"stop", stop<intent::Stop>},
+    {"abort", stop<intent::Abort>},
+    {"wait", wait},
+    {"position", position},
+    {"encoder", encoder},
+    {"velocity", velocity},
+    {"status", status},
+    {"input", input},
+    {"output", output},
+    {"analog", analog},
+    {"get", get},
+    {"set", set},
+    {"load", load},
+    {"run", run},
+    {"pause", simply<intent::Pause>},
+    {"resume", simply<intent::Resume>},
+    {"halt", simply<intent::HaltProgram>},
+    {"program", program},
+};
+
+}  // namespace
+
+const std::shared_ptr<Session>& session_of(const Call& call) {
+  for (const char* type : {controller_type, "bench"})
+    if (void* found = luaL_testudata(call.L, 1, type)) return *static_cast<SessionPtr*>(found);
+  throw Misuse("call this with a colon on what hw.open() gave: c:position(1)");
+}
+
+int axis_index(lua_State* L, int index, const Catalog& catalog, const char* function) {
+  if (lua_type(L, index) == LUA_TSTRING) return catalog.find_axis(lua_tostring(L, index));
+  int whole = 0;
+  const lua_Integer n = lua_tointegerx(L, index, &whole);
+  if (!whole) throw Misuse(fmt::format("{}: the axis must be its number or name", function));
+  return n >= 1 && n <= static_cast<lua_Integer>(catalog.axes.size()) ? static_cast<int>(n - 1) : -1;
+}
+
+static void push_shared(lua_State* L, const SessionPtr& session, const char* type) {
+  new (lua_newuserdatauv(L, sizeof(SessionPtr), 0)) SessionPtr(session);
+  luaL_setmetatable(L, type);
+}
+
+static int drop_shared(lua_State* L) {
+  static_cast<SessionPtr*>(lua_touserdata(L, 1))->~SessionPtr();
+  return 0;
+}
+
+// c.bench, else a method.
+static int index_controller(lua_State* L) {
+  if (lua_type(L, 2) == LUA_TSTRING && std::string_view(lua_tostring(L, 2)) == "bench") {
+    push_shared(L, *static_cast<SessionPtr*>(luaL_checkudata(L, 1, controller_type)), "bench");
+    return 1;
+  }
+  lua_pushvalue(L, 2);
+  lua_rawget(L, lua_upvalueindex(1));
+  return 1;
+}
+
+void bind_controller(lua_State* L) {
+  luaL_newmetatable(L, controller_type);
+  push_functions(L, std::begin(methods), std::end(methods), 1);
+  lua_pushcclosure(L, index_controller, 1);
+  lua_setfield(L, -2, "__index");
+  lua_pushcfunction(L, drop_shared);
+  lua_setfield(L, -2, "__gc");
+  lua_pushboolean(L, 0);
+  lua_setfield(L, -2, "__metatable");
+  lua_pop(L, 1);
+}
+
+void push_controller(lua_State* L, std::shared_ptr<Session> session) {
+  push_shared(L, session, controller_type);
+}
+
+}  // namespace hw::script

@@ -1,0 +1,115 @@
+// `hw`: opening controllers, time, checks, words.
+#include <fmt/format.h>
+
+#include "core/script/bind.h"
+#include "core/script/module.h"
+#include "core/session/address.h"
+
+namespace hw::script {
+namespace {
+
+Task<Answer> open_and_wait(Runner& runner, std::shared_ptr<Session> session) {
+  runner.add_session(session);
+  const auto connected = co_await session->wait_until_connected();
+  if (connected) {
+    if (runner.options().stage) runner.options().stage->opened(session);
+    co_return [session](lua_State* L) {
+      push_controller(L, session);
+      return 1;
+    };
+  }
+  co_await session->close();
+  runner.remove_session(session);
+  co_return answer_refused(connected.error().sentence());
+}
+
+int open(Call& call) {
+  auto address = Address::parse(call.text(1, "address"));
+  if (!address) return call.refuse(address.error().sentence());
+  Runner& runner = call.runner();
+  if (!address->emulated()) runner.go_real();
+  std::function<void()> wake = [] {};
+  auto session = Session::open(runner.scheduler(), *address, runner.options().opener, wake);
+  if (!session) return call.refuse(session.error().sentence());
+  return call.wait(open_and_wait(runner, std::move(*session)));
+}
+
+Task<Answer> sleep_for(Runner& runner, Duration time) {
+  const Instant until = runner.scheduler().now() + time;
+  co_await runner.sleep_until(until);
+  co_return [](lua_State*) { return 0; };
+}
+
+int sleep(Call& call) { return call.wait(sleep_for(call.runner(), call.patience(1, 0))); }
+
+int now(Call& call) {
+  lua_pushnumber(call.L, call.runner().seconds_since_start());
+  return 1;
+}
+
+int check(Call& call) {
+  if (lua_toboolean(call.L, call.place(1))) return lua_gettop(call.L);  // gives back what it was given
+  const std::string why = call.has(2) ? call.text(2, "message") : "what was checked is not true";
+  call.runner().end_run(call.L, "hw.check failed: " + why);
+  throw Misuse(why);
+}
+
+int log(Call& call) {
+  call.runner().options().log(
+      fmt::format("[{:.6f}] {}", call.runner().seconds_since_start(), call.text(1, "text")));
+  return call.nothing();
+}
+
+// Like Lua's own, but to wherever results go.
+int print(Call& call) {
+  std::string line;
+  for (int i = 1, n = lua_gettop(call.L); i <= n; ++i) {
+    std::size_t length = 0;
+    const char* text = luaL_tolstring(call.L, i, &length);
+    if (i > 1) line += '\t';
+    line.append(text, length);
+    lua_pop(call.L, 1);
+  }
+  line += '\n';
+  call.runner().options().print(line);
+  return call.nothing();
+}
+
+constexpr Function functions[] = {
+    {"open", open}, {"sleep", sleep}, {"now", now}, {"check", check}, {"log", log},
+};
+constexpr Function globals[] = {{"print", print}};
+
+// Without a stage `ui` says what is missing.
+void bind_absent_screen(lua_State* L) {
+  lua_newtable(L);
+  lua_newtable(L);
+  lua_pushcfunction(
+      L, [](lua_State* S) { return luaL_error(S, "there is no screen: run the script with --gui"); });
+  lua_setfield(L, -2, "__index");
+  lua_setmetatable(L, -2);
+  lua_setglobal(L, "ui");
+}
+
+}  // namespace
+
+void bind_hw(lua_State* L) {
+  push_functions(L, std::begin(functions), std::end(functions), 0);
+  const RunOptions& options = Runner::of(L).options();
+  lua_createtable(L, static_cast<int>(options.args.size()), 1);
+  for (std::size_t i = 0; i < options.args.size(); ++i) {
+    lua_pushlstring(L, options.args[i].data(), options.args[i].size());
+    lua_rawseti(L, -2, static_cast<lua_Integer>(i + 1));
+  }
+  lua_pushlstring(L, options.path.data(), options.path.size());
+  lua_rawseti(L, -2, 0);
+  lua_setfield(L, -2, "args");
+  lua_setglobal(L, "hw");
+  if (!Runner::of(L).options().stage) bind_absent_screen(L);
+  push_functions(L, std::begin(globals), std::end(globals), 0);
+  lua_getfield(L, -1, "print");
+  lua_setglobal(L, "print");
+  lua_pop(L, 1);
+}
+
+}  // namespace hw::script

@@ -1,0 +1,140 @@
+#include "core/script/call.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace hw::script {
+
+void Call::wrong(int argument, const char* what, const char* wanted) const {
+  throw Misuse(fmt::format("{}: argument {} ({}) must be {}, not {}", function_, argument, what, wanted,
+                           luaL_typename(L, place(argument))));
+}
+
+std::string Call::text(int argument, const char* what) const {
+  if (lua_type(L, place(argument)) != LUA_TSTRING && lua_type(L, place(argument)) != LUA_TNUMBER)
+    wrong(argument, what, "a text");
+  std::size_t length = 0;
+  lua_pushvalue(L, place(argument));  // converting must not change the script's own number
+  const char* bytes = lua_tolstring(L, -1, &length);
+  std::string copy(bytes, length);
+  lua_pop(L, 1);
+  return copy;
+}
+
+double Call::number(int argument, const char* what) const {
+  if (lua_type(L, place(argument)) != LUA_TNUMBER) wrong(argument, what, "a number");
+  const double value = lua_tonumber(L, place(argument));
+  if (!std::isfinite(value)) wrong(argument, what, "a finite number");
+  return value;
+}
+
+std::int64_t Call::whole(int argument, const char* what) const {
+  int is_whole = 0;
+  const lua_Integer value = lua_tointegerx(L, place(argument), &is_whole);
+  if (lua_type(L, place(argument)) != LUA_TNUMBER || !is_whole) wrong(argument, what, "a whole number");
+  return value;
+}
+
+bool Call::on(int argument, const char* what) const {
+  if (lua_isnone(L, place(argument))) return true;
+  if (lua_type(L, place(argument)) == LUA_TNUMBER) return whole(argument, what) != 0;
+  if (!lua_isboolean(L, place(argument))) wrong(argument, what, "true or false");
+  return lua_toboolean(L, place(argument));
+}
+
+Duration Call::patience(int argument, double fallback_s) const {
+  const double s = has(argument) ? number(argument, "seconds") : fallback_s;
+  if (s < 0 || s > 1e6) wrong(argument, "seconds", "from 0 to a million seconds");
+  return from_seconds(s);
+}
+
+int Call::yes() {
+  lua_pushboolean(L, 1);
+  return 1;
+}
+
+static int push_refusal(lua_State* L, std::string_view reason) {
+  lua_pushnil(L);
+  lua_pushlstring(L, reason.data(), reason.size());
+  return 2;
+}
+
+int Call::refuse(std::string_view reason) { return push_refusal(L, reason); }
+
+int Call::wait(Task<Answer> work) {
+  if (const char* why = runner().why_cannot_wait(L)) throw Misuse(fmt::format("{}: {}", function_, why));
+  runner().wait_for(L, std::move(work));
+  return waits;
+}
+
+int Call::wait_for_act(std::function<Answer()> act) {
+  if (const char* why = runner().why_cannot_wait(L)) throw Misuse(fmt::format("{}: {}", function_, why));
+  runner().act_between_turns(L, std::move(act));
+  return waits;
+}
+
+// ---- between Lua and the bodies
+
+int resume_with_answer(lua_State* L, int status, std::ptrdiff_t context);
+
+// Everything C++ begins and ends in here. Misuse: the message is on the stack.
+static int call_body(lua_State* L) {
+  const auto* function = static_cast<const Function*>(lua_touserdata(L, lua_upvalueindex(1)));
+  const int self = static_cast<int>(lua_tointeger(L, lua_upvalueindex(2)));
+  try {
+    Call call(L, function->name, self);
+    return function->body(call);
+  } catch (const std::exception& e) {
+    luaL_where(L, 1);
+    lua_pushstring(L, e.what());
+    lua_concat(L, 2);
+    return Call::misused;
+  }
+}
+
+static int enter(lua_State* L) {
+  const int results = call_body(L);
+  if (results == Call::misused) return lua_error(L);
+  if (results == Call::waits) return lua_yieldk(L, 0, 0, resume_with_answer);
+  return results;
+}
+
+void push_functions(lua_State* L, const Function* first, const Function* last, int self) {
+  lua_createtable(L, 0, static_cast<int>(last - first));
+  for (const Function* f = first; f != last; ++f) {
+    lua_pushlightuserdata(L, const_cast<Function*>(f));
+    lua_pushinteger(L, self);
+    lua_pushcclosure(L, enter, 2);
+    lua_setfield(L, -2, f->name);
+  }
+}
+
+Answer answer_yes() {
+  return [](lua_State* L) {
+    lua_pushboolean(L, 1);
+    return 1;
+  };
+}
+Answer answer_refused(std::string reason) {
+  return [reason = std::move(reason)](lua_State* L) { return push_refusal(L, reason); };
+}
+Answer answer_text(std::string text) {
+  return [text = std::move(text)](lua_State* L) {
+    lua_pushlstring(L, text.data(), text.size());
+    return 1;
+  };
+}
+Answer answer_error(std::string sentence) {
+  return [sentence = std::move(sentence)](lua_State* L) {
+    luaL_where(L, 1);
+    lua_pushlstring(L, sentence.data(), sentence.size());
+    lua_concat(L, 2);
+    return Call::misused;
+  };
+}
+Answer answer_of(const Result<>& result) {
+  return result ? answer_yes() : answer_refused(result.error().sentence());
+}
+
+}  // namespace hw::script

@@ -1,0 +1,73 @@
+#pragma once
+// One call from Lua into the house: reads its arguments, gives back results or waits. C++ objects are gone
+// before Lua jumps (errors and yields are longjmps), so bodies may use them freely; they throw Misuse instead
+// of calling luaL_error.
+#include <cstdint>
+#include <lua.hpp>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "core/script/runner.h"
+
+namespace hw::script {
+
+/// The script called something the wrong way: an error at its line.
+class Misuse : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+class Call {
+ public:
+  /// `self`: 1 for methods (a:b()), so that their arguments are counted as the script writes them.
+  Call(lua_State* state, const char* function, int self) : L(state), function_(function), self_(self) {}
+
+  lua_State* const L;
+  [[nodiscard]] Runner& runner() const { return Runner::of(L); }
+  [[nodiscard]] int place(int argument) const { return argument + self_; }  ///< index on the stack
+  [[nodiscard]] bool has(int argument) const { return !lua_isnoneornil(L, place(argument)); }
+  [[nodiscard]] bool is_text(int argument) const { return lua_type(L, place(argument)) == LUA_TSTRING; }
+
+  [[nodiscard]] std::string text(int argument, const char* what) const;
+  [[nodiscard]] double number(int argument, const char* what) const;
+  [[nodiscard]] std::int64_t whole(int argument, const char* what) const;
+  [[nodiscard]] bool on(int argument, const char* what) const;  ///< absent: true
+  /// Seconds, from 0 to 1e6.
+  [[nodiscard]] Duration patience(int argument, double fallback_s) const;
+
+  // Results.
+  int nothing() { return 0; }
+  int yes();
+  int refuse(std::string_view reason);  ///< nil, reason
+  /// Suspends the script until `work` is over. The last thing that a body does.
+  int wait(Task<Answer> work);
+
+  /// The same for something that runs between the turns of the run.
+  int wait_for_act(std::function<Answer()> act);
+
+  static constexpr int waits = -1, misused = -2;
+
+ private:
+  [[noreturn]] void wrong(int argument, const char* what, const char* wanted) const;
+  const char* function_;
+  int self_;
+};
+
+/// One row of a table of functions.
+struct Function {
+  const char* name;
+  int (*body)(Call&);
+};
+/// Pushes a table of `functions`; `self` as in Call.
+void push_functions(lua_State* L, const Function* first, const Function* last, int self);
+
+// Answers for calls that waited.
+Answer answer_yes();
+Answer answer_refused(std::string reason);
+Answer answer_text(std::string text);
+Answer answer_error(std::string sentence);  ///< an error at the script's line
+/// true, or nil and the reason.
+Answer answer_of(const Result<>& result);
+
+}  // namespace hw::script

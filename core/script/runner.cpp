@@ -1,0 +1,329 @@
+#include "core/script/runner.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <lua.hpp>
+
+#include <fmt/format.h>
+
+#include "core/script/bind.h"
+#include "core/script/module.h"
+#include "core/script/sandbox.h"
+
+namespace hw::script {
+namespace {
+
+constexpr int hook_every = 10'000;              // instructions
+constexpr std::uint64_t cost_of_a_wait = 1000;  // so that sleep(0) in a loop ends too
+
+// The file's own name: Lua cuts long paths, and a person knows where the script is.
+std::string chunk_name(const std::string& path) { return "@" + path.substr(path.rfind('/') + 1); }
+
+// The line of the script that runs now: "script.lua:12: ".
+std::string where(lua_State* L) {
+  lua_Debug at;
+  for (int level = 0; lua_getstack(L, level, &at); ++level) {
+    lua_getinfo(L, "Sl", &at);
+    if (at.currentline > 0) return fmt::format("{}:{}: ", at.short_src, at.currentline);
+  }
+  return {};
+}
+
+// The lines that led to the one where the error happened, which its message names.
+std::string callers(lua_State* L) {
+  std::string all;
+  lua_Debug at;
+  for (int level = 0, found = 0; found < 9 && lua_getstack(L, level, &at); ++level) {
+    lua_getinfo(L, "Sl", &at);
+    if (at.currentline <= 0) continue;
+    if (found++ > 0) all += fmt::format("\n  called from {}:{}", at.short_src, at.currentline);
+  }
+  return all;
+}
+
+}  // namespace
+
+struct Runner::Fiber {
+  lua_State* L = nullptr;
+  int kept = LUA_NOREF;  ///< in the registry, so that it is not collected
+  bool waits = false;
+  Answer answer;
+  Timer starts;
+  Fiber(Scheduler& scheduler, std::function<void()> start) : starts(scheduler, std::move(start)) {}
+};
+
+// ---- the state and its limits
+
+Runner::Runner(HybridScheduler& scheduler, RunOptions options)
+    : scheduler_(scheduler), options_(std::move(options)), began_(scheduler.now()), ended_(scheduler) {
+  lua_ = lua_newstate(&Runner::allocate, this);
+  *static_cast<Runner**>(lua_getextraspace(lua_)) = this;
+}
+
+Runner::~Runner() {
+  if (lua_) lua_close(lua_);
+}
+
+Runner& Runner::of(lua_State* L) { return **static_cast<Runner**>(lua_getextraspace(L)); }
+
+void* Runner::allocate(void* self, void* block, std::size_t old_size, std::size_t new_size) {
+  auto& runner = *static_cast<Runner*>(self);
+  if (!block) old_size = 0;  // then it is a kind of object, not a size
+  if (new_size == 0) {
+    std::free(block);
+    runner.memory_used_ -= old_size;
+    return nullptr;
+  }
+  if (new_size > old_size &&
+      runner.memory_used_ + (new_size - old_size) > runner.options_.limits.memory_bytes)
+    return nullptr;
+  void* moved = std::realloc(block, new_size);
+  if (moved) runner.memory_used_ += new_size - old_size;
+  return moved;
+}
+
+void Runner::count_hook(lua_State* L, lua_Debug*) {
+  Runner& runner = of(L);
+  runner.heartbeat_.fetch_add(1, std::memory_order_relaxed);
+  runner.count(L, hook_every);
+}
+
+// Every further instruction, in whatever pcall of the script, raises the error again.
+void Runner::ending_hook(lua_State* L, lua_Debug*) {
+  lua_pushstring(L, of(L).failure_.c_str());
+  lua_error(L);
+}
+
+// Instructions count until time goes on; in wall-clock time, until the script waits.
+void Runner::count(lua_State* L, std::uint64_t instructions) {
+  instructions_ += instructions;
+  if (instructions_ < options_.limits.instructions || ending_) return;
+  end_run(L,
+          fmt::format("The script ran {} million instructions without letting time go on, so it was ended. "
+                      "A loop that waits for something needs a hw.sleep().",
+                      options_.limits.instructions / 1'000'000));
+}
+
+void Runner::end_run(lua_State* L, std::string sentence) {
+  if (ending_) return;
+  ending_ = true;
+  failure_ = where(L) + sentence;
+  lua_sethook(L, ending_hook, LUA_MASKCOUNT, 1);
+  for (auto& [state, fiber] : fibers_) lua_sethook(state, ending_hook, LUA_MASKCOUNT, 1);
+}
+
+void Runner::interrupt(std::string why) {
+  if (failure_.empty()) failure_ = std::move(why);
+  ending_ = true;
+  main_over_ = true;
+}
+
+// ---- fibers
+
+Runner::Fiber& Runner::add_fiber() {
+  lua_State* L = lua_newthread(lua_);
+  auto fiber = std::make_unique<Fiber>(scheduler_, [this, L] { resume(*fibers_.at(L), 0); });
+  fiber->L = L;
+  fiber->kept = luaL_ref(lua_, LUA_REGISTRYINDEX);
+  lua_sethook(L, count_hook, LUA_MASKCOUNT, hook_every);
+  return *(fibers_[L] = std::move(fiber));
+}
+
+const char* Runner::why_cannot_wait(lua_State* L) const {
+  if (!fibers_.contains(L)) return "this waits, and a coroutine of the script's own cannot wait";
+  if (!lua_isyieldable(L)) return "this waits, and a function called by sort, gsub or the like cannot wait";
+  return nullptr;
+}
+
+void Runner::wait_for(lua_State* L, Task<Answer> work) {
+  count(L, cost_of_a_wait);
+  Fiber& fiber = *fibers_.at(L);
+  fiber.waits = true;
+  asio::co_spawn(scheduler_.executor(), carry(fiber, std::move(work)), asio::detached);
+}
+
+Task<> Runner::carry(Fiber& fiber, Task<Answer> work) {
+  const Instant asked_at = scheduler_.now();
+  fiber.answer = co_await std::move(work);
+  if (scheduler_.now() > asked_at) instructions_ = 0;
+  fiber.waits = false;
+  if (!main_over_) resume(fiber, 0);
+}
+
+// Where a call that waited goes on: its results are the answer's.
+int resume_with_answer(lua_State* L, int, lua_KContext) {
+  const auto fiber = Runner::of(L).fibers_.find(L);
+  if (fiber == Runner::of(L).fibers_.end() || !fiber->second->answer)
+    return luaL_error(L, "only what a call waits for can resume it");
+  Answer& answer = fiber->second->answer;
+  const int results = answer(L);
+  answer = nullptr;
+  return results == Call::misused ? lua_error(L) : results;
+}
+
+void Runner::run_at(lua_State* L, Instant when) {
+  Fiber& fiber = add_fiber();
+  lua_xmove(L, fiber.L, 1);
+  fiber.starts.arm(std::max(when, scheduler_.now()));
+}
+
+void Runner::resume(Fiber& fiber, int arguments) {
+  int results = 0;
+  heartbeat_.fetch_add(1, std::memory_order_relaxed);
+  at_work_ = true;
+  const int status = lua_resume(fiber.L, nullptr, arguments, &results);
+  at_work_ = false;
+  if (status == LUA_YIELD && fiber.waits) return;
+  if (status == LUA_YIELD) {
+    lua_pushliteral(fiber.L, "coroutine.yield outside of a coroutine");
+    fiber_failed(fiber, LUA_ERRRUN);
+  } else if (status != LUA_OK) {
+    fiber_failed(fiber, status);
+  }
+  if (&fiber == main_)
+    main_over_ = true;
+  else {
+    luaL_unref(lua_, LUA_REGISTRYINDEX, fiber.kept);
+    fibers_.erase(fiber.L);
+  }
+}
+
+void Runner::fiber_failed(Fiber& fiber, int status) {
+  main_over_ = true;
+  if (!failure_.empty()) return;
+  if (status == LUA_ERRMEM) {
+    failure_ = fmt::format("{}The script needed more than {} MB of memory, so it was ended.", where(fiber.L),
+                           options_.limits.memory_bytes >> 20);
+    return;
+  }
+  const char* message = lua_tostring(fiber.L, -1);
+  failure_ =
+      (message ? std::string(message) : fmt::format("an error that is a {}", luaL_typename(fiber.L, -1))) +
+      callers(fiber.L);
+}
+
+// ---- the run
+
+void Runner::prepare() {
+  lua_pushcfunction(lua_, [](lua_State* L) {
+    Runner& runner = of(L);
+    open_sandbox(L, folder_of(runner.options_.path));
+    bind_hw(L);
+    bind_controller(L);
+    bind_bench(L);
+    if (runner.options_.stage) runner.options_.stage->bind(L);
+    return 0;
+  });
+  if (lua_pcall(lua_, 0, 0, 0) != LUA_OK) failure_ = lua_tostring(lua_, -1);
+}
+
+bool Runner::load(std::string_view text) {
+  main_ = &add_fiber();
+  if (text.substr(0, 1) == "#") text.remove_prefix(std::min(text.find('\n'), text.size()));  // #! of a script
+  if (luaL_loadbufferx(main_->L, text.data(), text.size(), chunk_name(options_.path).c_str(), "t") == LUA_OK)
+    return true;
+  failure_ = lua_tostring(main_->L, -1);
+  return false;
+}
+
+Result<> Runner::run(std::string_view text) {
+  prepare();
+  if (failure_.empty() && load(text)) {
+    resume(*main_, 0);
+    take_turns();
+  }
+  finish();
+  if (failure_.empty()) return {};
+  return fail(FaultKind::text, failure_);
+}
+
+// Time, bytes and the script go on in turns on this thread; 60 times a second comes a frame.
+void Runner::take_turns() {
+  const auto turn_over = [this] { return main_over_ || !acts_.empty(); };
+  if (options_.stage) next_frame_ = scheduler_.now() + frame_period;
+  while (!main_over_) {
+    const auto turn = scheduler_.run_until(next_frame_, turn_over);
+    tell_notices();
+    if (turn == HybridScheduler::Turn::stuck) {
+      failure_ = "The script waits for something that cannot come any more.";
+      return;
+    }
+    if (!acts_.empty())
+      act_now();
+    else if (scheduler_.now() >= next_frame_)
+      run_one_frame();
+  }
+}
+
+void Runner::act_between_turns(lua_State* L, std::function<Answer()> act) {
+  Fiber& fiber = *fibers_.at(L);
+  fiber.waits = true;
+  acts_.push_back(Act{&fiber, std::move(act)});
+}
+
+void Runner::act_now() {
+  const Act next = std::move(acts_.front());
+  acts_.pop_front();
+  const Instant began = scheduler_.now();
+  next.fiber->answer = next.act();
+  next.fiber->waits = false;
+  if (scheduler_.now() > began) instructions_ = 0;
+  if (!main_over_) resume(*next.fiber, 0);
+}
+
+// A frame that comes late is drawn once, not for each that was missed.
+void Runner::run_one_frame() {
+  scheduler_.run_until(next_frame_, [this] { return main_over_; });
+  options_.stage->frame(scheduler_.now());
+  next_frame_ = std::max(next_frame_ + frame_period, scheduler_.now());
+}
+
+Task<> Runner::close_sessions(bool stop_first, bool& closed) {
+  for (const auto& session : sessions_) {
+    if (stop_first && session->known().any_axis_moving()) {
+      IntentBody stop = intent::Stop();
+      co_await session->perform(std::move(stop));
+    }
+    co_await session->close();
+  }
+  closed = true;
+}
+
+// What the script leaves running by mistake is stopped; what it left running on purpose, at its regular end,
+// goes on, but for jogs, which nobody holds any more.
+void Runner::finish() {
+  main_over_ = true;
+  ended_.notify();
+  if (options_.stage) options_.stage->script_over();
+  bool closed = false;
+  asio::co_spawn(scheduler_.executor(), close_sessions(!failure_.empty(), closed), asio::detached);
+  constexpr auto patience = std::chrono::seconds(10);
+  scheduler_.run_until(scheduler_.now() + patience, [&closed] { return closed; });
+  tell_notices();
+}
+
+void Runner::add_session(std::shared_ptr<Session> session) { sessions_.push_back(std::move(session)); }
+void Runner::remove_session(const std::shared_ptr<Session>& session) { std::erase(sessions_, session); }
+
+Task<bool> Runner::sleep_until(Instant when) {
+  co_await ended_.wait_until(when);
+  co_return !main_over_;
+}
+
+void Runner::go_real() {
+  if (scheduler_.is_real()) return;
+  scheduler_.go_real();
+  if (on_real_time) on_real_time();
+}
+
+// With a stage its panels read the notices.
+void Runner::tell_notices() {
+  if (options_.stage) return;
+  for (const auto& session : sessions_)
+    session->notices().drain([&](const Notice& notice) {
+      if (notice.kind == Notice::Kind::warning || notice.kind == Notice::Kind::error)
+        options_.log(fmt::format("{}: {}", session->address().text(), notice.text));
+    });
+}
+
+}  // namespace hw::script

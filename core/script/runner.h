@@ -1,0 +1,132 @@
+#pragma once
+// Runs one Lua script on the io thread. The script is a coroutine (a fiber): each call that waits suspends
+// it, and everything else goes on until what it waits for has come.
+#include <atomic>
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/asio.h"
+#include "core/session/session.h"
+#include "core/session/wire.h"
+#include "core/time/hybrid_scheduler.h"
+
+struct lua_State;
+struct lua_Debug;
+
+namespace hw::script {
+
+class Stage;
+
+struct Limits {
+  std::size_t memory_bytes = std::size_t{256} << 20;
+  std::uint64_t instructions = 300'000'000;  ///< without letting time go on
+};
+
+struct RunOptions {
+  std::string path;               ///< for messages; `require` looks in its folder
+  std::vector<std::string> args;  ///< hw.args
+  WireOpener opener;
+  Limits limits;
+  std::function<void(std::string_view)> print;  ///< results
+  std::function<void(std::string_view)> log;    ///< hw.log and what controllers report
+  Stage* stage = nullptr;                       ///< a screen: `ui`, frames
+};
+
+/// What a call that waited gives back: pushes values, answers how many.
+using Answer = std::function<int(lua_State*)>;
+
+class Runner {
+ public:
+  Runner(HybridScheduler& scheduler, RunOptions options);
+  ~Runner();
+  Runner(const Runner&) = delete;
+  Runner& operator=(const Runner&) = delete;
+
+  /// Runs the script's text to its end, with frames of the stage in between. A fault tells FILE:LINE.
+  Result<> run(std::string_view text);
+  /// Somebody wants it to end now (an interrupt): all controllers are told to stop.
+  void interrupt(std::string why);
+  /// Called when time becomes real, because the script opens a controller outside of this process.
+  std::function<void()> on_real_time;
+  /// For a watchdog on another thread: changes at least every 10,000 instructions of the script.
+  [[nodiscard]] const std::atomic<std::uint64_t>& heartbeat() const { return heartbeat_; }
+  [[nodiscard]] const std::atomic<bool>& at_work() const { return at_work_; }
+
+  // ---- for bindings (io thread, while the script runs)
+  static Runner& of(lua_State* L);
+  [[nodiscard]] HybridScheduler& scheduler() { return scheduler_; }
+  [[nodiscard]] const RunOptions& options() const { return options_; }
+  [[nodiscard]] double seconds_since_start() const { return seconds(scheduler_.now() - began_); }
+  [[nodiscard]] Instant began() const { return began_; }
+  /// Whether the code on `L` may wait; else a sentence why not.
+  [[nodiscard]] const char* why_cannot_wait(lua_State* L) const;
+  /// The code on `L` is about to yield until `work` is over; its answer becomes the results of the call.
+  void wait_for(lua_State* L, Task<Answer> work);
+  /// Runs the function on top of `L`'s stack as a fiber of its own, at `when`. Pops it.
+  void run_at(lua_State* L, Instant when);
+  /// Ends the whole run with this sentence; no pcall of the script survives it.
+  void end_run(lua_State* L, std::string sentence);
+  void add_session(std::shared_ptr<Session> session);
+  void remove_session(const std::shared_ptr<Session>& session);
+  /// Suspends a waiting call; false: the script has ended meanwhile.
+  Task<bool> sleep_until(Instant when);
+  void go_real();
+
+  // ---- for the stage
+  /// Suspends the code on `L` like wait_for(); `act` runs between two turns of the run, so that it may let
+  /// frames pass by itself.
+  void act_between_turns(lua_State* L, std::function<Answer()> act);
+  /// For such an act: everything goes on until the next frame, which is drawn.
+  void run_one_frame();
+  [[nodiscard]] bool over() const { return main_over_; }
+
+ private:
+  struct Fiber;
+  struct Memory;
+  friend int resume_with_answer(lua_State*, int, std::ptrdiff_t);
+
+  static void* allocate(void* self, void* block, std::size_t old_size, std::size_t new_size);
+  static void count_hook(lua_State* L, lua_Debug*);
+  static void ending_hook(lua_State* L, lua_Debug*);
+  void count(lua_State* L, std::uint64_t instructions);
+  void prepare();
+  bool load(std::string_view text);
+  Fiber& add_fiber();
+  Task<> carry(Fiber& fiber, Task<Answer> work);
+  Task<> begin_at(Fiber& fiber, Instant when);
+  void resume(Fiber& fiber, int arguments);
+  void fiber_failed(Fiber& fiber, int status);
+  void take_turns();
+  void act_now();
+  void finish();
+  Task<> close_sessions(bool stop_first, bool& closed);
+  void tell_notices();
+
+  HybridScheduler& scheduler_;
+  RunOptions options_;
+  Instant began_{};
+  std::size_t memory_used_ = 0;
+  lua_State* lua_ = nullptr;
+  std::map<lua_State*, std::unique_ptr<Fiber>> fibers_;
+  Fiber* main_ = nullptr;
+  std::vector<std::shared_ptr<Session>> sessions_;
+  Event ended_;
+  Instant next_frame_ = Instant::max();
+  struct Act {
+    Fiber* fiber;
+    std::function<Answer()> act;
+  };
+  std::deque<Act> acts_;
+  std::atomic<std::uint64_t> heartbeat_{0};
+  std::atomic<bool> at_work_{false};
+  std::uint64_t instructions_ = 0;
+  Instant counted_since_{};
+  bool main_over_ = false, ending_ = false;
+  std::string failure_;  ///< why the run ended early; empty: it has not
+};
+
+}  // namespace hw::script

@@ -1,0 +1,70 @@
+#pragma once
+// The command line: one table row per subcommand. A row says what it takes; its function gets the words.
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.h"
+
+namespace hw::app {
+
+enum Exit : int { done = 0, failed = 1, usage = 2 };
+
+/// What was given to a subcommand.
+struct Given {
+  std::vector<std::string> words;  ///< positionals, in order
+  std::map<std::string, std::vector<std::string>>
+      options;  ///< by name without dashes; flags: one empty value
+
+  [[nodiscard]] bool has(const std::string& name) const { return options.contains(name); }
+  [[nodiscard]] std::string one(const std::string& name, std::string fallback = {}) const;
+  [[nodiscard]] std::vector<std::string> all(const std::string& name) const;
+  /// A fault (wrong usage) when it is no number from `low` to `high`.
+  [[nodiscard]] Result<double> number(const std::string& name, double fallback, double low,
+                                      double high) const;
+};
+
+struct OptionSpec {
+  const char* name;         ///< "tcp"
+  const char* placeholder;  ///< "HOST:PORT"; empty: a flag
+  const char* help;
+  bool repeatable = false;
+  const char* shorter = "";  ///< "o"
+};
+struct WordSpec {
+  const char* name;
+  const char* help;
+  int minimum, maximum;  ///< how many; maximum -1: any number
+};
+
+struct Subcommand {
+  const char* name;
+  const char* summary;
+  std::vector<WordSpec> words;
+  std::vector<OptionSpec> options;
+  int (*run)(const Given& given);
+};
+
+/// Parses, runs the subcommand, answers the exit status.
+int run_command_line(int argc, char** argv);
+
+/// Says `sentence` on stderr and answers `status`.
+int complain(std::string_view sentence, Exit status = failed);
+int complain(const Fault& fault, Exit status = failed);
+
+// One function per subcommand, each in its own cmd_*.cpp.
+int open_console(const Given& given);
+int demo(const Given& given);
+int run_script(const Given& given);
+int emulate(const Given& given);
+int send(const Given& given);
+int check(const Given& given);
+int simulate(const Given& given);
+int scan(const Given& given);
+int backup(const Given& given);
+int restore(const Given& given);
+
+}  // namespace hw::app

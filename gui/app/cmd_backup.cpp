@@ -1,0 +1,57 @@
+#include <cstdio>
+
+#include <fmt/format.h>
+
+#include "core/session/address.h"
+#include "core/session/backup.h"
+#include "gui/app/cli.h"
+#include "gui/app/wiring.h"
+
+namespace hw::app {
+namespace {
+
+Task<int> take(Scheduler& scheduler, const Address& address, std::string file) {
+  auto opened = co_await connect(scheduler, address, wire_opener());
+  if (!opened) co_return complain(opened.error());
+  const std::shared_ptr<Session> session = *opened;
+  auto taken = co_await take_backup(session);
+  co_await session->close();
+  if (!taken) co_return complain(taken.error());
+  if (const auto saved = save_backup(file, *taken, session->catalog()); !saved)
+    co_return complain(saved.error());
+  fmt::print("{}: {} parameters, {} programs\n", file, taken->parameters.size(), taken->programs.size());
+  co_return done;
+}
+
+Task<int> put_back(Scheduler& scheduler, const Address& address, std::string file, bool warnings_read) {
+  auto loaded = load_backup(file);
+  if (!loaded) co_return complain(loaded.error());
+  auto opened = co_await connect(scheduler, address, wire_opener());
+  if (!opened) co_return complain(opened.error());
+  const std::shared_ptr<Session> session = *opened;
+  auto report = co_await restore_backup(session, std::move(*loaded), file, warnings_read);
+  co_await session->close();
+  if (!report) co_return complain(report.error());
+  fmt::print("{}\n", report->sentence());
+  for (const std::string& sentence : report->left_out) fmt::print("{}\n", sentence);
+  co_return done;
+}
+
+}  // namespace
+
+int backup(const Given& given) {
+  const auto address = Address::parse(given.words[0]);
+  if (!address) return complain(address.error(), usage);
+  if (!given.has("output")) return complain("It is not said where to: add -o FILE.toml.", usage);
+  return run_here([&](Scheduler& scheduler) { return take(scheduler, *address, given.one("output")); });
+}
+
+int restore(const Given& given) {
+  const auto address = Address::parse(given.words[0]);
+  if (!address) return complain(address.error(), usage);
+  return run_here([&](Scheduler& scheduler) {
+    return put_back(scheduler, *address, given.words[1], given.has("warnings-read"));
+  });
+}
+
+}  // namespace hw::app

@@ -1,0 +1,25 @@
+#include <cstdio>
+
+#include <fmt/format.h>
+
+#include "core/device/registry.h"
+#include "gui/app/cli.h"
+#include "gui/app/program_file.h"
+
+namespace hw::app {
+
+int check(const Given& given) {
+  const auto program = read_program(given);
+  if (!program) return complain(program.error(), program.error().kind == FaultKind::text ? usage : failed);
+  const ProgramReport report = program->language->analyse(program->text, 0);
+  for (const Problem& p : report.problems)
+    fmt::print("{}:{}:{}: {}: {}\n", program->path, p.line + 1, p.column + 1, p.error ? "error" : "warning",
+               p.sentence);
+  if (report.has_errors()) return failed;
+  for (const auto& [slot, cost] : report.cost)
+    fmt::print("{}: {} {}: {} of {} {}\n", program->path, program->catalog.program.slot_word, slot, cost,
+               program->catalog.program.capacity, program->catalog.program.capacity_unit);
+  return done;
+}
+
+}  // namespace hw::app

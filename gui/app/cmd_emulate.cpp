@@ -1,0 +1,93 @@
+#include <cstdio>
+
+#include <fmt/format.h>
+
+#include "core/base/log.h"
+#include "core/session/address.h"
+#include "gui/app/cli.h"
+#include "gui/app/wiring.h"
+#include "transports/open.h"
+#include "transports/pty_endpoint.h"
+#include "transports/tcp_endpoint.h"
+
+namespace hw::app {
+namespace {
+
+struct Order {
+  const DeviceType* type;
+  DeviceOptions keys;
+  std::vector<std::string> tcp, pty;
+  bool allow_remote;
+};
+
+// The options of the command line are the keys of an emulator's address.
+Result<Order> understand(const Given& given) {
+  Order order{
+      find_device_type(given.words[0]), {}, given.all("tcp"), given.all("pty"), given.has("allow-remote")};
+  if (!order.type)
+    return fail(FaultKind::text, fmt::format("There is no controller model \"{}\".", given.words[0]), {},
+                "Known: vxm.");
+  if (order.tcp.empty() && order.pty.empty())
+    return fail(FaultKind::text, "It is not said where to serve the emulator.", {},
+                "Give --tcp 127.0.0.1:4001 or --pty PATH, or both.");
+  for (const char* key : {"motors", "speed", "state", "bench"})
+    if (given.has(key)) order.keys[key] = given.one(key);
+  order.keys["wire"] = given.one("wire", order.pty.empty() ? "off" : "real");
+  std::string quirks;
+  for (const std::string& quirk : given.all("quirk")) quirks += (quirks.empty() ? "" : "+") + quirk;
+  if (!quirks.empty()) order.keys["quirk"] = quirks;
+  return order;
+}
+
+void say_ready(const DeviceType& type, const char* kind, std::string_view where) {
+  fmt::print("ready {} {} {}\n", type.model, kind, where);
+  std::fflush(stdout);
+}
+
+Result<std::unique_ptr<TcpEndpoint>> serve_tcp(Scheduler& scheduler, const Order& order,
+                                               const std::shared_ptr<EmulatorHost>& host,
+                                               const std::string& where) {
+  auto endpoint =
+      TcpEndpoint::open(scheduler, where, order.allow_remote,
+                        [host](std::unique_ptr<Stream> client) { host->attach(std::move(client)); });
+  if (endpoint) say_ready(*order.type, "tcp", (*endpoint)->address());
+  return endpoint;
+}
+
+Result<> serve_pty(Scheduler& scheduler, const Order& order, EmulatorHost& host, const std::string& path) {
+  auto stream = open_pty_endpoint(scheduler, path, host.emulator().rate());
+  if (!stream) return fail(stream.error());
+  host.attach(std::move(*stream));
+  say_ready(*order.type, "pty", path);
+  return {};
+}
+
+Task<int> serve(Scheduler& scheduler, const Order& order) {
+  OpenOptions options;
+  options.trouble = [](const Fault& fault) { log::error("emulate", fault.sentence()); };
+  auto host = make_emulator_host(scheduler, *order.type, order.keys, options);
+  if (!host) co_return complain(host.error(), host.error().kind == FaultKind::text ? usage : failed);
+
+  Event ended(scheduler);
+  Interruption interruption(scheduler, [&ended] { ended.notify(); });
+  std::vector<std::unique_ptr<TcpEndpoint>> endpoints;
+  for (const std::string& where : order.tcp) {
+    auto endpoint = serve_tcp(scheduler, order, *host, where);
+    if (!endpoint) co_return complain(endpoint.error());
+    endpoints.push_back(std::move(*endpoint));
+  }
+  for (const std::string& path : order.pty)
+    if (auto served = serve_pty(scheduler, order, **host, path); !served) co_return complain(served.error());
+  co_await ended.wait();
+  co_return done;
+}
+
+}  // namespace
+
+int emulate(const Given& given) {
+  const auto order = understand(given);
+  if (!order) return complain(order.error(), usage);
+  return run_here([&](Scheduler& scheduler) { return serve(scheduler, *order); });
+}
+
+}  // namespace hw::app

@@ -1,0 +1,55 @@
+#include <cstdio>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "core/script/runner.h"
+#include "core/session/text_file.h"
+#include "gui/app/cli.h"
+#include "gui/app/traffic_file.h"
+#include "gui/app/watchdog.h"
+#include "gui/app/wiring.h"
+
+namespace hw::app {
+namespace {
+
+void print_result(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stdout); }
+void print_log(std::string_view line) {
+  std::fflush(stdout);  // so that both streams stay in order for a reader of both
+  fmt::print(stderr, "{}\n", line);
+}
+
+}  // namespace
+
+int run_script(const Given& given) {
+  const auto file = load_text(given.words[0]);
+  if (!file) return complain(file.error().what);
+
+  script::RunOptions options;
+  options.path = given.words[0];
+  options.args.assign(given.words.begin() + 1, given.words.end());
+  options.opener = wire_opener();
+  options.print = print_result;
+  options.log = print_log;
+  if (given.has("traffic")) {
+    auto traffic = TrafficFile::create(given.one("traffic"));
+    if (!traffic) return complain(traffic.error());
+    options.opener = TrafficFile::tap(std::move(*traffic), std::move(options.opener));
+  }
+
+  IoContext io{1};
+  HybridScheduler scheduler(io, given.has("realtime"));
+  script::Runner runner(scheduler, std::move(options));
+  std::optional<Interruption> interruption;  // real motors are told to stop; virtual ones just end
+  runner.on_real_time = [&] {
+    interruption.emplace(scheduler,
+                         [&] { runner.interrupt("Interrupted. The controllers were told to stop."); });
+  };
+  if (scheduler.is_real()) runner.on_real_time();
+  const Watchdog watchdog(runner.heartbeat(), runner.at_work(), std::chrono::seconds(20));
+  const auto outcome = runner.run(file->text);
+  std::fflush(stdout);
+  return outcome ? done : complain(outcome.error());
+}
+
+}  // namespace hw::app

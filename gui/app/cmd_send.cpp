@@ -1,0 +1,77 @@
+#include <cstdio>
+
+#include <fmt/format.h>
+
+#include "core/session/address.h"
+#include "gui/app/cli.h"
+#include "gui/app/wiring.h"
+
+namespace hw::app {
+namespace {
+
+constexpr Duration for_an_answer = Millis(1000);  // beside the time of its bytes
+constexpr Duration for_a_prompt = Millis(150);    // for a text that might bring one by itself
+constexpr double longest_run_s = 60;
+
+void print_reply(std::string_view reply) {
+  fmt::print("{}\n", reply);
+  std::fflush(stdout);
+}
+
+bool busy(const Snapshot& s) {
+  return s.any_axis_moving() || s.program.run == RunState::running || s.program.run == RunState::waiting;
+}
+
+// What comes unasked belongs to the text that made the controller busy: it is printed until it rests.
+Task<bool> print_until_idle(Scheduler& scheduler, const std::shared_ptr<Session>& session, Instant give_up) {
+  co_await session->pump().refresh();
+  std::string text;
+  for (bool in_time = true; in_time;) {
+    while (session->pump().driver().take_unsolicited(text)) print_reply(text);
+    if (session->known().link.state == LinkState::lost || !busy(session->known())) co_return true;
+    in_time = co_await session->pump().published().wait_until(give_up);
+  }
+  (void)scheduler;
+  co_return false;
+}
+
+Task<int> send_one(Scheduler& scheduler, const std::shared_ptr<Session>& session, std::string text,
+                   double wait_s) {
+  const bool answers = session->pump().driver().answers(text);
+  Duration patience = answers ? for_an_answer : for_a_prompt;
+  if (wait_s > 0 && answers) patience = from_seconds(wait_s);
+  const Instant give_up = scheduler.now() + from_seconds(wait_s > 0 ? wait_s : longest_run_s);
+  const auto reply = co_await session->pump().query(text, patience);
+  if (reply && !reply->empty()) print_reply(*reply);
+  if (!reply && (answers || reply.error().kind != FaultKind::no_answer))
+    co_return complain(fmt::format("{}: {}", text, reply.error().sentence()));
+  const bool rests = co_await print_until_idle(scheduler, session, give_up);
+  if (!rests)
+    co_return complain(fmt::format("{}: the controller is still busy. It goes on by itself.", text));
+  if (session->known().link.state == LinkState::lost)
+    co_return complain(fmt::format("{}: {}", text, session->known().link.sentence.view()));
+  co_return done;
+}
+
+Task<int> send_all(Scheduler& scheduler, const Address& address, const Given& given, double wait_s) {
+  auto opened = co_await connect(scheduler, address, wire_opener());
+  if (!opened) co_return complain(opened.error());
+  const std::shared_ptr<Session> session = *opened;
+  int status = done;
+  for (std::size_t i = 1; i < given.words.size() && status == done; ++i)
+    status = co_await send_one(scheduler, session, given.words[i], wait_s);
+  co_await session->close();
+  co_return status;
+}
+
+}  // namespace
+
+int send(const Given& given) {
+  const auto address = Address::parse(given.words[0]);
+  if (!address) return complain(address.error(), usage);
+  const auto wait_s = given.number("wait", 0, 0.001, 1e6);
+  if (!wait_s) return complain(wait_s.error(), usage);
+  return run_here([&](Scheduler& scheduler) { return send_all(scheduler, *address, given, *wait_s); });
+}
+
+}  // namespace hw::app

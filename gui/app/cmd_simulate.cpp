@@ -1,0 +1,95 @@
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include <fmt/format.h>
+
+#include "core/device/bench_file.h"
+#include "core/session/text_file.h"
+#include "core/session/user_files.h"
+#include "gui/app/cli.h"
+#include "gui/app/program_file.h"
+
+namespace hw::app {
+namespace {
+
+// The object of the contract, with its keys in the contract's order.
+void print_json(const Rehearsal& r, const Catalog& catalog) {
+  using Json = nlohmann::ordered_json;
+  Json out;
+  out["model"] = catalog.model;
+  out["duration_s"] = r.duration_s;
+  out["finished"] = r.finished;
+  out["error"] = r.error.empty() ? Json(nullptr) : Json(r.error);
+  out["axes"] = Json::object();
+  for (const RehearsedAxis& axis : r.axes) {
+    Json& a = out["axes"][axis.name];
+    a["position"] = axis.position;
+    a["min"] = axis.minimum;
+    a["max"] = axis.maximum;
+    a["travel"] = axis.travel;
+  }
+  out["outputs"] = Json::object();
+  for (const auto& [name, level] : r.outputs) out["outputs"][name] = level;
+  out["sent_to_host"] = r.sent_to_host;
+  Json& size = out["program_" + catalog.program.capacity_unit] = Json::object();
+  for (const auto& [slot, count] : r.program_size) size[slot] = count;
+  out["events"] = Json::array();
+  for (const RehearsedEvent& event : r.events) {
+    Json e;
+    e["t"] = event.t;
+    e["what"] = event.what;
+    out["events"].push_back(std::move(e));
+  }
+  fmt::print("{}\n", out.dump(-1, ' ', true, Json::error_handler_t::replace));
+}
+
+void print_words(const Rehearsal& r, const Catalog& catalog) {
+  if (r.finished)
+    fmt::print("ends after {:.3f} s\n", r.duration_s);
+  else if (r.error.empty())
+    fmt::print("still runs after {:.3f} s\n", r.duration_s);
+  if (!r.error.empty()) fmt::print("stopped after {:.3f} s: {}\n", r.duration_s, r.error);
+  for (const RehearsedAxis& a : r.axes)
+    fmt::print("axis {}: ends at {}, between {} and {}, travel {} {}\n", a.name, a.position, a.minimum,
+               a.maximum, a.travel, catalog.step_word);
+  for (const auto& [name, level] : r.outputs) fmt::print("output {}: {}\n", name, level ? "high" : "low");
+  for (const auto& [slot, size] : r.program_size)
+    fmt::print("{} {}: {} {}\n", catalog.program.slot_word, slot, size, catalog.program.capacity_unit);
+  for (const RehearsedEvent& e : r.events) fmt::print("{:10.3f} s  {}\n", e.t, e.what);
+}
+
+// A bench file's mistakes are told under its own name, before anything runs.
+Result<std::string> read_bench(const std::string& path, const Catalog& catalog) {
+  auto text = read_file(path, largest_program_text);
+  if (!text) return text;
+  if (auto parsed = parse_bench_file(*text, catalog, path); !parsed) return fail(parsed.error());
+  return text;
+}
+
+}  // namespace
+
+int simulate(const Given& given) {
+  const auto for_seconds = given.number("for-seconds", 3600, 0.001, 1e7);
+  if (!for_seconds) return complain(for_seconds.error(), usage);
+  const auto program = read_program(given);
+  if (!program) return complain(program.error(), program.error().kind == FaultKind::text ? usage : failed);
+
+  RehearseOptions options;
+  options.for_seconds = *for_seconds;
+  if (given.has("bench")) {
+    auto bench = read_bench(given.one("bench"), program->catalog);
+    if (!bench) return complain(bench.error());
+    options.bench_toml = std::move(*bench);
+  }
+  const auto rehearsed = program->language->rehearse(program->text, options);
+  if (!rehearsed) return complain(rehearsed.error());
+  if (given.has("json"))
+    print_json(*rehearsed, program->catalog);
+  else
+    print_words(*rehearsed, program->catalog);
+  // A program that has no end is no failure; it was asked how it goes for so long.
+  if (rehearsed->error.empty() || rehearsed->duration_s >= *for_seconds) return done;
+  return complain(rehearsed->error);
+}
+
+}  // namespace hw::app

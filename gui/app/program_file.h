@@ -1,0 +1,20 @@
+#pragma once
+// A program text named on the command line, with the language of its controller.
+#include <string>
+
+#include "core/device/catalog.h"
+#include "core/device/language.h"
+#include "gui/app/cli.h"
+
+namespace hw::app {
+
+struct ProgramFile {
+  std::string path, text;
+  const Language* language = nullptr;
+  Catalog catalog;
+};
+
+/// FILE and --for. FaultKind::text: wrong usage; any other: the file.
+Result<ProgramFile> read_program(const Given& given);
+
+}  // namespace hw::app

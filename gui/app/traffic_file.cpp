@@ -1,0 +1,98 @@
+#include "gui/app/traffic_file.h"
+
+#include <cerrno>
+#include <cstring>
+
+#include <fmt/format.h>
+
+namespace hw::app {
+namespace {
+
+std::string readable(std::string_view bytes) {
+  std::string all;
+  for (const char c : bytes) {
+    if (c == '\r')
+      all += "\\r";
+    else if (c == '\n')
+      all += "\\n";
+    else if (c == '\\')
+      all += "\\\\";
+    else if (c >= ' ' && c < 127)
+      all += c;
+    else
+      all += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
+  }
+  return all;
+}
+
+class Tapped final : public Stream, private Stream::Listener {
+ public:
+  Tapped(std::unique_ptr<Stream> inner, Scheduler& scheduler, std::shared_ptr<TrafficFile> file, int wire)
+      : inner_(std::move(inner)), scheduler_(scheduler), file_(std::move(file)), wire_(wire) {}
+  void listen(Stream::Listener* listener) override {
+    listener_ = listener;
+    inner_->listen(listener ? this : nullptr);
+  }
+  void send(std::string_view bytes) override {
+    file_->write(scheduler_.now(), wire_, '>', bytes);
+    inner_->send(bytes);
+  }
+  Result<> set_rate(int baud) override { return inner_->set_rate(baud); }
+  [[nodiscard]] int rate() const override { return inner_->rate(); }
+  [[nodiscard]] std::string describe() const override { return inner_->describe(); }
+
+ private:
+  void bytes_arrived(std::string_view bytes) override {
+    file_->write(scheduler_.now(), wire_, '<', bytes);
+    listener_->bytes_arrived(bytes);
+  }
+  void stream_closed(const Fault& why) override {
+    file_->note(scheduler_.now(), wire_, why.what);
+    listener_->stream_closed(why);
+  }
+
+  std::unique_ptr<Stream> inner_;
+  Scheduler& scheduler_;
+  std::shared_ptr<TrafficFile> file_;
+  int wire_;
+  Stream::Listener* listener_ = nullptr;
+};
+
+Task<Result<Wire>> open_tapped(Scheduler& scheduler, Address address, std::shared_ptr<BenchAccess> again,
+                               std::shared_ptr<const WireOpener> inner, std::shared_ptr<TrafficFile> file,
+                               int wire) {
+  file->note(scheduler.now(), wire, address.text());
+  auto opened = co_await (*inner)(scheduler, std::move(address), std::move(again));
+  if (!opened) {
+    file->note(scheduler.now(), wire, opened.error().what);
+    co_return opened;
+  }
+  opened->stream = std::make_unique<Tapped>(std::move(opened->stream), scheduler, std::move(file), wire);
+  co_return opened;
+}
+
+}  // namespace
+
+Result<std::shared_ptr<TrafficFile>> TrafficFile::create(const std::string& path) {
+  std::FILE* file = std::fopen(path.c_str(), "w");
+  if (!file)
+    return fail(FaultKind::port, fmt::format("{} cannot be written: {}.", path, std::strerror(errno)));
+  return std::shared_ptr<TrafficFile>(new TrafficFile(file));
+}
+TrafficFile::~TrafficFile() { std::fclose(file_); }
+
+WireOpener TrafficFile::tap(std::shared_ptr<TrafficFile> file, WireOpener inner) {
+  auto shared = std::make_shared<const WireOpener>(std::move(inner));
+  return [file, shared](Scheduler& scheduler, Address address, std::shared_ptr<BenchAccess> again) {
+    return open_tapped(scheduler, std::move(address), std::move(again), shared, file, ++file->wires_);
+  };
+}
+
+void TrafficFile::write(Instant at, int wire, char way, std::string_view bytes) {
+  fmt::print(file_, "{:12.6f} {} {} {}\n", seconds(at), wire, way, readable(bytes));
+}
+void TrafficFile::note(Instant at, int wire, std::string_view event) {
+  fmt::print(file_, "{:12.6f} {} # {}\n", seconds(at), wire, event);
+}
+
+}  // namespace hw::app

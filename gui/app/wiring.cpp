@@ -1,0 +1,65 @@
+#include "gui/app/wiring.h"
+
+#include <csignal>
+#include <optional>
+
+#include "core/base/log.h"
+#include "transports/open.h"
+
+namespace hw::app {
+
+WireOpener wire_opener() {
+  OpenOptions options;
+  options.trouble = [](const Fault& fault) { log::error("wire", fault.sentence()); };
+  return make_wire_opener(std::move(options));
+}
+
+IoThread::IoThread() : thread_([this] { io_.run(); }) {}
+
+void IoThread::stop() {
+  if (!thread_.joinable()) return;
+  busy_.reset();
+  io_.stop();
+  thread_.join();
+}
+
+static Task<> keep_status(const std::function<Task<int>(Scheduler&)>& job, Scheduler& scheduler,
+                          std::optional<int>& status) {
+  status = co_await job(scheduler);
+}
+
+int run_here(const std::function<Task<int>(Scheduler&)>& job) {
+  IoContext io{1};
+  RealScheduler scheduler(io);
+  std::optional<int> status;
+  std::exception_ptr defect;
+  asio::co_spawn(io.get_executor(), keep_status(job, scheduler, status),
+                 [&](std::exception_ptr error) { defect = error; });
+  while (!status && !defect) io.run_one();
+  io.poll();  // what was closed may say its last word
+  if (defect) std::rethrow_exception(defect);
+  return *status;
+}
+
+Interruption::Interruption(Scheduler& scheduler, std::function<void()> act)
+    : signals_(scheduler.executor(), SIGINT, SIGTERM, SIGHUP) {
+  signals_.async_wait([this, act = std::move(act)](boost::system::error_code error, int) {
+    if (error) return;
+    signals_.clear();  // back to the system's way of ending a program
+    act();
+  });
+}
+
+Task<Result<std::shared_ptr<Session>>> connect(Scheduler& scheduler, Address address, WireOpener opener) {
+  auto opened = Session::open(scheduler, address, std::move(opener), nullptr);
+  if (!opened) co_return fail(opened.error());
+  std::shared_ptr<Session> session = std::move(*opened);
+  const auto connected = co_await session->wait_until_connected();
+  if (connected) co_return session;
+  co_await session->close();
+  co_return fail(connected.error());
+}
+
+void prepare_process() { std::signal(SIGPIPE, SIG_IGN); }
+
+}  // namespace hw::app

@@ -1,0 +1,107 @@
+// A script without any controller: what it is told, what it may not, and how it ends.
+#include "core/script/runner.h"
+
+#include <gmock/gmock.h>
+
+#include "core/script/module.h"
+
+namespace hw::script {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+struct Ran {
+  Result<> result;
+  std::string printed, logged;
+  Instant ended;
+  [[nodiscard]] std::string fault() const { return result ? "none" : result.error().what; }
+};
+
+Ran run(std::string_view text, Limits limits = {}, Stage* stage = nullptr,
+        std::vector<std::string> args = {}) {
+  IoContext io{1};
+  HybridScheduler time(io, false);
+  Ran ran;
+  RunOptions options;
+  options.path = "some/folder/test.lua";
+  options.args = std::move(args);
+  options.limits = limits;
+  options.stage = stage;
+  options.print = [&](std::string_view line) { ran.printed += line; };
+  options.log = [&](std::string_view line) { ran.logged += line; };
+  Runner runner(time, std::move(options));
+  ran.result = runner.run(text);
+  ran.ended = time.now();
+  return ran;
+}
+
+TEST(Runner, RunsToTheEndOfTheScript) {
+  const Ran ran = run("print(1, 'two', hw.args[1], hw.args[0])", {}, nullptr, {"arg"});
+  EXPECT_TRUE(ran.result) << ran.fault();
+  EXPECT_EQ(ran.printed, "1\ttwo\targ\tsome/folder/test.lua\n");
+}
+
+TEST(Runner, SleepsInVirtualTime) {
+  const Ran ran = run("hw.sleep(1.5) print(hw.now()) hw.sleep(0.25)");
+  EXPECT_EQ(ran.printed, "1.5\n");
+  EXPECT_EQ(ran.ended, Instant(Millis(1750)));
+}
+
+TEST(Runner, SkipsAShebang) {
+  EXPECT_EQ(run("#!/usr/bin/env handwheel\nerror('x')").fault(), "test.lua:2: x");
+}
+
+TEST(Runner, NamesTheLinesThatLedToAnError) {
+  const std::string fault = run("local function f()\n  error('boom')\nend\nf()\n").fault();
+  EXPECT_THAT(fault, StartsWith("test.lua:2: boom"));
+  EXPECT_THAT(fault, HasSubstr("called from test.lua:4"));
+}
+
+TEST(Runner, AFailedCheckSurvivesNoPcall) {
+  const Ran ran = run("pcall(function() hw.check(false, 'no') end) print('never')");
+  EXPECT_EQ(ran.fault(), "test.lua:1: hw.check failed: no");
+  EXPECT_EQ(ran.printed, "");
+}
+
+TEST(Runner, ACheckGivesBackWhatItWasGiven) { EXPECT_EQ(run("print(hw.check(5, 'x'))").printed, "5\tx\n"); }
+
+TEST(Runner, EndsALoopWithoutEnd) {
+  Limits limits;
+  limits.instructions = 1'000'000;
+  EXPECT_THAT(run("\nwhile true do end", limits).fault(), StartsWith("test.lua:2: The script ran 1 million"));
+  EXPECT_THAT(run("while true do hw.sleep(0) end", limits).fault(), HasSubstr("without letting time go on"));
+  EXPECT_EQ(run("for i = 1, 300 do for j = 1, 10000 do end hw.sleep(0.01) end", limits).fault(), "none");
+}
+
+TEST(Runner, LimitsMemory) {
+  Limits limits;
+  limits.memory_bytes = 4 << 20;
+  EXPECT_THAT(run("local t = {} while true do t[#t + 1] = ('x'):rep(1000) .. #t end", limits).fault(),
+              HasSubstr("needed more than 4 MB"));
+}
+
+TEST(Runner, AModuleTellsItsOwnLine) {
+  EXPECT_EQ(run("require('none')").fault(),
+            "test.lua:1: require \"none\": there is no none.lua in the script's folder");
+}
+
+// A stage that only counts.
+struct Counter final : Stage {
+  int frames = 0;
+  bool over = false;
+  void bind(lua_State*) override {}
+  void opened(const std::shared_ptr<Session>&) override {}
+  void frame(Instant) override { ++frames; }
+  void script_over() override { over = true; }
+};
+
+TEST(Runner, DrawsSixtyFramesASecondOfScriptTime) {
+  Counter stage;
+  EXPECT_TRUE(run("hw.sleep(2)", {}, &stage).result);
+  EXPECT_NEAR(stage.frames, 120, 1);
+  EXPECT_TRUE(stage.over);
+}
+
+}  // namespace
+}  // namespace hw::script

@@ -1,0 +1,431 @@
+#!/usr/bin/env python3
+"""The program as a shell sees it: arguments, exit statuses, sentences, endpoints."""
+import contextlib
+import hashlib
+import json
+import os
+import pathlib
+import re
+import select
+import signal
+import socket
+import subprocess
+import sys
+import tempfile
+import termios
+import time
+import unittest
+
+PROGRAM = os.environ.get("HANDWHEEL", "build/handwheel")
+HERE = pathlib.Path(__file__).resolve().parent
+
+
+def run(*arguments, timeout=60, **more):
+    env = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY")}
+    return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, timeout=timeout,
+                          env=env, **more)
+
+
+class Case(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def file(self, name, text):
+        path = self.folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(text if isinstance(text, bytes) else text.encode())
+        return path
+
+    def expect(self, result, status, *parts):
+        self.assertEqual(result.returncode, status, result)
+        for part in parts:
+            self.assertIn(part, result.stderr if status else result.stdout)
+
+
+@contextlib.contextmanager
+def emulator(*arguments):
+    """Serves an emulator; gives the lines that it printed when ready."""
+    process = subprocess.Popen([PROGRAM, "emulate", *map(str, arguments)], stdout=subprocess.PIPE,
+                               stderr=subprocess.PIPE, text=True)
+    endpoints = sum(1 for a in arguments if str(a) in ("--tcp", "--pty"))
+    try:
+        yield [process.stdout.readline().strip() for _ in range(endpoints)], process
+    finally:
+        process.send_signal(signal.SIGTERM)
+        process.communicate(timeout=30)
+
+
+def port_of(line):
+    return line.rsplit(" ", 1)[1]
+
+
+class Usage(Case):
+    def test_version_and_help(self):
+        self.expect(run("--version"), 0, "handwheel ")
+        result = run("--help")
+        self.expect(result, 0)
+        for name in "run emulate send check simulate scan backup restore".split():
+            self.assertIn(name, result.stdout)
+            self.expect(run(name, "--help"), 0, "handwheel " + name)
+
+    def test_wrong_usage_is_2(self):
+        self.expect(run("nonsense"), 2, "nonsense")
+        self.expect(run("run"), 2, "SCRIPT.lua")
+        self.expect(run("run", "--nonsense", "x.lua"), 2, "--nonsense")
+        self.expect(run("emulate", "vxm"), 2, "--tcp")
+        self.expect(run("emulate", "pxm", "--tcp", "127.0.0.1:0"), 2, 'no controller model "pxm"')
+        self.expect(run("send", "vxm@nowhere", "V"), 2, '"nowhere" is no way')
+        self.expect(run("send", "vxm@emulator"), 2, "TEXT")
+        self.expect(run("simulate", "x.vxm"), 2, "--for")
+        self.expect(run("simulate", "x.vxm", "--for", "vxm", "--for-seconds", "soon"), 2, "--for-seconds soon")
+        self.expect(run("backup", "vxm@emulator"), 2, "-o FILE.toml")
+
+    def test_a_failed_job_is_1(self):
+        self.expect(run("run", self.folder / "none.lua"), 1, "There is no file", "none.lua")
+        self.expect(run("check", self.folder / "none.vxm", "--for", "vxm"), 1, "none.vxm")
+        self.expect(run("send", "vxm@serial:/dev/none", "V"), 1, "/dev/none")
+        self.expect(run("send", "vxm@tcp:127.0.0.1:1", "V"), 1, "127.0.0.1:1")
+
+    def test_not_yet_there_is_said(self):
+        self.expect(run("convert", "a.dxf"), 2, "convert")
+
+
+class Scripts(Case):
+    def script(self, text, *arguments):
+        return run("run", self.file("s.lua", text), *arguments)
+
+    def test_arguments(self):
+        text = "print(#hw.args, hw.args[1], hw.args[2], hw.args[3])"
+        self.expect(self.script(text), 0, "0\tnil")
+        self.expect(self.script(text, "a", "b"), 0, "2\ta\tb")
+        self.expect(self.script(text, "--traffic", self.folder / "t", "a", "--", "--gui", "-x"), 0, "3\ta\t--gui\t-x")
+        path = self.file("s.lua", text)
+        self.expect(run("run", "--traffic", self.folder / "t", path, "a"), 0, "1\ta")
+
+    def test_results_and_logs_go_different_ways(self):
+        result = self.script('print("result") hw.log("log line")')
+        self.assertEqual(result.stdout, "result\n")
+        self.assertIn("log line", result.stderr)
+
+    def test_an_error_names_its_line(self):
+        self.expect(self.script("\n\nerror('boom')"), 1, "s.lua:3: boom")
+        self.expect(self.script("\nlocal x = = 3"), 1, "s.lua:2: ")
+        self.expect(self.script("local c\nc:wait()"), 1, "s.lua:2: ")
+        self.expect(self.script("local function f()\nerror('deep')\nend\nf()"), 1, "s.lua:2: deep",
+                    "called from s.lua:4")
+        self.expect(self.script("error({})"), 1, "an error that is a table")
+
+    def test_a_failed_check_ends_the_run(self):
+        self.expect(self.script("hw.check(1 == 1)\nhw.check(false, 'not so')\nprint('never')"), 1,
+                    "s.lua:2: hw.check failed: not so")
+        result = self.script("pcall(function()\nhw.check(false, 'inside')\nend)\nprint('never')")
+        self.expect(result, 1, "s.lua:2: hw.check failed: inside")
+        self.assertNotIn("never", result.stdout)
+
+    def test_an_error_in_a_timed_function(self):
+        self.expect(self.script("local c = hw.open('vxm@emulator')\nc.bench:at(1, function()\nerror('late')\nend)\n"
+                                "hw.sleep(5)\nprint('never')"), 1, "s.lua:3: late")
+
+    def test_virtual_time_is_fast(self):
+        began = time.monotonic()
+        self.expect(self.script("hw.sleep(3600) print(hw.now())"), 0, "3600")
+        self.assertLess(time.monotonic() - began, 20)
+
+    def test_real_time_is_not(self):
+        began = time.monotonic()
+        self.expect(self.script("hw.sleep(0.5)", "--realtime"), 0)
+        self.assertGreater(time.monotonic() - began, 0.45)
+
+    def test_a_real_port_makes_time_real(self):
+        with emulator("vxm", "--tcp", "127.0.0.1:0") as (ready, _):
+            began = time.monotonic()
+            self.expect(self.script("local c = assert(hw.open('vxm@tcp:' .. hw.args[1]))\nhw.sleep(0.5)\n"
+                                    "hw.check(c:query('V') == 'R') hw.check(not pcall(c.bench.jam, c.bench, 1))",
+                                    port_of(ready[0])), 0)
+            self.assertGreater(time.monotonic() - began, 0.45)
+
+    def test_an_interrupted_script_stops_the_motors(self):
+        with emulator("vxm", "--tcp", "127.0.0.1:0") as (ready, _):
+            script = self.file("jog.lua", "local c = assert(hw.open('vxm@tcp:' .. hw.args[1]))\n"
+                                          "c:jog(1, '+') print('jogs') hw.sleep(1000)")
+            process = subprocess.Popen([PROGRAM, "run", str(script), port_of(ready[0])], stdout=subprocess.PIPE,
+                                       stderr=subprocess.PIPE, text=True)
+            time.sleep(1.5)
+            process.send_signal(signal.SIGINT)
+            out, err = process.communicate(timeout=30)
+            self.assertEqual(process.returncode, 1, (out, err))
+            self.assertIn("told to stop", err)
+            address = "vxm@tcp:" + port_of(ready[0])
+            time.sleep(2)  # the ramp
+            places = [run("send", address, "X").stdout for _ in range(2)]
+            self.assertEqual(places[0], places[1])
+            self.assertNotEqual(places[0], "+0000000\n")
+
+
+class Sandbox(Case):
+    def script(self, text):
+        return run("run", self.file("s.lua", text), timeout=100)
+
+    def test_a_loop_without_end_is_ended(self):
+        self.expect(self.script("while true do end"), 1, "s.lua:1: ", "without letting time go on")
+        self.expect(self.script("while true do pcall(function() while true do end end) end"), 1, "without letting")
+        self.expect(self.script("while true do hw.sleep(0) end"), 1, "without letting")
+        self.expect(self.script("while true do coroutine.wrap(function() while true do end end)() end"), 1,
+                    "without letting")
+
+    def test_memory_is_limited(self):
+        self.expect(self.script("local t = {} for i = 1, 1e9 do t[i] = ('x'):rep(1000) .. i end"), 1,
+                    "s.lua:1: ", "MB of memory")
+        self.expect(self.script("local s = ('x'):rep(1e10)"), 1, "s.lua:1: ")
+
+    def test_a_module_outside_of_the_folder(self):
+        self.file("outside.lua", "return 1")
+        inside = self.file("inside/s.lua", "require('link')")
+        (self.folder / "inside/link.lua").symlink_to(self.folder / "outside.lua")
+        self.expect(run("run", inside), 1, "s.lua:1: ", "outside of the script's folder")
+
+    def test_no_text(self):
+        self.expect(self.script(b"\x1bLua\x54\x00"), 1, "s.lua")
+        self.expect(run("run", self.folder), 1)
+
+    def test_yield_to_nowhere(self):
+        self.expect(self.script("coroutine.yield()"), 1, "outside of a coroutine")
+
+
+class Replay(Case):
+    def traffic(self, name):
+        path = self.folder / name
+        self.expect(run("run", HERE / "replay.lua", "--traffic", path), 0)
+        return path.read_bytes()
+
+    def test_a_minute_replays_byte_for_byte(self):
+        first, second = self.traffic("one"), self.traffic("two")
+        self.assertEqual(first, second)
+        self.assertGreater(len(first), 10000)
+        lines = re.findall(r"(?m)^ *([\d.]+) (\d+) (.) (.*)$", first.decode())
+        self.assertTrue(any(way == "#" and "pulled" in what for _, _, way, what in lines), "the cable was pulled")
+        heard = "".join(what for _, wire, way, what in lines if wire != "1" and way == "<")
+        self.assertIn("+0000800", heard, "the move after it")
+        # The same in every build: renew the file with the sum that is shown when a change is meant.
+        wanted = HERE / "replay.sha256"
+        if wanted.exists():
+            self.assertEqual(hashlib.sha256(first).hexdigest(), wanted.read_text().split()[0])
+
+
+class Emulate(Case):
+    def test_tcp(self):
+        with emulator("vxm", "--tcp", "127.0.0.1:0") as (ready, _):
+            self.assertRegex(ready[0], r"^ready vxm tcp 127\.0\.0\.1:\d+$")
+            host, port = port_of(ready[0]).split(":")
+            with socket.create_connection((host, int(port)), timeout=10) as wire:
+                wire.sendall(b"FV")
+                self.assertEqual(wire.recv(1), b"R")
+                wire.sendall(b"X")
+                got = b""
+                while len(got) < 9:
+                    got += wire.recv(9)
+                self.assertEqual(got, b"+0000000\r")
+
+    def test_all_endpoints_are_one_wire(self):
+        with emulator("vxm", "--tcp", "127.0.0.1:0", "--tcp", "127.0.0.1:0") as (ready, _):
+            wires = [socket.create_connection(("127.0.0.1", int(line.rsplit(":")[-1])), timeout=10) for line in ready]
+            for wire in wires:
+                wire.settimeout(10)
+            wires[0].sendall(b"FV")
+            self.assertEqual(wires[0].recv(1), b"R")
+            self.assertEqual(wires[1].recv(1), b"R")
+            for wire in wires:
+                wire.close()
+
+    def test_pty(self):
+        link = self.folder / "port"
+        with emulator("vxm", "--pty", link, "--wire", "off") as (ready, _):
+            self.assertEqual(ready[0], f"ready vxm pty {link}")
+            for _ in range(2):  # clients come and go
+                port = os.open(link, os.O_RDWR | os.O_NOCTTY)
+                self.assertEqual(termios.tcgetattr(port)[3] & (termios.ICANON | termios.ECHO), 0, "raw")
+                os.write(port, b"FV")
+                self.assertTrue(select.select([port], [], [], 10)[0])
+                self.assertEqual(os.read(port, 10), b"R")
+                os.close(port)
+        self.assertFalse(link.exists() or link.is_symlink(), "the symlink goes with the emulator")
+
+    def test_byte_times(self):
+        link = self.folder / "port"
+        with emulator("vxm", "--pty", link):
+            port = os.open(link, os.O_RDWR | os.O_NOCTTY)
+            os.write(port, b"F")
+            time.sleep(0.1)
+            began = time.monotonic()
+            for question, length in ((b"X", 9), (b"Y", 9), (b"V", 1)):
+                os.write(port, question)
+                got = b""
+                while len(got) < length:
+                    got += os.read(port, length)
+            took = time.monotonic() - began
+            os.close(port)
+            self.assertGreater(took, 0.0229 * 0.98)  # 22 bytes at 9600 baud
+
+    def test_state_is_kept(self):
+        state = self.folder / "state"
+        with emulator("vxm", "--tcp", "127.0.0.1:0", "--state", state) as (ready, _):
+            self.expect(run("send", "vxm@tcp:" + port_of(ready[0]), "PM0,C,I1M400", "rsm"), 0)
+        with emulator("vxm", "--tcp", "127.0.0.1:0", "--state", state) as (ready, _):
+            self.expect(run("send", "vxm@tcp:" + port_of(ready[0]), "PM0", "lst"), 0, "I1M400")
+
+    def test_motors_quirks_bench_and_speed(self):
+        bench = self.file("bench.toml", "quirks = [\"e-bar\"]\n[axis.1]\nplus = 300\n[input]\n1 = true\n")
+        with emulator("vxm", "--tcp", "127.0.0.1:0", "--motors", 4, "--quirk", "overrun", "--bench", bench,
+                      "--speed", 20) as (ready, _):
+            address = "vxm@tcp:" + port_of(ready[0]) + ",motors=4"
+            self.expect(run("send", address, "T"), 0, "+0000000")
+            self.expect(run("send", address, "setM1M4", "PM0,C,I1M400,R"), 0, "^")
+            self.expect(run("send", address, "X"), 0, "+0000300")
+
+    def test_what_cannot_be_served_is_said(self):
+        self.expect(run("emulate", "vxm", "--tcp", "0.0.0.0:0"), 1, "--allow-remote")
+        self.expect(run("emulate", "vxm", "--tcp", "here"), 1, "HOST:PORT")
+        taken = self.file("taken", "text")
+        self.expect(run("emulate", "vxm", "--pty", taken), 1, "taken")
+        self.assertEqual(taken.read_text(), "text")
+        bench = self.file("bench.toml", "[axis.1]\nplsu = 5\n")
+        result = run("emulate", "vxm", "--tcp", "127.0.0.1:0", "--bench", bench)
+        self.assertNotEqual(result.returncode, 0)
+        self.assertIn("bench.toml:2:8", result.stderr)
+        result = run("emulate", "vxm", "--tcp", "127.0.0.1:0", "--quirk", "nonsense")
+        self.assertNotEqual(result.returncode, 0)
+        self.assertIn("nonsense", result.stderr)
+        result = run("emulate", "vxm", "--tcp", "127.0.0.1:0", "--motors", "9")
+        self.assertNotEqual(result.returncode, 0)
+        self.assertIn("9", result.stderr)
+
+    def test_two_on_one_port(self):
+        with emulator("vxm", "--tcp", "127.0.0.1:0") as (ready, _):
+            self.expect(run("emulate", "vxm", "--tcp", port_of(ready[0])), 1, port_of(ready[0]))
+
+
+class Send(Case):
+    def test_in_process(self):
+        self.expect(run("send", "vxm@emulator", "V", "X", "getM1M"), 0)
+        self.assertEqual(run("send", "vxm@emulator", "V", "X").stdout, "R\n+0000000\n")
+
+    def test_what_has_no_reply_prints_nothing(self):
+        result = run("send", "vxm@emulator", "S1M1000", "PM0")
+        self.expect(result, 0)
+        self.assertEqual(result.stdout, "")
+
+    def test_a_run_prints_its_prompt_when_it_ends(self):
+        with emulator("vxm", "--tcp", "127.0.0.1:0", "--speed", 10) as (ready, _):
+            address = "vxm@tcp:" + port_of(ready[0])
+            self.assertEqual(run("send", address, "PM0,C,S1M1000,I1M4000", "R", "X").stdout, "^\n+0004000\n")
+
+    def test_over_a_pty(self):
+        link = self.folder / "port"
+        with emulator("vxm", "--pty", link):
+            self.assertEqual(run("send", f"vxm@serial:{link}", "V", "X").stdout, "R\n+0000000\n")
+
+    def test_no_vxm_there(self):
+        with socket.create_server(("127.0.0.1", 0)) as silent:
+            result = run("send", f"vxm@tcp:127.0.0.1:{silent.getsockname()[1]}", "V")
+            self.expect(result, 1)
+            self.assertTrue(result.stderr.strip())
+
+
+class Check(Case):
+    def test_a_good_program(self):
+        self.expect(run("check", self.file("a.vxm", "I1M400\nP5\nI1M-400\n"), "--for", "vxm"), 0)
+
+    def test_errors_have_their_place(self):
+        path = self.file("b.vxm", "I1M400\nS1M9000\n")
+        result = run("check", path, "--for", "vxm")
+        self.assertEqual(result.returncode, 1, result)
+        self.assertRegex(result.stdout, rf"(?m)^{re.escape(str(path))}:2:\d+: error: .+")
+
+    def test_no_text(self):
+        self.expect(run("check", self.file("c.vxm", b"\x00\x01\x02\xff"), "--for", "vxm"), 1, "c.vxm")
+        self.expect(run("check", self.file("d.vxm", "I1M4\n"), "--for", "pmx-9"), 2, "pmx-9")
+
+
+class Simulate(Case):
+    def simulate(self, text, *more):
+        result = run("simulate", self.file("a.vxm", text), "--for", "vxm", "--json", *more)
+        return result, json.loads(result.stdout) if result.stdout else None
+
+    def test_the_object_of_the_contract(self):
+        result, got = self.simulate("S1M2000\nI1M4000\nI1M-1000\nU4\n")
+        self.expect(result, 0)
+        self.assertEqual(set(got), {"model", "duration_s", "finished", "error", "axes", "outputs", "sent_to_host",
+                                    "program_bytes", "events"})
+        self.assertEqual(got["model"], "vxm")
+        self.assertTrue(got["finished"])
+        self.assertFalse(got["error"])
+        self.assertEqual(got["axes"]["1"], {"position": 3000, "min": 0, "max": 4000, "travel": 5000})
+        self.assertEqual(got["program_bytes"]["0"], 13)
+        self.assertGreater(got["duration_s"], 2)
+        self.assertIn("^", got["sent_to_host"])
+        for event in got["events"]:
+            self.assertEqual(set(event), {"t", "what"})
+
+    def test_a_program_without_end(self):
+        result, got = self.simulate("LM0\nI1M100\nI1M-100\nL0\n", "--for-seconds", 30)
+        self.expect(result, 0)
+        self.assertFalse(got["finished"])
+        self.assertAlmostEqual(got["duration_s"], 30, delta=0.01)
+
+    def test_with_a_bench(self):
+        bench = self.file("bench.toml", "[axis.1]\nplus = 500\n")
+        _, got = self.simulate("I1M4000\n", "--bench", bench)
+        self.assertEqual(got["axes"]["1"]["position"], 500)
+        bad = self.file("bad.toml", "[axis.9]\nplus = 500\n")
+        result, _ = self.simulate("I1M4000\n", "--bench", bad)
+        self.expect(result, 1, "bad.toml:1:1", 'no axis "9"')
+
+    def test_words(self):
+        result = run("simulate", self.file("a.vxm", "I1M400\n"), "--for", "vxm")
+        self.expect(result, 0, "ends after", "axis 1: ends at 400")
+
+    def test_a_text_with_errors(self):
+        result, _ = self.simulate("S1M9000\n")
+        self.expect(result, 1)
+        self.assertTrue(result.stderr.strip())
+
+
+class Backup(Case):
+    def test_there_and_back(self):
+        first, second = self.folder / "one.toml", self.folder / "two.toml"
+        with emulator("vxm", "--tcp", "127.0.0.1:0") as (ready, _):
+            address = "vxm@tcp:" + port_of(ready[0])
+            self.expect(run("send", address, "setj1M700", "PM2,C,I1M123"), 0)
+            self.expect(run("backup", address, "-o", first), 0)
+            self.assertIn("I1M123", first.read_text())
+            self.assertIn("j1M = 700", first.read_text())
+        with emulator("vxm", "--tcp", "127.0.0.1:0") as (ready, _):
+            address = "vxm@tcp:" + port_of(ready[0])
+            self.expect(run("restore", address, first), 0)
+            self.expect(run("send", address, "PM2", "lst"), 0, "I1M123")
+            self.expect(run("send", address, "getj1M"), 0, "700")
+            self.expect(run("backup", address, "-o", second), 0)
+        self.expect(run("restore", "vxm@emulator", self.folder / "none.toml"), 1, "none.toml")
+        self.expect(run("restore", "vxm@emulator", self.file("bad.toml", "model = \"vxm\"\n[parameters]\nx = = 1\n")),
+                    1, "bad.toml")
+
+
+class OnePort(Case):
+    def test_two_instances_on_one_port(self):
+        link = self.folder / "port"
+        with emulator("vxm", "--pty", link, "--wire", "off"):
+            script = self.file("hold.lua", f"local c = assert(hw.open('vxm@serial:{link}'))\n"
+                                           "print('open') hw.sleep(6)")
+            holder = subprocess.Popen([PROGRAM, "run", str(script)], stdout=subprocess.PIPE, text=True)
+            time.sleep(2)
+            result = run("send", f"vxm@serial:{link}", "V")
+            self.expect(result, 1, str(link))
+            holder.communicate(timeout=30)
+            self.assertEqual(holder.returncode, 0)
+            self.expect(run("send", f"vxm@serial:{link}", "V"), 0, "R")
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

@@ -1,0 +1,3 @@
+local M = {}
+function M.hello() return "hello" end
+return M
