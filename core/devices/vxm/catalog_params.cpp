@@ -50,7 +50,8 @@ ParamInfo motor_type(int m) {
   p.choices = motor_types();
   p.warning = motor_warning(m);
   p.before_moving = fmt::format(
-      "No type is chosen for motor {0} (0, the factory value), so it gets the power of a very small motor: a larger "
+      "No type is chosen for motor {0} (0, the factory value), so it gets the power of a very small motor: a "
+      "larger "
       "one only buzzes and loses steps. Choose the type that stands on its label.",
       m);
   p.unset_value = 0;
@@ -165,7 +166,7 @@ ParamInfo mode() {
           "Turns the direction of single motors round, makes this controller the Master of a second "
           "one, lets it behave like the older NF90, or lets program 4 run before the first run after "
           "power-up, which is where a homing routine belongs.");
-  range(p, 1, 255, 1);
+  range(p, 0, 255, 1);
   p.bits = {{0, "always on"},
             {1, "motor 1 turns the other way"},
             {2, "motor 2 turns the other way"},

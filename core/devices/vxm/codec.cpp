@@ -167,7 +167,8 @@ Message next_message(std::string_view bytes) {
       constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-,()";
       const auto end = bytes.find_first_not_of(letters, 1);
       if (end == bytes.npos && bytes.size() <= longest_command) return m;
-      if (end == bytes.npos || end > longest_command || bytes[end] != '\r') return is(Message::Kind::unknown, 1);
+      if (end == bytes.npos || end > longest_command || bytes[end] != '\r')
+        return is(Message::Kind::unknown, 1);
       m.text = bytes.substr(1, end - 1);
       return is(Message::Kind::held, end + 1);
     }

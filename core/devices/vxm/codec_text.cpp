@@ -361,30 +361,39 @@ std::string canonical(const TextCommand& c) {
   return {};
 }
 
-int program_cost(const TextCommand& c) {
+// What stands before motor and number, as the table of costs names it.
+static std::string_view head_of(const TextCommand& c) {
   switch (c.verb) {
     case Verb::index_by:
+    case Verb::home: return "I";
     case Verb::index_to:
-    case Verb::zero_here:
-    case Verb::home: return 4;
+    case Verb::zero_here: return "IA";
     case Verb::speed:
-    case Verb::speed_analog:
-    case Verb::loop:
-    case Verb::loop_always:
-    case Verb::pause:
-    case Verb::pause_output: return 3;
-    case Verb::acceleration:
-    case Verb::jump:
-    case Verb::jump_return:
-    case Verb::jump_pick: return 2;
-    case Verb::loop_forever:
+    case Verb::speed_analog: return c.full_power ? "SA" : "S";
+    case Verb::acceleration: return "A";
+    case Verb::loop: return "L";
+    case Verb::loop_always: return "LA";
     case Verb::marker_set:
     case Verb::marker_reset:
-    case Verb::loop_reverse: return 1;
-    case Verb::user: return c.value == 91 ? u91_bytes : 2;
-    case Verb::pair_begins: return pair_bytes;
-    default: return 0;
+    case Verb::loop_reverse: return "LM";
+    case Verb::jump:
+    case Verb::jump_return:
+    case Verb::jump_pick: return "J";
+    case Verb::pause: return "P";
+    case Verb::pause_output: return "PA";
+    case Verb::user: return "U";
+    default: return {};
   }
+}
+
+int program_cost(const TextCommand& c) {
+  if (c.verb == Verb::loop_forever || (c.verb == Verb::marker_set && c.minus)) return endless_loop_bytes;
+  if (c.verb == Verb::user && c.value == 91) return u91_bytes;
+  if (c.verb == Verb::pair_begins) return pair_bytes;
+  const std::string_view head = head_of(c);
+  for (const StoredForm& form : stored_forms)
+    if (form.head == head) return form.bytes;
+  return 0;
 }
 
 std::string allowed_values(const TextCommand& c) {

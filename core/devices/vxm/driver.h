@@ -3,7 +3,8 @@
 //   driver_talk.cpp     questions, raw text, what comes unasked
 //   driver_connect.cpp  getting it to listen, finding out what it is, power-cycles, lost wires
 //   driver_poll.cpp     the round of status
-//   driver_moves.cpp    moves, jogs, homing, zero, outputs: runs of a program that nobody uses
+//   driver_moves.cpp    moves, jogs, homing, zero, outputs: what they consist of
+//   driver_legs.cpp     how each is carried out: runs of a program that nobody uses
 //   driver_stop.cpp     stops (decision V102)
 //   driver_program.cpp  load, read, run, hold, step
 //   driver_params.cpp   set-up
@@ -126,6 +127,10 @@ class VxmDriver final : public Driver {
   Result<> may_move(int axis) const;
   Result<> may_run() const;
   Result<int> checked_speed(Pps speed) const;
+  Leg jog_leg(int axis, Sign sign, int speed) const;
+  void warn_of_motor_type(int axis);
+
+  // ---- driver_legs.cpp
   Task<Result<int>> find_scratch();
   bool may_be_scratch(int slot) const;
   Task<Result<>> begin(Job job);
@@ -139,14 +144,13 @@ class VxmDriver final : public Driver {
   void show_leg(const Leg& leg);
   void show_leg_ended(const Leg& leg, EndedBy ended_by);
   std::optional<Leg> next_jog_leg(const Leg& last, EndedBy ended_by) const;
-  Leg jog_leg(int axis, Sign sign, int speed) const;
-  void warn_of_motor_type(int axis);
 
   // ---- driver_stop.cpp
   Task<Result<>> stop_unknown();
   Task<Result<>> stop_program();
   Task<bool> wait_for_standstill(Instant give_up);
   Task<Result<>> kill(bool standing);
+  void killed(EndedBy ended_by = EndedBy::abort);
   void doubt_positions();
   void run_ended(EndedBy ended_by);
 

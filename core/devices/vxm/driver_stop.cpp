@@ -132,6 +132,17 @@ Task<Result<>> VxmDriver::kill(bool standing) {
                    "K was sent to stop everything, but the controller did not confirm it.",
                    "Nothing else was sent.", "Watch the motors. If one still turns, use the power switch.");
   if (!reply) co_return fail(reply.error());
+  killed(standing ? EndedBy::stop : EndedBy::abort);
+  if (something_ran && draft_.outputs_known && draft_.outputs)
+    tell(Notice::Kind::info, "K ended the run; it has also switched the outputs off.");
+  show_worst();
+  if (changed_) changed_();
+  co_return Result<>();
+}
+
+// What K leaves: nothing runs, no hold, no error.
+void VxmDriver::killed(EndedBy ended_by) {
+  killed_at_ = scheduler_.now();
   halted_ = 0;
   hold_on_ = false;
   stopping_ = Stopping::no;
@@ -141,15 +152,10 @@ Task<Result<>> VxmDriver::kill(bool standing) {
     job_.ended_by = EndedBy::abort;
     job_.leg_over = true;
   }
-  if (stored_running_) run_ended(standing ? EndedBy::stop : EndedBy::abort);
+  if (stored_running_) run_ended(ended_by);
   if (draft_.program.run == RunState::error) draft_.program.run = RunState::idle;
   for (int i = 0; i < draft_.axis_count; ++i)
     if (draft_.axes[i].activity == Activity::error) draft_.axes[i].activity = Activity::idle;
-  if (something_ran && draft_.outputs_known && draft_.outputs)
-    tell(Notice::Kind::info, "K ended the run; it has also switched the outputs off.");
-  show_worst();
-  if (changed_) changed_();
-  co_return Result<>();
 }
 
 // K above 1000 steps/s may cost steps that the controller does not know of (p.23). An unknown speed counts as

@@ -62,6 +62,7 @@ Task<Result<T>> VxmDriver::ask_decoded(std::string question, ReplyShape shape, P
     } else if (reply.error().kind != FaultKind::no_answer && reply.error().kind != FaultKind::garbled) {
       break;
     }
+    if (halted_) break;  // it answers nothing until K
     co_await wait_for_quiet();
   }
   if (!reply) co_return fail(reply.error());
@@ -279,8 +280,10 @@ void VxmDriver::note_sent(const std::vector<TextCommand>& commands) {
       if (c.name == "DM" || c.name == "I" || c.name == "D") essentials_read_ = false;
     }
     if (c.verb == Verb::word && c.name == "del") program_changed();
+    if (c.verb == Verb::word && c.name == "res") halted_ = 0;  // the next V finds it restarted
     if (c.verb != Verb::letter) continue;
     if (c.letter == 'C') program_changed();
+    if (c.letter == 'K') doubt_positions(), killed();
     if (c.letter == 'H') hold_on_ = !hold_on_;
     if (c.letter == 'Q') stay_local_ = true, mode_ = Mode::local;
     if (c.letter == 'E' || c.letter == 'F' || c.letter == 'G') stay_local_ = false, mode_ = Mode::on_line;
@@ -389,7 +392,6 @@ Task<Result<std::string>> VxmDriver::query(std::string text, Duration patience) 
     co_return co_await wait_for_prompt(patience);
   }
   note_sent(commands);
-  if (last.verb == Verb::letter && last.letter == 'K') killed_at_ = scheduler_.now();
   auto reply = co_await ask(std::move(text), shape->shape, Priority::intent, shape->stranger, patience);
   if (!reply) co_return fail(reply.error());
   if (last.verb == Verb::letter && last.letter == 'K')

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/device/snapshot.h"
+#include "core/devices/vxm/facts.h"
 
 namespace hw::vxm {
 namespace {
@@ -68,6 +69,23 @@ TEST(VxmCatalog, RangesAreTheManuals) {
   EXPECT_FALSE(param("B").accepts(10));
   EXPECT_FALSE(param("PA").accepts(0));
   EXPECT_FALSE(param("jA1M").accepts(25));
+}
+
+TEST(VxmCatalog, ParametersAgreeWithTheFactsOfTheWire) {
+  const Catalog c = catalog("4");
+  for (const SetupFact& fact : setup_facts)
+    for (int m = 1; m <= max_motors; ++m) {
+      std::string name(fact.mnemonic);
+      if (const auto place = name.find('m'); place != name.npos) name[place] = static_cast<char>('0' + m);
+      ASSERT_GE(c.find_param(name), 0) << name;
+      const ParamInfo& p = c.params[static_cast<std::size_t>(c.find_param(name))];
+      EXPECT_TRUE(p.accepts(fact.min) && p.accepts(fact.max)) << name;
+      EXPECT_FALSE(p.accepts(fact.max + 1)) << name;
+      EXPECT_TRUE(fact.min - 1 == 0 || !p.accepts(fact.min - 1)) << name;
+      EXPECT_EQ(p.accepts(0), fact.also_zero || (fact.min <= 0 && fact.max >= 0)) << name;
+      EXPECT_EQ(p.fallback, fact.factory) << name;
+      EXPECT_EQ(p.readable, fact.readable) << name;
+    }
 }
 
 TEST(VxmCatalog, EveryCommandHasHelpAndOnlyRunsMove) {

@@ -61,6 +61,16 @@ TEST_F(VxmDriverConnect, ARunningProgramIsShownAndLeftAlone) {
   EXPECT_EQ(latest.slot_bytes_used[0], 8);
 }
 
+TEST_F(VxmDriverConnect, AHoldThatAnotherProgramLeftOnIsReleased) {
+  loop = std::make_unique<Loopback>(time, Options{}, false);
+  loop->emulator().advance_to(time.now());
+  loop->emulator().receive("FH");
+  open();
+  EXPECT_EQ(move_by(0, 100), "");
+  EXPECT_TRUE(wait_idle());
+  EXPECT_EQ(position(), 100);
+}
+
 TEST_F(VxmDriverConnect, GModeDoesNotConfuseIt) {
   start();
   EXPECT_EQ(send("G"), "");

@@ -102,6 +102,40 @@ TEST_F(VxmDriverMoves, AJogEndsWithItsStop) {
   EXPECT_EQ(query("PM"), "0");
 }
 
+TEST_F(VxmDriverMoves, ALongJogGoesOnBeyondItsBoundedIndex) {
+  start();
+  EXPECT_EQ(perform(intent::JogStart(AxisId{0}, Sign::minus, Pps{500}, false)), "");
+  run(45);
+  EXPECT_LT(position(), -20000) << "30 s are one index";
+  EXPECT_EQ(latest.axes[0].activity, Activity::jogging);
+  EXPECT_EQ(perform(intent::JogStop()), "");
+  EXPECT_TRUE(wait_idle(3));
+}
+
+TEST_F(VxmDriverMoves, APulledCableEndsAJogByItself) {
+  start();
+  EXPECT_EQ(perform(intent::JogStart(AxisId{0}, Sign::plus, Pps{500}, false)), "");
+  run(2);
+  loop->pull();
+  run(60);
+  EXPECT_EQ(latest.link.state, LinkState::good);
+  EXPECT_EQ(position(), 15000) << "its bounded index, and none after it";
+}
+
+TEST_F(VxmDriverMoves, AStatusByteThatLooksLikeAMessageIsAByte) {
+  start();
+  ASSERT_EQ(perform(intent::SetParam("I", 5)), "");  // input 4 does not stop
+  for (const int in : {1, 2, 4}) ASSERT_TRUE(loop->operate(bench::Input(in, true)));
+  run(0.5);
+  EXPECT_EQ(latest.inputs, 0xFFu & ~0b1011u) << "the byte on the wire is an O";
+  ASSERT_EQ(move_by(0, 6000), "");
+  run(2);
+  EXPECT_EQ(latest.inputs, 0xFFu & ~0b1011u);
+  EXPECT_FALSE(told("limit switch"));
+  EXPECT_TRUE(wait_idle());
+  EXPECT_EQ(position(), 6000);
+}
+
 TEST_F(VxmDriverMoves, AJogAtTheSwitchStopsThereQuietly) {
   start();
   ASSERT_TRUE(loop->operate(bench::Limit(AxisId{0}, Sign::plus, true)));

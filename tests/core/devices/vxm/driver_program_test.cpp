@@ -147,8 +147,6 @@ TEST_F(VxmDriverProgram, AHoldLeftOnDoesNotHoldAMoveOfTheConsole) {
 
 TEST_F(VxmDriverProgram, AnErrorOfTheControllerIsExplainedAndWaitsForTheUser) {
   start();
-  std::string nested = "LM0\n";
-  for (int i = 0; i < 11; ++i) nested += "P0\nLA2\n";
   ASSERT_EQ(perform(intent::LoadProgram(0, "U7\nI1M100\n")), "");
   ASSERT_EQ(perform(intent::RunProgram(0)), "");
   run(2);
@@ -164,6 +162,49 @@ TEST_F(VxmDriverProgram, AnErrorOfTheControllerIsExplainedAndWaitsForTheUser) {
   EXPECT_EQ(latest.program.run, RunState::idle);
   EXPECT_EQ(move_by(0, 10), "");
   EXPECT_TRUE(wait_idle());
+}
+
+TEST_F(VxmDriverProgram, AFullMemoryWaitsForKWhichTheTerminalMaySend) {
+  start({{"quirk", "e-bar"}});
+  std::string text;
+  for (int i = 0; i < 65; ++i) text += "I1M400,";
+  EXPECT_EQ(send(text), "");
+  run(0.5);
+  EXPECT_THAT(std::string(latest.notice.view()),
+              HasSubstr("The controller reports EM: the program memory is full"));
+  EXPECT_EQ(latest.program.run, RunState::error);
+  run(5);
+  EXPECT_NE(latest.link.state, LinkState::lost) << "it is not asked in vain again and again";
+  EXPECT_EQ(send("K"), "");
+  run(1);
+  EXPECT_EQ(latest.link.state, LinkState::good);
+  EXPECT_EQ(latest.program.run, RunState::idle);
+  EXPECT_EQ(latest.slot_bytes_used[0], 256);
+  EXPECT_EQ(query("V"), "R");
+}
+
+TEST_F(VxmDriverProgram, ABusErrorIsExplainedAndTheRestartNoticed) {
+  start();
+  EXPECT_EQ(send("I3M400,R"), "");
+  run(2);
+  EXPECT_TRUE(told(
+      "The controller reports EB: a command for motor 3 or 4 was met, but no second controller answers"));
+  EXPECT_TRUE(told("the controller was switched off and on, or reset"));
+  EXPECT_EQ(latest.link.state, LinkState::good);
+  EXPECT_EQ(latest.program.run, RunState::idle);
+  EXPECT_EQ(move_by(0, 10), "");
+  EXPECT_TRUE(wait_idle());
+}
+
+TEST_F(VxmDriverProgram, FactoryDefaultsAreNoticed) {
+  start();
+  perform(intent::LoadProgram(0, "I1M10\n"));
+  perform(intent::SetParam("j1M", 77));
+  EXPECT_EQ(send("setD0,"), "");
+  run(4);
+  EXPECT_TRUE(told("The controller reports EN: its memory was erased."));
+  EXPECT_EQ(latest.slot_bytes_used[0], 0);
+  EXPECT_EQ(latest.params[catalog.find_param("j1M")].value, 2000);
 }
 
 TEST_F(VxmDriverProgram, TheStopButtonEndsAProgramAndIsNamed) {

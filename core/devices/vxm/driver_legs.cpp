@@ -1,0 +1,234 @@
+// How a move of the console is carried out: a run of a program that lst has shown empty. The program is
+// emptied and the user's selection put back afterwards, so that the Run button never repeats a move of the
+// console.
+//
+// S lasts beyond a run and cannot be read. A move with a speed of its own therefore ends by putting back what
+// the user's last S said, or 2000 steps/s, the power-up value, if none was seen.
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/devices/vxm/driver.h"
+
+namespace hw::vxm {
+namespace {
+
+constexpr Duration quick_patience = std::chrono::seconds(1);
+
+std::size_t at(int axis) { return static_cast<std::size_t>(axis); }
+
+}  // namespace
+
+// ---- which program
+
+// Not one that starts by itself (4 after power-up or after Stop), nor one that a Slave's program runs with.
+bool VxmDriver::may_be_scratch(int slot) const {
+  const auto mode = param("DM").value_or(0), inputs = param("I").value_or(0);
+  if (slot == 4 && (mode & mode_program_4_first || inputs & inputs_program_4)) return false;
+  const auto coupled = param("PMA").value_or(pma_off);
+  if (coupled == pma_off) return true;
+  const auto excepted = coupled == -5 ? 0 : -coupled;
+  return coupled >= 0 ? slot != coupled : slot == excepted;
+}
+
+Task<Result<int>> VxmDriver::find_scratch() {
+  if (!sizes_read_ || !essentials_read_) {
+    auto read = co_await catch_up();
+    if (!read) co_return fail(read.error());
+  }
+  const auto& used = draft_.slot_bytes_used;
+  if (confirmed_scratch_ >= 0 && used[at(confirmed_scratch_)] == 0 && may_be_scratch(confirmed_scratch_))
+    co_return confirmed_scratch_;
+  for (const bool selected_too : {false, true})  // the selected one only when no other is left
+    for (int slot = program_count - 1; slot >= 0; --slot) {
+      if ((slot == selected_) != selected_too || used[at(slot)] != 0 || !may_be_scratch(slot)) continue;
+      auto chosen = co_await say(select_program(slot), Priority::intent);
+      if (!chosen) co_return fail(chosen.error());
+      auto listing = co_await ask_listing(Priority::intent);
+      auto back = co_await say(select_program(selected_), Priority::intent);
+      if (!listing) co_return fail(listing.error());
+      if (!back) co_return fail(back.error());
+      if (listing->slot == slot && listing->free_bytes == program_bytes && listing->commands.empty()) {
+        confirmed_scratch_ = slot;
+        co_return slot;
+      }
+      draft_.slot_bytes_used[at(slot)] = static_cast<std::int16_t>(program_bytes - listing->free_bytes);
+    }
+  const Fault none(
+      FaultKind::refused,
+      "All five programs of the controller hold commands, and a move of the console needs an empty one for "
+      "its time.",
+      "Nothing was sent and nothing was erased.",
+      "Which may be emptied? Save its text if it is needed, clear it, and move again.");
+  tell(Notice::Kind::question, none.sentence());
+  co_return fail(none);
+}
+
+// ---- legs
+
+std::string VxmDriver::leg_program(const Leg& leg) {
+  std::string text;
+  if (hold_on_) text += "H";  // else it would hold before the first command
+  text += empty_program(scratch_);
+  for (const int axis : {leg.axis, leg.second_axis}) {
+    if (axis < 0) continue;
+    const int usual = known_speed_[at(axis)].value_or(default_speed);
+    if (leg.speed > 0)
+      text += speed(axis + 1, leg.speed);
+    else if (our_speed_[at(axis)])
+      text += speed(axis + 1, usual);
+  }
+  text += leg.text;
+  for (const int axis : {leg.axis, leg.second_axis})
+    if (axis >= 0 && leg.speed > 0) text += speed(axis + 1, known_speed_[at(axis)].value_or(default_speed));
+  return text + "R";
+}
+
+Task<Result<>> VxmDriver::begin(Job job) {
+  auto slot = co_await find_scratch();
+  if (!slot) co_return fail(slot.error());
+  scratch_ = *slot;
+  for (int i = 0; i < draft_.axis_count; ++i) draft_.axes[i].ended_by = EndedBy::nothing;
+  job_ = std::move(job);
+  co_return co_await start_leg();
+}
+
+Task<Result<>> VxmDriver::start_leg() {
+  const Leg& leg = job_.legs.front();
+  job_.leg_over = job_.limit_reported = false;
+  for (const int axis : {leg.axis, leg.second_axis})
+    if (axis >= 0) our_speed_[at(axis)] = our_speed_[at(axis)] || leg.speed > 0;
+  std::string program = leg_program(leg);
+  hold_on_ = false;
+  show_leg(leg);
+  auto sent = co_await say(std::move(program), Priority::intent);
+  if (sent) co_return sent;
+  // A stop came first: nothing of it has gone out.
+  const std::deque<Leg> never = std::exchange(job_.legs, {});
+  if (!never.empty()) show_leg_ended(never.front(), EndedBy::stop);
+  job_ = Job();
+  co_return sent;
+}
+
+void VxmDriver::show_leg(const Leg& leg) {
+  if (leg.activity == Activity::idle) return;
+  for (const int index : {leg.axis, leg.second_axis}) {
+    if (index < 0) continue;
+    AxisState& axis = draft_.axes[index];
+    axis.activity = leg.activity;
+    axis.direction = static_cast<std::int8_t>(factor(leg.sign));
+    axis.has_target = leg.target.has_value() && index == leg.axis;
+    if (axis.has_target) {
+      axis.target = *leg.target;
+      if (axis.position_known)
+        axis.direction = static_cast<std::int8_t>(axis.target < axis.position ? -1 : 1);
+    }
+    axis.speed = Pps{static_cast<double>(leg.speed > 0 ? leg.speed : known_speed_[at(index)].value_or(0))};
+  }
+}
+
+// Called whenever a leg may have ended: reads where it ended, and goes on to the next one or cleans up.
+Task<Result<>> VxmDriver::finish_leg() {
+  if (!job_.active() || !job_.leg_over) {
+    if (!busy() && scratch_ >= 0) co_return co_await clean_scratch();
+    co_return Result<>();
+  }
+  const Leg leg = job_.legs.front();
+  auto read = co_await read_positions(Priority::poll, true);
+  if (read && leg.activity != Activity::idle) read = co_await read_io('?', Priority::poll);
+  if (!read) co_return read;
+  if (!job_.active()) co_return Result<>();
+  const EndedBy ended_by = how_it_ended(leg);
+  const bool cut_off = ended_by == EndedBy::abort || ended_by == EndedBy::error || ended_by == EndedBy::lost;
+  for (const int axis : {leg.axis, leg.second_axis})
+    if (axis >= 0 && !cut_off) our_speed_[at(axis)] = false;
+  auto again = next_jog_leg(leg, ended_by);
+  job_.legs.pop_front();
+  if (again) job_.legs.push_back(std::move(*again));
+  if (ended_by != EndedBy::target) job_.legs.clear();
+  show_leg_ended(leg, ended_by);
+  if (job_.active()) co_return co_await start_leg();
+  job_ = Job();
+  stopping_ = Stopping::no;
+  co_return co_await clean_scratch();
+}
+
+EndedBy VxmDriver::how_it_ended(const Leg& leg) const {
+  if (job_.ended_by != EndedBy::nothing) return job_.ended_by;
+  if (leg.axis < 0 || leg.activity == Activity::idle || leg.activity == Activity::homing)
+    return EndedBy::target;
+  const AxisState& axis = draft_.axes[leg.axis];
+  if (!leg.target || axis.position == *leg.target) return EndedBy::target;
+  const bool at_limit = axis.direction > 0 ? axis.limit_plus : axis.limit_minus;
+  return at_limit || job_.limit_reported ? EndedBy::limit : EndedBy::stop;
+}
+
+void VxmDriver::show_leg_ended(const Leg& leg, EndedBy ended_by) {
+  for (const int index : {leg.axis, leg.second_axis}) {
+    if (index < 0) continue;
+    AxisState& axis = draft_.axes[index];
+    if (leg.activity != Activity::idle) {
+      axis.ended_by = ended_by;
+      if (ended_by == EndedBy::limit && !job_.jog)
+        tell(Notice::Kind::warning,
+             fmt::format("The {} limit switch ended the move of motor {} at {} steps{}.",
+                         axis.direction > 0 ? '+' : '-', index + 1, axis.position.value,
+                         axis.has_target
+                             ? fmt::format(", {} steps before {}",
+                                           std::abs((axis.target - axis.position).value), axis.target.value)
+                             : ""));
+      axis.activity = Activity::idle;
+      axis.direction = 0;
+      axis.has_target = false;
+      axis.speed = Pps{};
+    }
+    if (leg.zeroes && ended_by == EndedBy::target) axis.position_doubtful = false;
+  }
+}
+
+std::optional<VxmDriver::Leg> VxmDriver::next_jog_leg(const Leg& last, EndedBy ended_by) const {
+  if (!job_.jog || ended_by != EndedBy::target) return std::nullopt;
+  Leg leg = jog_leg(last.axis, last.sign, last.speed);
+  if (*leg.target == draft_.axes[last.axis].position) return std::nullopt;
+  return leg;
+}
+
+Task<Result<>> VxmDriver::clean_scratch() {
+  if (scratch_ < 0) co_return Result<>();
+  auto cleaned =
+      co_await say(empty_program(scratch_) + select_program(std::max(selected_, 0)), Priority::poll);
+  if (!cleaned) co_return cleaned;
+  scratch_ = -1;
+  co_return Result<>();
+}
+
+// Something that is over at once: its end is waited for.
+Task<Result<>> VxmDriver::run_quickly(Leg leg) {
+  Job job;
+  job.legs.push_back(std::move(leg));
+  auto begun = co_await begin(std::move(job));
+  if (!begun) co_return begun;
+  const Instant deadline = scheduler_.now() + quick_patience;
+  bool in_time = true;
+  while (link_ && job_.active() && !job_.leg_over && in_time) in_time = co_await news_.wait_until(deadline);
+  if (!in_time) {
+    auto state = co_await ask_state(Priority::intent);
+    if (!state) co_return fail(state.error());
+    auto taken = co_await take_state(*state);
+    if (!taken) co_return taken;
+  }
+  co_return co_await finish_leg();
+}
+
+// A leg that was cut off may have left its own speed behind.
+Task<Result<>> VxmDriver::restore_speeds() {
+  Leg leg;
+  for (int axis = 0; axis < draft_.axis_count; ++axis)
+    if (our_speed_[at(axis)]) leg.text += speed(axis + 1, known_speed_[at(axis)].value_or(default_speed));
+  if (leg.text.empty()) co_return Result<>();
+  auto restored = co_await run_quickly(std::move(leg));
+  if (restored) our_speed_.fill(false);
+  co_return restored;
+}
+
+}  // namespace hw::vxm
