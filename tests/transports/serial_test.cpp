@@ -1,5 +1,7 @@
 #include "transports/serial.h"
 
+#include <fstream>
+
 #include <fcntl.h>
 #include <grp.h>
 #include <gtest/gtest.h>
