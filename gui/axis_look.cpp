@@ -57,7 +57,7 @@ State state_of(const Snapshot& now, int axis, Instant clock) {
 State worst_state(const Snapshot& now, Instant clock) {
   if (now.link.state == LinkState::lost || now.link.state == LinkState::closed) return State::lost;
   State worst = now.link.state == LinkState::late ? State::stale : State::idle;
-  if (!now.notice.empty() || now.program.run == RunState::error) worst = State::fault;
+  if (now.program.run == RunState::error) worst = State::fault;
   for (int i = 0; i < now.axis_count; ++i) {
     const State state = state_of(now, i, clock);
     if (is_motion(state) && is_motion(worst) && state != worst)

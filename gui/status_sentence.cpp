@@ -47,7 +47,8 @@ Said say_link(const StatusFacts& f) {
 }
 
 Said say_error(const StatusFacts& f) {
-  if (!f.now.notice.empty()) return say(Mood::fault, std::string(f.now.notice.view()));
+  if (!f.now.notice.empty())
+    return say(f.now.program.run == RunState::error ? Mood::fault : Mood::warn, std::string(f.now.notice.view()));
   for (int i = 0; i < f.now.axis_count; ++i)
     if (f.now.axes[i].activity == Activity::error || f.now.axes[i].alarm)
       return say(Mood::fault,

@@ -163,7 +163,8 @@ void draw_right(const Work& w, const Box& box, bool over_centre) {
                                             ui[over_centre ? Tone::edge : Tone::line]);
   ImGui::SetCursorScreenPos(ImVec2(r.min.x + ui.hair(), r.min.y));
   begin_part(ui, "parts", r.width() - ui.hair(), r.height(), Tone::panel, 16);
-  w.draw_all(Place::right, {box.x + 16, box.y, box.width - 32, box.height});
+  const float beside_scrollbar = ImGui::GetContentRegionAvail().x / ui.scale;
+  w.draw_all(Place::right, {box.x + 16, box.y, std::min(box.width - 32, beside_scrollbar), box.height});
   end_part();
   if (w.layout.tier == Tier::wide)
     splitter(ui, "splitter/right", in_pixels(ui, {box.x, box.y, 1, box.height}), true,

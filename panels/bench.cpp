@@ -217,7 +217,7 @@ void Bench::draw_trouble(Frame& f) {
   section_title(ui, "Make trouble", {}, 32);
   Grid grid(ui, f.area.width);
   grid.next();
-  if (on_off(f, "bench/unplug", "Cable out", f.bench.unplugged, grid.cell(),
+  if (on_off(f, "bench/unplug", "Unplug", f.bench.unplugged, grid.cell(),
              "Pulls the cable out of the computer.")
           .clicked)
     f.operate_bench(bench::Unplug(!f.bench.unplugged));
@@ -236,28 +236,30 @@ void Bench::draw_trouble(Frame& f) {
 }
 
 void Bench::draw_axes(Frame& f) {
-  Ui& ui = f.ui;
+  Grid grid(f.ui, f.area.width);
   for (std::size_t i = 0; i < f.catalog.axes.size(); ++i) {
     const AxisId axis{static_cast<std::uint8_t>(i)};
     const std::string& name = f.catalog.axes[i].name;
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float third = (f.area.width - 16) / 3;
     const bool jammed = bit(f.bench.jammed, i);
-    if (on_off(f, Path("bench/jam/{}", name), Path("Jam {}", name), jammed, third, "The load cannot move.")
+    grid.next();
+    if (on_off(f, Path("bench/jam/{}", name), Path("Jam {}", name), jammed, grid.cell(), "The load cannot move.")
             .clicked)
       f.operate_bench(bench::Jam(axis, !jammed));
+  }
+  for (std::size_t i = 0; i < f.catalog.axes.size(); ++i) {
+    const AxisId axis{static_cast<std::uint8_t>(i)};
+    const std::string& name = f.catalog.axes[i].name;
     for (const Sign sign : {Sign::minus, Sign::plus}) {
       const bool by_hand =
           bit(sign == Sign::minus ? f.bench.limits_minus_by_hand : f.bench.limits_plus_by_hand, i);
-      const float x = (third + 8) * (sign == Sign::minus ? 1 : 2);
-      ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(x), at.y));
-      if (on_off(f, Path("bench/limit/{}/{}", name, letter(sign)), Path("{}{}", name, sign_text(sign)),
-                 by_hand, third, "Presses the limit switch by hand.")
+      grid.next();
+      if (on_off(f, Path("bench/limit/{}/{}", name, letter(sign)), Path("Hit {}{}", name, sign_text(sign)),
+                 by_hand, grid.cell(), "Presses the limit switch by hand.")
               .clicked)
         f.operate_bench(bench::Limit(axis, sign, !by_hand));
     }
-    ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(40)));
   }
+  grid.end();
 }
 
 void Bench::draw_inputs(Frame& f) {

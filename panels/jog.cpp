@@ -162,7 +162,8 @@ void Jog::draw_steps_column(Frame& f, float x, float width, float height) {
   for (std::size_t i = 0; i < steps_.size(); ++i) {
     ImGui::SetCursorScreenPos(
         ImVec2(origin_.x + f.ui.px(x), origin_.y + f.ui.px(std::floor(pitch * static_cast<float>(i)))));
-    draw_step(f, steps_[i], width, false);
+    const bool fits = text_width(f.ui, Face::body, steps_[i].label) + f.ui.px(16) <= f.ui.px(width);
+    draw_step(f, steps_[i], width, !fits);
   }
 }
 

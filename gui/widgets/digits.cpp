@@ -9,7 +9,11 @@
 namespace hw::gui {
 namespace {
 
-constexpr float unit_slot = 36;
+constexpr float unit_slot = 36;  // wider only for a unit that is a word
+
+float slot_px(const Ui& ui, std::string_view unit) {
+  return std::max(ui.px(unit_slot), text_width(ui, Face::title, unit) + ui.px(8));
+}
 
 void draw_hatching(Ui& ui, const Rect& r) {
   ImDrawList* list = ImGui::GetWindowDrawList();
@@ -26,7 +30,7 @@ Touch digits(Ui& ui, std::string_view id, std::string_view label, std::string_vi
              std::string_view unit, const DigitsOptions& o) {
   const float w = width_px(ui, o.width), h = ui.line(o.face);
   const Touch t = touch(ui, {id, Kind::button, label, number, {}, false, o.tip}, ImVec2(w, h));
-  const float right = t.rect.max.x - ui.px(unit_slot), figures = text_width(ui, o.face, number);
+  const float right = t.rect.max.x - slot_px(ui, unit), figures = text_width(ui, o.face, number);
   if (o.state == DigitsState::untrusted) {
     // Only as high as the figures: from cap height to base line, and 3 beyond.
     const float cap = size_of(o.face).em * 0.727f * ui.scale * 0.5f + ui.px(3), y = t.rect.centre().y;
