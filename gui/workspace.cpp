@@ -1,5 +1,7 @@
 #include "gui/workspace.h"
 
+#include <imgui_internal.h>
+
 #include <array>
 
 #include <fmt/format.h>
@@ -147,7 +149,9 @@ void draw_left(const Work& w) {
   ImGui::SetCursorScreenPos(ImVec2(ui.px(box.x), top));
   const float left_over = ui.px(box.bottom()) - top;
   begin_part(ui, "rest", ui.px(box.width) - ui.hair(), left_over, Tone::panel, 16);
-  w.draw_all(Place::left, {inner.x, top / ui.scale, inner.width, left_over / ui.scale});
+  const float beside_scrollbar = ImGui::GetContentRegionAvail().x / ui.scale;
+  w.draw_all(Place::left,
+             {inner.x, top / ui.scale, std::min(inner.width, beside_scrollbar), left_over / ui.scale});
   end_part();
   if (w.layout.tier == Tier::wide)
     splitter(ui, "splitter/left", in_pixels(ui, {box.right() - 1, box.y, 1, box.height}), true,
@@ -158,6 +162,8 @@ void draw_left(const Work& w) {
 void draw_right(const Work& w, const Box& box, bool over_centre) {
   Ui& ui = w.ui;
   begin_region(ui, over_centre ? "right over" : "right", in_pixels(ui, box), Tone::panel, ImVec2(0, 0));
+  // A region that comes later than the others would lie under them.
+  if (over_centre && ImGui::IsWindowAppearing()) ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
   const Rect r = in_pixels(ui, box);
   ImGui::GetWindowDrawList()->AddRectFilled(r.min, ImVec2(r.min.x + ui.hair(), r.max.y),
                                             ui[over_centre ? Tone::edge : Tone::line]);

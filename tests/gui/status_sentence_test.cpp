@@ -75,6 +75,8 @@ TEST_F(StatusSentenceTest, LostIsTheWorstAndNamesTheWayOut) {
 
 TEST_F(StatusSentenceTest, AnErrorOfTheControllerIsToldAsTheDriverTellsIt) {
   now.notice = "The program memory is full. Clear a program.";
+  EXPECT_EQ(say().mood, Mood::warn);
+  now.program.run = RunState::error;
   EXPECT_EQ(say(), (StatusSentence{Mood::fault, "The program memory is full. Clear a program."}));
 }
 

@@ -195,7 +195,8 @@ TEST(ScreensOnce, RailUnfoldsOverTheCentre) {
   EXPECT_FALSE(s.hand.exists("io/out/1"));
   ASSERT_TRUE(s.hand.click("rail/open").has_value());
   s.run(0.1);
-  EXPECT_TRUE(s.hand.click("io/out/1").has_value());
+  const auto clicked = s.hand.click("io/out/1");
+  EXPECT_TRUE(clicked) << clicked.error().sentence();
 }
 
 TEST(ScreensOnce, ControllersAreRenamedAndClosed) {
