@@ -14,7 +14,7 @@ namespace hw::app {
 namespace {
 
 // Everything here is also what a user's script can do: see the README.
-constexpr std::string_view script = R"lua(
+constexpr std::string_view demonstration = R"lua(
 local folder = hw.args[1]
 local function picture(name)
   ui.frame(3)
@@ -102,11 +102,11 @@ int headless_demo(const std::string& pictures) {
     std::fwrite(text.data(), 1, text.size(), stdout);
     std::fflush(stdout);
   };
-  options.log = options.print;
+  options.log = print_line;
   ScriptStage stage(scheduler, options.opener);
   options.stage = &stage;
   script::Runner runner(scheduler, std::move(options));
-  const auto ended = runner.run(script);
+  const auto ended = runner.run(demonstration);
   return ended ? done : complain(ended.error());
 }
 
