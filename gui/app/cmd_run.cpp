@@ -6,6 +6,7 @@
 #include "core/script/runner.h"
 #include "core/session/text_file.h"
 #include "gui/app/cli.h"
+#include "gui/app/script_stage.h"
 #include "gui/app/traffic_file.h"
 #include "gui/app/watchdog.h"
 #include "gui/app/wiring.h"
@@ -39,6 +40,9 @@ int run_script(const Given& given) {
 
   IoContext io{1};
   HybridScheduler scheduler(io, given.has("realtime"));
+  std::unique_ptr<ScriptStage> stage;
+  if (given.has("gui")) stage = std::make_unique<ScriptStage>(scheduler, options.opener);
+  options.stage = stage.get();
   script::Runner runner(scheduler, std::move(options));
   std::optional<Interruption> interruption;  // real motors are told to stop; virtual ones just end
   runner.on_real_time = [&] {

@@ -23,6 +23,7 @@ class IoThread {
   IoThread(const IoThread&) = delete;
   IoThread& operator=(const IoThread&) = delete;
   [[nodiscard]] Scheduler& scheduler() { return scheduler_; }
+
  private:
   IoContext io_{1};
   RealScheduler scheduler_{io_};

@@ -66,7 +66,7 @@ class Usage(Case):
         self.expect(run("--version"), 0, "handwheel ")
         result = run("--help")
         self.expect(result, 0)
-        for name in "run emulate send check simulate scan backup restore".split():
+        for name in "open demo run emulate send check simulate scan backup restore".split():
             self.assertIn(name, result.stdout)
             self.expect(run(name, "--help"), 0, "handwheel " + name)
 

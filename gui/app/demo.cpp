@@ -1,0 +1,113 @@
+#include "gui/app/demo.h"
+
+#include <cstdio>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "core/script/runner.h"
+#include "gui/app/cli.h"
+#include "gui/app/script_stage.h"
+#include "gui/app/wiring.h"
+
+namespace hw::app {
+namespace {
+
+// Everything here is also what a user's script can do: see the README.
+constexpr std::string_view demonstration = R"lua(
+local folder = hw.args[1]
+local function picture(name)
+  ui.frame(3)
+  ui.screenshot(folder .. "/" .. name .. ".png")
+  print("  picture: " .. folder .. "/" .. name .. ".png")
+end
+local function must(ok, why) hw.check(ok, why) return ok end
+
+ui.window(1440, 900)
+picture("connect")
+
+print("A Velmex VXM with two motors.")
+local c = must(hw.open("vxm@emulator"))
+must(c:set("M1M", 4))
+must(c:set("M2M", 4))
+c.bench:place(1, {minus = -4000, plus = 12000})
+print("  homing motor 1 to its limit switch ...")
+must(c:home(1, "-"))
+must(c:wait(120))
+print(string.format("  at the switch after %.1f s", hw.now()))
+must(c:move_by{[1] = 2000})
+must(c:wait(60))
+
+print("  a program: five strokes with a pulse on output 1")
+must(c:load("S1M4000\nA1M4\nLM0\nU4\nI1M1600\nU5\nP2\nI1M-1600\nL5", 0))
+local began = hw.now()
+must(c:run(0))
+hw.sleep(1.2)
+print(string.format("  motor 1 at %d steps, %.0f steps/s", c:position(1), c:velocity(1)))
+picture("program")
+must(c:wait(120))
+print(string.format("  done in %.1f s, motor 1 at %d steps", hw.now() - began, c:position(1)))
+
+print("  jogging motor 2, hand on the button")
+ui.press("jog/2/+")
+hw.sleep(1)
+picture("jog")
+ui.release("jog/2/+")
+c:wait(20)
+print("  let go: stopped at " .. c:position(2) .. " steps")
+
+print("A VXM Master with its Slave, four motors.")
+local d = must(hw.open("vxm@emulator,motors=4"))
+for m = 1, 4 do must(d:set("M" .. m .. "M", 4)) end
+must(d:move_to{[1] = 800, [2] = 400, [3] = 1200, [4] = -600})
+must(d:wait(60))
+print(string.format("  motors at %d, %d, %d, %d steps", d:position(1), d:position(2), d:position(3), d:position(4)))
+picture("four-motors")
+d.bench:unplug(true)
+hw.sleep(1)
+print("  cable pulled: " .. select(2, d:position(1)))
+picture("lost")
+d.bench:unplug(false)
+hw.sleep(6)
+print("  cable back: motor 1 at " .. tostring(d:position(1)) .. " steps")
+ui.theme("light")
+picture("light")
+print(string.format("%.0f s of emulated time.", hw.now()))
+)lua";
+
+}  // namespace
+
+void print_line(std::string_view line) {
+  fmt::print("{}\n", line);
+  std::fflush(stdout);
+}
+
+std::string folder_of_program() {
+  std::error_code error;
+  const auto self = std::filesystem::read_symlink("/proc/self/exe", error);
+  return error ? std::string(".") : self.parent_path().string();
+}
+
+int headless_demo(const std::string& pictures) {
+  std::error_code error;
+  std::filesystem::create_directories(pictures, error);
+  if (error) return complain(fmt::format("The folder {} cannot be made: {}.", pictures, error.message()));
+  IoContext io{1};
+  HybridScheduler scheduler(io, false);
+  script::RunOptions options;
+  options.path = "demo.lua";
+  options.args = {pictures};
+  options.opener = wire_opener();
+  options.print = [](std::string_view text) {
+    std::fwrite(text.data(), 1, text.size(), stdout);
+    std::fflush(stdout);
+  };
+  options.log = print_line;
+  ScriptStage stage(scheduler, options.opener);
+  options.stage = &stage;
+  script::Runner runner(scheduler, std::move(options));
+  const auto ended = runner.run(demonstration);
+  return ended ? done : complain(ended.error());
+}
+
+}  // namespace hw::app

@@ -1,0 +1,36 @@
+#pragma once
+// The screen of `run --gui`: the real console with the real panels, without a display, driven by a script.
+#include "core/script/module.h"
+#include "gui/automation.h"
+#include "gui/console.h"
+#include "gui/offscreen.h"
+#include "gui/worker.h"
+
+namespace hw::app {
+
+class ScriptStage final : public script::Stage {
+ public:
+  ScriptStage(Scheduler& scheduler, WireOpener opener);
+  ~ScriptStage() override;
+
+  void bind(lua_State* L) override;  ///< bind_ui.cpp
+  void opened(const std::shared_ptr<Session>& session) override;
+  void frame(Instant now) override;
+  void script_over() override;
+
+  gui::Automation& automation() { return automation_; }
+  /// As the user's own switch does, so that the console agrees.
+  Result<> set_theme(const std::string& name);
+
+ private:
+  gui::Outside outside(WireOpener opener);
+  Scheduler& scheduler_;
+  gui::Offscreen surface_;
+  gui::Worker worker_;  // without a thread: the same order in every run
+  gui::Console console_;
+  bool console_was_dark_ = true;
+  script::Runner* runner_ = nullptr;
+  gui::Automation automation_;
+};
+
+}  // namespace hw::app

@@ -1,0 +1,213 @@
+#!/usr/bin/env python3
+"""The console's window under Xvfb, worked with a real mouse and keyboard. What it does is seen on the wire: a
+silent second client of the emulator hears every reply of the controller."""
+import os
+import pathlib
+import re
+import signal
+import socket
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import unittest
+
+PROGRAM = os.environ.get("HANDWHEEL", "build/handwheel")
+WIDTH, HEIGHT = 1440, 900
+
+
+class Wire:
+    """Listens to what the controller says."""
+
+    def __init__(self, port):
+        self.text = ""
+        self.socket = socket.create_connection(("127.0.0.1", port), timeout=10)
+        self.thread = threading.Thread(target=self._listen, daemon=True)
+        self.thread.start()
+
+    def _listen(self):
+        self.socket.settimeout(None)
+        while data := self.socket.recv(65536):
+            self.text += data.decode("latin-1")
+
+    def mark(self):
+        return len(self.text)
+
+    def positions(self, since=0):
+        """Of motors 1 and 2 in turn, as the console asks for them."""
+        return [int(p) for p in re.findall(r"([+-]\d{7})\r", self.text[since:])]
+
+    def first_motor(self, since=0):
+        return self.positions(since)[::2]
+
+
+class Window(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        home = pathlib.Path(self.folder.name)
+        display = f":{90 + os.getpid() % 500}"
+        self.env = {**os.environ, "DISPLAY": display, "XDG_CONFIG_HOME": str(home / "config"),
+                    "XDG_STATE_HOME": str(home / "state"), "LIBGL_ALWAYS_SOFTWARE": "1"}
+        self.env.pop("WAYLAND_DISPLAY", None)
+        self.start(["Xvfb", display, "-screen", "0", f"{WIDTH}x{HEIGHT}x24", "-nolisten", "tcp"])
+        emulator = self.start([PROGRAM, "emulate", "vxm", "--tcp", "127.0.0.1:0"], stdout=subprocess.PIPE, text=True)
+        self.port = int(emulator.stdout.readline().rsplit(":", 1)[1])
+        self.address = f"vxm@tcp:127.0.0.1:{self.port}"
+        subprocess.run([PROGRAM, "send", self.address, "setM1M4", "setM2M4"], check=True, timeout=60)
+        self.places = self.layout()
+        self.console = self.start([PROGRAM, "open", self.address], env=self.env, stderr=subprocess.PIPE, text=True)
+        self.window = self.wait_for_window()
+        self.wire = Wire(self.port)
+        self.wait_until(lambda: len(self.wire.positions()) > 4, "the console polls")
+
+    def start(self, command, **more):
+        process = subprocess.Popen(command, **more)
+
+        def end():
+            process.send_signal(signal.SIGTERM)
+            try:
+                process.wait(10)
+            except subprocess.TimeoutExpired:
+                process.kill()
+                process.wait()
+            for pipe in (process.stdout, process.stderr):
+                if pipe:
+                    pipe.close()
+
+        self.addCleanup(end)
+        return process
+
+    def layout(self):
+        """Where things are in a window of this size: laid out once without one."""
+        script = pathlib.Path(self.folder.name) / "layout.lua"
+        script.write_text(f"local c = assert(hw.open('vxm@tcp:127.0.0.1:{self.port}'))\n"
+                          f"ui.window({WIDTH}, {HEIGHT}) hw.sleep(1)\n"
+                          "for _, w in ipairs(ui.list()) do local r = w.rectangle\n"
+                          "print(w.id .. '\\t' .. math.floor(r.x + r.width / 2) .. '\\t' .. "
+                          "math.floor(r.y + r.height / 2)) end")
+        listed = subprocess.run([PROGRAM, "run", "--gui", str(script)], check=True, capture_output=True, text=True,
+                                timeout=120).stdout
+        return {i: (int(x), int(y)) for i, x, y in (line.split("\t") for line in listed.splitlines())}
+
+    def wait_until(self, condition, what, patience=30):
+        end = time.monotonic() + patience
+        while not condition():
+            self.assertLess(time.monotonic(), end, f"{what}: not within {patience} s")
+            time.sleep(0.05)
+
+    def xdo(self, *command):
+        return subprocess.run(["xdotool", *map(str, command)], env=self.env, check=True, capture_output=True,
+                              text=True, timeout=30).stdout.strip()
+
+    def wait_for_window(self):
+        found = []
+
+        def look():
+            self.assertIsNone(self.console.poll(), "the console has ended")
+            result = subprocess.run(["xdotool", "search", "--onlyvisible", "--name", "Handwheel"], env=self.env,
+                                    capture_output=True, text=True)
+            found[:] = result.stdout.split()
+            return bool(found)
+
+        self.wait_until(look, "the window opens", 60)
+        self.xdo("windowmove", found[0], 0, 0)
+        self.xdo("windowsize", found[0], WIDTH, HEIGHT)
+        self.xdo("windowfocus", found[0])
+        time.sleep(1)
+        return found[0]
+
+    def point(self, widget):
+        self.assertIn(widget, self.places)
+        self.xdo("mousemove", *self.places[widget])
+        time.sleep(0.2)
+
+    def at_rest(self):
+        """The position at which motor 1 stays."""
+        last = [None, time.monotonic()]
+
+        def still():
+            now = self.wire.first_motor()[-1]
+            if now != last[0]:
+                last[:] = [now, time.monotonic()]
+            return time.monotonic() - last[1] > 1
+
+        self.wait_until(still, "motor 1 comes to rest")
+        return last[0]
+
+
+class Hold(Window):
+    def test_holding_a_jog_button_moves_until_it_is_let_go(self):
+        begin = self.at_rest()
+        self.point("jog/1/+")
+        self.xdo("mousedown", 1)
+        time.sleep(1.5)
+        moving = self.wire.first_motor()[-1]
+        self.assertGreater(moving, begin + 400, "moves while it is held")
+        self.xdo("mouseup", 1)
+        stopped = self.at_rest()
+        self.assertLess(stopped, moving + 6000)
+        time.sleep(1)
+        self.assertEqual(self.wire.first_motor()[-1], stopped, "stays")
+
+
+class Type(Window):
+    def test_a_command_typed_into_the_terminal(self):
+        self.at_rest()
+        begin = self.wire.mark()
+        self.point("terminal/command")
+        self.xdo("click", 1)
+        time.sleep(0.3)
+        self.xdo("type", "--delay", 40, "getD1")
+        self.xdo("key", "Return")
+        self.wait_until(lambda: "12-29-04\r" in self.wire.text[begin:], "the answer to getD1")
+
+
+class Escape(Window):
+    def test_escape_stops_a_held_jog(self):
+        begin = self.at_rest()
+        self.point("jog/1/+")
+        self.xdo("mousedown", 1)
+        self.wait_until(lambda: self.wire.first_motor()[-1] > begin + 300, "moves")
+        self.xdo("key", "Escape")
+        stopped = self.at_rest()
+        time.sleep(1)
+        self.assertEqual(self.wire.first_motor()[-1], stopped, "stopped though the button is still down")
+        self.xdo("mouseup", 1)
+        time.sleep(0.7)
+        self.assertEqual(self.wire.first_motor()[-1], stopped, "letting go starts nothing")
+
+    def test_escape_stops_a_move_while_typing(self):
+        self.at_rest()
+        self.point("terminal/command")
+        self.xdo("click", 1)
+        self.xdo("type", "--delay", 40, "PM0,C,I1M40000,R")
+        self.xdo("key", "Return")
+        begin = self.wire.first_motor()[-1]
+        self.wait_until(lambda: self.wire.first_motor()[-1] > begin + 1000, "moves")
+        self.xdo("key", "Escape")
+        stopped = self.at_rest()
+        self.assertLess(stopped, begin + 20000, "stopped on the way")
+
+
+class Close(Window):
+    def test_closing_the_window_stops_a_held_jog(self):
+        begin = self.at_rest()
+        self.point("jog/1/+")
+        self.xdo("mousedown", 1)
+        self.wait_until(lambda: self.wire.first_motor()[-1] > begin + 300, "moves")
+        self.console.send_signal(signal.SIGTERM)
+        self.assertEqual(self.console.wait(30), 0)
+        time.sleep(2.5)  # the ramp
+        for _ in range(2):
+            here = subprocess.run([PROGRAM, "send", self.address, "X"], check=True, capture_output=True, text=True,
+                                  timeout=60).stdout.split()[0]
+            time.sleep(0.5)
+            there = subprocess.run([PROGRAM, "send", self.address, "X"], check=True, capture_output=True, text=True,
+                                   timeout=60).stdout.split()[0]
+        self.assertEqual(here, there)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
