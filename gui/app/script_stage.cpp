@@ -17,6 +17,7 @@ ScriptStage::ScriptStage(Scheduler& scheduler, WireOpener opener)
       automation_(
           surface_, [this] { runner_->run_one_frame(); }, [this] { return seconds(scheduler_.now()); }) {
   console_.attach(surface_.screen().keyboard());
+  frame(scheduler_.now());  // a script may look at the screen before it waits for the first time
 }
 
 ScriptStage::~ScriptStage() = default;
