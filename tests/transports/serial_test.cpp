@@ -135,8 +135,10 @@ TEST_F(Serial, TheProgramThatHoldsItIsNamed) {
   char c;
   ASSERT_EQ(::read(ready[0], &c, 1), 1);
   const std::string sentence = refusal_sentence(port, PortRefusal::busy);
-  EXPECT_NE(sentence.find("transport_tests (process " + std::to_string(holder) + ") holds it"),
-            std::string::npos)
+  std::string self;
+  std::ifstream comm("/proc/self/comm");
+  std::getline(comm, self);
+  EXPECT_NE(sentence.find(self + " (process " + std::to_string(holder) + ") holds it"), std::string::npos)
       << sentence;
   ::kill(holder, SIGKILL);
   ::waitpid(holder, nullptr, 0);
