@@ -61,6 +61,7 @@ void Tab::refresh() {
   session_->notices().drain([this](Notice& notice) { take(notice); });
   desk_.traffic.drain(session_->traffic());
   follow_fates();
+  tell_what_is_watched();
   find_why_not_move();
   desk_.refresh(*now_, clock_, [this](IntentBody body) { return send(std::move(body)); });
 }
@@ -70,6 +71,7 @@ void Tab::show(const Snapshot& snapshot, const BenchView& bench, Instant clock) 
   bench_ = &bench;
   clock_ = clock;
   follow_fates();
+  tell_what_is_watched();
   find_why_not_move();
   desk_.refresh(*now_, clock_, [this](IntentBody body) { return send(std::move(body)); });
 }
@@ -114,6 +116,20 @@ void Tab::follow_fates() {
     return true;
   };
   std::erase_if(followed_, settled);
+}
+
+// What was drawn since the last call. A controller that was away has forgotten nothing, but its driver may
+// have.
+void Tab::tell_what_is_watched() {
+  const std::uint32_t groups = std::exchange(looked_at_, 0);
+  const bool there = now_->link.state == LinkState::good || now_->link.state == LinkState::late;
+  if (!there) {
+    watched_ = 0;
+    return;
+  }
+  if (groups == watched_) return;
+  watched_ = groups;
+  send(intent::Watch(groups));
 }
 
 void Tab::find_why_not_move() {

@@ -58,6 +58,13 @@ class Tab {
   [[nodiscard]] std::string_view why_not_move() const { return why_not_move_; }
   void stop_all();  ///< Stop to this controller; a held jog is forgotten, since the stop ends it
 
+  /// A panel that shows these values is drawn in this frame: they are asked for in each round while it is,
+  /// see intent::Watch. Bit n = group n of Catalog::readout_groups.
+  void look_at(std::uint32_t groups) { looked_at_ |= groups; }
+  void look_at_group(int group) {
+    if (group >= 0) look_at(1u << group);
+  }
+
   // ---- names and units
   Profile profile;
   std::string profile_key;       ///< what the profile is kept under
@@ -89,6 +96,7 @@ class Tab {
 
  private:
   void follow_fates();
+  void tell_what_is_watched();
   void find_why_not_move();
   void take(Notice& notice);
   void work_out_units();
@@ -105,6 +113,7 @@ class Tab {
   Instant clock_{};
   std::array<DisplayUnit, max_axes> units_;
   std::string why_not_move_;
+  std::uint32_t looked_at_ = 0, watched_ = 0;
   LinkState told_link_ = LinkState::closed;
   ProgramState told_program_;
   bool told_ = false;
