@@ -102,8 +102,9 @@ struct ProgramFacts {
 
 /// What can be chosen before a controller is opened or its emulator started: key=value of an address.
 struct OptionInfo {
-  std::string key;                                           ///< "motors"
-  std::vector<std::pair<std::string, std::string>> choices;  ///< value and label: "4", "4 motors"; first: usual
+  std::string key;  ///< "motors"
+  std::vector<std::pair<std::string, std::string>>
+      choices;  ///< value and label: "4", "4 motors"; first: usual
 };
 
 enum class LampColour : std::uint8_t { green, yellow, red };
@@ -131,6 +132,7 @@ struct Capabilities {
   bool one_axis_at_a_time = false;
   bool homes = true;
   bool reset = false;
+  bool addressed = false;  ///< several can share one wire, each with an id of two digits (Catalog::id)
   int usual_baud = 9600;
   std::vector<int> bauds;
 };
@@ -140,6 +142,7 @@ struct Catalog {
   std::string name;        ///< "Velmex VXM"
   std::string short_name;  ///< "VXM"
   std::string summary;     ///< "stepping motors, 2 or 4"
+  std::string id;  ///< addressed: which device of its wire this is, "07"; id= of the address or the usual one
   std::string step_word = "steps";
   std::vector<OptionInfo> options;
   std::vector<AxisInfo> axes;

@@ -7,7 +7,7 @@
 
 #include "core/device/driver.h"
 #include "core/device/registry.h"
-#include "core/link/link.h"
+#include "core/link/station.h"
 #include "core/time/scheduler.h"
 
 namespace hw {
@@ -15,7 +15,7 @@ namespace hw {
 class Pump {
  public:
   struct Ways {
-    std::function<Task<Result<std::unique_ptr<Stream>>>()> open_wire;
+    std::function<Task<Result<std::shared_ptr<Link>>>()> open_wire;  ///< an open one, shared or new
     std::function<void(const Snapshot&)> publish;
     std::function<void(Notice)> notify;
     TrafficRing* traffic = nullptr;
@@ -68,7 +68,7 @@ class Pump {
   Ways ways_;
   Snapshot draft_;
   std::unique_ptr<Driver> driver_;
-  std::unique_ptr<Link> link_;
+  std::unique_ptr<Station> station_;
   std::deque<std::unique_ptr<Job>> queue_;
   Event wake_, published_, ended_;
   Timer dead_man_;
