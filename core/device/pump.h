@@ -29,6 +29,9 @@ class Pump {
   Task<> shut_down();
 
   void post(Intent intent);
+  /// Before the stops of all devices on this wire: the maker's one message to all, if there is one. False: there
+  /// is no connection.
+  bool stop_wire(bool at_once);
   /// Raw text and its reply, in the order of intents.
   Task<Result<std::string>> query(std::string text, Duration patience);
 
@@ -50,8 +53,9 @@ class Pump {
   Task<> live();
   Task<> serve();
   Task<> perform_next();
-  Task<> run_stop(Intent intent);
-  Task<> stop_and_report(Intent intent, int axis, bool at_once);
+  Task<Result<>> stop_as_asked(const IntentBody& body);
+  Task<> stop_and_report(Intent intent);
+  Task<> run_stop_wire(bool at_once);
   Task<bool> open_and_connect();
   Task<> wait_for_retry();
   void post_stop(Intent intent);
