@@ -37,18 +37,25 @@ class Console {
   Result<Tab*> open(std::string_view address);
   /// The same for a session that somebody else has opened (a script). It is closed with the tab.
   Tab& adopt(std::shared_ptr<Session> session);
+  /// The same for all of a wire: one controller, or one tab for all of a bus. The tab of the first is returned.
+  Tab& adopt(std::shared_ptr<SessionGroup> group);
   /// The same for one that is not a session's (tests).
   Tab& add(std::unique_ptr<Tab> tab);
-  void close(Tab& tab);
+  /// Puts tabs that were added before onto one bus.
+  void join(std::vector<Tab*> members, std::string name, std::shared_ptr<SessionGroup> group = nullptr);
+  void close(Tab& tab);  ///< and all others of its bus
   void close_all();
   /// Sessions that were told to close and are not done yet. The scheduler must run until it is 0.
   [[nodiscard]] int closing() const { return *closing_; }
   void rename(Tab& tab, std::string name);
   void reconnect(Tab& tab);
   [[nodiscard]] const std::vector<std::unique_ptr<Tab>>& tabs() const { return tabs_; }
+  /// Has a tab in the top bar: alone, or the chosen one of its bus.
+  [[nodiscard]] static bool is_face(const Tab& tab);
+  [[nodiscard]] int faces() const;
   /// Null: a page is in front.
   [[nodiscard]] Tab* active();
-  void activate(Tab& tab);
+  void activate(Tab& tab);  ///< of a bus: chooses this one
   void activate_next(int direction);
 
   // ---- what is shown
@@ -96,6 +103,8 @@ class Console {
 
  private:
   void refresh(Ui& ui);
+  Tab& make_tab(std::shared_ptr<Session> session, bool on_bus);
+  void close_one(Tab& tab);
   void tell_news(Tab& tab);
   void tell(const Result<>& outcome);
   void jog_key(Tab& tab, Command key, bool down, double at_s);

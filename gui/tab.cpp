@@ -29,12 +29,18 @@ static Tab::Door door_of(Session& session) {
           [&session](BenchCommand command) { session.operate_bench(std::move(command)); }};
 }
 
-Tab::Tab(std::shared_ptr<Session> session, std::string key)
+static Catalog catalog_on(const Catalog& catalog, bool bus) {
+  Catalog c = catalog;
+  if (bus && c.axes.size() == 1 && !c.id.empty()) c.axes[0].name = c.id;
+  return c;
+}
+
+Tab::Tab(std::shared_ptr<Session> session, std::string key, bool on_bus)
     : profile_key(std::move(key)),
       jog([this](IntentBody body) { return send_followed(std::move(body)); }),
       session_(std::move(session)),
       address_(session_->address()),
-      catalog_(session_->catalog()),
+      catalog_(catalog_on(session_->catalog(), on_bus)),
       door_(door_of(*session_)),
       desk_(catalog_, session_->type().language ? &session_->type().language() : nullptr,
             session_->type().explain) {
@@ -155,6 +161,7 @@ void Tab::find_why_not_move() {
 }
 
 std::string_view Tab::name() const {
+  if (bus) return bus->name;
   return profile.name.empty() ? std::string_view(catalog_.short_name) : std::string_view(profile.name);
 }
 

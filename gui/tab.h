@@ -10,6 +10,7 @@
 #include "core/device/registry.h"
 #include "core/session/address.h"
 #include "core/session/profile.h"
+#include "gui/bus.h"
 #include "gui/desk.h"
 #include "gui/jog_hold.h"
 #include "gui/panel.h"
@@ -29,7 +30,8 @@ class Tab {
     std::function<void(BenchCommand)> operate_bench;
   };
 
-  Tab(std::shared_ptr<Session> session, std::string profile_key);
+  /// `on_bus`: a controller of one axis is called by its id, so that its widgets are.
+  Tab(std::shared_ptr<Session> session, std::string profile_key, bool on_bus = false);
   Tab(Address address, Catalog catalog, Door door, const Language* language = nullptr,
       TrafficLog::Explain explain = nullptr);
   Tab(const Tab&) = delete;
@@ -88,6 +90,8 @@ class Tab {
   [[nodiscard]] std::vector<std::string>& complaints() { return complaints_; }
 
   // ---- view
+  std::shared_ptr<Bus> bus;  ///< null: alone on its wire
+  [[nodiscard]] std::string_view id() const { return catalog_.id; }  ///< which device of its wire; may be empty
   JogHold jog;
   bool unset_read = false;   ///< the user has read what should be chosen before the first move
   std::string centre_panel;  ///< id of the panel in front

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "gui/area.h"
+#include "gui/catalog_places.h"
 #include "gui/tab.h"
 #include "gui/widgets/text.h"
 #include "panels/analog_bar.h"
@@ -16,10 +17,8 @@ namespace {
 
 constexpr float title_height = 36, between_columns = 32, below_section = 12;
 
-int analog_count(const Catalog& c, std::string_view group) {
-  return static_cast<int>(std::count_if(c.analog.begin(), c.analog.end(), [&](const AnalogInfo& a) {
-    return !group.empty() && a.group == group;
-  }));
+int analog_count(const Catalog& c, std::string_view heading) {
+  return heading == joystick_heading ? static_cast<int>(c.analog.size()) : 0;
 }
 
 std::string_view told(const auto& text) { return text.empty() ? std::string_view("not told") : text.view(); }
@@ -102,11 +101,8 @@ void Control::draw_section(Frame& f, Section& s, float width) {
                  ui[Tone::ink], s.title);
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(title_height)));
   if (s.readouts >= 0) draw_readouts(f, s.readouts, width);
-  for (std::size_t n = 0; n < f.catalog.analog.size(); ++n)
-    if (!s.title.empty() && f.catalog.analog[n].group == s.title) {
-      const int number = static_cast<int>(n) + 1;
-      draw_analog_bar(f, Path("control/analog/{}", number), number, width);
-    }
+  for (int n = 1; n <= analog_count(f.catalog, s.title); ++n)
+    draw_analog_bar(f, Path("control/analog/{}", n), n, width);
   if (s.readouts >= 0 && !s.actions.empty()) gap(ui, 8);
   draw_actions(f, s, width);
   gap(ui, below_section - 4);

@@ -7,6 +7,7 @@
 
 #include "core/session/text_file.h"
 #include "gui/area.h"
+#include "gui/catalog_places.h"
 #include "gui/console.h"
 #include "gui/tab.h"
 #include "gui/widgets/button.h"
@@ -40,8 +41,7 @@ float cell_width(const Catalog& c, float width) {
 void Moves::draw(Frame& f) {
   if (!std::exchange(made_, true))
     for (std::size_t i = 0; i < f.catalog.actions.size(); ++i)
-      if (f.catalog.actions[i].group == f.catalog.move_list.group)
-        actions_.emplace_back(f.catalog, static_cast<int>(i));
+      if (f.catalog.actions[i].group == buffer_heading) actions_.emplace_back(f.catalog, static_cast<int>(i));
   follow(f);
   draw_toolbar(f);
   draw_file_line(f);
@@ -247,9 +247,8 @@ bool Moves::draw_row(Frame& f, std::size_t row, float width) {
 
 void Moves::draw_side(Frame& f, float width) {
   Ui& ui = f.ui;
-  const std::string& title = f.catalog.move_list.group;
-  section_title(ui, title.empty() ? std::string_view("Buffer") : std::string_view(title));
-  draw_readouts(f, readout_group(f.catalog, title), width);
+  section_title(ui, buffer_heading);
+  draw_readouts(f, readout_group(f.catalog, buffer_heading), width);
   gap(ui, 8);
   for (ActionForm& a : actions_) {
     if (a.only_a_button()) {
@@ -260,9 +259,8 @@ void Moves::draw_side(Frame& f, float width) {
       a.draw(f, width);
     }
   }
-  for (const std::string& mnemonic : f.catalog.move_list.params)
-    if (const int param = f.catalog.find_param(mnemonic); param >= 0)
-      draw_param(f, static_cast<std::size_t>(param), width);
+  for (std::size_t i = 0; i < f.catalog.params.size(); ++i)
+    if (belongs_to_buffer(f.catalog.params[i])) draw_param(f, i, width);
 }
 
 /// A parameter of two values, in force at once.

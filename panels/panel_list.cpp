@@ -1,6 +1,8 @@
 #include "panels/panel_list.h"
 
+#include "gui/tab.h"
 #include "panels/bench.h"
+#include "panels/bus_rows.h"
 #include "panels/connect.h"
 #include "panels/control.h"
 #include "panels/goto_home.h"
@@ -19,6 +21,7 @@ namespace hw::panels {
 namespace {
 
 using gui::Place;
+using gui::Tab;
 
 template <class T>
 std::unique_ptr<gui::Panel> make() {
@@ -29,18 +32,21 @@ std::unique_ptr<gui::Page> make_page() {
   return std::make_unique<T>();
 }
 
-bool has_signals(const Catalog& c, bool) {
-  return !c.inputs.empty() || !c.outputs.empty() || !c.analog.empty();
+bool has_signals(const Tab& t) {
+  return !t.catalog().inputs.empty() || !t.catalog().outputs.empty() || !t.catalog().analog.empty();
 }
-bool has_programs(const Catalog& c, bool) { return c.program.slots > 0; }
-bool has_parameters(const Catalog& c, bool) { return !c.params.empty(); }
-bool controls(const Catalog& c, bool) { return has_control(c); }
-bool has_variables(const Catalog& c, bool) { return c.variables.count > 0; }
-bool has_move_list(const Catalog& c, bool) { return !c.move_list.columns.empty(); }
-bool has_bench(const Catalog&, bool emulated) { return emulated; }
+bool has_programs(const Tab& t) { return t.catalog().program.slots > 0; }
+bool has_parameters(const Tab& t) { return !t.catalog().params.empty(); }
+bool controls(const Tab& t) { return has_control(t.catalog()); }
+bool has_variables(const Tab& t) { return t.catalog().variables.count > 0; }
+bool has_move_list(const Tab& t) { return !t.catalog().move_list.columns.empty(); }
+bool has_bench(const Tab& t) { return t.bench().present; }
+bool is_alone(const Tab& t) { return !t.bus; }
+bool is_on_bus(const Tab& t) { return t.bus != nullptr; }
 
 constexpr gui::PanelEntry panels[] = {
-    {"position", "Position", Place::top_left, make<Position>, nullptr},
+    {"position", "Position", Place::top_left, make<Position>, is_alone},
+    {"bus", "Bus", Place::top_left, make<BusRows>, is_on_bus},
     {"jog", "Jog", Place::left, make<Jog>, nullptr},
     {"goto_home", "Go to, home", Place::left, make<GotoHome>, nullptr},
     {"program", "Program", Place::centre, make<Program>, has_programs},

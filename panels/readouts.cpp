@@ -147,12 +147,6 @@ ReadoutText::ReadoutText(const Frame& f, std::size_t i) {
   size_ = std::min<std::size_t>(end.size, sizeof bytes_);
 }
 
-int readout_group(const Catalog& c, std::string_view name) {
-  for (std::size_t i = 0; i < c.readout_groups.size(); ++i)
-    if (c.readout_groups[i] == name) return static_cast<int>(i);
-  return -1;
-}
-
 float readouts_height(const Catalog& c, int group) {
   Run columns[static_cast<std::size_t>(most_columns)];
   float height = static_cast<float>(count_single(c, group)) * row_height;

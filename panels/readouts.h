@@ -27,7 +27,5 @@ class ReadoutText {
 void draw_readouts(gui::Frame& frame, int group, float width);
 /// What draw_readouts() takes, logical.
 float readouts_height(const Catalog& catalog, int group);
-/// Index in Catalog::readout_groups; -1: none has this name.
-int readout_group(const Catalog& catalog, std::string_view name);
 
 }  // namespace hw::panels

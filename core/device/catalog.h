@@ -44,8 +44,6 @@ struct OutputInfo {
 struct AnalogInfo {
   std::string name, unit;  ///< "Analog", "counts"
   std::int32_t minimum, maximum;
-  int readout_group = -1;  ///< watched as this group; -1: always polled
-  std::string group{};     ///< heading of the actions that it belongs to ("Joystick"); empty: none
 };
 
 struct ParamChoice {
@@ -136,8 +134,6 @@ struct MoveListFacts {
   std::vector<ActionField> columns;  ///< empty: no such buffer
   int depth = 0;                     ///< places in the buffer
   std::string file_suffix;
-  std::string group;                ///< heading of the actions and readouts that belong to it
-  std::vector<std::string> params;  ///< mnemonics of the parameters that do
 };
 
 struct CommandInfo {

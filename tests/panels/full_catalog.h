@@ -98,7 +98,7 @@ inline Catalog full_catalog() {
   for (int i = 1; i <= 8; ++i) c.inputs.push_back({"DI" + std::to_string(i), "digital input", false});
   for (int i = 1; i <= 8; ++i) c.outputs.push_back({"DO" + std::to_string(i), "digital output", true});
   for (int i = 1; i <= 8; ++i)
-    c.analog.push_back({"AI" + std::to_string(i), "mV", 0, 5000, 5, i <= 4 ? "Joystick" : ""});
+    c.analog.push_back({"AI" + std::to_string(i), "mV", 0, 5000});
   add_full_readouts(c);
   add_full_actions(c);
   c.variables.count = 100, c.variables.stored_from = 50, c.variables.readout_group = 3;
@@ -106,8 +106,7 @@ inline Catalog full_catalog() {
   c.move_list.columns = {full_field("x", "X", -134'217'728, 134'217'727, 0, "pulses"),
                          full_field("y", "Y", -134'217'728, 134'217'727, 0, "pulses"),
                          full_field("speed", "Speed", 1, 6'000'000, 1000, "pulses/s")};
-  c.move_list.depth = 36, c.move_list.file_suffix = ".moves", c.move_list.group = "Buffer";
-  c.move_list.params = {"IACC"};
+  c.move_list.depth = 36, c.move_list.file_suffix = ".moves";
   c.program.slots = 1, c.program.slot_word = "Program", c.program.capacity = 1275;
   c.program.capacity_unit = "lines", c.program.threads = 4, c.program.compiled = true;
   c.program.file_suffix = ".prg";
