@@ -1,5 +1,6 @@
 #pragma once
 #include "gui/panel.h"
+#include "gui/units_format.h"
 #include "gui/widgets/digits.h"
 #include "panels/axis_menu.h"
 
@@ -17,6 +18,7 @@ class Position final : public gui::Panel {
   void draw_axis(gui::Frame& frame, AxisId axis, float width, gui::Face face, bool in_strip);
   void draw_digits(gui::Frame& frame, AxisId axis, float width, gui::Face face);
   void draw_captions(gui::Frame& frame, AxisId axis, ImVec2 at, float width);
+  static gui::NumberText where_to(const gui::Frame& frame, AxisId axis, bool whole);
 
   AxisMenu menu_;
 };

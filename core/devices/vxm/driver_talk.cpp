@@ -318,31 +318,6 @@ void VxmDriver::warn_of_flaws(const std::vector<TextCommand>& commands) {
   }
 }
 
-Task<Result<>> VxmDriver::send_text(std::string text) {
-  if (ends_open(text)) text += '\r';
-  const auto commands = read_text(text);
-  for (const TextCommand& c : commands) {
-    const bool taken_while_running =
-        c.verb == Verb::letter && accepted_while_running.find(c.letter) != std::string_view::npos;
-    if (job_.active() && !taken_while_running && !(c.verb == Verb::word && c.name == "res"))
-      co_return fail(
-          FaultKind::refused,
-          fmt::format("A move of the console is under way, and the controller does not take {} then.",
-                      canonical(c)),
-          "Nothing was sent.", "Wait until it ends, or stop it.");
-  }
-  warn_of_flaws(commands);
-  bool echo = false;
-  for (const TextCommand& c : commands)
-    echo = c.verb == Verb::letter ? c.letter == 'E' || (echo && c.letter != 'F') : echo;
-  if (echo) {
-    text += 'F';
-    tell(Notice::Kind::info, "Echo was switched off again: the console shows what it sends by itself.");
-  }
-  note_sent(commands);
-  co_return co_await say(std::move(text), Priority::intent);
-}
-
 namespace {
 /// How the answer to the last command of a text ends.
 struct AnswerShape {
@@ -368,7 +343,47 @@ std::optional<AnswerShape> answer_shape(const TextCommand& c, int motors, bool l
     return a.shape = ReplyShape::line(), a.stranger = before_number, a;
   return std::nullopt;
 }
+/// Asks only: nothing else comes of it.
+bool is_question(const TextCommand& c) {
+  return c.verb == Verb::get || c.verb == Verb::ask_selected || c.verb == Verb::ask_associate ||
+         (c.verb == Verb::word && c.name == "lst") ||
+         (c.verb == Verb::letter && std::string_view("VXYZTM#*@xy?~$").find(c.letter) != std::string_view::npos);
+}
 }  // namespace
+
+Task<Result<>> VxmDriver::send_text(std::string text) {
+  if (ends_open(text)) text += '\r';
+  const auto commands = read_text(text);
+  for (const TextCommand& c : commands) {
+    const bool taken_while_running =
+        c.verb == Verb::letter && accepted_while_running.find(c.letter) != std::string_view::npos;
+    if (job_.active() && !taken_while_running && !(c.verb == Verb::word && c.name == "res"))
+      co_return fail(
+          FaultKind::refused,
+          fmt::format("A move of the console is under way, and the controller does not take {} then.",
+                      canonical(c)),
+          "Nothing was sent.", "Wait until it ends, or stop it.");
+  }
+  warn_of_flaws(commands);
+  bool echo = false;
+  for (const TextCommand& c : commands)
+    echo = c.verb == Verb::letter ? c.letter == 'E' || (echo && c.letter != 'F') : echo;
+  if (echo) {
+    text += 'F';
+    tell(Notice::Kind::info, "Echo was switched off again: the console shows what it sends by itself.");
+  }
+  note_sent(commands);
+  std::optional<AnswerShape> answer;
+  const bool idle = mode_ != Mode::local && !job_.active() && !stored_running_;
+  if (idle && !echo && !commands.empty() && commands.back().flaw == Flaw::none && is_question(commands.back()))
+    answer = answer_shape(commands.back(), static_cast<int>(catalog_.axes.size()), false);
+  if (!answer) co_return co_await say(std::move(text), Priority::intent);
+  // Read as its answer, so that the record of the wire can say what it means. That none came is seen there, too.
+  auto reply = co_await ask(std::move(text), answer->shape, Priority::intent, answer->stranger);
+  if (!reply && reply.error().kind == FaultKind::lost) co_return fail(reply.error());
+  co_return Result<>();
+}
+
 
 bool VxmDriver::answers(std::string_view text) const {
   const auto commands = read_text(text);
