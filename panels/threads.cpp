@@ -110,9 +110,9 @@ void draw_row(Frame& f, int n, float top) {
   const float buttons = row.max.x - ui.px(16 + button_wide + 4 + stop_wide);
   draw_place(f, n, t, row, x, buttons - ui.px(12));
   const std::string_view no_link = f.connected() ? std::string_view() : "There is no link.";
-  ImGui::SetCursorScreenPos(ImVec2(buttons, top + ui.px(4)));
+  ImGui::SetCursorScreenPos(ImVec2(buttons, top + ui.px(2)));
   draw_first_button(f, n, t, no_link);
-  ImGui::SetCursorScreenPos(ImVec2(buttons + ui.px(button_wide + 4), top + ui.px(4)));
+  ImGui::SetCursorScreenPos(ImVec2(buttons + ui.px(button_wide + 4), top + ui.px(2)));
   ButtonOptions stop;
   stop.height = 28;
   stop.width = stop_wide;
@@ -137,23 +137,12 @@ std::string_view line_of(std::string_view text, int line) {
 
 float threads_height(const Catalog& c) {
   const int many = std::min(c.program.threads, max_threads);
-  return many > 0 ? threads_title_height + thread_row_height * static_cast<float>(many) : 0;
+  return many > 0 ? thread_row_height * static_cast<float>(many) : 0;
 }
 
 void draw_threads(Frame& f, float top) {
-  Ui& ui = f.ui;
-  const float left = ui.px(f.area.x), right = ui.px(f.area.right());
-  ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(left, top), ImVec2(right, top + ui.hair()),
-                                            ui[Tone::line]);
-  const float middle = top + ui.px(threads_title_height / 2);
-  draw_text_line(ui, left + ui.px(16), right, middle, Face::body_bold, ui[Tone::ink], "Programs at once");
-  const std::string_view caption = "state, compiled line, source line";
-  if (f.area.width > 500)
-    draw_text_line(ui, right - ui.px(16) - std::ceil(text_width(ui, Face::small, caption)), right, middle,
-                   Face::small, ui[Tone::ink2], caption);
   const int many = std::min(f.catalog.program.threads, max_threads);
-  for (int n = 0; n < many; ++n)
-    draw_row(f, n, top + ui.px(threads_title_height + thread_row_height * static_cast<float>(n)));
+  for (int n = 0; n < many; ++n) draw_row(f, n, top + f.ui.px(thread_row_height * static_cast<float>(n)));
 }
 
 }  // namespace hw::panels

@@ -7,9 +7,9 @@
 
 namespace hw::panels {
 
-inline constexpr float thread_row_height = 36, threads_title_height = 32;
+inline constexpr float thread_row_height = 32;
 
-/// All rows with their title, over the whole width of the panel, from `top_px` down.
+/// All rows, over the whole width of the panel, from `top_px` down.
 void draw_threads(gui::Frame& frame, float top_px);
 /// Logical; 0: this controller runs one program at a time.
 float threads_height(const Catalog& catalog);
