@@ -1,6 +1,6 @@
 #include "gui/dialogs.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "gui/console.h"
 #include "gui/ui.h"

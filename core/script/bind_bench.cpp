@@ -2,7 +2,7 @@
 // test that goes on without its limit switch proves nothing.
 #include <cmath>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/device/bench_file.h"
 #include "core/device/emulator.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <new>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/script/bind.h"
 
