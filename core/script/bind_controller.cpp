@@ -217,6 +217,7 @@ const char* name_of(EndedBy e) {
     case EndedBy::limit: return "limit";
     case EndedBy::stop: return "stop";
     case EndedBy::abort: return "abort";
+    case EndedBy::elsewhere: return "elsewhere";
     case EndedBy::error: return "error";
     case EndedBy::lost: return "lost";
   }
