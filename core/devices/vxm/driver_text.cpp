@@ -252,7 +252,7 @@ Task<Result<std::string>> VxmDriver::wait_for_prompt(Duration patience) {
   std::string text;
   for (;;) {
     if (take_unsolicited(text)) co_return std::move(text);
-    if (!link_) co_return fail(FaultKind::lost, "The connection was lost before an answer came.");
+    if (!station_) co_return fail(FaultKind::lost, "The connection was lost before an answer came.");
     const bool in_time = co_await news_.wait_until(deadline);
     if (!in_time && for_scripts_.empty())
       co_return fail(FaultKind::no_answer, fmt::format("No answer came in {:g} s.", seconds(patience)));
