@@ -137,7 +137,9 @@ struct MoveListFacts {
 };
 
 struct CommandInfo {
-  std::string form;     ///< "SmMx"
+  /// "SmMx": a letter where the example has digits stands for a number. "J[axis][+/-]", "DO[1-8]=[value]":
+  /// a bracket stands for an axis name, a sign, a number or a value.
+  std::string form;
   std::string example;  ///< "S1M500"
   std::string help;     ///< "speed of motor m, 1 to 6000 steps/s"
   bool moves = false;   ///< Enter would (or might) move something now
@@ -198,11 +200,13 @@ struct Capabilities {
 
 struct Catalog {
   std::string model;       ///< "vxm": as in an address
+  int address = -1;        ///< by which this one device is spoken to on a shared line; -1: it has none
   std::string name;        ///< "Velmex VXM"
   std::string short_name;  ///< "VXM"
   std::string summary;     ///< "stepping motors, 2 or 4"
   std::string id;  ///< addressed: which device of its wire this is, "07"; id= of the address or the usual one
   std::string step_word = "steps";
+  std::string loop_word;  ///< of an axis whose AxisState::in_counts is set: "counts"
   std::vector<OptionInfo> options;
   std::vector<AxisInfo> axes;
   std::vector<UnitChoice> units;
@@ -217,6 +221,7 @@ struct Catalog {
   VariableFacts variables;
   MoveListFacts move_list;
   std::vector<CommandInfo> commands;
+  std::string command_separators;  ///< characters between the commands of one line; empty: one command a line
   ProgramFacts program;
   BenchFacts bench;
   Capabilities can;
