@@ -103,7 +103,7 @@ Task<bool> ask_as(Scheduler& scheduler, Stream& stream, const DeviceType& type, 
   const auto catalog = type.make_catalog({});
   if (!catalog || type.probe.empty()) co_return false;
   for (const int baud : catalog->can.bauds) {
-    const Question question{question_to(type.probe, catalog->id), catalog->id, baud, patience};
+    const Question question{question_to(type.probe, catalog->id()), catalog->id(), baud, patience};
     const bool answered = co_await ask(scheduler, stream, type.probe, question, report);
     if (answered) co_return true;
   }
@@ -198,7 +198,7 @@ std::map<std::string_view, std::set<int>> addressed_probes(const std::vector<int
   std::map<std::string_view, std::set<int>> probes;
   for (const DeviceType& type : device_types()) {
     const auto catalog = type.make_catalog({});
-    if (!catalog || !catalog->can.addressed || type.probe.empty()) continue;
+    if (!catalog || !catalog->addressed() || type.probe.empty()) continue;
     const auto& rates = bauds.empty() ? catalog->can.bauds : bauds;
     probes[type.probe].insert(rates.begin(), rates.end());
   }
@@ -209,7 +209,7 @@ std::map<std::string_view, std::set<int>> addressed_probes(const std::vector<int
 Task<bool> line_is_taken(Scheduler& scheduler, Stream& stream, PortReport& report) {
   for (const DeviceType& type : device_types()) {
     const auto catalog = type.make_catalog({});
-    if (!catalog || catalog->can.addressed) continue;
+    if (!catalog || catalog->addressed()) continue;
     const bool answered = co_await ask_as(scheduler, stream, type, report);
     if (answered || report.finding == PortFinding::garbled) co_return true;
   }

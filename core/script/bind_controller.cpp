@@ -27,7 +27,7 @@ Sign sign_of(const Call& call, int argument) {
 
 struct ById {  // the same order in every run
   bool operator()(const SessionPtr& a, const SessionPtr& b) const {
-    return a->catalog().id < b->catalog().id;
+    return a->catalog().id() < b->catalog().id();
   }
 };
 using Targets = std::map<SessionPtr, std::vector<AxisTarget>, ById>;

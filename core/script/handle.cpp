@@ -28,7 +28,7 @@ void push_handle(lua_State* L, Handle handle, const char* type) {
 void push_devices(lua_State* L, const Handle& bus) {
   lua_createtable(L, 0, static_cast<int>(bus.group->members().size()));
   for (std::size_t i = 0; i < bus.group->members().size(); ++i) {
-    const std::string& id = bus.group->members()[i]->catalog().id;
+    const std::string id = bus.group->members()[i]->catalog().id();
     lua_pushlstring(L, id.data(), id.size());
     push_handle(L, Handle{bus.group, static_cast<int>(i)}, controller_type);
     lua_rawset(L, -3);
@@ -37,7 +37,7 @@ void push_devices(lua_State* L, const Handle& bus) {
 
 std::string ids_of(const SessionGroup& bus) {
   std::string all;
-  for (const auto& member : bus.members()) all += (all.empty() ? "" : ", ") + member->catalog().id;
+  for (const auto& member : bus.members()) all += (all.empty() ? "" : ", ") + member->catalog().id();
   return all;
 }
 
@@ -58,7 +58,7 @@ const std::shared_ptr<Session>& session_of(const Call& call) {
   const Handle& handle = handle_of(call);
   if (handle.device >= 0) return handle.group->members()[static_cast<std::size_t>(handle.device)];
   throw Misuse(fmt::format("this is a bus of several controllers: say which one, c.devices[\"{}\"]",
-                           handle.group->members().front()->catalog().id));
+                           handle.group->members().front()->catalog().id()));
 }
 
 OneAxis one_axis_at(const Call& call, int place, const char* function) {

@@ -28,7 +28,7 @@ Result<std::shared_ptr<SessionGroup>> SessionGroup::open(Scheduler& scheduler, c
 
 int SessionGroup::find(std::string_view id) const {
   for (std::size_t i = 0; i < members_.size(); ++i)
-    if (members_[i]->catalog().id == id) return static_cast<int>(i);
+    if (members_[i]->catalog().id() == id) return static_cast<int>(i);
   return -1;
 }
 

@@ -32,14 +32,14 @@ bool alone_on_its_line(const Order& order) { return order.ids.size() <= 1 && ord
 Result<> understand_ids(Order& order) {
   const auto catalog = order.type->make_catalog({});
   if (!catalog) return fail(catalog.error());
-  if (!order.ids.empty() && !catalog->can.addressed)
+  if (!order.ids.empty() && !catalog->addressed())
     return fail(FaultKind::text, fmt::format("The {} has no --id.", catalog->short_name), {},
                 "It has a line for itself.");
   for (const std::string& id : order.ids)
     if (id.size() != 2 || id.find_first_not_of("0123456789") != id.npos)
       return fail(FaultKind::text, fmt::format("--id {} is no number on a line.", id), {},
                   "Give two digits, as --id 07.");
-  if (catalog->can.addressed && alone_on_its_line(order)) order.keys["unaddressed"] = "yes";
+  if (catalog->addressed() && alone_on_its_line(order)) order.keys["unaddressed"] = "yes";
   return {};
 }
 

@@ -42,7 +42,7 @@ class Bus : public ::testing::Test {
       const std::string id = {static_cast<char>('0' + i / 10), static_cast<char>('0' + i % 10)};
       toys.push_back(HostedDevice{id, std::make_unique<BusToy>(id)});
       members.push_back(std::make_unique<Member>());
-      members.back()->catalog.id = id;
+      members.back()->catalog.address = i;
       members.back()->catalog.axes.push_back({"X", "motor"});
     }
     HostOptions options;

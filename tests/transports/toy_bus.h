@@ -84,7 +84,7 @@ class BusToyDriver final : public Driver {
  private:
   Task<Result<>> ask(std::string what, Priority priority) {
     if (!station_) co_return fail(FaultKind::lost, "There is no connection.");
-    Transaction t("@" + context_.catalog.id + what + "\r", ReplyShape::line(), priority);
+    Transaction t("@" + context_.catalog.id() + what + "\r", ReplyShape::line(), priority);
     auto reply = co_await station_->transact(std::move(t));
     if (!reply) co_return fail(reply.error());
     co_return Result<>();
