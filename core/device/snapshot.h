@@ -45,6 +45,7 @@ struct AxisState {
   Pps speed{};                ///< of the present motion, told or asked; 0 when unknown or at rest
   bool has_target = false;
   Steps target{};
+  bool in_counts = false;  ///< closed loop: position, speed and target count in Catalog::loop_word
   bool has_encoder = false;
   Steps encoder{};
   bool limit_minus = false, limit_plus = false, home = false, alarm = false;
