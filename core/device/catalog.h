@@ -14,6 +14,8 @@ namespace hw {
 struct AxisInfo {
   std::string name;         ///< the maker's: "1", "X"
   std::string description;  ///< "motor 1"
+  bool switchable = false;  ///< its motor current can be switched: intent::SetPower
+  bool encoder = false;     ///< has a counter of its own that can be set: intent::SetEncoder
 };
 
 /// A ready-made conversion from steps to a real unit (lead screws, rotary tables).
@@ -61,6 +63,9 @@ struct ParamInfo {
   std::int64_t minimum = 0, maximum = 0, fallback = 0;  ///< fallback: the factory value
   std::vector<ParamChoice> choices;                     ///< not empty: exactly these values
   std::vector<ParamBit> bits;                           ///< not empty: a bit field
+  int decimals = 0;        ///< the value counts the last of so many decimals: 0.800 is 800
+  std::string prefix;      ///< of a name that ends in a number: 4EX07 is 7 with prefix "4EX" ...
+  int digits = 0;          ///< ... and 2 digits
   bool also_zero = false;  ///< 0 is allowed too and switches it off (range starts above)
   bool stored = true;      ///< kept by Store
   bool readable = true;
@@ -81,6 +86,56 @@ struct ParamInfo {
   }
 };
 
+/// A value beside positions and inputs that the controller tells: a state, a counter, a latched position.
+struct ReadoutInfo {
+  std::string id;     ///< the maker's word for it: "SLSX"
+  std::string label;  ///< "StepNLoop of X"
+  int group = 0;      ///< index into Catalog::readout_groups
+  int axis = -1;
+  std::string unit;
+  std::vector<ParamChoice> words;  ///< not empty: what the values mean
+  std::vector<std::int64_t> bad;   ///< values that are faults
+  std::string help;
+};
+
+/// One value that an action needs.
+struct ActionField {
+  std::string id;     ///< part of the widget's path: "centre_x"
+  std::string label;  ///< "Centre X"
+  std::string unit;
+  std::int64_t minimum = 0, maximum = 0, fallback = 0;
+  int decimals = 0;
+  std::vector<ParamChoice> choices;  ///< not empty: exactly these values
+};
+/// Something the controller can be told to do that is no verb of all controllers: intent::Act. Drawn as a
+/// button with its fields.
+struct ActionInfo {
+  std::string id;     ///< path: "arc", "latch_on"
+  std::string label;  ///< on the button: "Draw arc"
+  std::string help;
+  std::string group;        ///< heading; may be a readout group's, whose values then stand beside it
+  bool moves = false;       ///< starts or changes motion
+  bool while_busy = false;  ///< makes sense while a motion or program runs
+  std::vector<ActionField> fields;
+  std::string manual;
+};
+
+/// Numbered variables of the controller's programs.
+struct VariableFacts {
+  int count = 0;             ///< 0: none
+  std::string prefix = "V";  ///< V0, V1 ...
+  int stored_from = 0;       ///< from this number on kept by Store
+  int readout_group = -1;    ///< watched as this group
+  std::int64_t minimum = 0, maximum = 0;
+};
+
+/// Moves that the console can feed into a buffer of the controller, one after the other: intent::FeedMoves.
+struct MoveListFacts {
+  std::vector<ActionField> columns;  ///< empty: no such buffer
+  int depth = 0;                     ///< places in the buffer
+  std::string file_suffix;
+};
+
 struct CommandInfo {
   std::string form;     ///< "SmMx"
   std::string example;  ///< "S1M500"
@@ -96,14 +151,17 @@ struct ProgramFacts {
   int capacity = 0;              ///< per slot, in `capacity_unit`
   std::string capacity_unit;     ///< "bytes"
   bool shared_capacity = false;  ///< one memory for all slots
+  int threads = 0;               ///< > 0: programs that run at once, all of them in the text of slot 0
+  bool compiled = false;         ///< what is stored is not the text: View shows the listing
   std::string file_suffix;       ///< ".vxm"
   char comment = ';';
 };
 
 /// What can be chosen before a controller is opened or its emulator started: key=value of an address.
 struct OptionInfo {
-  std::string key;                                           ///< "motors"
-  std::vector<std::pair<std::string, std::string>> choices;  ///< value and label: "4", "4 motors"; first: usual
+  std::string key;  ///< "motors"
+  std::vector<std::pair<std::string, std::string>>
+      choices;  ///< value and label: "4", "4 motors"; first: usual
 };
 
 enum class LampColour : std::uint8_t { green, yellow, red };
@@ -131,6 +189,8 @@ struct Capabilities {
   bool one_axis_at_a_time = false;
   bool homes = true;
   bool reset = false;
+  bool interpolates = false;  ///< moves several axes together on a straight line
+  bool broadcast = false;     ///< takes text meant for all devices of a wire, without replies
   int usual_baud = 9600;
   std::vector<int> bauds;
 };
@@ -149,6 +209,11 @@ struct Catalog {
   std::vector<OutputInfo> outputs;
   std::vector<AnalogInfo> analog;
   std::vector<ParamInfo> params;
+  std::vector<std::string> readout_groups;
+  std::vector<ReadoutInfo> readouts;
+  std::vector<ActionInfo> actions;
+  VariableFacts variables;
+  MoveListFacts move_list;
   std::vector<CommandInfo> commands;
   ProgramFacts program;
   BenchFacts bench;
@@ -159,6 +224,16 @@ struct Catalog {
   [[nodiscard]] int find_axis(std::string_view axis_name) const {
     for (std::size_t i = 0; i < axes.size(); ++i)
       if (axes[i].name == axis_name) return static_cast<int>(i);
+    return -1;
+  }
+  [[nodiscard]] int find_action(std::string_view id) const {
+    for (std::size_t i = 0; i < actions.size(); ++i)
+      if (actions[i].id == id) return static_cast<int>(i);
+    return -1;
+  }
+  [[nodiscard]] int find_readout(std::string_view id) const {
+    for (std::size_t i = 0; i < readouts.size(); ++i)
+      if (readouts[i].id == id) return static_cast<int>(i);
     return -1;
   }
   [[nodiscard]] int find_param(std::string_view mnemonic) const {

@@ -34,6 +34,8 @@ class Driver {
   /// Stop and Abort: runs beside whatever perform() or poll() is under way, which finds its waiting
   /// transactions dropped.
   virtual Task<Result<>> stop(int axis, bool at_once) = 0;
+  /// Ends a program (-1: all), beside whatever is under way. Goes out like a stop.
+  virtual Task<Result<>> halt_program(int /*thread*/) { return stop(-1, false); }
   /// The wire is gone: nothing may be believed any more. The link is invalid afterwards.
   virtual void wire_lost() = 0;
   /// Raw text and its reply without terminator (scripts, `send`).

@@ -65,6 +65,18 @@ struct SetPosition {
   Steps value;
   explicit SetPosition(int a, Steps v = {}) : axis(a), value(v) {}
 };
+/// Makes the present encoder count read `value`.
+struct SetEncoder {
+  int axis;
+  Steps value;
+  explicit SetEncoder(int a, Steps v = {}) : axis(a), value(v) {}
+};
+/// Motor current of one axis (-1: all) on or off.
+struct SetPower {
+  int axis;
+  bool on;
+  SetPower(int a, bool o) : axis(a), on(o) {}
+};
 struct SetOutput {
   int number;  ///< the maker's number, from 1
   bool on;
@@ -97,18 +109,53 @@ struct ClearProgram {
   int slot;
   explicit ClearProgram(int s) : slot(s) {}
 };
+/// `slot`: where the catalog has threads, the thread to run.
 struct RunProgram {
   int slot;
   explicit RunProgram(int s) : slot(s) {}
 };
-struct Pause {};       ///< hold before the next command
-struct Resume {};      ///< go on from a hold or a wait for the host
+struct Pause {  ///< hold before the next command
+  int thread;   ///< -1: the only one, or all
+  explicit Pause(int t = -1) : thread(t) {}
+};
+struct Resume {  ///< go on from a hold or a wait for the host
+  int thread;
+  explicit Resume(int t = -1) : thread(t) {}
+};
 struct SingleStep {};  ///< from a hold: one command
-struct HaltProgram {};
+/// Goes out like a stop. Where the catalog has threads the motion that one has begun goes on.
+struct HaltProgram {
+  int thread;
+  explicit HaltProgram(int t = -1) : thread(t) {}
+};
+/// One of Catalog::actions with a value for each of its fields.
+struct Act {
+  int action;  ///< index into Catalog::actions
+  std::vector<std::int64_t> values;
+  Act(int a, std::vector<std::int64_t> v) : action(a), values(std::move(v)) {}
+};
+struct SetVariable {
+  int number;
+  std::int64_t value;
+  SetVariable(int n, std::int64_t v) : number(n), value(v) {}
+};
+/// Somebody looks at these readout groups: their values are polled in each round. Bit n = group n of
+/// Catalog::readout_groups. The rest is read in turn, one a round.
+struct Watch {
+  std::uint32_t groups;
+  explicit Watch(std::uint32_t g) : groups(g) {}
+};
+/// Feeds a list of moves into the controller's buffer as places become free; see MoveListFacts. A stop ends
+/// it.
+struct FeedMoves {
+  std::vector<std::vector<std::int64_t>> rows;
+  explicit FeedMoves(std::vector<std::vector<std::int64_t>> r) : rows(std::move(r)) {}
+};
 /// The maker's own text, framing added by the driver, no waiting.
 struct SendText {
   std::string text;
-  explicit SendText(std::string t) : text(std::move(t)) {}
+  bool broadcast;  ///< to all devices of the wire; no reply is expected
+  explicit SendText(std::string t, bool to_all = false) : text(std::move(t)), broadcast(to_all) {}
 };
 struct Reset {};      ///< as if power had been switched off and on
 struct Reconnect {};  ///< try now
@@ -118,10 +165,11 @@ struct ReadAgain {};  ///< read the whole state afresh (after a doubt)
 
 using IntentBody =
     std::variant<intent::MoveTo, intent::MoveBy, intent::JogStart, intent::JogKeepAlive, intent::JogStop,
-                 intent::Home, intent::Stop, intent::Abort, intent::SetPosition, intent::SetOutput,
-                 intent::SetParam, intent::ReadParams, intent::Store, intent::SelectProgram,
-                 intent::LoadProgram, intent::UploadProgram, intent::ClearProgram, intent::RunProgram,
-                 intent::Pause, intent::Resume, intent::SingleStep, intent::HaltProgram, intent::SendText,
+                 intent::Home, intent::Stop, intent::Abort, intent::SetPosition, intent::SetEncoder,
+                 intent::SetPower, intent::SetOutput, intent::SetParam, intent::ReadParams, intent::Store,
+                 intent::SelectProgram, intent::LoadProgram, intent::UploadProgram, intent::ClearProgram,
+                 intent::RunProgram, intent::Pause, intent::Resume, intent::SingleStep, intent::HaltProgram,
+                 intent::Act, intent::SetVariable, intent::Watch, intent::FeedMoves, intent::SendText,
                  intent::Reset, intent::Reconnect, intent::ReadAgain>;
 
 struct Intent {

@@ -63,7 +63,10 @@ void Pump::start() {
 Task<> Pump::shut_down() {
   if (!running_) co_return;
   closing_ = true;
-  if (jogging_ && link_) co_await stop_and_report(Intent(0, intent::Stop()), -1, false);
+  if (jogging_ && link_) {
+    Intent farewell(0, intent::Stop());
+    co_await stop_and_report(std::move(farewell));
+  }
   refuse_queued("The controller was closed. Nothing was sent.");
   if (link_) link_->close(Fault(FaultKind::lost, "The controller was closed."));
   wake_.notify();
@@ -269,8 +272,13 @@ void Pump::refuse_queued(const char* why) {
 }
 
 void Pump::post_stop(Intent intent) {
-  dead_man_.disarm();
-  jogging_ = false;
+  // Halting one of several threads leaves the motion alone: a held jog stays guarded.
+  const bool motion_goes_on =
+      std::holds_alternative<intent::HaltProgram>(intent.body) && catalog_.program.threads > 0;
+  if (!motion_goes_on) {
+    dead_man_.disarm();
+    jogging_ = false;
+  }
   refuse_queued("A stop came first. This was not sent.");
   set_fate(intent.id, Fate::pending);
   if (!link_ || !link_->is_open()) {
@@ -279,21 +287,20 @@ void Pump::post_stop(Intent intent) {
     return publish();
   }
   link_->begin_stop();
-  asio::co_spawn(scheduler_.executor(), run_stop(std::move(intent)), asio::detached);
+  asio::co_spawn(scheduler_.executor(), stop_and_report(std::move(intent)), asio::detached);
 }
 
-Task<> Pump::run_stop(Intent intent) {
-  int axis = -1;
-  bool at_once = false;
-  if (const auto* s = std::get_if<intent::Stop>(&intent.body)) axis = s->axis;
-  if (const auto* a = std::get_if<intent::Abort>(&intent.body)) axis = a->axis, at_once = true;
-  co_await stop_and_report(std::move(intent), axis, at_once);
+Task<Result<>> Pump::stop_as_asked(const IntentBody& body) {
+  if (const auto* s = std::get_if<intent::Stop>(&body)) return driver_->stop(s->axis, false);
+  if (const auto* a = std::get_if<intent::Abort>(&body)) return driver_->stop(a->axis, true);
+  if (const auto* h = std::get_if<intent::HaltProgram>(&body)) return driver_->halt_program(h->thread);
+  return driver_->stop(-1, false);
 }
 
-Task<> Pump::stop_and_report(Intent intent, int axis, bool at_once) {
+Task<> Pump::stop_and_report(Intent intent) {
   ++stops_under_way_;
   try {
-    auto stopped = co_await driver_->stop(axis, at_once);
+    auto stopped = co_await stop_as_asked(intent.body);
     if (stopped)
       set_fate(intent.id, Fate::done);
     else

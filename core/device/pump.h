@@ -50,8 +50,8 @@ class Pump {
   Task<> live();
   Task<> serve();
   Task<> perform_next();
-  Task<> run_stop(Intent intent);
-  Task<> stop_and_report(Intent intent, int axis, bool at_once);
+  Task<Result<>> stop_as_asked(const IntentBody& body);
+  Task<> stop_and_report(Intent intent);
   Task<bool> open_and_connect();
   Task<> wait_for_retry();
   void post_stop(Intent intent);

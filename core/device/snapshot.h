@@ -3,6 +3,7 @@
 // driver, copied without allocation, drawn by every panel. What is not known is marked so, never guessed.
 #include <algorithm>
 #include <array>
+#include <bitset>
 #include <cstdint>
 #include <string>
 
@@ -17,6 +18,9 @@ enum class LinkState : std::uint8_t { connecting, good, late, lost, closed };
 
 enum class Activity : std::uint8_t { unknown, idle, moving, jogging, homing, stopping, error };
 
+/// Where on its profile a motion is, if the controller tells.
+enum class Phase : std::uint8_t { unknown, accelerating, constant, decelerating };
+
 /// How the latest motion of an axis came to its end.
 enum class EndedBy : std::uint8_t { nothing, target, limit, stop, abort, error, lost };
 
@@ -26,16 +30,17 @@ struct AxisState {
   bool position_known = false;     ///< false: never read, or not true any more since a loss or reset
   bool position_doubtful = false;  ///< the controller counts, but steps may have been lost (see `doubt`)
   Activity activity = Activity::unknown;
+  Phase phase = Phase::unknown;
   EndedBy ended_by = EndedBy::nothing;
   std::int8_t direction = 0;  ///< -1, 0, +1 of the present motion
-  Pps speed{};                ///< asked speed of the present motion; 0 when unknown or at rest
+  Pps speed{};                ///< of the present motion, told or asked; 0 when unknown or at rest
   bool has_target = false;
   Steps target{};
   bool has_encoder = false;
   Steps encoder{};
   bool limit_minus = false, limit_plus = false, home = false, alarm = false;
   bool limits_known = false;
-  bool enabled = true;
+  bool enabled = true;  ///< motor current; see AxisInfo::switchable
   bool operator==(const AxisState&) const = default;
 };
 
@@ -50,6 +55,21 @@ struct ProgramState {
   bool stepping = false;      ///< stops before each command
   Instant started_at{};
   bool operator==(const ProgramState&) const = default;
+};
+
+/// One thread of a controller that runs several programs at once (ProgramFacts::threads).
+struct ThreadState {
+  RunState run = RunState::idle;
+  bool known = false;
+  std::int16_t line = -1;  ///< line of the stored code that runs or waits; -1 unknown
+  bool operator==(const ThreadState&) const = default;
+};
+
+/// A list of moves on its way into the controller's buffer (intent::FeedMoves).
+struct FeedState {
+  bool running = false;
+  std::int32_t sent = 0, total = 0;
+  bool operator==(const FeedState&) const = default;
 };
 
 /// What became of the newest intents; a panel finds its own by id.
@@ -89,6 +109,7 @@ struct LinkHealth {
 };
 
 inline constexpr int max_inputs = 32, max_outputs = 32, max_analog = 8, max_params = 256, max_slots = 8;
+inline constexpr int max_readouts = 96, max_variables = 128, max_threads = 4;
 
 struct Snapshot {
   std::uint64_t sequence = 0;
@@ -103,6 +124,13 @@ struct Snapshot {
   std::array<std::int32_t, max_analog> analog{};
   std::uint32_t analog_known = 0;
   ProgramState program;
+  std::array<ThreadState, max_threads> threads{};
+  FeedState feed;
+  std::array<std::int64_t, max_readouts> readouts{};  ///< by index in Catalog::readouts
+  std::bitset<max_readouts> readouts_known;
+  std::array<Instant, max_readouts> readouts_seen_at{};
+  std::array<std::int32_t, max_variables> variables{};  ///< by number
+  std::bitset<max_variables> variables_known;
   std::array<std::int16_t, max_slots> slot_bytes_used{};  ///< -1 unknown
   std::array<ParamState, max_params> params{};            ///< by index in Catalog::params
   bool unsaved_setup = false, unsaved_programs = false;   ///< in RAM and not stored

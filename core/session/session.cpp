@@ -155,9 +155,12 @@ static bool looks_same(const Snapshot& a, const Snapshot& b) {
          a.link.next_attempt == b.link.next_attempt && a.identity == b.identity && a.inputs == b.inputs &&
          a.inputs_known == b.inputs_known && a.outputs == b.outputs && a.outputs_known == b.outputs_known &&
          a.analog == b.analog && a.analog_known == b.analog_known && a.program == b.program &&
-         a.slot_bytes_used == b.slot_bytes_used && a.params == b.params &&
-         a.unsaved_setup == b.unsaved_setup && a.unsaved_programs == b.unsaved_programs &&
-         a.store_count == b.store_count && a.fates == b.fates && a.notice == b.notice;
+         a.threads == b.threads && a.feed == b.feed && a.readouts == b.readouts &&
+         a.readouts_known == b.readouts_known && a.variables == b.variables &&
+         a.variables_known == b.variables_known && a.slot_bytes_used == b.slot_bytes_used &&
+         a.params == b.params && a.unsaved_setup == b.unsaved_setup &&
+         a.unsaved_programs == b.unsaved_programs && a.store_count == b.store_count && a.fates == b.fates &&
+         a.notice == b.notice;
 }
 
 void Session::show(const Snapshot& snapshot) {
