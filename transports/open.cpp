@@ -65,7 +65,7 @@ Result<Wire> plug_in(std::shared_ptr<EmulatorHost> host, int baud) {
   if (!stream) return fail(stream.error());
   Wire wire;
   wire.stream = std::move(*stream);
-  wire.bench = std::move(host);
+  wire.benches.push_back(std::move(host));
   return wire;
 }
 

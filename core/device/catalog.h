@@ -191,6 +191,7 @@ struct Capabilities {
   bool one_axis_at_a_time = false;
   bool homes = true;
   bool reset = false;
+  bool addressed = false;  ///< several can share one wire, each with an id of two digits (Catalog::id)
   bool interpolates = false;  ///< moves several axes together on a straight line
   bool broadcast = false;     ///< takes text meant for all devices of a wire, without replies
   int usual_baud = 9600;
@@ -203,6 +204,7 @@ struct Catalog {
   std::string name;        ///< "Velmex VXM"
   std::string short_name;  ///< "VXM"
   std::string summary;     ///< "stepping motors, 2 or 4"
+  std::string id;  ///< addressed: which device of its wire this is, "07"; id= of the address or the usual one
   std::string step_word = "steps";
   std::string loop_word;  ///< of an axis whose AxisState::in_counts is set: "counts"
   std::vector<OptionInfo> options;

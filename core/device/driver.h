@@ -8,7 +8,7 @@
 #include "core/device/catalog.h"
 #include "core/device/intent.h"
 #include "core/device/snapshot.h"
-#include "core/link/link.h"
+#include "core/link/station.h"
 
 namespace hw {
 
@@ -26,7 +26,7 @@ class Driver {
   virtual ~Driver() = default;
 
   /// Wire is open: get the controller to listen, find out what it is, read its state. Moves nothing.
-  virtual Task<Result<>> connect(Link& link) = 0;
+  virtual Task<Result<>> connect(Station& station) = 0;
   /// One round of status. Called when no intent waits.
   virtual Task<Result<>> poll() = 0;
   /// Everything but Stop and Abort. Returns when the intent is under way (moves) or finished (the rest).
@@ -36,7 +36,10 @@ class Driver {
   virtual Task<Result<>> stop(int axis, bool at_once) = 0;
   /// Ends a program (-1: all), beside whatever is under way. Goes out like a stop.
   virtual Task<Result<>> halt_program(int /*thread*/) { return stop(-1, false); }
-  /// The wire is gone: nothing may be believed any more. The link is invalid afterwards.
+  /// One message that stops every controller of this kind on the wire, where the maker has one (broadcast). The
+  /// stop of each follows.
+  virtual Task<Result<>> stop_wire(bool /*at_once*/) { co_return Result<>(); }
+  /// The wire is gone: nothing may be believed any more. The station is invalid afterwards.
   virtual void wire_lost() = 0;
   /// Raw text and its reply without terminator (scripts, `send`).
   virtual Task<Result<std::string>> query(std::string text, Duration patience) = 0;

@@ -63,12 +63,12 @@ void Pump::start() {
 Task<> Pump::shut_down() {
   if (!running_) co_return;
   closing_ = true;
-  if (jogging_ && link_) {
+  if (jogging_ && station_) {
     Intent farewell(0, intent::Stop());
     co_await stop_and_report(std::move(farewell));
   }
   refuse_queued("The controller was closed. Nothing was sent.");
-  if (link_) link_->close(Fault(FaultKind::lost, "The controller was closed."));
+  if (station_) station_->close(Fault(FaultKind::lost, "The controller was closed."));
   wake_.notify();
   while (running_ || stops_under_way_ > 0) co_await ended_.wait();
 }
@@ -88,7 +88,7 @@ Task<> Pump::live() {
     if (!closing_) co_await wait_for_retry();
   }
   draft_.link.state = LinkState::closed;
-  link_.reset();
+  station_.reset();
   publish();
   running_ = false;
   ended_.notify();
@@ -98,18 +98,19 @@ Task<bool> Pump::open_and_connect() {
   draft_.link.state = LinkState::connecting;
   draft_.link.attempts = ++attempt_;
   publish();
+  station_.reset();
   auto opened = co_await ways_.open_wire();
   if (closing_) co_return false;
   if (!opened) {
     lose_wire(opened.error());
     co_return false;
   }
-  link_ = std::make_unique<Link>(scheduler_, std::move(*opened), ways_.traffic);
-  link_->closed = [this](const Fault& why) {
+  station_ = std::make_unique<Station>(std::move(*opened), ways_.traffic);
+  station_->closed = [this](const Fault& why) {
     lose_wire(why);
     wake_.notify();
   };
-  auto connected = co_await driver_->connect(*link_);
+  auto connected = co_await driver_->connect(*station_);
   if (closing_) co_return false;
   if (!connected) {
     lose_wire(connected.error());
@@ -143,15 +144,15 @@ void Pump::lose_wire(const Fault& why) {
   draft_.link.sentence = why.sentence();
   dead_man_.disarm();
   jogging_ = false;
-  if (link_) link_->close(why);
+  if (station_) station_->close(why);
   driver_->wire_lost();
   publish();
 }
 
 Task<> Pump::serve() {
-  while (!closing_ && link_->is_open()) {
+  while (!closing_ && station_->is_open()) {
     if (stops_under_way_ == 0 && !queue_.empty()) {
-      link_->end_stop();
+      station_->end_stop();
       co_await perform_next();
       fast_polls_ = forced_fast_polls;
       next_poll_ = scheduler_.now();
@@ -169,14 +170,14 @@ Task<> Pump::serve() {
 
 void Pump::poll_finished(const Result<>& result) {
   rounds_ended_ = rounds_begun_;
-  const LinkStatistics& s = link_->statistics();
+  const StationStatistics& s = station_->statistics();
   LinkHealth& health = draft_.link;
   health.round_trip = s.last_round_trip;
   health.polls_per_second = static_cast<float>(s.polls_per_second);
   health.timeouts = s.timeouts;
   health.unparsed_bytes = s.unparsed_bytes;
   health.misses_in_a_row = static_cast<std::uint32_t>(s.misses_in_a_row);
-  if (!link_->is_open()) return;  // lose_wire() has said it all
+  if (!station_->is_open()) return;  // lose_wire() has said it all
   if (s.misses_in_a_row >= misses_until_lost) {
     lose_wire(Fault(FaultKind::lost,
                     fmt::format("The controller has not answered {} times.", s.misses_in_a_row),
@@ -281,13 +282,33 @@ void Pump::post_stop(Intent intent) {
   }
   refuse_queued("A stop came first. This was not sent.");
   set_fate(intent.id, Fate::pending);
-  if (!link_ || !link_->is_open()) {
+  if (!station_ || !station_->is_open()) {
     set_fate(intent.id, Fate::failed,
              "Stop does not reach the controller: there is no connection. Use its power switch.");
     return publish();
   }
-  link_->begin_stop();
+  station_->begin_stop();
   asio::co_spawn(scheduler_.executor(), stop_and_report(std::move(intent)), asio::detached);
+}
+
+bool Pump::stop_wire(bool at_once) {
+  if (!station_ || !station_->is_open()) return false;
+  asio::co_spawn(scheduler_.executor(), run_stop_wire(at_once), asio::detached);
+  return true;
+}
+
+Task<> Pump::run_stop_wire(bool at_once) {
+  ++stops_under_way_;
+  try {
+    auto stopped = co_await driver_->stop_wire(at_once);
+    if (!stopped) ways_.notify(Notice(Notice::Kind::error, scheduler_.now(), stopped.error().sentence()));
+  } catch (const std::exception& defect) {
+    ways_.notify(Notice(Notice::Kind::error, scheduler_.now(),
+                        fmt::format("The stop of all failed inside: {}.", defect.what())));
+  }
+  --stops_under_way_;
+  wake_.notify();
+  ended_.notify();
 }
 
 Task<Result<>> Pump::stop_as_asked(const IntentBody& body) {

@@ -7,7 +7,7 @@
 
 #include "core/device/driver.h"
 #include "core/device/registry.h"
-#include "core/link/link.h"
+#include "core/link/station.h"
 #include "core/time/scheduler.h"
 
 namespace hw {
@@ -15,7 +15,7 @@ namespace hw {
 class Pump {
  public:
   struct Ways {
-    std::function<Task<Result<std::unique_ptr<Stream>>>()> open_wire;
+    std::function<Task<Result<std::shared_ptr<Link>>>()> open_wire;  ///< an open one, shared or new
     std::function<void(const Snapshot&)> publish;
     std::function<void(Notice)> notify;
     TrafficRing* traffic = nullptr;
@@ -29,6 +29,9 @@ class Pump {
   Task<> shut_down();
 
   void post(Intent intent);
+  /// Before the stops of all devices on this wire: the maker's one message to all, if there is one. False: there
+  /// is no connection.
+  bool stop_wire(bool at_once);
   /// Raw text and its reply, in the order of intents.
   Task<Result<std::string>> query(std::string text, Duration patience);
 
@@ -52,6 +55,7 @@ class Pump {
   Task<> perform_next();
   Task<Result<>> stop_as_asked(const IntentBody& body);
   Task<> stop_and_report(Intent intent);
+  Task<> run_stop_wire(bool at_once);
   Task<bool> open_and_connect();
   Task<> wait_for_retry();
   void post_stop(Intent intent);
@@ -68,7 +72,7 @@ class Pump {
   Ways ways_;
   Snapshot draft_;
   std::unique_ptr<Driver> driver_;
-  std::unique_ptr<Link> link_;
+  std::unique_ptr<Station> station_;
   std::deque<std::unique_ptr<Job>> queue_;
   Event wake_, published_, ended_;
   Timer dead_man_;

@@ -7,6 +7,7 @@ std::optional<std::size_t> ReplyShape::complete(std::string_view received) const
     case Kind::none: return 0;
     case Kind::fixed: return received.size() >= count ? std::optional<std::size_t>(count) : std::nullopt;
     case Kind::quiet_end: return std::nullopt;
+    case Kind::message: return received.size();
     case Kind::lines: break;
   }
   std::size_t end = 0;

@@ -12,6 +12,7 @@ struct ReplyShape {
     fixed,      ///< exactly `count` bytes
     lines,      ///< `count` lines, each ended by `terminator`
     quiet_end,  ///< lines until nothing came for `quiet_ms` (lists without an end mark)
+    message,    ///< what arrives at once, on a wire that carries messages
   };
   Kind kind = Kind::none;
   std::uint16_t count = 0;
@@ -23,6 +24,8 @@ struct ReplyShape {
   static ReplyShape line(char end = '\r') { return of(Kind::lines, 1, end, 0); }
   static ReplyShape several_lines(std::uint16_t n, char end = '\r') { return of(Kind::lines, n, end, 0); }
   static ReplyShape until_quiet(std::uint16_t ms, char end = '\r') { return of(Kind::quiet_end, 0, end, ms); }
+
+  static ReplyShape message() { return of(Kind::message, 1, '\0', 0); }
 
   /// Length of the reply at the start of `received`, once it is whole. quiet_end never is by itself.
   [[nodiscard]] std::optional<std::size_t> complete(std::string_view received) const;

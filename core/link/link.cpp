@@ -2,16 +2,22 @@
 
 #include <algorithm>
 
+#include "core/link/station.h"
+
 namespace hw {
 
 // One transaction, waiting or in flight. It lives in the frame of the coroutine that waits for it.
 struct Link::Pending {
+  Station& station;
   Transaction transaction;
   Result<std::string> result{std::string()};
   Suspended suspended;
   bool finished = false;
-  explicit Pending(Transaction t) : transaction(std::move(t)) {}
+  Pending(Station& s, Transaction t) : station(s), transaction(std::move(t)) {}
+  [[nodiscard]] bool is_question() const { return transaction.reply.kind != ReplyShape::Kind::none; }
 };
+
+Fault stop_came_first() { return Fault(FaultKind::stopped, "A stop came first.", "This was not sent."); }
 
 static TrafficKind kind_of(Priority p) {
   switch (p) {
@@ -23,35 +29,33 @@ static TrafficKind kind_of(Priority p) {
   return TrafficKind::intent;
 }
 
-static bool yields_to_stop(Priority p) { return p == Priority::intent || p == Priority::transfer; }
-static tl::unexpected<Fault> overtaken() {
-  return fail(FaultKind::stopped, "A stop came first.", "This was not sent.");
-}
-
-Link::Link(Scheduler& scheduler, std::unique_ptr<Stream> stream, TrafficRing* traffic)
+Link::Link(Scheduler& scheduler, std::unique_ptr<Stream> stream)
     : scheduler_(scheduler),
       stream_(std::move(stream)),
-      traffic_(traffic),
       deadline_(scheduler, [this] { on_deadline(); }),
       settled_(scheduler, [this] { start_next(); }),
-      second_began_(scheduler.now()) {
+      unfinished_(scheduler, [this] { give_up_waiting(); }) {
   stream_->listen(this);
 }
 
 Link::~Link() {
-  if (open_) close(Fault(FaultKind::lost, "The connection was closed."));
+  if (stream_) stream_->listen(nullptr);
+}
+
+void Link::join(Station& station) {
+  station.second_began_ = scheduler_.now();
+  stations_.push_back(&station);
 }
 
 Duration Link::wire_time(std::size_t bytes) const {
-  const int rate = stream_->rate();
-  return rate > 0 ? Duration(static_cast<Duration::rep>(bytes * 10'000'000'000ULL / rate)) : Duration::zero();
+  const int baud = rate();
+  return baud > 0 ? Duration(static_cast<Duration::rep>(bytes * 10'000'000'000ULL / baud)) : Duration::zero();
 }
 
-Task<Result<std::string>> Link::transact(Transaction transaction) {
-  if (!open_)
-    co_return fail(FaultKind::lost, "There is no connection to the controller.", "Nothing was sent.");
-  if (stopping_ && yields_to_stop(transaction.priority)) co_return overtaken();
-  Pending pending(std::move(transaction));
+// ---- what goes out
+
+Task<Result<std::string>> Link::transact(Station& station, Transaction transaction) {
+  Pending pending(station, std::move(transaction));
   waiting_[static_cast<std::size_t>(pending.transaction.priority)].push_back(&pending);
   start_next();
   while (!pending.finished) co_await pending.suspended.here();
@@ -59,7 +63,7 @@ Task<Result<std::string>> Link::transact(Transaction transaction) {
 }
 
 void Link::start_next() {
-  if (in_flight_ || !open_) return;
+  if (in_flight_ || !stream_) return;
   const bool settling = scheduler_.now() < settle_until_;
   for (auto& queue : waiting_) {
     if (queue.empty()) continue;
@@ -74,9 +78,9 @@ void Link::start_next() {
   if (!in_flight_) return;
   const Transaction& t = in_flight_->transaction;
   sent_at_ = scheduler_.now();
-  statistics_.bytes_sent += t.bytes.size();
-  record(Way::sent, kind_of(t.priority), t.bytes);
-  if (t.reply.kind == ReplyShape::Kind::none) {
+  spoke_last_ = &in_flight_->station;
+  spoke_last_->record(sent_at_, Way::sent, kind_of(t.priority), t.bytes);
+  if (!in_flight_->is_question()) {
     stream_->send(t.bytes);
     // It stays in flight while it is on the wire: what comes next, a stop perhaps, must not stand in a queue
     // of the port's, where nothing overtakes.
@@ -93,47 +97,50 @@ void Link::start_next() {
 void Link::finish(Result<std::string> result) {
   Pending* done = std::exchange(in_flight_, nullptr);
   deadline_.disarm();
-  ++statistics_.transactions;
   const Instant now = scheduler_.now();
-  if (result && done->transaction.reply.kind != ReplyShape::Kind::none) {
-    statistics_.last_round_trip = now - sent_at_;
-    statistics_.misses_in_a_row = 0;
-    if (done->transaction.priority == Priority::poll) ++polls_this_second_;
-  }
-  if (now - second_began_ >= std::chrono::seconds(1)) {
-    statistics_.polls_per_second = polls_this_second_ / seconds(now - second_began_);
-    polls_this_second_ = 0;
-    second_began_ = now;
-  }
-  done->result = std::move(result);
-  done->finished = true;
-  done->suspended.resume(scheduler_.executor());
+  done->station.count(result, done->is_question(), done->transaction.priority == Priority::poll,
+                      now - sent_at_, now);
+  end(*done, std::move(result));
   start_next();
+}
+
+void Link::end(Pending& pending, Result<std::string> result) {
+  pending.result = std::move(result);
+  pending.finished = true;
+  pending.suspended.resume(scheduler_.executor());
 }
 
 void Link::on_deadline() {
   if (!in_flight_) return;
-  if (in_flight_->transaction.reply.kind == ReplyShape::Kind::none) return finish(std::string());
+  if (!in_flight_->is_question()) return finish(std::string());
   if (in_flight_->transaction.reply.kind == ReplyShape::Kind::quiet_end && !received_.empty()) {
     finish(std::exchange(received_, {}));
     return;
   }
-  ++statistics_.timeouts;
-  ++statistics_.misses_in_a_row;
+  StationStatistics& statistics = in_flight_->station.statistics_;
+  ++statistics.timeouts;
+  ++statistics.misses_in_a_row;
   settle_until_ = scheduler_.now() + settle_time;
   Fault fault(received_.empty() ? FaultKind::no_answer : FaultKind::garbled,
               received_.empty() ? "The controller did not answer in time."
                                 : "The controller's answer stopped in the middle.");
-  if (!received_.empty()) {
-    statistics_.unparsed_bytes += received_.size();
-    record(Way::received, TrafficKind::unparsed, received_);
-    received_.clear();
-  }
+  if (!received_.empty()) give_up_on(std::exchange(received_, {}));
   finish(fail(std::move(fault)));
 }
 
+void Link::drop_procedures(Station& station) {
+  for (const Priority priority : {Priority::intent, Priority::transfer})
+    std::erase_if(waiting_[static_cast<std::size_t>(priority)], [&](Pending* p) {
+      if (&p->station != &station) return false;
+      end(*p, fail(stop_came_first()));
+      return true;
+    });
+}
+
+// ---- what comes in
+
 void Link::bytes_arrived(std::string_view bytes) {
-  statistics_.bytes_received += bytes.size();
+  const auto keep = shared_from_this();
   received_.append(bytes);
   take_received();
 }
@@ -150,7 +157,8 @@ bool Link::strip_strangers() {
   if (length > 0) {
     const std::string strangers = received_.substr(0, length);
     received_.erase(0, length);
-    give_unsolicited(strangers);
+    if (const std::size_t given = give_unsolicited(strangers); given < strangers.size())
+      give_up_on(std::string_view(strangers).substr(given));
   }
   return next != std::string_view::npos;
 }
@@ -158,7 +166,9 @@ bool Link::strip_strangers() {
 void Link::take_received() {
   while (!received_.empty()) {
     if (!in_flight_ || in_flight_->transaction.reply.kind == ReplyShape::Kind::none) {
-      give_unsolicited(std::exchange(received_, {}));
+      const std::string unasked = std::exchange(received_, {});
+      received_ = unasked.substr(give_unsolicited(unasked));
+      if (!received_.empty()) unfinished_.arm(scheduler_.now() + settle_time);
       return;
     }
     if (!strip_strangers()) return;
@@ -172,59 +182,89 @@ void Link::take_received() {
     if (!length) return;
     std::string reply = received_.substr(0, *length);
     received_.erase(0, *length);
-    record(Way::received, kind_of(t.priority), reply);
+    in_flight_->station.record(scheduler_.now(), Way::received, kind_of(t.priority), reply);
     finish(std::move(reply));
   }
 }
 
-void Link::give_unsolicited(std::string_view bytes) {
-  const std::size_t understood = unsolicited ? std::min(unsolicited(bytes), bytes.size()) : 0;
-  if (understood > 0) record(Way::received, TrafficKind::unsolicited, bytes.substr(0, understood));
-  if (understood < bytes.size()) {
-    statistics_.unparsed_bytes += bytes.size() - understood;
-    record(Way::received, TrafficKind::unparsed, bytes.substr(understood));
+// What `stations` make of bytes nobody asked for; 0: nothing, npos: one of them waits for the rest. Whoever
+// has just taken some has taken all that it could.
+std::size_t Link::offer(std::string_view bytes, const Station*& took) {
+  std::size_t answer = 0;
+  for (std::size_t i = 0; i < stations_.size(); ++i) {
+    Station& station = *stations_[i];
+    if (&station == took || !station.unsolicited) continue;
+    const std::size_t understood = station.unsolicited(bytes);
+    if (understood == std::string_view::npos) answer = understood;
+    if (understood == 0 || understood == std::string_view::npos) continue;
+    answer = std::min(understood, bytes.size());
+    station.record(scheduler_.now(), Way::received, TrafficKind::unsolicited, bytes.substr(0, answer));
+    took = &station;
+    break;
   }
+  return answer;
 }
 
-void Link::record(Way way, TrafficKind kind, std::string_view bytes) {
-  if (!traffic_) return;
-  TrafficEntry entry;
-  entry.at = scheduler_.now();
-  entry.way = way;
-  entry.kind = kind;
-  entry.bytes = bytes;
-  traffic_->push(std::move(entry));
-}
-
-void Link::begin_stop() {
-  stopping_ = true;
-  for (const Priority priority : {Priority::intent, Priority::transfer})
-    for (Pending* p : std::exchange(waiting_[static_cast<std::size_t>(priority)], {})) {
-      p->result = overtaken();
-      p->finished = true;
-      p->suspended.resume(scheduler_.executor());
+// How many have been dealt with; the rest is the beginning of something.
+std::size_t Link::give_unsolicited(std::string_view bytes) {
+  std::size_t given = 0;
+  const Station* took = nullptr;
+  while (given < bytes.size()) {
+    const std::size_t understood = offer(bytes.substr(given), took);
+    if (understood == std::string_view::npos) return given;
+    if (understood == 0) {
+      give_up_on(bytes.substr(given));
+      return bytes.size();
     }
+    given += understood;
+  }
+  return given;
 }
 
-void Link::close(const Fault& why) {
-  if (!open_) return;
-  open_ = false;
-  deadline_.disarm();
-  settled_.disarm();
-  stream_->listen(nullptr);
-  const auto end = [&](Pending* p) {
-    p->result = fail(FaultKind::lost, why.what, why.done, why.advice);
-    p->finished = true;
-    p->suspended.resume(scheduler_.executor());
-  };
-  if (in_flight_) end(std::exchange(in_flight_, nullptr));
+void Link::give_up_waiting() {
+  if (in_flight_ && in_flight_->is_question()) return;  // its deadline sees to it
+  if (!received_.empty()) give_up_on(std::exchange(received_, {}));
+}
+
+// It is told to the station that spoke last: most likely it is what came of that.
+void Link::give_up_on(std::string_view bytes) {
+  if (stations_.empty()) return;
+  Station& station = spoke_last_ ? *spoke_last_ : *stations_.front();
+  station.statistics_.unparsed_bytes += bytes.size();
+  station.record(scheduler_.now(), Way::received, TrafficKind::unparsed, bytes);
+}
+
+// ---- the end
+
+void Link::leave(Station& station, const Fault& why) {
+  std::erase(stations_, &station);
+  if (spoke_last_ == &station) spoke_last_ = nullptr;
+  const auto lost = [&] { return fail(FaultKind::lost, why.what, why.done, why.advice); };
   for (auto& queue : waiting_)
-    for (Pending* p : std::exchange(queue, {})) end(p);
+    std::erase_if(queue, [&](Pending* p) {
+      if (&p->station != &station) return false;
+      end(*p, lost());
+      return true;
+    });
+  if (!in_flight_ || &in_flight_->station != &station) return;
+  deadline_.disarm();
+  end(*std::exchange(in_flight_, nullptr), lost());
+  settle_until_ = scheduler_.now() + settle_time;  // its answer may still come
+  start_next();
 }
 
 void Link::stream_closed(const Fault& why) {
-  close(why);
-  if (closed) closed(why);
+  const auto keep = shared_from_this();
+  stream_->listen(nullptr);
+  // A closed port must be free for the next attempt; the stream is not destroyed inside its own call.
+  asio::post(scheduler_.executor(), [gone = std::shared_ptr<Stream>(std::move(stream_))] {});
+  settled_.disarm();
+  unfinished_.disarm();
+  while (!stations_.empty()) {
+    Station* station = stations_.back();
+    station->close(why);
+    if (station->closed) station->closed(why);
+  }
 }
 
 }  // namespace hw

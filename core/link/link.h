@@ -1,12 +1,12 @@
 #pragma once
-// One wire and its order: transactions wait in four queues, stop before intent before program transfer before
-// poll; one is in flight at a time; each has a deadline. Bytes nobody asked for go to the owner's
-// `unsolicited` handler. Io thread only.
+// One wire and its order: transactions of all its stations wait in four queues, stop before intent before
+// program transfer before poll, first come first served in each; one is in flight at a time; each has a
+// deadline. Bytes nobody asked for go to the station that understands them. Io thread only.
 #include <array>
 #include <deque>
-#include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "core/base/asio.h"
 #include "core/link/framing.h"
@@ -15,6 +15,8 @@
 #include "core/time/scheduler.h"
 
 namespace hw {
+
+class Station;
 
 enum class Priority : std::uint8_t { stop, intent, transfer, poll };
 
@@ -33,54 +35,51 @@ struct Transaction {
   Transaction(std::string b, ReplyShape r, Priority p) : bytes(std::move(b)), reply(r), priority(p) {}
 };
 
-struct LinkStatistics {
-  std::uint64_t transactions = 0, timeouts = 0, bytes_sent = 0, bytes_received = 0, unparsed_bytes = 0;
-  Duration last_round_trip{};
-  double polls_per_second = 0;
-  int misses_in_a_row = 0;
-};
+/// What a procedure is told that a stop has overtaken.
+Fault stop_came_first();
 
-class Link final : private Stream::Listener {
+class Link final : public std::enable_shared_from_this<Link>, private Stream::Listener {
  public:
-  Link(Scheduler& scheduler, std::unique_ptr<Stream> stream, TrafficRing* traffic);
+  Link(Scheduler& scheduler, std::unique_ptr<Stream> stream);
   ~Link() override;
 
-  /// Resumes with the reply (terminator included), or with a fault: no_answer, lost, stopped.
-  Task<Result<std::string>> transact(Transaction transaction);
-  /// From now until end_stop() intents and transfers, waiting or new, end with Fault{stopped}, so that no
-  /// procedure that was under way can send its next step behind the stop. The one in flight goes on.
-  void begin_stop();
-  void end_stop() { stopping_ = false; }
-
-  /// Bytes that no transaction claimed. The handler returns how many it understood; the rest counts as
-  /// unparsed. Called with at least one byte.
-  std::function<std::size_t(std::string_view)> unsolicited;
-  std::function<void(const Fault&)> closed;
-
-  [[nodiscard]] const LinkStatistics& statistics() const { return statistics_; }
-  [[nodiscard]] bool is_open() const { return open_; }
-  [[nodiscard]] Stream& stream() { return *stream_; }
+  [[nodiscard]] bool is_open() const { return stream_ != nullptr; }
+  /// Line rate in baud; 0: the wire has none, or is gone.
+  [[nodiscard]] int rate() const { return stream_ ? stream_->rate() : 0; }
+  [[nodiscard]] bool carries_messages() const { return stream_ && stream_->carries_messages(); }
   /// Time that `bytes` characters take on this wire (0 when it has no rate).
   [[nodiscard]] Duration wire_time(std::size_t bytes) const;
-  /// Closes the stream; waiting transactions end with Fault{lost}.
-  void close(const Fault& why);
+  [[nodiscard]] std::size_t station_count() const { return stations_.size(); }
 
  private:
+  friend class Station;
   struct Pending;
   static constexpr Duration settle_time = Millis(50);
+
+  // for stations
+  void join(Station& station);
+  void leave(Station& station, const Fault& why);
+  Task<Result<std::string>> transact(Station& station, Transaction transaction);
+  void drop_procedures(Station& station);
+
   void bytes_arrived(std::string_view bytes) override;
   void stream_closed(const Fault& why) override;
   void start_next();
   void finish(Result<std::string> result);
+  void end(Pending& pending, Result<std::string> result);
   void on_deadline();
   void take_received();
   bool strip_strangers();
-  void give_unsolicited(std::string_view bytes);
-  void record(Way way, TrafficKind kind, std::string_view bytes);
+  std::size_t give_unsolicited(std::string_view bytes);
+  std::size_t offer(std::string_view bytes, const Station*& took);
+  void give_up_on(std::string_view bytes);
+  void give_up_waiting();
 
   Scheduler& scheduler_;
-  std::unique_ptr<Stream> stream_;
-  TrafficRing* traffic_;
+  std::unique_ptr<Stream> stream_;  ///< null: the wire is gone
+  std::vector<Station*> stations_;
+  Station* spoke_last_ =
+      nullptr;  ///< whose transaction was last on the wire; what makes no sense is told to it
   std::array<std::deque<Pending*>, 4> waiting_;
   Pending* in_flight_ = nullptr;
   std::string received_;
@@ -88,11 +87,7 @@ class Link final : private Stream::Listener {
   Instant settle_until_{};  ///< after a miss: a late reply must not be taken for the next one's
   Timer deadline_;
   Timer settled_;
-  Instant second_began_{};
-  int polls_this_second_ = 0;
-  LinkStatistics statistics_;
-  bool open_ = true;
-  bool stopping_ = false;
+  Timer unfinished_;
 };
 
 }  // namespace hw

@@ -27,6 +27,9 @@ class Stream {
   virtual Result<> set_rate(int baud) = 0;
   /// 0: no rate, bytes arrive as fast as they can.
   [[nodiscard]] virtual int rate() const = 0;
+  /// True: each send() is one message, and so is each bytes_arrived() (USB): no address in front, no
+  /// terminator behind. False: a line of bytes.
+  [[nodiscard]] virtual bool carries_messages() const { return false; }
   /// Where it leads, for a person: "/dev/ttyUSB0, 9600 baud".
   [[nodiscard]] virtual std::string describe() const = 0;
 };

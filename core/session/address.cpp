@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -25,6 +26,17 @@ tl::unexpected<Fault> bad(std::string what) {
       "or vxm@emulator.");
 }
 
+// "07" or "01-04": first and last, equal for one device.
+std::optional<std::pair<int, int>> read_ids(std::string_view text) {
+  const auto digit = [&](std::size_t i) { return text[i] >= '0' && text[i] <= '9'; };
+  const auto number = [&](std::size_t i) { return (text[i] - '0') * 10 + (text[i + 1] - '0'); };
+  const bool one = text.size() == 2, range = text.size() == 5 && text[2] == '-';
+  if (!(one || range) || !digit(0) || !digit(1)) return std::nullopt;
+  if (one) return std::pair(number(0), number(0));
+  if (!digit(3) || !digit(4) || number(3) <= number(0)) return std::nullopt;
+  return std::pair(number(0), number(3));
+}
+
 Result<> read_options(std::string_view rest, Address& address) {
   while (!rest.empty()) {
     const auto comma = rest.find(',');
@@ -37,6 +49,9 @@ Result<> read_options(std::string_view rest, Address& address) {
     if (!value.empty()) return bad(fmt::format("The address gives {} twice.", pair.substr(0, equals)));
     value = pair.substr(equals + 1);
     if (value.empty()) return bad(fmt::format("The address gives no value for {}.", pair.substr(0, equals)));
+    if (pair.substr(0, equals) == "id" && !read_ids(value))
+      return bad(fmt::format("id={} is no device number: it takes two digits, as id=07, or a range, as id=01-04.",
+                             value));
   }
   return {};
 }
@@ -77,6 +92,25 @@ std::string Address::text() const {
   if (!where.empty()) out += ":" + where;
   for (const auto& [key, value] : options) out += "," + key + "=" + value;
   return out;
+}
+
+std::vector<std::string> Address::ids() const {
+  const auto given = options.find("id");
+  const auto range = given == options.end() ? std::nullopt : read_ids(given->second);
+  std::vector<std::string> all;
+  for (int id = range ? range->first : 1; id <= (range ? range->second : 0); ++id)
+    all.push_back(fmt::format("{:02}", id));
+  return all;
+}
+
+std::vector<Address> Address::devices() const {
+  std::vector<Address> all;
+  for (const std::string& id : ids()) {
+    all.push_back(*this);
+    all.back().options["id"] = id;
+  }
+  if (all.empty()) all.push_back(*this);
+  return all;
 }
 
 Result<int> Address::number(std::string_view key, int fallback) const {

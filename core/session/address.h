@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "core/base/result.h"
 
@@ -19,6 +20,10 @@ struct Address {
   static Result<Address> parse(std::string_view text);
   /// The same address in canonical form.
   [[nodiscard]] std::string text() const;
+  /// The devices that id= names on the wire, "07" or "01-04", in their order; empty without it.
+  [[nodiscard]] std::vector<std::string> ids() const;
+  /// One address for each of them, with an id of its own; without id= just this one.
+  [[nodiscard]] std::vector<Address> devices() const;
   [[nodiscard]] bool emulated() const { return transport == "emulator"; }
   /// `fallback` when absent; a fault when it is no whole number.
   [[nodiscard]] Result<int> number(std::string_view key, int fallback) const;

@@ -6,23 +6,31 @@ namespace hw {
 
 Result<std::shared_ptr<Session>> Session::open(Scheduler& scheduler, const Address& address,
                                                WireOpener opener, std::function<void()> wake) {
+  auto wire = std::make_shared<SharedWire>(scheduler, address, std::move(opener));
+  return open_on(scheduler, address, std::move(wire), 0, std::move(wake));
+}
+
+Result<std::shared_ptr<Session>> Session::open_on(Scheduler& scheduler, const Address& address,
+                                                  std::shared_ptr<SharedWire> wire, std::size_t place,
+                                                  std::function<void()> wake) {
   const DeviceType* type = find_device_type(address.model);
   if (!type) return fail(FaultKind::text, fmt::format("There is no controller model \"{}\".", address.model));
   auto catalog = type->make_catalog(address.options);
   if (!catalog) return fail(catalog.error());
   std::shared_ptr<Session> session(
-      new Session(scheduler, address, *type, std::move(*catalog), std::move(opener), std::move(wake)));
+      new Session(scheduler, address, *type, std::move(*catalog), std::move(wire), place, std::move(wake)));
   session->pump_.start();
   return session;
 }
 
 Session::Session(Scheduler& scheduler, Address address, const DeviceType& type, Catalog catalog,
-                 WireOpener opener, std::function<void()> wake)
+                 std::shared_ptr<SharedWire> wire, std::size_t place, std::function<void()> wake)
     : scheduler_(scheduler),
       address_(std::move(address)),
       type_(type),
       catalog_(std::move(catalog)),
-      opener_(std::move(opener)),
+      wire_(std::move(wire)),
+      place_(place),
       wake_(std::move(wake)),
       pump_(scheduler, type, catalog_,
             Pump::Ways{[this] { return open_wire(); }, [this](const Snapshot& s) { show(s); },
@@ -50,15 +58,14 @@ void Session::operate_bench(BenchCommand command) {
   });
 }
 
-Task<Result<std::unique_ptr<Stream>>> Session::open_wire() {
-  auto opened = co_await opener_(scheduler_, address_, bench_);
-  if (!opened) co_return fail(opened.error());
-  if (opened->bench) {
-    bench_ = opened->bench;
+Task<Result<std::shared_ptr<Link>>> Session::open_wire() {
+  auto link = co_await wire_->link();
+  if (auto bench = wire_->bench(place_); link && bench) {
+    bench_ = std::move(bench);
     bench_->changed = [this] { show_bench(); };
     show_bench();
   }
-  co_return std::move(opened->stream);
+  co_return link;
 }
 
 Task<Result<>> Session::perform(IntentBody body) {

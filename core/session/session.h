@@ -8,7 +8,7 @@
 
 #include "core/base/latest.h"
 #include "core/device/pump.h"
-#include "core/session/wire.h"
+#include "core/session/shared_wire.h"
 
 namespace hw {
 
@@ -17,6 +17,10 @@ class Session : public std::enable_shared_from_this<Session> {
   /// Io thread. `wake` is called from the io thread when a reader would see something new.
   static Result<std::shared_ptr<Session>> open(Scheduler& scheduler, const Address& address,
                                                WireOpener opener, std::function<void()> wake);
+  /// The same, on a wire that is shared: `place` is that of its id among those of the wire's address.
+  static Result<std::shared_ptr<Session>> open_on(Scheduler& scheduler, const Address& address,
+                                                  std::shared_ptr<SharedWire> wire, std::size_t place,
+                                                  std::function<void()> wake);
   ~Session();
 
   // ---- any thread
@@ -50,9 +54,9 @@ class Session : public std::enable_shared_from_this<Session> {
   static constexpr std::size_t traffic_capacity = 1 << 16;
 
  private:
-  Session(Scheduler& scheduler, Address address, const DeviceType& type, Catalog catalog, WireOpener opener,
-          std::function<void()> wake);
-  Task<Result<std::unique_ptr<Stream>>> open_wire();
+  Session(Scheduler& scheduler, Address address, const DeviceType& type, Catalog catalog,
+          std::shared_ptr<SharedWire> wire, std::size_t place, std::function<void()> wake);
+  Task<Result<std::shared_ptr<Link>>> open_wire();
   void show(const Snapshot& snapshot);
   void show_bench();
   void tell(Notice notice);
@@ -61,7 +65,8 @@ class Session : public std::enable_shared_from_this<Session> {
   const Address address_;
   const DeviceType& type_;
   const Catalog catalog_;
-  WireOpener opener_;
+  const std::shared_ptr<SharedWire> wire_;
+  const std::size_t place_;  ///< among the devices on the wire
   std::function<void()> wake_;
   std::atomic<IntentId> last_intent_{0};
   Latest<Snapshot> latest_;

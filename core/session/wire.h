@@ -2,6 +2,7 @@
 // An opened way to a controller, and how a session gets one without knowing the transports.
 #include <functional>
 #include <memory>
+#include <vector>
 
 #include "core/base/asio.h"
 #include "core/device/bench.h"
@@ -28,11 +29,12 @@ class BenchAccess {
 
 struct Wire {
   std::unique_ptr<Stream> stream;
-  std::shared_ptr<BenchAccess> bench;  ///< null: not an emulator of ours
+  /// One for each device on it, in the order of the address's ids; empty: no emulators of ours.
+  std::vector<std::shared_ptr<BenchAccess>> benches;
 };
 
 /// Resumes with an open wire or a fault that names the place. An emulator that was unplugged opens again as
-/// the same emulator: `again` is the bench of the wire that was lost, or null.
+/// the same emulator: `again` is a bench of the wire that was lost, or null.
 using WireOpener = std::function<Task<Result<Wire>>(Scheduler& scheduler, Address address,
                                                     std::shared_ptr<BenchAccess> again)>;
 

@@ -39,6 +39,7 @@ class Tapped final : public Stream, private Stream::Listener {
   }
   Result<> set_rate(int baud) override { return inner_->set_rate(baud); }
   [[nodiscard]] int rate() const override { return inner_->rate(); }
+  [[nodiscard]] bool carries_messages() const override { return inner_->carries_messages(); }
   [[nodiscard]] std::string describe() const override { return inner_->describe(); }
 
  private:

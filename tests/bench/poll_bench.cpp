@@ -85,9 +85,10 @@ struct Stack {
     draft.axis_count = static_cast<int>(catalog.axes.size());
     auto opener = make_wire_opener();
     auto wire = co_await opener(time, *address, nullptr);
-    link = std::make_unique<Link>(time, std::move(wire->stream), &traffic);
+    auto link = std::make_shared<Link>(time, std::move(wire->stream));
+    station = std::make_unique<Station>(std::move(link), &traffic);
     driver = type.make_driver(DriverContext{time, catalog, draft, [](Notice) {}, [] {}});
-    auto ready = co_await driver->connect(*link);
+    auto ready = co_await driver->connect(*station);
     connected = true;
     while (!over && ready) {
       ready = co_await driver->poll();
@@ -103,7 +104,7 @@ struct Stack {
   Snapshot draft;
   Latest<Snapshot> latest;
   TrafficRing traffic{1 << 12};
-  std::unique_ptr<Link> link;
+  std::unique_ptr<Station> station;
   std::unique_ptr<Driver> driver;
   bool connected = false, over = false, ended = false;
 };
@@ -112,7 +113,7 @@ void whole_stack(benchmark::State& state) {
   Responder responder;
   IoContext io(1);
   Stack stack(io, responder.port());
-  const auto& transactions = stack.link->statistics().transactions;
+  const auto& transactions = stack.station->statistics().transactions;
   for (auto _ : state) {
     const auto before = transactions;
     while (transactions == before && !stack.ended) io.run_one();

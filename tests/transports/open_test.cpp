@@ -112,7 +112,7 @@ class OpenVxm : public Open {
 TEST_F(OpenVxm, AnEmulatorOfThisProcess) {
   auto wire = open("vxm@emulator,motors=2");
   ASSERT_TRUE(wire) << wire.error().sentence();
-  ASSERT_TRUE(wire->bench);
+  ASSERT_EQ(wire->benches.size(), 1u);
   Ear ear(*wire->stream);
   wire->stream->send("V");
   clock.run_for(Millis(10));
@@ -123,13 +123,13 @@ TEST_F(OpenVxm, AnEmulatorOfThisProcess) {
 TEST_F(OpenVxm, AfterAPulledCableItIsTheSameOne) {
   auto wire = open("vxm@emulator");
   ASSERT_TRUE(wire);
-  const auto bench = wire->bench;
+  const auto bench = wire->benches.front();
   ASSERT_TRUE(bench->operate(bench::Unplug(true)));
   EXPECT_FALSE(open("vxm@emulator", bench));
   ASSERT_TRUE(bench->operate(bench::Unplug(false)));
   auto again = open("vxm@emulator", bench);
   ASSERT_TRUE(again);
-  EXPECT_EQ(again->bench, bench);
+  EXPECT_EQ(again->benches.front(), bench);
 }
 
 TEST_F(OpenVxm, AtAnotherRateItIsNotUnderstood) {

@@ -28,7 +28,7 @@ class VxmDriver final : public Driver {
  public:
   explicit VxmDriver(DriverContext context);
 
-  Task<Result<>> connect(Link& link) override;
+  Task<Result<>> connect(Station& station) override;
   Task<Result<>> poll() override;
   Task<Result<>> perform(const IntentBody& intent) override;
   Task<Result<>> stop(int axis, bool at_once) override;
@@ -187,7 +187,7 @@ class VxmDriver final : public Driver {
   Snapshot& draft_;
   std::function<void(Notice)> notify_;
   std::function<void()> changed_;
-  Link* link_ = nullptr;
+  Station* station_ = nullptr;
   Event news_;
 
   Mode mode_ = Mode::unknown;

@@ -79,9 +79,9 @@ VxmDriver::VxmDriver(DriverContext context)
   draft_.slot_bytes_used.fill(-1);
 }
 
-Task<Result<>> VxmDriver::connect(Link& link) {
-  link_ = &link;
-  link.unsolicited = [this](std::string_view bytes) { return hear(bytes); };
+Task<Result<>> VxmDriver::connect(Station& station) {
+  station_ = &station;
+  station.unsolicited = [this](std::string_view bytes) { return hear(bytes); };
   auto greeted = co_await greet();
   if (!greeted) co_return greeted;
   connected_before_ = true;
@@ -105,7 +105,7 @@ Task<Result<>> VxmDriver::greet() {
     greeting = read_greeting(bytes);
     if (greeting.state || !bytes.empty()) break;
   }
-  const int rate = link_ ? link_->stream().rate() : 0;
+  const int rate = station_ ? station_->rate() : 0;
   if (bytes.empty()) co_return silent(rate);
   if (!greeting.state || !greeting.sense) co_return nonsense(bytes, rate);
   if (greeting.state == jog_idle || greeting.state == jog_moving)
@@ -235,8 +235,8 @@ Task<Result<>> VxmDriver::resume_after_loss(char state) {
 }
 
 void VxmDriver::wire_lost() {
-  if (!link_) return;
-  link_ = nullptr;
+  if (!station_) return;
+  station_ = nullptr;
   lost_while_busy_ = lost_while_busy_ || busy();
   lost_at_ = scheduler_.now();
   unasked_.clear();

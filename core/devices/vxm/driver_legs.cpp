@@ -210,7 +210,8 @@ Task<Result<>> VxmDriver::run_quickly(Leg leg) {
   if (!begun) co_return begun;
   const Instant deadline = scheduler_.now() + quick_patience;
   bool in_time = true;
-  while (link_ && job_.active() && !job_.leg_over && in_time) in_time = co_await news_.wait_until(deadline);
+  while (station_ && job_.active() && !job_.leg_over && in_time)
+    in_time = co_await news_.wait_until(deadline);
   if (!in_time) {
     auto state = co_await ask_state(Priority::intent);
     if (!state) co_return fail(state.error());

@@ -180,12 +180,12 @@ Task<Result<>> VxmDriver::set_param(const intent::SetParam& wish) {
 
 // The controller changes its rate after the command's end; then both sides must agree, or go back.
 Task<Result<>> VxmDriver::set_baud(std::int64_t number) {
-  const int before = link_->stream().rate(), wanted = baud_rate(number);
+  const int before = station_->rate(), wanted = baud_rate(number);
   auto sent = co_await say(vxm::set_param("B", number), Priority::intent);
   if (!sent) co_return sent;
-  co_await scheduler_.sleep_for(link_->wire_time(10) + rate_change_pause);
-  if (!link_) co_return fail(FaultKind::lost, "The connection was lost while the baud rate changed.");
-  auto changed = link_->stream().set_rate(wanted);
+  co_await scheduler_.sleep_for(station_->wire_time(10) + rate_change_pause);
+  if (!station_) co_return fail(FaultKind::lost, "The connection was lost while the baud rate changed.");
+  auto changed = station_->set_rate(wanted);
   if (changed) {
     auto state = co_await ask_state(Priority::intent);
     if (state) {
@@ -195,8 +195,8 @@ Task<Result<>> VxmDriver::set_baud(std::int64_t number) {
       co_return Result<>();
     }
   }
-  if (!link_) co_return fail(FaultKind::lost, "The connection was lost while the baud rate changed.");
-  if (before > 0) (void)link_->stream().set_rate(before);
+  if (!station_) co_return fail(FaultKind::lost, "The connection was lost while the baud rate changed.");
+  if (before > 0) (void)station_->set_rate(before);
   auto state = co_await ask_state(Priority::intent);
   co_return fail(
       FaultKind::controller,
@@ -240,7 +240,7 @@ Task<Result<>> VxmDriver::reset() {
   run_ended(EndedBy::abort);
   forget_ram();
   Result<> on_line = fail(FaultKind::no_answer, "The controller does not answer after its reset.");
-  for (int attempt = 0; attempt < restart_attempts && !on_line && link_; ++attempt) {
+  for (int attempt = 0; attempt < restart_attempts && !on_line && station_; ++attempt) {
     co_await scheduler_.sleep_for(restart_pause);
     on_line = co_await go_on_line(false);
   }

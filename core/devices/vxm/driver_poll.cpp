@@ -15,7 +15,7 @@ constexpr int params_per_round = 4;  // set-up is read in the gaps, a few values
 }  // namespace
 
 Task<Result<>> VxmDriver::poll() {
-  if (!link_) co_return fail(FaultKind::lost, "There is no connection to the controller.");
+  if (!station_) co_return fail(FaultKind::lost, "There is no connection to the controller.");
   if (halted_) co_return Result<>();  // it would not answer
   Result<> polled;
   if (stay_local_)
@@ -31,7 +31,7 @@ Task<Result<>> VxmDriver::poll() {
 Duration VxmDriver::moving_period() const {
   constexpr std::size_t bytes_of_a_round = 22;  // X, Y and V with their answers
   constexpr Duration without_wire = Millis(5);
-  const Duration round = link_ ? link_->wire_time(bytes_of_a_round) : Duration::zero();
+  const Duration round = station_ ? station_->wire_time(bytes_of_a_round) : Duration::zero();
   if (round == Duration::zero()) return without_wire;
   return std::max(Duration::zero(), round - (scheduler_.now() - round_began_));
 }

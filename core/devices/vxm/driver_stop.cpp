@@ -18,7 +18,7 @@ constexpr Duration kill_patience = Millis(300);
 }  // namespace
 
 Task<Result<>> VxmDriver::stop(int axis, bool at_once) {
-  if (!link_)
+  if (!station_)
     co_return fail(FaultKind::lost, "Stop does not reach the controller: there is no connection.",
                    "Nothing was sent.", "Use its power switch.");
   if (at_once || stopping_ != Stopping::no || halted_) co_return co_await kill(false);
@@ -55,7 +55,7 @@ Task<Result<>> VxmDriver::stop_unknown() {
   auto said = co_await say("D", Priority::stop);
   if (!said) co_return said;
   // In Local mode D is answered; nothing may be sent into that answer.
-  if (link_) co_await scheduler_.sleep_for(link_->wire_time(4) + Millis(2));
+  if (station_) co_await scheduler_.sleep_for(station_->wire_time(4) + Millis(2));
   if (heard_at_ > sent_at) co_await wait_for_quiet();
   auto state = co_await ask_state(Priority::stop);
   if (!state) co_return fail(state.error());
@@ -77,14 +77,14 @@ Task<Result<>> VxmDriver::stop_program() {
     if (!held) co_return held;
     hold_on_ = true;
     // Between two commands the hold is told at once, and D into that listing would be an overrun.
-    if (link_) co_await scheduler_.sleep_for(link_->wire_time(2) + Millis(1));
+    if (station_) co_await scheduler_.sleep_for(station_->wire_time(2) + Millis(1));
   }
   if (stored_running_ && draft_.program.run != RunState::held && stopping_ == Stopping::program) {
     auto ramped = co_await say("D", Priority::stop);
     if (!ramped) co_return ramped;
   }
   const bool standing = co_await wait_for_standstill(scheduler_.now() + longest_ramp);
-  if (stopping_ != Stopping::program || !link_)
+  if (stopping_ != Stopping::program || !station_)
     co_return Result<>();  // a second stop has killed it, or the wire is gone
   if (!stored_running_) {
     // It ended by itself. The hold must not keep the next run.
@@ -102,7 +102,7 @@ Task<Result<>> VxmDriver::stop_program() {
 Task<bool> VxmDriver::wait_for_standstill(Instant give_up) {
   std::array<Steps, motors_per_controller> before{}, now{};
   bool first = true;
-  while (link_ && stored_running_ && stopping_ == Stopping::program && scheduler_.now() < give_up) {
+  while (station_ && stored_running_ && stopping_ == Stopping::program && scheduler_.now() < give_up) {
     if (draft_.program.run == RunState::held) co_return true;
     const int motors = std::min(draft_.axis_count, motors_per_controller);
     for (int i = 0; i < motors; ++i) {
@@ -115,7 +115,7 @@ Task<bool> VxmDriver::wait_for_standstill(Instant give_up) {
     before = now;
     first = false;
     const Instant next = std::min(scheduler_.now() + look_again, give_up);
-    while (link_ && stored_running_ && draft_.program.run != RunState::held && scheduler_.now() < next)
+    while (station_ && stored_running_ && draft_.program.run != RunState::held && scheduler_.now() < next)
       co_await news_.wait_until(next);
   }
   co_return scheduler_.now() >= give_up || draft_.program.run == RunState::held;

@@ -33,14 +33,14 @@ tl::unexpected<Fault> no_such_answer(std::string_view question, std::string_view
 Task<Result<std::string>> VxmDriver::ask(std::string question, ReplyShape shape, Priority priority,
                                          Stranger stranger, Duration patience) {
   // The rest of a message that is coming in would be taken for the answer.
-  while (link_ && !unasked_.empty() && scheduler_.now() - heard_at_ < longest_gap)
+  while (station_ && !unasked_.empty() && scheduler_.now() - heard_at_ < longest_gap)
     co_await scheduler_.sleep_for(Millis(2));
-  if (!link_)
+  if (!station_)
     co_return fail(FaultKind::lost, "There is no connection to the controller.", "Nothing was sent.");
   Transaction t(std::move(question), shape, priority);
   t.stranger = stranger;
   t.patience = patience;
-  co_return co_await link_->transact(std::move(t));
+  co_return co_await station_->transact(std::move(t));
 }
 
 Task<Result<>> VxmDriver::say(std::string text, Priority priority) {
@@ -98,7 +98,7 @@ Task<Result<unsigned char>> VxmDriver::ask_raw(char question, Priority priority)
   auto reply = co_await ask(std::string(1, question), ReplyShape::bytes(1), priority, nullptr);
   const bool doubtful = reply && busy() && could_be_message(reply->front());
   if (doubtful && !second_raw_)
-    co_await scheduler_.sleep_for(link_ ? 2 * link_->wire_time(2) + Millis(2) : Duration());
+    co_await scheduler_.sleep_for(station_ ? 2 * station_->wire_time(2) + Millis(2) : Duration());
   raw_asked_ = false;
   if (!reply) co_return fail(reply.error());
   char answer = reply->front();
@@ -117,7 +117,7 @@ Task<Result<unsigned char>> VxmDriver::ask_raw(char question, Priority priority)
 // may be sent while the controller sends (the overrun of the manual's p.30 locks it until power-off).
 Task<> VxmDriver::wait_for_quiet() {
   Instant quiet_at = scheduler_.now() + quiet_time;
-  while (link_ && scheduler_.now() < quiet_at) {
+  while (station_ && scheduler_.now() < quiet_at) {
     co_await scheduler_.sleep_until(quiet_at);
     quiet_at = std::max(quiet_at, heard_at_ + quiet_time);
   }
@@ -406,7 +406,7 @@ Task<Result<std::string>> VxmDriver::wait_for_prompt(Duration patience) {
   std::string text;
   for (;;) {
     if (take_unsolicited(text)) co_return std::move(text);
-    if (!link_) co_return fail(FaultKind::lost, "The connection was lost before an answer came.");
+    if (!station_) co_return fail(FaultKind::lost, "The connection was lost before an answer came.");
     const bool in_time = co_await news_.wait_until(deadline);
     if (!in_time && for_scripts_.empty())
       co_return fail(FaultKind::no_answer, fmt::format("No answer came in {:g} s.", seconds(patience)));

@@ -42,15 +42,15 @@ class ToyDriver : public Driver {
  public:
   explicit ToyDriver(DriverContext context) : context_(std::move(context)) {}
 
-  Task<Result<>> connect(Link& link) override {
-    link_ = &link;
+  Task<Result<>> connect(Station& station) override {
+    station_ = &station;
     auto greeted = co_await say("hello", Priority::intent);
     if (!greeted) co_return greeted;
     co_return co_await poll();
   }
   Task<Result<>> poll() override {
     Transaction t("?", ReplyShape::bytes(1), Priority::poll);
-    auto reply = co_await link_->transact(std::move(t));
+    auto reply = co_await station_->transact(std::move(t));
     if (!reply) co_return fail(reply.error());
     context_.draft.axes[0].seen_at = context_.scheduler.now();
     co_return Result<>();
@@ -72,7 +72,7 @@ class ToyDriver : public Driver {
   Task<Result<>> stop(int, bool at_once) override {
     co_return co_await say(at_once ? "kill" : "stop", Priority::stop);
   }
-  void wire_lost() override { link_ = nullptr; }
+  void wire_lost() override { station_ = nullptr; }
   Task<Result<std::string>> query(std::string text, Duration) override {
     auto sent = co_await say(text, Priority::intent);
     if (!sent) co_return fail(sent.error());
@@ -85,12 +85,12 @@ class ToyDriver : public Driver {
  private:
   Task<Result<>> say(std::string text, Priority priority) {
     Transaction t(std::move(text), ReplyShape::nothing(), priority);
-    auto sent = co_await link_->transact(std::move(t));
+    auto sent = co_await station_->transact(std::move(t));
     if (!sent) co_return fail(sent.error());
     co_return Result<>();
   }
   DriverContext context_;
-  Link* link_ = nullptr;
+  Station* station_ = nullptr;
 };
 
 std::unique_ptr<Driver> make_toy(DriverContext context) {
@@ -131,11 +131,11 @@ struct PumpTest : testing::Test {
     time.run_for(Millis(10));
     EXPECT_EQ(latest.link.state, LinkState::closed);
   }
-  Task<Result<std::unique_ptr<Stream>>> open() {
+  Task<Result<std::shared_ptr<Link>>> open() {
     ++opened;
     if (port_missing) co_return fail(FaultKind::port, "/dev/ttyUSB0 does not exist.");
     std::unique_ptr<Stream> wire = std::make_unique<ToyWire>(time, sent, silent);
-    co_return wire;
+    co_return std::make_shared<Link>(time, std::move(wire));
   }
   IntentId post(IntentBody body) {
     pump->post(Intent(++last_id, std::move(body)));

@@ -1,8 +1,7 @@
-#include "core/link/link.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/link/station.h"
 #include "core/time/virtual_scheduler.h"
 
 namespace hw {
@@ -29,19 +28,20 @@ struct LinkTest : testing::Test {
   VirtualScheduler time{io};
   TrafficRing traffic{64};
   FakeStream* wire = new FakeStream;
-  Link link{time, std::unique_ptr<Stream>(wire), &traffic};
+  std::shared_ptr<Link> link = std::make_shared<Link>(time, std::unique_ptr<Stream>(wire));
+  Station station{link, &traffic};
 
   struct Answer {
     bool came = false;
     Result<std::string> result{std::string()};
   };
-  static Task<> ask(Link& link, Transaction t, Answer& answer) {
-    answer.result = co_await link.transact(std::move(t));
+  static Task<> ask(Station& station, Transaction t, Answer& answer) {
+    answer.result = co_await station.transact(std::move(t));
     answer.came = true;
   }
   void start(std::string bytes, ReplyShape shape, Priority p, Answer& answer) {
     Transaction t(std::move(bytes), shape, p);
-    asio::co_spawn(io, ask(link, std::move(t), answer), asio::detached);
+    asio::co_spawn(io, ask(station, std::move(t), answer), asio::detached);
     time.run_for(Duration::zero());
   }
   void arrive(std::string_view bytes) {
@@ -78,12 +78,12 @@ TEST_F(LinkTest, AnUnansweredQuestionEndsAtItsDeadlineAndALateReplyIsNotTakenFor
   arrive("+0000002\r");
   ASSERT_TRUE(next.came);
   EXPECT_EQ(*next.result, "+0000002\r");
-  EXPECT_EQ(link.statistics().unparsed_bytes, 9u);
+  EXPECT_EQ(station.statistics().unparsed_bytes, 9u);
 }
 
 TEST_F(LinkTest, WhatComesBeforeTheReplyIsHandedOver) {
   std::string unsolicited;
-  link.unsolicited = [&](std::string_view bytes) { return unsolicited += bytes, bytes.size(); };
+  station.unsolicited = [&](std::string_view bytes) { return unsolicited += bytes, bytes.size(); };
   Answer answer;
   Transaction t("X", ReplyShape::line(), Priority::poll);
   t.stranger = [](std::string_view received) -> std::size_t {
@@ -91,7 +91,7 @@ TEST_F(LinkTest, WhatComesBeforeTheReplyIsHandedOver) {
     const auto end = received.find('.');
     return end == received.npos ? end : end + 1;
   };
-  asio::co_spawn(io, ask(link, std::move(t), answer), asio::detached);
+  asio::co_spawn(io, ask(station, std::move(t), answer), asio::detached);
   time.run_for(Duration::zero());
   arrive("^:+12\r");
   EXPECT_EQ(unsolicited, "^");
@@ -106,7 +106,7 @@ TEST_F(LinkTest, NothingOfAProcedureGoesOutBehindAStop) {
   Answer flying, waiting, later, after;
   start("X", ReplyShape::line(), Priority::poll, flying);
   start("S1M400\r", ReplyShape::nothing(), Priority::transfer, waiting);
-  link.begin_stop();
+  station.begin_stop();
   start("R", ReplyShape::nothing(), Priority::intent, later);
   for (const Answer* a : {&waiting, &later}) {
     ASSERT_TRUE(a->came);
@@ -114,7 +114,7 @@ TEST_F(LinkTest, NothingOfAProcedureGoesOutBehindAStop) {
   }
   arrive("+0000000\r");
   EXPECT_TRUE(flying.result.has_value());
-  link.end_stop();
+  station.end_stop();
   start("R", ReplyShape::nothing(), Priority::intent, after);
   EXPECT_THAT(wire->sent, ElementsAre("X", "R"));
 }
@@ -127,7 +127,8 @@ TEST_F(LinkTest, AClosedWireEndsEveryTransaction) {
   time.run_for(Duration::zero());
   ASSERT_TRUE(flying.came && waiting.came);
   EXPECT_EQ(flying.result.error().what, "The cable was pulled.");
-  EXPECT_FALSE(link.is_open());
+  EXPECT_FALSE(station.is_open());
+  EXPECT_FALSE(link->is_open());
 }
 
 TEST_F(LinkTest, AListWithoutAnEndMarkEndsWhenTheWireIsQuiet) {
@@ -164,6 +165,118 @@ TEST_F(LinkTest, PatienceGrowsWithTheTimeThatTheWireNeeds) {
   EXPECT_FALSE(answer.came);
   time.run_for(Millis(10));
   EXPECT_TRUE(answer.came);
+}
+
+// ---- several devices on one wire
+
+struct BusTest : LinkTest {
+  Station other{link, nullptr};
+  void start_on(Station& station, std::string bytes, ReplyShape shape, Priority p, Answer& answer) {
+    Transaction t(std::move(bytes), shape, p);
+    asio::co_spawn(io, ask(station, std::move(t), answer), asio::detached);
+    time.run_for(Duration::zero());
+  }
+};
+
+TEST_F(BusTest, AStopOfOneDeviceOvertakesAllAndDropsOnlyItsOwn) {
+  Answer flying, mine, others, stop;
+  start_on(station, "@01PX\r", ReplyShape::line(), Priority::poll, flying);
+  start_on(station, "@01X400\r", ReplyShape::nothing(), Priority::intent, mine);
+  start_on(other, "@02X400\r", ReplyShape::nothing(), Priority::intent, others);
+  station.begin_stop();
+  start_on(station, "@01STOP\r", ReplyShape::line(), Priority::stop, stop);
+  EXPECT_THAT(wire->sent, ElementsAre("@01PX\r"));
+  arrive("0\r");
+  EXPECT_THAT(wire->sent, ElementsAre("@01PX\r", "@01STOP\r"));
+  arrive("OK\r");
+  EXPECT_THAT(wire->sent, ElementsAre("@01PX\r", "@01STOP\r", "@02X400\r"));
+  EXPECT_EQ(mine.result.error().kind, FaultKind::stopped);
+  EXPECT_TRUE(stop.result.has_value() && others.result.has_value());
+}
+
+Task<> poll_for_ever(Station& station, std::string question, int& rounds) {
+  for (;;) {
+    Transaction t(question, ReplyShape::line(), Priority::poll);
+    const auto reply = co_await station.transact(std::move(t));
+    if (!reply) co_return;
+    ++rounds;
+  }
+}
+
+TEST_F(BusTest, PollsTakeTurns) {
+  int first = 0, second = 0;
+  asio::co_spawn(io, poll_for_ever(station, "@01PX\r", first), asio::detached);
+  asio::co_spawn(io, poll_for_ever(other, "@02PX\r", second), asio::detached);
+  time.run_for(Duration::zero());
+  for (int i = 0; i < 6; ++i) arrive("0\r");
+  EXPECT_THAT(wire->sent,
+              ElementsAre("@01PX\r", "@02PX\r", "@01PX\r", "@02PX\r", "@01PX\r", "@02PX\r", "@01PX\r"));
+  EXPECT_EQ(first, 3);
+  EXPECT_EQ(second, 3);
+}
+
+TEST_F(BusTest, ADeviceThatIsSilentIsTheOnlyOneThatMisses) {
+  Answer silent, talks;
+  start_on(station, "@01PX\r", ReplyShape::line(), Priority::poll, silent);
+  start_on(other, "@02PX\r", ReplyShape::line(), Priority::poll, talks);
+  time.run_for(Millis(260));
+  arrive("0\r");
+  EXPECT_EQ(silent.result.error().kind, FaultKind::no_answer);
+  EXPECT_TRUE(talks.result.has_value());
+  EXPECT_EQ(station.statistics().misses_in_a_row, 1);
+  EXPECT_EQ(other.statistics().misses_in_a_row, 0);
+}
+
+TEST_F(BusTest, WhatNobodyAskedForGoesToWhoseItIs) {
+  const auto hears = [](std::string mark, std::string& heard) {
+    return [mark, &heard](std::string_view bytes) -> std::size_t {
+      const auto end = bytes.find('\r');
+      if (end == bytes.npos) return bytes.front() == '$' ? bytes.npos : 0;
+      if (bytes.substr(0, end) != mark) return 0;
+      heard += mark;
+      return end + 1;
+    };
+  };
+  std::string first, second;
+  station.unsolicited = hears("$01P", first);
+  other.unsolicited = hears("$02P", second);
+  arrive("$02P\r$01P\r$02P\r");
+  EXPECT_EQ(first, "$01P");
+  EXPECT_EQ(second, "$02P$02P");
+  for (const char* piece : {"$", "01", "P", "\r"}) arrive(piece);
+  EXPECT_EQ(first, "$01P$01P");
+  EXPECT_EQ(station.statistics().unparsed_bytes, 0u);
+  arrive("$0");
+  time.run_for(Millis(100));
+  EXPECT_EQ(station.statistics().unparsed_bytes, 2u) << "what never ends is not waited for";
+}
+
+TEST_F(BusTest, WhoLeavesTakesItsTransactionsAlongAndTheLateAnswerIsNobodys) {
+  Answer flying, mine, others;
+  start_on(station, "@01PX\r", ReplyShape::line(), Priority::poll, flying);
+  start_on(other, "@02PX\r", ReplyShape::line(), Priority::poll, others);
+  station.close(Fault(FaultKind::lost, "It was closed."));
+  time.run_for(Duration::zero());
+  EXPECT_EQ(flying.result.error().what, "It was closed.");
+  arrive("1000\r");
+  EXPECT_FALSE(others.came);
+  time.run_for(Millis(60));
+  arrive("2000\r");
+  EXPECT_EQ(*others.result, "2000\r");
+  start_on(station, "@01PX\r", ReplyShape::line(), Priority::poll, mine);
+  EXPECT_EQ(mine.result.error().kind, FaultKind::lost);
+}
+
+TEST_F(BusTest, AClosedWireIsClosedForAll) {
+  int told = 0;
+  station.closed = other.closed = [&](const Fault&) { ++told; };
+  Answer waiting;
+  start_on(other, "@02PX\r", ReplyShape::line(), Priority::poll, waiting);
+  wire->listener->stream_closed(Fault(FaultKind::lost, "The cable was pulled."));
+  time.run_for(Duration::zero());
+  EXPECT_EQ(told, 2);
+  EXPECT_EQ(waiting.result.error().what, "The cable was pulled.");
+  EXPECT_FALSE(station.is_open() || other.is_open());
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ class DriverTest : public testing::Test {
     catalog = make_catalog(known).value();
     type = device_type();
     Pump::Ways ways;
-    ways.open_wire = [this]() -> Task<Result<std::unique_ptr<Stream>>> { return open_wire(); };
+    ways.open_wire = [this]() -> Task<Result<std::shared_ptr<Link>>> { return open_wire(); };
     ways.publish = [this](const Snapshot& s) { latest = s; };
     ways.notify = [this](Notice n) { notices.push_back(std::move(n)); };
     ways.traffic = &traffic;
@@ -49,9 +49,9 @@ class DriverTest : public testing::Test {
     pump.reset();
     loop.reset();
   }
-  Task<Result<std::unique_ptr<Stream>>> open_wire() {
+  Task<Result<std::shared_ptr<Link>>> open_wire() {
     if (port_missing) co_return fail(FaultKind::port, "There is no port /dev/ttyUSB0.");
-    co_return loop->plug();
+    co_return std::make_shared<Link>(time, loop->plug());
   }
 
   void run(double s) { time.run_for(from_seconds(s)); }

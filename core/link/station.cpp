@@ -1,0 +1,68 @@
+#include "core/link/station.h"
+
+namespace hw {
+namespace {
+
+Fault no_connection() {
+  return Fault(FaultKind::lost, "There is no connection to the controller.", "Nothing was sent.");
+}
+
+Task<Result<std::string>> not_sent(Fault why) { co_return fail(std::move(why)); }
+
+bool yields_to_stop(Priority p) { return p == Priority::intent || p == Priority::transfer; }
+
+}  // namespace
+
+Station::Station(std::shared_ptr<Link> link, TrafficRing* traffic)
+    : link_(std::move(link)), traffic_(traffic) {
+  link_->join(*this);
+}
+
+Station::~Station() { close(Fault(FaultKind::lost, "The connection was closed.")); }
+
+Task<Result<std::string>> Station::transact(Transaction transaction) {
+  if (!link_) return not_sent(no_connection());
+  if (stopping_ && yields_to_stop(transaction.priority)) return not_sent(stop_came_first());
+  return link_->transact(*this, std::move(transaction));
+}
+
+void Station::begin_stop() {
+  stopping_ = true;
+  if (link_) link_->drop_procedures(*this);
+}
+
+Result<> Station::set_rate(int baud) {
+  if (!link_) return fail(no_connection());
+  return link_->stream_->set_rate(baud);
+}
+
+void Station::close(const Fault& why) {
+  if (const auto link = std::exchange(link_, nullptr)) link->leave(*this, why);
+}
+
+void Station::record(Instant at, Way way, TrafficKind kind, std::string_view bytes) {
+  if (!traffic_) return;
+  TrafficEntry entry;
+  entry.at = at;
+  entry.way = way;
+  entry.kind = kind;
+  entry.bytes = bytes;
+  traffic_->push(std::move(entry));
+}
+
+void Station::count(const Result<std::string>& result, bool question, bool poll, Duration round_trip,
+                    Instant now) {
+  ++statistics_.transactions;
+  if (result && question) {
+    statistics_.last_round_trip = round_trip;
+    statistics_.misses_in_a_row = 0;
+    if (poll) ++polls_this_second_;
+  }
+  if (now - second_began_ >= std::chrono::seconds(1)) {
+    statistics_.polls_per_second = polls_this_second_ / seconds(now - second_began_);
+    polls_this_second_ = 0;
+    second_began_ = now;
+  }
+}
+
+}  // namespace hw

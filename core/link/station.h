@@ -1,0 +1,71 @@
+#pragma once
+// One device's place on a wire: what its driver talks through. A wire with a single controller is a link with
+// one station; on a multi-drop line (RS-485) each device has its own, with its own record of how well it
+// answers, and a stop of one does not touch what the others have waiting. Io thread only.
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "core/link/link.h"
+
+namespace hw {
+
+struct StationStatistics {
+  std::uint64_t transactions = 0, timeouts = 0, unparsed_bytes = 0;
+  Duration last_round_trip{};
+  double polls_per_second = 0;
+  int misses_in_a_row = 0;
+};
+
+class Station {
+ public:
+  /// `traffic` may be null. The link stays open as long as a station is on it.
+  Station(std::shared_ptr<Link> link, TrafficRing* traffic);
+  ~Station();
+  Station(const Station&) = delete;
+  Station& operator=(const Station&) = delete;
+
+  /// Resumes with the reply (terminator included), or with a fault: no_answer, garbled, lost, stopped.
+  Task<Result<std::string>> transact(Transaction transaction);
+  /// From now until end_stop() intents and transfers of this station, waiting or new, end with
+  /// Fault{stopped}, so that no procedure that was under way can send its next step behind the stop. The one
+  /// in flight goes on.
+  void begin_stop();
+  void end_stop() { stopping_ = false; }
+
+  /// Bytes that no transaction claimed, at least one. The handler returns how many at the front are its own
+  /// and done with; npos: they may be, more must come to tell (they are offered again with what follows).
+  /// What no station on the wire understands counts as unparsed.
+  std::function<std::size_t(std::string_view)> unsolicited;
+  /// The wire is gone for everybody on it.
+  std::function<void(const Fault&)> closed;
+
+  [[nodiscard]] const StationStatistics& statistics() const { return statistics_; }
+  [[nodiscard]] bool is_open() const { return link_ != nullptr; }
+  /// Line rate in baud; 0: the wire has none, or is gone.
+  [[nodiscard]] int rate() const { return link_ ? link_->rate() : 0; }
+  /// The wire carries whole messages to this one device (Stream::carries_messages).
+  [[nodiscard]] bool carries_messages() const { return link_ && link_->carries_messages(); }
+  /// For everybody on the wire.
+  Result<> set_rate(int baud);
+  /// Time that `bytes` characters take on this wire (0 when it has no rate).
+  [[nodiscard]] Duration wire_time(std::size_t bytes) const {
+    return link_ ? link_->wire_time(bytes) : Duration::zero();
+  }
+  /// Leaves the wire; waiting transactions end with Fault{lost}. `closed` is not called.
+  void close(const Fault& why);
+
+ private:
+  friend class Link;
+  void record(Instant at, Way way, TrafficKind kind, std::string_view bytes);
+  void count(const Result<std::string>& result, bool question, bool poll, Duration round_trip, Instant now);
+
+  std::shared_ptr<Link> link_;
+  TrafficRing* traffic_;
+  StationStatistics statistics_;
+  Instant second_began_{};
+  int polls_this_second_ = 0;
+  bool stopping_ = false;
+};
+
+}  // namespace hw

@@ -1,0 +1,42 @@
+#pragma once
+// What one address opens: one controller, or several that share a wire, each with a session of its own. The
+// group's address is that of the wire with all its ids; each member's has its own id.
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "core/session/session.h"
+
+namespace hw {
+
+class SessionGroup {
+ public:
+  /// Io thread. `wake` as in Session::open().
+  static Result<std::shared_ptr<SessionGroup>> open(Scheduler& scheduler, const Address& address,
+                                                    WireOpener opener, std::function<void()> wake);
+
+  // ---- any thread
+  [[nodiscard]] const Address& address() const { return address_; }
+  /// In the order of their ids; at least one.
+  [[nodiscard]] const std::vector<std::shared_ptr<Session>>& members() const { return members_; }
+  [[nodiscard]] bool is_bus() const { return members_.size() > 1; }
+  /// The place of an id among the members; -1: none has it.
+  [[nodiscard]] int find(std::string_view id) const;
+  /// Stops all of them; where the maker has a message that all obey at once, it goes out first. The intents'
+  /// ids, in the order of the members.
+  std::vector<IntentId> stop(bool at_once = false);
+
+  // ---- io thread
+  /// Resumes when each answers, or with the reason why the first that does not.
+  Task<Result<>> wait_until_connected();
+  Task<> close();
+
+ private:
+  SessionGroup(Scheduler& scheduler, Address address) : scheduler_(scheduler), address_(std::move(address)) {}
+
+  Scheduler& scheduler_;
+  const Address address_;
+  std::vector<std::shared_ptr<Session>> members_;
+};
+
+}  // namespace hw

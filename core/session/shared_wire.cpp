@@ -1,0 +1,44 @@
+#include "core/session/shared_wire.h"
+
+namespace hw {
+
+SharedWire::SharedWire(Scheduler& scheduler, Address address, WireOpener opener)
+    : scheduler_(scheduler), address_(std::move(address)), opener_(std::move(opener)), opened_(scheduler) {}
+
+std::shared_ptr<BenchAccess> SharedWire::bench(std::size_t place) const {
+  return place < benches_.size() ? benches_[place] : nullptr;
+}
+
+Task<Result<Wire>> SharedWire::open() {
+  struct Opening {
+    SharedWire& wire;
+    explicit Opening(SharedWire& w) : wire(w) { wire.opening_ = true; }
+    ~Opening() {
+      wire.opening_ = false;
+      wire.opened_.notify();
+    }
+  } opening(*this);
+  co_return co_await opener_(scheduler_, address_, bench(0));
+}
+
+Task<Result<std::shared_ptr<Link>>> SharedWire::link() {
+  const auto self = shared_from_this();
+  while (opening_) co_await opened_.wait();
+  std::shared_ptr<Link> link = link_.lock();
+  if (link && link->is_open()) co_return link;
+  if (failure_ && scheduler_.now() - failed_at_ < same_attempt) co_return fail(*failure_);
+  failure_.reset();
+  auto wire = co_await open();
+  if (wire) {
+    benches_ = std::move(wire->benches);
+    link = std::make_shared<Link>(scheduler_, std::move(wire->stream));
+    link_ = link;
+  } else {
+    failure_ = wire.error();
+    failed_at_ = scheduler_.now();
+  }
+  if (failure_) co_return fail(*failure_);
+  co_return link;
+}
+
+}  // namespace hw

@@ -1,0 +1,39 @@
+#pragma once
+// The wire of the sessions that were opened together: opened when the first of them needs it, shared while
+// any is on it, closed when the last has left it. A controller that has a wire for itself shares it with
+// nobody. Io thread only.
+#include <memory>
+#include <vector>
+
+#include "core/link/link.h"
+#include "core/session/wire.h"
+
+namespace hw {
+
+class SharedWire : public std::enable_shared_from_this<SharedWire> {
+ public:
+  /// `address` names the wire with all devices on it.
+  SharedWire(Scheduler& scheduler, Address address, WireOpener opener);
+
+  /// The open link. All that ask while it is being opened get the one answer.
+  Task<Result<std::shared_ptr<Link>>> link();
+  /// The bench of the device at `place` in the order of the address's ids; null: not an emulator of ours.
+  [[nodiscard]] std::shared_ptr<BenchAccess> bench(std::size_t place) const;
+
+ private:
+  Task<Result<Wire>> open();
+  // Devices that lost the wire together ask for it again together; one attempt answers all of them.
+  static constexpr Duration same_attempt = Millis(20);
+
+  Scheduler& scheduler_;
+  const Address address_;
+  const WireOpener opener_;
+  std::weak_ptr<Link> link_;
+  std::vector<std::shared_ptr<BenchAccess>> benches_;
+  bool opening_ = false;
+  Event opened_;
+  std::optional<Fault> failure_;  ///< of the latest attempt
+  Instant failed_at_{};
+};
+
+}  // namespace hw
