@@ -89,7 +89,7 @@ std::string answer(Controller& controller, std::span<const Command> own, std::st
     else if (!try_table(common_commands()))
       try_table(own);
   }
-  if (answer.refusal == Refusal::none) return answer.text.empty() ? "OK" : answer.text;
+  if (answer.refusal == Refusal::none) return answer.text;
   const std::string_view words = controller.model().refusal(answer.refusal);
   return words.empty() ? "?" + std::string(text) : std::string(words);
 }

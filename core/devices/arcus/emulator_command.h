@@ -25,7 +25,7 @@ struct Arguments {
 /// A reply, or why there is none but the refusal's.
 struct Answer {
   Refusal refusal = Refusal::none;
-  std::string text;  ///< empty: OK
+  std::string text = "OK";
 
   Answer() = default;
   Answer(Refusal r) : refusal(r) {}                     // NOLINT: a refusal is an answer

@@ -99,8 +99,7 @@ Answer set_variable(Controller& c, const Args& a) {
 
 Answer program_line(Controller& c, const Args& a) {
   if (a.index >= program_lines) return Refusal::bad_index;
-  const std::string& line = c.program_line(static_cast<int>(a.index));
-  return line.empty() ? std::string(empty_program_line) : line;
+  return c.program_line(static_cast<int>(a.index));
 }
 
 Answer set_program_line(Controller& c, const Args& a) {

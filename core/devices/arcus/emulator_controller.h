@@ -14,12 +14,11 @@
 #include "core/devices/arcus/emulator_settings.h"
 #include "core/devices/arcus/emulator_speeds.h"
 #include "core/devices/arcus/facts.h"
+#include "core/devices/arcus/language/vm.h"
 #include "core/motion/path.h"
 #include "core/motion/profile.h"
 
 namespace hw::arcus {
-
-inline constexpr std::string_view empty_program_line = "NOP";
 
 enum class MotionKind : std::uint8_t { target, jog, homing, correction, interpolated, buffered, joystick };
 
@@ -89,8 +88,8 @@ class Controller {
   [[nodiscard]] const Settings& settings() const { return settings_; }
   [[nodiscard]] std::int64_t read_setting(Setting id, int which) const;  ///< as a reply shows it
   Refusal write_setting(Setting id, std::int64_t value, int which);
-  [[nodiscard]] std::int32_t variable(int n) const { return values_[static_cast<std::size_t>(n)]; }
-  void set_variable(int n, std::int32_t v) { values_[static_cast<std::size_t>(n)] = v; }
+  [[nodiscard]] std::int32_t variable(int n) const { return vm_.variable(n); }
+  void set_variable(int n, std::int32_t v) { vm_.set_variable(n, v); }
   [[nodiscard]] bool incremental() const { return incremental_; }
   void set_incremental(bool on) { incremental_ = on; }
   [[nodiscard]] std::int64_t timer_ms() const;
@@ -146,6 +145,8 @@ class Controller {
   Refusal call_subroutine(int number);
   [[nodiscard]] int program_state(int program) const;
   [[nodiscard]] int program_place(int program) const;
+  [[nodiscard]] bool error_returns_to_start() const;
+  [[nodiscard]] const language::Vm& vm() const { return vm_; }
 
   // Inputs and outputs (emulator_signals.cpp).
   [[nodiscard]] std::int64_t inputs() const;
@@ -155,6 +156,7 @@ class Controller {
   [[nodiscard]] std::int64_t output_register() const { return outputs_; }
   [[nodiscard]] std::int64_t enables() const { return enables_; }
   void set_enables(std::int64_t value) { enables_ = value; }
+  void set_enable(int number, bool on);
   [[nodiscard]] std::int64_t analog(int number) const { return analog_[static_cast<std::size_t>(number - 1)]; }
   void arm_latch(int axis, bool on);
   [[nodiscard]] const Latch& latch(int axis) const { return axes_[ix(axis)].latch; }
@@ -253,7 +255,11 @@ class Controller {
   [[nodiscard]] motion::Profile segment_profile(const motion::Path& path, const Segment& s, Pps now,
                                                 double from, bool last) const;
 
+  // Programs.
   void programs_power_up();
+  void load_programs();
+  void run_programs();
+  [[nodiscard]] std::optional<Instant> program_turn() const;
 
   // Signals.
   [[nodiscard]] bool inverted(const PolarityBit& bit, int axis) const;
@@ -284,7 +290,8 @@ class Controller {
   bool powered_ = true;
   Flash flash_;
   Settings settings_;
-  std::array<std::int32_t, variables> values_{};
+  language::Vm vm_;
+  bool program_is_new_ = true;  ///< lines have been written since the interpreter read them
   std::vector<Axis> axes_;
   std::array<Motion, most_axes> motions_;
   MoveBuffer buffer_;

@@ -30,8 +30,6 @@ void Controller::power_up() {
   powered_ = true;
   settings_.reset(true);
   settings_.take_stored(flash_.settings);
-  values_ = flash_.values;
-  std::fill_n(values_.begin(), first_stored_variable, 0);
   for (Motion& m : motions_) m = Motion();
   buffer_ = MoveBuffer();
   incremental_ = false;
@@ -63,7 +61,7 @@ void Controller::power_up() {
 
 void Controller::store() {
   flash_.settings.take_stored(settings_);
-  flash_.values = values_;
+  for (int n = first_stored_variable; n < variables; ++n) flash_.values[ix(n)] = vm_.variable(n);
   ++flash_.stores;
 }
 

@@ -74,6 +74,7 @@ std::optional<Instant> Controller::next_event() const {
     if (a.sync.open && a.sync.pulse_until > now_) sooner(a.sync.pulse_until);
   sooner(joystick_due_);
   sooner(timeout_at_);
+  sooner(program_turn());
   return next;
 }
 
@@ -98,6 +99,7 @@ void Controller::advance(Instant now) {
     timeout_at_.reset();
     tell("the host has been silent for longer than TOC");
   }
+  run_programs();
 }
 
 /// What is to be done where the motion stands now. A motion that is begun is looked at before its first pulse.

@@ -89,6 +89,11 @@ void Controller::set_output(int number, bool on) {
   set_outputs(on ? outputs_ | bit : outputs_ & ~bit);
 }
 
+void Controller::set_enable(int number, bool on) {
+  const std::int64_t bit = std::int64_t{1} << (number - 1);
+  set_enables(on ? enables_ | bit : enables_ & ~bit);
+}
+
 // --- latch -------------------------------------------------------------------------------------------------
 
 void Controller::arm_latch(int a, bool on) {

@@ -174,8 +174,7 @@ Answer set_enable(Controller& c, const Args& a) {
   if (!value) return Refusal::unknown;
   if (a.index < 1 || a.index > enables) return Refusal::bad_index;
   if (*value != 0 && *value != 1) return Refusal::unknown;
-  const std::int64_t bit = std::int64_t{1} << (a.index - 1);
-  c.set_enables(*value != 0 ? c.enables() | bit : c.enables() & ~bit);
+  c.set_enable(static_cast<int>(a.index), *value != 0);
   return {};
 }
 
