@@ -83,6 +83,13 @@ struct FeedState {
   bool operator==(const FeedState&) const = default;
 };
 
+/// A stored program on its way to or from the controller, in the catalog's capacity unit.
+struct TransferState {
+  bool running = false;
+  std::int32_t done = 0, total = 0;
+  bool operator==(const TransferState&) const = default;
+};
+
 /// What became of the newest intents; a panel finds its own by id.
 enum class Fate : std::uint8_t { pending, done, refused, failed };
 struct IntentFate {
@@ -137,6 +144,7 @@ struct Snapshot {
   ProgramState program;
   std::array<ThreadState, max_threads> threads{};
   FeedState feed;
+  TransferState transfer;
   std::array<std::int64_t, max_readouts> readouts{};  ///< by index in Catalog::readouts
   std::bitset<max_readouts> readouts_known;
   std::array<Instant, max_readouts> readouts_seen_at{};
