@@ -3,7 +3,7 @@
 #include <cmath>
 #include <span>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "gui/area.h"
 #include "gui/console.h"

@@ -1,6 +1,6 @@
 #include "gui/top_bar.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "gui/area.h"
 #include "gui/axis_look.h"
