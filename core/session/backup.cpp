@@ -33,6 +33,9 @@ Task<Result<Backup>> take_backup(std::shared_ptr<Session> session) {
   for (std::size_t i = 0; i < catalog.params.size() && i < known.params.size(); ++i)
     if (known.params[i].known)
       backup.parameters.push_back({catalog.params[i].mnemonic, known.params[i].value, 0});
+  for (int n = catalog.variables.stored_from; n < catalog.variables.count; ++n)
+    if (known.variables_known[static_cast<std::size_t>(n)])
+      backup.variables[n] = known.variables[static_cast<std::size_t>(n)];
   for (int slot = 0; slot < catalog.program.slots; ++slot) {
     IntentBody upload = intent::UploadProgram(slot);
     auto uploaded = co_await session->perform(std::move(upload));
@@ -47,6 +50,7 @@ Task<Result<Backup>> take_backup(std::shared_ptr<Session> session) {
 std::string RestoreReport::sentence() const {
   std::string all = fmt::format("{} parameters written, {} were equal already, {} programs written.",
                                 parameters_written, parameters_equal, programs_written);
+  if (variables_written > 0) all += fmt::format(" {} variables written.", variables_written);
   for (const std::string& s : left_out) all += " " + s;
   return all;
 }
@@ -76,6 +80,14 @@ Task<Result<RestoreReport>> restore_backup(std::shared_ptr<Session> session, Bac
     auto done = co_await session->perform(std::move(set));
     if (!done) co_return fail(done.error());
     ++report.parameters_written;
+  }
+  for (const auto& [number, value] : checked->variables) {
+    const auto n = static_cast<std::size_t>(number);
+    if (session->known().variables_known[n] && session->known().variables[n] == value) continue;
+    IntentBody set = intent::SetVariable(number, value);
+    auto done = co_await session->perform(std::move(set));
+    if (!done) co_return fail(done.error());
+    ++report.variables_written;
   }
   for (const auto& [slot, text] : checked->programs) {
     IntentBody load = intent::LoadProgram(slot, text);

@@ -137,6 +137,12 @@ class Rehearsing {
   Rehearsal result_;
 };
 
+Result<> without_errors(const language::Compilation& made, const char* done) {
+  for (const Problem& p : made.problems)
+    if (p.error) return fail(FaultKind::text, "Line " + std::to_string(p.line + 1) + ": " + p.sentence, done);
+  return {};
+}
+
 }  // namespace
 
 Result<Rehearsal> rehearse_program(std::string_view text, const RehearseOptions& options, Emulator& emulator,
@@ -144,10 +150,7 @@ Result<Rehearsal> rehearse_program(std::string_view text, const RehearseOptions&
   auto* arcus = dynamic_cast<ArcusEmulator*>(&emulator);
   if (!arcus) return fail(FaultKind::internal, "The rehearsal has no controller.");
   const language::Compilation made = language::compile(text, dialect);
-  for (const Problem& p : made.problems)
-    if (p.error)
-      return fail(FaultKind::text, "Line " + std::to_string(p.line + 1) + ": " + p.sentence,
-                  "Nothing was rehearsed.");
+  if (auto good = without_errors(made, "Nothing was rehearsed."); !good) return fail(good.error());
   Rehearsing rehearsing(*arcus, made, options);
   if (!options.bench_toml.empty()) {
     const auto bench = parse_bench_file(options.bench_toml, catalog);

@@ -27,7 +27,7 @@ DeviceType device_type() {
   t.make_emulator = make_emulator;
   t.language = program_language;
   t.explain = explain;
-  t.probe = "\r@00ID\r";
+  t.probe = "\r@NNID\r";
   t.recognises = recognises;
   return t;
 }
