@@ -171,7 +171,7 @@ class ArcusDriver final : public Driver {
   // ---- driver_params.cpp
   Task<Result<>> set_param(intent::SetParam wish);
   Task<Result<>> read_param(int index, Priority priority);
-  Task<Result<>> read_params();
+  Task<Result<>> read_params(std::string only);
   Task<Result<>> read_again();
   Task<Result<>> store();
   void forget_params(std::string_view head);
