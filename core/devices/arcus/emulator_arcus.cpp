@@ -16,6 +16,7 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 ArcusEmulator::ArcusEmulator(const Model& model, std::span<const Command> commands,
                              const EmulatorOptions& options)
     : options_(options), commands_(commands), controller_(model) {
+  if (options.motor_power) controller_.load_needs_power();
   if (options.id) {
     controller_.flash().settings.set(Setting::device_name, *options.id);
     controller_.power_up();
@@ -182,10 +183,18 @@ Result<EmulatorOptions> read_options(const Model& model, const std::map<std::str
       if (value != "usb" && value != "line") return bad_option("framing=" + value + ": write usb or line.");
       options.usb = value == "usb";
     } else if (key == "quirk") {
-      if (!has_reply_cr || value != "reply-cr")
-        return bad_option("A " + title + " has no quirk \"" + value + "\".",
-                          has_reply_cr ? "Its quirk is reply-cr." : "");
-      options.reply_cr = true;
+      for (std::string_view rest = value; !rest.empty();) {
+        const auto end = std::min(rest.find('+'), rest.size());
+        const std::string_view name = rest.substr(0, end);
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+        if (name == "motor-power")
+          options.motor_power = true;
+        else if (name == "reply-cr" && has_reply_cr)
+          options.reply_cr = true;
+        else
+          return bad_option("A " + title + " has no quirk \"" + std::string(name) + "\".",
+                            has_reply_cr ? "Its quirks are motor-power and reply-cr." : "Its quirk is motor-power.");
+      }
     } else if (key == "baud") {
       const bool known = std::any_of(bauds.begin(), bauds.end(),
                                      [&rate = value](const Baud& b) { return std::to_string(b.rate) == rate; });

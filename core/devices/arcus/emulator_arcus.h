@@ -17,6 +17,7 @@ struct EmulatorOptions {
   bool unaddressed = false;   ///< obeys text without @NN too
   bool usb = false;           ///< 64-byte transfers
   bool reply_cr = false;      ///< quirk: replies end with CR
+  bool motor_power = false;   ///< quirk: a load stands still while its motor has no power
 };
 
 class ArcusEmulator final : public Emulator {

@@ -6,7 +6,9 @@
 namespace hw::arcus {
 
 std::int64_t Axis::encoder_at(Steps load) const {
-  return std::llround(static_cast<double>(load.value) * counts_per_pulse) + encoder_offset;
+  constexpr double furthest = 1e18;  // keeps sums of absurd distances defined
+  const double counts = static_cast<double>(load.value) * counts_per_pulse;
+  return std::llround(std::clamp(counts, -furthest, furthest)) + encoder_offset;
 }
 
 bool Axis::index_operated() const {

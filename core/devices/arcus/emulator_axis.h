@@ -61,7 +61,7 @@ class Axis {
   /// What the encoder counter was set to, less what the encoder showed then.
   std::int64_t encoder_offset = 0;
   bool plus_error = false, minus_error = false, alarm_error = false;
-  bool alarm_operated = false;
+  bool alarm_operated = false, jammed_by_hand = false;
 
   // StepNLoop.
   std::int64_t target = 0;     ///< in counts, while nothing follows

@@ -71,8 +71,7 @@ Result<> ArcusEmulator::act(const bench::HomeSwitch& c) {
 
 Result<> ArcusEmulator::act(const bench::Jam& c) {
   if (auto bad = check_axis(c.axis); !bad) return bad;
-  controller_.axis(c.axis.index).plant.jam(c.on);
-  controller_.bench_changed(c.axis.index);
+  controller_.jam(c.axis.index, c.on);
   return {};
 }
 
@@ -150,7 +149,7 @@ void ArcusEmulator::look(BenchView& view) const {
     if (plant.limit_by_hand(Sign::plus)) view.limits_plus_by_hand |= bit;
     if (plant.home_operated()) view.homes |= bit;
     if (controller_.axis(a).alarm_operated) view.alarms |= bit;
-    if (plant.jammed()) view.jammed |= bit;
+    if (controller_.axis(a).jammed_by_hand) view.jammed |= bit;
   }
 }
 

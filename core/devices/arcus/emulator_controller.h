@@ -155,7 +155,7 @@ class Controller {
   void set_output(int number, bool on);
   [[nodiscard]] std::int64_t output_register() const { return outputs_; }
   [[nodiscard]] std::int64_t enables() const { return enables_; }
-  void set_enables(std::int64_t value) { enables_ = value; }
+  void set_enables(std::int64_t value);
   void set_enable(int number, bool on);
   [[nodiscard]] std::int64_t analog(int number) const { return analog_[static_cast<std::size_t>(number - 1)]; }
   void arm_latch(int axis, bool on);
@@ -168,6 +168,9 @@ class Controller {
   void operate_input(int number, bool active);
   void operate_analog(int number, std::int32_t millivolts);
   void operate_alarm(int axis, bool on);
+  void jam(int axis, bool on);
+  /// The bench of decision AMB-093: a load stands still while its motor has no power.
+  void load_needs_power();
   /// A switch, the load or the place of an axis has been changed.
   void bench_changed(int axis);
   Axis& axis(int n) { return axes_[ix(n)]; }
@@ -262,6 +265,7 @@ class Controller {
   [[nodiscard]] std::optional<Instant> program_turn() const;
 
   // Signals.
+  void hold_loads();
   [[nodiscard]] bool inverted(const PolarityBit& bit, int axis) const;
   [[nodiscard]] Sign load_way(int axis, Sign way) const;
   [[nodiscard]] bool home_active(int axis) const;
@@ -298,6 +302,7 @@ class Controller {
   bool incremental_ = false;
   std::int64_t outputs_ = 0, enables_ = 0;
   std::uint32_t inputs_ = 0;
+  bool load_needs_power_ = false;
   std::array<std::int32_t, 8> analog_{};
   int address_ = 0, rate_ = 9600;
   bool prefixes_replies_ = false, announces_arrivals_ = false;

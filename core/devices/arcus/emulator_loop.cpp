@@ -90,9 +90,8 @@ LoopState Controller::loop_state(int a) const {
   if (!closed(a)) return LoopState::off;
   const Axis& axis = axes_[ix(a)];
   if (axis.loop_error) return *axis.loop_error;
-  if (now_ < axis.aborted_until) return LoopState::aborting;
   const Motion* m = motion_of(a);
-  if (m == nullptr) return LoopState::idle;
+  if (m == nullptr) return now_ < axis.aborted_until ? LoopState::aborting : LoopState::idle;
   if (m->stopping && !axis.then_target) return LoopState::stopping;
   switch (m->kind) {
     case MotionKind::correction: return LoopState::correcting;

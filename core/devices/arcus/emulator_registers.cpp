@@ -30,13 +30,14 @@ Refusal Controller::write_setting(Setting id, std::int64_t value, int which) {
         axis.pulses = std::llround(static_cast<double>(encoder(which)) * ratio(which));
       axis.loop_error.reset();
       axis.attempts = 0;
+      axis.aborted_until = Instant{};
       break;
     }
     case Setting::joystick:
       for (int a = 0; a < axes(); ++a)
         if ((value >> a & 1) != 0 && !joystick_on(a) && moving(a)) return Refusal::moving;
       for (int a = 0; a < axes(); ++a)
-        if ((value >> a & 1) != 0) settings_.set(Setting::loop, 0, a);
+        if ((value >> a & 1) != 0 && closed(a)) (void)write_setting(Setting::loop, 0, a);
       break;
     default: break;
   }

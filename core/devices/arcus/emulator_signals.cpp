@@ -89,6 +89,33 @@ void Controller::set_output(int number, bool on) {
   set_outputs(on ? outputs_ | bit : outputs_ & ~bit);
 }
 
+void Controller::set_enables(std::int64_t value) {
+  bring_up_to_date();
+  enables_ = value;
+  if (load_needs_power_) hold_loads();
+}
+
+void Controller::load_needs_power() {
+  load_needs_power_ = true;
+  hold_loads();
+}
+
+void Controller::jam(int a, bool on) {
+  axes_[ix(a)].jammed_by_hand = on;
+  hold_loads();
+}
+
+/// A load that cannot move: jammed, or its motor has no power and the bench minds.
+void Controller::hold_loads() {
+  for (int a = 0; a < axes(); ++a) {
+    Axis& axis = axes_[ix(a)];
+    const bool held = axis.jammed_by_hand || (load_needs_power_ && (enables_ >> a & 1) == 0);
+    if (held == axis.plant.jammed()) continue;
+    axis.plant.jam(held);
+    bench_changed(a);
+  }
+}
+
 void Controller::set_enable(int number, bool on) {
   const std::int64_t bit = std::int64_t{1} << (number - 1);
   set_enables(on ? enables_ | bit : enables_ & ~bit);

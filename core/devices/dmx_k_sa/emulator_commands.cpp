@@ -58,6 +58,8 @@ Answer change_speed(Controller& c, const Args& a) {
   return c.change_speed(0, *value);
 }
 
+Answer unknown(Controller&, const Args&) { return Refusal::unknown; }
+
 /// Beside what it does on both models, it clears a StepNLoop error (chapter 9).
 Answer abort(Controller& c, const Args&) {
   c.abort_all();
@@ -115,6 +117,7 @@ constexpr Command table[] = {
     {"Ls", home<HomeMode::limit>},
     {"Zs", home<HomeMode::index>},
     {"ZHs", home<HomeMode::home_index>},
+    {"SSPDMv", unknown},  // a broken SSPDM, no SSPD
     {"SSPDv", change_speed},
     {"MM", move_mode},
     {"CUR", current},
