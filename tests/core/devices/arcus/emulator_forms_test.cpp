@@ -37,9 +37,22 @@ class FormTest : public ::testing::Test {
   FormCase body_;
 };
 
-/// A test for each case, under the id of its row.
+class SessionTest : public ::testing::Test {
+ public:
+  SessionTest(Which which, FormCase body) : which_(which), body_(std::move(body)) {}
+  void TestBody() override { run_session(which_, body_); }
+
+ private:
+  Which which_;
+  FormCase body_;
+};
+
+/// A test for each case, under the id of its row, and one for each session.
 const bool registered = [] {
   for (const Which which : {Which::pmx, Which::dmx}) {
+    for (const FormCase& c : session_cases(which))
+      ::testing::RegisterTest("ArcusSession", c.id.c_str(), nullptr, nullptr, __FILE__, __LINE__,
+                              [which, c]() -> ::testing::Test* { return new SessionTest(which, c); });
     std::map<std::string, Form> rows;
     for (const Form& form : form_table(which)) rows[form.id] = form;
     for (const FormCase& c : form_cases(which)) {

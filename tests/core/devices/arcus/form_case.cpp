@@ -4,6 +4,9 @@
 #include <set>
 #include <sstream>
 
+#include "core/devices/arcus/language/compiler.h"
+#include "core/devices/arcus/language/dialect.h"
+
 namespace hw::arcus::proof {
 namespace {
 
@@ -71,6 +74,7 @@ class Running {
     if (text[0] == '~') return pass(trimmed(text.substr(1)));
     if (text[0] == '!') return hand(split(trimmed(text.substr(1)), ' '));
     if (text.substr(0, 2) == "? ") return look(split(trimmed(text.substr(1)), ' '));
+    if (text.substr(0, 9) == "* program") return load(trimmed(text.substr(9)));
     if (text[0] == '*') return refusals(split(trimmed(text.substr(1)), ' '));
     const auto bar = text.rfind(" |");
     if (bar == std::string::npos) return fail("no reply stands behind a bar: " + text);
@@ -141,6 +145,17 @@ class Running {
       EXPECT_EQ(static_cast<int>(rig_.emulator().pulses().size()), std::stoi(w.at(2)));
   }
 
+  void load(const std::string& name) {
+    std::ifstream file(HW_TEST_DIR "/language/good/" + name + ".prg");
+    std::ostringstream text;
+    text << file.rdbuf();
+    const auto& dialect = which_ == Which::pmx ? language::pmx_4ex_sa() : language::dmx_k_sa();
+    const language::Compilation made = language::compile(text.str(), dialect);
+    if (!made.ok() || made.lines.empty()) return fail(name + " does not compile");
+    for (std::size_t n = 0; n < made.lines.size(); ++n)
+      rig_.ok("SA" + std::to_string(n) + "=" + made.lines[n]);
+  }
+
   void expect_refusal(Rig& rig, const std::string& command, const std::string& wanted) {
     const std::string got = rig.ask(command);
     EXPECT_EQ(got, wanted) << "to " << command;
@@ -190,9 +205,11 @@ std::vector<Form> form_table(Which which) {
   return rows;
 }
 
-std::vector<FormCase> form_cases(Which which) {
+namespace {
+
+std::vector<FormCase> read_cases(const std::string& name) {
   std::vector<FormCase> cases;
-  std::ifstream file(folder() + model_name(which) + ".forms");
+  std::ifstream file(folder() + name);
   int number = 0;
   for (std::string line; std::getline(file, line);) {
     ++number;
@@ -206,12 +223,26 @@ std::vector<FormCase> form_cases(Which which) {
   return cases;
 }
 
-void run_form_case(Which which, const Form& form, const FormCase& body) {
-  Running running(which);
+void run_lines(Running& running, const std::string& file, const FormCase& body) {
   for (const auto& [number, text] : body.lines) {
-    SCOPED_TRACE(model_name(which) + ".forms:" + std::to_string(number) + ": " + text);
+    SCOPED_TRACE(file + ":" + std::to_string(number) + ": " + text);
     running.line(text);
   }
+}
+
+}  // namespace
+
+std::vector<FormCase> form_cases(Which which) { return read_cases(model_name(which) + ".forms"); }
+std::vector<FormCase> session_cases(Which which) { return read_cases(model_name(which) + ".sessions"); }
+
+void run_session(Which which, const FormCase& body) {
+  Running running(which);
+  run_lines(running, model_name(which) + ".sessions", body);
+}
+
+void run_form_case(Which which, const Form& form, const FormCase& body) {
+  Running running(which);
+  run_lines(running, model_name(which) + ".forms", body);
   EXPECT_TRUE(running.sent.count(form.example) != 0) << "the example " << form.example << " was not sent";
   EXPECT_GT(running.effects, 0) << "no effect was looked at";
   for (const std::string& part : split(form.errors, ';')) {

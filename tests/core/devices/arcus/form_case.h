@@ -12,6 +12,7 @@
 //                                place AXIS minus= plus= home=A..B index= counts=
 //   ? out 3 on                   an output terminal; ? load X 400; ? pulses 1 2
 //   * refusals X1000 X           the command is refused in each state that refuses motion of that axis
+//   * program pmx_example_1      compiles tests/language/good/pmx_example_1.prg and loads it with SA
 //   # text                       a remark
 //
 // Beside what the lines say it is checked that a case sends the table's example, provokes every error reply
@@ -36,6 +37,9 @@ struct FormCase {
   std::vector<std::pair<int, std::string>> lines;  ///< number, text
 };
 std::vector<FormCase> form_cases(Which which);
+/// Longer sessions, not of one form: pmx-4ex-sa.sessions, dmx-k-sa.sessions.
+std::vector<FormCase> session_cases(Which which);
+void run_session(Which which, const FormCase& body);
 
 /// Runs it; failures name the line of the file.
 void run_form_case(Which which, const Form& form, const FormCase& body);
