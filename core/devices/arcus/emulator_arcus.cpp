@@ -6,7 +6,7 @@ namespace hw::arcus {
 namespace {
 
 constexpr std::size_t longest_line = 256, pulses_kept = 100'000;
-constexpr std::size_t transfer = 64;         // bytes of a USB transfer
+constexpr std::size_t transfer = 64;          // bytes of a USB transfer
 constexpr int most_events_at_once = 100'000;  // at one instant: then time has to go on
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -192,14 +192,17 @@ Result<EmulatorOptions> read_options(const Model& model, const std::map<std::str
         else if (name == "reply-cr" && has_reply_cr)
           options.reply_cr = true;
         else
-          return bad_option("A " + title + " has no quirk \"" + std::string(name) + "\".",
-                            has_reply_cr ? "Its quirks are motor-power and reply-cr." : "Its quirk is motor-power.");
+          return bad_option(
+              "A " + title + " has no quirk \"" + std::string(name) + "\".",
+              has_reply_cr ? "Its quirks are motor-power and reply-cr." : "Its quirk is motor-power.");
       }
     } else if (key == "baud") {
-      const bool known = std::any_of(bauds.begin(), bauds.end(),
-                                     [&rate = value](const Baud& b) { return std::to_string(b.rate) == rate; });
+      const bool known = std::any_of(bauds.begin(), bauds.end(), [&rate = value](const Baud& b) {
+        return std::to_string(b.rate) == rate;
+      });
       if (!known)
-        return bad_option("baud=" + value + ": a " + title + " works at 9600, 19200, 38400, 57600 or 115200 baud.");
+        return bad_option("baud=" + value + ": a " + title +
+                          " works at 9600, 19200, 38400, 57600 or 115200 baud.");
     } else {
       return bad_option("The " + title + " emulator has no option \"" + key + "\".");
     }

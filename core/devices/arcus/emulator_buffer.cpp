@@ -1,5 +1,6 @@
 // The buffered moves of the PMX (manual ch. 6; decisions AMB-075 to AMB-078): up to 36 straight segments of
-// X, Y and Z, each at its own speed along the path. With IACC=1 the speed changes inside a segment, in ACC ms.
+// X, Y and Z, each at its own speed along the path. With IACC=1 the speed changes inside a segment, in ACC
+// ms.
 #include <algorithm>
 
 #include "core/devices/arcus/emulator_controller.h"
@@ -67,7 +68,8 @@ Refusal Controller::buffer_move(const Segment& segment) {
   return Refusal::none;
 }
 
-Profile Controller::segment_profile(const Path& path, const Segment& s, Pps now, double from, bool last) const {
+Profile Controller::segment_profile(const Path& path, const Segment& s, Pps now, double from,
+                                    bool last) const {
   const double scale = path.pulses_per_step();
   const double speed = static_cast<double>(s.speed) / scale;
   if (!settings_.on(Setting::buffer_accel)) return Profile::constant(now_, from, Pps(speed), path.steps());

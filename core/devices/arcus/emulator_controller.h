@@ -26,7 +26,7 @@ enum class MotionKind : std::uint8_t { target, jog, homing, correction, interpol
 struct Motion {
   bool active = false, stopping = false;
   MotionKind kind = MotionKind::target;
-  unsigned axes = 0;  ///< a bit for each
+  unsigned axes = 0;               ///< a bit for each
   std::int64_t changed_speed = 0;  ///< by SSPD; 0: none
   motion::Path path;
   motion::Profile profile;
@@ -157,7 +157,9 @@ class Controller {
   [[nodiscard]] std::int64_t enables() const { return enables_; }
   void set_enables(std::int64_t value);
   void set_enable(int number, bool on);
-  [[nodiscard]] std::int64_t analog(int number) const { return analog_[static_cast<std::size_t>(number - 1)]; }
+  [[nodiscard]] std::int64_t analog(int number) const {
+    return analog_[static_cast<std::size_t>(number - 1)];
+  }
   void arm_latch(int axis, bool on);
   [[nodiscard]] const Latch& latch(int axis) const { return axes_[ix(axis)].latch; }
   void sync_on(int axis);
@@ -193,9 +195,7 @@ class Controller {
  private:
   static std::size_t ix(int i) { return static_cast<std::size_t>(i); }
   void tell(std::string what);
-  [[nodiscard]] std::string letter(int axis) const {
-    return std::string(1, model_->axis_letters[ix(axis)]);
-  }
+  [[nodiscard]] std::string letter(int axis) const { return std::string(1, model_->axis_letters[ix(axis)]); }
 
   // Motions (emulator_motion.cpp).
   void begin(MotionKind kind, unsigned axes, const motion::Path& path, const motion::Profile& profile);
@@ -225,7 +225,7 @@ class Controller {
   void cut(Motion& m);
 
   // Speeds.
-  [[nodiscard]] SpeedOrder order(int axis) const;         ///< of a move of this axis alone
+  [[nodiscard]] SpeedOrder order(int axis) const;            ///< of a move of this axis alone
   [[nodiscard]] SpeedOrder path_order(unsigned axes) const;  ///< of an interpolated move
   [[nodiscard]] RampOrder ramps_of(const Motion& m) const;
   void begin_index(MotionKind kind, int axis, std::int64_t pulses);

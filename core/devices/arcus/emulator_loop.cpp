@@ -39,7 +39,8 @@ void Controller::watch_loop(Motion& m, int a, int way, Sign load) {
   const std::int64_t most = std::abs(m.path.offset(ix(a), m.path.next_turn(m.applied)) - here);
   const std::int64_t range = settings_.get(Setting::loop_range, a);
   mark(m, a, way, axis.first_turn(most, [&](std::int64_t turns) {
-    const std::int64_t delta = target_at(a, here + way * turns) - axis.encoder_at(axis.plant.load_after(load, turns));
+    const std::int64_t delta =
+        target_at(a, here + way * turns) - axis.encoder_at(axis.plant.load_after(load, turns));
     return std::abs(delta) > range;
   }));
 }

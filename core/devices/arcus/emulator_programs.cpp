@@ -61,7 +61,8 @@ void Controller::programs_power_up() {
 std::optional<Instant> Controller::program_turn() const {
   const ProgramHost host(*this);
   if (const auto turn = vm_.next_turn(now_, host)) return turn;
-  const bool something_moves = std::any_of(axes_.begin(), axes_.end(), [](const Axis& a) { return a.slot >= 0; });
+  const bool something_moves =
+      std::any_of(axes_.begin(), axes_.end(), [](const Axis& a) { return a.slot >= 0; });
   if (!something_moves || !vm_.follows_motion()) return std::nullopt;
   constexpr Duration turn = std::chrono::milliseconds(1);
   return Instant((now_.time_since_epoch() / turn + 1) * turn);

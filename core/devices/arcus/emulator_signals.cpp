@@ -77,9 +77,12 @@ std::uint32_t Controller::output_levels() const {
   auto out = static_cast<std::uint32_t>(outputs()), on = static_cast<std::uint32_t>(enables_);
   const std::uint32_t all_out = (1u << model_->outputs) - 1, all_on = (1u << model_->enables) - 1;
   if (settings_.on(Setting::output_polarity)) out = ~out & all_out;
-  if (inverted(model_->polarity.outputs, 0)) out ^= settings_.on(Setting::status_outputs) && closed(0) ? 2u : all_out;
-  if (inverted(model_->polarity.in_position, 0) && settings_.on(Setting::status_outputs) && closed(0)) out ^= 1u;
-  if (inverted(model_->polarity.alarm_output, 0) && settings_.on(Setting::status_outputs) && closed(0)) out ^= 4u;
+  if (inverted(model_->polarity.outputs, 0))
+    out ^= settings_.on(Setting::status_outputs) && closed(0) ? 2u : all_out;
+  if (inverted(model_->polarity.in_position, 0) && settings_.on(Setting::status_outputs) && closed(0))
+    out ^= 1u;
+  if (inverted(model_->polarity.alarm_output, 0) && settings_.on(Setting::status_outputs) && closed(0))
+    out ^= 4u;
   if (settings_.on(Setting::enable_polarity) || inverted(model_->polarity.enable, 0)) on = ~on & all_on;
   return (out & all_out) | (on & all_on) << model_->outputs;
 }
@@ -197,7 +200,8 @@ void Controller::update_sync(int a) {
   const bool equal = settings_.get(Setting::sync_condition, a) == 1;
   const std::int64_t at = settings_.get(Setting::sync_position, a);
   // A step of several counts over the position meets it too.
-  const bool stepped_over = equal && !s.holds && !held && ((seen < at && s.seen > at) || (seen > at && s.seen < at));
+  const bool stepped_over =
+      equal && !s.holds && !held && ((seen < at && s.seen > at) || (seen > at && s.seen < at));
   const Duration width = std::chrono::milliseconds(equal ? settings_.get(Setting::sync_width, a) : 0);
   if ((s.holds && !held) || stepped_over) {
     s.state = 2;
@@ -218,7 +222,8 @@ void Controller::end_sync_pulse(int a) {
   s.open = false;
   const int output = model_->sync_outputs[ix(a)];
   std::size_t looked = 0;
-  for (auto p = trigger_pulses.rbegin(); p != trigger_pulses.rend() && looked < most_open_pulses; ++p, ++looked)
+  for (auto p = trigger_pulses.rbegin(); p != trigger_pulses.rend() && looked < most_open_pulses;
+       ++p, ++looked)
     if (p->output == output) {
       p->width = now_ - p->at;
       break;
@@ -230,8 +235,8 @@ void Controller::watch_sync(Motion& m, int a, int way, Sign load) {
   if (axis.sync.state == 0 || axis.counts_per_pulse == 0) return;
   const bool rising = (load == Sign::plus) == (axis.counts_per_pulse > 0);
   const std::int64_t at = settings_.get(Setting::sync_position, a), here = axis.encoder();
-  const std::int64_t most = std::abs(m.path.offset(ix(a), m.path.next_turn(m.applied)) -
-                                     m.path.offset(ix(a), m.applied));
+  const std::int64_t most =
+      std::abs(m.path.offset(ix(a), m.path.next_turn(m.applied)) - m.path.offset(ix(a), m.applied));
   // The condition changes where the counter comes to the position, and where it leaves it.
   const std::int64_t threshold = rising ? (here < at ? at : at + 1) : (here > at ? at : at - 1);
   if (rising ? here >= threshold : here <= threshold) return;

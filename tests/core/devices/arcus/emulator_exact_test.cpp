@@ -132,7 +132,8 @@ TEST(ArcusExact, ALimitOnAnArc) {
   rig.ok("CIRN1500:0");
   rig.run_to_rest();
   EXPECT_EQ(rig.ask("PX"), "2500");
-  EXPECT_NEAR(rig.number("PY"), -std::sqrt(1500.0 * 1500 - 1000 * 1000), 1.5) << "counter-clockwise: downwards first";
+  EXPECT_NEAR(rig.number("PY"), -std::sqrt(1500.0 * 1500 - 1000 * 1000), 1.5)
+      << "counter-clockwise: downwards first";
 }
 
 TEST(ArcusExact, NothingHappensBetweenTheEventsThatItTells) {
@@ -175,8 +176,8 @@ TEST(ArcusExact, ACloneGoesOnByItself) {
 
 TEST(ArcusExact, AnHourOfMovesTakesMilliseconds) {
   Rig rig(Which::pmx);
-  const char* program[] = {"PRG,0", "SET,V1,0", "WHILE,8", "+TEST,V1,LT,1000,9", "MOVE,X,2000", "WAIT,X",
-                           "MOVE,X,0", "WAIT,X", "ENDWHILE,2", "END"};
+  const char* program[] = {"PRG,0",  "SET,V1,0", "WHILE,8", "+TEST,V1,LT,1000,9", "MOVE,X,2000",
+                           "WAIT,X", "MOVE,X,0", "WAIT,X",  "ENDWHILE,2",         "END"};
   int n = 0;
   for (const char* line : program) rig.ok("SA" + std::to_string(n++) + "=" + line);
   rig.ok("SR0=1");

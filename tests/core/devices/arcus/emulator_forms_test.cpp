@@ -60,8 +60,9 @@ const bool registered = [] {
       std::string name = c.id;
       std::replace(name.begin(), name.end(), '.', '_');
       const Form form = rows[c.id];
-      ::testing::RegisterTest("ArcusForm", name.c_str(), nullptr, nullptr, __FILE__, __LINE__,
-                              [which, form, c]() -> ::testing::Test* { return new FormTest(which, form, c); });
+      ::testing::RegisterTest(
+          "ArcusForm", name.c_str(), nullptr, nullptr, __FILE__, __LINE__,
+          [which, form, c]() -> ::testing::Test* { return new FormTest(which, form, c); });
     }
   }
   return true;

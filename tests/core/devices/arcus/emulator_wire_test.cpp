@@ -41,8 +41,8 @@ TEST(ArcusWire, TextWithoutAddressWhereThereIsOneListener) {
 
 TEST(ArcusWire, UsbTransfersOfSixtyFourBytes) {
   Rig rig(Which::pmx, {{"framing", "usb"}});
-  for (const std::string& request :
-       {std::string("PX"), std::string("PX\0", 3), std::string("PX\0MST left over", 17) + std::string(47, 'x')}) {
+  for (const std::string& request : {std::string("PX"), std::string("PX\0", 3),
+                                     std::string("PX\0MST left over", 17) + std::string(47, 'x')}) {
     const std::string reply = rig.raw(request);
     ASSERT_EQ(reply.size(), 64u);
     EXPECT_EQ(reply, "0" + std::string(63, '\0'));
@@ -66,8 +66,13 @@ TEST(ArcusWire, BlanksAndCase) {
 }
 
 TEST(ArcusWire, OptionsThatMeanNothingAreRefusedWithASentence) {
-  for (const Options& bad : std::vector<Options>{{{"id", "100"}}, {{"id", "x"}}, {{"motors", "2"}}, {{"baud", "300"}},
-                                    {{"quirk", "overrun"}}, {{"framing", "x"}}, {{"unaddressed", "1"}}}) {
+  for (const Options& bad : std::vector<Options>{{{"id", "100"}},
+                                                 {{"id", "x"}},
+                                                 {{"motors", "2"}},
+                                                 {{"baud", "300"}},
+                                                 {{"quirk", "overrun"}},
+                                                 {{"framing", "x"}},
+                                                 {{"unaddressed", "1"}}}) {
     const auto made = pmx_4ex_sa::make_emulator(bad);
     ASSERT_FALSE(made.has_value());
     const auto& [key, value] = *bad.begin();
@@ -85,7 +90,8 @@ TEST(ArcusWire, OverlongAndBinaryLinesAreSurvived) {
 
 TEST(ArcusWire, MemorySurvivesAsText) {
   Rig rig(Which::pmx);
-  rig.ok("SLRX=0.8"), rig.ok("JL3=-55"), rig.ok("V77=-9"), rig.ok("SA3=END"), rig.ok("DN=4EX09"), rig.ok("STORE");
+  rig.ok("SLRX=0.8"), rig.ok("JL3=-55"), rig.ok("V77=-9"), rig.ok("SA3=END"), rig.ok("DN=4EX09"),
+      rig.ok("STORE");
   const std::string memory = rig.emulator().save_memory();
   Rig other(Which::pmx);
   ASSERT_TRUE(other.emulator().load_memory(memory).has_value());

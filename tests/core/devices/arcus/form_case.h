@@ -7,7 +7,8 @@
 //   PS | 1688:0:0:0 +- 1         numbers may be off by so much
 //   ~ 250ms                      time passes (s, ms, us)
 //   ~ rest X                     until the axis rests
-//   ! limit X + on               a hand on the bench: input N, home AXIS, limit AXIS SIDE, alarm AXIS, jam AXIS
+//   ! limit X + on               a hand on the bench: input N, home AXIS, limit AXIS SIDE, alarm AXIS, jam
+//   AXIS
 //                                on|off; analog N MV; slip AXIS COUNTS; power cycle;
 //                                place AXIS minus= plus= home=A..B index= counts=
 //   ? out 3 on                   an output terminal; ? load X 400; ? pulses 1 2

@@ -1,4 +1,5 @@
-// The transcripts in tests/talk/pmx-4ex-sa and tests/talk/dmx-k-sa, held against the emulators in virtual time.
+// The transcripts in tests/talk/pmx-4ex-sa and tests/talk/dmx-k-sa, held against the emulators in virtual
+// time.
 #include "tests/talk/talk.h"
 
 #include <algorithm>
