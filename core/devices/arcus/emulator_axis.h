@@ -79,7 +79,7 @@ class Axis {
   Homing homing;
   Latch latch;
   SyncOutput sync;
-  Instant rested_at{};  ///< since when it has been still
+  Instant rested_at{Duration(-std::chrono::hours(1))};  ///< since when it has been still
 
   // What a rehearsal wants to know.
   std::int64_t lowest = 0, highest = 0, travelled = 0;

@@ -13,11 +13,10 @@ using motion::Profile;
 namespace {
 
 constexpr unsigned xyz = 0b111;
-constexpr int places = 36;
 
 }  // namespace
 
-int Controller::buffer_free() const { return places - static_cast<int>(buffer_.queue.size()); }
+int Controller::buffer_free() const { return model_->buffer_places - static_cast<int>(buffer_.queue.size()); }
 
 Refusal Controller::buffer_on() {
   for (int a = 0; a < 3; ++a)
@@ -51,7 +50,7 @@ Refusal Controller::buffer_move(const Segment& segment) {
   if (buffer_free() == 0) return Refusal::buffer_full;
   bring_up_to_date();
   const bool was_last = buffer_.queue.size() == 1;
-  if (!buffer_.queue.empty()) buffer_.end = (buffer_.end + 1) % places;
+  if (!buffer_.queue.empty()) buffer_.end = (buffer_.end + 1) % model_->buffer_places;
   buffer_.queue.push_back(segment);
   if (!buffer_.running) {
     const std::int64_t low = settings_.get(Setting::low_speed);
@@ -102,7 +101,7 @@ void Controller::segment_ended(Pps speed) {
     for (int a = 0; a < 3; ++a) settle_loop(a);
     return;
   }
-  buffer_.start = (buffer_.start + 1) % places;
+  buffer_.start = (buffer_.start + 1) % model_->buffer_places;
   next_segment(speed);
 }
 

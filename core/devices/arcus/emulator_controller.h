@@ -181,6 +181,8 @@ class Controller {
   [[nodiscard]] std::uint32_t inputs_operated() const { return inputs_; }
   /// Levels at the terminals: outputs, then enables.
   [[nodiscard]] std::uint32_t output_levels() const;
+  /// In Position and Alarm are shown by outputs (EDO=1 and StepNLoop on).
+  [[nodiscard]] bool loop_has_outputs() const { return settings_.on(Setting::status_outputs) && closed(0); }
 
   std::vector<TriggerPulse> trigger_pulses;  ///< of sync outputs, oldest first
   std::vector<int> arrivals;                 ///< axes that have come to their target (AR), to be taken away

@@ -81,6 +81,9 @@ void Controller::settle_loop(int a) {
     if (in_position) return arrived();
     return loop_fails(a, LoopState::attempt_error);
   }
+  // With IERR=1 a switch in the way ends it without an error: then nothing more is tried.
+  const Sign way = delta < 0 ? Sign::minus : Sign::plus;
+  if (settings_.on(Setting::ignore_errors) && (limit_active(a, way) || alarm_active(a))) return;
   ++axis.attempts;
   axis.extra_done = idle_correction;
   const std::int64_t pulses = std::llround(static_cast<double>(delta) * ratio(a));

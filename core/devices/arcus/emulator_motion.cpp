@@ -250,8 +250,6 @@ void Controller::finish(Motion& m, End end) {
 // --- stopping ----------------------------------------------------------------------------------------------
 
 void Controller::stop_motion(Motion& m) {
-  if (m.stopping && !std::any_of(axes_.begin(), axes_.end(), [](const Axis& a) { return a.then_target; }))
-    return;
   for (int a = 0; a < axes(); ++a)
     if (takes_part(m, a)) axes_[ix(a)].then_target.reset(), axes_[ix(a)].announces = false;
   if (m.kind == MotionKind::buffered && buffer_.queue.size() > 1) {

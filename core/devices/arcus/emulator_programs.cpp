@@ -20,7 +20,8 @@ Refusal Controller::set_program_line(int line, std::string_view text) {
 void Controller::load_programs() {
   if (!program_is_new_) return;
   program_is_new_ = false;
-  const auto& dialect = axes() == 1 ? language::dmx_k_sa() : language::pmx_4ex_sa();
+  const auto& pmx = language::pmx_4ex_sa();
+  const auto& dialect = pmx.model == model_->name ? pmx : language::dmx_k_sa();
   vm_.load(std::make_shared<const language::Program>(language::decode(flash_.program, dialect)));
 }
 

@@ -63,28 +63,29 @@ std::int64_t Controller::outputs() const {
   };
   for (int a = 0; a < axes(); ++a)
     if (axes_[ix(a)].sync.state != 0) show(model_->sync_outputs[ix(a)], sync_output_on(a));
-  if (settings_.on(Setting::status_outputs) && closed(0)) {
-    constexpr int in_position = 1, alarm = 3;  // DMX manual, table 7.1
+  if (loop_has_outputs()) {
     const bool near = std::abs(loop_delta(0)) <= settings_.get(Setting::loop_tolerance, 0);
-    show(in_position, idle(0) && !in_error(0) && near);
-    show(alarm, in_error(0));
+    show(model_->in_position_output, idle(0) && !in_error(0) && near);
+    show(model_->alarm_output, in_error(0));
   }
   return seen;
 }
 
 std::uint32_t Controller::output_levels() const {
   if (!powered_) return 0;
-  auto out = static_cast<std::uint32_t>(outputs()), on = static_cast<std::uint32_t>(enables_);
-  const std::uint32_t all_out = (1u << model_->outputs) - 1, all_on = (1u << model_->enables) - 1;
-  if (settings_.on(Setting::output_polarity)) out = ~out & all_out;
-  if (inverted(model_->polarity.outputs, 0))
-    out ^= settings_.on(Setting::status_outputs) && closed(0) ? 2u : all_out;
-  if (inverted(model_->polarity.in_position, 0) && settings_.on(Setting::status_outputs) && closed(0))
-    out ^= 1u;
-  if (inverted(model_->polarity.alarm_output, 0) && settings_.on(Setting::status_outputs) && closed(0))
-    out ^= 4u;
-  if (settings_.on(Setting::enable_polarity) || inverted(model_->polarity.enable, 0)) on = ~on & all_on;
-  return (out & all_out) | (on & all_on) << model_->outputs;
+  const auto bit = [](int output) { return output > 0 ? 1u << (output - 1) : 0u; };
+  const std::uint32_t all_outputs = (1u << model_->outputs) - 1, all_enables = (1u << model_->enables) - 1;
+  const std::uint32_t in_position = loop_has_outputs() ? bit(model_->in_position_output) : 0;
+  const std::uint32_t alarm = loop_has_outputs() ? bit(model_->alarm_output) : 0;
+  std::uint32_t turned = 0;
+  if (settings_.on(Setting::output_polarity) || inverted(model_->polarity.outputs, 0))
+    turned |= all_outputs & ~(in_position | alarm);
+  if (inverted(model_->polarity.in_position, 0)) turned |= in_position;
+  if (inverted(model_->polarity.alarm_output, 0)) turned |= alarm;
+  const bool enables_turned = settings_.on(Setting::enable_polarity) || inverted(model_->polarity.enable, 0);
+  const auto on = static_cast<std::uint32_t>(enables_) ^ (enables_turned ? all_enables : 0);
+  const std::uint32_t out = static_cast<std::uint32_t>(outputs()) ^ turned;
+  return (out & all_outputs) | (on & all_enables) << model_->outputs;
 }
 
 void Controller::set_output(int number, bool on) {
