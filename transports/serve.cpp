@@ -113,10 +113,12 @@ void EmulatorHost::step_to(Instant when) {
     (void)apply(command);  // nobody waits for the answer
   }
   while (incoming_.due() <= when) {
+    heard_late_ = reached_ - incoming_.due();  // by a question that was asked late
     land(incoming_.first());
     incoming_.pop(emulator_->rate());
   }
   take_output();
+  heard_late_ = {};
   while (outgoing_.due() <= when) {
     leaving_ += outgoing_.first().value;
     left_at_ = outgoing_.due();
@@ -149,17 +151,19 @@ void EmulatorHost::bytes_from(const Client& client, std::string_view bytes) {
   const Instant now = emulator_time();
   catch_up(now);
   if (options_.byte_times) {
-    incoming_.put(bytes, client.stream->rate(), now - take_lateness(), emulator_->rate());
+    incoming_.put(bytes, client.stream->rate(), now - take_lateness(now), emulator_->rate());
   } else {
     emulator_->receive(bytes);
   }
   run_until(now);
 }
 
-// A real timer fires some microseconds late, so the client had its reply late and asks its next question
-// late; that is our doing and not counted as time on the wire.
-Duration EmulatorHost::take_lateness() {
-  return std::min(std::exchange(late_, Duration{}), byte_time(emulator_->rate()));
+// A real timer fires late, so the client had its reply late. When it asks its next question at once that is
+// late too: our doing, and not counted as time on the wire. A client that took its time has waited for
+// nothing.
+Duration EmulatorHost::take_lateness(Instant now) {
+  const Duration late = std::exchange(late_, Duration{});
+  return now - (left_at_ + late) <= at_once ? late : Duration{};
 }
 
 void EmulatorHost::land(ByteLine::Byte byte) {
@@ -176,7 +180,7 @@ void EmulatorHost::take_output() {
   emulator_->take_output(fresh_);
   if (fresh_.empty() || unplugged_) return;
   if (options_.byte_times) {
-    outgoing_.put(fresh_, 0, reached_, emulator_->rate());
+    outgoing_.put(fresh_, 0, reached_ - heard_late_, emulator_->rate());
   } else {
     leaving_ += fresh_;
   }

@@ -51,6 +51,7 @@ class EmulatorHost final : public BenchAccess, public std::enable_shared_from_th
 
  private:
   struct Client;
+  static constexpr Duration at_once = Millis(2);
 
   EmulatorHost(Scheduler& scheduler, std::unique_ptr<Emulator> emulator, HostOptions options);
   [[nodiscard]] Instant emulator_time() const;
@@ -65,7 +66,7 @@ class EmulatorHost final : public BenchAccess, public std::enable_shared_from_th
   void run_until(Instant now);
   void step_to(Instant when);
   void finish_round();
-  Duration take_lateness();
+  Duration take_lateness(Instant now);
   void land(ByteLine::Byte byte);
   void take_output();
   void deliver();
@@ -84,7 +85,7 @@ class EmulatorHost final : public BenchAccess, public std::enable_shared_from_th
   mutable Instant reached_{};  // looking moves time on too
   ByteLine incoming_, outgoing_;
   Instant left_at_{};  // emulated, as is the next: when the last byte left, and how much later that was done
-  Duration late_{};
+  Duration late_{}, heard_late_{};
   std::string fresh_, leaving_;  // output just taken; output at the end of the wire
   std::vector<std::unique_ptr<Client>> clients_;
   bool unplugged_ = false;

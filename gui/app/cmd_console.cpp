@@ -83,6 +83,7 @@ int run_window(const std::vector<std::string>& addresses, bool demo) {
   house.show_in(w);
   w.screen().set_theme(console.dark());
   console.attach(w.screen().keyboard());
+  w.on_first_frame = [] { log::debug("window", "first frame"); };
   w.on_close = [&] {
     console.let_go();
     return true;
