@@ -88,6 +88,7 @@ int run_window(const std::vector<std::string>& addresses, bool demo) {
   w.set_user_scale(size);
   console.attach(w.screen().keyboard());
   w.on_drop = [&](const std::vector<std::string>& paths) { take_dropped(console, paths); };
+  w.on_first_frame = [] { log::debug("window", "first frame"); };
   w.on_close = [&] {
     console.let_go();
     return true;
