@@ -32,6 +32,7 @@ Console::~Console() = default;
 
 Instant Console::clock() const { return outside_->scheduler.now(); }
 PortFinder& Console::ports() { return outside_->ports ? *outside_->ports : no_ports_; }
+DeviceFinder& Console::devices() { return outside_->devices ? *outside_->devices : no_devices_; }
 const UserFolders& Console::folders() const { return outside_->folders; }
 
 // ---- controllers
