@@ -32,6 +32,7 @@ Console::~Console() = default;
 
 Instant Console::clock() const { return outside_->scheduler.now(); }
 PortFinder& Console::ports() { return outside_->ports ? *outside_->ports : no_ports_; }
+DeviceFinder& Console::devices() { return outside_->devices ? *outside_->devices : no_devices_; }
 const UserFolders& Console::folders() const { return outside_->folders; }
 
 // ---- controllers
@@ -220,9 +221,12 @@ void Console::step_size(int direction) {
 }
 
 void Console::start_demo() {
-  for (const DeviceType& type : device_types())
-    if (auto opened = open(std::string(type.model) + "@emulator"); !opened)
-      toast(Mood::fault, opened.error().sentence());
+  for (const DeviceType& type : device_types()) {
+    std::string address = std::string(type.model) + "@emulator";
+    const auto catalog = type.make_catalog({});
+    if (catalog && catalog->addressed() && catalog->axes.size() == 1) address += ",id=01-04";  // a bus of them
+    if (auto opened = open(address); !opened) toast(Mood::fault, opened.error().sentence());
+  }
   if (!tabs_.empty()) activate(*tabs_.front());
 }
 

@@ -10,6 +10,7 @@
 
 #include "core/session/recent.h"
 #include "core/session/user_files.h"
+#include "gui/device_finder.h"
 #include "gui/dialogs.h"
 #include "gui/layout.h"
 #include "gui/panel.h"
@@ -97,6 +98,7 @@ class Console {
   [[nodiscard]] std::string time_of_day(Instant when) const;  ///< "14:20:08"
   void set_day(DayClock day);                                 ///< from now on it is this time
   [[nodiscard]] PortFinder& ports();
+  [[nodiscard]] DeviceFinder& devices();
   [[nodiscard]] RecentConnections& recent() { return recent_; }
   [[nodiscard]] const UserFolders& folders() const;
   [[nodiscard]] const PanelList& list() const { return list_; }
@@ -120,6 +122,7 @@ class Console {
   PanelList list_;
   std::unique_ptr<Outside> outside_;
   NoPorts no_ports_;
+  NoDevices no_devices_;
   RecentConnections recent_;
   std::vector<std::unique_ptr<Tab>> tabs_;
   Tab* active_ = nullptr;

@@ -31,7 +31,7 @@ static Tab::Door door_of(Session& session) {
 
 static Catalog catalog_on(const Catalog& catalog, bool bus) {
   Catalog c = catalog;
-  if (bus && c.axes.size() == 1 && !c.id.empty()) c.axes[0].name = c.id;
+  if (bus && c.axes.size() == 1 && c.addressed()) c.axes[0].name = c.id();
   return c;
 }
 
@@ -41,6 +41,7 @@ Tab::Tab(std::shared_ptr<Session> session, std::string key, bool on_bus)
       session_(std::move(session)),
       address_(session_->address()),
       catalog_(catalog_on(session_->catalog(), on_bus)),
+      id_(catalog_.id()),
       door_(door_of(*session_)),
       desk_(catalog_, session_->type().language ? &session_->type().language() : nullptr,
             session_->type().explain) {
@@ -52,6 +53,7 @@ Tab::Tab(Address address, Catalog catalog, Door door, const Language* language, 
     : jog([this](IntentBody body) { return send_followed(std::move(body)); }),
       address_(std::move(address)),
       catalog_(std::move(catalog)),
+      id_(catalog_.id()),
       door_(std::move(door)),
       desk_(catalog_, language, explain) {
   work_out_units();

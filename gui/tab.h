@@ -91,7 +91,7 @@ class Tab {
 
   // ---- view
   std::shared_ptr<Bus> bus;  ///< null: alone on its wire
-  [[nodiscard]] std::string_view id() const { return catalog_.id; }  ///< which device of its wire; may be empty
+  [[nodiscard]] std::string_view id() const { return id_; }  ///< which device of its wire; may be empty
   JogHold jog;
   bool unset_read = false;   ///< the user has read what should be chosen before the first move
   std::string centre_panel;  ///< id of the panel in front
@@ -108,6 +108,7 @@ class Tab {
   std::shared_ptr<Session> session_;
   const Address address_;
   const Catalog catalog_;
+  const std::string id_;
   Door door_;
   Desk desk_;
   static const Snapshot nothing_known;

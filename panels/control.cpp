@@ -21,6 +21,25 @@ int analog_count(const Catalog& c, std::string_view heading) {
   return heading == joystick_heading ? static_cast<int>(c.analog.size()) : 0;
 }
 
+/// Settings of the manual that the controller did not answer: an older firmware does not know them.
+Path unanswered(const Frame& f) {
+  char names[72];
+  std::size_t size = 0;
+  int readable = 0, silent = 0;
+  for (std::size_t i = 0; i < f.catalog.params.size(); ++i) {
+    if (!f.catalog.params[i].readable) continue;
+    ++readable;
+    if (f.now.params[i].known) continue;
+    ++silent;
+    const auto end = fmt::format_to_n(names + size, sizeof names - size, "{}{}", size ? ", " : "",
+                                      f.catalog.params[i].mnemonic);
+    size = std::min(sizeof names, size + end.size);
+  }
+  if (silent == 0) return Path("nothing: it answers every setting");
+  if (silent == readable) return Path("not known: read the set-up first");
+  return Path("{}: {}{}", silent, std::string_view(names, size), size == sizeof names ? " ..." : "");
+}
+
 std::string_view told(const auto& text) { return text.empty() ? std::string_view("not told") : text.view(); }
 
 }  // namespace
@@ -164,6 +183,7 @@ void Control::draw_about(Frame& f, float width) {
   fact("about/firmware", "Firmware", told(who.firmware));
   if (!who.serial.empty()) fact("about/serial", "Serial number", who.serial.view());
   fact("about/console", "This program", "Handwheel " HW_VERSION);
+  fact("about/older", "Lacking in this firmware", unanswered(f));
   ImGui::SetCursorScreenPos(ImVec2(at.x, y));
 }
 
