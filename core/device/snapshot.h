@@ -45,6 +45,7 @@ struct AxisState {
   Pps speed{};                ///< of the present motion, told or asked; 0 when unknown or at rest
   bool has_target = false;
   Steps target{};
+  bool in_counts = false;  ///< closed loop: position, speed and target count in Catalog::loop_word
   bool has_encoder = false;
   Steps encoder{};
   bool limit_minus = false, limit_plus = false, home = false, alarm = false;
@@ -80,6 +81,13 @@ struct FeedState {
   bool running = false;
   std::int32_t sent = 0, total = 0;
   bool operator==(const FeedState&) const = default;
+};
+
+/// A stored program on its way to or from the controller, in the catalog's capacity unit.
+struct TransferState {
+  bool running = false;
+  std::int32_t done = 0, total = 0;
+  bool operator==(const TransferState&) const = default;
 };
 
 /// What became of the newest intents; a panel finds its own by id.
@@ -136,6 +144,7 @@ struct Snapshot {
   ProgramState program;
   std::array<ThreadState, max_threads> threads{};
   FeedState feed;
+  TransferState transfer;
   std::array<std::int64_t, max_readouts> readouts{};  ///< by index in Catalog::readouts
   std::bitset<max_readouts> readouts_known;
   std::array<Instant, max_readouts> readouts_seen_at{};

@@ -75,4 +75,23 @@ std::optional<std::int64_t> Plant::turns_until_home(Sign way) const {
   return turns_until(way, way == Sign::plus ? place_.home_from : place_.home_to);
 }
 
+std::optional<std::int64_t> Plant::turns_until_limit_released(Sign side, Sign way) const {
+  if (!limit_operated(side)) return 0;
+  if (limit_by_hand(side)) return std::nullopt;
+  const Steps free(side == Sign::plus ? place_.plus->value - 1 : place_.minus->value + 1);
+  return turns_until(way, free);
+}
+
+std::optional<std::int64_t> Plant::turns_until_home_released(Sign way) const {
+  if (!home_operated()) return 0;
+  if (home_by_hand_) return std::nullopt;
+  const Steps free(way == Sign::plus ? place_.home_to->value + 1 : place_.home_from->value - 1);
+  return turns_until(way, free);
+}
+
+Steps Plant::load_after(Sign way, std::int64_t turns) const {
+  if (jammed_) return Steps(load_);
+  return Steps(load_ + factor(way) * std::max<std::int64_t>(turns - play(way), 0));
+}
+
 }  // namespace hw::motion

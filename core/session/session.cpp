@@ -1,11 +1,14 @@
 #include "core/session/session.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace hw {
 
 Result<std::shared_ptr<Session>> Session::open(Scheduler& scheduler, const Address& address,
                                                WireOpener opener, std::function<void()> wake) {
+  if (address.ids().size() > 1)
+    return fail(FaultKind::text, fmt::format("{} are several controllers.", address.text()),
+                "Nothing was opened.", fmt::format("Here it takes one: id={}.", address.ids().front()));
   auto wire = std::make_shared<SharedWire>(scheduler, address, std::move(opener));
   return open_on(scheduler, address, std::move(wire), 0, std::move(wake));
 }
@@ -68,11 +71,19 @@ Task<Result<std::shared_ptr<Link>>> Session::open_wire() {
   co_return link;
 }
 
-Task<Result<>> Session::perform(IntentBody body) {
-  const auto self = shared_from_this();
+IntentId Session::post(IntentBody body) {
   const IntentId id = ++last_intent_;
-  Intent intent(id, std::move(body));
-  pump_.post(std::move(intent));
+  pump_.post(Intent(id, std::move(body)));
+  return id;
+}
+
+Task<Result<>> Session::perform(IntentBody body) {
+  const IntentId id = post(std::move(body));
+  co_return co_await outcome(id);
+}
+
+Task<Result<>> Session::outcome(IntentId id) {
+  const auto self = shared_from_this();
   for (;;) {
     const IntentFate* fate = known().fate_of(id);
     if (!fate)

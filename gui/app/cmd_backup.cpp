@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/session/address.h"
 #include "core/session/backup.h"

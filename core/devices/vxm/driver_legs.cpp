@@ -6,7 +6,7 @@
 // the user's last S said, or 2000 steps/s, the power-up value, if none was seen.
 #include <cmath>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/devices/vxm/driver.h"
 

@@ -3,7 +3,7 @@
 // then K.
 #include <algorithm>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/devices/vxm/driver.h"
 

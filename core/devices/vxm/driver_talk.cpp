@@ -1,5 +1,5 @@
 // Questions and their answers, and what the controller says unasked.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/devices/vxm/driver.h"
 

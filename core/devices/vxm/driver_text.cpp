@@ -1,6 +1,6 @@
 // Raw text of the user's or a script's: cut so that nothing is sent while the controller answers (the overrun
 // of the manual's p.30 locks it until power-off), and followed, so that the driver knows what it changed.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/devices/vxm/driver.h"
 
