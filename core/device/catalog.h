@@ -191,7 +191,6 @@ struct Capabilities {
   bool one_axis_at_a_time = false;
   bool homes = true;
   bool reset = false;
-  bool addressed = false;  ///< several can share one wire, each with an id of two digits (Catalog::id)
   bool interpolates = false;  ///< moves several axes together on a straight line
   bool broadcast = false;     ///< takes text meant for all devices of a wire, without replies
   int usual_baud = 9600;
@@ -204,7 +203,6 @@ struct Catalog {
   std::string name;        ///< "Velmex VXM"
   std::string short_name;  ///< "VXM"
   std::string summary;     ///< "stepping motors, 2 or 4"
-  std::string id;  ///< addressed: which device of its wire this is, "07"; id= of the address or the usual one
   std::string step_word = "steps";
   std::string loop_word;  ///< of an axis whose AxisState::in_counts is set: "counts"
   std::vector<OptionInfo> options;
@@ -228,6 +226,13 @@ struct Catalog {
   Pps jog_speed{2000}, jog_speed_min{1}, jog_speed_max{6000};
   Steps position_min{}, position_max{}, move_max{};
 
+  /// Several of its kind can share a wire.
+  [[nodiscard]] bool addressed() const { return address >= 0; }
+  /// The two digits of `address`, as in id= of an address; empty: it has none.
+  [[nodiscard]] std::string id() const {
+    if (!addressed()) return {};
+    return {static_cast<char>('0' + address / 10 % 10), static_cast<char>('0' + address % 10)};
+  }
   [[nodiscard]] int find_axis(std::string_view axis_name) const {
     for (std::size_t i = 0; i < axes.size(); ++i)
       if (axes[i].name == axis_name) return static_cast<int>(i);

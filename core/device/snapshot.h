@@ -18,11 +18,20 @@ enum class LinkState : std::uint8_t { connecting, good, late, lost, closed };
 
 enum class Activity : std::uint8_t { unknown, idle, moving, jogging, homing, stopping, error };
 
+/// How the latest motion of an axis, or run of a program, came to its end.
+enum class EndedBy : std::uint8_t {
+  nothing,
+  target,
+  limit,
+  stop,   ///< the console's own, with the ramp
+  abort,  ///< the console's own, at once
+  elsewhere,  ///< cut short by somebody else: the controller's Stop input, another program on the wire
+  error,
+  lost
+};
 /// Where on its profile a motion is, if the controller tells.
 enum class Phase : std::uint8_t { unknown, accelerating, constant, decelerating };
 
-/// How the latest motion of an axis came to its end.
-enum class EndedBy : std::uint8_t { nothing, target, limit, stop, abort, error, lost };
 
 struct AxisState {
   Steps position{};
@@ -54,6 +63,7 @@ struct ProgramState {
   std::int16_t command = -1;  ///< index of the live command in the slot's listing; -1 unknown
   bool command_told = false;  ///< true: the controller said so; false: worked out
   bool stepping = false;      ///< stops before each command
+  EndedBy ended_by = EndedBy::nothing;  ///< of the latest run of the user's programs
   Instant started_at{};
   bool operator==(const ProgramState&) const = default;
 };

@@ -28,6 +28,22 @@ std::size_t unknown_length(std::string_view rest) {
   return n;
 }
 
+/// Blanks that come along when text is copied from a printed manual: U+00A0, U+2000 to U+200A, U+202F, and
+/// the byte order mark of a file. They become plain blanks of the same length in bytes.
+void flatten_blanks(std::string& text) {
+  const auto byte = [&](std::size_t at) {
+    return at < text.size() ? static_cast<unsigned char>(text[at]) : 0;
+  };
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    if (byte(at) < 0x80) continue;
+    const bool two = byte(at) == 0xC2 && byte(at + 1) == 0xA0;
+    const bool general = byte(at) == 0xE2 && byte(at + 1) == 0x80 &&
+                         ((byte(at + 2) >= 0x80 && byte(at + 2) <= 0x8A) || byte(at + 2) == 0xAF);
+    const bool mark = byte(at) == 0xEF && byte(at + 1) == 0xBB && byte(at + 2) == 0xBF;
+    if (two || general || mark) text.replace(at, two ? 2 : 3, two ? 2 : 3, ' ');
+  }
+}
+
 template <class Test>
 std::size_t run_length(std::string_view rest, Test test) {
   return static_cast<std::size_t>(std::find_if_not(rest.begin(), rest.end(), test) - rest.begin());
@@ -47,6 +63,7 @@ void LexedLine::find_comment() {
 void LexedLine::read(std::string_view line) {
   capitals_.assign(line);
   std::transform(capitals_.begin(), capitals_.end(), capitals_.begin(), capital);
+  flatten_blanks(capitals_);
   lexemes_.clear();
   find_comment();
   const std::string_view code = std::string_view(capitals_).substr(0, static_cast<std::size_t>(comment_));

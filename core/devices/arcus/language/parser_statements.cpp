@@ -61,6 +61,7 @@ std::optional<Statement> LineParser::parse(const LexedLine& lexed, int line) {
   i_ = {};
   if (at_end()) return std::nullopt;
   const int begin = here().begin, end = lexemes_->back().begin;
+  i_.op = keyword(here().text);
   const bool sound = check_characters() && parse_statement();
   if (!sound && !is_structure(i_.op)) i_.op = Opcode::bad;
   i_.lines = static_cast<std::uint8_t>(lines_of(i_.op) > 0 ? lines_of(i_.op) : i_.axes.count());

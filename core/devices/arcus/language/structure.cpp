@@ -93,9 +93,8 @@ class StructureCheck {
   void end_program(const Statement& s) {
     close_blocks();
     if (place_ == Place::sub) say(s, "A subroutine ends with ENDSUB, not with END.");
-    if (place_ == Place::outside)
-      say(s, opened_by_ ? "There is no program here that could end." : "An END needs a program above it.");
-    if (!opened_by_) opened_by_ = &s;
+    if (place_ == Place::outside && opened_by_) say(s, "There is no program here that could end.");
+    if (!opened_by_) opened_by_ = programs_[0] = &s;  // an empty program
     place_ = Place::outside;
   }
 
