@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#define TOML_EXCEPTIONS 0
-#include <toml++/toml.h>
+#include "core/base/toml.h"
 
 namespace hw {
 namespace {

@@ -17,11 +17,17 @@ std::optional<Steps> bounded(std::optional<Steps> steps) {
 }  // namespace
 
 void Plant::set_place(const AxisPlace& place) {
-  place_ = place;
+  const auto take = [](auto& mine, const auto& given) {
+    if (given) mine = given;
+  };
+  take(place_.minus, place.minus), take(place_.plus, place.plus);
+  take(place_.home_from, place.home_from), take(place_.home_to, place.home_to);
+  take(place_.index_every, place.index_every), take(place_.counts_per_step, place.counts_per_step);
   for (auto* mark : {&place_.minus, &place_.plus, &place_.home_from, &place_.home_to}) *mark = bounded(*mark);
   if (place_.home_from && place_.home_to && *place_.home_to < *place_.home_from)
     std::swap(place_.home_from, place_.home_to);
-  place_.backlash = Steps(std::clamp<std::int64_t>(place.backlash.value_or(Steps(0)).value, 0, far_away));
+  if (!place.backlash) return;
+  place_.backlash = Steps(std::clamp<std::int64_t>(place.backlash->value, 0, far_away));
   play_used_ = place_.backlash->value;  // as after a move to plus
 }
 

@@ -11,6 +11,7 @@ namespace hw::motion {
 
 class Plant {
  public:
+  /// What `place` does not say stays as it is.
   void set_place(const AxisPlace& place);
   [[nodiscard]] const AxisPlace& place() const { return place_; }
   [[nodiscard]] Steps load() const { return Steps(load_); }
@@ -26,6 +27,7 @@ class Plant {
   [[nodiscard]] bool limit_by_hand(Sign side) const {
     return side == Sign::plus ? plus_by_hand_ : minus_by_hand_;
   }
+  [[nodiscard]] bool home_by_hand() const { return home_by_hand_; }
   [[nodiscard]] bool limit_operated(Sign side) const;
   [[nodiscard]] bool home_operated() const;
 

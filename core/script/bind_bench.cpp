@@ -2,7 +2,7 @@
 // test that goes on without its limit switch proves nothing.
 #include <cmath>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/device/bench_file.h"
 #include "core/device/emulator.h"
@@ -216,18 +216,13 @@ constexpr Function methods[] = {
     {"look", look},
 };
 
-int drop_bench(lua_State* L) {
-  static_cast<std::shared_ptr<Session>*>(lua_touserdata(L, 1))->~shared_ptr();
-  return 0;
-}
-
 }  // namespace
 
 void bind_bench(lua_State* L) {
-  luaL_newmetatable(L, "bench");
+  luaL_newmetatable(L, bench_type);
   push_functions(L, std::begin(methods), std::end(methods), 1);
   lua_setfield(L, -2, "__index");
-  lua_pushcfunction(L, drop_bench);
+  lua_pushcfunction(L, drop_handle);
   lua_setfield(L, -2, "__gc");
   lua_pushboolean(L, 0);
   lua_setfield(L, -2, "__metatable");
