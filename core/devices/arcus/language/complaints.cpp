@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <numeric>
 #include <vector>
 
@@ -62,26 +63,37 @@ int distance(std::string_view a, std::string_view b) {
 }
 
 /// All words that could stand in a program without a number behind them.
-std::vector<std::string> vocabulary(const Dialect& dialect) {
+std::vector<std::string> make_vocabulary(const Dialect& dialect) {
   std::vector<std::string> words(std::begin(keywords), std::end(keywords));
+  const auto with_each_axis = [&](std::string_view spelling) {
+    for (const char axis : dialect.axes) words.push_back(std::string(spelling) + axis);
+  };
   for (const NameRow& row : dialect.names) {
     if (!row.usual.empty()) continue;
-    if (row.indexing != Indexing::axis)
-      words.emplace_back(row.spelling);
+    if (row.indexing == Indexing::axis)
+      with_each_axis(row.spelling);
     else
-      for (const char axis : dialect.axes) words.push_back(std::string(row.spelling) + axis);
+      words.emplace_back(row.spelling);
   }
-  for (const WordRow& row : dialect.words)
-    for (const char axis : dialect.axes) words.push_back(std::string(row.spelling) + axis);
+  for (const WordRow& row : dialect.words) with_each_axis(row.spelling);
   return words;
 }
 
+const std::vector<std::string>& vocabulary(const Dialect& dialect) {
+  static const std::vector<std::string> pmx = make_vocabulary(pmx_4ex_sa()),
+                                        dmx = make_vocabulary(dmx_k_sa());
+  return &dialect == &pmx_4ex_sa() ? pmx : dmx;
+}
+
 std::string nearest(const Dialect& dialect, std::string_view letters) {
-  std::string best;
-  int best_distance = letters.size() < 4 ? 2 : 3;  // closer than this
-  for (std::string& word : vocabulary(dialect))
-    if (const int d = distance(letters, word); d < best_distance) best_distance = d, best = std::move(word);
-  return best;
+  const std::string* best = nullptr;
+  int closer_than = letters.size() < 4 ? 2 : 3;
+  for (const std::string& word : vocabulary(dialect)) {
+    const auto length_difference = static_cast<int>(word.size()) - static_cast<int>(letters.size());
+    if (std::abs(length_difference) >= closer_than) continue;
+    if (const int d = distance(letters, word); d < closer_than) closer_than = d, best = &word;
+  }
+  return best ? *best : std::string();
 }
 
 }  // namespace
