@@ -24,8 +24,6 @@
 
 namespace hw::arcus::language {
 
-inline constexpr int max_depth = 8;  ///< GOSUB within GOSUB (AMB-129)
-
 /// The numbers that SASTAT answers.
 enum class ThreadState : std::uint8_t { stopped = 0, running = 1, paused = 2, error = 4 };
 
@@ -91,7 +89,7 @@ class Vm {
     std::uint16_t first_line = 0;
     Turn due = 0;  ///< not before this turn
     LoopWatch loop;
-    std::array<Frame, max_depth + 2> frames;  ///< one more for GS and one for SUB 31
+    std::array<Frame, max_call_depth + 2> frames;  ///< one more for GS and one for SUB 31
   };
   /// What a statement leads to.
   struct Next {
