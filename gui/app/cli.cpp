@@ -12,7 +12,8 @@
 namespace hw::app {
 namespace {
 
-const OptionSpec model_option{"for", "MODEL", "the controller that the program is for: vxm, pmx-4ex-sa, dmx-k-sa"};
+const OptionSpec model_option{"for", "MODEL",
+                              "the controller that the program is for: vxm, pmx-4ex-sa, dmx-k-sa"};
 const OptionSpec bench_option{"bench", "FILE.toml", "what surrounds the emulated controller"};
 
 const std::vector<Subcommand>& subcommands() {
@@ -150,6 +151,7 @@ constexpr const char* footer =
     "An address is MODEL@TRANSPORT[:WHERE][,key=value...]:\n"
     "  vxm@emulator            an emulator in this process (motors=4: with a Slave)\n"
     "  vxm@serial:/dev/ttyUSB0,baud=9600\n"
+    "  dmx-k-sa@serial:/dev/ttyUSB0,baud=9600,id=01   pmx-4ex-sa@usb\n"
     "  vxm@tcp:HOST:PORT       vxm@rfc2217:HOST:PORT,baud=9600\n"
     "Exit status: 0 done, 1 the job failed (with a sentence), 2 wrong usage.";
 

@@ -1,7 +1,6 @@
 #pragma once
 // One axis of an emulated Arcus controller: its counters, its load and encoder, and what is latched on it.
 #include <cstdint>
-#include <functional>
 #include <optional>
 
 #include "core/devices/arcus/facts.h"
@@ -91,8 +90,7 @@ class Axis {
   /// Makes `count` pulses; `physical` is the direction of the load.
   void turn(int way, Sign physical, std::int64_t count);
 
-  /// The first of the next `most` turns towards `physical` after which `holds(load)` is true; it must stay
-  /// true from there on.
+  /// The first of the next `most` turns after which `holds(turns)` is true; it must stay true from there on.
   template <class Predicate>
   [[nodiscard]] std::optional<std::int64_t> first_turn(std::int64_t most, Predicate holds) const {
     if (most < 1 || !holds(most)) return std::nullopt;

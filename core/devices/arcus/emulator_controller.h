@@ -98,7 +98,7 @@ class Controller {
   void heard_from_host(bool timeout_was_shown);
   [[nodiscard]] bool timed_out() const { return timed_out_; }
 
-  // Moves (emulator_moves.cpp). `interactive`: a host, which is refused what a program may.
+  // Moves (emulator_moves.cpp, emulator_homing.cpp, emulator_motion.cpp).
   Refusal move(const Targets& targets);
   Refusal jog(int axis, Sign way);
   Refusal arc(std::int64_t centre_x, std::int64_t centre_y, bool clockwise,
@@ -131,8 +131,6 @@ class Controller {
   [[nodiscard]] LoopState loop_state(int axis) const;
   [[nodiscard]] std::int64_t current_ma() const;
   [[nodiscard]] bool moving(int axis) const { return axes_[ix(axis)].slot >= 0; }
-  /// Neither moving nor about to correct.
-  [[nodiscard]] bool idle(int axis) const { return !moving(axis); }
   /// Limit, alarm or StepNLoop error latched.
   [[nodiscard]] bool in_error(int axis) const;
   Refusal set_position(int axis, std::int64_t value);

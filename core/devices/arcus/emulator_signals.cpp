@@ -65,7 +65,7 @@ std::int64_t Controller::outputs() const {
     if (axes_[ix(a)].sync.state != 0) show(model_->sync_outputs[ix(a)], sync_output_on(a));
   if (loop_has_outputs()) {
     const bool near = std::abs(loop_delta(0)) <= settings_.get(Setting::loop_tolerance, 0);
-    show(model_->in_position_output, idle(0) && !in_error(0) && near);
+    show(model_->in_position_output, !moving(0) && !in_error(0) && near);
     show(model_->alarm_output, in_error(0));
   }
   return seen;

@@ -227,7 +227,7 @@ TEST_F(DriverTest, ASetParameterIsReadBackAndMarkedUnstored) {
 
 TEST_F(DriverTest, ATimeThatTheControllerAdjustsIsToldNotHidden) {
   start(dmx);
-  EXPECT_EQ(perform(intent::SetParam("ACC", 40'000)), "");
+  EXPECT_EQ(perform(intent::SetParam("ACC", 40000)), "");
   EXPECT_LT(param("ACC"), 40'000);
   EXPECT_TRUE(told("table A.0"));
 }
