@@ -34,6 +34,7 @@ void Desk::refresh(const Snapshot& now, Instant clock, const Send& send) {
   if (!worker_) own_worker_.deliver();
   if (now.link.state == LinkState::lost || now.link.state == LinkState::closed) texts.doubt();
   job.update(texts, now, catalog_, clock, send);
+  follower.follow(now, clock, texts, language_, worker());
   setup_write.update(now, catalog_, send);
   setup.settle(now);
   autosave(clock);

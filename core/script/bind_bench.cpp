@@ -2,7 +2,7 @@
 // test that goes on without its limit switch proves nothing.
 #include <cmath>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/device/bench_file.h"
 #include "core/device/emulator.h"
@@ -53,6 +53,7 @@ int analog(Call& call) {
 }
 int button(Call& call) { return operate(call, bench::Button(call.text(1, "button"), call.on(2, "on"))); }
 int jam(Call& call) { return operate(call, bench::Jam(axis_of(call), call.on(2, "on"))); }
+int alarm(Call& call) { return operate(call, bench::Alarm(axis_of(call), call.on(2, "on"))); }
 int slip(Call& call) { return operate(call, bench::Slip(axis_of(call), Steps(small(call, 2, "counts")))); }
 int unplug(Call& call) { return operate(call, bench::Unplug(call.on(1, "on"))); }
 int garble(Call& call) { return operate(call, bench::Garble(small(call, 1, "bytes"))); }
@@ -197,7 +198,7 @@ int look(Call& call) {
 
 constexpr Function methods[] = {
     {"input", input},   {"limit", limit}, {"home", home},     {"analog", analog},
-    {"button", button}, {"jam", jam},     {"slip", slip},     {"unplug", unplug},
+    {"button", button}, {"jam", jam},     {"alarm", alarm}, {"slip", slip},     {"unplug", unplug},
     {"garble", garble}, {"drop", drop},   {"power", power},   {"power_cycle", power_cycle},
     {"at", at},         {"place", place}, {"pulses", pulses}, {"look", look},
 };

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/script/bind.h"
 
@@ -249,6 +249,7 @@ const char* name_of(EndedBy e) {
     case EndedBy::limit: return "limit";
     case EndedBy::stop: return "stop";
     case EndedBy::abort: return "abort";
+    case EndedBy::elsewhere: return "elsewhere";
     case EndedBy::error: return "error";
     case EndedBy::lost: return "lost";
   }
@@ -324,14 +325,19 @@ int push_whole_status(lua_State* L, const Snapshot& known, const Catalog&, int) 
   return 1;
 }
 
+constexpr Duration short_look = Millis(20), long_look = Millis(200);
+constexpr std::int64_t enough_steps = 50;  // fewer say little: one step more or less is then a few percent
+
 // Measured: steps between two rounds of status over the time between them. At rest 0 at once.
 Task<Answer> measure_velocity(Runner& runner, SessionPtr session, int axis) {
   const AxisState& state = session->known().axes[axis];
   co_await session->pump().refresh();
   const Steps from = state.position;
   const Instant from_at = state.seen_at;
-  if (session->known().any_axis_moving()) {
-    co_await runner.sleep_until(runner.scheduler().now() + Millis(20));
+  for (const Duration look : {short_look, long_look}) {
+    const bool enough = std::abs((state.position - from).value) >= enough_steps;
+    if (enough || !session->known().any_axis_moving()) break;
+    co_await runner.sleep_until(from_at + look);
     co_await session->pump().refresh();
   }
   const Duration passed = state.seen_at - from_at;

@@ -1,5 +1,5 @@
 // `hw`: opening controllers, time, checks, words.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/script/bind.h"
 #include "core/script/module.h"

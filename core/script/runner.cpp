@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <lua.hpp>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/script/bind.h"
 #include "core/script/module.h"

@@ -1,13 +1,11 @@
 #include "core/session/parameter_file.h"
 
+#include <charconv>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#define TOML_EXCEPTIONS 0
-#include <charconv>
-
-#include <toml++/toml.h>
-
+#include "core/base/toml.h"
 #include "core/session/user_files.h"
 
 namespace hw {

@@ -1,6 +1,6 @@
 #include "core/session/session.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace hw {
 
@@ -113,22 +113,29 @@ Task<Result<std::string>> Session::listing(int slot) {
   co_return listings_[slot];
 }
 
+// An end that the console itself asked for (stop, abort) was wanted: it is none of these reasons.
 std::string why_not_finished(const Snapshot& s, const Catalog& catalog) {
   if (s.link.state == LinkState::lost || s.link.state == LinkState::closed)
     return fmt::format("The link is lost. {}", s.link.sentence.view());
   if (s.program.run == RunState::error) return std::string(s.notice.view());
+  if (s.program.ended_by == EndedBy::limit) return "A limit switch was hit while the program ran.";
+  if (s.program.ended_by == EndedBy::elsewhere)
+    return "The program was ended by somebody else: the controller's Stop button or input.";
   for (int i = 0; i < s.axis_count; ++i) {
     const auto because = [&](const char* what) {
       return fmt::format("Axis {} {}.", catalog.axes[i].name, what);
     };
     switch (s.axes[i].ended_by) {
       case EndedBy::limit: return because("was ended by its limit switch");
-      case EndedBy::stop: return because("was stopped");
-      case EndedBy::abort: return because("was stopped at once");
+      case EndedBy::elsewhere:
+        return because(
+            "was stopped by somebody else: the controller's Stop button or input, or another program");
       case EndedBy::error: return because("was ended by an error of the controller");
       case EndedBy::lost: return because("was lost sight of while it moved");
       case EndedBy::nothing:
-      case EndedBy::target: break;
+      case EndedBy::target:
+      case EndedBy::stop:
+      case EndedBy::abort: break;
     }
   }
   return {};

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/base/log.h"
 
@@ -78,7 +78,7 @@ const std::vector<Subcommand>& subcommands() {
       {"restore",
        "set-up and programs from a file into a controller",
        {{"ADDRESS", "the controller", 1, 1}, {"FILE.toml", "made by backup", 1, 1}},
-       {{"warnings-read", "", "write parameters that carry a warning (motor types) too"}},
+       {{"leave-motor-types", "", "leave parameters that carry a warning (motor types) as they are"}},
        restore},
   };
   return all;
@@ -131,6 +131,11 @@ Given collect(const Parsed& parsed, std::vector<std::string> behind_dashes) {
     const auto values = parsed.values.find(name);
     given.options[name] = values == parsed.values.end() ? std::vector<std::string>{""} : values->second;
   }
+  std::map<std::string, std::size_t> taken;
+  for (const CLI::Option* option : parsed.app->parse_order())
+    for (const auto& [name, values] : parsed.values)
+      if (parsed.options.at(name) == option && taken[name] < values.size())
+        given.in_order.emplace_back(name, values[taken[name]++]);
   return given;
 }
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 
 #include <fmt/format.h>
@@ -22,12 +23,16 @@ std::vector<std::string_view> known_models() {
 struct Order {
   const DeviceType* type;
   DeviceOptions keys;
-  std::vector<std::string> ids, tcp, pty;
+  std::vector<std::string> ids;
+  std::vector<std::pair<std::string, std::string>> endpoints;  ///< "tcp" or "pty" and where
   bool allow_remote;
 };
 
 // A private line: one controller, and clients that come over TCP only. It is spoken to without its id too.
-bool alone_on_its_line(const Order& order) { return order.ids.size() <= 1 && order.pty.empty(); }
+bool alone_on_its_line(const Order& order) {
+  const auto is_pty = [](const auto& endpoint) { return endpoint.first == "pty"; };
+  return order.ids.size() <= 1 && std::none_of(order.endpoints.begin(), order.endpoints.end(), is_pty);
+}
 
 Result<> understand_ids(Order& order) {
   const auto catalog = order.type->make_catalog({});
@@ -45,17 +50,18 @@ Result<> understand_ids(Order& order) {
 
 // The options of the command line are the keys of an emulator's address.
 Result<Order> understand(const Given& given) {
-  Order order{find_device_type(given.words[0]), {}, given.all("id"), given.all("tcp"), given.all("pty"),
-              given.has("allow-remote")};
+  Order order{find_device_type(given.words[0]), {}, given.all("id"), {}, given.has("allow-remote")};
+  for (const auto& option : given.in_order)
+    if (option.first == "tcp" || option.first == "pty") order.endpoints.push_back(option);
   if (!order.type)
     return fail(FaultKind::text, fmt::format("There is no controller model \"{}\".", given.words[0]), {},
                 fmt::format("Known: {}.", fmt::join(known_models(), ", ")));
-  if (order.tcp.empty() && order.pty.empty())
+  if (order.endpoints.empty())
     return fail(FaultKind::text, "It is not said where to serve the emulator.", {},
                 "Give --tcp 127.0.0.1:4001 or --pty PATH, or both.");
   for (const char* key : {"motors", "speed", "state", "bench"})
     if (given.has(key)) order.keys[key] = given.one(key);
-  order.keys["wire"] = given.one("wire", order.pty.empty() ? "off" : "real");
+  order.keys["wire"] = given.one("wire", given.has("pty") ? "real" : "off");
   std::string quirks;
   for (const std::string& quirk : given.all("quirk")) quirks += (quirks.empty() ? "" : "+") + quirk;
   if (!quirks.empty()) order.keys["quirk"] = quirks;
@@ -90,18 +96,21 @@ Task<int> serve(Scheduler& scheduler, const Order& order) {
   OpenOptions options;
   options.trouble = [](const Fault& fault) { log::error("emulate", fault.sentence()); };
   auto host = make_emulator_host(scheduler, *order.type, order.keys, order.ids, options);
-  if (!host) co_return complain(host.error(), host.error().kind == FaultKind::text ? usage : failed);
+  if (!host) co_return complain(host.error(), status_of(host.error()));
 
   Event ended(scheduler);
   Interruption interruption(scheduler, [&ended] { ended.notify(); });
-  std::vector<std::unique_ptr<TcpEndpoint>> endpoints;
-  for (const std::string& where : order.tcp) {
+  std::vector<std::unique_ptr<TcpEndpoint>> listening;
+  for (const auto& [kind, where] : order.endpoints) {
+    if (kind == "pty") {
+      if (auto served = serve_pty(scheduler, order, **host, where); !served)
+        co_return complain(served.error());
+      continue;
+    }
     auto endpoint = serve_tcp(scheduler, order, *host, where);
     if (!endpoint) co_return complain(endpoint.error());
-    endpoints.push_back(std::move(*endpoint));
+    listening.push_back(std::move(*endpoint));
   }
-  for (const std::string& path : order.pty)
-    if (auto served = serve_pty(scheduler, order, **host, path); !served) co_return complain(served.error());
   co_await ended.wait();
   co_return done;
 }

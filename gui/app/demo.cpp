@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <filesystem>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/script/runner.h"
 #include "gui/app/cli.h"

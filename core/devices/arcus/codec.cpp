@@ -145,7 +145,7 @@ std::string set_command(const ParamInfo& info, std::int64_t value) {
 
 std::string move_command(const Forms& forms, const std::vector<AxisValue>& targets) {
   std::string text;
-  for (const AxisValue& t : targets) text += fill(forms, forms.move, t.axis) + std::to_string(t.value);
+  for (const AxisValue& t : targets) text += fmt::format("{}{}", letter(*forms.model, t.axis), t.value);
   return text;
 }
 

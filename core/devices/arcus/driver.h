@@ -32,9 +32,11 @@ class ArcusDriver final : public Driver {
   Task<Result<>> perform(const IntentBody& intent) override;
   Task<Result<>> stop(int axis, bool at_once) override;
   Task<Result<>> stop_jog() override;
+  Task<Result<>> stop_wire(bool at_once) override;
   Task<Result<>> halt_program(int thread) override;
   void wire_lost() override;
   Task<Result<std::string>> query(std::string text, Duration patience) override;
+  [[nodiscard]] bool answers(std::string_view text) const override;
   bool take_unsolicited(std::string& text) override;
   [[nodiscard]] Duration moving_period() const override;
   [[nodiscard]] Duration idle_period() const override { return Millis(200); }
@@ -45,8 +47,12 @@ class ArcusDriver final : public Driver {
     Activity wanted = Activity::idle;     ///< what our last command began
     EndedBy ended_by = EndedBy::nothing;  ///< why we ended it, if we did
     std::int64_t status = 0;
-    int loop_state = -1;  ///< -1: not read yet
-    bool ours = false;    ///< a motion of the console is under way
+    int loop_state = -1;     ///< -1: not read yet
+    bool ours = false;       ///< a motion of the console is under way
+    bool stopping = false;   ///< a stop was sent
+    bool zeroed = false;     ///< we have set a counter since the last round
+    std::int8_t turned = 0;  ///< direction of the latest change of position
+    Instant begun_at{};      ///< when our last command was sent
   };
   /// How the speed is put for one motion and back afterwards.
   struct BorrowedSpeed {
@@ -79,7 +85,8 @@ class ArcusDriver final : public Driver {
   tl::unexpected<Fault> silent() const;
   tl::unexpected<Fault> garbled(std::string_view bytes) const;
   tl::unexpected<Fault> two_answer() const;
-  void look_for_restart(bool was_known, const std::array<Steps, max_axes>& before);
+  void look_for_restart(const std::array<Steps, max_axes>& before);
+  [[nodiscard]] int factory_id() const;
   void restarted();
 
   // ---- driver_poll.cpp
@@ -95,6 +102,7 @@ class ArcusDriver final : public Driver {
   [[nodiscard]] bool any_moving() const;
   [[nodiscard]] EndedBy how_it_ended(int axis) const;
   [[nodiscard]] bool loop_error(int axis) const;
+  [[nodiscard]] bool in_error(int axis) const;
 
   // ---- driver_readouts.cpp
   Task<Result<>> read_watched();
@@ -106,19 +114,19 @@ class ArcusDriver final : public Driver {
   Task<Result<>> read_thread(int thread, Priority priority);
   Task<Result<>> set_variable(const intent::SetVariable& wish);
   void put_readout(std::string_view id, std::int64_t value);
-  [[nodiscard]] bool told_by_status(int readout) const;
+  void find_readouts_told_by_status();
 
   // ---- driver_moves.cpp
-  Task<Result<>> move(const std::vector<AxisTarget>& wish, Pps speed, bool relative);
+  Task<Result<>> move(std::vector<AxisTarget> wish, Pps speed, bool relative);
   Task<Result<bool>> ask_incremental();
   Task<Result<std::int64_t>> ask_position(int axis);
-  Task<Result<>> jog(const intent::JogStart& wish);
-  Task<Result<>> home(const intent::Home& wish);
-  Task<Result<>> set_position(const intent::SetPosition& wish);
-  Task<Result<>> set_encoder(const intent::SetEncoder& wish);
-  Task<Result<>> set_power(const intent::SetPower& wish);
-  Task<Result<>> set_output(const intent::SetOutput& wish);
-  Task<Result<>> start(std::string text, const std::vector<int>& axes, Activity activity);
+  Task<Result<>> jog(intent::JogStart wish);
+  Task<Result<>> home(intent::Home wish);
+  Task<Result<>> set_position(intent::SetPosition wish);
+  Task<Result<>> set_encoder(intent::SetEncoder wish);
+  Task<Result<>> set_power(intent::SetPower wish);
+  Task<Result<>> set_output(intent::SetOutput wish);
+  Task<Result<>> start(std::string text, std::vector<int> axes, Activity activity);
   Task<Result<>> borrow_speed(Pps speed, int axis);
   Task<Result<>> give_speed_back();
   Task<Fault> after_doubt(Fault why, std::string_view sent);
@@ -126,18 +134,20 @@ class ArcusDriver final : public Driver {
   void begun(int axis, Activity activity, Instant at);
 
   // ---- driver_actions.cpp
-  Task<Result<>> act(const intent::Act& wish);
+  Task<Result<>> act(intent::Act wish);
   Task<Result<>> change_speed(int axis, std::int64_t speed, std::int64_t accel_ms);
-  Task<Result<>> draw(const ActionInfo& info, const std::vector<std::int64_t>& values);
+  Task<Result<>> change_target(int axis, std::int64_t target);
+  Task<Result<>> draw(const ActionInfo& info, std::vector<std::int64_t> values);
   Task<Result<>> clear_errors(std::string_view form, int axis);
   Task<Result<>> joystick(int axis, bool on);
 
   // ---- driver_buffer.cpp
-  Task<Result<>> start_feed(const intent::FeedMoves& wish);
+  Task<Result<>> start_feed(intent::FeedMoves wish);
   Task<Result<>> feed();
   void end_feed();
 
   // ---- driver_stop.cpp
+  Task<Result<>> stop_now(int axis, bool at_once);
   Task<Result<>> say_stop(std::string text);
   Task<Result<>> release_joystick(int axis);
   Task<Result<>> halt_threads(bool all);
@@ -145,21 +155,21 @@ class ArcusDriver final : public Driver {
   void stopping(int axis, bool at_once);
 
   // ---- driver_programs.cpp
-  Task<Result<>> perform_program(const IntentBody& body);
-  Task<Result<>> load(const std::string& text);
-  Task<Result<>> write_lines(const std::vector<std::string>& lines);
-  Task<Result<>> compare_lines(const std::vector<std::string>& lines);
+  Task<Result<>> perform_program(IntentBody body);
+  Task<Result<>> load(std::string text);
+  Task<Result<>> write_lines(std::vector<std::string> lines);
   Task<Result<>> clear_from(int line);
   Task<Result<std::string>> read_line(int line, Priority priority);
-  Task<Result<>> write_line(int line, std::string_view text);
+  Task<Result<>> write_line(int line, std::string text);
   Task<Result<std::vector<std::string>>> read_lines();
   Task<Result<>> upload();
-  Task<Result<>> control(int thread, int what, const char* name);
+  Task<Result<>> control(int thread, int what);
+  Task<Result<>> control_all(int thread, int what);
   Result<> no_thread_runs() const;
   void show_transfer(int done, int total);
 
   // ---- driver_params.cpp
-  Task<Result<>> set_param(const intent::SetParam& wish);
+  Task<Result<>> set_param(intent::SetParam wish);
   Task<Result<>> read_param(int index, Priority priority);
   Task<Result<>> read_params();
   Task<Result<>> read_again();
@@ -167,7 +177,7 @@ class ArcusDriver final : public Driver {
   void forget_params(std::string_view head);
   void changed_param(int index);
   [[nodiscard]] std::optional<std::int64_t> param(std::string_view mnemonic) const;
-  [[nodiscard]] const SettingFact* fact_of(std::string_view mnemonic) const;
+  [[nodiscard]] const SettingFact* fact_of(int param) const;
 
   [[nodiscard]] const Model& model() const { return *forms_.model; }
   [[nodiscard]] int axis_count() const { return model().axes(); }
@@ -185,17 +195,17 @@ class ArcusDriver final : public Driver {
   std::array<AxisMind, max_axes> minds_{};
   bool incremental_ = false;
   std::optional<BorrowedSpeed> borrowed_;
+  int jogged_axis_ = -1;
   std::deque<std::vector<std::int64_t>> to_feed_;
   int buffer_free_ = 0;
   bool buffer_on_ = false;
-  int stops_ = 0;          ///< under way
-  bool stop_ramp_ = false; ///< the one under way ramps
+  int stops_ = 0;            ///< under way
+  bool stop_ramps_ = false;  ///< the one under way ramps
 
   bool connected_before_ = false, lost_while_busy_ = false;
-  bool doubled_told_ = false, name_told_ = false;
+  bool name_told_ = false;
   Instant lost_at_{}, heard_at_{};
-  std::string stray_;   ///< text that nobody asked for, not yet ended
-  int strays_ = 0;
+  int strays_ = 0;  ///< texts that nobody asked for
   Instant round_began_{};
   int round_ = 0;
   std::uint32_t watched_ = 0;

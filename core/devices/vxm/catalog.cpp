@@ -1,6 +1,6 @@
 #include "core/devices/vxm/catalog.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/devices/vxm/facts.h"
 
