@@ -311,6 +311,76 @@ class Emulate(Case):
             self.expect(run("emulate", "vxm", "--tcp", port_of(ready[0])), 1, port_of(ready[0]))
 
 
+class Line:
+    """A client on a pty, byte by byte."""
+    def __init__(self, link):
+        self.port = os.open(link, os.O_RDWR | os.O_NOCTTY)
+
+    def ask(self, text, wait=0.3):
+        os.write(self.port, text.encode())
+        got = b""
+        while select.select([self.port], [], [], wait)[0]:
+            got += os.read(self.port, 256)
+        return got
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        os.close(self.port)
+
+
+class Bus(Case):
+    """Several controllers on one line."""
+    def test_thirty_on_one_pty(self):
+        link = self.folder / "bus"
+        ids = [f"{n:02}" for n in range(1, 31)]
+        with emulator("dmx-k-sa", "--pty", link, *(w for i in ids for w in ("--id", i))) as (ready, _):
+            self.assertEqual(ready[0], f"ready dmx-k-sa pty {link}")
+            with Line(link) as line:
+                for i in ids:
+                    self.assertEqual(line.ask(f"@{i}DN\r", 0.1), f"DMK{i}\0".encode())
+                self.assertEqual(line.ask("@31DN\r"), b"", "nobody has this id")
+                self.assertEqual(line.ask("DN\r"), b"", "on a shared line only who is asked answers")
+                self.assertEqual(line.ask("@00EO=0\r"), b"", "all obey, nobody answers")
+                for i in ("01", "17", "30"):
+                    self.assertEqual(line.ask(f"@{i}EO\r", 0.1), b"0\0")
+            self.expect(run("send", f"dmx-k-sa@serial:{link},id=17", "DN"), 0, "DMK17")
+            result = run("send", f"dmx-k-sa@serial:{link},id=01-04", "DN")
+            self.expect(result, 1, "several controllers")
+
+    def test_each_keeps_its_memory(self):
+        state = self.folder / "state"
+        options = ("dmx-k-sa", "--tcp", "127.0.0.1:0", "--state", state, "--id", "01", "--id", "07")
+        with emulator(*options) as (ready, _):
+            address = "dmx-k-sa@tcp:" + port_of(ready[0])
+            self.expect(run("send", address + ",id=07", "V60=1234", "STORE"), 0)
+        self.assertTrue(pathlib.Path(f"{state}.07").exists())
+        with emulator(*options) as (ready, _):
+            address = "dmx-k-sa@tcp:" + port_of(ready[0])
+            self.expect(run("send", address + ",id=07", "V60"), 0, "1234")
+            self.assertNotIn("1234", run("send", address + ",id=01", "V60").stdout)
+
+    def test_alone_behind_tcp_it_needs_no_prefix(self):
+        for options, answers in ((("--id", "07"), True), (("--id", "07", "--id", "08"), False)):
+            with emulator("dmx-k-sa", "--tcp", "127.0.0.1:0", *options) as (ready, _):
+                host, port = port_of(ready[0]).split(":")
+                with socket.create_connection((host, int(port)), timeout=10) as wire:
+                    wire.sendall(b"ID\r@07DN\r")
+                    wire.settimeout(0.5)
+                    got = b""
+                    with contextlib.suppress(TimeoutError):
+                        while chunk := wire.recv(100):
+                            got += chunk
+                    self.assertEqual(got, b"DriveMax-K-SA\0DMK07\0" if answers else b"DMK07\0")
+
+    def test_ids_that_are_none(self):
+        self.expect(run("emulate", "dmx-k-sa", "--tcp", "127.0.0.1:0", "--id", "7"), 2, "--id 7", "two digits")
+        self.expect(run("emulate", "vxm", "--tcp", "127.0.0.1:0", "--id", "07"), 2, "no --id")
+        for wrong in ("7", "007", "04-01", "01-", "1-4", "a1"):
+            self.expect(run("send", f"dmx-k-sa@emulator,id={wrong}", "DN"), 2, f"id={wrong}")
+
+
 class Send(Case):
     def test_in_process(self):
         self.expect(run("send", "vxm@emulator", "V", "X", "getM1M"), 0)
