@@ -66,9 +66,6 @@ class Vm {
   /// When the next turn is wanted, not before `now`; nothing while every thread waits for an axis, is paused
   /// or stopped.
   [[nodiscard]] std::optional<Instant> next_turn(Instant now, const VmHost& host) const;
-  /// A thread idles in a loop that looks at a position, a speed or a motor status: while an axis moves these
-  /// change without an event of the host, who then asks again at each turn.
-  [[nodiscard]] bool follows_motion() const;
   /// One turn. A second call within the same millisecond does nothing.
   void run_turn(Instant now, VmHost& host);
 
