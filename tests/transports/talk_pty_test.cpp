@@ -63,8 +63,8 @@ class PtyPartner final : public talk::Partner {
     // An endless bench, and the lamps of the start are over.
     const std::size_t axes = type.make_catalog(options)->axes.size();
     for (std::size_t i = 0; i < axes; ++i)
-      (void)host_->operate(bench::Place(AxisId{static_cast<std::uint8_t>(i)}, {}));
-    host_->attach(std::move(*open_pty_endpoint(clock_, link_, host_->emulator().rate())));
+      (void)host_->bench()->operate(bench::Place(AxisId{static_cast<std::uint8_t>(i)}, {}));
+    host_->attach(std::move(*open_pty_endpoint(clock_, link_, host_->bench()->emulator().rate())));
     pass(10s);
     fd_ = ::open(link_.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK);
   }
@@ -82,7 +82,7 @@ class PtyPartner final : public talk::Partner {
   std::string receive(std::size_t count) override {
     const Instant limit = clock_.now() + 24h;
     for (; came_.size() < count; hear()) {
-      const auto next = host_->emulator().next_event();
+      const auto next = host_->bench()->emulator().next_event();
       if (!next || *next > limit) break;
       clock_.run_until(std::max(*next, clock_.now() + Duration(1)));
     }
@@ -98,7 +98,7 @@ class PtyPartner final : public talk::Partner {
     clock_.run_for(time);
     hear();
   }
-  Result<> operate(const BenchCommand& command) override { return host_->operate(command); }
+  Result<> operate(const BenchCommand& command) override { return host_->bench()->operate(command); }
 
  private:
   // The kernel carries bytes between the two ends in its own time; the emulator's stands still meanwhile.
