@@ -199,10 +199,12 @@ void EmulatorHost::step_to(Instant when) {
     for (const auto& device : devices_) (void)apply(*device, command);  // nobody waits for the answer
   }
   while (incoming_.due() <= when) {
+    heard_late_ = reached_ - incoming_.due();  // by a question that was asked late
     land(incoming_.first());
     incoming_.pop(line_rate());
   }
   take_output();
+  heard_late_ = {};
   while (outgoing_.due() <= when) {
     const ByteLine::Byte byte = outgoing_.first();
     if (byte.sender_baud != leaving_baud_) deliver();
@@ -238,17 +240,19 @@ void EmulatorHost::bytes_from(const Client& client, std::string_view bytes) {
   const Instant now = emulator_time();
   catch_up(now);
   if (options_.byte_times) {
-    incoming_.put(bytes, client.stream->rate(), now - take_lateness(), line_rate());
+    incoming_.put(bytes, client.stream->rate(), now - take_lateness(now), line_rate());
   } else {
     for (const auto& device : devices_) device->own().receive(bytes);
   }
   run_until(now);
 }
 
-// A real timer fires some microseconds late, so the client had its reply late and asks its next question
-// late; that is our doing and not counted as time on the wire.
-Duration EmulatorHost::take_lateness() {
-  return std::min(std::exchange(late_, Duration{}), byte_time(line_rate()));
+// A real timer fires late, so the client had its reply late. When it asks its next question at once that is
+// late too: our doing, and not counted as time on the wire. A client that took its time has waited for
+// nothing.
+Duration EmulatorHost::take_lateness(Instant now) {
+  const Duration late = std::exchange(late_, Duration{});
+  return now - (left_at_ + late) <= at_once ? late : Duration{};
 }
 
 void EmulatorHost::land(ByteLine::Byte byte) {
@@ -261,7 +265,7 @@ void EmulatorHost::take_output() {
     device->own().take_output(fresh_);
     if (fresh_.empty() || unplugged_) continue;
     if (options_.byte_times)
-      outgoing_.put(fresh_, device->own().rate(), reached_, line_rate());
+      outgoing_.put(fresh_, device->own().rate(), reached_ - heard_late_, line_rate());
     else
       leaving_ += fresh_;
   }

@@ -65,6 +65,7 @@ class EmulatorHost final : public std::enable_shared_from_this<EmulatorHost> {
  private:
   struct Client;
   class Device;
+  static constexpr Duration at_once = Millis(2);
 
   EmulatorHost(Scheduler& scheduler, HostOptions options);
   Result<> add_device(HostedDevice device, const std::string& state_file, const Trouble& trouble);
@@ -81,7 +82,7 @@ class EmulatorHost final : public std::enable_shared_from_this<EmulatorHost> {
   void run_until(Instant now);
   void step_to(Instant when);
   void finish_round();
-  Duration take_lateness();
+  Duration take_lateness(Instant now);
   void land(ByteLine::Byte byte);
   void take_output();
   void deliver();
@@ -98,7 +99,7 @@ class EmulatorHost final : public std::enable_shared_from_this<EmulatorHost> {
   mutable Instant reached_{};  // looking moves time on too
   ByteLine incoming_, outgoing_;
   Instant left_at_{};  // emulated, as is the next: when the last byte left, and how much later that was done
-  Duration late_{};
+  Duration late_{}, heard_late_{};
   std::string fresh_, leaving_;  // output just taken; output at the end of the wire, ...
   int leaving_baud_ = 0;         // ... all of it sent at this rate
   std::vector<std::unique_ptr<Device>> devices_;

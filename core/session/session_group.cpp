@@ -1,6 +1,6 @@
 #include "core/session/session_group.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace hw {
 

@@ -58,16 +58,7 @@ void Controller::programs_power_up() {
     if ((which >> n & 1) != 0) control_program(n, 1);
 }
 
-/// When a program wants its next turn. A loop that follows something in motion looks each millisecond.
-std::optional<Instant> Controller::program_turn() const {
-  const ProgramHost host(*this);
-  if (const auto turn = vm_.next_turn(now_, host)) return turn;
-  const bool something_moves =
-      std::any_of(axes_.begin(), axes_.end(), [](const Axis& a) { return a.slot >= 0; });
-  if (!something_moves || !vm_.follows_motion()) return std::nullopt;
-  constexpr Duration turn = std::chrono::milliseconds(1);
-  return Instant((now_.time_since_epoch() / turn + 1) * turn);
-}
+std::optional<Instant> Controller::program_turn() const { return vm_.next_turn(now_, ProgramHost(*this)); }
 
 void Controller::run_programs() {
   ProgramHost host(*this);

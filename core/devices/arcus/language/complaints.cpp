@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <map>
 #include <numeric>
 #include <vector>
 
@@ -80,9 +81,19 @@ std::vector<std::string> make_vocabulary(const Dialect& dialect) {
 }
 
 const std::vector<std::string>& vocabulary(const Dialect& dialect) {
-  static const std::vector<std::string> pmx = make_vocabulary(pmx_4ex_sa()),
-                                        dmx = make_vocabulary(dmx_k_sa());
-  return &dialect == &pmx_4ex_sa() ? pmx : dmx;
+  static const auto all = [] {
+    std::map<const Dialect*, std::vector<std::string>> made;
+    for (const Dialect* each : all_dialects()) made[each] = make_vocabulary(*each);
+    return made;
+  }();
+  return all.at(&dialect);
+}
+
+/// Another model whose programs know the word.
+const Dialect* other_home_of(const Dialect& dialect, std::string_view letters, int number) {
+  for (const Dialect* other : all_dialects())
+    if (other != &dialect && knows(*other, letters, number)) return other;
+  return nullptr;
 }
 
 std::string nearest(const Dialect& dialect, std::string_view letters) {
@@ -126,14 +137,13 @@ Complaint unknown_word(const Dialect& dialect, std::string_view word) {
     return {shown + " needs the letter of its axis" + (one ? ": " : ", for instance ") + with_axis + ".",
             one ? with_axis : std::string()};
   }
-  const Dialect& other = &dialect == &pmx_4ex_sa() ? dmx_k_sa() : pmx_4ex_sa();
-  if (knows(other, letters, number)) {
+  if (const Dialect* other = other_home_of(dialect, letters, number)) {
     const bool only_the_axis =
         letters.size() == 1 || lacks_axis(dialect, letters.substr(0, letters.size() - 1));
     if (only_the_axis && dialect.axis_of(letters.back()) < 0)
       return {shown + ": the " + name + " has " + the_axes(dialect) + ".", {}};
     return {
-        shown + " belongs to the " + std::string(other.model_name) + ". The " + name + " does not know it.",
+        shown + " belongs to the " + std::string(other->model_name) + ". The " + name + " does not know it.",
         {}};
   }
   std::string guess = nearest(dialect, letters);
