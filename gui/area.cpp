@@ -1,5 +1,7 @@
 #include "gui/area.h"
 
+#include <imgui_internal.h>
+
 namespace hw::gui {
 
 void begin_part(Ui& ui, const char* name, float width, float height, Tone ground, float padding,
@@ -12,9 +14,20 @@ void begin_part(Ui& ui, const char* name, float width, float height, Tone ground
   ImGui::BeginChild(name, ImVec2(width, height), false, flags);
   ImGui::PopStyleColor();
   ImGui::PopStyleVar();
+  use_whole_window();
+  // A scrollbar stands in the padding: nothing moves when it comes or goes.
+  ImGuiWindow* window = ImGui::GetCurrentWindow();
+  const float right = window->Pos.x + window->SizeFull.x - ui.px(padding);
+  if (window->ScrollbarSizes.x > 0 && padding > 12) {
+    window->ContentRegionRect.Max.x = right;
+    window->WorkRect.Max.x = right;
+  }
 }
 
-void end_part() { ImGui::EndChild(); }
+void end_part() {
+  ImGui::PopClipRect();
+  ImGui::EndChild();
+}
 
 void line_right_of(Ui& ui, const Rect& r) {
   ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(r.max.x - ui.hair(), r.min.y), r.max, ui[Tone::line]);

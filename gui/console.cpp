@@ -1,7 +1,6 @@
 #include "gui/console.h"
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include <fmt/core.h>
@@ -70,6 +69,7 @@ Tab& Console::adopt(std::shared_ptr<Session> session) {
 
 Tab& Console::add(std::unique_ptr<Tab> tab) {
   tab->panels.resize(list_.panels.size());
+  tab->desk().traffic.set_clock(outside_->day);
   tabs_.push_back(std::move(tab));
   activate(*tabs_.back());
   return *tabs_.back();
@@ -162,6 +162,19 @@ void Console::show_panel(std::string_view id, std::string_view widget) {
   wanted_widget_ = widget;
 }
 
+constexpr float sizes[] = {0.75f, 0.9f, 1.0f, 1.1f, 1.25f, 1.5f, 1.75f, 2.0f, 2.5f, 3.0f};
+
+void Console::set_size(float size) { size_ = std::clamp(size, std::begin(sizes)[0], std::end(sizes)[-1]); }
+
+void Console::step_size(int direction) {
+  float next = direction == 0 ? 1.0f : size_;
+  for (const float size : sizes) {
+    if (direction > 0 && size > size_ + 0.01f) return set_size(size);
+    if (direction < 0 && size < size_ - 0.01f) next = size;
+  }
+  set_size(next);
+}
+
 void Console::start_demo() {
   for (const DeviceType& type : device_types())
     if (auto opened = open(std::string(type.model) + "@emulator"); !opened)
@@ -170,9 +183,13 @@ void Console::start_demo() {
 }
 
 std::string Console::time_of_day(Instant when) const {
-  const double s = outside_->second_of_day ? outside_->second_of_day(when) : seconds(when);
-  const auto whole = static_cast<long long>(std::floor(s));
-  return fmt::format("{:02}:{:02}:{:02}", whole / 3600 % 24, whole / 60 % 60, whole % 60);
+  char buffer[16];
+  return std::string(format_time_of_day(outside_->day.of(when), false, buffer));
+}
+
+void Console::set_day(DayClock day) {
+  outside_->day = day;
+  for (const auto& tab : tabs_) tab->desk().traffic.set_clock(day);
 }
 
 // ---- hands
@@ -212,6 +229,10 @@ void Console::on_edge(const CommandEdge& edge) {
     if (edge.down) activate_next(edge.command == Command::next_controller ? 1 : -1);
   } else if (edge.command == Command::show_map) {
     if (edge.down) toggle_map();
+  } else if (edge.command == Command::larger || edge.command == Command::smaller) {
+    if (edge.down) step_size(edge.command == Command::larger ? 1 : -1);
+  } else if (edge.command == Command::normal_size) {
+    if (edge.down) step_size(0);
   } else if (Tab* tab = active()) {
     jog_key(*tab, edge.command, edge.down, edge.at_s);
   }
@@ -282,7 +303,9 @@ void Console::draw(Ui& ui) {
   draw_workspace(ui, *this, layout);
   draw_status_line(ui, *this, layout);
   dialogs.draw(ui, *this);
-  draw_toasts(ui, toasts_, in_pixels(ui, layout.centre));
+  Box toasts_in = layout.centre;
+  toasts_in.height -= 48;  // where the terminal's line or a button may be
+  draw_toasts(ui, toasts_, in_pixels(ui, toasts_in));
   confirm_held_key(ui);
   for (const auto& tab : tabs_) {
     tab->jog.tick(ui.now_s);
@@ -303,19 +326,21 @@ void Console::load_choices() {
   splitters.left = number("left", splitters.left);
   splitters.right = number("right", splitters.right);
   splitters.below = number("below", splitters.below);
+  splitters.below_medium = number("below_medium", splitters.below_medium);
   dark_ = number("dark", 1) != 0;
-  choices_saved_ = splitters;
-  choices_saved_dark_ = dark_;
+  set_size(number("size", 1));
+  kept_ = splitters, kept_dark_ = dark_, kept_size_ = size_;
 }
 
 void Console::save_choices() {
-  if (!outside_->folders.enabled || (choices_saved_ == splitters && choices_saved_dark_ == dark_)) return;
-  choices_saved_ = splitters;
-  choices_saved_dark_ = dark_;
+  if (!outside_->folders.enabled || (kept_ == splitters && kept_dark_ == dark_ && kept_size_ == size_)) return;
+  kept_ = splitters, kept_dark_ = dark_, kept_size_ = size_;
   const nlohmann::json object = {{"left", splitters.left},
                                  {"right", splitters.right},
                                  {"below", splitters.below},
-                                 {"dark", dark_ ? 1 : 0}};
+                                 {"below_medium", splitters.below_medium},
+                                 {"dark", dark_ ? 1 : 0},
+                                 {"size", size_}};
   tell(write_json(outside_->folders.state / "window.json", object));
 }
 

@@ -62,6 +62,10 @@ class Console {
   void toast(Mood mood, std::string sentence) { toasts_.add(mood, std::move(sentence)); }
   [[nodiscard]] bool dark() const { return dark_; }  ///< whoever owns the screen follows it between frames
   void set_dark(bool dark) { dark_ = dark; }
+  /// How much larger than usual everything is: 1 = 100 %. Followed like dark().
+  [[nodiscard]] float size() const { return size_; }
+  void set_size(float size);
+  void step_size(int direction);  ///< to the next larger or smaller of the usual ones; 0: 100 %
   Splitters splitters;
   /// A dialog that is open, over whichever controller it is about.
   Dialogs dialogs;
@@ -84,6 +88,7 @@ class Console {
   // ---- for pages and panels
   [[nodiscard]] Instant clock() const;
   [[nodiscard]] std::string time_of_day(Instant when) const;  ///< "14:20:08"
+  void set_day(DayClock day);                                 ///< from now on it is this time
   [[nodiscard]] PortFinder& ports();
   [[nodiscard]] RecentConnections& recent() { return recent_; }
   [[nodiscard]] const UserFolders& folders() const;
@@ -112,8 +117,11 @@ class Console {
   std::string page_;
   std::vector<std::unique_ptr<Page>> pages_;
   Toasts toasts_;
-  bool dark_ = true, choices_saved_dark_ = true;
-  Splitters choices_saved_;
+  bool dark_ = true;
+  float size_ = 1;
+  Splitters kept_;  ///< as written last
+  bool kept_dark_ = true;
+  float kept_size_ = 1;
   std::shared_ptr<std::atomic<int>> closing_ = std::make_shared<std::atomic<int>>(0);
   std::string wanted_widget_;
 };

@@ -11,7 +11,7 @@ Desk::Desk(const Catalog& catalog, const Language* language, TrafficLog::Explain
     : traffic(explain),
       texts(catalog.program, language),
       setup(catalog),
-      help(catalog.commands),
+      help(catalog),
       catalog_(catalog),
       language_(language) {}
 
@@ -34,6 +34,7 @@ void Desk::refresh(const Snapshot& now, Instant clock, const Send& send) {
   if (!worker_) own_worker_.deliver();
   if (now.link.state == LinkState::lost || now.link.state == LinkState::closed) texts.doubt();
   job.update(texts, now, catalog_, clock, send);
+  follower.follow(now, clock, texts, language_, worker());
   setup_write.update(now, catalog_, send);
   setup.settle(now);
   autosave(clock);

@@ -12,6 +12,7 @@
 #include "gui/program_job.h"
 #include "gui/program_texts.h"
 #include "gui/rehearsals.h"
+#include "gui/run_follower.h"
 #include "gui/setup_edits.h"
 #include "gui/traffic_log.h"
 #include "gui/worker.h"
@@ -28,6 +29,7 @@ class Desk {
   ProgramTexts texts;
   ProgramJob job;
   Rehearsals rehearsals;
+  RunFollower follower;
   SetupEdits setup;
   SetupWrite setup_write;
   const CommandHelp help;

@@ -1,5 +1,7 @@
 #include "gui/dialogs.h"
 
+#include <span>
+
 #include <fmt/core.h>
 
 #include "gui/console.h"
@@ -28,6 +30,27 @@ Field labelled_field(Ui& ui, std::string_view id, std::string_view label, std::s
   FieldOptions options;
   options.placeholder = placeholder;
   return text_field(ui, id, label, text_of, options);
+}
+
+struct Choice {
+  std::string_view id, label;
+  ButtonStyle style = ButtonStyle::normal;
+};
+
+/// The buttons of a dialog, to its right edge, the way out first. Returns the index of the one just pressed, or -1.
+int draw_choices(Ui& ui, std::span<const Choice> choices) {
+  float all = 0;
+  for (const Choice& c : choices) all += button_width(ui, c.label, {.style = c.style}) + 8;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::SetCursorScreenPos(
+      ImVec2(at.x + std::max(0.0f, ImGui::GetContentRegionAvail().x - ui.px(all - 8)), at.y));
+  int pressed = -1;
+  for (std::size_t i = 0; i < choices.size(); ++i) {
+    if (i > 0) ImGui::SameLine(0, ui.px(8));
+    if (button(ui, choices[i].id, choices[i].label, {.style = choices[i].style}).clicked)
+      pressed = static_cast<int>(i);
+  }
+  return pressed;
 }
 
 }  // namespace
@@ -84,14 +107,11 @@ void Dialogs::draw_names(Ui& ui, Console& console) {
     done |= labelled_field(ui, "names/" + axis.name, label, axis_names_[i], "across, lift, turn ...").entered;
   }
   gap(ui, 12);
-  ButtonOptions primary;
-  primary.style = ButtonStyle::primary;
-  done |= button(ui, "names/ok", "Use these names", primary).clicked;
-  ImGui::SameLine();
-  ButtonOptions quiet;
-  quiet.style = ButtonStyle::quiet;
-  if (button(ui, "names/cancel", "Cancel", quiet).clicked) close();
-  if (!done) return;
+  static constexpr Choice choices[] = {{"names/cancel", "Cancel", ButtonStyle::outlined},
+                                       {"names/ok", "Use these names", ButtonStyle::primary}};
+  const int pressed = draw_choices(ui, choices);
+  if (pressed == 0) close();
+  if (!done && pressed != 1) return;
   for (std::size_t i = 0; i < axis_names_.size(); ++i) tab_->profile.axes[i].name = axis_names_[i];
   console.rename(*tab_, name_);
   close();
@@ -109,19 +129,14 @@ void Dialogs::draw_close(Ui& ui, Console& console) {
           : std::string("An axis is moving, and nobody would watch it.");
   wrapped(ui, Face::body, Tone::ink2, what);
   gap(ui, 12);
-  bool gone = false;
-  if (button(ui, "close/stop", "Stop it and close").clicked) {
-    tab.stop_all();
-    gone = true;
-  }
-  ImGui::SameLine();
-  ButtonOptions quiet;
-  quiet.style = ButtonStyle::quiet;
-  gone |= button(ui, "close/leave", "Close, let it go on", quiet).clicked;
-  ImGui::SameLine();
-  if (button(ui, "close/cancel", "Cancel", quiet).clicked) close();
-  if (!gone) return;
+  static constexpr Choice choices[] = {{"close/cancel", "Cancel", ButtonStyle::outlined},
+                                       {"close/leave", "Close, let it go on"},
+                                       {"close/stop", "Stop it and close"}};
+  const int pressed = draw_choices(ui, choices);
+  if (pressed < 0) return;
   close();
+  if (pressed == 0) return;
+  if (pressed == 2) tab.stop_all();
   console.close(tab);
 }
 
@@ -134,14 +149,11 @@ void Dialogs::draw_reset(Ui& ui) {
     what += " What is in its RAM and not stored is lost. Store it first to keep it.";
   wrapped(ui, Face::body, Tone::ink2, what);
   gap(ui, 12);
-  if (button(ui, "reset/ok", "Reset it").clicked) {
-    tab_->send_followed(intent::Reset());
-    close();
-  }
-  ImGui::SameLine();
-  ButtonOptions quiet;
-  quiet.style = ButtonStyle::quiet;
-  if (button(ui, "reset/cancel", "Cancel", quiet).clicked) close();
+  static constexpr Choice choices[] = {{"reset/cancel", "Cancel", ButtonStyle::outlined},
+                                       {"reset/ok", "Reset it"}};
+  const int pressed = draw_choices(ui, choices);
+  if (pressed == 1) tab_->send_followed(intent::Reset());
+  if (pressed >= 0) close();
 }
 
 }  // namespace hw::gui

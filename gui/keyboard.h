@@ -21,6 +21,9 @@ enum class Command : std::uint8_t {
   next_controller,
   previous_controller,
   show_map,
+  larger,
+  smaller,
+  normal_size,
   jog_left,  // six jog keys in this order: see jog_keys
   jog_right,
   jog_up,

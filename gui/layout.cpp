@@ -65,8 +65,7 @@ float below_height(float centre_height, const Splitters& s, Tier tier) {
   constexpr float title = 44, row = 20, command = 48, work_at_least = 280;
   const float least = (tier == Tier::wide ? title : 0) + 3 * row + command;
   if (tier == Tier::narrow || centre_height < work_at_least + least) return 0;
-  if (tier == Tier::medium) return least;
-  return std::clamp(s.below, least, centre_height - work_at_least);
+  return std::clamp(tier == Tier::medium ? s.below_medium : s.below, least, centre_height - work_at_least);
 }
 
 }  // namespace hw::gui

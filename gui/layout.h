@@ -22,7 +22,7 @@ inline constexpr float strip_row_height = 76;
 
 /// What the user has dragged; a double click restores. Kept from run to run.
 struct Splitters {
-  float left = 304, right = 272, below = 300;
+  float left = 304, right = 272, below = 300, below_medium = 116;
   bool operator==(const Splitters&) const = default;
 };
 

@@ -45,12 +45,14 @@ StatusSentence sentence_of(Console& console, Tab& tab) {
 float draw_unsaved(Ui& ui, Console& console, Tab& tab, const Box& line) {
   const Snapshot& now = tab.now();
   if (!tab.catalog().can.store || (!now.unsaved_setup && !now.unsaved_programs)) return 0;
-  const std::string_view words = now.unsaved_setup && now.unsaved_programs ? "Set-up and programs not stored"
-                                 : now.unsaved_setup                       ? "Set-up not stored"
-                                                                           : "Program not stored";
+  const std::string_view words = line.width < 960                            ? "Not stored"
+                                 : now.unsaved_setup && now.unsaved_programs ? "Set-up and programs not stored"
+                                 : now.unsaved_setup                         ? "Set-up not stored"
+                                                                             : "Program not stored";
   ButtonOptions o;
   o.style = ButtonStyle::quiet;
   o.icon = Icon::warning;
+  o.icon_tone = Tone::warn;
   o.height = 28;
   o.tip = "It is in the controller's RAM only and gone when it is switched off. Store it in Setup.";
   const float width = button_width(ui, words, o);

@@ -7,6 +7,7 @@
 
 #include "core/session/user_files.h"
 #include "core/session/wire.h"
+#include "gui/traffic_log.h"
 
 namespace hw::gui {
 
@@ -21,7 +22,7 @@ struct Outside {
   Worker* worker = nullptr;     ///< long jobs of programs; null: within the frame
   UserFolders folders = UserFolders::none();
   std::function<std::string(const Address&)> usb_serial;  ///< of the adapter behind an address; may be null
-  std::function<double(Instant)> second_of_day;           ///< wall clock; null: counts from the start
+  DayClock day;                                           ///< what time it is; 0: counts from the start
   Outside(Scheduler& s, WireOpener opener, std::function<void()> w)
       : scheduler(s), open_wire(std::move(opener)), wake(std::move(w)) {}
 };

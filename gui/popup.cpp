@@ -4,10 +4,10 @@
 
 namespace hw::gui {
 
-bool begin_popup(Ui& ui, const char* name, const Touch& button, float width, int rows, bool right) {
+bool begin_popup(Ui& ui, const char* name, const Touch& button, float width, float rows, bool right) {
   if (button.clicked) ImGui::OpenPopup(name);
   const float w = std::max(ui.px(width), button.rect.width());
-  const float h = std::min(ui.px(32) * static_cast<float>(rows) + 2 * ui.px(4), ui.size_px.y);
+  const float h = std::min(std::floor(ui.px(32) * rows) + 2 * ui.px(4), ui.size_px.y);
   const float x = right ? button.rect.max.x - w : button.rect.min.x;
   const float below = button.rect.max.y + ui.px(2);
   const float y = below + h <= ui.size_px.y ? below : std::max(0.0f, button.rect.min.y - ui.px(2) - h);

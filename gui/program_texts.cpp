@@ -141,6 +141,7 @@ void ProgramTexts::doubt() {
 bool ProgramTexts::controller_has(int slot) {
   const HeldProgram& held = at(slot).held;
   if (!held.known) return false;
+  if (report(slot).has_errors()) return false;  // its listing lacks what is wrong
   const auto& listings = report(slot).listing;
   const auto own = listings.find(slot);
   if (own == listings.end() ? !held.listing.empty() : own->second != held.listing) return false;

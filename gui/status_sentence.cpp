@@ -47,14 +47,20 @@ Said say_link(const StatusFacts& f) {
 }
 
 Said say_error(const StatusFacts& f) {
-  if (!f.now.notice.empty())
-    return say(f.now.program.run == RunState::error ? Mood::fault : Mood::warn, std::string(f.now.notice.view()));
+  if (f.now.program.run == RunState::error && !f.now.notice.empty())
+    return say(Mood::fault, std::string(f.now.notice.view()));
   for (int i = 0; i < f.now.axis_count; ++i)
     if (f.now.axes[i].activity == Activity::error || f.now.axes[i].alarm)
       return say(Mood::fault,
                  fmt::format("{} is in error. Stop it, and look at the terminal.", name_of(f.catalog, i)));
   if (f.now.program.run == RunState::error) return say(Mood::fault, "The program ended with an error.");
   return {};
+}
+
+/// The worst thing that the controller's driver has to say. What moves now comes before it.
+Said say_notice(const StatusFacts& f) {
+  if (f.now.notice.empty()) return {};
+  return say(Mood::warn, std::string(f.now.notice.view()));
 }
 
 Said say_late(const StatusFacts& f) {
@@ -182,8 +188,8 @@ int unset_before_moving(const Catalog& catalog, const Snapshot& now, AxisId want
 }
 
 StatusSentence status_sentence(const StatusFacts& facts) {
-  for (const auto part : {say_link, say_error, say_late, say_motion, say_program, say_unset, say_position,
-                          say_limit, say_stale, say_unsaved})
+  for (const auto part : {say_link, say_error, say_late, say_motion, say_program, say_notice, say_unset,
+                          say_position, say_limit, say_stale, say_unsaved})
     if (Said said = part(facts)) return std::move(*said);
   return say(Mood::plain, "Idle. Hold a jog button, type where to go, or run a program.");
 }

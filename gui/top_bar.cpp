@@ -34,7 +34,7 @@ void draw_stop(Ui& ui, Console& console, const Layout& layout) {
 
 void draw_menu(Ui& ui, Console& console, const Touch& opener) {
   Tab* tab = console.active();
-  if (!begin_popup(ui, "menu", opener, 264, 7)) return;
+  if (!begin_popup(ui, "menu", opener, 264, 9)) return;
   const std::string_view none = tab ? "" : "No controller is in front.";
   const std::string_view no_reset = !tab ? none
                                     : !tab->catalog().can.reset
@@ -48,6 +48,10 @@ void draw_menu(Ui& ui, Console& console, const Touch& opener) {
   if (popup_row(ui, "menu/connect", "Connect another", "+")) console.show_page(console.list().pages[0].id);
   if (popup_row(ui, "menu/theme", console.dark() ? "Light theme" : "Dark theme"))
     console.set_dark(!console.dark());
+  char percent[16];
+  *fmt::format_to_n(percent, sizeof percent - 1, "now {:.0f} %", console.size() * 100).out = 0;
+  if (popup_row(ui, "menu/larger", "Larger", "Ctrl +")) console.step_size(1);
+  if (popup_row(ui, "menu/smaller", "Smaller", percent)) console.step_size(-1);
   if (popup_row(ui, "menu/help", "Keyboard map", "?")) console.show_page("help");
   end_popup();
   if (close) console.dialogs.close_controller(console, *tab);
@@ -98,8 +102,9 @@ void draw_page_tab(Ui& ui, Console& console, float x, float width, float height)
     list->AddRectFilled(t.rect.min, ImVec2(t.rect.max.x, ui.px(2)), ui[Tone::ink]);
     line_right_of(ui, t.rect);
     const float middle = t.rect.centre().y;
-    draw_icon(list, Icon::plus, ImVec2(t.rect.min.x + ui.px(22), std::floor(middle)), ui.px(12),
-              ui[Tone::ink2]);
+    const bool first = &page == &console.list().pages[0];
+    draw_icon(list, first ? Icon::plus : Icon::info, ImVec2(t.rect.min.x + ui.px(22), std::floor(middle)),
+              ui.px(12), ui[Tone::ink2]);
     draw_text_line(ui, t.rect.min.x + ui.px(40), t.rect.max.x, middle, Face::body_bold, ui[Tone::ink],
                    page.title);
   }
@@ -107,7 +112,7 @@ void draw_page_tab(Ui& ui, Console& console, float x, float width, float height)
 
 /// One button with the controller in front, or the worst of all; its list has every controller.
 void draw_controller_menu(Ui& ui, Console& console, const Layout& layout) {
-  ControllerTab face{"Controllers"};
+  ControllerTab face{"Controllers", Icon::none};
   face.active = true;
   if (Tab* active = console.active()) face = face_of(console, *active);
   for (const PageEntry& page : console.list().pages)
@@ -116,7 +121,7 @@ void draw_controller_menu(Ui& ui, Console& console, const Layout& layout) {
   const Touch t = controller_tab(ui, "controller/menu", face, layout.tabs.width);
   draw_icon(ImGui::GetWindowDrawList(), Icon::chevron_down,
             ImVec2(t.rect.max.x - ui.px(16), t.rect.min.y + ui.px(19)), ui.px(12), ui[Tone::ink2]);
-  if (!begin_popup(ui, "controllers", t, 220, static_cast<int>(console.tabs().size()) + 1)) return;
+  if (!begin_popup(ui, "controllers", t, 220, static_cast<float>(console.tabs().size()) + 1)) return;
   Tab* chosen = nullptr;
   for (std::size_t i = 0; i < console.tabs().size(); ++i) {
     Tab& tab = *console.tabs()[i];

@@ -145,18 +145,18 @@ std::vector<JogStep> jog_steps(const DisplayUnit& unit, int many) {
   if (!unit.real) {
     for (std::int64_t n = 1; static_cast<int>(list.size()) < many; n *= 10) {
       const std::string label(format_with_unit(Steps(n), unit).view());
-      list.push_back({Steps(n), std::to_string(n), label, {}});
+      list.push_back({Steps(n), std::to_string(n), label, {}, std::string(format_position(Steps(n), unit).view())});
     }
     return list;
   }
-  list.push_back({Steps(1), "step", "1 step", std::string(format_with_unit(Steps(1), unit).view())});
+  list.push_back({Steps(1), "step", "1 step", std::string(format_with_unit(Steps(1), unit).view()), "1 step"});
   // The first power of ten that is well above one step, so that neither entry repeats the other.
   int exponent = static_cast<int>(std::ceil(std::log10(1.5 * std::fabs(unit.per_step))));
   for (; static_cast<int>(list.size()) < many; ++exponent) {
     const double length = std::pow(10.0, exponent);
     const Steps steps(std::llabs(to_steps(length, unit).value));
     const std::string number = fmt::format("{:.{}f}", length, std::max(0, -exponent));
-    JogStep step{steps, number, number + (stands_close(unit.name) ? "" : " ") + unit.name, {}};
+    JogStep step{steps, number, number + (stands_close(unit.name) ? "" : " ") + unit.name, {}, number};
     const double reached = std::fabs(from_steps(steps, unit));
     if (std::fabs(reached - length) > 1e-9 * length)
       step.caption = fmt::format("{} steps: {}", steps.value, format_number(reached, unit.decimals).view());

@@ -56,6 +56,7 @@ struct JogStep {
   std::string id;       ///< last part of `jog/step/...`: "0.1", "step"
   std::string label;    ///< "0.1 mm", "1 step"
   std::string caption;  ///< not empty: what the label rounds to
+  std::string number;   ///< the label without its unit
 };
 /// `many` entries (4 or 5) from one step up, in powers of ten of the unit.
 std::vector<JogStep> jog_steps(const DisplayUnit& unit, int many = 5);

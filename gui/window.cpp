@@ -197,6 +197,12 @@ void Window::resize(int width, int height, float scale) {
   touched(frames_after_input);
 }
 
+void Window::set_user_scale(float scale) {
+  options_.scale = scale;
+  screen_->set_scale(monitor_scale() * scale);
+  touched(2);
+}
+
 bool Window::frame_is_due() const {
   return frames_wanted_ > 0 || woken_ || screen_->more_input() ||
          now_s() - last_frame_s_ >= screen_->wake_in_s();

@@ -94,15 +94,38 @@ void draw_panel_tabs(const Work& w, const TabItems& items, const TabItem& chosen
   ImGui::SetCursorScreenPos(ImVec2(w.ui.px(w.layout.centre.x), ImGui::GetCursorScreenPos().y));
 }
 
+/// One of the columns that a side column becomes as a tab: its panels from `first` up to `end` of the list.
+void draw_tab_column(const Work& w, const char* name, Place place, const Box& area, std::size_t first,
+                     std::size_t end) {
+  ImGui::SetCursorScreenPos(w.ui.px(area.x, area.y));
+  begin_part(w.ui, name, w.ui.px(area.width), w.ui.px(area.height), Tone::panel, 16);
+  const auto panels = w.console.list().panels;
+  for (std::size_t i = first; i < end; ++i)
+    if (panels[i].place == place && w.wanted(panels[i]))
+      w.draw(i, {area.x + 16, area.y, area.width - 32, area.height});
+  end_part();
+}
+
+/// A side column as a tab. Its last panel stands beside the others where there is room for both.
+void draw_side_tab(const Work& w, Place place, const Box& area) {
+  constexpr float column_at_least = 264;
+  const auto panels = w.console.list().panels;
+  std::size_t first = panels.size(), last = 0;
+  for (std::size_t i = 0; i < panels.size(); ++i)
+    if (panels[i].place == place && w.wanted(panels[i])) first = std::min(first, i), last = i;
+  if (area.width < 2 * column_at_least || first >= last)
+    return draw_tab_column(w, "all", place, area, 0, panels.size());
+  const float half = std::floor(area.width / 2);
+  draw_tab_column(w, "first", place, {area.x, area.y, half, area.height}, 0, last);
+  draw_tab_column(w, "last", place, {area.x + half, area.y, area.width - half, area.height}, last, last + 1);
+}
+
 void draw_chosen(const Work& w, const TabItem& chosen, const Box& area) {
-  if (chosen.panel >= 0) {
-    begin_part(w.ui, "work", 0, w.ui.px(area.height), Tone::panel, 0, false);
+  begin_part(w.ui, "work", 0, w.ui.px(area.height), Tone::panel, 0, false);
+  if (chosen.panel >= 0)
     w.draw(static_cast<std::size_t>(chosen.panel), area);
-  } else {
-    begin_part(w.ui, "work", 0, w.ui.px(area.height), Tone::panel, 16);
-    const Box inner{area.x + 16, area.y, area.width - 32, area.height};
-    w.draw_all(chosen.panel == -1 ? Place::left : Place::right, inner);
-  }
+  else
+    draw_side_tab(w, chosen.panel == -1 ? Place::left : Place::right, area);
   end_part();
 }
 
@@ -129,9 +152,11 @@ void draw_centre(const Work& w) {
     const Rect line = in_pixels(ui, area);
     ImGui::GetWindowDrawList()->AddRectFilled(line.min, ImVec2(line.max.x, line.min.y + ui.hair()),
                                               ui[Tone::line]);
-    if (w.layout.tier == Tier::wide)
-      splitter(ui, "splitter/below", in_pixels(ui, {box.x, area.y, box.width, 1}), false,
-               w.console.splitters.below, {152, 700, Splitters().below}, -1);
+    const bool wide = w.layout.tier == Tier::wide;
+    Splitters& sizes = w.console.splitters;
+    splitter(ui, "splitter/below", in_pixels(ui, {box.x, area.y, box.width, 1}), false,
+             wide ? sizes.below : sizes.below_medium,
+             wide ? SplitRange{152, 700, Splitters().below} : SplitRange{108, 320, Splitters().below_medium}, -1);
   }
   end_region();
 }
@@ -149,9 +174,7 @@ void draw_left(const Work& w) {
   ImGui::SetCursorScreenPos(ImVec2(ui.px(box.x), top));
   const float left_over = ui.px(box.bottom()) - top;
   begin_part(ui, "rest", ui.px(box.width) - ui.hair(), left_over, Tone::panel, 16);
-  const float beside_scrollbar = ImGui::GetContentRegionAvail().x / ui.scale;
-  w.draw_all(Place::left,
-             {inner.x, top / ui.scale, std::min(inner.width, beside_scrollbar), left_over / ui.scale});
+  w.draw_all(Place::left, {inner.x, top / ui.scale, inner.width, left_over / ui.scale});
   end_part();
   if (w.layout.tier == Tier::wide)
     splitter(ui, "splitter/left", in_pixels(ui, {box.right() - 1, box.y, 1, box.height}), true,
@@ -169,8 +192,7 @@ void draw_right(const Work& w, const Box& box, bool over_centre) {
                                             ui[over_centre ? Tone::edge : Tone::line]);
   ImGui::SetCursorScreenPos(ImVec2(r.min.x + ui.hair(), r.min.y));
   begin_part(ui, "parts", r.width() - ui.hair(), r.height(), Tone::panel, 16);
-  const float beside_scrollbar = ImGui::GetContentRegionAvail().x / ui.scale;
-  w.draw_all(Place::right, {box.x + 16, box.y, std::min(box.width - 32, beside_scrollbar), box.height});
+  w.draw_all(Place::right, {box.x + 16, box.y, box.width - 32, box.height});
   end_part();
   if (w.layout.tier == Tier::wide)
     splitter(ui, "splitter/right", in_pixels(ui, {box.x, box.y, 1, box.height}), true,

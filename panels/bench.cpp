@@ -109,8 +109,9 @@ void Bench::draw_front_panel(Frame& f) {
   const BenchFacts& facts = f.catalog.bench;
   if (facts.buttons.empty() && facts.lamps.empty()) return;
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float head = std::max(56.0f, 8 + 20 * static_cast<float>(facts.lamps.size()) + 8);
-  const float height = inner + head + static_cast<float>(rows_of(facts)) * 48 + inner;
+  const bool lamps_below = facts.lamps.size() > 2;  // two controllers: their lamps stand in two columns
+  const float head = lamps_below ? 52 + 20 * static_cast<float>((facts.lamps.size() + 1) / 2) + 8 : 56.0f;
+  const float height = inner + head + static_cast<float>(rows_of(facts)) * 48 - 8 + inner;
   const Rect r{at, ImVec2(at.x + ui.px(f.area.width), at.y + ui.px(height))};
   draw_fill(ui, r, ui[Tone::well], 6);
   draw_outline(ui, r, ui[Tone::edge], 6);
@@ -118,19 +119,26 @@ void Bench::draw_front_panel(Frame& f) {
   draw_text_line(ui, left, r.max.x, r.min.y + ui.px(inner + 12), Face::title_bold, ui[Tone::ink],
                  first_word(facts.panel_title));
   draw_text_line(ui, left, r.max.x, r.min.y + ui.px(inner + 30), Face::small, ui[Tone::ink2], "front panel");
-  draw_lamps(f, ImVec2(r.min.x + ui.px(100), r.min.y + ui.px(inner)));
+  if (lamps_below)
+    draw_lamps(f, ImVec2(left, r.min.y + ui.px(inner + 48)), f.area.width - 2 * inner, 2);
+  else
+    draw_lamps(f, ImVec2(r.min.x + ui.px(100), r.min.y + ui.px(inner)), 90, 1);
   if (facts.power_switch) draw_power(f, ImVec2(r.max.x - ui.px(inner + 40), r.min.y + ui.px(inner)));
   draw_buttons(f, ImVec2(left, r.min.y + ui.px(inner + head)), f.area.width - 2 * inner);
   ImGui::SetCursorScreenPos(ImVec2(at.x, r.max.y));
   gap(ui, 8);
 }
 
-void Bench::draw_lamps(Frame& f, ImVec2 at) {
+void Bench::draw_lamps(Frame& f, ImVec2 corner, float width, std::size_t columns) {
   Ui& ui = f.ui;
-  for (std::size_t i = 0; i < f.catalog.bench.lamps.size(); ++i) {
+  const std::size_t count = f.catalog.bench.lamps.size(), rows = (count + columns - 1) / columns;
+  const float cell = width / static_cast<float>(columns);
+  for (std::size_t i = 0; i < count; ++i) {
     const BenchLamp& info = f.catalog.bench.lamps[i];
     const bool on = bit(f.bench.lamps, i);
-    const Rect r{at, ImVec2(at.x + ui.px(90), at.y + ui.px(20))};
+    const ImVec2 at(corner.x + ui.px(cell * static_cast<float>(i / rows)),
+                    corner.y + ui.px(20 * static_cast<float>(i % rows)));
+    const Rect r{at, ImVec2(at.x + ui.px(cell), at.y + ui.px(20))};
     draw_lamp(ui, ImVec2(at.x + ui.px(7), std::floor(r.centre().y)), 14, LampShape::round,
               on ? LampState::on : LampState::off, tone_of(info.colour));
     draw_text_line(ui, at.x + ui.px(20), r.max.x, r.centre().y, Face::small, ui[Tone::ink], info.name);
@@ -138,7 +146,6 @@ void Bench::draw_lamps(Frame& f, ImVec2 at) {
                                    : on                        ? "on"
                                                                : "off";
     show(ui, {Path("bench/lamp/{}", info.name), Kind::lamp, info.name, value, {}, false, value}, r);
-    at.y += ui.px(20);
   }
 }
 
@@ -173,17 +180,16 @@ void Bench::draw_buttons(Frame& f, ImVec2 at, float width) {
   for (int row = 0; row < rows_of(f.catalog.bench); ++row) {
     const auto in_row =
         std::count_if(buttons.begin(), buttons.end(), [row](const BenchButton& b) { return b.row == row; });
-    const float cell =
-        std::floor((width - between * static_cast<float>(in_row - 1)) / static_cast<float>(in_row));
-    float x = at.x;
+    const float cell = (width - between * static_cast<float>(in_row - 1)) / static_cast<float>(in_row);
+    float x = 0;
     for (std::size_t i = 0; i < buttons.size(); ++i) {
       if (buttons[i].row != row) continue;
       HoldOptions o;
-      o.width = cell;
+      o.width = std::floor(x + cell) - std::floor(x);  // so that the last ends where the row ends
       o.height = 40;
       o.moving = false;
       o.lit = bit(f.bench.buttons, i);
-      ImGui::SetCursorScreenPos(ImVec2(x, at.y + ui.px(static_cast<float>(row) * 48)));
+      ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(std::floor(x)), at.y + ui.px(static_cast<float>(row) * 48)));
       const std::string& name = buttons[i].name;
       std::string label = name;
       if (label.ends_with('-')) label.replace(label.size() - 1, 1, "\u2212");
@@ -196,7 +202,7 @@ void Bench::draw_buttons(Frame& f, ImVec2 at, float width) {
         pressed_.clear();
         f.operate_bench(bench::Button(name, false));
       }
-      x += ui.px(cell + between);
+      x += cell + between;
     }
   }
 }

@@ -15,7 +15,7 @@ class Bench final : public gui::Panel {
  private:
   void draw_title(gui::Frame& frame);
   void draw_front_panel(gui::Frame& frame);
-  void draw_lamps(gui::Frame& frame, ImVec2 at);
+  void draw_lamps(gui::Frame& frame, ImVec2 corner, float width, std::size_t columns);
   void draw_power(gui::Frame& frame, ImVec2 at);
   void draw_buttons(gui::Frame& frame, ImVec2 at, float width);
   void draw_trouble(gui::Frame& frame);

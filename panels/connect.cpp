@@ -63,10 +63,11 @@ void Connect::draw(PageFrame& f) {
   const Box& a = f.area;
   if (f.tier == Tier::narrow) {
     begin_part(ui, "all", ui.px(a.width), ui.px(a.height), Tone::panel, 16);
-    const float width = a.width - 32 - 12;
+    const float width = a.width - 32;
     draw_left(f, width);
-    group_line(ui);
+    group_line(ui, 0);
     draw_ports(f, width);
+    gap(ui, 16);
     draw_address(f, width);
     group_line(ui);
     draw_emulators(f, width);
@@ -83,7 +84,7 @@ void Connect::draw(PageFrame& f) {
   draw_left(f, left - 32);
   end_part();
   column("found", left, a.width - left - right);
-  draw_found(f, a.width - left - right - 32, a.height);
+  draw_found(f, {a.x + left, a.y, a.width - left - right, a.height});
   end_part();
   column("emulators", a.width - right, right);
   draw_emulators(f, right - 32);
@@ -131,7 +132,7 @@ void Connect::draw_recent(PageFrame& f, float width) {
     const std::string name = !list[i].name.empty() ? list[i].name
                              : address             ? address->model
                                                    : list[i].address;
-    const float right = at.x + ui.px(width - 72);
+    const float right = at.x + ui.px(width - 104);
     draw_text_line(ui, at.x, right, at.y + ui.px(18), Face::body_bold, ui[Tone::ink], name);
     const float used = std::ceil(text_width(ui, Face::body_bold, name)) + ui.px(8);
     if (here || gone)
@@ -142,6 +143,15 @@ void Connect::draw_recent(PageFrame& f, float width) {
     ButtonOptions o;
     o.width = 64;
     if (button(ui, Path("connect/recent/{}", i), "Open", o).clicked) open(f, list[i].address);
+    ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(width - 100), at.y + ui.px(12)));
+    o = ButtonOptions();
+    o.style = ButtonStyle::quiet;
+    o.icon = Icon::cross;
+    o.width = 32;
+    o.tip = "Forget this connection";
+    if (button(ui, Path("connect/recent/{}/forget", i), "", o).clicked)
+      if (auto forgotten = f.console.recent().remove(list[i].address); !forgotten)
+        f.toast(Mood::fault, forgotten.error().sentence());
     ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(56)));
   }
   group_line(ui, 0);
@@ -150,7 +160,7 @@ void Connect::draw_recent(PageFrame& f, float width) {
 
 void Connect::draw_newcomer(PageFrame& f, float width) {
   Ui& ui = f.ui;
-  section_title(ui, "New here?", {}, 40);
+  section_title(ui, "New here?", {}, f.console.recent().list().empty() ? 56 : 40);
   wrapped(ui, Face::body, Tone::ink2,
           "Start emulated controllers. They behave like the real ones, and nothing can break.", width);
   gap(ui, 12);
@@ -167,13 +177,16 @@ void Connect::draw_newcomer(PageFrame& f, float width) {
 
 // ---- centre: what is plugged in
 
-void Connect::draw_found(PageFrame& f, float width, float height) {
+void Connect::draw_found(PageFrame& f, const Box& area) {
   Ui& ui = f.ui;
+  const float width = area.width - 32;
   const float below =
       refused_.empty() ? 64 : 72 + wrapped_height(ui, Face::body, refused_, ui.px(width)) / ui.scale;
-  begin_part(ui, "ports", ui.px(width), ui.px(height - below), Tone::panel, 0);
+  ImGui::SetCursorScreenPos(ui.px(area.x, area.y));
+  begin_part(ui, "ports", ui.px(area.width) - ui.hair(), ui.px(area.height - below), Tone::panel, 16);
   draw_ports(f, width);
   end_part();
+  ImGui::SetCursorScreenPos(ui.px(area.x + 16, area.bottom() - below));
   group_line(ui, 0);
   gap(ui, 12);
   draw_address(f, width);
@@ -243,7 +256,7 @@ void Connect::draw_port(PageFrame& f, std::size_t index, const FoundPort& port, 
   ImGui::SetCursorScreenPos(ImVec2(right - ui.px(196), at.y + ui.px(16)));
   const bool tested = button(ui, Path("connect/port/{}/test", index), "Test", test).clicked;
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + height));
-  if (opened_path_ == port.path && !port.checks.empty()) draw_checks(f, port, 28, width);
+  if (opened_path_ == port.path && !port.checks.empty()) draw_checks(f, index, port, 28, width);
   group_line(ui, 0);
   if (acted && answers && !open_here) return open(f, std::string(port.address));
   if (acted && open_here) return f.console.activate(const_cast<Tab&>(*open_here));
@@ -253,7 +266,7 @@ void Connect::draw_port(PageFrame& f, std::size_t index, const FoundPort& port, 
   }
 }
 
-void Connect::draw_checks(PageFrame& f, const FoundPort& port, float left, float width) {
+void Connect::draw_checks(PageFrame& f, std::size_t index, const FoundPort& port, float left, float width) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float cell = (width - left) / static_cast<float>(std::max<std::size_t>(1, port.checks.size()));
@@ -271,6 +284,13 @@ void Connect::draw_checks(PageFrame& f, const FoundPort& port, float left, float
     draw_text_line(ui, x + ui.px(40), end, at.y + ui.px(16), Face::body_bold,
                    ui[check.result == R::bad ? Tone::fault : Tone::ink], check.what);
     draw_text_line(ui, x + ui.px(40), end, at.y + ui.px(34), Face::small, ui[Tone::ink2], check.found);
+    const Path said("{}: {}",
+                    check.result == R::good  ? "good"
+                    : check.result == R::bad ? "bad"
+                                             : "not reached",
+                    check.found);
+    show(ui, {Path("connect/port/{}/check/{}", index, i + 1), Kind::text, check.what, said, {}, false, {}},
+         {ImVec2(x, at.y + ui.px(8)), ImVec2(end, at.y + ui.px(44))});
   }
   ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(left), at.y + ui.px(56)));
   int number = 1;
@@ -363,7 +383,7 @@ void Connect::draw_emulators(PageFrame& f, float width) {
   gap(ui, 4);
   if (!device_types().empty())
     wrapped(ui, Face::code_time, Tone::ink,
-            fmt::format("handwheel emulate {} --tcp 127.0.0.1:4001", device_types()[0].model), width);
+            fmt::format("handwheel emulate {}\n  --tcp 127.0.0.1:4001", device_types()[0].model), width);
 }
 
 }  // namespace hw::panels

@@ -1,5 +1,8 @@
 #include "panels/help.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "gui/area.h"
 #include "gui/console.h"
 #include "gui/keyboard.h"
@@ -21,15 +24,44 @@ void draw_key(Ui& ui, ImVec2 at, std::string_view keys) {
   draw_text_centred(ui, r, Face::body_bold, ui[Tone::ink], keys);
 }
 
+struct Key {
+  std::string_view keys, does;
+};
+constexpr Key in_editor[] = {
+    {"Ctrl Z", "Undo"},
+    {"Ctrl Y", "Redo, also Ctrl Shift Z"},
+    {"Ctrl X  C  V", "Cut, copy, paste"},
+    {"Ctrl A", "Select all"},
+    {"Ctrl F", "Find; F3 finds the next"},
+    {"Ctrl /", "Make lines comments, or commands again"},
+};
+constexpr Key in_terminal[] = {
+    {"Enter", "Send the line"},
+    {"Tab", "Complete, or list what could come"},
+    {"Up  Down", "Lines sent before, or along the list"},
+    {"Ctrl C", "Copy the lines chosen with the mouse"},
+};
+
 constexpr std::string_view rules[] = {
     "A jog key held for less than a quarter of a second moves one step; longer, the axis runs until you let "
     "go.",
     "Letting go, losing the window, changing the controller or Esc ends a held jog.",
     "Tab and Shift Tab go from control to control; a cyan edge marks what moves metal, and by keyboard it "
-    "needs two "
-    "presses within two seconds.",
+    "needs two presses within two seconds.",
     "While you type, the arrows move the caret and jog nothing. Esc stops everything all the same.",
 };
+
+/// A row of 32: the key in its frame, what it does, a hairline above.
+void draw_row(Ui& ui, const Key& key, float width, int number) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::GetWindowDrawList()->AddRectFilled(at, ImVec2(at.x + ui.px(width), at.y + ui.hair()), ui[Tone::line]);
+  draw_key(ui, at, key.keys);
+  draw_text_line(ui, at.x + ui.px(136), at.x + ui.px(width), at.y + ui.px(16), Face::body, ui[Tone::ink],
+                 key.does);
+  show(ui, {Path("help/{}", number), Kind::text, key.keys, key.does, {}, false, {}},
+       {at, ImVec2(at.x + ui.px(width), at.y + ui.px(32))});
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(32)));
+}
 
 }  // namespace
 
@@ -37,21 +69,23 @@ void Help::draw(PageFrame& f) {
   Ui& ui = f.ui;
   ImGui::SetCursorScreenPos(ui.px(f.area.x, f.area.y));
   begin_part(ui, "map", ui.px(f.area.width), ui.px(f.area.height), Tone::panel, 24);
-  const float width = std::min(f.area.width - 48 - 12, 760.0f);
-  section_title(ui, "Keyboard map", {}, 56);
+  const bool two = f.area.width >= 900;
+  const float between = 48, room = f.area.width - 48;
+  const float width = two ? std::min(std::floor((room - between) / 2), 520.0f) : std::min(room, 620.0f);
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
   int number = 0;
-  for (const Shortcut& shortcut : shortcuts()) {
-    if (shortcut.keys.empty()) continue;
-    group_line(ui, 0);
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    draw_key(ui, at, shortcut.keys);
-    draw_text_line(ui, at.x + ui.px(168), at.x + ui.px(width), at.y + ui.px(16), Face::body, ui[Tone::ink],
-                   shortcut.does);
-    show(ui, {Path("help/{}", ++number), Kind::text, shortcut.keys, shortcut.does, {}, false, {}},
-         {at, ImVec2(at.x + ui.px(width), at.y + ui.px(32))});
-    ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(32)));
-  }
-  group_line(ui, 0);
+  ImGui::BeginGroup();
+  section_title(ui, "Everywhere", {}, 48);
+  for (const Shortcut& shortcut : shortcuts())
+    if (!shortcut.keys.empty()) draw_row(ui, {shortcut.keys, shortcut.does}, width, ++number);
+  ImGui::EndGroup();
+  const float left_end = ImGui::GetCursorScreenPos().y;
+  if (two) ImGui::SetCursorScreenPos(ImVec2(corner.x + ui.px(width + between), corner.y));
+  ImGui::BeginGroup();
+  section_title(ui, "In the program", {}, 48);
+  for (const Key& key : in_editor) draw_row(ui, key, width, ++number);
+  section_title(ui, "In the terminal", {}, 48);
+  for (const Key& key : in_terminal) draw_row(ui, key, width, ++number);
   gap(ui, 16);
   for (const std::string_view rule : rules) {
     wrapped(ui, Face::body, Tone::ink2, rule, width);
@@ -60,6 +94,8 @@ void Help::draw(PageFrame& f) {
   gap(ui, 8);
   if (button(ui, "help/back", "Back").clicked) f.console.toggle_map();
   gap(ui, 24);
+  ImGui::EndGroup();
+  ImGui::SetCursorScreenPos(ImVec2(corner.x, std::max(left_end, ImGui::GetCursorScreenPos().y)));
   end_part();
 }
 

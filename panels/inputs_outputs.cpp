@@ -118,7 +118,11 @@ void InputsOutputs::draw_analog(Frame& f, int n) {
   MeterOptions o;
   o.old = !known || io_is_old(f);
   o.words = shown;
-  o.width = std::max(24.0f, (at.x + ui.px(f.area.width) - ui.px(120) - left) / ui.scale);
+  // The number is up to as wide as the largest; the bar ends before it and does not move with it.
+  const Path largest("{}", info.maximum);
+  const float number_left =
+      right - std::ceil(text_width(ui, Face::small, of)) - ui.px(6) - std::ceil(text_width(ui, Face::body_bold, largest));
+  o.width = std::max(24.0f, std::floor((number_left - ui.px(8) - left) / ui.scale));
   const float span = static_cast<float>(std::max(1, info.maximum - info.minimum));
   meter(ui, Path("io/analog/{}", n), info.name, known ? static_cast<float>(value - info.minimum) / span : 0,
         o);

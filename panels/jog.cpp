@@ -10,6 +10,7 @@
 #include "gui/widgets/slider.h"
 #include "gui/widgets/text.h"
 #include "panels/path.h"
+#include "panels/unit_chooser.h"
 
 namespace hw::panels {
 
@@ -42,25 +43,49 @@ std::string_view limit_reason(const AxisState& a, Sign sign) {
 }  // namespace
 
 void Jog::draw(Frame& f) {
-  section_title(f.ui, "Jog", {}, 40);
-  draw_reason(f);
   const std::size_t axes = f.catalog.axes.size();
-  const float cell = f.tier == Tier::wide && axes <= 3 ? 56.0f : 48.0f;
-  origin_ = ImGui::GetCursorScreenPos();
-  follow_unit(f);
-  draw_pad(f, cell);
+  const float columns = axes <= 2 ? 3 : static_cast<float>(axes) + 1;
+  const float largest = f.tier == Tier::wide && axes <= 3 ? 56.0f : 48.0f;
+  const float cell = std::min(largest, std::floor((f.area.width + between) / columns) - between);
   const float height = axes == 1 ? cell : 3 * cell + 2 * between;
-  const float pad = (axes <= 2 ? 3 : static_cast<float>(axes) + 1) * (cell + between);
-  if (axes <= 2 && axes > 1) {
-    const float x = pad + 12;
-    draw_steps_column(f, x, f.area.width - x, height);
+  const float x = columns * (cell + between) + 12;
+  const bool beside = axes == 2;
+  follow_unit(f);
+  const float width = std::min(f.area.width - x, 104.0f);
+  short_labels_ = !beside || !labels_fit(f, width);
+  draw_title(f, beside);
+  draw_reason(f);
+  origin_ = ImGui::GetCursorScreenPos();
+  draw_pad(f, cell);
+  if (beside) {
+    draw_steps_column(f, x, width, height);
     ImGui::SetCursorScreenPos(ImVec2(origin_.x, origin_.y + f.ui.px(height + 12)));
   } else {
     ImGui::SetCursorScreenPos(ImVec2(origin_.x, origin_.y + f.ui.px(height + 8)));
     draw_steps_row(f);
   }
   draw_speed(f);
-  group_line(f.ui, 8);
+  if (f.tier != Tier::narrow) group_line(f.ui, 8);
+}
+
+/// In a narrow window the strip of positions has no room for the unit: it stands here.
+void Jog::draw_title(Frame& f, bool steps_beside) {
+  Ui& ui = f.ui;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const Path caption("a tap, in {}", steps_unit_.name);
+  const bool captioned = steps_beside && short_labels_ && f.tier != Tier::narrow;
+  section_title(ui, "Jog", captioned ? caption.view() : std::string_view(), 40);
+  if (f.tier != Tier::narrow) return;
+  const ImVec2 after = ImGui::GetCursorScreenPos();
+  ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(f.area.width - unit_chooser_width(f)), at.y + ui.px(4)));
+  draw_unit_chooser(f);
+  ImGui::SetCursorScreenPos(after);
+}
+
+bool Jog::labels_fit(const Frame& f, float width) const {
+  return std::all_of(steps_.begin(), steps_.end(), [&](const JogStep& step) {
+    return text_width(f.ui, Face::body_bold, step.label) + f.ui.px(8) <= f.ui.px(width);
+  });
 }
 
 void Jog::draw_reason(Frame& f) {
@@ -142,16 +167,17 @@ void Jog::follow_unit(Frame& f) {
   steps_.erase(last_chosen ? steps_.begin() + 1 : steps_.end() - 1);
 }
 
-void Jog::draw_step(Frame& f, const JogStep& step, float width, bool short_label) {
+std::string_view Jog::label_of(const JogStep& step) const {
+  if (!short_labels_) return step.label;
+  return step.id == "step" ? std::string_view("1 st.") : std::string_view(step.number);
+}
+
+void Jog::draw_step(Frame& f, const JogStep& step, float width) {
   ButtonOptions o;
   o.on = step.steps == f.tab.jog_step();
   o.width = width;
   o.tip = step.caption.empty() ? std::string_view("A tap moves this far.") : std::string_view(step.caption);
-  const bool single = step.id == "step";
-  const std::string_view label = !short_label ? std::string_view(step.label)
-                                 : single     ? "1 st."
-                                              : std::string_view(step.id);
-  if (button(f.ui, Path("jog/step/{}", step.id), label, o).clicked) {
+  if (button(f.ui, Path("jog/step/{}", step.id), label_of(step), o).clicked) {
     f.tab.profile.jog_step = step.steps;
     f.tab.profile_edited();
   }
@@ -162,8 +188,7 @@ void Jog::draw_steps_column(Frame& f, float x, float width, float height) {
   for (std::size_t i = 0; i < steps_.size(); ++i) {
     ImGui::SetCursorScreenPos(
         ImVec2(origin_.x + f.ui.px(x), origin_.y + f.ui.px(std::floor(pitch * static_cast<float>(i)))));
-    const bool fits = text_width(f.ui, Face::body, steps_[i].label) + f.ui.px(16) <= f.ui.px(width);
-    draw_step(f, steps_[i], width, !fits);
+    draw_step(f, steps_[i], width);
   }
 }
 
@@ -171,11 +196,18 @@ void Jog::draw_steps_row(Frame& f) {
   Ui& ui = f.ui;
   text(ui, Face::small, Tone::ink2, Path("A tap moves, in {}", steps_unit_.name));
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float n = static_cast<float>(steps_.size());
-  const float width = std::floor((std::min(f.area.width, 304.0f) - between * (n - 1)) / n);
-  for (std::size_t i = 0; i < steps_.size(); ++i) {
-    ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(static_cast<float>(i) * (width + between)), at.y));
-    draw_step(f, steps_[i], width, true);
+  const auto words = [&](const JogStep& step) { return text_width(ui, Face::body_bold, label_of(step)) / ui.scale; };
+  float used = 0;
+  for (const JogStep& step : steps_) used += words(step);
+  // What the words leave is shared out, so that the longest is not cut.
+  const float n = static_cast<float>(steps_.size()), row = std::min(f.area.width, 304.0f);
+  const float around = std::floor((row - between * (n - 1) - used) / n);
+  float x = 0;
+  for (const JogStep& step : steps_) {
+    const float width = std::floor(words(step) + around);
+    ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(x), at.y));
+    draw_step(f, step, width);
+    x += width + between;
   }
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(40)));
 }
@@ -184,25 +216,38 @@ void Jog::draw_steps_row(Frame& f) {
 
 void Jog::draw_speed(Frame& f) {
   Ui& ui = f.ui;
-  const double now = f.tab.jog_speed().value > 0 ? f.tab.jog_speed().value : f.catalog.jog_speed.value;
+  const bool own = f.tab.jog_speed().value <= 0;
+  const double now = own ? f.catalog.jog_speed.value : f.tab.jog_speed().value;
   const NumberText words = format_speed(Pps(now), f.tab.unit(AxisId{0}));
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  draw_text(ui, at, Face::body, ui[Tone::ink2],
-            f.tab.jog_speed().value > 0 ? "Speed while held" : "Speed, the controller's");
-  draw_text_right(ui, ImVec2(at.x + ui.px(f.area.width), at.y), Face::body_bold, ui[Tone::ink], words);
-  gap(ui, 22);
   SliderOptions o;
   o.min = std::max(1.0, f.catalog.jog_speed_min.value);
   o.max = f.catalog.jog_speed_max.value;
   o.step = 1;
   o.logarithmic = true;
+  o.normal = f.catalog.jog_speed.value;
+  o.tip = own ? "Speed while held: the controller's own. Drag to choose another."
+              : "Speed while held. A double click goes back to the controller's own.";
   o.value_text = words;
   o.width = f.area.width;
+  float y = at.y;
+  if (f.tier == Tier::wide) {
+    draw_text(ui, at, Face::body, ui[Tone::ink2], own ? "Speed, the controller's" : "Speed while held");
+    draw_text_right(ui, ImVec2(at.x + ui.px(f.area.width), at.y), Face::body_bold, ui[Tone::ink], words);
+    y += ui.px(22);
+  } else {  // one line: the slider, and how fast that is
+    const float right = std::ceil(text_width(ui, Face::body_bold, words));
+    draw_text_right(ui, ImVec2(at.x + ui.px(f.area.width), at.y + ui.px(6)), Face::body_bold, ui[Tone::ink], words);
+    o.width -= std::max(84.0f, std::ceil(right / ui.scale)) + 8;
+  }
+  ImGui::SetCursorScreenPos(ImVec2(at.x, y));
   double speed = now;
   if (slider(ui, "jog/speed", "Speed while held", speed, o)) {
-    f.tab.profile.jog_speed = Pps(std::round(speed));
+    const double chosen = std::round(speed);
+    f.tab.profile.jog_speed = Pps(chosen == f.catalog.jog_speed.value ? 0 : chosen);
     f.tab.profile_edited();
   }
+  ImGui::SetCursorScreenPos(ImVec2(at.x, y + ui.px(36)));
 }
 
 }  // namespace hw::panels

@@ -82,11 +82,13 @@ void Position::draw_title(Frame& f) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   section_title(ui, "Position", {}, 44);
   const ImVec2 after = ImGui::GetCursorScreenPos();
-  if (f.bench.present) {
-    ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(68), at.y + ui.px(12)));
-    emulated_badge(ui, "dro/emulated");
-  }
   const float chooser = unit_chooser_width(f);
+  if (f.bench.present) {
+    const float x = std::ceil(text_width(ui, Face::body_bold, "Position")) + ui.px(10);
+    const float room = ui.px(f.area.width - chooser - 8) - x;
+    ImGui::SetCursorScreenPos(ImVec2(at.x + x, at.y + ui.px(12)));
+    emulated_badge(ui, "dro/emulated", badge_width(ui, Icon::emulated, "EMULATED") <= room);
+  }
   ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(f.area.width - chooser), at.y + ui.px(6)));
   draw_unit_chooser(f);
   ImGui::SetCursorScreenPos(after);
@@ -95,12 +97,22 @@ void Position::draw_title(Frame& f) {
 void Position::draw_strip(Frame& f) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float column = f.area.width / 2;
-  const Face face = face_for_all(f, Face::digits32, ui.px(column - 16));
-  for (std::size_t i = 0; i < f.catalog.axes.size(); ++i) {
-    const float x = (i % 2) * column, y = static_cast<float>(i / 2) * strip_row_height;
+  constexpr float between = 24;
+  const float column = std::floor((f.area.width - between) / 2);
+  const Face face = face_for_all(f, Face::digits32, ui.px(column));
+  const auto axes = f.catalog.axes.size();
+  for (std::size_t i = 0; i < axes; ++i) {
+    const float x = (i % 2) * (column + between), y = static_cast<float>(i / 2) * strip_row_height;
     ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(x), at.y + ui.px(y + 2)));
-    draw_axis(f, axis_id(static_cast<int>(i)), column - 16, face, true);
+    draw_axis(f, axis_id(static_cast<int>(i)), column, face, true);
+  }
+  const float rows = static_cast<float>((axes + 1) / 2), middle = at.x + ui.px(column + between / 2);
+  if (axes > 1)
+    ImGui::GetWindowDrawList()->AddRectFilled(
+        ImVec2(middle, at.y), ImVec2(middle + ui.hair(), at.y + ui.px(rows * strip_row_height)), ui[Tone::line]);
+  for (float row = 1; row < rows; ++row) {
+    const float y = at.y + ui.px(row * strip_row_height);
+    draw_across(ui, y, y + ui.hair(), ui[Tone::line]);
   }
 }
 
@@ -119,7 +131,7 @@ void Position::draw_axis(Frame& f, AxisId axis, float width, Face face, bool in_
     draw_small_limits(f, axis, ImVec2(x, at.y));
     if (f.bench.present && axis.index == 0) {
       ImGui::SetCursorScreenPos(ImVec2(x + ui.px(40), at.y));
-      emulated_badge(ui, "dro/emulated");
+      emulated_badge(ui, "dro/emulated", width > 340);
     }
   }
   draw_state_right(ui, Path("dro/{}/state", info.name), ImVec2(at.x + w, at.y),
@@ -178,24 +190,41 @@ void Position::draw_captions(Frame& f, AxisId axis, ImVec2 at, float width) {
     left = "doubtful: steps may be lost";
     left_tone = Tone::warn;
   }
-  const float half = width * 0.6f;
-  draw_text_line(ui, at.x, at.x + half, middle, Face::small, ui[left_tone], left);
+  const float left_width = std::ceil(text_width(ui, Face::small, left));
+  draw_text_line(ui, at.x, at.x + width, middle, Face::small, ui[left_tone], left);
   show(ui, {Path("dro/{}/steps", name), Kind::text, "Steps", in_steps, {}, false, {}},
-       {at, ImVec2(at.x + half, at.y + ui.line(Face::small))});
-  NumberText right;
+       {at, ImVec2(at.x + width * 0.6f, at.y + ui.line(Face::small))});
+  // What stands left is about the number, so it goes first: the right one is shortened, then left out.
+  const float room = width - left_width - ui.px(left_width > 0 ? 12 : 0);
+  for (const bool whole : {true, false}) {
+    const NumberText right = where_to(f, axis, whole);
+    const float right_width = std::ceil(text_width(ui, Face::small, right));
+    if (right_width > room) continue;
+    draw_text(ui, ImVec2(at.x + width - right_width, at.y), Face::small, ui[Tone::ink2], right);
+    break;
+  }
+}
+
+/// At the right under the number: where it goes and how fast, or what a limit still lets it do. A held jog has no target
+/// that the hand means.
+NumberText Position::where_to(const Frame& f, AxisId axis, bool whole) {
+  const AxisState& a = f.now.axes[axis.index];
+  const DisplayUnit& unit = f.tab.unit(axis);
   const State state = state_of(f.now, axis.index, f.clock);
-  if (is_motion(state) && a.has_target) {
-    right.append("to ");
-    right.append(format_with_unit(a.target, unit).view());
+  NumberText words;
+  if (state == State::limit_plus || state == State::limit_minus)
+    words.append(state == State::limit_plus ? "can only move \u2212" : "can only move +");
+  if (!is_motion(state)) return words;
+  const bool target = a.has_target && a.activity != Activity::jogging, speed = a.speed.value > 0;
+  if (target && whole) {
+    words.append("to ");
+    words.append(format_with_unit(a.target, unit).view());
   }
-  if (is_motion(state) && a.speed.value > 0) {
-    right.append(a.has_target ? " at " : "");
-    right.append(format_speed(a.speed, unit).view());
-  } else if (state == State::limit_plus || state == State::limit_minus) {
-    right.append(state == State::limit_plus ? "can only move \u2212" : "can only move +");
+  if (speed) {
+    words.append(target && whole ? " at " : "");
+    words.append(format_speed(a.speed, unit).view());
   }
-  const float right_width = std::ceil(text_width(ui, Face::small, right));
-  draw_text(ui, ImVec2(at.x + width - right_width, at.y), Face::small, ui[Tone::ink2], right);
+  return words;
 }
 
 void Position::draw_axis_menu(Frame& f, AxisId axis, const Touch& opener) {
@@ -203,22 +232,22 @@ void Position::draw_axis_menu(Frame& f, AxisId axis, const Touch& opener) {
   const std::string& name = f.catalog.axes[axis.index].name;
   const DisplayUnit& unit = f.tab.unit(axis);
   ImGui::PushID(axis.index);
-  if (begin_popup(ui, "axis", opener, 272, 4)) {
+  if (begin_popup(ui, "axis", opener, 272, 3.25f)) {
     if (popup_row(ui, Path("dro/{}/copy", name), "Copy this number"))
       ImGui::SetClipboardText(
           std::string(format_position(f.now.axes[axis.index].position, unit).view()).c_str());
     const std::string_view why = f.tab.why_not_move();
     if (popup_row(ui, Path("dro/{}/zero", name), "Here is zero", {}, false, why))
       f.send(intent::SetPosition(axis.index));
-    gap(ui, 4);
-    ImGui::SetCursorScreenPos(
-        ImVec2(ImGui::GetCursorScreenPos().x + ui.px(12), ImGui::GetCursorScreenPos().y));
+    const ImVec2 at(ImGui::GetCursorScreenPos().x + ui.px(12), ImGui::GetCursorScreenPos().y + ui.px(4));
+    draw_text_line(ui, at.x, at.x + ui.px(96), at.y + ui.px(16), Face::body, ui[why.empty() ? Tone::ink : Tone::ink3],
+                   "It stands at");
+    ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(100), at.y));
     FieldOptions o;
     o.unit = unit.name;
-    o.width = 244;
+    o.width = 148;
     o.right = true;
     o.disabled = why;
-    o.placeholder = "It stands at";
     const Field field = text_field(ui, Path("dro/{}/set", name), "It stands at", typed_, o);
     if (field.entered) {
       if (const auto value = parse_position(typed_, unit)) {

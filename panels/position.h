@@ -2,6 +2,7 @@
 #include <string>
 
 #include "gui/panel.h"
+#include "gui/units_format.h"
 #include "gui/widgets/digits.h"
 
 namespace hw::panels {
@@ -18,6 +19,7 @@ class Position final : public gui::Panel {
   void draw_axis(gui::Frame& frame, AxisId axis, float width, gui::Face face, bool in_strip);
   void draw_digits(gui::Frame& frame, AxisId axis, float width, gui::Face face);
   void draw_captions(gui::Frame& frame, AxisId axis, ImVec2 at, float width);
+  static gui::NumberText where_to(const gui::Frame& frame, AxisId axis, bool whole);
   void draw_axis_menu(gui::Frame& frame, AxisId axis, const gui::Touch& digits);
 
   std::string typed_;  ///< "set to" of the menu that is open

@@ -13,6 +13,9 @@
 
 namespace hw::panels {
 
+/// Hairline over the whole width of the panel.
+void draw_line_across(const gui::Frame& frame, float y_px);
+
 class Program final : public gui::Panel {
  public:
   void draw(gui::Frame& frame) override;
@@ -31,7 +34,7 @@ class Program final : public gui::Panel {
   float draw_below(gui::Frame& frame);
   void draw_note(gui::Frame& frame, float top, float height);
   float draw_problem_link(gui::Frame& frame, const ProgramReport& report, float right, float middle);
-  void draw_ask(gui::Frame& frame, float top);
+  void draw_ask(gui::Frame& frame, float top, float height);
   void draw_dialogs(gui::Frame& frame);
   void shortcuts(gui::Frame& frame);
 
@@ -43,6 +46,7 @@ class Program final : public gui::Panel {
   void save_as(gui::Frame& frame, const std::filesystem::path& path);
   void open(gui::Frame& frame, const std::filesystem::path& path);
   void ask_or_open(gui::Frame& frame, const std::filesystem::path& path);
+  void ask_or_empty(gui::Frame& frame);
   [[nodiscard]] std::string_view why_not_run(const gui::Frame& frame) const;
 
   ProgramEditor editor_;
@@ -50,7 +54,7 @@ class Program final : public gui::Panel {
   gui::FileDialog open_, save_;
   bool rehearsal_open_ = false;  ///< medium and narrow: the column instead of the line
   bool asking_replace_ = false, asking_clear_ = false;
-  std::filesystem::path to_open_;
+  std::filesystem::path to_open_;  ///< asked about; empty: a new text instead
   std::string question_, words_;
   gui::ProgramNote note_;
   std::string note_time_;

@@ -1,5 +1,10 @@
 #include "panels/program_editor.h"
 
+#include <algorithm>
+#include <iterator>
+
+#include <fmt/format.h>
+
 #include "gui/desk.h"
 #include "gui/tab.h"
 
@@ -29,17 +34,18 @@ void ProgramEditor::draw(Frame& f, int slot, float width, float height) {
   take_changes(f, slot);
   if (comment_mark_.empty()) comment_mark_ = {f.catalog.program.comment, ' '};
   const ProgramState& p = f.now.program;
-  const bool runs = p.owned && p.slot == slot && p.run != RunState::idle && p.run != RunState::error;
   EditorLook look;
   look.report = &texts.report(slot);
   look.cost_title = f.catalog.program.capacity_unit;
   look.comment_mark = comment_mark_;
-  look.live_line = runs ? texts.live_line(slot, p.command) : -1;
-  look.live_told = p.command_told;
-  look.live_words = p.run == RunState::held      ? "held here"
-                    : p.run == RunState::waiting ? "waits here"
-                    : p.command_told             ? ""
-                                                 : "worked out";
+  const RunFollower::Place place = f.tab.desk().follower.place();
+  if (place.slot == slot) {
+    look.live_line = texts.live_line(slot, place.command);
+    look.live_told = p.command_told;
+    say_where(p, place);
+    look.live_words = {live_words_, live_size_};
+    if (place.next_in_s > 0 && p.run == RunState::running) ui.wake_in(place.next_in_s + 0.01);
+  }
   look.placeholder = "Type a program, or open one. Simulate tries it before metal moves.";
   look.height = height;
   ImGui::BeginChild("program/editor", ui.px(width, height), false,
@@ -52,6 +58,25 @@ void ProgramEditor::draw(Frame& f, int slot, float width, float height) {
     ui.wake_in(0);  // colours and costs of what was just typed
   }
   ImGui::EndChild();
+}
+
+/// "pass 7 of 20, worked out"
+void ProgramEditor::say_where(const ProgramState& p, const RunFollower::Place& place) {
+  const std::string_view how = p.run == RunState::held      ? "held here"
+                               : p.run == RunState::waiting ? "waits here"
+                               : p.command_told             ? ""
+                                                            : "worked out";
+  char* end = live_words_;
+  const auto add = [&](const char* format, const auto&... values) {
+    const auto room = static_cast<std::size_t>(std::end(live_words_) - end);
+    end += std::min(fmt::format_to_n(end, room, fmt::runtime(format), values...).size, room);
+  };
+  if (place.passes > 1)
+    add("pass {} of {}", place.pass, place.passes);
+  else if (place.passes == 0 && place.pass > 1)
+    add("pass {}", place.pass);
+  if (!how.empty()) add("{}{}", end == live_words_ ? "" : ", ", how);
+  live_size_ = static_cast<std::size_t>(end - live_words_);
 }
 
 void ProgramEditor::go_to(int slot, int line, int byte) {

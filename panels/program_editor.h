@@ -6,6 +6,7 @@
 
 #include "core/device/snapshot.h"
 #include "gui/frame.h"
+#include "gui/run_follower.h"
 #include "gui/widgets/code_editor.h"
 
 namespace hw::panels {
@@ -16,9 +17,11 @@ class ProgramEditor {
   void draw(gui::Frame& frame, int slot, float width, float height);
   /// Brings a line (from 0) into sight and puts the caret there.
   void go_to(int slot, int line, int byte);
+  [[nodiscard]] gui::CodeEditor& editor(int slot) { return slots_[static_cast<std::size_t>(slot)].editor; }
 
  private:
   void take_changes(gui::Frame& frame, int slot);
+  void say_where(const ProgramState& program, const gui::RunFollower::Place& place);
 
   struct Slot {
     gui::CodeEditor editor;
@@ -26,6 +29,8 @@ class ProgramEditor {
   };
   std::array<Slot, max_slots> slots_;
   std::string comment_mark_;
+  char live_words_[48] = {};
+  std::size_t live_size_ = 0;
 };
 
 }  // namespace hw::panels

@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include "gui/area.h"
 #include "gui/tab.h"
 #include "gui/widgets/button.h"
 #include "gui/widgets/icons.h"
@@ -91,11 +92,7 @@ void RehearsalCard::refresh(Frame& f, int slot) {
 void RehearsalCard::draw_column(Frame& f, int slot, float width, float height) {
   Ui& ui = f.ui;
   refresh(f, slot);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(16), 0));
-  ImGui::BeginChild(
-      "rehearsal", ImVec2(ui.px(width), ui.px(height)), false,
-      ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav);
-  ImGui::PopStyleVar();
+  begin_part(ui, "rehearsal", ui.px(width), ui.px(height), Tone::panel, 16);
   section_title(ui, "Rehearsal", said_caption_);
   if (!outcome_) {
     wrapped(ui, Face::body, Tone::ink2,
@@ -111,7 +108,7 @@ void RehearsalCard::draw_column(Frame& f, int slot, float width, float height) {
     draw_events(f);
   }
   gap(ui, 12);
-  ImGui::EndChild();
+  end_part();
 }
 
 void RehearsalCard::draw_progress(Frame& f) {
@@ -122,10 +119,10 @@ void RehearsalCard::draw_progress(Frame& f) {
   named_text(ui, "rehearsal/result", Face::time, old_ && !of_running_ ? Tone::ink3 : Tone::ink, time_);
   float share = 0;
   if (of_running_ && r.duration_s > 0) {
-    const double gone = seconds(f.clock - f.now.program.started_at);
-    share = static_cast<float>(std::clamp(gone / r.duration_s, 0.0, 1.0));
-    const NumberText left = format_duration(std::max(0.0, r.duration_s - gone));
-    NumberText words = left;
+    const RunFollower& run = f.tab.desk().follower;
+    const double left = run.left_s().value_or(std::max(0.0, r.duration_s - run.run_s()));
+    share = static_cast<float>(std::clamp(run.run_s() / std::max(0.001, run.run_s() + left), 0.0, 1.0));
+    NumberText words = format_duration(left);
     words.append(" left");
     draw_text_right(ui, ImVec2(right, at.y + ui.px(4)), Face::body, ui[Tone::ink2], words);
     if (f.now.program.run == RunState::running) ui.wake_in(0.1);

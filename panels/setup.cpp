@@ -1,10 +1,12 @@
 #include "panels/setup.h"
 
 #include <array>
+#include <utility>
 
 #include <fmt/core.h>
 
 #include "core/session/user_files.h"
+#include "gui/area.h"
 #include "gui/console.h"
 #include "gui/tab.h"
 #include "gui/widgets/button.h"
@@ -160,11 +162,11 @@ void Setup::draw_filter(Frame& f) {
   constexpr float height = 48;
   const float field = f.area.width >= 640 ? 200 : 140;
   ImGui::SetCursorScreenPos(ImVec2(ui.px(f.area.x + 16), at.y + ui.px(8)));
-  text_field(ui, "setup/filter", "Search", filter_, {.placeholder = "Search", .width = field});
+  list_changed_ |= text_field(ui, "setup/filter", "Search", filter_, {.placeholder = "Search", .width = field}).edited;
   ImGui::SameLine(0, ui.px(12));
   static constexpr std::array<std::string_view, 3> names = {"All", "Changed", "Not factory"};
   const int picked = segment(ui, "setup/show", names, static_cast<int>(show_), {.cell_width = 40});
-  if (picked >= 0) show_ = static_cast<Show>(picked);
+  if (picked >= 0) show_ = static_cast<Show>(picked), list_changed_ = true;
   ImGui::SameLine(0, ui.px(16));
   const float left = ImGui::GetCursorScreenPos().x;
   const std::string words = summary(f);
@@ -217,11 +219,8 @@ void Setup::draw_list(Frame& f, float width) {
   SetupEdits& edits = f.tab.desk().setup;
   const float top = ImGui::GetCursorScreenPos().y;
   ImGui::SetCursorScreenPos(ImVec2(ui.px(f.area.x), top));
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(16), 0));
-  ImGui::BeginChild(
-      "setup/list", ImVec2(ui.px(width) - ui.hair(), ui.px(f.area.bottom()) - top), false,
-      ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav);
-  ImGui::PopStyleVar();
+  begin_part(ui, "setup/list", ui.px(width) - ui.hair(), ui.px(f.area.bottom()) - top, Tone::panel, 16);
+  if (std::exchange(list_changed_, false)) ImGui::SetScrollY(0);  // what was looked for stands at the top
   const float left = ImGui::GetCursorScreenPos().x;
   const float right = left + ImGui::GetContentRegionAvail().x;
   const bool beside = f.area.width >= 760;
@@ -244,7 +243,7 @@ void Setup::draw_list(Frame& f, float width) {
                               : "No parameter has these words in its name or explanation.");
   }
   gap(ui, 24);
-  ImGui::EndChild();
+  end_part();
 }
 
 void Setup::draw_explanation(Frame& f, const ParamInfo& p, float left, float right) {
@@ -259,12 +258,8 @@ void Setup::draw_facts(Frame& f, float left) {
   Ui& ui = f.ui;
   const ParamInfo& p = f.catalog.params[chosen_];
   const ParamState& has = f.now.params[chosen_];
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(16), 0));
   ImGui::SetCursorScreenPos(ImVec2(left + ui.hair(), ImGui::GetCursorScreenPos().y));
-  ImGui::BeginChild(
-      "setup/facts", ImVec2(0, 0), false,
-      ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav);
-  ImGui::PopStyleVar();
+  begin_part(ui, "setup/facts", 0, 0, Tone::panel, 16);
   section_title(ui, p.mnemonic, p.manual);
   wrapped(ui, Face::body_medium, Tone::ink, p.label);
   gap(ui, 8);
@@ -286,9 +281,9 @@ void Setup::draw_facts(Frame& f, float left) {
                     : "cannot be read");
   if (const auto edited = f.tab.desk().setup.edited(chosen_))
     fact("setup/facts/here", "Here", fmt::format("{}", *edited), Tone::warn);
-  fact("setup/facts/kept", "Kept over power-off",
-       !p.stored                  ? "never"
-       : !has.known || has.stored ? "yes"
+  fact("setup/facts/kept", "After power-off",
+       !p.stored                  ? "gone"
+       : !has.known || has.stored ? "kept"
                                   : "not stored yet",
        p.stored && has.known && !has.stored ? Tone::warn : Tone::ink);
   if (!p.warning.empty()) {
@@ -296,7 +291,7 @@ void Setup::draw_facts(Frame& f, float left) {
     wrapped(ui, Face::small, Tone::warn, p.warning);
   }
   gap(ui, 16);
-  ImGui::EndChild();
+  end_part();
 }
 
 // ---- writing

@@ -36,6 +36,7 @@ class Setup final : public gui::Panel {
   std::vector<SetupRowState> rows_;
   std::string filter_;
   Show show_ = Show::all;
+  bool list_changed_ = false;  ///< by search or choice: begin at its top
   std::size_t chosen_ = 0;
   std::vector<std::string> problems_;  ///< of the file opened last
   std::string from_file_;

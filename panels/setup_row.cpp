@@ -165,15 +165,16 @@ void SetupRow::draw_number(float y) {
 void SetupRow::draw_choice(float y) {
   if (state_.views.empty()) {
     for (const ParamChoice& c : p_.choices) state_.names.push_back(c.label);
-    state_.names.emplace_back(p_.readable ? "not read" : "cannot be read");
     state_.views.assign(state_.names.begin(), state_.names.end());
   }
   const auto shown = edits_.shown(i_, f_.now);
-  int chosen = static_cast<int>(p_.choices.size());
+  int chosen = -1;
   for (std::size_t c = 0; c < p_.choices.size(); ++c)
     if (shown && p_.choices[c].value == *shown) chosen = static_cast<int>(c);
   const int picked =
-      dropdown(ui_, id(), p_.label, state_.views, chosen, {.disabled = why_not(), .width = control_width()});
+      dropdown(ui_, id(), p_.label, state_.views, chosen, {.disabled = why_not(),
+                               .width = control_width(),
+                               .none = p_.readable ? "not read" : "cannot be read"});
   if (picked >= 0 && picked < static_cast<int>(p_.choices.size()))
     edits_.set(i_, p_.choices[static_cast<std::size_t>(picked)].value);
   ImGui::SetCursorScreenPos(ImVec2(left_, y + ui_.px(row_height)));

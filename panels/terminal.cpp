@@ -1,6 +1,7 @@
 #include "panels/terminal.h"
 
 #include <algorithm>
+#include <array>
 
 #include <fmt/core.h>
 
@@ -8,6 +9,7 @@
 #include "gui/console.h"
 #include "gui/tab.h"
 #include "gui/widgets/button.h"
+#include "gui/widgets/choice.h"
 #include "gui/widgets/text.h"
 
 namespace hw::panels {
@@ -23,8 +25,8 @@ void Terminal::draw(Frame& f) {
   Desk& desk = f.tab.desk();
   desk_ = &desk;
   constexpr float head = 44, command_row = 48, offered_row = 24;
-  const bool with_head = f.area.height >= head + command_row + 3 * 20;
-  if (with_head) draw_head(f, desk.traffic);
+  with_head_ = f.area.height >= head + command_row + 3 * 20;
+  if (with_head_) draw_head(f, desk.traffic);
   const float offered = std::min<float>(static_cast<float>(offered_.size()), 8) * offered_row;
   const float bottom = f.ui.px(f.area.bottom());
   const float left_for_log = bottom - ImGui::GetCursorScreenPos().y - f.ui.px(command_row) - f.ui.px(offered);
@@ -98,6 +100,28 @@ void Terminal::draw_head(Frame& f, TrafficLog& log) {
   log.set_view(std::move(view));
   draw_lost(ui, log, left + ui.px(72), ui.px(f.area.right() - 24 - width), middle);
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(44)));
+}
+
+/// What the head does, where there is no room for it.
+void Terminal::draw_log_menu(Frame& f) {
+  TrafficLog& log = f.tab.desk().traffic;
+  TrafficLog::View view = log.view();
+  const std::array<std::string_view, 6> names = {view.decoded ? "Without meanings" : "With meanings",
+                                                 view.fold_polls ? "Show all polls" : "Fold polls",
+                                                 view.hex ? "As characters" : "In hexadecimal",
+                                                 "Copy",
+                                                 "Clear",
+                                                 "Save log"};
+  switch (menu(f.ui, "terminal/log_menu", "Log", names)) {
+    case 0: view.decoded = !view.decoded; break;
+    case 1: view.fold_polls = !view.fold_polls; break;
+    case 2: view.hex = !view.hex; break;
+    case 3: return act(f, log, "terminal/copy");
+    case 4: return act(f, log, "terminal/clear");
+    case 5: return act(f, log, "terminal/save");
+    default: return;
+  }
+  log.set_view(std::move(view));
 }
 
 void Terminal::draw_lost(Ui& ui, const TrafficLog& log, float left, float right, float middle) {
@@ -204,6 +228,7 @@ void Terminal::draw_command(Frame& f) {
       .icon_after = Icon::enter,
       .disabled = f.connected() ? std::string_view() : "There is no link. What you type stays here."};
   const float send_width = button_width(ui, "Send", send_look);
+  const float menu_width = with_head_ ? 0 : button_width(ui, "Log", {.style = ButtonStyle::quiet});
   if (hint_of_ != command_) {
     hint_of_ = command_;
     hint_ = f.tab.desk().help.hint(command_).sentence;
@@ -213,11 +238,15 @@ void Terminal::draw_command(Frame& f) {
                           .hint = hint_,
                           .prompt = Icon::prompt,
                           .face = Face::code_field,
-                          .width = f.area.width - 40 - send_width,
+                          .width = f.area.width - 40 - send_width - menu_width,
                           .keep_focus = true,
                           .help = &line_help_};
   const Field field = text_field(ui, "terminal/command", "Command", command_, look);
   if (field.edited && !took_offer_) offered_.clear();
+  if (!with_head_) {
+    ImGui::SetCursorScreenPos(ImVec2(ui.px(f.area.right() - 20 - send_width - menu_width), top));
+    draw_log_menu(f);
+  }
   ImGui::SetCursorScreenPos(ImVec2(ui.px(f.area.right() - 16 - send_width), top));
   const bool sent = button(ui, "terminal/send", "Send", send_look).clicked;
   if (ui.cancelled()) offered_.clear();

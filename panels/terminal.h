@@ -18,6 +18,7 @@ class Terminal final : public gui::Panel {
 
  private:
   void draw_head(gui::Frame& frame, gui::TrafficLog& log);
+  void draw_log_menu(gui::Frame& frame);
   static void draw_lost(gui::Ui& ui, const gui::TrafficLog& log, float left, float right, float middle);
   void act(gui::Frame& frame, gui::TrafficLog& log, std::string_view id);
   void draw_list(gui::Frame& frame);
@@ -30,6 +31,7 @@ class Terminal final : public gui::Panel {
   std::string command_, filter_;
   std::string hint_, hint_of_;  ///< help for the text that it was made of
   gui::LineHelp line_help_;
+  bool with_head_ = true;
   gui::Desk* desk_ = nullptr;  ///< while drawing: for the two helpers of the line
   std::size_t history_at_ = 0;
   std::string draft_;                 ///< what was typed before Up was pressed

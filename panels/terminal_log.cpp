@@ -55,7 +55,10 @@ void TerminalLog::draw(Ui& ui, TrafficLog& log, float height) {
   ImGui::PopStyleColor();
   ImGui::PopStyleVar();
   const float row_height = ui.px(row_logical);
-  const float whole = static_cast<float>(log.row_count()) * row_height + ui.px(8);
+  // At its end it shows whole rows only: the last stands at the bottom, the first is not cut.
+  const float rows_high = static_cast<float>(log.row_count()) * row_height + ui.px(8);
+  const float past = std::max(0.0f, rows_high - height);
+  const float whole = past > 0 ? height + std::ceil(past / row_height) * row_height : rows_high;
   if (follow_) ImGui::SetScrollY(std::max(0.0f, whole - height));
   draw_rows(ui, log, row_height);
   choose(ui, log, row_height);

@@ -62,7 +62,7 @@ void draw_axis_choice(Frame& f, std::size_t i) {
   gap(f.ui, 6);
   text(f.ui, Face::small, Tone::ink2, axis.description.empty() ? axis.name : axis.description);
   DropdownOptions o;
-  o.width = 256;
+  o.width = 336;
   const int picked = dropdown(f.ui, Path("dro/unit/axis/{}", axis.name), axis.description, names, chosen, o);
   if (picked >= 0) {
     wish.unit_choice = picked == 0 ? std::string() : std::string(names[static_cast<std::size_t>(picked)]);
@@ -87,8 +87,8 @@ float unit_chooser_width(const Frame& f) { return button_width(f.ui, shown_unit(
 void draw_unit_chooser(Frame& f) {
   Ui& ui = f.ui;
   const Touch t = button(ui, "dro/unit", shown_unit(f), opener_options());
-  const int axes = static_cast<int>(f.catalog.axes.size());
-  if (!begin_popup(ui, "unit", t, 404, 2 + 2 * axes + (axes > 0))) return;
+  const auto axes = static_cast<float>(f.catalog.axes.size());
+  if (!begin_popup(ui, "unit", t, 484, 3.1f + 1.9f * axes)) return;
   const std::string_view real = real_unit(f);
   if (popup_row(ui, "dro/unit/steps", f.catalog.step_word, "as the controller counts", !shows_real(f)))
     use(f, f.catalog.step_word);

@@ -42,11 +42,12 @@ const std::vector<Subcommand>& subcommands() {
        {{"MODEL", "vxm", 1, 1}},
        {{"tcp", "HOST:PORT", "listen there; port 0: any free one", true},
         {"pty", "PATH", "make a pseudo-terminal and this symlink to it", true},
+        {"id", "NN", "number on its line, two digits; several: that many controllers on one line", true},
         {"motors", "N", "number of motors; 3 or 4: a Master with its Slave linked"},
         {"speed", "X", "so many times faster than real time (default 1)"},
         {"wire", "real|off", "spend the byte times of the baud rate (default: real with a --pty, else off)"},
         {"quirk", "NAME", "a habit of certain units: overrun, e-bar", true},
-        {"state", "FILE", "keep the non-volatile memory there"},
+        {"state", "FILE", "keep the non-volatile memory there; with several --id in FILE.NN of each"},
         bench_option,
         {"allow-remote", "", "let other hosts connect (else only this one)"}},
        emulate},
@@ -77,7 +78,7 @@ const std::vector<Subcommand>& subcommands() {
       {"restore",
        "set-up and programs from a file into a controller",
        {{"ADDRESS", "the controller", 1, 1}, {"FILE.toml", "made by backup", 1, 1}},
-       {{"warnings-read", "", "write parameters that carry a warning (motor types) too"}},
+       {{"leave-motor-types", "", "leave parameters that carry a warning (motor types) as they are"}},
        restore},
   };
   return all;
@@ -130,6 +131,11 @@ Given collect(const Parsed& parsed, std::vector<std::string> behind_dashes) {
     const auto values = parsed.values.find(name);
     given.options[name] = values == parsed.values.end() ? std::vector<std::string>{""} : values->second;
   }
+  std::map<std::string, std::size_t> taken;
+  for (const CLI::Option* option : parsed.app->parse_order())
+    for (const auto& [name, values] : parsed.values)
+      if (parsed.options.at(name) == option && taken[name] < values.size())
+        given.in_order.emplace_back(name, values[taken[name]++]);
   return given;
 }
 

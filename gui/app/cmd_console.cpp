@@ -1,6 +1,5 @@
 // The window: io thread, console, panels. `demo` adds emulated controllers.
 #include <cstdlib>
-#include <ctime>
 
 #include "core/base/log.h"
 #include "gui/app/cli.h"
@@ -57,12 +56,7 @@ class ConsoleHouse {
         if (address.transport == "serial" && port.path == address.where) return port.serial;
       return std::string();
     };
-    std::tm local{};
-    const std::time_t now = std::time(nullptr);
-    localtime_r(&now, &local);
-    const double began =
-        local.tm_hour * 3600 + local.tm_min * 60 + local.tm_sec - seconds(io_.scheduler().now());
-    o.second_of_day = [began](Instant when) { return began + seconds(when); };
+    o.day = gui::DayClock::local(io_.scheduler().now());
     return o;
   }
 
@@ -73,6 +67,14 @@ class ConsoleHouse {
   gui::Console console_;
 };
 
+/// Texts let fall on the window are opened in the editor of the controller in front.
+void take_dropped(gui::Console& console, const std::vector<std::string>& paths) {
+  gui::Tab* tab = console.active();
+  if (!tab) return console.toast(gui::Mood::plain, "Connect a controller first: files are opened in its editor.");
+  for (const std::string& path : paths) tab->desk().dropped.emplace_back(path);
+  console.show_panel("program");
+}
+
 int run_window(const std::vector<std::string>& addresses, bool demo) {
   gui::WindowOptions options;
   auto window = gui::Window::open(options);
@@ -82,8 +84,11 @@ int run_window(const std::vector<std::string>& addresses, bool demo) {
   gui::Window& w = **window;
   house.show_in(w);
   w.screen().set_theme(console.dark());
+  float size = console.size();
+  w.set_user_scale(size);
   console.attach(w.screen().keyboard());
   w.on_first_frame = [] { log::debug("window", "first frame"); };
+  w.on_drop = [&](const std::vector<std::string>& paths) { take_dropped(console, paths); };
   w.on_close = [&] {
     console.let_go();
     return true;
@@ -101,6 +106,7 @@ int run_window(const std::vector<std::string>& addresses, bool demo) {
       w.screen().set_theme(console.dark());
       ui.wake_in(0);
     }
+    if (size != console.size()) w.set_user_scale(size = console.size());
   });
   return done;
 }

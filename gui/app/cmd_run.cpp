@@ -46,6 +46,7 @@ int run_script(const Given& given) {
   script::Runner runner(scheduler, std::move(options));
   std::optional<Interruption> interruption;  // real motors are told to stop; virtual ones just end
   runner.on_real_time = [&] {
+    if (stage) stage->time_is_real();
     interruption.emplace(scheduler,
                          [&] { runner.interrupt("Interrupted. The controllers were told to stop."); });
   };

@@ -5,9 +5,13 @@
 
 namespace hw::app {
 
+// Virtual time has no time of day. It always begins in the morning, so that a replay shows the same.
+constexpr gui::DayClock virtual_day{std::chrono::hours(9)};
+
 gui::Outside ScriptStage::outside(WireOpener opener) {
   gui::Outside outside(scheduler_, std::move(opener), [] {});
   outside.worker = &worker_;
+  outside.day = virtual_day;
   return outside;
 }
 
@@ -22,10 +26,16 @@ ScriptStage::ScriptStage(Scheduler& scheduler, WireOpener opener)
 
 ScriptStage::~ScriptStage() = default;
 
-void ScriptStage::opened(const std::shared_ptr<Session>& session) { console_.adopt(session); }
+void ScriptStage::opened(const std::shared_ptr<SessionGroup>& group) {
+  for (const auto& session : group->members()) console_.adopt(session);
+}
 
 void ScriptStage::frame(Instant now) {
   if (console_.dark() != console_was_dark_) surface_.screen().set_theme(console_was_dark_ = console_.dark());
+  if (console_.size() != size_) {
+    surface_.screen().set_scale(surface_.screen().scale() * console_.size() / size_);
+    size_ = console_.size();
+  }
   worker_.deliver();
   surface_.frame(seconds(now), [this](gui::Ui& ui) { console_.draw(ui); });
 }
@@ -35,6 +45,8 @@ Result<> ScriptStage::set_theme(const std::string& name) {
   if (set) console_.set_dark(console_was_dark_ = name == "dark");
   return set;
 }
+
+void ScriptStage::time_is_real() { console_.set_day(gui::DayClock::local(scheduler_.now())); }
 
 // The runner closes the sessions; a held button lets go before.
 void ScriptStage::script_over() { console_.let_go(); }

@@ -14,9 +14,12 @@ class ScriptStage final : public script::Stage {
   ~ScriptStage() override;
 
   void bind(lua_State* L) override;  ///< bind_ui.cpp
-  void opened(const std::shared_ptr<Session>& session) override;
+  void opened(const std::shared_ptr<SessionGroup>& group) override;
   void frame(Instant now) override;
   void script_over() override;
+
+  /// From now on the clock on the wall counts.
+  void time_is_real();
 
   gui::Automation& automation() { return automation_; }
   /// As the user's own switch does, so that the console agrees.
@@ -29,6 +32,7 @@ class ScriptStage final : public script::Stage {
   gui::Worker worker_;  // without a thread: the same order in every run
   gui::Console console_;
   bool console_was_dark_ = true;
+  float size_ = 1;  ///< as the user has chosen it, within the surface's scale
   script::Runner* runner_ = nullptr;
   gui::Automation automation_;
 };

@@ -12,8 +12,9 @@ enum class BadgeTone : std::uint8_t { emulated, ok, warn, fault, motion };
 void badge(Ui& ui, std::string_view id, BadgeTone tone, Icon icon, std::string_view words,
            std::string_view tip = {});
 float badge_width(const Ui& ui, Icon icon, std::string_view words);
-inline void emulated_badge(Ui& ui, std::string_view id) {
-  badge(ui, id, BadgeTone::emulated, Icon::emulated, "EMULATED",
+/// Without its shape where only the word has room.
+inline void emulated_badge(Ui& ui, std::string_view id, bool with_shape = true) {
+  badge(ui, id, BadgeTone::emulated, with_shape ? Icon::emulated : Icon::none, "EMULATED",
         "No real controller: an emulator inside this program.");
 }
 /// 24 high outline: a caption and a word in a tone. fault: the outline turns red.

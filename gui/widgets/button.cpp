@@ -70,7 +70,9 @@ void draw_content(const Ui& ui, const Rect& r, std::string_view label, const But
   const float gap = label.empty() ? 0 : ui.px(icon_gap);
   float x = std::floor(r.min.x + std::max(ui.px(4), (r.width() - content_width(ui, label, o)) * 0.5f));
   if (o.icon != Icon::none) {
-    draw_icon(list, o.icon, ImVec2(x + ui.px(icon_size) * 0.5f, middle), ui.px(icon_size), paint.ink);
+    const bool own_tone = o.icon_tone != Tone::ink && o.disabled.empty();
+    draw_icon(list, o.icon, ImVec2(x + ui.px(icon_size) * 0.5f, middle), ui.px(icon_size),
+              own_tone ? ui[o.icon_tone] : paint.ink);
     x += ui.px(icon_size) + gap;
   }
   draw_text_line(ui, x, r.max.x, middle, face_of(o), paint.ink, label);
@@ -135,7 +137,11 @@ Touch stop_button(Ui& ui, ImVec2 size, std::string_view second) {
   if (!second.empty()) {
     const Rect line{ImVec2(t.rect.min.x, t.rect.max.y - ui.px(24)),
                     ImVec2(t.rect.max.x, t.rect.max.y - ui.px(6))};
-    draw_text_centred(ui, line, Face::small_bold, ink, second);
+    if (text_width(ui, Face::small_bold, second) <= line.width() - ui.px(16))
+      draw_text_centred(ui, line, Face::small_bold, ink, second);
+    else
+      draw_text_line(ui, line.min.x + ui.px(8), line.max.x - ui.px(8), line.centre().y, Face::small_bold, ink,
+                     second);
   }
   if (t.ring) {
     const Rect in{ImVec2(t.rect.min.x + ui.px(2), t.rect.min.y + ui.px(2)),

@@ -19,6 +19,7 @@ enum class ButtonStyle : std::uint8_t {
 struct ButtonOptions {
   ButtonStyle style = ButtonStyle::normal;
   Icon icon = Icon::none;
+  Tone icon_tone = Tone::ink;  ///< of `icon` while enabled; ink: as the words
   Icon icon_after = Icon::none;
   std::string_view keys = {};      ///< key hint in ink3: "F5"; "ctrl \n" draws the Enter sign
   std::string_view disabled = {};  ///< why, and when it ends

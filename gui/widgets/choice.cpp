@@ -139,14 +139,16 @@ int dropdown(Ui& ui, std::string_view id, std::string_view label, std::span<cons
              int chosen, const DropdownOptions& o) {
   const std::string_view now = chosen >= 0 && chosen < static_cast<int>(names.size())
                                    ? names[static_cast<std::size_t>(chosen)]
-                                   : std::string_view();
+                                   : o.none;
+  const bool none = chosen < 0;
   const float w = o.width == 0 ? widest(ui, names) + ui.px(36) : width_px(ui, o.width);
   const Touch t = touch(ui, {id, Kind::list, label, now, o.disabled, false, o.tip}, ImVec2(w, ui.px(32)));
   if (t.enabled) draw_fill(ui, t.rect, ui[t.held ? Tone::sel : t.hovered ? Tone::hover : Tone::raised]);
   if (!t.enabled || o.error) draw_outline(ui, t.rect, ui[o.error ? Tone::fault : Tone::line]);
   const float middle = std::floor(t.rect.centre().y);
-  const ImU32 ink = ui[t.enabled ? Tone::ink : Tone::ink3];
-  draw_text_line(ui, t.rect.min.x + ui.px(10), t.rect.max.x - ui.px(26), middle, Face::body_medium, ink, now);
+  const ImU32 ink = ui[t.enabled && !none ? Tone::ink : Tone::ink3];
+  draw_text_line(ui, t.rect.min.x + ui.px(10), t.rect.max.x - ui.px(26), middle,
+                 none ? Face::body : Face::body_medium, ink, now);
   draw_icon(ImGui::GetWindowDrawList(), Icon::chevron_down, ImVec2(t.rect.max.x - ui.px(16), middle),
             ui.px(12), ui[t.enabled ? Tone::ink2 : Tone::ink3]);
   draw_ring(ui, t);

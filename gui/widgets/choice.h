@@ -21,6 +21,7 @@ struct DropdownOptions {
   std::string_view tip = {};
   float width = 0;  ///< 0: as wide as the longest name
   bool error = false;
+  std::string_view none = {};  ///< said while none is chosen
 };
 /// Button with the chosen name and a chevron; opens rows of 32 whose ids are `id/<name>`. Returns the index
 /// just chosen, or -1. With the list open Up, Down, Enter choose.

@@ -2,6 +2,7 @@
 
 #define GLFW_INCLUDE_NONE
 #include <algorithm>
+#include <utility>
 
 #include <GLFW/glfw3.h>
 #include <imgui_internal.h>
@@ -94,11 +95,13 @@ float CodeEditor::x_of(const Metrics& m, TextPlace p) const {
 EditorEvent CodeEditor::draw(Ui& ui, std::string_view id, const EditorLook& look) {
   if (text_version_ != model_.version()) remember();
   EditorEvent event;
+  if (std::exchange(find_asked_, false)) find_.open(ui, id, model_);
   reveal_ |= find_.draw(ui, id, model_);
   collect_problems(look);
-  const float height = look.height < 0 ? ImGui::GetContentRegionAvail().y : ui.px(look.height);
+  const float room = ImGui::GetContentRegionAvail().y;  // the find bar may have taken some
+  const float height = look.height < 0 ? room : std::min(room, ui.px(look.height));
   const std::uint64_t version = model_.version();
-  ImGui::PushID(id.data(), id.data() + id.size());
+  ImGui::PushID(this);  // each text keeps its own scrolling
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
   ImGui::PushStyleColor(ImGuiCol_ChildBg, ui[Tone::well]);
   ImGui::BeginChild(
@@ -112,13 +115,17 @@ EditorEvent CodeEditor::draw(Ui& ui, std::string_view id, const EditorLook& look
   // The fix buttons lie over the ground on which the caret is placed.
   ImGui::SetCursorScreenPos(m.view.min);
   const ImVec2 mouse = ImGui::GetIO().MousePos;
+  const ImVec2 content_end = ImGui::GetCurrentWindow()->DC.CursorMaxPos;
   const Touch t = touch(ui, {id, Kind::editor, "program text", text_, {}, false, {}},
                         ImVec2(std::max(1.0f, m.view.width()), std::max(1.0f, m.view.height())));
   ImGui::SetItemAllowOverlap();
+  // It covers what is in sight, wherever that is scrolled to: it is no part of what there is to scroll.
+  ImGui::GetCurrentWindow()->DC.CursorMaxPos = content_end;
   if (t.hovered && mouse.x > m.view.min.x + m.text_x) ImGui::SetMouseCursor(ImGuiMouseCursor_TextInput);
   use_mouse(ui, m, t);
   if (ui.focus.take_entry(id)) typing_ = true;
   if (typing_ && !ui.focus.is(id)) typing_ = false;
+  if (std::exchange(comment_asked_, false) && look.read_only.empty()) model_.toggle_comment(look.comment_mark);
   if (typing_) use_keys(ui, look, m);
   follow_live_line(look, m);
   if (reveal_) keep_caret_in_sight(m);

@@ -23,6 +23,7 @@ struct EditorLook {
   std::string_view comment_mark = "; ";
   int live_line = -1;                 ///< from 0; -1: none
   bool live_told = false;             ///< the controller said so; false: worked out
+  std::string_view live = "program/live";  ///< path of the live line
   std::string_view live_words = {};   ///< at the right of the live line: "pass 7 of 20"
   std::string_view read_only = {};    ///< why; empty: may be edited
   std::string_view placeholder = {};  ///< shown while the text is empty
@@ -44,6 +45,9 @@ class CodeEditor {
   TextModel& model() { return model_; }
   /// Puts the caret there and brings the line into sight.
   void go_to(TextPlace place);
+  /// As Ctrl+F and Ctrl+/ do, for whoever does not know the keys. Take effect in the next draw().
+  void ask_find() { find_asked_ = true; }
+  void toggle_comment() { comment_asked_ = true; }
 
  private:
   struct Metrics {
@@ -82,6 +86,7 @@ class CodeEditor {
   std::vector<int> problem_lines_;  // lines with a row below, sorted
   FindBar find_;
   bool typing_ = false, reveal_ = false, dragging_ = false;
+  bool find_asked_ = false, comment_asked_ = false;
   int followed_line_ = -1;
   float widest_ = 0;
 };

@@ -31,8 +31,11 @@ const LineReport* report_of(const EditorLook& look, int line) {
 }  // namespace
 
 void CodeEditor::draw_lines(Ui& ui, const EditorLook& look, const Metrics& m) {
-  if (text_.empty() && !look.placeholder.empty() && !typing_)
-    draw_text(ui, m.origin, Face::code, ui[Tone::ink3], look.placeholder);
+  if (text_.empty() && !look.placeholder.empty() && !typing_) {
+    ImGui::SetCursorScreenPos(ImVec2(m.origin.x, m.origin.y + ui.px(2)));
+    wrapped(ui, Face::body, Tone::ink3, look.placeholder,
+            (m.view.max.x - m.origin.x) / ui.scale - right_margin);
+  }
   const int first = line_at(m, m.view.min.y);
   for (int line = first; line < model_.line_count(); ++line) {
     const float top = top_of(m, line);
@@ -139,7 +142,7 @@ void CodeEditor::draw_right(Ui& ui, const EditorLook& look, const Metrics& m, in
   const int cost = report ? report->cost : 0;
   float end = right;
   char words[48] = {};
-  if (!look.cost_title.empty()) {
+  if (!look.cost_title.empty() && !text_.empty()) {
     if (cost > 0)
       std::snprintf(words, sizeof words, line == 0 ? "%d %.*s" : "%d", cost,
                     static_cast<int>(look.cost_title.size()), look.cost_title.data());
@@ -154,6 +157,12 @@ void CodeEditor::draw_right(Ui& ui, const EditorLook& look, const Metrics& m, in
   }
   const Problem* warning = problem_in(look, line, false);
   const bool live = line == look.live_line && !look.live_words.empty();
+  if (line == look.live_line) {
+    char said[96];
+    std::snprintf(said, sizeof said, "line %d, %.*s", line + 1, static_cast<int>(look.live_words.size()),
+                  look.live_words.data());
+    show(ui, {look.live, Kind::text, "live line", said, {}, false, {}}, row);
+  }
   const bool warned = !live && warning && line == model_.caret().line;
   if (!live && !warned) return;
   const std::string_view said = live ? look.live_words : std::string_view(warning->sentence);
@@ -176,8 +185,15 @@ void CodeEditor::draw_problem_row(Ui& ui, const EditorLook& look, const Metrics&
   const float button_w = fixable ? ui.px(button_width(ui, problem.fix_label, style)) : 0;
   const float room = m.view.max.x - ui.px(right_margin) - button_w - (fixable ? ui.px(8) : 0);
   const float middle = top + std::floor(m.problem * 0.5f) - ui.px(2);
-  draw_text_line(ui, left, room, middle, Face::body, ui[Tone::fault], problem.sentence);
-  const bool cut = left + text_width(ui, Face::body, problem.sentence) > room;
+  const float two_lines = 2 * ui.line(Face::body);
+  const bool long_one = left + text_width(ui, Face::body, problem.sentence) > room;
+  const bool cut = long_one && wrapped_height(ui, Face::body, problem.sentence, room - left) > two_lines;
+  if (long_one && !cut) {
+    ImGui::SetCursorScreenPos(ImVec2(left, top - ui.px(2)));
+    wrapped(ui, Face::body, Tone::fault, problem.sentence, (room - left) / ui.scale);
+  } else {
+    draw_text_line(ui, left, room, middle, Face::body, ui[Tone::fault], problem.sentence);
+  }
   show(ui,
        {id, Kind::text, "problem", problem.sentence, {}, false, cut ? problem.sentence : std::string_view()},
        row);

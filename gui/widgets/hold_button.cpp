@@ -17,7 +17,8 @@ void draw_hold(Ui& ui, const Touch& t, std::string_view label, const HoldOptions
     ink = ui[Tone::on_motion];
   } else {
     draw_fill(ui, t.rect, ui[held ? Tone::sel : t.hovered ? Tone::hover : Tone::raised]);
-    if (held || !o.moving) draw_outline(ui, t.rect, ui[Tone::edge]);
+    if (held || !o.moving) draw_outline(ui, t.rect, ui[o.stops ? Tone::fault : Tone::edge]);
+    if (o.stops) ink = ui[Tone::fault];
   }
   if (o.moving && !(t.enabled && held))
     draw_motion_edge(ui, t.rect, ui[t.enabled ? Tone::motion : Tone::line]);

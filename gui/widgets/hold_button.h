@@ -14,6 +14,7 @@ struct HoldOptions {
   std::string_view tip = {};
   float width = 56, height = 56;  ///< 48 in medium windows
   bool moving = true;             ///< false: front panel buttons of a bench
+  bool stops = false;             ///< a Stop: fault outline and words
   bool lit = false;               ///< held by something else (its key): drawn as held
 };
 

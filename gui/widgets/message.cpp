@@ -87,8 +87,10 @@ void tinted(Ui& ui, Mood mood, float height_px) {
 }
 
 int banner(Ui& ui, std::string_view id, const Banner& what, std::span<const Action> actions) {
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float width = ImGui::GetContentRegionAvail().x, indent = ui.px(28);
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float side = ui.px(16), indent = ui.px(28);
+  const ImVec2 at(corner.x + side, corner.y);
+  const float width = ImGui::GetContentRegionAvail().x - 2 * side;
   const float sentences = wrapped_height(ui, Face::body, what.sentences, width - indent);
   const float rows = actions.empty() ? 0 : ui.px(32) + ui.px(8);
   const float height = ui.px(12) + ui.line(Face::title_bold) + ui.px(6) + sentences + rows + ui.px(12);
@@ -109,7 +111,7 @@ int banner(Ui& ui, std::string_view id, const Banner& what, std::span<const Acti
     picked = draw_actions(ui, actions, what.aside);
   }
   ImGui::EndGroup();
-  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + height));
+  ImGui::SetCursorScreenPos(ImVec2(corner.x, at.y + height));
   return picked;
 }
 

@@ -21,9 +21,20 @@ void begin_region(Ui& ui, const char* name, const Rect& where, Tone ground, ImVe
   ImGui::Begin(name, nullptr, flags);
   ImGui::PopStyleColor();
   ImGui::PopStyleVar();
+  use_whole_window();
 }
 
-void end_region() { ImGui::End(); }
+void end_region() {
+  ImGui::PopClipRect();
+  ImGui::End();
+}
+
+void use_whole_window() {
+  const ImGuiWindow* window = ImGui::GetCurrentWindow();
+  ImRect inside = window->InnerRect;
+  inside.ClipWith(window->OuterRectClipped);
+  ImGui::PushClipRect(inside.Min, inside.Max, false);
+}
 
 bool splitter(Ui& ui, std::string_view id, const Rect& border, bool vertical, float& size,
               const SplitRange& range, int towards) {

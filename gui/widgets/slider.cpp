@@ -61,6 +61,7 @@ bool slider(Ui& ui, std::string_view id, std::string_view label, double& value, 
     next = from_share(std::clamp((ImGui::GetIO().MousePos.x - t.rect.min.x - grip) / run, 0.0f, 1.0f), o);
   if (const int direction = t.enabled ? keys_of_ring(t) : 0; direction != 0)
     next = stepped(value, direction, o);
+  if (t.double_clicked && t.enabled && o.normal >= o.min && o.normal <= o.max) next = o.normal;
   const bool changed = next != value;
   value = next;
   draw_slider(ui, t, std::floor(t.rect.min.x + grip + run * static_cast<float>(to_share(value, o))));

@@ -7,8 +7,8 @@ namespace {
 
 constexpr StateLook looks[] = {
     {Icon::ring, "IDLE", "idle", Tone::ink2},
-    {Icon::play, "MOVING +", "moving +", Tone::motion},
-    {Icon::back, "MOVING \xE2\x88\x92", "moving \xE2\x88\x92", Tone::motion},
+    {Icon::play, "MOVING +", "moving", Tone::motion},
+    {Icon::back, "MOVING \xE2\x88\x92", "moving", Tone::motion},
     {Icon::play, "MOVING", "moving", Tone::motion},
     {Icon::home_plus, "HOMING", "homing", Tone::motion},
     {Icon::home_minus, "HOMING", "homing", Tone::motion},
@@ -16,7 +16,7 @@ constexpr StateLook looks[] = {
     {Icon::limit_plus, "LIMIT +", "limit +", Tone::warn},
     {Icon::limit_minus, "LIMIT \xE2\x88\x92", "limit \xE2\x88\x92", Tone::warn},
     {Icon::cross, "OFF", "off", Tone::ink3},
-    {Icon::clock, "STALE", "late", Tone::warn},
+    {Icon::clock, "STALE", "stale", Tone::warn},
     {Icon::diamond, "UNTRUSTED", "untrusted", Tone::warn},
     {Icon::plug, "LOST", "link lost", Tone::fault},
     {Icon::diamond_solid, "FAULT", "fault", Tone::fault},

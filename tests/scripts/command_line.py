@@ -219,6 +219,7 @@ class Replay(Case):
         """The release build leaves its record for the builds with sanitizers, which have to come to the same."""
         record = pathlib.Path(os.environ["REPLAY_RECORD"])
         if os.environ["REPLAY_BUILD"] == "release":
+            record.parent.mkdir(exist_ok=True)
             record.write_bytes(traffic)
         elif record.exists():
             self.assertEqual(traffic, record.read_bytes(), f"{record} is of another build; is it of this source?")

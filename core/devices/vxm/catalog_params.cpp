@@ -61,7 +61,7 @@ ParamInfo motor_type(int m) {
 
 ParamInfo motor_type_full(int m) {
   ParamInfo p =
-      row(fmt::format("MA{}M", m), "Motors", fmt::format("Type of motor {}, full power when jogging", m),
+      row(fmt::format("MA{}M", m), "Motors", fmt::format("Type of motor {}, jogs at full power", m),
           "The same choice of motor, but the jog buttons and the joystick drive it with 100 % of its "
           "power instead of 70 %. The controller does not tell which of the two it was given, so only "
           "the type itself can be read back.");

@@ -242,4 +242,13 @@ ErrorWords explain_error(char letter) {
           false, false};
 }
 
+std::string printable(std::string_view bytes) {
+  std::string all;
+  for (const char c : bytes)
+    all += c >= ' ' && c < 127 ? std::string(1, c)
+           : c == '\r'         ? "<cr>"
+                               : fmt::format("<{:02X}>", static_cast<unsigned char>(c));
+  return all;
+}
+
 }  // namespace hw::vxm

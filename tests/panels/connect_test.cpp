@@ -1,0 +1,137 @@
+// The connection page with ports in every state: what it says of each, and the test of a port.
+#include <cstdlib>
+#include <filesystem>
+
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+
+#include "tests/panels/console_stage.h"
+
+namespace hw::panels {
+namespace {
+
+using gui::FoundPort;
+using gui::Widget;
+
+class Ports final : public gui::PortFinder {
+ public:
+  std::vector<FoundPort> list;
+  std::vector<std::string> asked;
+  bool looking = false;
+  const std::vector<FoundPort>& ports() override { return list; }
+  void look() override { looking = true; }
+  void watch(bool) override {}
+  void ask(const std::string& path) override { asked.push_back(path); }
+  [[nodiscard]] bool busy() const override { return looking; }
+};
+
+FoundPort port(std::string path, FoundPort::State state, std::string sentence = {}) {
+  FoundPort p;
+  p.path = std::move(path);
+  p.hardware = "FTDI FT232R, A10K2LQX";
+  p.state = state;
+  p.sentence = std::move(sentence);
+  return p;
+}
+
+FoundPort silent_after_test() {
+  using Is = FoundPort::Check::Result;
+  FoundPort p = port("/dev/ttyS0", FoundPort::State::silent, "It was asked at 9600, 19200 and 38400 baud.");
+  p.hardware = "serial port on the board";
+  const auto check = [&](Is result, const char* what, const char* found) {
+    FoundPort::Check c;
+    c.result = result, c.what = what, c.found = found;
+    p.checks.push_back(c);
+  };
+  check(Is::good, "Port opens", "nobody else holds it");
+  check(Is::good, "Bytes leave", "3 speeds");
+  check(Is::bad, "Bytes return", "none came back");
+  check(Is::not_reached, "Reply makes sense", "not reached");
+  p.advice = {"Supply. Is the controller's green lamp lit?",
+              "Cable. It must be straight through; try it with RX and TX swapped (a null-modem adapter).",
+              "The port. Is the cable in this one? Pull it and watch which port leaves this list."};
+  return p;
+}
+
+struct Page {
+  IoContext io;
+  VirtualScheduler scheduler{io};
+  Ports ports;
+  gui::Console console{panel_list(), outside()};
+  gui::Stage stage;
+
+  explicit Page(int width = 1440, int height = 900, float scale = 1, bool dark = true)
+      : stage([this](gui::Ui& ui) { console.draw(ui); }, width, height, scale, dark) {
+    FoundPort answers = port("/dev/ttyUSB0", FoundPort::State::answers, "answers at 9600 baud in 11 ms");
+    answers.title = "Example Controller";
+    answers.address = "example@serial:/dev/ttyUSB0,baud=9600";
+    ports.list = {answers,
+                  port("/dev/ttyUSB1", FoundPort::State::asking),
+                  port("/dev/ttyUSB2", FoundPort::State::busy, "minicom (process 4182) holds it. Close it there first."),
+                  port("/dev/ttyUSB3", FoundPort::State::forbidden,
+                       "It may not be opened. Type: sudo usermod -aG dialout $USER, and log in anew."),
+                  silent_after_test()};
+    stage.frames(3);
+  }
+  gui::Outside outside() {
+    gui::Outside o(scheduler, WireOpener(), [] {});
+    o.ports = &ports;
+    return o;
+  }
+  std::string label(const char* id) {
+    const Widget* w = stage.find(id);
+    return w ? std::string(w->label) : "(absent)";
+  }
+};
+
+TEST(ConnectPage, EachPortHasItsWayOn) {
+  Page p;
+  EXPECT_EQ(p.label("connect/port/0"), "Connect");
+  EXPECT_EQ(p.label("connect/port/2"), "Ask again");
+  EXPECT_EQ(p.label("connect/port/3"), "Ask again");
+  const Widget* asking = p.stage.find("connect/port/1");
+  ASSERT_TRUE(asking);
+  EXPECT_FALSE(asking->enabled);
+  EXPECT_EQ(p.stage.hand.value("status/text").value_or(""),
+            "1 controller answers on 5 ports. Choose one, or start an emulator.");
+}
+
+TEST(ConnectPage, APortIsTestedAndSaysHowFarItCame) {
+  Page p;
+  ASSERT_TRUE(p.stage.hand.click("connect/port/4/test"));
+  EXPECT_EQ(p.ports.asked, std::vector<std::string>{"/dev/ttyS0"});
+  p.stage.frames(2);
+  EXPECT_EQ(p.stage.hand.value("connect/port/4/check/1").value_or("(none)"), "good: nobody else holds it");
+  EXPECT_EQ(p.stage.hand.value("connect/port/4/check/3").value_or("(none)"), "bad: none came back");
+  EXPECT_EQ(p.stage.hand.value("connect/port/4/check/4").value_or("(none)"), "not reached: not reached");
+}
+
+TEST(ConnectPage, LooksAgainOnce) {
+  Page p;
+  ASSERT_TRUE(p.stage.hand.click("connect/look"));
+  EXPECT_TRUE(p.ports.looking);
+  p.stage.frames(2);
+  EXPECT_FALSE(p.stage.hand.click("connect/look")) << "while it looks, the button says so";
+}
+
+// To be looked at: build/pictures/connect-ports-*.png
+TEST(ConnectPage, Pictures) {
+  const std::filesystem::path folder = HW_BINARY_DIR "/pictures";
+  std::filesystem::create_directories(folder);
+  struct Shape {
+    const char* name;
+    int width, height;
+    float scale;
+    bool dark;
+  };
+  for (const Shape& shape : {Shape{"1440-dark", 1440, 900, 1, true}, Shape{"1440-light", 1440, 900, 1, false},
+                             Shape{"1024-dark", 1024, 700, 1, true}, Shape{"narrow200-dark", 720, 450, 2, true}}) {
+    Page p(shape.width, shape.height, shape.scale, shape.dark);
+    ASSERT_TRUE(p.stage.hand.click("connect/port/4/test"));
+    p.stage.frames(3);
+    EXPECT_TRUE(p.stage.surface.screenshot((folder / fmt::format("connect-ports-{}.png", shape.name)).string()));
+  }
+}
+
+}  // namespace
+}  // namespace hw::panels
