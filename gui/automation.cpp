@@ -177,19 +177,20 @@ Result<> Automation::key(std::string_view chord) {
 }
 
 Result<std::string> Automation::value(std::string_view id) {
+  frame();
   const Widget* w = surface_.screen().registry().find(id);
-  if (!w) {
-    frame();
-    w = surface_.screen().registry().find(id);
-  }
   if (!w)
     return refuse("There is no widget " + quoted(id) + " on the screen.", "ui.list() names those that are.");
   return std::string(w->value);
 }
 
-bool Automation::exists(std::string_view id) { return surface_.screen().registry().find(id) != nullptr; }
+bool Automation::exists(std::string_view id) {
+  frame();
+  return surface_.screen().registry().find(id) != nullptr;
+}
 
 std::vector<Automation::Listed> Automation::list() {
+  frame();
   std::vector<Listed> all;
   const float scale = surface_.screen().scale();
   for (const Widget& w : surface_.screen().registry().widgets())

@@ -28,6 +28,8 @@ class Automation {
   /// Only one half, for holding a jog key.
   Result<> key_down(std::string_view chord);
   Result<> key_up(std::string_view chord);
+  // A look at the screen draws it first: what is seen is never older than the look.
+
   /// What it shows or holds, plain ASCII.
   Result<std::string> value(std::string_view id);
   bool exists(std::string_view id);

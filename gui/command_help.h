@@ -5,13 +5,13 @@
 #include <string_view>
 #include <vector>
 
-#include "core/device/catalog.h"
+#include "core/device/command_form.h"
 
 namespace hw::gui {
 
 class CommandHelp {
  public:
-  explicit CommandHelp(const std::vector<CommandInfo>& commands);
+  explicit CommandHelp(const Catalog& catalog);
 
   struct Hint {
     std::string
@@ -30,21 +30,12 @@ class CommandHelp {
   [[nodiscard]] std::string with(std::string_view line, std::size_t command) const;
 
  private:
-  struct Part {
-    char literal = 0;  ///< 0: digits stand here
-    bool one_digit = false;
-  };
-  struct Form {
-    std::vector<Part> parts;
-    std::string head;  ///< literal beginning
-  };
-  enum class Match { none, begins, whole };
-  static Form form_of(const CommandInfo& command);
-  static Match match(const Form& form, std::string_view text);
-  static std::string_view last_command(std::string_view line);
+  using Match = CommandForm::Match;
+  [[nodiscard]] std::string_view last_command(std::string_view line) const;
 
   const std::vector<CommandInfo>& commands_;
-  std::vector<Form> forms_;
+  const std::string& separators_;
+  std::vector<CommandForm> forms_;
 };
 
 }  // namespace hw::gui

@@ -11,7 +11,7 @@ Desk::Desk(const Catalog& catalog, const Language* language, TrafficLog::Explain
     : traffic(explain),
       texts(catalog.program, language),
       setup(catalog),
-      help(catalog.commands),
+      help(catalog),
       catalog_(catalog),
       language_(language) {}
 

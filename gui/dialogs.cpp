@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "gui/console.h"
 #include "gui/ui.h"

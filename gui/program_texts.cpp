@@ -1,6 +1,6 @@
 #include "gui/program_texts.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace hw::gui {
 

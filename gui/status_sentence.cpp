@@ -1,6 +1,6 @@
 #include "gui/status_sentence.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "gui/units_format.h"
 

@@ -2,7 +2,7 @@
 // Widget paths and short texts on the stack: drawing a frame at rest allocates nothing.
 #include <string_view>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace hw::panels {
 

@@ -3,10 +3,11 @@
 #include <charconv>
 #include <cmath>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/device/bench_file.h"
 #include "core/session/user_files.h"
+#include "transports/performax_usb.h"
 #include "transports/rfc2217.h"
 #include "transports/serial.h"
 #include "transports/tcp.h"
@@ -60,12 +61,23 @@ Result<BenchFile> read_bench(const std::string& file, const DeviceType& type, co
   return parse_bench_file(*text, *catalog, file);
 }
 
-Result<Wire> plug_in(std::shared_ptr<EmulatorHost> host, int baud) {
+// The keys of a device, once for each id.
+std::vector<DeviceOptions> keys_of_each(DeviceOptions keys, const std::vector<std::string>& ids) {
+  std::vector<DeviceOptions> sets;
+  for (const std::string& id : ids) {
+    keys["id"] = id;
+    sets.push_back(keys);
+  }
+  if (sets.empty()) sets.push_back(std::move(keys));
+  return sets;
+}
+
+Result<Wire> plug_in(const std::shared_ptr<EmulatorHost>& host, int baud) {
   auto stream = host->plug_in(baud);
   if (!stream) return fail(stream.error());
   Wire wire;
   wire.stream = std::move(*stream);
-  wire.benches.push_back(std::move(host));
+  for (std::size_t i = 0; i < host->device_count(); ++i) wire.benches.push_back(host->bench(i));
   return wire;
 }
 
@@ -77,20 +89,25 @@ Task<Result<Wire>> open_emulator(Scheduler& scheduler, const DeviceType& type, A
     if (!read) co_return fail(read.error());
     baud = *read;
   }
-  auto host = std::dynamic_pointer_cast<EmulatorHost>(again);
+  auto host = EmulatorHost::of(again);
   if (!host) {
-    auto made = make_emulator_host(scheduler, type, std::move(address.options), options);
+    auto made = make_emulator_host(scheduler, type, address.options, address.ids(), options);
     if (!made) co_return fail(made.error());
     host = std::move(*made);
   }
-  co_return plug_in(std::move(host), baud);
+  co_return plug_in(host, baud);
 }
 
 // The keys of a device type are those that its emulator takes; a misspelt one would go unnoticed otherwise.
-Result<> check_device_keys(const DeviceType& type, const DeviceOptions& keys) {
-  if (keys.empty() || !type.make_emulator) return {};
-  if (const auto emulator = type.make_emulator(keys); !emulator) return fail(emulator.error());
+Result<> check_device_keys(const DeviceType& type, const Address& address) {
+  if (address.options.empty() || !type.make_emulator) return {};
+  for (const Address& device : address.devices())
+    if (const auto emulator = type.make_emulator(device.options); !emulator) return fail(emulator.error());
   return {};
+}
+
+std::string ways_to(const Catalog& catalog) {
+  return fmt::format("Use serial, tcp, rfc2217 or emulator{}.", catalog.can.usb ? ", or usb" : "");
 }
 
 Wire real_wire(std::unique_ptr<Stream> stream) {
@@ -111,7 +128,7 @@ Task<Result<Wire>> open_serial_wire(Scheduler& scheduler, const DeviceType& type
                                     std::shared_ptr<BenchAccess>, const OpenOptions&) {
   const auto baud = take_baud(type, address.options);
   if (!baud) co_return fail(baud.error());
-  if (auto checked = check_device_keys(type, address.options); !checked) co_return fail(checked.error());
+  if (auto checked = check_device_keys(type, address); !checked) co_return fail(checked.error());
   auto stream = open_serial(scheduler, address.where, *baud);
   if (!stream) co_return fail(stream.error());
   co_return real_wire(std::move(*stream));
@@ -119,7 +136,7 @@ Task<Result<Wire>> open_serial_wire(Scheduler& scheduler, const DeviceType& type
 
 Task<Result<Wire>> open_tcp_wire(Scheduler& scheduler, const DeviceType& type, Address address,
                                  std::shared_ptr<BenchAccess>, const OpenOptions&) {
-  if (auto checked = check_device_keys(type, address.options); !checked) co_return fail(checked.error());
+  if (auto checked = check_device_keys(type, address); !checked) co_return fail(checked.error());
   auto stream = co_await open_tcp(scheduler, std::move(address.where));
   if (!stream) co_return fail(stream.error());
   co_return real_wire(std::move(*stream));
@@ -129,8 +146,22 @@ Task<Result<Wire>> open_rfc2217_wire(Scheduler& scheduler, const DeviceType& typ
                                      std::shared_ptr<BenchAccess>, const OpenOptions&) {
   const auto baud = take_baud(type, address.options);
   if (!baud) co_return fail(baud.error());
-  if (auto checked = check_device_keys(type, address.options); !checked) co_return fail(checked.error());
+  if (auto checked = check_device_keys(type, address); !checked) co_return fail(checked.error());
   auto stream = co_await open_rfc2217(scheduler, std::move(address.where), *baud);
+  if (!stream) co_return fail(stream.error());
+  co_return real_wire(std::move(*stream));
+}
+
+Task<Result<Wire>> open_usb_wire(Scheduler& scheduler, const DeviceType& type, Address address,
+                                 std::shared_ptr<BenchAccess>, const OpenOptions&) {
+  const auto catalog = type.make_catalog({});
+  if (!catalog) co_return fail(catalog.error());
+  if (!catalog->can.usb)
+    co_return bad(fmt::format("The {} has no USB.", catalog->short_name), ways_to(*catalog));
+  if (!address.ids().empty())
+    co_return bad("On USB a controller has no id: it has the wire for itself.", "Leave id= out.");
+  if (auto checked = check_device_keys(type, address); !checked) co_return fail(checked.error());
+  auto stream = co_await open_performax_usb(scheduler, std::move(address.where));
   if (!stream) co_return fail(stream.error());
   co_return real_wire(std::move(*stream));
 }
@@ -142,10 +173,8 @@ struct Transport {
   Open open;
 };
 constexpr Transport transports[] = {
-    {"emulator", open_emulator},
-    {"serial", open_serial_wire},
-    {"tcp", open_tcp_wire},
-    {"rfc2217", open_rfc2217_wire},
+    {"emulator", open_emulator},    {"serial", open_serial_wire}, {"tcp", open_tcp_wire},
+    {"rfc2217", open_rfc2217_wire}, {"usb", open_usb_wire},
 };
 
 Task<Result<Wire>> open_wire(Scheduler& scheduler, Address address, std::shared_ptr<BenchAccess> again,
@@ -157,7 +186,7 @@ Task<Result<Wire>> open_wire(Scheduler& scheduler, Address address, std::shared_
     co_return co_await transport.open(scheduler, *type, std::move(address), std::move(again), *options);
   }
   co_return bad(fmt::format("The {} cannot be reached by \"{}\".", type->model, address.transport),
-                "Use serial, tcp, rfc2217 or emulator.");
+                "Use serial, tcp, rfc2217, emulator, or usb where it has one.");
 }
 
 }  // namespace
@@ -170,19 +199,27 @@ WireOpener make_wire_opener(OpenOptions options) {
 }
 
 Result<std::shared_ptr<EmulatorHost>> make_emulator_host(Scheduler& scheduler, const DeviceType& type,
-                                                         DeviceOptions keys, const OpenOptions& options) {
+                                                         DeviceOptions keys,
+                                                         const std::vector<std::string>& ids,
+                                                         const OpenOptions& options) {
   auto host_options = take_host_options(type.model, keys);
   if (!host_options) return fail(host_options.error());
-  const auto bench = read_bench(take(keys, "bench"), type, keys);
+  const std::string bench_file = take(keys, "bench");
+  const auto sets = keys_of_each(std::move(keys), ids);
+  const auto bench = read_bench(bench_file, type, sets.front());
   if (!bench) return fail(bench.error());
-  for (const std::string& quirk : bench->quirks) {
-    std::string& all = keys["quirk"];
-    all += (all.empty() ? "" : "+") + quirk;
+  std::vector<HostedDevice> devices;
+  for (DeviceOptions own : sets) {
+    for (const std::string& quirk : bench->quirks) {
+      std::string& all = own["quirk"];
+      all += (all.empty() ? "" : "+") + quirk;
+    }
+    if (!type.make_emulator) return bad(fmt::format("There is no emulated {}.", type.model), {});
+    auto emulator = type.make_emulator(own);
+    if (!emulator) return fail(emulator.error());
+    devices.push_back(HostedDevice{own.contains("id") ? own["id"] : "", std::move(*emulator)});
   }
-  if (!type.make_emulator) return bad(fmt::format("There is no emulated {}.", type.model), {});
-  auto emulator = type.make_emulator(keys);
-  if (!emulator) return fail(emulator.error());
-  auto host = EmulatorHost::make(scheduler, std::move(*emulator), std::move(*host_options), options.trouble);
+  auto host = EmulatorHost::make(scheduler, std::move(devices), std::move(*host_options), options.trouble);
   if (!host) return host;
   if (auto stands = (*host)->set_up(*bench); !stands) return fail(stands.error());
   return host;

@@ -17,9 +17,12 @@ struct OpenOptions {
 
 WireOpener make_wire_opener(OpenOptions options = {});
 
-/// An emulated controller ready to be served or plugged in. `keys`: those of the emulator transport and those
-/// of the device type, as in an address.
+/// Emulated controllers ready to be served or plugged in: one for each of `ids`, all on one wire; none given:
+/// one with its usual id. `keys`: those of the emulator transport and those of the device type, as in an
+/// address.
 Result<std::shared_ptr<EmulatorHost>> make_emulator_host(Scheduler& scheduler, const DeviceType& type,
-                                                         DeviceOptions keys, const OpenOptions& options);
+                                                         DeviceOptions keys,
+                                                         const std::vector<std::string>& ids,
+                                                         const OpenOptions& options);
 
 }  // namespace hw

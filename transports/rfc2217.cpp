@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "transports/fd_stream.h"
 #include "transports/tcp.h"

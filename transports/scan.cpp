@@ -1,6 +1,9 @@
 #include "transports/scan.h"
 
+#include <algorithm>
 #include <cctype>
+#include <map>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -34,9 +37,9 @@ struct Heard final : Stream::Listener {
 };
 
 // Waits for an answer and its end, not for ever: something may talk by itself.
-Task<> hear_out(Scheduler& scheduler, Heard& heard, int baud) {
+Task<> hear_out(Scheduler& scheduler, Heard& heard, Duration first_byte, int baud) {
   const Instant at_most = scheduler.now() + Millis(400);
-  Instant until = scheduler.now() + patience + 2 * byte_time(baud);
+  Instant until = scheduler.now() + first_byte;
   while (!heard.closed && until < at_most) {
     const bool more = co_await heard.news.wait_until(until);
     if (!more) break;
@@ -44,36 +47,65 @@ Task<> hear_out(Scheduler& scheduler, Heard& heard, int baud) {
   }
 }
 
-Task<bool> ask_at(Scheduler& scheduler, Stream& stream, const DeviceType& type, int baud,
-                  PortReport& report) {
-  if (!stream.set_rate(baud)) co_return false;
-  report.asked.push_back(baud);
+struct Question {
+  std::string text, id;
+  int baud;
+  Duration patience;
+};
+
+// The question to the device with this id.
+std::string question_to(std::string_view probe, const std::string& id) {
+  std::string text(probe);
+  if (const auto digits = text.find("NN"); digits != text.npos) text.replace(digits, 2, id);
+  return text;
+}
+
+// Whose answer it is among those who are asked the same way.
+const DeviceType* find_author(std::string_view probe, std::string_view reply) {
+  for (const DeviceType& type : device_types())
+    if (type.probe == probe && type.recognises && type.recognises(reply)) return &type;
+  return nullptr;
+}
+
+std::string name_of(const DeviceType& type) {
+  const auto catalog = type.make_catalog({});
+  return catalog ? catalog->name : std::string(type.model);
+}
+
+Task<bool> ask(Scheduler& scheduler, Stream& stream, std::string_view probe, const Question& question,
+               PortReport& report) {
+  if (stream.rate() != question.baud && !stream.set_rate(question.baud)) co_return false;
+  if (report.asked.empty() || report.asked.back() != question.baud) report.asked.push_back(question.baud);
   Heard heard(scheduler);
   stream.listen(&heard);
   const Instant began = scheduler.now();
-  stream.send(type.probe);
-  co_await hear_out(scheduler, heard, baud);
+  stream.send(question.text);
+  const Duration patience =
+      question.patience + static_cast<int>(question.text.size() + 1) * byte_time(question.baud);
+  co_await hear_out(scheduler, heard, patience, question.baud);
   stream.listen(nullptr);
   if (heard.bytes.empty()) co_return false;
   report.reply = heard.bytes;
-  report.baud = baud;
+  report.baud = question.baud;
   report.finding = PortFinding::garbled;
-  if (!type.recognises(heard.bytes)) co_return false;
+  const DeviceType* author = find_author(probe, heard.bytes);
+  if (!author) co_return false;
   report.finding = PortFinding::answers;
-  report.model = type.model;
+  report.model = author->model;
+  report.name = name_of(*author);
+  report.id = question.id;
   report.round_trip = heard.last - began;
-  report.echo = heard.bytes.starts_with(type.probe);
+  report.echo = heard.bytes.starts_with(question.text);
   co_return true;
 }
 
 Task<bool> ask_as(Scheduler& scheduler, Stream& stream, const DeviceType& type, PortReport& report) {
-  const DeviceOptions usual;
-  const auto catalog = type.make_catalog(usual);
+  const auto catalog = type.make_catalog({});
   if (!catalog || type.probe.empty()) co_return false;
   for (const int baud : catalog->can.bauds) {
-    if (!co_await ask_at(scheduler, stream, type, baud, report)) continue;
-    report.name = catalog->name;
-    co_return true;
+    const Question question{question_to(type.probe, catalog->id()), catalog->id(), baud, patience};
+    const bool answered = co_await ask(scheduler, stream, type.probe, question, report);
+    if (answered) co_return true;
   }
   co_return false;
 }
@@ -98,15 +130,15 @@ std::string printable(std::string_view bytes) {
 }  // namespace
 
 std::string PortReport::address() const {
-  return finding == PortFinding::answers ? fmt::format("{}@serial:{},baud={}", model, port.path, baud)
-                                         : std::string();
+  if (finding != PortFinding::answers) return {};
+  return fmt::format("{}@serial:{},baud={}{}{}", model, port.path, baud, id.empty() ? "" : ",id=", id);
 }
 
 std::string PortReport::sentence() const {
   switch (finding) {
     case PortFinding::answers:
-      return fmt::format("{} answers at {} baud in {:.0f} ms{}.", name, baud, seconds(round_trip) * 1e3,
-                         echo ? "; its echo is on" : "");
+      return fmt::format("{}{}{} answers at {} baud in {:.0f} ms{}.", name, id.empty() ? "" : " with id ", id,
+                         baud, seconds(round_trip) * 1e3, echo ? "; its echo is on" : "");
     case PortFinding::silent:
       return fmt::format(
           "Nothing answers at {} baud. Is the controller switched on and connected to this port?",
@@ -119,16 +151,25 @@ std::string PortReport::sentence() const {
   }
 }
 
-Task<PortReport> probe_port(Scheduler& scheduler, SerialPort port) {
-  PortReport report;
-  report.port = std::move(port);
+namespace {
+
+Result<std::unique_ptr<Stream>> open_for_asking(Scheduler& scheduler, PortReport& report) {
   PortRefusal refusal = PortRefusal::none;
-  const auto stream = open_serial(scheduler, report.port.path, 9600, &refusal);
+  auto stream = open_serial(scheduler, report.port.path, 9600, &refusal);
   if (!stream) {
     report.finding = finding_of(refusal);
     report.fault = stream.error();
-    co_return report;
   }
+  return stream;
+}
+
+}  // namespace
+
+Task<PortReport> probe_port(Scheduler& scheduler, SerialPort port) {
+  PortReport report;
+  report.port = std::move(port);
+  const auto stream = open_for_asking(scheduler, report);
+  if (!stream) co_return report;
   for (const DeviceType& type : device_types()) {
     const bool answered = co_await ask_as(scheduler, **stream, type, report);
     if (answered || report.finding == PortFinding::garbled) break;
@@ -144,6 +185,120 @@ Task<std::vector<PortReport>> scan_ports(Scheduler& scheduler, std::vector<Seria
     if (found) found(reports.back());
   }
   co_return reports;
+}
+
+// ---- the search over ids
+
+namespace {
+
+constexpr Duration patience_of_search = Millis(50);  // a line of addressed devices is quick or silent
+
+// The ways in which devices on a shared line are asked, each with the rates of those who are asked so.
+std::map<std::string_view, std::set<int>> addressed_probes(const std::vector<int>& bauds) {
+  std::map<std::string_view, std::set<int>> probes;
+  for (const DeviceType& type : device_types()) {
+    const auto catalog = type.make_catalog({});
+    if (!catalog || !catalog->addressed() || type.probe.empty()) continue;
+    const auto& rates = bauds.empty() ? catalog->can.bauds : bauds;
+    probes[type.probe].insert(rates.begin(), rates.end());
+  }
+  return probes;
+}
+
+// A controller that has a line for itself is asked first: it might take the others' questions for commands.
+Task<bool> line_is_taken(Scheduler& scheduler, Stream& stream, PortReport& report) {
+  for (const DeviceType& type : device_types()) {
+    const auto catalog = type.make_catalog({});
+    if (!catalog || catalog->addressed()) continue;
+    const bool answered = co_await ask_as(scheduler, stream, type, report);
+    if (answered || report.finding == PortFinding::garbled) co_return true;
+  }
+  co_return false;
+}
+
+class Search {
+ public:
+  Search(Scheduler& scheduler, DeviceSearch search, std::function<bool(const SearchProgress&)> go_on,
+         std::function<void(const PortReport&)> found)
+      : scheduler_(scheduler),
+        search_(std::move(search)),
+        probes_(addressed_probes(search_.bauds)),
+        go_on_(std::move(go_on)),
+        tell_(std::move(found)) {
+    std::size_t rates = 0;
+    for (const auto& [probe, bauds] : probes_) rates += bauds.size();
+    const auto ids = static_cast<std::size_t>(std::max(0, search_.last_id - search_.first_id + 1));
+    progress_.of = static_cast<int>(search_.ports.size() * rates * ids);
+  }
+
+  Task<std::vector<PortReport>> run() {
+    for (const SerialPort& port : search_.ports) {
+      if (ended_) break;
+      const int after = progress_.asked + progress_.of / static_cast<int>(search_.ports.size());
+      co_await search_port(port);
+      if (!ended_) progress_.asked = after;
+    }
+    co_return std::move(found_);
+  }
+
+ private:
+  Task<> search_port(const SerialPort& port) {
+    PortReport report;
+    report.port = port;
+    progress_.port = port.path;
+    const auto stream = open_for_asking(scheduler_, report);
+    if (!stream) {
+      if (tell_) tell_(report);
+      co_return;
+    }
+    const bool taken = co_await line_is_taken(scheduler_, **stream, report);
+    if (taken) {
+      take(report);
+      co_return;
+    }
+    for (const auto& [probe, bauds] : probes_)
+      for (const int baud : bauds)
+        for (int id = search_.first_id; id <= search_.last_id && !ended_; ++id)
+          co_await ask_one(port, **stream, probe, baud, id);
+  }
+
+  Task<> ask_one(const SerialPort& port, Stream& stream, std::string_view probe, int baud, int id) {
+    progress_.id = fmt::format("{:02}", id);
+    progress_.baud = baud;
+    if (go_on_ && !go_on_(progress_)) {
+      ended_ = true;
+      co_return;
+    }
+    ++progress_.asked;
+    PortReport report;
+    report.port = port;
+    const Question question{question_to(probe, progress_.id), progress_.id, baud, patience_of_search};
+    const bool answered = co_await ask(scheduler_, stream, probe, question, report);
+    if (answered) take(report);
+  }
+
+  void take(const PortReport& report) {
+    if (tell_) tell_(report);
+    if (report.finding == PortFinding::answers) found_.push_back(report);
+  }
+
+  Scheduler& scheduler_;
+  const DeviceSearch search_;
+  const std::map<std::string_view, std::set<int>> probes_;
+  std::function<bool(const SearchProgress&)> go_on_;
+  std::function<void(const PortReport&)> tell_;
+  SearchProgress progress_;
+  std::vector<PortReport> found_;
+  bool ended_ = false;
+};
+
+}  // namespace
+
+Task<std::vector<PortReport>> search_devices(Scheduler& scheduler, DeviceSearch search,
+                                             std::function<bool(const SearchProgress&)> go_on,
+                                             std::function<void(const PortReport&)> found) {
+  Search running(scheduler, std::move(search), std::move(go_on), std::move(found));
+  co_return co_await running.run();
 }
 
 }  // namespace hw

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <unistd.h>
 
 #include "core/session/user_files.h"
@@ -32,9 +32,72 @@ struct EmulatorHost::Client final : Stream::Listener {
   }
 };
 
-EmulatorHost::EmulatorHost(Scheduler& scheduler, std::unique_ptr<Emulator> emulator, HostOptions options)
+// One controller on the wire, with what surrounds it and where its memory is kept.
+class EmulatorHost::Device final : public BenchAccess {
+ public:
+  Device(EmulatorHost& host, std::unique_ptr<Emulator> e) : host_(host), emulator_(std::move(e)) {}
+
+  Result<> load(const std::string& path) {
+    if (::access(path.c_str(), F_OK) != 0) return {};
+    const auto text = read_file(path, largest_file);
+    if (!text) return fail(text.error());
+    auto loaded = emulator_->load_memory(*text);
+    if (loaded) return {};
+    Fault fault = loaded.error();
+    fault.what = fmt::format("{} is not the saved memory of this controller: {}", path, fault.what);
+    return fail(std::move(fault));
+  }
+  void keep_memory_in(std::unique_ptr<StateFile> file) {
+    state_ = std::move(file);
+    kept_version_ = emulator_->memory_version();
+  }
+  void keep_memory() {
+    if (!state_ || emulator_->memory_version() == kept_version_) return;
+    kept_version_ = emulator_->memory_version();
+    state_->keep(emulator_->save_memory());
+  }
+
+  void hear(ByteLine::Byte byte) {
+    const int rate = emulator_->rate();
+    if (byte.sender_baud == 0 || rate == 0 || byte.sender_baud == rate)
+      emulator_->receive(std::string_view(&byte.value, 1));
+    else
+      emulator_->receive(misread(static_cast<unsigned char>(byte.value), byte.sender_baud, rate));
+  }
+  [[nodiscard]] Emulator& own() { return *emulator_; }
+  [[nodiscard]] const std::shared_ptr<EmulatorHost> host() const { return host_.shared_from_this(); }
+
+  Result<> operate(const BenchCommand& command) override { return host_.operate(*this, command); }
+  void look(BenchView& view) const override {
+    host_.advance(host_.emulator_time());
+    emulator_->look(view);
+    view.present = true;
+    view.unplugged = host_.unplugged_;
+  }
+  [[nodiscard]] const Emulator& emulator() const override {
+    host_.advance(host_.emulator_time());
+    return *emulator_;
+  }
+  void tell_changed() {
+    if (!changed) return;
+    BenchView view;
+    look(view);
+    if (view == seen_) return;
+    seen_ = view;
+    const auto tell = changed;  // it may replace itself
+    tell();
+  }
+
+ private:
+  EmulatorHost& host_;
+  std::unique_ptr<Emulator> emulator_;
+  std::unique_ptr<StateFile> state_;
+  std::uint64_t kept_version_ = 0;
+  BenchView seen_;
+};
+
+EmulatorHost::EmulatorHost(Scheduler& scheduler, HostOptions options)
     : scheduler_(scheduler),
-      emulator_(std::move(emulator)),
       options_(std::move(options)),
       began_(scheduler.now()),
       timer_(scheduler, [this] { alarm(); }) {}
@@ -42,25 +105,45 @@ EmulatorHost::EmulatorHost(Scheduler& scheduler, std::unique_ptr<Emulator> emula
 EmulatorHost::~EmulatorHost() = default;
 
 Result<std::shared_ptr<EmulatorHost>> EmulatorHost::make(Scheduler& scheduler,
-                                                         std::unique_ptr<Emulator> emulator,
+                                                         std::vector<HostedDevice> devices,
                                                          HostOptions options, Trouble trouble) {
-  const std::string path = options.state_file;
-  std::shared_ptr<EmulatorHost> host(new EmulatorHost(scheduler, std::move(emulator), std::move(options)));
-  if (!path.empty()) {
-    if (::access(path.c_str(), F_OK) == 0) {
-      const auto text = read_file(path, largest_file);
-      if (!text) return fail(text.error());
-      if (auto loaded = host->emulator_->load_memory(*text); !loaded) {
-        Fault fault = loaded.error();
-        fault.what = fmt::format("{} is not the saved memory of this controller: {}", path, fault.what);
-        return fail(std::move(fault));
-      }
-    }
-    host->state_ = std::make_unique<StateFile>(scheduler, path, std::move(trouble));
+  std::shared_ptr<EmulatorHost> host(new EmulatorHost(scheduler, std::move(options)));
+  const std::string& file = host->options_.state_file;
+  const bool several = devices.size() > 1;
+  for (HostedDevice& device : devices) {
+    const std::string state = file.empty() || !several ? file : fmt::format("{}.{}", file, device.id);
+    if (auto added = host->add_device(std::move(device), state, trouble); !added) return fail(added.error());
   }
-  host->kept_version_ = host->emulator_->memory_version();
   host->run_until(host->emulator_time());
   return host;
+}
+
+Result<std::shared_ptr<EmulatorHost>> EmulatorHost::make(Scheduler& scheduler,
+                                                         std::unique_ptr<Emulator> emulator,
+                                                         HostOptions options, Trouble trouble) {
+  std::vector<HostedDevice> alone(1);
+  alone.front().emulator = std::move(emulator);
+  return make(scheduler, std::move(alone), std::move(options), std::move(trouble));
+}
+
+Result<> EmulatorHost::add_device(HostedDevice device, const std::string& state_file,
+                                  const Trouble& trouble) {
+  auto added = std::make_unique<Device>(*this, std::move(device.emulator));
+  if (!state_file.empty()) {
+    if (auto loaded = added->load(state_file); !loaded) return loaded;
+    added->keep_memory_in(std::make_unique<StateFile>(scheduler_, state_file, trouble));
+  }
+  devices_.push_back(std::move(added));
+  return {};
+}
+
+std::shared_ptr<BenchAccess> EmulatorHost::bench(std::size_t device) {
+  return std::shared_ptr<BenchAccess>(shared_from_this(), devices_.at(device).get());
+}
+
+std::shared_ptr<EmulatorHost> EmulatorHost::of(const std::shared_ptr<BenchAccess>& bench) {
+  const auto* device = dynamic_cast<const Device*>(bench.get());
+  return device ? device->host() : nullptr;
 }
 
 // ---- time ----
@@ -79,10 +162,13 @@ Instant EmulatorHost::scheduler_time(Instant emulated) const {
 }
 
 Instant EmulatorHost::next_due() const {
-  const Instant own = emulator_->next_event().value_or(Instant::max());
   const Instant planned = plan_.empty() ? Instant::max() : Instant(plan_.front().at);
-  return std::min({own, planned, incoming_.due(), outgoing_.due()});
+  Instant first = std::min({planned, incoming_.due(), outgoing_.due()});
+  for (const auto& device : devices_) first = std::min(first, device->own().next_event().value_or(first));
+  return first;
 }
+
+int EmulatorHost::line_rate() const { return devices_.front()->own().rate(); }
 
 void EmulatorHost::alarm() {
   const auto keep = shared_from_this();
@@ -91,7 +177,7 @@ void EmulatorHost::alarm() {
 
 void EmulatorHost::advance(Instant when) const {
   reached_ = std::max(reached_, when);
-  emulator_->advance_to(reached_);
+  for (const auto& device : devices_) device->own().advance_to(reached_);
 }
 
 // Everything due, in its order and at its own time however late the alarm came, then the present.
@@ -110,30 +196,35 @@ void EmulatorHost::step_to(Instant when) {
   while (!plan_.empty() && Instant(plan_.front().at) <= when) {
     const BenchCommand command = std::move(plan_.front().command);
     plan_.pop_front();
-    (void)apply(command);  // nobody waits for the answer
+    for (const auto& device : devices_) (void)apply(*device, command);  // nobody waits for the answer
   }
   while (incoming_.due() <= when) {
+    heard_late_ = reached_ - incoming_.due();  // by a question that was asked late
     land(incoming_.first());
-    incoming_.pop(emulator_->rate());
+    incoming_.pop(line_rate());
   }
   take_output();
+  heard_late_ = {};
   while (outgoing_.due() <= when) {
-    leaving_ += outgoing_.first().value;
+    const ByteLine::Byte byte = outgoing_.first();
+    if (byte.sender_baud != leaving_baud_) deliver();
+    leaving_baud_ = byte.sender_baud;
+    leaving_ += byte.value;
     left_at_ = outgoing_.due();
-    outgoing_.pop(emulator_->rate());
+    outgoing_.pop(line_rate());
   }
 }
 
 void EmulatorHost::finish_round() {
   deliver();
-  keep_memory();
+  for (const auto& device : devices_) device->keep_memory();
   if (const Instant next = next_due(); next != Instant::max()) {
     armed_for_ = next;
     timer_.arm(scheduler_time(next));
   } else {
     timer_.disarm();
   }
-  tell_changed();
+  for (const auto& device : devices_) device->tell_changed();
 }
 
 // ---- bytes ----
@@ -149,51 +240,48 @@ void EmulatorHost::bytes_from(const Client& client, std::string_view bytes) {
   const Instant now = emulator_time();
   catch_up(now);
   if (options_.byte_times) {
-    incoming_.put(bytes, client.stream->rate(), now - take_lateness(), emulator_->rate());
+    incoming_.put(bytes, client.stream->rate(), now - take_lateness(now), line_rate());
   } else {
-    emulator_->receive(bytes);
+    for (const auto& device : devices_) device->own().receive(bytes);
   }
   run_until(now);
 }
 
-// A real timer fires some microseconds late, so the client had its reply late and asks its next question
-// late; that is our doing and not counted as time on the wire.
-Duration EmulatorHost::take_lateness() {
-  return std::min(std::exchange(late_, Duration{}), byte_time(emulator_->rate()));
+// A real timer fires late, so the client had its reply late. When it asks its next question at once that is
+// late too: our doing, and not counted as time on the wire. A client that took its time has waited for
+// nothing.
+Duration EmulatorHost::take_lateness(Instant now) {
+  const Duration late = std::exchange(late_, Duration{});
+  return now - (left_at_ + late) <= at_once ? late : Duration{};
 }
 
 void EmulatorHost::land(ByteLine::Byte byte) {
-  const int rate = emulator_->rate();
-  if (byte.sender_baud == 0 || rate == 0 || byte.sender_baud == rate) {
-    emulator_->receive(std::string_view(&byte.value, 1));
-  } else {
-    emulator_->receive(misread(static_cast<unsigned char>(byte.value), byte.sender_baud, rate));
-  }
+  for (const auto& device : devices_) device->hear(byte);
 }
 
 void EmulatorHost::take_output() {
-  fresh_.clear();
-  emulator_->take_output(fresh_);
-  if (fresh_.empty() || unplugged_) return;
-  if (options_.byte_times) {
-    outgoing_.put(fresh_, 0, reached_, emulator_->rate());
-  } else {
-    leaving_ += fresh_;
+  for (const auto& device : devices_) {
+    fresh_.clear();
+    device->own().take_output(fresh_);
+    if (fresh_.empty() || unplugged_) continue;
+    if (options_.byte_times)
+      outgoing_.put(fresh_, device->own().rate(), reached_ - heard_late_, line_rate());
+    else
+      leaving_ += fresh_;
   }
 }
 
 void EmulatorHost::deliver() {
   if (leaving_.empty()) return;
   spoil(leaving_);
-  const int rate = emulator_->rate();
   for (const auto& client : clients_) {
     const int theirs = options_.byte_times ? client->stream->rate() : 0;
-    if (theirs == 0 || rate == 0 || theirs == rate) {
+    if (theirs == 0 || leaving_baud_ == 0 || theirs == leaving_baud_) {
       client->stream->send(leaving_);
       continue;
     }
     std::string wrong;
-    for (const char c : leaving_) wrong += misread(static_cast<unsigned char>(c), rate, theirs);
+    for (const char c : leaving_) wrong += misread(static_cast<unsigned char>(c), leaving_baud_, theirs);
     client->stream->send(wrong);
   }
   leaving_.clear();
@@ -212,14 +300,6 @@ void EmulatorHost::spoil(std::string& bytes) {
   }
 }
 
-// ---- memory ----
-
-void EmulatorHost::keep_memory() {
-  if (!state_ || emulator_->memory_version() == kept_version_) return;
-  kept_version_ = emulator_->memory_version();
-  state_->keep(emulator_->save_memory());
-}
-
 // ---- bench ----
 
 Result<std::unique_ptr<Stream>> EmulatorHost::plug_in(int baud) {
@@ -230,7 +310,7 @@ Result<std::unique_ptr<Stream>> EmulatorHost::plug_in(int baud) {
   wire.name = options_.name;
   wire.gone = Fault(FaultKind::lost, fmt::format("The cable of the {} was pulled.", options_.name),
                     "What was on the wire is lost.", "Plug it in again.");
-  if (options_.byte_times) wire.baud = baud != 0 ? baud : emulator_->rate();
+  if (options_.byte_times) wire.baud = baud != 0 ? baud : line_rate();
   auto [ours, theirs] = make_memory_pair(scheduler_, std::move(wire));
   add_client(std::move(ours), true);
   return std::move(theirs);
@@ -238,7 +318,8 @@ Result<std::unique_ptr<Stream>> EmulatorHost::plug_in(int baud) {
 
 Result<> EmulatorHost::set_up(const BenchFile& bench) {
   for (const BenchCommand& command : bench.at_start)
-    if (auto done = operate(command); !done) return done;
+    for (const auto& device : devices_)
+      if (auto done = operate(*device, command); !done) return done;
   const Duration now = emulator_time().time_since_epoch();
   for (TimedBenchCommand planned : bench.later) {
     planned.at += now;
@@ -248,16 +329,17 @@ Result<> EmulatorHost::set_up(const BenchFile& bench) {
   return {};
 }
 
-Result<> EmulatorHost::operate(const BenchCommand& command) {
+Result<> EmulatorHost::operate(Device& device, const BenchCommand& command) {
   const auto keep = shared_from_this();
   const Instant now = emulator_time();
   catch_up(now);
-  auto done = apply(command);
+  auto done = apply(device, command);
   run_until(now);
   return done;
 }
 
-Result<> EmulatorHost::apply(const BenchCommand& command) {
+// A device has its own switches, the wire is everybody's.
+Result<> EmulatorHost::apply(Device& device, const BenchCommand& command) {
   if (const auto* unplug = std::get_if<bench::Unplug>(&command)) {
     pull_cable(unplug->on);
   } else if (const auto* garble = std::get_if<bench::Garble>(&command)) {
@@ -265,7 +347,7 @@ Result<> EmulatorHost::apply(const BenchCommand& command) {
   } else if (const auto* drop = std::get_if<bench::Drop>(&command)) {
     to_drop_ = std::max(0, drop->bytes);
   } else {
-    return emulator_->operate(command);
+    return device.own().operate(command);
   }
   return {};
 }
@@ -276,28 +358,6 @@ void EmulatorHost::pull_cable(bool pulled) {
   outgoing_.clear();
   leaving_.clear();
   if (pulled) std::erase_if(clients_, [](const auto& client) { return client->by_cable; });
-}
-
-void EmulatorHost::look(BenchView& view) const {
-  advance(emulator_time());
-  emulator_->look(view);
-  view.present = true;
-  view.unplugged = unplugged_;
-}
-
-const Emulator& EmulatorHost::emulator() const {
-  advance(emulator_time());
-  return *emulator_;
-}
-
-void EmulatorHost::tell_changed() {
-  if (!changed) return;
-  BenchView view;
-  look(view);
-  if (view == seen_) return;
-  seen_ = view;
-  const auto tell = changed;  // it may replace itself
-  tell();
 }
 
 }  // namespace hw

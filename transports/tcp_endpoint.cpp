@@ -2,7 +2,7 @@
 
 #include <boost/asio/ip/tcp.hpp>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/session/address.h"
 #include "transports/tcp.h"

@@ -48,7 +48,13 @@ struct Jam {
   bool on;
   Jam(AxisId a, bool o) : axis(a), on(o) {}
 };
-struct Slip {  ///< the load jumps by so many steps without the controller knowing
+struct Alarm {  ///< the alarm input of an axis, where it has one
+  AxisId axis;
+  bool on;
+  Alarm(AxisId a, bool o) : axis(a), on(o) {}
+};
+struct Slip {  ///< the load jumps without the controller knowing: by steps, or by counts where it has an
+               ///< encoder
   AxisId axis;
   Steps by;
   Slip(AxisId a, Steps b) : axis(a), by(b) {}
@@ -79,8 +85,8 @@ struct Drop {
 }  // namespace bench
 
 using BenchCommand = std::variant<bench::Input, bench::Limit, bench::HomeSwitch, bench::Analog, bench::Button,
-                                  bench::Jam, bench::Slip, bench::Place, bench::Power, bench::PowerCycle,
-                                  bench::Unplug, bench::Garble, bench::Drop>;
+                                  bench::Jam, bench::Slip, bench::Alarm, bench::Place, bench::Power,
+                                  bench::PowerCycle, bench::Unplug, bench::Garble, bench::Drop>;
 
 enum class Lamp : std::uint8_t { off, on };
 
@@ -96,6 +102,7 @@ struct BenchView {
   std::array<Steps, max_axes> load_position{};
   std::uint32_t limits_minus = 0, limits_plus = 0;  ///< bit per axis: switch operated, by travel or hand
   std::uint32_t limits_minus_by_hand = 0, limits_plus_by_hand = 0;
+  std::uint32_t homes = 0, alarms = 0;  ///< bit per axis, operated, where they are inputs of their own
   std::uint32_t jammed = 0;
   std::uint32_t lamps_blink = 0;  ///< bit n: the lamp changes by itself now
   bool operator==(const BenchView&) const = default;

@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#define TOML_EXCEPTIONS 0
-#include <toml++/toml.h>
+#include "core/base/toml.h"
 
 namespace hw {
 namespace {
@@ -197,10 +196,12 @@ class Reader {
       return takes(2, "home = [\"1\", true]") ? on_axis<bench::HomeSwitch>(args, "home") : std::nullopt;
     if (verb == "jam")
       return takes(2, "jam = [\"1\", true]") ? on_axis<bench::Jam>(args, "jam") : std::nullopt;
+    if (verb == "alarm")
+      return takes(2, "alarm = [\"X\", true]") ? on_axis<bench::Alarm>(args, "alarm") : std::nullopt;
     if (verb == "slip") return takes(2, "slip = [\"1\", 40]") ? timed_slip(args) : std::nullopt;
     if (verb == "power_cycle") return BenchCommand(bench::PowerCycle{});
     wrong(node, fmt::format("nothing called \"{}\" can happen on this bench", verb),
-          "Known here: input, analog, limit, home, button, jam, slip, power_cycle.");
+          "Known here: input, analog, limit, home, button, jam, alarm, slip, power_cycle.");
     return {};
   }
   using Arguments = std::vector<const toml::node*>;

@@ -137,7 +137,9 @@ struct MoveListFacts {
 };
 
 struct CommandInfo {
-  std::string form;     ///< "SmMx"
+  /// "SmMx": a letter where the example has digits stands for a number. "J[axis][+/-]", "DO[1-8]=[value]":
+  /// a bracket stands for an axis name, a sign, a number or a value.
+  std::string form;
   std::string example;  ///< "S1M500"
   std::string help;     ///< "speed of motor m, 1 to 6000 steps/s"
   bool moves = false;   ///< Enter would (or might) move something now
@@ -189,20 +191,21 @@ struct Capabilities {
   bool one_axis_at_a_time = false;
   bool homes = true;
   bool reset = false;
-  bool addressed = false;  ///< several can share one wire, each with an id of two digits (Catalog::id)
   bool interpolates = false;  ///< moves several axes together on a straight line
   bool broadcast = false;     ///< takes text meant for all devices of a wire, without replies
+  bool usb = false;           ///< has a USB wire of its own, beside any serial line
   int usual_baud = 9600;
   std::vector<int> bauds;
 };
 
 struct Catalog {
   std::string model;       ///< "vxm": as in an address
+  int address = -1;        ///< by which this one device is spoken to on a shared line; -1: it has none
   std::string name;        ///< "Velmex VXM"
   std::string short_name;  ///< "VXM"
   std::string summary;     ///< "stepping motors, 2 or 4"
-  std::string id;  ///< addressed: which device of its wire this is, "07"; id= of the address or the usual one
   std::string step_word = "steps";
+  std::string loop_word;  ///< of an axis whose AxisState::in_counts is set: "counts"
   std::vector<OptionInfo> options;
   std::vector<AxisInfo> axes;
   std::vector<UnitChoice> units;
@@ -217,12 +220,20 @@ struct Catalog {
   VariableFacts variables;
   MoveListFacts move_list;
   std::vector<CommandInfo> commands;
+  std::string command_separators;  ///< characters between the commands of one line; empty: one command a line
   ProgramFacts program;
   BenchFacts bench;
   Capabilities can;
   Pps jog_speed{2000}, jog_speed_min{1}, jog_speed_max{6000};
   Steps position_min{}, position_max{}, move_max{};
 
+  /// Several of its kind can share a wire.
+  [[nodiscard]] bool addressed() const { return address >= 0; }
+  /// The two digits of `address`, as in id= of an address; empty: it has none.
+  [[nodiscard]] std::string id() const {
+    if (!addressed()) return {};
+    return {static_cast<char>('0' + address / 10 % 10), static_cast<char>('0' + address % 10)};
+  }
   [[nodiscard]] int find_axis(std::string_view axis_name) const {
     for (std::size_t i = 0; i < axes.size(); ++i)
       if (axes[i].name == axis_name) return static_cast<int>(i);

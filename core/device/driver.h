@@ -34,6 +34,8 @@ class Driver {
   /// Stop and Abort: runs beside whatever perform() or poll() is under way, which finds its waiting
   /// transactions dropped.
   virtual Task<Result<>> stop(int axis, bool at_once) = 0;
+  /// A held jog was let go: stops what it moves. Programs that run beside it go on where there can be any.
+  virtual Task<Result<>> stop_jog() { return stop(-1, false); }
   /// Ends a program (-1: all), beside whatever is under way. Goes out like a stop.
   virtual Task<Result<>> halt_program(int /*thread*/) { return stop(-1, false); }
   /// One message that stops every controller of this kind on the wire, where the maker has one (broadcast). The

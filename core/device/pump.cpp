@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace hw {
 namespace {
@@ -315,7 +315,7 @@ Task<Result<>> Pump::stop_as_asked(const IntentBody& body) {
   if (const auto* s = std::get_if<intent::Stop>(&body)) return driver_->stop(s->axis, false);
   if (const auto* a = std::get_if<intent::Abort>(&body)) return driver_->stop(a->axis, true);
   if (const auto* h = std::get_if<intent::HaltProgram>(&body)) return driver_->halt_program(h->thread);
-  return driver_->stop(-1, false);
+  return driver_->stop_jog();
 }
 
 Task<> Pump::stop_and_report(Intent intent) {

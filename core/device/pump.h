@@ -29,8 +29,8 @@ class Pump {
   Task<> shut_down();
 
   void post(Intent intent);
-  /// Before the stops of all devices on this wire: the maker's one message to all, if there is one. False: there
-  /// is no connection.
+  /// Before the stops of all devices on this wire: the maker's one message to all, if there is one. False:
+  /// there is no connection.
   bool stop_wire(bool at_once);
   /// Raw text and its reply, in the order of intents.
   Task<Result<std::string>> query(std::string text, Duration patience);

@@ -18,11 +18,20 @@ enum class LinkState : std::uint8_t { connecting, good, late, lost, closed };
 
 enum class Activity : std::uint8_t { unknown, idle, moving, jogging, homing, stopping, error };
 
+/// How the latest motion of an axis, or run of a program, came to its end.
+enum class EndedBy : std::uint8_t {
+  nothing,
+  target,
+  limit,
+  stop,   ///< the console's own, with the ramp
+  abort,  ///< the console's own, at once
+  elsewhere,  ///< cut short by somebody else: the controller's Stop input, another program on the wire
+  error,
+  lost
+};
 /// Where on its profile a motion is, if the controller tells.
 enum class Phase : std::uint8_t { unknown, accelerating, constant, decelerating };
 
-/// How the latest motion of an axis came to its end.
-enum class EndedBy : std::uint8_t { nothing, target, limit, stop, abort, error, lost };
 
 struct AxisState {
   Steps position{};
@@ -36,6 +45,7 @@ struct AxisState {
   Pps speed{};                ///< of the present motion, told or asked; 0 when unknown or at rest
   bool has_target = false;
   Steps target{};
+  bool in_counts = false;  ///< closed loop: position, speed and target count in Catalog::loop_word
   bool has_encoder = false;
   Steps encoder{};
   bool limit_minus = false, limit_plus = false, home = false, alarm = false;
@@ -53,6 +63,7 @@ struct ProgramState {
   std::int16_t command = -1;  ///< index of the live command in the slot's listing; -1 unknown
   bool command_told = false;  ///< true: the controller said so; false: worked out
   bool stepping = false;      ///< stops before each command
+  EndedBy ended_by = EndedBy::nothing;  ///< of the latest run of the user's programs
   Instant started_at{};
   bool operator==(const ProgramState&) const = default;
 };
@@ -70,6 +81,13 @@ struct FeedState {
   bool running = false;
   std::int32_t sent = 0, total = 0;
   bool operator==(const FeedState&) const = default;
+};
+
+/// A stored program on its way to or from the controller, in the catalog's capacity unit.
+struct TransferState {
+  bool running = false;
+  std::int32_t done = 0, total = 0;
+  bool operator==(const TransferState&) const = default;
 };
 
 /// What became of the newest intents; a panel finds its own by id.
@@ -126,6 +144,7 @@ struct Snapshot {
   ProgramState program;
   std::array<ThreadState, max_threads> threads{};
   FeedState feed;
+  TransferState transfer;
   std::array<std::int64_t, max_readouts> readouts{};  ///< by index in Catalog::readouts
   std::bitset<max_readouts> readouts_known;
   std::array<Instant, max_readouts> readouts_seen_at{};

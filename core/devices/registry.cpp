@@ -1,5 +1,7 @@
 #include "core/device/registry.h"
 
+#include "core/devices/dmx_k_sa/device_type.h"
+#include "core/devices/pmx_4ex_sa/device_type.h"
 #include "core/devices/vxm/device_type.h"
 
 namespace hw {
@@ -7,6 +9,8 @@ namespace hw {
 std::span<const DeviceType> device_types() {
   static const DeviceType all[] = {
       vxm::device_type(),
+      pmx_4ex_sa::device_type(),
+      dmx_k_sa::device_type(),
   };
   return all;
 }

@@ -8,6 +8,10 @@ std::optional<std::size_t> ReplyShape::complete(std::string_view received) const
     case Kind::fixed: return received.size() >= count ? std::optional<std::size_t>(count) : std::nullopt;
     case Kind::quiet_end: return std::nullopt;
     case Kind::message: return received.size();
+    case Kind::text: {
+      const auto at = received.find_first_of(std::string_view("\r\0", 2));
+      return at == received.npos ? std::nullopt : std::optional<std::size_t>(at + 1);
+    }
     case Kind::lines: break;
   }
   std::size_t end = 0;

@@ -11,6 +11,7 @@ struct ReplyShape {
     none,       ///< nothing comes back
     fixed,      ///< exactly `count` bytes
     lines,      ///< `count` lines, each ended by `terminator`
+    text,       ///< one text, ended by CR or by NUL, whichever the device uses
     quiet_end,  ///< lines until nothing came for `quiet_ms` (lists without an end mark)
     message,    ///< what arrives at once, on a wire that carries messages
   };
@@ -25,6 +26,7 @@ struct ReplyShape {
   static ReplyShape several_lines(std::uint16_t n, char end = '\r') { return of(Kind::lines, n, end, 0); }
   static ReplyShape until_quiet(std::uint16_t ms, char end = '\r') { return of(Kind::quiet_end, 0, end, ms); }
 
+  static ReplyShape text() { return of(Kind::text, 1, '\r', 0); }
   static ReplyShape message() { return of(Kind::message, 1, '\0', 0); }
 
   /// Length of the reply at the start of `received`, once it is whole. quiet_end never is by itself.

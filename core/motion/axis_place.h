@@ -6,7 +6,8 @@
 namespace hw {
 
 /// What hangs on one axis, in steps of the controller. Positions are those of the load, counted from where it
-/// stood when the bench was built; absent switches never act.
+/// stood when the bench was built. In a change of place what is absent stays as it is; a switch that the bench
+/// was never given never acts.
 struct AxisPlace {
   std::optional<Steps> minus, plus;         ///< where the travel limit switches act
   std::optional<Steps> home_from, home_to;  ///< zone in which the home switch acts

@@ -16,12 +16,24 @@ std::optional<Steps> bounded(std::optional<Steps> steps) {
 
 }  // namespace
 
+static bool names_nothing(const AxisPlace& p) {
+  return !p.minus && !p.plus && !p.home_from && !p.home_to && !p.index_every && !p.counts_per_step &&
+         !p.backlash;
+}
+
 void Plant::set_place(const AxisPlace& place) {
-  place_ = place;
+  if (names_nothing(place)) place_ = AxisPlace(), play_used_ = 0;
+  const auto take = [](auto& mine, const auto& given) {
+    if (given) mine = given;
+  };
+  take(place_.minus, place.minus), take(place_.plus, place.plus);
+  take(place_.home_from, place.home_from), take(place_.home_to, place.home_to);
+  take(place_.index_every, place.index_every), take(place_.counts_per_step, place.counts_per_step);
   for (auto* mark : {&place_.minus, &place_.plus, &place_.home_from, &place_.home_to}) *mark = bounded(*mark);
   if (place_.home_from && place_.home_to && *place_.home_to < *place_.home_from)
     std::swap(place_.home_from, place_.home_to);
-  place_.backlash = Steps(std::clamp<std::int64_t>(place.backlash.value_or(Steps(0)).value, 0, far_away));
+  if (!place.backlash) return;
+  place_.backlash = Steps(std::clamp<std::int64_t>(place.backlash->value, 0, far_away));
   play_used_ = place_.backlash->value;  // as after a move to plus
 }
 
@@ -67,6 +79,25 @@ std::optional<std::int64_t> Plant::turns_until_home(Sign way) const {
   if (home_operated()) return 0;
   if (!place_.home_from || !place_.home_to) return std::nullopt;
   return turns_until(way, way == Sign::plus ? place_.home_from : place_.home_to);
+}
+
+std::optional<std::int64_t> Plant::turns_until_limit_released(Sign side, Sign way) const {
+  if (!limit_operated(side)) return 0;
+  if (limit_by_hand(side)) return std::nullopt;
+  const Steps free(side == Sign::plus ? place_.plus->value - 1 : place_.minus->value + 1);
+  return turns_until(way, free);
+}
+
+std::optional<std::int64_t> Plant::turns_until_home_released(Sign way) const {
+  if (!home_operated()) return 0;
+  if (home_by_hand_) return std::nullopt;
+  const Steps free(way == Sign::plus ? place_.home_to->value + 1 : place_.home_from->value - 1);
+  return turns_until(way, free);
+}
+
+Steps Plant::load_after(Sign way, std::int64_t turns) const {
+  if (jammed_) return Steps(load_);
+  return Steps(load_ + factor(way) * std::max<std::int64_t>(turns - play(way), 0));
 }
 
 }  // namespace hw::motion

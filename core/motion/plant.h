@@ -11,6 +11,7 @@ namespace hw::motion {
 
 class Plant {
  public:
+  /// What `place` does not say stays as it is; one that says nothing takes everything away.
   void set_place(const AxisPlace& place);
   [[nodiscard]] const AxisPlace& place() const { return place_; }
   [[nodiscard]] Steps load() const { return Steps(load_); }
@@ -26,6 +27,7 @@ class Plant {
   [[nodiscard]] bool limit_by_hand(Sign side) const {
     return side == Sign::plus ? plus_by_hand_ : minus_by_hand_;
   }
+  [[nodiscard]] bool home_by_hand() const { return home_by_hand_; }
   [[nodiscard]] bool limit_operated(Sign side) const;
   [[nodiscard]] bool home_operated() const;
 
@@ -33,6 +35,15 @@ class Plant {
   [[nodiscard]] std::optional<std::int64_t> turns_until_limit(Sign way) const;
   /// Likewise for entering the home zone from outside.
   [[nodiscard]] std::optional<std::int64_t> turns_until_home(Sign way) const;
+  /// Turns towards `way` until the switch on `side` lets go: 0 when it has, none when a hand holds it.
+  [[nodiscard]] std::optional<std::int64_t> turns_until_limit_released(Sign side, Sign way) const;
+  [[nodiscard]] std::optional<std::int64_t> turns_until_home_released(Sign way) const;
+  /// Turns towards `way` until the load stands at `mark`; none when that lies behind it, or here.
+  [[nodiscard]] std::optional<std::int64_t> turns_until_load(Sign way, Steps mark) const {
+    return turns_until(way, mark);
+  }
+  /// Where the load stands after so many turns.
+  [[nodiscard]] Steps load_after(Sign way, std::int64_t turns) const;
 
  private:
   [[nodiscard]] std::int64_t play(Sign way) const;

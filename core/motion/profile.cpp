@@ -18,12 +18,22 @@ Duration round_up(double s) {
 
 }  // namespace
 
-void Profile::add(double to, double v1) {
-  if (to <= distance_ || count_ == static_cast<int>(stretches_.size())) return;
-  const double mean = at_least_slow((v_ + v1) / 2);
-  Stretch s{time_, (to - distance_) / mean, distance_, to, v_, v1};
-  stretches_[static_cast<std::size_t>(count_++)] = s;
-  time_ += s.lasts_s, distance_ = to, v_ = v1;
+void Profile::add_stretch(double lasts_s, double to, double v1, double a0, double jerk) {
+  if (count_ == static_cast<int>(stretches_.size())) return;
+  stretches_[static_cast<std::size_t>(count_++)] = {time_, lasts_s, distance_, to, v_, v1, a0, jerk};
+  time_ += lasts_s, distance_ = to, v_ = v1;
+}
+
+void Profile::add(double to, double v1, RampShape shape) {
+  if (to <= distance_) return;
+  const double v0 = v_, from = distance_;
+  const double lasts = (to - from) / at_least_slow((v0 + v1) / 2);
+  const double rate = (v1 - v0) / lasts;
+  if (shape == RampShape::linear || v0 == v1) return add_stretch(lasts, to, v1, rate, 0);
+  // An S: twice the mean acceleration half way, none at both ends. It covers the way of the straight ramp.
+  const double half = lasts / 2, jerk = 4 * rate / lasts;
+  add_stretch(half, from + v0 * half + (v1 - v0) * lasts / 12, (v0 + v1) / 2, 0, jerk);
+  add_stretch(half, to, v1, 2 * rate, -jerk);
 }
 
 void Profile::finish(std::int64_t length) {
@@ -42,9 +52,9 @@ Profile Profile::index(Instant start, std::int64_t length, Pps slew, const Ramp&
   p.v_ = base;
   const double up = (peak * peak - base * base) / (2 * ramp.accel);
   const double down = (peak * peak - base * base) / (2 * ramp.decel);
-  p.add(std::min(up, way), peak);
+  p.add(std::min(up, way), peak, ramp.shape);
   if (way - down > p.distance_ * (1 + 1e-12)) p.add(way - down, peak);
-  p.add(way, base);
+  p.add(way, base, ramp.shape);
   p.finish(static_cast<std::int64_t>(way));
   return p;
 }
@@ -87,6 +97,63 @@ Profile Profile::stop_within(Instant start, double from, Pps now, std::int64_t l
   return p;
 }
 
+Profile Profile::approach(Instant start, double from, Pps now, Pps wanted, double change_down,
+                          const Ramp& ramp, std::int64_t end) {
+  Profile p;
+  p.start_ = start, p.from_ = p.distance_ = from, p.v_ = now.value;
+  const double v0 = now.value, to = static_cast<double>(end), way = std::max(to - from, 0.0);
+  const double base = std::min(ramp.start_speed.value, std::max(v0, wanted.value));
+  const auto way_down = [&](double v) { return std::max((v * v - base * base) / (2 * ramp.decel), 0.0); };
+  double v1 = at_least_slow(wanted.value);
+  if (v1 > v0) {
+    const auto up = [&](double v) { return (v * v - v0 * v0) / (2 * ramp.accel); };
+    if (up(v1) + way_down(v1) > way)
+      v1 = std::sqrt(
+          std::max((2 * way * ramp.accel * ramp.decel + v0 * v0 * ramp.decel + base * base * ramp.accel) /
+                       (ramp.accel + ramp.decel),
+                   0.0));
+    v1 = std::max(v1, v0);
+    if (v1 > v0) p.add(from + std::min(up(v1), way), v1, ramp.shape);
+  } else if (v1 < v0) {
+    const double slowing = (v0 * v0 - v1 * v1) / (2 * change_down);
+    if (slowing + way_down(v1) <= way)
+      p.add(from + slowing, v1, ramp.shape);
+    else
+      v1 = v0;  // no room for it: straight down to the end
+  }
+  if (to - way_down(v1) > p.distance_) p.add(to - way_down(v1), v1);
+  p.add(to, std::min(base, p.v_), ramp.shape);
+  p.finish(end);
+  return p;
+}
+
+Profile Profile::ramp_down(Instant start, double from, Pps now, const Ramp& ramp) {
+  const double v = now.value, base = std::min(ramp.start_speed.value, v);
+  const std::int64_t end = std::llround(from + (v * v - base * base) / (2 * ramp.decel));
+  Profile p;
+  p.start_ = start, p.from_ = p.distance_ = from, p.v_ = v;
+  const bool here = v <= base || static_cast<double>(end) <= from;
+  if (!here) p.add(static_cast<double>(end), base, ramp.shape);
+  p.finish(here ? static_cast<std::int64_t>(std::floor(from)) : end);
+  return p;
+}
+
+Profile Profile::constant(Instant start, double from, Pps speed, std::int64_t end) {
+  Profile p;
+  p.start_ = start, p.from_ = p.distance_ = from, p.v_ = at_least_slow(speed.value);
+  p.add(static_cast<double>(end), p.v_);
+  p.finish(end);
+  return p;
+}
+
+Phase Profile::phase(Instant t) const {
+  if (t >= end_) return Phase::ended;
+  const Stretch* s = at(std::max(since_start(t), 0.0));
+  if (s == nullptr) return Phase::ended;
+  if (s->v1 > s->v0) return Phase::accelerating;
+  return s->v1 < s->v0 ? Phase::decelerating : Phase::constant;
+}
+
 const Profile::Stretch* Profile::at(double t) const {
   for (int i = 0; i < count_; ++i) {
     const Stretch& s = stretches_[static_cast<std::size_t>(i)];
@@ -101,7 +168,7 @@ double Profile::distance(Instant t) const {
   const Stretch* s = at(since);
   if (s == nullptr) return from_;
   const double u = std::clamp(since - s->begin_s, 0.0, s->lasts_s);
-  return std::min(s->from + s->v0 * u + (s->v1 - s->v0) / s->lasts_s * u * u / 2, s->to);
+  return std::min(s->distance(u), s->to);
 }
 
 Pps Profile::speed(Instant t) const {
@@ -110,10 +177,33 @@ Pps Profile::speed(Instant t) const {
   const Stretch* s = at(since);
   if (s == nullptr) return Pps(0);
   const double u = std::clamp(since - s->begin_s, 0.0, s->lasts_s);
-  return Pps(s->v0 + (s->v1 - s->v0) * u / s->lasts_s);
+  return Pps(std::max(s->speed(u), 0.0));
 }
 
 Pps Profile::final_speed() const { return Pps(v_); }
+
+/// Time within the stretch at which the distance is `d`.
+double Profile::Stretch::time_at(double d) const {
+  if (jerk == 0) {
+    const double rate = (v1 - v0) / lasts_s;
+    if (rate >= 0) {  // from its beginning, and from its end while slowing: neither loses digits near rest
+      const double way = d - from;
+      return 2 * way / (v0 + std::sqrt(v0 * v0 + 2 * rate * way));
+    }
+    const double rest = to - d;
+    return lasts_s - (rest > 0 ? 2 * rest / (v1 + std::sqrt(v1 * v1 - 2 * rate * rest)) : 0.0);
+  }
+  double low = 0, high = lasts_s, u = lasts_s * std::clamp((d - from) / (to - from), 0.0, 1.0);
+  for (int i = 0; i < 60 && high - low > 1e-13; ++i) {  // Newton, kept between bounds
+    const double off = distance(u) - d;
+    (off > 0 ? high : low) = u;
+    const double v = speed(u), next = v > slowest ? u - off / v : low;
+    const double guess = next > low && next < high ? next : (low + high) / 2;
+    if (std::abs(guess - u) < 1e-13) return guess;
+    u = guess;
+  }
+  return u;
+}
 
 Instant Profile::time_at(std::int64_t k) const {
   const double d = static_cast<double>(k);
@@ -122,16 +212,7 @@ Instant Profile::time_at(std::int64_t k) const {
   for (int i = 0; i < count_; ++i) {
     const Stretch& s = stretches_[static_cast<std::size_t>(i)];
     if (d > s.to && i + 1 < count_) continue;
-    const double rate = (s.v1 - s.v0) / s.lasts_s;
-    double u;
-    if (rate >= 0) {  // from its beginning, and from its end while slowing: neither loses digits near rest
-      const double way = d - s.from;
-      u = 2 * way / (s.v0 + std::sqrt(s.v0 * s.v0 + 2 * rate * way));
-    } else {
-      const double rest = s.to - d;
-      u = s.lasts_s - (rest > 0 ? 2 * rest / (s.v1 + std::sqrt(s.v1 * s.v1 - 2 * rate * rest)) : 0.0);
-    }
-    return std::min(start_ + round_up(s.begin_s + u), end_);
+    return std::min(start_ + round_up(s.begin_s + s.time_at(d)), end_);
   }
   return end_;
 }

@@ -1,5 +1,6 @@
 #pragma once
-// A profile is a closed form of distance over time: stretches of constant acceleration, one after the other.
+// A profile is a closed form of distance over time: stretches of constant acceleration, or of constant change
+// of it (S-curves), one after the other.
 // Distance counts steps travelled, whatever the direction; the step `k` happens at one exact moment.
 //
 //   speed     slew
@@ -7,6 +8,8 @@
 //     |   /        \      index(): ramp up, slew, ramp down; a triangle when the way is too short
 //     |  /          \     change(): from one speed to another, then on to the end at that speed
 //     | /            \    stop():   from one speed to rest on a whole step
+//     |                   approach(): to another speed, on, and down to the start speed at the end
+//     |                   ramp_down(): to the start speed, and there it ends
 //     +------------------ time
 #include <array>
 #include <cstdint>
@@ -17,10 +20,15 @@
 
 namespace hw::motion {
 
+enum class RampShape : std::uint8_t { linear, s_curve };
+enum class Phase : std::uint8_t { ended, accelerating, constant, decelerating };
+
 struct Ramp {
-  double accel = 1, decel = 1;  ///< steps/s²
+  double accel = 1, decel = 1;  ///< steps/s², the mean of an S-curve
   Pps start_speed;              ///< speed that needs no ramp
-  Ramp(double up, double down, Pps start = Pps(0)) : accel(up), decel(down), start_speed(start) {}
+  RampShape shape = RampShape::linear;
+  Ramp(double up, double down, Pps start = Pps(0), RampShape form = RampShape::linear)
+      : accel(up), decel(down), start_speed(start), shape(form) {}
 };
 
 class Profile {
@@ -50,14 +58,30 @@ class Profile {
   /// When the way down to rest begins, if it ends at rest.
   [[nodiscard]] std::optional<Instant> slows_at() const;
 
+  /// At `start` the distance is `from` and the speed `now`; goes to `wanted` at `ramp.accel` or, when that is
+  /// slower, `change_down`, keeps it, and comes down to `ramp.start_speed` at `end`. Where the way is too
+  /// short the peak is lower, or the way down as steep as it must be.
+  static Profile approach(Instant start, double from, Pps now, Pps wanted, double change_down,
+                          const Ramp& ramp, std::int64_t end);
+  /// Down to `ramp.start_speed`, then at rest at once, on the whole step nearest to where that is.
+  static Profile ramp_down(Instant start, double from, Pps now, const Ramp& ramp);
+  /// `length` steps at one speed from the first to the last.
+  static Profile constant(Instant start, double from, Pps speed, std::int64_t end);
+
+  [[nodiscard]] Phase phase(Instant t) const;
+
   /// A distance that no motion reaches: for moves without an end of their own.
   static constexpr std::int64_t endless = std::int64_t{1} << 50;
 
  private:
   struct Stretch {
-    double begin_s, lasts_s, from, to, v0, v1;
+    double begin_s, lasts_s, from, to, v0, v1, a0, jerk;
+    [[nodiscard]] double distance(double u) const { return from + u * (v0 + u * (a0 / 2 + u * jerk / 6)); }
+    [[nodiscard]] double speed(double u) const { return v0 + u * (a0 + u * jerk / 2); }
+    [[nodiscard]] double time_at(double d) const;
   };
-  void add(double to, double v1);
+  void add(double to, double v1, RampShape shape = RampShape::linear);
+  void add_stretch(double lasts_s, double to, double v1, double a0, double jerk);
   void finish(std::int64_t length);
   [[nodiscard]] double since_start(Instant t) const { return seconds(t - start_); }
   [[nodiscard]] const Stretch* at(double t) const;
@@ -65,7 +89,7 @@ class Profile {
   Instant start_{}, end_{};
   std::int64_t length_ = 0;
   double from_ = 0, v_ = 0, distance_ = 0, time_ = 0;  ///< where it begins; where the next stretch begins
-  std::array<Stretch, 3> stretches_{};
+  std::array<Stretch, 5> stretches_{};
   int count_ = 0;
 };
 

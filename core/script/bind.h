@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "core/script/call.h"
+#include "core/session/session_group.h"
 
 namespace hw::script {
 
@@ -10,9 +11,28 @@ void bind_hw(lua_State* L);          ///< `hw`, `print`
 void bind_controller(lua_State* L);  ///< methods of what hw.open() gives
 void bind_bench(lua_State* L);       ///< methods of its `bench`
 
-void push_controller(lua_State* L, std::shared_ptr<Session> session);
-/// The controller that a method was called on.
+inline constexpr const char *controller_type = "controller", *bench_type = "bench";
+// Metamethods of both.
+int index_handle(lua_State* L);  ///< upvalue: the table of methods
+int drop_handle(lua_State* L);
+
+/// What hw.open() gives: a controller, or a bus of several.
+void push_controller(lua_State* L, std::shared_ptr<SessionGroup> group);
+/// The controller that a method was called on; a bus is Misuse: it has many.
 const std::shared_ptr<Session>& session_of(const Call& call);
+/// The bus that a method was called on; null: a single controller.
+std::shared_ptr<SessionGroup> bus_of(const Call& call);
+
+/// One axis, named by the argument of a call: of a controller by its number or name, of a bus (whose devices
+/// have one each) by the device's id.
+struct OneAxis {
+  std::shared_ptr<Session> session;
+  int index = -1;       ///< -1: there is none such
+  std::string refusal;  ///< why
+};
+OneAxis one_axis(const Call& call, int argument, const char* function);
+/// The same for a key of a table, at `place` of the stack.
+OneAxis one_axis_at(const Call& call, int place, const char* function);
 
 /// An axis by its number or the maker's name; throws Misuse when it is neither; -1: there is none such.
 int axis_index(lua_State* L, int index, const Catalog& catalog, const char* function);

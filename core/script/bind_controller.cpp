@@ -3,29 +3,18 @@
 // what cannot be read now is nil and a reason, never an old value.
 #include <algorithm>
 #include <cmath>
-#include <new>
+#include <map>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/script/bind.h"
 
 namespace hw::script {
 namespace {
 
-constexpr const char* controller_type = "controller";
 using SessionPtr = std::shared_ptr<Session>;
 
 // ---- arguments
-
-int axis_of(const Call& call, int argument, const char* function) {
-  return axis_index(call.L, call.place(argument), session_of(call)->catalog(), function);
-}
-
-std::string no_axis(const Catalog& catalog) {
-  std::string names;
-  for (const AxisInfo& axis : catalog.axes) names += (names.empty() ? "" : ", ") + axis.name;
-  return fmt::format("There is no such axis. {} has: {}.", catalog.short_name, names);
-}
 
 AxisId id_of(int index) { return AxisId{static_cast<std::uint8_t>(index)}; }
 
@@ -36,23 +25,31 @@ Sign sign_of(const Call& call, int argument) {
   throw Misuse("the direction must be \"+\" or \"-\"");
 }
 
-// {[1]=400} or {X=1000, Y=0}, put into the catalog's order. False: an axis that is not there.
-bool read_targets(const Call& call, int argument, std::vector<AxisTarget>& targets) {
+struct ById {  // the same order in every run
+  bool operator()(const SessionPtr& a, const SessionPtr& b) const {
+    return a->catalog().id() < b->catalog().id();
+  }
+};
+using Targets = std::map<SessionPtr, std::vector<AxisTarget>, ById>;
+
+// {[1]=400} or {X=1000, Y=0}, put into the catalog's order; on a bus {["01"]=400}. Not empty: why not.
+std::string read_targets(const Call& call, int argument, Targets& targets) {
   const int table = call.place(argument);
   if (!lua_istable(call.L, table)) throw Misuse("the targets must be a table like {[1]=400}");
   lua_pushnil(call.L);
   while (lua_next(call.L, table)) {
-    const int axis = axis_index(call.L, -2, session_of(call)->catalog(), "targets");
+    const OneAxis one = one_axis_at(call, lua_absindex(call.L, -2), "targets");
     int whole = 0;
     const lua_Integer steps = lua_tointegerx(call.L, -1, &whole);
     if (!whole) throw Misuse("a target must be a whole number of steps");
     lua_pop(call.L, 1);
-    if (axis < 0) return false;
-    targets.push_back(AxisTarget{id_of(axis), Steps(steps)});
+    if (one.index < 0) return one.refusal;
+    targets[one.session].push_back(AxisTarget{id_of(one.index), Steps(steps)});
   }
-  std::sort(targets.begin(), targets.end(), [](const auto& a, const auto& b) { return a.axis < b.axis; });
   if (targets.empty()) throw Misuse("the table of targets is empty");
-  return true;
+  for (auto& [session, own] : targets)
+    std::sort(own.begin(), own.end(), [](const auto& a, const auto& b) { return a.axis < b.axis; });
+  return {};
 }
 
 // ---- commands
@@ -64,61 +61,95 @@ Task<Answer> perform_body(SessionPtr session, IntentBody body) {
 int perform(Call& call, IntentBody body) {
   return call.wait(perform_body(session_of(call), std::move(body)));
 }
+int perform_on(Call& call, const OneAxis& one, IntentBody body) {
+  return call.wait(perform_body(one.session, std::move(body)));
+}
+
+// All begin before the first is waited for.
+template <class Move>
+Task<Answer> move_all(Targets targets) {
+  std::vector<std::pair<SessionPtr, IntentId>> under_way;
+  for (auto& [session, own] : targets) under_way.emplace_back(session, session->post(Move(std::move(own))));
+  Result<> all;
+  for (const auto& [session, id] : under_way) {
+    auto moved = co_await session->outcome(id);
+    if (all && !moved) all = std::move(moved);
+  }
+  co_return answer_of(all);
+}
 
 template <class Move>
 int move(Call& call) {
-  std::vector<AxisTarget> targets;
-  if (!read_targets(call, 1, targets)) return call.refuse(no_axis(session_of(call)->catalog()));
-  return perform(call, Move(std::move(targets)));
+  Targets targets;
+  if (const std::string why = read_targets(call, 1, targets); !why.empty()) return call.refuse(why);
+  return call.wait(move_all<Move>(std::move(targets)));
 }
 
 int jog(Call& call) {
-  const int axis = axis_of(call, 1, "jog");
-  if (axis < 0) return call.refuse(no_axis(session_of(call)->catalog()));
+  const OneAxis one = one_axis(call, 1, "jog");
+  if (one.index < 0) return call.refuse(one.refusal);
   const Pps speed(call.has(3) ? call.number(3, "speed") : 0);
-  return perform(call, intent::JogStart(id_of(axis), sign_of(call, 2), speed, false));
+  return perform_on(call, one, intent::JogStart(id_of(one.index), sign_of(call, 2), speed, false));
 }
 
 int home(Call& call) {
-  const Catalog& catalog = session_of(call)->catalog();
-  const int axis = axis_of(call, 1, "home");
-  if (axis < 0) return call.refuse(no_axis(catalog));
+  const OneAxis one = one_axis(call, 1, "home");
+  if (one.index < 0) return call.refuse(one.refusal);
   int mode = 0;
   if (call.has(3)) {
     const std::string wanted = call.text(3, "mode");
-    const auto& modes = catalog.homing_modes;
+    const auto& modes = one.session->catalog().homing_modes;
     const auto found =
         std::find_if(modes.begin(), modes.end(), [&](const HomingMode& m) { return m.id == wanted; });
     if (found == modes.end()) return call.refuse(fmt::format("There is no way of homing \"{}\".", wanted));
     mode = static_cast<int>(found - modes.begin());
   }
-  return perform(call, intent::Home(id_of(axis), sign_of(call, 2), mode));
+  return perform_on(call, one, intent::Home(id_of(one.index), sign_of(call, 2), mode));
+}
+
+Task<Answer> stop_bus(std::shared_ptr<SessionGroup> bus, bool at_once) {
+  const auto stopped = co_await bus->perform_stop(at_once);
+  co_return answer_of(stopped);
 }
 
 template <class How>
 int stop(Call& call) {
-  int axis = -1;
   if (call.has(1)) {
-    axis = axis_of(call, 1, "stop");
-    if (axis < 0) return call.refuse(no_axis(session_of(call)->catalog()));
+    const OneAxis one = one_axis(call, 1, "stop");
+    if (one.index < 0) return call.refuse(one.refusal);
+    return perform_on(call, one, How(bus_of(call) ? -1 : one.index));
   }
-  return perform(call, How(axis));
+  if (auto bus = bus_of(call)) return call.wait(stop_bus(std::move(bus), std::is_same_v<How, intent::Abort>));
+  return perform(call, How(-1));
 }
 
 Task<Answer> wait_idle(SessionPtr session, Duration patience) {
   const auto idle = co_await session->wait_until_idle(patience);
   co_return answer_of(idle);
 }
-int wait(Call& call) { return call.wait(wait_idle(session_of(call), call.patience(1, 3600))); }
+Task<Answer> wait_bus_idle(std::shared_ptr<SessionGroup> bus, Duration patience) {
+  const auto idle = co_await bus->wait_until_idle(patience);
+  co_return answer_of(idle);
+}
+int wait(Call& call) {
+  const Duration patience = call.patience(1, 3600);
+  if (auto bus = bus_of(call)) return call.wait(wait_bus_idle(std::move(bus), patience));
+  return call.wait(wait_idle(session_of(call), patience));
+}
 
 // ---- raw text
 
+// On a bus: to all of its devices at once, where the maker has a way to say that.
 int send(Call& call) {
-  const SessionPtr& session = session_of(call);
+  const auto bus = bus_of(call);
+  const SessionPtr& session = bus ? bus->members().front() : session_of(call);
+  if (bus && !session->catalog().can.broadcast)
+    return call.refuse(fmt::format("{} has no message to all devices of a wire. Send it to each of them.",
+                                   session->catalog().short_name));
   const LinkHealth& link = session->known().link;
   if (link.state == LinkState::lost || link.state == LinkState::closed)
     return call.refuse(fmt::format("There is no connection. {}", link.sentence.view()));
-  session->send(intent::SendText(call.text(1, "text")));
+  session->send(intent::SendText(call.text(1, "text"), bus != nullptr));
   return call.yes();
 }
 
@@ -175,14 +206,15 @@ Task<Answer> read_fresh(SessionPtr session, Instant asked_at, Push push, int num
   };
 }
 
-int ask(Call& call, Push push, int number, bool of_axis) {
-  return call.wait(read_fresh(session_of(call), call.runner().scheduler().now(), push, number, of_axis));
+int ask_of(Call& call, const SessionPtr& session, Push push, int number, bool of_axis) {
+  return call.wait(read_fresh(session, call.runner().scheduler().now(), push, number, of_axis));
 }
+int ask(Call& call, Push push, int number) { return ask_of(call, session_of(call), push, number, false); }
 
 int of_axis(Call& call, Push push) {
-  const int axis = axis_of(call, 1, "axis");
-  if (axis < 0) return call.refuse(no_axis(session_of(call)->catalog()));
-  return ask(call, push, axis, true);
+  const OneAxis one = one_axis(call, 1, "axis");
+  if (one.index < 0) return call.refuse(one.refusal);
+  return ask_of(call, one.session, push, one.index, true);
 }
 
 int push_position(lua_State* L, const Snapshot& known, const Catalog& catalog, int axis) {
@@ -217,6 +249,7 @@ const char* name_of(EndedBy e) {
     case EndedBy::limit: return "limit";
     case EndedBy::stop: return "stop";
     case EndedBy::abort: return "abort";
+    case EndedBy::elsewhere: return "elsewhere";
     case EndedBy::error: return "error";
     case EndedBy::lost: return "lost";
   }
@@ -292,14 +325,19 @@ int push_whole_status(lua_State* L, const Snapshot& known, const Catalog&, int) 
   return 1;
 }
 
+constexpr Duration short_look = Millis(20), long_look = Millis(200);
+constexpr std::int64_t enough_steps = 50;  // fewer say little: one step more or less is then a few percent
+
 // Measured: steps between two rounds of status over the time between them. At rest 0 at once.
 Task<Answer> measure_velocity(Runner& runner, SessionPtr session, int axis) {
   const AxisState& state = session->known().axes[axis];
   co_await session->pump().refresh();
   const Steps from = state.position;
   const Instant from_at = state.seen_at;
-  if (session->known().any_axis_moving()) {
-    co_await runner.sleep_until(runner.scheduler().now() + Millis(20));
+  for (const Duration look : {short_look, long_look}) {
+    const bool enough = std::abs((state.position - from).value) >= enough_steps;
+    if (enough || !session->known().any_axis_moving()) break;
+    co_await runner.sleep_until(from_at + look);
     co_await session->pump().refresh();
   }
   const Duration passed = state.seen_at - from_at;
@@ -314,15 +352,15 @@ Task<Answer> measure_velocity(Runner& runner, SessionPtr session, int axis) {
   };
 }
 int velocity(Call& call) {
-  const int axis = axis_of(call, 1, "velocity");
-  if (axis < 0) return call.refuse(no_axis(session_of(call)->catalog()));
-  return call.wait(measure_velocity(call.runner(), session_of(call), axis));
+  const OneAxis one = one_axis(call, 1, "velocity");
+  if (one.index < 0) return call.refuse(one.refusal);
+  return call.wait(measure_velocity(call.runner(), one.session, one.index));
 }
 
 int position(Call& call) { return of_axis(call, push_position); }
 int encoder(Call& call) { return of_axis(call, push_encoder); }
 int status(Call& call) {
-  if (!call.has(1)) return ask(call, push_whole_status, 0, false);
+  if (!call.has(1)) return ask(call, push_whole_status, 0);
   return of_axis(call, push_axis_status);
 }
 
@@ -350,7 +388,7 @@ int input(Call& call) {
   const std::int64_t n = call.whole(1, "input");
   if (!within(n, catalog.inputs.size()))
     return call.refuse(no_such(catalog, "input", n, catalog.inputs.size()));
-  return ask(call, push_input, static_cast<int>(n), false);
+  return ask(call, push_input, static_cast<int>(n));
 }
 
 int push_output(lua_State* L, const Snapshot& known, const Catalog&, int number) {
@@ -365,7 +403,7 @@ int output(Call& call) {
   const std::int64_t n = call.whole(1, "output");
   if (!within(n, catalog.outputs.size()))
     return call.refuse(no_such(catalog, "output", n, catalog.outputs.size()));
-  if (!call.has(2)) return ask(call, push_output, static_cast<int>(n), false);
+  if (!call.has(2)) return ask(call, push_output, static_cast<int>(n));
   return perform(call, intent::SetOutput(static_cast<int>(n), call.on(2, "on")));
 }
 
@@ -380,7 +418,7 @@ int analog(Call& call) {
   const std::int64_t n = call.whole(1, "analog input");
   if (!within(n, catalog.analog.size()))
     return call.refuse(no_such(catalog, "analog input", n, catalog.analog.size()));
-  return ask(call, push_analog, static_cast<int>(n), false);
+  return ask(call, push_analog, static_cast<int>(n));
 }
 
 // ---- parameters
@@ -389,17 +427,46 @@ std::string no_param(const Catalog& catalog, const std::string& name) {
   return fmt::format("{} has no parameter \"{}\".", catalog.short_name, name);
 }
 
+// As the maker writes it: 0.8, "4EX07".
+std::int64_t unit_of(const ParamInfo& info) {
+  std::int64_t unit = 1;
+  for (int i = 0; i < info.decimals; ++i) unit *= 10;
+  return unit;
+}
+void push_value(lua_State* L, const ParamInfo& info, std::int64_t value) {
+  if (!info.prefix.empty())
+    lua_pushstring(L, fmt::format("{}{:0{}}", info.prefix, value, info.digits).c_str());
+  else if (info.decimals > 0)
+    lua_pushnumber(L, static_cast<double>(value) / static_cast<double>(unit_of(info)));
+  else
+    lua_pushinteger(L, value);
+}
+std::int64_t value_of(const Call& call, int argument, const ParamInfo& info) {
+  if (!info.prefix.empty() && call.is_text(argument)) {
+    const std::string text = call.text(argument, "value");
+    char* end = nullptr;
+    const bool named = text.starts_with(info.prefix) && text.size() > info.prefix.size();
+    const long long number = named ? std::strtoll(text.c_str() + info.prefix.size(), &end, 10) : 0;
+    if (!named || *end != 0) throw Misuse(fmt::format("the value must read like {}01", info.prefix));
+    return number;
+  }
+  if (info.decimals > 0)
+    return std::llround(call.number(argument, "value") * static_cast<double>(unit_of(info)));
+  return call.whole(argument, "value");
+}
+
 Task<Answer> get_param(SessionPtr session, int index) {
   const ParamInfo& info = session->catalog().params[index];
   if (info.readable) {
-    const auto read = co_await session->perform(intent::ReadParams());
+    IntentBody ask = intent::ReadParams(info.mnemonic);
+    const auto read = co_await session->perform(std::move(ask));
     if (!read) co_return answer_refused(read.error().sentence());
   }
   const ParamState state = session->known().params[index];
   if (!state.known)
     co_return answer_refused(fmt::format("{} cannot be read from this controller.", info.mnemonic));
-  co_return [state](lua_State* L) {
-    lua_pushinteger(L, state.value);
+  co_return [state, &info](lua_State* L) {
+    push_value(L, info, state.value);
     return 1;
   };
 }
@@ -413,24 +480,29 @@ int get(Call& call) {
 // A script says what it means: it confirms what the console would ask a person.
 int set(Call& call) {
   const std::string name = call.text(1, "parameter");
-  if (session_of(call)->catalog().find_param(name) < 0)
-    return call.refuse(no_param(session_of(call)->catalog(), name));
-  return perform(call, intent::SetParam(name, call.whole(2, "value"), true));
+  const Catalog& catalog = session_of(call)->catalog();
+  const int index = catalog.find_param(name);
+  if (index < 0) return call.refuse(no_param(catalog, name));
+  const ParamInfo& info = catalog.params[static_cast<std::size_t>(index)];
+  return perform(call, intent::SetParam(name, value_of(call, 2, info), true));
 }
 
 // ---- stored programs
 
 int selected(const SessionPtr& session) { return std::max<int>(0, session->known().program.slot); }
 
+// Where programs run at once, their number is that of the thread.
+int programs_of(const Catalog& catalog) { return std::max(catalog.program.slots, catalog.program.threads); }
+
 int slot_of(const Call& call, int argument) {
   const SessionPtr& session = session_of(call);
   if (!call.has(argument)) return selected(session);
   const std::int64_t n = call.whole(argument, "program");
-  return n >= 0 && n < session->catalog().program.slots ? static_cast<int>(n) : -1;
+  return n >= 0 && n < programs_of(session->catalog()) ? static_cast<int>(n) : -1;
 }
 std::string no_slot(const Catalog& catalog) {
   return fmt::format("There is no such program. {} has 0 to {}.", catalog.short_name,
-                     catalog.program.slots - 1);
+                     programs_of(catalog) - 1);
 }
 
 int load(Call& call) {
@@ -445,9 +517,18 @@ int run(Call& call) {
   return perform(call, intent::RunProgram(slot));
 }
 
+// With a number: that thread only, where programs run in several.
 template <class Verb>
-int simply(Call& call) {
-  return perform(call, Verb());
+int of_thread(Call& call) {
+  const int threads = session_of(call)->catalog().program.threads;
+  if (!call.has(1)) return perform(call, Verb());
+  const std::int64_t thread = call.whole(1, "thread");
+  if (thread < 0 || thread >= threads)
+    return call.refuse(
+        threads == 0 ? fmt::format("{} runs one program at a time.", session_of(call)->catalog().short_name)
+                     : fmt::format("There is no thread {}. {} has 0 to {}.", thread,
+                                   session_of(call)->catalog().short_name, threads - 1));
+  return perform(call, Verb(static_cast<int>(thread)));
 }
 
 Task<Answer> upload(SessionPtr session, int slot) {
@@ -483,63 +564,24 @@ constexpr Function methods[] = {
     {"set", set},
     {"load", load},
     {"run", run},
-    {"pause", simply<intent::Pause>},
-    {"resume", simply<intent::Resume>},
-    {"halt", simply<intent::HaltProgram>},
+    {"pause", of_thread<intent::Pause>},
+    {"resume", of_thread<intent::Resume>},
+    {"halt", of_thread<intent::HaltProgram>},
     {"program", program},
 };
 
 }  // namespace
 
-const std::shared_ptr<Session>& session_of(const Call& call) {
-  for (const char* type : {controller_type, "bench"})
-    if (void* found = luaL_testudata(call.L, 1, type)) return *static_cast<SessionPtr*>(found);
-  throw Misuse("call this with a colon on what hw.open() gave: c:position(1)");
-}
-
-int axis_index(lua_State* L, int index, const Catalog& catalog, const char* function) {
-  if (lua_type(L, index) == LUA_TSTRING) return catalog.find_axis(lua_tostring(L, index));
-  int whole = 0;
-  const lua_Integer n = lua_tointegerx(L, index, &whole);
-  if (!whole) throw Misuse(fmt::format("{}: the axis must be its number or name", function));
-  return n >= 1 && n <= static_cast<lua_Integer>(catalog.axes.size()) ? static_cast<int>(n - 1) : -1;
-}
-
-static void push_shared(lua_State* L, const SessionPtr& session, const char* type) {
-  new (lua_newuserdatauv(L, sizeof(SessionPtr), 0)) SessionPtr(session);
-  luaL_setmetatable(L, type);
-}
-
-static int drop_shared(lua_State* L) {
-  static_cast<SessionPtr*>(lua_touserdata(L, 1))->~SessionPtr();
-  return 0;
-}
-
-// c.bench, else a method.
-static int index_controller(lua_State* L) {
-  if (lua_type(L, 2) == LUA_TSTRING && std::string_view(lua_tostring(L, 2)) == "bench") {
-    push_shared(L, *static_cast<SessionPtr*>(luaL_checkudata(L, 1, controller_type)), "bench");
-    return 1;
-  }
-  lua_pushvalue(L, 2);
-  lua_rawget(L, lua_upvalueindex(1));
-  return 1;
-}
-
 void bind_controller(lua_State* L) {
   luaL_newmetatable(L, controller_type);
   push_functions(L, std::begin(methods), std::end(methods), 1);
-  lua_pushcclosure(L, index_controller, 1);
+  lua_pushcclosure(L, index_handle, 1);
   lua_setfield(L, -2, "__index");
-  lua_pushcfunction(L, drop_shared);
+  lua_pushcfunction(L, drop_handle);
   lua_setfield(L, -2, "__gc");
   lua_pushboolean(L, 0);
   lua_setfield(L, -2, "__metatable");
   lua_pop(L, 1);
-}
-
-void push_controller(lua_State* L, std::shared_ptr<Session> session) {
-  push_shared(L, session, controller_type);
 }
 
 }  // namespace hw::script

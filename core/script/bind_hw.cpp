@@ -1,5 +1,5 @@
 // `hw`: opening controllers, time, checks, words.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/script/bind.h"
 #include "core/script/module.h"
@@ -8,18 +8,18 @@
 namespace hw::script {
 namespace {
 
-Task<Answer> open_and_wait(Runner& runner, std::shared_ptr<Session> session) {
-  runner.add_session(session);
-  const auto connected = co_await session->wait_until_connected();
+Task<Answer> open_and_wait(Runner& runner, std::shared_ptr<SessionGroup> group) {
+  runner.add(group);
+  const auto connected = co_await group->wait_until_connected();
   if (connected) {
-    if (runner.options().stage) runner.options().stage->opened(session);
-    co_return [session](lua_State* L) {
-      push_controller(L, session);
+    if (runner.options().stage) runner.options().stage->opened(group);
+    co_return [group](lua_State* L) {
+      push_controller(L, group);
       return 1;
     };
   }
-  co_await session->close();
-  runner.remove_session(session);
+  co_await group->close();
+  runner.remove(group);
   co_return answer_refused(connected.error().sentence());
 }
 
@@ -29,9 +29,9 @@ int open(Call& call) {
   Runner& runner = call.runner();
   if (!address->emulated()) runner.go_real();
   std::function<void()> wake = [] {};
-  auto session = Session::open(runner.scheduler(), *address, runner.options().opener, wake);
-  if (!session) return call.refuse(session.error().sentence());
-  return call.wait(open_and_wait(runner, std::move(*session)));
+  auto group = SessionGroup::open(runner.scheduler(), *address, runner.options().opener, wake);
+  if (!group) return call.refuse(group.error().sentence());
+  return call.wait(open_and_wait(runner, std::move(*group)));
 }
 
 Task<Answer> sleep_for(Runner& runner, Duration time) {

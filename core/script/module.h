@@ -11,8 +11,8 @@ class Stage {
   virtual ~Stage() = default;
   /// Adds a global table (`ui`) to the script's world.
   virtual void bind(lua_State* L) = 0;
-  /// A controller that the script has opened; the newest is the one that ids mean.
-  virtual void opened(const std::shared_ptr<Session>& session) = 0;
+  /// A controller or bus that the script has opened; the newest is the one that ids mean.
+  virtual void opened(const std::shared_ptr<SessionGroup>& group) = 0;
   /// One frame, 60 a second of script time.
   virtual void frame(Instant now) = 0;
   /// Between the end of the script and the closing of its controllers.

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <lua.hpp>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/script/bind.h"
 #include "core/script/module.h"
@@ -278,13 +278,13 @@ void Runner::run_one_frame() {
   next_frame_ = std::max(next_frame_ + frame_period, scheduler_.now());
 }
 
-Task<> Runner::close_sessions(bool stop_first, bool& closed) {
-  for (const auto& session : sessions_) {
-    if (stop_first && session->known().any_axis_moving()) {
-      IntentBody stop = intent::Stop();
-      co_await session->perform(std::move(stop));
-    }
-    co_await session->close();
+Task<> Runner::close_all(bool stop_first, bool& closed) {
+  for (const auto& group : groups_) {
+    const auto& all = group->members();
+    const bool moves = std::any_of(all.begin(), all.end(),
+                                   [](const auto& session) { return session->known().any_axis_moving(); });
+    if (stop_first && moves) co_await group->perform_stop(false);
+    co_await group->close();
   }
   closed = true;
 }
@@ -296,14 +296,14 @@ void Runner::finish() {
   ended_.notify();
   if (options_.stage) options_.stage->script_over();
   bool closed = false;
-  asio::co_spawn(scheduler_.executor(), close_sessions(!failure_.empty(), closed), asio::detached);
+  asio::co_spawn(scheduler_.executor(), close_all(!failure_.empty(), closed), asio::detached);
   constexpr auto patience = std::chrono::seconds(10);
   scheduler_.run_until(scheduler_.now() + patience, [&closed] { return closed; });
   tell_notices();
 }
 
-void Runner::add_session(std::shared_ptr<Session> session) { sessions_.push_back(std::move(session)); }
-void Runner::remove_session(const std::shared_ptr<Session>& session) { std::erase(sessions_, session); }
+void Runner::add(std::shared_ptr<SessionGroup> group) { groups_.push_back(std::move(group)); }
+void Runner::remove(const std::shared_ptr<SessionGroup>& group) { std::erase(groups_, group); }
 
 Task<bool> Runner::sleep_until(Instant when) {
   co_await ended_.wait_until(when);
@@ -319,11 +319,12 @@ void Runner::go_real() {
 // With a stage its panels read the notices.
 void Runner::tell_notices() {
   if (options_.stage) return;
-  for (const auto& session : sessions_)
-    session->notices().drain([&](const Notice& notice) {
-      if (notice.kind == Notice::Kind::warning || notice.kind == Notice::Kind::error)
-        options_.log(fmt::format("{}: {}", session->address().text(), notice.text));
-    });
+  for (const auto& group : groups_)
+    for (const auto& session : group->members())
+      session->notices().drain([&](const Notice& notice) {
+        if (notice.kind == Notice::Kind::warning || notice.kind == Notice::Kind::error)
+          options_.log(fmt::format("{}: {}", session->address().text(), notice.text));
+      });
 }
 
 }  // namespace hw::script

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/base/asio.h"
-#include "core/session/session.h"
+#include "core/session/session_group.h"
 #include "core/session/wire.h"
 #include "core/time/hybrid_scheduler.h"
 
@@ -70,8 +70,8 @@ class Runner {
   void run_at(lua_State* L, Instant when);
   /// Ends the whole run with this sentence; no pcall of the script survives it.
   void end_run(lua_State* L, std::string sentence);
-  void add_session(std::shared_ptr<Session> session);
-  void remove_session(const std::shared_ptr<Session>& session);
+  void add(std::shared_ptr<SessionGroup> group);
+  void remove(const std::shared_ptr<SessionGroup>& group);
   /// Suspends a waiting call; false: the script has ended meanwhile.
   Task<bool> sleep_until(Instant when);
   void go_real();
@@ -103,7 +103,7 @@ class Runner {
   void take_turns();
   void act_now();
   void finish();
-  Task<> close_sessions(bool stop_first, bool& closed);
+  Task<> close_all(bool stop_first, bool& closed);
   void tell_notices();
 
   HybridScheduler& scheduler_;
@@ -113,7 +113,7 @@ class Runner {
   lua_State* lua_ = nullptr;
   std::map<lua_State*, std::unique_ptr<Fiber>> fibers_;
   Fiber* main_ = nullptr;
-  std::vector<std::shared_ptr<Session>> sessions_;
+  std::vector<std::shared_ptr<SessionGroup>> groups_;
   Event ended_;
   Instant next_frame_ = Instant::max();
   struct Act {

@@ -4,7 +4,7 @@
 #include <charconv>
 #include <optional>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/device/registry.h"
 
@@ -50,8 +50,8 @@ Result<> read_options(std::string_view rest, Address& address) {
     value = pair.substr(equals + 1);
     if (value.empty()) return bad(fmt::format("The address gives no value for {}.", pair.substr(0, equals)));
     if (pair.substr(0, equals) == "id" && !read_ids(value))
-      return bad(fmt::format("id={} is no device number: it takes two digits, as id=07, or a range, as id=01-04.",
-                             value));
+      return bad(fmt::format(
+          "id={} is no device number: it takes two digits, as id=07, or a range, as id=01-04.", value));
   }
   return {};
 }

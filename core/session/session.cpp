@@ -1,11 +1,14 @@
 #include "core/session/session.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace hw {
 
 Result<std::shared_ptr<Session>> Session::open(Scheduler& scheduler, const Address& address,
                                                WireOpener opener, std::function<void()> wake) {
+  if (address.ids().size() > 1)
+    return fail(FaultKind::text, fmt::format("{} are several controllers.", address.text()),
+                "Nothing was opened.", fmt::format("Here it takes one: id={}.", address.ids().front()));
   auto wire = std::make_shared<SharedWire>(scheduler, address, std::move(opener));
   return open_on(scheduler, address, std::move(wire), 0, std::move(wake));
 }
@@ -68,11 +71,19 @@ Task<Result<std::shared_ptr<Link>>> Session::open_wire() {
   co_return link;
 }
 
-Task<Result<>> Session::perform(IntentBody body) {
-  const auto self = shared_from_this();
+IntentId Session::post(IntentBody body) {
   const IntentId id = ++last_intent_;
-  Intent intent(id, std::move(body));
-  pump_.post(std::move(intent));
+  pump_.post(Intent(id, std::move(body)));
+  return id;
+}
+
+Task<Result<>> Session::perform(IntentBody body) {
+  const IntentId id = post(std::move(body));
+  co_return co_await outcome(id);
+}
+
+Task<Result<>> Session::outcome(IntentId id) {
+  const auto self = shared_from_this();
   for (;;) {
     const IntentFate* fate = known().fate_of(id);
     if (!fate)
@@ -102,22 +113,29 @@ Task<Result<std::string>> Session::listing(int slot) {
   co_return listings_[slot];
 }
 
+// An end that the console itself asked for (stop, abort) was wanted: it is none of these reasons.
 std::string why_not_finished(const Snapshot& s, const Catalog& catalog) {
   if (s.link.state == LinkState::lost || s.link.state == LinkState::closed)
     return fmt::format("The link is lost. {}", s.link.sentence.view());
   if (s.program.run == RunState::error) return std::string(s.notice.view());
+  if (s.program.ended_by == EndedBy::limit) return "A limit switch was hit while the program ran.";
+  if (s.program.ended_by == EndedBy::elsewhere)
+    return "The program was ended by somebody else: the controller's Stop button or input.";
   for (int i = 0; i < s.axis_count; ++i) {
     const auto because = [&](const char* what) {
       return fmt::format("Axis {} {}.", catalog.axes[i].name, what);
     };
     switch (s.axes[i].ended_by) {
       case EndedBy::limit: return because("was ended by its limit switch");
-      case EndedBy::stop: return because("was stopped");
-      case EndedBy::abort: return because("was stopped at once");
+      case EndedBy::elsewhere:
+        return because(
+            "was stopped by somebody else: the controller's Stop button or input, or another program");
       case EndedBy::error: return because("was ended by an error of the controller");
       case EndedBy::lost: return because("was lost sight of while it moved");
       case EndedBy::nothing:
-      case EndedBy::target: break;
+      case EndedBy::target:
+      case EndedBy::stop:
+      case EndedBy::abort: break;
     }
   }
   return {};

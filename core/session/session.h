@@ -43,6 +43,9 @@ class Session : public std::enable_shared_from_this<Session> {
   [[nodiscard]] const std::shared_ptr<BenchAccess>& bench() const { return bench_; }
   /// Performs and resumes with what became of it.
   Task<Result<>> perform(IntentBody body);
+  /// The same in two steps, for several controllers at once.
+  IntentId post(IntentBody body);
+  Task<Result<>> outcome(IntentId id);
   /// Resumes when the controller answers, or with the reason why the first attempt failed.
   Task<Result<>> wait_until_connected();
   /// The text of a stored program, read from the controller.

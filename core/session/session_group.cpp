@@ -1,6 +1,6 @@
 #include "core/session/session_group.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace hw {
 
@@ -28,20 +28,49 @@ Result<std::shared_ptr<SessionGroup>> SessionGroup::open(Scheduler& scheduler, c
 
 int SessionGroup::find(std::string_view id) const {
   for (std::size_t i = 0; i < members_.size(); ++i)
-    if (members_[i]->catalog().id == id) return static_cast<int>(i);
+    if (members_[i]->catalog().id() == id) return static_cast<int>(i);
   return -1;
 }
 
-std::vector<IntentId> SessionGroup::stop(bool at_once) {
-  if (is_bus())
-    asio::post(scheduler_.executor(), [members = members_, at_once] {
-      for (const auto& member : members)
-        if (member->pump().stop_wire(at_once)) return;
-    });
-  std::vector<IntentId> ids;
+static IntentBody stop_intent(bool at_once) {
+  if (at_once) return intent::Abort();
+  return intent::Stop();
+}
+
+void SessionGroup::stop_wire(bool at_once) const {
+  if (!is_bus()) return;
   for (const auto& member : members_)
-    ids.push_back(at_once ? member->send(intent::Abort()) : member->send(intent::Stop()));
+    if (member->pump().stop_wire(at_once)) return;
+}
+
+std::vector<IntentId> SessionGroup::stop(bool at_once) {
+  asio::post(scheduler_.executor(), [self = shared_from_this(), at_once] { self->stop_wire(at_once); });
+  std::vector<IntentId> ids;
+  for (const auto& member : members_) ids.push_back(member->send(stop_intent(at_once)));
   return ids;
+}
+
+Task<Result<>> SessionGroup::perform_stop(bool at_once) {
+  const auto self = shared_from_this();
+  stop_wire(at_once);
+  std::vector<IntentId> ids;
+  for (const auto& member : members_) ids.push_back(member->post(stop_intent(at_once)));
+  Result<> all;
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    auto stopped = co_await members_[i]->outcome(ids[i]);
+    if (all && !stopped) all = std::move(stopped);
+  }
+  co_return all;
+}
+
+Task<Result<>> SessionGroup::wait_until_idle(Duration patience) {
+  const auto self = shared_from_this();
+  const Instant deadline = scheduler_.now() + patience;
+  for (const auto& member : members_) {
+    auto idle = co_await member->wait_until_idle(deadline - scheduler_.now());
+    if (!idle) co_return idle;
+  }
+  co_return Result<>();
 }
 
 Task<Result<>> SessionGroup::wait_until_connected() {

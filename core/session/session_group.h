@@ -9,7 +9,7 @@
 
 namespace hw {
 
-class SessionGroup {
+class SessionGroup : public std::enable_shared_from_this<SessionGroup> {
  public:
   /// Io thread. `wake` as in Session::open().
   static Result<std::shared_ptr<SessionGroup>> open(Scheduler& scheduler, const Address& address,
@@ -27,11 +27,17 @@ class SessionGroup {
   std::vector<IntentId> stop(bool at_once = false);
 
   // ---- io thread
+  /// The same as stop(), and resumes with the first thing that went wrong.
+  Task<Result<>> perform_stop(bool at_once);
+  /// Resumes when nothing moves or runs any more on any of them.
+  Task<Result<>> wait_until_idle(Duration patience);
   /// Resumes when each answers, or with the reason why the first that does not.
   Task<Result<>> wait_until_connected();
   Task<> close();
 
  private:
+  void stop_wire(bool at_once) const;
+
   SessionGroup(Scheduler& scheduler, Address address) : scheduler_(scheduler), address_(std::move(address)) {}
 
   Scheduler& scheduler_;

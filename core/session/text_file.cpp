@@ -1,6 +1,6 @@
 #include "core/session/text_file.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/session/user_files.h"
 

@@ -1,7 +1,7 @@
 // `ui`: the hands of a script on the screen. What a person could not do is an error at the script's line.
 #include <lua.hpp>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/script/call.h"
 #include "gui/app/script_stage.h"

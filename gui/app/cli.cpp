@@ -5,14 +5,15 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/base/log.h"
 
 namespace hw::app {
 namespace {
 
-const OptionSpec model_option{"for", "MODEL", "the controller that the program is for: vxm"};
+const OptionSpec model_option{"for", "MODEL",
+                              "the controller that the program is for: vxm, pmx-4ex-sa, dmx-k-sa"};
 const OptionSpec bench_option{"bench", "FILE.toml", "what surrounds the emulated controller"};
 
 const std::vector<Subcommand>& subcommands() {
@@ -39,14 +40,15 @@ const std::vector<Subcommand>& subcommands() {
        run_script},
       {"emulate",
        "serve an emulated controller to other programs until interrupted",
-       {{"MODEL", "vxm", 1, 1}},
+       {{"MODEL", "vxm, pmx-4ex-sa or dmx-k-sa", 1, 1}},
        {{"tcp", "HOST:PORT", "listen there; port 0: any free one", true},
         {"pty", "PATH", "make a pseudo-terminal and this symlink to it", true},
+        {"id", "NN", "number on its line, two digits; several: that many controllers on one line", true},
         {"motors", "N", "number of motors; 3 or 4: a Master with its Slave linked"},
         {"speed", "X", "so many times faster than real time (default 1)"},
         {"wire", "real|off", "spend the byte times of the baud rate (default: real with a --pty, else off)"},
         {"quirk", "NAME", "a habit of certain units: overrun, e-bar", true},
-        {"state", "FILE", "keep the non-volatile memory there"},
+        {"state", "FILE", "keep the non-volatile memory there; with several --id in FILE.NN of each"},
         bench_option,
         {"allow-remote", "", "let other hosts connect (else only this one)"}},
        emulate},
@@ -60,6 +62,13 @@ const std::vector<Subcommand>& subcommands() {
        {{"FILE", "the program", 1, 1}},
        {model_option},
        check},
+      {"compile",
+       "make of a program what the controller stores",
+       {{"FILE", "the program", 1, 1}},
+       {model_option,
+        {"output", "OUT", "the file for the stored form", false, "o"},
+        {"listing", "", "show the stored form"}},
+       compile},
       {"simulate",
        "dry run of a program, in virtual time",
        {{"FILE", "the program", 1, 1}},
@@ -77,7 +86,7 @@ const std::vector<Subcommand>& subcommands() {
       {"restore",
        "set-up and programs from a file into a controller",
        {{"ADDRESS", "the controller", 1, 1}, {"FILE.toml", "made by backup", 1, 1}},
-       {{"warnings-read", "", "write parameters that carry a warning (motor types) too"}},
+       {{"leave-motor-types", "", "leave parameters that carry a warning (motor types) as they are"}},
        restore},
   };
   return all;
@@ -130,6 +139,11 @@ Given collect(const Parsed& parsed, std::vector<std::string> behind_dashes) {
     const auto values = parsed.values.find(name);
     given.options[name] = values == parsed.values.end() ? std::vector<std::string>{""} : values->second;
   }
+  std::map<std::string, std::size_t> taken;
+  for (const CLI::Option* option : parsed.app->parse_order())
+    for (const auto& [name, values] : parsed.values)
+      if (parsed.options.at(name) == option && taken[name] < values.size())
+        given.in_order.emplace_back(name, values[taken[name]++]);
   return given;
 }
 
@@ -137,6 +151,7 @@ constexpr const char* footer =
     "An address is MODEL@TRANSPORT[:WHERE][,key=value...]:\n"
     "  vxm@emulator            an emulator in this process (motors=4: with a Slave)\n"
     "  vxm@serial:/dev/ttyUSB0,baud=9600\n"
+    "  dmx-k-sa@serial:/dev/ttyUSB0,baud=9600,id=01   pmx-4ex-sa@usb\n"
     "  vxm@tcp:HOST:PORT       vxm@rfc2217:HOST:PORT,baud=9600\n"
     "Exit status: 0 done, 1 the job failed (with a sentence), 2 wrong usage.";
 

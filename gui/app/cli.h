@@ -19,6 +19,9 @@ struct Given {
   std::map<std::string, std::vector<std::string>>
       options;  ///< by name without dashes; flags: one empty value
 
+  /// Options with a value, one entry each time it was given, in the order of the command line.
+  std::vector<std::pair<std::string, std::string>> in_order;
+
   [[nodiscard]] bool has(const std::string& name) const { return options.contains(name); }
   [[nodiscard]] std::string one(const std::string& name, std::string fallback = {}) const;
   [[nodiscard]] std::vector<std::string> all(const std::string& name) const;
@@ -51,6 +54,8 @@ struct Subcommand {
 /// Parses, runs the subcommand, answers the exit status.
 int run_command_line(int argc, char** argv);
 
+/// A text that means nothing (an address, an option) is wrong usage; all else is a job that failed.
+inline Exit status_of(const Fault& fault) { return fault.kind == FaultKind::text ? usage : failed; }
 /// Says `sentence` on stderr and answers `status`.
 int complain(std::string_view sentence, Exit status = failed);
 int complain(const Fault& fault, Exit status = failed);
@@ -62,6 +67,7 @@ int run_script(const Given& given);
 int emulate(const Given& given);
 int send(const Given& given);
 int check(const Given& given);
+int compile(const Given& given);
 int simulate(const Given& given);
 int scan(const Given& given);
 int backup(const Given& given);

@@ -1,6 +1,7 @@
+#include <algorithm>
 #include <cstdio>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/session/address.h"
 #include "core/session/backup.h"
@@ -12,29 +13,33 @@ namespace {
 
 Task<int> take(Scheduler& scheduler, const Address& address, std::string file) {
   auto opened = co_await connect(scheduler, address, wire_opener());
-  if (!opened) co_return complain(opened.error());
+  if (!opened) co_return complain(opened.error(), status_of(opened.error()));
   const std::shared_ptr<Session> session = *opened;
   auto taken = co_await take_backup(session);
   co_await session->close();
   if (!taken) co_return complain(taken.error());
   if (const auto saved = save_backup(file, *taken, session->catalog()); !saved)
     co_return complain(saved.error());
-  fmt::print("{}: {} parameters, {} programs\n", file, taken->parameters.size(), taken->programs.size());
+  const auto programs = std::count_if(taken->programs.begin(), taken->programs.end(),
+                                      [](const auto& p) { return !p.second.empty(); });
+  fmt::print("{}: {} parameters, {} programs\n", file, taken->parameters.size(), programs);
   co_return done;
 }
 
-Task<int> put_back(Scheduler& scheduler, const Address& address, std::string file, bool warnings_read) {
+Task<int> put_back(Scheduler& scheduler, const Address& address, std::string file, Warned warned) {
   auto loaded = load_backup(file);
   if (!loaded) co_return complain(loaded.error());
   auto opened = co_await connect(scheduler, address, wire_opener());
-  if (!opened) co_return complain(opened.error());
+  if (!opened) co_return complain(opened.error(), status_of(opened.error()));
   const std::shared_ptr<Session> session = *opened;
-  auto report = co_await restore_backup(session, std::move(*loaded), file, warnings_read);
+  auto report = co_await restore_backup(session, std::move(*loaded), file, warned);
   co_await session->close();
   if (!report) co_return complain(report.error());
   fmt::print("{}\n", report->sentence());
-  for (const std::string& sentence : report->left_out) fmt::print("{}\n", sentence);
-  co_return done;
+  for (const std::string& sentence : report->warnings) fmt::print(stderr, "{}\n", sentence);
+  if (report->left_out.empty()) co_return done;
+  for (const std::string& sentence : report->left_out) complain(sentence);
+  co_return failed;
 }
 
 }  // namespace
@@ -50,7 +55,8 @@ int restore(const Given& given) {
   const auto address = Address::parse(given.words[0]);
   if (!address) return complain(address.error(), usage);
   return run_here([&](Scheduler& scheduler) {
-    return put_back(scheduler, *address, given.words[1], given.has("warnings-read"));
+    return put_back(scheduler, *address, given.words[1],
+                    given.has("leave-motor-types") ? Warned::leave_out : Warned::write);
   });
 }
 

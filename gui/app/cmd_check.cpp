@@ -1,6 +1,6 @@
 #include <cstdio>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/device/registry.h"
 #include "gui/app/cli.h"
@@ -10,7 +10,7 @@ namespace hw::app {
 
 int check(const Given& given) {
   const auto program = read_program(given);
-  if (!program) return complain(program.error(), program.error().kind == FaultKind::text ? usage : failed);
+  if (!program) return complain(program.error(), status_of(program.error()));
   const ProgramReport report = program->language->analyse(program->text, 0);
   for (const Problem& p : report.problems)
     fmt::print("{}:{}:{}: {}: {}\n", program->path, p.line + 1, p.column + 1, p.error ? "error" : "warning",

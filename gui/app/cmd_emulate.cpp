@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 
 #include <fmt/format.h>
@@ -13,29 +14,58 @@
 namespace hw::app {
 namespace {
 
+std::vector<std::string_view> known_models() {
+  std::vector<std::string_view> all;
+  for (const DeviceType& type : device_types()) all.push_back(type.model);
+  return all;
+}
+
 struct Order {
   const DeviceType* type;
   DeviceOptions keys;
-  std::vector<std::string> tcp, pty;
+  std::vector<std::string> ids;
+  std::vector<std::pair<std::string, std::string>> endpoints;  ///< "tcp" or "pty" and where
   bool allow_remote;
 };
 
+// A private line: one controller, and clients that come over TCP only. It is spoken to without its id too.
+bool alone_on_its_line(const Order& order) {
+  const auto is_pty = [](const auto& endpoint) { return endpoint.first == "pty"; };
+  return order.ids.size() <= 1 && std::none_of(order.endpoints.begin(), order.endpoints.end(), is_pty);
+}
+
+Result<> understand_ids(Order& order) {
+  const auto catalog = order.type->make_catalog({});
+  if (!catalog) return fail(catalog.error());
+  if (!order.ids.empty() && !catalog->addressed())
+    return fail(FaultKind::text, fmt::format("The {} has no --id.", catalog->short_name), {},
+                "It has a line for itself.");
+  for (const std::string& id : order.ids)
+    if (id.size() != 2 || id.find_first_not_of("0123456789") != id.npos)
+      return fail(FaultKind::text, fmt::format("--id {} is no number on a line.", id), {},
+                  "Give two digits, as --id 07.");
+  if (catalog->addressed() && alone_on_its_line(order)) order.keys["unaddressed"] = "yes";
+  return {};
+}
+
 // The options of the command line are the keys of an emulator's address.
 Result<Order> understand(const Given& given) {
-  Order order{
-      find_device_type(given.words[0]), {}, given.all("tcp"), given.all("pty"), given.has("allow-remote")};
+  Order order{find_device_type(given.words[0]), {}, given.all("id"), {}, given.has("allow-remote")};
+  for (const auto& option : given.in_order)
+    if (option.first == "tcp" || option.first == "pty") order.endpoints.push_back(option);
   if (!order.type)
     return fail(FaultKind::text, fmt::format("There is no controller model \"{}\".", given.words[0]), {},
-                "Known: vxm.");
-  if (order.tcp.empty() && order.pty.empty())
+                fmt::format("Known: {}.", fmt::join(known_models(), ", ")));
+  if (order.endpoints.empty())
     return fail(FaultKind::text, "It is not said where to serve the emulator.", {},
                 "Give --tcp 127.0.0.1:4001 or --pty PATH, or both.");
   for (const char* key : {"motors", "speed", "state", "bench"})
     if (given.has(key)) order.keys[key] = given.one(key);
-  order.keys["wire"] = given.one("wire", order.pty.empty() ? "off" : "real");
+  order.keys["wire"] = given.one("wire", given.has("pty") ? "real" : "off");
   std::string quirks;
   for (const std::string& quirk : given.all("quirk")) quirks += (quirks.empty() ? "" : "+") + quirk;
   if (!quirks.empty()) order.keys["quirk"] = quirks;
+  if (auto understood = understand_ids(order); !understood) return fail(understood.error());
   return order;
 }
 
@@ -55,7 +85,7 @@ Result<std::unique_ptr<TcpEndpoint>> serve_tcp(Scheduler& scheduler, const Order
 }
 
 Result<> serve_pty(Scheduler& scheduler, const Order& order, EmulatorHost& host, const std::string& path) {
-  auto stream = open_pty_endpoint(scheduler, path, host.emulator().rate());
+  auto stream = open_pty_endpoint(scheduler, path, host.bench()->emulator().rate());
   if (!stream) return fail(stream.error());
   host.attach(std::move(*stream));
   say_ready(*order.type, "pty", path);
@@ -65,19 +95,22 @@ Result<> serve_pty(Scheduler& scheduler, const Order& order, EmulatorHost& host,
 Task<int> serve(Scheduler& scheduler, const Order& order) {
   OpenOptions options;
   options.trouble = [](const Fault& fault) { log::error("emulate", fault.sentence()); };
-  auto host = make_emulator_host(scheduler, *order.type, order.keys, options);
-  if (!host) co_return complain(host.error(), host.error().kind == FaultKind::text ? usage : failed);
+  auto host = make_emulator_host(scheduler, *order.type, order.keys, order.ids, options);
+  if (!host) co_return complain(host.error(), status_of(host.error()));
 
   Event ended(scheduler);
   Interruption interruption(scheduler, [&ended] { ended.notify(); });
-  std::vector<std::unique_ptr<TcpEndpoint>> endpoints;
-  for (const std::string& where : order.tcp) {
+  std::vector<std::unique_ptr<TcpEndpoint>> listening;
+  for (const auto& [kind, where] : order.endpoints) {
+    if (kind == "pty") {
+      if (auto served = serve_pty(scheduler, order, **host, where); !served)
+        co_return complain(served.error());
+      continue;
+    }
     auto endpoint = serve_tcp(scheduler, order, *host, where);
     if (!endpoint) co_return complain(endpoint.error());
-    endpoints.push_back(std::move(*endpoint));
+    listening.push_back(std::move(*endpoint));
   }
-  for (const std::string& path : order.pty)
-    if (auto served = serve_pty(scheduler, order, **host, path); !served) co_return complain(served.error());
   co_await ended.wait();
   co_return done;
 }

@@ -1,7 +1,7 @@
 #include <cstdio>
 #include <optional>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/script/runner.h"
 #include "core/session/text_file.h"

@@ -1,6 +1,6 @@
 #include <cstdio>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/session/address.h"
 #include "gui/app/cli.h"
@@ -13,9 +13,24 @@ constexpr Duration for_an_answer = Millis(1000);  // beside the time of its byte
 constexpr Duration for_a_prompt = Millis(150);    // for a text that might bring one by itself
 constexpr double longest_run_s = 60;
 
+// On lines of their own; what no terminal shows, the raw status bytes, as \xFF.
 void print_reply(std::string_view reply) {
-  fmt::print("{}\n", reply);
+  std::string shown;
+  for (const char c : reply) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool plain = (byte >= ' ' && byte < 0x7F) || c == '\n';
+    shown += c == '\r' ? "\n" : plain ? std::string(1, c) : fmt::format("\\x{:02X}", byte);
+  }
+  fmt::print("{}\n", shown);
   std::fflush(stdout);
+}
+
+// What the driver has to say beside the reply: an unknown command, an error report in words.
+void print_warnings(Session& session) {
+  session.notices().drain([](Notice& notice) {
+    if (notice.kind != Notice::Kind::info && notice.kind != Notice::Kind::program)
+      fmt::print(stderr, "{}\n", notice.text);
+  });
 }
 
 bool busy(const Snapshot& s) {
@@ -55,11 +70,13 @@ Task<int> send_one(Scheduler& scheduler, const std::shared_ptr<Session>& session
 
 Task<int> send_all(Scheduler& scheduler, const Address& address, const Given& given, double wait_s) {
   auto opened = co_await connect(scheduler, address, wire_opener());
-  if (!opened) co_return complain(opened.error());
+  if (!opened) co_return complain(opened.error(), status_of(opened.error()));
   const std::shared_ptr<Session> session = *opened;
   int status = done;
-  for (std::size_t i = 1; i < given.words.size() && status == done; ++i)
+  for (std::size_t i = 1; i < given.words.size() && status == done; ++i) {
     status = co_await send_one(scheduler, session, given.words[i], wait_s);
+    print_warnings(*session);
+  }
   co_await session->close();
   co_return status;
 }

@@ -1,7 +1,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/device/bench_file.h"
 #include "core/session/text_file.h"
@@ -66,13 +66,28 @@ Result<std::string> read_bench(const std::string& path, const Catalog& catalog) 
   return text;
 }
 
+// Of a text that cannot be run: the same object, with the reason in it.
+Rehearsal nothing_rehearsed(const ProgramFile& program, const Fault& why) {
+  Rehearsal r;
+  r.error = why.sentence();
+  for (const AxisInfo& axis : program.catalog.axes) {
+    RehearsedAxis a;
+    a.name = axis.name;
+    r.axes.push_back(a);
+  }
+  for (std::size_t i = 0; i < program.catalog.outputs.size(); ++i) r.outputs[std::to_string(i + 1)] = 0;
+  for (const auto& [slot, cost] : program.language->analyse(program.text, 0).cost)
+    r.program_size[std::to_string(slot)] = cost;
+  return r;
+}
+
 }  // namespace
 
 int simulate(const Given& given) {
   const auto for_seconds = given.number("for-seconds", 3600, 0.001, 1e7);
   if (!for_seconds) return complain(for_seconds.error(), usage);
   const auto program = read_program(given);
-  if (!program) return complain(program.error(), program.error().kind == FaultKind::text ? usage : failed);
+  if (!program) return complain(program.error(), status_of(program.error()));
 
   RehearseOptions options;
   options.for_seconds = *for_seconds;
@@ -82,7 +97,10 @@ int simulate(const Given& given) {
     options.bench_toml = std::move(*bench);
   }
   const auto rehearsed = program->language->rehearse(program->text, options);
-  if (!rehearsed) return complain(rehearsed.error());
+  if (!rehearsed) {
+    if (given.has("json")) print_json(nothing_rehearsed(*program, rehearsed.error()), program->catalog);
+    return complain(rehearsed.error());
+  }
   if (given.has("json"))
     print_json(*rehearsed, program->catalog);
   else

@@ -1,6 +1,6 @@
 #include "gui/app/program_file.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/device/registry.h"
 #include "core/session/text_file.h"

@@ -26,7 +26,9 @@ ScriptStage::ScriptStage(Scheduler& scheduler, WireOpener opener)
 
 ScriptStage::~ScriptStage() = default;
 
-void ScriptStage::opened(const std::shared_ptr<Session>& session) { console_.adopt(session); }
+void ScriptStage::opened(const std::shared_ptr<SessionGroup>& group) {
+  console_.adopt(group);
+}
 
 void ScriptStage::frame(Instant now) {
   if (console_.dark() != console_was_dark_) surface_.screen().set_theme(console_was_dark_ = console_.dark());

@@ -14,7 +14,7 @@ class ScriptStage final : public script::Stage {
   ~ScriptStage() override;
 
   void bind(lua_State* L) override;  ///< bind_ui.cpp
-  void opened(const std::shared_ptr<Session>& session) override;
+  void opened(const std::shared_ptr<SessionGroup>& group) override;
   void frame(Instant now) override;
   void script_over() override;
 

@@ -11,11 +11,8 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-#include "core/device/driver.h"
-#include "core/session/session.h"
-#include "core/time/real_scheduler.h"
 #include "tests/bench/responder.h"
-#include "transports/open.h"
+#include "tests/bench/stack.h"
 
 namespace hw {
 namespace {
@@ -72,55 +69,16 @@ void bare_asio_coroutine(benchmark::State& state) {
 }
 BENCHMARK(bare_asio_coroutine)->UseRealTime();
 
-// What the pump does for each round of status, without its pauses: driver, link, decode, publish.
-struct Stack {
-  explicit Stack(IoContext& io_context, int port) : io(io_context), time(io_context) {
-    asio::co_spawn(io, live(port), asio::detached);
-    while (!connected) io.run_one();
-  }
-  Task<> live(int port) {
-    auto address = Address::parse("vxm@tcp:127.0.0.1:" + std::to_string(port));
-    const DeviceType& type = *find_device_type(address->model);
-    catalog = *type.make_catalog(address->options);
-    draft.axis_count = static_cast<int>(catalog.axes.size());
-    auto opener = make_wire_opener();
-    auto wire = co_await opener(time, *address, nullptr);
-    auto link = std::make_shared<Link>(time, std::move(wire->stream));
-    station = std::make_unique<Station>(std::move(link), &traffic);
-    driver = type.make_driver(DriverContext{time, catalog, draft, [](Notice) {}, [] {}});
-    auto ready = co_await driver->connect(*station);
-    connected = true;
-    while (!over && ready) {
-      ready = co_await driver->poll();
-      latest.publish(draft);
-      traffic.drain([](TrafficEntry&) {});
-    }
-    ended = true;
-  }
-
-  IoContext& io;
-  RealScheduler time;
-  Catalog catalog;
-  Snapshot draft;
-  Latest<Snapshot> latest;
-  TrafficRing traffic{1 << 12};
-  std::unique_ptr<Station> station;
-  std::unique_ptr<Driver> driver;
-  bool connected = false, over = false, ended = false;
-};
-
 void whole_stack(benchmark::State& state) {
   Responder responder;
   IoContext io(1);
-  Stack stack(io, responder.port());
+  Stack stack(io, "vxm@tcp:127.0.0.1:" + std::to_string(responder.port()));
   const auto& transactions = stack.station->statistics().transactions;
   for (auto _ : state) {
     const auto before = transactions;
     while (transactions == before && !stack.ended) io.run_one();
   }
   if (stack.ended) state.SkipWithError("the link was lost");
-  stack.over = true;
-  while (!stack.ended) io.run_one();
 }
 BENCHMARK(whole_stack)->UseRealTime();
 

@@ -1,5 +1,6 @@
 // Bytes on the wire, time and hands on the bench, as the fuzzer likes. The emulator may answer what it wants,
 // but it has to stay alive, keep its time going forward, and come back after a power cycle.
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -66,13 +67,18 @@ BenchCommand hand(Bytes& in) {
   }
 }
 
+// A program may loop without a pause, a thousand commands a second: one input gets no more time than this in
+// all.
+constexpr Duration longest = std::chrono::minutes(10);
+
 // Microseconds to minutes; every step of an interesting event when `in` asks for it.
 void pass_time(Emulator& emulator, Instant& now, Bytes& in) {
   const auto kind = in.next();
+  const Instant before = now;
   if (kind & 1) {
     for (int i = 0; i < kind / 8; ++i) {
       const auto next = emulator.next_event();
-      if (!next) return;
+      if (!next || next->time_since_epoch() > longest) return;
       require(*next >= now);
       now = *next;
       emulator.advance_to(now);
@@ -80,6 +86,7 @@ void pass_time(Emulator& emulator, Instant& now, Bytes& in) {
     return;
   }
   now += std::chrono::microseconds(1LL << (kind / 8 % 27)) * (1 + in.next());
+  now = std::min(now, std::max(Instant(longest), before));
   emulator.advance_to(now);
 }
 

@@ -16,7 +16,7 @@ using ::testing::HasSubstr;
 struct CommandHelpTest : ::testing::Test {
   std::string hint(const char* line) { return help.hint(line).sentence; }
   Catalog catalog = test::toy_catalog();
-  CommandHelp help{catalog.commands};
+  CommandHelp help{catalog};
 };
 
 TEST_F(CommandHelpTest, SaysWhatEnterWouldDo) {

@@ -113,6 +113,7 @@ inline Catalog toy_catalog() {
   fleeting.stored = false;
   c.params = {motor, toy_param("j1M", "First jog speed of motor 1", "Jog buttons", 1, 6000, 2000, "steps/s"),
               bits, fleeting};
+  c.command_separators = ",. ";
   c.commands = {{"SmMx", "S1M500", "speed of motor m", false, true, ""},
                 {"ImMx", "I1M400", "move motor m by x steps", false, true, ""},
                 {"R", "R", "run the program", true, false, ""},

@@ -1,7 +1,7 @@
 // Every panel in every window, theme and state: what must be there is there, and says what is true.
 #include <cstdlib>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include "tests/panels/console_stage.h"

@@ -32,7 +32,7 @@ class Open : public ::testing::Test {
  protected:
   Result<std::shared_ptr<EmulatorHost>> make(DeviceOptions keys) {
     const OpenOptions options;
-    return make_emulator_host(clock, toy_type, std::move(keys), options);
+    return make_emulator_host(clock, toy_type, std::move(keys), {}, options);
   }
   std::string refusal(DeviceOptions keys) {
     const auto host = make(std::move(keys));

@@ -149,7 +149,7 @@ TEST_F(PtyEndpoint, AClientAtAnotherRateGetsGarbage) {
   ::tcsetattr(fd, TCSANOW, &settings);
   ASSERT_EQ(::write(fd, "V", 1), 1);
   EXPECT_EQ(read_client(fd, 1, Millis(30)), "");
-  const auto& heard = static_cast<const test::ToyEmulator&>(host->emulator()).heard();
+  const auto& heard = static_cast<const test::ToyEmulator&>(host->bench()->emulator()).heard();
   EXPECT_GT(heard.size(), 1u);
   EXPECT_EQ(heard.find('V', 1), std::string::npos);
   ::close(fd);

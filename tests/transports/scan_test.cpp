@@ -67,7 +67,7 @@ TEST_F(Scan, FindsTheModelAndItsRate) {
 TEST_F(Scan, AsksNothingButALoneV) {
   const auto host = serve("stage", 9600);
   probe(folder / "stage");
-  EXPECT_EQ(static_cast<const test::ToyEmulator&>(host->emulator()).heard(), "9V");
+  EXPECT_EQ(static_cast<const test::ToyEmulator&>(host->bench()->emulator()).heard(), "9V");
 }
 
 TEST_F(Scan, ASilentPortIsAskedAtEachRate) {

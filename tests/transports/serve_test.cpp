@@ -43,8 +43,8 @@ class Serve : public ::testing::Test {
     stream.listen(nullptr);
     return clock.now() - began;
   }
-  static const ToyEmulator& toy(const EmulatorHost& host) {
-    return static_cast<const ToyEmulator&>(host.emulator());
+  static const ToyEmulator& toy(EmulatorHost& host) {
+    return static_cast<const ToyEmulator&>(host.bench()->emulator());
   }
 
   IoContext io{1};
@@ -169,7 +169,7 @@ TEST_F(Serve, GarbleFlipsAsManyBytesAsAsked) {
   auto host = make();
   auto stream = *host->plug_in();
   Ear ear(*stream);
-  ASSERT_TRUE(host->operate(bench::Garble(2)));
+  ASSERT_TRUE(host->bench()->operate(bench::Garble(2)));
   stream->send("X");
   clock.run_for(Millis(1));
   ASSERT_EQ(ear.heard.size(), 9u);
@@ -182,7 +182,7 @@ TEST_F(Serve, DropLosesAsManyBytesAsAsked) {
   auto host = make();
   auto stream = *host->plug_in();
   Ear ear(*stream);
-  ASSERT_TRUE(host->operate(bench::Drop(3)));
+  ASSERT_TRUE(host->bench()->operate(bench::Drop(3)));
   stream->send("V");
   clock.run_for(Millis(1));
   EXPECT_EQ(ear.heard, "");
@@ -197,7 +197,7 @@ TEST_F(Serve, APulledCableClosesAndTheSameControllerComesBack) {
   Ear ear(*stream);
   stream->send("4");
   clock.run_for(Millis(1));
-  ASSERT_TRUE(host->operate(bench::Unplug(true)));
+  ASSERT_TRUE(host->bench()->operate(bench::Unplug(true)));
   clock.run_for(Millis(1));
   ASSERT_TRUE(ear.closed);
   EXPECT_EQ(ear.closed->kind, FaultKind::lost);
@@ -210,7 +210,7 @@ TEST_F(Serve, APulledCableClosesAndTheSameControllerComesBack) {
   ASSERT_FALSE(refused);
   EXPECT_NE(refused.error().sentence().find("Plug it in again"), std::string::npos);
 
-  ASSERT_TRUE(host->operate(bench::Unplug(false)));
+  ASSERT_TRUE(host->bench()->operate(bench::Unplug(false)));
   auto second = host->plug_in();
   ASSERT_TRUE(second);
   EXPECT_EQ(toy(*host).rate(), 38400) << "it is the same one";
@@ -221,14 +221,14 @@ TEST_F(Serve, AMoveGoesOnWhileTheCableIsOff) {
   auto stream = *host->plug_in();
   stream->send("M");
   clock.run_for(Millis(1));
-  ASSERT_TRUE(host->operate(bench::Unplug(true)));
+  ASSERT_TRUE(host->bench()->operate(bench::Unplug(true)));
   clock.run_for(Millis(200));
   BenchView view;
-  host->look(view);
+  host->bench()->look(view);
   EXPECT_TRUE(view.present);
   EXPECT_TRUE(view.unplugged);
   EXPECT_EQ(view.lamps, 0u);
-  ASSERT_TRUE(host->operate(bench::Unplug(false)));
+  ASSERT_TRUE(host->bench()->operate(bench::Unplug(false)));
   auto second = *host->plug_in();
   Ear ear(*second);
   clock.run_for(Millis(1));
@@ -240,12 +240,12 @@ TEST_F(Serve, ServedClientsStayConnectedWhileTheCableIsOff) {
   auto [near, far] = make_memory_pair(clock);
   host->attach(std::move(far));
   Ear ear(*near);
-  ASSERT_TRUE(host->operate(bench::Unplug(true)));
+  ASSERT_TRUE(host->bench()->operate(bench::Unplug(true)));
   near->send("V");
   clock.run_for(Millis(1));
   EXPECT_FALSE(ear.closed);
   EXPECT_EQ(ear.heard, "");
-  ASSERT_TRUE(host->operate(bench::Unplug(false)));
+  ASSERT_TRUE(host->bench()->operate(bench::Unplug(false)));
   near->send("V");
   clock.run_for(Millis(1));
   EXPECT_EQ(ear.heard, "R");
@@ -255,7 +255,7 @@ TEST_F(Serve, TellsWhenTheBenchLooksDifferentAndOnlyThen) {
   auto host = make();
   auto stream = *host->plug_in();
   int told = 0;
-  host->changed = [&] { ++told; };
+  host->bench()->changed = [&] { ++told; };
   stream->send("V");
   clock.run_for(Millis(1));
   const int at_rest = told;
@@ -271,17 +271,17 @@ TEST_F(Serve, TellsWhenTheBenchLooksDifferentAndOnlyThen) {
 
 TEST_F(Serve, DeviceFaultsGoToTheDevice) {
   auto host = make();
-  EXPECT_TRUE(host->operate(bench::Power(false)));
-  EXPECT_FALSE(host->operate(bench::Input(1, true)));
+  EXPECT_TRUE(host->bench()->operate(bench::Power(false)));
+  EXPECT_FALSE(host->bench()->operate(bench::Input(1, true)));
   BenchView view;
-  host->look(view);
+  host->bench()->look(view);
   EXPECT_FALSE(view.powered);
 }
 
 TEST_F(Serve, MayBeDestroyedFromInsideItsOwnNews) {
   auto host = make();
   auto stream = *host->plug_in();
-  host->changed = [&] { host.reset(); };
+  host->bench()->changed = [&] { host.reset(); };
   stream->send("M");
   Ear ear(*stream);
   clock.run_for(Millis(200));

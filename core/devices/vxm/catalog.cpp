@@ -1,6 +1,6 @@
 #include "core/devices/vxm/catalog.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/devices/vxm/facts.h"
 
@@ -114,6 +114,7 @@ Result<Catalog> make_catalog(const DeviceOptions& options) {
   c.analog = {{"Analog", "counts", analog_min, analog_max}};
   c.params = params(*motors);
   c.commands = commands(*motors);
+  c.command_separators = ",. ";
   c.program.slots = program_count;
   c.program.slot_word = "Program";
   c.program.capacity = program_bytes;

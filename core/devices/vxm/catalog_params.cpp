@@ -1,7 +1,7 @@
 // Every parameter of the VXM: what `set`, `get`, B and O reach. The mnemonic is what stands between set/get
 // and the value; so `B` is the baud rate (setB38). Backlash compensation, which the maker sets by a bare B20,
 // is called Bx, as the manual heads it.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/devices/vxm/catalog.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/devices/vxm/facts.h"
 
@@ -240,6 +240,15 @@ ErrorWords explain_error(char letter) {
   }
   return {fmt::format("The controller reports an error that the manual does not know: E{}.", letter), "",
           false, false};
+}
+
+std::string printable(std::string_view bytes) {
+  std::string all;
+  for (const char c : bytes)
+    all += c >= ' ' && c < 127 ? std::string(1, c)
+           : c == '\r'         ? "<cr>"
+                               : fmt::format("<{:02X}>", static_cast<unsigned char>(c));
+  return all;
 }
 
 }  // namespace hw::vxm

@@ -44,6 +44,8 @@ struct Listing {
   int free_bytes = 0;
   std::vector<std::string> commands;  ///< one per line, as the controller writes them
 };
+/// A listing has no end mark; a USB adapter may hold bytes back for 16 ms.
+inline constexpr std::uint16_t listing_quiet_ms = 60;
 std::optional<Listing> decode_listing(std::string_view reply);
 
 struct Digitized {  ///< the answer to D in Local mode
@@ -82,6 +84,9 @@ Message next_message(std::string_view bytes);
 std::size_t before_number(std::string_view received);  ///< replies that begin with a digit or sign
 std::size_t before_state(std::string_view received);   ///< V
 std::size_t before_prompt(std::string_view received);  ///< K, rsm
+
+/// Bytes as a sentence shows them: "<cr>", "<FF>".
+std::string printable(std::string_view bytes);
 
 /// Letters that a raw status byte could be mistaken for.
 bool could_be_message(char byte);

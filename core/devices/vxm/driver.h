@@ -1,6 +1,7 @@
 #pragma once
 // The VXM from the console's side. One subject per file:
-//   driver_talk.cpp     questions, raw text, what comes unasked
+//   driver_talk.cpp     questions, what comes unasked
+//   driver_text.cpp     raw text of users and scripts
 //   driver_connect.cpp  getting it to listen, finding out what it is, power-cycles, lost wires
 //   driver_poll.cpp     the round of status
 //   driver_moves.cpp    moves, jogs, homing, zero, outputs: what they consist of
@@ -88,12 +89,19 @@ class VxmDriver final : public Driver {
   void heard_error(char letter);
   void heard_limit();
   void for_scripts(std::string text);
+  void tell(Notice::Kind kind, std::string text);
+  void tell(const Fault& fault);
+
+  // ---- driver_text.cpp
+  struct RawAnswer {
+    std::string text;
+    bool last_is_answered = false;
+  };
   Task<Result<>> send_text(std::string text);
+  Task<Result<RawAnswer>> send_pieces(std::string text, Duration patience);
   void warn_of_flaws(const std::vector<TextCommand>& commands);
   void note_sent(const std::vector<TextCommand>& commands);
   Task<Result<std::string>> wait_for_prompt(Duration patience);
-  void tell(Notice::Kind kind, std::string text);
-  void tell(const Fault& fault);
 
   // ---- driver_connect.cpp
   Task<Result<>> greet();
@@ -134,6 +142,7 @@ class VxmDriver final : public Driver {
   Task<Result<int>> find_scratch();
   bool may_be_scratch(int slot) const;
   Task<Result<>> begin(Job job);
+  void forget_how_it_ended();
   Task<Result<>> start_leg();
   Task<Result<>> run_quickly(Leg leg);
   Task<Result<>> finish_leg();

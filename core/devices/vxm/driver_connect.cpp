@@ -1,5 +1,5 @@
 // Getting a controller to listen and finding out what it is; what is left after a restart or a lost wire.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/devices/vxm/driver.h"
 

@@ -6,7 +6,7 @@
 // the user's last S said, or 2000 steps/s, the power-up value, if none was seen.
 #include <cmath>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/devices/vxm/driver.h"
 
@@ -88,9 +88,14 @@ Task<Result<>> VxmDriver::begin(Job job) {
   auto slot = co_await find_scratch();
   if (!slot) co_return fail(slot.error());
   scratch_ = *slot;
-  for (int i = 0; i < draft_.axis_count; ++i) draft_.axes[i].ended_by = EndedBy::nothing;
+  forget_how_it_ended();
   job_ = std::move(job);
   co_return co_await start_leg();
+}
+
+void VxmDriver::forget_how_it_ended() {
+  draft_.program.ended_by = EndedBy::nothing;
+  for (int i = 0; i < draft_.axis_count; ++i) draft_.axes[i].ended_by = EndedBy::nothing;
 }
 
 Task<Result<>> VxmDriver::start_leg() {
@@ -160,7 +165,7 @@ EndedBy VxmDriver::how_it_ended(const Leg& leg) const {
   const AxisState& axis = draft_.axes[leg.axis];
   if (!leg.target || axis.position == *leg.target) return EndedBy::target;
   const bool at_limit = axis.direction > 0 ? axis.limit_plus : axis.limit_minus;
-  return at_limit || job_.limit_reported ? EndedBy::limit : EndedBy::stop;
+  return at_limit || job_.limit_reported ? EndedBy::limit : EndedBy::elsewhere;
 }
 
 void VxmDriver::show_leg_ended(const Leg& leg, EndedBy ended_by) {

@@ -1,7 +1,7 @@
 // What the console wants to move, as legs: moves, jogs, homing, zero, outputs; and whether it may now.
 #include <cmath>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/devices/vxm/driver.h"
 

@@ -1,6 +1,6 @@
 // Set-up: values of set and get, B and O; baud rate; storing; reset. And the list of what can be asked of the
 // driver.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/devices/vxm/driver.h"
 

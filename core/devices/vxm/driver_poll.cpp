@@ -2,7 +2,7 @@
 // bears; at rest everything, five times a second.
 #include <cmath>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/devices/vxm/driver.h"
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <map>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/devices/vxm/driver.h"
 
@@ -267,7 +267,7 @@ void VxmDriver::show_running(int slot) {
   p.command_told = false;
   p.stepping = hold_on_;
   p.started_at = scheduler_.now();
-  for (int i = 0; i < draft_.axis_count; ++i) draft_.axes[i].ended_by = EndedBy::nothing;
+  forget_how_it_ended();
 }
 
 Task<Result<>> VxmDriver::run(int slot) {

@@ -3,7 +3,7 @@
 // then K.
 #include <algorithm>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/devices/vxm/driver.h"
 
@@ -191,6 +191,7 @@ void VxmDriver::run_ended(EndedBy ended_by) {
   ProgramState& p = draft_.program;
   if (!was_running) return;
   p.run = RunState::idle;
+  if (p.ended_by == EndedBy::nothing || ended_by != EndedBy::target) p.ended_by = ended_by;
   p.owned = false;
   p.stepping = false;
   p.command = -1;

@@ -1,5 +1,5 @@
-// Questions and their answers, raw text, and what the controller says unasked.
-#include <fmt/format.h>
+// Questions and their answers, and what the controller says unasked.
+#include <fmt/core.h>
 
 #include "core/devices/vxm/driver.h"
 
@@ -7,18 +7,8 @@ namespace hw::vxm {
 namespace {
 
 constexpr std::size_t most_for_scripts = 256;
-constexpr std::uint16_t listing_quiet_ms = 60;  // a USB adapter may hold bytes back for 16 ms
 constexpr Duration quiet_time = Millis(30);
 constexpr Duration longest_gap = Millis(40);  // between the bytes of one message
-
-std::string printable(std::string_view bytes) {
-  std::string all;
-  for (const char c : bytes)
-    all += c >= ' ' && c < 127 ? std::string(1, c)
-           : c == '\r'         ? "<cr>"
-                               : fmt::format("<{:02X}>", static_cast<unsigned char>(c));
-  return all;
-}
 
 tl::unexpected<Fault> no_such_answer(std::string_view question, std::string_view reply) {
   return fail(FaultKind::garbled,
@@ -209,6 +199,7 @@ void VxmDriver::heard_limit() {
     job_.limit_reported = true;
   else
     tell(Notice::Kind::warning, "A limit switch was hit. The controller has stopped that motor.");
+  if (stored_running_) draft_.program.ended_by = EndedBy::limit;
   for_scripts("O");
 }
 
@@ -217,10 +208,9 @@ void VxmDriver::heard_error(char letter) {
   tell(Notice::Kind::error, words.what + " " + words.advice);
   for_scripts(std::string("E") + letter);
   if (letter == error_stopped) {
-    if (job_.active())
-      job_.ended_by = EndedBy::stop;
-    else
-      draft_.program.command = -1;
+    if (job_.active()) job_.ended_by = EndedBy::elsewhere;
+    if (stored_running_) draft_.program.ended_by = EndedBy::elsewhere;
+    draft_.program.command = -1;
     return;
   }
   if (words.halts) {
@@ -249,183 +239,5 @@ void VxmDriver::tell(Notice::Kind kind, std::string text) {
   if (notify_) notify_(Notice(kind, scheduler_.now(), std::move(text)));
 }
 void VxmDriver::tell(const Fault& fault) { tell(Notice::Kind::error, fault.sentence()); }
-
-// ---- raw text
-
-// What the text changes of which the driver keeps a record.
-void VxmDriver::note_sent(const std::vector<TextCommand>& commands) {
-  const auto program_changed = [&] {
-    if (selected_ < 0) return;
-    draft_.slot_bytes_used[static_cast<std::size_t>(selected_)] = -1;
-    listings_[static_cast<std::size_t>(selected_)].reset();
-    if (confirmed_scratch_ == selected_) confirmed_scratch_ = -1;
-    draft_.unsaved_programs = true;
-    sizes_read_ = false;
-  };
-  for (const TextCommand& c : commands) {
-    if (c.flaw != Flaw::none) continue;
-    if (c.stored()) program_changed();
-    if (c.verb == Verb::speed && c.motor >= 1 && c.motor <= max_motors)
-      known_speed_[static_cast<std::size_t>(c.motor - 1)] = static_cast<int>(c.value);
-    if (c.verb == Verb::select || c.verb == Verb::empty) {
-      selected_ = static_cast<int>(c.value);
-      if (!stored_running_) draft_.program.slot = static_cast<std::int8_t>(selected_);
-      if (c.verb == Verb::empty) program_changed();
-    }
-    if (c.verb == Verb::set) {
-      next_param_ = 0;
-      for (std::size_t i = 0; i < catalog_.params.size(); ++i)
-        if (catalog_.params[i].mnemonic == c.name) draft_.params[i].known = draft_.params[i].stored = false;
-      draft_.unsaved_setup = true;
-      if (c.name == "DM" || c.name == "I" || c.name == "D") essentials_read_ = false;
-    }
-    if (c.verb == Verb::word && c.name == "del") program_changed();
-    if (c.verb == Verb::word && c.name == "res") halted_ = 0;  // the next V finds it restarted
-    if (c.verb != Verb::letter) continue;
-    if (c.letter == 'C') program_changed();
-    if (c.letter == 'K') doubt_positions(), killed();
-    if (c.letter == 'H') hold_on_ = !hold_on_;
-    if (c.letter == 'Q') stay_local_ = true, mode_ = Mode::local;
-    if (c.letter == 'E' || c.letter == 'F' || c.letter == 'G') stay_local_ = false, mode_ = Mode::on_line;
-    if (c.letter == 'G' && draft_.program.run != RunState::idle) draft_.program.run = RunState::running;
-    if (c.letter == 'R' && !stored_running_) show_running(selected_);
-    if (c.letter == 'N')
-      for (int i = 0; i < draft_.axis_count; ++i) draft_.axes[i].position_doubtful = false;
-  }
-}
-
-// The controller drops what it does not know without a word.
-void VxmDriver::warn_of_flaws(const std::vector<TextCommand>& commands) {
-  for (const TextCommand& c : commands) {
-    if (c.flaw == Flaw::unknown)
-      tell(Notice::Kind::warning,
-           fmt::format(
-               "{} is no command of the VXM: the controller drops it without a word. It was sent as it "
-               "is. Press ? for the list of commands.",
-               printable(c.name)));
-    if (c.flaw == Flaw::range)
-      tell(Notice::Kind::warning,
-           fmt::format(
-               "{} is not possible, it takes {}: the controller drops it without a word. It was sent as "
-               "it is. Send it again with another number.",
-               canonical(c), allowed_values(c)));
-    if (c.flaw == Flaw::no_value)
-      tell(Notice::Kind::warning,
-           fmt::format(
-               "{} lacks its number: the controller drops it without a word. It was sent as it is. Send "
-               "it again with its number.",
-               printable(c.name)));
-  }
-}
-
-namespace {
-/// How the answer to the last command of a text ends.
-struct AnswerShape {
-  ReplyShape shape;
-  std::size_t (*stranger)(std::string_view) = nullptr;
-};
-std::optional<AnswerShape> answer_shape(const TextCommand& c, int motors, bool local) {
-  AnswerShape a;
-  if (c.verb == Verb::get || c.verb == Verb::ask_selected || c.verb == Verb::ask_associate)
-    return a.shape = ReplyShape::line(), a.stranger = before_number, a;
-  if (c.verb == Verb::word && c.name == "lst") return a.shape = ReplyShape::until_quiet(listing_quiet_ms), a;
-  if (c.verb == Verb::word && c.name == "rsm")
-    return a.shape = ReplyShape::bytes(1), a.stranger = before_prompt, a;
-  if (c.verb != Verb::letter) return std::nullopt;
-  if (c.letter == 'D' && local) return a.shape = ReplyShape::several_lines(motors > 2 ? 4 : 2), a;
-  if (c.letter == 'V') return a.shape = ReplyShape::bytes(1), a.stranger = before_state, a;
-  if (c.letter == 'K') return a.shape = ReplyShape::bytes(1), a.stranger = before_prompt, a;
-  if (c.letter == 'x' || c.letter == 'y')
-    return a.shape = ReplyShape::several_lines(4), a.stranger = before_number, a;
-  if (std::string_view("?~$").find(c.letter) != std::string_view::npos)
-    return a.shape = ReplyShape::bytes(1), a;
-  if (std::string_view("XYZTM#*@").find(c.letter) != std::string_view::npos)
-    return a.shape = ReplyShape::line(), a.stranger = before_number, a;
-  return std::nullopt;
-}
-/// Asks only: nothing else comes of it.
-bool is_question(const TextCommand& c) {
-  return c.verb == Verb::get || c.verb == Verb::ask_selected || c.verb == Verb::ask_associate ||
-         (c.verb == Verb::word && c.name == "lst") ||
-         (c.verb == Verb::letter && std::string_view("VXYZTM#*@xy?~$").find(c.letter) != std::string_view::npos);
-}
-}  // namespace
-
-Task<Result<>> VxmDriver::send_text(std::string text) {
-  if (ends_open(text)) text += '\r';
-  const auto commands = read_text(text);
-  for (const TextCommand& c : commands) {
-    const bool taken_while_running =
-        c.verb == Verb::letter && accepted_while_running.find(c.letter) != std::string_view::npos;
-    if (job_.active() && !taken_while_running && !(c.verb == Verb::word && c.name == "res"))
-      co_return fail(
-          FaultKind::refused,
-          fmt::format("A move of the console is under way, and the controller does not take {} then.",
-                      canonical(c)),
-          "Nothing was sent.", "Wait until it ends, or stop it.");
-  }
-  warn_of_flaws(commands);
-  bool echo = false;
-  for (const TextCommand& c : commands)
-    echo = c.verb == Verb::letter ? c.letter == 'E' || (echo && c.letter != 'F') : echo;
-  if (echo) {
-    text += 'F';
-    tell(Notice::Kind::info, "Echo was switched off again: the console shows what it sends by itself.");
-  }
-  note_sent(commands);
-  std::optional<AnswerShape> answer;
-  const bool idle = mode_ != Mode::local && !job_.active() && !stored_running_;
-  if (idle && !echo && !commands.empty() && commands.back().flaw == Flaw::none && is_question(commands.back()))
-    answer = answer_shape(commands.back(), static_cast<int>(catalog_.axes.size()), false);
-  if (!answer) co_return co_await say(std::move(text), Priority::intent);
-  // Read as its answer, so that the record of the wire can say what it means. That none came is seen there, too.
-  auto reply = co_await ask(std::move(text), answer->shape, Priority::intent, answer->stranger);
-  if (!reply && reply.error().kind == FaultKind::lost) co_return fail(reply.error());
-  co_return Result<>();
-}
-
-
-bool VxmDriver::answers(std::string_view text) const {
-  const auto commands = read_text(text);
-  return !commands.empty() &&
-         answer_shape(commands.back(), static_cast<int>(catalog_.axes.size()), mode_ == Mode::local)
-             .has_value();
-}
-
-Task<Result<std::string>> VxmDriver::query(std::string text, Duration patience) {
-  auto settled = co_await finish_leg();
-  if (!settled) co_return fail(settled.error());
-  if (ends_open(text)) text += '\r';
-  const auto commands = read_text(text);
-  if (commands.empty())
-    co_return fail(FaultKind::refused, "There is no command in that text.", "Nothing was sent.");
-  const TextCommand& last = commands.back();
-  const auto shape = answer_shape(last, static_cast<int>(catalog_.axes.size()), mode_ == Mode::local);
-  if (!shape) {
-    auto sent = co_await send_text(std::move(text));
-    if (!sent) co_return fail(sent.error());
-    co_return co_await wait_for_prompt(patience);
-  }
-  note_sent(commands);
-  auto reply = co_await ask(std::move(text), shape->shape, Priority::intent, shape->stranger, patience);
-  if (!reply) co_return fail(reply.error());
-  if (last.verb == Verb::letter && last.letter == 'K')
-    run_ended(EndedBy::abort), halted_ = 0, hold_on_ = false;
-  if (reply->ends_with('\r')) reply->pop_back();
-  co_return std::move(*reply);
-}
-
-// For texts that have no answer of their own: R and what else brings a prompt some time.
-Task<Result<std::string>> VxmDriver::wait_for_prompt(Duration patience) {
-  const Instant deadline = scheduler_.now() + patience;
-  std::string text;
-  for (;;) {
-    if (take_unsolicited(text)) co_return std::move(text);
-    if (!station_) co_return fail(FaultKind::lost, "The connection was lost before an answer came.");
-    const bool in_time = co_await news_.wait_until(deadline);
-    if (!in_time && for_scripts_.empty())
-      co_return fail(FaultKind::no_answer, fmt::format("No answer came in {:g} s.", seconds(patience)));
-  }
-}
 
 }  // namespace hw::vxm

@@ -41,6 +41,7 @@ class Box {
   [[nodiscard]] motion::Plant& plant(int axis) { return axes_[static_cast<std::size_t>(axis)].plant; }
   [[nodiscard]] const Axis& axis(int axis) const { return axes_[static_cast<std::size_t>(axis)]; }
   [[nodiscard]] const Line& line(int line) const { return lines_[static_cast<std::size_t>(line)]; }
+  [[nodiscard]] bool switch_operated(int axis, Sign side) const;
   void set_fitted(int axis, bool fitted) { axes_[static_cast<std::size_t>(axis)].fitted = fitted; }
   [[nodiscard]] int analog() const { return analog_; }
   [[nodiscard]] int outputs() const;
@@ -131,6 +132,7 @@ class Box {
   [[nodiscard]] std::optional<Instant> motion_event() const;
   [[nodiscard]] motion::Ramp ramp(int axis) const;
   [[nodiscard]] Sign physical(int axis, Sign sign) const;
+  [[nodiscard]] bool home_switch_wired(int axis) const;
   [[nodiscard]] bool limit_active(int axis, Sign side) const;
   [[nodiscard]] std::optional<std::int64_t> turns_until_stop(int axis, Sign sign, bool homing) const;
   void note_closed(int axis);

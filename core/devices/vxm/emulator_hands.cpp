@@ -111,14 +111,11 @@ Result<> VxmEmulator::act(const bench::Slip& c) {
 
 Result<> VxmEmulator::act(const bench::Place& c) {
   if (auto bad = check_axis(c.axis); !bad) return bad;
-  if (c.place.index_every || c.place.counts_per_step)
-    return fail(FaultKind::refused,
-                "A VXM has no encoder: index_every and counts_per_step mean nothing to it.",
-                "The place of motor " + std::to_string(c.axis.index + 1) + " was not changed.");
   if (c.place.home_from.has_value() != c.place.home_to.has_value())
     return fail(FaultKind::refused, "A home zone needs both ends.",
                 "The place of motor " + std::to_string(c.axis.index + 1) + " was not changed.");
   const int axis = c.axis.index, local = axis % motors_per_controller;
+  // An encoder of the load (index_every, counts_per_step) is kept as well: a VXM does not read it.
   box_of(axis).plant(local).set_place(c.place);
   box_of(axis).plant_changed(local);
   return {};
@@ -152,12 +149,13 @@ void VxmEmulator::look(BenchView& view) const {
     view.analog[ix(i)] = box.analog();
   }
   for (int axis = 0; axis < options_.motors; ++axis) {
-    const motion::Plant& plant = box_of(axis).axis(axis % motors_per_controller).plant;
+    const int local = axis % motors_per_controller;
+    const Box& box = box_of(axis);
+    const motion::Plant& plant = box.axis(local).plant;
     const std::uint32_t bit = 1u << axis;
     view.load_position[ix(axis)] = plant.load();
-    const bool home = plant.home_operated();
-    if (home || plant.limit_operated(Sign::minus)) view.limits_minus |= bit;
-    if (home || plant.limit_operated(Sign::plus)) view.limits_plus |= bit;
+    if (box.switch_operated(local, Sign::minus)) view.limits_minus |= bit;
+    if (box.switch_operated(local, Sign::plus)) view.limits_plus |= bit;
     if (plant.limit_by_hand(Sign::minus)) view.limits_minus_by_hand |= bit;
     if (plant.limit_by_hand(Sign::plus)) view.limits_plus_by_hand |= bit;
     if (plant.jammed()) view.jammed |= bit;

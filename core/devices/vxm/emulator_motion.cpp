@@ -21,17 +21,31 @@ motion::Ramp Box::ramp(int axis) const {
 /// Direction of the load; setDM turns a motor round, and its limit switches with it.
 Sign Box::physical(int axis, Sign sign) const { return rules_.inverted[ix(axis)] ? -sign : sign; }
 
-void Box::note_closed(int axis) {
-  Axis& a = axes_[ix(axis)];
-  for (const Sign side : {Sign::minus, Sign::plus})
-    if (!a.plant.limit_operated(side) && !a.plant.home_operated()) a.seen_closed[side == Sign::plus] = true;
+/// A home switch is wired to both limit inputs instead of the switches at the ends (App. N): the bench has
+/// one and setL is told of it.
+bool Box::home_switch_wired(int axis) const {
+  const int mode = memory_.setup.limit_mode[ix(axis)];
+  const bool for_homing_only = mode == limits_home_closed || mode == limits_home_open;
+  return for_homing_only && axes_[ix(axis)].plant.place().home_from.has_value();
 }
 
-/// The switch on that side of the load, or a home switch wired to both limit inputs, acts (V30, V69).
+/// The switch that is wired to the limit input on that side of the load, operated by the load or by hand.
+bool Box::switch_operated(int axis, Sign side) const {
+  const motion::Plant& plant = axes_[ix(axis)].plant;
+  if (plant.limit_by_hand(side) || plant.home_by_hand()) return true;
+  return home_switch_wired(axis) ? plant.home_operated() : plant.limit_operated(side);
+}
+
+void Box::note_closed(int axis) {
+  for (const Sign side : {Sign::minus, Sign::plus})
+    if (!switch_operated(axis, side)) axes_[ix(axis)].seen_closed[side == Sign::plus] = true;
+}
+
+/// That limit input acts (V30, V69).
 bool Box::limit_active(int axis, Sign side) const {
-  const Axis& a = axes_[ix(axis)];
-  if (!a.plant.limit_operated(side) && !a.plant.home_operated()) return false;
-  return memory_.setup.limit_mode[ix(axis)] != limits_detect || a.seen_closed[side == Sign::plus];
+  if (!switch_operated(axis, side)) return false;
+  return memory_.setup.limit_mode[ix(axis)] != limits_detect ||
+         axes_[ix(axis)].seen_closed[side == Sign::plus];
 }
 
 std::optional<std::int64_t> Box::turns_until_stop(int axis, Sign sign, bool homing) const {
@@ -43,9 +57,7 @@ std::optional<std::int64_t> Box::turns_until_stop(int axis, Sign sign, bool homi
   if (limit_active(axis, way)) return 0;
   if (!a.fitted) return std::nullopt;
   if (mode == limits_detect && !a.seen_closed[way == Sign::plus]) return std::nullopt;
-  const auto limit = a.plant.turns_until_limit(way), home = a.plant.turns_until_home(way);
-  if (limit && home) return std::min(*limit, *home);
-  return limit ? limit : home;
+  return home_switch_wired(axis) ? a.plant.turns_until_home(way) : a.plant.turns_until_limit(way);
 }
 
 bool Box::start_motion(MotionKind kind, int axis, Sign sign, const Profile& profile) {

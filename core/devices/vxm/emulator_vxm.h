@@ -55,6 +55,9 @@ class VxmEmulator final : public Emulator {
   Result<> act(const bench::Button& c);
   Result<> act(const bench::Jam& c);
   Result<> act(const bench::Slip& c);
+  Result<> act(const bench::Alarm&) {
+    return fail(FaultKind::refused, "A VXM has no alarm inputs.", "Nothing was changed.");
+  }
   Result<> act(const bench::Place& c);
   Result<> act(const bench::Power& c);
   Result<> act(const bench::PowerCycle& c);

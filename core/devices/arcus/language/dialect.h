@@ -26,15 +26,20 @@ struct NameRow {
   bool readable = true;
   Writable writable = Writable::no;
   std::int32_t minimum = 0, maximum = 0;  ///< of what is written
-  bool any_is_on = false;                 ///< a number beyond the maximum counts as the maximum (AMB-094)
-  std::string_view usual;                 ///< not empty: `spelling` is accepted with a warning to write this
+  bool also_zero = false;                 ///< 0 is allowed too
+  bool any_is_on = false;                 ///< a number beyond the range means on (AMB-094)
+  std::string_view usual{};               ///< not empty: accepted with a warning to write this (AMB-107, 108)
+
+  [[nodiscard]] bool accepts(std::int64_t value) const {
+    return (value >= minimum && value <= maximum) || (also_zero && value == 0);
+  }
 };
 
 /// A statement that is a word with an axis: HOME, JOG, STOP ...
 struct WordRow {
   std::string_view spelling;
   Opcode op;
-  bool alone = false;  ///< also without an axis: for all of them
+  bool alone = false;  ///< on a controller with several axes also without a letter: all of them
 };
 
 struct Dialect {
@@ -45,6 +50,7 @@ struct Dialect {
   bool arcs;
   std::span<const NameRow> names;
   std::span<const WordRow> words;
+  std::int32_t min_position, max_position;  ///< of a target
 
   [[nodiscard]] int axis_of(char letter) const {  // -1: no such axis
     const auto at = axes.find(letter);
@@ -55,15 +61,25 @@ struct Dialect {
 
 [[nodiscard]] const Dialect& pmx_4ex_sa();
 [[nodiscard]] const Dialect& dmx_k_sa();
+[[nodiscard]] std::span<const Dialect* const> all_dialects();
 
-/// A name of the dialect found in a text: letters (capitals) and, for numbered names, the number behind them.
+/// A name of the dialect found in a text.
 struct NameFound {
   const NameRow* row = nullptr;
-  int index = 0;  ///< axis or number; for numbered names still to be taken from the text
+  int index = 0;  ///< axis or number
 };
+/// `letters` in capitals; `number`: the digits behind them, or -1.
 [[nodiscard]] std::optional<NameFound> find_name(const Dialect& dialect, std::string_view letters,
-                                                 bool number_follows);
-/// How the maker writes it: "HSPDX", "DI3", "PS".
+                                                 int number);
+
+struct WordFound {
+  Opcode op = Opcode::bad;
+  AxisSet axes;
+};
+/// "HOMEX", "STOP".
+[[nodiscard]] std::optional<WordFound> find_word(const Dialect& dialect, std::string_view letters);
+
+/// How the maker writes it: "HSPDX", "DI3", "PS"; "V7", "-100".
 [[nodiscard]] std::string spell(const Dialect& dialect, Quantity quantity, int index);
 [[nodiscard]] std::string spell(const Dialect& dialect, const Operand& operand);
 

@@ -19,6 +19,7 @@ inline constexpr int max_programs = 4;
 inline constexpr int max_axes = 4;
 inline constexpr int subroutines = 32;
 inline constexpr int error_subroutine = 31;
+inline constexpr int max_call_depth = 8;  ///< GOSUB within GOSUB (AMB-129)
 inline constexpr int variables = 100;
 inline constexpr int first_stored_variable = 50;
 
@@ -40,24 +41,28 @@ enum class Shape : std::uint8_t {
   number,
   two_numbers,
   link,           ///< a line number
-  link_and_test,  ///< a line number; then `+TEST a cmp b line-if-false`
+  link_and_test,  ///< a line number; then `+TEST,a,cmp,b,line-if-false`
   target_and_value,
-  value_and_result,  ///< a value; then `+PUT v`, `+NOT v` or `+ADD b v` and its like
+  value_and_result,  ///< a value; then `+PUT,v`, `+NOT,v` or `+ADD,b,v` and its like
   axis,
   axes,  ///< an axis, or nothing for all
   axis_and_sign,
   axis_targets,  ///< an axis and a value; then one `+MOVE` line for each further axis
-  centre,        ///< then `+X n` and `+Y n`
-  arc,           ///< then `+X n`, `+Y n`, `+TO end-angle swept-angle`
+  centre,        ///< then `+X,n` and `+Y,n`
+  arc,           ///< then `+X,n`, `+Y,n`, `+TO,end-angle,swept-angle`
 };
 [[nodiscard]] Shape shape_of(Opcode op);
 [[nodiscard]] std::string_view mnemonic_of(Opcode op);
+/// Low-level lines of a statement; 0: one for each of its axes.
+[[nodiscard]] int lines_of(Opcode op);
 
 enum class Quantity : std::uint8_t {
 #define QUANTITY(name, index) name,
 #include "core/devices/arcus/language/quantities.def"
 #undef QUANTITY
 };
+
+[[nodiscard]] bool has_axis(Quantity quantity);  ///< its index is an axis
 
 /// What stands where a value is wanted, or where one is put.
 struct Operand {
@@ -121,7 +126,7 @@ struct Instruction {
   bool operator==(const Instruction&) const = default;
 };
 
-/// A line of a stored program that means nothing.
+/// A line of a stored program that means nothing, or that stands where it means nothing.
 struct BadLine {
   int line = 0;
   std::string why;
@@ -134,6 +139,13 @@ struct Program {
   std::array<std::optional<std::uint16_t>, subroutines> subs;       ///< line of SUB n
   std::vector<BadLine> bad_lines;
 };
+
+/// Sets `link` and `if_false` of every block from where its lines stand. Returns the lines that belong to no
+/// complete block.
+[[nodiscard]] std::vector<int> link_blocks(std::vector<Instruction>& code);
+
+/// Finds the heads of programs and subroutines. Returns the lines that repeat a number.
+[[nodiscard]] std::vector<int> find_heads(Program& program);
 
 /// Reads low-level lines. Never fails: what means nothing becomes a bad line. Trailing empty lines are
 /// dropped.

@@ -4,8 +4,9 @@
 //
 // Turns stand on whole milliseconds. In a turn each thread that is due runs one statement, program 0 first,
 // the GS thread last (AMB-127). A statement that has to wait (WAIT, a move whose axis still moves) is tried
-// again on the first turn after the axis came to rest; until then its thread asks for no turns. So the host
-// asks next_turn again after each of its own events:
+// again on the first turn after the axis came to rest; until then its thread asks for no turns. Nor does one
+// that only goes round looking at inputs and variables (loop_watch.h). So the host asks next_turn again after
+// each of its own events, commands and hands on the bench:
 //
 //   while (auto turn = vm.next_turn(now, host); turn && *turn <= until) {
 //     advance motion to *turn (and ask again when something came to rest before); now = *turn;
@@ -16,13 +17,12 @@
 #include <memory>
 #include <optional>
 
+#include "core/devices/arcus/language/loop_watch.h"
 #include "core/devices/arcus/language/program.h"
 #include "core/devices/arcus/language/vm_host.h"
 #include "core/time/clock.h"
 
 namespace hw::arcus::language {
-
-inline constexpr int max_depth = 8;  ///< GOSUB within GOSUB (AMB-129)
 
 /// The numbers that SASTAT answers.
 enum class ThreadState : std::uint8_t { stopped = 0, running = 1, paused = 2, error = 4 };
@@ -54,7 +54,8 @@ class Vm {
 
   [[nodiscard]] ThreadState state(int program) const { return threads_[program].state; }
   [[nodiscard]] ThreadState call_state() const { return threads_[gs_thread].state; }
-  /// SPCn: the low-level line of the statement that runs next, or that failed.
+  /// SPCn: the low-level line of the statement that runs next, or that failed. A thread that idles in a loop
+  /// shows the loop's WHILE.
   [[nodiscard]] int line(int program) const { return threads_[program].line; }
   [[nodiscard]] int call_line() const { return threads_[gs_thread].line; }
   [[nodiscard]] Trouble trouble(int program) const { return threads_[program].trouble; }
@@ -70,22 +71,38 @@ class Vm {
 
  private:
   static constexpr int gs_thread = max_programs;
-  using Turn = std::int64_t;  ///< milliseconds since the clock's start
 
   struct Frame {
     std::uint16_t return_line = 0;
     std::uint8_t sub = 0;
+    bool after_error = false;  ///< SUB 31, entered because something failed
   };
   struct Thread {
     ThreadState state = ThreadState::stopped;
     Trouble trouble = Trouble::none;
-    std::uint8_t depth = 0;
-    AxisSet waits_for;  ///< the statement at `line` waits until these are at rest
+    std::uint8_t depth = 0;  ///< frames in use
+    AxisSet waits_for;       ///< the statement at `line` waits until these are at rest
     std::uint16_t line = 0;
     std::uint16_t first_line = 0;
-    Turn due = 0;                             ///< not before this turn
-    std::array<Frame, max_depth + 1> frames;  ///< one more for SUB 31
+    Turn due = 0;  ///< not before this turn
+    LoopWatch loop;
+    std::array<Frame, max_call_depth + 2> frames;  ///< one more for GS and one for SUB 31
   };
+  /// What a statement leads to.
+  struct Next {
+    enum class Kind : std::uint8_t { go, wait, fail, leave } kind = Kind::go;
+    std::uint16_t line = 0;  ///< go
+    AxisSet axes;            ///< wait
+    Trouble trouble{};       ///< fail
+  };
+  class Statement;  // one statement being run (vm_statement.cpp)
+
+  void start(Thread& thread, std::uint16_t line, Turn turn);
+  void run_thread(Thread& thread, Turn turn, VmHost& host);
+  void fail(Thread& thread, Trouble trouble, Turn turn);
+  [[nodiscard]] std::int32_t value_of(const Operand& operand, const VmHost& host) const;
+  [[nodiscard]] bool idles(const Thread& thread, const VmHost& host) const;
+  [[nodiscard]] Turn first_turn(Instant now) const;
 
   std::shared_ptr<const Program> program_ = std::make_shared<const Program>();
   std::array<Thread, max_programs + 1> threads_;

@@ -1,0 +1,286 @@
+#include "core/devices/arcus/catalog.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace hw::arcus {
+namespace {
+
+constexpr int usual_speed = 1000;  // pulses/s after power-up
+
+std::string letter(const Model& model, int axis) {
+  return std::string(model.axis_letters.substr(static_cast<std::size_t>(axis), 1));
+}
+
+std::vector<InputInfo> inputs(const Model& model) {
+  std::vector<InputInfo> all;
+  for (int n = 1; n <= model.inputs; ++n) {
+    InputInfo input{fmt::format("DI{}", n), "Digital input. Programs read it, and the console shows it.",
+                    false};
+    for (int axis = 0; axis < model.axes(); ++axis)
+      if (model.latch_inputs[static_cast<std::size_t>(axis)] == n)
+        input.help = fmt::format("Digital input; also captures the position of {} while its latch is on.",
+                                 letter(model, axis));
+    all.push_back(std::move(input));
+  }
+  return all;
+}
+
+std::vector<OutputInfo> outputs(const Model& model) {
+  std::vector<OutputInfo> all;
+  for (int n = 1; n <= model.outputs; ++n) {
+    OutputInfo output{fmt::format("DO{}", n), "Digital output.", true};
+    for (int axis = 0; axis < model.axes(); ++axis)
+      if (model.sync_outputs[static_cast<std::size_t>(axis)] == n)
+        output.help = fmt::format(
+            "Digital output; the sync output of {} while that is on, and then not yours to switch.",
+            letter(model, axis));
+    all.push_back(std::move(output));
+  }
+  return all;
+}
+
+ReadoutInfo state_words(std::string label, std::vector<ParamChoice> words, std::string help) {
+  ReadoutInfo r;
+  r.label = std::move(label);
+  r.words = std::move(words);
+  r.help = std::move(help);
+  return r;
+}
+
+ReadoutInfo value(std::string label, std::string unit, std::string help) {
+  ReadoutInfo r;
+  r.label = std::move(label);
+  r.unit = std::move(unit);
+  r.help = std::move(help);
+  return r;
+}
+
+ActionInfo action(std::string id, std::string label, std::string help, std::string group,
+                  std::vector<ActionField> fields, std::string manual) {
+  ActionInfo a;
+  a.id = std::move(id);
+  a.label = std::move(label);
+  a.help = std::move(help);
+  a.group = std::move(group);
+  a.fields = std::move(fields);
+  a.manual = std::move(manual);
+  return a;
+}
+
+}  // namespace
+
+Catalog common_catalog(const Model& model, const Wording& wording) {
+  Catalog c;
+  c.model = model.name;
+  c.short_name = model.title;
+  c.step_word = "pulses";
+  c.loop_word = "counts";
+  for (int axis = 0; axis < model.axes(); ++axis)
+    c.axes.push_back({letter(model, axis), fmt::format("axis {}", letter(model, axis)), true, true});
+  c.homing_modes = {{"home", "onto the home switch, high speed"},
+                    {"limit", "to the limit switch"},
+                    {"home-index", "home switch, then encoder index"},
+                    {"index", "encoder index only"},
+                    {"home-high-low", "onto the home switch, high then low speed"}};
+  c.inputs = inputs(model);
+  c.outputs = outputs(model);
+  for (int n = 1; n <= model.analog_inputs; ++n) c.analog.push_back({fmt::format("AI{}", n), "mV", 0, 5000});
+  c.params = params(model, wording);
+  c.readout_groups = {"Motion", "StepNLoop", "Latches", "Sync outputs", "Variables"};
+  c.variables.count = variables;
+  c.variables.stored_from = first_stored_variable;
+  c.variables.readout_group = variable_values;
+  c.variables.minimum = -max_number - 1;
+  c.variables.maximum = max_number;
+  c.program.slots = 1;
+  c.program.slot_word = "Program";
+  c.program.capacity = program_lines;
+  c.program.capacity_unit = "lines";
+  c.program.shared_capacity = true;
+  c.program.threads = model.programs;
+  c.program.compiled = true;
+  c.program.file_suffix = ".prg";
+  c.can.store = true;
+  c.can.interpolates = model.axes() > 1;
+  c.can.broadcast = model.broadcast >= 0;
+  c.can.usual_baud = bauds.front().rate;
+  for (const Baud& b : bauds) c.can.bauds.push_back(b.rate);
+  c.jog_speed = Pps{usual_speed};
+  c.jog_speed_min = Pps{1};
+  c.jog_speed_max = Pps{static_cast<double>(max_speed)};
+  c.position_min = Steps{position_min};
+  c.position_max = Steps{position_max};
+  c.move_max = Steps{position_max};
+  return c;
+}
+
+std::vector<ParamChoice> axis_choices(const Model& model, bool all) {
+  std::vector<ParamChoice> choices;
+  if (all) choices.push_back({-1, "all axes"});
+  for (int axis = 0; axis < model.axes(); ++axis) choices.push_back({axis, letter(model, axis)});
+  return choices;
+}
+
+ActionField axis_field(const Model& model, bool all) {
+  ActionField f;
+  f.id = "axis";
+  f.label = "Axis";
+  f.choices = axis_choices(model, all);
+  f.minimum = f.choices.front().value;
+  f.maximum = f.choices.back().value;
+  f.fallback = f.minimum;
+  return f;
+}
+
+ActionField switch_field() {
+  ActionField f;
+  f.id = "on";
+  f.label = "State";
+  f.choices = {{1, "on"}, {0, "off"}};
+  f.maximum = 1;
+  f.fallback = 1;
+  return f;
+}
+
+ActionField number_field(std::string id, std::string label, std::string unit, std::int64_t minimum,
+                         std::int64_t maximum, std::int64_t fallback) {
+  ActionField f;
+  f.id = std::move(id);
+  f.label = std::move(label);
+  f.unit = std::move(unit);
+  f.minimum = minimum;
+  f.maximum = maximum;
+  f.fallback = fallback;
+  return f;
+}
+
+ActionField position_field(std::string id, std::string label, std::string unit) {
+  return number_field(std::move(id), std::move(label), std::move(unit), position_min, position_max);
+}
+
+void add_readout(Catalog& catalog, Group group, std::string id, ReadoutInfo info) {
+  info.id = std::move(id);
+  info.group = group;
+  catalog.readouts.push_back(std::move(info));
+}
+
+void add_readouts(Catalog& catalog, const Model& model, Group group, std::string_view form,
+                  const ReadoutInfo& pattern) {
+  for (int axis = 0; axis < model.axes(); ++axis) {
+    std::string id(form);
+    const bool several = model.axes() > 1;
+    if (const auto a = id.find('a'); a != id.npos) id.replace(a, 1, several ? letter(model, axis) : "");
+    ReadoutInfo info = pattern;
+    info.axis = axis;
+    if (several) info.label += " of " + letter(model, axis);
+    add_readout(catalog, group, std::move(id), std::move(info));
+  }
+}
+
+void add_common_readouts(Catalog& catalog, const Model& model) {
+  add_readouts(catalog, model, motion, "MSTa",
+               value("Status word", "", "The status bits as the controller sends them, in one number."));
+  add_readout(catalog, motion, "MM",
+              state_words("Move mode", {{0, "absolute"}, {1, "incremental"}},
+                          "What a plain move command of the terminal means. The console's own moves put it "
+                          "back as it was."));
+  ReadoutInfo state = state_words("State",
+                                  {{0, "idle"},
+                                   {1, "moving"},
+                                   {2, "correcting"},
+                                   {3, "stopping"},
+                                   {4, "aborting"},
+                                   {5, "jogging"},
+                                   {6, "homing"},
+                                   {7, "homing on the index"},
+                                   {8, "error too large at rest"},
+                                   {9, "too many corrections"},
+                                   {10, "stalled"},
+                                   {11, "limit error"},
+                                   {12, "not in use"},
+                                   {13, "homing on the limit"}},
+                                  "What StepNLoop does. Errors stay until they are cleared.");
+  state.bad = {8, 9, 10, 11};
+  add_readouts(catalog, model, loop, "SLSa", state);
+  add_readouts(catalog, model, loop, "DXa",
+               value("Difference", "counts", "Target minus encoder: how many counts are still missing."));
+  add_readouts(catalog, model, latches, "LTaS",
+               state_words("Latch", {{0, "off"}, {1, "waiting"}, {2, "captured"}},
+                           "An edge at its input captures both positions once."));
+  add_readouts(catalog, model, latches, "LTaP",
+               value("Captured pulse position", "pulses", "Means nothing while StepNLoop is on."));
+  add_readouts(catalog, model, latches, "LTaE", value("Captured encoder position", "counts", ""));
+  add_readouts(catalog, model, sync_outputs, "SYNaS",
+               state_words("Sync output", {{0, "off"}, {1, "waiting"}, {2, "has acted"}},
+                           "Compares the encoder with the sync position. Its settings stand in Setup and are "
+                           "not kept by Store."));
+}
+
+void add_common_actions(Catalog& catalog, const Model& model, std::string_view chapter) {
+  const auto where = [&](const char* section) { return fmt::format("{} {}", chapter, section); };
+  const bool several = model.axes() > 1;
+  const auto with_axis = [&](bool all, std::vector<ActionField> rest) {
+    if (several) rest.insert(rest.begin(), axis_field(model, all));
+    return rest;
+  };
+  auto& actions = catalog.actions;
+  actions.push_back(action("clear", "Clear errors",
+                           "Clears limit, alarm and StepNLoop errors. A switch that is still active acts "
+                           "again at the next move.",
+                           "Motion", with_axis(true, {}), where("Limits")));
+  actions.push_back(action("clear_loop", "Clear StepNLoop errors", "Clears StepNLoop errors only.",
+                           "StepNLoop", with_axis(true, {}), where("StepNLoop Closed Loop Control")));
+  actions.push_back(action("absolute", "Absolute mode",
+                           "Plain move commands of the terminal give the target from now on.", "Motion", {},
+                           where("Moves")));
+  actions.push_back(action("incremental", "Incremental mode",
+                           "Plain move commands of the terminal give the distance from now on.", "Motion", {},
+                           where("Moves")));
+  actions.push_back(action(
+      "change_speed", "Change speed now",
+      "Changes the speed of an axis that moves. Choose the window for speed changes before the motion; the "
+      "ramp must be straight.",
+      "Change under way",
+      with_axis(false, {number_field("speed", "New speed", "pulses/s", 1, max_speed, 1000),
+                        number_field("accel", "In (0: as set)", "ms", 0, longest_ramp_ms(model))}),
+      where("On-The-Fly Speed Change")));
+  actions.back().while_busy = actions.back().moves = true;
+  ActionField window = number_field("window", "Window", "", 0, model.speeds.back().window);
+  for (const ParamInfo& p : catalog.params)
+    if (p.mnemonic.starts_with("SSPDM") && window.choices.empty()) window.choices = p.choices;
+  actions.push_back(action("speed_window", "Choose window",
+                           "The window of speeds within which the next motion may change its speed.",
+                           "Change under way", with_axis(false, {window}), where("On-The-Fly Speed Change")));
+  actions.push_back(action("change_target", "Change target now",
+                           "Gives a running move of one axis another target; it turns round if it has passed "
+                           "it already.",
+                           "Change under way",
+                           with_axis(false, {position_field("target", "New target", "pulses")}),
+                           where("On-The-Fly Target Position Change")));
+  actions.back().while_busy = actions.back().moves = true;
+  actions.push_back(action("latch", "Latch",
+                           "On: waits for an edge at the latch input and captures both positions, which are "
+                           "set to 0 until then.",
+                           "Latches", with_axis(false, {switch_field()}), where("Latch Inputs")));
+  actions.back().while_busy = true;
+  actions.push_back(action("sync", "Sync output",
+                           "On: the digital output acts as the sync condition says. Off: it is yours again.",
+                           "Sync outputs", with_axis(false, {switch_field()}), where("Sync Outputs")));
+  actions.back().while_busy = true;
+  actions.push_back(action("subroutine", "Run subroutine",
+                           "Runs one of the stored subroutines, beside whatever program runs.", "Programs",
+                           {number_field("number", "Subroutine", "", 0, subroutines - 1)},
+                           where("Standalone Programming")));
+  actions.back().moves = actions.back().while_busy = true;
+}
+
+std::vector<CommandInfo> commands_of(std::span<const CommandRow> rows) {
+  std::vector<CommandInfo> all;
+  for (const CommandRow& row : rows)
+    all.push_back({row.form, row.example, row.help, row.moves, false, row.manual});
+  return all;
+}
+
+}  // namespace hw::arcus

@@ -1,0 +1,304 @@
+#include "core/devices/arcus/catalog_params.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace hw::arcus {
+namespace {
+
+enum class Kind : std::uint8_t { plain, on_off, choices, bits };
+
+struct Words {
+  Setting id;
+  const char* group;
+  const char* label;  ///< {} stands for the axis letter
+  const char* explanation;
+  const char* unit;
+  const char* section;        ///< of the manual's feature chapter
+  const char* off = nullptr;  ///< words for the values 0 and 1
+  const char* on = nullptr;
+};
+
+// clang-format off
+constexpr Words all_words[] = {
+    {Setting::high_speed, "Speed", "High speed",
+     "The speed that moves, jogs and home searches reach after their ramp. An axis with StepNLoop counts it in encoder counts instead of pulses. Not kept by Store.",
+     "pulses/s", "Motion Profile"},
+    {Setting::low_speed, "Speed", "Low speed",
+     "The speed at which a ramp begins and ends, and at which the careful part of a home search runs. Not kept by Store.",
+     "pulses/s", "Motion Profile"},
+    {Setting::accel, "Speed", "Acceleration time",
+     "How long the ramp from low to high speed takes. The controller adjusts a time that its table A.0 does not allow for the present speeds; what it uses is read back. Not kept by Store.",
+     "ms", "Motion Profile"},
+    {Setting::decel, "Speed", "Deceleration time",
+     "How long the ramp from high to low speed takes when separate deceleration is on. Adjusted like the acceleration time. Not kept by Store.",
+     "ms", "Motion Profile"},
+    {Setting::axis_high_speed, "Speed of one axis", "High speed of {}",
+     "A high speed for moves of {} alone. It counts only when high speed, low speed and acceleration of {} are all set; 0 leaves {} at the speeds for all axes. Not kept by Store.",
+     "pulses/s", "Motion Profile"},
+    {Setting::axis_low_speed, "Speed of one axis", "Low speed of {}",
+     "A low speed for moves of {} alone. It counts only when high speed, low speed and acceleration of {} are all set; 0 leaves {} at the speeds for all axes. Not kept by Store.",
+     "pulses/s", "Motion Profile"},
+    {Setting::axis_accel, "Speed of one axis", "Acceleration time of {}",
+     "A ramp time for moves of {} alone. It counts only when high speed, low speed and acceleration of {} are all set; 0 leaves {} at the time for all axes. Not kept by Store.",
+     "ms", "Motion Profile"},
+    {Setting::axis_decel, "Speed of one axis", "Deceleration time of {}",
+     "The ramp down of {} alone, when separate deceleration is on and {} uses its own speeds; 0 takes the time for all axes. Not kept by Store.",
+     "ms", "Motion Profile"},
+    {Setting::separate_decel, "Speed", "Separate deceleration",
+     "Whether a ramp down takes the deceleration time, or the acceleration time both ways as usual.",
+     "", "Motion Profile", "0: brake with the acceleration time", "1: brake with the deceleration time"},
+    {Setting::s_curve, "Speed", "Ramp form{of}",
+     "Straight ramps change speed evenly. S-curves begin and end each ramp softly, which spares the mechanics but makes changes of speed under way impossible.",
+     "", "Motion Profile", "0: straight (trapezoid)", "1: S-curve"},
+    {Setting::speed_window, "Speed", "Window for speed changes{of}",
+     "To change the speed while an axis moves, both speeds must lie in one window of table A.0, which is chosen here before the motion begins. 0 is for ordinary moves.",
+     "", "On-The-Fly Speed Change"},
+    {Setting::buffer_accel, "Buffered moves", "Ramps between buffered moves",
+     "Each buffered move has a speed of its own. The speed can jump from one to the next, or change in ramps of the acceleration time.",
+     "", "Buffered Linear Interpolation Moves", "0: jump to each move's speed", "1: ramp from speed to speed"},
+    {Setting::polarity, "Polarity", "Polarity{of}",
+     "Which level of each signal counts as active, and which way the motor turns for a positive move. Change a bit when a lamp shows the opposite of its switch.",
+     "", "Polarity"},
+    {Setting::input_polarity, "Polarity", "Polarity of the digital inputs",
+     "Whether an input counts as on while current flows through it, or while none flows. For all inputs together.",
+     "", "Digital Inputs/Outputs", "0: on while current flows", "1: on while no current flows"},
+    {Setting::output_polarity, "Polarity", "Polarity of the digital outputs",
+     "Whether an output that is on conducts or blocks. For all outputs together. Look at what hangs on them before you change it: they switch at once.",
+     "", "Digital Inputs/Outputs", "0: on conducts", "1: on blocks"},
+    {Setting::enable_polarity, "Polarity", "Polarity of the enable outputs",
+     "Which level switches a motor driver on. Wrong for your drivers, motors have power when the console shows them off.",
+     "", "Digital Inputs/Outputs", "0: as wired at the factory", "1: inverted"},
+    {Setting::boot_outputs, "At power-up", "Digital outputs at power-up",
+     "The outputs that are on from the moment the controller gets power, before any program or console has said anything.",
+     "", "Digital Inputs/Outputs"},
+    {Setting::boot_enables, "At power-up", "Motor power at power-up",
+     "The motors that get power as soon as the controller does. Without it a motor is loose until it is switched on.",
+     "", "Digital Inputs/Outputs"},
+    {Setting::boot_programs, "At power-up", "Programs that start at power-up",
+     "These stored programs begin to run by themselves when the controller gets power, and may move the machine. Takes effect at the next power-up after Store.",
+     "", "Standalone Program Specification"},
+    {Setting::ignore_errors, "Limits and alarms", "Go on after a limit",
+     "A limit or alarm always stops its axis. Usually the error must then be cleared before the next move; here that can be left out.",
+     "", "Limits", "0: an error must be cleared first", "1: the next move may follow at once"},
+    {Setting::sync_condition, "Sync outputs", "When the sync output{of} acts",
+     "What the encoder must show, compared with the sync position, for the output to act. Switched on and off by the sync actions. Not kept by Store.",
+     "", "Sync Outputs"},
+    {Setting::sync_position, "Sync outputs", "Sync position{of}",
+     "The encoder position that the sync output compares with. Not kept by Store.",
+     "counts", "Sync Outputs"},
+    {Setting::sync_width, "Sync outputs", "Sync pulse{of}",
+     "How long the output stays on when the encoder equals the sync position; 0 means as long as it is equal. Not kept by Store.",
+     "ms", "Sync Outputs"},
+    {Setting::joystick, "Joystick", "Axes under the joystick",
+     "These axes follow the voltage at their analog input (X to U: AI1 to AI4) from the moment this is written, and no other move is taken. StepNLoop of them is switched off.",
+     "", "Joystick Control"},
+    {Setting::joystick_max, "Joystick", "Joystick voltage of {} at full +",
+     "The voltage at the analog input of {} that means full speed in the positive direction. Move the stick to its end and read the analog input.",
+     "mV", "Joystick Control"},
+    {Setting::joystick_min, "Joystick", "Joystick voltage of {} at full -",
+     "The voltage at the analog input of {} that means full speed in the negative direction. Half way between the two ends the axis stands still.",
+     "mV", "Joystick Control"},
+    {Setting::loop, "StepNLoop", "StepNLoop{of}",
+     "Closed loop: after each move the controller compares the encoder with the target and corrects. While it is on, positions and speeds count in encoder counts instead of pulses.",
+     "", "StepNLoop Closed Loop Control", "0: off, positions in pulses", "1: on, positions in counts"},
+    {Setting::loop_ratio, "StepNLoop", "Pulses for one count{of}",
+     "How many motor pulses make one encoder count. To find it, set pulse and encoder counter to 0, move by 1000 pulses and divide 1000 by the encoder counter. Must not be negative: turn the direction polarity then.",
+     "pulses/count", "StepNLoop Closed Loop Control"},
+    {Setting::loop_tolerance, "StepNLoop", "In-position tolerance{of}",
+     "An error of up to so many counts at the end of a move is good enough: no correction is made.",
+     "counts", "StepNLoop Closed Loop Control"},
+    {Setting::loop_range, "StepNLoop", "Largest error{of}",
+     "When encoder and target differ by more than this, the axis stops at once and an error must be cleared: it is jammed, or its encoder does not count.",
+     "counts", "StepNLoop Closed Loop Control"},
+    {Setting::loop_attempts, "StepNLoop", "Correction attempts{of}",
+     "How often the controller tries to correct the end position before it gives up with an error.",
+     "", "StepNLoop Closed Loop Control"},
+    {Setting::loop_idle_tolerance, "StepNLoop", "Idle tolerance",
+     "If more than this is left after a correction, one more is made with the idle current instead of the run current.",
+     "counts", "StepNLoop Closed Loop Control"},
+    {Setting::comm_timeout, "Communication", "Communication time-out",
+     "When nobody has spoken to the controller for so long, its time-out bit comes on and a program can react. 0 switches it off. The console speaks several times a second while it is open.",
+     "ms", "Communication Time-out Feature"},
+    {Setting::error_return, "Programs", "Where the error routine returns",
+     "After an error a program jumps to its SUB 31. When that ends, the program repeats the line that failed, or begins again.",
+     "", "Standalone Program Specification", "0: at the line that failed", "1: at line 0"},
+    {Setting::device_name, "Communication", "Device name",
+     "Its last two digits are the address to which the controller listens. A new name holds after Store and switching the power off and on: then open it at the new address.",
+     "", "Device Number"},
+    {Setting::baud_code, "Communication", "Line rate",
+     "The rate of the serial line. A new rate holds after Store and switching the power off and on: then open it at the new rate.",
+     "", "Baud Rate Setting"},
+    {Setting::line_type, "Communication", "Kind of line",
+     "Which of its two line drivers the controller uses. Change it over the line that works now, Store, switch the power off, rewire, switch on.",
+     "", "RS-232/RS-485 Selection", "0: RS-232", "1: RS-485"},
+    {Setting::response_type, "Communication", "Address in replies",
+     "Whether each reply begins with # and the address of the one that answers. Holds after Store and switching the power off and on. The console understands both.",
+     "", "Response type selection", "0: the reply alone", "1: #, address, reply"},
+    {Setting::auto_response, "Communication", "Tells when it is in position",
+     "The controller can send a message of its own at the end of each move. Holds after Store and switching the power off and on. On a line with several devices such messages can collide with replies.",
+     "", "Auto-response Feature", "0: speaks only when asked", "1: tells the end of each move"},
+    {Setting::modbus, "Communication", "Modbus protocol",
+     "Switches the line to the Modbus protocol, for which the maker has a separate document. It needs RS-485, and this console cannot talk to a controller in that mode.",
+     "", "Storing to Flash", "0: ASCII commands", "1: Modbus"},
+    {Setting::modbus_number, "Communication", "Modbus number",
+     "The address of the controller on a Modbus line. Without Modbus it has no effect.",
+     "", "Storing to Flash"},
+    {Setting::run_current, "Motor current", "Run current",
+     "The motor current while it moves. More gives more torque and more heat; not more than the motor's label allows.",
+     "mA", "Idle Current and Run Current"},
+    {Setting::idle_current, "Motor current", "Idle current",
+     "The motor current while it stands. Less keeps it cool, 0 lets it go loose.",
+     "mA", "Idle Current and Run Current"},
+    {Setting::idle_time, "Motor current", "Delay before idle current",
+     "How long the motor must stand before the current goes down to the idle current.",
+     "ms", "Idle Current and Run Current"},
+    {Setting::status_outputs, "StepNLoop", "Outputs that tell the state",
+     "While StepNLoop is on, DO1 can tell that the axis is in position and DO3 that there is an error. They cannot be switched by hand then.",
+     "", "StepNLoop Closed Loop Control", "0: all outputs are for general use", "1: DO1 in position, DO3 alarm"},
+    {Setting::home_correction, "Homing", "Way beyond the home switch",
+     "Homing with high and low speed goes back so far beyond the edge of the switch before it looks for the edge at low speed.",
+     "", "Homing"},
+    {Setting::limit_correction, "Homing", "Way off the limit switch",
+     "Homing to the limit switch backs off by so much; zero is there.",
+     "", "Homing"},
+    {Setting::return_to_zero, "Homing", "Return to zero after homing",
+     "After homing at high speed the motor stands somewhat beyond zero. It can go back to zero by itself.",
+     "", "Homing", "0: stay where the ramp ends", "1: go back to zero"},
+};
+
+constexpr const char* joystick_values[3][2] = {
+    {"Joystick speed of {}", "The speed of {} at both ends of the stick."},
+    {"Joystick speed change of {}", "The largest change of the speed of {} in one step: small values make it follow the stick softly."},
+    {"Joystick dead band of {}", "So far around the middle voltage {} stands still, so that a stick that does not quite return to its middle moves nothing."},
+};
+constexpr const char* joystick_limits[4][2] = {
+    {"Joystick: - end of {}", "Here {} stands still in the negative direction, however far the stick is held. The four joystick limits act only when they are in order."},
+    {"Joystick: slower below, {}", "From here towards the negative end the speed of {} under the joystick goes down to zero."},
+    {"Joystick: slower above, {}", "From here towards the positive end the speed of {} under the joystick goes down to zero."},
+    {"Joystick: + end of {}", "Here {} stands still in the positive direction, however far the stick is held."},
+};
+// clang-format on
+
+const Words* words_of(Setting id) {
+  const auto* found =
+      std::find_if(std::begin(all_words), std::end(all_words), [&](const Words& w) { return w.id == id; });
+  return found == std::end(all_words) ? nullptr : found;
+}
+
+void replace_all(std::string& text, std::string_view from, std::string_view to) {
+  for (auto at = text.find(from); at != text.npos; at = text.find(from, at + to.size()))
+    text.replace(at, from.size(), to);
+}
+
+// "{}" is the axis letter; "{of}" is " of X" where the setting is one of several axes.
+std::string fill(std::string text, std::string_view letter, bool per_axis) {
+  replace_all(text, "{of}", per_axis ? " of " + std::string(letter) : "");
+  replace_all(text, "{}", letter);
+  return text;
+}
+
+bool is_axis_form(const SettingFact& fact) { return fact.form.find('a') != fact.form.npos; }
+
+void add_choices(ParamInfo& p, const Model& model, Setting id, const Words& words) {
+  if (words.off) p.choices = {{0, words.off}, {1, words.on}};
+  if (id == Setting::baud_code)
+    for (const Baud& b : bauds) p.choices.push_back({b.code, fmt::format("{} baud", b.rate)});
+  if (id == Setting::sync_condition)
+    p.choices = {{1, "1: encoder equals the position"},
+                 {2, "2: encoder is below the position"},
+                 {3, "3: encoder is above the position"}};
+  if (id == Setting::speed_window) {
+    p.choices = {{0, "0: ordinary moves"}};
+    std::int64_t lower = 1;
+    for (const SpeedRow& row : model.speeds) {
+      p.choices.push_back({row.window, fmt::format("{}: {} to {} pulses/s", row.window, lower, row.upper)});
+      lower = row.upper + 1;
+    }
+  }
+}
+
+void add_bits(ParamInfo& p, const Model& model, Setting id, const Wording& wording) {
+  const auto number_bits = [&](int count, const char* what) {
+    for (int i = 0; i < count; ++i) p.bits.push_back({i, fmt::format("{} {}", what, i + 1)});
+  };
+  if (id == Setting::polarity) p.bits = wording.polarity_bits;
+  if (id == Setting::boot_outputs) number_bits(model.outputs, "Output DO");
+  if (id == Setting::boot_programs)
+    for (int i = 0; i < model.programs; ++i) p.bits.push_back({i, fmt::format("Program {}", i)});
+  if (id == Setting::boot_enables || id == Setting::joystick)
+    for (int i = 0; i < model.axes(); ++i)
+      p.bits.push_back({i, fmt::format("Motor {}", model.axis_letters[static_cast<std::size_t>(i)])});
+}
+
+void add_joystick_words(ParamInfo& p, const Model& model, const SettingFact& fact, int place) {
+  const bool limit = fact.id == Setting::joystick_limits;
+  const int axis = limit ? place / 4 : place % 4, kind = limit ? place % 4 : place / 4;
+  const auto& words = limit ? joystick_limits[kind] : joystick_values[kind];
+  const std::string_view letter = model.axis_letters.substr(static_cast<std::size_t>(axis), 1);
+  p.label = fill(words[0], letter, true);
+  p.explanation = fill(words[1], letter, true);
+  p.group = "Joystick";
+  p.axis = axis;
+  p.unit = limit ? "pulses" : kind == 2 ? "mV" : "pulses/s";
+}
+
+}  // namespace
+
+std::string mnemonic_of(const Model& model, const SettingFact& fact, int place) {
+  std::string name(fact.form);
+  if (const auto a = name.find('a'); a != name.npos)
+    name[a] = model.axis_letters[static_cast<std::size_t>(place)];
+  if (const auto n = name.find('n'); n != name.npos) name.replace(n, 1, std::to_string(place + 1));
+  return name;
+}
+
+std::int64_t longest_ramp_ms(const Model& model) {
+  std::int64_t longest = 0;
+  for (const SpeedRow& row : model.speeds) longest = std::max(longest, row.upper * 1000 / row.delta);
+  return longest;
+}
+
+std::vector<ParamInfo> params(const Model& model, const Wording& wording) {
+  std::vector<ParamInfo> all;
+  for (const SettingFact& fact : model.settings)
+    for (int place = 0; place < fact.count; ++place) {
+      ParamInfo p;
+      p.mnemonic = mnemonic_of(model, fact, place);
+      p.minimum = fact.min, p.maximum = fact.max, p.fallback = fact.factory;
+      p.also_zero = fact.also_zero;
+      p.stored = fact.stored;
+      const bool per_axis = is_axis_form(fact);
+      if (per_axis || model.axes() == 1) p.axis = place;
+      if (const Words* words = words_of(fact.id)) {
+        const std::string_view letter =
+            model.axis_letters.substr(per_axis ? static_cast<std::size_t>(place) : 0, 1);
+        p.group = words->group;
+        p.label = fill(words->label, letter, per_axis);
+        p.explanation = fill(words->explanation, letter, per_axis);
+        p.unit = words->unit;
+        p.manual = fmt::format("{} {}", wording.feature_chapter, words->section);
+        add_choices(p, model, fact.id, *words);
+        add_bits(p, model, fact.id, wording);
+      } else {
+        add_joystick_words(p, model, fact, place);
+        p.manual = fmt::format("{} Joystick Control", wording.feature_chapter);
+      }
+      if (fact.notation == Notation::thousandths) p.decimals = 3;
+      if (fact.notation == Notation::name) p.prefix = model.name_prefix, p.digits = 2;
+      if (fact.id == Setting::modbus)
+        p.warning =
+            "With Modbus on, the controller no longer understands this console after Store and switching "
+            "its power off and on. Only a Modbus program can switch it back.";
+      if (fact.id == Setting::joystick)
+        p.warning =
+            "These axes follow their analog inputs at once and may begin to move. Take your hands off the "
+            "machine and the stick before you confirm.";
+      if (p.unit == "ms" && fact.max > max_number) p.maximum = longest_ramp_ms(model);
+      all.push_back(std::move(p));
+    }
+  return all;
+}
+
+}  // namespace hw::arcus

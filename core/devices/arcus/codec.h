@@ -1,0 +1,76 @@
+#pragma once
+// The wire of the Arcus family in both directions: pure functions.
+//   RS-485, RS-232   @NNtext CR        ->  text CR (PMX) or text NUL (DMX); with RT=1 #NNtext
+//   USB              text, NUL padded  ->  text, NUL padded
+//   unasked          $NNP CR: the device is in position
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/units.h"
+#include "core/device/catalog.h"
+#include "core/devices/arcus/forms.h"
+
+namespace hw::arcus {
+
+/// How a command travels.
+enum class Framing : std::uint8_t {
+  addressed,  ///< on a line: @NN, text, CR
+  message,    ///< on USB: the text alone; the transport pads it
+};
+
+/// "PX" for device 7 -> "@07PX\r". Text that brings its own @NN keeps it.
+std::string frame(Framing framing, int id, std::string_view text);
+/// The address in a framed text; -1: none.
+int address_of(std::string_view bytes);
+/// The text in a framed command, or in a reply: without address, terminators and padding.
+std::string_view text_of(std::string_view bytes);
+
+struct Reply {
+  std::string text;
+  std::optional<int> id;  ///< RT=1
+  [[nodiscard]] bool refused() const { return text.starts_with('?'); }
+};
+Reply decode_reply(std::string_view bytes);
+
+/// How many bytes at the front are a message that nobody asked for ($NNP CR). npos: they may be one, more
+/// must come. 0: they are none.
+std::size_t unasked_at_front(std::string_view bytes);
+/// The device that tells that it is in position.
+std::optional<int> in_position(std::string_view message);
+
+// ---- values
+std::optional<std::int64_t> decode_number(std::string_view text);
+/// "1:-2:3" -> three numbers; none when any of them is no number or there are not `count` at least.
+std::optional<std::vector<std::int64_t>> decode_numbers(std::string_view text, std::size_t count);
+/// As a parameter of the catalog counts it: "0.800" -> 800, "4EX07" -> 7.
+std::optional<std::int64_t> decode_value(const ParamInfo& info, std::string_view text);
+std::string encode_value(const ParamInfo& info, std::int64_t value);
+
+// ---- commands
+/// A form with its places filled in; the axis letter only where the form has one.
+std::string fill(const Forms& forms, std::string_view form, int axis, Sign sign = Sign::plus,
+                 std::int64_t number = 0);
+std::string set_command(std::string_view name, std::int64_t value);
+std::string set_command(const ParamInfo& info, std::int64_t value);
+struct AxisValue {
+  int axis;
+  std::int64_t value;
+};
+/// "X1000Y-500"
+std::string move_command(const Forms& forms, const std::vector<AxisValue>& targets);
+
+/// Commands that may move something: they are never repeated.
+bool may_move(const Forms& forms, std::string_view text);
+
+/// Bits of a status word.
+bool has_bit(std::int64_t word, int bit);
+/// Running, by the bits that both tables have in their lowest places.
+bool says_moving(std::int64_t word);
+
+/// What a reply that begins with ? means, as a sentence with what to do.
+std::string explain_refusal(const Model& model, std::string_view reply);
+
+}  // namespace hw::arcus

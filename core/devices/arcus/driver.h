@@ -1,0 +1,220 @@
+#pragma once
+// Both Arcus controllers from the console's side: what differs is in the Forms. One subject per file:
+//   driver_talk.cpp      questions, commands, raw text, what comes unasked
+//   driver_connect.cpp   finding the device, saying why not, power-cycles, lost wires
+//   driver_poll.cpp      the round of status and what it means
+//   driver_readouts.cpp  readouts, variables, analog inputs, threads: read in turn, watched ones each round
+//   driver_moves.cpp     moves, jogs, homing, positions, power, outputs
+//   driver_actions.cpp   the catalog's actions
+//   driver_buffer.cpp    feeding a list of moves
+//   driver_stop.cpp      stops (decision AMB-128)
+//   driver_programs.cpp  load, read, run, pause, halt
+//   driver_params.cpp    set-up
+#include <array>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/device/driver.h"
+#include "core/devices/arcus/codec.h"
+#include "core/devices/arcus/language/dialect.h"
+
+namespace hw::arcus {
+
+class ArcusDriver final : public Driver {
+ public:
+  ArcusDriver(DriverContext context, const Forms& forms, const language::Dialect& dialect);
+
+  Task<Result<>> connect(Station& station) override;
+  Task<Result<>> poll() override;
+  Task<Result<>> perform(const IntentBody& intent) override;
+  Task<Result<>> stop(int axis, bool at_once) override;
+  Task<Result<>> stop_jog() override;
+  Task<Result<>> stop_wire(bool at_once) override;
+  Task<Result<>> halt_program(int thread) override;
+  void wire_lost() override;
+  Task<Result<std::string>> query(std::string text, Duration patience) override;
+  [[nodiscard]] bool answers(std::string_view text) const override;
+  bool take_unsolicited(std::string& text) override;
+  [[nodiscard]] Duration moving_period() const override;
+  [[nodiscard]] Duration idle_period() const override { return Millis(200); }
+
+ private:
+  /// What the console knows of an axis beside the snapshot.
+  struct AxisMind {
+    Activity wanted = Activity::idle;     ///< what our last command began
+    EndedBy ended_by = EndedBy::nothing;  ///< why we ended it, if we did
+    std::int64_t status = 0;
+    int loop_state = -1;     ///< -1: not read yet
+    bool ours = false;       ///< a motion of the console is under way
+    bool stopping = false;   ///< a stop was sent
+    bool zeroed = false;     ///< we have set a counter since the last round
+    std::int8_t turned = 0;  ///< direction of the latest change of position
+    Instant begun_at{};      ///< when our last command was sent
+  };
+  /// How the speed is put for one motion and back afterwards.
+  struct BorrowedSpeed {
+    std::string name;
+    std::int64_t before;
+  };
+
+  // ---- driver_talk.cpp
+  Task<Result<Reply>> exchange(std::string text, Priority priority, Duration patience);
+  Task<Result<std::string>> ask(std::string question, Priority priority);
+  Task<Result<std::int64_t>> ask_number(std::string question, Priority priority);
+  Task<Result<std::vector<std::int64_t>>> ask_numbers(std::string question, std::size_t count,
+                                                      Priority priority);
+  Task<Result<>> command(std::string text, Priority priority, Duration patience = Millis(200));
+  Task<Result<>> broadcast(std::string text, Priority priority);
+  Task<Result<>> send_text(const intent::SendText& wish);
+  Task<> wait_for_quiet();
+  std::size_t hear(std::string_view bytes);
+  void for_scripts(std::string text);
+  void note_sent(std::string_view text);
+  tl::unexpected<Fault> refusal(std::string_view sent, std::string_view reply) const;
+  tl::unexpected<Fault> no_connection() const;
+  void tell(Notice::Kind kind, std::string text);
+  [[nodiscard]] Framing framing() const;
+
+  // ---- driver_connect.cpp
+  Task<Result<>> identify();
+  Task<Result<>> read_name();
+  Task<Result<>> read_state();
+  tl::unexpected<Fault> silent() const;
+  tl::unexpected<Fault> garbled(std::string_view bytes) const;
+  tl::unexpected<Fault> two_answer() const;
+  void look_for_restart(const std::array<Steps, max_axes>& before);
+  [[nodiscard]] int factory_id() const;
+  void restarted();
+
+  // ---- driver_poll.cpp
+  Task<Result<>> read_motion(Priority priority);
+  Task<Result<>> read_loop(Priority priority);
+  Task<Result<>> read_io(Priority priority);
+  Task<> stay_live();
+  void take_status(const std::vector<std::int64_t>& words);
+  void show_axis(int axis, Instant asked_at);
+  void show_ended(int axis);
+  void show_worst();
+  [[nodiscard]] bool moving(int axis) const;  ///< as shown
+  [[nodiscard]] bool runs(int axis) const;    ///< as last read
+  [[nodiscard]] bool any_moving() const;
+  [[nodiscard]] EndedBy how_it_ended(int axis) const;
+  [[nodiscard]] bool loop_error(int axis) const;
+  [[nodiscard]] bool in_error(int axis) const;
+
+  // ---- driver_readouts.cpp
+  Task<Result<>> read_watched();
+  Task<Result<>> read_in_turn();
+  Task<Result<>> read_readout(int index, Priority priority);
+  Task<Result<>> read_variable(int number, Priority priority);
+  Task<Result<>> read_analog(int number, Priority priority);
+  Task<Result<>> read_threads(bool all, Priority priority);
+  Task<Result<>> read_thread(int thread, Priority priority);
+  Task<Result<>> set_variable(const intent::SetVariable& wish);
+  void put_readout(std::string_view id, std::int64_t value);
+  void find_readouts_told_by_status();
+
+  // ---- driver_moves.cpp
+  Task<Result<>> move(std::vector<AxisTarget> wish, Pps speed, bool relative);
+  Task<Result<bool>> ask_incremental();
+  Task<Result<std::int64_t>> ask_position(int axis);
+  Task<Result<>> jog(intent::JogStart wish);
+  Task<Result<>> home(intent::Home wish);
+  Task<Result<>> set_position(intent::SetPosition wish);
+  Task<Result<>> set_encoder(intent::SetEncoder wish);
+  Task<Result<>> set_power(intent::SetPower wish);
+  Task<Result<>> set_output(intent::SetOutput wish);
+  Task<Result<>> start(std::string text, std::vector<int> axes, Activity activity);
+  Task<Result<>> borrow_speed(Pps speed, int axis);
+  Task<Result<>> give_speed_back();
+  Task<Fault> after_doubt(Fault why, std::string_view sent);
+  Result<> may_move_axis(int axis) const;
+  void begun(int axis, Activity activity, Instant at);
+
+  // ---- driver_actions.cpp
+  Task<Result<>> act(intent::Act wish);
+  Task<Result<>> change_speed(int axis, std::int64_t speed, std::int64_t accel_ms);
+  Task<Result<>> change_target(int axis, std::int64_t target);
+  Task<Result<>> draw(const ActionInfo& info, std::vector<std::int64_t> values);
+  Task<Result<>> clear_errors(std::string_view form, int axis);
+  Task<Result<>> joystick(int axis, bool on);
+
+  // ---- driver_buffer.cpp
+  Task<Result<>> start_feed(intent::FeedMoves wish);
+  Task<Result<>> feed();
+  void end_feed();
+
+  // ---- driver_stop.cpp
+  Task<Result<>> stop_now(int axis, bool at_once);
+  Task<Result<>> say_stop(std::string text);
+  Task<Result<>> release_joystick(int axis);
+  Task<Result<>> halt_threads(bool all);
+  Task<Result<>> wait_for_standstill(int axis);
+  void stopping(int axis, bool at_once);
+  void stands(int axis);
+
+  // ---- driver_programs.cpp
+  Task<Result<>> perform_program(IntentBody body);
+  Task<Result<>> load(std::string text);
+  Task<Result<>> write_lines(std::vector<std::string> lines);
+  Task<Result<>> clear_from(int line);
+  Task<Result<std::string>> read_line(int line, Priority priority);
+  Task<Result<>> write_line(int line, std::string text);
+  Task<Result<std::vector<std::string>>> read_lines();
+  Task<Result<>> upload();
+  Task<Result<>> control(int thread, int what);
+  Task<Result<>> control_all(int thread, int what);
+  Result<> no_thread_runs() const;
+  void show_transfer(int done, int total);
+
+  // ---- driver_params.cpp
+  Task<Result<>> set_param(intent::SetParam wish);
+  Task<Result<>> read_param(int index, Priority priority);
+  Task<Result<>> read_params(std::string only);
+  Task<Result<>> read_again();
+  Task<Result<>> store();
+  void forget_params(std::string_view head);
+  void changed_param(int index);
+  [[nodiscard]] std::optional<std::int64_t> param(std::string_view mnemonic) const;
+  [[nodiscard]] const SettingFact* fact_of(int param) const;
+
+  [[nodiscard]] const Model& model() const { return *forms_.model; }
+  [[nodiscard]] int axis_count() const { return model().axes(); }
+  [[nodiscard]] std::string axis_name(int axis) const;
+
+  Scheduler& scheduler_;
+  const Catalog& catalog_;
+  Snapshot& draft_;
+  std::function<void(Notice)> notify_;
+  std::function<void()> changed_;
+  const Forms& forms_;
+  const language::Dialect& dialect_;
+  Station* station_ = nullptr;
+  Event looked_;  ///< at the status
+
+  std::array<AxisMind, max_axes> minds_{};
+  bool incremental_ = false;
+  std::optional<BorrowedSpeed> borrowed_;
+  int jogged_axis_ = -1;
+  std::deque<std::vector<std::int64_t>> to_feed_;
+  int buffer_free_ = 0;
+  bool buffer_on_ = false;
+  int stops_ = 0;            ///< under way
+  bool stop_ramps_ = false;  ///< the one under way ramps
+
+  bool connected_before_ = false, lost_while_busy_ = false;
+  bool name_told_ = false;
+  Instant lost_at_{}, heard_at_{};
+  int strays_ = 0;  ///< texts that nobody asked for
+  Instant round_began_{};
+  int round_ = 0;
+  std::uint32_t watched_ = 0;
+  int next_readout_ = 0, next_variable_ = 0, next_analog_ = 0, next_param_ = 0, next_thread_ = 0;
+  std::vector<bool> by_status_;  ///< readouts that the status tells
+  std::deque<std::string> for_scripts_;
+};
+
+}  // namespace hw::arcus

@@ -1,0 +1,169 @@
+// The catalog's actions: what these controllers can be told beside the verbs of all controllers.
+#include <fmt/format.h>
+
+#include "core/devices/arcus/driver.h"
+
+namespace hw::arcus {
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+Result<> check_fields(const ActionInfo& info, const std::vector<std::int64_t>& values) {
+  if (values.size() != info.fields.size())
+    return fail(FaultKind::refused,
+                fmt::format("{} takes {} values, not {}.", info.label, info.fields.size(), values.size()),
+                "Nothing was sent.");
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const ActionField& f = info.fields[i];
+    bool fits = values[i] >= f.minimum && values[i] <= f.maximum;
+    if (!f.choices.empty()) {
+      fits = false;
+      for (const ParamChoice& c : f.choices) fits = fits || c.value == values[i];
+    }
+    if (!fits)
+      return fail(FaultKind::refused,
+                  fmt::format("{} is not possible as {} of {}.", values[i], f.label, info.label),
+                  "Nothing was sent.");
+  }
+  return {};
+}
+
+/// The value of the field `id`, or `fallback` where the action has none.
+std::int64_t field(const ActionInfo& info, const std::vector<std::int64_t>& values, std::string_view id,
+                   std::int64_t fallback = 0) {
+  for (std::size_t i = 0; i < info.fields.size(); ++i)
+    if (info.fields[i].id == id) return values[i];
+  return fallback;
+}
+
+}  // namespace
+
+Task<Result<>> ArcusDriver::act(intent::Act wish) {
+  if (wish.action < 0 || wish.action >= static_cast<int>(catalog_.actions.size()))
+    co_return fail(FaultKind::refused, "There is no such action.", "Nothing was sent.");
+  const ActionInfo& info = catalog_.actions[at(wish.action)];
+  if (auto fits = check_fields(info, wish.values); !fits) co_return fits;
+  const auto value = [&](std::string_view id) { return field(info, wish.values, id); };
+  const int axis = static_cast<int>(value("axis"));
+  const bool on = value("on") != 0;
+  const std::string& id = info.id;
+
+  if (id == "clear") co_return co_await clear_errors(forms_.clear, axis);
+  if (id == "clear_loop") co_return co_await clear_errors(forms_.clear_loop, axis);
+  if (id == "change_speed") co_return co_await change_speed(axis, value("speed"), value("accel"));
+  if (id == "arc" || id == "circle") co_return co_await draw(info, wish.values);
+  if (id == "joystick") co_return co_await joystick(axis, on);
+  if (id == "change_target") co_return co_await change_target(axis, value("target"));
+
+  std::string text;
+  if (id == "absolute") text = "ABS";
+  if (id == "incremental") text = "INC";
+  if (id == "speed_window") text = set_command(fill(forms_, forms_.speed_window, axis), value("window"));
+  if (id == "latch") text = set_command(fill(forms_, forms_.latch, axis), on);
+  if (id == "sync") text = fill(forms_, on ? forms_.sync_on : forms_.sync_off, axis);
+  if (id == "subroutine") text = fmt::format("GS{}", value("number"));
+  if (id == "buffer_on") text = "BO";
+  if (id == "buffer_off") text = "BF";
+  if (id == "timer") text = set_command("TR", value("time"));
+  auto done = co_await command(text, Priority::intent);
+  if (!done) {
+    if (info.moves) {
+      Fault fault = co_await after_doubt(std::move(done.error()), text);
+      co_return fail(std::move(fault));
+    }
+    co_return done;
+  }
+  if (id == "absolute" || id == "incremental") put_readout("MM", id == "incremental");
+  if (id == "speed_window") forget_params("SSPDM");
+  if (id == "buffer_off") end_feed();
+  co_return Result<>();
+}
+
+// Positions stay as they are; the target of StepNLoop becomes the place where the axis stands.
+Task<Result<>> ArcusDriver::clear_errors(std::string_view form, int axis) {
+  const bool all = axis < 0 || axis_count() == 1;
+  std::string text = all ? std::string(form.substr(0, form.find('a'))) : fill(forms_, form, axis);
+  auto done = co_await command(std::move(text), Priority::intent);
+  if (!done) co_return done;
+  for (int i = 0; i < axis_count(); ++i)
+    if ((all || i == axis) && minds_[at(i)].loop_state != static_cast<int>(LoopState::off))
+      minds_[at(i)].loop_state = -1;
+  auto read = co_await read_motion(Priority::intent);
+  if (!read) co_return read;
+  co_return co_await read_loop(Priority::intent);
+}
+
+// The ramp takes the acceleration time: one that is given is written for this change and put back.
+Task<Result<>> ArcusDriver::change_speed(int axis, std::int64_t speed, std::int64_t accel_ms) {
+  std::string name(forms_.accel);
+  std::int64_t before = 0;
+  if (accel_ms > 0) {
+    if (forms_.axis_speeds) {
+      auto own = co_await ask_number(fill(forms_, forms_.axis_accel, axis), Priority::intent);
+      if (!own) co_return fail(own.error());
+      if (*own != 0) name = fill(forms_, forms_.axis_accel, axis);
+    }
+    auto present = co_await ask_number(name, Priority::intent);
+    if (!present) co_return fail(present.error());
+    before = *present;
+    auto set = co_await command(set_command(name, accel_ms), Priority::intent);
+    if (!set) co_return set;
+  }
+  const std::string text = fill(forms_, forms_.change_speed, axis, Sign::plus, speed);
+  auto changed = co_await command(text, Priority::intent);
+  if (accel_ms > 0) {
+    auto returned = co_await command(set_command(name, before), Priority::intent);
+    if (changed && !returned) co_return returned;
+  }
+  if (!changed && changed.error().kind == FaultKind::refused)
+    changed.error().advice = "Choose the window before the motion begins; the axis must be moving.";
+  co_return changed;
+}
+
+Task<Result<>> ArcusDriver::change_target(int axis, std::int64_t target) {
+  const std::string text = fill(forms_, forms_.change_target, axis, Sign::plus, target);
+  auto done = co_await command(text, Priority::intent);
+  if (!done) {
+    Fault fault = co_await after_doubt(std::move(done.error()), text);
+    co_return fail(std::move(fault));
+  }
+  draft_.axes[axis].target = Steps(target);
+  draft_.axes[axis].has_target = true;
+  minds_[at(axis)].ours = true;
+  co_return Result<>();
+}
+
+Task<Result<>> ArcusDriver::draw(const ActionInfo& info, std::vector<std::int64_t> values) {
+  auto incremental = co_await ask_incremental();
+  if (!incremental) co_return fail(incremental.error());
+  if (*incremental)
+    co_return fail(FaultKind::refused,
+                   "Arcs and circles are absolute, and the controller is in incremental mode.",
+                   "Nothing was sent.", "Choose absolute mode first.");
+  const auto value = [&](std::string_view id) { return field(info, values, id); };
+  const char way = value("direction") != 0 ? 'P' : 'N';
+  std::string text =
+      fmt::format("{}{}{}:{}", info.id == "arc" ? "ARC" : "CIR", way, value("centre_x"), value("centre_y"));
+  if (info.id == "arc") text += fmt::format(":{}:{}", value("end_angle"), value("sweep"));
+  std::vector<int> axes{0, 1};
+  auto started = co_await start(std::move(text), std::move(axes), Activity::moving);
+  if (!started && started.error().kind == FaultKind::refused && started.error().advice.empty())
+    started.error().advice = fmt::format(
+        "The radius must be from 1 to {} pulses, and StepNLoop of X and Y off, or on for both with one "
+        "ratio.",
+        max_radius);
+  co_return started;
+}
+
+Task<Result<>> ArcusDriver::joystick(int axis, bool on) {
+  auto mask = co_await ask_number("JE", Priority::intent);
+  if (!mask) co_return fail(mask.error());
+  const std::int64_t bit = std::int64_t{1} << axis;
+  auto set = co_await command(set_command("JE", on ? *mask | bit : *mask & ~bit), Priority::intent);
+  if (!set) co_return set;
+  const int index = catalog_.find_param("JE");
+  changed_param(index);
+  co_return co_await read_param(index, Priority::intent);
+}
+
+}  // namespace hw::arcus

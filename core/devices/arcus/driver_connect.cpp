@@ -1,0 +1,223 @@
+// Finding the device, saying why not, and what is left after a power-cycle or a lost wire.
+#include <fmt/format.h>
+
+#include "core/devices/arcus/driver.h"
+
+namespace hw::arcus {
+namespace {
+
+std::string hex_of(std::string_view bytes) {
+  std::string all;
+  for (const char c : bytes.substr(0, 12))
+    all += c > ' ' && c < 127 ? std::string(1, c) : fmt::format("<{:02X}>", static_cast<unsigned char>(c));
+  return all + (bytes.size() > 12 ? " ..." : "");
+}
+
+}  // namespace
+
+ArcusDriver::ArcusDriver(DriverContext context, const Forms& forms, const language::Dialect& dialect)
+    : scheduler_(context.scheduler),
+      catalog_(context.catalog),
+      draft_(context.draft),
+      notify_(std::move(context.notify)),
+      changed_(std::move(context.changed)),
+      forms_(forms),
+      dialect_(dialect),
+      looked_(context.scheduler) {
+  draft_.axis_count = axis_count();
+  draft_.identity.model = catalog_.name;
+  for (int i = 0; i < axis_count(); ++i) draft_.axes[i].enabled = false;
+  find_readouts_told_by_status();
+}
+
+std::string ArcusDriver::axis_name(int axis) const {
+  return catalog_.axes[static_cast<std::size_t>(axis)].name;
+}
+
+Task<Result<>> ArcusDriver::connect(Station& station) {
+  station_ = &station;
+  station.unsolicited = [this](std::string_view bytes) { return hear(bytes); };
+  strays_ = 0;
+  auto identified = co_await identify();
+  if (!identified) co_return identified;
+  auto named = co_await read_name();
+  if (!named) co_return named;
+  std::array<Steps, max_axes> before{};
+  const bool was_known = connected_before_;
+  for (int i = 0; i < axis_count(); ++i) before[static_cast<std::size_t>(i)] = draft_.axes[i].position;
+  auto read = co_await read_state();
+  if (!read) co_return read;
+  if (was_known) look_for_restart(before);
+  if (std::exchange(lost_while_busy_, false))
+    tell(Notice::Kind::warning,
+         fmt::format(
+             "The connection was gone for {:.1f} s while the controller was at work. It {}. Nothing was "
+             "sent again.",
+             seconds(scheduler_.now() - lost_at_), any_moving() ? "still is" : "has finished meanwhile"));
+  connected_before_ = true;
+  co_return Result<>();
+}
+
+// ID tells the product; where a firmware does not know it, VER shows at least the family.
+Task<Result<>> ArcusDriver::identify() {
+  auto reply = co_await exchange("ID", Priority::intent, Millis(300));
+  if (!reply && reply.error().kind == FaultKind::no_answer) {
+    co_await wait_for_quiet();
+    reply = co_await exchange("ID", Priority::intent, Millis(300));
+  }
+  if (!reply && reply.error().kind == FaultKind::no_answer) co_return silent();
+  if (!reply) co_return fail(reply.error());
+  if (reply->text == forms_.other_product)
+    co_return fail(
+        FaultKind::garbled,
+        fmt::format("Device {:02} is a {}, not a {}.", catalog_.address, reply->text, model().title),
+        "Nothing more was sent.", "Open it as the other model.");
+  const bool known = reply->text == model().product;
+  auto version = co_await exchange("VER", Priority::intent, Millis(200));
+  if (!version) co_return fail(version.error());
+  const bool sense = version->text.size() >= 2 && version->text[0] == 'V' && version->text[1] >= '0' &&
+                     version->text[1] <= '9';
+  if (!sense) co_return garbled(known ? version->text : reply->text);
+  co_await wait_for_quiet();  // a second device with this address would have spoken by now
+  if (strays_ > 0) co_return two_answer();
+  draft_.identity.firmware = version->text;
+  if (!known)
+    tell(Notice::Kind::warning,
+         fmt::format("It answers {} to ID where a {} says {}. It is used as a {}.", hex_of(reply->text),
+                     model().title, model().product, model().title));
+  co_return Result<>();
+}
+
+Task<Result<>> ArcusDriver::read_name() {
+  auto name = co_await ask("DN", Priority::intent);
+  if (!name) co_return fail(name.error());
+  draft_.identity.serial = *name;
+  const bool usb = framing() == Framing::message;
+  const auto number = name->starts_with(model().name_prefix)
+                          ? decode_number(std::string_view(*name).substr(model().name_prefix.size()))
+                          : std::nullopt;
+  if (number && *number != catalog_.address && !usb && !std::exchange(name_told_, true))
+    tell(Notice::Kind::info,
+         fmt::format("It answers at {:02} and is to be called {}: it will answer at {:02} after Store and "
+                     "switching its power off and on.",
+                     catalog_.address, *name, *number));
+  co_return Result<>();
+}
+
+Task<Result<>> ArcusDriver::read_state() {
+  auto motion = co_await read_motion(Priority::intent);
+  if (!motion) co_return motion;
+  auto loop = co_await read_loop(Priority::intent);
+  if (!loop) co_return loop;
+  auto io = co_await read_io(Priority::intent);
+  if (!io) co_return io;
+  co_return co_await read_threads(true, Priority::intent);
+}
+
+// ---- why not
+
+tl::unexpected<Fault> ArcusDriver::silent() const {
+  if (framing() == Framing::message)
+    return fail(FaultKind::no_answer, fmt::format("The {} does not answer on USB.", model().title),
+                "Nothing was sent but the question for its name (ID).",
+                fmt::format("Check its supply ({}) and the cable, and close other programs that use it.",
+                            forms_.supply));
+  const int rate = station_ ? station_->rate() : 0;
+  return fail(
+      FaultKind::no_answer,
+      fmt::format("No {} answers at address {:02}{}.", model().title, catalog_.address,
+                  rate > 0 ? fmt::format(", at {} baud", rate) : ""),
+      "Nothing was sent but the question for its name (ID).",
+      fmt::format(
+          "Check its supply ({}), {}, the line rate (9600 from the factory), and its device name: the "
+          "last two digits are its address ({}{:02} from the factory).",
+          forms_.supply, forms_.wires, model().name_prefix, factory_id()));
+}
+
+tl::unexpected<Fault> ArcusDriver::garbled(std::string_view bytes) const {
+  const int rate = station_ ? station_->rate() : 0;
+  return fail(
+      FaultKind::garbled,
+      fmt::format("What answers at address {:02} is no {}: {} came back.", catalog_.address, model().title,
+                  hex_of(bytes)),
+      "Nothing more was sent.",
+      fmt::format("Another device, another rate{}, or two devices with one address. Connect one alone "
+                  "and look.",
+                  rate > 0 ? fmt::format(" than {} baud", rate) : ""));
+}
+
+tl::unexpected<Fault> ArcusDriver::two_answer() const {
+  return fail(
+      FaultKind::garbled, fmt::format("More than one device answers at address {:02}.", catalog_.address),
+      "Nothing was sent but questions.",
+      fmt::format("Connect one of them alone, give it another device name ({}01 to {}99), Store, switch "
+                  "its power off and on.",
+                  model().name_prefix, model().name_prefix));
+}
+
+int ArcusDriver::factory_id() const {
+  for (const SettingFact& fact : model().settings)
+    if (fact.id == Setting::device_name) return static_cast<int>(fact.factory);
+  return 0;
+}
+
+// ---- power-cycles and lost wires
+
+// After power-up every counter reads zero wherever the motors stand. Nothing the console sends does that to
+// an axis that it does not set.
+void ArcusDriver::look_for_restart(const std::array<Steps, max_axes>& before) {
+  bool was_somewhere = false, all_zero = true;
+  for (int i = 0; i < axis_count(); ++i) {
+    was_somewhere = was_somewhere || before[static_cast<std::size_t>(i)] != Steps(0);
+    all_zero = all_zero && draft_.axes[i].position == Steps(0) && draft_.axes[i].encoder == Steps(0);
+  }
+  if (was_somewhere && all_zero && !any_moving()) restarted();
+}
+
+void ArcusDriver::restarted() {
+  for (ParamState& p : draft_.params) p = ParamState();
+  draft_.unsaved_setup = false;
+  draft_.variables_known.reset();
+  draft_.readouts_known.reset();
+  borrowed_.reset();
+  end_feed();
+  for (int i = 0; i < axis_count(); ++i) {
+    if (minds_[static_cast<std::size_t>(i)].ours) draft_.axes[i].ended_by = EndedBy::lost;
+    minds_[static_cast<std::size_t>(i)] = AxisMind();
+    draft_.axes[i].has_target = false;
+    draft_.axes[i].position_doubtful = true;
+  }
+  tell(Notice::Kind::warning,
+       "All positions read zero, and nothing that was sent does that: the controller was switched off and "
+       "on, or "
+       "another program zeroed it. What was not stored is gone; it is read afresh. Find home before the next "
+       "absolute move.");
+}
+
+void ArcusDriver::wire_lost() {
+  if (!station_) return;
+  station_ = nullptr;
+  lost_while_busy_ = lost_while_busy_ || any_moving();
+  lost_at_ = scheduler_.now();
+  borrowed_.reset();
+  end_feed();
+  draft_.transfer = TransferState();
+  for (int i = 0; i < axis_count(); ++i) {
+    AxisState& axis = draft_.axes[i];
+    if (moving(i)) axis.ended_by = EndedBy::lost;
+    minds_[static_cast<std::size_t>(i)].stopping = false;
+    axis.activity = Activity::unknown;
+    axis.phase = Phase::unknown;
+    axis.position_known = false;
+    axis.limits_known = false;
+    axis.direction = 0;
+    axis.speed = Pps{};
+  }
+  for (ThreadState& t : draft_.threads) t = ThreadState();
+  looked_.notify();
+  draft_.inputs_known = draft_.outputs_known = draft_.analog_known = 0;
+  draft_.readouts_known.reset();
+  draft_.variables_known.reset();
+}
+
+}  // namespace hw::arcus

@@ -1,0 +1,261 @@
+// Moves, jogs, homing, positions, power, outputs. The user's move mode (ABS, INC) is never changed: what is
+// wanted is put the way the present mode takes it.
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/devices/arcus/driver.h"
+
+namespace hw::arcus {
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+}  // namespace
+
+void ArcusDriver::begun(int index, Activity activity, Instant when) {
+  AxisMind& mind = minds_[at(index)];
+  mind.wanted = activity;
+  mind.ours = true;
+  mind.stopping = false;
+  mind.ended_by = EndedBy::nothing;
+  mind.begun_at = when;
+  AxisState& axis = draft_.axes[index];
+  axis.activity = activity;
+  axis.ended_by = EndedBy::nothing;
+}
+
+// What may have gone wrong when no answer came to something that moves: the state is read, nothing is sent
+// again.
+Task<Fault> ArcusDriver::after_doubt(Fault why, std::string_view sent) {
+  Fault fault = std::move(why);
+  if (fault.kind != FaultKind::no_answer && fault.kind != FaultKind::garbled) co_return fault;
+  auto read = co_await read_motion(Priority::intent);
+  std::string where;
+  for (int i = 0; read && i < axis_count(); ++i)
+    where +=
+        fmt::format("{}{} {} at {}", i ? ", " : "", axis_name(i),
+                    says_moving(minds_[at(i)].status) ? "moves" : "stands", draft_.axes[i].position.value);
+  fault.what = fmt::format("No clear answer came to {}.", sent);
+  fault.done = "It was sent once and is not repeated.";
+  fault.advice = read ? fmt::format("The state was read afresh: {}.", where)
+                      : "The state could not be read either. Look at the axis before you go on.";
+  co_return fault;
+}
+
+Result<> ArcusDriver::may_move_axis(int axis) const {
+  if (axis >= 0 && axis < axis_count()) return {};
+  return fail(FaultKind::refused, fmt::format("There is no axis {}.", axis + 1), "Nothing was sent.");
+}
+
+// One command that moves these axes.
+Task<Result<>> ArcusDriver::start(std::string text, std::vector<int> axes, Activity activity) {
+  const std::string sent = text;
+  auto done = co_await command(std::move(text), Priority::intent);
+  if (!done) {
+    Fault fault = co_await after_doubt(std::move(done.error()), sent);
+    co_return fail(std::move(fault));
+  }
+  for (const int axis : axes) begun(axis, activity, scheduler_.now());
+  co_return Result<>();
+}
+
+// The mode as it is now: a program or another terminal may have changed it since the last round.
+Task<Result<bool>> ArcusDriver::ask_incremental() {
+  if (!forms_.mode.empty()) {
+    auto mode = co_await ask_number(std::string(forms_.mode), Priority::intent);
+    if (!mode) co_return fail(mode.error());
+    put_readout("MM", *mode);
+  } else {
+    auto read = co_await read_motion(Priority::intent);
+    if (!read) co_return fail(read.error());
+  }
+  co_return incremental_;
+}
+
+// Where the axis stands, or its target with StepNLoop. A digit that was garbled on the wire would become a
+// wrong move, so a number that is not the one shown is asked for until two agree.
+Task<Result<std::int64_t>> ArcusDriver::ask_position(int axis) {
+  const std::string question = fill(forms_, forms_.position, axis);
+  std::int64_t last = draft_.axes[axis].position.value;
+  for (int attempt = 0; attempt < 4; ++attempt) {
+    auto position = co_await ask_number(question, Priority::intent);
+    if (!position) co_return fail(position.error());
+    if (*position == last) co_return *position;
+    last = *position;
+  }
+  co_return fail(
+      FaultKind::garbled,
+      fmt::format("Axis {} does not stand still, so it cannot be moved by a distance.", axis_name(axis)),
+      "Nothing was moved.", "Wait until it stands, or stop it.");
+}
+
+Task<Result<>> ArcusDriver::move(std::vector<AxisTarget> wish, Pps speed, bool relative) {
+  if (wish.empty()) co_return Result<>();
+  auto incremental = co_await ask_incremental();
+  if (!incremental) co_return fail(incremental.error());
+  std::vector<AxisValue> values;
+  std::vector<int> axes;
+  for (const AxisTarget& t : wish) {
+    const int axis = t.axis.index;
+    if (auto may = may_move_axis(axis); !may) co_return may;
+    std::int64_t here = draft_.axes[axis].position.value;
+    if (relative != *incremental) {  // else the mode takes the number as it is
+      auto read = co_await ask_position(axis);
+      if (!read) co_return fail(read.error());
+      here = *read;
+    }
+    const std::int64_t target = relative ? here + t.value.value : t.value.value;
+    if (target < position_min || target > position_max)
+      co_return fail(FaultKind::refused,
+                     fmt::format("{} is no position for axis {}: positions go from {} to {}.", target,
+                                 axis_name(axis), position_min, position_max),
+                     "Nothing was sent.");
+    values.push_back({axis, *incremental ? target - here : target});
+    axes.push_back(axis);
+    draft_.axes[axis].target = Steps(target);
+  }
+  auto borrowed = co_await borrow_speed(speed, axes.size() == 1 ? axes.front() : -1);
+  if (!borrowed) co_return borrowed;
+  auto started = co_await start(move_command(forms_, values), axes, Activity::moving);
+  if (started)
+    for (const int axis : axes) draft_.axes[axis].has_target = true;
+  auto returned = co_await give_speed_back();
+  if (!started) co_return started;
+  co_return returned;
+}
+
+Task<Result<>> ArcusDriver::jog(intent::JogStart wish) {
+  const int axis = wish.axis.index;
+  if (auto may = may_move_axis(axis); !may) co_return may;
+  auto borrowed = co_await borrow_speed(wish.speed, axis);
+  if (!borrowed) co_return borrowed;
+  std::vector<int> axes{axis};
+  auto started =
+      co_await start(fill(forms_, forms_.jog, axis, wish.sign), std::move(axes), Activity::jogging);
+  if (started) {
+    jogged_axis_ = axis;
+    draft_.axes[axis].direction = static_cast<std::int8_t>(factor(wish.sign));
+    draft_.axes[axis].has_target = false;
+  }
+  auto returned = co_await give_speed_back();
+  if (!started) co_return started;
+  co_return returned;
+}
+
+Task<Result<>> ArcusDriver::home(intent::Home wish) {
+  const int axis = wish.axis.index;
+  if (auto may = may_move_axis(axis); !may) co_return may;
+  if (wish.mode < 0 || wish.mode >= static_cast<int>(forms_.homes.size()))
+    co_return fail(FaultKind::refused, fmt::format("There is no way of homing {}.", wish.mode),
+                   "Nothing was sent.");
+  std::vector<int> axes{axis};
+  auto started = co_await start(fill(forms_, forms_.homes[at(wish.mode)], axis, wish.sign), std::move(axes),
+                                Activity::homing);
+  if (!started) co_return started;
+  draft_.axes[axis].has_target = false;
+  minds_[at(axis)].zeroed = true;
+  co_return Result<>();
+}
+
+// ---- the speed of one motion
+
+// The controller takes its speeds when a motion begins, so a speed for one motion is written before it and
+// the user's put back behind it.
+Task<Result<>> ArcusDriver::borrow_speed(Pps speed, int axis) {
+  const auto wanted = static_cast<std::int64_t>(std::llround(speed.value));
+  if (wanted <= 0) co_return Result<>();
+  if (wanted > max_speed)
+    co_return fail(FaultKind::refused,
+                   fmt::format("{} is no speed: it goes from 1 to {}.", wanted, max_speed),
+                   "Nothing was sent.");
+  std::string name(forms_.high_speed);
+  if (axis >= 0 && forms_.axis_speeds) {
+    bool own = true;
+    for (const std::string_view form : {forms_.axis_high_speed, forms_.axis_low_speed, forms_.axis_accel}) {
+      auto value = co_await ask_number(fill(forms_, form, axis), Priority::intent);
+      if (!value) co_return fail(value.error());
+      own = own && *value != 0;
+    }
+    if (own) name = fill(forms_, forms_.axis_high_speed, axis);
+  }
+  auto before = co_await ask_number(name, Priority::intent);
+  if (!before) co_return fail(before.error());
+  if (*before == wanted) co_return Result<>();
+  borrowed_ = BorrowedSpeed{name, *before};
+  auto set = co_await command(set_command(name, wanted), Priority::intent);
+  co_return set;
+}
+
+Task<Result<>> ArcusDriver::give_speed_back() {
+  if (!borrowed_) co_return Result<>();
+  auto set = co_await command(set_command(borrowed_->name, borrowed_->before), Priority::intent);
+  if (set) borrowed_.reset();
+  if (!set && set.error().kind == FaultKind::stopped) co_return Result<>();  // the next round does it
+  co_return set;
+}
+
+// ---- counters, power, outputs
+
+Task<Result<>> ArcusDriver::set_position(intent::SetPosition wish) {
+  const int first = wish.axis < 0 ? 0 : wish.axis, last = wish.axis < 0 ? axis_count() - 1 : wish.axis;
+  for (int axis = first; axis <= last; ++axis) {
+    if (auto may = may_move_axis(axis); !may) co_return may;
+    minds_[at(axis)].zeroed = true;
+    auto set = co_await command(set_command(fill(forms_, forms_.position, axis), wish.value.value),
+                                Priority::intent);
+    if (!set) {
+      if (draft_.axes[axis].in_counts && set.error().kind == FaultKind::refused)
+        set.error().advice = fmt::format(
+            "While StepNLoop of {} is on its position follows the encoder: set the encoder counter instead.",
+            axis_name(axis));
+      co_return set;
+    }
+    draft_.axes[axis].position_doubtful = false;
+  }
+  co_return co_await read_motion(Priority::intent);
+}
+
+Task<Result<>> ArcusDriver::set_encoder(intent::SetEncoder wish) {
+  const int first = wish.axis < 0 ? 0 : wish.axis, last = wish.axis < 0 ? axis_count() - 1 : wish.axis;
+  for (int axis = first; axis <= last; ++axis) {
+    if (auto may = may_move_axis(axis); !may) co_return may;
+    minds_[at(axis)].zeroed = true;
+    auto set =
+        co_await command(set_command(fill(forms_, forms_.encoder, axis), wish.value.value), Priority::intent);
+    if (!set) co_return set;
+  }
+  co_return co_await read_motion(Priority::intent);
+}
+
+Task<Result<>> ArcusDriver::set_power(intent::SetPower wish) {
+  const int first = wish.axis < 0 ? 0 : wish.axis, last = wish.axis < 0 ? axis_count() - 1 : wish.axis;
+  for (int axis = first; axis <= last; ++axis) {
+    if (auto may = may_move_axis(axis); !may) co_return may;
+    auto set = co_await command(set_command(fill(forms_, forms_.power, axis, Sign::plus, axis + 1), wish.on),
+                                Priority::intent);
+    if (!set) co_return set;
+  }
+  co_return co_await read_io(Priority::intent);
+}
+
+Task<Result<>> ArcusDriver::set_output(intent::SetOutput wish) {
+  if (wish.number < 1 || wish.number > model().outputs)
+    co_return fail(FaultKind::refused,
+                   fmt::format("There is no output {}: there are DO1 to DO{}.", wish.number, model().outputs),
+                   "Nothing was sent.");
+  auto set = co_await command(set_command(fmt::format("DO{}", wish.number), wish.on), Priority::intent);
+  if (!set) co_return set;
+  auto read = co_await read_io(Priority::intent);
+  if (!read) co_return read;
+  const bool shows = (draft_.outputs >> (wish.number - 1) & 1) != 0;
+  if (shows != wish.on)
+    tell(Notice::Kind::info,
+         fmt::format(
+             "DO{0} was accepted but shows no effect: the controller itself uses DO{0} now (sync output, or "
+             "in-position and alarm while StepNLoop is on).",
+             wish.number));
+  co_return Result<>();
+}
+
+}  // namespace hw::arcus

@@ -1,0 +1,195 @@
+// Set-up: every parameter by the maker's mnemonic; storing; and the list of what can be asked of the driver.
+#include <fmt/format.h>
+
+#include "core/devices/arcus/driver.h"
+
+namespace hw::arcus {
+namespace {
+
+constexpr Duration store_patience = std::chrono::seconds(3);
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+std::string range_words(const ParamInfo& p) {
+  if (!p.choices.empty()) {
+    std::string all;
+    for (const ParamChoice& c : p.choices) all += fmt::format("{}{}", all.empty() ? "" : ", ", c.value);
+    return "one of " + all;
+  }
+  return fmt::format("{} to {}{}", encode_value(p, p.minimum), encode_value(p, p.maximum),
+                     p.also_zero ? ", or 0" : "");
+}
+
+}  // namespace
+
+Task<Result<>> ArcusDriver::perform(const IntentBody& body) {
+  using namespace intent;
+  if (!station_) co_return no_connection();
+  if (const auto* i = std::get_if<MoveTo>(&body)) co_return co_await move(i->targets, i->speed, false);
+  if (const auto* i = std::get_if<MoveBy>(&body)) co_return co_await move(i->distances, i->speed, true);
+  if (const auto* i = std::get_if<JogStart>(&body)) co_return co_await jog(*i);
+  if (const auto* i = std::get_if<Home>(&body)) co_return co_await home(*i);
+  if (const auto* i = std::get_if<SetPosition>(&body)) co_return co_await set_position(*i);
+  if (const auto* i = std::get_if<SetEncoder>(&body)) co_return co_await set_encoder(*i);
+  if (const auto* i = std::get_if<SetPower>(&body)) co_return co_await set_power(*i);
+  if (const auto* i = std::get_if<SetOutput>(&body)) co_return co_await set_output(*i);
+  if (const auto* i = std::get_if<SetParam>(&body)) co_return co_await set_param(*i);
+  if (const auto* i = std::get_if<Act>(&body)) co_return co_await act(*i);
+  if (const auto* i = std::get_if<SetVariable>(&body)) co_return co_await set_variable(*i);
+  if (const auto* i = std::get_if<FeedMoves>(&body)) co_return co_await start_feed(*i);
+  if (const auto* i = std::get_if<SendText>(&body)) co_return co_await send_text(*i);
+  if (const auto* i = std::get_if<Watch>(&body)) {
+    watched_ = i->groups;
+    co_return Result<>();
+  }
+  if (const auto* i = std::get_if<ReadParams>(&body)) co_return co_await read_params(i->only);
+  if (std::holds_alternative<Store>(body)) co_return co_await store();
+  if (std::holds_alternative<ReadAgain>(body)) co_return co_await read_again();
+  if (std::holds_alternative<Reset>(body))
+    co_return fail(FaultKind::refused, fmt::format("A {} has no reset command.", model().title),
+                   "Nothing was sent.", "Switch its power off and on.");
+  co_return co_await perform_program(body);
+}
+
+const SettingFact* ArcusDriver::fact_of(int index) const {
+  int first = 0;
+  for (const SettingFact& fact : model().settings) {
+    if (index < first + fact.count) return &fact;
+    first += fact.count;
+  }
+  return nullptr;
+}
+
+std::optional<std::int64_t> ArcusDriver::param(std::string_view mnemonic) const {
+  const int index = catalog_.find_param(mnemonic);
+  if (index < 0 || !draft_.params[at(index)].known) return std::nullopt;
+  return draft_.params[at(index)].value;
+}
+
+void ArcusDriver::forget_params(std::string_view head) {
+  for (std::size_t i = 0; i < catalog_.params.size(); ++i)
+    if (catalog_.params[i].mnemonic.starts_with(head)) draft_.params[i].known = false;
+}
+
+Task<Result<>> ArcusDriver::read_param(int index, Priority priority) {
+  const ParamInfo& info = catalog_.params[at(index)];
+  std::string text;
+  for (int attempt = 0; attempt < 2; ++attempt) {
+    auto reply = co_await ask(info.mnemonic, priority);
+    if (!reply && (reply.error().kind != FaultKind::refused || attempt > 0)) co_return fail(reply.error());
+    if (!reply) continue;
+    text = *reply;
+    if (const auto value = decode_value(info, text)) {
+      draft_.params[at(index)].value = *value;
+      draft_.params[at(index)].known = true;
+      co_return Result<>();
+    }
+    co_await wait_for_quiet();
+  }
+  co_return fail(
+      FaultKind::garbled,
+      fmt::format("The controller answered \"{}\" to {}, which means nothing.", text, info.mnemonic),
+      "It was asked twice.");
+}
+
+// What depends on what: times are adjusted to the speeds, the joystick switches StepNLoop off.
+void ArcusDriver::changed_param(int index) {
+  const ParamInfo& info = catalog_.params[at(index)];
+  ParamState& state = draft_.params[at(index)];
+  state.known = false;
+  state.stored = !info.stored;
+  draft_.unsaved_setup = draft_.unsaved_setup || info.stored;
+  const SettingFact* fact = fact_of(index);
+  if (!fact) return;
+  switch (fact->id) {
+    case Setting::high_speed:
+    case Setting::low_speed:
+    case Setting::axis_high_speed:
+    case Setting::axis_low_speed:
+      forget_params("ACC");
+      forget_params("DEC");
+      break;
+    case Setting::loop:
+    case Setting::joystick:
+      for (AxisMind& mind : minds_) mind.loop_state = -1;
+      forget_params("SL");
+      break;
+    default: break;
+  }
+}
+
+Task<Result<>> ArcusDriver::set_param(intent::SetParam wish) {
+  const int index = catalog_.find_param(wish.mnemonic);
+  if (index < 0)
+    co_return fail(FaultKind::refused, fmt::format("A {} has no parameter {}.", model().title, wish.mnemonic),
+                   "Nothing was sent.");
+  const ParamInfo& info = catalog_.params[at(index)];
+  if (!info.accepts(wish.value))
+    co_return fail(FaultKind::refused,
+                   fmt::format("{} is not possible for {} ({}): it takes {}.", encode_value(info, wish.value),
+                               info.mnemonic, info.label, range_words(info)),
+                   "Nothing was sent.");
+  if (!info.warning.empty() && !wish.confirmed && !(wish.value == 0))
+    co_return fail(FaultKind::refused, info.warning, "Nothing was sent.", "Confirm it to go on.");
+  auto set = co_await command(set_command(info, wish.value), Priority::intent);
+  if (!set) co_return set;
+  changed_param(index);
+  auto read = co_await read_param(index, Priority::intent);
+  if (!read) co_return read;
+  const std::int64_t kept = draft_.params[at(index)].value;
+  if (kept == wish.value) co_return co_await read_loop(Priority::intent);
+  const bool ramp = info.unit == "ms" && !info.stored;
+  if (!ramp)
+    co_return fail(FaultKind::controller,
+                   fmt::format("{} was set to {}, but the controller says {}.", info.mnemonic,
+                               encode_value(info, wish.value), encode_value(info, kept)),
+                   "It was sent once.", "The number that the controller says is the one that holds.");
+  tell(Notice::Kind::info,
+       fmt::format("{} was set to {} ms; with the present speeds the controller uses {} ms (table A.0).",
+                   info.mnemonic, wish.value, kept));
+  co_return Result<>();
+}
+
+Task<Result<>> ArcusDriver::read_params(std::string only) {
+  if (!only.empty()) {
+    const int index = catalog_.find_param(only);
+    if (index >= 0) co_return co_await read_param(index, Priority::intent);
+  }
+  for (int i = 0; i < static_cast<int>(catalog_.params.size()); ++i) {
+    auto read = co_await read_param(i, Priority::transfer);
+    if (!read) co_return read;
+    co_await stay_live();
+  }
+  for (int n = catalog_.variables.stored_from; n < catalog_.variables.count; ++n) {
+    auto read = co_await read_variable(n, Priority::transfer);
+    if (!read) co_return read;
+    co_await stay_live();
+  }
+  co_return Result<>();
+}
+
+Task<Result<>> ArcusDriver::read_again() {
+  for (ParamState& p : draft_.params) p.known = false;
+  draft_.variables_known.reset();
+  for (AxisMind& mind : minds_) mind.loop_state = -1;
+  co_return co_await read_state();
+}
+
+Task<Result<>> ArcusDriver::store() {
+  auto done = co_await command("STORE", Priority::intent, store_patience);
+  if (!done && done.error().kind == FaultKind::no_answer)
+    co_return fail(FaultKind::no_answer,
+                   fmt::format("The controller did not confirm in {:.0f} s that it has stored.",
+                               seconds(store_patience)),
+                   "STORE was sent once and is not repeated: the memory bears a limited number of writes.",
+                   "Do not switch the controller off now. Compare the set-up before you store again.");
+  if (!done) co_return done;
+  for (ParamState& p : draft_.params) p.stored = true;
+  draft_.unsaved_setup = false;
+  tell(Notice::Kind::info,
+       "The set-up and the variables V50 to V99 are stored. Speeds, sync settings and V0 to V49 are never "
+       "kept.");
+  co_return Result<>();
+}
+
+}  // namespace hw::arcus

@@ -1,0 +1,293 @@
+// One round of status, and what it means. While something moves: where it is, as often as the wire bears; at
+// rest everything, five times a second.
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/devices/arcus/driver.h"
+
+namespace hw::arcus {
+namespace {
+
+constexpr int io_every = 4;  // rounds in motion between two looks at inputs, outputs and threads
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+}  // namespace
+
+Task<Result<>> ArcusDriver::poll() {
+  if (!station_) co_return no_connection();
+  ++round_;
+  const bool rested = !any_moving();
+  std::array<Steps, max_axes> before{};
+  bool known = true;
+  for (int i = 0; i < axis_count(); ++i) {
+    before[at(i)] = draft_.axes[i].position;
+    known = known && draft_.axes[i].position_known && !minds_[at(i)].zeroed;
+    minds_[at(i)].zeroed = false;
+  }
+  auto motion = co_await read_motion(Priority::poll);
+  if (!motion) co_return motion;
+  if (rested && known) look_for_restart(before);
+  auto loop = co_await read_loop(Priority::poll);
+  if (!loop) co_return loop;
+  if (borrowed_ && stops_ == 0) {
+    auto returned = co_await give_speed_back();
+    if (!returned) co_return returned;
+  }
+  auto fed = co_await feed();
+  if (!fed) co_return fed;
+  if (!any_moving() || round_ % io_every == 0) {
+    auto io = co_await read_io(Priority::poll);
+    if (!io) co_return io;
+    auto threads = co_await read_threads(false, Priority::poll);
+    if (!threads) co_return threads;
+  }
+  auto watched = co_await read_watched();
+  if (!watched) co_return watched;
+  if (!any_moving()) {
+    auto rest = co_await read_in_turn();
+    if (!rest) co_return rest;
+  }
+  show_worst();
+  co_return Result<>();
+}
+
+// As often as the wire bears; where bytes take no time (TCP, USB, in process) a hundred rounds a second.
+Duration ArcusDriver::moving_period() const {
+  constexpr std::size_t bytes_of_a_round = 60;
+  constexpr Duration without_wire = Millis(10);
+  const Duration round = station_ ? station_->wire_time(bytes_of_a_round) : Duration::zero();
+  if (round == Duration::zero()) return without_wire;
+  return std::max(Duration::zero(), round - (scheduler_.now() - round_began_));
+}
+
+// Four questions, each answered for all axes.
+Task<Result<>> ArcusDriver::read_motion(Priority priority) {
+  round_began_ = scheduler_.now();
+  const auto axes = at(axis_count());
+  std::size_t fields = axes;
+  for (const std::string_view id : forms_.behind_status) fields += id.empty() ? 0 : 1;
+  const Instant asked_at = scheduler_.now();
+  auto status = co_await ask_numbers(std::string(forms_.status), fields, priority);
+  if (!status) co_return fail(status.error());
+  auto positions = co_await ask_numbers(std::string(forms_.positions), axes, priority);
+  if (!positions) co_return fail(positions.error());
+  auto encoders = co_await ask_numbers(std::string(forms_.encoders), axes, priority);
+  if (!encoders) co_return fail(encoders.error());
+  auto speeds = co_await ask_numbers(std::string(forms_.speeds), axes, priority);
+  if (!speeds) co_return fail(speeds.error());
+  take_status(*status);
+  for (int i = 0; i < axis_count(); ++i) {
+    AxisState& axis = draft_.axes[i];
+    const Steps position((*positions)[at(i)]);
+    const Steps move = position - axis.position;
+    const bool changed = axis.position_known && move != Steps(0);
+    axis.position = position;
+    axis.position_known = true;
+    axis.seen_at = scheduler_.now();
+    axis.has_encoder = true;
+    axis.encoder = Steps((*encoders)[at(i)]);
+    axis.speed = Pps(std::abs(static_cast<double>((*speeds)[at(i)])));
+    if (changed) minds_[at(i)].turned = static_cast<std::int8_t>(move > Steps(0) ? 1 : -1);
+    show_axis(i, asked_at);
+  }
+  looked_.notify();
+  co_return Result<>();
+}
+
+void ArcusDriver::take_status(const std::vector<std::int64_t>& words) {
+  const StatusBits& bits = model().status;
+  for (int i = 0; i < axis_count(); ++i) {
+    const std::int64_t word = words[at(i)];
+    minds_[at(i)].status = word;
+    AxisState& axis = draft_.axes[i];
+    axis.limit_minus = has_bit(word, bits.minus_limit);
+    axis.limit_plus = has_bit(word, bits.plus_limit);
+    axis.home = has_bit(word, bits.home);
+    axis.alarm = has_bit(word, bits.alarm);
+    axis.limits_known = true;
+    axis.phase = has_bit(word, bits.accelerating)   ? Phase::accelerating
+                 : has_bit(word, bits.decelerating) ? Phase::decelerating
+                 : has_bit(word, bits.constant)     ? Phase::constant
+                                                    : Phase::unknown;
+    put_readout(fill(forms_, axis_count() > 1 ? "MSTa" : "MST", i), word);
+  }
+  if (bits.latch != no_bit) put_readout("LATCHIN", has_bit(words[0], bits.latch));
+  if (bits.index != no_bit) put_readout("INDEX", has_bit(words[0], bits.index));
+  std::size_t field = at(axis_count());
+  for (const std::string_view id : forms_.behind_status) {
+    if (id.empty()) continue;
+    put_readout(id, words[field]);
+    if (id == "BUF") buffer_on_ = words[field] != 0;
+    if (id == "BUFFREE") buffer_free_ = static_cast<int>(words[field]);
+    ++field;
+  }
+}
+
+// The state of StepNLoop, of axes that have it on, or where that is not known.
+Task<Result<>> ArcusDriver::read_loop(Priority priority) {
+  for (int i = 0; i < axis_count(); ++i) {
+    AxisMind& mind = minds_[at(i)];
+    if (mind.loop_state == static_cast<int>(LoopState::off)) continue;
+    const std::string question = fill(forms_, forms_.loop_state, i);
+    const Instant asked_at = scheduler_.now();
+    auto state = co_await ask_number(question, priority);
+    if (!state) co_return fail(state.error());
+    mind.loop_state = static_cast<int>(*state);
+    draft_.axes[i].in_counts = *state != static_cast<int>(LoopState::off);
+    put_readout(question, *state);
+    show_axis(i, asked_at);
+  }
+  co_return Result<>();
+}
+
+Task<Result<>> ArcusDriver::read_io(Priority priority) {
+  auto inputs = co_await ask_number("DI", priority);
+  if (!inputs) co_return fail(inputs.error());
+  auto outputs = co_await ask_number("DO", priority);
+  if (!outputs) co_return fail(outputs.error());
+  auto enables = co_await ask_number("EO", priority);
+  if (!enables) co_return fail(enables.error());
+  draft_.inputs = static_cast<std::uint32_t>(*inputs);
+  draft_.inputs_known = (1u << model().inputs) - 1;
+  draft_.outputs = static_cast<std::uint32_t>(*outputs);
+  draft_.outputs_known = (1u << model().outputs) - 1;
+  draft_.io_seen_at = scheduler_.now();
+  for (int i = 0; i < axis_count(); ++i) draft_.axes[i].enabled = (*enables >> i & 1) != 0;
+  co_return Result<>();
+}
+
+// In the middle of a long procedure: positions must not grow stale meanwhile.
+Task<> ArcusDriver::stay_live() {
+  if (!station_ || scheduler_.now() - round_began_ < idle_period()) co_return;
+  auto read = co_await read_motion(Priority::poll);
+  if (read) read = co_await read_threads(false, Priority::poll);
+  changed_();
+}
+
+// ---- what it means
+
+bool ArcusDriver::moving(int axis) const {
+  const Activity a = draft_.axes[axis].activity;
+  return a == Activity::moving || a == Activity::jogging || a == Activity::homing || a == Activity::stopping;
+}
+bool ArcusDriver::any_moving() const { return draft_.any_axis_moving(); }
+
+bool ArcusDriver::loop_error(int axis) const {
+  const int state = minds_[at(axis)].loop_state;
+  return state >= static_cast<int>(LoopState::range_error) &&
+         state <= static_cast<int>(LoopState::limit_error);
+}
+
+namespace {
+
+bool loop_works(int state) {
+  return (state >= static_cast<int>(LoopState::moving) &&
+          state <= static_cast<int>(LoopState::index_homing)) ||
+         state == static_cast<int>(LoopState::limit_homing);
+}
+
+Activity activity_of(int loop_state) {
+  switch (static_cast<LoopState>(loop_state)) {
+    case LoopState::jogging: return Activity::jogging;
+    case LoopState::homing:
+    case LoopState::index_homing:
+    case LoopState::limit_homing: return Activity::homing;
+    case LoopState::stopping:
+    case LoopState::aborting: return Activity::stopping;
+    default: return Activity::moving;
+  }
+}
+
+}  // namespace
+
+bool ArcusDriver::runs(int axis) const {
+  const AxisMind& mind = minds_[at(axis)];
+  return says_moving(mind.status) || loop_works(mind.loop_state);
+}
+
+// What the axis does, from its status word, StepNLoop and what the console began. A command that was sent
+// after the question was asked is not judged by the answer.
+void ArcusDriver::show_axis(int index, Instant asked_at) {
+  AxisMind& mind = minds_[at(index)];
+  AxisState& axis = draft_.axes[index];
+  if (mind.begun_at > asked_at) return;
+  if (mind.stopping) {  // until whoever stops it has seen it stand
+    axis.activity = Activity::stopping;
+    return;
+  }
+  if (runs(index)) {
+    if (mind.ours)
+      axis.activity = mind.wanted;
+    else
+      axis.activity = activity_of(mind.loop_state);
+    if (axis.has_target && mind.ours)
+      axis.direction = static_cast<std::int8_t>(axis.target < axis.position ? -1 : 1);
+    else if (!mind.ours || mind.wanted != Activity::jogging)
+      axis.direction = mind.turned;
+    axis.ended_by = EndedBy::nothing;
+    return;
+  }
+  if (moving(index) || axis.activity == Activity::unknown) show_ended(index);
+  axis.activity = in_error(index) ? Activity::error : Activity::idle;
+  axis.phase = Phase::unknown;
+  axis.direction = 0;
+}
+
+bool ArcusDriver::in_error(int axis) const {
+  const StatusBits& bits = model().status;
+  const std::int64_t word = minds_[at(axis)].status;
+  return has_bit(word, bits.plus_error) || has_bit(word, bits.minus_error) ||
+         has_bit(word, bits.alarm_error) || loop_error(axis);
+}
+
+void ArcusDriver::show_ended(int index) {
+  AxisMind& mind = minds_[at(index)];
+  AxisState& axis = draft_.axes[index];
+  const bool was_moving = moving(index);
+  if (was_moving) axis.ended_by = how_it_ended(index);
+  if (was_moving && mind.wanted == Activity::homing && axis.ended_by == EndedBy::target)
+    axis.position_doubtful = false;
+  mind.ours = false;
+  mind.wanted = Activity::idle;
+  mind.ended_by = EndedBy::nothing;
+  axis.has_target = false;
+}
+
+EndedBy ArcusDriver::how_it_ended(int axis) const {
+  const StatusBits& bits = model().status;
+  const std::int64_t word = minds_[at(axis)].status;
+  if (has_bit(word, bits.plus_error) || has_bit(word, bits.minus_error)) return EndedBy::limit;
+  if (has_bit(word, bits.alarm_error) || loop_error(axis)) return EndedBy::error;
+  if (minds_[at(axis)].ended_by != EndedBy::nothing) return minds_[at(axis)].ended_by;
+  return EndedBy::target;
+}
+
+// Called each round: nothing here allocates while all is well.
+void ArcusDriver::show_worst() {
+  draft_.notice.clear();
+  const StatusBits& bits = model().status;
+  for (int i = 0; i < axis_count(); ++i) {
+    const std::int64_t word = minds_[at(i)].status;
+    const char* what = has_bit(word, bits.minus_error)   ? "hit its - limit"
+                       : has_bit(word, bits.plus_error)  ? "hit its + limit"
+                       : has_bit(word, bits.alarm_error) ? "was stopped by its alarm"
+                                                         : nullptr;
+    if (minds_[at(i)].loop_state == static_cast<int>(LoopState::stall_error)) what = "did not follow (stall)";
+    if (minds_[at(i)].loop_state == static_cast<int>(LoopState::range_error)) what = "stands too far off";
+    if (minds_[at(i)].loop_state == static_cast<int>(LoopState::attempt_error))
+      what = "could not be corrected";
+    if (!what) continue;
+    draft_.notice = fmt::format("Axis {} {}. Clear the errors before the next move.", axis_name(i), what);
+    return;
+  }
+  for (int i = 0; i < model().programs; ++i)
+    if (draft_.threads[at(i)].known && draft_.threads[at(i)].run == RunState::error) {
+      draft_.notice = fmt::format("Program {} has stopped in error at line {} of its stored code.", i,
+                                  draft_.threads[at(i)].line);
+      return;
+    }
+}
+
+}  // namespace hw::arcus

@@ -1,0 +1,192 @@
+// Stored programs: compiled here, written line by line, read back and compared; run, paused, halted by
+// thread.
+#include <fmt/format.h>
+
+#include "core/devices/arcus/driver.h"
+#include "core/devices/arcus/language/compiler.h"
+#include "core/devices/arcus/language/decompiler.h"
+
+namespace hw::arcus {
+namespace {
+
+constexpr int empty_lines_end_it = 4;  // in a row
+constexpr int thread_stop = 0, thread_run = 1, thread_pause = 2, thread_continue = 3;
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+}  // namespace
+
+Task<Result<>> ArcusDriver::perform_program(IntentBody body) {
+  using namespace intent;
+  if (const auto* i = std::get_if<LoadProgram>(&body)) co_return co_await load(i->text);
+  if (std::holds_alternative<UploadProgram>(body)) co_return co_await upload();
+  if (std::holds_alternative<ClearProgram>(body)) {
+    if (auto may = no_thread_runs(); !may) co_return may;
+    co_return co_await clear_from(0);
+  }
+  if (std::holds_alternative<SelectProgram>(body)) co_return Result<>();
+  if (const auto* i = std::get_if<RunProgram>(&body)) co_return co_await control(i->slot, thread_run);
+  if (const auto* i = std::get_if<Pause>(&body)) co_return co_await control_all(i->thread, thread_pause);
+  if (const auto* i = std::get_if<Resume>(&body)) co_return co_await control_all(i->thread, thread_continue);
+  co_return fail(FaultKind::refused, fmt::format("A {} cannot do that.", model().title), "Nothing was sent.");
+}
+
+// ---- threads
+
+Task<Result<>> ArcusDriver::control(int thread, int what) {
+  if (thread < 0 || thread >= model().programs)
+    co_return fail(FaultKind::refused,
+                   fmt::format("There is no program {}: there are 0 to {}.", thread, model().programs - 1),
+                   "Nothing was sent.");
+  const std::string text = fmt::format("SR{}={}", thread, what);
+  auto done = co_await command(text, Priority::intent);
+  if (!done) {
+    Fault fault = co_await after_doubt(std::move(done.error()), text);
+    co_return fail(std::move(fault));
+  }
+  if (what == thread_run) draft_.program.started_at = scheduler_.now();
+  draft_.threads[at(thread)].known = false;
+  auto read = co_await read_threads(false, Priority::intent);
+  if (!read) co_return read;
+  const RunState now = draft_.threads[at(thread)].run;
+  if (what == thread_run && now == RunState::error)
+    co_return fail(FaultKind::controller,
+                   fmt::format("Program {} stopped in error at line {} of its stored code.", thread,
+                               draft_.threads[at(thread)].line),
+                   {}, "Look at the program, and whether an axis has an error.");
+  co_return Result<>();
+}
+
+Task<Result<>> ArcusDriver::control_all(int thread, int what) {
+  if (thread >= 0) co_return co_await control(thread, what);
+  const RunState concerned = what == thread_pause ? RunState::running : RunState::held;
+  for (int n = 0; n < model().programs; ++n) {
+    if (draft_.threads[at(n)].run != concerned) continue;
+    auto done = co_await control(n, what);
+    if (!done) co_return done;
+  }
+  co_return Result<>();
+}
+
+Result<> ArcusDriver::no_thread_runs() const {
+  for (int n = 0; n < model().programs; ++n) {
+    const RunState run = draft_.threads[at(n)].run;
+    if (run == RunState::running || run == RunState::held)
+      return fail(FaultKind::refused,
+                  fmt::format("Program {} runs, and all programs share the stored code.", n),
+                  "Nothing was written.", "Stop it first.");
+  }
+  return {};
+}
+
+// ---- stored lines
+
+Task<Result<std::string>> ArcusDriver::read_line(int line, Priority priority) {
+  co_return co_await ask(fmt::format("SA{}", line), priority);
+}
+
+// An unused line is empty.
+Task<Result<>> ArcusDriver::write_line(int line, std::string text) {
+  std::string sent = fmt::format("SA{}={}", line, text);
+  co_return co_await command(std::move(sent), Priority::transfer, Millis(500));
+}
+
+void ArcusDriver::show_transfer(int done, int total) {
+  draft_.transfer.running = done < total;
+  draft_.transfer.done = done;
+  draft_.transfer.total = total;
+}
+
+Task<Result<>> ArcusDriver::load(std::string text) {
+  if (auto may = no_thread_runs(); !may) co_return may;
+  const language::Compilation made = language::compile(text, dialect_);
+  for (const Problem& p : made.problems)
+    if (p.error)
+      co_return fail(FaultKind::refused,
+                     fmt::format("The program has an error in line {}: {}", p.line + 1, p.sentence),
+                     "Nothing was written.");
+  const std::vector<std::string> lines = made.lines;
+  auto written = co_await write_lines(lines);
+  draft_.transfer.running = false;
+  if (!written) co_return written;
+  draft_.slot_bytes_used[0] = static_cast<std::int16_t>(lines.size());
+  tell(Notice::Kind::info,
+       fmt::format("{} of {} lines are stored and were compared. They stay when the power goes.",
+                   lines.size(), program_lines));
+  co_return Result<>();
+}
+
+// Each line is read back at once; a line that is equal already is not written.
+Task<Result<>> ArcusDriver::write_lines(std::vector<std::string> lines) {
+  const int total = static_cast<int>(lines.size());
+  for (int n = 0; n < total; ++n) {
+    auto there = co_await read_line(n, Priority::transfer);
+    if (!there) co_return fail(there.error());
+    if (*there != lines[at(n)]) {
+      auto written = co_await write_line(n, lines[at(n)]);
+      if (!written) co_return written;
+      auto back = co_await read_line(n, Priority::transfer);
+      if (!back) co_return fail(back.error());
+      if (*back != lines[at(n)])
+        co_return fail(FaultKind::controller,
+                       fmt::format("Line {} reads back as \"{}\" instead of \"{}\".", n, *back, lines[at(n)]),
+                       "The program is stored in part.", "Send it again before it is run.");
+    }
+    show_transfer(n + 1, total);
+    co_await stay_live();
+  }
+  co_return co_await clear_from(total);
+}
+
+// What a longer program has left behind.
+Task<Result<>> ArcusDriver::clear_from(int line) {
+  int empty = 0;
+  for (int n = line; n < program_lines && empty < empty_lines_end_it; ++n) {
+    auto there = co_await read_line(n, Priority::transfer);
+    if (!there) co_return fail(there.error());
+    if (there->empty()) {
+      ++empty;
+      continue;
+    }
+    empty = 0;
+    auto cleared = co_await write_line(n, {});
+    if (!cleared) co_return cleared;
+    co_await stay_live();
+  }
+  draft_.slot_bytes_used[0] = static_cast<std::int16_t>(line);
+  co_return Result<>();
+}
+
+Task<Result<std::vector<std::string>>> ArcusDriver::read_lines() {
+  std::vector<std::string> lines;
+  int empty = 0;
+  for (int n = 0; n < program_lines && empty < empty_lines_end_it; ++n) {
+    auto text = co_await read_line(n, Priority::transfer);
+    if (!text) co_return fail(text.error());
+    empty = text->empty() ? empty + 1 : 0;
+    lines.push_back(std::move(*text));
+    show_transfer(n, program_lines);
+    co_await stay_live();
+  }
+  while (!lines.empty() && lines.back().empty()) lines.pop_back();
+  co_return lines;
+}
+
+Task<Result<>> ArcusDriver::upload() {
+  auto lines = co_await read_lines();
+  draft_.transfer.running = false;
+  if (!lines) co_return fail(lines.error());
+  draft_.slot_bytes_used[0] = static_cast<std::int16_t>(lines->size());
+  const language::Decompiled source = language::decompile(*lines, dialect_);
+  Notice notice(Notice::Kind::program, scheduler_.now(), source.text);
+  notice.slot = 0;
+  notify_(std::move(notice));
+  if (!source.bad_lines.empty())
+    tell(Notice::Kind::warning,
+         fmt::format("{} lines of the stored code mean nothing here; they stand in the text as comments. The "
+                     "program may come from another program than this console.",
+                     source.bad_lines.size()));
+  co_return Result<>();
+}
+
+}  // namespace hw::arcus

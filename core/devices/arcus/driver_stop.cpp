@@ -1,0 +1,152 @@
+// Stopping, by decision AMB-128: the joystick off where it is on, STOP (or ABORT), each running program
+// stopped, STOP again because a program may have begun a move in between, then the status until all stand.
+#include <fmt/format.h>
+
+#include "core/devices/arcus/driver.h"
+
+namespace hw::arcus {
+namespace {
+
+constexpr Duration longest_stop = std::chrono::seconds(30);  // of a ramp that the user made long
+constexpr Duration look_again = Millis(40);
+constexpr int stop_attempts = 3;
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+}  // namespace
+
+// A stop may be repeated: it moves nothing.
+Task<Result<>> ArcusDriver::say_stop(std::string text) {
+  Result<> said;
+  for (int attempt = 0; attempt < stop_attempts; ++attempt) {
+    said = co_await command(text, Priority::stop);
+    if (said || said.error().kind == FaultKind::lost) break;
+  }
+  co_return said;
+}
+
+void ArcusDriver::stopping(int axis, bool at_once) {
+  for (int i = 0; i < axis_count(); ++i) {
+    if ((axis >= 0 && i != axis) || !moving(i)) continue;
+    draft_.axes[i].activity = Activity::stopping;
+    minds_[at(i)].stopping = true;
+    minds_[at(i)].ended_by = at_once ? EndedBy::abort : EndedBy::stop;
+  }
+}
+
+Task<Result<>> ArcusDriver::stop(int axis, bool at_once) {
+  if (!station_)
+    co_return fail(FaultKind::lost, "Stop does not reach the controller: there is no connection.",
+                   "Nothing was sent.", "Use its power switch.");
+  at_once = at_once || (stops_ > 0 && stop_ramps_);  // asked twice
+  ++stops_;
+  stop_ramps_ = !at_once;
+  end_feed();
+  auto stopped = co_await stop_now(axis, at_once);
+  --stops_;
+  if (station_) stands(axis);
+  co_return stopped;
+}
+
+// What was being stopped is shown as it is again.
+void ArcusDriver::stands(int axis) {
+  for (int i = 0; i < axis_count(); ++i) {
+    if (axis >= 0 && i != axis) continue;
+    minds_[at(i)].stopping = false;
+    show_axis(i, scheduler_.now());
+  }
+}
+
+Task<Result<>> ArcusDriver::stop_now(int axis, bool at_once) {
+  const std::string_view form = at_once ? forms_.abort : forms_.stop;
+  const bool all = axis < 0 || axis_count() == 1;
+  const std::string word = all ? std::string(form.substr(0, form.find('a'))) : fill(forms_, form, axis);
+  stopping(axis, at_once);
+  auto released = co_await release_joystick(axis);
+  auto said = co_await say_stop(word);
+  if (!said) co_return said;
+  if (!released) co_return released;
+  if (!all) co_return co_await wait_for_standstill(axis);
+  auto halted = co_await halt_threads(false);
+  if (!halted) co_return halted;
+  said = co_await say_stop(word);
+  if (!said) co_return said;
+  co_return co_await wait_for_standstill(-1);
+}
+
+// What the jog moves stops; programs, and axes that they move, go on.
+Task<Result<>> ArcusDriver::stop_jog() {
+  const int axis = std::exchange(jogged_axis_, -1);
+  if (axis < 0) co_return co_await stop(-1, false);
+  co_return co_await stop(axis, false);
+}
+
+// A stop for all devices of the line in one message; the stop of each follows.
+Task<Result<>> ArcusDriver::stop_wire(bool at_once) {
+  if (model().broadcast < 0) co_return Result<>();
+  co_return co_await broadcast(at_once ? "ABORT" : "STOP", Priority::stop);
+}
+
+// Its axes would go on by the stick.
+Task<Result<>> ArcusDriver::release_joystick(int axis) {
+  if (!forms_.joystick) co_return Result<>();
+  const auto mask = param("JE");
+  if (mask && *mask == 0) co_return Result<>();
+  const std::int64_t kept = axis < 0 || !mask ? 0 : *mask & ~(std::int64_t{1} << axis);
+  if (mask && kept == *mask) co_return Result<>();
+  auto said = co_await say_stop(set_command("JE", kept));
+  const int index = catalog_.find_param("JE");
+  if (said && mask) {
+    changed_param(index);
+    draft_.params[at(index)].value = kept;
+    draft_.params[at(index)].known = true;
+    tell(Notice::Kind::info, "The joystick was switched off by the stop.");
+  }
+  co_return said;
+}
+
+Task<Result<>> ArcusDriver::halt_threads(bool all) {
+  for (int n = 0; n < model().programs; ++n) {
+    const ThreadState& thread = draft_.threads[at(n)];
+    const bool rests = thread.known && (thread.run == RunState::idle || thread.run == RunState::error);
+    if (rests && !all) continue;
+    auto said = co_await say_stop(fmt::format("SR{}=0", n));
+    if (!said) co_return said;
+    draft_.threads[at(n)].known = false;
+  }
+  co_return Result<>();
+}
+
+Task<Result<>> ArcusDriver::wait_for_standstill(int axis) {
+  const Instant give_up = scheduler_.now() + longest_stop;
+  for (;;) {
+    auto read = co_await read_motion(Priority::stop);
+    if (!read) co_return read;
+    auto loop = co_await read_loop(Priority::stop);
+    if (!loop) co_return loop;
+    bool turns = false;
+    for (int i = 0; i < axis_count(); ++i) turns = turns || ((axis < 0 || i == axis) && runs(i));
+    if (!turns) co_return Result<>();
+    if (scheduler_.now() > give_up)
+      co_return fail(FaultKind::controller, "The controller was told to stop and still moves.",
+                     "The stop was sent.", "Stop again: it then stops at once, without a ramp.");
+    co_await looked_.wait_until(scheduler_.now() + look_again);
+    if (!station_) co_return fail(FaultKind::lost, "The connection was lost while the axes were stopping.");
+  }
+}
+
+// The program ends; the motion that it has begun goes on.
+Task<Result<>> ArcusDriver::halt_program(int thread) {
+  if (!station_) co_return no_connection();
+  if (thread >= model().programs)
+    co_return fail(FaultKind::refused, fmt::format("There is no program {}.", thread), "Nothing was sent.");
+  Result<> said;
+  if (thread < 0)
+    said = co_await halt_threads(true);
+  else
+    said = co_await say_stop(fmt::format("SR{}=0", thread));
+  if (!said) co_return said;
+  co_return co_await read_threads(true, Priority::stop);
+}
+
+}  // namespace hw::arcus

@@ -1,0 +1,217 @@
+// Questions and commands, raw text, and what the device says unasked.
+#include <fmt/format.h>
+
+#include "core/devices/arcus/driver.h"
+
+namespace hw::arcus {
+namespace {
+
+constexpr std::size_t most_for_scripts = 256;
+constexpr Duration usual_patience = Millis(200);
+constexpr Duration quiet_time = Millis(30);
+
+std::string printable(std::string_view bytes) {
+  std::string all;
+  for (const char c : bytes.substr(0, 40))
+    all += c >= ' ' && c < 127 ? std::string(1, c) : fmt::format("<{:02X}>", static_cast<unsigned char>(c));
+  return all;
+}
+
+bool worth_another_try(const Fault& fault) {
+  return fault.kind == FaultKind::no_answer || fault.kind == FaultKind::garbled;
+}
+
+tl::unexpected<Fault> means_nothing(std::string_view question, std::string_view reply) {
+  return fail(
+      FaultKind::garbled,
+      fmt::format("The controller answered {} to {}, which means nothing.", printable(reply), question),
+      "It was asked twice.",
+      "Look at the cable and the line rate, and whether two devices have one address or another "
+      "program talks on this line.");
+}
+
+}  // namespace
+
+Framing ArcusDriver::framing() const {
+  return station_ && station_->carries_messages() ? Framing::message : Framing::addressed;
+}
+
+tl::unexpected<Fault> ArcusDriver::no_connection() const {
+  return fail(FaultKind::lost, "There is no connection to the controller.", "Nothing was sent.");
+}
+
+// One command and its reply: one transaction.
+Task<Result<Reply>> ArcusDriver::exchange(std::string text, Priority priority, Duration patience) {
+  if (!station_) co_return no_connection();
+  const bool usb = station_->carries_messages();
+  Transaction t(frame(framing(), catalog_.address, text), usb ? ReplyShape::message() : ReplyShape::text(),
+                priority);
+  t.patience = patience;
+  if (!usb) t.stranger = unasked_at_front;
+  auto bytes = co_await station_->transact(std::move(t));
+  if (!bytes) co_return fail(bytes.error());
+  Reply reply = decode_reply(*bytes);
+  const int asked = std::max(address_of(text), catalog_.address);
+  if (reply.id && address_of(text) < 0 && *reply.id != asked)
+    co_return fail(
+        FaultKind::garbled,
+        fmt::format("Device {:02} was asked {}, and device {:02} answered.", asked, text, *reply.id),
+        "Its answer was not used.",
+        "Two programs may be talking on this line, or an answer came too late. Close the other "
+        "program.");
+  co_return reply;
+}
+
+tl::unexpected<Fault> ArcusDriver::refusal(std::string_view sent, std::string_view reply) const {
+  return fail(FaultKind::refused, fmt::format("The controller refused {} with {}: {}.", sent,
+                                              printable(reply), explain_refusal(model(), reply)));
+}
+
+// A question may be asked once more when its answer was garbled or did not come. Commands never are.
+Task<Result<std::string>> ArcusDriver::ask(std::string question, Priority priority) {
+  auto reply = co_await exchange(question, priority, usual_patience);
+  if (!reply && worth_another_try(reply.error())) {
+    co_await wait_for_quiet();
+    reply = co_await exchange(question, priority, usual_patience);
+  }
+  if (!reply) co_return fail(reply.error());
+  if (reply->refused()) co_return refusal(question, reply->text);
+  co_return std::move(reply->text);
+}
+
+Task<Result<std::vector<std::int64_t>>> ArcusDriver::ask_numbers(std::string question, std::size_t count,
+                                                                 Priority priority) {
+  std::string text;
+  for (int attempt = 0; attempt < 2; ++attempt) {
+    auto reply = co_await ask(question, priority);
+    if (!reply && (reply.error().kind != FaultKind::refused || attempt > 0)) co_return fail(reply.error());
+    if (reply) {
+      text = *reply;
+      auto numbers = decode_numbers(text, count);
+      if (numbers && numbers->size() == count) co_return std::move(*numbers);
+    }
+    co_await wait_for_quiet();  // the question itself may have been garbled on its way
+  }
+  co_return means_nothing(question, text);
+}
+
+Task<Result<std::int64_t>> ArcusDriver::ask_number(std::string question, Priority priority) {
+  auto numbers = co_await ask_numbers(std::move(question), 1, priority);
+  if (!numbers) co_return fail(numbers.error());
+  co_return numbers->front();
+}
+
+Task<Result<>> ArcusDriver::command(std::string text, Priority priority, Duration patience) {
+  auto reply = co_await exchange(text, priority, patience);
+  if (!reply) co_return fail(reply.error());
+  if (reply->refused()) co_return refusal(text, reply->text);
+  if (reply->text == "OK") co_return Result<>();
+  co_return fail(FaultKind::garbled,
+                 fmt::format("The controller answered {} to {} instead of OK.", printable(reply->text), text),
+                 "It was sent once and is not repeated.", "Look whether it was done before you try again.");
+}
+
+// To every device of the line; none answers.
+Task<Result<>> ArcusDriver::broadcast(std::string text, Priority priority) {
+  if (!station_) co_return no_connection();
+  if (model().broadcast < 0 || station_->carries_messages())
+    co_return fail(FaultKind::refused,
+                   fmt::format("A {} has no address that speaks to all devices of a line.", model().title),
+                   "Nothing was sent.");
+  Transaction t(frame(Framing::addressed, model().broadcast, text), ReplyShape::nothing(), priority);
+  auto sent = co_await station_->transact(std::move(t));
+  if (!sent) co_return fail(sent.error());
+  co_return Result<>();
+}
+
+// After an answer that made no sense: what still comes must not be taken for the next one.
+Task<> ArcusDriver::wait_for_quiet() {
+  Instant quiet_at = scheduler_.now() + quiet_time;
+  while (station_ && scheduler_.now() < quiet_at) {
+    co_await scheduler_.sleep_until(quiet_at);
+    quiet_at = std::max(quiet_at, heard_at_ + quiet_time);
+  }
+}
+
+// ---- what comes unasked
+
+// $NNP of this device; or a whole text that no question waits for.
+std::size_t ArcusDriver::hear(std::string_view bytes) {
+  heard_at_ = scheduler_.now();
+  if (const std::size_t length = unasked_at_front(bytes); length != 0) {
+    if (length == std::string_view::npos) return length;
+    if (in_position(bytes.substr(0, length)) != catalog_.address) return 0;
+    for_scripts(std::string(text_of(bytes.substr(0, length))));
+    changed_();
+    return length;
+  }
+  ++strays_;
+  return 0;
+}
+
+void ArcusDriver::for_scripts(std::string text) {
+  if (for_scripts_.size() >= most_for_scripts) for_scripts_.pop_front();
+  for_scripts_.push_back(std::move(text));
+}
+
+bool ArcusDriver::take_unsolicited(std::string& text) {
+  if (for_scripts_.empty()) return false;
+  text = std::move(for_scripts_.front());
+  for_scripts_.pop_front();
+  return true;
+}
+
+// ---- raw text
+
+Task<Result<std::string>> ArcusDriver::query(std::string text, Duration patience) {
+  if (model().broadcast >= 0 && address_of(text) == model().broadcast) {
+    auto sent = co_await broadcast(std::string(text_of(text)), Priority::intent);
+    if (!sent) co_return fail(sent.error());
+    note_sent(text_of(text));
+    co_return std::string();
+  }
+  auto reply = co_await exchange(text, Priority::intent, patience);
+  if (!reply) co_return fail(reply.error());
+  if (!reply->refused() && address_of(text) < 0) note_sent(text);
+  co_return std::move(reply->text);
+}
+
+bool ArcusDriver::answers(std::string_view text) const {
+  return model().broadcast < 0 || address_of(text) != model().broadcast;
+}
+
+Task<Result<>> ArcusDriver::send_text(const intent::SendText& wish) {
+  if (wish.broadcast) {
+    auto sent = co_await broadcast(wish.text, Priority::intent);
+    if (sent) note_sent(wish.text);
+    co_return sent;
+  }
+  auto reply = co_await query(wish.text, usual_patience);
+  if (!reply) co_return fail(reply.error());
+  if (!reply->empty()) for_scripts(std::move(*reply));
+  co_return Result<>();
+}
+
+// What the user's own text changes is read afresh, not guessed.
+void ArcusDriver::note_sent(std::string_view text) {
+  const auto equals = text.find('=');
+  const std::string_view name = text.substr(0, equals);
+  if (equals != text.npos) {
+    const int index = catalog_.find_param(name);
+    if (index >= 0) changed_param(index);
+    if (name.starts_with('V'))
+      if (const auto n = decode_number(name.substr(1)); n && *n >= 0 && *n < variables)
+        draft_.variables_known.reset(static_cast<std::size_t>(*n));
+  }
+  if (text == "STORE") {
+    for (ParamState& p : draft_.params) p.stored = true;
+    draft_.unsaved_setup = false;
+  }
+  if (arcus::may_move(forms_, text)) changed_();
+}
+
+void ArcusDriver::tell(Notice::Kind kind, std::string text) {
+  notify_(Notice(kind, scheduler_.now(), std::move(text)));
+}
+
+}  // namespace hw::arcus

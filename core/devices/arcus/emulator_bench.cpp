@@ -1,0 +1,158 @@
+// Hands on the bench of an Arcus controller, and what can be seen there.
+#include <algorithm>
+#include <cmath>
+
+#include "core/devices/arcus/emulator_arcus.h"
+
+namespace hw::arcus {
+namespace {
+
+std::string spelled(const std::string& of, int count) {
+  return count == 0 ? "This controller has no " + of + "."
+                    : "This controller has " + of + " 1 to " + std::to_string(count) + ".";
+}
+
+tl::unexpected<Fault> nothing_changed(std::string what, std::string advice = {}) {
+  return fail(FaultKind::refused, std::move(what), "Nothing was changed.", std::move(advice));
+}
+
+}  // namespace
+
+Result<> ArcusEmulator::operate(const BenchCommand& command) {
+  auto result = std::visit([this](const auto& c) { return act(c); }, command);
+  after();
+  return result;
+}
+
+Result<> ArcusEmulator::check_axis(AxisId axis) const {
+  if (axis.index < controller_.axes()) return {};
+  return nothing_changed("This controller has no axis number " + std::to_string(axis.index + 1) + ".",
+                         "Its axes are " + std::string(controller_.model().axis_letters) + ".");
+}
+
+Result<> ArcusEmulator::act(const bench::Input& c) {
+  const int count = controller_.model().inputs;
+  if (c.number < 1 || c.number > count)
+    return nothing_changed("There is no input " + std::to_string(c.number) + ".", spelled("inputs", count));
+  controller_.operate_input(c.number, c.active);
+  return {};
+}
+
+Result<> ArcusEmulator::act(const bench::Analog& c) {
+  constexpr std::int32_t full_scale_mv = 5000;
+  const int count = controller_.model().analog_inputs;
+  if (c.number < 1 || c.number > count)
+    return nothing_changed("There is no analog input " + std::to_string(c.number) + ".",
+                           spelled("analog inputs", count));
+  if (c.value < 0 || c.value > full_scale_mv)
+    return nothing_changed(std::to_string(c.value) + " mV is no voltage of an analog input.",
+                           "It takes 0 to 5000 mV.");
+  controller_.operate_analog(c.number, c.value);
+  return {};
+}
+
+Result<> ArcusEmulator::act(const bench::Button& c) {
+  return nothing_changed("This controller has no button \"" + c.name + "\": it has no front panel.");
+}
+
+Result<> ArcusEmulator::act(const bench::Limit& c) {
+  if (auto bad = check_axis(c.axis); !bad) return bad;
+  controller_.axis(c.axis.index).plant.operate_limit(c.sign, c.operated);
+  controller_.bench_changed(c.axis.index);
+  return {};
+}
+
+Result<> ArcusEmulator::act(const bench::HomeSwitch& c) {
+  if (auto bad = check_axis(c.axis); !bad) return bad;
+  controller_.axis(c.axis.index).plant.operate_home(c.operated);
+  controller_.bench_changed(c.axis.index);
+  return {};
+}
+
+Result<> ArcusEmulator::act(const bench::Jam& c) {
+  if (auto bad = check_axis(c.axis); !bad) return bad;
+  controller_.jam(c.axis.index, c.on);
+  return {};
+}
+
+/// In encoder counts: so many are missing or too many afterwards.
+Result<> ArcusEmulator::act(const bench::Slip& c) {
+  if (auto bad = check_axis(c.axis); !bad) return bad;
+  Axis& axis = controller_.axis(c.axis.index);
+  const double pulses =
+      axis.counts_per_pulse == 0 ? 0 : static_cast<double>(c.by.value) / axis.counts_per_pulse;
+  axis.plant.slip(Steps(std::llround(std::clamp(pulses, -1e15, 1e15))));
+  controller_.bench_changed(c.axis.index);
+  return {};
+}
+
+Result<> ArcusEmulator::act(const bench::Alarm& c) {
+  if (auto bad = check_axis(c.axis); !bad) return bad;
+  if (controller_.model().status.alarm == no_bit)
+    return nothing_changed("This controller has no alarm inputs.");
+  controller_.operate_alarm(c.axis.index, c.on);
+  return {};
+}
+
+/// What the place does not say stays as the bench was built: encoder and index.
+Result<> ArcusEmulator::act(const bench::Place& c) {
+  if (auto bad = check_axis(c.axis); !bad) return bad;
+  if (c.place.home_from.has_value() != c.place.home_to.has_value())
+    return nothing_changed("A home zone needs both ends.");
+  constexpr double most_counts = 1e6;
+  const double counts = c.place.counts_per_step.value_or(0);
+  if (!std::isfinite(counts) || std::abs(counts) > most_counts)
+    return nothing_changed("counts_per_step is too large.");
+  Axis& axis = controller_.axis(c.axis.index);
+  axis.plant.set_place(c.place);
+  if (c.place.counts_per_step) {
+    const std::int64_t before = axis.encoder();
+    axis.counts_per_pulse = *c.place.counts_per_step;
+    axis.set_encoder(before);
+  }
+  if (c.place.index_every) {
+    axis.index_every = std::max<std::int64_t>(c.place.index_every->value, 0);
+    axis.index_first = 0;
+  }
+  controller_.bench_changed(c.axis.index);
+  return {};
+}
+
+Result<> ArcusEmulator::act(const bench::Power& c) {
+  if (c.on == controller_.powered()) return {};
+  line_.clear();
+  if (c.on)
+    controller_.power_up();
+  else
+    controller_.power_down();
+  return {};
+}
+
+Result<> ArcusEmulator::act(const bench::PowerCycle&) {
+  (void)act(bench::Power(false));
+  return act(bench::Power(true));
+}
+
+void ArcusEmulator::look(BenchView& view) const {
+  view = BenchView();
+  view.present = true;
+  view.powered = controller_.powered();
+  view.inputs_operated = controller_.inputs_operated();
+  view.outputs = controller_.output_levels();
+  for (int n = 1; n <= controller_.model().analog_inputs; ++n)
+    view.analog[static_cast<std::size_t>(n - 1)] = static_cast<std::int32_t>(controller_.analog(n));
+  for (int a = 0; a < controller_.axes(); ++a) {
+    const motion::Plant& plant = controller_.axis(a).plant;
+    const std::uint32_t bit = 1u << a;
+    view.load_position[static_cast<std::size_t>(a)] = plant.load();
+    if (plant.limit_operated(Sign::minus)) view.limits_minus |= bit;
+    if (plant.limit_operated(Sign::plus)) view.limits_plus |= bit;
+    if (plant.limit_by_hand(Sign::minus)) view.limits_minus_by_hand |= bit;
+    if (plant.limit_by_hand(Sign::plus)) view.limits_plus_by_hand |= bit;
+    if (plant.home_operated()) view.homes |= bit;
+    if (controller_.axis(a).alarm_operated) view.alarms |= bit;
+    if (controller_.axis(a).jammed_by_hand) view.jammed |= bit;
+  }
+}
+
+}  // namespace hw::arcus

@@ -1,0 +1,316 @@
+#pragma once
+// The firmware of an Arcus controller in miniature: axes, motions, StepNLoop, inputs and outputs, settings
+// and flash. It knows no wire: commands, programs and the bench call what stands here. Time comes from
+// outside; pulses are counted from closed forms, so nothing ticks.
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/device/bench.h"
+#include "core/devices/arcus/emulator_axis.h"
+#include "core/devices/arcus/emulator_settings.h"
+#include "core/devices/arcus/emulator_speeds.h"
+#include "core/devices/arcus/facts.h"
+#include "core/devices/arcus/language/vm.h"
+#include "core/motion/path.h"
+#include "core/motion/profile.h"
+
+namespace hw::arcus {
+
+enum class MotionKind : std::uint8_t { target, jog, homing, correction, interpolated, buffered, joystick };
+
+/// One or more axes on their way.
+struct Motion {
+  bool active = false, stopping = false;
+  MotionKind kind = MotionKind::target;
+  unsigned axes = 0;               ///< a bit for each
+  std::int64_t changed_speed = 0;  ///< by SSPD; 0: none
+  motion::Path path;
+  motion::Profile profile;
+  std::int64_t applied = 0;    ///< steps of the path made
+  std::int64_t next_mark = 0;  ///< step at which something has to be looked at
+};
+
+using Targets = std::array<std::optional<std::int64_t>, most_axes>;
+
+/// A queued move of the PMX: `I1000:2000:3000:250`.
+struct Segment {
+  std::array<std::int64_t, 3> to{};
+  std::int64_t speed = 1;
+};
+
+struct MoveBuffer {
+  bool on = false;
+  std::deque<Segment> queue;  ///< the running one first
+  int start = 0, end = 0;     ///< ring indexes of the running and of the newest one
+  bool running = false;
+};
+
+/// Non-volatile memory.
+struct Flash {
+  explicit Flash(const Model& model) : settings(model) {}
+  Settings settings;
+  std::array<std::int32_t, variables> values{};  ///< only the upper half is used
+  std::vector<std::string> program = std::vector<std::string>(program_lines);
+  std::uint64_t stores = 0;
+};
+
+class Controller {
+ public:
+  explicit Controller(const Model& model);
+
+  // Time.
+  [[nodiscard]] Instant now() const { return now_; }
+  [[nodiscard]] std::optional<Instant> next_event() const;
+  /// Goes to `now`, which must not lie behind next_event(), and does what is due then.
+  void advance(Instant now);
+
+  // Power and flash (emulator_memory.cpp).
+  void power_up();
+  void power_down();
+  [[nodiscard]] bool powered() const { return powered_; }
+  void store();
+  [[nodiscard]] std::string saved_text() const;
+  /// Empty, or what is wrong with the line.
+  std::string load_line(std::string_view line);
+  Flash& flash() { return flash_; }
+  [[nodiscard]] const Flash& flash() const { return flash_; }
+  [[nodiscard]] int address() const { return address_; }
+  [[nodiscard]] int rate() const { return rate_; }
+  [[nodiscard]] bool prefixes_replies() const { return prefixes_replies_; }
+  [[nodiscard]] bool announces_arrivals() const { return announces_arrivals_; }
+
+  // Settings (emulator_registers.cpp).
+  [[nodiscard]] const Model& model() const { return *model_; }
+  [[nodiscard]] const Settings& settings() const { return settings_; }
+  [[nodiscard]] std::int64_t read_setting(Setting id, int which) const;  ///< as a reply shows it
+  Refusal write_setting(Setting id, std::int64_t value, int which);
+  [[nodiscard]] std::int32_t variable(int n) const { return vm_.variable(n); }
+  void set_variable(int n, std::int32_t v) { vm_.set_variable(n, v); }
+  [[nodiscard]] bool incremental() const { return incremental_; }
+  void set_incremental(bool on) { incremental_ = on; }
+  [[nodiscard]] std::int64_t timer_ms() const;
+  void set_timer(std::int64_t ms);
+  /// A command for this unit has come and been answered.
+  void heard_from_host(bool timeout_was_shown);
+  [[nodiscard]] bool timed_out() const { return timed_out_; }
+
+  // Moves (emulator_moves.cpp, emulator_homing.cpp, emulator_motion.cpp).
+  Refusal move(const Targets& targets);
+  Refusal jog(int axis, Sign way);
+  Refusal arc(std::int64_t centre_x, std::int64_t centre_y, bool clockwise,
+              std::optional<std::pair<std::int64_t, std::int64_t>> end_and_sweep);
+  Refusal change_target(int axis, std::int64_t target);
+  Refusal change_speed(int axis, std::int64_t speed);
+  Refusal home(int axis, HomeMode mode, Sign way);
+  void stop(int axis);
+  void stop_all();
+  void abort(int axis);
+  void abort_all();
+  void clear_errors(int axis);
+  void clear_loop_error(int axis);
+  /// Why these axes would refuse a motion; none when they would not.
+  [[nodiscard]] Refusal refuses_motion(unsigned axes) const;
+
+  // Buffered moves (emulator_buffer.cpp).
+  Refusal buffer_on();
+  void buffer_off();
+  Refusal buffer_move(const Segment& segment);
+  [[nodiscard]] const MoveBuffer& buffer() const { return buffer_; }
+  [[nodiscard]] int buffer_free() const;
+
+  // What can be read.
+  [[nodiscard]] std::int64_t status(int axis) const;
+  [[nodiscard]] std::int64_t position(int axis) const;
+  [[nodiscard]] std::int64_t encoder(int axis) const { return wrap_position(axes_[ix(axis)].encoder()); }
+  [[nodiscard]] std::int64_t speed(int axis) const;
+  [[nodiscard]] std::int64_t loop_delta(int axis) const;
+  [[nodiscard]] LoopState loop_state(int axis) const;
+  [[nodiscard]] std::int64_t current_ma() const;
+  [[nodiscard]] bool moving(int axis) const { return axes_[ix(axis)].slot >= 0; }
+  /// Limit, alarm or StepNLoop error latched.
+  [[nodiscard]] bool in_error(int axis) const;
+  Refusal set_position(int axis, std::int64_t value);
+  Refusal set_encoder(int axis, std::int64_t value);
+
+  // Programs (emulator_programs.cpp).
+  [[nodiscard]] const std::string& program_line(int line) const { return flash_.program[ix(line)]; }
+  Refusal set_program_line(int line, std::string_view text);
+  void control_program(int program, int what);
+  Refusal call_subroutine(int number);
+  [[nodiscard]] int program_state(int program) const;
+  [[nodiscard]] int program_place(int program) const;
+  [[nodiscard]] bool error_returns_to_start() const;
+  [[nodiscard]] const language::Vm& vm() const { return vm_; }
+
+  // Inputs and outputs (emulator_signals.cpp).
+  [[nodiscard]] std::int64_t inputs() const;
+  [[nodiscard]] std::int64_t outputs() const;
+  void set_outputs(std::int64_t value) { outputs_ = value; }
+  void set_output(int number, bool on);
+  [[nodiscard]] std::int64_t output_register() const { return outputs_; }
+  [[nodiscard]] std::int64_t enables() const { return enables_; }
+  void set_enables(std::int64_t value);
+  void set_enable(int number, bool on);
+  [[nodiscard]] std::int64_t analog(int number) const {
+    return analog_[static_cast<std::size_t>(number - 1)];
+  }
+  void arm_latch(int axis, bool on);
+  [[nodiscard]] const Latch& latch(int axis) const { return axes_[ix(axis)].latch; }
+  void sync_on(int axis);
+  void sync_off(int axis);
+  [[nodiscard]] int sync_state(int axis) const { return axes_[ix(axis)].sync.state; }
+
+  // Hands.
+  void operate_input(int number, bool active);
+  void operate_analog(int number, std::int32_t millivolts);
+  void operate_alarm(int axis, bool on);
+  void jam(int axis, bool on);
+  /// The bench of decision AMB-093: a load stands still while its motor has no power.
+  void load_needs_power();
+  /// A switch, the load or the place of an axis has been changed.
+  void bench_changed(int axis);
+  Axis& axis(int n) { return axes_[ix(n)]; }
+  [[nodiscard]] const Axis& axis(int n) const { return axes_[ix(n)]; }
+  [[nodiscard]] int axes() const { return model_->axes(); }
+  [[nodiscard]] std::uint32_t inputs_operated() const { return inputs_; }
+  /// Levels at the terminals: outputs, then enables.
+  [[nodiscard]] std::uint32_t output_levels() const;
+  /// In Position and Alarm are shown by outputs (EDO=1 and StepNLoop on).
+  [[nodiscard]] bool loop_has_outputs() const { return settings_.on(Setting::status_outputs) && closed(0); }
+
+  std::vector<TriggerPulse> trigger_pulses;  ///< of sync outputs, oldest first
+  std::vector<int> arrivals;                 ///< axes that have come to their target (AR), to be taken away
+  /// Not null: what happens is told here, for a rehearsal.
+  struct Trace {
+    Instant at;
+    std::string what;
+  };
+  std::vector<Trace>* trace = nullptr;
+  int moves_begun = 0;
+
+ private:
+  static std::size_t ix(int i) { return static_cast<std::size_t>(i); }
+  void tell(std::string what);
+  [[nodiscard]] std::string letter(int axis) const { return std::string(1, model_->axis_letters[ix(axis)]); }
+
+  // Motions (emulator_motion.cpp).
+  void begin(MotionKind kind, unsigned axes, const motion::Path& path, const motion::Profile& profile);
+  /// The same motion goes on by another profile from where it is.
+  void continue_by(Motion& m, const motion::Profile& profile);
+  void bring_up_to_date();
+  void apply(Motion& m, std::int64_t step);
+  void look(Motion& m);
+  void plan(Motion& m);
+  void plan_axis(Motion& m, int axis);
+  void mark(Motion& m, int axis, int way, std::optional<std::int64_t> turns);
+  /// `reached`: the profile has come to its end; `cut`: nothing follows; `halted`: the caller goes on.
+  enum class End : std::uint8_t { reached, cut, halted };
+  void finish(Motion& m, End end);
+  void replan(int axis);
+  [[nodiscard]] std::optional<Instant> due(const Motion& m) const;
+  Motion* motion_of(int axis) {
+    const int slot = axes_[ix(axis)].slot;
+    return slot < 0 ? nullptr : &motions_[ix(slot)];
+  }
+  [[nodiscard]] const Motion* motion_of(int axis) const {
+    const int slot = axes_[ix(axis)].slot;
+    return slot < 0 ? nullptr : &motions_[ix(slot)];
+  }
+  bool hit_switch(Motion& m, int axis);
+  void stop_motion(Motion& m);
+  void cut(Motion& m);
+
+  // Speeds.
+  [[nodiscard]] SpeedOrder order(int axis) const;            ///< of a move of this axis alone
+  [[nodiscard]] SpeedOrder path_order(unsigned axes) const;  ///< of an interpolated move
+  [[nodiscard]] RampOrder ramps_of(const Motion& m) const;
+  void begin_index(MotionKind kind, int axis, std::int64_t pulses);
+  void begin_endless(MotionKind kind, int axis, Sign way, bool slowly);
+
+  // StepNLoop (emulator_loop.cpp).
+  [[nodiscard]] bool closed(int axis) const { return settings_.on(Setting::loop, axis); }
+  [[nodiscard]] double ratio(int axis) const {
+    return closed(axis) ? static_cast<double>(settings_.get(Setting::loop_ratio, axis)) / 1000.0 : 1.0;
+  }
+  [[nodiscard]] std::int64_t target_at(int axis, std::int64_t offset) const;
+  [[nodiscard]] std::int64_t target(int axis) const;
+  void freeze_target(int axis);
+  void watch_loop(Motion& m, int axis, int way, Sign load_way);
+  bool stalled(Motion& m, int axis);
+  void settle_loop(int axis);
+  void loop_fails(int axis, LoopState state);
+
+  // Homing (emulator_homing.cpp).
+  void home_looks(Motion& m, int axis);
+  void home_stage_ended(int axis);
+  void home_switch_found(Motion& m, int axis);
+  void home_done(int axis);
+  void zero(int axis);
+  void watch_homing(Motion& m, int axis, int way, Sign load_way);
+
+  // Buffered moves.
+  void next_segment(Pps speed);
+  void segment_ended(Pps speed);
+  [[nodiscard]] motion::Profile segment_profile(const motion::Path& path, const Segment& s, Pps now,
+                                                double from, bool last) const;
+
+  // Programs.
+  void programs_power_up();
+  void load_programs();
+  void run_programs();
+  [[nodiscard]] std::optional<Instant> program_turn() const;
+
+  // Signals.
+  void hold_loads();
+  [[nodiscard]] bool inverted(const PolarityBit& bit, int axis) const;
+  [[nodiscard]] Sign load_way(int axis, Sign way) const;
+  [[nodiscard]] bool home_active(int axis) const;
+  [[nodiscard]] bool limit_active(int axis, Sign side) const;
+  [[nodiscard]] bool alarm_active(int axis) const;
+  [[nodiscard]] bool latch_input_active(int axis) const;
+  [[nodiscard]] bool sync_condition(int axis, std::int64_t encoder) const;
+  void update_sync(int axis);
+  void watch_sync(Motion& m, int axis, int way, Sign load_way);
+  void end_sync_pulse(int axis);
+  [[nodiscard]] bool sync_output_on(int axis) const;
+
+  // Joystick (emulator_joystick.cpp).
+  [[nodiscard]] bool joystick_on(int axis) const {
+    return (settings_.get(Setting::joystick) >> axis & 1) != 0;
+  }
+  [[nodiscard]] bool joystick_at_end(int axis) const;
+  void joystick_tick();
+  void joystick_turn(int axis);
+  [[nodiscard]] double joystick_wish(int axis) const;
+  void schedule_joystick();
+  void joystick_stops(int axis);
+
+  const Model* model_;
+  Instant now_{};
+  bool powered_ = true;
+  Flash flash_;
+  Settings settings_;
+  language::Vm vm_;
+  bool program_is_new_ = true;  ///< lines have been written since the interpreter read them
+  std::vector<Axis> axes_;
+  std::array<Motion, most_axes> motions_;
+  MoveBuffer buffer_;
+  bool incremental_ = false;
+  std::int64_t outputs_ = 0, enables_ = 0;
+  std::uint32_t inputs_ = 0;
+  bool load_needs_power_ = false;
+  std::array<std::int32_t, 8> analog_{};
+  int address_ = 0, rate_ = 9600;
+  bool prefixes_replies_ = false, announces_arrivals_ = false;
+  Instant timer_end_{};
+  std::optional<Instant> timeout_at_;
+  bool timed_out_ = false;
+  std::array<double, most_axes> joystick_speed_{};  ///< pulses/s, signed
+  std::optional<Instant> joystick_due_;
+};
+
+}  // namespace hw::arcus

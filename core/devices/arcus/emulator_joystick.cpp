@@ -1,0 +1,102 @@
+// Joystick control of the PMX (manual ch. 6; decisions AMB-080 to AMB-082): the voltage of AI1 to AI4 sets
+// speed and direction of X to U. The controller looks at a moving stick every 10 ms; at a still one never.
+//
+//   speed |  max
+//         |     \____          between the inner and the outer soft limit the speed allowed falls to nothing
+//         +------inner--outer--- position
+#include <algorithm>
+#include <cmath>
+
+#include "core/devices/arcus/emulator_controller.h"
+
+namespace hw::arcus {
+
+using motion::Path;
+using motion::Profile;
+
+namespace {
+
+constexpr Duration update = std::chrono::milliseconds(10);
+
+}  // namespace
+
+void Controller::operate_analog(int number, std::int32_t millivolts) {
+  bring_up_to_date();
+  analog_[ix(number - 1)] = millivolts;
+  if (powered_ && number <= axes() && joystick_on(number - 1)) schedule_joystick();
+}
+
+void Controller::schedule_joystick() {
+  if (joystick_due_ && *joystick_due_ > now_) return;
+  joystick_due_ = Instant((now_.time_since_epoch() / update + 1) * update);
+}
+
+/// Signed speed that the stick asks for here, the soft limits included.
+double Controller::joystick_wish(int a) const {
+  const auto jv = [&](int group) { return settings_.get(Setting::joystick_values, 4 * group + a); };
+  const auto jl = [&](int n) { return settings_.get(Setting::joystick_limits, 4 * a + n); };
+  const Axis& axis = axes_[ix(a)];
+  if (!joystick_on(a) || axis.plus_error || axis.minus_error || axis.alarm_error) return 0;
+  const std::int64_t high = settings_.get(Setting::joystick_max, a),
+                     low = settings_.get(Setting::joystick_min, a);
+  const std::int64_t middle = (high - low) / 2 + low, off = analog_[ix(a)] - middle;
+  const std::int64_t band = jv(2), reach = (off > 0 ? high - middle : middle - low) - band;
+  if (std::abs(off) <= band || reach <= 0) return 0;
+  const auto top = static_cast<double>(jv(0));
+  double speed = top * std::min(static_cast<double>(std::abs(off) - band) / static_cast<double>(reach), 1.0);
+  if (jl(0) < jl(1) && jl(1) < jl(2) && jl(2) < jl(3)) {
+    const std::int64_t outer = off > 0 ? jl(3) : jl(0), inner = off > 0 ? jl(2) : jl(1);
+    const std::int64_t room = off > 0 ? outer - axis.pulses : axis.pulses - outer;
+    if (room <= 0) return 0;
+    const double part = static_cast<double>(room) / static_cast<double>(std::abs(outer - inner));
+    speed = std::min(speed, std::max(top * std::min(part, 1.0), 1.0));
+  }
+  return off > 0 ? speed : -speed;
+}
+
+/// At the outer soft limit, on its way out: the speed is zero there (figure 6.10).
+bool Controller::joystick_at_end(int a) const {
+  const auto jl = [&](int n) { return settings_.get(Setting::joystick_limits, 4 * a + n); };
+  if (!(jl(0) < jl(1) && jl(1) < jl(2) && jl(2) < jl(3))) return false;
+  const double speed = joystick_speed_[ix(a)];
+  return speed > 0 ? axes_[ix(a)].pulses >= jl(3) : axes_[ix(a)].pulses <= jl(0);
+}
+
+void Controller::joystick_tick() {
+  joystick_due_.reset();
+  for (int a = 0; a < axes(); ++a)
+    if (joystick_on(a) || joystick_speed_[ix(a)] != 0) joystick_turn(a);
+}
+
+/// One look at the stick: the speed goes towards the wish by the largest change at most.
+void Controller::joystick_turn(int a) {
+  const double wish = joystick_wish(a), now = joystick_speed_[ix(a)];
+  const auto change = static_cast<double>(settings_.get(Setting::joystick_values, 4 + a));
+  double next = change > 0 ? std::clamp(wish, now - change, now + change) : wish;
+  if (wish == 0 && !joystick_on(a)) next = 0;
+  if (next * now < 0) next = 0;  // through rest
+  joystick_speed_[ix(a)] = next;
+  Motion* m = motion_of(a);
+  if (m != nullptr && m->kind != MotionKind::joystick) return;
+  if (next == 0) {
+    if (m != nullptr) finish(*m, End::cut);
+  } else if (m != nullptr && next != now) {
+    const double from = m->profile.distance(now_);
+    continue_by(*m, Profile::constant(now_, from, Pps(std::abs(next)), Profile::endless));
+  } else if (m == nullptr) {
+    const Path path = Path::along(ix(a), next < 0 ? Sign::minus : Sign::plus, Profile::endless);
+    begin(MotionKind::joystick, 1u << a, path, Profile::constant(now_, 0, Pps(std::abs(next)), path.steps()));
+    if (motion_of(a) == nullptr) joystick_speed_[ix(a)] = 0;  // into a switch
+  }
+  const bool slowed_by_place =
+      motion_of(a) != nullptr && std::abs(joystick_wish(a) - joystick_speed_[ix(a)]) > 1e-9;
+  if (wish != joystick_speed_[ix(a)] || slowed_by_place) schedule_joystick();
+}
+
+void Controller::joystick_stops(int a) {
+  joystick_speed_[ix(a)] = 0;
+  if (Motion* m = motion_of(a)) finish(*m, End::cut);
+  schedule_joystick();
+}
+
+}  // namespace hw::arcus

@@ -1,0 +1,297 @@
+// How motions run: from mark to mark. A mark is a step of the path at which something has to be looked at
+// (a switch, an index, a sync position, a lost load, a turn of the path); between marks nothing is computed.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/devices/arcus/emulator_controller.h"
+
+namespace hw::arcus {
+
+using motion::Path;
+using motion::Profile;
+
+namespace {
+
+constexpr std::int64_t no_mark = std::numeric_limits<std::int64_t>::max();
+
+bool takes_part(const Motion& m, int axis) { return (m.axes >> axis & 1u) != 0; }
+
+Sign sign_of(int way) { return way < 0 ? Sign::minus : Sign::plus; }
+
+}  // namespace
+
+void Controller::begin(MotionKind kind, unsigned axes, const Path& path, const Profile& profile) {
+  int slot = 0;
+  while ((axes >> slot & 1u) == 0) ++slot;
+  Motion& m = motions_[ix(slot)];
+  m = Motion();
+  m.active = true, m.kind = kind, m.axes = axes, m.path = path, m.profile = profile;
+  for (int a = 0; a < this->axes(); ++a)
+    if (takes_part(m, a)) axes_[ix(a)].slot = slot, axes_[ix(a)].arrived_by = 0;
+  ++moves_begun;
+  look(m);
+  if (m.active) plan(m);
+  if (m.active && m.profile.end() <= now_) finish(m, End::reached);
+}
+
+void Controller::continue_by(Motion& m, const Profile& profile) {
+  m.profile = profile;
+  plan(m);
+  if (profile.end() <= now_) finish(m, End::reached);
+}
+
+std::optional<Instant> Controller::due(const Motion& m) const {
+  if (!m.active) return std::nullopt;
+  return m.next_mark <= m.profile.length() ? m.profile.time_at(m.next_mark) : m.profile.end();
+}
+
+void Controller::bring_up_to_date() {
+  for (Motion& m : motions_)
+    if (m.active) apply(m, std::min(m.profile.steps(now_), m.next_mark));
+}
+
+void Controller::apply(Motion& m, std::int64_t step) {
+  if (step <= m.applied) return;
+  for (int a = 0; a < axes(); ++a) {
+    if (!takes_part(m, a)) continue;
+    const std::int64_t made = m.path.offset(ix(a), step) - m.path.offset(ix(a), m.applied);
+    if (made == 0) continue;
+    const int way = made < 0 ? -1 : 1;
+    axes_[ix(a)].turn(way, load_way(a, sign_of(way)), std::abs(made));
+  }
+  m.applied = step;
+}
+
+std::optional<Instant> Controller::next_event() const {
+  if (!powered_) return std::nullopt;
+  std::optional<Instant> next;
+  const auto sooner = [&next](std::optional<Instant> t) {
+    if (t && (!next || *t < *next)) next = t;
+  };
+  for (const Motion& m : motions_) sooner(due(m));
+  for (const Axis& a : axes_)
+    if (a.sync.open && a.sync.pulse_until > now_) sooner(a.sync.pulse_until);
+  sooner(joystick_due_);
+  sooner(timeout_at_);
+  sooner(program_turn());
+  return next;
+}
+
+void Controller::advance(Instant now) {
+  now_ = now;
+  if (!powered_) return;
+  bring_up_to_date();
+  for (Motion& m : motions_) {
+    const auto when = due(m);
+    if (!when || *when > now_) continue;
+    if (m.applied >= m.next_mark) look(m);
+    if (m.active) plan(m);
+    if (m.active && m.profile.end() <= now_ && m.applied >= m.profile.length()) finish(m, End::reached);
+  }
+  for (int a = 0; a < axes(); ++a) {
+    const SyncOutput& s = axes_[ix(a)].sync;
+    if (s.open && s.pulse_until > Instant{} && s.pulse_until <= now_) end_sync_pulse(a);
+  }
+  if (joystick_due_ && *joystick_due_ <= now_) joystick_tick();
+  if (timeout_at_ && *timeout_at_ <= now_) {
+    timed_out_ = true;
+    timeout_at_.reset();
+    tell("the host has been silent for longer than TOC");
+  }
+  run_programs();
+}
+
+/// What is to be done where the motion stands now. A motion that is begun is looked at before its first
+/// pulse.
+void Controller::look(Motion& m) {
+  for (int a = 0; a < axes(); ++a) {
+    if (!takes_part(m, a)) continue;
+    update_sync(a);
+  }
+  for (int a = 0; a < axes(); ++a) {
+    if (!m.active || !takes_part(m, a)) continue;
+    const Axis& axis = axes_[ix(a)];
+    const MotionKind kind = m.kind;
+    const HomeStep step = axis.homing.step;
+    if (hit_switch(m, a)) return;
+    if (kind == MotionKind::homing) {
+      home_looks(m, a);
+      if (!m.active || axis.homing.step != step) return;
+    }
+    if (kind == MotionKind::joystick) {
+      if (joystick_at_end(a)) return joystick_stops(a);
+      schedule_joystick();
+    }
+    if (stalled(m, a)) return;
+  }
+}
+
+void Controller::plan(Motion& m) {
+  const std::int64_t turn = m.path.next_turn(m.applied);
+  m.next_mark = turn < m.path.steps() ? turn : no_mark;
+  for (int a = 0; a < axes(); ++a)
+    if (takes_part(m, a)) plan_axis(m, a);
+}
+
+void Controller::mark(Motion& m, int axis, int way, std::optional<std::int64_t> turns) {
+  if (!turns || *turns <= 0) return;
+  const std::int64_t here = m.path.offset(ix(axis), m.applied);
+  if (const auto step = m.path.first_at(ix(axis), m.applied, here + way * *turns))
+    m.next_mark = std::min(m.next_mark, *step);
+}
+
+void Controller::plan_axis(Motion& m, int a) {
+  const int way = m.path.direction(ix(a), m.applied);
+  if (way == 0) return;
+  const Axis& axis = axes_[ix(a)];
+  const Sign side = sign_of(way), load = load_way(a, side);
+  if (!limit_active(a, side)) {
+    if (inverted(model_->polarity.limit, a))
+      mark(m, a, way, axis.plant.turns_until_limit_released(side, load));
+    else if (side == load)
+      mark(m, a, way, axis.plant.turns_until_limit(side));
+  }
+  if (m.kind == MotionKind::homing) watch_homing(m, a, way, load);
+  if (m.kind == MotionKind::joystick)
+    for (int limit = 0; limit < 4; ++limit)
+      mark(m, a, way, way * (settings_.get(Setting::joystick_limits, 4 * a + limit) - axis.pulses));
+  watch_loop(m, a, way, load);
+  watch_sync(m, a, way, load);
+}
+
+void Controller::replan(int axis) {
+  Motion* m = motion_of(axis);
+  if (m == nullptr) return;
+  look(*m);
+  if (m->active) plan(*m);
+}
+
+/// A limit switch ahead, or the alarm: the motion ends here.
+bool Controller::hit_switch(Motion& m, int a) {
+  Axis& axis = axes_[ix(a)];
+  const bool forgives = settings_.on(Setting::ignore_errors);
+  const int ahead = m.path.direction(ix(a), m.applied);
+  for (const int way : {axis.arrived_by, ahead}) {
+    if (way == 0 || !limit_active(a, sign_of(way))) continue;
+    if (axis.homing.step == HomeStep::seek_switch && axis.homing.mode == HomeMode::limit) return false;
+    tell("axis " + letter(a) + " ran into its " + (way > 0 ? "plus" : "minus") + " limit switch");
+    if (!forgives) {
+      (way > 0 ? axis.plus_error : axis.minus_error) = true;
+      loop_fails(a, LoopState::limit_error);
+    }
+    cut(m);
+    return true;
+  }
+  if (!alarm_active(a)) return false;
+  tell("axis " + letter(a) + " was stopped by its alarm input");
+  if (!forgives) {
+    axis.alarm_error = true;
+    loop_fails(a, LoopState::limit_error);
+  }
+  cut(m);
+  return true;
+}
+
+/// Ends a motion where it stands, without ramp.
+void Controller::cut(Motion& m) {
+  if (m.kind == MotionKind::buffered) {
+    buffer_.queue.clear();
+    buffer_.running = false;
+  }
+  for (int a = 0; a < axes(); ++a)
+    if (takes_part(m, a)) {
+      axes_[ix(a)].then_target.reset();
+      axes_[ix(a)].homing = Homing();
+      if (m.kind == MotionKind::joystick) joystick_speed_[ix(a)] = 0;
+    }
+  m.stopping = true;
+  finish(m, End::cut);
+}
+
+void Controller::finish(Motion& m, End end) {
+  const Motion done = m;
+  const bool reached = end == End::reached;
+  if (reached) apply(m, std::min(m.profile.length(), m.path.steps()));
+  for (int a = 0; a < axes(); ++a) {
+    if (!takes_part(done, a)) continue;
+    freeze_target(a);
+    axes_[ix(a)].slot = -1;
+    axes_[ix(a)].rested_at = now_;
+    update_sync(a);
+  }
+  m.active = false;
+  if (end == End::halted) return;
+  if (done.kind == MotionKind::buffered && reached) {
+    segment_ended(Pps(done.profile.final_speed().value * done.path.pulses_per_step()));
+    return;
+  }
+  for (int a = 0; a < axes(); ++a) {
+    if (!takes_part(done, a)) continue;
+    Axis& axis = axes_[ix(a)];
+    if (done.kind == MotionKind::homing && reached && !done.stopping && axis.homing.step != HomeStep::none) {
+      home_stage_ended(a);
+      continue;
+    }
+    if (done.stopping && !axis.then_target) axis.announces = false, axis.homing = Homing();
+    if (const auto target = std::exchange(axis.then_target, std::nullopt)) {
+      const double way =
+          static_cast<double>(*target - (closed(a) ? axis.encoder() : wrap_position(axis.pulses)));
+      const bool announces = axis.announces;
+      axis.target = *target;
+      begin_index(MotionKind::target, a, std::llround(way * ratio(a)));
+      if (axis.slot >= 0) axis.announces = announces;
+      continue;
+    }
+    settle_loop(a);
+  }
+}
+
+// --- stopping ----------------------------------------------------------------------------------------------
+
+void Controller::stop_motion(Motion& m) {
+  for (int a = 0; a < axes(); ++a)
+    if (takes_part(m, a)) axes_[ix(a)].then_target.reset(), axes_[ix(a)].announces = false;
+  if (m.kind == MotionKind::buffered && buffer_.queue.size() > 1) {
+    buffer_.queue.resize(1);
+    buffer_.end = buffer_.start;
+  }
+  const bool was_stopping = std::exchange(m.stopping, true);
+  if (was_stopping) return;
+  const motion::Ramp ramp = ramps_of(m).ramp;
+  const double from = m.profile.distance(now_);
+  const Pps speed = m.profile.speed(now_);
+  Profile down = Profile::ramp_down(now_, from, speed, ramp);
+  if (down.length() > m.path.steps())  // the way is shorter: steeper
+    down = Profile::approach(now_, from, speed, speed, ramp.decel, ramp, m.path.steps());
+  continue_by(m, down);
+}
+
+void Controller::stop(int axis) {
+  bring_up_to_date();
+  Motion* m = motion_of(axis);
+  if (m == nullptr) return;
+  if (m->kind == MotionKind::joystick) return joystick_stops(axis);
+  stop_motion(*m);
+}
+
+void Controller::stop_all() {
+  for (int a = 0; a < axes(); ++a) stop(a);
+}
+
+void Controller::abort(int axis) {
+  bring_up_to_date();
+  if (Motion* m = motion_of(axis)) {
+    constexpr Duration one_update = std::chrono::milliseconds(1);
+    for (int a = 0; a < axes(); ++a)
+      if (takes_part(*m, a)) axes_[ix(a)].aborted_until = now_ + one_update;
+    cut(*m);
+  }
+  buffer_off();
+}
+
+void Controller::abort_all() {
+  for (int a = 0; a < axes(); ++a) abort(a);
+}
+
+}  // namespace hw::arcus

@@ -1,0 +1,37 @@
+#pragma once
+// How each model spells what the driver says and asks, as data that the codec fills in. In a form `a` stands
+// for the axis letter, `s` for the sign, `n` for a number.
+#include <array>
+#include <string_view>
+
+#include "core/devices/arcus/facts.h"
+
+namespace hw::arcus {
+
+struct Forms {
+  const Model* model;
+
+  // One round of status: each question is answered by one value per axis, joined by colons.
+  std::string_view status, positions, encoders, speeds;
+  std::array<std::string_view, 5> behind_status;  ///< what follows the words of `status`: ids of readouts
+
+  std::string_view position, encoder;  ///< of one axis, with a set form
+  std::string_view mode;               ///< asks for ABS or INC; empty: it stands in the status
+  std::string_view jog, stop, abort, clear, clear_loop;
+  std::array<std::string_view, 5> homes;  ///< by HomeMode
+  std::string_view power;                 ///< with a set form
+  std::string_view change_speed, speed_window, change_target;
+  std::string_view latch, sync_on, sync_off;
+  std::string_view loop_state;
+  std::string_view high_speed, accel;
+  std::string_view axis_high_speed, axis_low_speed, axis_accel;
+  bool axis_speeds;  ///< an axis may have speeds of its own
+  bool joystick;     ///< axes may follow a joystick (JE)
+
+  // For a person.
+  std::string_view supply;         ///< "12 to 24 V"
+  std::string_view wires;          ///< what to look at
+  std::string_view other_product;  ///< reply to ID of the other model of the family
+};
+
+}  // namespace hw::arcus

@@ -1,0 +1,19 @@
+#pragma once
+// Low-level lines out of statements that belong together.
+#include <vector>
+
+#include "core/devices/arcus/language/parser.h"
+#include "core/devices/arcus/language/program.h"
+
+namespace hw::arcus::language {
+
+struct Generated {
+  Program program;
+  std::vector<int> source_line;             ///< for each low-level line the text's line
+  int needed = 0;                           ///< low-level lines that the whole text wants
+  const Statement* first_beyond = nullptr;  ///< the first statement that does not fit into max_lines
+};
+
+[[nodiscard]] Generated generate(const std::vector<Statement>& statements);
+
+}  // namespace hw::arcus::language

@@ -1,0 +1,21 @@
+#pragma once
+// What a technician is told about a word that the language does not know.
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "core/devices/arcus/language/dialect.h"
+
+namespace hw::arcus::language {
+
+struct Complaint {
+  std::string sentence;
+  std::string fix;  ///< what the word should be, or empty
+};
+
+/// `word`: letters in capitals and the digits behind them, as one.
+[[nodiscard]] Complaint unknown_word(const Dialect& dialect, std::string_view word);
+
+[[nodiscard]] std::string grouped(std::int64_t number);  ///< 6,000,000
+
+}  // namespace hw::arcus::language

@@ -1,0 +1,67 @@
+#include "core/devices/dmx_k_sa/catalog.h"
+
+#include "core/devices/arcus/address.h"
+#include "core/devices/arcus/catalog.h"
+#include "core/devices/dmx_k_sa/facts.h"
+
+namespace hw::dmx_k_sa {
+namespace {
+
+const arcus::Wording& wording() {
+  static const arcus::Wording words{"DMX manual ch. 7",
+                                    {{1, "Direction inverted"},
+                                     {4, "Limit switches inverted"},
+                                     {5, "Home switch inverted"},
+                                     {6, "Latch input inverted"},
+                                     {7, "In-position output inverted"},
+                                     {8, "Alarm output inverted"},
+                                     {9, "Digital outputs inverted"},
+                                     {10, "Digital inputs inverted"},
+                                     {11, "The error routine returns to line 0 (else to the failing line)"},
+                                     {12, "Motor enable inverted"}}};
+  return words;
+}
+
+void add_readouts(Catalog& c) {
+  arcus::add_common_readouts(c, model);
+  ReadoutInfo current;
+  current.label = "Motor current";
+  current.unit = "mA";
+  current.help = "What flows now: the run current, the idle current, or none.";
+  arcus::add_readout(c, arcus::motion, "CUR", current);
+  ReadoutInfo latch_input;
+  latch_input.label = "Latch input";
+  latch_input.words = {{0, "off"}, {1, "on"}};
+  arcus::add_readout(c, arcus::latches, "LATCHIN", latch_input);
+  ReadoutInfo index;
+  index.label = "Encoder index";
+  index.words = {{0, "off"}, {1, "on"}};
+  index.help = "On while the encoder stands on its index mark.";
+  arcus::add_readout(c, arcus::motion, "INDEX", index);
+}
+
+void name_the_outputs(Catalog& c) {
+  c.outputs[in_position_output - 1].help =
+      "Tells that the axis is in position while StepNLoop and EDO are on; else yours to switch.";
+  c.outputs[alarm_output - 1].help = "Tells an error while StepNLoop and EDO are on; else yours to switch.";
+}
+
+}  // namespace
+
+Result<Catalog> make_catalog(const DeviceOptions& options) {
+  const auto id = arcus::id_option(options, model);
+  if (!id) return fail(id.error());
+  Catalog c = arcus::common_catalog(model, wording());
+  c.address = *id;
+  c.name = "Arcus DMX-K-SA";
+  c.short_name = "DMX";
+  c.summary = "stepping motor with driver and encoder";
+  add_readouts(c);
+  name_the_outputs(c);
+  arcus::add_common_actions(c, model, "DMX manual ch. 7");
+  c.commands = command_help();
+  c.bench.panel_title = "DMX-K-SA";
+  return c;
+}
+
+}  // namespace hw::dmx_k_sa

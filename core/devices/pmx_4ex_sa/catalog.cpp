@@ -1,0 +1,134 @@
+#include "core/devices/pmx_4ex_sa/catalog.h"
+
+#include <fmt/format.h>
+
+#include "core/devices/arcus/address.h"
+#include "core/devices/arcus/catalog.h"
+#include "core/devices/pmx_4ex_sa/facts.h"
+
+namespace hw::pmx_4ex_sa {
+namespace {
+
+using arcus::number_field;
+using arcus::position_field;
+
+const arcus::Wording& wording() {
+  static const arcus::Wording words{
+      "PMX manual ch. 6",
+      {{0, "Home switch active when its input conducts"},
+       {1, "Alarm active when its input conducts"},
+       {2, "Limit switches active when their inputs conduct (the bit of X rules all axes)"},
+       {3, "Direction output inverted"}}};
+  return words;
+}
+
+ReadoutInfo value(std::string label, std::string unit, std::string help) {
+  ReadoutInfo r;
+  r.label = std::move(label);
+  r.unit = std::move(unit);
+  r.help = std::move(help);
+  return r;
+}
+
+void add_readouts(Catalog& c) {
+  arcus::add_common_readouts(c, model);
+  arcus::add_readout(c, arcus::motion, "TR",
+                     value("Timer", "ms", "A timer of the controller that counts down to 0."));
+  c.readout_groups.insert(c.readout_groups.end(), {"Buffer", "Analog inputs"});
+  ReadoutInfo mode = value("Buffered mode", "", "Whether buffered moves are taken.");
+  mode.words = {{0, "off"}, {1, "on"}};
+  arcus::add_readout(c, arcus::buffer, "BUF", mode);
+  arcus::add_readout(c, arcus::buffer, "BUFSTART",
+                     value("Present place", "", "Place in the ring, 0 to 35, of the move that runs."));
+  arcus::add_readout(c, arcus::buffer, "BUFEND",
+                     value("Last place", "", "Place in the ring, 0 to 35, of the newest move."));
+  arcus::add_readout(c, arcus::buffer, "BUFFREE", value("Free places", "", "Of 36."));
+}
+
+ActionInfo action(const char* id, const char* label, const char* help, const char* group,
+                  std::vector<ActionField> fields, const char* manual) {
+  ActionInfo a;
+  a.id = id;
+  a.label = label;
+  a.help = help;
+  a.group = group;
+  a.fields = std::move(fields);
+  a.manual = manual;
+  return a;
+}
+
+ActionField direction_field() {
+  ActionField f = number_field("direction", "Direction", "", 0, 1, 1);
+  f.choices = {{1, "clockwise"}, {0, "counter-clockwise"}};
+  return f;
+}
+
+ActionField angle(const char* id, const char* label, std::int64_t minimum, std::int64_t maximum,
+                  std::int64_t fallback) {
+  ActionField f = number_field(id, label, "°", minimum, maximum, fallback);
+  f.decimals = 3;
+  return f;
+}
+
+void add_actions(Catalog& c) {
+  arcus::add_common_actions(c, model, "PMX manual ch. 6");
+  c.actions.push_back(action(
+      "arc", "Draw arc",
+      "X and Y move on an arc about the centre to the end angle. 0° lies on the minus side of X and angles "
+      "grow clockwise. Absolute mode only.",
+      "Arcs and circles",
+      {position_field("centre_x", "Centre X", "pulses"), position_field("centre_y", "Centre Y", "pulses"),
+       angle("end_angle", "End angle", -3'600'000, 3'600'000, 180'000),
+       angle("sweep", "Swept angle", 1, 3'600'000, 90'000), direction_field()},
+      "PMX manual ch. 6 Arc Interpolation Moves"));
+  c.actions.back().moves = true;
+  c.actions.push_back(
+      action("circle", "Draw circle",
+             "X and Y make one full turn about the centre and end where they began. Absolute mode only.",
+             "Arcs and circles",
+             {position_field("centre_x", "Centre X", "pulses"),
+              position_field("centre_y", "Centre Y", "pulses"), direction_field()},
+             "PMX manual ch. 6 Circular Interpolation Moves"));
+  c.actions.back().moves = true;
+  c.actions.push_back(action(
+      "buffer_on", "Buffered mode on",
+      "From now on the controller takes buffered moves of X, Y and Z. Needs StepNLoop of them switched off.",
+      "Buffer", {}, "PMX manual ch. 6 Buffered Linear Interpolation Moves"));
+  c.actions.push_back(action("buffer_off", "Buffered mode off",
+                             "The running move ends as it is; what waits in the buffer is dropped.", "Buffer",
+                             {}, "PMX manual ch. 6 Buffered Linear Interpolation Moves"));
+  c.actions.back().while_busy = true;
+  c.actions.push_back(action("timer", "Start timer", "Lets the timer count down from here.", "Motion",
+                             {number_field("time", "Time", "ms", 0, arcus::max_number, 1000)},
+                             "PMX manual ch. 6 Timer Register"));
+  c.actions.push_back(action(
+      "joystick", "Joystick",
+      "On: the axis follows the voltage of its analog input from now on, and StepNLoop of it goes off.",
+      "Joystick", {arcus::axis_field(model), arcus::switch_field()}, "PMX manual ch. 6 Joystick Control"));
+  c.actions.back().moves = true;
+}
+
+}  // namespace
+
+Result<Catalog> make_catalog(const DeviceOptions& options) {
+  const auto id = arcus::id_option(options, model);
+  if (!id) return fail(id.error());
+  Catalog c = arcus::common_catalog(model, wording());
+  c.address = *id;
+  c.can.usb = true;
+  c.name = "Arcus PMX-4EX-SA";
+  c.short_name = "PMX";
+  c.summary = "four stepping axes, X to U";
+  add_readouts(c);
+  add_actions(c);
+  c.move_list.columns = {position_field("x", "X", "pulses"), position_field("y", "Y", "pulses"),
+                         position_field("z", "Z", "pulses"),
+                         number_field("speed", "Speed", "pulses/s", 1, arcus::max_speed, 1000)};
+  c.move_list.depth = buffer_places;
+  c.move_list.file_suffix = ".moves";
+  c.commands = command_help();
+  c.bench.panel_title = "PMX-4EX-SA";
+  return c;
+}
+
+}  // namespace hw::pmx_4ex_sa

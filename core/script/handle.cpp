@@ -1,0 +1,124 @@
+// The value that stands for a controller, a bus, or one of the bus's devices in a script.
+#include <new>
+
+#include <fmt/format.h>
+
+#include "core/script/bind.h"
+
+namespace hw::script {
+namespace {
+
+struct Handle {
+  std::shared_ptr<SessionGroup> group;
+  int device;  ///< -1: the whole bus
+};
+
+const Handle& handle_of(const Call& call) {
+  for (const char* type : {controller_type, bench_type})
+    if (void* found = luaL_testudata(call.L, 1, type)) return *static_cast<Handle*>(found);
+  throw Misuse("call this with a colon on what hw.open() gave: c:position(1)");
+}
+
+void push_handle(lua_State* L, Handle handle, const char* type) {
+  new (lua_newuserdatauv(L, sizeof(Handle), 0)) Handle(std::move(handle));
+  luaL_setmetatable(L, type);
+}
+
+// {["01"]=..., ["02"]=...}
+void push_devices(lua_State* L, const Handle& bus) {
+  lua_createtable(L, 0, static_cast<int>(bus.group->members().size()));
+  for (std::size_t i = 0; i < bus.group->members().size(); ++i) {
+    const std::string id = bus.group->members()[i]->catalog().id();
+    lua_pushlstring(L, id.data(), id.size());
+    push_handle(L, Handle{bus.group, static_cast<int>(i)}, controller_type);
+    lua_rawset(L, -3);
+  }
+}
+
+std::string ids_of(const SessionGroup& bus) {
+  std::string all;
+  for (const auto& member : bus.members()) all += (all.empty() ? "" : ", ") + member->catalog().id();
+  return all;
+}
+
+std::string no_axis(const Catalog& catalog) {
+  std::string names;
+  for (const AxisInfo& axis : catalog.axes) names += (names.empty() ? "" : ", ") + axis.name;
+  return fmt::format("There is no such axis. {} has: {}.", catalog.short_name, names);
+}
+
+}  // namespace
+
+std::shared_ptr<SessionGroup> bus_of(const Call& call) {
+  const Handle& handle = handle_of(call);
+  return handle.device < 0 ? handle.group : nullptr;
+}
+
+const std::shared_ptr<Session>& session_of(const Call& call) {
+  const Handle& handle = handle_of(call);
+  if (handle.device >= 0) return handle.group->members()[static_cast<std::size_t>(handle.device)];
+  throw Misuse(fmt::format("this is a bus of several controllers: say which one, c.devices[\"{}\"]",
+                           handle.group->members().front()->catalog().id()));
+}
+
+OneAxis one_axis_at(const Call& call, int place, const char* function) {
+  OneAxis one;
+  const auto bus = bus_of(call);
+  if (!bus) {
+    one.session = session_of(call);
+    one.index = axis_index(call.L, place, one.session->catalog(), function);
+    if (one.index < 0) one.refusal = no_axis(one.session->catalog());
+    return one;
+  }
+  if (lua_type(call.L, place) != LUA_TSTRING)
+    throw Misuse(fmt::format("{}: on a bus the axis is the id of a device, as \"01\"", function));
+  const int device = bus->find(lua_tostring(call.L, place));
+  if (device < 0) {
+    one.refusal = fmt::format("There is no such device. On this wire are: {}.", ids_of(*bus));
+    return one;
+  }
+  one.session = bus->members()[static_cast<std::size_t>(device)];
+  one.index = 0;
+  return one;
+}
+
+OneAxis one_axis(const Call& call, int argument, const char* function) {
+  return one_axis_at(call, call.place(argument), function);
+}
+
+int axis_index(lua_State* L, int index, const Catalog& catalog, const char* function) {
+  if (lua_type(L, index) == LUA_TSTRING) return catalog.find_axis(lua_tostring(L, index));
+  int whole = 0;
+  const lua_Integer n = lua_tointegerx(L, index, &whole);
+  if (!whole) throw Misuse(fmt::format("{}: the axis must be its number or name", function));
+  return n >= 1 && n <= static_cast<lua_Integer>(catalog.axes.size()) ? static_cast<int>(n - 1) : -1;
+}
+
+void push_controller(lua_State* L, std::shared_ptr<SessionGroup> group) {
+  const int device = group->is_bus() ? -1 : 0;
+  push_handle(L, Handle{std::move(group), device}, controller_type);
+}
+
+int drop_handle(lua_State* L) {
+  static_cast<Handle*>(lua_touserdata(L, 1))->~Handle();
+  return 0;
+}
+
+// c.bench, c.devices, else a method. A bus has no bench of its own: what is not there is nil.
+int index_handle(lua_State* L) {
+  const auto& handle = *static_cast<Handle*>(luaL_checkudata(L, 1, controller_type));
+  const std::string_view key = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : "";
+  if (key == "bench" && handle.device >= 0) {
+    push_handle(L, handle, bench_type);
+    return 1;
+  }
+  if (key == "devices" && handle.group->is_bus() && handle.device < 0) {
+    push_devices(L, handle);
+    return 1;
+  }
+  lua_pushvalue(L, 2);
+  lua_rawget(L, lua_upvalueindex(1));
+  return 1;
+}
+
+}  // namespace hw::script

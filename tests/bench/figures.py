@@ -1,0 +1,167 @@
+#!/usr/bin/env python3
+"""Runs the benchmarks and the real window under Xvfb, and prints what they say beside the budgets."""
+import json
+import os
+import pathlib
+import re
+import signal
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+BUILD = ROOT / "build"
+PROGRAM, BENCH, BARE = BUILD / "handwheel", BUILD / "tests/bench/hw_bench", BUILD / "tests/bench/bare_window"
+DISPLAY = f":{200 + os.getpid() % 500}"
+rows = []
+
+
+def row(what, figure, budget, kept):
+    rows.append((what, figure, budget, "kept" if kept else "MISSED"))
+    print(f"{what:<46} {figure:<58} {budget:<30} {rows[-1][3]}", flush=True)
+
+
+def bench(pattern):
+    """The named benchmarks of one run: name -> its line."""
+    out = subprocess.run([BENCH, f"--benchmark_filter={pattern}", "--benchmark_format=json"], check=True,
+                         capture_output=True, text=True).stdout
+    lines = {line["name"].split("/manual_time")[0].split("/real_time")[0]: line for line in json.loads(out)["benchmarks"]}
+    for name, line in lines.items():
+        if line.get("error_occurred"):
+            sys.exit(f"{name}: {line['error_message']}")
+    return {re.sub(r"/(iterations|min_time):[\d.]+", "", name): line for name, line in lines.items()}
+
+
+def wire():
+    for name, line in sorted(bench("three_questions").items()):
+        over = line["median_percent_over"]
+        row(f"byte times at {name.split('/')[1]} baud: X, Y and V",
+            f"{line['wire_ms']:.1f} ms on the wire, median {over:+.1f} %, p90 {line['p90_percent_over']:+.1f} %",
+            "within 2 %", abs(over) <= 2)
+    for name, line in sorted(bench("polling_share").items()):
+        share = line["percent_of_the_wire"]
+        row(f"status polling at {name.split('/')[1]} baud", f"{share:.1f} % of the wire, {line['polls_per_second']:.0f} polls/s",
+            "at least 95 %", share >= 95)
+
+
+def poll():
+    lines = bench("raw_c|bare_asio|whole_stack")
+    raw, bare, whole = (lines[n]["real_time"] / 1e3 for n in ("raw_c", "bare_asio_coroutine", "whole_stack"))
+    row("one poll through the whole stack, one core", f"{whole:.1f} us = {whole / raw:.2f} x raw C, {whole / bare:.2f} x bare coroutine",
+        "at most 2.2 x raw C (6 of 2.7 us)", whole / raw <= 6 / 2.7)
+
+
+def stop():
+    line = bench("stop_while")["stop_while_a_program_is_sent"]
+    row("stop while a program is sent", f"p50 {line['p50_us']:.0f} us, p99 {line['p99_us']:.0f} us", "p99 under 1 ms",
+        line["p99_us"] < 1000)
+
+
+def emulation():
+    lines = bench("program_of_an_hour|second_of_a_thousand")
+    hour = lines["program_of_an_hour"]["real_time"]
+    row("emulation: a program of an hour", f"{hour:.1f} ms = {lines['program_of_an_hour']['times_real']:.0f} x real time",
+        "under 20 ms", hour < 20)
+    second = lines["second_of_a_thousand_polled"]["real_time"]
+    row("emulation: a second of 1,000 polled emulators", f"{second:.0f} ms of one core", "under 1,000 ms", second < 1000)
+
+
+def frame():
+    lines = bench("console_frame|imgui_demo")
+    demo = lines["imgui_demo_frame"]["real_time"]
+    for name, what in (("console_frame_moving", "moving"), ("console_frame_at_rest", "at rest")):
+        line = lines[name]
+        row(f"frame, all panels, four controllers, {what}",
+            f"{line['real_time'] / 1e3:.3f} ms = {line['real_time'] / demo:.2f} x ImGui demo, {line['allocations_per_frame']:.2f} allocations",
+            "at most 2.35 x (0.4 of 0.17 ms)" + ("" if what == "moving" else ", no allocation"),
+            line["real_time"] / demo <= 0.4 / 0.17 and (what == "moving" or line["allocations_per_frame"] == 0))
+
+
+def terminal():
+    for name, line in sorted(bench("traffic_into").items(), key=lambda i: int(i[0].split("/")[1])):
+        rate = line["bytes_per_second"] / 1e6
+        row(f"traffic into terminal and log, {name.split('/')[1]} bytes each", f"{rate:.0f} MB/s", "at least 50 MB/s", rate >= 50)
+
+
+class Running:
+    """A program with a window under the Xvfb of this run."""
+
+    def __init__(self, home, *command):
+        env = {**os.environ, "DISPLAY": DISPLAY, "XDG_CONFIG_HOME": f"{home}/config", "XDG_STATE_HOME": f"{home}/state",
+               "LIBGL_ALWAYS_SOFTWARE": "1"}
+        env.pop("WAYLAND_DISPLAY", None)
+        began = time.perf_counter()
+        self.process = subprocess.Popen(command, env=env, stderr=subprocess.PIPE, text=True)
+        while "first frame" not in (line := self.process.stderr.readline()):
+            if not line:
+                sys.exit(f"{command[0]} has no first frame")
+        self.start_s = time.perf_counter() - began
+
+    def processor_s(self):
+        fields = pathlib.Path(f"/proc/{self.process.pid}/stat").read_text().rsplit(")", 1)[1].split()
+        return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+    def resident_kb(self):
+        """All of it, and without the files of Mesa and what they pull in."""
+        total = other = 0
+        mesa = False
+        for line in pathlib.Path(f"/proc/{self.process.pid}/smaps").read_text().splitlines():
+            if re.match(r"[0-9a-f]+-[0-9a-f]+ ", line):
+                mesa = bool(re.search(r"dri|LLVM|gallium|libGL|libEGL|libz3|drm|mesa|glapi|libX|libxcb|icu|libelf", line))
+            elif line.startswith("Rss:"):
+                total += int(line.split()[1])
+                other += 0 if mesa else int(line.split()[1])
+        return total, other
+
+    def end(self):
+        self.process.send_signal(signal.SIGTERM)
+        self.process.wait(20)
+        self.process.stderr.close()
+
+
+def window():
+    with tempfile.TemporaryDirectory() as home:
+        server = subprocess.Popen(["Xvfb", DISPLAY, "-screen", "0", "1440x900x24", "-nolisten", "tcp"])
+        try:
+            time.sleep(2)
+            starts = {"bare": [], "console": []}
+            for _ in range(7):
+                for name, command in (("bare", [BARE]), ("console", [PROGRAM, "--verbose", "open", "vxm@emulator"])):
+                    running = Running(home, *command)
+                    starts[name].append(running.start_s)
+                    running.end()
+            bare, console = (statistics.median(starts[n]) for n in ("bare", "console"))
+            row("start to the first frame", f"{console * 1e3:.0f} ms = {console / bare:.2f} x bare window with the same atlas",
+                "at most 1.3 x", console / bare <= 1.3)
+
+            plain = Running(home, BARE)
+            time.sleep(1)
+            _, bare_kb = plain.resident_kb()
+            plain.end()
+            running = Running(home, PROGRAM, "--verbose", "open", "vxm@emulator")
+            time.sleep(15)
+            total, own = running.resident_kb()
+            row("resident without Mesa's files", f"{own / 1024:.0f} MB (bare window {bare_kb / 1024:.0f}, with all of Mesa {total / 1024:.0f})",
+                "under 40 MB", own < 40 * 1024)
+            before = running.processor_s()
+            time.sleep(60)
+            share = (running.processor_s() - before) / 60 * 100
+            row("at rest, a connected idle controller", f"{share:.2f} % of a core", "under 0.3 %", share < 0.3)
+            running.end()
+        finally:
+            server.terminate()
+            server.wait()
+
+
+FIGURES = {"wire": wire, "poll": poll, "stop": stop, "emulation": emulation, "frame": frame, "terminal": terminal,
+           "window": window}
+
+if __name__ == "__main__":
+    wanted = sys.argv[1:]
+    for name, measure in FIGURES.items():
+        if not wanted or any(w in name for w in wanted):
+            measure()
+    missed = [what for what, _, _, verdict in rows if verdict != "kept"]
+    print(f"\n{len(rows) - len(missed)} of {len(rows)} budgets kept." + (" Missed: " + "; ".join(missed) + "." if missed else ""))

@@ -1,0 +1,119 @@
+// One frame of the whole console outside of GL, with four live controllers; what a frame at rest takes from
+// the heap; and the anchor: ImGui's own demo window with a table of 600 cells and 60 buttons, in the same
+// run.
+#include <chrono>
+
+#include <benchmark/benchmark.h>
+
+#include "core/device/registry.h"
+#include "core/session/session.h"
+#include "core/time/virtual_scheduler.h"
+#include "gui/console.h"
+#include "gui/offscreen.h"
+#include "gui/outside.h"
+#include "gui/tab.h"
+#include "panels/panel_list.h"
+#include "tests/bench/allocations.h"
+#include "transports/open.h"
+
+namespace hw {
+namespace {
+
+constexpr ImVec2 window_size(1440, 900);
+constexpr Duration frame_time{16'666'667};
+
+struct Screenful {
+  Screenful() {
+    count_imgui_allocations();
+    for (int i = 0; i < 4; ++i) (void)console.open("vxm@emulator,motors=4");
+    run(600);  // connected, and everything that is made once is made
+  }
+  ~Screenful() {
+    console.close_all();
+    while (console.closing() > 0) time.run_for(frame_time);
+  }
+  void pass() { time.run_for(frame_time); }
+  void draw() {
+    surface.screen().frame(seconds(time.now()), window_size, [this](gui::Ui& ui) { console.draw(ui); });
+  }
+  void run(int frames) {
+    for (; frames > 0; --frames) pass(), draw();
+  }
+
+  IoContext io{1};
+  VirtualScheduler time{io};
+  gui::Offscreen surface{1440, 900, 1, true, gui::Renderer::software};
+  gui::Console console{panels::panel_list(), gui::Outside(time, make_wire_opener(), [] {})};
+};
+
+void time_frames(benchmark::State& state, Screenful& screen) {
+  std::uint64_t taken = 0;
+  for (auto _ : state) {
+    screen.pass();
+    const auto taken_before = allocations();
+    const auto began = std::chrono::steady_clock::now();
+    screen.draw();
+    state.SetIterationTime(std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count());
+    taken += allocations() - taken_before;
+  }
+  state.counters["allocations_per_frame"] =
+      static_cast<double>(taken) / static_cast<double>(state.iterations());
+}
+
+void console_frame_moving(benchmark::State& state) {
+  Screenful screen;
+  for (const auto& tab : screen.console.tabs())
+    tab->send(intent::JogStart(AxisId{0}, Sign::plus, Pps(2000), false));
+  screen.run(60);
+  time_frames(state, screen);
+}
+BENCHMARK(console_frame_moving)->UseManualTime()->Unit(benchmark::kMicrosecond);
+
+void console_frame_at_rest(benchmark::State& state) {
+  Screenful screen;
+  time_frames(state, screen);
+}
+BENCHMARK(console_frame_at_rest)->UseManualTime()->Unit(benchmark::kMicrosecond);
+
+void cells_and_buttons() {
+  ImGui::Begin("table");
+  if (ImGui::BeginTable("cells", 10)) {
+    for (int i = 0; i < 600; ++i) {
+      ImGui::TableNextColumn();
+      ImGui::Text("%d", i * 37);
+    }
+    ImGui::EndTable();
+  }
+  for (int i = 0; i < 60; ++i) {
+    ImGui::PushID(i);
+    ImGui::Button("button");
+    if (i % 10 != 9) ImGui::SameLine();
+    ImGui::PopID();
+  }
+  ImGui::End();
+}
+
+void imgui_demo_frame(benchmark::State& state) {
+  ImGuiContext* const before = ImGui::GetCurrentContext();
+  ImGui::SetCurrentContext(ImGui::CreateContext());
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;
+  io.DisplaySize = window_size;
+  unsigned char* pixels = nullptr;
+  int w = 0, h = 0;
+  io.Fonts->GetTexDataAsRGBA32(&pixels, &w, &h);
+  for (auto _ : state) {
+    io.DeltaTime = 1.0f / 60;
+    ImGui::NewFrame();
+    ImGui::ShowDemoWindow();
+    ImGui::SetNextWindowSize(ImVec2(900, 800), ImGuiCond_Once);
+    cells_and_buttons();
+    ImGui::Render();
+  }
+  ImGui::DestroyContext();
+  ImGui::SetCurrentContext(before);
+}
+BENCHMARK(imgui_demo_frame)->Unit(benchmark::kMicrosecond);
+
+}  // namespace
+}  // namespace hw

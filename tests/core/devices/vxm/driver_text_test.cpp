@@ -1,0 +1,92 @@
+// Raw text of a user's or a script's, against a VXM that a byte sent into its answer locks until power-off.
+#include "tests/core/devices/vxm/driver_fixture.h"
+
+namespace hw::vxm {
+namespace {
+
+using testing::HasSubstr;
+
+class VxmDriverText : public DriverTest {
+ protected:
+  void SetUp() override { start({{"quirk", "overrun"}}, true); }
+  /// Still answering: nothing has been sent into an answer.
+  bool listens() { return query("V") == "R" && latest.link.state == LinkState::good; }
+};
+
+TEST_F(VxmDriverText, NothingIsSentIntoAnAnswer) {
+  for (const char* text : {"X", "lst", "x", "?", "getD0", "PM", "D", "V", "rsm"}) {
+    EXPECT_EQ(send(text), "") << text;
+    run(0.5);
+    EXPECT_TRUE(listens()) << text;
+  }
+}
+
+TEST_F(VxmDriverText, ATextWithSeveralQuestionsGoesOutInPieces) {
+  EXPECT_EQ(query("XY,M"), "+0000000\r+0000000\r256");
+  EXPECT_EQ(query("PM-0,I1M400,M,lst"), "252\rPM0 M252\rI1M400");
+  EXPECT_EQ(query("X,R", 5), "+0000000\r^");
+  EXPECT_TRUE(listens());
+}
+
+TEST_F(VxmDriverText, AnAnswerToASentTextIsThereToBeRead) {
+  EXPECT_EQ(send("X"), "");
+  EXPECT_EQ(unsolicited(), "+0000000");
+  EXPECT_EQ(send("PM-0,I1M40,R"), "");
+  EXPECT_TRUE(wait_idle());
+  EXPECT_EQ(unsolicited(), "^");
+}
+
+TEST_F(VxmDriverText, WhileAProgramRunsOnlyWhatIsTakenThenIsWaitedFor) {
+  EXPECT_EQ(send("PM-0,I1M4000,R"), "");
+  run(0.5);
+  EXPECT_EQ(query("V"), "B");
+  EXPECT_THAT(query("X"), HasSubstr("+00")) << "answered while it moves";
+  EXPECT_EQ(send("lst"), "") << "dropped by the controller; nobody waits for an answer";
+  EXPECT_TRUE(wait_idle());
+  EXPECT_TRUE(listens());
+}
+
+TEST_F(VxmDriverText, EchoStaysOff) {
+  EXPECT_EQ(send("E"), "");
+  EXPECT_TRUE(told("Echo stays off"));
+  EXPECT_EQ(query("X"), "+0000000");
+  EXPECT_TRUE(listens());
+}
+
+TEST_F(VxmDriverText, AnErrorReportInsteadOfAnAnswerIsTheAnswer) {
+  EXPECT_EQ(query("Z"), "EB") << "no Slave: the controller restarts";
+  run(2);
+  EXPECT_TRUE(listens()) << "and is put on-line again";
+}
+
+TEST_F(VxmDriverText, InLocalModeOnlyVAndDAreAnswered) {
+  EXPECT_EQ(send("Q"), "");
+  EXPECT_EQ(query("V"), "J");
+  EXPECT_EQ(query("D"), "X+0000000\rY+0000000");
+  EXPECT_EQ(query("F,V"), "R");
+}
+
+// ---- how a run of the user's ended
+
+TEST_F(VxmDriverText, ALimitHitInAProgramIsKept) {
+  AxisPlace slide;
+  slide.plus = Steps(300);
+  loop->operate(bench::Place(AxisId{0}, slide));
+  EXPECT_EQ(send("O3,PM-0,I1M4000,I1M-10,R"), "");
+  EXPECT_TRUE(wait_idle());
+  EXPECT_EQ(latest.program.ended_by, EndedBy::limit);
+  EXPECT_EQ(send("PM-0,I1M-50,R"), "");
+  EXPECT_TRUE(wait_idle());
+  EXPECT_EQ(latest.program.ended_by, EndedBy::target) << "the next run tells of itself";
+}
+
+TEST_F(VxmDriverText, TheStopButtonEndsAProgramFromElsewhere) {
+  EXPECT_EQ(send("PM-0,I1M4000,P50,R"), "");
+  run(0.5);
+  loop->operate(bench::Button("Stop", true));
+  EXPECT_TRUE(wait_idle());
+  EXPECT_EQ(latest.program.ended_by, EndedBy::elsewhere);
+}
+
+}  // namespace
+}  // namespace hw::vxm

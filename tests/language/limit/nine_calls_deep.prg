@@ -1,0 +1,41 @@
+GOSUB 1
+V3=1
+END
+SUB 1
+V1=1
+GOSUB 2
+ENDSUB
+SUB 2
+V1=2
+GOSUB 3
+ENDSUB
+SUB 3
+V1=3
+GOSUB 4
+ENDSUB
+SUB 4
+V1=4
+GOSUB 5
+ENDSUB
+SUB 5
+V1=5
+GOSUB 6
+ENDSUB
+SUB 6
+V1=6
+GOSUB 7
+ENDSUB
+SUB 7
+V1=7
+GOSUB 8
+ENDSUB
+SUB 8
+V1=8
+GOSUB 9
+ENDSUB
+SUB 9
+V1=9
+ENDSUB
+;# for pmx-4ex-sa dmx-k-sa
+;# warning 1:1 9 calls within calls
+;# after 100 V1=8 V3=0 state0=4 line0=34

@@ -1,0 +1,181 @@
+// The transcripts of tests/talk once more, through what other software gets: a real pseudo-terminal and a
+// file descriptor. The emulator's time is virtual, so that minutes of motion pass at once and at the same
+// instants.
+#include <algorithm>
+#include <filesystem>
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <poll.h>
+#include <unistd.h>
+
+#include "core/device/registry.h"
+#include "core/time/virtual_scheduler.h"
+#include "tests/talk/talk.h"
+#include "transports/pty_endpoint.h"
+#include "transports/serve.h"
+
+namespace hw {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// Counts the bytes both ways, to know when a kernel's buffer holds none of them any more.
+class Counted final : public Emulator {
+ public:
+  struct Bytes {
+    std::size_t heard = 0, said = 0;
+  };
+  Counted(std::unique_ptr<Emulator> inner, Bytes& bytes) : inner_(std::move(inner)), bytes_(bytes) {}
+
+  void receive(std::string_view text) override {
+    bytes_.heard += text.size();
+    inner_->receive(text);
+  }
+  void take_output(std::string& sink) override {
+    const std::size_t before = sink.size();
+    inner_->take_output(sink);
+    bytes_.said += sink.size() - before;
+  }
+  [[nodiscard]] std::optional<Instant> next_event() const override { return inner_->next_event(); }
+  void advance_to(Instant now) override { inner_->advance_to(now); }
+  Result<> operate(const BenchCommand& command) override { return inner_->operate(command); }
+  void look(BenchView& view) const override { inner_->look(view); }
+  [[nodiscard]] const std::vector<TriggerPulse>& pulses() const override { return inner_->pulses(); }
+  [[nodiscard]] int rate() const override { return inner_->rate(); }
+  [[nodiscard]] std::string save_memory() const override { return inner_->save_memory(); }
+  Result<> load_memory(std::string_view text) override { return inner_->load_memory(text); }
+  [[nodiscard]] std::uint64_t memory_version() const override { return inner_->memory_version(); }
+  [[nodiscard]] std::unique_ptr<Emulator> clone() const override { return inner_->clone(); }
+
+ private:
+  std::unique_ptr<Emulator> inner_;
+  Bytes& bytes_;
+};
+
+class PtyPartner final : public talk::Partner {
+ public:
+  PtyPartner(const DeviceType& type, const DeviceOptions& options) {
+    std::filesystem::create_directories(folder_);
+    auto emulator = type.make_emulator(options);
+    auto made = EmulatorHost::make(clock_, std::make_unique<Counted>(std::move(*emulator), bytes_), {});
+    host_ = *made;
+    // An endless bench, and the lamps of the start are over.
+    const std::size_t axes = type.make_catalog(options)->axes.size();
+    for (std::size_t i = 0; i < axes; ++i)
+      (void)host_->operate(bench::Place(AxisId{static_cast<std::uint8_t>(i)}, {}));
+    host_->attach(std::move(*open_pty_endpoint(clock_, link_, host_->emulator().rate())));
+    pass(10s);
+    fd_ = ::open(link_.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK);
+  }
+  ~PtyPartner() override {
+    if (fd_ >= 0) ::close(fd_);
+    host_.reset();
+    std::filesystem::remove_all(folder_);
+  }
+
+  void send(std::string_view text) override {
+    const std::size_t wanted = bytes_.heard + text.size();
+    EXPECT_EQ(::write(fd_, text.data(), text.size()), static_cast<ssize_t>(text.size()));
+    settle([&] { return bytes_.heard >= wanted; });
+  }
+  std::string receive(std::size_t count) override {
+    const Instant limit = clock_.now() + 24h;
+    for (; came_.size() < count; hear()) {
+      const auto next = host_->emulator().next_event();
+      if (!next || *next > limit) break;
+      clock_.run_until(std::max(*next, clock_.now() + Duration(1)));
+    }
+    std::string taken = came_.substr(0, count);
+    came_.erase(0, count);
+    return taken;
+  }
+  std::string leftover() override {
+    hear();
+    return std::exchange(came_, {});
+  }
+  void pass(Duration time) override {
+    clock_.run_for(time);
+    hear();
+  }
+  Result<> operate(const BenchCommand& command) override { return host_->operate(command); }
+
+ private:
+  // The kernel carries bytes between the two ends in its own time; the emulator's stands still meanwhile.
+  template <class Done>
+  void settle(Done done) {
+    const auto end = std::chrono::steady_clock::now() + 5s;
+    while (clock_.run_until(clock_.now(), done), !done()) {
+      ASSERT_LT(std::chrono::steady_clock::now(), end) << "the terminal does not carry what was sent";
+      io_.restart();
+      io_.run_one_for(1ms);
+    }
+    hear();
+  }
+  // Until everything that was said has come. Before a client is there it goes nowhere.
+  void hear() {
+    if (fd_ < 0) {
+      read_ = bytes_.said;
+      return;
+    }
+    const auto end = std::chrono::steady_clock::now() + 5s;
+    while (read_ < bytes_.said) {
+      ASSERT_LT(std::chrono::steady_clock::now(), end) << "the terminal does not carry what was answered";
+      clock_.run_until(clock_.now());
+      char part[512];
+      if (const ssize_t n = ::read(fd_, part, sizeof part); n > 0) {
+        came_.append(part, static_cast<std::size_t>(n));
+        read_ += static_cast<std::size_t>(n);
+      } else {
+        pollfd client{fd_, POLLIN, 0};
+        ::poll(&client, 1, 1);
+      }
+    }
+  }
+
+  std::filesystem::path folder_ =
+      std::filesystem::temp_directory_path() / ("hw-talk-" + std::to_string(::getpid()));
+  std::string link_ = folder_ / "controller";
+  IoContext io_{1};
+  VirtualScheduler clock_{io_};
+  Counted::Bytes bytes_;
+  std::shared_ptr<EmulatorHost> host_;
+  int fd_ = -1;
+  std::size_t read_ = 0;
+  std::string came_;
+};
+
+// "vxm/status": a folder of tests/talk has the name of its model.
+std::vector<std::string> transcripts() {
+  std::vector<std::string> names;
+  for (const DeviceType& type : device_types()) {
+    const std::filesystem::path folder = std::filesystem::path(HW_TEST_DIR "/talk") / type.model;
+    if (!std::filesystem::exists(folder)) continue;
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+      if (entry.path().extension() == ".talk")
+        names.push_back(std::string(type.model) + "/" + entry.path().stem().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+class TalkOverPty : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(TalkOverPty, GoesAsWritten) {
+  const std::string path = HW_TEST_DIR "/talk/" + GetParam() + ".talk";
+  const auto transcript = talk::read(path);
+  ASSERT_TRUE(transcript.has_value()) << transcript.error().sentence();
+  const DeviceType& type = *find_device_type(GetParam().substr(0, GetParam().find('/')));
+  PtyPartner partner(type, DeviceOptions(transcript->options.begin(), transcript->options.end()));
+  for (const std::string& failure : talk::run(*transcript, partner)) ADD_FAILURE() << path << ", " << failure;
+}
+
+INSTANTIATE_TEST_SUITE_P(Transcripts, TalkOverPty, ::testing::ValuesIn(transcripts()), [](const auto& info) {
+  std::string name = info.param;
+  for (char& c : name)
+    if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
+  return name;
+});
+
+}  // namespace
+}  // namespace hw
