@@ -4,9 +4,27 @@ local list = {c = nil}
 
 local failed = {}
 
+-- Reads messages away, closes what is still open.
+function put_away()
+  for _ = 1, 8 do
+    local message
+    for _, w in ipairs(ui.list()) do
+      if w.id:match("^toast/") then message = w.id end
+    end
+    if not message then break end
+    if not pcall(ui.click, message) then break end
+    ui.frame(2)
+  end
+  if ui.exists("terminal/clear") and not pcall(ui.click, "terminal/clear") then
+    ui.key("Escape")  -- a list or dialog that the block before has left open
+    ui.frame(2)
+  end
+end
+
 -- Empties the terminal, so that what is found there afterwards was sent by this block.
 function block(id, work)
-  ui.click("terminal/clear")
+  put_away()
+  if ui.exists("terminal/clear") then pcall(ui.click, "terminal/clear") end
   ui.frame(2)
   local ok, why = pcall(work)
   if not ok then failed[#failed + 1] = id .. ": " .. tostring(why) end
@@ -15,6 +33,10 @@ end
 function over()
   for _, line in ipairs(failed) do hw.log(line) end
   hw.check(#failed == 0, #failed .. " lines of the checklist failed: " .. table.concat(failed, "; "))
+end
+
+function must(true_enough, why)
+  if not true_enough then error(why, 2) end
 end
 
 -- The text went out since the block began.
@@ -58,6 +80,7 @@ function fill(id, text)
 end
 
 function tab(name)
+  put_away()
   ui.click("tab/" .. name)
   ui.frame(2)
 end
