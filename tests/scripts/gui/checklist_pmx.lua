@@ -4,6 +4,7 @@ ui.window(1440, 900)
 local c = assert(hw.open("pmx-4ex-sa@emulator"))
 hw.sleep(2)
 for _, axis in ipairs{"X", "Y", "Z", "U"} do c.bench:place(axis, {minus = -500000, plus = 500000}) end
+for _, axis in ipairs{"X", "Y", "Z", "U"} do ui.click("dro/" .. axis .. "/power") hw.sleep(0.5) end
 tab("control")
 hw.sleep(2)
 
@@ -130,10 +131,11 @@ block("PMX-B15a", function()
 end)
 block("PMX-B15b", function() tab("list") ui.click("action/buffer_on/go") sent("BO") ui.click("action/buffer_off/go") sent("BF") end)
 block("PMX-B15c", function() tab("list") ui.click("list/add") shows("list/2/x", "100") end)
-block("PMX-B15d", function() tab("list") ui.click("list/start") sent("X100Y100Z0") shows("list/progress", "sent") c:wait(20) end)
+block("PMX-B15d", function() tab("list") ui.click("list/start") sent("I100:100:0:2000") shows("list/progress", "sent") c:wait(20) end)
 block("PMX-B15e", function()
   tab("list")
   fill("list/2/x", "300000")
+  for _ = 3, 40 do ui.click("list/add") end
   ui.click("list/start")
   hw.sleep(1)
   ui.click("list/abort")
@@ -261,11 +263,11 @@ block("PMX-Q1", function() tab("control") shows("about/firmware", "%d") shows("a
 
 -- last, since it takes the cable away
 block("PMX-CONN-HINT", function()
-  c.bench:unplug(true)
-  hw.sleep(6)
+  ui.click("bench/power")
+  hw.sleep(8)
   local why = shows("status/text", "supply") or ""
   must(why:find("12 to 24 V", 1, true), why)
-  c.bench:unplug(false)
+  ui.click("bench/power")
   hw.sleep(8)
 end)
 over()
