@@ -72,7 +72,15 @@ block("DMX-B7", function() one:move_by{[1] = 100000} hw.sleep(0.5) ui.click("jog
 block("DMX-B8", function() one:move_by{[1] = 100000} hw.sleep(0.5) ui.click("stop_all") ui.click("stop_all") sent("ABORT") one:wait(20) end)
 block("DMX-B9", function() ui.click("goto/zero") sent("X0") one:wait(60) end)
 block("DMX-B10", function() fill("goto/01", "800") ui.click("goto/01/go") sent("X800") one:wait(20) ui.click("goto/way/By") fill("goto/01", "100") ui.click("goto/01/go") sent("X900") one:wait(20) ui.click("goto/way/To") end)
-block("DMX-B11", function() ui.press("jog/01/+") hw.sleep(0.8) sent("J+") ui.release("jog/01/+") one:wait(10) ui.press("jog/01/-") hw.sleep(0.8) sent("J-") ui.release("jog/01/-") one:wait(10) end)
+block("DMX-B11", function()
+  for sign, text in pairs{["+"] = "J+", ["-"] = "J-"} do
+    ui.press("jog/01/" .. sign)
+    hw.sleep(0.8)
+    ui.release("jog/01/" .. sign)
+    one:wait(10)
+    sent(text)
+  end
+end)
 local function homes(mode, minus, plus)
   pick("home/mode", mode)
   ui.click("home/01/-")
@@ -168,13 +176,11 @@ block("DMX-M5", function() one:move_by{[1] = 100000} hw.sleep(1) ui.click("actio
 block("DMX-N1", function() shows("about/firmware", "%d") shows("about/console", "Handwheel") end)
 block("DMX-N2", function() there("about/older") end)
 
--- last, since it takes the cable away
+-- last, since the controller falls silent for good
 block("DMX-CONN-HINT", function()
-  ui.click("bench/power")
-  hw.sleep(8)
+  one.bench:drop(100000000)  -- silent from now on
+  hw.sleep(12)
   local why = shows("status/text", "supply")
   must(why:find("12 to 35 V", 1, true), why)
-  ui.click("bench/power")
-  hw.sleep(8)
 end)
 over()
