@@ -200,7 +200,9 @@ void Jog::draw_steps_row(Frame& f) {
   Ui& ui = f.ui;
   text(ui, Face::small, Tone::ink2, Path("A tap moves, in {}", steps_unit_.name));
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const auto words = [&](const JogStep& step) { return text_width(ui, Face::body_bold, label_of(step)) / ui.scale; };
+  const auto words = [&](const JogStep& step) {
+    return text_width(ui, Face::body_bold, label_of(step)) / ui.scale;
+  };
   float used = 0;
   for (const JogStep& step : steps_) used += words(step);
   // What the words leave is shared out, so that the longest is not cut.
@@ -241,7 +243,8 @@ void Jog::draw_speed(Frame& f) {
     y += ui.px(22);
   } else {  // one line: the slider, and how fast that is
     const float right = std::ceil(text_width(ui, Face::body_bold, words));
-    draw_text_right(ui, ImVec2(at.x + ui.px(f.area.width), at.y + ui.px(6)), Face::body_bold, ui[Tone::ink], words);
+    draw_text_right(ui, ImVec2(at.x + ui.px(f.area.width), at.y + ui.px(6)), Face::body_bold, ui[Tone::ink],
+                    words);
     o.width -= std::max(84.0f, std::ceil(right / ui.scale)) + 8;
   }
   ImGui::SetCursorScreenPos(ImVec2(at.x, y));
