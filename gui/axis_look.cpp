@@ -1,10 +1,8 @@
 #include "gui/axis_look.h"
 
 namespace hw::gui {
-namespace {
 
-/// From harmless to bad.
-int weight(State state) {
+int badness(State state) {
   switch (state) {
     case State::idle: return 0;
     case State::off: return 1;
@@ -26,9 +24,7 @@ int weight(State state) {
   return 0;
 }
 
-}  // namespace
-
-bool is_motion(State state) { return weight(state) == 4; }
+bool is_motion(State state) { return badness(state) == 4; }
 
 bool is_old(const Snapshot& now, int axis, Instant clock) {
   return is_stale(now.axes[static_cast<std::size_t>(axis)].seen_at, clock, now.poll_period);
@@ -62,12 +58,12 @@ State worst_state(const Snapshot& now, Instant clock) {
     const State state = state_of(now, i, clock);
     if (is_motion(state) && is_motion(worst) && state != worst)
       worst = State::moving;
-    else if (weight(state) > weight(worst))
+    else if (badness(state) > badness(worst))
       worst = state;
   }
   const bool program =
       now.program.owned && (now.program.run == RunState::waiting || now.program.run == RunState::held);
-  if (program && weight(worst) < weight(State::waiting)) worst = State::waiting;
+  if (program && badness(worst) < badness(State::waiting)) worst = State::waiting;
   return worst;
 }
 

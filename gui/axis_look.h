@@ -10,6 +10,8 @@ State state_of(const Snapshot& now, int axis, Instant clock);
 /// The worst state of all axes and the link; `moving` when several move.
 State worst_state(const Snapshot& now, Instant clock);
 bool is_motion(State state);
+/// From harmless to bad.
+int badness(State state);
 /// The position is older than three poll periods.
 bool is_old(const Snapshot& now, int axis, Instant clock);
 

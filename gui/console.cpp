@@ -6,7 +6,7 @@
 #include <fmt/core.h>
 
 #include "core/session/json_file.h"
-#include "core/session/session.h"
+#include "core/session/session_group.h"
 #include "gui/area.h"
 #include "gui/keyboard.h"
 #include "gui/messages.h"
@@ -32,6 +32,7 @@ Console::~Console() = default;
 
 Instant Console::clock() const { return outside_->scheduler.now(); }
 PortFinder& Console::ports() { return outside_->ports ? *outside_->ports : no_ports_; }
+DeviceFinder& Console::devices() { return outside_->devices ? *outside_->devices : no_devices_; }
 const UserFolders& Console::folders() const { return outside_->folders; }
 
 // ---- controllers
@@ -42,18 +43,47 @@ Result<Tab*> Console::open(std::string_view text) {
   if (const Tab* other = address->where.empty() ? nullptr : open_at(address->where))
     return fail(FaultKind::port, fmt::format("{} is open already, as {}.", address->where, other->name()),
                 "Nothing was opened.", "Use its tab, or close it first.");
-  auto session = Session::open(outside_->scheduler, *address, outside_->open_wire, outside_->wake);
-  if (!session) return fail(session.error());
-  Tab& tab = adopt(std::move(*session));
+  auto group = SessionGroup::open(outside_->scheduler, *address, outside_->open_wire, outside_->wake);
+  if (!group) return fail(group.error());
+  Tab& tab = adopt(std::move(*group));
   tell(recent_.opened(address->text(), std::string(tab.profile.name)));
   return &tab;
 }
 
-Tab& Console::adopt(std::shared_ptr<Session> session) {
+Tab& Console::adopt(std::shared_ptr<Session> session) { return make_tab(std::move(session), false); }
+
+Tab& Console::adopt(std::shared_ptr<SessionGroup> group) {
+  const auto& sessions = group->members();
+  if (!group->is_bus()) return make_tab(sessions.front(), false);
+  std::vector<Tab*> members;
+  for (const auto& session : sessions) members.push_back(&make_tab(session, true));
+  std::string name = fmt::format("{} {}\u2013{}", sessions.front()->catalog().short_name, members.front()->id(),
+                                 members.back()->id());
+  Tab& first = *members.front();
+  join(std::move(members), std::move(name), std::move(group));
+  return first;
+}
+
+void Console::join(std::vector<Tab*> members, std::string name, std::shared_ptr<SessionGroup> group) {
+  auto bus = std::make_shared<Bus>();
+  bus->group = std::move(group);
+  bus->name = std::move(name);
+  bus->members = std::move(members);
+  for (Tab* member : bus->members) member->bus = bus;
+  activate(*bus->members.front());
+}
+
+bool Console::is_face(const Tab& tab) { return !tab.bus || &tab.bus->front() == &tab; }
+
+int Console::faces() const {
+  return static_cast<int>(std::count_if(tabs_.begin(), tabs_.end(), [](const auto& tab) { return is_face(*tab); }));
+}
+
+Tab& Console::make_tab(std::shared_ptr<Session> session, bool on_bus) {
   const Address& address = session->address();
   std::string key =
       profile_key(address, outside_->usb_serial ? outside_->usb_serial(address) : std::string());
-  auto tab = std::make_unique<Tab>(std::move(session), std::move(key));
+  auto tab = std::make_unique<Tab>(std::move(session), std::move(key), on_bus);
   auto profile = ProfileStore(outside_->folders).load(tab->profile_key);
   if (profile) {
     tab->profile = std::move(*profile);
@@ -76,6 +106,13 @@ Tab& Console::add(std::unique_ptr<Tab> tab) {
 }
 
 void Console::close(Tab& tab) {
+  if (!tab.bus) return close_one(tab);
+  const std::shared_ptr<Bus> bus = tab.bus;
+  for (Tab* member : bus->members) member->bus.reset();
+  for (Tab* member : bus->members) close_one(*member);
+}
+
+void Console::close_one(Tab& tab) {
   tab.jog.let_go();
   save();
   if (std::shared_ptr<Session> session = tab.session()) {
@@ -114,6 +151,11 @@ Tab* Console::active() { return page_.empty() ? active_ : nullptr; }
 
 void Console::activate(Tab& tab) {
   if (active_ && active_ != &tab) active_->jog.let_go();
+  if (tab.bus) {
+    auto& members = tab.bus->members;
+    tab.bus->chosen = static_cast<std::size_t>(std::find(members.begin(), members.end(), &tab) - members.begin());
+    if (active_ && active_->bus == tab.bus) tab.centre_panel = active_->centre_panel;
+  }
   active_ = &tab;
   if (!page_.empty()) show_page({});
   right_open = false;
@@ -121,11 +163,14 @@ void Console::activate(Tab& tab) {
 
 void Console::activate_next(int direction) {
   if (tabs_.empty()) return;
-  const int n = static_cast<int>(tabs_.size());
+  std::vector<Tab*> faces;
+  for (const auto& tab : tabs_)
+    if (is_face(*tab)) faces.push_back(tab.get());
+  const int n = static_cast<int>(faces.size());
   int at = 0;
   for (int i = 0; i < n; ++i)
-    if (tabs_[static_cast<std::size_t>(i)].get() == active_) at = i;
-  activate(*tabs_[static_cast<std::size_t>(((page_.empty() ? at + direction : at) % n + n) % n)]);
+    if (faces[static_cast<std::size_t>(i)] == active_) at = i;
+  activate(*faces[static_cast<std::size_t>(((page_.empty() ? at + direction : at) % n + n) % n)]);
 }
 
 const Tab* Console::open_at(std::string_view where) const {
@@ -176,9 +221,12 @@ void Console::step_size(int direction) {
 }
 
 void Console::start_demo() {
-  for (const DeviceType& type : device_types())
-    if (auto opened = open(std::string(type.model) + "@emulator"); !opened)
-      toast(Mood::fault, opened.error().sentence());
+  for (const DeviceType& type : device_types()) {
+    std::string address = std::string(type.model) + "@emulator";
+    const auto catalog = type.make_catalog({});
+    if (catalog && catalog->addressed() && catalog->axes.size() == 1) address += ",id=01-04";  // a bus of them
+    if (auto opened = open(address); !opened) toast(Mood::fault, opened.error().sentence());
+  }
   if (!tabs_.empty()) activate(*tabs_.front());
 }
 
@@ -195,7 +243,12 @@ void Console::set_day(DayClock day) {
 // ---- hands
 
 void Console::stop_all() {
-  for (const auto& tab : tabs_) tab->stop_all();
+  for (const auto& tab : tabs_) {
+    if (!tab->bus)
+      tab->stop_all();
+    else if (is_face(*tab))
+      tab->bus->stop_all();
+  }
 }
 
 void Console::let_go() {
@@ -295,7 +348,7 @@ void Console::draw(Ui& ui) {
   LayoutWishes wishes;
   wishes.width = ui.size_px.x / ui.scale;
   wishes.height = ui.size_px.y / ui.scale;
-  wishes.controllers = static_cast<int>(tabs_.size()) + (page_.empty() ? 0 : 1);
+  wishes.controllers = faces() + (page_.empty() ? 0 : 1);
   wishes.splitters = splitters;
   wishes.strip_height = active() ? strip_height(*active()) : 0;
   const Layout layout = lay_out(wishes);

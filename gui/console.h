@@ -10,6 +10,7 @@
 
 #include "core/session/recent.h"
 #include "core/session/user_files.h"
+#include "gui/device_finder.h"
 #include "gui/dialogs.h"
 #include "gui/layout.h"
 #include "gui/panel.h"
@@ -37,18 +38,25 @@ class Console {
   Result<Tab*> open(std::string_view address);
   /// The same for a session that somebody else has opened (a script). It is closed with the tab.
   Tab& adopt(std::shared_ptr<Session> session);
+  /// The same for all of a wire: one controller, or one tab for all of a bus. The tab of the first is returned.
+  Tab& adopt(std::shared_ptr<SessionGroup> group);
   /// The same for one that is not a session's (tests).
   Tab& add(std::unique_ptr<Tab> tab);
-  void close(Tab& tab);
+  /// Puts tabs that were added before onto one bus.
+  void join(std::vector<Tab*> members, std::string name, std::shared_ptr<SessionGroup> group = nullptr);
+  void close(Tab& tab);  ///< and all others of its bus
   void close_all();
   /// Sessions that were told to close and are not done yet. The scheduler must run until it is 0.
   [[nodiscard]] int closing() const { return *closing_; }
   void rename(Tab& tab, std::string name);
   void reconnect(Tab& tab);
   [[nodiscard]] const std::vector<std::unique_ptr<Tab>>& tabs() const { return tabs_; }
+  /// Has a tab in the top bar: alone, or the chosen one of its bus.
+  [[nodiscard]] static bool is_face(const Tab& tab);
+  [[nodiscard]] int faces() const;
   /// Null: a page is in front.
   [[nodiscard]] Tab* active();
-  void activate(Tab& tab);
+  void activate(Tab& tab);  ///< of a bus: chooses this one
   void activate_next(int direction);
 
   // ---- what is shown
@@ -90,6 +98,7 @@ class Console {
   [[nodiscard]] std::string time_of_day(Instant when) const;  ///< "14:20:08"
   void set_day(DayClock day);                                 ///< from now on it is this time
   [[nodiscard]] PortFinder& ports();
+  [[nodiscard]] DeviceFinder& devices();
   [[nodiscard]] RecentConnections& recent() { return recent_; }
   [[nodiscard]] const UserFolders& folders() const;
   [[nodiscard]] const PanelList& list() const { return list_; }
@@ -101,6 +110,8 @@ class Console {
 
  private:
   void refresh(Ui& ui);
+  Tab& make_tab(std::shared_ptr<Session> session, bool on_bus);
+  void close_one(Tab& tab);
   void tell_news(Tab& tab);
   void tell(const Result<>& outcome);
   void jog_key(Tab& tab, Command key, bool down, double at_s);
@@ -111,6 +122,7 @@ class Console {
   PanelList list_;
   std::unique_ptr<Outside> outside_;
   NoPorts no_ports_;
+  NoDevices no_devices_;
   RecentConnections recent_;
   std::vector<std::unique_ptr<Tab>> tabs_;
   Tab* active_ = nullptr;

@@ -33,6 +33,11 @@ MoodLook mood_look(Mood mood) {
 }
 
 StatusSentence sentence_of(Console& console, Tab& tab) {
+  if (Tab* worst = tab.bus ? &tab.bus->worst() : nullptr; worst && worst != &tab) {
+    StatusSentence said = sentence_of(console, *worst);
+    said.text = fmt::format("{}: {}", worst->id(), said.text);
+    return said;
+  }
   const auto held = tab.jog.control();
   return status_sentence(
       {tab.catalog(), tab.now(), tab.clock(), held, tab.jog.jogging(),

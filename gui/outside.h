@@ -11,6 +11,7 @@
 
 namespace hw::gui {
 
+class DeviceFinder;
 class PortFinder;
 class Worker;
 
@@ -19,6 +20,7 @@ struct Outside {
   WireOpener open_wire;
   std::function<void()> wake;   ///< any thread: a frame is wanted
   PortFinder* ports = nullptr;  ///< null: finds nothing
+  DeviceFinder* devices = nullptr;
   Worker* worker = nullptr;     ///< long jobs of programs; null: within the frame
   UserFolders folders = UserFolders::none();
   std::function<std::string(const Address&)> usb_serial;  ///< of the adapter behind an address; may be null

@@ -40,7 +40,7 @@ struct PanelEntry {
   Place place;
   std::unique_ptr<Panel> (*make)();
   /// Whether this controller has something to show there; null: always.
-  bool (*wanted)(const Catalog&, bool emulated) = nullptr;
+  bool (*wanted)(const Tab&) = nullptr;
 };
 
 struct PageEntry {

@@ -52,6 +52,11 @@ void ProgramJob::load(const Send& send) {
 }
 
 void ProgramJob::after_load(const Send& send) {
+  if (goal_ == Goal::load) {
+    stage_ = Stage::idle;
+    told_ = {Mood::ok, "The controller holds this program now."};
+    return;
+  }
   if (goal_ == Goal::store) {
     stage_ = Stage::storing;
     waiting_for_ = send(intent::Store());

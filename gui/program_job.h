@@ -15,6 +15,7 @@ class ProgramJob {
   enum class Goal : std::uint8_t {
     run,
     run_stepping,  ///< held before its first command
+    load,          ///< into the slot, no more
     store,         ///< into the slot, then into non-volatile memory
     fetch,         ///< the controller's program into the editor
     clear,         ///< empties the slot in the controller

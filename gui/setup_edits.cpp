@@ -1,5 +1,6 @@
 #include "gui/setup_edits.h"
 
+#include <cmath>
 #include <utility>
 
 #include <fmt/core.h>
@@ -140,6 +141,13 @@ void SetupWrite::update(const Snapshot& now, const Catalog& catalog, const Send&
   ended(true,
         fmt::format("{} value{} written and read back. In force now; Store keeps {} over power-off.",
                     values_.size(), values_.size() == 1 ? "" : "s", values_.size() == 1 ? "it" : "them"));
+}
+
+std::string value_text(const ParamInfo& p, std::int64_t value) {
+  if (!p.prefix.empty() || p.digits > 0) return fmt::format("{}{:0{}}", p.prefix, value, p.digits);
+  if (p.decimals > 0)
+    return fmt::format("{:.{}f}", static_cast<double>(value) / std::pow(10.0, p.decimals), p.decimals);
+  return fmt::format("{}", value);
 }
 
 std::string value_in_words(const ParamInfo& p, std::int64_t value) {

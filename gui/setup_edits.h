@@ -75,6 +75,8 @@ class SetupWrite {
   Told told_;
 };
 
+/// A value as it is written: "0.800" with decimals, "4EX07" with a prefix, else the number.
+std::string value_text(const ParamInfo& param, std::int64_t value);
 /// The words of a value: the label of a choice, the names of set bits, or number and unit.
 std::string value_in_words(const ParamInfo& param, std::int64_t value);
 

@@ -29,12 +29,19 @@ static Tab::Door door_of(Session& session) {
           [&session](BenchCommand command) { session.operate_bench(std::move(command)); }};
 }
 
-Tab::Tab(std::shared_ptr<Session> session, std::string key)
+static Catalog catalog_on(const Catalog& catalog, bool bus) {
+  Catalog c = catalog;
+  if (bus && c.axes.size() == 1 && c.addressed()) c.axes[0].name = c.id();
+  return c;
+}
+
+Tab::Tab(std::shared_ptr<Session> session, std::string key, bool on_bus)
     : profile_key(std::move(key)),
       jog([this](IntentBody body) { return send_followed(std::move(body)); }),
       session_(std::move(session)),
       address_(session_->address()),
-      catalog_(session_->catalog()),
+      catalog_(catalog_on(session_->catalog(), on_bus)),
+      id_(catalog_.id()),
       door_(door_of(*session_)),
       desk_(catalog_, session_->type().language ? &session_->type().language() : nullptr,
             session_->type().explain) {
@@ -46,6 +53,7 @@ Tab::Tab(Address address, Catalog catalog, Door door, const Language* language, 
     : jog([this](IntentBody body) { return send_followed(std::move(body)); }),
       address_(std::move(address)),
       catalog_(std::move(catalog)),
+      id_(catalog_.id()),
       door_(std::move(door)),
       desk_(catalog_, language, explain) {
   work_out_units();
@@ -61,6 +69,7 @@ void Tab::refresh() {
   session_->notices().drain([this](Notice& notice) { take(notice); });
   desk_.traffic.drain(session_->traffic());
   follow_fates();
+  tell_what_is_watched();
   find_why_not_move();
   desk_.refresh(*now_, clock_, [this](IntentBody body) { return send(std::move(body)); });
 }
@@ -70,6 +79,7 @@ void Tab::show(const Snapshot& snapshot, const BenchView& bench, Instant clock) 
   bench_ = &bench;
   clock_ = clock;
   follow_fates();
+  tell_what_is_watched();
   find_why_not_move();
   desk_.refresh(*now_, clock_, [this](IntentBody body) { return send(std::move(body)); });
 }
@@ -116,6 +126,20 @@ void Tab::follow_fates() {
   std::erase_if(followed_, settled);
 }
 
+// What was drawn since the last call. A controller that was away has forgotten nothing, but its driver may
+// have.
+void Tab::tell_what_is_watched() {
+  const std::uint32_t groups = std::exchange(looked_at_, 0);
+  const bool there = now_->link.state == LinkState::good || now_->link.state == LinkState::late;
+  if (!there) {
+    watched_ = 0;
+    return;
+  }
+  if (groups == watched_) return;
+  watched_ = groups;
+  send(intent::Watch(groups));
+}
+
 void Tab::find_why_not_move() {
   if (told_ && told_link_ == now_->link.state && told_program_ == now_->program) return;
   told_ = true;
@@ -139,6 +163,7 @@ void Tab::find_why_not_move() {
 }
 
 std::string_view Tab::name() const {
+  if (bus) return bus->name;
   return profile.name.empty() ? std::string_view(catalog_.short_name) : std::string_view(profile.name);
 }
 

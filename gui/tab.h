@@ -10,6 +10,7 @@
 #include "core/device/registry.h"
 #include "core/session/address.h"
 #include "core/session/profile.h"
+#include "gui/bus.h"
 #include "gui/desk.h"
 #include "gui/jog_hold.h"
 #include "gui/panel.h"
@@ -29,7 +30,8 @@ class Tab {
     std::function<void(BenchCommand)> operate_bench;
   };
 
-  Tab(std::shared_ptr<Session> session, std::string profile_key);
+  /// `on_bus`: a controller of one axis is called by its id, so that its widgets are.
+  Tab(std::shared_ptr<Session> session, std::string profile_key, bool on_bus = false);
   Tab(Address address, Catalog catalog, Door door, const Language* language = nullptr,
       TrafficLog::Explain explain = nullptr);
   Tab(const Tab&) = delete;
@@ -58,6 +60,13 @@ class Tab {
   [[nodiscard]] std::string_view why_not_move() const { return why_not_move_; }
   void stop_all();  ///< Stop to this controller; a held jog is forgotten, since the stop ends it
 
+  /// A panel that shows these values is drawn in this frame: they are asked for in each round while it is,
+  /// see intent::Watch. Bit n = group n of Catalog::readout_groups.
+  void look_at(std::uint32_t groups) { looked_at_ |= groups; }
+  void look_at_group(int group) {
+    if (group >= 0) look_at(1u << group);
+  }
+
   // ---- names and units
   Profile profile;
   std::string profile_key;       ///< what the profile is kept under
@@ -81,6 +90,8 @@ class Tab {
   [[nodiscard]] std::vector<std::string>& complaints() { return complaints_; }
 
   // ---- view
+  std::shared_ptr<Bus> bus;  ///< null: alone on its wire
+  [[nodiscard]] std::string_view id() const { return id_; }  ///< which device of its wire; may be empty
   JogHold jog;
   bool unset_read = false;   ///< the user has read what should be chosen before the first move
   std::string centre_panel;  ///< id of the panel in front
@@ -89,6 +100,7 @@ class Tab {
 
  private:
   void follow_fates();
+  void tell_what_is_watched();
   void find_why_not_move();
   void take(Notice& notice);
   void work_out_units();
@@ -96,6 +108,7 @@ class Tab {
   std::shared_ptr<Session> session_;
   const Address address_;
   const Catalog catalog_;
+  const std::string id_;
   Door door_;
   Desk desk_;
   static const Snapshot nothing_known;
@@ -105,6 +118,7 @@ class Tab {
   Instant clock_{};
   std::array<DisplayUnit, max_axes> units_;
   std::string why_not_move_;
+  std::uint32_t looked_at_ = 0, watched_ = 0;
   LinkState told_link_ = LinkState::closed;
   ProgramState told_program_;
   bool told_ = false;

@@ -22,7 +22,7 @@ std::string not_reached(const Console& console) {
   std::string names;
   for (const auto& tab : console.tabs())
     if (tab->now().link.state == LinkState::lost)
-      names += (names.empty() ? "" : ", ") + std::string(tab->name());
+      names += (names.empty() ? "" : ", ") + std::string(tab->bus ? tab->id() : tab->name());
   return names.empty() ? names : "does not reach " + names;
 }
 
@@ -87,7 +87,7 @@ void draw_brand_and_menu(Ui& ui, Console& console, const Layout& layout) {
 }
 
 ControllerTab face_of(Console& console, Tab& tab) {
-  const StateLook& state = look_of(worst_state(tab.now(), tab.clock()));
+  const StateLook& state = look_of(worst_state(tab));
   return {tab.name(), state.icon, state.tone, state.small, tab.emulated(), console.active() == &tab};
 }
 
@@ -121,13 +121,15 @@ void draw_controller_menu(Ui& ui, Console& console, const Layout& layout) {
   const Touch t = controller_tab(ui, "controller/menu", face, layout.tabs.width);
   draw_icon(ImGui::GetWindowDrawList(), Icon::chevron_down,
             ImVec2(t.rect.max.x - ui.px(16), t.rect.min.y + ui.px(19)), ui.px(12), ui[Tone::ink2]);
-  if (!begin_popup(ui, "controllers", t, 220, static_cast<float>(console.tabs().size()) + 1)) return;
+  if (!begin_popup(ui, "controllers", t, 220, static_cast<float>(console.faces() + 1))) return;
   Tab* chosen = nullptr;
-  for (std::size_t i = 0; i < console.tabs().size(); ++i) {
-    Tab& tab = *console.tabs()[i];
-    const StateLook& state = look_of(worst_state(tab.now(), tab.clock()));
+  int number = 0;
+  for (const auto& each : console.tabs()) {
+    Tab& tab = *each;
+    if (!Console::is_face(tab)) continue;
+    const StateLook& state = look_of(worst_state(tab));
     const std::string caption = fmt::format("{}{}", state.small, tab.emulated() ? ", EMULATED" : "");
-    if (popup_row(ui, fmt::format("controller/{}", i + 1), tab.name(), caption, &tab == console.active()))
+    if (popup_row(ui, fmt::format("controller/{}", ++number), tab.name(), caption, &tab == console.active()))
       chosen = &tab;
   }
   if (popup_row(ui, "controller/new", "Connect another")) console.show_page(console.list().pages[0].id);
@@ -139,11 +141,14 @@ void draw_controllers(Ui& ui, Console& console, const Layout& layout) {
   if (layout.controller_menu) return draw_controller_menu(ui, console, layout);
   float x = layout.tabs.x;
   Tab* chosen = nullptr;
-  for (std::size_t i = 0; i < console.tabs().size(); ++i, x += layout.tab_width) {
-    Tab& tab = *console.tabs()[i];
-    const std::string id = fmt::format("controller/{}", i + 1);
+  int number = 0;
+  for (const auto& each : console.tabs()) {
+    Tab& tab = *each;
+    if (!Console::is_face(tab)) continue;
+    const std::string id = fmt::format("controller/{}", ++number);
     stand_at(ui, x, 0);
     if (controller_tab(ui, id, face_of(console, tab), layout.tab_width).clicked) chosen = &tab;
+    x += layout.tab_width;
   }
   if (!console.page().empty()) draw_page_tab(ui, console, x, layout.tab_width, layout.tabs.height);
   if (chosen) console.activate(*chosen);
@@ -190,10 +195,14 @@ void draw_link(Ui& ui, Console& console, const Layout& layout) {
   char second[64] = "nothing connected";
   Tab* tab = console.active();
   if (tab) {
-    const LinkHealth& link = tab->now().link;
+    const LinkHealth& link = (tab->bus ? tab->bus->worst() : *tab).now().link;
     words = link_words(link);
     const double ms = seconds(link.round_trip) * 1e3;
-    if (link.state == LinkState::lost || link.state == LinkState::closed ||
+    if (tab->bus && tab->bus->connected() < tab->bus->members.size())
+      *fmt::format_to_n(second, sizeof second - 1, "{} of {} answer", tab->bus->connected(),
+                        tab->bus->members.size())
+           .out = 0;
+    else if (link.state == LinkState::lost || link.state == LinkState::closed ||
         link.state == LinkState::connecting)
       *fmt::format_to_n(second, sizeof second - 1, "attempt {}", std::max(1, link.attempts)).out = 0;
     else if (layout.tier == Tier::wide)
@@ -203,7 +212,7 @@ void draw_link(Ui& ui, Console& console, const Layout& layout) {
       *fmt::format_to_n(second, sizeof second - 1, "{:.1f} ms", ms).out = 0;
   } else if (!console.tabs().empty()) {
     words.word = "Controllers";
-    *fmt::format_to_n(second, sizeof second - 1, "{} open", console.tabs().size()).out = 0;
+    *fmt::format_to_n(second, sizeof second - 1, "{} open", console.faces()).out = 0;
   }
   const bool bars = tab && layout.tier == Tier::wide;
   const float right = r.max.x - ui.px(bars ? 48 : 16);

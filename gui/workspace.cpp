@@ -24,7 +24,7 @@ struct Work {
   const Layout& layout;
 
   [[nodiscard]] bool wanted(const PanelEntry& entry) const {
-    return !entry.wanted || entry.wanted(tab.catalog(), tab.bench().present);
+    return !entry.wanted || entry.wanted(tab);
   }
   void draw(std::size_t index, const Box& area, bool rail = false) const {
     const PanelEntry& entry = console.list().panels[index];

@@ -189,7 +189,8 @@ void Bench::draw_buttons(Frame& f, ImVec2 at, float width) {
       o.height = 40;
       o.moving = false;
       o.lit = bit(f.bench.buttons, i);
-      ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(std::floor(x)), at.y + ui.px(static_cast<float>(row) * 48)));
+      ImGui::SetCursorScreenPos(
+          ImVec2(at.x + ui.px(std::floor(x)), at.y + ui.px(static_cast<float>(row) * 48)));
       const std::string& name = buttons[i].name;
       std::string label = name;
       if (label.ends_with('-')) label.replace(label.size() - 1, 1, "\u2212");
@@ -248,7 +249,8 @@ void Bench::draw_axes(Frame& f) {
     const std::string& name = f.catalog.axes[i].name;
     const bool jammed = bit(f.bench.jammed, i);
     grid.next();
-    if (on_off(f, Path("bench/jam/{}", name), Path("Jam {}", name), jammed, grid.cell(), "The load cannot move.")
+    if (on_off(f, Path("bench/jam/{}", name), Path("Jam {}", name), jammed, grid.cell(),
+               "The load cannot move.")
             .clicked)
       f.operate_bench(bench::Jam(axis, !jammed));
   }
@@ -264,6 +266,24 @@ void Bench::draw_axes(Frame& f) {
               .clicked)
         f.operate_bench(bench::Limit(axis, sign, !by_hand));
     }
+  }
+  for (std::size_t i = 0; i < f.catalog.axes.size(); ++i) {
+    const AxisId axis{static_cast<std::uint8_t>(i)};
+    const std::string& name = f.catalog.axes[i].name;
+    bool& on = home_by_hand_[i];
+    grid.next();
+    if (on_off(f, Path("bench/home/{}", name), Path("Home {}", name), on, grid.cell(),
+               "Presses the home switch by hand.")
+            .clicked) {
+      on = !on;
+      f.operate_bench(bench::HomeSwitch(axis, on));
+    }
+    grid.next();
+    ButtonOptions o;
+    o.width = grid.cell();
+    o.tip = "The load jumps by 100 without the controller knowing. An encoder sees it.";
+    if (button(f.ui, Path("bench/slip/{}", name), Path("Slip {} by 100", name), o).clicked)
+      f.operate_bench(bench::Slip(axis, Steps(100)));
   }
   grid.end();
 }

@@ -1,7 +1,8 @@
 #pragma once
-#include <imgui.h>
-
+#include <array>
 #include <string>
+
+#include <imgui.h>
 
 #include "gui/panel.h"
 
@@ -23,6 +24,7 @@ class Bench final : public gui::Panel {
   void draw_inputs(gui::Frame& frame);
   void release_forgotten(gui::Frame& frame);
 
+  std::array<bool, max_axes> home_by_hand_{};  ///< home switches that are pressed here
   std::string pressed_;  ///< the button that the mouse holds
 };
 

@@ -4,6 +4,7 @@
 
 #include "gui/panel.h"
 #include "gui/port_finder.h"
+#include "panels/connect_form.h"
 
 namespace hw::panels {
 
@@ -25,6 +26,7 @@ class Connect final : public gui::Page {
   void draw_emulators(gui::PageFrame& frame, float width);
   void open(gui::PageFrame& frame, const std::string& address);
 
+  ConnectForm form_;
   std::string address_, refused_;
   std::string opened_path_;  ///< the port whose test is unfolded
   struct Choice {

@@ -1,6 +1,8 @@
 #include "panels/goto_home.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <vector>
 
 #include "gui/tab.h"
@@ -16,7 +18,11 @@ using namespace gui;
 
 namespace {
 
-constexpr float name_width = 20, go_width = 44, home_width = 42, between = 4, apart = 8;
+constexpr float go_width = 44, home_width = 42, between = 4, apart = 8;
+
+bool several(const Frame& f) { return f.catalog.can.interpolates && f.catalog.axes.size() > 1; }
+/// A name that can be chosen is a button.
+float name_width_of(const Frame& f) { return several(f) ? 36 : f.catalog.axes.size() > 1 ? 20 : 28; }
 
 float homes_width(const Frame& f) { return f.catalog.can.homes ? 2 * home_width + between : 0; }
 
@@ -29,14 +35,20 @@ void GotoHome::draw(Frame& f) {
     follow(f, axis);
     draw_row(f, axis);
   }
+  draw_together(f);
   gap(f.ui, 8);
 }
 
 void GotoHome::draw_title(Frame& f) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  section_title(ui, "Go to", {}, 40);
-  const ImVec2 after = ImGui::GetCursorScreenPos();
+  static constexpr std::array<std::string_view, 2> ways = {"To", "By"};
+  draw_text_line(ui, at.x, at.x + ui.px(40), at.y + ui.px(20), Face::body_bold, ui[Tone::ink], "Go");
+  ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(28), at.y + ui.px(4)));
+  const int way = segment(ui, "goto/way", ways, by_ ? 1 : 0, {.cell_width = 36});
+  if (way >= 0) by_ = way == 1;
+  const ImVec2 after(at.x, at.y + ui.px(40));
+  ImGui::SetCursorScreenPos(after);
   if (!f.catalog.can.homes) return;
   const float x = at.x + ui.px(f.area.width - homes_width(f));
   if (f.catalog.homing_modes.size() < 2) {
@@ -62,7 +74,8 @@ void GotoHome::draw_row(Frame& f, AxisId axis) {
   const DisplayUnit& unit = f.tab.unit(axis);
   const std::string_view why = f.tab.why_not_move();
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  draw_text_line(ui, at.x, at.x + ui.px(name_width), at.y + ui.px(16), Face::body_bold, ui[Tone::ink], name);
+  const float name_width = name_width_of(f);
+  draw_name(f, axis, at);
   const float homes = homes_width(f) > 0 ? homes_width(f) + apart : 0;
   NumberOptions o;
   o.range.decimals = unit.real ? unit.decimals : 0;
@@ -115,28 +128,33 @@ void GotoHome::draw_homes(Frame& f, AxisId axis, std::string_view why) {
 
 // ---- what becomes of it
 
-void GotoHome::go(Frame& f, AxisId axis) {
+std::optional<Steps> GotoHome::target_of(Frame& f, AxisId axis) {
   Row& row = rows_[axis.index];
   const DisplayUnit& unit = f.tab.unit(axis);
   row.offers = false;
-  const auto target = parse_position(row.field.text, unit);
-  if (!target) {
-    row.refused = target.error().sentence();
-    return;
+  const auto typed = parse_position(row.field.text, unit);
+  if (!typed) {
+    row.refused = typed.error().sentence();
+    return {};
   }
+  const Steps here = f.now.axes[axis.index].position;
+  const Steps target = by_ ? here + *typed : *typed;
   const Steps low = f.catalog.position_min, high = f.catalog.position_max;
-  if (low < high && (*target < low || *target > high)) {
-    row.nearest = std::clamp(*target, low, high);
-    row.offers = true;
-    const bool above = *target > high;
-    const Steps past = above ? *target - high : low - *target;
-    row.refused =
-        fmt::format("{} lies {} past the {} end of what {} can count, {}. Nothing was sent.",
-                    format_with_unit(*target, unit).view(), format_with_unit(past, unit).view(),
-                    above ? "+" : "\u2212", f.catalog.short_name, format_with_unit(row.nearest, unit).view());
-    return;
-  }
-  go_to(f, axis, *target);
+  if (low >= high || (target >= low && target <= high)) return *typed;
+  const Steps nearest = std::clamp(target, low, high);
+  row.nearest = by_ ? nearest - here : nearest;
+  row.offers = true;
+  const bool above = target > high;
+  const Steps past = above ? target - high : low - target;
+  row.refused =
+      fmt::format("{} lies {} past the {} end of what {} can count, {}. Nothing was sent.",
+                  format_with_unit(target, unit).view(), format_with_unit(past, unit).view(),
+                  above ? "+" : "\u2212", f.catalog.short_name, format_with_unit(nearest, unit).view());
+  return {};
+}
+
+void GotoHome::go(Frame& f, AxisId axis) {
+  if (const auto target = target_of(f, axis)) go_to(f, axis, *target);
 }
 
 void GotoHome::go_to(Frame& f, AxisId axis, Steps target) {
@@ -144,7 +162,74 @@ void GotoHome::go_to(Frame& f, AxisId axis, Steps target) {
   row.refused.clear();
   row.offers = false;
   std::vector<AxisTarget> one(1, AxisTarget{axis, target});
-  row.asked = f.send_and_watch(intent::MoveTo(std::move(one)));
+  row.asked = by_ ? f.send_and_watch(intent::MoveBy(std::move(one)))
+                  : f.send_and_watch(intent::MoveTo(std::move(one)));
+}
+
+// ---- several axes
+
+bool GotoHome::chosen(const Frame& f, std::size_t axis) const {
+  return !several(f) || ((together_ >> axis) & 1u);
+}
+
+/// Where several axes can move together, the name chooses whether this one does.
+void GotoHome::draw_name(Frame& f, AxisId axis, ImVec2 at) {
+  Ui& ui = f.ui;
+  const std::string& name = f.catalog.axes[axis.index].name;
+  if (!several(f))
+    return draw_text_line(ui, at.x, at.x + ui.px(name_width_of(f)), at.y + ui.px(16), Face::body_bold,
+                          ui[Tone::ink], name);
+  ButtonOptions o;
+  o.style = ButtonStyle::segment;
+  o.on = chosen(f, axis.index);
+  o.width = name_width_of(f) - between;
+  o.tip = "Takes part when several axes go together.";
+  ImGui::SetCursorScreenPos(at);
+  if (button(ui, Path("goto/{}/with", name), name, o).clicked) together_ ^= 1u << axis.index;
+}
+
+void GotoHome::draw_together(Frame& f) {
+  if (!several(f) && f.catalog.axes.size() != 1) return;
+  Ui& ui = f.ui;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const std::string_view why = f.tab.why_not_move();
+  const bool none = several(f) && together_ == 0;
+  ButtonOptions o;
+  o.moving = true;
+  o.width = several(f) ? std::floor((f.area.width - between) / 2) : f.area.width;
+  o.disabled = !why.empty() ? why : none ? "Choose the axes by their names first." : "";
+  if (several(f)) {
+    o.tip = "The chosen axes move together on a straight line.";
+    if (button(ui, "goto/go", "Go together", o).clicked) go_together(f);
+    ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(o.width + between), at.y));
+  }
+  o.tip = several(f) ? "The chosen axes move to 0 together." : "Moves to 0.";
+  if (button(ui, "goto/zero", "Return to zero", o).clicked) go_to_zero(f);
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(36)));
+}
+
+void GotoHome::go_together(Frame& f) {
+  std::vector<AxisTarget> targets;
+  bool all = true;
+  for (std::uint8_t i = 0; i < f.catalog.axes.size(); ++i) {
+    if (!chosen(f, i)) continue;
+    rows_[i].refused.clear();
+    const auto target = target_of(f, AxisId{i});
+    all = all && target;
+    if (target) targets.push_back({AxisId{i}, *target});
+  }
+  if (!all || targets.empty()) return;
+  const std::uint8_t first = targets.front().axis.index;  // its row tells what became of it
+  rows_[first].asked = by_ ? f.send_and_watch(intent::MoveBy(std::move(targets)))
+                           : f.send_and_watch(intent::MoveTo(std::move(targets)));
+}
+
+void GotoHome::go_to_zero(Frame& f) {
+  std::vector<AxisTarget> targets;
+  for (std::uint8_t i = 0; i < f.catalog.axes.size(); ++i)
+    if (chosen(f, i)) targets.push_back({AxisId{i}, Steps{}});
+  const std::uint8_t first = targets.front().axis.index;
+  rows_[first].asked = f.send_and_watch(intent::MoveTo(std::move(targets)));
 }
 
 void GotoHome::follow(Frame& f, AxisId axis) {
@@ -171,7 +256,8 @@ void GotoHome::draw_refusal(Frame& f, AxisId axis) {
     ButtonOptions o;
     o.moving = true;
     o.disabled = f.tab.why_not_move();
-    const std::string label = fmt::format("Go to {}", format_with_unit(row.nearest, unit).view());
+    const std::string label =
+        fmt::format("Go {} {}", by_ ? "by" : "to", format_with_unit(row.nearest, unit).view());
     if (button(ui, Path("goto/{}/nearest", name), label, o).clicked) {
       const Steps nearest = row.nearest;
       row.field.set(from_steps(nearest, unit), unit.real ? unit.decimals : 0);

@@ -1,6 +1,9 @@
 #pragma once
 #include <array>
+#include <optional>
 #include <string>
+
+#include <imgui.h>
 
 #include "gui/panel.h"
 #include "gui/widgets/number_field.h"
@@ -21,15 +24,24 @@ class GotoHome final : public gui::Panel {
     bool offers = false;
   };
   void draw_title(gui::Frame& frame);
+  void draw_name(gui::Frame& frame, AxisId axis, ImVec2 at);
+  void draw_together(gui::Frame& frame);
   void draw_row(gui::Frame& frame, AxisId axis);
   void draw_homes(gui::Frame& frame, AxisId axis, std::string_view why);
   void draw_refusal(gui::Frame& frame, AxisId axis);
   void go(gui::Frame& frame, AxisId axis);
   void go_to(gui::Frame& frame, AxisId axis, Steps target);
   void follow(gui::Frame& frame, AxisId axis);
+  /// Nothing, and the row says why: no number, or out of what the controller can count.
+  std::optional<Steps> target_of(gui::Frame& frame, AxisId axis);
+  void go_together(gui::Frame& frame);
+  void go_to_zero(gui::Frame& frame);
+  [[nodiscard]] bool chosen(const gui::Frame& frame, std::size_t axis) const;
 
   std::array<Row, max_axes> rows_;
   int mode_ = 0;
+  bool by_ = false;             ///< distances instead of targets
+  std::uint32_t together_ = 0;  ///< bit per axis: takes part in a move of several
 };
 
 }  // namespace hw::panels

@@ -1,5 +1,9 @@
 #include "panels/limits.h"
 
+#include <algorithm>
+#include <cmath>
+#include <string>
+
 #include "gui/axis_look.h"
 #include "gui/ui.h"
 #include "gui/widgets/lamp.h"
@@ -26,6 +30,12 @@ LimitLook look_of(const Frame& f, int axis, Sign sign) {
   return hit ? LimitLook{LampState::hit, "HIT"} : LimitLook{LampState::off, "clear"};
 }
 
+/// It homes onto a switch of its own, and tells whether the axis stands on it.
+bool tells_home(const Catalog& c) {
+  return std::any_of(c.homing_modes.begin(), c.homing_modes.end(),
+                     [](const HomingMode& mode) { return mode.id == "home"; });
+}
+
 std::string_view sign_text(Sign sign) { return sign == Sign::plus ? "+" : "\u2212"; }
 
 }  // namespace
@@ -33,6 +43,7 @@ std::string_view sign_text(Sign sign) { return sign == Sign::plus ? "+" : "\u221
 void Limits::draw(Frame& f) {
   if (f.rail) return draw_rail(f);
   Ui& ui = f.ui;
+  if (tells_home(f.catalog)) return draw_with_home(f);
   section_title(ui, "Limits", {}, 40);
   const float name_width = 28, cell = (f.area.width - name_width) / 2;
   for (int i = 0; i < static_cast<int>(f.catalog.axes.size()); ++i) {
@@ -54,6 +65,52 @@ void Limits::draw(Frame& f) {
     }
     ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(28)));
   }
+  group_line(ui, 10);
+}
+
+/// Four lamps an axis in a line; what is on stands in the title in words.
+void Limits::draw_with_home(Frame& f) {
+  Ui& ui = f.ui;
+  const float name_width = 24, cell = (f.area.width - name_width) / 4;
+  std::string on;
+  const auto say = [&](std::string_view words) { on += (on.empty() ? "" : ", ") + std::string(words); };
+  const ImVec2 title = ImGui::GetCursorScreenPos();
+  section_title(ui, "Limits and home", {}, 40);
+  for (int i = 0; i < static_cast<int>(f.catalog.axes.size()); ++i) {
+    const AxisState& a = f.now.axes[static_cast<std::size_t>(i)];
+    const std::string& name = f.catalog.axes[static_cast<std::size_t>(i)].name;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const bool sure = a.limits_known && f.connected() && !is_old(f.now, i, f.clock);
+    draw_text_line(ui, at.x, at.x + ui.px(name_width), at.y + ui.px(14), Face::body_bold, ui[Tone::ink], name);
+    float x = name_width;
+    const auto one = [&](std::string_view id, std::string_view label, bool lit, LampShape shape, LampState state,
+                         std::string_view word) {
+      const Rect r{ImVec2(at.x + ui.px(x), at.y), ImVec2(at.x + ui.px(x + cell), at.y + ui.px(28))};
+      const float middle = std::floor(r.centre().y);
+      draw_lamp(ui, ImVec2(r.min.x + ui.px(7), middle), 12, shape, sure ? state : LampState::unknown);
+      const bool alert = lit && state == LampState::hit;
+      draw_text_line(ui, r.min.x + ui.px(18), r.max.x, middle, lit ? Face::small_bold : Face::small,
+                     ui[alert ? Tone::warn : lit ? Tone::ink : Tone::ink2], label);
+      const Path value("{}{}", word, sure ? "" : "?");
+      show(ui, {id, Kind::lamp, label, value, {}, false, value}, r);
+      if (lit && sure) say(Path("{} {}", name, label));
+      x += cell;
+    };
+    for (const Sign sign : {Sign::minus, Sign::plus}) {
+      const LimitLook look = look_of(f, i, sign);
+      const bool hit = sign == Sign::minus ? a.limit_minus : a.limit_plus;
+      one(Path("io/limit/{}/{}", name, letter(sign)), sign_text(sign), hit, LampShape::square, look.state,
+          hit ? "HIT" : "clear");
+    }
+    one(Path("io/home/{}", name), "home", a.home, LampShape::round, a.home ? LampState::on : LampState::off,
+        a.home ? "on" : "off");
+    one(Path("io/alarm/{}", name), "alarm", a.alarm, LampShape::square, a.alarm ? LampState::hit : LampState::off,
+        a.alarm ? "ALARM" : "clear");
+    ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(28)));
+  }
+  const std::string_view words = on.empty() ? std::string_view("all clear") : std::string_view(on);
+  draw_text_right(ui, ImVec2(title.x + ui.px(f.area.width), title.y + ui.px(12)), Face::small,
+                  ui[on.empty() ? Tone::ink2 : Tone::warn], words);
   group_line(ui, 10);
 }
 

@@ -9,6 +9,7 @@ class Limits final : public gui::Panel {
   void draw(gui::Frame& frame) override;
 
  private:
+  void draw_with_home(gui::Frame& frame);
   void draw_rail(gui::Frame& frame);
 };
 

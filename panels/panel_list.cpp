@@ -1,21 +1,27 @@
 #include "panels/panel_list.h"
 
+#include "gui/tab.h"
 #include "panels/bench.h"
+#include "panels/bus_rows.h"
 #include "panels/connect.h"
+#include "panels/control.h"
 #include "panels/goto_home.h"
 #include "panels/help.h"
 #include "panels/inputs_outputs.h"
 #include "panels/jog.h"
 #include "panels/limits.h"
+#include "panels/moves.h"
 #include "panels/position.h"
 #include "panels/program.h"
 #include "panels/setup.h"
 #include "panels/terminal.h"
+#include "panels/variables.h"
 
 namespace hw::panels {
 namespace {
 
 using gui::Place;
+using gui::Tab;
 
 template <class T>
 std::unique_ptr<gui::Panel> make() {
@@ -26,18 +32,27 @@ std::unique_ptr<gui::Page> make_page() {
   return std::make_unique<T>();
 }
 
-bool has_signals(const Catalog& c, bool) {
-  return !c.inputs.empty() || !c.outputs.empty() || !c.analog.empty();
+bool has_signals(const Tab& t) {
+  return !t.catalog().inputs.empty() || !t.catalog().outputs.empty() || !t.catalog().analog.empty();
 }
-bool has_programs(const Catalog& c, bool) { return c.program.slots > 0; }
-bool has_parameters(const Catalog& c, bool) { return !c.params.empty(); }
-bool has_bench(const Catalog&, bool emulated) { return emulated; }
+bool has_programs(const Tab& t) { return t.catalog().program.slots > 0; }
+bool has_parameters(const Tab& t) { return !t.catalog().params.empty(); }
+bool controls(const Tab& t) { return has_control(t.catalog()); }
+bool has_variables(const Tab& t) { return t.catalog().variables.count > 0; }
+bool has_move_list(const Tab& t) { return !t.catalog().move_list.columns.empty(); }
+bool has_bench(const Tab& t) { return t.bench().present; }
+bool is_alone(const Tab& t) { return !t.bus; }
+bool is_on_bus(const Tab& t) { return t.bus != nullptr; }
 
 constexpr gui::PanelEntry panels[] = {
-    {"position", "Position", Place::top_left, make<Position>, nullptr},
+    {"position", "Position", Place::top_left, make<Position>, is_alone},
+    {"bus", "Bus", Place::top_left, make<BusRows>, is_on_bus},
     {"jog", "Jog", Place::left, make<Jog>, nullptr},
     {"goto_home", "Go to, home", Place::left, make<GotoHome>, nullptr},
     {"program", "Program", Place::centre, make<Program>, has_programs},
+    {"control", "Control", Place::centre, make<Control>, controls},
+    {"variables", "Variables", Place::centre, make<Variables>, has_variables},
+    {"list", "Moves", Place::centre, make<Moves>, has_move_list},
     {"setup", "Setup", Place::centre, make<Setup>, has_parameters},
     {"terminal", "Terminal", Place::below, make<Terminal>, nullptr},
     {"limits", "Limits", Place::right, make<Limits>, nullptr},

@@ -11,6 +11,7 @@
 #include "gui/widgets/lamp.h"
 #include "gui/widgets/text.h"
 #include "gui/widgets/text_field.h"
+#include "panels/axis_extras.h"
 #include "panels/path.h"
 #include "panels/unit_chooser.h"
 
@@ -141,6 +142,7 @@ void Position::draw_axis(Frame& f, AxisId axis, float width, Face face, bool in_
   const float below = at.y + ui.px(20) + ui.line(face);
   draw_captions(f, axis, ImVec2(at.x, below), w);
   ImGui::SetCursorScreenPos(ImVec2(at.x, below + ui.line(Face::small)));
+  if (!in_strip) draw_axis_extras(f, axis, ImGui::GetCursorScreenPos(), w);
 }
 
 void Position::draw_digits(Frame& f, AxisId axis, float width, Face face) {
@@ -162,7 +164,7 @@ void Position::draw_digits(Frame& f, AxisId axis, float width, Face face) {
   const NumberText number = format_position(a.position, unit);
   const Touch t = digits(f.ui, Path("dro/{}/position", name), Path("Position of {}", name),
                          never ? std::string_view("-") : number.view(), unit.name, o);
-  draw_axis_menu(f, axis, t);
+  menu_.draw(f, axis, t);
 }
 
 void Position::draw_captions(Frame& f, AxisId axis, ImVec2 at, float width) {
@@ -225,42 +227,6 @@ NumberText Position::where_to(const Frame& f, AxisId axis, bool whole) {
     words.append(format_speed(a.speed, unit).view());
   }
   return words;
-}
-
-void Position::draw_axis_menu(Frame& f, AxisId axis, const Touch& opener) {
-  Ui& ui = f.ui;
-  const std::string& name = f.catalog.axes[axis.index].name;
-  const DisplayUnit& unit = f.tab.unit(axis);
-  ImGui::PushID(axis.index);
-  if (begin_popup(ui, "axis", opener, 272, 3.25f)) {
-    if (popup_row(ui, Path("dro/{}/copy", name), "Copy this number"))
-      ImGui::SetClipboardText(
-          std::string(format_position(f.now.axes[axis.index].position, unit).view()).c_str());
-    const std::string_view why = f.tab.why_not_move();
-    if (popup_row(ui, Path("dro/{}/zero", name), "Here is zero", {}, false, why))
-      f.send(intent::SetPosition(axis.index));
-    const ImVec2 at(ImGui::GetCursorScreenPos().x + ui.px(12), ImGui::GetCursorScreenPos().y + ui.px(4));
-    draw_text_line(ui, at.x, at.x + ui.px(96), at.y + ui.px(16), Face::body, ui[why.empty() ? Tone::ink : Tone::ink3],
-                   "It stands at");
-    ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(100), at.y));
-    FieldOptions o;
-    o.unit = unit.name;
-    o.width = 148;
-    o.right = true;
-    o.disabled = why;
-    const Field field = text_field(ui, Path("dro/{}/set", name), "It stands at", typed_, o);
-    if (field.entered) {
-      if (const auto value = parse_position(typed_, unit)) {
-        f.send(intent::SetPosition(axis.index, *value));
-        typed_.clear();
-        ImGui::CloseCurrentPopup();
-      } else {
-        f.toast(Mood::fault, value.error().sentence());
-      }
-    }
-    end_popup();
-  }
-  ImGui::PopID();
 }
 
 }  // namespace hw::panels

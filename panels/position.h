@@ -1,9 +1,8 @@
 #pragma once
-#include <string>
-
 #include "gui/panel.h"
 #include "gui/units_format.h"
 #include "gui/widgets/digits.h"
+#include "panels/axis_menu.h"
 
 namespace hw::panels {
 
@@ -20,9 +19,8 @@ class Position final : public gui::Panel {
   void draw_digits(gui::Frame& frame, AxisId axis, float width, gui::Face face);
   void draw_captions(gui::Frame& frame, AxisId axis, ImVec2 at, float width);
   static gui::NumberText where_to(const gui::Frame& frame, AxisId axis, bool whole);
-  void draw_axis_menu(gui::Frame& frame, AxisId axis, const gui::Touch& digits);
 
-  std::string typed_;  ///< "set to" of the menu that is open
+  AxisMenu menu_;
 };
 
 }  // namespace hw::panels

@@ -31,6 +31,7 @@ void Program::draw(Frame& f) {
   shortcuts(f);
   draw_toolbar(f);
   draw_slots(f);
+  draw_compiled_row(f);
   const float bottom = draw_below(f);
   draw_work(f, bottom);
   draw_dialogs(f);

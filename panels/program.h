@@ -8,6 +8,7 @@
 #include "gui/panel.h"
 #include "gui/widgets/button.h"
 #include "gui/widgets/file_dialog.h"
+#include "panels/compiled_view.h"
 #include "panels/program_editor.h"
 #include "panels/rehearsal_card.h"
 
@@ -26,6 +27,7 @@ class Program final : public gui::Panel {
   void draw_memory(gui::Frame& frame, float left);
   void draw_slots(gui::Frame& frame);
   void draw_file_buttons(gui::Frame& frame);
+  void draw_compiled_row(gui::Frame& frame);
   static gui::ButtonOptions file_button_look(const gui::Frame& frame, const char* keys);
   static float file_buttons_width(const gui::Frame& frame);
   void ask_open(const gui::Frame& frame);
@@ -50,6 +52,8 @@ class Program final : public gui::Panel {
   [[nodiscard]] std::string_view why_not_run(const gui::Frame& frame) const;
 
   ProgramEditor editor_;
+  CompiledView compiled_;
+  bool view_compiled_ = false;
   RehearsalCard rehearsal_;
   gui::FileDialog open_, save_;
   bool rehearsal_open_ = false;  ///< medium and narrow: the column instead of the line

@@ -7,6 +7,7 @@
 
 #include "gui/desk.h"
 #include "gui/tab.h"
+#include "panels/threads.h"
 
 namespace hw::panels {
 
@@ -28,6 +29,17 @@ void ProgramEditor::take_changes(Frame& f, int slot) {
   }
 }
 
+/// Each thread of a controller that runs several programs tells its line.
+std::size_t ProgramEditor::live_lines_of_threads(const Frame& f, ProgramTexts& texts) {
+  std::size_t n = 0;
+  for (int t = 0; t < std::min(f.catalog.program.threads, max_threads); ++t) {
+    const ThreadState& thread = f.now.threads[static_cast<std::size_t>(t)];
+    if (!thread.known || !is_busy(thread)) continue;
+    if (const int line = texts.live_line(0, thread.line); line >= 0) thread_lines_[n++] = line;
+  }
+  return n;
+}
+
 void ProgramEditor::draw(Frame& f, int slot, float width, float height) {
   Ui& ui = f.ui;
   ProgramTexts& texts = f.tab.desk().texts;
@@ -45,6 +57,13 @@ void ProgramEditor::draw(Frame& f, int slot, float width, float height) {
     say_where(p, place);
     look.live_words = {live_words_, live_size_};
     if (place.next_in_s > 0 && p.run == RunState::running) ui.wake_in(place.next_in_s + 0.01);
+  }
+  const std::size_t live = live_lines_of_threads(f, texts);
+  if (live > 0) {
+    look.live_line = thread_lines_[0];
+    look.also_live = {thread_lines_.data(), live};
+    look.live_told = true;
+    look.live_words = {};
   }
   look.placeholder = "Type a program, or open one. Simulate tries it before metal moves.";
   look.height = height;

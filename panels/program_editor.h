@@ -6,6 +6,7 @@
 
 #include "core/device/snapshot.h"
 #include "gui/frame.h"
+#include "gui/program_texts.h"
 #include "gui/run_follower.h"
 #include "gui/widgets/code_editor.h"
 
@@ -27,6 +28,9 @@ class ProgramEditor {
     gui::CodeEditor editor;
     std::uint64_t version = 0;  ///< of ProgramTexts, that the editor shows
   };
+  std::size_t live_lines_of_threads(const gui::Frame& frame, gui::ProgramTexts& texts);
+
+  std::array<int, max_threads> thread_lines_{};
   std::array<Slot, max_slots> slots_;
   std::string comment_mark_;
   char live_words_[48] = {};

@@ -26,18 +26,20 @@ void Program::draw_slots(Frame& f) {
   const float middle = at.y + ui.px(slots_height / 2);
   float x = ui.px(f.area.x + 16);
   const std::string_view word = f.catalog.program.slot_word;
-  if (f.area.width >= 800) {
+  if (f.area.width >= 800 || desk.texts.count() == 1) {
     draw_text_line(ui, x, ui.px(f.area.right()), middle, Face::body, ui[Tone::ink2], word);
     x += std::ceil(text_width(ui, Face::body, word)) + ui.px(8);
   }
   static constexpr std::array<std::string_view, 8> digits = {"0", "1", "2", "3", "4", "5", "6", "7"};
   const auto many = std::min<std::size_t>(static_cast<std::size_t>(desk.texts.count()), digits.size());
-  ImGui::SetCursorScreenPos(ImVec2(x, at.y + ui.px(4)));
-  const int picked =
-      segment(ui, "program/slot", std::span(digits.data(), many), desk.texts.chosen(), {.cell_width = 32});
-  if (picked >= 0) desk.texts.choose(picked);
-  ImGui::SameLine(0, ui.px(16));
-  x = ImGui::GetCursorScreenPos().x;
+  if (many > 1) {
+    ImGui::SetCursorScreenPos(ImVec2(x, at.y + ui.px(4)));
+    const int picked =
+        segment(ui, "program/slot", std::span(digits.data(), many), desk.texts.chosen(), {.cell_width = 32});
+    if (picked >= 0) desk.texts.choose(picked);
+    ImGui::SameLine(0, ui.px(16));
+    x = ImGui::GetCursorScreenPos().x;
+  }
 
   const int slot = desk.texts.chosen();
   const float files_left = ui.px(f.area.right() - 8) - file_buttons_width(f);
@@ -67,8 +69,8 @@ constexpr FileButton file_buttons[] = {{"program/check", "Check", "Check", ""},
                                        {"program/open", "Open", "Open", ""},
                                        {"program/save", "Save", "Save", "ctrl S"},
                                        {"program/store", "Store in controller", "Store", ""}};
-constexpr std::array<std::string_view, 6> more = {"Save as",  "Load from controller", "Empty in controller",
-                                                  "New text", "Find",                 "Comment lines or back"};
+constexpr std::array<std::string_view, 6> more = {
+    "Save as", "Load from controller", "Empty in controller", "New text", "Find", "Comment lines or back"};
 }  // namespace
 
 ButtonOptions Program::file_button_look(const Frame& f, const char* keys) {

@@ -1,5 +1,5 @@
-// What stands between the row of files and the terminal: editor, rehearsal, and under them a line that says how text and
-// controller agree, or a question before a program is overwritten.
+// What stands between the row of files and the terminal: editor, rehearsal, and under them a line that says
+// how text and controller agree, or a question before a program is overwritten.
 #include <cmath>
 
 #include <fmt/core.h>
@@ -10,6 +10,7 @@
 #include "gui/widgets/message.h"
 #include "gui/widgets/text.h"
 #include "panels/program.h"
+#include "panels/threads.h"
 
 namespace hw::panels {
 
@@ -37,7 +38,10 @@ void Program::draw_work(Frame& f, float bottom) {
   const bool column = column_fits(f) || rehearsal_open_;
   const float side = column ? rehearsal_width : 0;
   ImGui::SetCursorScreenPos(ImVec2(ui.px(f.area.x), at.y));
-  editor_.draw(f, slot, f.area.width - side, height);
+  if (view_compiled_)
+    compiled_.draw(f, slot, f.area.width - side, height);
+  else
+    editor_.draw(f, slot, f.area.width - side, height);
   if (!column) return;
   const float x = ui.px(f.area.right() - side);
   ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(x, at.y), ImVec2(x + ui.hair(), bottom), ui[Tone::line]);
@@ -68,7 +72,11 @@ float Program::draw_below(Frame& f) {
       draw_note(f, y, note_height);
     }
   }
-  if (!column_fits(f)) {
+  if (const float threads = threads_height(f.catalog); threads > 0) {
+    y -= ui.px(threads);
+    draw_threads(f, y);
+  }
+  if (!column_fits(f) && y - at.y > ui.px(120)) {
     y -= ui.px(line_height);
     ImGui::SetCursorScreenPos(ImVec2(at.x, y));
     if (rehearsal_.draw_line(f, slot, rehearsal_open_)) rehearsal_open_ = !rehearsal_open_;

@@ -274,13 +274,13 @@ void Setup::draw_facts(Frame& f, float left) {
   };
   if (p.choices.empty() && p.bits.empty())
     fact("setup/facts/range", "Range", p.unit.empty() ? range_of(p) : range_of(p) + " " + p.unit);
-  fact("setup/facts/factory", "Factory value", fmt::format("{}", p.fallback));
+  fact("setup/facts/factory", "Factory value", value_text(p, p.fallback));
   fact("setup/facts/controller", "Controller has",
-       has.known    ? fmt::format("{}", has.value)
+       has.known    ? value_text(p, has.value)
        : p.readable ? "not read"
                     : "cannot be read");
   if (const auto edited = f.tab.desk().setup.edited(chosen_))
-    fact("setup/facts/here", "Here", fmt::format("{}", *edited), Tone::warn);
+    fact("setup/facts/here", "Here", value_text(p, *edited), Tone::warn);
   fact("setup/facts/kept", "After power-off",
        !p.stored                  ? "gone"
        : !has.known || has.stored ? "kept"

@@ -100,17 +100,22 @@ void SetupRow::draw_was(float left, float right, float middle) {
     const auto end = fmt::format_to_n(words, sizeof words, fmt::runtime(format), value);
     size = std::min(end.size, sizeof words);
   };
+  const auto say_value = [&](const char* format, std::int64_t value) {
+    if (p_.decimals == 0 && p_.prefix.empty() && p_.digits == 0) return say(format, value);
+    const std::string whole = fmt::format(fmt::runtime(format), value_text(p_, value));
+    size = whole.copy(words, sizeof words);
+  };
   const bool changed = edits_.changed(i_, f_.now);
   if (changed && has_.known)
-    say("was {}", has_.value);
+    say_value("was {}", has_.value);
   else if (changed)
     say("edited");
   else if (has_.known && !has_.stored)
     say("not stored"), tone = Tone::warn;
   else if (edits_.off_factory(i_, f_.now))
-    say("factory {}", p_.fallback);
+    say_value("factory {}", p_.fallback);
   else if (!p_.stored)
-    say("goes with the power");
+    say("not stored in flash");
   if (size == 0) return;
   const std::string_view said(words, size);
   const float width = std::ceil(text_width(ui_, Face::small, said));
@@ -140,21 +145,54 @@ void SetupRow::draw_control(float left, float y) {
     draw_number(y);
 }
 
+/// A name that ends in a number: typed whole, or the number alone.
+void SetupRow::draw_name(float y) {
+  const auto shown = edits_.shown(i_, f_.now);
+  std::string& text = state_.number.text;
+  if (!state_.typing_name) text = shown ? value_text(p_, *shown) : std::string();
+  FieldOptions options;
+  options.disabled = why_not();
+  options.width = control_width();
+  options.changed = edits_.changed(i_, f_.now);
+  options.error = !state_.number.sentence.empty();
+  options.face = Face::code_field;
+  const Field e = text_field(ui_, id(), p_.label, text, options);
+  if (e.edited) state_.typing_name = true, state_.number.sentence.clear();
+  if ((e.entered || e.left) && state_.typing_name) {
+    std::string_view number = text;
+    if (number.starts_with(p_.prefix)) number.remove_prefix(p_.prefix.size());
+    const auto value = read_number(number);
+    if (value && edits_.set(i_, std::llround(*value)))
+      state_.typing_name = false;
+    else
+      state_.number.sentence = fmt::format("{} to {} only", value_text(p_, p_.minimum), value_text(p_, p_.maximum));
+  }
+  ImGui::SetCursorScreenPos(ImVec2(left_, y + ui_.px(row_height)));
+  if (state_.number.sentence.empty()) return;
+  draw_text_right(ui_, ImVec2(right_, y + ui_.px(row_height - 2)), Face::small, ui_[Tone::fault],
+                  state_.number.sentence);
+  ImGui::SetCursorScreenPos(ImVec2(left_, y + ui_.px(row_height + 16)));
+}
+
 void SetupRow::draw_number(float y) {
+  if (!p_.prefix.empty()) return draw_name(y);
   const auto shown = edits_.shown(i_, f_.now);
   NumberOptions options;
-  options.range.min = static_cast<double>(p_.also_zero ? std::min<std::int64_t>(0, p_.minimum) : p_.minimum);
-  options.range.max = static_cast<double>(p_.maximum);
+  const double scale = std::pow(10.0, p_.decimals);
+  options.range.min =
+      static_cast<double>(p_.also_zero ? std::min<std::int64_t>(0, p_.minimum) : p_.minimum) / scale;
+  options.range.max = static_cast<double>(p_.maximum) / scale;
+  options.range.decimals = p_.decimals;
   options.range.unit = p_.unit;
   options.disabled = why_not();
   options.width = control_width();
   options.changed = edits_.changed(i_, f_.now);
   const NumberEvent e = number_field(
-      ui_, id(), p_.label, shown ? std::optional<double>(static_cast<double>(*shown)) : std::nullopt,
+      ui_, id(), p_.label, shown ? std::optional<double>(static_cast<double>(*shown) / scale) : std::nullopt,
       state_.number, options);
   const float below = ImGui::GetCursorScreenPos().y;
   if (e.committed || (e.entered && state_.number.dirty())) {
-    if (edits_.set(i_, static_cast<std::int64_t>(std::llround(e.value))))
+    if (edits_.set(i_, static_cast<std::int64_t>(std::llround(e.value * scale))))
       state_.number.reset();
     else
       state_.number.sentence = range_of(p_) + " only";
@@ -171,10 +209,9 @@ void SetupRow::draw_choice(float y) {
   int chosen = -1;
   for (std::size_t c = 0; c < p_.choices.size(); ++c)
     if (shown && p_.choices[c].value == *shown) chosen = static_cast<int>(c);
-  const int picked =
-      dropdown(ui_, id(), p_.label, state_.views, chosen, {.disabled = why_not(),
-                               .width = control_width(),
-                               .none = p_.readable ? "not read" : "cannot be read"});
+  const int picked = dropdown(
+      ui_, id(), p_.label, state_.views, chosen,
+      {.disabled = why_not(), .width = control_width(), .none = p_.readable ? "not read" : "cannot be read"});
   if (picked >= 0 && picked < static_cast<int>(p_.choices.size()))
     edits_.set(i_, p_.choices[static_cast<std::size_t>(picked)].value);
   ImGui::SetCursorScreenPos(ImVec2(left_, y + ui_.px(row_height)));

@@ -14,6 +14,7 @@ namespace hw::panels {
 /// View state of one row.
 struct SetupRowState {
   gui::NumberField number;
+  bool typing_name = false;             ///< a name is being typed into number.text
   std::vector<std::string> names;       ///< of the choices
   std::vector<std::string_view> views;  ///< into `names`
 };
@@ -30,6 +31,7 @@ class SetupRow {
   void draw_was(float left, float right, float middle);
   void draw_control(float left, float y);
   void draw_number(float y);
+  void draw_name(float y);
   void draw_choice(float y);
   void draw_bits(float y);
   [[nodiscard]] float control_width() const;

@@ -233,12 +233,13 @@ void Terminal::draw_command(Frame& f) {
     hint_of_ = command_;
     hint_ = f.tab.desk().help.hint(command_).sentence;
   }
-  ImGui::SetCursorScreenPos(ImVec2(ui.px(f.area.x + 16), top));
+  const float to_width = draw_to(f, f.area.bottom() - 40);
+  ImGui::SetCursorScreenPos(ImVec2(ui.px(f.area.x + 16 + to_width), top));
   const FieldOptions look{.placeholder = "Command, or Tab for the list",
                           .hint = hint_,
                           .prompt = Icon::prompt,
                           .face = Face::code_field,
-                          .width = f.area.width - 40 - send_width - menu_width,
+                          .width = f.area.width - 40 - send_width - menu_width - to_width,
                           .keep_focus = true,
                           .help = &line_help_};
   const Field field = text_field(ui, "terminal/command", "Command", command_, look);
@@ -258,11 +259,42 @@ void Terminal::draw_command(Frame& f) {
   if (sent || field.entered) send(f);
 }
 
+/// To whom the line goes, where there is a choice: the devices of the wire, and all of them at once. Returns its width.
+float Terminal::draw_to(Frame& f, float top) {
+  const std::string_view own = f.tab.id();
+  if (own.empty() && !f.catalog.can.broadcast) return 0;
+  to_names_.clear();
+  int chosen = 0;
+  if (f.tab.bus)
+    for (const Tab* member : f.tab.bus->members) {
+      if (member == &f.tab) chosen = static_cast<int>(to_names_.size());
+      to_names_.push_back(member->id());
+    }
+  else
+    to_names_.push_back(own.empty() ? std::string_view("this") : own);
+  if (f.catalog.can.broadcast) to_names_.push_back("all");
+  if (!f.catalog.can.broadcast) to_all_ = false;
+  if (to_all_) chosen = static_cast<int>(to_names_.size()) - 1;
+  constexpr float width = 72;
+  ImGui::SetCursorScreenPos(f.ui.px(f.area.x + 16, top));
+  DropdownOptions o;
+  o.width = width;
+  o.tip = "The device that the line goes to. all: every device of the wire; none of them replies.";
+  const int picked = dropdown(f.ui, "terminal/to", "To", to_names_, chosen, o);
+  if (picked >= 0) {
+    to_all_ = f.catalog.can.broadcast && picked + 1 == static_cast<int>(to_names_.size());
+    if (!to_all_ && f.tab.bus && f.tab.bus->members[static_cast<std::size_t>(picked)] != &f.tab)
+      f.console.activate(*f.tab.bus->members[static_cast<std::size_t>(picked)]);
+  }
+  return width + 8;
+}
+
 void Terminal::send(Frame& f) {
   if (command_.empty()) return;
   if (!f.connected())
     return f.toast(Mood::warn, "There is no link. Nothing was sent; what you typed stays here.");
-  f.send(intent::SendText(command_));
+  f.send(intent::SendText(command_, to_all_));
+  if (to_all_) f.toast(Mood::plain, "Sent to all devices of the wire. None of them replies to that.");
   auto& history = f.tab.desk().history;
   if (history.empty() || history.back() != command_) history.push_back(command_);
   constexpr std::size_t remembered = 200;

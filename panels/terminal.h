@@ -23,12 +23,15 @@ class Terminal final : public gui::Panel {
   void act(gui::Frame& frame, gui::TrafficLog& log, std::string_view id);
   void draw_list(gui::Frame& frame);
   void draw_command(gui::Frame& frame);
+  float draw_to(gui::Frame& frame, float top);
   void send(gui::Frame& frame);
   bool older_or_newer(std::string& text, int direction);
   bool complete(std::string& text, std::size_t& cursor);
 
   TerminalLog rows_;
   std::string command_, filter_;
+  bool to_all_ = false;  ///< the line goes to all devices of the wire
+  std::vector<std::string_view> to_names_;
   std::string hint_, hint_of_;  ///< help for the text that it was made of
   gui::LineHelp line_help_;
   bool with_head_ = true;

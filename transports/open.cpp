@@ -7,6 +7,7 @@
 
 #include "core/device/bench_file.h"
 #include "core/session/user_files.h"
+#include "transports/performax_usb.h"
 #include "transports/rfc2217.h"
 #include "transports/serial.h"
 #include "transports/tcp.h"
@@ -105,6 +106,10 @@ Result<> check_device_keys(const DeviceType& type, const Address& address) {
   return {};
 }
 
+std::string ways_to(const Catalog& catalog) {
+  return fmt::format("Use serial, tcp, rfc2217 or emulator{}.", catalog.can.usb ? ", or usb" : "");
+}
+
 Wire real_wire(std::unique_ptr<Stream> stream) {
   Wire wire;
   wire.stream = std::move(stream);
@@ -147,6 +152,20 @@ Task<Result<Wire>> open_rfc2217_wire(Scheduler& scheduler, const DeviceType& typ
   co_return real_wire(std::move(*stream));
 }
 
+Task<Result<Wire>> open_usb_wire(Scheduler& scheduler, const DeviceType& type, Address address,
+                                 std::shared_ptr<BenchAccess>, const OpenOptions&) {
+  const auto catalog = type.make_catalog({});
+  if (!catalog) co_return fail(catalog.error());
+  if (!catalog->can.usb)
+    co_return bad(fmt::format("The {} has no USB.", catalog->short_name), ways_to(*catalog));
+  if (!address.ids().empty())
+    co_return bad("On USB a controller has no id: it has the wire for itself.", "Leave id= out.");
+  if (auto checked = check_device_keys(type, address); !checked) co_return fail(checked.error());
+  auto stream = co_await open_performax_usb(scheduler, std::move(address.where));
+  if (!stream) co_return fail(stream.error());
+  co_return real_wire(std::move(*stream));
+}
+
 using Open = Task<Result<Wire>> (*)(Scheduler&, const DeviceType&, Address, std::shared_ptr<BenchAccess>,
                                     const OpenOptions&);
 struct Transport {
@@ -154,10 +173,8 @@ struct Transport {
   Open open;
 };
 constexpr Transport transports[] = {
-    {"emulator", open_emulator},
-    {"serial", open_serial_wire},
-    {"tcp", open_tcp_wire},
-    {"rfc2217", open_rfc2217_wire},
+    {"emulator", open_emulator},    {"serial", open_serial_wire}, {"tcp", open_tcp_wire},
+    {"rfc2217", open_rfc2217_wire}, {"usb", open_usb_wire},
 };
 
 Task<Result<Wire>> open_wire(Scheduler& scheduler, Address address, std::shared_ptr<BenchAccess> again,
@@ -169,7 +186,7 @@ Task<Result<Wire>> open_wire(Scheduler& scheduler, Address address, std::shared_
     co_return co_await transport.open(scheduler, *type, std::move(address), std::move(again), *options);
   }
   co_return bad(fmt::format("The {} cannot be reached by \"{}\".", type->model, address.transport),
-                "Use serial, tcp, rfc2217 or emulator.");
+                "Use serial, tcp, rfc2217, emulator, or usb where it has one.");
 }
 
 }  // namespace

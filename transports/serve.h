@@ -64,8 +64,8 @@ class EmulatorHost final : public std::enable_shared_from_this<EmulatorHost> {
 
  private:
   struct Client;
-  static constexpr Duration at_once = Millis(2);
   class Device;
+  static constexpr Duration at_once = Millis(2);
 
   EmulatorHost(Scheduler& scheduler, HostOptions options);
   Result<> add_device(HostedDevice device, const std::string& state_file, const Trouble& trouble);

@@ -53,7 +53,8 @@ struct Alarm {  ///< the alarm input of an axis, where it has one
   bool on;
   Alarm(AxisId a, bool o) : axis(a), on(o) {}
 };
-struct Slip {  ///< the load jumps without the controller knowing: by steps, or by counts where it has an encoder
+struct Slip {  ///< the load jumps without the controller knowing: by steps, or by counts where it has an
+               ///< encoder
   AxisId axis;
   Steps by;
   Slip(AxisId a, Steps b) : axis(a), by(b) {}
@@ -84,8 +85,8 @@ struct Drop {
 }  // namespace bench
 
 using BenchCommand = std::variant<bench::Input, bench::Limit, bench::HomeSwitch, bench::Analog, bench::Button,
-                                  bench::Jam, bench::Slip, bench::Alarm, bench::Place, bench::Power, bench::PowerCycle,
-                                  bench::Unplug, bench::Garble, bench::Drop>;
+                                  bench::Jam, bench::Slip, bench::Alarm, bench::Place, bench::Power,
+                                  bench::PowerCycle, bench::Unplug, bench::Garble, bench::Drop>;
 
 enum class Lamp : std::uint8_t { off, on };
 

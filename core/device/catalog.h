@@ -193,6 +193,7 @@ struct Capabilities {
   bool reset = false;
   bool interpolates = false;  ///< moves several axes together on a straight line
   bool broadcast = false;     ///< takes text meant for all devices of a wire, without replies
+  bool usb = false;           ///< has a USB wire of its own, beside any serial line
   int usual_baud = 9600;
   std::vector<int> bauds;
 };

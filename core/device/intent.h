@@ -88,7 +88,12 @@ struct SetParam {
   bool confirmed;  ///< the user has read the parameter's warning
   SetParam(std::string m, std::int64_t v, bool c = false) : mnemonic(std::move(m)), value(v), confirmed(c) {}
 };
-struct ReadParams {};  ///< all of them, into Snapshot::params
+/// Into Snapshot::params. All of them, and the variables that are stored; or only one, where the controller
+/// can be asked for one.
+struct ReadParams {
+  std::string only;  ///< mnemonic; empty: all
+  explicit ReadParams(std::string mnemonic = {}) : only(std::move(mnemonic)) {}
+};
 /// Copy set-up and programs into the controller's non-volatile memory.
 struct Store {};
 struct SelectProgram {

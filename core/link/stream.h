@@ -28,7 +28,7 @@ class Stream {
   /// 0: no rate, bytes arrive as fast as they can.
   [[nodiscard]] virtual int rate() const = 0;
   /// True: each send() is one message, and so is each bytes_arrived() (USB): no address in front, no
-  /// terminator behind. False: a line of bytes.
+  /// terminator behind; an empty one arrives as a single zero byte. False: a line of bytes.
   [[nodiscard]] virtual bool carries_messages() const { return false; }
   /// Where it leads, for a person: "/dev/ttyUSB0, 9600 baud".
   [[nodiscard]] virtual std::string describe() const = 0;

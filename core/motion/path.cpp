@@ -52,9 +52,7 @@ std::int64_t Path::offset(std::size_t axis, std::int64_t step) const {
   return static_cast<std::int64_t>(d > 0 ? nearest : -nearest);
 }
 
-bool Path::moves(std::size_t axis) const {
-  return arc_ ? axis == x_ || axis == y_ : to_[axis] != 0;
-}
+bool Path::moves(std::size_t axis) const { return arc_ ? axis == x_ || axis == y_ : to_[axis] != 0; }
 
 std::int64_t Path::next_turn(std::int64_t step) const {
   if (!arc_) return steps_;

@@ -16,7 +16,13 @@ std::optional<Steps> bounded(std::optional<Steps> steps) {
 
 }  // namespace
 
+static bool names_nothing(const AxisPlace& p) {
+  return !p.minus && !p.plus && !p.home_from && !p.home_to && !p.index_every && !p.counts_per_step &&
+         !p.backlash;
+}
+
 void Plant::set_place(const AxisPlace& place) {
+  if (names_nothing(place)) place_ = AxisPlace(), play_used_ = 0;
   const auto take = [](auto& mine, const auto& given) {
     if (given) mine = given;
   };

@@ -11,7 +11,7 @@ namespace hw::motion {
 
 class Plant {
  public:
-  /// What `place` does not say stays as it is.
+  /// What `place` does not say stays as it is; one that says nothing takes everything away.
   void set_place(const AxisPlace& place);
   [[nodiscard]] const AxisPlace& place() const { return place_; }
   [[nodiscard]] Steps load() const { return Steps(load_); }

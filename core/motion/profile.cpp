@@ -108,9 +108,10 @@ Profile Profile::approach(Instant start, double from, Pps now, Pps wanted, doubl
   if (v1 > v0) {
     const auto up = [&](double v) { return (v * v - v0 * v0) / (2 * ramp.accel); };
     if (up(v1) + way_down(v1) > way)
-      v1 = std::sqrt(std::max((2 * way * ramp.accel * ramp.decel + v0 * v0 * ramp.decel + base * base * ramp.accel) /
-                                  (ramp.accel + ramp.decel),
-                              0.0));
+      v1 = std::sqrt(
+          std::max((2 * way * ramp.accel * ramp.decel + v0 * v0 * ramp.decel + base * base * ramp.accel) /
+                       (ramp.accel + ramp.decel),
+                   0.0));
     v1 = std::max(v1, v0);
     if (v1 > v0) p.add(from + std::min(up(v1), way), v1, ramp.shape);
   } else if (v1 < v0) {

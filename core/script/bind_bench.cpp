@@ -197,10 +197,23 @@ int look(Call& call) {
 }
 
 constexpr Function methods[] = {
-    {"input", input},   {"limit", limit}, {"home", home},     {"analog", analog},
-    {"button", button}, {"jam", jam},     {"alarm", alarm}, {"slip", slip},     {"unplug", unplug},
-    {"garble", garble}, {"drop", drop},   {"power", power},   {"power_cycle", power_cycle},
-    {"at", at},         {"place", place}, {"pulses", pulses}, {"look", look},
+    {"input", input},
+    {"limit", limit},
+    {"home", home},
+    {"analog", analog},
+    {"button", button},
+    {"jam", jam},
+    {"alarm", alarm},
+    {"slip", slip},
+    {"unplug", unplug},
+    {"garble", garble},
+    {"drop", drop},
+    {"power", power},
+    {"power_cycle", power_cycle},
+    {"at", at},
+    {"place", place},
+    {"pulses", pulses},
+    {"look", look},
 };
 
 }  // namespace

@@ -427,17 +427,46 @@ std::string no_param(const Catalog& catalog, const std::string& name) {
   return fmt::format("{} has no parameter \"{}\".", catalog.short_name, name);
 }
 
+// As the maker writes it: 0.8, "4EX07".
+std::int64_t unit_of(const ParamInfo& info) {
+  std::int64_t unit = 1;
+  for (int i = 0; i < info.decimals; ++i) unit *= 10;
+  return unit;
+}
+void push_value(lua_State* L, const ParamInfo& info, std::int64_t value) {
+  if (!info.prefix.empty())
+    lua_pushstring(L, fmt::format("{}{:0{}}", info.prefix, value, info.digits).c_str());
+  else if (info.decimals > 0)
+    lua_pushnumber(L, static_cast<double>(value) / static_cast<double>(unit_of(info)));
+  else
+    lua_pushinteger(L, value);
+}
+std::int64_t value_of(const Call& call, int argument, const ParamInfo& info) {
+  if (!info.prefix.empty() && call.is_text(argument)) {
+    const std::string text = call.text(argument, "value");
+    char* end = nullptr;
+    const bool named = text.starts_with(info.prefix) && text.size() > info.prefix.size();
+    const long long number = named ? std::strtoll(text.c_str() + info.prefix.size(), &end, 10) : 0;
+    if (!named || *end != 0) throw Misuse(fmt::format("the value must read like {}01", info.prefix));
+    return number;
+  }
+  if (info.decimals > 0)
+    return std::llround(call.number(argument, "value") * static_cast<double>(unit_of(info)));
+  return call.whole(argument, "value");
+}
+
 Task<Answer> get_param(SessionPtr session, int index) {
   const ParamInfo& info = session->catalog().params[index];
   if (info.readable) {
-    const auto read = co_await session->perform(intent::ReadParams());
+    IntentBody ask = intent::ReadParams(info.mnemonic);
+    const auto read = co_await session->perform(std::move(ask));
     if (!read) co_return answer_refused(read.error().sentence());
   }
   const ParamState state = session->known().params[index];
   if (!state.known)
     co_return answer_refused(fmt::format("{} cannot be read from this controller.", info.mnemonic));
-  co_return [state](lua_State* L) {
-    lua_pushinteger(L, state.value);
+  co_return [state, &info](lua_State* L) {
+    push_value(L, info, state.value);
     return 1;
   };
 }
@@ -451,24 +480,29 @@ int get(Call& call) {
 // A script says what it means: it confirms what the console would ask a person.
 int set(Call& call) {
   const std::string name = call.text(1, "parameter");
-  if (session_of(call)->catalog().find_param(name) < 0)
-    return call.refuse(no_param(session_of(call)->catalog(), name));
-  return perform(call, intent::SetParam(name, call.whole(2, "value"), true));
+  const Catalog& catalog = session_of(call)->catalog();
+  const int index = catalog.find_param(name);
+  if (index < 0) return call.refuse(no_param(catalog, name));
+  const ParamInfo& info = catalog.params[static_cast<std::size_t>(index)];
+  return perform(call, intent::SetParam(name, value_of(call, 2, info), true));
 }
 
 // ---- stored programs
 
 int selected(const SessionPtr& session) { return std::max<int>(0, session->known().program.slot); }
 
+// Where programs run at once, their number is that of the thread.
+int programs_of(const Catalog& catalog) { return std::max(catalog.program.slots, catalog.program.threads); }
+
 int slot_of(const Call& call, int argument) {
   const SessionPtr& session = session_of(call);
   if (!call.has(argument)) return selected(session);
   const std::int64_t n = call.whole(argument, "program");
-  return n >= 0 && n < session->catalog().program.slots ? static_cast<int>(n) : -1;
+  return n >= 0 && n < programs_of(session->catalog()) ? static_cast<int>(n) : -1;
 }
 std::string no_slot(const Catalog& catalog) {
   return fmt::format("There is no such program. {} has 0 to {}.", catalog.short_name,
-                     catalog.program.slots - 1);
+                     programs_of(catalog) - 1);
 }
 
 int load(Call& call) {

@@ -33,6 +33,9 @@ Task<Result<Backup>> take_backup(std::shared_ptr<Session> session) {
   for (std::size_t i = 0; i < catalog.params.size() && i < known.params.size(); ++i)
     if (known.params[i].known)
       backup.parameters.push_back({catalog.params[i].mnemonic, known.params[i].value, 0});
+  for (int n = catalog.variables.stored_from; n < catalog.variables.count; ++n)
+    if (known.variables_known[static_cast<std::size_t>(n)])
+      backup.variables[n] = known.variables[static_cast<std::size_t>(n)];
   for (int slot = 0; slot < catalog.program.slots; ++slot) {
     IntentBody upload = intent::UploadProgram(slot);
     auto uploaded = co_await session->perform(std::move(upload));
@@ -45,8 +48,10 @@ Task<Result<Backup>> take_backup(std::shared_ptr<Session> session) {
 }
 
 std::string RestoreReport::sentence() const {
-  return fmt::format("{} parameters written, {} were equal already, {} programs written.", parameters_written,
-                     parameters_equal, programs_written);
+  std::string all = fmt::format("{} parameters written, {} were equal already, {} programs written.",
+                                parameters_written, parameters_equal, programs_written);
+  if (variables_written > 0) all += fmt::format(" {} variables written.", variables_written);
+  return all;
 }
 
 namespace {
@@ -78,6 +83,19 @@ Task<Result<>> restore_parameters(std::shared_ptr<Session> session, std::vector<
   co_return Result<>();
 }
 
+Task<Result<>> restore_variables(std::shared_ptr<Session> session, std::map<int, std::int64_t> variables,
+                                 RestoreReport& report) {
+  for (const auto& [number, value] : variables) {
+    const auto n = static_cast<std::size_t>(number);
+    if (session->known().variables_known[n] && session->known().variables[n] == value) continue;
+    IntentBody set = intent::SetVariable(number, value);
+    auto done = co_await session->perform(std::move(set));
+    if (!done) co_return done;
+    ++report.variables_written;
+  }
+  co_return Result<>();
+}
+
 Task<Result<>> restore_programs(std::shared_ptr<Session> session, std::map<int, std::string> programs,
                                 RestoreReport& report) {
   for (const auto& [slot, text] : programs) {
@@ -101,6 +119,8 @@ Task<Result<RestoreReport>> restore_backup(std::shared_ptr<Session> session, Bac
   report.left_out = std::move(checked->problems);
   auto parameters = co_await restore_parameters(session, std::move(checked->parameters), warned, report);
   if (!parameters) co_return fail(parameters.error());
+  auto variables = co_await restore_variables(session, std::move(checked->variables), report);
+  if (!variables) co_return fail(variables.error());
   auto programs = co_await restore_programs(session, std::move(checked->programs), report);
   if (!programs) co_return fail(programs.error());
   co_return report;

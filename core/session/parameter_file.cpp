@@ -50,15 +50,30 @@ Result<> take_parameters(const toml::table& table, const std::string& name, Back
   return {};
 }
 
+int number_of(std::string_view digits) {
+  int number = -1;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  return error == std::errc() && end == digits.data() + digits.size() ? number : -1;
+}
+
 Result<> take_programs(const toml::table& table, const std::string& name, Backup& out) {
   for (const auto& [key, node] : table) {
-    const std::string_view digits = key.str();
-    int slot = -1;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), slot);
+    const int slot = number_of(key.str());
     const auto text = node.value_exact<std::string>();
-    if (error != std::errc() || end != digits.data() + digits.size() || !text)
-      return bad_file(name, line_of(node), fmt::format("{} is no program with a text", digits));
+    if (slot < 0 || !text)
+      return bad_file(name, line_of(node), fmt::format("{} is no program with a text", key.str()));
     out.programs[slot] = *text;
+  }
+  return {};
+}
+
+Result<> take_variables(const toml::table& table, const std::string& name, Backup& out) {
+  for (const auto& [key, node] : table) {
+    const int number = number_of(key.str());
+    const auto value = node.value_exact<std::int64_t>();
+    if (number < 0 || !value)
+      return bad_file(name, line_of(node), fmt::format("{} is no variable with a whole number", key.str()));
+    out.variables[number] = *value;
   }
   return {};
 }
@@ -94,8 +109,11 @@ std::string write_backup(const Backup& b, const Catalog& catalog) {
     }
     const ParamInfo& p = catalog.params[static_cast<std::size_t>(i)];
     if (p.group != group) out += fmt::format("# {}\n", group = p.group);
-    out += fmt::format("{:<16} # {}{}{}\n", assignment, p.label, p.unit.empty() ? "" : ", ", p.unit);
+    out += fmt::format("{:<16} # {}{}{}{}\n", assignment, p.label, p.unit.empty() ? "" : ", ", p.unit,
+                       p.decimals > 0 ? fmt::format(", in units of the {}th decimal", p.decimals) : "");
   }
+  if (!b.variables.empty()) out += "\n[variables]\n";
+  for (const auto& [number, value] : b.variables) out += fmt::format("{} = {}\n", number, value);
   if (b.programs.empty()) return out;
   out += "\n[programs]\n";
   for (const auto& [slot, text] : b.programs) out += fmt::format("{} = {}\n", slot, quoted(text, true));
@@ -118,6 +136,8 @@ Result<Backup> parse_backup(std::string_view text, const std::string& name) {
       taken = take_parameters(*table, name, b);
     else if (k == "programs" && table)
       taken = take_programs(*table, name, b);
+    else if (k == "variables" && table)
+      taken = take_variables(*table, name, b);
     else if (const auto value = node.value_exact<std::string>(); value && k == "model")
       b.model = *value;
     else if (value && k == "name")
@@ -178,6 +198,15 @@ Result<CheckedBackup> check_backup(const Backup& backup, const Catalog& catalog,
       continue;
     }
     checked.parameters.push_back(entry);
+  }
+  for (const auto& [number, value] : backup.variables) {
+    const VariableFacts& facts = catalog.variables;
+    if (number < facts.count && value >= facts.minimum && value <= facts.maximum)
+      checked.variables[number] = value;
+    else
+      checked.problems.push_back(
+          fmt::format("{}: {}{} = {} is not possible in this controller. It was left out.", name,
+                      facts.prefix, number, value));
   }
   for (const auto& [slot, text] : backup.programs) {
     if (slot >= 0 && slot < catalog.program.slots)

@@ -3,6 +3,8 @@
 //   model = "vxm"
 //   [parameters]
 //   j1M = 100      # First jog speed of motor 1, steps/s
+//   [variables]
+//   50 = -12
 //   [programs]
 //   0 = """..."""
 // A set-up file simply has no programs.
@@ -28,7 +30,8 @@ struct Backup {
   std::string firmware;  ///< empty: not known
   std::string saved_at;  ///< "2026-05-04 14:02:04"
   std::vector<ParameterEntry> parameters;
-  std::map<int, std::string> programs;  ///< by slot: one command a line
+  std::map<int, std::int64_t> variables;  ///< those that the controller stores
+  std::map<int, std::string> programs;    ///< by slot: one command a line
 };
 
 std::string write_backup(const Backup& backup, const Catalog& catalog);
@@ -41,6 +44,7 @@ Result<Backup> load_backup(const std::filesystem::path& path);
 /// What of a file suits a controller. Problems are sentences that name the line and what was left out.
 struct CheckedBackup {
   std::vector<ParameterEntry> parameters;
+  std::map<int, std::int64_t> variables;
   std::map<int, std::string> programs;
   std::vector<std::string> problems;
 };

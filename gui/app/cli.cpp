@@ -12,7 +12,8 @@
 namespace hw::app {
 namespace {
 
-const OptionSpec model_option{"for", "MODEL", "the controller that the program is for: vxm"};
+const OptionSpec model_option{"for", "MODEL",
+                              "the controller that the program is for: vxm, pmx-4ex-sa, dmx-k-sa"};
 const OptionSpec bench_option{"bench", "FILE.toml", "what surrounds the emulated controller"};
 
 const std::vector<Subcommand>& subcommands() {
@@ -39,7 +40,7 @@ const std::vector<Subcommand>& subcommands() {
        run_script},
       {"emulate",
        "serve an emulated controller to other programs until interrupted",
-       {{"MODEL", "vxm", 1, 1}},
+       {{"MODEL", "vxm, pmx-4ex-sa or dmx-k-sa", 1, 1}},
        {{"tcp", "HOST:PORT", "listen there; port 0: any free one", true},
         {"pty", "PATH", "make a pseudo-terminal and this symlink to it", true},
         {"id", "NN", "number on its line, two digits; several: that many controllers on one line", true},
@@ -61,6 +62,13 @@ const std::vector<Subcommand>& subcommands() {
        {{"FILE", "the program", 1, 1}},
        {model_option},
        check},
+      {"compile",
+       "make of a program what the controller stores",
+       {{"FILE", "the program", 1, 1}},
+       {model_option,
+        {"output", "OUT", "the file for the stored form", false, "o"},
+        {"listing", "", "show the stored form"}},
+       compile},
       {"simulate",
        "dry run of a program, in virtual time",
        {{"FILE", "the program", 1, 1}},
@@ -143,6 +151,7 @@ constexpr const char* footer =
     "An address is MODEL@TRANSPORT[:WHERE][,key=value...]:\n"
     "  vxm@emulator            an emulator in this process (motors=4: with a Slave)\n"
     "  vxm@serial:/dev/ttyUSB0,baud=9600\n"
+    "  dmx-k-sa@serial:/dev/ttyUSB0,baud=9600,id=01   pmx-4ex-sa@usb\n"
     "  vxm@tcp:HOST:PORT       vxm@rfc2217:HOST:PORT,baud=9600\n"
     "Exit status: 0 done, 1 the job failed (with a sentence), 2 wrong usage.";
 

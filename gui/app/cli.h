@@ -67,6 +67,7 @@ int run_script(const Given& given);
 int emulate(const Given& given);
 int send(const Given& given);
 int check(const Given& given);
+int compile(const Given& given);
 int simulate(const Given& given);
 int scan(const Given& given);
 int backup(const Given& given);

@@ -4,6 +4,7 @@
 #include "core/base/log.h"
 #include "gui/app/cli.h"
 #include "gui/app/demo.h"
+#include "gui/app/device_search.h"
 #include "gui/app/port_watch.h"
 #include "gui/app/wiring.h"
 #include "gui/console.h"
@@ -24,6 +25,7 @@ class ConsoleHouse {
   explicit ConsoleHouse(bool keeps_files)
       : worker_([this] { wake(); }, true),
         ports_(io_.scheduler(), [this] { wake(); }),
+        devices_(io_.scheduler(), [this] { wake(); }),
         console_(panels::panel_list(), outside(keeps_files)) {}
   ~ConsoleHouse() {
     console_.let_go();
@@ -49,6 +51,7 @@ class ConsoleHouse {
   gui::Outside outside(bool keeps_files) {
     gui::Outside o(io_.scheduler(), wire_opener(), [this] { wake(); });
     o.ports = &ports_;
+    o.devices = &devices_;
     o.worker = &worker_;
     if (keeps_files) o.folders = UserFolders::standard();
     o.usb_serial = [](const Address& address) {
@@ -64,6 +67,7 @@ class ConsoleHouse {
   IoThread io_;
   gui::Worker worker_;
   PortWatch ports_;
+  DeviceSearcher devices_;
   gui::Console console_;
 };
 
@@ -87,8 +91,8 @@ int run_window(const std::vector<std::string>& addresses, bool demo) {
   float size = console.size();
   w.set_user_scale(size);
   console.attach(w.screen().keyboard());
-  w.on_first_frame = [] { log::debug("window", "first frame"); };
   w.on_drop = [&](const std::vector<std::string>& paths) { take_dropped(console, paths); };
+  w.on_first_frame = [] { log::debug("window", "first frame"); };
   w.on_close = [&] {
     console.let_go();
     return true;

@@ -70,6 +70,50 @@ picture("lost")
 d.bench:unplug(false)
 hw.sleep(6)
 print("  cable back: motor 1 at " .. tostring(d:position(1)) .. " steps")
+
+print("An Arcus PMX-4EX-SA draws a house with its stored program.")
+local p = must(hw.open("pmx-4ex-sa@emulator"))
+must(p:load([[
+; The house of Saint Nicholas: eight lines without lifting the pen
+HSPD=4000
+LSPD=400
+ACC=100
+ABS
+DO1=1
+X3000Y0
+WAITX
+X0Y3000
+WAITX
+X3000Y3000
+WAITX
+X0Y0
+WAITX
+X0Y3000
+WAITX
+X1500Y4500
+WAITX
+X3000Y3000
+WAITX
+X3000Y0
+WAITX
+DO1=0
+END
+]]))
+began = hw.now()
+must(p:run(0))
+hw.sleep(2)
+print(string.format("  at X %d, Y %d", p:position("X"), p:position("Y")))
+picture("pmx-draws")
+must(p:wait(120))
+print(string.format("  drawn in %.1f s, the pen is at %d, %d", hw.now() - began, p:position("X"), p:position("Y")))
+
+print("An Arcus DMX-K-SA with its closed loop; its load is pushed.")
+local m = must(hw.open("dmx-k-sa@emulator"))
+must(m:move_to{X = 8000})
+must(m:wait(60))
+print(string.format("  target %d, encoder %d counts", m:position("X"), m:encoder("X")))
+picture("dmx")
+
 ui.theme("light")
 picture("light")
 print(string.format("%.0f s of emulated time.", hw.now()))

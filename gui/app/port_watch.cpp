@@ -4,6 +4,9 @@
 
 #include <fmt/core.h>
 
+#include "core/device/registry.h"
+#include "transports/performax_usb.h"
+
 namespace hw::app {
 namespace {
 
@@ -46,6 +49,32 @@ Task<> probe_and_tell(Scheduler& scheduler, SerialPort port, std::shared_ptr<Rin
   if (wake) wake();
 }
 
+FoundPort usb_port(const PerformaxDevice& device) {
+  FoundPort port;
+  port.path = "usb:" + device.serial;
+  port.hardware = device.product;
+  port.usb_serial = device.serial;
+  for (const DeviceType& type : device_types())
+    if (const auto catalog = type.make_catalog({}); catalog && catalog->can.usb) {
+      port.title = catalog->name;
+      port.address = fmt::format("{}@{}", type.model, port.path);
+    }
+  port.state = device.permitted ? FoundPort::State::answers : FoundPort::State::forbidden;
+  port.sentence = device.permitted ? "is connected by USB." : std::string("This user may not open it. ") + udev_advice;
+  return port;
+}
+
+// Lives on the io thread as long as the page is open.
+Task<> watch_usb(Scheduler& scheduler, std::shared_ptr<std::atomic<bool>> moved, std::function<void()> wake,
+                 std::weak_ptr<void> page) {
+  const auto watch = PerformaxWatch::start(scheduler, [moved, wake] {
+    moved->store(true);
+    if (wake) wake();
+  });
+  if (!watch) co_return;  // the list is looked through every two seconds anyway
+  while (!page.expired()) co_await scheduler.sleep_for(std::chrono::seconds(1));
+}
+
 }  // namespace
 
 void PortWatch::take(PortReport& report) {
@@ -66,27 +95,39 @@ void PortWatch::take(PortReport& report) {
 
 const std::vector<FoundPort>& PortWatch::ports() {
   reports_->drain([this](PortReport& report) { take(report); });
-  if (watching_ && scheduler_.now() - listed_at_ >= look_every) list();
+  const bool moved = usb_moved_->exchange(false);
+  if (watching_ && (moved || scheduler_.now() - listed_at_ >= look_every)) list();
   return found_;
 }
 
 void PortWatch::watch(bool on) {
-  if (on && !watching_) list();
+  if (on && !watching_) {
+    list();
+    page_ = std::make_shared<int>(0);
+    asio::co_spawn(scheduler_.executor(), watch_usb(scheduler_, usb_moved_, wake_, page_), asio::detached);
+  }
+  if (!on) page_.reset();
   watching_ = on;
 }
 
 void PortWatch::look() {
   list();
   for (const FoundPort& port : found_)
-    if (port.state != FoundPort::State::asking) ask(port.path);
+    if (port.state != FoundPort::State::asking && known_.contains(port.path)) ask(port.path);
+}
+
+void PortWatch::list() {
+  listed_at_ = scheduler_.now();
+  list_serial();
+  list_usb();
 }
 
 // New ports are asked once by themselves; those that have gone leave the list.
-void PortWatch::list() {
-  listed_at_ = scheduler_.now();
+void PortWatch::list_serial() {
   const std::vector<SerialPort> there = list_serial_ports();
   std::erase_if(found_, [&](const FoundPort& p) {
-    return std::none_of(there.begin(), there.end(), [&](const SerialPort& s) { return s.path == p.path; });
+    return known_.contains(p.path) &&
+           std::none_of(there.begin(), there.end(), [&](const SerialPort& s) { return s.path == p.path; });
   });
   for (const SerialPort& port : there) {
     known_[port.path] = port;
@@ -98,6 +139,12 @@ void PortWatch::list() {
     found_.push_back(std::move(fresh));
     ask(port.path);
   }
+}
+
+// What is on USB has said by its numbers what it is: nothing has to be asked.
+void PortWatch::list_usb() {
+  std::erase_if(found_, [&](const FoundPort& p) { return !known_.contains(p.path); });
+  for (const PerformaxDevice& device : list_performax()) found_.push_back(usb_port(device));
 }
 
 void PortWatch::ask(const std::string& path) {

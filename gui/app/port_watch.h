@@ -1,5 +1,6 @@
 #pragma once
 // The connection page's eyes: serial ports by their files, and a harmless question to each, on the io thread.
+#include <atomic>
 #include <map>
 #include <string>
 #include <vector>
@@ -26,7 +27,8 @@ class PortWatch final : public gui::PortFinder {
  private:
   void take(PortReport& report);
   void list();
-  void probe(const SerialPort& port);
+  void list_serial();
+  void list_usb();
 
   Scheduler& scheduler_;
   std::function<void()> wake_;
@@ -35,6 +37,8 @@ class PortWatch final : public gui::PortFinder {
   std::shared_ptr<Ring<PortReport>> reports_ = std::make_shared<Ring<PortReport>>(64);  // io thread -> here
   int asking_ = 0;
   bool watching_ = false;
+  std::shared_ptr<std::atomic<bool>> usb_moved_ = std::make_shared<std::atomic<bool>>(false);  // set on the io thread
+  std::shared_ptr<int> page_;  // gone: nobody watches
   Instant listed_at_{};
 };
 

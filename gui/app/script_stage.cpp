@@ -27,7 +27,7 @@ ScriptStage::ScriptStage(Scheduler& scheduler, WireOpener opener)
 ScriptStage::~ScriptStage() = default;
 
 void ScriptStage::opened(const std::shared_ptr<SessionGroup>& group) {
-  for (const auto& session : group->members()) console_.adopt(session);
+  console_.adopt(group);
 }
 
 void ScriptStage::frame(Instant now) {

@@ -125,7 +125,8 @@ EditorEvent CodeEditor::draw(Ui& ui, std::string_view id, const EditorLook& look
   use_mouse(ui, m, t);
   if (ui.focus.take_entry(id)) typing_ = true;
   if (typing_ && !ui.focus.is(id)) typing_ = false;
-  if (std::exchange(comment_asked_, false) && look.read_only.empty()) model_.toggle_comment(look.comment_mark);
+  if (std::exchange(comment_asked_, false) && look.read_only.empty())
+    model_.toggle_comment(look.comment_mark);
   if (typing_) use_keys(ui, look, m);
   follow_live_line(look, m);
   if (reveal_) keep_caret_in_sight(m);

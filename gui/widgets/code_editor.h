@@ -2,6 +2,7 @@
 // The program editor: numbers, marks, coloured text, the cost of each line at the right, the live line,
 // problems with a sentence and a mend below the line. Only visible lines are drawn. The text and its undo
 // live in TextModel; colours, costs and problems come from the language's report.
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,13 +22,14 @@ struct EditorLook {
   std::string_view problems = "program/problem";  ///< path of the problem rows: `.../1`, `.../1/fix`
   std::string_view cost_title = {};               ///< "bytes"; empty: no costs
   std::string_view comment_mark = "; ";
-  int live_line = -1;                 ///< from 0; -1: none
-  bool live_told = false;             ///< the controller said so; false: worked out
+  int live_line = -1;                      ///< from 0; -1: none
+  std::span<const int> also_live = {};     ///< of other programs that run at once
+  bool live_told = false;                  ///< the controller said so; false: worked out
   std::string_view live = "program/live";  ///< path of the live line
-  std::string_view live_words = {};   ///< at the right of the live line: "pass 7 of 20"
-  std::string_view read_only = {};    ///< why; empty: may be edited
-  std::string_view placeholder = {};  ///< shown while the text is empty
-  float height = fill;                ///< logical
+  std::string_view live_words = {};        ///< at the right of the live line: "pass 7 of 20"
+  std::string_view read_only = {};         ///< why; empty: may be edited
+  std::string_view placeholder = {};       ///< shown while the text is empty
+  float height = fill;                     ///< logical
 };
 
 struct EditorEvent {

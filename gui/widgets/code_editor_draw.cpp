@@ -23,6 +23,11 @@ Tone tone_of(TokenKind kind) {
   return Tone::ink;
 }
 
+bool is_live(const EditorLook& look, int line) {
+  return line == look.live_line ||
+         std::find(look.also_live.begin(), look.also_live.end(), line) != look.also_live.end();
+}
+
 const LineReport* report_of(const EditorLook& look, int line) {
   if (!look.report || line >= static_cast<int>(look.report->lines.size())) return nullptr;
   return &look.report->lines[static_cast<std::size_t>(line)];
@@ -65,7 +70,7 @@ void CodeEditor::draw_ground(Ui& ui, const EditorLook& look, const Metrics& m, i
   const bool error = std::binary_search(problem_lines_.begin(), problem_lines_.end(), line);
   if (error)
     list->AddRectFilled(row.min, ImVec2(row.max.x, row.max.y + m.problem), ui[Tone::fault_t]);
-  else if (line == look.live_line)
+  else if (is_live(look, line))
     list->AddRectFilled(row.min, row.max, ui[Tone::motion_t]);
   else if (typing_ && line == model_.caret().line && !model_.has_selection())
     list->AddRectFilled(row.min, row.max, ui[Tone::panel]);
@@ -113,7 +118,7 @@ void CodeEditor::draw_code(Ui& ui, const EditorLook& look, const Metrics& m, int
 }
 
 void CodeEditor::draw_gutter(Ui& ui, const EditorLook& look, const Metrics& m, int line, const Rect& row) {
-  const bool live = line == look.live_line;
+  const bool live = is_live(look, line);
   const bool error = std::binary_search(problem_lines_.begin(), problem_lines_.end(), line);
   const bool here = typing_ && line == model_.caret().line;
   const Tone tone = error ? Tone::fault : live ? Tone::motion : here ? Tone::ink : Tone::ink3;
@@ -152,7 +157,7 @@ void CodeEditor::draw_right(Ui& ui, const EditorLook& look, const Metrics& m, in
     const float w = std::ceil(text_width(ui, Face::small, words));
     if (right - w > left)
       draw_text_right(ui, ImVec2(right, row.min.y + ui.px(4)), Face::small,
-                      ui[line == look.live_line ? Tone::motion : Tone::ink3], words);
+                      ui[is_live(look, line) ? Tone::motion : Tone::ink3], words);
     end = right - std::max(ui.px(16), w) - ui.px(12);
   }
   const Problem* warning = problem_in(look, line, false);

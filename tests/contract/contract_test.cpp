@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cctype>
 #include <cstring>
 #include <set>
 
@@ -21,6 +23,22 @@ INSTANTIATE_TEST_SUITE_P(Every, ContractTest, testing::ValuesIn(all_types()), []
   return name;
 });
 
+/// What a stranger reads of it: a name that is no mnemonic, an explanation in sentences, every value in words.
+void expect_explained(const ParamInfo& p) {
+  EXPECT_GE(p.label.size(), 5u) << p.mnemonic;
+  EXPECT_NE(p.label, p.mnemonic);
+  EXPECT_FALSE(p.label.starts_with(p.mnemonic + " ") && p.mnemonic.size() > 1) << p.label;
+  EXPECT_TRUE(p.label[0] >= 'A' && p.label[0] <= 'Z') << p.label;
+  EXPECT_GE(std::count(p.explanation.begin(), p.explanation.end(), ' '), 8) << p.mnemonic << ": " << p.explanation;
+  EXPECT_TRUE(p.explanation.ends_with('.')) << p.mnemonic << ": " << p.explanation;
+  EXPECT_FALSE(p.group.empty()) << p.mnemonic;
+  const auto letters = [](const std::string& s) {
+    return std::count_if(s.begin(), s.end(), [](unsigned char c) { return std::isalpha(c); });
+  };
+  for (const ParamChoice& choice : p.choices) EXPECT_GE(letters(choice.label), 2) << p.mnemonic << ": " << choice.label;
+  for (const auto& bit : p.bits) EXPECT_GE(letters(bit.label), 4) << p.mnemonic << ", bit " << bit.bit;
+}
+
 TEST_P(ContractTest, TheCatalogIsWhole) {
   const Catalog& c = session->catalog();
   EXPECT_EQ(c.model, GetParam()->model);
@@ -29,8 +47,7 @@ TEST_P(ContractTest, TheCatalogIsWhole) {
   std::set<std::string> mnemonics;
   for (const ParamInfo& p : c.params) {
     EXPECT_TRUE(mnemonics.insert(p.mnemonic).second) << p.mnemonic << " stands twice";
-    EXPECT_NE(p.label, p.mnemonic);
-    EXPECT_GT(p.explanation.size(), 40u) << p.mnemonic;
+    expect_explained(p);
     EXPECT_TRUE(p.accepts(p.fallback)) << p.mnemonic << ": the factory value is out of range";
   }
   for (const CommandInfo& command : c.commands) EXPECT_FALSE(command.help.empty()) << command.form;

@@ -13,5 +13,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   (void)address->number("baud", 0);
   const auto again = hw::Address::parse(address->text());
   if (!again || again->text() != address->text()) std::abort();
+  for (const hw::Address& device : address->devices()) {
+    const auto alone = hw::Address::parse(device.text());
+    if (!alone || alone->devices().size() != 1 || alone->ids() != device.ids()) std::abort();
+  }
   return 0;
 }

@@ -62,7 +62,10 @@ std::vector<std::string> words_of(std::string_view text) {
   return words;
 }
 
+/// By number, or by one of the letters X, Y, Z, U.
 AxisId axis(const std::string& word) {
+  const auto letter = std::string_view("XYZU").find(word);
+  if (word.size() == 1 && letter != std::string_view::npos) return AxisId{static_cast<std::uint8_t>(letter)};
   return AxisId{static_cast<std::uint8_t>(std::atoi(word.c_str()) - 1)};
 }
 
@@ -112,6 +115,8 @@ Result<std::vector<BenchCommand>> hands(std::string_view text) {
     all.push_back(bench::Analog(std::atoi(words[1].c_str()), std::atoi(last.c_str())));
   } else if (what == "jam" && words.size() == 3) {
     all.push_back(bench::Jam(axis(words[1]), last == "on"));
+  } else if (what == "slip" && words.size() == 3) {
+    all.push_back(bench::Slip(axis(words[1]), Steps(std::atoll(last.c_str()))));
   } else if (what == "power" && last == "cycle") {
     all.push_back(bench::PowerCycle{});
   } else if (what == "place" && words.size() >= 2) {

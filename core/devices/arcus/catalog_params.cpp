@@ -139,9 +139,9 @@ constexpr Words all_words[] = {
     {Setting::auto_response, "Communication", "Tells when it is in position",
      "The controller can send a message of its own at the end of each move. Holds after Store and switching the power off and on. On a line with several devices such messages can collide with replies.",
      "", "Auto-response Feature", "0: speaks only when asked", "1: tells the end of each move"},
-    {Setting::modbus, "Communication", "Modbus",
+    {Setting::modbus, "Communication", "Modbus protocol",
      "Switches the line to the Modbus protocol, for which the maker has a separate document. It needs RS-485, and this console cannot talk to a controller in that mode.",
-     "", "Storing to Flash", "0: off", "1: on"},
+     "", "Storing to Flash", "0: ASCII commands", "1: Modbus"},
     {Setting::modbus_number, "Communication", "Modbus number",
      "The address of the controller on a Modbus line. Without Modbus it has no effect.",
      "", "Storing to Flash"},
@@ -287,6 +287,14 @@ std::vector<ParamInfo> params(const Model& model, const Wording& wording) {
       }
       if (fact.notation == Notation::thousandths) p.decimals = 3;
       if (fact.notation == Notation::name) p.prefix = model.name_prefix, p.digits = 2;
+      if (fact.id == Setting::modbus)
+        p.warning =
+            "With Modbus on, the controller no longer understands this console after Store and switching "
+            "its power off and on. Only a Modbus program can switch it back.";
+      if (fact.id == Setting::joystick)
+        p.warning =
+            "These axes follow their analog inputs at once and may begin to move. Take your hands off the "
+            "machine and the stick before you confirm.";
       if (p.unit == "ms" && fact.max > max_number) p.maximum = longest_ramp_ms(model);
       all.push_back(std::move(p));
     }

@@ -98,7 +98,8 @@ std::optional<std::int64_t> decode_value(const ParamInfo& info, std::string_view
   if (info.decimals == 0) return decode_number(text);
   const auto point = text.find('.');
   const auto whole = decode_number(text.substr(0, point));
-  if (!whole || *whole < 0) return std::nullopt;
+  constexpr std::int64_t largest = 1'000'000'000'000;  // no controller's number comes near it
+  if (!whole || *whole < 0 || *whole > largest) return std::nullopt;
   std::string_view fraction = point == text.npos ? std::string_view() : text.substr(point + 1);
   std::int64_t value = *whole;
   for (int i = 0; i < info.decimals; ++i) {

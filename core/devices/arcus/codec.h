@@ -15,9 +15,6 @@
 
 namespace hw::arcus {
 
-/// What an unused line of the stored code reads as, and what empties one.
-inline constexpr std::string_view unused_line = "NOP";
-
 /// How a command travels.
 enum class Framing : std::uint8_t {
   addressed,  ///< on a line: @NN, text, CR

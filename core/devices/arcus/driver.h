@@ -98,7 +98,8 @@ class ArcusDriver final : public Driver {
   void show_axis(int axis, Instant asked_at);
   void show_ended(int axis);
   void show_worst();
-  [[nodiscard]] bool moving(int axis) const;
+  [[nodiscard]] bool moving(int axis) const;  ///< as shown
+  [[nodiscard]] bool runs(int axis) const;    ///< as last read
   [[nodiscard]] bool any_moving() const;
   [[nodiscard]] EndedBy how_it_ended(int axis) const;
   [[nodiscard]] bool loop_error(int axis) const;
@@ -153,6 +154,7 @@ class ArcusDriver final : public Driver {
   Task<Result<>> halt_threads(bool all);
   Task<Result<>> wait_for_standstill(int axis);
   void stopping(int axis, bool at_once);
+  void stands(int axis);
 
   // ---- driver_programs.cpp
   Task<Result<>> perform_program(IntentBody body);
@@ -171,7 +173,7 @@ class ArcusDriver final : public Driver {
   // ---- driver_params.cpp
   Task<Result<>> set_param(intent::SetParam wish);
   Task<Result<>> read_param(int index, Priority priority);
-  Task<Result<>> read_params();
+  Task<Result<>> read_params(std::string only);
   Task<Result<>> read_again();
   Task<Result<>> store();
   void forget_params(std::string_view head);
@@ -191,6 +193,7 @@ class ArcusDriver final : public Driver {
   const Forms& forms_;
   const language::Dialect& dialect_;
   Station* station_ = nullptr;
+  Event looked_;  ///< at the status
 
   std::array<AxisMind, max_axes> minds_{};
   bool incremental_ = false;

@@ -22,7 +22,8 @@ ArcusDriver::ArcusDriver(DriverContext context, const Forms& forms, const langua
       notify_(std::move(context.notify)),
       changed_(std::move(context.changed)),
       forms_(forms),
-      dialect_(dialect) {
+      dialect_(dialect),
+      looked_(context.scheduler) {
   draft_.axis_count = axis_count();
   draft_.identity.model = catalog_.name;
   for (int i = 0; i < axis_count(); ++i) draft_.axes[i].enabled = false;
@@ -204,6 +205,7 @@ void ArcusDriver::wire_lost() {
   for (int i = 0; i < axis_count(); ++i) {
     AxisState& axis = draft_.axes[i];
     if (moving(i)) axis.ended_by = EndedBy::lost;
+    minds_[static_cast<std::size_t>(i)].stopping = false;
     axis.activity = Activity::unknown;
     axis.phase = Phase::unknown;
     axis.position_known = false;
@@ -212,6 +214,7 @@ void ArcusDriver::wire_lost() {
     axis.speed = Pps{};
   }
   for (ThreadState& t : draft_.threads) t = ThreadState();
+  looked_.notify();
   draft_.inputs_known = draft_.outputs_known = draft_.analog_known = 0;
   draft_.readouts_known.reset();
   draft_.variables_known.reset();

@@ -42,7 +42,7 @@ Task<Result<>> ArcusDriver::perform(const IntentBody& body) {
     watched_ = i->groups;
     co_return Result<>();
   }
-  if (std::holds_alternative<ReadParams>(body)) co_return co_await read_params();
+  if (const auto* i = std::get_if<ReadParams>(&body)) co_return co_await read_params(i->only);
   if (std::holds_alternative<Store>(body)) co_return co_await store();
   if (std::holds_alternative<ReadAgain>(body)) co_return co_await read_again();
   if (std::holds_alternative<Reset>(body))
@@ -150,9 +150,18 @@ Task<Result<>> ArcusDriver::set_param(intent::SetParam wish) {
   co_return Result<>();
 }
 
-Task<Result<>> ArcusDriver::read_params() {
+Task<Result<>> ArcusDriver::read_params(std::string only) {
+  if (!only.empty()) {
+    const int index = catalog_.find_param(only);
+    if (index >= 0) co_return co_await read_param(index, Priority::intent);
+  }
   for (int i = 0; i < static_cast<int>(catalog_.params.size()); ++i) {
     auto read = co_await read_param(i, Priority::transfer);
+    if (!read) co_return read;
+    co_await stay_live();
+  }
+  for (int n = catalog_.variables.stored_from; n < catalog_.variables.count; ++n) {
+    auto read = co_await read_variable(n, Priority::transfer);
     if (!read) co_return read;
     co_await stay_live();
   }

@@ -92,6 +92,7 @@ Task<Result<>> ArcusDriver::read_motion(Priority priority) {
     if (changed) minds_[at(i)].turned = static_cast<std::int8_t>(move > Steps(0) ? 1 : -1);
     show_axis(i, asked_at);
   }
+  looked_.notify();
   co_return Result<>();
 }
 
@@ -201,17 +202,23 @@ Activity activity_of(int loop_state) {
 
 }  // namespace
 
+bool ArcusDriver::runs(int axis) const {
+  const AxisMind& mind = minds_[at(axis)];
+  return says_moving(mind.status) || loop_works(mind.loop_state);
+}
+
 // What the axis does, from its status word, StepNLoop and what the console began. A command that was sent
 // after the question was asked is not judged by the answer.
 void ArcusDriver::show_axis(int index, Instant asked_at) {
   AxisMind& mind = minds_[at(index)];
   AxisState& axis = draft_.axes[index];
   if (mind.begun_at > asked_at) return;
-  const bool runs = says_moving(mind.status) || loop_works(mind.loop_state);
-  if (runs) {
-    if (mind.stopping)
-      axis.activity = Activity::stopping;
-    else if (mind.ours)
+  if (mind.stopping) {  // until whoever stops it has seen it stand
+    axis.activity = Activity::stopping;
+    return;
+  }
+  if (runs(index)) {
+    if (mind.ours)
       axis.activity = mind.wanted;
     else
       axis.activity = activity_of(mind.loop_state);
@@ -243,7 +250,6 @@ void ArcusDriver::show_ended(int index) {
   if (was_moving && mind.wanted == Activity::homing && axis.ended_by == EndedBy::target)
     axis.position_doubtful = false;
   mind.ours = false;
-  mind.stopping = false;
   mind.wanted = Activity::idle;
   mind.ended_by = EndedBy::nothing;
   axis.has_target = false;

@@ -14,8 +14,6 @@ constexpr int thread_stop = 0, thread_run = 1, thread_pause = 2, thread_continue
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
-bool unused(std::string_view line) { return line.empty() || line == unused_line; }
-
 }  // namespace
 
 Task<Result<>> ArcusDriver::perform_program(IntentBody body) {
@@ -84,16 +82,12 @@ Result<> ArcusDriver::no_thread_runs() const {
 // ---- stored lines
 
 Task<Result<std::string>> ArcusDriver::read_line(int line, Priority priority) {
-  auto text = co_await ask(fmt::format("SA{}", line), priority);
-  if (!text) co_return fail(text.error());
-  if (unused(*text)) co_return std::string();
-  co_return std::move(*text);
+  co_return co_await ask(fmt::format("SA{}", line), priority);
 }
 
-// Written twice by a repeat would do no harm, but the memory bears a limited number of writes.
+// An unused line is empty.
 Task<Result<>> ArcusDriver::write_line(int line, std::string text) {
-  const std::string_view code = text.empty() ? unused_line : std::string_view(text);
-  std::string sent = fmt::format("SA{}={}", line, code);
+  std::string sent = fmt::format("SA{}={}", line, text);
   co_return co_await command(std::move(sent), Priority::transfer, Millis(500));
 }
 

@@ -44,7 +44,17 @@ Task<Result<>> ArcusDriver::stop(int axis, bool at_once) {
   end_feed();
   auto stopped = co_await stop_now(axis, at_once);
   --stops_;
+  if (station_) stands(axis);
   co_return stopped;
+}
+
+// What was being stopped is shown as it is again.
+void ArcusDriver::stands(int axis) {
+  for (int i = 0; i < axis_count(); ++i) {
+    if (axis >= 0 && i != axis) continue;
+    minds_[at(i)].stopping = false;
+    show_axis(i, scheduler_.now());
+  }
 }
 
 Task<Result<>> ArcusDriver::stop_now(int axis, bool at_once) {
@@ -115,12 +125,12 @@ Task<Result<>> ArcusDriver::wait_for_standstill(int axis) {
     auto loop = co_await read_loop(Priority::stop);
     if (!loop) co_return loop;
     bool turns = false;
-    for (int i = 0; i < axis_count(); ++i) turns = turns || ((axis < 0 || i == axis) && moving(i));
+    for (int i = 0; i < axis_count(); ++i) turns = turns || ((axis < 0 || i == axis) && runs(i));
     if (!turns) co_return Result<>();
     if (scheduler_.now() > give_up)
       co_return fail(FaultKind::controller, "The controller was told to stop and still moves.",
                      "The stop was sent.", "Stop again: it then stops at once, without a ramp.");
-    co_await scheduler_.sleep_for(look_again);
+    co_await looked_.wait_until(scheduler_.now() + look_again);
     if (!station_) co_return fail(FaultKind::lost, "The connection was lost while the axes were stopping.");
   }
 }

@@ -6,7 +6,7 @@ namespace hw::arcus {
 namespace {
 
 constexpr std::size_t longest_line = 256, pulses_kept = 100'000;
-constexpr std::size_t transfer = 64;         // bytes of a USB transfer
+constexpr std::size_t transfer = 64;          // bytes of a USB transfer
 constexpr int most_events_at_once = 100'000;  // at one instant: then time has to go on
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -16,6 +16,7 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 ArcusEmulator::ArcusEmulator(const Model& model, std::span<const Command> commands,
                              const EmulatorOptions& options)
     : options_(options), commands_(commands), controller_(model) {
+  if (options.motor_power) controller_.load_needs_power();
   if (options.id) {
     controller_.flash().settings.set(Setting::device_name, *options.id);
     controller_.power_up();
@@ -182,15 +183,26 @@ Result<EmulatorOptions> read_options(const Model& model, const std::map<std::str
       if (value != "usb" && value != "line") return bad_option("framing=" + value + ": write usb or line.");
       options.usb = value == "usb";
     } else if (key == "quirk") {
-      if (!has_reply_cr || value != "reply-cr")
-        return bad_option("A " + title + " has no quirk \"" + value + "\".",
-                          has_reply_cr ? "Its quirk is reply-cr." : "");
-      options.reply_cr = true;
+      for (std::string_view rest = value; !rest.empty();) {
+        const auto end = std::min(rest.find('+'), rest.size());
+        const std::string_view name = rest.substr(0, end);
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+        if (name == "motor-power")
+          options.motor_power = true;
+        else if (name == "reply-cr" && has_reply_cr)
+          options.reply_cr = true;
+        else
+          return bad_option(
+              "A " + title + " has no quirk \"" + std::string(name) + "\".",
+              has_reply_cr ? "Its quirks are motor-power and reply-cr." : "Its quirk is motor-power.");
+      }
     } else if (key == "baud") {
-      const bool known = std::any_of(bauds.begin(), bauds.end(),
-                                     [&rate = value](const Baud& b) { return std::to_string(b.rate) == rate; });
+      const bool known = std::any_of(bauds.begin(), bauds.end(), [&rate = value](const Baud& b) {
+        return std::to_string(b.rate) == rate;
+      });
       if (!known)
-        return bad_option("baud=" + value + ": a " + title + " works at 9600, 19200, 38400, 57600 or 115200 baud.");
+        return bad_option("baud=" + value + ": a " + title +
+                          " works at 9600, 19200, 38400, 57600 or 115200 baud.");
     } else {
       return bad_option("The " + title + " emulator has no option \"" + key + "\".");
     }

@@ -13,10 +13,11 @@ namespace hw::arcus {
 
 /// Of the address.
 struct EmulatorOptions {
-  std::optional<int> id;      ///< device number of a fresh memory
-  bool unaddressed = false;   ///< obeys text without @NN too
-  bool usb = false;           ///< 64-byte transfers
-  bool reply_cr = false;      ///< quirk: replies end with CR
+  std::optional<int> id;     ///< device number of a fresh memory
+  bool unaddressed = false;  ///< obeys text without @NN too
+  bool usb = false;          ///< 64-byte transfers
+  bool reply_cr = false;     ///< quirk: replies end with CR
+  bool motor_power = false;  ///< quirk: a load stands still while its motor has no power
 };
 
 class ArcusEmulator final : public Emulator {
@@ -75,8 +76,8 @@ class ArcusEmulator final : public Emulator {
   EmulatorOptions options_;
   std::span<const Command> commands_;
   Controller controller_;
-  std::string line_;        ///< received since the last CR
-  bool overlong_ = false;   ///< that line is too long to be kept whole
+  std::string line_;       ///< received since the last CR
+  bool overlong_ = false;  ///< that line is too long to be kept whole
   std::string out_;
   std::uint64_t memory_loads_ = 0;
 };

@@ -6,7 +6,9 @@
 namespace hw::arcus {
 
 std::int64_t Axis::encoder_at(Steps load) const {
-  return std::llround(static_cast<double>(load.value) * counts_per_pulse) + encoder_offset;
+  constexpr double furthest = 1e18;  // keeps sums of absurd distances defined
+  const double counts = static_cast<double>(load.value) * counts_per_pulse;
+  return std::llround(std::clamp(counts, -furthest, furthest)) + encoder_offset;
 }
 
 bool Axis::index_operated() const {
@@ -25,7 +27,8 @@ std::optional<std::int64_t> Axis::turns_until_index(Sign physical) const {
   if (index_every <= 0) return std::nullopt;
   const std::int64_t here = plant.load().value - index_first;
   const std::int64_t behind = ((here % index_every) + index_every) % index_every;  // from the mark below
-  const std::int64_t gap = physical == Sign::plus ? index_every - behind : (behind == 0 ? index_every : behind);
+  const std::int64_t gap =
+      physical == Sign::plus ? index_every - behind : (behind == 0 ? index_every : behind);
   return plant.turns_until_load(physical, Steps(plant.load().value + factor(physical) * gap));
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 // One axis of an emulated Arcus controller: its counters, its load and encoder, and what is latched on it.
 #include <cstdint>
-#include <functional>
 #include <optional>
 
 #include "core/devices/arcus/facts.h"
@@ -20,14 +19,14 @@ constexpr std::int64_t wrap_position(std::int64_t v) {
 /// The parts of the five homing routines.
 enum class HomeStep : std::uint8_t {
   none,
-  seek_switch,   ///< towards home or limit at high speed
-  slow_down,     ///< behind the home switch
-  seek_index,    ///< at low speed
-  back_out,      ///< backwards over the home switch until it lets go
-  past,          ///< so much further (HCA)
-  approach,      ///< forwards to the switch at low speed
-  back_off,      ///< from the limit (LCA)
-  return_zero,   ///< RZ
+  seek_switch,  ///< towards home or limit at high speed
+  slow_down,    ///< behind the home switch
+  seek_index,   ///< at low speed
+  back_out,     ///< backwards over the home switch until it lets go
+  past,         ///< so much further (HCA)
+  approach,     ///< forwards to the switch at low speed
+  back_off,     ///< from the limit (LCA)
+  return_zero,  ///< RZ
 };
 
 struct Homing {
@@ -43,11 +42,11 @@ struct Latch {
 };
 
 struct SyncOutput {
-  int state = 0;  ///< 0 off, 1 waiting, 2 has occurred
-  bool holds = false;          ///< the condition, at the last look
-  std::int64_t seen = 0;       ///< encoder at the last look
+  int state = 0;          ///< 0 off, 1 waiting, 2 has occurred
+  bool holds = false;     ///< the condition, at the last look
+  std::int64_t seen = 0;  ///< encoder at the last look
   Instant pulse_until{};
-  bool open = false;           ///< the newest trigger pulse of this output has not ended
+  bool open = false;  ///< the newest trigger pulse of this output has not ended
 };
 
 class Axis {
@@ -61,25 +60,25 @@ class Axis {
   /// What the encoder counter was set to, less what the encoder showed then.
   std::int64_t encoder_offset = 0;
   bool plus_error = false, minus_error = false, alarm_error = false;
-  bool alarm_operated = false;
+  bool alarm_operated = false, jammed_by_hand = false;
 
   // StepNLoop.
-  std::int64_t target = 0;     ///< in counts, while nothing follows
-  bool follows = false;        ///< the target runs with the pulses:
+  std::int64_t target = 0;                            ///< in counts, while nothing follows
+  bool follows = false;                               ///< the target runs with the pulses:
   std::int64_t anchor_target = 0, anchor_offset = 0;  ///< target at that offset of the path
   std::optional<LoopState> loop_error;
   std::int64_t attempts = 0;
-  bool extra_done = false;     ///< the extra correction at idle current (SLM)
+  bool extra_done = false;  ///< the extra correction at idle current (SLM)
   Instant aborted_until{};
 
-  int slot = -1;               ///< motion that it takes part in
-  int arrived_by = 0;          ///< direction of the last pulse of that motion
-  bool announces = false;      ///< its arrival is to be reported (AR)
+  int slot = -1;                            ///< motion that it takes part in
+  int arrived_by = 0;                       ///< direction of the last pulse of that motion
+  bool announces = false;                   ///< its arrival is to be reported (AR)
   std::optional<std::int64_t> then_target;  ///< after coming to rest: T behind the stopping point
   Homing homing;
   Latch latch;
   SyncOutput sync;
-  Instant rested_at{};         ///< since when it has been still
+  Instant rested_at{Duration(-std::chrono::hours(1))};  ///< since when it has been still
 
   // What a rehearsal wants to know.
   std::int64_t lowest = 0, highest = 0, travelled = 0;
@@ -91,8 +90,7 @@ class Axis {
   /// Makes `count` pulses; `physical` is the direction of the load.
   void turn(int way, Sign physical, std::int64_t count);
 
-  /// The first of the next `most` turns towards `physical` after which `holds(load)` is true; it must stay
-  /// true from there on.
+  /// The first of the next `most` turns after which `holds(turns)` is true; it must stay true from there on.
   template <class Predicate>
   [[nodiscard]] std::optional<std::int64_t> first_turn(std::int64_t most, Predicate holds) const {
     if (most < 1 || !holds(most)) return std::nullopt;

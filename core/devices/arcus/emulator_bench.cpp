@@ -71,8 +71,7 @@ Result<> ArcusEmulator::act(const bench::HomeSwitch& c) {
 
 Result<> ArcusEmulator::act(const bench::Jam& c) {
   if (auto bad = check_axis(c.axis); !bad) return bad;
-  controller_.axis(c.axis.index).plant.jam(c.on);
-  controller_.bench_changed(c.axis.index);
+  controller_.jam(c.axis.index, c.on);
   return {};
 }
 
@@ -80,7 +79,8 @@ Result<> ArcusEmulator::act(const bench::Jam& c) {
 Result<> ArcusEmulator::act(const bench::Slip& c) {
   if (auto bad = check_axis(c.axis); !bad) return bad;
   Axis& axis = controller_.axis(c.axis.index);
-  const double pulses = axis.counts_per_pulse == 0 ? 0 : static_cast<double>(c.by.value) / axis.counts_per_pulse;
+  const double pulses =
+      axis.counts_per_pulse == 0 ? 0 : static_cast<double>(c.by.value) / axis.counts_per_pulse;
   axis.plant.slip(Steps(std::llround(std::clamp(pulses, -1e15, 1e15))));
   controller_.bench_changed(c.axis.index);
   return {};
@@ -88,7 +88,8 @@ Result<> ArcusEmulator::act(const bench::Slip& c) {
 
 Result<> ArcusEmulator::act(const bench::Alarm& c) {
   if (auto bad = check_axis(c.axis); !bad) return bad;
-  if (controller_.model().status.alarm == no_bit) return nothing_changed("This controller has no alarm inputs.");
+  if (controller_.model().status.alarm == no_bit)
+    return nothing_changed("This controller has no alarm inputs.");
   controller_.operate_alarm(c.axis.index, c.on);
   return {};
 }
@@ -150,7 +151,7 @@ void ArcusEmulator::look(BenchView& view) const {
     if (plant.limit_by_hand(Sign::plus)) view.limits_plus_by_hand |= bit;
     if (plant.home_operated()) view.homes |= bit;
     if (controller_.axis(a).alarm_operated) view.alarms |= bit;
-    if (plant.jammed()) view.jammed |= bit;
+    if (controller_.axis(a).jammed_by_hand) view.jammed |= bit;
   }
 }
 

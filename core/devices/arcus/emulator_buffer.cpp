@@ -1,5 +1,6 @@
 // The buffered moves of the PMX (manual ch. 6; decisions AMB-075 to AMB-078): up to 36 straight segments of
-// X, Y and Z, each at its own speed along the path. With IACC=1 the speed changes inside a segment, in ACC ms.
+// X, Y and Z, each at its own speed along the path. With IACC=1 the speed changes inside a segment, in ACC
+// ms.
 #include <algorithm>
 
 #include "core/devices/arcus/emulator_controller.h"
@@ -12,11 +13,10 @@ using motion::Profile;
 namespace {
 
 constexpr unsigned xyz = 0b111;
-constexpr int places = 36;
 
 }  // namespace
 
-int Controller::buffer_free() const { return places - static_cast<int>(buffer_.queue.size()); }
+int Controller::buffer_free() const { return model_->buffer_places - static_cast<int>(buffer_.queue.size()); }
 
 Refusal Controller::buffer_on() {
   for (int a = 0; a < 3; ++a)
@@ -50,7 +50,7 @@ Refusal Controller::buffer_move(const Segment& segment) {
   if (buffer_free() == 0) return Refusal::buffer_full;
   bring_up_to_date();
   const bool was_last = buffer_.queue.size() == 1;
-  if (!buffer_.queue.empty()) buffer_.end = (buffer_.end + 1) % places;
+  if (!buffer_.queue.empty()) buffer_.end = (buffer_.end + 1) % model_->buffer_places;
   buffer_.queue.push_back(segment);
   if (!buffer_.running) {
     const std::int64_t low = settings_.get(Setting::low_speed);
@@ -67,7 +67,8 @@ Refusal Controller::buffer_move(const Segment& segment) {
   return Refusal::none;
 }
 
-Profile Controller::segment_profile(const Path& path, const Segment& s, Pps now, double from, bool last) const {
+Profile Controller::segment_profile(const Path& path, const Segment& s, Pps now, double from,
+                                    bool last) const {
   const double scale = path.pulses_per_step();
   const double speed = static_cast<double>(s.speed) / scale;
   if (!settings_.on(Setting::buffer_accel)) return Profile::constant(now_, from, Pps(speed), path.steps());
@@ -100,7 +101,7 @@ void Controller::segment_ended(Pps speed) {
     for (int a = 0; a < 3; ++a) settle_loop(a);
     return;
   }
-  buffer_.start = (buffer_.start + 1) % places;
+  buffer_.start = (buffer_.start + 1) % model_->buffer_places;
   next_segment(speed);
 }
 

@@ -63,7 +63,8 @@ std::optional<Arguments> match(std::string_view form, std::string_view text, std
 std::string without_blanks(std::string_view text) {
   const auto trimmed = [](std::string_view t) {
     const auto begin = t.find_first_not_of(' ');
-    return begin == std::string_view::npos ? std::string_view() : t.substr(begin, t.find_last_not_of(' ') - begin + 1);
+    return begin == std::string_view::npos ? std::string_view()
+                                           : t.substr(begin, t.find_last_not_of(' ') - begin + 1);
   };
   const auto equals = text.find('=');
   if (equals == std::string_view::npos) return std::string(trimmed(text));

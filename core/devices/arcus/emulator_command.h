@@ -28,8 +28,8 @@ struct Answer {
   std::string text = "OK";
 
   Answer() = default;
-  Answer(Refusal r) : refusal(r) {}                     // NOLINT: a refusal is an answer
-  Answer(std::string t) : text(std::move(t)) {}         // NOLINT
+  Answer(Refusal r) : refusal(r) {}              // NOLINT: a refusal is an answer
+  Answer(std::string t) : text(std::move(t)) {}  // NOLINT
   static Answer number(std::int64_t n) { return std::to_string(n); }
 };
 

@@ -26,7 +26,7 @@ enum class MotionKind : std::uint8_t { target, jog, homing, correction, interpol
 struct Motion {
   bool active = false, stopping = false;
   MotionKind kind = MotionKind::target;
-  unsigned axes = 0;  ///< a bit for each
+  unsigned axes = 0;               ///< a bit for each
   std::int64_t changed_speed = 0;  ///< by SSPD; 0: none
   motion::Path path;
   motion::Profile profile;
@@ -98,7 +98,7 @@ class Controller {
   void heard_from_host(bool timeout_was_shown);
   [[nodiscard]] bool timed_out() const { return timed_out_; }
 
-  // Moves (emulator_moves.cpp). `interactive`: a host, which is refused what a program may.
+  // Moves (emulator_moves.cpp, emulator_homing.cpp, emulator_motion.cpp).
   Refusal move(const Targets& targets);
   Refusal jog(int axis, Sign way);
   Refusal arc(std::int64_t centre_x, std::int64_t centre_y, bool clockwise,
@@ -131,8 +131,6 @@ class Controller {
   [[nodiscard]] LoopState loop_state(int axis) const;
   [[nodiscard]] std::int64_t current_ma() const;
   [[nodiscard]] bool moving(int axis) const { return axes_[ix(axis)].slot >= 0; }
-  /// Neither moving nor about to correct.
-  [[nodiscard]] bool idle(int axis) const { return !moving(axis); }
   /// Limit, alarm or StepNLoop error latched.
   [[nodiscard]] bool in_error(int axis) const;
   Refusal set_position(int axis, std::int64_t value);
@@ -155,9 +153,11 @@ class Controller {
   void set_output(int number, bool on);
   [[nodiscard]] std::int64_t output_register() const { return outputs_; }
   [[nodiscard]] std::int64_t enables() const { return enables_; }
-  void set_enables(std::int64_t value) { enables_ = value; }
+  void set_enables(std::int64_t value);
   void set_enable(int number, bool on);
-  [[nodiscard]] std::int64_t analog(int number) const { return analog_[static_cast<std::size_t>(number - 1)]; }
+  [[nodiscard]] std::int64_t analog(int number) const {
+    return analog_[static_cast<std::size_t>(number - 1)];
+  }
   void arm_latch(int axis, bool on);
   [[nodiscard]] const Latch& latch(int axis) const { return axes_[ix(axis)].latch; }
   void sync_on(int axis);
@@ -168,6 +168,9 @@ class Controller {
   void operate_input(int number, bool active);
   void operate_analog(int number, std::int32_t millivolts);
   void operate_alarm(int axis, bool on);
+  void jam(int axis, bool on);
+  /// The bench of decision AMB-093: a load stands still while its motor has no power.
+  void load_needs_power();
   /// A switch, the load or the place of an axis has been changed.
   void bench_changed(int axis);
   Axis& axis(int n) { return axes_[ix(n)]; }
@@ -176,6 +179,8 @@ class Controller {
   [[nodiscard]] std::uint32_t inputs_operated() const { return inputs_; }
   /// Levels at the terminals: outputs, then enables.
   [[nodiscard]] std::uint32_t output_levels() const;
+  /// In Position and Alarm are shown by outputs (EDO=1 and StepNLoop on).
+  [[nodiscard]] bool loop_has_outputs() const { return settings_.on(Setting::status_outputs) && closed(0); }
 
   std::vector<TriggerPulse> trigger_pulses;  ///< of sync outputs, oldest first
   std::vector<int> arrivals;                 ///< axes that have come to their target (AR), to be taken away
@@ -190,9 +195,7 @@ class Controller {
  private:
   static std::size_t ix(int i) { return static_cast<std::size_t>(i); }
   void tell(std::string what);
-  [[nodiscard]] std::string letter(int axis) const {
-    return std::string(1, model_->axis_letters[ix(axis)]);
-  }
+  [[nodiscard]] std::string letter(int axis) const { return std::string(1, model_->axis_letters[ix(axis)]); }
 
   // Motions (emulator_motion.cpp).
   void begin(MotionKind kind, unsigned axes, const motion::Path& path, const motion::Profile& profile);
@@ -222,7 +225,7 @@ class Controller {
   void cut(Motion& m);
 
   // Speeds.
-  [[nodiscard]] SpeedOrder order(int axis) const;         ///< of a move of this axis alone
+  [[nodiscard]] SpeedOrder order(int axis) const;            ///< of a move of this axis alone
   [[nodiscard]] SpeedOrder path_order(unsigned axes) const;  ///< of an interpolated move
   [[nodiscard]] RampOrder ramps_of(const Motion& m) const;
   void begin_index(MotionKind kind, int axis, std::int64_t pulses);
@@ -262,6 +265,7 @@ class Controller {
   [[nodiscard]] std::optional<Instant> program_turn() const;
 
   // Signals.
+  void hold_loads();
   [[nodiscard]] bool inverted(const PolarityBit& bit, int axis) const;
   [[nodiscard]] Sign load_way(int axis, Sign way) const;
   [[nodiscard]] bool home_active(int axis) const;
@@ -298,6 +302,7 @@ class Controller {
   bool incremental_ = false;
   std::int64_t outputs_ = 0, enables_ = 0;
   std::uint32_t inputs_ = 0;
+  bool load_needs_power_ = false;
   std::array<std::int32_t, 8> analog_{};
   int address_ = 0, rate_ = 9600;
   bool prefixes_replies_ = false, announces_arrivals_ = false;

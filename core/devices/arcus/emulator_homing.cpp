@@ -54,7 +54,8 @@ void Controller::home_looks(Motion& m, int a) {
   const Homing homing = axis.homing;
   switch (homing.step) {
     case HomeStep::seek_switch:
-      if (homing.mode == HomeMode::limit ? limit_active(a, homing.way) : home_active(a)) home_switch_found(m, a);
+      if (homing.mode == HomeMode::limit ? limit_active(a, homing.way) : home_active(a))
+        home_switch_found(m, a);
       break;
     case HomeStep::seek_index:
       if (axis.arrived_by == 0 || !axis.index_operated()) break;
@@ -127,9 +128,7 @@ void Controller::home_stage_ended(int a) {
     case HomeStep::past:
       homing.step = HomeStep::approach;
       return begin_endless(MotionKind::homing, a, homing.way, true);
-    case HomeStep::back_off:
-      zero(a);
-      return home_done(a);
+    case HomeStep::back_off: zero(a); return home_done(a);
     default: return home_done(a);
   }
 }

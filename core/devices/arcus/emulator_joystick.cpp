@@ -37,7 +37,8 @@ double Controller::joystick_wish(int a) const {
   const auto jl = [&](int n) { return settings_.get(Setting::joystick_limits, 4 * a + n); };
   const Axis& axis = axes_[ix(a)];
   if (!joystick_on(a) || axis.plus_error || axis.minus_error || axis.alarm_error) return 0;
-  const std::int64_t high = settings_.get(Setting::joystick_max, a), low = settings_.get(Setting::joystick_min, a);
+  const std::int64_t high = settings_.get(Setting::joystick_max, a),
+                     low = settings_.get(Setting::joystick_min, a);
   const std::int64_t middle = (high - low) / 2 + low, off = analog_[ix(a)] - middle;
   const std::int64_t band = jv(2), reach = (off > 0 ? high - middle : middle - low) - band;
   if (std::abs(off) <= band || reach <= 0) return 0;
@@ -87,7 +88,8 @@ void Controller::joystick_turn(int a) {
     begin(MotionKind::joystick, 1u << a, path, Profile::constant(now_, 0, Pps(std::abs(next)), path.steps()));
     if (motion_of(a) == nullptr) joystick_speed_[ix(a)] = 0;  // into a switch
   }
-  const bool slowed_by_place = motion_of(a) != nullptr && std::abs(joystick_wish(a) - joystick_speed_[ix(a)]) > 1e-9;
+  const bool slowed_by_place =
+      motion_of(a) != nullptr && std::abs(joystick_wish(a) - joystick_speed_[ix(a)]) > 1e-9;
   if (wish != joystick_speed_[ix(a)] || slowed_by_place) schedule_joystick();
 }
 

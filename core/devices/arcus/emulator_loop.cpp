@@ -39,7 +39,8 @@ void Controller::watch_loop(Motion& m, int a, int way, Sign load) {
   const std::int64_t most = std::abs(m.path.offset(ix(a), m.path.next_turn(m.applied)) - here);
   const std::int64_t range = settings_.get(Setting::loop_range, a);
   mark(m, a, way, axis.first_turn(most, [&](std::int64_t turns) {
-    const std::int64_t delta = target_at(a, here + way * turns) - axis.encoder_at(axis.plant.load_after(load, turns));
+    const std::int64_t delta =
+        target_at(a, here + way * turns) - axis.encoder_at(axis.plant.load_after(load, turns));
     return std::abs(delta) > range;
   }));
 }
@@ -80,6 +81,9 @@ void Controller::settle_loop(int a) {
     if (in_position) return arrived();
     return loop_fails(a, LoopState::attempt_error);
   }
+  // With IERR=1 a switch in the way ends it without an error: then nothing more is tried.
+  const Sign way = delta < 0 ? Sign::minus : Sign::plus;
+  if (settings_.on(Setting::ignore_errors) && (limit_active(a, way) || alarm_active(a))) return;
   ++axis.attempts;
   axis.extra_done = idle_correction;
   const std::int64_t pulses = std::llround(static_cast<double>(delta) * ratio(a));
@@ -90,9 +94,8 @@ LoopState Controller::loop_state(int a) const {
   if (!closed(a)) return LoopState::off;
   const Axis& axis = axes_[ix(a)];
   if (axis.loop_error) return *axis.loop_error;
-  if (now_ < axis.aborted_until) return LoopState::aborting;
   const Motion* m = motion_of(a);
-  if (m == nullptr) return LoopState::idle;
+  if (m == nullptr) return now_ < axis.aborted_until ? LoopState::aborting : LoopState::idle;
   if (m->stopping && !axis.then_target) return LoopState::stopping;
   switch (m->kind) {
     case MotionKind::correction: return LoopState::correcting;

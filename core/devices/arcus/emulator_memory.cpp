@@ -50,10 +50,11 @@ void Controller::power_up() {
     Axis fresh;
     fresh.plant = axis.plant, fresh.counts_per_pulse = axis.counts_per_pulse;
     fresh.index_every = axis.index_every, fresh.index_first = axis.index_first;
-    fresh.alarm_operated = axis.alarm_operated;
+    fresh.alarm_operated = axis.alarm_operated, fresh.jammed_by_hand = axis.jammed_by_hand;
     axis = fresh;
     axis.set_encoder(0);
   }
+  hold_loads();
   heard_from_host(false);
   if (settings_.get(Setting::joystick) != 0) schedule_joystick();
   programs_power_up();

@@ -102,7 +102,8 @@ void Controller::advance(Instant now) {
   run_programs();
 }
 
-/// What is to be done where the motion stands now. A motion that is begun is looked at before its first pulse.
+/// What is to be done where the motion stands now. A motion that is begun is looked at before its first
+/// pulse.
 void Controller::look(Motion& m) {
   for (int a = 0; a < axes(); ++a) {
     if (!takes_part(m, a)) continue;
@@ -234,7 +235,8 @@ void Controller::finish(Motion& m, End end) {
     }
     if (done.stopping && !axis.then_target) axis.announces = false, axis.homing = Homing();
     if (const auto target = std::exchange(axis.then_target, std::nullopt)) {
-      const double way = static_cast<double>(*target - (closed(a) ? axis.encoder() : wrap_position(axis.pulses)));
+      const double way =
+          static_cast<double>(*target - (closed(a) ? axis.encoder() : wrap_position(axis.pulses)));
       const bool announces = axis.announces;
       axis.target = *target;
       begin_index(MotionKind::target, a, std::llround(way * ratio(a)));
@@ -248,7 +250,6 @@ void Controller::finish(Motion& m, End end) {
 // --- stopping ----------------------------------------------------------------------------------------------
 
 void Controller::stop_motion(Motion& m) {
-  if (m.stopping && !std::any_of(axes_.begin(), axes_.end(), [](const Axis& a) { return a.then_target; })) return;
   for (int a = 0; a < axes(); ++a)
     if (takes_part(m, a)) axes_[ix(a)].then_target.reset(), axes_[ix(a)].announces = false;
   if (m.kind == MotionKind::buffered && buffer_.queue.size() > 1) {

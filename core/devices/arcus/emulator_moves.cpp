@@ -200,7 +200,8 @@ Refusal Controller::arc(std::int64_t centre_x, std::int64_t centre_y, bool clock
         (closed(a) ? encoder(a) : position(a)) + std::llround(static_cast<double>(axis.anchor_offset) / k);
   }
   if (turn == 0) return Refusal::none;
-  const RampOrder r = scaled(ramps_over(*model_, path_order(0b11), radius * k * turn), path.pulses_per_step());
+  const RampOrder r =
+      scaled(ramps_over(*model_, path_order(0b11), radius * k * turn), path.pulses_per_step());
   begin(MotionKind::interpolated, 0b11, path, Profile::index(now_, path.steps(), r.top, r.ramp));
   return Refusal::none;
 }
@@ -219,7 +220,8 @@ Refusal Controller::change_target(int a, std::int64_t wanted) {
     return Refusal::none;
   }
   const int way = m->path.offset(ix(a), 1) < 0 ? -1 : 1;
-  const std::int64_t old = closed(a) ? axis.anchor_target : wrap_position(axis.pulses + way * (m->path.steps() - m->applied));
+  const std::int64_t old =
+      closed(a) ? axis.anchor_target : wrap_position(axis.pulses + way * (m->path.steps() - m->applied));
   const std::int64_t steps =
       m->path.steps() + std::llround(static_cast<double>(way * (wanted - old)) * ratio(a));
   const RampOrder r = ramps_of(*m);
@@ -259,7 +261,8 @@ Refusal Controller::change_speed(int a, std::int64_t wanted) {
   const double from = m->profile.distance(now_);
   tell("goes on with " + letter(a) + " at " + std::to_string(wanted));
   if (m->kind == MotionKind::jog)
-    continue_by(*m, Profile::change(now_, from, Pps(now), Pps(to), motion::Ramp(rate, rate), Profile::endless));
+    continue_by(*m,
+                Profile::change(now_, from, Pps(now), Pps(to), motion::Ramp(rate, rate), Profile::endless));
   else
     continue_by(*m, Profile::approach(now_, from, Pps(now), Pps(to), rate, ramp, m->path.steps()));
   return Refusal::none;

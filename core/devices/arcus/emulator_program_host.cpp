@@ -84,7 +84,8 @@ std::int32_t ProgramHost::read(Quantity quantity, int index) const {
 Outcome ProgramHost::write(Quantity quantity, int index, std::int32_t value) {
   if (const SettingRow* row = setting_row(quantity)) {
     const SettingFact* fact = seen_.settings().fact(row->setting);
-    const bool fits = fact != nullptr && ((value >= fact->min && value <= fact->max) || (value == 0 && fact->also_zero));
+    const bool fits =
+        fact != nullptr && ((value >= fact->min && value <= fact->max) || (value == 0 && fact->also_zero));
     if (!fits) return Outcome::error;
     return outcome_of(controller_->write_setting(row->setting, value, row->offset + index * row->stride));
   }

@@ -20,7 +20,7 @@ class ProgramHost final : public language::VmHost {
   void stop(language::AxisSet axes) override;
   void abort(language::AxisSet axes) override;
   void set_absolute(bool absolute) override { controller_->set_incremental(!absolute); }
-  [[nodiscard]] bool moving(int axis) const override { return axis < seen_.axes() && !seen_.idle(axis); }
+  [[nodiscard]] bool moving(int axis) const override { return axis < seen_.axes() && seen_.moving(axis); }
   [[nodiscard]] bool in_error(int axis) const override;
   void clear_error(int axis) override { controller_->clear_errors(axis); }
   void arm_sync(int axis, bool on) override;

@@ -20,7 +20,8 @@ Refusal Controller::set_program_line(int line, std::string_view text) {
 void Controller::load_programs() {
   if (!program_is_new_) return;
   program_is_new_ = false;
-  const auto& dialect = axes() == 1 ? language::dmx_k_sa() : language::pmx_4ex_sa();
+  const auto& pmx = language::pmx_4ex_sa();
+  const auto& dialect = pmx.model == model_->name ? pmx : language::dmx_k_sa();
   vm_.load(std::make_shared<const language::Program>(language::decode(flash_.program, dialect)));
 }
 
@@ -57,15 +58,7 @@ void Controller::programs_power_up() {
     if ((which >> n & 1) != 0) control_program(n, 1);
 }
 
-/// When a program wants its next turn. A loop that follows something in motion looks each millisecond.
-std::optional<Instant> Controller::program_turn() const {
-  const ProgramHost host(*this);
-  if (const auto turn = vm_.next_turn(now_, host)) return turn;
-  const bool something_moves = std::any_of(axes_.begin(), axes_.end(), [](const Axis& a) { return a.slot >= 0; });
-  if (!something_moves || !vm_.follows_motion()) return std::nullopt;
-  constexpr Duration turn = std::chrono::milliseconds(1);
-  return Instant((now_.time_since_epoch() / turn + 1) * turn);
-}
+std::optional<Instant> Controller::program_turn() const { return vm_.next_turn(now_, ProgramHost(*this)); }
 
 void Controller::run_programs() {
   ProgramHost host(*this);

@@ -11,7 +11,8 @@ std::int64_t Controller::read_setting(Setting id, int which) const {
   const bool ramp = id == Setting::accel || id == Setting::decel;
   const bool axis_ramp = id == Setting::axis_accel || id == Setting::axis_decel;
   if (!ramp && !(axis_ramp && written != 0)) return written;
-  SpeedOrder o = model_->axes() == 1 || axis_ramp ? order(which) : SpeedOrder();
+  const bool of_one_axis = axis_ramp || !settings_.has(Setting::axis_accel);
+  SpeedOrder o = of_one_axis ? order(which) : SpeedOrder();
   if (ramp) o.high = settings_.get(Setting::high_speed), o.low = settings_.get(Setting::low_speed);
   return adjusted_ms(*model_, o, written);
 }
@@ -30,13 +31,14 @@ Refusal Controller::write_setting(Setting id, std::int64_t value, int which) {
         axis.pulses = std::llround(static_cast<double>(encoder(which)) * ratio(which));
       axis.loop_error.reset();
       axis.attempts = 0;
+      axis.aborted_until = Instant{};
       break;
     }
     case Setting::joystick:
       for (int a = 0; a < axes(); ++a)
         if ((value >> a & 1) != 0 && !joystick_on(a) && moving(a)) return Refusal::moving;
       for (int a = 0; a < axes(); ++a)
-        if ((value >> a & 1) != 0) settings_.set(Setting::loop, 0, a);
+        if ((value >> a & 1) != 0 && closed(a)) (void)write_setting(Setting::loop, 0, a);
       break;
     default: break;
   }
@@ -77,8 +79,9 @@ std::int64_t Controller::status(int a) const {
   if (const Motion* m = motion_of(a)) {
     motion::Phase phase = m->profile.phase(now_);
     if (m->kind == MotionKind::joystick) {
-      const double wish = std::abs(joystick_wish(a)), now = std::abs(joystick_speed_[ix(a)]);
-      if (wish != now) phase = wish > now ? motion::Phase::accelerating : motion::Phase::decelerating;
+      const double now = joystick_speed_[ix(a)], wish = joystick_wish(a);
+      const bool faster = wish * now > 0 && std::abs(wish) > std::abs(now);
+      if (wish != now) phase = faster ? motion::Phase::accelerating : motion::Phase::decelerating;
     }
     set(bits.accelerating, phase == motion::Phase::accelerating);
     set(bits.decelerating, phase == motion::Phase::decelerating);
@@ -116,7 +119,7 @@ Refusal Controller::set_position(int a, std::int64_t value) {
   if (moving(a)) return Refusal::moving;
   Axis& axis = axes_[ix(a)];
   if (closed(a)) {
-    if (axes() > 1) return Refusal::unknown;  // PMX: not with StepNLoop (decision AMB-039)
+    if (!model_->positions_may_be_written_in_loop) return Refusal::unknown;
     axis.target = value;
     axis.set_encoder(value);
   }
@@ -132,7 +135,8 @@ Refusal Controller::set_encoder(int a, std::int64_t value) {
   Axis& axis = axes_[ix(a)];
   const std::int64_t delta = loop_delta(a);
   axis.set_encoder(value);
-  if (closed(a)) axis.target = axes() > 1 ? wrap_position(value + delta) : value;
+  if (closed(a))
+    axis.target = model_->positions_may_be_written_in_loop ? value : wrap_position(value + delta);
   update_sync(a);
   return Refusal::none;
 }
@@ -144,7 +148,6 @@ std::int64_t Controller::current_ma() const {
   const std::int64_t run = settings_.get(Setting::run_current), idle = settings_.get(Setting::idle_current);
   if (const Motion* m = motion_of(0))
     return m->kind == MotionKind::correction && axis.extra_done ? idle : run;
-  if (axis.rested_at == Instant{}) return idle;
   return now_ < axis.rested_at + std::chrono::milliseconds(settings_.get(Setting::idle_time)) ? run : idle;
 }
 

@@ -49,7 +49,8 @@ std::int64_t Settings::get(Setting id, int which) const {
 void Settings::set(Setting id, std::int64_t value, int which) {
   const SettingFact* f = fact(id);
   if (f == nullptr) return;
-  values_[places_[static_cast<std::size_t>(id)] + static_cast<std::size_t>(f->count == 1 ? 0 : which)] = value;
+  values_[places_[static_cast<std::size_t>(id)] + static_cast<std::size_t>(f->count == 1 ? 0 : which)] =
+      value;
 }
 
 std::string Settings::text(const SettingFact& fact, std::int64_t value) const {

@@ -63,30 +63,61 @@ std::int64_t Controller::outputs() const {
   };
   for (int a = 0; a < axes(); ++a)
     if (axes_[ix(a)].sync.state != 0) show(model_->sync_outputs[ix(a)], sync_output_on(a));
-  if (settings_.on(Setting::status_outputs) && closed(0)) {
-    constexpr int in_position = 1, alarm = 3;  // DMX manual, table 7.1
+  if (loop_has_outputs()) {
     const bool near = std::abs(loop_delta(0)) <= settings_.get(Setting::loop_tolerance, 0);
-    show(in_position, idle(0) && !in_error(0) && near);
-    show(alarm, in_error(0));
+    show(model_->in_position_output, !moving(0) && !in_error(0) && near);
+    show(model_->alarm_output, in_error(0));
   }
   return seen;
 }
 
 std::uint32_t Controller::output_levels() const {
   if (!powered_) return 0;
-  auto out = static_cast<std::uint32_t>(outputs()), on = static_cast<std::uint32_t>(enables_);
-  const std::uint32_t all_out = (1u << model_->outputs) - 1, all_on = (1u << model_->enables) - 1;
-  if (settings_.on(Setting::output_polarity)) out = ~out & all_out;
-  if (inverted(model_->polarity.outputs, 0)) out ^= settings_.on(Setting::status_outputs) && closed(0) ? 2u : all_out;
-  if (inverted(model_->polarity.in_position, 0) && settings_.on(Setting::status_outputs) && closed(0)) out ^= 1u;
-  if (inverted(model_->polarity.alarm_output, 0) && settings_.on(Setting::status_outputs) && closed(0)) out ^= 4u;
-  if (settings_.on(Setting::enable_polarity) || inverted(model_->polarity.enable, 0)) on = ~on & all_on;
-  return (out & all_out) | (on & all_on) << model_->outputs;
+  const auto bit = [](int output) { return output > 0 ? 1u << (output - 1) : 0u; };
+  const std::uint32_t all_outputs = (1u << model_->outputs) - 1, all_enables = (1u << model_->enables) - 1;
+  const std::uint32_t in_position = loop_has_outputs() ? bit(model_->in_position_output) : 0;
+  const std::uint32_t alarm = loop_has_outputs() ? bit(model_->alarm_output) : 0;
+  std::uint32_t turned = 0;
+  if (settings_.on(Setting::output_polarity) || inverted(model_->polarity.outputs, 0))
+    turned |= all_outputs & ~(in_position | alarm);
+  if (inverted(model_->polarity.in_position, 0)) turned |= in_position;
+  if (inverted(model_->polarity.alarm_output, 0)) turned |= alarm;
+  const bool enables_turned = settings_.on(Setting::enable_polarity) || inverted(model_->polarity.enable, 0);
+  const auto on = static_cast<std::uint32_t>(enables_) ^ (enables_turned ? all_enables : 0);
+  const std::uint32_t out = static_cast<std::uint32_t>(outputs()) ^ turned;
+  return (out & all_outputs) | (on & all_enables) << model_->outputs;
 }
 
 void Controller::set_output(int number, bool on) {
   const std::int64_t bit = std::int64_t{1} << (number - 1);
   set_outputs(on ? outputs_ | bit : outputs_ & ~bit);
+}
+
+void Controller::set_enables(std::int64_t value) {
+  bring_up_to_date();
+  enables_ = value;
+  if (load_needs_power_) hold_loads();
+}
+
+void Controller::load_needs_power() {
+  load_needs_power_ = true;
+  hold_loads();
+}
+
+void Controller::jam(int a, bool on) {
+  axes_[ix(a)].jammed_by_hand = on;
+  hold_loads();
+}
+
+/// A load that cannot move: jammed, or its motor has no power and the bench minds.
+void Controller::hold_loads() {
+  for (int a = 0; a < axes(); ++a) {
+    Axis& axis = axes_[ix(a)];
+    const bool held = axis.jammed_by_hand || (load_needs_power_ && (enables_ >> a & 1) == 0);
+    if (held == axis.plant.jammed()) continue;
+    axis.plant.jam(held);
+    bench_changed(a);
+  }
 }
 
 void Controller::set_enable(int number, bool on) {
@@ -170,7 +201,8 @@ void Controller::update_sync(int a) {
   const bool equal = settings_.get(Setting::sync_condition, a) == 1;
   const std::int64_t at = settings_.get(Setting::sync_position, a);
   // A step of several counts over the position meets it too.
-  const bool stepped_over = equal && !s.holds && !held && ((seen < at && s.seen > at) || (seen > at && s.seen < at));
+  const bool stepped_over =
+      equal && !s.holds && !held && ((seen < at && s.seen > at) || (seen > at && s.seen < at));
   const Duration width = std::chrono::milliseconds(equal ? settings_.get(Setting::sync_width, a) : 0);
   if ((s.holds && !held) || stepped_over) {
     s.state = 2;
@@ -191,7 +223,8 @@ void Controller::end_sync_pulse(int a) {
   s.open = false;
   const int output = model_->sync_outputs[ix(a)];
   std::size_t looked = 0;
-  for (auto p = trigger_pulses.rbegin(); p != trigger_pulses.rend() && looked < most_open_pulses; ++p, ++looked)
+  for (auto p = trigger_pulses.rbegin(); p != trigger_pulses.rend() && looked < most_open_pulses;
+       ++p, ++looked)
     if (p->output == output) {
       p->width = now_ - p->at;
       break;
@@ -203,8 +236,8 @@ void Controller::watch_sync(Motion& m, int a, int way, Sign load) {
   if (axis.sync.state == 0 || axis.counts_per_pulse == 0) return;
   const bool rising = (load == Sign::plus) == (axis.counts_per_pulse > 0);
   const std::int64_t at = settings_.get(Setting::sync_position, a), here = axis.encoder();
-  const std::int64_t most = std::abs(m.path.offset(ix(a), m.path.next_turn(m.applied)) -
-                                     m.path.offset(ix(a), m.applied));
+  const std::int64_t most =
+      std::abs(m.path.offset(ix(a), m.path.next_turn(m.applied)) - m.path.offset(ix(a), m.applied));
   // The condition changes where the counter comes to the position, and where it leaves it.
   const std::int64_t threshold = rising ? (here < at ? at : at + 1) : (here > at ? at : at - 1);
   if (rising ? here >= threshold : here <= threshold) return;

@@ -197,6 +197,9 @@ struct Model {
   std::span<const SpeedRow> speeds;
   std::span<const SettingFact> settings;
   std::array<std::string_view, refusal_count> refusals;
+  int buffer_places = 0;                          ///< of buffered moves; 0: has none
+  int in_position_output = 0, alarm_output = 0;   ///< outputs that StepNLoop may take; 0: none
+  bool positions_may_be_written_in_loop = false;  ///< P= with StepNLoop on (decision AMB-039)
 
   [[nodiscard]] constexpr int axes() const { return static_cast<int>(axis_letters.size()); }
   [[nodiscard]] constexpr std::string_view refusal(Refusal r) const {

@@ -17,9 +17,10 @@ ProgramReport analyse_program(std::string_view text, const language::Dialect& di
     line.first_command = from.first;
     if (from.count > 0) line.slot = 0;
   }
-  report.problems = std::move(compiled.problems);
   report.cost[0] = compiled.needed;
-  if (!compiled.lines.empty()) report.listing[0] = std::move(compiled.lines);
+  const bool complete = compiled.ok();
+  if (complete && !compiled.lines.empty()) report.listing[0] = std::move(compiled.lines);
+  report.problems = std::move(compiled.problems);
   return report;
 }
 

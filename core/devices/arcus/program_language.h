@@ -5,7 +5,7 @@
 
 namespace hw::arcus {
 
-/// One text holds all programs of a controller: everything is in slot 0.
+/// One text holds all programs of a controller: everything is in slot 0. A text with errors has no listing.
 [[nodiscard]] ProgramReport analyse_program(std::string_view text, const language::Dialect& dialect);
 
 }  // namespace hw::arcus

@@ -8,6 +8,6 @@ namespace hw::dmx_k_sa {
 Result<Catalog> make_catalog(const DeviceOptions& options);
 
 /// The commands of ch. 9, with the forms of its table.
-std::vector<CommandInfo> commands();
+std::vector<CommandInfo> command_help();
 
 }  // namespace hw::dmx_k_sa

@@ -1,8 +1,8 @@
 #include "core/devices/dmx_k_sa/emulator.h"
 
+#include "core/devices/arcus/emulator_arcus.h"
 #include "core/devices/dmx_k_sa/emulator_commands.h"
 #include "core/devices/dmx_k_sa/facts.h"
-#include "core/devices/arcus/emulator_arcus.h"
 
 namespace hw::dmx_k_sa {
 

@@ -53,10 +53,14 @@ Answer change_speed(Controller& c, const Args& a) {
   if (!value || !c.moving(0)) return Refusal::speed;
   const double ratio =
       c.settings().on(Setting::loop) ? static_cast<double>(c.settings().get(Setting::loop_ratio)) / 1000 : 1;
-  const auto in_pulses = [&](std::int64_t v) { return static_cast<std::int64_t>(static_cast<double>(v) * ratio); };
+  const auto in_pulses = [&](std::int64_t v) {
+    return static_cast<std::int64_t>(static_cast<double>(v) * ratio);
+  };
   if (!in_window(c, in_pulses(c.speed(0))) || !in_window(c, in_pulses(*value))) return Refusal::speed_window;
   return c.change_speed(0, *value);
 }
+
+Answer unknown(Controller&, const Args&) { return Refusal::unknown; }
 
 /// Beside what it does on both models, it clears a StepNLoop error (chapter 9).
 Answer abort(Controller& c, const Args&) {
@@ -115,6 +119,7 @@ constexpr Command table[] = {
     {"Ls", home<HomeMode::limit>},
     {"Zs", home<HomeMode::index>},
     {"ZHs", home<HomeMode::home_index>},
+    {"SSPDMv", unknown},  // a broken SSPDM, no SSPD
     {"SSPDv", change_speed},
     {"MM", move_mode},
     {"CUR", current},

@@ -121,6 +121,9 @@ inline constexpr arcus::Model model{
     .refusals = {"OK", "", "?Index out of Range", "?State Error", "?State Error", "?State Error", "?Moving",
                  "", "?Motor is not moving", "?Sub not Initialized", "", "", "?Bad SSPD Command", "?SCV ON",
                  "?Speed out of range", "?Enable RS-485 Mode"},
+    .in_position_output = in_position_output,
+    .alarm_output = alarm_output,
+    .positions_may_be_written_in_loop = true,
 };
 
 }  // namespace hw::dmx_k_sa

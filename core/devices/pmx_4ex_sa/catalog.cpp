@@ -115,6 +115,7 @@ Result<Catalog> make_catalog(const DeviceOptions& options) {
   if (!id) return fail(id.error());
   Catalog c = arcus::common_catalog(model, wording());
   c.address = *id;
+  c.can.usb = true;
   c.name = "Arcus PMX-4EX-SA";
   c.short_name = "PMX";
   c.summary = "four stepping axes, X to U";
@@ -125,10 +126,8 @@ Result<Catalog> make_catalog(const DeviceOptions& options) {
                          number_field("speed", "Speed", "pulses/s", 1, arcus::max_speed, 1000)};
   c.move_list.depth = buffer_places;
   c.move_list.file_suffix = ".moves";
-  c.commands = commands();
+  c.commands = command_help();
   c.bench.panel_title = "PMX-4EX-SA";
-  for (const char letter : model.axis_letters)
-    c.bench.buttons.push_back({fmt::format("Alarm {}", letter), false, 0});
   return c;
 }
 

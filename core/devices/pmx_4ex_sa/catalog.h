@@ -8,6 +8,6 @@ namespace hw::pmx_4ex_sa {
 Result<Catalog> make_catalog(const DeviceOptions& options);
 
 /// The commands of ch. 9, with the forms of its table.
-std::vector<CommandInfo> commands();
+std::vector<CommandInfo> command_help();
 
 }  // namespace hw::pmx_4ex_sa

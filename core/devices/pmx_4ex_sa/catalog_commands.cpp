@@ -158,6 +158,6 @@ constexpr arcus::CommandRow rows[] = {
 
 }  // namespace
 
-std::vector<CommandInfo> commands() { return arcus::commands_of(rows); }
+std::vector<CommandInfo> command_help() { return arcus::commands_of(rows); }
 
 }  // namespace hw::pmx_4ex_sa

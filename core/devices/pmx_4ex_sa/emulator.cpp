@@ -1,8 +1,8 @@
 #include "core/devices/pmx_4ex_sa/emulator.h"
 
+#include "core/devices/arcus/emulator_arcus.h"
 #include "core/devices/pmx_4ex_sa/emulator_commands.h"
 #include "core/devices/pmx_4ex_sa/facts.h"
-#include "core/devices/arcus/emulator_arcus.h"
 
 namespace hw::pmx_4ex_sa {
 

@@ -119,6 +119,7 @@ inline constexpr arcus::Model model{
     .refusals = {"OK", "", "?Index out of Range", "?LIMIT", "?ALARM", "?ERRORED", "?PULSING",
                  "?In Incremental mode", "", "?Sub not Initialized", "?Timer Running", "?BUFFER FULL",
                  "?SSPD Error", "?SSPD Error", "?SSPD Error", ""},
+    .buffer_places = buffer_places,
 };
 
 }  // namespace hw::pmx_4ex_sa

@@ -66,6 +66,14 @@ TEST(BenchFile, OrdersWhatHappensLater) {
   EXPECT_EQ(std::get<bench::Slip>(file->later[3].command).by, Steps(-40));
 }
 
+TEST(BenchFile, AlarmsComeToo) {
+  const auto file = parse_bench_file("[[at]]\nt = 1\nalarm = [\"X\", true]\n", two_axes());
+  ASSERT_TRUE(file) << file.error().sentence();
+  ASSERT_EQ(file->later.size(), 1u);
+  EXPECT_EQ(std::get<bench::Alarm>(file->later[0].command).axis, AxisId{1});
+  EXPECT_TRUE(std::get<bench::Alarm>(file->later[0].command).on);
+}
+
 TEST(BenchFile, SaysWhereAndWhatIsWrong) {
   EXPECT_EQ(complaint("[axis.3]\nplus = 1\n"),
             "b.toml:1:1: there is no axis \"3\". Nothing of the file was used. This controller has: 1, X.");

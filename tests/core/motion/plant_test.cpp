@@ -65,4 +65,19 @@ TEST(Plant, HomeZoneActsInsideOnly) {
   EXPECT_FALSE(p.turns_until_limit(Sign::plus)) << "absent switches never act";
 }
 
+TEST(Plant, AChangeOfPlaceKeepsWhatItDoesNotName) {
+  Plant p;
+  AxisPlace ends;
+  ends.minus = Steps(-100), ends.plus = Steps(100);
+  p.set_place(ends);
+  AxisPlace play;
+  play.backlash = Steps(3);
+  p.set_place(play);
+  EXPECT_EQ(p.turns_until_limit(Sign::plus), 100);
+  EXPECT_EQ(p.turns_until_limit(Sign::minus), 103);
+  p.set_place(AxisPlace());
+  EXPECT_EQ(p.turns_until_limit(Sign::plus), std::nullopt) << "one that names nothing takes all away";
+  EXPECT_EQ(p.place().backlash, std::nullopt);
+}
+
 }  // namespace

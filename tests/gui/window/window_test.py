@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """The console's window under Xvfb, worked with a real mouse and keyboard. What it does is seen on the wire: a
 silent second client of the emulator hears every reply of the controller."""
+import json
 import os
 import pathlib
 import re
@@ -56,7 +57,7 @@ class Window(unittest.TestCase):
         self.port = int(emulator.stdout.readline().rsplit(":", 1)[1])
         self.address = f"vxm@tcp:127.0.0.1:{self.port}"
         subprocess.run([PROGRAM, "send", self.address, "setM1M4", "setM2M4"], check=True, timeout=60)
-        self.places = self.layout()
+        self.places = self.layout(WIDTH, HEIGHT)
         self.console = self.start([PROGRAM, "open", self.address], env=self.env, stderr=subprocess.PIPE, text=True)
         self.window = self.wait_for_window()
         self.wire = Wire(self.port)
@@ -79,11 +80,11 @@ class Window(unittest.TestCase):
         self.addCleanup(end)
         return process
 
-    def layout(self):
-        """Where things are in a window of this size: laid out once without one."""
+    def layout(self, width, height, before=""):
+        """Where things are in a window of this size: laid out once without one, after what `before` does."""
         script = pathlib.Path(self.folder.name) / "layout.lua"
         script.write_text(f"local c = assert(hw.open('vxm@tcp:127.0.0.1:{self.port}'))\n"
-                          f"ui.window({WIDTH}, {HEIGHT}) hw.sleep(1)\n"
+                          f"ui.window({width}, {height}) hw.sleep(1) {before} ui.frame(3)\n"
                           "for _, w in ipairs(ui.list()) do local r = w.rectangle\n"
                           "print(w.id .. '\\t' .. math.floor(r.x + r.width / 2) .. '\\t' .. "
                           "math.floor(r.y + r.height / 2)) end")
@@ -135,6 +136,34 @@ class Window(unittest.TestCase):
 
         self.wait_until(still, "motor 1 comes to rest")
         return last[0]
+
+
+    def click(self, widget, button=1):
+        self.point(widget)
+        self.xdo("click", button)
+        time.sleep(0.3)
+
+    def type(self, text):
+        self.xdo("type", "--delay", 40, text)
+
+    def key(self, *keys):
+        for key in keys:
+            self.xdo("key", key)
+            time.sleep(0.15)
+
+    def drag(self, start, end):
+        self.xdo("mousemove", *start)
+        self.xdo("mousedown", 1)
+        for i in range(1, 9):
+            self.xdo("mousemove", *(round(a + (b - a) * i / 8) for a, b in zip(start, end)))
+            time.sleep(0.03)
+        self.xdo("mouseup", 1)
+        time.sleep(0.3)
+
+    def kept(self):
+        """What the window has written about itself: sizes of its parts, theme."""
+        file = pathlib.Path(self.env["XDG_STATE_HOME"]) / "handwheel" / "window.json"
+        return json.loads(file.read_text()) if file.exists() else {}
 
 
 class Hold(Window):
@@ -189,6 +218,95 @@ class Escape(Window):
         self.xdo("key", "Escape")
         stopped = self.at_rest()
         self.assertLess(stopped, begin + 20000, "stopped on the way")
+
+
+class Keys(Window):
+    def test_an_arrow_jogs_while_it_is_down(self):
+        begin = self.at_rest()
+        self.xdo("mousemove", WIDTH // 2, HEIGHT - 10)
+        self.xdo("keydown", "Right")
+        time.sleep(1.5)
+        moving = self.wire.first_motor()[-1]
+        self.assertGreater(moving, begin + 400)
+        self.xdo("keyup", "Right")
+        stopped = self.at_rest()
+        time.sleep(1)
+        self.assertEqual(self.wire.first_motor()[-1], stopped)
+
+    def test_a_program_is_typed_run_and_comes_back_after_a_crash(self):
+        begin = self.at_rest()
+        self.click("program/text")
+        self.type("I1M800")
+        self.key("Return")
+        self.type("P3,I1M-3")
+        self.key("BackSpace", "BackSpace", "BackSpace", "ctrl+z", "ctrl+z", "ctrl+z")
+        self.type("00")
+        self.key("ctrl+Return")
+        self.wait_until(lambda: self.wire.first_motor()[-1] == begin + 500, "the program has run: +800 -300")
+        time.sleep(2)  # longer than the autosave waits
+        self.console.send_signal(signal.SIGKILL)
+        self.console.wait()
+        kept = "".join(f.read_text(errors="replace") for f in pathlib.Path(self.env["XDG_STATE_HOME"]).rglob("*")
+                       if f.is_file())
+        self.assertIn("P3,I1M-300", kept, "what was typed is on the disk")
+
+    def test_copy_and_paste_in_the_terminal(self):
+        self.at_rest()
+        self.click("terminal/command")
+        self.type("getD1")
+        self.key("ctrl+a", "ctrl+c", "Return")
+        self.wait_until(lambda: "12-29-04\r" in self.wire.text, "the answer")
+        begin = self.wire.mark()
+        self.key("ctrl+v", "Return")
+        self.wait_until(lambda: "12-29-04\r" in self.wire.text[begin:], "the answer to what was pasted")
+        begin = self.wire.mark()
+        self.key("Up", "Return")
+        self.wait_until(lambda: "12-29-04\r" in self.wire.text[begin:], "the answer to the line before")
+
+
+class Shape(Window):
+    def test_splitters_theme_and_size_are_kept(self):
+        self.drag((304, 500), (364, 500))
+        self.wait_until(lambda: abs(self.kept().get("left", 0) - 364) < 3, f"the left column is kept: {self.kept()}")
+        self.xdo("mousemove", 363, 500)
+        self.xdo("click", "--repeat", 2, "--delay", 80, 1)
+        self.wait_until(lambda: self.kept().get("left") == 304, "a double click restores it")
+        self.key("ctrl+equal")
+        self.wait_until(lambda: abs(self.kept().get("size", 0) - 1.1) < 0.01, "110 %")
+        self.key("ctrl+0")
+        self.wait_until(lambda: self.kept().get("size") == 1, "100 %")
+        self.click("menu")
+        x, y = self.layout(WIDTH, HEIGHT, "ui.click('menu')")["menu/theme"]
+        self.xdo("mousemove", x, y)
+        time.sleep(0.2)
+        self.xdo("click", 1)
+        self.wait_until(lambda: self.kept().get("dark") == 0, "light")
+
+    def test_down_to_640_by_400_it_can_be_worked(self):
+        begin = self.at_rest()
+        self.xdo("windowsize", self.window, 640, 400)
+        time.sleep(1)
+        places = self.layout(640, 400)
+        self.assertIn("tab/jog", places)
+        self.places = places
+        self.click("tab/jog")
+        self.places = self.layout(640, 400, "ui.click('tab/jog')")
+        self.point("jog/1/+")
+        self.xdo("mousedown", 1)
+        self.wait_until(lambda: self.wire.first_motor()[-1] > begin + 300, "moves")
+        self.xdo("mouseup", 1)
+        self.at_rest()
+        x, y = self.places["stop_all"]
+        self.assertTrue(640 - 160 <= x <= 640 and y < 56, "Stop stands in the corner")
+        self.xdo("windowsize", self.window, WIDTH, HEIGHT)
+        time.sleep(1)
+        self.places = self.layout(WIDTH, HEIGHT)
+        begin = self.at_rest()
+        self.point("jog/1/-")
+        self.xdo("mousedown", 1)
+        self.wait_until(lambda: self.wire.first_motor()[-1] < begin - 300, "moves back in the large window")
+        self.xdo("mouseup", 1)
+        self.at_rest()
 
 
 class Close(Window):

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
+#include <map>
 #include <numeric>
 #include <vector>
 
@@ -62,26 +64,47 @@ int distance(std::string_view a, std::string_view b) {
 }
 
 /// All words that could stand in a program without a number behind them.
-std::vector<std::string> vocabulary(const Dialect& dialect) {
+std::vector<std::string> make_vocabulary(const Dialect& dialect) {
   std::vector<std::string> words(std::begin(keywords), std::end(keywords));
+  const auto with_each_axis = [&](std::string_view spelling) {
+    for (const char axis : dialect.axes) words.push_back(std::string(spelling) + axis);
+  };
   for (const NameRow& row : dialect.names) {
     if (!row.usual.empty()) continue;
-    if (row.indexing != Indexing::axis)
-      words.emplace_back(row.spelling);
+    if (row.indexing == Indexing::axis)
+      with_each_axis(row.spelling);
     else
-      for (const char axis : dialect.axes) words.push_back(std::string(row.spelling) + axis);
+      words.emplace_back(row.spelling);
   }
-  for (const WordRow& row : dialect.words)
-    for (const char axis : dialect.axes) words.push_back(std::string(row.spelling) + axis);
+  for (const WordRow& row : dialect.words) with_each_axis(row.spelling);
   return words;
 }
 
+const std::vector<std::string>& vocabulary(const Dialect& dialect) {
+  static const auto all = [] {
+    std::map<const Dialect*, std::vector<std::string>> made;
+    for (const Dialect* each : all_dialects()) made[each] = make_vocabulary(*each);
+    return made;
+  }();
+  return all.at(&dialect);
+}
+
+/// Another model whose programs know the word.
+const Dialect* other_home_of(const Dialect& dialect, std::string_view letters, int number) {
+  for (const Dialect* other : all_dialects())
+    if (other != &dialect && knows(*other, letters, number)) return other;
+  return nullptr;
+}
+
 std::string nearest(const Dialect& dialect, std::string_view letters) {
-  std::string best;
-  int best_distance = letters.size() < 4 ? 2 : 3;  // closer than this
-  for (std::string& word : vocabulary(dialect))
-    if (const int d = distance(letters, word); d < best_distance) best_distance = d, best = std::move(word);
-  return best;
+  const std::string* best = nullptr;
+  int closer_than = letters.size() < 4 ? 2 : 3;
+  for (const std::string& word : vocabulary(dialect)) {
+    const auto length_difference = static_cast<int>(word.size()) - static_cast<int>(letters.size());
+    if (std::abs(length_difference) >= closer_than) continue;
+    if (const int d = distance(letters, word); d < closer_than) closer_than = d, best = &word;
+  }
+  return best ? *best : std::string();
 }
 
 }  // namespace
@@ -114,14 +137,13 @@ Complaint unknown_word(const Dialect& dialect, std::string_view word) {
     return {shown + " needs the letter of its axis" + (one ? ": " : ", for instance ") + with_axis + ".",
             one ? with_axis : std::string()};
   }
-  const Dialect& other = &dialect == &pmx_4ex_sa() ? dmx_k_sa() : pmx_4ex_sa();
-  if (knows(other, letters, number)) {
+  if (const Dialect* other = other_home_of(dialect, letters, number)) {
     const bool only_the_axis =
         letters.size() == 1 || lacks_axis(dialect, letters.substr(0, letters.size() - 1));
     if (only_the_axis && dialect.axis_of(letters.back()) < 0)
       return {shown + ": the " + name + " has " + the_axes(dialect) + ".", {}};
     return {
-        shown + " belongs to the " + std::string(other.model_name) + ". The " + name + " does not know it.",
+        shown + " belongs to the " + std::string(other->model_name) + ". The " + name + " does not know it.",
         {}};
   }
   std::string guess = nearest(dialect, letters);

@@ -177,6 +177,11 @@ const Dialect& dmx_k_sa() {
   return dialect;
 }
 
+std::span<const Dialect* const> all_dialects() {
+  static const Dialect* const all[] = {&pmx_4ex_sa(), &dmx_k_sa()};
+  return all;
+}
+
 std::optional<NameFound> find_name(const Dialect& dialect, std::string_view letters, int n) {
   for (const NameRow& row : dialect.names) {
     switch (row.indexing) {

@@ -61,6 +61,7 @@ struct Dialect {
 
 [[nodiscard]] const Dialect& pmx_4ex_sa();
 [[nodiscard]] const Dialect& dmx_k_sa();
+[[nodiscard]] std::span<const Dialect* const> all_dialects();
 
 /// A name of the dialect found in a text.
 struct NameFound {

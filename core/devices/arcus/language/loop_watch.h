@@ -30,13 +30,6 @@ class LoopWatch {
         return false;
     return true;
   }
-  /// Whether something of that kind is read in the loop.
-  template <class Kind>
-  [[nodiscard]] bool reads(const Kind& kind) const {
-    for (int i = 0; i < reads_; ++i)
-      if (kind(seen_[static_cast<std::size_t>(i)].what)) return true;
-    return false;
-  }
   struct Place {
     std::uint16_t line;
     Turn turn;

@@ -50,6 +50,7 @@ class LineParser {
 
   // Statements. False: said why not.
   bool check_characters();
+  bool check_axis_letter(const Lexeme& word, const Lexeme& behind);
   bool parse_statement();
   bool parse_keyword(Opcode op);
   bool parse_alone();

@@ -81,6 +81,7 @@ bool LineParser::parse_statement() {
     }
     return parse_keyword(op);
   }
+  if (!check_axis_letter(first, ahead())) return false;
   if (first.is(Kind::word, "V")) return parse_variable_assignment();
   if (const Opcode op = arc_keyword(first.text); op != Opcode::bad && dialect_.arcs) {
     i_.op = op;
@@ -90,6 +91,15 @@ bool LineParser::parse_statement() {
   const bool axis = dialect_.axis_of(first.text.front()) >= 0;
   if (axis && (first.text.size() == 1 || first.text.substr(1) == "V")) return parse_moves();
   return parse_assignment();
+}
+
+/// WAIT X: the letter of the axis belongs to the word.
+bool LineParser::check_axis_letter(const Lexeme& word, const Lexeme& behind) {
+  if (!behind.is(Kind::word) || behind.text.size() != 1 || dialect_.axis_of(behind.text.front()) < 0)
+    return true;
+  const std::string both = std::string(word.text) + std::string(behind.text);
+  if (!find_word(dialect_, both) && !find_name(dialect_, both, -1)) return true;
+  return complain(word.begin, behind.end, "This is one word: " + both + ".", both);
 }
 
 bool LineParser::parse_keyword(Opcode op) {

@@ -19,6 +19,7 @@ inline constexpr int max_programs = 4;
 inline constexpr int max_axes = 4;
 inline constexpr int subroutines = 32;
 inline constexpr int error_subroutine = 31;
+inline constexpr int max_call_depth = 8;  ///< GOSUB within GOSUB (AMB-129)
 inline constexpr int variables = 100;
 inline constexpr int first_stored_variable = 50;
 

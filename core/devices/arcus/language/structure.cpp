@@ -240,7 +240,6 @@ void check_structure(const std::vector<Statement>& statements, std::vector<Probl
 }
 
 void check_calls(const std::vector<Statement>& statements, std::vector<Problem>& problems) {
-  constexpr int max_depth = 8;  // AMB-129
   CallGraph graph(statements);
   bool in_sub = false;
   for (const Statement& s : statements) {
@@ -253,7 +252,7 @@ void check_calls(const std::vector<Statement>& statements, std::vector<Problem>&
       continue;
     }
     const int depth = graph.depth(sub);
-    if (in_sub || depth <= max_depth) continue;
+    if (in_sub || depth <= max_call_depth) continue;
     problems.push_back(
         problem_at(s, depth >= CallGraph::endless
                           ? "The subroutines that this leads to call each other in a circle. Eight "

@@ -93,23 +93,6 @@ std::optional<Instant> Vm::next_turn(Instant now, const VmHost& host) const {
   return instant_of(*next);
 }
 
-bool Vm::follows_motion() const {
-  const auto moves = [](const Operand& o) {
-    if (o.kind != Operand::Kind::quantity) return false;
-    switch (o.quantity) {
-      case Quantity::pulse_position:
-      case Quantity::encoder_position:
-      case Quantity::speed:
-      case Quantity::motor_status:
-      case Quantity::loop_state: return true;
-      default: return false;
-    }
-  };
-  return std::any_of(threads_.begin(), threads_.end(), [&](const Thread& thread) {
-    return thread.state == ThreadState::running && thread.loop.idle() && thread.loop.reads(moves);
-  });
-}
-
 void Vm::run_turn(Instant now, VmHost& host) {
   const Turn turn = turn_at_or_before(now);
   if (turn <= last_turn_) return;

@@ -24,8 +24,6 @@
 
 namespace hw::arcus::language {
 
-inline constexpr int max_depth = 8;  ///< GOSUB within GOSUB (AMB-129)
-
 /// The numbers that SASTAT answers.
 enum class ThreadState : std::uint8_t { stopped = 0, running = 1, paused = 2, error = 4 };
 
@@ -68,9 +66,6 @@ class Vm {
   /// When the next turn is wanted, not before `now`; nothing while every thread waits for an axis, is paused
   /// or stopped.
   [[nodiscard]] std::optional<Instant> next_turn(Instant now, const VmHost& host) const;
-  /// A thread idles in a loop that looks at a position, a speed or a motor status: while an axis moves these
-  /// change without an event of the host, who then asks again at each turn.
-  [[nodiscard]] bool follows_motion() const;
   /// One turn. A second call within the same millisecond does nothing.
   void run_turn(Instant now, VmHost& host);
 
@@ -91,7 +86,7 @@ class Vm {
     std::uint16_t first_line = 0;
     Turn due = 0;  ///< not before this turn
     LoopWatch loop;
-    std::array<Frame, max_depth + 2> frames;  ///< one more for GS and one for SUB 31
+    std::array<Frame, max_call_depth + 2> frames;  ///< one more for GS and one for SUB 31
   };
   /// What a statement leads to.
   struct Next {

@@ -108,7 +108,7 @@ Vm::Next Vm::Statement::call() {
   const auto sub = vm_.program_->subs[static_cast<std::size_t>(number)];
   if (!sub) return fail(Trouble::undefined_sub);
   const int base = &thread_ == &vm_.threads_[gs_thread] ? 1 : 0;
-  if (thread_.depth - base >= max_depth) return fail(Trouble::too_deep);
+  if (thread_.depth - base >= max_call_depth) return fail(Trouble::too_deep);
   const auto back = static_cast<std::uint16_t>(thread_.line + 1);
   thread_.frames[thread_.depth++] = {back, static_cast<std::uint8_t>(number), false};
   return go_to(*sub);

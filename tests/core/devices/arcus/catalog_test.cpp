@@ -25,8 +25,8 @@ class ArcusCatalog : public testing::TestWithParam<Subject> {
 };
 
 INSTANTIATE_TEST_SUITE_P(Both, ArcusCatalog,
-                         testing::Values(Subject{&pmx_4ex_sa::model, "pmx_4ex_sa/pmx-4ex-sa.tsv"},
-                                         Subject{&dmx_k_sa::model, "dmx_k_sa/dmx-k-sa.tsv"}),
+                         testing::Values(Subject{&pmx_4ex_sa::model, "arcus/pmx-4ex-sa.tsv"},
+                                         Subject{&dmx_k_sa::model, "arcus/dmx-k-sa.tsv"}),
                          [](const auto& info) { return std::string(info.param.model->title.substr(0, 3)); });
 
 TEST_P(ArcusCatalog, EveryParameterIsExplainedToAStranger) {

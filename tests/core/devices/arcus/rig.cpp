@@ -19,7 +19,7 @@ Rig::Rig(Which which, const Options& options) : which_(which), address_(which ==
 }
 
 std::string Rig::output() {
-  std::string out;
+  std::string out = std::exchange(unasked_, {});
   emulator_->take_output(out);
   return out;
 }
@@ -30,7 +30,10 @@ std::string Rig::raw(std::string_view bytes) {
 }
 
 std::string Rig::ask(std::string_view command) {
-  std::string reply = raw("@" + address_ + std::string(command) + "\r");
+  unasked_ = output();
+  emulator_->receive("@" + address_ + std::string(command) + "\r");
+  std::string reply;
+  emulator_->take_output(reply);
   const char end = which_ == Which::pmx ? '\r' : '\0';
   if (reply.empty() || reply.back() != end || std::count(reply.begin(), reply.end(), end) != 1) {
     ADD_FAILURE() << command << " was not answered by one whole reply: " << ::testing::PrintToString(reply);

@@ -23,8 +23,8 @@ class Rig {
  public:
   explicit Rig(Which which, const Options& options = {});
 
-  /// Sends a command with address and CR, gives back the reply without its end. The reply must be whole, and
-  /// nothing else may come.
+  /// Sends a command with address and CR, gives back the reply without its end. The reply must be whole. What
+  /// came unasked before stays for output().
   std::string ask(std::string_view command);
   std::int64_t number(std::string_view command);
   /// Asks, and expects OK.
@@ -68,7 +68,7 @@ class Rig {
   Which which_;
   std::unique_ptr<Emulator> emulator_;
   Instant now_{};
-  std::string address_;
+  std::string address_, unasked_;
 };
 
 /// Time of a trapezoid over `length` with the controllers' rules (speeds in the same unit, ms).

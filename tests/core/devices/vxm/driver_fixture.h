@@ -12,8 +12,9 @@
 #include "core/device/pump.h"
 #include "core/devices/vxm/catalog.h"
 #include "core/devices/vxm/device_type.h"
+#include "core/devices/vxm/emulator.h"
 #include "core/time/virtual_scheduler.h"
-#include "tests/core/devices/vxm/loopback.h"
+#include "tests/core/device/loopback.h"
 
 namespace hw::vxm {
 
@@ -23,7 +24,7 @@ class DriverTest : public testing::Test {
  protected:
   void start(const Options& options = {}, bool byte_times = false) {
     catalog_options = options;
-    loop = std::make_unique<Loopback>(time, options, byte_times);
+    loop = std::make_unique<test::Loopback>(time, make_emulator(options).value(), byte_times);
     open();
   }
   void open() {
@@ -148,7 +149,7 @@ class DriverTest : public testing::Test {
   IoContext io;
   VirtualScheduler time{io};
   TrafficRing traffic{1 << 16};
-  std::unique_ptr<Loopback> loop;
+  std::unique_ptr<test::Loopback> loop;
   Options catalog_options;
   Catalog catalog;
   DeviceType type{};

@@ -1,10 +1,8 @@
-#include "tests/core/devices/vxm/loopback.h"
+#include "tests/core/device/loopback.h"
 
 #include <algorithm>
 
-#include "core/devices/vxm/emulator.h"
-
-namespace hw::vxm {
+namespace hw::test {
 
 class Loopback::End final : public Stream {
  public:
@@ -24,7 +22,7 @@ class Loopback::End final : public Stream {
     if (!loop_ || !loop_->byte_times_) return 0;
     return loop_->client_rate ? loop_->client_rate : loop_->emulator_->rate();
   }
-  [[nodiscard]] std::string describe() const override { return "an emulated VXM"; }
+  [[nodiscard]] std::string describe() const override { return "an emulated controller"; }
   void leave() { loop_ = nullptr; }
   Listener* listener = nullptr;
 
@@ -32,9 +30,9 @@ class Loopback::End final : public Stream {
   Loopback* loop_;
 };
 
-Loopback::Loopback(Scheduler& scheduler, const std::map<std::string, std::string>& options, bool byte_times)
+Loopback::Loopback(Scheduler& scheduler, std::unique_ptr<Emulator> emulator, bool byte_times)
     : scheduler_(scheduler),
-      emulator_(make_emulator(options).value()),
+      emulator_(std::move(emulator)),
       byte_times_(byte_times),
       timer_(scheduler, [this] { step(); }) {
   schedule();
@@ -127,4 +125,4 @@ void Loopback::schedule() {
   timer_.arm(std::max(next, scheduler_.now()));
 }
 
-}  // namespace hw::vxm
+}  // namespace hw::test

@@ -1,5 +1,6 @@
 #pragma once
-// An emulated VXM at the other end of a wire, in virtual time, with the byte times of its rate if wanted.
+// An emulated controller at the other end of a wire, in virtual time, with the byte times of its rate if
+// wanted.
 #include <deque>
 #include <memory>
 #include <string>
@@ -8,12 +9,11 @@
 #include "core/link/stream.h"
 #include "core/time/scheduler.h"
 
-namespace hw::vxm {
+namespace hw::test {
 
 class Loopback {
  public:
-  /// Options as in an address: motors, quirk.
-  Loopback(Scheduler& scheduler, const std::map<std::string, std::string>& options, bool byte_times);
+  Loopback(Scheduler& scheduler, std::unique_ptr<Emulator> emulator, bool byte_times);
   ~Loopback();
 
   /// A new cable. Closed by pull().
@@ -51,4 +51,4 @@ class Loopback {
   std::string (*other_)(std::string_view) = nullptr;
 };
 
-}  // namespace hw::vxm
+}  // namespace hw::test

@@ -1,0 +1,163 @@
+#include "core/devices/arcus/program_rehearsal.h"
+
+#include <algorithm>
+#include <set>
+
+#include "core/device/bench_file.h"
+#include "core/devices/arcus/language/compiler.h"
+
+namespace hw::arcus {
+namespace {
+
+constexpr std::size_t most_events = 10'000;
+constexpr Duration look_every = Millis(10);  // while something moves: arcs have their ends between two marks
+
+constexpr int run_it = 1, state_running = 1, state_error = 4;
+
+class Rehearsing {
+ public:
+  Rehearsing(ArcusEmulator& emulator, const language::Compilation& made, const RehearseOptions& options)
+      : emulator_(emulator), controller_(emulator.controller()), made_(made), options_(options) {
+    result_.program_size["0"] = static_cast<int>(made.lines.size());
+    for (int i = 0; i < controller_.axes(); ++i) {
+      RehearsedAxis axis;
+      axis.name = std::string(1, controller_.model().axis_letters[static_cast<std::size_t>(i)]);
+      axis.position = axis.minimum = axis.maximum = controller_.position(i);
+      result_.axes.push_back(std::move(axis));
+    }
+  }
+
+  Result<> set_bench(const BenchFile& bench) {
+    for (const BenchCommand& command : bench.at_start)
+      if (auto done = emulator_.operate(command); !done) return done;
+    later_ = bench.later;
+    return {};
+  }
+
+  Rehearsal run() {
+    for (std::size_t n = 0; n < made_.lines.size(); ++n)
+      controller_.set_program_line(static_cast<int>(n), made_.lines[n]);
+    std::vector<Controller::Trace> trace;
+    controller_.trace = &trace;
+    const int program = std::clamp(options_.slot, 0, controller_.model().programs - 1);
+    controller_.control_program(program, run_it);
+    go_through(trace);
+    controller_.trace = nullptr;
+    return finish();
+  }
+
+ private:
+  [[nodiscard]] bool moves() const {
+    for (int i = 0; i < controller_.axes(); ++i)
+      if (controller_.moving(i)) return true;
+    return false;
+  }
+  [[nodiscard]] int program_in(int state) const {
+    for (int n = 0; n < controller_.model().programs; ++n)
+      if (controller_.program_state(n) == state) return n;
+    return -1;
+  }
+
+  /// Until no program runs and nothing moves, or the time is over.
+  void go_through(std::vector<Controller::Trace>& trace) {
+    const Instant last = Instant(from_seconds(std::clamp(options_.for_seconds, 0.0, 1e9)));
+    while (program_in(state_running) >= 0 || moves()) {
+      std::optional<Instant> next = emulator_.next_event();
+      if (moves()) next = std::min(next.value_or(last), now_ + look_every);
+      if (!later_.empty()) next = std::min(next.value_or(last), Instant(later_.front().at));
+      if (!next || *next > last) return out_of_time(last, trace);
+      now_ = std::max(now_, *next);
+      emulator_.advance_to(now_);
+      while (!later_.empty() && Instant(later_.front().at) <= now_) {
+        (void)emulator_.operate(later_.front().command);
+        later_.erase(later_.begin());
+      }
+      collect(trace);
+    }
+    if (const int failed = program_in(state_error); failed >= 0)
+      result_.error = place_of(failed) + " stopped in error.";
+    result_.finished = result_.error.empty();
+  }
+
+  void out_of_time(Instant last, std::vector<Controller::Trace>& trace) {
+    const int program = program_in(state_running);
+    if (program >= 0)
+      result_.error = place_of(program) + " was still running when the rehearsal ended.";
+    else
+      result_.error = "An axis was still moving when the rehearsal ended.";
+    now_ = std::max(now_, last);
+    collect(trace);
+  }
+
+  /// "Program 0, line 7"
+  [[nodiscard]] std::string place_of(int program) const {
+    const int line = controller_.program_place(program);
+    std::string place = "Program " + std::to_string(program);
+    if (line >= 0 && line < static_cast<int>(made_.source_line.size()))
+      place += ", line " + std::to_string(made_.source_line[static_cast<std::size_t>(line)] + 1) + ",";
+    return place;
+  }
+
+  void collect(std::vector<Controller::Trace>& trace) {
+    for (Controller::Trace& t : trace) event(t.at, std::move(t.what));
+    trace.clear();
+    for (int i = 0; i < controller_.axes(); ++i) {
+      RehearsedAxis& axis = result_.axes[static_cast<std::size_t>(i)];
+      const std::int64_t position = controller_.position(i);
+      axis.travel += std::abs(position - axis.position);
+      axis.position = position;
+      axis.minimum = std::min(axis.minimum, position);
+      axis.maximum = std::max(axis.maximum, position);
+      const StatusBits& bits = controller_.model().status;
+      const std::int64_t word = controller_.status(i);
+      for (const int bit : {bits.plus_limit, bits.minus_limit})
+        result_.limit_touched = result_.limit_touched || (bit != no_bit && (word >> bit & 1) != 0);
+    }
+  }
+
+  void event(Instant t, std::string what) {
+    if (result_.events.size() == most_events) what = "more events, not listed";
+    if (result_.events.size() <= most_events) result_.events.push_back({seconds(t), std::move(what), 0, -1});
+  }
+
+  Rehearsal finish() {
+    result_.duration_s = seconds(now_);
+    result_.moves = controller_.moves_begun;
+    for (int n = 1; n <= controller_.model().outputs; ++n)
+      result_.outputs[std::to_string(n)] = static_cast<int>(controller_.outputs() >> (n - 1) & 1);
+    return std::move(result_);
+  }
+
+  ArcusEmulator& emulator_;
+  Controller& controller_;
+  const language::Compilation& made_;
+  const RehearseOptions& options_;
+  std::vector<TimedBenchCommand> later_;
+  Instant now_{};
+  Rehearsal result_;
+};
+
+Result<> without_errors(const language::Compilation& made, const char* done) {
+  for (const Problem& p : made.problems)
+    if (p.error) return fail(FaultKind::text, "Line " + std::to_string(p.line + 1) + ": " + p.sentence, done);
+  return {};
+}
+
+}  // namespace
+
+Result<Rehearsal> rehearse_program(std::string_view text, const RehearseOptions& options, Emulator& emulator,
+                                   const Catalog& catalog, const language::Dialect& dialect) {
+  auto* arcus = dynamic_cast<ArcusEmulator*>(&emulator);
+  if (!arcus) return fail(FaultKind::internal, "The rehearsal has no controller.");
+  const language::Compilation made = language::compile(text, dialect);
+  if (auto good = without_errors(made, "Nothing was rehearsed."); !good) return fail(good.error());
+  Rehearsing rehearsing(*arcus, made, options);
+  if (!options.bench_toml.empty()) {
+    const auto bench = parse_bench_file(options.bench_toml, catalog);
+    if (!bench) return fail(bench.error());
+    if (auto done = rehearsing.set_bench(*bench); !done) return fail(done.error());
+  }
+  return rehearsing.run();
+}
+
+}  // namespace hw::arcus

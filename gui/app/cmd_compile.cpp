@@ -1,0 +1,49 @@
+#include <cstdio>
+
+#include <fmt/format.h>
+
+#include "core/device/registry.h"
+#include "core/session/text_file.h"
+#include "core/session/user_files.h"
+#include "gui/app/cli.h"
+#include "gui/app/program_file.h"
+
+namespace hw::app {
+
+/// The lines as a listing (core/devices/arcus/language/LISTING.md), which can be loaded like the program.
+static std::string listing_of(const ProgramReport& report, std::string_view model) {
+  const auto found = report.listing.find(0);
+  const std::vector<std::string> none;
+  const std::vector<std::string>& lines = found == report.listing.end() ? none : found->second;
+  std::string text = fmt::format("LISTING {} {}\n", model, lines.size());
+  for (std::size_t n = 0; n < lines.size(); ++n) text += fmt::format("{:4}{}{}\n", n, lines[n].empty() ? "" : "  ", lines[n]);
+  return text;
+}
+
+int compile(const Given& given) {
+  const auto program = read_program(given);
+  if (!program) return complain(program.error(), program.error().kind == FaultKind::text ? usage : failed);
+  if (!program->catalog.program.compiled)
+    return complain(
+        fmt::format("Programs of the {} are stored as they are written: there is nothing to compile. "
+                    "`check` looks them over.",
+                    program->catalog.name));
+  const ProgramReport report = program->language->analyse(program->text, 0);
+  for (const Problem& p : report.problems)
+    fmt::print(stderr, "{}:{}:{}: {}: {}\n", program->path, p.line + 1, p.column + 1,
+               p.error ? "error" : "warning", p.sentence);
+  if (report.has_errors()) return failed;
+  const std::string listing = listing_of(report, program->catalog.model);
+  if (given.has("listing")) fmt::print("{}", listing);
+  if (!given.has("output")) {
+    if (given.has("listing")) return done;
+    return complain("It is not said where to write it. Add -o OUT, or --listing to see it.", usage);
+  }
+  if (auto written = write_file(given.one("output"), listing); !written) return complain(written.error());
+  const auto cost = report.cost.find(0);
+  fmt::print("{}: {} of {} {}\n", given.one("output"), cost == report.cost.end() ? 0 : cost->second,
+             program->catalog.program.capacity, program->catalog.program.capacity_unit);
+  return done;
+}
+
+}  // namespace hw::app

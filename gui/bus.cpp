@@ -1,0 +1,45 @@
+#include "gui/bus.h"
+
+#include <algorithm>
+
+#include "core/session/session_group.h"
+#include "gui/axis_look.h"
+#include "gui/tab.h"
+
+namespace hw::gui {
+
+Tab& Bus::worst() const {
+  Tab* worst = members[chosen];
+  for (Tab* member : members)
+    if (badness(worst_state(member->now(), member->clock())) >
+        badness(worst_state(worst->now(), worst->clock())))
+      worst = member;
+  return *worst;
+}
+
+std::size_t Bus::connected() const {
+  return static_cast<std::size_t>(std::count_if(members.begin(), members.end(), [](const Tab* member) {
+    const LinkState link = member->now().link.state;
+    return link == LinkState::good || link == LinkState::late;
+  }));
+}
+
+void Bus::stop_all() {
+  for (Tab* member : members) member->jog.forget();
+  if (group)
+    group->stop();
+  else
+    for (Tab* member : members) member->stop_all();
+}
+
+State worst_state(const Tab& tab) {
+  if (!tab.bus) return worst_state(tab.now(), tab.clock());
+  const Tab& worst = tab.bus->worst();
+  const State state = worst_state(worst.now(), worst.clock());
+  const auto moving = std::count_if(tab.bus->members.begin(), tab.bus->members.end(), [](const Tab* member) {
+    return is_motion(worst_state(member->now(), member->clock()));
+  });
+  return is_motion(state) && moving > 1 ? State::moving : state;
+}
+
+}  // namespace hw::gui

@@ -1,0 +1,35 @@
+#pragma once
+// Controllers that share a wire and one tab of the console: one is chosen and the other panels act on it, all
+// stay in sight, and Stop reaches all. GUI thread.
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "gui/widgets/state_word.h"
+
+namespace hw {
+class SessionGroup;
+}
+
+namespace hw::gui {
+
+class Tab;
+
+struct Bus {
+  std::shared_ptr<SessionGroup> group;  ///< null in tests of panels
+  std::string name;                     ///< "DMX 01\u201304"
+  std::vector<Tab*> members;            ///< in the order of their ids; owned by the console
+  std::size_t chosen = 0;
+
+  [[nodiscard]] Tab& front() const { return *members[chosen]; }
+  /// The one whose state is the worst; the chosen one if none is worse.
+  [[nodiscard]] Tab& worst() const;
+  /// How many answer.
+  [[nodiscard]] std::size_t connected() const;
+  void stop_all();
+};
+
+/// Of a controller, or of the worst on its bus; `moving` when several move.
+State worst_state(const Tab& tab);
+
+}  // namespace hw::gui

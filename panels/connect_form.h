@@ -1,0 +1,36 @@
+#pragma once
+// A connection put together from its parts, for whoever knows no address by heart: model, way, port, rate, id; and the
+// search for devices when some of them are not known. Ids: `connect/form/...`, `connect/search/...`.
+#include <string>
+#include <vector>
+
+#include "core/device/catalog.h"
+#include "gui/frame.h"
+#include "gui/ui.h"
+
+namespace hw::panels {
+
+class ConnectForm {
+ public:
+  /// At ImGui's cursor. The address to open, when Open was pressed or a found device chosen; else empty.
+  std::string draw(gui::PageFrame& frame, float width);
+  /// What the parts say now: "dmx-k-sa@serial:/dev/ttyUSB0,baud=9600,id=01".
+  [[nodiscard]] std::string address() const;
+
+ private:
+  enum class Way : std::uint8_t { serial, usb, tcp };
+  void make();
+  [[nodiscard]] const Catalog& catalog() const { return catalogs_[static_cast<std::size_t>(model_)]; }
+  [[nodiscard]] bool has_ids() const;
+  void draw_parts(gui::PageFrame& frame, float width);
+  void draw_guide(gui::PageFrame& frame, float width);
+  std::string draw_search(gui::PageFrame& frame, float width);
+
+  bool made_ = false;
+  std::vector<Catalog> catalogs_;
+  int model_ = 0, baud_ = 0;
+  Way way_ = Way::serial;
+  std::string port_ = "/dev/ttyUSB0", id_ = "01", first_ = "00", last_ = "99";
+};
+
+}  // namespace hw::panels

@@ -1,0 +1,381 @@
+#include "panels/moves.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/session/text_file.h"
+#include "gui/area.h"
+#include "gui/catalog_places.h"
+#include "gui/console.h"
+#include "gui/tab.h"
+#include "gui/widgets/button.h"
+#include "gui/widgets/lamp.h"
+#include "gui/widgets/message.h"
+#include "gui/widgets/slider.h"
+#include "gui/widgets/text.h"
+#include "panels/path.h"
+#include "panels/readouts.h"
+
+namespace hw::panels {
+
+using namespace gui;
+namespace {
+
+constexpr float toolbar_height = 56, file_height = 40, row_height = 36, number_width = 44, remove_width = 36;
+constexpr float side_width = 272, between = 8;
+
+void line_across(Frame& f, float y) {
+  ImGui::GetWindowDrawList()->AddRectFilled(
+      ImVec2(f.ui.px(f.area.x), y), ImVec2(f.ui.px(f.area.right()), y + f.ui.hair()), f.ui[Tone::line]);
+}
+
+float cell_width(const Catalog& c, float width) {
+  const auto n = static_cast<float>(c.move_list.columns.size());
+  return std::floor((width - number_width - remove_width - between * n) / n);
+}
+
+}  // namespace
+
+void Moves::draw(Frame& f) {
+  if (!std::exchange(made_, true))
+    for (std::size_t i = 0; i < f.catalog.actions.size(); ++i)
+      if (f.catalog.actions[i].group == buffer_heading) actions_.emplace_back(f.catalog, static_cast<int>(i));
+  follow(f);
+  draw_toolbar(f);
+  draw_file_line(f);
+  const bool side = f.area.width >= 720;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = side ? f.area.width - side_width : f.area.width;
+  draw_table(f, width, (f.ui.px(f.area.bottom()) - at.y) / f.ui.scale);
+  if (side) {
+    const float x = f.ui.px(f.area.x + width);
+    ImGui::GetWindowDrawList()->AddRectFilled(
+        ImVec2(x, at.y), ImVec2(x + f.ui.hair(), f.ui.px(f.area.bottom())), f.ui[Tone::line]);
+    ImGui::SetCursorScreenPos(ImVec2(x + f.ui.hair(), at.y));
+    begin_part(f.ui, "list/side", 0, 0, Tone::panel, 16);
+    draw_side(f, ImGui::GetContentRegionAvail().x / f.ui.scale);
+    end_part();
+  }
+  draw_dialogs(f);
+}
+
+void Moves::follow(Frame& f) {
+  const IntentFate* fate = f.now.fate_of(started_);
+  if (!fate || fate->fate == Fate::pending) return;
+  started_ = 0;
+  if (fate->fate != Fate::done) f.toast(Mood::fault, std::string(fate->sentence.view()));
+}
+
+// ---- toolbar
+
+std::string_view Moves::why_not_start(const Frame& f) const {
+  if (!f.connected()) return "There is no link. The list stays here.";
+  if (f.now.feed.running) return "A list is on its way. Start comes back when it has ended or was aborted.";
+  if (rows_.empty()) return "The list is empty.";
+  return f.tab.why_not_move();
+}
+
+void Moves::draw_toolbar(Frame& f) {
+  Ui& ui = f.ui;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::SetCursorScreenPos(ImVec2(ui.px(f.area.x + 16), at.y + ui.px(8)));
+  ButtonOptions go;
+  go.icon = Icon::play;
+  go.moving = true;
+  go.height = 40;
+  go.disabled = why_not_start(f);
+  go.tip = "Feeds the moves into the controller's buffer, in this order, as places become free.";
+  if (button(ui, "list/start", "Start", go).clicked) start(f);
+  ImGui::SameLine(0, ui.px(8));
+  ButtonOptions stop;
+  stop.icon = Icon::stop;
+  stop.height = 40;
+  stop.disabled = f.now.feed.running ? "" : "No list is on its way.";
+  stop.tip = "Stops the axes and sends no more. Buffered mode is switched off.";
+  if (button(ui, "list/abort", "Abort", stop).clicked) f.send(intent::Stop());
+  const float left = ImGui::GetItemRectMax().x + ui.px(16);
+  const float right = ui.px(f.area.right() - 16);
+  draw_progress(f, left, right, at.y + ui.px(toolbar_height / 2));
+  line_across(f, at.y + ui.px(toolbar_height) - ui.hair());
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(toolbar_height)));
+}
+
+void Moves::draw_progress(Frame& f, float left, float right, float middle) {
+  Ui& ui = f.ui;
+  const FeedState& feed = f.now.feed;
+  const bool any = feed.total > 0;
+  const Path words("{} of {} moves sent{}", feed.sent, feed.total,
+                   feed.running              ? ""
+                   : feed.sent == feed.total ? ", all of them"
+                                             : ", then ended");
+  const Path count("{} moves, {} fit into the buffer at once", rows_.size(), f.catalog.move_list.depth);
+  const std::string_view said = any ? words.view() : count.view();
+  const float width = std::ceil(text_width(ui, Face::body, said));
+  draw_text_line(ui, std::max(left, right - width), right + 1, middle, Face::body, ui[Tone::ink2], said);
+  show(ui, {"list/progress", Kind::text, "Progress", said, {}, false, {}},
+       {ImVec2(left, middle - ui.px(16)), ImVec2(right, middle + ui.px(16))});
+  const float bar = std::min(ui.px(160), right - width - ui.px(12) - left);
+  if (!any || bar < ui.px(40)) return;
+  ImGui::SetCursorScreenPos(ImVec2(right - width - ui.px(12) - bar, std::floor(middle - ui.px(4))));
+  MeterOptions o;
+  o.tone = feed.running ? Tone::motion : Tone::ink2;
+  o.words = words;
+  o.width = bar / ui.scale;
+  meter(ui, "list/meter", "Moves sent", static_cast<float>(feed.sent) / static_cast<float>(feed.total), o);
+}
+
+void Moves::draw_file_line(Frame& f) {
+  Ui& ui = f.ui;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float middle = at.y + ui.px(file_height / 2);
+  const ButtonOptions quiet{.style = ButtonStyle::quiet};
+  const std::string name = file_.empty() ? (edited_ ? "not in a file" : "") : file_.filename().string();
+  const float buttons = button_width(ui, "New", quiet) + button_width(ui, "Open", quiet) +
+                        button_width(ui, "Save", quiet) + button_width(ui, "Add a move", quiet);
+  const float left = ui.px(f.area.x + 16), end = ui.px(f.area.right() - 8 - buttons);
+  draw_text_line(ui, left, end, middle, Face::body_bold, ui[file_.empty() ? Tone::warn : Tone::ink], name);
+  if (!file_.empty() && edited_)
+    draw_text_line(ui, left + std::ceil(text_width(ui, Face::body_bold, name)) + ui.px(8), end, middle,
+                   Face::body, ui[Tone::warn], "edited");
+  show(ui, {"list/file", Kind::text, "File", name, {}, false, {}},
+       {ImVec2(left, at.y), ImVec2(end, at.y + ui.px(file_height))});
+  ImGui::SetCursorScreenPos(ImVec2(end, at.y + ui.px(4)));
+  if (button(ui, "list/add", "Add a move", quiet).clicked) {
+    add_row(f.catalog);
+    to_end_ = true;
+  }
+  ImGui::SameLine(0, 0);
+  const bool fresh = button(ui, "list/new", "New", quiet).clicked;
+  ImGui::SameLine(0, 0);
+  const bool opens = button(ui, "list/open", "Open", quiet).clicked;
+  ImGui::SameLine(0, 0);
+  const bool saves = button(ui, "list/save", "Save", quiet).clicked;
+  if (fresh || opens) {
+    asked_to_open_ = opens;
+    asking_ = edited_ && !rows_.empty();
+    if (!asking_) begin_new(f);
+  }
+  if (saves)
+    save_.ask_save("Save the moves",
+                   file_.empty() ? save_.folder() / ("list" + f.catalog.move_list.file_suffix) : file_,
+                   {f.catalog.move_list.file_suffix});
+  line_across(f, at.y + ui.px(file_height) - ui.hair());
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(file_height)));
+}
+
+// ---- table
+
+void Moves::draw_table(Frame& f, float width, float height) {
+  Ui& ui = f.ui;
+  ImGui::SetCursorScreenPos(ImVec2(ui.px(f.area.x), ImGui::GetCursorScreenPos().y));
+  begin_part(ui, "list/table", ui.px(width), ui.px(height), Tone::panel, 16);
+  const float inner = ImGui::GetContentRegionAvail().x / ui.scale;
+  draw_head(f, inner);
+  std::size_t removed = rows_.size();
+  ImGuiListClipper clipper;
+  clipper.Begin(static_cast<int>(rows_.size()), ui.px(row_height));
+  while (clipper.Step())
+    for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
+      if (draw_row(f, static_cast<std::size_t>(i), inner)) removed = static_cast<std::size_t>(i);
+  clipper.End();
+  if (removed < rows_.size()) {
+    rows_.erase(rows_.begin() + static_cast<std::ptrdiff_t>(removed));
+    edited_ = true;
+  }
+  if (rows_.empty()) {
+    gap(ui, 12);
+    wrapped(ui, Face::body, Tone::ink2, "Add a move, or open a list. A list may be longer than the buffer.");
+  }
+  gap(ui, 16);
+  if (std::exchange(to_end_, false)) ImGui::SetScrollHereY(1);
+  end_part();
+}
+
+void Moves::draw_head(Frame& f, float width) {
+  Ui& ui = f.ui;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float cell = cell_width(f.catalog, width);
+  float x = at.x + ui.px(number_width);
+  for (const ActionField& c : f.catalog.move_list.columns) {
+    const Path title("{}{}{}", c.label, c.unit.empty() ? "" : ", ", c.unit);
+    draw_text_line(ui, x, x + ui.px(cell), at.y + ui.px(14), Face::small, ui[Tone::ink2], title);
+    x += ui.px(cell + between);
+  }
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(28)));
+}
+
+/// True: it shall go.
+bool Moves::draw_row(Frame& f, std::size_t row, float width) {
+  Ui& ui = f.ui;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const std::size_t number = row + 1;
+  const bool done = f.now.feed.running && static_cast<std::int64_t>(row) < f.now.feed.sent;
+  draw_text_line(ui, at.x, at.x + ui.px(number_width), at.y + ui.px(16), Face::code_field,
+                 ui[done ? Tone::motion : Tone::ink3], Path("{}", number));
+  const float cell = cell_width(f.catalog, width);
+  for (std::size_t c = 0; c < rows_[row].size(); ++c) {
+    const ActionField& info = f.catalog.move_list.columns[c];
+    const double scale = std::pow(10.0, info.decimals);
+    NumberOptions o;
+    o.range = {static_cast<double>(info.minimum) / scale,
+               static_cast<double>(info.maximum) / scale,
+               info.decimals,
+               {}};
+    o.width = cell;
+    o.sentence_below = false;
+    if (!rows_[row][c].sentence.empty()) o.tip = rows_[row][c].sentence;
+    ImGui::SetCursorScreenPos(
+        ImVec2(at.x + ui.px(number_width + static_cast<float>(c) * (cell + between)), at.y));
+    if (number_field(ui, Path("list/{}/{}", number, info.id), info.label, std::nullopt, rows_[row][c], o)
+            .field.edited)
+      edited_ = true;
+  }
+  ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(width - remove_width), at.y));
+  ButtonOptions o;
+  o.style = ButtonStyle::quiet;
+  o.icon = Icon::cross;
+  o.width = 32;
+  o.tip = "Takes this move out of the list.";
+  const bool gone = button(ui, Path("list/{}/remove", number), "", o).clicked;
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(row_height)));
+  return gone;
+}
+
+// ---- side: what the buffer does
+
+void Moves::draw_side(Frame& f, float width) {
+  Ui& ui = f.ui;
+  section_title(ui, buffer_heading);
+  draw_readouts(f, readout_group(f.catalog, buffer_heading), width);
+  gap(ui, 8);
+  for (ActionForm& a : actions_) {
+    if (a.only_a_button()) {
+      a.draw_button(f, width);
+      gap(ui, 4);
+      a.draw_refusal(f, width);
+    } else {
+      a.draw(f, width);
+    }
+  }
+  for (std::size_t i = 0; i < f.catalog.params.size(); ++i)
+    if (belongs_to_buffer(f.catalog.params[i])) draw_param(f, i, width);
+}
+
+/// A parameter of two values, in force at once.
+void Moves::draw_param(Frame& f, std::size_t i, float width) {
+  const ParamInfo& p = f.catalog.params[i];
+  if (p.choices.size() != 2) return;
+  const ParamState& has = f.now.params[i];
+  const bool on = has.value == p.choices[1].value;
+  gap(f.ui, 8);
+  wrapped(f.ui, Face::small, Tone::ink2, p.label, width);
+  gap(f.ui, 4);
+  ToggleOptions o;
+  o.width = width;
+  o.state = !has.known ? ToggleState::stale : on ? ToggleState::on : ToggleState::off;
+  o.disabled = f.connected() ? "" : "There is no link.";
+  o.tip = p.explanation;
+  if (toggle_lamp(f.ui, Path("list/param/{}", p.mnemonic), p.choices[on ? 1 : 0].label, o).clicked)
+    f.send(intent::SetParam(p.mnemonic, p.choices[on ? 0 : 1].value));
+}
+
+// ---- rows and files
+
+void Moves::add_row(const Catalog& c) {
+  Row row(c.move_list.columns.size());
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    const ActionField& info = c.move_list.columns[i];
+    if (!rows_.empty())
+      row[i].set(rows_.back()[i].value().value_or(0), info.decimals);
+    else
+      row[i].set(static_cast<double>(info.fallback) / std::pow(10.0, info.decimals), info.decimals);
+  }
+  rows_.push_back(std::move(row));
+  edited_ = true;
+}
+
+void Moves::show_rows(const std::vector<MoveRow>& rows, const MoveListFacts& facts) {
+  rows_.assign(rows.size(), Row(facts.columns.size()));
+  for (std::size_t r = 0; r < rows.size(); ++r)
+    for (std::size_t c = 0; c < rows[r].size(); ++c) {
+      const int decimals = facts.columns[c].decimals;
+      rows_[r][c].set(static_cast<double>(rows[r][c]) / std::pow(10.0, decimals), decimals);
+    }
+}
+
+std::optional<std::vector<MoveRow>> Moves::values(const MoveListFacts& facts, std::string& why) {
+  std::vector<MoveRow> all;
+  for (std::size_t r = 0; r < rows_.size(); ++r) {
+    MoveRow row;
+    for (std::size_t c = 0; c < rows_[r].size(); ++c) {
+      const ActionField& info = facts.columns[c];
+      const double scale = std::pow(10.0, info.decimals);
+      NumberField& field = rows_[r][c];
+      field.sentence = range_sentence(field.text, {static_cast<double>(info.minimum) / scale,
+                                                   static_cast<double>(info.maximum) / scale,
+                                                   info.decimals,
+                                                   {}});
+      if (!field.sentence.empty()) {
+        why = fmt::format("Move {}, {}: {}", r + 1, info.label, field.sentence);
+        return {};
+      }
+      row.push_back(std::llround(*field.value() * scale));
+    }
+    all.push_back(std::move(row));
+  }
+  return all;
+}
+
+void Moves::start(Frame& f) {
+  std::string why;
+  auto rows = values(f.catalog.move_list, why);
+  if (!rows) return f.toast(Mood::fault, why + ". Nothing was sent.");
+  started_ = f.send_and_watch(intent::FeedMoves(std::move(*rows)));
+}
+
+void Moves::begin_new(Frame& f) {
+  if (asked_to_open_)
+    return open_.ask_open("Open moves", open_.folder(), {f.catalog.move_list.file_suffix, ".csv", ".txt"});
+  rows_.clear();
+  file_.clear();
+  edited_ = false;
+}
+
+void Moves::save(Frame& f, const std::filesystem::path& path) {
+  std::string why;
+  const auto rows = values(f.catalog.move_list, why);
+  if (!rows) return f.toast(Mood::fault, why + ". Nothing was saved.");
+  TextFile file;
+  file.text = write_moves(*rows, f.catalog.move_list);
+  const auto saved = save_text(path, file);
+  if (!saved) return f.toast(Mood::fault, saved.error().sentence());
+  file_ = path;
+  edited_ = false;
+  f.toast(Mood::ok, fmt::format("Saved as {}.", path.string()));
+}
+
+void Moves::open(Frame& f, const std::filesystem::path& path) {
+  const auto file = load_text(path);
+  if (!file) return f.toast(Mood::fault, file.error().sentence());
+  const auto rows = read_moves(file->text, f.catalog.move_list);
+  if (!rows) return f.toast(Mood::fault, rows.error().sentence());
+  show_rows(*rows, f.catalog.move_list);
+  file_ = path;
+  edited_ = false;
+}
+
+void Moves::draw_dialogs(Frame& f) {
+  if (asking_) {
+    const Dialog what{.title = "Replace the list?",
+                      .sentences = "It has changes that are in no file.",
+                      .yes = "Replace",
+                      .no = "Keep the list"};
+    if (dialog(f.ui, "list/replace", asking_, what) == Answer::yes) begin_new(f);
+  }
+  if (const auto path = open_.draw(f.ui)) open(f, *path);
+  if (const auto path = save_.draw(f.ui)) save(f, *path);
+}
+
+}  // namespace hw::panels

@@ -1,0 +1,53 @@
+#pragma once
+// Buffered moves: a list that is fed into the controller's buffer as places become free, with a file of its
+// own. Everything beside it stays live meanwhile. Ids: `list/ROW/COLUMN` (rows from 1), `list/start` ...
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "gui/move_list.h"
+#include "gui/panel.h"
+#include "gui/widgets/file_dialog.h"
+#include "gui/widgets/number_field.h"
+#include "panels/action_form.h"
+
+namespace hw::panels {
+
+class Moves final : public gui::Panel {
+ public:
+  void draw(gui::Frame& frame) override;
+
+ private:
+  using Row = std::vector<gui::NumberField>;
+
+  void follow(gui::Frame& frame);
+  void draw_toolbar(gui::Frame& frame);
+  void draw_progress(gui::Frame& frame, float left, float right, float middle);
+  void draw_file_line(gui::Frame& frame);
+  void draw_table(gui::Frame& frame, float width, float height);
+  void draw_head(gui::Frame& frame, float width);
+  bool draw_row(gui::Frame& frame, std::size_t row, float width);
+  void draw_side(gui::Frame& frame, float width);
+  void draw_param(gui::Frame& frame, std::size_t param, float width);
+  void draw_dialogs(gui::Frame& frame);
+
+  void add_row(const Catalog& catalog);
+  void show_rows(const std::vector<gui::MoveRow>& rows, const MoveListFacts& facts);
+  /// Nothing: a cell holds no valid number; `why` says which.
+  std::optional<std::vector<gui::MoveRow>> values(const MoveListFacts& facts, std::string& why);
+  void start(gui::Frame& frame);
+  void save(gui::Frame& frame, const std::filesystem::path& path);
+  void open(gui::Frame& frame, const std::filesystem::path& path);
+  void begin_new(gui::Frame& frame);
+  [[nodiscard]] std::string_view why_not_start(const gui::Frame& frame) const;
+
+  std::vector<Row> rows_;
+  std::vector<ActionForm> actions_;
+  bool made_ = false, edited_ = false, to_end_ = false;
+  std::filesystem::path file_;
+  gui::FileDialog open_, save_;
+  bool asking_ = false, asked_to_open_ = false;  ///< before edited rows go
+  IntentId started_ = 0;
+};
+
+}  // namespace hw::panels

@@ -1,0 +1,422 @@
+// What the driver sends and shows, with an emulated PMX or DMX at the other end.
+#include "tests/core/devices/arcus/driver_fixture.h"
+
+namespace hw::arcus {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr std::string_view pmx = "pmx-4ex-sa", dmx = "dmx-k-sa";
+
+// ---- connecting
+
+TEST_F(DriverTest, FindsThePmxAndMovesNothing) {
+  start(pmx);
+  EXPECT_EQ(latest.link.state, LinkState::good) << latest.link.sentence.view();
+  EXPECT_EQ(latest.identity.firmware.view(), "V161BL");
+  EXPECT_EQ(latest.identity.serial.view(), "4EX00");
+  for (int i = 0; i < 4; ++i) EXPECT_EQ(latest.axes[i].activity, Activity::idle);
+  EXPECT_TRUE(latest.axes[0].limits_known);
+  EXPECT_FALSE(latest.axes[0].in_counts);
+}
+
+TEST_F(DriverTest, FindsTheDmxWithItsClosedLoop) {
+  start(dmx);
+  EXPECT_EQ(latest.identity.firmware.view(), "V340BL");
+  EXPECT_TRUE(latest.axes[0].in_counts) << "StepNLoop is on from the factory";
+  run(2);
+  EXPECT_EQ(readout("SLS"), 0);
+  EXPECT_EQ(param("SLR"), 800);
+}
+
+TEST_F(DriverTest, AWrongAddressNamesTheLikelyCauses) {
+  start(dmx, {{"id", "07"}});
+  EXPECT_EQ(latest.link.state, LinkState::lost);
+  const std::string why(latest.link.sentence.view());
+  EXPECT_THAT(why, HasSubstr("No DMX-K-SA answers at address 01"));
+  EXPECT_THAT(why, HasSubstr("12 to 35 V"));
+  EXPECT_THAT(why, HasSubstr("crossed"));
+  EXPECT_THAT(why, HasSubstr("device name"));
+}
+
+std::string says_it_is_a_pmx(std::string_view byte) {
+  return byte == "\r" ? std::string("Performax-4EX-SA\r") : std::string();
+}
+
+TEST_F(DriverTest, TheOtherModelIsNamed) {
+  type = find_device_type(dmx);
+  loop = std::make_unique<test::Loopback>(time, type->make_emulator({}).value(), false);
+  catalog = type->make_catalog({}).value();
+  loop->replace_by(says_it_is_a_pmx);
+  open();
+  EXPECT_THAT(std::string(latest.link.sentence.view()), HasSubstr("is a Performax-4EX-SA, not a DMX-K-SA"));
+}
+
+std::string two_voices(std::string_view byte) {
+  return byte == "\r" ? std::string("V340BL\0V340BL\0", 14) : std::string();
+}
+
+TEST_F(DriverTest, TwoDevicesWithOneAddressAreNoticed) {
+  type = find_device_type(dmx);
+  loop = std::make_unique<test::Loopback>(time, type->make_emulator({}).value(), false);
+  catalog = type->make_catalog({}).value();
+  loop->replace_by(two_voices);
+  open();
+  EXPECT_THAT(std::string(latest.link.sentence.view()),
+              HasSubstr("More than one device answers at address 01"));
+}
+
+// ---- moves
+
+TEST_F(DriverTest, AnAbsoluteMoveGoesOutAsItIs) {
+  start(pmx);
+  sent();
+  EXPECT_EQ(perform(intent::MoveTo(targets({1000}))), "");
+  EXPECT_THAT(sent(), HasSubstr("X1000"));
+  ASSERT_TRUE(wait_idle());
+  EXPECT_EQ(position(), 1000);
+  EXPECT_EQ(latest.axes[0].ended_by, EndedBy::target);
+}
+
+TEST_F(DriverTest, TheUsersMoveModeIsLeftAlone) {
+  start(pmx);
+  EXPECT_EQ(act("incremental", {}), "");
+  sent();
+  EXPECT_EQ(perform(intent::MoveTo(targets({500}))), "");
+  ASSERT_TRUE(wait_idle());
+  EXPECT_EQ(position(), 500);
+  EXPECT_EQ(perform(intent::MoveTo(targets({300}))), "");
+  ASSERT_TRUE(wait_idle());
+  EXPECT_EQ(position(), 300);
+  const std::string wire = sent();
+  EXPECT_THAT(wire, HasSubstr("X-200"));
+  EXPECT_EQ(wire.find("ABS"), wire.npos);
+  EXPECT_EQ(readout("MM"), 1);
+}
+
+TEST_F(DriverTest, SeveralAxesMoveOnAStraightLine) {
+  start(pmx);
+  sent();
+  EXPECT_EQ(perform(intent::MoveTo(targets({1000, 500, -200}))), "");
+  EXPECT_THAT(sent(), HasSubstr("X1000Y500Z-200"));
+  ASSERT_TRUE(wait_idle());
+  EXPECT_EQ(position(0), 1000);
+  EXPECT_EQ(position(1), 500);
+  EXPECT_EQ(position(2), -200);
+}
+
+TEST_F(DriverTest, ASpeedForOneMoveIsGivenBack) {
+  start(pmx);
+  run(3);
+  sent();
+  EXPECT_EQ(perform(intent::MoveBy(targets({2000}), Pps{4000})), "");
+  EXPECT_THAT(sent(), HasSubstr("HS=4000 X2000 HS=1000"));
+  ASSERT_TRUE(wait_idle());
+  EXPECT_EQ(query("HS"), "1000");
+}
+
+TEST_F(DriverTest, ATargetBeyond28BitsIsRefusedHere) {
+  start(dmx);
+  sent();
+  EXPECT_THAT(perform(intent::MoveTo(targets({134'217'728}))), HasSubstr("no position for axis X"));
+  EXPECT_EQ(sent().find('X'), std::string::npos);
+}
+
+TEST_F(DriverTest, ARefusalIsShownBesideItsMeaning) {
+  start(pmx);
+  EXPECT_EQ(perform(intent::MoveTo(targets({50000}))), "");
+  run(1);
+  const std::string why = perform(intent::MoveTo(targets({100})));
+  EXPECT_THAT(why, HasSubstr("?PULSING"));
+  EXPECT_THAT(why, HasSubstr("is moving"));
+}
+
+TEST_F(DriverTest, AJogThatIsLetGoStopsItsAxisAndLeavesProgramsAlone) {
+  start(pmx);
+  ASSERT_EQ(perform(intent::LoadProgram(0, "WHILE 1=1\nV1=V1+1\nDELAY=10\nENDWHILE\nEND\n")), "");
+  ASSERT_EQ(perform(intent::RunProgram(0)), "");
+  EXPECT_EQ(perform(intent::JogStart(AxisId{1}, Sign::minus, {}, false)), "");
+  run(1);
+  EXPECT_EQ(latest.axes[1].activity, Activity::jogging);
+  EXPECT_EQ(latest.axes[1].direction, -1);
+  sent();
+  EXPECT_EQ(perform(intent::JogStop()), "");
+  EXPECT_EQ(latest.axes[1].activity, Activity::idle);
+  EXPECT_LT(position(1), 0);
+  EXPECT_THAT(sent(), HasSubstr("STOPY"));
+  EXPECT_EQ(latest.threads[0].run, RunState::running);
+}
+
+TEST_F(DriverTest, HomingUsesTheModelsWords) {
+  start(dmx);
+  sent();
+  EXPECT_EQ(perform(intent::Home(AxisId{0}, Sign::plus, 3)), "");
+  EXPECT_THAT(sent(), HasSubstr("Z+"));
+  EXPECT_EQ(latest.axes[0].activity, Activity::homing);
+  perform(intent::Stop());
+}
+
+// ---- stops
+
+TEST_F(DriverTest, StopEndsMotionAndPrograms) {
+  start(pmx);
+  ASSERT_EQ(perform(intent::LoadProgram(0, "WHILE 1=1\nX100000\nWAITX\nX0\nWAITX\nENDWHILE\nEND\n")), "");
+  ASSERT_EQ(perform(intent::RunProgram(0)), "");
+  run(2);
+  ASSERT_EQ(latest.axes[0].activity, Activity::moving);
+  sent();
+  EXPECT_EQ(perform(intent::Stop()), "");
+  EXPECT_THAT(sent(), HasSubstr("STOP SR0=0 STOP")) << "decision AMB-128";
+  EXPECT_EQ(latest.axes[0].activity, Activity::idle);
+  const auto there = position();
+  run(5);
+  EXPECT_EQ(position(), there);
+  EXPECT_EQ(latest.threads[0].run, RunState::idle);
+}
+
+TEST_F(DriverTest, ASecondStopIsImmediate) {
+  start(pmx);
+  perform(intent::SetParam("ACC", 5000));
+  perform(intent::SetParam("HS", 10000));
+  perform(intent::MoveTo(targets({1'000'000})));
+  run(6);
+  sent();
+  post(intent::Stop());
+  run(0.2);
+  EXPECT_EQ(latest.axes[0].activity, Activity::stopping);
+  EXPECT_EQ(perform(intent::Stop()), "");
+  EXPECT_THAT(sent(), HasSubstr("ABORT"));
+  EXPECT_EQ(latest.axes[0].activity, Activity::idle);
+  EXPECT_EQ(latest.axes[0].ended_by, EndedBy::abort);
+}
+
+TEST_F(DriverTest, AStopOfOneAxisLeavesTheOthers) {
+  start(pmx);
+  perform(intent::JogStart(AxisId{0}, Sign::plus, {}, false));
+  perform(intent::JogStart(AxisId{1}, Sign::plus, {}, false));
+  run(1);
+  EXPECT_EQ(perform(intent::Stop(1)), "");
+  EXPECT_EQ(latest.axes[1].activity, Activity::idle);
+  EXPECT_EQ(latest.axes[0].activity, Activity::jogging);
+  EXPECT_EQ(perform(intent::Stop()), "");
+  EXPECT_EQ(latest.axes[0].activity, Activity::idle);
+}
+
+TEST_F(DriverTest, StopTakesTheAxesFromTheJoystick) {
+  start(pmx);
+  ASSERT_EQ(perform(intent::SetParam("JV1", 1000, true)), "");
+  ASSERT_EQ(act("joystick", {0, 1}), "");
+  EXPECT_EQ(param("JE"), 1);
+  sent();
+  EXPECT_EQ(perform(intent::Stop()), "");
+  EXPECT_THAT(sent(), HasSubstr("JE=0"));
+  EXPECT_EQ(query("JE"), "0");
+}
+
+// ---- set-up
+
+TEST_F(DriverTest, ASetParameterIsReadBackAndMarkedUnstored) {
+  start(pmx);
+  EXPECT_EQ(perform(intent::SetParam("SLRX", 1250)), "");
+  EXPECT_EQ(param("SLRX"), 1250);
+  EXPECT_TRUE(latest.unsaved_setup);
+  EXPECT_EQ(query("SLRX"), "1.250");
+  EXPECT_EQ(perform(intent::Store()), "");
+  EXPECT_FALSE(latest.unsaved_setup);
+}
+
+TEST_F(DriverTest, ATimeThatTheControllerAdjustsIsToldNotHidden) {
+  start(dmx);
+  EXPECT_EQ(perform(intent::SetParam("ACC", 40000)), "");
+  EXPECT_LT(param("ACC"), 40'000);
+  EXPECT_TRUE(told("table A.0"));
+}
+
+TEST_F(DriverTest, TheDeviceNameIsItsNumber) {
+  start(dmx);
+  EXPECT_EQ(perform(intent::SetParam("DN", 7)), "");
+  EXPECT_EQ(query("DN"), "DMK07");
+  EXPECT_THAT(perform(intent::SetParam("DN", 100)), HasSubstr("DMK100 is not possible"));
+}
+
+TEST_F(DriverTest, ReadoutsVariablesAndAnalogAreLiveWhenWatched) {
+  start(pmx);
+  perform(intent::Watch(1u << 4 | 1u << 6));
+  EXPECT_EQ(perform(intent::SetVariable(7, -42)), "");
+  (void)loop->operate(bench::Analog(3, 1234));
+  run(4);
+  EXPECT_TRUE(latest.variables_known.all() || latest.variables_known.count() == 100u);
+  EXPECT_EQ(latest.variables[7], -42);
+  EXPECT_EQ(latest.analog[2], 1234);
+}
+
+// ---- actions
+
+TEST_F(DriverTest, ACircleIsDrawnAndEndsWhereItBegan) {
+  start(pmx);
+  sent();
+  EXPECT_EQ(act("circle", {500, 0, 1}), "");
+  EXPECT_THAT(sent(), HasSubstr("CIRP500:0"));
+  run(1);
+  EXPECT_NE(position(1), 0);
+  ASSERT_TRUE(wait_idle());
+  EXPECT_EQ(position(0), 0);
+  EXPECT_EQ(position(1), 0);
+}
+
+TEST_F(DriverTest, ArcsAreRefusedInIncrementalModeWithAWord) {
+  start(pmx);
+  act("incremental", {});
+  EXPECT_THAT(act("arc", {0, 0, 180'000, 90'000, 1}), HasSubstr("absolute mode"));
+}
+
+TEST_F(DriverTest, ALimitErrorIsShownAndCleared) {
+  start(dmx);
+  (void)loop->operate(bench::Limit(AxisId{0}, Sign::plus, true));
+  EXPECT_EQ(perform(intent::MoveTo(targets({1000}))), "");
+  ASSERT_TRUE(wait_idle());
+  EXPECT_EQ(latest.axes[0].activity, Activity::error);
+  EXPECT_EQ(latest.axes[0].ended_by, EndedBy::limit);
+  EXPECT_THAT(std::string(latest.notice.view()), HasSubstr("+ limit"));
+  EXPECT_THAT(perform(intent::MoveTo(targets({-100}))), HasSubstr("clear the errors"));
+  (void)loop->operate(bench::Limit(AxisId{0}, Sign::plus, false));
+  EXPECT_EQ(act("clear", {}), "");
+  EXPECT_EQ(latest.axes[0].activity, Activity::idle);
+  EXPECT_EQ(perform(intent::MoveTo(targets({-100}))), "");
+}
+
+TEST_F(DriverTest, TheTargetAndTheSpeedChangeUnderWay) {
+  start(dmx);
+  ASSERT_EQ(act("speed_window", {1}), "");
+  perform(intent::MoveTo(targets({50000})));
+  run(1);
+  sent();
+  EXPECT_EQ(act("change_speed", {2000, 0}), "");
+  EXPECT_EQ(act("change_target", {3000}), "");
+  EXPECT_EQ(sent(), "SSPD2000 T3000");
+  ASSERT_TRUE(wait_idle());
+  EXPECT_EQ(position(), 3000);
+}
+
+TEST_F(DriverTest, ALongListOfMovesIsFedAsPlacesBecomeFree) {
+  start(pmx);
+  perform(intent::SetParam("IACC", 0));
+  std::vector<std::vector<std::int64_t>> rows;
+  for (int i = 1; i <= 60; ++i) rows.push_back({i * 20, i * 10, 0, 500});
+  EXPECT_EQ(perform(intent::FeedMoves(rows)), "");
+  EXPECT_EQ(latest.feed.total, 60);
+  ASSERT_TRUE(run_until([&] { return !latest.feed.running; }, 60));
+  EXPECT_EQ(latest.feed.sent, 60);
+  ASSERT_TRUE(wait_idle());
+  EXPECT_EQ(position(0), 1200);
+  EXPECT_EQ(position(1), 600);
+  EXPECT_EQ(readout("BUF"), 1);
+}
+
+TEST_F(DriverTest, AStopEndsTheFeeding) {
+  start(pmx);
+  std::vector<std::vector<std::int64_t>> rows(100, {0, 0, 0, 500});
+  for (std::size_t i = 0; i < rows.size(); ++i) rows[i][0] = static_cast<std::int64_t>(i + 1) * 500;
+  perform(intent::FeedMoves(rows));
+  run(1);
+  EXPECT_EQ(perform(intent::Stop()), "");
+  EXPECT_FALSE(latest.feed.running);
+  const auto there = position();
+  run(3);
+  EXPECT_EQ(position(), there);
+}
+
+TEST_F(DriverTest, TheLatchCapturesBothPositions) {
+  start(dmx);
+  EXPECT_EQ(act("latch", {1}), "");
+  perform(intent::Watch(1u << 2));
+  run(1);
+  EXPECT_EQ(readout("LTS"), 1);
+  perform(intent::MoveTo(targets({2000})));
+  run(1);
+  (void)loop->operate(bench::Input(2, true));
+  ASSERT_TRUE(wait_idle());
+  EXPECT_EQ(readout("LTS"), 2);
+  EXPECT_GT(readout("LTE"), 0);
+}
+
+// ---- programs
+
+TEST_F(DriverTest, AProgramIsCompiledWrittenComparedAndRun) {
+  start(dmx);
+  EXPECT_EQ(perform(intent::LoadProgram(0, "X400\nWAITX\nX100\nWAITX\nEND\n")), "");
+  EXPECT_EQ(latest.slot_bytes_used[0], 5);
+  EXPECT_FALSE(latest.transfer.running);
+  EXPECT_EQ(perform(intent::RunProgram(0)), "");
+  EXPECT_EQ(latest.threads[0].run, RunState::running);
+  EXPECT_GE(latest.threads[0].line, 0);
+  ASSERT_TRUE(wait_idle());
+  EXPECT_EQ(position(), 100);
+  EXPECT_EQ(latest.threads[0].run, RunState::idle);
+}
+
+TEST_F(DriverTest, AShorterProgramLeavesNothingOfTheLongerOne) {
+  start(dmx);
+  ASSERT_EQ(perform(intent::LoadProgram(0, "V1=1\nV2=2\nV3=3\nV4=4\nV5=5\nV6=6\nV7=7\nEND\n")), "");
+  ASSERT_EQ(perform(intent::LoadProgram(0, "V1=9\nEND\n")), "");
+  EXPECT_EQ(query("SA2"), "");
+  ASSERT_EQ(perform(intent::UploadProgram(0)), "");
+  EXPECT_THAT(program_text(), HasSubstr("V1=9"));
+  EXPECT_EQ(program_text().find("V3"), std::string::npos);
+  ASSERT_EQ(perform(intent::ClearProgram(0)), "");
+  EXPECT_EQ(query("SA0"), "");
+}
+
+TEST_F(DriverTest, AnErrorInTheProgramIsNamedWithItsLineAndNothingIsWritten) {
+  start(dmx);
+  sent();
+  EXPECT_THAT(perform(intent::LoadProgram(0, "X400\nFOO\nEND\n")), HasSubstr("error in line 2"));
+  EXPECT_EQ(sent(), "");
+}
+
+TEST_F(DriverTest, ARunningProgramIsNotOverwritten) {
+  start(pmx);
+  ASSERT_EQ(perform(intent::LoadProgram(0, "WHILE 1=1\nV1=V1+1\nDELAY=10\nENDWHILE\nEND\n")), "");
+  ASSERT_EQ(perform(intent::RunProgram(0)), "");
+  EXPECT_THAT(perform(intent::LoadProgram(0, "END\n")), HasSubstr("Program 0 runs"));
+  EXPECT_EQ(perform(intent::Pause(0)), "");
+  EXPECT_EQ(latest.threads[0].run, RunState::held);
+  EXPECT_EQ(perform(intent::Resume(0)), "");
+  EXPECT_EQ(latest.threads[0].run, RunState::running);
+  EXPECT_EQ(perform(intent::HaltProgram(0)), "");
+  EXPECT_EQ(latest.threads[0].run, RunState::idle);
+}
+
+// ---- the wire
+
+TEST_F(DriverTest, AtTheRateOfTheLineARoundOfStatusIsLive) {
+  start(pmx, {}, true);
+  EXPECT_EQ(latest.link.state, LinkState::good) << latest.link.sentence.view();
+  perform(intent::MoveTo(targets({3000})));
+  run(1);
+  EXPECT_FALSE(is_stale(latest.axes[0].seen_at, time.now(), latest.poll_period));
+  ASSERT_TRUE(wait_idle());
+  EXPECT_EQ(position(), 3000);
+  EXPECT_EQ(latest.link.timeouts, 0u);
+}
+
+TEST_F(DriverTest, AMotionWhoseAnswerIsLostIsNotRepeated) {
+  start(dmx);
+  run(3);
+  sent();
+  loop->drop(0);
+  loop->to_controller.clear();
+  const IntentId id = post(intent::JogStart(AxisId{0}, Sign::plus, {}, false));
+  loop->garble(3);
+  run_until([&] { return fate(id) != Fate::pending; }, 10);
+  run(1);
+  std::size_t jogs = 0;
+  for (auto at = loop->to_controller.find("J+"); at != std::string::npos;
+       at = loop->to_controller.find("J+", at + 1))
+    ++jogs;
+  EXPECT_EQ(jogs, 1u);
+  perform(intent::Stop());
+}
+
+}  // namespace
+}  // namespace hw::arcus

@@ -1,0 +1,74 @@
+-- The pictures of the README: build/handwheel run --gui tests/gui/readme_pictures.lua assets/screenshots
+local folder = hw.args[1] or "."
+local function picture(name)
+  ui.frame(3)
+  ui.screenshot(folder .. "/" .. name .. ".png")
+end
+local function choose(list, words)
+  ui.click(list)
+  ui.frame(2)
+  for _, w in ipairs(ui.list()) do
+    if w.id:sub(1, #list + 1) == list .. "/" and w.label:find(words, 1, true) then
+      ui.click(w.id)
+      return ui.frame(2)
+    end
+  end
+  error("nothing in " .. list .. " reads " .. words)
+end
+
+ui.window(1440, 900)
+ui.theme("dark")
+local c = assert(hw.open("vxm@emulator,wire=real"))
+for m = 1, 2 do c:set("M" .. m .. "M", 4) end
+c.bench:place(1, {minus = -800, plus = 60000})
+c.bench:place(2, {minus = -800, plus = 20000})
+ui.click("dro/unit")
+for m = 1, 2 do choose("dro/unit/axis/" .. m, "UniSlide K1") end
+ui.key("Escape")
+ui.click("menu")
+ui.click("menu/names")
+ui.type("names/controller", "VXM stage")
+ui.type("names/1", "across")
+ui.type("names/2", "rows")
+ui.click("names/ok")
+c:home(1, "-", "limit-zero")
+c:wait(60)
+
+-- a program at work, while its text is being changed
+ui.type("program/text", [[
+; plate scan: 20 rows, camera flash on output 1
+S1M2000, A1M2       ; across at 5 mm/s
+S2M1000             ; rows at 2.5 mm/s
+IA1M0               ; start at the left edge
+LM0                 ; each row from here
+I1M4800             ; across, 12 mm
+PA5                 ; flash 0.5 s
+I2M400              ; next row, 1 mm
+L-20                ; 20 rows, back and forth]])
+hw.sleep(0.3)
+ui.click("program/run")
+hw.sleep(29)
+ui.type("program/text", "\nS2M8000")
+ui.type("terminal/command", "S1M")
+hw.sleep(0.2)
+picture("console-dark")
+ui.type("terminal/command", "")
+c:halt()
+c:wait(20)
+
+-- the set-up, in the light
+ui.theme("light")
+ui.click("tab/setup")
+hw.sleep(1)
+ui.type("setup/Bx", "20\n")
+ui.type("setup/j1M", "1500\n")
+picture("setup-light")
+
+-- the cable pulled while an axis moves
+ui.theme("dark")
+ui.click("tab/program")
+c:move_to{[1] = 40000}
+hw.sleep(1.5)
+c.bench:unplug(true)
+hw.sleep(3)
+picture("fault-dark")

@@ -1,0 +1,97 @@
+// Controllers of one wire behind one tab.
+#include <gtest/gtest.h>
+
+#include "tests/panels/console_stage.h"
+
+namespace hw::panels {
+namespace {
+
+using namespace gui;
+
+#define MUST(action)                                          \
+  do {                                                        \
+    const auto done = (action);                               \
+    ASSERT_TRUE(done.has_value()) << done.error().sentence(); \
+  } while (false)
+
+Catalog one_of_bus(int id) {
+  Catalog c = example_catalog(1);
+  c.address = id;
+  c.axes[0].name = c.id();
+  c.can.broadcast = true;
+  return c;
+}
+
+class BusTest : public testing::Test {
+ protected:
+  ConsoleStage s;
+  Example& a = s.add(one_of_bus(1));
+  Example& b = s.add(one_of_bus(2));
+  Example& c = s.add(one_of_bus(3));
+  void SetUp() override {
+    s.console.join({a.tab, b.tab, c.tab}, "Example 01-03");
+    s.run(0.1);
+  }
+};
+
+TEST_F(BusTest, OneTabAndARowForEach) {
+  EXPECT_TRUE(s.stage.find("controller/1"));
+  EXPECT_FALSE(s.stage.find("controller/2"));
+  for (const char* id : {"bus/01", "bus/02", "bus/03", "dro/02/position", "dro/03/state", "jog/01/+", "jog/03/-"})
+    EXPECT_TRUE(s.stage.find(id)) << id;
+}
+
+TEST_F(BusTest, ChoosingARowPutsTheOtherPanelsOnIt) {
+  MUST(s.hand.click("bus/03"));
+  s.run(0.1);
+  EXPECT_EQ(s.console.active(), c.tab);
+  MUST(s.hand.type("goto/03", "500\n"));
+  s.run(0.1);
+  EXPECT_EQ(c.count<intent::MoveTo>(), 1);
+  EXPECT_EQ(a.count<intent::MoveTo>(), 0);
+}
+
+TEST_F(BusTest, ARowJogsItsOwnController) {
+  MUST(s.hand.press("jog/02/+"));
+  s.run(0.5);
+  EXPECT_EQ(b.count<intent::JogStart>(), 1);
+  EXPECT_EQ(a.count<intent::JogStart>(), 0);
+  MUST(s.hand.release("jog/02/+"));
+  s.run(0.1);
+  EXPECT_EQ(b.count<intent::JogStop>(), 1);
+}
+
+TEST_F(BusTest, StopReachesAll) {
+  MUST(s.hand.click("stop_all"));
+  for (const Example* e : {&a, &b, &c}) EXPECT_EQ(e->count<intent::Stop>(), 1);
+}
+
+TEST_F(BusTest, WhoIsInTroubleStandsFirstAndIsNamed) {
+  c.now.link.state = LinkState::lost;
+  s.run(0.2);
+  EXPECT_LT(s.stage.find("bus/03")->rect.min.y, s.stage.find("bus/01")->rect.min.y);
+  EXPECT_EQ(s.value("bus/summary"), "2 of 3 answer, trouble: 1");
+  EXPECT_EQ(s.value("status/text").substr(0, 4), "03: ");
+}
+
+TEST_F(BusTest, TheTerminalSpeaksToOneOrToAll) {
+  MUST(s.hand.click("terminal/to"));
+  MUST(s.hand.click("terminal/to/all"));
+  MUST(s.hand.type("terminal/command", "CLR\n"));
+  s.run(0.1);
+  ASSERT_TRUE(a.last<intent::SendText>());
+  EXPECT_TRUE(a.last<intent::SendText>()->broadcast);
+  MUST(s.hand.click("terminal/to"));
+  MUST(s.hand.click("terminal/to/02"));
+  s.run(0.1);
+  EXPECT_EQ(s.console.active(), b.tab);
+}
+
+TEST_F(BusTest, ClosingTheTabClosesAll) {
+  s.console.close(*b.tab);
+  a.tab = b.tab = c.tab = nullptr;
+  EXPECT_TRUE(s.console.tabs().empty());
+}
+
+}  // namespace
+}  // namespace hw::panels

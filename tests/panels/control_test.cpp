@@ -1,0 +1,122 @@
+// Readouts and actions, drawn from a catalog: what is shown, what is sent, what is watched.
+#include "panels/control.h"
+
+#include "tests/panels/full_catalog.h"
+#include "tests/panels/panel_stage.h"
+
+namespace hw::panels {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+struct ControlTest : ::testing::Test {
+  ControlTest() {
+    s.now.axis_count = 4;
+    s.stage.frames(2);
+  }
+  void tell(const char* id, std::int64_t value) {
+    const auto i = static_cast<std::size_t>(s.catalog.find_readout(id));
+    s.now.readouts[i] = value;
+    s.now.readouts_known[i] = true;
+    s.now.readouts_seen_at[i] = Instant(from_seconds(s.stage.now_s));
+    s.stage.frames(2);
+  }
+  const intent::Act& act(const char* id) {
+    const auto* found = s.last<intent::Act>();
+    EXPECT_TRUE(found);
+    static const intent::Act none(-1, {});
+    if (!found) return none;
+    EXPECT_EQ(s.catalog.actions[static_cast<std::size_t>(found->action)].id, id);
+    return *found;
+  }
+  Control panel;
+  test::PanelStage s{panel, 864, 1400, 1, gui::Tier::wide, true, test::full_catalog()};
+};
+
+TEST_F(ControlTest, ValuesAreShownInWordsAndTheirAgeIsNotHidden) {
+  EXPECT_EQ(s.value("readout/MM"), "?");
+  tell("MM", 1);
+  EXPECT_EQ(s.value("readout/MM"), "incremental");
+  tell("TR", 1284);
+  EXPECT_EQ(s.value("readout/TR"), "1284 ms");
+  tell("SLSY", 10);
+  EXPECT_EQ(s.value("readout/SLSY"), "stalled");
+  s.stage.frames(60 * 4);
+  EXPECT_EQ(s.value("readout/MM"), "incremental?");
+}
+
+TEST_F(ControlTest, WhatIsInSightIsWatchedAndTheRestIsNot) {
+  const auto* watch = s.last<intent::Watch>();
+  ASSERT_TRUE(watch);
+  EXPECT_EQ(watch->groups, 0b110111u) << "all but the variables";
+  const std::size_t sent = s.sent.size();
+  s.stage.frames(60);
+  EXPECT_EQ(s.sent.size(), sent) << "said once";
+}
+
+TEST_F(ControlTest, AnActionTakesItsFields) {
+  s.type("action/arc/centre_x", "-1500");
+  s.type("action/arc/centre_y", "2000");
+  s.type("action/arc/end_angle", "22.5");
+  s.click("action/arc/go");
+  EXPECT_THAT(act("arc").values, ElementsAre(-1500, 2000, 22'500));
+}
+
+TEST_F(ControlTest, ChoicesAreSentAsTheirValues) {
+  s.click("action/latch/axis");
+  s.click("action/latch/axis/Z");
+  s.click("action/latch/on");
+  s.click("action/latch/on/off");
+  s.click("action/latch/go");
+  EXPECT_THAT(act("latch").values, ElementsAre(2, 0));
+  s.click("action/clear/go");
+  EXPECT_THAT(act("clear").values, ElementsAre(-1)) << "all axes, as the catalog begins with";
+}
+
+TEST_F(ControlTest, AButtonWithoutFieldsIsSentAtOnce) {
+  s.click("action/incremental/go");
+  EXPECT_TRUE(act("incremental").values.empty());
+}
+
+TEST_F(ControlTest, AWrongNumberSendsNothingAndSaysWhy) {
+  const std::size_t sent = s.sent.size();
+  s.type("action/arc/end_angle", "99999");
+  s.click("action/arc/go");
+  EXPECT_EQ(s.sent.size(), sent);
+  EXPECT_THAT(s.value("action/arc/refused"), HasSubstr("End angle: -3600 to 3600"));
+}
+
+TEST_F(ControlTest, ARefusalStandsWhereItWasAsked) {
+  s.click("action/arc/go");
+  s.settle(Fate::refused, "An arc needs absolute mode.");
+  EXPECT_EQ(s.value("action/arc/refused"), "An arc needs absolute mode.");
+}
+
+TEST_F(ControlTest, MovesWaitForAProgramButAChangeUnderWayDoesNot) {
+  s.now.program.owned = true;
+  s.now.program.run = RunState::running;
+  s.now.program.slot = 0;
+  s.stage.frames(2);
+  EXPECT_THAT(s.reason("action/arc/go"), HasSubstr("is running"));
+  EXPECT_EQ(s.reason("action/change_speed/go"), "");
+  EXPECT_EQ(s.reason("action/latch/go"), "");
+}
+
+TEST_F(ControlTest, TheJoysticksInputsHaveLiveBars) {
+  s.now.analog[2] = 1840;
+  s.now.analog_known = 0xFF;
+  s.stage.frames(2);
+  EXPECT_EQ(s.value("control/analog/3"), "1840");
+}
+
+TEST_F(ControlTest, WhatTheControllerSaysOfItself) {
+  EXPECT_EQ(s.value("about/firmware"), "not told");
+  s.now.identity.firmware = "V319";
+  s.stage.frames(2);
+  EXPECT_EQ(s.value("about/firmware"), "V319");
+  EXPECT_THAT(s.value("about/console"), HasSubstr("Handwheel"));
+}
+
+}  // namespace
+}  // namespace hw::panels

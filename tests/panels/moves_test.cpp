@@ -1,0 +1,113 @@
+#include "panels/moves.h"
+
+#include "tests/core/session/folder.h"
+#include "tests/panels/full_catalog.h"
+#include "tests/panels/panel_stage.h"
+
+namespace hw::panels {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+struct MovesTest : ::testing::Test {
+  MovesTest() {
+    s.now.axis_count = 4;
+    s.stage.frames(2);
+  }
+  void add(const char* x, const char* y, const char* speed) {
+    s.click("list/add");
+    ++rows;
+    s.type(cell("x").c_str(), x);
+    s.type(cell("y").c_str(), y);
+    s.type(cell("speed").c_str(), speed);
+  }
+  std::string cell(const char* column) { return "list/" + std::to_string(rows) + "/" + column; }
+  int rows = 0;
+  Moves panel;
+  test::PanelStage s{panel, 864, 700, 1, gui::Tier::wide, true, test::full_catalog()};
+};
+
+TEST_F(MovesTest, TheListIsFedAsItStands) {
+  EXPECT_THAT(s.reason("list/start"), HasSubstr("empty"));
+  add("100", "-200", "1500");
+  add("300", "0", "2000");
+  s.click("list/start");
+  const auto* feed = s.last<intent::FeedMoves>();
+  ASSERT_TRUE(feed);
+  EXPECT_THAT(feed->rows, ElementsAre(ElementsAre(100, -200, 1500), ElementsAre(300, 0, 2000)));
+}
+
+TEST_F(MovesTest, ARemovedMoveIsNotSent) {
+  add("1", "1", "1000");
+  add("2", "2", "1000");
+  s.click("list/1/remove");
+  s.click("list/start");
+  ASSERT_TRUE(s.last<intent::FeedMoves>());
+  EXPECT_THAT(s.last<intent::FeedMoves>()->rows, ElementsAre(ElementsAre(2, 2, 1000)));
+}
+
+TEST_F(MovesTest, AWrongNumberNamesItsMove) {
+  add("1", "1", "0");
+  const std::size_t sent = s.sent.size();
+  s.click("list/start");
+  EXPECT_EQ(s.sent.size(), sent);
+  EXPECT_THAT(s.toast(), HasSubstr("Move 1, Speed: 1 to 6"));
+}
+
+TEST_F(MovesTest, ProgressIsToldAndAbortStops) {
+  add("1", "1", "1000");
+  s.now.feed = {true, 12, 100};
+  s.stage.frames(2);
+  EXPECT_EQ(s.value("list/progress"), "12 of 100 moves sent");
+  EXPECT_THAT(s.reason("list/start"), HasSubstr("on its way"));
+  s.click("list/abort");
+  EXPECT_TRUE(s.last<intent::Stop>());
+}
+
+TEST_F(MovesTest, TheBufferStandsBesideTheList) {
+  const auto i = static_cast<std::size_t>(s.catalog.find_readout("BUFFREE"));
+  s.now.readouts[i] = 33;
+  s.now.readouts_known[i] = true;
+  s.now.readouts_seen_at[i] = Instant(from_seconds(s.stage.now_s));
+  s.stage.frames(2);
+  EXPECT_EQ(s.value("readout/BUFFREE"), "33");
+  s.click("action/buffer_on/go");
+  EXPECT_TRUE(s.last<intent::Act>());
+  s.click("list/param/IACC");
+  ASSERT_TRUE(s.last<intent::SetParam>());
+  EXPECT_EQ(s.last<intent::SetParam>()->mnemonic, "IACC");
+  EXPECT_EQ(s.last<intent::SetParam>()->value, 1);
+}
+
+TEST_F(MovesTest, SavedOpenedAndNew) {
+  const test::Folder folder;
+  const std::string path = (folder.path() / "square.moves").string();
+  add("10", "20", "1000");
+  s.click("list/save");
+  s.type("file/path", path.c_str());
+  s.click("file/save");
+  EXPECT_EQ(s.value("list/file"), "square.moves");
+  s.click("list/new");
+  EXPECT_THAT(s.reason("list/start"), HasSubstr("empty"));
+  s.click("list/open");
+  s.type("file/path", path.c_str());
+  s.click("file/open");
+  EXPECT_EQ(s.value("list/1/y"), "20");
+}
+
+TEST(MoveFile, FaultsNameTheLine) {
+  const MoveListFacts facts = test::full_catalog().move_list;
+  const auto rows = gui::read_moves("; X, Y, Speed\n1, 2, 1000\n\n-5,6,7\n", facts);
+  ASSERT_TRUE(rows);
+  EXPECT_THAT(*rows, ElementsAre(ElementsAre(1, 2, 1000), ElementsAre(-5, 6, 7)));
+  EXPECT_EQ(gui::read_moves(gui::write_moves(*rows, facts), facts), rows);
+  const auto wrong = gui::read_moves("1, 2, 1000\n1, two, 3\n", facts);
+  ASSERT_FALSE(wrong);
+  EXPECT_THAT(wrong.error().sentence(), HasSubstr("Line 2: Y \"two\""));
+  EXPECT_FALSE(gui::read_moves("1, 2\n", facts));
+  EXPECT_FALSE(gui::read_moves("1, 2, 3, 4\n", facts));
+}
+
+}  // namespace
+}  // namespace hw::panels

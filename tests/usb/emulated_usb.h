@@ -1,0 +1,57 @@
+#pragma once
+// A Performax controller on an emulated USB port: what the kernel would do with libusb's requests, done here
+// in front of an Emulator whose transfers are 64 bytes. One thread of umockdev serves it; all members lock.
+#include <condition_variable>
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include <umockdev-1.0/umockdev.h>
+
+#include "core/device/emulator.h"
+
+namespace hw::test {
+
+class EmulatedUsb {
+ public:
+  /// On the bus from the start.
+  EmulatedUsb(UMockdevTestbed* bus, std::unique_ptr<Emulator> device, std::string serial, int number);
+  ~EmulatedUsb();
+
+  void unplug();
+  /// The next reply is cut off after so many bytes.
+  void cut_next_reply(std::size_t bytes);
+  /// Values of the control transfers so far.
+  std::vector<int> controls();
+  /// Commands as they came, without what fills them up.
+  std::vector<std::string> commands();
+  /// Leaves a reply behind that nobody has fetched.
+  void leave_reply(std::string text);
+
+ private:
+  struct Urb;
+  static gboolean on_ioctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer self);
+  void serve(UMockdevIoctlClient* client);
+  void submit(UMockdevIoctlClient* client, UMockdevIoctlData* arg);
+  void reap(UMockdevIoctlClient* client, UMockdevIoctlData* arg);
+  void discard(UMockdevIoctlClient* client, UMockdevIoctlData* arg);
+  void take_replies();
+  void finish(std::shared_ptr<Urb> urb, int status, std::size_t length);
+
+  std::mutex mutex_;
+  UMockdevTestbed* bus_;
+  UMockdevIoctlBase* handler_ = nullptr;
+  std::string path_, node_;
+  std::unique_ptr<Emulator> device_;
+  std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
+  std::deque<std::string> replies_;
+  std::deque<std::shared_ptr<Urb>> reading_, done_;
+  std::vector<int> controls_;
+  std::vector<std::string> commands_;
+  std::size_t cut_ = 64;
+  bool there_ = true;
+};
+
+}  // namespace hw::test

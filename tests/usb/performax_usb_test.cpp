@@ -1,0 +1,172 @@
+#include "transports/performax_usb.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/transports/ear.h"
+#include "tests/usb/emulated_usb.h"
+
+namespace hw {
+namespace {
+
+using test::Ear;
+using test::EmulatedUsb;
+using test::poll_until;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+/// Answers each command with itself, "E" with an empty reply, "Q" with nothing.
+class Parrot final : public Emulator {
+ public:
+  void receive(std::string_view bytes) override {
+    std::string text(bytes.substr(0, bytes.find('\0')));
+    if (text == "Q") return;
+    if (text == "E") text.clear();
+    text.resize(64, '\0');
+    output_ += text;
+  }
+  void take_output(std::string& sink) override { sink += std::exchange(output_, {}); }
+  std::optional<Instant> next_event() const override { return std::nullopt; }
+  void advance_to(Instant) override {}
+  Result<> operate(const BenchCommand&) override { return {}; }
+  void look(BenchView&) const override {}
+  const std::vector<TriggerPulse>& pulses() const override { return pulses_; }
+  int rate() const override { return 0; }
+  std::string save_memory() const override { return {}; }
+  Result<> load_memory(std::string_view) override { return {}; }
+  std::uint64_t memory_version() const override { return 0; }
+  std::unique_ptr<Emulator> clone() const override { return std::make_unique<Parrot>(*this); }
+
+ private:
+  std::string output_;
+  std::vector<TriggerPulse> pulses_;
+};
+
+class PerformaxUsb : public ::testing::Test {
+ protected:
+  PerformaxUsb() {
+    if (!umockdev_in_mock_environment()) throw std::runtime_error("run this with umockdev-wrapper");
+  }
+  ~PerformaxUsb() override {
+    stream.reset();
+    poll_until(
+        io, [] { return false; }, Millis(100));  // the good-bye
+    devices.clear();
+    g_object_unref(bus);
+  }
+  EmulatedUsb& plug_in(const std::string& serial) {
+    devices.push_back(std::make_unique<EmulatedUsb>(bus, std::make_unique<Parrot>(), serial, ++number));
+    return *devices.back();
+  }
+  Result<std::unique_ptr<Stream>> open(const std::string& serial = {}) {
+    return test::run_task(io, open_performax_usb(clock, serial));
+  }
+  void open_good() {
+    auto opened = open();
+    ASSERT_TRUE(opened) << opened.error().sentence();
+    stream = std::move(*opened);
+    stream->listen(&ear);
+  }
+  bool heard(const std::string& text) {
+    return poll_until(io, [&] { return ear.heard == text; });
+  }
+
+  UMockdevTestbed* bus = umockdev_testbed_new();
+  std::vector<std::unique_ptr<EmulatedUsb>> devices;
+  int number = 3;
+  IoContext io{1};
+  RealScheduler clock{io};
+  Ear ear;
+  std::unique_ptr<Stream> stream;
+};
+
+TEST_F(PerformaxUsb, OpensFlushesTalksAndSaysGoodBye) {
+  EmulatedUsb& device = plug_in("4ex00");
+  open_good();
+  EXPECT_THAT(device.controls(), ElementsAre(2, 1));
+  EXPECT_TRUE(stream->carries_messages());
+  EXPECT_EQ(stream->describe(), "USB 4ex00");
+  stream->send("PP");
+  ASSERT_TRUE(heard("PP"));
+  stream->send("MST");
+  stream->send("ID");
+  ASSERT_TRUE(heard("PPMSTID")) << ear.heard;
+  EXPECT_THAT(device.commands(), ElementsAre("PP", "MST", "ID"));
+  stream.reset();
+  ASSERT_TRUE(poll_until(io, [&] { return device.controls().size() == 3; }));
+  EXPECT_EQ(device.controls().back(), 4);
+  open_good();
+  stream->send("again");
+  EXPECT_TRUE(heard("PPMSTIDagain"));
+}
+
+TEST_F(PerformaxUsb, WhatWasAskedBeforeIsNoAnswer) {
+  EmulatedUsb& device = plug_in("4ex00");
+  device.leave_reply("old");
+  open_good();
+  stream->send("new");
+  EXPECT_TRUE(heard("new")) << ear.heard;
+}
+
+TEST_F(PerformaxUsb, HalfAReplyIsNone) {
+  EmulatedUsb& device = plug_in("4ex00");
+  open_good();
+  device.cut_next_reply(3);
+  stream->send("-12345");
+  stream->send("ok");
+  EXPECT_TRUE(heard("ok")) << ear.heard;
+}
+
+TEST_F(PerformaxUsb, AnEmptyReplyIsOne) {
+  plug_in("4ex00");
+  open_good();
+  stream->send("E");
+  EXPECT_TRUE(heard(std::string(1, '\0')));
+}
+
+TEST_F(PerformaxUsb, SaysWhenItIsPulledOut) {
+  EmulatedUsb& device = plug_in("4ex00");
+  open_good();
+  device.unplug();
+  ASSERT_TRUE(poll_until(io, [&] { return ear.closed.has_value(); }));
+  EXPECT_THAT(ear.closed->sentence(), HasSubstr("USB 4ex00 is gone"));
+  stream.reset();
+  EXPECT_THAT(open().error().sentence(), HasSubstr("No Performax controller is connected"));
+  plug_in("4ex00");
+  open_good();
+  stream->send("PP");
+  EXPECT_TRUE(heard("PP"));
+}
+
+TEST_F(PerformaxUsb, OneOfSeveralIsNamed) {
+  plug_in("4ex00");
+  EmulatedUsb& second = plug_in("4ex01");
+  EXPECT_THAT(open().error().sentence(), HasSubstr("4ex00, 4ex01"));
+  EXPECT_THAT(open("4ex07").error().sentence(), HasSubstr("named 4ex07"));
+  auto opened = open("4EX01");
+  ASSERT_TRUE(opened) << opened.error().sentence();
+  stream = std::move(*opened);
+  stream->listen(&ear);
+  stream->send("here");
+  EXPECT_TRUE(heard("here"));
+  EXPECT_THAT(second.commands(), ElementsAre("here"));
+}
+
+TEST_F(PerformaxUsb, ThePortListHearsOfNewOnes) {
+  int changed = 0;
+  auto watch = PerformaxWatch::start(clock, [&] { ++changed; });
+  ASSERT_TRUE(watch) << watch.error().sentence();
+  EXPECT_TRUE(list_performax().empty());
+  EmulatedUsb& device = plug_in("4ex00");
+  ASSERT_TRUE(poll_until(io, [&] { return changed == 1; }));
+  const auto there = list_performax();
+  ASSERT_EQ(there.size(), 1u);
+  EXPECT_EQ(there.front().serial, "4ex00");
+  EXPECT_EQ(there.front().product, "Performax USB");
+  device.unplug();
+  ASSERT_TRUE(poll_until(io, [&] { return changed == 2; }));
+  EXPECT_TRUE(list_performax().empty());
+}
+
+}  // namespace
+}  // namespace hw
