@@ -1,6 +1,6 @@
 #include "core/devices/arcus/address.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 namespace hw::arcus {
 

@@ -2,7 +2,7 @@
 // rest everything, five times a second.
 #include <cmath>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include "core/devices/arcus/driver.h"
 
