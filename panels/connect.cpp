@@ -182,7 +182,8 @@ void Connect::draw_found(PageFrame& f, const Box& area) {
   const float width = area.width - 32;
   const float form_height = 176 + 32 * static_cast<float>(f.console.devices().state().found.size());
   const float below =
-      refused_.empty() ? 64 + form_height : 72 + form_height + wrapped_height(ui, Face::body, refused_, ui.px(width)) / ui.scale;
+      refused_.empty() ? 64 + form_height
+                       : 72 + form_height + wrapped_height(ui, Face::body, refused_, ui.px(width)) / ui.scale;
   ImGui::SetCursorScreenPos(ui.px(area.x, area.y));
   begin_part(ui, "ports", ui.px(area.width) - ui.hair(), ui.px(area.height - below), Tone::panel, 16);
   draw_ports(f, width);

@@ -41,7 +41,8 @@ bool ConnectForm::has_ids() const { return catalog().addressed(); }
 
 std::string ConnectForm::address() const {
   const Catalog& c = catalog();
-  if (way_ == Way::usb) return c.model + "@usb" + (port_.empty() || port_.starts_with('/') ? "" : ":" + port_);
+  if (way_ == Way::usb)
+    return c.model + "@usb" + (port_.empty() || port_.starts_with('/') ? "" : ":" + port_);
   std::string text = fmt::format("{}@{}:{}", c.model, way_ == Way::tcp ? "tcp" : "serial", port_);
   if (way_ == Way::serial && baud_ < static_cast<int>(c.can.bauds.size()))
     text += fmt::format(",baud={}", c.can.bauds[static_cast<std::size_t>(baud_)]);
@@ -54,7 +55,8 @@ std::string ConnectForm::draw(PageFrame& f, float width) {
   if (catalogs_.empty()) return {};
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  draw_text_line(ui, at.x, at.x + ui.px(100), at.y + ui.px(16), Face::body_bold, ui[Tone::ink], "By its parts");
+  draw_text_line(ui, at.x, at.x + ui.px(100), at.y + ui.px(16), Face::body_bold, ui[Tone::ink],
+                 "By its parts");
   ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(104), at.y));
   draw_parts(f, width - 104);
   ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(104), at.y + ui.px(40)));
@@ -114,13 +116,15 @@ void ConnectForm::draw_parts(PageFrame& f, float width) {
   text_field(ui, "connect/form/id", "Id", id_, id);
 }
 
-/// For a model that leaves the factory on another line: how it comes onto the shared one, in the words of its own setting.
+/// For a model that leaves the factory on another line: how it comes onto the shared one, in the words of its
+/// own setting.
 void ConnectForm::draw_guide(PageFrame& f, float width) {
   for (const ParamInfo& p : catalog().params)
     for (const ParamChoice& choice : p.choices) {
       if (choice.value == p.fallback || choice.label.find("RS-485") == std::string::npos) continue;
       const std::string words = fmt::format(
-          "From RS-232 to RS-485: open it as it is, choose \"{}\" for {} ({}) in Setup, write it, store it in the "
+          "From RS-232 to RS-485: open it as it is, choose \"{}\" for {} ({}) in Setup, write it, store it "
+          "in the "
           "controller, switch the controller off and on, and open it again with its id.",
           choice.label, p.label, p.mnemonic);
       const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -163,8 +167,8 @@ std::string ConnectForm::draw_search(PageFrame& f, float width) {
   const std::string words = state.of == 0 && !state.running ? std::string()
                             : state.running ? fmt::format("{} of {}: {}", state.asked, state.of, state.now)
                                             : fmt::format("{} after {} of {} questions, {} found.",
-                                                          state.cancelled ? "Ended" : "Done", state.asked, state.of,
-                                                          state.found.size());
+                                                          state.cancelled ? "Ended" : "Done", state.asked,
+                                                          state.of, state.found.size());
   draw_text_line(ui, left, at.x + ui.px(width), at.y + ui.px(16), Face::small, ui[Tone::ink2], words);
   show(ui, {"connect/search/progress", Kind::text, "Search", words, {}, false, words},
        {ImVec2(left, at.y), ImVec2(at.x + ui.px(width), at.y + ui.px(32))});
@@ -174,7 +178,8 @@ std::string ConnectForm::draw_search(PageFrame& f, float width) {
     const FoundDevice& device = state.found[i];
     const ImVec2 row = ImGui::GetCursorScreenPos();
     const Path said("{}, {}", device.title, device.sentence);
-    draw_text_line(ui, row.x + ui.px(104), row.x + ui.px(width - 80), row.y + ui.px(16), Face::body, ui[Tone::ink], said);
+    draw_text_line(ui, row.x + ui.px(104), row.x + ui.px(width - 80), row.y + ui.px(16), Face::body,
+                   ui[Tone::ink], said);
     if (!device.address.empty()) {
       ImGui::SetCursorScreenPos(ImVec2(row.x + ui.px(width - 72), row.y));
       ButtonOptions b;

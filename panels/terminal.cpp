@@ -259,7 +259,8 @@ void Terminal::draw_command(Frame& f) {
   if (sent || field.entered) send(f);
 }
 
-/// To whom the line goes, where there is a choice: the devices of the wire, and all of them at once. Returns its width.
+/// To whom the line goes, where there is a choice: the devices of the wire, and all of them at once. Returns
+/// its width.
 float Terminal::draw_to(Frame& f, float top) {
   const std::string_view own = f.tab.id();
   if (own.empty() && !f.catalog.can.broadcast) return 0;

@@ -64,8 +64,10 @@ void TerminalLog::draw(Ui& ui, TrafficLog& log, float height) {
   choose(ui, log, row_height);
   ImGui::SetCursorPos(ImVec2(0, whole));
   ImGui::Dummy(ImVec2(0, 0));
-  const bool wheel_or_bar = ImGui::GetIO().MouseWheel != 0 || GImGui->ActiveId != 0;
-  if (wheel_or_bar) follow_ = ImGui::GetScrollY() >= whole - height - row_height;
+  // Only a hand on this list leaves its end; rows that come while another button is down do not.
+  const bool wheel = ImGui::GetIO().MouseWheel != 0 && ImGui::IsWindowHovered();
+  const bool bar = GImGui->ActiveId == ImGui::GetWindowScrollbarID(ImGui::GetCurrentWindow(), ImGuiAxis_Y);
+  if (wheel || bar || dragging_) follow_ = ImGui::GetScrollY() >= whole - height - row_height;
   ImGui::EndChild();
 }
 
@@ -74,7 +76,9 @@ void TerminalLog::draw_rows(Ui& ui, TrafficLog& log, float row_height) {
   size_ = ImGui::GetWindowSize();
   const float scroll = std::floor(ImGui::GetScrollY());
   const float top = corner.y - scroll + ui.px(4);
-  const auto begin = static_cast<std::size_t>(std::max(0.0f, scroll - ui.px(4)) / row_height);
+  // At the end the first row stands whole under the border, without a strip of the one before.
+  const float above = follow_ ? scroll : std::max(0.0f, scroll - ui.px(4));
+  const auto begin = static_cast<std::size_t>(above / row_height);
   const std::size_t end =
       std::min(log.row_count(), begin + static_cast<std::size_t>(size_.y / row_height) + 2);
   for (std::size_t i = begin; i < end; ++i) {

@@ -60,8 +60,8 @@ c:wait(20)
 ui.theme("light")
 ui.click("tab/setup")
 hw.sleep(1)
-ui.type("setup/Bx", "20\n")
-ui.type("setup/j1M", "1500\n")
+choose("setup/M2M", "5: Slo-Syn M091")
+choose("setup/L1M", "1: on, normally closed")
 picture("setup-light")
 
 -- the cable pulled while an axis moves

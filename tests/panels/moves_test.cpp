@@ -61,8 +61,12 @@ TEST_F(MovesTest, ProgressIsToldAndAbortStops) {
   s.stage.frames(2);
   EXPECT_EQ(s.value("list/progress"), "12 of 100 moves sent");
   EXPECT_THAT(s.reason("list/start"), HasSubstr("on its way"));
+  const std::size_t before = s.sent.size();
   s.click("list/abort");
-  EXPECT_TRUE(s.last<intent::Stop>());
+  ASSERT_EQ(s.sent.size(), before + 2);
+  EXPECT_TRUE(std::holds_alternative<intent::Stop>(s.sent[before])) << "the stop goes first";
+  ASSERT_TRUE(s.last<intent::Act>());
+  EXPECT_EQ(s.catalog.actions[static_cast<std::size_t>(s.last<intent::Act>()->action)].id, "buffer_off");
 }
 
 TEST_F(MovesTest, TheBufferStandsBesideTheList) {
@@ -101,7 +105,9 @@ TEST(MoveFile, FaultsNameTheLine) {
   const auto rows = gui::read_moves("; X, Y, Speed\n1, 2, 1000\n\n-5,6,7\n", facts);
   ASSERT_TRUE(rows);
   EXPECT_THAT(*rows, ElementsAre(ElementsAre(1, 2, 1000), ElementsAre(-5, 6, 7)));
-  EXPECT_EQ(gui::read_moves(gui::write_moves(*rows, facts), facts), rows);
+  const auto again = gui::read_moves(gui::write_moves(*rows, facts), facts);
+  ASSERT_TRUE(again);
+  EXPECT_EQ(*again, *rows);
   const auto wrong = gui::read_moves("1, 2, 1000\n1, two, 3\n", facts);
   ASSERT_FALSE(wrong);
   EXPECT_THAT(wrong.error().sentence(), HasSubstr("Line 2: Y \"two\""));
