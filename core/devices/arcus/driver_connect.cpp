@@ -1,5 +1,5 @@
 // Finding the device, saying why not, and what is left after a power-cycle or a lost wire.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/devices/arcus/driver.h"
 

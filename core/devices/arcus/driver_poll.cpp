@@ -2,7 +2,7 @@
 // rest everything, five times a second.
 #include <cmath>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/devices/arcus/driver.h"
 

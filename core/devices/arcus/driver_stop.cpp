@@ -1,6 +1,6 @@
 // Stopping, by decision AMB-128: the joystick off where it is on, STOP (or ABORT), each running program
 // stopped, STOP again because a program may have begun a move in between, then the status until all stand.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/devices/arcus/driver.h"
 
