@@ -70,7 +70,7 @@ void polling_share_of_the_wire(benchmark::State& state) {
   ServedPty served(baud);
   IoContext io(1);
   Stack stack(io, "vxm@serial:" + served.path() + ",baud=" + std::to_string(baud));
-  if (stack.ended) return state.SkipWithError("no answer");
+  if (stack.ended) return state.SkipWithError(stack.trouble.c_str());
   const auto bytes_before = stack.wire_bytes;
   const auto rounds_before = stack.station->statistics().transactions;
   const auto began = WallClock::now();
