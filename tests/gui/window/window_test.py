@@ -242,7 +242,7 @@ class Keys(Window):
         self.type("P3,I1M-3009")
         self.key("BackSpace")
         self.key("ctrl+Return")
-        self.wait_until(lambda: self.wire.first_motor()[-1] == begin + 500, "the program has run: +800 -300")
+        self.wait_until(lambda: begin + 500 in self.wire.positions()[-8:], "the program has run: +800 -300")
         time.sleep(2)  # longer than the autosave waits
         self.console.send_signal(signal.SIGKILL)
         self.console.wait()
