@@ -5,7 +5,6 @@ local c = assert(hw.open("dmx-k-sa@emulator,id=01-02"))
 hw.sleep(3)
 local one = c.devices["01"]
 one.bench:place(1, {minus = -500000, plus = 500000})
-ui.click("bus/01")
 ui.click("dro/01/power")
 hw.sleep(1)
 tab("control")
@@ -97,7 +96,7 @@ local function homes(mode, minus, plus)
 end
 block("DMX-B12a", function() homes(1, "H-", "H+") end)
 block("DMX-B12b", function() homes(5, "HL-", "HL+") end)
-block("DMX-B12c", function() homes(2, "L-", "L+") end)
+block("DMX-B12c", function() homes(2, "@01L-", "@01L+") end)
 block("DMX-B12d", function() homes(3, "ZH-", "ZH+") end)
 block("DMX-B12e", function() homes(4, "Z-", "Z+") end)
 
@@ -112,7 +111,7 @@ block("DMX-D1", function() shows("link/health", "Link") shows("bus/summary", "2 
 block("DMX-D2", function() ui.click("bus/02") shows("terminal/to", "02") ui.click("bus/01") shows("terminal/to", "01") end)
 block("DMX-E1", function() tab("control") shows("about/model", "K%-SA") end)
 block("DMX-E2", function() shows("about/firmware", "%d") end)
-block("DMX-F1", function() ui.click("bus/01") hw.sleep(0.5) fill("terminal/command", "VER\n") sent("VER") end)
+block("DMX-F1", function() ui.type("terminal/command", "VER\n") hw.sleep(0.5) sent("@01VER") end)
 block("DMX-F2", function() choose("terminal/to", "all") fill("terminal/command", "CLR\n") sent("@00CLR") choose("terminal/to", "01") end)
 
 -- G set-up
