@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Runs the benchmarks and the real window under Xvfb, and prints what they say beside the budgets."""
+"""Runs the benchmarks and the real window under Xvfb, and prints what they say beside the budgets. Whatever does not
+wait is counted in processor time."""
 import json
 import os
 import pathlib
@@ -48,8 +49,8 @@ def wire():
 
 def poll():
     lines = bench("raw_c|bare_asio|whole_stack")
-    raw, bare, whole = (lines[n]["real_time"] / 1e3 for n in ("raw_c", "bare_asio_coroutine", "whole_stack"))
-    row("one poll through the whole stack, one core", f"{whole:.1f} us = {whole / raw:.2f} x raw C, {whole / bare:.2f} x bare coroutine",
+    raw, bare, whole = (lines[n]["cpu_time"] / 1e3 for n in ("raw_c", "bare_asio_coroutine", "whole_stack"))
+    row("one poll through the whole stack, one core", f"{whole:.1f} us of processor = {whole / raw:.2f} x raw C, {whole / bare:.2f} x bare coroutine",
         "at most 2.2 x raw C (6 of 2.7 us)", whole / raw <= 6 / 2.7)
 
 
@@ -61,16 +62,16 @@ def stop():
 
 def emulation():
     lines = bench("program_of_an_hour|second_of_a_thousand")
-    hour = lines["program_of_an_hour"]["real_time"]
-    row("emulation: a program of an hour", f"{hour:.1f} ms = {lines['program_of_an_hour']['times_real']:.0f} x real time",
+    hour = lines["program_of_an_hour"]["cpu_time"]
+    row("emulation: a program of an hour", f"{hour:.1f} ms = {lines['program_of_an_hour']['simulated_s'] * 1e3 / hour:.0f} x real time",
         "under 20 ms", hour < 20)
-    second = lines["second_of_a_thousand_polled"]["real_time"]
+    second = lines["second_of_a_thousand_polled"]["cpu_time"]
     row("emulation: a second of 1,000 polled emulators", f"{second:.0f} ms of one core", "under 1,000 ms", second < 1000)
 
 
 def frame():
     lines = bench("console_frame|imgui_demo")
-    demo = lines["imgui_demo_frame"]["real_time"]
+    demo = lines["imgui_demo_frame"]["cpu_time"]
     for name, what in (("console_frame_moving", "moving"), ("console_frame_at_rest", "at rest")):
         line = lines[name]
         row(f"frame, all panels, four controllers, {what}",
