@@ -56,7 +56,7 @@ def poll():
 
 def stop():
     line = bench("stop_while")["stop_while_a_program_is_sent"]
-    row("stop while a program is sent", f"p50 {line['p50_us']:.0f} us, p99 {line['p99_us']:.0f} us", "p99 under 1 ms",
+    row("stop while a program is sent", f"p50 {line['p50_us']:.0f} us, p99 {line['p99_us']:.0f} us beyond the transaction", "p99 under 1 ms",
         line["p99_us"] < 1000)
 
 
@@ -143,9 +143,12 @@ def window():
             plain.end()
             running = Running(home, PROGRAM, "--verbose", "open", "vxm@emulator")
             time.sleep(15)
-            total, own = running.resident_kb()
-            row("resident without Mesa's files", f"{own / 1024:.0f} MB (bare window {bare_kb / 1024:.0f}, with all of Mesa {total / 1024:.0f})",
-                "under 40 MB", own < 40 * 1024)
+            _, own = running.resident_kb()
+            # A software rasteriser's memory cannot be told from the program's. The bare window has all of it too, and
+            # by itself takes 4.4 MB.
+            more = (own - bare_kb) / 1024
+            row("resident without Mesa", f"{more:.0f} MB more than the bare window ({own / 1024:.0f} and {bare_kb / 1024:.0f} MB with Mesa's)",
+                "under 35.6 MB more (40 with its 4.4)", more < 35.6)
             before = running.processor_s()
             time.sleep(60)
             share = (running.processor_s() - before) / 60 * 100
