@@ -57,8 +57,8 @@ Tab& Console::adopt(std::shared_ptr<SessionGroup> group) {
   if (!group->is_bus()) return make_tab(sessions.front(), false);
   std::vector<Tab*> members;
   for (const auto& session : sessions) members.push_back(&make_tab(session, true));
-  std::string name = fmt::format("{} {}\u2013{}", sessions.front()->catalog().short_name, members.front()->id(),
-                                 members.back()->id());
+  std::string name = fmt::format("{} {}\u2013{}", sessions.front()->catalog().short_name,
+                                 members.front()->id(), members.back()->id());
   Tab& first = *members.front();
   join(std::move(members), std::move(name), std::move(group));
   return first;
@@ -76,7 +76,8 @@ void Console::join(std::vector<Tab*> members, std::string name, std::shared_ptr<
 bool Console::is_face(const Tab& tab) { return !tab.bus || &tab.bus->front() == &tab; }
 
 int Console::faces() const {
-  return static_cast<int>(std::count_if(tabs_.begin(), tabs_.end(), [](const auto& tab) { return is_face(*tab); }));
+  return static_cast<int>(
+      std::count_if(tabs_.begin(), tabs_.end(), [](const auto& tab) { return is_face(*tab); }));
 }
 
 Tab& Console::make_tab(std::shared_ptr<Session> session, bool on_bus) {
@@ -153,7 +154,8 @@ void Console::activate(Tab& tab) {
   if (active_ && active_ != &tab) active_->jog.let_go();
   if (tab.bus) {
     auto& members = tab.bus->members;
-    tab.bus->chosen = static_cast<std::size_t>(std::find(members.begin(), members.end(), &tab) - members.begin());
+    tab.bus->chosen =
+        static_cast<std::size_t>(std::find(members.begin(), members.end(), &tab) - members.begin());
     if (active_ && active_->bus == tab.bus) tab.centre_panel = active_->centre_panel;
   }
   active_ = &tab;
@@ -224,7 +226,8 @@ void Console::start_demo() {
   for (const DeviceType& type : device_types()) {
     std::string address = std::string(type.model) + "@emulator";
     const auto catalog = type.make_catalog({});
-    if (catalog && catalog->addressed() && catalog->axes.size() == 1) address += ",id=01-04";  // a bus of them
+    if (catalog && catalog->addressed() && catalog->axes.size() == 1)
+      address += ",id=01-04";  // a bus of them
     if (auto opened = open(address); !opened) toast(Mood::fault, opened.error().sentence());
   }
   if (!tabs_.empty()) activate(*tabs_.front());
@@ -386,14 +389,12 @@ void Console::load_choices() {
 }
 
 void Console::save_choices() {
-  if (!outside_->folders.enabled || (kept_ == splitters && kept_dark_ == dark_ && kept_size_ == size_)) return;
+  if (!outside_->folders.enabled || (kept_ == splitters && kept_dark_ == dark_ && kept_size_ == size_))
+    return;
   kept_ = splitters, kept_dark_ = dark_, kept_size_ = size_;
-  const nlohmann::json object = {{"left", splitters.left},
-                                 {"right", splitters.right},
-                                 {"below", splitters.below},
-                                 {"below_medium", splitters.below_medium},
-                                 {"dark", dark_ ? 1 : 0},
-                                 {"size", size_}};
+  const nlohmann::json object = {{"left", splitters.left},   {"right", splitters.right},
+                                 {"below", splitters.below}, {"below_medium", splitters.below_medium},
+                                 {"dark", dark_ ? 1 : 0},    {"size", size_}};
   tell(write_json(outside_->folders.state / "window.json", object));
 }
 

@@ -38,7 +38,8 @@ class Console {
   Result<Tab*> open(std::string_view address);
   /// The same for a session that somebody else has opened (a script). It is closed with the tab.
   Tab& adopt(std::shared_ptr<Session> session);
-  /// The same for all of a wire: one controller, or one tab for all of a bus. The tab of the first is returned.
+  /// The same for all of a wire: one controller, or one tab for all of a bus. The tab of the first is
+  /// returned.
   Tab& adopt(std::shared_ptr<SessionGroup> group);
   /// The same for one that is not a session's (tests).
   Tab& add(std::unique_ptr<Tab> tab);
@@ -61,7 +62,7 @@ class Console {
 
   // ---- what is shown
   void show_page(std::string_view id);
-  void toggle_map();  ///< the keyboard map, and back
+  void toggle_map();                                             ///< the keyboard map, and back
   [[nodiscard]] std::string_view page() const { return page_; }  ///< empty: a controller is in front
   /// Brings a panel of the active controller to the front; `widget`: brought into view and focused as well.
   void show_panel(std::string_view id, std::string_view widget = {});

@@ -37,7 +37,8 @@ struct Choice {
   ButtonStyle style = ButtonStyle::normal;
 };
 
-/// The buttons of a dialog, to its right edge, the way out first. Returns the index of the one just pressed, or -1.
+/// The buttons of a dialog, to its right edge, the way out first. Returns the index of the one just pressed,
+/// or -1.
 int draw_choices(Ui& ui, std::span<const Choice> choices) {
   float all = 0;
   for (const Choice& c : choices) all += button_width(ui, c.label, {.style = c.style}) + 8;

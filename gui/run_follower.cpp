@@ -9,8 +9,8 @@ static bool under_way(const ProgramState& p) {
   return p.owned && p.slot >= 0 && p.run != RunState::idle && p.run != RunState::error;
 }
 
-void RunFollower::follow(const Snapshot& now, Instant clock, const ProgramTexts& texts, const Language* language,
-                         Worker& worker) {
+void RunFollower::follow(const Snapshot& now, Instant clock, const ProgramTexts& texts,
+                         const Language* language, Worker& worker) {
   told_ = now.program;
   if (!under_way(told_)) {
     following_ = false;
@@ -31,18 +31,19 @@ void RunFollower::follow(const Snapshot& now, Instant clock, const ProgramTexts&
   if (told_.run == RunState::held && told_.command >= 0) put_right(told_);
 }
 
-void RunFollower::begin(const Snapshot& now, const ProgramTexts& texts, const Language& language, Worker& worker) {
+void RunFollower::begin(const Snapshot& now, const ProgramTexts& texts, const Language& language,
+                        Worker& worker) {
   const HeldProgram& held = texts.held(now.program.slot);
   if (!held.known || held.text.empty()) return;
   RehearseOptions options;
   options.slot = now.program.slot;
   options.axes = now.axis_count;
-  worker.run(
-      [&language, text = held.text, options = std::move(options)] { return language.rehearse(text, options); },
-      [this, run = run_number_](Result<Rehearsal> result) {
-        if (run == run_number_ && result && !result->events.empty()) of_run_ = std::move(*result);
-      },
-      alive_);
+  worker.run([&language, text = held.text,
+              options = std::move(options)] { return language.rehearse(text, options); },
+             [this, run = run_number_](Result<Rehearsal> result) {
+               if (run == run_number_ && result && !result->events.empty()) of_run_ = std::move(*result);
+             },
+             alive_);
 }
 
 // The nearest time at which the rehearsal comes to the command before which the controller holds.

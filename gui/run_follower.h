@@ -1,6 +1,7 @@
 #pragma once
-// Where a running program is, when the controller does not say: worked out from a rehearsal of the text that it holds,
-// begun where the axes stood, and the time that it has run. What it says of a held program puts it right. GUI thread.
+// Where a running program is, when the controller does not say: worked out from a rehearsal of the text that
+// it holds, begun where the axes stood, and the time that it has run. What it says of a held program puts it
+// right. GUI thread.
 #include <memory>
 #include <optional>
 #include <string>

@@ -1,10 +1,9 @@
 #include "gui/workspace.h"
 
-#include <imgui_internal.h>
-
 #include <array>
 
 #include <fmt/core.h>
+#include <imgui_internal.h>
 
 #include "gui/area.h"
 #include "gui/console.h"
@@ -23,9 +22,7 @@ struct Work {
   Tab& tab;
   const Layout& layout;
 
-  [[nodiscard]] bool wanted(const PanelEntry& entry) const {
-    return !entry.wanted || entry.wanted(tab);
-  }
+  [[nodiscard]] bool wanted(const PanelEntry& entry) const { return !entry.wanted || entry.wanted(tab); }
   void draw(std::size_t index, const Box& area, bool rail = false) const {
     const PanelEntry& entry = console.list().panels[index];
     auto& panel = tab.panels[index];
@@ -156,7 +153,8 @@ void draw_centre(const Work& w) {
     Splitters& sizes = w.console.splitters;
     splitter(ui, "splitter/below", in_pixels(ui, {box.x, area.y, box.width, 1}), false,
              wide ? sizes.below : sizes.below_medium,
-             wide ? SplitRange{152, 700, Splitters().below} : SplitRange{108, 320, Splitters().below_medium}, -1);
+             wide ? SplitRange{152, 700, Splitters().below} : SplitRange{108, 320, Splitters().below_medium},
+             -1);
   }
   end_region();
 }

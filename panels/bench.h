@@ -25,7 +25,7 @@ class Bench final : public gui::Panel {
   void release_forgotten(gui::Frame& frame);
 
   std::array<bool, max_axes> home_by_hand_{};  ///< home switches that are pressed here
-  std::string pressed_;  ///< the button that the mouse holds
+  std::string pressed_;                        ///< the button that the mouse holds
 };
 
 }  // namespace hw::panels

@@ -21,7 +21,8 @@ class Connect final : public gui::Page {
   void draw_found(gui::PageFrame& frame, const gui::Box& area);
   void draw_ports(gui::PageFrame& frame, float width);
   void draw_port(gui::PageFrame& frame, std::size_t index, const gui::FoundPort& port, float width);
-  void draw_checks(gui::PageFrame& frame, std::size_t index, const gui::FoundPort& port, float left, float width);
+  void draw_checks(gui::PageFrame& frame, std::size_t index, const gui::FoundPort& port, float left,
+                   float width);
   void draw_address(gui::PageFrame& frame, float width);
   void draw_emulators(gui::PageFrame& frame, float width);
   void open(gui::PageFrame& frame, const std::string& address);

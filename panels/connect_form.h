@@ -1,6 +1,7 @@
 #pragma once
-// A connection put together from its parts, for whoever knows no address by heart: model, way, port, rate, id; and the
-// search for devices when some of them are not known. Ids: `connect/form/...`, `connect/search/...`.
+// A connection put together from its parts, for whoever knows no address by heart: model, way, port, rate,
+// id; and the search for devices when some of them are not known. Ids: `connect/form/...`,
+// `connect/search/...`.
 #include <string>
 #include <vector>
 

@@ -54,7 +54,8 @@ constexpr std::string_view rules[] = {
 /// A row of 32: the key in its frame, what it does, a hairline above.
 void draw_row(Ui& ui, const Key& key, float width, int number) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  ImGui::GetWindowDrawList()->AddRectFilled(at, ImVec2(at.x + ui.px(width), at.y + ui.hair()), ui[Tone::line]);
+  ImGui::GetWindowDrawList()->AddRectFilled(at, ImVec2(at.x + ui.px(width), at.y + ui.hair()),
+                                            ui[Tone::line]);
   draw_key(ui, at, key.keys);
   draw_text_line(ui, at.x + ui.px(136), at.x + ui.px(width), at.y + ui.px(16), Face::body, ui[Tone::ink],
                  key.does);

@@ -50,7 +50,7 @@ void Jog::draw(Frame& f) {
   const float columns = axes <= 2 ? 3 : static_cast<float>(axes) + 1;
   const float largest = f.tier == Tier::wide && axes <= 3 ? 56.0f : 48.0f;
   const float cell = std::min(largest, std::floor((f.area.width + between) / columns) - between);
-  const float height = jogs_in_rows(f) ? 0 : axes == 1 ? cell : 3 * cell + 2 * between;
+  const float height = axes == 1 ? cell : 3 * cell + 2 * between;
   const float x = columns * (cell + between) + 12;
   const bool beside = axes == 2;
   follow_unit(f);
@@ -104,7 +104,7 @@ void Jog::draw_reason(Frame& f) {
 }
 
 void Jog::draw_pad(Frame& f, float cell) {
-  if (jogs_in_rows(f)) return;
+  if (jogs_in_rows(f)) return draw_stop(f, 0, 0, cell);
   const bool flat = f.catalog.axes.size() == 1;
   for (std::size_t i = 0; i < std::min<std::size_t>(f.catalog.axes.size(), 4); ++i)
     for (const Sign sign : {Sign::minus, Sign::plus}) {
@@ -200,7 +200,9 @@ void Jog::draw_steps_row(Frame& f) {
   Ui& ui = f.ui;
   text(ui, Face::small, Tone::ink2, Path("A tap moves, in {}", steps_unit_.name));
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const auto words = [&](const JogStep& step) { return text_width(ui, Face::body_bold, label_of(step)) / ui.scale; };
+  const auto words = [&](const JogStep& step) {
+    return text_width(ui, Face::body_bold, label_of(step)) / ui.scale;
+  };
   float used = 0;
   for (const JogStep& step : steps_) used += words(step);
   // What the words leave is shared out, so that the longest is not cut.
@@ -241,7 +243,8 @@ void Jog::draw_speed(Frame& f) {
     y += ui.px(22);
   } else {  // one line: the slider, and how fast that is
     const float right = std::ceil(text_width(ui, Face::body_bold, words));
-    draw_text_right(ui, ImVec2(at.x + ui.px(f.area.width), at.y + ui.px(6)), Face::body_bold, ui[Tone::ink], words);
+    draw_text_right(ui, ImVec2(at.x + ui.px(f.area.width), at.y + ui.px(6)), Face::body_bold, ui[Tone::ink],
+                    words);
     o.width -= std::max(84.0f, std::ceil(right / ui.scale)) + 8;
   }
   ImGui::SetCursorScreenPos(ImVec2(at.x, y));

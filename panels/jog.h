@@ -1,7 +1,7 @@
 #pragma once
-#include <imgui.h>
-
 #include <vector>
+
+#include <imgui.h>
 
 #include "gui/panel.h"
 #include "gui/units_format.h"

@@ -110,7 +110,8 @@ void Position::draw_strip(Frame& f) {
   const float rows = static_cast<float>((axes + 1) / 2), middle = at.x + ui.px(column + between / 2);
   if (axes > 1)
     ImGui::GetWindowDrawList()->AddRectFilled(
-        ImVec2(middle, at.y), ImVec2(middle + ui.hair(), at.y + ui.px(rows * strip_row_height)), ui[Tone::line]);
+        ImVec2(middle, at.y), ImVec2(middle + ui.hair(), at.y + ui.px(rows * strip_row_height)),
+        ui[Tone::line]);
   for (float row = 1; row < rows; ++row) {
     const float y = at.y + ui.px(row * strip_row_height);
     draw_across(ui, y, y + ui.hair(), ui[Tone::line]);
@@ -207,8 +208,8 @@ void Position::draw_captions(Frame& f, AxisId axis, ImVec2 at, float width) {
   }
 }
 
-/// At the right under the number: where it goes and how fast, or what a limit still lets it do. A held jog has no target
-/// that the hand means.
+/// At the right under the number: where it goes and how fast, or what a limit still lets it do. A held jog
+/// has no target that the hand means.
 NumberText Position::where_to(const Frame& f, AxisId axis, bool whole) {
   const AxisState& a = f.now.axes[axis.index];
   const DisplayUnit& unit = f.tab.unit(axis);

@@ -21,8 +21,7 @@ class Clockwork final : public Language {
   [[nodiscard]] Result<Rehearsal> rehearse(std::string_view, const RehearseOptions& options) const override {
     Rehearsal r;
     constexpr std::pair<double, int> run[] = {{0, 0}, {1, 1}, {2, 2}, {3, 1}, {4, 2}};
-    for (const auto& [t, command] : run)
-      r.events.push_back({t, "a command", options.slot, command});
+    for (const auto& [t, command] : run) r.events.push_back({t, "a command", options.slot, command});
     r.duration_s = 5;
     r.finished = true;
     return r;

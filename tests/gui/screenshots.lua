@@ -79,7 +79,7 @@ local function choose(list, choice)
   ui.click(list .. "/" .. choice)
   ui.frame(2)
 end
-by_hand("units", function() ui.click("dro/unit") end, escape)
+by_hand("units", function() tab("jog") ui.click("dro/unit") end, escape)
 ui.click("dro/unit")
 for m = 1, 2 do choose("dro/unit/axis/" .. m, "UniSlide K1, Q1 or BiSlide M01: 1 mm a turn") end
 escape()

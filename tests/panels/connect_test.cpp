@@ -65,9 +65,9 @@ struct Page {
     FoundPort answers = port("/dev/ttyUSB0", FoundPort::State::answers, "answers at 9600 baud in 11 ms");
     answers.title = "Example Controller";
     answers.address = "example@serial:/dev/ttyUSB0,baud=9600";
-    ports.list = {answers,
-                  port("/dev/ttyUSB1", FoundPort::State::asking),
-                  port("/dev/ttyUSB2", FoundPort::State::busy, "minicom (process 4182) holds it. Close it there first."),
+    ports.list = {answers, port("/dev/ttyUSB1", FoundPort::State::asking),
+                  port("/dev/ttyUSB2", FoundPort::State::busy,
+                       "minicom (process 4182) holds it. Close it there first."),
                   port("/dev/ttyUSB3", FoundPort::State::forbidden,
                        "It may not be opened. Type: sudo usermod -aG dialout $USER, and log in anew."),
                   silent_after_test()};
@@ -124,12 +124,14 @@ TEST(ConnectPage, Pictures) {
     float scale;
     bool dark;
   };
-  for (const Shape& shape : {Shape{"1440-dark", 1440, 900, 1, true}, Shape{"1440-light", 1440, 900, 1, false},
-                             Shape{"1024-dark", 1024, 700, 1, true}, Shape{"narrow200-dark", 720, 450, 2, true}}) {
+  for (const Shape& shape :
+       {Shape{"1440-dark", 1440, 900, 1, true}, Shape{"1440-light", 1440, 900, 1, false},
+        Shape{"1024-dark", 1024, 700, 1, true}, Shape{"narrow200-dark", 720, 450, 2, true}}) {
     Page p(shape.width, shape.height, shape.scale, shape.dark);
     ASSERT_TRUE(p.stage.hand.click("connect/port/4/test"));
     p.stage.frames(3);
-    EXPECT_TRUE(p.stage.surface.screenshot((folder / fmt::format("connect-ports-{}.png", shape.name)).string()));
+    EXPECT_TRUE(
+        p.stage.surface.screenshot((folder / fmt::format("connect-ports-{}.png", shape.name)).string()));
   }
 }
 

@@ -171,7 +171,15 @@ block("PMX-B17c", function()
   ui.click("jog/stop")
   c:wait(20)
 end)
-block("PMX-B18", function() ui.press("jog/U/+") hw.sleep(0.8) sent("JU+") ui.release("jog/U/+") c:wait(10) ui.press("jog/U/-") hw.sleep(0.8) sent("JU-") ui.release("jog/U/-") c:wait(10) end)
+block("PMX-B18", function()
+  for sign, text in pairs{["+"] = "JU+", ["-"] = "JU-"} do
+    ui.press("jog/U/" .. sign)
+    hw.sleep(0.8)
+    ui.release("jog/U/" .. sign)
+    c:wait(10)
+    sent(text)
+  end
+end)
 block("PMX-B19", function() homes(5, "HX-4", "HX+4") end)
 block("PMX-B20", function() homes(2, "HX-1", "HX+1") end)
 block("PMX-B21", function() c:wait(10) fill("goto/X", "800") fill("goto/Y", "600") ui.click("goto/go") sent("X800Y600") c:wait(30) end)
@@ -261,13 +269,11 @@ block("PMX-P2", function() tab("variables") fill("var/53", "-3200\n") sent("V53=
 block("PMX-P3", function() fill("var/command", "V12=440\n") sent("V12=440") shows("var/12", "440") end)
 block("PMX-Q1", function() tab("control") shows("about/firmware", "%d") shows("about/console", "Handwheel") end)
 
--- last, since it takes the cable away
+-- last, since the controller falls silent for good
 block("PMX-CONN-HINT", function()
-  ui.click("bench/power")
-  hw.sleep(8)
+  c.bench:drop(100000000)  -- silent from now on
+  hw.sleep(12)
   local why = shows("status/text", "supply") or ""
   must(why:find("12 to 24 V", 1, true), why)
-  ui.click("bench/power")
-  hw.sleep(8)
 end)
 over()

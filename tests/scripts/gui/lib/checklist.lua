@@ -4,8 +4,8 @@ local list = {c = nil}
 
 local failed = {}
 
--- Reads messages away, closes what is still open.
-function put_away()
+-- Reads messages away: they may lie over what is used next.
+function read_messages()
   for _ = 1, 8 do
     local message
     for _, w in ipairs(ui.list()) do
@@ -15,6 +15,11 @@ function put_away()
     if not pcall(ui.click, message) then break end
     ui.frame(2)
   end
+end
+
+-- The same, and closes what is still open.
+function put_away()
+  read_messages()
   if ui.exists("terminal/clear") and not pcall(ui.click, "terminal/clear") then
     ui.key("Escape")  -- a list or dialog that the block before has left open
     ui.frame(2)
@@ -41,7 +46,7 @@ end
 
 -- The text went out since the block began. The terminal's filter finds it among the polls.
 function sent(text)
-  put_away()
+  read_messages()
   ui.type("terminal/filter", text)
   local log
   for _ = 1, 20 do
@@ -50,7 +55,7 @@ function sent(text)
     if log:find(text, 1, true) then break end
     hw.sleep(0.1)
   end
-  put_away()
+  read_messages()
   ui.type("terminal/filter", "")
   if not log:find(text, 1, true) then error("not on the wire: " .. text, 2) end
 end
