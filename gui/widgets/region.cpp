@@ -36,17 +36,30 @@ void use_whole_window() {
   ImGui::PushClipRect(inside.Min, inside.Max, false);
 }
 
+/// A window of its own over the border, since the parts on both sides reach up to it.
+static void begin_border(std::string_view id, const Rect& hit) {
+  char name[64];
+  std::snprintf(name, sizeof name, "##%.*s", static_cast<int>(id.size()), id.data());
+  ImGui::SetNextWindowPos(hit.min);
+  ImGui::SetNextWindowSize(ImVec2(hit.width(), hit.height()));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+  ImGui::Begin(name, nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoBringToFrontOnFocus |
+                   ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
+  ImGui::PopStyleVar();
+  if (ImGui::IsWindowAppearing()) ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
+}
+
 bool splitter(Ui& ui, std::string_view id, const Rect& border, bool vertical, float& size,
               const SplitRange& range, int towards) {
-  const ImVec2 after = ImGui::GetCursorScreenPos();
   const float grab = ui.px(4);
   Rect hit = border;
   (vertical ? hit.min.x : hit.min.y) -= grab;
   (vertical ? hit.max.x : hit.max.y) += grab;
-  ImGui::SetCursorScreenPos(hit.min);
+  begin_border(id, hit);
   char value[24];
   std::snprintf(value, sizeof value, "%.0f", static_cast<double>(size));
-  ImGui::SetItemAllowOverlap();
   const Touch t = touch(ui, {id, Kind::slider, "size of the column", value, {}, false, {}},
                         ImVec2(hit.width(), hit.height()));
   const float before = size;
@@ -54,9 +67,8 @@ bool splitter(Ui& ui, std::string_view id, const Rect& border, bool vertical, fl
     ImGui::SetMouseCursor(vertical ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
   if (t.held && ImGui::IsMouseDown(0)) {
     const ImVec2 moved = ImGui::GetIO().MouseDelta;
-    const float from = size;
     const float step = static_cast<float>(towards) * (vertical ? moved.x : moved.y) / ui.scale;
-    if (step != 0) size = std::clamp(from + step, range.min, range.max);
+    if (step != 0) size = std::clamp(size + step, range.min, range.max);
   }
   if (t.ring)
     for (ImWchar c : ImGui::GetIO().InputQueueCharacters)
@@ -64,7 +76,7 @@ bool splitter(Ui& ui, std::string_view id, const Rect& border, bool vertical, fl
   if (t.double_clicked) size = range.normal;
   ImGui::GetWindowDrawList()->AddRectFilled(border.min, border.max,
                                             ui[t.held || t.hovered || t.ring ? Tone::edge : Tone::line]);
-  ImGui::SetCursorScreenPos(after);
+  ImGui::End();
   return size != before;
 }
 
