@@ -17,7 +17,7 @@ class Tab;
 
 struct Bus {
   std::shared_ptr<SessionGroup> group;  ///< null in tests of panels
-  std::string name;                     ///< "DMX 01\u201304"
+  std::string name;                     ///< the catalog's short name and the ids
   std::vector<Tab*> members;            ///< in the order of their ids; owned by the console
   std::size_t chosen = 0;
 

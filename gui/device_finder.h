@@ -7,7 +7,7 @@
 namespace hw::gui {
 
 struct FoundDevice {
-  std::string title;    ///< "Arcus DMX-K-SA"
+  std::string title;    ///< the catalog's name for it
   std::string address;  ///< what opens it; empty: a port that could not be asked
   std::string sentence;
 };

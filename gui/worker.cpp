@@ -45,6 +45,11 @@ void Worker::work() {
 }
 
 bool Worker::deliver() {
+  if (!threaded_ && waiting_.empty()) return false;  // each frame asks, and an empty deque takes memory too
+  if (threaded_) {
+    const std::lock_guard lock(mutex_);
+    if (finished_.empty()) return false;
+  }
   std::deque<Delivery> ready;
   if (!threaded_) {
     for (Task& task : std::exchange(waiting_, {})) ready.push_back(task());

@@ -20,19 +20,19 @@ struct Cells {
   int per_line = 1;
   float width = 0;
 };
-// The button takes the place of one more cell.
-Cells cells_of(std::size_t fields, float width) {
+Cells cells_of(std::size_t cells, float width) {
   const int fit = std::max(1, static_cast<int>((width + between) / (least_field + between)));
   Cells c;
-  c.per_line = std::min(fit, static_cast<int>(fields) + 1);
+  c.per_line = std::clamp(static_cast<int>(cells), 1, fit);
   c.width =
       std::floor((width - between * static_cast<float>(c.per_line - 1)) / static_cast<float>(c.per_line));
   return c;
 }
 
-int lines_of(std::size_t fields, int per_line) {
-  return (static_cast<int>(fields) + 1 + per_line - 1) / per_line;
-}
+/// A short button takes the place of one more field, a long one a line of its own.
+bool fits_a_cell(std::string_view label) { return label.size() <= 14; }
+
+int lines_of(std::size_t cells, int per_line) { return (static_cast<int>(cells) + per_line - 1) / per_line; }
 
 }  // namespace
 
@@ -60,8 +60,11 @@ std::string_view ActionForm::why_not(const Frame& f) const {
 
 float ActionForm::height(float width) const {
   if (only_a_button()) return control_height + between;
-  const int lines = lines_of(fields_.size(), cells_of(fields_.size(), width).per_line);
-  return static_cast<float>(lines) * (label_height + control_height + between);
+  const bool in_cell = fits_a_cell(info_.label);
+  const std::size_t cells = fields_.size() + (in_cell ? 1 : 0);
+  const int lines = lines_of(cells, cells_of(cells, width).per_line);
+  return static_cast<float>(lines) * (label_height + control_height + between) +
+         (in_cell ? 0 : control_height + between);
 }
 
 float ActionForm::button_width(const Ui& ui) const {
@@ -73,7 +76,8 @@ float ActionForm::button_width(const Ui& ui) const {
 void ActionForm::draw(Frame& f, float width) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const Cells cells = cells_of(fields_.size(), width);
+  const bool in_cell = fits_a_cell(info_.label);
+  const Cells cells = cells_of(fields_.size() + (in_cell ? 1 : 0), width);
   const auto place = [&](std::size_t n, float down) {
     const auto column = static_cast<float>(static_cast<int>(n) % cells.per_line);
     const auto line = static_cast<float>(static_cast<int>(n) / cells.per_line);
@@ -84,8 +88,11 @@ void ActionForm::draw(Frame& f, float width) {
     place(i, 0);
     draw_field(f, i, cells.width);
   }
-  place(fields_.size(), label_height);
-  draw_button(f, cells.width);
+  if (in_cell)
+    place(fields_.size(), label_height);
+  else
+    ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(height(width) - control_height - between)));
+  draw_button(f, in_cell ? cells.width : 0);
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(height(width))));
   draw_refusal(f, width);
 }

@@ -15,7 +15,7 @@ class ConnectForm {
  public:
   /// At ImGui's cursor. The address to open, when Open was pressed or a found device chosen; else empty.
   std::string draw(gui::PageFrame& frame, float width);
-  /// What the parts say now: "dmx-k-sa@serial:/dev/ttyUSB0,baud=9600,id=01".
+  /// What the parts say now: "MODEL@serial:/dev/ttyUSB0,baud=9600,id=01".
   [[nodiscard]] std::string address() const;
 
  private:

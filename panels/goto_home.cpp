@@ -57,12 +57,12 @@ void GotoHome::draw_title(Frame& f) {
   }
   // The way of homing, for all axes; its button says Home.
   ImGui::SetCursorScreenPos(ImVec2(x, at.y + ui.px(4)));
-  std::vector<std::string_view> names;
-  for (const HomingMode& mode : f.catalog.homing_modes) names.push_back(mode.label);
-  const int picked = menu(ui, "home/mode", "Home", names, {});
+  names_.clear();
+  for (const HomingMode& mode : f.catalog.homing_modes) names_.push_back(mode.label);
+  const int picked = menu(ui, "home/mode", "Home", names_, {});
   if (picked >= 0) {
     mode_ = picked;
-    f.toast(Mood::plain, fmt::format("Home now means: {}.", names[static_cast<std::size_t>(picked)]));
+    f.toast(Mood::plain, fmt::format("Home now means: {}.", names_[static_cast<std::size_t>(picked)]));
   }
   ImGui::SetCursorScreenPos(after);
 }

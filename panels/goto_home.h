@@ -2,6 +2,8 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include <imgui.h>
 
@@ -42,6 +44,7 @@ class GotoHome final : public gui::Panel {
   int mode_ = 0;
   bool by_ = false;             ///< distances instead of targets
   std::uint32_t together_ = 0;  ///< bit per axis: takes part in a move of several
+  std::vector<std::string_view> names_;  ///< of the ways of homing; kept for its memory
 };
 
 }  // namespace hw::panels

@@ -50,7 +50,7 @@ void Jog::draw(Frame& f) {
   const float columns = axes <= 2 ? 3 : static_cast<float>(axes) + 1;
   const float largest = f.tier == Tier::wide && axes <= 3 ? 56.0f : 48.0f;
   const float cell = std::min(largest, std::floor((f.area.width + between) / columns) - between);
-  const float height = jogs_in_rows(f) ? 0 : axes == 1 ? cell : 3 * cell + 2 * between;
+  const float height = axes == 1 ? cell : 3 * cell + 2 * between;
   const float x = columns * (cell + between) + 12;
   const bool beside = axes == 2;
   follow_unit(f);
@@ -104,7 +104,7 @@ void Jog::draw_reason(Frame& f) {
 }
 
 void Jog::draw_pad(Frame& f, float cell) {
-  if (jogs_in_rows(f)) return;
+  if (jogs_in_rows(f)) return draw_stop(f, 0, 0, cell);
   const bool flat = f.catalog.axes.size() == 1;
   for (std::size_t i = 0; i < std::min<std::size_t>(f.catalog.axes.size(), 4); ++i)
     for (const Sign sign : {Sign::minus, Sign::plus}) {

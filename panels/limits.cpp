@@ -81,16 +81,20 @@ void Limits::draw_with_home(Frame& f) {
     const std::string& name = f.catalog.axes[static_cast<std::size_t>(i)].name;
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const bool sure = a.limits_known && f.connected() && !is_old(f.now, i, f.clock);
-    draw_text_line(ui, at.x, at.x + ui.px(name_width), at.y + ui.px(14), Face::body_bold, ui[Tone::ink], name);
+    draw_text_line(ui, at.x, at.x + ui.px(name_width), at.y + ui.px(14), Face::body_bold, ui[Tone::ink],
+                   name);
     float x = name_width;
-    const auto one = [&](std::string_view id, std::string_view label, bool lit, LampShape shape, LampState state,
-                         std::string_view word) {
+    const auto one = [&](std::string_view id, std::string_view label, bool lit, LampShape shape,
+                         LampState state, std::string_view word) {
       const Rect r{ImVec2(at.x + ui.px(x), at.y), ImVec2(at.x + ui.px(x + cell), at.y + ui.px(28))};
       const float middle = std::floor(r.centre().y);
       draw_lamp(ui, ImVec2(r.min.x + ui.px(7), middle), 12, shape, sure ? state : LampState::unknown);
       const bool alert = lit && state == LampState::hit;
       draw_text_line(ui, r.min.x + ui.px(18), r.max.x, middle, lit ? Face::small_bold : Face::small,
-                     ui[alert ? Tone::warn : lit ? Tone::ink : Tone::ink2], label);
+                     ui[alert ? Tone::warn
+                        : lit ? Tone::ink
+                              : Tone::ink2],
+                     label);
       const Path value("{}{}", word, sure ? "" : "?");
       show(ui, {id, Kind::lamp, label, value, {}, false, value}, r);
       if (lit && sure) say(Path("{} {}", name, label));
@@ -104,8 +108,8 @@ void Limits::draw_with_home(Frame& f) {
     }
     one(Path("io/home/{}", name), "home", a.home, LampShape::round, a.home ? LampState::on : LampState::off,
         a.home ? "on" : "off");
-    one(Path("io/alarm/{}", name), "alarm", a.alarm, LampShape::square, a.alarm ? LampState::hit : LampState::off,
-        a.alarm ? "ALARM" : "clear");
+    one(Path("io/alarm/{}", name), "alarm", a.alarm, LampShape::square,
+        a.alarm ? LampState::hit : LampState::off, a.alarm ? "ALARM" : "clear");
     ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(28)));
   }
   const std::string_view words = on.empty() ? std::string_view("all clear") : std::string_view(on);

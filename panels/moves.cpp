@@ -94,12 +94,21 @@ void Moves::draw_toolbar(Frame& f) {
   stop.height = 40;
   stop.disabled = f.now.feed.running ? "" : "No list is on its way.";
   stop.tip = "Stops the axes and sends no more. Buffered mode is switched off.";
-  if (button(ui, "list/abort", "Abort", stop).clicked) f.send(intent::Stop());
+  if (button(ui, "list/abort", "Abort", stop).clicked) abort(f);
   const float left = ImGui::GetItemRectMax().x + ui.px(16);
   const float right = ui.px(f.area.right() - 16);
   draw_progress(f, left, right, at.y + ui.px(toolbar_height / 2));
   line_across(f, at.y + ui.px(toolbar_height) - ui.hair());
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(toolbar_height)));
+}
+
+/// The axes first; then the buffer, whose switch off is the one of its actions that makes sense while it is
+/// busy.
+void Moves::abort(Frame& f) {
+  f.send(intent::Stop());
+  for (const ActionForm& a : actions_)
+    if (a.only_a_button() && f.catalog.actions[static_cast<std::size_t>(a.action())].while_busy)
+      f.send(intent::Act(a.action(), {}));
 }
 
 void Moves::draw_progress(Frame& f, float left, float right, float middle) {

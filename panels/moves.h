@@ -36,6 +36,7 @@ class Moves final : public gui::Panel {
   /// Nothing: a cell holds no valid number; `why` says which.
   std::optional<std::vector<gui::MoveRow>> values(const MoveListFacts& facts, std::string& why);
   void start(gui::Frame& frame);
+  void abort(gui::Frame& frame);
   void save(gui::Frame& frame, const std::filesystem::path& path);
   void open(gui::Frame& frame, const std::filesystem::path& path);
   void begin_new(gui::Frame& frame);

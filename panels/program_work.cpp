@@ -2,7 +2,7 @@
 // how text and controller agree, or a question before a program is overwritten.
 #include <cmath>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "gui/console.h"
 #include "gui/tab.h"

@@ -46,13 +46,14 @@ void RehearsalCard::refresh(Frame& f, int slot) {
   } else {
     said_caption_ = "of this text";
   }
-  std::string units;
+  std::string& units = units_now_;  // keeps its memory from frame to frame
+  units.clear();
   for (std::size_t i = 0; i < f.catalog.axes.size(); ++i)
-    units += f.tab.unit(AxisId{static_cast<std::uint8_t>(i)}).name + "\n";
+    (units += f.tab.unit(AxisId{static_cast<std::uint8_t>(i)}).name) += '\n';
   if (version_ == desk.rehearsals.version() && slot_ == slot && units == text_of_units_) return;
   version_ = desk.rehearsals.version();
   slot_ = slot;
-  text_of_units_ = std::move(units);
+  text_of_units_ = units;
   axes_.clear();
   event_times_.clear();
   time_.clear(), fault_.clear(), sends_.clear(), spans_.clear();

@@ -22,7 +22,7 @@ class RehearsalCard {
 
   // What is shown, made anew only when it changes.
   int version_ = -1, slot_ = -1;
-  std::string text_of_units_;
+  std::string text_of_units_, units_now_;
   const gui::Rehearsals::Outcome* outcome_ = nullptr;
   std::string time_, fault_, sends_, spans_;
   struct Axis {

@@ -165,7 +165,8 @@ void SetupRow::draw_name(float y) {
     if (value && edits_.set(i_, std::llround(*value)))
       state_.typing_name = false;
     else
-      state_.number.sentence = fmt::format("{} to {} only", value_text(p_, p_.minimum), value_text(p_, p_.maximum));
+      state_.number.sentence =
+          fmt::format("{} to {} only", value_text(p_, p_.minimum), value_text(p_, p_.maximum));
   }
   ImGui::SetCursorScreenPos(ImVec2(left_, y + ui_.px(row_height)));
   if (state_.number.sentence.empty()) return;

@@ -1,7 +1,7 @@
 // The value that stands for a controller, a bus, or one of the bus's devices in a script.
 #include <new>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/script/bind.h"
 

@@ -107,7 +107,7 @@ picture("pmx-draws")
 must(p:wait(120))
 print(string.format("  drawn in %.1f s, the pen is at %d, %d", hw.now() - began, p:position("X"), p:position("Y")))
 
-print("An Arcus DMX-K-SA with its closed loop; its load is pushed.")
+print("An Arcus DMX-K-SA with its closed loop.")
 local m = must(hw.open("dmx-k-sa@emulator"))
 must(m:move_to{X = 8000})
 must(m:wait(60))

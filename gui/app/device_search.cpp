@@ -4,14 +4,16 @@
 
 namespace hw::app {
 
-static Task<> search_and_tell(Scheduler& scheduler, DeviceSearch what, std::shared_ptr<DeviceSearcher::Wire> wire,
-                              std::function<void()> wake) {
+static Task<> search_and_tell(Scheduler& scheduler, DeviceSearch what,
+                              std::shared_ptr<DeviceSearcher::Wire> wire, std::function<void()> wake) {
   std::function<bool(const SearchProgress&)> go_on = [wire, wake](const SearchProgress& at) {
     wire->progress.push(at);
     if (wake) wake();
     return wire->go_on.load();
   };
-  std::function<void(const PortReport&)> found = [wire](const PortReport& report) { wire->found.push(report); };
+  std::function<void(const PortReport&)> found = [wire](const PortReport& report) {
+    wire->found.push(report);
+  };
   co_await search_devices(scheduler, std::move(what), std::move(go_on), std::move(found));
   wire->over = true;
   if (wake) wake();
@@ -33,7 +35,8 @@ void DeviceSearcher::start(const std::string& path, int baud, int first_id, int 
   state_ = {};
   state_.running = true;
   wire_ = std::make_shared<Wire>();
-  asio::co_spawn(scheduler_.executor(), search_and_tell(scheduler_, std::move(what), wire_, wake_), asio::detached);
+  asio::co_spawn(scheduler_.executor(), search_and_tell(scheduler_, std::move(what), wire_, wake_),
+                 asio::detached);
 }
 
 void DeviceSearcher::cancel() {
@@ -51,7 +54,8 @@ const gui::DeviceSearchState& DeviceSearcher::state() {
     state_.now = fmt::format("{} at {} baud, id {}", at.port, at.baud, at.id);
   });
   wire_->found.drain([this](PortReport& report) {
-    state_.found.push_back({report.name.empty() ? report.port.path : report.name, report.address(), report.sentence()});
+    state_.found.push_back(
+        {report.name.empty() ? report.port.path : report.name, report.address(), report.sentence()});
   });
   if (over) state_.running = false;
   return state_;

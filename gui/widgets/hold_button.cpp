@@ -26,7 +26,7 @@ void draw_hold(Ui& ui, const Touch& t, std::string_view label, const HoldOptions
   if (o.icon == Icon::none) {
     draw_text_centred(ui, t.rect, Face::body_bold, ink, label);
   } else {
-    const float apart = ui.px(o.height >= 48 ? 10 : 8);
+    const float apart = label.empty() ? 0 : ui.px(o.height >= 48 ? 10 : 8);
     draw_icon(ImGui::GetWindowDrawList(), o.icon,
               ImVec2(std::floor(t.rect.centre().x), std::floor(middle - apart)), ui.px(12), ink);
     const Rect below{ImVec2(t.rect.min.x, middle), ImVec2(t.rect.max.x, middle + 2 * apart)};

@@ -19,7 +19,7 @@
 namespace hw {
 namespace {
 
-constexpr ImVec2 window_size(1440, 900);
+const ImVec2 window_size(1440, 900);
 constexpr Duration frame_time{16'666'667};
 
 struct Screenful {

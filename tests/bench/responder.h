@@ -1,6 +1,6 @@
 #pragma once
-// The cheapest conceivable controller at the other end of a TCP connection: a child process in plain C that
-// answers a VXM's questions at once. Both ends run on one core, so that a round trip costs the sum of both.
+// The cheapest controller at the other end of a TCP connection: a child process that reads, asks an emulator
+// whose time stands still, and writes. Both ends run on one core, so that a round trip costs the sum of both.
 namespace hw {
 
 class Responder {

@@ -10,6 +10,8 @@ class ServedPty {
   explicit ServedPty(int baud);  ///< returns when the terminal is there
   ~ServedPty();
   ServedPty(const ServedPty&) = delete;
+  /// A file descriptor at that rate; negative: not opened.
+  [[nodiscard]] int open_client(int baud) const;
   [[nodiscard]] const std::string& path() const { return path_; }
 
  private:

@@ -39,6 +39,9 @@ struct Stack {
         latest.publish(draft);
         traffic.drain([this](TrafficEntry& entry) { wire_bytes += entry.bytes.size(); });
       }
+      if (!ready) trouble = ready.error().sentence();
+    } else {
+      trouble = wire.error().sentence();
     }
     ended = true;
   }
@@ -52,6 +55,7 @@ struct Stack {
   std::uint64_t wire_bytes = 0;  ///< both ways
   std::unique_ptr<Station> station;
   std::unique_ptr<Driver> driver;
+  std::string trouble;  ///< why it has ended, when nobody asked it to
   bool connected = false, over = false, ended = false;
 };
 

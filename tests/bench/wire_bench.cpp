@@ -5,7 +5,6 @@
 #include <vector>
 
 #include <benchmark/benchmark.h>
-#include <fcntl.h>
 #include <poll.h>
 #include <unistd.h>
 
@@ -39,10 +38,8 @@ bool ask(int fd, char question, std::size_t reply) {
 void three_questions(benchmark::State& state) {
   const int baud = static_cast<int>(state.range(0));
   ServedPty served(baud);
-  const int fd = open(served.path().c_str(), O_RDWR | O_NOCTTY);
+  const int fd = served.open_client(baud);
   if (fd < 0 || !ask(fd, 'V', 1)) return state.SkipWithError("no answer");
-  if (write(fd, "F", 1) != 1) return;
-  usleep(100'000);
   std::vector<double> times;
   for (auto _ : state) {
     const auto began = WallClock::now();
@@ -73,7 +70,7 @@ void polling_share_of_the_wire(benchmark::State& state) {
   ServedPty served(baud);
   IoContext io(1);
   Stack stack(io, "vxm@serial:" + served.path() + ",baud=" + std::to_string(baud));
-  if (stack.ended) return state.SkipWithError("no answer");
+  if (stack.ended) return state.SkipWithError(stack.trouble.c_str());
   const auto bytes_before = stack.wire_bytes;
   const auto rounds_before = stack.station->statistics().transactions;
   const auto began = WallClock::now();

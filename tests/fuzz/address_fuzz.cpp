@@ -3,23 +3,7 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "core/device/registry.h"
 #include "core/session/address.h"
-
-// One model is enough, and keeps the drivers out of this target.
-namespace hw {
-std::span<const DeviceType> device_types() {
-  static const DeviceType only = [] {
-    DeviceType t{};
-    t.model = "vxm";
-    return t;
-  }();
-  return {&only, 1};
-}
-const DeviceType* find_device_type(std::string_view model) {
-  return model == "vxm" ? device_types().data() : nullptr;
-}
-}  // namespace hw
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);

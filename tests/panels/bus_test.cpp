@@ -66,6 +66,12 @@ TEST_F(BusTest, StopReachesAll) {
   for (const Example* e : {&a, &b, &c}) EXPECT_EQ(e->count<intent::Stop>(), 1);
 }
 
+TEST_F(BusTest, ThePadStopsTheChosenOne) {
+  MUST(s.hand.click("jog/stop"));
+  EXPECT_EQ(a.count<intent::Stop>(), 1);
+  EXPECT_EQ(b.count<intent::Stop>(), 0);
+}
+
 TEST_F(BusTest, WhoIsInTroubleStandsFirstAndIsNamed) {
   c.now.link.state = LinkState::lost;
   s.run(0.2);

@@ -61,8 +61,12 @@ TEST_F(MovesTest, ProgressIsToldAndAbortStops) {
   s.stage.frames(2);
   EXPECT_EQ(s.value("list/progress"), "12 of 100 moves sent");
   EXPECT_THAT(s.reason("list/start"), HasSubstr("on its way"));
+  const std::size_t before = s.sent.size();
   s.click("list/abort");
-  EXPECT_TRUE(s.last<intent::Stop>());
+  ASSERT_EQ(s.sent.size(), before + 2);
+  EXPECT_TRUE(std::holds_alternative<intent::Stop>(s.sent[before])) << "the stop goes first";
+  ASSERT_TRUE(s.last<intent::Act>());
+  EXPECT_EQ(s.catalog.actions[static_cast<std::size_t>(s.last<intent::Act>()->action)].id, "buffer_off");
 }
 
 TEST_F(MovesTest, TheBufferStandsBesideTheList) {

@@ -347,7 +347,7 @@ class Bus(Case):
                     self.assertEqual(line.ask(f"@{i}EO\r", 0.1), b"0\0")
             self.expect(run("send", f"dmx-k-sa@serial:{link},id=17", "DN"), 0, "DMK17")
             result = run("send", f"dmx-k-sa@serial:{link},id=01-04", "DN")
-            self.expect(result, 1, "several controllers")
+            self.expect(result, 2, "several controllers")
 
     def test_each_keeps_its_memory(self):
         state = self.folder / "state"

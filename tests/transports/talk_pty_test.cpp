@@ -60,16 +60,18 @@ class PtyPartner final : public talk::Partner {
     auto emulator = type.make_emulator(options);
     auto made = EmulatorHost::make(clock_, std::make_unique<Counted>(std::move(*emulator), bytes_), {});
     host_ = *made;
+    bench_ = host_->bench();
     // An endless bench, and the lamps of the start are over.
     const std::size_t axes = type.make_catalog(options)->axes.size();
     for (std::size_t i = 0; i < axes; ++i)
-      (void)host_->operate(bench::Place(AxisId{static_cast<std::uint8_t>(i)}, {}));
-    host_->attach(std::move(*open_pty_endpoint(clock_, link_, host_->emulator().rate())));
+      (void)bench_->operate(bench::Place(AxisId{static_cast<std::uint8_t>(i)}, {}));
+    host_->attach(std::move(*open_pty_endpoint(clock_, link_, bench_->emulator().rate())));
     pass(10s);
     fd_ = ::open(link_.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK);
   }
   ~PtyPartner() override {
     if (fd_ >= 0) ::close(fd_);
+    bench_.reset();
     host_.reset();
     std::filesystem::remove_all(folder_);
   }
@@ -82,7 +84,7 @@ class PtyPartner final : public talk::Partner {
   std::string receive(std::size_t count) override {
     const Instant limit = clock_.now() + 24h;
     for (; came_.size() < count; hear()) {
-      const auto next = host_->emulator().next_event();
+      const auto next = bench_->emulator().next_event();
       if (!next || *next > limit) break;
       clock_.run_until(std::max(*next, clock_.now() + Duration(1)));
     }
@@ -98,7 +100,7 @@ class PtyPartner final : public talk::Partner {
     clock_.run_for(time);
     hear();
   }
-  Result<> operate(const BenchCommand& command) override { return host_->operate(command); }
+  Result<> operate(const BenchCommand& command) override { return bench_->operate(command); }
 
  private:
   // The kernel carries bytes between the two ends in its own time; the emulator's stands still meanwhile.
@@ -140,6 +142,7 @@ class PtyPartner final : public talk::Partner {
   VirtualScheduler clock_{io_};
   Counted::Bytes bytes_;
   std::shared_ptr<EmulatorHost> host_;
+  std::shared_ptr<BenchAccess> bench_;
   int fd_ = -1;
   std::size_t read_ = 0;
   std::string came_;

@@ -1,6 +1,6 @@
 #include "core/devices/arcus/address.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace hw::arcus {
 

@@ -193,7 +193,6 @@ class ArcusDriver final : public Driver {
   const Forms& forms_;
   const language::Dialect& dialect_;
   Station* station_ = nullptr;
-  Event looked_;  ///< at the status
 
   std::array<AxisMind, max_axes> minds_{};
   bool incremental_ = false;

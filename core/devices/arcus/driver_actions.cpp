@@ -1,5 +1,5 @@
 // The catalog's actions: what these controllers can be told beside the verbs of all controllers.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/devices/arcus/driver.h"
 

@@ -1,5 +1,5 @@
 // A list of moves, fed into the controller's buffer as its places become free.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/devices/arcus/driver.h"
 

@@ -1,5 +1,5 @@
 // Finding the device, saying why not, and what is left after a power-cycle or a lost wire.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/devices/arcus/driver.h"
 
@@ -22,8 +22,7 @@ ArcusDriver::ArcusDriver(DriverContext context, const Forms& forms, const langua
       notify_(std::move(context.notify)),
       changed_(std::move(context.changed)),
       forms_(forms),
-      dialect_(dialect),
-      looked_(context.scheduler) {
+      dialect_(dialect) {
   draft_.axis_count = axis_count();
   draft_.identity.model = catalog_.name;
   for (int i = 0; i < axis_count(); ++i) draft_.axes[i].enabled = false;
@@ -214,7 +213,6 @@ void ArcusDriver::wire_lost() {
     axis.speed = Pps{};
   }
   for (ThreadState& t : draft_.threads) t = ThreadState();
-  looked_.notify();
   draft_.inputs_known = draft_.outputs_known = draft_.analog_known = 0;
   draft_.readouts_known.reset();
   draft_.variables_known.reset();

@@ -2,7 +2,7 @@
 // wanted is put the way the present mode takes it.
 #include <cmath>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/devices/arcus/driver.h"
 

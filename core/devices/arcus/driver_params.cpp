@@ -1,5 +1,5 @@
 // Set-up: every parameter by the maker's mnemonic; storing; and the list of what can be asked of the driver.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/devices/arcus/driver.h"
 

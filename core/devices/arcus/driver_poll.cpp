@@ -2,7 +2,7 @@
 // rest everything, five times a second.
 #include <cmath>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/devices/arcus/driver.h"
 
@@ -92,7 +92,6 @@ Task<Result<>> ArcusDriver::read_motion(Priority priority) {
     if (changed) minds_[at(i)].turned = static_cast<std::int8_t>(move > Steps(0) ? 1 : -1);
     show_axis(i, asked_at);
   }
-  looked_.notify();
   co_return Result<>();
 }
 

@@ -1,6 +1,6 @@
 // Stored programs: compiled here, written line by line, read back and compared; run, paused, halted by
 // thread.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/devices/arcus/driver.h"
 #include "core/devices/arcus/language/compiler.h"

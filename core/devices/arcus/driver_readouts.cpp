@@ -1,5 +1,5 @@
 // Readouts, variables, analog inputs, threads. What somebody looks at is asked each round, the rest in turn.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/devices/arcus/catalog.h"
 #include "core/devices/arcus/driver.h"

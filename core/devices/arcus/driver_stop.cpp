@@ -1,6 +1,6 @@
 // Stopping, by decision AMB-128: the joystick off where it is on, STOP (or ABORT), each running program
 // stopped, STOP again because a program may have begun a move in between, then the status until all stand.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/devices/arcus/driver.h"
 
@@ -130,7 +130,7 @@ Task<Result<>> ArcusDriver::wait_for_standstill(int axis) {
     if (scheduler_.now() > give_up)
       co_return fail(FaultKind::controller, "The controller was told to stop and still moves.",
                      "The stop was sent.", "Stop again: it then stops at once, without a ramp.");
-    co_await looked_.wait_until(scheduler_.now() + look_again);
+    co_await scheduler_.sleep_for(look_again);  // not until the next look: two stops would chase each other
     if (!station_) co_return fail(FaultKind::lost, "The connection was lost while the axes were stopping.");
   }
 }

@@ -1,5 +1,5 @@
 // Questions and commands, raw text, and what the device says unasked.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/devices/arcus/driver.h"
 

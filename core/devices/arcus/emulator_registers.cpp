@@ -24,7 +24,7 @@ Refusal Controller::write_setting(Setting id, std::int64_t value, int which) {
       if (value != 0 && !settings_.on(Setting::line_type)) return Refusal::needs_rs485;
       break;
     case Setting::loop: {
-      if (moving(which)) return Refusal::moving;
+      if (moving(which) || (value != 0 && joystick_on(which))) return Refusal::moving;
       Axis& axis = axes_[ix(which)];
       if (value != 0 && !closed(which)) axis.target = encoder(which);
       if (value == 0 && closed(which))

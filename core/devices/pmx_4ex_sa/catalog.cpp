@@ -1,6 +1,6 @@
 #include "core/devices/pmx_4ex_sa/catalog.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/devices/arcus/address.h"
 #include "core/devices/arcus/catalog.h"

@@ -67,7 +67,8 @@ class Walk {
       while (end > begin && text_[ix(end - 1)] == ' ') --end;
       return end;
     };
-    for (Token& t : report_->tokens) t.end = end_of(t.begin, t.end);
+    for (Token& t : report_->tokens)
+      if (t.begin < remark) t.end = end_of(t.begin, t.end);
     for (Problem& p : out_.report.problems)
       if (p.line == number_ && p.column < remark) p.length = end_of(p.column, p.column + p.length) - p.column;
   }
@@ -115,7 +116,7 @@ class Walk {
     if (chunk_bad_) return;
     chunk_bad_ = r.kind != Reading::Kind::no_number;
     if (!number_missing) {
-      const auto end = text_.find_first_of(",.;", ix(std::max(p.column, 0)));
+      const auto end = text_.find_first_of(",.;\r", ix(std::max(p.column, 0)));
       p.length = static_cast<int>(std::min(end, text_.size())) - p.column;
     }
     std::string_view bad = text_.substr(ix(p.column), ix(p.length));

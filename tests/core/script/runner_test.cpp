@@ -91,7 +91,7 @@ struct Counter final : Stage {
   int frames = 0;
   bool over = false;
   void bind(lua_State*) override {}
-  void opened(const std::shared_ptr<Session>&) override {}
+  void opened(const std::shared_ptr<SessionGroup>&) override {}
   void frame(Instant) override { ++frames; }
   void script_over() override { over = true; }
 };

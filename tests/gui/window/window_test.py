@@ -234,6 +234,22 @@ class Keys(Window):
         time.sleep(1)
         self.assertEqual(self.wire.first_motor()[-1], stopped)
 
+    def test_a_program_is_typed_run_and_comes_back_after_a_crash(self):
+        begin = self.at_rest()
+        self.click("program/text")
+        self.type("I1M800")
+        self.key("Return")
+        self.type("P3,I1M-3009")
+        self.key("BackSpace")
+        self.key("ctrl+Return")
+        self.wait_until(lambda: begin + 500 in self.wire.positions()[-8:], "the program has run: +800 -300")
+        time.sleep(2)  # longer than the autosave waits
+        self.console.send_signal(signal.SIGKILL)
+        self.console.wait()
+        kept = "".join(f.read_text(errors="replace") for f in pathlib.Path(self.env["XDG_STATE_HOME"]).rglob("*")
+                       if f.is_file())
+        self.assertIn("P3,I1M-300", kept, "what was typed is on the disk")
+
     def test_copy_and_paste_in_the_terminal(self):
         self.at_rest()
         self.click("terminal/command")
@@ -243,6 +259,9 @@ class Keys(Window):
         begin = self.wire.mark()
         self.key("ctrl+v", "Return")
         self.wait_until(lambda: "12-29-04\r" in self.wire.text[begin:], "the answer to what was pasted")
+        begin = self.wire.mark()
+        self.key("Up", "Return")
+        self.wait_until(lambda: "12-29-04\r" in self.wire.text[begin:], "the answer to the line before")
 
 
 class Shape(Window):

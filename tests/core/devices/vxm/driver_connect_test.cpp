@@ -28,7 +28,7 @@ TEST_F(VxmDriverConnect, GoesOnLineAndFindsOutWhatItIs) {
 }
 
 TEST_F(VxmDriverConnect, EchoIsSwitchedOff) {
-  loop = std::make_unique<Loopback>(time, Options{}, false);
+  loop = std::make_unique<test::Loopback>(time, make_emulator({}).value(), false);
   loop->emulator().advance_to(time.now());
   loop->emulator().receive("E");
   open();
@@ -38,7 +38,7 @@ TEST_F(VxmDriverConnect, EchoIsSwitchedOff) {
 }
 
 TEST_F(VxmDriverConnect, ACommandLeftHalfSaidDoesNotHideTheController) {
-  loop = std::make_unique<Loopback>(time, Options{}, false);
+  loop = std::make_unique<test::Loopback>(time, make_emulator({}).value(), false);
   loop->emulator().advance_to(time.now());
   loop->emulator().receive("FI1M40");
   open();
@@ -47,7 +47,7 @@ TEST_F(VxmDriverConnect, ACommandLeftHalfSaidDoesNotHideTheController) {
 }
 
 TEST_F(VxmDriverConnect, ARunningProgramIsShownAndLeftAlone) {
-  loop = std::make_unique<Loopback>(time, Options{}, false);
+  loop = std::make_unique<test::Loopback>(time, make_emulator({}).value(), false);
   loop->emulator().advance_to(time.now());
   loop->emulator().receive("FI1M3000,I1M-3000,R");
   open();
@@ -62,7 +62,7 @@ TEST_F(VxmDriverConnect, ARunningProgramIsShownAndLeftAlone) {
 }
 
 TEST_F(VxmDriverConnect, AHoldThatAnotherProgramLeftOnIsReleased) {
-  loop = std::make_unique<Loopback>(time, Options{}, false);
+  loop = std::make_unique<test::Loopback>(time, make_emulator({}).value(), false);
   loop->emulator().advance_to(time.now());
   loop->emulator().receive("FH");
   open();
@@ -81,7 +81,7 @@ TEST_F(VxmDriverConnect, GModeDoesNotConfuseIt) {
 }
 
 TEST_F(VxmDriverConnect, NothingThereIsSaidWithWhatToLookAt) {
-  loop = std::make_unique<Loopback>(time, Options{}, false);
+  loop = std::make_unique<test::Loopback>(time, make_emulator({}).value(), false);
   ASSERT_TRUE(loop->operate(bench::Power(false)));
   open();
   EXPECT_EQ(latest.link.state, LinkState::lost);
@@ -91,7 +91,7 @@ TEST_F(VxmDriverConnect, NothingThereIsSaidWithWhatToLookAt) {
 }
 
 TEST_F(VxmDriverConnect, AWrongBaudRateNamesTheOthers) {
-  loop = std::make_unique<Loopback>(time, Options{}, true);
+  loop = std::make_unique<test::Loopback>(time, make_emulator({}).value(), true);
   loop->replace_by([](std::string_view) { return std::string("\x9C\xE6"); });
   open();
   EXPECT_EQ(health(),
@@ -101,7 +101,7 @@ TEST_F(VxmDriverConnect, AWrongBaudRateNamesTheOthers) {
 }
 
 TEST_F(VxmDriverConnect, AnotherDeviceIsNoVxm) {
-  loop = std::make_unique<Loopback>(time, Options{}, false);
+  loop = std::make_unique<test::Loopback>(time, make_emulator({}).value(), false);
   loop->replace_by([](std::string_view) { return std::string("?V\r"); });
   open();
   EXPECT_EQ(health(),
@@ -111,7 +111,7 @@ TEST_F(VxmDriverConnect, AnotherDeviceIsNoVxm) {
 }
 
 TEST_F(VxmDriverConnect, AMissingPortIsNamed) {
-  loop = std::make_unique<Loopback>(time, Options{}, false);
+  loop = std::make_unique<test::Loopback>(time, make_emulator({}).value(), false);
   port_missing = true;
   open();
   EXPECT_EQ(health(), "There is no port /dev/ttyUSB0.");
@@ -230,7 +230,7 @@ TEST_F(VxmDriverConnect, ALostPromptDoesNotLeaveAMoveOpen) {
 }
 
 TEST_F(VxmDriverConnect, ASlaveThatIsMissingIsSaidAndNothingIsSentToIt) {
-  loop = std::make_unique<Loopback>(time, Options{}, false);
+  loop = std::make_unique<test::Loopback>(time, make_emulator({}).value(), false);
   catalog_options = {{"motors", "4"}};
   open();
   EXPECT_EQ(latest.link.state, LinkState::good);

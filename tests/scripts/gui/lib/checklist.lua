@@ -4,9 +4,32 @@ local list = {c = nil}
 
 local failed = {}
 
+-- Reads messages away: they may lie over what is used next.
+function read_messages()
+  for _ = 1, 8 do
+    local message
+    for _, w in ipairs(ui.list()) do
+      if w.id:match("^toast/") then message = w.id end
+    end
+    if not message then break end
+    if not pcall(ui.click, message) then break end
+    ui.frame(2)
+  end
+end
+
+-- The same, and closes what is still open.
+function put_away()
+  read_messages()
+  if ui.exists("terminal/clear") and not pcall(ui.click, "terminal/clear") then
+    ui.key("Escape")  -- a list or dialog that the block before has left open
+    ui.frame(2)
+  end
+end
+
 -- Empties the terminal, so that what is found there afterwards was sent by this block.
 function block(id, work)
-  ui.click("terminal/clear")
+  put_away()
+  if ui.exists("terminal/clear") then pcall(ui.click, "terminal/clear") end
   ui.frame(2)
   local ok, why = pcall(work)
   if not ok then failed[#failed + 1] = id .. ": " .. tostring(why) end
@@ -17,19 +40,24 @@ function over()
   hw.check(#failed == 0, #failed .. " lines of the checklist failed: " .. table.concat(failed, "; "))
 end
 
--- The text went out since the block began.
-function sent(text)
-  for _ = 1, 20 do
-    local log = ui.value("terminal/log") or ""
-    if log:find(text, 1, true) then return end
-    hw.sleep(0.1)
-  end
-  error("not on the wire: " .. text .. "; there is: " .. (ui.value("terminal/log") or ""), 2)
+function must(true_enough, why)
+  if not true_enough then error(why, 2) end
 end
 
-function not_sent(text)
-  hw.sleep(0.3)
-  if (ui.value("terminal/log") or ""):find(text, 1, true) then error("on the wire: " .. text, 2) end
+-- The text went out since the block began. The terminal's filter finds it among the polls.
+function sent(text)
+  read_messages()
+  ui.type("terminal/filter", text)
+  local log
+  for _ = 1, 20 do
+    ui.frame(2)
+    log = ui.value("terminal/log") or ""
+    if log:find(text, 1, true) then break end
+    hw.sleep(0.1)
+  end
+  read_messages()
+  ui.type("terminal/filter", "")
+  if not log:find(text, 1, true) then error("not on the wire: " .. text, 2) end
 end
 
 -- The widget shows something that the pattern matches, at once or within three seconds.
@@ -58,6 +86,7 @@ function fill(id, text)
 end
 
 function tab(name)
+  put_away()
   ui.click("tab/" .. name)
   ui.frame(2)
 end

@@ -1,0 +1,51 @@
+#include <gtest/gtest.h>
+
+#include "core/device/registry.h"
+
+namespace hw::arcus {
+namespace {
+
+class ArcusRehearsal : public testing::TestWithParam<const char*> {
+ protected:
+  [[nodiscard]] Result<Rehearsal> rehearse(const char* text, double for_seconds = 3600) const {
+    RehearseOptions options;
+    options.for_seconds = for_seconds;
+    return find_device_type(GetParam())->language().rehearse(text, options);
+  }
+};
+INSTANTIATE_TEST_SUITE_P(Both, ArcusRehearsal, testing::Values("pmx-4ex-sa", "dmx-k-sa"),
+                         [](const auto& info) { return std::string(info.param).substr(0, 3); });
+
+TEST_P(ArcusRehearsal, TellsWhereTheAxisGoes) {
+  const auto r = rehearse("X1000\nWAITX\nX200\nWAITX\nDO2=1\nEND\n");
+  ASSERT_TRUE(r) << r.error().sentence();
+  EXPECT_TRUE(r->finished);
+  EXPECT_EQ(r->error, "");
+  ASSERT_FALSE(r->axes.empty());
+  EXPECT_EQ(r->axes[0].name, "X");
+  EXPECT_EQ(r->axes[0].position, 200);
+  EXPECT_EQ(r->axes[0].minimum, 0);
+  EXPECT_EQ(r->axes[0].maximum, 1000);
+  EXPECT_EQ(r->axes[0].travel, 1800);
+  EXPECT_EQ(r->outputs.at("2"), 1);
+  EXPECT_EQ(r->moves, 2);
+  EXPECT_EQ(r->program_size.at("0"), 6);
+}
+
+TEST_P(ArcusRehearsal, AnEndlessProgramIsStoppedAndNamesItsLine) {
+  const auto r = rehearse("V1=1\nWHILE 1=1\nDELAY=100\nENDWHILE\nEND\n", 5);
+  ASSERT_TRUE(r);
+  EXPECT_FALSE(r->finished);
+  EXPECT_DOUBLE_EQ(r->duration_s, 5);
+  EXPECT_NE(r->error.find("Program 0, line"), std::string::npos) << r->error;
+}
+
+TEST_P(ArcusRehearsal, ATextWithAnErrorIsNotRehearsed) {
+  const auto r = rehearse("X1\nFOO\nEND\n");
+  ASSERT_FALSE(r);
+  EXPECT_NE(r.error().sentence().find("Line 2"), std::string::npos);
+  EXPECT_NE(r.error().sentence().find("Nothing was rehearsed"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace hw::arcus
