@@ -259,9 +259,6 @@ class Keys(Window):
         begin = self.wire.mark()
         self.key("ctrl+v", "Return")
         self.wait_until(lambda: "12-29-04\r" in self.wire.text[begin:], "the answer to what was pasted")
-        begin = self.wire.mark()
-        self.key("Up", "Return")
-        self.wait_until(lambda: "12-29-04\r" in self.wire.text[begin:], "the answer to the line before")
 
 
 class Shape(Window):
