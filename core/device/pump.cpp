@@ -64,6 +64,7 @@ Task<> Pump::shut_down() {
   if (!running_) co_return;
   closing_ = true;
   if (jogging_ && station_) {
+    ++stops_under_way_;
     Intent farewell(0, intent::Stop());
     co_await stop_and_report(std::move(farewell));
   }
@@ -88,7 +89,7 @@ Task<> Pump::live() {
     if (!closing_) co_await wait_for_retry();
   }
   draft_.link.state = LinkState::closed;
-  station_.reset();
+  co_await leave_wire();
   publish();
   running_ = false;
   ended_.notify();
@@ -98,7 +99,7 @@ Task<bool> Pump::open_and_connect() {
   draft_.link.state = LinkState::connecting;
   draft_.link.attempts = ++attempt_;
   publish();
-  station_.reset();
+  co_await leave_wire();
   auto opened = co_await ways_.open_wire();
   if (closing_) co_return false;
   if (!opened) {
@@ -125,6 +126,12 @@ Task<bool> Pump::open_and_connect() {
   fast_polls_ = forced_fast_polls;
   publish();
   co_return true;
+}
+
+/// A stop runs beside this life and may still be on its way on the wire that is gone: it ends first.
+Task<> Pump::leave_wire() {
+  while (stops_under_way_ > 0) co_await ended_.wait();
+  station_.reset();
 }
 
 Task<> Pump::wait_for_retry() {
@@ -288,17 +295,18 @@ void Pump::post_stop(Intent intent) {
     return publish();
   }
   station_->begin_stop();
+  ++stops_under_way_;
   asio::co_spawn(scheduler_.executor(), stop_and_report(std::move(intent)), asio::detached);
 }
 
 bool Pump::stop_wire(bool at_once) {
   if (!station_ || !station_->is_open()) return false;
+  ++stops_under_way_;
   asio::co_spawn(scheduler_.executor(), run_stop_wire(at_once), asio::detached);
   return true;
 }
 
 Task<> Pump::run_stop_wire(bool at_once) {
-  ++stops_under_way_;
   try {
     auto stopped = co_await driver_->stop_wire(at_once);
     if (!stopped) ways_.notify(Notice(Notice::Kind::error, scheduler_.now(), stopped.error().sentence()));
@@ -319,7 +327,6 @@ Task<Result<>> Pump::stop_as_asked(const IntentBody& body) {
 }
 
 Task<> Pump::stop_and_report(Intent intent) {
-  ++stops_under_way_;
   try {
     auto stopped = co_await stop_as_asked(intent.body);
     if (stopped)

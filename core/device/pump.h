@@ -54,9 +54,11 @@ class Pump {
   Task<> serve();
   Task<> perform_next();
   Task<Result<>> stop_as_asked(const IntentBody& body);
+  // These two run beside live(); whoever starts one counts it in stops_under_way_ first.
   Task<> stop_and_report(Intent intent);
   Task<> run_stop_wire(bool at_once);
   Task<bool> open_and_connect();
+  Task<> leave_wire();
   Task<> wait_for_retry();
   void post_stop(Intent intent);
   void refuse_queued(const char* why);

@@ -160,7 +160,9 @@ TEST_F(Bus, OneThatIsSwitchedOffIsLostAndTheOthersAreNot) {
   EXPECT_NE(members[4]->latest.link.state, LinkState::good);
   EXPECT_GT(members[4]->latest.link.lost_at, Instant{});
   for (int i = 0; i < devices; ++i)
-    if (i != 4) EXPECT_EQ(members[static_cast<std::size_t>(i)]->latest.link.state, LinkState::good) << i;
+    if (i != 4) {
+      EXPECT_EQ(members[static_cast<std::size_t>(i)]->latest.link.state, LinkState::good) << i;
+    }
   EXPECT_EQ(opened, 1) << "the wire is not lost";
   ASSERT_TRUE(host->bench(4)->operate(bench::Power(true)));
   run(6);

@@ -70,7 +70,11 @@ class ToyDriver : public Driver {
     co_return co_await say(jog ? "jog" : "go", Priority::intent);
   }
   Task<Result<>> stop(int, bool at_once) override {
-    co_return co_await say(at_once ? "kill" : "stop", Priority::stop);
+    auto stopped = co_await say(at_once ? "kill" : "stop", Priority::stop);
+    if (!at_once || !stopped) co_return stopped;
+    co_await context_.scheduler.sleep_for(std::chrono::seconds(2));
+    if (station_ == nullptr) co_return fail(FaultKind::lost, "The wire is gone.");
+    co_return co_await say("sure", Priority::stop);
   }
   void wire_lost() override { station_ = nullptr; }
   Task<Result<std::string>> query(std::string text, Duration) override {
@@ -222,6 +226,24 @@ TEST_F(PumpTest, ThreeMissesAreALossThatIsSaidAndHeals) {
       << "a move asked for while the link was lost is not replayed";
   ASSERT_NE(latest.fate_of(move), nullptr);
   EXPECT_EQ(latest.fate_of(move)->fate, Fate::refused);
+}
+
+TEST_F(PumpTest, AStopThatIsUnderWayEndsBeforeTheNextConnection) {
+  time.run_for(Millis(500));
+  const IntentId stop = post(intent::Abort());
+  time.run_for(Millis(10));
+  silent = true;
+  while (latest.link.state != LinkState::lost) time.run_for(Millis(10));
+  silent = false;
+  const auto fate = [&] { return latest.fate_of(stop)->fate; };
+  while (fate() == Fate::pending) {
+    EXPECT_EQ(opened, 1) << "its last step would go to a controller that was switched off and on";
+    time.run_for(Millis(10));
+  }
+  EXPECT_EQ(fate(), Fate::failed);
+  time.run_for(std::chrono::seconds(1));
+  EXPECT_EQ(latest.link.state, LinkState::good);
+  EXPECT_THAT(commands(), ElementsAre("hello", "kill", "hello"));
 }
 
 TEST_F(PumpTest, AStopWithoutAConnectionSaysThatItDoesNotReach) {

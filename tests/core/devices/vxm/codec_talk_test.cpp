@@ -78,9 +78,10 @@ TEST_P(VxmCodecTalk, EveryReplyIsUnderstood) {
   std::string text, received;
   int line = 0;
   const auto check = [&] {
-    if (!received.empty())
+    if (!received.empty()) {
       EXPECT_TRUE(understood(read_text(text), received))
           << "line " << line << ": " << talk::escape(received) << " after " << talk::escape(text);
+    }
     received.clear();
   };
   for (const talk::Step& step : transcript->steps) {
