@@ -35,7 +35,7 @@ MoodLook mood_look(Mood mood) {
 StatusSentence sentence_of(Console& console, Tab& tab) {
   if (Tab* worst = tab.bus ? &tab.bus->worst() : nullptr; worst && worst != &tab) {
     StatusSentence said = sentence_of(console, *worst);
-    said.text = fmt::format("{}: {}", worst->id(), said.text);
+    said.text = fmt::format("{}: {}", worst->id(), said.text.view());
     return said;
   }
   const auto held = tab.jog.control();

@@ -9,7 +9,7 @@ namespace {
 
 using Said = std::optional<StatusSentence>;
 
-StatusSentence say(Mood mood, std::string text) { return {mood, std::move(text)}; }
+StatusSentence say(Mood mood, std::string_view text) { return {mood, text}; }
 AxisId axis(int index) { return AxisId{static_cast<std::uint8_t>(index)}; }
 
 /// "motor 1", within a sentence.
@@ -48,7 +48,7 @@ Said say_link(const StatusFacts& f) {
 
 Said say_error(const StatusFacts& f) {
   if (f.now.program.run == RunState::error && !f.now.notice.empty())
-    return say(Mood::fault, std::string(f.now.notice.view()));
+    return say(Mood::fault, f.now.notice);
   for (int i = 0; i < f.now.axis_count; ++i)
     if (f.now.axes[i].activity == Activity::error || f.now.axes[i].alarm)
       return say(Mood::fault,
@@ -60,7 +60,7 @@ Said say_error(const StatusFacts& f) {
 /// The worst thing that the controller's driver has to say. What moves now comes before it.
 Said say_notice(const StatusFacts& f) {
   if (f.now.notice.empty()) return {};
-  return say(Mood::warn, std::string(f.now.notice.view()));
+  return say(Mood::warn, f.now.notice);
 }
 
 Said say_late(const StatusFacts& f) {
@@ -70,7 +70,7 @@ Said say_late(const StatusFacts& f) {
                   f.now.link.misses_in_a_row == 1 ? std::string("one question")
                                                   : fmt::format("{} questions", f.now.link.misses_in_a_row));
   if (!f.now.link.sentence.empty()) text += fmt::format(" {}", f.now.link.sentence.view());
-  return say(Mood::warn, std::move(text));
+  return say(Mood::warn, text);
 }
 
 bool moves(const AxisState& a) {

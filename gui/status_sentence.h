@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "core/base/fixed_text.h"
 #include "core/device/catalog.h"
 #include "core/device/snapshot.h"
 #include "gui/jog_hold.h"
@@ -13,7 +14,7 @@ namespace hw::gui {
 
 struct StatusSentence {
   Mood mood = Mood::plain;
-  std::string text;
+  FixedText<400> text;
   bool operator==(const StatusSentence&) const = default;
 };
 

@@ -221,7 +221,8 @@ void draw_link(Ui& ui, Console& console, const Layout& layout) {
   if (bars)
     draw_signal(ImGui::GetWindowDrawList(), ImVec2(r.max.x - ui.px(38), ui.px(19)), ui.px(22), words.bars,
                 ui[words.tone], ui[Tone::line]);
-  const std::string value = fmt::format("{}, {}", words.word, second);
+  char value[96];
+  *fmt::format_to_n(value, sizeof value - 1, "{}, {}", words.word, second).out = 0;
   const std::string_view why = tab ? tab->now().link.sentence.view() : std::string_view();
   show(ui, {"link/health", Kind::text, words.word, value, {}, false, why}, r);
 }
