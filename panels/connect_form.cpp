@@ -181,10 +181,13 @@ std::string ConnectForm::draw_search(PageFrame& f, float width) {
                                             : fmt::format("{} after {} of {} questions, {} found.",
                                                           state.cancelled ? "Ended" : "Done", state.asked,
                                                           state.of, state.found.size());
-  draw_text_line(ui, left, at.x + ui.px(width), at.y + ui.px(16), Face::small, ui[Tone::ink2], words);
+  const float right = at.x + ui.px(width);
+  const bool below = right - left < ui.px(160);
+  const ImVec2 said = below ? ImVec2(at.x + ui.px(104), at.y + ui.px(32)) : ImVec2(left, at.y);
+  draw_text_line(ui, said.x, right, said.y + ui.px(16), Face::small, ui[Tone::ink2], words);
   show(ui, {"connect/search/progress", Kind::text, "Search", words, {}, false, words},
-       {ImVec2(left, at.y), ImVec2(at.x + ui.px(width), at.y + ui.px(32))});
-  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(40)));
+       {said, ImVec2(right, said.y + ui.px(32))});
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(below && !words.empty() ? 68 : 40)));
   std::string chosen;
   for (std::size_t i = 0; i < state.found.size(); ++i) {
     const FoundDevice& device = state.found[i];
