@@ -1,5 +1,6 @@
 #include "gui/messages.h"
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 
@@ -32,6 +33,39 @@ MoodLook mood_look(Mood mood) {
   return {Icon::ring, Tone::ink2};
 }
 
+/// Of a controller that runs several programs at once: who runs, and where if it is one alone.
+RunPlace place_of_threads(Tab& tab) {
+  const auto& threads = tab.now().threads;
+  const int count = std::min(tab.catalog().program.threads, max_threads);
+  RunPlace run;
+  std::string numbers;
+  int running = 0, last = -1;
+  for (int n = 0; n < count; ++n) {
+    const ThreadState& thread = threads[static_cast<std::size_t>(n)];
+    if (!thread.known || thread.run != RunState::running) continue;
+    numbers += fmt::format("{}{}", running == 0 ? "" : ", ", n);
+    ++running, last = n;
+  }
+  if (running == 0) return run;
+  run.who = fmt::format("{}{} {} {}", tab.catalog().program.slot_word, running > 1 ? "s" : "", numbers,
+                        running > 1 ? "are" : "is");
+  if (running > 1) return run;
+  run.line = tab.desk().texts.live_line(0, threads[static_cast<std::size_t>(last)].line);
+  if (last == 0) run.left_s = tab.desk().follower.left_s();  // it is the first that is rehearsed
+  return run;
+}
+
+RunPlace run_place(Tab& tab) {
+  if (tab.catalog().program.threads > 0) return place_of_threads(tab);
+  Desk& desk = tab.desk();
+  const RunFollower::Place place = desk.follower.place();
+  RunPlace run;
+  run.left_s = desk.follower.left_s();
+  if (place.slot >= 0) run.line = desk.texts.live_line(place.slot, place.command);
+  run.pass = place.pass, run.passes = place.passes;
+  return run;
+}
+
 StatusSentence sentence_of(Console& console, Tab& tab) {
   if (Tab* worst = tab.bus ? &tab.bus->worst() : nullptr; worst && worst != &tab) {
     StatusSentence said = sentence_of(console, *worst);
@@ -43,17 +77,18 @@ StatusSentence sentence_of(Console& console, Tab& tab) {
       {tab.catalog(), tab.now(), tab.clock(), held, tab.jog.jogging(),
        [&](AxisId a, Steps s) { return std::string(format_with_unit(s, tab.unit(a)).view()); },
        [&](AxisId a, Pps v) { return std::string(format_speed(v, tab.unit(a)).view()); },
-       [&](Instant when) { return console.time_of_day(when); }});
+       [&](Instant when) { return console.time_of_day(when); }, run_place(tab)});
 }
 
 /// What is in RAM and not stored: at the right of the status line, whatever else is true. Returns its width.
 float draw_unsaved(Ui& ui, Console& console, Tab& tab, const Box& line) {
   const Snapshot& now = tab.now();
   if (!tab.catalog().can.store || (!now.unsaved_setup && !now.unsaved_programs)) return 0;
-  const std::string_view words = line.width < 960                            ? "Not stored"
-                                 : now.unsaved_setup && now.unsaved_programs ? "Set-up and programs not stored"
-                                 : now.unsaved_setup                         ? "Set-up not stored"
-                                                                             : "Program not stored";
+  const std::string_view words = line.width < 960 ? "Not stored"
+                                 : now.unsaved_setup && now.unsaved_programs
+                                     ? "Set-up and programs not stored"
+                                 : now.unsaved_setup ? "Set-up not stored"
+                                                     : "Program not stored";
   ButtonOptions o;
   o.style = ButtonStyle::quiet;
   o.icon = Icon::warning;
@@ -118,13 +153,14 @@ std::string_view next_attempt(Ui& ui, const Console& console, const LinkHealth& 
 
 void draw_lost(Ui& ui, Console& console, Tab& tab) {
   const LinkHealth& link = tab.now().link;
-  const std::string title =
-      fmt::format("{} does not answer since {}.", tab.name(), console.time_of_day(link.lost_at));
+  const std::string title = fmt::format("{} does not answer since {}.", tab.bus ? tab.id() : tab.name(),
+                                        console.time_of_day(link.lost_at));
+  const bool others = tab.bus && tab.bus->connected() > 0;
   const std::string sentences = fmt::format(
-      "{}\nStop does not reach it: to be sure, use its power switch. When it is back its state is read "
+      "{}{}\nStop does not reach it: to be sure, use its power switch. When it is back its state is read "
       "afresh; nothing moves "
       "by itself.",
-      link.sentence.view());
+      others ? "The others answer, so port and baud rate are right. " : "", link.sentence.view());
   char attempt[64];
   const Banner what{Mood::fault, Icon::plug, title, sentences, next_attempt(ui, console, link, attempt)};
   const Action actions[] = {{.id = "fault/try_now", .label = "Try now", .main = true},
@@ -151,7 +187,8 @@ void draw_unset(Ui& ui, Console& console, Tab& tab, int param) {
 
 void draw_banner(Ui& ui, Console& console, Tab& tab, const Layout& layout) {
   const Snapshot& now = tab.now();
-  if (now.link.state == LinkState::lost) return draw_lost(ui, console, tab);
+  if (Tab& worst = tab.bus ? tab.bus->worst() : tab; worst.now().link.state == LinkState::lost)
+    return draw_lost(ui, console, worst);
   if (layout.tier == Tier::narrow || tab.unset_read || tab.centre_panel == "setup")
     return;  // the status line says it as well
   for (int i = 0; i < now.axis_count; ++i)

@@ -41,6 +41,8 @@ struct PanelEntry {
   std::unique_ptr<Panel> (*make)();
   /// Whether this controller has something to show there; null: always.
   bool (*wanted)(const Tab&) = nullptr;
+  /// Logical. In less (a narrow window) it scrolls as a whole; 0: it manages with any.
+  float least_height = 0;
 };
 
 struct PageEntry {

@@ -1,5 +1,6 @@
 #include "gui/popup.h"
 
+#include "gui/widgets/choice.h"
 #include "gui/widgets/text.h"
 
 namespace hw::gui {
@@ -7,12 +8,11 @@ namespace hw::gui {
 bool begin_popup(Ui& ui, const char* name, const Touch& button, float width, float rows, bool right) {
   if (button.clicked) ImGui::OpenPopup(name);
   const float w = std::max(ui.px(width), button.rect.width());
-  const float h = std::min(std::floor(ui.px(32) * rows) + 2 * ui.px(4), ui.size_px.y);
-  const float x = right ? button.rect.max.x - w : button.rect.min.x;
-  const float below = button.rect.max.y + ui.px(2);
-  const float y = below + h <= ui.size_px.y ? below : std::max(0.0f, button.rect.min.y - ui.px(2) - h);
-  ImGui::SetNextWindowPos(ImVec2(std::clamp(x, 0.0f, std::max(0.0f, ui.size_px.x - w)), y));
-  ImGui::SetNextWindowSize(ImVec2(w, h));
+  Rect opener = button.rect;
+  if (right) opener.min.x = opener.max.x - w;
+  const Rect place = place_list(ui, opener, w, std::floor(ui.px(32) * rows) + 2 * ui.px(4));
+  ImGui::SetNextWindowPos(place.min);
+  ImGui::SetNextWindowSize(ImVec2(w, place.height()));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.hair(), ui.px(4)));
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
   ImGui::PushStyleVar(ImGuiStyleVar_PopupBorderSize, ui.hair());

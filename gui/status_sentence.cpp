@@ -1,5 +1,7 @@
 #include "gui/status_sentence.h"
 
+#include <cmath>
+
 #include <fmt/core.h>
 
 #include "gui/units_format.h"
@@ -31,9 +33,10 @@ Said say_link(const StatusFacts& f) {
   switch (link.state) {
     case LinkState::lost: {
       std::string text =
-          fmt::format("{} does not answer since {}.", f.catalog.short_name, f.time_of_day(link.lost_at));
+          fmt::format("{} does not answer since {}. Stop does not reach it: use its power switch.",
+                      f.catalog.short_name, f.time_of_day(link.lost_at));
       if (!link.sentence.empty()) text += fmt::format(" {}", link.sentence.view());
-      return say(Mood::fault, text + " Stop does not reach it: use its power switch.");
+      return say(Mood::fault, std::move(text));
     }
     case LinkState::closed: return say(Mood::plain, "The connection is closed.");
     case LinkState::connecting:
@@ -78,6 +81,26 @@ bool moves(const AxisState& a) {
          a.activity == Activity::homing || a.activity == Activity::stopping;
 }
 
+/// " in line 6"; nothing when it is not known.
+std::string say_line(const RunPlace& run, std::string_view before) {
+  return run.line >= 0 ? fmt::format("{}line {}", before, run.line + 1) : std::string();
+}
+
+/// " in line 6, pass 7 of 20. 46 s left." of a running program; "." when nothing of it is known.
+std::string say_place(const RunPlace& run) {
+  std::string words = say_line(run, " in ");
+  if (run.line >= 0 && run.passes > 1) words += fmt::format(", pass {} of {}", run.pass, run.passes);
+  words += '.';
+  if (run.left_s) words += fmt::format(" {} left.", format_duration(std::ceil(*run.left_s)).view());
+  return words;
+}
+
+/// "Program 0 is"
+std::string say_who(const StatusFacts& f) {
+  if (!f.run.who.empty()) return f.run.who;
+  return fmt::format("{} {} is", f.catalog.program.slot_word, f.now.program.slot);
+}
+
 Said say_motion(const StatusFacts& f) {
   constexpr std::string_view way_out = "Esc stops everything.";
   const bool whole_program = f.now.program.owned && f.now.program.run == RunState::running;
@@ -86,8 +109,9 @@ Said say_motion(const StatusFacts& f) {
     if (!moves(a)) continue;
     const std::string name = name_of(f.catalog, i);
     if (whole_program)
-      return say(Mood::motion, fmt::format("{} {} is running: {} moves. {}", f.catalog.program.slot_word,
-                                           f.now.program.slot, name, way_out));
+      return say(Mood::motion,
+                 fmt::format("{} running{} {} moves{}. {}", say_who(f), say_place(f.run), name,
+                             a.has_target ? " to " + f.show_position(axis(i), a.target) : "", way_out));
     if (a.activity == Activity::stopping) return say(Mood::motion, fmt::format("{} comes to a stop.", name));
     if (a.activity == Activity::homing)
       return say(Mood::motion,
@@ -110,12 +134,16 @@ Said say_program(const StatusFacts& f) {
   const ProgramState& p = f.now.program;
   if (!p.owned) return {};
   const std::string what = fmt::format("{} {}", f.catalog.program.slot_word, p.slot);
-  if (p.run == RunState::running) return say(Mood::motion, what + " is running. Esc stops everything.");
+  if (p.run == RunState::running)
+    return say(Mood::motion, say_who(f) + " running" + say_place(f.run) + " Esc stops everything.");
   if (p.run == RunState::waiting)
     return say(Mood::motion,
-               what + " waits. It goes on by itself when what it waits for comes. Esc stops everything.");
+               what + " waits" + say_line(f.run, " in ") +
+                   ". It goes on by itself when what it waits for comes. Esc stops everything.");
   if (p.run == RunState::held)
-    return say(Mood::warn, what + " is held before its next command. Step, go on, or stop it.");
+    return say(Mood::warn, what + " is held before " +
+                               (f.run.line >= 0 ? say_line(f.run, "") : std::string("its next command")) +
+                               ". Step, go on, or stop it.");
   return {};
 }
 
@@ -167,13 +195,12 @@ Said say_stale(const StatusFacts& f) {
 
 Said say_unsaved(const StatusFacts& f) {
   if (!f.catalog.can.store || (!f.now.unsaved_setup && !f.now.unsaved_programs)) return {};
-  const char* what = f.now.unsaved_setup && f.now.unsaved_programs ? "Set-up and programs are"
-                     : f.now.unsaved_setup                         ? "The set-up is"
-                                                                   : "A program is";
+  const bool both = f.now.unsaved_setup && f.now.unsaved_programs;
+  const char* what = both                  ? "Set-up and programs are"
+                     : f.now.unsaved_setup ? "The set-up is"
+                                           : "A program is";
   return say(Mood::plain,
-             fmt::format("Idle. {} in the controller's RAM only, and gone when it is switched off. Store "
-                         "keeps it.",
-                         what));
+             fmt::format("Idle. {} in RAM only: Store keeps {} over power-off.", what, both ? "them" : "it"));
 }
 
 }  // namespace

@@ -18,6 +18,14 @@ struct StatusSentence {
   bool operator==(const StatusSentence&) const = default;
 };
 
+/// Where a running program is, as the editor shows it.
+struct RunPlace {
+  std::string who;           ///< "Programs 0 and 2 are"; empty: the one that the snapshot names
+  int line = -1;             ///< of the text, from 0; -1: not known
+  int pass = 0, passes = 0;  ///< 0: not known
+  std::optional<double> left_s;
+};
+
 struct StatusFacts {
   const Catalog& catalog;
   const Snapshot& now;
@@ -27,6 +35,7 @@ struct StatusFacts {
   std::function<std::string(AxisId, Steps)> show_position;  ///< "12.000 mm"
   std::function<std::string(AxisId, Pps)> show_speed;       ///< "5.000 mm/s"
   std::function<std::string(Instant)> time_of_day;          ///< "14:20:08"
+  RunPlace run{};
 };
 
 StatusSentence status_sentence(const StatusFacts& facts);

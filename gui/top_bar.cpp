@@ -121,7 +121,7 @@ void draw_controller_menu(Ui& ui, Console& console, const Layout& layout) {
   const Touch t = controller_tab(ui, "controller/menu", face, layout.tabs.width);
   draw_icon(ImGui::GetWindowDrawList(), Icon::chevron_down,
             ImVec2(t.rect.max.x - ui.px(16), t.rect.min.y + ui.px(19)), ui.px(12), ui[Tone::ink2]);
-  if (!begin_popup(ui, "controllers", t, 220, static_cast<float>(console.faces() + 1))) return;
+  if (!begin_popup(ui, "controllers", t, 300, static_cast<float>(console.faces() + 1))) return;
   Tab* chosen = nullptr;
   int number = 0;
   for (const auto& each : console.tabs()) {

@@ -117,10 +117,24 @@ void draw_side_tab(const Work& w, Place place, const Box& area) {
   draw_tab_column(w, "last", place, {area.x + half, area.y, area.width - half, area.height}, last, last + 1);
 }
 
+/// A panel that has less than it needs is drawn in comfort and moves with the scroll bar.
+void draw_scrolled(const Work& w, std::size_t panel, const Box& area) {
+  constexpr float comfort = 320;
+  const float scrolled = ImGui::GetScrollY() / w.ui.scale;
+  w.draw(panel, {area.x, area.y - scrolled, area.width, comfort});
+  ImGui::SetCursorScreenPos(w.ui.px(area.x, area.y - scrolled + comfort));
+  ImGui::Dummy(ImVec2(1, 0));
+}
+
 void draw_chosen(const Work& w, const TabItem& chosen, const Box& area) {
-  begin_part(w.ui, "work", 0, w.ui.px(area.height), Tone::panel, 0, false);
-  if (chosen.panel >= 0)
-    w.draw(static_cast<std::size_t>(chosen.panel), area);
+  const auto panel = static_cast<std::size_t>(std::max(chosen.panel, 0));
+  const float needs = chosen.panel >= 0 ? w.console.list().panels[panel].least_height : 0;
+  const bool scrolls = needs > area.height;
+  begin_part(w.ui, "work", 0, w.ui.px(area.height), Tone::panel, 0, scrolls);
+  if (scrolls)
+    draw_scrolled(w, panel, area);
+  else if (chosen.panel >= 0)
+    w.draw(panel, area);
   else
     draw_side_tab(w, chosen.panel == -1 ? Place::left : Place::right, area);
   end_part();

@@ -88,8 +88,10 @@ void draw_axis_extras(Frame& f, AxisId axis, ImVec2 at, float width) {
   const bool moving = is_motion(state_of(f.now, axis.index, f.clock));
   const std::string_view phase = moving ? word_of(a.phase) : std::string_view();
   x += ui.px(8);
-  const float phase_end = std::min(end - ui.px(8), x + std::ceil(text_width(ui, Face::small, phase)));
-  draw_text_line(ui, x, phase_end + 1, middle, Face::small, ui[Tone::motion], phase);
+  const float phase_width = std::ceil(text_width(ui, Face::small, phase));
+  const float phase_end = std::min(end - ui.px(8), x + phase_width);
+  if (x + phase_width <= phase_end)  // half a word says nothing
+    draw_text_line(ui, x, phase_end + 1, middle, Face::small, ui[Tone::motion], phase);
   show(ui,
        {Path("dro/{}/phase", info.name), Kind::text, "Ramp", moving ? phase : "at rest", {}, false, phase},
        {ImVec2(x, at.y), ImVec2(std::max(x, phase_end), at.y + ui.px(line_height))});

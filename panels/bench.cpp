@@ -31,10 +31,29 @@ Tone tone_of(LampColour colour) {
   return Tone::fault;
 }
 
-int rows_of(const BenchFacts& facts) {
+int rows_of(const BenchFacts& facts, int supply) {
   int rows = 0;
-  for (const BenchButton& button : facts.buttons) rows = std::max(rows, button.row + 1);
+  for (const BenchButton& button : facts.buttons)
+    if (button.supply == supply) rows = std::max(rows, button.row + 1);
   return rows;
+}
+
+/// It has something to press or to see beside its switch.
+bool has_front_panel(const BenchFacts& facts, int supply) {
+  const auto there = [supply](const auto& part) { return part.supply == supply; };
+  return std::any_of(facts.buttons.begin(), facts.buttons.end(), there) ||
+         std::any_of(facts.lamps.begin(), facts.lamps.end(), there);
+}
+
+/// The path of something that each supply has: "bench/power", of a second box "bench/power/Slave".
+Path path_of(std::string_view what, const BenchSupply& supply) {
+  return Path("bench/{}{}{}", what, supply.name.empty() ? "" : "/", supply.name);
+}
+
+/// On the front panel of a second box its own name need not be said again: "Slave Run" is "Run" there.
+std::string_view without(std::string_view owner, std::string_view name) {
+  const bool said = !owner.empty() && name.size() > owner.size() && name.starts_with(owner);
+  return said ? name.substr(owner.size() + 1) : name;
 }
 
 /// The maker's word before "front panel".
@@ -84,7 +103,8 @@ void Bench::draw(Frame& f) {
     return;
   }
   draw_title(f);
-  draw_front_panel(f);
+  for (int i = 0; i < static_cast<int>(f.catalog.bench.supplies.size()); ++i)
+    if (has_front_panel(f.catalog.bench, i)) draw_front_panel(f, i);
   draw_trouble(f);
   draw_axes(f);
   draw_inputs(f);
@@ -104,58 +124,58 @@ void Bench::draw_title(Frame& f) {
 
 // ---- front panel
 
-void Bench::draw_front_panel(Frame& f) {
+void Bench::draw_front_panel(Frame& f, int supply) {
   Ui& ui = f.ui;
   const BenchFacts& facts = f.catalog.bench;
-  if (facts.buttons.empty() && facts.lamps.empty()) return;
+  const BenchSupply& box = facts.supplies[static_cast<std::size_t>(supply)];
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const bool lamps_below = facts.lamps.size() > 2;  // two controllers: their lamps stand in two columns
-  const float head = lamps_below ? 52 + 20 * static_cast<float>((facts.lamps.size() + 1) / 2) + 8 : 56.0f;
-  const float height = inner + head + static_cast<float>(rows_of(facts)) * 48 - 8 + inner;
+  constexpr float head = 56, row = 48, breaker = 28;
+  const float rows = row * static_cast<float>(rows_of(facts, supply));
+  const float height = inner + head + rows - 8 + (box.breaker ? breaker : 0) + inner;
   const Rect r{at, ImVec2(at.x + ui.px(f.area.width), at.y + ui.px(height))};
   draw_fill(ui, r, ui[Tone::well], 6);
   draw_outline(ui, r, ui[Tone::edge], 6);
-  const float left = r.min.x + ui.px(inner);
+  const float left = r.min.x + ui.px(inner), width = f.area.width - 2 * inner;
   draw_text_line(ui, left, r.max.x, r.min.y + ui.px(inner + 12), Face::title_bold, ui[Tone::ink],
-                 first_word(facts.panel_title));
+                 box.name.empty() ? first_word(facts.panel_title) : std::string_view(box.name));
   draw_text_line(ui, left, r.max.x, r.min.y + ui.px(inner + 30), Face::small, ui[Tone::ink2], "front panel");
-  if (lamps_below)
-    draw_lamps(f, ImVec2(left, r.min.y + ui.px(inner + 48)), f.area.width - 2 * inner, 2);
-  else
-    draw_lamps(f, ImVec2(r.min.x + ui.px(100), r.min.y + ui.px(inner)), 90, 1);
-  if (facts.power_switch) draw_power(f, ImVec2(r.max.x - ui.px(inner + 40), r.min.y + ui.px(inner)));
-  draw_buttons(f, ImVec2(left, r.min.y + ui.px(inner + head)), f.area.width - 2 * inner);
+  draw_lamps(f, supply, ImVec2(r.min.x + ui.px(100), r.min.y + ui.px(inner)), 90);
+  draw_power(f, supply, ImVec2(r.max.x - ui.px(inner + 40), r.min.y + ui.px(inner)));
+  draw_buttons(f, supply, ImVec2(left, r.min.y + ui.px(inner + head)), width);
+  if (box.breaker) draw_breaker(f, supply, ImVec2(left, r.min.y + ui.px(inner + head + rows - 4)), width);
   ImGui::SetCursorScreenPos(ImVec2(at.x, r.max.y));
   gap(ui, 8);
 }
 
-void Bench::draw_lamps(Frame& f, ImVec2 corner, float width, std::size_t columns) {
+void Bench::draw_lamps(Frame& f, int supply, ImVec2 corner, float width) {
   Ui& ui = f.ui;
-  const std::size_t count = f.catalog.bench.lamps.size(), rows = (count + columns - 1) / columns;
-  const float cell = width / static_cast<float>(columns);
-  for (std::size_t i = 0; i < count; ++i) {
-    const BenchLamp& info = f.catalog.bench.lamps[i];
+  const BenchFacts& facts = f.catalog.bench;
+  float y = corner.y;
+  for (std::size_t i = 0; i < facts.lamps.size(); ++i) {
+    const BenchLamp& info = facts.lamps[i];
+    if (info.supply != supply) continue;
     const bool on = bit(f.bench.lamps, i);
-    const ImVec2 at(corner.x + ui.px(cell * static_cast<float>(i / rows)),
-                    corner.y + ui.px(20 * static_cast<float>(i % rows)));
-    const Rect r{at, ImVec2(at.x + ui.px(cell), at.y + ui.px(20))};
-    draw_lamp(ui, ImVec2(at.x + ui.px(7), std::floor(r.centre().y)), 14, LampShape::round,
+    const Rect r{ImVec2(corner.x, y), ImVec2(corner.x + ui.px(width), y + ui.px(20))};
+    draw_lamp(ui, ImVec2(r.min.x + ui.px(7), std::floor(r.centre().y)), 14, LampShape::round,
               on ? LampState::on : LampState::off, tone_of(info.colour));
-    draw_text_line(ui, at.x + ui.px(20), r.max.x, r.centre().y, Face::small, ui[Tone::ink], info.name);
+    draw_text_line(ui, r.min.x + ui.px(20), r.max.x, r.centre().y, Face::small, ui[Tone::ink],
+                   without(facts.supplies[static_cast<std::size_t>(supply)].name, info.name));
     const std::string_view value = bit(f.bench.lamps_blink, i) ? (on ? "blinking, on" : "blinking, off")
                                    : on                        ? "on"
                                                                : "off";
     show(ui, {Path("bench/lamp/{}", info.name), Kind::lamp, info.name, value, {}, false, value}, r);
+    y += ui.px(20);
   }
 }
 
-void Bench::draw_power(Frame& f, ImVec2 at) {
+void Bench::draw_power(Frame& f, int supply, ImVec2 at) {
   Ui& ui = f.ui;
-  const bool on = f.bench.powered;
+  const bool on = bit(f.bench.switches_on, static_cast<std::size_t>(supply));
+  const BenchSupply& box = f.catalog.bench.supplies[static_cast<std::size_t>(supply)];
   ImGui::SetCursorScreenPos(at);
-  const Touch t =
-      touch(ui, {"bench/power", Kind::toggle, "Power switch", on ? "on" : "off", {}, false, "Power switch"},
-            ui.px(40, 40));
+  const Touch t = touch(
+      ui, {path_of("power", box), Kind::toggle, "Power switch", on ? "on" : "off", {}, false, "Power switch"},
+      ui.px(40, 40));
   draw_fill(ui, t.rect, ui[t.hovered ? Tone::hover : Tone::raised]);
   draw_outline(ui, t.rect, ui[Tone::edge]);
   const float half = t.rect.height() / 2;
@@ -163,7 +183,6 @@ void Bench::draw_power(Frame& f, ImVec2 at) {
               ImVec2(t.rect.max.x - ui.px(4), t.rect.min.y + half)};
   Rect word{ImVec2(t.rect.min.x, t.rect.min.y + half), t.rect.max};
   if (!on) {
-    std::swap(rocker, word);
     rocker = {ImVec2(t.rect.min.x + ui.px(4), t.rect.min.y + half),
               ImVec2(t.rect.max.x - ui.px(4), t.rect.max.y - ui.px(4))};
     word = {t.rect.min, ImVec2(t.rect.max.x, t.rect.min.y + half)};
@@ -171,48 +190,73 @@ void Bench::draw_power(Frame& f, ImVec2 at) {
   draw_fill(ui, rocker, ui[on ? Tone::ink2 : Tone::line], 2);
   draw_text_centred(ui, word, Face::small_bold, ui[on ? Tone::ink : Tone::ink3], on ? "on" : "off");
   draw_ring(ui, t);
-  if (t.clicked) f.operate_bench(bench::Power(!on));
+  if (t.clicked) f.operate_bench(bench::Power(!on, supply));
 }
 
-void Bench::draw_buttons(Frame& f, ImVec2 at, float width) {
-  Ui& ui = f.ui;
+void Bench::draw_buttons(Frame& f, int supply, ImVec2 at, float width) {
   const auto& buttons = f.catalog.bench.buttons;
-  for (int row = 0; row < rows_of(f.catalog.bench); ++row) {
-    const auto in_row =
-        std::count_if(buttons.begin(), buttons.end(), [row](const BenchButton& b) { return b.row == row; });
+  for (int row = 0; row < rows_of(f.catalog.bench, supply); ++row) {
+    const auto here = [&](const BenchButton& b) { return b.supply == supply && b.row == row; };
+    const auto in_row = std::count_if(buttons.begin(), buttons.end(), here);
     const float cell = (width - between * static_cast<float>(in_row - 1)) / static_cast<float>(in_row);
     float x = 0;
     for (std::size_t i = 0; i < buttons.size(); ++i) {
-      if (buttons[i].row != row) continue;
-      HoldOptions o;
-      o.width = std::floor(x + cell) - std::floor(x);  // so that the last ends where the row ends
-      o.height = 40;
-      o.moving = false;
-      o.lit = bit(f.bench.buttons, i);
+      if (!here(buttons[i])) continue;
       ImGui::SetCursorScreenPos(
-          ImVec2(at.x + ui.px(std::floor(x)), at.y + ui.px(static_cast<float>(row) * 48)));
-      const std::string& name = buttons[i].name;
-      std::string label = name;
-      if (label.ends_with('-')) label.replace(label.size() - 1, 1, "\u2212");
-      const Hold hold = hold_button(ui, Path("bench/button/{}", name), label, o);
-      if (hold.started) {
-        pressed_ = name;
-        f.operate_bench(bench::Button(name, true));
-      }
-      if (hold.ended && pressed_ == name) {
-        pressed_.clear();
-        f.operate_bench(bench::Button(name, false));
-      }
+          ImVec2(at.x + f.ui.px(std::floor(x)), at.y + f.ui.px(static_cast<float>(row) * 48)));
+      // So wide that the last ends where the row ends.
+      draw_button(f, i, std::floor(x + cell) - std::floor(x));
       x += cell + between;
     }
   }
 }
 
+void Bench::draw_button(Frame& f, std::size_t i, float width) {
+  const BenchButton& info = f.catalog.bench.buttons[i];
+  HoldOptions o;
+  o.width = width;
+  o.height = 40;
+  o.moving = false;
+  o.stops = info.stops;
+  o.lit = bit(f.bench.buttons, i);
+  const BenchSupply& box = f.catalog.bench.supplies[static_cast<std::size_t>(info.supply)];
+  const Hold hold =
+      hold_button(f.ui, Path("bench/button/{}", info.name), with_minus(without(box.name, info.name)), o);
+  if (hold.started) {
+    pressed_ = info.name;
+    f.operate_bench(bench::Button(info.name, true));
+  }
+  if (hold.ended && pressed_ == info.name) {
+    pressed_.clear();
+    f.operate_bench(bench::Button(info.name, false));
+  }
+}
+
+/// Its white centre stands out when it has tripped; pushing it in is all that a hand can do to it.
+void Bench::draw_breaker(Frame& f, int supply, ImVec2 at, float width) {
+  Ui& ui = f.ui;
+  const BenchSupply& box = f.catalog.bench.supplies[static_cast<std::size_t>(supply)];
+  const bool out = bit(f.bench.breakers_out, static_cast<std::size_t>(supply));
+  ImGui::SetCursorScreenPos(at);
+  const Touch t = touch(ui,
+                        {path_of("breaker", box), Kind::button, "Circuit breaker", out ? "out" : "in",
+                         out ? "" : "The breaker is in.", false, "It has tripped: no power. Push it in."},
+                        ui.px(width, 32));
+  if (t.hovered) draw_fill(ui, t.rect, ui[Tone::hover]);
+  const ImVec2 centre(t.rect.min.x + ui.px(10), std::floor(t.rect.centre().y));
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  draw_icon(list, Icon::ring, centre, ui.px(18), ui[Tone::edge]);
+  list->AddCircleFilled(centre, ui.px(out ? 6 : 4), ui[out ? Tone::ink : Tone::edge]);
+  draw_text_line(ui, t.rect.min.x + ui.px(26), t.rect.max.x, centre.y, out ? Face::small_bold : Face::small,
+                 ui[out ? Tone::warn : Tone::ink2], out ? "Breaker tripped. Push it in" : "Breaker in");
+  draw_ring(ui, t);
+  if (t.clicked) f.operate_bench(bench::Breaker(supply, false));
+}
+
 /// The window lost the focus, or the panel was not drawn when the hand let go.
 void Bench::release_forgotten(Frame& f) {
   if (pressed_.empty() || ImGui::IsMouseDown(0) || ImGui::IsAnyItemActive()) return;
-  for (const char* key : {"bench/button/"})
-    if (f.ui.focus.key_held(std::string(key) + pressed_)) return;
+  if (f.ui.focus.key_held(Path("bench/button/{}", pressed_))) return;
   f.operate_bench(bench::Button(pressed_, false));
   pressed_.clear();
 }
@@ -239,6 +283,25 @@ void Bench::draw_trouble(Frame& f) {
   grid.next();
   o.tip = "Off, and on again: what is in RAM only is gone.";
   if (button(ui, "bench/power_cycle", "Power off, on", o).clicked) f.operate_bench(bench::PowerCycle());
+  const auto& supplies = f.catalog.bench.supplies;
+  for (int i = 0; i < static_cast<int>(supplies.size()); ++i) {
+    const BenchSupply& box = supplies[static_cast<std::size_t>(i)];
+    const bool on = bit(f.bench.switches_on, static_cast<std::size_t>(i));
+    if (!has_front_panel(f.catalog.bench, i)) {
+      grid.next();
+      if (on_off(f, path_of("power", box), "Power", on, grid.cell(), "The supply of this controller.")
+              .clicked)
+        f.operate_bench(bench::Power(!on, i));
+    }
+    if (!box.breaker) continue;
+    grid.next();
+    o.tip = "Too much current: the circuit breaker pops out and takes the power away.";
+    o.disabled =
+        bit(f.bench.breakers_out, static_cast<std::size_t>(i)) ? "It has tripped. Push it in first." : "";
+    if (button(ui, path_of("trip", box), Path("Trip {}{}breaker", box.name, box.name.empty() ? "" : " "), o)
+            .clicked)
+      f.operate_bench(bench::Breaker(i, true));
+  }
   grid.end();
 }
 
@@ -270,20 +333,25 @@ void Bench::draw_axes(Frame& f) {
   for (std::size_t i = 0; i < f.catalog.axes.size(); ++i) {
     const AxisId axis{static_cast<std::uint8_t>(i)};
     const std::string& name = f.catalog.axes[i].name;
-    bool& on = home_by_hand_[i];
+    const bool home = bit(f.bench.homes_by_hand, i);
     grid.next();
-    if (on_off(f, Path("bench/home/{}", name), Path("Home {}", name), on, grid.cell(),
+    if (on_off(f, Path("bench/home/{}", name), Path("Home {}", name), home, grid.cell(),
                "Presses the home switch by hand.")
-            .clicked) {
-      on = !on;
-      f.operate_bench(bench::HomeSwitch(axis, on));
-    }
+            .clicked)
+      f.operate_bench(bench::HomeSwitch(axis, !home));
     grid.next();
     ButtonOptions o;
     o.width = grid.cell();
     o.tip = "The load jumps by 100 without the controller knowing. An encoder sees it.";
     if (button(f.ui, Path("bench/slip/{}", name), Path("Slip {} by 100", name), o).clicked)
       f.operate_bench(bench::Slip(axis, Steps(100)));
+    if (!f.catalog.axes[i].alarm_input) continue;
+    const bool alarm = bit(f.bench.alarms, i);
+    grid.next();
+    if (on_off(f, Path("bench/alarm/{}", name), Path("Alarm {}", name), alarm, grid.cell(),
+               "The alarm input of the axis, as its motor's driver would raise it.")
+            .clicked)
+      f.operate_bench(bench::Alarm(axis, !alarm));
   }
   grid.end();
 }
@@ -297,7 +365,7 @@ void Bench::draw_inputs(Frame& f) {
     const InputInfo& info = f.catalog.inputs[static_cast<std::size_t>(n - 1)];
     const bool operated = bit(f.bench.inputs_operated, static_cast<std::size_t>(n - 1));
     grid.next();
-    if (on_off(f, Path("bench/in/{}", n), info.name, operated, grid.cell(), info.help).clicked)
+    if (on_off(f, Path("bench/in/{}", n), with_minus(info.name), operated, grid.cell(), info.help).clicked)
       f.operate_bench(bench::Input(n, !operated));
   }
   grid.end();

@@ -6,6 +6,7 @@
 #include "gui/axis_look.h"
 #include "gui/console.h"
 #include "gui/widgets/badge.h"
+#include "gui/widgets/button.h"
 #include "gui/widgets/choice.h"
 #include "gui/widgets/digits.h"
 #include "gui/widgets/row.h"
@@ -21,8 +22,10 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-constexpr float row_height = 48, jog_width = 32, between = 4, most_of_column = 0.55f;
+constexpr float row_height = 48, jog_width = 32, between = 4, most_of_column = 0.55f, margin = 16;
 constexpr AxisId only{0};
+
+float jogs_px(const Ui& ui) { return ui.px(2 * jog_width + between); }
 
 /// What needs somebody: faults, lost and stale ones.
 bool in_trouble(const Tab& tab) {
@@ -57,25 +60,41 @@ void BusRows::draw_title(Frame& f) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   section_title(ui, "Bus", {}, 44);
   const ImVec2 after = ImGui::GetCursorScreenPos();
-  const Bus& bus = *f.tab.bus;
-  const std::size_t trouble = static_cast<std::size_t>(
-      std::count_if(bus.members.begin(), bus.members.end(), [](const Tab* t) { return in_trouble(*t); }));
-  const Path words("{} of {} answer{}{}", bus.connected(), bus.members.size(), trouble ? ", trouble: " : "",
-                   [&] { return trouble ? fmt::format("{}", trouble) : std::string(); }());
-  float x = at.x + ui.px(40);
   if (f.bench.present) {
-    ImGui::SetCursorScreenPos(ImVec2(x, at.y + ui.px(12)));
+    ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(40), at.y + ui.px(12)));
     emulated_badge(ui, "dro/emulated");
-    x += badge_width(ui, Icon::emulated, "EMULATED") + ui.px(8);
   }
-  const float chooser = unit_chooser_width(f);
-  const float right = at.x + ui.px(f.area.width - chooser - 8);
-  draw_text_line(ui, x, right, at.y + ui.px(22), Face::small, ui[trouble ? Tone::warn : Tone::ink2], words);
-  show(ui, {"bus/summary", Kind::text, "Bus", words, {}, false, words},
-       {ImVec2(x, at.y), ImVec2(right, at.y + ui.px(44))});
-  ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(f.area.width - chooser), at.y + ui.px(6)));
+  ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(f.area.width - unit_chooser_width(f)), at.y + ui.px(6)));
   draw_unit_chooser(f);
   ImGui::SetCursorScreenPos(after);
+  draw_summary(f, f.area.width);
+}
+
+/// How many answer; and what can be done to the position of the chosen one.
+void BusRows::draw_summary(Frame& f, float width) {
+  Ui& ui = f.ui;
+  constexpr float height = 32;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const Bus& bus = *f.tab.bus;
+  const auto trouble =
+      std::count_if(bus.members.begin(), bus.members.end(), [](const Tab* t) { return in_trouble(*t); });
+  const Path answers("{} of {} answer", bus.connected(), bus.members.size());
+  const Path all("{}, trouble: {}", answers.view(), trouble);
+  const std::string_view words = trouble > 0 ? all.view() : answers.view();
+  ButtonOptions o;
+  o.style = ButtonStyle::quiet;
+  o.height = 28;
+  o.tip = "Copy its position, make it zero, or say where it stands.";
+  const Path label("Set {}", f.tab.id());
+  o.width = button_width(ui, label, o);
+  const float left = at.x + ui.px(width - o.width);
+  draw_text_line(ui, at.x, left, at.y + ui.px(height / 2 - 2), Face::small,
+                 ui[trouble > 0 ? Tone::warn : Tone::ink2], words);
+  show(ui, {"bus/summary", Kind::text, "Bus", words, {}, false, words},
+       {at, ImVec2(left, at.y + ui.px(height))});
+  ImGui::SetCursorScreenPos(ImVec2(left, at.y));
+  menu_.draw(f, only, button(ui, Path("dro/{}/menu", f.tab.id()), label, o));
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(height)));
 }
 
 // Rows do not move under the hand that is about to press one.
@@ -89,10 +108,14 @@ void BusRows::draw_rows(Frame& f, float height) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const Rect all{at, ImVec2(at.x + f.ui.px(f.area.width), at.y + f.ui.px(height))};
   sort(*f.tab.bus, !all.contains(ImGui::GetIO().MousePos));
-  begin_part(f.ui, "bus/rows", f.ui.px(f.area.width), f.ui.px(height), Tone::panel, 0);
+  // From border to border of the column: what is chosen is seen from afar.
+  ImGui::SetCursorScreenPos(ImVec2(f.ui.px(f.area.x - margin), at.y));
+  begin_part(f.ui, "bus/rows", f.ui.px(f.area.width + 2 * margin) - f.ui.hair(), f.ui.px(height), Tone::panel,
+             margin);
   const float width = ImGui::GetContentRegionAvail().x / f.ui.scale;
   for (Tab* member : order_) draw_row(f, *member, width);
   end_part();
+  ImGui::SetCursorScreenPos(ImVec2(at.x, all.max.y));
 }
 
 void BusRows::draw_row(Frame& f, Tab& member, float width) {
@@ -108,17 +131,15 @@ void BusRows::draw_row(Frame& f, Tab& member, float width) {
   ImGui::PushID(&member);
   const Touch t = row(ui, Path("bus/{}", id), id, o);
   const Rect r{at, ImVec2(at.x + ui.px(width), t.rect.max.y)};
-  draw_text_line(ui, r.min.x + ui.px(8), r.max.x, r.min.y + ui.px(15), Face::title_bold, ui[Tone::ink], id);
-  const std::string& name = member.profile.axes[0].name;
-  draw_text_line(ui, r.min.x + ui.px(36), r.min.x + ui.px(96), r.min.y + ui.px(15), Face::small,
-                 ui[Tone::ink2], name);
-  const float middle = r.min.y + ui.px(35);
-  draw_icon(ImGui::GetWindowDrawList(), state.icon, ImVec2(r.min.x + ui.px(14), middle), ui.px(10),
+  draw_text_line(ui, r.min.x, r.max.x, r.min.y + ui.px(16), Face::title_bold, ui[Tone::ink], id);
+  // Under the number, so that a long one does not run into it.
+  const float middle = r.min.y + ui.px(37);
+  const float end = r.max.x - jogs_px(ui) - ui.px(8);
+  draw_icon(ImGui::GetWindowDrawList(), state.icon, ImVec2(r.min.x + ui.px(6), middle), ui.px(10),
             ui[state.tone]);
-  draw_text_line(ui, r.min.x + ui.px(26), r.min.x + ui.px(104), middle, Face::small_bold, ui[state.tone],
-                 state.word);
+  draw_text_line(ui, r.min.x + ui.px(18), end, middle, Face::small_bold, ui[state.tone], state.word);
   show(ui, {Path("dro/{}/state", id), Kind::text, "State", state.word, {}, false, {}},
-       {ImVec2(r.min.x, middle - ui.px(10)), ImVec2(r.min.x + ui.px(104), middle + ui.px(10))});
+       {ImVec2(r.min.x, middle - ui.px(10)), ImVec2(end, middle + ui.px(10))});
   draw_controls(f, member, r);
   ImGui::PopID();
   if (t.clicked) f.console.activate(member);
@@ -127,34 +148,38 @@ void BusRows::draw_row(Frame& f, Tab& member, float width) {
 
 void BusRows::draw_controls(Frame& f, Tab& member, const Rect& r) {
   Ui& ui = f.ui;
-  const float jogs = ui.px(2 * jog_width + between);
   HoldOptions o;
   o.width = o.height = jog_width;
   for (const Sign sign : {Sign::minus, Sign::plus}) {
-    const float x = r.max.x - jogs + (sign == Sign::plus ? ui.px(jog_width + between) : 0);
+    const float x = r.max.x - jogs_px(ui) + (sign == Sign::plus ? ui.px(jog_width + between) : 0);
     ImGui::SetCursorScreenPos(ImVec2(x, r.min.y + ui.px((row_height - jog_width) / 2)));
     o.icon = sign == Sign::minus ? Icon::back : Icon::play;
     draw_jog_button(ui, member, only, sign, "", o);
   }
+  draw_number(f, member, r.min.x + ui.px(30), r.max.x - jogs_px(ui) - ui.px(8), r.min.y);
+}
+
+/// The name that the user gave, and the position.
+void BusRows::draw_number(Frame& f, Tab& member, float left, float right, float top) {
+  Ui& ui = f.ui;
   const DisplayUnit& unit = member.unit(only);
   const AxisState& a = member.now().axes[0];
   const NumberText number = format_position(a.position, unit);
   const bool never = a.seen_at == Instant{} && !a.position_known;
+  const std::string_view shown = never ? std::string_view("-") : number.view();
+  const std::string_view unit_name = unit.real ? std::string_view(unit.name) : std::string_view();
   DigitsOptions d;
   d.face = Face::digits26;
   d.state = digits_state(member);
-  const float left = r.min.x + ui.px(96);
-  d.width = (r.max.x - jogs - ui.px(8) - left) / ui.scale;
-  ImGui::SetCursorScreenPos(ImVec2(left, r.min.y + ui.px(8)));
-  const bool chosen = &member == &f.tab;
-  d.tip =
-      chosen ? "Click to copy it, to make it zero, or to say where the axis stands." : "Click to choose it.";
-  const Touch t = digits(ui, Path("dro/{}/position", member.id()), Path("Position of {}", member.id()),
-                         never ? std::string_view("-") : number.view(), unit.real ? unit.name : "", d);
-  if (chosen)
-    menu_.draw(f, only, t);
-  else if (t.clicked)
-    f.console.activate(member);
+  d.width = (right - left) / ui.scale;
+  if (&member != &f.tab) d.tip = "Click to choose it.";
+  const float number_left = right - digits_width(ui, d.face, shown, unit_name);
+  draw_text_line(ui, left, number_left - ui.px(6), top + ui.px(16), Face::small, ui[Tone::ink2],
+                 member.profile.axes[0].name);
+  ImGui::SetCursorScreenPos(ImVec2(left, top + ui.px(1)));
+  const Touch t = digits(ui, Path("dro/{}/position", member.id()), Path("Position of {}", member.id()), shown,
+                         unit_name, d);
+  if (t.clicked) f.console.activate(member);
 }
 
 /// A narrow window: the chosen one, and a list to choose another from.
@@ -166,11 +191,20 @@ void BusRows::draw_strip(Frame& f) {
   for (const Tab* member : members) names.push_back(member->id());
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(20)));
   const int picked = dropdown(ui, "bus/choose", "Controller", names, static_cast<int>(f.tab.bus->chosen));
-  ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(96), at.y + ui.px(12)));
-  begin_part(ui, "bus/chosen", ui.px(std::min(360.0f, f.area.width - 96)), ui.px(row_height), Tone::panel, 0,
-             false);
+  constexpr float left = 96, gap_after = 16;
+  const float row = std::min(360.0f, f.area.width - left);
+  ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(left), at.y + ui.px(12)));
+  begin_part(ui, "bus/chosen", ui.px(row), ui.px(row_height), Tone::panel, 12, false);
   draw_row(f, f.tab, ImGui::GetContentRegionAvail().x / ui.scale);
   end_part();
+  const float rest = f.area.width - left - row - gap_after;
+  if (rest >= 160) {
+    const ImVec2 corner(at.x + ui.px(left + row + gap_after), at.y + ui.px(10));
+    ImGui::SetCursorScreenPos(corner);
+    if (f.bench.present) emulated_badge(ui, "dro/emulated");
+    ImGui::SetCursorScreenPos(ImVec2(corner.x, corner.y + ui.px(26)));
+    draw_summary(f, rest);
+  }
   if (picked >= 0) f.console.activate(*members[static_cast<std::size_t>(picked)]);
 }
 

@@ -337,6 +337,9 @@ void Connect::draw_address(PageFrame& f, float width) {
 
 // ---- right: emulators
 
+/// Without its first word, the maker.
+static std::string_view without_maker(std::string_view name) { return name.substr(name.find(' ') + 1); }
+
 void Connect::draw_emulators(PageFrame& f, float width) {
   Ui& ui = f.ui;
   section_title(ui, "Emulators", {}, 56);
@@ -347,7 +350,7 @@ void Connect::draw_emulators(PageFrame& f, float width) {
     group_line(ui, 0);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     draw_text_line(ui, at.x, at.x + ui.px(width), at.y + ui.px(24), Face::title_bold, ui[Tone::ink],
-                   catalog.short_name);
+                   without_maker(catalog.name));
     ImGui::SetCursorScreenPos(
         ImVec2(at.x + ui.px(width) - badge_width(ui, Icon::emulated, "EMULATED"), at.y + ui.px(14)));
     emulated_badge(ui, Path("connect/emulator/{}/badge", type.model));

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -20,7 +21,7 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-constexpr float between = 8;
+constexpr float between = 8, rate_width = 92, id_width = 72;
 
 int number_of(const std::string& text, int fallback) {
   int value = fallback;
@@ -76,6 +77,7 @@ std::string ConnectForm::draw(PageFrame& f, float width) {
 
 void ConnectForm::draw_parts(PageFrame& f, float width) {
   Ui& ui = f.ui;
+  const float row = ImGui::GetCursorScreenPos().x;
   std::vector<std::string_view> names;
   for (const Catalog& c : catalogs_) names.push_back(c.short_name);
   const int model = dropdown(ui, "connect/form/model", "Model", names, model_);
@@ -95,7 +97,9 @@ void ConnectForm::draw_parts(PageFrame& f, float width) {
   FieldOptions port;
   port.face = Face::code_field;
   port.placeholder = way_ == Way::usb ? "the only one, or its serial number" : "";
-  port.width = std::max(96.0f, width - 128 - 92 - (way_ == Way::serial ? 116 : 0) - (has_ids() ? 104 : 0));
+  const float used = (ImGui::GetCursorScreenPos().x - row) / ui.scale;
+  port.width = std::max(120.0f, width - used - (way_ == Way::serial ? rate_width + between : 0) -
+                                    (has_ids() && way_ != Way::usb ? id_width + between : 0));
   text_field(ui, "connect/form/port", "Port", port_, port);
   if (way_ == Way::serial) {
     std::vector<std::string> rates;
@@ -103,7 +107,7 @@ void ConnectForm::draw_parts(PageFrame& f, float width) {
     const std::vector<std::string_view> views(rates.begin(), rates.end());
     ImGui::SameLine(0, ui.px(between));
     DropdownOptions o;
-    o.width = 108;
+    o.width = rate_width;
     o.tip = "Baud rate";
     if (const int b = dropdown(ui, "connect/form/baud", "Baud rate", views, baud_, o); b >= 0) baud_ = b;
   }
@@ -111,7 +115,7 @@ void ConnectForm::draw_parts(PageFrame& f, float width) {
   ImGui::SameLine(0, ui.px(between));
   FieldOptions id;
   id.face = Face::code_field;
-  id.width = 96;
+  id.width = id_width;
   id.tip = "The device's id, or the ids of a bus: 01-04";
   text_field(ui, "connect/form/id", "Id", id_, id);
 }
@@ -151,8 +155,16 @@ std::string ConnectForm::draw_search(PageFrame& f, float width) {
   id.width = 56;
   id.face = Face::code_field;
   id.tip = "First id that is asked";
+  const auto word = [&](std::string_view s) {
+    const ImVec2 here = ImGui::GetCursorScreenPos();
+    draw_text_line(ui, here.x, here.x + ui.px(60), at.y + ui.px(16), Face::body, ui[Tone::ink2], s);
+    ImGui::SetCursorScreenPos(
+        ImVec2(here.x + std::ceil(text_width(ui, Face::body, s)) + ui.px(between), at.y));
+  };
+  word("ids");
   text_field(ui, "connect/search/first", "First id", first_, id);
   ImGui::SameLine(0, ui.px(between));
+  word("to");
   id.tip = "Last id that is asked";
   text_field(ui, "connect/search/last", "Last id", last_, id);
   ImGui::SameLine(0, ui.px(between));
@@ -169,10 +181,13 @@ std::string ConnectForm::draw_search(PageFrame& f, float width) {
                                             : fmt::format("{} after {} of {} questions, {} found.",
                                                           state.cancelled ? "Ended" : "Done", state.asked,
                                                           state.of, state.found.size());
-  draw_text_line(ui, left, at.x + ui.px(width), at.y + ui.px(16), Face::small, ui[Tone::ink2], words);
+  const float right = at.x + ui.px(width);
+  const bool below = right - left < ui.px(160);
+  const ImVec2 said = below ? ImVec2(at.x + ui.px(104), at.y + ui.px(32)) : ImVec2(left, at.y);
+  draw_text_line(ui, said.x, right, said.y + ui.px(16), Face::small, ui[Tone::ink2], words);
   show(ui, {"connect/search/progress", Kind::text, "Search", words, {}, false, words},
-       {ImVec2(left, at.y), ImVec2(at.x + ui.px(width), at.y + ui.px(32))});
-  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(40)));
+       {said, ImVec2(right, said.y + ui.px(32))});
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(below && !words.empty() ? 68 : 40)));
   std::string chosen;
   for (std::size_t i = 0; i < state.found.size(); ++i) {
     const FoundDevice& device = state.found[i];

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "gui/area.h"
-#include "gui/catalog_places.h"
 #include "gui/tab.h"
 #include "gui/widgets/text.h"
 #include "panels/analog_bar.h"
@@ -15,10 +14,14 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-constexpr float title_height = 36, between_columns = 32, below_section = 12;
+constexpr float title_height = 36, between_columns = 24, below_section = 12;
 
-int analog_count(const Catalog& c, std::string_view heading) {
-  return heading == joystick_heading ? static_cast<int>(c.analog.size()) : 0;
+/// Bars of the analog inputs stand where an axis can be made to follow them.
+int analog_count(const Catalog& c, const std::vector<ActionForm>& actions) {
+  const bool follows = std::any_of(actions.begin(), actions.end(), [&](const ActionForm& a) {
+    return c.actions[static_cast<std::size_t>(a.action())].follows_analog;
+  });
+  return follows ? static_cast<int>(c.analog.size()) : 0;
 }
 
 /// Settings of the manual that the controller did not answer: an older firmware does not know them.
@@ -72,7 +75,7 @@ void Control::draw(Frame& f) {
   begin_part(ui, "control", 0, ui.px(f.area.height), Tone::panel, 16);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float whole = ImGui::GetContentRegionAvail().x / ui.scale;
-  const bool two = whole >= 700;
+  const bool two = whole >= 640;
   const float width = two ? std::floor((whole - between_columns) / 2) : whole;
   const std::size_t left = two ? first_column(f, width) : sections_.size();
   const auto stand = [&](float x, float y) { ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(x), y)); };
@@ -108,7 +111,7 @@ std::size_t Control::first_column(const Frame& f, float width) const {
 float Control::height_of(const Frame& f, const Section& s, float width) {
   float height = title_height + below_section;
   if (s.readouts >= 0) height += readouts_height(f.catalog, s.readouts);
-  height += analog_bar_height * static_cast<float>(analog_count(f.catalog, s.title));
+  height += analog_bar_height * static_cast<float>(analog_count(f.catalog, s.actions));
   for (const ActionForm& a : s.actions) height += a.height(width);
   return height;
 }
@@ -120,7 +123,7 @@ void Control::draw_section(Frame& f, Section& s, float width) {
                  ui[Tone::ink], s.title);
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(title_height)));
   if (s.readouts >= 0) draw_readouts(f, s.readouts, width);
-  for (int n = 1; n <= analog_count(f.catalog, s.title); ++n)
+  for (int n = 1; n <= analog_count(f.catalog, s.actions); ++n)
     draw_analog_bar(f, Path("control/analog/{}", n), n, width);
   if (s.readouts >= 0 && !s.actions.empty()) gap(ui, 8);
   draw_actions(f, s, width);

@@ -18,13 +18,18 @@ using namespace gui;
 
 namespace {
 
-constexpr float go_width = 44, home_width = 42, between = 4, apart = 8;
+constexpr float between = 4;
+
+bool medium(const Frame& f) { return f.tier == Tier::medium; }  // narrower columns
+float go_width(const Frame& f) { return medium(f) ? 36 : 44; }
+float home_width(const Frame& f) { return medium(f) ? 34 : 42; }
+float apart(const Frame& f) { return medium(f) ? 4 : 8; }
 
 bool several(const Frame& f) { return f.catalog.can.interpolates && f.catalog.axes.size() > 1; }
 /// A name that can be chosen is a button.
 float name_width_of(const Frame& f) { return several(f) ? 36 : f.catalog.axes.size() > 1 ? 20 : 28; }
 
-float homes_width(const Frame& f) { return f.catalog.can.homes ? 2 * home_width + between : 0; }
+float homes_width(const Frame& f) { return f.catalog.can.homes ? 2 * home_width(f) + between : 0; }
 
 }  // namespace
 
@@ -76,11 +81,12 @@ void GotoHome::draw_row(Frame& f, AxisId axis) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float name_width = name_width_of(f);
   draw_name(f, axis, at);
-  const float homes = homes_width(f) > 0 ? homes_width(f) + apart : 0;
+  const float homes = homes_width(f) > 0 ? homes_width(f) + apart(f) : 0;
   NumberOptions o;
   o.range.decimals = unit.real ? unit.decimals : 0;
-  o.range.unit = unit.name;
-  o.width = f.area.width - name_width - go_width - between - homes;
+  // The controller's own word stands beside the digits already; numbers need the room.
+  if (unit.real || !medium(f)) o.range.unit = unit.name;
+  o.width = f.area.width - name_width - go_width(f) - between - homes;
   o.disabled = why;
   o.refused = row.refused;
   o.sentence_below = false;
@@ -88,10 +94,10 @@ void GotoHome::draw_row(Frame& f, AxisId axis) {
   const NumberEvent typed =
       number_field(ui, Path("goto/{}", name), Path("Go to, axis {}", name), std::nullopt, row.field, o);
   if (typed.field.edited) row.refused.clear(), row.offers = false;
-  ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(f.area.width - homes - go_width), at.y));
+  ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(f.area.width - homes - go_width(f)), at.y));
   ButtonOptions button_options;
   button_options.moving = true;
-  button_options.width = go_width;
+  button_options.width = go_width(f);
   button_options.disabled = !why.empty() ? why : row.field.text.empty() ? "Type where to go first." : "";
   const bool clicked = button(ui, Path("goto/{}/go", name), "Go", button_options).clicked;
   if (homes > 0) {
@@ -108,7 +114,7 @@ void GotoHome::draw_homes(Frame& f, AxisId axis, std::string_view why) {
   for (const Sign sign : {Sign::minus, Sign::plus}) {
     ButtonOptions o;
     o.moving = true;
-    o.width = home_width;
+    o.width = home_width(f);
     o.disabled = why;
     if (sign == Sign::minus)
       o.icon = Icon::home_minus;

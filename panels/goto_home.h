@@ -42,8 +42,8 @@ class GotoHome final : public gui::Panel {
 
   std::array<Row, max_axes> rows_;
   int mode_ = 0;
-  bool by_ = false;             ///< distances instead of targets
-  std::uint32_t together_ = 0;  ///< bit per axis: takes part in a move of several
+  bool by_ = false;                      ///< distances instead of targets
+  std::uint32_t together_ = 0;           ///< bit per axis: takes part in a move of several
   std::vector<std::string_view> names_;  ///< of the ways of homing; kept for its memory
 };
 

@@ -1,6 +1,7 @@
 #include "panels/inputs_outputs.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "gui/ui.h"
 #include "gui/widgets/lamp.h"
@@ -21,6 +22,46 @@ bool io_is_old(const Frame& f) {
 
 constexpr float between = 8;
 
+/// Of the whole columns in which all of `names` have room beside `around` logical pixels, so many.
+template <class Named>
+int columns_of(const Frame& f, const std::vector<Named>& names, int most, float around) {
+  const auto fit = [&](int columns) {
+    const float cell = (f.area.width + between) / static_cast<float>(columns) - between;
+    return std::all_of(names.begin(), names.end(), [&](const Named& named) {
+      return text_width(f.ui, Face::body_bold, named.name) + f.ui.px(around) <= f.ui.px(cell);
+    });
+  };
+  while (most > 2 && !fit(most)) --most;
+  return most;
+}
+
+/// Cells of a grid, row after row.
+class Cells {
+ public:
+  Cells(Ui& ui, float width, int columns, float row)
+      : ui_(ui),
+        at_(ImGui::GetCursorScreenPos()),
+        columns_(columns),
+        row_(row),
+        pitch_((width + between) / static_cast<float>(columns)) {}
+  /// Stands at the `n`th, from 0.
+  void stand(int n) {
+    ImGui::SetCursorScreenPos(ImVec2(at_.x + ui_.px(std::floor(pitch_ * static_cast<float>(n % columns_))),
+                                     at_.y + ui_.px(row_ * static_cast<float>(n / columns_))));
+  }
+  [[nodiscard]] float cell() const { return std::floor(pitch_) - between; }
+  void end(int count) {
+    const int rows = (count + columns_ - 1) / columns_;
+    ImGui::SetCursorScreenPos(ImVec2(at_.x, at_.y + ui_.px(row_ * static_cast<float>(rows))));
+  }
+
+ private:
+  Ui& ui_;
+  ImVec2 at_;
+  int columns_;
+  float row_, pitch_;
+};
+
 }  // namespace
 
 void InputsOutputs::draw(Frame& f) {
@@ -32,15 +73,16 @@ void InputsOutputs::draw(Frame& f) {
   draw_inputs(f);
   gap(f.ui, 4);
   draw_outputs(f);
-  for (int n = 1; n <= static_cast<int>(f.catalog.analog.size()); ++n) draw_analog(f, n);
+  draw_all_analog(f);
   group_line(f.ui, 10);
 }
 
+/// What is on, in a word each; of many with short names only the lamps.
 void InputsOutputs::draw_inputs(Frame& f) {
-  Ui& ui = f.ui;
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float cell = (f.area.width + between) / 2;
   const int count = static_cast<int>(f.catalog.inputs.size());
+  const bool words = count <= 6 || columns_of(f, f.catalog.inputs, 4, 20) < 4;
+  const int columns = words ? columns_of(f, f.catalog.inputs, 3, 56) : 4;
+  Cells cells(f.ui, f.area.width, columns, 28);
   for (int n = 1; n <= count; ++n) {
     const InputInfo& info = f.catalog.inputs[static_cast<std::size_t>(n - 1)];
     const bool known = bit(f.now.inputs_known, n) && !io_is_old(f), high = bit(f.now.inputs, n);
@@ -48,32 +90,28 @@ void InputsOutputs::draw_inputs(Frame& f) {
     LampOptions o;
     o.state = !known ? LampState::unknown : active ? LampState::on : LampState::off;
     o.word = !bit(f.now.inputs_known, n) ? "?" : known ? (high ? "high" : "low") : (high ? "high?" : "low?");
+    o.word_shown = words;
     o.tip = info.help;
-    o.width = cell - between;
+    o.width = cells.cell();
     o.height = 28;
-    const int column = (n - 1) % 2, row = (n - 1) / 2;
-    ImGui::SetCursorScreenPos(
-        ImVec2(at.x + ui.px(static_cast<float>(column) * cell), at.y + ui.px(static_cast<float>(row) * 28)));
-    lamp(ui, Path("io/in/{}", n), info.name, o);
+    cells.stand(n - 1);
+    lamp(f.ui, Path("io/in/{}", n), with_minus(info.name), o);
   }
-  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(static_cast<float>((count + 1) / 2) * 28)));
+  cells.end(count);
 }
 
 void InputsOutputs::draw_outputs(Frame& f) {
-  Ui& ui = f.ui;
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float cell = (f.area.width + between) / 2;
   const int count = static_cast<int>(f.catalog.outputs.size());
+  const int columns = columns_of(f, f.catalog.outputs, count > 6 ? 4 : 2, 20);
+  Cells cells(f.ui, f.area.width, columns, columns > 2 ? 36 : 40);
   for (int n = 1; n <= count; ++n) {
-    const int column = (n - 1) % 2, row = (n - 1) / 2;
-    ImGui::SetCursorScreenPos(
-        ImVec2(at.x + ui.px(static_cast<float>(column) * cell), at.y + ui.px(static_cast<float>(row) * 40)));
-    draw_output(f, n, cell - between);
+    cells.stand(n - 1);
+    draw_output(f, n, cells.cell(), columns > 2);
   }
-  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(static_cast<float>((count + 1) / 2) * 40)));
+  cells.end(count);
 }
 
-void InputsOutputs::draw_output(Frame& f, int n, float width) {
+void InputsOutputs::draw_output(Frame& f, int n, float width, bool narrow) {
   const OutputInfo& info = f.catalog.outputs[static_cast<std::size_t>(n - 1)];
   const bool on = bit(f.now.outputs, n), known = bit(f.now.outputs_known, n);
   IntentId& asked = asked_[static_cast<std::size_t>(n)];
@@ -81,6 +119,7 @@ void InputsOutputs::draw_output(Frame& f, int n, float width) {
   if (fate && fate->fate == Fate::done) asked = 0;
   ToggleOptions o;
   o.width = width;
+  o.narrow = narrow;
   o.tip = info.help;
   o.state = on ? ToggleState::on : ToggleState::off;
   if (!known || io_is_old(f)) {
@@ -97,68 +136,74 @@ void InputsOutputs::draw_output(Frame& f, int n, float width) {
     asked = f.send(intent::SetOutput(n, known ? !on : true));
 }
 
-void InputsOutputs::draw_analog(Frame& f, int n) {
+/// A few have a line each; many stand in two columns and have their unit in the title.
+void InputsOutputs::draw_all_analog(Frame& f) {
+  const int count = static_cast<int>(f.catalog.analog.size());
+  const bool many = count > 2;
+  if (many) section_title(f.ui, "Analog", f.catalog.analog.front().unit, 32);
+  Cells cells(f.ui, f.area.width, many ? 2 : 1, many ? 24 : 28);
+  for (int n = 1; n <= count; ++n) {
+    cells.stand(n - 1);
+    draw_analog(f, n, cells.cell(), many);
+  }
+  cells.end(count);
+}
+
+void InputsOutputs::draw_analog(Frame& f, int n, float width, bool short_words) {
   Ui& ui = f.ui;
   const AnalogInfo& info = f.catalog.analog[static_cast<std::size_t>(n - 1)];
   const std::int32_t value = f.now.analog[static_cast<std::size_t>(n - 1)];
   const bool known = bit(f.now.analog_known, n);
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float middle = at.y + ui.px(14), right = at.x + ui.px(f.area.width);
-  draw_text_line(ui, at.x, right, middle, Face::body, ui[Tone::ink], info.name);
+  const float middle = at.y + ui.px(short_words ? 12 : 14), right = at.x + ui.px(width);
+  const Face name_face = short_words ? Face::small : Face::body;
+  draw_text_line(ui, at.x, right, middle, name_face, ui[Tone::ink], info.name);
   const Path of("of {} {}", info.maximum, info.unit);
+  const float of_width = short_words ? 0 : ui.px(6) + std::ceil(text_width(ui, Face::small, of));
+  if (!short_words)
+    draw_text_line(ui, right - of_width + ui.px(6), right + 1, middle, Face::small, ui[Tone::ink2], of);
   const Path number("{}", value);
   const std::string_view shown = known ? number.view() : std::string_view("?");
-  float x = right - std::ceil(text_width(ui, Face::small, of));
-  draw_text_line(ui, x, right + 1, middle, Face::small, ui[Tone::ink2], of);
-  x -= ui.px(6) + std::ceil(text_width(ui, Face::body_bold, shown));
+  const float x = right - of_width - std::ceil(text_width(ui, Face::body_bold, shown));
   draw_text_line(ui, x, right, middle, Face::body_bold, ui[known && !io_is_old(f) ? Tone::ink : Tone::ink3],
                  shown);
-  const float left = at.x + std::ceil(text_width(ui, Face::body, info.name)) + ui.px(12);
+  const float left = at.x + std::ceil(text_width(ui, name_face, info.name)) + ui.px(short_words ? 8 : 12);
   ImGui::SetCursorScreenPos(ImVec2(left, std::floor(middle - ui.px(4))));
   MeterOptions o;
   o.old = !known || io_is_old(f);
   o.words = shown;
   // The number is up to as wide as the largest; the bar ends before it and does not move with it.
   const Path largest("{}", info.maximum);
-  const float number_left =
-      right - std::ceil(text_width(ui, Face::small, of)) - ui.px(6) - std::ceil(text_width(ui, Face::body_bold, largest));
+  const float number_left = right - of_width - std::ceil(text_width(ui, Face::body_bold, largest));
   o.width = std::max(24.0f, std::floor((number_left - ui.px(8) - left) / ui.scale));
   const float span = static_cast<float>(std::max(1, info.maximum - info.minimum));
   meter(ui, Path("io/analog/{}", n), info.name, known ? static_cast<float>(value - info.minimum) / span : 0,
         o);
-  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(28)));
 }
 
+/// Outputs, a lamp over each number; many stand in two columns.
 void InputsOutputs::draw_rail(Frame& f) {
   Ui& ui = f.ui;
   const ImVec2 top = ImGui::GetCursorScreenPos();
-  const float width = ui.px(f.area.width);
-  float y = top.y;
-  const auto words = [&](Face face, Tone tone, std::string_view s) {
-    draw_text_centred(ui, {ImVec2(top.x, y), ImVec2(top.x + width, y + ui.px(16))}, face, ui[tone], s);
-    y += ui.px(20);
-  };
-  words(Face::small_bold, Tone::ink, "Out");
-  for (int n = 1; n <= static_cast<int>(f.catalog.outputs.size()); ++n) {
+  const int count = static_cast<int>(f.catalog.outputs.size()), columns = count > 4 ? 2 : 1;
+  const float cell = f.area.width / static_cast<float>(columns);
+  draw_text_centred(ui, {top, ImVec2(top.x + ui.px(f.area.width), top.y + ui.px(16))}, Face::small_bold,
+                    ui[Tone::ink], "Out");
+  for (int n = 1; n <= count; ++n) {
     const bool known = bit(f.now.outputs_known, n) && !io_is_old(f), on = bit(f.now.outputs, n);
     const LampState state = !known ? LampState::unknown : on ? LampState::on : LampState::off;
-    const Rect r{ImVec2(top.x, y), ImVec2(top.x + width, y + ui.px(36))};
-    draw_lamp(ui, ImVec2(std::floor(r.centre().x), y + ui.px(8)), 12, LampShape::round, state);
-    show(ui,
-         {Path("io/lamp/{}", n),
-          Kind::lamp,
-          f.catalog.outputs[static_cast<std::size_t>(n - 1)].name,
-          !known ? "?"
-          : on   ? "on"
-                 : "off",
-          {},
-          false,
-          f.catalog.outputs[static_cast<std::size_t>(n - 1)].name},
-         r);
-    y += ui.px(18);
-    words(on ? Face::small_bold : Face::small, on ? Tone::ink : Tone::ink2, Path("{}", n));
+    const std::string_view name = f.catalog.outputs[static_cast<std::size_t>(n - 1)].name;
+    const ImVec2 at(top.x + ui.px(cell * static_cast<float>((n - 1) % columns)),
+                    top.y + ui.px(20 + 38 * static_cast<float>((n - 1) / columns)));
+    const Rect r{at, ImVec2(at.x + ui.px(cell), at.y + ui.px(36))};
+    draw_lamp(ui, ImVec2(std::floor(r.centre().x), r.min.y + ui.px(8)), 12, LampShape::round, state);
+    draw_text_centred(ui, {ImVec2(r.min.x, r.min.y + ui.px(18)), ImVec2(r.max.x, r.min.y + ui.px(34))},
+                      on ? Face::small_bold : Face::small, ui[on ? Tone::ink : Tone::ink2], Path("{}", n));
+    const std::string_view value = !known ? "?" : on ? "on" : "off";
+    show(ui, {Path("io/lamp/{}", n), Kind::lamp, name, value, {}, false, name}, r);
   }
-  ImGui::SetCursorScreenPos(ImVec2(top.x, y));
+  const int rows = (count + columns - 1) / columns;
+  ImGui::SetCursorScreenPos(ImVec2(top.x, top.y + ui.px(20 + 38 * static_cast<float>(rows))));
   group_line(ui, 8);
 }
 

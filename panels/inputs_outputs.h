@@ -13,8 +13,9 @@ class InputsOutputs final : public gui::Panel {
  private:
   void draw_inputs(gui::Frame& frame);
   void draw_outputs(gui::Frame& frame);
-  void draw_output(gui::Frame& frame, int number, float width);
-  void draw_analog(gui::Frame& frame, int number);
+  void draw_output(gui::Frame& frame, int number, float width, bool narrow);
+  void draw_all_analog(gui::Frame& frame);
+  void draw_analog(gui::Frame& frame, int number, float width, bool short_words);
   void draw_rail(gui::Frame& frame);
 
   std::array<IntentId, max_outputs + 1> asked_{};  ///< by output number: what was sent last and is not done

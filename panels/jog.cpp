@@ -50,7 +50,7 @@ void Jog::draw(Frame& f) {
   follow_unit(f);
   const float width = std::min(f.area.width - x, 104.0f);
   short_labels_ = !beside || !labels_fit(f, width);
-  draw_title(f, beside);
+  draw_title(f);
   draw_reason(f);
   origin_ = ImGui::GetCursorScreenPos();
   draw_pad(f, cell);
@@ -66,11 +66,11 @@ void Jog::draw(Frame& f) {
 }
 
 /// In a narrow window the strip of positions has no room for the unit: it stands here.
-void Jog::draw_title(Frame& f, bool steps_beside) {
+void Jog::draw_title(Frame& f) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const Path caption("a tap, in {}", steps_unit_.name);
-  const bool captioned = steps_beside && short_labels_ && f.tier != Tier::narrow;
+  const bool captioned = short_labels_ && f.tier != Tier::narrow;
   section_title(ui, "Jog", captioned ? caption.view() : std::string_view(), 40);
   if (f.tier != Tier::narrow) return;
   const ImVec2 after = ImGui::GetCursorScreenPos();
@@ -180,7 +180,7 @@ void Jog::draw_steps_column(Frame& f, float x, float width, float height) {
 
 void Jog::draw_steps_row(Frame& f) {
   Ui& ui = f.ui;
-  text(ui, Face::small, Tone::ink2, Path("A tap moves, in {}", steps_unit_.name));
+  if (f.tier == Tier::narrow) text(ui, Face::small, Tone::ink2, Path("A tap moves, in {}", steps_unit_.name));
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const auto words = [&](const JogStep& step) {
     return text_width(ui, Face::body_bold, label_of(step)) / ui.scale;
@@ -219,7 +219,7 @@ void Jog::draw_speed(Frame& f) {
   o.value_text = words;
   o.width = f.area.width;
   float y = at.y;
-  if (f.tier == Tier::wide) {
+  if (f.tier == Tier::wide && f.catalog.axes.size() <= 2) {
     draw_text(ui, at, Face::body, ui[Tone::ink2], own ? "Speed, the controller's" : "Speed while held");
     draw_text_right(ui, ImVec2(at.x + ui.px(f.area.width), at.y), Face::body_bold, ui[Tone::ink], words);
     y += ui.px(22);

@@ -14,7 +14,7 @@ class Jog final : public gui::Panel {
   void draw(gui::Frame& frame) override;
 
  private:
-  void draw_title(gui::Frame& frame, bool steps_beside);
+  void draw_title(gui::Frame& frame);
   void draw_reason(gui::Frame& frame);
   void draw_pad(gui::Frame& frame, float cell);
   void draw_button(gui::Frame& frame, AxisId axis, Sign sign, float x, float y, float cell);

@@ -30,10 +30,9 @@ LimitLook look_of(const Frame& f, int axis, Sign sign) {
   return hit ? LimitLook{LampState::hit, "HIT"} : LimitLook{LampState::off, "clear"};
 }
 
-/// It homes onto a switch of its own, and tells whether the axis stands on it.
-bool tells_home(const Catalog& c) {
-  return std::any_of(c.homing_modes.begin(), c.homing_modes.end(),
-                     [](const HomingMode& mode) { return mode.id == "home"; });
+bool tells_more_than_limits(const Catalog& c) {
+  return std::any_of(c.axes.begin(), c.axes.end(),
+                     [](const AxisInfo& axis) { return axis.home_input || axis.alarm_input; });
 }
 
 std::string_view sign_text(Sign sign) { return sign == Sign::plus ? "+" : "\u2212"; }
@@ -43,7 +42,7 @@ std::string_view sign_text(Sign sign) { return sign == Sign::plus ? "+" : "\u221
 void Limits::draw(Frame& f) {
   if (f.rail) return draw_rail(f);
   Ui& ui = f.ui;
-  if (tells_home(f.catalog)) return draw_with_home(f);
+  if (tells_more_than_limits(f.catalog)) return draw_with_home(f);
   section_title(ui, "Limits", {}, 40);
   const float name_width = 28, cell = (f.area.width - name_width) / 2;
   for (int i = 0; i < static_cast<int>(f.catalog.axes.size()); ++i) {
@@ -71,9 +70,13 @@ void Limits::draw(Frame& f) {
 /// Four lamps an axis in a line; what is on stands in the title in words.
 void Limits::draw_with_home(Frame& f) {
   Ui& ui = f.ui;
-  const float name_width = 24, cell = (f.area.width - name_width) / 4;
-  std::string on;
-  const auto say = [&](std::string_view words) { on += (on.empty() ? "" : ", ") + std::string(words); };
+  // A sign needs less room than a word.
+  const float name_width = 24, sign_cell = 40, word_cell = (f.area.width - name_width - 2 * sign_cell) / 2;
+  std::string on, alerts;
+  bool known = true;
+  const auto say = [](std::string& all, std::string_view words) {
+    all += (all.empty() ? "" : ", ") + std::string(words);
+  };
   const ImVec2 title = ImGui::GetCursorScreenPos();
   section_title(ui, "Limits and home", {}, 40);
   for (int i = 0; i < static_cast<int>(f.catalog.axes.size()); ++i) {
@@ -81,11 +84,13 @@ void Limits::draw_with_home(Frame& f) {
     const std::string& name = f.catalog.axes[static_cast<std::size_t>(i)].name;
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const bool sure = a.limits_known && f.connected() && !is_old(f.now, i, f.clock);
+    known = known && sure;
     draw_text_line(ui, at.x, at.x + ui.px(name_width), at.y + ui.px(14), Face::body_bold, ui[Tone::ink],
                    name);
     float x = name_width;
     const auto one = [&](std::string_view id, std::string_view label, bool lit, LampShape shape,
                          LampState state, std::string_view word) {
+      const float cell = label.size() > 3 ? word_cell : sign_cell;
       const Rect r{ImVec2(at.x + ui.px(x), at.y), ImVec2(at.x + ui.px(x + cell), at.y + ui.px(28))};
       const float middle = std::floor(r.centre().y);
       draw_lamp(ui, ImVec2(r.min.x + ui.px(7), middle), 12, shape, sure ? state : LampState::unknown);
@@ -97,7 +102,7 @@ void Limits::draw_with_home(Frame& f) {
                      label);
       const Path value("{}{}", word, sure ? "" : "?");
       show(ui, {id, Kind::lamp, label, value, {}, false, value}, r);
-      if (lit && sure) say(Path("{} {}", name, label));
+      if (lit && sure) say(alert ? alerts : on, Path("{} {}", name, label));
       x += cell;
     };
     for (const Sign sign : {Sign::minus, Sign::plus}) {
@@ -106,43 +111,61 @@ void Limits::draw_with_home(Frame& f) {
       one(Path("io/limit/{}/{}", name, letter(sign)), sign_text(sign), hit, LampShape::square, look.state,
           hit ? "HIT" : "clear");
     }
-    one(Path("io/home/{}", name), "home", a.home, LampShape::round, a.home ? LampState::on : LampState::off,
-        a.home ? "on" : "off");
-    one(Path("io/alarm/{}", name), "alarm", a.alarm, LampShape::square,
-        a.alarm ? LampState::hit : LampState::off, a.alarm ? "ALARM" : "clear");
+    const AxisInfo& info = f.catalog.axes[static_cast<std::size_t>(i)];
+    if (info.home_input)
+      one(Path("io/home/{}", name), "home", a.home, LampShape::round, a.home ? LampState::on : LampState::off,
+          a.home ? "on" : "off");
+    if (info.alarm_input)
+      one(Path("io/alarm/{}", name), "alarm", a.alarm, LampShape::square,
+          a.alarm ? LampState::hit : LampState::off, a.alarm ? "ALARM" : "clear");
     ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(28)));
   }
-  const std::string_view words = on.empty() ? std::string_view("all clear") : std::string_view(on);
-  draw_text_right(ui, ImVec2(title.x + ui.px(f.area.width), title.y + ui.px(12)), Face::small,
-                  ui[on.empty() ? Tone::ink2 : Tone::warn], words);
+  const std::string_view words = !known            ? std::string_view("not known")
+                                 : !alerts.empty() ? std::string_view(alerts)
+                                 : on.empty()      ? std::string_view("all clear")
+                                                   : std::string_view(on);
+  const float end = title.x + ui.px(f.area.width);
+  const float room = ui.px(f.area.width - 12) - text_width(ui, Face::body_bold, "Limits and home");
+  const float width = std::min(room, std::ceil(text_width(ui, Face::small, words)));
+  draw_text_line(ui, end - width, end + 1, title.y + ui.px(20), Face::small,
+                 ui[!known || !alerts.empty() ? Tone::warn : Tone::ink2], words);
   group_line(ui, 10);
 }
 
+/// One lamp over its name; of more than two axes both lamps stand in a line, with the axis between them.
 void Limits::draw_rail(Frame& f) {
   Ui& ui = f.ui;
   const ImVec2 top = ImGui::GetCursorScreenPos();
+  const float middle = top.x + ui.px(f.area.width / 2), apart = ui.px(15);
   float y = top.y;
-  const float middle = top.x + ui.px(f.area.width / 2);
-  const auto line = [&](Face face, Tone tone, std::string_view words) {
-    draw_text_centred(ui, {ImVec2(top.x, y), ImVec2(top.x + ui.px(f.area.width), y + ui.px(16))}, face,
-                      ui[tone], words);
-    y += ui.px(20);
+  const auto words = [&](float x, Face face, Tone tone, std::string_view said) {
+    draw_text_centred(ui, {ImVec2(x - ui.px(28), y), ImVec2(x + ui.px(28), y + ui.px(16))}, face, ui[tone],
+                      said);
   };
-  line(Face::small_bold, Tone::ink, "Limits");
-  for (int i = 0; i < static_cast<int>(f.catalog.axes.size()); ++i)
+  words(middle, Face::small_bold, Tone::ink, "Limits");
+  y += ui.px(20);
+  const bool many = f.catalog.axes.size() > 2;
+  for (int i = 0; i < static_cast<int>(f.catalog.axes.size()); ++i) {
+    const std::string& name = f.catalog.axes[static_cast<std::size_t>(i)].name;
     for (const Sign sign : {Sign::minus, Sign::plus}) {
-      const std::string& name = f.catalog.axes[static_cast<std::size_t>(i)].name;
       const LimitLook look = look_of(f, i, sign);
-      const Rect r{ImVec2(top.x, y), ImVec2(top.x + ui.px(f.area.width), y + ui.px(36))};
-      draw_lamp(ui, ImVec2(std::floor(middle), y + ui.px(8)), 12, LampShape::square, look.state);
-      y += ui.px(18);
       const bool hit = look.state == LampState::hit;
-      line(hit ? Face::small_bold : Face::small, hit ? Tone::warn : Tone::ink2,
-           Path("{}{}", name, sign_text(sign)));
+      const float x = std::floor(!many ? middle : sign == Sign::minus ? middle - apart : middle + apart);
+      const float half = ui.px(many ? 14 : f.area.width / 2);
+      draw_lamp(ui, ImVec2(x, y + ui.px(8)), 12, LampShape::square, look.state);
       show(ui,
            {Path("io/limit/{}/{}", name, letter(sign)), Kind::lamp, name, look.word, {}, false, look.word},
-           r);
+           {ImVec2(x - half, y), ImVec2(x + half, y + ui.px(36))});
+      y += ui.px(18);
+      words(x, hit ? Face::small_bold : Face::small, hit ? Tone::warn : Tone::ink2,
+            many ? sign_text(sign) : Path("{}{}", name, sign_text(sign)).view());
+      y += many ? -ui.px(18) : ui.px(20);
     }
+    if (!many) continue;
+    y += ui.px(18);
+    words(middle, Face::small_bold, Tone::ink2, name);
+    y += ui.px(20);
+  }
   ImGui::SetCursorScreenPos(ImVec2(top.x, y));
   group_line(ui, 8);
 }

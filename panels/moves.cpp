@@ -7,7 +7,6 @@
 
 #include "core/session/text_file.h"
 #include "gui/area.h"
-#include "gui/catalog_places.h"
 #include "gui/console.h"
 #include "gui/tab.h"
 #include "gui/widgets/button.h"
@@ -24,7 +23,7 @@ using namespace gui;
 namespace {
 
 constexpr float toolbar_height = 56, file_height = 40, row_height = 36, number_width = 44, remove_width = 36;
-constexpr float side_width = 272, between = 8;
+constexpr float side_width = 272, narrow_side_width = 232, between = 8;
 
 void line_across(Frame& f, float y) {
   ImGui::GetWindowDrawList()->AddRectFilled(
@@ -41,13 +40,13 @@ float cell_width(const Catalog& c, float width) {
 void Moves::draw(Frame& f) {
   if (!std::exchange(made_, true))
     for (std::size_t i = 0; i < f.catalog.actions.size(); ++i)
-      if (f.catalog.actions[i].group == buffer_heading) actions_.emplace_back(f.catalog, static_cast<int>(i));
+      if (f.catalog.actions[i].of_move_buffer) actions_.emplace_back(f.catalog, static_cast<int>(i));
   follow(f);
   draw_toolbar(f);
   draw_file_line(f);
-  const bool side = f.area.width >= 720;
+  const bool side = f.area.width >= 680;
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float width = side ? f.area.width - side_width : f.area.width;
+  const float width = f.area.width - (!side ? 0 : f.area.width >= 720 ? side_width : narrow_side_width);
   draw_table(f, width, (f.ui.px(f.area.bottom()) - at.y) / f.ui.scale);
   if (side) {
     const float x = f.ui.px(f.area.x + width);
@@ -209,7 +208,9 @@ void Moves::draw_head(Frame& f, float width) {
   float x = at.x + ui.px(number_width);
   for (const ActionField& c : f.catalog.move_list.columns) {
     const Path title("{}{}{}", c.label, c.unit.empty() ? "" : ", ", c.unit);
-    draw_text_line(ui, x, x + ui.px(cell), at.y + ui.px(14), Face::small, ui[Tone::ink2], title);
+    const bool fits = text_width(ui, Face::small, title) <= ui.px(cell);
+    draw_text_line(ui, x, x + ui.px(cell), at.y + ui.px(14), Face::small, ui[Tone::ink2],
+                   fits ? title.view() : std::string_view(c.label));
     x += ui.px(cell + between);
   }
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(28)));
@@ -256,8 +257,9 @@ bool Moves::draw_row(Frame& f, std::size_t row, float width) {
 
 void Moves::draw_side(Frame& f, float width) {
   Ui& ui = f.ui;
-  section_title(ui, buffer_heading);
-  draw_readouts(f, readout_group(f.catalog, buffer_heading), width);
+  const int group = f.catalog.move_list.readout_group;
+  section_title(ui, group >= 0 ? f.catalog.readout_groups[static_cast<std::size_t>(group)] : "Buffer");
+  draw_readouts(f, group, width);
   gap(ui, 8);
   for (ActionForm& a : actions_) {
     if (a.only_a_button()) {
@@ -269,7 +271,7 @@ void Moves::draw_side(Frame& f, float width) {
     }
   }
   for (std::size_t i = 0; i < f.catalog.params.size(); ++i)
-    if (belongs_to_buffer(f.catalog.params[i])) draw_param(f, i, width);
+    if (f.catalog.params[i].of_move_buffer) draw_param(f, i, width);
 }
 
 /// A parameter of two values, in force at once.
@@ -286,7 +288,10 @@ void Moves::draw_param(Frame& f, std::size_t i, float width) {
   o.state = !has.known ? ToggleState::stale : on ? ToggleState::on : ToggleState::off;
   o.disabled = f.connected() ? "" : "There is no link.";
   o.tip = p.explanation;
-  if (toggle_lamp(f.ui, Path("list/param/{}", p.mnemonic), p.choices[on ? 1 : 0].label, o).clicked)
+  // "1: ramp from speed to speed"
+  std::string_view words = p.choices[1].label;
+  if (const auto colon = words.find(": "); colon != words.npos) words.remove_prefix(colon + 2);
+  if (toggle_lamp(f.ui, Path("list/param/{}", p.mnemonic), words, o).clicked)
     f.send(intent::SetParam(p.mnemonic, p.choices[on ? 0 : 1].value));
 }
 

@@ -21,4 +21,10 @@ class Path {
   std::size_t size_;
 };
 
+/// "Jog 1-" with a real minus.
+inline Path with_minus(std::string_view name) {
+  const bool minus = name.ends_with('-');
+  return Path("{}{}", minus ? name.substr(0, name.size() - 1) : name, minus ? "\u2212" : "");
+}
+
 }  // namespace hw::panels

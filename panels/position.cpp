@@ -28,11 +28,14 @@ Face face_for_all(const Frame& f, Face wanted, float width_px) {
   std::array<NumberText, max_axes> numbers;
   std::array<std::string_view, max_axes> views;
   const std::size_t n = f.catalog.axes.size();
+  std::string_view longest_unit;
   for (std::size_t i = 0; i < n; ++i) {
-    numbers[i] = format_position(f.now.axes[i].position, f.tab.unit(axis_id(static_cast<int>(i))));
+    const DisplayUnit& unit = f.tab.unit(axis_id(static_cast<int>(i)));
+    numbers[i] = format_position(f.now.axes[i].position, unit);
     views[i] = numbers[i].view();
+    if (unit.name.size() > longest_unit.size()) longest_unit = unit.name;
   }
-  return digits_face(f.ui, {views.data(), n}, wanted, width_px);
+  return digits_face(f.ui, {views.data(), n}, longest_unit, wanted, width_px);
 }
 
 Face wanted_face(const Frame& f) {
@@ -85,10 +88,14 @@ void Position::draw_title(Frame& f) {
   const ImVec2 after = ImGui::GetCursorScreenPos();
   const float chooser = unit_chooser_width(f);
   if (f.bench.present) {
-    const float x = std::ceil(text_width(ui, Face::body_bold, "Position")) + ui.px(10);
-    const float room = ui.px(f.area.width - chooser - 8) - x;
-    ImGui::SetCursorScreenPos(ImVec2(at.x + x, at.y + ui.px(12)));
-    emulated_badge(ui, "dro/emulated", badge_width(ui, Icon::emulated, "EMULATED") <= room);
+    const float title = std::ceil(text_width(ui, Face::body_bold, "Position"));
+    const float room = ui.px(f.area.width - chooser) - title;
+    const float with_icon = badge_width(ui, Icon::emulated, "EMULATED");
+    const bool icon = with_icon + ui.px(18) <= room;
+    const float width = icon ? with_icon : badge_width(ui, Icon::none, "EMULATED");
+    const float before = icon ? ui.px(10) : std::max(0.0f, std::floor((room - width) / 2));
+    ImGui::SetCursorScreenPos(ImVec2(at.x + title + before, at.y + ui.px(12)));
+    emulated_badge(ui, "dro/emulated", icon);
   }
   ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(f.area.width - chooser), at.y + ui.px(6)));
   draw_unit_chooser(f);
@@ -140,9 +147,18 @@ void Position::draw_axis(Frame& f, AxisId axis, float width, Face face, bool in_
                    state_of(f.now, axis.index, f.clock));
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(20)));
   draw_digits(f, axis, width, face);
-  const float below = at.y + ui.px(20) + ui.line(face);
-  draw_captions(f, axis, ImVec2(at.x, below), w);
-  ImGui::SetCursorScreenPos(ImVec2(at.x, below + ui.line(Face::small)));
+  float below = at.y + ui.px(20) + ui.line(face);
+  // Many axes with extras: what stands under the number of a few stands left of it.
+  if (!in_strip && f.catalog.axes.size() > 2 && axis_extras_height(f.catalog, axis) > 0) {
+    const DisplayUnit& unit = f.tab.unit(axis);
+    const float taken =
+        digits_width(ui, face, format_position(f.now.axes[axis.index].position, unit), unit.name);
+    draw_captions_beside(f, axis, ImVec2(at.x, at.y + ui.px(20) + ui.px(4)), w - taken);
+  } else {
+    draw_captions(f, axis, ImVec2(at.x, below), w);
+    below += ui.line(Face::small);
+  }
+  ImGui::SetCursorScreenPos(ImVec2(at.x, below));
   if (!in_strip) draw_axis_extras(f, axis, ImGui::GetCursorScreenPos(), w);
 }
 
@@ -168,35 +184,45 @@ void Position::draw_digits(Frame& f, AxisId axis, float width, Face face) {
   menu_.draw(f, axis, t);
 }
 
+/// About the number: steps, or what is wrong with it.
+Position::Caption Position::about_number(Frame& f, AxisId axis) {
+  const AxisState& a = f.now.axes[axis.index];
+  const DisplayUnit steps{f.catalog.step_word, 1, 0, false};
+  Caption said;
+  const bool lost = f.now.link.state == LinkState::lost;
+  const bool old = lost || (a.position_known && is_old(f.now, axis.index, f.clock));
+  if (old && a.seen_at != Instant{}) {
+    said.words.append(format_duration(seconds(f.clock - a.seen_at)).view());
+    said.words.append(" old");
+    said.tone = Tone::warn;
+    f.ui.wake_in(1);
+  } else if (!a.position_known) {
+    said.words.append("not known: home it, or set it");
+    said.tone = Tone::warn;
+  } else if (a.position_doubtful) {
+    said.words.append("doubtful: steps may be lost");
+    said.tone = Tone::warn;
+  } else if (f.tab.unit(axis).real) {
+    said.words = format_with_unit(a.position, steps);
+  }
+  return said;
+}
+
+void Position::show_steps(Frame& f, AxisId axis, const Rect& where) {
+  const DisplayUnit steps{f.catalog.step_word, 1, 0, false};
+  const NumberText in_steps = format_with_unit(f.now.axes[axis.index].position, steps);
+  show(f.ui,
+       {Path("dro/{}/steps", f.catalog.axes[axis.index].name), Kind::text, "Steps", in_steps, {}, false, {}},
+       where);
+}
+
 void Position::draw_captions(Frame& f, AxisId axis, ImVec2 at, float width) {
   Ui& ui = f.ui;
-  const AxisState& a = f.now.axes[axis.index];
-  const DisplayUnit& unit = f.tab.unit(axis);
-  const std::string& name = f.catalog.axes[axis.index].name;
   const float middle = at.y + ui.line(Face::small) / 2;
-  const DisplayUnit steps{f.catalog.step_word, 1, 0, false};
-  const NumberText in_steps = format_with_unit(a.position, steps);
-  std::string_view left = unit.real ? in_steps.view() : std::string_view();
-  Tone left_tone = Tone::ink2;
-  const bool old = f.now.link.state == LinkState::lost || is_old(f.now, axis.index, f.clock);
-  char age[48];
-  if (!a.position_known) {
-    left = "not known: home it, or set it";
-    left_tone = Tone::warn;
-  } else if (old && a.seen_at != Instant{}) {
-    const auto end =
-        fmt::format_to_n(age, sizeof age, "{} old", format_duration(seconds(f.clock - a.seen_at)).view());
-    left = {age, std::min(end.size, sizeof age)};
-    left_tone = Tone::warn;
-    ui.wake_in(1);
-  } else if (a.position_doubtful) {
-    left = "doubtful: steps may be lost";
-    left_tone = Tone::warn;
-  }
-  const float left_width = std::ceil(text_width(ui, Face::small, left));
-  draw_text_line(ui, at.x, at.x + width, middle, Face::small, ui[left_tone], left);
-  show(ui, {Path("dro/{}/steps", name), Kind::text, "Steps", in_steps, {}, false, {}},
-       {at, ImVec2(at.x + width * 0.6f, at.y + ui.line(Face::small))});
+  const Caption left = about_number(f, axis);
+  const float left_width = std::ceil(text_width(ui, Face::small, left.words));
+  draw_text_line(ui, at.x, at.x + width, middle, Face::small, ui[left.tone], left.words);
+  show_steps(f, axis, {at, ImVec2(at.x + width * 0.6f, at.y + ui.line(Face::small))});
   // What stands left is about the number, so it goes first: the right one is shortened, then left out.
   const float room = width - left_width - ui.px(left_width > 0 ? 12 : 0);
   for (const bool whole : {true, false}) {
@@ -204,6 +230,25 @@ void Position::draw_captions(Frame& f, AxisId axis, ImVec2 at, float width) {
     const float right_width = std::ceil(text_width(ui, Face::small, right));
     if (right_width > room) continue;
     draw_text(ui, ImVec2(at.x + width - right_width, at.y), Face::small, ui[Tone::ink2], right);
+    break;
+  }
+}
+
+/// Two lines in what the number leaves at its left.
+void Position::draw_captions_beside(Frame& f, AxisId axis, ImVec2 at, float room) {
+  Ui& ui = f.ui;
+  const float line = ui.line(Face::small), right = at.x + room - ui.px(8);
+  const Caption about = about_number(f, axis);
+  float y = at.y;
+  if (!about.words.view().empty()) {
+    draw_text_line(ui, at.x, right, y + line / 2, Face::small, ui[about.tone], about.words);
+    y += line;
+  }
+  show_steps(f, axis, {at, ImVec2(right, at.y + line)});
+  for (const bool whole : {true, false}) {
+    const NumberText words = where_to(f, axis, whole);
+    if (std::ceil(text_width(ui, Face::small, words)) > right - at.x) continue;
+    draw_text(ui, ImVec2(at.x, y), Face::small, ui[Tone::ink2], words);
     break;
   }
 }

@@ -17,7 +17,14 @@ class Position final : public gui::Panel {
   void draw_strip(gui::Frame& frame);
   void draw_axis(gui::Frame& frame, AxisId axis, float width, gui::Face face, bool in_strip);
   void draw_digits(gui::Frame& frame, AxisId axis, float width, gui::Face face);
+  struct Caption {
+    gui::NumberText words;
+    gui::Tone tone = gui::Tone::ink2;
+  };
+  static Caption about_number(gui::Frame& frame, AxisId axis);
+  static void show_steps(gui::Frame& frame, AxisId axis, const gui::Rect& where);
   void draw_captions(gui::Frame& frame, AxisId axis, ImVec2 at, float width);
+  void draw_captions_beside(gui::Frame& frame, AxisId axis, ImVec2 at, float room);
   static gui::NumberText where_to(const gui::Frame& frame, AxisId axis, bool whole);
 
   AxisMenu menu_;

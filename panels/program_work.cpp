@@ -72,7 +72,7 @@ float Program::draw_below(Frame& f) {
       draw_note(f, y, note_height);
     }
   }
-  if (const float threads = threads_height(f.catalog); threads > 0) {
+  if (const float threads = threads_height(f.catalog, f.area.width); threads > 0) {
     y -= ui.px(threads);
     draw_threads(f, y);
   }

@@ -145,12 +145,19 @@ void RehearsalCard::draw_axes(Frame& f) {
 void RehearsalCard::draw_verdict(Frame& f) {
   Ui& ui = f.ui;
   const Rehearsal& r = *outcome_->result;
+  key_value(ui, "rehearsal/begins", "Begins", "at 0, as after power-up");
   if (!fault_.empty()) {
     wrapped(ui, Face::body, Tone::fault, fault_);
     gap(ui, 8);
   }
-  key_value(ui, "rehearsal/limits", "Limits", r.limit_touched ? "touched" : "none touched",
-            r.limit_touched ? Tone::warn : Tone::ok);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float right = at.x + ImGui::GetContentRegionAvail().x;
+  const std::string_view verdict = r.limit_touched ? "touched" : "none touched";
+  const Tone tone = r.limit_touched ? Tone::warn : Tone::ok;
+  key_value(ui, "rehearsal/limits", "Limits", verdict, r.limit_touched ? Tone::warn : Tone::ink);
+  draw_icon(ImGui::GetWindowDrawList(), r.limit_touched ? Icon::warning : Icon::check,
+            ImVec2(std::floor(right - text_width(ui, Face::body, verdict) - ui.px(14)), at.y + ui.px(12)),
+            ui.px(12), ui[tone]);
   char words[32];
   auto end = fmt::format_to_n(words, sizeof words, "{}", r.moves);
   key_value(ui, "rehearsal/moves", "Moves", {words, std::min(end.size, sizeof words)});
@@ -175,7 +182,9 @@ void RehearsalCard::draw_events(Frame& f) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float middle = at.y + ui.px(10);
     draw_text_line(ui, left, left + ui.px(60), middle, Face::code_time, ui[Tone::ink3], event_times_[i]);
-    draw_text_line(ui, left + ui.px(64), right, middle, Face::small, ui[Tone::ink2], r.events[i].what);
+    draw_text_line(ui, left + ui.px(64), right, middle,
+                   r.events[i].command >= 0 ? Face::code_time : Face::small, ui[Tone::ink2],
+                   r.events[i].what);
     ImGui::Dummy(ImVec2(right - left, ui.px(20) - ImGui::GetStyle().ItemSpacing.y));
   }
   if (r.events.size() > event_times_.size()) text(ui, Face::small, Tone::ink3, "and more");
@@ -211,12 +220,18 @@ bool RehearsalCard::draw_line(Frame& f, int slot, bool opened) {
   } else {
     word(Face::body_medium, tone, time_);
     if (old_ && !of_running_) word(Face::small, Tone::ink3, said_caption_);
-    word(Face::body, Tone::ink2, spans_);
     const bool touched = outcome_->result->limit_touched;
+    const std::string_view verdict = touched ? "a limit is touched" : "no limit touched";
+    // The verdict is never cut; of the spans what fits.
+    const float verdict_width = ui.px(20 + 14) + std::ceil(text_width(ui, Face::body, verdict));
+    const float spans_end = right - ui.px(24) - verdict_width;
+    draw_text_line(ui, x, spans_end, middle, Face::body, ui[Tone::ink2], spans_);
+    if (!spans_.empty())
+      x = std::max(x, std::min(spans_end, x + std::ceil(text_width(ui, Face::body, spans_)))) + ui.px(14);
     draw_icon(ImGui::GetWindowDrawList(), touched ? Icon::warning : Icon::check, ImVec2(x + ui.px(6), middle),
               ui.px(12), ui[touched ? Tone::warn : Tone::ok]);
     x += ui.px(20);
-    word(Face::body, Tone::ink, touched ? "a limit is touched" : "no limit touched");
+    word(Face::body, Tone::ink, verdict);
   }
   show(ui,
        {.id = "rehearsal/result",

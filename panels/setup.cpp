@@ -162,7 +162,8 @@ void Setup::draw_filter(Frame& f) {
   constexpr float height = 48;
   const float field = f.area.width >= 640 ? 200 : 140;
   ImGui::SetCursorScreenPos(ImVec2(ui.px(f.area.x + 16), at.y + ui.px(8)));
-  list_changed_ |= text_field(ui, "setup/filter", "Search", filter_, {.placeholder = "Search", .width = field}).edited;
+  list_changed_ |=
+      text_field(ui, "setup/filter", "Search", filter_, {.placeholder = "Search", .width = field}).edited;
   ImGui::SameLine(0, ui.px(12));
   static constexpr std::array<std::string_view, 3> names = {"All", "Changed", "Not factory"};
   const int picked = segment(ui, "setup/show", names, static_cast<int>(show_), {.cell_width = 40});

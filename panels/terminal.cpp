@@ -4,6 +4,7 @@
 #include <array>
 
 #include <fmt/core.h>
+#include <imgui_internal.h>
 
 #include "core/session/user_files.h"
 #include "gui/console.h"
@@ -24,14 +25,13 @@ Terminal::Terminal() {
 void Terminal::draw(Frame& f) {
   Desk& desk = f.tab.desk();
   desk_ = &desk;
-  constexpr float head = 44, command_row = 48, offered_row = 24;
+  constexpr float head = 44, command_row = 48;
   with_head_ = f.area.height >= head + command_row + 3 * 20;
   if (with_head_) draw_head(f, desk.traffic);
-  const float offered = std::min<float>(static_cast<float>(offered_.size()), 8) * offered_row;
   const float bottom = f.ui.px(f.area.bottom());
-  const float left_for_log = bottom - ImGui::GetCursorScreenPos().y - f.ui.px(command_row) - f.ui.px(offered);
+  const float left_for_log = bottom - ImGui::GetCursorScreenPos().y - f.ui.px(command_row);
   rows_.draw(f.ui, desk.traffic, std::max(left_for_log, f.ui.px(20)));
-  if (!offered_.empty()) draw_list(f);
+  if (!offered_.empty()) draw_list(f, bottom - f.ui.px(command_row));
   draw_command(f);
   if (const auto path = save_.draw(f.ui)) {
     desk.worker().run([path = *path, text = desk.traffic.text_of_all()] { return write_file(path, text); },
@@ -177,16 +177,23 @@ bool Terminal::complete(std::string& text, std::size_t& cursor) {
   return false;
 }
 
-void Terminal::draw_list(Frame& f) {
+/// Over whatever stands above the command, however small the terminal is; the command keeps the keyboard.
+void Terminal::draw_list(Frame& f, float bottom) {
   Ui& ui = f.ui;
+  const float row = ui.px(24), shown = static_cast<float>(std::min<std::size_t>(offered_.size(), 8));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
-  ImGui::PushStyleColor(ImGuiCol_ChildBg, ui[Tone::raised]);
-  const float row = ui.px(24);
-  const auto shown = static_cast<float>(std::min<std::size_t>(offered_.size(), 8));
-  ImGui::BeginChild("terminal/offered", ImVec2(0, shown * row), false,
-                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, ui.hair());
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, ui[Tone::raised]);
+  ImGui::SetNextWindowPos(ImVec2(ui.px(f.area.x), bottom - shown * row));
+  ImGui::SetNextWindowSize(ImVec2(ui.px(f.area.width), shown * row));
+  ImGui::Begin("terminal/offered", nullptr,
+               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
+                   ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoBringToFrontOnFocus);
   ImGui::PopStyleColor();
-  ImGui::PopStyleVar();
+  ImGui::PopStyleVar(3);
+  if (ImGui::IsWindowAppearing()) ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
   for (std::size_t i = 0; i < offered_.size(); ++i) {
     const CommandInfo& command = f.catalog.commands[offered_[i]];
     char id[64];
@@ -197,7 +204,9 @@ void Terminal::draw_list(Frame& f) {
                            .label = command.form,
                            .value = command.help},
                           ImVec2(ImGui::GetContentRegionAvail().x, row));
-    if (t.hovered || (took_offer_ && i == offered_chosen_)) draw_fill(ui, t.rect, ui[Tone::hover], 0);
+    const bool chosen = took_offer_ && i == offered_chosen_;
+    if (chosen && !ImGui::IsItemVisible()) ImGui::SetScrollHereY(0.5f);
+    if (t.hovered || chosen) draw_fill(ui, t.rect, ui[Tone::hover], 0);
     const float middle = std::floor(t.rect.centre().y);
     draw_text_line(ui, t.rect.min.x + ui.px(16), t.rect.max.x, middle, Face::code_field, ui[Tone::ink],
                    command.form);
@@ -214,8 +223,7 @@ void Terminal::draw_list(Frame& f) {
       break;
     }
   }
-  ImGui::SetCursorPosY(ImGui::GetCursorPosY());
-  ImGui::EndChild();
+  ImGui::End();
 }
 
 void Terminal::draw_command(Frame& f) {

@@ -21,7 +21,7 @@ class Terminal final : public gui::Panel {
   void draw_log_menu(gui::Frame& frame);
   static void draw_lost(gui::Ui& ui, const gui::TrafficLog& log, float left, float right, float middle);
   void act(gui::Frame& frame, gui::TrafficLog& log, std::string_view id);
-  void draw_list(gui::Frame& frame);
+  void draw_list(gui::Frame& frame, float bottom_px);
   void draw_command(gui::Frame& frame);
   float draw_to(gui::Frame& frame, float top);
   void send(gui::Frame& frame);

@@ -19,8 +19,9 @@ struct Look {
   Tone tone;
 };
 
-Look look_of(const ThreadState& t) {
-  if (!t.known) return {Icon::clock, "NOT KNOWN", Tone::ink3};
+Look look_of(const ThreadState& t, bool connected) {
+  if (!connected) return {Icon::plug, "LOST", Tone::fault};
+  if (!t.known) return {Icon::clock, "ASKING", Tone::ink3};
   switch (t.run) {
     case RunState::running: return {Icon::play, "RUNNING", Tone::motion};
     case RunState::waiting: return {Icon::pause, "WAITING", Tone::ink2};
@@ -31,11 +32,11 @@ Look look_of(const ThreadState& t) {
   return {Icon::ring, "IDLE", Tone::ink2};
 }
 
-constexpr float state_width = 104, line_width = 76, button_wide = 84, stop_wide = 60;
+constexpr float state_width = 92, line_width = 52, button_wide = 78, stop_wide = 50, least_source = 60;
 
 void draw_state(Frame& f, int n, const ThreadState& t, const Rect& row, float x) {
   Ui& ui = f.ui;
-  const Look look = look_of(t);
+  const Look look = look_of(t, f.connected());
   const float middle = std::floor(row.centre().y);
   draw_icon(ImGui::GetWindowDrawList(), look.icon, ImVec2(x + ui.px(6), middle), ui.px(11), ui[look.tone]);
   draw_text_line(ui, x + ui.px(20), x + ui.px(state_width), middle, Face::body_bold, ui[look.tone],
@@ -51,10 +52,12 @@ void draw_place(Frame& f, int n, const ThreadState& t, const Rect& row, float x,
   const bool at_work = is_busy(t) || t.run == RunState::error;
   if (!t.known || !at_work || t.line < 0) return;
   const Path line("line {}", t.line);
-  draw_text_line(ui, x, x + ui.px(line_width), middle, Face::body, ui[Tone::ink2], line);
-  show(ui, {Path("thread/{}/line", n), Kind::text, "Compiled line", Path("{}", t.line), {}, false, {}},
-       {ImVec2(x, row.min.y), ImVec2(x + ui.px(line_width), row.max.y)});
-  x += ui.px(line_width);
+  // Without room for both the source line goes first.
+  const bool both = right - x >= ui.px(line_width + least_source);
+  if (both) draw_text_line(ui, x, x + ui.px(line_width), middle, Face::body, ui[Tone::ink2], line);
+  show(ui, {Path("thread/{}/line", n), Kind::text, "Compiled line", Path("{}", t.line), {}, false, line},
+       {ImVec2(x, row.min.y), ImVec2(x + ui.px(both ? line_width : 8), row.max.y)});
+  if (both) x += ui.px(line_width);
   ProgramTexts& texts = f.tab.desk().texts;
   const int source = texts.live_line(0, t.line);
   if (source < 0) {
@@ -95,10 +98,10 @@ void draw_first_button(Frame& f, int n, const ThreadState& t, std::string_view n
   }
 }
 
-void draw_row(Frame& f, int n, float top) {
+void draw_row(Frame& f, int n, const Rect& row) {
   Ui& ui = f.ui;
   const ThreadState& t = f.now.threads[static_cast<std::size_t>(n)];
-  const Rect row{ImVec2(ui.px(f.area.x), top), ImVec2(ui.px(f.area.right()), top + ui.px(thread_row_height))};
+  const float top = row.min.y;
   ImGui::GetWindowDrawList()->AddRectFilled(row.min, ImVec2(row.max.x, row.min.y + ui.hair()),
                                             ui[Tone::line]);
   float x = row.min.x + ui.px(16);
@@ -135,14 +138,34 @@ std::string_view line_of(std::string_view text, int line) {
   return text.substr(0, text.find('\n'));
 }
 
-float threads_height(const Catalog& c) {
-  const int many = std::min(c.program.threads, max_threads);
-  return many > 0 ? thread_row_height * static_cast<float>(many) : 0;
+namespace {
+
+/// Two beside each other where a row's place is wide enough for both.
+int rows_of(int threads, float width) { return width >= 600 ? (threads + 1) / 2 : threads; }
+int shown_threads(const Catalog& c) { return std::min(c.program.threads, max_threads); }
+
+}  // namespace
+
+float threads_height(const Catalog& c, float width) {
+  return thread_row_height * static_cast<float>(rows_of(shown_threads(c), width));
 }
 
+// Down the first column, then down the second.
 void draw_threads(Frame& f, float top) {
-  const int many = std::min(f.catalog.program.threads, max_threads);
-  for (int n = 0; n < many; ++n) draw_row(f, n, top + f.ui.px(thread_row_height * static_cast<float>(n)));
+  Ui& ui = f.ui;
+  const int many = shown_threads(f.catalog), rows = rows_of(many, f.area.width);
+  const float half = rows < many ? std::floor(f.area.width / 2) : f.area.width;
+  for (int n = 0; n < many; ++n) {
+    const float x = f.area.x + (n < rows ? 0 : half),
+                y = top + ui.px(thread_row_height * static_cast<float>(n % rows));
+    const float end = n < rows && rows < many ? x + half : f.area.right();
+    draw_row(f, n, {ImVec2(ui.px(x), y), ImVec2(ui.px(end), y + ui.px(thread_row_height))});
+  }
+  if (rows == many) return;
+  const float middle = ui.px(f.area.x + half);
+  ImGui::GetWindowDrawList()->AddRectFilled(
+      ImVec2(middle, top),
+      ImVec2(middle + ui.hair(), top + ui.px(thread_row_height * static_cast<float>(rows))), ui[Tone::line]);
 }
 
 }  // namespace hw::panels

@@ -12,7 +12,7 @@ inline constexpr float thread_row_height = 32;
 /// All rows, over the whole width of the panel, from `top_px` down.
 void draw_threads(gui::Frame& frame, float top_px);
 /// Logical; 0: this controller runs one program at a time.
-float threads_height(const Catalog& catalog);
+float threads_height(const Catalog& catalog, float width);
 /// Busy with its program: running, waiting or held.
 bool is_busy(const ThreadState& thread);
 /// A line (from 0) of a text.

@@ -82,11 +82,16 @@ void draw_axis_choice(Frame& f, std::size_t i) {
 
 }  // namespace
 
-float unit_chooser_width(const Frame& f) { return button_width(f.ui, shown_unit(f), opener_options()); }
+float unit_chooser_width(const Frame& f) {
+  const float natural = button_width(f.ui, shown_unit(f), opener_options());
+  return f.tier == Tier::medium ? natural - 8 : natural;  // beside a title and a badge
+}
 
 void draw_unit_chooser(Frame& f) {
   Ui& ui = f.ui;
-  const Touch t = button(ui, "dro/unit", shown_unit(f), opener_options());
+  ButtonOptions opener = opener_options();
+  opener.width = unit_chooser_width(f);
+  const Touch t = button(ui, "dro/unit", shown_unit(f), opener);
   const auto axes = static_cast<float>(f.catalog.axes.size());
   if (!begin_popup(ui, "unit", t, 484, 3.1f + 1.9f * axes)) return;
   const std::string_view real = real_unit(f);

@@ -66,9 +66,16 @@ struct Place {
 };
 struct Power {
   bool on;
-  explicit Power(bool o) : on(o) {}
+  int supply;  ///< index in BenchFacts::supplies; -1: the switches of all
+  explicit Power(bool o, int s = -1) : on(o), supply(s) {}
 };
 struct PowerCycle {};
+/// The circuit breaker of a supply: it pops out when too much flows, a hand pushes it in again.
+struct Breaker {
+  int supply;
+  bool out;
+  Breaker(int s, bool o) : supply(s), out(o) {}
+};
 // Faults of the wire, done by the transport in front of the emulator.
 struct Unplug {
   bool on;
@@ -86,7 +93,8 @@ struct Drop {
 
 using BenchCommand = std::variant<bench::Input, bench::Limit, bench::HomeSwitch, bench::Analog, bench::Button,
                                   bench::Jam, bench::Slip, bench::Alarm, bench::Place, bench::Power,
-                                  bench::PowerCycle, bench::Unplug, bench::Garble, bench::Drop>;
+                                  bench::PowerCycle, bench::Breaker, bench::Unplug, bench::Garble,
+                                  bench::Drop>;
 
 enum class Lamp : std::uint8_t { off, on };
 
@@ -94,6 +102,8 @@ enum class Lamp : std::uint8_t { off, on };
 struct BenchView {
   bool present = false;  ///< false: a real controller, nothing to see
   bool powered = true, unplugged = false;
+  std::uint32_t switches_on = ~0u;  ///< bit n = the power switch of BenchFacts::supplies[n]
+  std::uint32_t breakers_out = 0;   ///< bit n = its circuit breaker has popped out
   std::uint32_t lamps = 0;    ///< bit n = BenchFacts::lamps[n] lit
   std::uint32_t buttons = 0;  ///< bit n = BenchFacts::buttons[n] pressed
   std::uint32_t inputs_operated = 0;
@@ -102,6 +112,7 @@ struct BenchView {
   std::array<Steps, max_axes> load_position{};
   std::uint32_t limits_minus = 0, limits_plus = 0;  ///< bit per axis: switch operated, by travel or hand
   std::uint32_t limits_minus_by_hand = 0, limits_plus_by_hand = 0;
+  std::uint32_t homes_by_hand = 0;
   std::uint32_t homes = 0, alarms = 0;  ///< bit per axis, operated, where they are inputs of their own
   std::uint32_t jammed = 0;
   std::uint32_t lamps_blink = 0;  ///< bit n: the lamp changes by itself now

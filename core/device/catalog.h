@@ -16,6 +16,8 @@ struct AxisInfo {
   std::string description;  ///< "motor 1"
   bool switchable = false;  ///< its motor current can be switched: intent::SetPower
   bool encoder = false;     ///< has a counter of its own that can be set: intent::SetEncoder
+  bool home_input = false;  ///< tells whether it stands on its home switch: AxisState::home
+  bool alarm_input = false;  ///< of its motor's driver: AxisState::alarm
 };
 
 /// A ready-made conversion from steps to a real unit (lead screws, rotary tables).
@@ -70,6 +72,7 @@ struct ParamInfo {
   bool stored = true;      ///< kept by Store
   bool readable = true;
   int axis = -1;
+  bool of_move_buffer = false;  ///< shown beside the list of moves too
   std::string warning;  ///< not empty: asked before it is written, naming the axis
   std::string manual;   ///< "Appendix H"
   /// Not empty: said before the first move of its axis while the value is `unset_value`: why, and what to do.
@@ -116,6 +119,8 @@ struct ActionInfo {
   std::string group;        ///< heading; may be a readout group's, whose values then stand beside it
   bool moves = false;       ///< starts or changes motion
   bool while_busy = false;  ///< makes sense while a motion or program runs
+  bool of_move_buffer = false;   ///< shown beside the list of moves too
+  bool follows_analog = false;   ///< its axis follows an analog input: they are shown with it
   std::vector<ActionField> fields;
   std::string manual;
 };
@@ -133,6 +138,7 @@ struct VariableFacts {
 struct MoveListFacts {
   std::vector<ActionField> columns;  ///< empty: no such buffer
   int depth = 0;                     ///< places in the buffer
+  int readout_group = -1;            ///< what the buffer tells of itself
   std::string file_suffix;
 };
 
@@ -170,18 +176,26 @@ enum class LampColour : std::uint8_t { green, yellow, red };
 struct BenchButton {
   std::string name;  ///< "Run", "1-"
   bool moves = false;
-  int row = 0;
+  int row = 0;         ///< on its front panel
+  int supply = 0;      ///< on whose front panel
+  bool stops = false;  ///< a Stop: drawn as one
 };
 struct BenchLamp {
   std::string name;
   LampColour colour;
+  int supply = 0;
+};
+/// A box on the bench with a power switch of its own.
+struct BenchSupply {
+  std::string name;      ///< of a second box beside the device: "Slave"; empty: the device itself
+  bool breaker = false;  ///< it has a circuit breaker that is pushed in by hand
 };
 /// What can be done to the emulated device by hand.
 struct BenchFacts {
   std::string panel_title;  ///< "VXM front panel"
+  std::vector<BenchSupply> supplies{BenchSupply{}};
   std::vector<BenchButton> buttons;
   std::vector<BenchLamp> lamps;
-  bool power_switch = true;
 };
 
 struct Capabilities {
@@ -213,6 +227,7 @@ struct Catalog {
   std::vector<InputInfo> inputs;
   std::vector<OutputInfo> outputs;
   std::vector<AnalogInfo> analog;
+  int analog_readout_group = -1;  ///< asked for while analog inputs are shown large; -1: they are polled
   std::vector<ParamInfo> params;
   std::vector<std::string> readout_groups;
   std::vector<ReadoutInfo> readouts;

@@ -68,6 +68,8 @@ struct RehearseOptions {
   int slot = 0;            ///< the program that is started
   std::string bench_toml;  ///< a bench file's text, or empty
   int axes = 0;            ///< 0: as few as the text needs
+  /// Where the counters stand at the start, by axis; those that are missing: 0, as after power-up.
+  std::vector<std::int64_t> start_at;
 };
 
 class Language {
@@ -75,7 +77,7 @@ class Language {
   virtual ~Language() = default;
   /// `slot`: where text before the first program heading belongs.
   [[nodiscard]] virtual ProgramReport analyse(std::string_view text, int slot) const = 0;
-  /// Dry run from the power-up state, in virtual time. Pure and long: for a worker thread.
+  /// Dry run from the power-up state (but for `start_at`), in virtual time. Pure and long: for a worker thread.
   [[nodiscard]] virtual Result<Rehearsal> rehearse(std::string_view text,
                                                    const RehearseOptions& options) const = 0;
 };

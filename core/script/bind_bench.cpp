@@ -58,7 +58,21 @@ int slip(Call& call) { return operate(call, bench::Slip(axis_of(call), Steps(sma
 int unplug(Call& call) { return operate(call, bench::Unplug(call.on(1, "on"))); }
 int garble(Call& call) { return operate(call, bench::Garble(small(call, 1, "bytes"))); }
 int drop(Call& call) { return operate(call, bench::Drop(small(call, 1, "bytes"))); }
-int power(Call& call) { return operate(call, bench::Power(call.on(1, "on"))); }
+/// Its name as the bench gives it ("Slave"); absent: the first, of the device itself.
+int supply_of(const Call& call, int argument) {
+  if (!call.has(argument)) return 0;
+  const std::string name = call.text(argument, "name of a supply");
+  const auto& supplies = session_of(call)->catalog().bench.supplies;
+  for (std::size_t i = 0; i < supplies.size(); ++i)
+    if (supplies[i].name == name) return static_cast<int>(i);
+  throw Misuse(fmt::format("bench: there is no supply \"{}\"", name));
+}
+
+/// Without a name: the switches of all.
+int power(Call& call) {
+  return operate(call, bench::Power(call.on(1, "on"), call.has(2) ? supply_of(call, 2) : -1));
+}
+int breaker(Call& call) { return operate(call, bench::Breaker(supply_of(call, 2), call.on(1, "out"))); }
 int power_cycle(Call& call) { return operate(call, bench::PowerCycle()); }
 
 // at(t, fn): t on the clock of hw.now(); what is past happens at once.
@@ -210,6 +224,7 @@ constexpr Function bench_methods[] = {
     {"drop", drop},
     {"power", power},
     {"power_cycle", power_cycle},
+    {"breaker", breaker},
     {"at", at},
     {"place", place},
     {"pulses", pulses},

@@ -9,6 +9,7 @@
 
 #include "gui/widgets/button.h"
 #include "gui/widgets/icons.h"
+#include "gui/widgets/region.h"
 #include "gui/widgets/text.h"
 
 namespace hw::gui {
@@ -77,10 +78,9 @@ int list_under(Ui& ui, std::string_view id, const Touch& t, std::span<const std:
   if (t.clicked) ImGui::OpenPopup("list");
   const float width = std::max(t.rect.width(), widest(ui, names) + ui.px(28));
   const float height = ui.px(32) * static_cast<float>(names.size()) + 2 * ui.hair();
-  const float below = t.rect.max.y + ui.px(2);
-  const float y = below + height <= ui.size_px.y ? below : std::max(0.0f, t.rect.min.y - ui.px(2) - height);
-  ImGui::SetNextWindowPos(ImVec2(std::min(t.rect.min.x, ui.size_px.x - width - ui.px(4)), y));
-  ImGui::SetNextWindowSize(ImVec2(width, std::min(height, ui.size_px.y)));
+  const Rect place = place_list(ui, t.rect, width, height);
+  ImGui::SetNextWindowPos(place.min);
+  ImGui::SetNextWindowSize(ImVec2(width, place.height()));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.hair(), ui.hair()));
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
   int picked = -1;
@@ -98,6 +98,14 @@ int list_under(Ui& ui, std::string_view id, const Touch& t, std::span<const std:
 }
 
 }  // namespace
+
+Rect place_list(const Ui& ui, const Rect& opener, float width, float height) {
+  const float top = ui.px(top_bar_height), h = std::min(height, ui.size_px.y - top);
+  const float below = opener.max.y + ui.px(2), above = opener.min.y - ui.px(2) - h;
+  const float y = below + h <= ui.size_px.y ? below : above >= top ? above : ui.size_px.y - h;
+  const float x = std::clamp(opener.min.x, 0.0f, std::max(0.0f, ui.size_px.x - width - ui.px(4)));
+  return {ImVec2(x, y), ImVec2(x + width, y + h)};
+}
 
 int segment(Ui& ui, std::string_view id, std::span<const std::string_view> names, int chosen,
             const SegmentOptions& o) {

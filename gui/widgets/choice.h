@@ -7,6 +7,10 @@
 
 namespace hw::gui {
 
+/// Where a list opens, in pixels: under its opener, else over it, else as far down as it fits. Never over the
+/// top bar, where STOP ALL is.
+Rect place_list(const Ui& ui, const Rect& opener, float width, float height);
+
 struct SegmentOptions {
   std::string_view disabled = {};
   float cell_width = 32;  ///< least width of a cell

@@ -243,10 +243,12 @@ void CodeEditor::keep_caret_in_sight(const Metrics& m) {
   if (x > right) ImGui::SetScrollX(ImGui::GetScrollX() + (x - right));
 }
 
-/// While a program runs its line stays in sight, but only when it changes: scrolling away is allowed.
+/// While a program runs its line stays in sight, but only when it or the size changes: scrolling away is
+/// allowed.
 void CodeEditor::follow_live_line(const EditorLook& look, const Metrics& m) {
-  if (look.live_line == followed_line_) return;
+  if (look.live_line == followed_line_ && m.view.height() == followed_height_) return;
   followed_line_ = look.live_line;
+  followed_height_ = m.view.height();
   if (look.live_line < 0 || look.live_line >= model_.line_count() || typing_) return;
   const float top = top_of(m, look.live_line);
   if (top < m.view.min.y || top + m.line > m.view.max.y)

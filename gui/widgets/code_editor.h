@@ -90,6 +90,7 @@ class CodeEditor {
   bool typing_ = false, reveal_ = false, dragging_ = false;
   bool find_asked_ = false, comment_asked_ = false;
   int followed_line_ = -1;
+  float followed_height_ = 0;  ///< of the view, in pixels
   float widest_ = 0;
 };
 

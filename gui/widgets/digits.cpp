@@ -12,6 +12,7 @@ namespace {
 constexpr float unit_slot = 36;  // wider only for a unit that is a word
 
 float slot_px(const Ui& ui, std::string_view unit) {
+  if (unit.empty()) return 0;
   return std::max(ui.px(unit_slot), text_width(ui, Face::title, unit) + ui.px(8));
 }
 
@@ -46,13 +47,17 @@ Touch digits(Ui& ui, std::string_view id, std::string_view label, std::string_vi
   return t;
 }
 
-Face digits_face(const Ui& ui, std::span<const std::string_view> numbers, Face wanted, float width_px) {
+float digits_width(const Ui& ui, Face face, std::string_view number, std::string_view unit) {
+  return std::ceil(text_width(ui, face, number)) + std::ceil(slot_px(ui, unit));
+}
+
+Face digits_face(const Ui& ui, std::span<const std::string_view> numbers, std::string_view unit, Face wanted,
+                 float width_px) {
   constexpr std::array faces{Face::digits48, Face::digits36, Face::digits32, Face::digits26};
   for (Face face : faces) {
     if (size_of(face).em > size_of(wanted).em) continue;
     bool fits = true;
-    for (std::string_view number : numbers)
-      fits &= text_width(ui, face, number) + ui.px(unit_slot) <= width_px;
+    for (std::string_view number : numbers) fits &= digits_width(ui, face, number, unit) <= width_px;
     if (fits) return face;
   }
   return Face::digits26;

@@ -27,7 +27,10 @@ Touch digits(Ui& ui, std::string_view id, std::string_view label, std::string_vi
 
 /// The largest of `wanted` and smaller in which all numbers fit beside their unit, so that the points of all
 /// axes stay in one column.
-Face digits_face(const Ui& ui, std::span<const std::string_view> numbers, Face wanted, float width_px);
+Face digits_face(const Ui& ui, std::span<const std::string_view> numbers, std::string_view unit, Face wanted,
+                 float width_px);
+/// Of figures and unit, in pixels.
+float digits_width(const Ui& ui, Face face, std::string_view number, std::string_view unit);
 
 /// Number formats of the look: real minus, thin spaces from five figures on. Writes into `buffer`.
 std::string_view format_number(std::span<char> buffer, double value, int decimals);

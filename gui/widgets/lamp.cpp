@@ -82,11 +82,12 @@ void lamp(Ui& ui, std::string_view id, std::string_view name, const LampOptions&
   draw_lamp(ui, ImVec2(at.x + ui.px(6), middle), 12, o.shape, o.state);
   const bool dim = o.state == LampState::unknown || o.state == LampState::disabled;
   draw_text_line(ui, at.x + ui.px(20), at.x + w, middle, name_face, ui[dim ? Tone::ink3 : Tone::ink], name);
-  draw_text_line(ui, at.x + ui.px(28) + name_width, at.x + w + 1, middle, word_face,
-                 ui[hit  ? Tone::warn
-                    : on ? Tone::ink
-                         : Tone::ink3],
-                 o.word);
+  if (o.word_shown)
+    draw_text_line(ui, at.x + ui.px(28) + name_width, at.x + w + 1, middle, word_face,
+                   ui[hit  ? Tone::warn
+                      : on ? Tone::ink
+                           : Tone::ink3],
+                   o.word);
   ImGui::Dummy(ImVec2(w, h));
   const std::string_view value = !o.word.empty()             ? o.word
                                  : on || hit                 ? "on"
@@ -101,7 +102,7 @@ Touch toggle_lamp(Ui& ui, std::string_view id, std::string_view name, const Togg
                         ImVec2(width_px(ui, o.width), ui.px(32)));
   draw_toggle_frame(ui, t, o);
   const float middle = std::floor(t.rect.centre().y);
-  const ImVec2 shape_at(t.rect.min.x + ui.px(16), middle);
+  const ImVec2 shape_at(t.rect.min.x + ui.px(o.narrow ? 10 : 14), middle);
   const bool on = o.state == ToggleState::on, refused = o.state == ToggleState::refused;
   const bool dim = !t.enabled || o.state == ToggleState::stale;
   if (refused)
@@ -109,14 +110,16 @@ Touch toggle_lamp(Ui& ui, std::string_view id, std::string_view name, const Togg
   else
     draw_lamp(ui, shape_at, 12, LampShape::round, on ? LampState::on : LampState::off);
   const Face word_face = on ? Face::small_bold : Face::small;
-  const float word_left = t.rect.max.x - ui.px(10) - std::ceil(text_width(ui, word_face, word));
-  draw_text_line(ui, t.rect.min.x + ui.px(30), word_left - ui.px(4), middle, Face::body,
-                 ui[dim ? Tone::ink3 : Tone::ink], name);
-  draw_text_line(ui, word_left, t.rect.max.x, middle, word_face,
-                 ui[refused      ? Tone::fault
-                    : on && !dim ? Tone::ink
-                                 : Tone::ink3],
-                 word);
+  const float word_left =
+      t.rect.max.x - (o.narrow ? 0 : ui.px(8) + std::ceil(text_width(ui, word_face, word)));
+  draw_text_line(ui, t.rect.min.x + ui.px(o.narrow ? 18 : 26), word_left - ui.px(o.narrow ? 1 : 4), middle,
+                 o.narrow && on ? Face::body_bold : Face::body, ui[dim ? Tone::ink3 : Tone::ink], name);
+  if (!o.narrow)
+    draw_text_line(ui, word_left, t.rect.max.x, middle, word_face,
+                   ui[refused      ? Tone::fault
+                      : on && !dim ? Tone::ink
+                                   : Tone::ink3],
+                   word);
   draw_ring(ui, t);
   return t;
 }

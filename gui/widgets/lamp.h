@@ -21,6 +21,7 @@ struct LampOptions {
   LampShape shape = LampShape::round;
   LampState state = LampState::off;
   std::string_view word = {};  ///< "clear", "HIT", "high"
+  bool word_shown = true;      ///< false: the lamp must do
   std::string_view tip = {};
   float width = 0, height = 32;
 };
@@ -36,6 +37,7 @@ struct ToggleOptions {
   std::string_view disabled = {};  ///< owned by something: who
   std::string_view tip = {};
   float width = fill;
+  bool narrow = false;  ///< only lamp and name
 };
 Touch toggle_lamp(Ui& ui, std::string_view id, std::string_view name, const ToggleOptions& options);
 

@@ -6,6 +6,7 @@
 #include <imgui_internal.h>
 
 #include "gui/widgets/button.h"
+#include "gui/widgets/region.h"
 #include "gui/widgets/text.h"
 
 namespace hw::gui {
@@ -146,6 +147,8 @@ bool draw_toast(Ui& ui, const Toasts::Toast& toast, ImVec2 at, ImVec2 size) {
 }  // namespace
 
 void draw_toasts(Ui& ui, Toasts& toasts, const Rect& within) {
+  // What is being chosen or answered is not covered; they are told afterwards.
+  if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel)) return;
   toasts.tick(ui.now_s);
   ui.wake_in(toasts.due_in_s(ui.now_s));
   const float width = std::min(ui.px(320), within.width() - ui.px(32));
@@ -155,6 +158,7 @@ void draw_toasts(Ui& ui, Toasts& toasts, const Rect& within) {
     const float h =
         std::max(ui.px(40), wrapped_height(ui, Face::body, toast->text, width - ui.px(44)) + ui.px(20));
     bottom -= h;
+    if (bottom < within.min.y && toast != toasts.list().rbegin()) break;  // not over what stands above
     if (draw_toast(ui, *toast, ImVec2(within.max.x - ui.px(16) - width, bottom), ImVec2(width, h)))
       closed = toast->number;
     bottom -= ui.px(8);
@@ -168,8 +172,10 @@ bool begin_modal(Ui& ui, std::string_view id, bool open, float width, float heig
   if (open && !ImGui::IsPopupOpen(name)) ImGui::OpenPopup(name);
   if (!open) return false;
   const float w = std::min(ui.px(width), ui.size_px.x - ui.px(32));
-  const float h = height > 0 ? std::min(ui.px(height), ui.size_px.y - ui.px(32)) : 0;
-  ImGui::SetNextWindowPos(ImVec2(std::floor(ui.size_px.x * 0.5f), std::floor(ui.size_px.y * 0.5f)),
+  // In the middle of what is under the top bar: STOP ALL stays in sight.
+  const float top = ui.px(top_bar_height), room = ui.size_px.y - top;
+  const float h = height > 0 ? std::min(ui.px(height), room - ui.px(16)) : 0;
+  ImGui::SetNextWindowPos(ImVec2(std::floor(ui.size_px.x * 0.5f), std::floor(top + room * 0.5f)),
                           ImGuiCond_Always, ImVec2(0.5f, 0.5f));
   ImGui::SetNextWindowSize(ImVec2(w, h));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ui.px(24, 20));

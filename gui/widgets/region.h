@@ -6,6 +6,9 @@
 
 namespace hw::gui {
 
+/// Logical. Nothing may lie over it: STOP ALL stands there.
+inline constexpr float top_bar_height = 56;
+
 /// One of the five windows of a frame. Panels are drawn between begin and end; `padding` logical.
 void begin_region(Ui& ui, const char* name, const Rect& where, Tone ground, ImVec2 padding = ImVec2(16, 0),
                   bool scrolls = false);

@@ -21,7 +21,7 @@ constexpr StateLook looks[] = {
     {Icon::plug, "LOST", "link lost", Tone::fault},
     {Icon::diamond_solid, "FAULT", "fault", Tone::fault},
     {Icon::pause, "WAITING", "waiting", Tone::warn},
-    {Icon::clock, "CONNECTING", "connecting", Tone::ink2},
+    {Icon::clock, "CONNECTING", "asking", Tone::ink2},
 };
 
 float state_width(const Ui& ui, const StateLook& look, Face face) {

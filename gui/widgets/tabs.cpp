@@ -16,7 +16,7 @@ Touch controller_tab(Ui& ui, std::string_view id, const ControllerTab& tab, floa
   if (tab.active)
     list->AddRectFilled(t.rect.min, ImVec2(t.rect.max.x, t.rect.min.y + ui.px(2)), ui[Tone::ink]);
   list->AddRectFilled(ImVec2(t.rect.max.x - ui.hair(), t.rect.min.y), t.rect.max, ui[Tone::line]);
-  const float left = t.rect.min.x + ui.px(16), right = t.rect.max.x - ui.px(12);
+  const float left = t.rect.min.x + ui.px(width < 170 ? 12 : 16), right = t.rect.max.x - ui.px(12);
   draw_text_line(ui, left, right, t.rect.min.y + ui.px(19), Face::body_bold,
                  ui[tab.active ? Tone::ink : Tone::ink2], tab.name);
   const float second = t.rect.min.y + ui.px(38);
@@ -26,7 +26,7 @@ Touch controller_tab(Ui& ui, std::string_view id, const ControllerTab& tab, floa
     end -= std::ceil(text_width(ui, Face::small_bold, "EMULATED"));
     draw_text_line(ui, end, t.rect.max.x, second, Face::small_bold, ui[Tone::emu], "EMULATED");
   }
-  draw_text_line(ui, left + ui.px(18), end - ui.px(6), second, Face::small, ui[tab.tone], tab.state);
+  draw_text_line(ui, left + ui.px(16), end - ui.px(4), second, Face::small, ui[tab.tone], tab.state);
   if (t.ring) draw_outline(ui, t.rect, ui[Tone::ink], 0, ui.px(2));
   return t;
 }

@@ -47,7 +47,7 @@ BenchCommand hand(Bytes& in) {
   const bool on = with & 1;
   const AxisId axis{static_cast<std::uint8_t>((with >> 1) & 7)};
   const Steps steps(static_cast<std::int16_t>(in.next() << 8 | in.next()));
-  switch (what % 10) {
+  switch (what % 12) {
     case 0: return bench::Input(with >> 1, on);
     case 1: return bench::Limit(axis, with & 16 ? Sign::plus : Sign::minus, on);
     case 2: return bench::HomeSwitch(axis, on);
@@ -57,6 +57,8 @@ BenchCommand hand(Bytes& in) {
     case 6: return bench::Slip(axis, steps);
     case 7: return bench::Power(on);
     case 8: return bench::PowerCycle{};
+    case 10: return bench::Power(on, (with >> 1) % 3);
+    case 11: return bench::Breaker((with >> 1) % 3, on);
     default: {
       AxisPlace place;
       place.plus = steps;

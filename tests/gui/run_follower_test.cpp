@@ -8,6 +8,7 @@ namespace {
 /// One command a second, the last two twice: as a loop of two passes would run.
 class Clockwork final : public Language {
  public:
+  mutable std::vector<std::int64_t> begun_at;
   [[nodiscard]] ProgramReport analyse(std::string_view text, int slot) const override {
     ProgramReport report;
     for (int i = 0; i < 3; ++i) {
@@ -19,6 +20,7 @@ class Clockwork final : public Language {
     return report;
   }
   [[nodiscard]] Result<Rehearsal> rehearse(std::string_view, const RehearseOptions& options) const override {
+    begun_at = options.start_at;
     Rehearsal r;
     constexpr std::pair<double, int> run[] = {{0, 0}, {1, 1}, {2, 2}, {3, 1}, {4, 2}};
     for (const auto& [t, command] : run) r.events.push_back({t, "a command", options.slot, command});
@@ -44,6 +46,7 @@ struct RunFollowerTest : testing::Test {
   RunFollowerTest() {
     texts.loaded(1, "a\nb\nc\n", at(9));
     now.axis_count = 2;
+    now.axes[1].position = Steps(-700);
     now.program.owned = true;
     now.program.slot = 1;
     now.program.command = -1;
@@ -57,6 +60,10 @@ struct RunFollowerTest : testing::Test {
     return follower.place();
   }
 };
+
+TEST_F(RunFollowerTest, ItIsRehearsedFromWhereTheAxesStood) {
+  EXPECT_EQ(language.begun_at, (std::vector<std::int64_t>{0, -700}));
+}
 
 TEST_F(RunFollowerTest, WorksOutTheCommandAndItsPass) {
   const auto second = when(11.5);

@@ -1,64 +1,16 @@
--- Pictures of every panel and state, to be looked at:
+-- Pictures of every panel and state of a controller that is programmed line by line, to be looked at:
 --   build/handwheel run --gui tests/gui/screenshots.lua FOLDER [PART-OF-A-NAME [dark|light]]
--- FOLDER/STATE-SIZE-THEME.png, at 1440x900, at 1024x700 (medium), at 200 % in a window of 1440x900 pixels
--- (narrow), and a few at 200 % in one of 2880x1800 (wide).
-local folder, wanted, only = hw.args[1] or ".", hw.args[2] or "", hw.args[3]
-local wide = {1440, 900, 1, "1440"}
-local sizes = {wide, {1024, 700, 1, "1024"}, {720, 450, 2, "narrow200"}}
-local with_200 = {wide, sizes[2], sizes[3], {1440, 900, 2, "wide200"}}
-
-local function window(size)
-  ui.window(size[1], size[2], size[3])
-  ui.frame(3)
-end
-
-local function pictures(name, of)
-  if not name:find(wanted, 1, true) then return end
-  for _, theme in ipairs{"dark", "light"} do
-    if not only or only == theme then
-      ui.theme(theme)
-      for _, size in ipairs(of or sizes) do
-        window(size)
-        ui.screenshot(string.format("%s/%s-%s-%s.png", folder, name, size[4], theme))
-      end
-    end
-  end
-  ui.theme("dark")
-  window(wide)
-end
-local function picture(name) pictures(name, {wide}) end
-
--- A state that needs hands at each size: `make` does it, `undo` takes it back.
-local function by_hand(name, make, undo, of)
-  if not name:find(wanted, 1, true) then return end
-  for _, theme in ipairs{"dark", "light"} do
-    if not only or only == theme then
-      ui.theme(theme)
-      for _, size in ipairs(of or sizes) do
-        window(size)
-        local done, why = pcall(make)
-        if not done then print(string.format("%s at %s: %s", name, size[4], why)) end
-        ui.frame(3)
-        ui.screenshot(string.format("%s/%s-%s-%s.png", folder, name, size[4], theme))
-        pcall(undo)
-        ui.frame(2)
-      end
-    end
-  end
-  ui.theme("dark")
-  window(wide)
-end
-local function escape() ui.key("Escape") ui.frame(2) end
-local function tab(name) if ui.exists("tab/" .. name) then ui.click("tab/" .. name) end end
--- The mouse where it explains nothing.
-local function aside() ui.click(ui.exists("tab/program") and "tab/program" or "page/connect") ui.frame(2) end
+-- at 1440x900, at 1024x700 (medium), at 200 % in a window of 1440x900 pixels (narrow), and a few at 200 % in
+-- one of 2880x1800 (wide). What was seen in them: PICTURES.md.
+require("lib.pictures")
+local with_200 = {wide, medium, narrow, wide_200}
 
 -- ---- without a controller
-pictures("connect", with_200)
+pictures("connect", nil, nil, with_200)
 ui.type("connect/address", "vxm@serial\n")
 pictures("connect-refused")
 ui.click("help")
-pictures("help", with_200)
+pictures("help", nil, nil, with_200)
 ui.click("help/back")
 
 -- ---- a controller as the factory sends it
@@ -73,13 +25,7 @@ aside()
 pictures("program-empty")
 
 -- ---- as its user likes to see it
-local function choose(list, choice)
-  ui.click(list)
-  ui.frame(2)
-  ui.click(list .. "/" .. choice)
-  ui.frame(2)
-end
-by_hand("units", function() tab("jog") ui.click("dro/unit") end, escape)
+pictures("units", function() tab("jog") ui.click("dro/unit") end, escape)
 ui.click("dro/unit")
 for m = 1, 2 do choose("dro/unit/axis/" .. m, "UniSlide K1, Q1 or BiSlide M01: 1 mm a turn") end
 escape()
@@ -88,10 +34,10 @@ ui.click("menu/names")
 ui.type("names/controller", "VXM stage")
 ui.type("names/1", "across")
 ui.type("names/2", "rows")
-by_hand("names", function() end, function() end)
+pictures("names")
 ui.click("names/ok")
-by_hand("menu", function() ui.click("menu") end, escape)
-by_hand("axis-menu", function() ui.click("dro/1/position") end, escape)
+pictures("menu", function() ui.click("menu") end, escape)
+pictures("axis-menu", function() ui.click("dro/1/position") end, escape)
 
 -- ---- the program
 local plate_scan = [[
@@ -112,23 +58,20 @@ pictures("program-text")
 ui.click("program/simulate")
 hw.sleep(1)
 aside()
-pictures("program-rehearsed", with_200)
-if ui.exists("rehearsal/expand") then
-  by_hand("rehearsal-open", function() ui.click("rehearsal/expand") end, function() ui.click("rehearsal/expand") end)
-end
-by_hand("rehearsal-open", function() if ui.exists("rehearsal/expand") then ui.click("rehearsal/expand") end end,
-        function() if ui.exists("rehearsal/expand") then ui.click("rehearsal/expand") end end, {sizes[2], sizes[3]})
-by_hand("program-more", function() tab("program") ui.click("program/more") end, escape)
-by_hand("program-find", function() tab("program") ui.click("program/text") ui.key("Ctrl+F") ui.type("program/text/find", "M4") end, escape)
-by_hand("file-open", function() tab("program") ui.click("program/open") end, escape)
-by_hand("file-save", function() tab("program") ui.click("program/save") end, escape)
+pictures("program-rehearsed", nil, nil, with_200)
+pictures("rehearsal-open", function() tab("program") ui.click("rehearsal/expand") end,
+         function() ui.click("rehearsal/expand") end, {medium, narrow})
+pictures("program-more", function() tab("program") ui.click("program/more") end, escape)
+pictures("program-find", function() tab("program") ui.click("program/text") ui.key("Ctrl+F") ui.type("program/text/find", "M4") end, escape)
+pictures("file-open", function() tab("program") ui.click("program/open") end, escape)
+pictures("file-save", function() tab("program") ui.click("program/save") end, escape)
 ui.click("program/run")
 hw.sleep(9)
 aside()
-pictures("program-running", with_200)
+pictures("program-running", nil, nil, with_200)
 ui.type("program/text", "\nS2M8000")
 hw.sleep(0.3)
-pictures("program-running-edited", with_200)
+pictures("program-running-edited", nil, nil, with_200)
 ui.click("program/hold")
 hw.sleep(4)
 aside()
@@ -140,6 +83,7 @@ ui.type("program/text", "S1M2000\nI1Q400\nI2M9999999999\nU3,U200\nL0\n")
 hw.sleep(0.5)
 aside()
 pictures("program-errors")
+pictures("refusal", function() tab("program") ui.click("program/run") end, read_messages)
 ui.click("program/slot/2")
 ui.type("program/text", string.rep("I1M400,I2M400,P5,U4,I1M-400,I2M-400,P5,U5\n", 12))
 hw.sleep(0.5)
@@ -159,7 +103,7 @@ ui.click("program/slot/0")
 tab("setup")
 ui.frame(5)
 hw.sleep(1)
-pictures("setup", with_200)
+pictures("setup", nil, nil, with_200)
 ui.type("setup/Bx", "20\n")
 ui.type("setup/filter", "speed")
 hw.sleep(0.2)
@@ -170,31 +114,35 @@ pictures("setup-changed")
 ui.click("setup/show/All")
 ui.click("setup/M2M")
 ui.frame(2)
-by_hand("setup-choice", function() end, function() end, {wide})
+pictures("setup-choice", nil, nil, {wide})
 ui.click("setup/M2M/" .. (function()
   for _, w in ipairs(ui.list()) do if w.id:match("^setup/M2M/5") then return w.id:sub(11) end end
   error("no choice 5")
 end)())
 ui.click("setup/write")
-by_hand("setup-confirm", function() end, function() end)
+pictures("setup-confirm")
 ui.click("setup/confirm/no")
 
 -- ---- the terminal
 tab("program")
 ui.type("terminal/command", "getM1M\n")
 hw.sleep(0.3)
-by_hand("terminal-completion", function() tab("terminal") ui.type("terminal/command", "S") ui.key("Tab") end,
+pictures("terminal-completion", function() tab("terminal") ui.type("terminal/command", "S") ui.key("Tab") end,
         function() escape() ui.type("terminal/command", "") end)
-by_hand("terminal-hint", function() tab("terminal") ui.type("terminal/command", "I1M4000,R") end,
+pictures("terminal-hint", function() tab("terminal") ui.type("terminal/command", "I1M4000,R") end,
         function() ui.type("terminal/command", "") escape() end)
-by_hand("terminal-traffic", function() tab("terminal") end, function() end)
+pictures("terminal-traffic", function() tab("terminal") end)
+ui.type("terminal/filter", "motor 1")
+pictures("terminal-filter", function() tab("terminal") end)
+ui.type("terminal/filter", "")
+tab("program")
 
 -- ---- hands
-by_hand("goto-refused", function() tab("jog") ui.type("goto/1", "99999999\n") end, function() ui.type("goto/1", "") end)
+pictures("goto-refused", function() tab("jog") ui.type("goto/1", "99999999\n") end, function() ui.type("goto/1", "") end)
 tab("program")
 c:move_to{[1] = 4000, [2] = 2000}
 c:wait(60)
-by_hand("jog-held", function() tab("jog") ui.press("jog/1/+") hw.sleep(0.8) end,
+pictures("jog-held", function() tab("jog") ui.press("jog/1/+") hw.sleep(0.8) end,
         function() ui.release("jog/1/+") c:wait(20) end, with_200)
 c.bench:limit(1, "-", true)
 c:home(2, "-")
@@ -202,23 +150,40 @@ c:wait(120)
 hw.sleep(7)
 pictures("limit")
 c.bench:limit(1, "-", false)
-by_hand("rail-open", function() if ui.exists("rail/open") then ui.click("rail/open") else tab("io") end end,
-        function() if ui.exists("rail/open") then ui.click("rail/open") end end)
+pictures("right", open_right, close_right)
+pictures("bench-lower", function() look_at("bench/analog/1") end, close_right)
+
+-- ---- the bench
+c.bench:breaker(true)
+hw.sleep(3)
+pictures("breaker-out", open_right, close_right)
+c.bench:breaker(false)
+hw.sleep(6)
+c.bench:input(1, true)
+c.bench:button("Stop", true)
+hw.sleep(1)
+pictures("stop-pressed", open_right, close_right)
+c.bench:button("Stop", false)
+c.bench:input(1, false)
 
 -- ---- trouble
 c.bench:garble(4)
 hw.sleep(1)
-picture("garbled")
+pictures("garbled", nil, nil, {wide})
 c:home(2, "+")
 hw.sleep(0.5)
+c.bench:drop(40)
+hw.sleep(0.9)
+pictures("stale", nil, nil, {wide})
 c.bench:unplug(true)
-hw.sleep(0.8)
-pictures("stale")
-hw.sleep(3)
-pictures("lost", with_200)
+hw.sleep(4)
+pictures("lost", nil, nil, with_200)
 c.bench:unplug(false)
 hw.sleep(6)
 pictures("back")
+c.bench:power_cycle()
+hw.sleep(3)
+pictures("power-cycled", nil, nil, {wide, medium})
 
 -- ---- several controllers
 local d = assert(hw.open("vxm@emulator,motors=4,wire=real"))
@@ -226,13 +191,18 @@ hw.sleep(1)
 for m = 1, 4 do d:set("M" .. m .. "M", 4) end
 d:move_to{[1] = 12400, [2] = -2200, [3] = 180, [4] = 99000}
 hw.sleep(0.5)
-pictures("four-axes", with_200)
-by_hand("controllers", function() if ui.exists("controller/menu") then ui.click("controller/menu") end end, escape, {sizes[3]})
+pictures("four-axes", nil, nil, with_200)
+pictures("bench-two", open_right, close_right)
+d.bench:power(false, "Slave")
+hw.sleep(2)
+pictures("slave-off", open_right, close_right)
+d.bench:power(true, "Slave")
+pictures("controllers", function() if ui.exists("controller/menu") then ui.click("controller/menu") end end, escape, {narrow})
 ui.click("menu")
 ui.click("menu/close")
-by_hand("close-moving", function() end, function() end)
+pictures("close-moving")
 ui.click("close/cancel")
 ui.click("menu")
 ui.click("menu/reset")
-by_hand("reset", function() end, function() end)
+pictures("reset")
 ui.click("reset/cancel")

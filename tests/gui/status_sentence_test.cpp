@@ -12,6 +12,7 @@ class StatusSentenceTest : public testing::Test {
   Snapshot now;
   Instant clock{Millis(10'000)};
   std::optional<JogHold::Control> held;
+  RunPlace run;
 
   StatusSentenceTest() {
     catalog.name = "Example Two";
@@ -39,7 +40,7 @@ class StatusSentenceTest : public testing::Test {
     return status_sentence({catalog, now, clock, held, held.has_value(),
                             [](AxisId, Steps s) { return fmt::format("{} steps", s.value); },
                             [](AxisId, Pps v) { return fmt::format("{} steps/s", v.value); },
-                            [](Instant) { return std::string("14:20:08"); }});
+                            [](Instant) { return std::string("14:20:08"); }, run});
   }
 };
 
@@ -53,6 +54,31 @@ TEST_F(StatusSentenceTest, Moving) {
   now.axes[0].has_target = true;
   now.axes[0].target = Steps(400);
   EXPECT_EQ(say(), (StatusSentence{Mood::motion, "Motor 1 moves to 400 steps. Esc stops everything."}));
+}
+
+TEST_F(StatusSentenceTest, ARunningProgramTellsLinePassAndTimeLeft) {
+  now.program.owned = true;
+  now.program.slot = 0;
+  now.program.run = RunState::running;
+  EXPECT_EQ(say().text, "Program 0 is running. Esc stops everything.");
+  run.line = 5;
+  EXPECT_EQ(say().text, "Program 0 is running in line 6. Esc stops everything.");
+  run.pass = 7, run.passes = 20;
+  run.left_s = 45.2;
+  now.axes[0].activity = Activity::moving;
+  now.axes[0].has_target = true;
+  now.axes[0].target = Steps(4800);
+  EXPECT_EQ(say().text,
+            "Program 0 is running in line 6, pass 7 of 20. 46 s left. Motor 1 moves to 4800 steps. Esc stops "
+            "everything.");
+}
+
+TEST_F(StatusSentenceTest, SeveralProgramsAreNamed) {
+  now.program.owned = true;
+  now.program.slot = 0;
+  now.program.run = RunState::running;
+  run.who = "Programs 0, 2 are";
+  EXPECT_EQ(say().text, "Programs 0, 2 are running. Esc stops everything.");
 }
 
 TEST_F(StatusSentenceTest, Held) {
@@ -69,8 +95,8 @@ TEST_F(StatusSentenceTest, LostIsTheWorstAndNamesTheWayOut) {
   now.link.state = LinkState::lost;
   now.link.sentence = "The cable is gone.";
   EXPECT_EQ(say(), (StatusSentence{Mood::fault,
-                                   "Two does not answer since 14:20:08. The cable is gone. Stop does not "
-                                   "reach it: use its power switch."}));
+                                   "Two does not answer since 14:20:08. Stop does not reach it: use its "
+                                   "power switch. The cable is gone."}));
 }
 
 TEST_F(StatusSentenceTest, AnErrorOfTheControllerIsToldAsTheDriverTellsIt) {
@@ -113,8 +139,7 @@ TEST_F(StatusSentenceTest, OldValuesAreNotTakenForNew) {
 TEST_F(StatusSentenceTest, WhatIsNotStoredIsSaidAtRest) {
   now.unsaved_setup = true;
   EXPECT_EQ(say().text,
-            "Idle. The set-up is in the controller's RAM only, and gone when it is switched off. Store "
-            "keeps it.");
+            "Idle. The set-up is in RAM only: Store keeps it over power-off.");
 }
 
 TEST_F(StatusSentenceTest, ProgramThatWaits) {

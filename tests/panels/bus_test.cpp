@@ -51,6 +51,18 @@ TEST_F(BusTest, ChoosingARowPutsTheOtherPanelsOnIt) {
   EXPECT_EQ(a.count<intent::MoveTo>(), 0);
 }
 
+TEST_F(BusTest, ATapOnANumberOnlyChooses) {
+  for (int tap = 0; tap < 2; ++tap) {
+    MUST(s.hand.click("dro/02/position"));
+    s.run(0.1);
+    EXPECT_EQ(s.console.active(), b.tab);
+    EXPECT_FALSE(s.stage.find("dro/02/zero")) << "the menu has a button of its own";
+  }
+  MUST(s.hand.click("dro/02/menu"));
+  s.run(0.1);
+  EXPECT_TRUE(s.stage.find("dro/02/zero"));
+}
+
 TEST_F(BusTest, ARowJogsItsOwnController) {
   MUST(s.hand.press("jog/02/+"));
   s.run(0.5);

@@ -33,8 +33,14 @@ inline Catalog example_catalog(int axes = 2) {
   c.program.capacity = 256;
   c.program.capacity_unit = "bytes";
   c.bench.panel_title = "Example front panel";
-  c.bench.buttons = {{"1-", true, 0}, {"1+", true, 0}, {"Run", true, 1}, {"Stop", false, 1}};
-  c.bench.lamps = {{"Power", LampColour::green}, {"On-Line", LampColour::yellow}};
+  c.bench.supplies = {{"", true}, {"Second", true}};
+  c.bench.buttons = {{"1-", true, 0},
+                     {"1+", true, 0},
+                     {"Run", true, 1},
+                     {"Stop", false, 1, 0, true},
+                     {"Second Run", true, 0, 1}};
+  c.bench.lamps = {
+      {"Power", LampColour::green}, {"On-Line", LampColour::yellow}, {"Second Power", LampColour::green, 1}};
   c.can.store = true;
   c.can.reset = true;
   c.jog_speed = Pps(2000);

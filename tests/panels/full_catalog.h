@@ -84,6 +84,8 @@ inline void add_full_actions(Catalog& c) {
       full_action("buffer_off", "Buffered mode off", "Buffer", {}, false, true),
       full_action("joystick", "Joystick", "Joystick", {full_axis_field(), full_switch_field()}, true),
   };
+  c.actions[6].of_move_buffer = c.actions[7].of_move_buffer = true;
+  c.actions[8].follows_analog = true;
 }
 
 inline Catalog full_catalog() {
@@ -92,7 +94,7 @@ inline Catalog full_catalog() {
   c.step_word = "pulses";
   for (int i = 0; i < 4; ++i) {
     const std::string letter(1, "XYZU"[i]);
-    c.axes.push_back({letter, "axis " + letter, true, true});
+    c.axes.push_back({letter, "axis " + letter, true, true, true, true});
   }
   c.homing_modes = {{"home", "onto the home switch"}, {"limit", "to the limit switch"}};
   for (int i = 1; i <= 8; ++i) c.inputs.push_back({"DI" + std::to_string(i), "digital input", false});
@@ -106,6 +108,7 @@ inline Catalog full_catalog() {
   c.move_list.columns = {full_field("x", "X", -134'217'728, 134'217'727, 0, "pulses"),
                          full_field("y", "Y", -134'217'728, 134'217'727, 0, "pulses"),
                          full_field("speed", "Speed", 1, 6'000'000, 1000, "pulses/s")};
+  c.move_list.readout_group = 4, c.analog_readout_group = 5;
   c.move_list.depth = 36, c.move_list.file_suffix = ".moves";
   c.program.slots = 1, c.program.slot_word = "Program", c.program.capacity = 1275;
   c.program.capacity_unit = "lines", c.program.threads = 4, c.program.compiled = true;
@@ -123,7 +126,7 @@ inline Catalog full_catalog() {
   ParamInfo ramps;
   ramps.mnemonic = "IACC", ramps.label = "Ramps between buffered moves", ramps.group = "Buffered moves";
   ramps.choices = {{0, "0: jump"}, {1, "1: ramp"}};
-  ramps.maximum = 1;
+  ramps.maximum = 1, ramps.of_move_buffer = true;
   c.params = {ratio, name, ramps};
   return c;
 }

@@ -288,6 +288,25 @@ TEST_F(HandsTest, BenchButtonsArePressedAsLongAsTheyAreHeld) {
   EXPECT_EQ(a.operated.size(), 2u);
 }
 
+TEST_F(HandsTest, EachBoxOnTheBenchHasItsSwitchAndItsBreaker) {
+  MUST(s.hand.click("bench/power"));
+  EXPECT_EQ(a.last_operated<bench::Power>()->supply, 0);
+  MUST(s.hand.click("bench/power/Second"));
+  EXPECT_EQ(a.last_operated<bench::Power>()->supply, 1);
+  MUST(s.hand.click("bench/button/Second Run"));
+  EXPECT_EQ(a.last_operated<bench::Button>()->name, "Second Run");
+  EXPECT_EQ(s.value("bench/breaker/Second"), "in");
+  MUST(s.hand.click("bench/trip/Second"));
+  EXPECT_TRUE(a.last_operated<bench::Breaker>()->out);
+  a.bench.breakers_out = 2;
+  s.run(0.05);
+  EXPECT_EQ(s.value("bench/breaker"), "in");
+  EXPECT_EQ(s.value("bench/breaker/Second"), "out");
+  MUST(s.hand.click("bench/breaker/Second"));
+  EXPECT_FALSE(a.last_operated<bench::Breaker>()->out);
+  EXPECT_EQ(a.last_operated<bench::Breaker>()->supply, 1);
+}
+
 TEST_F(HandsTest, BenchCanDoEverythingThatASwitchCan) {
   MUST(s.hand.click("bench/power"));
   EXPECT_FALSE(a.last_operated<bench::Power>()->on);

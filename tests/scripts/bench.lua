@@ -81,6 +81,21 @@ hw.sleep(5)
 hw.check(b:look().powered, "on")
 hw.check(b:look().lamps["Power"], "power lamp")
 
+-- the circuit breaker takes the power, whatever the switch says, until it is pushed in
+b:breaker(true)
+hw.sleep(2)
+hw.check(b:look().powered == false, "tripped")
+b:power(true)
+hw.check(b:look().powered == false, "the switch does not help")
+b:breaker(false)
+hw.sleep(5)
+hw.check(c:query("V") == "R", "on-line again")
+fails("no supply", b.power, b, false, "Slave")
+local two = assert(hw.open("vxm@emulator,motors=4"))
+hw.check(two.bench:look().lamps["Slave Power"], "the Slave has power")
+two.bench:power(false, "Slave")
+hw.check(not two.bench:look().lamps["Slave Power"] and two.bench:look().powered, "only the Slave was switched off")
+
 -- trigger pulses, with their place and time
 hw.check(c:set("P1M", 100))
 c:send("PM0,C,U77,I1M1000,U78")

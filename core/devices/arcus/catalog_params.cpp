@@ -285,6 +285,7 @@ std::vector<ParamInfo> params(const Model& model, const Wording& wording) {
         add_joystick_words(p, model, fact, place);
         p.manual = fmt::format("{} Joystick Control", wording.feature_chapter);
       }
+      p.of_move_buffer = fact.id == Setting::buffer_accel;
       if (fact.notation == Notation::thousandths) p.decimals = 3;
       if (fact.notation == Notation::name) p.prefix = model.name_prefix, p.digits = 2;
       if (fact.id == Setting::modbus)

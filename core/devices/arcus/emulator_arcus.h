@@ -66,6 +66,7 @@ class ArcusEmulator final : public Emulator {
   Result<> act(const bench::Place& c);
   Result<> act(const bench::Power& c);
   Result<> act(const bench::PowerCycle& c);
+  Result<> act(const bench::Breaker& c);
   Result<> act(const bench::Unplug&) { return wire_fault(); }
   Result<> act(const bench::Garble&) { return wire_fault(); }
   Result<> act(const bench::Drop&) { return wire_fault(); }

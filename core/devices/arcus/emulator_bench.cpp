@@ -118,6 +118,10 @@ Result<> ArcusEmulator::act(const bench::Place& c) {
   return {};
 }
 
+Result<> ArcusEmulator::act(const bench::Breaker&) {
+  return nothing_changed("This controller has no circuit breaker.");
+}
+
 Result<> ArcusEmulator::act(const bench::Power& c) {
   if (c.on == controller_.powered()) return {};
   line_.clear();
@@ -137,6 +141,7 @@ void ArcusEmulator::look(BenchView& view) const {
   view = BenchView();
   view.present = true;
   view.powered = controller_.powered();
+  if (!view.powered) view.switches_on = 0;
   view.inputs_operated = controller_.inputs_operated();
   view.outputs = controller_.output_levels();
   for (int n = 1; n <= controller_.model().analog_inputs; ++n)
@@ -149,6 +154,7 @@ void ArcusEmulator::look(BenchView& view) const {
     if (plant.limit_operated(Sign::plus)) view.limits_plus |= bit;
     if (plant.limit_by_hand(Sign::minus)) view.limits_minus_by_hand |= bit;
     if (plant.limit_by_hand(Sign::plus)) view.limits_plus_by_hand |= bit;
+    if (plant.home_by_hand()) view.homes_by_hand |= bit;
     if (plant.home_operated()) view.homes |= bit;
     if (controller_.axis(a).alarm_operated) view.alarms |= bit;
     if (controller_.axis(a).jammed_by_hand) view.jammed |= bit;

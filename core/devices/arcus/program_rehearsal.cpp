@@ -19,6 +19,8 @@ class Rehearsing {
   Rehearsing(ArcusEmulator& emulator, const language::Compilation& made, const RehearseOptions& options)
       : emulator_(emulator), controller_(emulator.controller()), made_(made), options_(options) {
     result_.program_size["0"] = static_cast<int>(made.lines.size());
+    for (int i = 0; i < std::min(controller_.axes(), static_cast<int>(options.start_at.size())); ++i)
+      (void)controller_.set_position(i, options.start_at[static_cast<std::size_t>(i)]);
     for (int i = 0; i < controller_.axes(); ++i) {
       RehearsedAxis axis;
       axis.name = std::string(1, controller_.model().axis_letters[static_cast<std::size_t>(i)]);

@@ -55,7 +55,8 @@ Result<Catalog> make_catalog(const DeviceOptions& options) {
   c.address = *id;
   c.name = "Arcus DMX-K-SA";
   c.short_name = "DMX";
-  c.summary = "stepping motor with driver and encoder";
+  c.summary = "1 motor each, up to 99 on a bus";
+  c.options = {{"id", {{"00", "1 motor"}, {"01-04", "01 to 04"}, {"01-30", "01 to 30"}}}};
   add_readouts(c);
   name_the_outputs(c);
   arcus::add_common_actions(c, model, "DMX manual ch. 7");

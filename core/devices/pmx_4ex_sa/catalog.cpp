@@ -90,6 +90,7 @@ void add_actions(Catalog& c) {
               position_field("centre_y", "Centre Y", "pulses"), direction_field()},
              "PMX manual ch. 6 Circular Interpolation Moves"));
   c.actions.back().moves = true;
+  const std::size_t buffer_begin = c.actions.size();
   c.actions.push_back(action(
       "buffer_on", "Buffered mode on",
       "From now on the controller takes buffered moves of X, Y and Z. Needs StepNLoop of them switched off.",
@@ -98,6 +99,7 @@ void add_actions(Catalog& c) {
                              "The running move ends as it is; what waits in the buffer is dropped.", "Buffer",
                              {}, "PMX manual ch. 6 Buffered Linear Interpolation Moves"));
   c.actions.back().while_busy = true;
+  for (std::size_t i = buffer_begin; i < c.actions.size(); ++i) c.actions[i].of_move_buffer = true;
   c.actions.push_back(action("timer", "Start timer", "Lets the timer count down from here.", "Motion",
                              {number_field("time", "Time", "ms", 0, arcus::max_number, 1000)},
                              "PMX manual ch. 6 Timer Register"));
@@ -106,6 +108,7 @@ void add_actions(Catalog& c) {
       "On: the axis follows the voltage of its analog input from now on, and StepNLoop of it goes off.",
       "Joystick", {arcus::axis_field(model), arcus::switch_field()}, "PMX manual ch. 6 Joystick Control"));
   c.actions.back().moves = true;
+  c.actions.back().follows_analog = true;
 }
 
 }  // namespace
@@ -125,6 +128,8 @@ Result<Catalog> make_catalog(const DeviceOptions& options) {
                          position_field("z", "Z", "pulses"),
                          number_field("speed", "Speed", "pulses/s", 1, arcus::max_speed, 1000)};
   c.move_list.depth = buffer_places;
+  c.move_list.readout_group = arcus::buffer;
+  c.analog_readout_group = arcus::analog_inputs;
   c.move_list.file_suffix = ".moves";
   c.commands = command_help();
   c.bench.panel_title = "PMX-4EX-SA";

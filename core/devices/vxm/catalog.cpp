@@ -60,14 +60,17 @@ BenchFacts bench(int motors) {
   const std::size_t controllers = motors > motors_per_controller ? 2 : 1;
   BenchFacts b;
   b.panel_title = "VXM front panel";
+  b.supplies = {{"", true}};
+  if (controllers > 1) b.supplies.push_back({"Slave", true});
   for (std::size_t i = 0; i < controllers * buttons_per_controller; ++i) {
     const std::string_view name = panel_buttons[i];
     const bool jog = name.ends_with('-') || name.ends_with('+');
-    b.buttons.push_back({std::string(name), jog || name.ends_with("Run"),
-                         static_cast<int>(2 * (i / buttons_per_controller) + (jog ? 0 : 1))});
+    b.buttons.push_back({std::string(name), jog || name.ends_with("Run"), jog ? 0 : 1,
+                         static_cast<int>(i / buttons_per_controller), name.ends_with("Stop")});
   }
   for (std::size_t i = 0; i < controllers * lamps_per_controller; ++i)
-    b.lamps.push_back({std::string(panel_lamps[i]), i % 2 ? LampColour::yellow : LampColour::green});
+    b.lamps.push_back({std::string(panel_lamps[i]), i % 2 ? LampColour::yellow : LampColour::green,
+                       static_cast<int>(i / lamps_per_controller)});
   return b;
 }
 

@@ -25,10 +25,22 @@ void Box::power(bool on, Instant now) {
     power_up();
   } else {
     run_ = Run(), jog_ = Jog(), motion_ended_ = false, error_ = 0, outputs_ = 0;
-    online_ = echo_ = group_cr_ = false;
+    online_ = echo_ = group_cr_ = bracket_ = false;
     out.clear(), replied = 0;
+    if (Box* s = slave()) s->jog_by_master_ = true;  // nobody forbids it
   }
-  if (Box* s = slave()) s->power(on, now);
+}
+
+/// A Master that works through its Slave at that moment finds nobody on the bus (p.10, 30).
+void Box::power_slave(bool on, Instant now) {
+  Box* s = slave();
+  if (s == nullptr) return;
+  set_time(now);
+  const bool waits_there = run_.doing == Doing::waiting && run_.wait.on_slave;
+  const bool at_work = run_.on && (s->motion_.active || s->run_.on || waits_there);
+  s->power(on, now);
+  if (!on) bracket_ = false;
+  if (!on && at_work && powered_) (void)need_slave();
 }
 
 void Box::reset() {
@@ -115,8 +127,10 @@ std::optional<Instant> Box::own_event() const {
 }
 
 std::optional<Instant> Box::next_event() const {
-  if (!powered_) return std::nullopt;
-  return slave() != nullptr ? earlier(own_event(), slave()->own_event()) : own_event();
+  std::optional<Instant> next;
+  if (powered_) next = own_event();
+  if (const Box* s = slave(); s != nullptr && s->powered_) next = earlier(next, s->own_event());
+  return next;
 }
 
 }  // namespace hw::vxm

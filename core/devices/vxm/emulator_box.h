@@ -20,7 +20,8 @@ class Box {
   void link(Box slave);
 
   // --- power and time: emulator_box.cpp
-  void power(bool on, Instant now);
+  void power(bool on, Instant now);        ///< of this controller alone
+  void power_slave(bool on, Instant now);  ///< a supply of its own
   [[nodiscard]] bool powered() const { return powered_; }
   void reset();  ///< res: as power off and on, lines and loads stay
   void set_time(Instant now);
@@ -73,6 +74,7 @@ class Box {
   [[nodiscard]] int moves_begun() const { return moves_begun_; }
   [[nodiscard]] const Program& program(int i) const { return memory_.programs[static_cast<std::size_t>(i)]; }
   void go() { go_signal(); }
+  void set_counter(int axis, std::int32_t value) { axes_[static_cast<std::size_t>(axis)].counter = value; }
 
  private:
   // emulator_box.cpp

@@ -120,10 +120,39 @@ Result<> VxmEmulator::act(const bench::Place& c) {
   return {};
 }
 
-Result<> VxmEmulator::act(const bench::Power& c) {
-  box_.power(c.on, now_);
-  if (!c.on) held_back_.clear();
+Result<> VxmEmulator::check_supply(int supply) const {
+  if (supply >= 0 && supply < boxes()) return {};
+  return fail(FaultKind::refused,
+              boxes() > 1 ? "This bench has the supplies of a controller and its Slave, no other."
+                          : "This bench has one supply, no other.",
+              "Nothing was changed.");
+}
+
+void VxmEmulator::supply_power(int box) {
+  const bool on = supplies_[ix(box)].gives_power();
+  if (box > 0) return box_.power_slave(on, now_);
+  box_.power(on, now_);
+  if (!on) held_back_.clear();
   answering_until_ = now_;
+}
+
+Result<> VxmEmulator::act(const bench::Power& c) {
+  if (c.supply >= 0)
+    if (auto bad = check_supply(c.supply); !bad) return bad;
+  // A Slave comes up before its Master looks for it, and goes down after it.
+  for (int i = 0; i < boxes(); ++i) {
+    const int box = c.on ? boxes() - 1 - i : i;
+    if (c.supply >= 0 && c.supply != box) continue;
+    supplies_[ix(box)].switched_on = c.on;
+    supply_power(box);
+  }
+  return {};
+}
+
+Result<> VxmEmulator::act(const bench::Breaker& c) {
+  if (auto bad = check_supply(c.supply); !bad) return bad;
+  supplies_[ix(c.supply)].breaker_out = c.out;
+  supply_power(c.supply);
   return {};
 }
 
@@ -142,6 +171,8 @@ void VxmEmulator::look(BenchView& view) const {
     const Box& box = i == 0 ? box_ : *box_.slave();
     const Box::Lamps lamps = box.lamps();
     const std::uint32_t power = 1u << (i * lamps_per_controller), online = power << 1;
+    if (!supplies_[ix(i)].switched_on) view.switches_on &= ~(1u << i);
+    if (supplies_[ix(i)].breaker_out) view.breakers_out |= 1u << i;
     view.lamps |= (lamps.power ? power : 0) | (lamps.online ? online : 0);
     view.lamps_blink |= (lamps.power_blinks ? power : 0) | (lamps.online_blinks ? online : 0);
     view.outputs |= static_cast<std::uint32_t>(box.outputs()) << (i * outputs_per_controller);
@@ -157,6 +188,7 @@ void VxmEmulator::look(BenchView& view) const {
     if (box.switch_operated(local, Sign::plus)) view.limits_plus |= bit;
     if (plant.limit_by_hand(Sign::minus)) view.limits_minus_by_hand |= bit;
     if (plant.limit_by_hand(Sign::plus)) view.limits_plus_by_hand |= bit;
+    if (plant.home_by_hand()) view.homes_by_hand |= bit;
     if (plant.jammed()) view.jammed |= bit;
   }
 }

@@ -1,5 +1,6 @@
 #pragma once
 // The emulator as its owner sees it: a controller, its Slave, the hands on both, and what left over the wire.
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -61,6 +62,7 @@ class VxmEmulator final : public Emulator {
   Result<> act(const bench::Place& c);
   Result<> act(const bench::Power& c);
   Result<> act(const bench::PowerCycle& c);
+  Result<> act(const bench::Breaker& c);
   Result<> act(const bench::Unplug&) { return wire_fault(); }
   Result<> act(const bench::Garble&) { return wire_fault(); }
   Result<> act(const bench::Drop&) { return wire_fault(); }
@@ -68,11 +70,18 @@ class VxmEmulator final : public Emulator {
     return fail(FaultKind::refused, "Faults of the wire are made where the wire is, not in the controller.");
   }
   void press(int button, bool on);
+  Result<> check_supply(int supply) const;
+  void supply_power(int box);
 
   EmulatorOptions options_;
   Box box_;
   Instant now_{};
   std::uint32_t buttons_ = 0, inputs_ = 0;
+  struct Supply {
+    bool switched_on = true, breaker_out = false;
+    [[nodiscard]] bool gives_power() const { return switched_on && !breaker_out; }
+  };
+  std::array<Supply, 2> supplies_{};  ///< of the controller, of its Slave
   std::string held_back_;  ///< quirk overrun: the reply that is being sent
   Instant answering_until_{};
   std::uint64_t memory_loads_ = 0;

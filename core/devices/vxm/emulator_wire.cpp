@@ -103,7 +103,7 @@ void Box::online_char(char c) {
   if (bracket_) {
     if (c == ']')
       bracket_ = false;
-    else if (Box* s = slave())
+    else if (Box* s = slave(); s != nullptr && s->powered_)
       s->bus_char(c);
     return;
   }

@@ -26,8 +26,8 @@ Place place_of_value(std::string_view text, const Place& p) {
   return {p.line, p.column + static_cast<int>(from), static_cast<int>(text.size() - from)};
 }
 
-std::string complaint(const Reading& w, std::int64_t value, const Refusal& r, int motor) {
-  const std::string v = number(value);
+std::string complaint(const Reading& w, std::int64_t value, const std::string& v, const Refusal& r,
+                      int motor) {
   switch (w.head) {
     case Head::S:
     case Head::SA:
@@ -70,8 +70,12 @@ Problem at(const Place& p, std::string sentence) {
 Problem range_problem(const Reading& w, const Refusal& r, std::string_view text, const Place& p, int motor) {
   const bool by_sign = r.min < 0;  // forms where the sign is part of the value
   const std::int64_t value = w.minus && by_sign ? -w.value : w.value;
-  Problem problem =
-      at(place_of_value(text, p), complaint(w, value, r, motor) + " " + range_sentence(w, r, motor));
+  const Place where = place_of_value(text, p);
+  // Beyond what is read at all the value says less than what was typed.
+  constexpr int most_digits = 9;
+  const std::string typed(text.substr(text.size() - static_cast<std::size_t>(where.length)));
+  const std::string said = where.length > most_digits ? typed : number(value);
+  Problem problem = at(where, complaint(w, value, said, r, motor) + " " + range_sentence(w, r, motor));
   if (w.head == Head::J || w.head == Head::JM) return problem;  // which program is meant, nobody can guess
   const std::int64_t nearest = std::clamp(value, r.min, r.max);
   problem.fix_text = (w.minus && !by_sign && w.head != Head::A ? "-" : "") + number(nearest);

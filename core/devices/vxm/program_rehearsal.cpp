@@ -64,6 +64,11 @@ class Rehearsing {
     }
     std::string before;
     emulator_.take_output(before);
+    for (int i = 0; i < std::min(motors_, static_cast<int>(options_.start_at.size())); ++i) {
+      Box& owner = i < motors_per_controller ? box : *box.slave();
+      owner.set_counter(i % motors_per_controller,
+                        wrap_position(options_.start_at[static_cast<std::size_t>(i)]));
+    }
     box.trace = &trace_;
     emulator_.receive("R");
     go_through();

@@ -201,4 +201,88 @@ TEST(VxmErrors, TheBusErrorResets) {
   EXPECT_EQ(rig.ask("X"), "+0000000\r");
 }
 
+// ---- each controller has a power switch and a circuit breaker of its own
+
+constexpr int master = 0, slave = 1;
+bool slave_power_lamp(const Rig& rig) { return (rig.view().lamps >> 2) & 1u; }
+
+TEST(VxmSupply, ASlaveThatIsSwitchedOffIsMissedWhenItIsNeeded) {
+  Rig rig = Rig::online_with_slave();
+  rig.operate(bench::Power(false, slave));
+  EXPECT_FALSE(slave_power_lamp(rig));
+  EXPECT_TRUE(rig.power_lamp());
+  EXPECT_EQ(rig.view().switches_on & 3u, 1u);
+  EXPECT_EQ(rig.ask("getD2,"), "2\r");
+  rig.send("I1M100,R");
+  EXPECT_TRUE(rig.run_until_output("^")) << "motor 1 needs no Slave";
+  rig.output();
+  rig.send("CI3M400,R");
+  EXPECT_TRUE(rig.run_until_output("EB"));
+  EXPECT_EQ(rig.load(3), 0);
+}
+
+TEST(VxmSupply, ASlaveThatLosesItsPowerInAMoveStopsThereAndTheMasterResets) {
+  Rig rig = Rig::online_with_slave();
+  rig.send("I3M100000,R");
+  rig.run_for(3s);
+  rig.operate(bench::Power(false, slave));
+  EXPECT_EQ(rig.output(), "EB");
+  const auto there = rig.load(3);
+  EXPECT_GT(there, 1000);
+  rig.run_for(10s);
+  EXPECT_EQ(rig.load(3), there);
+  EXPECT_EQ(rig.ask("V"), "J") << "in local mode, as after power-up";
+}
+
+TEST(VxmSupply, SwitchedOnAgainTheSlaveServesWithoutFlashing) {
+  Rig rig = Rig::online_with_slave();
+  rig.operate(bench::Power(false, slave));
+  rig.run_for(1s);
+  rig.operate(bench::Power(true, slave));
+  rig.run_for(1100ms);
+  for (int i = 0; i < 50; ++i, rig.run_for(100ms)) EXPECT_TRUE(slave_power_lamp(rig)) << "p.10";
+  rig.run("I3M400,");
+  EXPECT_EQ(rig.position(3), 400);
+}
+
+TEST(VxmSupply, ASlaveWhoseMasterIsOffStillJogs) {
+  Rig rig = Rig::online_with_slave();
+  rig.operate(bench::Power(false, master));
+  EXPECT_FALSE(rig.power_lamp());
+  EXPECT_TRUE(slave_power_lamp(rig));
+  EXPECT_EQ(rig.ask("V"), "");
+  rig.click("3+");
+  EXPECT_EQ(rig.load(3), 1);
+  rig.click("1+");
+  EXPECT_EQ(rig.load(1), 0);
+}
+
+TEST(VxmSupply, ABreakerTakesThePowerUntilAHandPushesItIn) {
+  Rig rig = Rig::online();
+  rig.send("I1M100000,R");
+  rig.run_for(3s);
+  rig.operate(bench::Breaker(master, true));
+  EXPECT_FALSE(rig.power_lamp());
+  EXPECT_EQ(rig.view().breakers_out, 1u) << "its white centre stands out (p.30)";
+  const auto there = rig.load(1);
+  rig.operate(bench::Power(false));
+  rig.operate(bench::Power(true));
+  rig.run_for(10s);
+  EXPECT_FALSE(rig.power_lamp()) << "the switch does not help";
+  EXPECT_EQ(rig.load(1), there);
+  rig.operate(bench::Breaker(master, false));
+  EXPECT_EQ(rig.view().breakers_out, 0u);
+  EXPECT_TRUE(rig.power_lamp());
+  EXPECT_TRUE(rig.online_lamp()) << "both for a second, as after switching on";
+  rig.run_for(10s);
+  EXPECT_EQ(rig.ask("FX"), "+0000000\r");
+}
+
+TEST(VxmSupply, WhatIsNotThereIsRefused) {
+  Rig rig;
+  EXPECT_FALSE(rig.emulator().operate(bench::Power(false, slave)));
+  EXPECT_FALSE(rig.emulator().operate(bench::Breaker(slave, true)));
+  EXPECT_TRUE(rig.power_lamp());
+}
+
 }  // namespace hw::vxm::proof

@@ -99,6 +99,15 @@ TEST(VxmRehearsal, HomingTouchesTheLimit) {
   EXPECT_EQ(r.axes[0].travel, 100200);
 }
 
+TEST(VxmRehearsal, AnAbsoluteMoveDependsOnWhereItBegins) {
+  RehearseOptions options;
+  options.start_at = {400, -50};
+  const Rehearsal r = rehearse("IA1M400,IA2M0", options);
+  EXPECT_EQ(r.axes[0].position, 400);
+  EXPECT_EQ(r.axes[0].travel, 0);
+  EXPECT_EQ(r.axes[1].travel, 50);
+}
+
 TEST(VxmRehearsal, MotorsThreeAndFourNeedTheSlave) {
   const Rehearsal r = rehearse("(I3M800,I1M400,)R");
   ASSERT_EQ(r.axes.size(), 4u);
