@@ -32,10 +32,14 @@ std::vector<OutputInfo> outputs(const Model& model) {
   for (int n = 1; n <= model.outputs; ++n) {
     OutputInfo output{fmt::format("DO{}", n), "Digital output.", true};
     for (int axis = 0; axis < model.axes(); ++axis)
-      if (model.sync_outputs[static_cast<std::size_t>(axis)] == n)
+      if (model.sync_outputs[static_cast<std::size_t>(axis)] == n) {
+        const bool several = model.axes() > 1;
         output.help = fmt::format(
             "Digital output; the sync output of {} while that is on, and then not yours to switch.",
             letter(model, axis));
+        output.duty = {several ? fmt::format("Sync {}", letter(model, axis)) : "Sync output",
+                       {fmt::format("SYN{}S", several ? letter(model, axis) : "")}};
+      }
     all.push_back(std::move(output));
   }
   return all;
