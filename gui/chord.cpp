@@ -5,6 +5,7 @@
 #include <GLFW/glfw3.h>
 
 #include "gui/automation.h"
+#include "gui/lower_case.h"
 
 namespace hw::gui {
 namespace {
@@ -13,7 +14,7 @@ struct Name {
   std::string_view name;  // lower case
   int key;
 };
-constexpr Name names[] = {
+constexpr Name key_names[] = {
     {"escape", GLFW_KEY_ESCAPE},
     {"esc", GLFW_KEY_ESCAPE},
     {"enter", GLFW_KEY_ENTER},
@@ -35,12 +36,6 @@ constexpr Name names[] = {
     {"end", GLFW_KEY_END},
 };
 
-std::string lower(std::string_view s) {
-  std::string out(s);
-  std::transform(out.begin(), out.end(), out.begin(), [](unsigned char c) { return std::tolower(c); });
-  return out;
-}
-
 bool read_key(std::string_view word, Chord& chord) {
   if (word.size() == 1) {
     const auto c = static_cast<unsigned char>(word[0]);
@@ -55,8 +50,8 @@ bool read_key(std::string_view word, Chord& chord) {
       chord.key = c < 128 ? c : 0;
     return chord.key != 0;
   }
-  const std::string low = lower(word);
-  for (const Name& n : names)
+  const std::string low = lower_case(word);
+  for (const Name& n : key_names)
     if (n.name == low) {
       chord.key = n.key;
       chord.text = n.key == GLFW_KEY_SPACE ? ' ' : 0;
@@ -78,7 +73,7 @@ Result<Chord> read_chord(std::string_view text) {
   std::string_view rest = text;
   for (std::size_t plus;
        (plus = rest.find('+')) != std::string_view::npos && plus > 0 && plus + 1 < rest.size();) {
-    const std::string modifier = lower(rest.substr(0, plus));
+    const std::string modifier = lower_case(rest.substr(0, plus));
     if (modifier == "ctrl" || modifier == "control")
       chord.ctrl = true;
     else if (modifier == "shift")

@@ -1,5 +1,7 @@
 #include "gui/focus.h"
 
+#include <algorithm>
+
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <imgui_internal.h>
@@ -66,6 +68,7 @@ void Focus::set(std::string_view id) {
 void Focus::move_to(std::string_view id) {
   id_ = id;
   entry_ = id;
+  entry_is_old_ = false;
   visible_ = true;
   held_ = false;
   armed_until_s_ = -1;
@@ -75,7 +78,14 @@ void Focus::move_to(std::string_view id) {
 bool Focus::take_entry(std::string_view id) {
   if (entry_.empty() || entry_ != id) return false;
   entry_.clear();
+  frames_to_entry_ = 3;  // ImGui gives the keyboard to a field a frame or two after it is asked to
   return true;
+}
+
+void Focus::end_frame(bool typing) {
+  frames_to_entry_ = typing ? 0 : std::max(frames_to_entry_ - 1, 0);
+  if (entry_is_old_) entry_.clear();  // no field of that name was drawn: a button, say
+  entry_is_old_ = !entry_.empty();
 }
 
 }  // namespace hw::gui

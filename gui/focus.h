@@ -17,6 +17,12 @@ class Focus {
   /// wants Tab for itself.
   void begin_frame(Registry& registry, double now_s, bool typing, bool field_takes_tab);
 
+  /// At the frame's end. `typing`: a field has the keyboard now.
+  void end_frame(bool typing);
+  /// A field was asked to start typing and has not begun: what is typed meanwhile is meant for it, and an
+  /// arrow must not jog.
+  [[nodiscard]] bool entering() const { return !entry_.empty() || frames_to_entry_ > 0; }
+
   /// By a click: no ring.
   void set(std::string_view id);
   /// By code, as Tab would: with ring; a field starts typing.
@@ -44,6 +50,8 @@ class Focus {
 
   std::string id_, entry_;
   bool visible_ = false, started_ = false, held_ = false, ended_ = false;
+  bool entry_is_old_ = false;
+  int frames_to_entry_ = 0;
   double armed_until_s_ = -1, pressed_at_s_ = 0;
 };
 

@@ -8,9 +8,12 @@
 namespace hw::gui {
 namespace {
 
+bool is_shift(int key) { return key == GLFW_KEY_LEFT_SHIFT || key == GLFW_KEY_RIGHT_SHIFT; }
 bool is_modifier(int key) { return key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER; }
-/// Keys that come with a text event of their own, so that their order with text does not matter.
-bool is_printing(int key) { return key >= GLFW_KEY_SPACE && key <= GLFW_KEY_WORLD_2; }
+/// A key that only makes a text event: neither ImGui nor a shortcut asks when it goes down or up.
+bool only_types(int key, const ImGuiIO& io) {
+  return (key > GLFW_KEY_SPACE && key <= GLFW_KEY_WORLD_2) && !io.KeyCtrl && !io.KeyAlt && !io.KeySuper;
+}
 
 void refresh_modifiers(ImGuiIO& io) {
   const auto either = [&](int left, int right) { return io.KeysDown[left] || io.KeysDown[right]; };
@@ -20,7 +23,7 @@ void refresh_modifiers(ImGuiIO& io) {
   io.KeySuper = either(GLFW_KEY_LEFT_SUPER, GLFW_KEY_RIGHT_SUPER);
 }
 
-InputEvent make(InputKind kind, bool down, int code, float x, float y, double at_s) {
+InputEvent event_of(InputKind kind, bool down, int code, float x, float y, double at_s) {
   InputEvent e;
   e.kind = kind;
   e.down = down;
@@ -34,24 +37,28 @@ InputEvent make(InputKind kind, bool down, int code, float x, float y, double at
 }  // namespace
 
 InputEvent InputEvent::mouse_move(float x, float y, double at_s) {
-  return make(InputKind::mouse_move, false, 0, x, y, at_s);
+  return event_of(InputKind::mouse_move, false, 0, x, y, at_s);
 }
 InputEvent InputEvent::mouse_button(int button, bool down, double at_s) {
-  return make(InputKind::mouse_button, down, button, 0, 0, at_s);
+  return event_of(InputKind::mouse_button, down, button, 0, 0, at_s);
 }
 InputEvent InputEvent::wheel(float x, float y, double at_s) {
-  return make(InputKind::wheel, false, 0, x, y, at_s);
+  return event_of(InputKind::wheel, false, 0, x, y, at_s);
 }
 InputEvent InputEvent::key(int glfw_key, bool down, double at_s) {
-  return make(InputKind::key, down, glfw_key, 0, 0, at_s);
+  return event_of(InputKind::key, down, glfw_key, 0, 0, at_s);
 }
 InputEvent InputEvent::text(unsigned code_point, double at_s) {
-  return make(InputKind::text, false, static_cast<int>(code_point), 0, 0, at_s);
+  return event_of(InputKind::text, false, static_cast<int>(code_point), 0, 0, at_s);
 }
-InputEvent InputEvent::focus_lost(double at_s) { return make(InputKind::focus_lost, false, 0, 0, 0, at_s); }
+InputEvent InputEvent::focus_lost(double at_s) {
+  return event_of(InputKind::focus_lost, false, 0, 0, 0, at_s);
+}
 
 void InputQueue::push(const InputEvent& event) {
-  if (listener_ && listener_(event)) return;
+  const bool esc = event.kind == InputKind::key && event.code == GLFW_KEY_ESCAPE && event.down;
+  if (esc || event.kind == InputKind::focus_lost) drop_presses();
+  if (on_arrival_ && on_arrival_(event)) return;
   // A mouse that only moves needs one place in the queue.
   if (event.kind == InputKind::mouse_move && !waiting_.empty() &&
       waiting_.back().kind == InputKind::mouse_move)
@@ -60,26 +67,31 @@ void InputQueue::push(const InputEvent& event) {
     waiting_.push_back(event);
 }
 
-bool InputQueue::fits(const InputEvent& event, const Fed& fed, const ImGuiIO&) const {
+void InputQueue::drop_presses() {
+  std::erase_if(waiting_, [](const InputEvent& e) {
+    return e.down &&
+           (e.kind == InputKind::mouse_button || (e.kind == InputKind::key && !is_modifier(e.code)));
+  });
+}
+
+bool InputQueue::fits(const InputEvent& event, const Fed& fed, const ImGuiIO& io) {
+  const bool untouched = !fed.edit_key && !fed.button;
   switch (event.kind) {
     case InputKind::mouse_move: return !fed.button;
-    case InputKind::mouse_button: return !fed.button && !fed.key;
+    case InputKind::mouse_button: return untouched && !fed.text;
     case InputKind::wheel: return true;
     case InputKind::key:
-      if (is_modifier(event.code)) return !fed.key && !fed.button;
-      return !fed.key && !fed.button && !(fed.text && !is_printing(event.code));
-    case InputKind::text: return !fed.edit_key;
-    case InputKind::focus_lost: return !fed.key && !fed.button && !fed.text;
+      if (only_types(event.code, io) || is_shift(event.code)) return untouched;
+      return untouched && !fed.text;
+    case InputKind::text: return untouched;
+    case InputKind::focus_lost: return untouched && !fed.text;
   }
   return true;
 }
 
 void InputQueue::apply(const InputEvent& event, Fed& fed, ImGuiIO& io) {
   switch (event.kind) {
-    case InputKind::mouse_move:
-      io.MousePos = ImVec2(event.x, event.y);
-      fed.moved = true;
-      break;
+    case InputKind::mouse_move: io.MousePos = ImVec2(event.x, event.y); break;
     case InputKind::mouse_button:
       if (event.code < 0 || event.code >= 5) break;
       io.MouseDown[event.code] = event.down;
@@ -94,8 +106,7 @@ void InputQueue::apply(const InputEvent& event, Fed& fed, ImGuiIO& io) {
       if (event.code < 0 || event.code >= IM_ARRAYSIZE(io.KeysDown)) break;
       io.KeysDown[event.code] = event.down;
       refresh_modifiers(io);
-      fed.key = true;
-      fed.edit_key = !is_printing(event.code) || io.KeyCtrl || io.KeyAlt;
+      if (!only_types(event.code, io) && !is_shift(event.code)) fed.edit_key = true;
       break;
     case InputKind::text:
       io.AddInputCharacter(static_cast<unsigned>(event.code));
@@ -108,16 +119,18 @@ void InputQueue::apply(const InputEvent& event, Fed& fed, ImGuiIO& io) {
       // Away from every widget: letting go must not count as a click on what was pressed.
       io.MousePos = ImVec2(-FLT_MAX, -FLT_MAX);
       released_at_s_ = event.at_s;
-      fed.button = fed.key = true;
+      fed.button = true;
       break;
   }
 }
 
-bool InputQueue::feed(ImGuiIO& io) {
+bool InputQueue::feed(ImGuiIO& io, bool keys_wait) {
   Fed fed;
   while (!waiting_.empty() && fits(waiting_.front(), fed, io)) {
-    apply(waiting_.front(), fed, io);
+    const InputEvent event = waiting_.front();
+    if (keys_wait && (event.kind == InputKind::key || event.kind == InputKind::text)) break;
     waiting_.pop_front();
+    if (!in_turn_ || !in_turn_(event)) apply(event, fed, io);
   }
   return !waiting_.empty();
 }

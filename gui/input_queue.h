@@ -1,7 +1,8 @@
 #pragma once
 // Everything a hand does, in order, between the window's callbacks (or a script) and ImGui. ImGui 1.86 looks
 // at keys and buttons once per frame and so loses a tap that goes down and up in between; here each edge
-// waits for a frame of its own. Who must see edges at once (shortcuts, jog, Esc) is shown them on arrival.
+// waits for a frame of its own. Shortcuts take their turn too: Ctrl+Enter after a digit runs the text with
+// the digit. Only what ends something (Esc, letting go of a jog, losing the keyboard) is heard on arrival.
 #include <cstdint>
 #include <deque>
 #include <functional>
@@ -36,14 +37,21 @@ struct InputEvent {
 
 class InputQueue {
  public:
-  /// Shown each event on arrival; true: taken, ImGui does not get it.
+  /// Shown an event; true: taken, ImGui does not get it.
   using Listener = std::function<bool(const InputEvent&)>;
-  void set_listener(Listener listener) { listener_ = std::move(listener); }
+  /// `on_arrival` is shown each event as it comes, `in_turn` what is left when all before it has had its
+  /// frame.
+  void set_listeners(Listener on_arrival, Listener in_turn) {
+    on_arrival_ = std::move(on_arrival);
+    in_turn_ = std::move(in_turn);
+  }
 
+  /// Esc and the loss of the keyboard overtake: presses that still wait are dropped, so that nothing begins
+  /// after a stop that came later. Typed text stays.
   void push(const InputEvent& event);
-  /// Moves one frame's worth into ImGui: at most one edge per key and button, in order. True: more is
-  /// waiting, so another frame should follow at once.
-  bool feed(ImGuiIO& io);
+  /// Moves one frame's worth into ImGui, in order. True: more is waiting, so another frame should follow at
+  /// once. `keys_wait`: the keyboard is on its way to a field; keys and text stay until it is there.
+  bool feed(ImGuiIO& io, bool keys_wait = false);
   [[nodiscard]] bool empty() const { return waiting_.empty(); }
   /// When the newest press and release of the left button that ImGui has seen happened: how long a hand held.
   [[nodiscard]] double pressed_at_s() const { return pressed_at_s_; }
@@ -51,12 +59,13 @@ class InputQueue {
 
  private:
   struct Fed {  // what this frame has had so far
-    bool button = false, moved = false, edit_key = false, key = false, text = false;
+    bool button = false, edit_key = false, text = false;
   };
-  [[nodiscard]] bool fits(const InputEvent& event, const Fed& fed, const ImGuiIO& io) const;
+  [[nodiscard]] static bool fits(const InputEvent& event, const Fed& fed, const ImGuiIO& io);
   void apply(const InputEvent& event, Fed& fed, ImGuiIO& io);
+  void drop_presses();
 
-  Listener listener_;
+  Listener on_arrival_, in_turn_;
   std::deque<InputEvent> waiting_;
   double pressed_at_s_ = 0, released_at_s_ = 0;
 };

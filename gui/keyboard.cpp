@@ -33,7 +33,8 @@ constexpr Shortcut table[] = {
     {Command::larger, GLFW_KEY_EQUAL, ctrl, plain, Reach::always, false, "Ctrl +", "Everything larger"},
     {Command::larger, GLFW_KEY_EQUAL, ctrl, shift, Reach::always, false, "", ""},
     {Command::larger, GLFW_KEY_KP_ADD, ctrl, plain, Reach::always, false, "", ""},
-    {Command::smaller, GLFW_KEY_MINUS, ctrl, plain, Reach::always, false, "Ctrl \u2212", "Everything smaller"},
+    {Command::smaller, GLFW_KEY_MINUS, ctrl, plain, Reach::always, false, "Ctrl \u2212",
+     "Everything smaller"},
     {Command::smaller, GLFW_KEY_KP_SUBTRACT, ctrl, plain, Reach::always, false, "", ""},
     {Command::normal_size, GLFW_KEY_0, ctrl, plain, Reach::always, false, "Ctrl 0", "The usual size"},
     {Command::normal_size, GLFW_KEY_KP_0, ctrl, plain, Reach::always, false, "", ""},
@@ -52,17 +53,23 @@ void Keyboard::emit(Command c, bool down, double at_s) {
 
 const Shortcut* Keyboard::match(int key) const {
   for (const Shortcut& s : table)
-    if (s.key == key && (s.command == Command::stop_all || (s.ctrl == ctrl_ && s.shift == shift_)) &&
-        (s.reach == Reach::always || !typing_))
+    if (s.key == key && s.ctrl == ctrl_ && s.shift == shift_ && (s.reach == Reach::always || !typing_))
       return &s;
   return nullptr;
 }
 
+bool Keyboard::stop_key(const InputEvent& event) {
+  bool& taken = taken_[GLFW_KEY_ESCAPE];
+  if (event.down && !taken) emit(Command::stop_all, true, event.at_s);
+  taken = event.down;
+  return true;
+}
+
 bool Keyboard::key_down(const InputEvent& event) {
-  const Shortcut* s = match(event.code);
-  if (!s) return false;
   bool& taken = taken_[static_cast<std::size_t>(event.code)];
   if (taken) return true;  // a repeat that a window system sent as a press
+  const Shortcut* s = match(event.code);
+  if (!s) return false;
   taken = true;
   if (s->held) held_[index(s->command)] = true;
   emit(s->command, true, event.at_s);
@@ -81,19 +88,32 @@ bool Keyboard::key_up(const InputEvent& event) {
   return true;
 }
 
-bool Keyboard::see(const InputEvent& event) {
+namespace {
+
+bool is_key(const InputEvent& event, std::size_t known) {
+  return event.kind == InputKind::key && event.code >= 0 && static_cast<std::size_t>(event.code) < known;
+}
+
+}  // namespace
+
+bool Keyboard::on_arrival(const InputEvent& event) {
   if (event.kind == InputKind::focus_lost) {
     if (on_focus_lost) on_focus_lost(event.at_s);
     release_all(event.at_s);
     return false;
   }
+  if (!is_key(event, taken_.size())) return false;
+  if (event.code == GLFW_KEY_ESCAPE) return stop_key(event);
+  return !event.down && key_up(event);
+}
+
+bool Keyboard::in_turn(const InputEvent& event) {
   if (event.kind == InputKind::text) {
     if (event.code != '?' || typing_) return false;
     emit(Command::show_map, true, event.at_s);
     return true;
   }
-  if (event.kind != InputKind::key || event.code < 0 || event.code >= static_cast<int>(taken_.size()))
-    return false;
+  if (!is_key(event, taken_.size())) return false;
   if (event.code == GLFW_KEY_LEFT_CONTROL || event.code == GLFW_KEY_RIGHT_CONTROL) ctrl_ = event.down;
   if (event.code == GLFW_KEY_LEFT_SHIFT || event.code == GLFW_KEY_RIGHT_SHIFT) shift_ = event.down;
   return event.down ? key_down(event) : key_up(event);

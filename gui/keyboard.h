@@ -1,7 +1,8 @@
 #pragma once
-// The map of the keyboard as data, and the keys that act. Edges are seen on arrival, before ImGui: Esc stops
+// The map of the keyboard as data, and the keys that act. What ends something is seen on arrival: Esc stops
 // everything even while a field is being typed into, and a held jog key is let go the moment it is released
-// or the window loses the focus. Auto-repeat never triggers anything again.
+// or the window loses the focus. What begins something waits for all that was typed before it. Auto-repeat
+// never triggers anything again.
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -59,14 +60,15 @@ struct CommandEdge {
 
 class Keyboard {
  public:
-  /// Called on arrival of an edge, before the next frame.
+  /// Called before the frame that shows it.
   std::function<void(const CommandEdge&)> on_edge;
-  /// The window lost the keyboard. Called before the held keys are released, so that whoever acts on a release can
-  /// tell it from a hand that lets go.
+  /// The window lost the keyboard. Called before the held keys are released, so that whoever acts on a
+  /// release can tell it from a hand that lets go.
   std::function<void(double at_s)> on_focus_lost;
 
-  /// For InputQueue's listener: true when the event is a shortcut's, so that ImGui must not see it.
-  bool see(const InputEvent& event);
+  /// For InputQueue's listeners: true when the event is a shortcut's, so that ImGui must not see it.
+  bool on_arrival(const InputEvent& event);
+  bool in_turn(const InputEvent& event);
 
   [[nodiscard]] bool held(Command c) const { return held_[index(c)]; }
   [[nodiscard]] bool jogging() const;
@@ -90,6 +92,7 @@ class Keyboard {
   };
   void emit(Command c, bool down, double at_s);
   const Shortcut* match(int key) const;
+  bool stop_key(const InputEvent& event);
   bool key_down(const InputEvent& event);
   bool key_up(const InputEvent& event);
 

@@ -6,8 +6,8 @@
 namespace hw::gui {
 namespace {
 
-constexpr std::string_view names[] = {"button", "hold", "toggle", "lamp", "text", "field", "editor",
-                                      "choice", "list", "slider", "tab",  "row",  "meter", "link"};
+constexpr std::string_view kind_names[] = {"button", "hold", "toggle", "lamp", "text", "field", "editor",
+                                           "choice", "list", "slider", "tab",  "row",  "meter", "link"};
 
 /// While a page grows its bytes may move: a view's pointer carries the offset until the frame ends.
 const char* as_offset(std::size_t offset) { return reinterpret_cast<const char*>(offset); }
@@ -58,7 +58,7 @@ void append_ascii(std::string& out, std::string_view text) {
 
 }  // namespace
 
-std::string_view name_of(Kind kind) { return names[static_cast<std::size_t>(kind)]; }
+std::string_view name_of(Kind kind) { return kind_names[static_cast<std::size_t>(kind)]; }
 
 void Registry::begin_frame() {
   drawn_.texts.clear();

@@ -15,7 +15,8 @@ Screen::Screen(Fonts fonts, bool dark)
   io.ConfigInputTextCursorBlink = false;      // a console at rest draws no frame
   io.ConfigFlags = ImGuiConfigFlags_None;     // navigation stays off: it takes Ctrl+Tab and the arrows
   map_keys(io);
-  input_.set_listener([this](const InputEvent& event) { return keyboard_.see(event); });
+  input_.set_listeners([this](const InputEvent& event) { return keyboard_.on_arrival(event); },
+                       [this](const InputEvent& event) { return keyboard_.in_turn(event); });
 }
 
 Screen::~Screen() { ImGui::DestroyContext(context_); }
@@ -43,7 +44,7 @@ void Screen::prepare(double now_s, ImVec2 size_px) {
 
 void Screen::frame(double now_s, ImVec2 size_px, const Draw& draw) {
   prepare(now_s, size_px);
-  input_.feed(ImGui::GetIO());
+  input_.feed(ImGui::GetIO(), focus_.entering());
   keyboard_.begin_frame();
   ImGui::NewFrame();
   focus_.begin_frame(registry_, now_s, typing_, field_takes_tab_);
@@ -54,10 +55,11 @@ void Screen::frame(double now_s, ImVec2 size_px, const Draw& draw) {
   registry_.end_frame();
   const ImGuiContext& g = *context_;
   typing_ = ui.typing() || (g.ActiveId != 0 && g.ActiveId == g.InputTextState.ID);
+  focus_.end_frame(typing_);
   field_takes_tab_ = typing_ && ui.takes_tab();
   keyboard_.set_typing(typing_ || ui.takes_arrows() || registry_.top_layer() > 0);
   if (keyboard_.jogging()) ui.wake_in(1.0 / 30);  // whoever holds sends keep-alives: frames go on
-  wake_in_s_ = input_.empty() ? ui.wake_in_s() : 0;
+  wake_in_s_ = input_.empty() && !focus_.entering() ? ui.wake_in_s() : 0;
 }
 
 ImDrawData* Screen::draw_data() const {

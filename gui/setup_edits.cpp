@@ -5,19 +5,14 @@
 
 #include <fmt/core.h>
 
-namespace hw::gui {
+#include "gui/lower_case.h"
 
-static std::string lower(std::string_view s) {
-  std::string out(s);
-  for (char& c : out)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return out;
-}
+namespace hw::gui {
 
 SetupEdits::SetupEdits(const Catalog& catalog) : catalog_(catalog), edits_(catalog.params.size()) {
   for (const ParamInfo& p : catalog.params)
     searched_.push_back(
-        lower(fmt::format("{}\n{}\n{}\n{}\n{}", p.mnemonic, p.label, p.group, p.explanation, p.unit)));
+        lower_case(fmt::format("{}\n{}\n{}\n{}\n{}", p.mnemonic, p.label, p.group, p.explanation, p.unit)));
 }
 
 bool SetupEdits::set(std::size_t i, std::int64_t value, std::string* why) {
@@ -91,7 +86,7 @@ Backup SetupEdits::to_file(const Snapshot& now) const {
 }
 
 bool SetupEdits::matches(std::size_t i, std::string_view filter) const {
-  const std::string wanted = lower(filter);
+  const std::string wanted = lower_case(filter);
   std::string_view rest = wanted;
   while (!rest.empty()) {
     const auto end = std::min(rest.find(' '), rest.size());

@@ -86,7 +86,7 @@ void draw_brand_and_menu(Ui& ui, Console& console, const Layout& layout) {
   if (button(ui, "help", "?", quiet).clicked) console.show_page("help");
 }
 
-ControllerTab face_of(Console& console, Tab& tab) {
+ControllerTab tab_face(Console& console, Tab& tab) {
   const StateLook& state = look_of(worst_state(tab));
   return {tab.name(), state.icon, state.tone, state.small, tab.emulated(), console.active() == &tab};
 }
@@ -114,7 +114,7 @@ void draw_page_tab(Ui& ui, Console& console, float x, float width, float height)
 void draw_controller_menu(Ui& ui, Console& console, const Layout& layout) {
   ControllerTab face{"Controllers", Icon::none};
   face.active = true;
-  if (Tab* active = console.active()) face = face_of(console, *active);
+  if (Tab* active = console.active()) face = tab_face(console, *active);
   for (const PageEntry& page : console.list().pages)
     if (page.id == console.page()) face.name = page.title;
   stand_at(ui, layout.tabs.x, 0);
@@ -147,7 +147,7 @@ void draw_controllers(Ui& ui, Console& console, const Layout& layout) {
     if (!Console::is_face(tab)) continue;
     const std::string id = fmt::format("controller/{}", ++number);
     stand_at(ui, x, 0);
-    if (controller_tab(ui, id, face_of(console, tab), layout.tab_width).clicked) chosen = &tab;
+    if (controller_tab(ui, id, tab_face(console, tab), layout.tab_width).clicked) chosen = &tab;
     x += layout.tab_width;
   }
   if (!console.page().empty()) draw_page_tab(ui, console, x, layout.tab_width, layout.tabs.height);
@@ -203,7 +203,7 @@ void draw_link(Ui& ui, Console& console, const Layout& layout) {
                         tab->bus->members.size())
            .out = 0;
     else if (link.state == LinkState::lost || link.state == LinkState::closed ||
-        link.state == LinkState::connecting)
+             link.state == LinkState::connecting)
       *fmt::format_to_n(second, sizeof second - 1, "attempt {}", std::max(1, link.attempts)).out = 0;
     else if (layout.tier == Tier::wide)
       *fmt::format_to_n(second, sizeof second - 1, "{:.1f} ms, {:.0f} polls/s", ms, link.polls_per_second)

@@ -7,15 +7,12 @@
 
 #include <fmt/core.h>
 
+#include "gui/lower_case.h"
+
 namespace hw::gui {
 namespace {
 
 constexpr std::size_t cached_lines = 512;  // more than any screen shows
-
-void lower(std::string& s) {
-  for (char& c : s)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-}
 
 /// "12 345": a thin space between groups from five figures on.
 std::string grouped(std::uint64_t n) {
@@ -161,8 +158,7 @@ void TrafficLog::set_view(View view) {
   const bool same_rows = view.fold_polls == view_.fold_polls && view.filter == view_.filter &&
                          (view.filter.empty() || (view.decoded == view_.decoded && view.hex == view_.hex));
   view_ = std::move(view);
-  filter_ = view_.filter;
-  lower(filter_);
+  filter_ = lower_case(view_.filter);
   for (Cached& c : cache_) c.valid = false;
   ++version_;
   if (!same_rows) restart_rows();
@@ -258,8 +254,7 @@ bool TrafficLog::passes(std::uint64_t n, bool by_meaning) const {
   append_shown(text, bytes_of(record(n)), "<", ">");
   if (view_.hex) append_hex(text += '\n', bytes_of(record(n)));
   if (view_.decoded && by_meaning) (text += '\n') += meaning_of(n);
-  lower(text);
-  return text.find(filter_) != std::string::npos;
+  return lower_case(text).find(filter_) != std::string::npos;
 }
 
 // ---- words

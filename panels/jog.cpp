@@ -9,6 +9,7 @@
 #include "gui/widgets/hold_button.h"
 #include "gui/widgets/slider.h"
 #include "gui/widgets/text.h"
+#include "panels/jog_button.h"
 #include "panels/path.h"
 #include "panels/unit_chooser.h"
 
@@ -35,13 +36,6 @@ Cell cell_of(AxisId axis, Sign sign) {
 
 /// On a bus of one-axis controllers each row has its own two buttons.
 bool jogs_in_rows(const Frame& f) { return f.tab.bus && f.catalog.axes.size() == 1; }
-
-std::string_view limit_reason(const AxisState& a, Sign sign) {
-  if (!a.limits_known) return {};
-  if (sign == Sign::plus && a.limit_plus) return "It stands on its + limit. It can only move \u2212.";
-  if (sign == Sign::minus && a.limit_minus) return "It stands on its \u2212 limit. It can only move +.";
-  return {};
-}
 
 }  // namespace
 
@@ -118,25 +112,13 @@ void Jog::draw_pad(Frame& f, float cell) {
 
 void Jog::draw_button(Frame& f, AxisId axis, Sign sign, float x, float y, float cell) {
   Ui& ui = f.ui;
-  const std::string& name = f.catalog.axes[axis.index].name;
-  const std::string_view refused = f.tab.why_not_move();
   HoldOptions o;
   o.icon = cell_of(axis, sign).icon;
   o.width = o.height = cell;
-  o.disabled = refused.empty() ? limit_reason(f.now.axes[axis.index], sign) : refused;
-  const auto held = f.tab.jog.control();
-  o.lit = held && held->axis == axis && held->sign == sign;
   ImGui::SetCursorScreenPos(ImVec2(origin_.x + ui.px(x), origin_.y + ui.px(y)));
-  const Path label("{}{}", name, sign == Sign::plus ? std::string_view("+") : minus_sign);
-  const Hold hold = hold_button(ui, Path("jog/{}/{}", name, letter(sign)), label, o);
-  const JogHold::Control control{JogHold::Hand::mouse, axis, sign};
-  if (hold.started) f.tab.jog.press(control, {f.tab.jog_step(), f.tab.jog_speed()}, hold.pressed_at_s);
-  if (hold.held) f.tab.jog.confirm(control);
-  if (!hold.ended) return;
-  if (o.disabled.empty())
-    f.tab.jog.release(control, hold.released_at_s);
-  else if (held == control)
-    f.tab.jog.let_go();  // it became disabled under the hand
+  const std::string_view name = f.catalog.axes[axis.index].name;
+  draw_jog_button(ui, f.tab, axis, sign,
+                  Path("{}{}", name, sign == Sign::plus ? std::string_view("+") : minus_sign), o);
 }
 
 void Jog::draw_stop(Frame& f, float x, float y, float cell) {

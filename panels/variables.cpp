@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 
 #include <fmt/format.h>
 
+#include "core/base/number_text.h"
 #include "gui/area.h"
 #include "gui/tab.h"
 #include "gui/widgets/button.h"
@@ -28,9 +28,9 @@ std::string_view trimmed(std::string_view s) {
 
 template <class T>
 bool read_whole(std::string_view s, T& value) {
-  s = trimmed(s);
-  const auto [end, error] = std::from_chars(s.data(), s.data() + s.size(), value);
-  return !s.empty() && error == std::errc() && end == s.data() + s.size();
+  const auto number = whole_number<T>(trimmed(s));
+  value = number.value_or(value);
+  return number.has_value();
 }
 
 }  // namespace

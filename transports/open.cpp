@@ -1,10 +1,10 @@
 #include "transports/open.h"
 
-#include <charconv>
 #include <cmath>
 
 #include <fmt/core.h>
 
+#include "core/base/number_text.h"
 #include "core/device/bench_file.h"
 #include "core/session/user_files.h"
 #include "transports/performax_usb.h"
@@ -30,9 +30,7 @@ tl::unexpected<Fault> bad(std::string what, std::string advice) {
 }
 
 Result<int> read_baud(const std::string& text) {
-  int baud = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), baud);
-  if (error == std::errc{} && end == text.data() + text.size() && baud > 0) return baud;
+  if (const int baud = whole_number<int>(text).value_or(0); baud > 0) return baud;
   return bad(fmt::format("baud={} is no rate.", text), "Give a whole number, for example baud=9600.");
 }
 

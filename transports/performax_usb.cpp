@@ -12,6 +12,7 @@
 #include <libusb-1.0/libusb.h>
 #include <unistd.h>
 
+#include "transports/sysfs.h"
 #include "transports/usb_loop.h"
 
 namespace hw {
@@ -209,12 +210,6 @@ class PerformaxStream final : public Stream {
  private:
   std::shared_ptr<PerformaxWire> wire_;
 };
-
-std::string first_line(const fs::path& file) {
-  std::string line;
-  std::getline(std::ifstream(file), line);
-  return line;
-}
 
 tl::unexpected<Fault> not_opened(std::string what, std::string advice) {
   return fail(FaultKind::port, std::move(what), "Nothing was opened.", std::move(advice));

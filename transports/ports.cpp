@@ -5,17 +5,12 @@
 #include <fstream>
 #include <map>
 
+#include "transports/sysfs.h"
+
 namespace hw {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string first_line(const fs::path& file) {
-  std::string line;
-  std::getline(std::ifstream(file), line);
-  while (!line.empty() && (line.back() == ' ' || line.back() == '\r')) line.pop_back();
-  return line;
-}
 
 int hex(const std::string& digits) { return static_cast<int>(std::strtol(digits.c_str(), nullptr, 16)); }
 

@@ -72,7 +72,7 @@ Refused other(const std::string& path, int error) {
                  "Choose another port; `handwheel scan` lists those that are there.");
 }
 
-Refused why_not_opened(const std::string& path, int error) {
+Refused why_port_not_opened(const std::string& path, int error) {
   switch (error) {
     case ENOENT:
     case ENOTDIR: return missing(path);
@@ -156,7 +156,7 @@ class SerialStream final : public FdStream {
 
 tl::expected<int, Refused> open_exclusively(const std::string& path) {
   const int fd = ::open(path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
-  if (fd < 0) return tl::unexpected(why_not_opened(path, errno));
+  if (fd < 0) return tl::unexpected(why_port_not_opened(path, errno));
   const auto refuse = [fd](Refused why) {
     ::close(fd);
     return tl::unexpected(std::move(why));

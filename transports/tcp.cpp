@@ -1,6 +1,5 @@
 #include "transports/tcp.h"
 
-#include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/redirect_error.hpp>
 #include <cerrno>
 #include <cstring>
@@ -9,14 +8,14 @@
 
 #include "core/session/address.h"
 #include "transports/fd_stream.h"
+#include "transports/tcp_socket.h"
 
 namespace hw {
 namespace {
 
-using Tcp = asio::ip::tcp;
-using Socket = asio::basic_stream_socket<Tcp, Executor>;
+using namespace tcp;
+
 using Resolver = asio::ip::basic_resolver<Tcp, Executor>;
-using Error = boost::system::error_code;
 
 class TcpStream final : public FdStream {
  public:

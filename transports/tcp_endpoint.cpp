@@ -1,19 +1,17 @@
 #include "transports/tcp_endpoint.h"
 
-#include <boost/asio/ip/tcp.hpp>
-
 #include <fmt/core.h>
 
 #include "core/session/address.h"
 #include "transports/tcp.h"
+#include "transports/tcp_socket.h"
 
 namespace hw {
 namespace {
 
-using Tcp = asio::ip::tcp;
+using namespace tcp;
+
 using Acceptor = asio::basic_socket_acceptor<Tcp, Executor>;
-using Socket = asio::basic_stream_socket<Tcp, Executor>;
-using Error = boost::system::error_code;
 
 std::string text(const Tcp::endpoint& at) {
   const std::string host = at.address().to_string();

@@ -2,13 +2,9 @@
 
 #include <algorithm>
 
+#include "core/base/number_text.h"
+
 namespace hw {
-namespace {
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-}  // namespace
-
 CommandForm::CommandForm(const CommandInfo& command, const std::vector<AxisInfo>& axes) {
   for (const AxisInfo& axis : axes)
     if (axis.name.size() == 1) axis_names_ += axis.name;

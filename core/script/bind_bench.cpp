@@ -39,7 +39,7 @@ int small(const Call& call, int argument, const char* what) {
   return static_cast<int>(value);
 }
 
-int input(Call& call) { return operate(call, bench::Input(small(call, 1, "input"), call.on(2, "on"))); }
+int bench_input(Call& call) { return operate(call, bench::Input(small(call, 1, "input"), call.on(2, "on"))); }
 
 int limit(Call& call) {
   const std::string side = call.text(2, "side");
@@ -47,8 +47,8 @@ int limit(Call& call) {
   return operate(call, bench::Limit(axis_of(call), side == "+" ? Sign::plus : Sign::minus, call.on(3, "on")));
 }
 
-int home(Call& call) { return operate(call, bench::HomeSwitch(axis_of(call), call.on(2, "on"))); }
-int analog(Call& call) {
+int bench_home(Call& call) { return operate(call, bench::HomeSwitch(axis_of(call), call.on(2, "on"))); }
+int bench_analog(Call& call) {
   return operate(call, bench::Analog(small(call, 1, "analog input"), small(call, 2, "value")));
 }
 int button(Call& call) { return operate(call, bench::Button(call.text(1, "button"), call.on(2, "on"))); }
@@ -196,11 +196,11 @@ int look(Call& call) {
   return 1;
 }
 
-constexpr Function methods[] = {
-    {"input", input},
+constexpr Function bench_methods[] = {
+    {"input", bench_input},
     {"limit", limit},
-    {"home", home},
-    {"analog", analog},
+    {"home", bench_home},
+    {"analog", bench_analog},
     {"button", button},
     {"jam", jam},
     {"alarm", alarm},
@@ -220,7 +220,7 @@ constexpr Function methods[] = {
 
 void bind_bench(lua_State* L) {
   luaL_newmetatable(L, bench_type);
-  push_functions(L, std::begin(methods), std::end(methods), 1);
+  push_functions(L, std::begin(bench_methods), std::end(bench_methods), 1);
   lua_setfield(L, -2, "__index");
   lua_pushcfunction(L, drop_handle);
   lua_setfield(L, -2, "__gc");

@@ -1,11 +1,11 @@
 #include "core/session/address.h"
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 
 #include <fmt/core.h>
 
+#include "core/base/number_text.h"
 #include "core/device/registry.h"
 
 namespace hw {
@@ -116,12 +116,8 @@ std::vector<Address> Address::devices() const {
 Result<int> Address::number(std::string_view key, int fallback) const {
   const auto found = options.find(std::string(key));
   if (found == options.end()) return fallback;
-  int value = 0;
-  const std::string& s = found->second;
-  const auto [end, error] = std::from_chars(s.data(), s.data() + s.size(), value);
-  if (error != std::errc{} || end != s.data() + s.size())
-    return bad(fmt::format("{}={} in the address is no whole number.", key, s));
-  return value;
+  if (const auto value = whole_number<int>(found->second)) return *value;
+  return bad(fmt::format("{}={} in the address is no whole number.", key, found->second));
 }
 
 Result<std::pair<std::string, int>> split_host_port(std::string_view where) {
@@ -132,9 +128,8 @@ Result<std::pair<std::string, int>> split_host_port(std::string_view where) {
   std::string_view host = where.substr(0, colon);
   const std::string_view digits = where.substr(colon + 1);
   if (host.size() > 2 && host.front() == '[' && host.back() == ']') host = host.substr(1, host.size() - 2);
-  int port = -1;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), port);
-  if (error != std::errc{} || end != digits.data() + digits.size() || port < 0 || port > 65535)
+  const int port = whole_number<int>(digits).value_or(-1);
+  if (port < 0 || port > 65535)
     return fail(FaultKind::text, fmt::format("\"{}\" is no port number (0 to 65535).", digits));
   return std::pair(std::string(host), port);
 }

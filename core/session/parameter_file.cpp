@@ -1,10 +1,9 @@
 #include "core/session/parameter_file.h"
 
-#include <charconv>
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "core/base/number_text.h"
 #include "core/base/toml.h"
 #include "core/session/user_files.h"
 
@@ -50,15 +49,9 @@ Result<> take_parameters(const toml::table& table, const std::string& name, Back
   return {};
 }
 
-int number_of(std::string_view digits) {
-  int number = -1;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-  return error == std::errc() && end == digits.data() + digits.size() ? number : -1;
-}
-
 Result<> take_programs(const toml::table& table, const std::string& name, Backup& out) {
   for (const auto& [key, node] : table) {
-    const int slot = number_of(key.str());
+    const int slot = whole_number<int>(key.str()).value_or(-1);
     const auto text = node.value_exact<std::string>();
     if (slot < 0 || !text)
       return bad_file(name, line_of(node), fmt::format("{} is no program with a text", key.str()));
@@ -69,7 +62,7 @@ Result<> take_programs(const toml::table& table, const std::string& name, Backup
 
 Result<> take_variables(const toml::table& table, const std::string& name, Backup& out) {
   for (const auto& [key, node] : table) {
-    const int number = number_of(key.str());
+    const int number = whole_number<int>(key.str()).value_or(-1);
     const auto value = node.value_exact<std::int64_t>();
     if (number < 0 || !value)
       return bad_file(name, line_of(node), fmt::format("{} is no variable with a whole number", key.str()));

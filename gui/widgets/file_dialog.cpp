@@ -6,6 +6,7 @@
 
 #include <imgui_internal.h>
 
+#include "gui/lower_case.h"
 #include "gui/widgets/button.h"
 #include "gui/widgets/message.h"
 #include "gui/widgets/row.h"
@@ -43,12 +44,6 @@ bool is_folder(const fs::path& p) {
 bool is_there(const fs::path& p) {
   std::error_code error;
   return fs::exists(p, error);
-}
-
-std::string without_case(std::string_view s) {
-  std::string out(s);
-  std::transform(out.begin(), out.end(), out.begin(), [](unsigned char c) { return std::tolower(c); });
-  return out;
 }
 
 }  // namespace
@@ -96,9 +91,9 @@ void FileDialog::show_name(std::string_view name) {
 bool FileDialog::shown(std::string_view name, bool folder) const {
   if (name.starts_with('.')) return false;
   if (folder || all_ || suffixes_.empty()) return true;
-  const std::string low = without_case(name);
+  const std::string low = lower_case(name);
   return std::any_of(suffixes_.begin(), suffixes_.end(),
-                     [&](const std::string& s) { return low.ends_with(without_case(s)); });
+                     [&](const std::string& s) { return low.ends_with(lower_case(s)); });
 }
 
 void FileDialog::read_folder() {
@@ -122,7 +117,7 @@ void FileDialog::read_folder() {
   if (entries_.size() == most_entries)
     sentence_ = "Only the first 5000 names are shown. The path can be typed.";
   std::sort(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) {
-    return a.folder != b.folder ? a.folder : without_case(a.name) < without_case(b.name);
+    return a.folder != b.folder ? a.folder : lower_case(a.name) < lower_case(b.name);
   });
 }
 

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cctype>
 
+#include "gui/lower_case.h"
+
 namespace hw::gui {
 namespace {
 
 bool is_inside_character(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
 bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || (c & 0x80); }
-char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
-
 /// Where text ends that is put at `at`.
 TextPlace end_of(TextPlace at, std::string_view text) {
   const auto newlines = static_cast<int>(std::count(text.begin(), text.end(), '\n'));
@@ -314,7 +314,7 @@ bool TextModel::redo() {
 std::optional<int> TextModel::find_in_line(std::string_view needle, int line_index, int from,
                                            bool forward) const {
   const std::string& l = line(line_index);
-  const auto same = [](char a, char b) { return lower(a) == lower(b); };
+  const auto same = [](char a, char b) { return lower_case(a) == lower_case(b); };
   if (forward) {
     if (from > static_cast<int>(l.size())) return {};
     const auto hit = std::search(l.begin() + from, l.end(), needle.begin(), needle.end(), same);

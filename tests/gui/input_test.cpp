@@ -1,11 +1,12 @@
-// The input queue and the keyboard's map: taps between frames are kept, releases wait, Esc and jog act at
-// once.
+// The input queue and the keyboard's map: taps between frames are kept, what begins something waits for its
+// turn, what ends something does not.
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
 
 #include "gui/input_queue.h"
 #include "gui/keyboard.h"
+#include "gui/widgets/button.h"
 #include "gui/widgets/text_field.h"
 #include "tests/gui/stage.h"
 
@@ -15,12 +16,78 @@ namespace {
 TEST(InputQueue, AReleaseWaitsForTheFrameAfterItsPress) {
   InputQueue queue;
   ImGuiIO io;
-  queue.push(InputEvent::key(GLFW_KEY_A, true, 0));
-  queue.push(InputEvent::key(GLFW_KEY_A, false, 0));
+  queue.push(InputEvent::key(GLFW_KEY_ENTER, true, 0));
+  queue.push(InputEvent::key(GLFW_KEY_ENTER, false, 0));
   EXPECT_TRUE(queue.feed(io)) << "more is waiting";
-  EXPECT_TRUE(io.KeysDown[GLFW_KEY_A]);
+  EXPECT_TRUE(io.KeysDown[GLFW_KEY_ENTER]);
   EXPECT_FALSE(queue.feed(io));
-  EXPECT_FALSE(io.KeysDown[GLFW_KEY_A]);
+  EXPECT_FALSE(io.KeysDown[GLFW_KEY_ENTER]);
+}
+
+TEST(InputQueue, FastTypingNeedsOneFrame) {
+  std::string text;
+  Stage stage(in_window([&](Ui& ui) { text_field(ui, "f", "field", text); }));
+  ASSERT_TRUE(stage.hand.click("f"));
+  for (const char c : std::string("I1M")) {
+    stage.push(InputEvent::key(GLFW_KEY_LEFT_SHIFT, true, 0));
+    stage.push(InputEvent::key(c, true, 0));
+    stage.push(InputEvent::text(static_cast<unsigned>(c), 0));
+    stage.push(InputEvent::key(c, false, 0));
+    stage.push(InputEvent::key(GLFW_KEY_LEFT_SHIFT, false, 0));
+  }
+  stage.frames(1);
+  EXPECT_EQ(text, "I1M");
+}
+
+TEST(InputQueue, AShortcutComesAfterWhatWasTypedBeforeIt) {
+  std::string text, seen;
+  Stage stage(in_window([&](Ui& ui) { text_field(ui, "f", "field", text); }));
+  ASSERT_TRUE(stage.hand.click("f"));
+  stage.surface.screen().keyboard().on_edge = [&](const CommandEdge&) { seen = text; };
+  for (const char c : std::string("I1M-300")) stage.push(InputEvent::text(static_cast<unsigned>(c), 0));
+  stage.push(InputEvent::key(GLFW_KEY_LEFT_CONTROL, true, 0));
+  stage.push(InputEvent::key(GLFW_KEY_ENTER, true, 0));
+  EXPECT_EQ(seen, "") << "not before its turn";
+  stage.frames(6);
+  EXPECT_EQ(seen, "I1M-300");
+}
+
+TEST(InputQueue, NothingBeginsAfterAnEscThatCameLater) {
+  int begun = 0, stops = 0;
+  Stage stage(in_window([&](Ui& ui) { button(ui, "go", "Go"); }));
+  stage.surface.screen().keyboard().on_edge = [&](const CommandEdge& e) {
+    if (e.command == Command::stop_all)
+      ++stops;
+    else if (e.down)
+      ++begun;
+  };
+  stage.push(InputEvent::key(GLFW_KEY_F5, true, 0));
+  stage.push(InputEvent::key(GLFW_KEY_RIGHT, true, 0));
+  stage.push(InputEvent::key(GLFW_KEY_ESCAPE, true, 0));
+  EXPECT_EQ(stops, 1) << "at once, before any frame";
+  stage.frames(6);
+  EXPECT_EQ(begun, 0);
+}
+
+TEST(InputQueue, AnArrowRightAfterEnterBelongsToTheFieldThatKeepsTheKeyboard) {
+  std::string text;
+  int jogs = 0;
+  FieldOptions options;
+  options.keep_focus = true;
+  Stage stage(in_window([&](Ui& ui) {
+    if (text_field(ui, "f", "field", text, options).entered) text.clear();
+  }));
+  ASSERT_TRUE(stage.hand.click("f"));
+  stage.surface.screen().keyboard().on_edge = [&](const CommandEdge&) { ++jogs; };
+  stage.push(InputEvent::text('a', 0));
+  for (const int key : {GLFW_KEY_ENTER, GLFW_KEY_UP}) {
+    stage.push(InputEvent::key(key, true, 0));
+    stage.push(InputEvent::key(key, false, 0));
+  }
+  stage.push(InputEvent::text('b', 0));
+  stage.frames(20);
+  EXPECT_EQ(jogs, 0);
+  EXPECT_EQ(text, "b") << "and nothing that is typed meanwhile is lost";
 }
 
 TEST(InputQueue, AnEarlierPlaceOfTheMouseDoesNotSlipUnderALaterPress) {
@@ -55,12 +122,12 @@ TEST(InputQueue, FocusLossLetsGoOfEverything) {
   ImGuiIO io;
   queue.push(InputEvent::mouse_button(0, true, 0));
   queue.feed(io);
-  queue.push(InputEvent::key(GLFW_KEY_B, true, 0));
+  queue.push(InputEvent::key(GLFW_KEY_HOME, true, 0));
   queue.feed(io);
   queue.push(InputEvent::focus_lost(0));
   queue.feed(io);
   EXPECT_FALSE(io.MouseDown[0]);
-  EXPECT_FALSE(io.KeysDown[GLFW_KEY_B]);
+  EXPECT_FALSE(io.KeysDown[GLFW_KEY_HOME]);
 }
 
 struct Recorder {
@@ -69,7 +136,8 @@ struct Recorder {
   Recorder() {
     keyboard.on_edge = [this](const CommandEdge& e) { edges.emplace_back(e.command, e.down); };
   }
-  bool key(int code, bool down) { return keyboard.see(InputEvent::key(code, down, 0)); }
+  bool see(const InputEvent& event) { return keyboard.on_arrival(event) || keyboard.in_turn(event); }
+  bool key(int code, bool down) { return see(InputEvent::key(code, down, 0)); }
   using Edges = std::vector<std::pair<Command, bool>>;
 };
 
@@ -116,7 +184,7 @@ TEST(Keyboard, AJogThatBeganGoesOnUntilItsKeyIsUp) {
 TEST(Keyboard, FocusLossReleasesHeldJogs) {
   Recorder r;
   r.key(GLFW_KEY_LEFT, true);
-  r.keyboard.see(InputEvent::focus_lost(1));
+  r.see(InputEvent::focus_lost(1));
   EXPECT_EQ(r.edges.back(), (std::pair{Command::jog_left, false}));
   EXPECT_FALSE(r.keyboard.held(Command::jog_left));
 }
@@ -134,9 +202,9 @@ TEST(Keyboard, ModifiersMakeTheDifference) {
 
 TEST(Keyboard, TheMapOpensByTheCharacterOutsideOfText) {
   Recorder r;
-  EXPECT_TRUE(r.keyboard.see(InputEvent::text('?', 0)));
+  EXPECT_TRUE(r.see(InputEvent::text('?', 0)));
   r.keyboard.set_typing(true);
-  EXPECT_FALSE(r.keyboard.see(InputEvent::text('?', 0)));
+  EXPECT_FALSE(r.see(InputEvent::text('?', 0)));
   EXPECT_EQ(r.edges.size(), 1u);
 }
 

@@ -9,11 +9,11 @@ namespace {
 
 constexpr int usual_speed = 1000;  // pulses/s after power-up
 
-std::string letter(const Model& model, int axis) {
+std::string axis_letter(const Model& model, int axis) {
   return std::string(model.axis_letters.substr(static_cast<std::size_t>(axis), 1));
 }
 
-std::vector<InputInfo> inputs(const Model& model) {
+std::vector<InputInfo> input_infos(const Model& model) {
   std::vector<InputInfo> all;
   for (int n = 1; n <= model.inputs; ++n) {
     InputInfo input{fmt::format("DI{}", n), "Digital input. Programs read it, and the console shows it.",
@@ -21,13 +21,13 @@ std::vector<InputInfo> inputs(const Model& model) {
     for (int axis = 0; axis < model.axes(); ++axis)
       if (model.latch_inputs[static_cast<std::size_t>(axis)] == n)
         input.help = fmt::format("Digital input; also captures the position of {} while its latch is on.",
-                                 letter(model, axis));
+                                 axis_letter(model, axis));
     all.push_back(std::move(input));
   }
   return all;
 }
 
-std::vector<OutputInfo> outputs(const Model& model) {
+std::vector<OutputInfo> output_infos(const Model& model) {
   std::vector<OutputInfo> all;
   for (int n = 1; n <= model.outputs; ++n) {
     OutputInfo output{fmt::format("DO{}", n), "Digital output.", true};
@@ -36,10 +36,14 @@ std::vector<OutputInfo> outputs(const Model& model) {
         const bool several = model.axes() > 1;
         output.help = fmt::format(
             "Digital output; the sync output of {} while that is on, and then not yours to switch.",
+<<<<<<< HEAD
             letter(model, axis));
         output.duty = {several ? fmt::format("Sync {}", letter(model, axis)) : "Sync output",
                        {fmt::format("SYN{}S", several ? letter(model, axis) : "")}};
       }
+=======
+            axis_letter(model, axis));
+>>>>>>> main
     all.push_back(std::move(output));
   }
   return all;
@@ -82,14 +86,15 @@ Catalog common_catalog(const Model& model, const Wording& wording) {
   c.step_word = "pulses";
   c.loop_word = "counts";
   for (int axis = 0; axis < model.axes(); ++axis)
-    c.axes.push_back({letter(model, axis), fmt::format("axis {}", letter(model, axis)), true, true});
+    c.axes.push_back(
+        {axis_letter(model, axis), fmt::format("axis {}", axis_letter(model, axis)), true, true});
   c.homing_modes = {{"home", "onto the home switch, high speed"},
                     {"limit", "to the limit switch"},
                     {"home-index", "home switch, then encoder index"},
                     {"index", "encoder index only"},
                     {"home-high-low", "onto the home switch, high then low speed"}};
-  c.inputs = inputs(model);
-  c.outputs = outputs(model);
+  c.inputs = input_infos(model);
+  c.outputs = output_infos(model);
   for (int n = 1; n <= model.analog_inputs; ++n) c.analog.push_back({fmt::format("AI{}", n), "mV", 0, 5000});
   c.params = params(model, wording);
   c.readout_groups = {"Motion", "StepNLoop", "Latches", "Sync outputs", "Variables"};
@@ -123,7 +128,7 @@ Catalog common_catalog(const Model& model, const Wording& wording) {
 std::vector<ParamChoice> axis_choices(const Model& model, bool all) {
   std::vector<ParamChoice> choices;
   if (all) choices.push_back({-1, "all axes"});
-  for (int axis = 0; axis < model.axes(); ++axis) choices.push_back({axis, letter(model, axis)});
+  for (int axis = 0; axis < model.axes(); ++axis) choices.push_back({axis, axis_letter(model, axis)});
   return choices;
 }
 
@@ -175,10 +180,10 @@ void add_readouts(Catalog& catalog, const Model& model, Group group, std::string
   for (int axis = 0; axis < model.axes(); ++axis) {
     std::string id(form);
     const bool several = model.axes() > 1;
-    if (const auto a = id.find('a'); a != id.npos) id.replace(a, 1, several ? letter(model, axis) : "");
+    if (const auto a = id.find('a'); a != id.npos) id.replace(a, 1, several ? axis_letter(model, axis) : "");
     ReadoutInfo info = pattern;
     info.axis = axis;
-    if (several) info.label += " of " + letter(model, axis);
+    if (several) info.label += " of " + axis_letter(model, axis);
     add_readout(catalog, group, std::move(id), std::move(info));
   }
 }

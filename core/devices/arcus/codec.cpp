@@ -1,13 +1,12 @@
 #include "core/devices/arcus/codec.h"
 
-#include <charconv>
-
 #include <fmt/core.h>
+
+#include "core/base/number_text.h"
 
 namespace hw::arcus {
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool ends_text(char c) { return c == '\r' || c == '\n' || c == '\0'; }
 
 std::string_view letter(const Model& model, int axis) {
@@ -68,12 +67,7 @@ std::optional<int> in_position(std::string_view message) {
 
 // ---- values
 
-std::optional<std::int64_t> decode_number(std::string_view text) {
-  std::int64_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
+std::optional<std::int64_t> decode_number(std::string_view text) { return whole_number<std::int64_t>(text); }
 
 std::optional<std::vector<std::int64_t>> decode_numbers(std::string_view text, std::size_t count) {
   std::vector<std::int64_t> all;

@@ -1,12 +1,11 @@
 // The catalog's actions: what these controllers can be told beside the verbs of all controllers.
 #include <fmt/core.h>
 
+#include "core/base/index.h"
 #include "core/devices/arcus/driver.h"
 
 namespace hw::arcus {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 Result<> check_fields(const ActionInfo& info, const std::vector<std::int64_t>& values) {
   if (values.size() != info.fields.size())
@@ -41,7 +40,7 @@ std::int64_t field(const ActionInfo& info, const std::vector<std::int64_t>& valu
 Task<Result<>> ArcusDriver::act(intent::Act wish) {
   if (wish.action < 0 || wish.action >= static_cast<int>(catalog_.actions.size()))
     co_return fail(FaultKind::refused, "There is no such action.", "Nothing was sent.");
-  const ActionInfo& info = catalog_.actions[at(wish.action)];
+  const ActionInfo& info = catalog_.actions[ix(wish.action)];
   if (auto fits = check_fields(info, wish.values); !fits) co_return fits;
   const auto value = [&](std::string_view id) { return field(info, wish.values, id); };
   const int axis = static_cast<int>(value("axis"));
@@ -86,8 +85,8 @@ Task<Result<>> ArcusDriver::clear_errors(std::string_view form, int axis) {
   auto done = co_await command(std::move(text), Priority::intent);
   if (!done) co_return done;
   for (int i = 0; i < axis_count(); ++i)
-    if ((all || i == axis) && minds_[at(i)].loop_state != static_cast<int>(LoopState::off))
-      minds_[at(i)].loop_state = -1;
+    if ((all || i == axis) && minds_[ix(i)].loop_state != static_cast<int>(LoopState::off))
+      minds_[ix(i)].loop_state = -1;
   auto read = co_await read_motion(Priority::intent);
   if (!read) co_return read;
   co_return co_await read_loop(Priority::intent);
@@ -129,7 +128,7 @@ Task<Result<>> ArcusDriver::change_target(int axis, std::int64_t target) {
   }
   draft_.axes[axis].target = Steps(target);
   draft_.axes[axis].has_target = true;
-  minds_[at(axis)].ours = true;
+  minds_[ix(axis)].ours = true;
   co_return Result<>();
 }
 

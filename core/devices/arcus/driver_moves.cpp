@@ -4,17 +4,12 @@
 
 #include <fmt/core.h>
 
+#include "core/base/index.h"
 #include "core/devices/arcus/driver.h"
 
 namespace hw::arcus {
-namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-}  // namespace
-
 void ArcusDriver::begun(int index, Activity activity, Instant when) {
-  AxisMind& mind = minds_[at(index)];
+  AxisMind& mind = minds_[ix(index)];
   mind.wanted = activity;
   mind.ours = true;
   mind.stopping = false;
@@ -35,7 +30,7 @@ Task<Fault> ArcusDriver::after_doubt(Fault why, std::string_view sent) {
   for (int i = 0; read && i < axis_count(); ++i)
     where +=
         fmt::format("{}{} {} at {}", i ? ", " : "", axis_name(i),
-                    says_moving(minds_[at(i)].status) ? "moves" : "stands", draft_.axes[i].position.value);
+                    says_moving(minds_[ix(i)].status) ? "moves" : "stands", draft_.axes[i].position.value);
   fault.what = fmt::format("No clear answer came to {}.", sent);
   fault.done = "It was sent once and is not repeated.";
   fault.advice = read ? fmt::format("The state was read afresh: {}.", where)
@@ -150,11 +145,11 @@ Task<Result<>> ArcusDriver::home(intent::Home wish) {
     co_return fail(FaultKind::refused, fmt::format("There is no way of homing {}.", wish.mode),
                    "Nothing was sent.");
   std::vector<int> axes{axis};
-  auto started = co_await start(fill(forms_, forms_.homes[at(wish.mode)], axis, wish.sign), std::move(axes),
+  auto started = co_await start(fill(forms_, forms_.homes[ix(wish.mode)], axis, wish.sign), std::move(axes),
                                 Activity::homing);
   if (!started) co_return started;
   draft_.axes[axis].has_target = false;
-  minds_[at(axis)].zeroed = true;
+  minds_[ix(axis)].zeroed = true;
   co_return Result<>();
 }
 
@@ -201,7 +196,7 @@ Task<Result<>> ArcusDriver::set_position(intent::SetPosition wish) {
   const int first = wish.axis < 0 ? 0 : wish.axis, last = wish.axis < 0 ? axis_count() - 1 : wish.axis;
   for (int axis = first; axis <= last; ++axis) {
     if (auto may = may_move_axis(axis); !may) co_return may;
-    minds_[at(axis)].zeroed = true;
+    minds_[ix(axis)].zeroed = true;
     auto set = co_await command(set_command(fill(forms_, forms_.position, axis), wish.value.value),
                                 Priority::intent);
     if (!set) {
@@ -220,7 +215,7 @@ Task<Result<>> ArcusDriver::set_encoder(intent::SetEncoder wish) {
   const int first = wish.axis < 0 ? 0 : wish.axis, last = wish.axis < 0 ? axis_count() - 1 : wish.axis;
   for (int axis = first; axis <= last; ++axis) {
     if (auto may = may_move_axis(axis); !may) co_return may;
-    minds_[at(axis)].zeroed = true;
+    minds_[ix(axis)].zeroed = true;
     auto set =
         co_await command(set_command(fill(forms_, forms_.encoder, axis), wish.value.value), Priority::intent);
     if (!set) co_return set;

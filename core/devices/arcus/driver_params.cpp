@@ -1,14 +1,13 @@
 // Set-up: every parameter by the maker's mnemonic; storing; and the list of what can be asked of the driver.
 #include <fmt/core.h>
 
+#include "core/base/index.h"
 #include "core/devices/arcus/driver.h"
 
 namespace hw::arcus {
 namespace {
 
 constexpr Duration store_patience = std::chrono::seconds(3);
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 std::string range_words(const ParamInfo& p) {
   if (!p.choices.empty()) {
@@ -62,8 +61,8 @@ const SettingFact* ArcusDriver::fact_of(int index) const {
 
 std::optional<std::int64_t> ArcusDriver::param(std::string_view mnemonic) const {
   const int index = catalog_.find_param(mnemonic);
-  if (index < 0 || !draft_.params[at(index)].known) return std::nullopt;
-  return draft_.params[at(index)].value;
+  if (index < 0 || !draft_.params[ix(index)].known) return std::nullopt;
+  return draft_.params[ix(index)].value;
 }
 
 void ArcusDriver::forget_params(std::string_view head) {
@@ -72,7 +71,7 @@ void ArcusDriver::forget_params(std::string_view head) {
 }
 
 Task<Result<>> ArcusDriver::read_param(int index, Priority priority) {
-  const ParamInfo& info = catalog_.params[at(index)];
+  const ParamInfo& info = catalog_.params[ix(index)];
   std::string text;
   for (int attempt = 0; attempt < 2; ++attempt) {
     auto reply = co_await ask(info.mnemonic, priority);
@@ -80,8 +79,8 @@ Task<Result<>> ArcusDriver::read_param(int index, Priority priority) {
     if (!reply) continue;
     text = *reply;
     if (const auto value = decode_value(info, text)) {
-      draft_.params[at(index)].value = *value;
-      draft_.params[at(index)].known = true;
+      draft_.params[ix(index)].value = *value;
+      draft_.params[ix(index)].known = true;
       co_return Result<>();
     }
     co_await wait_for_quiet();
@@ -94,8 +93,8 @@ Task<Result<>> ArcusDriver::read_param(int index, Priority priority) {
 
 // What depends on what: times are adjusted to the speeds, the joystick switches StepNLoop off.
 void ArcusDriver::changed_param(int index) {
-  const ParamInfo& info = catalog_.params[at(index)];
-  ParamState& state = draft_.params[at(index)];
+  const ParamInfo& info = catalog_.params[ix(index)];
+  ParamState& state = draft_.params[ix(index)];
   state.known = false;
   state.stored = !info.stored;
   draft_.unsaved_setup = draft_.unsaved_setup || info.stored;
@@ -123,7 +122,7 @@ Task<Result<>> ArcusDriver::set_param(intent::SetParam wish) {
   if (index < 0)
     co_return fail(FaultKind::refused, fmt::format("A {} has no parameter {}.", model().title, wish.mnemonic),
                    "Nothing was sent.");
-  const ParamInfo& info = catalog_.params[at(index)];
+  const ParamInfo& info = catalog_.params[ix(index)];
   if (!info.accepts(wish.value))
     co_return fail(FaultKind::refused,
                    fmt::format("{} is not possible for {} ({}): it takes {}.", encode_value(info, wish.value),
@@ -136,7 +135,7 @@ Task<Result<>> ArcusDriver::set_param(intent::SetParam wish) {
   changed_param(index);
   auto read = co_await read_param(index, Priority::intent);
   if (!read) co_return read;
-  const std::int64_t kept = draft_.params[at(index)].value;
+  const std::int64_t kept = draft_.params[ix(index)].value;
   if (kept == wish.value) co_return co_await read_loop(Priority::intent);
   const bool ramp = info.unit == "ms" && !info.stored;
   if (!ramp)

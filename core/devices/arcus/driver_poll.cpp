@@ -4,14 +4,13 @@
 
 #include <fmt/core.h>
 
+#include "core/base/index.h"
 #include "core/devices/arcus/driver.h"
 
 namespace hw::arcus {
 namespace {
 
 constexpr int io_every = 4;  // rounds in motion between two looks at inputs, outputs and threads
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 }  // namespace
 
@@ -22,9 +21,9 @@ Task<Result<>> ArcusDriver::poll() {
   std::array<Steps, max_axes> before{};
   bool known = true;
   for (int i = 0; i < axis_count(); ++i) {
-    before[at(i)] = draft_.axes[i].position;
-    known = known && draft_.axes[i].position_known && !minds_[at(i)].zeroed;
-    minds_[at(i)].zeroed = false;
+    before[ix(i)] = draft_.axes[i].position;
+    known = known && draft_.axes[i].position_known && !minds_[ix(i)].zeroed;
+    minds_[ix(i)].zeroed = false;
   }
   auto motion = co_await read_motion(Priority::poll);
   if (!motion) co_return motion;
@@ -65,7 +64,7 @@ Duration ArcusDriver::moving_period() const {
 // Four questions, each answered for all axes.
 Task<Result<>> ArcusDriver::read_motion(Priority priority) {
   round_began_ = scheduler_.now();
-  const auto axes = at(axis_count());
+  const auto axes = ix(axis_count());
   std::size_t fields = axes;
   for (const std::string_view id : forms_.behind_status) fields += id.empty() ? 0 : 1;
   const Instant asked_at = scheduler_.now();
@@ -80,16 +79,16 @@ Task<Result<>> ArcusDriver::read_motion(Priority priority) {
   take_status(*status);
   for (int i = 0; i < axis_count(); ++i) {
     AxisState& axis = draft_.axes[i];
-    const Steps position((*positions)[at(i)]);
+    const Steps position((*positions)[ix(i)]);
     const Steps move = position - axis.position;
     const bool changed = axis.position_known && move != Steps(0);
     axis.position = position;
     axis.position_known = true;
     axis.seen_at = scheduler_.now();
     axis.has_encoder = true;
-    axis.encoder = Steps((*encoders)[at(i)]);
-    axis.speed = Pps(std::abs(static_cast<double>((*speeds)[at(i)])));
-    if (changed) minds_[at(i)].turned = static_cast<std::int8_t>(move > Steps(0) ? 1 : -1);
+    axis.encoder = Steps((*encoders)[ix(i)]);
+    axis.speed = Pps(std::abs(static_cast<double>((*speeds)[ix(i)])));
+    if (changed) minds_[ix(i)].turned = static_cast<std::int8_t>(move > Steps(0) ? 1 : -1);
     show_axis(i, asked_at);
   }
   co_return Result<>();
@@ -98,8 +97,8 @@ Task<Result<>> ArcusDriver::read_motion(Priority priority) {
 void ArcusDriver::take_status(const std::vector<std::int64_t>& words) {
   const StatusBits& bits = model().status;
   for (int i = 0; i < axis_count(); ++i) {
-    const std::int64_t word = words[at(i)];
-    minds_[at(i)].status = word;
+    const std::int64_t word = words[ix(i)];
+    minds_[ix(i)].status = word;
     AxisState& axis = draft_.axes[i];
     axis.limit_minus = has_bit(word, bits.minus_limit);
     axis.limit_plus = has_bit(word, bits.plus_limit);
@@ -114,7 +113,7 @@ void ArcusDriver::take_status(const std::vector<std::int64_t>& words) {
   }
   if (bits.latch != no_bit) put_readout("LATCHIN", has_bit(words[0], bits.latch));
   if (bits.index != no_bit) put_readout("INDEX", has_bit(words[0], bits.index));
-  std::size_t field = at(axis_count());
+  std::size_t field = ix(axis_count());
   for (const std::string_view id : forms_.behind_status) {
     if (id.empty()) continue;
     put_readout(id, words[field]);
@@ -127,7 +126,7 @@ void ArcusDriver::take_status(const std::vector<std::int64_t>& words) {
 // The state of StepNLoop, of axes that have it on, or where that is not known.
 Task<Result<>> ArcusDriver::read_loop(Priority priority) {
   for (int i = 0; i < axis_count(); ++i) {
-    AxisMind& mind = minds_[at(i)];
+    AxisMind& mind = minds_[ix(i)];
     if (mind.loop_state == static_cast<int>(LoopState::off)) continue;
     const std::string question = fill(forms_, forms_.loop_state, i);
     const Instant asked_at = scheduler_.now();
@@ -174,7 +173,7 @@ bool ArcusDriver::moving(int axis) const {
 bool ArcusDriver::any_moving() const { return draft_.any_axis_moving(); }
 
 bool ArcusDriver::loop_error(int axis) const {
-  const int state = minds_[at(axis)].loop_state;
+  const int state = minds_[ix(axis)].loop_state;
   return state >= static_cast<int>(LoopState::range_error) &&
          state <= static_cast<int>(LoopState::limit_error);
 }
@@ -202,14 +201,14 @@ Activity activity_of(int loop_state) {
 }  // namespace
 
 bool ArcusDriver::runs(int axis) const {
-  const AxisMind& mind = minds_[at(axis)];
+  const AxisMind& mind = minds_[ix(axis)];
   return says_moving(mind.status) || loop_works(mind.loop_state);
 }
 
 // What the axis does, from its status word, StepNLoop and what the console began. A command that was sent
 // after the question was asked is not judged by the answer.
 void ArcusDriver::show_axis(int index, Instant asked_at) {
-  AxisMind& mind = minds_[at(index)];
+  AxisMind& mind = minds_[ix(index)];
   AxisState& axis = draft_.axes[index];
   if (mind.begun_at > asked_at) return;
   if (mind.stopping) {  // until whoever stops it has seen it stand
@@ -238,8 +237,8 @@ void ArcusDriver::show_axis(int index, Instant asked_at) {
 
 AxisError ArcusDriver::error_of(int axis) const {
   const StatusBits& bits = model().status;
-  const std::int64_t word = minds_[at(axis)].status;
-  switch (static_cast<LoopState>(minds_[at(axis)].loop_state)) {
+  const std::int64_t word = minds_[ix(axis)].status;
+  switch (static_cast<LoopState>(minds_[ix(axis)].loop_state)) {
     case LoopState::stall_error: return AxisError::stalled;
     case LoopState::range_error: return AxisError::too_far;
     case LoopState::attempt_error: return AxisError::not_corrected;
@@ -252,7 +251,7 @@ AxisError ArcusDriver::error_of(int axis) const {
 }
 
 void ArcusDriver::show_ended(int index) {
-  AxisMind& mind = minds_[at(index)];
+  AxisMind& mind = minds_[ix(index)];
   AxisState& axis = draft_.axes[index];
   const bool was_moving = moving(index);
   if (was_moving) axis.ended_by = how_it_ended(index);
@@ -266,10 +265,10 @@ void ArcusDriver::show_ended(int index) {
 
 EndedBy ArcusDriver::how_it_ended(int axis) const {
   const StatusBits& bits = model().status;
-  const std::int64_t word = minds_[at(axis)].status;
+  const std::int64_t word = minds_[ix(axis)].status;
   if (has_bit(word, bits.plus_error) || has_bit(word, bits.minus_error)) return EndedBy::limit;
   if (has_bit(word, bits.alarm_error) || loop_error(axis)) return EndedBy::error;
-  if (minds_[at(axis)].ended_by != EndedBy::nothing) return minds_[at(axis)].ended_by;
+  if (minds_[ix(axis)].ended_by != EndedBy::nothing) return minds_[ix(axis)].ended_by;
   return EndedBy::target;
 }
 
@@ -302,9 +301,9 @@ void ArcusDriver::show_worst() {
     return;
   }
   for (int i = 0; i < model().programs; ++i)
-    if (draft_.threads[at(i)].known && draft_.threads[at(i)].run == RunState::error) {
+    if (draft_.threads[ix(i)].known && draft_.threads[ix(i)].run == RunState::error) {
       draft_.notice = fmt::format("Program {} has stopped in error at line {} of its stored code.", i,
-                                  draft_.threads[at(i)].line);
+                                  draft_.threads[ix(i)].line);
       return;
     }
 }

@@ -2,6 +2,7 @@
 // thread.
 #include <fmt/core.h>
 
+#include "core/base/index.h"
 #include "core/devices/arcus/driver.h"
 #include "core/devices/arcus/language/compiler.h"
 #include "core/devices/arcus/language/decompiler.h"
@@ -11,8 +12,6 @@ namespace {
 
 constexpr int empty_lines_end_it = 4;  // in a row
 constexpr int thread_stop = 0, thread_run = 1, thread_pause = 2, thread_continue = 3;
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 }  // namespace
 
@@ -45,14 +44,14 @@ Task<Result<>> ArcusDriver::control(int thread, int what) {
     co_return fail(std::move(fault));
   }
   if (what == thread_run) draft_.program.started_at = scheduler_.now();
-  draft_.threads[at(thread)].known = false;
+  draft_.threads[ix(thread)].known = false;
   auto read = co_await read_threads(false, Priority::intent);
   if (!read) co_return read;
-  const RunState now = draft_.threads[at(thread)].run;
+  const RunState now = draft_.threads[ix(thread)].run;
   if (what == thread_run && now == RunState::error)
     co_return fail(FaultKind::controller,
                    fmt::format("Program {} stopped in error at line {} of its stored code.", thread,
-                               draft_.threads[at(thread)].line),
+                               draft_.threads[ix(thread)].line),
                    {}, "Look at the program, and whether an axis has an error.");
   co_return Result<>();
 }
@@ -61,7 +60,7 @@ Task<Result<>> ArcusDriver::control_all(int thread, int what) {
   if (thread >= 0) co_return co_await control(thread, what);
   const RunState concerned = what == thread_pause ? RunState::running : RunState::held;
   for (int n = 0; n < model().programs; ++n) {
-    if (draft_.threads[at(n)].run != concerned) continue;
+    if (draft_.threads[ix(n)].run != concerned) continue;
     auto done = co_await control(n, what);
     if (!done) co_return done;
   }
@@ -70,7 +69,7 @@ Task<Result<>> ArcusDriver::control_all(int thread, int what) {
 
 Result<> ArcusDriver::no_thread_runs() const {
   for (int n = 0; n < model().programs; ++n) {
-    const RunState run = draft_.threads[at(n)].run;
+    const RunState run = draft_.threads[ix(n)].run;
     if (run == RunState::running || run == RunState::held)
       return fail(FaultKind::refused,
                   fmt::format("Program {} runs, and all programs share the stored code.", n),
@@ -122,14 +121,14 @@ Task<Result<>> ArcusDriver::write_lines(std::vector<std::string> lines) {
   for (int n = 0; n < total; ++n) {
     auto there = co_await read_line(n, Priority::transfer);
     if (!there) co_return fail(there.error());
-    if (*there != lines[at(n)]) {
-      auto written = co_await write_line(n, lines[at(n)]);
+    if (*there != lines[ix(n)]) {
+      auto written = co_await write_line(n, lines[ix(n)]);
       if (!written) co_return written;
       auto back = co_await read_line(n, Priority::transfer);
       if (!back) co_return fail(back.error());
-      if (*back != lines[at(n)])
+      if (*back != lines[ix(n)])
         co_return fail(FaultKind::controller,
-                       fmt::format("Line {} reads back as \"{}\" instead of \"{}\".", n, *back, lines[at(n)]),
+                       fmt::format("Line {} reads back as \"{}\" instead of \"{}\".", n, *back, lines[ix(n)]),
                        "The program is stored in part.", "Send it again before it is run.");
     }
     show_transfer(n + 1, total);

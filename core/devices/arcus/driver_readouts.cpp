@@ -1,6 +1,7 @@
 // Readouts, variables, analog inputs, threads. What somebody looks at is asked each round, the rest in turn.
 #include <fmt/core.h>
 
+#include "core/base/index.h"
 #include "core/devices/arcus/catalog.h"
 #include "core/devices/arcus/driver.h"
 
@@ -8,8 +9,6 @@ namespace hw::arcus {
 namespace {
 
 constexpr int variables_per_round = 10, params_per_round = 3;
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 RunState run_state(std::int64_t number) {
   switch (number) {
@@ -35,19 +34,19 @@ void ArcusDriver::find_readouts_told_by_status() {
 void ArcusDriver::put_readout(std::string_view id, std::int64_t value) {
   const int index = catalog_.find_readout(id);
   if (index < 0) return;
-  draft_.readouts[at(index)] = value;
-  draft_.readouts_known.set(at(index));
-  draft_.readouts_seen_at[at(index)] = scheduler_.now();
+  draft_.readouts[ix(index)] = value;
+  draft_.readouts_known.set(ix(index));
+  draft_.readouts_seen_at[ix(index)] = scheduler_.now();
   if (id == "MM") incremental_ = value != 0;
 }
 
 Task<Result<>> ArcusDriver::read_readout(int index, Priority priority) {
-  const ReadoutInfo& info = catalog_.readouts[at(index)];
+  const ReadoutInfo& info = catalog_.readouts[ix(index)];
   auto value = co_await ask_number(info.id, priority);
   if (!value) co_return fail(value.error());
   put_readout(info.id, *value);
   if (info.group == loop && info.axis >= 0 && info.id == fill(forms_, forms_.loop_state, info.axis)) {
-    minds_[at(info.axis)].loop_state = static_cast<int>(*value);
+    minds_[ix(info.axis)].loop_state = static_cast<int>(*value);
     draft_.axes[info.axis].in_counts = *value != static_cast<int>(LoopState::off);
   }
   co_return Result<>();
@@ -56,7 +55,7 @@ Task<Result<>> ArcusDriver::read_readout(int index, Priority priority) {
 Task<Result<>> ArcusDriver::read_analog(int number, Priority priority) {
   auto value = co_await ask_number(fmt::format("AI{}", number), priority);
   if (!value) co_return fail(value.error());
-  draft_.analog[at(number - 1)] = static_cast<std::int32_t>(*value);
+  draft_.analog[ix(number - 1)] = static_cast<std::int32_t>(*value);
   draft_.analog_known |= 1u << (number - 1);
   co_return Result<>();
 }
@@ -64,14 +63,14 @@ Task<Result<>> ArcusDriver::read_analog(int number, Priority priority) {
 Task<Result<>> ArcusDriver::read_variable(int number, Priority priority) {
   auto value = co_await ask_number(fmt::format("V{}", number), priority);
   if (!value) co_return fail(value.error());
-  draft_.variables[at(number)] = static_cast<std::int32_t>(*value);
-  draft_.variables_known.set(at(number));
+  draft_.variables[ix(number)] = static_cast<std::int32_t>(*value);
+  draft_.variables_known.set(ix(number));
   co_return Result<>();
 }
 
 Task<Result<>> ArcusDriver::read_watched() {
   for (int i = 0; i < static_cast<int>(catalog_.readouts.size()); ++i) {
-    if (by_status_[at(i)] || !(watched_ >> catalog_.readouts[at(i)].group & 1)) continue;
+    if (by_status_[ix(i)] || !(watched_ >> catalog_.readouts[ix(i)].group & 1)) continue;
     auto read = co_await read_readout(i, Priority::poll);
     if (!read) co_return read;
   }
@@ -96,7 +95,7 @@ Task<Result<>> ArcusDriver::read_in_turn() {
   for (int tried = 0; tried < readouts; ++tried) {
     const int index = next_readout_;
     next_readout_ = (next_readout_ + 1) % readouts;
-    if (by_status_[at(index)]) continue;
+    if (by_status_[ix(index)]) continue;
     auto read = co_await read_readout(index, Priority::poll);
     if (!read) co_return read;
     break;
@@ -111,7 +110,7 @@ Task<Result<>> ArcusDriver::read_in_turn() {
   for (int tried = 0; tried < params && read_now < params_per_round; ++tried) {
     const int index = next_param_;
     next_param_ = (next_param_ + 1) % params;
-    if (draft_.params[at(index)].known) continue;
+    if (draft_.params[ix(index)].known) continue;
     auto read = co_await read_param(index, Priority::poll);
     if (!read) co_return read;
     ++read_now;
@@ -128,7 +127,7 @@ Task<Result<>> ArcusDriver::read_threads(bool all, Priority priority) {
   bool one_idle_read = false;
   for (int n = 0; n < model().programs; ++n) {
     const int thread = (next_thread_ + n) % model().programs;
-    const ThreadState& known = draft_.threads[at(thread)];
+    const ThreadState& known = draft_.threads[ix(thread)];
     const bool quiet = known.known && known.run != RunState::running;
     if (quiet && one_idle_read && !all) continue;
     one_idle_read = one_idle_read || quiet;
@@ -140,7 +139,7 @@ Task<Result<>> ArcusDriver::read_threads(bool all, Priority priority) {
   draft_.program.owned = false;
   draft_.program.slot = 0;
   for (int n = model().programs - 1; n >= 0; --n) {
-    const RunState run = draft_.threads[at(n)].run;
+    const RunState run = draft_.threads[ix(n)].run;
     if (run == RunState::running || (run == RunState::held && draft_.program.run != RunState::running))
       draft_.program.run = run;
     draft_.program.owned = draft_.program.owned || run == RunState::running || run == RunState::held;
@@ -151,7 +150,7 @@ Task<Result<>> ArcusDriver::read_threads(bool all, Priority priority) {
 Task<Result<>> ArcusDriver::read_thread(int thread, Priority priority) {
   auto state = co_await ask_number(fmt::format("SASTAT{}", thread), priority);
   if (!state) co_return fail(state.error());
-  ThreadState& known = draft_.threads[at(thread)];
+  ThreadState& known = draft_.threads[ix(thread)];
   known.run = run_state(*state);
   known.known = true;
   if (known.run == RunState::idle) {
@@ -160,7 +159,7 @@ Task<Result<>> ArcusDriver::read_thread(int thread, Priority priority) {
   }
   auto line = co_await ask_number(fmt::format("SPC{}", thread), priority);
   if (!line) co_return fail(line.error());
-  draft_.threads[at(thread)].line = static_cast<std::int16_t>(*line);
+  draft_.threads[ix(thread)].line = static_cast<std::int16_t>(*line);
   co_return Result<>();
 }
 

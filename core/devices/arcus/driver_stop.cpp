@@ -2,6 +2,7 @@
 // stopped, STOP again because a program may have begun a move in between, then the status until all stand.
 #include <fmt/core.h>
 
+#include "core/base/index.h"
 #include "core/devices/arcus/driver.h"
 
 namespace hw::arcus {
@@ -10,8 +11,6 @@ namespace {
 constexpr Duration longest_stop = std::chrono::seconds(30);  // of a ramp that the user made long
 constexpr Duration look_again = Millis(40);
 constexpr int stop_attempts = 3;
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 }  // namespace
 
@@ -29,8 +28,8 @@ void ArcusDriver::stopping(int axis, bool at_once) {
   for (int i = 0; i < axis_count(); ++i) {
     if ((axis >= 0 && i != axis) || !moving(i)) continue;
     draft_.axes[i].activity = Activity::stopping;
-    minds_[at(i)].stopping = true;
-    minds_[at(i)].ended_by = at_once ? EndedBy::abort : EndedBy::stop;
+    minds_[ix(i)].stopping = true;
+    minds_[ix(i)].ended_by = at_once ? EndedBy::abort : EndedBy::stop;
   }
 }
 
@@ -52,7 +51,7 @@ Task<Result<>> ArcusDriver::stop(int axis, bool at_once) {
 void ArcusDriver::stands(int axis) {
   for (int i = 0; i < axis_count(); ++i) {
     if (axis >= 0 && i != axis) continue;
-    minds_[at(i)].stopping = false;
+    minds_[ix(i)].stopping = false;
     show_axis(i, scheduler_.now());
   }
 }
@@ -98,8 +97,8 @@ Task<Result<>> ArcusDriver::release_joystick(int axis) {
   const int index = catalog_.find_param("JE");
   if (said && mask) {
     changed_param(index);
-    draft_.params[at(index)].value = kept;
-    draft_.params[at(index)].known = true;
+    draft_.params[ix(index)].value = kept;
+    draft_.params[ix(index)].known = true;
     tell(Notice::Kind::info, "The joystick was switched off by the stop.");
   }
   co_return said;
@@ -107,12 +106,12 @@ Task<Result<>> ArcusDriver::release_joystick(int axis) {
 
 Task<Result<>> ArcusDriver::halt_threads(bool all) {
   for (int n = 0; n < model().programs; ++n) {
-    const ThreadState& thread = draft_.threads[at(n)];
+    const ThreadState& thread = draft_.threads[ix(n)];
     const bool rests = thread.known && (thread.run == RunState::idle || thread.run == RunState::error);
     if (rests && !all) continue;
     auto said = co_await say_stop(fmt::format("SR{}=0", n));
     if (!said) co_return said;
-    draft_.threads[at(n)].known = false;
+    draft_.threads[ix(n)].known = false;
   }
   co_return Result<>();
 }

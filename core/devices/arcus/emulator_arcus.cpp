@@ -2,14 +2,14 @@
 
 #include <algorithm>
 
+#include "core/base/number_text.h"
+
 namespace hw::arcus {
 namespace {
 
 constexpr std::size_t longest_line = 256, pulses_kept = 100'000;
 constexpr std::size_t transfer = 64;          // bytes of a USB transfer
 constexpr int most_events_at_once = 100'000;  // at one instant: then time has to go on
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 }  // namespace
 

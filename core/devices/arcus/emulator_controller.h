@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/index.h"
 #include "core/device/bench.h"
 #include "core/devices/arcus/emulator_axis.h"
 #include "core/devices/arcus/emulator_settings.h"
@@ -193,7 +194,6 @@ class Controller {
   int moves_begun = 0;
 
  private:
-  static std::size_t ix(int i) { return static_cast<std::size_t>(i); }
   void tell(std::string what);
   [[nodiscard]] std::string letter(int axis) const { return std::string(1, model_->axis_letters[ix(axis)]); }
 

@@ -1,10 +1,10 @@
 #include "core/devices/vxm/codec.h"
 
 #include <algorithm>
-#include <charconv>
 
 #include <fmt/core.h>
 
+#include "core/base/number_text.h"
 #include "core/devices/vxm/facts.h"
 
 namespace hw::vxm {
@@ -12,17 +12,12 @@ namespace {
 
 constexpr std::int64_t all_but_program_0 = -5;
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-std::optional<std::int64_t> whole_number(std::string_view text) {
+std::optional<std::int64_t> signed_number(std::string_view text) {
   if (!text.empty() && text.front() == '+') text.remove_prefix(1);
-  std::int64_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  return value;
+  return whole_number<std::int64_t>(text);
 }
 
-std::optional<std::string_view> without_end(std::string_view reply) {
+std::optional<std::string_view> body_of(std::string_view reply) {
   if (!reply.ends_with('\r')) return std::nullopt;
   reply.remove_suffix(1);
   return reply;
@@ -76,21 +71,21 @@ std::string get_param(std::string_view mnemonic) {
 }
 
 std::optional<Steps> decode_position(std::string_view reply) {
-  const auto text = without_end(reply);
+  const auto text = body_of(reply);
   // The manual's sample for motor 3 has six digits, all others seven.
   if (!text || text->size() < 7 || text->size() > 8) return std::nullopt;
   if (text->front() != '+' && text->front() != '-') return std::nullopt;
   if (!std::all_of(text->begin() + 1, text->end(), is_digit)) return std::nullopt;
-  const auto value = whole_number(*text);
+  const auto value = signed_number(*text);
   if (!value || *value < position_min || *value > position_max) return std::nullopt;
   return Steps{*value};
 }
 
 std::optional<std::int64_t> decode_number(std::string_view reply) {
-  const auto text = without_end(reply);
+  const auto text = body_of(reply);
   if (!text) return std::nullopt;
   if (*text == "-0") return all_but_program_0;
-  return whole_number(*text);
+  return signed_number(*text);
 }
 
 std::optional<char> decode_state(std::string_view reply) {
@@ -101,7 +96,7 @@ std::optional<char> decode_state(std::string_view reply) {
 }
 
 std::optional<std::string> decode_text_line(std::string_view reply) {
-  const auto text = without_end(reply);
+  const auto text = body_of(reply);
   if (!text || text->empty()) return std::nullopt;
   const auto plain = [](char c) { return is_digit(c) || c == '.' || c == '-'; };
   if (!std::all_of(text->begin(), text->end(), plain)) return std::nullopt;
@@ -114,8 +109,8 @@ std::optional<Listing> decode_listing(std::string_view reply) {
   const std::string_view head = lines.empty() ? std::string_view{} : lines.front();
   const auto gap = head.find(" M");
   if (!head.starts_with("PM") || gap == head.npos) return std::nullopt;
-  const auto slot = whole_number(head.substr(2, gap - 2));
-  const auto free = whole_number(head.substr(gap + 2));
+  const auto slot = signed_number(head.substr(2, gap - 2));
+  const auto free = signed_number(head.substr(gap + 2));
   if (!slot || *slot < 0 || *slot >= program_count || !free || *free < 0 || *free > program_bytes)
     return std::nullopt;
   Listing listing;

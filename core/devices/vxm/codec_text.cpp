@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include "core/base/number_text.h"
 #include "core/devices/vxm/facts.h"
 
 namespace hw::vxm {
@@ -13,8 +14,6 @@ constexpr std::string_view single_letters = "QRNKCDEFGH!VXYZTxyM#*?~$@";
 constexpr std::string_view words[] = {"lst", "rsm", "res", "del"};
 constexpr int most_digits = 12;
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_ender(char c) { return c == '\r' || c == ',' || c == '.'; }
 bool is_dropped(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\0'; }
 
 class Reader {
@@ -249,7 +248,7 @@ Range setup_range(const TextCommand& c) {
   return {1, 0};
 }
 
-Range range_of(const TextCommand& c) {
+Range value_range(const TextCommand& c) {
   switch (c.verb) {
     case Verb::index_by: return {-max_index, max_index};
     case Verb::index_to: return {position_min, position_max};
@@ -280,7 +279,7 @@ bool possible(const TextCommand& c) {
   const bool has_motor =
       c.verb <= Verb::acceleration || (c.name.size() > 1 && c.name.back() == 'M' && c.name != "DM");
   if (has_motor && (c.motor < 1 || c.motor > max_motors)) return false;
-  const Range range = range_of(c);
+  const Range range = value_range(c);
   const auto value = c.signed_value();
   if (value < range.low || value > range.high) return false;
   switch (c.verb) {

@@ -25,6 +25,9 @@ namespace hw::vxm {
 
 std::unique_ptr<Driver> make_driver(DriverContext context);
 
+/// `rsm` answers when it has written its memory.
+inline constexpr Duration store_patience = std::chrono::seconds(10);
+
 class VxmDriver final : public Driver {
  public:
   explicit VxmDriver(DriverContext context);

@@ -8,14 +8,13 @@
 
 #include <fmt/core.h>
 
+#include "core/base/index.h"
 #include "core/devices/vxm/driver.h"
 
 namespace hw::vxm {
 namespace {
 
 constexpr Duration quick_patience = std::chrono::seconds(1);
-
-std::size_t at(int axis) { return static_cast<std::size_t>(axis); }
 
 }  // namespace
 
@@ -37,11 +36,11 @@ Task<Result<int>> VxmDriver::find_scratch() {
     if (!read) co_return fail(read.error());
   }
   const auto& used = draft_.slot_bytes_used;
-  if (confirmed_scratch_ >= 0 && used[at(confirmed_scratch_)] == 0 && may_be_scratch(confirmed_scratch_))
+  if (confirmed_scratch_ >= 0 && used[ix(confirmed_scratch_)] == 0 && may_be_scratch(confirmed_scratch_))
     co_return confirmed_scratch_;
   for (const bool selected_too : {false, true})  // the selected one only when no other is left
     for (int slot = program_count - 1; slot >= 0; --slot) {
-      if ((slot == selected_) != selected_too || used[at(slot)] != 0 || !may_be_scratch(slot)) continue;
+      if ((slot == selected_) != selected_too || used[ix(slot)] != 0 || !may_be_scratch(slot)) continue;
       auto chosen = co_await say(select_program(slot), Priority::intent);
       if (!chosen) co_return fail(chosen.error());
       auto listing = co_await ask_listing(Priority::intent);
@@ -52,7 +51,7 @@ Task<Result<int>> VxmDriver::find_scratch() {
         confirmed_scratch_ = slot;
         co_return slot;
       }
-      draft_.slot_bytes_used[at(slot)] = static_cast<std::int16_t>(program_bytes - listing->free_bytes);
+      draft_.slot_bytes_used[ix(slot)] = static_cast<std::int16_t>(program_bytes - listing->free_bytes);
     }
   const Fault none(
       FaultKind::refused,
@@ -72,15 +71,15 @@ std::string VxmDriver::leg_program(const Leg& leg) {
   text += empty_program(scratch_);
   for (const int axis : {leg.axis, leg.second_axis}) {
     if (axis < 0) continue;
-    const int usual = known_speed_[at(axis)].value_or(default_speed);
+    const int usual = known_speed_[ix(axis)].value_or(default_speed);
     if (leg.speed > 0)
       text += speed(axis + 1, leg.speed);
-    else if (our_speed_[at(axis)])
+    else if (our_speed_[ix(axis)])
       text += speed(axis + 1, usual);
   }
   text += leg.text;
   for (const int axis : {leg.axis, leg.second_axis})
-    if (axis >= 0 && leg.speed > 0) text += speed(axis + 1, known_speed_[at(axis)].value_or(default_speed));
+    if (axis >= 0 && leg.speed > 0) text += speed(axis + 1, known_speed_[ix(axis)].value_or(default_speed));
   return text + "R";
 }
 
@@ -102,7 +101,7 @@ Task<Result<>> VxmDriver::start_leg() {
   const Leg& leg = job_.legs.front();
   job_.leg_over = job_.limit_reported = false;
   for (const int axis : {leg.axis, leg.second_axis})
-    if (axis >= 0) our_speed_[at(axis)] = our_speed_[at(axis)] || leg.speed > 0;
+    if (axis >= 0) our_speed_[ix(axis)] = our_speed_[ix(axis)] || leg.speed > 0;
   std::string program = leg_program(leg);
   hold_on_ = false;
   show_leg(leg);
@@ -128,7 +127,7 @@ void VxmDriver::show_leg(const Leg& leg) {
       if (axis.position_known)
         axis.direction = static_cast<std::int8_t>(axis.target < axis.position ? -1 : 1);
     }
-    axis.speed = Pps{static_cast<double>(leg.speed > 0 ? leg.speed : known_speed_[at(index)].value_or(0))};
+    axis.speed = Pps{static_cast<double>(leg.speed > 0 ? leg.speed : known_speed_[ix(index)].value_or(0))};
   }
 }
 
@@ -146,7 +145,7 @@ Task<Result<>> VxmDriver::finish_leg() {
   const EndedBy ended_by = how_it_ended(leg);
   const bool cut_off = ended_by == EndedBy::abort || ended_by == EndedBy::error || ended_by == EndedBy::lost;
   for (const int axis : {leg.axis, leg.second_axis})
-    if (axis >= 0 && !cut_off) our_speed_[at(axis)] = false;
+    if (axis >= 0 && !cut_off) our_speed_[ix(axis)] = false;
   auto again = next_jog_leg(leg, ended_by);
   job_.legs.pop_front();
   if (again) job_.legs.push_back(std::move(*again));
@@ -230,7 +229,7 @@ Task<Result<>> VxmDriver::run_quickly(Leg leg) {
 Task<Result<>> VxmDriver::restore_speeds() {
   Leg leg;
   for (int axis = 0; axis < draft_.axis_count; ++axis)
-    if (our_speed_[at(axis)]) leg.text += speed(axis + 1, known_speed_[at(axis)].value_or(default_speed));
+    if (our_speed_[ix(axis)]) leg.text += speed(axis + 1, known_speed_[ix(axis)].value_or(default_speed));
   if (leg.text.empty()) co_return Result<>();
   auto restored = co_await run_quickly(std::move(leg));
   if (restored) our_speed_.fill(false);

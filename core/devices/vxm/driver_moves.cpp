@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include "core/base/index.h"
 #include "core/devices/vxm/driver.h"
 
 namespace hw::vxm {
@@ -12,7 +13,6 @@ constexpr double longest_jog_s = 30;    // a jog that nobody ends (a pulled cabl
 constexpr int off_switch_steps = 4000;  // back off a home switch before the second approach (App. N p.67)
 constexpr int homing_speed = hard_stop_safe_speed;  // the manual's limit for reliable homing (p.27)
 
-std::size_t at(int axis) { return static_cast<std::size_t>(axis); }
 bool on_slave(int axis) { return axis >= motors_per_controller; }
 
 }  // namespace
@@ -68,7 +68,7 @@ Result<int> VxmDriver::checked_speed(Pps speed) const {
 }
 
 void VxmDriver::warn_of_motor_type(int axis) {
-  if (std::exchange(type_warned_[at(axis)], true) || param(fmt::format("M{}M", axis + 1)) != 0) return;
+  if (std::exchange(type_warned_[ix(axis)], true) || param(fmt::format("M{}M", axis + 1)) != 0) return;
   tell(Notice::Kind::warning,
        fmt::format("Motor {0} is set to type 0, the factory value for the smallest motors: a larger one only "
                    "buzzes. The "
@@ -183,7 +183,7 @@ Task<Result<>> VxmDriver::home(const intent::Home& wish) {
   to_switch.axis = axis;
   to_switch.activity = Activity::homing;
   to_switch.sign = wish.sign;
-  to_switch.speed = std::min(known_speed_[at(axis)].value_or(default_speed), homing_speed);
+  to_switch.speed = std::min(known_speed_[ix(axis)].value_or(default_speed), homing_speed);
   to_switch.text = vxm::home(axis + 1, wish.sign);
   Leg zero;
   zero.axis = axis;

@@ -2,17 +2,15 @@
 // driver.
 #include <fmt/core.h>
 
+#include "core/base/index.h"
 #include "core/devices/vxm/driver.h"
 
 namespace hw::vxm {
 namespace {
 
-constexpr Duration store_patience = std::chrono::seconds(10);
 constexpr Duration rate_change_pause = Millis(50);
 constexpr int restart_attempts = 8;
 constexpr Duration restart_pause = Millis(250);
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 int baud_rate(std::int64_t number) {
   for (const Baud& b : bauds)
@@ -97,8 +95,8 @@ int VxmDriver::slot_of(const IntentBody& body) {
 
 std::optional<std::int64_t> VxmDriver::param(std::string_view mnemonic) const {
   const int index = catalog_.find_param(mnemonic);
-  if (index < 0 || !draft_.params[at(index)].known) return std::nullopt;
-  return draft_.params[at(index)].value;
+  if (index < 0 || !draft_.params[ix(index)].known) return std::nullopt;
+  return draft_.params[ix(index)].value;
 }
 
 // A set or get for motor 3 or 4 without a Slave would make the controller restart (EB).
@@ -107,12 +105,12 @@ bool VxmDriver::reachable(const ParamInfo& info) const {
 }
 
 Task<Result<>> VxmDriver::read_param(int index, Priority priority) {
-  const ParamInfo& info = catalog_.params[at(index)];
+  const ParamInfo& info = catalog_.params[ix(index)];
   if (!info.readable || !reachable(info)) co_return Result<>();
   auto value = co_await ask_number(get_param(info.mnemonic), priority);
   if (!value) co_return fail(value.error());
-  draft_.params[at(index)].value = *value;
-  draft_.params[at(index)].known = true;
+  draft_.params[ix(index)].value = *value;
+  draft_.params[ix(index)].known = true;
   co_return Result<>();
 }
 
@@ -141,7 +139,7 @@ Task<Result<>> VxmDriver::set_param(const intent::SetParam& wish) {
   if (index < 0)
     co_return fail(FaultKind::refused, fmt::format("A VXM has no parameter {}.", wish.mnemonic),
                    "Nothing was sent.");
-  const ParamInfo& info = catalog_.params[at(index)];
+  const ParamInfo& info = catalog_.params[ix(index)];
   if (!info.accepts(wish.value))
     co_return fail(FaultKind::refused,
                    fmt::format("{} is not possible for {} ({}): it takes {}.", wish.value, info.mnemonic,
@@ -158,7 +156,7 @@ Task<Result<>> VxmDriver::set_param(const intent::SetParam& wish) {
   if (info.mnemonic == "B") co_return co_await set_baud(wish.value);
   auto sent = co_await say(vxm::set_param(info.mnemonic, wish.value), Priority::intent);
   if (!sent) co_return sent;
-  ParamState& state = draft_.params[at(index)];
+  ParamState& state = draft_.params[ix(index)];
   state.stored = !info.stored;
   draft_.unsaved_setup = draft_.unsaved_setup || info.stored;
   if (info.mnemonic == "DM") identity_read_ = false;  // it may have become the Master
@@ -190,7 +188,7 @@ Task<Result<>> VxmDriver::set_baud(std::int64_t number) {
     auto state = co_await ask_state(Priority::intent);
     if (state) {
       const int index = catalog_.find_param("B");
-      draft_.params[at(index)].stored = false;
+      draft_.params[ix(index)].stored = false;
       draft_.unsaved_setup = true;
       co_return Result<>();
     }

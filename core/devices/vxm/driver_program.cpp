@@ -4,12 +4,11 @@
 
 #include <fmt/core.h>
 
+#include "core/base/index.h"
 #include "core/devices/vxm/driver.h"
 
 namespace hw::vxm {
 namespace {
-
-std::size_t at(int slot) { return static_cast<std::size_t>(slot); }
 
 /// One thing to be sent: a command, a pair of indexes in parentheses, or text in brackets for the Slave.
 struct Entry {
@@ -167,8 +166,8 @@ Task<Result<>> VxmDriver::load(const intent::LoadProgram& wish) {
 
 Task<Result<>> VxmDriver::load_slot(int slot, const std::vector<std::string>& lines,
                                     const std::vector<std::string>& expected) {
-  draft_.slot_bytes_used[at(slot)] = -1;
-  listings_[at(slot)].reset();
+  draft_.slot_bytes_used[ix(slot)] = -1;
+  listings_[ix(slot)].reset();
   if (confirmed_scratch_ == slot) confirmed_scratch_ = -1;
   sizes_read_ = false;
   draft_.unsaved_programs = true;
@@ -193,8 +192,8 @@ Task<Result<>> VxmDriver::verify_slot(int slot, const std::vector<std::string>& 
         listing.error().kind,
         fmt::format("Program {} was sent but could not be read back: {}", slot, listing.error().what),
         "It was not run.", "Load it again before it is run.");
-  draft_.slot_bytes_used[at(slot)] = static_cast<std::int16_t>(program_bytes - listing->free_bytes);
-  listings_[at(slot)] = listing->commands;
+  draft_.slot_bytes_used[ix(slot)] = static_cast<std::int16_t>(program_bytes - listing->free_bytes);
+  listings_[ix(slot)] = listing->commands;
   const auto held = commands_of(listing->commands);
   for (std::size_t i = 0; i < std::max(held.size(), expected.size()); ++i) {
     if (i < held.size() && i < expected.size() && same_command(expected[i], held[i])) continue;
@@ -232,8 +231,8 @@ Task<Result<>> VxmDriver::upload(int slot) {
   auto listing = co_await ask_listing(Priority::transfer);
   auto restored = co_await say(select_program(std::max(selected_, 0)), Priority::poll);
   if (!listing) co_return fail(listing.error());
-  draft_.slot_bytes_used[at(slot)] = static_cast<std::int16_t>(program_bytes - listing->free_bytes);
-  listings_[at(slot)] = listing->commands;
+  draft_.slot_bytes_used[ix(slot)] = static_cast<std::int16_t>(program_bytes - listing->free_bytes);
+  listings_[ix(slot)] = listing->commands;
   std::string text;
   for (const std::string& command : listing->commands) text += command + "\n";
   Notice notice(Notice::Kind::program, scheduler_.now(), std::move(text));
@@ -272,7 +271,7 @@ void VxmDriver::show_running(int slot) {
 
 Task<Result<>> VxmDriver::run(int slot) {
   if (auto may = may_run(); !may) co_return may;
-  if (draft_.slot_bytes_used[at(slot)] == 0)
+  if (draft_.slot_bytes_used[ix(slot)] == 0)
     co_return fail(FaultKind::refused, fmt::format("Program {} of the controller is empty.", slot),
                    "Nothing was run.", "Load it first.");
   auto speeds = co_await restore_speeds();
@@ -285,10 +284,10 @@ Task<Result<>> VxmDriver::run(int slot) {
   hold_on_ = false;
   selected_ = slot;
   show_running(slot);
-  if (listings_[at(slot)])
-    for (const TextCommand& c : commands_of(*listings_[at(slot)]))
+  if (listings_[ix(slot)])
+    for (const TextCommand& c : commands_of(*listings_[ix(slot)]))
       if (c.verb == Verb::speed && c.motor >= 1 && c.motor <= max_motors)
-        known_speed_[at(c.motor - 1)] = static_cast<int>(c.value);
+        known_speed_[ix(c.motor - 1)] = static_cast<int>(c.value);
   co_return sent;
 }
 

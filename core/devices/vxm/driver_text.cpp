@@ -7,7 +7,7 @@
 namespace hw::vxm {
 namespace {
 
-constexpr Duration usual_patience = Millis(200), store_patience = std::chrono::seconds(10);
+constexpr Duration usual_patience = Millis(200);
 
 /// How the answer to a command ends.
 struct AnswerShape {

@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/index.h"
 #include "core/devices/vxm/emulator_vxm.h"
 
 namespace hw::vxm {
 namespace {
-
-std::size_t ix(int i) { return static_cast<std::size_t>(i); }
 
 constexpr std::size_t pulses_kept = 100'000;
 

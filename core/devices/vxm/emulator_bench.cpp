@@ -1,12 +1,11 @@
 // What hands do to one controller, and what its lamps show (Front p.5, Setup p.7, Troubleshooting p.30).
 #include <algorithm>
 
+#include "core/base/index.h"
 #include "core/devices/vxm/emulator_box.h"
 
 namespace hw::vxm {
 namespace {
-
-std::size_t ix(int i) { return static_cast<std::size_t>(i); }
 
 /// Lit in the first half of each period.
 bool flashes(Duration since, Duration period) { return since % period < period / 2; }

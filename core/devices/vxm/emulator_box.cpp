@@ -3,19 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/index.h"
+
 namespace hw::vxm {
-namespace {
-
-std::size_t ix(int i) { return static_cast<std::size_t>(i); }
-
-std::optional<Instant> earlier(std::optional<Instant> a, std::optional<Instant> b) {
-  if (!a) return b;
-  if (!b) return a;
-  return std::min(*a, *b);
-}
-
-}  // namespace
-
 Box::Box() { power_up(); }
 
 void Box::link(Box slave) {

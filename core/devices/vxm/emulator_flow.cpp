@@ -2,13 +2,12 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/index.h"
 #include "core/devices/vxm/emulator_box.h"
 #include "core/devices/vxm/report.h"
 
 namespace hw::vxm {
 namespace {
-
-std::size_t ix(int i) { return static_cast<std::size_t>(i); }
 
 bool is_mirror(Op op) { return op == Op::mirror_2 || op == Op::mirror_12; }
 bool is_counted(Op op) { return (op >= Op::loop && op <= Op::loop_always_alternate) || is_mirror(op); }

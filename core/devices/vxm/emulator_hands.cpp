@@ -1,12 +1,11 @@
 // Bench commands, sorted to the controller that they concern.
 #include <algorithm>
 
+#include "core/base/index.h"
 #include "core/devices/vxm/emulator_vxm.h"
 
 namespace hw::vxm {
-namespace {
-std::size_t ix(int i) { return static_cast<std::size_t>(i); }
-}  // namespace
+namespace {}  // namespace
 
 Result<> VxmEmulator::operate(const BenchCommand& command) {
   auto result = std::visit([this](const auto& c) { return act(c); }, command);

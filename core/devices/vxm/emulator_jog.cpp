@@ -2,12 +2,12 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "core/base/index.h"
 #include "core/devices/vxm/emulator_box.h"
 
 namespace hw::vxm {
 namespace {
 
-std::size_t ix(int i) { return static_cast<std::size_t>(i); }
 constexpr int joystick_unit = 250;  // steps/s at full deflection for range 1
 
 bool jogging_waits(int u) { return u == 0 || u == 1 || u == 30 || u == 31 || u == 50 || u == 51 || u == 90; }

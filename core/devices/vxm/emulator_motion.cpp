@@ -1,6 +1,7 @@
 // Motors, counters, limit switches, pulses tied to positions (Motor Commands, App. D to F, N).
 #include <algorithm>
 
+#include "core/base/index.h"
 #include "core/devices/vxm/emulator_box.h"
 #include "core/devices/vxm/report.h"
 
@@ -9,7 +10,6 @@ namespace hw::vxm {
 using motion::Profile;
 
 namespace {
-std::size_t ix(int i) { return static_cast<std::size_t>(i); }
 constexpr std::int64_t most_pulses = 100'000;
 }  // namespace
 

@@ -1,12 +1,11 @@
 // Continuous index: U7, U77, U8 to U9, U91, U92, U99 (App. D and G).
 #include <cmath>
 
+#include "core/base/index.h"
 #include "core/devices/vxm/emulator_box.h"
 
 namespace hw::vxm {
-namespace {
-std::size_t ix(int i) { return static_cast<std::size_t>(i); }
-}  // namespace
+namespace {}  // namespace
 
 void Box::begin_nonstop(int signal) {
   if (run_.nonstop.on) return;  // an example loops back over its U7

@@ -171,4 +171,11 @@ struct Pulse {
   std::int32_t position = 0;
 };
 
+/// The first of two events, either of which may never come.
+inline std::optional<Instant> earlier(std::optional<Instant> a, std::optional<Instant> b) {
+  if (!a) return b;
+  if (!b) return a;
+  return std::min(*a, *b);
+}
+
 }  // namespace hw::vxm

@@ -2,13 +2,12 @@
 // T).
 #include <algorithm>
 
+#include "core/base/index.h"
 #include "core/devices/vxm/emulator_box.h"
 #include "core/devices/vxm/report.h"
 
 namespace hw::vxm {
 namespace {
-
-std::size_t ix(int i) { return static_cast<std::size_t>(i); }
 
 // Commands without a duration of their own take none, but an endless loop of them must let time pass.
 constexpr int commands_at_once = 10'000;

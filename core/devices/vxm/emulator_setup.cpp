@@ -1,13 +1,12 @@
 // Program entry, set and get, rsm, setD0 (Program Management, Setup Commands, App. C to J, N, O).
 #include <algorithm>
 
+#include "core/base/index.h"
 #include "core/devices/vxm/emulator_box.h"
 #include "core/devices/vxm/report.h"
 
 namespace hw::vxm {
 namespace {
-
-std::size_t ix(int i) { return static_cast<std::size_t>(i); }
 
 bool within(std::int64_t v, std::int64_t min, std::int64_t max) { return v >= min && v <= max; }
 

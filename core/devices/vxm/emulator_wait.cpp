@@ -8,12 +8,6 @@ namespace {
 
 bool raises_output(int u) { return u == 1 || u == 31 || u == 51; }
 
-std::optional<Instant> earlier(std::optional<Instant> a, std::optional<Instant> b) {
-  if (!a) return b;
-  if (!b) return a;
-  return std::min(*a, *b);
-}
-
 /// A press that began after `begun`.
 std::optional<Instant> fresh(const Line& line, Instant begun, Duration hold) {
   if (!line.low || line.since < begun) return std::nullopt;

@@ -2,13 +2,12 @@
 // Commands, App. A).
 #include <algorithm>
 
+#include "core/base/index.h"
 #include "core/devices/vxm/emulator_box.h"
 #include "core/devices/vxm/report.h"
 
 namespace hw::vxm {
 namespace {
-
-std::size_t ix(int i) { return static_cast<std::size_t>(i); }
 
 bool is_one_of(std::string_view letters, char c) { return letters.find(c) != std::string_view::npos; }
 

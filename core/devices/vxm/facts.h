@@ -156,6 +156,9 @@ inline constexpr char error_mark = 'E', error_mark_barred = static_cast<char>(0x
 inline constexpr std::string_view accepted_in_local = "EFGNVDQ";
 inline constexpr std::string_view accepted_while_running = "KDHGVXY!*?~$@";  ///< and res; Z, T at standstill
 
+/// What ends a number or a command (p.26): carriage return, comma, period.
+constexpr bool is_ender(char c) { return c == '\r' || c == ',' || c == '.'; }
+
 inline constexpr std::string_view firmware_version = "1.30", firmware_date = "12-29-04";
 
 // --- front panel, in the order of BenchView's bits ------------------------------------------------------

@@ -6,7 +6,7 @@
 namespace hw::vxm {
 namespace {
 
-std::size_t ix(std::int64_t i) { return static_cast<std::size_t>(i); }
+std::size_t place(std::int64_t i) { return static_cast<std::size_t>(i); }
 
 TokenKind kind_of(const Command& c) {
   if (moves(c)) return TokenKind::moves;
@@ -64,7 +64,7 @@ class Walk {
   void keep_before(int remark) {
     const auto end_of = [&](int begin, int end) {
       end = std::min(end, remark);
-      while (end > begin && text_[ix(end - 1)] == ' ') --end;
+      while (end > begin && text_[place(end - 1)] == ' ') --end;
       return end;
     };
     for (Token& t : report_->tokens)
@@ -75,7 +75,7 @@ class Walk {
   [[nodiscard]] int size() { return static_cast<int>(out_.programs[slot_].size()); }
   [[nodiscard]] std::string_view typed(const Reading& r) const {
     const auto from = std::max<std::int64_t>(r.begin - base_, 0);
-    return text_.substr(std::min(ix(from), text_.size()), ix(r.end - r.begin));
+    return text_.substr(std::min(place(from), text_.size()), place(r.end - r.begin));
   }
   [[nodiscard]] Place place_of(const Reading& r) const {
     return {number_, static_cast<int>(r.begin - base_), static_cast<int>(r.end - r.begin)};
@@ -116,10 +116,10 @@ class Walk {
     if (chunk_bad_) return;
     chunk_bad_ = r.kind != Reading::Kind::no_number;
     if (!number_missing) {
-      const auto end = text_.find_first_of(",.;\r", ix(std::max(p.column, 0)));
+      const auto end = text_.find_first_of(",.;\r", place(std::max(p.column, 0)));
       p.length = static_cast<int>(std::min(end, text_.size())) - p.column;
     }
-    std::string_view bad = text_.substr(ix(p.column), ix(p.length));
+    std::string_view bad = text_.substr(place(p.column), place(p.length));
     while (!bad.empty() && bad.back() == ' ') bad.remove_suffix(1), --p.length;
     token(p, TokenKind::bad);
     out_.report.problems.push_back(problem_of_text(bad, p, number_missing));

@@ -48,7 +48,7 @@ std::string complaint(const Reading& w, std::int64_t value, const Refusal& r, in
   }
 }
 
-std::string range_of(const Reading& w, const Refusal& r, int motor) {
+std::string range_sentence(const Reading& w, const Refusal& r, int motor) {
   const std::string form = form_with_motor(w, motor);
   const bool speed = w.head == Head::S || w.head == Head::SA;
   const bool only_minus = r.max < 0;
@@ -70,7 +70,8 @@ Problem at(const Place& p, std::string sentence) {
 Problem range_problem(const Reading& w, const Refusal& r, std::string_view text, const Place& p, int motor) {
   const bool by_sign = r.min < 0;  // forms where the sign is part of the value
   const std::int64_t value = w.minus && by_sign ? -w.value : w.value;
-  Problem problem = at(place_of_value(text, p), complaint(w, value, r, motor) + " " + range_of(w, r, motor));
+  Problem problem =
+      at(place_of_value(text, p), complaint(w, value, r, motor) + " " + range_sentence(w, r, motor));
   if (w.head == Head::J || w.head == Head::JM) return problem;  // which program is meant, nobody can guess
   const std::int64_t nearest = std::clamp(value, r.min, r.max);
   problem.fix_text = (w.minus && !by_sign && w.head != Head::A ? "-" : "") + number(nearest);

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "core/base/number_text.h"
+#include "core/devices/vxm/facts.h"
+
 namespace hw::vxm {
 namespace {
 
@@ -60,8 +63,6 @@ constexpr std::array<Form, 49> forms{{
 constexpr std::string_view letters = "QRNKCDEFGHVXYZTxyM!#*?~$@()[]";
 constexpr std::int64_t absurd = 1'000'000'000;  // beyond every range
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_ender(char c) { return c == '\r' || c == ',' || c == '.'; }
 bool is_silent(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\0'; }
 
 const Form* find_form(std::string_view text) {

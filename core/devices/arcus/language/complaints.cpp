@@ -20,9 +20,9 @@ constexpr WireName wire_names[] = {
     {"JE", "JOYENA", false}, {"SYNO", "SYNON", true}, {"SYNF", "SYNOFF", true},
 };
 
-constexpr std::string_view keywords[] = {"IF",       "ELSEIF", "ELSE",  "ENDIF",  "WHILE",
-                                         "ENDWHILE", "END",    "SUB",   "ENDSUB", "GOSUB",
-                                         "PRG",      "DELAY",  "STORE", "ABS",    "INC"};
+constexpr std::string_view flow_words[] = {"IF",       "ELSEIF", "ELSE",  "ENDIF",  "WHILE",
+                                           "ENDWHILE", "END",    "SUB",   "ENDSUB", "GOSUB",
+                                           "PRG",      "DELAY",  "STORE", "ABS",    "INC"};
 
 std::string the_axes(const Dialect& dialect) {
   if (dialect.axes.size() == 1) return "one axis, " + std::string(dialect.axes);
@@ -65,7 +65,7 @@ int distance(std::string_view a, std::string_view b) {
 
 /// All words that could stand in a program without a number behind them.
 std::vector<std::string> make_vocabulary(const Dialect& dialect) {
-  std::vector<std::string> words(std::begin(keywords), std::end(keywords));
+  std::vector<std::string> words(std::begin(flow_words), std::end(flow_words));
   const auto with_each_axis = [&](std::string_view spelling) {
     for (const char axis : dialect.axes) words.push_back(std::string(spelling) + axis);
   };

@@ -1,9 +1,9 @@
 // Statements out of low-level lines. LISTING.md has the grammar; encoding.cpp writes it.
 #include <algorithm>
-#include <charconv>
 #include <limits>
 #include <span>
 
+#include "core/base/number_text.h"
 #include "core/devices/arcus/language/dialect.h"
 #include "core/devices/arcus/language/encoding.h"
 #include "core/devices/arcus/language/program.h"
@@ -12,15 +12,6 @@ namespace hw::arcus::language {
 namespace {
 
 using Text = std::string_view;
-
-std::optional<std::int32_t> to_number(Text text) {
-  std::int32_t n = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), n);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return n;
-}
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// The comma-separated fields of one line.
 struct Fields {
@@ -97,7 +88,7 @@ class StatementReader {
   }
 
   bool read_number(Text text, std::size_t at) {
-    const auto n = to_number(text);
+    const auto n = whole_number<std::int32_t>(text);
     if (n) i_.values[at] = number_operand(*n);
     return n.has_value();
   }
@@ -112,7 +103,7 @@ class StatementReader {
     }
   }
   static bool read_line(Text text, std::uint16_t& line) {
-    const auto n = to_number(text);
+    const auto n = whole_number<std::int32_t>(text);
     if (!n || *n < 0 || *n >= max_lines) return false;
     line = static_cast<std::uint16_t>(*n);
     return true;
@@ -120,12 +111,12 @@ class StatementReader {
 
   /// A number, a variable or a name.
   [[nodiscard]] std::optional<Operand> operand(Text text, const NameRow** row = nullptr) const {
-    if (const auto n = to_number(text)) return number_operand(*n);
+    if (const auto n = whole_number<std::int32_t>(text)) return number_operand(*n);
     const auto digits = std::find_if(text.begin(), text.end(), is_digit);
     const Text letters = text.substr(0, static_cast<std::size_t>(digits - text.begin()));
     int n = -1;
     if (digits != text.end()) {
-      const auto number = to_number(text.substr(letters.size()));
+      const auto number = whole_number<std::int32_t>(text.substr(letters.size()));
       if (!number || *number > 999) return std::nullopt;
       n = *number;
     }

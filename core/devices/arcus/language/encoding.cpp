@@ -15,8 +15,6 @@ std::string line_of(std::string_view mnemonic, const Fields&... fields) {
   return line;
 }
 
-std::string number(int n) { return std::to_string(n); }
-
 }  // namespace
 
 std::vector<std::string> encode(const Instruction& i, const Dialect& dialect) {
@@ -27,10 +25,10 @@ std::vector<std::string> encode(const Instruction& i, const Dialect& dialect) {
     case Shape::nothing: return {std::string(name)};
     case Shape::number: return {line_of(name, value(0))};
     case Shape::two_numbers: return {line_of(name, value(0), value(1))};
-    case Shape::link: return {line_of(name, number(i.link))};
+    case Shape::link: return {line_of(name, std::to_string(i.link))};
     case Shape::link_and_test:
-      return {line_of(name, number(i.link)),
-              line_of("+TEST", value(0), comparison_code(i.comparison), value(1), number(i.if_false))};
+      return {line_of(name, std::to_string(i.link)), line_of("+TEST", value(0), comparison_code(i.comparison),
+                                                             value(1), std::to_string(i.if_false))};
     case Shape::target_and_value: return {line_of(name, spell(dialect, i.target), value(0))};
     case Shape::value_and_result: {
       const std::string code = "+" + std::string(operator_code(i.operation));

@@ -1,7 +1,6 @@
 #include "core/devices/arcus/language/listing.h"
 
-#include <charconv>
-
+#include "core/base/number_text.h"
 #include "core/devices/arcus/language/program.h"
 #include "core/devices/arcus/language/text_lines.h"
 
@@ -22,12 +21,6 @@ std::string_view take_word(std::string_view& text) {
   const std::string_view word = text.substr(0, end);
   text = end == std::string_view::npos ? std::string_view() : trimmed(text.substr(end));
   return word;
-}
-
-int to_number(std::string_view text) {
-  int n = -1;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), n);
-  return error == std::errc() && end == text.data() + text.size() ? n : -1;
 }
 
 class ListingReader {
@@ -63,14 +56,14 @@ class ListingReader {
     if (model != dialect_.model)
       say(number, "This listing is for another controller: " + std::string(model) + ", not " +
                       std::string(dialect_.model) + ".");
-    promised_ = to_number(text);
+    promised_ = whole_number<int>(text).value_or(-1);
     if (promised_ < 0 || promised_ > max_lines)
       say(number, "Behind the model stands the number of lines, 0 to 1,275.");
   }
   void read_line(std::string_view text, int number) {
     const int expected = static_cast<int>(out_.lines.size());
     const std::string_view its_number = take_word(text);
-    if (to_number(its_number) != expected)
+    if (whole_number<int>(its_number) != expected)
       say(number,
           "Line " + std::to_string(expected) + " should stand here, not " + std::string(its_number) + ".");
     out_.lines.emplace_back(text);

@@ -3,10 +3,10 @@
 #include "core/devices/arcus/language/parser.h"
 
 #include <algorithm>
-#include <charconv>
 #include <limits>
 #include <utility>
 
+#include "core/base/number_text.h"
 #include "core/devices/arcus/language/complaints.h"
 #include "core/devices/arcus/language/encoding.h"
 
@@ -15,14 +15,6 @@ namespace {
 
 constexpr std::int64_t lowest = std::numeric_limits<std::int32_t>::min();
 constexpr std::int64_t highest = std::numeric_limits<std::int32_t>::max();
-
-/// As many digits as a number of 32 bits can have, and one more.
-std::optional<std::int64_t> to_number(std::string_view digits) {
-  std::int64_t n = 0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), n);
-  if (error != std::errc() || end != digits.data() + digits.size()) return std::nullopt;
-  return n;
-}
 
 bool is_minus_lookalike(std::string_view text) {
   return text == "\u2212" || text == "\u2013" || text == "\u2014";
@@ -111,7 +103,7 @@ bool LineParser::number(std::int32_t& value) {
       return complain(here().begin, ahead().end, "Only a number can stand here, no variable.");
     return complain(here(), "A number is missing here.");
   }
-  const auto n = to_number(here().text);
+  const auto n = whole_number<std::int64_t>(here().text);
   const std::int64_t with_sign = n ? (minus ? -*n : *n) : highest + 1;
   if (with_sign < lowest || with_sign > highest)
     return complain(
@@ -140,7 +132,7 @@ bool LineParser::variable(Operand& value) {
   const Lexeme& letter = here();
   advance();
   if (!here().is(Kind::number)) return complain(letter, "A variable has a number: V0 to V99.");
-  const auto n = to_number(here().text);
+  const auto n = whole_number<std::int64_t>(here().text);
   if (!n || *n >= variables) return complain(letter.begin, here().end, "The variables are V0 to V99.");
   advance();
   value = variable_operand(static_cast<int>(*n));
@@ -152,7 +144,8 @@ bool LineParser::named(Operand& value, const NameRow*& row, std::string& name) {
   const Lexeme& word = here();
   const bool numbered = ahead().is(Kind::number);
   const auto found =
-      find_name(dialect_, word.text, numbered ? static_cast<int>(to_number(ahead().text).value_or(999)) : -1);
+      find_name(dialect_, word.text,
+                numbered ? static_cast<int>(whole_number<std::int64_t>(ahead().text).value_or(999)) : -1);
   if (!found) return complain_about_word(at_);
   row = found->row;
   const int end = numbered ? ahead().end : word.end;

@@ -17,8 +17,8 @@ namespace {
 using namespace std::string_literals;
 using namespace std::string_view_literals;
 
-const Forms& pmx() { return pmx_4ex_sa::forms(); }
-const Forms& dmx() { return dmx_k_sa::forms(); }
+const Forms& pmx_forms() { return pmx_4ex_sa::forms(); }
+const Forms& dmx_forms() { return dmx_k_sa::forms(); }
 
 ParamInfo param(const Catalog& catalog, std::string_view name) {
   return catalog.params.at(static_cast<std::size_t>(catalog.find_param(name)));
@@ -87,30 +87,30 @@ TEST(ArcusCodec, ValuesAreWrittenAsTheControllerReadsThem) {
 }
 
 TEST(ArcusCodec, EachModelSpellsItsOwnWay) {
-  EXPECT_EQ(fill(pmx(), pmx().jog, 0, Sign::plus), "JX+");
-  EXPECT_EQ(fill(dmx(), dmx().jog, 0, Sign::minus), "J-");
-  EXPECT_EQ(fill(pmx(), pmx().homes[4], 3, Sign::minus), "HU-4");
-  EXPECT_EQ(fill(dmx(), dmx().homes[4], 0, Sign::plus), "HL+");
-  EXPECT_EQ(fill(dmx(), dmx().homes[2], 0, Sign::plus), "ZH+");
-  EXPECT_EQ(fill(pmx(), pmx().change_speed, 0, Sign::plus, 3000), "SSPDX=3000");
-  EXPECT_EQ(fill(dmx(), dmx().change_speed, 0, Sign::plus, 3000), "SSPD3000") << "no equal sign";
-  EXPECT_EQ(fill(pmx(), pmx().change_target, 1, Sign::plus, -500), "TY-500");
-  EXPECT_EQ(move_command(pmx(), {{0, 1000}, {3, 800}}), "X1000U800");
-  EXPECT_EQ(move_command(dmx(), {{0, -1000}}), "X-1000");
+  EXPECT_EQ(fill(pmx_forms(), pmx_forms().jog, 0, Sign::plus), "JX+");
+  EXPECT_EQ(fill(dmx_forms(), dmx_forms().jog, 0, Sign::minus), "J-");
+  EXPECT_EQ(fill(pmx_forms(), pmx_forms().homes[4], 3, Sign::minus), "HU-4");
+  EXPECT_EQ(fill(dmx_forms(), dmx_forms().homes[4], 0, Sign::plus), "HL+");
+  EXPECT_EQ(fill(dmx_forms(), dmx_forms().homes[2], 0, Sign::plus), "ZH+");
+  EXPECT_EQ(fill(pmx_forms(), pmx_forms().change_speed, 0, Sign::plus, 3000), "SSPDX=3000");
+  EXPECT_EQ(fill(dmx_forms(), dmx_forms().change_speed, 0, Sign::plus, 3000), "SSPD3000") << "no equal sign";
+  EXPECT_EQ(fill(pmx_forms(), pmx_forms().change_target, 1, Sign::plus, -500), "TY-500");
+  EXPECT_EQ(move_command(pmx_forms(), {{0, 1000}, {3, 800}}), "X1000U800");
+  EXPECT_EQ(move_command(dmx_forms(), {{0, -1000}}), "X-1000");
 }
 
 TEST(ArcusCodec, WhatMovesIsKnown) {
   for (const char* text : {"X1000", "X-5", "X1000Y1000", "JX+", "HX+0", "TX500", "SR0=1", "GS1", "CIRP0:0",
                            "ARCN0:0:1:2", "I1:2:3:4", "SSPDX=300", "JE=1"})
-    EXPECT_TRUE(may_move(pmx(), text)) << text;
+    EXPECT_TRUE(may_move(pmx_forms(), text)) << text;
   for (const char* text : {"J+", "H+", "HL-", "L+", "Z+", "ZH-", "T100", "SSPD300"})
-    EXPECT_TRUE(may_move(dmx(), text)) << text;
+    EXPECT_TRUE(may_move(dmx_forms(), text)) << text;
   for (const char* text :
        {"",   "MST",  "PX",     "PX=0",  "EX=5",  "HS=100", "LSX=3",   "STOP",       "ABORT", "ID",
         "DN", "IERR", "IACC=1", "TOC=5", "LTX=1", "TR=100", "JV1=100", "JMAXX=4500", "SLX=1", "HSX"})
-    EXPECT_FALSE(may_move(pmx(), text)) << text;
+    EXPECT_FALSE(may_move(pmx_forms(), text)) << text;
   for (const char* text : {"HSPD=1000", "LSPD", "LT=1", "LTE", "HCA=10", "LCA", "TOC", "SYNO"})
-    EXPECT_FALSE(may_move(dmx(), text)) << text;
+    EXPECT_FALSE(may_move(dmx_forms(), text)) << text;
 }
 
 TEST(ArcusCodec, EveryRefusalOfTheManualsIsExplained) {

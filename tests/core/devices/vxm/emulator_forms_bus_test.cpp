@@ -6,13 +6,11 @@ namespace {
 
 constexpr int slave_input_1 = 5, slave_output_1 = 5;
 
-Rig running(const std::string& program) {
+Rig on_the_bus(const std::string& program) {
   Rig rig = Rig::online_with_slave();
   rig.send(program + "R");
   return rig;
 }
-
-bool busy(Rig& rig) { return rig.ask("V") == "B"; }
 
 // Alone on the bus: entered without a complaint, the error comes when it is run (V95).
 void expect_bus_error(const Form& form) {
@@ -74,10 +72,10 @@ VXM_FORM("vxm.bus.slave") {
 }
 
 VXM_FORM("vxm.u.100") {
-  Rig rig = running("U100,");
+  Rig rig = on_the_bus("U100,");
   rig.input(1, true);
   rig.run_for(1s);
-  EXPECT_TRUE(busy(rig)) << "not the Master's input";
+  EXPECT_TRUE(is_busy(rig)) << "not the Master's input";
   rig.input(slave_input_1, true);
   rig.run_for(5ms);
   EXPECT_EQ(rig.output(), "^");
@@ -85,7 +83,7 @@ VXM_FORM("vxm.u.100") {
 }
 
 VXM_FORM("vxm.u.101") {
-  Rig rig = running("U101,P1,");
+  Rig rig = on_the_bus("U101,P1,");
   rig.run_for(1s);
   EXPECT_TRUE(rig.out(slave_output_1));
   EXPECT_FALSE(rig.out(1));
@@ -96,7 +94,7 @@ VXM_FORM("vxm.u.101") {
 }
 
 VXM_FORM("vxm.u.102") {
-  Rig rig = running("U102,U100,");
+  Rig rig = on_the_bus("U102,U100,");
   rig.click("3+");
   rig.input(slave_input_1, true);
   EXPECT_TRUE(rig.run_until_output("^", 1s));
@@ -105,7 +103,7 @@ VXM_FORM("vxm.u.102") {
 }
 
 VXM_FORM("vxm.u.103") {
-  Rig rig = running("U102,U103,U100,");
+  Rig rig = on_the_bus("U102,U103,U100,");
   rig.click("3+");
   rig.input(slave_input_1, true);
   EXPECT_TRUE(rig.run_until_output("^", 1s));
@@ -125,10 +123,10 @@ VXM_FORM("vxm.u.119") { expect_output(form, "U119", "U118", 8); }
 VXM_FORM("vxm.u.113") {
   const std::string programs = "PM1,I1M100,PM2,I1M20,PM0,U113,I1M3,";
   for (const auto& [button, ends_at] : {std::pair{"3-", 100}, {"3+", 20}, {"Slave Run", 3}}) {
-    Rig rig = running(programs);
+    Rig rig = on_the_bus(programs);
     rig.click("1-");
     rig.click("1+");
-    EXPECT_TRUE(busy(rig)) << "not the Master's buttons";
+    EXPECT_TRUE(is_busy(rig)) << "not the Master's buttons";
     rig.click(button);
     EXPECT_TRUE(rig.run_until_output("^", 5s)) << button;
     EXPECT_EQ(rig.position(1), ends_at) << button << ": the Master's programs (V98)";
@@ -139,7 +137,7 @@ VXM_FORM("vxm.u.113") {
 VXM_FORM("vxm.u.123") {
   const std::string programs = "PM1,I1M100,PM2,I1M20,PM0,U123,I1M3,";
   for (const auto& [button, ends_at] : {std::pair{"3-", 103}, {"3+", 23}, {"Slave Run", 3}}) {
-    Rig rig = running(programs);
+    Rig rig = on_the_bus(programs);
     rig.click(button);
     EXPECT_TRUE(rig.run_until_output("^", 5s)) << button;
     EXPECT_EQ(rig.position(1), ends_at) << button;
@@ -148,12 +146,12 @@ VXM_FORM("vxm.u.123") {
 }
 
 VXM_FORM("vxm.u.130") {
-  Rig rig = running("U130,");
+  Rig rig = on_the_bus("U130,");
   rig.pulse_input(1);
-  EXPECT_TRUE(busy(rig));
+  EXPECT_TRUE(is_busy(rig));
   rig.input(slave_input_1, true);
   rig.run_for(1s);
-  EXPECT_TRUE(busy(rig));
+  EXPECT_TRUE(is_busy(rig));
   rig.input(slave_input_1, false);
   rig.run_for(5ms);
   EXPECT_EQ(rig.output(), "^");
@@ -161,7 +159,7 @@ VXM_FORM("vxm.u.130") {
 }
 
 VXM_FORM("vxm.u.131") {
-  Rig rig = running("U131,P1,");
+  Rig rig = on_the_bus("U131,P1,");
   rig.run_for(1s);
   EXPECT_TRUE(rig.out(slave_output_1));
   rig.pulse_input(slave_input_1);
@@ -171,35 +169,35 @@ VXM_FORM("vxm.u.131") {
 }
 
 VXM_FORM("vxm.u.132") {
-  Rig rig = running("U132,");
+  Rig rig = on_the_bus("U132,");
   rig.click("1-");
   rig.click("3+");
-  EXPECT_TRUE(busy(rig));
+  EXPECT_TRUE(is_busy(rig));
   rig.click("3-");
   EXPECT_EQ(rig.output(), "^");
   expect_bus_error(form);
 }
 
 VXM_FORM("vxm.u.133") {
-  Rig rig = running("U133,");
+  Rig rig = on_the_bus("U133,");
   rig.click("1+");
-  EXPECT_TRUE(busy(rig));
+  EXPECT_TRUE(is_busy(rig));
   rig.click("3+");
   EXPECT_EQ(rig.output(), "^");
   expect_bus_error(form);
 }
 
 VXM_FORM("vxm.u.150") {
-  Rig rig = running("U150,");
+  Rig rig = on_the_bus("U150,");
   rig.pulse_input(slave_input_1, 5ms);
-  EXPECT_TRUE(busy(rig)) << "contact bounce";
+  EXPECT_TRUE(is_busy(rig)) << "contact bounce";
   rig.pulse_input(slave_input_1);
   EXPECT_EQ(rig.output(), "^");
   expect_bus_error(form);
 }
 
 VXM_FORM("vxm.u.151") {
-  Rig rig = running("U151,P1,");
+  Rig rig = on_the_bus("U151,P1,");
   rig.run_for(1s);
   EXPECT_TRUE(rig.out(slave_output_1));
   rig.pulse_input(slave_input_1);
@@ -209,9 +207,9 @@ VXM_FORM("vxm.u.151") {
 }
 
 VXM_FORM("vxm.u.190") {
-  Rig rig = running("U190,I1M3,");
+  Rig rig = on_the_bus("U190,I1M3,");
   rig.click("Run");
-  EXPECT_TRUE(busy(rig)) << "not the Master's button";
+  EXPECT_TRUE(is_busy(rig)) << "not the Master's button";
   rig.click("Slave Run");
   EXPECT_TRUE(rig.run_until_output("^", 1s));
   EXPECT_EQ(rig.position(1), 3);

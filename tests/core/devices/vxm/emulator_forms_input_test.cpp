@@ -7,8 +7,6 @@ namespace {
 // Levels are stable after 20 ms where contact bounce is filtered (V72).
 constexpr Duration debounce = 20ms;
 
-bool busy(Rig& rig) { return rig.ask("V") == "B"; }
-
 Rig running(const std::string& program) {
   Rig rig = Rig::online();
   rig.send(program + "R");
@@ -101,13 +99,13 @@ VXM_FORM("vxm.pause.out.ms10") {
 VXM_FORM("vxm.u.0") {
   Rig rig = running("U0,I1M3,");
   rig.run_for(1h);
-  EXPECT_TRUE(busy(rig));
+  EXPECT_TRUE(is_busy(rig));
   EXPECT_FALSE(rig.out(1));
   rig.input(1, true);
   rig.run_for(900us);
   rig.input(1, false);
   rig.run_for(1s);
-  EXPECT_TRUE(busy(rig)) << "less than 1 ms is no low (V71)";
+  EXPECT_TRUE(is_busy(rig)) << "less than 1 ms is no low (V71)";
   rig.input(1, true);
   rig.run_for(1100us);
   EXPECT_TRUE(rig.run_until_output("^", 1s));
@@ -162,7 +160,7 @@ VXM_FORM("vxm.u.6") {
   EXPECT_EQ(rig.ask("X"), "+0000000\r");
   EXPECT_EQ(rig.ask("D"), "") << "does not release it (V79)";
   rig.run_for(1s);
-  EXPECT_TRUE(busy(rig));
+  EXPECT_TRUE(is_busy(rig));
   rig.send("G");
   EXPECT_TRUE(rig.run_until_output("^"));
   EXPECT_EQ(rig.position(1), 3);
@@ -256,7 +254,7 @@ VXM_FORM("vxm.u.13") {
     Rig rig = Rig::online();
     rig.send("PM1,I1M100,PM2,I1M20,PM0,U13,I1M3,R");
     rig.run_for(10s);
-    EXPECT_TRUE(busy(rig));
+    EXPECT_TRUE(is_busy(rig));
     rig.click(c.button);
     EXPECT_TRUE(rig.run_until_output("^", 5s)) << c.button;
     EXPECT_EQ(rig.position(1), c.ends_at) << c.button << ": without coming back";
@@ -281,13 +279,13 @@ VXM_FORM("vxm.u.23") {
 VXM_FORM("vxm.u.30") {
   Rig rig = running("U30,");
   rig.run_for(1s);
-  EXPECT_TRUE(busy(rig));
+  EXPECT_TRUE(is_busy(rig));
   rig.input(1, true);
   rig.run_for(1s);
-  EXPECT_TRUE(busy(rig)) << "low is not enough";
+  EXPECT_TRUE(is_busy(rig)) << "low is not enough";
   rig.input(1, false);
   rig.run_for(900us);
-  EXPECT_TRUE(busy(rig)) << "high for 1 ms";
+  EXPECT_TRUE(is_busy(rig)) << "high for 1 ms";
   rig.run_for(200us);
   EXPECT_EQ(rig.output(), "^");
 }
@@ -308,12 +306,12 @@ VXM_FORM("vxm.u.31") {
 VXM_FORM("vxm.u.32") {
   Rig rig = running("U32,");
   rig.click("1+");
-  EXPECT_TRUE(busy(rig)) << "another button";
+  EXPECT_TRUE(is_busy(rig)) << "another button";
   rig.press("1-");
   rig.run_for(5ms);
   rig.release("1-");
   rig.run_for(1s);
-  EXPECT_TRUE(busy(rig)) << "contact bounce";
+  EXPECT_TRUE(is_busy(rig)) << "contact bounce";
   rig.press("1-");
   rig.run_for(debounce + 1ms);
   EXPECT_EQ(rig.output(), "^") << "on the press";
@@ -323,7 +321,7 @@ VXM_FORM("vxm.u.32") {
 VXM_FORM("vxm.u.33") {
   Rig rig = running("U33,");
   rig.click("1-");
-  EXPECT_TRUE(busy(rig));
+  EXPECT_TRUE(is_busy(rig));
   rig.press("1+");
   rig.run_for(debounce + 1ms);
   EXPECT_EQ(rig.output(), "^");
@@ -332,13 +330,13 @@ VXM_FORM("vxm.u.33") {
 VXM_FORM("vxm.u.50") {
   Rig rig = running("U50,");
   for (int bounce = 0; bounce < 10; ++bounce) rig.pulse_input(1, 5ms);
-  EXPECT_TRUE(busy(rig)) << "contact bounce is no press";
+  EXPECT_TRUE(is_busy(rig)) << "contact bounce is no press";
   rig.input(1, true);
   rig.run_for(1s);
-  EXPECT_TRUE(busy(rig)) << "a press without its release";
+  EXPECT_TRUE(is_busy(rig)) << "a press without its release";
   rig.input(1, false);
   rig.run_for(debounce - 1ms);
-  EXPECT_TRUE(busy(rig));
+  EXPECT_TRUE(is_busy(rig));
   rig.run_for(2ms);
   EXPECT_EQ(rig.output(), "^");
 }
@@ -358,7 +356,7 @@ VXM_FORM("vxm.u.90") {
   Rig rig = running("U90,I1M3,");
   rig.press("Run");
   rig.run_for(1s);
-  EXPECT_TRUE(busy(rig));
+  EXPECT_TRUE(is_busy(rig));
   EXPECT_EQ(rig.position(1), 0);
   rig.release("Run");
   EXPECT_TRUE(rig.run_until_output("^", 1s));

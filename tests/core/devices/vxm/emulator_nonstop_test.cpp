@@ -6,7 +6,7 @@
 namespace hw::vxm::proof {
 namespace {
 
-using Positions = std::vector<std::int64_t>;
+using Places = std::vector<std::int64_t>;
 
 void expect_ec(const std::string& program) {
   Rig rig = Rig::online();
@@ -32,7 +32,7 @@ TEST(VxmNonstop, PulsesComeAtTheExactStepAndTime) {
   Rig rig = Rig::online();
   const Duration start = rig.elapsed();
   rig.run("S1M2000,U7,I1M1000,I1M400,I1M600,U9,");
-  ASSERT_EQ(rig.pulse_positions(1), (Positions{1000, 1400, 2000}));
+  ASSERT_EQ(rig.pulse_positions(1), (Places{1000, 1400, 2000}));
   const auto& p = rig.pulses();
   EXPECT_TRUE(same_time(p[0].at.time_since_epoch() - start, 1s, 1us));
   EXPECT_TRUE(same_time(p[1].at.time_since_epoch() - start, 1200ms, 1us));
@@ -43,7 +43,7 @@ TEST(VxmNonstop, PulsesComeAtTheExactStepAndTime) {
 TEST(VxmNonstop, OneHundredPulsesInALoop) {
   Rig rig = Rig::online();
   rig.run("U7,I2M400,LA100,U9,");
-  const Positions at = rig.pulse_positions(2);
+  const Places at = rig.pulse_positions(2);
   ASSERT_EQ(at.size(), 100u) << "U7 met again has no effect (V75)";
   for (std::size_t i = 0; i < at.size(); ++i) EXPECT_EQ(at[i], 400 * (static_cast<std::int64_t>(i) + 1));
   EXPECT_EQ(rig.position(2), 41000);
@@ -52,7 +52,7 @@ TEST(VxmNonstop, OneHundredPulsesInALoop) {
 TEST(VxmNonstop, SpeedChangesBetweenIndexes) {
   Rig rig = Rig::online();
   rig.run("S2M1500,U7,I2M2000,S2M3000,I2M4000,S2M500,I2M800,U9,");
-  EXPECT_EQ(rig.pulse_positions(2), (Positions{2000, 6000, 6800}));
+  EXPECT_EQ(rig.pulse_positions(2), (Places{2000, 6000, 6800}));
   // 800 steps do not suffice to slow from 3000 to 500 steps/s at 2000 steps/s2.
   const double v = speed_after(3000, 800, -2000);
   EXPECT_NEAR(static_cast<double>(rig.position(2)), 6800 + v * v / 4000, 1) << "V76";
@@ -99,14 +99,14 @@ TEST(VxmNonstop, TheGeneratedIndexServesTheNextRun) {
   rig.forget_pulses();
   EXPECT_TRUE(same_time(rig.run_program(), first, 5us));
   EXPECT_EQ(rig.position(1), 2500);
-  EXPECT_EQ(rig.pulse_positions(1), (Positions{2250})) << "none for the stopping distance";
+  EXPECT_EQ(rig.pulse_positions(1), (Places{2250})) << "none for the stopping distance";
   EXPECT_EQ(visible(rig.ask("lst")), "PM0 M237<cr>S1M1000<cr>U7<cr>I1M1000<cr>U92<cr>I1M250<cr>I2M3<cr>");
 }
 
 TEST(VxmNonstop, NegativeBlocks) {
   Rig rig = Rig::online();
   rig.run("S1M1000,U7,I1M-1000,I1M-500,U91,");
-  EXPECT_EQ(rig.pulse_positions(1), (Positions{-1000, -1500}));
+  EXPECT_EQ(rig.pulse_positions(1), (Places{-1000, -1500}));
   EXPECT_EQ(rig.position(1), -1750);
   EXPECT_NE(rig.ask("lst").find("U92\rI1M-250\r"), std::string::npos);
 }
@@ -126,7 +126,7 @@ TEST(VxmPulses, AFixedCombOfPositions) {
   struct Comb {
     const char* set;
     std::int64_t there, back;
-    Positions expected;
+    Places expected;
   };
   for (const Comb& c :
        {Comb{"setP1M4,", 12, -18, {2, 6, 10, 10, 6, 2, -2, -6}}, Comb{"setP1M2,", 5, -7, {1, 3, 5, 3, 1, -1}},
@@ -142,9 +142,9 @@ TEST(VxmPulses, EveryStep) {
   Rig rig = Rig::online();
   rig.send("setP1M1,");
   rig.run("I1M4,I1M-6,");
-  const Positions at = rig.pulse_positions(1);
+  const Places at = rig.pulse_positions(1);
   ASSERT_GE(at.size(), 4u);
-  EXPECT_EQ(Positions(at.begin(), at.begin() + 4), (Positions{1, 2, 3, 4}));
+  EXPECT_EQ(Places(at.begin(), at.begin() + 4), (Places{1, 2, 3, 4}));
   EXPECT_EQ(at.size(), 10u);
 }
 
@@ -153,25 +153,25 @@ TEST(VxmPulses, ThePhaseRestartsAtSetAndAtNull) {
   rig.run("I1M3,");
   rig.send("setP1M10,");
   rig.run("I1M20,");
-  EXPECT_EQ(rig.pulse_positions(1), (Positions{8, 18})) << "half a period from where it was set";
+  EXPECT_EQ(rig.pulse_positions(1), (Places{8, 18})) << "half a period from where it was set";
   rig.send("N");
   rig.forget_pulses();
   rig.run("I1M20,");
-  EXPECT_EQ(rig.pulse_positions(1), (Positions{5, 15}));
+  EXPECT_EQ(rig.pulse_positions(1), (Places{5, 15}));
 }
 
 TEST(VxmPulses, JoggingMakesThemToo) {
   Rig rig = Rig::online();
   rig.send("setP2M2,Q");
   for (int i = 0; i < 5; ++i) rig.click("2+");
-  EXPECT_EQ(rig.pulse_positions(2), (Positions{1, 3, 5})) << "App. D note";
+  EXPECT_EQ(rig.pulse_positions(2), (Places{1, 3, 5})) << "App. D note";
 }
 
 TEST(VxmPulses, MotorsThreeAndFourUseTheSlavesOutput) {
   Rig rig = Rig::online_with_slave();
   rig.send("setP3M4,");
   rig.run("I3M8,");
-  EXPECT_EQ(rig.pulse_positions(3, 6), (Positions{2, 6}));
+  EXPECT_EQ(rig.pulse_positions(3, 6), (Places{2, 6}));
   EXPECT_TRUE(rig.pulse_positions(3, 2).empty());
 }
 

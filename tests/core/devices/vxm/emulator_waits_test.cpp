@@ -4,8 +4,6 @@
 namespace hw::vxm::proof {
 namespace {
 
-bool busy(Rig& rig) { return rig.ask("V") == "B"; }
-
 Rig waiting(const std::string& setup, const std::string& program) {
   Rig rig = Rig::online();
   rig.send(setup);
@@ -22,9 +20,9 @@ TEST(VxmWaits, TheLowTimeOfInputOneCanBeShortened) {
     Rig rig = waiting(setup, "U0,");
     rig.input(1, true);
     rig.run_for(valid - 10us);
-    EXPECT_TRUE(busy(rig)) << setup;
+    EXPECT_TRUE(is_busy(rig)) << setup;
     rig.run_for(20us);
-    EXPECT_FALSE(busy(rig)) << setup;
+    EXPECT_FALSE(is_busy(rig)) << setup;
   }
 }
 
@@ -69,7 +67,7 @@ TEST(VxmWaits, InputThreeLeavesPausesAndTheHostAlone) {
   Rig host = waiting("PM3,I1M7,PM0,", "U6,I1M100,");
   host.input(3, true);
   host.run_for(1s);
-  EXPECT_TRUE(busy(host));
+  EXPECT_TRUE(is_busy(host));
   host.send("G");
   EXPECT_TRUE(host.run_until_output("^"));
   EXPECT_EQ(host.position(1), 100);
@@ -79,7 +77,7 @@ TEST(VxmWaits, TheBranchCanBeSwitchedOff) {
   Rig rig = waiting("setI3,PM3,I1M7,PM0,", "U0,I1M100,");
   rig.input(3, true);
   rig.run_for(1s);
-  EXPECT_TRUE(busy(rig));
+  EXPECT_TRUE(is_busy(rig));
 }
 
 TEST(VxmWaits, InputsTwoAndThreeSelectTheProgram) {
@@ -139,7 +137,7 @@ TEST(VxmWaits, StopEndsTheProgramInAControlledManner) {
   rig.run_for(900ms);
   rig.release("Stop");
   const std::string report = rig.output();
-  EXPECT_TRUE(busy(rig)) << "it ramps down";
+  EXPECT_TRUE(is_busy(rig)) << "it ramps down";
   EXPECT_TRUE(rig.run_until_output("^", 1s));
   rig.run_for(10s);
   EXPECT_EQ(report + rig.output(), "ES^");
@@ -236,7 +234,7 @@ TEST(VxmWaits, JoggingDuringAWaitSlewsAndStops) {
   rig.release("1+");
   rig.run_for(2s);
   EXPECT_NEAR(static_cast<double>(rig.position(1)), 1 + 1000 + 2000 + 1000, 3);
-  EXPECT_TRUE(busy(rig));
+  EXPECT_TRUE(is_busy(rig));
   rig.input(1, true);
   EXPECT_TRUE(rig.run_until_output("^", 1s));
 }

@@ -45,10 +45,12 @@ void expect_dropped(Rig& rig, const std::string& command);
 
 #define HW_JOIN_(a, b) a##b
 #define HW_JOIN(a, b) HW_JOIN_(a, b)
-#define VXM_FORM(id)                                                                           \
-  static void HW_JOIN(form_body_, __LINE__)(const ::hw::vxm::proof::Form&);                    \
-  static const bool HW_JOIN(form_registered_, __LINE__) =                                      \
-      ::hw::vxm::proof::register_form(id, &HW_JOIN(form_body_, __LINE__), __FILE__, __LINE__); \
-  static void HW_JOIN(form_body_, __LINE__)([[maybe_unused]] const ::hw::vxm::proof::Form& form)
+// __COUNTER__ and not the line: files may be compiled in batches.
+#define VXM_FORM(id) VXM_FORM_(id, __COUNTER__)
+#define VXM_FORM_(id, n)                                                                \
+  static void HW_JOIN(form_body_, n)(const ::hw::vxm::proof::Form&);                    \
+  static const bool HW_JOIN(form_registered_, n) =                                      \
+      ::hw::vxm::proof::register_form(id, &HW_JOIN(form_body_, n), __FILE__, __LINE__); \
+  static void HW_JOIN(form_body_, n)([[maybe_unused]] const ::hw::vxm::proof::Form& form)
 
 }  // namespace hw::vxm::proof

@@ -180,7 +180,7 @@ std::string visible(std::string_view bytes) {
 }
 
 std::string position_text(std::int64_t position) {
-  char text[16];
+  char text[24];
   std::snprintf(text, sizeof text, "%c%07lld\r", position < 0 ? '-' : '+',
                 static_cast<long long>(std::llabs(position)));
   return text;

@@ -103,6 +103,9 @@ double ramp_steps(double speed, double a = 2);
 /// Equal to the microsecond.
 ::testing::AssertionResult same_time(Duration got, Duration expected, Duration tolerance = 2us);
 
+/// V is answered with B: a program runs.
+inline bool is_busy(Rig& rig) { return rig.ask("V") == "B"; }
+
 /// Control characters made visible.
 std::string visible(std::string_view bytes);
 

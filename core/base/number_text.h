@@ -1,0 +1,21 @@
+#pragma once
+// Numbers as protocols write them: digits of ASCII, nothing of the locale.
+#include <charconv>
+#include <optional>
+#include <string_view>
+
+namespace hw {
+
+constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// The number that the whole text is; nothing when there is anything else in it or it does not fit.
+template <class Number>
+std::optional<Number> whole_number(std::string_view text) {
+  Number n{};
+  const char* const end = text.data() + text.size();
+  const auto [stopped, error] = std::from_chars(text.data(), end, n);
+  if (error != std::errc() || stopped != end) return std::nullopt;
+  return n;
+}
+
+}  // namespace hw
