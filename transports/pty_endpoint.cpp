@@ -153,7 +153,8 @@ class PtyEndpoint final : public FdStream {
                  fmt::format("The pseudo-terminal {} failed ({}).", link_, std::strerror(error)));
   }
   void reading_stopped() override {
-    notice_->unwatch();  // or it would see us
+    if (!hung_up()) return read_on();  // the next client is there already: its settings are its own
+    notice_->unwatch();                // or it would see us
     if (!make_as_new(terminal_, baud_) && errno == EBUSY) renew();
     if (!notice_->watch(terminal_)) look_again_.arm(scheduler().now() + Millis(50));
     if (!hung_up()) read_on();
