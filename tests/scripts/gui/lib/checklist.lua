@@ -34,7 +34,6 @@ end
 -- ---- blocks
 
 function block(id, work)
-  local began = hw.now()
   put_away()
   local ok, why = pcall(work)
   if not ok then
@@ -62,8 +61,14 @@ local function in_time(look, level)
   error(what, (level or 1) + 2)
 end
 
+-- Brings it into view: a readout that nobody can see is asked for only now and then.
+function look_at(id)
+  if id:match("^readout/") then pcall(ui.click, id) end
+end
+
 -- The widget shows something that the pattern matches.
 function shows(id, pattern)
+  look_at(id)
   return in_time(function()
     local value = ui.value(id)
     return value and value:find(pattern) and value, id .. " shows " .. tostring(value) .. ", not " .. pattern
@@ -73,6 +78,7 @@ end
 -- The widget shows just this.
 function is(id, text)
   text = tostring(text)
+  look_at(id)
   return in_time(function()
     local value = ui.value(id)
     return value == text, id .. " shows " .. tostring(value) .. ", not " .. text
@@ -120,7 +126,7 @@ function sent(text)
     if logged(text) then return end
   end
   read_messages()
-  ui.type("terminal/filter", text)
+  ui.type("terminal/filter", text .. "<cr>")
   local found
   for _ = 1, 60 do
     found = logged(text)
@@ -160,6 +166,22 @@ end
 
 -- Types a command into the terminal.
 function command(text) ui.type("terminal/command", text .. "\n") end
+
+-- Puts another text into the program editor, whatever is there.
+function write_program(text)
+  ui.click("program/new")
+  if ui.exists("program/replace/yes") then ui.click("program/replace/yes") end
+  is("program/text", "")
+  if text ~= "" then fill("program/text", text) end
+end
+
+-- Sends it down, over whatever the controller holds.
+function download()
+  ui.click("program/download")
+  hw.sleep(1)
+  if ui.exists("program/ask/overwrite") then ui.click("program/ask/overwrite") end
+  said("The controller holds this program now.")
+end
 
 -- Answers the file dialog that is open; an older file of that name is written over.
 function file(path)
