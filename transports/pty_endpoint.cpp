@@ -110,9 +110,14 @@ class OpenNotice : public std::enable_shared_from_this<OpenNotice> {
   }
   void take() {
     alignas(inotify_event) char notes[4096];
-    while (::read(notices_.native_handle(), notes, sizeof notes) > 0) {
-    }
-    opened_();
+    bool opened = false;
+    for (ssize_t size; (size = ::read(notices_.native_handle(), notes, sizeof notes)) > 0;)
+      for (ssize_t at = 0; at < size;) {
+        const auto& note = *reinterpret_cast<const inotify_event*>(notes + at);
+        opened = opened || (note.mask & IN_OPEN) != 0;  // else: that a watch has ended
+        at += static_cast<ssize_t>(sizeof note + note.len);
+      }
+    if (opened) opened_();
   }
 
   asio::posix::basic_stream_descriptor<Executor> notices_;

@@ -119,6 +119,8 @@ TEST_F(ControlTest, WhatTheControllerSaysOfItself) {
 }
 
 TEST_F(ControlTest, WhatAnOlderFirmwareLacksIsListed) {
+  for (ParamState& p : s.now.params) p.known = false;
+  s.stage.frames(2);
   EXPECT_EQ(s.value("about/older"), "not known: read the set-up first");
   for (ParamState& p : s.now.params) p.known = true;
   s.stage.frames(2);

@@ -291,7 +291,7 @@ class Emulate(Case):
 
     def test_what_cannot_be_served_is_said(self):
         self.expect(run("emulate", "vxm", "--tcp", "0.0.0.0:0"), 1, "--allow-remote")
-        self.expect(run("emulate", "vxm", "--tcp", "here"), 1, "HOST:PORT")
+        self.expect(run("emulate", "vxm", "--tcp", "here"), 2, "HOST:PORT")
         taken = self.file("taken", "text")
         self.expect(run("emulate", "vxm", "--pty", taken), 1, "taken")
         self.assertEqual(taken.read_text(), "text")
