@@ -29,7 +29,7 @@ class DeviceFinder {
   virtual const DeviceSearchState& state() = 0;
 };
 
-/// Finds nothing: headless runs.
+/// Finds nothing.
 class NoDevices final : public DeviceFinder {
  public:
   void start(const std::string&, int, int, int) override {}

@@ -52,10 +52,12 @@ Said say_link(const StatusFacts& f) {
 Said say_error(const StatusFacts& f) {
   if (f.now.program.run == RunState::error && !f.now.notice.empty())
     return say(Mood::fault, f.now.notice);
-  for (int i = 0; i < f.now.axis_count; ++i)
-    if (f.now.axes[i].activity == Activity::error || f.now.axes[i].alarm)
-      return say(Mood::fault,
-                 fmt::format("{} is in error. Stop it, and look at the terminal.", name_of(f.catalog, i)));
+  for (int i = 0; i < f.now.axis_count; ++i) {
+    if (f.now.axes[i].activity != Activity::error && !f.now.axes[i].alarm) continue;
+    if (!f.now.notice.empty()) return say(Mood::fault, f.now.notice);
+    return say(Mood::fault,
+               fmt::format("{} is in error. Stop it, and look at the terminal.", name_of(f.catalog, i)));
+  }
   if (f.now.program.run == RunState::error) return say(Mood::fault, "The program ended with an error.");
   return {};
 }

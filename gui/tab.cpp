@@ -68,6 +68,7 @@ void Tab::refresh() {
   clock_ = session_->now();
   session_->notices().drain([this](Notice& notice) { take(notice); });
   desk_.traffic.drain(session_->traffic());
+  follow_counting();
   follow_fates();
   tell_what_is_watched();
   find_why_not_move();
@@ -78,6 +79,7 @@ void Tab::show(const Snapshot& snapshot, const BenchView& bench, Instant clock) 
   now_ = &snapshot;
   bench_ = &bench;
   clock_ = clock;
+  follow_counting();
   follow_fates();
   tell_what_is_watched();
   find_why_not_move();
@@ -176,6 +178,15 @@ std::string Tab::axis_title(AxisId axis) const {
 void Tab::profile_edited() {
   profile_changed = true;
   work_out_units();
+}
+
+// An axis with a closed loop counts in other units than one without.
+void Tab::follow_counting() {
+  for (std::size_t i = 0; i < catalog_.axes.size() && i < units_.size(); ++i) {
+    if (units_[i].real || catalog_.loop_word.empty()) continue;
+    const std::string& word = now_->axes[i].in_counts ? catalog_.loop_word : catalog_.step_word;
+    if (units_[i].name != word) units_[i].name = word;
+  }
 }
 
 void Tab::work_out_units() {

@@ -104,6 +104,7 @@ class Tab {
   void find_why_not_move();
   void take(Notice& notice);
   void work_out_units();
+  void follow_counting();
 
   std::shared_ptr<Session> session_;
   const Address address_;

@@ -23,6 +23,20 @@ std::string_view word_of(Phase phase) {
   return {};
 }
 
+std::string_view word_of(AxisError error) {
+  switch (error) {
+    case AxisError::limit_minus: return "\u2212 limit error";
+    case AxisError::limit_plus: return "+ limit error";
+    case AxisError::limit: return "limit error";
+    case AxisError::alarm: return "alarm error";
+    case AxisError::stalled: return "stalled";
+    case AxisError::too_far: return "too far off";
+    case AxisError::not_corrected: return "not corrected";
+    case AxisError::none: break;
+  }
+  return {};
+}
+
 /// A small switch: lamp and word. Returns where it ends.
 float draw_power(Frame& f, AxisId axis, ImVec2 at) {
   Ui& ui = f.ui;
@@ -86,14 +100,20 @@ void draw_axis_extras(Frame& f, AxisId axis, ImVec2 at, float width) {
          {ImVec2(end, at.y), ImVec2(right, at.y + ui.px(line_height))});
   }
   const bool moving = is_motion(state_of(f.now, axis.index, f.clock));
-  const std::string_view phase = moving ? word_of(a.phase) : std::string_view();
+  const std::string_view phase = moving ? word_of(a.phase) : word_of(a.error);
   x += ui.px(8);
   const float phase_width = std::ceil(text_width(ui, Face::small, phase));
   const float phase_end = std::min(end - ui.px(8), x + phase_width);
   if (x + phase_width <= phase_end)  // half a word says nothing
-    draw_text_line(ui, x, phase_end + 1, middle, Face::small, ui[Tone::motion], phase);
+    draw_text_line(ui, x, phase_end + 1, middle, Face::small, ui[moving ? Tone::motion : Tone::fault], phase);
   show(ui,
-       {Path("dro/{}/phase", info.name), Kind::text, "Ramp", moving ? phase : "at rest", {}, false, phase},
+       {Path("dro/{}/phase", info.name),
+        Kind::text,
+        "Ramp",
+        phase.empty() && !moving ? "at rest" : phase,
+        {},
+        false,
+        phase},
        {ImVec2(x, at.y), ImVec2(std::max(x, phase_end), at.y + ui.px(line_height))});
   const NumberText speed = format_speed(a.speed, f.tab.unit(axis));
   show(ui, {Path("dro/{}/speed", info.name), Kind::text, "Speed", speed, {}, false, {}},

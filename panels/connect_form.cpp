@@ -144,6 +144,18 @@ void ConnectForm::draw_guide(PageFrame& f, float width) {
 
 // ---- search
 
+namespace {
+
+std::string progress_of(const DeviceSearchState& state, bool begun) {
+  if (state.running) return fmt::format("{} of {}: {}", state.asked, state.of, state.now);
+  if (state.of > 0)
+    return fmt::format("{} after {} of {} questions, {} found.", state.cancelled ? "Ended" : "Done",
+                       state.asked, state.of, state.found.size());
+  return begun ? "There is no serial port to ask." : "";
+}
+
+}  // namespace
+
 std::string ConnectForm::draw_search(PageFrame& f, float width) {
   Ui& ui = f.ui;
   DeviceFinder& finder = f.console.devices();
@@ -151,15 +163,40 @@ std::string ConnectForm::draw_search(PageFrame& f, float width) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   draw_text_line(ui, at.x, at.x + ui.px(100), at.y + ui.px(16), Face::body_bold, ui[Tone::ink], "Search");
   ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(104), at.y));
+  draw_search_fields(f, finder);
+  const float left = ImGui::GetItemRectMax().x + ui.px(12);
+  const std::string words = progress_of(state, searched_);
+  const float right = at.x + ui.px(width);
+  const bool below = right - left < ui.px(160);
+  const ImVec2 said = below ? ImVec2(at.x + ui.px(104), at.y + ui.px(32)) : ImVec2(left, at.y);
+  draw_text_line(ui, said.x, right, said.y + ui.px(16), Face::small, ui[Tone::ink2], words);
+  show(ui, {"connect/search/progress", Kind::text, "Search", words, {}, false, words},
+       {said, ImVec2(right, said.y + ui.px(32))});
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(below && !words.empty() ? 68 : 40)));
+  return draw_found(f, state, width);
+}
+
+void ConnectForm::draw_search_fields(PageFrame& f, DeviceFinder& finder) {
+  Ui& ui = f.ui;
+  const bool named = way_ == Way::serial && !port_.empty();
+  if (named) {
+    const std::array<std::string_view, 2> where = {"all ports", "this port"};
+    DropdownOptions o;
+    o.tip = "Every serial port of this computer, or only the one that stands above.";
+    if (const int picked = dropdown(ui, "connect/search/where", "Where", where, this_port_ ? 1 : 0, o);
+        picked >= 0)
+      this_port_ = picked == 1;
+    ImGui::SameLine(0, ui.px(between));
+  }
   FieldOptions id;
-  id.width = 56;
+  id.width = 40;
   id.face = Face::code_field;
   id.tip = "First id that is asked";
   const auto word = [&](std::string_view s) {
     const ImVec2 here = ImGui::GetCursorScreenPos();
-    draw_text_line(ui, here.x, here.x + ui.px(60), at.y + ui.px(16), Face::body, ui[Tone::ink2], s);
+    draw_text_line(ui, here.x, here.x + ui.px(60), here.y + ui.px(16), Face::body, ui[Tone::ink2], s);
     ImGui::SetCursorScreenPos(
-        ImVec2(here.x + std::ceil(text_width(ui, Face::body, s)) + ui.px(between), at.y));
+        ImVec2(here.x + std::ceil(text_width(ui, Face::body, s)) + ui.px(between), here.y));
   };
   word("ids");
   text_field(ui, "connect/search/first", "First id", first_, id);
@@ -169,32 +206,27 @@ std::string ConnectForm::draw_search(PageFrame& f, float width) {
   text_field(ui, "connect/search/last", "Last id", last_, id);
   ImGui::SameLine(0, ui.px(between));
   ButtonOptions o;
-  o.tip = "Asks each id at each rate of every port. It moves nothing, and takes a while.";
-  if (state.running) {
+  o.tip = "Asks each id at each rate. It moves nothing, and takes a while.";
+  if (finder.state().running) {
     if (button(ui, "connect/search/cancel", "End the search", o).clicked) finder.cancel();
-  } else if (button(ui, "connect/search", "Search ports, rates and ids", o).clicked) {
-    finder.start({}, 0, number_of(first_, 0), number_of(last_, 99));
+  } else if (button(ui, "connect/search", "Search rates and ids", o).clicked) {
+    searched_ = true;
+    finder.start(named && this_port_ ? port_ : "", 0, number_of(first_, 0), number_of(last_, 99));
   }
-  const float left = ImGui::GetItemRectMax().x + ui.px(12);
-  const std::string words = state.of == 0 && !state.running ? std::string()
-                            : state.running ? fmt::format("{} of {}: {}", state.asked, state.of, state.now)
-                                            : fmt::format("{} after {} of {} questions, {} found.",
-                                                          state.cancelled ? "Ended" : "Done", state.asked,
-                                                          state.of, state.found.size());
-  const float right = at.x + ui.px(width);
-  const bool below = right - left < ui.px(160);
-  const ImVec2 said = below ? ImVec2(at.x + ui.px(104), at.y + ui.px(32)) : ImVec2(left, at.y);
-  draw_text_line(ui, said.x, right, said.y + ui.px(16), Face::small, ui[Tone::ink2], words);
-  show(ui, {"connect/search/progress", Kind::text, "Search", words, {}, false, words},
-       {said, ImVec2(right, said.y + ui.px(32))});
-  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(below && !words.empty() ? 68 : 40)));
+}
+
+/// What was found, each with a way in: its address when that was pressed.
+std::string ConnectForm::draw_found(PageFrame& f, const DeviceSearchState& state, float width) {
+  Ui& ui = f.ui;
   std::string chosen;
   for (std::size_t i = 0; i < state.found.size(); ++i) {
     const FoundDevice& device = state.found[i];
     const ImVec2 row = ImGui::GetCursorScreenPos();
-    const Path said("{}, {}", device.title, device.sentence);
-    draw_text_line(ui, row.x + ui.px(104), row.x + ui.px(width - 80), row.y + ui.px(16), Face::body,
-                   ui[Tone::ink], said);
+    const std::string said = fmt::format("{}, {}", device.title, device.sentence);
+    const float left = row.x + ui.px(104), right = row.x + ui.px(width - 80);
+    draw_text_line(ui, left, right, row.y + ui.px(16), Face::body, ui[Tone::ink], said);
+    show(ui, {Path("connect/search/found/{}/text", i), Kind::text, "Found", said, {}, false, said},
+         {ImVec2(left, row.y), ImVec2(right, row.y + ui.px(32))});
     if (!device.address.empty()) {
       ImGui::SetCursorScreenPos(ImVec2(row.x + ui.px(width - 72), row.y));
       ButtonOptions b;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/device/catalog.h"
+#include "gui/device_finder.h"
 #include "gui/frame.h"
 #include "gui/ui.h"
 
@@ -26,8 +27,10 @@ class ConnectForm {
   void draw_parts(gui::PageFrame& frame, float width);
   void draw_guide(gui::PageFrame& frame, float width);
   std::string draw_search(gui::PageFrame& frame, float width);
+  void draw_search_fields(gui::PageFrame& frame, gui::DeviceFinder& finder);
+  std::string draw_found(gui::PageFrame& frame, const gui::DeviceSearchState& state, float width);
 
-  bool made_ = false;
+  bool made_ = false, this_port_ = false, searched_ = false;
   std::vector<Catalog> catalogs_;
   int model_ = 0, baud_ = 0;
   Way way_ = Way::serial;

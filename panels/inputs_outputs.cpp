@@ -62,6 +62,25 @@ class Cells {
   float row_, pitch_;
 };
 
+bool is_not_zero(const Frame& f, std::string_view id) {
+  if (const int param = f.catalog.find_param(id); param >= 0) {
+    const ParamState& state = f.now.params[static_cast<std::size_t>(param)];
+    return state.known && state.value != 0;
+  }
+  const int readout = f.catalog.find_readout(id);
+  const auto at = static_cast<std::size_t>(readout);
+  return readout >= 0 && f.now.readouts_known[at] && f.now.readouts[at] != 0;
+}
+
+/// Its own name, or that of what the controller uses it for at present.
+std::string_view name_of(const Frame& f, const OutputInfo& info) {
+  const OutputDuty& duty = info.duty;
+  const bool on_duty =
+      !duty.name.empty() && std::all_of(duty.while_not_zero.begin(), duty.while_not_zero.end(),
+                                        [&](const std::string& id) { return is_not_zero(f, id); });
+  return on_duty ? duty.name : info.name;
+}
+
 }  // namespace
 
 void InputsOutputs::draw(Frame& f) {
@@ -132,7 +151,7 @@ void InputsOutputs::draw_output(Frame& f, int n, float width, bool narrow) {
   o.disabled = !f.connected()   ? "There is no link."
                : !info.settable ? "This output cannot be set by the console."
                                 : "";
-  if (toggle_lamp(f.ui, Path("io/out/{}", n), info.name, o).clicked)
+  if (toggle_lamp(f.ui, Path("io/out/{}", n), name_of(f, info), o).clicked)
     asked = f.send(intent::SetOutput(n, known ? !on : true));
 }
 

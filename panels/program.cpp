@@ -19,6 +19,9 @@ using namespace gui;
 namespace {
 
 constexpr float toolbar_height = 56;
+constexpr std::string_view no_program = "No program runs.";
+
+bool shows_keys(const Frame& f) { return f.area.width >= 700; }
 
 bool under_way(const ProgramState& p) {
   return p.owned && (p.run == RunState::running || p.run == RunState::waiting || p.run == RunState::held);
@@ -69,71 +72,92 @@ std::string_view Program::why_not_run(const Frame& f) const {
 
 void Program::draw_toolbar(Frame& f) {
   Ui& ui = f.ui;
-  Desk& desk = f.tab.desk();
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const ProgramState& p = f.now.program;
-  const bool busy = under_way(p), waits = busy && p.run != RunState::running;
-  const bool keys = f.area.width >= 700;
-  const std::string_view no_program = "No program runs.";
-  const std::string_view no_link = f.connected() ? std::string_view() : "There is no link.";
   ImGui::SetCursorScreenPos(ImVec2(ui.px(f.area.x + 16), at.y + ui.px(8)));
   const auto next = [&] { ImGui::SameLine(0, ui.px(8)); };
+  draw_run(f);
+  next();
+  draw_hold(f);
+  next();
+  if (f.catalog.can.single_step) {
+    draw_step(f);
+    next();
+  }
+  draw_stop(f);
+  next();
+  draw_simulate(f);
+  next();
+  draw_memory(f, ImGui::GetCursorScreenPos().x);
+  draw_line_across(f, at.y + ui.px(toolbar_height) - ui.hair());
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(toolbar_height)));
+}
 
-  if (button(ui, "program/run", waits ? "Go on" : "Run",
+void Program::draw_run(Frame& f) {
+  const ProgramState& p = f.now.program;
+  const bool waits = under_way(p) && p.run != RunState::running;
+  if (button(f.ui, "program/run", waits ? "Go on" : "Run",
              {.icon = Icon::play,
-              .keys = keys && !waits ? "ctrl \n" : "",
+              .keys = shows_keys(f) && !waits ? "ctrl \n" : "",
               .disabled = why_not_run(f),
               .height = 40,
               .moving = true})
           .clicked)
     run(f, false);
-  next();
-  if (button(ui, "program/hold", "Hold",
-             {.icon = Icon::pause,
-              .disabled = !no_link.empty()                     ? no_link
-                          : p.run == RunState::running && busy ? ""
-                                                               : no_program,
-              .tip = "Stops before the next command.",
-              .height = 40})
+}
+
+void Program::draw_hold(Frame& f) {
+  const ProgramState& p = f.now.program;
+  const std::string_view why = !f.connected()                               ? "There is no link."
+                               : under_way(p) && p.run == RunState::running ? ""
+                                                                            : no_program;
+  if (button(f.ui, "program/hold", "Hold",
+             {.icon = Icon::pause, .disabled = why, .tip = "Stops before the next command.", .height = 40})
           .clicked)
     f.send(intent::Pause());
-  next();
-  if (f.catalog.can.single_step) {
-    const std::string_view why = p.run == RunState::held && busy ? no_link : why_not_run(f);
-    if (button(ui, "program/step", "Step",
-               {.icon = Icon::step,
-                .disabled = why,
-                .tip = "One command at a time.",
-                .height = 40,
-                .moving = true})
-            .clicked)
-      run(f, true);
-    next();
-  }
-  if (button(ui, "program/stop", "Stop",
-             {.icon = Icon::stop, .disabled = busy || desk.job.busy() ? "" : no_program, .height = 40})
-          .clicked) {
-    desk.job.give_up();
-    f.send(intent::HaltProgram());
-  }
-  next();
+}
+
+void Program::draw_step(Frame& f) {
+  const ProgramState& p = f.now.program;
+  const bool held = under_way(p) && p.run == RunState::held;
+  const std::string_view why = !held           ? why_not_run(f)
+                               : f.connected() ? std::string_view()
+                                               : std::string_view("There is no link.");
+  if (button(f.ui, "program/step", "Step",
+             {.icon = Icon::step,
+              .disabled = why,
+              .tip = "One command at a time.",
+              .height = 40,
+              .moving = true})
+          .clicked)
+    run(f, true);
+}
+
+void Program::draw_stop(Frame& f) {
+  Desk& desk = f.tab.desk();
+  const bool busy = under_way(f.now.program) || desk.job.busy();
+  if (!button(f.ui, "program/stop", "Stop",
+              {.icon = Icon::stop, .disabled = busy ? "" : no_program, .height = 40})
+           .clicked)
+    return;
+  desk.job.give_up();
+  f.send(intent::HaltProgram());
+}
+
+void Program::draw_simulate(Frame& f) {
+  Desk& desk = f.tab.desk();
   const int slot = desk.texts.chosen();
-  const std::string_view why_not_simulate = !desk.language()                  ? "This model has no rehearsal."
-                                            : desk.texts.text(slot).empty()   ? "The program is empty."
-                                            : desk.rehearsals.under_way(slot) ? "It is being worked out."
-                                                                              : "";
-  if (button(ui, "program/simulate", "Simulate",
+  const std::string_view why = !desk.language()                  ? "This model has no rehearsal."
+                               : desk.texts.text(slot).empty()   ? "The program is empty."
+                               : desk.rehearsals.under_way(slot) ? "It is being worked out."
+                                                                 : "";
+  if (button(f.ui, "program/simulate", "Simulate",
              {.icon = Icon::play_outline,
-              .keys = keys ? "F5" : "",
-              .disabled = why_not_simulate,
+              .keys = shows_keys(f) ? "F5" : "",
+              .disabled = why,
               .tip = "Tries the text without moving anything.",
               .height = 40})
           .clicked)
     simulate(f);
-  next();
-  draw_memory(f, ImGui::GetCursorScreenPos().x);
-  draw_line_across(f, at.y + ui.px(toolbar_height) - ui.hair());
-  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(toolbar_height)));
 }
 
 // Follows the typing: what the text costs of what there is.

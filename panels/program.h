@@ -24,6 +24,11 @@ class Program final : public gui::Panel {
  private:
   void follow(gui::Frame& frame);
   void draw_toolbar(gui::Frame& frame);
+  void draw_run(gui::Frame& frame);
+  void draw_hold(gui::Frame& frame);
+  void draw_step(gui::Frame& frame);
+  void draw_stop(gui::Frame& frame);
+  void draw_simulate(gui::Frame& frame);
   void draw_memory(gui::Frame& frame, float left);
   void draw_slots(gui::Frame& frame);
   void draw_file_buttons(gui::Frame& frame);

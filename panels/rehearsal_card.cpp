@@ -1,5 +1,6 @@
 #include "panels/rehearsal_card.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/core.h>
@@ -28,6 +29,20 @@ static std::string exact_time(double s) {
 void RehearsalCard::refresh(Frame& f, int slot) {
   Desk& desk = f.tab.desk();
   outcome_ = desk.rehearsals.of(slot);
+  refresh_caption(f, slot);
+  std::string& units = units_now_;  // keeps its memory from frame to frame
+  units.clear();
+  for (std::size_t i = 0; i < f.catalog.axes.size(); ++i)
+    (units += f.tab.unit(AxisId{static_cast<std::uint8_t>(i)}).name) += '\n';
+  if (version_ == desk.rehearsals.version() && slot_ == slot && units == text_of_units_) return;
+  version_ = desk.rehearsals.version();
+  slot_ = slot;
+  text_of_units_ = units;
+  refresh_words(f);
+}
+
+void RehearsalCard::refresh_caption(const Frame& f, int slot) {
+  Desk& desk = f.tab.desk();
   const int older = desk.rehearsals.older_than_line(slot, desk.texts.text(slot));
   const HeldProgram& held = desk.texts.held(slot);
   old_ = outcome_ && older >= 0;
@@ -46,14 +61,9 @@ void RehearsalCard::refresh(Frame& f, int slot) {
   } else {
     said_caption_ = "of this text";
   }
-  std::string& units = units_now_;  // keeps its memory from frame to frame
-  units.clear();
-  for (std::size_t i = 0; i < f.catalog.axes.size(); ++i)
-    (units += f.tab.unit(AxisId{static_cast<std::uint8_t>(i)}).name) += '\n';
-  if (version_ == desk.rehearsals.version() && slot_ == slot && units == text_of_units_) return;
-  version_ = desk.rehearsals.version();
-  slot_ = slot;
-  text_of_units_ = units;
+}
+
+void RehearsalCard::refresh_words(const Frame& f) {
   axes_.clear();
   event_times_.clear();
   time_.clear(), fault_.clear(), sends_.clear(), spans_.clear();
@@ -68,26 +78,23 @@ void RehearsalCard::refresh(Frame& f, int slot) {
   if (fault_.empty() && !r.finished)
     fault_ =
         fmt::format("It has not ended after {}; it may never end.", format_duration(r.duration_s).view());
-  for (const RehearsedAxis& axis : r.axes) {
-    const int i = f.catalog.find_axis(axis.name);
-    if (i < 0) continue;
-    const DisplayUnit& unit = f.tab.unit(AxisId{static_cast<std::uint8_t>(i)});
-    std::string span = axis.minimum == axis.maximum
-                           ? std::string("does not move")
-                           : fmt::format("{} to {}", format_position(Steps(axis.minimum), unit).view(),
-                                         format_with_unit(Steps(axis.maximum), unit).view());
-    if (axis.minimum != axis.maximum)
-      spans_ += fmt::format("{}{}: {}", spans_.empty() ? "" : ", ", axis.name, span);
-    axes_.push_back({axis.name, std::move(span)});
-  }
-  for (const char c : r.sent_to_host)
-    if (c == '\r')
-      sends_ += ' ';
-    else
-      sends_ += c;
+  for (const RehearsedAxis& axis : r.axes) say_span(f, axis);
+  sends_ = r.sent_to_host;
+  std::replace(sends_.begin(), sends_.end(), '\r', ' ');
   constexpr std::size_t most_events = 200;
   for (std::size_t i = 0; i < std::min(r.events.size(), most_events); ++i)
     event_times_.push_back(fmt::format("{:.1f} s", r.events[i].t));
+}
+
+void RehearsalCard::say_span(const Frame& f, const RehearsedAxis& axis) {
+  const int i = f.catalog.find_axis(axis.name);
+  if (i < 0) return;
+  const DisplayUnit& unit = f.tab.unit(AxisId{static_cast<std::uint8_t>(i)});
+  if (axis.minimum == axis.maximum) return axes_.push_back({axis.name, "does not move"});
+  std::string span = fmt::format("{} to {}", format_position(Steps(axis.minimum), unit).view(),
+                                 format_with_unit(Steps(axis.maximum), unit).view());
+  spans_ += fmt::format("{}{}: {}", spans_.empty() ? "" : ", ", axis.name, span);
+  axes_.push_back({axis.name, std::move(span)});
 }
 
 void RehearsalCard::draw_column(Frame& f, int slot, float width, float height) {

@@ -15,6 +15,9 @@ class RehearsalCard {
 
  private:
   void refresh(gui::Frame& frame, int slot);
+  void refresh_caption(const gui::Frame& frame, int slot);
+  void refresh_words(const gui::Frame& frame);
+  void say_span(const gui::Frame& frame, const RehearsedAxis& axis);
   void draw_progress(gui::Frame& frame);
   void draw_axes(gui::Frame& frame);
   void draw_verdict(gui::Frame& frame);

@@ -30,6 +30,8 @@ void row_line(Ui& ui, const Frame& f, float y) {
                                             ImVec2(ui.px(f.area.right()), y + ui.hair()), ui[Tone::line]);
 }
 
+std::string_view no_link(const Frame& f) { return f.connected() ? "" : "There is no link."; }
+
 }  // namespace
 
 void Setup::draw(Frame& f) {
@@ -53,6 +55,7 @@ void Setup::draw(Frame& f) {
 
 // What is under way, and the first reading.
 void Setup::follow(Frame& f) {
+  if (f.tab.desk().setup.changes(f.now) == 0) from_file_.clear();  // its values are written, or undone
   if (f.connected() && !asked_to_read_) {
     asked_to_read_ = true;
     for (std::size_t i = 0; i < f.catalog.params.size(); ++i)
@@ -98,62 +101,72 @@ std::string Setup::summary(const Frame& f) const {
 
 void Setup::draw_toolbar(Frame& f) {
   Ui& ui = f.ui;
-  Desk& desk = f.tab.desk();
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const int changes = desk.setup.changes(f.now);
-  const std::string_view no_link = f.connected() ? std::string_view() : "There is no link.";
-  char label[48];
-  const auto end =
-      desk.setup_write.busy() ? fmt::format_to_n(label, sizeof label, "Writing {} of {}",
-                                                 desk.setup_write.written() + 1, desk.setup_write.all())
-      : changes == 0
-          ? fmt::format_to_n(label, sizeof label, "Write changes")
-          : fmt::format_to_n(label, sizeof label, "Write {} change{}", changes, changes == 1 ? "" : "s");
-  ButtonOptions write_look{.style = changes > 0 ? ButtonStyle::primary : ButtonStyle::normal, .height = 40};
-  write_look.disabled = !no_link.empty()          ? no_link
-                        : desk.setup_write.busy() ? "The values are being written."
-                        : changes == 0            ? "Nothing here differs from the controller."
-                                                  : "";
   ImGui::SetCursorScreenPos(ImVec2(ui.px(f.area.x + 16), at.y + ui.px(8)));
-  if (button(ui, "setup/write", {label, std::min(end.size, sizeof label)}, write_look).clicked)
-    ask_or_write(f);
+  draw_write(f);
   ImGui::SameLine(0, ui.px(8));
   if (button(ui, "setup/read", "Read all",
-             {.disabled = no_link,
+             {.disabled = no_link(f),
               .tip = "Asks the controller for every value. What you edited stays.",
               .height = 40})
           .clicked)
     f.send(intent::ReadParams());
   if (f.catalog.can.store) {
     ImGui::SameLine(0, ui.px(8));
-    char tip[120];
-    const auto tip_end =
-        f.now.store_count >= 0
-            ? fmt::format_to_n(tip, sizeof tip,
-                               "Keeps set-up and programs over power-off. {} of {} writes used.",
-                               f.now.store_count, f.catalog.can.store_life)
-            : fmt::format_to_n(tip, sizeof tip,
-                               "Keeps set-up and programs over power-off. The memory bears {} writes.",
-                               f.catalog.can.store_life);
-    const std::string_view why = !no_link.empty() ? no_link
-                                 : storing_       ? "It is being stored."
-                                                  : std::string_view();
-    if (button(ui, "setup/store", "Store in controller",
-               {.disabled = why, .tip = {tip, std::min(tip_end.size, sizeof tip)}, .height = 40})
-            .clicked)
-      storing_ = f.send_and_watch(intent::Store());
+    draw_store(f);
   }
+  draw_file_buttons(f, at.y + ui.px(8));
+  row_line(ui, f, at.y + ui.px(56));
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(56)));
+}
+
+void Setup::draw_write(Frame& f) {
+  const Desk& desk = f.tab.desk();
+  const SetupWrite& writing = desk.setup_write;
+  const int changes = desk.setup.changes(f.now);
+  char label[48];
+  const auto end =
+      writing.busy()
+          ? fmt::format_to_n(label, sizeof label, "Writing {} of {}", writing.written() + 1, writing.all())
+      : changes == 0
+          ? fmt::format_to_n(label, sizeof label, "Write changes")
+          : fmt::format_to_n(label, sizeof label, "Write {} change{}", changes, changes == 1 ? "" : "s");
+  ButtonOptions o{.style = changes > 0 ? ButtonStyle::primary : ButtonStyle::normal, .height = 40};
+  o.disabled = !f.connected()   ? no_link(f)
+               : writing.busy() ? "The values are being written."
+               : changes == 0   ? "Nothing here differs from the controller."
+                                : "";
+  if (button(f.ui, "setup/write", {label, std::min(end.size, sizeof label)}, o).clicked) ask_or_write(f);
+}
+
+void Setup::draw_store(Frame& f) {
+  char tip[120];
+  const auto end =
+      f.now.store_count >= 0
+          ? fmt::format_to_n(tip, sizeof tip,
+                             "Keeps set-up and programs over power-off. {} of {} writes used.",
+                             f.now.store_count, f.catalog.can.store_life)
+          : fmt::format_to_n(tip, sizeof tip,
+                             "Keeps set-up and programs over power-off. The memory bears {} writes.",
+                             f.catalog.can.store_life);
+  const std::string_view why = f.connected() && storing_ ? "It is being stored." : no_link(f);
+  if (button(f.ui, "setup/store", "Store in controller",
+             {.disabled = why, .tip = {tip, std::min(end.size, sizeof tip)}, .height = 40})
+          .clicked)
+    storing_ = f.send_and_watch(intent::Store());
+}
+
+void Setup::draw_file_buttons(Frame& f, float top) {
+  Ui& ui = f.ui;
   const ButtonOptions quiet{.style = ButtonStyle::quiet, .height = 40};
-  const float right = button_width(ui, "Open", quiet) + button_width(ui, "Save", quiet);
-  ImGui::SetCursorScreenPos(ImVec2(ui.px(f.area.right() - 8 - right), at.y + ui.px(8)));
+  const float width = button_width(ui, "Open", quiet) + button_width(ui, "Save", quiet);
+  ImGui::SetCursorScreenPos(ImVec2(ui.px(f.area.right() - 8 - width), top));
   if (button(ui, "setup/open", "Open", quiet).clicked)
     open_.ask_open("Open a set-up", open_.folder(), {".toml"});
   ImGui::SameLine(0, 0);
   if (button(ui, "setup/save", "Save", quiet).clicked)
     save_.ask_save("Save the set-up", save_.folder() / fmt::format("{}-setup.toml", f.catalog.model),
                    {".toml"});
-  row_line(ui, f, at.y + ui.px(56));
-  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(56)));
 }
 
 void Setup::draw_filter(Frame& f) {

@@ -20,6 +20,9 @@ class Setup final : public gui::Panel {
 
   void follow(gui::Frame& frame);
   void draw_toolbar(gui::Frame& frame);
+  void draw_write(gui::Frame& frame);
+  void draw_store(gui::Frame& frame);
+  void draw_file_buttons(gui::Frame& frame, float top_px);
   void draw_filter(gui::Frame& frame);
   void draw_problems(gui::Frame& frame);
   void draw_list(gui::Frame& frame, float width);

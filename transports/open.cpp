@@ -56,7 +56,9 @@ Result<BenchFile> read_bench(const std::string& file, const DeviceType& type, co
   if (!text) return fail(text.error());
   const auto catalog = type.make_catalog(keys);
   if (!catalog) return fail(catalog.error());
-  return parse_bench_file(*text, *catalog, file);
+  auto bench = parse_bench_file(*text, *catalog, file);
+  if (!bench) bench.error().kind = FaultKind::port;  // not the address is wrong: the file is
+  return bench;
 }
 
 // The keys of a device, once for each id.

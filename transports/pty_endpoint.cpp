@@ -110,9 +110,14 @@ class OpenNotice : public std::enable_shared_from_this<OpenNotice> {
   }
   void take() {
     alignas(inotify_event) char notes[4096];
-    while (::read(notices_.native_handle(), notes, sizeof notes) > 0) {
-    }
-    opened_();
+    bool opened = false;
+    for (ssize_t size; (size = ::read(notices_.native_handle(), notes, sizeof notes)) > 0;)
+      for (ssize_t at = 0; at < size;) {
+        const auto& note = *reinterpret_cast<const inotify_event*>(notes + at);
+        opened = opened || (note.mask & IN_OPEN) != 0;  // else: that a watch has ended
+        at += static_cast<ssize_t>(sizeof note + note.len);
+      }
+    if (opened) opened_();
   }
 
   asio::posix::basic_stream_descriptor<Executor> notices_;
@@ -153,7 +158,8 @@ class PtyEndpoint final : public FdStream {
                  fmt::format("The pseudo-terminal {} failed ({}).", link_, std::strerror(error)));
   }
   void reading_stopped() override {
-    notice_->unwatch();  // or it would see us
+    if (!hung_up()) return read_on();  // the next client is there already: its settings are its own
+    notice_->unwatch();                // or it would see us
     if (!make_as_new(terminal_, baud_) && errno == EBUSY) renew();
     if (!notice_->watch(terminal_)) look_again_.arm(scheduler().now() + Millis(50));
     if (!hung_up()) read_on();

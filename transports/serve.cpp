@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include <fmt/core.h>
 #include <unistd.h>
@@ -32,18 +33,29 @@ struct EmulatorHost::Client final : Stream::Listener {
   }
 };
 
+/// A file that is not there yet must be possible to write later.
+static Result<> check_folder(const std::filesystem::path& path) {
+  const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+  std::error_code error;
+  if (std::filesystem::is_directory(folder, error)) return {};
+  return fail(FaultKind::port,
+              fmt::format("There is no folder {} to keep {} in.", folder.string(), path.filename().string()),
+              "Nothing is served.", "Make the folder, or choose another place.");
+}
+
 // One controller on the wire, with what surrounds it and where its memory is kept.
 class EmulatorHost::Device final : public BenchAccess {
  public:
   Device(EmulatorHost& host, std::unique_ptr<Emulator> e) : host_(host), emulator_(std::move(e)) {}
 
   Result<> load(const std::string& path) {
-    if (::access(path.c_str(), F_OK) != 0) return {};
+    if (::access(path.c_str(), F_OK) != 0) return check_folder(path);
     const auto text = read_file(path, largest_file);
     if (!text) return fail(text.error());
     auto loaded = emulator_->load_memory(*text);
     if (loaded) return {};
     Fault fault = loaded.error();
+    fault.kind = FaultKind::port;  // not the option is wrong: the file is
     fault.what = fmt::format("{} is not the saved memory of this controller: {}", path, fault.what);
     return fail(std::move(fault));
   }

@@ -38,10 +38,16 @@ struct InputInfo {
   std::string help;
   bool active_low = true;
 };
+/// What the controller itself uses an output for at times: "In position".
+struct OutputDuty {
+  std::string name;                         ///< empty: the output has no duty
+  std::vector<std::string> while_not_zero;  ///< on duty while none of these parameters and readouts is 0
+};
 struct OutputInfo {
   std::string name;  ///< "Out 1"
   std::string help;
   bool settable = true;
+  OutputDuty duty = {};
 };
 struct AnalogInfo {
   std::string name, unit;  ///< "Analog", "counts"

@@ -23,8 +23,8 @@ enum class EndedBy : std::uint8_t {
   nothing,
   target,
   limit,
-  stop,   ///< the console's own, with the ramp
-  abort,  ///< the console's own, at once
+  stop,       ///< the console's own, with the ramp
+  abort,      ///< the console's own, at once
   elsewhere,  ///< cut short by somebody else: the controller's Stop input, another program on the wire
   error,
   lost
@@ -32,6 +32,17 @@ enum class EndedBy : std::uint8_t {
 /// Where on its profile a motion is, if the controller tells.
 enum class Phase : std::uint8_t { unknown, accelerating, constant, decelerating };
 
+/// What keeps an axis in Activity::error until it is cleared, if the controller tells.
+enum class AxisError : std::uint8_t {
+  none,
+  limit_minus,
+  limit_plus,
+  limit,  ///< one of the two
+  alarm,
+  stalled,
+  too_far,       ///< closed loop: the load stands further off than is allowed
+  not_corrected  ///< closed loop: given up after so many attempts
+};
 
 struct AxisState {
   Steps position{};
@@ -40,6 +51,7 @@ struct AxisState {
   bool position_doubtful = false;  ///< the controller counts, but steps may have been lost (see `doubt`)
   Activity activity = Activity::unknown;
   Phase phase = Phase::unknown;
+  AxisError error = AxisError::none;
   EndedBy ended_by = EndedBy::nothing;
   std::int8_t direction = 0;  ///< -1, 0, +1 of the present motion
   Pps speed{};                ///< of the present motion, told or asked; 0 when unknown or at rest
@@ -58,11 +70,11 @@ enum class RunState : std::uint8_t { idle, running, waiting, held, error };
 
 struct ProgramState {
   RunState run = RunState::idle;
-  bool owned = false;         ///< a stored program of the user's, not a move of the console
-  std::int8_t slot = -1;      ///< the program that runs, or the selected one
-  std::int16_t command = -1;  ///< index of the live command in the slot's listing; -1 unknown
-  bool command_told = false;  ///< true: the controller said so; false: worked out
-  bool stepping = false;      ///< stops before each command
+  bool owned = false;                   ///< a stored program of the user's, not a move of the console
+  std::int8_t slot = -1;                ///< the program that runs, or the selected one
+  std::int16_t command = -1;            ///< index of the live command in the slot's listing; -1 unknown
+  bool command_told = false;            ///< true: the controller said so; false: worked out
+  bool stepping = false;                ///< stops before each command
   EndedBy ended_by = EndedBy::nothing;  ///< of the latest run of the user's programs
   Instant started_at{};
   bool operator==(const ProgramState&) const = default;

@@ -1,6 +1,7 @@
 #pragma once
 // The parts of a script's world. Each adds its tables to the state.
 #include <memory>
+#include <span>
 
 #include "core/script/call.h"
 #include "core/session/session_group.h"
@@ -9,12 +10,18 @@ namespace hw::script {
 
 void bind_hw(lua_State* L);          ///< `hw`, `print`
 void bind_controller(lua_State* L);  ///< methods of what hw.open() gives
-void bind_bench(lua_State* L);       ///< methods of its `bench`
+std::span<const Function> motion_methods(), text_methods(), status_methods(), setup_methods(),
+    program_methods();          ///< of them, by subject
+void bind_bench(lua_State* L);  ///< methods of its `bench`
 
 inline constexpr const char *controller_type = "controller", *bench_type = "bench";
 // Metamethods of both.
 int index_handle(lua_State* L);  ///< upvalue: the table of methods
 int drop_handle(lua_State* L);
+/// What both end with: their handles are dropped, and a script cannot look behind them. Pops the metatable.
+void close_handle_type(lua_State* L);
+
+using SessionPtr = std::shared_ptr<Session>;
 
 /// What hw.open() gives: a controller, or a bus of several.
 void push_controller(lua_State* L, std::shared_ptr<SessionGroup> group);
@@ -33,6 +40,10 @@ struct OneAxis {
 OneAxis one_axis(const Call& call, int argument, const char* function);
 /// The same for a key of a table, at `place` of the stack.
 OneAxis one_axis_at(const Call& call, int place, const char* function);
+
+/// Sends an intent, waits for its outcome: true, or nil and the reason.
+int perform(Call& call, SessionPtr session, IntentBody body);
+int perform(Call& call, IntentBody body);
 
 /// An axis by its number or the maker's name; throws Misuse when it is neither; -1: there is none such.
 int axis_index(lua_State* L, int index, const Catalog& catalog, const char* function);

@@ -237,11 +237,7 @@ void bind_bench(lua_State* L) {
   luaL_newmetatable(L, bench_type);
   push_functions(L, std::begin(bench_methods), std::end(bench_methods), 1);
   lua_setfield(L, -2, "__index");
-  lua_pushcfunction(L, drop_handle);
-  lua_setfield(L, -2, "__gc");
-  lua_pushboolean(L, 0);
-  lua_setfield(L, -2, "__metatable");
-  lua_pop(L, 1);
+  close_handle_type(L);
 }
 
 }  // namespace hw::script

@@ -100,14 +100,18 @@ static int enter(lua_State* L) {
   return results;
 }
 
-void push_functions(lua_State* L, const Function* first, const Function* last, int self) {
-  lua_createtable(L, 0, static_cast<int>(last - first));
-  for (const Function* f = first; f != last; ++f) {
-    lua_pushlightuserdata(L, const_cast<Function*>(f));
+void add_functions(lua_State* L, std::span<const Function> functions, int self) {
+  for (const Function& f : functions) {
+    lua_pushlightuserdata(L, const_cast<Function*>(&f));
     lua_pushinteger(L, self);
     lua_pushcclosure(L, enter, 2);
-    lua_setfield(L, -2, f->name);
+    lua_setfield(L, -2, f.name);
   }
+}
+
+void push_functions(lua_State* L, const Function* first, const Function* last, int self) {
+  lua_createtable(L, 0, static_cast<int>(last - first));
+  add_functions(L, {first, last}, self);
 }
 
 Answer answer_yes() {

@@ -4,6 +4,7 @@
 // of calling luaL_error.
 #include <cstdint>
 #include <lua.hpp>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -59,7 +60,9 @@ struct Function {
   const char* name;
   int (*body)(Call&);
 };
-/// Pushes a table of `functions`; `self` as in Call.
+/// Adds them to the table on the top; `self` as in Call.
+void add_functions(lua_State* L, std::span<const Function> functions, int self);
+/// Pushes a table of them.
 void push_functions(lua_State* L, const Function* first, const Function* last, int self);
 
 // Answers for calls that waited.

@@ -104,6 +104,23 @@ int drop_handle(lua_State* L) {
   return 0;
 }
 
+void close_handle_type(lua_State* L) {
+  lua_pushcfunction(L, drop_handle);
+  lua_setfield(L, -2, "__gc");
+  lua_pushboolean(L, 0);
+  lua_setfield(L, -2, "__metatable");
+  lua_pop(L, 1);
+}
+
+static Task<Answer> perform_body(SessionPtr session, IntentBody body) {
+  const auto result = co_await session->perform(std::move(body));
+  co_return answer_of(result);
+}
+int perform(Call& call, SessionPtr session, IntentBody body) {
+  return call.wait(perform_body(std::move(session), std::move(body)));
+}
+int perform(Call& call, IntentBody body) { return perform(call, session_of(call), std::move(body)); }
+
 // c.bench, c.devices, else a method. A bus has no bench of its own: what is not there is nil.
 int index_handle(lua_State* L) {
   const auto& handle = *static_cast<Handle*>(luaL_checkudata(L, 1, controller_type));

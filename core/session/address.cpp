@@ -13,12 +13,6 @@ namespace {
 
 constexpr std::string_view transports[] = {"emulator", "serial", "tcp", "rfc2217", "usb", "vme", "bus"};
 
-std::string model_list() {
-  std::string all;
-  for (const DeviceType& type : device_types()) all += (all.empty() ? "" : ", ") + std::string(type.model);
-  return all;
-}
-
 tl::unexpected<Fault> bad(std::string what) {
   return fail(
       FaultKind::text, std::move(what), "Nothing was opened.",
@@ -58,6 +52,12 @@ Result<> read_options(std::string_view rest, Address& address) {
 
 }  // namespace
 
+std::string known_models() {
+  std::string all;
+  for (const DeviceType& type : device_types()) all += (all.empty() ? "" : ", ") + std::string(type.model);
+  return all;
+}
+
 Result<Address> Address::parse(std::string_view text) {
   Address address;
   const auto at = text.find('@');
@@ -67,7 +67,7 @@ Result<Address> Address::parse(std::string_view text) {
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   if (!find_device_type(address.model))
     return bad(
-        fmt::format("There is no controller model \"{}\". Known: {}.", text.substr(0, at), model_list()));
+        fmt::format("There is no controller model \"{}\". Known: {}.", text.substr(0, at), known_models()));
   const std::string_view rest = text.substr(at + 1);
   const auto comma = rest.find(',');
   const std::string_view way = rest.substr(0, comma);

@@ -29,6 +29,8 @@ struct Address {
   [[nodiscard]] Result<int> number(std::string_view key, int fallback) const;
 };
 
+/// What an address can begin with: "vxm, pmx-4ex-sa, dmx-k-sa".
+std::string known_models();
 /// "HOST:PORT" or "[IPV6]:PORT".
 Result<std::pair<std::string, int>> split_host_port(std::string_view where);
 

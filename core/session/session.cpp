@@ -63,6 +63,7 @@ void Session::operate_bench(BenchCommand command) {
 
 Task<Result<std::shared_ptr<Link>>> Session::open_wire() {
   auto link = co_await wire_->link();
+  why_no_wire_ = link ? FaultKind::lost : link.error().kind;
   if (auto bench = wire_->bench(place_); link && bench) {
     bench_ = std::move(bench);
     bench_->changed = [this] { show_bench(); };
@@ -100,8 +101,7 @@ Task<Result<>> Session::wait_until_connected() {
   for (;;) {
     const LinkHealth& link = known().link;
     if (link.state == LinkState::good || link.state == LinkState::late) co_return Result<>();
-    if (link.state != LinkState::connecting)
-      co_return fail(FaultKind::lost, std::string(link.sentence.view()));
+    if (link.state != LinkState::connecting) co_return fail(why_no_wire_, std::string(link.sentence.view()));
     co_await pump_.published().wait();
   }
 }

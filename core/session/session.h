@@ -78,8 +78,9 @@ class Session : public std::enable_shared_from_this<Session> {
   Ring<Notice> notices_{1024};
   std::shared_ptr<BenchAccess> bench_;
   BenchView bench_view_;
-  std::map<int, std::string> listings_;  ///< by slot, as last told
-  Snapshot shown_;                       ///< what the reader was last woken for
+  std::map<int, std::string> listings_;      ///< by slot, as last told
+  Snapshot shown_;                           ///< what the reader was last woken for
+  FaultKind why_no_wire_ = FaultKind::lost;  ///< of the latest attempt to open it
   Pump pump_;
 };
 

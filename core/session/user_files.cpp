@@ -45,7 +45,7 @@ int write_all(int fd, std::string_view bytes) {
 
 tl::unexpected<Fault> not_written(const fs::path& path, int error) {
   return fail(
-      FaultKind::port, fmt::format("{} was not written: {}.", path.filename().string(), reason_of(error)), {},
+      FaultKind::port, fmt::format("{} was not written: {}.", path.string(), reason_of(error)), {},
       error == ENOSPC || error == EDQUOT || error == EFBIG ? "Free some space, or choose another place."
                                                            : "Choose another place.");
 }

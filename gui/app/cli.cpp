@@ -8,88 +8,20 @@
 #include <fmt/core.h>
 
 #include "core/base/log.h"
+#include "core/session/address.h"
 
 namespace hw::app {
 namespace {
 
-const OptionSpec model_option{"for", "MODEL",
-                              "the controller that the program is for: vxm, pmx-4ex-sa, dmx-k-sa"};
-const OptionSpec bench_option{"bench", "FILE.toml", "what surrounds the emulated controller"};
+const Subcommand* const subcommands[] = {
+    &open_subcommand, &demo_subcommand,   &run_subcommand,     &emulate_subcommand,
+    &send_subcommand, &check_subcommand,  &compile_subcommand, &simulate_subcommand,
+    &scan_subcommand, &backup_subcommand, &restore_subcommand,
+};
 
-const std::vector<Subcommand>& subcommands() {
-  static const std::vector<Subcommand> all = {
-      {"open",
-       "the console (also without any subcommand)",
-       {{"ADDRESS", "controllers to open; none: the connection page", 0, -1}},
-       {},
-       open_console},
-      {"demo",
-       "the console with emulated controllers; without a display a headless demonstration",
-       {},
-       {{"pictures", "FOLDER",
-         "where the headless demonstration leaves its pictures (default: demo beside the program)"},
-        {"headless", "", "no window even where there is a display"}},
-       demo},
-      {"run",
-       "run a Lua script without a window",
-       {{"SCRIPT.lua", "the script", 1, 1}, {"ARGS", "its hw.args; -- ends the options", 0, -1}},
-       {{"realtime", "",
-         "wall-clock time (else virtual time while every controller is an emulator in process)"},
-        {"gui", "", "with the panels, laid out and driven without a display"},
-        {"traffic", "FILE", "write down every byte of every wire"}},
-       run_script},
-      {"emulate",
-       "serve an emulated controller to other programs until interrupted",
-       {{"MODEL", "vxm, pmx-4ex-sa or dmx-k-sa", 1, 1}},
-       {{"tcp", "HOST:PORT", "listen there; port 0: any free one", true},
-        {"pty", "PATH", "make a pseudo-terminal and this symlink to it", true},
-        {"id", "NN", "number on its line, two digits; several: that many controllers on one line", true},
-        {"motors", "N", "number of motors; 3 or 4: a Master with its Slave linked"},
-        {"speed", "X", "so many times faster than real time (default 1)"},
-        {"wire", "real|off", "spend the byte times of the baud rate (default: real with a --pty, else off)"},
-        {"quirk", "NAME", "a habit of certain units: overrun, e-bar", true},
-        {"state", "FILE", "keep the non-volatile memory there; with several --id in FILE.NN of each"},
-        bench_option,
-        {"allow-remote", "", "let other hosts connect (else only this one)"}},
-       emulate},
-      {"send",
-       "send each TEXT as one command, print each reply on a line",
-       {{"ADDRESS", "the controller", 1, 1}, {"TEXT", "a command of the controller", 1, -1}},
-       {{"wait", "SECONDS", "how long a reply may take (default: what the command and the wire need)"}},
-       send},
-      {"check",
-       "look a program over without running it",
-       {{"FILE", "the program", 1, 1}},
-       {model_option},
-       check},
-      {"compile",
-       "make of a program what the controller stores",
-       {{"FILE", "the program", 1, 1}},
-       {model_option,
-        {"output", "OUT", "the file for the stored form", false, "o"},
-        {"listing", "", "show the stored form"}},
-       compile},
-      {"simulate",
-       "dry run of a program, in virtual time",
-       {{"FILE", "the program", 1, 1}},
-       {model_option,
-        {"json", "", "one JSON object instead of words"},
-        bench_option,
-        {"for-seconds", "N", "stop a program that does not end by then (default 3600, simulated)"}},
-       simulate},
-      {"scan", "serial ports, and which controllers answer on them; moves nothing", {}, {}, scan},
-      {"backup",
-       "set-up and programs of a controller into a file",
-       {{"ADDRESS", "the controller", 1, 1}},
-       {{"output", "FILE.toml", "the file", false, "o"}},
-       backup},
-      {"restore",
-       "set-up and programs from a file into a controller",
-       {{"ADDRESS", "the controller", 1, 1}, {"FILE.toml", "made by backup", 1, 1}},
-       {{"leave-motor-types", "", "leave parameters that carry a warning (motor types) as they are"}},
-       restore},
-  };
-  return all;
+/// Where a model is asked for, those that there are.
+std::string help_of(std::string_view name, std::string_view help) {
+  return name == "MODEL" ? fmt::format("{}: {}", help, known_models()) : std::string(help);
 }
 
 // One subcommand as CLI11 sees it, and where it puts what it finds.
@@ -105,7 +37,8 @@ void add_words(Parsed& parsed) {
   const auto& specs = parsed.command->words;
   parsed.words.resize(specs.size());
   for (std::size_t i = 0; i < specs.size(); ++i) {
-    auto* option = parsed.app->add_option(specs[i].name, parsed.words[i], specs[i].help);
+    auto* option =
+        parsed.app->add_option(specs[i].name, parsed.words[i], help_of(specs[i].name, specs[i].help));
     option->type_name("")->allow_extra_args(specs[i].maximum != 1);
     option->expected(specs[i].minimum,
                      specs[i].maximum < 0 ? CLI::detail::expected_max_vector_size : specs[i].maximum);
@@ -119,7 +52,7 @@ void add_options(Parsed& parsed) {
     if (*spec.shorter) names = fmt::format("-{},{}", spec.shorter, names);
     CLI::Option* option = nullptr;
     if (*spec.placeholder) {
-      option = parsed.app->add_option(names, parsed.values[spec.name], spec.help);
+      option = parsed.app->add_option(names, parsed.values[spec.name], help_of(spec.placeholder, spec.help));
       option->type_name(spec.placeholder)->expected(1)->allow_extra_args(false);
       option->multi_option_policy(spec.repeatable ? CLI::MultiOptionPolicy::TakeAll
                                                   : CLI::MultiOptionPolicy::Throw);
@@ -145,6 +78,13 @@ Given collect(const Parsed& parsed, std::vector<std::string> behind_dashes) {
       if (parsed.options.at(name) == option && taken[name] < values.size())
         given.in_order.emplace_back(name, values[taken[name]++]);
   return given;
+}
+
+/// "handwheel send", or "handwheel" alone: whose help tells more.
+std::string asked_for(const CLI::App& app) {
+  std::string name = app.get_name();
+  for (const CLI::App* one : app.get_subcommands()) name += " " + one->get_name();
+  return name;
 }
 
 constexpr const char* footer =
@@ -190,11 +130,11 @@ int run_command_line(int argc, char** argv) {
   app.add_flag("--verbose", verbose, "more log lines on stderr");
 
   std::vector<Parsed> parsed;
-  parsed.reserve(subcommands().size());
-  for (const Subcommand& command : subcommands()) {
+  parsed.reserve(std::size(subcommands));
+  for (const Subcommand* command : subcommands) {
     Parsed& one = parsed.emplace_back();
-    one.command = &command;
-    one.app = app.add_subcommand(command.name, command.summary);
+    one.command = command;
+    one.app = app.add_subcommand(command->name, command->summary);
     one.app->fallthrough();
     add_words(one);
     add_options(one);
@@ -209,13 +149,15 @@ int run_command_line(int argc, char** argv) {
   std::reverse(words.begin(), words.end());  // as CLI11 takes them
   try {
     app.parse(std::move(words));
+  } catch (const CLI::Success& wish) {  // --help, --version
+    return app.exit(wish) == 0 ? done : usage;
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? done : usage;
+    return complain(fmt::format("{}. `{} --help` tells what there is.", error.what(), asked_for(app)), usage);
   }
   if (verbose) log::set_level(log::Level::debug);
   for (const Parsed& one : parsed)
     if (one.app->parsed()) return one.command->run(collect(one, std::move(behind_dashes)));
-  return open_console({});
+  return open_subcommand.run({});
 }
 
 }  // namespace hw::app

@@ -1,5 +1,5 @@
 #pragma once
-// The command line: one table row per subcommand. A row says what it takes; its function gets the words.
+// The command line. Each subcommand says what it takes; its function gets the words.
 #include <map>
 #include <optional>
 #include <span>
@@ -60,17 +60,13 @@ inline Exit status_of(const Fault& fault) { return fault.kind == FaultKind::text
 int complain(std::string_view sentence, Exit status = failed);
 int complain(const Fault& fault, Exit status = failed);
 
-// One function per subcommand, each in its own cmd_*.cpp.
-int open_console(const Given& given);
-int demo(const Given& given);
-int run_script(const Given& given);
-int emulate(const Given& given);
-int send(const Given& given);
-int check(const Given& given);
-int compile(const Given& given);
-int simulate(const Given& given);
-int scan(const Given& given);
-int backup(const Given& given);
-int restore(const Given& given);
+// What several subcommands take.
+inline constexpr OptionSpec model_option{"for", "MODEL", "the controller that the program is for"};
+inline constexpr OptionSpec bench_option{"bench", "FILE.toml", "what surrounds the emulated controller"};
+
+// Each in its own cmd_*.cpp.
+extern const Subcommand open_subcommand, demo_subcommand, run_subcommand, emulate_subcommand, send_subcommand,
+    check_subcommand, compile_subcommand, simulate_subcommand, scan_subcommand, backup_subcommand,
+    restore_subcommand;
 
 }  // namespace hw::app

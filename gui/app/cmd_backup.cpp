@@ -44,14 +44,14 @@ Task<int> put_back(Scheduler& scheduler, const Address& address, std::string fil
 
 }  // namespace
 
-int backup(const Given& given) {
+static int backup(const Given& given) {
   const auto address = Address::parse(given.words[0]);
   if (!address) return complain(address.error(), usage);
   if (!given.has("output")) return complain("It is not said where to: add -o FILE.toml.", usage);
   return run_here([&](Scheduler& scheduler) { return take(scheduler, *address, given.one("output")); });
 }
 
-int restore(const Given& given) {
+static int restore(const Given& given) {
   const auto address = Address::parse(given.words[0]);
   if (!address) return complain(address.error(), usage);
   return run_here([&](Scheduler& scheduler) {
@@ -59,5 +59,21 @@ int restore(const Given& given) {
                     given.has("leave-motor-types") ? Warned::leave_out : Warned::write);
   });
 }
+
+const Subcommand backup_subcommand{
+    "backup",
+    "set-up and programs of a controller into a file",
+    {{"ADDRESS", "the controller", 1, 1}},
+    {{"output", "FILE.toml", "the file", false, "o"}},
+    backup,
+};
+
+const Subcommand restore_subcommand{
+    "restore",
+    "set-up and programs from a file into a controller",
+    {{"ADDRESS", "the controller", 1, 1}, {"FILE.toml", "made by backup", 1, 1}},
+    {{"leave-motor-types", "", "leave parameters that carry a warning (motor types) as they are"}},
+    restore,
+};
 
 }  // namespace hw::app

@@ -8,7 +8,7 @@
 
 namespace hw::app {
 
-int check(const Given& given) {
+static int check(const Given& given) {
   const auto program = read_program(given);
   if (!program) return complain(program.error(), status_of(program.error()));
   const ProgramReport report = program->language->analyse(program->text, 0);
@@ -21,5 +21,9 @@ int check(const Given& given) {
                program->catalog.program.capacity, program->catalog.program.capacity_unit);
   return done;
 }
+
+const Subcommand check_subcommand{
+    "check", "look a program over without running it", {{"FILE", "the program", 1, 1}}, {model_option}, check,
+};
 
 }  // namespace hw::app

@@ -16,11 +16,12 @@ static std::string listing_of(const ProgramReport& report, std::string_view mode
   const std::vector<std::string> none;
   const std::vector<std::string>& lines = found == report.listing.end() ? none : found->second;
   std::string text = fmt::format("LISTING {} {}\n", model, lines.size());
-  for (std::size_t n = 0; n < lines.size(); ++n) text += fmt::format("{:4}{}{}\n", n, lines[n].empty() ? "" : "  ", lines[n]);
+  for (std::size_t n = 0; n < lines.size(); ++n)
+    text += fmt::format("{:4}{}{}\n", n, lines[n].empty() ? "" : "  ", lines[n]);
   return text;
 }
 
-int compile(const Given& given) {
+static int compile(const Given& given) {
   const auto program = read_program(given);
   if (!program) return complain(program.error(), program.error().kind == FaultKind::text ? usage : failed);
   if (!program->catalog.program.compiled)
@@ -45,5 +46,15 @@ int compile(const Given& given) {
              program->catalog.program.capacity, program->catalog.program.capacity_unit);
   return done;
 }
+
+const Subcommand compile_subcommand{
+    "compile",
+    "make of a program what the controller stores",
+    {{"FILE", "the program", 1, 1}},
+    {model_option,
+     {"output", "OUT", "the file for the stored form", false, "o"},
+     {"listing", "", "show the stored form"}},
+    compile,
+};
 
 }  // namespace hw::app

@@ -74,7 +74,8 @@ class ConsoleHouse {
 /// Texts let fall on the window are opened in the editor of the controller in front.
 void take_dropped(gui::Console& console, const std::vector<std::string>& paths) {
   gui::Tab* tab = console.active();
-  if (!tab) return console.toast(gui::Mood::plain, "Connect a controller first: files are opened in its editor.");
+  if (!tab)
+    return console.toast(gui::Mood::plain, "Connect a controller first: files are opened in its editor.");
   for (const std::string& path : paths) tab->desk().dropped.emplace_back(path);
   console.show_panel("program");
 }
@@ -117,16 +118,34 @@ int run_window(const std::vector<std::string>& addresses, bool demo) {
 
 }  // namespace
 
-int open_console(const Given& given) {
+static int open_console(const Given& given) {
   for (const std::string& word : given.words)
     if (const auto address = Address::parse(word); !address) return complain(address.error(), usage);
   return run_window(given.words, false);
 }
 
-int demo(const Given& given) {
+static int demo(const Given& given) {
   if (has_display() && !given.has("headless")) return run_window({}, true);
   if (!has_display()) print_line("There is no display: emulated controllers do a job in words and pictures.");
   return headless_demo(given.one("pictures", folder_of_program() + "/demo"));
 }
+
+const Subcommand open_subcommand{
+    "open",
+    "the console (also without any subcommand)",
+    {{"ADDRESS", "controllers to open; none: the connection page", 0, -1}},
+    {},
+    open_console,
+};
+
+const Subcommand demo_subcommand{
+    "demo",
+    "the console with emulated controllers; without a display a headless demonstration",
+    {},
+    {{"pictures", "FOLDER",
+      "where the headless demonstration leaves its pictures (default: demo beside the program)"},
+     {"headless", "", "no window even where there is a display"}},
+    demo,
+};
 
 }  // namespace hw::app

@@ -14,12 +14,6 @@
 namespace hw::app {
 namespace {
 
-std::vector<std::string_view> known_models() {
-  std::vector<std::string_view> all;
-  for (const DeviceType& type : device_types()) all.push_back(type.model);
-  return all;
-}
-
 struct Order {
   const DeviceType* type;
   DeviceOptions keys;
@@ -55,7 +49,7 @@ Result<Order> understand(const Given& given) {
     if (option.first == "tcp" || option.first == "pty") order.endpoints.push_back(option);
   if (!order.type)
     return fail(FaultKind::text, fmt::format("There is no controller model \"{}\".", given.words[0]), {},
-                fmt::format("Known: {}.", fmt::join(known_models(), ", ")));
+                fmt::format("Known: {}.", known_models()));
   if (order.endpoints.empty())
     return fail(FaultKind::text, "It is not said where to serve the emulator.", {},
                 "Give --tcp 127.0.0.1:4001 or --pty PATH, or both.");
@@ -108,7 +102,7 @@ Task<int> serve(Scheduler& scheduler, const Order& order) {
       continue;
     }
     auto endpoint = serve_tcp(scheduler, order, *host, where);
-    if (!endpoint) co_return complain(endpoint.error());
+    if (!endpoint) co_return complain(endpoint.error(), status_of(endpoint.error()));
     listening.push_back(std::move(*endpoint));
   }
   co_await ended.wait();
@@ -117,10 +111,27 @@ Task<int> serve(Scheduler& scheduler, const Order& order) {
 
 }  // namespace
 
-int emulate(const Given& given) {
+static int emulate(const Given& given) {
   const auto order = understand(given);
   if (!order) return complain(order.error(), usage);
   return run_here([&](Scheduler& scheduler) { return serve(scheduler, *order); });
 }
+
+const Subcommand emulate_subcommand{
+    "emulate",
+    "serve an emulated controller to other programs until interrupted",
+    {{"MODEL", "the controller", 1, 1}},
+    {{"tcp", "HOST:PORT", "listen there; port 0: any free one", true},
+     {"pty", "PATH", "make a pseudo-terminal and this symlink to it", true},
+     {"id", "NN", "number on its line, two digits; several: that many controllers on one line", true},
+     {"motors", "N", "number of motors; 3 or 4: a Master with its Slave linked"},
+     {"speed", "X", "so many times faster than real time (default 1)"},
+     {"wire", "real|off", "spend the byte times of the baud rate (default: real with a --pty, else off)"},
+     {"quirk", "NAME", "a habit of certain units: overrun, e-bar", true},
+     {"state", "FILE", "keep the non-volatile memory there; with several --id in FILE.NN of each"},
+     bench_option,
+     {"allow-remote", "", "let other hosts connect (else only this one)"}},
+    emulate,
+};
 
 }  // namespace hw::app

@@ -22,9 +22,9 @@ void print_log(std::string_view line) {
 
 }  // namespace
 
-int run_script(const Given& given) {
+static int run_script(const Given& given) {
   const auto file = load_text(given.words[0]);
-  if (!file) return complain(file.error().what);
+  if (!file) return complain(file.error());
 
   script::RunOptions options;
   options.path = given.words[0];
@@ -56,5 +56,15 @@ int run_script(const Given& given) {
   std::fflush(stdout);
   return outcome ? done : complain(outcome.error());
 }
+
+const Subcommand run_subcommand{
+    "run",
+    "run a Lua script without a window",
+    {{"SCRIPT.lua", "the script", 1, 1}, {"ARGS", "its hw.args; -- ends the options", 0, -1}},
+    {{"realtime", "", "wall-clock time (else virtual time while every controller is an emulator in process)"},
+     {"gui", "", "with the panels, laid out and driven without a display"},
+     {"traffic", "FILE", "write down every byte of every wire"}},
+    run_script,
+};
 
 }  // namespace hw::app

@@ -38,6 +38,10 @@ Task<int> scan_all(Scheduler& scheduler) {
 
 }  // namespace
 
-int scan(const Given&) { return run_here(scan_all); }
+static int scan(const Given&) { return run_here(scan_all); }
+
+const Subcommand scan_subcommand{
+    "scan", "serial ports, and which controllers answer on them; moves nothing", {}, {}, scan,
+};
 
 }  // namespace hw::app

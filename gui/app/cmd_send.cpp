@@ -59,7 +59,7 @@ Task<int> send_one(Scheduler& scheduler, const std::shared_ptr<Session>& session
   const auto reply = co_await session->pump().query(text, patience);
   if (reply && !reply->empty()) print_reply(*reply);
   if (!reply && (answers || reply.error().kind != FaultKind::no_answer))
-    co_return complain(fmt::format("{}: {}", text, reply.error().sentence()));
+    co_return complain(fmt::format("{}: {}", text.empty() ? "\"\"" : text, reply.error().sentence()));
   const bool rests = co_await print_until_idle(scheduler, session, give_up);
   if (!rests)
     co_return complain(fmt::format("{}: the controller is still busy. It goes on by itself.", text));
@@ -83,12 +83,20 @@ Task<int> send_all(Scheduler& scheduler, const Address& address, const Given& gi
 
 }  // namespace
 
-int send(const Given& given) {
+static int send(const Given& given) {
   const auto address = Address::parse(given.words[0]);
   if (!address) return complain(address.error(), usage);
   const auto wait_s = given.number("wait", 0, 0.001, 1e6);
   if (!wait_s) return complain(wait_s.error(), usage);
   return run_here([&](Scheduler& scheduler) { return send_all(scheduler, *address, given, *wait_s); });
 }
+
+const Subcommand send_subcommand{
+    "send",
+    "send each TEXT as one command, print each reply on a line",
+    {{"ADDRESS", "the controller", 1, 1}, {"TEXT", "a command of the controller", 1, -1}},
+    {{"wait", "SECONDS", "how long a reply may take (default: what the command and the wire need)"}},
+    send,
+};
 
 }  // namespace hw::app

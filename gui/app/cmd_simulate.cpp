@@ -83,7 +83,7 @@ Rehearsal nothing_rehearsed(const ProgramFile& program, const Fault& why) {
 
 }  // namespace
 
-int simulate(const Given& given) {
+static int simulate(const Given& given) {
   const auto for_seconds = given.number("for-seconds", 3600, 0.001, 1e7);
   if (!for_seconds) return complain(for_seconds.error(), usage);
   const auto program = read_program(given);
@@ -109,5 +109,16 @@ int simulate(const Given& given) {
   if (rehearsed->error.empty() || rehearsed->duration_s >= *for_seconds) return done;
   return complain(rehearsed->error);
 }
+
+const Subcommand simulate_subcommand{
+    "simulate",
+    "dry run of a program, in virtual time",
+    {{"FILE", "the program", 1, 1}},
+    {model_option,
+     {"json", "", "one JSON object instead of words"},
+     bench_option,
+     {"for-seconds", "N", "stop a program that does not end by then (default 3600, simulated)"}},
+    simulate,
+};
 
 }  // namespace hw::app

@@ -3,30 +3,29 @@
 #include <fmt/core.h>
 
 #include "core/device/registry.h"
+#include "core/session/address.h"
 #include "core/session/text_file.h"
 
 namespace hw::app {
 
-static std::string models() {
-  std::string all;
-  for (const DeviceType& type : device_types()) all += (all.empty() ? "" : ", ") + std::string(type.model);
-  return all;
-}
-
 Result<ProgramFile> read_program(const Given& given) {
   if (!given.has("for"))
     return fail(FaultKind::text, "It is not said which controller the program is for.", {},
-                fmt::format("Add --for MODEL ({}).", models()));
+                fmt::format("Add --for MODEL ({}).", known_models()));
   const DeviceType* type = find_device_type(given.one("for"));
   if (!type)
     return fail(FaultKind::text, fmt::format("There is no controller model \"{}\".", given.one("for")), {},
-                fmt::format("Known: {}.", models()));
+                fmt::format("Known: {}.", known_models()));
   if (!type->language)
     return fail(FaultKind::port, fmt::format("Programs for the {} are not understood yet.", type->model));
   auto catalog = type->make_catalog({});
   if (!catalog) return fail(catalog.error());
   auto file = load_text(given.words[0]);
-  if (!file) return fail(FaultKind::port, file.error().what);
+  if (!file) {
+    Fault fault = file.error();
+    fault.kind = FaultKind::port;  // the job failed: the command was right
+    return fail(std::move(fault));
+  }
   ProgramFile program;
   program.path = given.words[0];
   program.text = std::move(file->text);

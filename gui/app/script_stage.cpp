@@ -9,7 +9,14 @@ namespace hw::app {
 constexpr gui::DayClock virtual_day{std::chrono::hours(9)};
 
 gui::Outside ScriptStage::outside(WireOpener opener) {
-  gui::Outside outside(scheduler_, std::move(opener), [] {});
+  // As with hw.open: a controller on a real port makes time real.
+  WireOpener on_screen = [this, opener = std::move(opener)](Scheduler& scheduler, Address address,
+                                                            std::shared_ptr<BenchAccess> again) {
+    if (!address.emulated()) runner_->go_real();
+    return opener(scheduler, std::move(address), std::move(again));
+  };
+  gui::Outside outside(scheduler_, std::move(on_screen), [] {});
+  outside.devices = &devices_;
   outside.worker = &worker_;
   outside.day = virtual_day;
   return outside;
@@ -17,6 +24,7 @@ gui::Outside ScriptStage::outside(WireOpener opener) {
 
 ScriptStage::ScriptStage(Scheduler& scheduler, WireOpener opener)
     : scheduler_(scheduler),
+      devices_(scheduler, [this] { runner_->go_real(); }),
       console_(panels::panel_list(), outside(std::move(opener))),
       automation_(
           surface_, [this] { runner_->run_one_frame(); }, [this] { return seconds(scheduler_.now()); }) {
@@ -26,9 +34,7 @@ ScriptStage::ScriptStage(Scheduler& scheduler, WireOpener opener)
 
 ScriptStage::~ScriptStage() = default;
 
-void ScriptStage::opened(const std::shared_ptr<SessionGroup>& group) {
-  console_.adopt(group);
-}
+void ScriptStage::opened(const std::shared_ptr<SessionGroup>& group) { console_.adopt(group); }
 
 void ScriptStage::frame(Instant now) {
   if (console_.dark() != console_was_dark_) surface_.screen().set_theme(console_was_dark_ = console_.dark());

@@ -1,12 +1,30 @@
 #pragma once
 // The screen of `run --gui`: the real console with the real panels, without a display, driven by a script.
 #include "core/script/module.h"
+#include "gui/app/device_search.h"
 #include "gui/automation.h"
 #include "gui/console.h"
 #include "gui/offscreen.h"
 #include "gui/worker.h"
 
 namespace hw::app {
+
+/// The search of the connection page opens real ports, so time becomes real with it.
+class SearchInRealTime final : public gui::DeviceFinder {
+ public:
+  SearchInRealTime(Scheduler& scheduler, std::function<void()> go_real)
+      : searcher_(scheduler, [] {}), go_real_(std::move(go_real)) {}
+  void start(const std::string& path, int baud, int first_id, int last_id) override {
+    go_real_();
+    searcher_.start(path, baud, first_id, last_id);
+  }
+  void cancel() override { searcher_.cancel(); }
+  const gui::DeviceSearchState& state() override { return searcher_.state(); }
+
+ private:
+  DeviceSearcher searcher_;
+  std::function<void()> go_real_;
+};
 
 class ScriptStage final : public script::Stage {
  public:
@@ -29,6 +47,7 @@ class ScriptStage final : public script::Stage {
   gui::Outside outside(WireOpener opener);
   Scheduler& scheduler_;
   gui::Offscreen surface_;
+  SearchInRealTime devices_;
   gui::Worker worker_;  // without a thread: the same order in every run
   gui::Console console_;
   bool console_was_dark_ = true;

@@ -118,5 +118,19 @@ TEST_F(ControlTest, WhatTheControllerSaysOfItself) {
   EXPECT_THAT(s.value("about/console"), HasSubstr("Handwheel"));
 }
 
+TEST_F(ControlTest, WhatAnOlderFirmwareLacksIsListed) {
+  for (ParamState& p : s.now.params) p.known = false;
+  s.stage.frames(2);
+  EXPECT_EQ(s.value("about/older"), "not known: read the set-up first");
+  for (ParamState& p : s.now.params) p.known = true;
+  s.stage.frames(2);
+  EXPECT_EQ(s.value("about/older"), "nothing: it answers every setting");
+  std::size_t silent = 0;
+  while (!s.catalog.params[silent].readable) ++silent;
+  s.now.params[silent].known = false;
+  s.stage.frames(2);
+  EXPECT_EQ(s.value("about/older"), "1: " + s.catalog.params[silent].mnemonic);
+}
+
 }  // namespace
 }  // namespace hw::panels

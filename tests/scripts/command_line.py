@@ -291,7 +291,7 @@ class Emulate(Case):
 
     def test_what_cannot_be_served_is_said(self):
         self.expect(run("emulate", "vxm", "--tcp", "0.0.0.0:0"), 1, "--allow-remote")
-        self.expect(run("emulate", "vxm", "--tcp", "here"), 1, "HOST:PORT")
+        self.expect(run("emulate", "vxm", "--tcp", "here"), 2, "HOST:PORT")
         taken = self.file("taken", "text")
         self.expect(run("emulate", "vxm", "--pty", taken), 1, "taken")
         self.assertEqual(taken.read_text(), "text")
@@ -523,6 +523,108 @@ class Backup(Case):
         self.expect(run("restore", "vxm@emulator", self.folder / "none.toml"), 1, "none.toml")
         self.expect(run("restore", "vxm@emulator", self.file("bad.toml", "model = \"vxm\"\n[parameters]\nx = = 1\n")),
                     1, "bad.toml")
+
+
+class BadInput(Case):
+    """Each command with what it cannot take: a sentence, and the status of the contract (1 the job failed, 2 usage)."""
+
+    def setUp(self):
+        super().setUp()
+        self.good = self.file("good.vxm", "I1M400\n")
+        self.folder_itself = self.folder / "folder"
+        self.folder_itself.mkdir()
+        self.binary = self.file("binary", bytes(range(256)) * 8)
+        self.empty = self.file("empty", "")
+
+    def says(self, status, words, *arguments):
+        with self.subTest(arguments=arguments):
+            result = run(*arguments)
+            self.assertEqual(result.returncode, status, result)
+            self.assertIn(words, result.stderr)
+            self.assertTrue(result.stderr.startswith("handwheel: "), result.stderr)
+            self.assertTrue(result.stderr.rstrip().endswith((".", "?")), "a whole sentence: " + result.stderr)
+
+    def test_files_that_are_none(self):
+        missing = self.folder / "missing"
+        commands = [lambda f: ("run", f), lambda f: ("check", f, "--for", "vxm"),
+                    lambda f: ("compile", f, "--for", "dmx-k-sa", "-o", self.folder / "out"),
+                    lambda f: ("simulate", f, "--for", "pmx-4ex-sa"), lambda f: ("restore", "vxm@emulator", f),
+                    lambda f: ("simulate", self.good, "--for", "vxm", "--bench", f),
+                    lambda f: ("emulate", "vxm", "--tcp", "127.0.0.1:0", "--bench", f),
+                    lambda f: ("send", f"vxm@emulator,bench={f}", "V")]
+        for command in commands:
+            self.says(1, "There is no file", *command(missing))
+            self.says(1, "is a folder", *command(self.folder_itself))
+            self.says(1, "binary", *command(self.binary))
+        self.says(1, "does not say for which controller", "restore", "vxm@emulator", self.empty)
+
+    def test_places_that_cannot_be_written(self):
+        for place, why in ((self.folder_itself, "it is a folder"), (self.folder / "no/file", "there is no such folder")):
+            self.says(1, why, "backup", "vxm@emulator", "-o", place)
+            self.says(1, why, "compile", self.empty, "--for", "pmx-4ex-sa", "-o", place)
+            self.says(1, str(place), "backup", "vxm@emulator", "-o", place)
+        self.says(1, "cannot be written", "run", "--traffic", self.folder / "no/file", self.empty)
+        self.says(1, "There is no folder", "emulate", "vxm", "--tcp", "127.0.0.1:0", "--state", self.folder / "no/file")
+        self.says(1, "is a folder", "emulate", "vxm", "--tcp", "127.0.0.1:0", "--state", self.folder_itself)
+        self.says(1, "not the saved memory", "emulate", "vxm", "--tcp", "127.0.0.1:0", "--state", self.binary)
+        self.says(1, "there is a file of that name", "emulate", "vxm", "--pty", self.good)
+
+    def test_options(self):
+        good = self.good
+        for arguments, words in (
+                (("check",), "FILE is required. `handwheel check --help`"),
+                (("check", good), "Add --for MODEL (vxm, "),
+                (("check", good, "--for"), "--for"),
+                (("check", good, "--for", "vxn"), 'no controller model "vxn". Known: vxm'),
+                (("check", good, "another", "--for", "vxm"), "another"),
+                (("scan", "more"), "more"),
+                (("demo", "more"), "more"),
+                (("compile", self.empty, "--for", "pmx-4ex-sa"), "Add -o OUT"),
+                (("simulate", good, "--for", "vxm", "--for-seconds", "-1"), "--for-seconds -1"),
+                (("send", "vxm@emulator", "--wait", "soon", "V"), "--wait soon"),
+                (("backup", "vxm@emulator", "-o", "a", "-o", "b"), "--output"),
+                (("emulate", "vxm"), "--tcp 127.0.0.1:4001"),
+                (("emulate", "vxm", "--tcp", "127.0.0.1"), "no HOST:PORT"),
+                (("emulate", "vxm", "--tcp", "127.0.0.1:99999"), "no port number"),
+                (("emulate", "vxm", "--tcp", "127.0.0.1:0", "--motors", "5"), "1 to 4 motors"),
+                (("emulate", "vxm", "--tcp", "127.0.0.1:0", "--speed", "0"), "speed=0"),
+                (("emulate", "vxm", "--tcp", "127.0.0.1:0", "--wire", "maybe"), "wire=maybe"),
+                (("emulate", "vxm", "--tcp", "127.0.0.1:0", "--quirk", "none"), "overrun and e-bar"),
+                (("emulate", "vxm", "--tcp", "127.0.0.1:0", "--id", "01"), "has no --id"),
+                (("emulate", "dmx-k-sa", "--tcp", "127.0.0.1:0", "--id", "1"), "two digits")):
+            self.says(2, words, *arguments)
+
+    def test_addresses(self):
+        for address, words in (
+                ("vxm", "it has no @"), ("vxm@", "no way to a controller"), ("@emulator", "no controller model"),
+                ("vxm@serial", "does not say where"), ("vxm@usb", "has no USB"), ("vxm@tcp:localhost", "no HOST:PORT"),
+                ("vxm@emulator,motors=9", "motors=9"), ("vxm@emulator,foo=1", 'no option "foo"'),
+                ("vxm@emulator,baud=x", "baud=x is no rate"), ("dmx-k-sa@emulator,id=1", "two digits"),
+                ("dmx-k-sa@emulator,id=01-02", "Here it takes one")):
+            self.says(2, words, "send", address, "V")
+            self.says(2, words, "backup", address, "-o", self.folder / "out")
+        for address, words in (
+                ("vxm@serial:/dev/none", "There is no port /dev/none"),
+                (f"vxm@serial:{self.folder_itself}", "is not a serial port"),
+                (f"vxm@serial:{self.good}", "is not a serial port"),
+                ("vxm@tcp:127.0.0.1:1", "nothing listens on that port"),
+                ("vxm@rfc2217:127.0.0.1:1", "nothing listens on that port")):
+            self.says(1, words, "send", address, "V")
+        self.says(1, '"": There is no command in that text', "send", "vxm@emulator", "")
+
+
+class Wires(Case):
+    """The connection page against emulators on ports of their own."""
+
+    def test_the_checklist_of_connections(self):
+        state = self.folder / "pmx"
+        pmx, dmx = self.folder / "pmx-line", self.folder / "dmx-line"
+        with emulator("pmx-4ex-sa", "--tcp", "127.0.0.1:0", "--state", state) as (ready, _):
+            address = "pmx-4ex-sa@tcp:" + port_of(ready[0])
+            self.expect(run("send", address, "DB=3", "DN=4EX07", "STORE"), 0, "OK")
+        with emulator("pmx-4ex-sa", "--pty", pmx, "--state", state), emulator("dmx-k-sa", "--pty", dmx, "--id", "05"):
+            script = HERE / "gui/checklist_wires.lua"
+            self.expect(run("run", "--gui", "--realtime", script, pmx, dmx, timeout=150), 0)
 
 
 class OnePort(Case):

@@ -32,10 +32,14 @@ std::vector<OutputInfo> output_infos(const Model& model) {
   for (int n = 1; n <= model.outputs; ++n) {
     OutputInfo output{fmt::format("DO{}", n), "Digital output.", true};
     for (int axis = 0; axis < model.axes(); ++axis)
-      if (model.sync_outputs[static_cast<std::size_t>(axis)] == n)
+      if (model.sync_outputs[static_cast<std::size_t>(axis)] == n) {
+        const bool several = model.axes() > 1;
         output.help = fmt::format(
             "Digital output; the sync output of {} while that is on, and then not yours to switch.",
             axis_letter(model, axis));
+        output.duty.name = several ? "Sync " + axis_letter(model, axis) : "Sync output";
+        output.duty.while_not_zero = {several ? fmt::format("SYN{}S", axis_letter(model, axis)) : "SYNS"};
+      }
     all.push_back(std::move(output));
   }
   return all;
@@ -47,26 +51,6 @@ ReadoutInfo state_words(std::string label, std::vector<ParamChoice> words, std::
   r.words = std::move(words);
   r.help = std::move(help);
   return r;
-}
-
-ReadoutInfo value(std::string label, std::string unit, std::string help) {
-  ReadoutInfo r;
-  r.label = std::move(label);
-  r.unit = std::move(unit);
-  r.help = std::move(help);
-  return r;
-}
-
-ActionInfo action(std::string id, std::string label, std::string help, std::string group,
-                  std::vector<ActionField> fields, std::string manual) {
-  ActionInfo a;
-  a.id = std::move(id);
-  a.label = std::move(label);
-  a.help = std::move(help);
-  a.group = std::move(group);
-  a.fields = std::move(fields);
-  a.manual = std::move(manual);
-  return a;
 }
 
 }  // namespace
@@ -122,6 +106,26 @@ std::vector<ParamChoice> axis_choices(const Model& model, bool all) {
   if (all) choices.push_back({-1, "all axes"});
   for (int axis = 0; axis < model.axes(); ++axis) choices.push_back({axis, axis_letter(model, axis)});
   return choices;
+}
+
+ReadoutInfo value_readout(std::string label, std::string unit, std::string help) {
+  ReadoutInfo r;
+  r.label = std::move(label);
+  r.unit = std::move(unit);
+  r.help = std::move(help);
+  return r;
+}
+
+ActionInfo make_action(std::string id, std::string label, std::string help, std::string group,
+                       std::vector<ActionField> fields, std::string manual) {
+  ActionInfo a;
+  a.id = std::move(id);
+  a.label = std::move(label);
+  a.help = std::move(help);
+  a.group = std::move(group);
+  a.fields = std::move(fields);
+  a.manual = std::move(manual);
+  return a;
 }
 
 ActionField axis_field(const Model& model, bool all) {
@@ -181,8 +185,9 @@ void add_readouts(Catalog& catalog, const Model& model, Group group, std::string
 }
 
 void add_common_readouts(Catalog& catalog, const Model& model) {
-  add_readouts(catalog, model, motion, "MSTa",
-               value("Status word", "", "The status bits as the controller sends them, in one number."));
+  add_readouts(
+      catalog, model, motion, "MSTa",
+      value_readout("Status word", "", "The status bits as the controller sends them, in one number."));
   add_readout(catalog, motion, "MM",
               state_words("Move mode", {{0, "absolute"}, {1, "incremental"}},
                           "What a plain move command of the terminal means. The console's own moves put it "
@@ -205,76 +210,111 @@ void add_common_readouts(Catalog& catalog, const Model& model) {
                                   "What StepNLoop does. Errors stay until they are cleared.");
   state.bad = {8, 9, 10, 11};
   add_readouts(catalog, model, loop, "SLSa", state);
-  add_readouts(catalog, model, loop, "DXa",
-               value("Difference", "counts", "Target minus encoder: how many counts are still missing."));
+  add_readouts(
+      catalog, model, loop, "DXa",
+      value_readout("Difference", "counts", "Target minus encoder: how many counts are still missing."));
   add_readouts(catalog, model, latches, "LTaS",
                state_words("Latch", {{0, "off"}, {1, "waiting"}, {2, "captured"}},
                            "An edge at its input captures both positions once."));
   add_readouts(catalog, model, latches, "LTaP",
-               value("Captured pulse position", "pulses", "Means nothing while StepNLoop is on."));
-  add_readouts(catalog, model, latches, "LTaE", value("Captured encoder position", "counts", ""));
+               value_readout("Captured pulse position", "pulses", "Means nothing while StepNLoop is on."));
+  add_readouts(catalog, model, latches, "LTaE", value_readout("Captured encoder position", "counts", ""));
   add_readouts(catalog, model, sync_outputs, "SYNaS",
                state_words("Sync output", {{0, "off"}, {1, "waiting"}, {2, "has acted"}},
                            "Compares the encoder with the sync position. Its settings stand in Setup and are "
                            "not kept by Store."));
 }
 
-void add_common_actions(Catalog& catalog, const Model& model, std::string_view chapter) {
-  const auto where = [&](const char* section) { return fmt::format("{} {}", chapter, section); };
-  const bool several = model.axes() > 1;
-  const auto with_axis = [&](bool all, std::vector<ActionField> rest) {
-    if (several) rest.insert(rest.begin(), axis_field(model, all));
+namespace {
+
+/// Adds them in the order in which the console shows them.
+struct CommonActions {
+  Catalog& catalog;
+  const Model& model;
+  std::string_view chapter;
+  std::vector<ActionInfo>& actions = catalog.actions;
+
+  [[nodiscard]] std::string where(const char* section) const {
+    return fmt::format("{} {}", chapter, section);
+  }
+  [[nodiscard]] std::vector<ActionField> with_axis(bool all, std::vector<ActionField> rest) const {
+    if (model.axes() > 1) rest.insert(rest.begin(), axis_field(model, all));
     return rest;
-  };
-  auto& actions = catalog.actions;
-  actions.push_back(action("clear", "Clear errors",
-                           "Clears limit, alarm and StepNLoop errors. A switch that is still active acts "
-                           "again at the next move.",
-                           "Motion", with_axis(true, {}), where("Limits")));
-  actions.push_back(action("clear_loop", "Clear StepNLoop errors", "Clears StepNLoop errors only.",
-                           "StepNLoop", with_axis(true, {}), where("StepNLoop Closed Loop Control")));
-  actions.push_back(action("absolute", "Absolute mode",
-                           "Plain move commands of the terminal give the target from now on.", "Motion", {},
-                           where("Moves")));
-  actions.push_back(action("incremental", "Incremental mode",
-                           "Plain move commands of the terminal give the distance from now on.", "Motion", {},
-                           where("Moves")));
-  actions.push_back(action(
-      "change_speed", "Change speed now",
-      "Changes the speed of an axis that moves. Choose the window for speed changes before the motion; the "
-      "ramp must be straight.",
-      "Change under way",
-      with_axis(false, {number_field("speed", "New speed", "pulses/s", 1, max_speed, 1000),
-                        number_field("accel", "In (0: as set)", "ms", 0, longest_ramp_ms(model))}),
-      where("On-The-Fly Speed Change")));
-  actions.back().while_busy = actions.back().moves = true;
-  ActionField window = number_field("window", "Window", "", 0, model.speeds.back().window);
-  for (const ParamInfo& p : catalog.params)
-    if (p.mnemonic.starts_with("SSPDM") && window.choices.empty()) window.choices = p.choices;
-  actions.push_back(action("speed_window", "Choose window",
-                           "The window of speeds within which the next motion may change its speed.",
-                           "Change under way", with_axis(false, {window}), where("On-The-Fly Speed Change")));
-  actions.push_back(action("change_target", "Change target now",
-                           "Gives a running move of one axis another target; it turns round if it has passed "
-                           "it already.",
-                           "Change under way",
-                           with_axis(false, {position_field("target", "New target", "pulses")}),
-                           where("On-The-Fly Target Position Change")));
-  actions.back().while_busy = actions.back().moves = true;
-  actions.push_back(action("latch", "Latch",
-                           "On: waits for an edge at the latch input and captures both positions, which are "
-                           "set to 0 until then.",
-                           "Latches", with_axis(false, {switch_field()}), where("Latch Inputs")));
-  actions.back().while_busy = true;
-  actions.push_back(action("sync", "Sync output",
-                           "On: the digital output acts as the sync condition says. Off: it is yours again.",
-                           "Sync outputs", with_axis(false, {switch_field()}), where("Sync Outputs")));
-  actions.back().while_busy = true;
-  actions.push_back(action("subroutine", "Run subroutine",
-                           "Runs one of the stored subroutines, beside whatever program runs.", "Programs",
-                           {number_field("number", "Subroutine", "", 0, subroutines - 1)},
-                           where("Standalone Programming")));
-  actions.back().moves = actions.back().while_busy = true;
+  }
+
+  void add_errors_and_modes() {
+    actions.push_back(
+        make_action("clear", "Clear errors",
+                    "Clears limit, alarm and StepNLoop errors. A switch that is still active acts "
+                    "again at the next move.",
+                    "Motion", with_axis(true, {}), where("Limits")));
+    actions.push_back(make_action("clear_loop", "Clear StepNLoop errors", "Clears StepNLoop errors only.",
+                                  "StepNLoop", with_axis(true, {}), where("StepNLoop Closed Loop Control")));
+    actions.push_back(make_action("absolute", "Absolute mode",
+                                  "Plain move commands of the terminal give the target from now on.",
+                                  "Motion", {}, where("Moves")));
+    actions.push_back(make_action("incremental", "Incremental mode",
+                                  "Plain move commands of the terminal give the distance from now on.",
+                                  "Motion", {}, where("Moves")));
+  }
+
+  void add_changes_under_way() {
+    actions.push_back(make_action(
+        "change_speed", "Change speed now",
+        "Changes the speed of an axis that moves. Choose the window for speed changes before the motion; the "
+        "ramp must be straight.",
+        "Change under way",
+        with_axis(false, {number_field("speed", "New speed", "pulses/s", 1, max_speed, 1000),
+                          number_field("accel", "In (0: as set)", "ms", 0, longest_ramp_ms(model))}),
+        where("On-The-Fly Speed Change")));
+    actions.back().while_busy = actions.back().moves = true;
+    ActionField window = number_field("window", "Window", "", 0, model.speeds.back().window);
+    for (const ParamInfo& p : catalog.params)
+      if (p.mnemonic.starts_with("SSPDM") && window.choices.empty()) window.choices = p.choices;
+    actions.push_back(make_action("speed_window", "Choose window",
+                                  "The window of speeds within which the next motion may change its speed.",
+                                  "Change under way", with_axis(false, {window}),
+                                  where("On-The-Fly Speed Change")));
+    actions.push_back(
+        make_action("change_target", "Change target now",
+                    "Gives a running move of one axis another target; it turns round if it has passed "
+                    "it already.",
+                    "Change under way", with_axis(false, {position_field("target", "New target", "pulses")}),
+                    where("On-The-Fly Target Position Change")));
+    actions.back().while_busy = actions.back().moves = true;
+  }
+
+  void add_latches_and_sync() {
+    actions.push_back(
+        make_action("latch", "Latch",
+                    "On: waits for an edge at the latch input and captures both positions, which are "
+                    "set to 0 until then.",
+                    "Latches", with_axis(false, {switch_field()}), where("Latch Inputs")));
+    actions.back().while_busy = true;
+    actions.push_back(
+        make_action("sync", "Sync output",
+                    "On: the digital output acts as the sync condition says. Off: it is yours again.",
+                    "Sync outputs", with_axis(false, {switch_field()}), where("Sync Outputs")));
+    actions.back().while_busy = true;
+  }
+
+  void add_programs() {
+    actions.push_back(make_action("subroutine", "Run subroutine",
+                                  "Runs one of the stored subroutines, beside whatever program runs.",
+                                  "Programs", {number_field("number", "Subroutine", "", 0, subroutines - 1)},
+                                  where("Standalone Programming")));
+    actions.back().moves = actions.back().while_busy = true;
+  }
+};
+
+}  // namespace
+
+void add_common_actions(Catalog& catalog, const Model& model, std::string_view chapter) {
+  CommonActions common{catalog, model, chapter};
+  common.add_errors_and_modes();
+  common.add_changes_under_way();
+  common.add_latches_and_sync();
+  common.add_programs();
 }
 
 std::vector<CommandInfo> commands_of(std::span<const CommandRow> rows) {

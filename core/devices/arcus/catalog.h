@@ -18,6 +18,10 @@ ActionField switch_field();
 ActionField number_field(std::string id, std::string label, std::string unit, std::int64_t minimum,
                          std::int64_t maximum, std::int64_t fallback = 0);
 ActionField position_field(std::string id, std::string label, std::string unit);
+ActionInfo make_action(std::string id, std::string label, std::string help, std::string group,
+                       std::vector<ActionField> fields, std::string manual);
+/// A readout that is a number.
+ReadoutInfo value_readout(std::string label, std::string unit, std::string help);
 /// "LTaS" -> one readout per axis.
 void add_readouts(Catalog& catalog, const Model& model, Group group, std::string_view form,
                   const ReadoutInfo& pattern);

@@ -103,7 +103,7 @@ class ArcusDriver final : public Driver {
   [[nodiscard]] bool any_moving() const;
   [[nodiscard]] EndedBy how_it_ended(int axis) const;
   [[nodiscard]] bool loop_error(int axis) const;
-  [[nodiscard]] bool in_error(int axis) const;
+  [[nodiscard]] AxisError error_of(int axis) const;
 
   // ---- driver_readouts.cpp
   Task<Result<>> read_watched();

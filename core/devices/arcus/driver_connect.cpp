@@ -79,6 +79,7 @@ Task<Result<>> ArcusDriver::identify() {
   if (!sense) co_return garbled(known ? version->text : reply->text);
   co_await wait_for_quiet();  // a second device with this address would have spoken by now
   if (strays_ > 0) co_return two_answer();
+  draft_.identity.model = known ? reply->text : hex_of(reply->text);
   draft_.identity.firmware = version->text;
   if (!known)
     tell(Notice::Kind::warning,

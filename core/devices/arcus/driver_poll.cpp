@@ -225,19 +225,29 @@ void ArcusDriver::show_axis(int index, Instant asked_at) {
     else if (!mind.ours || mind.wanted != Activity::jogging)
       axis.direction = mind.turned;
     axis.ended_by = EndedBy::nothing;
+    axis.error = AxisError::none;
     return;
   }
   if (moving(index) || axis.activity == Activity::unknown) show_ended(index);
-  axis.activity = in_error(index) ? Activity::error : Activity::idle;
+  axis.error = error_of(index);
+  axis.activity = axis.error == AxisError::none ? Activity::idle : Activity::error;
   axis.phase = Phase::unknown;
   axis.direction = 0;
 }
 
-bool ArcusDriver::in_error(int axis) const {
+AxisError ArcusDriver::error_of(int axis) const {
   const StatusBits& bits = model().status;
   const std::int64_t word = minds_[ix(axis)].status;
-  return has_bit(word, bits.plus_error) || has_bit(word, bits.minus_error) ||
-         has_bit(word, bits.alarm_error) || loop_error(axis);
+  switch (static_cast<LoopState>(minds_[ix(axis)].loop_state)) {
+    case LoopState::stall_error: return AxisError::stalled;
+    case LoopState::range_error: return AxisError::too_far;
+    case LoopState::attempt_error: return AxisError::not_corrected;
+    default: break;
+  }
+  if (has_bit(word, bits.minus_error)) return AxisError::limit_minus;
+  if (has_bit(word, bits.plus_error)) return AxisError::limit_plus;
+  if (has_bit(word, bits.alarm_error)) return AxisError::alarm;
+  return loop_error(axis) ? AxisError::limit : AxisError::none;
 }
 
 void ArcusDriver::show_ended(int index) {
@@ -262,22 +272,32 @@ EndedBy ArcusDriver::how_it_ended(int axis) const {
   return EndedBy::target;
 }
 
+namespace {
+
+const char* what_happened(AxisError error) {
+  switch (error) {
+    case AxisError::limit_minus: return "hit its - limit";
+    case AxisError::limit_plus: return "hit its + limit";
+    case AxisError::limit: return "hit a limit";
+    case AxisError::alarm: return "was stopped by its alarm";
+    case AxisError::stalled: return "did not follow (stall)";
+    case AxisError::too_far: return "stands too far off";
+    case AxisError::not_corrected: return "could not be corrected";
+    case AxisError::none: break;
+  }
+  return "";
+}
+
+}  // namespace
+
 // Called each round: nothing here allocates while all is well.
 void ArcusDriver::show_worst() {
   draft_.notice.clear();
-  const StatusBits& bits = model().status;
   for (int i = 0; i < axis_count(); ++i) {
-    const std::int64_t word = minds_[ix(i)].status;
-    const char* what = has_bit(word, bits.minus_error)   ? "hit its - limit"
-                       : has_bit(word, bits.plus_error)  ? "hit its + limit"
-                       : has_bit(word, bits.alarm_error) ? "was stopped by its alarm"
-                                                         : nullptr;
-    if (minds_[ix(i)].loop_state == static_cast<int>(LoopState::stall_error)) what = "did not follow (stall)";
-    if (minds_[ix(i)].loop_state == static_cast<int>(LoopState::range_error)) what = "stands too far off";
-    if (minds_[ix(i)].loop_state == static_cast<int>(LoopState::attempt_error))
-      what = "could not be corrected";
-    if (!what) continue;
-    draft_.notice = fmt::format("Axis {} {}. Clear the errors before the next move.", axis_name(i), what);
+    const AxisError error = error_of(i);
+    if (error == AxisError::none) continue;
+    draft_.notice =
+        fmt::format("Axis {} {}. Clear the errors before the next move.", axis_name(i), what_happened(error));
     return;
   }
   for (int i = 0; i < model().programs; ++i)

@@ -5,6 +5,7 @@
 
 #include "core/device/bench_file.h"
 #include "core/devices/arcus/language/compiler.h"
+#include "core/devices/arcus/program_language.h"
 
 namespace hw::arcus {
 namespace {
@@ -160,6 +161,18 @@ Result<Rehearsal> rehearse_program(std::string_view text, const RehearseOptions&
     if (auto done = rehearsing.set_bench(*bench); !done) return fail(done.error());
   }
   return rehearsing.run();
+}
+
+ProgramReport ProgramLanguage::analyse(std::string_view text, int /*slot*/) const {
+  return analyse_program(text, dialect_);
+}
+
+Result<Rehearsal> ProgramLanguage::rehearse(std::string_view text, const RehearseOptions& options) const {
+  const auto catalog = make_catalog_({});
+  if (!catalog) return fail(catalog.error());
+  auto emulator = make_emulator_({{"unaddressed", "yes"}});
+  if (!emulator) return fail(emulator.error());
+  return rehearse_program(text, options, **emulator, *catalog, dialect_);
 }
 
 }  // namespace hw::arcus

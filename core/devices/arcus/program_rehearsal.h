@@ -2,6 +2,7 @@
 // A dry run of a program on an emulator, in virtual time. Pure and long: for a worker thread.
 #include "core/device/catalog.h"
 #include "core/device/language.h"
+#include "core/device/registry.h"
 #include "core/devices/arcus/emulator_arcus.h"
 #include "core/devices/arcus/language/dialect.h"
 
@@ -10,5 +11,23 @@ namespace hw::arcus {
 /// `emulator`: fresh from power-up. Program 0 is started, and what it starts itself.
 Result<Rehearsal> rehearse_program(std::string_view text, const RehearseOptions& options, Emulator& emulator,
                                    const Catalog& catalog, const language::Dialect& dialect);
+
+/// The language of one model: texts by its dialect, dry runs on its emulator.
+class ProgramLanguage final : public Language {
+ public:
+  using MakeCatalog = Result<Catalog> (*)(const DeviceOptions&);
+  using MakeEmulator = Result<std::unique_ptr<Emulator>> (*)(const DeviceOptions&);
+  ProgramLanguage(const language::Dialect& dialect, MakeCatalog make_catalog, MakeEmulator make_emulator)
+      : dialect_(dialect), make_catalog_(make_catalog), make_emulator_(make_emulator) {}
+
+  [[nodiscard]] ProgramReport analyse(std::string_view text, int slot) const override;
+  [[nodiscard]] Result<Rehearsal> rehearse(std::string_view text,
+                                           const RehearseOptions& options) const override;
+
+ private:
+  const language::Dialect& dialect_;
+  const MakeCatalog make_catalog_;
+  const MakeEmulator make_emulator_;
+};
 
 }  // namespace hw::arcus

@@ -41,9 +41,13 @@ void add_readouts(Catalog& c) {
 }
 
 void name_the_outputs(Catalog& c) {
-  c.outputs[in_position_output - 1].help =
+  OutputInfo& in_position = c.outputs[in_position_output - 1];
+  in_position.help =
       "Tells that the axis is in position while StepNLoop and EDO are on; else yours to switch.";
-  c.outputs[alarm_output - 1].help = "Tells an error while StepNLoop and EDO are on; else yours to switch.";
+  in_position.duty = {"In position", {"SL", "EDO"}};
+  OutputInfo& alarm = c.outputs[alarm_output - 1];
+  alarm.help = "Tells an error while StepNLoop and EDO are on; else yours to switch.";
+  alarm.duty = {"Alarm", {"SL", "EDO"}};
 }
 
 }  // namespace

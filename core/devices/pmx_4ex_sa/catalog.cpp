@@ -9,8 +9,10 @@
 namespace hw::pmx_4ex_sa {
 namespace {
 
+using arcus::make_action;
 using arcus::number_field;
 using arcus::position_field;
+using arcus::value_readout;
 
 const arcus::Wording& wording() {
   static const arcus::Wording words{
@@ -22,39 +24,20 @@ const arcus::Wording& wording() {
   return words;
 }
 
-ReadoutInfo value(std::string label, std::string unit, std::string help) {
-  ReadoutInfo r;
-  r.label = std::move(label);
-  r.unit = std::move(unit);
-  r.help = std::move(help);
-  return r;
-}
-
 void add_readouts(Catalog& c) {
   arcus::add_common_readouts(c, model);
   arcus::add_readout(c, arcus::motion, "TR",
-                     value("Timer", "ms", "A timer of the controller that counts down to 0."));
+                     value_readout("Timer", "ms", "A timer of the controller that counts down to 0."));
   c.readout_groups.insert(c.readout_groups.end(), {"Buffer", "Analog inputs"});
-  ReadoutInfo mode = value("Buffered mode", "", "Whether buffered moves are taken.");
+  ReadoutInfo mode = value_readout("Buffered mode", "", "Whether buffered moves are taken.");
   mode.words = {{0, "off"}, {1, "on"}};
   arcus::add_readout(c, arcus::buffer, "BUF", mode);
-  arcus::add_readout(c, arcus::buffer, "BUFSTART",
-                     value("Present place", "", "Place in the ring, 0 to 35, of the move that runs."));
+  arcus::add_readout(
+      c, arcus::buffer, "BUFSTART",
+      value_readout("Present place", "", "Place in the ring, 0 to 35, of the move that runs."));
   arcus::add_readout(c, arcus::buffer, "BUFEND",
-                     value("Last place", "", "Place in the ring, 0 to 35, of the newest move."));
-  arcus::add_readout(c, arcus::buffer, "BUFFREE", value("Free places", "", "Of 36."));
-}
-
-ActionInfo action(const char* id, const char* label, const char* help, const char* group,
-                  std::vector<ActionField> fields, const char* manual) {
-  ActionInfo a;
-  a.id = id;
-  a.label = label;
-  a.help = help;
-  a.group = group;
-  a.fields = std::move(fields);
-  a.manual = manual;
-  return a;
+                     value_readout("Last place", "", "Place in the ring, 0 to 35, of the newest move."));
+  arcus::add_readout(c, arcus::buffer, "BUFFREE", value_readout("Free places", "", "Of 36."));
 }
 
 ActionField direction_field() {
@@ -72,7 +55,7 @@ ActionField angle(const char* id, const char* label, std::int64_t minimum, std::
 
 void add_actions(Catalog& c) {
   arcus::add_common_actions(c, model, "PMX manual ch. 6");
-  c.actions.push_back(action(
+  c.actions.push_back(make_action(
       "arc", "Draw arc",
       "X and Y move on an arc about the centre to the end angle. 0° lies on the minus side of X and angles "
       "grow clockwise. Absolute mode only.",
@@ -83,27 +66,27 @@ void add_actions(Catalog& c) {
       "PMX manual ch. 6 Arc Interpolation Moves"));
   c.actions.back().moves = true;
   c.actions.push_back(
-      action("circle", "Draw circle",
-             "X and Y make one full turn about the centre and end where they began. Absolute mode only.",
-             "Arcs and circles",
-             {position_field("centre_x", "Centre X", "pulses"),
-              position_field("centre_y", "Centre Y", "pulses"), direction_field()},
-             "PMX manual ch. 6 Circular Interpolation Moves"));
+      make_action("circle", "Draw circle",
+                  "X and Y make one full turn about the centre and end where they began. Absolute mode only.",
+                  "Arcs and circles",
+                  {position_field("centre_x", "Centre X", "pulses"),
+                   position_field("centre_y", "Centre Y", "pulses"), direction_field()},
+                  "PMX manual ch. 6 Circular Interpolation Moves"));
   c.actions.back().moves = true;
   const std::size_t buffer_begin = c.actions.size();
-  c.actions.push_back(action(
+  c.actions.push_back(make_action(
       "buffer_on", "Buffered mode on",
       "From now on the controller takes buffered moves of X, Y and Z. Needs StepNLoop of them switched off.",
       "Buffer", {}, "PMX manual ch. 6 Buffered Linear Interpolation Moves"));
-  c.actions.push_back(action("buffer_off", "Buffered mode off",
-                             "The running move ends as it is; what waits in the buffer is dropped.", "Buffer",
-                             {}, "PMX manual ch. 6 Buffered Linear Interpolation Moves"));
+  c.actions.push_back(make_action("buffer_off", "Buffered mode off",
+                                  "The running move ends as it is; what waits in the buffer is dropped.",
+                                  "Buffer", {}, "PMX manual ch. 6 Buffered Linear Interpolation Moves"));
   c.actions.back().while_busy = true;
   for (std::size_t i = buffer_begin; i < c.actions.size(); ++i) c.actions[i].of_move_buffer = true;
-  c.actions.push_back(action("timer", "Start timer", "Lets the timer count down from here.", "Motion",
-                             {number_field("time", "Time", "ms", 0, arcus::max_number, 1000)},
-                             "PMX manual ch. 6 Timer Register"));
-  c.actions.push_back(action(
+  c.actions.push_back(make_action("timer", "Start timer", "Lets the timer count down from here.", "Motion",
+                                  {number_field("time", "Time", "ms", 0, arcus::max_number, 1000)},
+                                  "PMX manual ch. 6 Timer Register"));
+  c.actions.push_back(make_action(
       "joystick", "Joystick",
       "On: the axis follows the voltage of its analog input from now on, and StepNLoop of it goes off.",
       "Joystick", {arcus::axis_field(model), arcus::switch_field()}, "PMX manual ch. 6 Joystick Control"));

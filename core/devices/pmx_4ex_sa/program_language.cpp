@@ -1,31 +1,13 @@
 #include "core/devices/pmx_4ex_sa/program_language.h"
 
-#include "core/devices/arcus/program_language.h"
 #include "core/devices/arcus/program_rehearsal.h"
 #include "core/devices/pmx_4ex_sa/catalog.h"
 #include "core/devices/pmx_4ex_sa/emulator.h"
 
 namespace hw::pmx_4ex_sa {
-namespace {
-
-class ProgramLanguage final : public Language {
- public:
-  [[nodiscard]] ProgramReport analyse(std::string_view text, int /*slot*/) const override {
-    return arcus::analyse_program(text, arcus::language::pmx_4ex_sa());
-  }
-  [[nodiscard]] Result<Rehearsal> rehearse(std::string_view text,
-                                           const RehearseOptions& options) const override {
-    const auto catalog = make_catalog({});
-    auto emulator = make_emulator({{"unaddressed", "yes"}});
-    if (!emulator) return fail(emulator.error());
-    return arcus::rehearse_program(text, options, **emulator, *catalog, arcus::language::pmx_4ex_sa());
-  }
-};
-
-}  // namespace
 
 const Language& program_language() {
-  static const ProgramLanguage language;
+  static const arcus::ProgramLanguage language(arcus::language::pmx_4ex_sa(), make_catalog, make_emulator);
   return language;
 }
 

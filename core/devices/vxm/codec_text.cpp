@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include <fmt/core.h>
-
 #include "core/base/number_text.h"
 #include "core/devices/vxm/facts.h"
 
@@ -232,68 +230,6 @@ class Reader {
   std::uint8_t motor_;
 };
 
-struct Range {
-  std::int64_t low, high;
-};
-
-Range setup_range(const TextCommand& c) {
-  if (c.name == "Bx") return {0, max_backlash};
-  if (c.name == "O") return {0, max_limit_report};
-  if (c.name == "D") return {0, 0};
-  std::string pattern = c.name;
-  for (char& letter : pattern)
-    if (is_digit(letter)) letter = 'm';
-  for (const SetupFact& fact : setup_facts)
-    if (fact.mnemonic == pattern) return {fact.also_zero ? 0 : fact.min, fact.max};
-  return {1, 0};
-}
-
-Range value_range(const TextCommand& c) {
-  switch (c.verb) {
-    case Verb::index_by: return {-max_index, max_index};
-    case Verb::index_to: return {position_min, position_max};
-    case Verb::speed: return {min_speed, max_speed};
-    case Verb::acceleration: return {min_accel, max_accel};
-    case Verb::loop:
-    case Verb::loop_always: return c.minus ? Range{-max_loop, -min_loop} : Range{min_loop, max_loop};
-    case Verb::loop_reverse: return {-3, -2};
-    case Verb::jump:
-    case Verb::jump_return:
-    case Verb::select: return {0, program_count - 1};
-    case Verb::empty:
-    case Verb::jump_pick: return {-(program_count - 1), 0};
-    case Verb::pause:
-    case Verb::pause_output: return {-max_pause, max_pause};
-    case Verb::set: return setup_range(c);
-    default: return {-1'000'000'000'000, 1'000'000'000'000};
-  }
-}
-
-template <class Table, class Of>
-bool contains(const Table& table, std::int64_t value, Of of) {
-  return std::any_of(table.begin(), table.end(), [&](const auto& row) { return of(row) == value; });
-}
-
-bool possible(const TextCommand& c) {
-  const auto itself = [](int n) { return n; };
-  const bool has_motor =
-      c.verb <= Verb::acceleration || (c.name.size() > 1 && c.name.back() == 'M' && c.name != "DM");
-  if (has_motor && (c.motor < 1 || c.motor > max_motors)) return false;
-  const Range range = value_range(c);
-  const auto value = c.signed_value();
-  if (value < range.low || value > range.high) return false;
-  switch (c.verb) {
-    case Verb::speed_analog:
-      return contains(analog_ranges, c.value, [](const AnalogRange& r) { return r.number; });
-    case Verb::user: return contains(u_commands, value, itself) || contains(slave_u_commands, value, itself);
-    case Verb::associate: return c.value <= program_count - 1 || (!c.minus && c.value == pma_off);
-    case Verb::pause:
-    case Verb::pause_output: return !(c.minus && c.value == 0);
-    case Verb::set: return c.name != "B" || contains(bauds, value, [](const Baud& b) { return b.number; });
-    default: return true;
-  }
-}
-
 }  // namespace
 
 std::vector<TextCommand> read_text(std::string_view text, int motor) {
@@ -314,113 +250,6 @@ bool ends_open(std::string_view text) {
     return !text.ends_with('\r');
   return last.flaw == Flaw::unknown && last.end >= text.size() && last.end - last.begin > 1 &&
          !is_ender(text.back());
-}
-
-std::string canonical(const TextCommand& c) {
-  if (c.flaw == Flaw::unknown) return c.name;
-  const char* sign = c.minus ? "-" : "";
-  const char* full = c.full_power ? "A" : "";
-  const auto motor = int{c.motor};
-  switch (c.verb) {
-    case Verb::index_by:
-    case Verb::home: return fmt::format("I{}M{}{}", motor, sign, c.value);
-    case Verb::index_to:
-    case Verb::zero_here: return fmt::format("IA{}M{}{}", motor, sign, c.value);
-    case Verb::speed:
-    case Verb::speed_analog: return fmt::format("S{}{}M{}{}", full, motor, sign, c.value);
-    case Verb::acceleration: return fmt::format("A{}M{}", motor, c.value);
-    case Verb::loop_forever: return "L0";
-    case Verb::marker_set: return c.minus ? "L-0" : "LM0";
-    case Verb::marker_reset: return "LM-0";
-    case Verb::loop: return fmt::format("L{}{}", sign, c.value);
-    case Verb::loop_always: return fmt::format("LA{}{}", sign, c.value);
-    case Verb::loop_reverse: return fmt::format("LM{}{}", sign, c.value);
-    case Verb::jump: return fmt::format("J{}", c.value);
-    case Verb::jump_return:
-    case Verb::jump_pick: return fmt::format("JM{}{}", sign, c.value);
-    case Verb::pause: return fmt::format("P{}{}", sign, c.value);
-    case Verb::pause_output: return fmt::format("PA{}{}", sign, c.value);
-    case Verb::user: return fmt::format("U{}", c.value);
-    case Verb::pair_begins: return "(";
-    case Verb::pair_ends: return ")";
-    case Verb::slave_begins: return "[";
-    case Verb::slave_ends: return "]";
-    case Verb::select:
-    case Verb::empty: return fmt::format("PM{}{}", sign, c.value);
-    case Verb::ask_selected: return "PM";
-    case Verb::associate: return fmt::format("PMA{}{}", sign, c.value);
-    case Verb::ask_associate: return "PMA";
-    case Verb::set:
-      if (c.name == "Bx" || c.name == "O") return fmt::format("{}{}", c.name[0], c.value);
-      return fmt::format("set{}{}{}", c.name, sign, c.value);
-    case Verb::get: return c.name == "Bx" || c.name == "O" ? c.name.substr(0, 1) : "get" + c.name;
-    case Verb::letter: return std::string(1, c.letter);
-    case Verb::word: return c.name;
-  }
-  return {};
-}
-
-// What stands before motor and number, as the table of costs names it.
-static std::string_view head_of(const TextCommand& c) {
-  switch (c.verb) {
-    case Verb::index_by:
-    case Verb::home: return "I";
-    case Verb::index_to:
-    case Verb::zero_here: return "IA";
-    case Verb::speed:
-    case Verb::speed_analog: return c.full_power ? "SA" : "S";
-    case Verb::acceleration: return "A";
-    case Verb::loop: return "L";
-    case Verb::loop_always: return "LA";
-    case Verb::marker_set:
-    case Verb::marker_reset:
-    case Verb::loop_reverse: return "LM";
-    case Verb::jump:
-    case Verb::jump_return:
-    case Verb::jump_pick: return "J";
-    case Verb::pause: return "P";
-    case Verb::pause_output: return "PA";
-    case Verb::user: return "U";
-    default: return {};
-  }
-}
-
-int program_cost(const TextCommand& c) {
-  if (c.verb == Verb::loop_forever || (c.verb == Verb::marker_set && c.minus)) return endless_loop_bytes;
-  if (c.verb == Verb::user && c.value == 91) return u91_bytes;
-  if (c.verb == Verb::pair_begins) return pair_bytes;
-  const std::string_view head = head_of(c);
-  for (const StoredForm& form : stored_forms)
-    if (form.head == head) return form.bytes;
-  return 0;
-}
-
-std::string allowed_values(const TextCommand& c) {
-  switch (c.verb) {
-    case Verb::index_by: return fmt::format("1 to {} steps", max_index);
-    case Verb::index_to: return fmt::format("{} to {} steps", position_min, position_max);
-    case Verb::speed: return fmt::format("{} to {} steps/s", min_speed, max_speed);
-    case Verb::speed_analog: return "a range of the manual's table, 1 to 6 or 11 to 51";
-    case Verb::acceleration: return fmt::format("{} to {}", min_accel, max_accel);
-    case Verb::loop:
-    case Verb::loop_always: return fmt::format("{} to {} passes", min_loop, max_loop);
-    case Verb::loop_reverse: return "-2 or -3";
-    case Verb::jump:
-    case Verb::jump_return:
-    case Verb::jump_pick:
-    case Verb::select:
-    case Verb::empty: return fmt::format("program 0 to {}", program_count - 1);
-    case Verb::pause:
-    case Verb::pause_output: return fmt::format("0 to {}, or -1 to -{}", max_pause, max_pause);
-    case Verb::user: return "one of the manual's U commands";
-    case Verb::associate: return "0 to 4, -0 to -4, or 255";
-    case Verb::set: {
-      if (c.name == "B") return "9, 19 or 38";
-      const Range r = setup_range(c);
-      return r.low > r.high ? "nothing: there is no such setting" : fmt::format("{} to {}", r.low, r.high);
-    }
-    default: return {};
-  }
 }
 
 }  // namespace hw::vxm

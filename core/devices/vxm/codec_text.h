@@ -75,6 +75,8 @@ bool ends_open(std::string_view text);
 std::string canonical(const TextCommand& command);
 /// Bytes of program memory.
 int program_cost(const TextCommand& command);
+/// Its motor and number are among those that the controller takes.
+bool possible(const TextCommand& command);
 /// "1 to 6000 steps/s" for the value of this command; empty when it has none.
 std::string allowed_values(const TextCommand& command);
 

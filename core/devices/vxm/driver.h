@@ -138,6 +138,8 @@ class VxmDriver final : public Driver {
   Result<> may_move(int axis) const;
   Result<> may_run() const;
   Result<int> checked_speed(Pps speed) const;
+  Result<std::vector<AxisTarget>> checked_goals(const std::vector<AxisTarget>& targets, bool relative);
+  void add_leg(Job& job, const AxisTarget& goal, int speed, bool relative) const;
   Leg jog_leg(int axis, Sign sign, int speed) const;
   void warn_of_motor_type(int axis);
 

@@ -81,59 +81,68 @@ void VxmDriver::warn_of_motor_type(int axis) {
 Task<Result<>> VxmDriver::move(const std::vector<AxisTarget>& targets, Pps wish, bool relative) {
   auto speed = checked_speed(wish);
   if (!speed) co_return fail(speed.error());
-  std::vector<AxisTarget> wanted;  // positions, as far as they are known
+  auto goals = checked_goals(targets, relative);
+  if (!goals) co_return fail(goals.error());
+  if (goals->empty()) co_return Result<>();
+  auto read = co_await read_positions(Priority::intent, true);
+  if (!read) co_return read;
+  Job job;
+  for (const AxisTarget& goal : *goals) add_leg(job, goal, *speed, relative);
+  co_return co_await begin(std::move(job));
+}
+
+/// Where each axis is to go, as far as positions are known. Axes that stay are left out.
+Result<std::vector<AxisTarget>> VxmDriver::checked_goals(const std::vector<AxisTarget>& targets,
+                                                         bool relative) {
+  std::vector<AxisTarget> goals;
   for (const AxisTarget& t : targets) {
     const int axis = t.axis.index;
-    if (auto may = may_move(axis); !may) co_return may;
+    if (auto may = may_move(axis); !may) return fail(may.error());
     if (relative && (t.value.value < -max_index || t.value.value > max_index))
-      co_return fail(
+      return fail(
           FaultKind::refused,
           fmt::format("{} steps are too many for one move: a VXM takes up to {}.", t.value.value, max_index),
           "Nothing was sent.");
     const AxisState& state = draft_.axes[axis];
     const Steps goal = relative ? state.position + t.value : t.value;
     if ((!relative || state.position_known) && (goal < catalog_.position_min || goal > catalog_.position_max))
-      co_return fail(FaultKind::refused,
-                     fmt::format("Position {} of motor {} lies outside the controller's register, {} to {}.",
-                                 goal.value, axis + 1, position_min, position_max),
-                     "Nothing was sent.");
+      return fail(FaultKind::refused,
+                  fmt::format("Position {} of motor {} lies outside the controller's register, {} to {}.",
+                              goal.value, axis + 1, position_min, position_max),
+                  "Nothing was sent.");
     if (!relative && state.position_doubtful)
       tell(Notice::Kind::warning,
            fmt::format("The position of motor {} is doubtful: {} may lie elsewhere than before.", axis + 1,
                        t.value.value));
     if (relative && t.value.value == 0) continue;
     warn_of_motor_type(axis);
-    AxisTarget w = t;
-    w.value = goal;
-    wanted.push_back(w);
+    goals.push_back({t.axis, goal});
   }
-  if (wanted.empty()) co_return Result<>();
-  auto read = co_await read_positions(Priority::intent, true);
-  if (!read) co_return read;
-  Job job;
-  for (const AxisTarget& w : wanted) {
-    const int axis = w.axis.index;
-    Leg leg;
-    leg.axis = axis;
-    leg.activity = Activity::moving;
-    leg.target = w.value;
-    leg.speed = *speed;
-    const Steps distance = w.value - draft_.axes[axis].position;
-    leg.sign = distance.value < 0 ? Sign::minus : Sign::plus;
-    // Moves on the two controllers can run together; the Slave's must stand first (App. G p.47).
-    Leg* partner = job.legs.empty() ? nullptr : &job.legs.back();
-    const bool pairs = partner && partner->second_axis < 0 && on_slave(partner->axis) != on_slave(axis);
-    leg.text = relative ? index_by(axis + 1, distance) : index_to(axis + 1, w.value);
-    const Steps other = partner ? *partner->target - draft_.axes[partner->axis].position : Steps{};
-    if (pairs && distance.value != 0 && other.value != 0) {
-      partner->second_axis = axis;
-      partner->text = on_slave(axis) ? index_pair(axis + 1, distance, partner->axis + 1, other)
-                                     : index_pair(partner->axis + 1, other, axis + 1, distance);
-      continue;
-    }
-    job.legs.push_back(std::move(leg));
+  return goals;
+}
+
+/// One leg after the other, but moves on the two controllers can run together; the Slave's must stand first
+/// (App. G p.47).
+void VxmDriver::add_leg(Job& job, const AxisTarget& goal, int speed, bool relative) const {
+  const int axis = goal.axis.index;
+  const Steps distance = goal.value - draft_.axes[axis].position;
+  Leg* partner = job.legs.empty() ? nullptr : &job.legs.back();
+  const bool pairs = partner && partner->second_axis < 0 && on_slave(partner->axis) != on_slave(axis);
+  const Steps other = partner ? *partner->target - draft_.axes[partner->axis].position : Steps{};
+  if (pairs && distance.value != 0 && other.value != 0) {
+    partner->second_axis = axis;
+    partner->text = on_slave(axis) ? index_pair(axis + 1, distance, partner->axis + 1, other)
+                                   : index_pair(partner->axis + 1, other, axis + 1, distance);
+    return;
   }
-  co_return co_await begin(std::move(job));
+  Leg leg;
+  leg.axis = axis;
+  leg.activity = Activity::moving;
+  leg.target = goal.value;
+  leg.speed = speed;
+  leg.sign = distance.value < 0 ? Sign::minus : Sign::plus;
+  leg.text = relative ? index_by(axis + 1, distance) : index_to(axis + 1, goal.value);
+  job.legs.push_back(std::move(leg));
 }
 
 VxmDriver::Leg VxmDriver::jog_leg(int axis, Sign sign, int speed) const {

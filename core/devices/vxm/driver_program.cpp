@@ -46,69 +46,107 @@ bool is_orphan_digit(const TextCommand& c) {  // "5080.0": the period ends the n
 }
 
 // What a text becomes when it is loaded: commands per program, short forms with their motor written out.
-Result<Plan> plan_of(std::string_view text, int first_slot) {
-  Plan plan;
-  int slot = first_slot;
-  if (slot >= 0) plan.slots[slot];
-  Entry* pair = nullptr;
-  std::size_t slave_begin = std::string_view::npos;
-  for (const TextCommand& c : read_text(text)) {
-    const int line = line_of(text, c.begin);
-    if (is_orphan_digit(c)) continue;
+class Planner {
+ public:
+  Planner(std::string_view text, int first_slot) : text_(text), slot_(first_slot) {
+    if (slot_ >= 0) plan_.slots[slot_];
+  }
+
+  Result<Plan> plan() {
+    for (const TextCommand& c : read_text(text_)) {
+      if (is_orphan_digit(c)) continue;
+      if (auto good = take(c); !good) return fail(good.error());
+    }
+    for (const auto& [number, entries] : plan_.slots)
+      if (auto fits = check_size(number, entries); !fits) return fail(fits.error());
+    return std::move(plan_);
+  }
+
+ private:
+  Result<> take(const TextCommand& c) {
+    if (auto good = check_spelling(c); !good) return good;
+    if (c.verb == Verb::slave_begins) slave_begin_ = c.begin;
+    if (slave_begin_ != nowhere) {
+      take_for_slave(c);
+    } else if (c.verb == Verb::select || c.verb == Verb::empty) {
+      choose_slot(c);
+    } else if (!c.stored()) {
+      leave_out(c);
+    } else if (slot_ < 0) {
+      return bad_line(line_of(text_, c.begin), "it stands before the first program heading (PM-0 to PM-4).");
+    } else {
+      store(c);
+    }
+    return {};
+  }
+
+  [[nodiscard]] Result<> check_spelling(const TextCommand& c) const {
+    const int line = line_of(text_, c.begin);
     if (c.flaw == Flaw::unknown) return bad_line(line, fmt::format("{} is no command of the VXM.", c.name));
     if (c.flaw == Flaw::no_value || c.flaw == Flaw::open)
       return bad_line(line, fmt::format("{} lacks its number.", c.name));
     if (c.flaw == Flaw::range)
       return bad_line(line, fmt::format("{} is not possible: it takes {}.", canonical(c), allowed_values(c)));
-    if (c.verb == Verb::slave_begins) slave_begin = c.begin;
-    if (slave_begin != std::string_view::npos) {
-      if (c.verb != Verb::slave_ends) continue;
-      Entry for_slave;
-      for_slave.text = std::string(text.substr(slave_begin, c.end - slave_begin));
-      slave_begin = std::string_view::npos;
-      plan.slots[std::max(slot, 0)].push_back(std::move(for_slave));
-      continue;
-    }
-    if (c.verb == Verb::select || c.verb == Verb::empty) {
-      slot = static_cast<int>(c.value);
-      if (c.verb == Verb::empty) plan.slots[slot].clear();
-      plan.slots[slot];
-      pair = nullptr;
-      continue;
-    }
-    if (!c.stored()) {
-      const bool needless =
-          c.verb == Verb::letter && std::string_view("EFGC").find(c.letter) != std::string_view::npos;
-      if (!needless)
-        plan.left_out +=
-            fmt::format("{}{} in line {}", plan.left_out.empty() ? "" : ", ", canonical(c), line);
-      continue;
-    }
-    if (slot < 0) return bad_line(line, "it stands before the first program heading (PM-0 to PM-4).");
-    auto& entries = plan.slots[slot];
-    if (c.verb == Verb::pair_begins) {
-      entries.emplace_back();
-      pair = &entries.back();
-    }
-    Entry& entry = pair ? *pair : entries.emplace_back();
+    return {};
+  }
+
+  /// What stands in brackets goes to the Slave as it is written.
+  void take_for_slave(const TextCommand& c) {
+    if (c.verb != Verb::slave_ends) return;
+    Entry for_slave;
+    for_slave.text = std::string(text_.substr(slave_begin_, c.end - slave_begin_));
+    slave_begin_ = nowhere;
+    plan_.slots[std::max(slot_, 0)].push_back(std::move(for_slave));
+  }
+
+  void choose_slot(const TextCommand& c) {
+    slot_ = static_cast<int>(c.value);
+    if (c.verb == Verb::empty) plan_.slots[slot_].clear();
+    plan_.slots[slot_];
+    pair_ = nullptr;
+  }
+
+  /// What acts at once is no part of a program. What only greets need not be told.
+  void leave_out(const TextCommand& c) {
+    const bool needless =
+        c.verb == Verb::letter && std::string_view("EFGC").find(c.letter) != std::string_view::npos;
+    if (needless) return;
+    plan_.left_out += fmt::format("{}{} in line {}", plan_.left_out.empty() ? "" : ", ", canonical(c),
+                                  line_of(text_, c.begin));
+  }
+
+  /// Two indexes in parentheses are one entry.
+  void store(const TextCommand& c) {
+    auto& entries = plan_.slots[slot_];
+    if (c.verb == Verb::pair_begins) pair_ = &entries.emplace_back();
+    Entry& entry = pair_ ? *pair_ : entries.emplace_back();
     const bool bracket = c.verb == Verb::pair_begins || c.verb == Verb::pair_ends;
-    entry.text += canonical(c) + (bracket ? "" : pair ? "," : "\r");
+    entry.text += canonical(c) + (bracket ? "" : pair_ ? "," : "\r");
     entry.canonical.push_back(canonical(c));
     entry.cost += program_cost(c);
-    if (c.verb == Verb::pair_ends) pair = nullptr;
+    if (c.verb == Verb::pair_ends) pair_ = nullptr;
   }
-  for (const auto& [number, entries] : plan.slots) {
+
+  static Result<> check_size(int number, const std::vector<Entry>& entries) {
     int cost = 0;
     for (const Entry& e : entries) cost += e.cost;
-    if (cost > program_bytes)
-      return fail(FaultKind::refused,
-                  fmt::format("Program {} needs {} bytes, {} more than the {} that it has.", number, cost,
-                              cost - program_bytes, program_bytes),
-                  "Nothing was sent; the controller holds what it held.",
-                  "Shorten it, or move a part into another program (JM).");
+    if (cost <= program_bytes) return {};
+    return fail(FaultKind::refused,
+                fmt::format("Program {} needs {} bytes, {} more than the {} that it has.", number, cost,
+                            cost - program_bytes, program_bytes),
+                "Nothing was sent; the controller holds what it held.",
+                "Shorten it, or move a part into another program (JM).");
   }
-  return plan;
-}
+
+  static constexpr std::size_t nowhere = std::string_view::npos;
+  const std::string_view text_;
+  Plan plan_;
+  int slot_;
+  Entry* pair_ = nullptr;              ///< the entry of the parentheses that are open
+  std::size_t slave_begin_ = nowhere;  ///< of the brackets that are open
+};
+
+Result<Plan> plan_of(std::string_view text, int first_slot) { return Planner(text, first_slot).plan(); }
 
 std::vector<TextCommand> commands_of(const std::vector<std::string>& lines) {
   std::string text;

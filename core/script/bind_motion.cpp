@@ -1,0 +1,131 @@
+// Methods of a controller that move its axes, stop them, and wait for them.
+#include <algorithm>
+#include <map>
+
+#include <fmt/core.h>
+
+#include "core/script/bind.h"
+
+namespace hw::script {
+namespace {
+
+AxisId id_of(int index) { return AxisId{static_cast<std::uint8_t>(index)}; }
+
+Sign sign_of(const Call& call, int argument) {
+  const std::string sign = call.text(argument, "direction");
+  if (sign == "+") return Sign::plus;
+  if (sign == "-") return Sign::minus;
+  throw Misuse("the direction must be \"+\" or \"-\"");
+}
+
+struct ById {  // the same order in every run
+  bool operator()(const SessionPtr& a, const SessionPtr& b) const {
+    return a->catalog().id() < b->catalog().id();
+  }
+};
+using Targets = std::map<SessionPtr, std::vector<AxisTarget>, ById>;
+
+// {[1]=400} or {X=1000, Y=0}, put into the catalog's order; on a bus {["01"]=400}. Not empty: why not.
+std::string read_targets(const Call& call, int argument, Targets& targets) {
+  const int table = call.place(argument);
+  if (!lua_istable(call.L, table)) throw Misuse("the targets must be a table like {[1]=400}");
+  lua_pushnil(call.L);
+  while (lua_next(call.L, table)) {
+    const OneAxis one = one_axis_at(call, lua_absindex(call.L, -2), "targets");
+    int whole = 0;
+    const lua_Integer steps = lua_tointegerx(call.L, -1, &whole);
+    if (!whole) throw Misuse("a target must be a whole number of steps");
+    lua_pop(call.L, 1);
+    if (one.index < 0) return one.refusal;
+    targets[one.session].push_back(AxisTarget{id_of(one.index), Steps(steps)});
+  }
+  if (targets.empty()) throw Misuse("the table of targets is empty");
+  for (auto& [session, own] : targets)
+    std::sort(own.begin(), own.end(), [](const auto& a, const auto& b) { return a.axis < b.axis; });
+  return {};
+}
+
+// ---- moves
+
+// All begin before the first is waited for.
+template <class Move>
+Task<Answer> move_all(Targets targets) {
+  std::vector<std::pair<SessionPtr, IntentId>> under_way;
+  for (auto& [session, own] : targets) under_way.emplace_back(session, session->post(Move(std::move(own))));
+  Result<> all;
+  for (const auto& [session, id] : under_way) {
+    auto moved = co_await session->outcome(id);
+    if (all && !moved) all = std::move(moved);
+  }
+  co_return answer_of(all);
+}
+
+template <class Move>
+int move(Call& call) {
+  Targets targets;
+  if (const std::string why = read_targets(call, 1, targets); !why.empty()) return call.refuse(why);
+  return call.wait(move_all<Move>(std::move(targets)));
+}
+
+int jog(Call& call) {
+  const OneAxis one = one_axis(call, 1, "jog");
+  if (one.index < 0) return call.refuse(one.refusal);
+  const Pps speed(call.has(3) ? call.number(3, "speed") : 0);
+  return perform(call, one.session, intent::JogStart(id_of(one.index), sign_of(call, 2), speed, false));
+}
+
+int home(Call& call) {
+  const OneAxis one = one_axis(call, 1, "home");
+  if (one.index < 0) return call.refuse(one.refusal);
+  int mode = 0;
+  if (call.has(3)) {
+    const std::string wanted = call.text(3, "mode");
+    const auto& modes = one.session->catalog().homing_modes;
+    const auto found =
+        std::find_if(modes.begin(), modes.end(), [&](const HomingMode& m) { return m.id == wanted; });
+    if (found == modes.end()) return call.refuse(fmt::format("There is no way of homing \"{}\".", wanted));
+    mode = static_cast<int>(found - modes.begin());
+  }
+  return perform(call, one.session, intent::Home(id_of(one.index), sign_of(call, 2), mode));
+}
+
+Task<Answer> stop_bus(std::shared_ptr<SessionGroup> bus, bool at_once) {
+  const auto stopped = co_await bus->perform_stop(at_once);
+  co_return answer_of(stopped);
+}
+
+template <class How>
+int stop(Call& call) {
+  if (call.has(1)) {
+    const OneAxis one = one_axis(call, 1, "stop");
+    if (one.index < 0) return call.refuse(one.refusal);
+    return perform(call, one.session, How(bus_of(call) ? -1 : one.index));
+  }
+  if (auto bus = bus_of(call)) return call.wait(stop_bus(std::move(bus), std::is_same_v<How, intent::Abort>));
+  return perform(call, How(-1));
+}
+
+Task<Answer> wait_idle(SessionPtr session, Duration patience) {
+  const auto idle = co_await session->wait_until_idle(patience);
+  co_return answer_of(idle);
+}
+Task<Answer> wait_bus_idle(std::shared_ptr<SessionGroup> bus, Duration patience) {
+  const auto idle = co_await bus->wait_until_idle(patience);
+  co_return answer_of(idle);
+}
+int wait(Call& call) {
+  const Duration patience = call.patience(1, 3600);
+  if (auto bus = bus_of(call)) return call.wait(wait_bus_idle(std::move(bus), patience));
+  return call.wait(wait_idle(session_of(call), patience));
+}
+
+constexpr Function motion_table[] = {
+    {"move_to", move<intent::MoveTo>}, {"move_by", move<intent::MoveBy>}, {"jog", jog},   {"home", home},
+    {"stop", stop<intent::Stop>},      {"abort", stop<intent::Abort>},    {"wait", wait},
+};
+
+}  // namespace
+
+std::span<const Function> motion_methods() { return motion_table; }
+
+}  // namespace hw::script

@@ -1,0 +1,77 @@
+// Methods of a controller for the programs that it stores.
+#include <algorithm>
+
+#include <fmt/core.h>
+
+#include "core/script/bind.h"
+
+namespace hw::script {
+namespace {
+
+int selected(const SessionPtr& session) { return std::max<int>(0, session->known().program.slot); }
+
+// Where programs run at once, their number is that of the thread.
+int programs_of(const Catalog& catalog) { return std::max(catalog.program.slots, catalog.program.threads); }
+
+int slot_of(const Call& call, int argument) {
+  const SessionPtr& session = session_of(call);
+  if (!call.has(argument)) return selected(session);
+  const std::int64_t n = call.whole(argument, "program");
+  return n >= 0 && n < programs_of(session->catalog()) ? static_cast<int>(n) : -1;
+}
+std::string no_slot(const Catalog& catalog) {
+  return fmt::format("There is no such program. {} has 0 to {}.", catalog.short_name,
+                     programs_of(catalog) - 1);
+}
+
+int load(Call& call) {
+  std::string text = call.text(1, "text");
+  const int slot = slot_of(call, 2);
+  if (slot < 0) return call.refuse(no_slot(session_of(call)->catalog()));
+  return perform(call, intent::LoadProgram(slot, std::move(text)));
+}
+int run(Call& call) {
+  const int slot = slot_of(call, 1);
+  if (slot < 0) return call.refuse(no_slot(session_of(call)->catalog()));
+  return perform(call, intent::RunProgram(slot));
+}
+
+// With a number: that thread only, where programs run in several.
+template <class Verb>
+int of_thread(Call& call) {
+  const int threads = session_of(call)->catalog().program.threads;
+  if (!call.has(1)) return perform(call, Verb());
+  const std::int64_t thread = call.whole(1, "thread");
+  if (thread < 0 || thread >= threads)
+    return call.refuse(
+        threads == 0 ? fmt::format("{} runs one program at a time.", session_of(call)->catalog().short_name)
+                     : fmt::format("There is no thread {}. {} has 0 to {}.", thread,
+                                   session_of(call)->catalog().short_name, threads - 1));
+  return perform(call, Verb(static_cast<int>(thread)));
+}
+
+Task<Answer> upload(SessionPtr session, int slot) {
+  auto listing = co_await session->listing(slot);
+  if (!listing) co_return answer_refused(listing.error().sentence());
+  co_return answer_text(std::move(*listing));
+}
+int program(Call& call) {
+  const int slot = slot_of(call, 1);
+  if (slot < 0) return call.refuse(no_slot(session_of(call)->catalog()));
+  return call.wait(upload(session_of(call), slot));
+}
+
+constexpr Function program_table[] = {
+    {"load", load},
+    {"run", run},
+    {"pause", of_thread<intent::Pause>},
+    {"resume", of_thread<intent::Resume>},
+    {"halt", of_thread<intent::HaltProgram>},
+    {"program", program},
+};
+
+}  // namespace
+
+std::span<const Function> program_methods() { return program_table; }
+
+}  // namespace hw::script

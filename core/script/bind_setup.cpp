@@ -1,0 +1,85 @@
+// Methods of a controller for its parameters, by the maker's mnemonics.
+#include <cmath>
+#include <cstdlib>
+
+#include <fmt/core.h>
+
+#include "core/script/bind.h"
+
+namespace hw::script {
+namespace {
+
+std::string no_param(const Catalog& catalog, const std::string& name) {
+  return fmt::format("{} has no parameter \"{}\".", catalog.short_name, name);
+}
+
+// As the maker writes it: 0.8, "4EX07".
+std::int64_t unit_of(const ParamInfo& info) {
+  std::int64_t unit = 1;
+  for (int i = 0; i < info.decimals; ++i) unit *= 10;
+  return unit;
+}
+void push_value(lua_State* L, const ParamInfo& info, std::int64_t value) {
+  if (!info.prefix.empty())
+    lua_pushstring(L, fmt::format("{}{:0{}}", info.prefix, value, info.digits).c_str());
+  else if (info.decimals > 0)
+    lua_pushnumber(L, static_cast<double>(value) / static_cast<double>(unit_of(info)));
+  else
+    lua_pushinteger(L, value);
+}
+std::int64_t value_of(const Call& call, int argument, const ParamInfo& info) {
+  if (!info.prefix.empty() && call.is_text(argument)) {
+    const std::string text = call.text(argument, "value");
+    char* end = nullptr;
+    const bool named = text.starts_with(info.prefix) && text.size() > info.prefix.size();
+    const long long number = named ? std::strtoll(text.c_str() + info.prefix.size(), &end, 10) : 0;
+    if (!named || *end != 0) throw Misuse(fmt::format("the value must read like {}01", info.prefix));
+    return number;
+  }
+  if (info.decimals > 0)
+    return std::llround(call.number(argument, "value") * static_cast<double>(unit_of(info)));
+  return call.whole(argument, "value");
+}
+
+Task<Answer> get_param(SessionPtr session, int index) {
+  const ParamInfo& info = session->catalog().params[index];
+  if (info.readable) {
+    IntentBody ask = intent::ReadParams(info.mnemonic);
+    const auto read = co_await session->perform(std::move(ask));
+    if (!read) co_return answer_refused(read.error().sentence());
+  }
+  const ParamState state = session->known().params[index];
+  if (!state.known)
+    co_return answer_refused(fmt::format("{} cannot be read from this controller.", info.mnemonic));
+  co_return [state, &info](lua_State* L) {
+    push_value(L, info, state.value);
+    return 1;
+  };
+}
+int get(Call& call) {
+  const std::string name = call.text(1, "parameter");
+  const int index = session_of(call)->catalog().find_param(name);
+  if (index < 0) return call.refuse(no_param(session_of(call)->catalog(), name));
+  return call.wait(get_param(session_of(call), index));
+}
+
+// A script says what it means: it confirms what the console would ask a person.
+int set(Call& call) {
+  const std::string name = call.text(1, "parameter");
+  const Catalog& catalog = session_of(call)->catalog();
+  const int index = catalog.find_param(name);
+  if (index < 0) return call.refuse(no_param(catalog, name));
+  const ParamInfo& info = catalog.params[static_cast<std::size_t>(index)];
+  return perform(call, intent::SetParam(name, value_of(call, 2, info), true));
+}
+
+constexpr Function setup_table[] = {
+    {"get", get},
+    {"set", set},
+};
+
+}  // namespace
+
+std::span<const Function> setup_methods() { return setup_table; }
+
+}  // namespace hw::script

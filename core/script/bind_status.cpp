@@ -1,0 +1,266 @@
+// Methods of a controller for what it tells of itself: axes, inputs, outputs. Rule: a call asks for a round
+// of status that begins after it, so what it gives back is never older than the call; what cannot be read now
+// is nil and a reason, never an old value.
+#include <cmath>
+
+#include <fmt/core.h>
+
+#include "core/script/bind.h"
+
+namespace hw::script {
+namespace {
+
+using Push = int (*)(lua_State*, const Snapshot&, const Catalog&, int number);
+
+// Whether the controller can be believed now; else why not.
+std::string why_unknown(const LinkHealth& link) {
+  if (link.state == LinkState::lost || link.state == LinkState::closed)
+    return fmt::format("There is no connection. {}", link.sentence.view());
+  return std::string(link.sentence.view());
+}
+
+int push_unknown(lua_State* L, std::string reason) {
+  lua_pushnil(L);
+  lua_pushlstring(L, reason.data(), reason.size());
+  return 2;
+}
+
+Task<Answer> read_fresh(SessionPtr session, Instant asked_at, Push push, int number, bool of_axis) {
+  co_await session->pump().refresh();
+  co_return [session, asked_at, push, number, of_axis](lua_State* L) {
+    const Snapshot& known = session->known();
+    const LinkHealth& link = known.link;
+    if (link.state == LinkState::lost || link.state == LinkState::closed)
+      return push_unknown(L, why_unknown(link));
+    if (of_axis && number >= 0 && known.axes[number].seen_at < asked_at)
+      return push_unknown(L, fmt::format("Axis {} cannot be read now. {}",
+                                         session->catalog().axes[number].name, link.sentence.view()));
+    return push(L, known, session->catalog(), number);
+  };
+}
+
+int ask_of(Call& call, const SessionPtr& session, Push push, int number, bool of_axis) {
+  return call.wait(read_fresh(session, call.runner().scheduler().now(), push, number, of_axis));
+}
+int ask(Call& call, Push push, int number) { return ask_of(call, session_of(call), push, number, false); }
+
+int of_axis(Call& call, Push push) {
+  const OneAxis one = one_axis(call, 1, "axis");
+  if (one.index < 0) return call.refuse(one.refusal);
+  return ask_of(call, one.session, push, one.index, true);
+}
+
+int push_position(lua_State* L, const Snapshot& known, const Catalog& catalog, int axis) {
+  const AxisState& state = known.axes[axis];
+  if (!state.position_known)
+    return push_unknown(L, fmt::format("The position of axis {} is not known.", catalog.axes[axis].name));
+  lua_pushinteger(L, state.position.value);
+  return 1;
+}
+int push_encoder(lua_State* L, const Snapshot& known, const Catalog& catalog, int axis) {
+  if (!known.axes[axis].has_encoder)
+    return push_unknown(L, fmt::format("Axis {} has no encoder.", catalog.axes[axis].name));
+  lua_pushinteger(L, known.axes[axis].encoder.value);
+  return 1;
+}
+const char* name_of(Activity a) {
+  switch (a) {
+    case Activity::unknown: return "unknown";
+    case Activity::idle: return "idle";
+    case Activity::moving: return "moving";
+    case Activity::jogging: return "jogging";
+    case Activity::homing: return "homing";
+    case Activity::stopping: return "stopping";
+    case Activity::error: return "error";
+  }
+  return "unknown";
+}
+const char* name_of(EndedBy e) {
+  switch (e) {
+    case EndedBy::nothing: return "nothing";
+    case EndedBy::target: return "target";
+    case EndedBy::limit: return "limit";
+    case EndedBy::stop: return "stop";
+    case EndedBy::abort: return "abort";
+    case EndedBy::elsewhere: return "elsewhere";
+    case EndedBy::error: return "error";
+    case EndedBy::lost: return "lost";
+  }
+  return "nothing";
+}
+const char* name_of(RunState r) {
+  switch (r) {
+    case RunState::idle: return "idle";
+    case RunState::running: return "running";
+    case RunState::waiting: return "waiting";
+    case RunState::held: return "held";
+    case RunState::error: return "error";
+  }
+  return "idle";
+}
+const char* name_of(LinkState l) {
+  switch (l) {
+    case LinkState::connecting: return "connecting";
+    case LinkState::good: return "good";
+    case LinkState::late: return "late";
+    case LinkState::lost: return "lost";
+    case LinkState::closed: return "closed";
+  }
+  return "connecting";
+}
+
+void set_flag(lua_State* L, const char* name, bool on) {
+  lua_pushboolean(L, on);
+  lua_setfield(L, -2, name);
+}
+void set_word(lua_State* L, const char* name, std::string_view word) {
+  lua_pushlstring(L, word.data(), word.size());
+  lua_setfield(L, -2, name);
+}
+void set_whole(lua_State* L, const char* name, std::int64_t value) {
+  lua_pushinteger(L, value);
+  lua_setfield(L, -2, name);
+}
+
+int push_axis_status(lua_State* L, const Snapshot& known, const Catalog&, int axis) {
+  const AxisState& s = known.axes[axis];
+  lua_createtable(L, 0, 14);
+  set_flag(L, "moving",
+           s.activity == Activity::moving || s.activity == Activity::jogging ||
+               s.activity == Activity::homing || s.activity == Activity::stopping);
+  set_flag(L, "idle", s.activity == Activity::idle);
+  set_flag(L, "jogging", s.activity == Activity::jogging);
+  set_flag(L, "homing", s.activity == Activity::homing);
+  set_flag(L, "stopping", s.activity == Activity::stopping);
+  set_flag(L, "limit_minus", s.limit_minus);
+  set_flag(L, "limit_plus", s.limit_plus);
+  set_flag(L, "home", s.home);
+  set_flag(L, "alarm", s.alarm);
+  set_flag(L, "enabled", s.enabled);
+  set_flag(L, "position_known", s.position_known);
+  set_flag(L, "position_doubtful", s.position_doubtful);
+  set_word(L, "activity", name_of(s.activity));
+  set_word(L, "ended_by", name_of(s.ended_by));
+  return 1;
+}
+
+int push_whole_status(lua_State* L, const Snapshot& known, const Catalog&, int) {
+  lua_createtable(L, 0, 10);
+  set_flag(L, "moving", known.any_axis_moving());
+  set_word(L, "link", name_of(known.link.state));
+  set_word(L, "program", name_of(known.program.run));
+  set_whole(L, "program_number", known.program.slot);
+  set_whole(L, "program_command", known.program.command);
+  set_flag(L, "unsaved_setup", known.unsaved_setup);
+  set_flag(L, "unsaved_programs", known.unsaved_programs);
+  set_word(L, "notice", known.notice.view());
+  set_word(L, "firmware", known.identity.firmware.view());
+  return 1;
+}
+
+constexpr Duration short_look = Millis(20), long_look = Millis(200);
+constexpr std::int64_t enough_steps = 50;  // fewer say little: one step more or less is then a few percent
+
+// Measured: steps between two rounds of status over the time between them. At rest 0 at once.
+Task<Answer> measure_velocity(Runner& runner, SessionPtr session, int axis) {
+  const AxisState& state = session->known().axes[axis];
+  co_await session->pump().refresh();
+  const Steps from = state.position;
+  const Instant from_at = state.seen_at;
+  for (const Duration look : {short_look, long_look}) {
+    const bool enough = std::abs((state.position - from).value) >= enough_steps;
+    if (enough || !session->known().any_axis_moving()) break;
+    co_await runner.sleep_until(from_at + look);
+    co_await session->pump().refresh();
+  }
+  const Duration passed = state.seen_at - from_at;
+  const double speed =
+      passed > Duration::zero() ? static_cast<double>((state.position - from).value) / seconds(passed) : 0;
+  const LinkHealth& link = session->known().link;
+  if (link.state == LinkState::lost || link.state == LinkState::closed)
+    co_return answer_refused(why_unknown(link));
+  co_return [speed](lua_State* L) {
+    lua_pushnumber(L, speed);
+    return 1;
+  };
+}
+int velocity(Call& call) {
+  const OneAxis one = one_axis(call, 1, "velocity");
+  if (one.index < 0) return call.refuse(one.refusal);
+  return call.wait(measure_velocity(call.runner(), one.session, one.index));
+}
+
+int position(Call& call) { return of_axis(call, push_position); }
+int encoder(Call& call) { return of_axis(call, push_encoder); }
+int status(Call& call) {
+  if (!call.has(1)) return ask(call, push_whole_status, 0);
+  return of_axis(call, push_axis_status);
+}
+
+// ---- inputs and outputs, by the maker's number from 1
+
+// nullopt in words: "There is no input 9. VXM has 1 to 4."
+std::string no_such(const Catalog& catalog, const char* what, std::int64_t number, std::size_t count) {
+  return count == 0
+             ? fmt::format("{} has no {}s.", catalog.short_name, what)
+             : fmt::format("There is no {} {}. {} has 1 to {}.", what, number, catalog.short_name, count);
+}
+bool within(std::int64_t number, std::size_t count) {
+  return number >= 1 && number <= static_cast<std::int64_t>(count);
+}
+
+int push_input(lua_State* L, const Snapshot& known, const Catalog& catalog, int number) {
+  const std::uint32_t bit = 1u << (number - 1);
+  if (!(known.inputs_known & bit)) return push_unknown(L, fmt::format("Input {} has not been read.", number));
+  const bool high = known.inputs & bit;
+  lua_pushboolean(L, high != catalog.inputs[number - 1].active_low);
+  return 1;
+}
+int input(Call& call) {
+  const Catalog& catalog = session_of(call)->catalog();
+  const std::int64_t n = call.whole(1, "input");
+  if (!within(n, catalog.inputs.size()))
+    return call.refuse(no_such(catalog, "input", n, catalog.inputs.size()));
+  return ask(call, push_input, static_cast<int>(n));
+}
+
+int push_output(lua_State* L, const Snapshot& known, const Catalog&, int number) {
+  const std::uint32_t bit = 1u << (number - 1);
+  if (!(known.outputs_known & bit))
+    return push_unknown(L, fmt::format("Output {} has not been read.", number));
+  lua_pushboolean(L, (known.outputs & bit) != 0);
+  return 1;
+}
+int output(Call& call) {
+  const Catalog& catalog = session_of(call)->catalog();
+  const std::int64_t n = call.whole(1, "output");
+  if (!within(n, catalog.outputs.size()))
+    return call.refuse(no_such(catalog, "output", n, catalog.outputs.size()));
+  if (!call.has(2)) return ask(call, push_output, static_cast<int>(n));
+  return perform(call, intent::SetOutput(static_cast<int>(n), call.on(2, "on")));
+}
+
+int push_analog(lua_State* L, const Snapshot& known, const Catalog&, int number) {
+  if (!(known.analog_known & (1u << (number - 1))))
+    return push_unknown(L, fmt::format("Analog input {} has not been read.", number));
+  lua_pushinteger(L, known.analog[number - 1]);
+  return 1;
+}
+int analog(Call& call) {
+  const Catalog& catalog = session_of(call)->catalog();
+  const std::int64_t n = call.whole(1, "analog input");
+  if (!within(n, catalog.analog.size()))
+    return call.refuse(no_such(catalog, "analog input", n, catalog.analog.size()));
+  return ask(call, push_analog, static_cast<int>(n));
+}
+
+constexpr Function status_table[] = {
+    {"position", position}, {"encoder", encoder}, {"velocity", velocity}, {"status", status},
+    {"input", input},       {"output", output},   {"analog", analog},
+};
+
+}  // namespace
+
+std::span<const Function> status_methods() { return status_table; }
+
+}  // namespace hw::script

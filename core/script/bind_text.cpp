@@ -1,0 +1,55 @@
+// Methods of a controller for the maker's own text: sent, asked, and what comes unasked.
+#include <fmt/core.h>
+
+#include "core/script/bind.h"
+
+namespace hw::script {
+namespace {
+
+// On a bus: to all of its devices at once, where the maker has a way to say that.
+int send(Call& call) {
+  const auto bus = bus_of(call);
+  const SessionPtr& session = bus ? bus->members().front() : session_of(call);
+  if (bus && !session->catalog().can.broadcast)
+    return call.refuse(fmt::format("{} has no message to all devices of a wire. Send it to each of them.",
+                                   session->catalog().short_name));
+  const LinkHealth& link = session->known().link;
+  if (link.state == LinkState::lost || link.state == LinkState::closed)
+    return call.refuse(fmt::format("There is no connection. {}", link.sentence.view()));
+  session->send(intent::SendText(call.text(1, "text"), bus != nullptr));
+  return call.yes();
+}
+
+Task<Answer> query_text(SessionPtr session, std::string text, Duration patience) {
+  auto reply = co_await session->pump().query(std::move(text), patience);
+  if (!reply) co_return answer_refused(reply.error().sentence());
+  co_return answer_text(std::move(*reply));
+}
+int query(Call& call) {
+  return call.wait(query_text(session_of(call), call.text(1, "text"), call.patience(2, 1)));
+}
+
+Task<Answer> read_text(Runner& runner, SessionPtr session, Duration patience) {
+  const Instant deadline = runner.scheduler().now() + patience;
+  std::string text;
+  for (bool in_time = true; in_time && !runner.over();) {
+    if (session->pump().driver().take_unsolicited(text)) co_return answer_text(std::move(text));
+    if (session->known().link.state == LinkState::closed) break;
+    in_time = co_await session->pump().published().wait_until(deadline);
+  }
+  if (session->pump().driver().take_unsolicited(text)) co_return answer_text(std::move(text));
+  co_return answer_refused("Nothing came.");
+}
+int read(Call& call) { return call.wait(read_text(call.runner(), session_of(call), call.patience(1, 1))); }
+
+constexpr Function text_table[] = {
+    {"send", send},
+    {"query", query},
+    {"read", read},
+};
+
+}  // namespace
+
+std::span<const Function> text_methods() { return text_table; }
+
+}  // namespace hw::script
