@@ -10,6 +10,7 @@ constexpr gui::DayClock virtual_day{std::chrono::hours(9)};
 
 gui::Outside ScriptStage::outside(WireOpener opener) {
   gui::Outside outside(scheduler_, std::move(opener), [] {});
+  outside.devices = &devices_;
   outside.worker = &worker_;
   outside.day = virtual_day;
   return outside;
@@ -17,6 +18,7 @@ gui::Outside ScriptStage::outside(WireOpener opener) {
 
 ScriptStage::ScriptStage(Scheduler& scheduler, WireOpener opener)
     : scheduler_(scheduler),
+      devices_(scheduler),
       console_(panels::panel_list(), outside(std::move(opener))),
       automation_(
           surface_, [this] { runner_->run_one_frame(); }, [this] { return seconds(scheduler_.now()); }) {
@@ -46,7 +48,10 @@ Result<> ScriptStage::set_theme(const std::string& name) {
   return set;
 }
 
-void ScriptStage::time_is_real() { console_.set_day(gui::DayClock::local(scheduler_.now())); }
+void ScriptStage::time_is_real() {
+  console_.set_day(gui::DayClock::local(scheduler_.now()));
+  devices_.allow();
+}
 
 // The runner closes the sessions; a held button lets go before.
 void ScriptStage::script_over() { console_.let_go(); }

@@ -1,12 +1,30 @@
 #pragma once
 // The screen of `run --gui`: the real console with the real panels, without a display, driven by a script.
 #include "core/script/module.h"
+#include "gui/app/device_search.h"
 #include "gui/automation.h"
 #include "gui/console.h"
 #include "gui/offscreen.h"
 #include "gui/worker.h"
 
 namespace hw::app {
+
+/// The search for devices once time is real: nothing outside of the program answers in virtual time.
+class ScriptSearch final : public gui::DeviceFinder {
+ public:
+  explicit ScriptSearch(Scheduler& scheduler) : searcher_(scheduler, nullptr) {}
+  void allow() { allowed_ = true; }
+
+  void start(const std::string& path, int baud, int first_id, int last_id) override {
+    if (allowed_) searcher_.start(path, baud, first_id, last_id);
+  }
+  void cancel() override { searcher_.cancel(); }
+  const gui::DeviceSearchState& state() override { return searcher_.state(); }
+
+ private:
+  DeviceSearcher searcher_;
+  bool allowed_ = false;
+};
 
 class ScriptStage final : public script::Stage {
  public:
@@ -30,6 +48,7 @@ class ScriptStage final : public script::Stage {
   Scheduler& scheduler_;
   gui::Offscreen surface_;
   gui::Worker worker_;  // without a thread: the same order in every run
+  ScriptSearch devices_;
   gui::Console console_;
   bool console_was_dark_ = true;
   float size_ = 1;  ///< as the user has chosen it, within the surface's scale
