@@ -150,7 +150,8 @@ std::string ConnectForm::words_of(const DeviceSearchState& state) const {
   if (state.running)
     return state.of == 0 ? "" : fmt::format("{} of {}: {}", state.asked, state.of, state.now);
   if (!searched_) return {};
-  if (state.of == 0) return "There is no serial port to ask.";
+  if (state.of == 0)
+    return state.found.empty() ? "There is no serial port to ask." : "No port could be asked.";
   const auto devices = std::count_if(state.found.begin(), state.found.end(),
                                      [](const FoundDevice& d) { return !d.address.empty(); });
   return fmt::format("{} after {} of {} questions, {} found.", state.cancelled ? "Ended" : "Done",
