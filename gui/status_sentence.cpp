@@ -70,10 +70,11 @@ Said say_notice(const StatusFacts& f) {
 
 Said say_late(const StatusFacts& f) {
   if (f.now.link.state != LinkState::late) return {};
-  std::string text =
-      fmt::format("{} answers late: {} missed.", f.catalog.short_name,
-                  f.now.link.misses_in_a_row == 1 ? std::string("one question")
-                                                  : fmt::format("{} questions", f.now.link.misses_in_a_row));
+  const std::uint32_t misses = f.now.link.misses_in_a_row;
+  std::string text = misses == 0 ? fmt::format("{} is not understood.", f.catalog.short_name)
+                                 : fmt::format("{} answers late: {} missed.", f.catalog.short_name,
+                                               misses == 1 ? std::string("one question")
+                                                           : fmt::format("{} questions", misses));
   if (!f.now.link.sentence.empty()) text += fmt::format(" {}", f.now.link.sentence.view());
   return say(Mood::warn, text);
 }

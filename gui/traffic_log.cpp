@@ -276,7 +276,8 @@ std::string TrafficLog::meaning_of(std::uint64_t n) const {
 
 std::string TrafficLog::fold_sentence(const Row& row) const {
   if (row.kind == RowKind::folded_transfer)
-    return fmt::format("{} more program lines folded.", grouped(std::max<std::uint64_t>(row.sent, 1)));
+    return fmt::format("{} more lines of the transfer folded.",
+                       grouped(std::max<std::uint64_t>(row.sent, 1)));
   if (row.sent == 0) return "The rest of a poll folded.";
   constexpr std::uint64_t enough = 64;
   constexpr std::size_t most_names = 4;

@@ -1,8 +1,10 @@
 #include "panels/connect_form.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -35,6 +37,10 @@ void ConnectForm::make() {
   if (std::exchange(made_, true)) return;
   for (const DeviceType& type : device_types())
     if (auto catalog = type.make_catalog({})) catalogs_.push_back(std::move(*catalog));
+  std::set<int> rates;
+  for (const Catalog& c : catalogs_)
+    if (c.addressed()) rates.insert(c.can.bauds.begin(), c.can.bauds.end());
+  rates_.assign(rates.begin(), rates.end());
 }
 
 // A controller that is called by an id has one in its catalog.
@@ -144,50 +150,36 @@ void ConnectForm::draw_guide(PageFrame& f, float width) {
 
 // ---- search
 
-namespace {
-
-std::string progress_of(const DeviceSearchState& state, bool begun) {
-  if (state.running) return fmt::format("{} of {}: {}", state.asked, state.of, state.now);
-  if (state.of > 0)
-    return fmt::format("{} after {} of {} questions, {} found.", state.cancelled ? "Ended" : "Done",
-                       state.asked, state.of, state.found.size());
-  return begun ? "There is no serial port to ask." : "";
+std::string ConnectForm::words_of(const DeviceSearchState& state) const {
+  if (state.running)
+    return state.of == 0 ? "" : fmt::format("{} of {}: {}", state.asked, state.of, state.now);
+  if (!searched_) return {};
+  if (state.of == 0)
+    return state.found.empty() ? "There is no serial port to ask." : "No port could be asked.";
+  const auto devices = std::count_if(state.found.begin(), state.found.end(),
+                                     [](const FoundDevice& d) { return !d.address.empty(); });
+  return fmt::format("{} after {} of {} questions, {} found.", state.cancelled ? "Ended" : "Done",
+                     state.asked, state.of, devices);
 }
 
-}  // namespace
-
-std::string ConnectForm::draw_search(PageFrame& f, float width) {
-  Ui& ui = f.ui;
-  DeviceFinder& finder = f.console.devices();
-  const DeviceSearchState& state = finder.state();
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  draw_text_line(ui, at.x, at.x + ui.px(100), at.y + ui.px(16), Face::body_bold, ui[Tone::ink], "Search");
-  ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(104), at.y));
-  draw_search_fields(f, finder);
-  const float left = ImGui::GetItemRectMax().x + ui.px(12);
-  const std::string words = progress_of(state, searched_);
-  const float right = at.x + ui.px(width);
-  const bool below = right - left < ui.px(160);
-  const ImVec2 said = below ? ImVec2(at.x + ui.px(104), at.y + ui.px(32)) : ImVec2(left, at.y);
-  draw_text_line(ui, said.x, right, said.y + ui.px(16), Face::small, ui[Tone::ink2], words);
-  show(ui, {"connect/search/progress", Kind::text, "Search", words, {}, false, words},
-       {said, ImVec2(right, said.y + ui.px(32))});
-  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(below && !words.empty() ? 68 : 40)));
-  return draw_found(f, state, width);
-}
-
-void ConnectForm::draw_search_fields(PageFrame& f, DeviceFinder& finder) {
-  Ui& ui = f.ui;
-  const bool named = way_ == Way::serial && !port_.empty();
-  if (named) {
-    const std::array<std::string_view, 2> where = {"all ports", "this port"};
-    DropdownOptions o;
-    o.tip = "Every serial port of this computer, or only the one that stands above.";
-    if (const int picked = dropdown(ui, "connect/search/where", "Where", where, this_port_ ? 1 : 0, o);
-        picked >= 0)
-      this_port_ = picked == 1;
-    ImGui::SameLine(0, ui.px(between));
-  }
+/// What is not known is asked for: port, rate, id.
+void ConnectForm::draw_search_fields(Ui& ui) {
+  std::vector<std::string_view> places = {"every port"};
+  if (way_ == Way::serial && !port_.empty()) places.push_back(port_);
+  one_port_ = one_port_ && places.size() > 1;
+  DropdownOptions o;
+  o.width = 132;
+  o.tip = "The ports that are searched";
+  if (const int i = dropdown(ui, "connect/search/port", "Ports", places, one_port_, o); i >= 0)
+    one_port_ = i == 1;
+  ImGui::SameLine(0, ui.px(between));
+  std::vector<std::string> words = {"every rate"};
+  for (const int rate : rates_) words.push_back(fmt::format("{}", rate));
+  const std::vector<std::string_view> names(words.begin(), words.end());
+  o.width = 104;
+  o.tip = "The rates that are searched";
+  if (const int i = dropdown(ui, "connect/search/baud", "Rates", names, rate_, o); i >= 0) rate_ = i;
+  ImGui::SameLine(0, ui.px(between));
   FieldOptions id;
   id.width = 40;
   id.face = Face::code_field;
@@ -205,19 +197,34 @@ void ConnectForm::draw_search_fields(PageFrame& f, DeviceFinder& finder) {
   id.tip = "Last id that is asked";
   text_field(ui, "connect/search/last", "Last id", last_, id);
   ImGui::SameLine(0, ui.px(between));
-  ButtonOptions o;
-  o.tip = "Asks each id at each rate. It moves nothing, and takes a while.";
-  if (finder.state().running) {
-    if (button(ui, "connect/search/cancel", "End the search", o).clicked) finder.cancel();
-  } else if (button(ui, "connect/search", "Search rates and ids", o).clicked) {
-    searched_ = true;
-    finder.start(named && this_port_ ? port_ : "", 0, number_of(first_, 0), number_of(last_, 99));
-  }
 }
 
-/// What was found, each with a way in: its address when that was pressed.
-std::string ConnectForm::draw_found(PageFrame& f, const DeviceSearchState& state, float width) {
+std::string ConnectForm::draw_search(PageFrame& f, float width) {
   Ui& ui = f.ui;
+  DeviceFinder& finder = f.console.devices();
+  const DeviceSearchState& state = finder.state();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  draw_text_line(ui, at.x, at.x + ui.px(100), at.y + ui.px(16), Face::body_bold, ui[Tone::ink], "Search");
+  ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(104), at.y));
+  draw_search_fields(ui);
+  ButtonOptions o;
+  o.tip = "Asks each id at each of these rates and ports. It moves nothing, and takes a while.";
+  if (state.running) {
+    if (button(ui, "connect/search/cancel", "End the search", o).clicked) finder.cancel();
+  } else if (button(ui, "connect/search", "Search", o).clicked) {
+    searched_ = true;
+    finder.start(one_port_ ? port_ : std::string(),
+                 rate_ > 0 ? rates_[static_cast<std::size_t>(rate_ - 1)] : 0, number_of(first_, 0),
+                 number_of(last_, 99));
+  }
+  const std::string words = words_of(state);
+  if (!words.empty()) {
+    const float left = at.x + ui.px(104), top = at.y + ui.px(36);
+    draw_text_line(ui, left, at.x + ui.px(width), top + ui.px(12), Face::small, ui[Tone::ink2], words);
+    show(ui, {"connect/search/progress", Kind::text, "Search", words, {}, false, words},
+         {ImVec2(left, top), ImVec2(at.x + ui.px(width), top + ui.px(24))});
+  }
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(words.empty() ? 40 : 64)));
   std::string chosen;
   for (std::size_t i = 0; i < state.found.size(); ++i) {
     const FoundDevice& device = state.found[i];

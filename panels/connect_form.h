@@ -27,14 +27,17 @@ class ConnectForm {
   void draw_parts(gui::PageFrame& frame, float width);
   void draw_guide(gui::PageFrame& frame, float width);
   std::string draw_search(gui::PageFrame& frame, float width);
-  void draw_search_fields(gui::PageFrame& frame, gui::DeviceFinder& finder);
-  std::string draw_found(gui::PageFrame& frame, const gui::DeviceSearchState& state, float width);
+  void draw_search_fields(gui::Ui& ui);
+  [[nodiscard]] std::string words_of(const gui::DeviceSearchState& state) const;
 
-  bool made_ = false, this_port_ = false, searched_ = false;
+  bool made_ = false;
   std::vector<Catalog> catalogs_;
   int model_ = 0, baud_ = 0;
   Way way_ = Way::serial;
   std::string port_ = "/dev/ttyUSB0", id_ = "01", first_ = "00", last_ = "99";
+  std::vector<int> rates_;  ///< of the controllers that can share a line
+  int rate_ = 0;            ///< 0: every one
+  bool one_port_ = false, searched_ = false;
 };
 
 }  // namespace hw::panels

@@ -1,6 +1,8 @@
 #include "transports/byte_line.h"
 
+#include <algorithm>
 #include <cstdint>
+#include <vector>
 
 namespace hw {
 namespace {
@@ -22,6 +24,22 @@ struct Waveform {
   }
 };
 
+// ---- two that speak at once
+
+constexpr std::size_t parts_of_bit = 10;
+constexpr std::size_t behind = 24;  // so much later, in parts of a bit, the second one begins
+
+std::size_t length(std::string_view bytes) { return bytes.size() * 10 * parts_of_bit; }
+
+void pull_low(std::vector<bool>& low, std::string_view bytes, std::size_t from) {
+  auto at = low.begin() + static_cast<std::ptrdiff_t>(from);
+  for (const char c : bytes) {
+    const unsigned frame = unsigned{static_cast<unsigned char>(c)} << 1 | 0x200u;
+    for (int bit = 0; bit < 10; ++bit, at += parts_of_bit)
+      if ((frame >> bit & 1u) == 0) std::fill(at, at + parts_of_bit, true);
+  }
+}
+
 }  // namespace
 
 std::string misread(unsigned char byte, int sender_baud, int receiver_baud) {
@@ -34,6 +52,27 @@ std::string misread(unsigned char byte, int sender_baud, int receiver_baud) {
       value |= static_cast<unsigned>(sent.high_at(fall + bit + half + i * bit)) << i;
     got += static_cast<char>(value);
     fall = sent.next_fall(fall + 9 * bit + half);
+  }
+  return got;
+}
+
+std::string collided(std::string_view first, std::string_view second) {
+  constexpr std::size_t room = 20 * parts_of_bit;  // for a last frame that begins late
+  std::vector<bool> low(std::max(length(first), length(second) + behind) + room);
+  pull_low(low, first, 0);
+  pull_low(low, second, behind);
+  std::string got;
+  for (std::size_t at = 0; at + room / 2 < low.size();) {
+    const bool falls = low[at] && (at == 0 || !low[at - 1]);
+    if (!falls) {
+      ++at;
+      continue;
+    }
+    unsigned value = 0;
+    for (std::size_t i = 0; i < 8; ++i)
+      value |= unsigned{!low[at + (i + 1) * parts_of_bit + parts_of_bit / 2]} << i;
+    got += static_cast<char>(value);
+    at += 9 * parts_of_bit + parts_of_bit / 2;
   }
   return got;
 }

@@ -15,6 +15,10 @@ constexpr Duration byte_time(int baud) { return baud > 0 ? Duration(10'000'000'0
 /// errors and all. Neither rate is 0.
 std::string misread(unsigned char byte, int sender_baud, int receiver_baud);
 
+/// What a receiver makes of a line on which two speak at once: the second begins a little later, and whoever
+/// pulls the line low wins.
+std::string collided(std::string_view first, std::string_view second);
+
 class ByteLine {
  public:
   struct Byte {

@@ -129,16 +129,16 @@ struct PerformaxWire : std::enable_shared_from_this<PerformaxWire> {
                               finished, &in_, 0);
     if (!submit(in_)) end_soon("it does not take part any more");
   }
-  // A transfer without its closing zero was cut off: half a number must not pass for a whole one.
+  // With its closing zero. A transfer without one was cut off: half a number must not pass for a whole one.
   void reply_came() {
     const auto status = in_.transfer->status;
     if (status == LIBUSB_TRANSFER_COMPLETED) {
       const auto* text = reinterpret_cast<const char*>(in_.bytes.data());
       const auto length = static_cast<std::size_t>(in_.transfer->actual_length);
       const auto zero = static_cast<std::size_t>(std::find(text, text + length, '\0') - text);
-      const std::string reply(text, std::max<std::size_t>(zero, 1));
+      const std::string reply(text, std::min(zero + 1, length));
       read_next();
-      if (zero < length && heard) heard(reply);
+      if (!reply.empty() && heard) heard(reply);
     } else if (status == LIBUSB_TRANSFER_STALL || status == LIBUSB_TRANSFER_OVERFLOW) {
       read_next();
     } else if (status != LIBUSB_TRANSFER_CANCELLED) {

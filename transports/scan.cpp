@@ -84,18 +84,21 @@ Task<bool> ask(Scheduler& scheduler, Stream& stream, std::string_view probe, con
       question.patience + static_cast<int>(question.text.size() + 1) * byte_time(question.baud);
   co_await hear_out(scheduler, heard, patience, question.baud);
   stream.listen(nullptr);
-  if (heard.bytes.empty()) co_return false;
+  report.echo = heard.bytes.starts_with(question.text);
+  const std::string_view behind_echo =
+      std::string_view(heard.bytes).substr(report.echo ? question.text.size() : 0);
+  if (behind_echo.empty()) co_return false;
   report.reply = heard.bytes;
   report.baud = question.baud;
   report.finding = PortFinding::garbled;
-  const DeviceType* author = find_author(probe, heard.bytes);
+  const DeviceType* author = find_author(probe, behind_echo);
+  if (!author) author = find_author(probe, heard.bytes);
   if (!author) co_return false;
   report.finding = PortFinding::answers;
   report.model = author->model;
   report.name = name_of(*author);
   report.id = question.id;
   report.round_trip = heard.last - began;
-  report.echo = heard.bytes.starts_with(question.text);
   co_return true;
 }
 
@@ -144,6 +147,12 @@ std::string PortReport::sentence() const {
           "Nothing answers at {} baud. Is the controller switched on and connected to this port?",
           fmt::join(asked, ", "));
     case PortFinding::garbled:
+      if (!id.empty())
+        return fmt::format(
+            "At {} baud something answers to id {} that makes no sense: {}. Two devices with one id, or "
+            "another "
+            "rate: connect one alone and look.",
+            baud, id, printable(reply));
       return fmt::format(
           "At {} baud something answers that makes no sense here: {}. Another device, or another rate.", baud,
           printable(reply));
@@ -273,8 +282,9 @@ class Search {
     PortReport report;
     report.port = port;
     const Question question{question_to(probe, progress_.id), progress_.id, baud, patience_of_search};
-    const bool answered = co_await ask(scheduler_, stream, probe, question, report);
-    if (answered) take(report);
+    co_await ask(scheduler_, stream, probe, question, report);
+    if (report.finding == PortFinding::garbled) report.id = progress_.id;
+    if (report.finding != PortFinding::silent) take(report);
   }
 
   void take(const PortReport& report) {

@@ -27,7 +27,7 @@ struct PortReport {
   SerialPort port;
   PortFinding finding = PortFinding::silent;
   std::string model, name;  ///< answers: "vxm", "Velmex VXM"
-  std::string id;           ///< answers, where several share a line: which of them, "07"
+  std::string id;           ///< answers or garbled, where several share a line: which was asked, "07"
   int baud = 0;             ///< answers, garbled: the rate
   Duration round_trip{};    ///< answers: from the question to the last byte of the answer
   std::string reply;        ///< answers, garbled: as it came
@@ -59,7 +59,8 @@ struct SearchProgress {
   int asked = 0, of = 0;  ///< questions; what stands before the first id is not counted
 };
 /// Answers those that were found. `go_on` is asked before each question and ends the search by false; `found`
-/// hears of each device at once, and of each port that could not be asked. Both may be empty.
+/// hears of each device at once, of each port that could not be asked, and of each id to which something came
+/// that makes no sense. Both may be empty.
 Task<std::vector<PortReport>> search_devices(Scheduler& scheduler, DeviceSearch search,
                                              std::function<bool(const SearchProgress&)> go_on,
                                              std::function<void(const PortReport&)> found);

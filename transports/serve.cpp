@@ -253,8 +253,13 @@ void EmulatorHost::bytes_from(const Client& client, std::string_view bytes) {
   catch_up(now);
   if (options_.byte_times) {
     incoming_.put(bytes, client.stream->rate(), now - take_lateness(now), line_rate());
+  } else if (devices_.size() == 1) {
+    devices_.front()->own().receive(bytes);
   } else {
-    for (const auto& device : devices_) device->own().receive(bytes);
+    for (const char c : bytes) {  // so that those who answer the same question are seen to do it
+      for (const auto& device : devices_) device->own().receive(std::string_view(&c, 1));
+      take_output();
+    }
   }
   run_until(now);
 }
@@ -272,15 +277,20 @@ void EmulatorHost::land(ByteLine::Byte byte) {
 }
 
 void EmulatorHost::take_output() {
+  std::string said;
+  int rate = 0;
   for (const auto& device : devices_) {
     fresh_.clear();
     device->own().take_output(fresh_);
     if (fresh_.empty() || unplugged_) continue;
-    if (options_.byte_times)
-      outgoing_.put(fresh_, device->own().rate(), reached_ - heard_late_, line_rate());
-    else
-      leaving_ += fresh_;
+    if (said.empty()) rate = device->own().rate();
+    said = said.empty() ? fresh_ : collided(said, fresh_);
   }
+  if (said.empty()) return;
+  if (options_.byte_times)
+    outgoing_.put(said, rate, reached_ - heard_late_, line_rate());
+  else
+    leaving_ += said;
 }
 
 void EmulatorHost::deliver() {

@@ -1,7 +1,8 @@
 #pragma once
 // Gives emulators a clock and a wire: one controller, or several that hang on the same line (RS-485). Every
 // attached stream is an end of that one wire: what any client sends reaches each controller, what a
-// controller sends reaches every client. Io thread only.
+// controller sends reaches every client; what two controllers say at once reaches them as garbage. Io thread
+// only.
 //
 // Time: the emulators' time is zero when their host is made and runs `speed` times as fast as the
 // scheduler's. With `byte_times` a byte takes effect when its last bit has arrived and leaves ten bit times

@@ -192,7 +192,9 @@ void Pump::poll_finished(const Result<>& result) {
                     "Look at its power, the cable and the baud rate."));
     return;
   }
-  health.state = s.misses_in_a_row > 0 ? LinkState::late : LinkState::good;
+  const bool understood =
+      result || (result.error().kind != FaultKind::garbled && result.error().kind != FaultKind::refused);
+  health.state = s.misses_in_a_row > 0 || !understood ? LinkState::late : LinkState::good;
   if (!result)
     health.sentence = result.error().sentence();
   else

@@ -14,7 +14,7 @@
 
 namespace hw {
 
-enum class LinkState : std::uint8_t { connecting, good, late, lost, closed };
+enum class LinkState : std::uint8_t { connecting, good, late, lost, closed };  ///< late: missed, or garbled
 
 enum class Activity : std::uint8_t { unknown, idle, moving, jogging, homing, stopping, error };
 

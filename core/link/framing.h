@@ -13,7 +13,7 @@ struct ReplyShape {
     lines,      ///< `count` lines, each ended by `terminator`
     text,       ///< one text, ended by CR or by NUL, whichever the device uses
     quiet_end,  ///< lines until nothing came for `quiet_ms` (lists without an end mark)
-    message,    ///< what arrives at once, on a wire that carries messages
+    message,    ///< up to its closing zero, on a wire that carries messages
   };
   Kind kind = Kind::none;
   std::uint16_t count = 0;

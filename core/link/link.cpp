@@ -19,8 +19,9 @@ struct Link::Pending {
 
 Fault stop_came_first() { return Fault(FaultKind::stopped, "A stop came first.", "This was not sent."); }
 
-static TrafficKind kind_of(Priority p) {
-  switch (p) {
+static TrafficKind kind_of(const Transaction& t) {
+  if (t.own_question) return TrafficKind::poll;
+  switch (t.priority) {
     case Priority::stop: return TrafficKind::stop;
     case Priority::intent: return TrafficKind::intent;
     case Priority::transfer: return TrafficKind::transfer;
@@ -79,7 +80,7 @@ void Link::start_next() {
   const Transaction& t = in_flight_->transaction;
   sent_at_ = scheduler_.now();
   spoke_last_ = &in_flight_->station;
-  spoke_last_->record(sent_at_, Way::sent, kind_of(t.priority), t.bytes);
+  spoke_last_->record(sent_at_, Way::sent, kind_of(t), t.bytes);
   if (!in_flight_->is_question()) {
     stream_->send(t.bytes);
     // It stays in flight while it is on the wire: what comes next, a stop perhaps, must not stand in a queue
@@ -90,8 +91,20 @@ void Link::start_next() {
     return;
   }
   constexpr std::size_t usual_answer = 16;
-  deadline_.arm(sent_at_ + t.patience + wire_time(t.bytes.size() + usual_answer));
+  deadline_.arm(sent_at_ + patience_for(t) + wire_time(t.bytes.size() + usual_answer));
   stream_->send(t.bytes);
+}
+
+Duration Link::patience_for(const Transaction& t) const {
+  if (!t.prompt || station_count() < 2 || prompt_answers_ < prompt_answers_needed) return t.patience;
+  return std::min(t.patience, std::max(least_patience, 3 * slowest_prompt_));
+}
+
+void Link::learn_from_answer(const Transaction& t, std::size_t answer_bytes) {
+  if (!t.prompt) return;
+  prompt_answers_ = std::min(prompt_answers_ + 1, prompt_answers_needed);
+  const Duration waited = scheduler_.now() - sent_at_ - wire_time(t.bytes.size() + answer_bytes);
+  slowest_prompt_ = std::max(waited, slowest_prompt_ - slowest_prompt_ / 256);
 }
 
 void Link::finish(Result<std::string> result) {
@@ -121,10 +134,12 @@ void Link::on_deadline() {
   ++statistics.timeouts;
   ++statistics.misses_in_a_row;
   settle_until_ = scheduler_.now() + settle_time;
-  Fault fault(received_.empty() ? FaultKind::no_answer : FaultKind::garbled,
-              received_.empty() ? "The controller did not answer in time."
-                                : "The controller's answer stopped in the middle.");
-  if (!received_.empty()) give_up_on(std::exchange(received_, {}));
+  Fault fault(FaultKind::no_answer, "The controller did not answer in time.");
+  if (!received_.empty()) {
+    fault = Fault(FaultKind::garbled, "The controller's answer stopped in the middle.",
+                  "What came of it was not used.", "Look at the cable.");
+    give_up_on(std::exchange(received_, {}));
+  }
   finish(fail(std::move(fault)));
 }
 
@@ -182,7 +197,8 @@ void Link::take_received() {
     if (!length) return;
     std::string reply = received_.substr(0, *length);
     received_.erase(0, *length);
-    in_flight_->station.record(scheduler_.now(), Way::received, kind_of(t.priority), reply);
+    in_flight_->station.record(scheduler_.now(), Way::received, kind_of(t), reply);
+    learn_from_answer(t, reply.size());
     finish(std::move(reply));
   }
 }

@@ -27,6 +27,12 @@ struct Transaction {
   /// Time allowed from the first byte sent to the end of the reply, beyond what the wire itself needs at its
   /// rate for `bytes` and an answer of usual length.
   Duration patience = Millis(200);
+  /// A question that is answered at once or not at all. On a wire that several share, silence is taken for
+  /// the answer as soon as it has lasted three times as long as the slowest such answer of late, so that one
+  /// that is switched off does not hold up the others; never before 50 ms, never after `patience`.
+  bool prompt = false;
+  /// What the console asks for itself about the state: recorded as a poll, however urgent it is.
+  bool own_question = false;
   /// How many bytes at the front of what came in are messages of their own and no part of the reply (a prompt
   /// that crossed the question): they are given to `unsolicited`. npos: more must come to tell. Null: none.
   std::size_t (*stranger)(std::string_view received) = nullptr;
@@ -55,12 +61,16 @@ class Link final : public std::enable_shared_from_this<Link>, private Stream::Li
   friend class Station;
   struct Pending;
   static constexpr Duration settle_time = Millis(50);
+  static constexpr Duration least_patience = Millis(50);  ///< adapters hand bytes over in pieces
+  static constexpr int prompt_answers_needed = 16;        ///< before the wire is known
 
   // for stations
   void join(Station& station);
   void leave(Station& station, const Fault& why);
   Task<Result<std::string>> transact(Station& station, Transaction transaction);
   void drop_procedures(Station& station);
+  [[nodiscard]] Duration patience_for(const Transaction& transaction) const;
+  void learn_from_answer(const Transaction& transaction, std::size_t answer_bytes);
 
   void bytes_arrived(std::string_view bytes) override;
   void stream_closed(const Fault& why) override;
@@ -84,6 +94,9 @@ class Link final : public std::enable_shared_from_this<Link>, private Stream::Li
   Pending* in_flight_ = nullptr;
   std::string received_;
   Instant sent_at_{};
+  Duration
+      slowest_prompt_{};  ///< from the end of the question to the answer, beyond its bytes; forgets slowly
+  int prompt_answers_ = 0;
   Instant settle_until_{};  ///< after a miss: a late reply must not be taken for the next one's
   Timer deadline_;
   Timer settled_;

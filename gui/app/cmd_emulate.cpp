@@ -38,6 +38,10 @@ Result<> understand_ids(Order& order) {
     if (id.size() != 2 || id.find_first_not_of("0123456789") != id.npos)
       return fail(FaultKind::text, fmt::format("--id {} is no number on a line.", id), {},
                   "Give two digits, as --id 07.");
+  for (auto id = order.ids.begin(); id != order.ids.end(); ++id)
+    if (std::find(order.ids.begin(), id, *id) != id)
+      return fail(FaultKind::text, fmt::format("--id {} is given twice.", *id), {},
+                  "On one line each controller has a number of its own.");
   if (catalog->addressed() && alone_on_its_line(order)) order.keys["unaddressed"] = "yes";
   return {};
 }
@@ -53,6 +57,10 @@ Result<Order> understand(const Given& given) {
   if (order.endpoints.empty())
     return fail(FaultKind::text, "It is not said where to serve the emulator.", {},
                 "Give --tcp 127.0.0.1:4001 or --pty PATH, or both.");
+  for (const auto& [kind, where] : order.endpoints)
+    if (const auto place = split_host_port(where); kind == "tcp" && !place)
+      return fail(FaultKind::text, fmt::format("--tcp {}: {}", where, place.error().what), {},
+                  "Give a port too, as --tcp 127.0.0.1:4001; port 0 takes any free one.");
   for (const char* key : {"motors", "speed", "state", "bench"})
     if (given.has(key)) order.keys[key] = given.one(key);
   order.keys["wire"] = given.one("wire", given.has("pty") ? "real" : "off");

@@ -57,7 +57,10 @@ const gui::DeviceSearchState& DeviceSearcher::state() {
     state_.found.push_back(
         {report.name.empty() ? report.port.path : report.name, report.address(), report.sentence()});
   });
-  if (over) state_.running = false;
+  if (over) {
+    state_.running = false;
+    if (!state_.cancelled) state_.asked = state_.of;  // progress was told before each question
+  }
   return state_;
 }
 

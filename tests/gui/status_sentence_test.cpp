@@ -81,6 +81,16 @@ TEST_F(StatusSentenceTest, SeveralProgramsAreNamed) {
   EXPECT_EQ(say().text, "Programs 0, 2 are running. Esc stops everything.");
 }
 
+TEST_F(StatusSentenceTest, LateOrNotUnderstood) {
+  now.link.state = LinkState::late;
+  now.link.misses_in_a_row = 2;
+  EXPECT_EQ(say().text, "Two answers late: 2 questions missed.");
+  now.link.misses_in_a_row = 0;
+  now.link.sentence = "Two devices have one address.";
+  EXPECT_EQ(say().text, "Two is not understood. Two devices have one address.");
+  EXPECT_EQ(say().mood, Mood::warn);
+}
+
 TEST_F(StatusSentenceTest, Held) {
   now.axes[0].activity = Activity::jogging;
   now.axes[0].direction = 1;

@@ -105,10 +105,10 @@ TEST_F(TrafficLogTest, UnfoldedShowsEachPoll) {
 TEST_F(TrafficLogTest, FoldsTheMiddleOfAProgramTransfer) {
   for (const char* line : {"PM-0", "S1M2000", "I1M1", "I1M2", "I1M3", "L0"})
     log.append(sent(TrafficKind::transfer, line));
-  EXPECT_THAT(shown(log), ElementsAre("PM-0", "S1M2000", "3 more program lines folded.", "L0"));
+  EXPECT_THAT(shown(log), ElementsAre("PM-0", "S1M2000", "3 more lines of the transfer folded.", "L0"));
   log.toggle(log.row(2));
-  EXPECT_THAT(shown(log),
-              ElementsAre("PM-0", "S1M2000", "3 more program lines folded.", "I1M1", "I1M2", "I1M3", "L0"));
+  EXPECT_THAT(shown(log), ElementsAre("PM-0", "S1M2000", "3 more lines of the transfer folded.", "I1M1",
+                                      "I1M2", "I1M3", "L0"));
 }
 
 TEST_F(TrafficLogTest, HexShowsTheBytes) {

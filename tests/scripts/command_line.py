@@ -75,6 +75,8 @@ class Usage(Case):
         self.expect(run("run"), 2, "SCRIPT.lua")
         self.expect(run("run", "--nonsense", "x.lua"), 2, "--nonsense")
         self.expect(run("emulate", "vxm"), 2, "--tcp")
+        for where in ("127.0.0.1", "127.0.0.1:", "127.0.0.1:lots", "127.0.0.1:70000", ""):
+            self.expect(run("emulate", "dmx-k-sa", "--tcp", where), 2, "--tcp", "Give a port too")
         self.expect(run("emulate", "pxm", "--tcp", "127.0.0.1:0"), 2, 'no controller model "pxm"')
         self.expect(run("send", "vxm@nowhere", "V"), 2, '"nowhere" is no way')
         self.expect(run("send", "vxm@emulator"), 2, "TEXT")
@@ -377,8 +379,48 @@ class Bus(Case):
     def test_ids_that_are_none(self):
         self.expect(run("emulate", "dmx-k-sa", "--tcp", "127.0.0.1:0", "--id", "7"), 2, "--id 7", "two digits")
         self.expect(run("emulate", "vxm", "--tcp", "127.0.0.1:0", "--id", "07"), 2, "no --id")
+        self.expect(run("emulate", "dmx-k-sa", "--tcp", "127.0.0.1:0", "--id", "01", "--id", "02", "--id", "01"), 2,
+                    "--id 01 is given twice", "a number of its own")
+        self.expect(run("emulate", "dmx-k-sa", "--tcp", "127.0.0.1:0", "--id", "00"), 2, "id=00", "01 to 99")
         for wrong in ("7", "007", "04-01", "01-", "1-4", "a1"):
             self.expect(run("send", f"dmx-k-sa@emulator,id={wrong}", "DN"), 2, f"id={wrong}")
+
+
+class Scan(Case):
+    """Two DMX on a pseudo-terminal, at another rate than the usual one."""
+    @contextlib.contextmanager
+    def line(self):
+        link, state = self.folder / "line", self.folder / "state"
+        options = ("dmx-k-sa", "--pty", link, "--state", state, "--id", "07", "--id", "11")
+        with emulator(*options):
+            for i in ("07", "11"):
+                self.expect(run("send", f"dmx-k-sa@serial:{link},id={i}", "DB=3", "STORE"), 0)
+        with emulator(*options):  # switched off and on
+            yield link
+
+    def test_the_search_over_ids(self):
+        with self.line() as link:
+            result = run("scan", link, "--ids", "06-12", "--baud", 9600, "--baud", 38400)
+            self.expect(result, 0, f"dmx-k-sa@serial:{link},baud=38400,id=07", f"dmx-k-sa@serial:{link},baud=38400,id=11",
+                        "2 found among the ids 06 to 12")
+            self.expect(run("scan", link, "--ids", "20-21", "--baud", 38400), 0, "0 found")
+            self.expect(run("scan", link), 0, "Nothing answers", f"handwheel scan {link} --ids 00-99")
+
+    def test_the_usual_id_needs_no_search(self):
+        link = self.folder / "line"
+        with emulator("dmx-k-sa", "--pty", link):
+            self.expect(run("scan", link), 0, f"dmx-k-sa@serial:{link},baud=9600,id=01")
+
+    def test_the_connection_page_lists_them(self):
+        with self.line() as link:
+            self.expect(run("run", "--gui", "--realtime", HERE / "real" / "search.lua", link), 0)
+
+    def test_wrong_usage(self):
+        for ids in ("7", "00-", "12-06", "a-b", "00-999", ""):
+            self.expect(run("scan", "--ids", ids), 2, "--ids", "two digits each")
+        self.expect(run("scan", "--ids", "00-99", "--baud", "fast"), 2, "--baud fast")
+        self.expect(run("scan", "--baud", "9600"), 2, "--baud goes with --ids")
+        self.expect(run("scan", "/dev/ttyUSB77"), 0, "/dev/ttyUSB77")
 
 
 class Send(Case):
@@ -437,6 +479,61 @@ class Check(Case):
     def test_no_text(self):
         self.expect(run("check", self.file("c.vxm", b"\x00\x01\x02\xff"), "--for", "vxm"), 1, "c.vxm")
         self.expect(run("check", self.file("d.vxm", "I1M4\n"), "--for", "pmx-9"), 2, "pmx-9")
+
+
+class Compile(Case):
+    EXAMPLES = HERE.parent / "language" / "good"
+
+    def test_a_listing_and_back(self):
+        out, again = self.folder / "out.lst", self.folder / "again.lst"
+        program = self.file("square.prg", "X1000Y1000\nWAITX\nIF DI1=1\nDO2=1\nENDIF ; done\nEND\n")
+        result = run("compile", program, "--for", "pmx-4ex-sa", "-o", out, "--listing")
+        self.expect(result, 0, "LISTING pmx-4ex-sa 8", "MOVE,X,1000", "8 of 1275 lines")
+        self.assertTrue(result.stdout.startswith(out.read_text()), "what is shown is what is written")
+        self.expect(run("compile", out, "--for", "pmx-4ex-sa", "-o", again), 0)
+        self.assertEqual(out.read_text(), again.read_text())
+        with emulator("pmx-4ex-sa", "--tcp", "127.0.0.1:0") as (ready, _):
+            script = self.file("load.lua", "local c = assert(hw.open(hw.args[1]))\nassert(c:load(hw.args[2]))\nprint(c:program())")
+            result = run("run", script, "pmx-4ex-sa@tcp:" + port_of(ready[0]), out.read_text())
+            self.expect(result, 0, "X1000Y1000", "DO2=1")
+
+    def test_every_example_of_the_manuals(self):
+        for model, name in (("pmx-4ex-sa", "pmx"), ("dmx-k-sa", "dmx")):
+            for n in range(1, 9):
+                path, out = self.EXAMPLES / f"{name}_example_{n}.prg", self.folder / f"{name}{n}.lst"
+                self.expect(run("compile", path, "--for", model, "-o", out), 0, "of 1275 lines")
+                again = run("compile", out, "--for", model, "--listing")
+                self.expect(again, 0)
+                self.assertEqual(again.stdout, out.read_text())
+
+    def test_every_error_with_its_place(self):
+        path = self.file("bad.prg", "X1000\nFOO\nIF V1=\nENDIF\nEND\n")
+        result = run("compile", path, "--for", "dmx-k-sa", "-o", self.folder / "none.lst")
+        self.assertEqual(result.returncode, 1, result)
+        for line in (2, 3):
+            self.assertRegex(result.stderr, rf"(?m)^{re.escape(str(path))}:{line}:\d+: error: .+")
+        self.assertFalse((self.folder / "none.lst").exists(), "nothing is written of a text with errors")
+
+    def test_for_the_wrong_controller(self):
+        path = self.file("four.prg", "X10U20\nEND\n")
+        self.expect(run("compile", path, "--for", "pmx-4ex-sa", "--listing"), 0, "MOVE,U,20")
+        self.expect(run("compile", path, "--for", "dmx-k-sa", "--listing"), 1, f"{path}:1:")
+        out = self.folder / "four.lst"
+        self.expect(run("compile", path, "--for", "pmx-4ex-sa", "-o", out), 0)
+        self.expect(run("compile", out, "--for", "dmx-k-sa", "--listing"), 1, "pmx-4ex-sa")
+        self.expect(run("compile", path, "--for", "vxm", "--listing"), 1, "nothing to compile", "check")
+
+    def test_one_line_too_many(self):
+        path = self.file("long.prg", "ABS\n" * 1275 + "END\n")
+        self.expect(run("compile", path, "--for", "dmx-k-sa", "--listing"), 1, f"{path}:1276:1", "1,276 low-level lines")
+
+    def test_wrong_usage(self):
+        path = self.file("a.prg", "END\n")
+        self.expect(run("compile", path, "--for", "dmx-k-sa"), 2, "-o OUT")
+        self.expect(run("compile", path), 2, "--for")
+        self.expect(run("compile", path, "--for", "dmx"), 2, "dmx-k-sa")
+        self.expect(run("compile", self.folder / "none.prg", "--for", "dmx-k-sa", "--listing"), 1, "none.prg")
+        self.expect(run("compile", path, "--for", "dmx-k-sa", "-o", self.folder / "no" / "where"), 1, "where")
 
 
 class Simulate(Case):
@@ -516,6 +613,29 @@ class Backup(Case):
             self.assertIn("M1M = 4 was written", result.stderr, "a motor type is never written without a word")
             self.assertEqual(run("send", address, "getM1M", "PM1,M", "PM3,lst").stdout,
                              "4\n256\nPM3 M254\nU5\n", "and what was empty is empty again")
+
+    def test_variables_come_along(self):
+        file = self.folder / "dmx.toml"
+        with emulator("dmx-k-sa", "--tcp", "127.0.0.1:0") as (ready, _):
+            address = "dmx-k-sa@tcp:" + port_of(ready[0])
+            self.expect(run("send", address, "V7=70", "V50=-12345", "V99=134217727", "SLT=33"), 0)
+            self.expect(run("backup", address, "-o", file), 0)
+        text = file.read_text()
+        self.assertIn("[variables]\n", text)
+        self.assertIn("50 = -12345\n", text)
+        self.assertIn("99 = 134217727\n", text)
+        self.assertNotIn("\n7 = 70", text, "V0 to V49 are never kept by the controller")
+        with emulator("dmx-k-sa", "--tcp", "127.0.0.1:0") as (ready, _):
+            address = "dmx-k-sa@tcp:" + port_of(ready[0])
+            self.expect(run("send", address, "V51=5"), 0)
+            self.expect(run("restore", address, file), 0, "3 variables written")
+            self.assertEqual(run("send", address, "V50", "V51", "V99", "SLT").stdout, "-12345\n0\n134217727\n33\n")
+            self.expect(run("restore", address, file), 0, "0 parameters written")
+
+    def test_variables_that_cannot_be(self):
+        for line, words in (("100 = 1", "V100"), ("60 = 99999999999", "99999999999"), ('60 = "x"', "60")):
+            beyond = self.file("beyond.toml", f'model = "dmx-k-sa"\n[variables]\n{line}\n')
+            self.expect(run("restore", "dmx-k-sa@emulator", beyond), 1, words)
 
     def test_what_cannot_be_restored(self):
         beyond = self.file("beyond.toml", "model = \"vxm\"\n[parameters]\nj1M = 99999\nDA = 50\n")

@@ -49,5 +49,22 @@ TEST(Misread, NeverHangsAndNeverReadsRightAtAnotherRate) {
                   std::string(1, static_cast<char>(byte)));
 }
 
+TEST(Collided, NobodyElseMeansNoCollision) { EXPECT_EQ(collided("1234\r", ""), "1234\r"); }
+
+TEST(Collided, EqualAnswersAreGarbledToo) {
+  EXPECT_NE(collided("OK\r", "OK\r"), "OK\r");
+  EXPECT_EQ(collided("OK\r", "OK\r").find("OK"), std::string::npos);
+}
+
+TEST(Collided, NeverReadsAsANumber) {
+  for (int first = 0; first < 1000; ++first)
+    for (const int second : {first, first + 1, 0}) {
+      const std::string line = collided(std::to_string(first) + '\0', std::to_string(second) + '\0');
+      const std::string text = line.substr(0, line.find('\0'));
+      EXPECT_TRUE(text.empty() || text.find_first_not_of("-0123456789") != text.npos)
+          << first << " " << second;
+    }
+}
+
 }  // namespace
 }  // namespace hw

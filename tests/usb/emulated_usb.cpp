@@ -75,9 +75,22 @@ void EmulatedUsb::unplug() {
   umockdev_testbed_remove_device(bus_, ("/sys" + path_).c_str());
 }
 
-void EmulatedUsb::cut_next_reply(std::size_t bytes) {
+std::unique_ptr<Emulator> EmulatedUsb::pull_out() {
+  unplug();
   const std::lock_guard lock(mutex_);
-  cut_ = bytes;
+  return std::move(device_);
+}
+
+// One time for all of them, so that a controller keeps its own from one port to the next.
+void EmulatedUsb::advance() {
+  static const auto began = std::chrono::steady_clock::now();
+  device_->advance_to(Instant(std::chrono::steady_clock::now() - began));
+}
+
+void EmulatedUsb::cut_next_replies(std::size_t bytes, int how_many) {
+  const std::lock_guard lock(mutex_);
+  cut_ = std::min(bytes, std::size_t{64});
+  to_cut_ = how_many;
 }
 std::vector<int> EmulatedUsb::controls() {
   const std::lock_guard lock(mutex_);
@@ -136,7 +149,7 @@ void EmulatedUsb::submit(UMockdevIoctlClient* client, UMockdevIoctlData* arg) {
     reading_.push_back(std::move(urb));
   } else {
     commands_.push_back(sent.substr(0, sent.find('\0')));
-    device_->advance_to(Instant(std::chrono::steady_clock::now() - began_));
+    advance();
     device_->receive(sent);
     finish(std::move(urb), 0, length);
   }
@@ -144,14 +157,15 @@ void EmulatedUsb::submit(UMockdevIoctlClient* client, UMockdevIoctlData* arg) {
 }
 
 void EmulatedUsb::take_replies() {
-  device_->advance_to(Instant(std::chrono::steady_clock::now() - began_));
+  advance();
   std::string output;
   device_->take_output(output);
   for (; output.size() >= 64; output.erase(0, 64)) replies_.push_back(output.substr(0, 64));
   while (!reading_.empty() && !replies_.empty()) {
     auto urb = reading_.front();
     reading_.pop_front();
-    const std::size_t length = std::min(std::exchange(cut_, 64), std::size_t{64});
+    const bool cut = to_cut_ > 0 && to_cut_-- > 0;
+    const std::size_t length = cut ? cut_ : 64;
     umockdev_ioctl_data_update(urb->buffer, 0, reinterpret_cast<guint8*>(replies_.front().data()),
                                static_cast<gint>(length));
     replies_.pop_front();

@@ -21,8 +21,10 @@ class EmulatedUsb {
   ~EmulatedUsb();
 
   void unplug();
-  /// The next reply is cut off after so many bytes.
-  void cut_next_reply(std::size_t bytes);
+  /// Unplugs it and hands the controller out, to be plugged in again somewhere: it has its own supply.
+  std::unique_ptr<Emulator> pull_out();
+  /// The next replies are cut off after so many bytes.
+  void cut_next_replies(std::size_t bytes, int how_many = 1);
   /// Values of the control transfers so far.
   std::vector<int> controls();
   /// Commands as they came, without what fills them up.
@@ -37,6 +39,7 @@ class EmulatedUsb {
   void submit(UMockdevIoctlClient* client, UMockdevIoctlData* arg);
   void reap(UMockdevIoctlClient* client, UMockdevIoctlData* arg);
   void discard(UMockdevIoctlClient* client, UMockdevIoctlData* arg);
+  void advance();
   void take_replies();
   void finish(std::shared_ptr<Urb> urb, int status, std::size_t length);
 
@@ -45,12 +48,12 @@ class EmulatedUsb {
   UMockdevIoctlBase* handler_ = nullptr;
   std::string path_, node_;
   std::unique_ptr<Emulator> device_;
-  std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
   std::deque<std::string> replies_;
   std::deque<std::shared_ptr<Urb>> reading_, done_;
   std::vector<int> controls_;
   std::vector<std::string> commands_;
   std::size_t cut_ = 64;
+  int to_cut_ = 0;
   bool there_ = true;
 };
 

@@ -1,5 +1,7 @@
 #include "transports/performax_usb.h"
 
+#include <algorithm>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -67,8 +69,14 @@ class PerformaxUsb : public ::testing::Test {
     stream = std::move(*opened);
     stream->listen(&ear);
   }
+  /// What came, with a bar for each closing zero.
+  std::string told() {
+    std::string text = ear.heard;
+    std::replace(text.begin(), text.end(), '\0', '|');
+    return text;
+  }
   bool heard(const std::string& text) {
-    return poll_until(io, [&] { return ear.heard == text; });
+    return poll_until(io, [&] { return told() == text; });
   }
 
   UMockdevTestbed* bus = umockdev_testbed_new();
@@ -87,17 +95,17 @@ TEST_F(PerformaxUsb, OpensFlushesTalksAndSaysGoodBye) {
   EXPECT_TRUE(stream->carries_messages());
   EXPECT_EQ(stream->describe(), "USB 4ex00");
   stream->send("PP");
-  ASSERT_TRUE(heard("PP"));
+  ASSERT_TRUE(heard("PP|"));
   stream->send("MST");
   stream->send("ID");
-  ASSERT_TRUE(heard("PPMSTID")) << ear.heard;
+  ASSERT_TRUE(heard("PP|MST|ID|")) << told();
   EXPECT_THAT(device.commands(), ElementsAre("PP", "MST", "ID"));
   stream.reset();
   ASSERT_TRUE(poll_until(io, [&] { return device.controls().size() == 3; }));
   EXPECT_EQ(device.controls().back(), 4);
   open_good();
   stream->send("again");
-  EXPECT_TRUE(heard("PPMSTIDagain"));
+  EXPECT_TRUE(heard("PP|MST|ID|again|"));
 }
 
 TEST_F(PerformaxUsb, WhatWasAskedBeforeIsNoAnswer) {
@@ -105,23 +113,24 @@ TEST_F(PerformaxUsb, WhatWasAskedBeforeIsNoAnswer) {
   device.leave_reply("old");
   open_good();
   stream->send("new");
-  EXPECT_TRUE(heard("new")) << ear.heard;
+  EXPECT_TRUE(heard("new|")) << told();
 }
 
-TEST_F(PerformaxUsb, HalfAReplyIsNone) {
+TEST_F(PerformaxUsb, HalfAReplyHasNoClosingZero) {
   EmulatedUsb& device = plug_in("4ex00");
   open_good();
-  device.cut_next_reply(3);
+  device.cut_next_replies(3);
   stream->send("-12345");
+  ASSERT_TRUE(heard("-12")) << told();
   stream->send("ok");
-  EXPECT_TRUE(heard("ok")) << ear.heard;
+  EXPECT_TRUE(heard("-12ok|")) << told();
 }
 
 TEST_F(PerformaxUsb, AnEmptyReplyIsOne) {
   plug_in("4ex00");
   open_good();
   stream->send("E");
-  EXPECT_TRUE(heard(std::string(1, '\0')));
+  EXPECT_TRUE(heard("|"));
 }
 
 TEST_F(PerformaxUsb, SaysWhenItIsPulledOut) {
@@ -135,7 +144,7 @@ TEST_F(PerformaxUsb, SaysWhenItIsPulledOut) {
   plug_in("4ex00");
   open_good();
   stream->send("PP");
-  EXPECT_TRUE(heard("PP"));
+  EXPECT_TRUE(heard("PP|"));
 }
 
 TEST_F(PerformaxUsb, OneOfSeveralIsNamed) {
@@ -148,7 +157,7 @@ TEST_F(PerformaxUsb, OneOfSeveralIsNamed) {
   stream = std::move(*opened);
   stream->listen(&ear);
   stream->send("here");
-  EXPECT_TRUE(heard("here"));
+  EXPECT_TRUE(heard("here|"));
   EXPECT_THAT(second.commands(), ElementsAre("here"));
 }
 

@@ -11,6 +11,7 @@
 //   driver_programs.cpp  load, read, run, pause, halt
 //   driver_params.cpp    set-up
 #include <array>
+#include <bitset>
 #include <deque>
 #include <memory>
 #include <optional>
@@ -54,6 +55,13 @@ class ArcusDriver final : public Driver {
     std::int8_t turned = 0;  ///< direction of the latest change of position
     Instant begun_at{};      ///< when our last command was sent
   };
+  /// What positions are compared with, to notice that the controller has been switched off and on.
+  struct Stood {
+    std::array<Steps, max_axes> position{};
+    std::array<double, max_axes> reach{};  ///< an axis this near to zero may stand there now by itself
+    std::array<bool, max_axes> moving{};
+    bool known = true;  ///< and not set since by the console
+  };
   /// How the speed is put for one motion and back afterwards.
   struct BorrowedSpeed {
     std::string name;
@@ -61,8 +69,10 @@ class ArcusDriver final : public Driver {
   };
 
   // ---- driver_talk.cpp
-  Task<Result<Reply>> exchange(std::string text, Priority priority, Duration patience);
-  Task<Result<std::string>> ask(std::string question, Priority priority);
+  Task<Result<Reply>> exchange(std::string text, Priority priority, Duration patience,
+                               bool own_question = false);
+  Task<Result<std::string>> ask(std::string question, Priority priority, bool again = false);
+  Task<Result<Reply>> exchange_question(std::string question, Priority priority, bool again);
   Task<Result<std::int64_t>> ask_number(std::string question, Priority priority);
   Task<Result<std::vector<std::int64_t>>> ask_numbers(std::string question, std::size_t count,
                                                       Priority priority);
@@ -84,10 +94,12 @@ class ArcusDriver final : public Driver {
   Task<Result<>> read_state();
   tl::unexpected<Fault> silent() const;
   tl::unexpected<Fault> garbled(std::string_view bytes) const;
+  tl::unexpected<Fault> echoed() const;
   tl::unexpected<Fault> two_answer() const;
-  void look_for_restart(const std::array<Steps, max_axes>& before);
+  [[nodiscard]] Stood where_all_stand() const;
+  void look_for_restart(const Stood& before);
   [[nodiscard]] int factory_id() const;
-  void restarted();
+  void restarted(std::string_view how_it_shows);
 
   // ---- driver_poll.cpp
   Task<Result<>> read_motion(Priority priority);
@@ -175,7 +187,11 @@ class ArcusDriver final : public Driver {
   Task<Result<>> read_param(int index, Priority priority);
   Task<Result<>> read_params(std::string only);
   Task<Result<>> read_again();
+  Task<Result<>> read_what_power_keeps();
+  [[nodiscard]] bool only_power_keeps(int index) const;
+  void program_runs();
   Task<Result<>> store();
+  void is_stored();
   void forget_params(std::string_view head);
   void changed_param(int index);
   [[nodiscard]] std::optional<std::int64_t> param(std::string_view mnemonic) const;
@@ -211,8 +227,12 @@ class ArcusDriver final : public Driver {
   Instant round_began_{};
   int round_ = 0;
   std::uint32_t watched_ = 0;
-  int next_readout_ = 0, next_variable_ = 0, next_analog_ = 0, next_param_ = 0, next_thread_ = 0;
-  std::vector<bool> by_status_;  ///< readouts that the status tells
+  int next_readout_ = 0, next_variable_ = 0, next_analog_ = 0, next_param_ = 0, next_thread_ = 0,
+      next_kept_ = 0;
+  std::array<std::int64_t, max_params> after_power_up_{};  ///< of what is stored: as it was then
+  std::bitset<max_params> nobody_sets_;  ///< read, and no program has run since that may have set them
+  Instant program_ran_at_{};             ///< when one was last seen or started
+  std::vector<bool> by_status_;          ///< readouts that the status tells
   std::deque<std::string> for_scripts_;
 };
 

@@ -1,4 +1,7 @@
 // Finding the device, saying why not, and what is left after a power-cycle or a lost wire.
+#include <cstdlib>
+#include <limits>
+
 #include <fmt/core.h>
 
 #include "core/devices/arcus/driver.h"
@@ -26,6 +29,8 @@ ArcusDriver::ArcusDriver(DriverContext context, const Forms& forms, const langua
   draft_.axis_count = axis_count();
   draft_.identity.model = catalog_.name;
   for (int i = 0; i < axis_count(); ++i) draft_.axes[i].enabled = false;
+  for (std::size_t i = 0; i < catalog_.params.size(); ++i)  // of what is not stored: decision AMB-034
+    after_power_up_[i] = catalog_.params[i].fallback;
   find_readouts_told_by_status();
 }
 
@@ -41,12 +46,13 @@ Task<Result<>> ArcusDriver::connect(Station& station) {
   if (!identified) co_return identified;
   auto named = co_await read_name();
   if (!named) co_return named;
-  std::array<Steps, max_axes> before{};
-  const bool was_known = connected_before_;
-  for (int i = 0; i < axis_count(); ++i) before[static_cast<std::size_t>(i)] = draft_.axes[i].position;
+  Stood before = where_all_stand();  // when it was lost
+  before.known = connected_before_;
+  before.reach.fill(0);
+  before.moving.fill(false);
   auto read = co_await read_state();
   if (!read) co_return read;
-  if (was_known) look_for_restart(before);
+  look_for_restart(before);
   if (std::exchange(lost_while_busy_, false))
     tell(Notice::Kind::warning,
          fmt::format(
@@ -57,22 +63,26 @@ Task<Result<>> ArcusDriver::connect(Station& station) {
   co_return Result<>();
 }
 
-// ID tells the product; where a firmware does not know it, VER shows at least the family.
+// ID tells the product; where a firmware does not know it, VER shows at least the family. One that was lost
+// is asked again and again anyway: once each time, for the others on its line.
 Task<Result<>> ArcusDriver::identify() {
-  auto reply = co_await exchange("ID", Priority::intent, Millis(300));
-  if (!reply && reply.error().kind == FaultKind::no_answer) {
+  constexpr Duration patience = Millis(300);
+  auto reply = co_await exchange("ID", Priority::intent, patience, true);
+  const bool was_lost = lost_at_ != Instant{};
+  if (!reply && reply.error().kind == FaultKind::no_answer && !was_lost) {
     co_await wait_for_quiet();
-    reply = co_await exchange("ID", Priority::intent, Millis(300));
+    reply = co_await exchange("ID", Priority::intent, patience, true);
   }
   if (!reply && reply.error().kind == FaultKind::no_answer) co_return silent();
   if (!reply) co_return fail(reply.error());
+  if (reply->text == "ID") co_return echoed();
   if (reply->text == forms_.other_product)
     co_return fail(
         FaultKind::garbled,
         fmt::format("Device {:02} is a {}, not a {}.", catalog_.address, reply->text, model().title),
         "Nothing more was sent.", "Open it as the other model.");
   const bool known = reply->text == model().product;
-  auto version = co_await exchange("VER", Priority::intent, Millis(200));
+  auto version = co_await exchange("VER", Priority::intent, Millis(200), true);
   if (!version) co_return fail(version.error());
   const bool sense = version->text.size() >= 2 && version->text[0] == 'V' && version->text[1] >= '0' &&
                      version->text[1] <= '9';
@@ -146,10 +156,18 @@ tl::unexpected<Fault> ArcusDriver::garbled(std::string_view bytes) const {
                   rate > 0 ? fmt::format(" than {} baud", rate) : ""));
 }
 
+tl::unexpected<Fault> ArcusDriver::echoed() const {
+  return fail(FaultKind::garbled, "What is sent comes back as it is.",
+              "Nothing was sent but the question for its name.",
+              "Switch off the echo of the RS-485 adapter; if it has none, its data lines touch each other.");
+}
+
 tl::unexpected<Fault> ArcusDriver::two_answer() const {
   return fail(
-      FaultKind::garbled, fmt::format("More than one device answers at address {:02}.", catalog_.address),
-      "Nothing was sent but questions.",
+      FaultKind::garbled,
+      fmt::format("More than one device answers at address {:02}, or another program talks on this line.",
+                  catalog_.address),
+      "What came was not used.",
       fmt::format("Connect one of them alone, give it another device name ({}01 to {}99), Store, switch "
                   "its power off and on.",
                   model().name_prefix, model().name_prefix));
@@ -163,35 +181,60 @@ int ArcusDriver::factory_id() const {
 
 // ---- power-cycles and lost wires
 
-// After power-up every counter reads zero wherever the motors stand. Nothing the console sends does that to
-// an axis that it does not set.
-void ArcusDriver::look_for_restart(const std::array<Steps, max_axes>& before) {
-  bool was_somewhere = false, all_zero = true;
+ArcusDriver::Stood ArcusDriver::where_all_stand() const {
+  Stood stood;
   for (int i = 0; i < axis_count(); ++i) {
-    was_somewhere = was_somewhere || before[static_cast<std::size_t>(i)] != Steps(0);
-    all_zero = all_zero && draft_.axes[i].position == Steps(0) && draft_.axes[i].encoder == Steps(0);
+    const auto n = static_cast<std::size_t>(i);
+    const AxisState& axis = draft_.axes[i];
+    const AxisMind& mind = minds_[n];
+    const bool aims_elsewhere = mind.ours && axis.has_target && axis.target != Steps(0);
+    const bool jogs = mind.ours && mind.wanted == Activity::jogging;
+    constexpr double a_while = 1;  // s: far more than passes between two rounds
+    stood.position[n] = axis.position;
+    stood.moving[n] = moving(i);
+    if (moving(i) && !(aims_elsewhere && !mind.stopping))
+      stood.reach[n] = jogs ? axis.speed.value * a_while : std::numeric_limits<double>::infinity();
+    stood.known = stood.known && axis.position_known && !mind.zeroed;
   }
-  if (was_somewhere && all_zero && !any_moving()) restarted();
+  return stood;
 }
 
-void ArcusDriver::restarted() {
+// After power-up every counter reads zero wherever the motors stand. Nothing the console sends does that to
+// an axis that it does not set; homing and programs may. See also read_what_power_keeps(), for one that stood
+// at zero.
+void ArcusDriver::look_for_restart(const Stood& before) {
+  if (!before.known || draft_.program.run == RunState::running || any_moving()) return;
+  bool jumped = false, all_zero = true;
+  for (int i = 0; i < axis_count(); ++i) {
+    const auto n = static_cast<std::size_t>(i);
+    jumped = jumped || static_cast<double>(std::abs(before.position[n].value)) > before.reach[n];
+    all_zero = all_zero && draft_.axes[i].position == Steps(0) && draft_.axes[i].encoder == Steps(0);
+  }
+  if (!jumped || !all_zero) return;
+  restarted("All positions read zero");
+  for (int i = 0; i < axis_count(); ++i)
+    if (before.moving[static_cast<std::size_t>(i)]) draft_.axes[i].ended_by = EndedBy::lost;
+}
+
+void ArcusDriver::restarted(std::string_view how_it_shows) {
   for (ParamState& p : draft_.params) p = ParamState();
+  nobody_sets_.reset();
   draft_.unsaved_setup = false;
   draft_.variables_known.reset();
   draft_.readouts_known.reset();
   borrowed_.reset();
   end_feed();
   for (int i = 0; i < axis_count(); ++i) {
-    if (minds_[static_cast<std::size_t>(i)].ours) draft_.axes[i].ended_by = EndedBy::lost;
     minds_[static_cast<std::size_t>(i)] = AxisMind();
     draft_.axes[i].has_target = false;
     draft_.axes[i].position_doubtful = true;
   }
   tell(Notice::Kind::warning,
-       "All positions read zero, and nothing that was sent does that: the controller was switched off and "
-       "on, or "
-       "another program zeroed it. What was not stored is gone; it is read afresh. Find home before the next "
-       "absolute move.");
+       fmt::format(
+           "{}, and nothing that was sent does that: the controller was switched off and on, or another "
+           "program set it. What was not stored is gone; it is read afresh. Find home before the next "
+           "absolute move.",
+           how_it_shows));
 }
 
 void ArcusDriver::wire_lost() {

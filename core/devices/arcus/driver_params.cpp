@@ -73,14 +73,22 @@ void ArcusDriver::forget_params(std::string_view head) {
 Task<Result<>> ArcusDriver::read_param(int index, Priority priority) {
   const ParamInfo& info = catalog_.params[ix(index)];
   std::string text;
-  for (int attempt = 0; attempt < 2; ++attempt) {
-    auto reply = co_await ask(info.mnemonic, priority);
-    if (!reply && (reply.error().kind != FaultKind::refused || attempt > 0)) co_return fail(reply.error());
+  for (const bool again : {false, true}) {
+    auto reply = co_await ask(info.mnemonic, priority, again);
+    if (!reply && (reply.error().kind != FaultKind::refused || again)) co_return fail(reply.error());
     if (!reply) continue;
     text = *reply;
     if (const auto value = decode_value(info, text)) {
+      const ParamState& before = draft_.params[ix(index)];
+      const bool taken_back = before.known && before.value != *value && only_power_keeps(index) &&
+                              *value == after_power_up_[ix(index)];
+      if (taken_back)
+        restarted(fmt::format("{} read {} and now reads {}", info.mnemonic, encode_value(info, before.value),
+                              encode_value(info, *value)));
       draft_.params[ix(index)].value = *value;
       draft_.params[ix(index)].known = true;
+      nobody_sets_.set(ix(index), scheduler_.now() - program_ran_at_ > std::chrono::seconds(1));
+      if (info.stored && draft_.params[ix(index)].stored) after_power_up_[ix(index)] = *value;
       co_return Result<>();
     }
     co_await wait_for_quiet();
@@ -89,6 +97,34 @@ Task<Result<>> ArcusDriver::read_param(int index, Priority priority) {
       FaultKind::garbled,
       fmt::format("The controller answered \"{}\" to {}, which means nothing.", text, info.mnemonic),
       "It was asked twice.");
+}
+
+// It may set anything.
+void ArcusDriver::program_runs() {
+  nobody_sets_.reset();
+  program_ran_at_ = scheduler_.now();
+}
+
+// Not in the memory that stays, and set by nobody but the console since it was read.
+bool ArcusDriver::only_power_keeps(int index) const {
+  const bool in_ram = !catalog_.params[ix(index)].stored || !draft_.params[ix(index)].stored;
+  return in_ram && nobody_sets_.test(ix(index)) && !borrowed_;
+}
+
+// A controller that stood at zero shows by its positions nothing of having been switched off and on. What it
+// then has lost shows it: one value a second of those that a power-up takes back.
+Task<Result<>> ArcusDriver::read_what_power_keeps() {
+  const int params = static_cast<int>(catalog_.params.size());
+  for (int tried = 0; tried < params; ++tried) {
+    const int index = next_kept_;
+    next_kept_ = (next_kept_ + 1) % params;
+    const ParamInfo& info = catalog_.params[ix(index)];
+    const ParamState& state = draft_.params[ix(index)];
+    const bool would_show = !state.stored || (!info.stored && state.value != info.fallback);
+    if (state.known && would_show && only_power_keeps(index))
+      co_return co_await read_param(index, Priority::poll);
+  }
+  co_return Result<>();
 }
 
 // What depends on what: times are adjusted to the speeds, the joystick switches StepNLoop off.
@@ -174,6 +210,15 @@ Task<Result<>> ArcusDriver::read_again() {
   co_return co_await read_state();
 }
 
+void ArcusDriver::is_stored() {
+  for (std::size_t i = 0; i < catalog_.params.size(); ++i) {
+    ParamState& p = draft_.params[i];
+    if (catalog_.params[i].stored && p.known) after_power_up_[i] = p.value;
+    p.stored = true;
+  }
+  draft_.unsaved_setup = false;
+}
+
 Task<Result<>> ArcusDriver::store() {
   auto done = co_await command("STORE", Priority::intent, store_patience);
   if (!done && done.error().kind == FaultKind::no_answer)
@@ -183,8 +228,7 @@ Task<Result<>> ArcusDriver::store() {
                    "STORE was sent once and is not repeated: the memory bears a limited number of writes.",
                    "Do not switch the controller off now. Compare the set-up before you store again.");
   if (!done) co_return done;
-  for (ParamState& p : draft_.params) p.stored = true;
-  draft_.unsaved_setup = false;
+  is_stored();
   tell(Notice::Kind::info,
        "The set-up and the variables V50 to V99 are stored. Speeds, sync settings and V0 to V49 are never "
        "kept.");

@@ -17,17 +17,11 @@ constexpr int io_every = 4;  // rounds in motion between two looks at inputs, ou
 Task<Result<>> ArcusDriver::poll() {
   if (!station_) co_return no_connection();
   ++round_;
-  const bool rested = !any_moving();
-  std::array<Steps, max_axes> before{};
-  bool known = true;
-  for (int i = 0; i < axis_count(); ++i) {
-    before[ix(i)] = draft_.axes[i].position;
-    known = known && draft_.axes[i].position_known && !minds_[ix(i)].zeroed;
-    minds_[ix(i)].zeroed = false;
-  }
+  const Stood before = where_all_stand();
+  for (AxisMind& mind : minds_) mind.zeroed = false;
   auto motion = co_await read_motion(Priority::poll);
   if (!motion) co_return motion;
-  if (rested && known) look_for_restart(before);
+  look_for_restart(before);
   auto loop = co_await read_loop(Priority::poll);
   if (!loop) co_return loop;
   if (borrowed_ && stops_ == 0) {

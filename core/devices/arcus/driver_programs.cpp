@@ -13,6 +13,17 @@ namespace {
 constexpr int empty_lines_end_it = 4;  // in a row
 constexpr int thread_stop = 0, thread_run = 1, thread_pause = 2, thread_continue = 3;
 
+std::string foreign_lines(const std::vector<language::BadLine>& bad, const std::vector<std::string>& lines) {
+  const bool one = bad.size() == 1;
+  const int first = bad.front().line;
+  return fmt::format(
+      "{} line{} of the stored code mean{} nothing here: {}line {} ({}). {} in the text as {}. The "
+      "code may come from another program than this console. Sent back as it is, the text leaves "
+      "{} out.",
+      bad.size(), one ? "" : "s", one ? "s" : "", one ? "" : "the first is ", first, lines[ix(first)],
+      one ? "It stands" : "They stand", one ? "a comment" : "comments", one ? "it" : "them");
+}
+
 }  // namespace
 
 Task<Result<>> ArcusDriver::perform_program(IntentBody body) {
@@ -180,11 +191,7 @@ Task<Result<>> ArcusDriver::upload() {
   Notice notice(Notice::Kind::program, scheduler_.now(), source.text);
   notice.slot = 0;
   notify_(std::move(notice));
-  if (!source.bad_lines.empty())
-    tell(Notice::Kind::warning,
-         fmt::format("{} lines of the stored code mean nothing here; they stand in the text as comments. The "
-                     "program may come from another program than this console.",
-                     source.bad_lines.size()));
+  if (!source.bad_lines.empty()) tell(Notice::Kind::warning, foreign_lines(source.bad_lines, *lines));
   co_return Result<>();
 }
 

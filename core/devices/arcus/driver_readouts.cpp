@@ -9,6 +9,7 @@ namespace hw::arcus {
 namespace {
 
 constexpr int variables_per_round = 10, params_per_round = 3;
+constexpr int kept_every = 5;  // rounds at rest: about a second
 
 RunState run_state(std::int64_t number) {
   switch (number) {
@@ -105,6 +106,10 @@ Task<Result<>> ArcusDriver::read_in_turn() {
     if (!read) co_return read;
     next_analog_ = (next_analog_ + 1) % model().analog_inputs;
   }
+  if (round_ % kept_every == 0) {
+    auto read = co_await read_what_power_keeps();
+    if (!read) co_return read;
+  }
   const int params = static_cast<int>(catalog_.params.size());
   int read_now = 0;
   for (int tried = 0; tried < params && read_now < params_per_round; ++tried) {
@@ -153,6 +158,7 @@ Task<Result<>> ArcusDriver::read_thread(int thread, Priority priority) {
   ThreadState& known = draft_.threads[ix(thread)];
   known.run = run_state(*state);
   known.known = true;
+  if (known.run == RunState::running) program_runs();
   if (known.run == RunState::idle) {
     known.line = -1;
     co_return Result<>();

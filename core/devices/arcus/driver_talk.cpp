@@ -22,12 +22,12 @@ bool worth_another_try(const Fault& fault) {
 }
 
 tl::unexpected<Fault> means_nothing(std::string_view question, std::string_view reply) {
-  return fail(
-      FaultKind::garbled,
-      fmt::format("The controller answered {} to {}, which means nothing.", printable(reply), question),
-      "It was asked twice.",
-      "Look at the cable and the line rate, and whether two devices have one address or another "
-      "program talks on this line.");
+  return fail(FaultKind::garbled,
+              fmt::format("The controller answered {} to {}, which means nothing.",
+                          reply.empty() ? "with an empty text" : printable(reply), question),
+              "It was asked twice.",
+              "Look at the cable and the line rate, and whether two devices have one address or another "
+              "program talks on this line.");
 }
 
 }  // namespace
@@ -41,12 +41,16 @@ tl::unexpected<Fault> ArcusDriver::no_connection() const {
 }
 
 // One command and its reply: one transaction.
-Task<Result<Reply>> ArcusDriver::exchange(std::string text, Priority priority, Duration patience) {
+Task<Result<Reply>> ArcusDriver::exchange(std::string text, Priority priority, Duration patience,
+                                          bool own_question) {
   if (!station_) co_return no_connection();
+  if (text.starts_with("SR") || text.starts_with("GS")) program_runs();
   const bool usb = station_->carries_messages();
   Transaction t(frame(framing(), catalog_.address, text), usb ? ReplyShape::message() : ReplyShape::text(),
                 priority);
   t.patience = patience;
+  t.prompt = own_question;
+  t.own_question = own_question && priority != Priority::transfer;
   if (!usb) t.stranger = unasked_at_front;
   auto bytes = co_await station_->transact(std::move(t));
   if (!bytes) co_return fail(bytes.error());
@@ -67,24 +71,34 @@ tl::unexpected<Fault> ArcusDriver::refusal(std::string_view sent, std::string_vi
                                               printable(reply), explain_refusal(model(), reply)));
 }
 
-// A question may be asked once more when its answer was garbled or did not come. Commands never are.
-Task<Result<std::string>> ArcusDriver::ask(std::string question, Priority priority) {
-  auto reply = co_await exchange(question, priority, usual_patience);
-  if (!reply && worth_another_try(reply.error())) {
+// A question may be asked once more when its answer was garbled or did not come. Commands never are. The
+// second answer is believed only if nothing comes behind it: two that speak at once can sound like one.
+Task<Result<std::string>> ArcusDriver::ask(std::string question, Priority priority, bool again) {
+  auto reply = co_await exchange_question(question, priority, again);
+  if (!reply && !again && worth_another_try(reply.error())) {
     co_await wait_for_quiet();
-    reply = co_await exchange(question, priority, usual_patience);
+    reply = co_await exchange_question(question, priority, true);
   }
   if (!reply) co_return fail(reply.error());
   if (reply->refused()) co_return refusal(question, reply->text);
   co_return std::move(reply->text);
 }
 
+Task<Result<Reply>> ArcusDriver::exchange_question(std::string question, Priority priority, bool again) {
+  const int strays_before = strays_;
+  auto reply = co_await exchange(std::move(question), priority, usual_patience, true);
+  if (!again || !reply) co_return reply;
+  co_await wait_for_quiet();
+  if (strays_ != strays_before) co_return two_answer();
+  co_return reply;
+}
+
 Task<Result<std::vector<std::int64_t>>> ArcusDriver::ask_numbers(std::string question, std::size_t count,
                                                                  Priority priority) {
   std::string text;
-  for (int attempt = 0; attempt < 2; ++attempt) {
-    auto reply = co_await ask(question, priority);
-    if (!reply && (reply.error().kind != FaultKind::refused || attempt > 0)) co_return fail(reply.error());
+  for (const bool again : {false, true}) {
+    auto reply = co_await ask(question, priority, again);
+    if (!reply && (reply.error().kind != FaultKind::refused || again)) co_return fail(reply.error());
     if (reply) {
       text = *reply;
       auto numbers = decode_numbers(text, count);
@@ -203,10 +217,7 @@ void ArcusDriver::note_sent(std::string_view text) {
       if (const auto n = decode_number(name.substr(1)); n && *n >= 0 && *n < variables)
         draft_.variables_known.reset(static_cast<std::size_t>(*n));
   }
-  if (text == "STORE") {
-    for (ParamState& p : draft_.params) p.stored = true;
-    draft_.unsaved_setup = false;
-  }
+  if (text == "STORE") is_stored();
   if (arcus::may_move(forms_, text)) changed_();
 }
 

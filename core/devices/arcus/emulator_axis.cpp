@@ -18,8 +18,6 @@ bool Axis::index_operated() const {
 void Axis::turn(int way, Sign physical, std::int64_t count) {
   pulses += way * count;
   arrived_by = way;
-  travelled += count;
-  lowest = std::min(lowest, pulses), highest = std::max(highest, pulses);
   plant.turn(physical, count);
 }
 

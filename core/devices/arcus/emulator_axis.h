@@ -80,9 +80,6 @@ class Axis {
   SyncOutput sync;
   Instant rested_at{Duration(-std::chrono::hours(1))};  ///< since when it has been still
 
-  // What a rehearsal wants to know.
-  std::int64_t lowest = 0, highest = 0, travelled = 0;
-
   [[nodiscard]] std::int64_t encoder() const { return encoder_at(plant.load()); }
   [[nodiscard]] std::int64_t encoder_at(Steps load) const;
   void set_encoder(std::int64_t value) { encoder_offset += value - encoder(); }

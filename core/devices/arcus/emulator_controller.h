@@ -150,7 +150,7 @@ class Controller {
   // Inputs and outputs (emulator_signals.cpp).
   [[nodiscard]] std::int64_t inputs() const;
   [[nodiscard]] std::int64_t outputs() const;
-  void set_outputs(std::int64_t value) { outputs_ = value; }
+  void set_outputs(std::int64_t value);
   void set_output(int number, bool on);
   [[nodiscard]] std::int64_t output_register() const { return outputs_; }
   [[nodiscard]] std::int64_t enables() const { return enables_; }
@@ -189,6 +189,7 @@ class Controller {
   struct Trace {
     Instant at;
     std::string what;
+    int line;  ///< of the stored program, whose statement it comes of; -1: of none
   };
   std::vector<Trace>* trace = nullptr;
   int moves_begun = 0;

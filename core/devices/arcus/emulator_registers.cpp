@@ -166,7 +166,7 @@ void Controller::heard_from_host(bool timeout_was_shown) {
 }
 
 void Controller::tell(std::string what) {
-  if (trace != nullptr) trace->push_back({now_, std::move(what)});
+  if (trace != nullptr) trace->push_back({now_, std::move(what), vm_.line_at_work()});
 }
 
 }  // namespace hw::arcus

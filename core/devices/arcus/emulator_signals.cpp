@@ -88,6 +88,13 @@ std::uint32_t Controller::output_levels() const {
   return (out & all_outputs) | (on & all_enables) << model_->outputs;
 }
 
+void Controller::set_outputs(std::int64_t value) {
+  const std::int64_t changed = std::exchange(outputs_, value) ^ value;
+  for (int n = 1; trace != nullptr && n <= model_->outputs; ++n)
+    if ((changed >> (n - 1) & 1) != 0)
+      tell("output " + std::to_string(n) + ((value >> (n - 1) & 1) != 0 ? " on" : " off"));
+}
+
 void Controller::set_output(int number, bool on) {
   const std::int64_t bit = std::int64_t{1} << (number - 1);
   set_outputs(on ? outputs_ | bit : outputs_ & ~bit);

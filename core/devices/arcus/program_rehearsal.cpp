@@ -11,8 +11,6 @@ namespace hw::arcus {
 namespace {
 
 constexpr std::size_t most_events = 10'000;
-constexpr Duration look_every = Millis(10);  // while something moves: arcs have their ends between two marks
-
 constexpr int run_it = 1, state_running = 1, state_error = 4;
 
 class Rehearsing {
@@ -65,8 +63,8 @@ class Rehearsing {
   void go_through(std::vector<Controller::Trace>& trace) {
     const Instant last = Instant(from_seconds(std::clamp(options_.for_seconds, 0.0, 1e9)));
     while (program_in(state_running) >= 0 || moves()) {
-      std::optional<Instant> next = emulator_.next_event();
-      if (moves()) next = std::min(next.value_or(last), now_ + look_every);
+      std::optional<Instant> next =
+          emulator_.next_event();  // each turn of an axis is one: extremes are exact
       if (!later_.empty()) next = std::min(next.value_or(last), Instant(later_.front().at));
       if (!next || *next > last) return out_of_time(last, trace);
       now_ = std::max(now_, *next);
@@ -102,7 +100,7 @@ class Rehearsing {
   }
 
   void collect(std::vector<Controller::Trace>& trace) {
-    for (Controller::Trace& t : trace) event(t.at, std::move(t.what));
+    for (Controller::Trace& t : trace) event(t);
     trace.clear();
     for (int i = 0; i < controller_.axes(); ++i) {
       RehearsedAxis& axis = result_.axes[static_cast<std::size_t>(i)];
@@ -118,9 +116,10 @@ class Rehearsing {
     }
   }
 
-  void event(Instant t, std::string what) {
-    if (result_.events.size() == most_events) what = "more events, not listed";
-    if (result_.events.size() <= most_events) result_.events.push_back({seconds(t), std::move(what), 0, -1});
+  void event(Controller::Trace& t) {
+    if (result_.events.size() == most_events) t.what = "more events, not listed";
+    if (result_.events.size() <= most_events)
+      result_.events.push_back({seconds(t.at), std::move(t.what), 0, t.line});
   }
 
   Rehearsal finish() {

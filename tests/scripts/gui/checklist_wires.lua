@@ -22,7 +22,7 @@ local function close()
 end
 local function search(where, first, last)
   if not ui.exists("connect/search") then ui.click("controller/new") end
-  choose("connect/search/where", where)
+  pick("connect/search/port", where)
   fill("connect/search/first", first)
   fill("connect/search/last", last)
   ui.click("connect/search")
@@ -51,11 +51,11 @@ end)
 block("PMX-CONN-C1", function()
   pick("connect/form/model", 2)
   fill("connect/form/port", pmx)
-  search("all ports", "98", "98")
+  search(1, "98", "98")
   shows("connect/search/progress", "%.$")  -- how many ports a machine has is its own affair
 end)
 block("PMX-CONN-C2", function()
-  search("this port", "06", "08")
+  search(2, "06", "08")
   for _ = 1, 40 do
     if ui.exists("connect/search/found/0") then break end
     hw.sleep(0.25)
@@ -99,11 +99,11 @@ end)
 block("DMX-CONN-D1", function()
   pick("connect/form/model", 3)
   fill("connect/form/port", dmx)
-  search("all ports", "98", "98")
+  search(1, "98", "98")
   shows("connect/search/progress", "%.$")
 end)
 block("DMX-CONN-D2", function()
-  search("this port", "04", "06")
+  search(2, "04", "06")
   for _ = 1, 40 do
     if ui.exists("connect/search/found/0") then break end
     hw.sleep(0.25)

@@ -113,7 +113,9 @@ void Vm::run_thread(Thread& thread, Turn turn, VmHost& host) {
   thread.loop.runs(thread.line, turn);
   thread.waits_for = {};
   thread.due = turn + 1;
+  line_at_work_ = thread.line;
   const Next next = Statement(*this, thread, turn, host).run();
+  line_at_work_ = -1;
   switch (next.kind) {
     case Next::Kind::go: thread.line = next.line; break;
     case Next::Kind::wait: thread.waits_for = next.axes; break;

@@ -58,6 +58,8 @@ class Vm {
   /// shows the loop's WHILE.
   [[nodiscard]] int line(int program) const { return threads_[program].line; }
   [[nodiscard]] int call_line() const { return threads_[gs_thread].line; }
+  /// The low-level line whose statement is being run at this moment, as its host is called; -1: none is.
+  [[nodiscard]] int line_at_work() const { return line_at_work_; }
   [[nodiscard]] Trouble trouble(int program) const { return threads_[program].trouble; }
 
   [[nodiscard]] std::int32_t variable(int n) const { return variables_[n]; }
@@ -108,6 +110,7 @@ class Vm {
   std::array<Thread, max_programs + 1> threads_;
   std::array<std::int32_t, variables> variables_{};
   Turn last_turn_ = -1;
+  int line_at_work_ = -1;
 };
 
 }  // namespace hw::arcus::language

@@ -1,4 +1,6 @@
 // What the driver sends and shows, with an emulated PMX or DMX at the other end.
+#include <set>
+
 #include "tests/core/devices/arcus/driver_fixture.h"
 
 namespace hw::arcus {
@@ -52,6 +54,17 @@ TEST_F(DriverTest, TheOtherModelIsNamed) {
   EXPECT_THAT(std::string(latest.link.sentence.view()), HasSubstr("is a Performax-4EX-SA, not a DMX-K-SA"));
 }
 
+std::string echo(std::string_view byte) { return std::string(byte); }
+
+TEST_F(DriverTest, AnAdapterThatEchoesIsNamed) {
+  type = find_device_type(dmx);
+  loop = std::make_unique<test::Loopback>(time, type->make_emulator({}).value(), false);
+  catalog = type->make_catalog({}).value();
+  loop->replace_by(echo);
+  open();
+  EXPECT_THAT(std::string(latest.link.sentence.view()), HasSubstr("echo of the RS-485 adapter"));
+}
+
 std::string two_voices(std::string_view byte) {
   return byte == "\r" ? std::string("V340BL\0V340BL\0", 14) : std::string();
 }
@@ -64,6 +77,131 @@ TEST_F(DriverTest, TwoDevicesWithOneAddressAreNoticed) {
   open();
   EXPECT_THAT(std::string(latest.link.sentence.view()),
               HasSubstr("More than one device answers at address 01"));
+}
+
+// The terminal explains every line, those of the console itself first of all.
+TEST_F(DriverTest, WhateverTheDriverAsksTheHelpKnows) {
+  for (const std::string_view model : {pmx, dmx}) {
+    start(model);
+    perform(intent::Watch(~0u));
+    perform(intent::ReadParams());
+    perform(intent::MoveTo(targets({200})));
+    ASSERT_TRUE(wait_idle());
+    perform(intent::LoadProgram(0, "DELAY=100\nEND\n"));
+    perform(intent::RunProgram(0));
+    run(20);
+    perform(intent::Stop());
+    std::set<std::string> unknown;
+    traffic.drain([&](const TrafficEntry& e) {
+      if (e.way != Way::sent) return;
+      const std::string words = type->explain(e.bytes, e.way, e.kind, {});
+      if (words.find("no command of the manual") != words.npos) unknown.insert(e.bytes);
+    });
+    EXPECT_THAT(unknown, testing::IsEmpty()) << model;
+    TearDown();
+    latest = Snapshot();
+  }
+}
+
+// What a person did stands in the terminal; what the console asks about it is folded, whenever it does.
+TEST_F(DriverTest, OnlyCommandsStandBesideThePolls) {
+  start(pmx);
+  run(40);  // the joystick is known to be off
+  EXPECT_EQ(sent(), "");
+  perform(intent::MoveTo(targets({50000})));
+  run(1);
+  perform(intent::Stop());
+  perform(intent::SetParam("SLTX", 25));
+  EXPECT_EQ(sent(), "X50000 STOP STOP SLTX=25");
+}
+
+// ---- power cycles
+
+class Restart : public DriverTest {
+ protected:
+  void power_cycle() {
+    ASSERT_TRUE(loop->operate(bench::PowerCycle()));
+    run(40);
+  }
+  bool said() { return told("switched off and on"); }
+};
+
+TEST_F(Restart, PositionsThatReadZeroShowIt) {
+  start(dmx);
+  perform(intent::MoveTo(targets({500})));
+  ASSERT_TRUE(wait_idle());
+  power_cycle();
+  EXPECT_TRUE(said()) << all_notices();
+  EXPECT_TRUE(latest.axes[0].position_doubtful);
+}
+
+TEST_F(Restart, InTheMiddleOfAMoveItIsNoArrival) {
+  start(pmx);
+  perform(intent::MoveTo(targets({50000})));
+  run(5);
+  power_cycle();
+  EXPECT_TRUE(said());
+  EXPECT_EQ(latest.axes[0].ended_by, EndedBy::lost);
+}
+
+// Standing at zero it shows by what it has lost.
+TEST_F(Restart, AtZeroAValueThatWasNotStoredShowsIt) {
+  start(pmx);
+  run(40);
+  ASSERT_EQ(perform(intent::SetParam("SLTX", 30)), "");
+  run(2);
+  power_cycle();
+  EXPECT_TRUE(told("SLTX read 30 and now reads 20")) << all_notices();
+  EXPECT_TRUE(said());
+  EXPECT_EQ(param("SLTX"), 20);
+  EXPECT_TRUE(latest.axes[0].position_doubtful);
+  EXPECT_FALSE(latest.unsaved_setup) << "what was not stored is gone";
+}
+
+TEST_F(Restart, AtZeroASpeedThatIsNeverStoredShowsIt) {
+  start(dmx);
+  run(15);
+  ASSERT_EQ(perform(intent::SetParam("HSPD", 5000)), "");
+  run(2);
+  power_cycle();
+  EXPECT_TRUE(told("HSPD read 5000 and now reads 1000")) << all_notices();
+}
+
+// Nothing that the controller tells has changed, and nothing was lost either.
+TEST_F(Restart, AtZeroWithEverythingStoredNothingShowsItAndNothingIsLost) {
+  start(dmx);
+  run(15);
+  ASSERT_EQ(perform(intent::SetParam("SLT", 30)), "");
+  ASSERT_EQ(perform(intent::Store()), "");
+  power_cycle();
+  EXPECT_FALSE(said());
+  EXPECT_EQ(param("SLT"), 30);
+}
+
+TEST_F(Restart, WhatIsNone) {
+  start(pmx);
+  run(40);
+  perform(intent::SetParam("HS", 5000));
+  perform(intent::MoveTo(targets({3000})));
+  ASSERT_TRUE(wait_idle());
+  perform(intent::MoveTo(targets({0})));
+  ASSERT_TRUE(wait_idle());
+  perform(intent::MoveBy(targets({200}), Pps{2000}));  // with a speed of its own
+  ASSERT_TRUE(wait_idle());
+  perform(intent::SetPosition(-1, Steps(0)));
+  run(3);
+  (void)query("HS=1000");  // by hand
+  run(40);
+  (void)query("HS=5000");
+  run(40);
+  perform(intent::LoadProgram(0, "HSPD=1000\nEND\n"));
+  perform(intent::RunProgram(0));
+  run(40);
+  perform(intent::MoveTo(targets({2000})));
+  ASSERT_TRUE(wait_idle());
+  perform(intent::Home(AxisId{0}, Sign::minus, 3));  // on the index: ends at zero
+  ASSERT_TRUE(wait_idle());
+  EXPECT_FALSE(said()) << all_notices();
 }
 
 // ---- moves

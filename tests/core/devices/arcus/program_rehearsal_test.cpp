@@ -40,6 +40,37 @@ TEST_P(ArcusRehearsal, AnEndlessProgramIsStoppedAndNamesItsLine) {
   EXPECT_NE(r->error.find("Program 0, line"), std::string::npos) << r->error;
 }
 
+TEST_P(ArcusRehearsal, AnEventNamesTheLineOfTheProgramThatItComesOf) {
+  const char* text = "V1=1\nX1000\nWAITX\nJOGX+\nDO=0\nDO2=1\nDELAY=500\nSTOPX\nWAITX\nEND\n";
+  const auto r = rehearse(text);
+  ASSERT_TRUE(r) << r.error().sentence();
+  const ProgramReport report = find_device_type(GetParam())->language().analyse(text, 0);
+  const auto line_of = [&](std::string_view what) {
+    for (const RehearsedEvent& e : r->events)
+      if (e.slot == 0 && e.what == what) return e.command;
+    return -2;
+  };
+  ASSERT_FALSE(r->events.empty());
+  EXPECT_EQ(r->events.front().command, report.lines[1].first_command) << r->events.front().what;
+  EXPECT_EQ(line_of("jogs X +"), report.lines[3].first_command);
+  EXPECT_EQ(line_of("output 2 on"), report.lines[5].first_command);
+}
+
+// A full turn about (1000, 0): the circle's far ends lie between the ends of the motion.
+TEST(PmxRehearsal, ACircleReachesItsFarEndsExactly) {
+  RehearseOptions options;
+  const auto r = find_device_type("pmx-4ex-sa")
+                     ->language()
+                     .rehearse("HSPD=20000\nLSPD=20000\nABS\nCIRP1000:0\nWAITX\nEND\n", options);
+  ASSERT_TRUE(r) << r.error().sentence();
+  EXPECT_EQ(r->axes[0].minimum, 0);
+  EXPECT_EQ(r->axes[0].maximum, 2000);
+  EXPECT_EQ(r->axes[1].minimum, -1000);
+  EXPECT_EQ(r->axes[1].maximum, 1000);
+  EXPECT_EQ(r->axes[0].travel, 4000);
+  EXPECT_EQ(r->axes[1].travel, 4000);
+}
+
 TEST_P(ArcusRehearsal, ATextWithAnErrorIsNotRehearsed) {
   const auto r = rehearse("X1\nFOO\nEND\n");
   ASSERT_FALSE(r);

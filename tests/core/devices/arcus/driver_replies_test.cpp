@@ -1,0 +1,181 @@
+// What the driver makes of replies that are broken, come from somebody else or from another program's code:
+// nothing wrong is shown, no motion is repeated, and a sentence says what came.
+#include <map>
+
+#include "tests/core/devices/arcus/driver_fixture.h"
+
+namespace hw::arcus {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+/// A controller that answers some questions in words of the test.
+class Liar final : public Emulator {
+ public:
+  explicit Liar(std::unique_ptr<Emulator> inner) : inner_(std::move(inner)) {}
+
+  std::map<std::string, std::string, std::less<>> instead;  ///< by command without address, whole replies
+  std::map<std::string, int, std::less<>> heard;
+
+  void receive(std::string_view bytes) override {
+    for (const char c : bytes) {
+      inner_->receive(std::string_view(&c, 1));
+      if (c != '\r') {
+        line_ += c;
+        continue;
+      }
+      const std::string command = std::exchange(line_, {}).substr(3);
+      ++heard[command];
+      std::string reply;
+      inner_->take_output(reply);
+      const auto lie = instead.find(command);
+      said_ += lie == instead.end() ? reply : lie->second;
+    }
+  }
+  void take_output(std::string& sink) override {
+    sink += std::exchange(said_, {});
+    inner_->take_output(sink);
+  }
+  [[nodiscard]] std::optional<Instant> next_event() const override { return inner_->next_event(); }
+  void advance_to(Instant now) override { inner_->advance_to(now); }
+  Result<> operate(const BenchCommand& command) override { return inner_->operate(command); }
+  void look(BenchView& view) const override { inner_->look(view); }
+  [[nodiscard]] const std::vector<TriggerPulse>& pulses() const override { return inner_->pulses(); }
+  [[nodiscard]] int rate() const override { return inner_->rate(); }
+  [[nodiscard]] std::string save_memory() const override { return inner_->save_memory(); }
+  Result<> load_memory(std::string_view text) override { return inner_->load_memory(text); }
+  [[nodiscard]] std::uint64_t memory_version() const override { return inner_->memory_version(); }
+  [[nodiscard]] std::unique_ptr<Emulator> clone() const override { return inner_->clone(); }
+
+ private:
+  std::unique_ptr<Emulator> inner_;
+  std::string line_, said_;
+};
+
+struct BrokenReply {
+  const char* name;
+  std::string answer;
+  const char* sentence;
+};
+std::ostream& operator<<(std::ostream& out, const BrokenReply& b) { return out << b.name; }
+
+class BrokenReplies : public DriverTest, public testing::WithParamInterface<BrokenReply> {
+ protected:
+  void start() {
+    type = find_device_type("dmx-k-sa");
+    auto owned = std::make_unique<Liar>(type->make_emulator({}).value());
+    liar = owned.get();
+    loop = std::make_unique<test::Loopback>(time, std::move(owned), false);
+    catalog = type->make_catalog({}).value();
+    open();
+    ASSERT_EQ(latest.link.state, LinkState::good);
+  }
+  std::string sentence() { return std::string(latest.link.sentence.view()); }
+  Liar* liar = nullptr;
+};
+
+TEST_P(BrokenReplies, AreSaidAndNeverShownAndHeal) {
+  start();
+  ASSERT_EQ(perform(intent::SetPosition(0, Steps(1234))), "");
+  liar->instead["EX"] = GetParam().answer;
+  liar->instead["PX"] = GetParam().answer;
+  for (int i = 0; i < 40 && latest.link.state == LinkState::good; ++i) run(0.05);
+  EXPECT_EQ(latest.link.state, LinkState::late);
+  EXPECT_THAT(sentence(), HasSubstr(GetParam().sentence));
+  EXPECT_EQ(latest.axes[0].position, Steps(1234));
+  liar->instead.clear();
+  run(8);
+  EXPECT_EQ(latest.link.state, LinkState::good) << sentence();
+  EXPECT_EQ(sentence(), "");
+  EXPECT_EQ(latest.axes[0].position, Steps(1234));
+}
+
+std::string ended(std::string text) { return text + '\0'; }
+
+INSTANTIATE_TEST_SUITE_P(
+    Of, BrokenReplies,
+    testing::Values(
+        BrokenReply{"TooManyNumbers", ended("1:2:3"),
+                    "answered 1:2:3 to PX, which means nothing. It was asked twice."},
+        BrokenReply{"NoNumber", ended("12x"), "answered 12x to PX, which means nothing"},
+        BrokenReply{"Nothing", ended(""), "answered with an empty text to PX, which means nothing"},
+        BrokenReply{"Unprintable", ended("\x01\xFE"), "answered <01><FE> to PX, which means nothing"},
+        BrokenReply{"TooManyDigits", ended("99999999999999999999"),
+                    "99999999999999999999 to PX, which means nothing"},
+        BrokenReply{"AnOkToAQuestion", ended("OK"), "answered OK to PX, which means nothing"},
+        BrokenReply{"ARefusal", ended("?PX"), "refused PX with ?PX"},
+        BrokenReply{"OfAnotherDevice", ended("#050"), "Device 01 was asked PX, and device 05 answered."},
+        BrokenReply{"WithoutItsEnd", "123", "stopped in the middle"},
+        BrokenReply{"WithoutEnd", std::string(5000, 'Z'), "stopped in the middle"}),
+    [](const auto& info) { return std::string(info.param.name); });
+
+class OneReply : public BrokenReplies {};
+
+TEST_F(OneReply, OnceIsForgiven) {
+  start();
+  const int before = liar->heard["PX"];
+  liar->instead["PX"] = ended("12x");
+  ASSERT_TRUE(run_until([&] { return liar->heard["PX"] == before + 1; }, 5));
+  liar->instead.clear();  // the question is asked once more
+  for (int i = 0; i < 40; ++i) {
+    run(0.05);
+    EXPECT_EQ(latest.link.state, LinkState::good) << sentence();
+  }
+  EXPECT_GT(liar->heard["PX"], before + 1);
+}
+
+TEST_F(OneReply, ACommandThatIsAnsweredWithNonsenseIsSentOnce) {
+  start();
+  run(3);
+  liar->instead["HSPD=5000"] = ended("NO");
+  EXPECT_THAT(perform(intent::SetParam("HSPD", 5000)),
+              HasSubstr("answered NO to HSPD=5000 instead of OK. It was sent once and is not repeated."));
+  EXPECT_EQ(liar->heard["HSPD=5000"], 1);
+  liar->instead["X1000"] = ended("NO");
+  EXPECT_THAT(perform(intent::MoveTo(targets({1000}))), HasSubstr("X1000"));
+  EXPECT_EQ(liar->heard["X1000"], 1);
+}
+
+TEST_F(OneReply, AStoredLineThatReadsBackWrongIsNamed) {
+  start();
+  liar->instead["SA1"] = ended("WAIT,Y");
+  EXPECT_THAT(
+      perform(intent::LoadProgram(0, "X400\nWAITX\nEND\n")),
+      AllOf(HasSubstr("Line 1 reads back as \"WAIT,Y\" instead of \"WAIT,X\""), HasSubstr("stored in part")));
+  EXPECT_FALSE(latest.transfer.running);
+}
+
+TEST_F(OneReply, CodeOfAnotherProgramIsShownLineByLineAndSaid) {
+  start();
+  ASSERT_EQ(perform(intent::LoadProgram(0, "X400\nWAITX\nV1=1\nEND\n")), "");
+  ASSERT_EQ(query("SA1=17 4 0 FF"), "OK");
+  ASSERT_EQ(perform(intent::UploadProgram(0)), "");
+  EXPECT_THAT(program_text(), AllOf(HasSubstr("X400"), HasSubstr("17 4 0 FF"), HasSubstr("V1=1")));
+  EXPECT_TRUE(told("1 line of the stored code means nothing here: line 1 (17 4 0 FF).")) << all_notices();
+  EXPECT_TRUE(told("Sent back as it is, the text leaves it out.")) << all_notices();
+}
+
+TEST_F(OneReply, ALineThatIsNoTextIsRefusedNotSwallowed) {
+  start();
+  liar->instead["SA0"] = ended("?SA0");
+  EXPECT_THAT(perform(intent::UploadProgram(0)), HasSubstr("refused SA0 with ?SA0"));
+}
+
+TEST_F(OneReply, ARunOfForeignCodeStopsWithItsLine) {
+  start();
+  ASSERT_EQ(query("SA0=17 4 0 FF"), "OK");
+  perform(intent::RunProgram(0));
+  run(1);
+  EXPECT_EQ(latest.threads[0].run, RunState::error);
+  EXPECT_THAT(std::string(latest.notice.view()), HasSubstr("Program 0 has stopped in error at line 0"));
+}
+
+TEST_F(OneReply, AProgramForTheOtherModelIsRefusedWithItsLine) {
+  start();
+  EXPECT_THAT(perform(intent::LoadProgram(0, "U1000\nEND\n")), HasSubstr("error in line 1"));
+}
+
+}  // namespace
+}  // namespace hw::arcus
