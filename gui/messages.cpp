@@ -187,8 +187,9 @@ void draw_unset(Ui& ui, Console& console, Tab& tab, int param) {
 
 void draw_banner(Ui& ui, Console& console, Tab& tab, const Layout& layout) {
   const Snapshot& now = tab.now();
-  if (Tab& worst = tab.bus ? tab.bus->worst() : tab; worst.now().link.state == LinkState::lost)
-    return draw_lost(ui, console, worst);
+  // Without room the status line and STOP ALL tell of the others of a bus.
+  Tab& worst = tab.bus && layout.tier != Tier::narrow ? tab.bus->worst() : tab;
+  if (worst.now().link.state == LinkState::lost) return draw_lost(ui, console, worst);
   if (layout.tier == Tier::narrow || tab.unset_read || tab.centre_panel == "setup")
     return;  // the status line says it as well
   for (int i = 0; i < now.axis_count; ++i)

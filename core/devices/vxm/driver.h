@@ -90,6 +90,7 @@ class VxmDriver final : public Driver {
   void heard_prompt();
   void heard_held(std::string_view command);
   void heard_error(char letter);
+  void lose_slave();
   void heard_limit();
   void for_scripts(std::string text);
   void tell(Notice::Kind kind, std::string text);

@@ -220,7 +220,19 @@ void VxmDriver::heard_error(char letter) {
     for (int i = 0; i < draft_.axis_count; ++i) draft_.axes[i].activity = Activity::error;
     show_worst();
   }
+  if (letter == error_bus) lose_slave();
   // A restart is found by the next V: it answers J.
+}
+
+// Asked about its motors again, the controller would restart each time. The identity, read afresh after the
+// restart, tells whether a Slave answers.
+void VxmDriver::lose_slave() {
+  slave_present_ = false;
+  for (int i = motors_per_controller; i < draft_.axis_count; ++i) {
+    AxisState& axis = draft_.axes[i];
+    axis.position_known = axis.limits_known = axis.enabled = false;
+    axis.activity = Activity::unknown;
+  }
 }
 
 void VxmDriver::for_scripts(std::string text) {

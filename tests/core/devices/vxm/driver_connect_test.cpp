@@ -192,6 +192,24 @@ TEST_F(VxmDriverConnect, APowerCycleInMotionDoesNotTakeTheMotionUpAgain) {
   EXPECT_EQ(position(), 10);
 }
 
+TEST_F(VxmDriverConnect, ASlaveThatLosesItsPowerRestartsItsMasterOnce) {
+  start({{"motors", "4"}});
+  EXPECT_TRUE(latest.axes[2].position_known);
+  constexpr int slave = 1;
+  ASSERT_TRUE(loop->operate(bench::Power(false, slave)));
+  run(10);
+  const std::string told_all = all_notices();
+  int restarts = 0;
+  for (auto at = told_all.find("reports EB"); at != std::string::npos; at = told_all.find("reports EB", at + 1))
+    ++restarts;
+  EXPECT_EQ(restarts, 1) << told_all;
+  EXPECT_TRUE(told("motors 3 and 4 cannot be used"));
+  EXPECT_FALSE(latest.axes[2].position_known);
+  EXPECT_EQ(move_by(0, 10), "");
+  EXPECT_TRUE(wait_idle());
+  EXPECT_EQ(position(), 10) << "motors 1 and 2 go on";
+}
+
 TEST_F(VxmDriverConnect, PowerOffIsALostLinkUntilItIsBack) {
   start();
   ASSERT_TRUE(loop->operate(bench::Power(false)));
