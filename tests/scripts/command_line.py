@@ -61,6 +61,15 @@ def port_of(line):
     return line.rsplit(" ", 1)[1]
 
 
+class Demo(Case):
+    def test_without_a_display_it_works_and_leaves_pictures(self):
+        pictures = self.folder / "pictures"
+        result = run("demo", "--headless", "--pictures", pictures, timeout=170)
+        self.expect(result, 0, "let go: stopped at")
+        names = {p.name for p in pictures.glob("*.png")}
+        self.assertLessEqual({"connect.png", "program.png", "jog.png"}, names)
+
+
 class Usage(Case):
     def test_version_and_help(self):
         self.expect(run("--version"), 0, "handwheel ")

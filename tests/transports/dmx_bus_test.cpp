@@ -182,7 +182,9 @@ TEST_F(DmxBus, ASecondOneOfTheSameNameIsSaidAndItsPositionsAreNotShown) {
   ASSERT_TRUE(host->bench(1)->operate(bench::PowerCycle()));
   for (int i = 0; i < 100; ++i) {
     run(0.1);
-    if (first.latest.axes[0].position_known) EXPECT_EQ(first.latest.axes[0].position, Steps(1234));
+    if (first.latest.axes[0].position_known) {
+      EXPECT_EQ(first.latest.axes[0].position, Steps(1234));
+    }
   }
   EXPECT_NE(second.latest.link.state, LinkState::good) << "nobody has its name any more";
   EXPECT_EQ(first.latest.link.state, LinkState::late);
