@@ -706,7 +706,6 @@ class BadInput(Case):
                 (("check", good, "--for"), "--for"),
                 (("check", good, "--for", "vxn"), 'no controller model "vxn". Known: vxm'),
                 (("check", good, "another", "--for", "vxm"), "another"),
-                (("scan", "more"), "more"),
                 (("demo", "more"), "more"),
                 (("compile", self.empty, "--for", "pmx-4ex-sa"), "Add -o OUT"),
                 (("simulate", good, "--for", "vxm", "--for-seconds", "-1"), "--for-seconds -1"),

@@ -10,10 +10,10 @@ namespace hw {
 namespace {
 
 TEST(ConsoleOnUsb, OpensTheOnlyDeviceWithOneAction) {
-  ASSERT_TRUE(umockdev_in_mock_environment()) << "run this with umockdev-wrapper";
   auto emulator = find_device_type("pmx-4ex-sa")->make_emulator({{"framing", "usb"}});
   ASSERT_TRUE(emulator) << emulator.error().sentence();
   UMockdevTestbed* bus = umockdev_testbed_new();
+  ASSERT_TRUE(umockdev_in_mock_environment()) << "run this with umockdev-wrapper";
   {
     test::EmulatedUsb device(bus, std::move(*emulator), "4ex00", 3);
     const int status = std::system(HW_PROGRAM " run --gui --realtime " HW_SOURCE_DIR
