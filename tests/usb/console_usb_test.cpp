@@ -1,4 +1,5 @@
-// The console on the emulated USB device: another process, as a user starts it, with the script of the checklist.
+// The console on the emulated USB device: another process, as a user starts it, with the script of the
+// checklist.
 #include <cstdlib>
 
 #include <gtest/gtest.h>
@@ -16,11 +17,12 @@ TEST(ConsoleOnUsb, OpensTheOnlyDeviceWithOneAction) {
   ASSERT_TRUE(umockdev_in_mock_environment()) << "run this with umockdev-wrapper";
   {
     test::EmulatedUsb device(bus, std::move(*emulator), "4ex00", 3);
-    const int status = std::system(HW_PROGRAM " run --gui --realtime " HW_SOURCE_DIR
-                                              "/tests/scripts/gui/checklist_usb.lua");
+    const int status =
+        std::system(HW_PROGRAM " run --gui --realtime " HW_SOURCE_DIR "/tests/scripts/gui/checklist_usb.lua");
     EXPECT_EQ(status, 0);
     const auto commands = device.commands();
-    EXPECT_NE(std::find(commands.begin(), commands.end(), "EO1=1"), commands.end());
+    for (const char* sent : {"ID", "EO1=1"})
+      EXPECT_NE(std::find(commands.begin(), commands.end(), sent), commands.end()) << sent;
   }
   g_object_unref(bus);
 }

@@ -69,8 +69,12 @@ Task<Result<>> ArcusDriver::identify() {
   constexpr Duration patience = Millis(300);
   auto reply = co_await exchange("ID", Priority::intent, patience, true);
   const bool was_lost = lost_at_ != Instant{};
-  if (!reply && reply.error().kind == FaultKind::no_answer && !was_lost) {
+  // What comes first may be the answer to whoever had the line before.
+  const bool foreign =
+      reply && reply->text != model().product && reply->text != forms_.other_product && reply->text != "ID";
+  if (foreign || (!reply && reply.error().kind == FaultKind::no_answer && !was_lost)) {
     co_await wait_for_quiet();
+    strays_ = 0;
     reply = co_await exchange("ID", Priority::intent, patience, true);
   }
   if (!reply && reply.error().kind == FaultKind::no_answer) co_return silent();
