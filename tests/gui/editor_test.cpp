@@ -3,6 +3,7 @@
 #include <fstream>
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "gui/widgets/button.h"
 #include "gui/widgets/code_editor.h"
@@ -132,7 +133,7 @@ TEST(CodeEditor, Finds) {
 
 class Folder {
  public:
-  Folder() : path(std::filesystem::path(HW_BINARY_DIR) / "file-dialog-test") {
+  Folder() : path(std::filesystem::path(HW_BINARY_DIR) / ("file-dialog-test-" + std::to_string(::getpid()))) {
     std::filesystem::remove_all(path);
     std::filesystem::create_directories(path / "sub");
     for (const char* name : {"a.vxm", "b.vxm", "notes.txt", "sub/c.vxm"}) std::ofstream(path / name) << "R\n";
