@@ -53,6 +53,8 @@ class Window(unittest.TestCase):
                     "XDG_STATE_HOME": str(home / "state"), "LIBGL_ALWAYS_SOFTWARE": "1"}
         self.env.pop("WAYLAND_DISPLAY", None)
         self.start(["Xvfb", display, "-screen", "0", f"{WIDTH}x{HEIGHT}x24", "-nolisten", "tcp"])
+        self.wait_until(lambda: subprocess.run(["xdotool", "getdisplaygeometry"], env=self.env,
+                                               capture_output=True).returncode == 0, "the display is there")
         emulator = self.start([PROGRAM, "emulate", "vxm", "--tcp", "127.0.0.1:0"], stdout=subprocess.PIPE, text=True)
         self.port = int(emulator.stdout.readline().rsplit(":", 1)[1])
         self.address = f"vxm@tcp:127.0.0.1:{self.port}"
