@@ -149,8 +149,7 @@ std::string PortReport::sentence() const {
     case PortFinding::garbled:
       if (!id.empty())
         return fmt::format(
-            "At {} baud something answers to id {} that makes no sense: {}. Two devices with one id, or "
-            "another "
+            "At {} baud something answers to id {} that makes no sense: {}. Two devices with one id, or another "
             "rate: connect one alone and look.",
             baud, id, printable(reply));
       return fmt::format(

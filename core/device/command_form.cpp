@@ -5,6 +5,7 @@
 #include "core/base/number_text.h"
 
 namespace hw {
+
 CommandForm::CommandForm(const CommandInfo& command, const std::vector<AxisInfo>& axes) {
   for (const AxisInfo& axis : axes)
     if (axis.name.size() == 1) axis_names_ += axis.name;

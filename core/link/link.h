@@ -94,8 +94,8 @@ class Link final : public std::enable_shared_from_this<Link>, private Stream::Li
   Pending* in_flight_ = nullptr;
   std::string received_;
   Instant sent_at_{};
-  Duration
-      slowest_prompt_{};  ///< from the end of the question to the answer, beyond its bytes; forgets slowly
+  /// From the end of the question to the answer, beyond its bytes; forgets slowly.
+  Duration slowest_prompt_{};
   int prompt_answers_ = 0;
   Instant settle_until_{};  ///< after a miss: a late reply must not be taken for the next one's
   Timer deadline_;
