@@ -1,5 +1,7 @@
 #include "gui/widgets/touch.h"
 
+#include <algorithm>
+
 #include <imgui_internal.h>
 
 #include "gui/widgets/text.h"
@@ -52,6 +54,8 @@ Touch touch(Ui& ui, const About& about, ImVec2 size) {
   Touch t;
   t.enabled = about.disabled.empty();
   const ImVec2 at = ImGui::GetCursorScreenPos();
+  // A narrow window at a large scale leaves no room: ImGui refuses what has no size.
+  size = ImVec2(std::max(size.x, 1.0f), std::max(size.y, 1.0f));
   t.rect = {at, ImVec2(at.x + size.x, at.y + size.y)};
   const char* begin = about.id.data();
   ImGui::PushID(begin, begin + about.id.size());

@@ -8,6 +8,7 @@
 #include "gui/keyboard.h"
 #include "gui/widgets/button.h"
 #include "gui/widgets/text_field.h"
+#include "gui/widgets/touch.h"
 #include "tests/gui/stage.h"
 
 namespace hw::gui {
@@ -128,6 +129,16 @@ TEST(InputQueue, FocusLossLetsGoOfEverything) {
   queue.feed(io);
   EXPECT_FALSE(io.MouseDown[0]);
   EXPECT_FALSE(io.KeysDown[GLFW_KEY_HOME]);
+}
+
+TEST(Touch, WhereThereIsNoRoomNothingBreaks) {
+  bool drawn = false;
+  Stage stage(in_window([&](Ui& ui) {
+    touch(ui, {"none", Kind::button, "None", {}, {}, false, {}}, ImVec2(0, -8));
+    drawn = true;
+  }));
+  stage.frames(2);
+  EXPECT_TRUE(drawn);
 }
 
 struct Recorder {
