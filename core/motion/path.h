@@ -14,7 +14,7 @@
 
 namespace hw::motion {
 
-inline constexpr std::size_t path_axes = 4;
+inline constexpr std::size_t path_axes = max_axes;
 using Offsets = std::array<std::int64_t, path_axes>;
 
 class Path {

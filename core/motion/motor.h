@@ -1,0 +1,18 @@
+#pragma once
+
+namespace hw {
+
+/// A servo motor with its amplifier and its load, as the bench describes it. The amplifier makes a torque of
+/// the board's +-10 V. These values fit the example gains of the data sheet (core/motion/servo.h).
+struct Motor {
+  bool present = true;            ///< false: an ideal plant, which stands where it is commanded
+  double inertia = 5e-5;          ///< kg m², load included
+  double viscous = 5e-4;          ///< Nm s/rad
+  double friction = 0.002;        ///< Nm, dry
+  double torque_per_volt = 0.1;   ///< Nm/V
+  double torque_limit = 1;        ///< Nm
+  double counts_per_turn = 4000;  ///< of the encoder, quadrature included
+  bool operator==(const Motor&) const = default;
+};
+
+}  // namespace hw
