@@ -130,13 +130,31 @@ class Reader {
       place.counts_per_step = number(node, key, -1e6, 1e6);
       return;
     }
+    if (key == "motor") return motor(node, place);
     if (key != "home")
       return wrong(node, fmt::format("an axis has no \"{}\"", key),
-                   "Known here: minus, plus, home, index_every, counts_per_step, backlash.");
+                   "Known here: minus, plus, home, index_every, counts_per_step, backlash, motor.");
     const auto* zone = node.as_array();
     if (!zone || zone->size() != 2) return wrong(node, "home must be [from, to]");
     const auto from = whole(*zone->get(0), "home"), to = whole(*zone->get(1), "home");
     if (from && to) place.home_from = Steps(*from), place.home_to = Steps(*to);
+  }
+
+  void motor(const toml::node& node, AxisPlace& place) {
+    place.motor.emplace();
+    if (!node.is_table()) {
+      place.motor->present = on_off(node, "motor, where it is no table,").value_or(false);
+      return;
+    }
+    each(node, "motor", [&](std::string_view key, const toml::node& n) {
+      const auto known = std::find_if(motor_keys.begin(), motor_keys.end(),
+                                      [&](const MotorKey& k) { return k.name == key; });
+      if (known == motor_keys.end())
+        return wrong(
+            n, fmt::format("a motor has no \"{}\"", key),
+            "Known here: inertia, viscous, friction, torque_per_volt, torque_limit, counts_per_turn.");
+      if (const auto value = number(n, key, known->low, known->high)) *place.motor.*known->value = *value;
+    });
   }
 
   void input(std::string_view key, const toml::node& node) {

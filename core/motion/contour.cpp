@@ -100,6 +100,12 @@ std::int64_t Contour::offset(std::size_t axis, std::int64_t step) const {
   return p == nullptr ? 0 : std::llround(p->at(axis, s - p->begin)) - start_[axis];
 }
 
+double Contour::exact(std::size_t axis, double step) const {
+  const double s = std::clamp(step / fine, 0.0, length_);
+  const Piece* p = piece_at(s);
+  return p == nullptr ? 0 : p->at(axis, s - p->begin) - static_cast<double>(start_[axis]);
+}
+
 bool Contour::moves(std::size_t axis) const {
   return std::any_of(pieces_.begin(), pieces_.end(), [axis](const Piece& p) {
     return p.length > 0 && (p.arc ? axis == p.x || axis == p.y : p.way[axis] != 0);

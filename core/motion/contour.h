@@ -40,6 +40,7 @@ class Contour {
   // What a Path answers.
   [[nodiscard]] std::int64_t steps() const;
   [[nodiscard]] std::int64_t offset(std::size_t axis, std::int64_t step) const;
+  [[nodiscard]] double exact(std::size_t axis, double step) const;
   [[nodiscard]] bool moves(std::size_t axis) const;
   [[nodiscard]] int direction(std::size_t axis, std::int64_t step) const;
   [[nodiscard]] std::int64_t next_turn(std::int64_t step) const;

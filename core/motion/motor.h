@@ -1,4 +1,6 @@
 #pragma once
+#include <array>
+#include <string_view>
 
 namespace hw {
 
@@ -14,5 +16,20 @@ struct Motor {
   double counts_per_turn = 4000;  ///< of the encoder, quadrature included
   bool operator==(const Motor&) const = default;
 };
+
+/// What a bench file and a script's bench:place() call its values, and how far these go.
+struct MotorKey {
+  std::string_view name;
+  double Motor::*value;
+  double low, high;
+};
+inline constexpr std::array<MotorKey, 6> motor_keys{{
+    {"inertia", &Motor::inertia, 1e-9, 1e6},
+    {"viscous", &Motor::viscous, 0, 1e6},
+    {"friction", &Motor::friction, 0, 1e6},
+    {"torque_per_volt", &Motor::torque_per_volt, -1e6, 1e6},
+    {"torque_limit", &Motor::torque_limit, 0, 1e6},
+    {"counts_per_turn", &Motor::counts_per_turn, 1, 1e9},
+}};
 
 }  // namespace hw

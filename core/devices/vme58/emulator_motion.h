@@ -18,8 +18,8 @@
 //  - A value: copyable, no pointers to the firmware.
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/base/result.h"
@@ -27,6 +27,7 @@
 #include "core/device/bench.h"
 #include "core/devices/vme58/emulator_axis.h"
 #include "core/devices/vme58/emulator_contour.h"
+#include "core/devices/vme58/emulator_run.h"
 #include "core/devices/vme58/facts.h"
 #include "core/time/clock.h"
 
@@ -50,13 +51,6 @@ struct Move {
   }
 };
 
-/// HM HR KM KR. `kill`: stop dead at the edge, the counter keeps its value (decisions M40, M41).
-struct HomeOrder {
-  Sign way = Sign::plus;
-  bool kill = false;
-  std::int64_t position = 0;  ///< that the home edge gets; nothing with `kill`
-};
-
 struct MotionEvent {
   enum class What : std::uint8_t {
     began,      ///< the axis leaves rest for a move of any kind (PA switches power on)
@@ -64,7 +58,7 @@ struct MotionEvent {
     limit_hit,  ///< a limit switch ended or ends its move. The motion ramps or cuts as SL says; the firmware
                 ///< latches the limit bit and, unless SL is in force, empties the queues that drive the axis
     slipped,    ///< the error went beyond ES. With TN the motion has stopped the axis and ended holding; the
-              ///< firmware sets the slip flag and, with TN, empties the queues
+                ///< firmware sets the slip flag and, with TN, empties the queues
     nearly_done,  ///< so many counts are left as notify_at() asked for
     output,       ///< an auxiliary output inside a contour: `on` = high (the transistor is off)
     ready,        ///< something that a queue may wait for has changed (occupied, in_position): look again
@@ -77,14 +71,9 @@ struct MotionEvent {
 class Motion {
  public:
   explicit Motion(const Variant& variant);
-  Motion(const Motion&);
-  Motion& operator=(const Motion&);
-  Motion(Motion&&) noexcept;
-  Motion& operator=(Motion&&) noexcept;
-  ~Motion();
 
   // Time.
-  [[nodiscard]] Instant now() const;
+  [[nodiscard]] Instant now() const { return now_; }
   [[nodiscard]] std::optional<Instant> next_event() const;
   /// `to` is not behind now() and not beyond next_event().
   void advance_to(Instant to);
@@ -96,10 +85,10 @@ class Motion {
 
   // Settings. After a change call changed(): gains, HN, HF, ET, HH take effect at once, speeds with the next
   // motion.
-  [[nodiscard]] const AxisSettings& settings(int axis) const;
-  AxisSettings& settings(int axis);
-  [[nodiscard]] const BoardSettings& board() const;
-  BoardSettings& board();
+  [[nodiscard]] const AxisSettings& settings(int axis) const { return axes_[ix(axis)].settings; }
+  AxisSettings& settings(int axis) { return axes_[ix(axis)].settings; }
+  [[nodiscard]] const BoardSettings& board() const { return board_; }
+  BoardSettings& board() { return board_; }
   /// HF on a moving servo axis ends its motion; ET and HN begin to watch the encoder.
   void changed(int axis);
 
@@ -157,9 +146,70 @@ class Motion {
   /// Loads, switches, jams.
   void look(BenchView& view) const;
 
+  /// Of a servo axis with a motor: what stands at its output.
+  [[nodiscard]] double output_volts(int axis) const { return axes_[ix(axis)].loop.volts(); }
+
  private:
-  struct State;
-  std::unique_ptr<State> state_;
+  void tell(MotionEvent::What what, int axis, bool on = false) { events_.push_back({what, axis, on}); }
+
+  // Runs (emulator_motion.cpp).
+  void begin(RunKind kind, unsigned axes, Track track, const motion::Profile& profile,
+             std::shared_ptr<const Score> score = nullptr);
+  /// The same run goes on by another profile from where it is.
+  void continue_by(Run& run, const motion::Profile& profile);
+  void bring_up_to_date();
+  void apply(Run& run, std::int64_t step);
+  void look(Run& run);
+  void plan(Run& run);
+  void plan_axis(Run& run, int axis);
+  void mark(Run& run, int axis, int way, std::optional<std::int64_t> counts);
+  /// `reached`: the profile has come to its end; `cut`: it stands where it is.
+  enum class End : std::uint8_t { reached, cut };
+  void finish(Run& run, End end);
+  void rest(int axis);
+  void replan(int axis);
+  [[nodiscard]] std::optional<Instant> due(const Run& run) const;
+  [[nodiscard]] const Run* run_of(int axis) const {
+    return axes_[ix(axis)].run < 0 ? nullptr : &runs_[ix(axes_[ix(axis)].run)];
+  }
+  Run* run_of(int axis) { return const_cast<Run*>(std::as_const(*this).run_of(axis)); }
+  [[nodiscard]] Run& free_run();
+  bool met_limit(Run& run, int axis);
+  void told_nearly_done(Run& run, int axis);
+  [[nodiscard]] std::optional<std::int64_t> counts_left(const Run& run, int axis) const;
+
+  // Moves (emulator_moves.cpp).
+  [[nodiscard]] motion::Ramp ramp_of(int axis) const;
+  [[nodiscard]] motion::Ramp ramp_of(const Run& run) const;
+  void begin_endless(RunKind kind, int axis, Sign way, double speed);
+  void go_to(int axis, std::int64_t goal);
+  void stop_run(Run& run);
+  void run_to(Run& run, int axis, std::int64_t counts, double speed);
+  void leave(Run& run, int axis);
+  void aim_again(Run& run, int axis);
+
+  // Homing, contours (emulator_home.cpp, emulator_playing.cpp).
+  bool found_home(Run& run, int axis);
+  bool follow_cues(Run& run);
+
+  // Servo loops, holding, slip, tracking (emulator_servo.cpp, emulator_hold.cpp).
+  void update_servos();
+  void update_servo(int axis);
+  void schedule_updates();
+  [[nodiscard]] double exact_command(int axis) const;
+  void switch_servo(int axis);
+  void watch_error(int axis);
+  void slipped(int axis);
+  void schedule_correction(int axis);
+  void correct(int axis);
+  void track(int axis, std::int64_t counts);
+
+  Instant now_{};
+  std::array<MotionAxis, most_axes> axes_;
+  std::array<Run, most_axes> runs_;
+  BoardSettings board_;
+  std::vector<MotionEvent> events_;
+  std::optional<Instant> update_at_;  ///< next update of the servo loops, while one of them is awake
 };
 
 }  // namespace hw::vme58
