@@ -64,7 +64,7 @@ struct MotionEvent {
     limit_hit,  ///< a limit switch ended or ends its move. The motion ramps or cuts as SL says; the firmware
                 ///< latches the limit bit and, unless SL is in force, empties the queues that drive the axis
     slipped,    ///< the error went beyond ES. With TN the motion has stopped the axis and ended holding; the
-              ///< firmware sets the slip flag and, with TN, empties the queues
+                ///< firmware sets the slip flag and, with TN, empties the queues
     nearly_done,  ///< so many counts are left as notify_at() asked for
     output,       ///< an auxiliary output inside a contour: `on` = high (the transistor is off)
     ready,        ///< something that a queue may wait for has changed (occupied, in_position): look again
