@@ -45,13 +45,10 @@ void Board::set_mode(const Command& c) {
   }
 }
 
-/// A contour that is being recorded ends with the mode that it was begun in.
+/// A contour that is being recorded ends with the mode that it was begun in, and without its end is none.
 void Board::select(int context) {
   if (context < most_axes && (fitted_ >> context & 1u) == 0) return text_error();
-  if (recording_) {
-    text_error();
-    recording_ = false;
-  }
+  recording_ = false;
   context_ = context;
 }
 

@@ -13,7 +13,7 @@ constexpr std::string_view firmware = "VME58 ver 2.24-";
 // Decision M01.
 constexpr std::string_view frame = "\n\r", status_frame = "\n\r\r";
 
-std::string whole(double value) { return std::to_string(std::llround(value)); }
+std::string rounded(double value) { return std::to_string(std::llround(value)); }
 
 std::string lines_in_hex(unsigned lines) {
   std::array<char, 8> text{};
@@ -40,8 +40,8 @@ void Board::answer(const Command& c) {
     case Op::WY: text = std::string(firmware) + std::string(variant_->name); break;
     case Op::RP: text = values([this](int a) { return std::to_string(motion_.position(a)); }); break;
     case Op::RE: text = values([this](int a) { return std::to_string(motion_.encoder(a)); }); break;
-    case Op::RC: text = values([this](int a) { return whole(motion_.settings(a).acceleration); }); break;
-    case Op::RV: text = values([this](int a) { return whole(motion_.velocity(a)); }); break;
+    case Op::RC: text = values([this](int a) { return rounded(motion_.settings(a).acceleration); }); break;
+    case Op::RV: text = values([this](int a) { return rounded(motion_.velocity(a)); }); break;
     case Op::RU: text = values([this](int a) { return user_position(a); }); break;
     case Op::RQ:
       text = std::to_string(recording_ ? contour_entries - recorded_entries_

@@ -33,7 +33,7 @@ VME58_FORM("vme58.enc.ER") {
     AxisPlace place;
     place.counts_per_step = 2.5;
     rig.place('X', place);
-    rig.send(told ? "AX ER1000,400 MR400 GO ID " : "AX MR400 GO ID ");
+    rig.send(told ? "AX ER1000,400 HN MR400 GO ID " : "AX HN MR400 GO ID ");
     rig.run_until_done("X");
     EXPECT_EQ(encoder(rig), 1000);
     EXPECT_EQ(rig.position('X'), 400);
@@ -148,7 +148,7 @@ VME58_FORM("vme58.enc.TN") {
   EXPECT_FALSE(rig.moving('X'));
   EXPECT_LT(rig.position('X'), 100) << "stopped where it slipped";
   EXPECT_EQ(rig.room('X'), queue_entries) << "the queue is empty";
-  EXPECT_EQ(rig.value("AX EA"), "EDSNNN") << "holding is over";
+  EXPECT_EQ(rig.value("AX EA"), "EDSPNN") << "holding is over, and with it the question of the band";
   EXPECT_EQ(rig.read8(reg::slip), bit_of('X'));
   EXPECT_EQ(rig.done(), 0);
 }

@@ -117,7 +117,7 @@ VME58_FORM("vme58.contour.RQ") {
   for (int i = 0; i < 63; ++i) rig.send("MT1,1 ");
   EXPECT_EQ(rig.value("RQ"), "2");
   EXPECT_FALSE(rig.command_error());
-  rig.send("MT2,2 ");
+  rig.send("MT2,2;");
   EXPECT_TRUE(rig.command_error());
   rig.send("CE CV100 ");
   EXPECT_FALSE(rig.command_error());

@@ -69,7 +69,7 @@ TEST(Vme58Window, TheMailboxWorksWhileTheTextIsHeldBack) {
   EXPECT_GT(rig.waiting(), 0);
   rig.run_for(100ms);
   rig.mail("KL");
-  EXPECT_EQ(rig.value(""), "VME58 ver 2.24-8S") << "room, and the text goes on";
+  EXPECT_EQ(rig.output(), framed("VME58 ver 2.24-8S")) << "room, and the text goes on";
   rig.run_for(1s);
   EXPECT_EQ(rig.room('X'), queue_entries);
   EXPECT_EQ(rig.read32(at::mailbox), 0u);
