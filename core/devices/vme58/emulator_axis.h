@@ -54,7 +54,7 @@ enum class RampForm : std::uint8_t { linear, cosine, parabolic };
 
 /// CN PN PF: the last one of them counts, for all axes (decision M45).
 struct BoardSettings {
-  RampForm ramp = RampShape58::linear;
+  RampForm ramp = RampForm::linear;
   int truncation = 0;                                    ///< PN's operand, 1..10
   double contour_velocity = 0;                           ///< CV; 0: not given yet
   Duration servo_period = std::chrono::milliseconds(1);  ///< decision M96
