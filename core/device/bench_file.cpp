@@ -91,13 +91,20 @@ class Reader {
     return {};
   }
   std::optional<int> numbered(const toml::node& at, std::string_view key, std::string_view what,
-                              std::size_t count) {
+                              std::size_t count, int first = 1) {
     int n = 0;
     for (const char c : key) n = c >= '0' && c <= '9' && n < 1000 ? n * 10 + (c - '0') : 10'000;
-    if (!key.empty() && n >= 1 && n <= static_cast<int>(count)) return n;
+    const int last = first + static_cast<int>(count) - 1;
+    if (!key.empty() && n >= first && n <= last) return n;
     wrong(at, fmt::format("there is no {} \"{}\"", what, key),
-          count > 0 ? fmt::format("This controller has {} 1 to {}.", what, count) : std::string());
+          count > 0 ? fmt::format("This controller has {} {} to {}.", what, first, last) : std::string());
     return {};
+  }
+  /// From the maker's number, which may begin at 0, to the bench's, from 1.
+  std::optional<int> input_place(const toml::node& at, std::string_view key) {
+    const int first = catalog_.inputs.empty() ? 1 : catalog_.input_number(0);
+    const auto n = numbered(at, key, "input", catalog_.inputs.size(), first);
+    return n ? std::optional(catalog_.find_input(*n) + 1) : std::nullopt;
   }
 
   void quirks(const toml::node& node) {
@@ -158,7 +165,7 @@ class Reader {
   }
 
   void input(std::string_view key, const toml::node& node) {
-    const auto n = numbered(node, key, "input", catalog_.inputs.size());
+    const auto n = input_place(node, key);
     const auto on = on_off(node, "an input");
     if (n && on) file_.at_start.emplace_back(bench::Input(*n, *on));
   }
@@ -225,8 +232,7 @@ class Reader {
   using Arguments = std::vector<const toml::node*>;
   std::optional<BenchCommand> timed_input(const Arguments& args) {
     const auto number_text = args[0]->value<std::int64_t>();
-    const auto n =
-        numbered(*args[0], std::to_string(number_text.value_or(0)), "input", catalog_.inputs.size());
+    const auto n = input_place(*args[0], std::to_string(number_text.value_or(-1)));
     const auto on = on_off(*args[1], "an input");
     if (!n || !on) return {};
     return bench::Input(*n, *on);

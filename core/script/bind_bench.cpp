@@ -39,7 +39,12 @@ int small(const Call& call, int argument, const char* what) {
   return static_cast<int>(value);
 }
 
-int bench_input(Call& call) { return operate(call, bench::Input(small(call, 1, "input"), call.on(2, "on"))); }
+/// By the maker's number; the bench counts places from 1.
+int bench_input(Call& call) {
+  const int number = small(call, 1, "input");
+  const int place = session_of(call)->catalog().find_input(number);
+  return operate(call, bench::Input(place < 0 ? number : place + 1, call.on(2, "on")));
+}
 
 int limit(Call& call) {
   const std::string side = call.text(2, "side");
@@ -237,24 +242,11 @@ int look(Call& call) {
 }
 
 constexpr Function bench_methods[] = {
-    {"input", bench_input},
-    {"limit", limit},
-    {"home", bench_home},
-    {"analog", bench_analog},
-    {"button", button},
-    {"jam", jam},
-    {"alarm", alarm},
-    {"slip", slip},
-    {"unplug", unplug},
-    {"garble", garble},
-    {"drop", drop},
-    {"power", power},
-    {"power_cycle", power_cycle},
-    {"breaker", breaker},
-    {"at", at},
-    {"place", place},
-    {"pulses", pulses},
-    {"look", look},
+    {"input", bench_input},       {"limit", limit},     {"home", bench_home}, {"analog", bench_analog},
+    {"button", button},           {"jam", jam},         {"alarm", alarm},     {"slip", slip},
+    {"unplug", unplug},           {"garble", garble},   {"drop", drop},       {"power", power},
+    {"power_cycle", power_cycle}, {"breaker", breaker}, {"at", at},           {"place", place},
+    {"pulses", pulses},           {"look", look},
 };
 
 }  // namespace
