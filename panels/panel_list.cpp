@@ -10,11 +10,13 @@
 #include "panels/inputs_outputs.h"
 #include "panels/jog.h"
 #include "panels/limits.h"
+#include "panels/memory_map.h"
 #include "panels/moves.h"
 #include "panels/position.h"
 #include "panels/program.h"
 #include "panels/setup.h"
 #include "panels/terminal.h"
+#include "panels/tuning.h"
 #include "panels/variables.h"
 
 namespace hw::panels {
@@ -40,6 +42,8 @@ bool has_parameters(const Tab& t) { return !t.catalog().params.empty(); }
 bool controls(const Tab& t) { return has_control(t.catalog()); }
 bool has_variables(const Tab& t) { return t.catalog().variables.count > 0; }
 bool has_move_list(const Tab& t) { return !t.catalog().move_list.columns.empty(); }
+bool has_memory_map(const Tab& t) { return t.catalog().can.memory_map; }
+bool tunes(const Tab& t) { return can_tune(t.catalog()); }
 bool has_bench(const Tab& t) { return t.bench().present; }
 bool is_alone(const Tab& t) { return !t.bus; }
 bool is_on_bus(const Tab& t) { return t.bus != nullptr; }
@@ -54,6 +58,8 @@ constexpr gui::PanelEntry panels[] = {
     {"variables", "Variables", Place::centre, make<Variables>, has_variables},
     {"list", "Moves", Place::centre, make<Moves>, has_move_list, 240},
     {"setup", "Setup", Place::centre, make<Setup>, has_parameters, 240},
+    {"tuning", "Tuning", Place::centre, make<Tuning>, tunes, 420},
+    {"memory", "Memory", Place::centre, make<MemoryMap>, has_memory_map, 240},
     {"terminal", "Terminal", Place::below, make<Terminal>, nullptr},
     {"limits", "Limits", Place::right, make<Limits>, nullptr},
     {"inputs_outputs", "Inputs and outputs", Place::right, make<InputsOutputs>, has_signals},

@@ -1,0 +1,112 @@
+#include "panels/step_table.h"
+
+#include <cmath>
+#include <optional>
+
+#include "gui/units_format.h"
+#include "gui/widgets/row.h"
+#include "gui/widgets/text.h"
+#include "panels/path.h"
+
+namespace hw::panels {
+
+using namespace gui;
+namespace {
+
+constexpr float row_height = 26;
+
+struct Measure {
+  std::string_view id, label, unit;
+  int decimals;
+  std::optional<double> (*of)(const StepMeasures&);
+  std::string_view absent;  ///< said when there is none
+};
+
+constexpr Measure measures[] = {
+    {"overshoot", "Overshoot", "%", 1,
+     [](const StepMeasures& m) { return std::optional(m.overshoot_percent); }, ""},
+    {"rise", "Rise, 10 to 90 %", "ms", 1,
+     [](const StepMeasures& m) { return m.rose ? std::optional(m.rise_ms) : std::nullopt; }, "did not rise"},
+    {"settling", "Settling within 2 %", "ms", 1,
+     [](const StepMeasures& m) { return m.settled ? std::optional(m.settling_ms) : std::nullopt; },
+     "not settled"},
+    {"steady", "Steady error", "", 1, [](const StepMeasures& m) { return std::optional(m.steady_error); },
+     ""},
+    {"crossings", "Passes of the target", "times", 0,
+     [](const StepMeasures& m) { return std::optional(static_cast<double>(m.crossings)); }, ""},
+    {"largest", "Largest error on the way", "", 0,
+     [](const StepMeasures& m) { return std::optional(m.largest_error); }, ""},
+};
+
+std::string_view unit_of(const Frame& f, const Measure& m) {
+  return m.unit.empty() ? std::string_view(f.catalog.step_word) : m.unit;
+}
+
+Path words_of(const Frame& f, const Measure& m, const StepMeasures& of) {
+  const auto value = m.of(of);
+  if (!of.any || !value) return Path("{}", of.any ? m.absent : "");
+  const NumberText number = format_number(*value, m.decimals);
+  return Path("{} {}", number.view(), unit_of(f, m));
+}
+
+struct Change {
+  Path words;
+  Tone tone;
+};
+/// Less is better in all of them; errors count without their sign.
+Change change_of(const Frame& f, const Measure& m, const TwoSteps& s) {
+  const auto now = m.of(s.now), was = m.of(s.was);
+  if (s.number == 0 || s.before == 0 || !s.now.any || !s.was.any || !now || !was)
+    return {Path("{}", ""), Tone::ink2};
+  const double by = std::fabs(*now) - std::fabs(*was);
+  const double least = 0.5 * std::pow(10.0, -m.decimals);
+  if (std::fabs(by) < least) return {Path("same"), Tone::ink2};
+  const NumberText number = format_number(by, m.decimals);
+  const std::string_view sign = by > 0 ? "+" : "";
+  const std::string_view verdict = by < 0 ? "better" : "worse";
+  return {Path("{}{} {}, {}", sign, number.view(), unit_of(f, m), verdict), by < 0 ? Tone::ok : Tone::warn};
+}
+
+}  // namespace
+
+void draw_step_table(Frame& f, const TwoSteps& s, float width) {
+  Ui& ui = f.ui;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float left = at.x + ui.px(16), right = at.x + ui.px(width - 16);
+  const float share = (right - left) / 4;
+  const Column columns[] = {{"Measurements", 0, false},
+                            {"", share * 0.85f / ui.scale, true},
+                            {"", share * 0.85f / ui.scale, true},
+                            {"", share * 1.15f / ui.scale, true}};
+  const Columns places(ui, columns, left, right);
+  const Rect head{ImVec2(left, at.y), ImVec2(right, at.y + ui.px(32))};
+  places.text(ui, 0, head, Face::body_bold, ui[Tone::ink], "Measurements");
+  if (s.number) places.text(ui, 1, head, Face::body_bold, ui[Tone::ink], Path("run {}", s.number));
+  if (s.number && s.before) {
+    places.text(ui, 2, head, Face::body, ui[Tone::ink2], Path("run {}", s.before));
+    places.text(ui, 3, head, Face::body, ui[Tone::ink2], "change");
+  }
+  float y = head.max.y;
+  for (const Measure& m : measures) {
+    const Rect row{ImVec2(left, y), ImVec2(right, y + ui.px(row_height))};
+    ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(at.x, y), ImVec2(at.x + ui.px(width), y + ui.hair()),
+                                              ui[Tone::line]);
+    places.text(ui, 0, row, Face::body, ui[Tone::ink2], m.label);
+    const auto say = [&](std::size_t column, std::string_view id, Face face, Tone tone,
+                         std::string_view words) {
+      places.text(ui, column, row, face, ui[tone], words);
+      show(ui, {id, Kind::text, m.label, words}, places.cell(column, row));
+    };
+    if (s.number) say(1, Path("tuning/measure/{}", m.id), Face::body_bold, Tone::ink, words_of(f, m, s.now));
+    if (s.number && s.before) {
+      say(2, Path("tuning/measure/{}/before", m.id), Face::body, Tone::ink2, words_of(f, m, s.was));
+      const Change change = change_of(f, m, s);
+      say(3, Path("tuning/measure/{}/change", m.id), Face::body, change.tone, change.words);
+    }
+    y = row.max.y;
+  }
+  ImGui::SetCursorScreenPos(ImVec2(at.x, y));
+  gap(ui, 8);
+}
+
+}  // namespace hw::panels
