@@ -4,6 +4,7 @@
 #include "panels/bench.h"
 #include "panels/bus_rows.h"
 #include "panels/connect.h"
+#include "panels/contour.h"
 #include "panels/control.h"
 #include "panels/goto_home.h"
 #include "panels/help.h"
@@ -43,6 +44,7 @@ bool controls(const Tab& t) { return has_control(t.catalog()); }
 bool has_variables(const Tab& t) { return t.catalog().variables.count > 0; }
 bool has_move_list(const Tab& t) { return !t.catalog().move_list.columns.empty(); }
 bool has_memory_map(const Tab& t) { return t.catalog().can.memory_map; }
+bool has_contours(const Tab& t) { return t.catalog().can.contours; }
 bool tunes(const Tab& t) { return can_tune(t.catalog()); }
 bool has_bench(const Tab& t) { return t.bench().present; }
 bool is_alone(const Tab& t) { return !t.bus; }
@@ -59,6 +61,7 @@ constexpr gui::PanelEntry panels[] = {
     {"list", "Moves", Place::centre, make<Moves>, has_move_list, 240},
     {"setup", "Setup", Place::centre, make<Setup>, has_parameters, 240},
     {"tuning", "Tuning", Place::centre, make<Tuning>, tunes, 420},
+    {"contour", "Contour", Place::centre, make<Contour>, has_contours, 300},
     {"memory", "Memory", Place::centre, make<MemoryMap>, has_memory_map, 240},
     {"terminal", "Terminal", Place::below, make<Terminal>, nullptr},
     {"limits", "Limits", Place::right, make<Limits>, nullptr},

@@ -1,0 +1,73 @@
+#include "gui/widgets/plot.h"
+
+#include <gmock/gmock.h>
+
+#include "tests/gui/stage.h"
+
+namespace hw::gui {
+namespace {
+
+TEST(Plot, GridLinesStandAtRoundNumbers) {
+  EXPECT_DOUBLE_EQ(grid_step({0, 600}, 6), 100);
+  EXPECT_DOUBLE_EQ(grid_step({-20, 230}, 5), 50);
+  EXPECT_DOUBLE_EQ(grid_step({0, 0.07f}, 4), 0.02);
+  EXPECT_GT(grid_step({5, 5}, 4), 0) << "an empty range has lines too";
+}
+
+TEST(Plot, ValuesBetweenPoints) {
+  const float x[] = {0, 10, 10, 20}, y[] = {0, 100, 200, 200};
+  const PlotTrace trace{x, y};
+  float v = 0;
+  EXPECT_TRUE(value_at(trace, 5, v));
+  EXPECT_FLOAT_EQ(v, 50);
+  EXPECT_TRUE(value_at(trace, 15, v));
+  EXPECT_FLOAT_EQ(v, 200);
+  EXPECT_FALSE(value_at(trace, 21, v));
+  EXPECT_FALSE(value_at(PlotTrace{}, 0, v));
+}
+
+struct PlotStage {
+  std::vector<float> x, y;
+  PlotCursor cursor;
+  Stage stage{in_window([this](Ui& ui) {
+                PlotOptions o;
+                o.title = "position, counts", o.x_unit = "ms";
+                o.x = {0, 100}, o.y = {0, 100};
+                o.width = 400, o.height = 200;
+                o.empty = "Nothing yet.";
+                const PlotTrace trace{x, y, Tone::motion, 2, false, "encoder 100"};
+                plot(ui, "plot", "Plot", {&trace, 1}, o, cursor);
+              }),
+              440, 240};
+};
+
+TEST(Plot, TheCursorTellsTheValueUnderTheMouse) {
+  PlotStage p;
+  for (int i = 0; i <= 100; ++i) p.x.push_back(static_cast<float>(i)), p.y.push_back(static_cast<float>(i));
+  p.stage.frames(2);
+  EXPECT_FALSE(p.stage.find("plot/cursor"));
+  p.stage.push(InputEvent::mouse_move(16 + 52 + (400 - 68) / 2, 100, p.stage.now_s));
+  p.stage.frames(2);
+  const Widget* w = p.stage.find("plot/cursor");
+  ASSERT_TRUE(w);
+  EXPECT_THAT(std::string(w->value), ::testing::StartsWith("50."));
+  EXPECT_THAT(std::string(w->value), ::testing::HasSubstr("encoder 50"));
+}
+
+TEST(Plot, ManyPointsAreNoMoreThanTwoAColumn) {
+  PlotStage p;
+  for (int i = 0; i < 100'000; ++i)
+    p.x.push_back(static_cast<float>(i) / 1000), p.y.push_back(static_cast<float>(i % 97));
+  std::size_t vertices = 0;
+  p.stage.draw = [&, draw = p.stage.draw](Ui& ui) {
+    draw(ui);
+    ImGui::Begin("test");
+    vertices = static_cast<std::size_t>(ImGui::GetWindowDrawList()->VtxBuffer.Size);
+    ImGui::End();
+  };
+  p.stage.frames(2);
+  EXPECT_LT(vertices, 332u * 2 * 5 + 2000);
+}
+
+}  // namespace
+}  // namespace hw::gui

@@ -1,0 +1,106 @@
+// Contours and staircases: what is typed is drawn, checked, written by the controller's language and run.
+#include "panels/contour.h"
+
+#include "tests/panels/panel_stage.h"
+#include "tests/panels/window_catalog.h"
+
+namespace hw::panels {
+namespace {
+
+using ::testing::HasSubstr;
+
+struct ContourTest : ::testing::Test {
+  ContourTest() {
+    s.now.axis_count = 3;
+    for (AxisState& a : s.now.axes) a.position_known = true, a.activity = Activity::idle;
+    s.stage.frames(2);
+  }
+  void line(int row, const char* x, const char* y) {
+    s.click("contour/add/line");
+    s.type(("contour/" + std::to_string(row) + "/x").c_str(), x);
+    s.type(("contour/" + std::to_string(row) + "/y").c_str(), y);
+  }
+  Contour panel;
+  test::WindowLanguage language;
+  test::PanelStage s{panel, 864, 620, 1, gui::Tier::wide, true, test::window_catalog(), &language};
+};
+
+TEST_F(ContourTest, PiecesBecomeTheControllersText) {
+  EXPECT_THAT(s.value("contour/problem"), HasSubstr("no line and no arc"));
+  EXPECT_THAT(s.reason("contour/run"), HasSubstr("no line and no arc"));
+  line(1, "1000", "0");
+  s.click("contour/add/output");
+  s.click("contour/add/arc");
+  s.type("contour/3/x", "1000");
+  s.type("contour/3/y", "500");
+  s.type("contour/3/angle", "180");
+  EXPECT_EQ(s.value("contour/text"), "contour X Y at 1000\nline 1000 0\nAux X on\narc 1000 500 180\n");
+  EXPECT_EQ(s.value("contour/view"), "2571 counts long, 2.6 s at this speed") << "1000 + 500 pi";
+}
+
+TEST_F(ContourTest, ItIsLoadedAndThenStarted) {
+  line(1, "1000", "0");
+  s.click("contour/run");
+  ASSERT_TRUE(s.last<intent::LoadProgram>());
+  EXPECT_EQ(s.last<intent::LoadProgram>()->text, "contour X Y at 1000\nline 1000 0\n");
+  EXPECT_FALSE(s.last<intent::RunProgram>());
+  s.settle(Fate::done);
+  EXPECT_TRUE(s.last<intent::RunProgram>());
+}
+
+TEST_F(ContourTest, ARefusedTextIsNotStarted) {
+  line(1, "1000", "0");
+  s.click("contour/run");
+  s.settle(Fate::refused, "Line 1: no.");
+  EXPECT_FALSE(s.last<intent::RunProgram>());
+  EXPECT_EQ(s.toast(), "Line 1: no.");
+}
+
+TEST_F(ContourTest, WhatCannotBeDrawnIsNamedByItsRowAndNotRun) {
+  line(1, "1000", "0");
+  s.click("contour/add/arc");
+  s.type("contour/2/x", "1000");
+  EXPECT_THAT(s.value("contour/problem"), HasSubstr("Piece 2: the centre of the arc is the point"));
+  EXPECT_THAT(s.reason("contour/run"), HasSubstr("Piece 2"));
+  s.type("contour/2/x", "2000");
+  EXPECT_FALSE(s.stage.find("contour/problem"));
+  s.click("contour/second");
+  s.click("contour/second/X");
+  EXPECT_THAT(s.value("contour/problem"), HasSubstr("two different axes"));
+}
+
+TEST_F(ContourTest, ARowCanGo) {
+  line(1, "1000", "0");
+  line(2, "1000", "700");
+  s.click("contour/1/remove");
+  EXPECT_EQ(s.value("contour/text"), "contour X Y at 1000\nline 1000 700\n");
+}
+
+TEST_F(ContourTest, AStaircaseHasToGoOneWay) {
+  s.click("contour/kind/Staircase");
+  s.click("stairs/add");
+  s.type("stairs/1/until", "2000");
+  s.type("stairs/1/speed", "500");
+  s.click("stairs/add");
+  EXPECT_EQ(s.value("contour/text"), "stairs of X 2000 at 500 3000 at 500 stop 10000\n");
+  s.type("stairs/2/until", "1500");
+  EXPECT_THAT(s.value("contour/problem"), HasSubstr("Step 2: 1500 does not lie on the way from 2000"));
+  s.type("stairs/2/until", "20000");
+  EXPECT_THAT(s.value("contour/problem"), HasSubstr("passed 10000"));
+}
+
+TEST_F(ContourTest, ItGoesIntoTheEditorAndAsksBeforeItReplaces) {
+  line(1, "1000", "0");
+  s.click("contour/to_program");
+  EXPECT_EQ(s.tab.desk().texts.text(0), "contour X Y at 1000\nline 1000 0\n");
+  s.type("contour/1/x", "2000");
+  s.click("contour/to_program");
+  s.click("contour/replace/no");
+  EXPECT_EQ(s.tab.desk().texts.text(0), "contour X Y at 1000\nline 1000 0\n");
+  s.click("contour/to_program");
+  s.click("contour/replace/yes");
+  EXPECT_EQ(s.tab.desk().texts.text(0), "contour X Y at 1000\nline 2000 0\n");
+}
+
+}  // namespace
+}  // namespace hw::panels

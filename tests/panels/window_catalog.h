@@ -1,0 +1,83 @@
+#pragma once
+// A board in a memory window with two servo axes and a step axis: no device, but all that the panels for
+// memory, tuning and contours ask of a catalog.
+#include "core/device/contour_plan.h"
+#include "core/device/servo_tuning.h"
+#include "tests/gui/toy_language.h"
+
+namespace hw::test {
+
+inline MemoryCell window_cell(int offset, int bytes, const char* name, const char* group, int axis = -1) {
+  MemoryCell c;
+  c.offset = offset, c.bytes = bytes, c.name = name, c.group = group, c.axis = axis;
+  c.is_signed = axis >= 0;
+  return c;
+}
+
+inline ParamInfo window_gain(const char* mnemonic, const char* label, int axis) {
+  ParamInfo p;
+  p.mnemonic = mnemonic, p.label = label, p.axis = axis, p.group = std::string(servo_loop_group);
+  p.maximum = 100'000, p.decimals = 2, p.stored = false;
+  return p;
+}
+
+inline Catalog window_catalog() {
+  Catalog c;
+  c.model = "board", c.name = "Board", c.short_name = "BOARD", c.step_word = "counts";
+  for (const char* name : {"X", "Y", "Z"}) c.axes.push_back({name, "axis"});
+  MemoryCell status = window_cell(0xFE3, 1, "Status", "Registers");
+  status.bits = {{0, "Command error"}, {1, "Initialized"}, {4, "Done"}};
+  MemoryCell limit = window_cell(0xFED, 1, "Limit", "Registers");
+  limit.bits = {{0, "Axis X"}, {1, "Axis Y"}};
+  c.memory = {status, limit, window_cell(0x000, 2, "Put index", "Rings"),
+              window_cell(0x400, 4, "X Encoder", "Axis X", 0),
+              window_cell(0x480, 4, "Y Encoder", "Axis Y", 1)};
+  c.memory_rings = {{"Commands", 0x804, 256, 0x800, 0x002}};
+  c.readout_groups = {"Flags", "Memory map"};
+  c.memory_readout_group = 1;
+  c.params = {window_gain("KPX", "Proportional gain of X", 0), window_gain("KDX", "Derivative gain of X", 0),
+              window_gain("KPY", "Proportional gain of Y", 1)};
+  c.outputs = {{"Out 8", "general line"}, {"Aux X", "auxiliary"}, {"Aux Y", "auxiliary"}};
+  c.program.slots = 1, c.program.slot_word = "Program";
+  c.can.memory_map = c.can.servo_tuning = c.can.contours = true;
+  c.jog_speed_max = Pps{1'000'000};
+  c.position_min = Steps{-33'500'000}, c.position_max = Steps{33'500'000};
+  return c;
+}
+
+/// Writes plans as words that a test can read.
+class WindowLanguage final : public Language, public ContourWriter {
+ public:
+  [[nodiscard]] ProgramReport analyse(std::string_view, int) const override { return {}; }
+  [[nodiscard]] Result<Rehearsal> rehearse(std::string_view, const RehearseOptions&) const override {
+    return Rehearsal();
+  }
+  [[nodiscard]] Result<std::string> write_contour(const ContourPlan& plan,
+                                                  const Catalog& catalog) const override {
+    const auto shape = draw_contour(plan, catalog);
+    if (!shape) return fail(shape.error());
+    std::string text = fmt::format("contour {} {} at {:.0f}\n", catalog.axes[plan.first.index].name,
+                                   catalog.axes[plan.second.index].name, plan.speed.value);
+    for (const ContourPiece& p : plan.pieces) {
+      if (p.kind == ContourPiece::Kind::output)
+        text += fmt::format("{} {}\n", catalog.outputs[static_cast<std::size_t>(p.output)].name,
+                            p.on ? "on" : "off");
+      else if (p.kind == ContourPiece::Kind::arc)
+        text += fmt::format("arc {} {} {}\n", p.x.value, p.y.value, p.degrees);
+      else
+        text += fmt::format("line {} {}\n", p.x.value, p.y.value);
+    }
+    return text;
+  }
+  [[nodiscard]] Result<std::string> write_staircase(const StaircasePlan& plan,
+                                                    const Catalog& catalog) const override {
+    if (auto fine = check_staircase(plan, catalog); !fine) return fail(fine.error());
+    std::string text = "stairs of " + catalog.axes[plan.axis.index].name;
+    for (const StaircaseStep& s : plan.steps)
+      text += fmt::format(" {} at {:.0f}", s.until.value, s.speed.value);
+    return text + fmt::format(" stop {}\n", plan.stop_at.value);
+  }
+  [[nodiscard]] std::vector<int> contour_outputs(const Catalog&) const override { return {1, 2}; }
+};
+
+}  // namespace hw::test
