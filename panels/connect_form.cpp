@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <set>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -48,6 +49,9 @@ bool ConnectForm::has_ids() const { return catalog().addressed(); }
 
 std::string ConnectForm::address() const {
   const Catalog& c = catalog();
+  if (way_ == Way::vme || way_ == Way::bus)
+    return fmt::format("{}@{}:{}{}", c.model, way_ == Way::vme ? "vme" : "bus", port_,
+                       way_ == Way::vme ? ",base=" + base_ : "");
   if (way_ == Way::usb)
     return c.model + "@usb" + (port_.empty() || port_.starts_with('/') ? "" : ":" + port_);
   std::string text = fmt::format("{}@{}:{}", c.model, way_ == Way::tcp ? "tcp" : "serial", port_);
@@ -81,6 +85,17 @@ std::string ConnectForm::draw(PageFrame& f, float width) {
   return opened ? made : chosen;
 }
 
+void ConnectForm::choose(Way way) {
+  way_ = way;
+  switch (way) {
+    case Way::serial: port_ = "/dev/ttyUSB0"; break;
+    case Way::usb: port_.clear(); break;
+    case Way::tcp: port_ = "127.0.0.1:4001"; break;
+    case Way::vme: port_ = "/dev/bus/vme/m0"; break;
+    case Way::bus: port_ = "127.0.0.1:5000"; break;
+  }
+}
+
 void ConnectForm::draw_parts(PageFrame& f, float width) {
   Ui& ui = f.ui;
   const float row = ImGui::GetCursorScreenPos().x;
@@ -91,21 +106,25 @@ void ConnectForm::draw_parts(PageFrame& f, float width) {
     model_ = model;
     baud_ = 0;
     id_ = catalog().id();
+    const bool window = way_ == Way::vme || way_ == Way::bus;
+    if (window != catalog().can.window) choose(catalog().can.window ? Way::vme : Way::serial);
   }
   ImGui::SameLine(0, ui.px(between));
-  static constexpr std::array<std::string_view, 3> ways = {"serial", "USB", "tcp"};
-  const int picked = dropdown(ui, "connect/form/way", "Way", ways, static_cast<int>(way_));
-  if (picked >= 0) {
-    way_ = static_cast<Way>(picked);
-    port_ = way_ == Way::serial ? "/dev/ttyUSB0" : way_ == Way::tcp ? "127.0.0.1:4001" : "";
-  }
+  static constexpr std::array<std::string_view, 3> line_ways = {"serial", "USB", "tcp"};
+  static constexpr std::array<std::string_view, 2> window_ways = {"VME", "bus port"};
+  const int first = catalog().can.window ? static_cast<int>(Way::vme) : 0;
+  const std::span<const std::string_view> ways =
+      catalog().can.window ? std::span<const std::string_view>(window_ways) : line_ways;
+  const int picked = dropdown(ui, "connect/form/way", "Way", ways, static_cast<int>(way_) - first);
+  if (picked >= 0) choose(static_cast<Way>(first + picked));
   ImGui::SameLine(0, ui.px(between));
   FieldOptions port;
   port.face = Face::code_field;
   port.placeholder = way_ == Way::usb ? "the only one, or its serial number" : "";
   const float used = (ImGui::GetCursorScreenPos().x - row) / ui.scale;
-  port.width = std::max(120.0f, width - used - (way_ == Way::serial ? rate_width + between : 0) -
-                                    (has_ids() && way_ != Way::usb ? id_width + between : 0));
+  port.width =
+      std::max(120.0f, width - used - (way_ == Way::serial || way_ == Way::vme ? rate_width + between : 0) -
+                           (has_ids() && way_ != Way::usb ? id_width + between : 0));
   text_field(ui, "connect/form/port", "Port", port_, port);
   if (way_ == Way::serial) {
     std::vector<std::string> rates;
@@ -116,6 +135,14 @@ void ConnectForm::draw_parts(PageFrame& f, float width) {
     o.width = rate_width;
     o.tip = "Baud rate";
     if (const int b = dropdown(ui, "connect/form/baud", "Baud rate", views, baud_, o); b >= 0) baud_ = b;
+  }
+  if (way_ == Way::vme) {
+    ImGui::SameLine(0, ui.px(between));
+    FieldOptions base;
+    base.face = Face::code_field;
+    base.width = rate_width;
+    base.tip = "Where the board's window begins in the short address space, as its jumpers say";
+    text_field(ui, "connect/form/base", "Base", base_, base);
   }
   if (!has_ids() || way_ == Way::usb) return;
   ImGui::SameLine(0, ui.px(between));

@@ -197,46 +197,58 @@ int status(Call& call) {
   return of_axis(call, push_axis_status);
 }
 
-// ---- inputs and outputs, by the maker's number from 1
+// ---- inputs and outputs, by the maker's number
 
-// nullopt in words: "There is no input 9. VXM has 1 to 4."
-std::string no_such(const Catalog& catalog, const char* what, std::int64_t number, std::size_t count) {
-  return count == 0
-             ? fmt::format("{} has no {}s.", catalog.short_name, what)
-             : fmt::format("There is no {} {}. {} has 1 to {}.", what, number, catalog.short_name, count);
+// "There is no input 9. VXM has 1 to 4."
+std::string no_such(const Catalog& catalog, const char* what, std::int64_t number, std::size_t count,
+                    int first = 1, int last = -1) {
+  if (count == 0) return fmt::format("{} has no {}s.", catalog.short_name, what);
+  return fmt::format("There is no {} {}. {} has {} to {}.", what, number, catalog.short_name, first,
+                     last < 0 ? static_cast<int>(count) : last);
+}
+std::string no_such_input(const Catalog& c, std::int64_t number) {
+  const std::size_t count = c.inputs.size();
+  return count == 0 ? no_such(c, "input", number, 0)
+                    : no_such(c, "input", number, count, c.input_number(0), c.input_number(count - 1));
+}
+std::string no_such_output(const Catalog& c, std::int64_t number) {
+  const std::size_t count = c.outputs.size();
+  return count == 0 ? no_such(c, "output", number, 0)
+                    : no_such(c, "output", number, count, c.output_number(0), c.output_number(count - 1));
 }
 bool within(std::int64_t number, std::size_t count) {
   return number >= 1 && number <= static_cast<std::int64_t>(count);
 }
 
-int push_input(lua_State* L, const Snapshot& known, const Catalog& catalog, int number) {
-  const std::uint32_t bit = 1u << (number - 1);
-  if (!(known.inputs_known & bit)) return push_unknown(L, fmt::format("Input {} has not been read.", number));
+int push_input(lua_State* L, const Snapshot& known, const Catalog& catalog, int place) {
+  const std::uint32_t bit = 1u << place;
+  if (!(known.inputs_known & bit))
+    return push_unknown(L, fmt::format("Input {} has not been read.", catalog.input_number(place)));
   const bool high = known.inputs & bit;
-  lua_pushboolean(L, high != catalog.inputs[number - 1].active_low);
+  lua_pushboolean(L, high != catalog.inputs[place].active_low);
   return 1;
 }
 int input(Call& call) {
   const Catalog& catalog = session_of(call)->catalog();
   const std::int64_t n = call.whole(1, "input");
-  if (!within(n, catalog.inputs.size()))
-    return call.refuse(no_such(catalog, "input", n, catalog.inputs.size()));
-  return ask(call, push_input, static_cast<int>(n));
+  const int place = catalog.find_input(n);
+  if (place < 0) return call.refuse(no_such_input(catalog, n));
+  return ask(call, push_input, place);
 }
 
-int push_output(lua_State* L, const Snapshot& known, const Catalog&, int number) {
-  const std::uint32_t bit = 1u << (number - 1);
+int push_output(lua_State* L, const Snapshot& known, const Catalog& catalog, int place) {
+  const std::uint32_t bit = 1u << place;
   if (!(known.outputs_known & bit))
-    return push_unknown(L, fmt::format("Output {} has not been read.", number));
+    return push_unknown(L, fmt::format("Output {} has not been read.", catalog.output_number(place)));
   lua_pushboolean(L, (known.outputs & bit) != 0);
   return 1;
 }
 int output(Call& call) {
   const Catalog& catalog = session_of(call)->catalog();
   const std::int64_t n = call.whole(1, "output");
-  if (!within(n, catalog.outputs.size()))
-    return call.refuse(no_such(catalog, "output", n, catalog.outputs.size()));
-  if (!call.has(2)) return ask(call, push_output, static_cast<int>(n));
+  const int place = catalog.find_output(n);
+  if (place < 0) return call.refuse(no_such_output(catalog, n));
+  if (!call.has(2)) return ask(call, push_output, place);
   return perform(call, intent::SetOutput(static_cast<int>(n), call.on(2, "on")));
 }
 
