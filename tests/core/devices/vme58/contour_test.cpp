@@ -52,6 +52,7 @@ TEST(VmeContour, TheHoleOfTheDataSheet) {
   Stage s = ready();
   s.move({{Z, -1000}, {T, 0}});
   s.settle();
+  s.told.clear();
   const Instant begins = s.motion.now();
   ASSERT_TRUE(s.motion.play(hole()));
   EXPECT_TRUE(s.motion.occupied(Z));
