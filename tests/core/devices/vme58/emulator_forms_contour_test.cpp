@@ -40,7 +40,7 @@ VME58_FORM("vme58.contour.MT") {
   EXPECT_NEAR(static_cast<double>(rig.velocity('Y')), 600, 2) << "round the corner at path speed";
   rig.run_until_quiet();
   EXPECT_EQ(rig.value("AA RP"), "300,600,1200,0,0,0,0,0");
-  rig.send("CD0,0,0; MT1,2 ");
+  rig.send("CD0,0,0; MT1,2; ");
   EXPECT_TRUE(rig.command_error()) << "one for each axis of the contour (decision M68)";
 }
 

@@ -29,7 +29,7 @@ VME58_FORM("vme58.home.HM") {
   EXPECT_EQ(rig.value("RE"), "150");
   EXPECT_EQ(load_of_x(rig), 2050);
   EXPECT_EQ(rig.value("QA"), "PDNH");
-  rig.send("MA100 GO ID ");
+  rig.send("MA100 GD ID ");
   rig.run_until_done("X");
   EXPECT_EQ(load_of_x(rig), 2000);
   // Nothing there: the limit ends it, the counter is not touched.
@@ -124,7 +124,7 @@ VME58_FORM("vme58.stair.SP") {
   rig.run_until_done("X");
   EXPECT_EQ(rig.position('X'), 30'000);
   EXPECT_EQ(rig.velocity('X'), 0);
-  rig.send("JG1000 ");
+  rig.send("IC JG1000 ");
   rig.run_for(1s);
   rig.send("SP0 ");
   EXPECT_TRUE(rig.command_error()) << "behind it";
