@@ -9,10 +9,7 @@
 namespace hw::vme58 {
 namespace {
 
-using What = MotionEvent::What;
 using Kind = ContourPiece::Kind;
-
-constexpr int X = 0, Y = 1, Z = 2, T = 3;
 
 ContourPiece line(std::int64_t first, std::int64_t second) {
   ContourPiece p;
