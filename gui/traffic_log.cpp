@@ -1,6 +1,7 @@
 #include "gui/traffic_log.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstring>
 #include <ctime>
@@ -274,25 +275,32 @@ std::string TrafficLog::meaning_of(std::uint64_t n) const {
   return explain_(bytes_of(r), r.way, r.kind, answer ? asked_before(n) : std::string_view());
 }
 
-std::string TrafficLog::fold_sentence(const Row& row) const {
-  if (row.kind == RowKind::folded_transfer)
-    return fmt::format("{} more lines of the transfer folded.",
-                       grouped(std::max<std::uint64_t>(row.sent, 1)));
-  if (row.sent == 0) return "The rest of a poll folded.";
-  constexpr std::uint64_t enough = 64;
-  constexpr std::size_t most_names = 4;
-  std::vector<std::string> names;
-  const std::uint64_t begin = std::max(row.first, first_);
-  for (std::uint64_t n = begin; n <= std::min(row.last, begin + enough) && names.size() < most_names; ++n) {
-    if (record(n).way != Way::sent) continue;
-    std::string name;
-    append_shown(name, without_end(bytes_of(record(n))));
-    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(std::move(name));
+// A line that is folded on the screen is said anew at each poll: in place, without a detour over the heap.
+void TrafficLog::append_fold_sentence(std::string& out, const Row& row) const {
+  const auto end = std::back_inserter(out);
+  if (row.kind == RowKind::folded_transfer) {
+    fmt::format_to(end, "{} more lines of the transfer folded.",
+                   grouped(std::max<std::uint64_t>(row.sent, 1)));
+    return;
   }
-  std::string list;
-  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-  return fmt::format("{} poll{}{}{} folded.", grouped(row.sent), row.sent == 1 ? "" : "s",
-                     list.empty() ? "" : " of ", list);
+  if (row.sent == 0) {
+    out += "The rest of a poll folded.";
+    return;
+  }
+  fmt::format_to(end, "{} poll{}", grouped(row.sent), row.sent == 1 ? "" : "s");
+  constexpr std::uint64_t enough = 64;
+  std::array<std::string_view, 4> names;
+  std::size_t known = 0;
+  const std::uint64_t begin = std::max(row.first, first_);
+  for (std::uint64_t n = begin; n <= std::min(row.last, begin + enough) && known < names.size(); ++n) {
+    if (record(n).way != Way::sent) continue;
+    const std::string_view name = without_end(bytes_of(record(n)));
+    if (std::find(names.begin(), names.begin() + known, name) != names.begin() + known) continue;
+    out += known == 0 ? " of " : ", ";
+    append_shown(out, name);
+    names[known++] = name;
+  }
+  out += " folded.";
 }
 
 const TrafficLog::Line& TrafficLog::line(const Row& row) {
@@ -307,7 +315,7 @@ const TrafficLog::Line& TrafficLog::line(const Row& row) {
   line.meaning.clear();
   if (row.kind != RowKind::record) {
     line.time.clear();
-    line.raw = fold_sentence(row);
+    append_fold_sentence(line.raw, row);
     return line;
   }
   const Record& r = record(row.first);
@@ -323,7 +331,7 @@ const TrafficLog::Line& TrafficLog::line(const Row& row) {
   return line;
 }
 
-void TrafficLog::append_record(std::string& out, std::uint64_t n) const {
+void TrafficLog::append_record(std::string& out, std::uint64_t n, std::string_view meaning) const {
   const Record& r = record(n);
   char time[16];
   out += format_time_of_day(clock_.of(r.at), true, time);
@@ -332,28 +340,28 @@ void TrafficLog::append_record(std::string& out, std::uint64_t n) const {
     append_hex(out, bytes_of(r));
   else
     append_shown(out, bytes_of(r), "<", ">");
-  if (view_.decoded)
-    if (const std::string meaning = meaning_of(n); !meaning.empty()) (out += "    ") += meaning;
+  if (!meaning.empty()) (out += "    ") += meaning;
   out += '\n';
 }
 
-std::string TrafficLog::text_of_rows(std::size_t begin, std::size_t end) {
-  std::string out;
+void TrafficLog::append_rows(std::string& out, std::size_t begin, std::size_t end) {
   for (std::size_t i = begin; i < std::min(end, rows_.size()); ++i) {
     const Row& row = rows_[i];
     if (row.last < first_) continue;
-    if (row.kind == RowKind::record)
-      append_record(out, row.first);
-    else
-      (out += fold_sentence(row)) += '\n';
+    if (row.kind == RowKind::record) {
+      append_record(out, row.first, line(row).meaning);
+    } else {
+      append_fold_sentence(out, row);
+      out += '\n';
+    }
   }
-  return out;
 }
 
 std::string TrafficLog::text_of_all() const {
   std::string out;
   if (lost_ > 0) out = fmt::format("{} entries came too fast and are missing.\n", lost_);
-  for (std::uint64_t n = first_; n < next_; ++n) append_record(out, n);
+  for (std::uint64_t n = first_; n < next_; ++n)
+    append_record(out, n, view_.decoded ? meaning_of(n) : std::string());
   return out;
 }
 

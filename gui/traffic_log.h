@@ -92,8 +92,8 @@ class TrafficLog {
   [[nodiscard]] DayClock clock() const { return clock_; }
   void set_clock(DayClock clock) { clock_ = clock; }
 
-  /// Rows as text with times: for the clipboard and for a file.
-  std::string text_of_rows(std::size_t begin, std::size_t end);
+  /// Rows as text with times, at the end of `out`: for the clipboard, for scripts and screen readers.
+  void append_rows(std::string& out, std::size_t begin, std::size_t end);
   /// Everything that is kept, unfolded, as text: time, direction, raw, meaning.
   std::string text_of_all() const;
 
@@ -119,8 +119,8 @@ class TrafficLog {
   [[nodiscard]] bool passes(std::uint64_t n, bool by_meaning) const;
   [[nodiscard]] std::string meaning_of(std::uint64_t n) const;
   [[nodiscard]] std::string_view asked_before(std::uint64_t n) const;
-  [[nodiscard]] std::string fold_sentence(const Row& row) const;
-  void append_record(std::string& out, std::uint64_t n) const;
+  void append_fold_sentence(std::string& out, const Row& row) const;
+  void append_record(std::string& out, std::uint64_t n, std::string_view meaning) const;
 
   Explain explain_;
   DayClock clock_;

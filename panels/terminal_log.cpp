@@ -163,12 +163,15 @@ void TerminalLog::choose(Ui& ui, TrafficLog& log, float row_height) {
 }
 
 std::string TerminalLog::copied(TrafficLog& log) const {
-  if (anchor_ == none) return log.text_of_rows(0, log.row_count());
-  const auto from = first_of(anchor_, caret_), to = std::max(anchor_, caret_);
   std::size_t begin = 0, end = log.row_count();
-  while (begin < end && log.row(begin).last < from) ++begin;
-  while (end > begin && log.row(end - 1).first > to) --end;
-  return log.text_of_rows(begin, end);
+  if (anchor_ != none) {
+    const auto from = first_of(anchor_, caret_), to = std::max(anchor_, caret_);
+    while (begin < end && log.row(begin).last < from) ++begin;
+    while (end > begin && log.row(end - 1).first > to) --end;
+  }
+  std::string text;
+  log.append_rows(text, begin, end);
+  return text;
 }
 
 // What can be read there, for scripts and screen readers; made anew only when something has changed.
@@ -176,7 +179,8 @@ void TerminalLog::say(Ui& ui, TrafficLog& log, Span visible) {
   if (said_version_ != log.version() || said_begin_ != visible.begin) {
     said_version_ = log.version();
     said_begin_ = visible.begin;
-    said_ = log.text_of_rows(visible.begin, visible.end);
+    said_.clear();
+    log.append_rows(said_, visible.begin, visible.end);
   }
   const ImVec2 corner = ImGui::GetWindowPos();
   show(ui, {.id = "terminal/log", .kind = Kind::text, .label = "Traffic", .value = said_},

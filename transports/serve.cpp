@@ -255,7 +255,7 @@ void EmulatorHost::bytes_from(const Client& client, std::string_view bytes) {
   const Instant now = emulator_time();
   catch_up(now);
   if (options_.byte_times) {
-    incoming_.put(bytes, client.stream->rate(), now - take_lateness(now), line_rate());
+    incoming_.put(bytes, client.stream->rate(), now - time_off_the_wire(now), line_rate());
   } else if (devices_.size() == 1) {
     devices_.front()->own().receive(bytes);
   } else {
@@ -267,12 +267,14 @@ void EmulatorHost::bytes_from(const Client& client, std::string_view bytes) {
   run_until(now);
 }
 
-// A real timer fires late, so the client had its reply late. When it asks its next question at once that is
-// late too: our doing, and not counted as time on the wire. A client that took its time has waited for
-// nothing.
-Duration EmulatorHost::take_lateness(Instant now) {
-  const Duration late = std::exchange(late_, Duration{});
-  return now - (left_at_ + late) <= at_once ? late : Duration{};
+// A real timer fires late, so the client had its reply late; and the kernel takes its time to wake it and to
+// bring back what it asks. When it asks its next question at once, that is our doing and the machine's, and
+// not counted as time on the wire. A client that took its time has waited for nothing.
+Duration EmulatorHost::time_off_the_wire(Instant now) {
+  const std::optional<Duration> late = std::exchange(late_, std::nullopt);
+  if (!late) return {};
+  const Duration since_delivery = now - (left_at_ + *late);
+  return since_delivery <= at_once ? *late + std::min(since_delivery, hand_over) : Duration{};
 }
 
 void EmulatorHost::land(ByteLine::Byte byte) {

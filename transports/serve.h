@@ -77,6 +77,8 @@ class EmulatorHost final : public std::enable_shared_from_this<EmulatorHost> {
   class HostWindow;
   struct BusClient;
   static constexpr Duration at_once = Millis(2);
+  /// What the kernel needs to hand a reply to another program and its next question back to this one.
+  static constexpr Duration hand_over = std::chrono::microseconds(400);
 
   EmulatorHost(Scheduler& scheduler, HostOptions options);
   Result<> add_device(HostedDevice device, const std::string& state_file, const Trouble& trouble);
@@ -93,7 +95,7 @@ class EmulatorHost final : public std::enable_shared_from_this<EmulatorHost> {
   void run_until(Instant now);
   void step_to(Instant when);
   void finish_round();
-  Duration take_lateness(Instant now);
+  Duration time_off_the_wire(Instant now);
   void land(ByteLine::Byte byte);
   void take_output();
   void deliver();
@@ -115,8 +117,11 @@ class EmulatorHost final : public std::enable_shared_from_this<EmulatorHost> {
   Instant armed_for_{};        // this and the next in emulated time
   mutable Instant reached_{};  // looking moves time on too
   ByteLine incoming_, outgoing_;
-  Instant left_at_{};  // emulated, as is the next: when the last byte left, and how much later that was done
-  Duration late_{}, heard_late_{};
+  // Of the last reply, until the next question: when its last byte left (emulated time), how much later that
+  // was done.
+  Instant left_at_{};
+  std::optional<Duration> late_;
+  Duration heard_late_{};
   std::string fresh_, leaving_;  // output just taken; output at the end of the wire, ...
   int leaving_baud_ = 0;         // ... all of it sent at this rate
   std::vector<std::unique_ptr<Device>> devices_;

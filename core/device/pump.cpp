@@ -16,6 +16,11 @@ bool starts_motion(const IntentBody& body) {
          std::holds_alternative<intent::RunProgram>(body);
 }
 
+Fault failed_inside(const char* what, const std::exception& defect) {
+  return Fault(FaultKind::internal, fmt::format("The {} failed inside: {}.", what, defect.what()),
+               "What the controller did with it is not known.", "Look at its state before the next command.");
+}
+
 Duration back_off(int attempt) {
   constexpr Millis steps[] = {Millis(250), Millis(500), Millis(1000), Millis(2000), Millis(5000)};
   return steps[std::min<std::size_t>(attempt, std::size(steps) - 1)];
@@ -352,14 +357,23 @@ Task<> Pump::perform_next() {
   queue_.pop_front();
   performing_ = true;
   if (job->is_query) {
-    job->reply = co_await driver_->query(job->text, job->patience);
+    try {
+      job->reply = co_await driver_->query(job->text, job->patience);
+    } catch (const std::exception& defect) {  // whoever asked waits for it
+      job->reply = fail(failed_inside("question", defect));
+    }
     job->answered = true;
     performing_ = false;
     job->asker.resume(scheduler_.executor());
     job.release();  // its asker owns it from here
     co_return;
   }
-  auto performed = co_await driver_->perform(job->intent.body);
+  Result<> performed;
+  try {
+    performed = co_await driver_->perform(job->intent.body);
+  } catch (const std::exception& defect) {
+    performed = fail(failed_inside("command", defect));
+  }
   performing_ = false;
   if (performed)
     set_fate(job->intent.id, Fate::done);

@@ -33,6 +33,7 @@ struct Stack {
       station = std::make_unique<Station>(std::move(link), &traffic);
       driver = type.make_driver(DriverContext{time, catalog, draft, [](Notice) {}, [] {}});
       auto ready = co_await driver->connect(*station);
+      traffic.drain([](TrafficEntry&) {});  // what connecting took is not counted
       connected = ready.has_value();
       while (!over && ready) {
         ready = co_await driver->poll();

@@ -127,6 +127,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     BenchView view;
     emulator.look(view);
   }
+  for (const int supply : {0, 1, 2}) (void)emulator.operate(bench::Breaker(supply, false));
   (void)emulator.operate(bench::Power(true));
   (void)emulator.operate(bench::PowerCycle{});
   emulator.take_output(out);

@@ -185,7 +185,9 @@ TEST_F(TrafficLogTest, TextForFilesAndClipboardIsPlain) {
   log.append(entry(4.951, Way::sent, TrafficKind::intent, "M\r"));
   poll("X");
   shown(log);
-  EXPECT_EQ(log.text_of_rows(0, 2), "14:02:04.951 > M<cr>    ask M\r\n1 poll of X folded.\n");
+  std::string rows;
+  log.append_rows(rows, 0, 2);
+  EXPECT_EQ(rows, "14:02:04.951 > M<cr>    ask M\r\n1 poll of X folded.\n");
   EXPECT_THAT(log.text_of_all(), HasSubstr("14:02:01.000 < +0000400<cr>"));
   log.clear();
   EXPECT_EQ(log.text_of_all(), "");

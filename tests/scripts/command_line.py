@@ -177,7 +177,7 @@ class Scripts(Case):
 
 class Sandbox(Case):
     def script(self, text):
-        return run("run", self.file("s.lua", text), timeout=100)
+        return run("run", self.file("s.lua", text), timeout=300)
 
     def test_a_loop_without_end_is_ended(self):
         self.expect(self.script("while true do end"), 1, "s.lua:1: ", "without letting time go on")

@@ -144,6 +144,7 @@ Refusal Controller::set_encoder(int a, std::int64_t value) {
 /// Run current while it moves and CURT behind; then idle current. A correction for the sake of SLM is made
 /// with idle current.
 std::int64_t Controller::current_ma() const {
+  if (enables_ == 0) return 0;  // DMX manual, ch. 7: EO switches the motor's power
   const Axis& axis = axes_[0];
   const std::int64_t run = settings_.get(Setting::run_current), idle = settings_.get(Setting::idle_current);
   if (const Motion* m = motion_of(0))

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 namespace hw::vxm {
 namespace {
@@ -29,17 +30,9 @@ class Walk {
     report_ = &report;
     for (const char c : text) feed(c);
     feed('\r');
-    if (const auto remark = remark_at_; remark >= 0) {
-      keep_before(remark);
-      report.tokens.push_back({remark, static_cast<int>(text.size()), TokenKind::comment});
-      if (ran_)
-        warn({number_, remark, static_cast<int>(text.size()) - remark},
-             "A remark after R is read as commands by the running program. Put it on another line.");
-    }
     report.slot = slot_;
     if (report.command_count == 0) report.first_command = -1;
     out_.report.lines.push_back(std::move(report));
-    remark_at_ = -1;
     ran_ = false;
     ++number_;
   }
@@ -59,6 +52,15 @@ class Walk {
   }
 
  private:
+  /// At a return: that of the line's end, or one that an old file has in the middle of it.
+  void end_remark(int end) {
+    const int remark = std::exchange(remark_at_, -1);
+    keep_before(remark);
+    report_->tokens.push_back({remark, end, TokenKind::comment});
+    if (ran_)
+      warn({number_, remark, end - remark},
+           "A remark after R is read as commands by the running program. Put it on another line.");
+  }
   /// The reader ends the last command of a line at its return, behind the remark; for a person (and for a
   /// mend) it ends with its last character.
   void keep_before(int remark) {
@@ -97,6 +99,7 @@ class Walk {
     const auto readings = reader_.feed(c);
     if (!remark_before && reader_.in_comment()) remark_at_ = column;
     for (const Reading& r : readings) take(r);
+    if (remark_before && !reader_.in_comment()) end_remark(column);
     if (c == '\r' || (!remark_before && (c == ',' || c == '.'))) chunk_bad_ = false;
   }
 

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include <fmt/core.h>
+
 #include "core/devices/vxm/program_analysis.h"
 
 namespace hw::vxm {
@@ -132,10 +134,23 @@ bool is_good(const std::string& text) {
   return any;
 }
 
+/// Without what no font can draw.
+std::string readable(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x20 || byte == 0x7F)
+      out += fmt::format("\\x{:02X}", byte);
+    else
+      out += c;
+  }
+  return out;
+}
+
 }  // namespace
 
 Problem problem_of_text(std::string_view text, const Place& p, bool number_missing) {
-  const std::string shown(text);
+  const std::string shown = readable(text);
   if (number_missing) return at(p, shown + " needs a number.");
   std::string upper = shown;
   std::transform(upper.begin(), upper.end(), upper.begin(),

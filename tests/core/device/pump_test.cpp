@@ -66,6 +66,7 @@ class ToyDriver : public Driver {
     }
     if (std::holds_alternative<intent::Store>(body))
       co_return fail(FaultKind::refused, "No memory.", "Nothing was sent.");
+    if (std::holds_alternative<intent::Reset>(body)) throw std::runtime_error("a library gave up");
     const bool jog = std::holds_alternative<intent::JogStart>(body);
     co_return co_await say(jog ? "jog" : "go", Priority::intent);
   }
@@ -78,6 +79,7 @@ class ToyDriver : public Driver {
   }
   void wire_lost() override { station_ = nullptr; }
   Task<Result<std::string>> query(std::string text, Duration) override {
+    if (text == "defect") throw std::runtime_error("a library gave up");
     auto sent = co_await say(text, Priority::intent);
     if (!sent) co_return fail(sent.error());
     co_return "answer to " + text;
@@ -274,6 +276,22 @@ TEST_F(PumpTest, ARefusalIsToldApartFromAFailure) {
   time.run_for(Millis(50));
   EXPECT_EQ(latest.fate_of(store)->fate, Fate::refused);
   EXPECT_EQ(latest.fate_of(store)->sentence.view(), "No memory. Nothing was sent.");
+}
+
+TEST_F(PumpTest, ADefectInTheDriverFailsThatCommandAndLosesNothingElse) {
+  const IntentId bad = post(intent::Reset());
+  const IntentId good = post(intent::MoveTo({{AxisId{0}, Steps(400)}}));
+  std::optional<Result<std::string>> reply;
+  auto ask = [&]() -> Task<> { reply = co_await pump->query("defect", Millis(100)); };
+  asio::co_spawn(io, ask(), asio::detached);
+  time.run_for(Millis(50));
+  EXPECT_EQ(latest.fate_of(bad)->fate, Fate::failed);
+  EXPECT_THAT(std::string(latest.fate_of(bad)->sentence.view()), HasSubstr("a library gave up"));
+  EXPECT_EQ(latest.fate_of(good)->fate, Fate::done);
+  ASSERT_TRUE(reply.has_value()) << "whoever asked still waits";
+  EXPECT_FALSE(reply->has_value());
+  EXPECT_EQ(latest.link.state, LinkState::good);
+  EXPECT_THAT(commands(), ElementsAre("hello", "go"));
 }
 
 TEST_F(PumpTest, AQueryWaitsItsTurnAndGetsItsAnswer) {

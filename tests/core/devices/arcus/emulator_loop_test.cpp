@@ -72,7 +72,7 @@ TEST(ArcusLoop, TheIdleToleranceCausesOneMoreCorrectionWithIdleCurrent) {
   AxisPlace rough;
   rough.counts_per_step = 1.25, rough.backlash = Steps(12);  // a correction falls short by the play
   rig.place(0, rough);
-  rig.ok("SLT=30"), rig.ok("SLM=5");
+  rig.ok("EO=1"), rig.ok("SLT=30"), rig.ok("SLM=5");
   rig.slip(0, 100);  // it has to come back through the play
   EXPECT_EQ(rig.number("SLS"), correcting);
   EXPECT_EQ(rig.ask("CUR"), "1600");

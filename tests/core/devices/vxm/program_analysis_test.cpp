@@ -110,6 +110,24 @@ TEST(VxmAnalysis, NonsenseIsOneProblemForEachStretch) {
   EXPECT_EQ(report.lines[0].command_count, 1);
 }
 
+TEST(VxmAnalysis, AReturnInTheMiddleOfALineEndsItsRemark) {
+  const auto report = analyse(";first\rI1M400;then\rI2M-5 ;last");
+  EXPECT_THAT(sentences(report), IsEmpty());
+  ASSERT_EQ(report.lines.size(), 1u);
+  EXPECT_EQ(report.lines[0].command_count, 2);
+  int at = 0;
+  for (const Token& t : report.lines[0].tokens) {
+    EXPECT_GE(t.begin, at);
+    at = t.end;
+  }
+  const auto remarks = [](const Token& t) { return t.kind == TokenKind::comment; };
+  EXPECT_EQ(std::count_if(report.lines[0].tokens.begin(), report.lines[0].tokens.end(), remarks), 3);
+}
+
+TEST(VxmAnalysis, WhatNobodyCanReadIsShownAsItsByte) {
+  EXPECT_THAT(sentences(analyse("\x06,")), ElementsAre("\"\\x06\" is no command of a VXM."));
+}
+
 TEST(VxmAnalysis, PairsWarnAboutTheirOrder) {
   EXPECT_THAT(sentences(analyse("(I3M800,I1M400,)R")), IsEmpty());
   EXPECT_EQ(analyse("(I3M800,I1M400,)").cost.at(0), 10);
