@@ -18,7 +18,7 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-constexpr float toolbar_height = 56, text_height = 132;
+constexpr float toolbar_height = 56, text_height = 148;
 
 std::optional<std::int64_t> whole(const NumberField& field) {
   const auto v = field.value();
@@ -52,8 +52,8 @@ void Contour::draw(Frame& f) {
   draw_toolbar(f);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float height = (f.ui.px(f.area.bottom()) - at.y) / f.ui.scale;
-  const bool two = f.area.width >= 640;
-  const float list = two ? std::floor(std::clamp(f.area.width * 0.46f, 330.0f, 420.0f)) : f.area.width;
+  const bool two = f.area.width >= 680;
+  const float list = two ? std::clamp(std::floor(f.area.width * 0.46f), 384.0f, 420.0f) : f.area.width;
   ImGui::SetCursorScreenPos(ImVec2(f.ui.px(f.area.x), at.y));
   begin_part(f.ui, "contour/list", f.ui.px(list), f.ui.px(height), Tone::panel, 16);
   const float inner = ImGui::GetContentRegionAvail().x / f.ui.scale;

@@ -15,7 +15,7 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-constexpr float row_height = 36, head_width = 92, remove_width = 36, between = 8;
+constexpr float row_height = 36, head_width = 100, remove_width = 36, between = 8;
 
 float cell_width(float width, int cells) {
   return std::floor((width - head_width - remove_width - between * static_cast<float>(cells - 1)) /

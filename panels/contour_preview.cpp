@@ -12,7 +12,7 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-constexpr float left_margin = 56, bottom_margin = 24, top_margin = 12, right_margin = 16;
+constexpr float left_margin = 62, bottom_margin = 24, top_margin = 12, right_margin = 16;
 
 /// From counts to pixels, the same scale both ways.
 class Map {
@@ -114,6 +114,7 @@ void draw_contour_preview(Frame& f, const ContourPlan& plan, const ContourShape*
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->AddRectFilled(whole.min, whole.max, ui[Tone::well]);
   ImGui::Dummy(ImVec2(whole.width(), whole.height()));
+  ImGui::SetCursorScreenPos(ImVec2(at.x, whole.max.y));
   show(ui, {"contour/view", Kind::text, "Path of the contour", words}, whole);
   const Rect in{ImVec2(at.x + ui.px(left_margin), at.y + ui.px(top_margin)),
                 ImVec2(whole.max.x - ui.px(right_margin), whole.max.y - ui.px(bottom_margin))};

@@ -42,16 +42,15 @@ std::string_view in_a_cell(std::string_view label) {
   return numbered ? label.substr(space + 1) : label;
 }
 
-void draw_bit(Frame& f, const Rect& r, const ParamBit& bit, bool set, bool fresh) {
+void draw_bit(Frame& f, const Rect& r, const ParamBit& bit, bool named, bool set, bool fresh) {
   Ui& ui = f.ui;
   const Tone fill_tone = fresh ? Tone::ink2 : Tone::line;
   if (set) draw_fill(ui, r, ui[fill_tone], 2);
   draw_outline(ui, r, ui[set ? fill_tone : Tone::line], 2);
   const std::string_view label = in_a_cell(bit.label);
   const Path number("{}", bit.bit);
-  const bool fits = text_width(ui, Face::small, label) + ui.px(4) <= r.width();
   const Tone tone = !fresh ? Tone::ink3 : set ? Tone::panel : Tone::ink3;
-  draw_text_centred(ui, r, Face::small, ui[tone], fits ? label : number.view());
+  draw_text_centred(ui, r, Face::small, ui[tone], named ? label : number.view());
 }
 
 bool begins_group(const Catalog& c, std::size_t i) {
@@ -199,11 +198,15 @@ void MemoryMap::draw_register(Frame& f, std::size_t i, float width) {
 
   const int cells = std::max(8, c.bits.back().bit + 1);
   const float cell = ui.px(width) / static_cast<float>(cells), y = row.max.y;
+  // Names only where all of them fit: a mixture of names and numbers is hard to read.
+  const bool named = std::all_of(c.bits.begin(), c.bits.end(), [&](const ParamBit& bit) {
+    return text_width(ui, Face::small, in_a_cell(bit.label)) + ui.px(6) <= cell;
+  });
   for (const ParamBit& bit : c.bits) {
     const float x = std::floor(at.x + cell * static_cast<float>(bit.bit));
     const bool set = known && (cells_[i].value >> bit.bit & 1) != 0;
     const Rect r{ImVec2(x, y), ImVec2(std::floor(x + cell - ui.px(2)), y + ui.px(bit_height))};
-    draw_bit(f, r, bit, set, is_fresh);
+    draw_bit(f, r, bit, named, set, is_fresh);
     show(ui,
          {Path("register/{}/bit/{}", address.view(), bit.bit),
           Kind::lamp,

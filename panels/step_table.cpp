@@ -15,6 +15,9 @@ namespace {
 
 constexpr float row_height = 26;
 
+/// Instead of a unit.
+constexpr std::string_view bare = "-";
+
 struct Measure {
   std::string_view id, label, unit;
   int decimals;
@@ -27,26 +30,28 @@ constexpr Measure measures[] = {
      [](const StepMeasures& m) { return std::optional(m.overshoot_percent); }, ""},
     {"rise", "Rise, 10 to 90 %", "ms", 1,
      [](const StepMeasures& m) { return m.rose ? std::optional(m.rise_ms) : std::nullopt; }, "did not rise"},
-    {"settling", "Settling within 2 %", "ms", 1,
+    {"settling", "Settling, 2 %", "ms", 1,
      [](const StepMeasures& m) { return m.settled ? std::optional(m.settling_ms) : std::nullopt; },
      "not settled"},
     {"steady", "Steady error", "", 1, [](const StepMeasures& m) { return std::optional(m.steady_error); },
      ""},
-    {"crossings", "Passes of the target", "times", 0,
+    {"crossings", "Target passed", bare, 0,
      [](const StepMeasures& m) { return std::optional(static_cast<double>(m.crossings)); }, ""},
-    {"largest", "Largest error on the way", "", 0,
-     [](const StepMeasures& m) { return std::optional(m.largest_error); }, ""},
+    {"largest", "Largest error", "", 0, [](const StepMeasures& m) { return std::optional(m.largest_error); },
+     ""},
 };
 
-std::string_view unit_of(const Frame& f, const Measure& m) {
-  return m.unit.empty() ? std::string_view(f.catalog.step_word) : m.unit;
+/// " ms", " counts"; a bare number has none.
+Path unit_of(const Frame& f, const Measure& m) {
+  if (m.unit == bare) return Path("{}", "");
+  return Path(" {}", m.unit.empty() ? std::string_view(f.catalog.step_word) : m.unit);
 }
 
 Path words_of(const Frame& f, const Measure& m, const StepMeasures& of) {
   const auto value = m.of(of);
   if (!of.any || !value) return Path("{}", of.any ? m.absent : "");
   const NumberText number = format_number(*value, m.decimals);
-  return Path("{} {}", number.view(), unit_of(f, m));
+  return Path("{}{}", number.view(), unit_of(f, m).view());
 }
 
 struct Change {
@@ -54,7 +59,7 @@ struct Change {
   Tone tone;
 };
 /// Less is better in all of them; errors count without their sign.
-Change change_of(const Frame& f, const Measure& m, const TwoSteps& s) {
+Change change_of(const Frame& f, const Measure& m, const TwoSteps& s, bool roomy) {
   const auto now = m.of(s.now), was = m.of(s.was);
   if (s.number == 0 || s.before == 0 || !s.now.any || !s.was.any || !now || !was)
     return {Path("{}", ""), Tone::ink2};
@@ -64,7 +69,8 @@ Change change_of(const Frame& f, const Measure& m, const TwoSteps& s) {
   const NumberText number = format_number(by, m.decimals);
   const std::string_view sign = by > 0 ? "+" : "";
   const std::string_view verdict = by < 0 ? "better" : "worse";
-  return {Path("{}{} {}, {}", sign, number.view(), unit_of(f, m), verdict), by < 0 ? Tone::ok : Tone::warn};
+  return {Path("{}{}{}, {}", sign, number.view(), roomy ? unit_of(f, m).view() : std::string_view(), verdict),
+          by < 0 ? Tone::ok : Tone::warn};
 }
 
 }  // namespace
@@ -100,7 +106,7 @@ void draw_step_table(Frame& f, const TwoSteps& s, float width) {
     if (s.number) say(1, Path("tuning/measure/{}", m.id), Face::body_bold, Tone::ink, words_of(f, m, s.now));
     if (s.number && s.before) {
       say(2, Path("tuning/measure/{}/before", m.id), Face::body, Tone::ink2, words_of(f, m, s.was));
-      const Change change = change_of(f, m, s);
+      const Change change = change_of(f, m, s, width >= 520);
       say(3, Path("tuning/measure/{}/change", m.id), Face::body, change.tone, change.words);
     }
     y = row.max.y;

@@ -19,6 +19,7 @@ namespace {
 
 constexpr float toolbar_height = 56, side_width = 272, narrow_side_width = 232;
 constexpr std::size_t most_runs = 8;
+constexpr int arming_ms = 300;  // from the first sample to the step, at most
 constexpr double pause_s = 0.3, patience_s = 2.0;
 constexpr double usual_step = 400, longest_ms = 10'000;
 
@@ -69,7 +70,8 @@ void Tuning::draw(Frame& f) {
 // ---- the recording
 
 void Tuning::take(const AxisSample& s) {
-  if (stage_ != Stage::recording || s.axis != axis().index || runs_.empty()) return;
+  if ((stage_ != Stage::arming && stage_ != Stage::recording) || s.axis != axis().index || runs_.empty())
+    return;
   if (!std::exchange(any_sample_, true)) first_at_ = s.at;
   last_at_ = s.at;
   runs_.back().take(s);
@@ -82,6 +84,12 @@ bool Tuning::asked_by_others(const Frame& f) const { return f.now.fates[0].id > 
 void Tuning::follow(Frame& f) {
   take_samples(f.tab, [this](const AxisSample& s) { take(s); });
   const bool was_away = f.ui.now_s - std::exchange(drawn_s_, f.ui.now_s) > 1.0;
+  // A stop that comes between the question for samples and the step: the step is not made any more.
+  if (stage_ == Stage::arming && (f.ui.cancelled() || asked_by_others(f))) {
+    runs_.pop_back();
+    stage_ = Stage::idle;
+    return end_repeat(f, "The step was not made: something else came first.");
+  }
   if (repeat_ && stage_ != Stage::idle) {
     if (f.ui.cancelled()) end_repeat(f, "Stopped: Repeat is off.");
     if (was_away && stage_ == Stage::pausing) end_repeat(f, "");
@@ -96,6 +104,7 @@ void Tuning::follow(Frame& f) {
       record(f);
     return;
   }
+  if (stage_ == Stage::arming && any_sample_) make_step(f);
   const IntentFate* fate = f.now.fate_of(move_);
   if (fate && (fate->fate == Fate::refused || fate->fate == Fate::failed)) {
     f.toast(Mood::fault, std::string(fate->sentence.view()));
@@ -128,7 +137,8 @@ void Tuning::finish(Frame& f) {
   for (const StepRun& r : runs_)
     if (&r != &runs_.back()) run_texts_.push_back(fmt::format("run {}", r.number()));
   run_names_.assign(run_texts_.begin(), run_texts_.end());
-  was_ = before() ? measure(*before()) : StepMeasures();
+  now_number_ = runs_.back().number();
+  measure_before();
   if (!repeat_) return;
   const EndedBy ended = f.now.axes[axis().index].ended_by;
   if (ended != EndedBy::target && ended != EndedBy::nothing)
@@ -145,9 +155,15 @@ const StepRun* Tuning::before() const {
   return &runs_[runs_.size() - 2];
 }
 
+void Tuning::measure_before() {
+  const StepRun* old = before();
+  was_number_ = old ? old->number() : 0;
+  was_ = old ? measure(*old) : StepMeasures();
+}
+
 std::string_view Tuning::why_not(const Frame& f) {
   if (!f.connected()) return "There is no link.";
-  if (stage_ == Stage::recording) return "A step is being recorded.";
+  if (stage_ == Stage::recording || stage_ == Stage::arming) return "A step is being recorded.";
   if (!f.tab.why_not_move().empty()) return f.tab.why_not_move();
   if (f.now.axes[axis().index].activity == Activity::moving)
     return "The axis is moving. Wait until it rests.";
@@ -157,7 +173,7 @@ std::string_view Tuning::why_not(const Frame& f) {
   return {};
 }
 
-/// First the recording, then the move: both go through the same queue, so the recording has begun.
+/// The step waits for the first sample, so that the recording shows where the axis stood.
 void Tuning::record(Frame& f) {
   if (stage_ == Stage::pausing) stage_ = Stage::idle;
   if (const std::string_view why = why_not(f); !why.empty()) {
@@ -166,13 +182,18 @@ void Tuning::record(Frame& f) {
   }
   take_samples(f.tab, [](const AxisSample&) {});  // of an earlier recording
   length_ms_ = *length_.value();
-  const Steps step(sign_ * std::llround(*step_.value()));
-  runs_.emplace_back(++number_, axis(), step);
+  step_now_ = Steps(sign_ * std::llround(*step_.value()));
+  runs_.emplace_back(++number_, axis(), step_now_);
   any_sample_ = false;
-  f.send(intent::Sample(axis(), std::chrono::milliseconds(std::llround(length_ms_) + 50)));
-  move_ = newest_ = f.send_and_watch(intent::MoveBy({AxisTarget{axis(), step}}));
-  stage_ = Stage::recording;
+  const auto length = std::chrono::milliseconds(std::llround(length_ms_) + arming_ms);
+  move_ = newest_ = f.send_and_watch(intent::Sample(axis(), length));
+  stage_ = Stage::arming;
   since_s_ = f.ui.now_s;
+}
+
+void Tuning::make_step(Frame& f) {
+  move_ = newest_ = f.send_and_watch(intent::MoveBy({AxisTarget{axis(), step_now_}}));
+  stage_ = Stage::recording;
 }
 
 // ---- toolbar
@@ -235,7 +256,7 @@ void Tuning::draw_fields(Frame& f) {
       picked >= 0 && picked != chosen_) {
     chosen_ = picked;
     runs_.clear(), run_names_.clear(), run_texts_.clear();
-    compare_ = 0;
+    compare_ = now_number_ = was_number_ = 0;
     make(f);
   }
   next(roomy ? 12 : 8);
@@ -267,7 +288,7 @@ void Tuning::draw_compare(Frame& f, float right, float top) {
                               {.tip = "The run that is drawn in grey.", .width = 84});
   if (picked < 0) return;
   compare_ = runs_[static_cast<std::size_t>(picked)].number();
-  was_ = measure(*before());
+  measure_before();
 }
 
 }  // namespace hw::panels

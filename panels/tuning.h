@@ -24,12 +24,19 @@ class Tuning final : public gui::Panel {
   void take(const AxisSample& sample);
 
  private:
-  enum class Stage : std::uint8_t { idle, recording, pausing };  ///< pausing: between two steps of Repeat
+  enum class Stage : std::uint8_t {
+    idle,
+    arming,     ///< the recording is asked for; the step follows its first sample
+    recording,  ///< the step is made
+    pausing     ///< between two steps of Repeat
+  };
   void make(const gui::Frame& frame);
   void follow(gui::Frame& frame);
   void finish(gui::Frame& frame);
+  void measure_before();
   void end_repeat(gui::Frame& frame, std::string why);
   void record(gui::Frame& frame);
+  void make_step(gui::Frame& frame);
   [[nodiscard]] std::string_view why_not(const gui::Frame& frame);
   [[nodiscard]] bool asked_by_others(const gui::Frame& frame) const;
 
@@ -62,12 +69,15 @@ class Tuning final : public gui::Panel {
   Stage stage_ = Stage::idle;
   bool repeat_ = false;
   int sign_ = 1, number_ = 0;
+  Steps step_now_{};  ///< of the run under way, with its sign
   double since_s_ = 0, length_ms_ = 0, drawn_s_ = 0;
   Instant first_at_{}, last_at_{};
   bool any_sample_ = false;
   IntentId move_ = 0, newest_ = 0;  ///< newest_: the latest that this panel sent
   std::deque<gui::StepRun> runs_;   ///< oldest first
-  gui::StepMeasures now_, was_;     ///< of latest() and before()
+  // Of the latest that is whole, and of what it is compared with; number 0: there is none.
+  gui::StepMeasures now_, was_;
+  int now_number_ = 0, was_number_ = 0;
   gui::PlotCursor cursor_;
 };
 

@@ -5,6 +5,7 @@
 
 #include "gui/area.h"
 #include "gui/tab.h"
+#include "gui/units_format.h"
 #include "gui/widgets/button.h"
 #include "gui/widgets/text.h"
 #include "panels/path.h"
@@ -18,12 +19,13 @@ namespace {
 
 constexpr float gain_row = 36;
 
-/// "Proportional gain of X" beside the title "Gains of X" is "Proportional gain".
+/// "Proportional gain of X" under the title "Gains of X" is "Proportional".
 std::string_view without_axis(const Frame& f, const ParamInfo& p) {
   const std::string& axis = f.catalog.axes[static_cast<std::size_t>(p.axis)].name;
   std::string_view label = p.label;
   const Path tail(" of {}", axis);
   if (label.ends_with(tail.view())) label.remove_suffix(tail.view().size());
+  if (constexpr std::string_view gain = " gain"; label.ends_with(gain)) label.remove_suffix(gain.size());
   return label;
 }
 
@@ -76,7 +78,7 @@ void Tuning::draw_plots(Frame& f, float width, float height) {
   }
   for (std::size_t i = 0; i < n; ++i) o.y.take(traces[i].y);
   o.y.widen(0.1f);
-  const bool measured = run && stage_ != Stage::recording && now_.any;
+  const bool measured = run && stage_ != Stage::recording && stage_ != Stage::arming && now_.any;
   const Path settled("settled {:.0f} ms after the step", now_.settling_ms);
   const PlotMark mark{static_cast<float>(now_.settling_ms), settled};
   if (measured) {
@@ -99,7 +101,9 @@ void Tuning::draw_error(Frame& f, float height) {
   o.x = times(run, old, length_.value().value_or(usual_length_ms));
   o.height = height;
   o.y = {0, 0};
-  const Path error("error {:.0f}", run && !run->empty() ? run->error().back() : 0.0f);
+  const NumberText last_error =
+      format_number(run && !run->empty() ? static_cast<double>(run->error().back()) : 0.0, 0);
+  const Path error("error {}", last_error.view());
   std::array<PlotTrace, 2> traces;
   std::size_t n = 0;
   if (old) traces[n++] = {old->t_ms(), old->error(), Tone::ink3, 1, false, {}};
@@ -111,10 +115,7 @@ void Tuning::draw_error(Frame& f, float height) {
 }
 
 void Tuning::draw_measures(Frame& f, float width) {
-  const StepRun* run = stage_ == Stage::recording && runs_.size() < 2 ? nullptr : latest();
-  const bool recording = stage_ == Stage::recording;
-  draw_step_table(f, {run && !recording ? run->number() : 0, now_, before() ? before()->number() : 0, was_},
-                  width);
+  draw_step_table(f, {now_number_, now_, was_number_, was_}, width);
 }
 
 // ---- gains
@@ -155,11 +156,11 @@ void Tuning::draw_gain(Frame& f, std::size_t i, float width) {
   SetupEdits& edits = f.tab.desk().setup;
   const ParamInfo& p = f.catalog.params[i];
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float middle = at.y + ui.px(16), field_width = 80;
+  const float middle = at.y + ui.px(16), field_width = 72;
   const float field_left = at.x + ui.px(width - field_width);
   const double scale = std::pow(10.0, p.decimals);
   const bool changed = edits.edited(i) && edits.changed(i, f.now);
-  draw_text_line(ui, at.x, at.x + ui.px(40), middle, Face::code_field, ui[Tone::ink2], p.mnemonic);
+  draw_text_line(ui, at.x, at.x + ui.px(36), middle, Face::code_field, ui[Tone::ink2], p.mnemonic);
   float end = field_left - ui.px(8);
   if (changed && f.now.params[i].known) {
     const Path was("was {:.{}f}", static_cast<double>(f.now.params[i].value) / scale, p.decimals);
@@ -167,7 +168,7 @@ void Tuning::draw_gain(Frame& f, std::size_t i, float width) {
     draw_text_line(ui, end - w, end + 1, middle, Face::small, ui[Tone::ink3], was);
     end -= w + ui.px(8);
   }
-  draw_text_line(ui, at.x + ui.px(40), end, middle, Face::body, ui[Tone::ink], without_axis(f, p));
+  draw_text_line(ui, at.x + ui.px(36), end, middle, Face::body, ui[Tone::ink], without_axis(f, p));
   NumberOptions o;
   o.range = {static_cast<double>(p.minimum) / scale, static_cast<double>(p.maximum) / scale, p.decimals,
              p.unit};

@@ -14,7 +14,7 @@ namespace {
 
 constexpr float title_height = 20, label_height = 20, label_width = 52;
 
-struct Field {
+struct PlotField {
   Rect inside;  ///< of the axes, in pixels
   PlotRange x, y;
   [[nodiscard]] float px(float v) const { return inside.min.x + x.share(v) * inside.width(); }
@@ -25,7 +25,7 @@ int decimals_of(double step) {
   return std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-9)), 0, 6);
 }
 
-void draw_grid(Ui& ui, const Field& f, const PlotOptions& o) {
+void draw_grid(Ui& ui, const PlotField& f, const PlotOptions& o) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   // Half as many lines where they would stand close.
   const int across = std::max(2, static_cast<int>(f.inside.width() / ui.px(100)));
@@ -56,7 +56,7 @@ void draw_grid(Ui& ui, const Field& f, const PlotOptions& o) {
 }
 
 /// At most two points for each column of pixels: its lowest and its highest, as they come.
-void path_of(const Field& f, const PlotTrace& t) {
+void path_of(const PlotField& f, const PlotTrace& t) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   const std::size_t n = std::min(t.x.size(), t.y.size());
   float column = 0, low = 0, high = 0;
@@ -99,7 +99,7 @@ void stroke_dashed(Ui& ui, ImU32 colour, float width) {
   list->PathClear();
 }
 
-void draw_trace(Ui& ui, const Field& f, const PlotTrace& t) {
+void draw_trace(Ui& ui, const PlotField& f, const PlotTrace& t) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   path_of(f, t);
   const float width = t.width * ui.hair();
@@ -109,7 +109,7 @@ void draw_trace(Ui& ui, const Field& f, const PlotTrace& t) {
     list->PathStroke(ui[t.tone], 0, width);
 }
 
-void words_on_well(Ui& ui, const Field& f, ImVec2 at, ImU32 colour, std::string_view words) {
+void words_on_well(Ui& ui, const PlotField& f, ImVec2 at, ImU32 colour, std::string_view words) {
   const float width = std::ceil(text_width(ui, Face::small, words));
   at.x = std::clamp(at.x, f.inside.min.x, std::max(f.inside.min.x, f.inside.max.x - width - ui.px(2)));
   at.y = std::clamp(at.y, f.inside.min.y, std::max(f.inside.min.y, f.inside.max.y - ui.line(Face::small)));
@@ -119,7 +119,7 @@ void words_on_well(Ui& ui, const Field& f, ImVec2 at, ImU32 colour, std::string_
   draw_text(ui, at, Face::small, colour, words);
 }
 
-void draw_names(Ui& ui, const Field& f, std::span<const PlotTrace> traces) {
+void draw_names(Ui& ui, const PlotField& f, std::span<const PlotTrace> traces) {
   const float line = ui.line(Face::small);
   for (const PlotTrace& t : traces) {
     if (t.name.empty() || t.y.empty()) continue;
@@ -130,7 +130,7 @@ void draw_names(Ui& ui, const Field& f, std::span<const PlotTrace> traces) {
   }
 }
 
-void draw_marks(Ui& ui, const Field& f, std::span<const PlotMark> marks) {
+void draw_marks(Ui& ui, const PlotField& f, std::span<const PlotMark> marks) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   for (const PlotMark& m : marks) {
     if (m.x < f.x.min || m.x > f.x.max) continue;
@@ -163,7 +163,7 @@ std::string_view cursor_words(std::span<char> out, std::span<const PlotTrace> tr
   return {out.data(), size};
 }
 
-void draw_cursor(Ui& ui, std::string_view id, const Field& f, std::span<const PlotTrace> traces,
+void draw_cursor(Ui& ui, std::string_view id, const PlotField& f, std::span<const PlotTrace> traces,
                  const PlotOptions& o, PlotCursor& cursor, bool here) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   const float x = std::floor(f.px(cursor.x));
@@ -222,13 +222,14 @@ void plot(Ui& ui, std::string_view id, std::string_view label, std::span<const P
   const Rect whole{at, ImVec2(at.x + width_px(ui, o.width), at.y + ui.px(o.height))};
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->AddRectFilled(whole.min, whole.max, ui[Tone::well]);
-  Field f{{ImVec2(whole.min.x + ui.px(label_width), whole.min.y + ui.px(title_height)),
-           ImVec2(whole.max.x - ui.px(16), whole.max.y - ui.px(o.x_labels ? label_height + 4 : 4))},
-          o.x,
-          o.y};
+  PlotField f{{ImVec2(whole.min.x + ui.px(label_width), whole.min.y + ui.px(title_height)),
+               ImVec2(whole.max.x - ui.px(16), whole.max.y - ui.px(o.x_labels ? label_height + 4 : 4))},
+              o.x,
+              o.y};
   if (f.x.max <= f.x.min) f.x.max = f.x.min + 1;
   if (f.y.max <= f.y.min) f.y.max = f.y.min + 1;
   ImGui::Dummy(ImVec2(whole.width(), whole.height()));
+  ImGui::SetCursorScreenPos(ImVec2(at.x, whole.max.y));
   show(ui, {id, Kind::text, label, o.words}, whole);
   if (f.inside.width() < ui.px(40) || f.inside.height() < ui.px(16)) return;
   draw_text(ui, ImVec2(f.inside.min.x, whole.min.y + ui.px(2)), Face::small, ui[Tone::ink2], o.title);

@@ -1,7 +1,7 @@
 -- Pictures of the panels of a board in a memory window: build/handwheel run --gui tests/gui/screenshots_board.lua FOLDER
 -- [PART-OF-A-NAME [dark|light]]. What was seen in them: PICTURES.md.
 require("lib.pictures")
-local with_200 = {wide, medium, narrow, wide_200}
+local with_200 = {wide, medium, narrow}
 local c = assert(hw.open("vme58@emulator"))
 hw.sleep(1)
 c.bench:limit("U", "-", true)
@@ -30,7 +30,7 @@ pictures("board-tuning", function() tab("tuning") end, nil, with_200)
 
 pictures("board-contour", function()
   tab("contour")
-  if not ui.exists("contour/1/x") then
+  if not ui.exists("contour/2/x") then
     ui.click("contour/add/output")
     for _, arc in ipairs{{0, 5000, 180}, {0, 0, 360}} do
       ui.click("contour/add/arc")

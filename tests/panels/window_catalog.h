@@ -1,6 +1,8 @@
 #pragma once
 // A board in a memory window with two servo axes and a step axis: no device, but all that the panels for
 // memory, tuning and contours ask of a catalog.
+#include <fmt/format.h>
+
 #include "core/device/contour_plan.h"
 #include "core/device/servo_tuning.h"
 #include "tests/gui/toy_language.h"

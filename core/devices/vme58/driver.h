@@ -43,7 +43,7 @@ class Vme58Driver final : public Driver {
   [[nodiscard]] bool answers(std::string_view text) const override;
   bool take_unsolicited(std::string& text) override;
   [[nodiscard]] Duration moving_period() const override;
-  [[nodiscard]] Duration idle_period() const override { return Millis(200); }
+  [[nodiscard]] Duration idle_period() const override { return sampled_axis_ >= 0 ? Millis(1) : Millis(200); }
 
  private:
   /// What the console knows of an axis beside the snapshot.
