@@ -17,15 +17,15 @@ c:send("AY LP40000 VL1000000 AC8000000 HN KP2 KD0")
 hw.sleep(0.5)
 tab("tuning")
 ui.click("tuning/axis") ui.click("tuning/axis/Y")
-ui.type("tuning/step", "100")
-ui.type("tuning/length", "400")
-for _, gains in ipairs{"KP2 KD1", "KP2 KD3"} do
+ui.type("tuning/step", "400")
+ui.type("tuning/length", "230")
+for _, gains in ipairs{"KP2 KD3", "KP2 KD8"} do
   c:send("AY " .. gains)
   hw.sleep(0.5)
   ui.click("tuning/record")
   hw.sleep(1)
 end
-ui.type("tuning/KDY", "6\n")
+ui.type("tuning/KDY", "9\n")
 pictures("board-tuning", function() tab("tuning") end, nil, with_200)
 
 pictures("board-contour", function()

@@ -63,15 +63,15 @@ block("tuning-bad-and-good-gains", function()
   c.bench:place("X", {motor = true})
   c:send("AX LP0 VL1000000 AC8000000 HN")
   tab("tuning")
-  fill("tuning/step", "100")
+  fill("tuning/step", "400")
   fill("tuning/length", "500")
   gains{KPX = "2.00"}
   record()
   must(number("tuning/measure/overshoot") > 25, "KP2 KD0 overshoots: " .. ui.value("tuning/measure/overshoot"))
   must(number("tuning/measure/crossings") >= 5, "and crosses: " .. ui.value("tuning/measure/crossings"))
-  gains{KDX = "6.00"}
+  gains{KDX = "8.00"}
   record()
-  must(number("tuning/measure/overshoot") < 5, "KP2 KD6 does not: " .. ui.value("tuning/measure/overshoot"))
+  must(number("tuning/measure/overshoot") < 5, "KP2 KD8 does not: " .. ui.value("tuning/measure/overshoot"))
   shows("tuning/measure/overshoot/change", "better")
   shows("tuning/measure/settling", "ms")
   must(tonumber(ui.value("tuning/plot"):match("^(%d+) samples")) > 50, ui.value("tuning/plot"))
