@@ -12,11 +12,11 @@ namespace {
 
 using Push = int (*)(lua_State*, const Snapshot&, const Catalog&, int number);
 
-// Whether the controller can be believed now; else why not.
-std::string why_unknown(const LinkHealth& link) {
-  if (link.state == LinkState::lost || link.state == LinkState::closed)
-    return fmt::format("There is no connection. {}", link.sentence.view());
-  return std::string(link.sentence.view());
+bool is_gone(const LinkHealth& link) {
+  return link.state == LinkState::lost || link.state == LinkState::closed;
+}
+std::string why_gone(const LinkHealth& link) {
+  return fmt::format("There is no connection. {}", link.sentence.view());
 }
 
 int push_unknown(lua_State* L, std::string reason) {
@@ -30,8 +30,7 @@ Task<Answer> read_fresh(SessionPtr session, Instant asked_at, Push push, int num
   co_return [session, asked_at, push, number, of_axis](lua_State* L) {
     const Snapshot& known = session->known();
     const LinkHealth& link = known.link;
-    if (link.state == LinkState::lost || link.state == LinkState::closed)
-      return push_unknown(L, why_unknown(link));
+    if (is_gone(link)) return push_unknown(L, why_gone(link));
     if (of_axis && number >= 0 && known.axes[number].seen_at < asked_at)
       return push_unknown(L, fmt::format("Axis {} cannot be read now. {}",
                                          session->catalog().axes[number].name, link.sentence.view()));
@@ -177,8 +176,7 @@ Task<Answer> measure_velocity(Runner& runner, SessionPtr session, int axis) {
   const double speed =
       passed > Duration::zero() ? static_cast<double>((state.position - from).value) / seconds(passed) : 0;
   const LinkHealth& link = session->known().link;
-  if (link.state == LinkState::lost || link.state == LinkState::closed)
-    co_return answer_refused(why_unknown(link));
+  if (is_gone(link)) co_return answer_refused(why_gone(link));
   co_return [speed](lua_State* L) {
     lua_pushnumber(L, speed);
     return 1;
@@ -199,59 +197,58 @@ int status(Call& call) {
 
 // ---- inputs and outputs, by the maker's number from 1
 
-// nullopt in words: "There is no input 9. VXM has 1 to 4."
+/// "There is no input 9. VXM has 1 to 4."
 std::string no_such(const Catalog& catalog, const char* what, std::int64_t number, std::size_t count) {
   return count == 0
              ? fmt::format("{} has no {}s.", catalog.short_name, what)
              : fmt::format("There is no {} {}. {} has 1 to {}.", what, number, catalog.short_name, count);
 }
-bool within(std::int64_t number, std::size_t count) {
-  return number >= 1 && number <= static_cast<std::int64_t>(count);
+
+/// Asks `push` for the one that the first argument names; `set`, if there is one, is what else can be done
+/// with it.
+int of_number(Call& call, const char* what, std::size_t count, Push push,
+              int (*set)(Call&, int number) = nullptr) {
+  const std::int64_t n = call.whole(1, what);
+  if (n < 1 || n > static_cast<std::int64_t>(count))
+    return call.refuse(no_such(session_of(call)->catalog(), what, n, count));
+  const int number = static_cast<int>(n);
+  return set && call.has(2) ? set(call, number) : ask(call, push, number);
 }
+
+/// Whether it has been; pushes nil and the reason if not.
+bool has_read(lua_State* L, std::uint32_t known, const char* what, int number) {
+  if (known & (1u << (number - 1))) return true;
+  push_unknown(L, fmt::format("{} {} has not been read.", what, number));
+  return false;
+}
+bool is_high(std::uint32_t bits, int number) { return (bits & (1u << (number - 1))) != 0; }
 
 int push_input(lua_State* L, const Snapshot& known, const Catalog& catalog, int number) {
-  const std::uint32_t bit = 1u << (number - 1);
-  if (!(known.inputs_known & bit)) return push_unknown(L, fmt::format("Input {} has not been read.", number));
-  const bool high = known.inputs & bit;
-  lua_pushboolean(L, high != catalog.inputs[number - 1].active_low);
+  if (!has_read(L, known.inputs_known, "Input", number)) return 2;
+  lua_pushboolean(L, is_high(known.inputs, number) != catalog.inputs[number - 1].active_low);
   return 1;
 }
-int input(Call& call) {
-  const Catalog& catalog = session_of(call)->catalog();
-  const std::int64_t n = call.whole(1, "input");
-  if (!within(n, catalog.inputs.size()))
-    return call.refuse(no_such(catalog, "input", n, catalog.inputs.size()));
-  return ask(call, push_input, static_cast<int>(n));
-}
-
 int push_output(lua_State* L, const Snapshot& known, const Catalog&, int number) {
-  const std::uint32_t bit = 1u << (number - 1);
-  if (!(known.outputs_known & bit))
-    return push_unknown(L, fmt::format("Output {} has not been read.", number));
-  lua_pushboolean(L, (known.outputs & bit) != 0);
+  if (!has_read(L, known.outputs_known, "Output", number)) return 2;
+  lua_pushboolean(L, is_high(known.outputs, number));
   return 1;
 }
-int output(Call& call) {
-  const Catalog& catalog = session_of(call)->catalog();
-  const std::int64_t n = call.whole(1, "output");
-  if (!within(n, catalog.outputs.size()))
-    return call.refuse(no_such(catalog, "output", n, catalog.outputs.size()));
-  if (!call.has(2)) return ask(call, push_output, static_cast<int>(n));
-  return perform(call, intent::SetOutput(static_cast<int>(n), call.on(2, "on")));
-}
-
 int push_analog(lua_State* L, const Snapshot& known, const Catalog&, int number) {
-  if (!(known.analog_known & (1u << (number - 1))))
-    return push_unknown(L, fmt::format("Analog input {} has not been read.", number));
+  if (!has_read(L, known.analog_known, "Analog input", number)) return 2;
   lua_pushinteger(L, known.analog[number - 1]);
   return 1;
 }
+
+int set_output(Call& call, int number) { return perform(call, intent::SetOutput(number, call.on(2, "on"))); }
+
+int input(Call& call) {
+  return of_number(call, "input", session_of(call)->catalog().inputs.size(), push_input);
+}
+int output(Call& call) {
+  return of_number(call, "output", session_of(call)->catalog().outputs.size(), push_output, set_output);
+}
 int analog(Call& call) {
-  const Catalog& catalog = session_of(call)->catalog();
-  const std::int64_t n = call.whole(1, "analog input");
-  if (!within(n, catalog.analog.size()))
-    return call.refuse(no_such(catalog, "analog input", n, catalog.analog.size()));
-  return ask(call, push_analog, static_cast<int>(n));
+  return of_number(call, "analog input", session_of(call)->catalog().analog.size(), push_analog);
 }
 
 constexpr Function status_table[] = {
