@@ -186,7 +186,7 @@ void Connect::draw_found(PageFrame& f, const Box& area) {
   const float width = area.width - 32;
   const float refused =
       refused_.empty() ? 0 : 8 + wrapped_height(ui, Face::body, refused_, ui.px(width)) / ui.scale;
-  const float below = 64 + form_.height() + refused;
+  const float below = 64 + form_.height(f, width) + refused;
   ImGui::SetCursorScreenPos(ui.px(area.x, area.y));
   begin_part(ui, "ports", ui.px(area.width) - ui.hair(), ui.px(area.height - below), Tone::panel, 16);
   draw_ports(f, width);

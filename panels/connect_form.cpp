@@ -72,7 +72,6 @@ std::string ConnectForm::draw(PageFrame& f, float width) {
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(80)));
   draw_guide(f, width);
   std::string chosen = draw_search(f, width);
-  height_ = (ImGui::GetCursorScreenPos().y - at.y) / ui.scale + 24;
   return opened ? made : chosen;
 }
 
@@ -145,25 +144,39 @@ void ConnectForm::draw_id(Ui& ui) {
 }
 
 /// For a model that leaves the factory on another line: how it comes onto the shared one, in the words of its
-/// own setting.
-void ConnectForm::draw_guide(PageFrame& f, float width) {
+/// own setting. Empty: it need not.
+std::string ConnectForm::guide() const {
   for (const ParamInfo& p : catalog().params)
-    for (const ParamChoice& choice : p.choices) {
-      if (choice.value == p.fallback || choice.label.find("RS-485") == std::string::npos) continue;
-      const std::string words = fmt::format(
-          "From RS-232 to RS-485: open it as it is, choose \"{}\" for {} ({}) in Setup, write it, store it "
-          "in the "
-          "controller, switch the controller off and on, and open it again with its id.",
-          choice.label, p.label, p.mnemonic);
-      const ImVec2 at = ImGui::GetCursorScreenPos();
-      ImGui::SetCursorScreenPos(ImVec2(at.x + f.ui.px(104), at.y));
-      wrapped(f.ui, Face::small, Tone::ink2, words, width - 104);
-      const float end = ImGui::GetCursorScreenPos().y;
-      show(f.ui, {"connect/form/guide", Kind::text, "Guide", words, {}, false, {}},
-           {at, ImVec2(at.x + f.ui.px(width), end)});
-      ImGui::SetCursorScreenPos(ImVec2(at.x, end + f.ui.px(8)));
-      return;
-    }
+    for (const ParamChoice& choice : p.choices)
+      if (choice.value != p.fallback && choice.label.find("RS-485") != std::string::npos)
+        return fmt::format(
+            "From RS-232 to RS-485: open it as it is, choose \"{}\" for {} ({}) in Setup, write it, store it "
+            "in the controller, switch the controller off and on, and open it again with its id.",
+            choice.label, p.label, p.mnemonic);
+  return {};
+}
+
+void ConnectForm::draw_guide(PageFrame& f, float width) {
+  const std::string words = guide();
+  if (words.empty()) return;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::SetCursorScreenPos(ImVec2(at.x + f.ui.px(104), at.y));
+  wrapped(f.ui, Face::small, Tone::ink2, words, width - 104);
+  const float end = at.y + wrapped_height(f.ui, Face::small, words, f.ui.px(width - 104));
+  show(f.ui, {"connect/form/guide", Kind::text, "Guide", words, {}, false, {}},
+       {at, ImVec2(at.x + f.ui.px(width), end)});
+  ImGui::SetCursorScreenPos(ImVec2(at.x, end + f.ui.px(8)));
+}
+
+float ConnectForm::height(PageFrame& f, float width) {
+  make();
+  if (catalogs_.empty()) return 0;
+  const DeviceSearchState& state = f.console.devices().state();
+  const std::string words = guide();
+  const float guide_height =
+      words.empty() ? 0 : wrapped_height(f.ui, Face::small, words, f.ui.px(width - 104)) / f.ui.scale + 8;
+  const float search = (width - 104 >= search_in_one_line ? 40 : 80) + (words_of(state).empty() ? 0 : 24);
+  return 80 + guide_height + search + 32 * static_cast<float>(state.found.size()) + 24;
 }
 
 // ---- search

@@ -18,8 +18,8 @@ class ConnectForm {
   std::string draw(gui::PageFrame& frame, float width);
   /// What the parts say now: "MODEL@serial:/dev/ttyUSB0,baud=9600,id=01".
   [[nodiscard]] std::string address() const;
-  /// What it took when it was drawn last; logical.
-  [[nodiscard]] float height() const { return height_; }
+  /// What it takes; logical.
+  float height(gui::PageFrame& frame, float width);
 
  private:
   enum class Way : std::uint8_t { serial, usb, tcp };
@@ -29,12 +29,12 @@ class ConnectForm {
   bool draw_parts(gui::PageFrame& frame, float width);
   void draw_baud(gui::Ui& ui);
   void draw_id(gui::Ui& ui);
+  [[nodiscard]] std::string guide() const;
   void draw_guide(gui::PageFrame& frame, float width);
   std::string draw_search(gui::PageFrame& frame, float width);
   void draw_search_fields(gui::Ui& ui, bool in_one_line);
   [[nodiscard]] std::string words_of(const gui::DeviceSearchState& state) const;
 
-  float height_ = 176;
   bool made_ = false;
   std::vector<Catalog> catalogs_;
   int model_ = 0, baud_ = 0;
