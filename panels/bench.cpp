@@ -183,7 +183,9 @@ void Bench::draw_inputs(Frame& f) {
     const InputInfo& info = f.catalog.inputs[static_cast<std::size_t>(n - 1)];
     const bool operated = bit(f.bench.inputs_operated, static_cast<std::size_t>(n - 1));
     grid.next();
-    if (on_off(f, Path("bench/in/{}", n), with_minus(info.name), operated, grid.cell(), info.help).clicked)
+    if (on_off(f, Path("bench/in/{}", f.catalog.input_number(static_cast<std::size_t>(n - 1))),
+               with_minus(info.name), operated, grid.cell(), info.help)
+            .clicked)
       f.operate_bench(bench::Input(n, !operated));
   }
   grid.end();

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <set>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -50,6 +51,9 @@ bool ConnectForm::has_ids() const { return catalog().addressed(); }
 
 std::string ConnectForm::address() const {
   const Catalog& c = catalog();
+  if (way_ == Way::vme || way_ == Way::bus)
+    return fmt::format("{}@{}:{}{}", c.model, way_ == Way::vme ? "vme" : "bus", port_,
+                       way_ == Way::vme ? ",base=" + base_ : "");
   if (way_ == Way::usb)
     return c.model + "@usb" + (port_.empty() || port_.starts_with('/') ? "" : ":" + port_);
   std::string text = fmt::format("{}@{}:{}", c.model, way_ == Way::tcp ? "tcp" : "serial", port_);
@@ -75,6 +79,17 @@ std::string ConnectForm::draw(PageFrame& f, float width) {
   return opened ? made : chosen;
 }
 
+void ConnectForm::choose(Way way) {
+  way_ = way;
+  switch (way) {
+    case Way::serial: port_ = "/dev/ttyUSB0"; break;
+    case Way::usb: port_.clear(); break;
+    case Way::tcp: port_ = "127.0.0.1:4001"; break;
+    case Way::vme: port_ = "/dev/bus/vme/m0"; break;
+    case Way::bus: port_ = "127.0.0.1:5000"; break;
+  }
+}
+
 /// Two lines: model, way, port; Open and what it would open. Rate and id stand in the first where it has
 /// room, else in the second.
 bool ConnectForm::draw_parts(PageFrame& f, float width) {
@@ -87,17 +102,21 @@ bool ConnectForm::draw_parts(PageFrame& f, float width) {
     model_ = model;
     baud_ = 0;
     id_ = catalog().id();
+    const bool window = way_ == Way::vme || way_ == Way::bus;
+    if (window != catalog().can.window) choose(catalog().can.window ? Way::vme : Way::serial);
   }
   ImGui::SameLine(0, ui.px(between));
-  static constexpr std::array<std::string_view, 3> ways = {"serial", "USB", "tcp"};
-  const int picked = dropdown(ui, "connect/form/way", "Way", ways, static_cast<int>(way_));
-  if (picked >= 0) {
-    way_ = static_cast<Way>(picked);
-    port_ = way_ == Way::serial ? "/dev/ttyUSB0" : way_ == Way::tcp ? "127.0.0.1:4001" : "";
-  }
+  static constexpr std::array<std::string_view, 3> line_ways = {"serial", "USB", "tcp"};
+  static constexpr std::array<std::string_view, 2> window_ways = {"VME", "bus port"};
+  const int first = catalog().can.window ? static_cast<int>(Way::vme) : 0;
+  const std::span<const std::string_view> ways =
+      catalog().can.window ? std::span<const std::string_view>(window_ways) : line_ways;
+  const int picked = dropdown(ui, "connect/form/way", "Way", ways, static_cast<int>(way_) - first);
+  if (picked >= 0) choose(static_cast<Way>(first + picked));
   ImGui::SameLine(0, ui.px(between));
-  const bool has_baud = way_ == Way::serial, has_id = has_ids() && way_ != Way::usb;
-  const float numbers = (has_baud ? rate_width + between : 0) + (has_id ? id_width + between : 0);
+  const bool has_rate_or_base = way_ == Way::serial || way_ == Way::vme,
+             has_id = has_ids() && way_ != Way::usb;
+  const float numbers = (has_rate_or_base ? rate_width + between : 0) + (has_id ? id_width + between : 0);
   const float used = (ImGui::GetCursorScreenPos().x - at.x) / ui.scale;
   const bool one_line = width - used - numbers >= least_port;
   FieldOptions port;
@@ -107,7 +126,7 @@ bool ConnectForm::draw_parts(PageFrame& f, float width) {
   text_field(ui, "connect/form/port", "Port", port_, port);
   const auto draw_numbers = [&](bool before) {
     const auto apart = [&] { ImGui::SameLine(0, ui.px(between)); };
-    if (has_baud) before ? (draw_baud(ui), apart()) : (apart(), draw_baud(ui));
+    if (has_rate_or_base) before ? (draw_rate_or_base(ui), apart()) : (apart(), draw_rate_or_base(ui));
     if (has_id) before ? (draw_id(ui), apart()) : (apart(), draw_id(ui));
   };
   if (one_line) draw_numbers(false);
@@ -125,7 +144,16 @@ bool ConnectForm::draw_parts(PageFrame& f, float width) {
   return opened;
 }
 
-void ConnectForm::draw_baud(Ui& ui) {
+/// Of a serial line its rate, of a board the place of its window.
+void ConnectForm::draw_rate_or_base(Ui& ui) {
+  if (way_ == Way::vme) {
+    FieldOptions base;
+    base.face = Face::code_field;
+    base.width = rate_width;
+    base.tip = "Where the board's window begins in the short address space, as its jumpers say";
+    text_field(ui, "connect/form/base", "Base", base_, base);
+    return;
+  }
   std::vector<std::string> rates;
   for (const int b : catalog().can.bauds) rates.push_back(fmt::format("{}", b));
   const std::vector<std::string_view> views(rates.begin(), rates.end());

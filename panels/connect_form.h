@@ -22,12 +22,13 @@ class ConnectForm {
   float height(gui::PageFrame& frame, float width);
 
  private:
-  enum class Way : std::uint8_t { serial, usb, tcp };
+  enum class Way : std::uint8_t { serial, usb, tcp, vme, bus };  ///< the last two of boards in a window
   void make();
+  void choose(Way way);
   [[nodiscard]] const Catalog& catalog() const { return catalogs_[static_cast<std::size_t>(model_)]; }
   [[nodiscard]] bool has_ids() const;
   bool draw_parts(gui::PageFrame& frame, float width);
-  void draw_baud(gui::Ui& ui);
+  void draw_rate_or_base(gui::Ui& ui);
   void draw_id(gui::Ui& ui);
   [[nodiscard]] std::string guide() const;
   void draw_guide(gui::PageFrame& frame, float width);
@@ -39,7 +40,7 @@ class ConnectForm {
   std::vector<Catalog> catalogs_;
   int model_ = 0, baud_ = 0;
   Way way_ = Way::serial;
-  std::string port_ = "/dev/ttyUSB0", id_ = "01", first_ = "00", last_ = "99";
+  std::string port_ = "/dev/ttyUSB0", id_ = "01", base_ = "0xF000", first_ = "00", last_ = "99";
   std::vector<int> rates_;  ///< of the controllers that can share a line
   int rate_ = 0;            ///< 0: every one
   bool one_port_ = false, searched_ = false;

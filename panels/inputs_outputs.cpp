@@ -114,7 +114,8 @@ void InputsOutputs::draw_inputs(Frame& f) {
     o.width = cells.cell();
     o.height = 28;
     cells.stand(n - 1);
-    lamp(f.ui, Path("io/in/{}", n), with_minus(info.name), o);
+    lamp(f.ui, Path("io/in/{}", f.catalog.input_number(static_cast<std::size_t>(n - 1))),
+         with_minus(info.name), o);
   }
   cells.end(count);
 }
@@ -133,6 +134,7 @@ void InputsOutputs::draw_outputs(Frame& f) {
 void InputsOutputs::draw_output(Frame& f, int n, float width, bool narrow) {
   const OutputInfo& info = f.catalog.outputs[static_cast<std::size_t>(n - 1)];
   const bool on = bit(f.now.outputs, n), known = bit(f.now.outputs_known, n);
+  const int number = f.catalog.output_number(static_cast<std::size_t>(n - 1));
   IntentId& asked = asked_[static_cast<std::size_t>(n)];
   const IntentFate* fate = f.now.fate_of(asked);
   if (fate && fate->fate == Fate::done) asked = 0;
@@ -151,8 +153,8 @@ void InputsOutputs::draw_output(Frame& f, int n, float width, bool narrow) {
   o.disabled = !f.connected()   ? "There is no link."
                : !info.settable ? "This output cannot be set by the console."
                                 : "";
-  if (toggle_lamp(f.ui, Path("io/out/{}", n), name_of(f, info), o).clicked)
-    asked = f.send(intent::SetOutput(n, known ? !on : true));
+  if (toggle_lamp(f.ui, Path("io/out/{}", number), name_of(f, info), o).clicked)
+    asked = f.send(intent::SetOutput(number, known ? !on : true));
 }
 
 /// A few have a line each; many stand in two columns and have their unit in the title.
@@ -217,9 +219,18 @@ void InputsOutputs::draw_rail(Frame& f) {
     const Rect r{at, ImVec2(at.x + ui.px(cell), at.y + ui.px(36))};
     draw_lamp(ui, ImVec2(std::floor(r.centre().x), r.min.y + ui.px(8)), 12, LampShape::round, state);
     draw_text_centred(ui, {ImVec2(r.min.x, r.min.y + ui.px(18)), ImVec2(r.max.x, r.min.y + ui.px(34))},
-                      on ? Face::small_bold : Face::small, ui[on ? Tone::ink : Tone::ink2], Path("{}", n));
+                      on ? Face::small_bold : Face::small, ui[on ? Tone::ink : Tone::ink2],
+                      Path("{}", f.catalog.output_number(static_cast<std::size_t>(n - 1))));
     const std::string_view value = !known ? "?" : on ? "on" : "off";
-    show(ui, {Path("io/lamp/{}", n), Kind::lamp, name, value, {}, false, name}, r);
+    show(ui,
+         {Path("io/lamp/{}", f.catalog.output_number(static_cast<std::size_t>(n - 1))),
+          Kind::lamp,
+          name,
+          value,
+          {},
+          false,
+          name},
+         r);
   }
   const int rows = (count + columns - 1) / columns;
   ImGui::SetCursorScreenPos(ImVec2(top.x, top.y + ui.px(20 + 38 * static_cast<float>(rows))));

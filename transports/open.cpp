@@ -7,10 +7,12 @@
 #include "core/base/number_text.h"
 #include "core/device/bench_file.h"
 #include "core/session/user_files.h"
+#include "transports/bus_port.h"
 #include "transports/performax_usb.h"
 #include "transports/rfc2217.h"
 #include "transports/serial.h"
 #include "transports/tcp.h"
+#include "transports/vme_device.h"
 
 namespace hw {
 namespace {
@@ -73,10 +75,16 @@ std::vector<DeviceOptions> keys_of_each(DeviceOptions keys, const std::vector<st
 }
 
 Result<Wire> plug_in(const std::shared_ptr<EmulatorHost>& host, int baud) {
-  auto stream = host->plug_in(baud);
-  if (!stream) return fail(stream.error());
   Wire wire;
-  wire.stream = std::move(*stream);
+  if (host->is_board()) {
+    auto window = host->plug_in_window();
+    if (!window) return fail(window.error());
+    wire.window = std::move(*window);
+  } else {
+    auto stream = host->plug_in(baud);
+    if (!stream) return fail(stream.error());
+    wire.stream = std::move(*stream);
+  }
   for (std::size_t i = 0; i < host->device_count(); ++i) wire.benches.push_back(host->bench(i));
   return wire;
 }
@@ -107,6 +115,7 @@ Result<> check_device_keys(const DeviceType& type, const Address& address) {
 }
 
 std::string ways_to(const Catalog& catalog) {
+  if (catalog.can.window) return "Use vme, bus or emulator.";
   return fmt::format("Use serial, tcp, rfc2217 or emulator{}.", catalog.can.usb ? ", or usb" : "");
 }
 
@@ -166,16 +175,72 @@ Task<Result<Wire>> open_usb_wire(Scheduler& scheduler, const DeviceType& type, A
   co_return real_wire(std::move(*stream));
 }
 
+Wire real_window(std::unique_ptr<Window> window) {
+  Wire wire;
+  wire.window = std::move(window);
+  return wire;
+}
+
+Task<Result<Wire>> open_bus_wire(Scheduler& scheduler, const DeviceType& type, Address address,
+                                 std::shared_ptr<BenchAccess>, const OpenOptions&) {
+  if (auto checked = check_device_keys(type, address); !checked) co_return fail(checked.error());
+  auto window = co_await open_bus_port(scheduler, std::move(address.where));
+  if (!window) co_return fail(window.error());
+  co_return real_window(std::move(*window));
+}
+
+// "0xF000", or a plain number.
+Result<std::uint32_t> take_base(DeviceOptions& keys) {
+  const std::string text = take(keys, "base", "0xF000");
+  char* end = nullptr;
+  const unsigned long base = std::strtoul(text.c_str(), &end, 0);
+  if (*end == '\0' && base <= 0xFFFF) return static_cast<std::uint32_t>(base);
+  return bad(fmt::format("base={} is no place in the short address space.", text),
+             "Give what the board's jumpers say, for example base=0xF000.");
+}
+
+Task<Result<Wire>> open_vme_wire(Scheduler& scheduler, const DeviceType& type, Address address,
+                                 std::shared_ptr<BenchAccess>, const OpenOptions&) {
+  const auto base = take_base(address.options);
+  if (!base) co_return fail(base.error());
+  if (auto checked = check_device_keys(type, address); !checked) co_return fail(checked.error());
+  auto window = open_vme_device(scheduler, address.where, *base);
+  if (!window) co_return fail(window.error());
+  co_return real_window(std::move(*window));
+}
+
 using Open = Task<Result<Wire>> (*)(Scheduler&, const DeviceType&, Address, std::shared_ptr<BenchAccess>,
                                     const OpenOptions&);
 struct Transport {
+  enum class Kind : std::uint8_t { bytes, window, both };
   std::string_view scheme;
+  Kind kind;
   Open open;
 };
 constexpr Transport transports[] = {
-    {"emulator", open_emulator},    {"serial", open_serial_wire}, {"tcp", open_tcp_wire},
-    {"rfc2217", open_rfc2217_wire}, {"usb", open_usb_wire},
+    {"emulator", Transport::Kind::both, open_emulator},
+    {"serial", Transport::Kind::bytes, open_serial_wire},
+    {"tcp", Transport::Kind::bytes, open_tcp_wire},
+    {"rfc2217", Transport::Kind::bytes, open_rfc2217_wire},
+    {"usb", Transport::Kind::bytes, open_usb_wire},
+    {"bus", Transport::Kind::window, open_bus_wire},
+    {"vme", Transport::Kind::window, open_vme_wire},
 };
+
+// A board in a memory window and a device that is spoken to in bytes cannot be reached the same ways.
+Result<> check_kind(const Transport& transport, const DeviceType& type) {
+  if (transport.kind == Transport::Kind::both) return {};
+  const auto catalog = type.make_catalog({});
+  if (!catalog) return fail(catalog.error());
+  if (catalog->can.window == (transport.kind == Transport::Kind::window)) return {};
+  return bad(
+      catalog->can.window
+          ? fmt::format("The {} is a board on a bus, not at the end of a line: \"{}\" does not reach it.",
+                        catalog->short_name, transport.scheme)
+          : fmt::format("The {} is no board on a bus: \"{}\" does not reach it.", catalog->short_name,
+                        transport.scheme),
+      ways_to(*catalog));
+}
 
 Task<Result<Wire>> open_wire(Scheduler& scheduler, Address address, std::shared_ptr<BenchAccess> again,
                              std::shared_ptr<const OpenOptions> options) {
@@ -183,10 +248,11 @@ Task<Result<Wire>> open_wire(Scheduler& scheduler, Address address, std::shared_
   if (!type) co_return bad(fmt::format("There is no controller model \"{}\".", address.model), {});
   for (const Transport& transport : transports) {
     if (transport.scheme != address.transport) continue;
+    if (auto fits = check_kind(transport, *type); !fits) co_return fail(fits.error());
     co_return co_await transport.open(scheduler, *type, std::move(address), std::move(again), *options);
   }
   co_return bad(fmt::format("The {} cannot be reached by \"{}\".", type->model, address.transport),
-                "Use serial, tcp, rfc2217, emulator, or usb where it has one.");
+                "Use serial, tcp, rfc2217, emulator, usb where it has one; vme or bus for a board.");
 }
 
 }  // namespace

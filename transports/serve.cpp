@@ -116,6 +116,8 @@ EmulatorHost::EmulatorHost(Scheduler& scheduler, HostOptions options)
 
 EmulatorHost::~EmulatorHost() = default;
 
+BusTarget* EmulatorHost::board() const { return devices_.empty() ? nullptr : devices_.front()->own().bus(); }
+
 Result<std::shared_ptr<EmulatorHost>> EmulatorHost::make(Scheduler& scheduler,
                                                          std::vector<HostedDevice> devices,
                                                          HostOptions options, Trouble trouble) {
@@ -229,6 +231,7 @@ void EmulatorHost::step_to(Instant when) {
 
 void EmulatorHost::finish_round() {
   deliver();
+  tell_interrupt();
   for (const auto& device : devices_) device->keep_memory();
   if (const Instant next = next_due(); next != Instant::max()) {
     armed_for_ = next;
@@ -379,6 +382,7 @@ void EmulatorHost::pull_cable(bool pulled) {
   incoming_.clear();
   outgoing_.clear();
   leaving_.clear();
+  if (pulled) pull_windows();
   if (pulled) std::erase_if(clients_, [](const auto& client) { return client->by_cable; });
 }
 

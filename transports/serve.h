@@ -51,6 +51,13 @@ class EmulatorHost final : public std::enable_shared_from_this<EmulatorHost> {
   /// `baud` is the rate of the client's port; 0: that of the controller.
   Result<std::unique_ptr<Stream>> plug_in(int baud = 0);
 
+  /// The device is a board in a memory window: it is reached by these two and not by those above.
+  [[nodiscard]] bool is_board() const { return board() != nullptr; }
+  /// The window of a new host in this process. It closes when the cable is pulled; a fault while it is.
+  Result<std::unique_ptr<Window>> plug_in_window();
+  /// A client of a bus port; stays until it closes or sends what is no message of a bus port.
+  void attach_bus(std::unique_ptr<Stream> client);
+
   /// What surrounds one of the devices. It keeps the host alive.
   [[nodiscard]] std::shared_ptr<BenchAccess> bench(std::size_t device = 0);
   [[nodiscard]] std::size_t device_count() const { return devices_.size(); }
@@ -66,6 +73,9 @@ class EmulatorHost final : public std::enable_shared_from_this<EmulatorHost> {
  private:
   struct Client;
   class Device;
+  // serve_bus.cpp
+  class HostWindow;
+  struct BusClient;
   static constexpr Duration at_once = Millis(2);
 
   EmulatorHost(Scheduler& scheduler, HostOptions options);
@@ -91,6 +101,12 @@ class EmulatorHost final : public std::enable_shared_from_this<EmulatorHost> {
   Result<> operate(Device& device, const BenchCommand& command);
   Result<> apply(Device& device, const BenchCommand& command);
   void pull_cable(bool pulled);
+  // serve_bus.cpp
+  [[nodiscard]] BusTarget* board() const;
+  void run_cycles(std::span<BusCycle> cycles);
+  void run_cycle(BusCycle& cycle);
+  void tell_interrupt();
+  void pull_windows();
 
   Scheduler& scheduler_;
   HostOptions options_;
@@ -105,6 +121,8 @@ class EmulatorHost final : public std::enable_shared_from_this<EmulatorHost> {
   int leaving_baud_ = 0;         // ... all of it sent at this rate
   std::vector<std::unique_ptr<Device>> devices_;
   std::vector<std::unique_ptr<Client>> clients_;
+  std::vector<HostWindow*> windows_;
+  std::vector<std::shared_ptr<BusClient>> bus_clients_;
   bool unplugged_ = false;
   int to_garble_ = 0, to_drop_ = 0, garbled_ = 0;
   std::deque<TimedBenchCommand> plan_;  // for each device; `at` in emulated time, earliest first

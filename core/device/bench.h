@@ -18,7 +18,7 @@ namespace hw {
 
 namespace bench {
 struct Input {
-  int number;   ///< the maker's number, from 1
+  int number;   ///< its place in the catalog, from 1
   bool active;  ///< true: operated (an active-low input is pulled to 0 V)
   Input(int n, bool a) : number(n), active(a) {}
 };

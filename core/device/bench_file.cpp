@@ -91,13 +91,20 @@ class Reader {
     return {};
   }
   std::optional<int> numbered(const toml::node& at, std::string_view key, std::string_view what,
-                              std::size_t count) {
+                              std::size_t count, int first = 1) {
     int n = 0;
     for (const char c : key) n = c >= '0' && c <= '9' && n < 1000 ? n * 10 + (c - '0') : 10'000;
-    if (!key.empty() && n >= 1 && n <= static_cast<int>(count)) return n;
+    const int last = first + static_cast<int>(count) - 1;
+    if (!key.empty() && n >= first && n <= last) return n;
     wrong(at, fmt::format("there is no {} \"{}\"", what, key),
-          count > 0 ? fmt::format("This controller has {} 1 to {}.", what, count) : std::string());
+          count > 0 ? fmt::format("This controller has {} {} to {}.", what, first, last) : std::string());
     return {};
+  }
+  /// From the maker's number, which may begin at 0, to the bench's, from 1.
+  std::optional<int> input_place(const toml::node& at, std::string_view key) {
+    const int first = catalog_.inputs.empty() ? 1 : catalog_.input_number(0);
+    const auto n = numbered(at, key, "input", catalog_.inputs.size(), first);
+    return n ? std::optional(catalog_.find_input(*n) + 1) : std::nullopt;
   }
 
   void quirks(const toml::node& node) {
@@ -130,17 +137,35 @@ class Reader {
       place.counts_per_step = number(node, key, -1e6, 1e6);
       return;
     }
+    if (key == "motor") return motor(node, place);
     if (key != "home")
       return wrong(node, fmt::format("an axis has no \"{}\"", key),
-                   "Known here: minus, plus, home, index_every, counts_per_step, backlash.");
+                   "Known here: minus, plus, home, index_every, counts_per_step, backlash, motor.");
     const auto* zone = node.as_array();
     if (!zone || zone->size() != 2) return wrong(node, "home must be [from, to]");
     const auto from = whole(*zone->get(0), "home"), to = whole(*zone->get(1), "home");
     if (from && to) place.home_from = Steps(*from), place.home_to = Steps(*to);
   }
 
+  void motor(const toml::node& node, AxisPlace& place) {
+    place.motor.emplace();
+    if (!node.is_table()) {
+      place.motor->present = on_off(node, "motor, where it is no table,").value_or(false);
+      return;
+    }
+    each(node, "motor", [&](std::string_view key, const toml::node& n) {
+      const auto known = std::find_if(motor_keys.begin(), motor_keys.end(),
+                                      [&](const MotorKey& k) { return k.name == key; });
+      if (known == motor_keys.end())
+        return wrong(
+            n, fmt::format("a motor has no \"{}\"", key),
+            "Known here: inertia, viscous, friction, torque_per_volt, torque_limit, counts_per_turn.");
+      if (const auto value = number(n, key, known->low, known->high)) *place.motor.*known->value = *value;
+    });
+  }
+
   void input(std::string_view key, const toml::node& node) {
-    const auto n = numbered(node, key, "input", catalog_.inputs.size());
+    const auto n = input_place(node, key);
     const auto on = on_off(node, "an input");
     if (n && on) file_.at_start.emplace_back(bench::Input(*n, *on));
   }
@@ -207,8 +232,7 @@ class Reader {
   using Arguments = std::vector<const toml::node*>;
   std::optional<BenchCommand> timed_input(const Arguments& args) {
     const auto number_text = args[0]->value<std::int64_t>();
-    const auto n =
-        numbered(*args[0], std::to_string(number_text.value_or(0)), "input", catalog_.inputs.size());
+    const auto n = input_place(*args[0], std::to_string(number_text.value_or(-1)));
     const auto on = on_off(*args[1], "an input");
     if (!n || !on) return {};
     return bench::Input(*n, *on);

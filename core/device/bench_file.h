@@ -7,6 +7,9 @@
 //   minus = -1000
 //   plus = 90000
 //   home = [2000, 2400]
+//   motor = {friction = 0.01}     # a servo axis gets a motor (true: as it stands in core/motion/motor.h;
+//                                 # false: none): inertia kg m², viscous Nm s/rad, friction Nm,
+//                                 # torque_per_volt Nm/V, torque_limit Nm, counts_per_turn
 //   [input]
 //   1 = true                      # operated from the start
 //   [analog]

@@ -12,11 +12,11 @@
 namespace hw {
 
 struct AxisInfo {
-  std::string name;         ///< the maker's: "1", "X"
-  std::string description;  ///< "motor 1"
-  bool switchable = false;  ///< its motor current can be switched: intent::SetPower
-  bool encoder = false;     ///< has a counter of its own that can be set: intent::SetEncoder
-  bool home_input = false;  ///< tells whether it stands on its home switch: AxisState::home
+  std::string name;          ///< the maker's: "1", "X"
+  std::string description;   ///< "motor 1"
+  bool switchable = false;   ///< its motor current can be switched: intent::SetPower
+  bool encoder = false;      ///< has a counter of its own that can be set: intent::SetEncoder
+  bool home_input = false;   ///< tells whether it stands on its home switch: AxisState::home
   bool alarm_input = false;  ///< of its motor's driver: AxisState::alarm
 };
 
@@ -37,6 +37,7 @@ struct InputInfo {
   std::string name;  ///< "In 1"
   std::string help;
   bool active_low = true;
+  int number = -1;  ///< the maker's; -1: its place, from 1 (see Catalog::input_number)
 };
 /// What the controller itself uses an output for at times: "In position".
 struct OutputDuty {
@@ -48,6 +49,7 @@ struct OutputInfo {
   std::string help;
   bool settable = true;
   OutputDuty duty = {};
+  int number = -1;  ///< the maker's; -1: its place, from 1 (see Catalog::output_number)
 };
 struct AnalogInfo {
   std::string name, unit;  ///< "Analog", "counts"
@@ -79,8 +81,8 @@ struct ParamInfo {
   bool readable = true;
   int axis = -1;
   bool of_move_buffer = false;  ///< shown beside the list of moves too
-  std::string warning;  ///< not empty: asked before it is written, naming the axis
-  std::string manual;   ///< "Appendix H"
+  std::string warning;          ///< not empty: asked before it is written, naming the axis
+  std::string manual;           ///< "Appendix H"
   /// Not empty: said before the first move of its axis while the value is `unset_value`: why, and what to do.
   std::string before_moving;
   std::int64_t unset_value = 0;
@@ -122,11 +124,11 @@ struct ActionInfo {
   std::string id;     ///< path: "arc", "latch_on"
   std::string label;  ///< on the button: "Draw arc"
   std::string help;
-  std::string group;        ///< heading; may be a readout group's, whose values then stand beside it
-  bool moves = false;       ///< starts or changes motion
-  bool while_busy = false;  ///< makes sense while a motion or program runs
-  bool of_move_buffer = false;   ///< shown beside the list of moves too
-  bool follows_analog = false;   ///< its axis follows an analog input: they are shown with it
+  std::string group;            ///< heading; may be a readout group's, whose values then stand beside it
+  bool moves = false;           ///< starts or changes motion
+  bool while_busy = false;      ///< makes sense while a motion or program runs
+  bool of_move_buffer = false;  ///< shown beside the list of moves too
+  bool follows_analog = false;  ///< its axis follows an analog input: they are shown with it
   std::vector<ActionField> fields;
   std::string manual;
 };
@@ -157,6 +159,25 @@ struct CommandInfo {
   bool moves = false;   ///< Enter would (or might) move something now
   bool stored = false;  ///< goes into the program, does nothing now
   std::string manual;
+};
+
+/// One value in the memory window of a controller: Catalog::memory. Big-endian.
+struct MemoryCell {
+  int offset = 0;
+  int bytes = 2;      ///< 1, 2 or 4
+  std::string name;   ///< "X Encoder Position"
+  std::string group;  ///< heading: "Registers", "Axis X"
+  int axis = -1;
+  bool is_signed = false;
+  bool clears_on_read = false;  ///< the console reads it once and remembers: see its help
+  std::vector<ParamBit> bits;   ///< not empty: a bit field
+  std::string help;
+};
+/// A ring of characters in such a window, one to a cell of two bytes.
+struct MemoryRing {
+  std::string name;  ///< "Commands"
+  int offset = 0, cells = 0;
+  int put_index = 0, get_index = 0;  ///< offsets of its two indexes
 };
 
 struct ProgramFacts {
@@ -214,6 +235,10 @@ struct Capabilities {
   bool interpolates = false;  ///< moves several axes together on a straight line
   bool broadcast = false;     ///< takes text meant for all devices of a wire, without replies
   bool usb = false;           ///< has a USB wire of its own, beside any serial line
+  bool window = false;        ///< a board in a memory window on a bus: no serial line at all
+  bool memory_map = false;    ///< its window is described in Catalog::memory and shown in Snapshot::window
+  bool contours = false;      ///< paths at constant velocity that are recorded and then played
+  bool servo_tuning = false;  ///< has servo axes whose gains can be tuned: intent::Sample, Session::samples()
   int usual_baud = 9600;
   std::vector<int> bauds;
 };
@@ -240,6 +265,10 @@ struct Catalog {
   std::vector<ActionInfo> actions;
   VariableFacts variables;
   MoveListFacts move_list;
+  std::vector<MemoryCell> memory;  ///< where Capabilities::memory_map
+  std::vector<MemoryRing> memory_rings;
+  int memory_readout_group = -1;  ///< watched while the window is shown: its rings are read then too
+  int queue_depth = 0;            ///< entries of each axis' command queue (Snapshot::queue_free); 0: none
   std::vector<CommandInfo> commands;
   std::string command_separators;  ///< characters between the commands of one line; empty: one command a line
   ProgramFacts program;
@@ -260,6 +289,11 @@ struct Catalog {
       if (axes[i].name == axis_name) return static_cast<int>(i);
     return -1;
   }
+  /// The maker's number of the input at `place`, from 0, and back; -1: there is none.
+  [[nodiscard]] int input_number(std::size_t place) const { return number_at(inputs, place); }
+  [[nodiscard]] int find_input(std::int64_t number) const { return place_of(inputs, number); }
+  [[nodiscard]] int output_number(std::size_t place) const { return number_at(outputs, place); }
+  [[nodiscard]] int find_output(std::int64_t number) const { return place_of(outputs, number); }
   [[nodiscard]] int find_action(std::string_view id) const {
     for (std::size_t i = 0; i < actions.size(); ++i)
       if (actions[i].id == id) return static_cast<int>(i);
@@ -273,6 +307,18 @@ struct Catalog {
   [[nodiscard]] int find_param(std::string_view mnemonic) const {
     for (std::size_t i = 0; i < params.size(); ++i)
       if (params[i].mnemonic == mnemonic) return static_cast<int>(i);
+    return -1;
+  }
+
+ private:
+  template <class Line>
+  static int number_at(const std::vector<Line>& lines, std::size_t place) {
+    return lines[place].number >= 0 ? lines[place].number : static_cast<int>(place) + 1;
+  }
+  template <class Line>
+  static int place_of(const std::vector<Line>& lines, std::int64_t number) {
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      if (number_at(lines, i) == number) return static_cast<int>(i);
     return -1;
   }
 };

@@ -19,6 +19,7 @@ struct DriverContext {
   Snapshot& draft;                     ///< the driver writes it; the pump publishes it
   std::function<void(Notice)> notify;  ///< what must not be lost
   std::function<void()> changed;       ///< something came unasked: publish soon, poll soon
+  std::function<void(const AxisSample&)> sample = nullptr;  ///< of a recording: intent::Sample
 };
 
 class Driver {
@@ -38,8 +39,8 @@ class Driver {
   virtual Task<Result<>> stop_jog() { return stop(-1, false); }
   /// Ends a program (-1: all), beside whatever is under way. Goes out like a stop.
   virtual Task<Result<>> halt_program(int /*thread*/) { return stop(-1, false); }
-  /// One message that stops every controller of this kind on the wire, where the maker has one (broadcast). The
-  /// stop of each follows.
+  /// One message that stops every controller of this kind on the wire, where the maker has one (broadcast).
+  /// The stop of each follows.
   virtual Task<Result<>> stop_wire(bool /*at_once*/) { co_return Result<>(); }
   /// The wire is gone: nothing may be believed any more. The station is invalid afterwards.
   virtual void wire_lost() = 0;

@@ -10,6 +10,7 @@
 
 #include "core/base/result.h"
 #include "core/device/bench.h"
+#include "core/device/bus_target.h"
 #include "core/time/clock.h"
 
 namespace hw {
@@ -22,6 +23,8 @@ class Emulator {
   virtual void receive(std::string_view bytes) = 0;
   /// Moves the output that has come up since the last call to the end of `sink`.
   virtual void take_output(std::string& sink) = 0;
+  /// Of a board in a memory window: its side of the bus. Then receive() and take_output() do nothing.
+  virtual BusTarget* bus() { return nullptr; }
   /// When something happens next by itself (a step that matters, a pause, a lamp). None: nothing will.
   [[nodiscard]] virtual std::optional<Instant> next_event() const = 0;
   /// Time goes on; everything due up to and including `now` happens in order. Never goes backwards.

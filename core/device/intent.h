@@ -1,6 +1,7 @@
 #pragma once
 // What the user wants, as a value. A few verbs serve every controller; what a controller cannot do its driver
 // refuses with a sentence.
+#include <chrono>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -78,7 +79,7 @@ struct SetPower {
   SetPower(int a, bool o) : axis(a), on(o) {}
 };
 struct SetOutput {
-  int number;  ///< the maker's number, from 1
+  int number;  ///< the maker's: Catalog::output_number
   bool on;
   SetOutput(int n, bool o) : number(n), on(o) {}
 };
@@ -150,6 +151,13 @@ struct Watch {
   std::uint32_t groups;
   explicit Watch(std::uint32_t g) : groups(g) {}
 };
+/// Records one axis as fast as its controller can be read, for `length`, into the ring of AxisSample. A new
+/// one ends the one before; length 0 only ends it.
+struct Sample {
+  AxisId axis;
+  std::chrono::milliseconds length;
+  Sample(AxisId a, std::chrono::milliseconds l) : axis(a), length(l) {}
+};
 /// Feeds a list of moves into the controller's buffer as places become free; see MoveListFacts. A stop ends
 /// it.
 struct FeedMoves {
@@ -174,8 +182,8 @@ using IntentBody =
                  intent::SetPower, intent::SetOutput, intent::SetParam, intent::ReadParams, intent::Store,
                  intent::SelectProgram, intent::LoadProgram, intent::UploadProgram, intent::ClearProgram,
                  intent::RunProgram, intent::Pause, intent::Resume, intent::SingleStep, intent::HaltProgram,
-                 intent::Act, intent::SetVariable, intent::Watch, intent::FeedMoves, intent::SendText,
-                 intent::Reset, intent::Reconnect, intent::ReadAgain>;
+                 intent::Act, intent::SetVariable, intent::Watch, intent::Sample, intent::FeedMoves,
+                 intent::SendText, intent::Reset, intent::Reconnect, intent::ReadAgain>;
 
 struct Intent {
   IntentId id = 0;

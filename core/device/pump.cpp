@@ -50,7 +50,7 @@ Pump::Pump(Scheduler& scheduler, const DeviceType& type, const Catalog& catalog,
     publish();
     wake_.notify();
   };
-  driver_ = type.make_driver(DriverContext{scheduler, catalog_, draft_, ways_.notify, changed});
+  driver_ = type.make_driver(DriverContext{scheduler, catalog_, draft_, ways_.notify, changed, ways_.sample});
 }
 
 Pump::~Pump() = default;
@@ -185,6 +185,7 @@ void Pump::poll_finished(const Result<>& result) {
   health.unparsed_bytes = s.unparsed_bytes;
   health.misses_in_a_row = static_cast<std::uint32_t>(s.misses_in_a_row);
   if (!station_->is_open()) return;  // lose_wire() has said it all
+  if (!result && result.error().kind == FaultKind::lost) return lose_wire(result.error());
   if (s.misses_in_a_row >= misses_until_lost) {
     lose_wire(Fault(FaultKind::lost,
                     fmt::format("The controller has not answered {} times.", s.misses_in_a_row),

@@ -19,6 +19,7 @@ class Pump {
     std::function<void(const Snapshot&)> publish;
     std::function<void(Notice)> notify;
     TrafficRing* traffic = nullptr;
+    std::function<void(const AxisSample&)> sample = nullptr;
   };
 
   Pump(Scheduler& scheduler, const DeviceType& type, const Catalog& catalog, Ways ways);

@@ -118,6 +118,26 @@ struct ParamState {
   bool operator==(const ParamState&) const = default;
 };
 
+/// The memory window of a controller as the console has last read it (Catalog::memory says what lies where).
+/// A register that reading clears shows what the last reading brought.
+struct WindowImage {
+  static constexpr std::size_t bytes = 4096;
+  bool known = false;
+  bool rings_known = false;  ///< somebody looks: the rings are read too
+  std::array<std::uint8_t, bytes> memory{};
+
+  [[nodiscard]] std::uint32_t value(std::size_t offset, int width) const {
+    std::uint32_t v = 0;
+    for (int i = 0; i < width; ++i) v = v << 8 | memory[(offset + static_cast<std::size_t>(i)) % bytes];
+    return v;
+  }
+  void put(std::size_t offset, int width, std::uint32_t v) {
+    for (int i = width; i-- > 0; v >>= 8)
+      memory[(offset + static_cast<std::size_t>(i)) % bytes] = static_cast<std::uint8_t>(v);
+  }
+  bool operator==(const WindowImage&) const = default;
+};
+
 /// What the controller has said of itself.
 struct Identity {
   FixedText<32> model;     ///< as the controller or catalog names it
@@ -155,6 +175,9 @@ struct Snapshot {
   std::uint32_t analog_known = 0;
   ProgramState program;
   std::array<ThreadState, max_threads> threads{};
+  std::array<std::int16_t, max_axes> queue_free{};  ///< of Catalog::queue_depth; see queue_known
+  std::uint32_t queue_known = 0;                    ///< bit per axis
+  WindowImage window;
   FeedState feed;
   TransferState transfer;
   std::array<std::int64_t, max_readouts> readouts{};  ///< by index in Catalog::readouts
@@ -189,6 +212,16 @@ inline bool is_stale(Instant seen_at, Instant now, Duration poll_period) {
   const Duration limit = std::max<Duration>(3 * poll_period, Millis(600));
   return now - seen_at > limit;
 }
+
+/// One instant of one axis, of a recording that intent::Sample asks for. They travel in a ring, as notices
+/// do.
+struct AxisSample {
+  Instant at{};
+  std::uint8_t axis = 0;
+  bool moving = false;
+  Steps command{}, encoder{};  ///< where it is sent, where it is
+  Pps velocity{};              ///< commanded, without sign
+};
 
 /// Things that must not be lost: they travel in a ring beside the snapshots.
 struct Notice {

@@ -2,6 +2,7 @@
 
 #include "core/devices/dmx_k_sa/device_type.h"
 #include "core/devices/pmx_4ex_sa/device_type.h"
+#include "core/devices/vme58/device_type.h"
 #include "core/devices/vxm/device_type.h"
 
 namespace hw {
@@ -11,6 +12,7 @@ std::span<const DeviceType> device_types() {
       vxm::device_type(),
       pmx_4ex_sa::device_type(),
       dmx_k_sa::device_type(),
+      vme58::device_type(),
   };
   return all;
 }

@@ -13,6 +13,7 @@ struct Link::Pending {
   Result<std::string> result{std::string()};
   Suspended suspended;
   bool finished = false;
+  bool its_turn = false;  ///< a burst on a window: run by the one who waits for it
   Pending(Station& s, Transaction t) : station(s), transaction(std::move(t)) {}
   [[nodiscard]] bool is_question() const { return transaction.reply.kind != ReplyShape::Kind::none; }
 };
@@ -39,8 +40,18 @@ Link::Link(Scheduler& scheduler, std::unique_ptr<Stream> stream)
   stream_->listen(this);
 }
 
+Link::Link(Scheduler& scheduler, std::unique_ptr<Window> window)
+    : scheduler_(scheduler),
+      window_(std::move(window)),
+      deadline_(scheduler, [] {}),
+      settled_(scheduler, [] {}),
+      unfinished_(scheduler, [] {}) {
+  window_->listen(this);
+}
+
 Link::~Link() {
   if (stream_) stream_->listen(nullptr);
+  if (window_) window_->listen(nullptr);
 }
 
 void Link::join(Station& station) {
@@ -63,9 +74,26 @@ Task<Result<std::string>> Link::transact(Station& station, Transaction transacti
   co_return std::move(pending.result);
 }
 
+// A window has its own deadline, so that a burst that is under way always ends.
+Task<Result<>> Link::run(Station& station, std::span<BusCycle> cycles, Priority priority) {
+  const auto keep = shared_from_this();
+  Pending pending(station, Transaction({}, ReplyShape::nothing(), priority));
+  waiting_[static_cast<std::size_t>(priority)].push_back(&pending);
+  start_next();
+  while (!pending.its_turn && !pending.finished) co_await pending.suspended.here();
+  if (!pending.finished) {
+    const auto window = window_;
+    auto done = co_await window->run(cycles);
+    if (!pending.finished && done) finish(std::string());
+    if (!pending.finished && !done) finish(fail(done.error()));
+  }
+  if (!pending.result) co_return fail(pending.result.error());
+  co_return Result<>();
+}
+
 void Link::start_next() {
-  if (in_flight_ || !stream_) return;
-  const bool settling = scheduler_.now() < settle_until_;
+  if (in_flight_ || !is_open()) return;
+  const bool settling = stream_ && scheduler_.now() < settle_until_;
   for (auto& queue : waiting_) {
     if (queue.empty()) continue;
     if (settling && queue.front()->transaction.priority != Priority::stop) {
@@ -80,6 +108,11 @@ void Link::start_next() {
   const Transaction& t = in_flight_->transaction;
   sent_at_ = scheduler_.now();
   spoke_last_ = &in_flight_->station;
+  if (window_) {
+    in_flight_->its_turn = true;
+    in_flight_->suspended.resume(scheduler_.executor());
+    return;
+  }
   spoke_last_->record(sent_at_, Way::sent, kind_of(t), t.bytes);
   if (!in_flight_->is_question()) {
     stream_->send(t.bytes);
@@ -111,8 +144,11 @@ void Link::finish(Result<std::string> result) {
   Pending* done = std::exchange(in_flight_, nullptr);
   deadline_.disarm();
   const Instant now = scheduler_.now();
-  done->station.count(result, done->is_question(), done->transaction.priority == Priority::poll,
-                      now - sent_at_, now);
+  if (done->its_turn)
+    done->station.count_burst(result.has_value());
+  else
+    done->station.count(result, done->is_question(), done->transaction.priority == Priority::poll,
+                        now - sent_at_, now);
   end(*done, std::move(result));
   start_next();
 }
@@ -264,6 +300,7 @@ void Link::leave(Station& station, const Fault& why) {
     });
   if (!in_flight_ || &in_flight_->station != &station) return;
   deadline_.disarm();
+  if (window_) window_->abandon();
   end(*std::exchange(in_flight_, nullptr), lost());
   settle_until_ = scheduler_.now() + settle_time;  // its answer may still come
   start_next();
@@ -276,6 +313,22 @@ void Link::stream_closed(const Fault& why) {
   asio::post(scheduler_.executor(), [gone = std::shared_ptr<Stream>(std::move(stream_))] {});
   settled_.disarm();
   unfinished_.disarm();
+  close_all(why);
+}
+
+void Link::window_closed(const Fault& why) {
+  const auto keep = shared_from_this();
+  window_->listen(nullptr);
+  asio::post(scheduler_.executor(), [gone = std::exchange(window_, nullptr)] {});
+  close_all(why);
+}
+
+void Link::interrupted(std::uint8_t vector) {
+  for (std::size_t i = 0; i < stations_.size(); ++i)
+    if (stations_[i]->interrupted) stations_[i]->interrupted(vector);
+}
+
+void Link::close_all(const Fault& why) {
   while (!stations_.empty()) {
     Station* station = stations_.back();
     station->close(why);

@@ -1,7 +1,8 @@
 #pragma once
 // One wire and its order: transactions of all its stations wait in four queues, stop before intent before
 // program transfer before poll, first come first served in each; one is in flight at a time; each has a
-// deadline. Bytes nobody asked for go to the station that understands them. Io thread only.
+// deadline. Bytes nobody asked for go to the station that understands them. A wire is a stream of bytes or a
+// window onto a bus, where a transaction is a burst of cycles. Io thread only.
 #include <array>
 #include <deque>
 #include <memory>
@@ -12,6 +13,7 @@
 #include "core/link/framing.h"
 #include "core/link/stream.h"
 #include "core/link/traffic.h"
+#include "core/link/window.h"
 #include "core/time/scheduler.h"
 
 namespace hw {
@@ -44,12 +46,18 @@ struct Transaction {
 /// What a procedure is told that a stop has overtaken.
 Fault stop_came_first();
 
-class Link final : public std::enable_shared_from_this<Link>, private Stream::Listener {
+class Link final : public std::enable_shared_from_this<Link>,
+                   private Stream::Listener,
+                   private Window::Listener {
  public:
   Link(Scheduler& scheduler, std::unique_ptr<Stream> stream);
+  Link(Scheduler& scheduler, std::unique_ptr<Window> window);
   ~Link() override;
 
-  [[nodiscard]] bool is_open() const { return stream_ != nullptr; }
+  [[nodiscard]] bool is_open() const { return stream_ || window_; }
+  /// It is a window: spoken to by bus cycles, not by bytes.
+  [[nodiscard]] bool is_window() const { return window_ != nullptr; }
+  [[nodiscard]] bool tells_interrupts() const { return window_ && window_->tells_interrupts(); }
   /// Line rate in baud; 0: the wire has none, or is gone.
   [[nodiscard]] int rate() const { return stream_ ? stream_->rate() : 0; }
   [[nodiscard]] bool carries_messages() const { return stream_ && stream_->carries_messages(); }
@@ -68,12 +76,16 @@ class Link final : public std::enable_shared_from_this<Link>, private Stream::Li
   void join(Station& station);
   void leave(Station& station, const Fault& why);
   Task<Result<std::string>> transact(Station& station, Transaction transaction);
+  Task<Result<>> run(Station& station, std::span<BusCycle> cycles, Priority priority);
   void drop_procedures(Station& station);
   [[nodiscard]] Duration patience_for(const Transaction& transaction) const;
   void learn_from_answer(const Transaction& transaction, std::size_t answer_bytes);
 
   void bytes_arrived(std::string_view bytes) override;
   void stream_closed(const Fault& why) override;
+  void window_closed(const Fault& why) override;
+  void interrupted(std::uint8_t vector) override;
+  void close_all(const Fault& why);
   void start_next();
   void finish(Result<std::string> result);
   void end(Pending& pending, Result<std::string> result);
@@ -86,7 +98,8 @@ class Link final : public std::enable_shared_from_this<Link>, private Stream::Li
   void give_up_waiting();
 
   Scheduler& scheduler_;
-  std::unique_ptr<Stream> stream_;  ///< null: the wire is gone
+  std::unique_ptr<Stream> stream_;  ///< this or the window; both null: the wire is gone
+  std::shared_ptr<Window> window_;  ///< also held by the burst that is under way
   std::vector<Station*> stations_;
   Station* spoke_last_ =
       nullptr;  ///< whose transaction was last on the wire; what makes no sense is told to it

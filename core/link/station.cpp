@@ -8,6 +8,7 @@ Fault no_connection() {
 }
 
 Task<Result<std::string>> not_sent(Fault why) { co_return fail(std::move(why)); }
+Task<Result<>> not_run(Fault why) { co_return fail(std::move(why)); }
 
 bool yields_to_stop(Priority p) { return p == Priority::intent || p == Priority::transfer; }
 
@@ -26,6 +27,12 @@ Task<Result<std::string>> Station::transact(Transaction transaction) {
   return link_->transact(*this, std::move(transaction));
 }
 
+Task<Result<>> Station::bus(std::span<BusCycle> cycles, Priority priority) {
+  if (!link_) return not_run(no_connection());
+  if (stopping_ && yields_to_stop(priority)) return not_run(stop_came_first());
+  return link_->run(*this, cycles, priority);
+}
+
 void Station::begin_stop() {
   stopping_ = true;
   if (link_) link_->drop_procedures(*this);
@@ -33,6 +40,7 @@ void Station::begin_stop() {
 
 Result<> Station::set_rate(int baud) {
   if (!link_) return fail(no_connection());
+  if (!link_->stream_) return {};
   return link_->stream_->set_rate(baud);
 }
 
@@ -58,6 +66,27 @@ void Station::count(const Result<std::string>& result, bool question, bool poll,
     statistics_.misses_in_a_row = 0;
     if (poll) ++polls_this_second_;
   }
+  count_polls(now);
+}
+
+void Station::count_burst(bool done) {
+  ++statistics_.transactions;
+  if (!done) count_miss();
+}
+
+void Station::count_answer(Duration round_trip, bool poll, Instant now) {
+  statistics_.last_round_trip = round_trip;
+  statistics_.misses_in_a_row = 0;
+  if (poll) ++polls_this_second_;
+  count_polls(now);
+}
+
+void Station::count_miss() {
+  ++statistics_.timeouts;
+  ++statistics_.misses_in_a_row;
+}
+
+void Station::count_polls(Instant now) {
   if (now - second_began_ >= std::chrono::seconds(1)) {
     statistics_.polls_per_second = polls_this_second_ / seconds(now - second_began_);
     polls_this_second_ = 0;

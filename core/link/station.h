@@ -27,6 +27,14 @@ class Station {
 
   /// Resumes with the reply (terminator included), or with a fault: no_answer, garbled, lost, stopped.
   Task<Result<std::string>> transact(Transaction transaction);
+  /// On a window: runs the cycles in their order, as one transaction. The span belongs to the caller and
+  /// outlives the call.
+  Task<Result<>> bus(std::span<BusCycle> cycles, Priority priority);
+  /// On a window cycles say nothing by themselves: whoever speaks by them records what it said and heard, ...
+  void record(Instant at, Way way, TrafficKind kind, std::string_view bytes);
+  /// ... and whether what it waited for came in time.
+  void count_answer(Duration round_trip, bool poll, Instant now);
+  void count_miss();
   /// From now until end_stop() intents and transfers of this station, waiting or new, end with
   /// Fault{stopped}, so that no procedure that was under way can send its next step behind the stop. The one
   /// in flight goes on.
@@ -37,6 +45,8 @@ class Station {
   /// and done with; npos: they may be, more must come to tell (they are offered again with what follows).
   /// What no station on the wire understands counts as unparsed.
   std::function<std::size_t(std::string_view)> unsolicited;
+  /// On a window: the controller has interrupted its host.
+  std::function<void(std::uint8_t vector)> interrupted;
   /// The wire is gone for everybody on it.
   std::function<void(const Fault&)> closed;
 
@@ -46,6 +56,8 @@ class Station {
   [[nodiscard]] int rate() const { return link_ ? link_->rate() : 0; }
   /// The wire carries whole messages to this one device (Stream::carries_messages).
   [[nodiscard]] bool carries_messages() const { return link_ && link_->carries_messages(); }
+  [[nodiscard]] bool is_window() const { return link_ && link_->is_window(); }
+  [[nodiscard]] bool tells_interrupts() const { return link_ && link_->tells_interrupts(); }
   /// For everybody on the wire.
   Result<> set_rate(int baud);
   /// Time that `bytes` characters take on this wire (0 when it has no rate).
@@ -57,8 +69,9 @@ class Station {
 
  private:
   friend class Link;
-  void record(Instant at, Way way, TrafficKind kind, std::string_view bytes);
   void count(const Result<std::string>& result, bool question, bool poll, Duration round_trip, Instant now);
+  void count_burst(bool done);
+  void count_polls(Instant now);
 
   std::shared_ptr<Link> link_;
   TrafficRing* traffic_;

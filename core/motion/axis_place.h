@@ -2,18 +2,20 @@
 #include <optional>
 
 #include "core/base/units.h"
+#include "core/motion/motor.h"
 
 namespace hw {
 
 /// What hangs on one axis, in steps of the controller. Positions are those of the load, counted from where it
-/// stood when the bench was built. In a change of place what is absent stays as it is; a switch that the bench
-/// was never given never acts.
+/// stood when the bench was built. In a change of place what is absent stays as it is; a switch that the
+/// bench was never given never acts.
 struct AxisPlace {
   std::optional<Steps> minus, plus;         ///< where the travel limit switches act
   std::optional<Steps> home_from, home_to;  ///< zone in which the home switch acts
   std::optional<Steps> index_every;         ///< encoder index marks
   std::optional<double> counts_per_step;    ///< encoder
   std::optional<Steps> backlash;
+  std::optional<Motor> motor;  ///< of a servo axis
 };
 
 }  // namespace hw

@@ -52,6 +52,12 @@ std::int64_t Path::offset(std::size_t axis, std::int64_t step) const {
   return static_cast<std::int64_t>(d > 0 ? nearest : -nearest);
 }
 
+double Path::exact(std::size_t axis, double step) const {
+  if (arc_ && axis == x_) return radius_ * std::cos(angle(step)) - from_x_;
+  if (arc_ && axis == y_) return radius_ * std::sin(angle(step)) - from_y_;
+  return arc_ || steps_ == 0 ? 0 : static_cast<double>(to_[axis]) * (step / static_cast<double>(steps_));
+}
+
 bool Path::moves(std::size_t axis) const { return arc_ ? axis == x_ || axis == y_ : to_[axis] != 0; }
 
 std::int64_t Path::next_turn(std::int64_t step) const {

@@ -14,7 +14,7 @@
 
 namespace hw::motion {
 
-inline constexpr std::size_t path_axes = 4;
+inline constexpr std::size_t path_axes = max_axes;
 using Offsets = std::array<std::int64_t, path_axes>;
 
 class Path {
@@ -30,6 +30,8 @@ class Path {
   /// How far the tool goes with each step, in pulses.
   [[nodiscard]] double pulses_per_step() const { return pulses_per_step_; }
   [[nodiscard]] std::int64_t offset(std::size_t axis, std::int64_t step) const;
+  /// Where the axis would stand if pulses could be cut.
+  [[nodiscard]] double exact(std::size_t axis, double step) const;
   [[nodiscard]] bool moves(std::size_t axis) const;
   /// Direction of `axis` between `step` and the next turn: -1, 0, 1.
   [[nodiscard]] int direction(std::size_t axis, std::int64_t step) const;

@@ -18,7 +18,7 @@ std::optional<Steps> bounded(std::optional<Steps> steps) {
 
 static bool names_nothing(const AxisPlace& p) {
   return !p.minus && !p.plus && !p.home_from && !p.home_to && !p.index_every && !p.counts_per_step &&
-         !p.backlash;
+         !p.backlash && !p.motor;
 }
 
 void Plant::set_place(const AxisPlace& place) {
@@ -29,6 +29,7 @@ void Plant::set_place(const AxisPlace& place) {
   take(place_.minus, place.minus), take(place_.plus, place.plus);
   take(place_.home_from, place.home_from), take(place_.home_to, place.home_to);
   take(place_.index_every, place.index_every), take(place_.counts_per_step, place.counts_per_step);
+  take(place_.motor, place.motor);
   for (auto* mark : {&place_.minus, &place_.plus, &place_.home_from, &place_.home_to}) *mark = bounded(*mark);
   if (place_.home_from && place_.home_to && *place_.home_to < *place_.home_from)
     std::swap(place_.home_from, place_.home_to);

@@ -1,6 +1,6 @@
 #pragma once
-// A profile is a closed form of distance over time: stretches of constant acceleration, or of constant change
-// of it (S-curves), one after the other.
+// A profile is a closed form of distance over time: stretches one after the other, each with the speed of its
+// ramp's shape.
 // Distance counts steps travelled, whatever the direction; the step `k` happens at one exact moment.
 //
 //   speed     slew
@@ -11,6 +11,13 @@
 //     |                   approach(): to another speed, on, and down to the start speed at the end
 //     |                   ramp_down(): to the start speed, and there it ends
 //     +------------------ time
+//
+// Ramps between two speeds, over the same distance and in the same time, but for the last:
+//   linear       constant acceleration
+//   s_curve      acceleration up to twice the mean, and down again, linearly
+//   half_cosine  half a cosine of speed: the acceleration is half a sine, pi/2 of the mean at its peak
+//   parabolic    acceleration falls linearly with speed: full at the start speed, less by `truncation` at
+//   `top`
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -20,13 +27,15 @@
 
 namespace hw::motion {
 
-enum class RampShape : std::uint8_t { linear, s_curve };
+enum class RampShape : std::uint8_t { linear, s_curve, half_cosine, parabolic };
 enum class Phase : std::uint8_t { ended, accelerating, constant, decelerating };
 
 struct Ramp {
   double accel = 1, decel = 1;  ///< steps/s², the mean of an S-curve
   Pps start_speed;              ///< speed that needs no ramp
   RampShape shape = RampShape::linear;
+  double truncation = 0;  ///< parabolic: share of the acceleration that is gone at `top`, 0 to below 1
+  Pps top;                ///< parabolic: where that is; the profile's highest speed if that is higher
   Ramp(double up, double down, Pps start = Pps(0), RampShape form = RampShape::linear)
       : accel(up), decel(down), start_speed(start), shape(form) {}
 };
@@ -75,13 +84,18 @@ class Profile {
 
  private:
   struct Stretch {
-    double begin_s, lasts_s, from, to, v0, v1, a0, jerk;
-    [[nodiscard]] double distance(double u) const { return from + u * (v0 + u * (a0 / 2 + u * jerk / 6)); }
-    [[nodiscard]] double speed(double u) const { return v0 + u * (a0 + u * jerk / 2); }
+    double begin_s, lasts_s, from, to, v0, v1;
+    RampShape shape;
+    double a0, bend;  ///< s_curve: acceleration at its beginning, jerk; parabolic: at its slow end, 1/s
+    [[nodiscard]] double distance(double u) const;
+    [[nodiscard]] double speed(double u) const;
     [[nodiscard]] double time_at(double d) const;
   };
-  void add(double to, double v1, RampShape shape = RampShape::linear);
-  void add_stretch(double lasts_s, double to, double v1, double a0, double jerk);
+  struct Law;
+  void hold(double to);
+  void ramp(double to, double v1, const Law& law);
+  void ramp(double to, double v1);
+  void add_stretch(double lasts_s, double to, double v1, RampShape shape, double a0, double bend);
   void finish(std::int64_t length);
   [[nodiscard]] double since_start(Instant t) const { return seconds(t - start_); }
   [[nodiscard]] const Stretch* at(double t) const;

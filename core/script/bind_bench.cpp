@@ -39,7 +39,12 @@ int small(const Call& call, int argument, const char* what) {
   return static_cast<int>(value);
 }
 
-int bench_input(Call& call) { return operate(call, bench::Input(small(call, 1, "input"), call.on(2, "on"))); }
+/// By the maker's number; the bench counts places from 1.
+int bench_input(Call& call) {
+  const int number = small(call, 1, "input");
+  const int place = session_of(call)->catalog().find_input(number);
+  return operate(call, bench::Input(place < 0 ? number : place + 1, call.on(2, "on")));
+}
 
 int limit(Call& call) {
   const std::string side = call.text(2, "side");
@@ -115,9 +120,34 @@ void read_home(lua_State* L, int table, AxisPlace& place) {
   lua_pop(L, 1);
 }
 
+/// motor = true, false, or a table of what differs from the motor of core/motion/motor.h.
+void read_motor(lua_State* L, int table, AxisPlace& place) {
+  const int kind = lua_getfield(L, table, "motor");
+  if (kind != LUA_TNIL) place.motor.emplace();
+  if (kind == LUA_TBOOLEAN) place.motor->present = lua_toboolean(L, -1) != 0;
+  if (kind == LUA_TTABLE) {
+    lua_pushnil(L);
+    while (lua_next(L, -2)) {
+      const std::string_view key = lua_type(L, -2) == LUA_TSTRING ? lua_tostring(L, -2) : "(no text)";
+      const auto known = std::find_if(motor_keys.begin(), motor_keys.end(),
+                                      [&](const MotorKey& k) { return k.name == key; });
+      if (known == motor_keys.end()) throw Misuse(fmt::format("bench:place: a motor has no \"{}\"", key));
+      const double value = lua_type(L, -1) == LUA_TNUMBER ? lua_tonumber(L, -1) : NAN;
+      if (!(value >= known->low && value <= known->high))
+        throw Misuse(
+            fmt::format("bench:place: {} must be a number from {} to {}", key, known->low, known->high));
+      *place.motor.*known->value = value;
+      lua_pop(L, 1);
+    }
+  }
+  lua_pop(L, 1);
+  if (kind != LUA_TNIL && kind != LUA_TBOOLEAN && kind != LUA_TTABLE)
+    throw Misuse("bench:place: motor must be true, false or a table");
+}
+
 void refuse_unknown_keys(lua_State* L, int table) {
-  static constexpr std::string_view known[] = {"minus",           "plus",    "home", "index_every",
-                                               "counts_per_step", "backlash"};
+  static constexpr std::string_view known[] = {"minus",           "plus",     "home", "index_every",
+                                               "counts_per_step", "backlash", "motor"};
   lua_pushnil(L);
   while (lua_next(L, table)) {
     lua_pop(L, 1);
@@ -125,7 +155,7 @@ void refuse_unknown_keys(lua_State* L, int table) {
     if (std::find(std::begin(known), std::end(known), key) == std::end(known))
       throw Misuse(
           fmt::format("bench:place: a place has no \"{}\"; known are minus, plus, home, index_every, "
-                      "counts_per_step, backlash",
+                      "counts_per_step, backlash, motor",
                       key));
   }
 }
@@ -140,6 +170,7 @@ int place(Call& call) {
   place.index_every = steps(call.L, table, "index_every");
   place.backlash = steps(call.L, table, "backlash");
   read_home(call.L, table, place);
+  read_motor(call.L, table, place);
   if (lua_getfield(call.L, table, "counts_per_step") != LUA_TNIL) {
     if (lua_type(call.L, -1) != LUA_TNUMBER) throw Misuse("bench:place: counts_per_step must be a number");
     place.counts_per_step = lua_tonumber(call.L, -1);
@@ -211,24 +242,11 @@ int look(Call& call) {
 }
 
 constexpr Function bench_methods[] = {
-    {"input", bench_input},
-    {"limit", limit},
-    {"home", bench_home},
-    {"analog", bench_analog},
-    {"button", button},
-    {"jam", jam},
-    {"alarm", alarm},
-    {"slip", slip},
-    {"unplug", unplug},
-    {"garble", garble},
-    {"drop", drop},
-    {"power", power},
-    {"power_cycle", power_cycle},
-    {"breaker", breaker},
-    {"at", at},
-    {"place", place},
-    {"pulses", pulses},
-    {"look", look},
+    {"input", bench_input},       {"limit", limit},     {"home", bench_home}, {"analog", bench_analog},
+    {"button", button},           {"jam", jam},         {"alarm", alarm},     {"slip", slip},
+    {"unplug", unplug},           {"garble", garble},   {"drop", drop},       {"power", power},
+    {"power_cycle", power_cycle}, {"breaker", breaker}, {"at", at},           {"place", place},
+    {"pulses", pulses},           {"look", look},
 };
 
 }  // namespace

@@ -195,60 +195,77 @@ int status(Call& call) {
   return of_axis(call, push_axis_status);
 }
 
-// ---- inputs and outputs, by the maker's number from 1
+// ---- inputs and outputs, by the maker's number
 
-/// "There is no input 9. VXM has 1 to 4."
-std::string no_such(const Catalog& catalog, const char* what, std::int64_t number, std::size_t count) {
-  return count == 0
-             ? fmt::format("{} has no {}s.", catalog.short_name, what)
-             : fmt::format("There is no {} {}. {} has 1 to {}.", what, number, catalog.short_name, count);
+/// What a number names, and which numbers there are.
+struct Numbered {
+  int place;  ///< -1: nothing
+  std::size_t count;
+  int first, last;
+};
+
+template <class List>
+Numbered numbered(const List& list, int place, const Catalog& c,
+                  int (Catalog::*number_of)(std::size_t) const) {
+  return list.empty() ? Numbered{-1, 0, 0, 0}
+                      : Numbered{place, list.size(), (c.*number_of)(0), (c.*number_of)(list.size() - 1)};
 }
 
-/// Asks `push` for the one that the first argument names; `set`, if there is one, is what else can be done
-/// with it.
-int of_number(Call& call, const char* what, std::size_t count, Push push,
-              int (*set)(Call&, int number) = nullptr) {
-  const std::int64_t n = call.whole(1, what);
-  if (n < 1 || n > static_cast<std::int64_t>(count))
-    return call.refuse(no_such(session_of(call)->catalog(), what, n, count));
-  const int number = static_cast<int>(n);
-  return set && call.has(2) ? set(call, number) : ask(call, push, number);
+/// "There is no input 9. VXM has 1 to 4."
+std::string no_such(const Catalog& catalog, const char* what, std::int64_t number, const Numbered& there) {
+  return there.count == 0 ? fmt::format("{} has no {}s.", catalog.short_name, what)
+                          : fmt::format("There is no {} {}. {} has {} to {}.", what, number,
+                                        catalog.short_name, there.first, there.last);
+}
+
+int of_number(Call& call, const char* what, std::int64_t number, const Numbered& there, Push push) {
+  if (there.place < 0) return call.refuse(no_such(session_of(call)->catalog(), what, number, there));
+  return ask(call, push, there.place);
 }
 
 /// Whether it has been; pushes nil and the reason if not.
-bool has_read(lua_State* L, std::uint32_t known, const char* what, int number) {
-  if (known & (1u << (number - 1))) return true;
+bool has_read(lua_State* L, std::uint32_t known, int place, const char* what, int number) {
+  if (known & (1u << place)) return true;
   push_unknown(L, fmt::format("{} {} has not been read.", what, number));
   return false;
 }
-bool is_high(std::uint32_t bits, int number) { return (bits & (1u << (number - 1))) != 0; }
+bool is_high(std::uint32_t bits, int place) { return (bits & (1u << place)) != 0; }
 
-int push_input(lua_State* L, const Snapshot& known, const Catalog& catalog, int number) {
-  if (!has_read(L, known.inputs_known, "Input", number)) return 2;
-  lua_pushboolean(L, is_high(known.inputs, number) != catalog.inputs[number - 1].active_low);
+int push_input(lua_State* L, const Snapshot& known, const Catalog& catalog, int place) {
+  if (!has_read(L, known.inputs_known, place, "Input", catalog.input_number(place))) return 2;
+  lua_pushboolean(L, is_high(known.inputs, place) != catalog.inputs[place].active_low);
   return 1;
 }
-int push_output(lua_State* L, const Snapshot& known, const Catalog&, int number) {
-  if (!has_read(L, known.outputs_known, "Output", number)) return 2;
-  lua_pushboolean(L, is_high(known.outputs, number));
+int push_output(lua_State* L, const Snapshot& known, const Catalog& catalog, int place) {
+  if (!has_read(L, known.outputs_known, place, "Output", catalog.output_number(place))) return 2;
+  lua_pushboolean(L, is_high(known.outputs, place));
   return 1;
 }
-int push_analog(lua_State* L, const Snapshot& known, const Catalog&, int number) {
-  if (!has_read(L, known.analog_known, "Analog input", number)) return 2;
-  lua_pushinteger(L, known.analog[number - 1]);
+int push_analog(lua_State* L, const Snapshot& known, const Catalog&, int place) {
+  if (!has_read(L, known.analog_known, place, "Analog input", place + 1)) return 2;
+  lua_pushinteger(L, known.analog[place]);
   return 1;
 }
-
-int set_output(Call& call, int number) { return perform(call, intent::SetOutput(number, call.on(2, "on"))); }
 
 int input(Call& call) {
-  return of_number(call, "input", session_of(call)->catalog().inputs.size(), push_input);
+  const Catalog& c = session_of(call)->catalog();
+  const std::int64_t n = call.whole(1, "input");
+  return of_number(call, "input", n, numbered(c.inputs, c.find_input(n), c, &Catalog::input_number),
+                   push_input);
 }
 int output(Call& call) {
-  return of_number(call, "output", session_of(call)->catalog().outputs.size(), push_output, set_output);
+  const Catalog& c = session_of(call)->catalog();
+  const std::int64_t n = call.whole(1, "output");
+  const Numbered there = numbered(c.outputs, c.find_output(n), c, &Catalog::output_number);
+  if (there.place < 0 || !call.has(2)) return of_number(call, "output", n, there, push_output);
+  return perform(call, intent::SetOutput(static_cast<int>(n), call.on(2, "on")));
 }
 int analog(Call& call) {
-  return of_number(call, "analog input", session_of(call)->catalog().analog.size(), push_analog);
+  const auto count = session_of(call)->catalog().analog.size();
+  const std::int64_t n = call.whole(1, "analog input");
+  const bool there = n >= 1 && n <= static_cast<std::int64_t>(count);
+  return of_number(call, "analog input", n,
+                   {there ? static_cast<int>(n) - 1 : -1, count, 1, static_cast<int>(count)}, push_analog);
 }
 
 constexpr Function status_table[] = {

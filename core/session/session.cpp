@@ -37,7 +37,8 @@ Session::Session(Scheduler& scheduler, Address address, const DeviceType& type, 
       wake_(std::move(wake)),
       pump_(scheduler, type, catalog_,
             Pump::Ways{[this] { return open_wire(); }, [this](const Snapshot& s) { show(s); },
-                       [this](Notice n) { tell(std::move(n)); }, &traffic_}) {}
+                       [this](Notice n) { tell(std::move(n)); }, &traffic_,
+                       [this](const AxisSample& sample) { samples_.push(sample); }}) {}
 
 Session::~Session() {
   if (bench_) bench_->changed = nullptr;
@@ -180,7 +181,8 @@ static bool looks_same(const Snapshot& a, const Snapshot& b) {
          a.link.next_attempt == b.link.next_attempt && a.identity == b.identity && a.inputs == b.inputs &&
          a.inputs_known == b.inputs_known && a.outputs == b.outputs && a.outputs_known == b.outputs_known &&
          a.analog == b.analog && a.analog_known == b.analog_known && a.program == b.program &&
-         a.threads == b.threads && a.feed == b.feed && a.readouts == b.readouts &&
+         a.threads == b.threads && a.queue_free == b.queue_free && a.queue_known == b.queue_known &&
+         (!(a.window.rings_known || b.window.rings_known) || a.window == b.window) && a.feed == b.feed && a.readouts == b.readouts &&
          a.readouts_known == b.readouts_known && a.variables == b.variables &&
          a.variables_known == b.variables_known && a.slot_bytes_used == b.slot_bytes_used &&
          a.params == b.params && a.unsaved_setup == b.unsaved_setup &&

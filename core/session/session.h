@@ -36,6 +36,7 @@ class Session : public std::enable_shared_from_this<Session> {
   const BenchView& bench_view() { return latest_bench_.view(); }
   [[nodiscard]] TrafficRing& traffic() { return traffic_; }
   [[nodiscard]] Ring<Notice>& notices() { return notices_; }
+  [[nodiscard]] Ring<AxisSample>& samples() { return samples_; }
 
   // ---- io thread
   [[nodiscard]] const Snapshot& known() const { return pump_.known(); }
@@ -76,6 +77,7 @@ class Session : public std::enable_shared_from_this<Session> {
   Latest<BenchView> latest_bench_;
   TrafficRing traffic_{traffic_capacity};
   Ring<Notice> notices_{1024};
+  Ring<AxisSample> samples_{1 << 14};
   std::shared_ptr<BenchAccess> bench_;
   BenchView bench_view_;
   std::map<int, std::string> listings_;      ///< by slot, as last told

@@ -31,7 +31,8 @@ Task<Result<std::shared_ptr<Link>>> SharedWire::link() {
   auto wire = co_await open();
   if (wire) {
     benches_ = std::move(wire->benches);
-    link = std::make_shared<Link>(scheduler_, std::move(wire->stream));
+    link = wire->window ? std::make_shared<Link>(scheduler_, std::move(wire->window))
+                        : std::make_shared<Link>(scheduler_, std::move(wire->stream));
     link_ = link;
   } else {
     failure_ = wire.error();

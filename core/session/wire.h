@@ -7,6 +7,7 @@
 #include "core/base/asio.h"
 #include "core/device/bench.h"
 #include "core/link/stream.h"
+#include "core/link/window.h"
 #include "core/session/address.h"
 #include "core/time/scheduler.h"
 
@@ -27,8 +28,10 @@ class BenchAccess {
   std::function<void()> changed;
 };
 
+/// Exactly one of the two.
 struct Wire {
   std::unique_ptr<Stream> stream;
+  std::unique_ptr<Window> window;
   /// One for each device on it, in the order of the address's ids; empty: no emulators of ours.
   std::vector<std::shared_ptr<BenchAccess>> benches;
 };

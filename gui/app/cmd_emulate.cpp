@@ -18,7 +18,7 @@ struct Order {
   const DeviceType* type;
   DeviceOptions keys;
   std::vector<std::string> ids;
-  std::vector<std::pair<std::string, std::string>> endpoints;  ///< "tcp" or "pty" and where
+  std::vector<std::pair<std::string, std::string>> endpoints;  ///< "tcp", "bus" or "pty" and where
   bool allow_remote;
 };
 
@@ -46,22 +46,41 @@ Result<> understand_ids(Order& order) {
   return {};
 }
 
+// A board on a bus is served by a bus port, a device on a line by the others.
+Result<> check_endpoints(const Order& order) {
+  const auto catalog = order.type->make_catalog({});
+  if (!catalog) return fail(catalog.error());
+  const bool board = catalog->can.window;
+  const std::string usual =
+      board ? "Give --bus 127.0.0.1:5000." : "Give --tcp 127.0.0.1:4001 or --pty PATH, or both.";
+  if (order.endpoints.empty())
+    return fail(FaultKind::text, "It is not said where to serve the emulator.", {}, usual);
+  for (const auto& [kind, where] : order.endpoints) {
+    if ((kind == "bus") != board)
+      return fail(
+          FaultKind::text,
+          board ? fmt::format("The {} is a board on a bus: --{} cannot serve it.", catalog->short_name, kind)
+                : fmt::format("The {} is no board on a bus: --bus cannot serve it.", catalog->short_name),
+          {}, usual);
+    if (const auto place = split_host_port(where); kind != "pty" && !place)
+      return fail(FaultKind::text, fmt::format("--{} {}: {}", kind, where, place.error().what), {},
+                  fmt::format("Give a port too, as --{} 127.0.0.1:{}; port 0 takes any free one.", kind,
+                              board ? 5000 : 4001));
+  }
+  return {};
+}
+
 // The options of the command line are the keys of an emulator's address.
 Result<Order> understand(const Given& given) {
   Order order{find_device_type(given.words[0]), {}, given.all("id"), {}, given.has("allow-remote")};
   for (const auto& option : given.in_order)
-    if (option.first == "tcp" || option.first == "pty") order.endpoints.push_back(option);
+    if (option.first == "tcp" || option.first == "pty" || option.first == "bus")
+      order.endpoints.push_back(option);
   if (!order.type)
     return fail(FaultKind::text, fmt::format("There is no controller model \"{}\".", given.words[0]), {},
                 fmt::format("Known: {}.", known_models()));
-  if (order.endpoints.empty())
-    return fail(FaultKind::text, "It is not said where to serve the emulator.", {},
-                "Give --tcp 127.0.0.1:4001 or --pty PATH, or both.");
-  for (const auto& [kind, where] : order.endpoints)
-    if (const auto place = split_host_port(where); kind == "tcp" && !place)
-      return fail(FaultKind::text, fmt::format("--tcp {}: {}", where, place.error().what), {},
-                  "Give a port too, as --tcp 127.0.0.1:4001; port 0 takes any free one.");
-  for (const char* key : {"motors", "speed", "state", "bench"})
+  if (auto fit = check_endpoints(order); !fit) return fail(fit.error());
+  for (const char* key : {"motors", "variant", "jumpers", "speed", "state", "bench"})
     if (given.has(key)) order.keys[key] = given.one(key);
   order.keys["wire"] = given.one("wire", given.has("pty") ? "real" : "off");
   std::string quirks;
@@ -78,11 +97,15 @@ void say_ready(const DeviceType& type, const char* kind, std::string_view where)
 
 Result<std::unique_ptr<TcpEndpoint>> serve_tcp(Scheduler& scheduler, const Order& order,
                                                const std::shared_ptr<EmulatorHost>& host,
-                                               const std::string& where) {
-  auto endpoint =
-      TcpEndpoint::open(scheduler, where, order.allow_remote,
-                        [host](std::unique_ptr<Stream> client) { host->attach(std::move(client)); });
-  if (endpoint) say_ready(*order.type, "tcp", (*endpoint)->address());
+                                               const std::string& kind, const std::string& where) {
+  auto endpoint = TcpEndpoint::open(scheduler, where, order.allow_remote,
+                                    [host, bus = kind == "bus"](std::unique_ptr<Stream> client) {
+                                      if (bus)
+                                        host->attach_bus(std::move(client));
+                                      else
+                                        host->attach(std::move(client));
+                                    });
+  if (endpoint) say_ready(*order.type, kind.c_str(), (*endpoint)->address());
   return endpoint;
 }
 
@@ -109,7 +132,7 @@ Task<int> serve(Scheduler& scheduler, const Order& order) {
         co_return complain(served.error());
       continue;
     }
-    auto endpoint = serve_tcp(scheduler, order, *host, where);
+    auto endpoint = serve_tcp(scheduler, order, *host, kind, where);
     if (!endpoint) co_return complain(endpoint.error(), status_of(endpoint.error()));
     listening.push_back(std::move(*endpoint));
   }
@@ -130,9 +153,12 @@ const Subcommand emulate_subcommand{
     "serve an emulated controller to other programs until interrupted",
     {{"MODEL", "the controller", 1, 1}},
     {{"tcp", "HOST:PORT", "listen there; port 0: any free one", true},
+     {"bus", "HOST:PORT", "serve the bus of a board there (vme58); port 0: any free one", true},
      {"pty", "PATH", "make a pseudo-terminal and this symlink to it", true},
      {"id", "NN", "number on its line, two digits; several: that many controllers on one line", true},
      {"motors", "N", "number of motors; 3 or 4: a Master with its Slave linked"},
+     {"variant", "V", "model of the board (vme58): 8S, 4S4, 8, 4E, 2S2, 2S6, 6S2, 4S or 4"},
+     {"jumpers", "GGG", "its general lines 0-3, 4-7, 8-11 (vme58): I input, O output (default IIO)"},
      {"speed", "X", "so many times faster than real time (default 1)"},
      {"wire", "real|off", "spend the byte times of the baud rate (default: real with a --pty, else off)"},
      {"quirk", "NAME", "a habit of certain units: overrun, e-bar", true},

@@ -75,7 +75,7 @@ Rehearsal nothing_rehearsed(const ProgramFile& program, const Fault& why) {
     a.name = axis.name;
     r.axes.push_back(a);
   }
-  for (std::size_t i = 0; i < program.catalog.outputs.size(); ++i) r.outputs[std::to_string(i + 1)] = 0;
+  for (std::size_t i = 0; i < program.catalog.outputs.size(); ++i) r.outputs[std::to_string(program.catalog.output_number(i))] = 0;
   for (const auto& [slot, cost] : program.language->analyse(program.text, 0).cost)
     r.program_size[std::to_string(slot)] = cost;
   return r;

@@ -59,6 +59,46 @@ class Tapped final : public Stream, private Stream::Listener {
   Stream::Listener* listener_ = nullptr;
 };
 
+/// Each cycle on a line: "r8 0FE3 02", "w16 0804 0041".
+class TappedWindow final : public Window, private Window::Listener {
+ public:
+  TappedWindow(std::unique_ptr<Window> inner, Scheduler& scheduler, std::shared_ptr<TrafficFile> file,
+               int wire)
+      : inner_(std::move(inner)), scheduler_(scheduler), file_(std::move(file)), wire_(wire) {}
+  void listen(Window::Listener* listener) override {
+    listener_ = listener;
+    inner_->listen(listener ? this : nullptr);
+  }
+  Task<Result<>> run(std::span<BusCycle> cycles) override {
+    auto done = co_await inner_->run(cycles);
+    for (const BusCycle& c : cycles)
+      file_->write(scheduler_.now(), wire_, c.write ? '>' : '<',
+                   fmt::format("{}{} {:04X} {:0{}X}", c.write ? 'w' : 'r', 8 * c.width, c.offset, c.value,
+                               2 * c.width));
+    if (!done) file_->note(scheduler_.now(), wire_, done.error().what);
+    co_return done;
+  }
+  void abandon() override { inner_->abandon(); }
+  [[nodiscard]] bool tells_interrupts() const override { return inner_->tells_interrupts(); }
+  [[nodiscard]] std::string describe() const override { return inner_->describe(); }
+
+ private:
+  void window_closed(const Fault& why) override {
+    file_->note(scheduler_.now(), wire_, why.what);
+    listener_->window_closed(why);
+  }
+  void interrupted(std::uint8_t vector) override {
+    file_->note(scheduler_.now(), wire_, fmt::format("interrupt, vector {:02X}", vector));
+    listener_->interrupted(vector);
+  }
+
+  std::unique_ptr<Window> inner_;
+  Scheduler& scheduler_;
+  std::shared_ptr<TrafficFile> file_;
+  int wire_;
+  Window::Listener* listener_ = nullptr;
+};
+
 Task<Result<Wire>> open_tapped(Scheduler& scheduler, Address address, std::shared_ptr<BenchAccess> again,
                                std::shared_ptr<const WireOpener> inner, std::shared_ptr<TrafficFile> file,
                                int wire) {
@@ -68,7 +108,11 @@ Task<Result<Wire>> open_tapped(Scheduler& scheduler, Address address, std::share
     file->note(scheduler.now(), wire, opened.error().what);
     co_return opened;
   }
-  opened->stream = std::make_unique<Tapped>(std::move(opened->stream), scheduler, std::move(file), wire);
+  if (opened->window)
+    opened->window =
+        std::make_unique<TappedWindow>(std::move(opened->window), scheduler, std::move(file), wire);
+  else
+    opened->stream = std::make_unique<Tapped>(std::move(opened->stream), scheduler, std::move(file), wire);
   co_return opened;
 }
 

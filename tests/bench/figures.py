@@ -67,6 +67,9 @@ def emulation():
         "under 20 ms", hour < 20)
     second = lines["second_of_a_thousand_polled"]["cpu_time"]
     row("emulation: a second of 1,000 polled emulators", f"{second:.0f} ms of one core", "under 1,000 ms", second < 1000)
+    for name, line in bench("second_of_eight").items():
+        what = "servo loops of a motor each, 1,000 updates/s" if "loops" in name else "ideal axes"
+        row(f"emulation: eight {what}", f"{line['times_real']:.0f} x real time", "100 x real time", line["times_real"] > 100)
 
 
 def frame():

@@ -1,0 +1,279 @@
+#include "core/devices/vme58/catalog.h"
+
+#include <fmt/core.h>
+
+#include "core/base/index.h"
+#include "core/devices/vme58/codec.h"
+#include "core/devices/vme58/parameters.h"
+
+namespace hw::vme58 {
+namespace {
+
+Result<const Variant*> variant_option(const DeviceOptions& options) {
+  const auto found = options.find("variant");
+  if (found == options.end()) return &variants.front();
+  if (const Variant* variant = find_variant(found->second)) return variant;
+  std::string known;
+  for (const Variant& v : variants) known += fmt::format("{}{}", known.empty() ? "" : ", ", v.name);
+  return fail(FaultKind::text, fmt::format("variant={} is no model of the VME58.", found->second),
+              "Nothing was opened.", fmt::format("Known, in any case: {}.", known));
+}
+
+std::vector<OptionInfo> options() {
+  OptionInfo variant{"variant", {}};
+  for (const Variant& v : variants) {
+    std::string what;
+    if (v.servos > 0) what = fmt::format("{} servo", v.servos);
+    if (v.steppers > 0) what += fmt::format("{}{} step", what.empty() ? "" : ", ", v.steppers);
+    if (v.encoders > v.servos) what += " with encoder";
+    variant.choices.emplace_back(v.name, fmt::format("VME58-{}: {}", v.name, what));
+  }
+  OptionInfo jumpers{"jumpers",
+                     {{"IIO", "lines 0-7 inputs, 8-13 outputs"},
+                      {"IOO", "lines 0-3 inputs, 4-13 outputs"},
+                      {"OOO", "all lines outputs"},
+                      {"III", "lines 0-11 inputs, 12-13 outputs"}}};
+  return {variant, jumpers};
+}
+
+std::vector<AxisInfo> axes(const Variant& variant) {
+  std::vector<AxisInfo> all;
+  for (int i = 0; i < variant.axes(); ++i) {
+    const AxisFitting fitting = variant.fitting(i);
+    AxisInfo axis;
+    axis.name = axis_letters.substr(ix(i), 1);
+    axis.description =
+        fmt::format("{} axis {}", fitting.kind == AxisKind::servo ? "servo" : "step", axis.name);
+    axis.switchable = fitting.kind == AxisKind::servo;
+    axis.home_input = true;
+    all.push_back(std::move(axis));
+  }
+  return all;
+}
+
+std::vector<InputInfo> inputs(std::uint16_t outputs) {
+  std::vector<InputInfo> all;
+  for (int line = 0; line < io_lines; ++line) {
+    const bool is_output = (outputs >> line & 1) != 0;
+    InputInfo input;
+    input.name = fmt::format("I/O {}", line);
+    input.help =
+        is_output ? fmt::format("General line {}, jumpered as an output: the level that stands on it.", line)
+                  : fmt::format("General line {}, an input. SW and WS take low for true.", line);
+    input.active_low = true;
+    input.number = line;
+    all.push_back(std::move(input));
+  }
+  return all;
+}
+
+std::vector<OutputInfo> output_infos(std::uint16_t outputs, const Variant& variant) {
+  std::vector<OutputInfo> all;
+  for (int line = 0; line < io_lines; ++line) {
+    if ((outputs >> line & 1) == 0) continue;
+    OutputInfo output;
+    output.name = fmt::format("Out {}", line);
+    output.help =
+        fmt::format("General line {}: BL{} switches it on, which is low, BH{} off.", line, line, line);
+    output.number = line;
+    all.push_back(std::move(output));
+  }
+  for (int i = 0; i < variant.axes(); ++i) {
+    OutputInfo output;
+    const std::string_view letter = axis_letters.substr(ix(i), 1);
+    output.name = fmt::format("Aux {}", letter);
+    output.help = fmt::format(
+        "Auxiliary output of {}: AN switches it on (high), AF off; PA lets moves switch it. The board does "
+        "not tell "
+        "its state: it is what the console has last set.",
+        letter);
+    output.number = first_auxiliary + i;
+    all.push_back(std::move(output));
+  }
+  return all;
+}
+
+Capabilities capabilities() {
+  Capabilities can;
+  can.reset = true;
+  can.interpolates = true;
+  can.window = true;
+  can.memory_map = true;
+  can.contours = true;
+  can.usual_baud = 0;
+  return can;
+}
+
+// ---- actions
+
+ActionField field(std::string id, std::string label, std::string unit, std::int64_t minimum,
+                  std::int64_t maximum, std::int64_t fallback, int decimals = 0) {
+  ActionField f;
+  f.id = std::move(id), f.label = std::move(label), f.unit = std::move(unit);
+  f.minimum = minimum, f.maximum = maximum, f.fallback = fallback, f.decimals = decimals;
+  return f;
+}
+
+template <class Fits>
+ActionField axis_field(const Variant& variant, Fits fits) {
+  ActionField f = field("axis", "Axis", "", 0, 0, 0);
+  for (int i = 0; i < variant.axes(); ++i)
+    if (fits(variant.fitting(i))) f.choices.push_back({i, std::string(axis_letters.substr(ix(i), 1))});
+  if (f.choices.empty()) return f;
+  f.minimum = f.fallback = f.choices.front().value;
+  f.maximum = f.choices.back().value;
+  return f;
+}
+
+ActionField switch_field() {
+  ActionField f = field("on", "State", "", 0, 1, 1);
+  f.choices = {{1, "on"}, {0, "off"}};
+  return f;
+}
+
+ActionInfo action(std::string id, std::string label, std::string help, std::string group,
+                  std::vector<ActionField> fields, std::string manual) {
+  ActionInfo a;
+  a.id = std::move(id), a.label = std::move(label), a.help = std::move(help), a.group = std::move(group);
+  a.fields = std::move(fields), a.manual = std::move(manual);
+  a.while_busy = true;
+  return a;
+}
+
+// In the order of enum Action. A board without encoders keeps those that need one, without a choice of axes.
+std::vector<ActionInfo> actions(const Variant& variant) {
+  const auto any = [](const AxisFitting&) { return true; };
+  const auto encoder = [](const AxisFitting& f) { return f.encoder; };
+  const auto position = field("position", "Position", "counts", -position_max, position_max, 0);
+  std::vector<ActionInfo> all;
+  all.push_back(action("clear_flags", "Clear flags",
+                       "IC: clears the done, slip and command error flags of the board.", "Flags", {},
+                       "Move Synchronization"));
+  all.push_back(
+      action("flush", "Empty queue",
+             "FL: what waits in the axis' queue is dropped. An axis that moves goes on at its present speed "
+             "until it is stopped.",
+             "Queues", {axis_field(variant, any)}, "Move Execution"));
+  all.back().moves = true;
+  all.push_back(action(
+      "fraction_jog", "Jog slowly",
+      "JF: runs the axis at a speed with a fraction, for very slow motion, until it is stopped.", "Motion",
+      {axis_field(variant, any),
+       field("speed", "Speed", "counts/s", -velocity_max * 1000, velocity_max * 1000, 500, 3)},
+      "Move Execution"));
+  all.back().moves = true;
+  all.push_back(action(
+      "remainder", "Remainder",
+      "RM: divides the position and the encoder count by this number and keeps the remainders, for "
+      "axes that turn round and round.",
+      "Motion", {axis_field(variant, any), field("divisor", "Divisor", "counts", 1, position_max, 4000)},
+      "Move Specification"));
+  all.push_back(action(
+      "encoder_ratio", "Encoder ratio",
+      "ER: so many encoder counts are so many motor counts, for position hold of a step axis.", "Encoder",
+      {axis_field(variant, encoder), field("encoder", "Encoder counts", "", 1, position_max, 1),
+       field("motor", "Motor counts", "", 1, position_max, 1)},
+      "Encoder"));
+  all.push_back(action(
+      "hold", "Hold",
+      "HN: holds the position of a step axis, or closes the loop of a servo axis. HF: the opposite; it "
+      "also ends slip watch and tracking.",
+      "Encoder", {axis_field(variant, encoder), switch_field()}, "Encoder"));
+  all.push_back(action("track", "Track encoder",
+                       "ET: the axis follows what its encoder input counts, until HF.", "Encoder",
+                       {axis_field(variant, encoder)}, "Encoder"));
+  all.back().moves = true;
+  all.push_back(action("slip_interrupt", "Interrupt on slip",
+                       "IS: a slip of this axis may interrupt the host.", "Encoder",
+                       {axis_field(variant, encoder)}, "Encoder"));
+  all.push_back(action("clear_while", "End WH loop", "CW: the WH loop of this axis ends at its next WG.",
+                       "Queues", {axis_field(variant, any)}, "Loop Control"));
+  all.push_back(action("force_position", "Stop near",
+                       "FP: empties the queue and comes to rest as near to this position as the ramp allows.",
+                       "Motion", {axis_field(variant, any), position}, "Velocity Staircase"));
+  all.back().moves = true;
+  return all;
+}
+
+void add_readouts(Catalog& c, const Variant& variant) {
+  c.readout_groups = {"Flags", "Queues", "Memory map"};
+  c.memory_readout_group = memory_group;
+  for (int i = 0; i < variant.axes(); ++i) {
+    if (!variant.fitting(i).encoder) continue;
+    ReadoutInfo slip;
+    slip.id = fmt::format("SLIP{}", axis_letters[ix(i)]);
+    slip.label = fmt::format("Slip of {}", axis_letters[ix(i)]);
+    slip.group = flag_group;
+    slip.axis = i;
+    slip.words = {{0, "none"}, {1, "slipped"}};
+    slip.bad = {1};
+    slip.help = "Set when encoder and position differ by more than ES; the console clears it with the flags.";
+    c.readouts.push_back(std::move(slip));
+  }
+}
+
+}  // namespace
+
+Result<std::uint16_t> output_lines(const DeviceOptions& options) {
+  const auto found = options.find("jumpers");
+  if (found == options.end()) return factory_outputs;
+  std::uint16_t outputs = factory_outputs & 0x3000;
+  const std::string& groups = found->second;
+  bool sense = groups.size() == 3;
+  for (std::size_t group = 0; sense && group < groups.size(); ++group) {
+    const char c = groups[group];
+    if (c == 'O' || c == 'o') outputs = static_cast<std::uint16_t>(outputs | 0xF << (4 * group));
+    sense = c == 'O' || c == 'o' || c == 'I' || c == 'i';
+  }
+  if (sense) return outputs;
+  return fail(FaultKind::text, fmt::format("jumpers={} is not possible.", groups), "Nothing was opened.",
+              "Give three letters for the lines 0-3, 4-7 and 8-11: I input, O output, as jumpers=IIO.");
+}
+
+Result<Catalog> make_catalog(const DeviceOptions& options_given) {
+  const auto chosen = variant_option(options_given);
+  if (!chosen) return fail(chosen.error());
+  const auto outputs = output_lines(options_given);
+  if (!outputs) return fail(outputs.error());
+  const Variant& variant = **chosen;
+  Catalog c;
+  c.model = "vme58";
+  c.name = fmt::format("Oregon Micro Systems VME58-{}", variant.name);
+  c.short_name = "VME58";
+  c.summary = "a VME board for up to eight servo or step axes";
+  c.step_word = "counts";
+  c.options = options();
+  c.axes = axes(variant);
+  c.homing_modes = {{"home", "to the home switch, 0 at its edge"},
+                    {"home-return", "to the home switch, then back onto its edge"},
+                    {"kill", "stop dead at the home switch, count kept"}};
+  c.inputs = inputs(*outputs);
+  c.outputs = output_infos(*outputs, variant);
+  c.params = param_infos(variant);
+  c.actions = actions(variant);
+  add_readouts(c, variant);
+  add_memory_map(c, variant);
+  c.queue_depth = queue_entries;
+  c.commands = command_help();
+  c.command_separators = " ;";
+  c.program.slots = 1;
+  c.program.slot_word = "Program";
+  c.program.capacity = 32767;
+  c.program.capacity_unit = "characters";
+  c.program.file_suffix = ".vme";
+  c.program.comment = '#';
+  c.bench.panel_title = "VME58";
+  c.can = capabilities();
+  c.can.servo_tuning = variant.servos > 0;
+  c.jog_speed = Pps{2000};
+  c.jog_speed_min = Pps{1};
+  c.jog_speed_max = Pps{static_cast<double>(velocity_max)};
+  c.position_min = Steps{-position_max};
+  c.position_max = Steps{position_max};
+  c.move_max = Steps{distance_max};
+  return c;
+}
+
+bool recognises(std::string_view reply) { return reply.find("VME58") != reply.npos; }
+
+}  // namespace hw::vme58

@@ -1,0 +1,37 @@
+#pragma once
+#include "core/device/catalog.h"
+#include "core/device/registry.h"
+#include "core/devices/vme58/facts.h"
+
+namespace hw::vme58 {
+
+/// Readout groups, in their order.
+enum Group : std::uint8_t { flag_group, queue_group, memory_group };
+/// Auxiliary outputs are numbered behind the general lines: 14 is X.
+inline constexpr int first_auxiliary = io_lines;
+/// Ways of homing, in the catalog's order.
+enum class HomeMode : std::uint8_t { edge, back_to_edge, stop_dead };
+/// Actions, in the catalog's order.
+enum class Action : std::uint8_t {
+  clear_flags,
+  flush,
+  fraction_jog,
+  remainder,
+  encoder_ratio,
+  hold,
+  track,
+  slip_interrupt,
+  clear_while,
+  force_position
+};
+
+Result<Catalog> make_catalog(const DeviceOptions& options);
+bool recognises(std::string_view reply);
+
+std::vector<CommandInfo> command_help();
+std::vector<ParamInfo> param_infos(const Variant& variant);
+void add_memory_map(Catalog& catalog, const Variant& variant);
+/// General lines that are outputs, by the address' jumpers=IIO; bit per line.
+Result<std::uint16_t> output_lines(const DeviceOptions& options);
+
+}  // namespace hw::vme58

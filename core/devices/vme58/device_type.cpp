@@ -1,0 +1,25 @@
+#include "core/devices/vme58/device_type.h"
+
+#include "core/devices/vme58/catalog.h"
+#include "core/devices/vme58/driver.h"
+#include "core/devices/vme58/emulator.h"
+#include "core/devices/vme58/explain.h"
+#include "core/devices/vme58/program_language.h"
+
+namespace hw::vme58 {
+
+// It stands on no serial line, so a search asks for nothing.
+DeviceType device_type() {
+  DeviceType t{};
+  t.model = "vme58";
+  t.make_catalog = make_catalog;
+  t.make_driver = make_driver;
+  t.make_emulator = make_emulator;
+  t.language = program_language;
+  t.explain = explain;
+  t.probe = "";
+  t.recognises = recognises;
+  return t;
+}
+
+}  // namespace hw::vme58

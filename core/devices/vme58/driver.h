@@ -1,0 +1,222 @@
+#pragma once
+// The VME58 from the console's side. One subject per file:
+//   driver_talk.cpp     the rings: commands in, replies out; what the board rejects
+//   driver_mailbox.cpp  urgent commands past everything that waits (decision M29), and stops
+//   driver_connect.cpp  finding the board, saying why not, resets
+//   driver_poll.cpp     registers and data area, and what they mean
+//   driver_moves.cpp    moves, jogs, homing, positions, power, outputs
+//   driver_params.cpp   set-up
+//   driver_text.cpp     raw text of users and scripts
+//   driver_program.cpp  command strings that the console holds and feeds
+//
+// The board has one command ring and one addressed axis for everybody. What the console sends begins with the
+// axis that it means and ends with the one that the user's own text has selected.
+#include <array>
+#include <bitset>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/device/driver.h"
+#include "core/devices/vme58/catalog.h"
+#include "core/devices/vme58/codec.h"
+#include "core/devices/vme58/command_text.h"
+#include "core/devices/vme58/parameters.h"
+
+namespace hw::vme58 {
+
+std::unique_ptr<Driver> make_driver(DriverContext context);
+
+class Vme58Driver final : public Driver {
+ public:
+  explicit Vme58Driver(DriverContext context);
+
+  Task<Result<>> connect(Station& station) override;
+  Task<Result<>> poll() override;
+  Task<Result<>> perform(const IntentBody& intent) override;
+  Task<Result<>> stop(int axis, bool at_once) override;
+  Task<Result<>> stop_jog() override;
+  void wire_lost() override;
+  Task<Result<std::string>> query(std::string text, Duration patience) override;
+  [[nodiscard]] bool answers(std::string_view text) const override;
+  bool take_unsolicited(std::string& text) override;
+  [[nodiscard]] Duration moving_period() const override;
+  [[nodiscard]] Duration idle_period() const override { return Millis(200); }
+
+ private:
+  /// What the console knows of an axis beside the snapshot.
+  struct AxisMind {
+    Activity wanted = Activity::idle;     ///< what our last command began
+    EndedBy ended_by = EndedBy::nothing;  ///< why we ended it, if we did
+    bool ours = false;                    ///< a motion of the console is under way
+    bool grouped = false;                 ///< together with other axes
+    bool stopping = false;
+    bool done = false;          ///< its done flag was seen since the motion began
+    bool limit_hit = false;     ///< its limit flag, likewise
+    bool turned = false;        ///< it has moved since then
+    bool counted = false;       ///< the console has set its counter since the last round
+    std::int8_t way = 0;        ///< direction of the latest change of position
+    std::int8_t limit_end = 0;  ///< of the switch it stands on, once asked
+    Instant still_since{};
+    std::optional<std::int64_t> borrowed_velocity;  ///< VL before a move with a speed of its own
+  };
+  struct Registers {
+    std::uint8_t control = 0, status = 0, slip = 0, done = 0, limit = 0, home = 0;
+    std::uint16_t io = 0, mark = 0;
+    int input_put = 0, output_get = 0;
+  };
+  enum class WhenStuck : std::uint8_t { withdraw, leave };
+
+  // ---- driver_talk.cpp
+  Task<Result<>> run(std::vector<BusCycle>& cycles, Priority priority);
+  Task<Result<int>> read_index(std::uint16_t offset, Priority priority);
+  Task<Result<bool>> put_text(std::string text, Priority priority);
+  Task<Result<>> write(std::string text, Priority priority, WhenStuck when_stuck = WhenStuck::withdraw);
+  Task<Result<bool>> is_taken(Priority priority);
+  Task<Result<>> withdraw_text(Priority priority);
+  Task<Result<>> command(std::string text, Priority priority);
+  Task<Result<bool>> was_rejected(Priority priority);
+  Task<Result<std::string>> ask(std::string question, Priority priority, Duration patience = Millis(200));
+  Task<Result<std::vector<std::string>>> ask_several(std::string text, std::size_t replies, Priority priority,
+                                                     Duration patience);
+  Task<Result<>> fetch_replies(int input_put, Priority priority);
+  void give_unsolicited();
+  [[nodiscard]] std::string addressed(std::string_view selector, std::string_view text) const;
+  [[nodiscard]] std::string addressed(int axis, std::string_view text) const;
+  void record(Way way, Priority priority, std::string_view text);
+  void for_scripts(std::string text);
+  tl::unexpected<Fault> no_connection() const;
+  tl::unexpected<Fault> rejected(std::string_view text) const;
+  void tell(Notice::Kind kind, std::string text);
+
+  // ---- driver_mailbox.cpp
+  Task<Result<>> mail(std::string_view letters);
+  Task<Result<>> stop_axis(int axis);
+  Task<Result<>> stop_all(bool at_once);
+  Task<Result<>> wait_for_standstill(int axis);
+  void stopping(int axis, bool at_once);
+  void stands(int axis);
+
+  // ---- driver_connect.cpp
+  Task<Result<>> find_board();
+  Task<Result<>> take_over_rings();
+  Task<Result<>> identify();
+  Task<Result<>> read_state();
+  Task<Result<>> leave_mark();
+  Task<Result<>> found_reset();
+  void forget();
+
+  // ---- driver_poll.cpp
+  Task<Result<Registers>> read_registers(Priority priority, bool ask_for_data);
+  Task<Result<>> read_axes(Priority priority);
+  Task<Result<>> read_all_values(Priority priority);
+  Task<Result<>> read_rings(Priority priority);
+  Task<Result<>> read_flags(Priority priority);
+  Task<Result<>> read_queues(Priority priority);
+  void take_registers(const Registers& registers);
+  void take_cycles(const std::vector<BusCycle>& cycles);
+  void take_parameters(int axis);
+  void show_axis(int axis, Instant at);
+  void show_still(int axis, Instant at);
+  void end_motion(int axis, EndedBy ended_by);
+  void show_worst();
+  void record_round();
+  void sample(Instant at);
+  [[nodiscard]] std::int64_t value(int axis, AxisValue v) const;
+  [[nodiscard]] bool moving(int axis) const;
+
+  // ---- driver_moves.cpp
+  Task<Result<>> move(std::vector<AxisTarget> wish, Pps speed, bool relative);
+  Task<Result<>> jog(intent::JogStart wish);
+  Task<Result<>> home(intent::Home wish);
+  Task<Result<>> set_position(intent::SetPosition wish);
+  Task<Result<>> set_power(intent::SetPower wish);
+  Task<Result<>> set_output(intent::SetOutput wish);
+  Task<Result<>> act(intent::Act wish);
+  Task<Result<>> begin(std::string text, unsigned axes, Activity activity,
+                       std::array<Steps, max_axes> targets);
+  Task<Result<>> give_speed_back(int axis);
+  Result<> may_move(int axis) const;
+  Result<> may_talk() const;
+  Result<std::int64_t> checked_speed(Pps speed) const;
+
+  // ---- driver_params.cpp
+  Task<Result<>> set_param(intent::SetParam wish);
+  Task<Result<>> read_params();
+  void factory_params();
+  void note_param(const TextCommand& command);
+  [[nodiscard]] std::int64_t velocity_of(int axis) const;
+
+  // ---- driver_text.cpp
+  Task<Result<>> send_text(std::string text);
+  Task<Result<std::string>> send_commands(std::string text, Duration patience);
+  void note_sent(const TextCommand& command);
+
+  // ---- driver_program.cpp
+  Task<Result<>> perform_program(const IntentBody& body);
+  Task<Result<>> load(std::string text);
+  Task<Result<>> run_program();
+  Task<Result<>> feed();
+  void end_program(EndedBy ended_by);
+  Task<Result<>> watch_program();
+  Task<Result<bool>> groups_are_empty();
+
+  [[nodiscard]] int axis_count() const { return static_cast<int>(catalog_.axes.size()); }
+  [[nodiscard]] const std::string& axis_name(int axis) const {
+    return catalog_.axes[static_cast<std::size_t>(axis)].name;
+  }
+
+  Scheduler& scheduler_;
+  const Catalog& catalog_;
+  Snapshot& draft_;
+  std::function<void(Notice)> notify_;
+  std::function<void()> changed_;
+  std::function<void(const AxisSample&)> sample_;
+  const Variant& variant_;
+  const std::vector<Parameter> parameters_;  ///< in the order of the catalog's
+  Station* station_ = nullptr;
+
+  std::array<AxisMind, max_axes> minds_{};
+  std::array<AxisData, max_axes> data_{};
+  std::array<bool, max_axes> seen_{};         ///< its data has been read since the connection
+  Context context_;                           ///< as the user's text has left it
+  std::array<double, max_axes> user_unit_{};  ///< UU; 0: off
+
+  // rings
+  int put_ = 0, get_ = 0;  ///< the host's two indexes
+  bool writing_ = false;
+  Event written_;
+  std::string received_;             ///< characters that are no whole reply yet
+  std::deque<std::string> replies_;  ///< whole ones that nobody has taken
+  std::size_t replies_wanted_ = 0;   ///< by a question that is under way
+  std::string last_sent_;
+  bool command_error_ = false;  ///< seen in the status register and not told yet
+
+  // mailbox and stops
+  bool mailing_ = false, updating_ = false;
+  std::uint8_t control_ = 0;  ///< interrupts that the console has enabled
+  int stops_ = 0;             ///< under way
+  bool stop_ramps_ = false;
+  int jogged_axis_ = -1;
+
+  bool connected_before_ = false, lost_while_busy_ = false;
+  int outputs_direction_ = factory_outputs;
+  std::uint8_t limits_ = 0, homes_ = 0;
+  bool flags_wanted_ = false;
+  std::uint32_t watched_ = 0;
+  int round_ = 0;
+  int next_axis_ = 0;
+
+  int sampled_axis_ = -1;
+  Instant sample_until_{};
+
+  std::string program_text_;
+  std::deque<std::pair<int, std::string>> to_feed_;  ///< line and command
+  std::string feeding_;                              ///< sent, not taken yet
+  int feeding_line_ = 0;
+  std::deque<std::string> for_scripts_;
+};
+
+}  // namespace hw::vme58

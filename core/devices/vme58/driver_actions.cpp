@@ -1,0 +1,62 @@
+// The catalog's actions.
+#include <fmt/core.h>
+
+#include "core/base/index.h"
+#include "core/devices/vme58/driver.h"
+
+namespace hw::vme58 {
+
+Task<Result<>> Vme58Driver::act(intent::Act wish) {
+  if (auto may = may_talk(); !may) co_return may;
+  if (wish.action < 0 || wish.action >= static_cast<int>(catalog_.actions.size()))
+    co_return fail(FaultKind::refused, "There is no such action.", "Nothing was sent.");
+  const ActionInfo& info = catalog_.actions[ix(wish.action)];
+  if (wish.values.size() != info.fields.size())
+    co_return fail(FaultKind::refused, fmt::format("{} takes {} values.", info.label, info.fields.size()),
+                   "Nothing was sent.");
+  const bool of_axis = !info.fields.empty() && info.fields.front().id == "axis";
+  if (of_axis && info.fields.front().choices.empty())
+    co_return fail(FaultKind::refused, "No axis of this board can do that: it has no encoder.",
+                   "Nothing was sent.");
+  for (std::size_t i = 0; i < wish.values.size(); ++i) {
+    const ActionField& field = info.fields[i];
+    if (wish.values[i] < field.minimum || wish.values[i] > field.maximum)
+      co_return fail(
+          FaultKind::refused,
+          fmt::format("{} is not possible for {}: {} to {}.", encode_number(wish.values[i], field.decimals),
+                      field.label, encode_number(field.minimum, field.decimals),
+                      encode_number(field.maximum, field.decimals)),
+          "Nothing was sent.");
+  }
+  const int axis = of_axis ? static_cast<int>(wish.values[0]) : 0;
+  std::string text;
+  switch (static_cast<Action>(wish.action)) {
+    case Action::clear_flags:
+      for (std::size_t i = 0; i < catalog_.readouts.size(); ++i)
+        if (catalog_.readouts[i].group == flag_group) draft_.readouts[i] = 0;
+      co_return co_await command("IC\n", Priority::intent);
+    case Action::flush: text = "FL"; break;
+    case Action::fraction_jog:
+      if (auto may = may_move(axis); !may) co_return may;
+      jogged_axis_ = axis;
+      text = "JF" + encode_number(wish.values[1], 3);
+      break;
+    case Action::remainder:
+      minds_[ix(axis)].counted = true;
+      text = fmt::format("RM{}", wish.values[1]);
+      break;
+    case Action::encoder_ratio: text = fmt::format("ER{},{}", wish.values[1], wish.values[2]); break;
+    case Action::hold:
+      text = wish.values[1] != 0 ? "HN" : "HF";
+      if (catalog_.axes[ix(axis)].switchable) draft_.axes[axis].enabled = wish.values[1] != 0;
+      break;
+    case Action::track: text = "ET"; break;
+    case Action::slip_interrupt: text = "IS"; break;
+    case Action::clear_while: text = "CW"; break;
+    case Action::force_position: text = fmt::format("FP{}", wish.values[1]); break;
+  }
+  const std::string whole = addressed(axis, text);
+  co_return co_await command(whole, Priority::intent);
+}
+
+}  // namespace hw::vme58

@@ -1,0 +1,230 @@
+// Finding the board and saying why not; what is left after a reset or a lost window.
+#include <algorithm>
+
+#include <fmt/core.h>
+
+#include "core/base/index.h"
+#include "core/devices/vme58/driver.h"
+
+namespace hw::vme58 {
+namespace {
+
+constexpr std::uint16_t our_mark = 0x4857;  // in a cell that only a reset clears
+constexpr Duration start_patience = std::chrono::seconds(3);
+constexpr std::uint16_t probe_step = 0x100;
+
+const Variant& variant_of(const Catalog& catalog) {
+  const auto same = [&](const Variant& v) { return catalog.name.ends_with("-" + std::string(v.name)); };
+  const auto found = std::find_if(variants.begin(), variants.end(), same);
+  return found == variants.end() ? variants.front() : *found;
+}
+
+}  // namespace
+
+std::unique_ptr<Driver> make_driver(DriverContext context) {
+  return std::make_unique<Vme58Driver>(std::move(context));
+}
+
+Vme58Driver::Vme58Driver(DriverContext context)
+    : scheduler_(context.scheduler),
+      catalog_(context.catalog),
+      draft_(context.draft),
+      notify_(std::move(context.notify)),
+      changed_(std::move(context.changed)),
+      sample_(std::move(context.sample)),
+      variant_(variant_of(catalog_)),
+      parameters_(parameters_of(variant_)),
+      written_(context.scheduler) {
+  draft_.axis_count = axis_count();
+  draft_.identity.model = catalog_.name;
+  draft_.slot_bytes_used.fill(0);
+  forget();
+}
+
+void Vme58Driver::forget() {
+  minds_ = {};
+  seen_ = {};
+  user_unit_ = {};
+  context_ = Context();
+  to_feed_.clear();
+  feeding_.clear();
+  limits_ = homes_ = 0;
+  flags_wanted_ = true;
+  draft_.queue_known = 0;
+  draft_.window.rings_known = false;
+  draft_.program.run = RunState::idle;
+  for (int i = 0; i < axis_count(); ++i) {
+    AxisState& axis = draft_.axes[i];
+    axis.limits_known = false;
+    axis.has_encoder = variant_.fitting(i).encoder;
+    axis.activity = Activity::unknown;
+    axis.speed = {};
+    axis.direction = 0;
+  }
+}
+
+void Vme58Driver::wire_lost() {
+  lost_while_busy_ = draft_.any_axis_moving();
+  for (int i = 0; i < axis_count(); ++i) {
+    if (lost_while_busy_ && moving(i)) draft_.axes[i].ended_by = EndedBy::lost;
+    draft_.axes[i].position_known = false;
+  }
+  if (draft_.program.run == RunState::running) draft_.program.ended_by = EndedBy::lost;
+  forget();
+  for (ParamState& p : draft_.params) p.known = false;
+  draft_.inputs_known = draft_.outputs_known = 0;
+  draft_.window.known = false;
+  received_.clear();
+  replies_.clear();
+  mailing_ = updating_ = false;
+  station_ = nullptr;
+}
+
+Task<Result<>> Vme58Driver::connect(Station& station) {
+  station_ = &station;
+  if (!station.is_window())
+    co_return fail(FaultKind::refused, "A VME58 is a board in a memory window, not a device on a line.",
+                   "Nothing was sent.", "Open it through vme or bus.");
+  station.interrupted = [this](std::uint8_t) {
+    if (changed_) changed_();
+  };
+  control_ = station.tells_interrupts() ? control::interrupts | control::done_interrupt |
+                                              control::limit_interrupt | control::slip_interrupt
+                                        : 0;
+  auto found = co_await find_board();
+  if (!found) co_return found;
+  auto taken = co_await take_over_rings();
+  if (!taken) co_return taken;
+  auto identified = co_await identify();
+  if (!identified) co_return identified;
+  std::vector<BusCycle> cycles;
+  cycles.push_back(BusCycle::read(2, at::reserved1));
+  auto looked = co_await run(cycles, Priority::intent);
+  if (!looked) co_return looked;
+  const bool unmarked = cycles[0].value == 0;  // another program's mark serves as well
+  const bool was_reset = connected_before_ && unmarked;
+  connected_before_ = true;
+  if (unmarked) {
+    auto marked = co_await leave_mark();
+    if (!marked) co_return marked;
+  }
+  if (was_reset) {
+    auto told = co_await found_reset();
+    if (!told) co_return told;
+  }
+  co_return co_await read_state();
+}
+
+// Only reads, and none that a board would answer by doing something but clear its flags.
+Task<Result<>> Vme58Driver::find_board() {
+  const Instant give_up = scheduler_.now() + start_patience;
+  for (;;) {
+    std::vector<BusCycle> cycles;
+    for (std::uint16_t offset = 0; offset < reg::control; offset += probe_step)
+      cycles.push_back(BusCycle::read(2, offset));
+    cycles.push_back(BusCycle::read(1, reg::status));
+    auto read = co_await run(cycles, Priority::intent);
+    if (!read) co_return read;
+    const bool ones = std::all_of(cycles.begin(), cycles.end(), [](const BusCycle& c) {
+      return c.value == (c.width == 1 ? 0xFFu : 0xFFFFu);
+    });
+    if (ones)
+      co_return fail(
+          FaultKind::no_answer, "No board answers there: every byte of the window reads FF.",
+          "Nothing was written.",
+          "Check that the board stands in the crate with power on, and that its address jumpers and "
+          "the address that was opened agree.");
+    const std::uint32_t status = cycles.back().value;
+    if ((status & status::initialized) != 0) {
+      command_error_ = false;
+      co_return Result<>();
+    }
+    if (scheduler_.now() > give_up)
+      co_return fail(
+          FaultKind::no_answer,
+          fmt::format("What is there does not report that it has started: its status register reads "
+                      "{:02X}, with bit 1 off.",
+                      status),
+          "Nothing was written.", "Check the board's address. If it is right, reset the crate.");
+    co_await scheduler_.sleep_for(Millis(50));
+    if (!station_) co_return no_connection();
+  }
+}
+
+// The host's two indexes stand in the window, as whoever spoke last has left them. Replies that nobody has
+// read are let go.
+Task<Result<>> Vme58Driver::take_over_rings() {
+  const auto put = co_await read_index(at::output_put_index, Priority::intent);
+  if (!put) co_return fail(put.error());
+  const auto input_put = co_await read_index(at::input_put_index, Priority::intent);
+  if (!input_put) co_return fail(input_put.error());
+  put_ = *put;
+  get_ = *input_put;
+  std::vector<BusCycle> cycles;
+  cycles.push_back(BusCycle::store(2, at::input_get_index, static_cast<std::uint32_t>(get_)));
+  cycles.push_back(BusCycle::store(1, reg::control, control_));
+  co_return co_await run(cycles, Priority::intent);
+}
+
+Task<Result<>> Vme58Driver::identify() {
+  auto quiet = co_await write("EF\n", Priority::intent);
+  if (!quiet) co_return quiet;
+  auto name = co_await ask("WY\n", Priority::intent);
+  if (!name) co_return fail(name.error());
+  const auto greeting = decode_greeting(*name);
+  if (!greeting)
+    co_return fail(FaultKind::garbled, fmt::format("What answers to WY is no VME58: \"{}\".", *name),
+                   "Nothing more was sent.", "Check the address.");
+  draft_.identity.model =
+      greeting->variant.empty() ? greeting->model : greeting->model + "-" + greeting->variant;
+  draft_.identity.firmware = greeting->version;
+  auto positions = co_await ask("AA RP AX\n", Priority::intent);
+  if (!positions) co_return fail(positions.error());
+  const auto fields = decode_numbers(*positions);
+  const int axes = fields ? static_cast<int>(fields->size()) : 0;
+  if (axes == 0)
+    co_return fail(
+        FaultKind::garbled,
+        fmt::format("The board answered \"{}\" to RP for all axes, which means nothing.", *positions),
+        "Nothing was changed.", "Connect again.");
+  if (axes != variant_.axes() || (!greeting->variant.empty() && find_variant(greeting->variant) != &variant_))
+    tell(Notice::Kind::warning,
+         fmt::format(
+             "The board says that it is a {} with {} axes; it was opened as a {}. Open it with variant={} "
+             "in its address.",
+             draft_.identity.model.view(), axes, catalog_.name, greeting->variant));
+  auto directions = co_await ask("RB\n", Priority::intent);
+  if (!directions) co_return fail(directions.error());
+  outputs_direction_ = static_cast<int>(decode_hex(*directions).value_or(factory_outputs));
+  co_return Result<>();
+}
+
+Task<Result<>> Vme58Driver::leave_mark() {
+  std::vector<BusCycle> cycles;
+  cycles.push_back(BusCycle::store(2, at::reserved1, our_mark));
+  co_return co_await run(cycles, Priority::intent);
+}
+
+// Everything that was set is as from the factory again.
+Task<Result<>> Vme58Driver::found_reset() {
+  tell(Notice::Kind::warning,
+       "The board has been reset, or switched off and on, since the console last read it. Positions, set-up "
+       "and "
+       "queues are as from the factory; home the axes again.");
+  forget();
+  factory_params();
+  auto taken = co_await take_over_rings();
+  if (!taken) co_return taken;
+  auto quiet = co_await write("EF\n", Priority::intent);
+  if (!quiet) co_return quiet;
+  co_return co_await leave_mark();
+}
+
+Task<Result<>> Vme58Driver::read_state() {
+  flags_wanted_ = true;
+  auto all = co_await read_all_values(Priority::intent);
+  if (!all) co_return all;
+  co_return co_await poll();
+}
+
+}  // namespace hw::vme58

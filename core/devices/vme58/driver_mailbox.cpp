@@ -1,0 +1,145 @@
+// Urgent commands go through the mailbox (decision M29): past the ring, past full queues. A stop of all axes
+// empties the queues too; what still stands in the ring behind them is taken back, or it would act then.
+#include <fmt/core.h>
+
+#include "core/base/index.h"
+#include "core/devices/vme58/driver.h"
+
+namespace hw::vme58 {
+namespace {
+
+constexpr Duration mail_patience = Millis(50);
+constexpr Duration look_again = std::chrono::microseconds(500);
+constexpr Duration standstill_look = Millis(10);
+constexpr Duration longest_stop = std::chrono::seconds(60);  // of a ramp that the user made long
+
+}  // namespace
+
+Task<Result<>> Vme58Driver::mail(std::string_view letters) {
+  const std::string word(letters);
+  mailing_ = true;
+  struct Mailing {
+    Vme58Driver& driver;
+    explicit Mailing(Vme58Driver& d) : driver(d) {}
+    ~Mailing() { driver.mailing_ = false; }
+  } mailing(*this);
+  const auto kept = static_cast<std::uint8_t>(control_ | (updating_ ? control::update_data : 0));
+  std::vector<BusCycle> cycles;
+  append_mail(cycles, word, kept);
+  auto sent = co_await run(cycles, Priority::stop);
+  if (!sent) co_return sent;
+  record(Way::sent, Priority::stop, fmt::format("mailbox {}", word));
+  const Instant give_up = scheduler_.now() + mail_patience;
+  while (station_) {
+    cycles.assign(1, BusCycle::read(1, reg::control));
+    auto looked = co_await run(cycles, Priority::stop);
+    if (!looked) co_return looked;
+    if ((cycles[0].value & control::interrupt_board) == 0) co_return Result<>();
+    if (scheduler_.now() > give_up) break;
+    co_await scheduler_.sleep_for(look_again);
+  }
+  co_return fail(FaultKind::no_answer, fmt::format("The board did not take {} out of its mailbox.", word),
+                 "It was put there.", "Watch the machine. If it still moves, switch its power off.");
+}
+
+Task<Result<>> Vme58Driver::stop(int axis, bool at_once) {
+  if (!station_)
+    co_return fail(FaultKind::lost, "Stop does not reach the board: there is no connection.",
+                   "Nothing was sent.", "Switch the power of the drives off.");
+  at_once = at_once || (stops_ > 0 && stop_ramps_);  // asked twice
+  ++stops_;
+  stop_ramps_ = !at_once;
+  const bool alone = axis >= 0 && !at_once && !minds_[ix(axis)].grouped && !context_.recording;
+  if (!alone) end_program(at_once ? EndedBy::abort : EndedBy::stop);
+  stopping(alone ? axis : -1, at_once);
+  if (axis >= 0 && at_once)
+    tell(Notice::Kind::info, "The board's only stop without a ramp, KL, stops every axis.");
+  Result<> stopped;
+  if (alone)
+    stopped = co_await stop_axis(axis);
+  else
+    stopped = co_await stop_all(at_once);
+  if (stopped) stopped = co_await wait_for_standstill(alone ? axis : -1);
+  --stops_;
+  if (station_) stands(alone ? axis : -1);
+  co_return stopped;
+}
+
+// What the jog moves stops; the other axes go on.
+Task<Result<>> Vme58Driver::stop_jog() {
+  const int axis = std::exchange(jogged_axis_, -1);
+  co_return co_await stop(axis, false);
+}
+
+// The mailbox has no place for an axis: ST goes through the ring, as long as nothing stands there.
+Task<Result<>> Vme58Driver::stop_axis(int axis) {
+  const auto free = co_await is_taken(Priority::stop);
+  if (!free) co_return fail(free.error());
+  if (*free) {
+    const std::string text = addressed(axis, "ST");
+    auto written = co_await write(text, Priority::stop);
+    if (written || written.error().kind == FaultKind::lost) co_return written;
+  }
+  tell(Notice::Kind::warning,
+       fmt::format("The board takes no command for axis {} alone now, so all axes were stopped.",
+                   axis_name(axis)));
+  stopping(-1, false);
+  co_return co_await stop_all(false);
+}
+
+Task<Result<>> Vme58Driver::stop_all(bool at_once) {
+  const std::string_view word = at_once ? "KL" : "SA";
+  auto mailed = co_await mail(word);
+  if (!mailed && mailed.error().kind == FaultKind::lost) co_return mailed;
+  const auto taken = co_await is_taken(Priority::stop);
+  if (!taken) co_return fail(taken.error());
+  if (mailed && *taken) co_return mailed;
+  auto withdrawn = co_await withdraw_text(Priority::stop);
+  if (!withdrawn) co_return withdrawn;
+  if (mailed) mailed = co_await mail(word);  // what it took in between may have begun something
+  if (mailed) co_return mailed;
+  const std::string text = std::string(word) + "\n";
+  auto written = co_await write(text, Priority::stop);
+  if (written) co_return written;
+  co_return mailed;
+}
+
+void Vme58Driver::stopping(int axis, bool at_once) {
+  for (int i = 0; i < axis_count(); ++i) {
+    if (axis >= 0 && i != axis) continue;
+    AxisMind& mind = minds_[ix(i)];
+    if (!moving(i) && !mind.ours) continue;
+    mind.stopping = true;
+    mind.ended_by = at_once ? EndedBy::abort : EndedBy::stop;
+    draft_.axes[i].activity = Activity::stopping;
+  }
+}
+
+// What was being stopped is shown as it is again.
+void Vme58Driver::stands(int axis) {
+  for (int i = 0; i < axis_count(); ++i) {
+    if ((axis >= 0 && i != axis) || !minds_[ix(i)].stopping) continue;
+    if (moving(i))
+      minds_[ix(i)].stopping = false;
+    else
+      end_motion(i, minds_[ix(i)].ended_by);
+  }
+}
+
+Task<Result<>> Vme58Driver::wait_for_standstill(int axis) {
+  const Instant give_up = scheduler_.now() + longest_stop;
+  for (;;) {
+    auto read = co_await read_axes(Priority::stop);
+    if (!read) co_return read;
+    bool turns = false;
+    for (int i = 0; i < axis_count(); ++i) turns = turns || ((axis < 0 || i == axis) && moving(i));
+    if (!turns) co_return Result<>();
+    if (scheduler_.now() > give_up)
+      co_return fail(FaultKind::controller, "The board was told to stop and still moves.",
+                     "The stop was sent.", "Stop again: it then stops at once, without a ramp.");
+    co_await scheduler_.sleep_for(standstill_look);
+    if (!station_) co_return fail(FaultKind::lost, "The connection was lost while the axes were stopping.");
+  }
+}
+
+}  // namespace hw::vme58

@@ -1,0 +1,238 @@
+// Moves, jogs, homing, positions, power, outputs, and the catalog's actions.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/base/index.h"
+#include "core/devices/vme58/driver.h"
+
+namespace hw::vme58 {
+
+// ---- may it
+
+/// Text of the console's own would be recorded with the user's contour.
+Result<> Vme58Driver::may_talk() const {
+  if (!station_) return no_connection();
+  if (!context_.recording) return {};
+  return fail(FaultKind::refused,
+              "A contour is being recorded: whatever is sent now would become part of it.",
+              "Nothing was sent.", "End it with CE or CK in the terminal first.");
+}
+
+Result<> Vme58Driver::may_move(int axis) const {
+  if (auto may = may_talk(); !may) return may;
+  if (axis < 0 || axis >= axis_count())
+    return fail(FaultKind::refused, fmt::format("There is no axis {} here.", axis + 1), "Nothing was sent.");
+  if (draft_.program.run == RunState::running)
+    return fail(FaultKind::refused, "A program is running.", "Nothing was sent.",
+                "Wait until it ends, or stop it.");
+  const AxisMind& mind = minds_[ix(axis)];
+  if (mind.ours && mind.wanted != Activity::jogging)
+    return fail(FaultKind::refused, fmt::format("Axis {} is still moving.", axis_name(axis)),
+                "Nothing was sent.", "Wait until it ends, or stop it.");
+  return {};
+}
+
+Result<std::int64_t> Vme58Driver::checked_speed(Pps speed) const {
+  const auto whole = static_cast<std::int64_t>(std::llround(speed.value));
+  if (whole == 0 && speed.value == 0) return 0;
+  if (whole < 1 || whole > velocity_max)
+    return fail(FaultKind::refused,
+                fmt::format("{:g} counts/s is not possible: a VME58 axis takes 1 to {} counts/s.",
+                            speed.value, velocity_max),
+                "Nothing was sent.");
+  return whole;
+}
+
+// ---- moves
+
+/// The text that starts it, and what is known of it until the board says more.
+Task<Result<>> Vme58Driver::begin(std::string text, unsigned axes, Activity activity,
+                                  std::array<Steps, max_axes> targets) {
+  for (int i = 0; i < axis_count(); ++i) {
+    if ((axes >> i & 1) == 0) continue;
+    AxisMind& mind = minds_[ix(i)];
+    mind.wanted = activity;
+    mind.ours = true;
+    mind.grouped = (axes & (axes - 1)) != 0;
+    mind.done = mind.limit_hit = mind.turned = mind.stopping = false;
+    mind.still_since = scheduler_.now();
+    AxisState& axis = draft_.axes[i];
+    axis.activity = activity;
+    axis.ended_by = EndedBy::nothing;
+    axis.has_target = activity == Activity::moving;
+    axis.target = targets[ix(i)];
+  }
+  auto sent = co_await command(std::move(text), Priority::intent);
+  if (sent) co_return sent;
+  for (int i = 0; i < axis_count(); ++i)
+    if ((axes >> i & 1) != 0) {
+      minds_[ix(i)].ours = moving(i) && minds_[ix(i)].ours;
+      draft_.axes[i].has_target = false;
+      show_still(i, scheduler_.now());
+    }
+  co_return sent;
+}
+
+// One axis by itself; several on a straight line, as a group of AM beside which others may run.
+Task<Result<>> Vme58Driver::move(std::vector<AxisTarget> wish, Pps speed_wish, bool relative) {
+  const auto speed = checked_speed(speed_wish);
+  if (!speed) co_return fail(speed.error());
+  std::array<std::optional<std::int64_t>, most_axes> operands{};
+  std::array<Steps, max_axes> targets{};
+  unsigned axes = 0;
+  for (const AxisTarget& t : wish) {
+    const int axis = t.axis.index;
+    if (auto may = may_move(axis); !may) co_return may;
+    const std::int64_t goal = relative ? draft_.axes[axis].position.value + t.value.value : t.value.value;
+    if (std::abs(goal) > position_max)
+      co_return fail(FaultKind::refused,
+                     fmt::format("Position {} of axis {} lies outside the board's range, ±{}.", goal,
+                                 axis_name(axis), position_max),
+                     "Nothing was sent.");
+    if (relative && t.value.value == 0) continue;
+    operands[ix(axis)] = t.value.value;
+    targets[ix(axis)] = Steps(goal);
+    axes |= 1u << axis;
+  }
+  if (axes == 0) co_return Result<>();
+  const std::string_view letters = relative ? "MR" : "MA";
+  const bool alone = (axes & (axes - 1)) == 0;
+  std::string text;
+  int only = 0;
+  while (alone && (axes >> only & 1) == 0) ++only;
+  if (*speed > 0) {
+    // VL waits in the queue like the move, so it can be put back behind it: by whoever sees it end.
+    for (int i = 0; i < axis_count(); ++i)
+      if ((axes >> i & 1) != 0 && !minds_[ix(i)].borrowed_velocity)
+        minds_[ix(i)].borrowed_velocity = velocity_of(i);
+    std::array<std::optional<std::int64_t>, most_axes> speeds{};
+    for (int i = 0; i < axis_count(); ++i)
+      if ((axes >> i & 1) != 0) speeds[ix(i)] = *speed;
+    text = alone ? fmt::format("VL{} ", *speed) : encode_list("VL", speeds) + " ";
+  }
+  if (alone) {
+    text += fmt::format("{}{} GD ID", letters, *operands[ix(only)]);
+    text = addressed(only, text);
+  } else {
+    text += encode_list(letters, operands) + " GD ID";
+    text = addressed("AM", text);
+  }
+  co_return co_await begin(std::move(text), axes, Activity::moving, targets);
+}
+
+Task<Result<>> Vme58Driver::give_speed_back(int axis) {
+  const std::int64_t before = *std::exchange(minds_[ix(axis)].borrowed_velocity, std::nullopt);
+  if (before == velocity_of(axis) || context_.recording) co_return Result<>();
+  const std::string text = addressed(axis, fmt::format("VL{}", before));
+  co_return co_await command(text, Priority::poll);
+}
+
+Task<Result<>> Vme58Driver::jog(intent::JogStart wish) {
+  const int axis = wish.axis.index;
+  if (auto may = may_move(axis); !may) co_return may;
+  auto speed = checked_speed(wish.speed);
+  if (!speed) co_return fail(speed.error());
+  if (*speed == 0) speed = std::max<std::int64_t>(1, velocity_of(axis));
+  jogged_axis_ = axis;
+  std::string text = addressed(axis, fmt::format("JG{}", factor(wish.sign) * *speed));
+  const std::array<Steps, max_axes> nowhere{};
+  co_return co_await begin(std::move(text), 1u << axis, Activity::jogging, nowhere);
+}
+
+// CA first: a done flag of an earlier motion says nothing of this one.
+Task<Result<>> Vme58Driver::home(intent::Home wish) {
+  const int axis = wish.axis.index;
+  if (auto may = may_move(axis); !may) co_return may;
+  const bool plus = wish.sign == Sign::plus;
+  std::string text;
+  switch (static_cast<HomeMode>(wish.mode)) {
+    case HomeMode::edge: text = plus ? "HM0 ID" : "HR0 ID"; break;
+    case HomeMode::back_to_edge: text = plus ? "HM0 MA0 GO ID" : "HR0 MA0 GO ID"; break;
+    case HomeMode::stop_dead: text = plus ? "KM ID" : "KR ID"; break;
+    default:
+      co_return fail(FaultKind::refused, fmt::format("There is no way of homing number {}.", wish.mode),
+                     "Nothing was sent.");
+  }
+  text = addressed(axis, "CA " + text);
+  const std::array<Steps, max_axes> nowhere{};
+  co_return co_await begin(std::move(text), 1u << axis, Activity::homing, nowhere);
+}
+
+// ---- positions, power, outputs
+
+Task<Result<>> Vme58Driver::set_position(intent::SetPosition wish) {
+  if (auto may = may_talk(); !may) co_return may;
+  if (std::abs(wish.value.value) > position_max)
+    co_return fail(FaultKind::refused,
+                   fmt::format("{} lies outside the board's range, ±{}.", wish.value.value, position_max),
+                   "Nothing was sent.");
+  std::string text;
+  if (wish.axis >= 0) {
+    text = addressed(wish.axis, fmt::format("LP{}", wish.value.value));
+  } else {
+    std::array<std::optional<std::int64_t>, most_axes> all{};
+    for (int i = 0; i < axis_count(); ++i) all[ix(i)] = wish.value.value;
+    text = addressed("AA", encode_list("LP", all));
+  }
+  for (int i = 0; i < axis_count(); ++i)
+    minds_[ix(i)].counted = minds_[ix(i)].counted || wish.axis < 0 || wish.axis == i;
+  auto sent = co_await command(std::move(text), Priority::intent);
+  if (!sent) co_return sent;
+  co_return co_await read_axes(Priority::intent);
+}
+
+// HN closes the loop of a servo axis, HF opens it: the motor is free then.
+Task<Result<>> Vme58Driver::set_power(intent::SetPower wish) {
+  if (auto may = may_talk(); !may) co_return may;
+  for (int i = 0; i < axis_count(); ++i) {
+    if (wish.axis >= 0 && wish.axis != i) continue;
+    if (!catalog_.axes[ix(i)].switchable) {
+      if (wish.axis < 0) continue;
+      co_return fail(
+          FaultKind::refused,
+          fmt::format("Axis {} is no servo axis: the board does not switch its motor.", axis_name(i)),
+          "Nothing was sent.");
+    }
+    const std::string text = addressed(i, wish.on ? "HN" : "HF");
+    auto sent = co_await command(text, Priority::intent);
+    if (!sent) co_return sent;
+    draft_.axes[i].enabled = wish.on;
+  }
+  co_return Result<>();
+}
+
+// On is low for a general line (BL), and high for an auxiliary one (AN): the maker's own words.
+Task<Result<>> Vme58Driver::set_output(intent::SetOutput wish) {
+  if (auto may = may_talk(); !may) co_return may;
+  const int place = catalog_.find_output(wish.number);
+  if (place < 0)
+    co_return fail(FaultKind::refused, fmt::format("There is no output {} on this board.", wish.number),
+                   "Nothing was sent.");
+  std::string text;
+  const int aux = wish.number - first_auxiliary;
+  if (aux >= 0)
+    text = addressed(aux, wish.on ? "AN" : "AF");
+  else
+    text = fmt::format("{}{}\n", wish.on ? "BL" : "BH", wish.number);
+  auto sent = co_await command(std::move(text), Priority::intent);
+  if (!sent) co_return sent;
+  const std::uint32_t mask = 1u << place;
+  if (aux >= 0) {
+    draft_.outputs = wish.on ? draft_.outputs | mask : draft_.outputs & ~mask;
+    draft_.outputs_known |= mask;
+    co_return Result<>();
+  }
+  const auto registers = co_await read_registers(Priority::intent, false);
+  if (!registers) co_return fail(registers.error());
+  take_registers(*registers);
+  if ((draft_.outputs_known & mask) == 0 || ((draft_.outputs & mask) != 0) == wish.on) co_return Result<>();
+  co_return fail(FaultKind::controller,
+                 fmt::format("Output {} was to go {}, but its line still reads {}.", wish.number,
+                             wish.on ? "on (low)" : "off (high)", wish.on ? "high" : "low"),
+                 "It was asked for once.",
+                 "A command queue may be busy: it waits there. Or the line is jumpered as an input.");
+}
+
+}  // namespace hw::vme58

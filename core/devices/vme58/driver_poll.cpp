@@ -1,0 +1,363 @@
+// The round of status: registers, then the data area. Reading a register clears its flags, so each is read in
+// one place and what it said is remembered.
+#include <algorithm>
+#include <cstdlib>
+
+#include <fmt/format.h>
+
+#include "core/base/index.h"
+#include "core/devices/vme58/driver.h"
+
+namespace hw::vme58 {
+namespace {
+
+constexpr Duration update_time = std::chrono::microseconds(1000);  // decision M26: about 1 ms
+constexpr Duration look_again = std::chrono::microseconds(300);
+constexpr Duration update_patience = Millis(50);
+constexpr Duration rest_time = Millis(400);  // at rest so long without a done flag: it ended some other way
+constexpr int live_values = 3;               // encoder, position, velocity stand first
+constexpr int queue_rounds = 5;
+
+bool bit(std::uint32_t bits, int n) { return (bits >> n & 1) != 0; }
+
+}  // namespace
+
+Duration Vme58Driver::moving_period() const { return sampled_axis_ >= 0 ? Millis(1) : Millis(20); }
+
+std::int64_t Vme58Driver::value(int axis, AxisValue v) const { return data_[ix(axis)][v]; }
+bool Vme58Driver::moving(int axis) const {
+  return seen_[ix(axis)] && value(axis, AxisValue::command_velocity) != 0;
+}
+
+Task<Result<>> Vme58Driver::poll() {
+  ++round_;
+  while (mailing_) co_await scheduler_.sleep_for(look_again);
+  const Instant began = scheduler_.now();
+  const auto registers = co_await read_registers(Priority::poll, true);
+  if (!registers) co_return fail(registers.error());
+  if ((registers->status & status::initialized) == 0) {
+    updating_ = false;
+    station_->count_miss();
+    co_return fail(FaultKind::garbled, "The board is starting: it has been reset.",
+                   "Nothing is known of it yet.");
+  }
+  take_registers(*registers);
+  if (registers->mark == 0) {
+    auto told = co_await found_reset();
+    if (!told) co_return told;
+    co_return co_await read_state();
+  }
+  auto fetched = co_await fetch_replies(registers->input_put, Priority::poll);
+  if (!fetched) co_return fetched;
+  auto read = co_await read_axes(Priority::poll);
+  if (!read) co_return read;
+  station_->count_answer(scheduler_.now() - began, true, scheduler_.now());
+  record_round();
+  if (flags_wanted_ && !context_.recording) {
+    auto asked = co_await read_flags(Priority::poll);
+    if (!asked) co_return asked;
+  }
+  draft_.window.rings_known = bit(watched_, memory_group);
+  if (draft_.window.rings_known) {
+    auto rings = co_await read_rings(Priority::poll);
+    if (!rings) co_return rings;
+  }
+  const bool queues_matter = bit(watched_, queue_group) || draft_.program.run == RunState::running;
+  if (queues_matter && round_ % queue_rounds == 0 && !context_.recording && to_feed_.empty()) {
+    auto queues = co_await read_queues(Priority::poll);
+    if (!queues) co_return queues;
+  }
+  for (int i = 0; i < axis_count(); ++i)
+    if (minds_[ix(i)].borrowed_velocity && !minds_[ix(i)].ours) {
+      auto given = co_await give_speed_back(i);
+      if (!given) co_return given;
+    }
+  auto watched = co_await watch_program();
+  show_worst();
+  co_return watched;
+}
+
+// ---- registers
+
+/// With `ask_for_data` the board is told to copy the axis data, in the same burst.
+Task<Result<Vme58Driver::Registers>> Vme58Driver::read_registers(Priority priority, bool ask_for_data) {
+  std::vector<BusCycle> cycles;
+  cycles.reserve(16);
+  if (ask_for_data) {
+    updating_ = true;
+    cycles.push_back(BusCycle::store(1, reg::control, control_ | control::update_data));
+  }
+  const std::size_t first = cycles.size();
+  for (const std::uint16_t offset : {reg::control, reg::status, reg::slip, reg::done, reg::limit, reg::home,
+                                     reg::io_low, reg::io_high, reg::vector})
+    cycles.push_back(BusCycle::read(1, offset));
+  for (const std::uint16_t offset :
+       {at::reserved1, at::input_put_index, at::input_put_index, at::output_get_index, at::output_get_index})
+    cycles.push_back(BusCycle::read(2, offset));
+  auto done = co_await run(cycles, priority);
+  if (!done) co_return fail(done.error());
+  const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(cycles[first + i].value); };
+  const auto word = [&](std::size_t i) { return cycles[first + 9 + i].value; };
+  const bool ones =
+      std::all_of(cycles.begin() + static_cast<std::ptrdiff_t>(first), cycles.end(),
+                  [](const BusCycle& c) { return c.value == (c.width == 1 ? 0xFFu : 0xFFFFu); });
+  if (ones) {
+    station_->count_miss();
+    co_return fail(FaultKind::garbled, "No board answers any more: every byte of the window reads FF.",
+                   "Nothing was repeated.", "Look at the crate's power and at the board.");
+  }
+  if (word(1) != word(2) || !is_index(word(1)) || word(3) != word(4) || !is_index(word(3)))
+    co_return fail(FaultKind::garbled, "The indexes of the rings make no sense.", "They are read again.");
+  Registers r;
+  r.control = byte(0), r.status = byte(1), r.slip = byte(2), r.done = byte(3), r.limit = byte(4),
+  r.home = byte(5);
+  r.io = static_cast<std::uint16_t>(byte(6) | (byte(7) & 0x3F) << 8);
+  r.mark = static_cast<std::uint16_t>(word(0));
+  r.input_put = static_cast<int>(word(1)), r.output_get = static_cast<int>(word(3));
+  for (std::size_t i = first; i < cycles.size(); ++i)
+    draft_.window.put(cycles[i].offset, cycles[i].width, cycles[i].value);
+  draft_.window.known = true;
+  co_return r;
+}
+
+void Vme58Driver::take_registers(const Registers& r) {
+  if ((r.status & status::command_error) != 0) command_error_ = true;
+  const std::uint8_t before = limits_;
+  limits_ = r.limit;
+  homes_ = r.home;
+  if (limits_ != before) flags_wanted_ = true;
+  for (int i = 0; i < axis_count(); ++i) {
+    AxisMind& mind = minds_[ix(i)];
+    if (bit(r.done, i)) mind.done = true;
+    if (bit(r.limit, i)) mind.limit_hit = true;
+    if (!bit(r.limit, i)) mind.limit_end = 0;
+    AxisState& axis = draft_.axes[i];
+    axis.home = bit(r.home, i);
+    const int place = catalog_.find_readout(fmt::format("SLIP{}", axis_name(i)));
+    if (place >= 0) {
+      draft_.readouts[ix(place)] |= bit(r.slip, i);
+      draft_.readouts_known.set(ix(place));
+      draft_.readouts_seen_at[ix(place)] = scheduler_.now();
+    }
+    if (bit(r.slip, i))
+      tell(Notice::Kind::warning,
+           fmt::format("Axis {} has slipped: its encoder and its position differ by more than ES allows.",
+                       axis_name(i)));
+  }
+  draft_.inputs = r.io;
+  draft_.inputs_known = (1u << io_lines) - 1;
+  for (std::size_t place = 0; place < catalog_.outputs.size(); ++place) {
+    const int line = catalog_.outputs[place].number;
+    if (line >= io_lines) continue;  // auxiliary: nothing in the window tells
+    const std::uint32_t mask = 1u << place;
+    const bool is_output = bit(static_cast<std::uint32_t>(outputs_direction_), line);
+    draft_.outputs_known = is_output ? draft_.outputs_known | mask : draft_.outputs_known & ~mask;
+    draft_.outputs = bit(r.io, line) ? draft_.outputs & ~mask : draft_.outputs | mask;  // low is on
+  }
+  draft_.io_seen_at = scheduler_.now();
+}
+
+// ---- data area
+
+/// Waits for the board's copy. Three values of each axis, and all of one axis in turn.
+Task<Result<>> Vme58Driver::read_axes(Priority priority) {
+  if (!updating_) {
+    updating_ = true;
+    std::vector<BusCycle> request;
+    request.push_back(BusCycle::store(1, reg::control, control_ | control::update_data));
+    auto asked = co_await run(request, priority);
+    if (!asked) co_return asked;
+  }
+  const Instant give_up = scheduler_.now() + update_patience;
+  std::vector<BusCycle> cycles;
+  const int whole = next_axis_;
+  next_axis_ = (next_axis_ + 1) % axis_count();
+  co_await scheduler_.sleep_for(update_time);
+  for (;;) {
+    cycles.clear();
+    cycles.push_back(BusCycle::read(1, reg::control));
+    for (int i = 0; i < axis_count(); ++i)
+      append_axis_reads(cycles, i, i == whole ? axis_values : live_values);
+    auto done = co_await run(cycles, priority);
+    if (!done) co_return done;
+    if ((cycles.front().value & control::update_data) == 0) break;
+    if (scheduler_.now() > give_up) {
+      updating_ = false;
+      station_->count_miss();
+      co_return fail(FaultKind::no_answer,
+                     "The board did not copy its axis data in time (control register, bit 0).",
+                     "Positions are shown as last read.");
+    }
+    co_await scheduler_.sleep_for(look_again);
+  }
+  updating_ = false;
+  take_cycles(cycles);
+  const Instant now = scheduler_.now();
+  take_parameters(whole);
+  for (int i = 0; i < axis_count(); ++i) show_axis(i, now);
+  sample(now);
+  co_return Result<>();
+}
+
+Task<Result<>> Vme58Driver::read_all_values(Priority priority) {
+  for (int i = 0; i < axis_count(); ++i) {
+    auto read = co_await read_axes(priority);
+    if (!read) co_return read;
+  }
+  co_return Result<>();
+}
+
+void Vme58Driver::take_cycles(const std::vector<BusCycle>& cycles) {
+  for (const BusCycle& cycle : cycles) {
+    draft_.window.put(cycle.offset, cycle.width, cycle.value);
+    if (cycle.width != 4) continue;
+    const int axis = (cycle.offset - at::axis_data) / axis_stride;
+    const int place = (cycle.offset - at::axis_data) % axis_stride / 4;
+    data_[ix(axis)].values[ix(place)] = static_cast<std::int32_t>(cycle.value);
+  }
+}
+
+void Vme58Driver::show_axis(int i, Instant at) {
+  AxisState& axis = draft_.axes[i];
+  AxisMind& mind = minds_[ix(i)];
+  const Steps position(value(i, AxisValue::command_position));
+  const Steps change = position - axis.position;
+  const bool fresh = axis.position_known && seen_[ix(i)];
+  if (fresh && change.value != 0 && !mind.counted) mind.way = change.value > 0 ? 1 : -1;
+  const bool crept = fresh && change.value != 0 && !mind.counted;
+  mind.counted = false;
+  seen_[ix(i)] = true;
+  const double speed = std::abs(static_cast<double>(value(i, AxisValue::command_velocity)));
+  axis.position = position;
+  axis.encoder = Steps(value(i, AxisValue::encoder_position));
+  axis.seen_at = at;
+  axis.position_known = true;
+  axis.speed = Pps(speed);
+  const bool turns = speed > 0 || crept;
+  axis.direction = turns ? mind.way : std::int8_t{0};
+  axis.limits_known = limits_ == 0 || !bit(limits_, i) || mind.limit_end != 0;
+  axis.limit_minus = bit(limits_, i) && mind.limit_end < 0;
+  axis.limit_plus = bit(limits_, i) && mind.limit_end > 0;
+  if (!turns) return show_still(i, at);
+  mind.turned = true;
+  mind.still_since = at;
+  axis.activity = mind.stopping ? Activity::stopping : mind.ours ? mind.wanted : Activity::moving;
+}
+
+void Vme58Driver::show_still(int i, Instant at) {
+  AxisState& axis = draft_.axes[i];
+  AxisMind& mind = minds_[ix(i)];
+  if (mind.stopping) {
+    if (stops_ == 0) end_motion(i, mind.ended_by);
+    return;
+  }
+  if (!mind.ours) {
+    if (axis.activity != Activity::idle) axis.activity = Activity::idle;
+    return;
+  }
+  if (mind.done && mind.wanted != Activity::jogging) return end_motion(i, EndedBy::target);
+  if (mind.limit_hit) return end_motion(i, EndedBy::limit);
+  if (at - mind.still_since < rest_time) {
+    axis.activity = mind.wanted;
+    return;
+  }
+  const bool there = axis.has_target && axis.position == axis.target;
+  end_motion(i, there ? EndedBy::target : EndedBy::elsewhere);
+}
+
+void Vme58Driver::end_motion(int i, EndedBy ended_by) {
+  AxisState& axis = draft_.axes[i];
+  AxisMind& mind = minds_[ix(i)];
+  axis.activity = Activity::idle;
+  axis.ended_by = ended_by;
+  axis.has_target = false;
+  axis.direction = 0;
+  mind.ours = mind.stopping = mind.grouped = false;
+  mind.wanted = Activity::idle;
+}
+
+// ---- what is asked by command, in turn
+
+// One bit for both ends of an axis: the direction of its latest motion tells which one it stands on.
+Task<Result<>> Vme58Driver::read_flags(Priority priority) {
+  flags_wanted_ = false;
+  auto reply = co_await ask("QI\n", priority);
+  if (!reply) co_return fail(reply.error());
+  const auto flags = decode_all_flags(*reply);
+  for (int i = 0; i < axis_count() && i < static_cast<int>(flags.size()); ++i) {
+    AxisMind& mind = minds_[ix(i)];
+    if (bit(limits_, i) && mind.limit_end == 0) mind.limit_end = flags[ix(i)].plus ? 1 : -1;
+  }
+  co_return Result<>();
+}
+
+Task<Result<>> Vme58Driver::read_queues(Priority priority) {
+  std::string text;
+  for (int i = 0; i < axis_count(); ++i) text += fmt::format("A{} RQ ", axis_name(i));
+  text += context_.selector() + "\n";
+  auto replies = co_await ask_several(std::move(text), ix(axis_count()), priority, Millis(200));
+  // A full ring or a WQ holds questions back: that is an answer too.
+  if (!replies && replies.error().kind == FaultKind::no_answer) {
+    draft_.queue_known = 0;
+    co_return Result<>();
+  }
+  if (!replies) co_return fail(replies.error());
+  for (int i = 0; i < axis_count(); ++i) {
+    const auto number = decode_numbers((*replies)[ix(i)]);
+    if (!number || number->size() != 1) continue;
+    draft_.queue_free[ix(i)] = static_cast<std::int16_t>(number->front());
+    draft_.queue_known |= 1u << i;
+  }
+  co_return Result<>();
+}
+
+Task<Result<>> Vme58Driver::read_rings(Priority priority) {
+  std::vector<BusCycle> cycles;
+  for (const std::uint16_t index :
+       {at::input_put_index, at::output_get_index, at::output_put_index, at::input_get_index})
+    cycles.push_back(BusCycle::read(2, index));
+  cycles.push_back(BusCycle::read(2, at::mailbox));
+  cycles.push_back(BusCycle::read(2, at::mailbox + 2));
+  for (const std::uint16_t buffer : {at::input_buffer, at::output_buffer})
+    for (int i = 0; i < ring_cells; ++i)
+      cycles.push_back(BusCycle::read(2, static_cast<std::uint16_t>(buffer + 2 * i)));
+  auto done = co_await run(cycles, priority);
+  if (!done) co_return done;
+  for (const BusCycle& cycle : cycles) draft_.window.put(cycle.offset, cycle.width, cycle.value);
+  co_return Result<>();
+}
+
+// ---- what is told
+
+void Vme58Driver::record_round() {
+  std::string seen;
+  for (int i = 0; i < axis_count(); ++i)
+    seen += fmt::format("{}{}", i == 0 ? "" : " ", draft_.axes[i].position.value);
+  record(Way::sent, Priority::poll, "data area");
+  record(Way::received, Priority::poll, seen);
+}
+
+void Vme58Driver::sample(Instant at) {
+  if (sampled_axis_ < 0 || !sample_) return;
+  const AxisState& axis = draft_.axes[sampled_axis_];
+  AxisSample s;
+  s.at = at;
+  s.axis = static_cast<std::uint8_t>(sampled_axis_);
+  s.moving = moving(sampled_axis_);
+  s.command = axis.position;
+  s.encoder = axis.encoder;
+  s.velocity = axis.speed;
+  sample_(s);
+  if (at >= sample_until_) sampled_axis_ = -1;
+}
+
+void Vme58Driver::show_worst() {
+  draft_.notice.clear();
+  if (std::exchange(command_error_, false) && stops_ == 0)
+    tell(Notice::Kind::error,
+         fmt::format("The board reports a command error. The latest text it was sent: {}", last_sent_));
+  if (context_.recording)
+    draft_.notice = "A contour is being recorded: moves and set-up wait for its end (CE or CK).";
+}
+
+}  // namespace hw::vme58

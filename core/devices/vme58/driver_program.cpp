@@ -1,0 +1,173 @@
+// The board keeps no programs: a program is a command string that the console holds and feeds into the ring
+// as the board takes it, each command by itself, so that the one that is rejected can be named.
+#include <fmt/core.h>
+
+#include "core/base/index.h"
+#include "core/devices/vme58/driver.h"
+
+namespace hw::vme58 {
+namespace {
+
+constexpr int commands_a_round = 64;
+
+int line_of(std::string_view text, std::size_t at) {
+  int line = 0;
+  for (const char c : text.substr(0, at)) line += c == '\n';
+  return line;
+}
+
+}  // namespace
+
+Task<Result<>> Vme58Driver::perform_program(const IntentBody& body) {
+  using namespace intent;
+  if (const auto* i = std::get_if<LoadProgram>(&body)) co_return co_await load(i->text);
+  if (std::holds_alternative<RunProgram>(body)) co_return co_await run_program();
+  if (std::holds_alternative<UploadProgram>(body)) {
+    Notice listing(Notice::Kind::program, scheduler_.now(), program_text_);
+    listing.slot = 0;
+    if (notify_) notify_(std::move(listing));
+    co_return Result<>();
+  }
+  if (std::holds_alternative<ClearProgram>(body)) co_return co_await load({});
+  if (std::holds_alternative<SelectProgram>(body)) co_return Result<>();
+  co_return fail(FaultKind::refused, "A VME58 has no command for this.", "Nothing was sent.");
+}
+
+Task<Result<>> Vme58Driver::load(std::string text) {
+  if (draft_.program.run == RunState::running)
+    co_return fail(FaultKind::refused, "The program is running.", "It was not replaced.", "Stop it first.");
+  Context context;
+  const std::string plain = without_comments(text);
+  for (const TextCommand& command : read_commands(plain, context))
+    if (!command.flaw.empty())
+      co_return fail(FaultKind::refused,
+                     fmt::format("Line {}: {}", line_of(text, command.begin) + 1, command.flaw),
+                     "The program was not taken.", "Correct it and load it again.");
+  program_text_ = std::move(text);
+  draft_.slot_bytes_used[0] = static_cast<std::int16_t>(std::min<std::size_t>(program_text_.size(), 32767));
+  co_return Result<>();
+}
+
+Task<Result<>> Vme58Driver::run_program() {
+  if (auto may = may_talk(); !may) co_return may;
+  if (draft_.program.run == RunState::running)
+    co_return fail(FaultKind::refused, "The program is running already.", "Nothing was sent.");
+  if (draft_.any_axis_moving())
+    co_return fail(FaultKind::refused, "An axis is still moving.", "Nothing was sent.",
+                   "Wait until it ends, or stop it.");
+  Context context = context_;
+  to_feed_.clear();
+  const std::string plain = without_comments(program_text_);
+  for (const TextCommand& command : read_commands(plain, context))
+    to_feed_.emplace_back(line_of(plain, command.begin), std::string(command.text));
+  if (to_feed_.empty())
+    co_return fail(FaultKind::refused, "There is no program to run: its text is empty.", "Nothing was sent.");
+  for (AxisMind& mind : minds_) mind.limit_hit = mind.turned = false;
+  ProgramState& p = draft_.program;
+  p.run = RunState::running;
+  p.owned = true;
+  p.slot = 0;
+  p.ended_by = EndedBy::nothing;
+  p.started_at = scheduler_.now();
+  draft_.feed.running = true;
+  draft_.feed.sent = 0;
+  draft_.feed.total = static_cast<std::int32_t>(to_feed_.size());
+  for (int i = 0; i < axis_count(); ++i) draft_.axes[i].ended_by = EndedBy::nothing;
+  co_return co_await feed();
+}
+
+/// As much as the board takes now. A command that waits for room stays in the ring until the next round.
+Task<Result<>> Vme58Driver::feed() {
+  for (int n = 0; n < commands_a_round; ++n) {
+    if (!feeding_.empty()) {
+      const auto taken = co_await is_taken(Priority::transfer);
+      if (!taken) co_return fail(taken.error());
+      if (!*taken) co_return Result<>();
+      const auto bad = co_await was_rejected(Priority::transfer);
+      if (!bad) co_return fail(bad.error());
+      const std::string sent = std::exchange(feeding_, {});
+      ++draft_.feed.sent;
+      draft_.program.command = static_cast<std::int16_t>(draft_.feed.sent);
+      if (*bad) {
+        end_program(EndedBy::error);
+        auto stopped = co_await stop_all(false);
+        tell(Notice::Kind::error,
+             fmt::format("Line {}: the board rejected \"{}\". The program ends there, and all "
+                         "axes were stopped.",
+                         feeding_line_ + 1, sent));
+        co_return stopped;
+      }
+      Context read = context_;
+      for (const TextCommand& command : read_commands(sent, read)) note_sent(command);
+    }
+    if (to_feed_.empty()) {
+      draft_.feed.running = false;
+      co_return Result<>();
+    }
+    auto [line, command] = to_feed_.front();
+    std::string text = command + ";\n";
+    const auto put = co_await put_text(std::move(text), Priority::transfer);
+    if (!put) co_return fail(put.error());
+    if (!*put) co_return Result<>();
+    if (to_feed_.empty()) co_return Result<>();  // a stop has come in between
+    to_feed_.pop_front();
+    feeding_line_ = line;
+    feeding_ = std::move(command);
+  }
+  co_return Result<>();
+}
+
+void Vme58Driver::end_program(EndedBy ended_by) {
+  to_feed_.clear();
+  feeding_.clear();
+  draft_.feed.running = false;
+  context_.recording = false;
+  ProgramState& p = draft_.program;
+  if (p.run != RunState::running) return;
+  p.run = RunState::idle;
+  p.owned = false;
+  p.command = -1;
+  p.ended_by = ended_by;
+}
+
+/// The program has ended when all of it has been taken, every queue is empty and nothing moves.
+Task<Result<>> Vme58Driver::watch_program() {
+  if (draft_.program.run != RunState::running) co_return Result<>();
+  if (draft_.feed.running) {
+    auto fed = co_await feed();
+    if (!fed || draft_.feed.running) co_return fed;
+  }
+  bool limit = false;
+  for (int i = 0; i < axis_count(); ++i) {
+    if (moving(i)) co_return Result<>();
+    limit = limit || (minds_[ix(i)].limit_hit && minds_[ix(i)].turned);
+  }
+  auto queues = co_await read_queues(Priority::poll);
+  if (!queues) co_return queues;
+  const std::uint32_t all = (1u << axis_count()) - 1;
+  if ((draft_.queue_known & all) != all) co_return Result<>();
+  for (int i = 0; i < axis_count(); ++i)
+    if (draft_.queue_free[ix(i)] < queue_entries) co_return Result<>();
+  auto groups = co_await groups_are_empty();
+  if (!groups) co_return fail(groups.error());
+  if (*groups && draft_.program.run == RunState::running)
+    end_program(limit ? EndedBy::limit : EndedBy::target);
+  co_return Result<>();
+}
+
+// The queues of AA and AM stand beside those of the axes (decision M20).
+Task<Result<bool>> Vme58Driver::groups_are_empty() {
+  std::string question = fmt::format("AA RQ AM RQ {}\n", context_.selector());
+  auto replies = co_await ask_several(std::move(question), 2, Priority::poll, Millis(200));
+  if (!replies && replies.error().kind == FaultKind::no_answer) co_return false;
+  if (!replies) co_return fail(replies.error());
+  for (const std::string& reply : *replies) {
+    const auto numbers = decode_numbers(reply);
+    if (!numbers) co_return false;
+    for (const std::int64_t free : *numbers)
+      if (free < queue_entries) co_return false;
+  }
+  co_return true;
+}
+
+}  // namespace hw::vme58

@@ -1,0 +1,109 @@
+// Raw text of users and scripts: sent command by command, so that the one that the board rejects can be
+// named; and followed, so that the console knows which axis it has selected and what it has set.
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "core/base/index.h"
+#include "core/devices/vme58/driver.h"
+
+namespace hw::vme58 {
+namespace {
+
+constexpr std::size_t longest_text = 240;  // what the ring takes at once, with room for separators
+
+std::vector<TextCommand> commands_in(std::string_view text, Context context) {
+  return read_commands(text, context);
+}
+
+bool is_query(const TextCommand& command) { return command.fact && command.fact->when == When::query; }
+
+}  // namespace
+
+bool Vme58Driver::answers(std::string_view text) const {
+  const auto commands = commands_in(text, context_);
+  return std::any_of(commands.begin(), commands.end(), is_query);
+}
+
+Task<Result<>> Vme58Driver::send_text(std::string text) {
+  auto sent = co_await send_commands(std::move(text), Millis(200));
+  if (!sent) co_return fail(sent.error());
+  if (!sent->empty()) for_scripts(std::move(*sent));
+  co_return Result<>();
+}
+
+Task<Result<std::string>> Vme58Driver::query(std::string text, Duration patience) {
+  if (!station_) co_return no_connection();
+  co_return co_await send_commands(std::move(text), patience);
+}
+
+/// The replies of its queries, one on a line.
+Task<Result<std::string>> Vme58Driver::send_commands(std::string text, Duration patience) {
+  Context context = context_;
+  const auto commands = read_commands(text, context);
+  std::string answers;
+  for (const TextCommand& command : commands) {
+    std::string word(command.text);
+    if (word.size() > longest_text)
+      co_return fail(FaultKind::refused, "One command of this text is longer than the board's ring.",
+                     "It was not sent.");
+    word += ";\n";
+    if (is_query(command) && command.flaw.empty()) {
+      auto reply = co_await ask(std::move(word), Priority::intent, patience);
+      if (!reply) co_return fail(reply.error());
+      answers += (answers.empty() ? "" : "\n") + *reply;
+    } else {
+      auto written = co_await write(word, Priority::intent, WhenStuck::leave);
+      if (!written) co_return fail(written.error());
+      const auto bad = co_await was_rejected(Priority::intent);
+      if (!bad) co_return fail(bad.error());
+      if (*bad && !command.flaw.empty())
+        co_return fail(FaultKind::controller,
+                       fmt::format("The board rejected \"{}\": {}", command.text, command.flaw),
+                       "What stood before it was carried out, nothing behind it was sent.");
+      if (*bad) co_return rejected(command.text);
+    }
+    note_sent(command);
+  }
+  flags_wanted_ = true;
+  co_return answers;
+}
+
+void Vme58Driver::note_sent(const TextCommand& command) {
+  if (!command.fact || !command.flaw.empty()) return;
+  follow(command, context_);
+  note_param(command);
+  const int axis = command.context.axis;
+  const bool one = command.context.mode == where::single;
+  switch (command.fact->op) {
+    case Op::HN:
+    case Op::HF:
+      if (one && catalog_.axes[ix(axis)].switchable) draft_.axes[axis].enabled = command.fact->op == Op::HN;
+      break;
+    case Op::LP:
+      for (int i = 0; i < axis_count(); ++i) minds_[ix(i)].counted = true;
+      break;
+    case Op::AN:
+    case Op::AF:
+      if (const int place = catalog_.find_output(first_auxiliary + axis); one && place >= 0) {
+        const std::uint32_t mask = 1u << place;
+        draft_.outputs = command.fact->op == Op::AN ? draft_.outputs | mask : draft_.outputs & ~mask;
+        draft_.outputs_known |= mask;
+      }
+      break;
+    case Op::UU:
+    case Op::UF:
+      for (int i = 0; i < axis_count(); ++i) {
+        const std::size_t place = one ? 0 : ix(i);
+        if (one && i != axis) continue;
+        if (command.fact->op == Op::UF)
+          user_unit_[ix(i)] = 0;
+        else if (place < command.numbers.size() && command.numbers[place])
+          user_unit_[ix(i)] = *command.numbers[place];
+      }
+      break;
+    default: break;
+  }
+}
+
+}  // namespace hw::vme58

@@ -1,0 +1,110 @@
+// Hands on the bench of a VME58, and what can be seen there.
+#include <string>
+#include <utility>
+
+#include "core/devices/vme58/emulator_vme58.h"
+
+namespace hw::vme58 {
+namespace {
+
+tl::unexpected<Fault> left_as_it_was(std::string what, std::string advice = {}) {
+  return fail(FaultKind::refused, std::move(what), "Nothing was changed.", std::move(advice));
+}
+
+}  // namespace
+
+Result<> Vme58Emulator::operate(const BenchCommand& command) {
+  auto result = std::visit([this](const auto& c) { return act(c); }, command);
+  board_.settle();
+  advance_to(board_.now());
+  return result;
+}
+
+Result<> Vme58Emulator::check_axis(AxisId axis) const {
+  const int axes = board_.variant().axes();
+  if (axis.index < axes) return {};
+  return left_as_it_was("This board has no axis number " + std::to_string(axis.index + 1) + ".",
+                        "Its axes are " + std::string(axis_letters.substr(0, ix(axes))) + ".");
+}
+
+Result<> Vme58Emulator::act(const bench::Input& c) {
+  const int line = c.number - 1;
+  if (line < 0 || line >= io_lines)
+    return left_as_it_was("There is no input " + std::to_string(c.number) + ".",
+                          "Inputs are numbered 1 to 14: number 1 is line 0.");
+  if (board_.io().is_output(line))
+    return left_as_it_was("Line " + std::to_string(line) + " is an output.",
+                          "Change the jumpers of its group.");
+  board_.pull_line(line, c.active);
+  return {};
+}
+
+Result<> Vme58Emulator::act(const bench::Limit& c) {
+  if (auto bad = check_axis(c.axis); !bad) return bad;
+  board_.motion().operate_limit(c.axis.index, c.sign, c.operated);
+  return {};
+}
+
+Result<> Vme58Emulator::act(const bench::HomeSwitch& c) {
+  if (auto bad = check_axis(c.axis); !bad) return bad;
+  board_.motion().operate_home(c.axis.index, c.operated);
+  return {};
+}
+
+Result<> Vme58Emulator::act(const bench::Analog&) { return left_as_it_was("A VME58 has no analog inputs."); }
+
+Result<> Vme58Emulator::act(const bench::Button& c) {
+  return left_as_it_was("This board has no button \"" + c.name + "\".");
+}
+
+Result<> Vme58Emulator::act(const bench::Jam& c) {
+  if (auto bad = check_axis(c.axis); !bad) return bad;
+  board_.motion().jam(c.axis.index, c.on);
+  return {};
+}
+
+Result<> Vme58Emulator::act(const bench::Slip& c) {
+  if (auto bad = check_axis(c.axis); !bad) return bad;
+  board_.motion().slip(c.axis.index, c.by.value);
+  return {};
+}
+
+Result<> Vme58Emulator::act(const bench::Alarm&) { return left_as_it_was("A VME58 has no alarm inputs."); }
+
+Result<> Vme58Emulator::act(const bench::Place& c) {
+  if (auto bad = check_axis(c.axis); !bad) return bad;
+  return board_.motion().place(c.axis.index, c.place);
+}
+
+Result<> Vme58Emulator::act(const bench::Power& c) {
+  board_.power(c.on);
+  return {};
+}
+
+Result<> Vme58Emulator::act(const bench::PowerCycle&) {
+  board_.power(false);
+  board_.power(true);
+  return {};
+}
+
+Result<> Vme58Emulator::act(const bench::Breaker&) {
+  return left_as_it_was("A VME58 has no circuit breaker.");
+}
+
+/// Outputs: the output lines in their order, then the auxiliary outputs. A line is on while it is low, an
+/// auxiliary output while it is high.
+void Vme58Emulator::look(BenchView& view) const {
+  view = BenchView();
+  board_.motion().look(view);
+  view.present = true;
+  view.powered = board_.powered();
+  if (!view.powered) view.switches_on = 0;
+  const UserIo& io = board_.io();
+  view.inputs_operated = io.pulled();
+  int bit = 0;
+  for (int line = 0; line < io_lines; ++line)
+    if (io.is_output(line)) view.outputs |= std::uint32_t{io.is_true(line)} << bit++;
+  for (int a = 0; a < board_.variant().axes(); ++a) view.outputs |= (io.aux_high() >> a & 1u) << bit++;
+}
+
+}  // namespace hw::vme58

@@ -1,0 +1,182 @@
+// Power, time, text.
+#include "core/devices/vme58/emulator_board.h"
+
+#include <utility>
+
+namespace hw::vme58 {
+namespace {
+
+constexpr Duration boot_time = std::chrono::milliseconds(100);  // decision M85
+
+}  // namespace
+
+Board::Board(const Variant& variant, std::uint16_t outputs)
+    : variant_(&variant), fitted_((1u << variant.axes()) - 1), io_(outputs), motion_(variant) {}
+
+// --- power and time ----------------------------------------------------------------------------------------
+
+void Board::power(bool on) {
+  if (on == powered_) return;
+  powered_ = on;
+  reset();
+  if (!on) boots_until_.reset();
+}
+
+/// RS, and the begin of power: all is as from the factory, and nothing is heard until the board is up again.
+void Board::reset() {
+  window_ = Window();
+  flags_ = Flags();
+  io_.reset();
+  parser_.clear();
+  motion_.reset();
+  tasks_ = {};
+  context_ = 0;
+  echo_ = false;
+  replies_.clear();
+  held_.reset();
+  waits_empty_.reset();
+  contour_ = Contour();
+  recording_ = false;
+  update_due_.reset();
+  mail_due_.reset();
+  power_drops_at_ = {};
+  motion_.take_events(events_);
+  events_.clear();
+  boots_until_ = now() + boot_time;
+}
+
+std::optional<Instant> Board::next_event() const {
+  std::optional<Instant> next = motion_.next_event();
+  const auto sooner = [&next](std::optional<Instant> t) {
+    if (t && (!next || *t < *next)) next = t;
+  };
+  sooner(boots_until_);
+  sooner(update_due_);
+  sooner(mail_due_);
+  for (const auto& drop : power_drops_at_) sooner(drop);
+  for (const Task& t : tasks_) sooner(t.wait_until);
+  return next;
+}
+
+void Board::advance(Instant to) {
+  motion_.advance_to(to);
+  const auto due = [to](std::optional<Instant>& t) {
+    if (!t || *t > to) return false;
+    t.reset();
+    return true;
+  };
+  if (due(boots_until_)) window_.empty_rings();
+  take_events();
+  for (int a = 0; a < most_axes; ++a)
+    if (due(power_drops_at_[ix(a)])) io_.set_aux(1u << a, false);
+  if (due(update_due_)) copy_axis_data();
+  if (due(mail_due_)) acknowledge_mail();
+  settle();
+}
+
+void Board::settle() {
+  if (!powered_ || boots_until_) return;
+  take_events();
+  run_queues();
+  pump();
+}
+
+// --- text --------------------------------------------------------------------------------------------------
+
+unsigned Board::modes() const {
+  if (recording_) return where::contour;
+  if (context_ == context_all) return where::all;
+  return context_ == context_tasks ? where::tasks : where::single;
+}
+
+/// Takes characters as long as the board can do something with them: not while a reply finds no room, not
+/// while the last command finds none in its queue (decision M19), not while WQ waits.
+void Board::pump() {
+  while (powered_ && !boots_until_) {
+    flush_replies();
+    if (!replies_.empty()) return;
+    if (held_) {
+      if (tasks_[ix(context_)].queue.room() < held_->entries()) return;
+      put_in_queue(*std::exchange(held_, std::nullopt));
+      run_queues();
+      continue;
+    }
+    if (waits_empty_) {
+      if (!runs_empty(*waits_empty_)) return;
+      waits_empty_.reset();
+    }
+    const auto c = window_.take();
+    if (!c) return;
+    if (echo_) replies_ += *c;
+    const auto outcome = parser_.push(*c, modes());
+    if (outcome.error) text_error();
+    if (!outcome.command) continue;
+    obey(*outcome.command);
+    take_events();
+    run_queues();
+  }
+}
+
+void Board::flush_replies() {
+  std::size_t sent = 0;
+  while (sent < replies_.size() && window_.put(replies_[sent])) ++sent;
+  replies_.erase(0, sent);
+}
+
+/// A piece that is missing would make another contour.
+void Board::text_error() {
+  flags_.command_error();
+  if (recording_) spoil_recording();
+}
+
+// --- what the motion tells ---------------------------------------------------------------------------------
+
+void Board::take_events() {
+  motion_.take_events(events_);
+  for (std::size_t i = 0; i < events_.size(); ++i) take_event(events_[i]);
+  events_.clear();
+}
+
+void Board::take_event(const MotionEvent& e) {
+  const unsigned axis = 1u << e.axis;
+  const AxisSettings& settings = motion_.settings(e.axis);
+  switch (e.what) {
+    case MotionEvent::What::began:
+      power_drops_at_[ix(e.axis)].reset();
+      if (settings.power_automatic) io_.set_aux(axis, true);
+      break;
+    case MotionEvent::What::rested:
+      if (settings.power_automatic) power_drops_at_[ix(e.axis)] = now() + settings.settling;
+      break;
+    case MotionEvent::What::limit_hit:
+      flags_.hit_limit(axis);
+      if (!settings.soft_limits) empty_queues_of(e.axis);
+      break;
+    case MotionEvent::What::slipped:
+      flags_.set_slip(axis, settings.slip_interrupts ? axis : 0);
+      if (settings.slip_kills) empty_queues_of(e.axis);
+      break;
+    case MotionEvent::What::nearly_done: flags_.set_done(axis); break;
+    case MotionEvent::What::output: io_.set_aux(axis, e.on); break;
+    case MotionEvent::What::ready: break;
+  }
+}
+
+/// The axis' own queue, and those of AA and AM if the motion of this axis is theirs.
+void Board::empty_queues_of(int axis) {
+  flush(axis);
+  for (const int context : {context_all, context_tasks}) {
+    const Task& t = tasks_[ix(context)];
+    if (((t.running | t.last_axes) >> axis & 1u) != 0) flush(context);
+  }
+}
+
+void Board::pull_line(int line, bool low) {
+  const bool was_true = io_.is_true(line);
+  io_.pull(line, low);
+  constexpr int interrupting_lines = 2;
+  if (powered_ && line < interrupting_lines && !was_true && io_.is_true(line)) flags_.input_fell();
+  settle();
+}
+
+}  // namespace hw::vme58

@@ -1,0 +1,216 @@
+#pragma once
+// The firmware of the board: characters from the ring to commands, commands to queues, queues to motion; and
+// what the host reads in the registers.
+//
+//   ring -> Parser -> obey() -> at once: set, stop, answer
+//                        '----> CommandQueue (X..S, AA, AM) -> run_queues() -> Motion
+//   Motion -> events -> flags, outputs, queues
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/index.h"
+#include "core/devices/vme58/emulator_contour.h"
+#include "core/devices/vme58/emulator_flags.h"
+#include "core/devices/vme58/emulator_io.h"
+#include "core/devices/vme58/emulator_motion.h"
+#include "core/devices/vme58/emulator_parser.h"
+#include "core/devices/vme58/emulator_queue.h"
+#include "core/devices/vme58/emulator_window.h"
+
+namespace hw::vme58 {
+
+/// Whom commands address. The first eight are the axes.
+inline constexpr int context_all = most_axes, context_tasks = most_axes + 1, contexts = most_axes + 2;
+
+/// A queue and how far the board is with it.
+struct Task {
+  CommandQueue queue;
+  Move prepared;           ///< by MA MR MT ML, for the next GO
+  unsigned last_axes = 0;  ///< of the last move: whose flags ID sets (decision M53)
+  unsigned driven = 0;     ///< axes that its commands have moved since it was last emptied: what ST stops
+  unsigned running = 0;    ///< axes that the current command moves; 0: it is not under way
+  std::size_t looked_ahead = 0;       ///< II and IN behind the current command that are done already
+  std::optional<Instant> wait_until;  ///< nothing goes on before
+  bool waiting = false;               ///< because of WT, which is the current command
+  bool leave_while = false;           ///< CW has come
+  Instant turn_began{};               ///< of the innermost loop
+  /// Done flags to be set once these axes rest: II, and ID and IP in the AM queue, which goes on meanwhile.
+  struct Promise {
+    unsigned axes;
+    bool in_position;  ///< IP: once they lie within HD, too
+  };
+  std::vector<Promise> promises;
+};
+
+class Board {
+ public:
+  Board(const Variant& variant, std::uint16_t outputs);
+
+  // Time.
+  [[nodiscard]] Instant now() const { return motion_.now(); }
+  [[nodiscard]] std::optional<Instant> next_event() const;
+  /// Goes to `to`, which must not lie behind next_event(), and does what is due then.
+  void advance(Instant to);
+
+  // Power.
+  void power(bool on);
+  [[nodiscard]] bool powered() const { return powered_; }
+
+  // The bus (emulator_registers.cpp).
+  std::uint8_t read(std::uint16_t offset);
+  void write(std::uint16_t offset, std::uint8_t value);
+  /// To be called behind the last byte of a cycle that has written.
+  void written(std::uint16_t offset);
+  [[nodiscard]] std::optional<std::uint8_t> interrupt() const { return flags_.interrupt(); }
+  void acknowledge() { flags_.acknowledge(); }
+
+  // The bench.
+  Motion& motion() { return motion_; }
+  [[nodiscard]] const Motion& motion() const { return motion_; }
+  [[nodiscard]] const UserIo& io() const { return io_; }
+  void pull_line(int line, bool low);
+  /// Something on the bench has changed: do what follows.
+  void settle();
+  [[nodiscard]] const Variant& variant() const { return *variant_; }
+  /// For tests and rehearsals.
+  [[nodiscard]] const Task& task(int context) const { return tasks_[ix(context)]; }
+
+ private:
+  // Text (emulator_board.cpp).
+  void reset();
+  void pump();
+  [[nodiscard]] unsigned modes() const;
+  void flush_replies();
+  void command_error() { flags_.command_error(); }
+  /// A wrong text, which spoils a contour that is being recorded too.
+  void text_error();
+
+  // Operands (emulator_operands.cpp).
+  void obey(const Command& typed);
+  [[nodiscard]] bool resolve(Command& command) const;
+  [[nodiscard]] bool resolve_number(const Command& command, int place, double& value) const;
+  [[nodiscard]] bool axes_fit(const Command& command) const;
+  [[nodiscard]] double unit_of(const Command& command, int place) const;
+  [[nodiscard]] int contour_axis(int place) const;
+  /// Axes that a command of a list or of the present mode speaks of.
+  [[nodiscard]] unsigned addressed(const Command& command) const;
+  [[nodiscard]] unsigned context_axes() const { return axes_of(context_); }
+  [[nodiscard]] unsigned axes_of(int context) const { return context < most_axes ? 1u << context : fitted_; }
+  /// f(axis, number) for each number of a list.
+  template <class F>
+  void each(const Command& c, int context, F f) {
+    if (context < most_axes) return f(context, c.first());
+    for (int a = 0; a < most_axes; ++a)
+      if (c.number[ix(a)]) f(a, *c.number[ix(a)]);
+  }
+  template <class F>
+  static void each_axis(unsigned axes, F f) {
+    for (int a = 0; a < most_axes; ++a)
+      if ((axes >> a & 1u) != 0) f(a);
+  }
+
+  // Commands at once (emulator_immediate.cpp).
+  void do_at_once(const Command& c);
+  void set_mode(const Command& c);
+  bool set_axis(const Command& c);
+  bool set_encoder(const Command& c);
+  bool stop_or_clear(Op op);
+  void select(int context);
+  void stop_axes(unsigned axes);
+  void stop_everything();
+  void flush(int context);
+  void flush_all();
+  void force_position(const Command& c);
+  void load_positions(const Command& c);
+  void set_units(const Command& c);
+
+  // Queues (emulator_queues.cpp).
+  void put_in_queue(const Command& c);
+  void run_queues();
+  bool run_task(int context);
+  /// What became of the current command of a queue.
+  enum class Step : std::uint8_t { done, waits, runs, moved_on };
+  Step step(int context, const Command& c);
+  /// The motions that the command has to wait for.
+  [[nodiscard]] unsigned waits_for(int context, const Command& c) const;
+  [[nodiscard]] bool any_occupied(unsigned axes) const;
+  [[nodiscard]] bool all_in_position(unsigned axes) const;
+  void look_ahead(int context);
+  void keep_promises(Task& t);
+  [[nodiscard]] bool runs_empty(int context) const;
+  Step wait_time(Task& t, const Command& c);
+  Step open_block(Task& t, const Command& c);
+  Step end_block(Task& t, bool again);
+
+  // What a queued command does (emulator_queued.cpp).
+  Step execute(int context, const Command& c);
+  Step motion_began(int context, unsigned axes);
+  /// Drops the command: the motion would not have it.
+  Step refused() {
+    command_error();
+    return Step::done;
+  }
+  Step set_speeds(int context, const Command& c);
+  Step prepare(int context, const Command& c);
+  Step go(int context, bool clear_done);
+  Step jog(int context, const Command& c);
+  Step home(int context, const Command& c);
+  Step staircase(int context, const Command& c);
+  Step play_contour(int context);
+  Step raise_done(int context, bool in_position);
+  Step promise_each(int context);
+  Step notify(int context, const Command& c);
+  [[nodiscard]] unsigned flagged_axes(int context) const;
+
+  // Contours (emulator_record.cpp).
+  void begin_recording(const Command& c);
+  void record(const Command& c);
+  void spoil_recording() { spoiled_ = true; }
+  void end_recording(bool kill);
+
+  // Queries (emulator_queries.cpp).
+  void answer(const Command& c);
+  [[nodiscard]] std::string axis_status(int axis) const;
+  [[nodiscard]] std::string encoder_status(int axis) const;
+  [[nodiscard]] std::string user_position(int axis) const;
+
+  // What the motion tells, and what time brings.
+  void take_events();
+  void take_event(const MotionEvent& e);
+  void empty_queues_of(int axis);
+  void look_at_switches();
+  void copy_axis_data();
+  void take_mail();
+  void acknowledge_mail();
+  void set_control(std::uint8_t value);
+
+  const Variant* variant_;
+  unsigned fitted_;
+  bool powered_ = true;
+  std::optional<Instant> boots_until_;
+
+  Window window_;
+  Flags flags_;
+  UserIo io_;
+  Parser parser_;
+  Motion motion_;
+  std::array<Task, contexts> tasks_{};
+  int context_ = 0;
+  bool echo_ = false;
+  std::string replies_;             ///< that have not found room in the ring
+  std::optional<Command> held_;     ///< read, but its queue is full
+  std::optional<int> waits_empty_;  ///< WQ: whose queue has to run empty
+
+  Contour contour_;
+  bool recording_ = false, spoiled_ = false;
+  int recorded_entries_ = 0;
+
+  std::optional<Instant> update_due_, mail_due_;
+  std::array<std::optional<Instant>, most_axes> power_drops_at_{};
+  std::vector<MotionEvent> events_;
+};
+
+}  // namespace hw::vme58

@@ -1,0 +1,37 @@
+#pragma once
+// A recorded contour: CD .. CE or CK. The firmware records it, the motion plays it (CX).
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/devices/vme58/facts.h"
+
+namespace hw::vme58 {
+
+struct ContourPiece {
+  enum class Kind : std::uint8_t { line, arc, outputs };
+  Kind kind = Kind::line;
+  /// line: where to, one absolute position for each axis of the contour, in axis order (decision M68).
+  std::array<std::int64_t, most_axes> to{};
+  /// arc: absolute centre on the first and the second axis, angle in radians, counter-clockwise when positive
+  /// with the first axis to the right and the second up (decision M70).
+  std::int64_t centre_first = 0, centre_second = 0;
+  double angle = 0;
+  /// outputs: these auxiliary outputs (bit = axis) go high or low when the path gets here (decision M69).
+  unsigned outputs = 0;
+  bool high = false;
+};
+
+struct Contour {
+  unsigned axes = 0;                            ///< that take part, bit per axis
+  std::array<std::int64_t, most_axes> start{};  ///< by the axis' place
+  std::vector<ContourPiece> pieces;
+  bool kill = false;  ///< CK: stop dead at the end; CE: ramp down from there (decisions M73, M74)
+  /// Closed by CE or CK and without a fault: CX may play it.
+  bool complete = false;
+
+  [[nodiscard]] bool has(int axis) const { return (axes >> axis & 1u) != 0; }
+  [[nodiscard]] int axis_count() const { return __builtin_popcount(axes); }
+};
+
+}  // namespace hw::vme58

@@ -1,0 +1,314 @@
+// How runs go: from mark to mark. A mark is a step of the track at which something has to be looked at (a
+// switch, an index, a place of a contour, a lost load, a turn of the track); between marks nothing is
+// computed.
+#include "core/devices/vme58/emulator_motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace hw::vme58 {
+
+using motion::Profile;
+using What = MotionEvent::What;
+
+namespace {
+
+constexpr std::int64_t no_mark = std::numeric_limits<std::int64_t>::max();
+constexpr std::int64_t furthest_look = std::int64_t{1} << 40;  // counts: twelve days at full speed
+
+Sign side_of(int way) { return way < 0 ? Sign::minus : Sign::plus; }
+
+}  // namespace
+
+Motion::Motion(const Variant& variant) {
+  for (int a = 0; a < most_axes; ++a) axes_[ix(a)].fitting = variant.fitting(a);
+  reset();
+}
+
+void Motion::reset() {
+  board_ = BoardSettings();
+  runs_ = {};
+  events_.clear();
+  update_at_.reset();
+  for (int a = 0; a < most_axes; ++a) {
+    MotionAxis& old = axes_[ix(a)];
+    MotionAxis fresh;
+    fresh.fitting = old.fitting, fresh.plant = old.plant;
+    fresh.has_motor = old.has_motor, fresh.loop.plant = old.loop.plant;
+    fresh.settings.holding = fresh.servo();
+    axes_[ix(a)] = fresh;
+    axes_[ix(a)].set_encoder(0);
+    changed(a);
+  }
+}
+
+// --- time --------------------------------------------------------------------------------------------------
+
+std::optional<Instant> Motion::next_event() const {
+  std::optional<Instant> next = update_at_;
+  const auto sooner = [&next](std::optional<Instant> t) {
+    if (t && (!next || *t < *next)) next = t;
+  };
+  for (const Run& r : runs_) sooner(due(r));
+  for (const MotionAxis& x : axes_) sooner(x.correct_at);
+  return next;
+}
+
+void Motion::advance_to(Instant to) {
+  now_ = to;
+  bring_up_to_date();
+  for (Run& r : runs_) {
+    const auto when = due(r);
+    if (!when || *when > now_) continue;
+    if (r.applied >= r.next_mark) look(r);
+    if (r.active) plan(r);
+    if (r.active && r.profile.end() <= now_ && r.applied >= r.profile.length()) finish(r, End::reached);
+  }
+  for (int a = 0; a < most_axes; ++a)
+    if (axes_[ix(a)].correct_at && *axes_[ix(a)].correct_at <= now_) correct(a);
+  if (update_at_ && *update_at_ <= now_) update_servos();
+}
+
+void Motion::take_events(std::vector<MotionEvent>& sink) {
+  sink.insert(sink.end(), events_.begin(), events_.end());
+  events_.clear();
+}
+
+std::optional<Instant> Motion::due(const Run& r) const {
+  if (!r.active) return std::nullopt;
+  return r.next_mark <= r.profile.length() ? r.profile.time_at(r.next_mark) : r.profile.end();
+}
+
+void Motion::bring_up_to_date() {
+  for (Run& r : runs_)
+    if (r.active) apply(r, std::min(r.profile.steps(now_), r.next_mark));
+}
+
+void Motion::apply(Run& r, std::int64_t step) {
+  if (step <= r.applied) return;
+  for (int a = 0; a < most_axes; ++a) {
+    if (!r.has(a)) continue;
+    const std::int64_t made = r.track.offset(a, step) - r.track.offset(a, r.applied);
+    if (made != 0) axes_[ix(a)].turn(made < 0 ? -1 : 1, std::abs(made));
+  }
+  r.applied = step;
+}
+
+// --- runs --------------------------------------------------------------------------------------------------
+
+Run& Motion::free_run() {
+  return *std::find_if(runs_.begin(), runs_.end(), [](const Run& r) { return !r.active; });
+}
+
+void Motion::begin(RunKind kind, unsigned axes, Track track, const Profile& profile,
+                   std::shared_ptr<const Score> score) {
+  Run& r = free_run();
+  r = Run();
+  r.active = true, r.kind = kind, r.axes = axes;
+  r.track = std::move(track), r.profile = profile, r.score = std::move(score);
+  for (int a = 0; a < most_axes; ++a) {
+    if (!r.has(a)) continue;
+    MotionAxis& x = axes_[ix(a)];
+    x.run = static_cast<int>(&r - runs_.data());
+    x.arrived_by = 0;
+    x.correct_at.reset();
+    x.loop.wake();
+    if (const int way = r.track.direction(a, 0); way != 0) x.direction = side_of(way);
+  }
+  look(r);
+  for (int a = 0; r.active && a < most_axes; ++a)
+    if (r.has(a) && !std::exchange(axes_[ix(a)].under_way, true)) tell(What::began, a);
+  if (r.active) plan(r);
+  if (r.active && r.profile.end() <= now_) finish(r, End::reached);
+  schedule_updates();
+}
+
+void Motion::continue_by(Run& r, const Profile& profile) {
+  r.profile = profile;
+  plan(r);
+  if (profile.end() <= now_) finish(r, End::reached);
+}
+
+/// What is to be done where the run stands now. One that begins is looked at before its first count.
+void Motion::look(Run& r) {
+  if (r.score && !follow_cues(r)) return;
+  for (int a = 0; a < most_axes; ++a) {
+    if (!r.has(a)) continue;
+    watch_error(a);
+    if (!r.active) return;
+    if (found_home(r, a) && !r.active) return;
+    if (met_limit(r, a)) return;
+    told_nearly_done(r, a);
+    MotionAxis& x = axes_[ix(a)];
+    if (x.passes && factor(x.direction) * (x.position - *x.passes) >= 0) {
+      x.passes.reset();
+      tell(What::ready, a);
+    }
+  }
+}
+
+/// True when the run has been cut or ramps down because of it.
+bool Motion::met_limit(Run& r, int a) {
+  MotionAxis& x = axes_[ix(a)];
+  if (!x.settings.limits_on || (r.over_limit >> a & 1u) != 0) return false;
+  for (const int way : {x.arrived_by, r.track.direction(a, r.applied)}) {
+    if (way == 0 || !x.plant.limit_operated(side_of(way))) continue;
+    r.over_limit |= 1u << a;
+    tell(What::limit_hit, a);
+    const bool moves = r.applied > 0;  // one that begins at the switch does not begin
+    if (x.settings.soft_limits && moves) {
+      for (MotionAxis& each : axes_)
+        if (each.run == x.run) each.then_jog.reset(), each.then_to.reset(), each.homing.reset();
+      stop_run(r);
+    } else {
+      finish(r, End::cut);
+    }
+    return true;
+  }
+  return false;
+}
+
+std::optional<std::int64_t> Motion::counts_left(const Run& r, int a) const {
+  if (r.kind == RunKind::contour) {
+    for (const Cue& cue : r.score->cues)
+      if (cue.what == Cue::What::end)
+        return (std::max<std::int64_t>(cue.step - r.applied, 0) + motion::Contour::steps_per_count - 1) /
+               motion::Contour::steps_per_count;
+  }
+  if (r.kind != RunKind::move || r.stopping) return std::nullopt;
+  return std::abs(r.track.offset(a, r.track.steps()) - r.track.offset(a, r.applied));
+}
+
+void Motion::told_nearly_done(Run& r, int a) {
+  MotionAxis& x = axes_[ix(a)];
+  const auto left = counts_left(r, a);
+  if (!x.notify || !left || *left > *x.notify) return;
+  x.notify.reset();
+  tell(What::nearly_done, a);
+}
+
+void Motion::plan(Run& r) {
+  const std::int64_t turn = r.track.next_turn(r.applied);
+  r.next_mark = turn < r.track.steps() ? turn : no_mark;
+  if (r.score && r.cue < r.score->cues.size()) {
+    r.next_mark = std::min(r.next_mark, r.score->cues[r.cue].step);
+    for (const MotionAxis& x : axes_) {
+      if (x.run < 0 || &runs_[ix(x.run)] != &r || !x.notify) continue;
+      const std::int64_t step = r.score->cues.back().step - *x.notify * motion::Contour::steps_per_count;
+      if (step > r.applied) r.next_mark = std::min(r.next_mark, step);
+    }
+  }
+  for (int a = 0; a < most_axes; ++a)
+    if (r.has(a)) plan_axis(r, a);
+}
+
+void Motion::mark(Run& r, int a, int way, std::optional<std::int64_t> counts) {
+  if (!counts || *counts <= 0) return;
+  const std::int64_t here = r.track.offset(a, r.applied);
+  if (const auto step = r.track.first_at(a, r.applied, here + way * *counts))
+    r.next_mark = std::min(r.next_mark, *step);
+}
+
+void Motion::plan_axis(Run& r, int a) {
+  const int way = r.track.direction(a, r.applied);
+  if (way == 0) return;
+  const MotionAxis& x = axes_[ix(a)];
+  if (x.passes) mark(r, a, way, way * (*x.passes - x.position));
+  if (x.notify && r.kind == RunKind::move)
+    if (const auto left = counts_left(r, a)) mark(r, a, way, *left - *x.notify);
+  if (x.has_motor) return;  // its load is looked at in each update of the loop
+  const Sign side = side_of(way);
+  if (x.settings.limits_on && (r.over_limit >> a & 1u) == 0) mark(r, a, way, x.plant.turns_until_limit(side));
+  if (x.homing) mark(r, a, way, x.counts_until_home(side));
+  if (!x.watches_slip() || x.slipped) return;
+  // The error grows once it grows at all, so the first count beyond the tolerance is found by halving.
+  const std::int64_t ahead = r.track.offset(a, r.track.next_turn(r.applied)) - r.track.offset(a, r.applied);
+  std::int64_t low = 0, high = std::min(std::abs(ahead), furthest_look);
+  const auto beyond = [&](std::int64_t counts) {
+    return std::abs(x.error_after(way, counts)) > x.settings.slip_tolerance;
+  };
+  if (!beyond(high)) return;
+  while (high - low > 1) (beyond(low + (high - low) / 2) ? high : low) = low + (high - low) / 2;
+  mark(r, a, way, high);
+}
+
+void Motion::replan(int a) {
+  if (Run* r = run_of(a)) {
+    look(*r);
+    if (r->active) plan(*r);
+  } else {
+    watch_error(a);
+  }
+}
+
+void Motion::finish(Run& r, End end) {
+  if (end == End::reached) apply(r, std::min(r.profile.length(), r.track.steps()));
+  const unsigned axes = r.axes;
+  r.active = false;
+  r.score.reset();
+  for (int a = 0; a < most_axes; ++a) {
+    if ((axes >> a & 1u) == 0) continue;
+    MotionAxis& x = axes_[ix(a)];
+    x.run = -1;
+    x.homing.reset(), x.passes.reset(), x.goal.reset();
+    if (end == End::cut) x.then_to.reset(), x.then_jog.reset();
+  }
+  for (int a = 0; a < most_axes; ++a)
+    if ((axes >> a & 1u) != 0) rest(a);
+}
+
+/// The run of the axis has ended: what comes behind it, or rest.
+void Motion::rest(int a) {
+  MotionAxis& x = axes_[ix(a)];
+  if (const auto goal = std::exchange(x.then_to, std::nullopt); goal && *goal != x.position)
+    return go_to(a, *goal);
+  if (const auto speed = std::exchange(x.then_jog, std::nullopt); speed && *speed != 0)
+    return begin_endless(RunKind::jog, a, *speed < 0 ? Sign::minus : Sign::plus, std::abs(*speed));
+  if (std::exchange(x.under_way, false)) tell(What::rested, a);
+  tell(What::ready, a);
+  watch_error(a);
+}
+
+// --- what can be read --------------------------------------------------------------------------------------
+
+std::int64_t Motion::position(int a) const { return axes_[ix(a)].position; }
+std::int64_t Motion::encoder(int a) const { return axes_[ix(a)].encoder(); }
+Sign Motion::direction(int a) const { return axes_[ix(a)].direction; }
+bool Motion::moving(int a) const { return axes_[ix(a)].run >= 0; }
+
+double Motion::velocity(int a) const {
+  const Run* r = run_of(a);
+  if (r == nullptr) return 0;
+  return std::abs(r->track.slope(a, r->profile.distance(now_))) * r->profile.speed(now_).value;
+}
+
+bool Motion::occupied(int a) const {
+  const Run* r = run_of(a);
+  if (r == nullptr) return false;
+  const MotionAxis& x = axes_[ix(a)];
+  switch (r->kind) {
+    case RunKind::jog: return r->stopping && !x.then_jog;
+    case RunKind::staircase: return r->stopping || x.passes.has_value();
+    default: return true;
+  }
+}
+
+bool Motion::in_position(int a) const {
+  const MotionAxis& x = axes_[ix(a)];
+  if (!x.fitting.encoder || !x.settings.holding) return true;
+  return std::abs(x.error()) <= x.settings.hold_deadband;
+}
+
+bool Motion::limit_active(int a) const {
+  const motion::Plant& plant = axes_[ix(a)].plant;
+  return plant.limit_operated(Sign::plus) || plant.limit_operated(Sign::minus);
+}
+
+bool Motion::home_active(int a) const { return axes_[ix(a)].home_active(); }
+
+bool Motion::encoder_home_active(int a) const {
+  return axes_[ix(a)].home_active() && axes_[ix(a)].index_active();
+}
+
+}  // namespace hw::vme58

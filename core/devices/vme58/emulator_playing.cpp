@@ -1,0 +1,102 @@
+// CX: a recorded contour is made into a track and into cues, and run along. The lead-in goes from where the
+// stage is straight to the start of the contour, to be there at path speed (decision M72); behind the last
+// piece CE ramps down straight on (M73), CK stops dead (M74).
+#include <algorithm>
+#include <cmath>
+
+#include "core/devices/vme58/emulator_motion.h"
+
+namespace hw::vme58 {
+
+using motion::Profile;
+
+namespace {
+
+constexpr auto fine = static_cast<double>(motion::Contour::steps_per_count);
+
+/// Adds the pieces of `contour` to `track` and what is due along it to `score`.
+void write_score(const Contour& contour, motion::Contour& track, Score& score) {
+  const auto here = [&track] { return track.end_of(track.pieces() - 1); };
+  std::array<std::size_t, most_axes> places{};  // of the contour's axes, in their order
+  std::size_t count = 0;
+  for (int a = 0; a < most_axes; ++a)
+    if (contour.has(a)) places[count++] = ix(a);
+  motion::Contour::Point point = track.end();
+  for (std::size_t i = 0; i < count; ++i) point[places[i]] = static_cast<double>(contour.start[places[i]]);
+  track.line_to(point);
+  score.cues.push_back({Cue::What::at_speed, here()});
+  for (const ContourPiece& piece : contour.pieces) {
+    switch (piece.kind) {
+      case ContourPiece::Kind::line:
+        point = track.end();
+        for (std::size_t i = 0; i < count; ++i) point[places[i]] = static_cast<double>(piece.to[i]);
+        track.line_to(point);
+        break;
+      case ContourPiece::Kind::arc:
+        track.arc(places[0], places[1], static_cast<double>(piece.centre_first),
+                  static_cast<double>(piece.centre_second), piece.angle);
+        break;
+      case ContourPiece::Kind::outputs:
+        score.cues.push_back({Cue::What::output, here(), piece.outputs, piece.high});
+        break;
+    }
+  }
+  score.cues.push_back({Cue::What::end, here()});
+  score.kill = contour.kill;
+  if (!contour.kill) track.ray();
+}
+
+}  // namespace
+
+bool Motion::play(const Contour& contour) {
+  bring_up_to_date();
+  if (!contour.complete || contour.axes == 0 || board_.contour_velocity <= 0) return false;
+  motion::Offsets here{};
+  double base = board_.contour_velocity;
+  for (int a = 0; a < most_axes; ++a) {
+    const MotionAxis& x = axes_[ix(a)];
+    here[ix(a)] = x.position;
+    if (!contour.has(a)) continue;
+    if (x.off() || x.run >= 0) return false;
+    base = std::min(base, x.settings.base_velocity);
+  }
+  auto track = std::make_shared<motion::Contour>(here);
+  auto score = std::make_shared<Score>();
+  write_score(contour, *track, *score);
+  const Pps cv(board_.contour_velocity * fine);
+  Run ramps;  // of the axes of a contour, before there is one
+  ramps.kind = RunKind::contour, ramps.axes = contour.axes;
+  const Profile lead = Profile::change(now_, 0, Pps(base * fine), cv, ramp_of(ramps), Profile::endless);
+  begin(RunKind::contour, contour.axes, Track(std::shared_ptr<const motion::Contour>(std::move(track))), lead,
+        std::move(score));
+  return true;
+}
+
+/// Does what is due at the place where the run is. False: it has ended, or its last ramp has begun.
+bool Motion::follow_cues(Run& r) {
+  const auto score = r.score;
+  while (r.cue < score->cues.size() && score->cues[r.cue].step <= r.applied) {
+    const Cue& cue = score->cues[r.cue++];
+    switch (cue.what) {
+      case Cue::What::at_speed: {
+        const double cv = board_.contour_velocity * fine;
+        if (!r.stopping && std::abs(r.profile.speed(now_).value - cv) > 1e-6 * cv)
+          r.profile = Profile::constant(now_, static_cast<double>(r.applied), Pps(cv), Profile::endless);
+        break;
+      }
+      case Cue::What::output:
+        for (int a = 0; a < most_axes; ++a)
+          if ((cue.outputs >> a & 1u) != 0) tell(MotionEvent::What::output, a, cue.high);
+        break;
+      case Cue::What::end:
+        if (score->kill)
+          finish(r, End::cut);
+        else
+          stop_run(r);
+        return r.active && !r.stopping;
+    }
+  }
+  return true;
+}
+
+}  // namespace hw::vme58

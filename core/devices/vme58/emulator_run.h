@@ -1,0 +1,156 @@
+#pragma once
+// What the motion of the board is made of: a run takes one or more axes along a track by a profile, from mark
+// to mark; an axis has counters, a load, and perhaps a motor.
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "core/base/index.h"
+#include "core/devices/vme58/emulator_axis.h"
+#include "core/devices/vme58/facts.h"
+#include "core/motion/contour.h"
+#include "core/motion/path.h"
+#include "core/motion/plant.h"
+#include "core/motion/profile.h"
+#include "core/motion/servo.h"
+#include "core/time/clock.h"
+
+namespace hw::vme58 {
+
+/// HM HR KM KR. `kill`: stop dead at the edge, the counter keeps its value (decisions M40, M41).
+struct HomeOrder {
+  Sign way = Sign::plus;
+  bool kill = false;
+  std::int64_t position = 0;  ///< that the home edge gets; nothing with `kill`
+};
+
+/// Where a run goes: a line of pulses, or a contour in fine steps.
+class Track {
+ public:
+  Track() = default;
+  explicit Track(const motion::Path& path) : path_(path) {}
+  explicit Track(std::shared_ptr<const motion::Contour> contour) : contour_(std::move(contour)) {}
+
+  [[nodiscard]] std::int64_t steps() const { return contour_ ? contour_->steps() : path_.steps(); }
+  [[nodiscard]] std::int64_t offset(int axis, std::int64_t step) const {
+    return contour_ ? contour_->offset(ix(axis), step) : path_.offset(ix(axis), step);
+  }
+  [[nodiscard]] double exact(int axis, double step) const {
+    return contour_ ? contour_->exact(ix(axis), step) : path_.exact(ix(axis), step);
+  }
+  [[nodiscard]] int direction(int axis, std::int64_t step) const {
+    return contour_ ? contour_->direction(ix(axis), step) : path_.direction(ix(axis), step);
+  }
+  [[nodiscard]] std::int64_t next_turn(std::int64_t step) const {
+    return contour_ ? contour_->next_turn(step) : path_.next_turn(step);
+  }
+  [[nodiscard]] std::optional<std::int64_t> first_at(int axis, std::int64_t step, std::int64_t offset) const {
+    return contour_ ? contour_->first_at(ix(axis), step, offset) : path_.first_at(ix(axis), step, offset);
+  }
+  /// Counts of the axis for each step at that place: -1 to 1.
+  [[nodiscard]] double slope(int axis, double step) const {
+    if (contour_) return contour_->share(ix(axis), step) / motion::Contour::steps_per_count;
+    return path_.share(ix(axis), step) * path_.pulses_per_step();
+  }
+
+ private:
+  motion::Path path_;
+  std::shared_ptr<const motion::Contour> contour_;
+};
+
+/// What is due at a step of a contour that is played.
+struct Cue {
+  enum class What : std::uint8_t { at_speed, output, end };
+  What what;
+  std::int64_t step;
+  unsigned outputs = 0;  ///< bit per axis
+  bool high = false;
+};
+
+/// A contour made ready to be played. Runs share it, it never changes.
+struct Score {
+  std::vector<Cue> cues;  ///< in the order of their steps
+  bool kill = false;
+};
+
+enum class RunKind : std::uint8_t { move, jog, staircase, home, contour };
+
+struct Run {
+  bool active = false;
+  bool stopping = false;  ///< on its last ramp
+  RunKind kind = RunKind::move;
+  unsigned axes = 0;        ///< a bit for each
+  unsigned over_limit = 0;  ///< those that ramp down beyond their switch (SL)
+  Track track;
+  motion::Profile profile;
+  std::int64_t applied = 0;    ///< steps made
+  std::int64_t next_mark = 0;  ///< step at which something has to be looked at
+  std::shared_ptr<const Score> score;
+  std::size_t cue = 0;
+
+  [[nodiscard]] bool has(int axis) const { return (axes >> axis & 1u) != 0; }
+  [[nodiscard]] bool alone() const { return (axes & (axes - 1)) == 0; }
+};
+
+struct MotionAxis {
+  AxisFitting fitting;
+  AxisSettings settings;
+  motion::Plant plant;
+
+  std::int64_t position = 0;  ///< the command register
+  std::int64_t shaft = 0;     ///< of an ideal servo: counts turned
+  std::int64_t zero = 0;      ///< what the encoder register shows when the encoder stands at 0
+  Sign direction = Sign::plus;
+  int arrived_by = 0;      ///< direction of the last count of its run
+  int run = -1;            ///< that it takes part in
+  bool under_way = false;  ///< `began` was told, `rested` was not
+  bool was_holding = false, was_tracking = false;
+  bool was_in_position = true, slipped = false;
+
+  std::optional<HomeOrder> homing;      ///< the edge is still to come
+  std::optional<std::int64_t> goal;     ///< absolute target of its own run; LP does not move it
+  std::optional<std::int64_t> passes;   ///< MV: occupied until it gets there
+  std::optional<std::int64_t> then_to;  ///< after coming to rest: goes there
+  std::optional<double> then_jog;       ///< after coming to rest: jogs the other way
+  std::optional<std::int64_t> notify;   ///< IN
+  std::optional<Instant> correct_at;    ///< position maintenance: its next pulses
+  std::int64_t correct_by = 0;
+
+  bool has_motor = false;
+  motion::ServoLoop loop;
+  bool index_passed = false;  ///< between the last two updates of the loop
+
+  [[nodiscard]] bool servo() const { return fitting.kind == AxisKind::servo; }
+  /// A servo that is switched off moves nothing.
+  [[nodiscard]] bool off() const { return servo() && !settings.holding; }
+  [[nodiscard]] double counts_per_step() const {
+    return servo() ? 1 : plant.place().counts_per_step.value_or(1);
+  }
+  /// What the encoder has counted when the load is there, without `zero`.
+  [[nodiscard]] std::int64_t counted(Steps load) const;
+  [[nodiscard]] std::int64_t encoder() const;
+  void set_encoder(std::int64_t value) { zero += value - encoder(); }
+  /// ER: where the encoder should stand when the motor is there.
+  [[nodiscard]] std::int64_t expected(std::int64_t at) const;
+  [[nodiscard]] std::int64_t error() const { return expected(position) - encoder(); }
+  /// Counts of the error after so many more counts that way, as far as the load lets them come.
+  [[nodiscard]] std::int64_t error_after(int way, std::int64_t counts) const;
+  [[nodiscard]] bool watches_slip() const {
+    return settings.slip_tolerance > 0 && fitting.encoder && !settings.tracking && !off();
+  }
+  [[nodiscard]] bool home_active() const { return plant.home_operated() != settings.home_active_high; }
+  [[nodiscard]] bool index_active() const;
+  /// Counts that way until home acts as HS or HE has it; none when it does not lie there.
+  [[nodiscard]] std::optional<std::int64_t> counts_until_home(Sign way) const;
+  /// Makes `count` counts: command register, shaft and load.
+  void turn(int way, std::int64_t count);
+  /// Motor and load alone.
+  void turn_load(int way, std::int64_t count);
+  /// The first index mark on the way at which the home input is active as well.
+  [[nodiscard]] std::optional<std::int64_t> counts_until_index(Sign way) const;
+};
+
+}  // namespace hw::vme58

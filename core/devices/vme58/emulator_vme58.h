@@ -1,0 +1,78 @@
+#pragma once
+// A VME58 as its owner sees it: the bus, time, the bench.
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/device/emulator.h"
+#include "core/devices/vme58/emulator_board.h"
+
+namespace hw::vme58 {
+
+struct EmulatorOptions {
+  const Variant* variant = &variants[0];
+  std::uint16_t outputs = factory_outputs;
+};
+
+class Vme58Emulator final : public Emulator, public BusTarget {
+ public:
+  explicit Vme58Emulator(const EmulatorOptions& options);
+
+  // No byte stream.
+  void receive(std::string_view) override {}
+  void take_output(std::string&) override {}
+  BusTarget* bus() override { return this; }
+
+  std::uint8_t read8(std::uint16_t offset) override;
+  std::uint16_t read16(std::uint16_t offset) override;
+  void write8(std::uint16_t offset, std::uint8_t value) override;
+  void write16(std::uint16_t offset, std::uint16_t value) override;
+  [[nodiscard]] std::optional<std::uint8_t> interrupt() const override { return board_.interrupt(); }
+  void acknowledge() override { board_.acknowledge(); }
+
+  [[nodiscard]] std::optional<Instant> next_event() const override { return board_.next_event(); }
+  void advance_to(Instant now) override;
+  Result<> operate(const BenchCommand& command) override;
+  void look(BenchView& view) const override;
+  [[nodiscard]] const std::vector<TriggerPulse>& pulses() const override { return pulses_; }
+
+  [[nodiscard]] int rate() const override { return 0; }
+  /// A VME58 keeps nothing without power: the text says so.
+  [[nodiscard]] std::string save_memory() const override;
+  Result<> load_memory(std::string_view text) override;
+  [[nodiscard]] std::uint64_t memory_version() const override { return 0; }
+  [[nodiscard]] std::unique_ptr<Emulator> clone() const override {
+    return std::make_unique<Vme58Emulator>(*this);
+  }
+
+  /// The board itself, for rehearsals and tests.
+  Board& board() { return board_; }
+
+ private:
+  Result<> check_axis(AxisId axis) const;
+
+  // emulator_bench.cpp
+  Result<> act(const bench::Input& c);
+  Result<> act(const bench::Limit& c);
+  Result<> act(const bench::HomeSwitch& c);
+  Result<> act(const bench::Analog& c);
+  Result<> act(const bench::Button& c);
+  Result<> act(const bench::Jam& c);
+  Result<> act(const bench::Slip& c);
+  Result<> act(const bench::Alarm& c);
+  Result<> act(const bench::Place& c);
+  Result<> act(const bench::Power& c);
+  Result<> act(const bench::PowerCycle& c);
+  Result<> act(const bench::Breaker& c);
+  Result<> act(const bench::Unplug&) { return wire_fault(); }
+  Result<> act(const bench::Garble&) { return wire_fault(); }
+  Result<> act(const bench::Drop&) { return wire_fault(); }
+  static Result<> wire_fault() {
+    return fail(FaultKind::refused, "Faults of the wire are made where the wire is, not in the controller.");
+  }
+
+  Board board_;
+  std::vector<TriggerPulse> pulses_;  ///< none: no output of this board is tied to a position
+};
+
+}  // namespace hw::vme58

@@ -1,0 +1,231 @@
+#include "core/devices/vme58/program_check.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <tuple>
+
+#include <fmt/format.h>
+
+#include "core/devices/vme58/command_text.h"
+
+namespace hw::vme58 {
+namespace {
+
+TokenKind kind_of(const TextCommand& command) {
+  if (!command.fact || !command.flaw.empty()) return TokenKind::bad;
+  switch (command.fact->op) {
+    case Op::GO:
+    case Op::GD:
+    case Op::JG:
+    case Op::JF:
+    case Op::HM:
+    case Op::HR:
+    case Op::KM:
+    case Op::KR:
+    case Op::CX:
+    case Op::MV:
+    case Op::SP:
+    case Op::FP:
+    case Op::ET: return TokenKind::moves;
+    case Op::LS:
+    case Op::LE:
+    case Op::WS:
+    case Op::WD:
+    case Op::WH:
+    case Op::WG:
+    case Op::CW:
+    case Op::WA:
+    case Op::WQ:
+    case Op::SW:
+    case Op::WT:
+    case Op::CD:
+    case Op::CE:
+    case Op::CK: return TokenKind::flow;
+    default: return TokenKind::plain;
+  }
+}
+
+std::string where_it_is_taken(unsigned where) {
+  if (where == where::contour) return "only between CD and CE or CK";
+  if (where == where::all) return "only after AA";
+  if ((where & where::single) == 0) return "only after AA or AM";
+  if ((where & where::lists) == 0) return "only while one axis is addressed (AX to AS)";
+  return "not while a contour is recorded";
+}
+
+class Check {
+ public:
+  explicit Check(std::string_view text) : text_(text), plain_(without_comments(text)) {}
+
+  ProgramReport report() {
+    split_lines();
+    mark_comments();
+    Context context;
+    const auto commands = read_commands(plain_, context);
+    for (const TextCommand& command : commands) look_at(command);
+    if (context.recording)
+      problem(recording_began_, 2, "The contour that begins here has no end: CE or CK is missing.", true);
+    for (const auto& open : loops_) problem(open.second, 2, "The loop that begins here has no end.", true);
+    report_.cost[0] = static_cast<int>(text_.size());
+    for (LineReport& line : report_.lines) line.slot = 0;
+    std::sort(report_.problems.begin(), report_.problems.end(), [](const Problem& a, const Problem& b) {
+      return a.line != b.line ? a.line < b.line : a.column < b.column;
+    });
+    return std::move(report_);
+  }
+
+ private:
+  void split_lines() {
+    begins_.push_back(0);
+    for (std::size_t i = 0; i < text_.size(); ++i)
+      if (text_[i] == '\n') begins_.push_back(i + 1);
+    report_.lines.resize(begins_.size());
+  }
+  [[nodiscard]] std::pair<int, int> place(std::size_t at) const {
+    const auto behind = std::upper_bound(begins_.begin(), begins_.end(), at);
+    const auto line = static_cast<std::size_t>(behind - begins_.begin()) - 1;
+    return {static_cast<int>(line), static_cast<int>(at - begins_[line])};
+  }
+  void mark_comments() {
+    for (std::size_t line = 0; line < begins_.size(); ++line) {
+      const std::size_t end = line + 1 < begins_.size() ? begins_[line + 1] - 1 : text_.size();
+      const auto hash = text_.substr(0, end).find('#', begins_[line]);
+      if (hash == text_.npos) continue;
+      report_.lines[line].tokens.push_back({static_cast<int>(hash - begins_[line]),
+                                            static_cast<int>(end - begins_[line]), TokenKind::comment});
+    }
+  }
+  void problem(std::size_t at, std::size_t length, std::string sentence, bool error) {
+    Problem p;
+    p.error = error;
+    std::tie(p.line, p.column) = place(at);
+    p.length = static_cast<int>(length);
+    p.sentence = std::move(sentence);
+    report_.problems.push_back(std::move(p));
+  }
+  void error(const TextCommand& command, std::string sentence) {
+    problem(command.begin, command.length, std::move(sentence), true);
+  }
+
+  void look_at(const TextCommand& command) {
+    const auto [line, column] = place(command.begin);
+    LineReport& row = report_.lines[static_cast<std::size_t>(line)];
+    if (row.first_command < 0) row.first_command = static_cast<int>(report_.listing[0].size());
+    ++row.command_count;
+    row.cost += static_cast<int>(command.length);
+    report_.listing[0].emplace_back(command.text);
+    const std::size_t problems = report_.problems.size();
+    if (!command.flaw.empty())
+      problem(command.flaw_begin, command.flaw_length, command.flaw, true);
+    else if ((command.fact->where & command.context.modes()) == 0)
+      error(command,
+            fmt::format("{} is taken {}.", command.fact->letters, where_it_is_taken(command.fact->where)));
+    else
+      look_closer(command);
+    const bool bad = report_.problems.size() > problems && report_.problems.back().error;
+    row.tokens.push_back(
+        {column, column + static_cast<int>(command.length), bad ? TokenKind::bad : kind_of(command)});
+    std::sort(row.tokens.begin(), row.tokens.end(),
+              [](const Token& a, const Token& b) { return a.begin < b.begin; });
+  }
+
+  void look_closer(const TextCommand& command) {
+    check_ranges(command);
+    switch (command.fact->op) {
+      case Op::UU: scaled_ = true; break;
+      case Op::UF: scaled_ = false; break;
+      case Op::MA:
+      case Op::MR:
+      case Op::MT:
+      case Op::ML: prepared_ = true; break;
+      case Op::GO:
+      case Op::GD:
+        if (!std::exchange(prepared_, false) && loops_.empty())
+          problem(command.begin, command.length, "No move has been prepared: this starts nothing.", false);
+        break;
+      case Op::RM:
+      case Op::contour_MT: check_contour_places(command); break;
+      case Op::CD:
+        recording_began_ = command.begin;
+        recorded_ = true;
+        break;
+      case Op::CR:
+        if (std::popcount(command.context.contour_axes) != 2)
+          error(command, fmt::format("CR draws in two axes, and this contour has {}.",
+                                     std::popcount(command.context.contour_axes)));
+        break;
+      case Op::CV: velocity_given_ = true; break;
+      case Op::CX:
+        if (!recorded_) problem(command.begin, command.length, "No contour has been recorded before.", false);
+        if (!velocity_given_)
+          problem(command.begin, command.length, "The contour has no speed yet: CV comes before CX.", false);
+        break;
+      case Op::LS:
+      case Op::WS:
+      case Op::WH: open_loop(command); break;
+      case Op::LE: close_loop(command, Op::LS); break;
+      case Op::WD: close_loop(command, Op::WS); break;
+      case Op::WG: close_loop(command, Op::WH); break;
+      default: break;
+    }
+  }
+
+  void check_contour_places(const TextCommand& command) {
+    if (command.fact->op == Op::RM) {
+      if (command.numbers[0] == 0.0) error(command, "RM cannot divide by 0.");
+      return;
+    }
+    const auto axes = static_cast<std::size_t>(std::popcount(command.context.contour_axes));
+    if (command.numbers.size() > axes)
+      error(command,
+            fmt::format("This contour has {} axes, and here are {} numbers.", axes, command.numbers.size()));
+  }
+
+  void check_ranges(const TextCommand& command) {
+    const CommandFact& fact = *command.fact;
+    if (scaled_ && fact.number == Number::counts) return;  // user units multiply it
+    for (std::size_t i = 0; i < command.numbers.size(); ++i) {
+      if (!command.numbers[i]) continue;
+      const bool second = i > 0 && (fact.shape == Shape::pair);
+      const bool third = fact.shape == Shape::triple && i == 2;
+      const double low = second || third ? fact.second_min : fact.min,
+                   high = second || third ? fact.second_max : fact.max;
+      const double value = fact.number == Number::whole || fact.number == Number::counts
+                               ? std::trunc(*command.numbers[i])
+                               : *command.numbers[i];
+      if (third || (value >= low && value <= high)) continue;
+      return error(command, fmt::format("{:.10g} is out of range: {} takes {:.10g} to {:.10g}.",
+                                        *command.numbers[i], fact.letters, low, high));
+    }
+  }
+
+  // Loops belong to the queue of the mode in which they stand; texts that mix are rare, so one stack serves.
+  void open_loop(const TextCommand& command) {
+    if (loops_.size() == loop_levels)
+      return error(command, fmt::format("Loops nest {} deep at most.", loop_levels));
+    loops_.emplace_back(command.fact->op, command.begin);
+  }
+  void close_loop(const TextCommand& command, Op begin) {
+    if (loops_.empty() || loops_.back().first != begin)
+      return error(command, fmt::format("{} has no {} before it.", command.fact->letters,
+                                        begin == Op::LS   ? "LS"
+                                        : begin == Op::WS ? "WS"
+                                                          : "WH"));
+    loops_.pop_back();
+  }
+
+  std::string_view text_;
+  std::string plain_;
+  std::vector<std::size_t> begins_;
+  ProgramReport report_;
+  std::vector<std::pair<Op, std::size_t>> loops_;
+  std::size_t recording_began_ = 0;
+  bool prepared_ = false, scaled_ = false, recorded_ = false, velocity_given_ = false;
+};
+
+}  // namespace
+
+ProgramReport check_program(std::string_view text) { return Check(text).report(); }
+
+}  // namespace hw::vme58

@@ -1,0 +1,11 @@
+#pragma once
+// What is wrong with a command string before it is sent.
+#include <string_view>
+
+#include "core/device/language.h"
+
+namespace hw::vme58 {
+
+ProgramReport check_program(std::string_view text);
+
+}  // namespace hw::vme58

@@ -1,0 +1,110 @@
+#include "core/motion/servo.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace hw::motion {
+namespace {
+
+constexpr double furthest = 1e15;  // counts; keeps the whole part defined
+constexpr double slow = 1e-9;      // counts/s; below that it stands
+
+constexpr double derivative_scale = 8, acceleration_scale = 64, integral_scale = 1.0 / 256;
+
+}  // namespace
+
+void MotorModel::set(const Motor& motor) {
+  motor_ = motor;
+  accel_per_nm_ = motor.counts_per_turn / (2 * std::numbers::pi) / motor.inertia;
+  decay_ = motor.viscous / motor.inertia;
+  drag_ = motor.friction * accel_per_nm_;
+}
+
+std::int64_t MotorModel::counts() const { return static_cast<std::int64_t>(std::floor(place_)); }
+
+void MotorModel::jam(bool on) {
+  jammed_ = on;
+  if (on) speed_ = 0;
+}
+
+bool MotorModel::still_at(double volts) const {
+  const double torque = std::clamp(volts * motor_.torque_per_volt, -motor_.torque_limit, motor_.torque_limit);
+  return jammed_ || (speed_ == 0 && std::abs(torque) <= motor_.friction);
+}
+
+/// v' = accel - decay v, over `s` seconds in which the direction does not change.
+void MotorModel::coast(double accel, double s) {
+  if (decay_ * s < 1e-9) {
+    place_ += s * (speed_ + accel * s / 2);
+    speed_ += accel * s;
+    return;
+  }
+  const double final_speed = accel / decay_, gone = -std::expm1(-decay_ * s);
+  place_ += final_speed * s + (speed_ - final_speed) * gone / decay_;
+  speed_ += (final_speed - speed_) * gone;
+}
+
+void MotorModel::turn(double volts, double s) {
+  torque_ = std::clamp(volts * motor_.torque_per_volt, -motor_.torque_limit, motor_.torque_limit);
+  if (jammed_) return;
+  const double push = torque_ * accel_per_nm_;
+  // Twice at most: up to where it stands, and on from there.
+  for (int part = 0; part < 2 && s > 0; ++part) {
+    if (speed_ == 0 && std::abs(push) <= drag_) return;
+    const double way = speed_ != 0 ? std::copysign(1.0, speed_) : std::copysign(1.0, push);
+    const double accel = push - way * drag_;
+    double until_rest = std::numeric_limits<double>::infinity();
+    if (speed_ * accel < 0)
+      until_rest = decay_ > 0 ? std::log1p(-speed_ * decay_ / accel) / decay_ : -speed_ / accel;
+    const double lasts = std::min(s, until_rest);
+    coast(accel, lasts);
+    if (until_rest <= s || std::abs(speed_) < slow) speed_ = 0;
+    s -= lasts;
+  }
+  place_ = std::clamp(place_, -furthest, furthest);
+}
+
+void ServoLoop::close(bool on) {
+  if (on != closed_) fresh_ = true, sum_ = 0, updates_ = 0, output_ = 0;
+  closed_ = on;
+  at_rest_ = false;
+}
+
+void ServoLoop::shift(double counts) {
+  plant.shift(counts);
+  command_ += counts;
+}
+
+double ServoLoop::filtered(std::int64_t change, double speed, double accel) {
+  const double without_sum =
+      gains.kp * static_cast<double>(error_) + derivative_scale * gains.kd * static_cast<double>(change) +
+      derivative_scale * gains.kv * speed + acceleration_scale * gains.ka * accel + gains.ko;
+  if (++updates_ >= 1 << std::clamp(gains.kn, 0, 15)) {
+    updates_ = 0;
+    // No more is summed up than the output can give.
+    const double most = gains.ki > 0 ? output_limit / (gains.ki * integral_scale) : 0;
+    sum_ = std::clamp(sum_ + static_cast<double>(error_), -most, most);
+  }
+  return without_sum + gains.ki * integral_scale * sum_;
+}
+
+void ServoLoop::tick(double command, double period_s) {
+  plant.turn(volts(), period_s);
+  if (fresh_) command_ = command, command_speed_ = 0;
+  const double speed = command - command_;
+  const double accel = speed - command_speed_;
+  const std::int64_t error = std::llround(command) - plant.counts();
+  const std::int64_t change = fresh_ ? 0 : error - error_;
+  fresh_ = false;
+  command_ = command, command_speed_ = speed, error_ = error;
+  const double wanted = closed_ ? filtered(change, speed, accel) : 0;
+  const int before = output_;
+  output_ = static_cast<int>(std::lround(std::clamp<double>(wanted, -output_limit, output_limit)));
+  const bool summing = closed_ && gains.ki != 0 && error != 0;
+  at_rest_ =
+      speed == 0 && accel == 0 && change == 0 && output_ == before && !summing && plant.still_at(volts());
+}
+
+}  // namespace hw::motion

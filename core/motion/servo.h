@@ -1,0 +1,100 @@
+#pragma once
+// A servo axis in fixed ticks: a sampled PID that drives a motor through an analog output. The only thing in
+// the house that steps in time; between two ticks the output is held and the motor moves in closed form.
+//
+//   error  = command - encoder                                      counts
+//   sum   += error, once in 2^KN updates, as long as the output can follow
+//   output = KP error + 8 KD change(error) + KI sum / 256           steps of the converter, 0x800 = 10 V
+//          + 8 KV speed + 64 KA acceleration + KO                   counts/update, counts/update²
+//
+// The scale makes the data sheet's example (KP2 KD6, first example) a quiet loop for the motor that `Motor()`
+// describes, with an update each millisecond. That motor gains 6,200 counts/s² for each step of the
+// converter, loses its speed in 0.1 s when left alone, and sticks below 4 steps. What a jump of the command
+// by 200 or 1000 counts does with it (tests/core/motion/servo_test.cpp):
+//
+//   KP2 KD6       no overshoot, within 2% after 0.1 s, stands up to 2 counts off: dry friction holds it
+//   KP4 KD6 KI4   under 5% overshoot, crossed once, and the sum pulls in the last counts within seconds
+//   KP2 KD0       rings: 93% overshoot, the target is crossed twenty times in half a second
+//   KP20 KD6      25 to 50% overshoot, crossed four times and more: the gain is too high for the update
+#include <cstdint>
+
+#include "core/base/units.h"
+#include "core/motion/motor.h"
+#include "core/time/clock.h"
+
+namespace hw::motion {
+
+/// As the commands KP KI KD KV KA KO KN set them. Only KN is bounded: 0 to 15.
+struct ServoGains {
+  double kp = 0, ki = 0, kd = 0, kv = 0, ka = 0, ko = 0;
+  int kn = 0;
+  bool operator==(const ServoGains&) const = default;
+};
+
+inline constexpr double output_steps_per_volt = 204.8;  ///< 12 bits over +-10 V
+inline constexpr int output_limit = 2047;
+
+/// A motor with its load and amplifier, turning freely. State in counts of its encoder.
+class MotorModel {
+ public:
+  MotorModel() { set(Motor()); }
+  explicit MotorModel(const Motor& motor) { set(motor); }
+
+  /// Takes effect at once; where it stands and how fast it turns stays.
+  void set(const Motor& motor);
+  [[nodiscard]] const Motor& motor() const { return motor_; }
+
+  /// What the shaft does in `s` seconds at so many volts. A jammed one does nothing.
+  void turn(double volts, double s);
+  [[nodiscard]] std::int64_t counts() const;
+  [[nodiscard]] double speed() const { return speed_; }    ///< counts/s, signed
+  [[nodiscard]] double torque() const { return torque_; }  ///< Nm of the last turn
+  [[nodiscard]] bool still_at(double volts) const;
+  void put(double counts) { place_ = counts, speed_ = 0; }
+  void shift(double counts) { place_ += counts; }
+  void jam(bool on);
+
+ private:
+  void coast(double accel, double s);
+
+  Motor motor_;
+  double accel_per_nm_ = 1;  ///< counts/s² for each Nm
+  double decay_ = 0;         ///< 1/s, viscous
+  double drag_ = 0;          ///< counts/s², dry friction
+  double place_ = 0, speed_ = 0, torque_ = 0;
+  bool jammed_ = false;
+};
+
+/// The loop of one axis. Copyable; the same calls give the same motion.
+class ServoLoop {
+ public:
+  ServoGains gains;
+  MotorModel plant;
+
+  /// Closed: the error decides; open: the output is 0 and the shaft is free.
+  void close(bool on);
+  [[nodiscard]] bool closed() const { return closed_; }
+  /// One update: the motor has turned by the output of the last one; samples encoder and command, and sets
+  /// the output anew.
+  void tick(double command, double period_s);
+  /// More updates with the same command would change nothing, so none needs to be made.
+  [[nodiscard]] bool at_rest() const { return at_rest_; }
+  /// Command and shaft have been renumbered together.
+  void shift(double counts);
+  /// Something has changed that a loop at rest must look at.
+  void wake() { at_rest_ = false; }
+
+  [[nodiscard]] std::int64_t error() const { return error_; }
+  [[nodiscard]] int output() const { return output_; }  ///< steps of the converter
+  [[nodiscard]] double volts() const { return output_ / output_steps_per_volt; }
+
+ private:
+  [[nodiscard]] double filtered(std::int64_t change, double speed, double accel);
+
+  bool closed_ = false, at_rest_ = false, fresh_ = true;
+  std::int64_t error_ = 0;
+  double sum_ = 0, command_ = 0, command_speed_ = 0;
+  int updates_ = 0, output_ = 0;
+};
+
+}  // namespace hw::motion

@@ -1,0 +1,93 @@
+// Command strings before they are sent: what is wrong with them, and where.
+#include "core/devices/vme58/command_text.h"
+#include "core/devices/vme58/program_check.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace hw::vme58 {
+namespace {
+
+using testing::HasSubstr;
+
+std::vector<Problem> errors(std::string_view text) {
+  std::vector<Problem> all;
+  for (Problem& p : check_program(text).problems)
+    if (p.error) all.push_back(std::move(p));
+  return all;
+}
+
+TEST(Vme58Check, TheDataSheetsExamplesAreRight) {
+  EXPECT_TRUE(errors("AX\nVL1000 AC10000\nKP2 KD6 HN\nHM0\nVL5000 AC50000\nMA-10000 GO ID\n").empty());
+  EXPECT_TRUE(errors("AX KP2 KD6 HN\nAY KP2 KD6 HN\nAZ KP2 KD6 HN\nAM\nVL5000,5000,5000;\nAC50000,50000,50000;\n"
+                     "MA1000,2000,3000; GO ID\n").empty());
+  EXPECT_TRUE(errors("AA\nCV1000\nCD,,0,0;\nAN0;\nCR0,5000,3.1415926\nCR0,0,6.2831853\nAF0;\nMT-10,10000\nCE\n"
+                     "MT,,-1000,0; GO\nCX\n").empty());
+}
+
+TEST(Vme58Check, FieldHabitsAreRight) {
+  EXPECT_TRUE(errors("AX LNAX HLAX VL1000AX VB100AX AC500AX RP").empty());
+  EXPECT_TRUE(errors("AX MR500.9 GO # fractions are cut").empty());
+  EXPECT_TRUE(errors("AY  VB100 AC5000 CA JG1000;").empty());
+}
+
+struct Wrong {
+  const char* text;
+  int line, column;
+  const char* sentence;
+};
+TEST(Vme58Check, MistakesAreNamedWhereTheyStand) {
+  const Wrong all[] = {
+      {"AX\nMA100 XQ GO", 1, 6, "no command XQ"},
+      {"AX ma100", 0, 3, "capital"},
+      {"AX VL", 0, 3, "needs a number"},
+      {"AX VL9999999", 0, 3, "out of range"},
+      {"AX MA40000000 GO", 0, 3, "out of range"},
+      {"AX MT100,200; GO", 0, 3, "only after AA or AM"},
+      {"AA KP2", 0, 3, "while one axis is addressed"},
+      {"AX WA", 0, 3, "only after AA"},
+      {"AX LE", 0, 3, "no LS before it"},
+      {"AX LS2 LS2 LS2 LS2 LS2 LE LE LE LE LE", 0, 19, "4 deep"},
+      {"AA CD0,0,0; CR0,0,3.14 CE", 0, 12, "this contour has 3"},
+      {"AA CD0,0; MT1,2,3 CE", 0, 10, "here are 3 numbers"},
+      {"AX BL14", 0, 3, "out of range"},
+      {"AX MR1-2 GO", 0, 6, "no command"},
+      {"AX RM0", 0, 3, "divide by 0"},
+  };
+  for (const Wrong& w : all) {
+    const auto found = errors(w.text);
+    ASSERT_FALSE(found.empty()) << w.text;
+    EXPECT_EQ(found[0].line, w.line) << w.text;
+    EXPECT_EQ(found[0].column, w.column) << w.text << ": " << found[0].sentence;
+    EXPECT_THAT(found[0].sentence, HasSubstr(w.sentence)) << w.text;
+  }
+}
+
+TEST(Vme58Check, WhatMayBeMeantIsAWarning) {
+  const auto report = check_program("AX GO");
+  EXPECT_FALSE(report.has_errors());
+  ASSERT_EQ(report.problems.size(), 1u);
+  EXPECT_THAT(report.problems[0].sentence, HasSubstr("No move has been prepared"));
+}
+
+TEST(Vme58Text, TheContextFollowsTheText) {
+  Context context;
+  (void)read_commands("AZ MR5 GO", context);
+  EXPECT_EQ(context.selector(), "AZ");
+  (void)read_commands("AA CD0,,5;", context);
+  EXPECT_TRUE(context.recording);
+  EXPECT_EQ(context.contour_axes, 0b101u);
+  (void)read_commands("CE", context);
+  EXPECT_FALSE(context.recording);
+  EXPECT_EQ(context.selector(), "AA");
+  (void)read_commands("RS", context);
+  EXPECT_EQ(context.selector(), "AX");
+}
+
+TEST(Vme58Text, UserUnitsTakeFractionsAndNoCountsRange) {
+  EXPECT_TRUE(errors("AX UU1000 MA12.5 GO").empty());
+  EXPECT_TRUE(errors("AX UU0.001 MA99999999 GO").empty());
+}
+
+}  // namespace
+}  // namespace hw::vme58

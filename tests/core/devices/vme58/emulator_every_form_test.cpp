@@ -1,0 +1,18 @@
+// Every row of the table of the data sheet has a test of its own: axis, sys, unit in
+// emulator_forms_mode_test.cpp, loop and sync in ..._loop_, io in ..._io_, query and contour.RQ in
+// ..._query_, enc in ..._encoder_, dpram in ..._memory_, reg and the mailbox in ..._register_; what moves
+// (move, exec, stop, home, contour, pid, enc.ET, stair) in ..._motion_.
+#include "tests/core/devices/vme58/form_case.h"
+
+namespace hw::vme58::proof {
+
+TEST(Vme58Table, EveryFormHasACase) {
+  ASSERT_EQ(form_table().size(), 267u) << "vme58.tsv was not read";
+  for (const Form& f : form_table()) EXPECT_TRUE(has_case(f.id)) << "no VME58_FORM(\"" << f.id << "\")";
+}
+
+TEST(Vme58Table, EveryCaseHasARow) {
+  for (const std::string& id : cases_without_row()) ADD_FAILURE() << id << " stands in no row of vme58.tsv";
+}
+
+}  // namespace hw::vme58::proof

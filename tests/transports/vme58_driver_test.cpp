@@ -1,0 +1,288 @@
+// The VME58's driver against the emulated board, through the real session, link and window.
+#include "core/devices/vme58/facts.h"
+#include "tests/transports/vme58_rig.h"
+
+namespace hw {
+namespace {
+
+using std::chrono::seconds;
+using test::Vme58Rig;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+class Vme58Driver : public Vme58Rig {};
+
+TEST_F(Vme58Driver, FindsOutWhatItIs) {
+  EXPECT_EQ(now().identity.model.view(), "VME58-8S");
+  EXPECT_FALSE(now().identity.firmware.empty());
+  EXPECT_EQ(now().axis_count, 8);
+  for (int i = 0; i < 8; ++i) {
+    EXPECT_TRUE(axis(i).position_known) << i;
+    EXPECT_EQ(axis(i).activity, Activity::idle) << i;
+    EXPECT_TRUE(axis(i).has_encoder);
+  }
+}
+
+TEST_F(Vme58Driver, JogsOneAxisAndStopsItWhenLetGo) {
+  session->send(intent::JogStart(AxisId{3}, Sign::minus, Pps{1500}, false));
+  run(seconds(2));
+  EXPECT_EQ(axis(3).activity, Activity::jogging);
+  EXPECT_EQ(axis(3).direction, -1);
+  EXPECT_NEAR(axis(3).speed.value, 1500, 1);
+  session->send(intent::JogStop());
+  ASSERT_TRUE(becomes_idle());
+  EXPECT_LT(axis(3).position, Steps(-2500));
+  EXPECT_EQ(axis(3).ended_by, EndedBy::stop);
+  EXPECT_EQ(axis(0).position, Steps(0));
+}
+
+TEST_F(Vme58Driver, MovesOneAxisToItsTarget) {
+  EXPECT_EQ(perform(intent::MoveTo({{AxisId{1}, Steps(4000)}}, Pps{2000})).fate, Fate::done);
+  EXPECT_EQ(axis(1).activity, Activity::moving);
+  EXPECT_TRUE(axis(1).has_target);
+  ASSERT_TRUE(becomes_idle());
+  EXPECT_EQ(axis(1).position, Steps(4000));
+  EXPECT_EQ(axis(1).encoder, Steps(4000));
+  EXPECT_EQ(axis(1).ended_by, EndedBy::target);
+  run(seconds(1));
+  EXPECT_EQ(now().params[static_cast<std::size_t>(session->catalog().find_param("VLY"))].value,
+            vme58::default_velocity)
+      << "the speed of one move is no setting";
+}
+
+TEST_F(Vme58Driver, MovesSeveralAxesTogetherAndKeepsTheUsersAxis) {
+  ASSERT_TRUE(query("AZ"));
+  EXPECT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(40000)}, {AxisId{7}, Steps(-20000)}}, Pps{20000})).fate,
+            Fate::done);
+  run(seconds(1));
+  EXPECT_NEAR(static_cast<double>(axis(0).position.value), -2.0 * static_cast<double>(axis(7).position.value),
+              4);
+  ASSERT_TRUE(becomes_idle());
+  EXPECT_EQ(axis(0).position, Steps(40000));
+  EXPECT_EQ(axis(7).position, Steps(-20000));
+  ASSERT_TRUE(query("MR100 GO"));
+  ASSERT_TRUE(becomes_idle());
+  EXPECT_EQ(axis(2).position, Steps(100));
+}
+
+TEST_F(Vme58Driver, AStopGoesThroughTheMailboxPastAFullQueueAndWhatWaitsIsTakenBack) {
+  ASSERT_TRUE(query("AX VL1000 AC100000 MR1000000 GO"));
+  std::string many;
+  for (int i = 0; i < 150; ++i) many += "WT1 ";
+  (void)query(many);  // more than the queue holds: the rest waits in the ring
+  std::string behind = "MR777 GO ";
+  (void)query(behind);
+  ASSERT_EQ(axis(0).activity, Activity::moving);
+  EXPECT_NE(peek(2, vme58::at::output_get_index), peek(2, vme58::at::output_put_index))
+      << "the ring is blocked";
+  const Instant asked = time.now();
+  session->send(intent::Stop());
+  ASSERT_TRUE(run_until([this] { return axis(0).speed.value == 0; }, seconds(5)));
+  EXPECT_LT(time.now() - asked, Millis(100));
+  const Steps there = axis(0).position;
+  run(seconds(5));
+  EXPECT_EQ(axis(0).position, there) << "nothing that waited may act after a stop";
+  EXPECT_THAT(lines(), Contains("> mailbox SA"));
+}
+
+TEST_F(Vme58Driver, AbortKillsAllWithoutARamp) {
+  ASSERT_EQ(perform(intent::SetParam("ACX", 1000)).fate, Fate::done);
+  perform(intent::MoveTo({{AxisId{0}, Steps(100000)}}, Pps{5000}));
+  run(seconds(6));
+  session->send(intent::Abort());
+  run(Millis(100));
+  const Steps there = axis(0).position;
+  run(seconds(5));
+  EXPECT_EQ(axis(0).position, there);
+  EXPECT_EQ(axis(0).ended_by, EndedBy::abort);
+}
+
+TEST_F(Vme58Driver, TheStopOfOneAxisLeavesTheOthers) {
+  perform(intent::MoveTo({{AxisId{0}, Steps(100000)}}, Pps{2000}));
+  perform(intent::MoveTo({{AxisId{1}, Steps(100000)}}, Pps{2000}));
+  run(seconds(1));
+  session->send(intent::Stop(0));
+  run(seconds(1));
+  EXPECT_EQ(axis(0).activity, Activity::idle);
+  EXPECT_EQ(axis(0).ended_by, EndedBy::stop);
+  EXPECT_EQ(axis(1).activity, Activity::moving);
+}
+
+TEST_F(Vme58Driver, TheCommandThatTheBoardRejectsIsNamed) {
+  const auto reply = query("AX MR100 XQ GO");
+  ASSERT_FALSE(reply);
+  EXPECT_THAT(reply.error().sentence(), HasSubstr("\"XQ\""));
+  const auto range = query("AX VL9999999");
+  ASSERT_FALSE(range);
+  EXPECT_THAT(range.error().sentence(), HasSubstr("VL9999999"));
+  EXPECT_TRUE(query("WY")) << "it goes on";
+}
+
+TEST_F(Vme58Driver, QueriesAreAnsweredWithoutTheirFrames) {
+  EXPECT_EQ(*query("AX RP"), "0");
+  EXPECT_EQ(*query("AA RP"), "0,0,0,0,0,0,0,0");
+  EXPECT_EQ(*query("AX RQ WY"), "200\nVME58 ver 2.24-8S");
+  EXPECT_EQ(*query("AX LP1200 RP"), "1200");
+}
+
+TEST_F(Vme58Driver, TheTerminalShowsCommandsAndRepliesAsLines) {
+  (void)lines();
+  ASSERT_TRUE(query("AX RP"));
+  EXPECT_THAT(lines(), ElementsAre("> AX;", "> RP;", "< 0"));
+}
+
+TEST_F(Vme58Driver, HomesToTheEdgeAndComesBackToIt) {
+  AxisPlace place;
+  place.home_from = Steps(5000);
+  place.home_to = Steps(5400);
+  operate(bench::Place(AxisId{0}, place));
+  ASSERT_EQ(perform(intent::SetParam("VLX", 2000)).fate, Fate::done);
+  ASSERT_EQ(perform(intent::Home(AxisId{0}, Sign::plus, 1)).fate, Fate::done);
+  EXPECT_EQ(axis(0).activity, Activity::homing);
+  ASSERT_TRUE(becomes_idle());
+  EXPECT_EQ(axis(0).position, Steps(0));
+  EXPECT_EQ(axis(0).ended_by, EndedBy::target);
+  EXPECT_TRUE(axis(0).home);
+}
+
+TEST_F(Vme58Driver, ALimitSwitchEndsTheMoveAndIsShownOnItsSide) {
+  AxisPlace place;
+  place.plus = Steps(3000);
+  place.minus = Steps(-3000);
+  operate(bench::Place(AxisId{0}, place));
+  ASSERT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(-9000)}}, Pps{2000})).fate, Fate::done);
+  ASSERT_TRUE(becomes_idle());
+  EXPECT_EQ(axis(0).ended_by, EndedBy::limit);
+  run(seconds(1));
+  EXPECT_TRUE(axis(0).limit_minus);
+  EXPECT_FALSE(axis(0).limit_plus);
+}
+
+TEST_F(Vme58Driver, ParametersAreReadFromTheDataArea) {
+  const auto value = [&](const char* name) {
+    const auto i = static_cast<std::size_t>(session->catalog().find_param(name));
+    EXPECT_TRUE(now().params[i].known) << name;
+    return now().params[i].value;
+  };
+  EXPECT_EQ(value("VLX"), vme58::default_velocity);
+  EXPECT_EQ(value("ACS"), vme58::default_acceleration);
+  ASSERT_EQ(perform(intent::SetParam("KPX", 1250)).fate, Fate::done);
+  EXPECT_EQ(value("KPX"), 1250) << "12.5; the board shows 12";
+  EXPECT_EQ(peek(4, vme58::offset_of(0, vme58::AxisValue::proportional_gain)), 12u);
+  ASSERT_TRUE(query("AX KP7"));
+  run(seconds(3));
+  EXPECT_EQ(value("KPX"), 700);
+}
+
+TEST_F(Vme58Driver, OutputsGoByTheMakersNumbers) {
+  ASSERT_EQ(perform(intent::SetOutput(8, true)).fate, Fate::done);
+  EXPECT_EQ(peek(1, vme58::reg::io_high) & 1, 0u) << "on is low";
+  ASSERT_EQ(perform(intent::SetOutput(8, false)).fate, Fate::done);
+  EXPECT_EQ(peek(1, vme58::reg::io_high) & 1, 1u);
+  EXPECT_EQ(perform(intent::SetOutput(0, true)).fate, Fate::refused) << "an input";
+  ASSERT_EQ(perform(intent::SetOutput(14, false)).fate, Fate::done) << "auxiliary of X";
+  operate(bench::Input(3, true));
+  run(seconds(1));
+  EXPECT_EQ(now().inputs & 0x7u, 0x3u) << "line 2 is low";
+}
+
+TEST_F(Vme58Driver, AResetOfTheBoardIsNoticed) {
+  perform(intent::MoveTo({{AxisId{0}, Steps(400)}}));
+  ASSERT_TRUE(becomes_idle());
+  (void)told();
+  operate(bench::PowerCycle());
+  ASSERT_TRUE(run_until(
+      [this] { return axis(0).position == Steps(0) && now().link.state == LinkState::good; }, seconds(10)));
+  EXPECT_THAT(told(), HasSubstr("switched off and on"));
+  EXPECT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(200)}})).fate, Fate::done);
+  ASSERT_TRUE(becomes_idle());
+  EXPECT_EQ(axis(0).position, Steps(200));
+}
+
+TEST_F(Vme58Driver, IndexesThatAStrangerHasWrittenDoNotHarmForLong) {
+  poke(2, vme58::at::output_put_index, 0xFFFF);
+  run(seconds(1));
+  poke(2, vme58::at::output_put_index, peek(2, vme58::at::output_get_index));
+  run(seconds(3));
+  EXPECT_EQ(now().link.state, LinkState::good);
+}
+
+TEST_F(Vme58Driver, AProgramIsFedCommandByCommandAndEndsWhenAllRests) {
+  ASSERT_EQ(
+      perform(intent::LoadProgram(
+                  0, "AX VL10000 AC100000\n# there and back\nLS3 MR1000 GO MR-1000 GO LE\nAY MA500 GO ID\n"))
+          .fate,
+      Fate::done);
+  ASSERT_EQ(perform(intent::RunProgram(0)).fate, Fate::done);
+  EXPECT_EQ(now().program.run, RunState::running);
+  ASSERT_TRUE(becomes_idle());
+  EXPECT_EQ(now().program.ended_by, EndedBy::target);
+  EXPECT_EQ(axis(0).position, Steps(0));
+  EXPECT_EQ(axis(1).position, Steps(500));
+}
+
+TEST_F(Vme58Driver, AProgramThatIsLongerThanTheQueueIsFedAsThereIsRoom) {
+  std::string text = "AX VL20000 AC1000000\n";
+  for (int i = 0; i < 300; ++i) text += "MR10 GO\n";
+  ASSERT_EQ(perform(intent::LoadProgram(0, text)).fate, Fate::done);
+  ASSERT_EQ(perform(intent::RunProgram(0)).fate, Fate::done);
+  ASSERT_TRUE(becomes_idle(seconds(120)));
+  EXPECT_EQ(axis(0).position, Steps(3000));
+}
+
+TEST_F(Vme58Driver, AProgramWithARejectedCommandStopsAndNamesTheLine) {
+  ASSERT_EQ(perform(intent::LoadProgram(0, "AX VL1000 MR100000 GO\nAY\nLE\nAZ MR500 GO\n")).fate, Fate::done);
+  perform(intent::RunProgram(0));
+  ASSERT_TRUE(becomes_idle());
+  EXPECT_THAT(told(), HasSubstr("Line 3: the board rejected \"LE\""));
+  EXPECT_EQ(axis(2).position, Steps(0));
+  EXPECT_LT(axis(0).position, Steps(5000));
+}
+
+TEST_F(Vme58Driver, WhileAContourIsRecordedTheConsoleSaysNothingOfItsOwn) {
+  ASSERT_TRUE(query("AA CV1000 CD0,0;"));
+  const IntentFate fate = perform(intent::MoveTo({{AxisId{0}, Steps(400)}}));
+  EXPECT_EQ(fate.fate, Fate::refused);
+  EXPECT_THAT(std::string(fate.sentence.view()), HasSubstr("contour is being recorded"));
+  ASSERT_TRUE(query("MT100,0 CE"));
+  EXPECT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(400)}})).fate, Fate::done);
+}
+
+TEST_F(Vme58Driver, TheWindowsImageAndQueuesAreThereForWhoLooks) {
+  session->send(intent::Watch(0x7));
+  ASSERT_TRUE(query("AX VL100 MR1000000 GO WT5 WT6"));
+  run(seconds(2));
+  EXPECT_TRUE(now().window.rings_known);
+  EXPECT_EQ(now().window.value(vme58::reg::status, 1) & vme58::status::initialized,
+            vme58::status::initialized);
+  EXPECT_EQ(now().queue_known, 0xFFu);
+  EXPECT_LT(now().queue_free[0], 200);
+  EXPECT_EQ(now().queue_free[1], 200);
+  EXPECT_EQ(now().window.value(vme58::offset_of(0, vme58::AxisValue::maximum_velocity), 4), 100u);
+}
+
+TEST_F(Vme58Driver, ARecordingOfAnAxisGivesSamplesEveryFewMilliseconds) {
+  session->send(intent::Sample(AxisId{0}, Millis(500)));
+  perform(intent::MoveTo({{AxisId{0}, Steps(2000)}}, Pps{8000}));
+  run(seconds(2));
+  std::vector<AxisSample> samples;
+  session->samples().drain([&](const AxisSample& s) { samples.push_back(s); });
+  EXPECT_GT(samples.size(), 100u);
+  EXPECT_TRUE(std::any_of(samples.begin(), samples.end(), [](const AxisSample& s) { return s.moving; }));
+}
+
+class Vme58Driver4s4 : public Vme58Rig {
+ protected:
+  Vme58Driver4s4() : Vme58Rig({{"variant", "4s4"}}) {}
+};
+TEST_F(Vme58Driver4s4, ItsStepAxesHaveNoEncoderAndNoGains) {
+  EXPECT_TRUE(axis(0).has_encoder);
+  EXPECT_FALSE(axis(4).has_encoder);
+  EXPECT_GE(session->catalog().find_param("KPX"), 0);
+  EXPECT_LT(session->catalog().find_param("KPU"), 0);
+  EXPECT_EQ(perform(intent::SetPower(4, false)).fate, Fate::refused);
+}
+
+}  // namespace
+}  // namespace hw

@@ -1,0 +1,114 @@
+#pragma once
+// A VME58 session in virtual time: real driver, link and window onto the emulated board.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/device/bus_target.h"
+#include "core/session/session.h"
+#include "core/time/virtual_scheduler.h"
+#include "transports/serve.h"
+
+namespace hw::test {
+
+class Vme58Rig : public testing::Test {
+ protected:
+  Vme58Rig() : Vme58Rig({}) {}
+  explicit Vme58Rig(DeviceOptions o) : options(std::move(o)) {}
+  void SetUp() override {
+    std::string text = "vme58@emulator";
+    for (const auto& [key, value] : options) text += "," + key + "=" + value;
+    const auto address = Address::parse(text);
+    ASSERT_TRUE(address) << address.error().sentence();
+    auto emulator = find_device_type("vme58")->make_emulator(options);
+    ASSERT_TRUE(emulator) << emulator.error().sentence();
+    HostOptions host_options;
+    host_options.name = "VME58";
+    host = *EmulatorHost::make(time, std::move(*emulator), std::move(host_options));
+    auto opened = Session::open(
+        time, *address, [this](Scheduler&, Address, std::shared_ptr<BenchAccess>) { return plug_in(host); },
+        [] {});
+    ASSERT_TRUE(opened) << opened.error().sentence();
+    session = *opened;
+    ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::good; }, std::chrono::seconds(10)))
+        << now().link.sentence.view();
+    run(Millis(500));
+  }
+  void TearDown() override {
+    if (!session) return;
+    asio::co_spawn(io, session->close(), asio::detached);
+    run(std::chrono::seconds(2));
+  }
+  static Task<Result<Wire>> plug_in(std::shared_ptr<EmulatorHost> host) {
+    auto window = host->plug_in_window();
+    if (!window) co_return fail(window.error());
+    Wire wire;
+    wire.window = std::move(*window);
+    wire.benches.push_back(host->bench());
+    co_return wire;
+  }
+
+  void run(Duration d) { time.run_for(d); }
+  bool run_until(const std::function<bool()>& done, Duration patience) {
+    return time.run_until(time.now() + patience, done);
+  }
+  [[nodiscard]] const Snapshot& now() const { return session->known(); }
+  [[nodiscard]] const AxisState& axis(int i = 0) const { return now().axes[static_cast<std::size_t>(i)]; }
+  /// The board itself, past the console.
+  std::uint32_t peek(std::uint8_t bytes, std::uint16_t offset) {
+    auto& emulator = const_cast<Emulator&>(host->bench()->emulator());
+    return bus_cycle(*emulator.bus(), false, bytes, offset);
+  }
+  void poke(std::uint8_t bytes, std::uint16_t offset, std::uint32_t value) {
+    auto& emulator = const_cast<Emulator&>(host->bench()->emulator());
+    bus_cycle(*emulator.bus(), true, bytes, offset, value);
+  }
+  void operate(BenchCommand command) {
+    auto done = host->bench()->operate(command);
+    EXPECT_TRUE(done) << done.error().sentence();
+  }
+  IntentFate perform(IntentBody body, Duration patience = std::chrono::seconds(10)) {
+    const IntentId id = session->send(std::move(body));
+    run_until([&] { return now().fate_of(id) && now().fate_of(id)->fate != Fate::pending; }, patience);
+    const IntentFate* fate = now().fate_of(id);
+    return fate ? *fate : IntentFate{};
+  }
+  static Task<> ask_and_keep(std::shared_ptr<Session> s, std::string text, Result<std::string>& reply,
+                             bool& came) {
+    reply = co_await s->pump().query(std::move(text), Millis(500));
+    came = true;
+  }
+  Result<std::string> query(std::string text) {
+    Result<std::string> reply{std::string()};
+    bool came = false;
+    asio::co_spawn(io, ask_and_keep(session, std::move(text), reply, came), asio::detached);
+    run_until([&] { return came; }, std::chrono::seconds(5));
+    EXPECT_TRUE(came);
+    return reply;
+  }
+  bool becomes_idle(Duration patience = std::chrono::seconds(60)) {
+    run(Millis(300));
+    return run_until([this] { return !now().any_axis_moving() && now().program.run == RunState::idle; },
+                     patience);
+  }
+  std::string told() {
+    std::string all;
+    session->notices().drain([&](const Notice& n) { all += n.text + "\n"; });
+    return all;
+  }
+  /// The text lines of the wire, polls left out.
+  std::vector<std::string> lines() {
+    std::vector<std::string> all;
+    session->traffic().drain([&](const TrafficEntry& e) {
+      if (e.kind != TrafficKind::poll) all.push_back((e.way == Way::sent ? "> " : "< ") + e.bytes);
+    });
+    return all;
+  }
+
+  DeviceOptions options;
+  IoContext io;
+  VirtualScheduler time{io};
+  std::shared_ptr<EmulatorHost> host;
+  std::shared_ptr<Session> session;
+};
+
+}  // namespace hw::test

@@ -1,0 +1,157 @@
+#include "transports/bus_port.h"
+
+#include <algorithm>
+
+#include <fmt/core.h>
+
+#include "transports/tcp.h"
+
+namespace hw {
+namespace {
+
+constexpr char write_bit = '\x80';
+constexpr std::size_t head_bytes = 3;
+
+std::size_t width_of(char op) { return static_cast<unsigned char>(op) & 0x7Fu; }
+bool is_op(char op) {
+  const std::size_t width = width_of(op);
+  return width == 1 || width == 2 || width == 4;
+}
+
+void put(std::string& bytes, std::uint32_t value, std::size_t width) {
+  for (std::size_t i = width; i-- > 0;) bytes += static_cast<char>(value >> (8 * i) & 0xFF);
+}
+std::uint32_t number(std::string_view bytes) {
+  std::uint32_t value = 0;
+  for (const char c : bytes) value = value << 8 | static_cast<unsigned char>(c);
+  return value;
+}
+
+class BusPort final : public Window, private Stream::Listener {
+ public:
+  BusPort(Scheduler& scheduler, std::unique_ptr<Stream> stream, std::string where)
+      : scheduler_(scheduler),
+        stream_(std::move(stream)),
+        where_(std::move(where)),
+        deadline_(scheduler, [this] { give_up(); }) {
+    stream_->listen(this);
+  }
+  ~BusPort() override {
+    if (stream_) stream_->listen(nullptr);
+  }
+
+  void listen(Window::Listener* listener) override { listener_ = listener; }
+  [[nodiscard]] std::string describe() const override { return "bus port " + where_; }
+
+  Task<Result<>> run(std::span<BusCycle> cycles) override {
+    if (!stream_) co_return fail(gone_);
+    expected_ = 0;
+    messages_.clear();
+    for (const BusCycle& cycle : cycles) add_message(cycle);
+    received_.clear();
+    stream_->send(messages_);
+    if (expected_ > 0) deadline_.arm(scheduler_.now() + longest_silence);
+    while (stream_ && received_.size() < expected_) co_await answered_.here();
+    deadline_.disarm();
+    if (received_.size() < expected_) co_return fail(gone_);
+    std::string_view rest = received_;
+    for (BusCycle& cycle : cycles) {
+      if (cycle.write) continue;
+      cycle.value = number(rest.substr(0, cycle.width));
+      rest.remove_prefix(cycle.width);
+    }
+    co_return Result<>();
+  }
+
+  void abandon() override { close(Fault(FaultKind::lost, "The bus port was closed.")); }
+
+ private:
+  static constexpr Duration longest_silence = Millis(2000);
+
+  void add_message(const BusCycle& cycle) {
+    messages_ += static_cast<char>(cycle.width | (cycle.write ? write_bit : 0));
+    put(messages_, cycle.offset, 2);
+    if (cycle.write)
+      put(messages_, cycle.value, cycle.width);
+    else
+      expected_ += cycle.width;
+  }
+
+  void bytes_arrived(std::string_view bytes) override {
+    if (received_.size() >= expected_) return;  // nobody asked
+    received_ += bytes;
+    deadline_.arm(scheduler_.now() + longest_silence);
+    if (received_.size() >= expected_) answered_.resume(scheduler_.executor());
+  }
+  void stream_closed(const Fault& why) override { end(why); }
+
+  // Which answer a later byte would belong to cannot be told: the connection has to be made afresh.
+  void give_up() {
+    end(Fault(FaultKind::lost,
+              fmt::format("The bus port {} has not answered for {:.0f} s.", where_, seconds(longest_silence)),
+              "What was on the way may have been done.",
+              "Look at the program that serves it; it is tried again."));
+  }
+  void close(Fault why) {
+    if (!stream_) return;
+    gone_ = std::move(why);
+    stream_->listen(nullptr);
+    // A stream is not destroyed inside its own call.
+    asio::post(scheduler_.executor(), [gone = std::shared_ptr<Stream>(std::move(stream_))] {});
+    deadline_.disarm();
+    answered_.resume(scheduler_.executor());
+  }
+  void end(const Fault& why) {
+    close(why);
+    if (listener_) listener_->window_closed(gone_);
+  }
+
+  Scheduler& scheduler_;
+  std::unique_ptr<Stream> stream_;  ///< null: gone
+  std::string where_;
+  Window::Listener* listener_ = nullptr;
+  std::string messages_, received_;  // both keep their capacity
+  std::size_t expected_ = 0;
+  Suspended answered_;
+  Timer deadline_;
+  Fault gone_;
+};
+
+}  // namespace
+
+std::unique_ptr<Window> make_bus_port(Scheduler& scheduler, std::unique_ptr<Stream> stream,
+                                      std::string where) {
+  return std::make_unique<BusPort>(scheduler, std::move(stream), std::move(where));
+}
+
+Task<Result<std::unique_ptr<Window>>> open_bus_port(Scheduler& scheduler, std::string where,
+                                                    Duration patience) {
+  auto stream = co_await open_tcp(scheduler, where, patience);
+  if (!stream) co_return fail(stream.error());
+  co_return make_bus_port(scheduler, std::move(*stream), std::move(where));
+}
+
+bool BusPortTalk::take(std::string_view bytes, const std::function<void(BusCycle&)>& perform,
+                       std::string& answers) {
+  unfinished_ += bytes;
+  std::size_t done = 0;
+  while (done < unfinished_.size()) {
+    const char op = unfinished_[done];
+    if (!is_op(op)) return false;
+    const bool write = (op & write_bit) != 0;
+    const std::size_t width = width_of(op), length = head_bytes + (write ? width : 0);
+    if (unfinished_.size() - done < length) break;
+    const std::string_view message = std::string_view(unfinished_).substr(done, length);
+    const auto offset = static_cast<std::uint16_t>(number(message.substr(1, 2)));
+    const auto bytes_wide = static_cast<std::uint8_t>(width);
+    BusCycle cycle = write ? BusCycle::store(bytes_wide, offset, number(message.substr(head_bytes)))
+                           : BusCycle::read(bytes_wide, offset);
+    perform(cycle);
+    if (!write) put(answers, cycle.value, width);
+    done += length;
+  }
+  unfinished_.erase(0, done);
+  return true;
+}
+
+}  // namespace hw
