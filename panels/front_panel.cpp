@@ -32,12 +32,9 @@ int rows_of(const BenchFacts& facts, int supply) {
   return rows;
 }
 
-/// "Motor 1": over it and its neighbours of the same caption.
-std::string_view caption_of(const BenchButton&) { return {}; }
-
 bool has_captions(const BenchFacts& facts, int supply, int row) {
   return std::any_of(facts.buttons.begin(), facts.buttons.end(), [&](const BenchButton& b) {
-    return b.supply == supply && b.row == row && !caption_of(b).empty();
+    return b.supply == supply && b.row == row && !b.caption.empty();
   });
 }
 
@@ -159,8 +156,8 @@ void FrontPanels::draw_buttons(Frame& f, int supply, ImVec2 at, float width) {
     for (std::size_t i = 0; i < buttons.size(); ++i) {
       if (!here(buttons[i])) continue;
       const float left = at.x + ui.px(std::floor(x));
-      if (caption_of(buttons[i]) != caption) {
-        caption = caption_of(buttons[i]);
+      if (buttons[i].caption != caption) {
+        caption = buttons[i].caption;
         draw_text(ui, ImVec2(left, top), Face::small, ui[Tone::ink2], caption);
       }
       ImGui::SetCursorScreenPos(ImVec2(left, top + ui.px(captions ? caption_height : 0)));
