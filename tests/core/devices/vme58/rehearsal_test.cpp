@@ -1,10 +1,10 @@
 // The data sheet's programming examples, run dry.
-#include "core/devices/vme58/program_language.h"
-
 #include <cmath>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "core/devices/vme58/program_language.h"
 
 namespace hw::vme58 {
 namespace {
@@ -20,7 +20,8 @@ Rehearsal rehearse(std::string_view text, RehearseOptions options = {}) {
 TEST(Vme58Rehearsal, HomeAndMove) {
   RehearseOptions options;
   options.bench_toml = "[axis.X]\nhome = [500, 600]\n";
-  const Rehearsal r = rehearse("AX\nVL1000 AC10000\nKP2 KD6 HN\nHM0\nVL5000 AC50000\nMA-10000 GO ID\n", options);
+  const Rehearsal r =
+      rehearse("AX\nVL1000 AC10000\nKP2 KD6 HN\nHM0\nVL5000 AC50000\nMA-10000 GO ID\n", options);
   EXPECT_EQ(r.error, "");
   EXPECT_TRUE(r.finished);
   ASSERT_EQ(r.axes.size(), 1u);
@@ -44,7 +45,8 @@ TEST(Vme58Rehearsal, ThreeAxesTogether) {
 
 TEST(Vme58Rehearsal, AHoleOfTenThousandCounts) {
   const Rehearsal r = rehearse(
-      "AA\nCV1000\nCD,,0,0;\nAN0;\nCR0,5000,3.1415926\nCR0,0,6.2831853\nAF0;\nMT-10,10000\nCE\nMT,,-1000,0; GO\nCX\n");
+      "AA\nCV1000\nCD,,0,0;\nAN0;\nCR0,5000,3.1415926\nCR0,0,6.2831853\nAF0;\nMT-10,10000\nCE\nMT,,-1000,0; "
+      "GO\nCX\n");
   EXPECT_TRUE(r.finished) << r.error;
   ASSERT_EQ(r.axes.size(), 4u);
   EXPECT_NEAR(static_cast<double>(r.axes[2].minimum), -10000, 30);
@@ -68,7 +70,9 @@ TEST(Vme58Rehearsal, AnEndlessTextEndsWithItsTime) {
   EXPECT_GT(r.axes[0].position, 4000);
 }
 
-TEST(Vme58Rehearsal, RepliesAreSentToTheHost) { EXPECT_THAT(rehearse("AX LP55 RP").sent_to_host, HasSubstr("55")); }
+TEST(Vme58Rehearsal, RepliesAreSentToTheHost) {
+  EXPECT_THAT(rehearse("AX LP55 RP").sent_to_host, HasSubstr("55"));
+}
 
 }  // namespace
 }  // namespace hw::vme58
