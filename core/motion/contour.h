@@ -34,6 +34,8 @@ class Contour {
   /// Where the last piece ends.
   [[nodiscard]] const Point& end() const { return end_; }
   [[nodiscard]] std::size_t pieces() const { return pieces_.size(); }
+  /// In counts.
+  [[nodiscard]] double length() const { return length_; }
   /// The first step at or behind the end of a piece.
   [[nodiscard]] std::int64_t end_of(std::size_t piece) const;
 

@@ -99,7 +99,8 @@ void ServoLoop::tick(double command, double period_s) {
   const std::int64_t change = fresh_ ? 0 : error - error_;
   fresh_ = false;
   command_ = command, command_speed_ = speed, error_ = error;
-  const double wanted = closed_ ? filtered(change, speed, accel) : 0;
+  double wanted = closed_ ? filtered(change, speed, accel) : 0;
+  if (std::isnan(wanted)) wanted = 0;  // endless gains against each other
   const int before = output_;
   output_ = static_cast<int>(std::lround(std::clamp<double>(wanted, -output_limit, output_limit)));
   const bool summing = closed_ && gains.ki != 0 && error != 0;

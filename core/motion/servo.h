@@ -15,6 +15,7 @@
 //   KP2 KD6       no overshoot, within 2% after 0.1 s, stands up to 2 counts off: dry friction holds it
 //   KP4 KD6 KI4   under 5% overshoot, crossed once, and the sum pulls in the last counts within seconds
 //   KP2 KD0       rings: 93% overshoot, the target is crossed twenty times in half a second
+//   KV0.2 KA2.5   with KP2 KD6: takes two thirds and more of the error out of a move
 //   KP20 KD6      25 to 50% overshoot, crossed four times and more: the gain is too high for the update
 #include <cstdint>
 

@@ -56,7 +56,7 @@ class Host {
     for (int rounds = 0; rounds < 64; ++rounds) {
       std::uint32_t get = cycle(false, 2, vme58::at::input_get_index) % vme58::ring_cells;
       const std::uint32_t put = cycle(false, 2, vme58::at::input_put_index);
-      if (get == put) break;
+      if (get == put || put >= vme58::ring_cells) break;  // nothing more, or an empty slot
       for (; get != put; get = (get + 1) % vme58::ring_cells)
         text +=
             static_cast<char>(cycle(false, 2, static_cast<std::uint16_t>(vme58::at::input_buffer + 2 * get)));
@@ -173,22 +173,28 @@ void text(Host& host, Bytes& in) {
   host.send(all);
 }
 
-void expect_back_at_work(Host& host, std::string_view variant) {
-  host.operate(bench::Power(true));
-  host.pass(std::chrono::seconds(1));
-  for (int a = 0; a < vme58::most_axes; ++a)
-    host.operate(bench::Jam(AxisId{static_cast<std::uint8_t>(a)}, false));
-  host.cycle(true, 2, vme58::at::input_get_index, host.cycle(false, 2, vme58::at::input_put_index));
-  // What stands in the ring may ask for more, and the board takes it in as soon as it can.
+/// What stands in the ring may ask for more, and the board takes it in as soon as it can.
+void drain(Host& host) {
   for (int rounds = 0; rounds < 300; ++rounds) {
     host.mail("KL");
     host.pass(std::chrono::milliseconds(200));
     (void)host.replies();
     const auto put = host.cycle(false, 2, vme58::at::output_put_index);
     if (put >= vme58::ring_cells) host.cycle(true, 2, vme58::at::output_put_index, 0);
-    if (put == host.cycle(false, 2, vme58::at::output_get_index)) break;
+    if (put == host.cycle(false, 2, vme58::at::output_get_index)) return;
   }
-  host.send("\r;AX EF IC ");
+}
+
+void expect_back_at_work(Host& host, std::string_view variant) {
+  host.operate(bench::Power(true));
+  host.pass(std::chrono::seconds(1));
+  for (int a = 0; a < vme58::most_axes; ++a)
+    host.operate(bench::Jam(AxisId{static_cast<std::uint8_t>(a)}, false));
+  host.cycle(true, 2, vme58::at::input_get_index, host.cycle(false, 2, vme58::at::input_put_index));
+  drain(host);
+  host.send("\r;");  // the end of a number may begin one more motion
+  drain(host);
+  host.send("AX EF IC ");
   (void)host.replies();
   host.send("IC ");
   const auto status = host.cycle(false, 1, vme58::reg::status);

@@ -32,8 +32,6 @@ std::optional<std::uint16_t> outputs_of(std::string_view jumpers) {
 
 }  // namespace
 
-Vme58Emulator::Vme58Emulator(const EmulatorOptions& options) : board_(*options.variant, options.outputs) {}
-
 // --- bus ---------------------------------------------------------------------------------------------------
 
 std::uint8_t Vme58Emulator::read8(std::uint16_t offset) { return board_.read(offset % window_bytes); }
@@ -84,12 +82,12 @@ Result<> Vme58Emulator::load_memory(std::string_view text) {
 
 namespace {
 
-Result<EmulatorOptions> read_options(const std::map<std::string, std::string>& given) {
-  EmulatorOptions options;
+Result<BoardMake> read_options(const std::map<std::string, std::string>& given) {
+  BoardMake make;
   for (const auto& [key, value] : given) {
     if (key == "variant") {
-      options.variant = find_variant(value);
-      if (options.variant == nullptr) {
+      make.variant = find_variant(value);
+      if (make.variant == nullptr) {
         std::string names;
         for (const Variant& v : variants) names += (names.empty() ? "" : ", ") + std::string(v.name);
         return wrong_option("variant=" + value + ": there is no such model.", "Models are " + names + ".");
@@ -100,13 +98,19 @@ Result<EmulatorOptions> read_options(const std::map<std::string, std::string>& g
         return wrong_option(
             "jumpers=" + value + ": three letters, I or O, say what lines 0-3, 4-7 and 8-11 are.",
             "The factory's are IIO.");
-      options.outputs = *outputs;
+      make.outputs = *outputs;
+    } else if (key == "firmware") {
+      constexpr std::size_t longest = 8;
+      if (value.empty() || value.size() > longest ||
+          value.find_first_not_of("0123456789.") != std::string::npos)
+        return wrong_option("firmware=" + value + ": a revision is a number like 2.24.");
+      make.firmware = value;
     } else {
       return wrong_option("The VME58 emulator has no option \"" + key + "\".",
-                          "Its options are variant and jumpers.");
+                          "Its options are variant, jumpers and firmware.");
     }
   }
-  return options;
+  return make;
 }
 
 }  // namespace

@@ -10,8 +10,12 @@ constexpr Duration boot_time = std::chrono::milliseconds(100);  // decision M85
 
 }  // namespace
 
-Board::Board(const Variant& variant, std::uint16_t outputs)
-    : variant_(&variant), fitted_((1u << variant.axes()) - 1), io_(outputs), motion_(variant) {}
+Board::Board(const BoardMake& make)
+    : variant_(make.variant),
+      firmware_(make.firmware),
+      fitted_((1u << make.variant->axes()) - 1),
+      io_(make.outputs),
+      motion_(*make.variant) {}
 
 // --- power and time ----------------------------------------------------------------------------------------
 

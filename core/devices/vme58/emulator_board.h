@@ -45,9 +45,16 @@ struct Task {
   std::vector<Promise> promises;
 };
 
+/// What is the same after each reset: how the board was bought and jumpered.
+struct BoardMake {
+  const Variant* variant = &variants[0];
+  std::uint16_t outputs = factory_outputs;  ///< bit n: line n is one
+  std::string firmware = "2.24";            ///< as WY tells it
+};
+
 class Board {
  public:
-  Board(const Variant& variant, std::uint16_t outputs);
+  explicit Board(const BoardMake& make);
 
   // Time.
   [[nodiscard]] Instant now() const { return motion_.now(); }
@@ -188,6 +195,7 @@ class Board {
   void set_control(std::uint8_t value);
 
   const Variant* variant_;
+  std::string firmware_;
   unsigned fitted_;
   bool powered_ = true;
   std::optional<Instant> boots_until_;

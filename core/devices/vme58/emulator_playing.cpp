@@ -12,10 +12,12 @@ using motion::Profile;
 
 namespace {
 
+constexpr double longest = 1e12;  // counts: eleven days at full speed
 constexpr auto fine = static_cast<double>(motion::Contour::steps_per_count);
 
-/// Adds the pieces of `contour` to `track` and what is due along it to `score`.
-void write_score(const Contour& contour, motion::Contour& track, Score& score) {
+/// Adds the pieces of `contour` to `track` and what is due along it to `score`. False: nobody lives to see
+/// its end.
+bool write_score(const Contour& contour, motion::Contour& track, Score& score) {
   const auto here = [&track] { return track.end_of(track.pieces() - 1); };
   std::array<std::size_t, most_axes> places{};  // of the contour's axes, in their order
   std::size_t count = 0;
@@ -33,6 +35,7 @@ void write_score(const Contour& contour, motion::Contour& track, Score& score) {
         track.line_to(point);
         break;
       case ContourPiece::Kind::arc:
+        if (!(std::abs(piece.angle) < longest)) return false;
         track.arc(places[0], places[1], static_cast<double>(piece.centre_first),
                   static_cast<double>(piece.centre_second), piece.angle);
         break;
@@ -40,10 +43,12 @@ void write_score(const Contour& contour, motion::Contour& track, Score& score) {
         score.cues.push_back({Cue::What::output, here(), piece.outputs, piece.high});
         break;
     }
+    if (track.length() > longest) return false;
   }
   score.cues.push_back({Cue::What::end, here()});
   score.kill = contour.kill;
   if (!contour.kill) track.ray();
+  return true;
 }
 
 }  // namespace
@@ -62,7 +67,7 @@ bool Motion::play(const Contour& contour) {
   }
   auto track = std::make_shared<motion::Contour>(here);
   auto score = std::make_shared<Score>();
-  write_score(contour, *track, *score);
+  if (!write_score(contour, *track, *score)) return false;
   const Pps cv(board_.contour_velocity * fine);
   Run ramps;  // of the axes of a contour, before there is one
   ramps.kind = RunKind::contour, ramps.axes = contour.axes;

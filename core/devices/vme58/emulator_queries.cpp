@@ -8,8 +8,6 @@
 namespace hw::vme58 {
 namespace {
 
-constexpr std::string_view firmware = "VME58 ver 2.24-";
-
 // Decision M01.
 constexpr std::string_view frame = "\n\r", status_frame = "\n\r\r";
 
@@ -37,7 +35,7 @@ void Board::answer(const Command& c) {
   std::string text;
   std::string_view around = frame;
   switch (c.op()) {
-    case Op::WY: text = std::string(firmware) + std::string(variant_->name); break;
+    case Op::WY: text = "VME58 ver " + firmware_ + "-" + std::string(variant_->name); break;
     case Op::RP: text = values([this](int a) { return std::to_string(motion_.position(a)); }); break;
     case Op::RE: text = values([this](int a) { return std::to_string(motion_.encoder(a)); }); break;
     case Op::RC: text = values([this](int a) { return rounded(motion_.settings(a).acceleration); }); break;

@@ -62,12 +62,10 @@ void Motion::update_servo(int a) {
   } else {
     x.index_passed = false;
   }
-  if (Run* r = run_of(a)) {
+  if (Run* r = run_of(a))
     look(*r);
-    if (r->active) plan(*r);
-  } else {
+  else
     watch_error(a);
-  }
 }
 
 void Motion::update_servos() {

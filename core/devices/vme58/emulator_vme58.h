@@ -9,14 +9,9 @@
 
 namespace hw::vme58 {
 
-struct EmulatorOptions {
-  const Variant* variant = &variants[0];
-  std::uint16_t outputs = factory_outputs;
-};
-
 class Vme58Emulator final : public Emulator, public BusTarget {
  public:
-  explicit Vme58Emulator(const EmulatorOptions& options);
+  explicit Vme58Emulator(const BoardMake& make) : board_(make) {}
 
   // No byte stream.
   void receive(std::string_view) override {}

@@ -9,10 +9,7 @@
 namespace hw::vme58 {
 namespace {
 
-using What = MotionEvent::What;
 using Kind = ContourPiece::Kind;
-
-constexpr int X = 0, Y = 1, Z = 2, T = 3;
 
 ContourPiece line(std::int64_t first, std::int64_t second) {
   ContourPiece p;
@@ -52,6 +49,7 @@ TEST(VmeContour, TheHoleOfTheDataSheet) {
   Stage s = ready();
   s.move({{Z, -1000}, {T, 0}});
   s.settle();
+  s.told.clear();
   const Instant begins = s.motion.now();
   ASSERT_TRUE(s.motion.play(hole()));
   EXPECT_TRUE(s.motion.occupied(Z));

@@ -8,6 +8,7 @@ VME58_FORM("vme58.query.WY") {
   EXPECT_EQ(visible(rig.ask("WY")), "<lf><cr>VME58 ver 2.24-8S<lf><cr>") << "without any end of line";
   for (const Variant& v : variants)
     EXPECT_EQ(Rig::model(std::string(v.name)).value("WY"), "VME58 ver 2.24-" + std::string(v.name));
+  EXPECT_EQ(Rig(DeviceOptions{{"firmware", "2.35"}}).value("WY"), "VME58 ver 2.35-8S");
   EXPECT_EQ(Rig::model("4s4").value("WY"), "VME58 ver 2.24-4S4") << "names in any case";
 }
 

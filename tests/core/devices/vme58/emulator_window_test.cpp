@@ -146,8 +146,9 @@ TEST(Vme58Window, ACopyLivesItsOwnLife) {
 }
 
 TEST(Vme58Window, OptionsThatMakeNoSense) {
-  for (const DeviceOptions& options : {DeviceOptions{{"variant", "9S"}}, DeviceOptions{{"jumpers", "IO"}},
-                                       DeviceOptions{{"jumpers", "IXO"}}, DeviceOptions{{"baud", "9600"}}}) {
+  for (const DeviceOptions& options :
+       {DeviceOptions{{"variant", "9S"}}, DeviceOptions{{"jumpers", "IO"}}, DeviceOptions{{"jumpers", "IXO"}},
+        DeviceOptions{{"baud", "9600"}}, DeviceOptions{{"firmware", "new"}}}) {
     const auto made = make_emulator(options);
     ASSERT_FALSE(made.has_value());
     EXPECT_NE(made.error().sentence().find(options.begin()->first), std::string::npos)

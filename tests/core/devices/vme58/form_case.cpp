@@ -63,6 +63,11 @@ int numbers_in(std::string_view text) {
 
 bool taken(const Form& f, const Mode& mode) {
   if (f.letters() == "WA" && mode.text == "AM ") return false;  // decision M94
+  // The form with a list has a row of its own.
+  const auto& rows = form_table();
+  const bool has_list =
+      std::any_of(rows.begin(), rows.end(), [&](const Form& o) { return o.id == f.id + ".list"; });
+  if (has_list && mode.name == "AA/AM mode") return true;
   return f.taken_in(mode.name);
 }
 
@@ -83,6 +88,7 @@ void check_modes(const Form& f) {
 }
 
 void check_room(const Form& f) {
+  if (is_one_of(f.letters(), {"ST", "SA", "SD", "KL", "FL", "FP"})) return;  // empty it: their bodies
   const bool single = f.taken_in("AX mode");
   if (!single && !f.taken_in("AA/AM mode")) return;
   Rig rig;

@@ -9,10 +9,6 @@
 namespace hw::vme58 {
 namespace {
 
-using What = MotionEvent::What;
-
-constexpr int X = 0, Y = 1, Z = 2;
-
 TEST(VmeMotion, AMoveTakesTheTimeOfItsRamps) {
   Stage s;
   s.speeds(X, 1000, 10'000);

@@ -9,10 +9,6 @@
 namespace hw::vme58 {
 namespace {
 
-using What = MotionEvent::What;
-
-constexpr int X = 0, Y = 1;
-
 Stage with_motor(double kp, double kd, double ki = 0) {
   Stage s;
   AxisPlace p;

@@ -8,6 +8,9 @@
 
 namespace hw::vme58 {
 
+inline constexpr int X = 0, Y = 1, Z = 2, T = 3;
+using What = MotionEvent::What;
+
 struct Told {
   Instant at;
   MotionEvent event;
@@ -16,8 +19,6 @@ struct Told {
 
 class Stage {
  public:
-  using What = MotionEvent::What;
-
   explicit Stage(std::string_view variant = "8S") : motion(*find_variant(variant)) {}
 
   Motion motion;
