@@ -12,11 +12,7 @@ namespace hw::vme58 {
 namespace {
 
 constexpr Duration copy_time = std::chrono::microseconds(1000);  // decision M26: about 1 ms
-<<<<<<< HEAD
-constexpr Duration recheck_period = std::chrono::microseconds(300);
-=======
 constexpr Duration copy_look = std::chrono::microseconds(300);
->>>>>>> vme-host
 constexpr Duration update_patience = Millis(50);
 constexpr Duration rest_time = Millis(400);  // at rest so long without a done flag: it ended some other way
 constexpr int live_values = 3;               // encoder, position, velocity stand first
@@ -35,11 +31,7 @@ bool Vme58Driver::moving(int axis) const {
 
 Task<Result<>> Vme58Driver::poll() {
   ++round_;
-<<<<<<< HEAD
-  while (mailing_) co_await scheduler_.sleep_for(recheck_period);
-=======
   while (mailing_) co_await scheduler_.sleep_for(copy_look);
->>>>>>> vme-host
   const Instant began = scheduler_.now();
   const auto registers = co_await read_registers(Priority::poll, true);
   if (!registers) co_return fail(registers.error());
@@ -196,11 +188,7 @@ Task<Result<>> Vme58Driver::read_axes(Priority priority) {
                      "The board did not copy its axis data in time (control register, bit 0).",
                      "Positions are shown as last read.");
     }
-<<<<<<< HEAD
-    co_await scheduler_.sleep_for(recheck_period);
-=======
     co_await scheduler_.sleep_for(copy_look);
->>>>>>> vme-host
   }
   updating_ = false;
   take_cycles(cycles);

@@ -10,11 +10,7 @@ namespace hw::vme58 {
 namespace {
 
 constexpr std::size_t most_for_scripts = 256;
-<<<<<<< HEAD
-constexpr Duration ring_period = std::chrono::microseconds(500);
-=======
 constexpr Duration ring_look = std::chrono::microseconds(500);
->>>>>>> vme-host
 constexpr Duration taking_patience = Millis(250);  // the board takes text at once unless a queue is full
 constexpr int index_attempts = 3;
 
@@ -111,11 +107,7 @@ Task<Result<>> Vme58Driver::write(std::string text, Priority priority, WhenStuck
   const Instant give_up = scheduler_.now() + taking_patience;
   auto put = co_await put_text(text, priority);
   while (put && !*put && scheduler_.now() < give_up) {
-<<<<<<< HEAD
-    co_await scheduler_.sleep_for(ring_period);
-=======
     co_await scheduler_.sleep_for(ring_look);
->>>>>>> vme-host
     put = co_await put_text(text, priority);
   }
   if (!put) co_return fail(put.error());
@@ -125,11 +117,7 @@ Task<Result<>> Vme58Driver::write(std::string text, Priority priority, WhenStuck
     if (!looked) co_return fail(looked.error());
     taken = *looked;
     if (taken || scheduler_.now() >= give_up) break;
-<<<<<<< HEAD
-    co_await scheduler_.sleep_for(ring_period);
-=======
     co_await scheduler_.sleep_for(ring_look);
->>>>>>> vme-host
   }
   if (taken) co_return Result<>();
   const bool waits = *put && when_stuck == WhenStuck::leave;
@@ -192,11 +180,7 @@ Task<Result<std::vector<std::string>>> Vme58Driver::ask_several(std::string text
       station_->count_miss();
       co_return fail(FaultKind::no_answer, fmt::format("The board did not answer to {} in time.", text));
     }
-<<<<<<< HEAD
-    co_await scheduler_.sleep_for(ring_period);
-=======
     co_await scheduler_.sleep_for(ring_look);
->>>>>>> vme-host
   }
   station_->count_answer(scheduler_.now() - asked_at, priority == Priority::poll, scheduler_.now());
   co_return replies;
