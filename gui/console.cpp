@@ -13,6 +13,7 @@
 #include "gui/top_bar.h"
 #include "gui/ui.h"
 #include "gui/widgets/message.h"
+#include "gui/widgets/text.h"
 #include "gui/workspace.h"
 
 namespace hw::gui {
@@ -303,6 +304,7 @@ void Console::draw(Ui& ui) {
   Box toasts_in = layout.centre;
   toasts_in.height -= 48;  // where the terminal's line or a button may be
   draw_toasts(ui, toasts_, in_pixels(ui, toasts_in));
+  tooltip(ui, ui.cut());
   confirm_held_key(ui);
   for (const auto& tab : tabs_) {
     tab->jog.tick(ui.now_s);

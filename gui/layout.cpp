@@ -17,7 +17,11 @@ void lay_out_top(Layout& l, const LayoutWishes& w) {
   const float brand = l.tier == Tier::wide ? 304.0f : 56.0f;  // only the sign, which opens the menu
   l.brand = {0, 0, brand, height};
   l.stop = {w.width - stop, 0, stop, height};
-  const float link_wanted = l.tier == Tier::wide ? 184.0f : l.tier == Tier::medium ? 128.0f : 104.0f;
+  // Without room the status line tells of the link.
+  const float link_wanted = l.tier == Tier::wide     ? 184.0f
+                            : l.tier == Tier::medium ? 128.0f
+                            : w.width < 560          ? 0.0f
+                                                     : 104.0f;
   l.link = {l.stop.x - link_wanted, 0, link_wanted, height};
   l.tab_width = l.tier == Tier::wide ? 176.0f : 160.0f;
   const float room = l.link.x - brand - 48;
@@ -39,7 +43,8 @@ void lay_out_columns(Layout& l, const LayoutWishes& w, float top, float bottom) 
 }
 
 void lay_out_strip(Layout& l, const LayoutWishes& w, float top, float bottom) {
-  const float strip = std::min(w.strip_height, (bottom - top) / 2);
+  constexpr float centre_at_least = 84;  // in less than the smallest window of the look positions go first
+  const float strip = std::min(w.strip_height, std::max((bottom - top) / 2, bottom - top - centre_at_least));
   l.left = {0, top, w.width, strip};
   l.centre = {0, top + strip, w.width, bottom - top - strip};
   l.right = {};

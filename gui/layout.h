@@ -1,5 +1,6 @@
 #pragma once
 // Where everything stands, from the size of the window alone. Pure: logical pixels in, rectangles out.
+#include <cstddef>
 #include <cstdint>
 
 namespace hw::gui {
@@ -17,8 +18,8 @@ struct Box {
   [[nodiscard]] bool empty() const { return width <= 0 || height <= 0; }
 };
 
-/// Narrow: two axes a row in the strip of positions.
-inline constexpr float strip_row_height = 76;
+/// Narrow: two axes a row in the strip of positions; of more than four each has one line only.
+constexpr float strip_row_height(std::size_t axes) { return axes > 4 ? 40 : 64; }
 
 /// What the user has dragged; a double click restores. Kept from run to run.
 struct Splitters {

@@ -120,8 +120,8 @@ void draw_status_line(Ui& ui, Console& console, const Layout& layout) {
   const float middle = r.centre().y, left = r.min.x + ui.px(16);
   draw_icon(ImGui::GetWindowDrawList(), look.icon, ImVec2(left + ui.px(6), std::floor(middle)), ui.px(12),
             ui[look.tone]);
-  draw_text_line(ui, left + ui.px(24), r.max.x - ui.px(16 + taken), middle, Face::body, ui[Tone::ink],
-                 said.text);
+  draw_text_in_two_lines(ui, left + ui.px(24), r.max.x - ui.px(16 + taken), middle, Face::body, ui[Tone::ink],
+                         said.text);
   show(ui, {"status/text", Kind::text, "Status", said.text, {}, false, {}}, r);
   end_region();
 }

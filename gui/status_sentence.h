@@ -14,7 +14,7 @@ namespace hw::gui {
 
 struct StatusSentence {
   Mood mood = Mood::plain;
-  FixedText<400> text;
+  FixedText<800> text;
   bool operator==(const StatusSentence&) const = default;
 };
 

@@ -90,9 +90,10 @@ class Tab {
   [[nodiscard]] std::vector<std::string>& complaints() { return complaints_; }
 
   // ---- view
-  std::shared_ptr<Bus> bus;  ///< null: alone on its wire
+  std::shared_ptr<Bus> bus;                                  ///< null: alone on its wire
   [[nodiscard]] std::string_view id() const { return id_; }  ///< which device of its wire; may be empty
   JogHold jog;
+  AxisId chosen_axis{0};     ///< of many: the one that Go and Home act on
   bool unset_read = false;   ///< the user has read what should be chosen before the first move
   std::string centre_panel;  ///< id of the panel in front
   /// This controller's panels, beside the console's list; made when they are first drawn.

@@ -190,6 +190,7 @@ LinkWords link_words(const LinkHealth& link) {
 }
 
 void draw_link(Ui& ui, Console& console, const Layout& layout) {
+  if (layout.link.empty()) return;
   const Rect r = in_pixels(ui, layout.link);
   LinkWords words{"No link yet", Tone::ink2, 0};
   char second[64] = "nothing connected";

@@ -19,6 +19,7 @@
 //     ends. It is shown as a tooltip; draw it beside the control where there is room.
 //   - Motion: set `.moving = true` on whatever can start motion (cyan edge, second press by keyboard).
 //     hold_button gives started / held / ended, with the times of the hand, not of the frame.
+//   - draw_text_line cuts what is too long; the whole of it is told under the mouse, by itself.
 //   - What changes with time only (a toast that goes, "Attempt 5 in 3 s") calls ui.wake_in(seconds), else no
 //     frame is drawn: a console at rest draws nothing. Nothing may call it in every frame at rest.
 //   - A list or panel that wants arrow keys for itself says ui.take_arrows() in the frame, else they jog.
@@ -32,6 +33,7 @@
 
 #include <imgui.h>
 
+#include "core/base/fixed_text.h"
 #include "gui/focus.h"
 #include "gui/fonts.h"
 #include "gui/input_queue.h"
@@ -94,11 +96,16 @@ class Ui {
   [[nodiscard]] bool typing() const { return typing_; }
   [[nodiscard]] bool takes_tab() const { return takes_tab_; }
   [[nodiscard]] bool takes_arrows() const { return takes_arrows_; }
+  // A text that had to be cut is told whole under the mouse, unless its widget has a tip of its own.
+  void say_cut(std::string_view whole) const { cut_ = whole; }
+  [[nodiscard]] std::string_view cut() const { return tip_shown_ ? std::string_view() : cut_.view(); }
+  void say_tip() { tip_shown_ = true; }
   [[nodiscard]] bool cancelled() const { return keyboard.pressed(Command::stop_all); }
 
  private:
   double wake_in_s_ = 1e9;
-  bool typing_ = false, takes_tab_ = false, takes_arrows_ = false;
+  bool typing_ = false, takes_tab_ = false, takes_arrows_ = false, tip_shown_ = false;
+  mutable FixedText<640> cut_;
 };
 
 }  // namespace hw::gui

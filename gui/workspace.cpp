@@ -253,7 +253,8 @@ void draw_page(Ui& ui, Console& console, const Layout& layout) {
 }  // namespace
 
 float strip_height(const Tab& tab) {
-  return strip_row_height * static_cast<float>((tab.catalog().axes.size() + 1) / 2);
+  const std::size_t axes = tab.catalog().axes.size();
+  return strip_row_height(axes) * static_cast<float>((axes + 1) / 2);
 }
 
 void draw_workspace(Ui& ui, Console& console, const Layout& layout) {

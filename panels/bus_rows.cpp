@@ -8,12 +8,9 @@
 #include "gui/widgets/badge.h"
 #include "gui/widgets/button.h"
 #include "gui/widgets/choice.h"
-#include "gui/widgets/digits.h"
-#include "gui/widgets/row.h"
-#include "gui/widgets/state_word.h"
 #include "gui/widgets/text.h"
 #include "panels/axis_extras.h"
-#include "panels/jog_button.h"
+#include "panels/axis_line.h"
 #include "panels/path.h"
 #include "panels/unit_chooser.h"
 
@@ -22,22 +19,12 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-constexpr float row_height = 48, jog_width = 32, between = 4, most_of_column = 0.55f, margin = 16;
+constexpr float row_height = axis_line_height, most_of_column = 0.55f, margin = 16;
 constexpr AxisId only{0};
-
-float jogs_px(const Ui& ui) { return ui.px(2 * jog_width + between); }
 
 /// What needs somebody: faults, lost and stale ones.
 bool in_trouble(const Tab& tab) {
   return badness(worst_state(tab.now(), tab.clock())) >= badness(State::stale);
-}
-
-DigitsState digits_state(const Tab& tab) {
-  const AxisState& a = tab.now().axes[0];
-  const State state = state_of(tab.now(), 0, tab.clock());
-  if (!a.position_known || a.position_doubtful) return DigitsState::untrusted;
-  if (state == State::lost || state == State::stale || state == State::connecting) return DigitsState::stale;
-  return state == State::off ? DigitsState::off : DigitsState::good;
 }
 
 }  // namespace
@@ -119,67 +106,19 @@ void BusRows::draw_rows(Frame& f, float height) {
 }
 
 void BusRows::draw_row(Frame& f, Tab& member, float width) {
-  Ui& ui = f.ui;
-  const ImVec2 at = ImGui::GetCursorScreenPos();
   const std::string_view id = member.id();
-  const StateLook& state = look_of(worst_state(member.now(), member.clock()));
-  RowOptions o;
-  o.height = row_height;
-  o.chosen = &member == &f.tab;
-  o.bad = state.tone == Tone::fault;
-  o.value = state.small;
+  const Path row_id("bus/{}", id);
+  AxisLine line;
+  line.id = row_id;
+  line.name = id;
+  line.label = member.profile.axes[0].name;
+  line.state = worst_state(member.now(), member.clock());
+  line.chosen = &member == &f.tab;
+  if (!line.chosen) line.tip = "Click to choose it.";
   ImGui::PushID(&member);
-  const Touch t = row(ui, Path("bus/{}", id), id, o);
-  const Rect r{at, ImVec2(at.x + ui.px(width), t.rect.max.y)};
-  draw_text_line(ui, r.min.x, r.max.x, r.min.y + ui.px(16), Face::title_bold, ui[Tone::ink], id);
-  // Under the number, so that a long one does not run into it.
-  const float middle = r.min.y + ui.px(37);
-  const float end = r.max.x - jogs_px(ui) - ui.px(8);
-  draw_icon(ImGui::GetWindowDrawList(), state.icon, ImVec2(r.min.x + ui.px(6), middle), ui.px(10),
-            ui[state.tone]);
-  draw_text_line(ui, r.min.x + ui.px(18), end, middle, Face::small_bold, ui[state.tone], state.word);
-  show(ui, {Path("dro/{}/state", id), Kind::text, "State", state.word, {}, false, {}},
-       {ImVec2(r.min.x, middle - ui.px(10)), ImVec2(end, middle + ui.px(10))});
-  draw_controls(f, member, r);
+  const AxisLineTouch touched = draw_axis_line(f.ui, member, only, line, width);
   ImGui::PopID();
-  if (t.clicked) f.console.activate(member);
-  ImGui::SetCursorScreenPos(ImVec2(at.x, t.rect.max.y));
-}
-
-void BusRows::draw_controls(Frame& f, Tab& member, const Rect& r) {
-  Ui& ui = f.ui;
-  HoldOptions o;
-  o.width = o.height = jog_width;
-  for (const Sign sign : {Sign::minus, Sign::plus}) {
-    const float x = r.max.x - jogs_px(ui) + (sign == Sign::plus ? ui.px(jog_width + between) : 0);
-    ImGui::SetCursorScreenPos(ImVec2(x, r.min.y + ui.px((row_height - jog_width) / 2)));
-    o.icon = sign == Sign::minus ? Icon::back : Icon::play;
-    draw_jog_button(ui, member, only, sign, "", o);
-  }
-  draw_number(f, member, r.min.x + ui.px(30), r.max.x - jogs_px(ui) - ui.px(8), r.min.y);
-}
-
-/// The name that the user gave, and the position.
-void BusRows::draw_number(Frame& f, Tab& member, float left, float right, float top) {
-  Ui& ui = f.ui;
-  const DisplayUnit& unit = member.unit(only);
-  const AxisState& a = member.now().axes[0];
-  const NumberText number = format_position(a.position, unit);
-  const bool never = a.seen_at == Instant{} && !a.position_known;
-  const std::string_view shown = never ? std::string_view("-") : number.view();
-  const std::string_view unit_name = unit.real ? std::string_view(unit.name) : std::string_view();
-  DigitsOptions d;
-  d.face = Face::digits26;
-  d.state = digits_state(member);
-  d.width = (right - left) / ui.scale;
-  if (&member != &f.tab) d.tip = "Click to choose it.";
-  const float number_left = right - digits_width(ui, d.face, shown, unit_name);
-  draw_text_line(ui, left, number_left - ui.px(6), top + ui.px(16), Face::small, ui[Tone::ink2],
-                 member.profile.axes[0].name);
-  ImGui::SetCursorScreenPos(ImVec2(left, top + ui.px(1)));
-  const Touch t = digits(ui, Path("dro/{}/position", member.id()), Path("Position of {}", member.id()), shown,
-                         unit_name, d);
-  if (t.clicked) f.console.activate(member);
+  if (touched.pressed || touched.number.clicked) f.console.activate(member);
 }
 
 /// A narrow window: the chosen one, and a list to choose another from.
@@ -189,17 +128,17 @@ void BusRows::draw_strip(Frame& f) {
   const auto& members = f.tab.bus->members;
   std::vector<std::string_view> names;
   for (const Tab* member : members) names.push_back(member->id());
-  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(20)));
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(16)));
   const int picked = dropdown(ui, "bus/choose", "Controller", names, static_cast<int>(f.tab.bus->chosen));
   constexpr float left = 96, gap_after = 16;
   const float row = std::min(360.0f, f.area.width - left);
-  ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(left), at.y + ui.px(12)));
+  ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(left), at.y + ui.px(10)));
   begin_part(ui, "bus/chosen", ui.px(row), ui.px(row_height), Tone::panel, 12, false);
   draw_row(f, f.tab, ImGui::GetContentRegionAvail().x / ui.scale);
   end_part();
   const float rest = f.area.width - left - row - gap_after;
   if (rest >= 160) {
-    const ImVec2 corner(at.x + ui.px(left + row + gap_after), at.y + ui.px(10));
+    const ImVec2 corner(at.x + ui.px(left + row + gap_after), at.y + ui.px(6));
     ImGui::SetCursorScreenPos(corner);
     if (f.bench.present) emulated_badge(ui, "dro/emulated");
     ImGui::SetCursorScreenPos(ImVec2(corner.x, corner.y + ui.px(26)));

@@ -22,8 +22,6 @@ class BusRows final : public gui::Panel {
   void draw_strip(gui::Frame& frame);
   void draw_rows(gui::Frame& frame, float height);
   void draw_row(gui::Frame& frame, gui::Tab& member, float width);
-  void draw_controls(gui::Frame& frame, gui::Tab& member, const gui::Rect& row);
-  void draw_number(gui::Frame& frame, gui::Tab& member, float left, float right, float top);
   void sort(const gui::Bus& bus, bool may_move);
 
   std::vector<gui::Tab*> order_;

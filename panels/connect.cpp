@@ -100,6 +100,10 @@ StatusSentence Connect::status(Console& console) {
                                   answering == 1 ? "controller answers" : "controllers answer", ports.size(),
                                   ports.size() == 1 ? "port" : "ports")};
   if (console.ports().busy()) return {Mood::plain, "Looking which ports there are, and who answers."};
+  if (const int open = console.faces(); open > 0)
+    return {Mood::plain, fmt::format("{} open. Plug in another, type its address, or start an emulator.",
+                                     open == 1 ? std::string("One controller is")
+                                               : fmt::format("{} controllers are", open))};
   return {Mood::plain, "No controller is found yet. Plug one in, type its address, or start an emulator."};
 }
 
@@ -180,10 +184,9 @@ void Connect::draw_newcomer(PageFrame& f, float width) {
 void Connect::draw_found(PageFrame& f, const Box& area) {
   Ui& ui = f.ui;
   const float width = area.width - 32;
-  const float form_height = 176 + 32 * static_cast<float>(f.console.devices().state().found.size());
-  const float below =
-      refused_.empty() ? 64 + form_height
-                       : 72 + form_height + wrapped_height(ui, Face::body, refused_, ui.px(width)) / ui.scale;
+  const float refused =
+      refused_.empty() ? 0 : 8 + wrapped_height(ui, Face::body, refused_, ui.px(width)) / ui.scale;
+  const float below = 64 + form_.height(f, width) + refused;
   ImGui::SetCursorScreenPos(ui.px(area.x, area.y));
   begin_part(ui, "ports", ui.px(area.width) - ui.hair(), ui.px(area.height - below), Tone::panel, 16);
   draw_ports(f, width);

@@ -24,7 +24,9 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-constexpr float between = 8, rate_width = 92, id_width = 72;
+constexpr float between = 8, rate_width = 92, id_width = 72, least_port = 120;
+/// What the fields of a search and its button take in one line.
+constexpr float search_in_one_line = 500;
 
 int number_of(const std::string& text, int fallback) {
   int value = fallback;
@@ -69,16 +71,8 @@ std::string ConnectForm::draw(PageFrame& f, float width) {
   draw_text_line(ui, at.x, at.x + ui.px(100), at.y + ui.px(16), Face::body_bold, ui[Tone::ink],
                  "By its parts");
   ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(104), at.y));
-  draw_parts(f, width - 104);
-  ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(104), at.y + ui.px(40)));
-  ButtonOptions open;
-  open.width = 88;
-  const bool opened = button(ui, "connect/form/open", "Open", open).clicked;
+  const bool opened = draw_parts(f, width - 104);
   const std::string made = address();
-  const float left = at.x + ui.px(104 + 96);
-  draw_text_line(ui, left, at.x + ui.px(width), at.y + ui.px(56), Face::code_field, ui[Tone::ink2], made);
-  show(ui, {"connect/form/address", Kind::text, "Address", made, {}, false, {}},
-       {ImVec2(left, at.y + ui.px(40)), ImVec2(at.x + ui.px(width), at.y + ui.px(72))});
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(80)));
   draw_guide(f, width);
   std::string chosen = draw_search(f, width);
@@ -96,9 +90,11 @@ void ConnectForm::choose(Way way) {
   }
 }
 
-void ConnectForm::draw_parts(PageFrame& f, float width) {
+/// Two lines: model, way, port; Open and what it would open. Rate and id stand in the first where it has
+/// room, else in the second.
+bool ConnectForm::draw_parts(PageFrame& f, float width) {
   Ui& ui = f.ui;
-  const float row = ImGui::GetCursorScreenPos().x;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
   std::vector<std::string_view> names;
   for (const Catalog& c : catalogs_) names.push_back(c.short_name);
   const int model = dropdown(ui, "connect/form/model", "Model", names, model_);
@@ -118,34 +114,56 @@ void ConnectForm::draw_parts(PageFrame& f, float width) {
   const int picked = dropdown(ui, "connect/form/way", "Way", ways, static_cast<int>(way_) - first);
   if (picked >= 0) choose(static_cast<Way>(first + picked));
   ImGui::SameLine(0, ui.px(between));
+  const bool has_rate_or_base = way_ == Way::serial || way_ == Way::vme,
+             has_id = has_ids() && way_ != Way::usb;
+  const float numbers = (has_rate_or_base ? rate_width + between : 0) + (has_id ? id_width + between : 0);
+  const float used = (ImGui::GetCursorScreenPos().x - at.x) / ui.scale;
+  const bool one_line = width - used - numbers >= least_port;
   FieldOptions port;
   port.face = Face::code_field;
   port.placeholder = way_ == Way::usb ? "the only one, or its serial number" : "";
-  const float used = (ImGui::GetCursorScreenPos().x - row) / ui.scale;
-  port.width =
-      std::max(120.0f, width - used - (way_ == Way::serial || way_ == Way::vme ? rate_width + between : 0) -
-                           (has_ids() && way_ != Way::usb ? id_width + between : 0));
+  port.width = width - used - (one_line ? numbers : 0);
   text_field(ui, "connect/form/port", "Port", port_, port);
-  if (way_ == Way::serial) {
-    std::vector<std::string> rates;
-    for (const int b : catalog().can.bauds) rates.push_back(fmt::format("{}", b));
-    const std::vector<std::string_view> views(rates.begin(), rates.end());
-    ImGui::SameLine(0, ui.px(between));
-    DropdownOptions o;
-    o.width = rate_width;
-    o.tip = "Baud rate";
-    if (const int b = dropdown(ui, "connect/form/baud", "Baud rate", views, baud_, o); b >= 0) baud_ = b;
-  }
+  const auto draw_numbers = [&](bool before) {
+    const auto apart = [&] { ImGui::SameLine(0, ui.px(between)); };
+    if (has_rate_or_base) before ? (draw_rate_or_base(ui), apart()) : (apart(), draw_rate_or_base(ui));
+    if (has_id) before ? (draw_id(ui), apart()) : (apart(), draw_id(ui));
+  };
+  if (one_line) draw_numbers(false);
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(40)));
+  if (!one_line) draw_numbers(true);
+  ButtonOptions open;
+  open.width = 88;
+  const bool opened = button(ui, "connect/form/open", "Open", open).clicked;
+  ImGui::SameLine(0, ui.px(between));
+  const ImVec2 words = ImGui::GetCursorScreenPos();
+  const std::string made = address();
+  draw_text_line(ui, words.x, at.x + ui.px(width), at.y + ui.px(56), Face::code_field, ui[Tone::ink2], made);
+  show(ui, {"connect/form/address", Kind::text, "Address", made, {}, false, {}},
+       {words, ImVec2(at.x + ui.px(width), at.y + ui.px(72))});
+  return opened;
+}
+
+/// Of a serial line its rate, of a board the place of its window.
+void ConnectForm::draw_rate_or_base(Ui& ui) {
   if (way_ == Way::vme) {
-    ImGui::SameLine(0, ui.px(between));
     FieldOptions base;
     base.face = Face::code_field;
     base.width = rate_width;
     base.tip = "Where the board's window begins in the short address space, as its jumpers say";
     text_field(ui, "connect/form/base", "Base", base_, base);
+    return;
   }
-  if (!has_ids() || way_ == Way::usb) return;
-  ImGui::SameLine(0, ui.px(between));
+  std::vector<std::string> rates;
+  for (const int b : catalog().can.bauds) rates.push_back(fmt::format("{}", b));
+  const std::vector<std::string_view> views(rates.begin(), rates.end());
+  DropdownOptions o;
+  o.width = rate_width;
+  o.tip = "Baud rate";
+  if (const int b = dropdown(ui, "connect/form/baud", "Baud rate", views, baud_, o); b >= 0) baud_ = b;
+}
+
+void ConnectForm::draw_id(Ui& ui) {
   FieldOptions id;
   id.face = Face::code_field;
   id.width = id_width;
@@ -154,25 +172,39 @@ void ConnectForm::draw_parts(PageFrame& f, float width) {
 }
 
 /// For a model that leaves the factory on another line: how it comes onto the shared one, in the words of its
-/// own setting.
-void ConnectForm::draw_guide(PageFrame& f, float width) {
+/// own setting. Empty: it need not.
+std::string ConnectForm::guide() const {
   for (const ParamInfo& p : catalog().params)
-    for (const ParamChoice& choice : p.choices) {
-      if (choice.value == p.fallback || choice.label.find("RS-485") == std::string::npos) continue;
-      const std::string words = fmt::format(
-          "From RS-232 to RS-485: open it as it is, choose \"{}\" for {} ({}) in Setup, write it, store it "
-          "in the "
-          "controller, switch the controller off and on, and open it again with its id.",
-          choice.label, p.label, p.mnemonic);
-      const ImVec2 at = ImGui::GetCursorScreenPos();
-      ImGui::SetCursorScreenPos(ImVec2(at.x + f.ui.px(104), at.y));
-      wrapped(f.ui, Face::small, Tone::ink2, words, width - 104);
-      const float end = ImGui::GetCursorScreenPos().y;
-      show(f.ui, {"connect/form/guide", Kind::text, "Guide", words, {}, false, {}},
-           {at, ImVec2(at.x + f.ui.px(width), end)});
-      ImGui::SetCursorScreenPos(ImVec2(at.x, end + f.ui.px(8)));
-      return;
-    }
+    for (const ParamChoice& choice : p.choices)
+      if (choice.value != p.fallback && choice.label.find("RS-485") != std::string::npos)
+        return fmt::format(
+            "From RS-232 to RS-485: open it as it is, choose \"{}\" for {} ({}) in Setup, write it, store it "
+            "in the controller, switch the controller off and on, and open it again with its id.",
+            choice.label, p.label, p.mnemonic);
+  return {};
+}
+
+void ConnectForm::draw_guide(PageFrame& f, float width) {
+  const std::string words = guide();
+  if (words.empty()) return;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::SetCursorScreenPos(ImVec2(at.x + f.ui.px(104), at.y));
+  wrapped(f.ui, Face::small, Tone::ink2, words, width - 104);
+  const float end = at.y + wrapped_height(f.ui, Face::small, words, f.ui.px(width - 104));
+  show(f.ui, {"connect/form/guide", Kind::text, "Guide", words, {}, false, {}},
+       {at, ImVec2(at.x + f.ui.px(width), end)});
+  ImGui::SetCursorScreenPos(ImVec2(at.x, end + f.ui.px(8)));
+}
+
+float ConnectForm::height(PageFrame& f, float width) {
+  make();
+  if (catalogs_.empty()) return 0;
+  const DeviceSearchState& state = f.console.devices().state();
+  const std::string words = guide();
+  const float guide_height =
+      words.empty() ? 0 : wrapped_height(f.ui, Face::small, words, f.ui.px(width - 104)) / f.ui.scale + 8;
+  const float search = (width - 104 >= search_in_one_line ? 40 : 80) + (words_of(state).empty() ? 0 : 24);
+  return 80 + guide_height + search + 32 * static_cast<float>(state.found.size()) + 24;
 }
 
 // ---- search
@@ -190,7 +222,8 @@ std::string ConnectForm::words_of(const DeviceSearchState& state) const {
 }
 
 /// What is not known is asked for: port, rate, id.
-void ConnectForm::draw_search_fields(Ui& ui) {
+void ConnectForm::draw_search_fields(Ui& ui, bool in_one_line) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
   std::vector<std::string_view> places = {"every port"};
   if (way_ == Way::serial && !port_.empty()) places.push_back(port_);
   one_port_ = one_port_ && places.size() > 1;
@@ -203,10 +236,13 @@ void ConnectForm::draw_search_fields(Ui& ui) {
   std::vector<std::string> words = {"every rate"};
   for (const int rate : rates_) words.push_back(fmt::format("{}", rate));
   const std::vector<std::string_view> names(words.begin(), words.end());
-  o.width = 104;
+  o.width = 116;
   o.tip = "The rates that are searched";
   if (const int i = dropdown(ui, "connect/search/baud", "Rates", names, rate_, o); i >= 0) rate_ = i;
-  ImGui::SameLine(0, ui.px(between));
+  if (in_one_line)
+    ImGui::SameLine(0, ui.px(between));
+  else
+    ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(40)));
   FieldOptions id;
   id.width = 40;
   id.face = Face::code_field;
@@ -233,7 +269,9 @@ std::string ConnectForm::draw_search(PageFrame& f, float width) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   draw_text_line(ui, at.x, at.x + ui.px(100), at.y + ui.px(16), Face::body_bold, ui[Tone::ink], "Search");
   ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(104), at.y));
-  draw_search_fields(ui);
+  const bool in_one_line = width - 104 >= search_in_one_line;
+  draw_search_fields(ui, in_one_line);
+  const float fields = in_one_line ? 0 : 40;
   ButtonOptions o;
   o.tip = "Asks each id at each of these rates and ports. It moves nothing, and takes a while.";
   if (state.running) {
@@ -246,12 +284,12 @@ std::string ConnectForm::draw_search(PageFrame& f, float width) {
   }
   const std::string words = words_of(state);
   if (!words.empty()) {
-    const float left = at.x + ui.px(104), top = at.y + ui.px(36);
+    const float left = at.x + ui.px(104), top = at.y + ui.px(fields + 36);
     draw_text_line(ui, left, at.x + ui.px(width), top + ui.px(12), Face::small, ui[Tone::ink2], words);
     show(ui, {"connect/search/progress", Kind::text, "Search", words, {}, false, words},
          {ImVec2(left, top), ImVec2(at.x + ui.px(width), top + ui.px(24))});
   }
-  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(words.empty() ? 40 : 64)));
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(fields + (words.empty() ? 40 : 64))));
   std::string chosen;
   for (std::size_t i = 0; i < state.found.size(); ++i) {
     const FoundDevice& device = state.found[i];

@@ -18,6 +18,8 @@ class ConnectForm {
   std::string draw(gui::PageFrame& frame, float width);
   /// What the parts say now: "MODEL@serial:/dev/ttyUSB0,baud=9600,id=01".
   [[nodiscard]] std::string address() const;
+  /// What it takes; logical.
+  float height(gui::PageFrame& frame, float width);
 
  private:
   enum class Way : std::uint8_t { serial, usb, tcp, vme, bus };  ///< the last two of boards in a window
@@ -25,10 +27,13 @@ class ConnectForm {
   void choose(Way way);
   [[nodiscard]] const Catalog& catalog() const { return catalogs_[static_cast<std::size_t>(model_)]; }
   [[nodiscard]] bool has_ids() const;
-  void draw_parts(gui::PageFrame& frame, float width);
+  bool draw_parts(gui::PageFrame& frame, float width);
+  void draw_rate_or_base(gui::Ui& ui);
+  void draw_id(gui::Ui& ui);
+  [[nodiscard]] std::string guide() const;
   void draw_guide(gui::PageFrame& frame, float width);
   std::string draw_search(gui::PageFrame& frame, float width);
-  void draw_search_fields(gui::Ui& ui);
+  void draw_search_fields(gui::Ui& ui, bool in_one_line);
   [[nodiscard]] std::string words_of(const gui::DeviceSearchState& state) const;
 
   bool made_ = false;

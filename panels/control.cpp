@@ -176,8 +176,9 @@ void Control::draw_about(Frame& f, float width) {
     const float middle = std::floor(row.centre().y);
     draw_text_line(ui, row.min.x, row.max.x, middle, Face::body, ui[Tone::ink2], name);
     const float w = std::ceil(text_width(ui, Face::body, value));
-    draw_text_line(ui, std::max(row.min.x + ui.px(140), row.max.x - w), row.max.x + 1, middle, Face::body,
-                   ui[Tone::ink], value);
+    const float name_end = row.min.x + std::ceil(text_width(ui, Face::body, name)) + ui.px(12);
+    draw_text_line(ui, std::max(name_end, row.max.x - w), row.max.x + 1, middle, Face::body, ui[Tone::ink],
+                   value);
     show(ui, {id, Kind::text, name, value, {}, false, {}}, row);
     y = row.max.y;
   };

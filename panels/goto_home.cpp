@@ -29,6 +29,10 @@ bool several(const Frame& f) { return f.catalog.can.interpolates && f.catalog.ax
 /// A name that can be chosen is a button.
 float name_width_of(const Frame& f) { return several(f) ? 36 : f.catalog.axes.size() > 1 ? 20 : 28; }
 
+/// Of many axes only the chosen one has a row, unless all are asked for.
+bool many(const Frame& f) { return f.catalog.axes.size() > 4; }
+float title_height(const Frame& f) { return f.tier == Tier::wide && f.catalog.axes.size() <= 2 ? 40 : 36; }
+
 float homes_width(const Frame& f) { return f.catalog.can.homes ? 2 * home_width(f) + between : 0; }
 
 }  // namespace
@@ -38,30 +42,42 @@ void GotoHome::draw(Frame& f) {
   for (std::size_t i = 0; i < f.catalog.axes.size(); ++i) {
     const AxisId axis{static_cast<std::uint8_t>(i)};
     follow(f, axis);
-    draw_row(f, axis);
+    if (!many(f) || all_ || axis == f.tab.chosen_axis) draw_row(f, axis);
   }
-  draw_together(f);
+  if (!many(f) || all_) draw_together(f);
+  if (many(f)) draw_all_or_one(f);
   gap(f.ui, 8);
+}
+
+void GotoHome::draw_all_or_one(Frame& f) {
+  ButtonOptions o;
+  o.style = ButtonStyle::quiet;
+  o.width = f.area.width;
+  o.icon_after = all_ ? Icon::chevron_up : Icon::chevron_down;
+  o.tip =
+      all_ ? "Only the axis that is chosen above." : "A row for each axis, and moves of several together.";
+  if (button(f.ui, "goto/all", all_ ? "The chosen axis only" : "All axes", o).clicked) all_ = !all_;
 }
 
 void GotoHome::draw_title(Frame& f) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float height = title_height(f), top = at.y + ui.px((height - 32) / 2);
   static constexpr std::array<std::string_view, 2> ways = {"To", "By"};
-  draw_text_line(ui, at.x, at.x + ui.px(40), at.y + ui.px(20), Face::body_bold, ui[Tone::ink], "Go");
-  ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(28), at.y + ui.px(4)));
+  draw_text_line(ui, at.x, at.x + ui.px(40), at.y + ui.px(height / 2), Face::body_bold, ui[Tone::ink], "Go");
+  ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(28), top));
   const int way = segment(ui, "goto/way", ways, by_ ? 1 : 0, {.cell_width = 36});
   if (way >= 0) by_ = way == 1;
-  const ImVec2 after(at.x, at.y + ui.px(40));
+  const ImVec2 after(at.x, at.y + ui.px(height));
   ImGui::SetCursorScreenPos(after);
   if (!f.catalog.can.homes) return;
   const float x = at.x + ui.px(f.area.width - homes_width(f));
   if (f.catalog.homing_modes.size() < 2) {
-    draw_text_line(ui, x, x + ui.px(90), at.y + ui.px(20), Face::body_bold, ui[Tone::ink], "Home");
+    draw_text_line(ui, x, x + ui.px(90), at.y + ui.px(height / 2), Face::body_bold, ui[Tone::ink], "Home");
     return;
   }
   // The way of homing, for all axes; its button says Home.
-  ImGui::SetCursorScreenPos(ImVec2(x, at.y + ui.px(4)));
+  ImGui::SetCursorScreenPos(ImVec2(x, top));
   names_.clear();
   for (const HomingMode& mode : f.catalog.homing_modes) names_.push_back(mode.label);
   const int picked = menu(ui, "home/mode", "Home", names_, {});
@@ -182,7 +198,7 @@ bool GotoHome::chosen(const Frame& f, std::size_t axis) const {
 void GotoHome::draw_name(Frame& f, AxisId axis, ImVec2 at) {
   Ui& ui = f.ui;
   const std::string& name = f.catalog.axes[axis.index].name;
-  if (!several(f))
+  if (!several(f) || (many(f) && !all_))
     return draw_text_line(ui, at.x, at.x + ui.px(name_width_of(f)), at.y + ui.px(16), Face::body_bold,
                           ui[Tone::ink], name);
   ButtonOptions o;

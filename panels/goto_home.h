@@ -28,6 +28,7 @@ class GotoHome final : public gui::Panel {
   void draw_title(gui::Frame& frame);
   void draw_name(gui::Frame& frame, AxisId axis, ImVec2 at);
   void draw_together(gui::Frame& frame);
+  void draw_all_or_one(gui::Frame& frame);
   void draw_row(gui::Frame& frame, AxisId axis);
   void draw_homes(gui::Frame& frame, AxisId axis, std::string_view why);
   void draw_refusal(gui::Frame& frame, AxisId axis);
@@ -43,6 +44,7 @@ class GotoHome final : public gui::Panel {
   std::array<Row, max_axes> rows_;
   int mode_ = 0;
   bool by_ = false;                      ///< distances instead of targets
+  bool all_ = false;                     ///< of many axes: a row for each
   std::uint32_t together_ = 0;           ///< bit per axis: takes part in a move of several
   std::vector<std::string_view> names_;  ///< of the ways of homing; kept for its memory
 };

@@ -19,7 +19,7 @@ using namespace gui;
 
 namespace {
 
-constexpr float between = 4;
+constexpr float between = 4, least_around_words = 10;
 constexpr std::string_view minus_sign = "\u2212";
 
 struct Cell {
@@ -34,48 +34,64 @@ Cell cell_of(AxisId axis, Sign sign) {
   return {column, plus ? 0.0f : 2.0f, plus ? Icon::up : Icon::down};
 }
 
-/// On a bus of one-axis controllers each row has its own two buttons.
-bool jogs_in_rows(const Frame& f) { return f.tab.bus && f.catalog.axes.size() == 1; }
+/// Each device of a bus, and each of many axes, has a row with its own two buttons.
+bool jogs_in_rows(const Frame& f) {
+  return f.tier == Tier::narrow ? f.tab.bus && f.catalog.axes.size() == 1
+                                : f.tab.bus || f.catalog.axes.size() > 4;
+}
+bool in_pairs(const Frame& f) { return f.catalog.axes.size() > 4 && !jogs_in_rows(f); }
+/// Speed in the line of the title, captions in that of the steps: what is done every day needs no scrolling.
+bool close_together(const Frame& f) {
+  return f.tier == Tier::medium || (f.tier == Tier::wide && (f.tab.bus || f.catalog.axes.size() > 2));
+}
+
+bool roomy_speed(const Frame& f) { return f.tier == Tier::wide && !close_together(f); }
+
+float cell_size(const Frame& f, float columns) {
+  const float largest = f.tier == Tier::wide && f.catalog.axes.size() <= 3 ? 56.0f : 48.0f;
+  return std::min(largest, std::floor((f.area.width + between) / columns) - between);
+}
 
 }  // namespace
 
 void Jog::draw(Frame& f) {
-  const std::size_t axes = f.catalog.axes.size();
-  const float columns = axes <= 2 ? 3 : static_cast<float>(axes) + 1;
-  const float largest = f.tier == Tier::wide && axes <= 3 ? 56.0f : 48.0f;
-  const float cell = std::min(largest, std::floor((f.area.width + between) / columns) - between);
-  const float height = axes == 1 ? cell : 3 * cell + 2 * between;
-  const float x = columns * (cell + between) + 12;
-  const bool beside = axes == 2;
   follow_unit(f);
-  const float width = std::min(f.area.width - x, 104.0f);
-  short_labels_ = !beside || !labels_fit(f, width);
   draw_title(f);
-  draw_reason(f);
+  draw_hint(f);
   origin_ = ImGui::GetCursorScreenPos();
-  draw_pad(f, cell);
-  if (beside) {
-    draw_steps_column(f, x, width, height);
-    ImGui::SetCursorScreenPos(ImVec2(origin_.x, origin_.y + f.ui.px(height + 12)));
+  if (jogs_in_rows(f)) {
+    constexpr float stop = 48;
+    draw_stop(f, 0, 0, ImVec2(stop, stop));
+    const float beside = f.area.width - stop - 12;
+    const bool fits = spare_of(f, 0, beside) >= least_around_words;
+    if (fits)
+      draw_steps_row(f, stop + 12, (stop - 32) / 2, beside);
+    else
+      draw_steps_row(f, 0, stop + 8, f.area.width);
+    ImGui::SetCursorScreenPos(ImVec2(origin_.x, origin_.y + f.ui.px(stop + 8 + (fits ? 0 : 40))));
+  } else if (in_pairs(f)) {
+    draw_pairs(f);
   } else {
-    ImGui::SetCursorScreenPos(ImVec2(origin_.x, origin_.y + f.ui.px(height + 8)));
-    draw_steps_row(f);
+    draw_cross(f);
   }
-  draw_speed(f);
-  if (f.tier != Tier::narrow) group_line(f.ui, 8);
+  if (!close_together(f)) draw_speed(f);
+  if (f.tier != Tier::narrow) group_line(f.ui, close_together(f) ? 4 : 8);
 }
 
 /// In a narrow window the strip of positions has no room for the unit: it stands here.
 void Jog::draw_title(Frame& f) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const Path caption("a tap, in {}", steps_unit_.name);
-  const bool captioned = short_labels_ && f.tier != Tier::narrow;
-  section_title(ui, "Jog", captioned ? caption.view() : std::string_view(), 40);
-  if (f.tier != Tier::narrow) return;
+  const float height = close_together(f) ? 36 : 40;
+  section_title(ui, "Jog", {}, height);
   const ImVec2 after = ImGui::GetCursorScreenPos();
-  ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(f.area.width - unit_chooser_width(f)), at.y + ui.px(4)));
-  draw_unit_chooser(f);
+  if (close_together(f)) {
+    constexpr float title = 40;
+    draw_speed_slider(f, ImVec2(at.x + ui.px(title), at.y + ui.px(2)), f.area.width - title);
+  } else if (f.tier == Tier::narrow) {
+    ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(f.area.width - unit_chooser_width(f)), at.y + ui.px(4)));
+    draw_unit_chooser(f);
+  }
   ImGui::SetCursorScreenPos(after);
 }
 
@@ -85,55 +101,101 @@ bool Jog::labels_fit(const Frame& f, float width) const {
   });
 }
 
-void Jog::draw_reason(Frame& f) {
+// The pad does not move under the hand when there is a reason not to jog: its place is kept.
+void Jog::draw_hint(Frame& f) {
+  Ui& ui = f.ui;
   const std::string_view why = f.tab.why_not_move();
-  if (why.empty()) return;
+  const bool keeps = f.tier != Tier::narrow;
+  if (why.empty() && !keeps) return;
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  draw_icon(ImGui::GetWindowDrawList(), Icon::info, ImVec2(at.x + f.ui.px(6), at.y + f.ui.px(8)), f.ui.px(12),
-            f.ui[Tone::ink2]);
-  ImGui::SetCursorScreenPos(ImVec2(at.x + f.ui.px(20), at.y));
-  wrapped(f.ui, Face::small, Tone::ink2, why, f.area.width - 20);
-  ImGui::SetCursorScreenPos(ImVec2(at.x, ImGui::GetCursorScreenPos().y));
-  gap(f.ui, 4);
+  const Path hint("Hold a button to move. A tap moves the chosen step, in {}.", steps_unit_.name);
+  const std::string_view words = why.empty() ? hint.view() : why;
+  draw_icon(ImGui::GetWindowDrawList(), Icon::info, ImVec2(at.x + ui.px(6), at.y + ui.px(8)), ui.px(12),
+            ui[why.empty() ? Tone::ink3 : Tone::ink2]);
+  ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(20), at.y));
+  wrapped(ui, Face::small, why.empty() ? Tone::ink3 : Tone::ink2, words, f.area.width - 20);
+  const float lines = f.tier == Tier::wide ? 2 : keeps ? 3 : 0;
+  const float end = std::max(ImGui::GetItemRectMax().y, at.y + lines * ui.line(Face::small));
+  ImGui::SetCursorScreenPos(ImVec2(at.x, end + ui.px(4)));
 }
 
-void Jog::draw_pad(Frame& f, float cell) {
-  if (jogs_in_rows(f)) return draw_stop(f, 0, 0, cell);
-  const bool flat = f.catalog.axes.size() == 1;
-  for (std::size_t i = 0; i < std::min<std::size_t>(f.catalog.axes.size(), 4); ++i)
+void Jog::draw_cross(Frame& f) {
+  const std::size_t axes = f.catalog.axes.size();
+  const bool flat = axes == 1, beside = axes == 2;
+  const float columns = axes <= 2 ? 3 : static_cast<float>(axes) + 1;
+  const float cell = cell_size(f, columns), pitch = cell + between;
+  for (std::size_t i = 0; i < axes; ++i)
     for (const Sign sign : {Sign::minus, Sign::plus}) {
       const AxisId axis{static_cast<std::uint8_t>(i)};
       const Cell place = cell_of(axis, sign);
-      draw_button(f, axis, sign, place.column * (cell + between), (flat ? 0 : place.row) * (cell + between),
-                  cell);
+      draw_button(f, axis, sign, place.column * pitch, (flat ? 0 : place.row) * pitch, ImVec2(cell, cell));
     }
-  draw_stop(f, cell + between, flat ? 0 : cell + between, cell);
+  draw_stop(f, pitch, flat ? 0 : pitch, ImVec2(cell, cell));
+  const float height = flat ? cell : 3 * cell + 2 * between;
+  if (beside) {
+    const float x = columns * pitch + 12;
+    draw_steps_column(f, x, std::min(f.area.width - x, 104.0f), height);
+    ImGui::SetCursorScreenPos(ImVec2(origin_.x, origin_.y + f.ui.px(height + 12)));
+  } else {
+    draw_steps_row(f, 0, height + 8, std::min(f.area.width, 304.0f));
+    ImGui::SetCursorScreenPos(ImVec2(origin_.x, origin_.y + f.ui.px(height + 8 + 40)));
+  }
 }
 
-void Jog::draw_button(Frame& f, AxisId axis, Sign sign, float x, float y, float cell) {
+/// Many axes where their rows have no room for buttons: two beside each other for each.
+void Jog::draw_pairs(Frame& f) {
+  const ImVec2 size(44, 40);
+  const float pair = 2 * size.x + between + 12, row = size.y + 8;
+  const int columns = std::max(1, static_cast<int>((f.area.width + 12) / pair));
+  const auto place = [&](int n) {
+    return ImVec2(pair * static_cast<float>(n % columns), row * static_cast<float>(n / columns));
+  };
+  draw_stop(f, 0, 0, ImVec2(2 * size.x + between, size.y));
+  const int axes = static_cast<int>(f.catalog.axes.size());
+  for (int i = 0; i < axes; ++i) {
+    const ImVec2 at = place(i + 1);
+    const AxisId axis{static_cast<std::uint8_t>(i)};
+    draw_button(f, axis, Sign::minus, at.x, at.y, size);
+    draw_button(f, axis, Sign::plus, at.x + size.x + between, at.y, size);
+  }
+  const float below = place(axes).y + row;
+  draw_steps_row(f, 0, below, std::min(f.area.width, 304.0f));
+  ImGui::SetCursorScreenPos(ImVec2(origin_.x, origin_.y + f.ui.px(below + 40)));
+}
+
+void Jog::draw_button(Frame& f, AxisId axis, Sign sign, float x, float y, ImVec2 size) {
   Ui& ui = f.ui;
   HoldOptions o;
-  o.icon = cell_of(axis, sign).icon;
-  o.width = o.height = cell;
+  o.icon = in_pairs(f) ? Icon::none : cell_of(axis, sign).icon;
+  o.width = size.x;
+  o.height = size.y;
   ImGui::SetCursorScreenPos(ImVec2(origin_.x + ui.px(x), origin_.y + ui.px(y)));
   const std::string_view name = f.catalog.axes[axis.index].name;
   draw_jog_button(ui, f.tab, axis, sign,
                   Path("{}{}", name, sign == Sign::plus ? std::string_view("+") : minus_sign), o);
 }
 
-void Jog::draw_stop(Frame& f, float x, float y, float cell) {
+void Jog::draw_stop(Frame& f, float x, float y, ImVec2 size) {
   Ui& ui = f.ui;
   ImGui::SetCursorScreenPos(ImVec2(origin_.x + ui.px(x), origin_.y + ui.px(y)));
   const Touch t = touch(ui, {"jog/stop", Kind::button, "Stop", {}, {}, false, "Stops this controller"},
-                        ui.px(cell, cell));
+                        ui.px(size.x, size.y));
   if (t.hovered || t.held) draw_fill(ui, t.rect, ui[t.held ? Tone::sel : Tone::hover]);
   draw_outline(ui, t.rect, ui[Tone::fault]);
   const float middle = t.rect.centre().y;
-  draw_icon(ImGui::GetWindowDrawList(), Icon::stop,
-            ImVec2(std::floor(t.rect.centre().x), std::floor(middle - ui.px(10))), ui.px(12),
-            ui[Tone::fault]);
-  draw_text_centred(ui, {ImVec2(t.rect.min.x, middle), ImVec2(t.rect.max.x, middle + ui.px(20))},
-                    Face::body_bold, ui[Tone::fault], "Stop");
+  if (size.x > 1.5f * size.y) {  // beside each other
+    const float words = text_width(ui, Face::body_bold, "Stop"),
+                left = t.rect.centre().x - words / 2 + ui.px(8);
+    draw_icon(ImGui::GetWindowDrawList(), Icon::stop,
+              ImVec2(std::floor(left - ui.px(14)), std::floor(middle)), ui.px(12), ui[Tone::fault]);
+    draw_text_line(ui, std::floor(left), t.rect.max.x, middle, Face::body_bold, ui[Tone::fault], "Stop");
+  } else {
+    draw_icon(ImGui::GetWindowDrawList(), Icon::stop,
+              ImVec2(std::floor(t.rect.centre().x), std::floor(middle - ui.px(10))), ui.px(12),
+              ui[Tone::fault]);
+    draw_text_centred(ui, {ImVec2(t.rect.min.x, middle), ImVec2(t.rect.max.x, middle + ui.px(20))},
+                      Face::body_bold, ui[Tone::fault], "Stop");
+  }
   draw_ring(ui, t);
   if (t.started) f.tab.stop_all();  // on the press, not on the release
 }
@@ -153,17 +215,18 @@ void Jog::follow_unit(Frame& f) {
   steps_.erase(last_chosen ? steps_.begin() + 1 : steps_.end() - 1);
 }
 
-std::string_view Jog::label_of(const JogStep& step) const {
-  if (!short_labels_) return step.label;
-  return step.id == "step" ? std::string_view("1 st.") : std::string_view(step.number);
+std::string_view Jog::label_of(const JogStep& step, int room) const {
+  if (room >= 3 || (room >= 1 && &step == &steps_.back())) return step.label;  // one unit says it for all
+  if (step.id != "step") return step.number;
+  return room >= 2 ? std::string_view(step.label) : std::string_view("1 st.");
 }
 
-void Jog::draw_step(Frame& f, const JogStep& step, float width) {
+void Jog::draw_step(Frame& f, const JogStep& step, std::string_view label, float width) {
   ButtonOptions o;
   o.on = step.steps == f.tab.jog_step();
   o.width = width;
   o.tip = step.caption.empty() ? std::string_view("A tap moves this far.") : std::string_view(step.caption);
-  if (button(f.ui, Path("jog/step/{}", step.id), label_of(step), o).clicked) {
+  if (button(f.ui, Path("jog/step/{}", step.id), label, o).clicked) {
     f.tab.profile.jog_step = step.steps;
     f.tab.profile_edited();
   }
@@ -171,43 +234,46 @@ void Jog::draw_step(Frame& f, const JogStep& step, float width) {
 
 void Jog::draw_steps_column(Frame& f, float x, float width, float height) {
   const float pitch = (height - 32) / static_cast<float>(steps_.size() - 1);
+  const int room = labels_fit(f, width) ? 3 : 0;
   for (std::size_t i = 0; i < steps_.size(); ++i) {
     ImGui::SetCursorScreenPos(
         ImVec2(origin_.x + f.ui.px(x), origin_.y + f.ui.px(std::floor(pitch * static_cast<float>(i)))));
-    draw_step(f, steps_[i], width);
+    draw_step(f, steps_[i], label_of(steps_[i], room), width);
   }
 }
 
-void Jog::draw_steps_row(Frame& f) {
-  Ui& ui = f.ui;
-  if (f.tier == Tier::narrow) text(ui, Face::small, Tone::ink2, Path("A tap moves, in {}", steps_unit_.name));
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const auto words = [&](const JogStep& step) {
-    return text_width(ui, Face::body_bold, label_of(step)) / ui.scale;
-  };
+/// What the words of all steps leave of a row, for each.
+float Jog::spare_of(const Frame& f, int room, float row) const {
   float used = 0;
-  for (const JogStep& step : steps_) used += words(step);
-  // What the words leave is shared out, so that the longest is not cut.
-  const float n = static_cast<float>(steps_.size()), row = std::min(f.area.width, 304.0f);
-  const float around = std::floor((row - between * (n - 1) - used) / n);
-  float x = 0;
+  for (const JogStep& step : steps_)
+    used += text_width(f.ui, Face::body_bold, label_of(step, room)) / f.ui.scale;
+  const float n = static_cast<float>(steps_.size());
+  return std::floor((row - between * (n - 1) - used) / n);
+}
+
+// It is shared out, so that the longest is not cut.
+void Jog::draw_steps_row(Frame& f, float x, float y, float row) {
+  Ui& ui = f.ui;
+  int room = 3;
+  while (room > 0 && spare_of(f, room, row) < least_around_words) --room;
+  const float spare = spare_of(f, room, row);
   for (const JogStep& step : steps_) {
-    const float width = std::floor(words(step) + around);
-    ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(x), at.y));
-    draw_step(f, step, width);
+    const std::string_view label = label_of(step, room);
+    const float width = std::floor(text_width(ui, Face::body_bold, label) / ui.scale + spare);
+    ImGui::SetCursorScreenPos(ImVec2(origin_.x + ui.px(x), origin_.y + ui.px(y)));
+    draw_step(f, step, label, width);
     x += width + between;
   }
-  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(40)));
 }
 
 // ---- speed
 
-void Jog::draw_speed(Frame& f) {
+/// One line: the slider, and how fast that is.
+void Jog::draw_speed_slider(Frame& f, ImVec2 at, float width) {
   Ui& ui = f.ui;
   const bool own = f.tab.jog_speed().value <= 0;
   const double now = own ? f.catalog.jog_speed.value : f.tab.jog_speed().value;
   const NumberText words = format_speed(Pps(now), f.tab.unit(AxisId{0}));
-  const ImVec2 at = ImGui::GetCursorScreenPos();
   SliderOptions o;
   o.min = std::max(1.0, f.catalog.jog_speed_min.value);
   o.max = f.catalog.jog_speed_max.value;
@@ -217,25 +283,35 @@ void Jog::draw_speed(Frame& f) {
   o.tip = own ? "Speed while held: the controller's own. Drag to choose another."
               : "Speed while held. A double click goes back to the controller's own.";
   o.value_text = words;
-  o.width = f.area.width;
-  float y = at.y;
-  if (f.tier == Tier::wide && f.catalog.axes.size() <= 2) {
-    draw_text(ui, at, Face::body, ui[Tone::ink2], own ? "Speed, the controller's" : "Speed while held");
-    draw_text_right(ui, ImVec2(at.x + ui.px(f.area.width), at.y), Face::body_bold, ui[Tone::ink], words);
-    y += ui.px(22);
-  } else {  // one line: the slider, and how fast that is
+  o.width = width;
+  if (!roomy_speed(f)) {
     const float right = std::ceil(text_width(ui, Face::body_bold, words));
-    draw_text_right(ui, ImVec2(at.x + ui.px(f.area.width), at.y + ui.px(6)), Face::body_bold, ui[Tone::ink],
-                    words);
+    draw_text_right(ui, ImVec2(at.x + ui.px(width), at.y + ui.px(6)), Face::body_bold, ui[Tone::ink], words);
     o.width -= std::max(84.0f, std::ceil(right / ui.scale)) + 8;
   }
-  ImGui::SetCursorScreenPos(ImVec2(at.x, y));
+  ImGui::SetCursorScreenPos(at);
   double speed = now;
   if (slider(ui, "jog/speed", "Speed while held", speed, o)) {
     const double chosen = std::round(speed);
     f.tab.profile.jog_speed = Pps(chosen == f.catalog.jog_speed.value ? 0 : chosen);
     f.tab.profile_edited();
   }
+}
+
+/// A line of its own; where there is room the words stand over the slider.
+void Jog::draw_speed(Frame& f) {
+  Ui& ui = f.ui;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  float y = at.y;
+  if (roomy_speed(f)) {
+    const bool own = f.tab.jog_speed().value <= 0;
+    const Pps now = own ? f.catalog.jog_speed : f.tab.jog_speed();
+    draw_text(ui, at, Face::body, ui[Tone::ink2], own ? "Speed, the controller's" : "Speed while held");
+    draw_text_right(ui, ImVec2(at.x + ui.px(f.area.width), at.y), Face::body_bold, ui[Tone::ink],
+                    format_speed(now, f.tab.unit(AxisId{0})));
+    y += ui.px(22);
+  }
+  draw_speed_slider(f, ImVec2(at.x, y), f.area.width);
   ImGui::SetCursorScreenPos(ImVec2(at.x, y + ui.px(36)));
 }
 

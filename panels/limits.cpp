@@ -16,6 +16,8 @@ using namespace gui;
 
 namespace {
 
+constexpr float with_home_name = 24, signal_height = 28;
+
 struct LimitLook {
   LampState state;
   std::string_view word;
@@ -67,69 +69,94 @@ void Limits::draw(Frame& f) {
   group_line(ui, 10);
 }
 
+/// A lamp with its name, in the line of an axis.
+struct Limits::Signal {
+  Path id;
+  std::string_view label, word;
+  LampShape shape;
+  LampState state;
+  bool on;
+};
+
+/// What stands in the title in words: first what is wrong.
+struct Limits::Summary {
+  std::string on, alerts;
+  bool known = true;
+
+  void add(const std::string& axis, const Signal& signal) {
+    if (!signal.on) return;
+    std::string& all = signal.state == LampState::hit ? alerts : on;
+    all += fmt::format("{}{} {}", all.empty() ? "" : ", ", axis, signal.label);
+  }
+  [[nodiscard]] bool warns() const { return !known || !alerts.empty(); }
+  [[nodiscard]] std::string_view words() const {
+    if (!known) return "not known";
+    if (!alerts.empty()) return alerts;
+    if (!on.empty()) return on;
+    return "all clear";
+  }
+};
+
 /// Four lamps an axis in a line; what is on stands in the title in words.
 void Limits::draw_with_home(Frame& f) {
   Ui& ui = f.ui;
-  // A sign needs less room than a word.
-  const float name_width = 24, sign_cell = 40, word_cell = (f.area.width - name_width - 2 * sign_cell) / 2;
-  std::string on, alerts;
-  bool known = true;
-  const auto say = [](std::string& all, std::string_view words) {
-    all += (all.empty() ? "" : ", ") + std::string(words);
-  };
+  Summary summary;
   const ImVec2 title = ImGui::GetCursorScreenPos();
   section_title(ui, "Limits and home", {}, 40);
-  for (int i = 0; i < static_cast<int>(f.catalog.axes.size()); ++i) {
-    const AxisState& a = f.now.axes[static_cast<std::size_t>(i)];
-    const std::string& name = f.catalog.axes[static_cast<std::size_t>(i)].name;
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const bool sure = a.limits_known && f.connected() && !is_old(f.now, i, f.clock);
-    known = known && sure;
-    draw_text_line(ui, at.x, at.x + ui.px(name_width), at.y + ui.px(14), Face::body_bold, ui[Tone::ink],
-                   name);
-    float x = name_width;
-    const auto one = [&](std::string_view id, std::string_view label, bool lit, LampShape shape,
-                         LampState state, std::string_view word) {
-      const float cell = label.size() > 3 ? word_cell : sign_cell;
-      const Rect r{ImVec2(at.x + ui.px(x), at.y), ImVec2(at.x + ui.px(x + cell), at.y + ui.px(28))};
-      const float middle = std::floor(r.centre().y);
-      draw_lamp(ui, ImVec2(r.min.x + ui.px(7), middle), 12, shape, sure ? state : LampState::unknown);
-      const bool alert = lit && state == LampState::hit;
-      draw_text_line(ui, r.min.x + ui.px(18), r.max.x, middle, lit ? Face::small_bold : Face::small,
-                     ui[alert ? Tone::warn
-                        : lit ? Tone::ink
-                              : Tone::ink2],
-                     label);
-      const Path value("{}{}", word, sure ? "" : "?");
-      show(ui, {id, Kind::lamp, label, value, {}, false, value}, r);
-      if (lit && sure) say(alert ? alerts : on, Path("{} {}", name, label));
-      x += cell;
-    };
-    for (const Sign sign : {Sign::minus, Sign::plus}) {
-      const LimitLook look = look_of(f, i, sign);
-      const bool hit = sign == Sign::minus ? a.limit_minus : a.limit_plus;
-      one(Path("io/limit/{}/{}", name, letter(sign)), sign_text(sign), hit, LampShape::square, look.state,
-          hit ? "HIT" : "clear");
-    }
-    const AxisInfo& info = f.catalog.axes[static_cast<std::size_t>(i)];
-    if (info.home_input)
-      one(Path("io/home/{}", name), "home", a.home, LampShape::round, a.home ? LampState::on : LampState::off,
-          a.home ? "on" : "off");
-    if (info.alarm_input)
-      one(Path("io/alarm/{}", name), "alarm", a.alarm, LampShape::square,
-          a.alarm ? LampState::hit : LampState::off, a.alarm ? "ALARM" : "clear");
-    ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(28)));
-  }
-  const std::string_view words = !known            ? std::string_view("not known")
-                                 : !alerts.empty() ? std::string_view(alerts)
-                                 : on.empty()      ? std::string_view("all clear")
-                                                   : std::string_view(on);
+  for (int i = 0; i < static_cast<int>(f.catalog.axes.size()); ++i) draw_signals(f, i, summary);
   const float end = title.x + ui.px(f.area.width);
   const float room = ui.px(f.area.width - 12) - text_width(ui, Face::body_bold, "Limits and home");
-  const float width = std::min(room, std::ceil(text_width(ui, Face::small, words)));
+  const float width = std::min(room, std::ceil(text_width(ui, Face::small, summary.words())));
   draw_text_line(ui, end - width, end + 1, title.y + ui.px(20), Face::small,
-                 ui[!known || !alerts.empty() ? Tone::warn : Tone::ink2], words);
+                 ui[summary.warns() ? Tone::warn : Tone::ink2], summary.words());
   group_line(ui, 10);
+}
+
+void Limits::draw_signals(Frame& f, int i, Summary& summary) {
+  Ui& ui = f.ui;
+  const AxisState& a = f.now.axes[static_cast<std::size_t>(i)];
+  const AxisInfo& info = f.catalog.axes[static_cast<std::size_t>(i)];
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const bool sure = a.limits_known && f.connected() && !is_old(f.now, i, f.clock);
+  summary.known = summary.known && sure;
+  draw_text_line(ui, at.x, at.x + ui.px(with_home_name), at.y + ui.px(14), Face::body_bold, ui[Tone::ink],
+                 info.name);
+  float x = with_home_name;
+  const auto one = [&](const Signal& signal, float cell) {
+    draw_signal(f, signal, sure, ImVec2(at.x + ui.px(x), at.y), cell);
+    if (sure) summary.add(info.name, signal);
+    x += cell;
+  };
+  // A sign needs less room than a word.
+  constexpr float sign_cell = 40;
+  const float word_cell = (f.area.width - with_home_name - 2 * sign_cell) / 2;
+  for (const Sign sign : {Sign::minus, Sign::plus}) {
+    const bool hit = sign == Sign::minus ? a.limit_minus : a.limit_plus;
+    one({Path("io/limit/{}/{}", info.name, letter(sign)), sign_text(sign), hit ? "HIT" : "clear",
+         LampShape::square, hit ? LampState::hit : LampState::off, hit},
+        sign_cell);
+  }
+  if (info.home_input)
+    one({Path("io/home/{}", info.name), "home", a.home ? "on" : "off", LampShape::round,
+         a.home ? LampState::on : LampState::off, a.home},
+        word_cell);
+  if (info.alarm_input)
+    one({Path("io/alarm/{}", info.name), "alarm", a.alarm ? "ALARM" : "clear", LampShape::square,
+         a.alarm ? LampState::hit : LampState::off, a.alarm},
+        word_cell);
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(signal_height)));
+}
+
+void Limits::draw_signal(Frame& f, const Signal& s, bool sure, ImVec2 at, float cell) {
+  Ui& ui = f.ui;
+  const Rect r{at, ImVec2(at.x + ui.px(cell), at.y + ui.px(signal_height))};
+  const float middle = std::floor(r.centre().y);
+  draw_lamp(ui, ImVec2(r.min.x + ui.px(7), middle), 12, s.shape, sure ? s.state : LampState::unknown);
+  const Tone tone = s.on && s.state == LampState::hit ? Tone::warn : s.on ? Tone::ink : Tone::ink2;
+  draw_text_line(ui, r.min.x + ui.px(18), r.max.x, middle, s.on ? Face::small_bold : Face::small, ui[tone],
+                 s.label);
+  const Path value("{}{}", s.word, sure ? "" : "?");
+  show(ui, {s.id, Kind::lamp, s.label, value, {}, false, value}, r);
 }
 
 /// One lamp over its name; of more than two axes both lamps stand in a line, with the axis between them.

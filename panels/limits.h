@@ -1,4 +1,6 @@
 #pragma once
+#include <imgui.h>
+
 #include "gui/panel.h"
 
 namespace hw::panels {
@@ -9,7 +11,11 @@ class Limits final : public gui::Panel {
   void draw(gui::Frame& frame) override;
 
  private:
+  struct Signal;
+  struct Summary;
   void draw_with_home(gui::Frame& frame);
+  void draw_signals(gui::Frame& frame, int axis, Summary& summary);
+  void draw_signal(gui::Frame& frame, const Signal& signal, bool sure, ImVec2 at, float cell);
   void draw_rail(gui::Frame& frame);
 };
 

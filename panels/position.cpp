@@ -10,9 +10,10 @@
 #include "gui/widgets/button.h"
 #include "gui/widgets/lamp.h"
 #include "gui/widgets/text.h"
-#include "gui/widgets/text_field.h"
 #include "panels/axis_extras.h"
+#include "panels/axis_line.h"
 #include "panels/path.h"
+#include "panels/position_words.h"
 #include "panels/unit_chooser.h"
 
 namespace hw::panels {
@@ -21,26 +22,43 @@ using namespace gui;
 
 namespace {
 
-AxisId axis_id(int i) { return AxisId{static_cast<std::uint8_t>(i)}; }
+constexpr float head_height = 20, small_limits_width = 36, between_strip_columns = 24;
+/// Left of a number: room for an encoder position, so that numbers take smaller type before it is cut.
+constexpr float room_beside = 80;
+
+AxisId axis_id(std::size_t i) { return AxisId{static_cast<std::uint8_t>(i)}; }
+
+bool in_strip(const Frame& f) { return f.tier == Tier::narrow; }
+/// A row with jog buttons for each axis.
+bool as_lines(const Frame& f) { return f.catalog.axes.size() > 4; }
+/// Captions stand beside the number, not under it.
+bool close_together(const Frame& f) { return in_strip(f) || f.catalog.axes.size() > 2; }
+
+/// What they all share stands in the title of the column when it is a word: many numbers need the room.
+std::string_view unit_beside(const Frame& f, AxisId axis) {
+  const DisplayUnit& unit = f.tab.unit(axis);
+  const bool said = !in_strip(f) && !unit.real && f.catalog.axes.size() > 2 && unit.name == shown_unit(f);
+  return said ? std::string_view() : std::string_view(unit.name);
+}
 
 /// One size for all axes, so that the points stay in one column.
-Face face_for_all(const Frame& f, Face wanted, float width_px) {
+Face face_for_all(const Frame& f, Face wanted, float width) {
   std::array<NumberText, max_axes> numbers;
   std::array<std::string_view, max_axes> views;
   const std::size_t n = f.catalog.axes.size();
   std::string_view longest_unit;
   for (std::size_t i = 0; i < n; ++i) {
-    const DisplayUnit& unit = f.tab.unit(axis_id(static_cast<int>(i)));
-    numbers[i] = format_position(f.now.axes[i].position, unit);
+    numbers[i] = format_position(f.now.axes[i].position, f.tab.unit(axis_id(i)));
     views[i] = numbers[i].view();
-    if (unit.name.size() > longest_unit.size()) longest_unit = unit.name;
+    const std::string_view unit = unit_beside(f, axis_id(i));
+    if (unit.size() > longest_unit.size()) longest_unit = unit;
   }
-  return digits_face(f.ui, {views.data(), n}, longest_unit, wanted, width_px);
+  const float room = f.ui.px(close_together(f) ? width - room_beside : width);
+  return digits_face(f.ui, {views.data(), n}, longest_unit, wanted, room);
 }
 
 Face wanted_face(const Frame& f) {
-  if (f.catalog.axes.size() > 4) return Face::digits26;
-  if (f.catalog.axes.size() > 2 || f.tier == Tier::narrow) return Face::digits32;
+  if (f.catalog.axes.size() > 2) return Face::digits32;
   return f.tier == Tier::wide ? Face::digits48 : Face::digits36;
 }
 
@@ -59,10 +77,20 @@ void draw_small_limits(Frame& f, AxisId axis, ImVec2 at) {
   }
 }
 
+/// One line of small type, or nothing when not even the shorter words fit.
+template <class Words>
+void draw_what_fits(Ui& ui, ImVec2 at, float room, const Words& words) {
+  for (const bool whole : {true, false}) {
+    const NumberText said = words(whole);
+    if (std::ceil(text_width(ui, Face::small, said)) > room) continue;
+    return draw_text(ui, at, Face::small, ui[Tone::ink2], said);
+  }
+}
+
 }  // namespace
 
 void Position::draw(Frame& f) {
-  if (f.tier == Tier::narrow)
+  if (in_strip(f))
     draw_strip(f);
   else
     draw_column(f);
@@ -70,13 +98,46 @@ void Position::draw(Frame& f) {
 
 void Position::draw_column(Frame& f) {
   draw_title(f);
-  const float width = f.area.width;
-  const Face face = face_for_all(f, wanted_face(f), f.ui.px(width));
+  if (as_lines(f)) return draw_lines(f);
+  const float width = f.area.width, space = close_together(f) ? 3 : f.tier == Tier::wide ? 8 : 4;
+  const Face face = face_for_all(f, wanted_face(f), width);
   for (std::size_t i = 0; i < f.catalog.axes.size(); ++i) {
     group_line(f.ui, 0);
-    gap(f.ui, f.catalog.axes.size() > 2 ? 4 : 8);
-    draw_axis(f, axis_id(static_cast<int>(i)), width, face, false);
-    gap(f.ui, f.catalog.axes.size() > 2 ? 4 : 8);
+    gap(f.ui, space);
+    draw_axis(f, axis_id(i), width, face);
+    gap(f.ui, space);
+  }
+  group_line(f.ui, 0);
+}
+
+void Position::draw_lines(Frame& f) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  for (std::size_t i = 0; i < f.catalog.axes.size(); ++i) {
+    const AxisId axis = axis_id(i);
+    const std::string& name = f.catalog.axes[i].name;
+    const Path row_id("axis/{}", name);
+    AxisLine line;
+    line.id = row_id;
+    line.name = name;
+    line.label = f.tab.profile.axes[i].name;
+    line.state = state_of(f.now, static_cast<int>(i), f.clock);
+    line.chosen = f.tab.chosen_axis == axis;
+    line.tip = line.chosen ? "Click to copy it, to make it zero, or to say where the axis stands."
+                           : "Click to choose it.";
+    AxisLineTouch touched = draw_axis_line(f.ui, f.tab, axis, line, f.area.width);
+    if (touched.pressed || touched.number.clicked) f.tab.chosen_axis = axis;
+    if (!line.chosen) touched.number.clicked = false;  // the first press only chooses
+    const Rect& aside = touched.aside;
+    show_steps(f, axis, touched.number.rect);
+    show_phase(f, axis, aside);
+    const NumberText speed = where_to(f, axis, false);
+    if (const float words = std::ceil(text_width(f.ui, Face::small, speed)); words > 0)
+      draw_text_line(f.ui, std::max(aside.min.x, aside.max.x - words), aside.max.x + 1, aside.centre().y,
+                     Face::small, f.ui[Tone::ink2], speed);
+    else if (aside.width() > f.ui.px(48))
+      draw_encoder(f, axis, aside.min, aside.width(), true);
+    menu_.draw(f, axis, touched.number);
+    ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + f.ui.px(axis_line_height) * static_cast<float>(i + 1)));
   }
   group_line(f.ui, 0);
 }
@@ -90,12 +151,12 @@ void Position::draw_title(Frame& f) {
   if (f.bench.present) {
     const float title = std::ceil(text_width(ui, Face::body_bold, "Position"));
     const float room = ui.px(f.area.width - chooser) - title;
-    const float with_icon = badge_width(ui, Icon::emulated, "EMULATED");
-    const bool icon = with_icon + ui.px(18) <= room;
-    const float width = icon ? with_icon : badge_width(ui, Icon::none, "EMULATED");
-    const float before = icon ? ui.px(10) : std::max(0.0f, std::floor((room - width) / 2));
+    const EmulatedForm form = emulated_form(ui, room - ui.px(18));
+    const float before = form == EmulatedForm::whole
+                             ? ui.px(10)
+                             : std::max(0.0f, std::floor((room - emulated_width(ui, form)) / 2));
     ImGui::SetCursorScreenPos(ImVec2(at.x + title + before, at.y + ui.px(12)));
-    emulated_badge(ui, "dro/emulated", icon);
+    emulated_badge(ui, "dro/emulated", form);
   }
   ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(f.area.width - chooser), at.y + ui.px(6)));
   draw_unit_chooser(f);
@@ -105,115 +166,111 @@ void Position::draw_title(Frame& f) {
 void Position::draw_strip(Frame& f) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  constexpr float between = 24;
-  const float column = std::floor((f.area.width - between) / 2);
-  const Face face = face_for_all(f, Face::digits32, ui.px(column));
   const auto axes = f.catalog.axes.size();
+  const float row_height = strip_row_height(axes);
+  const float column = std::floor((f.area.width - between_strip_columns) / 2);
+  const Face face = as_lines(f) ? Face::digits26 : face_for_all(f, Face::digits32, column);
   for (std::size_t i = 0; i < axes; ++i) {
-    const float x = (i % 2) * (column + between), y = static_cast<float>(i / 2) * strip_row_height;
-    ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(x), at.y + ui.px(y + 2)));
-    draw_axis(f, axis_id(static_cast<int>(i)), column, face, true);
+    const float x = (i % 2) * (column + between_strip_columns), y = static_cast<float>(i / 2) * row_height;
+    ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(x), at.y + ui.px(y + 4)));
+    draw_axis(f, axis_id(i), column, face);
   }
-  const float rows = static_cast<float>((axes + 1) / 2), middle = at.x + ui.px(column + between / 2);
+  const float rows = static_cast<float>((axes + 1) / 2);
+  const float middle = at.x + ui.px(column + between_strip_columns / 2);
   if (axes > 1)
     ImGui::GetWindowDrawList()->AddRectFilled(
-        ImVec2(middle, at.y), ImVec2(middle + ui.hair(), at.y + ui.px(rows * strip_row_height)),
-        ui[Tone::line]);
+        ImVec2(middle, at.y), ImVec2(middle + ui.hair(), at.y + ui.px(rows * row_height)), ui[Tone::line]);
   for (float row = 1; row < rows; ++row) {
-    const float y = at.y + ui.px(row * strip_row_height);
+    const float y = at.y + ui.px(row * row_height);
     draw_across(ui, y, y + ui.hair(), ui[Tone::line]);
   }
 }
 
-void Position::draw_axis(Frame& f, AxisId axis, float width, Face face, bool in_strip) {
+void Position::draw_axis(Frame& f, AxisId axis, float width, Face face) {
   Ui& ui = f.ui;
-  const AxisInfo& info = f.catalog.axes[axis.index];
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float w = ui.px(width), middle = at.y + ui.px(10);
-  const std::string& users = f.tab.profile.axes[axis.index].name;
-  draw_text_line(ui, at.x, at.x + w, middle, Face::title_bold, ui[Tone::ink], info.name);
-  float x = at.x + std::ceil(text_width(ui, Face::title_bold, info.name)) + ui.px(8);
-  const std::string_view label = users.empty() ? std::string_view(info.description) : std::string_view(users);
-  draw_text_line(ui, x, at.x + w - ui.px(120), middle, Face::body, ui[Tone::ink2], label);
-  if (in_strip) {
-    x += std::min(std::ceil(text_width(ui, Face::body, label)), w * 0.3f) + ui.px(12);
-    draw_small_limits(f, axis, ImVec2(x, at.y));
-    if (f.bench.present && axis.index == 0) {
-      ImGui::SetCursorScreenPos(ImVec2(x + ui.px(40), at.y));
-      emulated_badge(ui, "dro/emulated", width > 340);
-    }
+  const float w = ui.px(width), below_head = at.y + ui.px(head_height);
+  if (in_strip(f) && as_lines(f)) {  // name, state and number in one line
+    const float number = digits_width(ui, face, shown_position(f.now.axes[axis.index], f.tab.unit(axis)),
+                                      unit_beside(f, axis));
+    draw_head(f, axis, ImVec2(at.x, at.y + ui.px(6)), w - number - ui.px(12));
+    ImGui::SetCursorScreenPos(ImVec2(at.x + w - number, at.y));
+    draw_digits(f, axis, number / ui.scale, face);
+    return;
   }
-  draw_state_right(ui, Path("dro/{}/state", info.name), ImVec2(at.x + w, at.y),
-                   state_of(f.now, axis.index, f.clock));
-  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(20)));
+  draw_head(f, axis, at, w);
+  ImGui::SetCursorScreenPos(ImVec2(at.x, below_head));
   draw_digits(f, axis, width, face);
-  float below = at.y + ui.px(20) + ui.line(face);
-  // Many axes with extras: what stands under the number of a few stands left of it.
-  if (!in_strip && f.catalog.axes.size() > 2 && axis_extras_height(f.catalog, axis) > 0) {
-    const DisplayUnit& unit = f.tab.unit(axis);
-    const float taken =
-        digits_width(ui, face, format_position(f.now.axes[axis.index].position, unit), unit.name);
-    draw_captions_beside(f, axis, ImVec2(at.x, at.y + ui.px(20) + ui.px(4)), w - taken);
-  } else {
-    draw_captions(f, axis, ImVec2(at.x, below), w);
-    below += ui.line(Face::small);
+  if (close_together(f)) {
+    const NumberText number = shown_position(f.now.axes[axis.index], f.tab.unit(axis));
+    const float taken = digits_width(ui, face, number, unit_beside(f, axis));
+    draw_captions_beside(f, axis, ImVec2(at.x, below_head), w - taken - ui.px(8));
+    ImGui::SetCursorScreenPos(ImVec2(at.x, below_head + ui.px(36)));
+    return;
   }
-  ImGui::SetCursorScreenPos(ImVec2(at.x, below));
-  if (!in_strip) draw_axis_extras(f, axis, ImGui::GetCursorScreenPos(), w);
+  draw_captions(f, axis, ImVec2(at.x, below_head + ui.line(face)), w);
+  ImGui::SetCursorScreenPos(ImVec2(at.x, below_head + ui.line(face) + ui.line(Face::small)));
+  draw_axis_extras(f, axis, ImGui::GetCursorScreenPos(), w);
 }
 
-void Position::draw_digits(Frame& f, AxisId axis, float width, Face face) {
-  const AxisState& a = f.now.axes[axis.index];
-  const DisplayUnit& unit = f.tab.unit(axis);
+/// Name, what the user calls it, and its state; where rows are close also its power, in the strip its limits.
+/// The user's name gets what the others leave.
+void Position::draw_head(Frame& f, AxisId axis, ImVec2 at, float w) {
+  Ui& ui = f.ui;
+  const AxisInfo& info = f.catalog.axes[axis.index];
+  const State state = state_of(f.now, axis.index, f.clock);
+  const float middle = at.y + ui.px(head_height / 2);
+  draw_text_line(ui, at.x, at.x + w, middle, Face::title_bold, ui[Tone::ink], info.name);
+  float left = at.x + std::ceil(text_width(ui, Face::title_bold, info.name)) + ui.px(8);
+  // In less than the smallest window of the look its state says it alone.
+  const bool has_room = left + ui.px(small_limits_width + 16) <= at.x + w;
+  const float limits = in_strip(f) && has_room ? ui.px(small_limits_width) : 0;
+  draw_state_right(ui, Path("dro/{}/state", info.name), ImVec2(at.x + w, at.y), state, Face::title_bold,
+                   at.x + w - left - limits);
+  // What a hand presses stands still while the state word changes.
+  const float widest =
+      std::max(state_word_width(ui, state, Face::title_bold),
+               info.switchable ? state_word_width(ui, State::moving_plus, Face::title_bold) : 0);
+  float right = at.x + w - widest - ui.px(12);
+  if (in_strip(f) && f.bench.present && axis.index == 0) {
+    const EmulatedForm form = emulated_form(ui, right - left - limits - ui.px(48));
+    const float width = emulated_width(ui, form);
+    if (right - width >= left + limits) {
+      ImGui::SetCursorScreenPos(ImVec2(right - width, at.y));
+      emulated_badge(ui, "dro/emulated", form);
+      right -= width + ui.px(8);
+    }
+  }
+  if (close_together(f) && info.switchable) {
+    const bool brief = power_width(f, axis, false) + limits + ui.px(48) > right - left;
+    const float width = power_width(f, axis, brief);
+    if (right - width >= left + limits) {
+      draw_power(f, axis, ImVec2(right - width, at.y), head_height, brief);
+      right -= width + ui.px(4);
+    }
+  }
+  const std::string& users = f.tab.profile.axes[axis.index].name;
+  const std::string_view label = users.empty() ? std::string_view(info.description) : std::string_view(users);
+  const float words = std::min(std::ceil(text_width(ui, Face::body, label)), right - left - limits);
+  if (words > ui.px(16)) {
+    draw_text_line(ui, left, left + words + 1, middle, Face::body, ui[Tone::ink2], label);
+    left += words + ui.px(12);
+  }
+  if (limits > 0) draw_small_limits(f, axis, ImVec2(left, at.y));
+}
+
+Touch Position::draw_digits(Frame& f, AxisId axis, float width, Face face) {
   const std::string& name = f.catalog.axes[axis.index].name;
   DigitsOptions o;
   o.face = face;
   o.width = width;
+  o.state = digits_state(f.now, axis.index, f.clock);
   o.tip = "Click to copy it, to make it zero, or to say where the axis stands.";
-  const State state = state_of(f.now, axis.index, f.clock);
-  if (!a.position_known || a.position_doubtful)
-    o.state = DigitsState::untrusted;
-  else if (state == State::lost || state == State::stale || state == State::connecting)
-    o.state = DigitsState::stale;
-  else if (state == State::off)
-    o.state = DigitsState::off;
-  const bool never = a.seen_at == Instant{} && !a.position_known;
-  const NumberText number = format_position(a.position, unit);
-  const Touch t = digits(f.ui, Path("dro/{}/position", name), Path("Position of {}", name),
-                         never ? std::string_view("-") : number.view(), unit.name, o);
+  const NumberText number = shown_position(f.now.axes[axis.index], f.tab.unit(axis));
+  const Touch t = digits(f.ui, Path("dro/{}/position", name), Path("Position of {}", name), number,
+                         unit_beside(f, axis), o);
   menu_.draw(f, axis, t);
-}
-
-/// About the number: steps, or what is wrong with it.
-Position::Caption Position::about_number(Frame& f, AxisId axis) {
-  const AxisState& a = f.now.axes[axis.index];
-  const DisplayUnit steps{f.catalog.step_word, 1, 0, false};
-  Caption said;
-  const bool lost = f.now.link.state == LinkState::lost;
-  const bool old = lost || (a.position_known && is_old(f.now, axis.index, f.clock));
-  if (old && a.seen_at != Instant{}) {
-    said.words.append(format_duration(seconds(f.clock - a.seen_at)).view());
-    said.words.append(" old");
-    said.tone = Tone::warn;
-    f.ui.wake_in(1);
-  } else if (!a.position_known) {
-    said.words.append("not known: home it, or set it");
-    said.tone = Tone::warn;
-  } else if (a.position_doubtful) {
-    said.words.append("doubtful: steps may be lost");
-    said.tone = Tone::warn;
-  } else if (f.tab.unit(axis).real) {
-    said.words = format_with_unit(a.position, steps);
-  }
-  return said;
-}
-
-void Position::show_steps(Frame& f, AxisId axis, const Rect& where) {
-  const DisplayUnit steps{f.catalog.step_word, 1, 0, false};
-  const NumberText in_steps = format_with_unit(f.now.axes[axis.index].position, steps);
-  show(f.ui,
-       {Path("dro/{}/steps", f.catalog.axes[axis.index].name), Kind::text, "Steps", in_steps, {}, false, {}},
-       where);
+  return t;
 }
 
 void Position::draw_captions(Frame& f, AxisId axis, ImVec2 at, float width) {
@@ -234,45 +291,38 @@ void Position::draw_captions(Frame& f, AxisId axis, ImVec2 at, float width) {
   }
 }
 
-/// Two lines in what the number leaves at its left.
+/// Two lines in what the number leaves at its left: what is wrong with it or what the axis does; under it the
+/// encoder, or the steps that a real unit stands for.
 void Position::draw_captions_beside(Frame& f, AxisId axis, ImVec2 at, float room) {
   Ui& ui = f.ui;
-  const float line = ui.line(Face::small), right = at.x + room - ui.px(8);
+  const float line = ui.line(Face::small);
+  const ImVec2 upper(at.x, at.y + ui.px(2)), lower(at.x, upper.y + line);
   const Caption about = about_number(f, axis);
-  float y = at.y;
-  if (!about.words.view().empty()) {
-    draw_text_line(ui, at.x, right, y + line / 2, Face::small, ui[about.tone], about.words);
-    y += line;
+  const std::string_view phase = phase_of(f, axis);
+  const bool moving = is_motion(state_of(f.now, axis.index, f.clock));
+  const bool warns = about.tone == Tone::warn, encoder = f.now.axes[axis.index].has_encoder;
+  show_steps(f, axis, {upper, ImVec2(at.x + room, upper.y + line)});
+  if (axis_extras_height(f.catalog, axis) > 0)
+    show_phase(f, axis, {upper, ImVec2(at.x + room, upper.y + line)});
+  if (warns) {
+    draw_text_line(ui, upper.x, upper.x + room, upper.y + line / 2, Face::small, ui[about.tone], about.words);
+  } else if (!moving && !phase.empty()) {
+    draw_text_line(ui, upper.x, upper.x + room, upper.y + line / 2, Face::small, ui[Tone::fault], phase);
+  } else if (moving && !phase.empty()) {
+    draw_what_fits(ui, upper, room, [&](bool whole) {
+      NumberText words;
+      words.append(whole ? phase : "");
+      words.append(whole ? ", " : "");
+      words.append(format_speed(f.now.axes[axis.index].speed, f.tab.unit(axis)).view());
+      return words;
+    });
+  } else {
+    draw_what_fits(ui, upper, room, [&](bool whole) { return where_to(f, axis, whole); });
   }
-  show_steps(f, axis, {at, ImVec2(right, at.y + line)});
-  for (const bool whole : {true, false}) {
-    const NumberText words = where_to(f, axis, whole);
-    if (std::ceil(text_width(ui, Face::small, words)) > right - at.x) continue;
-    draw_text(ui, ImVec2(at.x, y), Face::small, ui[Tone::ink2], words);
-    break;
-  }
-}
-
-/// At the right under the number: where it goes and how fast, or what a limit still lets it do. A held jog
-/// has no target that the hand means.
-NumberText Position::where_to(const Frame& f, AxisId axis, bool whole) {
-  const AxisState& a = f.now.axes[axis.index];
-  const DisplayUnit& unit = f.tab.unit(axis);
-  const State state = state_of(f.now, axis.index, f.clock);
-  NumberText words;
-  if (state == State::limit_plus || state == State::limit_minus)
-    words.append(state == State::limit_plus ? "can only move \u2212" : "can only move +");
-  if (!is_motion(state)) return words;
-  const bool target = a.has_target && a.activity != Activity::jogging, speed = a.speed.value > 0;
-  if (target && whole) {
-    words.append("to ");
-    words.append(format_with_unit(a.target, unit).view());
-  }
-  if (speed) {
-    words.append(target && whole ? " at " : "");
-    words.append(format_speed(a.speed, unit).view());
-  }
-  return words;
+  if (encoder && f.catalog.axes[axis.index].encoder)
+    draw_encoder(f, axis, lower, room, false);
+  else if (!warns)
+    draw_text_line(ui, lower.x, lower.x + room, lower.y + line / 2, Face::small, ui[Tone::ink2], about.words);
 }
 
 }  // namespace hw::panels

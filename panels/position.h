@@ -1,12 +1,15 @@
 #pragma once
 #include "gui/panel.h"
 #include "gui/units_format.h"
+#include "gui/widgets/badge.h"
 #include "gui/widgets/digits.h"
 #include "panels/axis_menu.h"
 
 namespace hw::panels {
 
-/// Where each axis stands, what it does, and how far that is to be believed.
+/// Where each axis stands, what it does, and how far that is to be believed. One or two axes have their
+/// captions under the number; three and four, and all in a narrow window, beside it; more are rows with jog
+/// buttons of their own.
 class Position final : public gui::Panel {
  public:
   void draw(gui::Frame& frame) override;
@@ -14,18 +17,13 @@ class Position final : public gui::Panel {
  private:
   void draw_title(gui::Frame& frame);
   void draw_column(gui::Frame& frame);
+  void draw_lines(gui::Frame& frame);
   void draw_strip(gui::Frame& frame);
-  void draw_axis(gui::Frame& frame, AxisId axis, float width, gui::Face face, bool in_strip);
-  void draw_digits(gui::Frame& frame, AxisId axis, float width, gui::Face face);
-  struct Caption {
-    gui::NumberText words;
-    gui::Tone tone = gui::Tone::ink2;
-  };
-  static Caption about_number(gui::Frame& frame, AxisId axis);
-  static void show_steps(gui::Frame& frame, AxisId axis, const gui::Rect& where);
-  void draw_captions(gui::Frame& frame, AxisId axis, ImVec2 at, float width);
-  void draw_captions_beside(gui::Frame& frame, AxisId axis, ImVec2 at, float room);
-  static gui::NumberText where_to(const gui::Frame& frame, AxisId axis, bool whole);
+  void draw_axis(gui::Frame& frame, AxisId axis, float width, gui::Face face);
+  void draw_head(gui::Frame& frame, AxisId axis, ImVec2 at, float width_px);
+  gui::Touch draw_digits(gui::Frame& frame, AxisId axis, float width, gui::Face face);
+  void draw_captions(gui::Frame& frame, AxisId axis, ImVec2 at, float width_px);
+  void draw_captions_beside(gui::Frame& frame, AxisId axis, ImVec2 at, float room_px);
 
   AxisMenu menu_;
 };

@@ -23,6 +23,24 @@ constexpr std::string_view no_program = "No program runs.";
 
 bool shows_keys(const Frame& f) { return f.area.width >= 700; }
 
+/// What is wrong with the text itself; empty: nothing.
+FixedText<240> why_not_fit_to_run(ProgramTexts& texts, int slot, const ProgramFacts& facts) {
+  char words[240];
+  const auto said = [&](const auto& end) {
+    return FixedText<240>(std::string_view(words, std::min<std::size_t>(end.size, sizeof words)));
+  };
+  for (const Problem& p : texts.report(slot).problems)
+    if (p.error)
+      return said(fmt::format_to_n(words, sizeof words, "Line {}: {} Run comes back when it is mended.",
+                                   p.line + 1, p.sentence));
+  const int cost = texts.cost(slot), too_many = cost - facts.capacity;
+  if (facts.capacity <= 0 || too_many <= 0) return {};
+  return said(fmt::format_to_n(words, sizeof words,
+                               "The program needs {} {} and {} fit: {} too many. Run comes back when it is "
+                               "shorter.",
+                               cost, facts.capacity_unit, facts.capacity, too_many));
+}
+
 bool under_way(const ProgramState& p) {
   return p.owned && (p.run == RunState::running || p.run == RunState::waiting || p.run == RunState::held);
 }
@@ -46,11 +64,17 @@ void Program::follow(Frame& f) {
   if (!told.sentence.empty()) f.toast(told.mood, std::move(told.sentence));
   for (const auto& path : std::exchange(desk.dropped, {})) ask_or_open(f, path);
   if (const double due = desk.autosave_due_in(f.clock); due >= 0) f.ui.wake_in(due + 0.01);
+  find_why_not_run(f);
 }
 
 void Program::shortcuts(Frame& f) {
   const Keyboard& keys = f.ui.keyboard;
-  if (keys.pressed(Command::run) && why_not_run(f).empty()) run(f, false);
+  if (keys.pressed(Command::run)) {
+    if (why_not_run_.empty())
+      run(f, false);
+    else
+      f.toast(Mood::warn, std::string(why_not_run_.view()));
+  }
   if (keys.pressed(Command::simulate)) simulate(f);
   if (keys.pressed(Command::save)) save(f);
   if (keys.pressed(Command::open)) ask_open(f);
@@ -58,16 +82,19 @@ void Program::shortcuts(Frame& f) {
 
 // ---- toolbar
 
-std::string_view Program::why_not_run(const Frame& f) const {
-  const Desk& desk = f.tab.desk();
-  if (!f.connected()) return "There is no link. Run comes back when the controller answers.";
-  if (desk.job.busy()) return "A program is being transferred.";
+void Program::find_why_not_run(const Frame& f) {
+  const auto say = [&](std::string_view why) { why_not_run_ = why; };
+  Desk& desk = f.tab.desk();
   const ProgramState& p = f.now.program;
-  if (under_way(p) && p.run == RunState::running)
-    return "A program is running. Run comes back when it ends or is stopped.";
-  if (f.now.any_axis_moving() && !under_way(p)) return "An axis moves. Run comes back when it stands.";
-  if (desk.texts.text(desk.texts.chosen()).empty() && !under_way(p)) return "The program is empty.";
-  return {};
+  if (!f.connected()) return say("There is no link. Run comes back when the controller answers.");
+  if (desk.job.busy()) return say("A program is being transferred.");
+  if (under_way(p))
+    return say(p.run == RunState::running ? "A program is running. Run comes back when it ends or is stopped."
+                                          : "");
+  if (f.now.any_axis_moving()) return say("An axis moves. Run comes back when it stands.");
+  const int slot = desk.texts.chosen();
+  if (desk.texts.text(slot).empty()) return say("The program is empty.");
+  say(why_not_fit_to_run(desk.texts, slot, f.catalog.program));
 }
 
 void Program::draw_toolbar(Frame& f) {
@@ -98,7 +125,7 @@ void Program::draw_run(Frame& f) {
   if (button(f.ui, "program/run", waits ? "Go on" : "Run",
              {.icon = Icon::play,
               .keys = shows_keys(f) && !waits ? "ctrl \n" : "",
-              .disabled = why_not_run(f),
+              .disabled = why_not_run_,
               .height = 40,
               .moving = true})
           .clicked)
@@ -119,7 +146,7 @@ void Program::draw_hold(Frame& f) {
 void Program::draw_step(Frame& f) {
   const ProgramState& p = f.now.program;
   const bool held = under_way(p) && p.run == RunState::held;
-  const std::string_view why = !held           ? why_not_run(f)
+  const std::string_view why = !held           ? why_not_run_.view()
                                : f.connected() ? std::string_view()
                                                : std::string_view("There is no link.");
   if (button(f.ui, "program/step", "Step",
@@ -177,13 +204,18 @@ void Program::draw_memory(Frame& f, float left) {
       rest_text(rest, std::min(r.size, sizeof rest));
   const auto w = fmt::format_to_n(whole, sizeof whole, "{}{}", number_text, rest_text);
   const float right = ui.px(f.area.right() - 16), middle = ImGui::GetCursorScreenPos().y + ui.px(20);
-  const float rest_width = std::ceil(text_width(ui, Face::body, rest_text));
+  float rest_width = std::ceil(text_width(ui, Face::body, rest_text));
   const float number_width = std::ceil(text_width(ui, Face::body_bold, number_text));
+  // Where not even the words have room the number stands alone, red when there are too many.
+  const bool brief = right - rest_width - number_width < left;
+  if (brief) rest_width = 0;
   const float words_left = right - rest_width - number_width;
   const Tone tone = over ? Tone::fault : Tone::ink2;
-  draw_text_line(ui, words_left, right, middle, Face::body_bold, ui[over ? Tone::fault : Tone::ink],
-                 number_text);
-  draw_text_line(ui, words_left + number_width, right + 1, middle, Face::body, ui[tone], rest_text);
+  if (words_left >= left)  // else Check tells it
+    draw_text_line(ui, words_left, right, middle, Face::body_bold, ui[over ? Tone::fault : Tone::ink],
+                   number_text);
+  if (!brief)
+    draw_text_line(ui, words_left + number_width, right + 1, middle, Face::body, ui[tone], rest_text);
   float room = words_left - ui.px(8) - left;
   const float title = std::ceil(text_width(ui, Face::body, "Memory")) + ui.px(8);
   const float bar = std::min(ui.px(124), room - title > ui.px(80) ? room - title : room);
@@ -194,11 +226,8 @@ void Program::draw_memory(Frame& f, float left) {
     meter(ui, "program/memory", "Memory", static_cast<float>(cost) / static_cast<float>(capacity),
           {.over = over, .words = {whole, std::min(w.size, sizeof whole)}, .width = bar / ui.scale});
   } else {
-    show(ui,
-         {.id = "program/memory",
-          .kind = Kind::meter,
-          .label = "Memory",
-          .value = {whole, std::min(w.size, sizeof whole)}},
+    const std::string_view words(whole, std::min(w.size, sizeof whole));
+    show(ui, {.id = "program/memory", .kind = Kind::meter, .label = "Memory", .value = words, .tip = words},
          {ImVec2(words_left, middle - ui.px(10)), ImVec2(right, middle + ui.px(10))});
   }
 }

@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "core/base/fixed_text.h"
 #include "gui/desk.h"
 #include "gui/panel.h"
 #include "gui/widgets/button.h"
@@ -54,7 +55,7 @@ class Program final : public gui::Panel {
   void open(gui::Frame& frame, const std::filesystem::path& path);
   void ask_or_open(gui::Frame& frame, const std::filesystem::path& path);
   void ask_or_empty(gui::Frame& frame);
-  [[nodiscard]] std::string_view why_not_run(const gui::Frame& frame) const;
+  void find_why_not_run(const gui::Frame& frame);
 
   ProgramEditor editor_;
   CompiledView compiled_;
@@ -68,6 +69,7 @@ class Program final : public gui::Panel {
   gui::ProgramNote note_;
   std::string note_time_;
   int next_problem_ = -1;
+  FixedText<240> why_not_run_;  ///< and when it ends; empty: it may be run
 };
 
 }  // namespace hw::panels

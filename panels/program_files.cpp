@@ -42,7 +42,7 @@ void Program::draw_slots(Frame& f) {
   }
 
   const int slot = desk.texts.chosen();
-  const float files_left = ui.px(f.area.right() - 8) - file_buttons_width(f);
+  const float files_left = std::max(ui.px(f.area.right() - 8) - file_buttons_width(f), x);
   const std::string name = desk.texts.file_name(slot);
   const bool edited = desk.texts.edited(slot);
   const std::string_view shown = !name.empty() ? std::string_view(name) : edited ? "not in a file" : "";
@@ -91,9 +91,14 @@ void Program::draw_file_buttons(Frame& f) {
   const bool roomy = f.area.width >= 800;
   const std::string_view no_link =
       f.connected() ? std::string_view() : "There is no link. The text stays here.";
+  float too_much = ImGui::GetCursorScreenPos().x + file_buttons_width(f) - ui.px(f.area.right() - 8);
   for (const FileButton& b : file_buttons) {
     ButtonOptions look = file_button_look(f, b.keys);
     const std::string_view id = b.id;
+    if (too_much > 0) {  // smaller than the look asks for: the first go
+      too_much -= ui.px(button_width(ui, roomy ? b.label : b.short_label, look));
+      continue;
+    }
     if (id == "program/store")
       look.disabled = !no_link.empty() ? no_link : desk.job.busy() ? "A program is being transferred." : "";
     const bool clicked = button(ui, id, roomy ? b.label : b.short_label, look).clicked;

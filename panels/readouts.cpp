@@ -97,7 +97,8 @@ void draw_table(Frame& f, std::span<const Run> columns, float width) {
   const float share = (width - axis_width) / static_cast<float>(columns.size());
   const auto cell = [&](std::size_t column, float y, float height) {
     const float x = at.x + ui.px(axis_width + share * static_cast<float>(column));
-    return Rect{ImVec2(x, y), ImVec2(x + ui.px(share - 8), y + ui.px(height))};
+    const float end = column + 1 < columns.size() ? share - 8 : share;  // the last ends where the lines end
+    return Rect{ImVec2(x, y), ImVec2(x + ui.px(end), y + ui.px(height))};
   };
   for (std::size_t n = 0; n < columns.size(); ++n) {
     const ReadoutInfo& info = c.readouts[columns[n].first];

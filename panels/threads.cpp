@@ -32,7 +32,9 @@ Look look_of(const ThreadState& t, bool connected) {
   return {Icon::ring, "IDLE", Tone::ink2};
 }
 
-constexpr float state_width = 92, line_width = 52, button_wide = 78, stop_wide = 50, least_source = 60;
+constexpr float state_width = 92, line_width = 52, button_wide = 78, stop_wide = 50, only_icon = 36;
+/// In a row of less the buttons have their icons only: the source line needs the room.
+constexpr float least_for_words = 400;
 
 void draw_state(Frame& f, int n, const ThreadState& t, const Rect& row, float x) {
   Ui& ui = f.ui;
@@ -45,56 +47,76 @@ void draw_state(Frame& f, int n, const ThreadState& t, const Rect& row, float x)
        {ImVec2(x, row.min.y), ImVec2(x + ui.px(state_width), row.max.y)});
 }
 
-/// The low-level line that the controller tells, and the line of the text that it came from.
+/// What a thread works on, as its row says it.
+struct PlaceWords {
+  Path line;                ///< "line 23": of the compiled program, as the controller tells it
+  Path number;              ///< of the text's line that it came from; empty: not known
+  std::string_view source;  ///< that line, or why it is not known
+};
+
+PlaceWords place_of(Frame& f, const ThreadState& t) {
+  ProgramTexts& texts = f.tab.desk().texts;
+  const int source = texts.live_line(0, t.line);
+  PlaceWords words{Path("line {}", t.line), Path("{}", ""), {}};
+  if (source < 0) {
+    words.source = texts.held(0).known ? "its text has changed here" : "text not known: Upload shows it";
+    return words;
+  }
+  words.number = Path("{}", source + 1);
+  words.source = line_of(texts.text(0), source);
+  while (words.source.starts_with(' ') || words.source.starts_with('\t')) words.source.remove_prefix(1);
+  return words;
+}
+
+/// The low-level line that the controller tells, and the line of the text that it came from. Without room for
+/// both the low-level line goes first; what is cut of the other is in its tooltip.
 void draw_place(Frame& f, int n, const ThreadState& t, const Rect& row, float x, float right) {
   Ui& ui = f.ui;
   const float middle = std::floor(row.centre().y);
   const bool at_work = is_busy(t) || t.run == RunState::error;
   if (!t.known || !at_work || t.line < 0) return;
-  const Path line("line {}", t.line);
-  // Without room for both the source line goes first.
-  const bool both = right - x >= ui.px(line_width + least_source);
-  if (both) draw_text_line(ui, x, x + ui.px(line_width), middle, Face::body, ui[Tone::ink2], line);
-  show(ui, {Path("thread/{}/line", n), Kind::text, "Compiled line", Path("{}", t.line), {}, false, line},
-       {ImVec2(x, row.min.y), ImVec2(x + ui.px(both ? line_width : 8), row.max.y)});
-  if (both) x += ui.px(line_width);
-  ProgramTexts& texts = f.tab.desk().texts;
-  const int source = texts.live_line(0, t.line);
-  if (source < 0) {
-    const std::string_view why =
-        texts.held(0).known ? "its text has changed here" : "text not known: Upload shows it";
-    draw_text_line(ui, x, right, middle, Face::small, ui[Tone::ink3], why);
-    return;
-  }
-  const Path number("{}", source + 1);
-  const float width = std::ceil(text_width(ui, Face::code_field, number));
-  draw_text_line(ui, x, right, middle, Face::code_field, ui[Tone::ink3], number);
-  std::string_view words = line_of(texts.text(0), source);
-  while (!words.empty() && (words.front() == ' ' || words.front() == '\t')) words.remove_prefix(1);
-  draw_text_line(ui, x + width + ui.px(8), right, middle, Face::code_field,
-                 ui[t.run == RunState::running ? Tone::motion : Tone::ink], words);
-  const Path value("{} {}", source + 1, words.substr(0, 100));
-  show(ui, {Path("thread/{}/source", n), Kind::text, "Source line", value, {}, false, words},
+  const PlaceWords words = place_of(f, t);
+  const bool known = !words.number.view().empty();
+  const float number = known ? std::ceil(text_width(ui, Face::code_field, words.number)) + ui.px(8) : 0;
+  const Face face = known ? Face::code_field : Face::small;
+  const bool both = x + ui.px(line_width) + number + text_width(ui, face, words.source) <= right;
+  if (both) draw_text_line(ui, x, x + ui.px(line_width), middle, Face::body, ui[Tone::ink2], words.line);
+  const float line_end = x + ui.px(both ? line_width : 8);
+  show(ui,
+       {Path("thread/{}/line", n), Kind::text, "Compiled line", Path("{}", t.line), {}, false, words.line},
+       {ImVec2(x, row.min.y), ImVec2(line_end, row.max.y)});
+  if (both) x = line_end;
+  draw_text_line(ui, x, right, middle, Face::code_field, ui[Tone::ink3], words.number);
+  const Tone tone = !known ? Tone::ink3 : t.run == RunState::running ? Tone::motion : Tone::ink;
+  draw_text_line(ui, x + number, right, middle, face, ui[tone], words.source);
+  if (!known) return;
+  const Path value("{} {}", words.number.view(), words.source.substr(0, 100));
+  const Path tip("{} (compiled {})", words.source.substr(0, 100), words.line.view());
+  show(ui, {Path("thread/{}/source", n), Kind::text, "Source line", value, {}, false, tip},
        {ImVec2(x, row.min.y), ImVec2(right, row.max.y)});
 }
 
-void draw_first_button(Frame& f, int n, const ThreadState& t, std::string_view no_link) {
+void draw_first_button(Frame& f, int n, const ThreadState& t, std::string_view no_link, bool words) {
   ButtonOptions o;
   o.height = 28;
-  o.width = button_wide;
+  o.width = words ? button_wide : only_icon;
   o.disabled = no_link;
+  const auto press = [&](const char* what, const char* word) {
+    if (!words && o.tip.empty()) o.tip = word;
+    return button(f.ui, Path("thread/{}/{}", n, what), words ? word : "", o).clicked;
+  };
   if (t.run == RunState::running || t.run == RunState::waiting) {
     o.icon = Icon::pause;
-    if (button(f.ui, Path("thread/{}/pause", n), "Pause", o).clicked) f.send(intent::Pause(n));
+    if (press("pause", "Pause")) f.send(intent::Pause(n));
   } else if (t.run == RunState::held) {
     o.moving = true;
     o.icon = Icon::play;
-    if (button(f.ui, Path("thread/{}/continue", n), "Resume", o).clicked) f.send(intent::Resume(n));
+    if (press("continue", "Resume")) f.send(intent::Resume(n));
   } else {
     o.moving = true;
     o.icon = Icon::play;
     o.tip = "Runs what the controller holds.";
-    if (button(f.ui, Path("thread/{}/run", n), "Run", o).clicked) f.send(intent::RunProgram(n));
+    if (press("run", "Run")) f.send(intent::RunProgram(n));
   }
 }
 
@@ -110,17 +132,21 @@ void draw_row(Frame& f, int n, const Rect& row) {
   x += ui.px(24);
   draw_state(f, n, t, row, x);
   x += ui.px(state_width);
-  const float buttons = row.max.x - ui.px(16 + button_wide + 4 + stop_wide);
+  const bool words = row.width() >= ui.px(least_for_words);
+  const float first = words ? button_wide : only_icon, second = words ? stop_wide : only_icon;
+  const float buttons = row.max.x - ui.px(16 + first + 4 + second);
   draw_place(f, n, t, row, x, buttons - ui.px(12));
   const std::string_view no_link = f.connected() ? std::string_view() : "There is no link.";
   ImGui::SetCursorScreenPos(ImVec2(buttons, top + ui.px(2)));
-  draw_first_button(f, n, t, no_link);
-  ImGui::SetCursorScreenPos(ImVec2(buttons + ui.px(button_wide + 4), top + ui.px(2)));
+  draw_first_button(f, n, t, no_link, words);
+  ImGui::SetCursorScreenPos(ImVec2(buttons + ui.px(first + 4), top + ui.px(2)));
   ButtonOptions stop;
   stop.height = 28;
-  stop.width = stop_wide;
+  stop.width = second;
+  if (!words) stop.icon = Icon::stop, stop.tip = "Stop";
   stop.disabled = is_busy(t) || t.run == RunState::error ? no_link : "It does not run.";
-  if (button(ui, Path("thread/{}/stop", n), "Stop", stop).clicked) f.send(intent::HaltProgram(n));
+  if (button(ui, Path("thread/{}/stop", n), words ? "Stop" : "", stop).clicked)
+    f.send(intent::HaltProgram(n));
 }
 
 }  // namespace

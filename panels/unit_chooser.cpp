@@ -33,11 +33,6 @@ bool shows_real(const Frame& f) {
   return !f.tab.profile.unit.empty() && f.tab.profile.unit != f.catalog.step_word;
 }
 
-std::string_view shown_unit(const Frame& f) {
-  const std::string_view real = real_unit(f);
-  return shows_real(f) && !real.empty() ? real : std::string_view(f.catalog.step_word);
-}
-
 ButtonOptions opener_options() {
   ButtonOptions o;
   o.icon_after = Icon::chevron_down;
@@ -81,6 +76,16 @@ void draw_axis_choice(Frame& f, std::size_t i) {
 }
 
 }  // namespace
+
+// An axis with a closed loop counts in other steps than one without.
+std::string_view shown_unit(const Frame& f) {
+  const std::string_view real = real_unit(f);
+  if (shows_real(f) && !real.empty()) return real;
+  const std::string& first = f.tab.unit(AxisId{0}).name;
+  for (std::size_t i = 1; i < f.catalog.axes.size(); ++i)
+    if (f.tab.unit(AxisId{static_cast<std::uint8_t>(i)}).name != first) return f.catalog.step_word;
+  return first;
+}
 
 float unit_chooser_width(const Frame& f) {
   const float natural = button_width(f.ui, shown_unit(f), opener_options());

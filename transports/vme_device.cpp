@@ -43,7 +43,7 @@ int ask_for_short_space(int fd) {
 
 // What is mapped may cease to be there (a bridge is removed, a file cut short): an access then raises SIGBUS.
 // Within a Guard that ends the accesses and nothing else.
-thread_local sigjmp_buf* way_out = nullptr;
+thread_local sigjmp_buf* volatile way_out = nullptr;  // volatile: the handler reads it between two accesses
 struct sigaction before_us;
 
 void on_bus_error(int number, siginfo_t*, void*) {

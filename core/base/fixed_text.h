@@ -16,13 +16,21 @@ class FixedText {
   FixedText(const char* text) { assign(text); }         // NOLINT
   FixedText(const std::string& text) { assign(text); }  // NOLINT
 
-  /// Keeps the first N bytes; what does not fit is cut at a character boundary (UTF-8).
+  /// Of what does not fit it keeps the whole words that do, and an ellipsis; of one long word as many
+  /// characters (UTF-8) as fit.
   void assign(std::string_view text) {
-    std::size_t n = std::min(text.size(), N);
-    if (n < text.size())
-      while (n > 0 && (static_cast<unsigned char>(text[n]) & 0xC0) == 0x80) --n;
-    if (n > 0) std::memcpy(bytes_.data(), text.data(), n);
-    size_ = n;
+    if (text.size() <= N) return take(text);
+    constexpr std::string_view ellipsis = "\xE2\x80\xA6";
+    const std::size_t space = N > ellipsis.size() ? text.rfind(' ', N - ellipsis.size()) : text.npos;
+    if (space != text.npos && space > 0) {
+      take(text.substr(0, space));
+      std::memcpy(bytes_.data() + size_, ellipsis.data(), ellipsis.size());
+      size_ += ellipsis.size();
+      return;
+    }
+    std::size_t n = N;
+    while (n > 0 && (static_cast<unsigned char>(text[n]) & 0xC0) == 0x80) --n;
+    take(text.substr(0, n));
   }
   void clear() { size_ = 0; }
   [[nodiscard]] bool empty() const { return size_ == 0; }
@@ -31,6 +39,11 @@ class FixedText {
   friend bool operator==(const FixedText& a, const FixedText& b) { return a.view() == b.view(); }
 
  private:
+  void take(std::string_view text) {
+    if (!text.empty()) std::memcpy(bytes_.data(), text.data(), text.size());
+    size_ = text.size();
+  }
+
   std::array<char, N> bytes_{};
   std::size_t size_ = 0;
 };

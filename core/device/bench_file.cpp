@@ -299,6 +299,9 @@ std::string_view problem_of(const AxisPlace& place) {
   if (place.backlash && place.backlash->value < 0) return "backlash must not be negative";
   if (place.counts_per_step && (!std::isfinite(*place.counts_per_step) || *place.counts_per_step == 0))
     return "counts_per_step must be a number other than 0";
+  for (const MotorKey& key : motor_keys)
+    if (place.motor && !(*place.motor.*key.value >= key.low && *place.motor.*key.value <= key.high))
+      return "a value of the motor is out of its range";
   return {};
 }
 

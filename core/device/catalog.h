@@ -206,6 +206,7 @@ struct BenchButton {
   int row = 0;         ///< on its front panel
   int supply = 0;      ///< on whose front panel
   bool stops = false;  ///< a Stop: drawn as one
+  std::string caption = {};  ///< over it and its neighbours of the same caption: "Motor 1"
 };
 struct BenchLamp {
   std::string name;

@@ -155,7 +155,7 @@ struct LinkHealth {
   Instant lost_at{};
   Instant next_attempt{};
   int attempts = 0;
-  FixedText<320> sentence;  ///< why it is late, lost or closed; what is being done
+  FixedText<640> sentence;  ///< why it is late, lost or closed; what is being done
 };
 
 inline constexpr int max_inputs = 32, max_outputs = 32, max_analog = 8, max_params = 256, max_slots = 8;

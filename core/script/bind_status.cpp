@@ -12,11 +12,11 @@ namespace {
 
 using Push = int (*)(lua_State*, const Snapshot&, const Catalog&, int number);
 
-// Whether the controller can be believed now; else why not.
-std::string why_unknown(const LinkHealth& link) {
-  if (link.state == LinkState::lost || link.state == LinkState::closed)
-    return fmt::format("There is no connection. {}", link.sentence.view());
-  return std::string(link.sentence.view());
+bool is_gone(const LinkHealth& link) {
+  return link.state == LinkState::lost || link.state == LinkState::closed;
+}
+std::string why_gone(const LinkHealth& link) {
+  return fmt::format("There is no connection. {}", link.sentence.view());
 }
 
 int push_unknown(lua_State* L, std::string reason) {
@@ -30,8 +30,7 @@ Task<Answer> read_fresh(SessionPtr session, Instant asked_at, Push push, int num
   co_return [session, asked_at, push, number, of_axis](lua_State* L) {
     const Snapshot& known = session->known();
     const LinkHealth& link = known.link;
-    if (link.state == LinkState::lost || link.state == LinkState::closed)
-      return push_unknown(L, why_unknown(link));
+    if (is_gone(link)) return push_unknown(L, why_gone(link));
     if (of_axis && number >= 0 && known.axes[number].seen_at < asked_at)
       return push_unknown(L, fmt::format("Axis {} cannot be read now. {}",
                                          session->catalog().axes[number].name, link.sentence.view()));
@@ -177,8 +176,7 @@ Task<Answer> measure_velocity(Runner& runner, SessionPtr session, int axis) {
   const double speed =
       passed > Duration::zero() ? static_cast<double>((state.position - from).value) / seconds(passed) : 0;
   const LinkHealth& link = session->known().link;
-  if (link.state == LinkState::lost || link.state == LinkState::closed)
-    co_return answer_refused(why_unknown(link));
+  if (is_gone(link)) co_return answer_refused(why_gone(link));
   co_return [speed](lua_State* L) {
     lua_pushnumber(L, speed);
     return 1;
@@ -199,71 +197,75 @@ int status(Call& call) {
 
 // ---- inputs and outputs, by the maker's number
 
-// "There is no input 9. VXM has 1 to 4."
-std::string no_such(const Catalog& catalog, const char* what, std::int64_t number, std::size_t count,
-                    int first = 1, int last = -1) {
-  if (count == 0) return fmt::format("{} has no {}s.", catalog.short_name, what);
-  return fmt::format("There is no {} {}. {} has {} to {}.", what, number, catalog.short_name, first,
-                     last < 0 ? static_cast<int>(count) : last);
+/// What a number names, and which numbers there are.
+struct Numbered {
+  int place;  ///< -1: nothing
+  std::size_t count;
+  int first, last;
+};
+
+template <class List>
+Numbered numbered(const List& list, int place, const Catalog& c,
+                  int (Catalog::*number_of)(std::size_t) const) {
+  return list.empty() ? Numbered{-1, 0, 0, 0}
+                      : Numbered{place, list.size(), (c.*number_of)(0), (c.*number_of)(list.size() - 1)};
 }
-std::string no_such_input(const Catalog& c, std::int64_t number) {
-  const std::size_t count = c.inputs.size();
-  return count == 0 ? no_such(c, "input", number, 0)
-                    : no_such(c, "input", number, count, c.input_number(0), c.input_number(count - 1));
+
+/// "There is no input 9. VXM has 1 to 4."
+std::string no_such(const Catalog& catalog, const char* what, std::int64_t number, const Numbered& there) {
+  return there.count == 0 ? fmt::format("{} has no {}s.", catalog.short_name, what)
+                          : fmt::format("There is no {} {}. {} has {} to {}.", what, number,
+                                        catalog.short_name, there.first, there.last);
 }
-std::string no_such_output(const Catalog& c, std::int64_t number) {
-  const std::size_t count = c.outputs.size();
-  return count == 0 ? no_such(c, "output", number, 0)
-                    : no_such(c, "output", number, count, c.output_number(0), c.output_number(count - 1));
+
+int of_number(Call& call, const char* what, std::int64_t number, const Numbered& there, Push push) {
+  if (there.place < 0) return call.refuse(no_such(session_of(call)->catalog(), what, number, there));
+  return ask(call, push, there.place);
 }
-bool within(std::int64_t number, std::size_t count) {
-  return number >= 1 && number <= static_cast<std::int64_t>(count);
+
+/// Whether it has been; pushes nil and the reason if not.
+bool has_read(lua_State* L, std::uint32_t known, int place, const char* what, int number) {
+  if (known & (1u << place)) return true;
+  push_unknown(L, fmt::format("{} {} has not been read.", what, number));
+  return false;
 }
+bool is_high(std::uint32_t bits, int place) { return (bits & (1u << place)) != 0; }
 
 int push_input(lua_State* L, const Snapshot& known, const Catalog& catalog, int place) {
-  const std::uint32_t bit = 1u << place;
-  if (!(known.inputs_known & bit))
-    return push_unknown(L, fmt::format("Input {} has not been read.", catalog.input_number(place)));
-  const bool high = known.inputs & bit;
-  lua_pushboolean(L, high != catalog.inputs[place].active_low);
+  if (!has_read(L, known.inputs_known, place, "Input", catalog.input_number(place))) return 2;
+  lua_pushboolean(L, is_high(known.inputs, place) != catalog.inputs[place].active_low);
   return 1;
 }
-int input(Call& call) {
-  const Catalog& catalog = session_of(call)->catalog();
-  const std::int64_t n = call.whole(1, "input");
-  const int place = catalog.find_input(n);
-  if (place < 0) return call.refuse(no_such_input(catalog, n));
-  return ask(call, push_input, place);
+int push_output(lua_State* L, const Snapshot& known, const Catalog& catalog, int place) {
+  if (!has_read(L, known.outputs_known, place, "Output", catalog.output_number(place))) return 2;
+  lua_pushboolean(L, is_high(known.outputs, place));
+  return 1;
+}
+int push_analog(lua_State* L, const Snapshot& known, const Catalog&, int place) {
+  if (!has_read(L, known.analog_known, place, "Analog input", place + 1)) return 2;
+  lua_pushinteger(L, known.analog[place]);
+  return 1;
 }
 
-int push_output(lua_State* L, const Snapshot& known, const Catalog& catalog, int place) {
-  const std::uint32_t bit = 1u << place;
-  if (!(known.outputs_known & bit))
-    return push_unknown(L, fmt::format("Output {} has not been read.", catalog.output_number(place)));
-  lua_pushboolean(L, (known.outputs & bit) != 0);
-  return 1;
+int input(Call& call) {
+  const Catalog& c = session_of(call)->catalog();
+  const std::int64_t n = call.whole(1, "input");
+  return of_number(call, "input", n, numbered(c.inputs, c.find_input(n), c, &Catalog::input_number),
+                   push_input);
 }
 int output(Call& call) {
-  const Catalog& catalog = session_of(call)->catalog();
+  const Catalog& c = session_of(call)->catalog();
   const std::int64_t n = call.whole(1, "output");
-  const int place = catalog.find_output(n);
-  if (place < 0) return call.refuse(no_such_output(catalog, n));
-  if (!call.has(2)) return ask(call, push_output, place);
+  const Numbered there = numbered(c.outputs, c.find_output(n), c, &Catalog::output_number);
+  if (there.place < 0 || !call.has(2)) return of_number(call, "output", n, there, push_output);
   return perform(call, intent::SetOutput(static_cast<int>(n), call.on(2, "on")));
 }
-
-int push_analog(lua_State* L, const Snapshot& known, const Catalog&, int number) {
-  if (!(known.analog_known & (1u << (number - 1))))
-    return push_unknown(L, fmt::format("Analog input {} has not been read.", number));
-  lua_pushinteger(L, known.analog[number - 1]);
-  return 1;
-}
 int analog(Call& call) {
-  const Catalog& catalog = session_of(call)->catalog();
+  const auto count = session_of(call)->catalog().analog.size();
   const std::int64_t n = call.whole(1, "analog input");
-  if (!within(n, catalog.analog.size()))
-    return call.refuse(no_such(catalog, "analog input", n, catalog.analog.size()));
-  return ask(call, push_analog, static_cast<int>(n));
+  const bool there = n >= 1 && n <= static_cast<std::int64_t>(count);
+  return of_number(call, "analog input", n,
+                   {there ? static_cast<int>(n) - 1 : -1, count, 1, static_cast<int>(count)}, push_analog);
 }
 
 constexpr Function status_table[] = {

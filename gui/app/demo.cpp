@@ -114,6 +114,31 @@ must(m:wait(60))
 print(string.format("  target %d, encoder %d counts", m:position("X"), m:encoder("X")))
 picture("dmx")
 
+print("An Oregon Micro Systems VME58, a board with eight servo axes, cuts a hole.")
+local v = must(hw.open("vme58@emulator"))
+must(v:move_to{X = 4000, Y = -2000, S = 1000})
+must(v:wait(60))
+print(string.format("  X %d, Y %d, S %d", v:position("X"), v:position("Y"), v:position("S")))
+must(v:load([[
+AA
+CV20000
+CD,,0,0;
+AN0;
+CR0,5000,3.1415926
+CR0,0,6.2831853
+AF0;
+MT-10,10000
+CE
+MT,,-1000,0; GO
+CX
+]]))
+began = hw.now()
+must(v:run(0))
+hw.sleep(2)
+picture("vme58-hole")
+must(v:wait(120))
+print(string.format("  cut in %.1f s, Z %d, T %d", hw.now() - began, v:position("Z"), v:position("T")))
+
 ui.theme("light")
 picture("light")
 print(string.format("%.0f s of emulated time.", hw.now()))

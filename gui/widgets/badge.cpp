@@ -22,7 +22,48 @@ Pair pair_of(BadgeTone tone) {
 }  // namespace
 
 float badge_width(const Ui& ui, Icon icon, std::string_view words) {
+  if (words.empty()) return ui.px(24);
   return std::ceil(text_width(ui, Face::small_bold, words)) + ui.px(icon == Icon::none ? 12 : 30);
+}
+
+namespace {
+
+constexpr std::string_view emulated_word = "EMULATED";
+
+struct EmulatedParts {
+  Icon icon;
+  std::string_view word;
+};
+EmulatedParts parts_of(EmulatedForm form) {
+  return {form == EmulatedForm::word ? Icon::none : Icon::emulated,
+          form == EmulatedForm::shape ? std::string_view() : emulated_word};
+}
+
+}  // namespace
+
+EmulatedForm emulated_form(const Ui& ui, float room_px) {
+  for (const EmulatedForm form : {EmulatedForm::whole, EmulatedForm::word})
+    if (emulated_width(ui, form) <= room_px) return form;
+  return EmulatedForm::shape;
+}
+
+float emulated_width(const Ui& ui, EmulatedForm form) {
+  const auto [icon, word] = parts_of(form);
+  return badge_width(ui, icon, word);
+}
+
+void emulated_badge(Ui& ui, std::string_view id, EmulatedForm form) {
+  const auto [icon, word] = parts_of(form);
+  badge(ui, {}, BadgeTone::emulated, icon, word);
+  show(ui,
+       {id,
+        Kind::text,
+        emulated_word,
+        emulated_word,
+        {},
+        false,
+        "No real controller: an emulator inside this program."},
+       {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()});
 }
 
 void badge(Ui& ui, std::string_view id, BadgeTone tone, Icon icon, std::string_view words,

@@ -12,11 +12,12 @@ enum class BadgeTone : std::uint8_t { emulated, ok, warn, fault, motion };
 void badge(Ui& ui, std::string_view id, BadgeTone tone, Icon icon, std::string_view words,
            std::string_view tip = {});
 float badge_width(const Ui& ui, Icon icon, std::string_view words);
-/// Without its shape where only the word has room.
-inline void emulated_badge(Ui& ui, std::string_view id, bool with_shape = true) {
-  badge(ui, id, BadgeTone::emulated, with_shape ? Icon::emulated : Icon::none, "EMULATED",
-        "No real controller: an emulator inside this program.");
-}
+
+/// EMULATED with its shape; where there is less room the word alone, then the shape alone.
+enum class EmulatedForm : std::uint8_t { whole, word, shape };
+EmulatedForm emulated_form(const Ui& ui, float room_px);
+float emulated_width(const Ui& ui, EmulatedForm form);
+void emulated_badge(Ui& ui, std::string_view id, EmulatedForm form = EmulatedForm::whole);
 /// 24 high outline: a caption and a word in a tone. fault: the outline turns red.
 void outlined_badge(Ui& ui, std::string_view id, std::string_view caption, std::string_view word, Tone tone,
                     std::string_view tip = {});

@@ -24,16 +24,12 @@ constexpr StateLook looks[] = {
     {Icon::clock, "CONNECTING", "asking", Tone::ink2},
 };
 
-float state_width(const Ui& ui, const StateLook& look, Face face) {
-  return ui.px(12) + ui.px(8) + std::ceil(text_width(ui, face, look.word));
-}
-
 Rect draw_state(Ui& ui, ImVec2 at, const StateLook& look, Face face) {
   const float h = ui.line(face);
   draw_icon(ImGui::GetWindowDrawList(), look.icon, ImVec2(at.x + ui.px(6), at.y + std::floor(h * 0.5f)),
             ui.px(12), ui[look.tone]);
   draw_text(ui, ImVec2(at.x + ui.px(20), at.y), face, ui[look.tone], look.word);
-  return {at, ImVec2(at.x + state_width(ui, look, face), at.y + h)};
+  return {at, ImVec2(at.x + ui.px(20) + std::ceil(text_width(ui, face, look.word)), at.y + h)};
 }
 
 void tell(Ui& ui, std::string_view id, std::string_view words, const Rect& rect) {
@@ -51,9 +47,22 @@ void state_word(Ui& ui, std::string_view id, State state, Face face) {
   tell(ui, id, look.word, rect);
 }
 
-void draw_state_right(Ui& ui, std::string_view id, ImVec2 right, State state, Face face) {
+float state_word_width(const Ui& ui, State state, Face face) {
+  return ui.px(20) + std::ceil(text_width(ui, face, look_of(state).word));
+}
+
+void draw_state_right(Ui& ui, std::string_view id, ImVec2 right, State state, Face face, float room_px) {
   const StateLook& look = look_of(state);
-  tell(ui, id, look.word, draw_state(ui, ImVec2(right.x - state_width(ui, look, face), right.y), look, face));
+  const float middle = right.y + std::floor(ui.line(face) * 0.5f);
+  for (const Face fits : {face, Face::small_bold}) {
+    const float width = state_word_width(ui, state, fits);
+    if (width > room_px) continue;
+    const float top = middle - std::floor(ui.line(fits) * 0.5f);
+    return tell(ui, id, look.word, draw_state(ui, ImVec2(right.x - width, top), look, fits));
+  }
+  draw_icon(ImGui::GetWindowDrawList(), look.icon, ImVec2(right.x - ui.px(6), middle), ui.px(12),
+            ui[look.tone]);
+  tell(ui, id, look.word, {ImVec2(right.x - ui.px(12), right.y), ImVec2(right.x, right.y + ui.line(face))});
 }
 
 void shape_and_words(Ui& ui, std::string_view id, Icon icon, Tone icon_tone, std::string_view words,

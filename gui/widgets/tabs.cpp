@@ -1,5 +1,8 @@
 #include "gui/widgets/tabs.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <imgui_internal.h>
 
 #include "gui/widgets/text.h"
@@ -23,8 +26,15 @@ Touch controller_tab(Ui& ui, std::string_view id, const ControllerTab& tab, floa
   draw_icon(list, tab.icon, ImVec2(left + ui.px(6), second), ui.px(11), ui[tab.tone]);
   float end = right;
   if (tab.emulated) {
-    end -= std::ceil(text_width(ui, Face::small_bold, "EMULATED"));
-    draw_text_line(ui, end, t.rect.max.x, second, Face::small_bold, ui[Tone::emu], "EMULATED");
+    const float word = std::ceil(text_width(ui, Face::small_bold, "EMULATED"));
+    const float state = ui.px(16) + std::ceil(text_width(ui, Face::small, tab.state));
+    if (left + state + ui.px(6) + word <= right) {
+      end -= word;
+      draw_text_line(ui, end, t.rect.max.x, second, Face::small_bold, ui[Tone::emu], "EMULATED");
+    } else {  // its shape, so that what the controller does is not cut
+      end -= ui.px(12);
+      draw_icon(list, Icon::emulated, ImVec2(end + ui.px(6), second), ui.px(11), ui[Tone::emu]);
+    }
   }
   draw_text_line(ui, left + ui.px(16), end - ui.px(4), second, Face::small, ui[tab.tone], tab.state);
   if (t.ring) draw_outline(ui, t.rect, ui[Tone::ink], 0, ui.px(2));
@@ -36,12 +46,24 @@ int panel_tabs(Ui& ui, std::span<const PanelTab> tabs, int active) {
   ImGuiWindow* window = ImGui::GetCurrentWindow();
   const float h = ui.px(40);
   draw_across(ui, at.y + h - ui.hair(), at.y + h, ui[Tone::line]);
+  const auto words_of = [&](int i) {
+    return std::ceil(text_width(ui, i == active ? Face::body_bold : Face::body_medium,
+                                tabs[static_cast<std::size_t>(i)].name));
+  };
+  // In less room than they need the chosen one stands in the middle, so that all can be reached.
+  float all = 0, before = 0;
+  for (int i = 0; i < static_cast<int>(tabs.size()); ++i) {
+    if (i == active) before = all + (words_of(i) + ui.px(24)) / 2;
+    all += words_of(i) + ui.px(24);
+  }
+  const float room = window->InnerRect.Max.x - at.x;
+  const float past = std::clamp(before - room / 2, 0.0f, std::max(0.0f, all - room));
   int picked = -1;
-  float x = at.x;
+  float x = at.x - std::floor(past);
   for (int i = 0; i < static_cast<int>(tabs.size()); ++i) {
     const PanelTab& tab = tabs[static_cast<std::size_t>(i)];
     const bool on = i == active;
-    const float words = std::ceil(text_width(ui, on ? Face::body_bold : Face::body_medium, tab.name));
+    const float words = words_of(i);
     ImGui::SetCursorScreenPos(ImVec2(x, at.y));
     const Touch t = touch(ui, {tab.id, Kind::tab, tab.name, on ? "on" : "", tab.disabled, false, {}},
                           ImVec2(words + ui.px(24), h));

@@ -53,9 +53,27 @@ void draw_text_line(const Ui& ui, float left, float right, float centre_y, Face 
                     std::string_view s) {
   const ImVec2 at(left, std::floor(centre_y - ui.line(face) * 0.5f + 0.5f));
   if (left + text_width(ui, face, s) <= right) return draw_text(ui, at, face, colour, s);
+  const float half = ui.line(face) * 0.5f;
+  if (ImGui::IsWindowHovered() &&
+      ImGui::IsMouseHoveringRect(ImVec2(left, centre_y - half), ImVec2(right, centre_y + half)))
+    ui.say_cut(s);
   const std::size_t fits = text_fit(ui, face, s, right - left - text_width(ui, face, ellipsis));
   draw_text(ui, at, face, colour, s.substr(0, fits));
   draw_text(ui, ImVec2(left + text_width(ui, face, s.substr(0, fits)), at.y), face, colour, ellipsis);
+}
+
+void draw_text_in_two_lines(const Ui& ui, float left, float right, float centre_y, Face face, ImU32 colour,
+                            std::string_view s) {
+  const float room = right - left;
+  if (s.empty() || text_width(ui, face, s) <= room)
+    return draw_text_line(ui, left, right, centre_y, face, colour, s);
+  const char* end = ui.font(Face::small)->CalcWordWrapPositionA(1.0f, s.data(), s.data() + s.size(), room);
+  const std::string_view first(s.data(), static_cast<std::size_t>(end - s.data()));
+  std::string_view second = s.substr(first.size());
+  while (second.starts_with(' ')) second.remove_prefix(1);
+  const float half = second.empty() ? 0 : ui.line(Face::small) * 0.5f;
+  draw_text_line(ui, left, right, centre_y - half, Face::small, colour, first);
+  if (!second.empty()) draw_text_line(ui, left, right, centre_y + half, Face::small, colour, second);
 }
 
 void text(Ui& ui, Face face, Tone tone, std::string_view s) {
@@ -154,7 +172,10 @@ void section_title(Ui& ui, std::string_view title, std::string_view caption, flo
 void key_value(Ui& ui, std::string_view id, std::string_view key, std::string_view value, Tone tone) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, h = ui.px(24);
-  const float value_width = std::ceil(text_width(ui, Face::body, value));
+  // A long value leaves the key its place, and is cut.
+  const float key_width = std::min(std::ceil(text_width(ui, Face::body, key)), std::floor(width * 0.6f));
+  const float value_width =
+      std::min(std::ceil(text_width(ui, Face::body, value)), width - key_width - ui.px(8));
   draw_text_line(ui, at.x, at.x + width - value_width - ui.px(8), at.y + h * 0.5f, Face::body, ui[Tone::ink2],
                  key);
   draw_text_line(ui, at.x + width - value_width, at.x + width + 1, at.y + h * 0.5f, Face::body, ui[tone],
@@ -174,6 +195,7 @@ void key_value(Ui& ui, std::string_view id, std::string_view key, std::string_vi
 
 void tooltip(Ui& ui, std::string_view sentence, const Rect* beside) {
   if (sentence.empty()) return;
+  ui.say_tip();
   const float limit = ui.px(320);
   const float width = std::min(limit, std::ceil(text_width(ui, Face::small, sentence)) + 1);
   const float height = wrapped_height(ui, Face::small, sentence, width);

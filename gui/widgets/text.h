@@ -18,9 +18,13 @@ void draw_text_right(const Ui& ui, ImVec2 right, Face face, ImU32 colour, std::s
 /// Centred in the rectangle.
 void draw_text_centred(const Ui& ui, const Rect& in, Face face, ImU32 colour, std::string_view s);
 /// From `left`, vertically centred on the line `centre_y`; what does not fit before `right` ends in an
-/// ellipsis.
+/// ellipsis, and is told under the mouse.
 void draw_text_line(const Ui& ui, float left, float right, float centre_y, Face face, ImU32 colour,
                     std::string_view s);
+
+/// In one line of `face` where it fits, else in two of small type; what is longer still is cut.
+void draw_text_in_two_lines(const Ui& ui, float left, float right, float centre_y, Face face, ImU32 colour,
+                            std::string_view s);
 
 /// At ImGui's cursor, in a line of the face's height.
 void text(Ui& ui, Face face, Tone tone, std::string_view s);

@@ -1,21 +1,9 @@
 -- The pictures of the README: build/handwheel run --gui tests/gui/readme_pictures.lua assets/screenshots
-local folder = hw.args[1] or "."
+require("lib.pictures")
 local function picture(name)
   ui.frame(3)
   ui.screenshot(folder .. "/" .. name .. ".png")
 end
-local function choose(list, words)
-  ui.click(list)
-  ui.frame(2)
-  for _, w in ipairs(ui.list()) do
-    if w.id:sub(1, #list + 1) == list .. "/" and w.label:find(words, 1, true) then
-      ui.click(w.id)
-      return ui.frame(2)
-    end
-  end
-  error("nothing in " .. list .. " reads " .. words)
-end
-
 ui.window(1440, 900)
 ui.theme("dark")
 local c = assert(hw.open("vxm@emulator,wire=real"))

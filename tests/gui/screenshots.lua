@@ -3,7 +3,6 @@
 -- at 1440x900, at 1024x700 (medium), at 200 % in a window of 1440x900 pixels (narrow), and a few at 200 % in
 -- one of 2880x1800 (wide). What was seen in them: PICTURES.md.
 require("lib.pictures")
-local with_200 = {wide, medium, narrow, wide_200}
 
 -- ---- without a controller
 pictures("connect", nil, nil, with_200)
@@ -68,7 +67,7 @@ pictures("file-save", function() tab("program") ui.click("program/save") end, es
 ui.click("program/run")
 hw.sleep(9)
 aside()
-pictures("program-running", nil, nil, with_200)
+pictures("program-running", nil, nil, in_all)
 ui.type("program/text", "\nS2M8000")
 hw.sleep(0.3)
 pictures("program-running-edited", nil, nil, with_200)
@@ -83,7 +82,7 @@ ui.type("program/text", "S1M2000\nI1Q400\nI2M9999999999\nU3,U200\nL0\n")
 hw.sleep(0.5)
 aside()
 pictures("program-errors")
-pictures("refusal", function() tab("program") ui.click("program/run") end, read_messages)
+pictures("refusal", function() tab("program") ui.key("Ctrl+Enter") end, read_messages)
 ui.click("program/slot/2")
 ui.type("program/text", string.rep("I1M400,I2M400,P5,U4,I1M-400,I2M-400,P5,U5\n", 12))
 hw.sleep(0.5)
@@ -177,7 +176,7 @@ hw.sleep(0.9)
 pictures("stale", nil, nil, {wide})
 c.bench:unplug(true)
 hw.sleep(4)
-pictures("lost", nil, nil, with_200)
+pictures("lost", nil, nil, in_all)
 c.bench:unplug(false)
 hw.sleep(6)
 pictures("back")

@@ -2,7 +2,6 @@
 -- and of controllers that share a wire: build/handwheel run --gui tests/gui/screenshots_arcus.lua FOLDER
 -- [PART-OF-A-NAME [dark|light]]. What was seen in them: PICTURES.md.
 require("lib.pictures")
-local with_200 = {wide, medium, narrow, wide_200}
 
 -- ---- a table of four axes with a program at work
 local c = assert(hw.open("pmx-4ex-sa@emulator"))
@@ -27,11 +26,11 @@ ui.click("thread/0/run")
 ui.click("thread/1/run")
 hw.sleep(2)
 aside()
-pictures("arcus-program", nil, nil, with_200)
+pictures("arcus-program", nil, nil, in_all)
 pictures("arcus-compiled", function() ui.click("program/view") aside() end, function() ui.click("program/view") end)
 pictures("arcus-program-more", function() tab("program") ui.click("program/more") end, escape)
 for _, name in ipairs{"control", "variables"} do
-  pictures("arcus-" .. name, function() tab(name) hw.sleep(1) end)
+  pictures("arcus-" .. name, function() tab(name) hw.sleep(1) end, nil, with_200)
 end
 pictures("arcus-control-lower", function() tab("control") ui.click("action/arc/centre_x") end, escape)
 pictures("arcus-right", open_right, close_right)
@@ -68,7 +67,7 @@ pictures("arcus-moves", function() tab("list") end)
 c:stop()
 c:wait(10)
 hw.sleep(7)
-pictures("arcus-setup", function() tab("setup") end)
+pictures("arcus-setup", function() tab("setup") end, nil, with_200)
 tab("setup")
 ui.type("setup/filter", "joystick")
 pictures("arcus-setup-search")
@@ -119,7 +118,7 @@ aside()
 pictures("arcus-bus-idle")
 bus.devices["02"]:move_by{[1] = 20000}
 hw.sleep(1)
-pictures("arcus-bus", function() tab("control") end, nil, with_200)
+pictures("arcus-bus", function() tab("control") end, nil, in_all)
 pictures("arcus-bus-menu", function() ui.click("dro/01/menu") end, escape)
 bus.devices["02"]:wait(60)
 bus.devices["04"].bench:limit(1, "+", true)
@@ -145,4 +144,4 @@ ui.click(ui.exists("controller/new") and "controller/new" or "controller/menu")
 ui.frame(3)
 pictures("arcus-connect")
 choose("connect/form/model", "PMX")
-pictures("arcus-connect-form", function() ui.click("connect/form/id") end, nil, {wide, narrow})
+pictures("arcus-connect-form", function() ui.click("connect/form/id") end, nil)

@@ -6,6 +6,7 @@
 #include "gui/widgets/digits.h"
 #include "gui/widgets/hold_button.h"
 #include "gui/widgets/number_field.h"
+#include "gui/widgets/text.h"
 #include "gui/widgets/text_field.h"
 #include "tests/gui/stage.h"
 
@@ -35,6 +36,34 @@ TEST(Button, FocusLossWhilePressedIsNoClick) {
   ASSERT_TRUE(stage.hand.press("a"));
   stage.hand.lose_focus();
   EXPECT_EQ(clicks, 0);
+}
+
+TEST(Text, WhatHadToBeCutIsToldWholeUnderTheMouse) {
+  std::string told;
+  Stage stage(in_window([&](Ui& ui) {
+    draw_text_line(ui, 20, 120, 40, Face::body, ui[Tone::ink], "a sentence that is far too long for it");
+    draw_text_line(ui, 20, 400, 80, Face::body, ui[Tone::ink], "short");
+    told = ui.cut();
+  }));
+  stage.push(InputEvent::mouse_move(60, 80, 0));
+  stage.frames(3);
+  EXPECT_EQ(told, "");
+  stage.push(InputEvent::mouse_move(60, 40, 0));
+  stage.frames(3);
+  EXPECT_EQ(told, "a sentence that is far too long for it");
+}
+
+TEST(Text, AWidgetsOwnTipGoesFirst) {
+  std::string told;
+  Stage stage(in_window([&](Ui& ui) {
+    button(ui, "a", "a label that is far too long for it", {.tip = "Its tip.", .width = 60});
+    told = ui.cut();
+  }));
+  stage.frames(2);
+  const ImVec2 at = stage.find("a")->rect.centre();
+  stage.push(InputEvent::mouse_move(at.x, at.y, 0));
+  stage.frames(3);
+  EXPECT_EQ(told, "");
 }
 
 struct HoldCount {

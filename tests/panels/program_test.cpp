@@ -72,18 +72,31 @@ TEST_F(ProgramTest, ErrorHasASentenceAndAMend) {
   write("I1\nBAD");
   ASSERT_TRUE(s.stage.find("program/problem/1"));
   EXPECT_THAT(s.value("program/note"), HasSubstr("Mend line 2"));
-  s.click("program/run");
+  EXPECT_THAT(s.reason("program/run"), HasSubstr("Line 2: BAD is no command."));
+  EXPECT_THAT(s.reason("program/step"), HasSubstr("Run comes back when it is mended."));
+  ASSERT_TRUE(s.stage.hand.key("Ctrl+Enter"));
+  s.stage.frames(3);
   EXPECT_TRUE(s.sent.empty());
-  EXPECT_THAT(s.toast(), HasSubstr("Nothing was sent. Line 2: BAD is no command."));
+  EXPECT_THAT(s.toast(), HasSubstr("Line 2: BAD is no command."));
   s.click("program/problem/1/fix");
   EXPECT_EQ(texts().text(0), "I1\nGOOD");
   EXPECT_FALSE(s.stage.find("program/problem/1"));
+  EXPECT_EQ(s.reason("program/run"), "");
+}
+
+TEST_F(ProgramTest, WhatIsHeldGoesOnWhateverIsTypedMeanwhile) {
+  s.now.program.run = RunState::held, s.now.program.owned = true, s.now.program.slot = 0;
+  write("I1\nBAD");
+  EXPECT_EQ(s.reason("program/run"), "");
+  s.click("program/run");
+  EXPECT_TRUE(s.last<intent::Resume>());
 }
 
 TEST_F(ProgramTest, TooLongIsSaidByMeterAndRefusedByRun) {
   write("A,B,C,D,E,F,G,H,J,K,M");
   EXPECT_EQ(s.value("program/memory"), "22 of 20: 2 too many");
-  s.click("program/run");
+  EXPECT_THAT(s.reason("program/run"), HasSubstr("2 too many. Run comes back when it is shorter."));
+  s.click("program/store");
   EXPECT_TRUE(s.sent.empty());
   EXPECT_THAT(s.toast(), HasSubstr("2 too many. Shorten it."));
   EXPECT_EQ(texts().text(0), "A,B,C,D,E,F,G,H,J,K,M");

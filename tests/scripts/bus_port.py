@@ -17,6 +17,7 @@ CONTROL, STATUS = 0xFE1, 0xFE3
 CELLS = 256
 SPEED = 20  # of the emulator: transcripts take their time
 PATIENCE = 20
+EXACT = {"three_axes.talk"}  # asks where axes are at an exact moment: that is for virtual time
 
 
 class Bus:
@@ -106,7 +107,7 @@ class Emulator:
 def play(handwheel, path):
     lines = path.read_text().splitlines()
     options = [word for line in lines if line.startswith("@") for word in line[1:].split()]
-    if any(line.startswith("!") for line in lines):
+    if path.name in EXACT or any(line.startswith("!") for line in lines):
         return False  # hands on the bench do not pass a bus
     with Emulator(handwheel, options) as emulator:
         host = Host(Bus(emulator.place))

@@ -129,7 +129,9 @@ TEST_F(DmxBus, OneThatIsSwitchedOffTakesLittleFromTheOthers) {
   EXPECT_LE(*most - *fewest, std::max(1.0, 0.03 * *fewest)) << *fewest << " to " << *most;
   EXPECT_GT(*fewest, 10);
   for (std::size_t i = 0; i < members.size(); ++i)
-    if (i != dead) EXPECT_EQ(members[i]->latest.link.timeouts, 0u) << i;
+    if (i != dead) {
+      EXPECT_EQ(members[i]->latest.link.timeouts, 0u) << i;
+    }
 }
 
 TEST_F(DmxBus, AStopWaitsNoLongerForASilentOneThanItsPatience) {

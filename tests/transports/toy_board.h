@@ -9,6 +9,7 @@
 
 #include "core/device/bus_target.h"
 #include "core/device/emulator.h"
+#include "core/link/window.h"
 
 namespace hw::test {
 

@@ -240,6 +240,28 @@ TEST_F(Vme58Driver, AProgramWithARejectedCommandStopsAndNamesTheLine) {
   EXPECT_LT(axis(0).position, Steps(5000));
 }
 
+TEST_F(Vme58Driver, AContourIsCutByAProgram) {
+  ASSERT_EQ(
+      perform(intent::LoadProgram(0,
+                                  "AA\nCV20000\nCD,,0,0;\nAN0;\nCR0,5000,3.1415926\nCR0,0,6.2831853\nAF0;\n"
+                                  "MT-10,10000\nCE\nMT,,-1000,0; GO\nCX\n"))
+          .fate,
+      Fate::done);
+  ASSERT_EQ(perform(intent::RunProgram(0)).fate, Fate::done);
+  std::int64_t lowest = 0, highest = 0;
+  ASSERT_TRUE(run_until(
+      [&] {
+        lowest = std::min(lowest, axis(2).position.value);
+        highest = std::max(highest, axis(2).position.value);
+        return now().program.run == RunState::idle;
+      },
+      seconds(60)));
+  EXPECT_EQ(now().program.ended_by, EndedBy::target);
+  EXPECT_NEAR(static_cast<double>(lowest), -10000, 60);
+  EXPECT_NEAR(static_cast<double>(highest), 10000, 60);
+  EXPECT_EQ(perform(intent::MoveTo({{AxisId{2}, Steps(0)}})).fate, Fate::done) << "the recording has ended";
+}
+
 TEST_F(Vme58Driver, WhileAContourIsRecordedTheConsoleSaysNothingOfItsOwn) {
   ASSERT_TRUE(query("AA CV1000 CD0,0;"));
   const IntentFate fate = perform(intent::MoveTo({{AxisId{0}, Steps(400)}}));

@@ -99,6 +99,8 @@ Result<> ArcusEmulator::act(const bench::Place& c) {
   if (auto bad = check_axis(c.axis); !bad) return bad;
   if (c.place.home_from.has_value() != c.place.home_to.has_value())
     return nothing_changed("A home zone needs both ends.");
+  if (c.place.motor)
+    return nothing_changed("This controller has stepping motors; what motor describes is a servo motor.");
   constexpr double most_counts = 1e6;
   const double counts = c.place.counts_per_step.value_or(0);
   if (!std::isfinite(counts) || std::abs(counts) > most_counts)

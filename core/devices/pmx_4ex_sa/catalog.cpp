@@ -105,6 +105,7 @@ Result<Catalog> make_catalog(const DeviceOptions& options) {
   c.name = "Arcus PMX-4EX-SA";
   c.short_name = "PMX";
   c.summary = "four stepping axes, X to U";
+  c.options = {{"id", {{"00", "4EX00"}, {"01", "4EX01"}, {"02", "4EX02"}, {"03", "4EX03"}}}};
   add_readouts(c);
   add_actions(c);
   c.move_list.columns = {position_field("x", "X", "pulses"), position_field("y", "Y", "pulses"),

@@ -26,14 +26,9 @@ std::vector<OptionInfo> options() {
     if (v.servos > 0) what = fmt::format("{} servo", v.servos);
     if (v.steppers > 0) what += fmt::format("{}{} step", what.empty() ? "" : ", ", v.steppers);
     if (v.encoders > v.servos) what += " with encoder";
-    variant.choices.emplace_back(v.name, fmt::format("VME58-{}: {}", v.name, what));
+    variant.choices.emplace_back(v.name, fmt::format("{}: {}", v.name, what));
   }
-  OptionInfo jumpers{"jumpers",
-                     {{"IIO", "lines 0-7 inputs, 8-13 outputs"},
-                      {"IOO", "lines 0-3 inputs, 4-13 outputs"},
-                      {"OOO", "all lines outputs"},
-                      {"III", "lines 0-11 inputs, 12-13 outputs"}}};
-  return {variant, jumpers};
+  return {variant};  // jumpers= stands in an address for those who have changed them
 }
 
 std::vector<AxisInfo> axes(const Variant& variant) {

@@ -9,7 +9,7 @@ namespace hw::vme58 {
 namespace {
 
 constexpr Duration mail_patience = Millis(50);
-constexpr Duration look_again = std::chrono::microseconds(500);
+constexpr Duration mail_look = std::chrono::microseconds(500);
 constexpr Duration standstill_look = Millis(10);
 constexpr Duration longest_stop = std::chrono::seconds(60);  // of a ramp that the user made long
 
@@ -36,7 +36,7 @@ Task<Result<>> Vme58Driver::mail(std::string_view letters) {
     if (!looked) co_return looked;
     if ((cycles[0].value & control::interrupt_board) == 0) co_return Result<>();
     if (scheduler_.now() > give_up) break;
-    co_await scheduler_.sleep_for(look_again);
+    co_await scheduler_.sleep_for(mail_look);
   }
   co_return fail(FaultKind::no_answer, fmt::format("The board did not take {} out of its mailbox.", word),
                  "It was put there.", "Watch the machine. If it still moves, switch its power off.");

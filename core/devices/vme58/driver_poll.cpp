@@ -11,8 +11,8 @@
 namespace hw::vme58 {
 namespace {
 
-constexpr Duration update_time = std::chrono::microseconds(1000);  // decision M26: about 1 ms
-constexpr Duration look_again = std::chrono::microseconds(300);
+constexpr Duration copy_time = std::chrono::microseconds(1000);  // decision M26: about 1 ms
+constexpr Duration copy_look = std::chrono::microseconds(300);
 constexpr Duration update_patience = Millis(50);
 constexpr Duration rest_time = Millis(400);  // at rest so long without a done flag: it ended some other way
 constexpr int live_values = 3;               // encoder, position, velocity stand first
@@ -31,7 +31,7 @@ bool Vme58Driver::moving(int axis) const {
 
 Task<Result<>> Vme58Driver::poll() {
   ++round_;
-  while (mailing_) co_await scheduler_.sleep_for(look_again);
+  while (mailing_) co_await scheduler_.sleep_for(copy_look);
   const Instant began = scheduler_.now();
   const auto registers = co_await read_registers(Priority::poll, true);
   if (!registers) co_return fail(registers.error());
@@ -172,7 +172,7 @@ Task<Result<>> Vme58Driver::read_axes(Priority priority) {
   std::vector<BusCycle> cycles;
   const int whole = next_axis_;
   next_axis_ = (next_axis_ + 1) % axis_count();
-  co_await scheduler_.sleep_for(update_time);
+  co_await scheduler_.sleep_for(copy_time);
   for (;;) {
     cycles.clear();
     cycles.push_back(BusCycle::read(1, reg::control));
@@ -188,7 +188,7 @@ Task<Result<>> Vme58Driver::read_axes(Priority priority) {
                      "The board did not copy its axis data in time (control register, bit 0).",
                      "Positions are shown as last read.");
     }
-    co_await scheduler_.sleep_for(look_again);
+    co_await scheduler_.sleep_for(copy_look);
   }
   updating_ = false;
   take_cycles(cycles);

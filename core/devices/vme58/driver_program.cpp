@@ -10,7 +10,7 @@ namespace {
 
 constexpr int commands_a_round = 64;
 
-int line_of(std::string_view text, std::size_t at) {
+int line_holding(std::string_view text, std::size_t at) {
   int line = 0;
   for (const char c : text.substr(0, at)) line += c == '\n';
   return line;
@@ -41,7 +41,7 @@ Task<Result<>> Vme58Driver::load(std::string text) {
   for (const TextCommand& command : read_commands(plain, context))
     if (!command.flaw.empty())
       co_return fail(FaultKind::refused,
-                     fmt::format("Line {}: {}", line_of(text, command.begin) + 1, command.flaw),
+                     fmt::format("Line {}: {}", line_holding(text, command.begin) + 1, command.flaw),
                      "The program was not taken.", "Correct it and load it again.");
   program_text_ = std::move(text);
   draft_.slot_bytes_used[0] = static_cast<std::int16_t>(std::min<std::size_t>(program_text_.size(), 32767));
@@ -59,7 +59,7 @@ Task<Result<>> Vme58Driver::run_program() {
   to_feed_.clear();
   const std::string plain = without_comments(program_text_);
   for (const TextCommand& command : read_commands(plain, context))
-    to_feed_.emplace_back(line_of(plain, command.begin), std::string(command.text));
+    to_feed_.emplace_back(line_holding(plain, command.begin), std::string(command.text));
   if (to_feed_.empty())
     co_return fail(FaultKind::refused, "There is no program to run: its text is empty.", "Nothing was sent.");
   for (AxisMind& mind : minds_) mind.limit_hit = mind.turned = false;

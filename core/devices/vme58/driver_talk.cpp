@@ -10,7 +10,7 @@ namespace hw::vme58 {
 namespace {
 
 constexpr std::size_t most_for_scripts = 256;
-constexpr Duration look_again = std::chrono::microseconds(500);
+constexpr Duration ring_look = std::chrono::microseconds(500);
 constexpr Duration taking_patience = Millis(250);  // the board takes text at once unless a queue is full
 constexpr int index_attempts = 3;
 
@@ -107,7 +107,7 @@ Task<Result<>> Vme58Driver::write(std::string text, Priority priority, WhenStuck
   const Instant give_up = scheduler_.now() + taking_patience;
   auto put = co_await put_text(text, priority);
   while (put && !*put && scheduler_.now() < give_up) {
-    co_await scheduler_.sleep_for(look_again);
+    co_await scheduler_.sleep_for(ring_look);
     put = co_await put_text(text, priority);
   }
   if (!put) co_return fail(put.error());
@@ -117,7 +117,7 @@ Task<Result<>> Vme58Driver::write(std::string text, Priority priority, WhenStuck
     if (!looked) co_return fail(looked.error());
     taken = *looked;
     if (taken || scheduler_.now() >= give_up) break;
-    co_await scheduler_.sleep_for(look_again);
+    co_await scheduler_.sleep_for(ring_look);
   }
   if (taken) co_return Result<>();
   const bool waits = *put && when_stuck == WhenStuck::leave;
@@ -180,7 +180,7 @@ Task<Result<std::vector<std::string>>> Vme58Driver::ask_several(std::string text
       station_->count_miss();
       co_return fail(FaultKind::no_answer, fmt::format("The board did not answer to {} in time.", text));
     }
-    co_await scheduler_.sleep_for(look_again);
+    co_await scheduler_.sleep_for(ring_look);
   }
   station_->count_answer(scheduler_.now() - asked_at, priority == Priority::poll, scheduler_.now());
   co_return replies;

@@ -1,6 +1,7 @@
 // Hands on the bench: what hangs on the axes, and what is done to it.
 #include <cmath>
 
+#include "core/device/bench_file.h"
 #include "core/devices/vme58/emulator_motion.h"
 
 namespace hw::vme58 {
@@ -8,8 +9,12 @@ namespace hw::vme58 {
 Result<> Motion::place(int a, const AxisPlace& place) {
   bring_up_to_date();
   MotionAxis& x = axes_[ix(a)];
+  if (const auto problem = problem_of(place); !problem.empty())
+    return fail(FaultKind::refused, std::string(problem) + ".", "Nothing was changed.");
+  if (place.home_from.has_value() != place.home_to.has_value())
+    return fail(FaultKind::refused, "A home zone needs both ends.", "Nothing was changed.");
   if (place.motor && place.motor->present && !x.servo())
-    return fail(FaultKind::text, "The bench was asked to give a step axis a servo motor.",
+    return fail(FaultKind::refused, "The bench was asked to give a step axis a servo motor.",
                 "Nothing was changed.",
                 "Motors are for servo axes; the variant of the board says which axes these are.");
   const std::int64_t encoder = x.encoder();

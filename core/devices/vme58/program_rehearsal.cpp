@@ -20,7 +20,7 @@ namespace hw::vme58 {
 namespace {
 
 constexpr std::size_t most_events = 10'000;
-constexpr Duration update_time = Millis(1), moving_step = Millis(10), resting_step = Millis(100);
+constexpr Duration board_copies = Millis(1), moving_step = Millis(10), resting_step = Millis(100);
 
 int line_of(std::string_view text, std::size_t at) {
   return static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
@@ -178,7 +178,7 @@ class Rehearsing {
 
   void look() {
     write(1, reg::control, control::update_data);
-    for (int i = 0; i < 100 && (read(1, reg::control) & control::update_data) != 0; ++i) pass(update_time);
+    for (int i = 0; i < 100 && (read(1, reg::control) & control::update_data) != 0; ++i) pass(board_copies);
     for (int i = 0; i < axes_; ++i) look_at(i);
     const std::uint32_t done = read(1, reg::done), limit = read(1, reg::limit);
     for (int i = 0; i < axes_; ++i) {

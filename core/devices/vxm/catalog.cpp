@@ -66,7 +66,8 @@ BenchFacts bench(int motors) {
     const std::string_view name = panel_buttons[i];
     const bool jog = name.ends_with('-') || name.ends_with('+');
     b.buttons.push_back({std::string(name), jog || name.ends_with("Run"), jog ? 0 : 1,
-                         static_cast<int>(i / buttons_per_controller), name.ends_with("Stop")});
+                         static_cast<int>(i / buttons_per_controller), name.ends_with("Stop"),
+                         jog ? fmt::format("Motor {}", name[name.size() - 2]) : std::string()});
   }
   for (std::size_t i = 0; i < controllers * lamps_per_controller; ++i)
     b.lamps.push_back({std::string(panel_lamps[i]), i % 2 ? LampColour::yellow : LampColour::green,

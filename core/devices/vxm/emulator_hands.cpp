@@ -113,6 +113,9 @@ Result<> VxmEmulator::act(const bench::Place& c) {
   if (c.place.home_from.has_value() != c.place.home_to.has_value())
     return fail(FaultKind::refused, "A home zone needs both ends.",
                 "The place of motor " + std::to_string(c.axis.index + 1) + " was not changed.");
+  if (c.place.motor)
+    return fail(FaultKind::refused, "A VXM has stepping motors; what `motor` describes is a servo motor.",
+                "The place of motor " + std::to_string(c.axis.index + 1) + " was not changed.");
   const int axis = c.axis.index, local = axis % motors_per_controller;
   // An encoder of the load (index_every, counts_per_step) is kept as well: a VXM does not read it.
   box_of(axis).plant(local).set_place(c.place);

@@ -40,6 +40,26 @@ TEST(BenchFile, DescribesWhatHangsOnAnAxis) {
   EXPECT_FALSE(x.place.minus);
 }
 
+TEST(BenchFile, GivesAServoAxisAMotor) {
+  const auto file = parse_bench_file(
+      "[axis.1]\nmotor = true\n[axis.X]\nmotor = {friction = 0.01, inertia = 1}\n", two_axes());
+  ASSERT_TRUE(file) << file.error().sentence();
+  EXPECT_EQ(std::get<bench::Place>(file->at_start[0]).place.motor, Motor());
+  const auto& other = std::get<bench::Place>(file->at_start[1]).place.motor;
+  ASSERT_TRUE(other);
+  EXPECT_EQ(other->friction, 0.01);
+  EXPECT_EQ(other->inertia, 1);
+  EXPECT_EQ(other->torque_limit, Motor().torque_limit);
+  const auto none = parse_bench_file("[axis.1]\nmotor = false\n", two_axes());
+  EXPECT_FALSE(std::get<bench::Place>(none->at_start[0]).place.motor->present);
+  EXPECT_EQ(complaint("[axis.1]\nmotor = {mass = 1}\n").substr(0, 38),
+            "b.toml:2:17: a motor has no \"mass\". No");
+  EXPECT_EQ(complaint("[axis.1]\nmotor = {inertia = 0}\n").substr(0, 45),
+            "b.toml:2:20: inertia must be a number from 1e");
+  EXPECT_EQ(complaint("[axis.1]\nmotor = 3\n").substr(0, 54),
+            "b.toml:2:9: motor, where it is no table, must be true ");
+}
+
 TEST(BenchFile, SetsInputsAnalogAndQuirks) {
   const auto file = parse_bench_file(
       "quirks = [\"overrun\", \"e-bar\"]\n[input]\n2 = true\n[analog]\n1 = 300\n", two_axes());
@@ -82,7 +102,7 @@ TEST(BenchFile, SaysWhereAndWhatIsWrong) {
   EXPECT_EQ(
       complaint("[axis.1]\nplsu = 1\n"),
       "b.toml:2:8: an axis has no \"plsu\". Nothing of the file was used. Known here: minus, plus, home, "
-      "index_every, counts_per_step, backlash.");
+      "index_every, counts_per_step, backlash, motor.");
   EXPECT_EQ(complaint("[axis.1]\nminus = 5\nplus = 5\n"),
             "b.toml:1:1: minus must be below plus. Nothing of the file was used.");
   EXPECT_EQ(
@@ -120,6 +140,9 @@ TEST(Place, RefusesWhatCannotBe) {
   place.counts_per_step = 1;
   place.backlash = Steps(-1);
   EXPECT_EQ(problem_of(place), "backlash must not be negative");
+  place.backlash = Steps(1);
+  place.motor.emplace().inertia = 0;
+  EXPECT_EQ(problem_of(place), "a value of the motor is out of its range");
 }
 
 }  // namespace

@@ -5,7 +5,10 @@ wide = {1440, 900, 1, "1440"}
 medium = {1024, 700, 1, "1024"}
 narrow = {720, 450, 2, "narrow200"}  -- 200 % in a window of 1440x900 pixels
 wide_200 = {1440, 900, 2, "wide200"}
+huge = {480, 300, 3, "huge300"}          -- 300 % in one of 1440x900: smaller than the look asks for
 local usual = {wide, medium, narrow}
+with_200 = {wide, medium, narrow, wide_200}
+in_all = {wide, medium, narrow, wide_200, huge}
 
 local function window(size)
   ui.window(size[1], size[2], size[3])

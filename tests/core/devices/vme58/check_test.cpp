@@ -1,9 +1,9 @@
 // Command strings before they are sent: what is wrong with them, and where.
-#include "core/devices/vme58/command_text.h"
-#include "core/devices/vme58/program_check.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "core/devices/vme58/command_text.h"
+#include "core/devices/vme58/program_check.h"
 
 namespace hw::vme58 {
 namespace {
@@ -19,10 +19,14 @@ std::vector<Problem> errors(std::string_view text) {
 
 TEST(Vme58Check, TheDataSheetsExamplesAreRight) {
   EXPECT_TRUE(errors("AX\nVL1000 AC10000\nKP2 KD6 HN\nHM0\nVL5000 AC50000\nMA-10000 GO ID\n").empty());
-  EXPECT_TRUE(errors("AX KP2 KD6 HN\nAY KP2 KD6 HN\nAZ KP2 KD6 HN\nAM\nVL5000,5000,5000;\nAC50000,50000,50000;\n"
-                     "MA1000,2000,3000; GO ID\n").empty());
-  EXPECT_TRUE(errors("AA\nCV1000\nCD,,0,0;\nAN0;\nCR0,5000,3.1415926\nCR0,0,6.2831853\nAF0;\nMT-10,10000\nCE\n"
-                     "MT,,-1000,0; GO\nCX\n").empty());
+  EXPECT_TRUE(
+      errors("AX KP2 KD6 HN\nAY KP2 KD6 HN\nAZ KP2 KD6 HN\nAM\nVL5000,5000,5000;\nAC50000,50000,50000;\n"
+             "MA1000,2000,3000; GO ID\n")
+          .empty());
+  EXPECT_TRUE(
+      errors("AA\nCV1000\nCD,,0,0;\nAN0;\nCR0,5000,3.1415926\nCR0,0,6.2831853\nAF0;\nMT-10,10000\nCE\n"
+             "MT,,-1000,0; GO\nCX\n")
+          .empty());
 }
 
 TEST(Vme58Check, FieldHabitsAreRight) {

@@ -25,6 +25,13 @@ TEST(VxmCatalog, MotorsDecideTheAxes) {
             "or 4 for a Master with its Slave.");
 }
 
+TEST(VxmCatalog, TheJogButtonsOfAMotorHaveItsNameOverThem) {
+  for (const BenchButton& button : catalog("4").bench.buttons) {
+    const bool jogs = button.row == 0;
+    EXPECT_EQ(button.caption, jogs ? "Motor " + button.name.substr(0, 1) : "") << button.name;
+  }
+}
+
 TEST(VxmCatalog, EveryParameterIsExplainedToAStranger) {
   std::set<std::string> seen;
   for (const ParamInfo& p : catalog("4").params) {

@@ -1,0 +1,24 @@
+#include "core/base/fixed_text.h"
+
+#include <gtest/gtest.h>
+
+namespace hw {
+namespace {
+
+TEST(FixedText, WhatFitsIsKeptAsItIs) {
+  EXPECT_EQ(FixedText<8>("12345678").view(), "12345678");
+  EXPECT_TRUE(FixedText<8>("").empty());
+}
+
+TEST(FixedText, ALongSentenceEndsAfterAWholeWord) {
+  const FixedText<24> said("Check the cable, the supply and the baud rate.");
+  EXPECT_EQ(said.view(), "Check the cable, the\u2026");
+}
+
+TEST(FixedText, OneLongWordIsCutBetweenCharacters) {
+  EXPECT_EQ(FixedText<4>("abc\u2212\u2212").view(), "abc");
+  EXPECT_EQ(FixedText<6>("abcdefgh").view(), "abcdef");
+}
+
+}  // namespace
+}  // namespace hw
