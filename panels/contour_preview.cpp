@@ -83,7 +83,7 @@ void draw_path(Ui& ui, const Map& map, const ContourShape& shape) {
   const bool any_on =
       std::any_of(shape.legs.begin(), shape.legs.end(), [](auto& l) { return l.outputs_on > 0; });
   for (const ContourShape::Leg& leg : shape.legs) {
-    for (std::size_t i = leg.first; i <= leg.first + leg.size; ++i) list->PathLineTo(map.at(shape.points[i]));
+    for (std::size_t i = leg.first; i < leg.first + leg.size; ++i) list->PathLineTo(map.at(shape.points[i]));
     const bool strong = leg.outputs_on > 0 || !any_on;
     list->PathStroke(ui[strong ? Tone::ink : Tone::ink3], 0, (strong ? 2.0f : 1.0f) * ui.hair());
   }

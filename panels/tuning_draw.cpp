@@ -165,8 +165,11 @@ void Tuning::draw_gain(Frame& f, std::size_t i, float width) {
   if (changed && f.now.params[i].known) {
     const Path was("was {:.{}f}", static_cast<double>(f.now.params[i].value) / scale, p.decimals);
     const float w = std::ceil(text_width(ui, Face::small, was));
-    draw_text_line(ui, end - w, end + 1, middle, Face::small, ui[Tone::ink3], was);
-    end -= w + ui.px(8);
+    const float name_end = at.x + ui.px(36) + std::ceil(text_width(ui, Face::body, without_axis(f, p)));
+    if (name_end + ui.px(8) <= end - w) {
+      draw_text_line(ui, end - w, end + 1, middle, Face::small, ui[Tone::ink3], was);
+      end -= w + ui.px(8);
+    }
   }
   draw_text_line(ui, at.x + ui.px(36), end, middle, Face::body, ui[Tone::ink], without_axis(f, p));
   NumberOptions o;

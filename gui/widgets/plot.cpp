@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <vector>
 
 #include <fmt/core.h>
 
@@ -79,12 +80,17 @@ void path_of(const PlotField& f, const PlotTrace& t) {
   emit();
 }
 
+/// ImGui draws each dash by way of its own path, so the points are taken out of it first. They keep their
+/// memory.
 void stroke_dashed(Ui& ui, ImU32 colour, float width) {
+  static thread_local std::vector<ImVec2> points;
   ImDrawList* list = ImGui::GetWindowDrawList();
+  points.assign(list->_Path.begin(), list->_Path.end());
+  list->PathClear();
   const float dash = ui.px(6), gap_length = ui.px(4);
   float walked = 0;
-  for (int i = 1; i < list->_Path.Size; ++i) {
-    const ImVec2 a = list->_Path[i - 1], b = list->_Path[i];
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const ImVec2 a = points[i - 1], b = points[i];
     const float dx = b.x - a.x, dy = b.y - a.y, length = std::sqrt(dx * dx + dy * dy);
     for (float at = 0; at < length;) {
       const float phase = std::fmod(walked, dash + gap_length);
@@ -96,7 +102,6 @@ void stroke_dashed(Ui& ui, ImU32 colour, float width) {
       at += run, walked += run;
     }
   }
-  list->PathClear();
 }
 
 void draw_trace(Ui& ui, const PlotField& f, const PlotTrace& t) {

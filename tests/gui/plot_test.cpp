@@ -28,6 +28,7 @@ TEST(Plot, ValuesBetweenPoints) {
 
 struct PlotStage {
   std::vector<float> x, y;
+  bool dashed = false;
   PlotCursor cursor;
   Stage stage{in_window([this](Ui& ui) {
                 PlotOptions o;
@@ -35,7 +36,7 @@ struct PlotStage {
                 o.x = {0, 100}, o.y = {0, 100};
                 o.width = 400, o.height = 200;
                 o.empty = "Nothing yet.";
-                const PlotTrace trace{x, y, Tone::motion, 2, false, "encoder 100"};
+                const PlotTrace trace{x, y, Tone::motion, 2, dashed, "encoder 100"};
                 plot(ui, "plot", "Plot", {&trace, 1}, o, cursor);
               }),
               440, 240};
@@ -54,19 +55,35 @@ TEST(Plot, TheCursorTellsTheValueUnderTheMouse) {
   EXPECT_THAT(std::string(w->value), ::testing::HasSubstr("encoder 50"));
 }
 
-TEST(Plot, ManyPointsAreNoMoreThanTwoAColumn) {
-  PlotStage p;
-  for (int i = 0; i < 100'000; ++i)
-    p.x.push_back(static_cast<float>(i) / 1000), p.y.push_back(static_cast<float>(i % 97));
+std::size_t vertices_of(PlotStage& p) {
   std::size_t vertices = 0;
-  p.stage.draw = [&, draw = p.stage.draw](Ui& ui) {
+  const Draw draw = p.stage.draw;
+  p.stage.draw = [&](Ui& ui) {
     draw(ui);
     ImGui::Begin("test");
     vertices = static_cast<std::size_t>(ImGui::GetWindowDrawList()->VtxBuffer.Size);
     ImGui::End();
   };
   p.stage.frames(2);
-  EXPECT_LT(vertices, 332u * 2 * 5 + 2000);
+  p.stage.draw = draw;
+  return vertices;
+}
+
+TEST(Plot, ADashedTraceIsManyStrokesAndNothingElse) {
+  PlotStage p;
+  p.x = {0, 50, 100}, p.y = {10, 90, 10};
+  const std::size_t solid = vertices_of(p);
+  p.dashed = true;
+  const std::size_t dashed = vertices_of(p), strokes = 40;
+  EXPECT_GT(dashed, solid + 2 * strokes);
+  EXPECT_LT(dashed, solid + 1000) << "each stroke by itself, not the whole trace again";
+}
+
+TEST(Plot, ManyPointsAreNoMoreThanTwoAColumn) {
+  PlotStage p;
+  for (int i = 0; i < 100'000; ++i)
+    p.x.push_back(static_cast<float>(i) / 1000), p.y.push_back(static_cast<float>(i % 97));
+  EXPECT_LT(vertices_of(p), 332u * 2 * 5 + 2000);
 }
 
 }  // namespace

@@ -61,6 +61,23 @@ TEST(ContourText, AxesTheOtherWayRoundAreMirrored) {
   expect_taken(*text);
 }
 
+TEST(ContourShape, LegsFollowEachOtherAndEndWithTheLastPoint) {
+  ContourPlan plan;
+  plan.pieces = {line(100, 0), arc(100, 50, 180), line(0, 100)};
+  const auto shape = draw_contour(plan, board());
+  ASSERT_TRUE(shape) << shape.error().sentence();
+  ASSERT_EQ(shape->legs.size(), 3u);
+  std::size_t end = 0;
+  for (const ContourShape::Leg& leg : shape->legs) {
+    EXPECT_EQ(leg.first, end);
+    EXPECT_GE(leg.size, 2u);
+    end = leg.first + leg.size - 1;
+  }
+  EXPECT_EQ(end, shape->points.size() - 1);
+  EXPECT_NEAR(shape->points.back().x, 0, 1e-9);
+  EXPECT_NEAR(shape->points.back().y, 100, 1e-9);
+}
+
 TEST(ContourText, WhatTheBoardCannotDoIsRefused) {
   const Catalog c = board();
   ContourPlan plan;
