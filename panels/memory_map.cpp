@@ -163,14 +163,15 @@ void MemoryMap::draw_value(Frame& f, std::size_t i, float width) {
   const bool known = cells_[i].known, is_fresh = fresh(f, c);
   const NumberText decimal = format_number(static_cast<double>(number_of(c, cells_[i].value)), 0);
   const Path value("{}{}", known ? decimal.view() : "?", known && !is_fresh ? "?" : "");
+  const float hex_room = width >= 360 ? hex_width : 0;  // names need the room in a narrow column
   if (ImGui::IsRectVisible(row.min, row.max)) {
     const float middle = std::floor(row.centre().y);
-    draw_head(f, i, at, width - hex_width - 80, middle);
+    draw_head(f, i, at, width - hex_room - 80, middle);
     const Face face = marked(f, i) ? Face::body_bold : Face::body;
-    const float end = row.max.x - ui.px(hex_width);
+    const float end = row.max.x - ui.px(hex_room);
     draw_text_line(ui, std::max(at.x, end - std::ceil(text_width(ui, face, value))), end + 1, middle, face,
                    ui[is_fresh ? Tone::ink : Tone::ink3], value);
-    if (known) {
+    if (known && hex_room > 0) {
       const Path hex = hex_of(c, cells_[i].value);
       draw_text_line(ui, row.max.x - std::ceil(text_width(ui, Face::code_time, hex)), row.max.x + 1, middle,
                      Face::code_time, ui[Tone::ink3], hex);
