@@ -8,7 +8,7 @@
 
 namespace hw::vme58 {
 
-struct ContourPiece {
+struct RecordedPiece {
   enum class Kind : std::uint8_t { line, arc, outputs };
   Kind kind = Kind::line;
   /// line: where to, one absolute position for each axis of the contour, in axis order (decision M68).
@@ -25,7 +25,7 @@ struct ContourPiece {
 struct Contour {
   unsigned axes = 0;                            ///< that take part, bit per axis
   std::array<std::int64_t, most_axes> start{};  ///< by the axis' place
-  std::vector<ContourPiece> pieces;
+  std::vector<RecordedPiece> pieces;
   bool kill = false;  ///< CK: stop dead at the end; CE: ramp down from there (decisions M73, M74)
   /// Closed by CE or CK and without a fault: CX may play it.
   bool complete = false;

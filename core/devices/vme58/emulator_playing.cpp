@@ -27,19 +27,19 @@ bool write_score(const Contour& contour, motion::Contour& track, Score& score) {
   for (std::size_t i = 0; i < count; ++i) point[places[i]] = static_cast<double>(contour.start[places[i]]);
   track.line_to(point);
   score.cues.push_back({Cue::What::at_speed, here()});
-  for (const ContourPiece& piece : contour.pieces) {
+  for (const RecordedPiece& piece : contour.pieces) {
     switch (piece.kind) {
-      case ContourPiece::Kind::line:
+      case RecordedPiece::Kind::line:
         point = track.end();
         for (std::size_t i = 0; i < count; ++i) point[places[i]] = static_cast<double>(piece.to[i]);
         track.line_to(point);
         break;
-      case ContourPiece::Kind::arc:
+      case RecordedPiece::Kind::arc:
         if (!(std::abs(piece.angle) < longest)) return false;
         track.arc(places[0], places[1], static_cast<double>(piece.centre_first),
                   static_cast<double>(piece.centre_second), piece.angle);
         break;
-      case ContourPiece::Kind::outputs:
+      case RecordedPiece::Kind::outputs:
         score.cues.push_back({Cue::What::output, here(), piece.outputs, piece.high});
         break;
     }

@@ -18,20 +18,20 @@ void Board::record(const Command& c) {
   if (c.op() == Op::CE || c.op() == Op::CK) return end_recording(c.op() == Op::CK);
   if (recorded_entries_ + c.entries() > contour_entries) return text_error();
   recorded_entries_ += c.entries();
-  ContourPiece piece;
+  RecordedPiece piece;
   switch (c.op()) {
     case Op::contour_MT:
       for (int place = 0; place < c.operands(); ++place)
         piece.to[ix(place)] = static_cast<std::int64_t>(*c.number[ix(place)]);
       break;
     case Op::CR:
-      piece.kind = ContourPiece::Kind::arc;
+      piece.kind = RecordedPiece::Kind::arc;
       piece.centre_first = static_cast<std::int64_t>(c.first());
       piece.centre_second = static_cast<std::int64_t>(*c.number[1]);
       piece.angle = *c.number[2];
       break;
     default:
-      piece.kind = ContourPiece::Kind::outputs;
+      piece.kind = RecordedPiece::Kind::outputs;
       piece.high = c.op() == Op::contour_AN;
       for (const auto& port : c.number)
         if (port) piece.outputs |= 1u << static_cast<int>(*port);

@@ -9,22 +9,22 @@
 namespace hw::vme58 {
 namespace {
 
-using Kind = ContourPiece::Kind;
+using Kind = RecordedPiece::Kind;
 
-ContourPiece line(std::int64_t first, std::int64_t second) {
-  ContourPiece p;
+RecordedPiece line(std::int64_t first, std::int64_t second) {
+  RecordedPiece p;
   p.to = {first, second};
   return p;
 }
 
-ContourPiece arc(std::int64_t first, std::int64_t second, double angle) {
-  ContourPiece p;
+RecordedPiece arc(std::int64_t first, std::int64_t second, double angle) {
+  RecordedPiece p;
   p.kind = Kind::arc, p.centre_first = first, p.centre_second = second, p.angle = angle;
   return p;
 }
 
-ContourPiece output(unsigned axes, bool high) {
-  ContourPiece p;
+RecordedPiece output(unsigned axes, bool high) {
+  RecordedPiece p;
   p.kind = Kind::outputs, p.outputs = axes, p.high = high;
   return p;
 }
@@ -109,7 +109,7 @@ TEST(VmeContour, ThreeAxesRunAtPathSpeedRoundACorner) {
   s.speeds(Y, 5000, 2000);  // the gentlest ramp counts (decision M76)
   Contour c;
   c.axes = 1u << X | 1u << Y | 1u << T, c.complete = true;
-  ContourPiece p;
+  RecordedPiece p;
   p.to = {1000, 0, 0};
   c.pieces.push_back(p);
   p.to = {1000, 2000, 2000};

@@ -14,17 +14,17 @@ using ::testing::HasSubstr;
 
 Catalog board() { return *make_catalog({}); }
 
-ContourPiece line(std::int64_t x, std::int64_t y) {
+ContourPiece line_to(std::int64_t x, std::int64_t y) {
   ContourPiece p;
   p.x = Steps(x), p.y = Steps(y);
   return p;
 }
-ContourPiece arc(std::int64_t x, std::int64_t y, double degrees) {
-  ContourPiece p = line(x, y);
+ContourPiece arc_about(std::int64_t x, std::int64_t y, double degrees) {
+  ContourPiece p = line_to(x, y);
   p.kind = ContourPiece::Kind::arc, p.degrees = degrees;
   return p;
 }
-ContourPiece output(const Catalog& c, int number, bool on) {
+ContourPiece output_piece(const Catalog& c, int number, bool on) {
   ContourPiece p;
   p.kind = ContourPiece::Kind::output, p.output = c.find_output(number), p.on = on;
   return p;
@@ -40,8 +40,8 @@ TEST(ContourText, TheDataSheetsHole) {
   ContourPlan plan;
   plan.first = AxisId{2}, plan.second = AxisId{3};
   plan.speed = Pps(1000), plan.lead_in = Steps(1000);
-  plan.pieces = {output(c, first_auxiliary, true), arc(0, 5000, 180), arc(0, 0, 360),
-                 output(c, first_auxiliary, false), line(-10, 10'000)};
+  plan.pieces = {output_piece(c, first_auxiliary, true), arc_about(0, 5000, 180), arc_about(0, 0, 360),
+                 output_piece(c, first_auxiliary, false), line_to(-10, 10'000)};
   const auto text = contour_text(plan, c);
   ASSERT_TRUE(text) << text.error().sentence();
   EXPECT_EQ(*text,
@@ -54,7 +54,7 @@ TEST(ContourText, AxesTheOtherWayRoundAreMirrored) {
   ContourPlan plan;
   plan.first = AxisId{1}, plan.second = AxisId{0};
   plan.x = Steps(10), plan.y = Steps(20), plan.ramp = false;
-  plan.pieces = {line(110, 20), arc(110, 70, 90)};
+  plan.pieces = {line_to(110, 20), arc_about(110, 70, 90)};
   const auto text = contour_text(plan, board());
   ASSERT_TRUE(text) << text.error().sentence();
   EXPECT_THAT(*text, HasSubstr("CD20,10;\nMT20,110;\nCR70,110,-1.570796327;\nCK\nMT20,10; GO\n"));
@@ -63,7 +63,7 @@ TEST(ContourText, AxesTheOtherWayRoundAreMirrored) {
 
 TEST(ContourShape, LegsFollowEachOtherAndEndWithTheLastPoint) {
   ContourPlan plan;
-  plan.pieces = {line(100, 0), arc(100, 50, 180), line(0, 100)};
+  plan.pieces = {line_to(100, 0), arc_about(100, 50, 180), line_to(0, 100)};
   const auto shape = draw_contour(plan, board());
   ASSERT_TRUE(shape) << shape.error().sentence();
   ASSERT_EQ(shape->legs.size(), 3u);
@@ -81,16 +81,16 @@ TEST(ContourShape, LegsFollowEachOtherAndEndWithTheLastPoint) {
 TEST(ContourText, WhatTheBoardCannotDoIsRefused) {
   const Catalog c = board();
   ContourPlan plan;
-  plan.pieces = {output(c, 8, true), line(100, 0)};
+  plan.pieces = {output_piece(c, 8, true), line_to(100, 0)};
   auto text = contour_text(plan, c);
   ASSERT_FALSE(text);
   EXPECT_THAT(text.error().what, HasSubstr("Out 8 cannot be switched within a contour"));
   plan.pieces.clear();
-  for (int i = 1; i <= 200; ++i) plan.pieces.push_back(line(i, 0));
+  for (int i = 1; i <= 200; ++i) plan.pieces.push_back(line_to(i, 0));
   text = contour_text(plan, c);
   ASSERT_FALSE(text);
   EXPECT_THAT(text.error().what, HasSubstr("201 entries, and the board keeps 200"));
-  plan.pieces = {line(40'000'000, 0)};
+  plan.pieces = {line_to(40'000'000, 0)};
   EXPECT_FALSE(contour_text(plan, c));
 }
 
