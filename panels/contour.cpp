@@ -216,7 +216,10 @@ void Contour::draw_toolbar(Frame& f) {
   ImGui::SameLine(0, ui.px(8));
   ButtonOptions put;
   put.height = 40;
-  put.disabled = !problem_.empty() ? problem_ : text_.empty() ? "There is no text yet." : "";
+  if (!problem_.empty())
+    put.disabled = problem_;
+  else if (text_.empty())
+    put.disabled = "There is no text yet.";
   put.tip = "Puts the text into the program editor.";
   if (button(ui, "contour/to_program", "To the program", put).clicked) {
     asking_ = !f.tab.desk().texts.text(0).empty();
