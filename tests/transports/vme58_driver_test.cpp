@@ -13,6 +13,51 @@ using testing::HasSubstr;
 
 class Vme58Driver : public Vme58Rig {};
 
+// A board that comes to its ring a little after its mailbox, as one that is busy does.
+class Vme58SlowBoard : public Vme58Rig {
+ protected:
+  class SlowRing final : public Window {
+   public:
+    SlowRing(Vme58SlowBoard& board, std::unique_ptr<Window> window)
+        : board_(board), window_(std::move(window)), later_(board.time, [this] { board_.let_text_come(); }) {}
+    void listen(Listener* listener) override { window_->listen(listener); }
+    Task<Result<>> run(std::span<BusCycle> cycles) override {
+      std::vector<BusCycle> now;
+      for (const BusCycle& c : cycles) {
+        if (board_.hold_text && c.write && c.offset == vme58::at::output_put_index)
+          board_.held = c.value;
+        else
+          now.push_back(c);
+        if (board_.held && c.write && c.offset == vme58::reg::control &&
+            (c.value & vme58::control::interrupt_board) != 0 && !later_.armed())
+          later_.arm(board_.time.now() + std::chrono::microseconds(300));
+      }
+      auto done = co_await window_->run(now);
+      auto next = now.begin();
+      for (BusCycle& c : cycles)
+        if (next != now.end() && next->write == c.write && next->offset == c.offset) c = *next++;
+      co_return done;
+    }
+    [[nodiscard]] std::string describe() const override { return window_->describe(); }
+
+   private:
+    Vme58SlowBoard& board_;
+    std::unique_ptr<Window> window_;
+    Timer later_;
+  };
+  std::unique_ptr<Window> dressed(std::unique_ptr<Window> window) override {
+    return std::make_unique<SlowRing>(*this, std::move(window));
+  }
+  void let_text_come() {
+    hold_text = false;
+    poke(2, vme58::at::output_put_index, *std::exchange(held, std::nullopt));
+    text_came = true;
+  }
+
+  bool hold_text = false, text_came = false;
+  std::optional<std::uint32_t> held;
+};
+
 TEST_F(Vme58Driver, FindsOutWhatItIs) {
   EXPECT_EQ(now().identity.model.view(), "VME58-8S");
   EXPECT_FALSE(now().identity.firmware.empty());
@@ -84,6 +129,21 @@ TEST_F(Vme58Driver, AStopGoesThroughTheMailboxPastAFullQueueAndWhatWaitsIsTakenB
   run(seconds(5));
   EXPECT_EQ(axis(0).position, there) << "nothing that waited may act after a stop";
   EXPECT_THAT(lines(), Contains("> mailbox SA"));
+}
+
+TEST_F(Vme58SlowBoard, TextThatTheBoardTakesBehindTheMailDoesNotMoveBehindTheStop) {
+  hold_text = true;
+  session->send(intent::MoveTo({{AxisId{0}, Steps(1000000)}}, Pps{2000}));
+  run(Millis(1));
+  EXPECT_EQ(axis(0).speed.value, 0);
+  session->send(intent::Stop());
+  run(seconds(3));
+  ASSERT_TRUE(text_came) << "the board has taken the move after it took the stop";
+  EXPECT_EQ(axis(0).speed.value, 0);
+  const Steps there = axis(0).position;
+  EXPECT_LT(there, Steps(100));
+  run(seconds(5));
+  EXPECT_EQ(axis(0).position, there);
 }
 
 TEST_F(Vme58Driver, AbortKillsAllWithoutARamp) {

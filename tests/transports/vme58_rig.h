@@ -25,7 +25,7 @@ class Vme58Rig : public testing::Test {
     host_options.name = "VME58";
     host = *EmulatorHost::make(time, std::move(*emulator), std::move(host_options));
     auto opened = Session::open(
-        time, *address, [this](Scheduler&, Address, std::shared_ptr<BenchAccess>) { return plug_in(host); },
+        time, *address, [this](Scheduler&, Address, std::shared_ptr<BenchAccess>) { return plug_in(); },
         [] {});
     ASSERT_TRUE(opened) << opened.error().sentence();
     session = *opened;
@@ -38,11 +38,13 @@ class Vme58Rig : public testing::Test {
     asio::co_spawn(io, session->close(), asio::detached);
     run(std::chrono::seconds(2));
   }
-  static Task<Result<Wire>> plug_in(std::shared_ptr<EmulatorHost> host) {
+  /// A bus between driver and board that is not as quick as a test.
+  virtual std::unique_ptr<Window> dressed(std::unique_ptr<Window> window) { return window; }
+  Task<Result<Wire>> plug_in() {
     auto window = host->plug_in_window();
     if (!window) co_return fail(window.error());
     Wire wire;
-    wire.window = std::move(*window);
+    wire.window = dressed(std::move(*window));
     wire.benches.push_back(host->bench());
     co_return wire;
   }

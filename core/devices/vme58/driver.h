@@ -187,6 +187,7 @@ class Vme58Driver final : public Driver {
   // rings
   int put_ = 0, get_ = 0;  ///< the host's two indexes
   bool writing_ = false;
+  bool on_its_way_ = false;  ///< text was put that the board is not known to have taken
   Event written_;
   std::string received_;             ///< characters that are no whole reply yet
   std::deque<std::string> replies_;  ///< whole ones that nobody has taken

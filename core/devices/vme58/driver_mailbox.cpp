@@ -89,11 +89,13 @@ Task<Result<>> Vme58Driver::stop_axis(int axis) {
 
 Task<Result<>> Vme58Driver::stop_all(bool at_once) {
   const std::string_view word = at_once ? "KL" : "SA";
+  // The mail overtakes text that stands in the ring: taken a moment later it would move behind the stop.
+  const bool overtakes = on_its_way_;
   auto mailed = co_await mail(word);
   if (!mailed && mailed.error().kind == FaultKind::lost) co_return mailed;
   const auto taken = co_await is_taken(Priority::stop);
   if (!taken) co_return fail(taken.error());
-  if (mailed && *taken) co_return mailed;
+  if (mailed && *taken && !overtakes) co_return mailed;
   auto withdrawn = co_await withdraw_text(Priority::stop);
   if (!withdrawn) co_return withdrawn;
   if (mailed) mailed = co_await mail(word);  // what it took in between may have begun something

@@ -12,6 +12,7 @@ namespace {
 constexpr std::size_t most_for_scripts = 256;
 constexpr Duration ring_look = std::chrono::microseconds(500);
 constexpr Duration taking_patience = Millis(250);  // the board takes text at once unless a queue is full
+constexpr Duration stop_patience = Millis(20);     // then the mailbox stops all
 constexpr int index_attempts = 3;
 
 TrafficKind kind_of(Priority priority) {
@@ -76,6 +77,7 @@ Task<Result<bool>> Vme58Driver::put_text(std::string text, Priority priority) {
   if (room(put_, *get) < static_cast<int>(text.size())) co_return false;
   std::vector<BusCycle> cycles;
   append_text(cycles, text, put_);
+  on_its_way_ = true;
   auto done = co_await run(cycles, priority);
   if (!done) co_return fail(done.error());
   put_ = advanced(put_, static_cast<int>(text.size()));
@@ -87,6 +89,7 @@ Task<Result<bool>> Vme58Driver::put_text(std::string text, Priority priority) {
 Task<Result<bool>> Vme58Driver::is_taken(Priority priority) {
   const auto get = co_await read_index(at::output_get_index, priority);
   if (!get) co_return fail(get.error());
+  if (*get == put_) on_its_way_ = false;
   co_return *get == put_;
 }
 
@@ -104,7 +107,7 @@ Task<Result<>> Vme58Driver::withdraw_text(Priority priority) {
 /// Returns when the board has taken it. Text that would wait behind a full queue and act at an unexpected
 /// time is taken back, unless it may wait.
 Task<Result<>> Vme58Driver::write(std::string text, Priority priority, WhenStuck when_stuck) {
-  const Instant give_up = scheduler_.now() + taking_patience;
+  const Instant give_up = scheduler_.now() + (priority == Priority::stop ? stop_patience : taking_patience);
   auto put = co_await put_text(text, priority);
   while (put && !*put && scheduler_.now() < give_up) {
     co_await scheduler_.sleep_for(ring_look);
