@@ -146,7 +146,7 @@ TEST_F(HandsTest, TheShownSpeedIsTheControllersOwnUntilOneIsChosen) {
     s.run(0.1);
     return s.stage.find("jog/speed")->value;
   };
-  a.now.axes[0].own_speed = a.snapshot.axes[1].own_speed = Pps(200000);
+  a.now.axes[0].own_speed = a.now.axes[1].own_speed = Pps(200000);
   EXPECT_EQ(shown(), "200000 steps/s");
   a.now.axes[1].own_speed = Pps(300);
   EXPECT_EQ(shown(), "each its own");

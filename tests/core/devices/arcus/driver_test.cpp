@@ -147,7 +147,7 @@ TEST_F(Restart, InTheMiddleOfAMoveItIsNoArrival) {
 class OwnSpeed : public DriverTest {
  protected:
   double jogs_at(int axis) {
-    post(intent::JogStart(AxisId{static_cast<std::uint8_t>(axis)}, Sign::plus));
+    post(intent::JogStart(AxisId{static_cast<std::uint8_t>(axis)}, Sign::plus, Pps{}, false));
     run(3);
     const double speed = latest.axes[static_cast<std::size_t>(axis)].speed.value;
     perform(intent::Stop());
@@ -173,9 +173,9 @@ TEST_F(OwnSpeed, IsTheCommonOneUnlessAnAxisHasAllThree) {
 }
 
 TEST_F(OwnSpeed, IsNotKnownWhileNobodyHasReadIt) {
-  start(dmx);
+  start(pmx);
   EXPECT_EQ(latest.axes[0].own_speed, Pps(0));
-  run(15);
+  run(40);
   EXPECT_EQ(latest.axes[0].own_speed, Pps(1000));
   EXPECT_NEAR(jogs_at(0), 1000, 1);
 }
