@@ -545,6 +545,46 @@ class Compile(Case):
         self.expect(run("compile", path, "--for", "dmx-k-sa", "-o", self.folder / "no" / "where"), 1, "where")
 
 
+class Examples(Case):
+    """assets/examples: each program is without fault and does what its first lines say."""
+
+    FOLDER = HERE.parent.parent / "assets" / "examples"
+
+    def rehearse(self, name, model, *more):
+        file = self.FOLDER / name
+        self.expect(run("check", file, "--for", model), 0)
+        result = run("simulate", file, "--for", model, "--json", *more)
+        self.expect(result, 0)
+        dry = json.loads(result.stdout)
+        self.assertTrue(dry["finished"], dry)
+        self.assertIsNone(dry["error"])
+        return dry["axes"]
+
+    def test_raster(self):
+        axes = self.rehearse("raster.vxm", "vxm", "--bench", self.FOLDER / "slide.toml")
+        self.assertEqual(axes["1"], {"position": 0, "min": 0, "max": 1600, "travel": 6 * 1600})
+        self.assertEqual(axes["2"], {"position": 0, "min": 0, "max": 5 * 200, "travel": 2000})
+
+    def test_plate(self):
+        axes = self.rehearse("plate.prg", "pmx-4ex-sa")
+        self.assertEqual(axes["X"], {"position": 0, "min": 0, "max": 5000, "travel": 10000})
+        self.assertEqual(axes["Y"], {"position": 0, "min": 0, "max": 2000, "travel": 4000})
+
+    def test_shuttle(self):
+        axes = self.rehearse("shuttle.prg", "dmx-k-sa")
+        self.assertEqual(axes["X"], {"position": 0, "min": 0, "max": 5000, "travel": 20 * 5000})
+
+    def test_circle(self):
+        for bench in ((), ("--bench", self.FOLDER / "servo.toml")):
+            axes = self.rehearse("circle.vme", "vme58", *bench)
+            self.assertEqual((axes["X"]["position"], axes["X"]["min"], axes["X"]["max"]), (0, 0, 20000))
+            self.assertEqual((axes["Y"]["position"], axes["Y"]["min"], axes["Y"]["max"]), (0, -10000, 10000))
+
+    def test_every_file_is_tried(self):
+        tried = {"raster.vxm", "slide.toml", "plate.prg", "shuttle.prg", "circle.vme", "servo.toml"}
+        self.assertEqual({f.name for f in self.FOLDER.iterdir()}, tried)
+
+
 class Simulate(Case):
     def simulate(self, text, *more):
         result = run("simulate", self.file("a.vxm", text), "--for", "vxm", "--json", *more)
