@@ -91,8 +91,10 @@ void append_hex(std::string& out, std::string_view bytes) {
 
 TrafficLog::TrafficLog(Explain explain, DayClock clock, Limits limits)
     : explain_(explain), clock_(clock), limits_(limits), cache_(cached_lines) {
-  bytes_.resize(std::bit_ceil(limits.bytes));
-  records_.resize(std::bit_ceil(limits.records));
+  limits_.bytes = std::bit_ceil(limits.bytes);
+  limits_.records = std::bit_ceil(limits.records);
+  bytes_ = std::make_unique_for_overwrite<char[]>(limits_.bytes);
+  records_.reserve(limits_.records);
 }
 
 // ---- coming in
@@ -115,20 +117,21 @@ void TrafficLog::append(const TrafficEntry& entry) {
       keep(entry.at, entry.way, entry.kind, rest.substr(0, end + 1));
       rest.remove_prefix(end + 1);
     }
-  for (const std::size_t piece = bytes_.size() / 8; rest.size() > piece; rest.remove_prefix(piece))
+  for (const std::size_t piece = limits_.bytes / 8; rest.size() > piece; rest.remove_prefix(piece))
     keep(entry.at, entry.way, entry.kind, rest.substr(0, piece));
   if (!rest.empty()) keep(entry.at, entry.way, entry.kind, rest);
 }
 
 void TrafficLog::keep(Instant at, Way way, TrafficKind kind, std::string_view bytes) {
-  const std::size_t mask = bytes_.size() - 1;
+  const std::size_t mask = limits_.bytes - 1;
   std::uint64_t begin = next_byte_;
-  if ((begin & mask) + bytes.size() > bytes_.size()) begin = (begin | mask) + 1;  // never across the seam
+  if ((begin & mask) + bytes.size() > limits_.bytes) begin = (begin | mask) + 1;  // never across the seam
   next_byte_ = begin + bytes.size();
-  if (next_ - first_ == records_.size()) ++first_;
-  while (first_ < next_ && record(first_).begin + bytes_.size() < next_byte_) ++first_;
-  std::memcpy(bytes_.data() + (begin & mask), bytes.data(), bytes.size());
-  Record& r = records_[next_ & (records_.size() - 1)];
+  if (next_ - first_ == limits_.records) ++first_;
+  while (first_ < next_ && record(first_).begin + limits_.bytes < next_byte_) ++first_;
+  std::memcpy(bytes_.get() + (begin & mask), bytes.data(), bytes.size());
+  if (records_.size() < limits_.records) records_.emplace_back();
+  Record& r = records_[next_ & (limits_.records - 1)];
   r.at = at;
   r.begin = begin;
   r.size = static_cast<std::uint32_t>(bytes.size());
@@ -140,7 +143,7 @@ void TrafficLog::keep(Instant at, Way way, TrafficKind kind, std::string_view by
 }
 
 std::string_view TrafficLog::bytes_of(const Record& r) const {
-  return {bytes_.data() + (r.begin & (bytes_.size() - 1)), r.size};
+  return {bytes_.get() + (r.begin & (limits_.bytes - 1)), r.size};
 }
 
 void TrafficLog::clear() {

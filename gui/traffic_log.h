@@ -7,6 +7,7 @@
 //   rows_      what is drawn: a record, or a fold of many; made from the records as they come
 #include <cstdint>
 #include <deque>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <unordered_set>
@@ -106,7 +107,7 @@ class TrafficLog {
     TrafficKind kind = TrafficKind::intent;
   };
   static constexpr std::size_t no_fold = ~std::size_t{0};
-  [[nodiscard]] const Record& record(std::uint64_t n) const { return records_[n & (records_.size() - 1)]; }
+  [[nodiscard]] const Record& record(std::uint64_t n) const { return records_[n & (limits_.records - 1)]; }
   [[nodiscard]] std::string_view bytes_of(const Record& r) const;
   void keep(Instant at, Way way, TrafficKind kind, std::string_view bytes);
   void restart_rows();
@@ -125,7 +126,8 @@ class TrafficLog {
   Explain explain_;
   DayClock clock_;
   Limits limits_;
-  std::vector<char> bytes_;
+  // Set aside as a whole, and taken from the machine only as they fill.
+  std::unique_ptr<char[]> bytes_;
   std::vector<Record> records_;
   std::uint64_t first_ = 0, next_ = 0;  ///< records kept: [first_, next_)
   std::uint64_t next_byte_ = 0;         ///< length of the endless stream

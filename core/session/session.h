@@ -55,7 +55,7 @@ class Session : public std::enable_shared_from_this<Session> {
   Task<Result<>> wait_until_idle(Duration patience);
   Task<> close();
 
-  static constexpr std::size_t traffic_capacity = 1 << 16;
+  static constexpr std::size_t traffic_capacity = 1 << 14;  ///< seconds of the fastest wire
 
  private:
   Session(Scheduler& scheduler, Address address, const DeviceType& type, Catalog catalog,
