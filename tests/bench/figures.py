@@ -43,8 +43,9 @@ def wire():
             "within 2 %", abs(over) <= 2)
     for name, line in sorted(bench("polling_share").items()):
         share = line["percent_of_the_wire"]
-        row(f"status polling at {name.split('/')[1]} baud", f"{share:.1f} % of the wire, {line['polls_per_second']:.0f} polls/s",
-            "at least 95 %", share >= 95)
+        model, baud = name.split("/")[1:3]
+        row(f"status polling of a {model.replace('_', '-')} at {baud} baud",
+            f"{share:.1f} % of the wire, {line['polls_per_second']:.0f} questions/s", "at least 95 %", share >= 95)
 
 
 def poll():

@@ -1,5 +1,6 @@
 #include "tests/bench/served_pty.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -21,14 +22,26 @@ namespace {
 
 constexpr int factory_baud = 9600;
 
-[[noreturn]] void serve(const std::string& path, int ready) {
+// The rate of an Arcus controller holds from the power-up after it was stored.
+void start_at(Emulator& emulator, int baud) {
+  constexpr int rates[] = {9600, 19200, 38400, 57600, 115200};
+  const auto code = std::find(std::begin(rates), std::end(rates), baud) - std::begin(rates) + 1;
+  emulator.receive("@00DB=" + std::to_string(code) + "\r@00STORE\r");
+  if (!emulator.operate(bench::PowerCycle())) abort();
+  std::string said;
+  emulator.take_output(said);
+}
+
+[[noreturn]] void serve(std::string_view model, int baud, const std::string& path, int ready) {
   IoContext io(1);
   RealScheduler clock(io);
   HostOptions options;
   options.byte_times = true;
-  auto emulator = find_device_type("vxm")->make_emulator({});
+  auto emulator = find_device_type(model)->make_emulator({});
+  const bool by_command = model == "vxm";
+  if (!by_command) start_at(**emulator, baud);
   auto host = EmulatorHost::make(clock, std::move(*emulator), options);
-  auto terminal = open_pty_endpoint(clock, path, factory_baud);
+  auto terminal = open_pty_endpoint(clock, path, by_command ? factory_baud : baud);
   if (!host || !terminal) _exit(1);
   (*host)->attach(std::move(*terminal));
   if (write(ready, "r", 1) != 1) _exit(1);
@@ -38,14 +51,14 @@ constexpr int factory_baud = 9600;
 
 }  // namespace
 
-ServedPty::ServedPty(int baud)
+ServedPty::ServedPty(std::string_view model, int baud)
     : path_(std::filesystem::temp_directory_path() / ("hw-bench-" + std::to_string(getpid()))) {
   int ready[2];
   if (pipe(ready) != 0) abort();
   child_ = fork();
   if (child_ == 0) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
-    serve(path_, ready[1]);
+    serve(model, baud, path_, ready[1]);
   }
   close(ready[1]);
   char word = 0;
@@ -54,6 +67,7 @@ ServedPty::ServedPty(int baud)
     exit(1);
   }
   close(ready[0]);
+  if (model != "vxm") return;
   usleep(9'000'000);  // the lamps of the start are over
   const int fd = open_client(factory_baud);
   const std::string words = "FsetB" + std::to_string(baud / 1000) + ",";

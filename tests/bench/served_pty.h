@@ -1,13 +1,15 @@
 #pragma once
 // An emulator behind a pseudo-terminal that takes the byte times of its rate, in a process of its own: what
-// `handwheel emulate vxm --pty PATH --wire real` is to other software.
+// `handwheel emulate MODEL --pty PATH --wire real` is to other software.
 #include <string>
+#include <string_view>
 
 namespace hw {
 
 class ServedPty {
  public:
-  explicit ServedPty(int baud);  ///< returns when the terminal is there
+  /// vxm or pmx-4ex-sa, at a rate that it has. Returns when the terminal is there.
+  ServedPty(std::string_view model, int baud);
   ~ServedPty();
   ServedPty(const ServedPty&) = delete;
   /// A file descriptor at that rate; negative: not opened.

@@ -37,7 +37,7 @@ bool ask(int fd, char question, std::size_t reply) {
 // X, Y and V, each asked when the answer before is in: 22 bytes.
 void three_questions(benchmark::State& state) {
   const int baud = static_cast<int>(state.range(0));
-  ServedPty served(baud);
+  ServedPty served("vxm", baud);
   const int fd = served.open_client(baud);
   if (fd < 0 || !ask(fd, 'V', 1)) return state.SkipWithError("no answer");
   std::vector<double> times;
@@ -65,11 +65,11 @@ BENCHMARK(three_questions)
     ->Unit(benchmark::kMillisecond);
 
 // Rounds of status one after the other for some seconds: bytes on the wire against what it can carry.
-void polling_share_of_the_wire(benchmark::State& state) {
+void polling_share_of_the_wire(benchmark::State& state, const std::string& model, const std::string& id) {
   const int baud = static_cast<int>(state.range(0));
-  ServedPty served(baud);
+  ServedPty served(model, baud);
   IoContext io(1);
-  Stack stack(io, "vxm@serial:" + served.path() + ",baud=" + std::to_string(baud));
+  Stack stack(io, model + "@serial:" + served.path() + ",baud=" + std::to_string(baud) + id);
   if (stack.ended) return state.SkipWithError(stack.trouble.c_str());
   const auto bytes_before = stack.wire_bytes;
   const auto rounds_before = stack.station->statistics().transactions;
@@ -84,10 +84,16 @@ void polling_share_of_the_wire(benchmark::State& state) {
   state.counters["polls_per_second"] =
       static_cast<double>(stack.station->statistics().transactions - rounds_before) / passed;
 }
-BENCHMARK(polling_share_of_the_wire)
+BENCHMARK_CAPTURE(polling_share_of_the_wire, vxm, "vxm", "")
     ->Arg(9600)
     ->Arg(19200)
     ->Arg(38400)
+    ->UseRealTime()
+    ->MinTime(5)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(polling_share_of_the_wire, pmx_4ex_sa, "pmx-4ex-sa", ",id=00")
+    ->Arg(57600)
+    ->Arg(115200)
     ->UseRealTime()
     ->MinTime(5)
     ->Unit(benchmark::kMillisecond);
