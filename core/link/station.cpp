@@ -38,6 +38,9 @@ void Station::begin_stop() {
   if (link_) link_->drop_procedures(*this);
 }
 
+bool Station::owes_answer() const { return link_ && link_->scheduler_.now() < owes_until_; }
+bool Station::answer_owed_on_wire() const { return link_ && link_->answer_owed(); }
+
 Result<> Station::set_rate(int baud) {
   if (!link_) return fail(no_connection());
   if (!link_->stream_) return {};
