@@ -1,6 +1,7 @@
 #include "gui/messages.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <span>
 
@@ -66,18 +67,39 @@ RunPlace run_place(Tab& tab) {
   return run;
 }
 
+/// Whether the sentence says of whom it speaks: "02 moves to ...".
+bool names(std::string_view sentence, std::string_view id) {
+  return sentence.starts_with(fmt::format("{} ", id)) ||
+         sentence.find(fmt::format(" {} ", id)) != sentence.npos;
+}
+
+/// On a bus a device stands for its only axis: "02 moves to ...", not "Axis X moves to ...".
+void name_device(StatusSentence& said, const Tab& tab) {
+  if (!tab.bus || tab.catalog().axes.size() != 1) return;
+  std::string name = tab.catalog().axes[0].description, text(said.text.view());
+  for (const bool at_the_beginning : {false, true}) {
+    if (name.empty()) return;
+    if (at_the_beginning) name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
+    if (const std::size_t at = text.find(name); at != text.npos) text.replace(at, name.size(), tab.id());
+  }
+  said.text = text;
+}
+
 StatusSentence sentence_of(Console& console, Tab& tab) {
   if (Tab* worst = tab.bus ? &tab.bus->worst() : nullptr; worst && worst != &tab) {
     StatusSentence said = sentence_of(console, *worst);
-    said.text = fmt::format("{}: {}", worst->id(), said.text.view());
+    if (!names(said.text.view(), worst->id()))
+      said.text = fmt::format("{}: {}", worst->id(), said.text.view());
     return said;
   }
   const auto held = tab.jog.control();
-  return status_sentence(
+  StatusSentence said = status_sentence(
       {tab.catalog(), tab.now(), tab.clock(), held, tab.jog.jogging(),
        [&](AxisId a, Steps s) { return std::string(format_with_unit(s, tab.unit(a)).view()); },
        [&](AxisId a, Pps v) { return std::string(format_speed(v, tab.unit(a)).view()); },
        [&](Instant when) { return console.time_of_day(when); }, run_place(tab)});
+  name_device(said, tab);
+  return said;
 }
 
 /// What is in RAM and not stored: at the right of the status line, whatever else is true. Returns its width.

@@ -40,7 +40,7 @@ bool ProgramJob::begin(Goal goal, int slot, ProgramTexts& texts, const Snapshot&
   const int used = now.slot_bytes_used[static_cast<std::size_t>(slot)];
   const HeldProgram& held = texts.held(slot);
   const bool ours = held.known && held.from_here;
-  if (used == 0 || ours) return load(send), true;
+  if (used == 0 || ours || capacity <= 0) return load(send), true;
   stage_ = Stage::comparing;
   waiting_for_ = send(intent::UploadProgram(slot));
   return true;

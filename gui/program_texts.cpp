@@ -176,6 +176,26 @@ int ProgramTexts::live_line(int slot, int command) {
 // ---- the note
 // ----------------------------------------------------------------------------------------------
 
+namespace {
+
+/// Of a controller that keeps no programs: what runs was sent from here.
+ProgramNote note_of_sent(ProgramTexts& texts, int slot, bool runs, const std::string& mend,
+                         std::string_view sent_at) {
+  const HeldProgram& held = texts.held(slot);
+  const bool changed = held.known && held.from_here && !texts.controller_has(slot);
+  if (runs && changed)
+    return {Mood::warn, fmt::format("What runs was sent at {}. The text has changed since. {}", sent_at,
+                                    mend.empty() ? "The next run sends it anew."
+                                                 : fmt::format("Mend {} before the next run.", mend))};
+  if (runs && held.known && held.from_here)
+    return {Mood::plain, fmt::format("This text runs. It was sent at {}.", sent_at)};
+  if (!mend.empty()) return {Mood::warn, fmt::format("Mend {} before the program can run.", mend)};
+  if (texts.text(slot).empty()) return {};
+  return {Mood::plain, "The controller keeps no programs: Run sends this text. Save keeps it in a file."};
+}
+
+}  // namespace
+
 ProgramNote program_note(ProgramTexts& texts, int slot, const Snapshot& now, const ProgramFacts& facts,
                          std::string_view loaded_at) {
   const HeldProgram& held = texts.held(slot);
@@ -183,6 +203,7 @@ ProgramNote program_note(ProgramTexts& texts, int slot, const Snapshot& now, con
                     now.program.run != RunState::error;
   const std::string verb = runs ? "runs" : "holds";
   const std::string mend = first_error_line(texts.report(slot));
+  if (facts.capacity <= 0) return note_of_sent(texts, slot, runs, mend, loaded_at);
   const int used = now.slot_bytes_used[static_cast<std::size_t>(slot)];
   if (held.known && held.from_here) {
     if (texts.controller_has(slot))

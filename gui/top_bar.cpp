@@ -17,18 +17,24 @@ namespace {
 
 void stand_at(Ui& ui, float x, float y) { ImGui::SetCursorScreenPos(ui.px(x, y)); }
 
-/// Whom Stop does not reach; empty: it reaches all.
-std::string not_reached(const Console& console) {
+/// Whom Stop does not reach, or how many where there is no room for their names; empty: it reaches all.
+std::string not_reached(const Ui& ui, const Console& console, float room_px) {
   std::string names;
-  for (const auto& tab : console.tabs())
-    if (tab->now().link.state == LinkState::lost)
-      names += (names.empty() ? "" : ", ") + std::string(tab->bus ? tab->id() : tab->name());
-  return names.empty() ? names : "does not reach " + names;
+  int lost = 0;
+  for (const auto& tab : console.tabs()) {
+    if (tab->now().link.state != LinkState::lost) continue;
+    names += (lost++ == 0 ? "" : ", ") + std::string(tab->bus ? tab->id() : tab->name());
+  }
+  if (lost == 0) return names;
+  const std::string named = "does not reach " + names;
+  if (text_width(ui, Face::small_bold, named) <= room_px) return named;
+  return fmt::format("does not reach {} of {}", lost, console.tabs().size());
 }
 
 void draw_stop(Ui& ui, Console& console, const Layout& layout) {
   stand_at(ui, layout.stop.x, layout.stop.y);
-  const Touch t = stop_button(ui, ui.px(layout.stop.width, layout.stop.height), not_reached(console));
+  const Touch t = stop_button(ui, ui.px(layout.stop.width, layout.stop.height),
+                              not_reached(ui, console, ui.px(layout.stop.width - 16)));
   if (t.clicked) console.stop_all();  // with the press already
 }
 
@@ -206,8 +212,12 @@ void draw_link(Ui& ui, Console& console, const Layout& layout) {
     else if (link.state == LinkState::lost || link.state == LinkState::closed ||
              link.state == LinkState::connecting)
       *fmt::format_to_n(second, sizeof second - 1, "attempt {}", std::max(1, link.attempts)).out = 0;
-    else if (layout.tier == Tier::wide)
+    else if (layout.tier == Tier::wide && link.polls_per_second >= 0.95f)
       *fmt::format_to_n(second, sizeof second - 1, "{:.1f} ms, {:.0f} polls/s", ms, link.polls_per_second)
+           .out = 0;
+    else if (layout.tier == Tier::wide && link.polls_per_second > 0)
+      *fmt::format_to_n(second, sizeof second - 1, "{:.1f} ms, asked every {:.0f} s", ms,
+                        1 / link.polls_per_second)
            .out = 0;
     else
       *fmt::format_to_n(second, sizeof second - 1, "{:.1f} ms", ms).out = 0;

@@ -1,5 +1,6 @@
 #include "panels/action_form.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "gui/tab.h"
@@ -14,15 +15,15 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-constexpr float label_height = 18, control_height = 32, least_field = 104;
+constexpr float label_height = 18, control_height = 32;
 
 /// How the fields of an action share the lines.
 struct FieldGrid {
   int per_line = 1;
   float width = 0;
 };
-FieldGrid cells_of(std::size_t cells, float width) {
-  const int fit = std::max(1, static_cast<int>((width + between) / (least_field + between)));
+FieldGrid cells_of(std::size_t cells, float width, float least) {
+  const int fit = std::max(1, static_cast<int>((width + between) / (least + between)));
   FieldGrid c;
   c.per_line = std::clamp(static_cast<int>(cells), 1, fit);
   c.width =
@@ -46,6 +47,8 @@ ActionForm::ActionForm(const Catalog& catalog, int action)
     for (const ParamChoice& choice : info.choices) {
       if (choice.value == info.fallback) fields_[i].chosen = static_cast<int>(fields_[i].names.size());
       fields_[i].names.push_back(choice.label);
+      // Wide enough for the longest value of a list; figured before there are fonts to measure with.
+      least_ = std::max(least_, std::min(190.0f, 46 + 7.2f * static_cast<float>(choice.label.size())));
     }
     if (info.choices.empty())
       fields_[i].number.set(static_cast<double>(info.fallback) / std::pow(10.0, info.decimals),
@@ -63,7 +66,7 @@ float ActionForm::height(float width) const {
   if (only_a_button()) return control_height + between;
   const bool in_cell = fits_a_cell(info_.label);
   const std::size_t cells = fields_.size() + (in_cell ? 1 : 0);
-  const int lines = lines_of(cells, cells_of(cells, width).per_line);
+  const int lines = lines_of(cells, cells_of(cells, width, least_).per_line);
   return static_cast<float>(lines) * (label_height + control_height + between) +
          (in_cell ? 0 : control_height + between);
 }
@@ -78,7 +81,7 @@ void ActionForm::draw(Frame& f, float width) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const bool in_cell = fits_a_cell(info_.label);
-  const FieldGrid cells = cells_of(fields_.size() + (in_cell ? 1 : 0), width);
+  const FieldGrid cells = cells_of(fields_.size() + (in_cell ? 1 : 0), width, least_);
   const auto place = [&](std::size_t n, float down) {
     const auto column = static_cast<float>(static_cast<int>(n) % cells.per_line);
     const auto line = static_cast<float>(static_cast<int>(n) / cells.per_line);

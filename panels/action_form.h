@@ -40,6 +40,7 @@ class ActionForm {
   const int action_;
   const ActionInfo& info_;
   std::vector<Field> fields_;
+  float least_ = 104;  ///< of a cell, so that no value of its lists is cut
   IntentId asked_ = 0;
   std::string refused_;
 };

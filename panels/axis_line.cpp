@@ -1,5 +1,7 @@
 #include "panels/axis_line.h"
 
+#include <cmath>
+
 #include "gui/widgets/digits.h"
 #include "gui/widgets/row.h"
 #include "gui/widgets/state_word.h"
@@ -35,13 +37,16 @@ Touch draw_number(Ui& ui, Tab& tab, AxisId axis, const AxisLine& line, float lef
   const NumberText number = shown_position(tab.now().axes[axis.index], unit);
   const std::string_view unit_name = unit.real ? std::string_view(unit.name) : std::string_view();
   DigitsOptions d;
-  d.face = Face::digits26;
+  d.face = line.face;
   d.state = digits_state(tab.now(), axis.index, tab.clock());
   d.width = (right - left) / ui.scale;
   d.tip = line.tip;
   const float number_left = right - digits_width(ui, d.face, number, unit_name);
-  draw_text_line(ui, left, number_left - ui.px(6), top + ui.px(16), Face::small, ui[Tone::ink2], line.label);
-  ImGui::SetCursorScreenPos(ImVec2(left, top));
+  const float label_end = number_left - ui.px(6);
+  if (label_end - left > ui.px(24))
+    draw_text_line(ui, left, label_end, top + ui.px(16), Face::small, ui[Tone::ink2], line.label);
+  const float drop = std::floor((ui.line(Face::digits26) - ui.line(line.face)) / 2);
+  ImGui::SetCursorScreenPos(ImVec2(left, top + drop));
   return digits(ui, Path("dro/{}/position", line.name), Path("Position of {}", line.name), number, unit_name,
                 d);
 }
@@ -60,6 +65,11 @@ float draw_state(Ui& ui, const AxisLine& line, float left, float right, const Re
 }
 
 }  // namespace
+
+Face axis_line_face(const Ui& ui, float number_px, float width) {
+  constexpr float name = 24;
+  return number_px + ui.px(name) <= ui.px(width) - jogs_px(ui) - ui.px(8) ? Face::digits26 : Face::stop;
+}
 
 AxisLineTouch draw_axis_line(Ui& ui, Tab& tab, AxisId axis, const AxisLine& line, float width) {
   const ImVec2 at = ImGui::GetCursorScreenPos();

@@ -19,7 +19,11 @@ struct AxisLine {
   std::string_view tip;    ///< of the number
   gui::State state;
   bool chosen = false;
+  gui::Face face = gui::Face::digits26;  ///< of the number: see axis_line_face
 };
+
+/// The face in which a number that wide at digits26 stands clear of the name, in a line of that width.
+gui::Face axis_line_face(const gui::Ui& ui, float number_px, float width);
 
 struct AxisLineTouch {
   bool pressed = false;

@@ -80,6 +80,17 @@ std::string_view name_of(const Frame& f, const OutputInfo& info) {
   return on_duty ? duty.name : info.name;
 }
 
+/// "Aux X" taken apart: what its neighbours share, and its own.
+struct RailName {
+  std::string_view group, own;
+};
+RailName rail_name(std::string_view name) {
+  const std::size_t space = name.rfind(' ');
+  if (space != name.npos) return {name.substr(0, space), name.substr(space + 1)};
+  const std::size_t digits = name.find_last_not_of("0123456789") + 1;  // "DO12"
+  return {"Out", digits > 0 && digits < name.size() ? name.substr(digits) : name};
+}
+
 }  // namespace
 
 void InputsOutputs::draw(Frame& f) {
@@ -201,39 +212,55 @@ void InputsOutputs::draw_analog(Frame& f, int n, float width, bool short_words) 
         o);
 }
 
-/// Outputs, a lamp over each number; many stand in two columns.
+/// Outputs, a lamp over each one's own name, under what they share; many stand in two columns.
 void InputsOutputs::draw_rail(Frame& f) {
   Ui& ui = f.ui;
   const ImVec2 top = ImGui::GetCursorScreenPos();
   const int count = static_cast<int>(f.catalog.outputs.size()), columns = count > 4 ? 2 : 1;
-  const float cell = f.area.width / static_cast<float>(columns);
-  draw_text_centred(ui, {top, ImVec2(top.x + ui.px(f.area.width), top.y + ui.px(16))}, Face::small_bold,
-                    ui[Tone::ink], "Out");
+  const float cell = f.area.width / static_cast<float>(columns), pitch = count > 8 ? 34 : 38;
+  float y = 0;
+  int column = 0;
+  std::string_view group;
   for (int n = 1; n <= count; ++n) {
-    const bool known = bit(f.now.outputs_known, n) && !io_is_old(f), on = bit(f.now.outputs, n);
-    const LampState state = !known ? LampState::unknown : on ? LampState::on : LampState::off;
-    const std::string_view name = f.catalog.outputs[static_cast<std::size_t>(n - 1)].name;
-    const ImVec2 at(top.x + ui.px(cell * static_cast<float>((n - 1) % columns)),
-                    top.y + ui.px(20 + 38 * static_cast<float>((n - 1) / columns)));
-    const Rect r{at, ImVec2(at.x + ui.px(cell), at.y + ui.px(36))};
-    draw_lamp(ui, ImVec2(std::floor(r.centre().x), r.min.y + ui.px(8)), 12, LampShape::round, state);
-    draw_text_centred(ui, {ImVec2(r.min.x, r.min.y + ui.px(18)), ImVec2(r.max.x, r.min.y + ui.px(34))},
-                      on ? Face::small_bold : Face::small, ui[on ? Tone::ink : Tone::ink2],
-                      Path("{}", f.catalog.output_number(static_cast<std::size_t>(n - 1))));
-    const std::string_view value = !known ? "?" : on ? "on" : "off";
-    show(ui,
-         {Path("io/lamp/{}", f.catalog.output_number(static_cast<std::size_t>(n - 1))),
-          Kind::lamp,
-          name,
-          value,
-          {},
-          false,
-          name},
-         r);
+    const OutputInfo& info = f.catalog.outputs[static_cast<std::size_t>(n - 1)];
+    const RailName name = rail_name(info.name);
+    if (name.group != group) {
+      y += n == 1 ? 0 : column > 0 ? pitch + 6 : 6;
+      const float at = top.y + ui.px(y);
+      draw_text_centred(ui, {ImVec2(top.x, at), ImVec2(top.x + ui.px(f.area.width), at + ui.px(16))},
+                        Face::small_bold, ui[Tone::ink], name.group);
+      group = name.group;
+      y += 20, column = 0;
+    }
+    draw_rail_lamp(f, n, name.own, ImVec2(top.x + ui.px(cell * static_cast<float>(column)), top.y + ui.px(y)),
+                   ui.px(cell));
+    if (++column == columns) y += pitch, column = 0;
   }
-  const int rows = (count + columns - 1) / columns;
-  ImGui::SetCursorScreenPos(ImVec2(top.x, top.y + ui.px(20 + 38 * static_cast<float>(rows))));
+  ImGui::SetCursorScreenPos(ImVec2(top.x, top.y + ui.px(y + (column > 0 ? pitch : 0))));
   group_line(ui, 8);
+}
+
+void InputsOutputs::draw_rail_lamp(Frame& f, int n, std::string_view own, ImVec2 at, float width) {
+  Ui& ui = f.ui;
+  const OutputInfo& info = f.catalog.outputs[static_cast<std::size_t>(n - 1)];
+  const bool known = bit(f.now.outputs_known, n) && !io_is_old(f), on = bit(f.now.outputs, n);
+  const Rect r{at, ImVec2(at.x + width, at.y + ui.px(36))};
+  draw_lamp(ui, ImVec2(std::floor(r.centre().x), r.min.y + ui.px(8)), 12, LampShape::round,
+            !known ? LampState::unknown
+            : on   ? LampState::on
+                   : LampState::off);
+  draw_text_centred(ui, {ImVec2(r.min.x, r.min.y + ui.px(18)), ImVec2(r.max.x, r.min.y + ui.px(34))},
+                    on ? Face::small_bold : Face::small, ui[on ? Tone::ink : Tone::ink2], own);
+  const std::string_view value = !known ? "?" : on ? "on" : "off";
+  show(ui,
+       {Path("io/lamp/{}", f.catalog.output_number(static_cast<std::size_t>(n - 1))),
+        Kind::lamp,
+        info.name,
+        value,
+        {},
+        false,
+        name_of(f, info)},
+       r);
 }
 
 }  // namespace hw::panels

@@ -1,5 +1,8 @@
 #pragma once
 #include <array>
+#include <string_view>
+
+#include <imgui.h>
 
 #include "gui/panel.h"
 
@@ -16,7 +19,8 @@ class InputsOutputs final : public gui::Panel {
   void draw_output(gui::Frame& frame, int number, float width, bool narrow);
   void draw_all_analog(gui::Frame& frame);
   void draw_analog(gui::Frame& frame, int number, float width, bool short_words);
-  void draw_rail(gui::Frame& frame);
+  static void draw_rail(gui::Frame& frame);
+  static void draw_rail_lamp(gui::Frame& frame, int number, std::string_view own, ImVec2 at, float width_px);
 
   std::array<IntentId, max_outputs + 1> asked_{};  ///< by output number: what was sent last and is not done
 };

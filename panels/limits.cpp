@@ -40,7 +40,7 @@ bool tells_more_than_limits(const Catalog& c) {
 }  // namespace
 
 void Limits::draw(Frame& f) {
-  if (f.rail) return draw_rail(f);
+  if (f.rail) return f.catalog.axes.size() > 4 ? draw_brief_rail(f) : draw_rail(f);
   Ui& ui = f.ui;
   if (tells_more_than_limits(f.catalog)) return draw_with_home(f);
   section_title(ui, "Limits", {}, 40);
@@ -79,11 +79,14 @@ struct Limits::Signal {
 /// What stands in the title in words: first what is wrong.
 struct Limits::Summary {
   std::string on, alerts;
+  int on_count = 0, alert_count = 0;
   bool known = true;
 
   void add(const std::string& axis, const Signal& signal) {
     if (!signal.on) return;
-    std::string& all = signal.state == LampState::hit ? alerts : on;
+    const bool alert = signal.state == LampState::hit;
+    ++(alert ? alert_count : on_count);
+    std::string& all = alert ? alerts : on;
     all += fmt::format("{}{} {}", all.empty() ? "" : ", ", axis, signal.label);
   }
   [[nodiscard]] bool warns() const { return !known || !alerts.empty(); }
@@ -104,9 +107,12 @@ void Limits::draw_with_home(Frame& f) {
   for (int i = 0; i < static_cast<int>(f.catalog.axes.size()); ++i) draw_signals(f, i, summary);
   const float end = title.x + ui.px(f.area.width);
   const float room = ui.px(f.area.width - 12) - text_width(ui, Face::body_bold, "Limits and home");
-  const float width = std::min(room, std::ceil(text_width(ui, Face::small, summary.words())));
-  draw_text_line(ui, end - width, end + 1, title.y + ui.px(20), Face::small,
-                 ui[summary.warns() ? Tone::warn : Tone::ink2], summary.words());
+  const bool alerts = summary.alert_count > 0;
+  const Path count("{} {}", alerts ? summary.alert_count : summary.on_count, alerts ? "hit" : "on");
+  const bool fits = text_width(ui, Face::small, summary.words()) <= room;
+  const std::string_view said = fits ? summary.words() : count.view();
+  draw_text_right(ui, ImVec2(end, title.y + ui.px(12)), Face::small,
+                  ui[summary.warns() ? Tone::warn : Tone::ink2], said);
   group_line(ui, 10);
 }
 
@@ -155,6 +161,40 @@ void Limits::draw_signal(Frame& f, const Signal& s, bool sure, ImVec2 at, float 
                  s.label);
   const Path value("{}{}", s.word, sure ? "" : "?");
   show(ui, {s.id, Kind::lamp, s.label, value, {}, false, value}, r);
+}
+
+/// Of many axes a line each: both lamps with the axis between them, under the signs that they all share.
+void Limits::draw_brief_rail(Frame& f) {
+  Ui& ui = f.ui;
+  constexpr float title = 20, signs = 18, line = 22;
+  const ImVec2 top = ImGui::GetCursorScreenPos();
+  const float middle = std::floor(top.x + ui.px(f.area.width / 2)), apart = ui.px(17);
+  const auto words = [&](float x, float y, Face face, Tone tone, std::string_view said) {
+    draw_text_centred(ui, {ImVec2(x - ui.px(28), y), ImVec2(x + ui.px(28), y + ui.px(16))}, face, ui[tone],
+                      said);
+  };
+  words(middle, top.y, Face::small_bold, Tone::ink, "Limits");
+  for (const Sign sign : {Sign::minus, Sign::plus})
+    words(sign == Sign::minus ? middle - apart : middle + apart, top.y + ui.px(title), Face::small,
+          Tone::ink2, sign_text(sign));
+  const int axes = static_cast<int>(f.catalog.axes.size());
+  for (int i = 0; i < axes; ++i) {
+    const float y = top.y + ui.px(title + signs + line * static_cast<float>(i));
+    const std::string& name = f.catalog.axes[static_cast<std::size_t>(i)].name;
+    bool hit = false;
+    for (const Sign sign : {Sign::minus, Sign::plus}) {
+      const LimitLook look = look_of(f, i, sign);
+      hit = hit || look.state == LampState::hit;
+      const float x = sign == Sign::minus ? middle - apart : middle + apart;
+      draw_lamp(ui, ImVec2(x, y + ui.px(8)), 12, LampShape::square, look.state);
+      show(ui,
+           {Path("io/limit/{}/{}", name, letter(sign)), Kind::lamp, name, look.word, {}, false, look.word},
+           {ImVec2(x - ui.px(10), y), ImVec2(x + ui.px(10), y + ui.px(line))});
+    }
+    words(middle, y, hit ? Face::small_bold : Face::small, hit ? Tone::warn : Tone::ink2, name);
+  }
+  ImGui::SetCursorScreenPos(ImVec2(top.x, top.y + ui.px(title + signs + line * static_cast<float>(axes))));
+  group_line(ui, 8);
 }
 
 /// One lamp over its name; of more than two axes both lamps stand in a line, with the axis between them.

@@ -17,6 +17,7 @@ class Limits final : public gui::Panel {
   void draw_signals(gui::Frame& frame, int axis, Summary& summary);
   void draw_signal(gui::Frame& frame, const Signal& signal, bool sure, ImVec2 at, float cell);
   void draw_rail(gui::Frame& frame);
+  void draw_brief_rail(gui::Frame& frame);
 };
 
 }  // namespace hw::panels

@@ -201,19 +201,33 @@ void Moves::draw_table(Frame& f, float width, float height) {
   end_part();
 }
 
+/// A unit that has no room beside the title of its column stands under it.
 void Moves::draw_head(Frame& f, float width) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
+  const auto& columns = f.catalog.move_list.columns;
   const float cell = cell_width(f.catalog, width);
+  const auto title_of = [](const ActionField& c) {
+    return Path("{}{}{}", c.label, c.unit.empty() ? "" : ", ", c.unit);
+  };
+  const bool one_line = std::all_of(columns.begin(), columns.end(), [&](const ActionField& c) {
+    return text_width(ui, Face::small, title_of(c)) <= ui.px(cell);
+  });
   float x = at.x + ui.px(number_width);
-  for (const ActionField& c : f.catalog.move_list.columns) {
-    const Path title("{}{}{}", c.label, c.unit.empty() ? "" : ", ", c.unit);
-    const bool fits = text_width(ui, Face::small, title) <= ui.px(cell);
-    draw_text_line(ui, x, x + ui.px(cell), at.y + ui.px(14), Face::small, ui[Tone::ink2],
-                   fits ? title.view() : std::string_view(c.label));
+  for (const ActionField& c : columns) {
+    const float end = x + ui.px(cell);
+    if (one_line) {
+      draw_text_line(ui, x, end, at.y + ui.px(14), Face::small, ui[Tone::ink2], title_of(c));
+    } else {
+      draw_text_line(ui, x, end, at.y + ui.px(12), Face::small, ui[Tone::ink2], c.label);
+      draw_text_line(ui, x, end, at.y + ui.px(28), Face::small, ui[Tone::ink2], c.unit);
+    }
+    const Path title = title_of(c);
+    show(ui, {Path("list/title/{}", c.id), Kind::text, c.label, title, {}, false, {}},
+         {ImVec2(x, at.y), ImVec2(end, at.y + ui.px(one_line ? 28 : 40))});
     x += ui.px(cell + between);
   }
-  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(28)));
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(one_line ? 28 : 40)));
 }
 
 /// True: it shall go.

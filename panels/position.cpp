@@ -1,5 +1,6 @@
 #include "panels/position.h"
 
+#include <algorithm>
 #include <array>
 
 #include "gui/area.h"
@@ -8,13 +9,15 @@
 #include "gui/tab.h"
 #include "gui/widgets/badge.h"
 #include "gui/widgets/button.h"
-#include "gui/widgets/lamp.h"
+#include "gui/widgets/state_word.h"
 #include "gui/widgets/text.h"
 #include "panels/axis_extras.h"
 #include "panels/axis_line.h"
 #include "panels/path.h"
+#include "panels/position_strip.h"
 #include "panels/position_words.h"
 #include "panels/unit_chooser.h"
+#include "panels/what_fits.h"
 
 namespace hw::panels {
 
@@ -22,7 +25,7 @@ using namespace gui;
 
 namespace {
 
-constexpr float strip_head_height = 20, small_limits_width = 36, between_strip_columns = 24;
+constexpr float strip_head_height = 20, between_strip_columns = 24;
 /// Left of a number: room for an encoder position, so that numbers take smaller type before it is cut.
 constexpr float room_beside = 80;
 
@@ -37,7 +40,8 @@ bool captions_beside(const Frame& f) { return in_strip(f) || f.catalog.axes.size
 /// What they all share stands in the title of the column when it is a word: many numbers need the room.
 std::string_view unit_beside(const Frame& f, AxisId axis) {
   const DisplayUnit& unit = f.tab.unit(axis);
-  const bool said = !in_strip(f) && !unit.real && f.catalog.axes.size() > 2 && unit.name == shown_unit(f);
+  const bool said =
+      (!in_strip(f) || as_lines(f)) && !unit.real && f.catalog.axes.size() > 2 && unit.name == shown_unit(f);
   return said ? std::string_view() : std::string_view(unit.name);
 }
 
@@ -57,34 +61,18 @@ Face face_for_all(const Frame& f, Face wanted, float width) {
   return digits_face(f.ui, {views.data(), n}, longest_unit, wanted, room);
 }
 
+/// Of all axes, in pixels.
+float widest_number(const Frame& f, Face face) {
+  float widest = 0;
+  for (std::size_t i = 0; i < f.catalog.axes.size(); ++i)
+    widest = std::max(widest, digits_width(f.ui, face, shown_position(f.now.axes[i], f.tab.unit(axis_id(i))),
+                                           unit_beside(f, axis_id(i))));
+  return widest;
+}
+
 Face wanted_face(const Frame& f) {
   if (f.catalog.axes.size() > 2) return Face::digits32;
   return f.tier == Tier::wide ? Face::digits48 : Face::digits36;
-}
-
-/// Limit lamps of one axis where there is no room for the panel of limits.
-void draw_small_limits(Frame& f, AxisId axis, ImVec2 at) {
-  const AxisState& a = f.now.axes[axis.index];
-  const std::string& name = f.catalog.axes[axis.index].name;
-  for (const Sign sign : {Sign::minus, Sign::plus}) {
-    const bool hit = sign == Sign::minus ? a.limit_minus : a.limit_plus;
-    const LampState state = !a.limits_known ? LampState::unknown : hit ? LampState::hit : LampState::off;
-    const Rect r{at, ImVec2(at.x + f.ui.px(12), at.y + f.ui.px(20))};
-    draw_lamp(f.ui, ImVec2(at.x + f.ui.px(6), std::floor(r.centre().y)), 10, LampShape::square, state);
-    const std::string_view value = !a.limits_known ? "?" : hit ? "HIT" : "clear";
-    show(f.ui, {Path("io/limit/{}/{}", name, letter(sign)), Kind::lamp, value, value, {}, false, {}}, r);
-    at.x += f.ui.px(18);
-  }
-}
-
-/// One line of small type, or nothing when not even the shorter words fit.
-template <class Words>
-void draw_what_fits(Ui& ui, ImVec2 at, float room, const Words& words) {
-  for (const bool whole : {true, false}) {
-    const NumberText said = words(whole);
-    if (std::ceil(text_width(ui, Face::small, said)) > room) continue;
-    return draw_text(ui, at, Face::small, ui[Tone::ink2], said);
-  }
 }
 
 }  // namespace
@@ -112,6 +100,7 @@ void Position::draw_column(Frame& f) {
 
 void Position::draw_lines(Frame& f) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
+  const Face face = axis_line_face(f.ui, widest_number(f, Face::digits26), f.area.width);
   for (std::size_t i = 0; i < f.catalog.axes.size(); ++i) {
     const AxisId axis = axis_id(i);
     const std::string& name = f.catalog.axes[i].name;
@@ -122,6 +111,7 @@ void Position::draw_lines(Frame& f) {
     line.label = f.tab.profile.axes[i].name;
     line.state = state_of(f.now, static_cast<int>(i), f.clock);
     line.chosen = f.tab.chosen_axis == axis;
+    line.face = face;
     line.tip = line.chosen ? "Click to copy it, to make it zero, or to say where the axis stands."
                            : "Click to choose it.";
     AxisLineTouch touched = draw_axis_line(f.ui, f.tab, axis, line, f.area.width);
@@ -130,12 +120,9 @@ void Position::draw_lines(Frame& f) {
     const Rect& aside = touched.aside;
     show_steps(f, axis, touched.number.rect);
     show_phase(f, axis, aside);
-    const NumberText speed = where_to(f, axis, false);
-    if (const float words = std::ceil(text_width(f.ui, Face::small, speed)); words > 0)
-      draw_text_line(f.ui, std::max(aside.min.x, aside.max.x - words), aside.max.x + 1, aside.centre().y,
-                     Face::small, f.ui[Tone::ink2], speed);
-    else if (aside.width() > f.ui.px(48))
-      draw_encoder(f, axis, aside.min, aside.width(), true);
+    const ImVec2 beside(aside.min.x, std::floor(aside.centre().y - f.ui.line(Face::small) / 2));
+    const float said = draw_at_work(f, axis, beside, aside.width(), true);
+    if (said == 0 && aside.width() > f.ui.px(48)) draw_encoder(f, axis, aside.min, aside.width(), true);
     menu_.draw(f, axis, touched.number);
     ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + f.ui.px(axis_line_height) * static_cast<float>(i + 1)));
   }
@@ -170,9 +157,19 @@ void Position::draw_strip(Frame& f) {
   const float row_height = strip_row_height(axes);
   const float column = std::floor((f.area.width - between_strip_columns) / 2);
   const Face face = as_lines(f) ? Face::digits26 : face_for_all(f, Face::digits32, column);
+  const float widest = widest_number(f, face);  // so that what stands beside a number keeps its place
   for (std::size_t i = 0; i < axes; ++i) {
     const float x = (i % 2) * (column + between_strip_columns), y = static_cast<float>(i / 2) * row_height;
-    ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(x), at.y + ui.px(y + 4)));
+    const ImVec2 corner(at.x + ui.px(x), at.y + ui.px(y));
+    if (as_lines(f)) {
+      const float x_of_number = corner.x + ui.px(column) - widest;
+      draw_beside_strip_number(f, axis_id(i),
+                               {corner, ImVec2(x_of_number - ui.px(8), corner.y + ui.px(row_height))});
+      ImGui::SetCursorScreenPos(ImVec2(x_of_number, corner.y + ui.px(4)));
+      draw_digits(f, axis_id(i), widest / ui.scale, face);
+      continue;
+    }
+    ImGui::SetCursorScreenPos(ImVec2(corner.x, corner.y + ui.px(4)));
     draw_axis(f, axis_id(i), column, face);
   }
   const float rows = static_cast<float>((axes + 1) / 2);
@@ -190,14 +187,6 @@ void Position::draw_axis(Frame& f, AxisId axis, float width, Face face) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float w = ui.px(width), below_head = at.y + ui.px(strip_head_height);
-  if (in_strip(f) && as_lines(f)) {  // name, state and number in one line
-    const float number = digits_width(ui, face, shown_position(f.now.axes[axis.index], f.tab.unit(axis)),
-                                      unit_beside(f, axis));
-    draw_head(f, axis, ImVec2(at.x, at.y + ui.px(6)), w - number - ui.px(12));
-    ImGui::SetCursorScreenPos(ImVec2(at.x + w - number, at.y));
-    draw_digits(f, axis, number / ui.scale, face);
-    return;
-  }
   draw_head(f, axis, at, w);
   ImGui::SetCursorScreenPos(ImVec2(at.x, below_head));
   draw_digits(f, axis, width, face);
@@ -223,8 +212,8 @@ void Position::draw_head(Frame& f, AxisId axis, ImVec2 at, float w) {
   draw_text_line(ui, at.x, at.x + w, middle, Face::title_bold, ui[Tone::ink], info.name);
   float left = at.x + std::ceil(text_width(ui, Face::title_bold, info.name)) + ui.px(8);
   // In less than the smallest window of the look its state says it alone.
-  const bool has_room = left + ui.px(small_limits_width + 16) <= at.x + w;
-  const float limits = in_strip(f) && has_room ? ui.px(small_limits_width) : 0;
+  const bool has_room = left + ui.px(strip_limits_width + 16) <= at.x + w;
+  const float limits = in_strip(f) && has_room ? ui.px(strip_limits_width) : 0;
   draw_state_right(ui, Path("dro/{}/state", info.name), ImVec2(at.x + w, at.y), state, Face::title_bold,
                    at.x + w - left - limits);
   // What a hand presses stands still while the state word changes.
@@ -251,12 +240,13 @@ void Position::draw_head(Frame& f, AxisId axis, ImVec2 at, float w) {
   }
   const std::string& users = f.tab.profile.axes[axis.index].name;
   const std::string_view label = users.empty() ? std::string_view(info.description) : std::string_view(users);
-  const float words = std::min(std::ceil(text_width(ui, Face::body, label)), right - left - limits);
-  if (words > ui.px(16)) {
+  const float whole = std::ceil(text_width(ui, Face::body, label));
+  const float words = std::min(whole, right - left - limits);
+  if (words == whole || (!users.empty() && words > ui.px(32))) {  // a piece of the maker's word says nothing
     draw_text_line(ui, left, left + words + 1, middle, Face::body, ui[Tone::ink2], label);
     left += words + ui.px(12);
   }
-  if (limits > 0) draw_small_limits(f, axis, ImVec2(left, at.y));
+  if (limits > 0) draw_strip_limits(f, axis, ImVec2(left, at.y));
 }
 
 Touch Position::draw_digits(Frame& f, AxisId axis, float width, Face face) {
@@ -282,13 +272,7 @@ void Position::draw_captions(Frame& f, AxisId axis, ImVec2 at, float width) {
   show_steps(f, axis, {at, ImVec2(at.x + width * 0.6f, at.y + ui.line(Face::small))});
   // What stands left is about the number, so it goes first: the right one is shortened, then left out.
   const float room = width - left_width - ui.px(left_width > 0 ? 12 : 0);
-  for (const bool whole : {true, false}) {
-    const NumberText right = where_to(f, axis, whole);
-    const float right_width = std::ceil(text_width(ui, Face::small, right));
-    if (right_width > room) continue;
-    draw_text(ui, ImVec2(at.x + width - right_width, at.y), Face::small, ui[Tone::ink2], right);
-    break;
-  }
+  draw_at_work(f, axis, ImVec2(at.x + width - room, at.y), room, true);
 }
 
 /// Two lines in what the number leaves at its left: what is wrong with it or what the axis does; under it the
@@ -309,15 +293,17 @@ void Position::draw_captions_beside(Frame& f, AxisId axis, ImVec2 at, float room
   } else if (!moving && !phase.empty()) {
     draw_text_line(ui, upper.x, upper.x + room, upper.y + line / 2, Face::small, ui[Tone::fault], phase);
   } else if (moving && !phase.empty()) {
-    draw_what_fits(ui, upper, room, [&](bool whole) {
+    draw_what_fits(ui, upper, room, false, [&](int brevity) {
       NumberText words;
-      words.append(whole ? phase : "");
-      words.append(whole ? ", " : "");
-      words.append(format_speed(f.now.axes[axis.index].speed, f.tab.unit(axis)).view());
+      words.append(brevity == 0 ? phase : "");
+      words.append(brevity == 0 ? ", " : "");
+      const Pps speed = f.now.axes[axis.index].speed;
+      const DisplayUnit& unit = f.tab.unit(axis);
+      words.append((brevity < 2 ? format_speed(speed, unit) : format_brief_speed(speed, unit)).view());
       return words;
     });
   } else {
-    draw_what_fits(ui, upper, room, [&](bool whole) { return where_to(f, axis, whole); });
+    draw_at_work(f, axis, upper, room, false);
   }
   if (encoder && f.catalog.axes[axis.index].encoder)
     draw_encoder(f, axis, lower, room, false);

@@ -1,10 +1,13 @@
 #include "panels/position_words.h"
 
+#include <algorithm>
+
 #include "gui/axis_look.h"
 #include "gui/tab.h"
 #include "gui/ui.h"
 #include "gui/widgets/touch.h"
 #include "panels/path.h"
+#include "panels/what_fits.h"
 
 namespace hw::panels {
 
@@ -52,6 +55,61 @@ NumberText where_to(const Frame& f, AxisId axis, bool whole) {
     words.append(format_speed(a.speed, unit).view());
   }
   return words;
+}
+
+NumberText format_brief_speed(Pps speed, const DisplayUnit& unit) {
+  const NumberText whole = format_speed(speed, unit);
+  const std::string_view words = whole;
+  std::string_view number = words.substr(0, words.rfind(unit.name));
+  while (number.ends_with(' ')) number.remove_suffix(1);
+  NumberText brief;
+  brief.append(number);
+  brief.append("/s");
+  return brief;
+}
+
+namespace {
+
+/// How many entries of its queue are taken; 0: none, not known, or it has none.
+int queued(const Frame& f, AxisId axis) {
+  const bool known = f.connected() && ((f.now.queue_known >> axis.index) & 1u);
+  return known ? std::max(0, f.catalog.queue_depth - f.now.queue_free[axis.index]) : 0;
+}
+
+// Less at each next brevity. The unit of a speed is that of the position beside it; it goes first, then the
+// speed.
+Path at_work(const Frame& f, AxisId axis, int brevity) {
+  const Pps speed = f.now.axes[axis.index].speed;
+  const bool runs = speed.value > 0 && is_motion(state_of(f.now, axis.index, f.clock));
+  const int waiting = queued(f, axis);
+  NumberText does;
+  if (brevity < 2)
+    does = where_to(f, axis, brevity == 0);
+  else if (runs && (brevity < least_words || waiting == 0))
+    does = format_brief_speed(speed, f.tab.unit(axis));
+  const std::string_view comma = does.view().empty() || waiting == 0 ? "" : ", ";
+  if (waiting == 0) return Path("{}", does.view());
+  if (brevity < 3) return Path("{}{}queue {} of {}", does.view(), comma, waiting, f.catalog.queue_depth);
+  return Path("{}{}queue {}", does.view(), comma, waiting);
+}
+
+/// `dro/X/queue`, where the axis says what it does.
+void show_queue(Frame& f, AxisId axis, const Rect& where) {
+  if (f.catalog.queue_depth <= 0) return;
+  const bool known = f.connected() && ((f.now.queue_known >> axis.index) & 1u);
+  const Path taken("{} of {}", queued(f, axis), f.catalog.queue_depth);
+  const std::string_view value = known ? taken.view() : std::string_view("?");
+  show(f.ui,
+       {Path("dro/{}/queue", f.catalog.axes[axis.index].name), Kind::text, "Queue", value, {}, false, {}},
+       where);
+}
+
+}  // namespace
+
+float draw_at_work(Frame& f, AxisId axis, ImVec2 at, float room, bool right_aligned) {
+  show_queue(f, axis, {at, ImVec2(at.x + std::max(0.0f, room), at.y + f.ui.line(Face::small))});
+  return draw_what_fits(f.ui, at, room, right_aligned,
+                        [&](int brevity) { return at_work(f, axis, brevity); });
 }
 
 DigitsState digits_state(const Snapshot& now, std::size_t axis, Instant clock) {

@@ -7,12 +7,14 @@
 #include "gui/console.h"
 #include "gui/keyboard.h"
 #include "gui/tab.h"
+#include "gui/units_format.h"
 #include "gui/widgets/button.h"
 #include "gui/widgets/choice.h"
 #include "gui/widgets/message.h"
 #include "gui/widgets/slider.h"
 #include "gui/widgets/text.h"
 #include "panels/measures.h"
+#include "panels/path.h"
 
 namespace hw::panels {
 
@@ -187,36 +189,34 @@ void Program::draw_simulate(Frame& f) {
     simulate(f);
 }
 
-// Follows the typing: what the text costs of what there is.
+// Follows the typing: what the text costs of what there is. Without room the words become fewer, then go.
 void Program::draw_memory(Frame& f, float left) {
   const int capacity = f.catalog.program.capacity;
   if (capacity <= 0) return;
   Ui& ui = f.ui;
   Desk& desk = f.tab.desk();
-  const int slot = desk.texts.chosen(), cost = desk.texts.cost(slot);
+  const int cost = desk.texts.cost(desk.texts.chosen());
   const bool over = cost > capacity;
-  char number[16], rest[64], whole[96];
-  const auto n = fmt::format_to_n(number, sizeof number, "{}", cost);
-  const auto r =
-      over ? fmt::format_to_n(rest, sizeof rest, " of {}: {} too many", capacity, cost - capacity)
-           : fmt::format_to_n(rest, sizeof rest, " of {} {}", capacity, f.catalog.program.capacity_unit);
-  const std::string_view number_text(number, std::min(n.size, sizeof number)),
-      rest_text(rest, std::min(r.size, sizeof rest));
-  const auto w = fmt::format_to_n(whole, sizeof whole, "{}{}", number_text, rest_text);
+  const NumberText number = format_number(cost, 0), all = format_number(capacity, 0);
+  const Path beyond(" of {}: {} too many", all.view(), cost - capacity);
+  const Path of(" of {} {}", all.view(), f.catalog.program.capacity_unit), brief(" of {}", all.view());
+  const Path whole("{}{}", number.view(), over ? beyond.view() : of.view());
   const float right = ui.px(f.area.right() - 16), middle = ImGui::GetCursorScreenPos().y + ui.px(20);
-  float rest_width = std::ceil(text_width(ui, Face::body, rest_text));
-  const float number_width = std::ceil(text_width(ui, Face::body_bold, number_text));
-  // Where not even the words have room the number stands alone, red when there are too many.
-  const bool brief = right - rest_width - number_width < left;
-  if (brief) rest_width = 0;
-  const float words_left = right - rest_width - number_width;
-  const Tone tone = over ? Tone::fault : Tone::ink2;
-  if (words_left >= left)  // else Check tells it
+  const float number_width = std::ceil(text_width(ui, Face::body_bold, number));
+  const auto left_of = [&](std::string_view rest) {
+    return right - number_width - std::ceil(text_width(ui, Face::body, rest));
+  };
+  std::string_view rest = over ? beyond.view() : of.view();
+  for (const std::string_view fewer : {brief.view(), std::string_view()})
+    if (left_of(rest) < left) rest = fewer;
+  const float words_left = left_of(rest);
+  if (words_left >= left) {  // else Check tells it
     draw_text_line(ui, words_left, right, middle, Face::body_bold, ui[over ? Tone::fault : Tone::ink],
-                   number_text);
-  if (!brief)
-    draw_text_line(ui, words_left + number_width, right + 1, middle, Face::body, ui[tone], rest_text);
-  float room = words_left - ui.px(8) - left;
+                   number);
+    draw_text_line(ui, words_left + number_width, right + 1, middle, Face::body,
+                   ui[over ? Tone::fault : Tone::ink2], rest);
+  }
+  const float room = words_left - ui.px(8) - left;
   const float title = std::ceil(text_width(ui, Face::body, "Memory")) + ui.px(8);
   const float bar = std::min(ui.px(124), room - title > ui.px(80) ? room - title : room);
   if (bar >= ui.px(24)) {
@@ -224,10 +224,9 @@ void Program::draw_memory(Frame& f, float left) {
     if (room - bar >= title) draw_text_line(ui, x - title, x, middle, Face::body, ui[Tone::ink2], "Memory");
     ImGui::SetCursorScreenPos(ImVec2(x, middle - ui.px(4)));
     meter(ui, "program/memory", "Memory", static_cast<float>(cost) / static_cast<float>(capacity),
-          {.over = over, .words = {whole, std::min(w.size, sizeof whole)}, .width = bar / ui.scale});
+          {.over = over, .words = whole, .width = bar / ui.scale});
   } else {
-    const std::string_view words(whole, std::min(w.size, sizeof whole));
-    show(ui, {.id = "program/memory", .kind = Kind::meter, .label = "Memory", .value = words, .tip = words},
+    show(ui, {.id = "program/memory", .kind = Kind::meter, .label = "Memory", .value = whole, .tip = whole},
          {ImVec2(words_left, middle - ui.px(10)), ImVec2(right, middle + ui.px(10))});
   }
 }
@@ -272,6 +271,7 @@ void Program::check(Frame& f) {
   const ProgramReport& report = desk.texts.report(slot);
   int errors = 0;
   for (const Problem& p : report.problems) errors += p.error;
+  if (errors == 0 && f.catalog.program.capacity <= 0) return f.toast(Mood::ok, "No error.");
   if (errors == 0)
     return f.toast(Mood::ok, fmt::format("No error. {} of {} {}.", desk.texts.cost(slot),
                                          f.catalog.program.capacity, f.catalog.program.capacity_unit));

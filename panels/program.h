@@ -32,6 +32,7 @@ class Program final : public gui::Panel {
   void draw_simulate(gui::Frame& frame);
   void draw_memory(gui::Frame& frame, float left);
   void draw_slots(gui::Frame& frame);
+  void draw_more(gui::Frame& f);
   void draw_file_buttons(gui::Frame& frame);
   void draw_compiled_row(gui::Frame& frame);
   static gui::ButtonOptions file_button_look(const gui::Frame& frame, const char* keys);

@@ -69,8 +69,10 @@ constexpr FileButton file_buttons[] = {{"program/check", "Check", "Check", ""},
                                        {"program/open", "Open", "Open", ""},
                                        {"program/save", "Save", "Save", "ctrl S"},
                                        {"program/store", "Store in controller", "Store", ""}};
-constexpr std::array<std::string_view, 6> more = {
-    "Save as", "Load from controller", "Empty in controller", "New text", "Find", "Comment lines or back"};
+
+bool is_there(const FileButton& b, const Frame& f) {
+  return f.catalog.can.store || std::string_view(b.id) != "program/store";
+}
 }  // namespace
 
 ButtonOptions Program::file_button_look(const Frame& f, const char* keys) {
@@ -80,8 +82,9 @@ ButtonOptions Program::file_button_look(const Frame& f, const char* keys) {
 float Program::file_buttons_width(const Frame& f) {
   float width = f.ui.px(72);
   for (const FileButton& b : file_buttons)
-    width += f.ui.px(
-        button_width(f.ui, f.area.width >= 800 ? b.label : b.short_label, file_button_look(f, b.keys)));
+    if (is_there(b, f))
+      width += f.ui.px(
+          button_width(f.ui, f.area.width >= 800 ? b.label : b.short_label, file_button_look(f, b.keys)));
   return width;
 }
 
@@ -93,6 +96,7 @@ void Program::draw_file_buttons(Frame& f) {
       f.connected() ? std::string_view() : "There is no link. The text stays here.";
   float too_much = ImGui::GetCursorScreenPos().x + file_buttons_width(f) - ui.px(f.area.right() - 8);
   for (const FileButton& b : file_buttons) {
+    if (!is_there(b, f)) continue;
     ButtonOptions look = file_button_look(f, b.keys);
     const std::string_view id = b.id;
     if (too_much > 0) {  // smaller than the look asks for: the first go
@@ -109,13 +113,21 @@ void Program::draw_file_buttons(Frame& f) {
     if (id == "program/save") save(f);
     if (id == "program/store") start(f, ProgramJob::Goal::store);
   }
-  switch (menu(ui, "program/more", "More", more)) {
+  draw_more(f);
+}
+
+void Program::draw_more(Frame& f) {
+  static constexpr std::array<std::string_view, 6> names = {
+      "Save as", "New text", "Find", "Comment lines or back", "Load from controller", "Empty in controller"};
+  Desk& desk = f.tab.desk();
+  const std::size_t many = f.catalog.program.capacity > 0 ? names.size() : 4;  // else it keeps none
+  switch (menu(f.ui, "program/more", "More", std::span(names.data(), many))) {
     case 0: ask_save(f); break;
-    case 1: start(f, ProgramJob::Goal::fetch); break;
-    case 2: asking_clear_ = true; break;
-    case 3: ask_or_empty(f); break;
-    case 4: editor_.editor(desk.texts.chosen()).ask_find(); break;
-    case 5: editor_.editor(desk.texts.chosen()).toggle_comment(); break;
+    case 1: ask_or_empty(f); break;
+    case 2: editor_.editor(desk.texts.chosen()).ask_find(); break;
+    case 3: editor_.editor(desk.texts.chosen()).toggle_comment(); break;
+    case 4: start(f, ProgramJob::Goal::fetch); break;
+    case 5: asking_clear_ = true; break;
     default: break;
   }
 }

@@ -1,5 +1,6 @@
 #include "panels/setup_row.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -60,7 +61,15 @@ std::string_view SetupRow::why_not() const {
 float SetupRow::control_width() const {
   const float room = (right_ - left_) / ui_.scale;
   if (!p_.bits.empty()) return 96;
-  return p_.choices.empty() ? 128 : std::clamp(room * 0.4f, 160.f, 300.f);
+  if (!p_.choices.empty()) {  // as wide as its longest value, where the label leaves the room
+    float longest = 0;
+    for (const ParamChoice& c : p_.choices)
+      longest = std::max(longest, text_width(ui_, Face::body_bold, c.label) / ui_.scale);
+    const float label = mnemonic_width + text_width(ui_, Face::body, p_.label) / ui_.scale + 24;
+    const float usual = std::clamp(room * 0.4f, 160.f, 300.f);
+    return std::max(usual, std::floor(std::min(longest + 38, room - label)));
+  }
+  return std::clamp(room * 0.3f, 128.f, 152.f);  // seven figures and their unit
 }
 
 bool SetupRow::draw(bool hover_counts) {
@@ -114,7 +123,7 @@ void SetupRow::draw_was(float left, float right, float middle) {
     say("not stored"), tone = Tone::warn;
   else if (edits_.off_factory(i_, f_.now))
     say_value("factory {}", p_.fallback);
-  else if (!p_.stored)
+  else if (!p_.stored && f_.catalog.can.store)  // else it is so with all of them
     say("not stored in flash");
   if (size == 0) return;
   const std::string_view said(words, size);

@@ -16,9 +16,10 @@ static int check(const Given& given) {
     fmt::print("{}:{}:{}: {}: {}\n", program->path, p.line + 1, p.column + 1, p.error ? "error" : "warning",
                p.sentence);
   if (report.has_errors()) return failed;
+  const ProgramFacts& facts = program->catalog.program;
+  const std::string of = facts.capacity > 0 ? fmt::format(" of {}", facts.capacity) : std::string();
   for (const auto& [slot, cost] : report.cost)
-    fmt::print("{}: {} {}: {} of {} {}\n", program->path, program->catalog.program.slot_word, slot, cost,
-               program->catalog.program.capacity, program->catalog.program.capacity_unit);
+    fmt::print("{}: {} {}: {}{} {}\n", program->path, facts.slot_word, slot, cost, of, facts.capacity_unit);
   return done;
 }
 

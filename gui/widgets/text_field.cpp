@@ -67,6 +67,12 @@ struct Insets {
   float left, right;
 };
 
+/// A number is not cut for the sake of its unit.
+bool unit_fits(const Ui& ui, float width, const std::string& text, const FieldOptions& o) {
+  const float unit = std::ceil(text_width(ui, Face::small, o.unit)) + ui.px(6);
+  return std::ceil(text_width(ui, value_face(o), text)) + unit + ui.px(20) <= width;
+}
+
 /// Where the text may stand within the frame. ImGui knows no right alignment: the left padding does it.
 Insets insets_of(const Ui& ui, float width, const std::string& text, const FieldOptions& o) {
   Insets in{ui.px(10), ui.px(10)};
@@ -117,10 +123,12 @@ void draw_extras(Ui& ui, const Rect& r, const std::string& text, const FieldOpti
 }  // namespace
 
 Field text_field(Ui& ui, std::string_view id, std::string_view label, std::string& text,
-                 const FieldOptions& o) {
+                 const FieldOptions& wanted) {
   Field f;
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const Rect r{at, ImVec2(at.x + width_px(ui, o.width), at.y + ui.px(o.height))};
+  const Rect r{at, ImVec2(at.x + width_px(ui, wanted.width), at.y + ui.px(wanted.height))};
+  FieldOptions o = wanted;
+  if (!unit_fits(ui, r.width(), text, o)) o.unit = {};
   const bool enabled = o.disabled.empty();
   ImGui::PushID(id.data(), id.data() + id.size());
   const ImGuiID item = ImGui::GetID("");

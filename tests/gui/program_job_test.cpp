@@ -47,6 +47,16 @@ TEST_F(ProgramJobTest, RunLoadsWhatAnEmptySlotDoesNotHold) {
   EXPECT_TRUE(last<intent::RunProgram>());
 }
 
+TEST_F(ProgramJobTest, AControllerThatKeepsNoProgramsIsSentTheTextWithoutAsking) {
+  catalog.program.capacity = 0;
+  now.slot_bytes_used[0] = 4;
+  texts.set_text(0, "I1M400");
+  ASSERT_TRUE(begin(ProgramJob::Goal::run));
+  ASSERT_TRUE(last<intent::LoadProgram>());
+  settle(Fate::done);
+  EXPECT_TRUE(last<intent::RunProgram>());
+}
+
 TEST_F(ProgramJobTest, RunComparesFirstWhenTheSlotIsInUse) {
   now.slot_bytes_used[0] = 4;
   texts.set_text(0, "I1M400,L0");

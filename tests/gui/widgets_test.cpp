@@ -53,6 +53,39 @@ TEST(Text, WhatHadToBeCutIsToldWholeUnderTheMouse) {
   EXPECT_EQ(told, "a sentence that is far too long for it");
 }
 
+/// The highest and the lowest line of pixels that is not the ground, from `top` to `bottom`.
+std::pair<int, int> inked(Stage& stage, int top, int bottom) {
+  stage.surface.render();
+  const ImU32 ground = stage.surface.pixel(600, top);
+  std::pair<int, int> found{bottom, top};
+  for (int y = top; y < bottom; ++y)
+    for (int x = 0; x < 420; ++x)
+      if (stage.surface.pixel(x, y) != ground) found = {std::min(found.first, y), std::max(found.second, y)};
+  return found;
+}
+
+TEST(Text, ASentenceThatIsTooLongForItsLineTakesTwoSmallOnes) {
+  std::string sentence = "short", told;
+  Stage stage(in_window([&](Ui& ui) {
+    draw_text_in_two_lines(ui, 20, 400, 60, Face::body, ui[Tone::ink], sentence);
+    told = ui.cut();
+  }));
+  stage.push(InputEvent::mouse_move(60, 68, 0));
+  stage.frames(3);
+  const auto one = inked(stage, 30, 90);
+  EXPECT_LT(one.second - one.first, 16);
+  sentence = "Two does not answer since 14:20:08. Stop does not reach it: use its power switch.";
+  stage.frames(3);
+  const auto two = inked(stage, 30, 90);
+  EXPECT_LT(two.first, 56) << "a line above the middle";
+  EXPECT_GT(two.second, 64) << "and one below";
+  EXPECT_LT(two.second - two.first, 36) << "both within a status line";
+  EXPECT_EQ(told, "") << "nothing had to be cut";
+  sentence += " The cable of /dev/ttyUSB0 was pulled. No command was repeated.";
+  stage.frames(3);
+  EXPECT_NE(told, "") << "what even two lines cannot hold is told under the mouse";
+}
+
 TEST(Text, AWidgetsOwnTipGoesFirst) {
   std::string told;
   Stage stage(in_window([&](Ui& ui) {

@@ -37,7 +37,8 @@ class BusTest : public testing::Test {
 TEST_F(BusTest, OneTabAndARowForEach) {
   EXPECT_TRUE(s.stage.find("controller/1"));
   EXPECT_FALSE(s.stage.find("controller/2"));
-  for (const char* id : {"bus/01", "bus/02", "bus/03", "dro/02/position", "dro/03/state", "jog/01/+", "jog/03/-"})
+  for (const char* id :
+       {"bus/01", "bus/02", "bus/03", "dro/02/position", "dro/03/state", "jog/01/+", "jog/03/-"})
     EXPECT_TRUE(s.stage.find(id)) << id;
 }
 
@@ -90,6 +91,17 @@ TEST_F(BusTest, WhoIsInTroubleStandsFirstAndIsNamed) {
   EXPECT_LT(s.stage.find("bus/03")->rect.min.y, s.stage.find("bus/01")->rect.min.y);
   EXPECT_EQ(s.value("bus/summary"), "2 of 3 answer, trouble: 1");
   EXPECT_EQ(s.value("status/text").substr(0, 4), "03: ");
+}
+
+TEST_F(BusTest, TheStatusLineCallsADeviceByItsIdAndNotItsOnlyAxis) {
+  b.now.axes[0].activity = Activity::moving;
+  b.now.axes[0].direction = -1;
+  s.run(0.2);
+  EXPECT_EQ(s.value("status/text"), "02 moves -. Esc stops everything.");
+  b.now.axes[0].activity = Activity::idle;
+  a.now.axes[0].position_known = false;
+  s.run(0.2);
+  EXPECT_EQ(s.value("status/text"), "Where 01 stands is not known. Home it, or say where it is.");
 }
 
 TEST_F(BusTest, TheTerminalSpeaksToOneOrToAll) {

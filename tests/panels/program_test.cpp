@@ -184,6 +184,23 @@ TEST_F(ProgramTest, OpeningOverUnsavedTextAsks) {
   EXPECT_EQ(texts().text(0), "I1M400");
 }
 
+TEST(ProgramOfABoard, NothingIsOfferedThatItCannotDo) {
+  Catalog c = test::toy_catalog();
+  c.program.capacity = 0;
+  c.can.store = false;
+  Program panel;
+  test::PanelStage s(panel, 864, 480, 1, gui::Tier::wide, true, c);
+  s.now.slot_bytes_used[0] = 0;
+  s.tab.desk().texts.set_text(0, "I1M400");
+  s.stage.frames(2);
+  for (const char* id : {"program/store", "program/memory"}) EXPECT_EQ(s.stage.find(id), nullptr) << id;
+  EXPECT_THAT(s.value("program/note"), HasSubstr("keeps no programs: Run sends this text"));
+  s.click("program/more");
+  EXPECT_TRUE(s.stage.find("program/more/Save as"));
+  EXPECT_EQ(s.stage.find("program/more/Load from controller"), nullptr);
+  EXPECT_EQ(s.stage.find("program/more/Empty in controller"), nullptr);
+}
+
 TEST_F(ProgramTest, FitsEachTier) {
   write("I1\nI2");
   for (const auto& [width, height, tier] :

@@ -253,7 +253,7 @@ Result<Catalog> make_catalog(const DeviceOptions& options_given) {
   c.command_separators = " ;";
   c.program.slots = 1;
   c.program.slot_word = "Program";
-  c.program.capacity = 32767;
+  c.program.capacity = 0;  // it keeps none: a run feeds the text into its ring
   c.program.capacity_unit = "characters";
   c.program.file_suffix = ".vme";
   c.program.comment = '#';

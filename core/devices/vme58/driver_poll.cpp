@@ -62,7 +62,12 @@ Task<Result<>> Vme58Driver::poll() {
     auto rings = co_await read_rings(Priority::poll);
     if (!rings) co_return rings;
   }
-  const bool queues_matter = bit(watched_, queue_group) || draft_.program.run == RunState::running;
+  // An axis may work at what others have sent; what is not empty is read until it is.
+  bool queues_matter = bit(watched_, queue_group) || draft_.program.run == RunState::running;
+  for (int i = 0; i < axis_count(); ++i) {
+    const bool waiting = bit(draft_.queue_known, i) && draft_.queue_free[ix(i)] < queue_entries;
+    queues_matter = queues_matter || waiting || (moving(i) && !minds_[ix(i)].ours);
+  }
   if (queues_matter && round_ % queue_rounds == 0 && !context_.recording && to_feed_.empty()) {
     auto queues = co_await read_queues(Priority::poll);
     if (!queues) co_return queues;
