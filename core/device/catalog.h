@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/units.h"
+#include "core/time/clock.h"
 
 namespace hw {
 
@@ -203,9 +204,9 @@ enum class LampColour : std::uint8_t { green, yellow, red };
 struct BenchButton {
   std::string name;  ///< "Run", "1-"
   bool moves = false;
-  int row = 0;         ///< on its front panel
-  int supply = 0;      ///< on whose front panel
-  bool stops = false;  ///< a Stop: drawn as one
+  int row = 0;               ///< on its front panel
+  int supply = 0;            ///< on whose front panel
+  bool stops = false;        ///< a Stop: drawn as one
   std::string caption = {};  ///< over it and its neighbours of the same caption: "Motor 1"
 };
 struct BenchLamp {
@@ -269,6 +270,7 @@ struct Catalog {
   std::vector<MemoryCell> memory;  ///< where Capabilities::memory_map
   std::vector<MemoryRing> memory_rings;
   int memory_readout_group = -1;  ///< watched while the window is shown: its rings are read then too
+  Duration servo_update{};        ///< of the servo loops, where Capabilities::servo_tuning
   int queue_depth = 0;            ///< entries of each axis' command queue (Snapshot::queue_free); 0: none
   std::vector<CommandInfo> commands;
   std::string command_separators;  ///< characters between the commands of one line; empty: one command a line

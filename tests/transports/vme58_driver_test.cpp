@@ -344,16 +344,6 @@ TEST_F(Vme58Driver, TheWindowsImageAndQueuesAreThereForWhoLooks) {
   EXPECT_EQ(now().window.value(vme58::offset_of(0, vme58::AxisValue::maximum_velocity), 4), 100u);
 }
 
-TEST_F(Vme58Driver, ARecordingOfAnAxisGivesSamplesEveryFewMilliseconds) {
-  session->send(intent::Sample(AxisId{0}, Millis(500)));
-  perform(intent::MoveTo({{AxisId{0}, Steps(2000)}}, Pps{8000}));
-  run(seconds(2));
-  std::vector<AxisSample> samples;
-  session->samples().drain([&](const AxisSample& s) { samples.push_back(s); });
-  EXPECT_GT(samples.size(), 100u);
-  EXPECT_TRUE(std::any_of(samples.begin(), samples.end(), [](const AxisSample& s) { return s.moving; }));
-}
-
 class Vme58Driver4s4 : public Vme58Rig {
  protected:
   Vme58Driver4s4() : Vme58Rig({{"variant", "4s4"}}) {}

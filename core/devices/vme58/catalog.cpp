@@ -260,6 +260,7 @@ Result<Catalog> make_catalog(const DeviceOptions& options_given) {
   c.bench.panel_title = "VME58";
   c.can = capabilities();
   c.can.servo_tuning = variant.servos > 0;
+  c.servo_update = Millis(1);  // decision M96
   c.jog_speed = Pps{2000};
   c.jog_speed_min = Pps{1};
   c.jog_speed_max = Pps{static_cast<double>(velocity_max)};

@@ -24,6 +24,7 @@
 #include "core/devices/vme58/codec.h"
 #include "core/devices/vme58/command_text.h"
 #include "core/devices/vme58/parameters.h"
+#include "core/motion/servo_watch.h"
 
 namespace hw::vme58 {
 
@@ -43,7 +44,7 @@ class Vme58Driver final : public Driver {
   [[nodiscard]] bool answers(std::string_view text) const override;
   bool take_unsolicited(std::string& text) override;
   [[nodiscard]] Duration moving_period() const override;
-  [[nodiscard]] Duration idle_period() const override { return sampled_axis_ >= 0 ? Millis(1) : Millis(200); }
+  [[nodiscard]] Duration idle_period() const override;
 
  private:
   /// What the console knows of an axis beside the snapshot.
@@ -124,6 +125,7 @@ class Vme58Driver final : public Driver {
   void show_worst();
   void record_round();
   void sample(Instant at);
+  [[nodiscard]] std::optional<motion::ServoGains> known_gains(int axis) const;
   [[nodiscard]] std::int64_t value(int axis, AxisValue v) const;
   [[nodiscard]] bool moving(int axis) const;
 
@@ -212,6 +214,7 @@ class Vme58Driver final : public Driver {
 
   int sampled_axis_ = -1;
   Instant sample_until_{};
+  motion::ServoWatch servo_watch_;  ///< of the sampled axis
 
   std::string program_text_;
   std::deque<std::pair<int, std::string>> to_feed_;  ///< line and command

@@ -52,6 +52,7 @@ Task<Result<>> Vme58Driver::perform(const IntentBody& body) {
     const bool on = i->length.count() > 0 && i->axis.index < axis_count();
     sampled_axis_ = on ? i->axis.index : -1;
     sample_until_ = scheduler_.now() + i->length;
+    servo_watch_.start();
     co_return Result<>();
   }
   if (std::holds_alternative<ReadParams>(body)) co_return co_await read_all_values(Priority::intent);

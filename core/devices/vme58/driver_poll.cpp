@@ -1,7 +1,9 @@
 // The round of status: registers, then the data area. Reading a register clears its flags, so each is read in
 // one place and what it said is remembered.
 #include <algorithm>
+#include <array>
 #include <cstdlib>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -22,7 +24,9 @@ bool bit(std::uint32_t bits, int n) { return (bits >> n & 1) != 0; }
 
 }  // namespace
 
-Duration Vme58Driver::moving_period() const { return sampled_axis_ >= 0 ? Millis(1) : Millis(20); }
+// A recording wants each copy that the board makes: about one a millisecond.
+Duration Vme58Driver::moving_period() const { return sampled_axis_ >= 0 ? Duration::zero() : Millis(20); }
+Duration Vme58Driver::idle_period() const { return sampled_axis_ >= 0 ? Duration::zero() : Millis(200); }
 
 std::int64_t Vme58Driver::value(int axis, AxisValue v) const { return data_[ix(axis)][v]; }
 bool Vme58Driver::moving(int axis) const {
@@ -347,8 +351,40 @@ void Vme58Driver::sample(Instant at) {
   s.command = axis.position;
   s.encoder = axis.encoder;
   s.velocity = axis.speed;
+  if (const auto gains = known_gains(sampled_axis_)) {
+    const double steps = servo_watch_.look(*gains, catalog_.servo_update, at, s.command.value,
+                                           s.encoder.value, s.velocity.value);
+    s.output_percent = axis.enabled ? static_cast<float>(100 * steps / motion::output_limit) : 0;
+    s.output_known = true;
+  }
   sample_(s);
   if (at >= sample_until_) sampled_axis_ = -1;
+}
+
+/// None: not all of them are known. Where nothing is integrated, its interval does not matter.
+std::optional<motion::ServoGains> Vme58Driver::known_gains(int axis) const {
+  constexpr double hundredths = 100;
+  const std::array<std::pair<std::string_view, double motion::ServoGains::*>, 6> places{{
+      {"KP", &motion::ServoGains::kp},
+      {"KI", &motion::ServoGains::ki},
+      {"KD", &motion::ServoGains::kd},
+      {"KV", &motion::ServoGains::kv},
+      {"KA", &motion::ServoGains::ka},
+      {"KO", &motion::ServoGains::ko},
+  }};
+  motion::ServoGains gains;
+  std::size_t found = 0;
+  bool interval_known = false;
+  for (std::size_t i = 0; i < parameters_.size(); ++i) {
+    if (parameters_[i].axis != axis || !draft_.params[i].known) continue;
+    const std::string_view letters = parameters_[i].fact->letters;
+    const auto value = static_cast<double>(draft_.params[i].value);
+    for (const auto& [name, gain] : places)
+      if (letters == name) gains.*gain = value / hundredths, ++found;
+    if (letters == "KN") gains.kn = static_cast<int>(value), interval_known = true;
+  }
+  if (found != places.size() || (gains.ki != 0 && !interval_known)) return std::nullopt;
+  return gains;
 }
 
 void Vme58Driver::show_worst() {

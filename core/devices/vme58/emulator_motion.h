@@ -148,6 +148,9 @@ class Motion {
 
   /// Of a servo axis with a motor: what stands at its output.
   [[nodiscard]] double output_volts(int axis) const { return axes_[ix(axis)].loop.volts(); }
+  /// Where the command stood at the latest update of its loop, if it has one that is at work: encoder and
+  /// command of one moment. Else position().
+  [[nodiscard]] std::int64_t sampled_position(int axis) const;
 
  private:
   void tell(MotionEvent::What what, int axis, bool on = false) { events_.push_back({what, axis, on}); }

@@ -49,6 +49,12 @@ double Motion::exact_command(int a) const {
          r->track.exact(a, r->profile.distance(now_));
 }
 
+std::int64_t Motion::sampled_position(int a) const {
+  const MotionAxis& x = axes_[ix(a)];
+  const bool at_work = x.has_motor && x.run >= 0 && x.loop.closed();
+  return at_work ? x.encoder() + x.loop.error() : x.position;
+}
+
 void Motion::update_servo(int a) {
   MotionAxis& x = axes_[ix(a)];
   const std::int64_t before = x.loop.plant.counts();
