@@ -77,7 +77,7 @@ void MotorModel::turn(double volts, double s) {
 }
 
 void ServoLoop::close(bool on) {
-  if (on != closed_) fresh_ = true, sum_ = 0, updates_ = 0, output_ = 0;
+  if (on != closed_) fresh_ = true, sum_ = 0, updates_ = 0, output_ = 0, error_ = 0, command_speed_ = 0;
   closed_ = on;
   at_rest_ = false;
 }

@@ -99,6 +99,8 @@ class ServoLoop {
   void wake() { at_rest_ = false; }
 
   [[nodiscard]] std::int64_t error() const { return error_; }
+  /// Of the command, counts between the latest two updates.
+  [[nodiscard]] double command_speed() const { return command_speed_; }
   [[nodiscard]] int output() const { return output_; }  ///< steps of the converter
   [[nodiscard]] double volts() const { return output_ / output_steps_per_volt; }
 

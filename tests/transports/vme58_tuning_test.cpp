@@ -10,7 +10,7 @@ namespace hw {
 namespace {
 
 using std::chrono::microseconds;
-using std::chrono::seconds;
+using Seconds = std::chrono::seconds;
 
 class Vme58Tuning : public test::Vme58Rig {
  protected:
@@ -68,7 +68,7 @@ class Vme58Tuning : public test::Vme58Rig {
 TEST_F(Vme58Tuning, ARecordingGivesASampleForEachUpdate) {
   session->send(intent::Sample(AxisId{0}, Millis(500)));
   perform(intent::MoveBy({AxisTarget{AxisId{0}, Steps(2000)}}, Pps{8000}));
-  run(seconds(2));
+  run(Seconds(2));
   std::vector<AxisSample> samples;
   session->samples().drain([&](const AxisSample& s) { samples.push_back(s); });
   EXPECT_GT(samples.size(), 450u);
@@ -78,7 +78,7 @@ TEST_F(Vme58Tuning, ARecordingGivesASampleForEachUpdate) {
 
 TEST_F(Vme58Tuning, TheOutputIsWorkedOutAsTheLoopHasIt) {
   ASSERT_TRUE(query("AX KP2 KD6"));
-  run(seconds(2));
+  run(Seconds(2));
   expect_like_the_truth(record(400));
   expect_like_the_truth(record(-400));
 }
@@ -92,13 +92,13 @@ TEST_F(Vme58Tuning, WithAllGainsToo) {
                                     {"KOX", 500},
                                     {"KNX", 0}})
     ASSERT_EQ(perform(intent::SetParam(name, value)).fate, Fate::done) << name;
-  run(seconds(2));
+  run(Seconds(2));
   expect_like_the_truth(record(1000));
 }
 
 TEST_F(Vme58Tuning, NoOutputIsShownWhileAGainIsNotKnown) {
   ASSERT_TRUE(query("AX KP2 KD6 KI4"));
-  run(seconds(2));
+  run(Seconds(2));
   ASSERT_TRUE(now().params[static_cast<std::size_t>(session->catalog().find_param("KIX"))].known);
   const Recording r = record(400);
   ASSERT_FALSE(r.samples.empty());

@@ -49,10 +49,19 @@ double Motion::exact_command(int a) const {
          r->track.exact(a, r->profile.distance(now_));
 }
 
+bool Motion::at_work(int a) const {
+  const MotionAxis& x = axes_[ix(a)];
+  return x.has_motor && x.loop.closed() && !x.loop.at_rest();
+}
+
 std::int64_t Motion::sampled_position(int a) const {
   const MotionAxis& x = axes_[ix(a)];
-  const bool at_work = x.has_motor && x.run >= 0 && x.loop.closed();
-  return at_work ? x.encoder() + x.loop.error() : x.position;
+  return at_work(a) ? x.encoder() + x.loop.error() : x.position;
+}
+
+double Motion::sampled_velocity(int a) const {
+  if (!at_work(a)) return velocity(a);
+  return std::abs(axes_[ix(a)].loop.command_speed()) / seconds(board_.servo_period);
 }
 
 void Motion::update_servo(int a) {
