@@ -343,6 +343,8 @@ void Connect::draw_address(PageFrame& f, float width) {
 /// Without its first word, the maker.
 static std::string_view without_maker(std::string_view name) { return name.substr(name.find(' ') + 1); }
 
+constexpr float option_row = 40;
+
 void Connect::draw_emulators(PageFrame& f, float width) {
   Ui& ui = f.ui;
   section_title(ui, "Emulators", {}, 56);
@@ -361,7 +363,10 @@ void Connect::draw_emulators(PageFrame& f, float width) {
                    catalog.summary);
     ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(64)));
     std::string address = fmt::format("{}@emulator", type.model);
+    float below = 64;  // each option in a line of its own
     for (const OptionInfo& option : catalog.options) {
+      ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(below)));
+      below += option_row;
       auto choice = std::find_if(choices_.begin(), choices_.end(), [&](const Choice& c) {
         return c.model == type.model && c.key == option.key;
       });
@@ -382,7 +387,7 @@ void Connect::draw_emulators(PageFrame& f, float width) {
     start.width = 64;
     ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(width - 64), at.y + ui.px(64)));
     if (button(ui, Path("connect/emulator/{}", type.model), "Start", start).clicked) open(f, address);
-    ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(112)));
+    ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(std::max(64 + option_row, below) + 8)));
   }
   group_line(ui, 0);
   gap(ui, 16);

@@ -3,6 +3,7 @@
 // panels know no device by name. Built once per open controller (its options may change the number of axes),
 // immutable afterwards, read by any thread.
 #include <cstdint>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -254,6 +255,7 @@ struct Catalog {
   std::string step_word = "steps";
   std::string loop_word;  ///< of an axis whose AxisState::in_counts is set: "counts"
   std::vector<OptionInfo> options;
+  std::map<std::string, std::string> made_from;  ///< options of the address that make it another than usual
   std::vector<AxisInfo> axes;
   std::vector<UnitChoice> units;
   std::vector<HomingMode> homing_modes;
@@ -272,6 +274,7 @@ struct Catalog {
   int memory_readout_group = -1;  ///< watched while the window is shown: its rings are read then too
   Duration servo_update{};        ///< of the servo loops, where Capabilities::servo_tuning
   int queue_depth = 0;            ///< entries of each axis' command queue (Snapshot::queue_free); 0: none
+  int contour_size = 0;           ///< entries of a contour, where Capabilities::contours
   std::vector<CommandInfo> commands;
   std::string command_separators;  ///< characters between the commands of one line; empty: one command a line
   ProgramFacts program;
