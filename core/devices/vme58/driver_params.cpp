@@ -124,7 +124,7 @@ void Vme58Driver::take_parameters(int axis) {
 
 void Vme58Driver::factory_params() {
   for (std::size_t i = 0; i < parameters_.size(); ++i) {
-    draft_.params[i].value = parameters_[i].fact->factory;
+    draft_.params[i].value = catalog_.params[i].fallback;
     draft_.params[i].known = true;
   }
   for (int i = 0; i < axis_count(); ++i) draft_.axes[i].enabled = true;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
@@ -57,25 +58,19 @@ Task<Result<>> Vme58Driver::poll() {
   if (!read) co_return read;
   station_->count_answer(scheduler_.now() - began, true, scheduler_.now());
   record_round();
-  if (flags_wanted_ && !context_.recording) {
-    auto asked = co_await read_flags(Priority::poll);
-    if (!asked) co_return asked;
-  }
   draft_.window.rings_known = bit(watched_, memory_group);
   if (draft_.window.rings_known) {
     auto rings = co_await read_rings(Priority::poll);
     if (!rings) co_return rings;
   }
-  const bool queues_matter = bit(watched_, queue_group) || draft_.program.run == RunState::running;
-  if (queues_matter && round_ % queue_rounds == 0 && !context_.recording && to_feed_.empty()) {
-    auto queues = co_await read_queues(Priority::poll);
-    if (!queues) co_return queues;
+  // Text that the board has not come to holds questions back too, and is nobody's to take away.
+  if (registers->output_get == put_) {
+    on_its_way_ = in_wq_ = false;
+    auto asked = co_await ask_in_turn();
+    if (!asked) co_return asked;
+  } else {
+    show_full_queue();
   }
-  for (int i = 0; i < axis_count(); ++i)
-    if (minds_[ix(i)].borrowed_velocity && !minds_[ix(i)].ours) {
-      auto given = co_await give_speed_back(i);
-      if (!given) co_return given;
-    }
   auto watched = co_await watch_program();
   show_worst();
   co_return watched;
@@ -85,8 +80,8 @@ Task<Result<>> Vme58Driver::poll() {
 
 /// With `ask_for_data` the board is told to copy the axis data, in the same burst.
 Task<Result<Vme58Driver::Registers>> Vme58Driver::read_registers(Priority priority, bool ask_for_data) {
-  std::vector<BusCycle> cycles;
-  cycles.reserve(16);
+  Burst burst(*this);
+  std::vector<BusCycle>& cycles = burst.cycles;
   if (ask_for_data) {
     updating_ = true;
     cycles.push_back(BusCycle::store(1, reg::control, control_ | control::update_data));
@@ -167,13 +162,14 @@ void Vme58Driver::take_registers(const Registers& r) {
 Task<Result<>> Vme58Driver::read_axes(Priority priority) {
   if (!updating_) {
     updating_ = true;
-    std::vector<BusCycle> request;
-    request.push_back(BusCycle::store(1, reg::control, control_ | control::update_data));
-    auto asked = co_await run(request, priority);
+    Burst request(*this);
+    request.cycles.push_back(BusCycle::store(1, reg::control, control_ | control::update_data));
+    auto asked = co_await run(request.cycles, priority);
     if (!asked) co_return asked;
   }
   const Instant give_up = scheduler_.now() + update_patience;
-  std::vector<BusCycle> cycles;
+  Burst burst(*this);
+  std::vector<BusCycle>& cycles = burst.cycles;
   const int whole = next_axis_;
   next_axis_ = (next_axis_ + 1) % axis_count();
   co_await scheduler_.sleep_for(copy_time);
@@ -283,6 +279,37 @@ void Vme58Driver::end_motion(int i, EndedBy ended_by) {
 
 // ---- what is asked by command, in turn
 
+Task<Result<>> Vme58Driver::ask_in_turn() {
+  if (flags_wanted_ && !context_.recording) {
+    auto asked = co_await read_flags(Priority::poll);
+    if (!asked) co_return asked;
+  }
+  const bool queues_matter = bit(watched_, queue_group) || draft_.program.run == RunState::running;
+  if (queues_matter && round_ % queue_rounds == 0 && !context_.recording) {
+    auto queues = co_await read_queues(Priority::poll);
+    if (!queues) co_return queues;
+  }
+  for (int i = 0; i < axis_count(); ++i)
+    if (minds_[ix(i)].borrowed_velocity && !minds_[ix(i)].ours) {
+      auto given = co_await give_speed_back(i);
+      if (!given) co_return given;
+    }
+  co_return Result<>();
+}
+
+/// The board reads no further: no queue can be asked for, and the one that the text is meant for is full (what
+/// waits does not fit: fewer entries are free than it takes).
+void Vme58Driver::show_full_queue() {
+  draft_.queue_known = 0;
+  Context context = context_;
+  if (in_wq_) return;
+  for (const TextCommand& command : read_commands(last_sent_, context)) {
+    if (!command.fact || command.fact->when != When::queued || command.context.mode != where::single) continue;
+    draft_.queue_known = 1u << command.context.axis;
+    draft_.queue_free[ix(command.context.axis)] = 0;
+  }
+}
+
 // One bit for both ends of an axis: the direction of its latest motion tells which one it stands on.
 Task<Result<>> Vme58Driver::read_flags(Priority priority) {
   flags_wanted_ = false;
@@ -317,7 +344,8 @@ Task<Result<>> Vme58Driver::read_queues(Priority priority) {
 }
 
 Task<Result<>> Vme58Driver::read_rings(Priority priority) {
-  std::vector<BusCycle> cycles;
+  Burst burst(*this);
+  std::vector<BusCycle>& cycles = burst.cycles;
   for (const std::uint16_t index :
        {at::input_put_index, at::output_get_index, at::output_put_index, at::input_get_index})
     cycles.push_back(BusCycle::read(2, index));
@@ -335,11 +363,11 @@ Task<Result<>> Vme58Driver::read_rings(Priority priority) {
 // ---- what is told
 
 void Vme58Driver::record_round() {
-  std::string seen;
+  round_text_.clear();
   for (int i = 0; i < axis_count(); ++i)
-    seen += fmt::format("{}{}", i == 0 ? "" : " ", draft_.axes[i].position.value);
+    fmt::format_to(std::back_inserter(round_text_), "{}{}", i == 0 ? "" : " ", draft_.axes[i].position.value);
   record(Way::sent, Priority::poll, "data area");
-  record(Way::received, Priority::poll, seen);
+  record(Way::received, Priority::poll, round_text_);
 }
 
 void Vme58Driver::sample(Instant at) {
