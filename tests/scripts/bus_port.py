@@ -157,7 +157,7 @@ class Hands:
     def hand(words):
         what, number, state = words
         assert what == "input", f"no bench file is written for {what} yet"
-        return f"input = [{number}, {'true' if state == 'low' else 'false'}]"
+        return f"input = [{int(number) - 1}, {'true' if state == 'low' else 'false'}]"  # the maker counts from 0
 
     def wait_for_next(self, emulator):
         at = self.times.pop(0) / self.speed
@@ -208,7 +208,8 @@ def play(handwheel, path, folder):
                 host.fetch()
                 assert host.came == "", f"{path.name}:{number}: heard {host.came!r}"
             elif kind == "~":
-                time.sleep(seconds(rest) / speed + (0 if number < last_wait and slow else 0.01))
+                late = 0 if slow and number < last_wait else 0.1 if slow else 0.01
+                time.sleep(seconds(rest) / speed + late)
             elif kind == "!" and rest.split()[0] != "place":
                 hands.wait_for_next(emulator)
 
