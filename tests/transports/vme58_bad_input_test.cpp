@@ -5,7 +5,7 @@
 namespace hw {
 namespace {
 
-using Seconds = std::chrono::seconds;
+using test::Seconds;
 using testing::HasSubstr;
 
 class Vme58BadInput : public test::Vme58Rig {

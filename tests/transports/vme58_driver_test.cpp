@@ -5,7 +5,7 @@
 namespace hw {
 namespace {
 
-using Seconds = std::chrono::seconds;
+using test::Seconds;
 using test::Vme58Rig;
 using testing::Contains;
 using testing::ElementsAre;

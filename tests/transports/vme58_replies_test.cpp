@@ -12,7 +12,7 @@
 namespace hw {
 namespace {
 
-using Seconds = std::chrono::seconds;
+using test::Seconds;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;

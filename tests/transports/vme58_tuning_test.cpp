@@ -10,7 +10,7 @@ namespace hw {
 namespace {
 
 using std::chrono::microseconds;
-using Seconds = std::chrono::seconds;
+using test::Seconds;
 
 class Vme58Tuning : public test::Vme58Rig {
  protected:
