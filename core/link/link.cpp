@@ -101,7 +101,7 @@ void Link::start_next() {
       return;
     }
     in_flight_ = queue.front();
-    queue.pop_front();
+    queue.erase(queue.begin());
     break;
   }
   if (!in_flight_) return;

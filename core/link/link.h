@@ -4,7 +4,6 @@
 // deadline. Bytes nobody asked for go to the station that understands them. A wire is a stream of bytes or a
 // window onto a bus, where a transaction is a burst of cycles. Io thread only.
 #include <array>
-#include <deque>
 #include <functional>
 #include <memory>
 #include <string>
@@ -108,7 +107,7 @@ class Link final : public std::enable_shared_from_this<Link>,
   std::vector<Station*> stations_;
   Station* spoke_last_ =
       nullptr;  ///< whose transaction was last on the wire; what makes no sense is told to it
-  std::array<std::deque<Pending*>, 4> waiting_;
+  std::array<std::vector<Pending*>, 4> waiting_;  ///< by priority; few, and they keep their memory
   Pending* in_flight_ = nullptr;
   std::string received_;
   Instant sent_at_{};

@@ -53,12 +53,12 @@ void Station::close(const Fault& why) {
 
 void Station::record(Instant at, Way way, TrafficKind kind, std::string_view bytes) {
   if (!traffic_) return;
-  TrafficEntry entry;
-  entry.at = at;
-  entry.way = way;
-  entry.kind = kind;
-  entry.bytes = bytes;
-  traffic_->push(std::move(entry));
+  traffic_->push_in_place([&](TrafficEntry& entry) {
+    entry.at = at;
+    entry.way = way;
+    entry.kind = kind;
+    entry.bytes = bytes;
+  });
 }
 
 void Station::count(const Result<std::string>& result, bool question, bool poll, Duration round_trip,

@@ -11,7 +11,7 @@ namespace hw::vme58 {
 
 class Vme58Emulator final : public Emulator, public BusTarget {
  public:
-  explicit Vme58Emulator(const BoardMake& make) : board_(make) {}
+  explicit Vme58Emulator(const BoardOptions& make) : board_(make) {}
 
   // No byte stream.
   void receive(std::string_view) override {}

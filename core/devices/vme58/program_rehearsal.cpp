@@ -276,11 +276,11 @@ Result<Rehearsal> rehearse_program(std::string_view text, const RehearseOptions&
   const std::string plain = without_comments(text);
   Context context;
   const auto commands = read_commands(plain, context);
-  auto emulator = make_emulator({});
+  auto emulator = make_emulator(options.device);
   if (!emulator) return fail(emulator.error());
   Rehearsing rehearsing(std::move(*emulator), commands, plain, options);
   if (!options.bench_toml.empty()) {
-    auto catalog = make_catalog({});
+    auto catalog = make_catalog(options.device);
     if (!catalog) return fail(catalog.error());
     const auto bench = parse_bench_file(options.bench_toml, *catalog);
     if (!bench) return fail(bench.error());
