@@ -49,6 +49,8 @@ struct Frame : PageFrame {
   [[nodiscard]] bool connected() const {
     return now.link.state == LinkState::good || now.link.state == LinkState::late;
   }
+  /// Why a button that needs the controller is off.
+  [[nodiscard]] std::string_view no_link() const { return connected() ? "" : "There is no link."; }
 };
 
 }  // namespace hw::gui

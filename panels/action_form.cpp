@@ -6,6 +6,7 @@
 #include "gui/widgets/button.h"
 #include "gui/widgets/choice.h"
 #include "gui/widgets/text.h"
+#include "panels/measures.h"
 #include "panels/path.h"
 
 namespace hw::panels {
@@ -13,16 +14,16 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-constexpr float between = 8, label_height = 18, control_height = 32, least_field = 104;
+constexpr float label_height = 18, control_height = 32, least_field = 104;
 
 /// How the fields of an action share the lines.
-struct Cells {
+struct FieldGrid {
   int per_line = 1;
   float width = 0;
 };
-Cells cells_of(std::size_t cells, float width) {
+FieldGrid cells_of(std::size_t cells, float width) {
   const int fit = std::max(1, static_cast<int>((width + between) / (least_field + between)));
-  Cells c;
+  FieldGrid c;
   c.per_line = std::clamp(static_cast<int>(cells), 1, fit);
   c.width =
       std::floor((width - between * static_cast<float>(c.per_line - 1)) / static_cast<float>(c.per_line));
@@ -77,7 +78,7 @@ void ActionForm::draw(Frame& f, float width) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const bool in_cell = fits_a_cell(info_.label);
-  const Cells cells = cells_of(fields_.size() + (in_cell ? 1 : 0), width);
+  const FieldGrid cells = cells_of(fields_.size() + (in_cell ? 1 : 0), width);
   const auto place = [&](std::size_t n, float down) {
     const auto column = static_cast<float>(static_cast<int>(n) % cells.per_line);
     const auto line = static_cast<float>(static_cast<int>(n) / cells.per_line);

@@ -14,7 +14,7 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-constexpr float line_height = 28;
+constexpr float extra_line_height = 28;
 
 std::string_view word_of(Phase phase) {
   switch (phase) {
@@ -62,7 +62,7 @@ void draw_power(Frame& f, AxisId axis, ImVec2 at, float height, bool brief) {
                          .kind = Kind::toggle,
                          .label = "Motor power",
                          .value = a.enabled ? "on" : "off",
-                         .disabled = f.connected() ? "" : "There is no link.",
+                         .disabled = f.no_link(),
                          .tip = "Switches the motor's current. Without it the axis is loose."},
                         ImVec2(power_width(f, axis, brief), ui.px(height)));
   if (t.hovered && t.enabled) draw_fill(ui, t.rect, ui[Tone::hover]);
@@ -128,17 +128,17 @@ void show_phase(Frame& f, AxisId axis, const Rect& where) {
 
 float axis_extras_height(const Catalog& c, AxisId axis) {
   const AxisInfo& info = c.axes[axis.index];
-  return info.switchable || info.encoder ? line_height : 0;
+  return info.switchable || info.encoder ? extra_line_height : 0;
 }
 
 void draw_axis_extras(Frame& f, AxisId axis, ImVec2 at, float width) {
   if (axis_extras_height(f.catalog, axis) == 0) return;
   Ui& ui = f.ui;
-  const float middle = std::floor(at.y + ui.px(line_height / 2));
+  const float middle = std::floor(at.y + ui.px(extra_line_height / 2));
   const float line = middle - std::floor(ui.line(Face::small) * 0.5f);
   float x = at.x;
   if (const float power = power_width(f, axis, false); power > 0) {
-    draw_power(f, axis, ImVec2(at.x - ui.px(4), at.y), line_height, false);
+    draw_power(f, axis, ImVec2(at.x - ui.px(4), at.y), extra_line_height, false);
     x += power + ui.px(4);
   }
   const std::string_view phase = phase_of(f, axis);
@@ -148,8 +148,8 @@ void draw_axis_extras(Frame& f, AxisId axis, ImVec2 at, float width) {
   const bool moving = is_motion(state_of(f.now, axis.index, f.clock));
   if (x + phase_width <= end)  // half a word says nothing
     draw_text_line(ui, x, end, middle, Face::small, ui[moving ? Tone::motion : Tone::fault], phase);
-  show_phase(f, axis, {ImVec2(x, at.y), ImVec2(std::max(x, end), at.y + ui.px(line_height))});
-  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(line_height)));
+  show_phase(f, axis, {ImVec2(x, at.y), ImVec2(std::max(x, end), at.y + ui.px(extra_line_height))});
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(extra_line_height)));
 }
 
 }  // namespace hw::panels

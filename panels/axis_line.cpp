@@ -5,6 +5,7 @@
 #include "gui/widgets/state_word.h"
 #include "gui/widgets/text.h"
 #include "panels/jog_button.h"
+#include "panels/measures.h"
 #include "panels/path.h"
 #include "panels/position_words.h"
 
@@ -13,15 +14,15 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-constexpr float jog_width = 32, between = 4, state_middle = 34;
+constexpr float jog_width = 32, state_middle = 34;
 
-float jogs_px(const Ui& ui) { return ui.px(2 * jog_width + between); }
+float jogs_px(const Ui& ui) { return ui.px(2 * jog_width + close_between); }
 
 void draw_jogs(Ui& ui, Tab& tab, AxisId axis, const Rect& r) {
   HoldOptions o;
   o.width = o.height = jog_width;
   for (const Sign sign : {Sign::minus, Sign::plus}) {
-    const float x = r.max.x - jogs_px(ui) + (sign == Sign::plus ? ui.px(jog_width + between) : 0);
+    const float x = r.max.x - jogs_px(ui) + (sign == Sign::plus ? ui.px(jog_width + close_between) : 0);
     ImGui::SetCursorScreenPos(ImVec2(x, r.min.y + ui.px((axis_line_height - jog_width) / 2)));
     o.icon = sign == Sign::minus ? Icon::back : Icon::play;
     draw_jog_button(ui, tab, axis, sign, "", o);

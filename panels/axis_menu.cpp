@@ -31,8 +31,6 @@ bool set_field(Frame& f, std::string_view id, std::string_view label, std::strin
   return entered;
 }
 
-std::string_view no_link(const Frame& f) { return f.connected() ? "" : "There is no link."; }
-
 }  // namespace
 
 void AxisMenu::draw(Frame& f, AxisId axis, const Touch& opener) {
@@ -49,7 +47,7 @@ void AxisMenu::draw(Frame& f, AxisId axis, const Touch& opener) {
       popup_line(f.ui);
       const bool on = f.now.axes[axis.index].enabled;
       if (popup_row(f.ui, Path("dro/{}/menu/power", info.name), on ? "Motor power off" : "Motor power on", {},
-                    false, no_link(f)))
+                    false, f.no_link()))
         f.send(intent::SetPower(axis.index, !on));
     }
     end_popup();
@@ -77,9 +75,9 @@ void AxisMenu::draw_position_rows(Frame& f, AxisId axis) {
 void AxisMenu::draw_encoder_rows(Frame& f, AxisId axis) {
   const std::string& name = f.catalog.axes[axis.index].name;
   const DisplayUnit counts{"counts", 1, 0, false};
-  if (popup_row(f.ui, Path("dro/{}/encoder/zero", name), "Encoder to zero", {}, false, no_link(f)))
+  if (popup_row(f.ui, Path("dro/{}/encoder/zero", name), "Encoder to zero", {}, false, f.no_link()))
     f.send(intent::SetEncoder(axis.index));
-  if (!set_field(f, Path("dro/{}/encoder/set", name), "Encoder reads", encoder_, counts, no_link(f))) return;
+  if (!set_field(f, Path("dro/{}/encoder/set", name), "Encoder reads", encoder_, counts, f.no_link())) return;
   const auto value = parse_position(encoder_, counts);
   if (!value) return f.toast(Mood::fault, value.error().sentence());
   f.send(intent::SetEncoder(axis.index, *value));

@@ -16,8 +16,6 @@ using namespace gui;
 
 namespace {
 
-std::string_view sign_text(Sign sign) { return sign == Sign::plus ? "+" : "\u2212"; }
-
 Touch on_off(Frame& f, std::string_view id, std::string_view name, bool on, float width,
              std::string_view tip = {}) {
   ToggleOptions o;

@@ -19,7 +19,7 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-constexpr float row_height = axis_line_height, most_of_column = 0.55f, margin = 16;
+constexpr float bus_row_height = axis_line_height, most_of_column = 0.55f, margin = 16;
 constexpr AxisId only{0};
 
 /// What needs somebody: faults, lost and stale ones.
@@ -32,8 +32,8 @@ bool in_trouble(const Tab& tab) {
 void BusRows::draw(Frame& f) {
   if (f.tier == Tier::narrow) return draw_strip(f);
   draw_title(f);
-  const auto all = static_cast<float>(f.tab.bus->members.size()) * row_height;
-  const float room = std::max(3 * row_height, f.area.height * most_of_column);
+  const auto all = static_cast<float>(f.tab.bus->members.size()) * bus_row_height;
+  const float room = std::max(3 * bus_row_height, f.area.height * most_of_column);
   draw_rows(f, std::min(all, room));
   group_line(f.ui, 0);
   const float extras = axis_extras_height(f.catalog, only);
@@ -133,7 +133,7 @@ void BusRows::draw_strip(Frame& f) {
   constexpr float left = 96, gap_after = 16;
   const float row = std::min(360.0f, f.area.width - left);
   ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(left), at.y + ui.px(10)));
-  begin_part(ui, "bus/chosen", ui.px(row), ui.px(row_height), Tone::panel, 12, false);
+  begin_part(ui, "bus/chosen", ui.px(row), ui.px(bus_row_height), Tone::panel, 12, false);
   draw_row(f, f.tab, ImGui::GetContentRegionAvail().x / ui.scale);
   end_part();
   const float rest = f.area.width - left - row - gap_after;

@@ -11,7 +11,7 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-constexpr float row_height = 24, number_right = 48, code_left = 72, source_width = 0.45f;
+constexpr float code_row_height = 24, number_right = 48, code_left = 72, source_width = 0.45f;
 
 const std::vector<std::string>* listing_of(const ProgramReport& report, int slot) {
   const auto found = report.listing.find(slot);
@@ -55,7 +55,7 @@ void CompiledView::draw(Frame& f, int slot, float width, float height) {
     return end_part();
   }
   ImGuiListClipper clipper;
-  clipper.Begin(static_cast<int>(listing->size()), ui.px(row_height));
+  clipper.Begin(static_cast<int>(listing->size()), ui.px(code_row_height));
   while (clipper.Step())
     for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
       const ImVec2 here = ImGui::GetCursorScreenPos();
@@ -63,7 +63,7 @@ void CompiledView::draw(Frame& f, int slot, float width, float height) {
       const Path number("{}", i);
       draw_text_right(ui, ImVec2(here.x + ui.px(number_right), here.y + ui.px(2)), Face::code_field,
                       ui[Tone::ink3], number);
-      const float middle = here.y + ui.px(row_height / 2);
+      const float middle = here.y + ui.px(code_row_height / 2);
       draw_text_line(ui, here.x + ui.px(code_left), source - ui.px(16), middle, Face::code, ui[Tone::ink],
                      (*listing)[static_cast<std::size_t>(i)]);
       const int line = source_lines_[static_cast<std::size_t>(i)];
@@ -73,7 +73,7 @@ void CompiledView::draw(Frame& f, int slot, float width, float height) {
         draw_text_line(ui, source + ui.px(44), right - ui.px(16), middle, Face::code_field, ui[Tone::ink2],
                        line_of(texts.text(slot), line));
       }
-      ImGui::SetCursorScreenPos(ImVec2(here.x, here.y + ui.px(row_height)));
+      ImGui::SetCursorScreenPos(ImVec2(here.x, here.y + ui.px(code_row_height)));
     }
   clipper.End();
   end_part();

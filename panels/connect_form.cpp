@@ -17,6 +17,7 @@
 #include "gui/widgets/slider.h"
 #include "gui/widgets/text.h"
 #include "gui/widgets/text_field.h"
+#include "panels/measures.h"
 #include "panels/path.h"
 
 namespace hw::panels {
@@ -24,7 +25,7 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-constexpr float between = 8, rate_width = 92, id_width = 72, least_port = 120;
+constexpr float rate_width = 92, id_width = 72, least_port = 120;
 /// What the fields of a search and its button take in one line.
 constexpr float search_in_one_line = 500;
 

@@ -11,6 +11,7 @@
 #include "gui/widgets/message.h"
 #include "gui/widgets/text.h"
 #include "panels/contour_preview.h"
+#include "panels/measures.h"
 #include "panels/path.h"
 
 namespace hw::panels {
@@ -18,7 +19,7 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-constexpr float toolbar_height = 56, text_height = 148;
+constexpr float text_height = 148;
 
 std::optional<std::int64_t> whole(const NumberField& field) {
   const auto v = field.value();

@@ -8,6 +8,7 @@
 #include "gui/widgets/choice.h"
 #include "gui/widgets/text.h"
 #include "panels/contour.h"
+#include "panels/measures.h"
 #include "panels/path.h"
 
 namespace hw::panels {
@@ -15,7 +16,7 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-constexpr float row_height = 36, head_width = 100, remove_width = 36, between = 8;
+constexpr float head_width = 100;
 
 float cell_width(float width, int cells) {
   return std::floor((width - head_width - remove_width - between * static_cast<float>(cells - 1)) /
@@ -93,7 +94,7 @@ void Contour::draw_contour_head(Frame& f, float width) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float cell = cell_width(width, 2);
   const auto place = [&](int row, float x) {
-    return ImVec2(at.x + ui.px(x), at.y + ui.px(static_cast<float>(row) * row_height));
+    return ImVec2(at.x + ui.px(x), at.y + ui.px(static_cast<float>(row) * list_row_height));
   };
   first_ = axis_choice(f, "contour/first", "To the right", first_, at, "Right");
   second_ = axis_choice(f, "contour/second", "Up", second_, place(0, 108), "up");
@@ -147,7 +148,7 @@ bool Contour::draw_piece(Frame& f, std::size_t row, float width) {
              place(2), cell);
   }
   const bool gone = remove_button(ui, Path("contour/{}/remove", n), ImVec2(at.x + ui.px(width - 32), at.y));
-  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(row_height)));
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(list_row_height)));
   return gone;
 }
 
@@ -189,7 +190,7 @@ void Contour::draw_stairs_list(Frame& f, float width) {
   words_at(ui, ImVec2(at.x + ui.px(116), at.y), width - 116,
            axis.position_known ? Path("stands at {}", stands.view()).view() : "its position is not known");
   const float cell = cell_width(width, 2);
-  const float y = at.y + ui.px(row_height);
+  const float y = at.y + ui.px(list_row_height);
   draw_text_line(ui, at.x + ui.px(head_width), at.x + ui.px(head_width + cell), y + ui.px(10), Face::small,
                  ui[Tone::ink2], Path("up to, {}", f.catalog.step_word));
   draw_text_line(ui, at.x + ui.px(head_width + cell + between), at.x + ui.px(width), y + ui.px(10),
@@ -206,7 +207,7 @@ void Contour::draw_stairs_list(Frame& f, float width) {
   words_at(ui, end, head_width, "stop at");
   number(f, "stairs/stop", "Stop at", stop_at_, positions(f.catalog),
          ImVec2(end.x + ui.px(head_width), end.y), cell);
-  ImGui::SetCursorScreenPos(ImVec2(end.x, end.y + ui.px(row_height + 4)));
+  ImGui::SetCursorScreenPos(ImVec2(end.x, end.y + ui.px(list_row_height + 4)));
   if (button(ui, "stairs/add", "Add step", {.icon = Icon::plus}).clicked) {
     Stair s;
     const double last =
@@ -232,7 +233,7 @@ bool Contour::draw_stair(Frame& f, std::size_t row, float width) {
   number(f, Path("stairs/{}/speed", n), "Speed", stairs_[row].speed, speeds(f.catalog),
          ImVec2(at.x + ui.px(head_width + cell + between), at.y), cell);
   const bool gone = remove_button(ui, Path("stairs/{}/remove", n), ImVec2(at.x + ui.px(width - 32), at.y));
-  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(row_height)));
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(list_row_height)));
   return gone;
 }
 

@@ -6,6 +6,7 @@
 #include "gui/tab.h"
 #include "gui/widgets/text.h"
 #include "panels/analog_bar.h"
+#include "panels/measures.h"
 #include "panels/path.h"
 #include "panels/readouts.h"
 
@@ -14,7 +15,7 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-constexpr float title_height = 36, between_columns = 24, below_section = 12;
+constexpr float below_section = 12;
 
 /// Bars of the analog inputs stand where an axis can be made to follow them.
 int analog_count(const Catalog& c, const std::vector<ActionForm>& actions) {

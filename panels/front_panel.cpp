@@ -7,6 +7,7 @@
 #include "gui/widgets/hold_button.h"
 #include "gui/widgets/lamp.h"
 #include "gui/widgets/text.h"
+#include "panels/measures.h"
 
 namespace hw::panels {
 
@@ -14,7 +15,7 @@ using namespace gui;
 
 namespace {
 
-constexpr float inner = 12, between = 4, caption_height = 20;
+constexpr float inner = 12, caption_height = 20;
 
 Tone tone_of(LampColour colour) {
   switch (colour) {
@@ -148,7 +149,7 @@ void FrontPanels::draw_buttons(Frame& f, int supply, ImVec2 at, float width) {
   for (int row = 0; row < rows_of(f.catalog.bench, supply); ++row) {
     const auto here = [&](const BenchButton& b) { return b.supply == supply && b.row == row; };
     const auto in_row = std::count_if(buttons.begin(), buttons.end(), here);
-    const float cell = (width - between * static_cast<float>(in_row - 1)) / static_cast<float>(in_row);
+    const float cell = (width - close_between * static_cast<float>(in_row - 1)) / static_cast<float>(in_row);
     const bool captions = has_captions(f.catalog.bench, supply, row);
     const float top = at.y + ui.px(top_of_row(f.catalog.bench, supply, row));
     std::string_view caption;
@@ -163,7 +164,7 @@ void FrontPanels::draw_buttons(Frame& f, int supply, ImVec2 at, float width) {
       ImGui::SetCursorScreenPos(ImVec2(left, top + ui.px(captions ? caption_height : 0)));
       // So wide that the last ends where the row ends.
       draw_button(f, i, std::floor(x + cell) - std::floor(x));
-      x += cell + between;
+      x += cell + close_between;
     }
   }
 }

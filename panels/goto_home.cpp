@@ -10,6 +10,7 @@
 #include "gui/widgets/choice.h"
 #include "gui/widgets/message.h"
 #include "gui/widgets/text.h"
+#include "panels/measures.h"
 #include "panels/path.h"
 
 namespace hw::panels {
@@ -17,8 +18,6 @@ namespace hw::panels {
 using namespace gui;
 
 namespace {
-
-constexpr float between = 4;
 
 bool medium(const Frame& f) { return f.tier == Tier::medium; }  // narrower columns
 float go_width(const Frame& f) { return medium(f) ? 36 : 44; }
@@ -31,9 +30,11 @@ float name_width_of(const Frame& f) { return several(f) ? 36 : f.catalog.axes.si
 
 /// Of many axes only the chosen one has a row, unless all are asked for.
 bool many(const Frame& f) { return f.catalog.axes.size() > 4; }
-float title_height(const Frame& f) { return f.tier == Tier::wide && f.catalog.axes.size() <= 2 ? 40 : 36; }
+float title_row_height(const Frame& f) {
+  return f.tier == Tier::wide && f.catalog.axes.size() <= 2 ? 40 : 36;
+}
 
-float homes_width(const Frame& f) { return f.catalog.can.homes ? 2 * home_width(f) + between : 0; }
+float homes_width(const Frame& f) { return f.catalog.can.homes ? 2 * home_width(f) + close_between : 0; }
 
 }  // namespace
 
@@ -62,7 +63,7 @@ void GotoHome::draw_all_or_one(Frame& f) {
 void GotoHome::draw_title(Frame& f) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float height = title_height(f), top = at.y + ui.px((height - 32) / 2);
+  const float height = title_row_height(f), top = at.y + ui.px((height - 32) / 2);
   static constexpr std::array<std::string_view, 2> ways = {"To", "By"};
   draw_text_line(ui, at.x, at.x + ui.px(40), at.y + ui.px(height / 2), Face::body_bold, ui[Tone::ink], "Go");
   ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(28), top));
@@ -102,7 +103,7 @@ void GotoHome::draw_row(Frame& f, AxisId axis) {
   o.range.decimals = unit.real ? unit.decimals : 0;
   // The controller's own word stands beside the digits already; numbers need the room.
   if (unit.real || !medium(f)) o.range.unit = unit.name;
-  o.width = f.area.width - name_width - go_width(f) - between - homes;
+  o.width = f.area.width - name_width - go_width(f) - close_between - homes;
   o.disabled = why;
   o.refused = row.refused;
   o.sentence_below = false;
@@ -142,9 +143,9 @@ void GotoHome::draw_homes(Frame& f, AxisId axis, std::string_view why) {
     const Path tip("Home, {}: {}", sign == Sign::minus ? "in the \u2212 direction" : "in the + direction",
                    mode);
     o.tip = tip;
-    if (button(f.ui, Path("home/{}/{}", name, letter(sign)), sign == Sign::minus ? "\u2212" : "+", o).clicked)
+    if (button(f.ui, Path("home/{}/{}", name, letter(sign)), sign_text(sign), o).clicked)
       f.send(intent::Home(axis, sign, mode_));
-    if (sign == Sign::minus) ImGui::SameLine(0, f.ui.px(between));
+    if (sign == Sign::minus) ImGui::SameLine(0, f.ui.px(close_between));
   }
 }
 
@@ -204,7 +205,7 @@ void GotoHome::draw_name(Frame& f, AxisId axis, ImVec2 at) {
   ButtonOptions o;
   o.style = ButtonStyle::segment;
   o.on = chosen(f, axis.index);
-  o.width = name_width_of(f) - between;
+  o.width = name_width_of(f) - close_between;
   o.tip = "Takes part when several axes go together.";
   ImGui::SetCursorScreenPos(at);
   if (button(ui, Path("goto/{}/with", name), name, o).clicked) together_ ^= 1u << axis.index;
@@ -218,12 +219,12 @@ void GotoHome::draw_together(Frame& f) {
   const bool none = several(f) && together_ == 0;
   ButtonOptions o;
   o.moving = true;
-  o.width = several(f) ? std::floor((f.area.width - between) / 2) : f.area.width;
+  o.width = several(f) ? std::floor((f.area.width - close_between) / 2) : f.area.width;
   o.disabled = !why.empty() ? why : none ? "Choose the axes by their names first." : "";
   if (several(f)) {
     o.tip = "The chosen axes move together on a straight line.";
     if (button(ui, "goto/go", "Go together", o).clicked) go_together(f);
-    ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(o.width + between), at.y));
+    ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(o.width + close_between), at.y));
   }
   o.tip = several(f) ? "The chosen axes move to 0 together." : "Moves to 0.";
   if (button(ui, "goto/zero", "Return to zero", o).clicked) go_to_zero(f);

@@ -7,6 +7,7 @@
 #include "gui/widgets/lamp.h"
 #include "gui/widgets/slider.h"
 #include "gui/widgets/text.h"
+#include "panels/measures.h"
 #include "panels/path.h"
 
 namespace hw::panels {
@@ -19,8 +20,6 @@ bool bit(std::uint32_t bits, int number) { return (bits >> (number - 1)) & 1u; }
 bool io_is_old(const Frame& f) {
   return !f.connected() || is_stale(f.now.io_seen_at, f.clock, f.now.poll_period);
 }
-
-constexpr float between = 8;
 
 /// Of the whole columns in which all of `names` have room beside `around` logical pixels, so many.
 template <class Named>

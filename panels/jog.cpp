@@ -10,6 +10,7 @@
 #include "gui/widgets/slider.h"
 #include "gui/widgets/text.h"
 #include "panels/jog_button.h"
+#include "panels/measures.h"
 #include "panels/path.h"
 #include "panels/unit_chooser.h"
 
@@ -19,8 +20,7 @@ using namespace gui;
 
 namespace {
 
-constexpr float between = 4, least_around_words = 10;
-constexpr std::string_view minus_sign = "\u2212";
+constexpr float least_around_words = 10;
 
 struct Cell {
   float column, row;
@@ -47,9 +47,32 @@ bool close_together(const Frame& f) {
 
 bool roomy_speed(const Frame& f) { return f.tier == Tier::wide && !close_together(f); }
 
+/// How fast the axes go where nobody asks for a speed.
+struct OwnSpeed {
+  bool alike = true;  ///< the same for all axes
+  Pps speed{};        ///< the highest; 0: not known yet
+};
+OwnSpeed own_speed(const Frame& f) {
+  OwnSpeed own;
+  for (int i = 0; i < f.now.axis_count; ++i) {
+    const AxisState& axis = f.now.axes[i];
+    if (!axis.enabled) continue;
+    if (axis.own_speed.value <= 0) return {};
+    own.alike = own.alike && (own.speed.value <= 0 || own.speed == axis.own_speed);
+    own.speed = std::max(own.speed, axis.own_speed);
+  }
+  return own;
+}
+NumberText words_of(const OwnSpeed& own, const DisplayUnit& unit) {
+  if (own.speed.value > 0 && own.alike) return format_speed(own.speed, unit);
+  NumberText words;
+  words.append(own.alike ? "not known yet" : "each its own");
+  return words;
+}
+
 float cell_size(const Frame& f, float columns) {
   const float largest = f.tier == Tier::wide && f.catalog.axes.size() <= 3 ? 56.0f : 48.0f;
-  return std::min(largest, std::floor((f.area.width + between) / columns) - between);
+  return std::min(largest, std::floor((f.area.width + close_between) / columns) - close_between);
 }
 
 }  // namespace
@@ -123,7 +146,7 @@ void Jog::draw_cross(Frame& f) {
   const std::size_t axes = f.catalog.axes.size();
   const bool flat = axes == 1, beside = axes == 2;
   const float columns = axes <= 2 ? 3 : static_cast<float>(axes) + 1;
-  const float cell = cell_size(f, columns), pitch = cell + between;
+  const float cell = cell_size(f, columns), pitch = cell + close_between;
   for (std::size_t i = 0; i < axes; ++i)
     for (const Sign sign : {Sign::minus, Sign::plus}) {
       const AxisId axis{static_cast<std::uint8_t>(i)};
@@ -131,7 +154,7 @@ void Jog::draw_cross(Frame& f) {
       draw_button(f, axis, sign, place.column * pitch, (flat ? 0 : place.row) * pitch, ImVec2(cell, cell));
     }
   draw_stop(f, pitch, flat ? 0 : pitch, ImVec2(cell, cell));
-  const float height = flat ? cell : 3 * cell + 2 * between;
+  const float height = flat ? cell : 3 * cell + 2 * close_between;
   if (beside) {
     const float x = columns * pitch + 12;
     draw_steps_column(f, x, std::min(f.area.width - x, 104.0f), height);
@@ -145,18 +168,18 @@ void Jog::draw_cross(Frame& f) {
 /// Many axes where their rows have no room for buttons: two beside each other for each.
 void Jog::draw_pairs(Frame& f) {
   const ImVec2 size(44, 40);
-  const float pair = 2 * size.x + between + 12, row = size.y + 8;
+  const float pair = 2 * size.x + close_between + 12, row = size.y + 8;
   const int columns = std::max(1, static_cast<int>((f.area.width + 12) / pair));
   const auto place = [&](int n) {
     return ImVec2(pair * static_cast<float>(n % columns), row * static_cast<float>(n / columns));
   };
-  draw_stop(f, 0, 0, ImVec2(2 * size.x + between, size.y));
+  draw_stop(f, 0, 0, ImVec2(2 * size.x + close_between, size.y));
   const int axes = static_cast<int>(f.catalog.axes.size());
   for (int i = 0; i < axes; ++i) {
     const ImVec2 at = place(i + 1);
     const AxisId axis{static_cast<std::uint8_t>(i)};
     draw_button(f, axis, Sign::minus, at.x, at.y, size);
-    draw_button(f, axis, Sign::plus, at.x + size.x + between, at.y, size);
+    draw_button(f, axis, Sign::plus, at.x + size.x + close_between, at.y, size);
   }
   const float below = place(axes).y + row;
   draw_steps_row(f, 0, below, std::min(f.area.width, 304.0f));
@@ -171,8 +194,7 @@ void Jog::draw_button(Frame& f, AxisId axis, Sign sign, float x, float y, ImVec2
   o.height = size.y;
   ImGui::SetCursorScreenPos(ImVec2(origin_.x + ui.px(x), origin_.y + ui.px(y)));
   const std::string_view name = f.catalog.axes[axis.index].name;
-  draw_jog_button(ui, f.tab, axis, sign,
-                  Path("{}{}", name, sign == Sign::plus ? std::string_view("+") : minus_sign), o);
+  draw_jog_button(ui, f.tab, axis, sign, Path("{}{}", name, sign_text(sign)), o);
 }
 
 void Jog::draw_stop(Frame& f, float x, float y, ImVec2 size) {
@@ -248,7 +270,7 @@ float Jog::spare_of(const Frame& f, int room, float row) const {
   for (const JogStep& step : steps_)
     used += text_width(f.ui, Face::body_bold, label_of(step, room)) / f.ui.scale;
   const float n = static_cast<float>(steps_.size());
-  return std::floor((row - between * (n - 1) - used) / n);
+  return std::floor((row - close_between * (n - 1) - used) / n);
 }
 
 // It is shared out, so that the longest is not cut.
@@ -262,7 +284,7 @@ void Jog::draw_steps_row(Frame& f, float x, float y, float row) {
     const float width = std::floor(text_width(ui, Face::body_bold, label) / ui.scale + spare);
     ImGui::SetCursorScreenPos(ImVec2(origin_.x + ui.px(x), origin_.y + ui.px(y)));
     draw_step(f, step, label, width);
-    x += width + between;
+    x += width + close_between;
   }
 }
 
@@ -271,17 +293,20 @@ void Jog::draw_steps_row(Frame& f, float x, float y, float row) {
 /// One line: the slider, and how fast that is.
 void Jog::draw_speed_slider(Frame& f, ImVec2 at, float width) {
   Ui& ui = f.ui;
-  const bool own = f.tab.jog_speed().value <= 0;
-  const double now = own ? f.catalog.jog_speed.value : f.tab.jog_speed().value;
-  const NumberText words = format_speed(Pps(now), f.tab.unit(AxisId{0}));
+  const OwnSpeed own = own_speed(f);
+  const Pps chosen = f.tab.jog_speed();
+  const bool by_itself = chosen.value <= 0;
+  const DisplayUnit& unit = f.tab.unit(AxisId{0});
+  const NumberText words = by_itself ? words_of(own, unit) : format_speed(chosen, unit);
   SliderOptions o;
   o.min = std::max(1.0, f.catalog.jog_speed_min.value);
   o.max = f.catalog.jog_speed_max.value;
   o.step = 1;
   o.logarithmic = true;
-  o.normal = f.catalog.jog_speed.value;
-  o.tip = own ? "Speed while held: the controller's own. Drag to choose another."
-              : "Speed while held. A double click goes back to the controller's own.";
+  o.normal = std::clamp(own.speed.value > 0 ? own.speed.value : f.catalog.jog_speed.value, o.min, o.max);
+  o.tip = !by_itself  ? "Speed while held. A double click goes back to the controller's own."
+          : own.alike ? "Speed while held: the controller's own. Drag to choose another."
+                      : "Speed while held: each axis has one of its own. Drag to choose one for all.";
   o.value_text = words;
   o.width = width;
   if (!roomy_speed(f)) {
@@ -290,10 +315,10 @@ void Jog::draw_speed_slider(Frame& f, ImVec2 at, float width) {
     o.width -= std::max(84.0f, std::ceil(right / ui.scale)) + 8;
   }
   ImGui::SetCursorScreenPos(at);
-  double speed = now;
+  double speed = by_itself ? o.normal : chosen.value;
   if (slider(ui, "jog/speed", "Speed while held", speed, o)) {
-    const double chosen = std::round(speed);
-    f.tab.profile.jog_speed = Pps(chosen == f.catalog.jog_speed.value ? 0 : chosen);
+    const double wished = std::round(speed);
+    f.tab.profile.jog_speed = Pps(wished == std::round(o.normal) ? 0 : wished);
     f.tab.profile_edited();
   }
 }
@@ -304,11 +329,12 @@ void Jog::draw_speed(Frame& f) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   float y = at.y;
   if (roomy_speed(f)) {
-    const bool own = f.tab.jog_speed().value <= 0;
-    const Pps now = own ? f.catalog.jog_speed : f.tab.jog_speed();
-    draw_text(ui, at, Face::body, ui[Tone::ink2], own ? "Speed, the controller's" : "Speed while held");
+    const Pps chosen = f.tab.jog_speed();
+    const DisplayUnit& unit = f.tab.unit(AxisId{0});
+    const bool by_itself = chosen.value <= 0;
+    draw_text(ui, at, Face::body, ui[Tone::ink2], by_itself ? "Speed, the controller's" : "Speed while held");
     draw_text_right(ui, ImVec2(at.x + ui.px(f.area.width), at.y), Face::body_bold, ui[Tone::ink],
-                    format_speed(now, f.tab.unit(AxisId{0})));
+                    by_itself ? words_of(own_speed(f), unit) : format_speed(chosen, unit));
     y += ui.px(22);
   }
   draw_speed_slider(f, ImVec2(at.x, y), f.area.width);

@@ -37,8 +37,6 @@ bool tells_more_than_limits(const Catalog& c) {
                      [](const AxisInfo& axis) { return axis.home_input || axis.alarm_input; });
 }
 
-std::string_view sign_text(Sign sign) { return sign == Sign::plus ? "+" : "\u2212"; }
-
 }  // namespace
 
 void Limits::draw(Frame& f) {

@@ -6,6 +6,7 @@
 #include "gui/tab.h"
 #include "gui/widgets/slider.h"
 #include "gui/widgets/text.h"
+#include "panels/measures.h"
 #include "panels/path.h"
 
 namespace hw::panels {
@@ -13,7 +14,7 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-constexpr float title_height = 36, value_height = 24, bit_height = 20, between_columns = 24;
+constexpr float value_height = 24, bits_height = 20;
 constexpr float address_width = 56, hex_width = 96;
 constexpr double mark_s = 1.0;
 constexpr int shown_characters = 40;
@@ -206,7 +207,7 @@ void MemoryMap::draw_register(Frame& f, std::size_t i, float width) {
   for (const ParamBit& bit : c.bits) {
     const float x = std::floor(at.x + cell * static_cast<float>(bit.bit));
     const bool set = known && (cells_[i].value >> bit.bit & 1) != 0;
-    const Rect r{ImVec2(x, y), ImVec2(std::floor(x + cell - ui.px(2)), y + ui.px(bit_height))};
+    const Rect r{ImVec2(x, y), ImVec2(std::floor(x + cell - ui.px(2)), y + ui.px(bits_height))};
     draw_bit(f, r, bit, named, set, is_fresh);
     show(ui,
          {Path("register/{}/bit/{}", address.view(), bit.bit),
@@ -223,7 +224,7 @@ void MemoryMap::draw_register(Frame& f, std::size_t i, float width) {
   char words[160];
   const std::string_view names =
       known ? set_bits(words, c, cells_[i].value) : std::string_view("not read yet");
-  const Rect line{ImVec2(at.x, y + ui.px(bit_height)), ImVec2(row.max.x, y + ui.px(bit_height + 20))};
+  const Rect line{ImVec2(at.x, y + ui.px(bits_height)), ImVec2(row.max.x, y + ui.px(bits_height + 20))};
   draw_text_line(ui, line.min.x, line.max.x, std::floor(line.centre().y), Face::small,
                  ui[is_fresh ? Tone::ink2 : Tone::ink3], names);
   show(ui, {Path("register/{}/bits", address.view()), Kind::text, "set", names}, line);

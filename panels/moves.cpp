@@ -14,6 +14,7 @@
 #include "gui/widgets/message.h"
 #include "gui/widgets/slider.h"
 #include "gui/widgets/text.h"
+#include "panels/measures.h"
 #include "panels/path.h"
 #include "panels/readouts.h"
 
@@ -22,8 +23,7 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-constexpr float toolbar_height = 56, file_height = 40, row_height = 36, number_width = 44, remove_width = 36;
-constexpr float side_width = 272, narrow_side_width = 232, between = 8;
+constexpr float file_height = 40, number_width = 44;
 
 void line_across(Frame& f, float y) {
   ImGui::GetWindowDrawList()->AddRectFilled(
@@ -183,7 +183,7 @@ void Moves::draw_table(Frame& f, float width, float height) {
   draw_head(f, inner);
   std::size_t removed = rows_.size();
   ImGuiListClipper clipper;
-  clipper.Begin(static_cast<int>(rows_.size()), ui.px(row_height));
+  clipper.Begin(static_cast<int>(rows_.size()), ui.px(list_row_height));
   while (clipper.Step())
     for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
       if (draw_row(f, static_cast<std::size_t>(i), inner)) removed = static_cast<std::size_t>(i);
@@ -249,7 +249,7 @@ bool Moves::draw_row(Frame& f, std::size_t row, float width) {
   o.width = 32;
   o.tip = "Takes this move out of the list.";
   const bool gone = button(ui, Path("list/{}/remove", number), "", o).clicked;
-  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(row_height)));
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(list_row_height)));
   return gone;
 }
 
@@ -286,7 +286,7 @@ void Moves::draw_param(Frame& f, std::size_t i, float width) {
   ToggleOptions o;
   o.width = width;
   o.state = !has.known ? ToggleState::stale : on ? ToggleState::on : ToggleState::off;
-  o.disabled = f.connected() ? "" : "There is no link.";
+  o.disabled = f.no_link();
   o.tip = p.explanation;
   // "1: ramp from speed to speed"
   std::string_view words = p.choices[1].label;

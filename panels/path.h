@@ -27,4 +27,7 @@ inline Path with_minus(std::string_view name) {
   return Path("{}{}", minus ? name.substr(0, name.size() - 1) : name, minus ? "\u2212" : "");
 }
 
+/// A direction as people write it.
+inline std::string_view sign_text(Sign sign) { return sign == Sign::plus ? "+" : "\u2212"; }
+
 }  // namespace hw::panels

@@ -22,7 +22,7 @@ using namespace gui;
 
 namespace {
 
-constexpr float head_height = 20, small_limits_width = 36, between_strip_columns = 24;
+constexpr float strip_head_height = 20, small_limits_width = 36, between_strip_columns = 24;
 /// Left of a number: room for an encoder position, so that numbers take smaller type before it is cut.
 constexpr float room_beside = 80;
 
@@ -32,7 +32,7 @@ bool in_strip(const Frame& f) { return f.tier == Tier::narrow; }
 /// A row with jog buttons for each axis.
 bool as_lines(const Frame& f) { return f.catalog.axes.size() > 4; }
 /// Captions stand beside the number, not under it.
-bool close_together(const Frame& f) { return in_strip(f) || f.catalog.axes.size() > 2; }
+bool captions_beside(const Frame& f) { return in_strip(f) || f.catalog.axes.size() > 2; }
 
 /// What they all share stands in the title of the column when it is a word: many numbers need the room.
 std::string_view unit_beside(const Frame& f, AxisId axis) {
@@ -53,7 +53,7 @@ Face face_for_all(const Frame& f, Face wanted, float width) {
     const std::string_view unit = unit_beside(f, axis_id(i));
     if (unit.size() > longest_unit.size()) longest_unit = unit;
   }
-  const float room = f.ui.px(close_together(f) ? width - room_beside : width);
+  const float room = f.ui.px(captions_beside(f) ? width - room_beside : width);
   return digits_face(f.ui, {views.data(), n}, longest_unit, wanted, room);
 }
 
@@ -99,7 +99,7 @@ void Position::draw(Frame& f) {
 void Position::draw_column(Frame& f) {
   draw_title(f);
   if (as_lines(f)) return draw_lines(f);
-  const float width = f.area.width, space = close_together(f) ? 3 : f.tier == Tier::wide ? 8 : 4;
+  const float width = f.area.width, space = captions_beside(f) ? 3 : f.tier == Tier::wide ? 8 : 4;
   const Face face = face_for_all(f, wanted_face(f), width);
   for (std::size_t i = 0; i < f.catalog.axes.size(); ++i) {
     group_line(f.ui, 0);
@@ -189,7 +189,7 @@ void Position::draw_strip(Frame& f) {
 void Position::draw_axis(Frame& f, AxisId axis, float width, Face face) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float w = ui.px(width), below_head = at.y + ui.px(head_height);
+  const float w = ui.px(width), below_head = at.y + ui.px(strip_head_height);
   if (in_strip(f) && as_lines(f)) {  // name, state and number in one line
     const float number = digits_width(ui, face, shown_position(f.now.axes[axis.index], f.tab.unit(axis)),
                                       unit_beside(f, axis));
@@ -201,7 +201,7 @@ void Position::draw_axis(Frame& f, AxisId axis, float width, Face face) {
   draw_head(f, axis, at, w);
   ImGui::SetCursorScreenPos(ImVec2(at.x, below_head));
   draw_digits(f, axis, width, face);
-  if (close_together(f)) {
+  if (captions_beside(f)) {
     const NumberText number = shown_position(f.now.axes[axis.index], f.tab.unit(axis));
     const float taken = digits_width(ui, face, number, unit_beside(f, axis));
     draw_captions_beside(f, axis, ImVec2(at.x, below_head), w - taken - ui.px(8));
@@ -219,7 +219,7 @@ void Position::draw_head(Frame& f, AxisId axis, ImVec2 at, float w) {
   Ui& ui = f.ui;
   const AxisInfo& info = f.catalog.axes[axis.index];
   const State state = state_of(f.now, axis.index, f.clock);
-  const float middle = at.y + ui.px(head_height / 2);
+  const float middle = at.y + ui.px(strip_head_height / 2);
   draw_text_line(ui, at.x, at.x + w, middle, Face::title_bold, ui[Tone::ink], info.name);
   float left = at.x + std::ceil(text_width(ui, Face::title_bold, info.name)) + ui.px(8);
   // In less than the smallest window of the look its state says it alone.
@@ -241,11 +241,11 @@ void Position::draw_head(Frame& f, AxisId axis, ImVec2 at, float w) {
       right -= width + ui.px(8);
     }
   }
-  if (close_together(f) && info.switchable) {
+  if (captions_beside(f) && info.switchable) {
     const bool brief = power_width(f, axis, false) + limits + ui.px(48) > right - left;
     const float width = power_width(f, axis, brief);
     if (right - width >= left + limits) {
-      draw_power(f, axis, ImVec2(right - width, at.y), head_height, brief);
+      draw_power(f, axis, ImVec2(right - width, at.y), strip_head_height, brief);
       right -= width + ui.px(4);
     }
   }

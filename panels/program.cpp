@@ -12,13 +12,13 @@
 #include "gui/widgets/message.h"
 #include "gui/widgets/slider.h"
 #include "gui/widgets/text.h"
+#include "panels/measures.h"
 
 namespace hw::panels {
 
 using namespace gui;
 namespace {
 
-constexpr float toolbar_height = 56;
 constexpr std::string_view no_program = "No program runs.";
 
 bool shows_keys(const Frame& f) { return f.area.width >= 700; }

@@ -15,7 +15,7 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-constexpr float row_height = 28, head_height = 24, axis_width = 32, most_columns = 8;
+constexpr float readout_row_height = 28, head_height = 24, axis_width = 32, most_columns = 8;
 
 // Groups are asked one after the other when there are many: younger than this is fresh enough.
 constexpr Duration patience = Millis(3000);
@@ -83,7 +83,7 @@ void draw_single(Frame& f, std::size_t i, float width) {
   Ui& ui = f.ui;
   const ReadoutInfo& info = f.catalog.readouts[i];
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const Rect row{at, ImVec2(at.x + ui.px(width), at.y + ui.px(row_height))};
+  const Rect row{at, ImVec2(at.x + ui.px(width), at.y + ui.px(readout_row_height))};
   draw_text_line(ui, at.x, row.max.x, std::floor(row.centre().y), Face::body, ui[Tone::ink2], info.label);
   const float label = std::ceil(text_width(ui, Face::body, info.label)) + ui.px(12);
   draw_value(f, i, {ImVec2(std::min(at.x + label, row.max.x), at.y), row.max}, true);
@@ -112,13 +112,13 @@ void draw_table(Frame& f, std::span<const Run> columns, float width) {
   for (std::size_t axis = 0; axis < c.axes.size(); ++axis) {
     ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(at.x, y), ImVec2(at.x + ui.px(width), y + ui.hair()),
                                               ui[Tone::line]);
-    draw_text_line(ui, at.x, at.x + ui.px(axis_width), std::floor(y + ui.px(row_height / 2)), Face::body_bold,
-                   ui[Tone::ink], c.axes[axis].name);
+    draw_text_line(ui, at.x, at.x + ui.px(axis_width), std::floor(y + ui.px(readout_row_height / 2)),
+                   Face::body_bold, ui[Tone::ink], c.axes[axis].name);
     for (std::size_t n = 0; n < columns.size(); ++n)
       for (std::size_t i = columns[n].first; i < columns[n].first + columns[n].size; ++i)
         if (c.readouts[i].axis == static_cast<int>(axis))
-          draw_value(f, i, cell(n, y, row_height), c.readouts[i].words.empty());
-    y += ui.px(row_height);
+          draw_value(f, i, cell(n, y, readout_row_height), c.readouts[i].words.empty());
+    y += ui.px(readout_row_height);
   }
   ImGui::SetCursorScreenPos(ImVec2(at.x, y));
 }
@@ -150,9 +150,9 @@ ReadoutText::ReadoutText(const Frame& f, std::size_t i) {
 
 float readouts_height(const Catalog& c, int group) {
   Run columns[static_cast<std::size_t>(most_columns)];
-  float height = static_cast<float>(count_single(c, group)) * row_height;
+  float height = static_cast<float>(count_single(c, group)) * readout_row_height;
   if (find_columns(c, group, columns) > 0)
-    height += head_height + static_cast<float>(c.axes.size()) * row_height;
+    height += head_height + static_cast<float>(c.axes.size()) * readout_row_height;
   return height;
 }
 

@@ -30,8 +30,6 @@ void row_line(Ui& ui, const Frame& f, float y) {
                                             ImVec2(ui.px(f.area.right()), y + ui.hair()), ui[Tone::line]);
 }
 
-std::string_view no_link(const Frame& f) { return f.connected() ? "" : "There is no link."; }
-
 }  // namespace
 
 void Setup::draw(Frame& f) {
@@ -106,7 +104,7 @@ void Setup::draw_toolbar(Frame& f) {
   draw_write(f);
   ImGui::SameLine(0, ui.px(8));
   if (button(ui, "setup/read", "Read all",
-             {.disabled = no_link(f),
+             {.disabled = f.no_link(),
               .tip = "Asks the controller for every value. What you edited stays.",
               .height = 40})
           .clicked)
@@ -132,7 +130,7 @@ void Setup::draw_write(Frame& f) {
           ? fmt::format_to_n(label, sizeof label, "Write changes")
           : fmt::format_to_n(label, sizeof label, "Write {} change{}", changes, changes == 1 ? "" : "s");
   ButtonOptions o{.style = changes > 0 ? ButtonStyle::primary : ButtonStyle::normal, .height = 40};
-  o.disabled = !f.connected()   ? no_link(f)
+  o.disabled = !f.connected()   ? f.no_link()
                : writing.busy() ? "The values are being written."
                : changes == 0   ? "Nothing here differs from the controller."
                                 : "";
@@ -149,7 +147,7 @@ void Setup::draw_store(Frame& f) {
           : fmt::format_to_n(tip, sizeof tip,
                              "Keeps set-up and programs over power-off. The memory bears {} writes.",
                              f.catalog.can.store_life);
-  const std::string_view why = f.connected() && storing_ ? "It is being stored." : no_link(f);
+  const std::string_view why = f.connected() && storing_ ? "It is being stored." : f.no_link();
   if (button(f.ui, "setup/store", "Store in controller",
              {.disabled = why, .tip = {tip, std::min(end.size, sizeof tip)}, .height = 40})
           .clicked)

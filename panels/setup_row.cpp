@@ -14,7 +14,7 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-constexpr float row_height = 40, bit_height = 32, mnemonic_width = 56;
+constexpr float setup_row_height = 40, bit_height = 32, mnemonic_width = 56;
 
 /// A box with a tick and its words; true when it was pressed.
 bool bit_box(Ui& ui, std::string_view id, std::string_view label, bool on, std::string_view disabled,
@@ -69,7 +69,7 @@ bool SetupRow::draw(bool hover_counts) {
   ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(left_, at.y), ImVec2(right_, at.y + ui_.hair()),
                                             ui_[Tone::line]);
   const float words_end = draw_words(field_left - ui_.px(12), at.y);
-  draw_was(words_end + ui_.px(8), field_left - ui_.px(12), at.y + ui_.px(row_height / 2));
+  draw_was(words_end + ui_.px(8), field_left - ui_.px(12), at.y + ui_.px(setup_row_height / 2));
   draw_control(field_left, at.y);
   const float bottom = ImGui::GetCursorScreenPos().y;
   ImGui::SetCursorScreenPos(ImVec2(at.x, bottom));
@@ -81,7 +81,7 @@ bool SetupRow::draw(bool hover_counts) {
 }
 
 float SetupRow::draw_words(float right, float y) {
-  const float middle = y + ui_.px(row_height / 2);
+  const float middle = y + ui_.px(setup_row_height / 2);
   const bool off = edits_.off_factory(i_, f_.now);
   draw_text_line(ui_, left_, left_ + ui_.px(mnemonic_width), middle, Face::code_field,
                  ui_[off ? Tone::ink : Tone::ink2], p_.mnemonic);
@@ -168,11 +168,11 @@ void SetupRow::draw_name(float y) {
       state_.number.sentence =
           fmt::format("{} to {} only", value_text(p_, p_.minimum), value_text(p_, p_.maximum));
   }
-  ImGui::SetCursorScreenPos(ImVec2(left_, y + ui_.px(row_height)));
+  ImGui::SetCursorScreenPos(ImVec2(left_, y + ui_.px(setup_row_height)));
   if (state_.number.sentence.empty()) return;
-  draw_text_right(ui_, ImVec2(right_, y + ui_.px(row_height - 2)), Face::small, ui_[Tone::fault],
+  draw_text_right(ui_, ImVec2(right_, y + ui_.px(setup_row_height - 2)), Face::small, ui_[Tone::fault],
                   state_.number.sentence);
-  ImGui::SetCursorScreenPos(ImVec2(left_, y + ui_.px(row_height + 16)));
+  ImGui::SetCursorScreenPos(ImVec2(left_, y + ui_.px(setup_row_height + 16)));
 }
 
 void SetupRow::draw_number(float y) {
@@ -198,7 +198,7 @@ void SetupRow::draw_number(float y) {
     else
       state_.number.sentence = range_of(p_) + " only";
   }
-  ImGui::SetCursorScreenPos(ImVec2(left_, std::max(below, y + ui_.px(row_height))));
+  ImGui::SetCursorScreenPos(ImVec2(left_, std::max(below, y + ui_.px(setup_row_height))));
 }
 
 void SetupRow::draw_choice(float y) {
@@ -215,7 +215,7 @@ void SetupRow::draw_choice(float y) {
       {.disabled = why_not(), .width = control_width(), .none = p_.readable ? "not read" : "cannot be read"});
   if (picked >= 0 && picked < static_cast<int>(p_.choices.size()))
     edits_.set(i_, p_.choices[static_cast<std::size_t>(picked)].value);
-  ImGui::SetCursorScreenPos(ImVec2(left_, y + ui_.px(row_height)));
+  ImGui::SetCursorScreenPos(ImVec2(left_, y + ui_.px(setup_row_height)));
 }
 
 void SetupRow::draw_bits(float y) {
@@ -224,14 +224,14 @@ void SetupRow::draw_bits(float y) {
   const auto end = shown ? fmt::format_to_n(words, sizeof words, "{}", *shown)
                          : fmt::format_to_n(words, sizeof words, "not read");
   const std::string_view value(words, std::min(end.size, sizeof words));
-  const float middle = y + ui_.px(row_height / 2);
+  const float middle = y + ui_.px(setup_row_height / 2);
   draw_text_line(ui_, right_ - std::ceil(text_width(ui_, Face::code_field, value)), right_, middle,
                  Face::code_field, ui_[Tone::ink], value);
   show(ui_, {.id = id(), .kind = Kind::text, .label = p_.label, .value = value},
-       {ImVec2(left_, y), ImVec2(right_, y + ui_.px(row_height))});
+       {ImVec2(left_, y), ImVec2(right_, y + ui_.px(setup_row_height))});
   const bool two = right_ - left_ > ui_.px(620);
   const float x0 = left_ + ui_.px(mnemonic_width - 2), width = (right_ - x0) / (two ? 2 : 1);
-  float row_y = y + ui_.px(row_height - 4);
+  float row_y = y + ui_.px(setup_row_height - 4);
   for (std::size_t b = 0; b < p_.bits.size(); ++b) {
     const std::int64_t mask = std::int64_t{1} << p_.bits[b].bit;
     const bool on = shown && (*shown & mask);

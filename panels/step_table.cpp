@@ -13,7 +13,7 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-constexpr float row_height = 26;
+constexpr float step_row_height = 26;
 
 /// Instead of a unit.
 constexpr std::string_view bare = "-";
@@ -94,7 +94,7 @@ void draw_step_table(Frame& f, const TwoSteps& s, float width) {
   }
   float y = head.max.y;
   for (const Measure& m : measures) {
-    const Rect row{ImVec2(left, y), ImVec2(right, y + ui.px(row_height))};
+    const Rect row{ImVec2(left, y), ImVec2(right, y + ui.px(step_row_height))};
     ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(at.x, y), ImVec2(at.x + ui.px(width), y + ui.hair()),
                                               ui[Tone::line]);
     places.text(ui, 0, row, Face::body, ui[Tone::ink2], m.label);

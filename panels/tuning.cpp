@@ -10,6 +10,7 @@
 #include "gui/widgets/button.h"
 #include "gui/widgets/choice.h"
 #include "gui/widgets/text.h"
+#include "panels/measures.h"
 #include "panels/path.h"
 
 namespace hw::panels {
@@ -17,7 +18,6 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-constexpr float toolbar_height = 56, side_width = 272, narrow_side_width = 232;
 constexpr std::size_t most_runs = 8;
 constexpr int arming_ms = 300;  // from the first sample to the step, at most
 constexpr double pause_s = 0.3, patience_s = 2.0;
@@ -162,7 +162,7 @@ void Tuning::measure_before() {
 }
 
 std::string_view Tuning::why_not(const Frame& f) {
-  if (!f.connected()) return "There is no link.";
+  if (!f.connected()) return f.no_link();
   if (stage_ == Stage::recording || stage_ == Stage::arming) return "A step is being recorded.";
   if (!f.tab.why_not_move().empty()) return f.tab.why_not_move();
   if (f.now.axes[axis().index].activity == Activity::moving)

@@ -136,7 +136,7 @@ void Tuning::draw_side(Frame& f, float width) {
   ButtonOptions send;
   send.style = ButtonStyle::primary;
   send.width = width - 76;
-  send.disabled = !f.connected() ? "There is no link." : changes == 0 ? "No gain has been changed." : "";
+  send.disabled = !f.connected() ? f.no_link() : changes == 0 ? "No gain has been changed." : "";
   if (button(ui, "tuning/send", "Send gains", send).clicked) send_gains(f);
   ImGui::SameLine(0, ui.px(8));
   ButtonOptions undo;
@@ -176,7 +176,7 @@ void Tuning::draw_gain(Frame& f, std::size_t i, float width) {
   o.range = {static_cast<double>(p.minimum) / scale, static_cast<double>(p.maximum) / scale, p.decimals,
              p.unit};
   o.width = field_width;
-  o.disabled = f.connected() ? "" : "There is no link.";
+  o.disabled = f.no_link();
   o.changed = changed;
   o.tip = fields_[i].sentence.empty() ? p.explanation : fields_[i].sentence;
   o.sentence_below = false;

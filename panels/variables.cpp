@@ -11,6 +11,7 @@
 #include "gui/tab.h"
 #include "gui/widgets/button.h"
 #include "gui/widgets/text.h"
+#include "panels/measures.h"
 #include "panels/path.h"
 
 namespace hw::panels {
@@ -18,7 +19,7 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-constexpr float row_height = 36, name_width = 44, between = 16, least_cell = 150, command_height = 56;
+constexpr float name_width = 44, least_cell = 150, command_height = 56;
 
 std::string_view trimmed(std::string_view s) {
   while (!s.empty() && s.front() == ' ') s.remove_prefix(1);
@@ -74,7 +75,7 @@ void Variables::draw(Frame& f) {
 
 void Variables::draw_grid(Frame& f, float width) {
   const VariableFacts& facts = f.catalog.variables;
-  const int columns = std::max(1, static_cast<int>((width + between) / (least_cell + between)));
+  const int columns = std::max(1, static_cast<int>((width + wide_between) / (least_cell + wide_between)));
   const int kept = std::clamp(facts.stored_from, 0, facts.count);
   if (kept > 0) {
     section_title(f.ui, fmt::format("{0}0 to {0}{1}", facts.prefix, kept - 1), "gone with the power");
@@ -94,14 +95,14 @@ void Variables::draw_part(Frame& f, int first, int end, int columns, float width
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const int rows = (end - first + columns - 1) / columns;
   const float cell =
-      std::floor((width - between * static_cast<float>(columns - 1)) / static_cast<float>(columns));
+      std::floor((width - wide_between * static_cast<float>(columns - 1)) / static_cast<float>(columns));
   for (int n = first; n < end; ++n) {
     const auto column = static_cast<float>((n - first) / rows), row = static_cast<float>((n - first) % rows);
     ImGui::SetCursorScreenPos(
-        ImVec2(at.x + ui.px(column * (cell + between)), at.y + ui.px(row * row_height)));
+        ImVec2(at.x + ui.px(column * (cell + wide_between)), at.y + ui.px(row * list_row_height)));
     draw_cell(f, n, cell);
   }
-  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(static_cast<float>(rows) * row_height)));
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(static_cast<float>(rows) * list_row_height)));
 }
 
 void Variables::draw_cell(Frame& f, int n, float width) {
@@ -118,7 +119,7 @@ void Variables::draw_cell(Frame& f, int n, float width) {
     o.range.max = static_cast<double>(f.catalog.variables.maximum);
   }
   o.width = width - name_width;
-  o.disabled = f.connected() ? "" : "There is no link.";
+  o.disabled = f.no_link();
   o.sentence_below = false;
   o.stale = !f.connected();
   if (!fields_[index].sentence.empty()) o.tip = fields_[index].sentence;
@@ -136,9 +137,7 @@ void Variables::draw_command(Frame& f) {
   ImGui::GetWindowDrawList()->AddRectFilled(
       ui.px(f.area.x, top), ImVec2(ui.px(f.area.right()), ui.px(top) + ui.hair()), ui[Tone::line]);
   ButtonOptions b;
-  b.disabled = !f.connected()     ? "There is no link."
-               : command_.empty() ? "Type a variable and its value."
-                                  : "";
+  b.disabled = !f.connected() ? f.no_link() : command_.empty() ? "Type a variable and its value." : "";
   const float button_wide = button_width(ui, "Set", b);
   ImGui::SetCursorScreenPos(ui.px(f.area.x + 16, top + 12));
   const Path placeholder("{0}{1}=25", f.catalog.variables.prefix, f.catalog.variables.stored_from);

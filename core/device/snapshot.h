@@ -55,6 +55,7 @@ struct AxisState {
   EndedBy ended_by = EndedBy::nothing;
   std::int8_t direction = 0;  ///< -1, 0, +1 of the present motion
   Pps speed{};                ///< of the present motion, told or asked; 0 when unknown or at rest
+  Pps own_speed{};            ///< of a motion for which none is asked (intent::JogStart); 0: not known yet
   bool has_target = false;
   Steps target{};
   bool in_counts = false;  ///< closed loop: position, speed and target count in Catalog::loop_word

@@ -129,6 +129,7 @@ class ConsoleStage {
     for (AxisState& a : e.now.axes) {
       a.activity = Activity::idle;
       a.position_known = a.limits_known = true;
+      a.own_speed = Pps(2000);
     }
     e.now.inputs = e.now.inputs_known = 0xF;
     e.now.outputs_known = 3;

@@ -141,6 +141,21 @@ TEST_F(HandsTest, StopButtonOfThePadStopsThisController) {
   EXPECT_TRUE(a.last<intent::Stop>());
 }
 
+TEST_F(HandsTest, TheShownSpeedIsTheControllersOwnUntilOneIsChosen) {
+  const auto shown = [&] {
+    s.run(0.1);
+    return s.stage.find("jog/speed")->value;
+  };
+  a.now.axes[0].own_speed = a.now.axes[1].own_speed = Pps(200000);
+  EXPECT_EQ(shown(), "200000 steps/s");
+  a.now.axes[1].own_speed = Pps(300);
+  EXPECT_EQ(shown(), "each its own");
+  a.now.axes[1].own_speed = Pps(0);
+  EXPECT_EQ(shown(), "not known yet");
+  a.tab->profile.jog_speed = Pps(500);
+  EXPECT_EQ(shown(), "500 steps/s");
+}
+
 TEST_F(HandsTest, TheChosenSpeedGoesWithTheJog) {
   a.tab->profile.jog_speed = Pps(500);
   MUST(s.hand.press("jog/1/+"));

@@ -11,7 +11,7 @@ import sys
 HOUSE = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".")
 # Folders whose files may share a batch, and what of them belongs to another library or is compiled by itself.
 LIBRARIES = {
-    "core": [], "transports": [], "gui": ["gui/app"], "gui/app": [],
+    "core": [], "transports": [], "gui": ["gui/app"], "gui/app": [], "panels": [],
     "tests/core": [], "tests/transports": [], "tests/contract": [], "tests/gui": [], "tests/panels": [],
 }
 

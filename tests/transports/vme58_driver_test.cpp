@@ -82,6 +82,20 @@ TEST_F(Vme58Driver, JogsOneAxisAndStopsItWhenLetGo) {
   EXPECT_EQ(axis(0).position, Steps(0));
 }
 
+TEST_F(Vme58Driver, AJogWithoutASpeedGoesAtTheOneThatIsShown) {
+  ASSERT_TRUE(query("AY VL3000"));
+  run(seconds(1));
+  EXPECT_EQ(axis(1).own_speed, Pps{3000});
+  session->send(intent::MoveBy({{AxisId{1}, Steps(5000)}}, Pps{500}));
+  run(seconds(1));
+  EXPECT_EQ(axis(1).own_speed, Pps{3000}) << "the speed of one move is no setting";
+  session->send(intent::Stop());
+  ASSERT_TRUE(becomes_idle());
+  session->send(intent::JogStart(AxisId{1}, Sign::plus, Pps{}, false));
+  run(seconds(1));
+  EXPECT_NEAR(axis(1).speed.value, 3000, 1);
+}
+
 TEST_F(Vme58Driver, MovesOneAxisToItsTarget) {
   EXPECT_EQ(perform(intent::MoveTo({{AxisId{1}, Steps(4000)}}, Pps{2000})).fate, Fate::done);
   EXPECT_EQ(axis(1).activity, Activity::moving);

@@ -199,6 +199,8 @@ class ArcusDriver final : public Driver {
   void forget_params(std::string_view head);
   void changed_param(int index);
   [[nodiscard]] std::optional<std::int64_t> param(std::string_view mnemonic) const;
+  [[nodiscard]] std::optional<std::int64_t> setting(Setting id, int axis = 0) const;
+  void show_own_speeds();
   [[nodiscard]] const SettingFact* fact_of(int param) const;
 
   [[nodiscard]] const Model& model() const { return *forms_.model; }

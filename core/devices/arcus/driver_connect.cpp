@@ -262,7 +262,7 @@ void ArcusDriver::wire_lost() {
     axis.position_known = false;
     axis.limits_known = false;
     axis.direction = 0;
-    axis.speed = Pps{};
+    axis.speed = axis.own_speed = Pps{};
   }
   for (ThreadState& t : draft_.threads) t = ThreadState();
   draft_.inputs_known = draft_.outputs_known = draft_.analog_known = 0;

@@ -65,6 +65,32 @@ std::optional<std::int64_t> ArcusDriver::param(std::string_view mnemonic) const 
   return draft_.params[ix(index)].value;
 }
 
+std::optional<std::int64_t> ArcusDriver::setting(Setting id, int axis) const {
+  int first = 0;
+  for (const SettingFact& fact : model().settings) {
+    const ParamState& state = draft_.params[ix(first + axis)];
+    if (fact.id == id) return state.known ? std::optional(state.value) : std::nullopt;
+    first += fact.count;
+  }
+  return std::nullopt;
+}
+
+// An axis has speeds of its own where all three of them are set, else it has the common one (PMX manual,
+// HS[axis]).
+void ArcusDriver::show_own_speeds() {
+  if (borrowed_) return;
+  for (int i = 0; i < axis_count(); ++i) {
+    bool known = true, own = forms_.axis_speeds;
+    for (const Setting id : {Setting::axis_high_speed, Setting::axis_low_speed, Setting::axis_accel}) {
+      const auto value = forms_.axis_speeds ? setting(id, i) : std::optional<std::int64_t>(0);
+      known = known && value;
+      own = own && value.value_or(0) != 0;
+    }
+    const auto speed = own ? setting(Setting::axis_high_speed, i) : setting(Setting::high_speed);
+    draft_.axes[i].own_speed = Pps(known ? static_cast<double>(speed.value_or(0)) : 0);
+  }
+}
+
 void ArcusDriver::forget_params(std::string_view head) {
   for (std::size_t i = 0; i < catalog_.params.size(); ++i)
     if (catalog_.params[i].mnemonic.starts_with(head)) draft_.params[i].known = false;

@@ -42,6 +42,7 @@ Task<Result<>> ArcusDriver::poll() {
     auto rest = co_await read_in_turn();
     if (!rest) co_return rest;
   }
+  show_own_speeds();
   show_worst();
   co_return Result<>();
 }

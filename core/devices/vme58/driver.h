@@ -148,6 +148,8 @@ class Vme58Driver final : public Driver {
   void factory_params();
   void note_param(const TextCommand& command);
   [[nodiscard]] std::int64_t velocity_of(int axis) const;
+  /// VL as the user has it, also while a move with a speed of its own has put another there.
+  [[nodiscard]] std::int64_t own_velocity_of(int axis) const;
 
   // ---- driver_text.cpp
   Task<Result<>> send_text(std::string text);

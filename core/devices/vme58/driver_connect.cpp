@@ -58,7 +58,7 @@ void Vme58Driver::forget() {
     axis.limits_known = false;
     axis.has_encoder = variant_.fitting(i).encoder;
     axis.activity = Activity::unknown;
-    axis.speed = {};
+    axis.speed = axis.own_speed = {};
     axis.direction = 0;
   }
 }

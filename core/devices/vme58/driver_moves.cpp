@@ -134,7 +134,7 @@ Task<Result<>> Vme58Driver::jog(intent::JogStart wish) {
   if (auto may = may_move(axis); !may) co_return may;
   auto speed = checked_speed(wish.speed);
   if (!speed) co_return fail(speed.error());
-  if (*speed == 0) speed = std::max<std::int64_t>(1, velocity_of(axis));
+  if (*speed == 0) speed = std::max<std::int64_t>(1, own_velocity_of(axis));
   jogged_axis_ = axis;
   std::string text = addressed(axis, fmt::format("JG{}", factor(wish.sign) * *speed));
   const std::array<Steps, max_axes> nowhere{};

@@ -158,4 +158,8 @@ void Vme58Driver::note_param(const TextCommand& sent) {
 
 std::int64_t Vme58Driver::velocity_of(int axis) const { return value(axis, AxisValue::maximum_velocity); }
 
+std::int64_t Vme58Driver::own_velocity_of(int axis) const {
+  return minds_[ix(axis)].borrowed_velocity.value_or(velocity_of(axis));
+}
+
 }  // namespace hw::vme58

@@ -233,6 +233,7 @@ void Vme58Driver::show_axis(int i, Instant at) {
   axis.seen_at = at;
   axis.position_known = true;
   axis.speed = Pps(speed);
+  axis.own_speed = Pps(static_cast<double>(own_velocity_of(i)));
   const bool turns = speed > 0 || crept;
   axis.direction = turns ? mind.way : std::int8_t{0};
   axis.limits_known = limits_ == 0 || !bit(limits_, i) || mind.limit_end != 0;

@@ -268,7 +268,10 @@ Task<Result<>> VxmDriver::read_identity() {
   draft_.identity.firmware = fmt::format("{} ({})", *version, *date);
   slave_present_ = *motors == 4;
   const int axes = static_cast<int>(catalog_.axes.size());
-  for (int i = 0; i < axes; ++i) draft_.axes[i].enabled = i < motors_per_controller || slave_present_;
+  for (int i = 0; i < axes; ++i) {
+    draft_.axes[i].enabled = i < motors_per_controller || slave_present_;
+    draft_.axes[i].own_speed = catalog_.jog_speed;  // it has none: each motion of ours is given one
+  }
   if (axes > motors_per_controller && !slave_present_)
     tell(Notice::Kind::warning,
          "The controller finds no second one on the VXM bus, so motors 3 and 4 cannot be used. Nothing is "

@@ -144,6 +144,35 @@ TEST_F(Restart, InTheMiddleOfAMoveItIsNoArrival) {
   EXPECT_EQ(latest.axes[0].ended_by, EndedBy::lost);
 }
 
+class OwnSpeed : public DriverTest {
+ protected:
+  double jogs_at(int axis) {
+    post(intent::JogStart(AxisId{static_cast<std::uint8_t>(axis)}, Sign::plus, Pps{}, false));
+    run(3);
+    const double speed = latest.axes[static_cast<std::size_t>(axis)].speed.value;
+    perform(intent::Stop());
+    run(3);
+    return speed;
+  }
+};
+
+TEST_F(OwnSpeed, IsTheCommonOneUnlessAnAxisHasAllThree) {
+  start(pmx);
+  run(40);
+  EXPECT_EQ(latest.axes[3].own_speed, Pps(1000)) << "after power-up";
+  ASSERT_EQ(perform(intent::SetParam("HS", 3000)), "");
+  ASSERT_EQ(perform(intent::SetParam("HSY", 700)), "");
+  run(2);
+  EXPECT_EQ(latest.axes[1].own_speed, Pps(3000)) << "low speed and acceleration of Y are 0";
+  EXPECT_NEAR(jogs_at(1), 3000, 1);
+  ASSERT_EQ(perform(intent::SetParam("LSY", 100)), "");
+  ASSERT_EQ(perform(intent::SetParam("ACCY", 300)), "");
+  run(2);
+  EXPECT_EQ(latest.axes[0].own_speed, Pps(3000));
+  EXPECT_EQ(latest.axes[1].own_speed, Pps(700));
+  EXPECT_NEAR(jogs_at(1), 700, 1);
+}
+
 // Standing at zero it shows by what it has lost.
 TEST_F(Restart, AtZeroAValueThatWasNotStoredShowsIt) {
   start(pmx);
