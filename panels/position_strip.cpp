@@ -71,6 +71,7 @@ void draw_beside_strip_number(Frame& f, AxisId axis, const Rect& row) {
   const AxisInfo& info = f.catalog.axes[axis.index];
   const float middle = std::floor(row.centre().y), small = ui.line(Face::small);
   const float end = row.max.x;
+  if (row.width() < ui.px(60)) return;  // far less than the look asks for: the number alone
   draw_text_line(ui, row.min.x, end, middle, Face::title_bold, ui[Tone::ink], info.name);
   const float name = std::ceil(text_width(ui, Face::title_bold, info.name));
   float x = row.min.x + std::max(ui.px(22), name + ui.px(8));
