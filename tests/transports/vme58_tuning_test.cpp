@@ -62,7 +62,7 @@ class Vme58Tuning : public test::Vme58Rig {
     EXPECT_LT(mean, 0.3) << "percent of the output";
   }
   static constexpr Duration tick = microseconds(50);
-  static constexpr Duration copied_before = microseconds(100);  // the board copies before the console reads
+  static constexpr Duration copied_before = microseconds(50);  // the board copies before the console reads
 };
 
 TEST_F(Vme58Tuning, ARecordingGivesASampleForEachUpdate) {

@@ -144,6 +144,7 @@ class Vme58Driver final : public Driver {
   void end_motion(int axis, EndedBy ended_by);
   void show_worst();
   void record_round();
+  [[nodiscard]] bool sampling() const;
   void sample(Instant at);
   [[nodiscard]] std::optional<motion::ServoGains> known_gains(int axis) const;
   [[nodiscard]] std::int64_t value(int axis, AxisValue v) const;

@@ -77,6 +77,7 @@ void Vme58Driver::wire_lost() {
   received_.clear();
   replies_.clear();
   mailing_ = updating_ = false;
+  sampled_axis_ = -1;
   station_ = nullptr;
 }
 

@@ -14,7 +14,8 @@
 namespace hw::vme58 {
 namespace {
 
-constexpr Duration copy_time = std::chrono::microseconds(1000);  // decision M26: about 1 ms
+constexpr Duration copy_time = std::chrono::microseconds(1000);   // decision M26: about 1 ms
+constexpr Duration sample_pause = std::chrono::microseconds(50);  // between two rounds of a recording
 constexpr Duration copy_look = std::chrono::microseconds(300);
 constexpr Duration update_patience = Millis(50);
 constexpr Duration rest_time = Millis(400);  // at rest so long without a done flag: it ended some other way
@@ -25,9 +26,10 @@ bool bit(std::uint32_t bits, int n) { return (bits >> n & 1) != 0; }
 
 }  // namespace
 
-// A recording wants each copy that the board makes: about one a millisecond.
-Duration Vme58Driver::moving_period() const { return sampled_axis_ >= 0 ? Duration::zero() : Millis(20); }
-Duration Vme58Driver::idle_period() const { return sampled_axis_ >= 0 ? Duration::zero() : Millis(200); }
+// A recording wants each copy that the board makes: one a millisecond.
+bool Vme58Driver::sampling() const { return sampled_axis_ >= 0 && scheduler_.now() < sample_until_; }
+Duration Vme58Driver::moving_period() const { return sampling() ? sample_pause : Duration(Millis(20)); }
+Duration Vme58Driver::idle_period() const { return sampling() ? sample_pause : Duration(Millis(200)); }
 
 std::int64_t Vme58Driver::value(int axis, AxisValue v) const { return data_[ix(axis)][v]; }
 bool Vme58Driver::moving(int axis) const {
@@ -172,7 +174,7 @@ Task<Result<>> Vme58Driver::read_axes(Priority priority) {
   std::vector<BusCycle>& cycles = burst.cycles;
   const int whole = next_axis_;
   next_axis_ = (next_axis_ + 1) % axis_count();
-  co_await scheduler_.sleep_for(copy_time);
+  co_await scheduler_.sleep_for(sampling() ? copy_time - sample_pause : copy_time);
   for (;;) {
     cycles.clear();
     cycles.push_back(BusCycle::read(1, reg::control));
@@ -302,14 +304,15 @@ Task<Result<>> Vme58Driver::ask_in_turn() {
   co_return Result<>();
 }
 
-/// The board reads no further: no queue can be asked for, and the one that the text is meant for is full (what
-/// waits does not fit: fewer entries are free than it takes).
+/// The board reads no further: no queue can be asked for, and the one that the text is meant for is full
+/// (what waits does not fit: fewer entries are free than it takes).
 void Vme58Driver::show_full_queue() {
   draft_.queue_known = 0;
   Context context = context_;
   if (in_wq_) return;
   for (const TextCommand& command : read_commands(last_sent_, context)) {
-    if (!command.fact || command.fact->when != When::queued || command.context.mode != where::single) continue;
+    if (!command.fact || command.fact->when != When::queued || command.context.mode != where::single)
+      continue;
     draft_.queue_known = 1u << command.context.axis;
     draft_.queue_free[ix(command.context.axis)] = 0;
   }
