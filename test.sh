@@ -14,7 +14,7 @@ export UBSAN_OPTIONS=${UBSAN_OPTIONS:-print_stacktrace=1}
 ctest --preset "$preset" -j 2 -LE 'wall_clock|outside'
 # Programs that are not ours, and a real window, under real time: on a busy machine an answer or a hand may come late,
 # so each of these may try again.
-ctest --preset "$preset" -L outside --repeat until-pass:8
+ctest --preset "$preset" -L outside --repeat until-pass:3
 if [ "$preset" = release ] || [ "$preset" = debug ]; then
   ctest --preset "$preset" -L wall_clock --repeat until-pass:3
 fi

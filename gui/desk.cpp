@@ -13,7 +13,9 @@ Desk::Desk(const Catalog& catalog, const Language* language, TrafficLog::Explain
       setup(catalog),
       help(catalog),
       catalog_(catalog),
-      language_(language) {}
+      language_(language) {
+  follower.rehearse_as(catalog.made_from);
+}
 
 Result<> Desk::keep_texts(Autosave autosave, std::string key) {
   autosave_ = std::move(autosave);

@@ -21,6 +21,8 @@ class RunFollower {
     double next_in_s = 0;         ///< until the next command; 0: not known
   };
 
+  /// What the controller is, for rehearsals: Catalog::made_from.
+  void rehearse_as(std::map<std::string, std::string> device) { device_ = std::move(device); }
   /// Once a frame.
   void follow(const Snapshot& now, Instant clock, const ProgramTexts& texts, const Language* language,
               Worker& worker);
@@ -36,6 +38,7 @@ class RunFollower {
   void put_right(const ProgramState& told);
   [[nodiscard]] const Rehearsal* rehearsal() const { return of_run_ ? &*of_run_ : nullptr; }
 
+  std::map<std::string, std::string> device_;
   bool following_ = false;
   Instant started_at_{}, seen_at_{};
   RunState seen_run_ = RunState::idle;

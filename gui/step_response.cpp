@@ -47,7 +47,7 @@ int count_crossings(const StepRun& run, double target) {
 }  // namespace
 
 StepRun::StepRun(int number, AxisId axis, Steps step) : number_(number), axis_(axis), step_(step) {
-  for (auto* v : {&t_ms_, &command_, &encoder_, &error_}) v->reserve(usual_samples);
+  for (auto* v : {&t_ms_, &command_, &encoder_, &error_, &output_}) v->reserve(usual_samples);
 }
 
 void StepRun::take(const AxisSample& s) {
@@ -67,6 +67,13 @@ void StepRun::take(const AxisSample& s) {
   command_.push_back(command);
   encoder_.push_back(encoder);
   error_.push_back(command - encoder);
+  if (s.output_known) output_.push_back(sign * s.output_percent);
+}
+
+float StepRun::largest_output() const {
+  float largest = 0;
+  for (const float v : output()) largest = std::max(largest, std::fabs(v));
+  return largest;
 }
 
 StepMeasures measure(const StepRun& run) {

@@ -27,6 +27,12 @@ class StepRun {
   [[nodiscard]] std::span<const float> command() const { return command_; }
   [[nodiscard]] std::span<const float> encoder() const { return encoder_; }
   [[nodiscard]] std::span<const float> error() const { return error_; }
+  /// In percent of what the output can give; empty unless it was known all the time.
+  [[nodiscard]] std::span<const float> output() const {
+    return output_.size() == t_ms_.size() ? std::span<const float>(output_) : std::span<const float>();
+  }
+  /// The largest of it, without sign.
+  [[nodiscard]] float largest_output() const;
 
  private:
   int number_ = 0;
@@ -36,7 +42,7 @@ class StepRun {
   Instant first_at_{};
   Steps from_command_{}, from_encoder_{};
   float origin_ms_ = 0;
-  std::vector<float> t_ms_, command_, encoder_, error_;
+  std::vector<float> t_ms_, command_, encoder_, error_, output_;
 };
 
 struct StepMeasures {

@@ -340,8 +340,13 @@ void Connect::draw_address(PageFrame& f, float width) {
 
 // ---- right: emulators
 
-/// Without its first word, the maker.
-static std::string_view without_maker(std::string_view name) { return name.substr(name.find(' ') + 1); }
+/// Without the maker. Of a board its options say which one it is.
+static std::string_view title_of(const Catalog& c) {
+  return c.can.window ? std::string_view(c.short_name)
+                      : std::string_view(c.name).substr(c.name.rfind(' ') + 1);
+}
+
+constexpr float option_row = 40;
 
 void Connect::draw_emulators(PageFrame& f, float width) {
   Ui& ui = f.ui;
@@ -353,7 +358,7 @@ void Connect::draw_emulators(PageFrame& f, float width) {
     group_line(ui, 0);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     draw_text_line(ui, at.x, at.x + ui.px(width), at.y + ui.px(24), Face::title_bold, ui[Tone::ink],
-                   without_maker(catalog.name));
+                   title_of(catalog));
     ImGui::SetCursorScreenPos(
         ImVec2(at.x + ui.px(width) - badge_width(ui, Icon::emulated, "EMULATED"), at.y + ui.px(14)));
     emulated_badge(ui, Path("connect/emulator/{}/badge", type.model));
@@ -361,7 +366,10 @@ void Connect::draw_emulators(PageFrame& f, float width) {
                    catalog.summary);
     ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(64)));
     std::string address = fmt::format("{}@emulator", type.model);
+    float below = 64;  // each option in a line of its own
     for (const OptionInfo& option : catalog.options) {
+      ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(below)));
+      below += option_row;
       auto choice = std::find_if(choices_.begin(), choices_.end(), [&](const Choice& c) {
         return c.model == type.model && c.key == option.key;
       });
@@ -371,8 +379,10 @@ void Connect::draw_emulators(PageFrame& f, float width) {
       }
       std::vector<std::string_view> names;
       for (const auto& [value, label] : option.choices) names.push_back(label);
+      DropdownOptions o;
+      if (catalog.options.size() > 1) o.width = width - 72;  // one under the other, beside Start
       const int picked = dropdown(ui, Path("connect/emulator/{}/{}", type.model, option.key), option.key,
-                                  names, choice->chosen);
+                                  names, choice->chosen, o);
       if (picked >= 0) choice->chosen = picked;
       if (choice->chosen > 0)
         address +=
@@ -382,7 +392,7 @@ void Connect::draw_emulators(PageFrame& f, float width) {
     start.width = 64;
     ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(width - 64), at.y + ui.px(64)));
     if (button(ui, Path("connect/emulator/{}", type.model), "Start", start).clicked) open(f, address);
-    ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(112)));
+    ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(std::max(64 + option_row, below) + 8)));
   }
   group_line(ui, 0);
   gap(ui, 16);

@@ -25,7 +25,7 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-constexpr float rate_width = 92, id_width = 72, least_port = 120;
+constexpr float option_width = 184, rate_width = 92, id_width = 72, least_port = 120;
 /// What the fields of a search and its button take in one line.
 constexpr float search_in_one_line = 500;
 
@@ -52,9 +52,15 @@ bool ConnectForm::has_ids() const { return catalog().addressed(); }
 
 std::string ConnectForm::address() const {
   const Catalog& c = catalog();
-  if (way_ == Way::vme || way_ == Way::bus)
-    return fmt::format("{}@{}:{}{}", c.model, way_ == Way::vme ? "vme" : "bus", port_,
-                       way_ == Way::vme ? ",base=" + base_ : "");
+  if (way_ == Way::vme || way_ == Way::bus) {
+    std::string text = fmt::format("{}@{}:{}{}", c.model, way_ == Way::vme ? "vme" : "bus", port_,
+                                   way_ == Way::vme ? ",base=" + base_ : "");
+    for (const OptionInfo& option : c.options)
+      if (const auto chosen = chosen_.find(option.key); chosen != chosen_.end() && chosen->second > 0)
+        text +=
+            fmt::format(",{}={}", option.key, option.choices[static_cast<std::size_t>(chosen->second)].first);
+    return text;
+  }
   if (way_ == Way::usb)
     return c.model + "@usb" + (port_.empty() || port_.starts_with('/') ? "" : ":" + port_);
   std::string text = fmt::format("{}@{}:{}", c.model, way_ == Way::tcp ? "tcp" : "serial", port_);
@@ -74,7 +80,7 @@ std::string ConnectForm::draw(PageFrame& f, float width) {
   ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(104), at.y));
   const bool opened = draw_parts(f, width - 104);
   const std::string made = address();
-  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(80)));
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(has_options() ? 120 : 80)));
   draw_guide(f, width);
   std::string chosen = draw_search(f, width);
   return opened ? made : chosen;
@@ -142,7 +148,26 @@ bool ConnectForm::draw_parts(PageFrame& f, float width) {
   draw_text_line(ui, words.x, at.x + ui.px(width), at.y + ui.px(56), Face::code_field, ui[Tone::ink2], made);
   show(ui, {"connect/form/address", Kind::text, "Address", made, {}, false, {}},
        {words, ImVec2(at.x + ui.px(width), at.y + ui.px(72))});
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(80)));
+  if (has_options()) draw_options(ui);
   return opened;
+}
+
+/// What a board does not tell before it is opened.
+void ConnectForm::draw_options(Ui& ui) {
+  for (const OptionInfo& option : catalog().options) {
+    std::vector<std::string_view> names;
+    for (const auto& [value, label] : option.choices) names.push_back(label);
+    DropdownOptions o;
+    o.width = option_width;
+    o.tip = option.key;
+    int& chosen = chosen_[option.key];
+    if (const int picked = dropdown(ui, Path("connect/form/{}", option.key), option.key, names, chosen, o);
+        picked >= 0)
+      chosen = picked;
+    ImGui::SameLine(0, ui.px(between));
+  }
+  ImGui::NewLine();
 }
 
 /// Of a serial line its rate, of a board the place of its window.
@@ -205,7 +230,8 @@ float ConnectForm::height(PageFrame& f, float width) {
   const float guide_height =
       words.empty() ? 0 : wrapped_height(f.ui, Face::small, words, f.ui.px(width - 104)) / f.ui.scale + 8;
   const float search = (width - 104 >= search_in_one_line ? 40 : 80) + (words_of(state).empty() ? 0 : 24);
-  return 80 + guide_height + search + 32 * static_cast<float>(state.found.size()) + 24;
+  return (has_options() ? 120 : 80) + guide_height + search + 32 * static_cast<float>(state.found.size()) +
+         24;
 }
 
 // ---- search

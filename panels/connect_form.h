@@ -2,6 +2,7 @@
 // A connection put together from its parts, for whoever knows no address by heart: model, way, port, rate,
 // id; and the search for devices when some of them are not known. Ids: `connect/form/...`,
 // `connect/search/...`.
+#include <map>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,8 @@ class ConnectForm {
   bool draw_parts(gui::PageFrame& frame, float width);
   void draw_rate_or_base(gui::Ui& ui);
   void draw_id(gui::Ui& ui);
+  [[nodiscard]] bool has_options() const { return catalog().can.window && !catalog().options.empty(); }
+  void draw_options(gui::Ui& ui);
   [[nodiscard]] std::string guide() const;
   void draw_guide(gui::PageFrame& frame, float width);
   std::string draw_search(gui::PageFrame& frame, float width);
@@ -39,6 +42,7 @@ class ConnectForm {
   bool made_ = false;
   std::vector<Catalog> catalogs_;
   int model_ = 0, baud_ = 0;
+  std::map<std::string, int> chosen_;  ///< of Catalog::options, by key
   Way way_ = Way::serial;
   std::string port_ = "/dev/ttyUSB0", id_ = "01", base_ = "0xF000", first_ = "00", last_ = "99";
   std::vector<int> rates_;  ///< of the controllers that can share a line

@@ -262,6 +262,7 @@ void Program::simulate(Frame& f) {
   RehearseOptions options;
   options.slot = slot;
   options.axes = static_cast<int>(f.catalog.axes.size());
+  options.device = f.catalog.made_from;
   desk.rehearsals.start(*desk.language(), desk.texts.text(slot), options, desk.worker());
 }
 

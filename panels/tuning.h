@@ -1,8 +1,8 @@
 #pragma once
 // The step response of a servo axis: a step is made and recorded, drawn over the run before, and measured;
 // gains are edited beside it. Ids: `tuning/record`, `tuning/repeat`, `tuning/axis`, `tuning/step`,
-// `tuning/length`, `tuning/compare`, `tuning/plot`, `tuning/error`, `tuning/KPX`, `tuning/send`,
-// `tuning/measure/overshoot` (`/before`, `/change`).
+// `tuning/length`, `tuning/compare`, `tuning/plot`, `tuning/error`, `tuning/output`, `tuning/KPX`,
+// `tuning/send`, `tuning/measure/overshoot` (`/before`, `/change`).
 #include <deque>
 #include <string>
 #include <string_view>
@@ -45,13 +45,15 @@ class Tuning final : public gui::Panel {
   void draw_compare(gui::Frame& frame, float right, float top);
   void draw_work(gui::Frame& frame, float width, float height);
   void draw_plots(gui::Frame& frame, float width, float height);
-  void draw_error(gui::Frame& frame, float height);
+  void draw_error(gui::Frame& frame, float width, float height, bool lowest);
+  void draw_output(gui::Frame& frame, float height);
   void draw_measures(gui::Frame& frame, float width);
   void draw_side(gui::Frame& frame, float width);
   void draw_gain(gui::Frame& frame, std::size_t param, float width);
   void send_gains(gui::Frame& frame);
 
   [[nodiscard]] const gui::StepRun* latest() const { return runs_.empty() ? nullptr : &runs_.back(); }
+  [[nodiscard]] bool shows_output() const;
   /// What the latest is compared with; null: nothing.
   [[nodiscard]] const gui::StepRun* before() const;
   [[nodiscard]] AxisId axis() const { return axes_[static_cast<std::size_t>(chosen_)]; }

@@ -18,6 +18,7 @@ using namespace gui;
 namespace {
 
 constexpr float gain_row = 36;
+constexpr float room_for_three = 300;  // else the two small plots stand beside each other
 
 /// "Proportional gain of X" under the title "Gains of X" is "Proportional".
 std::string_view without_axis(const Frame& f, const ParamInfo& p) {
@@ -40,15 +41,36 @@ PlotRange times(const StepRun* run, const StepRun* old, double usual) {
 
 }  // namespace
 
+/// A run that has just begun shows what the one before it did.
+bool Tuning::shows_output() const {
+  const StepRun* run = latest();
+  if (run && run->empty()) run = before();
+  return run && !run->output().empty();
+}
+
 void Tuning::draw_work(Frame& f, float width, float height) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::SetCursorScreenPos(ImVec2(ui.px(f.area.x), at.y));
   begin_part(ui, "tuning/work", ui.px(width), ui.px(height), Tone::panel, 0);
   const float plots = std::max(200.0f, height - step_table_height);
-  const float error = std::max(72.0f, std::floor(plots * 0.3f));
-  draw_plots(f, width, plots - error);
-  draw_error(f, error);
+  const bool output = shows_output();
+  const bool stacked = output && plots >= room_for_three;
+  const float small = std::max(72.0f, std::floor(plots * (stacked ? 0.24f : 0.3f)));
+  draw_plots(f, width, plots - (stacked ? 2 : 1) * small);
+  if (!output) {
+    draw_error(f, width, small, true);
+  } else if (stacked) {
+    draw_error(f, width, small, false);
+    draw_output(f, small);
+  } else {
+    const ImVec2 left = ImGui::GetCursorScreenPos();
+    draw_error(f, width / 2, small, true);
+    const ImVec2 below = ImGui::GetCursorScreenPos();
+    ImGui::SetCursorScreenPos(ImVec2(left.x + ui.px(width / 2), left.y));
+    draw_output(f, small);
+    ImGui::SetCursorScreenPos(below);
+  }
   draw_measures(f, width);
   end_part();
 }
@@ -91,7 +113,7 @@ void Tuning::draw_plots(Frame& f, float width, float height) {
   plot(f.ui, "tuning/plot", "Step response", {traces.data(), n}, o, cursor_);
 }
 
-void Tuning::draw_error(Frame& f, float height) {
+void Tuning::draw_error(Frame& f, float width, float height, bool lowest) {
   const StepRun* run = latest();
   const StepRun* old = before();
   PlotOptions o;
@@ -99,6 +121,8 @@ void Tuning::draw_error(Frame& f, float height) {
   o.title = title;
   o.x_unit = "ms";
   o.x = times(run, old, length_.value().value_or(usual_length_ms));
+  o.x_labels = lowest;
+  o.width = width;
   o.height = height;
   o.y = {0, 0};
   const NumberText last_error =
@@ -112,6 +136,28 @@ void Tuning::draw_error(Frame& f, float height) {
   o.y.widen(0.15f);
   if (run) o.words = error;
   plot(f.ui, "tuning/error", "Following error", {traces.data(), n}, o, cursor_);
+}
+
+/// No controller tells its output: the title says where this comes from, the side what is not in it.
+void Tuning::draw_output(Frame& f, float height) {
+  const StepRun* run = latest();
+  const StepRun* old = before();
+  PlotOptions o;
+  o.title = "output, % (worked out)";
+  o.x_unit = "ms";
+  o.x = times(run, old, length_.value().value_or(usual_length_ms));
+  o.height = height;
+  o.y = {0, 0};
+  const Path largest("at most {:.0f} %", run->largest_output());
+  std::array<PlotTrace, 2> traces;
+  std::size_t n = 0;
+  if (old && !old->output().empty()) traces[n++] = {old->t_ms(), old->output(), Tone::ink3, 1, false, {}};
+  traces[n++] = {run->t_ms(), run->output(), Tone::ink, 2, false, largest, true};
+  for (std::size_t i = 0; i < n; ++i) o.y.take(traces[i].y);
+  o.y.widen(0.15f);
+  const Path words("worked out, not read: {}", largest.view());
+  o.words = words;
+  plot(f.ui, "tuning/output", "Output, worked out", {traces.data(), n}, o, cursor_);
 }
 
 void Tuning::draw_measures(Frame& f, float width) {
@@ -148,6 +194,13 @@ void Tuning::draw_side(Frame& f, float width) {
   if (!f.catalog.can.store)
     wrapped(ui, Face::small, Tone::ink2,
             "The controller forgets its gains with its power. Setup saves them to a file.", width);
+  if (shows_output()) {
+    gap(ui, 8);
+    wrapped(ui, Face::small, Tone::ink2,
+            "The controller does not tell its output. The console works it out from error, speed and these "
+            "gains; an integral counts from the start of the recording.",
+            width);
+  }
   gap(ui, 16);
 }
 

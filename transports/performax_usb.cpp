@@ -61,7 +61,12 @@ struct PerformaxWire : std::enable_shared_from_this<PerformaxWire> {
       cancel();
       loop->run_until([this] { return !busy(); }, Millis(1000));
     }
-    if (handle) libusb_close(handle);
+    close_handle();
+  }
+  void close_handle() {
+    if (!handle) return;
+    libusb_release_interface(handle, interface);
+    libusb_close(std::exchange(handle, nullptr));
   }
 
   /// One transfer that is waited for; how many bytes it carried, or a libusb_transfer_status.
@@ -181,8 +186,7 @@ struct PerformaxWire : std::enable_shared_from_this<PerformaxWire> {
     wire->cancel();
     while (wire->busy()) co_await wire->moved.wait();
     if (!wire->over) co_await wire->control(control_close);
-    libusb_release_interface(wire->handle, interface);
-    libusb_close(std::exchange(wire->handle, nullptr));
+    wire->close_handle();
   }
 };
 

@@ -29,7 +29,8 @@ std::vector<PerformaxDevice> list_performax(const std::string& sys = "/sys");
 /// The fault is a sentence that says what to do, also where the user may not open it.
 Task<Result<std::unique_ptr<Stream>>> open_performax_usb(Scheduler& scheduler, std::string serial);
 
-/// Calls `changed` (io thread) whenever one is plugged in or pulled out, until it is destroyed (there too).
+/// Calls `changed` (io thread) whenever one is plugged in or pulled out, until it is destroyed (there too);
+/// and once to begin with, because nothing tells of what happened before it watched.
 class PerformaxWatch {
  public:
   virtual ~PerformaxWatch() = default;

@@ -68,11 +68,13 @@ struct UsbLoop::State : std::enable_shared_from_this<State> {
   static void LIBUSB_CALL fd_removed(int fd, void* state) { static_cast<State*>(state)->remove(fd); }
   // Posted: nothing of libusb may be called from inside.
   static int LIBUSB_CALL plugged(libusb_context*, libusb_device*, libusb_hotplug_event, void* state) {
-    auto& self = *static_cast<State*>(state);
-    asio::post(self.scheduler.executor(), [weak = self.weak_from_this()] {
+    static_cast<State*>(state)->tell_soon();
+    return 0;
+  }
+  void tell_soon() {
+    asio::post(scheduler.executor(), [weak = weak_from_this()] {
       if (const auto alive = weak.lock(); alive && alive->changed) alive->changed();
     });
-    return 0;
   }
 
   void handle_events() {
@@ -109,6 +111,7 @@ Result<> UsbLoop::watch(int vendor, int product, std::function<void()> changed) 
   if (error != 0)
     return fail(FaultKind::port, fmt::format("New USB devices cannot be noticed: {}.", usb_error(error)));
   state_->changed = std::move(changed);
+  state_->tell_soon();
   return {};
 }
 

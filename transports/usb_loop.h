@@ -20,7 +20,8 @@ class UsbLoop {
   UsbLoop& operator=(const UsbLoop&) = delete;
 
   [[nodiscard]] libusb_context* context() const;
-  /// Calls `changed` whenever a device with these numbers is plugged in or pulled out, as long as this lives.
+  /// Calls `changed` once soon, and whenever a device with these numbers is plugged in or pulled out, as long
+  /// as this lives.
   Result<> watch(int vendor, int product, std::function<void()> changed);
   /// Waits (for the end of a program only) until `done` or the patience is over.
   void run_until(const std::function<bool()>& done, Millis patience);

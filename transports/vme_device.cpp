@@ -34,10 +34,11 @@ constexpr std::uint32_t space_a16 = 0x1, single_cycles = 0x1, supervisory = 0x10
                         width_16 = 0x2;
 
 // Bridges give out windows in pieces of 64 KiB: all of the short space.
-int ask_for_short_space(int fd) {
+int ask_for_short_space(int fd, DeviceRequest request) {
   MasterWindow window{1, 0, short_space_bytes, space_a16, single_cycles | supervisory | data, width_16};
-  return ::ioctl(fd, set_master_window, &window);
+  return request(fd, set_master_window, &window);
 }
+int ask_the_kernel(int fd, unsigned long request, void* argument) { return ::ioctl(fd, request, argument); }
 
 // ---- access to memory that may go away
 
@@ -187,12 +188,12 @@ tl::unexpected<Fault> held_elsewhere(const std::string& device) {
 }
 
 // Where in the file the window begins.
-Result<std::uint32_t> place_in(int fd, const std::string& device, std::uint32_t base) {
+Result<std::uint32_t> place_in(int fd, const std::string& device, std::uint32_t base, DeviceRequest request) {
   struct stat info {};
   if (::fstat(fd, &info) != 0) return cannot_open(device, errno);
   if (S_ISDIR(info.st_mode)) return cannot_open(device, EISDIR);
   if (!S_ISREG(info.st_mode)) {
-    if (ask_for_short_space(fd) == 0 || errno == ENOTTY || errno == EINVAL) return base;
+    if (ask_for_short_space(fd, request) == 0 || errno == ENOTTY || errno == EINVAL) return base;
     return fail(
         FaultKind::port,
         fmt::format("{} gives no window onto the short address space: {}.", device, std::strerror(errno)),
@@ -209,9 +210,9 @@ Result<std::uint32_t> place_in(int fd, const std::string& device, std::uint32_t 
 }
 
 Result<std::unique_ptr<Window>> map_window(Scheduler& scheduler, int fd, const std::string& device,
-                                           std::uint32_t base) {
+                                           std::uint32_t base, DeviceRequest request) {
   if (::flock(fd, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) return held_elsewhere(device);
-  const auto offset = place_in(fd, device, base);
+  const auto offset = place_in(fd, device, base, request);
   if (!offset) return fail(offset.error());
   void* memory = ::mmap(nullptr, window_bytes, PROT_READ | PROT_WRITE, MAP_SHARED, fd, *offset);
   if (memory == MAP_FAILED)
@@ -224,14 +225,14 @@ Result<std::unique_ptr<Window>> map_window(Scheduler& scheduler, int fd, const s
 }  // namespace
 
 Result<std::unique_ptr<Window>> open_vme_device(Scheduler& scheduler, const std::string& device,
-                                                std::uint32_t base) {
+                                                std::uint32_t base, DeviceRequest request) {
   if (base % window_bytes != 0 || base >= short_space_bytes)
     return fail(FaultKind::text, fmt::format("base=0x{:X} is no place for a board.", base),
                 "Nothing was opened.",
                 "It is a multiple of 0x1000 from 0 to 0xF000, set by the board's jumpers.");
   const int fd = ::open(device.c_str(), O_RDWR | O_SYNC | O_CLOEXEC);
   if (fd < 0) return cannot_open(device, errno);
-  auto window = map_window(scheduler, fd, device, base);
+  auto window = map_window(scheduler, fd, device, base, request ? request : ask_the_kernel);
   if (!window) ::close(fd);
   return window;
 }

@@ -26,6 +26,18 @@ class Ring {
     tail_.store(tail + 1, std::memory_order_release);
     return true;
   }
+  /// The same without a copy: `fill` writes into the slot, where the memory of an earlier item is used again.
+  template <class Fill>
+  bool push_in_place(Fill&& fill) {
+    const auto tail = tail_.load(std::memory_order_relaxed);
+    if (tail - head_.load(std::memory_order_acquire) == slots_.size()) {
+      lost_.fetch_add(1, std::memory_order_relaxed);
+      return false;
+    }
+    fill(slots_[tail & (slots_.size() - 1)]);
+    tail_.store(tail + 1, std::memory_order_release);
+    return true;
+  }
   /// Reader thread: hands each waiting item, oldest first, to `take`.
   template <class Take>
   std::size_t drain(Take&& take) {

@@ -3,11 +3,13 @@
 // panels know no device by name. Built once per open controller (its options may change the number of axes),
 // immutable afterwards, read by any thread.
 #include <cstdint>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "core/base/units.h"
+#include "core/time/clock.h"
 
 namespace hw {
 
@@ -203,9 +205,9 @@ enum class LampColour : std::uint8_t { green, yellow, red };
 struct BenchButton {
   std::string name;  ///< "Run", "1-"
   bool moves = false;
-  int row = 0;         ///< on its front panel
-  int supply = 0;      ///< on whose front panel
-  bool stops = false;  ///< a Stop: drawn as one
+  int row = 0;               ///< on its front panel
+  int supply = 0;            ///< on whose front panel
+  bool stops = false;        ///< a Stop: drawn as one
   std::string caption = {};  ///< over it and its neighbours of the same caption: "Motor 1"
 };
 struct BenchLamp {
@@ -253,6 +255,7 @@ struct Catalog {
   std::string step_word = "steps";
   std::string loop_word;  ///< of an axis whose AxisState::in_counts is set: "counts"
   std::vector<OptionInfo> options;
+  std::map<std::string, std::string> made_from;  ///< options of the address that make it another than usual
   std::vector<AxisInfo> axes;
   std::vector<UnitChoice> units;
   std::vector<HomingMode> homing_modes;
@@ -269,7 +272,9 @@ struct Catalog {
   std::vector<MemoryCell> memory;  ///< where Capabilities::memory_map
   std::vector<MemoryRing> memory_rings;
   int memory_readout_group = -1;  ///< watched while the window is shown: its rings are read then too
+  Duration servo_update{};        ///< of the servo loops, where Capabilities::servo_tuning
   int queue_depth = 0;            ///< entries of each axis' command queue (Snapshot::queue_free); 0: none
+  int contour_size = 0;           ///< entries of a contour, where Capabilities::contours
   std::vector<CommandInfo> commands;
   std::string command_separators;  ///< characters between the commands of one line; empty: one command a line
   ProgramFacts program;

@@ -65,9 +65,10 @@ struct Rehearsal {
 };
 struct RehearseOptions {
   double for_seconds = 3600;
-  int slot = 0;            ///< the program that is started
-  std::string bench_toml;  ///< a bench file's text, or empty
-  int axes = 0;            ///< 0: as few as the text needs
+  int slot = 0;                               ///< the program that is started
+  std::string bench_toml;                     ///< a bench file's text, or empty
+  int axes = 0;                               ///< 0: as few as the text needs
+  std::map<std::string, std::string> device;  ///< Catalog::made_from of the controller that it is meant for
   /// Where the counters stand at the start, by axis; those that are missing: 0, as after power-up.
   std::vector<std::int64_t> start_at;
 };
@@ -77,7 +78,8 @@ class Language {
   virtual ~Language() = default;
   /// `slot`: where text before the first program heading belongs.
   [[nodiscard]] virtual ProgramReport analyse(std::string_view text, int slot) const = 0;
-  /// Dry run from the power-up state (but for `start_at`), in virtual time. Pure and long: for a worker thread.
+  /// Dry run from the power-up state (but for `start_at`), in virtual time. Pure and long: for a worker
+  /// thread.
   [[nodiscard]] virtual Result<Rehearsal> rehearse(std::string_view text,
                                                    const RehearseOptions& options) const = 0;
 };

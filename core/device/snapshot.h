@@ -222,6 +222,10 @@ struct AxisSample {
   bool moving = false;
   Steps command{}, encoder{};  ///< where it is sent, where it is
   Pps velocity{};              ///< commanded, without sign
+  /// Of what the drive output can give, -100 to 100. Worked out by the console from error, speed and gains:
+  /// no controller of ours tells it. Known while all gains are.
+  float output_percent = 0;
+  bool output_known = false;
 };
 
 /// Things that must not be lost: they travel in a ring beside the snapshots.

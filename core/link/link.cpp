@@ -101,7 +101,7 @@ void Link::start_next() {
       return;
     }
     in_flight_ = queue.front();
-    queue.pop_front();
+    queue.erase(queue.begin());
     break;
   }
   if (!in_flight_) return;
@@ -131,6 +131,12 @@ void Link::start_next() {
 Duration Link::patience_for(const Transaction& t) const {
   if (!t.prompt || station_count() < 2 || prompt_answers_ < prompt_answers_needed) return t.patience;
   return std::min(t.patience, std::max(least_patience, 3 * slowest_prompt_));
+}
+
+bool Link::answer_owed() const {
+  const Instant now = scheduler_.now();
+  return now < left_owing_until_ || std::any_of(stations_.begin(), stations_.end(),
+                                                [&](const Station* s) { return now < s->owes_until_; });
 }
 
 void Link::learn_from_answer(const Transaction& t, std::size_t answer_bytes) {
@@ -169,7 +175,10 @@ void Link::on_deadline() {
   StationStatistics& statistics = in_flight_->station.statistics_;
   ++statistics.timeouts;
   ++statistics.misses_in_a_row;
-  settle_until_ = scheduler_.now() + settle_time;
+  if (!in_flight_->transaction.names_itself) {
+    settle_until_ = scheduler_.now() + settle_time;
+    in_flight_->station.owes_until_ = scheduler_.now() + longest_delay;
+  }
   Fault fault(FaultKind::no_answer, "The controller did not answer in time.");
   if (!received_.empty()) {
     fault = Fault(FaultKind::garbled, "The controller's answer stopped in the middle.",
@@ -198,7 +207,7 @@ void Link::bytes_arrived(std::string_view bytes) {
 
 // False: what came in cannot be told from a reply yet.
 bool Link::strip_strangers() {
-  const auto stranger = in_flight_->transaction.stranger;
+  const auto& stranger = in_flight_->transaction.stranger;
   if (!stranger) return true;
   std::size_t length = 0, next = 0;
   while (length < received_.size() && (next = stranger(std::string_view(received_).substr(length))) > 0) {
@@ -298,11 +307,13 @@ void Link::leave(Station& station, const Fault& why) {
       end(*p, lost());
       return true;
     });
+  left_owing_until_ = std::max(left_owing_until_, station.owes_until_);
   if (!in_flight_ || &in_flight_->station != &station) return;
   deadline_.disarm();
   if (window_) window_->abandon();
   end(*std::exchange(in_flight_, nullptr), lost());
   settle_until_ = scheduler_.now() + settle_time;  // its answer may still come
+  left_owing_until_ = scheduler_.now() + longest_delay;
   start_next();
 }
 

@@ -4,7 +4,7 @@
 // deadline. Bytes nobody asked for go to the station that understands them. A wire is a stream of bytes or a
 // window onto a bus, where a transaction is a burst of cycles. Io thread only.
 #include <array>
-#include <deque>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -33,11 +33,13 @@ struct Transaction {
   /// the answer as soon as it has lasted three times as long as the slowest such answer of late, so that one
   /// that is switched off does not hold up the others; never before 50 ms, never after `patience`.
   bool prompt = false;
+  /// The answer shows who gave it, so that it is taken for no other's however late it comes.
+  bool names_itself = false;
   /// What the console asks for itself about the state: recorded as a poll, however urgent it is.
   bool own_question = false;
   /// How many bytes at the front of what came in are messages of their own and no part of the reply (a prompt
   /// that crossed the question): they are given to `unsolicited`. npos: more must come to tell. Null: none.
-  std::size_t (*stranger)(std::string_view received) = nullptr;
+  std::function<std::size_t(std::string_view received)> stranger;
 
   Transaction() = default;
   Transaction(std::string b, ReplyShape r, Priority p) : bytes(std::move(b)), reply(r), priority(p) {}
@@ -69,8 +71,9 @@ class Link final : public std::enable_shared_from_this<Link>,
   friend class Station;
   struct Pending;
   static constexpr Duration settle_time = Millis(50);
-  static constexpr Duration least_patience = Millis(50);  ///< adapters hand bytes over in pieces
-  static constexpr int prompt_answers_needed = 16;        ///< before the wire is known
+  static constexpr Duration longest_delay = std::chrono::seconds(3);  ///< of an answer that still comes
+  static constexpr Duration least_patience = Millis(50);              ///< adapters hand bytes over in pieces
+  static constexpr int prompt_answers_needed = 16;                    ///< before the wire is known
 
   // for stations
   void join(Station& station);
@@ -79,6 +82,7 @@ class Link final : public std::enable_shared_from_this<Link>,
   Task<Result<>> run(Station& station, std::span<BusCycle> cycles, Priority priority);
   void drop_procedures(Station& station);
   [[nodiscard]] Duration patience_for(const Transaction& transaction) const;
+  [[nodiscard]] bool answer_owed() const;
   void learn_from_answer(const Transaction& transaction, std::size_t answer_bytes);
 
   void bytes_arrived(std::string_view bytes) override;
@@ -103,14 +107,15 @@ class Link final : public std::enable_shared_from_this<Link>,
   std::vector<Station*> stations_;
   Station* spoke_last_ =
       nullptr;  ///< whose transaction was last on the wire; what makes no sense is told to it
-  std::array<std::deque<Pending*>, 4> waiting_;
+  std::array<std::vector<Pending*>, 4> waiting_;  ///< by priority; few, and they keep their memory
   Pending* in_flight_ = nullptr;
   std::string received_;
   Instant sent_at_{};
   /// From the end of the question to the answer, beyond its bytes; forgets slowly.
   Duration slowest_prompt_{};
   int prompt_answers_ = 0;
-  Instant settle_until_{};  ///< after a miss: a late reply must not be taken for the next one's
+  Instant settle_until_{};      ///< after a miss: a late reply must not be taken for the next one's
+  Instant left_owing_until_{};  ///< the same of a station that has left
   Timer deadline_;
   Timer settled_;
   Timer unfinished_;

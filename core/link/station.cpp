@@ -38,6 +38,9 @@ void Station::begin_stop() {
   if (link_) link_->drop_procedures(*this);
 }
 
+bool Station::owes_answer() const { return link_ && link_->scheduler_.now() < owes_until_; }
+bool Station::answer_owed_on_wire() const { return link_ && link_->answer_owed(); }
+
 Result<> Station::set_rate(int baud) {
   if (!link_) return fail(no_connection());
   if (!link_->stream_) return {};
@@ -50,12 +53,12 @@ void Station::close(const Fault& why) {
 
 void Station::record(Instant at, Way way, TrafficKind kind, std::string_view bytes) {
   if (!traffic_) return;
-  TrafficEntry entry;
-  entry.at = at;
-  entry.way = way;
-  entry.kind = kind;
-  entry.bytes = bytes;
-  traffic_->push(std::move(entry));
+  traffic_->push_in_place([&](TrafficEntry& entry) {
+    entry.at = at;
+    entry.way = way;
+    entry.kind = kind;
+    entry.bytes = bytes;
+  });
 }
 
 void Station::count(const Result<std::string>& result, bool question, bool poll, Duration round_trip,

@@ -52,6 +52,12 @@ class Station {
 
   [[nodiscard]] const StationStatistics& statistics() const { return statistics_; }
   [[nodiscard]] bool is_open() const { return link_ != nullptr; }
+  /// This device was asked and did not answer in time: the answer may still come, and look like another's.
+  [[nodiscard]] bool owes_answer() const;
+  /// The same of any device on this wire: what is heard now may be somebody else's, or of an older question.
+  [[nodiscard]] bool answer_owed_on_wire() const;
+  /// This device has said what only it could say, now: whatever it owed has come before.
+  void has_caught_up() { owes_until_ = {}; }
   /// Line rate in baud; 0: the wire has none, or is gone.
   [[nodiscard]] int rate() const { return link_ ? link_->rate() : 0; }
   /// The wire carries whole messages to this one device (Stream::carries_messages).
@@ -76,6 +82,7 @@ class Station {
   std::shared_ptr<Link> link_;
   TrafficRing* traffic_;
   StationStatistics statistics_;
+  Instant owes_until_{};
   Instant second_began_{};
   int polls_this_second_ = 0;
   bool stopping_ = false;

@@ -16,7 +16,7 @@ struct TrafficEntry {
   Instant at{};
   Way way = Way::sent;
   TrafficKind kind = TrafficKind::intent;
-  std::string bytes;  ///< as on the wire; up to 15 bytes need no allocation
+  std::string bytes;  ///< as on the wire; a slot of the ring keeps its memory
 };
 
 using TrafficRing = Ring<TrafficEntry>;

@@ -15,6 +15,16 @@ constexpr double derivative_scale = 8, acceleration_scale = 64, integral_scale =
 
 }  // namespace
 
+double servo_output(const ServoGains& g, const ServoTerms& t) {
+  return g.kp * t.error + derivative_scale * g.kd * t.change + integral_scale * g.ki * t.sum +
+         derivative_scale * g.kv * t.speed + acceleration_scale * g.ka * t.acceleration + g.ko;
+}
+
+double bounded_sum(const ServoGains& gains, double sum) {
+  const double most = gains.ki > 0 ? output_limit / (gains.ki * integral_scale) : 0;
+  return std::clamp(sum, -most, most);
+}
+
 void MotorModel::set(const Motor& motor) {
   motor_ = motor;
   accel_per_nm_ = motor.counts_per_turn / (2 * std::numbers::pi) / motor.inertia;
@@ -67,7 +77,7 @@ void MotorModel::turn(double volts, double s) {
 }
 
 void ServoLoop::close(bool on) {
-  if (on != closed_) fresh_ = true, sum_ = 0, updates_ = 0, output_ = 0;
+  if (on != closed_) fresh_ = true, sum_ = 0, updates_ = 0, output_ = 0, error_ = 0, command_speed_ = 0;
   closed_ = on;
   at_rest_ = false;
 }
@@ -78,16 +88,14 @@ void ServoLoop::shift(double counts) {
 }
 
 double ServoLoop::filtered(std::int64_t change, double speed, double accel) {
-  const double without_sum =
-      gains.kp * static_cast<double>(error_) + derivative_scale * gains.kd * static_cast<double>(change) +
-      derivative_scale * gains.kv * speed + acceleration_scale * gains.ka * accel + gains.ko;
   if (++updates_ >= 1 << std::clamp(gains.kn, 0, 15)) {
     updates_ = 0;
-    // No more is summed up than the output can give.
-    const double most = gains.ki > 0 ? output_limit / (gains.ki * integral_scale) : 0;
-    sum_ = std::clamp(sum_ + static_cast<double>(error_), -most, most);
+    sum_ = bounded_sum(gains, sum_ + static_cast<double>(error_));
   }
-  return without_sum + gains.ki * integral_scale * sum_;
+  ServoTerms terms;
+  terms.error = static_cast<double>(error_), terms.change = static_cast<double>(change), terms.sum = sum_;
+  terms.speed = speed, terms.acceleration = accel;
+  return servo_output(gains, terms);
 }
 
 void ServoLoop::tick(double command, double period_s) {

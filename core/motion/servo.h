@@ -7,6 +7,9 @@
 //   output = KP error + 8 KD change(error) + KI sum / 256           steps of the converter, 0x800 = 10 V
 //          + 8 KV speed + 64 KA acceleration + KO                   counts/update, counts/update²
 //
+// servo_output() is this law, for whoever needs it: the loop here, and the console's guess at the output of a
+// board that does not tell it (servo_watch.h).
+//
 // The scale makes the data sheet's example (KP2 KD6, first example) a quiet loop for the motor that `Motor()`
 // describes, with an update each millisecond. That motor gains 6,200 counts/s² for each step of the
 // converter, loses its speed in 0.1 s when left alone, and sticks below 4 steps. What a jump of the command
@@ -34,6 +37,16 @@ struct ServoGains {
 
 inline constexpr double output_steps_per_volt = 204.8;  ///< 12 bits over +-10 V
 inline constexpr int output_limit = 2047;
+
+/// What one update of the loop works with, in counts and updates.
+struct ServoTerms {
+  double error = 0, change = 0, sum = 0;
+  double speed = 0, acceleration = 0;  ///< of the command
+};
+/// Steps of the converter, before they are rounded and cut at output_limit.
+double servo_output(const ServoGains& gains, const ServoTerms& terms);
+/// The sum goes no further than the output can follow.
+double bounded_sum(const ServoGains& gains, double sum);
 
 /// A motor with its load and amplifier, turning freely. State in counts of its encoder.
 class MotorModel {
@@ -86,6 +99,8 @@ class ServoLoop {
   void wake() { at_rest_ = false; }
 
   [[nodiscard]] std::int64_t error() const { return error_; }
+  /// Of the command, counts between the latest two updates.
+  [[nodiscard]] double command_speed() const { return command_speed_; }
   [[nodiscard]] int output() const { return output_; }  ///< steps of the converter
   [[nodiscard]] double volts() const { return output_ / output_steps_per_volt; }
 

@@ -114,8 +114,10 @@ void Event::notify() {
 }
 
 Task<> Scheduler::sleep_until(Instant when) {
-  Event never(*this);
-  co_await never.wait_until(when);
+  Suspended sleeper;
+  Timer alarm(*this, [this, &sleeper] { sleeper.resume(executor()); });
+  alarm.arm(when);
+  co_await sleeper.here();
 }
 Task<> Scheduler::sleep_for(Duration d) { co_await sleep_until(now() + d); }
 

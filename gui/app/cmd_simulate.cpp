@@ -91,6 +91,7 @@ static int simulate(const Given& given) {
 
   RehearseOptions options;
   options.for_seconds = *for_seconds;
+  options.device = program->catalog.made_from;
   if (given.has("bench")) {
     auto bench = read_bench(given.one("bench"), program->catalog);
     if (!bench) return complain(bench.error());
@@ -115,6 +116,8 @@ const Subcommand simulate_subcommand{
     "dry run of a program, in virtual time",
     {{"FILE", "the program", 1, 1}},
     {model_option,
+     {"variant", "V", "model of the board (vme58): 8S, 4S4, 8, 4E, 2S2, 2S6, 6S2, 4S or 4"},
+     {"jumpers", "GGG", "its general lines 0-3, 4-7, 8-11 (vme58): I input, O output (default IIO)"},
      {"json", "", "one JSON object instead of words"},
      bench_option,
      {"for-seconds", "N", "stop a program that does not end by then (default 3600, simulated)"}},

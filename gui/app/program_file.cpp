@@ -8,6 +8,17 @@
 
 namespace hw::app {
 
+// Of the controller as its options make it; one that has no such option does not take it.
+static Result<Catalog> catalog_for(const DeviceType& type, const Given& given) {
+  DeviceOptions keys;
+  for (const char* key : {"variant", "jumpers"})
+    if (given.has(key)) keys[key] = given.one(key);
+  auto catalog = type.make_catalog(keys);
+  if (catalog && catalog->made_from.size() < keys.size())
+    return fail(FaultKind::text, fmt::format("A {} has no --{}.", type.model, keys.begin()->first));
+  return catalog;
+}
+
 Result<ProgramFile> read_program(const Given& given) {
   if (!given.has("for"))
     return fail(FaultKind::text, "It is not said which controller the program is for.", {},
@@ -18,7 +29,7 @@ Result<ProgramFile> read_program(const Given& given) {
                 fmt::format("Known: {}.", known_models()));
   if (!type->language)
     return fail(FaultKind::port, fmt::format("Programs for the {} are not understood yet.", type->model));
-  auto catalog = type->make_catalog({});
+  auto catalog = catalog_for(*type, given);
   if (!catalog) return fail(catalog.error());
   auto file = load_text(given.words[0]);
   if (!file) {

@@ -1,45 +1,18 @@
 // Bytes on the wire, time and hands on the bench, as the fuzzer likes. The emulator may answer what it wants,
 // but it has to stay alive, keep its time going forward, and come back after a power cycle.
 #include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <cstdlib>
 #include <map>
 #include <string>
 #include <string_view>
 
 #include "core/devices/vxm/emulator.h"
+#include "tests/fuzz/bytes.h"
 
 namespace {
 
 using namespace hw;
-
-/// Takes the input apart; zeros when it is used up.
-class Bytes {
- public:
-  Bytes(const std::uint8_t* data, std::size_t size) : data_(data), size_(size) {}
-  [[nodiscard]] bool empty() const { return size_ == 0; }
-  std::uint8_t next() {
-    if (size_ == 0) return 0;
-    --size_;
-    return *data_++;
-  }
-  std::string_view text(std::size_t count) {
-    count = count < size_ ? count : size_;
-    const std::string_view taken(reinterpret_cast<const char*>(data_), count);
-    data_ += count;
-    size_ -= count;
-    return taken;
-  }
-
- private:
-  const std::uint8_t* data_;
-  std::size_t size_;
-};
-
-void require(bool condition) {
-  if (!condition) std::abort();
-}
+using fuzz::Bytes;
+using fuzz::require;
 
 BenchCommand hand(Bytes& in) {
   static constexpr const char* buttons[] = {"Run", "Stop", "1-", "1+", "2-", "2+", "3+", "Slave Run"};

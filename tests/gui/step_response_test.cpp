@@ -54,6 +54,21 @@ TEST(StepResponse, WhatDidNotSettleOrMoveSaysSo) {
   EXPECT_FALSE(measure(recorded(100, {})).any);
 }
 
+TEST(StepResponse, TheOutputIsThereWhenItWasKnownAllTheTime) {
+  StepRun run(1, AxisId{0}, Steps(-10));
+  AxisSample s;
+  s.output_known = true, s.output_percent = -61;
+  run.take(s);
+  s.output_percent = 20;
+  run.take(s);
+  ASSERT_EQ(run.output().size(), 2u);
+  EXPECT_FLOAT_EQ(run.output()[0], 61) << "in the direction of the step, as all of it";
+  EXPECT_FLOAT_EQ(run.largest_output(), 61);
+  s.output_known = false;
+  run.take(s);
+  EXPECT_TRUE(run.output().empty());
+}
+
 TEST(StepResponse, OtherAxesAreNotMixedIn) {
   StepRun run(1, AxisId{0}, Steps(10));
   AxisSample s;

@@ -341,6 +341,29 @@ TEST(ScreensOnce, EachEmulatorOffersItsOptions) {
   }
 }
 
+TEST(ScreensOnce, TheFormOffersTheOptionsOfABoard) {
+  for (const DeviceType& type : device_types()) {
+    const auto catalog = type.make_catalog({});
+    ASSERT_TRUE(catalog.has_value());
+    if (!catalog->can.window) continue;
+    ConsoleStage s;
+    s.run(0.1);
+    const auto click = [&](const std::string& id) {
+      const auto done = s.hand.click(id);
+      ASSERT_TRUE(done.has_value()) << id << ": " << done.error().sentence();
+      s.run(0.1);
+    };
+    click("connect/form/model");
+    click("connect/form/model/" + catalog->short_name);
+    for (const OptionInfo& option : catalog->options) {
+      click("connect/form/" + option.key);
+      click("connect/form/" + option.key + "/" + option.choices[1].second);
+      const std::string wanted = "," + option.key + "=" + option.choices[1].first;
+      EXPECT_NE(s.stage.find("connect/form/address")->value.find(wanted), std::string::npos) << wanted;
+    }
+  }
+}
+
 TEST(ScreensOnce, NarrowWindowHasJogAndSignalsAsTabs) {
   ConsoleStage s(720, 450);
   Example& a = s.add();

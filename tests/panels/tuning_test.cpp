@@ -30,6 +30,8 @@ struct TuningTest : ::testing::Test {
       one.axis = static_cast<std::uint8_t>(axis);
       one.command = Steps(1000 + (i >= 10 ? step : 0));
       one.encoder = Steps(1000 + (i >= 10 ? std::lround(step * (1 - swing)) : 0));
+      one.output_known = output_known;
+      one.output_percent = static_cast<float>(i >= 10 ? step * swing / 8 : 0);
       panel.take(one);
       if (i == 0) s.stage.frames(2);
     }
@@ -40,6 +42,7 @@ struct TuningTest : ::testing::Test {
   Tuning panel;
   test::PanelStage s{panel, 864, 620, 1, gui::Tier::wide, true, test::window_catalog()};
   Instant at{};
+  bool output_known = false;
 };
 
 TEST_F(TuningTest, AStepIsRecordedBeforeItIsMade) {
@@ -65,6 +68,20 @@ TEST_F(TuningTest, ItIsMeasured) {
   EXPECT_THAT(s.value("tuning/measure/steady"), HasSubstr(" counts"));
   EXPECT_EQ(s.value("tuning/plot"), "250 samples, command 400, encoder 400");
   EXPECT_EQ(s.reason("tuning/record"), "");
+}
+
+TEST_F(TuningTest, TheOutputIsShownAsWorkedOutAndOnlyWhereItIsKnown) {
+  s.click("tuning/record");
+  samples(0.5);
+  EXPECT_FALSE(s.stage.find("tuning/output")) << "a gain is not known";
+  output_known = true;
+  for (const int step : {400, -400}) {
+    s.click("tuning/record");
+    samples(0.5, 0, step);
+    EXPECT_EQ(s.value("tuning/output"), "worked out, not read: at most 50 %");
+  }
+  s.click("tuning/record");
+  EXPECT_TRUE(s.stage.find("tuning/output")) << "nothing jumps while the next one begins";
 }
 
 TEST_F(TuningTest, TheNextRunIsComparedWithTheOneBefore) {

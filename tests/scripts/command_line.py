@@ -619,6 +619,16 @@ class Simulate(Case):
         result, _ = self.simulate("I1M4000\n", "--bench", bad)
         self.expect(result, 1, "bad.toml:1:1", 'no axis "9"')
 
+    def test_on_the_model_that_is_named(self):
+        file = self.file("a.vme", "AU KP2\nAX MR10 GO ID\n")
+        self.expect(run("simulate", file, "--for", "vme58"), 0, "axis X: ends at 10")
+        self.expect(run("simulate", file, "--for", "vme58", "--variant", "4S4"), 1, "KP2")
+        self.expect(run("simulate", file, "--for", "vme58", "--variant", "9S"), 2, "variant=9S")
+        self.expect(run("simulate", self.file("b.vme", "BL3\n"), "--for", "vme58"), 1, "BL3")
+        self.expect(run("simulate", self.file("b.vme", "BL3\n"), "--for", "vme58", "--jumpers", "OIO"), 0)
+        self.expect(run("simulate", self.file("a.vxm", "I1M4\n"), "--for", "vxm", "--variant", "4S4"), 2,
+                    "no --variant")
+
     def test_words(self):
         result = run("simulate", self.file("a.vxm", "I1M400\n"), "--for", "vxm")
         self.expect(result, 0, "ends after", "axis 1: ends at 400")

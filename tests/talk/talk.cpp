@@ -80,11 +80,13 @@ Result<AxisPlace> place(const std::vector<std::string>& words) {
       p.minus = steps;
     } else if (key == "plus") {
       p.plus = steps;
+    } else if (key == "index_every") {
+      p.index_every = steps;
     } else if (const auto dots = value.find(".."); key == "home" && dots != std::string::npos) {
       p.home_from = steps;
       p.home_to = Steps(std::atoll(value.c_str() + dots + 2));
     } else {
-      return fail(FaultKind::text, "place knows minus=N, plus=N and home=FROM..TO");
+      return fail(FaultKind::text, "place knows minus=N, plus=N, home=FROM..TO and index_every=N");
     }
   }
   return p;
@@ -113,6 +115,8 @@ Result<std::vector<BenchCommand>> hands(std::string_view text) {
     all.push_back(bench::HomeSwitch(axis(words[1]), last == "on"));
   } else if (what == "analog" && words.size() == 3) {
     all.push_back(bench::Analog(std::atoi(words[1].c_str()), std::atoi(last.c_str())));
+  } else if (what == "alarm" && words.size() == 3) {
+    all.push_back(bench::Alarm(axis(words[1]), last == "on"));
   } else if (what == "jam" && words.size() == 3) {
     all.push_back(bench::Jam(axis(words[1]), last == "on"));
   } else if (what == "slip" && words.size() == 3) {

@@ -12,7 +12,8 @@
 //
 // Escapes: \r \n \0 \\ \xNN. Bytes that came and were not expected fail the next `>` and the end.
 // Bench: input N low|high, button NAME down|up|click, limit AXIS +|- on|off, home AXIS on|off, analog N
-// VALUE, jam AXIS on|off, slip AXIS COUNTS, power cycle, place AXIS [minus=N] [plus=N] [home=FROM..TO].
+// VALUE, alarm AXIS on|off, jam AXIS on|off, slip AXIS COUNTS, power cycle, place AXIS [minus=N] [plus=N]
+// [home=FROM..TO] [index_every=N].
 #include <string>
 #include <string_view>
 #include <vector>

@@ -7,12 +7,9 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "core/device/pump.h"
-#include "core/session/shared_wire.h"
-#include "core/time/virtual_scheduler.h"
+#include "tests/transports/bus_stage.h"
 #include "tests/transports/ear.h"
 #include "tests/transports/toy_bus.h"
-#include "transports/serve.h"
 
 namespace hw {
 namespace {
@@ -24,58 +21,28 @@ std::unique_ptr<Driver> make_driver(DriverContext context) {
   return std::make_unique<test::BusToyDriver>(std::move(context));
 }
 
-class Bus : public ::testing::Test {
+class Bus : public ::testing::Test, protected test::BusStage {
  protected:
   static constexpr int devices = 30;
-
-  struct Member {
-    Catalog catalog;
-    Snapshot latest;
-    TrafficRing traffic{1 << 12};
-    std::unique_ptr<Pump> pump;
-  };
 
   void SetUp() override {
     type.make_driver = &make_driver;
     std::vector<HostedDevice> toys;
+    for (int i = 1; i <= devices; ++i)
+      toys.push_back(HostedDevice{id_of(i), std::make_unique<BusToy>(id_of(i))});
+    serve(std::move(toys));
     for (int i = 1; i <= devices; ++i) {
-      const std::string id = {static_cast<char>('0' + i / 10), static_cast<char>('0' + i % 10)};
-      toys.push_back(HostedDevice{id, std::make_unique<BusToy>(id)});
-      members.push_back(std::make_unique<Member>());
-      members.back()->catalog.address = i;
-      members.back()->catalog.axes.push_back({"X", "motor"});
+      Catalog catalog;
+      catalog.address = i;
+      catalog.axes.push_back({"X", "motor"});
+      connect(type, std::move(catalog));
     }
-    HostOptions options;
-    options.byte_times = true;
-    host = *EmulatorHost::make(time, std::move(toys), options);
-    wire = std::make_shared<SharedWire>(
-        time, Address(), [this](Scheduler&, Address, std::shared_ptr<BenchAccess>) { return open(); });
-    for (const auto& member : members) start(*member);
     run(1);
   }
   void TearDown() override {
-    for (const auto& member : members) asio::co_spawn(io, member->pump->shut_down(), asio::detached);
-    run(1);
+    close_all();
     for (const auto& member : members) EXPECT_EQ(member->latest.link.state, LinkState::closed);
   }
-  void start(Member& member) {
-    Pump::Ways ways;
-    ways.open_wire = [this] { return wire->link(); };
-    ways.publish = [&member](const Snapshot& s) { member.latest = s; };
-    ways.notify = [](Notice) {};
-    ways.traffic = &member.traffic;
-    member.pump = std::make_unique<Pump>(time, type, member.catalog, std::move(ways));
-    member.pump->start();
-  }
-  Task<Result<Wire>> open() {
-    ++opened;
-    auto stream = host->plug_in();
-    if (!stream) co_return fail(stream.error());
-    Wire opened_wire;
-    opened_wire.stream = std::move(*stream);
-    co_return opened_wire;
-  }
-  void run(double s) { time.run_for(from_seconds(s)); }
   const BusToy& toy(int i) {
     return static_cast<const BusToy&>(host->bench(static_cast<std::size_t>(i))->emulator());
   }
@@ -84,24 +51,8 @@ class Bus : public ::testing::Test {
     for (int i = 0; i < devices; ++i) all.push_back(toy(i).polls);
     return all;
   }
-  // Everything that went out since the last call, by its time.
-  std::vector<TrafficEntry> sent() {
-    std::vector<TrafficEntry> all;
-    for (const auto& member : members)
-      member->traffic.drain([&](TrafficEntry& e) {
-        if (e.way == Way::sent) all.push_back(e);
-      });
-    std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.at < b.at; });
-    return all;
-  }
 
-  IoContext io;
-  VirtualScheduler time{io};
   DeviceType type{};
-  std::shared_ptr<EmulatorHost> host;
-  std::shared_ptr<SharedWire> wire;
-  std::vector<std::unique_ptr<Member>> members;
-  int opened = 0;
 };
 
 TEST_F(Bus, EachOfThirtyIsPolledAsOftenAsTheOthersAndTheWireIsNeverIdle) {
@@ -127,7 +78,7 @@ TEST_F(Bus, AStopWaitsForNoMoreThanTheTransactionOnTheWire) {
     members[static_cast<std::size_t>(device)]->pump->post(Intent(1, intent::Stop()));
     run(0.02);
     int before_it = 0;
-    for (const TrafficEntry& e : sent()) {
+    for (const auto& [member, e] : sent()) {
       if (e.kind == TrafficKind::stop) {
         EXPECT_LT(e.at - asked_at, 11 * byte_time(115200)) << "device " << device;
         break;
@@ -145,7 +96,7 @@ TEST_F(Bus, AStopOfAllIsOneMessageAndThenEachDevice) {
   for (const auto& member : members) member->pump->post(Intent(1, intent::Stop()));
   run(0.5);
   std::vector<std::string> stops;
-  for (const TrafficEntry& e : sent())
+  for (const auto& [member, e] : sent())
     if (e.kind == TrafficKind::stop) stops.push_back(e.bytes);
   ASSERT_EQ(stops.size(), 31u);
   EXPECT_EQ(stops.front(), "@00S\r");

@@ -5,11 +5,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/device/pump.h"
 #include "core/device/registry.h"
-#include "core/session/shared_wire.h"
-#include "core/time/virtual_scheduler.h"
-#include "transports/serve.h"
+#include "tests/transports/bus_stage.h"
+#include "tests/transports/late_emulator.h"
 
 namespace hw {
 namespace {
@@ -17,97 +15,44 @@ namespace {
 using testing::AllOf;
 using testing::AnyOf;
 using testing::HasSubstr;
+using testing::IsEmpty;
 
-class DmxBus : public ::testing::Test {
+class DmxBus : public ::testing::Test, protected test::BusStage {
  protected:
-  struct Member {
-    Catalog catalog;
-    Snapshot latest;
-    TrafficRing traffic{1 << 16};
-    std::unique_ptr<Pump> pump;
-    std::vector<std::string> notices;
-    [[nodiscard]] std::string sentence() const { return std::string(latest.link.sentence.view()); }
-  };
-
   /// Names as they are on the line: two may be equal.
   void build(const std::vector<std::string>& names) {
     std::vector<HostedDevice> devices;
     for (std::size_t i = 0; i < names.size(); ++i) {
-      auto emulator = type->make_emulator({{"id", names[i]}}).value();
+      auto emulator = std::make_unique<test::LateEmulator>(type->make_emulator({{"id", names[i]}}).value());
       emulator->receive("@" + names[i] + "DB=5\r@" + names[i] + "STORE\r");
       ASSERT_TRUE(emulator->operate(bench::PowerCycle()));
       std::string said;
       emulator->take_output(said);
+      emulators.push_back(emulator.get());
       devices.push_back(HostedDevice{std::to_string(i), std::move(emulator)});
     }
-    HostOptions options;
-    options.byte_times = true;
-    host = *EmulatorHost::make(time, std::move(devices), options);
-    wire = std::make_shared<SharedWire>(
-        time, Address(), [this](Scheduler&, Address, std::shared_ptr<BenchAccess>) { return open(); });
+    serve(std::move(devices));
   }
   Member& connect(const std::string& id) {
-    auto member = std::make_unique<Member>();
-    member->catalog = type->make_catalog({{"id", id}}).value();
-    Pump::Ways ways;
-    ways.open_wire = [this] { return wire->link(); };
-    ways.publish = [m = member.get()](const Snapshot& s) { m->latest = s; };
-    ways.notify = [m = member.get()](Notice n) { m->notices.push_back(std::move(n.text)); };
-    ways.traffic = &member->traffic;
-    member->pump = std::make_unique<Pump>(time, *type, member->catalog, std::move(ways));
-    member->pump->start();
-    members.push_back(std::move(member));
-    return *members.back();
+    return BusStage::connect(*type, type->make_catalog({{"id", id}}).value());
   }
-  void build_thirty() {
+  void build_and_connect(int count) {
     std::vector<std::string> names;
-    for (int i = 1; i <= 30; ++i)
-      names.push_back({static_cast<char>('0' + i / 10), static_cast<char>('0' + i % 10)});
+    for (int i = 1; i <= count; ++i) names.push_back(id_of(i));
     build(names);
     for (const std::string& name : names) connect(name);
     run(5);  // each has been read once
     for (const auto& member : members)
       ASSERT_EQ(member->latest.link.state, LinkState::good) << member->sentence();
   }
-  void TearDown() override {
-    for (const auto& member : members) asio::co_spawn(io, member->pump->shut_down(), asio::detached);
-    run(3);
-  }
-  Task<Result<Wire>> open() {
-    auto stream = host->plug_in();
-    if (!stream) co_return fail(stream.error());
-    Wire opened_wire;
-    opened_wire.stream = std::move(*stream);
-    co_return opened_wire;
-  }
-  void run(double s) { time.run_for(from_seconds(s)); }
-
-  struct Question {
-    Instant at;
-    std::size_t member;
-    bool is_round;  ///< begins a round of status
-  };
-  /// What has gone out since the last call, by its time.
-  std::vector<Question> sent() {
-    std::vector<Question> all;
-    for (std::size_t i = 0; i < members.size(); ++i)
-      members[i]->traffic.drain([&](const TrafficEntry& e) {
-        if (e.way == Way::sent) all.push_back({e.at, i, e.bytes.find("MST") != std::string::npos});
-      });
-    std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.at < b.at; });
-    return all;
-  }
+  void TearDown() override { close_all(); }
 
   const DeviceType* type = find_device_type("dmx-k-sa");
-  IoContext io;
-  VirtualScheduler time{io};
-  std::shared_ptr<EmulatorHost> host;
-  std::shared_ptr<SharedWire> wire;
-  std::vector<std::unique_ptr<Member>> members;
+  std::vector<test::LateEmulator*> emulators;
 };
 
 TEST_F(DmxBus, OneThatIsSwitchedOffTakesLittleFromTheOthers) {
-  build_thirty();
+  build_and_connect(30);
   constexpr std::size_t dead = 12;
   ASSERT_TRUE(host->bench(dead)->operate(bench::Power(false)));
   run(5);
@@ -119,8 +64,9 @@ TEST_F(DmxBus, OneThatIsSwitchedOffTakesLittleFromTheOthers) {
   Duration silence{};
   const auto all = sent();
   for (std::size_t i = 0; i + 1 < all.size(); ++i) {
-    rounds[all[i].member] += all[i].is_round ? 1 : 0;
-    if (all[i].member == dead) silence += all[i + 1].at - all[i].at;
+    const bool begins_round = all[i].entry.bytes.find("MST") != std::string::npos;
+    rounds[all[i].member] += begins_round ? 1 : 0;
+    if (all[i].member == dead) silence += all[i + 1].entry.at - all[i].entry.at;
   }
   EXPECT_LT(seconds(silence), 0.03 * span) << "of the line's time";
   EXPECT_GT(seconds(silence), 0) << "it is asked again and again";
@@ -135,7 +81,7 @@ TEST_F(DmxBus, OneThatIsSwitchedOffTakesLittleFromTheOthers) {
 }
 
 TEST_F(DmxBus, AStopWaitsNoLongerForASilentOneThanItsPatience) {
-  build_thirty();
+  build_and_connect(30);
   constexpr std::size_t dead = 12;
   ASSERT_TRUE(host->bench(dead)->operate(bench::Power(false)));
   members[dead]->traffic.drain([](const TrafficEntry&) {});
@@ -166,6 +112,42 @@ TEST_F(DmxBus, TwoWithOneNameAreNotTakenForADevice) {
   EXPECT_THAT(member.sentence(), HasSubstr("Connect one"));
   EXPECT_FALSE(member.latest.axes[0].position_known);
 }
+
+// Replies carry no address: what comes late looks like the answer to the question that is asked just then.
+class LateAnswers : public DmxBus, public testing::WithParamInterface<int> {};
+
+TEST_P(LateAnswers, AreTakenForNobodyElses) {
+  build_and_connect(4);
+  std::vector<std::string> wrong;
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    Member& member = *members[i];
+    const Steps own(1000 * static_cast<int>(i + 1));
+    member.pump->post(Intent(1, intent::SetPosition(0, own)));
+    run(1);
+    ASSERT_EQ(member.latest.axes[0].position, own);
+    member.published = [&wrong, &member, own](const Snapshot& s) {
+      const AxisState& axis = s.axes[0];
+      if (axis.position_known && (axis.position != own || axis.speed != Pps{} || axis.alarm))
+        wrong.push_back(member.catalog.id() + " at " + std::to_string(axis.position.value));
+    };
+  }
+  const Millis delay(GetParam());
+  constexpr int phases = 12;
+  for (int phase = 0; phase < phases; ++phase) {
+    test::LateEmulator& late = *emulators[static_cast<std::size_t>(phase) % emulators.size()];
+    late.be_late(1 + phase % 3, delay);
+    run(7 + 0.017 * phase);
+    ASSERT_TRUE(late.was_late());
+  }
+  EXPECT_THAT(wrong, IsEmpty());
+  for (const auto& member : members) {
+    EXPECT_EQ(member->latest.link.state, LinkState::good) << member->sentence();
+    EXPECT_THAT(member->notices, IsEmpty());
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(ByMilliseconds, LateAnswers,
+                         testing::Values(60, 95, 105, 120, 150, 200, 300, 450, 700, 1000, 1500, 2500));
 
 // A second one gets the name of the first while both are connected, as a careless STORE and a power cut do
 // it.

@@ -11,7 +11,8 @@
 
 #include "core/device/registry.h"
 #include "core/time/virtual_scheduler.h"
-#include "tests/talk/talk.h"
+#include "tests/core/device/emulator_around.h"
+#include "tests/talk/talk_test.h"
 #include "transports/pty_endpoint.h"
 #include "transports/serve.h"
 
@@ -21,12 +22,12 @@ namespace {
 using namespace std::chrono_literals;
 
 /// Counts the bytes both ways, to know when a kernel's buffer holds none of them any more.
-class Counted final : public Emulator {
+class Counted final : public test::EmulatorAround {
  public:
   struct Bytes {
     std::size_t heard = 0, said = 0;
   };
-  Counted(std::unique_ptr<Emulator> inner, Bytes& bytes) : inner_(std::move(inner)), bytes_(bytes) {}
+  Counted(std::unique_ptr<Emulator> inner, Bytes& bytes) : EmulatorAround(std::move(inner)), bytes_(bytes) {}
 
   void receive(std::string_view text) override {
     bytes_.heard += text.size();
@@ -37,19 +38,8 @@ class Counted final : public Emulator {
     inner_->take_output(sink);
     bytes_.said += sink.size() - before;
   }
-  [[nodiscard]] std::optional<Instant> next_event() const override { return inner_->next_event(); }
-  void advance_to(Instant now) override { inner_->advance_to(now); }
-  Result<> operate(const BenchCommand& command) override { return inner_->operate(command); }
-  void look(BenchView& view) const override { inner_->look(view); }
-  [[nodiscard]] const std::vector<TriggerPulse>& pulses() const override { return inner_->pulses(); }
-  [[nodiscard]] int rate() const override { return inner_->rate(); }
-  [[nodiscard]] std::string save_memory() const override { return inner_->save_memory(); }
-  Result<> load_memory(std::string_view text) override { return inner_->load_memory(text); }
-  [[nodiscard]] std::uint64_t memory_version() const override { return inner_->memory_version(); }
-  [[nodiscard]] std::unique_ptr<Emulator> clone() const override { return inner_->clone(); }
 
  private:
-  std::unique_ptr<Emulator> inner_;
   Bytes& bytes_;
 };
 
@@ -148,38 +138,25 @@ class PtyPartner final : public talk::Partner {
   std::string came_;
 };
 
-// "vxm/status": a folder of tests/talk has the name of its model.
 std::vector<std::string> transcripts() {
   std::vector<std::string> names;
   for (const DeviceType& type : device_types()) {
-    const std::filesystem::path folder = std::filesystem::path(HW_TEST_DIR "/talk") / type.model;
     const auto catalog = type.make_catalog({});
-    if (!std::filesystem::exists(folder) || (catalog && catalog->can.window)) continue;  // no line to speak over
-    for (const auto& entry : std::filesystem::directory_iterator(folder))
-      if (entry.path().extension() == ".talk")
-        names.push_back(std::string(type.model) + "/" + entry.path().stem().string());
+    if (catalog && catalog->can.window) continue;  // no line to speak over
+    const auto of_model = talk::transcripts(type.model);
+    names.insert(names.end(), of_model.begin(), of_model.end());
   }
-  std::sort(names.begin(), names.end());
   return names;
 }
 
 class TalkOverPty : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(TalkOverPty, GoesAsWritten) {
-  const std::string path = HW_TEST_DIR "/talk/" + GetParam() + ".talk";
-  const auto transcript = talk::read(path);
-  ASSERT_TRUE(transcript.has_value()) << transcript.error().sentence();
   const DeviceType& type = *find_device_type(GetParam().substr(0, GetParam().find('/')));
-  PtyPartner partner(type, DeviceOptions(transcript->options.begin(), transcript->options.end()));
-  for (const std::string& failure : talk::run(*transcript, partner)) ADD_FAILURE() << path << ", " << failure;
+  talk::goes_as_written(GetParam(), [&](const DeviceOptions& options) { return PtyPartner(type, options); });
 }
 
-INSTANTIATE_TEST_SUITE_P(Transcripts, TalkOverPty, ::testing::ValuesIn(transcripts()), [](const auto& info) {
-  std::string name = info.param;
-  for (char& c : name)
-    if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Transcripts, TalkOverPty, ::testing::ValuesIn(transcripts()), talk::test_name);
 
 }  // namespace
 }  // namespace hw

@@ -5,7 +5,7 @@
 namespace hw {
 namespace {
 
-using std::chrono::seconds;
+using test::Seconds;
 using test::Vme58Rig;
 using testing::Contains;
 using testing::ElementsAre;
@@ -71,7 +71,7 @@ TEST_F(Vme58Driver, FindsOutWhatItIs) {
 
 TEST_F(Vme58Driver, JogsOneAxisAndStopsItWhenLetGo) {
   session->send(intent::JogStart(AxisId{3}, Sign::minus, Pps{1500}, false));
-  run(seconds(2));
+  run(Seconds(2));
   EXPECT_EQ(axis(3).activity, Activity::jogging);
   EXPECT_EQ(axis(3).direction, -1);
   EXPECT_NEAR(axis(3).speed.value, 1500, 1);
@@ -84,15 +84,15 @@ TEST_F(Vme58Driver, JogsOneAxisAndStopsItWhenLetGo) {
 
 TEST_F(Vme58Driver, AJogWithoutASpeedGoesAtTheOneThatIsShown) {
   ASSERT_TRUE(query("AY VL3000"));
-  run(seconds(1));
+  run(Seconds(1));
   EXPECT_EQ(axis(1).own_speed, Pps{3000});
   session->send(intent::MoveBy({{AxisId{1}, Steps(5000)}}, Pps{500}));
-  run(seconds(1));
+  run(Seconds(1));
   EXPECT_EQ(axis(1).own_speed, Pps{3000}) << "the speed of one move is no setting";
   session->send(intent::Stop());
   ASSERT_TRUE(becomes_idle());
   session->send(intent::JogStart(AxisId{1}, Sign::plus, Pps{}, false));
-  run(seconds(1));
+  run(Seconds(1));
   EXPECT_NEAR(axis(1).speed.value, 3000, 1);
 }
 
@@ -104,7 +104,7 @@ TEST_F(Vme58Driver, MovesOneAxisToItsTarget) {
   EXPECT_EQ(axis(1).position, Steps(4000));
   EXPECT_EQ(axis(1).encoder, Steps(4000));
   EXPECT_EQ(axis(1).ended_by, EndedBy::target);
-  run(seconds(1));
+  run(Seconds(1));
   EXPECT_EQ(now().params[static_cast<std::size_t>(session->catalog().find_param("VLY"))].value,
             vme58::default_velocity)
       << "the speed of one move is no setting";
@@ -114,7 +114,7 @@ TEST_F(Vme58Driver, MovesSeveralAxesTogetherAndKeepsTheUsersAxis) {
   ASSERT_TRUE(query("AZ"));
   EXPECT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(40000)}, {AxisId{7}, Steps(-20000)}}, Pps{20000})).fate,
             Fate::done);
-  run(seconds(1));
+  run(Seconds(1));
   EXPECT_NEAR(static_cast<double>(axis(0).position.value), -2.0 * static_cast<double>(axis(7).position.value),
               4);
   ASSERT_TRUE(becomes_idle());
@@ -137,10 +137,10 @@ TEST_F(Vme58Driver, AStopGoesThroughTheMailboxPastAFullQueueAndWhatWaitsIsTakenB
       << "the ring is blocked";
   const Instant asked = time.now();
   session->send(intent::Stop());
-  ASSERT_TRUE(run_until([this] { return axis(0).speed.value == 0; }, seconds(5)));
+  ASSERT_TRUE(run_until([this] { return axis(0).speed.value == 0; }, Seconds(5)));
   EXPECT_LT(time.now() - asked, Millis(100));
   const Steps there = axis(0).position;
-  run(seconds(5));
+  run(Seconds(5));
   EXPECT_EQ(axis(0).position, there) << "nothing that waited may act after a stop";
   EXPECT_THAT(lines(), Contains("> mailbox SA"));
 }
@@ -151,23 +151,23 @@ TEST_F(Vme58SlowBoard, TextThatTheBoardTakesBehindTheMailDoesNotMoveBehindTheSto
   run(Millis(1));
   EXPECT_EQ(axis(0).speed.value, 0);
   session->send(intent::Stop());
-  run(seconds(3));
+  run(Seconds(3));
   ASSERT_TRUE(text_came) << "the board has taken the move after it took the stop";
   EXPECT_EQ(axis(0).speed.value, 0);
   const Steps there = axis(0).position;
   EXPECT_LT(there, Steps(100));
-  run(seconds(5));
+  run(Seconds(5));
   EXPECT_EQ(axis(0).position, there);
 }
 
 TEST_F(Vme58Driver, AbortKillsAllWithoutARamp) {
   ASSERT_EQ(perform(intent::SetParam("ACX", 1000)).fate, Fate::done);
   perform(intent::MoveTo({{AxisId{0}, Steps(100000)}}, Pps{5000}));
-  run(seconds(6));
+  run(Seconds(6));
   session->send(intent::Abort());
   run(Millis(100));
   const Steps there = axis(0).position;
-  run(seconds(5));
+  run(Seconds(5));
   EXPECT_EQ(axis(0).position, there);
   EXPECT_EQ(axis(0).ended_by, EndedBy::abort);
 }
@@ -175,9 +175,9 @@ TEST_F(Vme58Driver, AbortKillsAllWithoutARamp) {
 TEST_F(Vme58Driver, TheStopOfOneAxisLeavesTheOthers) {
   perform(intent::MoveTo({{AxisId{0}, Steps(100000)}}, Pps{2000}));
   perform(intent::MoveTo({{AxisId{1}, Steps(100000)}}, Pps{2000}));
-  run(seconds(1));
+  run(Seconds(1));
   session->send(intent::Stop(0));
-  run(seconds(1));
+  run(Seconds(1));
   EXPECT_EQ(axis(0).activity, Activity::idle);
   EXPECT_EQ(axis(0).ended_by, EndedBy::stop);
   EXPECT_EQ(axis(1).activity, Activity::moving);
@@ -228,7 +228,7 @@ TEST_F(Vme58Driver, ALimitSwitchEndsTheMoveAndIsShownOnItsSide) {
   ASSERT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(-9000)}}, Pps{2000})).fate, Fate::done);
   ASSERT_TRUE(becomes_idle());
   EXPECT_EQ(axis(0).ended_by, EndedBy::limit);
-  run(seconds(1));
+  run(Seconds(1));
   EXPECT_TRUE(axis(0).limit_minus);
   EXPECT_FALSE(axis(0).limit_plus);
 }
@@ -245,7 +245,7 @@ TEST_F(Vme58Driver, ParametersAreReadFromTheDataArea) {
   EXPECT_EQ(value("KPX"), 1250) << "12.5; the board shows 12";
   EXPECT_EQ(peek(4, vme58::offset_of(0, vme58::AxisValue::proportional_gain)), 12u);
   ASSERT_TRUE(query("AX KP7"));
-  run(seconds(3));
+  run(Seconds(3));
   EXPECT_EQ(value("KPX"), 700);
 }
 
@@ -257,7 +257,7 @@ TEST_F(Vme58Driver, OutputsGoByTheMakersNumbers) {
   EXPECT_EQ(perform(intent::SetOutput(0, true)).fate, Fate::refused) << "an input";
   ASSERT_EQ(perform(intent::SetOutput(14, false)).fate, Fate::done) << "auxiliary of X";
   operate(bench::Input(3, true));
-  run(seconds(1));
+  run(Seconds(1));
   EXPECT_EQ(now().inputs & 0x7u, 0x3u) << "line 2 is low";
 }
 
@@ -267,7 +267,7 @@ TEST_F(Vme58Driver, AResetOfTheBoardIsNoticed) {
   (void)told();
   operate(bench::PowerCycle());
   ASSERT_TRUE(run_until(
-      [this] { return axis(0).position == Steps(0) && now().link.state == LinkState::good; }, seconds(10)));
+      [this] { return axis(0).position == Steps(0) && now().link.state == LinkState::good; }, Seconds(10)));
   EXPECT_THAT(told(), HasSubstr("switched off and on"));
   EXPECT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(200)}})).fate, Fate::done);
   ASSERT_TRUE(becomes_idle());
@@ -276,9 +276,9 @@ TEST_F(Vme58Driver, AResetOfTheBoardIsNoticed) {
 
 TEST_F(Vme58Driver, IndexesThatAStrangerHasWrittenDoNotHarmForLong) {
   poke(2, vme58::at::output_put_index, 0xFFFF);
-  run(seconds(1));
+  run(Seconds(1));
   poke(2, vme58::at::output_put_index, peek(2, vme58::at::output_get_index));
-  run(seconds(3));
+  run(Seconds(3));
   EXPECT_EQ(now().link.state, LinkState::good);
 }
 
@@ -301,7 +301,7 @@ TEST_F(Vme58Driver, AProgramThatIsLongerThanTheQueueIsFedAsThereIsRoom) {
   for (int i = 0; i < 300; ++i) text += "MR10 GO\n";
   ASSERT_EQ(perform(intent::LoadProgram(0, text)).fate, Fate::done);
   ASSERT_EQ(perform(intent::RunProgram(0)).fate, Fate::done);
-  ASSERT_TRUE(becomes_idle(seconds(120)));
+  ASSERT_TRUE(becomes_idle(Seconds(120)));
   EXPECT_EQ(axis(0).position, Steps(3000));
 }
 
@@ -329,7 +329,7 @@ TEST_F(Vme58Driver, AContourIsCutByAProgram) {
         highest = std::max(highest, axis(2).position.value);
         return now().program.run == RunState::idle;
       },
-      seconds(60)));
+      Seconds(60)));
   EXPECT_EQ(now().program.ended_by, EndedBy::target);
   EXPECT_NEAR(static_cast<double>(lowest), -10000, 60);
   EXPECT_NEAR(static_cast<double>(highest), 10000, 60);
@@ -348,7 +348,7 @@ TEST_F(Vme58Driver, WhileAContourIsRecordedTheConsoleSaysNothingOfItsOwn) {
 TEST_F(Vme58Driver, TheWindowsImageAndQueuesAreThereForWhoLooks) {
   session->send(intent::Watch(0x7));
   ASSERT_TRUE(query("AX VL100 MR1000000 GO WT5 WT6"));
-  run(seconds(2));
+  run(Seconds(2));
   EXPECT_TRUE(now().window.rings_known);
   EXPECT_EQ(now().window.value(vme58::reg::status, 1) & vme58::status::initialized,
             vme58::status::initialized);
@@ -356,16 +356,6 @@ TEST_F(Vme58Driver, TheWindowsImageAndQueuesAreThereForWhoLooks) {
   EXPECT_LT(now().queue_free[0], 200);
   EXPECT_EQ(now().queue_free[1], 200);
   EXPECT_EQ(now().window.value(vme58::offset_of(0, vme58::AxisValue::maximum_velocity), 4), 100u);
-}
-
-TEST_F(Vme58Driver, ARecordingOfAnAxisGivesSamplesEveryFewMilliseconds) {
-  session->send(intent::Sample(AxisId{0}, Millis(500)));
-  perform(intent::MoveTo({{AxisId{0}, Steps(2000)}}, Pps{8000}));
-  run(seconds(2));
-  std::vector<AxisSample> samples;
-  session->samples().drain([&](const AxisSample& s) { samples.push_back(s); });
-  EXPECT_GT(samples.size(), 100u);
-  EXPECT_TRUE(std::any_of(samples.begin(), samples.end(), [](const AxisSample& s) { return s.moving; }));
 }
 
 class Vme58Driver4s4 : public Vme58Rig {

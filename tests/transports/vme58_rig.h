@@ -10,6 +10,8 @@
 
 namespace hw::test {
 
+using Seconds = std::chrono::seconds;  // hw::seconds() is the other way round
+
 class Vme58Rig : public testing::Test {
  protected:
   Vme58Rig() : Vme58Rig({}) {}

@@ -1,6 +1,9 @@
 // A board's window through a mapped file. The file stands in for a VME device: what a bridge does is memory.
 #include "transports/vme_device.h"
 
+#include <array>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 
@@ -126,6 +129,53 @@ TEST_F(VmeDeviceTest, TwoProgramsAtOneBoardAreRefused) {
   auto second = open_vme_device(clock, path, 0);
   ASSERT_FALSE(second);
   EXPECT_THAT(second.error().sentence(), HasSubstr("in use"));
+}
+
+// The kernel's device is asked for its window before it is mapped. /dev/zero stands in for it: a device, not
+// a file, that can be mapped and read back.
+namespace kernel {
+unsigned long request;
+std::string argument;
+int answer;
+int listen(int, unsigned long r, void* a) {
+  request = r;
+  argument.assign(static_cast<const char*>(a), 32);
+  if (answer == 0) return 0;
+  errno = answer;
+  return -1;
+}
+}  // namespace kernel
+
+TEST_F(VmeDeviceTest, TheKernelIsAskedForTheShortSpace) {
+  const auto open = [this](int answer) {
+    kernel::answer = answer;
+    auto window = open_vme_device(clock, "/dev/zero", 0, kernel::listen);
+    // Another run of this test may hold it for a moment.
+    for (int i = 0; i < 100 && !window && window.error().what.find("in use") != std::string::npos; ++i) {
+      ::usleep(50'000);
+      window = open_vme_device(clock, "/dev/zero", 0, kernel::listen);
+    }
+    return window;
+  };
+  {
+    auto window = open(0);
+    ASSERT_TRUE(window) << window.error().sentence();
+    EXPECT_EQ(kernel::request, 0x4020AE04u) << "_IOW(0xAE, 4, 32 bytes): VME_SET_MASTER";
+    std::array<std::uint32_t, 8> words{};  // packed: 32, 64, 64, 32, 32, 32 bits, as this computer counts
+    ASSERT_EQ(sizeof words, kernel::argument.size());
+    std::memcpy(words.data(), kernel::argument.data(), sizeof words);
+    EXPECT_THAT(words, testing::ElementsAre(1u, 0u, 0u, 0x10000u, 0u, 0x1u, 0x9001u, 0x2u))
+        << "on, from 0, 64 KiB, A16, single supervisory data cycles, D16";
+    EXPECT_FALSE((*window)->tells_interrupts());
+    std::vector<BusCycle> burst{BusCycle::store(2, 0x804, 0x41), BusCycle::read(2, 0x804)};
+    ASSERT_TRUE(run(**window, burst));
+    EXPECT_EQ(burst[1].value, 0x41u);
+  }
+  EXPECT_TRUE(open(ENOTTY)) << "a device that has no such request: it is mapped as it is";
+  const auto refused = open(EBUSY);
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().sentence(), HasSubstr("no window onto the short address space"));
+  EXPECT_THAT(refused.error().sentence(), HasSubstr("m1"));
 }
 
 }  // namespace

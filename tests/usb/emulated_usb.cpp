@@ -75,6 +75,11 @@ void EmulatedUsb::unplug() {
   umockdev_testbed_remove_device(bus_, ("/sys" + path_).c_str());
 }
 
+bool EmulatedUsb::in_use() {
+  const std::lock_guard lock(mutex_);
+  return claims_ > 0;
+}
+
 std::unique_ptr<Emulator> EmulatedUsb::pull_out() {
   unplug();
   const std::lock_guard lock(mutex_);
@@ -117,7 +122,9 @@ void EmulatedUsb::serve(UMockdevIoctlClient* client) {
   UMockdevIoctlData* arg = umockdev_ioctl_client_get_arg(client);
   if (request == USBDEVFS_REAPURB || request == USBDEVFS_REAPURBNDELAY) return reap(client, arg);
   if (request == USBDEVFS_DISCARDURB) return discard(client, arg);
+  if (request == USBDEVFS_RELEASEINTERFACE) --claims_;
   if (!there_) return umockdev_ioctl_client_complete(client, -1, ENODEV);
+  if (request == USBDEVFS_CLAIMINTERFACE) ++claims_;
   if (request == USBDEVFS_SUBMITURB) return submit(client, arg);
   if (request == USBDEVFS_GET_CAPABILITIES) {
     UMockdevIoctlData* answer = umockdev_ioctl_data_resolve(arg, 0, sizeof(guint32), nullptr);

@@ -1,7 +1,9 @@
 #pragma once
 // A Performax controller on an emulated USB port: what the kernel would do with libusb's requests, done here
 // in front of an Emulator whose transfers are 64 bytes. One thread of umockdev serves it; all members lock.
-#include <condition_variable>
+// As the kernel does, it goes on answering whoever has it open when it has been unplugged: it may be
+// destroyed only when nobody has. libusb watches for hot plug with one socket for all its contexts; it lies
+// in the folder of the bus that was there first, so one context left open deafens all tests that follow.
 #include <deque>
 #include <memory>
 #include <mutex>
@@ -21,6 +23,8 @@ class EmulatedUsb {
   ~EmulatedUsb();
 
   void unplug();
+  /// Some program has it open, with the interface claimed.
+  bool in_use();
   /// Unplugs it and hands the controller out, to be plugged in again somewhere: it has its own supply.
   std::unique_ptr<Emulator> pull_out();
   /// The next replies are cut off after so many bytes.
@@ -54,6 +58,7 @@ class EmulatedUsb {
   std::vector<std::string> commands_;
   std::size_t cut_ = 64;
   int to_cut_ = 0;
+  int claims_ = 0;  // of the interface, by who has it open
   bool there_ = true;
 };
 

@@ -30,9 +30,8 @@ class UsbSession : public ::testing::Test {
   }
   ~UsbSession() override {
     if (session) test::run_task(io, close(session));
-    poll_until(
-        io, [] { return false; }, Millis(100));  // the good-bye
-    plug.reset();
+    EXPECT_TRUE(until([this] { return std::none_of(plugs.begin(), plugs.end(), in_use); })) << "the good-bye";
+    plugs.clear();
     g_object_unref(bus);
   }
   static Task<bool> close(std::shared_ptr<Session> session) {
@@ -44,9 +43,11 @@ class UsbSession : public ::testing::Test {
     return find_device_type("pmx-4ex-sa")->make_emulator({{"framing", "usb"}}).value();
   }
   EmulatedUsb& plug_in(std::unique_ptr<Emulator> device) {
-    plug = std::make_unique<EmulatedUsb>(bus, std::move(device), "4ex00", ++number);
-    return *plug;
+    plugs.push_back(std::make_unique<EmulatedUsb>(bus, std::move(device), "4ex00", ++number));
+    return plug();
   }
+  EmulatedUsb& plug() { return *plugs.back(); }
+  static bool in_use(const std::unique_ptr<EmulatedUsb>& device) { return device->in_use(); }
   bool until(const std::function<bool()>& done, Millis patience = Millis(8000)) {
     return poll_until(io, done, patience);
   }
@@ -67,12 +68,12 @@ class UsbSession : public ::testing::Test {
     return notices;
   }
   std::ptrdiff_t times_sent(std::string_view command) {
-    const auto all = plug->commands();
+    const auto all = plug().commands();
     return std::count(all.begin(), all.end(), command);
   }
 
   UMockdevTestbed* bus = umockdev_testbed_new();
-  std::unique_ptr<EmulatedUsb> plug;
+  std::vector<std::unique_ptr<EmulatedUsb>> plugs;  // the last one is in now, the others were pulled out
   int number = 3;
   IoContext io{1};
   RealScheduler clock{io};
@@ -109,7 +110,7 @@ TEST_F(UsbSession, PulledOutWhileMovingTheStateIsLostAndReadAfresh) {
   open();
   ASSERT_EQ(jog(), "");
   ASSERT_TRUE(until([&] { return axis().activity == Activity::jogging && axis().position > Steps(10); }));
-  auto pulled = plug->pull_out();
+  auto pulled = plug().pull_out();
   ASSERT_TRUE(until([&] { return known().link.state == LinkState::lost; }));
   EXPECT_THAT(sentence(), HasSubstr("is gone"));
   EXPECT_FALSE(axis().position_known);
@@ -132,7 +133,7 @@ TEST_F(UsbSession, SwitchedOffMeanwhileItIsSaidSo) {
   ASSERT_EQ(jog(), "");
   ASSERT_TRUE(until([&] { return axis().position > Steps(10); }));
   ASSERT_EQ(perform(intent::Stop()), "");
-  plug->pull_out();
+  plug().pull_out();
   ASSERT_TRUE(until([&] { return known().link.state == LinkState::lost; }));
   plug_in(controller());
   ASSERT_TRUE(until([&] { return known().link.state == LinkState::good; })) << sentence();
@@ -147,7 +148,7 @@ TEST_F(UsbSession, ACutReplyIsNeverTakenForAWholeOne) {
   ASSERT_TRUE(until([&] { return axis().position == Steps(-12'345); }));
   for (std::size_t bytes = 0; bytes < 8; ++bytes) {
     const auto before = known().link.timeouts;
-    plug->cut_next_replies(bytes);
+    plug().cut_next_replies(bytes);
     ASSERT_TRUE(until([&] {
       EXPECT_EQ(axis().position, Steps(-12'345));
       return known().link.timeouts > before;
@@ -160,7 +161,7 @@ TEST_F(UsbSession, ACutReplyIsNeverTakenForAWholeOne) {
 TEST_F(UsbSession, RepliesThatAreCutAreSaidInASentence) {
   plug_in(controller());
   open();
-  plug->cut_next_replies(1, 2);  // the question is asked once more
+  plug().cut_next_replies(1, 2);  // the question is asked once more
   ASSERT_TRUE(until([&] { return !known().link.sentence.empty(); }));
   EXPECT_THAT(sentence(), HasSubstr("stopped in the middle"));
   ASSERT_TRUE(until([&] { return known().link.state == LinkState::good; })) << sentence();

@@ -51,8 +51,9 @@ class PerformaxUsb : public ::testing::Test {
   }
   ~PerformaxUsb() override {
     stream.reset();
-    poll_until(
-        io, [] { return false; }, Millis(100));  // the good-bye
+    EXPECT_TRUE(poll_until(
+        io, [this] { return std::none_of(devices.begin(), devices.end(), in_use); }, Millis(10'000)))
+        << "the good-bye";
     devices.clear();
     g_object_unref(bus);
   }
@@ -60,6 +61,7 @@ class PerformaxUsb : public ::testing::Test {
     devices.push_back(std::make_unique<EmulatedUsb>(bus, std::make_unique<Parrot>(), serial, ++number));
     return *devices.back();
   }
+  static bool in_use(const std::unique_ptr<EmulatedUsb>& device) { return device->in_use(); }
   Result<std::unique_ptr<Stream>> open(const std::string& serial = {}) {
     return test::run_task(io, open_performax_usb(clock, serial));
   }
@@ -165,7 +167,9 @@ TEST_F(PerformaxUsb, ThePortListHearsOfNewOnes) {
   int changed = 0;
   auto watch = PerformaxWatch::start(clock, [&] { ++changed; });
   ASSERT_TRUE(watch) << watch.error().sentence();
+  ASSERT_TRUE(poll_until(io, [&] { return changed == 1; })) << "what was plugged in before is looked at too";
   EXPECT_TRUE(list_performax().empty());
+  changed = 0;
   EmulatedUsb& device = plug_in("4ex00");
   ASSERT_TRUE(poll_until(
       io, [&] { return changed > 0 && !list_performax().empty(); }, Millis(10'000)));

@@ -45,19 +45,46 @@ Reply decode_reply(std::string_view bytes) {
   return reply;
 }
 
-std::size_t unasked_at_front(std::string_view bytes) {
-  constexpr std::size_t length = 5;  // $NNP CR
-  const auto fits = [&](std::size_t i) {
-    switch (i) {
-      case 0: return bytes[i] == '$';
-      case 3: return bytes[i] == 'P';
-      case 4: return bytes[i] == '\r';
-      default: return is_digit(bytes[i]);
-    }
-  };
-  for (std::size_t i = 0; i < std::min(bytes.size(), length); ++i)
-    if (!fits(i)) return 0;
-  return bytes.size() < length ? std::string_view::npos : length;
+namespace {
+
+// How many bytes at the front fit: as many as the pattern has, npos when more must come to tell, or 0. In the
+// pattern d is a digit, | the end of a text.
+std::size_t fit_at_front(std::string_view bytes, std::string_view pattern) {
+  const std::size_t length = std::min(bytes.size(), pattern.size());
+  for (std::size_t i = 0; i < length; ++i) {
+    const char c = bytes[i], p = pattern[i];
+    const bool fits = p == 'd' ? is_digit(c) : p == '|' ? c == '\r' || c == '\0' : c == p;
+    if (!fits) return 0;
+  }
+  return length == pattern.size() ? length : std::string_view::npos;
+}
+
+}  // namespace
+
+std::size_t unasked_at_front(std::string_view bytes) { return fit_at_front(bytes, "$ddP\r"); }
+
+std::size_t unasked_or_name_at_front(const Model& model, std::string_view bytes) {
+  const std::string name = std::string(model.name_prefix) + "dd|";
+  std::size_t found = 0;
+  for (const std::string& pattern : {std::string("$ddP\r"), name, "#dd" + name}) {
+    const std::size_t fits = fit_at_front(bytes, pattern);
+    if (fits != 0 && fits != std::string_view::npos) return fits;
+    found = std::max(found, fits);
+  }
+  return found;
+}
+
+std::size_t no_name_at_front(const Model& model, std::string_view bytes) {
+  if (const std::size_t unasked = unasked_at_front(bytes); unasked != 0) return unasked;
+  const auto end = bytes.find_first_of(std::string_view("\r\0", 2));
+  if (end == bytes.npos) return 0;
+  return number_in_name(model, decode_reply(bytes.substr(0, end)).text) ? 0 : end + 1;
+}
+
+std::optional<int> number_in_name(const Model& model, std::string_view name) {
+  if (name.size() != model.name_prefix.size() + 2 || !name.starts_with(model.name_prefix))
+    return std::nullopt;
+  return whole_number<int>(name.substr(model.name_prefix.size()));
 }
 
 std::optional<int> in_position(std::string_view message) {

@@ -38,6 +38,12 @@ Reply decode_reply(std::string_view bytes);
 /// How many bytes at the front are a message that nobody asked for ($NNP CR). npos: they may be one, more
 /// must come. 0: they are none.
 std::size_t unasked_at_front(std::string_view bytes);
+/// The same of such a message, or of a whole device name, which answers no other question than DN.
+std::size_t unasked_or_name_at_front(const Model& model, std::string_view bytes);
+/// The same of whatever is whole and no device name: no answer to DN.
+std::size_t no_name_at_front(const Model& model, std::string_view bytes);
+/// The number in a device name: "DMK07" -> 7.
+std::optional<int> number_in_name(const Model& model, std::string_view name);
 /// The device that tells that it is in position.
 std::optional<int> in_position(std::string_view message);
 

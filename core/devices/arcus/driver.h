@@ -71,6 +71,10 @@ class ArcusDriver final : public Driver {
   // ---- driver_talk.cpp
   Task<Result<Reply>> exchange(std::string text, Priority priority, Duration patience,
                                bool own_question = false);
+  Task<Result<Reply>> say(std::string text, Priority priority, Duration patience, bool own_question);
+  Task<Result<>> hear_its_name(Priority priority);
+  [[nodiscard]] bool is_its_name(std::string_view text) const;
+  [[nodiscard]] bool is_anothers_name(std::string_view bytes) const;
   Task<Result<std::string>> ask(std::string question, Priority priority, bool again = false);
   Task<Result<Reply>> exchange_question(std::string question, Priority priority, bool again);
   Task<Result<std::int64_t>> ask_number(std::string question, Priority priority);

@@ -64,11 +64,17 @@ Task<Result<>> ArcusDriver::connect(Station& station) {
 }
 
 // ID tells the product; where a firmware does not know it, VER shows at least the family. One that was lost
-// is asked again and again anyway: once each time, for the others on its line.
+// is asked again and again: once each time, and by its name first, so that its answer, if it comes too late,
+// is taken for none of the others on its line.
 Task<Result<>> ArcusDriver::identify() {
   constexpr Duration patience = Millis(300);
-  auto reply = co_await exchange("ID", Priority::intent, patience, true);
   const bool was_lost = lost_at_ != Instant{};
+  if (was_lost) {
+    const auto anybody = co_await say("DN", Priority::intent, patience, true);
+    if (!anybody && anybody.error().kind == FaultKind::no_answer) co_return silent();
+    if (!anybody && anybody.error().kind == FaultKind::lost) co_return fail(anybody.error());
+  }
+  auto reply = co_await exchange("ID", Priority::intent, patience, true);
   // What comes first may be the answer to whoever had the line before.
   const bool foreign =
       reply && reply->text != model().product && reply->text != forms_.other_product && reply->text != "ID";
@@ -107,9 +113,7 @@ Task<Result<>> ArcusDriver::read_name() {
   if (!name) co_return fail(name.error());
   draft_.identity.serial = *name;
   const bool usb = framing() == Framing::message;
-  const auto number = name->starts_with(model().name_prefix)
-                          ? decode_number(std::string_view(*name).substr(model().name_prefix.size()))
-                          : std::nullopt;
+  const auto number = number_in_name(model(), *name);
   if (number && *number != catalog_.address && !usb && !std::exchange(name_told_, true))
     tell(Notice::Kind::info,
          fmt::format("It answers at {:02} and is to be called {}: it will answer at {:02} after Store and "
@@ -133,7 +137,7 @@ Task<Result<>> ArcusDriver::read_state() {
 tl::unexpected<Fault> ArcusDriver::silent() const {
   if (framing() == Framing::message)
     return fail(FaultKind::no_answer, fmt::format("The {} does not answer on USB.", model().title),
-                "Nothing was sent but the question for its name (ID).",
+                "Nothing was sent but the question for its name.",
                 fmt::format("Check its supply ({}) and the cable, and close other programs that use it.",
                             forms_.supply));
   const int rate = station_ ? station_->rate() : 0;
@@ -141,7 +145,7 @@ tl::unexpected<Fault> ArcusDriver::silent() const {
       FaultKind::no_answer,
       fmt::format("No {} answers at address {:02}{}.", model().title, catalog_.address,
                   rate > 0 ? fmt::format(", at {} baud", rate) : ""),
-      "Nothing was sent but the question for its name (ID).",
+      "Nothing was sent but the question for its name.",
       fmt::format(
           "Check its supply ({}), {}, the line rate (9600 from the factory), and its device name: the "
           "last two digits are its address ({}{:02} from the factory).",

@@ -40,18 +40,47 @@ tl::unexpected<Fault> ArcusDriver::no_connection() const {
   return fail(FaultKind::lost, "There is no connection to the controller.", "Nothing was sent.");
 }
 
-// One command and its reply: one transaction.
+// One command and its reply. Replies carry no address (but with RT=1), so while an answer that was given up
+// on may still come, this one is believed only with the device's name: before it where this device is the
+// late one, behind it where another on the line is. A stop waits for none of this.
 Task<Result<Reply>> ArcusDriver::exchange(std::string text, Priority priority, Duration patience,
                                           bool own_question) {
   if (!station_) co_return no_connection();
   if (text.starts_with("SR") || text.starts_with("GS")) program_runs();
+  const bool must_be_sure = own_question || priority != Priority::stop;
+  if (must_be_sure && station_->owes_answer()) {
+    auto named = co_await hear_its_name(priority);
+    if (!named && !own_question && named.error().kind == FaultKind::no_answer)
+      co_return fail(FaultKind::refused, "The controller does not answer, not even with its name.",
+                     fmt::format("{} was not sent.", text));
+    if (!named) co_return fail(named.error());
+  }
+  const int strays_before = strays_;
+  auto reply = co_await say(text, priority, patience, own_question);
+  if (!reply || !must_be_sure || !station_ || !station_->answer_owed_on_wire()) co_return reply;
+  auto named = co_await hear_its_name(priority);
+  if (!named) co_return fail(named.error());
+  if (strays_ != strays_before)
+    co_return fail(
+        FaultKind::garbled,
+        fmt::format("{} was answered twice: one of the answers came too late and is another's.", text),
+        "Neither was used.");
+  co_return reply;
+}
+
+Task<Result<Reply>> ArcusDriver::say(std::string text, Priority priority, Duration patience,
+                                     bool own_question) {
+  if (!station_) co_return no_connection();
   const bool usb = station_->carries_messages();
   Transaction t(frame(framing(), catalog_.address, text), usb ? ReplyShape::message() : ReplyShape::text(),
                 priority);
   t.patience = patience;
   t.prompt = own_question;
   t.own_question = own_question && priority != Priority::transfer;
-  if (!usb) t.stranger = unasked_at_front;
+  t.names_itself = text_of(text) == "DN";
+  if (!usb && t.names_itself) t.stranger = unasked_at_front;
+  if (!usb && !t.names_itself)
+    t.stranger = [&m = model()](std::string_view bytes) { return unasked_or_name_at_front(m, bytes); };
   auto bytes = co_await station_->transact(std::move(t));
   if (!bytes) co_return fail(bytes.error());
   Reply reply = decode_reply(*bytes);
@@ -64,6 +93,37 @@ Task<Result<Reply>> ArcusDriver::exchange(std::string text, Priority priority, D
         "Two programs may be talking on this line, or an answer came too late. Close the other "
         "program.");
   co_return reply;
+}
+
+// What comes before its name is a late answer, whoever it is from: it is left to hear().
+Task<Result<>> ArcusDriver::hear_its_name(Priority priority) {
+  if (!station_) co_return no_connection();
+  const bool usb = station_->carries_messages();
+  Transaction t(frame(framing(), catalog_.address, "DN"), usb ? ReplyShape::message() : ReplyShape::text(),
+                priority);
+  t.patience = usual_patience;
+  t.prompt = true;
+  t.own_question = priority != Priority::transfer;
+  t.names_itself = true;
+  t.stranger = [&m = model()](std::string_view bytes) { return no_name_at_front(m, bytes); };
+  auto bytes = co_await station_->transact(std::move(t));
+  if (!bytes) co_return fail(bytes.error());
+  const Reply reply = decode_reply(*bytes);
+  if (!is_its_name(reply.text))
+    co_return fail(
+        FaultKind::garbled,
+        fmt::format("Device {:02} was asked its name, and {} answered.", catalog_.address, reply.text),
+        "Nothing was used that came before.");
+  if (station_) station_->has_caught_up();
+  co_return Result<>();
+}
+
+// Until it is switched off and on it answers at its old address and tells its new name. On USB it is alone.
+bool ArcusDriver::is_its_name(std::string_view text) const {
+  const auto number = number_in_name(model(), text);
+  const auto set_to = param("DN");
+  return number &&
+         (*number == catalog_.address || !set_to || *number == *set_to || framing() == Framing::message);
 }
 
 tl::unexpected<Fault> ArcusDriver::refusal(std::string_view sent, std::string_view reply) const {
@@ -159,8 +219,15 @@ std::size_t ArcusDriver::hear(std::string_view bytes) {
     changed_();
     return length;
   }
-  ++strays_;
+  if (!is_anothers_name(bytes)) ++strays_;
   return 0;
+}
+
+// Late, and taken for no answer of ours.
+bool ArcusDriver::is_anothers_name(std::string_view bytes) const {
+  const bool whole = bytes.find_first_of(std::string_view("\r\0", 2)) == bytes.size() - 1;
+  const auto number = number_in_name(model(), decode_reply(bytes).text);
+  return whole && number && *number != catalog_.address;
 }
 
 void ArcusDriver::for_scripts(std::string text) {

@@ -55,24 +55,9 @@ class ArcusEmulator final : public Emulator {
   [[nodiscard]] std::string address_text() const;
   Result<> check_axis(AxisId axis) const;
 
-  Result<> act(const bench::Input& c);
-  Result<> act(const bench::Limit& c);
-  Result<> act(const bench::HomeSwitch& c);
-  Result<> act(const bench::Analog& c);
-  Result<> act(const bench::Button& c);
-  Result<> act(const bench::Jam& c);
-  Result<> act(const bench::Slip& c);
-  Result<> act(const bench::Alarm& c);
-  Result<> act(const bench::Place& c);
-  Result<> act(const bench::Power& c);
-  Result<> act(const bench::PowerCycle& c);
-  Result<> act(const bench::Breaker& c);
-  Result<> act(const bench::Unplug&) { return wire_fault(); }
-  Result<> act(const bench::Garble&) { return wire_fault(); }
-  Result<> act(const bench::Drop&) { return wire_fault(); }
-  static Result<> wire_fault() {
-    return fail(FaultKind::refused, "Faults of the wire are made where the wire is, not in the controller.");
-  }
+  /// One for each kind of hand: emulator_bench.cpp.
+  template <class Hand>
+  Result<> act(const Hand& hand);
 
   EmulatorOptions options_;
   std::span<const Command> commands_;

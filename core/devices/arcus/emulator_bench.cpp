@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/device/bench_hands.h"
 #include "core/devices/arcus/emulator_arcus.h"
 
 namespace hw::arcus {
@@ -18,18 +19,13 @@ tl::unexpected<Fault> nothing_changed(std::string what, std::string advice = {})
 
 }  // namespace
 
-Result<> ArcusEmulator::operate(const BenchCommand& command) {
-  auto result = std::visit([this](const auto& c) { return act(c); }, command);
-  after();
-  return result;
-}
-
 Result<> ArcusEmulator::check_axis(AxisId axis) const {
   if (axis.index < controller_.axes()) return {};
   return nothing_changed("This controller has no axis number " + std::to_string(axis.index + 1) + ".",
                          "Its axes are " + std::string(controller_.model().axis_letters) + ".");
 }
 
+template <>
 Result<> ArcusEmulator::act(const bench::Input& c) {
   const int count = controller_.model().inputs;
   if (c.number < 1 || c.number > count)
@@ -38,6 +34,7 @@ Result<> ArcusEmulator::act(const bench::Input& c) {
   return {};
 }
 
+template <>
 Result<> ArcusEmulator::act(const bench::Analog& c) {
   constexpr std::int32_t full_scale_mv = 5000;
   const int count = controller_.model().analog_inputs;
@@ -51,10 +48,12 @@ Result<> ArcusEmulator::act(const bench::Analog& c) {
   return {};
 }
 
+template <>
 Result<> ArcusEmulator::act(const bench::Button& c) {
   return nothing_changed("This controller has no button \"" + c.name + "\": it has no front panel.");
 }
 
+template <>
 Result<> ArcusEmulator::act(const bench::Limit& c) {
   if (auto bad = check_axis(c.axis); !bad) return bad;
   controller_.axis(c.axis.index).plant.operate_limit(c.sign, c.operated);
@@ -62,6 +61,7 @@ Result<> ArcusEmulator::act(const bench::Limit& c) {
   return {};
 }
 
+template <>
 Result<> ArcusEmulator::act(const bench::HomeSwitch& c) {
   if (auto bad = check_axis(c.axis); !bad) return bad;
   controller_.axis(c.axis.index).plant.operate_home(c.operated);
@@ -69,6 +69,7 @@ Result<> ArcusEmulator::act(const bench::HomeSwitch& c) {
   return {};
 }
 
+template <>
 Result<> ArcusEmulator::act(const bench::Jam& c) {
   if (auto bad = check_axis(c.axis); !bad) return bad;
   controller_.jam(c.axis.index, c.on);
@@ -76,6 +77,7 @@ Result<> ArcusEmulator::act(const bench::Jam& c) {
 }
 
 /// In encoder counts: so many are missing or too many afterwards.
+template <>
 Result<> ArcusEmulator::act(const bench::Slip& c) {
   if (auto bad = check_axis(c.axis); !bad) return bad;
   Axis& axis = controller_.axis(c.axis.index);
@@ -86,6 +88,7 @@ Result<> ArcusEmulator::act(const bench::Slip& c) {
   return {};
 }
 
+template <>
 Result<> ArcusEmulator::act(const bench::Alarm& c) {
   if (auto bad = check_axis(c.axis); !bad) return bad;
   if (controller_.model().status.alarm == no_bit)
@@ -95,6 +98,7 @@ Result<> ArcusEmulator::act(const bench::Alarm& c) {
 }
 
 /// What the place does not say stays as the bench was built: encoder and index.
+template <>
 Result<> ArcusEmulator::act(const bench::Place& c) {
   if (auto bad = check_axis(c.axis); !bad) return bad;
   if (c.place.home_from.has_value() != c.place.home_to.has_value())
@@ -120,10 +124,12 @@ Result<> ArcusEmulator::act(const bench::Place& c) {
   return {};
 }
 
+template <>
 Result<> ArcusEmulator::act(const bench::Breaker&) {
   return nothing_changed("This controller has no circuit breaker.");
 }
 
+template <>
 Result<> ArcusEmulator::act(const bench::Power& c) {
   if (c.on == controller_.powered()) return {};
   line_.clear();
@@ -134,9 +140,16 @@ Result<> ArcusEmulator::act(const bench::Power& c) {
   return {};
 }
 
+template <>
 Result<> ArcusEmulator::act(const bench::PowerCycle&) {
   (void)act(bench::Power(false));
   return act(bench::Power(true));
+}
+
+Result<> ArcusEmulator::operate(const BenchCommand& command) {
+  auto result = by_hand(command, [this](const auto& hand) { return act(hand); });
+  after();
+  return result;
 }
 
 void ArcusEmulator::look(BenchView& view) const {

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "core/device/bench_file.h"
+#include "core/device/planned_hands.h"
 #include "core/devices/arcus/language/compiler.h"
 #include "core/devices/arcus/program_language.h"
 
@@ -28,12 +29,7 @@ class Rehearsing {
     }
   }
 
-  Result<> set_bench(const BenchFile& bench) {
-    for (const BenchCommand& command : bench.at_start)
-      if (auto done = emulator_.operate(command); !done) return done;
-    later_ = bench.later;
-    return {};
-  }
+  Result<> set_bench(const BenchFile& bench) { return hands_.begin(bench, emulator_); }
 
   Rehearsal run() {
     for (std::size_t n = 0; n < made_.lines.size(); ++n)
@@ -65,14 +61,11 @@ class Rehearsing {
     while (program_in(state_running) >= 0 || moves()) {
       std::optional<Instant> next =
           emulator_.next_event();  // each turn of an axis is one: extremes are exact
-      if (!later_.empty()) next = std::min(next.value_or(last), Instant(later_.front().at));
+      if (const auto hand = hands_.next()) next = std::min(next.value_or(last), *hand);
       if (!next || *next > last) return out_of_time(last, trace);
       now_ = std::max(now_, *next);
       emulator_.advance_to(now_);
-      while (!later_.empty() && Instant(later_.front().at) <= now_) {
-        (void)emulator_.operate(later_.front().command);
-        later_.erase(later_.begin());
-      }
+      hands_.act_until(now_, emulator_);
       collect(trace);
     }
     if (const int failed = program_in(state_error); failed >= 0)
@@ -134,7 +127,7 @@ class Rehearsing {
   Controller& controller_;
   const language::Compilation& made_;
   const RehearseOptions& options_;
-  std::vector<TimedBenchCommand> later_;
+  PlannedHands hands_;
   Instant now_{};
   Rehearsal result_;
 };

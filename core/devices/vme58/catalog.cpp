@@ -3,20 +3,25 @@
 #include <fmt/core.h>
 
 #include "core/base/index.h"
+#include "core/devices/vme58/board_options.h"
 #include "core/devices/vme58/codec.h"
 #include "core/devices/vme58/parameters.h"
 
 namespace hw::vme58 {
 namespace {
 
-Result<const Variant*> variant_option(const DeviceOptions& options) {
-  const auto found = options.find("variant");
-  if (found == options.end()) return &variants.front();
-  if (const Variant* variant = find_variant(found->second)) return variant;
-  std::string known;
-  for (const Variant& v : variants) known += fmt::format("{}{}", known.empty() ? "" : ", ", v.name);
-  return fail(FaultKind::text, fmt::format("variant={} is no model of the VME58.", found->second),
-              "Nothing was opened.", fmt::format("Known, in any case: {}.", known));
+OptionInfo jumpers_option() {
+  OptionInfo jumpers{"jumpers", {}};
+  for (const char* groups : {"IIO", "III", "OIO", "IOO", "OOO", "OII", "IOI", "OOI"}) {
+    std::string inputs;
+    for (int g = 0; g < 3; ++g)
+      if (groups[g] == 'I')
+        inputs += fmt::format("{}{}-{}", inputs.empty() ? "" : ", ", g * lines_of_a_group,
+                              (g + 1) * lines_of_a_group - 1);
+    jumpers.choices.emplace_back(groups, inputs.empty() ? fmt::format("{}: no inputs", groups)
+                                                        : fmt::format("{}: inputs {}", groups, inputs));
+  }
+  return jumpers;
 }
 
 std::vector<OptionInfo> options() {
@@ -28,7 +33,7 @@ std::vector<OptionInfo> options() {
     if (v.encoders > v.servos) what += " with encoder";
     variant.choices.emplace_back(v.name, fmt::format("{}: {}", v.name, what));
   }
-  return {variant};  // jumpers= stands in an address for those who have changed them
+  return {variant, jumpers_option()};
 }
 
 std::vector<AxisInfo> axes(const Variant& variant) {
@@ -207,31 +212,25 @@ void add_readouts(Catalog& c, const Variant& variant) {
   }
 }
 
-}  // namespace
-
-Result<std::uint16_t> output_lines(const DeviceOptions& options) {
-  const auto found = options.find("jumpers");
-  if (found == options.end()) return factory_outputs;
-  std::uint16_t outputs = factory_outputs & 0x3000;
-  const std::string& groups = found->second;
-  bool sense = groups.size() == 3;
-  for (std::size_t group = 0; sense && group < groups.size(); ++group) {
-    const char c = groups[group];
-    if (c == 'O' || c == 'o') outputs = static_cast<std::uint16_t>(outputs | 0xF << (4 * group));
-    sense = c == 'O' || c == 'o' || c == 'I' || c == 'i';
+/// What the data sheet leaves open (decision M47).
+void set_factory_values(std::vector<ParamInfo>& params, const BoardOptions& board) {
+  for (ParamInfo& p : params) {
+    const std::string_view letters = std::string_view(p.mnemonic).substr(0, 2);
+    if (letters == "VL") p.fallback = board.velocity;
+    if (letters == "AC") p.fallback = board.acceleration;
+    if (letters == "VB") p.fallback = board.base_velocity;
   }
-  if (sense) return outputs;
-  return fail(FaultKind::text, fmt::format("jumpers={} is not possible.", groups), "Nothing was opened.",
-              "Give three letters for the lines 0-3, 4-7 and 8-11: I input, O output, as jumpers=IIO.");
 }
 
+}  // namespace
+
 Result<Catalog> make_catalog(const DeviceOptions& options_given) {
-  const auto chosen = variant_option(options_given);
-  if (!chosen) return fail(chosen.error());
-  const auto outputs = output_lines(options_given);
-  if (!outputs) return fail(outputs.error());
-  const Variant& variant = **chosen;
+  const auto board = read_board_options(options_given);
+  if (!board) return fail(board.error());
+  const Variant& variant = *board->variant;
   Catalog c;
+  for (const auto& option : options_given)
+    if (is_board_option(option.first)) c.made_from.insert(option);
   c.model = "vme58";
   c.name = fmt::format("Oregon Micro Systems VME58-{}", variant.name);
   c.short_name = "VME58";
@@ -242,13 +241,15 @@ Result<Catalog> make_catalog(const DeviceOptions& options_given) {
   c.homing_modes = {{"home", "to the home switch, 0 at its edge"},
                     {"home-return", "to the home switch, then back onto its edge"},
                     {"kill", "stop dead at the home switch, count kept"}};
-  c.inputs = inputs(*outputs);
-  c.outputs = output_infos(*outputs, variant);
+  c.inputs = inputs(board->outputs);
+  c.outputs = output_infos(board->outputs, variant);
   c.params = param_infos(variant);
+  set_factory_values(c.params, *board);
   c.actions = actions(variant);
   add_readouts(c, variant);
   add_memory_map(c, variant);
   c.queue_depth = queue_entries;
+  c.contour_size = board->contour_size;
   c.commands = command_help();
   c.command_separators = " ;";
   c.program.slots = 1;
@@ -260,6 +261,7 @@ Result<Catalog> make_catalog(const DeviceOptions& options_given) {
   c.bench.panel_title = "VME58";
   c.can = capabilities();
   c.can.servo_tuning = variant.servos > 0;
+  c.servo_update = board->servo_update;
   c.jog_speed = Pps{2000};
   c.jog_speed_min = Pps{1};
   c.jog_speed_max = Pps{static_cast<double>(velocity_max)};

@@ -31,7 +31,5 @@ bool recognises(std::string_view reply);
 std::vector<CommandInfo> command_help();
 std::vector<ParamInfo> param_infos(const Variant& variant);
 void add_memory_map(Catalog& catalog, const Variant& variant);
-/// General lines that are outputs, by the address' jumpers=IIO; bit per line.
-Result<std::uint16_t> output_lines(const DeviceOptions& options);
 
 }  // namespace hw::vme58

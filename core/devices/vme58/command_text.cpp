@@ -1,6 +1,7 @@
 #include "core/devices/vme58/command_text.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdlib>
 
@@ -135,6 +136,9 @@ class Reader {
     if (places > 0 && list && command.given() == 0)
       flaw(command, command.begin, at_ - command.begin,
            fmt::format("{} needs at least one number.", command.fact->letters));
+    if (const int axes = std::popcount(context_.contour_axes); command.is(Op::CR) && axes != 2)
+      flaw(command, command.begin, at_ - command.begin,
+           fmt::format("CR draws in two axes, and this contour has {}.", axes));
   }
 
   std::optional<double> read_number(TextCommand& command) {

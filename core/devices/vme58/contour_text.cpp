@@ -54,10 +54,11 @@ Result<std::string> contour_text(const ContourPlan& plan, const Catalog& catalog
       text += fmt::format("{}{};\n", p.on ? "AN" : "AF", port);
     }
   }
-  if (entries > contour_entries)
-    return fail(FaultKind::text,
-                fmt::format("The contour has {} entries, and the board keeps {}.", entries, contour_entries),
-                "Nothing was sent.");
+  if (entries > catalog.contour_size)
+    return fail(
+        FaultKind::text,
+        fmt::format("The contour has {} entries, and the board keeps {}.", entries, catalog.contour_size),
+        "Nothing was sent.");
   text += plan.ramp ? "CE\n" : "CK\n";
   text += fmt::format("MT{} GO\nCX\n", places(plan.first, std::llround(shape->park.x), plan.second,
                                               std::llround(shape->park.y)));

@@ -24,6 +24,7 @@
 #include "core/devices/vme58/codec.h"
 #include "core/devices/vme58/command_text.h"
 #include "core/devices/vme58/parameters.h"
+#include "core/motion/servo_watch.h"
 
 namespace hw::vme58 {
 
@@ -43,7 +44,7 @@ class Vme58Driver final : public Driver {
   [[nodiscard]] bool answers(std::string_view text) const override;
   bool take_unsolicited(std::string& text) override;
   [[nodiscard]] Duration moving_period() const override;
-  [[nodiscard]] Duration idle_period() const override { return sampled_axis_ >= 0 ? Millis(1) : Millis(200); }
+  [[nodiscard]] Duration idle_period() const override;
 
  private:
   /// What the console knows of an axis beside the snapshot.
@@ -68,6 +69,24 @@ class Vme58Driver final : public Driver {
     int input_put = 0, output_get = 0;
   };
   enum class WhenStuck : std::uint8_t { withdraw, leave };
+  /// The cycles of one burst, in memory that earlier bursts have left: a round at rest takes none. Bursts of
+  /// a stop may stand beside those of the round that it interrupts.
+  class Burst {
+   public:
+    explicit Burst(Vme58Driver& driver) : driver_(driver) {
+      if (driver.spare_bursts_.empty()) return;
+      cycles.swap(driver.spare_bursts_.back());
+      driver.spare_bursts_.pop_back();
+      cycles.clear();
+    }
+    ~Burst() { driver_.spare_bursts_.push_back(std::move(cycles)); }
+    Burst(const Burst&) = delete;
+    Burst& operator=(const Burst&) = delete;
+    std::vector<BusCycle> cycles;
+
+   private:
+    Vme58Driver& driver_;
+  };
 
   // ---- driver_talk.cpp
   Task<Result<>> run(std::vector<BusCycle>& cycles, Priority priority);
@@ -75,7 +94,7 @@ class Vme58Driver final : public Driver {
   Task<Result<bool>> put_text(std::string text, Priority priority);
   Task<Result<>> write(std::string text, Priority priority, WhenStuck when_stuck = WhenStuck::withdraw);
   Task<Result<bool>> is_taken(Priority priority);
-  Task<Result<>> withdraw_text(Priority priority);
+  Task<Result<>> withdraw_text(Priority priority, int from);
   Task<Result<>> command(std::string text, Priority priority);
   Task<Result<bool>> was_rejected(Priority priority);
   Task<Result<std::string>> ask(std::string question, Priority priority, Duration patience = Millis(200));
@@ -115,6 +134,8 @@ class Vme58Driver final : public Driver {
   Task<Result<>> read_rings(Priority priority);
   Task<Result<>> read_flags(Priority priority);
   Task<Result<>> read_queues(Priority priority);
+  Task<Result<>> ask_in_turn();
+  void show_full_queue();
   void take_registers(const Registers& registers);
   void take_cycles(const std::vector<BusCycle>& cycles);
   void take_parameters(int axis);
@@ -123,7 +144,9 @@ class Vme58Driver final : public Driver {
   void end_motion(int axis, EndedBy ended_by);
   void show_worst();
   void record_round();
+  [[nodiscard]] bool sampling() const;
   void sample(Instant at);
+  [[nodiscard]] std::optional<motion::ServoGains> known_gains(int axis) const;
   [[nodiscard]] std::int64_t value(int axis, AxisValue v) const;
   [[nodiscard]] bool moving(int axis) const;
 
@@ -179,6 +202,7 @@ class Vme58Driver final : public Driver {
   const Variant& variant_;
   const std::vector<Parameter> parameters_;  ///< in the order of the catalog's
   Station* station_ = nullptr;
+  std::vector<std::vector<BusCycle>> spare_bursts_;
 
   std::array<AxisMind, max_axes> minds_{};
   std::array<AxisData, max_axes> data_{};
@@ -190,6 +214,7 @@ class Vme58Driver final : public Driver {
   int put_ = 0, get_ = 0;  ///< the host's two indexes
   bool writing_ = false;
   bool on_its_way_ = false;  ///< text was put that the board is not known to have taken
+  bool in_wq_ = false;       ///< WQ was put, and the board was not seen to read on
   Event written_;
   std::string received_;             ///< characters that are no whole reply yet
   std::deque<std::string> replies_;  ///< whole ones that nobody has taken
@@ -210,10 +235,12 @@ class Vme58Driver final : public Driver {
   bool flags_wanted_ = false;
   std::uint32_t watched_ = 0;
   int round_ = 0;
+  std::string round_text_;  ///< keeps its memory
   int next_axis_ = 0;
 
   int sampled_axis_ = -1;
   Instant sample_until_{};
+  motion::ServoWatch servo_watch_;  ///< of the sampled axis
 
   std::string program_text_;
   std::deque<std::pair<int, std::string>> to_feed_;  ///< line and command

@@ -77,6 +77,7 @@ void Vme58Driver::wire_lost() {
   received_.clear();
   replies_.clear();
   mailing_ = updating_ = false;
+  sampled_axis_ = -1;
   station_ = nullptr;
 }
 
@@ -97,7 +98,8 @@ Task<Result<>> Vme58Driver::connect(Station& station) {
   if (!taken) co_return taken;
   auto identified = co_await identify();
   if (!identified) co_return identified;
-  std::vector<BusCycle> cycles;
+  Burst burst(*this);
+  std::vector<BusCycle>& cycles = burst.cycles;
   cycles.push_back(BusCycle::read(2, at::reserved1));
   auto looked = co_await run(cycles, Priority::intent);
   if (!looked) co_return looked;
@@ -119,7 +121,8 @@ Task<Result<>> Vme58Driver::connect(Station& station) {
 Task<Result<>> Vme58Driver::find_board() {
   const Instant give_up = scheduler_.now() + start_patience;
   for (;;) {
-    std::vector<BusCycle> cycles;
+    Burst burst(*this);
+    std::vector<BusCycle>& cycles = burst.cycles;
     for (std::uint16_t offset = 0; offset < reg::control; offset += probe_step)
       cycles.push_back(BusCycle::read(2, offset));
     cycles.push_back(BusCycle::read(1, reg::status));
@@ -160,7 +163,8 @@ Task<Result<>> Vme58Driver::take_over_rings() {
   if (!input_put) co_return fail(input_put.error());
   put_ = *put;
   get_ = *input_put;
-  std::vector<BusCycle> cycles;
+  Burst burst(*this);
+  std::vector<BusCycle>& cycles = burst.cycles;
   cycles.push_back(BusCycle::store(2, at::input_get_index, static_cast<std::uint32_t>(get_)));
   cycles.push_back(BusCycle::store(1, reg::control, control_));
   co_return co_await run(cycles, Priority::intent);
@@ -200,7 +204,8 @@ Task<Result<>> Vme58Driver::identify() {
 }
 
 Task<Result<>> Vme58Driver::leave_mark() {
-  std::vector<BusCycle> cycles;
+  Burst burst(*this);
+  std::vector<BusCycle>& cycles = burst.cycles;
   cycles.push_back(BusCycle::store(2, at::reserved1, our_mark));
   co_return co_await run(cycles, Priority::intent);
 }

@@ -24,7 +24,8 @@ Task<Result<>> Vme58Driver::mail(std::string_view letters) {
     ~Mailing() { driver.mailing_ = false; }
   } mailing(*this);
   const auto kept = static_cast<std::uint8_t>(control_ | (updating_ ? control::update_data : 0));
-  std::vector<BusCycle> cycles;
+  Burst burst(*this);
+  std::vector<BusCycle>& cycles = burst.cycles;
   append_mail(cycles, word, kept);
   auto sent = co_await run(cycles, Priority::stop);
   if (!sent) co_return sent;
@@ -96,7 +97,8 @@ Task<Result<>> Vme58Driver::stop_all(bool at_once) {
   const auto taken = co_await is_taken(Priority::stop);
   if (!taken) co_return fail(taken.error());
   if (mailed && *taken && !overtakes) co_return mailed;
-  auto withdrawn = co_await withdraw_text(Priority::stop);
+  const int begin = advanced(put_, 1 - ring_cells);  // everything, whoever has put it there
+  auto withdrawn = co_await withdraw_text(Priority::stop, begin);
   if (!withdrawn) co_return withdrawn;
   if (mailed) mailed = co_await mail(word);  // what it took in between may have begun something
   if (mailed) co_return mailed;

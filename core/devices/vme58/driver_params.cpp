@@ -52,6 +52,7 @@ Task<Result<>> Vme58Driver::perform(const IntentBody& body) {
     const bool on = i->length.count() > 0 && i->axis.index < axis_count();
     sampled_axis_ = on ? i->axis.index : -1;
     sample_until_ = scheduler_.now() + i->length;
+    servo_watch_.start();
     co_return Result<>();
   }
   if (std::holds_alternative<ReadParams>(body)) co_return co_await read_all_values(Priority::intent);
@@ -123,7 +124,7 @@ void Vme58Driver::take_parameters(int axis) {
 
 void Vme58Driver::factory_params() {
   for (std::size_t i = 0; i < parameters_.size(); ++i) {
-    draft_.params[i].value = parameters_[i].fact->factory;
+    draft_.params[i].value = catalog_.params[i].fallback;
     draft_.params[i].known = true;
   }
   for (int i = 0; i < axis_count(); ++i) draft_.axes[i].enabled = true;

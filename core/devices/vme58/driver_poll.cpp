@@ -1,7 +1,10 @@
 // The round of status: registers, then the data area. Reading a register clears its flags, so each is read in
 // one place and what it said is remembered.
 #include <algorithm>
+#include <array>
 #include <cstdlib>
+#include <iterator>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -11,7 +14,8 @@
 namespace hw::vme58 {
 namespace {
 
-constexpr Duration copy_time = std::chrono::microseconds(1000);  // decision M26: about 1 ms
+constexpr Duration copy_time = std::chrono::microseconds(1000);   // decision M26: about 1 ms
+constexpr Duration sample_pause = std::chrono::microseconds(50);  // between two rounds of a recording
 constexpr Duration copy_look = std::chrono::microseconds(300);
 constexpr Duration update_patience = Millis(50);
 constexpr Duration rest_time = Millis(400);  // at rest so long without a done flag: it ended some other way
@@ -22,7 +26,10 @@ bool bit(std::uint32_t bits, int n) { return (bits >> n & 1) != 0; }
 
 }  // namespace
 
-Duration Vme58Driver::moving_period() const { return sampled_axis_ >= 0 ? Millis(1) : Millis(20); }
+// A recording wants each copy that the board makes: one a millisecond.
+bool Vme58Driver::sampling() const { return sampled_axis_ >= 0 && scheduler_.now() < sample_until_; }
+Duration Vme58Driver::moving_period() const { return sampling() ? sample_pause : Duration(Millis(20)); }
+Duration Vme58Driver::idle_period() const { return sampling() ? sample_pause : Duration(Millis(200)); }
 
 std::int64_t Vme58Driver::value(int axis, AxisValue v) const { return data_[ix(axis)][v]; }
 bool Vme58Driver::moving(int axis) const {
@@ -53,30 +60,19 @@ Task<Result<>> Vme58Driver::poll() {
   if (!read) co_return read;
   station_->count_answer(scheduler_.now() - began, true, scheduler_.now());
   record_round();
-  if (flags_wanted_ && !context_.recording) {
-    auto asked = co_await read_flags(Priority::poll);
-    if (!asked) co_return asked;
-  }
   draft_.window.rings_known = bit(watched_, memory_group);
   if (draft_.window.rings_known) {
     auto rings = co_await read_rings(Priority::poll);
     if (!rings) co_return rings;
   }
-  // An axis may work at what others have sent; what is not empty is read until it is.
-  bool queues_matter = bit(watched_, queue_group) || draft_.program.run == RunState::running;
-  for (int i = 0; i < axis_count(); ++i) {
-    const bool waiting = bit(draft_.queue_known, i) && draft_.queue_free[ix(i)] < queue_entries;
-    queues_matter = queues_matter || waiting || (moving(i) && !minds_[ix(i)].ours);
+  // Text that the board has not come to holds questions back too, and is nobody's to take away.
+  if (registers->output_get == put_) {
+    on_its_way_ = in_wq_ = false;
+    auto asked = co_await ask_in_turn();
+    if (!asked) co_return asked;
+  } else {
+    show_full_queue();
   }
-  if (queues_matter && round_ % queue_rounds == 0 && !context_.recording && to_feed_.empty()) {
-    auto queues = co_await read_queues(Priority::poll);
-    if (!queues) co_return queues;
-  }
-  for (int i = 0; i < axis_count(); ++i)
-    if (minds_[ix(i)].borrowed_velocity && !minds_[ix(i)].ours) {
-      auto given = co_await give_speed_back(i);
-      if (!given) co_return given;
-    }
   auto watched = co_await watch_program();
   show_worst();
   co_return watched;
@@ -86,8 +82,8 @@ Task<Result<>> Vme58Driver::poll() {
 
 /// With `ask_for_data` the board is told to copy the axis data, in the same burst.
 Task<Result<Vme58Driver::Registers>> Vme58Driver::read_registers(Priority priority, bool ask_for_data) {
-  std::vector<BusCycle> cycles;
-  cycles.reserve(16);
+  Burst burst(*this);
+  std::vector<BusCycle>& cycles = burst.cycles;
   if (ask_for_data) {
     updating_ = true;
     cycles.push_back(BusCycle::store(1, reg::control, control_ | control::update_data));
@@ -168,16 +164,17 @@ void Vme58Driver::take_registers(const Registers& r) {
 Task<Result<>> Vme58Driver::read_axes(Priority priority) {
   if (!updating_) {
     updating_ = true;
-    std::vector<BusCycle> request;
-    request.push_back(BusCycle::store(1, reg::control, control_ | control::update_data));
-    auto asked = co_await run(request, priority);
+    Burst request(*this);
+    request.cycles.push_back(BusCycle::store(1, reg::control, control_ | control::update_data));
+    auto asked = co_await run(request.cycles, priority);
     if (!asked) co_return asked;
   }
   const Instant give_up = scheduler_.now() + update_patience;
-  std::vector<BusCycle> cycles;
+  Burst burst(*this);
+  std::vector<BusCycle>& cycles = burst.cycles;
   const int whole = next_axis_;
   next_axis_ = (next_axis_ + 1) % axis_count();
-  co_await scheduler_.sleep_for(copy_time);
+  co_await scheduler_.sleep_for(sampling() ? copy_time - sample_pause : copy_time);
   for (;;) {
     cycles.clear();
     cycles.push_back(BusCycle::read(1, reg::control));
@@ -284,6 +281,43 @@ void Vme58Driver::end_motion(int i, EndedBy ended_by) {
 
 // ---- what is asked by command, in turn
 
+Task<Result<>> Vme58Driver::ask_in_turn() {
+  if (flags_wanted_ && !context_.recording) {
+    auto asked = co_await read_flags(Priority::poll);
+    if (!asked) co_return asked;
+  }
+  // An axis may work at what others have sent; what is not empty is read until it is.
+  bool queues_matter = bit(watched_, queue_group) || draft_.program.run == RunState::running;
+  for (int i = 0; i < axis_count(); ++i) {
+    const bool waiting = bit(draft_.queue_known, i) && draft_.queue_free[ix(i)] < queue_entries;
+    queues_matter = queues_matter || waiting || (moving(i) && !minds_[ix(i)].ours);
+  }
+  if (queues_matter && round_ % queue_rounds == 0 && !context_.recording) {
+    auto queues = co_await read_queues(Priority::poll);
+    if (!queues) co_return queues;
+  }
+  for (int i = 0; i < axis_count(); ++i)
+    if (minds_[ix(i)].borrowed_velocity && !minds_[ix(i)].ours) {
+      auto given = co_await give_speed_back(i);
+      if (!given) co_return given;
+    }
+  co_return Result<>();
+}
+
+/// The board reads no further: no queue can be asked for, and the one that the text is meant for is full
+/// (what waits does not fit: fewer entries are free than it takes).
+void Vme58Driver::show_full_queue() {
+  draft_.queue_known = 0;
+  Context context = context_;
+  if (in_wq_) return;
+  for (const TextCommand& command : read_commands(last_sent_, context)) {
+    if (!command.fact || command.fact->when != When::queued || command.context.mode != where::single)
+      continue;
+    draft_.queue_known = 1u << command.context.axis;
+    draft_.queue_free[ix(command.context.axis)] = 0;
+  }
+}
+
 // One bit for both ends of an axis: the direction of its latest motion tells which one it stands on.
 Task<Result<>> Vme58Driver::read_flags(Priority priority) {
   flags_wanted_ = false;
@@ -318,7 +352,8 @@ Task<Result<>> Vme58Driver::read_queues(Priority priority) {
 }
 
 Task<Result<>> Vme58Driver::read_rings(Priority priority) {
-  std::vector<BusCycle> cycles;
+  Burst burst(*this);
+  std::vector<BusCycle>& cycles = burst.cycles;
   for (const std::uint16_t index :
        {at::input_put_index, at::output_get_index, at::output_put_index, at::input_get_index})
     cycles.push_back(BusCycle::read(2, index));
@@ -336,11 +371,11 @@ Task<Result<>> Vme58Driver::read_rings(Priority priority) {
 // ---- what is told
 
 void Vme58Driver::record_round() {
-  std::string seen;
+  round_text_.clear();
   for (int i = 0; i < axis_count(); ++i)
-    seen += fmt::format("{}{}", i == 0 ? "" : " ", draft_.axes[i].position.value);
+    fmt::format_to(std::back_inserter(round_text_), "{}{}", i == 0 ? "" : " ", draft_.axes[i].position.value);
   record(Way::sent, Priority::poll, "data area");
-  record(Way::received, Priority::poll, seen);
+  record(Way::received, Priority::poll, round_text_);
 }
 
 void Vme58Driver::sample(Instant at) {
@@ -353,8 +388,40 @@ void Vme58Driver::sample(Instant at) {
   s.command = axis.position;
   s.encoder = axis.encoder;
   s.velocity = axis.speed;
+  if (const auto gains = known_gains(sampled_axis_)) {
+    const double steps = servo_watch_.look(*gains, catalog_.servo_update, at, s.command.value,
+                                           s.encoder.value, s.velocity.value);
+    s.output_percent = axis.enabled ? static_cast<float>(100 * steps / motion::output_limit) : 0;
+    s.output_known = true;
+  }
   sample_(s);
   if (at >= sample_until_) sampled_axis_ = -1;
+}
+
+/// None: not all of them are known. Where nothing is integrated, its interval does not matter.
+std::optional<motion::ServoGains> Vme58Driver::known_gains(int axis) const {
+  constexpr double hundredths = 100;
+  const std::array<std::pair<std::string_view, double motion::ServoGains::*>, 6> places{{
+      {"KP", &motion::ServoGains::kp},
+      {"KI", &motion::ServoGains::ki},
+      {"KD", &motion::ServoGains::kd},
+      {"KV", &motion::ServoGains::kv},
+      {"KA", &motion::ServoGains::ka},
+      {"KO", &motion::ServoGains::ko},
+  }};
+  motion::ServoGains gains;
+  std::size_t found = 0;
+  bool interval_known = false;
+  for (std::size_t i = 0; i < parameters_.size(); ++i) {
+    if (parameters_[i].axis != axis || !draft_.params[i].known) continue;
+    const std::string_view letters = parameters_[i].fact->letters;
+    const auto value = static_cast<double>(draft_.params[i].value);
+    for (const auto& [name, gain] : places)
+      if (letters == name) gains.*gain = value / hundredths, ++found;
+    if (letters == "KN") gains.kn = static_cast<int>(value), interval_known = true;
+  }
+  if (found != places.size() || (gains.ki != 0 && !interval_known)) return std::nullopt;
+  return gains;
 }
 
 void Vme58Driver::show_worst() {

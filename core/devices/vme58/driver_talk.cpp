@@ -47,7 +47,8 @@ Task<Result<>> Vme58Driver::run(std::vector<BusCycle>& cycles, Priority priority
 
 // Read twice: while the board moves it, or when a byte was garbled, the two differ.
 Task<Result<int>> Vme58Driver::read_index(std::uint16_t offset, Priority priority) {
-  std::vector<BusCycle> cycles;
+  Burst burst(*this);
+  std::vector<BusCycle>& cycles = burst.cycles;
   for (int attempt = 0; attempt < index_attempts; ++attempt) {
     cycles.assign(2, BusCycle::read(2, offset));
     auto done = co_await run(cycles, priority);
@@ -75,9 +76,13 @@ Task<Result<bool>> Vme58Driver::put_text(std::string text, Priority priority) {
   const auto get = co_await read_index(at::output_get_index, priority);
   if (!get) co_return fail(get.error());
   if (room(put_, *get) < static_cast<int>(text.size())) co_return false;
-  std::vector<BusCycle> cycles;
+  Burst burst(*this);
+  std::vector<BusCycle>& cycles = burst.cycles;
+  // Where a stranger has spoiled the host's other index the board takes nothing.
+  cycles.push_back(BusCycle::store(2, at::input_get_index, static_cast<std::uint32_t>(get_)));
   append_text(cycles, text, put_);
   on_its_way_ = true;
+  in_wq_ = in_wq_ || text.find("WQ") != text.npos;
   auto done = co_await run(cycles, priority);
   if (!done) co_return fail(done.error());
   put_ = advanced(put_, static_cast<int>(text.size()));
@@ -93,12 +98,15 @@ Task<Result<bool>> Vme58Driver::is_taken(Priority priority) {
   co_return *get == put_;
 }
 
-// Text that the board has not come to is made blank: it does nothing then, wherever the board stands in it.
-Task<Result<>> Vme58Driver::withdraw_text(Priority priority) {
+// Text from `from` on that the board has not come to is made blank: it does nothing then, wherever the board
+// stands in it.
+Task<Result<>> Vme58Driver::withdraw_text(Priority priority, int from) {
   const auto get = co_await read_index(at::output_get_index, priority);
   if (!get) co_return fail(get.error());
-  std::vector<BusCycle> cycles;
-  for (int i = *get; i != put_; i = advanced(i, 1))
+  const int begin = waiting(put_, *get) < waiting(put_, from) ? *get : from;
+  Burst burst(*this);
+  std::vector<BusCycle>& cycles = burst.cycles;
+  for (int i = begin; i != put_; i = advanced(i, 1))
     cycles.push_back(BusCycle::store(2, static_cast<std::uint16_t>(at::output_buffer + 2 * i), ' '));
   if (cycles.empty()) co_return Result<>();
   co_return co_await run(cycles, priority);
@@ -114,6 +122,7 @@ Task<Result<>> Vme58Driver::write(std::string text, Priority priority, WhenStuck
     put = co_await put_text(text, priority);
   }
   if (!put) co_return fail(put.error());
+  const int begin = advanced(put_, -static_cast<int>(text.size()));  // of what was put
   bool taken = false;
   while (*put && !taken) {
     const auto looked = co_await is_taken(priority);
@@ -125,7 +134,7 @@ Task<Result<>> Vme58Driver::write(std::string text, Priority priority, WhenStuck
   if (taken) co_return Result<>();
   const bool waits = *put && when_stuck == WhenStuck::leave;
   if (*put && !waits) {
-    auto withdrawn = co_await withdraw_text(priority);
+    auto withdrawn = co_await withdraw_text(priority, begin);
     if (!withdrawn) co_return withdrawn;
   }
   co_return fail(FaultKind::no_answer,
@@ -198,7 +207,8 @@ Task<Result<std::string>> Vme58Driver::ask(std::string question, Priority priori
 Task<Result<>> Vme58Driver::fetch_replies(int input_put, Priority priority) {
   const int count = waiting(input_put, get_);
   if (count == 0) co_return Result<>();
-  std::vector<BusCycle> cycles;
+  Burst burst(*this);
+  std::vector<BusCycle>& cycles = burst.cycles;
   append_reply_reads(cycles, get_, count);
   cycles.push_back(BusCycle::store(2, at::input_get_index, static_cast<std::uint32_t>(input_put)));
   auto done = co_await run(cycles, priority);

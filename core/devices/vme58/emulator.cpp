@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <fmt/core.h>
+
 #include "core/devices/vme58/emulator_vme58.h"
 
 namespace hw::vme58 {
@@ -10,25 +12,6 @@ namespace {
 
 constexpr int most_events_at_one_time = 100'000;  // then time has to go on
 constexpr std::string_view memory_text = "# A VME58 keeps nothing without power.\n";
-
-tl::unexpected<Fault> wrong_option(std::string what, std::string advice = {}) {
-  return fail(FaultKind::text, std::move(what), "", std::move(advice));
-}
-
-/// IIO: one letter for each group of four lines; the last two lines are outputs for good.
-std::optional<std::uint16_t> outputs_of(std::string_view jumpers) {
-  constexpr std::size_t groups = first_fixed_output / lines_of_a_group;
-  if (jumpers.size() != groups) return std::nullopt;
-  unsigned outputs = ((1u << io_lines) - 1) & ~((1u << first_fixed_output) - 1);
-  for (std::size_t g = 0; g < groups; ++g) {
-    const char c = jumpers[g];
-    if (c == 'O' || c == 'o')
-      outputs |= ((1u << lines_of_a_group) - 1) << (g * lines_of_a_group);
-    else if (c != 'I' && c != 'i')
-      return std::nullopt;
-  }
-  return static_cast<std::uint16_t>(outputs);
-}
 
 }  // namespace
 
@@ -80,43 +63,12 @@ Result<> Vme58Emulator::load_memory(std::string_view text) {
 
 // --- options -----------------------------------------------------------------------------------------------
 
-namespace {
-
-Result<BoardMake> read_options(const std::map<std::string, std::string>& given) {
-  BoardMake make;
-  for (const auto& [key, value] : given) {
-    if (key == "variant") {
-      make.variant = find_variant(value);
-      if (make.variant == nullptr) {
-        std::string names;
-        for (const Variant& v : variants) names += (names.empty() ? "" : ", ") + std::string(v.name);
-        return wrong_option("variant=" + value + ": there is no such model.", "Models are " + names + ".");
-      }
-    } else if (key == "jumpers") {
-      const auto outputs = outputs_of(value);
-      if (!outputs)
-        return wrong_option(
-            "jumpers=" + value + ": three letters, I or O, say what lines 0-3, 4-7 and 8-11 are.",
-            "The factory's are IIO.");
-      make.outputs = *outputs;
-    } else if (key == "firmware") {
-      constexpr std::size_t longest = 8;
-      if (value.empty() || value.size() > longest ||
-          value.find_first_not_of("0123456789.") != std::string::npos)
-        return wrong_option("firmware=" + value + ": a revision is a number like 2.24.");
-      make.firmware = value;
-    } else {
-      return wrong_option("The VME58 emulator has no option \"" + key + "\".",
-                          "Its options are variant, jumpers and firmware.");
-    }
-  }
-  return make;
-}
-
-}  // namespace
-
 Result<std::unique_ptr<Emulator>> make_emulator(const std::map<std::string, std::string>& options) {
-  auto read = read_options(options);
+  for (const auto& [key, value] : options)
+    if (!is_board_option(key))
+      return fail(FaultKind::text, fmt::format("The VME58 emulator has no option \"{}\".", key), "",
+                  fmt::format("Its options are {}.", board_option_names()));
+  auto read = read_board_options(options);
   if (!read) return fail(read.error());
   return std::make_unique<Vme58Emulator>(*read);
 }

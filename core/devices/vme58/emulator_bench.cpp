@@ -2,6 +2,7 @@
 #include <string>
 #include <utility>
 
+#include "core/device/bench_hands.h"
 #include "core/devices/vme58/emulator_vme58.h"
 
 namespace hw::vme58 {
@@ -13,13 +14,6 @@ tl::unexpected<Fault> left_as_it_was(std::string what, std::string advice = {}) 
 
 }  // namespace
 
-Result<> Vme58Emulator::operate(const BenchCommand& command) {
-  auto result = std::visit([this](const auto& c) { return act(c); }, command);
-  board_.settle();
-  advance_to(board_.now());
-  return result;
-}
-
 Result<> Vme58Emulator::check_axis(AxisId axis) const {
   const int axes = board_.variant().axes();
   if (axis.index < axes) return {};
@@ -27,6 +21,7 @@ Result<> Vme58Emulator::check_axis(AxisId axis) const {
                         "Its axes are " + std::string(axis_letters.substr(0, ix(axes))) + ".");
 }
 
+template <>
 Result<> Vme58Emulator::act(const bench::Input& c) {
   const int line = c.number - 1;
   if (line < 0 || line >= io_lines)
@@ -39,56 +34,78 @@ Result<> Vme58Emulator::act(const bench::Input& c) {
   return {};
 }
 
+template <>
 Result<> Vme58Emulator::act(const bench::Limit& c) {
   if (auto bad = check_axis(c.axis); !bad) return bad;
   board_.motion().operate_limit(c.axis.index, c.sign, c.operated);
   return {};
 }
 
+template <>
 Result<> Vme58Emulator::act(const bench::HomeSwitch& c) {
   if (auto bad = check_axis(c.axis); !bad) return bad;
   board_.motion().operate_home(c.axis.index, c.operated);
   return {};
 }
 
-Result<> Vme58Emulator::act(const bench::Analog&) { return left_as_it_was("A VME58 has no analog inputs."); }
+template <>
+Result<> Vme58Emulator::act(const bench::Analog&) {
+  return left_as_it_was("A VME58 has no analog inputs.");
+}
 
+template <>
 Result<> Vme58Emulator::act(const bench::Button& c) {
   return left_as_it_was("This board has no button \"" + c.name + "\".");
 }
 
+template <>
 Result<> Vme58Emulator::act(const bench::Jam& c) {
   if (auto bad = check_axis(c.axis); !bad) return bad;
   board_.motion().jam(c.axis.index, c.on);
   return {};
 }
 
+template <>
 Result<> Vme58Emulator::act(const bench::Slip& c) {
   if (auto bad = check_axis(c.axis); !bad) return bad;
   board_.motion().slip(c.axis.index, c.by.value);
   return {};
 }
 
-Result<> Vme58Emulator::act(const bench::Alarm&) { return left_as_it_was("A VME58 has no alarm inputs."); }
+template <>
+Result<> Vme58Emulator::act(const bench::Alarm&) {
+  return left_as_it_was("A VME58 has no alarm inputs.");
+}
 
+template <>
 Result<> Vme58Emulator::act(const bench::Place& c) {
   if (auto bad = check_axis(c.axis); !bad) return bad;
   return board_.motion().place(c.axis.index, c.place);
 }
 
+template <>
 Result<> Vme58Emulator::act(const bench::Power& c) {
   board_.power(c.on);
   return {};
 }
 
+template <>
 Result<> Vme58Emulator::act(const bench::PowerCycle&) {
   board_.power(false);
   board_.power(true);
   return {};
 }
 
+template <>
 Result<> Vme58Emulator::act(const bench::Breaker&) {
   return left_as_it_was("A VME58 has no circuit breaker.");
+}
+
+Result<> Vme58Emulator::operate(const BenchCommand& command) {
+  auto result = by_hand(command, [this](const auto& hand) { return act(hand); });
+  board_.settle();
+  advance_to(board_.now());
+  return result;
 }
 
 /// Outputs: the output lines in their order, then the auxiliary outputs. A line is on while it is low, an

@@ -10,12 +10,26 @@ constexpr Duration boot_time = std::chrono::milliseconds(100);  // decision M85
 
 }  // namespace
 
-Board::Board(const BoardMake& make)
-    : variant_(make.variant),
-      firmware_(make.firmware),
+Board::Board(const BoardOptions& make)
+    : make_(make),
+      variant_(make.variant),
       fitted_((1u << make.variant->axes()) - 1),
       io_(make.outputs),
-      motion_(*make.variant) {}
+      motion_(*make.variant) {
+  set_factory_values();
+}
+
+/// What the data sheet leaves open (decisions M47, M96).
+void Board::set_factory_values() {
+  motion_.board().servo_period = make_.servo_update;
+  each_axis(fitted_, [this](int a) {
+    AxisSettings& s = motion_.settings(a);
+    s.velocity = static_cast<double>(make_.velocity);
+    s.acceleration = static_cast<double>(make_.acceleration);
+    s.base_velocity = static_cast<double>(make_.base_velocity);
+    motion_.changed(a);
+  });
+}
 
 // --- power and time ----------------------------------------------------------------------------------------
 
@@ -33,6 +47,7 @@ void Board::reset() {
   io_.reset();
   parser_.clear();
   motion_.reset();
+  set_factory_values();
   tasks_ = {};
   context_ = 0;
   echo_ = false;

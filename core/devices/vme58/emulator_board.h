@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/base/index.h"
+#include "core/devices/vme58/board_options.h"
 #include "core/devices/vme58/emulator_contour.h"
 #include "core/devices/vme58/emulator_flags.h"
 #include "core/devices/vme58/emulator_io.h"
@@ -45,16 +46,10 @@ struct Task {
   std::vector<Promise> promises;
 };
 
-/// What is the same after each reset: how the board was bought and jumpered.
-struct BoardMake {
-  const Variant* variant = &variants[0];
-  std::uint16_t outputs = factory_outputs;  ///< bit n: line n is one
-  std::string firmware = "2.24";            ///< as WY tells it
-};
-
 class Board {
  public:
-  explicit Board(const BoardMake& make);
+  /// `make` is the same after each reset.
+  explicit Board(const BoardOptions& make);
 
   // Time.
   [[nodiscard]] Instant now() const { return motion_.now(); }
@@ -194,8 +189,10 @@ class Board {
   void acknowledge_mail();
   void set_control(std::uint8_t value);
 
+  void set_factory_values();
+
+  BoardOptions make_;
   const Variant* variant_;
-  std::string firmware_;
   unsigned fitted_;
   bool powered_ = true;
   std::optional<Instant> boots_until_;

@@ -148,6 +148,10 @@ class Motion {
 
   /// Of a servo axis with a motor: what stands at its output.
   [[nodiscard]] double output_volts(int axis) const { return axes_[ix(axis)].loop.volts(); }
+  /// Of an axis whose loop is at work: command position and speed as the latest update has seen them, so that
+  /// they and the encoder are of one moment. Else position() and velocity().
+  [[nodiscard]] std::int64_t sampled_position(int axis) const;
+  [[nodiscard]] double sampled_velocity(int axis) const;
 
  private:
   void tell(MotionEvent::What what, int axis, bool on = false) { events_.push_back({what, axis, on}); }
@@ -193,6 +197,7 @@ class Motion {
   bool follow_cues(Run& run);
 
   // Servo loops, holding, slip, tracking (emulator_servo.cpp, emulator_hold.cpp).
+  [[nodiscard]] bool at_work(int axis) const;
   void update_servos();
   void update_servo(int axis);
   void schedule_updates();

@@ -35,14 +35,14 @@ void Board::answer(const Command& c) {
   std::string text;
   std::string_view around = frame;
   switch (c.op()) {
-    case Op::WY: text = "VME58 ver " + firmware_ + "-" + std::string(variant_->name); break;
+    case Op::WY: text = "VME58 ver " + make_.firmware + "-" + std::string(variant_->name); break;
     case Op::RP: text = values([this](int a) { return std::to_string(motion_.position(a)); }); break;
     case Op::RE: text = values([this](int a) { return std::to_string(motion_.encoder(a)); }); break;
     case Op::RC: text = values([this](int a) { return rounded(motion_.settings(a).acceleration); }); break;
     case Op::RV: text = values([this](int a) { return rounded(motion_.velocity(a)); }); break;
     case Op::RU: text = values([this](int a) { return user_position(a); }); break;
     case Op::RQ:
-      text = std::to_string(recording_ ? contour_entries - recorded_entries_
+      text = std::to_string(recording_ ? make_.contour_size - recorded_entries_
                                        : tasks_[ix(context_)].queue.room());
       break;
     case Op::BX: text = lines_in_hex(io_.levels()); break;

@@ -16,7 +16,7 @@ void Board::begin_recording(const Command& c) {
 
 void Board::record(const Command& c) {
   if (c.op() == Op::CE || c.op() == Op::CK) return end_recording(c.op() == Op::CK);
-  if (recorded_entries_ + c.entries() > contour_entries) return text_error();
+  if (recorded_entries_ + c.entries() > make_.contour_size) return text_error();
   recorded_entries_ += c.entries();
   RecordedPiece piece;
   switch (c.op()) {

@@ -85,8 +85,8 @@ void Board::copy_axis_data() {
     const AxisSettings& s = motion_.settings(a);
     const auto set = [this, a](AxisValue what, std::int32_t to) { window_.set_axis_value(a, what, to); };
     set(AxisValue::encoder_position, dpram_value(motion_.encoder(a)));
-    set(AxisValue::command_position, dpram_value(motion_.position(a)));
-    set(AxisValue::command_velocity, dpram_value(std::round(motion_.velocity(a))));
+    set(AxisValue::command_position, dpram_value(motion_.sampled_position(a)));
+    set(AxisValue::command_velocity, dpram_value(std::round(motion_.sampled_velocity(a))));
     set(AxisValue::acceleration, dpram_value(s.acceleration));
     set(AxisValue::maximum_velocity, dpram_value(s.velocity));
     set(AxisValue::base_velocity, dpram_value(s.base_velocity));

@@ -49,6 +49,21 @@ double Motion::exact_command(int a) const {
          r->track.exact(a, r->profile.distance(now_));
 }
 
+bool Motion::at_work(int a) const {
+  const MotionAxis& x = axes_[ix(a)];
+  return x.has_motor && x.loop.closed() && !x.loop.at_rest();
+}
+
+std::int64_t Motion::sampled_position(int a) const {
+  const MotionAxis& x = axes_[ix(a)];
+  return at_work(a) ? x.encoder() + x.loop.error() : x.position;
+}
+
+double Motion::sampled_velocity(int a) const {
+  if (!at_work(a)) return velocity(a);
+  return std::abs(axes_[ix(a)].loop.command_speed()) / seconds(board_.servo_period);
+}
+
 void Motion::update_servo(int a) {
   MotionAxis& x = axes_[ix(a)];
   const std::int64_t before = x.loop.plant.counts();

@@ -11,7 +11,7 @@ namespace hw::vme58 {
 
 class Vme58Emulator final : public Emulator, public BusTarget {
  public:
-  explicit Vme58Emulator(const BoardMake& make) : board_(make) {}
+  explicit Vme58Emulator(const BoardOptions& make) : board_(make) {}
 
   // No byte stream.
   void receive(std::string_view) override {}
@@ -46,25 +46,9 @@ class Vme58Emulator final : public Emulator, public BusTarget {
  private:
   Result<> check_axis(AxisId axis) const;
 
-  // emulator_bench.cpp
-  Result<> act(const bench::Input& c);
-  Result<> act(const bench::Limit& c);
-  Result<> act(const bench::HomeSwitch& c);
-  Result<> act(const bench::Analog& c);
-  Result<> act(const bench::Button& c);
-  Result<> act(const bench::Jam& c);
-  Result<> act(const bench::Slip& c);
-  Result<> act(const bench::Alarm& c);
-  Result<> act(const bench::Place& c);
-  Result<> act(const bench::Power& c);
-  Result<> act(const bench::PowerCycle& c);
-  Result<> act(const bench::Breaker& c);
-  Result<> act(const bench::Unplug&) { return wire_fault(); }
-  Result<> act(const bench::Garble&) { return wire_fault(); }
-  Result<> act(const bench::Drop&) { return wire_fault(); }
-  static Result<> wire_fault() {
-    return fail(FaultKind::refused, "Faults of the wire are made where the wire is, not in the controller.");
-  }
+  /// One for each kind of hand: emulator_bench.cpp.
+  template <class Hand>
+  Result<> act(const Hand& hand);
 
   Board board_;
   std::vector<TriggerPulse> pulses_;  ///< none: no output of this board is tied to a position

@@ -105,6 +105,7 @@ inline constexpr int loop_levels = 4;
 inline constexpr int parabolic_max = 10;                                                     ///< PN
 inline constexpr int integration_exponent_max = 15;                                          ///< KN
 inline constexpr std::int64_t default_velocity = 200'000, default_acceleration = 2'000'000;  ///< decision M47
+inline constexpr int default_servo_update_us = 1000;                                         ///< decision M96
 
 // --- models ------------------------------------------------------------------------------------------------
 

@@ -150,11 +150,6 @@ class Check {
         recording_began_ = command.begin;
         recorded_ = true;
         break;
-      case Op::CR:
-        if (std::popcount(command.context.contour_axes) != 2)
-          error(command, fmt::format("CR draws in two axes, and this contour has {}.",
-                                     std::popcount(command.context.contour_axes)));
-        break;
       case Op::CV: velocity_given_ = true; break;
       case Op::CX:
         if (!recorded_) problem(command.begin, command.length, "No contour has been recorded before.", false);

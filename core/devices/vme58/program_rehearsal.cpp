@@ -11,6 +11,7 @@
 
 #include "core/device/bench_file.h"
 #include "core/device/emulator.h"
+#include "core/device/planned_hands.h"
 #include "core/devices/vme58/catalog.h"
 #include "core/devices/vme58/command_text.h"
 #include "core/devices/vme58/emulator.h"
@@ -53,16 +54,12 @@ class Rehearsing {
       to_send_.push_back({line_of(plain, command.begin), std::string(command.text)});
   }
 
-  Result<> set_bench(const BenchFile& bench) {
-    for (const BenchCommand& command : bench.at_start)
-      if (auto done = emulator_->operate(command); !done) return done;
-    later_.assign(bench.later.begin(), bench.later.end());
-    return {};
-  }
+  Result<> set_bench(const BenchFile& bench) { return hands_.begin(bench, *emulator_); }
 
   Rehearsal run() {
     wait_for_start();
     began_ = now_;
+    hands_.count_from(began_);
     for (int i = 0; i < std::min(axes_, static_cast<int>(options_.start_at.size())); ++i)
       send(fmt::format("A{} LP{}\n", axis_letters[static_cast<std::size_t>(i)],
                        options_.start_at[static_cast<std::size_t>(i)]));
@@ -102,15 +99,11 @@ class Rehearsing {
   void advance(Instant to) {
     while (true) {
       std::optional<Instant> next = emulator_->next_event();
-      const bool hand = !later_.empty() && Instant(later_.front().at + began_.time_since_epoch()) <=
-                                               std::min(to, next.value_or(to));
-      if (hand) next = Instant(later_.front().at + began_.time_since_epoch());
+      if (const auto hand = hands_.next(); hand && *hand <= std::min(to, next.value_or(to))) next = hand;
       if (!next || *next > to) break;
       emulator_->advance_to(std::max(now_, *next));
       now_ = std::max(now_, *next);
-      if (!hand) continue;
-      (void)emulator_->operate(later_.front().command);
-      later_.pop_front();
+      hands_.act_until(now_, *emulator_);
     }
     emulator_->advance_to(to);
     now_ = to;
@@ -257,7 +250,7 @@ class Rehearsing {
   const int axes_;
   std::deque<Line> to_send_;
   Line sent_{};
-  std::deque<TimedBenchCommand> later_;
+  PlannedHands hands_;
   std::array<Axis, most_axes> seen_{};
   std::string context_after_ = "AX";
   std::uint32_t put_ = 0, get_ = 0;
@@ -276,11 +269,11 @@ Result<Rehearsal> rehearse_program(std::string_view text, const RehearseOptions&
   const std::string plain = without_comments(text);
   Context context;
   const auto commands = read_commands(plain, context);
-  auto emulator = make_emulator({});
+  auto emulator = make_emulator(options.device);
   if (!emulator) return fail(emulator.error());
   Rehearsing rehearsing(std::move(*emulator), commands, plain, options);
   if (!options.bench_toml.empty()) {
-    auto catalog = make_catalog({});
+    auto catalog = make_catalog(options.device);
     if (!catalog) return fail(catalog.error());
     const auto bench = parse_bench_file(options.bench_toml, *catalog);
     if (!bench) return fail(bench.error());

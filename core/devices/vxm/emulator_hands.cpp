@@ -2,17 +2,10 @@
 #include <algorithm>
 
 #include "core/base/index.h"
+#include "core/device/bench_hands.h"
 #include "core/devices/vxm/emulator_vxm.h"
 
 namespace hw::vxm {
-namespace {}  // namespace
-
-Result<> VxmEmulator::operate(const BenchCommand& command) {
-  auto result = std::visit([this](const auto& c) { return act(c); }, command);
-  box_.settle();
-  after();
-  return result;
-}
 
 Result<> VxmEmulator::check_axis(AxisId axis) const {
   if (axis.index < options_.motors) return {};
@@ -22,6 +15,7 @@ Result<> VxmEmulator::check_axis(AxisId axis) const {
               "Nothing was changed.");
 }
 
+template <>
 Result<> VxmEmulator::act(const bench::Input& c) {
   const int count = boxes() * inputs_per_controller;
   if (c.number < 1 || c.number > count)
@@ -38,6 +32,7 @@ Result<> VxmEmulator::act(const bench::Input& c) {
   return {};
 }
 
+template <>
 Result<> VxmEmulator::act(const bench::Button& c) {
   const auto found = std::find(panel_buttons.begin(), panel_buttons.end(), c.name);
   const int button = static_cast<int>(found - panel_buttons.begin());
@@ -65,6 +60,7 @@ void VxmEmulator::press(int button, bool on) {
   box.set_line(line_in_4, on || (inputs_ & input_4) != 0);
 }
 
+template <>
 Result<> VxmEmulator::act(const bench::Limit& c) {
   if (auto bad = check_axis(c.axis); !bad) return bad;
   const int axis = c.axis.index, local = axis % motors_per_controller;
@@ -73,6 +69,7 @@ Result<> VxmEmulator::act(const bench::Limit& c) {
   return {};
 }
 
+template <>
 Result<> VxmEmulator::act(const bench::HomeSwitch& c) {
   if (auto bad = check_axis(c.axis); !bad) return bad;
   const int axis = c.axis.index, local = axis % motors_per_controller;
@@ -81,6 +78,7 @@ Result<> VxmEmulator::act(const bench::HomeSwitch& c) {
   return {};
 }
 
+template <>
 Result<> VxmEmulator::act(const bench::Analog& c) {
   if (c.number < 1 || c.number > boxes())
     return fail(FaultKind::refused, "There is no analog input " + std::to_string(c.number) + ".",
@@ -92,6 +90,7 @@ Result<> VxmEmulator::act(const bench::Analog& c) {
   return {};
 }
 
+template <>
 Result<> VxmEmulator::act(const bench::Jam& c) {
   if (auto bad = check_axis(c.axis); !bad) return bad;
   const int axis = c.axis.index, local = axis % motors_per_controller;
@@ -100,6 +99,7 @@ Result<> VxmEmulator::act(const bench::Jam& c) {
   return {};
 }
 
+template <>
 Result<> VxmEmulator::act(const bench::Slip& c) {
   if (auto bad = check_axis(c.axis); !bad) return bad;
   const int axis = c.axis.index, local = axis % motors_per_controller;
@@ -108,6 +108,7 @@ Result<> VxmEmulator::act(const bench::Slip& c) {
   return {};
 }
 
+template <>
 Result<> VxmEmulator::act(const bench::Place& c) {
   if (auto bad = check_axis(c.axis); !bad) return bad;
   if (c.place.home_from.has_value() != c.place.home_to.has_value())
@@ -139,6 +140,7 @@ void VxmEmulator::supply_power(int box) {
   answering_until_ = now_;
 }
 
+template <>
 Result<> VxmEmulator::act(const bench::Power& c) {
   if (c.supply >= 0)
     if (auto bad = check_supply(c.supply); !bad) return bad;
@@ -152,6 +154,7 @@ Result<> VxmEmulator::act(const bench::Power& c) {
   return {};
 }
 
+template <>
 Result<> VxmEmulator::act(const bench::Breaker& c) {
   if (auto bad = check_supply(c.supply); !bad) return bad;
   supplies_[ix(c.supply)].breaker_out = c.out;
@@ -159,9 +162,22 @@ Result<> VxmEmulator::act(const bench::Breaker& c) {
   return {};
 }
 
+template <>
 Result<> VxmEmulator::act(const bench::PowerCycle&) {
   (void)act(bench::Power(false));
   return act(bench::Power(true));
+}
+
+template <>
+Result<> VxmEmulator::act(const bench::Alarm&) {
+  return fail(FaultKind::refused, "A VXM has no alarm inputs.", "Nothing was changed.");
+}
+
+Result<> VxmEmulator::operate(const BenchCommand& command) {
+  auto result = by_hand(command, [this](const auto& hand) { return act(hand); });
+  box_.settle();
+  after();
+  return result;
 }
 
 void VxmEmulator::look(BenchView& view) const {

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "core/device/bench_file.h"
+#include "core/device/planned_hands.h"
 #include "core/devices/vxm/catalog.h"
 #include "core/devices/vxm/emulator_vxm.h"
 #include "core/devices/vxm/program_analysis.h"
@@ -45,12 +46,7 @@ class Rehearsing {
   Rehearsing(const Analysis& analysis, const RehearseOptions& options, int motors)
       : analysis_(analysis), options_(options), emulator_(emulator_options(motors)), motors_(motors) {}
 
-  Result<> set_bench(const BenchFile& bench) {
-    for (const BenchCommand& command : bench.at_start)
-      if (auto done = emulator_.operate(command); !done) return done;
-    later_ = bench.later;
-    return {};
-  }
+  Result<> set_bench(const BenchFile& bench) { return hands_.begin(bench, emulator_); }
 
   Rehearsal run() {
     Box& box = emulator_.box();
@@ -98,20 +94,15 @@ class Rehearsing {
         continue;
       }
       std::optional<Instant> next = emulator_.next_event();
-      if (!later_.empty()) {
-        const Instant hand = Instant(later_.front().at);
-        if (!next || hand < *next) next = hand;
-      }
+      const auto hand = hands_.next();
+      if (hand && (!next || *hand < *next)) next = hand;
       // What loops without ever taking time would only burn the rest of it.
-      const bool empty_loop = box.run().doing == Doing::breathing && later_.empty();
+      const bool empty_loop = box.run().doing == Doing::breathing && !hand;
       breaths = empty_loop ? breaths + 1 : 0;
       if (!next || *next > last || breaths > most_breaths) return out_of_time(last);
       now_ = std::max(now_, *next);
       emulator_.advance_to(now_);
-      while (!later_.empty() && Instant(later_.front().at) <= now_) {
-        (void)emulator_.operate(later_.front().command);
-        later_.erase(later_.begin());
-      }
+      hands_.act_until(now_, emulator_);
       collect();
     }
     result_.finished = box.error() == 0;
@@ -174,7 +165,7 @@ class Rehearsing {
   const RehearseOptions& options_;
   VxmEmulator emulator_;
   int motors_;
-  std::vector<TimedBenchCommand> later_;
+  PlannedHands hands_;
   std::vector<Trace> trace_;
   Instant now_{};
   Rehearsal result_;

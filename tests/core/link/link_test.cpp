@@ -227,6 +227,39 @@ TEST_F(BusTest, ADeviceThatIsSilentIsTheOnlyOneThatMisses) {
   EXPECT_EQ(other.statistics().misses_in_a_row, 0);
 }
 
+TEST_F(BusTest, AnAnswerThatIsOwedIsKnownToAllOnTheWire) {
+  const auto miss = [&] {
+    Answer silent;
+    start_on(station, "@01PX\r", ReplyShape::line(), Priority::poll, silent);
+    time.run_for(Millis(250));
+    EXPECT_TRUE(silent.came);
+  };
+  EXPECT_FALSE(other.answer_owed_on_wire());
+  miss();
+  EXPECT_TRUE(station.owes_answer() && station.answer_owed_on_wire() && other.answer_owed_on_wire());
+  EXPECT_FALSE(other.owes_answer());
+  station.has_caught_up();
+  EXPECT_FALSE(station.owes_answer() || other.answer_owed_on_wire());
+  miss();
+  time.run_for(std::chrono::seconds(3));
+  EXPECT_FALSE(other.answer_owed_on_wire()) << "nothing comes that late";
+  miss();
+  station.close(Fault(FaultKind::lost, "It was closed."));
+  EXPECT_TRUE(other.answer_owed_on_wire()) << "it may still answer when nobody listens any more";
+}
+
+TEST_F(BusTest, WhatNamesItselfIsOwedByNobodyAndNothingWaitsForIt) {
+  Answer silent, next;
+  Transaction who("@01DN\r", ReplyShape::line(), Priority::poll);
+  who.names_itself = true;
+  asio::co_spawn(io, ask(station, std::move(who), silent), asio::detached);
+  start_on(other, "@02PX\r", ReplyShape::line(), Priority::poll, next);
+  time.run_for(Millis(201));
+  EXPECT_TRUE(silent.came);
+  EXPECT_FALSE(other.answer_owed_on_wire());
+  EXPECT_THAT(wire->sent, ElementsAre("@01DN\r", "@02PX\r"));
+}
+
 TEST_F(BusTest, WhatNobodyAskedForGoesToWhoseItIs) {
   const auto hears = [](std::string mark, std::string& heard) {
     return [mark, &heard](std::string_view bytes) -> std::size_t {

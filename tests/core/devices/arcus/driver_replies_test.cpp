@@ -2,6 +2,7 @@
 // nothing wrong is shown, no motion is repeated, and a sentence says what came.
 #include <map>
 
+#include "tests/core/device/emulator_around.h"
 #include "tests/core/devices/arcus/driver_fixture.h"
 
 namespace hw::arcus {
@@ -12,9 +13,9 @@ using testing::HasSubstr;
 using testing::Not;
 
 /// A controller that answers some questions in words of the test.
-class Liar final : public Emulator {
+class Liar final : public test::EmulatorAround {
  public:
-  explicit Liar(std::unique_ptr<Emulator> inner) : inner_(std::move(inner)) {}
+  using EmulatorAround::EmulatorAround;
 
   std::map<std::string, std::string, std::less<>> instead;  ///< by command without address, whole replies
   std::map<std::string, int, std::less<>> heard;
@@ -38,19 +39,8 @@ class Liar final : public Emulator {
     sink += std::exchange(said_, {});
     inner_->take_output(sink);
   }
-  [[nodiscard]] std::optional<Instant> next_event() const override { return inner_->next_event(); }
-  void advance_to(Instant now) override { inner_->advance_to(now); }
-  Result<> operate(const BenchCommand& command) override { return inner_->operate(command); }
-  void look(BenchView& view) const override { inner_->look(view); }
-  [[nodiscard]] const std::vector<TriggerPulse>& pulses() const override { return inner_->pulses(); }
-  [[nodiscard]] int rate() const override { return inner_->rate(); }
-  [[nodiscard]] std::string save_memory() const override { return inner_->save_memory(); }
-  Result<> load_memory(std::string_view text) override { return inner_->load_memory(text); }
-  [[nodiscard]] std::uint64_t memory_version() const override { return inner_->memory_version(); }
-  [[nodiscard]] std::unique_ptr<Emulator> clone() const override { return inner_->clone(); }
 
  private:
-  std::unique_ptr<Emulator> inner_;
   std::string line_, said_;
 };
 

@@ -29,6 +29,7 @@ class Rig {
   std::int64_t number(std::string_view command);
   /// Asks, and expects OK.
   void ok(std::string_view command);
+  void send(std::string_view bytes) { emulator_->receive(bytes); }
   /// The bytes as they are, and what came back at this instant.
   std::string raw(std::string_view bytes);
   std::string output();

@@ -148,12 +148,42 @@ TEST(Vme58Window, ACopyLivesItsOwnLife) {
 TEST(Vme58Window, OptionsThatMakeNoSense) {
   for (const DeviceOptions& options :
        {DeviceOptions{{"variant", "9S"}}, DeviceOptions{{"jumpers", "IO"}}, DeviceOptions{{"jumpers", "IXO"}},
-        DeviceOptions{{"baud", "9600"}}, DeviceOptions{{"firmware", "new"}}}) {
+        DeviceOptions{{"baud", "9600"}}, DeviceOptions{{"firmware", "new"}},
+        DeviceOptions{{"velocity", "2000000"}}, DeviceOptions{{"acceleration", "0"}},
+        DeviceOptions{{"contour_size", "many"}}, DeviceOptions{{"servo_update_us", "0"}}}) {
     const auto made = make_emulator(options);
     ASSERT_FALSE(made.has_value());
     EXPECT_NE(made.error().sentence().find(options.begin()->first), std::string::npos)
         << made.error().sentence();
   }
+}
+
+TEST(Vme58Window, WhatTheDataSheetLeavesOpenCanBeSaid) {
+  Rig rig(DeviceOptions{{"velocity", "3000"},
+                        {"acceleration", "7000"},
+                        {"base_velocity", "20"},
+                        {"contour_size", "50"},
+                        {"firmware", "1.7"}});
+  for (int round = 0; round < 2; ++round) {
+    EXPECT_EQ(rig.axis_value('S', AxisValue::maximum_velocity), 3000);
+    EXPECT_EQ(rig.axis_value('X', AxisValue::acceleration), 7000);
+    EXPECT_EQ(rig.axis_value('T', AxisValue::base_velocity), 20);
+    EXPECT_EQ(rig.value("WY"), "VME58 ver 1.7-8S");
+    rig.send("AA CV100 CD0,0; MT5,5 ");
+    EXPECT_EQ(rig.value("RQ"), "47") << "three of fifty";
+    rig.send("CK VL9,,,9;");
+    rig.mail("RS");
+    rig.run_for(1s);
+  }
+}
+
+TEST(Vme58Window, ACommandThatTheEndOfTheRingCutsInTwo) {
+  Rig rig;
+  for (int put = 0; put < 248; put += 4) rig.send("    ");
+  rig.send("  AX LP-1234567 ");
+  EXPECT_EQ(rig.read16(at::output_put_index), 8) << "from cell 250 over the last one";
+  EXPECT_EQ(rig.position('X'), -1234567);
+  EXPECT_FALSE(rig.command_error());
 }
 
 TEST(Vme58Window, HandsOnWhatIsNotThere) {

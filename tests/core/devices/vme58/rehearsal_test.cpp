@@ -70,6 +70,19 @@ TEST(Vme58Rehearsal, AnEndlessTextEndsWithItsTime) {
   EXPECT_GT(r.axes[0].position, 4000);
 }
 
+TEST(Vme58Rehearsal, RunsOnTheModelThatItIsMeantFor) {
+  RehearseOptions options;
+  options.device = {{"variant", "4s4"}};
+  EXPECT_THAT(rehearse("AU KP2\n", options).error, HasSubstr("KP2")) << "U is a step axis there";
+  EXPECT_EQ(rehearse("AU KP2\n").error, "") << "and a servo axis here";
+  options.device = {{"variant", "4"}};
+  EXPECT_THAT(rehearse("AX MR10 GO\nAU MR10 GO\n", options).error, HasSubstr("AU")) << "no such axis";
+  options.device = {{"jumpers", "OIO"}};
+  EXPECT_EQ(rehearse("BL3\n", options).error, "");
+  options.device = {{"variant", "9"}};
+  EXPECT_FALSE(program_language().rehearse("AX\n", options));
+}
+
 TEST(Vme58Rehearsal, RepliesAreSentToTheHost) {
   EXPECT_THAT(rehearse("AX LP55 RP").sent_to_host, HasSubstr("55"));
 }

@@ -1,65 +1,22 @@
 // The transcripts in tests/talk/vxm, held against the emulator in virtual time.
-#include "tests/talk/talk.h"
-
-#include <algorithm>
-#include <filesystem>
+#include "tests/talk/talk_test.h"
 
 #include "tests/core/devices/vxm/rig.h"
 
 namespace hw::vxm::proof {
 namespace {
 
-class RigPartner final : public talk::Partner {
- public:
-  explicit RigPartner(const DeviceOptions& options) : rig_(options) {}
-
-  void send(std::string_view bytes) override { rig_.send(bytes); }
-  std::string receive(std::size_t count) override {
-    const Duration limit = rig_.elapsed() + 24h;
-    for (came_ += rig_.output(); came_.size() < count; came_ += rig_.output()) {
-      const auto next = rig_.emulator().next_event();
-      if (!next || next->time_since_epoch() > limit) break;
-      rig_.run_for(std::max(next->time_since_epoch() - rig_.elapsed(), Duration(1)));
-    }
-    std::string taken = came_.substr(0, count);
-    came_.erase(0, count);
-    return taken;
-  }
-  std::string leftover() override {
-    std::string all = std::move(came_) + rig_.output();
-    came_.clear();
-    return all;
-  }
-  void pass(Duration time) override { rig_.run_for(time); }
-  Result<> operate(const BenchCommand& command) override { return rig_.emulator().operate(command); }
-
- private:
-  Rig rig_;
-  std::string came_;
-};
-
-std::vector<std::string> transcripts() {
-  std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(HW_TEST_DIR "/talk/vxm"))
-    if (entry.path().extension() == ".talk") names.push_back(entry.path().stem().string());
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
 class VxmTalk : public ::testing::TestWithParam<std::string> {};
 
 }  // namespace
 
 TEST_P(VxmTalk, GoesAsWritten) {
-  const std::string path = HW_TEST_DIR "/talk/vxm/" + GetParam() + ".talk";
-  const auto transcript = talk::read(path);
-  ASSERT_TRUE(transcript.has_value()) << transcript.error().sentence();
-  RigPartner partner(DeviceOptions(transcript->options.begin(), transcript->options.end()));
-  for (const std::string& failure : talk::run(*transcript, partner)) ADD_FAILURE() << path << ", " << failure;
+  talk::goes_as_written(GetParam(),
+                        [](const DeviceOptions& options) { return talk::RigPartner<Rig>(Rig(options)); });
 }
 
-INSTANTIATE_TEST_SUITE_P(Transcripts, VxmTalk, ::testing::ValuesIn(transcripts()),
-                         [](const auto& info) { return info.param; });
+INSTANTIATE_TEST_SUITE_P(Transcripts, VxmTalk, ::testing::ValuesIn(talk::transcripts("vxm")),
+                         talk::test_name);
 
 TEST(VxmTalkFormat, SaysWhichLineIsWrong) {
   for (const char* text :
@@ -76,7 +33,7 @@ TEST(VxmTalkFormat, NoticesWhatIsOtherwise) {
        {"> FV\n< B", "> FV\n< RR", "> FV", "> FV\n> X\n< +0000000\\r", "> FI1M400,R\n~ 2s\n<"}) {
     const auto transcript = talk::parse(text);
     ASSERT_TRUE(transcript.has_value()) << transcript.error().sentence();
-    RigPartner partner({});
+    talk::RigPartner<Rig> partner{Rig()};
     EXPECT_FALSE(talk::run(*transcript, partner).empty()) << text;
   }
 }

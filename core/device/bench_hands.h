@@ -1,0 +1,25 @@
+#pragma once
+// For emulators: sorts what a hand on the bench does to the controller from what happens to its wire.
+#include <type_traits>
+
+#include "core/device/bench.h"
+
+namespace hw {
+
+/// Gives `act` what a hand does to the controller itself. Faults of the wire are refused: whoever carries the
+/// wire makes them.
+template <class Act>
+Result<> by_hand(const BenchCommand& command, const Act& act) {
+  const auto do_it = [&]<class Hand>(const Hand& hand) -> Result<> {
+    constexpr bool of_the_wire = std::is_same_v<Hand, bench::Unplug> || std::is_same_v<Hand, bench::Garble> ||
+                                 std::is_same_v<Hand, bench::Drop>;
+    if constexpr (of_the_wire)
+      return fail(FaultKind::refused,
+                  "Faults of the wire are made where the wire is, not in the controller.");
+    else
+      return act(hand);
+  };
+  return std::visit(do_it, command);
+}
+
+}  // namespace hw

@@ -1,0 +1,201 @@
+// What is asked of an open controller: commands in their order, questions, and stops, which wait for nothing.
+#include <algorithm>
+
+#include <fmt/core.h>
+
+#include "core/device/pump_job.h"
+
+namespace hw {
+namespace {
+
+constexpr std::size_t most_queued = 64;
+
+bool starts_motion(const IntentBody& body) {
+  return std::holds_alternative<intent::MoveTo>(body) || std::holds_alternative<intent::MoveBy>(body) ||
+         std::holds_alternative<intent::JogStart>(body) || std::holds_alternative<intent::Home>(body) ||
+         std::holds_alternative<intent::RunProgram>(body);
+}
+
+Fault failed_inside(const char* what, const std::exception& defect) {
+  return Fault(FaultKind::internal, fmt::format("The {} failed inside: {}.", what, defect.what()),
+               "What the controller did with it is not known.", "Look at its state before the next command.");
+}
+
+}  // namespace
+
+void Pump::post(Intent intent) {
+  if (std::holds_alternative<intent::JogKeepAlive>(intent.body)) {
+    if (jogging_ && dead_man_.armed()) dead_man_.arm(scheduler_.now() + dead_man);
+    return;
+  }
+  if (std::holds_alternative<intent::JogStop>(intent.body) && !jogging_) {
+    // Released twice, or a jog that was refused. A second stop would mean: at once, without a ramp.
+    set_fate(intent.id, Fate::done);
+    return publish();
+  }
+  const bool stop = std::holds_alternative<intent::Stop>(intent.body) ||
+                    std::holds_alternative<intent::Abort>(intent.body) ||
+                    std::holds_alternative<intent::JogStop>(intent.body) ||
+                    std::holds_alternative<intent::HaltProgram>(intent.body);
+  if (stop) return post_stop(std::move(intent));
+  if (std::holds_alternative<intent::Reconnect>(intent.body)) {
+    retry_now_ = true;
+    set_fate(intent.id, Fate::done);
+    wake_.notify();
+    return;
+  }
+  set_fate(intent.id, Fate::pending);
+  if (queue_.size() >= most_queued) {
+    set_fate(intent.id, Fate::refused, "Too many commands wait already. This one was not sent.");
+    return publish();
+  }
+  hold_jog(intent);
+  queue_.push_back(std::make_unique<Job>(std::move(intent)));
+  wake_.notify();
+}
+
+void Pump::hold_jog(const Intent& intent) {
+  const auto* jog = std::get_if<intent::JogStart>(&intent.body);
+  if (!jog) return;
+  jogging_ = true;
+  if (jog->dead_man) dead_man_.arm(scheduler_.now() + dead_man);
+}
+
+void Pump::jog_let_go() {
+  ways_.notify(Notice(Notice::Kind::warning, scheduler_.now(),
+                      "The console did not hold the jog any more, so the axis was stopped."));
+  post_stop(Intent(0, intent::JogStop()));
+}
+
+void Pump::refuse_queued(const char* why) {
+  for (auto& job : queue_) {
+    set_fate(job->intent.id, Fate::refused, why);
+    if (job->is_query) {
+      job->reply = fail(FaultKind::refused, why);
+      job->answered = true;
+      job->asker.resume(scheduler_.executor());
+      job.release();  // its asker owns it from here
+    }
+  }
+  if (!queue_.empty()) {
+    queue_.clear();
+    publish();
+  }
+}
+
+void Pump::post_stop(Intent intent) {
+  // Halting one of several threads leaves the motion alone: a held jog stays guarded.
+  const bool motion_goes_on =
+      std::holds_alternative<intent::HaltProgram>(intent.body) && catalog_.program.threads > 0;
+  if (!motion_goes_on) {
+    dead_man_.disarm();
+    jogging_ = false;
+  }
+  refuse_queued("A stop came first. This was not sent.");
+  set_fate(intent.id, Fate::pending);
+  if (!station_ || !station_->is_open()) {
+    set_fate(intent.id, Fate::failed,
+             "Stop does not reach the controller: there is no connection. Use its power switch.");
+    return publish();
+  }
+  station_->begin_stop();
+  ++stops_under_way_;
+  asio::co_spawn(scheduler_.executor(), stop_and_report(std::move(intent)), asio::detached);
+}
+
+bool Pump::stop_wire(bool at_once) {
+  if (!station_ || !station_->is_open()) return false;
+  ++stops_under_way_;
+  asio::co_spawn(scheduler_.executor(), run_stop_wire(at_once), asio::detached);
+  return true;
+}
+
+Task<> Pump::run_stop_wire(bool at_once) {
+  try {
+    auto stopped = co_await driver_->stop_wire(at_once);
+    if (!stopped) ways_.notify(Notice(Notice::Kind::error, scheduler_.now(), stopped.error().sentence()));
+  } catch (const std::exception& defect) {
+    ways_.notify(Notice(Notice::Kind::error, scheduler_.now(),
+                        fmt::format("The stop of all failed inside: {}.", defect.what())));
+  }
+  --stops_under_way_;
+  wake_.notify();
+  ended_.notify();
+}
+
+Task<Result<>> Pump::stop_as_asked(const IntentBody& body) {
+  if (const auto* s = std::get_if<intent::Stop>(&body)) return driver_->stop(s->axis, false);
+  if (const auto* a = std::get_if<intent::Abort>(&body)) return driver_->stop(a->axis, true);
+  if (const auto* h = std::get_if<intent::HaltProgram>(&body)) return driver_->halt_program(h->thread);
+  return driver_->stop_jog();
+}
+
+Task<> Pump::stop_and_report(Intent intent) {
+  try {
+    auto stopped = co_await stop_as_asked(intent.body);
+    if (stopped)
+      set_fate(intent.id, Fate::done);
+    else
+      set_fate(intent.id, Fate::failed, stopped.error().sentence());
+  } catch (const std::exception& defect) {
+    set_fate(intent.id, Fate::failed, fmt::format("The stop failed inside: {}.", defect.what()));
+  }
+  --stops_under_way_;
+  next_poll_ = scheduler_.now();
+  fast_polls_ = fast_polls_after_a_command;
+  publish();
+  wake_.notify();
+  ended_.notify();
+}
+
+Task<> Pump::perform_next() {
+  std::unique_ptr<Job> job = std::move(queue_.front());
+  queue_.pop_front();
+  performing_ = true;
+  if (job->is_query) {
+    try {
+      job->reply = co_await driver_->query(job->text, job->patience);
+    } catch (const std::exception& defect) {  // whoever asked waits for it
+      job->reply = fail(failed_inside("question", defect));
+    }
+    job->answered = true;
+    performing_ = false;
+    job->asker.resume(scheduler_.executor());
+    job.release();  // its asker owns it from here
+    co_return;
+  }
+  Result<> performed;
+  try {
+    performed = co_await driver_->perform(job->intent.body);
+  } catch (const std::exception& defect) {
+    performed = fail(failed_inside("command", defect));
+  }
+  performing_ = false;
+  if (performed)
+    set_fate(job->intent.id, Fate::done);
+  else
+    set_fate(job->intent.id, performed.error().kind == FaultKind::refused ? Fate::refused : Fate::failed,
+             performed.error().sentence());
+  if (!performed && starts_motion(job->intent.body)) {
+    jogging_ = false;
+    dead_man_.disarm();
+  }
+  publish();
+}
+
+Task<Result<std::string>> Pump::query(std::string text, Duration patience) {
+  if (draft_.link.state == LinkState::lost || draft_.link.state == LinkState::closed)
+    co_return fail(FaultKind::lost, "There is no connection to the controller.", "Nothing was sent.");
+  auto owned = std::make_unique<Job>(Intent(0, intent::SendText(text)));
+  Job* job = owned.get();
+  job->is_query = true;
+  job->text = std::move(text);
+  job->patience = patience;
+  queue_.push_back(std::move(owned));
+  wake_.notify();
+  while (!job->answered) co_await job->asker.here();
+  std::unique_ptr<Job> mine(job);
+  co_return std::move(mine->reply);
+}
+
+}  // namespace hw

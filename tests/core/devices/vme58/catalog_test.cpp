@@ -1,0 +1,72 @@
+// What the options of an address make of the catalog.
+#include "core/devices/vme58/catalog.h"
+
+#include <algorithm>
+
+#include <gmock/gmock.h>
+
+#include "core/devices/vme58/emulator.h"
+
+namespace hw::vme58 {
+namespace {
+
+std::int64_t fallback(const Catalog& c, std::string_view mnemonic) {
+  return c.params[static_cast<std::size_t>(c.find_param(mnemonic))].fallback;
+}
+
+TEST(Vme58Catalog, EveryChoiceThatItOffersIsOneOfTheEmulators) {
+  const auto catalog = make_catalog({});
+  ASSERT_TRUE(catalog);
+  std::vector<std::string> keys;
+  for (const OptionInfo& option : catalog->options) {
+    keys.push_back(option.key);
+    for (const auto& [value, label] : option.choices) {
+      EXPECT_TRUE(make_catalog({{option.key, value}})) << option.key << "=" << value;
+      EXPECT_TRUE(make_emulator({{option.key, value}})) << option.key << "=" << value;
+      EXPECT_FALSE(label.empty());
+    }
+  }
+  EXPECT_THAT(keys, testing::ElementsAre("variant", "jumpers"));
+}
+
+TEST(Vme58Catalog, FirstChoicesAreTheUsualOnes) {
+  const auto usual = make_catalog({});
+  DeviceOptions first;
+  for (const OptionInfo& option : usual->options) first[option.key] = option.choices.front().first;
+  const auto chosen = make_catalog(first);
+  ASSERT_TRUE(chosen);
+  EXPECT_EQ(chosen->name, usual->name);
+  ASSERT_EQ(chosen->outputs.size(), usual->outputs.size());
+  for (std::size_t i = 0; i < usual->outputs.size(); ++i)
+    EXPECT_EQ(chosen->outputs[i].name, usual->outputs[i].name);
+}
+
+TEST(Vme58Catalog, JumpersSayWhichLinesAreOutputs) {
+  const auto catalog = make_catalog({{"jumpers", "OII"}});
+  ASSERT_TRUE(catalog);
+  EXPECT_GE(catalog->find_output(0), 0);
+  EXPECT_GE(catalog->find_output(3), 0);
+  EXPECT_LT(catalog->find_output(8), 0);
+  EXPECT_GE(catalog->find_output(13), 0) << "the last two are outputs for good";
+}
+
+TEST(Vme58Catalog, WhatTheDataSheetLeavesOpenIsShownAsItIsSaid) {
+  const auto catalog = make_catalog({{"velocity", "3000"},
+                                     {"acceleration", "7000"},
+                                     {"base_velocity", "20"},
+                                     {"contour_size", "50"},
+                                     {"servo_update_us", "500"},
+                                     {"base", "0xF000"}});
+  ASSERT_TRUE(catalog);
+  EXPECT_EQ(fallback(*catalog, "VLX"), 3000);
+  EXPECT_EQ(fallback(*catalog, "ACS"), 7000);
+  EXPECT_EQ(fallback(*catalog, "VBY"), 20);
+  EXPECT_EQ(catalog->contour_size, 50);
+  EXPECT_EQ(catalog->servo_update, std::chrono::microseconds(500));
+  EXPECT_EQ(catalog->made_from.count("base"), 0u) << "of the way to the board, not of the board";
+  EXPECT_EQ(catalog->made_from.size(), 5u);
+  EXPECT_FALSE(make_catalog({{"velocity", "fast"}}));
+}
+
+}  // namespace
+}  // namespace hw::vme58
