@@ -71,10 +71,10 @@ void draw_beside_strip_number(Frame& f, AxisId axis, const Rect& row) {
   const AxisInfo& info = f.catalog.axes[axis.index];
   const float middle = std::floor(row.centre().y), small = ui.line(Face::small);
   const float end = row.max.x;
-  if (row.width() < ui.px(60)) return;  // far less than the look asks for: the number alone
   draw_text_line(ui, row.min.x, end, middle, Face::title_bold, ui[Tone::ink], info.name);
   const float name = std::ceil(text_width(ui, Face::title_bold, info.name));
   float x = row.min.x + std::max(ui.px(22), name + ui.px(8));
+  if (end - x < ui.px(38)) return draw_strip_state(f, axis, ImVec2(x, middle - small / 2), end);  // its icon
   if (const float power = power_width(f, axis, true); power > 0 && x + power + ui.px(100) <= end) {
     draw_power(f, axis, ImVec2(x, row.min.y + ui.px(4)), 32, true);
     x += power + ui.px(4);
