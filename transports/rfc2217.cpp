@@ -1,5 +1,6 @@
 #include "transports/rfc2217.h"
 
+#include <algorithm>
 #include <functional>
 
 #include <fmt/core.h>
@@ -26,6 +27,7 @@ class Rfc2217Stream final : public FdStream {
   Result<> set_rate(int baud) override {
     if (baud == baud_) return {};
     baud_ = baud;
+    ++rates_owed_;
     wire_.clear();
     telnet::ask_rate(baud, wire_);
     FdStream::send(wire_);
@@ -49,13 +51,15 @@ class Rfc2217Stream final : public FdStream {
   void received(std::string_view bytes) override {
     data_.clear();
     reply_.clear();
-    const auto before = word().baud;
+    const int before = word().rates;
     receiver_.take(bytes, data_, reply_);
+    const int said = word().rates - before;
     if (!reply_.empty()) FdStream::send(reply_);
     if (negotiated) {
       negotiated();
-    } else if (word().baud != before && word().baud != baud_) {
-      end_soon(wrong_rate());
+    } else if (said > 0) {  // only the last answer is to the last question
+      rates_owed_ = std::max(0, rates_owed_ - said);
+      if (rates_owed_ == 0 && word().baud != baud_) end_soon(wrong_rate());
     }
     if (!data_.empty()) deliver(data_);
   }
@@ -63,6 +67,7 @@ class Rfc2217Stream final : public FdStream {
 
   std::string server_;
   int baud_;
+  int rates_owed_ = 0;  ///< asked for with set_rate() and not yet answered
   telnet::Receiver receiver_;
   std::string wire_, data_, reply_;  // keep their capacity
 };

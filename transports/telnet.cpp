@@ -114,7 +114,9 @@ void Receiver::take_suboption() {
   if (sub_.size() < 3 || at(0) != com_port) return;
   switch (at(1)) {
     case set_baudrate + answered:
-      if (sub_.size() >= 6) word_.baud = at(2) << 24 | at(3) << 16 | at(4) << 8 | at(5);
+      if (sub_.size() < 6) break;
+      word_.baud = at(2) << 24 | at(3) << 16 | at(4) << 8 | at(5);
+      ++word_.rates;
       break;
     case set_datasize + answered: word_.datasize = at(2); break;
     case set_parity + answered: word_.parity = at(2); break;

@@ -37,6 +37,7 @@ std::string ask_settings(int baud);
 struct ServerWord {
   std::optional<bool> com_port;                         ///< whether it lets its port be set
   std::optional<int> baud, datasize, parity, stopsize;  ///< as it confirmed them
+  int rates = 0;                                        ///< how often it said a rate
   [[nodiscard]] bool settings_complete() const { return baud && datasize && parity && stopsize; }
 };
 

@@ -196,5 +196,41 @@ TEST_F(OddServer, OneThatHasAnotherRate) {
       << stream.error().sentence();
 }
 
+std::string rate_answer(int baud) {
+  std::string answer("\xFF\xFA\x2C\x65");
+  for (int shift = 24; shift >= 0; shift -= 8) answer += static_cast<char>(baud >> shift & 0xFF);
+  return answer + "\xFF\xF0";
+}
+
+// Its answer to the first rate comes when the second was asked for already.
+TEST_F(OddServer, OneThatAnswersLate) {
+  std::unique_ptr<Stream> server;
+  Ear questions;
+  auto endpoint = *TcpEndpoint::open(clock, "127.0.0.1:0", false, [&](std::unique_ptr<Stream> s) {
+    server = std::move(s);
+    server->listen(&questions);
+    server->send("\xFF\xFD\x2C" + rate_answer(9600) +
+                 "\xFF\xFA\x2C\x66\x08\xFF\xF0\xFF\xFA\x2C\x67\x01\xFF\xF0\xFF\xFA\x2C\x68\x01\xFF\xF0");
+  });
+  const auto stream = run_task(io, open_rfc2217(clock, endpoint->address(), 9600));
+  ASSERT_TRUE(stream);
+  Ear ear(**stream);
+  const auto answers = [&](int baud) {
+    server->send(rate_answer(baud) + "!");
+    const std::size_t heard = ear.heard.size();
+    poll_until(io, [&] { return ear.closed || ear.heard.size() > heard; });
+  };
+  ASSERT_TRUE((*stream)->set_rate(38400));
+  ASSERT_TRUE((*stream)->set_rate(19200));
+  answers(38400);
+  answers(19200);
+  EXPECT_FALSE(ear.closed) << ear.closed->sentence();
+  ASSERT_TRUE((*stream)->set_rate(115200));
+  answers(9600);
+  poll_until(io, [&] { return ear.closed.has_value(); });
+  ASSERT_TRUE(ear.closed);
+  EXPECT_NE(ear.closed->what.find("does not do 115200 baud (it says 9600)"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace hw
