@@ -67,7 +67,7 @@ Task<Result<>> Vme58Driver::poll() {
   }
   // Text that the board has not come to holds questions back too, and is nobody's to take away.
   if (registers->output_get == put_) {
-    on_its_way_ = in_wq_ = false;
+    if (!writing_) on_its_way_ = in_wq_ = false;  // else put_ lies behind what is just being put
     auto asked = co_await ask_in_turn();
     if (!asked) co_return asked;
   } else {
