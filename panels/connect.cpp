@@ -380,7 +380,8 @@ void Connect::draw_emulators(PageFrame& f, float width) {
       std::vector<std::string_view> names;
       for (const auto& [value, label] : option.choices) names.push_back(label);
       DropdownOptions o;
-      if (catalog.options.size() > 1) o.width = width - 72;  // one under the other, beside Start
+      if (catalog.options.size() > 1)  // one under the other, the first beside Start
+        o.width = below > 64 + option_row ? width : width - 72;
       const int picked = dropdown(ui, Path("connect/emulator/{}/{}", type.model, option.key), option.key,
                                   names, choice->chosen, o);
       if (picked >= 0) choice->chosen = picked;

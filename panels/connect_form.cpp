@@ -29,6 +29,22 @@ constexpr float option_width = 184, rate_width = 92, id_width = 72, least_port =
 /// What the fields of a search and its button take in one line.
 constexpr float search_in_one_line = 500;
 
+/// A way to a controller: what the list says, what the address says, what the port is at first.
+struct WayFacts {
+  std::string_view name, transport, port;
+  bool rate = false;
+};
+constexpr WayFacts serial{"serial", "serial", "/dev/ttyUSB0", true}, usb{"USB", "usb", ""},
+    tcp{"tcp", "tcp", "127.0.0.1:4001"}, rfc2217{"RFC 2217", "rfc2217", "127.0.0.1:4001", true},
+    vme{"VME", "vme", "/dev/bus/vme/m0"}, bus{"bus port", "bus", "127.0.0.1:5000"};
+constexpr WayFacts line_ways[] = {serial, tcp, rfc2217, usb};  // the last where the controller has it
+constexpr WayFacts window_ways[] = {vme, bus};
+
+std::span<const WayFacts> ways(const Catalog& c) {
+  if (c.can.window) return window_ways;
+  return std::span(line_ways).first(std::size(line_ways) - (c.can.usb ? 0 : 1));
+}
+
 int number_of(const std::string& text, int fallback) {
   int value = fallback;
   std::from_chars(text.data(), text.data() + text.size(), value);
@@ -50,25 +66,28 @@ void ConnectForm::make() {
 // A controller that is called by an id has one in its catalog.
 bool ConnectForm::has_ids() const { return catalog().addressed(); }
 
+std::string_view ConnectForm::transport() const {
+  return ways(catalog())[static_cast<std::size_t>(way_)].transport;
+}
+
 std::string ConnectForm::address() const {
   const Catalog& c = catalog();
-  if (way_ == Way::vme || way_ == Way::bus) {
-    std::string text = fmt::format("{}@{}:{}{}", c.model, way_ == Way::vme ? "vme" : "bus", port_,
-                                   way_ == Way::vme ? ",base=" + base_ : "");
-    for (const OptionInfo& option : c.options)
-      if (const auto chosen = chosen_.find(option.key); chosen != chosen_.end() && chosen->second > 0)
-        text +=
-            fmt::format(",{}={}", option.key, option.choices[static_cast<std::size_t>(chosen->second)].first);
-    return text;
-  }
-  if (way_ == Way::usb)
+  if (transport() == usb.transport)
     return c.model + "@usb" + (port_.empty() || port_.starts_with('/') ? "" : ":" + port_);
-  std::string text = fmt::format("{}@{}:{}", c.model, way_ == Way::tcp ? "tcp" : "serial", port_);
-  if (way_ == Way::serial && baud_ < static_cast<int>(c.can.bauds.size()))
+  std::string text = fmt::format("{}@{}:{}", c.model, transport(), port_);
+  if (transport() == vme.transport) text += ",base=" + base_;
+  if (has_rate() && baud_ < static_cast<int>(c.can.bauds.size()))
     text += fmt::format(",baud={}", c.can.bauds[static_cast<std::size_t>(baud_)]);
   if (has_ids() && !id_.empty()) text += ",id=" + id_;
+  if (!has_options()) return text;
+  for (const OptionInfo& option : c.options)
+    if (const auto chosen = chosen_.find(option.key); chosen != chosen_.end() && chosen->second > 0)
+      text +=
+          fmt::format(",{}={}", option.key, option.choices[static_cast<std::size_t>(chosen->second)].first);
   return text;
 }
+
+bool ConnectForm::has_rate() const { return ways(catalog())[static_cast<std::size_t>(way_)].rate; }
 
 std::string ConnectForm::draw(PageFrame& f, float width) {
   make();
@@ -86,15 +105,9 @@ std::string ConnectForm::draw(PageFrame& f, float width) {
   return opened ? made : chosen;
 }
 
-void ConnectForm::choose(Way way) {
+void ConnectForm::choose(int way) {
   way_ = way;
-  switch (way) {
-    case Way::serial: port_ = "/dev/ttyUSB0"; break;
-    case Way::usb: port_.clear(); break;
-    case Way::tcp: port_ = "127.0.0.1:4001"; break;
-    case Way::vme: port_ = "/dev/bus/vme/m0"; break;
-    case Way::bus: port_ = "127.0.0.1:5000"; break;
-  }
+  port_ = ways(catalog())[static_cast<std::size_t>(way)].port;
 }
 
 /// Two lines: model, way, port; Open and what it would open. Rate and id stand in the first where it has
@@ -106,29 +119,29 @@ bool ConnectForm::draw_parts(PageFrame& f, float width) {
   for (const Catalog& c : catalogs_) names.push_back(c.short_name);
   const int model = dropdown(ui, "connect/form/model", "Model", names, model_);
   if (model >= 0) {
+    const std::string_view before = transport();
     model_ = model;
     baud_ = 0;
     id_ = catalog().id();
-    const bool window = way_ == Way::vme || way_ == Way::bus;
-    if (window != catalog().can.window) choose(catalog().can.window ? Way::vme : Way::serial);
+    const auto has = ways(catalog());
+    const auto same =
+        std::find_if(has.begin(), has.end(), [&](const WayFacts& w) { return w.transport == before; });
+    same == has.end() ? choose(0) : void(way_ = static_cast<int>(same - has.begin()));
   }
   ImGui::SameLine(0, ui.px(between));
-  static constexpr std::array<std::string_view, 3> line_ways = {"serial", "USB", "tcp"};
-  static constexpr std::array<std::string_view, 2> window_ways = {"VME", "bus port"};
-  const int first = catalog().can.window ? static_cast<int>(Way::vme) : 0;
-  const std::span<const std::string_view> ways =
-      catalog().can.window ? std::span<const std::string_view>(window_ways) : line_ways;
-  const int picked = dropdown(ui, "connect/form/way", "Way", ways, static_cast<int>(way_) - first);
-  if (picked >= 0) choose(static_cast<Way>(first + picked));
+  names.clear();
+  for (const WayFacts& w : ways(catalog())) names.push_back(w.name);
+  const int picked = dropdown(ui, "connect/form/way", "Way", names, way_);
+  if (picked >= 0) choose(picked);
   ImGui::SameLine(0, ui.px(between));
-  const bool has_rate_or_base = way_ == Way::serial || way_ == Way::vme,
-             has_id = has_ids() && way_ != Way::usb;
+  const bool by_usb = transport() == usb.transport, has_id = has_ids() && !by_usb,
+             has_rate_or_base = has_rate() || transport() == vme.transport;
   const float numbers = (has_rate_or_base ? rate_width + between : 0) + (has_id ? id_width + between : 0);
   const float used = (ImGui::GetCursorScreenPos().x - at.x) / ui.scale;
   const bool one_line = width - used - numbers >= least_port;
   FieldOptions port;
   port.face = Face::code_field;
-  port.placeholder = way_ == Way::usb ? "the only one, or its serial number" : "";
+  port.placeholder = by_usb ? "the only one, or its serial number" : "";
   port.width = width - used - (one_line ? numbers : 0);
   text_field(ui, "connect/form/port", "Port", port_, port);
   const auto draw_numbers = [&](bool before) {
@@ -139,13 +152,16 @@ bool ConnectForm::draw_parts(PageFrame& f, float width) {
   if (one_line) draw_numbers(false);
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(40)));
   if (!one_line) draw_numbers(true);
+  const std::string made = address();
   ButtonOptions open;
   open.width = 88;
+  open.tip = made;
   const bool opened = button(ui, "connect/form/open", "Open", open).clicked;
   ImGui::SameLine(0, ui.px(between));
   const ImVec2 words = ImGui::GetCursorScreenPos();
-  const std::string made = address();
-  draw_text_line(ui, words.x, at.x + ui.px(width), at.y + ui.px(56), Face::code_field, ui[Tone::ink2], made);
+  if (words.x + text_width(ui, Face::code_field, made) <= at.x + ui.px(width))  // else under the mouse only
+    draw_text_line(ui, words.x, at.x + ui.px(width), at.y + ui.px(56), Face::code_field, ui[Tone::ink2],
+                   made);
   show(ui, {"connect/form/address", Kind::text, "Address", made, {}, false, {}},
        {words, ImVec2(at.x + ui.px(width), at.y + ui.px(72))});
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(80)));
@@ -172,7 +188,7 @@ void ConnectForm::draw_options(Ui& ui) {
 
 /// Of a serial line its rate, of a board the place of its window.
 void ConnectForm::draw_rate_or_base(Ui& ui) {
-  if (way_ == Way::vme) {
+  if (transport() == vme.transport) {
     FieldOptions base;
     base.face = Face::code_field;
     base.width = rate_width;
@@ -252,7 +268,7 @@ std::string ConnectForm::words_of(const DeviceSearchState& state) const {
 void ConnectForm::draw_search_fields(Ui& ui, bool in_one_line) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   std::vector<std::string_view> places = {"every port"};
-  if (way_ == Way::serial && !port_.empty()) places.push_back(port_);
+  if (transport() == serial.transport && !port_.empty()) places.push_back(port_);
   one_port_ = one_port_ && places.size() > 1;
   DropdownOptions o;
   o.width = 132;

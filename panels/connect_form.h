@@ -23,9 +23,10 @@ class ConnectForm {
   float height(gui::PageFrame& frame, float width);
 
  private:
-  enum class Way : std::uint8_t { serial, usb, tcp, vme, bus };  ///< the last two of boards in a window
   void make();
-  void choose(Way way);
+  void choose(int way);
+  [[nodiscard]] std::string_view transport() const;
+  [[nodiscard]] bool has_rate() const;
   [[nodiscard]] const Catalog& catalog() const { return catalogs_[static_cast<std::size_t>(model_)]; }
   [[nodiscard]] bool has_ids() const;
   bool draw_parts(gui::PageFrame& frame, float width);
@@ -43,7 +44,7 @@ class ConnectForm {
   std::vector<Catalog> catalogs_;
   int model_ = 0, baud_ = 0;
   std::map<std::string, int> chosen_;  ///< of Catalog::options, by key
-  Way way_ = Way::serial;
+  int way_ = 0;                        ///< of those that the controller has
   std::string port_ = "/dev/ttyUSB0", id_ = "01", base_ = "0xF000", first_ = "00", last_ = "99";
   std::vector<int> rates_;  ///< of the controllers that can share a line
   int rate_ = 0;            ///< 0: every one

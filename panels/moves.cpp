@@ -302,7 +302,7 @@ void Moves::draw_param(Frame& f, std::size_t i, float width) {
   o.state = !has.known ? ToggleState::stale : on ? ToggleState::on : ToggleState::off;
   o.disabled = f.no_link();
   o.tip = p.explanation;
-  // "1: ramp from speed to speed"
+  // "1: ramp in between"
   std::string_view words = p.choices[1].label;
   if (const auto colon = words.find(": "); colon != words.npos) words.remove_prefix(colon + 2);
   if (toggle_lamp(f.ui, Path("list/param/{}", p.mnemonic), words, o).clicked)

@@ -183,7 +183,8 @@ void Setup::draw_filter(Frame& f) {
   const float left = ImGui::GetCursorScreenPos().x;
   const std::string words = summary(f);
   const Tone tone = f.tab.desk().setup.changes(f.now) > 0 || f.now.unsaved_setup ? Tone::warn : Tone::ink2;
-  draw_text_line(ui, left, ui.px(f.area.right() - 16), at.y + ui.px(height / 2), Face::body, ui[tone], words);
+  draw_text_in_two_lines(ui, left, ui.px(f.area.right() - 16), at.y + ui.px(height / 2), Face::body, ui[tone],
+                         words);
   show(ui, {.id = "setup/state", .kind = Kind::text, .label = "State", .value = words},
        {ImVec2(left, at.y), ImVec2(ui.px(f.area.right() - 16), at.y + ui.px(height))});
   row_line(ui, f, at.y + ui.px(height));

@@ -224,7 +224,7 @@ void Tuning::draw_gain(Frame& f, std::size_t i, float width) {
       end -= w + ui.px(8);
     }
   }
-  draw_text_line(ui, at.x + ui.px(36), end, middle, Face::body, ui[Tone::ink], without_axis(f, p));
+  draw_text_in_two_lines(ui, at.x + ui.px(36), end, middle, Face::body, ui[Tone::ink], without_axis(f, p));
   NumberOptions o;
   o.range = {static_cast<double>(p.minimum) / scale, static_cast<double>(p.maximum) / scale, p.decimals,
              p.unit};

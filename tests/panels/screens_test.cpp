@@ -364,6 +364,34 @@ TEST(ScreensOnce, TheFormOffersTheOptionsOfABoard) {
   }
 }
 
+TEST(ScreensOnce, TheFormOffersTheWaysThatAControllerHas) {
+  for (const DeviceType& type : device_types()) {
+    const auto catalog = type.make_catalog({});
+    ASSERT_TRUE(catalog.has_value());
+    ConsoleStage s;
+    s.run(0.1);
+    const auto click = [&](const std::string& id) {
+      const auto done = s.hand.click(id);
+      ASSERT_TRUE(done.has_value()) << id << ": " << done.error().sentence();
+      s.run(0.1);
+    };
+    click("connect/form/model");
+    click("connect/form/model/" + catalog->short_name);
+    click("connect/form/way");
+    const bool board = catalog->can.window;
+    for (const char* way : {"serial", "tcp", "RFC 2217"})
+      EXPECT_EQ(s.stage.find(fmt::format("connect/form/way/{}", way)) != nullptr, !board)
+          << way << type.model;
+    EXPECT_EQ(s.stage.find("connect/form/way/USB") != nullptr, catalog->can.usb) << type.model;
+    EXPECT_EQ(s.stage.find("connect/form/way/VME") != nullptr, board) << type.model;
+    if (board) continue;
+    click("connect/form/way/RFC 2217");
+    EXPECT_TRUE(s.value("connect/form/address")
+                    .starts_with(std::string(type.model) + "@rfc2217:127.0.0.1:4001,baud=9600"))
+        << s.value("connect/form/address");
+  }
+}
+
 TEST(ScreensOnce, NarrowWindowHasJogAndSignalsAsTabs) {
   ConsoleStage s(720, 450);
   Example& a = s.add();

@@ -57,7 +57,7 @@ constexpr Words all_words[] = {
      "", "On-The-Fly Speed Change"},
     {Setting::buffer_accel, "Buffered moves", "Ramps between buffered moves",
      "Each buffered move has a speed of its own. The speed can jump from one to the next, or change in ramps of the acceleration time.",
-     "", "Buffered Linear Interpolation Moves", "0: jump to each move's speed", "1: ramp from speed to speed"},
+     "", "Buffered Linear Interpolation Moves", "0: jump from speed to speed", "1: ramp in between"},
     {Setting::polarity, "Polarity", "Polarity{of}",
      "Which level of each signal counts as active, and which way the motor turns for a positive move. Change a bit when a lamp shows the opposite of its switch.",
      "", "Polarity"},

@@ -234,7 +234,7 @@ Result<Catalog> make_catalog(const DeviceOptions& options_given) {
   c.model = "vme58";
   c.name = fmt::format("Oregon Micro Systems VME58-{}", variant.name);
   c.short_name = "VME58";
-  c.summary = "a VME board for up to eight servo or step axes";
+  c.summary = "VME, up to 8 servo or step axes";
   c.step_word = "counts";
   c.options = options();
   c.axes = axes(variant);
