@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "gui/area.h"
 #include "gui/tab.h"
@@ -54,9 +55,10 @@ struct OwnSpeed {
 };
 OwnSpeed own_speed(const Frame& f) {
   OwnSpeed own;
-  for (int i = 0; i < f.now.axis_count; ++i) {
-    const AxisState& axis = f.now.axes[i];
-    if (!axis.enabled) continue;
+  const auto axes = std::span(f.now.axes).first(static_cast<std::size_t>(f.now.axis_count));
+  const bool any_on = std::any_of(axes.begin(), axes.end(), [](const AxisState& a) { return a.enabled; });
+  for (const AxisState& axis : axes) {
+    if (any_on && !axis.enabled) continue;
     if (axis.own_speed.value <= 0) return {};
     own.alike = own.alike && (own.speed.value <= 0 || own.speed == axis.own_speed);
     own.speed = std::max(own.speed, axis.own_speed);

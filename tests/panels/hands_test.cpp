@@ -152,6 +152,11 @@ TEST_F(HandsTest, TheShownSpeedIsTheControllersOwnUntilOneIsChosen) {
   EXPECT_EQ(shown(), "each its own");
   a.now.axes[1].own_speed = Pps(0);
   EXPECT_EQ(shown(), "not known yet");
+  a.now.axes[1].enabled = false;
+  EXPECT_EQ(shown(), "200000 steps/s");
+  a.now.axes[0].enabled = false;
+  a.now.axes[1].own_speed = Pps(200000);
+  EXPECT_EQ(shown(), "200000 steps/s");  // all of them off: what they will do
   a.tab->profile.jog_speed = Pps(500);
   EXPECT_EQ(shown(), "500 steps/s");
 }
