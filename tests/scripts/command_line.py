@@ -708,7 +708,7 @@ class Backup(Case):
             self.expect(run("restore", address, file, "--leave-motor-types"), 0)
             self.expect(run("send", address, "getM1M"), 0, "0")
             result = run("restore", address, file)
-            self.expect(result, 0, "1 parameters written")
+            self.expect(result, 0, "Parameters: 1 written")
             self.assertIn("M1M = 4 was written", result.stderr, "a motor type is never written without a word")
             self.assertEqual(run("send", address, "getM1M", "PM1,M", "PM3,lst").stdout,
                              "4\n256\nPM3 M254\nU5\n", "and what was empty is empty again")
@@ -729,7 +729,7 @@ class Backup(Case):
             self.expect(run("send", address, "V51=5"), 0)
             self.expect(run("restore", address, file), 0, "3 variables written")
             self.assertEqual(run("send", address, "V50", "V51", "V99", "SLT").stdout, "-12345\n0\n134217727\n33\n")
-            self.expect(run("restore", address, file), 0, "0 parameters written")
+            self.expect(run("restore", address, file), 0, "Parameters: 0 written")
 
     def test_variables_that_cannot_be(self):
         for line, words in (("100 = 1", "V100"), ("60 = 99999999999", "99999999999"), ('60 = "x"', "60")):
