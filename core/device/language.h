@@ -44,7 +44,9 @@ struct ProgramReport {
 
 struct RehearsedAxis {
   std::string name;
-  std::int64_t position = 0, minimum = 0, maximum = 0, travel = 0;
+  std::int64_t position = 0, minimum = 0, maximum = 0;  ///< as the controller counts it
+  std::int64_t travel = 0;                              ///< the way made, in both directions
+  bool in_counts = false;                               ///< closed loop: all of this is in Catalog::loop_word
 };
 struct RehearsedEvent {
   double t = 0;

@@ -51,7 +51,7 @@ void print_words(const Rehearsal& r, const Catalog& catalog) {
   if (!r.error.empty()) fmt::print("stopped after {:.3f} s: {}\n", r.duration_s, r.error);
   for (const RehearsedAxis& a : r.axes)
     fmt::print("axis {}: ends at {}, between {} and {}, travel {} {}\n", a.name, a.position, a.minimum,
-               a.maximum, a.travel, catalog.step_word);
+               a.maximum, a.travel, a.in_counts ? catalog.loop_word : catalog.step_word);
   for (const auto& [name, level] : r.outputs) fmt::print("output {}: {}\n", name, level ? "high" : "low");
   for (const auto& [slot, size] : r.program_size)
     fmt::print("{} {}: {} {}\n", catalog.program.slot_word, slot, size, catalog.program.capacity_unit);
@@ -75,7 +75,8 @@ Rehearsal nothing_rehearsed(const ProgramFile& program, const Fault& why) {
     a.name = axis.name;
     r.axes.push_back(a);
   }
-  for (std::size_t i = 0; i < program.catalog.outputs.size(); ++i) r.outputs[std::to_string(program.catalog.output_number(i))] = 0;
+  for (std::size_t i = 0; i < program.catalog.outputs.size(); ++i)
+    r.outputs[std::to_string(program.catalog.output_number(i))] = 0;
   for (const auto& [slot, cost] : program.language->analyse(program.text, 0).cost)
     r.program_size[std::to_string(slot)] = cost;
   return r;
