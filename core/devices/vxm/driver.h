@@ -105,7 +105,8 @@ class VxmDriver final : public Driver {
   Task<Result<RawAnswer>> send_pieces(std::string text, Duration patience);
   void warn_of_flaws(const std::vector<TextCommand>& commands);
   void note_sent(const std::vector<TextCommand>& commands);
-  Task<Result<std::string>> wait_for_prompt(Duration patience);
+  std::optional<std::string> take_since(std::uint64_t number, char first = 0);
+  Task<Result<std::string>> wait_for_prompt(std::uint64_t since, Duration patience);
 
   // ---- driver_connect.cpp
   Task<Result<>> greet();
@@ -237,7 +238,13 @@ class VxmDriver final : public Driver {
   bool raw_asked_ = false;
   std::optional<char> second_raw_;
   Instant killed_at_{};
-  std::deque<std::string> for_scripts_;
+  /// What came unasked, until somebody reads it. The numbers tell what is younger than a question.
+  struct Unasked {
+    std::uint64_t number = 0;
+    std::string text;
+  };
+  std::deque<Unasked> for_scripts_;
+  std::uint64_t next_unasked_ = 0;
 };
 
 }  // namespace hw::vxm
