@@ -26,6 +26,10 @@ namespace hw::vxm {
 std::unique_ptr<Driver> make_driver(DriverContext context);
 
 /// `rsm` answers when it has written its memory.
+inline constexpr std::string_view unused_slave =
+    "A second controller answers on the VXM bus, and its motors 3 and 4 are not shown. Open it with motors=4 "
+    "in its address to use them.";
+
 inline constexpr Duration store_patience = std::chrono::seconds(10);
 
 class VxmDriver final : public Driver {

@@ -278,10 +278,7 @@ Task<Result<>> VxmDriver::read_identity() {
          "sent to "
          "them. Check the Slave's power and cable, and that this controller is the Master (DM bit 6); then "
          "reconnect.");
-  if (axes <= motors_per_controller && slave_present_)
-    tell(Notice::Kind::info,
-         "A second controller answers on the VXM bus: motors 3 and 4 can be used when the address says "
-         "motors=4.");
+  if (axes <= motors_per_controller && slave_present_) tell(Notice::Kind::warning, std::string(unused_slave));
   identity_read_ = true;
   co_return Result<>();
 }

@@ -200,7 +200,8 @@ TEST_F(VxmDriverConnect, ASlaveThatLosesItsPowerRestartsItsMasterOnce) {
   run(10);
   const std::string told_all = all_notices();
   int restarts = 0;
-  for (auto at = told_all.find("reports EB"); at != std::string::npos; at = told_all.find("reports EB", at + 1))
+  for (auto at = told_all.find("reports EB"); at != std::string::npos;
+       at = told_all.find("reports EB", at + 1))
     ++restarts;
   EXPECT_EQ(restarts, 1) << told_all;
   EXPECT_TRUE(told("motors 3 and 4 cannot be used"));
@@ -279,6 +280,16 @@ TEST_F(VxmDriverConnect, PollsFiveTimesASecondAtRestAndAsTheWireBearsInMotion) {
   loop->to_controller.clear();
   run(2);
   EXPECT_GE(count('X'), 83) << "43 rounds a second is all that 9600 baud can carry";
+}
+
+TEST_F(VxmDriverConnect, ASlaveThatTheAddressLeavesOutIsSaid) {
+  loop = std::make_unique<test::Loopback>(time, make_emulator({{"motors", "4"}}).value(), false);
+  open();
+  ASSERT_EQ(latest.axis_count, 2);
+  EXPECT_TRUE(told("Open it with motors=4 in its address"));
+  for (const char* motor : {"M1M", "M2M"}) EXPECT_EQ(perform(intent::SetParam(motor, 4, true)), "");
+  run(1);
+  EXPECT_THAT(std::string(latest.notice.view()), HasSubstr("its motors 3 and 4 are not shown"));
 }
 
 }  // namespace
