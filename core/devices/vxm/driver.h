@@ -14,6 +14,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/device/driver.h"
@@ -25,11 +26,11 @@ namespace hw::vxm {
 
 std::unique_ptr<Driver> make_driver(DriverContext context);
 
-/// `rsm` answers when it has written its memory.
 inline constexpr std::string_view unused_slave =
     "A second controller answers on the VXM bus, and its motors 3 and 4 are not shown. Open it with motors=4 "
     "in its address to use them.";
 
+/// `rsm` answers when it has written its memory.
 inline constexpr Duration store_patience = std::chrono::seconds(10);
 
 class VxmDriver final : public Driver {
@@ -43,6 +44,8 @@ class VxmDriver final : public Driver {
   void wire_lost() override;
   Task<Result<std::string>> query(std::string text, Duration patience) override;
   [[nodiscard]] bool answers(std::string_view text) const override;
+  bool recover_by(std::string_view text) override;
+  std::optional<std::string> take_recovery() override { return std::exchange(recovery_, std::nullopt); }
   bool take_unsolicited(std::string& text) override;
   [[nodiscard]] Duration moving_period() const override;
   [[nodiscard]] Duration idle_period() const override { return Millis(200); }
@@ -113,7 +116,9 @@ class VxmDriver final : public Driver {
   Task<Result<std::string>> wait_for_prompt(std::uint64_t since, Duration patience);
 
   // ---- driver_connect.cpp
+  Task<Result<std::string>> ask_who_listens();
   Task<Result<>> greet();
+  Task<Result<>> recover();
   Task<Result<>> go_on_line(bool said_before);
   Task<Result<>> found_local(char state);
   Task<Result<>> found_restarted(const char* why);
@@ -212,6 +217,8 @@ class VxmDriver final : public Driver {
 
   Mode mode_ = Mode::unknown;
   bool connected_before_ = false, stay_local_ = false;
+  std::optional<std::string> recover_by_;  ///< to be said when nothing answers at connect
+  std::optional<std::string> recovery_;    ///< what came of it
   bool slave_present_ = false;
   bool lost_while_busy_ = false;
   Instant lost_at_{};
