@@ -19,6 +19,11 @@ std::string why_gone(const LinkHealth& link) {
   return fmt::format("There is no connection. {}", link.sentence.view());
 }
 
+std::string why_unread(const LinkHealth& link) {
+  if (!link.sentence.view().empty()) return std::string(link.sentence.view());
+  return "The controller tells nothing of it at present.";
+}
+
 int push_unknown(lua_State* L, std::string reason) {
   lua_pushnil(L);
   lua_pushlstring(L, reason.data(), reason.size());
@@ -33,7 +38,7 @@ Task<Answer> read_fresh(SessionPtr session, Instant asked_at, Push push, int num
     if (is_gone(link)) return push_unknown(L, why_gone(link));
     if (of_axis && number >= 0 && known.axes[number].seen_at < asked_at)
       return push_unknown(L, fmt::format("Axis {} cannot be read now. {}",
-                                         session->catalog().axes[number].name, link.sentence.view()));
+                                         session->catalog().axes[number].name, why_unread(link)));
     return push(L, known, session->catalog(), number);
   };
 }

@@ -235,6 +235,7 @@ void VxmDriver::show_worst() {
       draft_.notice = untold[i];
       return;
     }
+  if (slave_present_ && draft_.axis_count <= motors_per_controller) draft_.notice = unused_slave;
 }
 
 }  // namespace hw::vxm
