@@ -58,7 +58,8 @@ struct Rehearsal {
   bool finished = false;
   std::string error;  ///< not empty: what stopped it, as a sentence
   std::vector<RehearsedAxis> axes;
-  std::map<std::string, int> outputs;
+  std::map<std::string, int> outputs;           ///< by number; 1: on
+  std::map<std::string, int> outputs_at_first;  ///< as power-up leaves them; those that are missing: off
   std::string sent_to_host;
   std::map<std::string, int> program_size;  ///< "0" -> 14
   std::vector<RehearsedEvent> events;
