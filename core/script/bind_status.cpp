@@ -247,15 +247,16 @@ int push_output(lua_State* L, const Snapshot& known, const Catalog& catalog, int
   return 1;
 }
 
-// A round may have read another one of them: then this one is asked for.
+// A round may have read another one of them: then this one is asked for. A reading of the very instant of the
+// call may be older than it; that of a controller that cannot be asked is of the round, which is not.
 Task<Answer> fresh_analog(SessionPtr session, Instant asked_at, int place) {
   const auto at = static_cast<std::size_t>(place);
   const Snapshot& known = session->known();
   co_await session->pump().refresh();
-  if (!is_gone(known.link) && known.analog_seen_at[at] < asked_at) {
+  if (!is_gone(known.link) && known.analog_seen_at[at] <= asked_at) {
     IntentBody ask_it = intent::ReadAnalog(place + 1);
     const auto read = co_await session->perform(std::move(ask_it));
-    if (!read) co_return answer_refused(read.error().sentence());
+    if (!read && known.analog_seen_at[at] < asked_at) co_return answer_refused(read.error().sentence());
   }
   if (is_gone(known.link)) co_return answer_refused(why_gone(known.link));
   if (known.analog_seen_at[at] < asked_at)
