@@ -105,11 +105,30 @@ Task<int> send_texts(Scheduler& scheduler, std::shared_ptr<Session> session,
   co_return status;
 }
 
+/// A controller in an error state may take nothing but what stops or resets it: such a first text is sent
+/// while the connection is being made, if nothing else is answered.
+Task<int> send_stop_first(std::shared_ptr<Session> session, std::string text) {
+  const auto reply = co_await session->pump().query(std::move(text), for_an_answer);
+  if (!reply) co_return complain(reply.error(), status_of(reply.error()));
+  if (!reply->empty()) print_reply(*reply);
+  co_return done;
+}
+
 Task<int> send_all(Scheduler& scheduler, const Address& address, const Given& given, double wait_s) {
-  auto opened = co_await connect(scheduler, address, wire_opener());
+  auto opened = Session::open(scheduler, address, wire_opener(), nullptr);
   if (!opened) co_return complain(opened.error(), status_of(opened.error()));
   const std::shared_ptr<Session> session = *opened;
-  const int status = co_await send_texts(scheduler, session, std::span(given.words).subspan(1), wait_s);
+  std::span<const std::string> texts = std::span(given.words).subspan(1);
+  int status = done;
+  if (session->pump().driver().is_stop(texts[0])) {
+    status = co_await send_stop_first(session, texts[0]);
+    texts = texts.subspan(1);
+  }
+  if (status == done) {
+    const auto connected = co_await session->wait_until_connected();
+    status = connected ? co_await send_texts(scheduler, session, texts, wait_s)
+                       : complain(connected.error(), status_of(connected.error()));
+  }
   print_warnings(*session);
   co_await session->close();
   co_return status;

@@ -470,6 +470,13 @@ class Send(Case):
             result = run("send", model + "@emulator", *texts, timeout=20)
             self.assertEqual((result.returncode, result.stdout.strip()), (0, shown), result)
 
+    def test_a_controller_in_an_error_state_takes_k(self):
+        with emulator("vxm", "--tcp", "127.0.0.1:0") as (ready, _):
+            address = "vxm@tcp:" + port_of(ready[0])
+            self.assertEqual(run("send", address, "C JM0,R").stdout, "EJ\n")
+            self.expect(run("send", address, "V"), 1, "send K")
+            self.expect(run("send", address, "K", "V"), 0, "R")
+
     def test_each_reply_has_its_line(self):
         result = run("send", "pmx-4ex-sa@emulator", "POX", "SA0", "SA0=END", "SA0")
         self.assertEqual((result.returncode, result.stdout), (0, "7\n\nOK\nEND\n"), result)
