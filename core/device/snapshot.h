@@ -189,6 +189,7 @@ struct Snapshot {
   std::array<std::int16_t, max_slots> slot_bytes_used{};  ///< -1 unknown
   std::array<ParamState, max_params> params{};            ///< by index in Catalog::params
   bool unsaved_setup = false, unsaved_programs = false;   ///< in RAM and not stored
+  bool working = false;               ///< at commands that wait in its queues, though no axis may move
   std::int32_t store_count = -1;      ///< writes used of the non-volatile memory, if known
   Duration poll_period{};             ///< what the poll law asks for now
   std::array<IntentFate, 8> fates{};  ///< newest first

@@ -153,7 +153,7 @@ Task<Result<>> Session::wait_until_idle(Duration patience) {
     const bool fresh = s.axis_count == 0 || s.axes[0].seen_at >= asked_at;
     const bool running = s.program.run != RunState::idle && s.program.run != RunState::error;
     if (gone || s.program.run == RunState::error ||
-        (!pump_.busy() && fresh && !running && !s.any_axis_moving())) {
+        (!pump_.busy() && fresh && !running && !s.working && !s.any_axis_moving())) {
       std::string reason = why_not_finished(s, catalog_);
       if (reason.empty()) co_return Result<>();
       co_return fail(gone ? FaultKind::lost : FaultKind::controller, std::move(reason));
