@@ -1,5 +1,6 @@
 #include "gui/desk.h"
 
+#include <utility>
 #include <variant>
 
 namespace hw::gui {
@@ -36,10 +37,18 @@ void Desk::refresh(const Snapshot& now, Instant clock, const Send& send) {
   if (!worker_) own_worker_.deliver();
   if (now.link.state == LinkState::lost || now.link.state == LinkState::closed) texts.doubt();
   job.update(texts, now, catalog_, clock, send);
+  notice_program_changes(now);
   follower.follow(now, clock, texts, language_, worker());
   setup_write.update(now, catalog_, send);
   setup.settle(now);
   autosave(clock);
+}
+
+// A script, a raw command or a restored backup wrote into the controller what is not known here.
+void Desk::notice_program_changes(const Snapshot& now) {
+  const std::uint32_t news = now.program_changes - std::exchange(program_changes_, now.program_changes);
+  const bool ours = news == 1 && now.program_changed_by != 0 && now.program_changed_by == job.written_by();
+  if (news > 0 && !ours) texts.doubt();
 }
 
 void Desk::autosave(Instant clock) {

@@ -58,6 +58,7 @@ class Desk {
 
  private:
   void autosave(Instant clock);
+  void notice_program_changes(const Snapshot& now);
 
   const Catalog& catalog_;
   const Language* language_;
@@ -66,6 +67,7 @@ class Desk {
   Autosave autosave_{UserFolders::none()};
   std::string autosave_key_;
   std::uint64_t autosaved_ = 0;
+  std::uint32_t program_changes_ = 0;
   Instant changed_at_{};
   bool dirty_ = false;
   std::shared_ptr<int> alive_ = std::make_shared<int>(0);

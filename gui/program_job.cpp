@@ -24,7 +24,7 @@ bool ProgramJob::begin(Goal goal, int slot, ProgramTexts& texts, const Snapshot&
   }
   if (goal == Goal::clear) {
     stage_ = Stage::clearing;
-    waiting_for_ = send(intent::ClearProgram(slot));
+    waiting_for_ = written_by_ = send(intent::ClearProgram(slot));
     return true;
   }
   const ProgramReport& report = texts.report(slot);
@@ -36,7 +36,7 @@ bool ProgramJob::begin(Goal goal, int slot, ProgramTexts& texts, const Snapshot&
                fmt::format("Nothing was sent. The program needs {} {} and {} fit: {} too many. Shorten it.",
                            cost, catalog.program.capacity_unit, capacity, cost - capacity)),
            false;
-  if (texts.controller_has(slot)) return after_load(send), true;
+  if (capacity > 0 && texts.controller_has(slot)) return after_load(send), true;
   const int used = now.slot_bytes_used[static_cast<std::size_t>(slot)];
   const HeldProgram& held = texts.held(slot);
   const bool ours = held.known && held.from_here;
@@ -48,7 +48,7 @@ bool ProgramJob::begin(Goal goal, int slot, ProgramTexts& texts, const Snapshot&
 
 void ProgramJob::load(const Send& send) {
   stage_ = Stage::loading;
-  waiting_for_ = send(intent::LoadProgram(slot_, text_));
+  waiting_for_ = written_by_ = send(intent::LoadProgram(slot_, text_));
 }
 
 void ProgramJob::after_load(const Send& send) {

@@ -42,6 +42,8 @@ class ProgramJob {
   [[nodiscard]] Stage stage() const { return stage_; }
   [[nodiscard]] bool busy() const { return stage_ != Stage::idle; }
   [[nodiscard]] int slot() const { return slot_; }
+  /// The last intent of a job that wrote into the controller; 0: none yet.
+  [[nodiscard]] IntentId written_by() const { return written_by_; }
   [[nodiscard]] Goal goal() const { return goal_; }
   /// While asking: what would be lost.
   [[nodiscard]] const std::string& question() const { return question_; }
@@ -62,6 +64,7 @@ class ProgramJob {
   Stage stage_ = Stage::idle;
   int slot_ = 0;
   IntentId waiting_for_ = 0;
+  IntentId written_by_ = 0;
   std::string text_;  ///< as it was when the job began: this is what is loaded
   std::string question_;
   Told told_;

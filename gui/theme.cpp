@@ -52,8 +52,8 @@ void apply(const Theme& theme, float scale, ImGuiStyle& style) {
   style.ItemInnerSpacing = ImVec2(4, 4);
   style.CellPadding = ImVec2(4, 4);
   style.ScrollbarSize = 12;
-  style.WindowMinSize = ImVec2(1, 1);
   style.ScaleAllSizes(scale);
+  style.WindowMinSize = ImVec2(1, 1);  // not scaled: ImGui wants a pixel
   style.FrameBorderSize = style.PopupBorderSize = std::max(1.0f, std::floor(scale));
   style.WindowBorderSize = style.ChildBorderSize = 0;
   style.DisabledAlpha = 1;  // disabled is drawn by tokens, not by fading

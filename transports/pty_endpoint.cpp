@@ -126,7 +126,7 @@ class OpenNotice : public std::enable_shared_from_this<OpenNotice> {
   bool waiting_ = false;
 };
 
-// The kernel itself knows whether a client is there: without one, the master reads and writes EIO. So what is
+// The kernel itself knows whether a client is there: without one, the master reads EIO and is hung up. What is
 // sent to nobody is lost, as on a serial line, and reading stops until the next one opens.
 class PtyEndpoint final : public FdStream {
  public:
@@ -142,6 +142,11 @@ class PtyEndpoint final : public FdStream {
     char target[256];
     const ssize_t n = ::readlink(link_.c_str(), target, sizeof target);
     if (n > 0 && terminal_ == std::string_view(target, static_cast<std::size_t>(n))) ::unlink(link_.c_str());
+  }
+
+  // Linux keeps what is written without a client, for whoever comes next.
+  void send(std::string_view bytes) override {
+    if (!hung_up()) FdStream::send(bytes);
   }
 
   Result<> set_rate(int) override { return {}; }  // the client's business

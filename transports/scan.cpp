@@ -145,11 +145,12 @@ std::string PortReport::sentence() const {
     case PortFinding::silent:
       return fmt::format(
           "Nothing answers at {} baud. Is the controller switched on and connected to this port?",
-          fmt::join(asked, ", "));
+          fmt::join(std::set<int>(asked.begin(), asked.end()), ", "));
     case PortFinding::garbled:
       if (!id.empty())
         return fmt::format(
-            "At {} baud something answers to id {} that makes no sense: {}. Two devices with one id, or another "
+            "At {} baud something answers to id {} that makes no sense: {}. Two devices with one id, or "
+            "another "
             "rate: connect one alone and look.",
             baud, id, printable(reply));
       return fmt::format(

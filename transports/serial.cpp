@@ -162,8 +162,8 @@ tl::expected<int, Refused> open_exclusively(const std::string& path) {
     return tl::unexpected(std::move(why));
   };
   if (!::isatty(fd)) return refuse(errno == EIO ? other(path, EIO) : not_serial(path));
+  if (taken_exclusively(fd, path)) return refuse(busy(path));  // before our lock, which would look like a holder
   if (::flock(fd, LOCK_EX | LOCK_NB) != 0) return refuse(busy(path));
-  if (taken_exclusively(fd, path)) return refuse(busy(path));
   ::ioctl(fd, TIOCEXCL);
   return fd;
 }

@@ -31,8 +31,9 @@ struct UnitChoice {
 };
 
 struct HomingMode {
-  std::string id;     ///< for scripts: "limit"
-  std::string label;  ///< "to the limit switch"
+  std::string id;          ///< for scripts: "limit"
+  std::string label;       ///< "to the limit switch"
+  std::string maker = {};  ///< the maker's word for it, where it has one: "ZH"
 };
 
 struct InputInfo {

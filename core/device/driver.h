@@ -48,6 +48,12 @@ class Driver {
   virtual Task<Result<std::string>> query(std::string text, Duration patience) = 0;
   /// Whether the controller answers this raw text by itself and at once.
   [[nodiscard]] virtual bool answers(std::string_view) const { return true; }
+  /// Whether it tells by itself, later, that what this raw text began is over: a prompt.
+  [[nodiscard]] virtual bool answers_later(std::string_view) const { return false; }
+  /// Whether this raw text may change what the controller's programs are.
+  [[nodiscard]] virtual bool changes_programs(std::string_view) const { return true; }
+  /// Whether this raw text stops what is under way, so that nothing may keep it back.
+  [[nodiscard]] virtual bool is_stop(std::string_view) const { return false; }
   /// Next unsolicited text for a script, if any has come since the last call.
   virtual bool take_unsolicited(std::string& text) = 0;
 

@@ -189,15 +189,20 @@ void Pump::poll_finished(const Result<>& result) {
   publish();
 }
 
-Task<> Pump::refresh() {
+std::uint64_t Pump::want_round() {
   const std::uint64_t wanted = rounds_begun_ + 1;
+  round_wanted_ = std::max(round_wanted_, wanted);
+  next_poll_ = scheduler_.now();
+  wake_.notify();
+  return wanted;
+}
+
+Task<> Pump::refresh() {
   const auto connected = [this] {
     return draft_.link.state == LinkState::good || draft_.link.state == LinkState::late;
   };
   if (!connected()) co_return;
-  round_wanted_ = std::max(round_wanted_, wanted);
-  next_poll_ = scheduler_.now();
-  wake_.notify();
+  const std::uint64_t wanted = want_round();
   while (rounds_ended_ < wanted && connected() && !closing_) co_await published_.wait();
 }
 

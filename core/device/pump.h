@@ -38,6 +38,9 @@ class Pump {
 
   /// Resumes after a round of status that began after this call, or at once when there is no connection.
   Task<> refresh();
+  /// Hurries the next round of status; its number, which rounds_ended() reaches when it is over.
+  std::uint64_t want_round();
+  [[nodiscard]] std::uint64_t rounds_ended() const { return rounds_ended_; }
 
   [[nodiscard]] const Snapshot& known() const { return draft_; }
   [[nodiscard]] Driver& driver() { return *driver_; }
@@ -64,6 +67,7 @@ class Pump {
   void post_stop(Intent intent);
   void refuse_queued(const char* why);
   void hold_jog(const Intent& intent);
+  void count_program_change(const Job& job);
   void jog_let_go();
   void poll_finished(const Result<>& result);
   void lose_wire(const Fault& why);

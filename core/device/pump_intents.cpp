@@ -148,10 +148,24 @@ Task<> Pump::stop_and_report(Intent intent) {
   ended_.notify();
 }
 
+// Whoever has its own idea of the programs in the controller hears that others may have changed them.
+void Pump::count_program_change(const Job& job) {
+  const IntentBody& body = job.intent.body;
+  const auto* raw = std::get_if<intent::SendText>(&body);  // a question too
+  const bool changes = raw ? driver_->changes_programs(raw->text)
+                           : std::holds_alternative<intent::LoadProgram>(body) ||
+                                 std::holds_alternative<intent::ClearProgram>(body) ||
+                                 std::holds_alternative<intent::Reset>(body);
+  if (!changes) return;
+  ++draft_.program_changes;
+  draft_.program_changed_by = job.intent.id;
+}
+
 Task<> Pump::perform_next() {
   std::unique_ptr<Job> job = std::move(queue_.front());
   queue_.pop_front();
   performing_ = true;
+  count_program_change(*job);
   if (job->is_query) {
     try {
       job->reply = co_await driver_->query(job->text, job->patience);

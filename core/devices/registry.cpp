@@ -1,5 +1,8 @@
 #include "core/device/registry.h"
 
+#include <algorithm>
+#include <cctype>
+
 #include "core/devices/dmx_k_sa/device_type.h"
 #include "core/devices/pmx_4ex_sa/device_type.h"
 #include "core/devices/vme58/device_type.h"
@@ -19,7 +22,9 @@ std::span<const DeviceType> device_types() {
 
 const DeviceType* find_device_type(std::string_view model) {
   for (const DeviceType& type : device_types())
-    if (type.model == model) return &type;
+    if (std::equal(type.model.begin(), type.model.end(), model.begin(), model.end(),
+                   [](char a, char b) { return a == std::tolower(static_cast<unsigned char>(b)); }))
+      return &type;
   return nullptr;
 }
 

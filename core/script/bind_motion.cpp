@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <map>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include "core/script/bind.h"
 
@@ -74,6 +74,21 @@ int jog(Call& call) {
   return perform(call, one.session, intent::JogStart(id_of(one.index), sign_of(call, 2), speed, false));
 }
 
+/// By id, by the maker's word, or by its number, which is its place. -1: none.
+int homing_mode(const std::vector<HomingMode>& modes, const std::string& wanted) {
+  for (std::size_t i = 0; i < modes.size(); ++i)
+    if (wanted == modes[i].id || (!wanted.empty() && wanted == modes[i].maker) ||
+        wanted == fmt::format("{}", i))
+      return static_cast<int>(i);
+  return -1;
+}
+
+std::string no_such_homing(const std::vector<HomingMode>& modes, const std::string& wanted) {
+  std::vector<std::string_view> ids;
+  for (const HomingMode& m : modes) ids.push_back(m.id);
+  return fmt::format("There is no way of homing \"{}\". There is {}.", wanted, fmt::join(ids, ", "));
+}
+
 int home(Call& call) {
   const OneAxis one = one_axis(call, 1, "home");
   if (one.index < 0) return call.refuse(one.refusal);
@@ -81,10 +96,8 @@ int home(Call& call) {
   if (call.has(3)) {
     const std::string wanted = call.text(3, "mode");
     const auto& modes = one.session->catalog().homing_modes;
-    const auto found =
-        std::find_if(modes.begin(), modes.end(), [&](const HomingMode& m) { return m.id == wanted; });
-    if (found == modes.end()) return call.refuse(fmt::format("There is no way of homing \"{}\".", wanted));
-    mode = static_cast<int>(found - modes.begin());
+    mode = homing_mode(modes, wanted);
+    if (mode < 0) return call.refuse(no_such_homing(modes, wanted));
   }
   return perform(call, one.session, intent::Home(id_of(one.index), sign_of(call, 2), mode));
 }

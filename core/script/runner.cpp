@@ -198,7 +198,8 @@ void Runner::fiber_failed(Fiber& fiber, int status) {
   }
   const char* message = lua_tostring(fiber.L, -1);
   failure_ =
-      (message ? std::string(message) : fmt::format("an error that is a {}", luaL_typename(fiber.L, -1))) +
+      (message ? std::string(message)
+               : fmt::format("{}an error that is a {}", where(fiber.L), luaL_typename(fiber.L, -1))) +
       callers(fiber.L);
 }
 

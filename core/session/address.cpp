@@ -130,7 +130,7 @@ Result<std::pair<std::string, int>> split_host_port(std::string_view where) {
   if (host.size() > 2 && host.front() == '[' && host.back() == ']') host = host.substr(1, host.size() - 2);
   const int port = whole_number<int>(digits).value_or(-1);
   if (port < 0 || port > 65535)
-    return fail(FaultKind::text, fmt::format("\"{}\" is no port number (0 to 65535).", digits));
+    return fail(FaultKind::text, fmt::format("\"{}\" is no port number (1 to 65535).", digits));
   return std::pair(std::string(host), port);
 }
 

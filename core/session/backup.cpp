@@ -48,9 +48,9 @@ Task<Result<Backup>> take_backup(std::shared_ptr<Session> session) {
 }
 
 std::string RestoreReport::sentence() const {
-  std::string all = fmt::format("{} parameters written, {} were equal already, {} programs written.",
+  std::string all = fmt::format("Parameters: {} written, {} were equal already. Programs: {} written.",
                                 parameters_written, parameters_equal, programs_written);
-  if (variables_written > 0) all += fmt::format(" {} variables written.", variables_written);
+  if (variables_written > 0) all += fmt::format(" Variables: {} written.", variables_written);
   return all;
 }
 

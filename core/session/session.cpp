@@ -145,15 +145,20 @@ std::string why_not_finished(const Snapshot& s, const Catalog& catalog) {
 Task<Result<>> Session::wait_until_idle(Duration patience) {
   const auto self = shared_from_this();
   const Instant deadline = scheduler_.now() + patience;
-  const Instant asked_at = scheduler_.now();
+  co_await asio::post(scheduler_.executor(), use_task);  // behind whatever send() has posted
+  std::optional<std::uint64_t> round;                    // of status, begun when nothing waited to be sent
   bool in_time = true;
   while (in_time) {
     const Snapshot& s = known();
     const bool gone = s.link.state == LinkState::lost || s.link.state == LinkState::closed;
-    const bool fresh = s.axis_count == 0 || s.axes[0].seen_at >= asked_at;
+    if (pump_.busy())
+      round.reset();
+    else if (!round)
+      round = pump_.want_round();
+    const bool fresh = round && pump_.rounds_ended() >= *round;
     const bool running = s.program.run != RunState::idle && s.program.run != RunState::error;
     if (gone || s.program.run == RunState::error ||
-        (!pump_.busy() && fresh && !running && !s.working && !s.any_axis_moving())) {
+        (fresh && !running && !s.working && !s.any_axis_moving())) {
       std::string reason = why_not_finished(s, catalog_);
       if (reason.empty()) co_return Result<>();
       co_return fail(gone ? FaultKind::lost : FaultKind::controller, std::move(reason));
@@ -182,12 +187,12 @@ static bool looks_same(const Snapshot& a, const Snapshot& b) {
          a.inputs_known == b.inputs_known && a.outputs == b.outputs && a.outputs_known == b.outputs_known &&
          a.analog == b.analog && a.analog_known == b.analog_known && a.program == b.program &&
          a.threads == b.threads && a.queue_free == b.queue_free && a.queue_known == b.queue_known &&
-         (!(a.window.rings_known || b.window.rings_known) || a.window == b.window) && a.feed == b.feed && a.readouts == b.readouts &&
-         a.readouts_known == b.readouts_known && a.variables == b.variables &&
+         (!(a.window.rings_known || b.window.rings_known) || a.window == b.window) && a.feed == b.feed &&
+         a.readouts == b.readouts && a.readouts_known == b.readouts_known && a.variables == b.variables &&
          a.variables_known == b.variables_known && a.slot_bytes_used == b.slot_bytes_used &&
          a.params == b.params && a.unsaved_setup == b.unsaved_setup &&
-         a.unsaved_programs == b.unsaved_programs && a.store_count == b.store_count && a.fates == b.fates &&
-         a.notice == b.notice;
+         a.unsaved_programs == b.unsaved_programs && a.store_count == b.store_count &&
+         a.program_changes == b.program_changes && a.fates == b.fates && a.notice == b.notice;
 }
 
 void Session::show(const Snapshot& snapshot) {

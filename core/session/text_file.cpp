@@ -78,7 +78,7 @@ Result<TextFile> decode_text(std::string bytes, const std::string& name) {
     return fail(FaultKind::text,
                 fmt::format("{} is not a text: its byte {} is {:02X} hex.", name, at + 1,
                             static_cast<unsigned char>(bytes[at])),
-                "It was not opened, and the program here is as it was.", "Choose a file with program text.");
+                "It was not opened; nothing else was changed.", "Choose a file with program text.");
   TextFile file;
   if (!is_utf8(bytes)) {
     file.was_latin1 = true;
@@ -92,7 +92,7 @@ Result<TextFile> load_text(const std::filesystem::path& path) {
   auto bytes = read_file(path, largest_program_text);
   if (!bytes) {
     Fault fault = std::move(bytes.error());
-    if (fault.done.empty()) fault.done = "The program here is as it was.";
+    if (fault.done.empty()) fault.done = "Nothing was changed.";
     return fail(std::move(fault));
   }
   return decode_text(std::move(*bytes), path.filename().string());

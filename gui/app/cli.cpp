@@ -24,6 +24,31 @@ std::string help_of(std::string_view name, std::string_view help) {
   return name == "MODEL" ? fmt::format("{}: {}", help, known_models()) : std::string(help);
 }
 
+// CLI11 takes "[a,b]" apart, and what begins with a dash for an option. What a user means as it stands goes
+// past it behind this mark.
+constexpr char as_it_stands = '\x01';
+
+std::string marked(std::string word) { return as_it_stands + std::move(word); }
+std::string unmarked(std::string word) {
+  if (word.starts_with(as_it_stands)) word.erase(0, 1);
+  return word;
+}
+
+/// As CLI11 takes them: the last first. What stands behind -- is never an option.
+std::vector<std::string> words_for_parser(int argc, char** argv) {
+  std::vector<std::string> words;
+  bool behind_dashes = false;
+  for (int i = 1; i < argc; ++i) {
+    std::string word = argv[i];
+    if (!behind_dashes && word == "--")
+      behind_dashes = true;
+    else
+      words.push_back(behind_dashes || word.starts_with('[') ? marked(std::move(word)) : std::move(word));
+  }
+  std::reverse(words.begin(), words.end());
+  return words;
+}
+
 // One subcommand as CLI11 sees it, and where it puts what it finds.
 struct Parsed {
   const Subcommand* command;
@@ -63,10 +88,12 @@ void add_options(Parsed& parsed) {
   }
 }
 
-Given collect(const Parsed& parsed, std::vector<std::string> behind_dashes) {
+Given collect(Parsed& parsed) {
   Given given;
-  for (const auto& words : parsed.words) given.words.insert(given.words.end(), words.begin(), words.end());
-  given.words.insert(given.words.end(), behind_dashes.begin(), behind_dashes.end());
+  for (const auto& words : parsed.words)
+    for (const std::string& word : words) given.words.push_back(unmarked(word));
+  for (auto& [name, values] : parsed.values)
+    for (std::string& value : values) value = unmarked(std::move(value));
   for (const auto& [name, option] : parsed.options) {
     if (option->count() == 0) continue;
     const auto values = parsed.values.find(name);
@@ -85,6 +112,14 @@ std::string asked_for(const CLI::App& app) {
   std::string name = app.get_name();
   for (const CLI::App* one : app.get_subcommands()) name += " " + one->get_name();
   return name;
+}
+
+std::string why_not(const CLI::App& app, const CLI::ParseError& error, std::string_view first) {
+  if (app.get_subcommands().empty() && !first.starts_with('-'))
+    return fmt::format("There is no subcommand \"{}\"", first);
+  std::string why = error.what();
+  std::erase(why, as_it_stands);
+  return why;
 }
 
 constexpr const char* footer =
@@ -140,23 +175,18 @@ int run_command_line(int argc, char** argv) {
     add_options(one);
   }
 
-  // What stands behind -- is never an option.
-  std::vector<std::string> words(argv + 1, argv + argc), behind_dashes;
-  if (const auto dashes = std::find(words.begin(), words.end(), "--"); dashes != words.end()) {
-    behind_dashes.assign(dashes + 1, words.end());
-    words.erase(dashes, words.end());
-  }
-  std::reverse(words.begin(), words.end());  // as CLI11 takes them
   try {
-    app.parse(std::move(words));
+    app.parse(words_for_parser(argc, argv));
   } catch (const CLI::Success& wish) {  // --help, --version
     return app.exit(wish) == 0 ? done : usage;
   } catch (const CLI::ParseError& error) {
-    return complain(fmt::format("{}. `{} --help` tells what there is.", error.what(), asked_for(app)), usage);
+    return complain(
+        fmt::format("{}. `{} --help` tells what there is.", why_not(app, error, argv[1]), asked_for(app)),
+        usage);
   }
   if (verbose) log::set_level(log::Level::debug);
-  for (const Parsed& one : parsed)
-    if (one.app->parsed()) return one.command->run(collect(one, std::move(behind_dashes)));
+  for (Parsed& one : parsed)
+    if (one.app->parsed()) return one.command->run(collect(one));
   return open_subcommand.run({});
 }
 

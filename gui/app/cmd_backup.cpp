@@ -22,7 +22,8 @@ Task<int> take(Scheduler& scheduler, const Address& address, std::string file) {
     co_return complain(saved.error());
   const auto programs = std::count_if(taken->programs.begin(), taken->programs.end(),
                                       [](const auto& p) { return !p.second.empty(); });
-  fmt::print("{}: {} parameters, {} programs\n", file, taken->parameters.size(), programs);
+  fmt::print("{}: {} parameters, {} program{}\n", file, taken->parameters.size(), programs,
+             programs == 1 ? "" : "s");
   co_return done;
 }
 
@@ -33,9 +34,12 @@ Task<int> put_back(Scheduler& scheduler, const Address& address, std::string fil
   if (!opened) co_return complain(opened.error(), status_of(opened.error()));
   const std::shared_ptr<Session> session = *opened;
   auto report = co_await restore_backup(session, std::move(*loaded), file, warned);
+  const bool in_ram_only = session->known().unsaved_setup || session->known().unsaved_programs;
   co_await session->close();
   if (!report) co_return complain(report.error());
   fmt::print("{}\n", report->sentence());
+  if (in_ram_only)
+    fmt::print(stderr, "What was written is in force, but gone with the power until the controller stores it.\n");
   for (const std::string& sentence : report->warnings) fmt::print(stderr, "{}\n", sentence);
   if (report->left_out.empty()) co_return done;
   for (const std::string& sentence : report->left_out) complain(sentence);

@@ -29,10 +29,22 @@ void print_usb() {
   }
 }
 
-Task<int> scan_all(Scheduler& scheduler, std::vector<SerialPort> ports) {
-  std::function<void(const PortReport&)> tell = print_report;
+bool not_opened(const PortReport& report) {
+  return report.finding == PortFinding::busy || report.finding == PortFinding::not_permitted ||
+         report.finding == PortFinding::unusable;
+}
+
+/// A port that was named and cannot be asked is a job that failed; one of all that there are is a finding.
+Task<int> scan_all(Scheduler& scheduler, std::vector<SerialPort> ports, bool named) {
+  int status = done;
+  std::function<void(const PortReport&)> tell = [&status, named](const PortReport& report) {
+    if (named && not_opened(report))
+      status = complain(report.sentence());
+    else
+      print_report(report);
+  };
   co_await scan_ports(scheduler, std::move(ports), tell);
-  co_return done;
+  co_return status;
 }
 
 Task<int> search_ids(Scheduler& scheduler, DeviceSearch search) {
@@ -106,7 +118,8 @@ static int scan(const Given& given) {
     if (ports.empty()) fmt::print("No serial ports.\n");
     print_usb();
   }
-  return run_here([&](Scheduler& scheduler) { return scan_all(scheduler, ports); });
+  const bool named = !given.words.empty();
+  return run_here([&](Scheduler& scheduler) { return scan_all(scheduler, ports, named); });
 }
 
 const Subcommand scan_subcommand{
@@ -114,7 +127,8 @@ const Subcommand scan_subcommand{
     "serial ports, USB devices, and which controllers answer on them; moves nothing",
     {{"PORT", "serial ports to ask; none: all that there are", 0, -1}},
     {{"ids", "NN-NN",
-      "search each of these numbers on lines that several share, at each rate (default: the usual number only)"},
+      "search each of these numbers on lines that several share, at each rate (default: the usual number "
+      "only)"},
      {"baud", "RATE", "with --ids: only at this rate", true}},
     scan,
 };

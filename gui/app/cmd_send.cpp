@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cstdio>
+#include <span>
 
 #include <fmt/core.h>
 
@@ -38,30 +40,43 @@ bool busy(const Snapshot& s) {
          s.program.run == RunState::waiting;
 }
 
-// What comes unasked belongs to the text that made the controller busy: it is printed until it rests.
-Task<bool> print_until_idle(Scheduler& scheduler, const std::shared_ptr<Session>& session, Instant give_up) {
-  co_await session->pump().refresh();
+void print_unasked(Session& session) {
   std::string text;
+  while (session.pump().driver().take_unsolicited(text)) print_reply(text);
+}
+
+// What comes unasked belongs to the text that made the controller busy: it is printed until it rests.
+Task<bool> print_until_idle(std::shared_ptr<Session> session, Instant give_up) {
+  co_await session->pump().refresh();
   for (bool in_time = true; in_time;) {
-    while (session->pump().driver().take_unsolicited(text)) print_reply(text);
+    print_unasked(*session);
     if (session->known().link.state == LinkState::lost || !busy(session->known())) co_return true;
     in_time = co_await session->pump().published().wait_until(give_up);
   }
-  (void)scheduler;
   co_return false;
 }
 
-Task<int> send_one(Scheduler& scheduler, const std::shared_ptr<Session>& session, std::string text,
-                   double wait_s) {
+Task<int> send_one(std::shared_ptr<Session> session, std::string text, double wait_s) {
   const bool answers = session->pump().driver().answers(text);
   Duration patience = answers ? for_an_answer : for_a_prompt;
   if (wait_s > 0 && answers) patience = from_seconds(wait_s);
-  const Instant give_up = scheduler.now() + from_seconds(wait_s > 0 ? wait_s : longest_run_s);
   const auto reply = co_await session->pump().query(text, patience);
-  if (reply && !reply->empty()) print_reply(*reply);
+  if (reply && (answers || !reply->empty())) print_reply(*reply);
   if (!reply && (answers || reply.error().kind != FaultKind::no_answer))
     co_return complain(fmt::format("{}: {}", text.empty() ? "\"\"" : text, reply.error().sentence()));
-  const bool rests = co_await print_until_idle(scheduler, session, give_up);
+  print_unasked(*session);
+  co_return done;
+}
+
+// A prompt belongs to the text that brings it, so the next one waits for it; but nothing keeps a stop back.
+bool waits_before(const Driver& driver, const std::string& text, const std::string& next) {
+  return !driver.answers(text) && driver.answers_later(text) && !driver.is_stop(next);
+}
+
+Task<int> wait_for_rest(Scheduler& scheduler, std::shared_ptr<Session> session, std::string text,
+                        double wait_s) {
+  const Instant give_up = scheduler.now() + from_seconds(wait_s > 0 ? wait_s : longest_run_s);
+  const bool rests = co_await print_until_idle(session, give_up);
   if (!rests)
     co_return complain(fmt::format("{}: the controller is still busy. It goes on by itself.", text));
   if (session->known().link.state == LinkState::lost)
@@ -69,15 +84,34 @@ Task<int> send_one(Scheduler& scheduler, const std::shared_ptr<Session>& session
   co_return done;
 }
 
+/// One after the other. A text that failed ends it; one whose end did not come in time does not.
+Task<int> send_texts(Scheduler& scheduler, std::shared_ptr<Session> session,
+                     std::span<const std::string> texts, double wait_s) {
+  const Driver& driver = session->pump().driver();
+  int status = done;
+  bool end_is_told = false;
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    const int sent = co_await send_one(session, texts[i], wait_s);
+    if (sent != done) co_return sent;
+    end_is_told = end_is_told || driver.answers_later(texts[i]);
+    const bool last = i + 1 == texts.size();
+    if (last ? end_is_told : waits_before(driver, texts[i], texts[i + 1])) {
+      const int rested = co_await wait_for_rest(scheduler, session, texts[i], wait_s);
+      status = std::max(status, rested);
+    }
+    print_warnings(*session);
+  }
+  co_await session->pump().refresh();  // what the last one brought about
+  print_unasked(*session);
+  co_return status;
+}
+
 Task<int> send_all(Scheduler& scheduler, const Address& address, const Given& given, double wait_s) {
   auto opened = co_await connect(scheduler, address, wire_opener());
   if (!opened) co_return complain(opened.error(), status_of(opened.error()));
   const std::shared_ptr<Session> session = *opened;
-  int status = done;
-  for (std::size_t i = 1; i < given.words.size() && status == done; ++i) {
-    status = co_await send_one(scheduler, session, given.words[i], wait_s);
-    print_warnings(*session);
-  }
+  const int status = co_await send_texts(scheduler, session, std::span(given.words).subspan(1), wait_s);
+  print_warnings(*session);
   co_await session->close();
   co_return status;
 }

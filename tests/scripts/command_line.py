@@ -429,7 +429,7 @@ class Scan(Case):
             self.expect(run("scan", "--ids", ids), 2, "--ids", "two digits each")
         self.expect(run("scan", "--ids", "00-99", "--baud", "fast"), 2, "--baud fast")
         self.expect(run("scan", "--baud", "9600"), 2, "--baud goes with --ids")
-        self.expect(run("scan", "/dev/ttyUSB77"), 0, "/dev/ttyUSB77")
+        self.expect(run("scan", "/dev/ttyUSB77"), 1, "/dev/ttyUSB77")
 
 
 class Send(Case):
@@ -463,10 +463,50 @@ class Send(Case):
             address = "vxm@tcp:" + port_of(ready[0])
             self.assertEqual(run("send", address, "PM0,C,S1M1000,I1M4000", "R", "X").stdout, "^\n+0004000\n")
 
+    def test_a_stop_waits_for_nothing(self):
+        for model, texts, shown in (("vxm", ("S1M100,I1M0,R", "D"), "^"), ("dmx-k-sa", ("J+", "STOP"), "OK\nOK"),
+                                    ("pmx-4ex-sa", ("EO=15", "JX+", "STOPX"), "OK\nOK\nOK"),
+                                    ("vme58", ("AX JG1000", "AX ST"), "")):
+            result = run("send", model + "@emulator", *texts, timeout=20)
+            self.assertEqual((result.returncode, result.stdout.strip()), (0, shown), result)
+
+    def test_each_reply_has_its_line(self):
+        result = run("send", "pmx-4ex-sa@emulator", "POX", "SA0", "SA0=END", "SA0")
+        self.assertEqual((result.returncode, result.stdout), (0, "7\n\nOK\nEND\n"), result)
+
+    def test_brackets_are_the_controllers(self):
+        self.assertEqual(run("send", "vxm@emulator,motors=4", "[V]", "V").stdout.splitlines()[-1], "R")
+        for text in ("[V,X]", "[]"):
+            result = run("send", "vxm@emulator", text)
+            self.assertEqual((result.returncode, result.stdout), (0, "EB\n"), result)
+        script = self.file("a.lua", "hw.log(#hw.args .. ' ' .. hw.args[1] .. ' ' .. hw.args[2])")
+        self.assertIn("2 [a,b] --gui", run("run", script, "[a,b]", "--", "--gui").stderr)
+
+    def test_dashes_end_the_options_wherever_they_stand(self):
+        for words in (("--", "vxm@emulator", "X"), ("vxm@emulator", "--", "X"), ("vxm@emulator", "X", "--")):
+            result = run("send", *words)
+            self.assertEqual((result.returncode, result.stdout), (0, "+0000000\n"), result)
+
+    def test_what_is_no_subcommand(self):
+        self.expect(run("sned", "vxm@emulator", "X"), 2, 'There is no subcommand "sned"')
+
     def test_over_a_pty(self):
         link = self.folder / "port"
         with emulator("vxm", "--pty", link):
             self.assertEqual(run("send", f"vxm@serial:{link}", "V", "X").stdout, "R\n+0000000\n")
+
+    def test_what_nobody_heard_is_not_kept_for_the_next_client(self):
+        link = self.folder / "port"
+        with emulator("vxm", "--pty", link, "--tcp", "127.0.0.1:0") as (ready, _):
+            address = "vxm@tcp:" + port_of(next(line for line in ready if " tcp " in line))
+            self.expect(run("send", address, "V", "X", "Y"), 0)
+            client = os.open(link, os.O_RDWR | os.O_NOCTTY)
+            try:
+                os.set_blocking(client, False)
+                time.sleep(0.2)
+                self.assertRaises(BlockingIOError, os.read, client, 100)
+            finally:
+                os.close(client)
 
     def test_no_vxm_there(self):
         with socket.create_server(("127.0.0.1", 0)) as silent:
@@ -668,7 +708,7 @@ class Backup(Case):
             self.expect(run("restore", address, file, "--leave-motor-types"), 0)
             self.expect(run("send", address, "getM1M"), 0, "0")
             result = run("restore", address, file)
-            self.expect(result, 0, "1 parameters written")
+            self.expect(result, 0, "Parameters: 1 written")
             self.assertIn("M1M = 4 was written", result.stderr, "a motor type is never written without a word")
             self.assertEqual(run("send", address, "getM1M", "PM1,M", "PM3,lst").stdout,
                              "4\n256\nPM3 M254\nU5\n", "and what was empty is empty again")
@@ -689,7 +729,7 @@ class Backup(Case):
             self.expect(run("send", address, "V51=5"), 0)
             self.expect(run("restore", address, file), 0, "3 variables written")
             self.assertEqual(run("send", address, "V50", "V51", "V99", "SLT").stdout, "-12345\n0\n134217727\n33\n")
-            self.expect(run("restore", address, file), 0, "0 parameters written")
+            self.expect(run("restore", address, file), 0, "Parameters: 0 written")
 
     def test_variables_that_cannot_be(self):
         for line, words in (("100 = 1", "V100"), ("60 = 99999999999", "99999999999"), ('60 = "x"', "60")):

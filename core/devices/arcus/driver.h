@@ -38,6 +38,8 @@ class ArcusDriver final : public Driver {
   void wire_lost() override;
   Task<Result<std::string>> query(std::string text, Duration patience) override;
   [[nodiscard]] bool answers(std::string_view text) const override;
+  [[nodiscard]] bool answers_later(std::string_view text) const override;
+  [[nodiscard]] bool changes_programs(std::string_view text) const override;
   bool take_unsolicited(std::string& text) override;
   [[nodiscard]] Duration moving_period() const override;
   [[nodiscard]] Duration idle_period() const override { return Millis(200); }

@@ -261,6 +261,15 @@ bool ArcusDriver::answers(std::string_view text) const {
   return model().broadcast < 0 || address_of(text) != model().broadcast;
 }
 
+// The automatic message at the end of a move (DMX manual, AR).
+bool ArcusDriver::answers_later(std::string_view) const { return param("AR") == 1; }
+
+// A line of the program memory: SA[line]=[code].
+bool ArcusDriver::changes_programs(std::string_view text) const {
+  const std::string_view command = text_of(text);
+  return command.starts_with("SA") && command.find('=') != command.npos;
+}
+
 Task<Result<>> ArcusDriver::send_text(const intent::SendText& wish) {
   if (wish.broadcast) {
     auto sent = co_await broadcast(wish.text, Priority::intent);

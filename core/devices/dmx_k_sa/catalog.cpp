@@ -3,6 +3,7 @@
 #include "core/devices/arcus/address.h"
 #include "core/devices/arcus/catalog.h"
 #include "core/devices/dmx_k_sa/facts.h"
+#include "core/devices/dmx_k_sa/forms.h"
 
 namespace hw::dmx_k_sa {
 namespace {
@@ -61,6 +62,8 @@ Result<Catalog> make_catalog(const DeviceOptions& options) {
   c.short_name = "DMX";
   c.summary = "1 motor each, up to 99 on a bus";
   c.options = {{"id", {{"00", "1 motor"}, {"01-04", "01 to 04"}, {"01-30", "01 to 30"}}}};
+  for (std::size_t i = 0; i < c.homing_modes.size(); ++i)
+    c.homing_modes[i].maker = forms().homes[i].substr(0, forms().homes[i].size() - 1);  // without its sign
   add_readouts(c);
   name_the_outputs(c);
   arcus::add_common_actions(c, model, "DMX manual ch. 7");

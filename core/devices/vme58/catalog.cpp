@@ -238,9 +238,9 @@ Result<Catalog> make_catalog(const DeviceOptions& options_given) {
   c.step_word = "counts";
   c.options = options();
   c.axes = axes(variant);
-  c.homing_modes = {{"home", "to the home switch, 0 at its edge"},
-                    {"home-return", "to the home switch, then back onto its edge"},
-                    {"kill", "stop dead at the home switch, count kept"}};
+  c.homing_modes = {{"home", "to the home switch, 0 at its edge", "HM"},
+                    {"home-return", "to the home switch, then back onto its edge", "HR"},
+                    {"kill", "stop dead at the home switch, count kept", "KM"}};
   c.inputs = inputs(board->outputs);
   c.outputs = output_infos(board->outputs, variant);
   c.params = param_infos(variant);

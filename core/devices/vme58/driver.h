@@ -42,6 +42,8 @@ class Vme58Driver final : public Driver {
   void wire_lost() override;
   Task<Result<std::string>> query(std::string text, Duration patience) override;
   [[nodiscard]] bool answers(std::string_view text) const override;
+  /// The board keeps none.
+  [[nodiscard]] bool changes_programs(std::string_view) const override { return false; }
   bool take_unsolicited(std::string& text) override;
   [[nodiscard]] Duration moving_period() const override;
   [[nodiscard]] Duration idle_period() const override;

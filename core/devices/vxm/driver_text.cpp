@@ -226,6 +226,24 @@ bool VxmDriver::answers(std::string_view text) const {
   return !pieces.empty() && pieces.back().answer.has_value();
 }
 
+bool VxmDriver::answers_later(std::string_view text) const { return !answers(text); }
+
+bool VxmDriver::is_stop(std::string_view text) const {
+  const auto commands = read_text(text);
+  return std::any_of(commands.begin(), commands.end(), [](const TextCommand& c) {
+    return (c.verb == Verb::letter && (c.letter == 'K' || c.letter == 'D')) ||
+           (c.verb == Verb::word && c.name == "res");
+  });
+}
+
+bool VxmDriver::changes_programs(std::string_view text) const {
+  const auto commands = read_text(text);
+  return std::any_of(commands.begin(), commands.end(), [](const TextCommand& c) {
+    return c.stored() || (c.verb == Verb::letter && c.letter == 'C') ||
+           (c.verb == Verb::word && (c.name == "del" || c.name == "res"));
+  });
+}
+
 Task<Result<std::string>> VxmDriver::query(std::string text, Duration patience) {
   auto settled = co_await finish_leg();
   if (!settled) co_return fail(settled.error());

@@ -36,7 +36,7 @@ TEST(TextFile, RefusesWhatIsNoText) {
   auto file = load_text(folder.put("photo.vxm", std::string("\x89PNG\r\n\x1a\n\0\0", 10)));
   ASSERT_FALSE(file);
   EXPECT_THAT(file.error().sentence(), HasSubstr("photo.vxm is not a text: its byte 7 is 1A hex."));
-  EXPECT_THAT(file.error().sentence(), HasSubstr("the program here is as it was"));
+  EXPECT_THAT(file.error().sentence(), HasSubstr("nothing else was changed"));
 }
 
 TEST(TextFile, RefusesWhatIsTooBigOrNotThere) {

@@ -49,6 +49,10 @@ ok, why = pcall(ui.screenshot, folder .. "/picture.exe")
 hw.check(not ok and why:find(".png", 1, true), why)
 hw.check(ui.value("nowhere") == nil, "no value of nothing")
 
+ui.window(1440, 900, 0.5)  -- the smallest scale
+ui.frame(3)
+hw.check(ui.exists("stop_all"), "drawn at half its size")
+
 ui.theme("light")
 ui.window(1024, 700)
 ui.screenshot(folder .. "/hands.png")

@@ -1,0 +1,10 @@
+-- Ways of homing: by id, by the maker's word or number; else the reason names those that there are.
+local d = assert(hw.open("dmx-k-sa@emulator"))
+local p = assert(hw.open("pmx-4ex-sa@emulator"))
+d.bench:place(1, {minus = -500, plus = 3000, home = {1000, 1100}})
+p.bench:place("X", {minus = -500, plus = 3000})
+assert(d:query("EO=1") and p:query("EO=1"))
+hw.check(d:home(1, "+", "H") and d:wait(30) and d:home(1, "-", "limit") and d:wait(30), "homed by word and by id")
+hw.check(p:home("X", "-", "1") and p:wait(30), "homed by number")
+local ok, why = d:home(1, "+", "sideways")
+hw.check(not ok and why:find("home-index", 1, true), why)
