@@ -247,6 +247,29 @@ TEST_F(Vme58Truth, WhatComesAwayTowardsPlusStoodOnTheMinusSwitch) {
   EXPECT_FALSE(axis().limit_plus);
 }
 
+TEST_F(Vme58Truth, TheEndOfTheUsersTextIsItsOwn) {
+  place(-500, 500);
+  ASSERT_EQ(move_by(900).fate, Fate::done);
+  EXPECT_THAT(wait().reason, HasSubstr("limit switch"));
+  ASSERT_TRUE(query("AX VL2000 MR-300 GO"));
+  EXPECT_EQ(wait().reason, "") << "it came away from the switch that ended the move before";
+  EXPECT_EQ(axis().position, Steps(200));
+  ASSERT_TRUE(query("AX MR800 GO"));
+  EXPECT_THAT(wait().reason, HasSubstr("limit switch"));
+  EXPECT_EQ(axis().position, Steps(500));
+}
+
+TEST_F(Vme58Truth, AProgramThatComesAwayFromASwitchHasNotMetIt) {
+  place(-500, 500);
+  ASSERT_EQ(move_by(900).fate, Fate::done);
+  wait();
+  ASSERT_EQ(perform(intent::LoadProgram(0, "AX VL2000 MR-300 GO ID")).fate, Fate::done);
+  ASSERT_EQ(perform(intent::RunProgram(0)).fate, Fate::done);
+  EXPECT_EQ(wait().reason, "");
+  EXPECT_EQ(now().program.ended_by, EndedBy::target);
+  EXPECT_EQ(axis().position, Steps(200));
+}
+
 // ---- flags that reading clears
 
 TEST_F(Vme58Truth, TheDoneFlagIsTheUsersToRead) {
@@ -300,6 +323,24 @@ TEST_F(Vme58Truth, WithEchoOnRepliesAreWhatTheyAre) {
   EXPECT_EQ(now().link.timeouts, 0u);
   std::string left;
   EXPECT_FALSE(session->pump().driver().take_unsolicited(left)) << left;
+}
+
+// Another program has left the board so.
+class Vme58LeftEchoing : public Vme58Truth {
+ protected:
+  std::unique_ptr<Window> dressed(std::unique_ptr<Window> window) override {
+    int cell = 0;
+    for (const char c : {'E', 'N', ' ', 'W', 'Y', ' '})
+      poke(2, static_cast<std::uint16_t>(vme58::at::output_buffer + 2 * cell++),
+           static_cast<unsigned char>(c));
+    poke(2, vme58::at::output_put_index, static_cast<std::uint32_t>(cell));
+    return window;
+  }
+};
+TEST_F(Vme58LeftEchoing, IsFoundAllTheSame) {
+  EXPECT_EQ(now().identity.model.view(), "VME58-8S");
+  EXPECT_EQ(now().link.attempts, 0);
+  EXPECT_EQ(*query("AX RP"), "0");
 }
 
 // ---- the end of a program, and words

@@ -64,6 +64,7 @@ class Vme58Driver final : public Driver {
     std::int8_t way = 0;        ///< direction of the latest change of position
     std::int8_t limit_end = 0;  ///< of the switch it stands on, once that is known
     std::int8_t letter = 0;     ///< the board's direction letter when that was last judged
+    bool by_text = false;       ///< a motion of the user's text or program may be under way
     bool asks_queue = false;    ///< it rests without a reason: its queue tells whether it has ended
     Duration jog_gap{};         ///< of a jog: it turns, though so long no count and no velocity may show it
     Instant creeps_until{};     ///< and so it is taken to turn until then
@@ -166,6 +167,7 @@ class Vme58Driver final : public Driver {
   [[nodiscard]] Duration rest_patience(int axis) const;
   [[nodiscard]] Duration jog_gap(int axis, double speed) const;
   [[nodiscard]] bool wants_done() const;
+  [[nodiscard]] static bool met_limit(const AxisMind& mind);
 
   // ---- driver_moves.cpp
   Task<Result<>> move(std::vector<AxisTarget> wish, Pps speed, bool relative);
@@ -195,7 +197,7 @@ class Vme58Driver final : public Driver {
   Task<Result<>> send_text(std::string text);
   Task<Result<std::string>> send_commands(std::string text, Duration patience);
   void note_sent(const TextCommand& command);
-  void note_jog(const TextCommand& command);
+  void note_motion(const TextCommand& command);
 
   // ---- driver_program.cpp
   Task<Result<>> perform_program(const IntentBody& body);

@@ -57,7 +57,7 @@ Task<Result<>> Vme58Driver::begin(std::string text, unsigned axes, Activity acti
     mind.wanted = activity;
     mind.ours = true;
     mind.group = (axes & (axes - 1)) != 0 ? axes : 0;
-    mind.done = mind.limit_hit = mind.turned = mind.stopping = mind.asks_queue = false;
+    mind.done = mind.limit_hit = mind.turned = mind.stopping = mind.by_text = mind.asks_queue = false;
     if (activity != Activity::jogging) begins_to_creep(i, {});
     if (!moving(i)) mind.from_limit = (limits_ >> i & 1) != 0;
     mind.still_since = scheduler_.now();

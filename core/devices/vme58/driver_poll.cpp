@@ -258,7 +258,7 @@ void Vme58Driver::show_axis(int i, Instant at) {
   }
   show_limits(i);
   if (!turns) {
-    if (!mind.ours && !mind.stopping) mind.from_limit = bit(limits_, i);
+    if (!mind.ours && !mind.stopping && !mind.by_text) mind.from_limit = bit(limits_, i);
     return show_still(i, at);
   }
   if (speed > 0 || crept) {
@@ -299,6 +299,11 @@ void Vme58Driver::begins_to_creep(int i, Duration gap) {
   mind.creeps_until = gap > Duration::zero() ? scheduler_.now() + gap : Instant{};
 }
 
+/// A switch that it stood on when it began has ended a motion only if it did not come away from there.
+bool Vme58Driver::met_limit(const AxisMind& mind) {
+  return mind.limit_hit && !(mind.from_limit && mind.turned);
+}
+
 void Vme58Driver::show_still(int i, Instant at) {
   AxisState& axis = draft_.axes[i];
   AxisMind& mind = minds_[ix(i)];
@@ -308,10 +313,11 @@ void Vme58Driver::show_still(int i, Instant at) {
   }
   if (!mind.ours) {
     if (axis.activity != Activity::idle) axis.activity = Activity::idle;
+    if (mind.by_text && mind.turned && met_limit(mind)) axis.ended_by = EndedBy::limit;
     return;
   }
   const bool there = axis.has_target && axis.position == axis.target;
-  const bool limited = mind.limit_hit && !(mind.from_limit && mind.turned);
+  const bool limited = met_limit(mind);
   // The board goes on with the ID behind a move that a switch has cut short. And a done flag of a motion
   // before stays until the move's GD is carried out.
   const bool believed = mind.turned || there || limited || mind.wanted == Activity::homing;
@@ -334,7 +340,7 @@ void Vme58Driver::end_motion(int i, EndedBy ended_by) {
   axis.ended_by = ended_by;
   axis.has_target = false;
   axis.direction = 0;
-  mind.ours = mind.stopping = mind.done = mind.asks_queue = false;
+  mind.ours = mind.stopping = mind.done = mind.by_text = mind.asks_queue = false;
   mind.group = 0;
   mind.wanted = Activity::idle;
   begins_to_creep(i, {});
@@ -372,7 +378,10 @@ Task<Result<>> Vme58Driver::ask_in_turn() {
   if (may_ask && (at_once || (matters && round_ % queue_rounds == 0))) {
     const auto worked_off = co_await is_worked_off();
     if (!worked_off) co_return fail(worked_off.error());
-    if (*worked_off && std::exchange(draft_.working, false)) flags_wanted_ = true;
+    if (*worked_off && std::exchange(draft_.working, false)) {
+      flags_wanted_ = true;
+      for (AxisMind& mind : minds_) mind.by_text = false;
+    }
   }
   if (!may_ask && !turning) draft_.working = false;  // nobody can tell
   for (int i = 0; i < axis_count(); ++i)
@@ -383,12 +392,15 @@ Task<Result<>> Vme58Driver::ask_in_turn() {
   co_return Result<>();
 }
 
-/// Every queue is empty and nothing turns. What AM has begun leaves its queue at once: the axes are looked at
-/// after the queues.
+/// Every queue is empty and nothing turns. What AM has begun leaves its queue at once, and a switch may just
+/// have emptied one: switches and axes are looked at after the queues.
 Task<Result<bool>> Vme58Driver::is_worked_off() {
   auto queues = co_await read_queues(Priority::poll);
   if (!queues) co_return fail(queues.error());
   if (!queues_empty_ || draft_.any_axis_moving()) co_return false;
+  const auto registers = co_await read_registers(Priority::poll, true);
+  if (!registers) co_return fail(registers.error());
+  take_registers(*registers);
   auto read = co_await read_axes(Priority::poll);
   if (!read) co_return fail(read.error());
   co_return !draft_.any_axis_moving();

@@ -63,7 +63,11 @@ Task<Result<>> Vme58Driver::run_program() {
     to_feed_.emplace_back(line_holding(plain, command.begin), std::string(command.text));
   if (to_feed_.empty())
     co_return fail(FaultKind::refused, "There is no program to run: its text is empty.", "Nothing was sent.");
-  for (AxisMind& mind : minds_) mind.limit_hit = mind.turned = false;
+  for (int i = 0; i < axis_count(); ++i) {
+    AxisMind& mind = minds_[ix(i)];
+    mind.limit_hit = mind.turned = mind.by_text = false;
+    mind.from_limit = (limits_ >> i & 1) != 0;
+  }
   ProgramState& p = draft_.program;
   p.run = RunState::running;
   p.owned = true;
@@ -133,6 +137,7 @@ void Vme58Driver::end_program(EndedBy ended_by) {
   feeding_.clear();
   draft_.feed.running = false;
   context_.recording = false;
+  for (AxisMind& mind : minds_) mind.by_text = false;
   ProgramState& p = draft_.program;
   if (p.run != RunState::running) return;
   p.run = ended_by == EndedBy::error ? RunState::error : RunState::idle;
@@ -153,7 +158,7 @@ Task<Result<>> Vme58Driver::watch_program() {
   if (!worked_off) co_return fail(worked_off.error());
   if (!*worked_off || draft_.program.run != RunState::running) co_return Result<>();
   bool limit = false;
-  for (int i = 0; i < axis_count(); ++i) limit = limit || (minds_[ix(i)].limit_hit && minds_[ix(i)].turned);
+  for (int i = 0; i < axis_count(); ++i) limit = limit || (minds_[ix(i)].turned && met_limit(minds_[ix(i)]));
   end_program(limit ? EndedBy::limit : EndedBy::target);
   co_return Result<>();
 }

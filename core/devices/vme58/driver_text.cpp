@@ -2,6 +2,7 @@
 // named; and followed, so that the console knows which axis it has selected and what it has set.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -94,7 +95,7 @@ void Vme58Driver::note_sent(const TextCommand& command) {
   if (!command.fact || !command.flaw.empty()) return;
   follow(command, context_);
   note_param(command);
-  note_jog(command);
+  note_motion(command);
   const int axis = command.context.axis;
   const bool one = command.context.mode == where::single;
   switch (command.fact->op) {
@@ -129,8 +130,9 @@ void Vme58Driver::note_sent(const TextCommand& command) {
   }
 }
 
-/// A jog leaves its queue at once, and may be so slow that it seems to rest.
-void Vme58Driver::note_jog(const TextCommand& command) {
+/// What was told of an axis' end was of another motion. And a jog leaves its queue at once, and may be so
+/// slow that it seems to rest.
+void Vme58Driver::note_motion(const TextCommand& command) {
   const Op op = command.fact->op;
   const bool jogs = op == Op::JG || op == Op::JF;
   if (!jogs && !stops_here(op) && !moves_in_queue(op)) return;
@@ -140,6 +142,11 @@ void Vme58Driver::note_jog(const TextCommand& command) {
     const std::size_t place = one ? 0 : ix(i);
     const bool meant = place < command.numbers.size() && command.numbers[place].has_value();
     if (jogs && !meant) continue;
+    if (AxisMind& mind = minds_[ix(i)]; !mind.ours && !stops_here(op) && !std::exchange(mind.by_text, true)) {
+      mind.limit_hit = mind.turned = false;
+      if (!moving(i)) mind.from_limit = (limits_ >> i & 1) != 0;
+      draft_.axes[i].ended_by = EndedBy::nothing;
+    }
     const double speed = jogs ? std::abs(*command.numbers[place]) : 0;
     begins_to_creep(i, speed > 0 ? jog_gap(i, speed) : Duration::zero());
   }
