@@ -170,10 +170,12 @@ void RehearsalCard::draw_verdict(Frame& f) {
   key_value(ui, "rehearsal/moves", "Moves", {words, std::min(end.size, sizeof words)});
   char id[48], key[48];
   for (const auto& [output, on] : r.outputs) {
-    if (on == 0) continue;
+    const auto first = r.outputs_at_first.find(output);
+    if (on == (first == r.outputs_at_first.end() ? 0 : first->second)) continue;
     end = fmt::format_to_n(id, sizeof id, "rehearsal/out/{}", output);
     const auto key_end = fmt::format_to_n(key, sizeof key, "Output {} at the end", output);
-    key_value(ui, {id, std::min(end.size, sizeof id)}, {key, std::min(key_end.size, sizeof key)}, "on");
+    key_value(ui, {id, std::min(end.size, sizeof id)}, {key, std::min(key_end.size, sizeof key)},
+              on ? "on" : "off");
   }
   key_value(ui, "rehearsal/sends", "Sends",
             sends_.empty() ? std::string_view("nothing") : std::string_view(sends_));

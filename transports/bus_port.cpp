@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include "core/device/bus_target.h"
 #include "transports/tcp.h"
 
 namespace hw {
@@ -143,6 +144,8 @@ bool BusPortTalk::take(std::string_view bytes, const std::function<void(BusCycle
     if (unfinished_.size() - done < length) break;
     const std::string_view message = std::string_view(unfinished_).substr(done, length);
     const auto offset = static_cast<std::uint16_t>(number(message.substr(1, 2)));
+    const std::size_t begin = width == 1 ? offset : offset & ~std::size_t{1};
+    if (begin + width > bus_window_bytes) return false;
     const auto bytes_wide = static_cast<std::uint8_t>(width);
     BusCycle cycle = write ? BusCycle::store(bytes_wide, offset, number(message.substr(head_bytes)))
                            : BusCycle::read(bytes_wide, offset);

@@ -2,6 +2,7 @@
 // Turns intents into transactions of one model, polls its state, decodes what comes back. Written as
 // coroutines that read like the manual's procedures. Io thread only; the pump calls it.
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "core/base/asio.h"
@@ -54,6 +55,12 @@ class Driver {
   [[nodiscard]] virtual bool changes_programs(std::string_view) const { return true; }
   /// Whether this raw text stops what is under way, so that nothing may keep it back.
   [[nodiscard]] virtual bool is_stop(std::string_view) const { return false; }
+  /// A text that a controller in an error state takes although it answers nothing, connecting included: it
+  /// is remembered, and said on the user's word if the controller is silent at the next connect(). False:
+  /// this is no such text.
+  virtual bool recover_by(std::string_view) { return false; }
+  /// Of the latest connect(): the reply to that text. None: it has not been said.
+  virtual std::optional<std::string> take_recovery() { return std::nullopt; }
   /// Next unsolicited text for a script, if any has come since the last call.
   virtual bool take_unsolicited(std::string& text) = 0;
 

@@ -95,6 +95,11 @@ struct ReadParams {
   std::string only;  ///< mnemonic; empty: all
   explicit ReadParams(std::string mnemonic = {}) : only(std::move(mnemonic)) {}
 };
+/// One analog input, now: where there are many, a round of status reads one of them.
+struct ReadAnalog {
+  int number;  ///< from 1
+  explicit ReadAnalog(int n) : number(n) {}
+};
 /// Copy set-up and programs into the controller's non-volatile memory.
 struct Store {};
 struct SelectProgram {
@@ -176,14 +181,13 @@ struct ReadAgain {};  ///< read the whole state afresh (after a doubt)
 
 }  // namespace intent
 
-using IntentBody =
-    std::variant<intent::MoveTo, intent::MoveBy, intent::JogStart, intent::JogKeepAlive, intent::JogStop,
-                 intent::Home, intent::Stop, intent::Abort, intent::SetPosition, intent::SetEncoder,
-                 intent::SetPower, intent::SetOutput, intent::SetParam, intent::ReadParams, intent::Store,
-                 intent::SelectProgram, intent::LoadProgram, intent::UploadProgram, intent::ClearProgram,
-                 intent::RunProgram, intent::Pause, intent::Resume, intent::SingleStep, intent::HaltProgram,
-                 intent::Act, intent::SetVariable, intent::Watch, intent::Sample, intent::FeedMoves,
-                 intent::SendText, intent::Reset, intent::Reconnect, intent::ReadAgain>;
+using IntentBody = std::variant<
+    intent::MoveTo, intent::MoveBy, intent::JogStart, intent::JogKeepAlive, intent::JogStop, intent::Home,
+    intent::Stop, intent::Abort, intent::SetPosition, intent::SetEncoder, intent::SetPower, intent::SetOutput,
+    intent::SetParam, intent::ReadParams, intent::ReadAnalog, intent::Store, intent::SelectProgram,
+    intent::LoadProgram, intent::UploadProgram, intent::ClearProgram, intent::RunProgram, intent::Pause,
+    intent::Resume, intent::SingleStep, intent::HaltProgram, intent::Act, intent::SetVariable, intent::Watch,
+    intent::Sample, intent::FeedMoves, intent::SendText, intent::Reset, intent::Reconnect, intent::ReadAgain>;
 
 struct Intent {
   IntentId id = 0;

@@ -44,7 +44,9 @@ struct ProgramReport {
 
 struct RehearsedAxis {
   std::string name;
-  std::int64_t position = 0, minimum = 0, maximum = 0, travel = 0;
+  std::int64_t position = 0, minimum = 0, maximum = 0;  ///< as the controller counts it
+  std::int64_t travel = 0;                              ///< the way made, in both directions
+  bool in_counts = false;                               ///< closed loop: all of this is in Catalog::loop_word
 };
 struct RehearsedEvent {
   double t = 0;
@@ -56,7 +58,8 @@ struct Rehearsal {
   bool finished = false;
   std::string error;  ///< not empty: what stopped it, as a sentence
   std::vector<RehearsedAxis> axes;
-  std::map<std::string, int> outputs;
+  std::map<std::string, int> outputs;           ///< by number; 1: on
+  std::map<std::string, int> outputs_at_first;  ///< as power-up leaves them; those that are missing: off
   std::string sent_to_host;
   std::map<std::string, int> program_size;  ///< "0" -> 14
   std::vector<RehearsedEvent> events;

@@ -99,6 +99,8 @@ Task<bool> Pump::open_and_connect() {
     co_return false;
   }
   attempt_ = 0;
+  recovering_ = false;
+  answer_recovery();
   draft_.link.state = LinkState::good;
   draft_.link.attempts = 0;
   draft_.link.misses_in_a_row = 0;
@@ -116,12 +118,13 @@ Task<> Pump::leave_wire() {
 }
 
 Task<> Pump::wait_for_retry() {
-  refuse_queued("The controller does not answer. Nothing was sent.");
+  constexpr std::string_view silent = "The controller does not answer. Nothing was sent.";
+  refuse_queued(std::exchange(recovering_, false) ? draft_.link.sentence.view() : silent);
   draft_.link.next_attempt = scheduler_.now() + back_off(attempt_);
   publish();
   while (!closing_ && !retry_now_ && scheduler_.now() < draft_.link.next_attempt) {
     co_await wake_.wait_until(draft_.link.next_attempt);
-    refuse_queued("The controller does not answer. Nothing was sent.");
+    if (!recovering_) refuse_queued(silent);
   }
   retry_now_ = false;
 }

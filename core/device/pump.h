@@ -65,7 +65,9 @@ class Pump {
   Task<> leave_wire();
   Task<> wait_for_retry();
   void post_stop(Intent intent);
-  void refuse_queued(const char* why);
+  void refuse_queued(std::string_view why);
+  bool try_to_recover(const std::string& text);
+  void answer_recovery();
   void hold_jog(const Intent& intent);
   void count_program_change(const Job& job);
   void jog_let_go();
@@ -91,6 +93,7 @@ class Pump {
   bool performing_ = false;
   bool jogging_ = false;
   bool running_ = false, closing_ = false, retry_now_ = false;
+  bool recovering_ = false;  ///< what waits may be what makes the controller answer again
 };
 
 }  // namespace hw

@@ -50,8 +50,36 @@ void Pump::post(Intent intent) {
     return publish();
   }
   hold_jog(intent);
+  const auto* text = std::get_if<intent::SendText>(&intent.body);
+  const bool recovers = text && try_to_recover(text->text);
   queue_.push_back(std::make_unique<Job>(std::move(intent)));
+  queue_.back()->recovers = recovers;
   wake_.notify();
+}
+
+/// A text that a silent controller may yet take is said in the attempt to connect: in the one under way, or
+/// in one that is made now.
+bool Pump::try_to_recover(const std::string& text) {
+  const bool lost = draft_.link.state == LinkState::lost;
+  if (!lost && draft_.link.state != LinkState::connecting) return false;
+  if (!driver_->recover_by(text)) return false;
+  recovering_ = true;
+  retry_now_ = retry_now_ || lost;
+  return true;
+}
+
+/// What was said while the connection was made is not said again.
+void Pump::answer_recovery() {
+  auto reply = driver_->take_recovery();
+  if (!reply || queue_.empty() || !queue_.front()->recovers) return;
+  std::unique_ptr<Job> job = std::move(queue_.front());
+  queue_.pop_front();
+  set_fate(job->intent.id, Fate::done);
+  if (!job->is_query) return;
+  job->reply = std::move(*reply);
+  job->answered = true;
+  job->asker.resume(scheduler_.executor());
+  job.release();  // its asker owns it from here
 }
 
 void Pump::hold_jog(const Intent& intent) {
@@ -67,11 +95,11 @@ void Pump::jog_let_go() {
   post_stop(Intent(0, intent::JogStop()));
 }
 
-void Pump::refuse_queued(const char* why) {
+void Pump::refuse_queued(std::string_view why) {
   for (auto& job : queue_) {
     set_fate(job->intent.id, Fate::refused, why);
     if (job->is_query) {
-      job->reply = fail(FaultKind::refused, why);
+      job->reply = fail(FaultKind::refused, std::string(why));
       job->answered = true;
       job->asker.resume(scheduler_.executor());
       job.release();  // its asker owns it from here
@@ -198,11 +226,13 @@ Task<> Pump::perform_next() {
 }
 
 Task<Result<std::string>> Pump::query(std::string text, Duration patience) {
-  if (draft_.link.state == LinkState::lost || draft_.link.state == LinkState::closed)
+  const bool recovers = try_to_recover(text);
+  if (!recovers && (draft_.link.state == LinkState::lost || draft_.link.state == LinkState::closed))
     co_return fail(FaultKind::lost, "There is no connection to the controller.", "Nothing was sent.");
   auto owned = std::make_unique<Job>(Intent(0, intent::SendText(text)));
   Job* job = owned.get();
   job->is_query = true;
+  job->recovers = recovers;
   job->text = std::move(text);
   job->patience = patience;
   queue_.push_back(std::move(owned));

@@ -12,6 +12,7 @@ constexpr int fast_polls_after_a_command = 3;
 struct Pump::Job {
   Intent intent;
   bool is_query = false;
+  bool recovers = false;  ///< may be what makes a silent controller answer again
   std::string text;
   Duration patience{};
   Result<std::string> reply{std::string()};

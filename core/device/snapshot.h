@@ -174,6 +174,7 @@ struct Snapshot {
   Instant io_seen_at{};
   std::array<std::int32_t, max_analog> analog{};
   std::uint32_t analog_known = 0;
+  std::array<Instant, max_analog> analog_seen_at{};
   ProgramState program;
   std::array<ThreadState, max_threads> threads{};
   std::array<std::int16_t, max_axes> queue_free{};  ///< of Catalog::queue_depth; see queue_known

@@ -19,6 +19,11 @@ std::string why_gone(const LinkHealth& link) {
   return fmt::format("There is no connection. {}", link.sentence.view());
 }
 
+std::string why_unread(const LinkHealth& link) {
+  if (!link.sentence.view().empty()) return std::string(link.sentence.view());
+  return "The controller tells nothing of it at present.";
+}
+
 int push_unknown(lua_State* L, std::string reason) {
   lua_pushnil(L);
   lua_pushlstring(L, reason.data(), reason.size());
@@ -33,7 +38,7 @@ Task<Answer> read_fresh(SessionPtr session, Instant asked_at, Push push, int num
     if (is_gone(link)) return push_unknown(L, why_gone(link));
     if (of_axis && number >= 0 && known.axes[number].seen_at < asked_at)
       return push_unknown(L, fmt::format("Axis {} cannot be read now. {}",
-                                         session->catalog().axes[number].name, link.sentence.view()));
+                                         session->catalog().axes[number].name, why_unread(link)));
     return push(L, known, session->catalog(), number);
   };
 }
@@ -241,10 +246,25 @@ int push_output(lua_State* L, const Snapshot& known, const Catalog& catalog, int
   lua_pushboolean(L, is_high(known.outputs, place));
   return 1;
 }
-int push_analog(lua_State* L, const Snapshot& known, const Catalog&, int place) {
-  if (!has_read(L, known.analog_known, place, "Analog input", place + 1)) return 2;
-  lua_pushinteger(L, known.analog[place]);
-  return 1;
+
+// A round may have read another one of them: then this one is asked for.
+Task<Answer> fresh_analog(SessionPtr session, Instant asked_at, int place) {
+  const auto at = static_cast<std::size_t>(place);
+  const Snapshot& known = session->known();
+  co_await session->pump().refresh();
+  if (!is_gone(known.link) && known.analog_seen_at[at] < asked_at) {
+    IntentBody ask_it = intent::ReadAnalog(place + 1);
+    const auto read = co_await session->perform(std::move(ask_it));
+    if (!read) co_return answer_refused(read.error().sentence());
+  }
+  if (is_gone(known.link)) co_return answer_refused(why_gone(known.link));
+  if (known.analog_seen_at[at] < asked_at)
+    co_return answer_refused(fmt::format("Analog input {} cannot be read now.", place + 1));
+  const std::int32_t reading = known.analog[at];
+  co_return [reading](lua_State* L) {
+    lua_pushinteger(L, reading);
+    return 1;
+  };
 }
 
 int input(Call& call) {
@@ -261,11 +281,13 @@ int output(Call& call) {
   return perform(call, intent::SetOutput(static_cast<int>(n), call.on(2, "on")));
 }
 int analog(Call& call) {
-  const auto count = session_of(call)->catalog().analog.size();
+  const SessionPtr& session = session_of(call);
+  const auto count = session->catalog().analog.size();
   const std::int64_t n = call.whole(1, "analog input");
-  const bool there = n >= 1 && n <= static_cast<std::int64_t>(count);
-  return of_number(call, "analog input", n,
-                   {there ? static_cast<int>(n) - 1 : -1, count, 1, static_cast<int>(count)}, push_analog);
+  if (n < 1 || n > static_cast<std::int64_t>(count))
+    return call.refuse(
+        no_such(session->catalog(), "analog input", n, {-1, count, 1, static_cast<int>(count)}));
+  return call.wait(fresh_analog(session, call.runner().scheduler().now(), static_cast<int>(n) - 1));
 }
 
 constexpr Function status_table[] = {

@@ -82,6 +82,16 @@ std::string range_of(const ParamInfo& p) {
   return fmt::format("{}{} to {}", p.also_zero && p.minimum > 0 ? "0 or " : "", p.minimum, p.maximum);
 }
 
+static std::string in_parts_of_a_unit(int decimals) {
+  switch (decimals) {
+    case 0: return {};
+    case 1: return ", in tenths";
+    case 2: return ", in hundredths";
+    case 3: return ", in thousandths";
+    default: return fmt::format(", without its decimal point, {} decimals", decimals);
+  }
+}
+
 std::string write_backup(const Backup& b, const Catalog& catalog) {
   std::string out = fmt::format("# {}{}{}\n", catalog.name, b.saved_at.empty() ? "" : ", saved ", b.saved_at);
   const auto line = [&](const char* key, const std::string& value) {
@@ -103,7 +113,7 @@ std::string write_backup(const Backup& b, const Catalog& catalog) {
     const ParamInfo& p = catalog.params[static_cast<std::size_t>(i)];
     if (p.group != group) out += fmt::format("# {}\n", group = p.group);
     out += fmt::format("{:<16} # {}{}{}{}\n", assignment, p.label, p.unit.empty() ? "" : ", ", p.unit,
-                       p.decimals > 0 ? fmt::format(", in units of the {}th decimal", p.decimals) : "");
+                       in_parts_of_a_unit(p.decimals));
   }
   if (!b.variables.empty()) out += "\n[variables]\n";
   for (const auto& [number, value] : b.variables) out += fmt::format("{} = {}\n", number, value);

@@ -163,7 +163,8 @@ const Subcommand emulate_subcommand{
      {"wire", "real|off", "spend the byte times of the baud rate (default: real with a --pty, else off)"},
      {"quirk", "NAME", "a habit of certain units: overrun, e-bar", true},
      {"state", "FILE", "keep the non-volatile memory there; with several --id in FILE.NN of each"},
-     bench_option,
+     {"bench", "FILE.toml",
+      "what surrounds the controller (without it a VXM has limit switches at -100000 and 100000 steps)"},
      {"allow-remote", "", "let other hosts connect (else only this one)"}},
     emulate,
 };

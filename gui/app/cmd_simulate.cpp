@@ -1,7 +1,11 @@
+#include <algorithm>
 #include <cstdio>
-#include <nlohmann/json.hpp>
+#include <map>
+#include <utility>
+#include <vector>
 
 #include <fmt/core.h>
+#include <nlohmann/json.hpp>
 
 #include "core/device/bench_file.h"
 #include "core/session/text_file.h"
@@ -11,6 +15,14 @@
 
 namespace hw::app {
 namespace {
+
+// By number: 8, 9, 10.
+std::vector<std::pair<std::string, int>> in_order(const std::map<std::string, int>& outputs) {
+  std::vector<std::pair<std::string, int>> all(outputs.begin(), outputs.end());
+  std::stable_sort(all.begin(), all.end(),
+                   [](const auto& a, const auto& b) { return a.first.size() < b.first.size(); });
+  return all;
+}
 
 // The object of the contract, with its keys in the contract's order.
 void print_json(const Rehearsal& r, const Catalog& catalog) {
@@ -29,7 +41,7 @@ void print_json(const Rehearsal& r, const Catalog& catalog) {
     a["travel"] = axis.travel;
   }
   out["outputs"] = Json::object();
-  for (const auto& [name, level] : r.outputs) out["outputs"][name] = level;
+  for (const auto& [name, on] : in_order(r.outputs)) out["outputs"][name] = on;
   out["sent_to_host"] = r.sent_to_host;
   Json& size = out["program_" + catalog.program.capacity_unit] = Json::object();
   for (const auto& [slot, count] : r.program_size) size[slot] = count;
@@ -51,8 +63,8 @@ void print_words(const Rehearsal& r, const Catalog& catalog) {
   if (!r.error.empty()) fmt::print("stopped after {:.3f} s: {}\n", r.duration_s, r.error);
   for (const RehearsedAxis& a : r.axes)
     fmt::print("axis {}: ends at {}, between {} and {}, travel {} {}\n", a.name, a.position, a.minimum,
-               a.maximum, a.travel, catalog.step_word);
-  for (const auto& [name, level] : r.outputs) fmt::print("output {}: {}\n", name, level ? "high" : "low");
+               a.maximum, a.travel, a.in_counts ? catalog.loop_word : catalog.step_word);
+  for (const auto& [name, on] : in_order(r.outputs)) fmt::print("output {}: {}\n", name, on ? "on" : "off");
   for (const auto& [slot, size] : r.program_size)
     fmt::print("{} {}: {} {}\n", catalog.program.slot_word, slot, size, catalog.program.capacity_unit);
   for (const RehearsedEvent& e : r.events) fmt::print("{:10.3f} s  {}\n", e.t, e.what);
@@ -66,16 +78,14 @@ Result<std::string> read_bench(const std::string& path, const Catalog& catalog) 
   return text;
 }
 
-// Of a text that cannot be run: the same object, with the reason in it.
+// Of a text that cannot be run: the same object, with the reason in it. Axes and outputs are those of the
+// controller that has done nothing yet.
 Rehearsal nothing_rehearsed(const ProgramFile& program, const Fault& why) {
   Rehearsal r;
+  RehearseOptions options;
+  options.device = program.catalog.made_from;
+  if (auto idle = program.language->rehearse("", options)) r.axes = idle->axes, r.outputs = idle->outputs;
   r.error = why.sentence();
-  for (const AxisInfo& axis : program.catalog.axes) {
-    RehearsedAxis a;
-    a.name = axis.name;
-    r.axes.push_back(a);
-  }
-  for (std::size_t i = 0; i < program.catalog.outputs.size(); ++i) r.outputs[std::to_string(program.catalog.output_number(i))] = 0;
   for (const auto& [slot, cost] : program.language->analyse(program.text, 0).cost)
     r.program_size[std::to_string(slot)] = cost;
   return r;
@@ -107,7 +117,8 @@ static int simulate(const Given& given) {
   else
     print_words(*rehearsed, program->catalog);
   // A program that has no end is no failure; it was asked how it goes for so long.
-  if (rehearsed->error.empty() || rehearsed->duration_s >= *for_seconds) return done;
+  constexpr double nanosecond = 1e-9;
+  if (rehearsed->error.empty() || rehearsed->duration_s >= *for_seconds - nanosecond) return done;
   return complain(rehearsed->error);
 }
 

@@ -95,6 +95,9 @@ local two = assert(hw.open("vxm@emulator,motors=4"))
 hw.check(two.bench:look().lamps["Slave Power"], "the Slave has power")
 two.bench:power(false, "Slave")
 hw.check(not two.bench:look().lamps["Slave Power"] and two.bench:look().powered, "only the Slave was switched off")
+hw.sleep(2)
+local where, why = two:position(3)
+hw.check(where == nil and why:find("Axis 3 cannot be read now%. %S"), "with a reason: " .. tostring(why))
 
 -- trigger pulses, with their place and time
 hw.check(c:set("P1M", 100))

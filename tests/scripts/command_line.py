@@ -669,6 +669,23 @@ class Simulate(Case):
         self.expect(run("simulate", self.file("a.vxm", "I1M4\n"), "--for", "vxm", "--variant", "4S4"), 2,
                     "no --variant")
 
+    def outputs(self, model, name, text):
+        result = run("simulate", self.file(name, text), "--for", model, "--json")
+        dry = json.loads(result.stdout)
+        return result.returncode, list(dry["axes"]), dry["outputs"]
+
+    def test_all_axes_and_outputs_with_and_without_an_error(self):
+        good = self.outputs("vme58", "a.vme", "AX MR10 GO")
+        self.assertEqual((good[0], good[1]), (0, list("XYZTUVRS")))
+        self.assertEqual(good[2], {**{str(n): 0 for n in range(8, 14)}, **{str(n): 1 for n in range(14, 22)}})
+        self.assertEqual(self.outputs("vme58", "b.vme", "AX XQ"), (1, *good[1:]))
+        self.assertEqual(self.outputs("vme58", "a.vme", "BL8")[2]["8"], 1)
+        for model, name, text, wrong in (("dmx-k-sa", "a.prg", "END\n", "NONSENSE\n"), ("vxm", "a.vxm", "I1M4", "S1M9000"),
+                                         ("pmx-4ex-sa", "a.prg", "END\n", "NONSENSE\n")):
+            good, bad = self.outputs(model, name, text), self.outputs(model, name, wrong)
+            self.assertEqual((good[0], bad[0]), (0, 1), model)
+            self.assertEqual(good[1:], bad[1:], model)
+
     def test_words(self):
         result = run("simulate", self.file("a.vxm", "I1M400\n"), "--for", "vxm")
         self.expect(result, 0, "ends after", "axis 1: ends at 400")

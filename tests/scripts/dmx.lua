@@ -41,6 +41,12 @@ same(c:query("CLR"), "OK", "CLR")
 
 same(c:output(2, true), true, "output")
 hw.check(c:output(2), "output 2 is on")
+ok, why = c:output(1, false)
+hw.check(ok == nil and why:find("DO1 stays on: it shows in-position while EDO=1", 1, true), tostring(why))
+ok, why = c:resume()
+hw.check(ok == nil and why:find("No program is held", 1, true), tostring(why))
+ok, why = c:run(1)
+hw.check(ok == nil and why:find("There is no program 1 in the stored code", 1, true), tostring(why))
 c.bench:input(4, true)
 hw.check(c:input(4), "input 4 is on")
 

@@ -45,6 +45,10 @@ same(c:position("X"), 0, "zero at the index")
 c.bench:analog(2, 1234)
 hw.sleep(3)
 same(c:analog(2), 1234, "analog")
+for n = 1, 8 do
+  c.bench:analog(n, 2000 + n)
+  same(c:analog(n), 2000 + n, "analog " .. n .. ", at once")
+end
 
 -- two programs at once, each with its own thread
 hw.check(c:load([[

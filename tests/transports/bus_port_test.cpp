@@ -85,6 +85,22 @@ TEST_F(BusPortTest, WhatIsNoMessageEndsTheConnectionAndNotTheBoard) {
   EXPECT_EQ(burst[1].value, 9u);
 }
 
+TEST_F(BusPortTest, ACycleBeyondTheWindowEndsTheConnectionAndReachesNoBoard) {
+  for (const auto& beyond : {bytes({0x02, 0x10, 0x00}), bytes({0x81, 0xFF, 0xFF, 0x01}),
+                             bytes({0x04, 0x0F, 0xFE}), bytes({0x01, 0x10, 0x00})}) {
+    auto client = raw();
+    Ear ear(*client);
+    client->send(beyond);
+    ASSERT_TRUE(poll_until(io, [&] { return ear.closed; }));
+    EXPECT_EQ(ear.heard, "");
+  }
+  EXPECT_TRUE(board->cycles.empty());
+  auto client = raw();
+  Ear ear(*client);
+  client->send(bytes({0x01, 0x0F, 0xFF, 0x02, 0x0F, 0xFE, 0x04, 0x0F, 0xFC}));
+  ASSERT_TRUE(poll_until(io, [&] { return ear.heard.size() >= 7; })) << "its last bytes";
+}
+
 TEST_F(BusPortTest, BothEndsAgree) {
   auto client = window();
   std::vector<BusCycle> burst{BusCycle::store(4, 0x404, 0x01020304), BusCycle::read(1, 0x406),

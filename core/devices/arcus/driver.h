@@ -21,6 +21,7 @@
 #include "core/device/driver.h"
 #include "core/devices/arcus/codec.h"
 #include "core/devices/arcus/language/dialect.h"
+#include "core/devices/arcus/language/program.h"
 
 namespace hw::arcus {
 
@@ -53,7 +54,7 @@ class ArcusDriver final : public Driver {
     int loop_state = -1;     ///< -1: not read yet
     bool ours = false;       ///< a motion of the console is under way
     bool stopping = false;   ///< a stop was sent
-    bool zeroed = false;     ///< we have set a counter since the last round
+    unsigned with = 0;       ///< a bit for each axis of the same motion
     std::int8_t turned = 0;  ///< direction of the latest change of position
     Instant begun_at{};      ///< when our last command was sent
   };
@@ -62,7 +63,7 @@ class ArcusDriver final : public Driver {
     std::array<Steps, max_axes> position{};
     std::array<double, max_axes> reach{};  ///< an axis this near to zero may stand there now by itself
     std::array<bool, max_axes> moving{};
-    bool known = true;  ///< and not set since by the console
+    bool known = true;
   };
   /// How the speed is put for one motion and back afterwards.
   struct BorrowedSpeed {
@@ -89,6 +90,8 @@ class ArcusDriver final : public Driver {
   std::size_t hear(std::string_view bytes);
   void for_scripts(std::string text);
   void note_sent(std::string_view text);
+  void note_stop(std::string_view text);
+  [[nodiscard]] int axis_named_in(std::string_view text) const;
   tl::unexpected<Fault> refusal(std::string_view sent, std::string_view reply) const;
   tl::unexpected<Fault> no_connection() const;
   void tell(Notice::Kind kind, std::string text);
@@ -120,6 +123,7 @@ class ArcusDriver final : public Driver {
   [[nodiscard]] bool runs(int axis) const;    ///< as last read
   [[nodiscard]] bool any_moving() const;
   [[nodiscard]] EndedBy how_it_ended(int axis) const;
+  [[nodiscard]] bool misses_its_target(int axis) const;
   [[nodiscard]] bool loop_error(int axis) const;
   [[nodiscard]] AxisError error_of(int axis) const;
 
@@ -145,6 +149,7 @@ class ArcusDriver final : public Driver {
   Task<Result<>> set_encoder(intent::SetEncoder wish);
   Task<Result<>> set_power(intent::SetPower wish);
   Task<Result<>> set_output(intent::SetOutput wish);
+  [[nodiscard]] std::string who_has(int output) const;
   Task<Result<>> start(std::string text, std::vector<int> axes, Activity activity);
   Task<Result<>> borrow_speed(Pps speed, int axis);
   Task<Result<>> give_speed_back();
@@ -172,17 +177,21 @@ class ArcusDriver final : public Driver {
   Task<Result<>> halt_threads(bool all);
   Task<Result<>> wait_for_standstill(int axis);
   void stopping(int axis, bool at_once);
+  void ended_by_us(int axis, EndedBy why);
   void stands(int axis);
 
   // ---- driver_programs.cpp
   Task<Result<>> perform_program(IntentBody body);
-  Task<Result<>> load(std::string text);
+  Task<Result<>> load(int program, std::string text);
+  Task<Result<>> may_be_program(int program, const language::Program& code);
   Task<Result<>> write_lines(std::vector<std::string> lines);
   Task<Result<>> clear_from(int line);
   Task<Result<std::string>> read_line(int line, Priority priority);
   Task<Result<>> write_line(int line, std::string text);
   Task<Result<std::vector<std::string>>> read_lines();
-  Task<Result<>> upload();
+  void note_stored(const std::vector<std::string>& lines);
+  Task<Result<>> upload(int program);
+  Task<Result<>> run(int program);
   Task<Result<>> control(int thread, int what);
   Task<Result<>> control_all(int thread, int what);
   Result<> no_thread_runs() const;
@@ -219,6 +228,8 @@ class ArcusDriver final : public Driver {
   Station* station_ = nullptr;
 
   std::array<AxisMind, max_axes> minds_{};
+  int counters_set_ = 0;     ///< texts sent that may set a position or encoder counter
+  int counters_judged_ = 0;  ///< of them, those that the newest round has answered for
   bool incremental_ = false;
   std::optional<BorrowedSpeed> borrowed_;
   int jogged_axis_ = -1;
@@ -235,6 +246,7 @@ class ArcusDriver final : public Driver {
   Instant round_began_{};
   int round_ = 0;
   std::uint32_t watched_ = 0;
+  std::optional<std::bitset<max_threads>> stored_programs_;  ///< not known: not looked, or foreign code
   int next_readout_ = 0, next_variable_ = 0, next_analog_ = 0, next_param_ = 0, next_thread_ = 0,
       next_kept_ = 0;
   std::array<std::int64_t, max_params> after_power_up_{};  ///< of what is stored: as it was then

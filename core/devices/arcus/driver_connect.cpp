@@ -47,6 +47,7 @@ Task<Result<>> ArcusDriver::connect(Station& station) {
   auto named = co_await read_name();
   if (!named) co_return named;
   Stood before = where_all_stand();  // when it was lost
+  counters_judged_ = counters_set_;
   before.known = connected_before_;
   before.reach.fill(0);
   before.moving.fill(false);
@@ -202,16 +203,16 @@ ArcusDriver::Stood ArcusDriver::where_all_stand() const {
     stood.moving[n] = moving(i);
     if (moving(i) && !(aims_elsewhere && !mind.stopping))
       stood.reach[n] = jogs ? axis.speed.value * a_while : std::numeric_limits<double>::infinity();
-    stood.known = stood.known && axis.position_known && !mind.zeroed;
+    stood.known = stood.known && axis.position_known;
   }
   return stood;
 }
 
-// After power-up every counter reads zero wherever the motors stand. Nothing the console sends does that to
-// an axis that it does not set; homing and programs may. See also read_what_power_keeps(), for one that stood
-// at zero.
+// After power-up every counter reads zero wherever the motors stand. Texts that may set a counter, homing and
+// programs do that too. See also read_what_power_keeps(), for one that stood at zero.
 void ArcusDriver::look_for_restart(const Stood& before) {
-  if (!before.known || draft_.program.run == RunState::running || any_moving()) return;
+  if (!before.known || counters_set_ != counters_judged_) return;
+  if (draft_.program.run == RunState::running || any_moving()) return;
   bool jumped = false, all_zero = true;
   for (int i = 0; i < axis_count(); ++i) {
     const auto n = static_cast<std::size_t>(i);
@@ -231,6 +232,7 @@ void ArcusDriver::restarted(std::string_view how_it_shows) {
   draft_.variables_known.reset();
   draft_.readouts_known.reset();
   borrowed_.reset();
+  stored_programs_.reset();
   end_feed();
   for (int i = 0; i < axis_count(); ++i) {
     minds_[static_cast<std::size_t>(i)] = AxisMind();

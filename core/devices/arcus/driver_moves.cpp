@@ -51,7 +51,12 @@ Task<Result<>> ArcusDriver::start(std::string text, std::vector<int> axes, Activ
     Fault fault = co_await after_doubt(std::move(done.error()), sent);
     co_return fail(std::move(fault));
   }
-  for (const int axis : axes) begun(axis, activity, scheduler_.now());
+  unsigned together = 0;
+  for (const int axis : axes) together |= 1u << axis;
+  for (const int axis : axes) {
+    begun(axis, activity, scheduler_.now());
+    minds_[ix(axis)].with = together;
+  }
   co_return Result<>();
 }
 
@@ -91,6 +96,7 @@ Task<Result<>> ArcusDriver::move(std::vector<AxisTarget> wish, Pps speed, bool r
   if (!incremental) co_return fail(incremental.error());
   std::vector<AxisValue> values;
   std::vector<int> axes;
+  std::vector<std::int64_t> goals;
   for (const AxisTarget& t : wish) {
     const int axis = t.axis.index;
     if (auto may = may_move_axis(axis); !may) co_return may;
@@ -108,13 +114,15 @@ Task<Result<>> ArcusDriver::move(std::vector<AxisTarget> wish, Pps speed, bool r
                      "Nothing was sent.");
     values.push_back({axis, *incremental ? target - here : target});
     axes.push_back(axis);
-    draft_.axes[axis].target = Steps(target);
+    goals.push_back(target);
   }
   auto borrowed = co_await borrow_speed(speed, axes.size() == 1 ? axes.front() : -1);
   if (!borrowed) co_return borrowed;
   auto started = co_await start(move_command(forms_, values), axes, Activity::moving);
-  if (started)
-    for (const int axis : axes) draft_.axes[axis].has_target = true;
+  for (std::size_t i = 0; started && i < axes.size(); ++i) {
+    draft_.axes[axes[i]].has_target = true;
+    draft_.axes[axes[i]].target = Steps(goals[i]);
+  }
   auto returned = co_await give_speed_back();
   if (!started) co_return started;
   co_return returned;
@@ -149,7 +157,7 @@ Task<Result<>> ArcusDriver::home(intent::Home wish) {
                                 Activity::homing);
   if (!started) co_return started;
   draft_.axes[axis].has_target = false;
-  minds_[ix(axis)].zeroed = true;
+  ++counters_set_;
   co_return Result<>();
 }
 
@@ -196,7 +204,6 @@ Task<Result<>> ArcusDriver::set_position(intent::SetPosition wish) {
   const int first = wish.axis < 0 ? 0 : wish.axis, last = wish.axis < 0 ? axis_count() - 1 : wish.axis;
   for (int axis = first; axis <= last; ++axis) {
     if (auto may = may_move_axis(axis); !may) co_return may;
-    minds_[ix(axis)].zeroed = true;
     auto set = co_await command(set_command(fill(forms_, forms_.position, axis), wish.value.value),
                                 Priority::intent);
     if (!set) {
@@ -207,6 +214,7 @@ Task<Result<>> ArcusDriver::set_position(intent::SetPosition wish) {
       co_return set;
     }
     draft_.axes[axis].position_doubtful = false;
+    draft_.axes[axis].has_target = false;  // it counts from elsewhere now
   }
   co_return co_await read_motion(Priority::intent);
 }
@@ -215,10 +223,10 @@ Task<Result<>> ArcusDriver::set_encoder(intent::SetEncoder wish) {
   const int first = wish.axis < 0 ? 0 : wish.axis, last = wish.axis < 0 ? axis_count() - 1 : wish.axis;
   for (int axis = first; axis <= last; ++axis) {
     if (auto may = may_move_axis(axis); !may) co_return may;
-    minds_[ix(axis)].zeroed = true;
     auto set =
         co_await command(set_command(fill(forms_, forms_.encoder, axis), wish.value.value), Priority::intent);
     if (!set) co_return set;
+    draft_.axes[axis].has_target = false;
   }
   co_return co_await read_motion(Priority::intent);
 }
@@ -244,13 +252,22 @@ Task<Result<>> ArcusDriver::set_output(intent::SetOutput wish) {
   auto read = co_await read_io(Priority::intent);
   if (!read) co_return read;
   const bool shows = (draft_.outputs >> (wish.number - 1) & 1) != 0;
-  if (shows != wish.on)
-    tell(Notice::Kind::info,
-         fmt::format(
-             "DO{0} was accepted but shows no effect: the controller itself uses DO{0} now (sync output, or "
-             "in-position and alarm while StepNLoop is on).",
-             wish.number));
-  co_return Result<>();
+  if (shows == wish.on) co_return Result<>();
+  co_return fail(
+      FaultKind::controller,
+      fmt::format("DO{} stays {}: {}.", wish.number, shows ? "on" : "off", who_has(wish.number)),
+      fmt::format("The controller has taken DO{}={} and remembers it.", wish.number, wish.on ? 1 : 0),
+      "It shows as soon as the output is free.");
+}
+
+// Decisions AMB-087, AMB-091.
+std::string ArcusDriver::who_has(int output) const {
+  constexpr int in_position_output = 1, alarm_output = 3;
+  const bool told_by_outputs = setting(Setting::status_outputs).value_or(0) != 0 && draft_.axes[0].in_counts;
+  if (told_by_outputs && output == in_position_output)
+    return "it shows in-position while EDO=1 and StepNLoop is on";
+  if (told_by_outputs && output == alarm_output) return "it shows the alarm while EDO=1 and StepNLoop is on";
+  return "the controller itself uses it now, as a sync output or to show its state";
 }
 
 }  // namespace hw::arcus

@@ -42,6 +42,9 @@ Task<Result<>> ArcusDriver::perform(const IntentBody& body) {
     co_return Result<>();
   }
   if (const auto* i = std::get_if<ReadParams>(&body)) co_return co_await read_params(i->only);
+  if (const auto* i = std::get_if<ReadAnalog>(&body);
+      i && i->number >= 1 && i->number <= model().analog_inputs)
+    co_return co_await read_analog(i->number, Priority::intent);
   if (std::holds_alternative<Store>(body)) co_return co_await store();
   if (std::holds_alternative<ReadAgain>(body)) co_return co_await read_again();
   if (std::holds_alternative<Reset>(body))

@@ -18,10 +18,11 @@ Task<Result<>> ArcusDriver::poll() {
   if (!station_) co_return no_connection();
   ++round_;
   const Stood before = where_all_stand();
-  for (AxisMind& mind : minds_) mind.zeroed = false;
+  const int counters_set_before = counters_set_;
   auto motion = co_await read_motion(Priority::poll);
   if (!motion) co_return motion;
   look_for_restart(before);
+  counters_judged_ = counters_set_before;
   auto loop = co_await read_loop(Priority::poll);
   if (!loop) co_return loop;
   if (borrowed_ && stops_ == 0) {
@@ -253,6 +254,7 @@ void ArcusDriver::show_ended(int index) {
   if (was_moving && mind.wanted == Activity::homing && axis.ended_by == EndedBy::target)
     axis.position_doubtful = false;
   mind.ours = false;
+  mind.with = 0;
   mind.wanted = Activity::idle;
   mind.ended_by = EndedBy::nothing;
   axis.has_target = false;
@@ -264,7 +266,24 @@ EndedBy ArcusDriver::how_it_ended(int axis) const {
   if (has_bit(word, bits.plus_error) || has_bit(word, bits.minus_error)) return EndedBy::limit;
   if (has_bit(word, bits.alarm_error) || loop_error(axis)) return EndedBy::error;
   if (minds_[ix(axis)].ended_by != EndedBy::nothing) return minds_[ix(axis)].ended_by;
-  return EndedBy::target;
+  if (!misses_its_target(axis)) return EndedBy::target;
+  const unsigned with = minds_[ix(axis)].with;
+  for (int i = 0; i < axis_count(); ++i)  // on a straight line all end with the one that cannot go on
+    if (i != axis && (with >> i & 1u) != 0 && error_of(i) != AxisError::none) return EndedBy::nothing;
+  return EndedBy::elsewhere;
+}
+
+// With StepNLoop it may stand a little beside it (SLT).
+bool ArcusDriver::misses_its_target(int index) const {
+  const AxisState& axis = draft_.axes[index];
+  if (!axis.has_target) return false;
+  std::int64_t room = 0;
+  if (axis.in_counts) {
+    room = setting(Setting::loop_tolerance, index).value_or(0);
+    for (const SettingFact& fact : model().settings)
+      if (fact.id == Setting::loop_tolerance && room == 0) room = fact.factory;  // not read yet
+  }
+  return std::abs((axis.position - axis.target).value) > room;
 }
 
 namespace {

@@ -28,14 +28,14 @@ std::string foreign_lines(const std::vector<language::BadLine>& bad, const std::
 
 Task<Result<>> ArcusDriver::perform_program(IntentBody body) {
   using namespace intent;
-  if (const auto* i = std::get_if<LoadProgram>(&body)) co_return co_await load(i->text);
-  if (std::holds_alternative<UploadProgram>(body)) co_return co_await upload();
+  if (const auto* i = std::get_if<LoadProgram>(&body)) co_return co_await load(i->slot, i->text);
+  if (const auto* i = std::get_if<UploadProgram>(&body)) co_return co_await upload(i->slot);
   if (std::holds_alternative<ClearProgram>(body)) {
     if (auto may = no_thread_runs(); !may) co_return may;
     co_return co_await clear_from(0);
   }
   if (std::holds_alternative<SelectProgram>(body)) co_return Result<>();
-  if (const auto* i = std::get_if<RunProgram>(&body)) co_return co_await control(i->slot, thread_run);
+  if (const auto* i = std::get_if<RunProgram>(&body)) co_return co_await run(i->slot);
   if (const auto* i = std::get_if<Pause>(&body)) co_return co_await control_all(i->thread, thread_pause);
   if (const auto* i = std::get_if<Resume>(&body)) co_return co_await control_all(i->thread, thread_continue);
   co_return fail(FaultKind::refused, fmt::format("A {} cannot do that.", model().title), "Nothing was sent.");
@@ -67,15 +67,49 @@ Task<Result<>> ArcusDriver::control(int thread, int what) {
   co_return Result<>();
 }
 
+// SR is answered with OK whether the program is there or not (decision AMB-115). One that runs is; one that
+// does not may have ended already, so the stored code is looked at.
+Task<Result<>> ArcusDriver::run(int program) {
+  auto started = co_await control(program, thread_run);
+  if (!started || draft_.threads[ix(program)].run != RunState::idle) co_return started;
+  if (stored_programs_ && (*stored_programs_)[ix(program)]) co_return started;
+  auto there = co_await read_lines();
+  draft_.transfer.running = false;
+  if (!there) co_return fail(there.error());
+  note_stored(*there);
+  if (!stored_programs_ || (*stored_programs_)[ix(program)]) co_return started;
+  co_return fail(FaultKind::refused, fmt::format("There is no program {0} in the stored code.", program),
+                 "Nothing was started.",
+                 program == 0 ? "Load one first." : fmt::format("Its text begins with PRG {}.", program));
+}
+
+// Which programs the stored code has; not known of code that another compiler has made.
+void ArcusDriver::note_stored(const std::vector<std::string>& lines) {
+  stored_programs_.reset();
+  const language::Program code = language::decode(lines, dialect_);
+  if (!code.bad_lines.empty()) return;
+  std::bitset<max_threads>& there = stored_programs_.emplace();
+  for (std::size_t n = 0; n < there.size(); ++n) there.set(n, code.programs[n].has_value());
+}
+
+// All that run, or all that are held; or the one, if it does.
 Task<Result<>> ArcusDriver::control_all(int thread, int what) {
-  if (thread >= 0) co_return co_await control(thread, what);
-  const RunState concerned = what == thread_pause ? RunState::running : RunState::held;
+  if (thread >= model().programs) co_return co_await control(thread, what);  // which refuses
+  auto read = co_await read_threads(true, Priority::intent);
+  if (!read) co_return read;
+  const bool pauses = what == thread_pause;
+  bool any = false;
   for (int n = 0; n < model().programs; ++n) {
-    if (draft_.threads[ix(n)].run != concerned) continue;
+    const bool concerned = draft_.threads[ix(n)].run == (pauses ? RunState::running : RunState::held);
+    if (!concerned || (thread >= 0 && n != thread)) continue;
+    any = true;
     auto done = co_await control(n, what);
     if (!done) co_return done;
   }
-  co_return Result<>();
+  if (any) co_return Result<>();
+  const std::string which = thread < 0 ? "No program" : fmt::format("Program {}", thread);
+  const char* not_so = thread < 0 ? (pauses ? "runs" : "is held") : (pauses ? "does not run" : "is not held");
+  co_return fail(FaultKind::refused, fmt::format("{} {}.", which, not_so), "Nothing was sent.");
 }
 
 Result<> ArcusDriver::no_thread_runs() const {
@@ -107,7 +141,31 @@ void ArcusDriver::show_transfer(int done, int total) {
   draft_.transfer.total = total;
 }
 
-Task<Result<>> ArcusDriver::load(std::string text) {
+// The stored code is one text for all programs, and a new one replaces all of it. Sent as one of the further
+// programs it must be that one, and must not take others away.
+Task<Result<>> ArcusDriver::may_be_program(int program, const language::Program& code) {
+  if (program >= model().programs)
+    co_return fail(FaultKind::refused,
+                   fmt::format("There is no program {}: there are 0 to {}.", program, model().programs - 1),
+                   "Nothing was written.");
+  if (!code.programs[ix(program)])
+    co_return fail(FaultKind::refused,
+                   fmt::format("This text is {}; begin it with PRG {}.",
+                               code.programs[0] ? "program 0" : "another program", program),
+                   "Nothing was written.");
+  auto there = co_await read_lines();
+  draft_.transfer.running = false;
+  if (!there) co_return fail(there.error());
+  note_stored(*there);
+  for (int n = 0; stored_programs_ && n < model().programs; ++n)
+    if ((*stored_programs_)[ix(n)] && !code.programs[ix(n)])
+      co_return fail(FaultKind::refused,
+                     fmt::format("The controller holds program {} too, and a text replaces all programs.", n),
+                     "Nothing was written.", fmt::format("Put PRG {} and PRG {} into one text.", n, program));
+  co_return Result<>();
+}
+
+Task<Result<>> ArcusDriver::load(int program, std::string text) {
   if (auto may = no_thread_runs(); !may) co_return may;
   const language::Compilation made = language::compile(text, dialect_);
   for (const Problem& p : made.problems)
@@ -115,10 +173,16 @@ Task<Result<>> ArcusDriver::load(std::string text) {
       co_return fail(FaultKind::refused,
                      fmt::format("The program has an error in line {}: {}", p.line + 1, p.sentence),
                      "Nothing was written.");
+  if (program > 0) {
+    auto may = co_await may_be_program(program, made.program);
+    if (!may) co_return may;
+  }
   const std::vector<std::string> lines = made.lines;
+  stored_programs_.reset();
   auto written = co_await write_lines(lines);
   draft_.transfer.running = false;
   if (!written) co_return written;
+  note_stored(lines);
   draft_.slot_bytes_used[0] = static_cast<std::int16_t>(lines.size());
   tell(Notice::Kind::info,
        fmt::format("{} of {} lines are stored and were compared. They stay when the power goes.",
@@ -151,6 +215,7 @@ Task<Result<>> ArcusDriver::write_lines(std::vector<std::string> lines) {
 // What a longer program has left behind.
 Task<Result<>> ArcusDriver::clear_from(int line) {
   int empty = 0;
+  stored_programs_.reset();
   for (int n = line; n < program_lines && empty < empty_lines_end_it; ++n) {
     auto there = co_await read_line(n, Priority::transfer);
     if (!there) co_return fail(there.error());
@@ -182,14 +247,20 @@ Task<Result<std::vector<std::string>>> ArcusDriver::read_lines() {
   co_return lines;
 }
 
-Task<Result<>> ArcusDriver::upload() {
+// As number 0 the whole text goes to the console, as a further one that program alone.
+Task<Result<>> ArcusDriver::upload(int program) {
+  if (program >= model().programs)
+    co_return fail(FaultKind::refused, fmt::format("There is no program {}.", program), "Nothing was sent.");
   auto lines = co_await read_lines();
   draft_.transfer.running = false;
   if (!lines) co_return fail(lines.error());
+  note_stored(*lines);
   draft_.slot_bytes_used[0] = static_cast<std::int16_t>(lines->size());
   const language::Decompiled source = language::decompile(*lines, dialect_);
-  Notice notice(Notice::Kind::program, scheduler_.now(), source.text);
-  notice.slot = 0;
+  const bool whole = program <= 0;
+  Notice notice(Notice::Kind::program, scheduler_.now(),
+                whole ? source.text : language::program_alone(*lines, dialect_, program));
+  notice.slot = whole ? 0 : program;
   notify_(std::move(notice));
   if (!source.bad_lines.empty()) tell(Notice::Kind::warning, foreign_lines(source.bad_lines, *lines));
   co_return Result<>();

@@ -58,6 +58,7 @@ Task<Result<>> ArcusDriver::read_analog(int number, Priority priority) {
   if (!value) co_return fail(value.error());
   draft_.analog[ix(number - 1)] = static_cast<std::int32_t>(*value);
   draft_.analog_known |= 1u << (number - 1);
+  draft_.analog_seen_at[ix(number - 1)] = scheduler_.now();
   co_return Result<>();
 }
 

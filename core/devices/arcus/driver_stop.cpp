@@ -27,10 +27,16 @@ Task<Result<>> ArcusDriver::say_stop(std::string text) {
 void ArcusDriver::stopping(int axis, bool at_once) {
   for (int i = 0; i < axis_count(); ++i) {
     if ((axis >= 0 && i != axis) || !moving(i)) continue;
+    ended_by_us(i, at_once ? EndedBy::abort : EndedBy::stop);
     draft_.axes[i].activity = Activity::stopping;
     minds_[ix(i)].stopping = true;
-    minds_[ix(i)].ended_by = at_once ? EndedBy::abort : EndedBy::stop;
   }
+}
+
+// Axes that move together end together.
+void ArcusDriver::ended_by_us(int axis, EndedBy why) {
+  for (int i = 0; i < axis_count(); ++i)
+    if (moving(i) && (i == axis || (minds_[ix(axis)].with >> i & 1u) != 0)) minds_[ix(i)].ended_by = why;
 }
 
 Task<Result<>> ArcusDriver::stop(int axis, bool at_once) {

@@ -21,6 +21,26 @@ bool worth_another_try(const Fault& fault) {
   return fault.kind == FaultKind::no_answer || fault.kind == FaultKind::garbled;
 }
 
+/// A text that sets a position or encoder counter, or may: clearing an error and switching StepNLoop put the
+/// target where the axis stands.
+bool may_set_counter(std::string_view text) {
+  if (text.starts_with("CLR") || text.starts_with("ABORT") || text.starts_with("SR") ||
+      text.starts_with("GS"))
+    return true;
+  const std::string_view name = text.substr(0, text.find('='));
+  if (name.size() == text.size()) return false;
+  const bool counter = name.size() == 2 && (name[0] == 'P' || name[0] == 'E');
+  const bool loop = name == "SL" || (name.size() == 3 && name.starts_with("SL"));
+  return counter || loop || name == "JE";
+}
+
+/// After it, where the axis was sent is not where it is to come to rest.
+bool takes_target_away(std::string_view text) {
+  if (text.starts_with('T')) return text.find('=') == text.npos;
+  const bool counter = text.size() > 3 && text[2] == '=' && (text[0] == 'P' || text[0] == 'E');
+  return counter && text[1] != 'O';
+}
+
 tl::unexpected<Fault> means_nothing(std::string_view question, std::string_view reply) {
   return fail(FaultKind::garbled,
               fmt::format("The controller answered {} to {}, which means nothing.",
@@ -46,7 +66,9 @@ tl::unexpected<Fault> ArcusDriver::no_connection() const {
 Task<Result<Reply>> ArcusDriver::exchange(std::string text, Priority priority, Duration patience,
                                           bool own_question) {
   if (!station_) co_return no_connection();
-  if (text.starts_with("SR") || text.starts_with("GS")) program_runs();
+  const std::string_view said = text_of(text);
+  if (said.starts_with("SR") || said.starts_with("GS")) program_runs();
+  if (may_set_counter(said)) ++counters_set_;
   const bool must_be_sure = own_question || priority != Priority::stop;
   if (must_be_sure && station_->owes_answer()) {
     auto named = co_await hear_its_name(priority);
@@ -192,6 +214,7 @@ Task<Result<>> ArcusDriver::broadcast(std::string text, Priority priority) {
     co_return fail(FaultKind::refused,
                    fmt::format("A {} has no address that speaks to all devices of a line.", model().title),
                    "Nothing was sent.");
+  if (may_set_counter(text)) ++counters_set_;
   Transaction t(frame(Framing::addressed, model().broadcast, text), ReplyShape::nothing(), priority);
   auto sent = co_await station_->transact(std::move(t));
   if (!sent) co_return fail(sent.error());
@@ -253,7 +276,8 @@ Task<Result<std::string>> ArcusDriver::query(std::string text, Duration patience
   }
   auto reply = co_await exchange(text, Priority::intent, patience);
   if (!reply) co_return fail(reply.error());
-  if (!reply->refused() && address_of(text) < 0) note_sent(text);
+  const int to = address_of(text);
+  if (!reply->refused() && (to < 0 || to == catalog_.address)) note_sent(text_of(text));
   co_return std::move(reply->text);
 }
 
@@ -294,7 +318,29 @@ void ArcusDriver::note_sent(std::string_view text) {
         draft_.variables_known.reset(static_cast<std::size_t>(*n));
   }
   if (text == "STORE") is_stored();
-  if (arcus::may_move(forms_, text)) changed_();
+  if (text.starts_with("SA") && equals != text.npos) stored_programs_.reset();
+  if (const int axis = axis_named_in(text); axis >= 0 && takes_target_away(text))
+    draft_.axes[axis].has_target = false;
+  if (text.starts_with("STOP") || text.starts_with("ABORT")) note_stop(text);
+  if (!arcus::may_move(forms_, text)) return;
+  ++counters_set_;  // homing sets them; a short move to zero ends before anybody has seen it move
+  changed_();
+}
+
+// The user's own stop: what it has ended did not end by itself.
+void ArcusDriver::note_stop(std::string_view text) {
+  const int only = axis_count() > 1 ? axis_named_in(text) : -1;
+  const EndedBy why = text.starts_with("ABORT") ? EndedBy::abort : EndedBy::stop;
+  for (int i = 0; i < axis_count(); ++i)
+    if ((only < 0 || i == only) && moving(i)) ended_by_us(i, why);
+}
+
+/// "PX=0", "TX500", "STOPX" -> 0; -1: none. With one axis it need not be named.
+int ArcusDriver::axis_named_in(std::string_view text) const {
+  if (axis_count() == 1) return 0;
+  const std::string_view name = text.substr(0, text.find_first_of("=0123456789-"));
+  const auto axis = name.empty() ? std::string_view::npos : model().axis_letters.find(name.back());
+  return axis == std::string_view::npos ? -1 : static_cast<int>(axis);
 }
 
 void ArcusDriver::tell(Notice::Kind kind, std::string text) {

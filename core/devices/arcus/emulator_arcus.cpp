@@ -37,8 +37,8 @@ void ArcusEmulator::receive(std::string_view bytes) {
         overlong_ = true;
       continue;
     }
-    const std::string line = std::exchange(line_, {});
-    if (!std::exchange(overlong_, false)) obey_line(line);
+    obey_line(std::exchange(line_, {}));
+    overlong_ = false;
   }
 }
 
@@ -63,7 +63,8 @@ void ArcusEmulator::obey_line(std::string_view line) {
 void ArcusEmulator::obey(std::string_view command, bool answers) {
   if (command.empty()) return;
   const bool timed_out = controller_.timed_out();
-  const std::string reply = answer(controller_, commands_, command);
+  // Of a text that is too long only the beginning is kept: it is refused, whatever it would mean.
+  const std::string reply = overlong_ ? "?" + std::string(command) : answer(controller_, commands_, command);
   controller_.heard_from_host(timed_out);
   if (answers && options_.usb) {
     std::string block = reply.substr(0, transfer - 1);

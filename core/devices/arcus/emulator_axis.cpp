@@ -17,6 +17,7 @@ bool Axis::index_operated() const {
 
 void Axis::turn(int way, Sign physical, std::int64_t count) {
   pulses += way * count;
+  turned += count;
   arrived_by = way;
   plant.turn(physical, count);
 }

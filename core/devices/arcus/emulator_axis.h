@@ -57,6 +57,7 @@ class Axis {
 
   /// Pulse counter, not wrapped.
   std::int64_t pulses = 0;
+  std::int64_t turned = 0;  ///< pulses made since power-up, in both directions
   /// What the encoder counter was set to, less what the encoder showed then.
   std::int64_t encoder_offset = 0;
   bool plus_error = false, minus_error = false, alarm_error = false;

@@ -21,7 +21,7 @@ int Controller::buffer_free() const { return model_->buffer_places - static_cast
 Refusal Controller::buffer_on() {
   for (int a = 0; a < 3; ++a)
     if (closed(a)) return Refusal::unknown;
-  if (!buffer_.on) buffer_.start = buffer_.end = 0;
+  if (!buffer_.on) buffer_.start = buffer_.end = 0, buffer_.used = false;
   buffer_.on = true;
   return Refusal::none;
 }
@@ -50,7 +50,8 @@ Refusal Controller::buffer_move(const Segment& segment) {
   if (buffer_free() == 0) return Refusal::buffer_full;
   bring_up_to_date();
   const bool was_last = buffer_.queue.size() == 1;
-  if (!buffer_.queue.empty()) buffer_.end = (buffer_.end + 1) % model_->buffer_places;
+  if (std::exchange(buffer_.used, true)) buffer_.end = (buffer_.end + 1) % model_->buffer_places;
+  if (buffer_.queue.empty()) buffer_.start = buffer_.end;
   buffer_.queue.push_back(segment);
   if (!buffer_.running) {
     const std::int64_t low = settings_.get(Setting::low_speed);

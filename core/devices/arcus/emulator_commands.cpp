@@ -102,7 +102,9 @@ Answer program_line(Controller& c, const Args& a) {
   return c.program_line(static_cast<int>(a.index));
 }
 
+/// An empty text makes the line unused again; none begins with '=' (decision AMB-028).
 Answer set_program_line(Controller& c, const Args& a) {
+  if (a.value.starts_with('=')) return Refusal::unknown;
   if (a.value.size() > static_cast<std::size_t>(max_line_text)) return Refusal::unknown;
   if (a.index >= program_lines) return Refusal::bad_index;
   return c.set_program_line(static_cast<int>(a.index), a.value);

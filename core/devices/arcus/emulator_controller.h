@@ -47,6 +47,7 @@ struct MoveBuffer {
   bool on = false;
   std::deque<Segment> queue;  ///< the running one first
   int start = 0, end = 0;     ///< ring indexes of the running and of the newest one
+  bool used = false;          ///< a place has been taken since BO
   bool running = false;
 };
 
@@ -134,6 +135,8 @@ class Controller {
   [[nodiscard]] bool moving(int axis) const { return axes_[ix(axis)].slot >= 0; }
   /// Limit, alarm or StepNLoop error latched.
   [[nodiscard]] bool in_error(int axis) const;
+  /// 1, or with StepNLoop the pulses of an encoder count.
+  [[nodiscard]] double pulses_per_unit(int axis) const { return ratio(axis); }
   Refusal set_position(int axis, std::int64_t value);
   Refusal set_encoder(int axis, std::int64_t value);
 
@@ -192,10 +195,15 @@ class Controller {
     int line;  ///< of the stored program, whose statement it comes of; -1: of none
   };
   std::vector<Trace>* trace = nullptr;
+  /// While there is a trace: positions that stood in a counter until it was written, with their axis.
+  std::vector<std::pair<int, std::int64_t>> overwritten;
   int moves_begun = 0;
 
  private:
   void tell(std::string what);
+  void counter_is_written(int axis) {
+    if (trace != nullptr) overwritten.emplace_back(axis, position(axis));
+  }
   [[nodiscard]] std::string letter(int axis) const { return std::string(1, model_->axis_letters[ix(axis)]); }
 
   // Motions (emulator_motion.cpp).
@@ -283,6 +291,7 @@ class Controller {
   [[nodiscard]] bool joystick_on(int axis) const {
     return (settings_.get(Setting::joystick) >> axis & 1) != 0;
   }
+  [[nodiscard]] bool joystick_slows(int axis) const;
   [[nodiscard]] bool joystick_at_end(int axis) const;
   void joystick_tick();
   void joystick_turn(int axis);

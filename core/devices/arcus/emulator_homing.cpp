@@ -25,6 +25,7 @@ Refusal Controller::home(int a, HomeMode mode, Sign way) {
 /// Both counters, and the target with them; the motion goes on counting from here.
 void Controller::zero(int a) {
   Axis& axis = axes_[ix(a)];
+  counter_is_written(a);
   axis.pulses = 0;
   axis.set_encoder(0);
   axis.target = axis.anchor_target = 0;

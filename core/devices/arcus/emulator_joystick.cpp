@@ -1,5 +1,6 @@
 // Joystick control of the PMX (manual ch. 6; decisions AMB-080 to AMB-082): the voltage of AI1 to AI4 sets
-// speed and direction of X to U. The controller looks at a moving stick every 10 ms; at a still one never.
+// speed and direction of X to U. The controller looks every 10 ms while the speed changes: by the stick, or
+// by the place between two soft limits; else never.
 //
 //   speed |  max
 //         |     \____          between the inner and the outer soft limit the speed allowed falls to nothing
@@ -54,6 +55,13 @@ double Controller::joystick_wish(int a) const {
   return off > 0 ? speed : -speed;
 }
 
+/// Between its inner and outer soft limit, on its way out: the speed falls with each look.
+bool Controller::joystick_slows(int a) const {
+  const auto jl = [&](int n) { return settings_.get(Setting::joystick_limits, 4 * a + n); };
+  if (motion_of(a) == nullptr || !(jl(0) < jl(1) && jl(1) < jl(2) && jl(2) < jl(3))) return false;
+  return joystick_speed_[ix(a)] > 0 ? axes_[ix(a)].pulses >= jl(2) : axes_[ix(a)].pulses <= jl(1);
+}
+
 /// At the outer soft limit, on its way out: the speed is zero there (figure 6.10).
 bool Controller::joystick_at_end(int a) const {
   const auto jl = [&](int n) { return settings_.get(Setting::joystick_limits, 4 * a + n); };
@@ -88,9 +96,7 @@ void Controller::joystick_turn(int a) {
     begin(MotionKind::joystick, 1u << a, path, Profile::constant(now_, 0, Pps(std::abs(next)), path.steps()));
     if (motion_of(a) == nullptr) joystick_speed_[ix(a)] = 0;  // into a switch
   }
-  const bool slowed_by_place =
-      motion_of(a) != nullptr && std::abs(joystick_wish(a) - joystick_speed_[ix(a)]) > 1e-9;
-  if (wish != joystick_speed_[ix(a)] || slowed_by_place) schedule_joystick();
+  if (wish != joystick_speed_[ix(a)] || joystick_slows(a)) schedule_joystick();
 }
 
 void Controller::joystick_stops(int a) {

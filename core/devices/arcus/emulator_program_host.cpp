@@ -7,9 +7,15 @@ using language::Quantity;
 
 namespace {
 
+/// Of a motion: it waits for its axis (decision AMB-113).
 Outcome outcome_of(Refusal refusal) {
   if (refusal == Refusal::none) return Outcome::done;
   return refusal == Refusal::moving ? Outcome::busy : Outcome::error;
+}
+
+/// Of a value: what would be refused to a host is an error of the program (decisions AMB-113, AMB-118).
+Outcome outcome_of_value(Refusal refusal) {
+  return refusal == Refusal::none ? Outcome::done : Outcome::error;
 }
 
 std::int32_t narrow(std::int64_t v) { return static_cast<std::int32_t>(v); }
@@ -87,12 +93,13 @@ Outcome ProgramHost::write(Quantity quantity, int index, std::int32_t value) {
     const bool fits =
         fact != nullptr && ((value >= fact->min && value <= fact->max) || (value == 0 && fact->also_zero));
     if (!fits) return Outcome::error;
-    return outcome_of(controller_->write_setting(row->setting, value, row->offset + index * row->stride));
+    return outcome_of_value(
+        controller_->write_setting(row->setting, value, row->offset + index * row->stride));
   }
   constexpr int ms_per_idle_unit = 10;  // decision AMB-096
   switch (quantity) {
-    case Quantity::pulse_position: return outcome_of(controller_->set_position(index, value));
-    case Quantity::encoder_position: return outcome_of(controller_->set_encoder(index, value));
+    case Quantity::pulse_position: return outcome_of_value(controller_->set_position(index, value));
+    case Quantity::encoder_position: return outcome_of_value(controller_->set_encoder(index, value));
     case Quantity::new_speed:  // never refused in a program (decision AMB-058)
       if (!seen_.settings().on(Setting::s_curve, index)) (void)controller_->change_speed(index, value);
       return Outcome::done;
@@ -103,7 +110,7 @@ Outcome ProgramHost::write(Quantity quantity, int index, std::int32_t value) {
     case Quantity::timer: controller_->set_timer(value); return Outcome::done;
     case Quantity::latch_enable: controller_->arm_latch(index, value != 0); return Outcome::done;
     case Quantity::idle_delay:
-      return outcome_of(controller_->write_setting(Setting::idle_time, value * ms_per_idle_unit, 0));
+      return outcome_of_value(controller_->write_setting(Setting::idle_time, value * ms_per_idle_unit, 0));
     default: return Outcome::error;
   }
 }

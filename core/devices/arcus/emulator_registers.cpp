@@ -26,6 +26,7 @@ Refusal Controller::write_setting(Setting id, std::int64_t value, int which) {
     case Setting::loop: {
       if (moving(which) || (value != 0 && joystick_on(which))) return Refusal::moving;
       Axis& axis = axes_[ix(which)];
+      counter_is_written(which);
       if (value != 0 && !closed(which)) axis.target = encoder(which);
       if (value == 0 && closed(which))
         axis.pulses = std::llround(static_cast<double>(encoder(which)) * ratio(which));
@@ -118,6 +119,7 @@ Refusal Controller::set_position(int a, std::int64_t value) {
   bring_up_to_date();
   if (moving(a)) return Refusal::moving;
   Axis& axis = axes_[ix(a)];
+  counter_is_written(a);
   if (closed(a)) {
     if (!model_->positions_may_be_written_in_loop) return Refusal::unknown;
     axis.target = value;
@@ -133,6 +135,7 @@ Refusal Controller::set_encoder(int a, std::int64_t value) {
   bring_up_to_date();
   if (moving(a)) return Refusal::moving;
   Axis& axis = axes_[ix(a)];
+  counter_is_written(a);
   const std::int64_t delta = loop_delta(a);
   axis.set_encoder(value);
   if (closed(a))

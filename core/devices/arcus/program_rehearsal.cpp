@@ -1,8 +1,10 @@
 #include "core/devices/arcus/program_rehearsal.h"
 
 #include <algorithm>
-#include <set>
+#include <array>
+#include <cmath>
 
+#include "core/base/index.h"
 #include "core/device/bench_file.h"
 #include "core/device/planned_hands.h"
 #include "core/devices/arcus/language/compiler.h"
@@ -80,6 +82,7 @@ class Rehearsing {
     else
       result_.error = "An axis was still moving when the rehearsal ended.";
     now_ = std::max(now_, last);
+    emulator_.advance_to(now_);
     collect(trace);
   }
 
@@ -95,18 +98,26 @@ class Rehearsing {
   void collect(std::vector<Controller::Trace>& trace) {
     for (Controller::Trace& t : trace) event(t);
     trace.clear();
+    for (const auto& [axis, position] : controller_.overwritten) stretch(result_.axes[ix(axis)], position);
+    controller_.overwritten.clear();
     for (int i = 0; i < controller_.axes(); ++i) {
       RehearsedAxis& axis = result_.axes[static_cast<std::size_t>(i)];
-      const std::int64_t position = controller_.position(i);
-      axis.travel += std::abs(position - axis.position);
-      axis.position = position;
-      axis.minimum = std::min(axis.minimum, position);
-      axis.maximum = std::max(axis.maximum, position);
+      axis.position = controller_.position(i);
+      stretch(axis, axis.position);
+      const std::int64_t made = controller_.axis(i).turned;
+      way_[ix(i)] += static_cast<double>(made - turned_[ix(i)]) / controller_.pulses_per_unit(i);
+      turned_[ix(i)] = made;
+      axis.travel = std::llround(way_[ix(i)]);
       const StatusBits& bits = controller_.model().status;
       const std::int64_t word = controller_.status(i);
       for (const int bit : {bits.plus_limit, bits.minus_limit})
         result_.limit_touched = result_.limit_touched || (bit != no_bit && (word >> bit & 1) != 0);
     }
+  }
+
+  static void stretch(RehearsedAxis& axis, std::int64_t position) {
+    axis.minimum = std::min(axis.minimum, position);
+    axis.maximum = std::max(axis.maximum, position);
   }
 
   void event(Controller::Trace& t) {
@@ -118,6 +129,8 @@ class Rehearsing {
   Rehearsal finish() {
     result_.duration_s = seconds(now_);
     result_.moves = controller_.moves_begun;
+    for (int i = 0; i < controller_.axes(); ++i)
+      result_.axes[ix(i)].in_counts = controller_.settings().on(Setting::loop, i);
     for (int n = 1; n <= controller_.model().outputs; ++n)
       result_.outputs[std::to_string(n)] = static_cast<int>(controller_.outputs() >> (n - 1) & 1);
     return std::move(result_);
@@ -129,6 +142,8 @@ class Rehearsing {
   const RehearseOptions& options_;
   PlannedHands hands_;
   Instant now_{};
+  std::array<std::int64_t, max_axes> turned_{};  ///< pulses made until the last look
+  std::array<double, max_axes> way_{};           ///< in the unit of positions
   Rehearsal result_;
 };
 

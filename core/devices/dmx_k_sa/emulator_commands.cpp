@@ -49,8 +49,9 @@ bool in_window(const Controller& c, std::int64_t pulses_per_second) {
 
 Answer change_speed(Controller& c, const Args& a) {
   if (c.settings().on(Setting::s_curve)) return Refusal::speed_s_curve;
-  const auto value = number_in(a.value, 1, arcus::max_speed);
-  if (!value || !c.moving(0)) return Refusal::speed;
+  const auto value = arcus::parse_integer(a.value);
+  if (!value || *value < 1 || !c.moving(0)) return Refusal::speed;
+  if (*value > arcus::max_speed) return Refusal::speed_window;
   const double ratio =
       c.settings().on(Setting::loop) ? static_cast<double>(c.settings().get(Setting::loop_ratio)) / 1000 : 1;
   const auto in_pulses = [&](std::int64_t v) {

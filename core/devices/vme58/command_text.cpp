@@ -195,7 +195,7 @@ std::string without_comments(std::string_view text) {
   bool comment = false;
   for (char& c : plain) {
     comment = c != '\n' && (comment || c == '#');
-    if (comment) c = ' ';
+    if (comment || c == '\t') c = ' ';
   }
   return plain;
 }

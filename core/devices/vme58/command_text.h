@@ -38,7 +38,7 @@ struct TextCommand {
 
 /// All commands of `text`, in their order; `context` is that of its begin and becomes that of its end.
 std::vector<TextCommand> read_commands(std::string_view text, Context& context);
-/// The text with its comments (# to the end of the line) made blank: the board knows none.
+/// The text with its comments (# to the end of the line) and its tabs made blank: the board knows neither.
 std::string without_comments(std::string_view text);
 /// What the command does to the context of those behind it.
 void follow(const TextCommand& command, Context& context);

@@ -42,9 +42,12 @@ void Board::power(bool on) {
 
 /// RS, and the begin of power: all is as from the factory, and nothing is heard until the board is up again.
 void Board::reset() {
+  note(Note::What::restarts);
   window_ = Window();
   flags_ = Flags();
+  const unsigned lines_before = io_.lines_on(), aux_before = io_.aux_high();
   io_.reset();
+  note_outputs(lines_before, aux_before);
   parser_.clear();
   motion_.reset();
   set_factory_values();
@@ -87,7 +90,7 @@ void Board::advance(Instant to) {
   if (due(boots_until_)) window_.empty_rings();
   take_events();
   for (int a = 0; a < most_axes; ++a)
-    if (due(power_drops_at_[ix(a)])) io_.set_aux(1u << a, false);
+    if (due(power_drops_at_[ix(a)])) switch_aux(1u << a, false);
   if (due(update_due_)) copy_axis_data();
   if (due(mail_due_)) acknowledge_mail();
   settle();
@@ -127,9 +130,11 @@ void Board::pump() {
     const auto c = window_.take();
     if (!c) return;
     if (echo_) replies_ += *c;
-    const auto outcome = parser_.push(*c, modes());
+    auto outcome = parser_.push(*c, modes());
+    source_ = notes_ != nullptr ? notes_->source : 0;
     if (outcome.error) text_error();
     if (!outcome.command) continue;
+    outcome.command->source = source_;
     obey(*outcome.command);
     take_events();
     run_queues();
@@ -144,7 +149,7 @@ void Board::flush_replies() {
 
 /// A piece that is missing would make another contour.
 void Board::text_error() {
-  flags_.command_error();
+  command_error();
   if (recording_) spoil_recording();
 }
 
@@ -161,13 +166,16 @@ void Board::take_event(const MotionEvent& e) {
   const AxisSettings& settings = motion_.settings(e.axis);
   switch (e.what) {
     case MotionEvent::What::began:
+      note(Note::What::moves, e.axis);
       power_drops_at_[ix(e.axis)].reset();
-      if (settings.power_automatic) io_.set_aux(axis, true);
+      if (settings.power_automatic) switch_aux(axis, true);
       break;
     case MotionEvent::What::rested:
+      note(Note::What::rests, e.axis);
       if (settings.power_automatic) power_drops_at_[ix(e.axis)] = now() + settings.settling;
       break;
     case MotionEvent::What::limit_hit:
+      note(Note::What::limit, e.axis);
       flags_.hit_limit(axis);
       if (!settings.soft_limits) empty_queues_of(e.axis);
       break;
@@ -175,8 +183,8 @@ void Board::take_event(const MotionEvent& e) {
       flags_.set_slip(axis, settings.slip_interrupts ? axis : 0);
       if (settings.slip_kills) empty_queues_of(e.axis);
       break;
-    case MotionEvent::What::nearly_done: flags_.set_done(axis); break;
-    case MotionEvent::What::output: io_.set_aux(axis, e.on); break;
+    case MotionEvent::What::nearly_done: set_done(axis); break;
+    case MotionEvent::What::output: switch_aux(axis, e.on); break;
     case MotionEvent::What::ready: break;
   }
 }

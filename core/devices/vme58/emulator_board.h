@@ -17,6 +17,7 @@
 #include "core/devices/vme58/emulator_flags.h"
 #include "core/devices/vme58/emulator_io.h"
 #include "core/devices/vme58/emulator_motion.h"
+#include "core/devices/vme58/emulator_notes.h"
 #include "core/devices/vme58/emulator_parser.h"
 #include "core/devices/vme58/emulator_queue.h"
 #include "core/devices/vme58/emulator_window.h"
@@ -79,6 +80,11 @@ class Board {
   [[nodiscard]] const Variant& variant() const { return *variant_; }
   /// For tests and rehearsals.
   [[nodiscard]] const Task& task(int context) const { return tasks_[ix(context)]; }
+  /// From now on tells what happens; null: no more.
+  void tell(Notes* notes) { notes_ = notes; }
+  [[nodiscard]] bool booting() const { return boots_until_.has_value(); }
+  /// No text waits, no command waits or is under way, nothing moves.
+  [[nodiscard]] bool idle() const;
 
  private:
   // Text (emulator_board.cpp).
@@ -86,7 +92,7 @@ class Board {
   void pump();
   [[nodiscard]] unsigned modes() const;
   void flush_replies();
-  void command_error() { flags_.command_error(); }
+  void command_error();
   /// A wrong text, which spoils a contour that is being recorded too.
   void text_error();
 
@@ -179,6 +185,14 @@ class Board {
   [[nodiscard]] std::string encoder_status(int axis) const;
   [[nodiscard]] std::string user_position(int axis) const;
 
+  // What is told (emulator_notes.h).
+  void note(Note::What what, int number = 0, bool on = false);
+  void set_done(unsigned axes);
+  void switch_aux(unsigned axes, bool high);
+  void drive_line(int line, bool low);
+  /// Of outputs that are no longer as they were.
+  void note_outputs(unsigned lines_before, unsigned aux_before);
+
   // What the motion tells, and what time brings.
   void take_events();
   void take_event(const MotionEvent& e);
@@ -216,6 +230,8 @@ class Board {
   std::optional<Instant> update_due_, mail_due_;
   std::array<std::optional<Instant>, most_axes> power_drops_at_{};
   std::vector<MotionEvent> events_;
+  Notes* notes_ = nullptr;
+  int source_ = 0;  ///< of the command that is being done
 };
 
 }  // namespace hw::vme58

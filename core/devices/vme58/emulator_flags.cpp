@@ -10,9 +10,8 @@ void Flags::request(std::uint8_t enable) {
 }
 
 void Flags::set_done(unsigned axes) {
-  const unsigned fresh = axes & ~done_;
   done_ |= axes;
-  if (fresh != 0) request(control::done_interrupt);
+  if (axes != 0) request(control::done_interrupt);
 }
 
 void Flags::set_slip(unsigned axes, unsigned interrupts) {

@@ -12,6 +12,7 @@ class Flags {
  public:
   // What happens on the board. Axes as bits.
   void command_error() { command_error_ = true; }
+  /// Each time interrupts the host, be it that it has not read the flag of the time before.
   void set_done(unsigned axes);
   void clear_done(unsigned axes) { done_ &= ~axes; }
   /// `interrupts`: the axes among them for which IS is in force (decision M93).

@@ -27,7 +27,7 @@ bool Motion::found_home(Run& r, int a) {
   // The edge gets the position; a motor may trail its command, and goes on doing so.
   const std::int64_t edge = x.has_motor ? x.encoder() : x.position;
   const std::int64_t by = order.position - edge;
-  x.position += by;
+  x.set_position(x.position + by);
   if (x.servo())
     x.zero += by;
   else

@@ -32,6 +32,8 @@ class UserIo {
 
   void set_aux(unsigned axes, bool high) { aux_high_ = high ? aux_high_ | axes : aux_high_ & ~axes; }
   [[nodiscard]] unsigned aux_high() const { return aux_high_; }
+  /// Bit n: output line n is on, which is low.
+  [[nodiscard]] unsigned lines_on() const { return unsigned{outputs_} & low_; }
 
  private:
   static void set(std::uint16_t& bits, int line, bool on) {

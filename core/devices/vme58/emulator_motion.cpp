@@ -37,6 +37,8 @@ void Motion::reset() {
     fresh.fitting = old.fitting, fresh.plant = old.plant;
     fresh.has_motor = old.has_motor, fresh.loop.plant = old.loop.plant;
     fresh.settings.holding = fresh.servo();
+    fresh.span = old.span;
+    fresh.reach();
     axes_[ix(a)] = fresh;
     axes_[ix(a)].set_encoder(0);
     changed(a);
@@ -101,12 +103,12 @@ Run& Motion::free_run() {
   return *std::find_if(runs_.begin(), runs_.end(), [](const Run& r) { return !r.active; });
 }
 
-void Motion::begin(RunKind kind, unsigned axes, Track track, const Profile& profile,
+void Motion::begin(RunKind kind, unsigned axes, Track track, const Profile& profile, double wanted,
                    std::shared_ptr<const Score> score) {
   Run& r = free_run();
   r = Run();
   r.active = true, r.kind = kind, r.axes = axes;
-  r.track = std::move(track), r.profile = profile, r.score = std::move(score);
+  r.track = std::move(track), r.profile = profile, r.wanted = wanted, r.score = std::move(score);
   for (int a = 0; a < most_axes; ++a) {
     if (!r.has(a)) continue;
     MotionAxis& x = axes_[ix(a)];
@@ -261,8 +263,8 @@ void Motion::finish(Run& r, End end) {
 /// The run of the axis has ended: what comes behind it, or rest.
 void Motion::rest(int a) {
   MotionAxis& x = axes_[ix(a)];
-  if (const auto goal = std::exchange(x.then_to, std::nullopt); goal && *goal != x.position)
-    return go_to(a, *goal);
+  if (const auto back = std::exchange(x.then_to, std::nullopt); back && back->position != x.position)
+    return go_to(a, *back);
   if (const auto speed = std::exchange(x.then_jog, std::nullopt); speed && *speed != 0)
     return begin_endless(RunKind::jog, a, *speed < 0 ? Sign::minus : Sign::plus, std::abs(*speed));
   if (std::exchange(x.under_way, false)) tell(What::rested, a);
@@ -273,6 +275,11 @@ void Motion::rest(int a) {
 // --- what can be read --------------------------------------------------------------------------------------
 
 std::int64_t Motion::position(int a) const { return axes_[ix(a)].position; }
+
+void Motion::measure_from_here() {
+  for (MotionAxis& x : axes_) x.span = {x.position, x.position, 0};
+}
+
 std::int64_t Motion::encoder(int a) const { return axes_[ix(a)].encoder(); }
 Sign Motion::direction(int a) const { return axes_[ix(a)].direction; }
 bool Motion::moving(int a) const { return axes_[ix(a)].run >= 0; }

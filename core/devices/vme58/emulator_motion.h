@@ -105,7 +105,8 @@ class Motion {
   /// MV: runs to p at v and on from there; occupies the axis until p is passed. May come while the one before
   /// runs on.
   bool move_velocity(int axis, std::int64_t position, double velocity);
-  /// SP: rest exactly at p. May come while MV or JG runs on. Occupies the axis until it rests.
+  /// SP: rest exactly at p, on the way there at the speed of MV or JG; where p lies behind, by a ramp to rest
+  /// and back. May come while MV or JG runs on. Occupies the axis until it rests.
   bool stop_at(int axis, std::int64_t position);
   /// CX. `contour.complete` is true and CV was given.
   bool play(const Contour& contour);
@@ -143,6 +144,9 @@ class Motion {
   void jam(int axis, bool on);
   /// The load jumps by encoder counts; tracking follows it.
   void slip(int axis, std::int64_t counts);
+  /// Where the counter has been since measure_from_here(), and the counts that were made.
+  [[nodiscard]] const Span& span(int axis) const { return axes_[ix(axis)].span; }
+  void measure_from_here();
   /// Loads, switches, jams.
   void look(BenchView& view) const;
 
@@ -157,7 +161,7 @@ class Motion {
   void tell(MotionEvent::What what, int axis, bool on = false) { events_.push_back({what, axis, on}); }
 
   // Runs (emulator_motion.cpp).
-  void begin(RunKind kind, unsigned axes, Track track, const motion::Profile& profile,
+  void begin(RunKind kind, unsigned axes, Track track, const motion::Profile& profile, double wanted,
              std::shared_ptr<const Score> score = nullptr);
   /// The same run goes on by another profile from where it is.
   void continue_by(Run& run, const motion::Profile& profile);
@@ -186,7 +190,10 @@ class Motion {
   [[nodiscard]] motion::Ramp ramp_of(int axis) const;
   [[nodiscard]] motion::Ramp ramp_of(const Run& run) const;
   void begin_endless(RunKind kind, int axis, Sign way, double speed);
-  void go_to(int axis, std::int64_t goal);
+  void go_to(int axis, const Return& goal);
+  void turn_back(Run& run, int axis, const Return& goal);
+  /// It ramps down, and nothing comes behind that.
+  [[nodiscard]] bool ends(const Run& run, int axis) const;
   void stop_run(Run& run);
   void run_to(Run& run, int axis, std::int64_t counts, double speed);
   void leave(Run& run, int axis);

@@ -78,21 +78,23 @@ bool Motion::start(const Move& move) {
     axes_[ix(lead)].goal = move.goal[ix(lead)]->counts;
   const Path path = Path::line(way);
   begin(RunKind::move, axes, Track(path),
-        Profile::index(now_, path.steps(), Pps(settings(lead).velocity), ramp_of(lead)));
+        Profile::index(now_, path.steps(), Pps(settings(lead).velocity), ramp_of(lead)),
+        settings(lead).velocity);
   return true;
 }
 
-void Motion::go_to(int a, std::int64_t goal) {
+void Motion::go_to(int a, const Return& goal) {
   MotionAxis& x = axes_[ix(a)];
-  x.goal = goal;
-  const Path path = way_along(a, goal < x.position ? Sign::minus : Sign::plus, std::abs(goal - x.position));
-  begin(RunKind::move, 1u << a, Track(path),
-        Profile::index(now_, path.steps(), Pps(settings(a).velocity), ramp_of(a)));
+  x.goal = goal.position;
+  const std::int64_t way = goal.position - x.position;
+  const Path path = way_along(a, way < 0 ? Sign::minus : Sign::plus, std::abs(way));
+  begin(RunKind::move, 1u << a, Track(path), Profile::index(now_, path.steps(), Pps(goal.speed), ramp_of(a)),
+        goal.speed);
 }
 
 void Motion::begin_endless(RunKind kind, int a, Sign way, double speed) {
   begin(kind, 1u << a, Track(way_along(a, way, Profile::endless)),
-        Profile::index(now_, Profile::endless, Pps(speed), ramp_of(a)));
+        Profile::index(now_, Profile::endless, Pps(speed), ramp_of(a)), speed);
 }
 
 bool Motion::jog(int a, double velocity) {
@@ -111,7 +113,8 @@ bool Motion::jog(int a, double velocity) {
   const Pps now = r->profile.speed(now_);
   if (velocity != 0 && sign_of(velocity) == sign_of(r->track.direction(a, r->applied))) {
     r->stopping = false;
-    continue_by(*r, Profile::change(now_, from, now, Pps(std::abs(velocity)), ramp_of(a), Profile::endless));
+    r->wanted = std::abs(velocity);
+    continue_by(*r, Profile::change(now_, from, now, Pps(r->wanted), ramp_of(a), Profile::endless));
     return true;
   }
   if (velocity != 0) x.then_jog = velocity;
@@ -138,6 +141,7 @@ bool Motion::move_velocity(int a, std::int64_t position, double velocity) {
   if (r->track.direction(a, r->applied) != factor(x.direction)) return false;
   x.passes = position;
   r->kind = RunKind::staircase;
+  r->wanted = velocity;
   continue_by(*r, Profile::change(now_, r->profile.distance(now_), r->profile.speed(now_), Pps(velocity),
                                   ramp_of(a), Profile::endless));
   return true;
@@ -150,6 +154,7 @@ void Motion::run_to(Run& r, int a, std::int64_t counts, double speed) {
   r.track = Track(way_along(a, way, end));
   r.kind = RunKind::move;
   r.stopping = false;
+  r.wanted = speed;
   const Ramp ramp = ramp_of(a);
   continue_by(r, Profile::approach(now_, r.profile.distance(now_), r.profile.speed(now_), Pps(speed),
                                    ramp.decel, ramp, end));
@@ -160,23 +165,46 @@ bool Motion::stop_at(int a, std::int64_t position) {
   MotionAxis& x = axes_[ix(a)];
   Run* r = run_of(a);
   if (r == nullptr) return position == x.position;
-  if (r->stopping || (r->kind != RunKind::jog && r->kind != RunKind::staircase)) return false;
-  const std::int64_t left = r->track.direction(a, r->applied) * (position - x.position);
-  if (left < 0 || !in_range(position)) return false;
+  if (r->kind != RunKind::jog && r->kind != RunKind::staircase) return false;
+  const bool turns = r->stopping && x.then_jog;  // a jog the other way is to come
+  if ((r->stopping && !turns) || !in_range(position)) return false;
   x.passes.reset();
-  x.goal = position;
-  run_to(*r, a, left, r->profile.speed(now_).value);
+  const double speed = turns ? std::abs(*std::exchange(x.then_jog, std::nullopt)) : r->wanted;
+  const std::int64_t left = r->track.direction(a, r->applied) * (position - x.position);
+  if (turns || left < 0) {
+    turn_back(*r, a, {position, speed});
+  } else {
+    x.goal = position;
+    run_to(*r, a, left, speed);
+  }
   return true;
+}
+
+/// Comes to rest, and goes there.
+void Motion::turn_back(Run& r, int a, const Return& goal) {
+  axes_[ix(a)].then_to = goal;
+  stop_run(r);
+}
+
+bool Motion::ends(const Run& r, int a) const {
+  return r.stopping && !axes_[ix(a)].then_jog && !axes_[ix(a)].then_to;
 }
 
 bool Motion::force_position(int a, std::int64_t position) {
   bring_up_to_date();
   if (!in_range(position)) return false;
   MotionAxis& x = axes_[ix(a)];
-  if (x.run < 0) return true;
-  leave(*run_of(a), a);
   Run* r = run_of(a);
-  if (r == nullptr || r->stopping) return true;
+  if (r == nullptr || ends(*r, a)) return true;
+  x.then_jog.reset(), x.then_to.reset();
+  const double cruise = std::abs(r->track.slope(a, r->profile.distance(now_))) * r->wanted;
+  if (r->alone() && r->kind != RunKind::contour) {
+    x.homing.reset(), x.passes.reset();
+  } else {
+    leave(*r, a);
+    r = run_of(a);
+  }
+  if (r == nullptr) return true;
   const int way = r->track.direction(a, r->applied);
   const double from = r->profile.distance(now_);
   const Pps speed = r->profile.speed(now_);
@@ -186,7 +214,7 @@ bool Motion::force_position(int a, std::int64_t position) {
     return true;
   }
   x.goal = position;
-  run_to(*r, a, left, speed.value);
+  run_to(*r, a, left, cruise);
   return true;
 }
 
@@ -239,6 +267,7 @@ void Motion::leave(Run& r, int a) {
   own = Run();
   own.active = true, own.kind = RunKind::jog, own.axes = 1u << a;
   own.track = Track(way_along(a, way < 0 ? Sign::minus : Sign::plus, Profile::endless));
+  own.wanted = speed;
   x.run = static_cast<int>(&own - runs_.data());
   continue_by(own, Profile::constant(now_, std::clamp(part, 0.0, 0.999), Pps(speed), Profile::endless));
 }
@@ -247,7 +276,7 @@ void Motion::leave(Run& r, int a) {
 void Motion::keep_velocity(int a) {
   bring_up_to_date();
   Run* r = run_of(a);
-  if (r == nullptr || (r->stopping && !axes_[ix(a)].then_jog && !axes_[ix(a)].then_to)) return;
+  if (r == nullptr || ends(*r, a)) return;
   axes_[ix(a)].then_jog.reset(), axes_[ix(a)].then_to.reset();
   leave(*r, a);
 }
@@ -258,7 +287,7 @@ void Motion::load_position(int a, std::int64_t position) {
   bring_up_to_date();
   MotionAxis& x = axes_[ix(a)];
   const std::int64_t by = position - x.position;
-  x.position = position;
+  x.set_position(position);
   if (x.servo() && x.settings.holding)
     x.zero += by;  // the loop's error is none of the counter's business
   else
@@ -275,11 +304,10 @@ void Motion::aim_again(Run& r, int a) {
   const std::int64_t left = r.track.direction(a, r.applied) * (*x.goal - x.position);
   const std::int64_t end = r.applied + left;
   const Profile down = Profile::ramp_down(now_, r.profile.distance(now_), r.profile.speed(now_), ramp_of(a));
-  if (left > 0 && end >= down.length()) return run_to(r, a, left, settings(a).velocity);
-  x.then_to = x.goal;
+  if (left > 0 && end >= down.length()) return run_to(r, a, left, r.wanted);
   r.track =
       Track(way_along(a, r.track.direction(a, r.applied) < 0 ? Sign::minus : Sign::plus, Profile::endless));
-  stop_run(r);
+  turn_back(r, a, {*x.goal, r.wanted});
 }
 
 void Motion::remainder(int a, std::int64_t divisor) {
@@ -287,7 +315,7 @@ void Motion::remainder(int a, std::int64_t divisor) {
   MotionAxis& x = axes_[ix(a)];
   const std::int64_t by = x.position % divisor - x.position;
   const std::int64_t encoder = x.encoder(), wanted = x.expected(x.position + by) - x.expected(x.position);
-  x.position += by;
+  x.set_position(x.position + by);
   // What holds the axis in place must not see an error that is none.
   x.set_encoder(x.settings.holding ? encoder + wanted : encoder % divisor);
   replan(a);

@@ -16,6 +16,7 @@ namespace hw::vme58 {
 struct Command {
   const CommandFact* fact = nullptr;
   std::array<std::optional<double>, most_axes> number{};
+  int source = 0;  ///< where it comes from, for who listens (emulator_notes.h)
 
   [[nodiscard]] Op op() const { return fact->op; }
   [[nodiscard]] int operands() const {

@@ -73,7 +73,7 @@ bool Motion::play(const Contour& contour) {
   ramps.kind = RunKind::contour, ramps.axes = contour.axes;
   const Profile lead = Profile::change(now_, 0, Pps(base * fine), cv, ramp_of(ramps), Profile::endless);
   begin(RunKind::contour, contour.axes, Track(std::shared_ptr<const motion::Contour>(std::move(track))), lead,
-        std::move(score));
+        cv.value, std::move(score));
   return true;
 }
 

@@ -4,6 +4,7 @@
 namespace hw::vme58 {
 
 Board::Step Board::execute(int context, const Command& c) {
+  source_ = c.source;
   switch (c.op()) {
     case Op::AC:
     case Op::VL:
@@ -30,10 +31,10 @@ Board::Step Board::execute(int context, const Command& c) {
     case Op::IP: return raise_done(context, true);
     case Op::II: return promise_each(context);
     case Op::IN: return notify(context, c);
-    case Op::AN: io_.set_aux(axes_of(context), true); return Step::done;
-    case Op::AF: io_.set_aux(axes_of(context), false); return Step::done;
-    case Op::BL: io_.drive(static_cast<int>(c.first()), true); return Step::done;
-    case Op::BH: io_.drive(static_cast<int>(c.first()), false); return Step::done;
+    case Op::AN: switch_aux(axes_of(context), true); return Step::done;
+    case Op::AF: switch_aux(axes_of(context), false); return Step::done;
+    case Op::BL: drive_line(static_cast<int>(c.first()), true); return Step::done;
+    case Op::BH: drive_line(static_cast<int>(c.first()), false); return Step::done;
     default: return Step::done;
   }
 }
@@ -142,7 +143,7 @@ Board::Step Board::raise_done(int context, bool in_position) {
     return Step::done;
   }
   if (in_position && !all_in_position(axes)) return Step::waits;
-  flags_.set_done(axes);
+  set_done(axes);
   return Step::done;
 }
 

@@ -17,6 +17,7 @@ constexpr bool looks_at_move(Op op) { return op == Op::II || op == Op::IN; }
 
 void Board::put_in_queue(const Command& c) {
   CommandQueue& queue = tasks_[ix(context_)].queue;
+  source_ = c.source;
   if (!queue.nests(c)) return text_error();
   if (queue.room() < c.entries()) {
     held_ = c;
@@ -143,7 +144,7 @@ void Board::look_ahead(int context) {
 void Board::keep_promises(Task& t) {
   const auto kept = [this](const Task::Promise& p) {
     if (any_occupied(p.axes) || (p.in_position && !all_in_position(p.axes))) return false;
-    flags_.set_done(p.axes);
+    set_done(p.axes);
     return true;
   };
   t.promises.erase(std::remove_if(t.promises.begin(), t.promises.end(), kept), t.promises.end());

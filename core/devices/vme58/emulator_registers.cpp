@@ -59,7 +59,7 @@ void Board::written(std::uint16_t offset) {
   if (offset != put_index_low && offset != get_index_low) return;
   if (!powered_ || boots_until_) return;
   // An index that points nowhere is not followed.
-  if (!window_.indexes_make_sense()) return flags_.command_error();
+  if (!window_.indexes_make_sense()) return command_error();
   pump();
 }
 
@@ -106,7 +106,7 @@ void Board::take_mail() {
                            static_cast<char>(window_.cell(at::mailbox + 2))};
   const std::string_view text(letters.data(), letters.size());
   if (std::find(mailbox_commands.begin(), mailbox_commands.end(), text) == mailbox_commands.end())
-    return flags_.command_error();
+    return command_error();
   Command urgent;
   urgent.fact = find_command(letters[0], letters[1], where::any);
   do_at_once(urgent);

@@ -42,6 +42,8 @@ std::int64_t MotionAxis::error_after(int way, std::int64_t counts) const {
 
 void MotionAxis::turn(int way, std::int64_t count) {
   position += way * count;
+  span.travel += count;
+  reach();
   direction = way < 0 ? Sign::minus : Sign::plus;
   arrived_by = way;
   if (!has_motor) turn_load(way, count);

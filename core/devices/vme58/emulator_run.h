@@ -1,6 +1,7 @@
 #pragma once
 // What the motion of the board is made of: a run takes one or more axes along a track by a profile, from mark
 // to mark; an axis has counters, a load, and perhaps a motor.
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -86,6 +87,7 @@ struct Run {
   unsigned over_limit = 0;  ///< those that ramp down beyond their switch (SL)
   Track track;
   motion::Profile profile;
+  double wanted = 0;           ///< speed that it was given, in steps/s, whatever it does now
   std::int64_t applied = 0;    ///< steps made
   std::int64_t next_mark = 0;  ///< step at which something has to be looked at
   std::shared_ptr<const Score> score;
@@ -95,14 +97,26 @@ struct Run {
   [[nodiscard]] bool alone() const { return (axes & (axes - 1)) == 0; }
 };
 
+/// Where a counter has been, and how many counts it has made: for rehearsals.
+struct Span {
+  std::int64_t lowest = 0, highest = 0, travel = 0;
+};
+
+/// Where an axis goes once it has come to rest.
+struct Return {
+  std::int64_t position = 0;
+  double speed = 0;
+};
+
 struct MotionAxis {
   AxisFitting fitting;
   AxisSettings settings;
   motion::Plant plant;
 
   std::int64_t position = 0;  ///< the command register
-  std::int64_t shaft = 0;     ///< of an ideal servo: counts turned
-  std::int64_t zero = 0;      ///< what the encoder register shows when the encoder stands at 0
+  Span span;
+  std::int64_t shaft = 0;  ///< of an ideal servo: counts turned
+  std::int64_t zero = 0;   ///< what the encoder register shows when the encoder stands at 0
   Sign direction = Sign::plus;
   int arrived_by = 0;      ///< direction of the last count of its run
   int run = -1;            ///< that it takes part in
@@ -110,13 +124,13 @@ struct MotionAxis {
   bool was_holding = false, was_tracking = false;
   bool was_in_position = true, slipped = false;
 
-  std::optional<HomeOrder> homing;      ///< the edge is still to come
-  std::optional<std::int64_t> goal;     ///< absolute target of its own run; LP does not move it
-  std::optional<std::int64_t> passes;   ///< MV: occupied until it gets there
-  std::optional<std::int64_t> then_to;  ///< after coming to rest: goes there
-  std::optional<double> then_jog;       ///< after coming to rest: jogs the other way
-  std::optional<std::int64_t> notify;   ///< IN
-  std::optional<Instant> correct_at;    ///< position maintenance: its next pulses
+  std::optional<HomeOrder> homing;     ///< the edge is still to come
+  std::optional<std::int64_t> goal;    ///< absolute target of its own run; LP does not move it
+  std::optional<std::int64_t> passes;  ///< MV: occupied until it gets there
+  std::optional<Return> then_to;       ///< after coming to rest: goes there
+  std::optional<double> then_jog;      ///< after coming to rest: jogs the other way
+  std::optional<std::int64_t> notify;  ///< IN
+  std::optional<Instant> correct_at;   ///< position maintenance: its next pulses
   std::int64_t correct_by = 0;
 
   bool has_motor = false;
@@ -145,6 +159,15 @@ struct MotionAxis {
   [[nodiscard]] bool index_active() const;
   /// Counts that way until home acts as HS or HE has it; none when it does not lie there.
   [[nodiscard]] std::optional<std::int64_t> counts_until_home(Sign way) const;
+  /// The command register gets another value without a count being made.
+  void set_position(std::int64_t value) {
+    position = value;
+    reach();
+  }
+  void reach() {
+    span.lowest = std::min(span.lowest, position);
+    span.highest = std::max(span.highest, position);
+  }
   /// Makes `count` counts: command register, shaft and load.
   void turn(int way, std::int64_t count);
   /// Motor and load alone.

@@ -35,7 +35,7 @@ void Motion::changed(int a) {
 void Motion::switch_servo(int a) {
   MotionAxis& x = axes_[ix(a)];
   if (Run* r = run_of(a); r != nullptr && x.off()) finish(*r, End::cut);
-  if (x.settings.holding) x.position = x.encoder();
+  if (x.settings.holding) x.set_position(x.encoder());
   x.loop.close(x.settings.holding);
 }
 

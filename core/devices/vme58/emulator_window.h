@@ -30,6 +30,9 @@ class Window {
   [[nodiscard]] std::uint16_t cell(std::uint16_t offset) const;
   void set_cell(std::uint16_t offset, std::uint16_t value);
 
+  /// Nothing waits among the commands.
+  [[nodiscard]] bool all_taken() const { return cell(at::output_put_index) == cell(at::output_get_index); }
+
   /// The board has taken over what the host says to its indexes: nothing waits in either ring.
   void empty_rings();
 

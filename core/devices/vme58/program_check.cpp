@@ -1,6 +1,7 @@
 #include "core/devices/vme58/program_check.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <tuple>
@@ -66,7 +67,9 @@ class Check {
     for (const TextCommand& command : commands) look_at(command);
     if (context.recording)
       problem(recording_began_, 2, "The contour that begins here has no end: CE or CK is missing.", true);
-    for (const auto& open : loops_) problem(open.second, 2, "The loop that begins here has no end.", true);
+    for (const Queue& queue : queues_)
+      for (const auto& open : queue.loops)
+        problem(open.second, 2, "The loop that begins here has no end.", true);
     report_.cost[0] = static_cast<int>(text_.size());
     for (LineReport& line : report_.lines) line.slot = 0;
     std::sort(report_.problems.begin(), report_.problems.end(), [](const Problem& a, const Problem& b) {
@@ -76,6 +79,17 @@ class Check {
   }
 
  private:
+  /// Each axis has one, AA has one, and AM.
+  struct Queue {
+    std::vector<std::pair<Op, std::size_t>> loops;  ///< that are open, and where they begin
+    bool prepared = false;                          ///< a move waits for GO
+  };
+  Queue& queue_of(const TextCommand& command) {
+    const Context& c = command.context;
+    const int axis = c.mode == where::all ? most_axes : c.mode == where::tasks ? most_axes + 1 : c.axis;
+    return queues_[static_cast<std::size_t>(axis)];
+  }
+
   void split_lines() {
     begins_.push_back(0);
     for (std::size_t i = 0; i < text_.size(); ++i)
@@ -138,10 +152,10 @@ class Check {
       case Op::MA:
       case Op::MR:
       case Op::MT:
-      case Op::ML: prepared_ = true; break;
+      case Op::ML: queue_of(command).prepared = true; break;
       case Op::GO:
       case Op::GD:
-        if (!std::exchange(prepared_, false) && loops_.empty())
+        if (!std::exchange(queue_of(command).prepared, false) && queue_of(command).loops.empty())
           problem(command.begin, command.length, "No move has been prepared: this starts nothing.", false);
         break;
       case Op::RM:
@@ -162,6 +176,13 @@ class Check {
       case Op::LE: close_loop(command, Op::LS); break;
       case Op::WD: close_loop(command, Op::WS); break;
       case Op::WG: close_loop(command, Op::WH); break;
+      case Op::ST:
+      case Op::FL:
+      case Op::FP: queue_of(command) = Queue(); break;
+      case Op::SA:
+      case Op::SD:
+      case Op::KL:
+      case Op::RS: queues_ = {}; break;
       default: break;
     }
   }
@@ -195,28 +216,30 @@ class Check {
     }
   }
 
-  // Loops belong to the queue of the mode in which they stand; texts that mix are rare, so one stack serves.
+  // Loops belong to the queue of the mode in which they stand.
   void open_loop(const TextCommand& command) {
-    if (loops_.size() == loop_levels)
+    auto& loops = queue_of(command).loops;
+    if (loops.size() == loop_levels)
       return error(command, fmt::format("Loops nest {} deep at most.", loop_levels));
-    loops_.emplace_back(command.fact->op, command.begin);
+    loops.emplace_back(command.fact->op, command.begin);
   }
   void close_loop(const TextCommand& command, Op begin) {
-    if (loops_.empty() || loops_.back().first != begin)
+    auto& loops = queue_of(command).loops;
+    if (loops.empty() || loops.back().first != begin)
       return error(command, fmt::format("{} has no {} before it.", command.fact->letters,
                                         begin == Op::LS   ? "LS"
                                         : begin == Op::WS ? "WS"
                                                           : "WH"));
-    loops_.pop_back();
+    loops.pop_back();
   }
 
   std::string_view text_;
   std::string plain_;
   std::vector<std::size_t> begins_;
   ProgramReport report_;
-  std::vector<std::pair<Op, std::size_t>> loops_;
+  std::array<Queue, most_axes + 2> queues_{};
   std::size_t recording_began_ = 0;
-  bool prepared_ = false, scaled_ = false, recorded_ = false, velocity_given_ = false;
+  bool scaled_ = false, recorded_ = false, velocity_given_ = false;
 };
 
 }  // namespace

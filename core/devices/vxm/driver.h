@@ -14,6 +14,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/device/driver.h"
@@ -24,6 +25,10 @@
 namespace hw::vxm {
 
 std::unique_ptr<Driver> make_driver(DriverContext context);
+
+inline constexpr std::string_view unused_slave =
+    "A second controller answers on the VXM bus, and its motors 3 and 4 are not shown. Open it with motors=4 "
+    "in its address to use them.";
 
 /// `rsm` answers when it has written its memory.
 inline constexpr Duration store_patience = std::chrono::seconds(10);
@@ -42,6 +47,8 @@ class VxmDriver final : public Driver {
   [[nodiscard]] bool answers_later(std::string_view text) const override;
   [[nodiscard]] bool is_stop(std::string_view text) const override;
   [[nodiscard]] bool changes_programs(std::string_view text) const override;
+  bool recover_by(std::string_view text) override;
+  std::optional<std::string> take_recovery() override { return std::exchange(recovery_, std::nullopt); }
   bool take_unsolicited(std::string& text) override;
   [[nodiscard]] Duration moving_period() const override;
   [[nodiscard]] Duration idle_period() const override { return Millis(200); }
@@ -108,10 +115,13 @@ class VxmDriver final : public Driver {
   Task<Result<RawAnswer>> send_pieces(std::string text, Duration patience);
   void warn_of_flaws(const std::vector<TextCommand>& commands);
   void note_sent(const std::vector<TextCommand>& commands);
-  Task<Result<std::string>> wait_for_prompt(Duration patience);
+  std::optional<std::string> take_since(std::uint64_t number, char first = 0);
+  Task<Result<std::string>> wait_for_prompt(std::uint64_t since, Duration patience);
 
   // ---- driver_connect.cpp
+  Task<Result<std::string>> ask_who_listens();
   Task<Result<>> greet();
+  Task<Result<>> recover();
   Task<Result<>> go_on_line(bool said_before);
   Task<Result<>> found_local(char state);
   Task<Result<>> found_restarted(const char* why);
@@ -210,6 +220,8 @@ class VxmDriver final : public Driver {
 
   Mode mode_ = Mode::unknown;
   bool connected_before_ = false, stay_local_ = false;
+  std::optional<std::string> recover_by_;  ///< to be said when nothing answers at connect
+  std::optional<std::string> recovery_;    ///< what came of it
   bool slave_present_ = false;
   bool lost_while_busy_ = false;
   Instant lost_at_{};
@@ -240,7 +252,13 @@ class VxmDriver final : public Driver {
   bool raw_asked_ = false;
   std::optional<char> second_raw_;
   Instant killed_at_{};
-  std::deque<std::string> for_scripts_;
+  /// What came unasked, until somebody reads it. The numbers tell what is younger than a question.
+  struct Unasked {
+    std::uint64_t number = 0;
+    std::string text;
+  };
+  std::deque<Unasked> for_scripts_;
+  std::uint64_t next_unasked_ = 0;
 };
 
 }  // namespace hw::vxm

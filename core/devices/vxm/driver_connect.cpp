@@ -35,14 +35,18 @@ Greeting read_greeting(std::string_view bytes) {
   return g;
 }
 
-tl::unexpected<Fault> silent(int rate) {
+/// `said`: what was to end an error state, and did not.
+tl::unexpected<Fault> silent(int rate, const std::optional<std::string>& said) {
   std::string what = "Nothing answers to V, the VXM's question for its state";
   what += rate > 0 ? fmt::format(", at {} baud.", rate) : ".";
-  return fail(
-      FaultKind::no_answer, std::move(what), "Nothing else was sent but a carriage return.",
+  std::string effect = "Nothing else was sent but a carriage return.";
+  if (said) effect = fmt::format("{} was sent and brought nothing.", *said);
+  std::string advice =
       "Check that the controller is switched on (green lamp), the cable, and the baud rate: 9600, 19200 or "
-      "38400. If both lamps flash fast it waits for K after an error; if On-Line flashes alone, switch it "
-      "off and on.");
+      "38400. ";
+  if (!said) advice += "If both lamps flash fast it stands in an error state and takes only K: send K. ";
+  advice += "If On-Line flashes alone, switch it off and on.";
+  return fail(FaultKind::no_answer, std::move(what), std::move(effect), std::move(advice));
 }
 
 tl::unexpected<Fault> nonsense(std::string_view bytes, int rate) {
@@ -93,21 +97,55 @@ Task<Result<>> VxmDriver::connect(Station& station) {
 }
 
 // V alone first: it moves nothing in any mode. A carriage return ends a command that somebody left half said.
-Task<Result<>> VxmDriver::greet() {
+Task<Result<std::string>> VxmDriver::ask_who_listens() {
   std::string bytes;
-  Greeting greeting;
   for (const char* question : {"V", "\r", "V"}) {
     auto reply = co_await ask(
         question, question[0] == '\r' ? ReplyShape::nothing() : ReplyShape::until_quiet(greeting_quiet_ms),
         Priority::intent, nullptr, Millis(300));
     if (!reply && reply.error().kind != FaultKind::no_answer) co_return fail(reply.error());
     if (reply) bytes = *reply;
-    greeting = read_greeting(bytes);
-    if (greeting.state || !bytes.empty()) break;
+    if (!bytes.empty()) break;
   }
+  co_return bytes;
+}
+
+bool VxmDriver::recover_by(std::string_view text) {
+  if (text != "K" && text != "res") return false;
+  recover_by_ = std::string(text);
+  return true;
+}
+
+// In an error state only K and res are heard (Troubleshooting p.30, V34). Neither starts a motion; both are
+// said only when the user has said them.
+Task<Result<>> VxmDriver::recover() {
+  constexpr Duration patience = std::chrono::seconds(1);
+  const ReplyShape shape =
+      *recover_by_ == "K" ? ReplyShape::until_quiet(greeting_quiet_ms) : ReplyShape::nothing();
+  auto reply = co_await ask(*recover_by_, shape, Priority::intent, nullptr, patience);
+  if (!reply && reply.error().kind != FaultKind::no_answer) co_return fail(reply.error());
+  recovery_ = reply && reply->find(prompt) != std::string::npos ? std::string(1, prompt) : std::string();
+  killed(EndedBy::error);
+  co_return Result<>();
+}
+
+Task<Result<>> VxmDriver::greet() {
+  auto bytes = co_await ask_who_listens();
+  if (!bytes) co_return fail(bytes.error());
+  Greeting greeting = read_greeting(*bytes);
+  const bool deaf = !greeting.state && greeting.sense;  // nothing came, or an echo of what was said
+  recovery_.reset();
+  if (deaf && recover_by_) {
+    auto recovered = co_await recover();
+    if (!recovered) co_return recovered;
+    bytes = co_await ask_who_listens();
+    if (!bytes) co_return fail(bytes.error());
+    greeting = read_greeting(*bytes);
+  }
+  const auto tried = std::exchange(recover_by_, std::nullopt);
   const int rate = station_ ? station_->rate() : 0;
-  if (bytes.empty()) co_return silent(rate);
-  if (!greeting.state || !greeting.sense) co_return nonsense(bytes, rate);
+  if (bytes->empty()) co_return silent(rate, tried);
+  if (!greeting.state || !greeting.sense) co_return nonsense(*bytes, rate);
   if (greeting.state == jog_idle || greeting.state == jog_moving)
     co_return co_await found_local(greeting.state);
   mode_ = Mode::on_line;
@@ -235,6 +273,7 @@ Task<Result<>> VxmDriver::resume_after_loss(char state) {
 }
 
 void VxmDriver::wire_lost() {
+  recover_by_.reset();  // what the user said was for that attempt
   if (!station_) return;
   station_ = nullptr;
   lost_while_busy_ = lost_while_busy_ || busy();
@@ -278,10 +317,7 @@ Task<Result<>> VxmDriver::read_identity() {
          "sent to "
          "them. Check the Slave's power and cable, and that this controller is the Master (DM bit 6); then "
          "reconnect.");
-  if (axes <= motors_per_controller && slave_present_)
-    tell(Notice::Kind::info,
-         "A second controller answers on the VXM bus: motors 3 and 4 can be used when the address says "
-         "motors=4.");
+  if (axes <= motors_per_controller && slave_present_) tell(Notice::Kind::warning, std::string(unused_slave));
   identity_read_ = true;
   co_return Result<>();
 }

@@ -147,6 +147,7 @@ Task<Result<>> VxmDriver::read_io(char which, Priority priority) {
     if (!number) co_return fail(number.error());
     draft_.analog[0] = static_cast<std::int32_t>(*number);
     draft_.analog_known |= 1;
+    draft_.analog_seen_at[0] = scheduler_.now();
     co_return Result<>();
   }
   auto raw = co_await ask_raw(which, priority);
@@ -234,6 +235,7 @@ void VxmDriver::show_worst() {
       draft_.notice = untold[i];
       return;
     }
+  if (slave_present_ && draft_.axis_count <= motors_per_controller) draft_.notice = unused_slave;
 }
 
 }  // namespace hw::vxm

@@ -19,6 +19,10 @@ struct Entry {
 struct Plan {
   std::map<int, std::vector<Entry>> slots;
   std::string left_out;  ///< commands of the text that are no part of a program
+  bool clears = false;   ///< a heading says that its program is to be emptied (PM-x)
+  [[nodiscard]] bool stores_nothing() const {
+    return std::all_of(slots.begin(), slots.end(), [](const auto& slot) { return slot.second.empty(); });
+  }
 };
 
 int line_of(std::string_view text, std::size_t place) {
@@ -101,7 +105,7 @@ class Planner {
 
   void choose_slot(const TextCommand& c) {
     slot_ = static_cast<int>(c.value);
-    if (c.verb == Verb::empty) plan_.slots[slot_].clear();
+    if (c.verb == Verb::empty) plan_.slots[slot_].clear(), plan_.clears = true;
     plan_.slots[slot_];
     pair_ = nullptr;
   }
@@ -181,6 +185,11 @@ Task<Result<>> VxmDriver::load(const intent::LoadProgram& wish) {
   const std::string text = with_carriage_returns(wish.text);
   auto plan = plan_of(text, wish.slot);
   if (!plan) co_return fail(plan.error());
+  if (plan->stores_nothing() && !plan->clears && !plan->left_out.empty())
+    co_return fail(FaultKind::text,
+                   fmt::format("Nothing in this text is part of a program: {}.", plan->left_out),
+                   "Nothing was sent; the controller holds what it held.",
+                   "Commands that act at once are sent, not loaded.");
   if (selected_ < 0) {
     auto read = co_await read_sizes();
     if (!read) co_return read;
@@ -344,7 +353,10 @@ Task<Result<>> VxmDriver::resume() {
   ProgramState& p = draft_.program;
   if (!stored_running_)
     co_return fail(FaultKind::refused, "No program is held or waits.", "Nothing was sent.", "Run it.");
-  if (!hold_on_ && p.run != RunState::waiting) co_return Result<>();
+  if (!hold_on_ && p.run != RunState::waiting)
+    co_return fail(FaultKind::refused, "The program runs: it is not held and does not wait for G.",
+                   "Nothing was sent.",
+                   "If it stands in a wait for an input (U0 and its like), only that input lets it go on.");
   const bool waits = p.run == RunState::waiting;
   auto said = co_await say(waits ? "G" : "H", Priority::intent);
   if (!said) co_return said;

@@ -1,4 +1,6 @@
 // Questions and their answers, and what the controller says unasked.
+#include <algorithm>
+
 #include <fmt/core.h>
 
 #include "core/devices/vxm/driver.h"
@@ -237,14 +239,25 @@ void VxmDriver::lose_slave() {
 
 void VxmDriver::for_scripts(std::string text) {
   if (for_scripts_.size() >= most_for_scripts) for_scripts_.pop_front();
-  for_scripts_.push_back(std::move(text));
+  for_scripts_.push_back({next_unasked_++, std::move(text)});
 }
 
 bool VxmDriver::take_unsolicited(std::string& text) {
   if (for_scripts_.empty()) return false;
-  text = std::move(for_scripts_.front());
+  text = std::move(for_scripts_.front().text);
   for_scripts_.pop_front();
   return true;
+}
+
+// What is older belongs to somebody else's reading, and stays.
+std::optional<std::string> VxmDriver::take_since(std::uint64_t number, char first) {
+  const auto found = std::find_if(for_scripts_.begin(), for_scripts_.end(), [&](const Unasked& u) {
+    return u.number >= number && (first == 0 || u.text.starts_with(first));
+  });
+  if (found == for_scripts_.end()) return std::nullopt;
+  std::string text = std::move(found->text);
+  for_scripts_.erase(found);
+  return text;
 }
 
 void VxmDriver::tell(Notice::Kind kind, std::string text) {

@@ -250,30 +250,29 @@ Task<Result<std::string>> VxmDriver::query(std::string text, Duration patience) 
   if (ends_open(text)) text += '\r';
   if (read_text(text).empty())
     co_return fail(FaultKind::refused, "There is no command in that text.", "Nothing was sent.");
+  const std::uint64_t asked = next_unasked_;
   auto sent = co_await send_pieces(std::move(text), patience);
   if (!sent) {
-    std::string report;  // instead of an answer
-    while (sent.error().kind == FaultKind::no_answer && take_unsolicited(report))
-      if (report.starts_with('E')) co_return report;
+    if (sent.error().kind == FaultKind::no_answer)
+      if (auto report = take_since(asked, 'E')) co_return std::move(*report);  // instead of an answer
     co_return fail(sent.error());
   }
   if (sent->last_is_answered) co_return std::move(sent->text);
-  auto prompt = co_await wait_for_prompt(patience);
+  auto prompt = co_await wait_for_prompt(asked, patience);
   if (!prompt && sent->text.empty()) co_return prompt;
   if (prompt && !sent->text.empty()) *prompt = sent->text + "\r" + *prompt;
   co_return prompt ? std::move(*prompt) : std::move(sent->text);
 }
 
 // For texts that have no answer of their own: R and what else brings a prompt some time.
-Task<Result<std::string>> VxmDriver::wait_for_prompt(Duration patience) {
+Task<Result<std::string>> VxmDriver::wait_for_prompt(std::uint64_t since, Duration patience) {
   const Instant deadline = scheduler_.now() + patience;
-  std::string text;
-  for (;;) {
-    if (take_unsolicited(text)) co_return std::move(text);
+  for (bool in_time = true;;) {
+    if (auto text = take_since(since)) co_return std::move(*text);
     if (!station_) co_return fail(FaultKind::lost, "The connection was lost before an answer came.");
-    const bool in_time = co_await news_.wait_until(deadline);
-    if (!in_time && for_scripts_.empty())
+    if (!in_time)
       co_return fail(FaultKind::no_answer, fmt::format("No answer came in {:g} s.", seconds(patience)));
+    in_time = co_await news_.wait_until(deadline);
   }
 }
 

@@ -64,7 +64,8 @@ void Box::power_up() {
   outputs_ = 0, pulse_until_ = never_changed;
   motion_ = Motion(), motion_ended_ = false;
   jog_ = Jog(), run_ = Run();
-  slowed_at_ = 0, captures_ = 0;
+  note_slowing(never_changed, 0);
+  captures_ = 0;
   for (auto& list : captured_) list.fill(0);
   analog_centre_ = analog_;  // where the joystick stands now is its middle (App. J)
   buttons_blocked_ = any_button_low();

@@ -100,6 +100,7 @@ class Box {
   void reply(std::string_view text);
   void prompt(char c);
   void send_error(char letter);
+  [[nodiscard]] std::int32_t last_slowed_at() const;
   [[nodiscard]] int limits_byte() const;
   [[nodiscard]] int inputs_byte() const;
   void digitize();
@@ -138,6 +139,7 @@ class Box {
   [[nodiscard]] bool limit_active(int axis, Sign side) const;
   [[nodiscard]] std::optional<std::int64_t> turns_until_stop(int axis, Sign sign, bool homing) const;
   void note_closed(int axis);
+  void note_slowing(Instant when, std::int32_t counter) { slowed_when_ = when, slowed_at_ = counter; }
 
   // emulator_run.cpp
   void start_run(int program);
@@ -149,7 +151,8 @@ class Box {
   void begin_moves();
   void begin_next_moves();
   void moves_done();
-  void take_motion_end(Box& box, bool homing);
+  void take_motion_end(Box& box);
+  bool tell_first_of_pair();
   void end_frame();
   void finish_run();
   void end_stopped_run();
@@ -246,6 +249,7 @@ class Box {
   Jog jog_;
   Run run_;
   std::int32_t slowed_at_ = 0;  ///< `*`
+  Instant slowed_when_ = never_changed;
   std::array<std::array<std::int32_t, 4>, 2> captured_{};
   int captures_ = 0;
   bool limit_was_hit_ = false;

@@ -98,7 +98,7 @@ void Box::sync() {
   if (!motion_.slowing_noted && slows && *slows <= now_) {
     std::int64_t at = motion_.profile.steps(*slows);
     if (!motion_.limit_at || at < *motion_.limit_at) {
-      slowed_at_ = wrap_position(motion_.from + factor(motion_.sign) * at);
+      note_slowing(*slows, wrap_position(motion_.from + factor(motion_.sign) * at));
       motion_.slowing_noted = true;
     }
   }
@@ -193,7 +193,7 @@ void Box::decelerate() {
   if (slows && *slows <= now_) return;  // on its way down already
   motion_.come_back = 0;
   motion_.stopping = true;
-  slowed_at_ = axes_[ix(motion_.axis)].counter;
+  note_slowing(now_, axes_[ix(motion_.axis)].counter);
   motion_.slowing_noted = true;
   motion_.profile = Profile::stop(now_, motion_.profile.distance(now_), motion_.profile.speed(now_),
                                   ramp(motion_.axis).decel);

@@ -63,7 +63,6 @@ void Box::nonstop_index(const Command& command) {
   ++moves_begun_;
   run_.moves.clear();
   run_.next_move = 0;
-  run_.homing = false;
   start_motion(MotionKind::nonstop, axis, sign,
                motion::Profile::change(now_, 0, now, wanted, ramp(axis), std::abs(command.value)));
   run_.doing = Doing::moving;
@@ -105,14 +104,16 @@ void Box::end_nonstop(int u, int at) {
     if (!there) return raise(error_nonstop);
     const Command index = program[frame.next++];
     if (!n.moving) return do_index(index);
-    slowed_at_ = axes_[ix(axis)].counter;
+    const bool minus = (index.value < 0) != reversed(axis);
+    if (minus != (n.sign == Sign::minus)) return raise(error_nonstop);  // no way to stop goes backwards
+    note_slowing(now_, axes_[ix(axis)].counter);
     start_motion(MotionKind::index, axis, n.sign,
                  Profile::stop_within(now_, 0, Pps(n.speed), std::abs(index.value)));
     run_.doing = Doing::moving;
     return;
   }
   if (u == 99 || !n.moving) return;
-  slowed_at_ = axes_[ix(axis)].counter;
+  note_slowing(now_, axes_[ix(axis)].counter);
   const Profile stop = Profile::stop(now_, 0, Pps(n.speed), ramp(axis).decel);
   start_motion(MotionKind::index, axis, n.sign, stop);
   run_.doing = Doing::moving;

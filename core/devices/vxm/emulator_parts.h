@@ -137,7 +137,7 @@ struct Run {
   bool step_allowed = false;  ///< G let one held command go
   std::vector<PlannedMove> moves;
   std::size_t next_move = 0;
-  bool homing = false, hit_limit = false;
+  bool hit_limit = false;
   std::array<std::int64_t, 2> way_back{};
   std::optional<std::int32_t> pick_from;  ///< counter before an absolute index inside JM-x
   int pick_axis = 0;

@@ -49,7 +49,7 @@ bool Box::run_if_due() {
   bool changed = false;
   switch (run_.doing) {
     case Doing::moving:
-      if (motion_.active || (slave() != nullptr && slave()->motion_.active)) return false;
+      if (motion_.active || (slave() != nullptr && slave()->motion_.active)) return tell_first_of_pair();
       moves_done();
       changed = true;
       break;
@@ -185,14 +185,13 @@ void Box::begin_next_moves() {
       if (box == nullptr) return;                         // everything is reset
       if (box != this) box->memory_.programs[0].clear();  // the Master works through it (App. G)
       current_motor_ = move.motor;
-      run_.homing = move.home != 0;
       ++moves_begun_;
       box->begin_index((move.motor - 1) % motors_per_controller, move.distance, move.home);
     }
     run_.doing = Doing::moving;
     if (motion_.active || (slave() != nullptr && slave()->motion_.active)) return;
-    take_motion_end(*this, run_.homing);
-    if (slave() != nullptr) take_motion_end(*slave(), run_.homing);
+    take_motion_end(*this);
+    if (slave() != nullptr) take_motion_end(*slave());
     if (run_.hit_limit) break;
   }
   if (!run_.on) return;
@@ -213,17 +212,31 @@ void Box::begin_moves() {
 /// All motors stand that this command has started.
 void Box::moves_done() {
   if (motion_ended_ && motion_.kind == MotionKind::nonstop) nonstop_motion_ended();
-  take_motion_end(*this, run_.homing);
-  if (slave() != nullptr && !slave()->run_.on) take_motion_end(*slave(), run_.homing);
+  take_motion_end(*this);
+  if (slave() != nullptr && !slave()->run_.on) take_motion_end(*slave());
   if (!run_.on) return;
   if (run_.stop_asked) return end_stopped_run();
   if (run_.hit_limit) return finish_run();
   begin_next_moves();
 }
 
+/// Of a pair ( ) the motor that stands first: a switch that it met is told when it meets it, not when the
+/// other has come to its end (App. F).
+bool Box::tell_first_of_pair() {
+  bool told = false;
+  for (Box* box : {this, slave()}) {
+    if (box == nullptr || box->motion_.active || (box != this && box->run_.on)) continue;
+    if (!box->motion_ended_ || box->motion_.kind == MotionKind::nonstop) continue;
+    take_motion_end(*box);
+    told = told || !box->motion_ended_;
+  }
+  return told;
+}
+
 /// A limit hit is told to the host and may end the program (App. F); moves to a limit never end it.
-void Box::take_motion_end(Box& box, bool homing) {
+void Box::take_motion_end(Box& box) {
   const MotionKind kind = box.motion_.kind;
+  const bool homing = kind == MotionKind::home;
   if (!box.motion_ended_ || kind == MotionKind::jog || kind == MotionKind::joystick) return;
   box.motion_ended_ = false;
   if (box.motion_.end != MotionEnd::limit) return;

@@ -90,7 +90,7 @@ bool Box::status_letter(char c) {
     case 'X': reply(position_reply(axes_[0].counter)); return true;
     case 'Y': reply(position_reply(axes_[1].counter)); return true;
     case '!': capture(); return true;
-    case '*': reply(position_reply(slowed_at_)); return true;
+    case '*': reply(position_reply(last_slowed_at())); return true;
     case '?': reply(std::string(1, static_cast<char>(limits_byte()))); return true;
     case '~': reply(std::string(1, static_cast<char>(inputs_byte()))); return true;
     case '$': reply(std::string(1, static_cast<char>(outputs() & 0x0F))); return true;
@@ -218,6 +218,12 @@ void Box::zero_all() {
   }
   if (motion_.active) motion_.from = wrap_position(-factor(motion_.sign) * motion_.applied);
   if (slave_found()) slave()->zero_all();
+}
+
+/// Of all motors, the Slave's among them (V28).
+std::int32_t Box::last_slowed_at() const {
+  const Box* s = slave_found() ? slave() : nullptr;
+  return s != nullptr && s->slowed_when_ > slowed_when_ ? s->slowed_at_ : slowed_at_;
 }
 
 int Box::limits_byte() const {

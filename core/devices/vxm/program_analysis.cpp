@@ -48,10 +48,19 @@ class Walk {
       }
       out_.report.cost[slot] = bytes;
     }
+    put_modes();
+    out_.last_slot = slot_;
     return std::move(out_);
   }
 
  private:
+  /// A text may make the controller the Master of a Slave, or forget to: a rehearsal has the Slave that its
+  /// motors need.
+  void put_modes() {
+    const int master = out_.motors > motors_per_controller ? mode_master : 0;
+    for (auto mode = modes_.rbegin(); mode != modes_.rend(); ++mode)
+      out_.script.insert(mode->place, "setDM" + std::to_string((mode->value & ~mode_master) | master) + ",");
+  }
   /// At a return: that of the line's end, or one that an old file has in the middle of it.
   void end_remark(int end) {
     const int remark = std::exchange(remark_at_, -1);
@@ -109,8 +118,27 @@ class Walk {
       case Reading::Kind::word: return word(r);
       case Reading::Kind::no_number: return nonsense(r, true);
       case Reading::Kind::unknown:
+        if (is_fraction(r)) return;
+        [[fallthrough]];
       case Reading::Kind::broken: return nonsense(r, false);
     }
+  }
+
+  /// "I1M400.0": the period ends the number, and each digit behind it is dropped.
+  bool is_fraction(const Reading& r) {
+    const auto at = place(r.begin - base_);
+    const auto is_number = [](char c) { return c >= '0' && c <= '9'; };
+    if (chunk_bad_ || !is_number(r.letter) || at >= text_.size()) return false;
+    std::size_t from = at, to = at + 1;
+    while (from > 0 && is_number(text_[from - 1])) --from;
+    while (to < text_.size() && is_number(text_[to])) ++to;
+    if (from == 0 || text_[from - 1] != '.') return false;
+    if (from < at) return true;  // said at its first digit
+    const Place p{number_, static_cast<int>(from) - 1, static_cast<int>(to - from) + 1};
+    token(p, TokenKind::plain);
+    warn(p, "The period ends the number: the fraction " + std::string(text_.substr(from - 1, to - from + 1)) +
+                " is dropped.");
+    return true;
   }
 
   /// One problem for each stretch between enders: what follows nonsense is nonsense too.
@@ -139,7 +167,12 @@ class Walk {
       case 'E':
       case 'F':
       case 'G': return;
-      case 'R': ran_ = true; return;
+      case 'R':
+        ran_ = true;
+        if (out_.run_slot >= 0)
+          warn(p, "This is not the first R of the text. A dry run makes one run only, that of the last R.");
+        out_.run_slot = slot_;
+        return;
       case 'C':
         out_.programs[slot_].clear();
         report_->first_command = 0, report_->command_count = 0;
@@ -185,16 +218,25 @@ class Walk {
     if (ran_) lost_after_run(p);
     if (is_stored(r.head)) return stored(r, p);
     if (r.head == Head::PM && r.has_value) return heading(r, p);
-    token(p, TokenKind::plain);
     const bool asks = r.head >= Head::get_M || !(r.has_value || r.head == Head::set_D0);
+    const bool sets = r.has_value && !asks;
+    if (sets && !may_be_set(r)) {
+      token(p, TokenKind::bad);
+      return out_.report.problems.push_back(problem_of_setting(r, typed(r), p));
+    }
+    token(p, TokenKind::plain);
     warn(p, std::string(typed(r)) + (asks ? " asks the controller and is no part of the program."
                                           : " acts at once when it is sent and is no part of the program."));
     if (r.head == Head::del) {
       if (size() > 0) out_.programs[slot_].pop_back();
       out_.script += "del";
     }
-    const bool harmless = r.has_value && r.head != Head::set_B && r.head != Head::set_DM;
-    if (!asks && harmless) out_.script += std::string(typed(r)) + ",";
+    if (sets && r.head == Head::set_DM) {
+      nf90_ = (r.value & mode_nf90) != 0;
+      modes_.push_back({out_.script.size(), static_cast<int>(r.value)});
+    } else if (sets && r.head != Head::set_B) {
+      out_.script += std::string(typed(r)) + ",";
+    }
     out_.motors = std::max(out_.motors, r.motor <= max_motors ? r.motor : 0);
   }
 
@@ -213,7 +255,7 @@ class Walk {
   }
 
   void stored(const Reading& r, const Place& p) {
-    const auto what = meaning(r, motor_, false);
+    const auto what = meaning(r, motor_, nf90_);
     const Command* command = std::get_if<Command>(&what);
     if (command == nullptr) {
       token(p, TokenKind::bad);
@@ -265,6 +307,12 @@ class Walk {
   std::int64_t base_ = 0;
   std::optional<Command> group_;
   Place group_place_, bracket_place_;
+  struct Mode {  ///< setDM: where it stands in the script
+    std::size_t place = 0;
+    int value = 0;
+  };
+  std::vector<Mode> modes_;
+  bool nf90_ = false;
   bool bracket_ = false, ran_ = false, warned_after_run_ = false, chunk_bad_ = false;
 };
 

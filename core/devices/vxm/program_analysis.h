@@ -26,6 +26,8 @@ struct Analysis {
   bool has_headings = false;
   int motors = 0;      ///< the highest that is spoken of; a Slave's inputs count as 3
   std::string script;  ///< what has to be sent to bring the text into a controller that is on-line
+  int run_slot = -1;   ///< the program that the text's last R runs; -1: it has no R
+  int last_slot = 0;   ///< the program that is selected at its end
 };
 
 [[nodiscard]] Analysis analyse_text(std::string_view text, int slot);
@@ -37,6 +39,9 @@ void check_programs(Analysis& analysis);
 /// typed.
 [[nodiscard]] Problem problem_of(const Reading& word, const Refusal& refusal, std::string_view text,
                                  const Place& place, int current_motor);
+/// Whether the controller takes the number of a set command, B, O or PMA; and what to say if not.
+[[nodiscard]] bool may_be_set(const Reading& word);
+[[nodiscard]] Problem problem_of_setting(const Reading& word, std::string_view text, const Place& place);
 /// Likewise for what is no command at all.
 [[nodiscard]] Problem problem_of_text(std::string_view text, const Place& place, bool number_missing);
 

@@ -134,6 +134,24 @@ bool is_good(const std::string& text) {
   return any;
 }
 
+struct ValueRange {
+  std::int64_t low = 0, high = 0;
+  bool also_zero = false;
+};
+
+/// Of a set command, B or O, by the table of set-up values.
+ValueRange range_of_setting(const Reading& w) {
+  if (w.head == Head::B) return {0, max_backlash};
+  if (w.head == Head::O) return {0, max_limit_report};
+  constexpr std::string_view set = "set";
+  const Form& form = form_of(w.head);
+  const std::string name =
+      std::string(form.text.substr(set.size())) + (form.motor == Part::required ? "mM" : "");
+  for (const SetupFact& fact : setup_facts)
+    if (fact.mnemonic == name) return {fact.min, fact.max, fact.also_zero};
+  return {};
+}
+
 /// Without what no font can draw.
 std::string readable(std::string_view text) {
   std::string out;
@@ -148,6 +166,29 @@ std::string readable(std::string_view text) {
 }
 
 }  // namespace
+
+bool may_be_set(const Reading& w) {
+  if (form_of(w.head).motor == Part::required && (w.motor < 1 || w.motor > max_motors)) return false;
+  if (w.head == Head::PMA) return w.value < program_count || (w.value == pma_off && !w.minus);
+  if (w.minus && (w.head != Head::set_L || w.value == 0)) return false;
+  if (w.head == Head::set_B)
+    return std::any_of(bauds.begin(), bauds.end(), [&](const Baud& b) { return b.number == w.value; });
+  const ValueRange range = range_of_setting(w);
+  const std::int64_t value = w.minus ? -w.value : w.value;
+  return (value >= range.low && value <= range.high) || (range.also_zero && value == 0);
+}
+
+Problem problem_of_setting(const Reading& w, std::string_view text, const Place& p) {
+  const Form& form = form_of(w.head);
+  if (form.motor == Part::required && (w.motor < 1 || w.motor > max_motors))
+    return at(p, "There is no such motor. Motors are 1 to 4.");
+  const ValueRange range = range_of_setting(w);
+  std::string allowed = number(range.low) + " to " + number(range.high);
+  if (range.also_zero && range.low > 0) allowed += ", or 0";
+  if (w.head == Head::set_B) allowed = "9, 19 or 38";
+  if (w.head == Head::PMA) allowed = "0 to 4, -0 to -4, or 255";
+  return at(p, readable(text) + " is not possible: " + std::string(form.text) + " takes " + allowed + ".");
+}
 
 Problem problem_of_text(std::string_view text, const Place& p, bool number_missing) {
   const std::string shown = readable(text);

@@ -50,8 +50,8 @@ class Rehearsing {
 
   Rehearsal run() {
     Box& box = emulator_.box();
-    emulator_.receive("F" + analysis_.script);
-    emulator_.receive("PM" + std::to_string(options_.slot) + ",");
+    emulator_.receive("F" + selecting(options_.slot) + analysis_.script);
+    emulator_.receive(selecting(slot_to_run()));
     for (int i = 0; i < program_count; ++i)
       if (box.program(i).used() > 0) result_.program_size[std::to_string(i)] = box.program(i).used();
     if (box.error() != 0) {
@@ -73,6 +73,13 @@ class Rehearsing {
   }
 
  private:
+  static std::string selecting(int slot) { return "PM" + std::to_string(slot) + ","; }
+  /// That of the text's R; without one the slot asked for, unless the text leaves it empty.
+  [[nodiscard]] int slot_to_run() {
+    if (analysis_.run_slot >= 0) return analysis_.run_slot;
+    const bool holds_it = options_.slot >= 0 && options_.slot < program_count;
+    return holds_it && !emulator_.box().program(options_.slot).empty() ? options_.slot : analysis_.last_slot;
+  }
   static EmulatorOptions emulator_options(int motors) {
     EmulatorOptions options;
     options.motors = motors;

@@ -63,6 +63,8 @@ constexpr std::array<Form, 49> forms{{
 constexpr std::string_view letters = "QRNKCDEFGHVXYZTxyM!#*?~$@()[]";
 constexpr std::int64_t absurd = 1'000'000'000;  // beyond every range
 
+constexpr int no_such_motor = 99;  // 0 would mean: none given
+
 bool is_silent(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\0'; }
 
 const Form* find_form(std::string_view text) {
@@ -104,7 +106,8 @@ Reader::Readings Reader::feed(char c) {
   if (stage_ == Stage::skip) return out;
   if (stage_ != Stage::start) {
     if (go_on_with(c, out)) return out;
-    if (digits_ > 0 && stage_ != Stage::head) {  // after a digit: all up to the ender is lost
+    const bool digit_read = stage_ == Stage::head ? is_digit(text().back()) : digits_ > 0;  // setD0 has one
+    if (digit_read) {  // all up to the ender is lost (V07)
       stage_ = Stage::skip;
       return out;
     }
@@ -164,7 +167,7 @@ bool Reader::take_number(char c, Readings& out) {
   if (stage_ == Stage::motor_or_value) {
     if (is_digit(c)) return take_value(c);
     if (c == 'M' && digits_ > 0 && !current_.minus) {
-      current_.motor = digits_ == 1 ? static_cast<int>(number_) : 99;
+      current_.motor = digits_ == 1 && number_ != 0 ? static_cast<int>(number_) : no_such_motor;
       number_ = 0, digits_ = 0, stage_ = Stage::value;
       if (form.value == Part::none) {
         current_.end = place_;

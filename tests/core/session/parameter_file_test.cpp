@@ -90,6 +90,17 @@ TEST(ParameterFile, OtherModelIsRefused) {
               HasSubstr("x.toml is for a controller \"other\", this one is \"toy\"."));
 }
 
+TEST(ParameterFile, AValueWithDecimalsIsSaidToBeInPartsOfItsUnit) {
+  Catalog c = catalog();
+  c.params[0].decimals = 3;
+  Backup b;
+  b.model = "toy";
+  b.parameters.push_back({c.params[0].mnemonic, 800, 0});
+  EXPECT_THAT(write_backup(b, c), HasSubstr(", in thousandths\n"));
+  c.params[0].decimals = 2;
+  EXPECT_THAT(write_backup(b, c), HasSubstr(", in hundredths\n"));
+}
+
 TEST(ParameterFile, DiskFullIsSaid) {
   Backup b;
   b.model = "toy";

@@ -57,7 +57,7 @@ END
 ;# error 23:1 no SUB 4
 ;# error 24:7 0 to 31
 ;# error 25:4 no brackets
-;# error 26:6 division by zero
+;# warning 26:6 division by zero
 ;# error 27:1 means nothing
 ;# error 28:1 begins with a word
 ;# error 29:1 Is it SSPDX?

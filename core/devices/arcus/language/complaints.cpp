@@ -146,9 +146,13 @@ Complaint unknown_word(const Dialect& dialect, std::string_view word) {
         shown + " belongs to the " + std::string(other->model_name) + ". The " + name + " does not know it.",
         {}};
   }
-  std::string guess = nearest(dialect, letters);
+  const bool one_letter_and_number = letters.size() == 1 && number >= 0;  // near to too many words
+  std::string guess = one_letter_and_number ? std::string() : nearest(dialect, letters);
   if (guess.empty()) return {shown + " is nothing that a program of the " + name + " knows.", {}};
-  if (number >= 0) guess += std::string(word.substr(letters.size()));
+  if (number >= 0) {
+    if (find_name(dialect, guess, -1)) guess += "=";  // its value stands there, no number of its own
+    if (!find_word(dialect, guess)) guess += word.substr(letters.size());
+  }
   return {shown + " is not known. Is it " + guess + "?", guess};
 }
 

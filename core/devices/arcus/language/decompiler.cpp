@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/devices/arcus/language/encoding.h"
+#include "core/devices/arcus/language/text_lines.h"
 
 namespace hw::arcus::language {
 namespace {
@@ -76,6 +77,23 @@ class Writer {
 
 Decompiled decompile(const std::vector<std::string>& lines, const Dialect& dialect) {
   return Writer(lines, dialect).run();
+}
+
+std::string program_alone(const std::vector<std::string>& lines, const Dialect& dialect, int number) {
+  const Program program = decode(lines, dialect);
+  const auto head = program.programs[static_cast<std::size_t>(number)];
+  if (!head) return {};
+  const auto heads_section = [](const Instruction& i) { return i.op == Opcode::prg || i.op == Opcode::sub; };
+  const auto begin = program.code.begin() + *head;
+  const auto end = std::find_if(begin + 1, program.code.end(), heads_section);
+  const Decompiled whole = decompile(lines, dialect);
+  const int first = whole.source_line[*head];
+  const int last = whole.source_line[static_cast<std::size_t>(end - program.code.begin()) - 1];
+  std::string text;
+  for_each_line(whole.text, [&](std::string_view line, int row) {
+    if (row >= first && row <= last) text.append(line) += '\n';
+  });
+  return text;
 }
 
 std::string source_of(const Instruction& i, const Dialect& dialect) {

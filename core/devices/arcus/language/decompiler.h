@@ -16,6 +16,10 @@ struct Decompiled {
 /// Unused lines at the end do not count.
 [[nodiscard]] Decompiled decompile(const std::vector<std::string>& lines, const Dialect& dialect);
 
+/// The text of program `number` alone, without subroutines; empty: there is none.
+[[nodiscard]] std::string program_alone(const std::vector<std::string>& lines, const Dialect& dialect,
+                                        int number);
+
 /// One statement in the maker's form: "HOMEX+", "V2=V1+1".
 [[nodiscard]] std::string source_of(const Instruction& statement, const Dialect& dialect);
 

@@ -188,9 +188,11 @@ bool LineParser::parse_arc() {
     if (!(n == 0 && letter_o) && !number(value)) return false;
     i_.values[n] = number_operand(value);
   }
-  if (i_.values[3].number < 0)
+  if (!circle && i_.values[3].number < 0)
     return complain((*lexemes_)[at_ - 2].begin, (*lexemes_)[at_ - 1].end,
                     "The swept angle is never negative: ARCP turns clockwise, ARCN counter-clockwise.");
+  if (!circle && i_.values[3].number == 0)
+    return complain((*lexemes_)[at_ - 1], "The swept angle is more than 0, in thousandths of a degree.");
   return expect_end();
 }
 
@@ -255,7 +257,7 @@ bool LineParser::parse_variable_assignment() {
     if (!operand(i_.values[1])) return false;
     const bool divides = *operation == Operator::divide || *operation == Operator::remainder;
     if (divides && i_.values[1] == number_operand(0))
-      return complain(second, "A division by zero would stop the program in error.");
+      warn(second.begin, second.end, "A division by zero is an error of the program: it goes to SUB 31.", {});
   } else if (i_.values[0].kind == Operand::Kind::quantity) {
     i_.op = Opcode::compute;
     i_.operation = Operator::copy;

@@ -36,7 +36,8 @@ Turn Vm::first_turn(Instant now) const { return std::max(turn_at_or_after(now), 
 void Vm::start(Thread& thread, std::uint16_t line, Turn turn) {
   thread = {};
   thread.state = ThreadState::running;
-  thread.line = thread.first_line = line;
+  const bool headed = program_->code[line].op == Opcode::prg;  // a heading costs no turn (AMB-127)
+  thread.line = thread.first_line = static_cast<std::uint16_t>(headed ? line + 1 : line);
   thread.due = turn;
 }
 

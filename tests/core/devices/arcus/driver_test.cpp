@@ -417,6 +417,36 @@ TEST_F(DriverTest, ReadoutsVariablesAndAnalogAreLiveWhenWatched) {
   EXPECT_EQ(latest.analog[2], 1234);
 }
 
+// A round reads one of the eight.
+TEST_F(DriverTest, AnAnalogInputIsReadWhenItIsAskedFor) {
+  start(pmx);
+  run(5);
+  for (int n = 1; n <= 8; ++n) (void)loop->operate(bench::Analog(n, 1000 + n));
+  const Instant asked_at = time.now();
+  EXPECT_EQ(perform(intent::ReadAnalog(8)), "");
+  EXPECT_EQ(latest.analog[7], 1008);
+  EXPECT_GE(latest.analog_seen_at[7], asked_at);
+  EXPECT_NE(perform(intent::ReadAnalog(9)), "") << "there is none";
+}
+
+// Decisions AMB-087 and AMB-091: taken, remembered, not shown.
+TEST_F(DriverTest, AnOutputThatTheControllerUsesItselfIsSaidToBe) {
+  start(dmx);
+  run(15);
+  ASSERT_EQ(param("EDO"), 1);
+  EXPECT_EQ(
+      perform(intent::SetOutput(1, false)),
+      "DO1 stays on: it shows in-position while EDO=1 and StepNLoop is on. The controller has taken DO1=0 "
+      "and remembers it. It shows as soon as the output is free.");
+  EXPECT_THAT(perform(intent::SetOutput(3, true)), HasSubstr("DO3 stays off: it shows the alarm"));
+  EXPECT_EQ(perform(intent::SetOutput(2, false)), "");
+  EXPECT_EQ(query("SYNO"), "OK");
+  EXPECT_THAT(perform(intent::SetOutput(2, false)), HasSubstr("DO2 stays on: the controller itself uses it"))
+      << "it stands at the sync position";
+  ASSERT_EQ(perform(intent::SetParam("EDO", 0)), "");
+  EXPECT_EQ(perform(intent::SetOutput(1, false)), "");
+}
+
 // ---- actions
 
 TEST_F(DriverTest, ACircleIsDrawnAndEndsWhereItBegan) {

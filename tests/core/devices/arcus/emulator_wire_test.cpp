@@ -25,6 +25,15 @@ TEST(ArcusWire, BytesMayComeOneByOneOrManyCommandsAtOnce) {
   EXPECT_EQ(rig.raw("@00HS\r\n@00LS\r\n\r\n@00\r@00PX\r"), "2000\r100\r0\r");
 }
 
+// Hosts expect `?` and what they sent, never silence (decision AMB-007). What is cut off is not obeyed.
+TEST(ArcusWire, ATextThatIsTooLongIsRefused) {
+  Rig rig(Which::pmx);
+  EXPECT_EQ(rig.raw("@00" + std::string(254, 'A') + "\r"), "?" + std::string(253, 'A') + "\r");
+  EXPECT_EQ(rig.raw("@00HS=2" + std::string(300, ' ') + "5\r").substr(0, 6), "?HS=2 ");
+  EXPECT_EQ(rig.ask("HS"), "1000");
+  EXPECT_EQ(rig.raw("@01" + std::string(300, 'A') + "\r"), "") << "another's";
+}
+
 TEST(ArcusWire, BroadcastIsObeyedInSilenceByTheDmxOnly) {
   Rig dmx(Which::dmx);
   EXPECT_EQ(dmx.raw("@00INC\r@00MM\r@00FOO\r"), "");
@@ -85,7 +94,8 @@ TEST(ArcusWire, OptionsThatMeanNothingAreRefusedWithASentence) {
 TEST(ArcusWire, OverlongAndBinaryLinesAreSurvived) {
   Rig rig(Which::dmx);
   EXPECT_EQ(rig.raw(std::string(5000, 'x') + "\r@01MM\r"), std::string("0\0", 2));
-  EXPECT_EQ(rig.raw("@01" + std::string(1000, '9') + "\r@01MM\r"), std::string("0\0", 2));
+  EXPECT_EQ(rig.raw("@01" + std::string(1000, '9') + "\r@01MM\r"),
+            "?" + std::string(253, '9') + std::string("\0000\0", 3));
 }
 
 TEST(ArcusWire, MemorySurvivesAsText) {

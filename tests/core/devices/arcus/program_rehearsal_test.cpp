@@ -71,6 +71,45 @@ TEST(PmxRehearsal, ACircleReachesItsFarEndsExactly) {
   EXPECT_EQ(r->axes[1].travel, 4000);
 }
 
+// Ends in the middle of a jog: 45 ramped from 100 to 1000 in 0.3 s, then 4.7 s at 1000 a second.
+TEST_P(ArcusRehearsal, WhenTheTimeIsOverMovingAxesAreWhereTheyAre) {
+  const auto r = rehearse("JOGX+\nEND\n", 5);
+  ASSERT_TRUE(r) << r.error().sentence();
+  EXPECT_FALSE(r->finished);
+  EXPECT_NEAR(static_cast<double>(r->axes[0].position), 165 + 4700, 5);
+  EXPECT_EQ(r->axes[0].travel, r->axes[0].position);
+  EXPECT_EQ(r->axes[0].maximum, r->axes[0].position);
+}
+
+TEST_P(ArcusRehearsal, ACounterThatIsWrittenMakesNoWay) {
+  const auto r = rehearse("X500\nWAITX\nPX=5000\nEND\n");
+  ASSERT_TRUE(r) << r.error().sentence();
+  EXPECT_TRUE(r->finished) << r->error;
+  EXPECT_EQ(r->axes[0].position, 5000);
+  EXPECT_EQ(r->axes[0].minimum, 0);
+  EXPECT_EQ(r->axes[0].maximum, 5000);
+  EXPECT_EQ(r->axes[0].travel, 500);
+}
+
+// The counter is zeroed at the switch, and the ramp goes on behind it.
+TEST(PmxRehearsal, HomingMakesTheWayToTheSwitchAndBehindIt) {
+  RehearseOptions options;
+  options.bench_toml = "[axis.X]\nhome = [2000, 2600]\n";
+  const auto r = find_device_type("pmx-4ex-sa")->language().rehearse("HOMEX+\nWAITX\nEND\n", options);
+  ASSERT_TRUE(r) << r.error().sentence();
+  EXPECT_TRUE(r->finished) << r->error;
+  EXPECT_EQ(r->axes[0].position, 165);
+  EXPECT_EQ(r->axes[0].maximum, 2000);
+  EXPECT_EQ(r->axes[0].minimum, 0);
+  EXPECT_EQ(r->axes[0].travel, 2165);
+}
+
+TEST_P(ArcusRehearsal, SaysInWhichUnitItCounts) {
+  const auto r = rehearse("X1000\nWAITX\nEND\n");
+  ASSERT_TRUE(r) << r.error().sentence();
+  EXPECT_EQ(r->axes[0].in_counts, std::string_view(GetParam()) == "dmx-k-sa");
+}
+
 TEST_P(ArcusRehearsal, ATextWithAnErrorIsNotRehearsed) {
   const auto r = rehearse("X1\nFOO\nEND\n");
   ASSERT_FALSE(r);

@@ -67,6 +67,22 @@ TEST(Vme58Check, MistakesAreNamedWhereTheyStand) {
   }
 }
 
+TEST(Vme58Check, EachAxisHasLoopsOfItsOwn) {
+  EXPECT_TRUE(errors("AX LS2 AY LS2 AZ LS2 AT LS2 AU LS2 AX MR5 GO LE AY MR5 GO LE AZ MR5 GO LE "
+                     "AT MR5 GO LE AU MR5 GO LE")
+                  .empty());
+  EXPECT_TRUE(errors("AX LS2 AY WS0 AX MR5 GO LE AY MR5 GO WD AA LS2 AM LS2 AA LE AM LE").empty());
+  EXPECT_THAT(errors("AX LS2 AY MR5 GO LE").at(1).sentence, HasSubstr("LE has no LS"));
+  EXPECT_EQ(errors("AX LS2 AY LS2 LE").at(0).column, 3) << "the loop of X has no end";
+  EXPECT_TRUE(errors("AX LS2 MR5 GO ST AY WS0 KL").empty()) << "what was flushed needs no end";
+  EXPECT_EQ(check_program("AX MR5 AY GO").problems.size(), 1u) << "nothing was prepared for Y";
+}
+
+TEST(Vme58Check, ATabIsASpace) {
+  EXPECT_TRUE(errors("AX\tMR\t100\tGO\t# a\tremark").empty());
+  EXPECT_EQ(errors("AX\tXQ").at(0).column, 3);
+}
+
 TEST(Vme58Check, WhatMayBeMeantIsAWarning) {
   const auto report = check_program("AX GO");
   EXPECT_FALSE(report.has_errors());

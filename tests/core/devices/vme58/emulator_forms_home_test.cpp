@@ -126,12 +126,13 @@ VME58_FORM("vme58.stair.SP") {
   EXPECT_EQ(rig.velocity('X'), 0);
   rig.send("IC JG1000 ");
   rig.run_for(1s);
-  rig.send("SP0 ");
-  EXPECT_TRUE(rig.command_error()) << "behind it";
-  EXPECT_EQ(rig.velocity('X'), 1000);
-  rig.send("SP35000 ID ");
+  rig.send("SP0 ID ");
+  EXPECT_FALSE(rig.command_error()) << "behind it: there and back";
   rig.run_until_done("X");
-  EXPECT_EQ(rig.position('X'), 35'000);
+  EXPECT_EQ(rig.position('X'), 0);
+  rig.send("IC JG500 SP1000 ID ");
+  EXPECT_EQ(rig.run_until_done("X"), 2005ms) << "at the speed of the jog";
+  EXPECT_EQ(rig.position('X'), 1000);
 }
 
 VME58_FORM("vme58.stair.FP") {

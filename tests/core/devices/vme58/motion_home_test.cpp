@@ -167,10 +167,123 @@ TEST(VmeStaircase, AStopTooNearIsSteeperAndExact) {
   ASSERT_TRUE(s.motion.stop_at(X, here + 100));
   s.settle();
   EXPECT_EQ(s.motion.position(X), here + 100) << "a ramp would have needed 500";
+}
+
+struct StopAt {
+  double ac, jog, after_s;
+  std::int64_t at;
+  double rests_s;
+};
+TEST(VmeStaircase, AStopGoesToItsPlaceAtTheSpeedThatWasAskedFor) {
+  // Right behind the jog, and while it still speeds up: v/a and the way at v; or a triangle.
+  for (const StopAt& c : {StopAt{10'000, 500, 0, 1000, 2.05}, StopAt{10'000, -500, 0, -700, 1.45},
+                          StopAt{10'000, 0.5, 0, 5, 10.00005}, StopAt{100, 1000, 0.1, 1000, 6.324555},
+                          StopAt{10'000, 500, 0, 20, 0.089443}}) {
+    Stage s;
+    s.speeds(X, 200'000, c.ac);
+    s.motion.jog(X, c.jog);
+    s.wait(c.after_s);
+    ASSERT_TRUE(s.motion.stop_at(X, c.at));
+    EXPECT_TRUE(s.motion.occupied(X));
+    s.settle();
+    EXPECT_EQ(s.motion.position(X), c.at);
+    ASSERT_NE(s.find(What::rested), nullptr) << c.at;
+    EXPECT_NEAR(seconds(s.find(What::rested)->at.time_since_epoch()), c.rests_s, 2e-6);
+  }
+}
+
+TEST(VmeStaircase, AStopWhileTheStepIsReachedTakesTheSpeedOfTheStep) {
+  Stage s;
+  s.speeds(X, 200'000, 100);
+  s.motion.set_direction(X, Sign::plus);
+  ASSERT_TRUE(s.motion.move_velocity(X, 1, 1000));
+  s.wait(0.15);
+  EXPECT_FALSE(s.motion.occupied(X));
+  ASSERT_TRUE(s.motion.stop_at(X, 1000));
+  s.settle();
+  EXPECT_EQ(s.motion.position(X), 1000);
+  EXPECT_NEAR(seconds(s.find(What::rested)->at.time_since_epoch()), 6.324555, 2e-6);
+}
+
+TEST(VmeStaircase, AStopAtAPlaceBehindComesToRestAndGoesBack) {
+  for (const bool turning : {false, true}) {
+    Stage s;
+    s.speeds(X, 200'000, 10'000);
+    s.motion.jog(X, 1000);
+    s.wait(2);
+    ASSERT_EQ(s.motion.position(X), 1950);
+    if (turning) s.motion.jog(X, -1000);
+    EXPECT_FALSE(s.motion.stop_at(X, position_max + 1));
+    ASSERT_TRUE(s.motion.stop_at(X, 900));
+    EXPECT_TRUE(s.motion.occupied(X));
+    s.settle();
+    EXPECT_EQ(s.motion.position(X), 900);
+    EXPECT_EQ(s.motion.span(X).highest, 2000) << "50 counts of ramp";
+    EXPECT_EQ(s.motion.span(X).travel, 2000 + 1100);
+    EXPECT_EQ(s.count(What::rested), 1);
+    EXPECT_NEAR(seconds(s.find(What::rested)->at.time_since_epoch()), 3.3, 2e-6) << "back at 1000/s, too";
+  }
+}
+
+TEST(VmeStaircase, AStopTakesBackAWayBack) {
+  Stage s;
+  s.speeds(X, 200'000, 10'000);
   s.motion.jog(X, 1000);
+  s.wait(2);
+  ASSERT_TRUE(s.motion.stop_at(X, 900));
+  s.motion.stop(X);
+  s.settle();
+  EXPECT_EQ(s.motion.position(X), 2000);
+}
+
+TEST(VmeStaircase, ACounterThatIsLoadedOnTheWayChangesTheWayAndNotTheSpeed) {
+  Stage s;
+  s.speeds(X, 200'000, 10'000);
+  s.motion.jog(X, 500);
+  ASSERT_TRUE(s.motion.stop_at(X, 1000));
   s.wait(1);
-  EXPECT_FALSE(s.motion.stop_at(X, here));
-  s.motion.kill(X);
+  s.motion.load_position(X, 0);
+  s.wait(1);
+  EXPECT_DOUBLE_EQ(s.motion.velocity(X), 500);
+  s.settle();
+  EXPECT_EQ(s.motion.position(X), 1000);
+  EXPECT_NEAR(seconds(s.find(What::rested)->at.time_since_epoch()), 3.025, 0.003);
+}
+
+TEST(VmeStaircase, FpWhileTheMoveSpeedsUpGoesOnToTheSpeedOfTheMove) {
+  Stage s;
+  s.speeds(X, 1000, 100);
+  s.move({{X, 5000}});
+  s.wait(0.3);
+  ASSERT_TRUE(s.motion.force_position(X, 1000));
+  s.settle();
+  EXPECT_EQ(s.motion.position(X), 1000);
+  EXPECT_NEAR(seconds(s.find(What::rested)->at.time_since_epoch()), 6.324555, 2e-6);
+  Stage at_once;
+  at_once.speeds(X, 1000, 10'000);
+  at_once.motion.jog(X, 500);
+  ASSERT_TRUE(at_once.motion.force_position(X, 1000));
+  at_once.settle();
+  EXPECT_EQ(at_once.motion.position(X), 1000);
+  EXPECT_NEAR(seconds(at_once.find(What::rested)->at.time_since_epoch()), 2.05, 2e-6);
+}
+
+TEST(VmeStaircase, FpTakesNoStopBack) {
+  Stage s;
+  s.speeds(X, 1000, 1000);
+  s.motion.jog(X, 1000);
+  s.wait(2);
+  s.motion.stop(X);
+  s.wait(0.9);
+  ASSERT_TRUE(s.motion.force_position(X, 4000));
+  s.settle();
+  EXPECT_EQ(s.motion.position(X), 2000) << "500 counts of ramp from 1500";
+  s.motion.jog(X, 1000);
+  s.wait(2);
+  s.motion.jog(X, -1000);
+  ASSERT_TRUE(s.motion.force_position(X, 5000));
+  s.settle();
+  EXPECT_EQ(s.motion.position(X), 5000) << "and no jog behind it";
 }
 
 TEST(VmeStaircase, FpComesAsNearAsTheRampAllows) {

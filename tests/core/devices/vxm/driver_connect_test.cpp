@@ -200,7 +200,8 @@ TEST_F(VxmDriverConnect, ASlaveThatLosesItsPowerRestartsItsMasterOnce) {
   run(10);
   const std::string told_all = all_notices();
   int restarts = 0;
-  for (auto at = told_all.find("reports EB"); at != std::string::npos; at = told_all.find("reports EB", at + 1))
+  for (auto at = told_all.find("reports EB"); at != std::string::npos;
+       at = told_all.find("reports EB", at + 1))
     ++restarts;
   EXPECT_EQ(restarts, 1) << told_all;
   EXPECT_TRUE(told("motors 3 and 4 cannot be used"));
@@ -279,6 +280,83 @@ TEST_F(VxmDriverConnect, PollsFiveTimesASecondAtRestAndAsTheWireBearsInMotion) {
   loop->to_controller.clear();
   run(2);
   EXPECT_GE(count('X'), 83) << "43 rounds a second is all that 9600 baud can carry";
+}
+
+// ---- an error state from before: only K and res are heard
+
+class VxmDriverRecovery : public VxmDriverConnect {
+ protected:
+  /// A controller in EM, of which this console has not heard.
+  void open_one_in_error() {
+    loop = std::make_unique<test::Loopback>(time, make_emulator({}).value(), false);
+    loop->emulator().advance_to(time.now());
+    std::string text = "F", report;
+    for (int i = 0; i < 65; ++i) text += "I1M5,";
+    loop->emulator().receive(text);
+    loop->emulator().take_output(report);
+    ASSERT_EQ(report, "EM");
+    open();
+  }
+  auto times_sent(char letter) {
+    return std::count(loop->to_controller.begin(), loop->to_controller.end(), letter);
+  }
+};
+
+TEST_F(VxmDriverRecovery, TheUsersKEndsItAndIsSaidOnce) {
+  open_one_in_error();
+  EXPECT_EQ(latest.link.state, LinkState::lost);
+  EXPECT_THAT(health(), HasSubstr("takes only K: send K."));
+  EXPECT_THAT(query("X"), HasSubstr("fault: "));
+  run(20);
+  EXPECT_EQ(times_sent('K'), 0) << "never by itself";
+  EXPECT_EQ(query("K"), "^");
+  EXPECT_EQ(latest.link.state, LinkState::good);
+  EXPECT_EQ(times_sent('K'), 1);
+  EXPECT_EQ(query("M"), "0") << "the program stays (V34)";
+  run(2);
+  EXPECT_EQ(query("K"), "^") << "a later K is one of its own";
+  EXPECT_EQ(times_sent('K'), 2);
+}
+
+TEST_F(VxmDriverRecovery, TheTerminalMaySayItToo) {
+  open_one_in_error();
+  EXPECT_EQ(send("K"), "");
+  EXPECT_EQ(latest.link.state, LinkState::good);
+  EXPECT_EQ(times_sent('K'), 1);
+}
+
+TEST_F(VxmDriverRecovery, ResEndsItAndForgetsWhatWasNotStored) {
+  open_one_in_error();
+  EXPECT_EQ(query("res"), "");
+  EXPECT_EQ(latest.link.state, LinkState::good);
+  EXPECT_EQ(times_sent('K'), 0);
+  EXPECT_EQ(query("M"), "256");
+}
+
+TEST_F(VxmDriverRecovery, WhereNothingIsKBringsNothingAndIsNotRepeated) {
+  loop = std::make_unique<test::Loopback>(time, make_emulator({}).value(), false);
+  ASSERT_TRUE(loop->operate(bench::Power(false)));
+  open();
+  EXPECT_THAT(query("K"), HasSubstr("K was sent and brought nothing."));
+  run(30);
+  EXPECT_EQ(times_sent('K'), 1);
+  port_missing = true;
+  loop->pull();
+  run(10);
+  EXPECT_THAT(query("K"), HasSubstr("There is no port /dev/ttyUSB0."));
+  port_missing = false;
+  run(30);
+  EXPECT_EQ(times_sent('K'), 1) << "what was said to no wire is not said later";
+}
+
+TEST_F(VxmDriverConnect, ASlaveThatTheAddressLeavesOutIsSaid) {
+  loop = std::make_unique<test::Loopback>(time, make_emulator({{"motors", "4"}}).value(), false);
+  open();
+  ASSERT_EQ(latest.axis_count, 2);
+  EXPECT_TRUE(told("Open it with motors=4 in its address"));
+  for (const char* motor : {"M1M", "M2M"}) EXPECT_EQ(perform(intent::SetParam(motor, 4, true)), "");
+  run(1);
+  EXPECT_THAT(std::string(latest.notice.view()), HasSubstr("its motors 3 and 4 are not shown"));
 }
 
 }  // namespace

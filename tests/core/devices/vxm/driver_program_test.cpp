@@ -235,5 +235,32 @@ TEST_F(VxmDriverProgram, LinesThatTheControllerDidNotGetAreFound) {
               HasSubstr("Load it again before it is run."));
 }
 
+TEST_F(VxmDriverProgram, ResumeIsRefusedWhileAProgramWaitsForAnInput) {
+  start();
+  ASSERT_EQ(perform(intent::LoadProgram(0, "U0\nI1M400\n")), "");
+  ASSERT_EQ(perform(intent::RunProgram(0)), "");
+  run(1);
+  sent();
+  EXPECT_THAT(perform(intent::Resume()),
+              HasSubstr("it is not held and does not wait for G. Nothing was sent."));
+  EXPECT_EQ(sent(), "");
+  loop->operate(bench::Input(1, true));
+  EXPECT_TRUE(wait_idle());
+  EXPECT_EQ(position(), 400);
+}
+
+TEST_F(VxmDriverProgram, ATextThatStoresNothingIsRefused) {
+  start();
+  ASSERT_EQ(perform(intent::LoadProgram(0, "I1M7\n")), "");
+  sent();
+  EXPECT_EQ(perform(intent::LoadProgram(0, "Q Z\n!\n")),
+            "Nothing in this text is part of a program: Q in line 1, Z in line 1, ! in line 2. Nothing was "
+            "sent; the controller holds what it held. Commands that act at once are sent, not loaded.");
+  EXPECT_EQ(sent(), "");
+  EXPECT_EQ(query("M"), "252");
+  EXPECT_EQ(perform(intent::LoadProgram(-1, "PM-0\nR\n")), "") << "emptied on purpose";
+  EXPECT_EQ(query("M"), "256");
+}
+
 }  // namespace
 }  // namespace hw::vxm

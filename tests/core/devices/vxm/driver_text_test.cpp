@@ -88,5 +88,26 @@ TEST_F(VxmDriverText, TheStopButtonEndsAProgramFromElsewhere) {
   EXPECT_EQ(latest.program.ended_by, EndedBy::elsewhere);
 }
 
+// ---- what came before a question is no answer to it
+
+TEST_F(VxmDriverText, AnOlderPromptIsLeftToBeReadAndAnswersNothing) {
+  EXPECT_EQ(send("PM-0,I1M4000,R"), "");
+  EXPECT_TRUE(wait_idle());
+  const Instant asked = time.now();
+  EXPECT_EQ(query("R", 10), "^");
+  EXPECT_NEAR(seconds(time.now() - asked), 3.0, 0.05) << "the prompt of this run: 4000 steps take 3 s";
+  EXPECT_TRUE(wait_idle());
+  EXPECT_THAT(query("bogus", 0.2), HasSubstr("No answer came in 0.2 s."));
+  EXPECT_EQ(unsolicited(), "^") << "that of the first run";
+}
+
+TEST_F(VxmDriverText, AnOlderErrorReportIsLeftToBeReadAndAnswersNothing) {
+  send("Z");  // no Slave
+  run(2);
+  loop->drop(1000);
+  EXPECT_THAT(query("X", 0.3), HasSubstr("fault: "));
+  EXPECT_EQ(unsolicited(), "EB");
+}
+
 }  // namespace
 }  // namespace hw::vxm

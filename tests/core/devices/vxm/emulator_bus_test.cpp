@@ -1,4 +1,6 @@
 // Two controllers, start-up program, quirks (p.10, 30; App. C, G, O).
+#include <cmath>
+
 #include "tests/core/devices/vxm/rig.h"
 
 namespace hw::vxm::proof {
@@ -283,6 +285,41 @@ TEST(VxmSupply, WhatIsNotThereIsRefused) {
   EXPECT_FALSE(rig.emulator().operate(bench::Power(false, slave)));
   EXPECT_FALSE(rig.emulator().operate(bench::Breaker(slave, true)));
   EXPECT_TRUE(rig.power_lamp());
+}
+
+TEST(VxmBus, APairTellsASwitchWhenItIsMet) {
+  Rig rig = Rig::online_with_slave();
+  AxisPlace travel;
+  travel.plus = Steps(500);
+  rig.place(1, travel);
+  const Duration began = rig.elapsed();
+  rig.send("O1,(I3M1000,I1M1000,)I2M5,R");
+  EXPECT_TRUE(rig.run_until_output("O"));
+  // Ramps of 2000 steps/s2: 500 steps take sqrt(2*500/2000) s, 1000 with their way down 2*sqrt(1000/2000) s.
+  EXPECT_TRUE(same_time(rig.elapsed() - began, from_seconds(std::sqrt(0.5))));
+  EXPECT_TRUE(rig.run_until_output("^"));
+  EXPECT_EQ(rig.output(), "O^") << "told once";
+  EXPECT_TRUE(same_time(rig.elapsed() - began, index_time(1000) + index_time(5)));
+  EXPECT_EQ(rig.position(1), 500);
+  EXPECT_EQ(rig.position(3), 1000);
+
+  rig.send("PM-0,O3,(I3M1000,I1M1000,)I2M5,R");
+  const Duration again = rig.elapsed();
+  EXPECT_TRUE(rig.run_until_output("O"));
+  EXPECT_TRUE(same_time(rig.elapsed(), again)) << "it stands on its switch";
+  EXPECT_TRUE(rig.run_until_output("^"));
+  EXPECT_TRUE(same_time(rig.elapsed() - again, index_time(1000))) << "the other half ends first";
+  EXPECT_EQ(rig.position(2), 5) << "and the program with it";
+}
+
+TEST(VxmBus, TheLatestSlowingOfFourMotorsIsTold) {
+  Rig rig = Rig::online_with_slave();
+  rig.run("I3M4000,");
+  EXPECT_EQ(rig.ask("*"), "+0003000\r") << "1000 steps before its end";
+  rig.run("I1M-3000,");
+  EXPECT_EQ(rig.ask("*"), "-0002000\r") << "a motor of the Master is younger now";
+  rig.run("(I4M4000,I2M2000,)");
+  EXPECT_EQ(rig.ask("*"), "+0003000\r") << "motor 4 slows after motor 2";
 }
 
 }  // namespace hw::vxm::proof

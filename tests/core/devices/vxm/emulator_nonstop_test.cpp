@@ -196,4 +196,16 @@ TEST(VxmPulses, OutputTwoIsSeenHighForTheWidth) {
   EXPECT_FALSE(rig.out(2));
 }
 
+TEST(VxmNonstop, TheStoppingIndexOfU92GoesTheWayOfTheMotion) {
+  Rig rig = Rig::online();
+  rig.send("C");
+  rig.send("U77,I1M100,U92,I1M-100,R");
+  EXPECT_TRUE(rig.run_until_output("EC", 10s));
+  EXPECT_EQ(rig.load(1), 100) << "it does not go on the other way";
+  rig.send("K");
+  rig.output();
+  rig.run("U77,I1M-100,U92,I1M-100,");
+  EXPECT_EQ(rig.position(1), -100);
+}
+
 }  // namespace hw::vxm::proof

@@ -154,4 +154,19 @@ TEST(VxmSyntax, LocalModeTakesSevenLettersOnly) {
   EXPECT_EQ(rig.used_bytes(), 0);
 }
 
+TEST(VxmSyntax, ThereIsNoMotorZero) {
+  Rig rig = Rig::online();
+  rig.send("I2M5,I0M1,S0M5,A0M5,IA0M1,SA0M5,setM0M4,");
+  EXPECT_EQ(visible(rig.ask("lst")), "PM0 M252<cr>I2M5<cr>");
+  EXPECT_EQ(rig.ask("#"), "2\r") << "what is dropped changes no motor";
+}
+
+TEST(VxmSyntax, BehindTheDigitOfSetD0AllIsLostUpToTheEnder) {
+  Rig rig = Rig::online();
+  rig.send("I1M5,");
+  EXPECT_EQ(rig.ask("setD0V"), "");
+  EXPECT_EQ(rig.ask(",V"), "R");
+  EXPECT_EQ(rig.used_bytes(), 4) << "and nothing was erased";
+}
+
 }  // namespace hw::vxm::proof

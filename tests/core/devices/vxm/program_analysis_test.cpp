@@ -171,4 +171,48 @@ TEST(VxmAnalysis, AnythingAtAllCanBeAnalysed) {
   }
 }
 
+TEST(VxmAnalysis, AFractionIsAWarning) {
+  const auto report = analyse("I1M400.05,P10\n");
+  const Problem& p = only(report);
+  EXPECT_FALSE(p.error);
+  EXPECT_EQ(p.sentence, "The period ends the number: the fraction .05 is dropped.");
+  EXPECT_EQ(p.column, 6);
+  EXPECT_EQ(p.length, 3);
+  EXPECT_THAT(report.listing.at(0), ElementsAre("I1M400", "P10"));
+}
+
+TEST(VxmAnalysis, SettingsThatTheControllerWouldDropAreErrors) {
+  for (const auto& [text, sentence] : std::vector<std::pair<const char*, const char*>>{
+           {"setM1M9", "setM1M9 is not possible: setM takes 0 to 6."},
+           {"setM5M1", "There is no such motor. Motors are 1 to 4."},
+           {"setDM256", "setDM256 is not possible: setDM takes 0 to 255."},
+           {"setB10", "setB10 is not possible: setB takes 9, 19 or 38."},
+           {"setL1M-3", "setL1M-3 is not possible: setL takes -2 to 2."},
+           {"setJ1M39", "setJ1M39 is not possible: setJ takes 40 to 6000."},
+           {"setP1M-5", "setP1M-5 is not possible: setP takes 1 to 32767, or 0."},
+           {"B256", "B256 is not possible: B takes 0 to 255."},
+           {"O4", "O4 is not possible: O takes 0 to 3."},
+           {"PMA5", "PMA5 is not possible: PMA takes 0 to 4, -0 to -4, or 255."}}) {
+    const auto report = analyse(text);
+    EXPECT_TRUE(only(report).error) << text;
+    EXPECT_EQ(only(report).sentence, sentence);
+  }
+  for (const char* text :
+       {"setM1M6", "setDM255", "setB38", "setL1M-2", "setj1M0", "B255", "O3", "PMA-0", "PMA255"}) {
+    const auto report = analyse(text);
+    EXPECT_FALSE(only(report).error) << text << ": it acts at once, and that is told";
+  }
+}
+
+TEST(VxmAnalysis, MotorZeroIsNone) {
+  EXPECT_EQ(only(analyse("I0M5")).sentence, "There is no such motor. Motors are 1 to 4.");
+}
+
+TEST(VxmAnalysis, TheSecondRIsWarnedOf) {
+  const auto report = analyse("I1M5,R\nC\nI1M7,R\n");
+  const Problem& p = only(report);
+  EXPECT_FALSE(p.error);
+  EXPECT_EQ(p.line, 2);
+}
+
 }  // namespace

@@ -138,4 +138,66 @@ TEST(VxmRehearsal, OneHourIsQuick) {
   (void)took;
 }
 
+// ---- setDM in the text
+
+TEST(VxmRehearsal, InNf90EmulationRampsAreDoubled) {
+  EXPECT_NEAR(rehearse("setDM9,I1M400,\n").duration_s, 2 * std::sqrt(400 / 4000.0), 1e-6);
+  EXPECT_NEAR(rehearse("setDM9,setDM1,I1M400,\n").duration_s, 2 * std::sqrt(400 / 2000.0), 1e-6);
+}
+
+TEST(VxmRehearsal, InNf90EmulationIM0GoesToZero) {
+  const Rehearsal r = rehearse("setDM9\nI1M100,I1M0,\n");
+  EXPECT_EQ(r.axes[0].position, 0);
+  EXPECT_FALSE(r.limit_touched);
+  EXPECT_NEAR(r.duration_s, 4 * std::sqrt(100 / 4000.0), 1e-6);
+}
+
+TEST(VxmRehearsal, InNf90EmulationPausesRaiseOutputOne) {
+  RehearseOptions options;
+  options.for_seconds = 0.25;
+  EXPECT_EQ(rehearse("setDM9\nP5\n", options).outputs.at("1"), 1);
+  EXPECT_EQ(rehearse("setDM9\nP5\n").outputs.at("1"), 0);
+  EXPECT_EQ(rehearse("P5\n", options).outputs.at("1"), 0);
+}
+
+TEST(VxmRehearsal, InNf90EmulationLMinusZeroIsAMarker) {
+  const Rehearsal r = rehearse("setDM9\nI1M100,L-0,I1M5,L3,\n");
+  EXPECT_EQ(r.axes[0].position, 110) << "back to behind the marker, the last pass without the index";
+  EXPECT_EQ(r.program_size.at("0"), 12);
+  EXPECT_FALSE(vxm::program_language().rehearse("L-0,I1M5,L3,\n", {}).has_value());
+}
+
+TEST(VxmRehearsal, ProgramFourComesFirstWhenSetDMSaysSo) {
+  const Rehearsal r = rehearse("setDM129\nPM4,I2M7,PM0,I1M5,\n");
+  EXPECT_EQ(r.axes[0].position, 5);
+  EXPECT_EQ(r.axes[1].position, 7);
+}
+
+TEST(VxmRehearsal, TheSlaveThatTheMotorsNeedIsThereWhateverSetDMSays) {
+  const Rehearsal r = rehearse("setDM9\nI3M400,\n");
+  EXPECT_EQ(r.error, "");
+  ASSERT_EQ(r.axes.size(), 4u);
+  EXPECT_EQ(r.axes[2].position, 400);
+  EXPECT_NEAR(r.duration_s, 2 * std::sqrt(400 / 4000.0), 1e-6);
+  EXPECT_EQ(rehearse("setDM65\nI1M4,\n").error, "");
+}
+
+TEST(VxmRehearsal, RunsTheProgramThatTheTextRuns) {
+  const Rehearsal r = rehearse("PM2,I1M5,R\n");
+  EXPECT_EQ(r.axes[0].position, 5);
+  EXPECT_EQ(r.events.at(0).slot, 2);
+  EXPECT_EQ(rehearse("PM1,I1M3,PM2,I1M5,PM1,R,PM0,I1M9,\n").axes[0].position, 3);
+  EXPECT_EQ(rehearse("PM2,I1M5,\n").axes[0].position, 5) << "without R: program 0 is empty";
+  EXPECT_EQ(rehearse("PM2,I1M5,PM0,I1M7,PM2,\n").axes[0].position, 7) << "program 0 is not";
+  RehearseOptions options;
+  options.slot = 3;
+  EXPECT_EQ(rehearse("I1M8\n", options).axes[0].position, 8);
+}
+
+TEST(VxmRehearsal, AFractionIsDropped) {
+  const Rehearsal r = rehearse("I1M400.0\nP10.0,I1M5.75,\n");
+  EXPECT_EQ(r.axes[0].position, 405);
+  EXPECT_EQ(r.program_size.at("0"), 11);
+}
+
 }  // namespace

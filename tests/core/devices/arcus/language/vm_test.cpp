@@ -20,11 +20,11 @@ TEST(VmTurns, OneStatementPerThreadAndMillisecond) {
   bench.load("PRG 0\nV0=1\nV0=2\nV0=3\nEND\nPRG 1\nV1=1\nV1=2\nV1=3\nEND");
   bench.start(0);
   bench.start(1);
-  // PRG runs at 0 ms, the assignments at 1, 2 and 3 ms.
-  for (int ms = 1; ms <= 3; ++ms) {
+  // A heading costs no turn (AMB-127): the assignments run at 0, 1 and 2 ms.
+  for (int ms = 0; ms <= 2; ++ms) {
     bench.run_for(std::chrono::milliseconds(ms) - bench.now.time_since_epoch());
-    EXPECT_EQ(bench.vm.variable(0), ms);
-    EXPECT_EQ(bench.vm.variable(1), ms);
+    EXPECT_EQ(bench.vm.variable(0), ms + 1);
+    EXPECT_EQ(bench.vm.variable(1), ms + 1);
   }
 }
 
@@ -42,8 +42,8 @@ TEST(VmTurns, AProgramStartedByAnotherBeginsInTheNextTurn) {
   bench.load("PRG 0\nSR1=1\nV3=V1\nV4=V1\nEND\nPRG 1\nV1=7\nEND");
   bench.start(0);
   bench.run_ms(10);
-  EXPECT_EQ(bench.vm.variable(3), 0);  // program 1 was at its PRG line
-  EXPECT_EQ(bench.vm.variable(4), 0);  // and runs V1=7 after program 0 in this turn
+  EXPECT_EQ(bench.vm.variable(3), 0);  // program 1 runs V1=7 after program 0 in this turn
+  EXPECT_EQ(bench.vm.variable(4), 7);
   EXPECT_EQ(bench.vm.variable(1), 7);
 }
 

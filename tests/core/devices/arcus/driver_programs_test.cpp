@@ -1,0 +1,103 @@
+// Several programs in one stored code: which of them a text is, and whether what is to run, pause or go on is
+// there at all.
+#include "tests/core/devices/arcus/driver_fixture.h"
+
+namespace hw::arcus {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr std::string_view both[] = {"pmx-4ex-sa", "dmx-k-sa"};
+
+class Programs : public DriverTest {
+ protected:
+  std::string load(int slot, std::string text) { return perform(intent::LoadProgram(slot, std::move(text))); }
+  std::string held(int slot) {
+    notices.clear();
+    EXPECT_EQ(perform(intent::UploadProgram(slot)), "");
+    return program_text();
+  }
+  void next_model() {
+    TearDown();
+    latest = Snapshot();
+    notices.clear();
+  }
+};
+
+// Text without PRG is program 0 (decision AMB-116).
+TEST_F(Programs, ATextThatIsAnotherProgramIsNotWrittenOverThatOne) {
+  for (const std::string_view model : both) {
+    start(model);
+    ASSERT_EQ(load(0, "X400\nWAITX\nEND\n"), "");
+    EXPECT_EQ(load(1, "X401\nWAITX\nEND\n"),
+              "This text is program 0; begin it with PRG 1. Nothing was written.");
+    EXPECT_EQ(
+        load(1, "PRG 1\nX401\nWAITX\nEND\n"),
+        "The controller holds program 0 too, and a text replaces all programs. Nothing was written. Put "
+        "PRG 0 and PRG 1 into one text.");
+    EXPECT_EQ(held(0), "X400\nWAITX\nEND\n");
+    next_model();
+  }
+}
+
+TEST_F(Programs, EachOfTwoIsListedAlone) {
+  for (const std::string_view model : both) {
+    start(model);
+    ASSERT_EQ(load(1, "PRG 0\nX100\nWAITX\nEND\nPRG 1\nX200\nEND\nSUB 3\nV1=1\nENDSUB\n"), "");
+    EXPECT_EQ(held(1), "PRG 1\nX200\nEND\n");
+    EXPECT_EQ(held(0), "PRG 0\nX100\nWAITX\nEND\n\nPRG 1\nX200\nEND\n\nSUB 3\nV1=1\nENDSUB\n")
+        << "number 0 is the whole text";
+    ASSERT_EQ(load(0, "X100\nEND\n"), "");
+    EXPECT_EQ(held(1), "");
+    next_model();
+  }
+}
+
+TEST_F(Programs, OneThatIsNotThereDoesNotRun) {
+  for (const std::string_view model : both) {
+    start(model);
+    EXPECT_THAT(perform(intent::RunProgram(0)), HasSubstr("There is no program 0 in the stored code."));
+    ASSERT_EQ(load(0, "X100\nWAITX\nEND\n"), "");
+    EXPECT_EQ(perform(intent::RunProgram(0)), "");
+    ASSERT_TRUE(wait_idle());
+    EXPECT_EQ(position(), 100);
+    EXPECT_EQ(perform(intent::RunProgram(1)),
+              "There is no program 1 in the stored code. Nothing was started. Its text begins with PRG 1.");
+    next_model();
+  }
+}
+
+// It has ended before its state can be asked.
+TEST_F(Programs, AShortOneThatSomebodyElseStoredRuns) {
+  start("dmx-k-sa");
+  ASSERT_EQ(query("SA0=PRG,1"), "OK");
+  ASSERT_EQ(query("SA1=SET,V1,7"), "OK");
+  ASSERT_EQ(query("SA2=END"), "OK");
+  EXPECT_EQ(perform(intent::RunProgram(1)), "");
+  run(1);
+  EXPECT_EQ(query("V1"), "7");
+  EXPECT_NE(perform(intent::RunProgram(0)), "");
+  ASSERT_EQ(query("SA0=PRG,0"), "OK");
+  EXPECT_EQ(perform(intent::RunProgram(0)), "") << "looked at afresh";
+}
+
+TEST_F(Programs, WhereNoneRunsNothingIsPausedOrGoesOn) {
+  for (const std::string_view model : both) {
+    start(model);
+    EXPECT_EQ(perform(intent::Pause()), "No program runs. Nothing was sent.");
+    EXPECT_EQ(perform(intent::Resume()), "No program is held. Nothing was sent.");
+    ASSERT_EQ(load(0, "WHILE 1=1\nV1=V1+1\nDELAY=10\nENDWHILE\nEND\n"), "");
+    ASSERT_EQ(perform(intent::RunProgram(0)), "");
+    EXPECT_EQ(perform(intent::Pause(1)), "Program 1 does not run. Nothing was sent.");
+    EXPECT_EQ(perform(intent::Resume(0)), "Program 0 is not held. Nothing was sent.");
+    EXPECT_EQ(perform(intent::Pause()), "");
+    EXPECT_EQ(latest.threads[0].run, RunState::held);
+    EXPECT_EQ(perform(intent::Pause()), "No program runs. Nothing was sent.");
+    EXPECT_EQ(perform(intent::Resume(0)), "");
+    EXPECT_EQ(latest.threads[0].run, RunState::running);
+    next_model();
+  }
+}
+
+}  // namespace
+}  // namespace hw::arcus
