@@ -62,6 +62,9 @@ struct Greeting {
 };
 std::optional<Greeting> decode_greeting(std::string_view reply);
 
+/// Bit `n` of a register: an axis' flag.
+constexpr bool bit(std::uint32_t bits, int n) { return (bits >> n & 1) != 0; }
+
 // ---- data area
 
 struct AxisData {

@@ -4,6 +4,7 @@
 //   driver_mailbox.cpp  urgent commands past everything that waits (decision M29), and stops
 //   driver_connect.cpp  finding the board, saying why not, resets
 //   driver_poll.cpp     registers and data area, and what they mean
+//   driver_ask.cpp      what a round asks by command: flags, slips, queues
 //   driver_moves.cpp    moves, jogs, homing, positions, power, outputs
 //   driver_params.cpp   set-up
 //   driver_text.cpp     raw text of users and scripts
@@ -140,21 +141,12 @@ class Vme58Driver final : public Driver {
   Task<Result<>> read_axes(Priority priority);
   Task<Result<>> read_all_values(Priority priority);
   Task<Result<>> read_rings(Priority priority);
-  Task<Result<>> read_flags(Priority priority);
-  Task<Result<>> read_slips();
-  Task<Result<>> read_done();
-  Task<Result<>> read_queues(Priority priority);
-  Task<Result<bool>> is_worked_off();
-  Task<Result<>> ask_in_turn();
-  void show_full_queue();
   void take_registers(const Registers& registers);
   void take_cycles(const std::vector<BusCycle>& cycles);
   void take_parameters(int axis);
   void show_axis(int axis, Instant at);
   void show_still(int axis, Instant at);
   void show_limits(int axis);
-  void take_done(unsigned axes);
-  void take_queues(bool were_empty);
   void begins_to_creep(int axis, Duration gap);
   void end_motion(int axis, EndedBy ended_by);
   void show_worst();
@@ -166,8 +158,19 @@ class Vme58Driver final : public Driver {
   [[nodiscard]] bool moving(int axis) const;
   [[nodiscard]] Duration rest_patience(int axis) const;
   [[nodiscard]] Duration jog_gap(int axis, double speed) const;
-  [[nodiscard]] bool wants_done() const;
   [[nodiscard]] static bool met_limit(const AxisMind& mind);
+
+  // ---- driver_ask.cpp
+  Task<Result<>> read_flags(Priority priority);
+  Task<Result<>> read_slips();
+  Task<Result<>> read_done();
+  Task<Result<>> read_queues(Priority priority);
+  Task<Result<bool>> is_worked_off();
+  Task<Result<>> ask_in_turn();
+  void show_full_queue();
+  void take_done(unsigned axes);
+  void take_queues(bool were_empty);
+  [[nodiscard]] bool wants_done() const;
 
   // ---- driver_moves.cpp
   Task<Result<>> move(std::vector<AxisTarget> wish, Pps speed, bool relative);
