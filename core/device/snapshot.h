@@ -190,6 +190,7 @@ struct Snapshot {
   std::array<std::int16_t, max_slots> slot_bytes_used{};  ///< -1 unknown
   std::array<ParamState, max_params> params{};            ///< by index in Catalog::params
   bool unsaved_setup = false, unsaved_programs = false;   ///< in RAM and not stored
+  bool working = false;           ///< at commands that wait in its queues, though no axis may move
   std::int32_t store_count = -1;  ///< writes used of the non-volatile memory, if known
   /// Commands that may have changed what the controller's programs are, and the last of them (0: a raw
   /// question).

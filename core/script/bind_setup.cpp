@@ -1,6 +1,7 @@
 // Methods of a controller for its parameters, by the maker's mnemonics.
 #include <cmath>
 #include <cstdlib>
+#include <vector>
 
 #include <fmt/core.h>
 
@@ -10,7 +11,14 @@ namespace hw::script {
 namespace {
 
 std::string no_param(const Catalog& catalog, const std::string& name) {
-  return fmt::format("{} has no parameter \"{}\".", catalog.short_name, name);
+  std::string sentence = fmt::format("{} has no parameter \"{}\".", catalog.short_name, name);
+  std::vector<std::string> of_axes;
+  for (const AxisInfo& axis : catalog.axes)
+    if (catalog.find_param(name + axis.name) >= 0) of_axes.push_back(name + axis.name);
+  if (of_axes.size() == 1) sentence += fmt::format(" Say which axis: {}.", of_axes.front());
+  if (of_axes.size() > 1)
+    sentence += fmt::format(" Say which axis: {} to {}.", of_axes.front(), of_axes.back());
+  return sentence;
 }
 
 // As the maker writes it: 0.8, "4EX07".

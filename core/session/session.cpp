@@ -157,7 +157,8 @@ Task<Result<>> Session::wait_until_idle(Duration patience) {
       round = pump_.want_round();
     const bool fresh = round && pump_.rounds_ended() >= *round;
     const bool running = s.program.run != RunState::idle && s.program.run != RunState::error;
-    if (gone || s.program.run == RunState::error || (fresh && !running && !s.any_axis_moving())) {
+    if (gone || s.program.run == RunState::error ||
+        (fresh && !running && !s.working && !s.any_axis_moving())) {
       std::string reason = why_not_finished(s, catalog_);
       if (reason.empty()) co_return Result<>();
       co_return fail(gone ? FaultKind::lost : FaultKind::controller, std::move(reason));

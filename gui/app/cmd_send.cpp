@@ -36,7 +36,8 @@ void print_warnings(Session& session) {
 }
 
 bool busy(const Snapshot& s) {
-  return s.any_axis_moving() || s.program.run == RunState::running || s.program.run == RunState::waiting;
+  return s.any_axis_moving() || s.working || s.program.run == RunState::running ||
+         s.program.run == RunState::waiting;
 }
 
 void print_unasked(Session& session) {

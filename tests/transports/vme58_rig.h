@@ -91,7 +91,7 @@ class Vme58Rig : public testing::Test {
   }
   bool becomes_idle(Duration patience = std::chrono::seconds(60)) {
     run(Millis(300));
-    return run_until([this] { return !now().any_axis_moving() && now().program.run == RunState::idle; },
+    return run_until([this] { return !now().any_axis_moving() && now().program.run != RunState::running; },
                      patience);
   }
   std::string told() {

@@ -53,7 +53,16 @@ void append_mail(std::vector<BusCycle>& cycles, std::string_view letters, std::u
 }
 
 // The CR that some frames have more than others stands before the next reply and is skipped with its head.
-std::optional<std::string> take_reply(std::string& received) {
+std::optional<std::string> take_reply(std::string& received, bool echo) {
+  if (echo) {
+    const auto frame = received.find("\n\r");
+    if (frame == received.npos) {
+      const bool half = !received.empty() && received.back() == '\n';
+      received = half ? "\n" : "";
+      return std::nullopt;
+    }
+    received.erase(0, frame);
+  }
   const auto begin = std::find_if_not(received.begin(), received.end(), is_frame);
   const auto end = std::find_if(begin, received.end(), is_frame);
   if (begin == received.end() || received.end() - end < 2) return std::nullopt;
@@ -126,6 +135,11 @@ std::string encode_list(std::string_view letters, std::span<const std::optional<
     if (by_axis[i]) text += std::to_string(*by_axis[i]);
   }
   return text + ';';
+}
+
+std::string_view without_end(std::string_view text) {
+  while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.remove_suffix(1);
+  return text;
 }
 
 std::string encode_number(std::int64_t value, int decimals) {

@@ -38,8 +38,8 @@ void append_mail(std::vector<BusCycle>& cycles, std::string_view letters, std::u
 // ---- replies: LF CR text LF CR, some with one CR more before and behind (decision M01)
 
 /// Takes the first whole reply off the front of `received`, without its frame; nothing while it is
-/// unfinished.
-std::optional<std::string> take_reply(std::string& received);
+/// unfinished. With `echo` what stands outside of a frame is what the board was sent, and is let go.
+std::optional<std::string> take_reply(std::string& received, bool echo = false);
 /// "0,-400,12"; nothing when one of them is no number.
 std::optional<std::vector<std::int64_t>> decode_numbers(std::string_view reply);
 /// "3F00".
@@ -62,6 +62,9 @@ struct Greeting {
 };
 std::optional<Greeting> decode_greeting(std::string_view reply);
 
+/// Bit `n` of a register: an axis' flag.
+constexpr bool bit(std::uint32_t bits, int n) { return (bits >> n & 1) != 0; }
+
 // ---- data area
 
 struct AxisData {
@@ -75,6 +78,8 @@ void append_axis_reads(std::vector<BusCycle>& cycles, int axis, int count);
 
 /// "MA1000,,500;": places of axes that are not meant stay empty.
 std::string encode_list(std::string_view letters, std::span<const std::optional<std::int64_t>> by_axis);
+/// Text that was sent, as it is shown: without what ends it.
+std::string_view without_end(std::string_view text);
 /// As the board takes it: a fraction of up to `decimals` digits, none when it is whole.
 std::string encode_number(std::int64_t value, int decimals);
 

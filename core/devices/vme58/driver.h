@@ -4,6 +4,7 @@
 //   driver_mailbox.cpp  urgent commands past everything that waits (decision M29), and stops
 //   driver_connect.cpp  finding the board, saying why not, resets
 //   driver_poll.cpp     registers and data area, and what they mean
+//   driver_ask.cpp      what a round asks by command: flags, slips, queues
 //   driver_moves.cpp    moves, jogs, homing, positions, power, outputs
 //   driver_params.cpp   set-up
 //   driver_text.cpp     raw text of users and scripts
@@ -54,19 +55,25 @@ class Vme58Driver final : public Driver {
     Activity wanted = Activity::idle;     ///< what our last command began
     EndedBy ended_by = EndedBy::nothing;  ///< why we ended it, if we did
     bool ours = false;                    ///< a motion of the console is under way
-    bool grouped = false;                 ///< together with other axes
+    unsigned group = 0;                   ///< the axes of its move, when there are several
     bool stopping = false;
     bool done = false;          ///< its done flag was seen since the motion began
     bool limit_hit = false;     ///< its limit flag, likewise
+    bool from_limit = false;    ///< it stood on a switch then, and has not come off it
     bool turned = false;        ///< it has moved since then
     bool counted = false;       ///< the console has set its counter since the last round
     std::int8_t way = 0;        ///< direction of the latest change of position
-    std::int8_t limit_end = 0;  ///< of the switch it stands on, once asked
+    std::int8_t limit_end = 0;  ///< of the switch it stands on, once that is known
+    std::int8_t letter = 0;     ///< the board's direction letter when that was last judged
+    bool by_text = false;       ///< a motion of the user's text or program may be under way
+    bool asks_queue = false;    ///< it rests without a reason: its queue tells whether it has ended
+    Duration jog_gap{};         ///< of a jog: it turns, though so long no count and no velocity may show it
+    Instant creeps_until{};     ///< and so it is taken to turn until then
     Instant still_since{};
     std::optional<std::int64_t> borrowed_velocity;  ///< VL before a move with a speed of its own
   };
   struct Registers {
-    std::uint8_t control = 0, status = 0, slip = 0, done = 0, limit = 0, home = 0;
+    std::uint8_t control = 0, status = 0, limit = 0, home = 0;
     std::uint16_t io = 0, mark = 0;
     int input_put = 0, output_get = 0;
   };
@@ -134,15 +141,13 @@ class Vme58Driver final : public Driver {
   Task<Result<>> read_axes(Priority priority);
   Task<Result<>> read_all_values(Priority priority);
   Task<Result<>> read_rings(Priority priority);
-  Task<Result<>> read_flags(Priority priority);
-  Task<Result<>> read_queues(Priority priority);
-  Task<Result<>> ask_in_turn();
-  void show_full_queue();
   void take_registers(const Registers& registers);
   void take_cycles(const std::vector<BusCycle>& cycles);
   void take_parameters(int axis);
   void show_axis(int axis, Instant at);
   void show_still(int axis, Instant at);
+  void show_limits(int axis);
+  void begins_to_creep(int axis, Duration gap);
   void end_motion(int axis, EndedBy ended_by);
   void show_worst();
   void record_round();
@@ -151,6 +156,21 @@ class Vme58Driver final : public Driver {
   [[nodiscard]] std::optional<motion::ServoGains> known_gains(int axis) const;
   [[nodiscard]] std::int64_t value(int axis, AxisValue v) const;
   [[nodiscard]] bool moving(int axis) const;
+  [[nodiscard]] Duration rest_patience(int axis) const;
+  [[nodiscard]] Duration jog_gap(int axis, double speed) const;
+  [[nodiscard]] static bool met_limit(const AxisMind& mind);
+
+  // ---- driver_ask.cpp
+  Task<Result<>> read_flags(Priority priority);
+  Task<Result<>> read_slips();
+  Task<Result<>> read_done();
+  Task<Result<>> read_queues(Priority priority);
+  Task<Result<bool>> is_worked_off();
+  Task<Result<>> ask_in_turn();
+  void show_full_queue();
+  void take_done(unsigned axes);
+  void take_queues(bool were_empty);
+  [[nodiscard]] bool wants_done() const;
 
   // ---- driver_moves.cpp
   Task<Result<>> move(std::vector<AxisTarget> wish, Pps speed, bool relative);
@@ -180,6 +200,7 @@ class Vme58Driver final : public Driver {
   Task<Result<>> send_text(std::string text);
   Task<Result<std::string>> send_commands(std::string text, Duration patience);
   void note_sent(const TextCommand& command);
+  void note_motion(const TextCommand& command);
 
   // ---- driver_program.cpp
   Task<Result<>> perform_program(const IntentBody& body);
@@ -188,7 +209,8 @@ class Vme58Driver final : public Driver {
   Task<Result<>> feed();
   void end_program(EndedBy ended_by);
   Task<Result<>> watch_program();
-  Task<Result<bool>> groups_are_empty();
+  Task<Result<>> end_rejected(std::string command);
+  void forget_rejection();
 
   [[nodiscard]] int axis_count() const { return static_cast<int>(catalog_.axes.size()); }
   [[nodiscard]] const std::string& axis_name(int axis) const {
@@ -220,6 +242,7 @@ class Vme58Driver final : public Driver {
   Event written_;
   std::string received_;             ///< characters that are no whole reply yet
   std::deque<std::string> replies_;  ///< whole ones that nobody has taken
+  bool echo_ = false;                ///< EN was sent: between the frames stands what the board was sent
   std::size_t replies_wanted_ = 0;   ///< by a question that is under way
   std::string last_sent_;
   bool command_error_ = false;  ///< seen in the status register and not told yet
@@ -233,8 +256,11 @@ class Vme58Driver final : public Driver {
 
   bool connected_before_ = false, lost_while_busy_ = false;
   int outputs_direction_ = factory_outputs;
-  std::uint8_t limits_ = 0, homes_ = 0;
+  std::uint8_t limits_ = 0, homes_ = 0, slips_ = 0;
+  std::uint8_t status_ = 0;  ///< as last read
   bool flags_wanted_ = false;
+  bool queues_due_ = false;    ///< they are asked for as soon as nothing turns
+  bool queues_empty_ = false;  ///< all of them, those of AA and AM too, when last asked
   std::uint32_t watched_ = 0;
   int round_ = 0;
   std::string round_text_;  ///< keeps its memory
@@ -248,6 +274,7 @@ class Vme58Driver final : public Driver {
   std::deque<std::pair<int, std::string>> to_feed_;  ///< line and command
   std::string feeding_;                              ///< sent, not taken yet
   int feeding_line_ = 0;
+  std::string rejection_;  ///< why the latest program has ended, if it was that
   std::deque<std::string> for_scripts_;
 };
 

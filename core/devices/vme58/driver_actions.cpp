@@ -1,4 +1,6 @@
 // The catalog's actions.
+#include <cmath>
+
 #include <fmt/core.h>
 
 #include "core/base/index.h"
@@ -30,6 +32,7 @@ Task<Result<>> Vme58Driver::act(intent::Act wish) {
   }
   const int axis = of_axis ? static_cast<int>(wish.values[0]) : 0;
   std::string text;
+  const std::array<Steps, max_axes> nowhere{};
   switch (static_cast<Action>(wish.action)) {
     case Action::clear_flags:
       for (std::size_t i = 0; i < catalog_.readouts.size(); ++i)
@@ -39,10 +42,13 @@ Task<Result<>> Vme58Driver::act(intent::Act wish) {
     case Action::fraction_jog:
       if (auto may = may_move(axis); !may) co_return may;
       jogged_axis_ = axis;
-      text = "JF" + encode_number(wish.values[1], 3);
-      break;
+      text = addressed(axis, "JF" + encode_number(wish.values[1], 3));
+      if (wish.values[1] == 0) co_return co_await command(std::move(text), Priority::intent);
+      minds_[ix(axis)].jog_gap = jog_gap(axis, std::abs(static_cast<double>(wish.values[1])) / 1000);
+      co_return co_await begin(std::move(text), 1u << axis, Activity::jogging, nowhere);
     case Action::remainder:
       minds_[ix(axis)].counted = true;
+      draft_.working = queues_due_ = true;
       text = fmt::format("RM{}", wish.values[1]);
       break;
     case Action::encoder_ratio: text = fmt::format("ER{},{}", wish.values[1], wish.values[2]); break;

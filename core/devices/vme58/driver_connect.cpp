@@ -48,8 +48,10 @@ void Vme58Driver::forget() {
   context_ = Context();
   to_feed_.clear();
   feeding_.clear();
-  limits_ = homes_ = 0;
+  limits_ = homes_ = slips_ = status_ = 0;
   flags_wanted_ = true;
+  queues_due_ = queues_empty_ = draft_.working = false;
+  echo_ = false;
   draft_.queue_known = 0;
   draft_.window.rings_known = false;
   draft_.program.run = RunState::idle;
@@ -173,6 +175,10 @@ Task<Result<>> Vme58Driver::take_over_rings() {
 Task<Result<>> Vme58Driver::identify() {
   auto quiet = co_await write("EF\n", Priority::intent);
   if (!quiet) co_return quiet;
+  // Echoed by a board that another program has left so: no reply to anything.
+  const auto input_put = co_await read_index(at::input_put_index, Priority::intent);
+  if (!input_put) co_return fail(input_put.error());
+  get_ = *input_put;
   auto name = co_await ask("WY\n", Priority::intent);
   if (!name) co_return fail(name.error());
   const auto greeting = decode_greeting(*name);
@@ -194,7 +200,7 @@ Task<Result<>> Vme58Driver::identify() {
   if (axes != variant_.axes() || (!greeting->variant.empty() && find_variant(greeting->variant) != &variant_))
     tell(Notice::Kind::warning,
          fmt::format(
-             "The board says that it is a {} with {} axes; it was opened as a {}. Open it with variant={} "
+             "The board says that it is a {} with {} axes; it was opened as an {}. Open it with variant={} "
              "in its address.",
              draft_.identity.model.view(), axes, catalog_.name, greeting->variant));
   auto directions = co_await ask("RB\n", Priority::intent);
@@ -227,6 +233,7 @@ Task<Result<>> Vme58Driver::found_reset() {
 
 Task<Result<>> Vme58Driver::read_state() {
   flags_wanted_ = true;
+  draft_.working = queues_due_ = true;  // another program may have left something in the queues
   auto all = co_await read_all_values(Priority::intent);
   if (!all) co_return all;
   co_return co_await poll();

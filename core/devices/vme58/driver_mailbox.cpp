@@ -49,8 +49,9 @@ Task<Result<>> Vme58Driver::stop(int axis, bool at_once) {
                    "Nothing was sent.", "Switch the power of the drives off.");
   at_once = at_once || (stops_ > 0 && stop_ramps_);  // asked twice
   ++stops_;
+  forget_rejection();
   stop_ramps_ = !at_once;
-  const bool alone = axis >= 0 && !at_once && !minds_[ix(axis)].grouped && !context_.recording;
+  const bool alone = axis >= 0 && !at_once && minds_[ix(axis)].group == 0 && !context_.recording;
   if (!alone) end_program(at_once ? EndedBy::abort : EndedBy::stop);
   stopping(alone ? axis : -1, at_once);
   if (axis >= 0 && at_once)
@@ -112,6 +113,7 @@ void Vme58Driver::stopping(int axis, bool at_once) {
   for (int i = 0; i < axis_count(); ++i) {
     if (axis >= 0 && i != axis) continue;
     AxisMind& mind = minds_[ix(i)];
+    begins_to_creep(i, {});
     if (!moving(i) && !mind.ours) continue;
     mind.stopping = true;
     mind.ended_by = at_once ? EndedBy::abort : EndedBy::stop;

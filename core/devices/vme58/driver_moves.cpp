@@ -50,13 +50,16 @@ Result<std::int64_t> Vme58Driver::checked_speed(Pps speed) const {
 /// The text that starts it, and what is known of it until the board says more.
 Task<Result<>> Vme58Driver::begin(std::string text, unsigned axes, Activity activity,
                                   std::array<Steps, max_axes> targets) {
+  forget_rejection();
   for (int i = 0; i < axis_count(); ++i) {
     if ((axes >> i & 1) == 0) continue;
     AxisMind& mind = minds_[ix(i)];
     mind.wanted = activity;
     mind.ours = true;
-    mind.grouped = (axes & (axes - 1)) != 0;
-    mind.done = mind.limit_hit = mind.turned = mind.stopping = false;
+    mind.group = (axes & (axes - 1)) != 0 ? axes : 0;
+    mind.done = mind.limit_hit = mind.turned = mind.stopping = mind.by_text = mind.asks_queue = false;
+    if (activity != Activity::jogging) begins_to_creep(i, {});
+    if (!moving(i)) mind.from_limit = (limits_ >> i & 1) != 0;
     mind.still_since = scheduler_.now();
     AxisState& axis = draft_.axes[i];
     axis.activity = activity;
@@ -126,7 +129,13 @@ Task<Result<>> Vme58Driver::give_speed_back(int axis) {
   const std::int64_t before = *std::exchange(minds_[ix(axis)].borrowed_velocity, std::nullopt);
   if (before == velocity_of(axis) || context_.recording) co_return Result<>();
   const std::string text = addressed(axis, fmt::format("VL{}", before));
-  co_return co_await command(text, Priority::poll);
+  auto given = co_await command(text, Priority::poll);
+  if (!given) co_return given;
+  // It is shown as the axis' own before it comes to be read in turn.
+  data_[ix(axis)].values[ix(static_cast<int>(AxisValue::maximum_velocity))] =
+      static_cast<std::int32_t>(before);
+  next_axis_ = axis;
+  co_return given;
 }
 
 Task<Result<>> Vme58Driver::jog(intent::JogStart wish) {
@@ -136,6 +145,7 @@ Task<Result<>> Vme58Driver::jog(intent::JogStart wish) {
   if (!speed) co_return fail(speed.error());
   if (*speed == 0) speed = std::max<std::int64_t>(1, own_velocity_of(axis));
   jogged_axis_ = axis;
+  minds_[ix(axis)].jog_gap = jog_gap(axis, static_cast<double>(*speed));
   std::string text = addressed(axis, fmt::format("JG{}", factor(wish.sign) * *speed));
   const std::array<Steps, max_axes> nowhere{};
   co_return co_await begin(std::move(text), 1u << axis, Activity::jogging, nowhere);

@@ -1,7 +1,9 @@
-// The round of status: registers, then the data area. Reading a register clears its flags, so each is read in
-// one place and what it said is remembered.
+// The round of status: registers, then the data area. Reading the done and slip registers clears them, for
+// everybody: while the board takes questions it is asked instead, which leaves the flags to whoever wants
+// them (decisions M31, M32). Reading the limit register clears only a hit that is over, and is remembered.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdlib>
 #include <iterator>
 #include <utility>
@@ -18,18 +20,18 @@ constexpr Duration copy_time = std::chrono::microseconds(1000);   // decision M2
 constexpr Duration sample_pause = std::chrono::microseconds(50);  // between two rounds of a recording
 constexpr Duration copy_look = std::chrono::microseconds(300);
 constexpr Duration update_patience = Millis(50);
-constexpr Duration rest_time = Millis(400);  // at rest so long without a done flag: it ended some other way
+constexpr Duration rest_time = Millis(400);  // at rest so long without a done flag: it may have ended
 constexpr int live_values = 3;               // encoder, position, velocity stand first
-constexpr int queue_rounds = 5;
-
-bool bit(std::uint32_t bits, int n) { return (bits >> n & 1) != 0; }
 
 }  // namespace
 
 // A recording wants each copy that the board makes: one a millisecond.
 bool Vme58Driver::sampling() const { return sampled_axis_ >= 0 && scheduler_.now() < sample_until_; }
 Duration Vme58Driver::moving_period() const { return sampling() ? sample_pause : Duration(Millis(20)); }
-Duration Vme58Driver::idle_period() const { return sampling() ? sample_pause : Duration(Millis(200)); }
+Duration Vme58Driver::idle_period() const {
+  if (draft_.working) return moving_period();
+  return sampling() ? sample_pause : Duration(Millis(200));
+}
 
 std::int64_t Vme58Driver::value(int axis, AxisValue v) const { return data_[ix(axis)][v]; }
 bool Vme58Driver::moving(int axis) const {
@@ -72,6 +74,11 @@ Task<Result<>> Vme58Driver::poll() {
     if (!asked) co_return asked;
   } else {
     show_full_queue();
+    // No question comes through, and a motion of ours may have ended.
+    if (wants_done()) {
+      auto looked = co_await read_done();
+      if (!looked) co_return looked;
+    }
   }
   auto watched = co_await watch_program();
   show_worst();
@@ -89,8 +96,8 @@ Task<Result<Vme58Driver::Registers>> Vme58Driver::read_registers(Priority priori
     cycles.push_back(BusCycle::store(1, reg::control, control_ | control::update_data));
   }
   const std::size_t first = cycles.size();
-  for (const std::uint16_t offset : {reg::control, reg::status, reg::slip, reg::done, reg::limit, reg::home,
-                                     reg::io_low, reg::io_high, reg::vector})
+  for (const std::uint16_t offset :
+       {reg::control, reg::status, reg::limit, reg::home, reg::io_low, reg::io_high, reg::vector})
     cycles.push_back(BusCycle::read(1, offset));
   for (const std::uint16_t offset :
        {at::reserved1, at::input_put_index, at::input_put_index, at::output_get_index, at::output_get_index})
@@ -98,7 +105,7 @@ Task<Result<Vme58Driver::Registers>> Vme58Driver::read_registers(Priority priori
   auto done = co_await run(cycles, priority);
   if (!done) co_return fail(done.error());
   const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(cycles[first + i].value); };
-  const auto word = [&](std::size_t i) { return cycles[first + 9 + i].value; };
+  const auto word = [&](std::size_t i) { return cycles[first + 7 + i].value; };
   const bool ones =
       std::all_of(cycles.begin() + static_cast<std::ptrdiff_t>(first), cycles.end(),
                   [](const BusCycle& c) { return c.value == (c.width == 1 ? 0xFFu : 0xFFFFu); });
@@ -110,9 +117,8 @@ Task<Result<Vme58Driver::Registers>> Vme58Driver::read_registers(Priority priori
   if (word(1) != word(2) || !is_index(word(1)) || word(3) != word(4) || !is_index(word(3)))
     co_return fail(FaultKind::garbled, "The indexes of the rings make no sense.", "They are read again.");
   Registers r;
-  r.control = byte(0), r.status = byte(1), r.slip = byte(2), r.done = byte(3), r.limit = byte(4),
-  r.home = byte(5);
-  r.io = static_cast<std::uint16_t>(byte(6) | (byte(7) & 0x3F) << 8);
+  r.control = byte(0), r.status = byte(1), r.limit = byte(2), r.home = byte(3);
+  r.io = static_cast<std::uint16_t>(byte(4) | (byte(5) & 0x3F) << 8);
   r.mark = static_cast<std::uint16_t>(word(0));
   r.input_put = static_cast<int>(word(1)), r.output_get = static_cast<int>(word(3));
   for (std::size_t i = first; i < cycles.size(); ++i)
@@ -123,27 +129,30 @@ Task<Result<Vme58Driver::Registers>> Vme58Driver::read_registers(Priority priori
 
 void Vme58Driver::take_registers(const Registers& r) {
   if ((r.status & status::command_error) != 0) command_error_ = true;
+  status_ = r.status;
+  if ((status_ & status::slip) == 0) slips_ = 0;
+  if ((status_ & status::done) == 0) draft_.window.put(reg::done, 1, 0);
+  draft_.window.put(reg::slip, 1, slips_);
   const std::uint8_t before = limits_;
   limits_ = r.limit;
   homes_ = r.home;
   if (limits_ != before) flags_wanted_ = true;
   for (int i = 0; i < axis_count(); ++i) {
     AxisMind& mind = minds_[ix(i)];
-    if (bit(r.done, i)) mind.done = true;
-    if (bit(r.limit, i)) mind.limit_hit = true;
-    if (!bit(r.limit, i)) mind.limit_end = 0;
+    if (bit(r.limit, i)) {
+      mind.limit_hit = true;
+      if (!bit(before, i)) mind.jog_gap = {}, mind.creeps_until = {};
+    } else {
+      if (std::exchange(mind.from_limit, false)) mind.limit_hit = false;
+      mind.limit_end = 0;
+    }
     AxisState& axis = draft_.axes[i];
     axis.home = bit(r.home, i);
     const int place = catalog_.find_readout(fmt::format("SLIP{}", axis_name(i)));
     if (place >= 0) {
-      draft_.readouts[ix(place)] |= bit(r.slip, i);
       draft_.readouts_known.set(ix(place));
       draft_.readouts_seen_at[ix(place)] = scheduler_.now();
     }
-    if (bit(r.slip, i))
-      tell(Notice::Kind::warning,
-           fmt::format("Axis {} has slipped: its encoder and its position differ by more than ES allows.",
-                       axis_name(i)));
   }
   draft_.inputs = r.io;
   draft_.inputs_known = (1u << io_lines) - 1;
@@ -236,15 +245,60 @@ void Vme58Driver::show_axis(int i, Instant at) {
   axis.position_known = true;
   axis.speed = Pps(speed);
   axis.own_speed = Pps(static_cast<double>(own_velocity_of(i)));
-  const bool turns = speed > 0 || crept;
+  if (crept && mind.jog_gap > Duration::zero()) mind.creeps_until = at + mind.jog_gap;
+  const bool turns = speed > 0 || crept || at < mind.creeps_until;
   axis.direction = turns ? mind.way : std::int8_t{0};
-  axis.limits_known = limits_ == 0 || !bit(limits_, i) || mind.limit_end != 0;
-  axis.limit_minus = bit(limits_, i) && mind.limit_end < 0;
-  axis.limit_plus = bit(limits_, i) && mind.limit_end > 0;
-  if (!turns) return show_still(i, at);
-  mind.turned = true;
-  mind.still_since = at;
+  // What has turned on a switch that it stood on has come away from it, whatever the direction letter says.
+  if (crept && mind.from_limit && bit(limits_, i)) {
+    mind.limit_end = static_cast<std::int8_t>(-mind.way);
+    mind.letter = mind.way;
+  }
+  show_limits(i);
+  if (!turns) {
+    if (!mind.ours && !mind.stopping && !mind.by_text) mind.from_limit = bit(limits_, i);
+    return show_still(i, at);
+  }
+  if (speed > 0 || crept) {
+    mind.turned = true;
+    mind.still_since = at;
+    mind.asks_queue = false;
+  }
   axis.activity = mind.stopping ? Activity::stopping : mind.ours ? mind.wanted : Activity::moving;
+}
+
+void Vme58Driver::show_limits(int i) {
+  AxisState& axis = draft_.axes[i];
+  const std::int8_t end = minds_[ix(i)].limit_end;
+  axis.limits_known = !bit(limits_, i) || end != 0;
+  axis.limit_minus = bit(limits_, i) && end < 0;
+  axis.limit_plus = bit(limits_, i) && end > 0;
+}
+
+/// For so long an axis that turns may show neither velocity nor count: an axis that is ramped very gently,
+/// which a queue tells of only when it moves by itself.
+Duration Vme58Driver::rest_patience(int i) const {
+  const AxisMind& mind = minds_[ix(i)];
+  if (mind.group == 0 && mind.wanted != Activity::jogging) return rest_time;
+  return std::max(jog_gap(i, 1), mind.jog_gap);
+}
+
+/// A jog's: until its first count, and between two counts when it is slower than one a second.
+Duration Vme58Driver::jog_gap(int i, double speed) const {
+  const auto acceleration = static_cast<double>(std::max<std::int64_t>(1, value(i, AxisValue::acceleration)));
+  const double ramp_s = 2 * std::sqrt(2 / acceleration);
+  const double count_s = speed > 0 && speed < 1 ? 1.5 / speed : 0;
+  return rest_time + from_seconds(ramp_s + count_s);
+}
+
+void Vme58Driver::begins_to_creep(int i, Duration gap) {
+  AxisMind& mind = minds_[ix(i)];
+  mind.jog_gap = gap;
+  mind.creeps_until = gap > Duration::zero() ? scheduler_.now() + gap : Instant{};
+}
+
+/// A switch that it stood on when it began has ended a motion only if it did not come away from there.
+bool Vme58Driver::met_limit(const AxisMind& mind) {
+  return mind.limit_hit && !(mind.from_limit && mind.turned);
 }
 
 void Vme58Driver::show_still(int i, Instant at) {
@@ -256,16 +310,24 @@ void Vme58Driver::show_still(int i, Instant at) {
   }
   if (!mind.ours) {
     if (axis.activity != Activity::idle) axis.activity = Activity::idle;
-    return;
-  }
-  if (mind.done && mind.wanted != Activity::jogging) return end_motion(i, EndedBy::target);
-  if (mind.limit_hit) return end_motion(i, EndedBy::limit);
-  if (at - mind.still_since < rest_time) {
-    axis.activity = mind.wanted;
+    if (mind.by_text && mind.turned && met_limit(mind)) axis.ended_by = EndedBy::limit;
     return;
   }
   const bool there = axis.has_target && axis.position == axis.target;
-  end_motion(i, there ? EndedBy::target : EndedBy::elsewhere);
+  const bool limited = met_limit(mind);
+  // The board goes on with the ID behind a move that a switch has cut short. And a done flag of a motion
+  // before stays until the move's GD is carried out.
+  const bool believed = mind.turned || there || limited || mind.wanted == Activity::homing;
+  if (mind.done && believed && mind.wanted != Activity::jogging)
+    return end_motion(i, limited && !there ? EndedBy::limit : EndedBy::target);
+  if (limited) return end_motion(i, EndedBy::limit);
+  // On a straight line the shortest way shows nothing for long: the axes of a group rest together.
+  for (int other = 0; other < axis_count(); ++other)
+    if ((mind.group >> other & 1) != 0 && moving(other)) mind.still_since = at;
+  axis.activity = mind.wanted;
+  if (at - mind.still_since < rest_patience(i)) return;
+  if (context_.recording) return end_motion(i, there ? EndedBy::target : EndedBy::elsewhere);
+  mind.asks_queue = true;
 }
 
 void Vme58Driver::end_motion(int i, EndedBy ended_by) {
@@ -275,80 +337,14 @@ void Vme58Driver::end_motion(int i, EndedBy ended_by) {
   axis.ended_by = ended_by;
   axis.has_target = false;
   axis.direction = 0;
-  mind.ours = mind.stopping = mind.grouped = false;
+  mind.ours = mind.stopping = mind.done = mind.by_text = mind.asks_queue = false;
+  mind.group = 0;
   mind.wanted = Activity::idle;
-}
-
-// ---- what is asked by command, in turn
-
-Task<Result<>> Vme58Driver::ask_in_turn() {
-  if (flags_wanted_ && !context_.recording) {
-    auto asked = co_await read_flags(Priority::poll);
-    if (!asked) co_return asked;
-  }
-  // An axis may work at what others have sent; what is not empty is read until it is.
-  bool queues_matter = bit(watched_, queue_group) || draft_.program.run == RunState::running;
-  for (int i = 0; i < axis_count(); ++i) {
-    const bool waiting = bit(draft_.queue_known, i) && draft_.queue_free[ix(i)] < queue_entries;
-    queues_matter = queues_matter || waiting || (moving(i) && !minds_[ix(i)].ours);
-  }
-  if (queues_matter && round_ % queue_rounds == 0 && !context_.recording) {
-    auto queues = co_await read_queues(Priority::poll);
-    if (!queues) co_return queues;
-  }
-  for (int i = 0; i < axis_count(); ++i)
-    if (minds_[ix(i)].borrowed_velocity && !minds_[ix(i)].ours) {
-      auto given = co_await give_speed_back(i);
-      if (!given) co_return given;
-    }
-  co_return Result<>();
-}
-
-/// The board reads no further: no queue can be asked for, and the one that the text is meant for is full
-/// (what waits does not fit: fewer entries are free than it takes).
-void Vme58Driver::show_full_queue() {
-  draft_.queue_known = 0;
-  Context context = context_;
-  if (in_wq_) return;
-  for (const TextCommand& command : read_commands(last_sent_, context)) {
-    if (!command.fact || command.fact->when != When::queued || command.context.mode != where::single)
-      continue;
-    draft_.queue_known = 1u << command.context.axis;
-    draft_.queue_free[ix(command.context.axis)] = 0;
-  }
-}
-
-// One bit for both ends of an axis: the direction of its latest motion tells which one it stands on.
-Task<Result<>> Vme58Driver::read_flags(Priority priority) {
-  flags_wanted_ = false;
-  auto reply = co_await ask("QI\n", priority);
-  if (!reply) co_return fail(reply.error());
-  const auto flags = decode_all_flags(*reply);
-  for (int i = 0; i < axis_count() && i < static_cast<int>(flags.size()); ++i) {
-    AxisMind& mind = minds_[ix(i)];
-    if (bit(limits_, i) && mind.limit_end == 0) mind.limit_end = flags[ix(i)].plus ? 1 : -1;
-  }
-  co_return Result<>();
-}
-
-Task<Result<>> Vme58Driver::read_queues(Priority priority) {
-  std::string text;
-  for (int i = 0; i < axis_count(); ++i) text += fmt::format("A{} RQ ", axis_name(i));
-  text += context_.selector() + "\n";
-  auto replies = co_await ask_several(std::move(text), ix(axis_count()), priority, Millis(200));
-  // A full ring or a WQ holds questions back: that is an answer too.
-  if (!replies && replies.error().kind == FaultKind::no_answer) {
-    draft_.queue_known = 0;
-    co_return Result<>();
-  }
-  if (!replies) co_return fail(replies.error());
-  for (int i = 0; i < axis_count(); ++i) {
-    const auto number = decode_numbers((*replies)[ix(i)]);
-    if (!number || number->size() != 1) continue;
-    draft_.queue_free[ix(i)] = static_cast<std::int16_t>(number->front());
-    draft_.queue_known |= 1u << i;
-  }
-  co_return Result<>();
+  begins_to_creep(i, {});
+  mind.from_limit = bit(limits_, i);
+  if (ended_by != EndedBy::limit) return;
+  mind.limit_end = 0;  // the direction letter tells which (decision M33), now that it is of this motion
+  flags_wanted_ = true;
 }
 
 Task<Result<>> Vme58Driver::read_rings(Priority priority) {
@@ -428,7 +424,9 @@ void Vme58Driver::show_worst() {
   draft_.notice.clear();
   if (std::exchange(command_error_, false) && stops_ == 0)
     tell(Notice::Kind::error,
-         fmt::format("The board reports a command error. The latest text it was sent: {}", last_sent_));
+         fmt::format("The board reports a command error. The latest text it was sent: {}",
+                     without_end(last_sent_)));
+  if (draft_.program.run == RunState::error) draft_.notice = rejection_;
   if (context_.recording)
     draft_.notice = "A contour is being recorded: moves and set-up wait for its end (CE or CK).";
 }

@@ -43,6 +43,7 @@ Task<Result<>> Vme58Driver::load(std::string text) {
       co_return fail(FaultKind::refused,
                      fmt::format("Line {}: {}", line_holding(text, command.begin) + 1, command.flaw),
                      "The program was not taken.", "Correct it and load it again.");
+  forget_rejection();
   program_text_ = std::move(text);
   draft_.slot_bytes_used[0] = static_cast<std::int16_t>(std::min<std::size_t>(program_text_.size(), 32767));
   co_return Result<>();
@@ -62,7 +63,11 @@ Task<Result<>> Vme58Driver::run_program() {
     to_feed_.emplace_back(line_holding(plain, command.begin), std::string(command.text));
   if (to_feed_.empty())
     co_return fail(FaultKind::refused, "There is no program to run: its text is empty.", "Nothing was sent.");
-  for (AxisMind& mind : minds_) mind.limit_hit = mind.turned = false;
+  for (int i = 0; i < axis_count(); ++i) {
+    AxisMind& mind = minds_[ix(i)];
+    mind.limit_hit = mind.turned = mind.by_text = false;
+    mind.from_limit = (limits_ >> i & 1) != 0;
+  }
   ProgramState& p = draft_.program;
   p.run = RunState::running;
   p.owned = true;
@@ -88,15 +93,7 @@ Task<Result<>> Vme58Driver::feed() {
       const std::string sent = std::exchange(feeding_, {});
       ++draft_.feed.sent;
       draft_.program.command = static_cast<std::int16_t>(draft_.feed.sent);
-      if (*bad) {
-        end_program(EndedBy::error);
-        auto stopped = co_await stop_all(false);
-        tell(Notice::Kind::error,
-             fmt::format("Line {}: the board rejected \"{}\". The program ends there, and all "
-                         "axes were stopped.",
-                         feeding_line_ + 1, sent));
-        co_return stopped;
-      }
+      if (*bad) co_return co_await end_rejected(sent);
       Context read = context_;
       for (const TextCommand& command : read_commands(sent, read)) note_sent(command);
     }
@@ -117,14 +114,33 @@ Task<Result<>> Vme58Driver::feed() {
   co_return Result<>();
 }
 
+/// It stays said until something else is done.
+Task<Result<>> Vme58Driver::end_rejected(std::string command) {
+  rejection_ =
+      fmt::format("Line {}: the board rejected \"{}\". The program ends there, and all axes were stopped.",
+                  feeding_line_ + 1, command);
+  end_program(EndedBy::error);
+  draft_.notice = rejection_;
+  auto stopped = co_await stop_all(false);
+  tell(Notice::Kind::error, rejection_);
+  co_return stopped;
+}
+
+void Vme58Driver::forget_rejection() {
+  if (draft_.program.run != RunState::error) return;
+  draft_.program.run = RunState::idle;
+  draft_.notice.clear();
+}
+
 void Vme58Driver::end_program(EndedBy ended_by) {
   to_feed_.clear();
   feeding_.clear();
   draft_.feed.running = false;
   context_.recording = false;
+  for (AxisMind& mind : minds_) mind.by_text = false;
   ProgramState& p = draft_.program;
   if (p.run != RunState::running) return;
-  p.run = RunState::idle;
+  p.run = ended_by == EndedBy::error ? RunState::error : RunState::idle;
   p.owned = false;
   p.command = -1;
   p.ended_by = ended_by;
@@ -137,37 +153,14 @@ Task<Result<>> Vme58Driver::watch_program() {
     auto fed = co_await feed();
     if (!fed || draft_.feed.running) co_return fed;
   }
+  if (draft_.any_axis_moving()) co_return Result<>();
+  const auto worked_off = co_await is_worked_off();
+  if (!worked_off) co_return fail(worked_off.error());
+  if (!*worked_off || draft_.program.run != RunState::running) co_return Result<>();
   bool limit = false;
-  for (int i = 0; i < axis_count(); ++i) {
-    if (moving(i)) co_return Result<>();
-    limit = limit || (minds_[ix(i)].limit_hit && minds_[ix(i)].turned);
-  }
-  auto queues = co_await read_queues(Priority::poll);
-  if (!queues) co_return queues;
-  const std::uint32_t all = (1u << axis_count()) - 1;
-  if ((draft_.queue_known & all) != all) co_return Result<>();
-  for (int i = 0; i < axis_count(); ++i)
-    if (draft_.queue_free[ix(i)] < queue_entries) co_return Result<>();
-  auto groups = co_await groups_are_empty();
-  if (!groups) co_return fail(groups.error());
-  if (*groups && draft_.program.run == RunState::running)
-    end_program(limit ? EndedBy::limit : EndedBy::target);
+  for (int i = 0; i < axis_count(); ++i) limit = limit || (minds_[ix(i)].turned && met_limit(minds_[ix(i)]));
+  end_program(limit ? EndedBy::limit : EndedBy::target);
   co_return Result<>();
-}
-
-// The queues of AA and AM stand beside those of the axes (decision M20).
-Task<Result<bool>> Vme58Driver::groups_are_empty() {
-  std::string question = fmt::format("AA RQ AM RQ {}\n", context_.selector());
-  auto replies = co_await ask_several(std::move(question), 2, Priority::poll, Millis(200));
-  if (!replies && replies.error().kind == FaultKind::no_answer) co_return false;
-  if (!replies) co_return fail(replies.error());
-  for (const std::string& reply : *replies) {
-    const auto numbers = decode_numbers(reply);
-    if (!numbers) co_return false;
-    for (const std::int64_t free : *numbers)
-      if (free < queue_entries) co_return false;
-  }
-  co_return true;
 }
 
 }  // namespace hw::vme58

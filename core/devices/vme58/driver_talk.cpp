@@ -32,10 +32,9 @@ tl::unexpected<Fault> Vme58Driver::no_connection() const {
 }
 
 tl::unexpected<Fault> Vme58Driver::rejected(std::string_view text) const {
-  std::string_view shown = text;
-  while (!shown.empty() && (shown.back() == '\n' || shown.back() == ' ')) shown.remove_suffix(1);
   return fail(FaultKind::controller,
-              fmt::format("The board rejected \"{}\": its status register reports a command error.", shown),
+              fmt::format("The board rejected \"{}\": its status register reports a command error.",
+                          without_end(text)),
               "The rest of what it understood was carried out.",
               "Look at the axis' fitting (servo, step, encoder), the range of the number, and the mode.");
 }
@@ -190,7 +189,8 @@ Task<Result<std::vector<std::string>>> Vme58Driver::ask_several(std::string text
       const auto bad = co_await was_rejected(priority);
       if (bad && *bad) co_return rejected(text);
       station_->count_miss();
-      co_return fail(FaultKind::no_answer, fmt::format("The board did not answer to {} in time.", text));
+      co_return fail(FaultKind::no_answer,
+                     fmt::format("The board did not answer to {} in time.", without_end(text)));
     }
     co_await scheduler_.sleep_for(ring_look);
   }
@@ -216,7 +216,7 @@ Task<Result<>> Vme58Driver::fetch_replies(int input_put, Priority priority) {
   cycles.pop_back();
   get_ = input_put;
   received_ += reply_text(cycles);
-  while (auto reply = take_reply(received_)) replies_.push_back(std::move(*reply));
+  while (auto reply = take_reply(received_, echo_)) replies_.push_back(std::move(*reply));
   if (replies_wanted_ == 0) give_unsolicited();
   co_return Result<>();
 }

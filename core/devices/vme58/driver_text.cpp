@@ -1,6 +1,8 @@
 // Raw text of users and scripts: sent command by command, so that the one that the board rejects can be
 // named; and followed, so that the console knows which axis it has selected and what it has set.
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -14,6 +16,23 @@ constexpr std::size_t longest_text = 240;  // what the ring takes at once, with 
 
 std::vector<TextCommand> commands_in(std::string_view text, Context context) {
   return read_commands(text, context);
+}
+
+bool stops_here(Op op) { return op == Op::ST || op == Op::SA || op == Op::SD || op == Op::KL; }
+/// With such a command a motion begins that the queue tells of.
+bool moves_in_queue(Op op) {
+  switch (op) {
+    case Op::GO:
+    case Op::GD:
+    case Op::HM:
+    case Op::HR:
+    case Op::KM:
+    case Op::KR:
+    case Op::MV:
+    case Op::SP:
+    case Op::CX: return true;
+    default: return false;
+  }
 }
 
 bool is_query(const TextCommand& command) { return command.fact && command.fact->when == When::query; }
@@ -39,6 +58,7 @@ Task<Result<std::string>> Vme58Driver::query(std::string text, Duration patience
 
 /// The replies of its queries, one on a line.
 Task<Result<std::string>> Vme58Driver::send_commands(std::string text, Duration patience) {
+  forget_rejection();
   Context context = context_;
   const auto commands = read_commands(text, context);
   std::string answers;
@@ -53,6 +73,8 @@ Task<Result<std::string>> Vme58Driver::send_commands(std::string text, Duration 
       if (!reply) co_return fail(reply.error());
       answers += (answers.empty() ? "" : "\n") + *reply;
     } else {
+      // Until a round of status has seen all queues empty and no axis turning.
+      if (!command.fact || command.fact->when == When::queued) draft_.working = queues_due_ = true;
       auto written = co_await write(word, Priority::intent, WhenStuck::leave);
       if (!written) co_return fail(written.error());
       const auto bad = co_await was_rejected(Priority::intent);
@@ -73,6 +95,7 @@ void Vme58Driver::note_sent(const TextCommand& command) {
   if (!command.fact || !command.flaw.empty()) return;
   follow(command, context_);
   note_param(command);
+  note_motion(command);
   const int axis = command.context.axis;
   const bool one = command.context.mode == where::single;
   switch (command.fact->op) {
@@ -80,6 +103,7 @@ void Vme58Driver::note_sent(const TextCommand& command) {
     case Op::HF:
       if (one && catalog_.axes[ix(axis)].switchable) draft_.axes[axis].enabled = command.fact->op == Op::HN;
       break;
+    case Op::EN: echo_ = true; break;
     case Op::LP:
       for (int i = 0; i < axis_count(); ++i) minds_[ix(i)].counted = true;
       break;
@@ -103,6 +127,28 @@ void Vme58Driver::note_sent(const TextCommand& command) {
       }
       break;
     default: break;
+  }
+}
+
+/// What was told of an axis' end was of another motion. And a jog leaves its queue at once, and may be so
+/// slow that it seems to rest.
+void Vme58Driver::note_motion(const TextCommand& command) {
+  const Op op = command.fact->op;
+  const bool jogs = op == Op::JG || op == Op::JF;
+  if (!jogs && !stops_here(op) && !moves_in_queue(op)) return;
+  const bool one = command.context.mode == where::single && (jogs || op == Op::ST || moves_in_queue(op));
+  for (int i = 0; i < axis_count(); ++i) {
+    if (one && i != command.context.axis) continue;
+    const std::size_t place = one ? 0 : ix(i);
+    const bool meant = place < command.numbers.size() && command.numbers[place].has_value();
+    if (jogs && !meant) continue;
+    if (AxisMind& mind = minds_[ix(i)]; !mind.ours && !stops_here(op) && !std::exchange(mind.by_text, true)) {
+      mind.limit_hit = mind.turned = false;
+      if (!moving(i)) mind.from_limit = (limits_ >> i & 1) != 0;
+      draft_.axes[i].ended_by = EndedBy::nothing;
+    }
+    const double speed = jogs ? std::abs(*command.numbers[place]) : 0;
+    begins_to_creep(i, speed > 0 ? jog_gap(i, speed) : Duration::zero());
   }
 }
 

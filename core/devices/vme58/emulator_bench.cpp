@@ -25,8 +25,7 @@ template <>
 Result<> Vme58Emulator::act(const bench::Input& c) {
   const int line = c.number - 1;
   if (line < 0 || line >= io_lines)
-    return left_as_it_was("There is no input " + std::to_string(c.number) + ".",
-                          "Inputs are numbered 1 to 14: number 1 is line 0.");
+    return left_as_it_was("There is no line " + std::to_string(line) + ".", "The lines are 0 to 13.");
   if (board_.io().is_output(line))
     return left_as_it_was("Line " + std::to_string(line) + " is an output.",
                           "Change the jumpers of its group.");

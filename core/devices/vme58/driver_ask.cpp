@@ -1,0 +1,206 @@
+// What a round of status asks by command, while the board takes commands: flags, slips and queues.
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/base/index.h"
+#include "core/devices/vme58/driver.h"
+
+namespace hw::vme58 {
+namespace {
+
+constexpr int queue_rounds = 5;
+
+}  // namespace
+
+Task<Result<>> Vme58Driver::ask_in_turn() {
+  const bool may_ask = !context_.recording;
+  if (may_ask && (flags_wanted_ || wants_done())) {
+    auto asked = co_await read_flags(Priority::poll);
+    if (!asked) co_return asked;
+  } else if (!may_ask && wants_done()) {
+    auto looked = co_await read_done();
+    if (!looked) co_return looked;
+  }
+  if (may_ask && (status_ & status::slip) != 0 && (slips_ == 0 || round_ % queue_rounds == 0)) {
+    auto asked = co_await read_slips();
+    if (!asked) co_return asked;
+  }
+  // An axis may work at what others have sent; what is not empty is read until it is.
+  const bool turning = draft_.any_axis_moving();
+  bool matters = draft_.working || bit(watched_, queue_group) || draft_.program.run == RunState::running;
+  bool at_once = queues_due_ && !turning;
+  for (int i = 0; i < axis_count(); ++i) {
+    const bool waiting = bit(draft_.queue_known, i) && draft_.queue_free[ix(i)] < queue_entries;
+    matters = matters || waiting || (moving(i) && !minds_[ix(i)].ours);
+    at_once = at_once || minds_[ix(i)].asks_queue;
+  }
+  queues_due_ = turning && (queues_due_ || draft_.working);
+  if (may_ask && (at_once || (matters && round_ % queue_rounds == 0))) {
+    const auto worked_off = co_await is_worked_off();
+    if (!worked_off) co_return fail(worked_off.error());
+    if (*worked_off && std::exchange(draft_.working, false)) {
+      flags_wanted_ = true;
+      for (AxisMind& mind : minds_) mind.by_text = false;
+    }
+  }
+  if (!may_ask && !turning) draft_.working = false;  // nobody can tell
+  for (int i = 0; i < axis_count(); ++i)
+    if (minds_[ix(i)].borrowed_velocity && !minds_[ix(i)].ours) {
+      auto given = co_await give_speed_back(i);
+      if (!given) co_return given;
+    }
+  co_return Result<>();
+}
+
+/// Every queue is empty and nothing turns. What AM has begun leaves its queue at once, and a switch may just
+/// have emptied one: switches and axes are looked at after the queues.
+Task<Result<bool>> Vme58Driver::is_worked_off() {
+  auto queues = co_await read_queues(Priority::poll);
+  if (!queues) co_return fail(queues.error());
+  if (!queues_empty_ || draft_.any_axis_moving()) co_return false;
+  const auto registers = co_await read_registers(Priority::poll, true);
+  if (!registers) co_return fail(registers.error());
+  take_registers(*registers);
+  auto read = co_await read_axes(Priority::poll);
+  if (!read) co_return fail(read.error());
+  co_return !draft_.any_axis_moving();
+}
+
+/// The board reads no further: no queue can be asked for, and the one that the text is meant for is full
+/// (what waits does not fit: fewer entries are free than it takes).
+void Vme58Driver::show_full_queue() {
+  draft_.queue_known = 0;
+  Context context = context_;
+  if (in_wq_) return;
+  for (const TextCommand& command : read_commands(last_sent_, context)) {
+    if (!command.fact || command.fact->when != When::queued || command.context.mode != where::single)
+      continue;
+    draft_.queue_known = 1u << command.context.axis;
+    draft_.queue_free[ix(command.context.axis)] = 0;
+  }
+}
+
+// One bit for both ends of an axis: the direction letter tells which one it stands on (decision M33). It is
+// that of the latest motion, which may have led away from the switch: it counts when the switch is met, and
+// when the axis was sent another way and did not move.
+Task<Result<>> Vme58Driver::read_flags(Priority priority) {
+  flags_wanted_ = false;
+  auto reply = co_await ask("QI\n", priority);
+  if (!reply) co_return fail(reply.error());
+  const auto flags = decode_all_flags(*reply);
+  unsigned done = 0;
+  for (int i = 0; i < axis_count() && i < static_cast<int>(flags.size()); ++i) {
+    AxisMind& mind = minds_[ix(i)];
+    const auto letter = static_cast<std::int8_t>(flags[ix(i)].plus ? 1 : -1);
+    const bool rests = !moving(i) && !mind.ours && !draft_.working;
+    const bool turned_round = rests && mind.from_limit && mind.letter != 0 && mind.letter != letter;
+    if (bit(limits_, i) && (mind.limit_end == 0 || turned_round)) mind.limit_end = mind.letter = letter;
+    if (!bit(limits_, i) || rests) mind.letter = letter;
+    if (flags[ix(i)].done) done |= 1u << i;
+    show_limits(i);
+  }
+  take_done(done);
+  co_return Result<>();
+}
+
+/// An axis of ours stands, and some done flag is set. Or somebody looks at the registers.
+bool Vme58Driver::wants_done() const {
+  if ((status_ & status::done) == 0) return false;
+  for (int i = 0; i < axis_count(); ++i) {
+    const AxisMind& mind = minds_[ix(i)];
+    if (mind.ours && !mind.stopping && !moving(i) && mind.wanted != Activity::jogging) return true;
+  }
+  return bit(watched_, memory_group) && round_ % queue_rounds == 0;
+}
+
+Task<Result<>> Vme58Driver::read_done() {
+  Burst burst(*this);
+  burst.cycles.push_back(BusCycle::read(1, reg::done));
+  auto looked = co_await run(burst.cycles, Priority::poll);
+  if (!looked) co_return looked;
+  take_done(burst.cycles.front().value);
+  co_return Result<>();
+}
+
+void Vme58Driver::take_done(unsigned axes) {
+  draft_.window.put(reg::done, 1, axes);
+  for (int i = 0; i < axis_count(); ++i) {
+    AxisMind& mind = minds_[ix(i)];
+    if (!bit(axes, i) || !mind.ours || mind.stopping) continue;
+    mind.done = true;
+    if (!moving(i)) show_still(i, scheduler_.now());
+  }
+}
+
+// RL leaves the flags as they are. Of a flag that was seen before nothing more is told.
+Task<Result<>> Vme58Driver::read_slips() {
+  auto reply = co_await ask("RL\n", Priority::poll);
+  if (!reply) co_return fail(reply.error());
+  for (int i = 0; i < axis_count() && ix(i) < reply->size(); ++i) {
+    if ((*reply)[ix(i)] != 'S' || bit(slips_, i)) continue;
+    slips_ = static_cast<std::uint8_t>(slips_ | 1u << i);
+    if (const int place = catalog_.find_readout(fmt::format("SLIP{}", axis_name(i))); place >= 0)
+      draft_.readouts[ix(place)] = 1;
+    tell(Notice::Kind::warning,
+         fmt::format("Axis {} has slipped: its encoder and its position differ by more than ES allows.",
+                     axis_name(i)));
+  }
+  draft_.window.put(reg::slip, 1, slips_);
+  co_return Result<>();
+}
+
+// The queues of AA and AM stand beside those of the axes (decision M20).
+Task<Result<>> Vme58Driver::read_queues(Priority priority) {
+  const bool were_empty = std::exchange(queues_empty_, false);
+  std::string text;
+  for (int i = 0; i < axis_count(); ++i) text += fmt::format("A{} RQ ", axis_name(i));
+  text += fmt::format("AA RQ AM RQ {}\n", context_.selector());
+  auto replies = co_await ask_several(std::move(text), ix(axis_count()) + 2, priority, Millis(200));
+  // A full ring or a WQ holds questions back: that is an answer too.
+  if (!replies && replies.error().kind == FaultKind::no_answer) {
+    draft_.queue_known = 0;
+    co_return Result<>();
+  }
+  if (!replies) co_return fail(replies.error());
+  bool empty = true;
+  unsigned full_room = 0;
+  for (std::size_t i = 0; i < replies->size(); ++i) {
+    const auto numbers = decode_numbers((*replies)[i]);
+    const auto full = [](std::int64_t free) { return free >= queue_entries; };
+    const bool none_waits = numbers && std::all_of(numbers->begin(), numbers->end(), full);
+    empty = empty && none_waits;
+    if (none_waits) full_room |= 1u << i;
+    if (i >= ix(axis_count()) || !numbers || numbers->size() != 1) continue;
+    draft_.queue_free[i] = static_cast<std::int16_t>(numbers->front());
+    draft_.queue_known |= 1u << i;
+  }
+  queues_empty_ = empty;
+  take_queues(were_empty);
+  const unsigned all_groups = 3u << axis_count();
+  const Instant now = scheduler_.now();
+  for (int i = 0; i < axis_count(); ++i) {
+    AxisMind& mind = minds_[ix(i)];
+    if (!std::exchange(mind.asks_queue, false) || !mind.ours) continue;
+    const unsigned its = mind.group != 0 ? all_groups : 1u << i;
+    const AxisState& axis = draft_.axes[i];
+    if ((full_room & its) != its)
+      mind.still_since = now;  // the move stands in the queue: it is under way, or has yet to begin
+    else
+      end_motion(i, axis.has_target && axis.position == axis.target ? EndedBy::target : EndedBy::elsewhere);
+  }
+  co_return Result<>();
+}
+
+/// What has waited in a queue has begun by now; of a jog that shows a little later.
+void Vme58Driver::take_queues(bool were_empty) {
+  if (were_empty || !queues_empty_) return;
+  for (int i = 0; i < axis_count(); ++i)
+    if (const Duration gap = minds_[ix(i)].jog_gap; gap > Duration::zero()) {
+      begins_to_creep(i, gap);
+      if (draft_.axes[i].activity == Activity::idle) draft_.axes[i].activity = Activity::moving;
+    }
+}
+
+}  // namespace hw::vme58
