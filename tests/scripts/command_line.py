@@ -725,7 +725,7 @@ class Backup(Case):
         with emulator("vxm", "--tcp", "127.0.0.1:0") as (ready, _):
             address = "vxm@tcp:" + port_of(ready[0])
             self.expect(run("send", address, "setM1M4,PM3,C,U5", "PM0"), 0)
-            self.expect(run("backup", address, "-o", file), 0, "1 programs")
+            self.expect(run("backup", address, "-o", file), 0, "1 program")
         with emulator("vxm", "--tcp", "127.0.0.1:0") as (ready, _):
             address = "vxm@tcp:" + port_of(ready[0])
             self.expect(run("send", address, "PM1,C,I1M7", "PM0"), 0)
@@ -751,7 +751,7 @@ class Backup(Case):
         with emulator("dmx-k-sa", "--tcp", "127.0.0.1:0") as (ready, _):
             address = "dmx-k-sa@tcp:" + port_of(ready[0])
             self.expect(run("send", address, "V51=5"), 0)
-            self.expect(run("restore", address, file), 0, "3 variables written")
+            self.expect(run("restore", address, file), 0, "Variables: 3 written")
             self.assertEqual(run("send", address, "V50", "V51", "V99", "SLT").stdout, "-12345\n0\n134217727\n33\n")
             self.expect(run("restore", address, file), 0, "Parameters: 0 written")
 
