@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Clean builds compile files of one library in batches (CMakeLists.txt, HW_BATCHES). There, what two files hide under
-one name in the same namespace would meet: each such name may be used once in a library.
+one name in the same namespace would meet: each such name may be used once in a library, and not as the name of a type
+in a header beside it.
     batch_rules.py [HOUSE]"""
 import collections
 import json
@@ -16,11 +17,20 @@ LIBRARIES = {
 }
 
 
+def tags(files, kinds):
+    command = ["ctags", "--output-format=json", "--fields=+nSk", f"--kinds-C++={kinds}", "-f", "-", *map(str, files)]
+    lines = subprocess.run(command, capture_output=True, text=True, check=True).stdout.splitlines()
+    return [json.loads(line) for line in lines]
+
+
+def types_in_headers(files):
+    """(namespace, name) -> header."""
+    return {(t.get("scope", ""), t["name"]): t["path"] for t in tags(files, "sgtc") if t.get("scopeKind") == "namespace"}
+
+
 def hidden(files):
     """(namespace, name, kind and signature, file) of all that is in an unnamed namespace."""
-    command = ["ctags", "--output-format=json", "--fields=+nSk", "--kinds-C++=fvsgtec", "-f", "-", *map(str, files)]
-    for line in subprocess.run(command, capture_output=True, text=True, check=True).stdout.splitlines():
-        tag = json.loads(line)
+    for tag in tags(files, "fvsgtec"):
         space, anonymous, inner = tag.get("scope", "").partition("::__anon")
         if anonymous and "::" not in inner and tag.get("scopeKind") == "namespace":
             yield space, tag["name"], tag["kind"] + tag.get("signature", ""), tag["path"]
@@ -32,7 +42,10 @@ def clashes(folder, without):
     found = collections.defaultdict(dict)
     for space, name, what, path in hidden(files):
         found[space, name].setdefault(path, set()).add(what)
+    headers = types_in_headers(sorted((HOUSE / folder).rglob("*.h")))
     for (space, name), places in sorted(found.items()):
+        if (space, name) in headers:
+            yield f"{space}::{name} is hidden in {', '.join(sorted(places))} and a type in {headers[space, name]}."
         kinds = [what for each in places.values() for what in each]
         overloads = len(kinds) == len(set(kinds)) and all(k.startswith("function") for k in kinds)
         if len(places) > 1 and not overloads:

@@ -14,9 +14,9 @@ constexpr int most_digits = 12;
 
 bool is_dropped(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\0'; }
 
-class Reader {
+class TextReader {
  public:
-  Reader(std::string_view text, int motor) : text_(text), motor_(static_cast<std::uint8_t>(motor)) {}
+  TextReader(std::string_view text, int motor) : text_(text), motor_(static_cast<std::uint8_t>(motor)) {}
 
   bool next(TextCommand& c) {
     skip_to_command();
@@ -234,7 +234,7 @@ class Reader {
 
 std::vector<TextCommand> read_text(std::string_view text, int motor) {
   std::vector<TextCommand> all;
-  Reader reader(text, motor);
+  TextReader reader(text, motor);
   for (TextCommand c; reader.next(c); all.push_back(c))
     if (c.flaw == Flaw::none && !possible(c)) c.flaw = Flaw::range;
   return all;
