@@ -22,7 +22,7 @@ std::string lines_in_hex(unsigned lines) {
 }  // namespace
 
 void Board::answer(const Command& c) {
-  const auto list = [this](unsigned axes, std::string_view between, auto value_of) {
+  const auto list = [](unsigned axes, std::string_view between, auto value_of) {
     std::string text;
     each_axis(axes, [&](int a) {
       if (!text.empty()) text += between;
