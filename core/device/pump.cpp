@@ -44,15 +44,14 @@ void Pump::start() {
 Task<> Pump::shut_down() {
   if (!running_) co_return;
   closing_ = true;
-  if (jogging_ && station_) {
-    ++stops_under_way_;
-    Intent farewell(0, intent::Stop());
-    co_await stop_and_report(std::move(farewell));
-  }
   refuse_queued("The controller was closed. Nothing was sent.");
+  if (jogging_) post_stop(Intent(0, intent::Stop()));
+  // A stop that was asked for a moment ago may still wait for the answer to a question.
+  while (stops_under_way_ > 0) co_await ended_.wait();
   if (station_) station_->close(Fault(FaultKind::lost, "The controller was closed."));
   wake_.notify();
   while (running_ || stops_under_way_ > 0) co_await ended_.wait();
+  refuse_queued("The controller was closed. Nothing was sent.");
 }
 
 // ---- the life of the connection

@@ -26,7 +26,8 @@ class Pump {
   ~Pump();
 
   void start();
-  /// Stops what the console holds, closes the wire. The pump may be destroyed when it resumes.
+  /// Stops what the console holds, lets every stop under way reach the controller, closes the wire. The pump
+  /// may be destroyed when it resumes.
   Task<> shut_down();
 
   void post(Intent intent);

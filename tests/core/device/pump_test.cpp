@@ -203,6 +203,41 @@ TEST_F(PumpTest, AJogThatNobodyHoldsIsStopped) {
   EXPECT_THAT(notices, ElementsAre(HasSubstr("did not hold the jog")));
 }
 
+struct PumpClosing : PumpTest {
+  void close_now() { asio::co_spawn(io, pump->shut_down(), asio::detached); }
+};
+
+TEST_F(PumpClosing, AHeldJogIsStopped) {
+  post(intent::JogStart(AxisId{0}, Sign::plus));
+  time.run_for(Millis(100));
+  close_now();
+  time.run_for(std::chrono::seconds(3));
+  EXPECT_THAT(commands(), ElementsAre("hello", "jog", "stop"));
+  EXPECT_EQ(latest.link.state, LinkState::closed);
+}
+
+TEST_F(PumpClosing, AStopOfSeveralStepsGoesOutWhole) {
+  post(intent::Abort());
+  close_now();
+  time.run_for(std::chrono::seconds(3));
+  EXPECT_THAT(commands(), ElementsAre("hello", "kill", "sure"));
+  EXPECT_EQ(latest.link.state, LinkState::closed);
+}
+
+TEST_F(PumpClosing, AStopGoesOutBehindAQuestionThatIsNeverAnswered) {
+  post(intent::JogStart(AxisId{0}, Sign::plus));
+  silent = true;
+  const int asked = polls();
+  while (polls() == asked) time.run_for(Millis(1));
+  post(intent::JogStop());
+  close_now();
+  time.run_for(Millis(1));
+  EXPECT_THAT(commands(), ElementsAre("hello", "jog")) << "the question is on the wire";
+  time.run_for(std::chrono::seconds(3));
+  EXPECT_THAT(commands(), ElementsAre("hello", "jog", "stop"));
+  EXPECT_EQ(latest.link.state, LinkState::closed);
+}
+
 TEST_F(PumpTest, ALateKeepAliveDoesNotReviveAStoppedJog) {
   post(intent::JogStart(AxisId{0}, Sign::plus));
   time.run_for(Millis(100));

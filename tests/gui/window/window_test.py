@@ -140,6 +140,20 @@ class Window(unittest.TestCase):
         self.wait_until(still, "motor 1 comes to rest")
         return last[0]
 
+    def hold(self, widget, moved):
+        """Presses until `moved`. The console starts no jog on a frame that comes late, and on a busy machine some
+        do: then the hand lets go and presses again."""
+        self.point(widget)
+        for patience in (5, 10, 30):
+            self.xdo("mousedown", 1)
+            end = time.monotonic() + patience
+            while time.monotonic() < end:
+                if moved(self.wire.first_motor()[-1]):
+                    return
+                time.sleep(0.05)
+            self.xdo("mouseup", 1)
+            time.sleep(1)
+        self.fail(f"{widget} moves nothing")
 
     def click(self, widget, button=1):
         self.point(widget)
@@ -172,11 +186,8 @@ class Window(unittest.TestCase):
 class Hold(Window):
     def test_holding_a_jog_button_moves_until_it_is_let_go(self):
         begin = self.at_rest()
-        self.point("jog/1/+")
-        self.xdo("mousedown", 1)
-        time.sleep(1.5)
+        self.hold("jog/1/+", lambda position: position > begin + 400)
         moving = self.wire.first_motor()[-1]
-        self.assertGreater(moving, begin + 400, "moves while it is held")
         self.xdo("mouseup", 1)
         stopped = self.at_rest()
         self.assertLess(stopped, moving + 6000)
@@ -199,9 +210,7 @@ class Type(Window):
 class Escape(Window):
     def test_escape_stops_a_held_jog(self):
         begin = self.at_rest()
-        self.point("jog/1/+")
-        self.xdo("mousedown", 1)
-        self.wait_until(lambda: self.wire.first_motor()[-1] > begin + 300, "moves")
+        self.hold("jog/1/+", lambda position: position > begin + 300)
         self.xdo("key", "Escape")
         stopped = self.at_rest()
         time.sleep(1)
@@ -290,9 +299,7 @@ class Shape(Window):
         self.places = places
         self.click("tab/jog")
         self.places = self.layout(640, 400, "ui.click('tab/jog')")
-        self.point("jog/1/+")
-        self.xdo("mousedown", 1)
-        self.wait_until(lambda: self.wire.first_motor()[-1] > begin + 300, "moves")
+        self.hold("jog/1/+", lambda position: position > begin + 300)
         self.xdo("mouseup", 1)
         self.at_rest()
         x, y = self.places["stop_all"]
@@ -301,9 +308,7 @@ class Shape(Window):
         time.sleep(1)
         self.places = self.layout(WIDTH, HEIGHT)
         begin = self.at_rest()
-        self.point("jog/1/-")
-        self.xdo("mousedown", 1)
-        self.wait_until(lambda: self.wire.first_motor()[-1] < begin - 300, "moves back in the large window")
+        self.hold("jog/1/-", lambda position: position < begin - 300)
         self.xdo("mouseup", 1)
         self.at_rest()
 
@@ -311,9 +316,7 @@ class Shape(Window):
 class Close(Window):
     def test_closing_the_window_stops_a_held_jog(self):
         begin = self.at_rest()
-        self.point("jog/1/+")
-        self.xdo("mousedown", 1)
-        self.wait_until(lambda: self.wire.first_motor()[-1] > begin + 300, "moves")
+        self.hold("jog/1/+", lambda position: position > begin + 300)
         self.console.send_signal(signal.SIGTERM)
         self.assertEqual(self.console.wait(30), 0)
         time.sleep(2.5)  # the ramp
