@@ -52,7 +52,7 @@ class Window(unittest.TestCase):
         self.env = {**os.environ, "DISPLAY": display, "XDG_CONFIG_HOME": str(home / "config"),
                     "XDG_STATE_HOME": str(home / "state"), "LIBGL_ALWAYS_SOFTWARE": "1"}
         self.env.pop("WAYLAND_DISPLAY", None)
-        self.start(["Xvfb", display, "-screen", "0", f"{WIDTH}x{HEIGHT}x24", "-nolisten", "tcp"])
+        self.start(["Xvfb", display, "-screen", "0", f"{WIDTH}x{HEIGHT}x24", "-nolisten", "tcp", "-noreset"])
         self.wait_until(lambda: subprocess.run(["xdotool", "getdisplaygeometry"], env=self.env,
                                                capture_output=True).returncode == 0, "the display is there")
         emulator = self.start([PROGRAM, "emulate", "vxm", "--tcp", "127.0.0.1:0"], stdout=subprocess.PIPE, text=True)
@@ -109,7 +109,8 @@ class Window(unittest.TestCase):
         found = []
 
         def look():
-            self.assertIsNone(self.console.poll(), "the console has ended")
+            if self.console.poll() is not None:
+                self.fail(f"the console has ended: {self.console.stderr.read()}")
             result = subprocess.run(["xdotool", "search", "--onlyvisible", "--name", "Handwheel"], env=self.env,
                                     capture_output=True, text=True)
             found[:] = result.stdout.split()
