@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
-#include <future>
 
 #include <GL/gl.h>
 #include <GLFW/glfw3.h>
@@ -80,26 +79,32 @@ struct Window::Callbacks {
 
 Window::Window(WindowOptions options) : options_(std::move(options)) {}
 
+static std::future<Fonts> build_fonts(float scale) {
+  return std::async(std::launch::async, [scale] {
+    Fonts f;
+    f.build(scale);
+    return f;
+  });
+}
+
 Result<std::unique_ptr<Window>> Window::open(WindowOptions options) {
+  // The atlas takes about as long as GLFW, the window and its GL: both at once. What scale the monitor has is
+  // known later; most have 1.
+  std::future<Fonts> fonts = build_fonts(options.scale);
   if (!glfwInit())
     return fail(FaultKind::port, "No window can be opened: there is no display" + glfw_says() + ".",
                 "Nothing was started.",
                 "Start it in a desktop session, or use `handwheel run SCRIPT --gui`.");
   std::unique_ptr<Window> window(new Window(std::move(options)));
-  const Result<> made = window->create();
+  const Result<> made = window->create(std::move(fonts));
   if (!made) return fail(made.error());
   return window;
 }
 
-Result<> Window::create() {
+Result<> Window::create(std::future<Fonts> unscaled) {
   opened_at_s_ = glfwGetTime();
   const float scale = monitor_scale() * options_.scale;
-  // The atlas takes about as long as the window and its GL: both at once.
-  std::future<Fonts> fonts = std::async(std::launch::async, [scale] {
-    Fonts f;
-    f.build(scale);
-    return f;
-  });
+  std::future<Fonts> fonts = scale == options_.scale ? std::move(unscaled) : build_fonts(scale);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 2);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);

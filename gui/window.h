@@ -3,6 +3,7 @@
 // rest none. Keys and buttons go from the callbacks into the input queue, so that Esc acts in its callback.
 #include <atomic>
 #include <functional>
+#include <future>
 #include <memory>
 #include <string>
 #include <vector>
@@ -53,7 +54,7 @@ class Window : public Surface {
 
  private:
   explicit Window(WindowOptions options);
-  Result<> create();
+  Result<> create(std::future<Fonts> unscaled);
   void connect_callbacks();
   void connect_clipboard();
   void push(const InputEvent& event);
