@@ -61,9 +61,10 @@ State worst_state(const Snapshot& now, Instant clock) {
     else if (badness(state) > badness(worst))
       worst = state;
   }
-  const bool program =
-      now.program.owned && (now.program.run == RunState::waiting || now.program.run == RunState::held);
-  if (program && badness(worst) < badness(State::waiting)) worst = State::waiting;
+  const ProgramState& program = now.program;
+  const bool runs = program.run == RunState::running ||  // while nothing moves: it waits for a time or an input
+                    (program.owned && (program.run == RunState::waiting || program.run == RunState::held));
+  if (runs && badness(worst) < badness(State::waiting)) worst = State::waiting;
   return worst;
 }
 

@@ -228,7 +228,13 @@ void Console::start_demo() {
     const auto catalog = type.make_catalog({});
     if (catalog && catalog->addressed() && catalog->axes.size() == 1)
       address += ",id=01-04";  // a bus of them
-    if (auto opened = open(address); !opened) toast(Mood::fault, opened.error().sentence());
+    auto opened = open(address);
+    if (!opened) {
+      toast(Mood::fault, opened.error().sentence());
+      continue;
+    }
+    ProgramTexts& texts = (*opened)->desk().texts;
+    if (texts.count() > 0 && texts.text(0).empty()) texts.set_text(0, catalog->program.example);
   }
   if (!tabs_.empty()) activate(*tabs_.front());
 }

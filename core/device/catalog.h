@@ -193,6 +193,7 @@ struct ProgramFacts {
   bool compiled = false;         ///< what is stored is not the text: View shows the listing
   std::string file_suffix;       ///< ".vxm"
   char comment = ';';
+  std::string example;  ///< a short one that shows the language and ends by itself: the demo begins with it
 };
 
 /// What can be chosen before a controller is opened or its emulator started: key=value of an address.

@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include "core/device/registry.h"
 #include "core/script/runner.h"
 #include "gui/app/cli.h"
 #include "gui/app/script_stage.h"
@@ -20,6 +21,13 @@ local function picture(name)
   ui.frame(3)
   ui.screenshot(folder .. "/" .. name .. ".png")
   print("  picture: " .. folder .. "/" .. name .. ".png")
+end
+-- As a hand does it: what was written, and what the controller works on, stand in the editor.
+local function write_and_run(text)
+  ui.click("tab/program")
+  ui.type("program/text", text)
+  ui.click("program/run")
+  ui.click("tab/program")  -- the mouse rests where it hides nothing
 end
 local function must(ok, why) hw.check(ok, why) return ok end
 
@@ -73,53 +81,32 @@ print("  cable back: motor 1 at " .. tostring(d:position(1)) .. " steps")
 
 print("An Arcus PMX-4EX-SA draws a house with its stored program.")
 local p = must(hw.open("pmx-4ex-sa@emulator"))
-must(p:load([[
-; The house of Saint Nicholas: eight lines without lifting the pen
-HSPD=4000
-LSPD=400
-ACC=100
-ABS
-DO1=1
-X3000Y0
-WAITX
-X0Y3000
-WAITX
-X3000Y3000
-WAITX
-X0Y0
-WAITX
-X0Y3000
-WAITX
-X1500Y4500
-WAITX
-X3000Y3000
-WAITX
-X3000Y0
-WAITX
-DO1=0
-END
-]]))
 began = hw.now()
-must(p:run(0))
+write_and_run(hw.args[2])
 hw.sleep(2)
 print(string.format("  at X %d, Y %d", p:position("X"), p:position("Y")))
 picture("pmx-draws")
 must(p:wait(120))
 print(string.format("  drawn in %.1f s, the pen is at %d, %d", hw.now() - began, p:position("X"), p:position("Y")))
 
-print("An Arcus DMX-K-SA with its closed loop.")
-local m = must(hw.open("dmx-k-sa@emulator"))
-must(m:move_to{X = 8000})
+print("Four Arcus DMX-K-SA with closed loops on one line.")
+local m = must(hw.open("dmx-k-sa@emulator,id=01-04"))
+for _, id in ipairs{"01", "02", "03", "04"} do must(m.devices[id]:send("EO=1")) end
+must(m:move_to{["01"] = 8000, ["02"] = 6000, ["03"] = 4000, ["04"] = 2000})
+hw.sleep(1)
+picture("dmx-bus")
 must(m:wait(60))
-print(string.format("  target %d, encoder %d counts", m:position("X"), m:encoder("X")))
-picture("dmx")
+for _, id in ipairs{"01", "02", "03", "04"} do
+  print(string.format("  %s: target %d, encoder %d counts", id, m:position(id), m:encoder(id)))
+end
 
 print("An Oregon Micro Systems VME58, a board with eight servo axes, cuts a hole.")
 local v = must(hw.open("vme58@emulator"))
 must(v:move_to{X = 4000, Y = -2000, S = 1000})
 must(v:wait(60))
 print(string.format("  X %d, Y %d, S %d", v:position("X"), v:position("Y"), v:position("S")))
-must(v:load([[
+began = hw.now()
+write_and_run([[
 AA
 CV20000
 CD,,0,0;
@@ -131,9 +118,7 @@ MT-10,10000
 CE
 MT,,-1000,0; GO
 CX
-]]))
-began = hw.now()
-must(v:run(0))
+]])
 hw.sleep(2)
 picture("vme58-hole")
 must(v:wait(120))
@@ -165,7 +150,9 @@ int headless_demo(const std::string& pictures) {
   HybridScheduler scheduler(io, false);
   script::RunOptions options;
   options.path = "demo.lua";
-  options.args = {pictures};
+  const DeviceType* pmx = find_device_type("pmx-4ex-sa");
+  const auto catalog = pmx->make_catalog({});
+  options.args = {pictures, catalog->program.example};
   options.opener = wire_opener();
   options.print = [](std::string_view text) {
     std::fwrite(text.data(), 1, text.size(), stdout);

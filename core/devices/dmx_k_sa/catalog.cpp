@@ -61,6 +61,25 @@ Result<Catalog> make_catalog(const DeviceOptions& options) {
   c.name = "Arcus DMX-K-SA";
   c.short_name = "DMX";
   c.summary = "1 motor each, up to 99 on a bus";
+  c.program.example =
+      "; To and fro five times, with a rest of half a second; V1 counts\n"
+      "HSPD=20000\n"
+      "LSPD=500\n"
+      "ACC=200\n"
+      "EO=1\n"
+      "PX=0\n"
+      "ABS\n"
+      "V1=0\n"
+      "WHILE V1<5\n"
+      "  X5000\n"
+      "  WAITX\n"
+      "  DELAY=500\n"
+      "  X0\n"
+      "  WAITX\n"
+      "  DELAY=500\n"
+      "  V1=V1+1\n"
+      "ENDWHILE\n"
+      "END\n";
   c.options = {{"id", {{"00", "1 motor"}, {"01-04", "01 to 04"}, {"01-30", "01 to 30"}}}};
   for (std::size_t i = 0; i < c.homing_modes.size(); ++i)
     c.homing_modes[i].maker = forms().homes[i].substr(0, forms().homes[i].size() - 1);  // without its sign

@@ -106,6 +106,34 @@ Result<Catalog> make_catalog(const DeviceOptions& options) {
   c.short_name = "PMX";
   c.summary = "four stepping axes, X to U";
   c.options = {{"id", {{"00", "4EX00"}, {"01", "4EX01"}, {"02", "4EX02"}, {"03", "4EX03"}}}};
+  c.program.example =
+      "; The house of Saint Nicholas: eight lines without lifting the pen\n"
+      "HSPD=4000\n"
+      "LSPD=400\n"
+      "ACC=100\n"
+      "EO=3       ; the motors of X and Y\n"
+      "PX=0\n"
+      "PY=0\n"
+      "ABS\n"
+      "DO1=1      ; the pen is down\n"
+      "X3000Y0\n"
+      "WAITX\n"
+      "X0Y3000\n"
+      "WAITX\n"
+      "X3000Y3000\n"
+      "WAITX\n"
+      "X0Y0\n"
+      "WAITX\n"
+      "X0Y3000\n"
+      "WAITY\n"
+      "X1500Y4500\n"
+      "WAITX\n"
+      "X3000Y3000\n"
+      "WAITX\n"
+      "X3000Y0\n"
+      "WAITY\n"
+      "DO1=0\n"
+      "END\n";
   add_readouts(c);
   add_actions(c);
   c.move_list.columns = {position_field("x", "X", "pulses"), position_field("y", "Y", "pulses"),

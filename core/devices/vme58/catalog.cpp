@@ -258,6 +258,14 @@ Result<Catalog> make_catalog(const DeviceOptions& options_given) {
   c.program.capacity_unit = "characters";
   c.program.file_suffix = ".vme";
   c.program.comment = '#';
+  c.program.example =
+      "# X and Y go together in a straight line, then Z out and back\n"
+      "AA VL20000,20000,20000; AC200000,200000,200000;\n"
+      "LP0,0,0;\n"
+      "ML30000,10000; GO ID\n"
+      "MT,,-20000; GO ID\n"
+      "MT,,0; GO ID\n"
+      "ML-30000,-10000; GO ID\n";
   c.bench.panel_title = "VME58";
   c.can = capabilities();
   c.can.servo_tuning = variant.servos > 0;

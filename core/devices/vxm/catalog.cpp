@@ -124,6 +124,17 @@ Result<Catalog> make_catalog(const DeviceOptions& options) {
   c.program.capacity = program_bytes;
   c.program.capacity_unit = "bytes";
   c.program.file_suffix = ".vxm";
+  c.program.example =
+      "; Five strokes of motor 1, with a pulse on output 1 at the end of each\n"
+      "S1M4000\n"
+      "A1M4\n"
+      "LM0\n"
+      "U4\n"
+      "I1M1600\n"
+      "U5\n"
+      "P2\n"
+      "I1M-1600\n"
+      "L5\n";
   c.bench = bench(*motors);
   c.can = capabilities();
   c.jog_speed = Pps{default_speed};
