@@ -81,6 +81,27 @@ def emulation():
         row(f"emulation: eight {what}", f"{line['times_real']:.0f} x real time", "100 x real time", line["times_real"] > 100)
 
 
+def language():
+    lines = bench("compile_1275_lines|statements_per_second")
+    ms = lines["compile_1275_lines"]["cpu_time"]
+    row("compile 1,275 lines of a standalone program", f"{ms:.2f} ms", "under 2 ms", ms < 2)
+    rate = lines["statements_per_second"]["items_per_second"] / 1e6
+    row("statements of a standalone program, emulated", f"{rate:.1f} million/s", "-", True)
+
+
+def bus():
+    line = bench("bus_of_thirty")["second_of_a_bus_of_thirty"]
+    share, spread = 100 * line["share_of_wire"], 100 * line["spread"]
+    row("30 DMX on one line at 115,200 baud, polled", f"{share:.1f} % of the wire, each within {spread:.1f} % of the others",
+        "at least 95 %, within 3 %", share >= 95 and spread <= 3)
+
+
+def board():
+    lines = bench("through_the_window|all_axes_read")
+    row("VME58: commands through the window", f"{lines['command_through_the_window']['commands_per_s'] / 1e6:.2f} million/s", "-", True)
+    row("VME58: all axes read from the data area", f"{lines['all_axes_read']['reads_per_s'] / 1e3:.0f} thousand/s", "-", True)
+
+
 def frame():
     lines = bench("console_frame|imgui_demo", 9)
     demo = lines["imgui_demo_frame"]["cpu_time"]
@@ -171,8 +192,8 @@ def window():
             server.wait()
 
 
-FIGURES = {"wire": wire, "poll": poll, "stop": stop, "emulation": emulation, "frame": frame, "terminal": terminal,
-           "window": window}
+FIGURES = {"wire": wire, "poll": poll, "stop": stop, "emulation": emulation, "language": language, "bus": bus, "board": board,
+           "frame": frame, "terminal": terminal, "window": window}
 
 if __name__ == "__main__":
     wanted = sys.argv[1:]

@@ -50,10 +50,10 @@ end
 
 -- ---- looking
 
--- Tries for three seconds; the last answer of `look` is given back.
+-- Tries for ten seconds; the last answer of `look` is given back.
 local function in_time(look, level)
   local good, what
-  for _ = 1, 60 do
+  for _ = 1, 200 do
     good, what = look()
     if good then return good end
     hw.sleep(0.05)
@@ -128,7 +128,7 @@ function sent(text)
   read_messages()
   ui.type("terminal/filter", text .. "<cr>")
   local found
-  for _ = 1, 60 do
+  for _ = 1, 200 do
     found = logged(text)
     if found then break end
     hw.sleep(0.05)
