@@ -93,7 +93,12 @@ Tab& Console::make_tab(std::shared_ptr<Session> session, bool on_bus) {
   } else {
     toast(Mood::warn, profile.error().sentence());
   }
-  if (outside_->folders.enabled) tell(tab->desk().keep_texts(Autosave(outside_->folders), tab->profile_key));
+  // Two tabs of one address (two emulators) keep their texts apart.
+  const auto others = std::count_if(tabs_.begin(), tabs_.end(),
+                                    [&](const auto& t) { return t->profile_key == tab->profile_key; });
+  const std::string kept_as =
+      others == 0 ? tab->profile_key : fmt::format("{} {}", tab->profile_key, others + 1);
+  if (outside_->folders.enabled) tell(tab->desk().keep_texts(Autosave(outside_->folders), kept_as));
   tab->desk().use(outside_->worker);
   return add(std::move(tab));
 }

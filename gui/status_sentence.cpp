@@ -50,8 +50,7 @@ Said say_link(const StatusFacts& f) {
 }
 
 Said say_error(const StatusFacts& f) {
-  if (f.now.program.run == RunState::error && !f.now.notice.empty())
-    return say(Mood::fault, f.now.notice);
+  if (f.now.program.run == RunState::error && !f.now.notice.empty()) return say(Mood::fault, f.now.notice);
   for (int i = 0; i < f.now.axis_count; ++i) {
     if (f.now.axes[i].activity != Activity::error && !f.now.axes[i].alarm) continue;
     if (!f.now.notice.empty()) return say(Mood::fault, f.now.notice);
@@ -94,7 +93,11 @@ std::string say_place(const RunPlace& run) {
   std::string words = say_line(run, " in ");
   if (run.line >= 0 && run.passes > 1) words += fmt::format(", pass {} of {}", run.pass, run.passes);
   words += '.';
-  if (run.left_s) words += fmt::format(" {} left.", format_duration(std::ceil(*run.left_s)).view());
+  if (run.left_s) {
+    const double whole_s = std::ceil(*run.left_s);  // tenths would change with each frame
+    words += whole_s < 60 ? fmt::format(" {:.0f} s left.", whole_s)
+                          : fmt::format(" {} left.", format_duration(whole_s).view());
+  }
   return words;
 }
 

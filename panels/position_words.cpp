@@ -36,7 +36,7 @@ Caption about_number(Frame& f, AxisId axis) {
   return said;
 }
 
-// A held jog has no target that the hand means.
+// A held jog has no target that the hand means, and what comes to a stop will not reach its own.
 NumberText where_to(const Frame& f, AxisId axis, bool whole) {
   const AxisState& a = f.now.axes[axis.index];
   const DisplayUnit& unit = f.tab.unit(axis);
@@ -45,7 +45,8 @@ NumberText where_to(const Frame& f, AxisId axis, bool whole) {
   if (state == State::limit_plus || state == State::limit_minus)
     words.append(state == State::limit_plus ? "can only move \u2212" : "can only move +");
   if (!is_motion(state)) return words;
-  const bool target = a.has_target && a.activity != Activity::jogging, speed = a.speed.value > 0;
+  const bool target = a.has_target && a.activity != Activity::jogging && a.activity != Activity::stopping,
+             speed = a.speed.value > 0;
   if (target && whole) {
     words.append("to ");
     words.append(format_with_unit(a.target, unit).view());

@@ -126,7 +126,7 @@ void RehearsalCard::draw_progress(Frame& f) {
   const float right = at.x + ImGui::GetContentRegionAvail().x;
   named_text(ui, "rehearsal/result", Face::time, old_ && !of_running_ ? Tone::ink3 : Tone::ink, time_);
   float share = 0;
-  if (of_running_ && r.duration_s > 0) {
+  if (of_running_ && r.finished && r.duration_s > 0) {
     const RunFollower& run = f.tab.desk().follower;
     const double left = run.left_s().value_or(std::max(0.0, r.duration_s - run.run_s()));
     share = static_cast<float>(std::clamp(run.run_s() / std::max(0.001, run.run_s() + left), 0.0, 1.0));

@@ -69,7 +69,7 @@ void Setup::follow(Frame& f) {
     storing_ = 0;
     if (stored->fate != Fate::done) return f.toast(Mood::fault, std::string(stored->sentence.view()));
     std::string words = "Stored in the controller.";
-    if (f.now.store_count >= 0)
+    if (f.now.store_count >= 0 && f.catalog.can.store_life > 0)
       words += fmt::format(" {} of {} writes used.", f.now.store_count, f.catalog.can.store_life);
     f.toast(Mood::ok, std::move(words));
   }
@@ -139,14 +139,16 @@ void Setup::draw_write(Frame& f) {
 
 void Setup::draw_store(Frame& f) {
   char tip[120];
+  const bool known = f.now.store_count >= 0 && f.catalog.can.store_life > 0;
   const auto end =
-      f.now.store_count >= 0
-          ? fmt::format_to_n(tip, sizeof tip,
-                             "Keeps set-up and programs over power-off. {} of {} writes used.",
-                             f.now.store_count, f.catalog.can.store_life)
-          : fmt::format_to_n(tip, sizeof tip,
-                             "Keeps set-up and programs over power-off. The memory bears {} writes.",
-                             f.catalog.can.store_life);
+      f.catalog.can.store_life == 0
+          ? fmt::format_to_n(tip, sizeof tip, "Keeps set-up and programs over power-off.")
+      : known ? fmt::format_to_n(tip, sizeof tip,
+                                 "Keeps set-up and programs over power-off. {} of {} writes used.",
+                                 f.now.store_count, f.catalog.can.store_life)
+              : fmt::format_to_n(tip, sizeof tip,
+                                 "Keeps set-up and programs over power-off. The memory bears {} writes.",
+                                 f.catalog.can.store_life);
   const std::string_view why = f.connected() && storing_ ? "It is being stored." : f.no_link();
   if (button(f.ui, "setup/store", "Store in controller",
              {.disabled = why, .tip = {tip, std::min(end.size, sizeof tip)}, .height = 40})

@@ -50,7 +50,22 @@ std::string group_of(const std::string& path) {
   return owner ? owner->gr_name : std::to_string(there.st_gid);
 }
 
+/// root's own group is nobody to join, and a group without rights is of no use.
+bool group_helps(const std::string& path) {
+  struct stat there {};
+  if (::stat(path.c_str(), &there) != 0) return true;
+  constexpr mode_t both = S_IRGRP | S_IWGRP;
+  return there.st_gid != 0 && (there.st_mode & both) == both;
+}
+
 Refused not_permitted(const std::string& path) {
+  if (!group_helps(path))
+    return refused(
+        PortRefusal::not_permitted,
+        fmt::format("{} may not be opened: only its owner has the rights to it.", path),
+        fmt::format("Run `sudo chgrp dialout {0} && sudo chmod g+rw {0}` as a member of dialout. A "
+                    "udev rule makes that last.",
+                    path));
   const passwd* self = ::getpwuid(::geteuid());
   const std::string user = self ? self->pw_name : "$USER", group = group_of(path);
   return refused(PortRefusal::not_permitted,
@@ -162,7 +177,8 @@ tl::expected<int, Refused> open_exclusively(const std::string& path) {
     return tl::unexpected(std::move(why));
   };
   if (!::isatty(fd)) return refuse(errno == EIO ? other(path, EIO) : not_serial(path));
-  if (taken_exclusively(fd, path)) return refuse(busy(path));  // before our lock, which would look like a holder
+  if (taken_exclusively(fd, path))
+    return refuse(busy(path));  // before our lock, which would look like a holder
   if (::flock(fd, LOCK_EX | LOCK_NB) != 0) return refuse(busy(path));
   ::ioctl(fd, TIOCEXCL);
   return fd;

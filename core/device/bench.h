@@ -91,10 +91,10 @@ struct Drop {
 };
 }  // namespace bench
 
-using BenchCommand = std::variant<bench::Input, bench::Limit, bench::HomeSwitch, bench::Analog, bench::Button,
-                                  bench::Jam, bench::Slip, bench::Alarm, bench::Place, bench::Power,
-                                  bench::PowerCycle, bench::Breaker, bench::Unplug, bench::Garble,
-                                  bench::Drop>;
+using BenchCommand =
+    std::variant<bench::Input, bench::Limit, bench::HomeSwitch, bench::Analog, bench::Button, bench::Jam,
+                 bench::Slip, bench::Alarm, bench::Place, bench::Power, bench::PowerCycle, bench::Breaker,
+                 bench::Unplug, bench::Garble, bench::Drop>;
 
 enum class Lamp : std::uint8_t { off, on };
 
@@ -104,8 +104,8 @@ struct BenchView {
   bool powered = true, unplugged = false;
   std::uint32_t switches_on = ~0u;  ///< bit n = the power switch of BenchFacts::supplies[n]
   std::uint32_t breakers_out = 0;   ///< bit n = its circuit breaker has popped out
-  std::uint32_t lamps = 0;    ///< bit n = BenchFacts::lamps[n] lit
-  std::uint32_t buttons = 0;  ///< bit n = BenchFacts::buttons[n] pressed
+  std::uint32_t lamps = 0;          ///< bit n = BenchFacts::lamps[n] lit
+  std::uint32_t buttons = 0;        ///< bit n = BenchFacts::buttons[n] pressed
   std::uint32_t inputs_operated = 0;
   std::uint32_t outputs = 0;
   std::array<std::int32_t, 8> analog{};
@@ -115,6 +115,7 @@ struct BenchView {
   std::uint32_t homes_by_hand = 0;
   std::uint32_t homes = 0, alarms = 0;  ///< bit per axis, operated, where they are inputs of their own
   std::uint32_t jammed = 0;
+  std::int64_t stores = -1;       ///< writes used of the non-volatile memory; -1: it has none
   std::uint32_t lamps_blink = 0;  ///< bit n: the lamp changes by itself now
   bool operator==(const BenchView&) const = default;
 };

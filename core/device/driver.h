@@ -43,6 +43,9 @@ class Driver {
   /// One message that stops every controller of this kind on the wire, where the maker has one (broadcast).
   /// The stop of each follows.
   virtual Task<Result<>> stop_wire(bool /*at_once*/) { co_return Result<>(); }
+  /// What the console has put into the controller for its own use is still there, and the next rounds of
+  /// status take it away: a wire that is given up stays open for that.
+  [[nodiscard]] virtual bool clears_up() const { return false; }
   /// The wire is gone: nothing may be believed any more. The station is invalid afterwards.
   virtual void wire_lost() = 0;
   /// Raw text and its reply without terminator (scripts, `send`).

@@ -8,6 +8,8 @@
 namespace hw {
 namespace {
 
+constexpr Duration longest_clearing = std::chrono::seconds(8);  // the longest ramp, and a little
+
 Duration back_off(int attempt) {
   constexpr Millis steps[] = {Millis(250), Millis(500), Millis(1000), Millis(2000), Millis(5000)};
   return steps[std::min<std::size_t>(attempt, std::size(steps) - 1)];
@@ -43,11 +45,17 @@ void Pump::start() {
 
 Task<> Pump::shut_down() {
   if (!running_) co_return;
-  closing_ = true;
   refuse_queued("The controller was closed. Nothing was sent.");
   if (jogging_) post_stop(Intent(0, intent::Stop()));
   // A stop that was asked for a moment ago may still wait for the answer to a question.
   while (stops_under_way_ > 0) co_await ended_.wait();
+  const Instant give_up = scheduler_.now() + longest_clearing;
+  const auto connected = [this] {
+    return draft_.link.state == LinkState::good || draft_.link.state == LinkState::late;
+  };
+  while (connected() && driver_->clears_up() && scheduler_.now() < give_up)
+    co_await published_.wait_until(give_up);
+  closing_ = true;
   if (station_) station_->close(Fault(FaultKind::lost, "The controller was closed."));
   wake_.notify();
   while (running_ || stops_under_way_ > 0) co_await ended_.wait();
@@ -98,7 +106,7 @@ Task<bool> Pump::open_and_connect() {
     co_return false;
   }
   attempt_ = 0;
-  recovering_ = false;
+  down_ = recovering_ = false;
   answer_recovery();
   draft_.link.state = LinkState::good;
   draft_.link.attempts = 0;
@@ -107,6 +115,11 @@ Task<bool> Pump::open_and_connect() {
   next_poll_ = scheduler_.now();
   fast_polls_ = fast_polls_after_a_command;
   publish();
+  if (std::exchange(jog_was_lost_, false) && draft_.any_axis_moving()) {
+    ways_.notify(Notice(Notice::Kind::warning, scheduler_.now(),
+                        "The jog that was held when the link was lost still ran. It is stopped."));
+    post_stop(Intent(0, intent::JogStop()));
+  }
   co_return true;
 }
 
@@ -129,7 +142,9 @@ Task<> Pump::wait_for_retry() {
 }
 
 void Pump::lose_wire(const Fault& why) {
-  if (draft_.link.state != LinkState::lost) draft_.link.lost_at = scheduler_.now();
+  if (!std::exchange(down_, true))
+    draft_.link.lost_at = scheduler_.now();  // attempts in between do not count
+  jog_was_lost_ = jog_was_lost_ || jogging_;
   draft_.link.state = LinkState::lost;
   draft_.link.sentence = why.sentence();
   dead_man_.disarm();
@@ -208,6 +223,10 @@ Task<> Pump::refresh() {
   while (rounds_ended_ < wanted && connected() && !closing_) co_await published_.wait();
 }
 
+void Pump::know_store_count(std::int32_t writes_used) {
+  if (std::exchange(draft_.store_count, writes_used) != writes_used && running_) publish();
+}
+
 // ---- what is told
 
 void Pump::set_fate(IntentId id, Fate fate, std::string_view sentence) {
@@ -226,6 +245,7 @@ void Pump::set_fate(IntentId id, Fate fate, std::string_view sentence) {
 void Pump::publish() {
   ++draft_.sequence;
   draft_.at = scheduler_.now();
+  if (station_) draft_.link.said = station_->statistics().said;
   ways_.publish(draft_);
   published_.notify();
 }

@@ -26,8 +26,8 @@ class Pump {
   ~Pump();
 
   void start();
-  /// Stops what the console holds, lets every stop under way reach the controller, closes the wire. The pump
-  /// may be destroyed when it resumes.
+  /// Stops what the console holds, lets every stop under way reach the controller and the driver clear up,
+  /// closes the wire. The pump may be destroyed when it resumes.
   Task<> shut_down();
 
   void post(Intent intent);
@@ -43,6 +43,8 @@ class Pump {
   std::uint64_t want_round();
   [[nodiscard]] std::uint64_t rounds_ended() const { return rounds_ended_; }
 
+  /// What the controller itself cannot tell, and its emulator can.
+  void know_store_count(std::int32_t writes_used);
   [[nodiscard]] const Snapshot& known() const { return draft_; }
   [[nodiscard]] Driver& driver() { return *driver_; }
   [[nodiscard]] bool busy() const { return performing_ || !queue_.empty() || stops_under_way_ > 0; }
@@ -92,7 +94,8 @@ class Pump {
   int stops_under_way_ = 0;
   int attempt_ = 0;
   bool performing_ = false;
-  bool jogging_ = false;
+  bool jogging_ = false, jog_was_lost_ = false;
+  bool down_ = false;  ///< since the loss of the wire, through all attempts
   bool running_ = false, closing_ = false, retry_now_ = false;
   bool recovering_ = false;  ///< what waits may be what makes the controller answer again
 };

@@ -153,6 +153,7 @@ struct LinkHealth {
   float polls_per_second = 0;
   std::uint32_t misses_in_a_row = 0;
   std::uint64_t timeouts = 0, unparsed_bytes = 0;
+  std::uint64_t said = 0;  ///< sent and received messages that were no polls
   Instant lost_at{};
   Instant next_attempt{};
   int attempts = 0;
@@ -191,7 +192,7 @@ struct Snapshot {
   std::array<ParamState, max_params> params{};            ///< by index in Catalog::params
   bool unsaved_setup = false, unsaved_programs = false;   ///< in RAM and not stored
   bool working = false;           ///< at commands that wait in its queues, though no axis may move
-  std::int32_t store_count = -1;  ///< writes used of the non-volatile memory, if known
+  std::int32_t store_count = -1;  ///< writes used of the non-volatile memory; an emulator knows
   /// Commands that may have changed what the controller's programs are, and the last of them (0: a raw
   /// question).
   std::uint32_t program_changes = 0;

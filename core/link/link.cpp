@@ -169,6 +169,7 @@ void Link::on_deadline() {
   if (!in_flight_) return;
   if (!in_flight_->is_question()) return finish(std::string());
   if (in_flight_->transaction.reply.kind == ReplyShape::Kind::quiet_end && !received_.empty()) {
+    in_flight_->station.record(scheduler_.now(), Way::received, kind_of(in_flight_->transaction), received_);
     finish(std::exchange(received_, {}));
     return;
   }

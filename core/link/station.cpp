@@ -52,6 +52,7 @@ void Station::close(const Fault& why) {
 }
 
 void Station::record(Instant at, Way way, TrafficKind kind, std::string_view bytes) {
+  if (kind != TrafficKind::poll) ++statistics_.said;
   if (!traffic_) return;
   traffic_->push_in_place([&](TrafficEntry& entry) {
     entry.at = at;

@@ -12,6 +12,7 @@ namespace hw {
 
 struct StationStatistics {
   std::uint64_t transactions = 0, timeouts = 0, unparsed_bytes = 0;
+  std::uint64_t said = 0;  ///< what was recorded and is no poll
   Duration last_round_trip{};
   double polls_per_second = 0;
   int misses_in_a_row = 0;

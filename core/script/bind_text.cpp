@@ -16,7 +16,7 @@ int send(Call& call) {
   const LinkHealth& link = session->known().link;
   if (link.state == LinkState::lost || link.state == LinkState::closed)
     return call.refuse(fmt::format("There is no connection. {}", link.sentence.view()));
-  session->send(intent::SendText(call.text(1, "text"), bus != nullptr));
+  session->send_text(call.text(1, "text"), bus != nullptr);
   return call.yes();
 }
 

@@ -50,6 +50,7 @@ Task<Result<Backup>> take_backup(std::shared_ptr<Session> session) {
 std::string RestoreReport::sentence() const {
   std::string all = fmt::format("Parameters: {} written, {} were equal already. Programs: {} written.",
                                 parameters_written, parameters_equal, programs_written);
+  if (programs_emptied > 0) all += fmt::format(" Emptied as in the backup: {}.", programs_emptied);
   if (variables_written > 0) all += fmt::format(" Variables: {} written.", variables_written);
   return all;
 }
@@ -104,7 +105,7 @@ Task<Result<>> restore_programs(std::shared_ptr<Session> session, std::map<int, 
     IntentBody load = intent::LoadProgram(slot, text);
     auto done = co_await session->perform(std::move(load));
     if (!done) co_return done;
-    ++report.programs_written;
+    ++(text.empty() ? report.programs_emptied : report.programs_written);
   }
   co_return Result<>();
 }

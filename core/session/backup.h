@@ -12,7 +12,8 @@ namespace hw {
 Task<Result<Backup>> take_backup(std::shared_ptr<Session> session);
 
 struct RestoreReport {
-  int parameters_written = 0, parameters_equal = 0, programs_written = 0, variables_written = 0;
+  int parameters_written = 0, parameters_equal = 0, programs_written = 0, programs_emptied = 0,
+      variables_written = 0;
   std::vector<std::string> left_out;  ///< what the file says and the controller cannot hold, a sentence each
   std::vector<std::string> warnings;  ///< of parameters that carry one and differ, a sentence each
   [[nodiscard]] std::string sentence() const;

@@ -48,6 +48,7 @@ IntentId Session::send(IntentBody body) {
   const IntentId id = ++last_intent_;
   asio::post(scheduler_.executor(),
              [self = shared_from_this(), intent = Intent(id, std::move(body))]() mutable {
+               self->posted_ = intent.id;
                self->pump_.post(std::move(intent));
              });
   return id;
@@ -71,6 +72,22 @@ Task<Result<std::shared_ptr<Link>>> Session::open_wire() {
     show_bench();
   }
   co_return link;
+}
+
+IntentId Session::send_text(std::string text, bool to_all) {
+  const IntentId id = send(intent::SendText(std::move(text), to_all));
+  texts_sent_.push_back(id);
+  return id;
+}
+
+void Session::follow_texts(const Snapshot& snapshot) {
+  std::erase_if(texts_sent_, [&](IntentId id) {
+    const IntentFate* fate = snapshot.fate_of(id);
+    const bool posted = id <= posted_;
+    if (!posted || (fate && fate->fate == Fate::pending)) return false;
+    if (fate && fate->fate != Fate::done && text_refused_.empty()) text_refused_ = fate->sentence.view();
+    return true;
+  });
 }
 
 IntentId Session::post(IntentBody body) {
@@ -160,6 +177,7 @@ Task<Result<>> Session::wait_until_idle(Duration patience) {
     if (gone || s.program.run == RunState::error ||
         (fresh && !running && !s.working && !s.any_axis_moving())) {
       std::string reason = why_not_finished(s, catalog_);
+      if (reason.empty()) reason = std::exchange(text_refused_, {});
       if (reason.empty()) co_return Result<>();
       co_return fail(gone ? FaultKind::lost : FaultKind::controller, std::move(reason));
     }
@@ -183,10 +201,11 @@ static bool looks_same(const Snapshot& a, const Snapshot& b) {
     if (!(x == y)) return false;
   }
   return a.axis_count == b.axis_count && a.link.state == b.link.state && a.link.sentence == b.link.sentence &&
-         a.link.next_attempt == b.link.next_attempt && a.identity == b.identity && a.inputs == b.inputs &&
-         a.inputs_known == b.inputs_known && a.outputs == b.outputs && a.outputs_known == b.outputs_known &&
-         a.analog == b.analog && a.analog_known == b.analog_known && a.program == b.program &&
-         a.threads == b.threads && a.queue_free == b.queue_free && a.queue_known == b.queue_known &&
+         a.link.next_attempt == b.link.next_attempt && a.link.said == b.link.said &&
+         a.identity == b.identity && a.inputs == b.inputs && a.inputs_known == b.inputs_known &&
+         a.outputs == b.outputs && a.outputs_known == b.outputs_known && a.analog == b.analog &&
+         a.analog_known == b.analog_known && a.program == b.program && a.threads == b.threads &&
+         a.queue_free == b.queue_free && a.queue_known == b.queue_known &&
          (!(a.window.rings_known || b.window.rings_known) || a.window == b.window) && a.feed == b.feed &&
          a.readouts == b.readouts && a.readouts_known == b.readouts_known && a.variables == b.variables &&
          a.variables_known == b.variables_known && a.slot_bytes_used == b.slot_bytes_used &&
@@ -196,6 +215,7 @@ static bool looks_same(const Snapshot& a, const Snapshot& b) {
 }
 
 void Session::show(const Snapshot& snapshot) {
+  if (!texts_sent_.empty()) follow_texts(snapshot);
   const bool news = !looks_same(snapshot, shown_);
   latest_.publish(snapshot);
   if (!news) return;
@@ -208,6 +228,7 @@ void Session::show_bench() {
   BenchView view;
   view.present = true;
   bench_->look(view);
+  if (view.stores >= 0) pump_.know_store_count(static_cast<std::int32_t>(view.stores));
   if (view == bench_view_) return;
   bench_view_ = view;
   latest_bench_.publish(view);

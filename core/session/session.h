@@ -46,6 +46,8 @@ class Session : public std::enable_shared_from_this<Session> {
   Task<Result<>> perform(IntentBody body);
   /// The same in two steps, for several controllers at once.
   IntentId post(IntentBody body);
+  /// Raw text of a script: that it was refused is told by the next wait_until_idle().
+  IntentId send_text(std::string text, bool to_all);
   Task<Result<>> outcome(IntentId id);
   /// Resumes when the controller answers, or with the reason why the first attempt failed.
   Task<Result<>> wait_until_connected();
@@ -61,6 +63,7 @@ class Session : public std::enable_shared_from_this<Session> {
   Session(Scheduler& scheduler, Address address, const DeviceType& type, Catalog catalog,
           std::shared_ptr<SharedWire> wire, std::size_t place, std::function<void()> wake);
   Task<Result<std::shared_ptr<Link>>> open_wire();
+  void follow_texts(const Snapshot& snapshot);
   void show(const Snapshot& snapshot);
   void show_bench();
   void tell(Notice notice);
@@ -73,6 +76,9 @@ class Session : public std::enable_shared_from_this<Session> {
   const std::size_t place_;  ///< among the devices on the wire
   std::function<void()> wake_;
   std::atomic<IntentId> last_intent_{0};
+  IntentId posted_ = 0;               ///< the latest that the pump has been given
+  std::vector<IntentId> texts_sent_;  ///< of scripts, whose fate is not known yet
+  std::string text_refused_;          ///< why the first of them was, until somebody waits
   Latest<Snapshot> latest_;
   Latest<BenchView> latest_bench_;
   TrafficRing traffic_{traffic_capacity};

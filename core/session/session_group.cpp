@@ -63,13 +63,34 @@ Task<Result<>> SessionGroup::perform_stop(bool at_once) {
   co_return all;
 }
 
+namespace {
+
+struct Waiting {
+  explicit Waiting(Scheduler& scheduler, std::size_t members)
+      : results(members), left(members), ended(scheduler) {}
+  std::vector<Result<>> results;
+  std::size_t left;
+  Event ended;
+};
+
+Task<> wait_for_one(std::shared_ptr<Session> member, Duration patience, std::shared_ptr<Waiting> waiting,
+                    std::size_t place) {
+  waiting->results[place] = co_await member->wait_until_idle(patience);
+  --waiting->left;
+  waiting->ended.notify();
+}
+
+}  // namespace
+
+// All at once: each needs a round of status of its own, and thirty on a slow wire take their time for that.
 Task<Result<>> SessionGroup::wait_until_idle(Duration patience) {
   const auto self = shared_from_this();
-  const Instant deadline = scheduler_.now() + patience;
-  for (const auto& member : members_) {
-    auto idle = co_await member->wait_until_idle(deadline - scheduler_.now());
-    if (!idle) co_return idle;
-  }
+  const auto waiting = std::make_shared<Waiting>(scheduler_, members_.size());
+  for (std::size_t i = 0; i < members_.size(); ++i)
+    asio::co_spawn(scheduler_.executor(), wait_for_one(members_[i], patience, waiting, i), asio::detached);
+  while (waiting->left > 0) co_await waiting->ended.wait();
+  for (Result<>& result : waiting->results)
+    if (!result) co_return std::move(result);
   co_return Result<>();
 }
 

@@ -23,19 +23,22 @@ INSTANTIATE_TEST_SUITE_P(Every, ContractTest, testing::ValuesIn(all_types()), []
   return name;
 });
 
-/// What a stranger reads of it: a name that is no mnemonic, an explanation in sentences, every value in words.
+/// What a stranger reads of it: a name that is no mnemonic, an explanation in sentences, every value in
+/// words.
 void expect_explained(const ParamInfo& p) {
   EXPECT_GE(p.label.size(), 5u) << p.mnemonic;
   EXPECT_NE(p.label, p.mnemonic);
   EXPECT_FALSE(p.label.starts_with(p.mnemonic + " ") && p.mnemonic.size() > 1) << p.label;
   EXPECT_TRUE(p.label[0] >= 'A' && p.label[0] <= 'Z') << p.label;
-  EXPECT_GE(std::count(p.explanation.begin(), p.explanation.end(), ' '), 8) << p.mnemonic << ": " << p.explanation;
+  EXPECT_GE(std::count(p.explanation.begin(), p.explanation.end(), ' '), 8)
+      << p.mnemonic << ": " << p.explanation;
   EXPECT_TRUE(p.explanation.ends_with('.')) << p.mnemonic << ": " << p.explanation;
   EXPECT_FALSE(p.group.empty()) << p.mnemonic;
   const auto letters = [](const std::string& s) {
     return std::count_if(s.begin(), s.end(), [](unsigned char c) { return std::isalpha(c); });
   };
-  for (const ParamChoice& choice : p.choices) EXPECT_GE(letters(choice.label), 2) << p.mnemonic << ": " << choice.label;
+  for (const ParamChoice& choice : p.choices)
+    EXPECT_GE(letters(choice.label), 2) << p.mnemonic << ": " << choice.label;
   for (const auto& bit : p.bits) EXPECT_GE(letters(bit.label), 4) << p.mnemonic << ", bit " << bit.bit;
 }
 
@@ -119,6 +122,26 @@ TEST_P(ContractTest, APulledCableIsSaidAndHealsWithoutMovingAnything) {
   EXPECT_EQ(axis().position, Steps(2000)) << "the controller went on by itself; nothing was repeated";
 }
 
+TEST_P(ContractTest, AJogThatLostItsLinkIsStoppedWhenTheLinkIsBack) {
+  session->send(intent::JogStart(AxisId{0}, Sign::plus));
+  for (int i = 0; i < 5; ++i) {
+    run(Millis(100));
+    session->send(intent::JogKeepAlive());
+  }
+  operate(bench::Unplug(true));
+  ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::lost; }, seconds(10)));
+  const Instant lost_at = now().link.lost_at;
+  session->send(intent::JogStop());
+  run(seconds(4));
+  EXPECT_EQ(now().link.lost_at, lost_at) << "attempts in between do not move it";
+  operate(bench::Unplug(false));
+  ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::good; }, seconds(20)));
+  ASSERT_TRUE(becomes_idle(seconds(10)));
+  const Steps there = load();
+  run(seconds(5));
+  EXPECT_EQ(load(), there);
+}
+
 TEST_P(ContractTest, GarbledAndDroppedBytesLoseNothing) {
   for (int i = 0; i < 5; ++i) {
     operate(bench::Garble(7));
@@ -144,7 +167,8 @@ TEST_P(ContractTest, APowerCycleIsNoticedAndNothingMoves) {
   EXPECT_EQ(axis().position, Steps(0));
   Notice told;
   bool said = false;
-  session->notices().drain([&](const Notice& n) { said = said || n.text.find("switched off and on") != n.text.npos; });
+  session->notices().drain(
+      [&](const Notice& n) { said = said || n.text.find("switched off and on") != n.text.npos; });
   EXPECT_TRUE(said);
 }
 

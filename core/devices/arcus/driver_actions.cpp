@@ -129,6 +129,7 @@ Task<Result<>> ArcusDriver::change_target(int axis, std::int64_t target) {
   draft_.axes[axis].target = Steps(target);
   draft_.axes[axis].has_target = true;
   minds_[ix(axis)].ours = true;
+  minds_[ix(axis)].wanted = Activity::moving;
   co_return Result<>();
 }
 

@@ -212,7 +212,7 @@ void ArcusDriver::show_axis(int index, Instant asked_at) {
     return;
   }
   if (runs(index)) {
-    if (mind.ours)
+    if (mind.ours && mind.wanted != Activity::idle)
       axis.activity = mind.wanted;
     else
       axis.activity = activity_of(mind.loop_state);

@@ -104,6 +104,7 @@ class Vme58Driver final : public Driver {
   Task<Result<>> write(std::string text, Priority priority, WhenStuck when_stuck = WhenStuck::withdraw);
   Task<Result<bool>> is_taken(Priority priority);
   Task<Result<>> withdraw_text(Priority priority, int from);
+  Task<Result<>> settle_late_rejection(Priority priority);
   Task<Result<>> command(std::string text, Priority priority);
   Task<Result<bool>> was_rejected(Priority priority);
   Task<Result<std::string>> ask(std::string question, Priority priority, Duration patience = Millis(200));
@@ -132,6 +133,7 @@ class Vme58Driver final : public Driver {
   Task<Result<>> take_over_rings();
   Task<Result<>> identify();
   Task<Result<>> read_state();
+  Task<Result<>> forget_others_units();
   Task<Result<>> leave_mark();
   Task<Result<>> found_reset();
   void forget();
@@ -150,6 +152,7 @@ class Vme58Driver final : public Driver {
   void begins_to_creep(int axis, Duration gap);
   void end_motion(int axis, EndedBy ended_by);
   void show_worst();
+  void show_late_rejection();
   void record_round();
   [[nodiscard]] bool sampling() const;
   void sample(Instant at);
@@ -163,6 +166,7 @@ class Vme58Driver final : public Driver {
   // ---- driver_ask.cpp
   Task<Result<>> read_flags(Priority priority);
   Task<Result<>> read_slips();
+  Task<Result<>> read_loops(Priority priority);
   Task<Result<>> read_done();
   Task<Result<>> read_queues(Priority priority);
   Task<Result<bool>> is_worked_off();
@@ -209,7 +213,8 @@ class Vme58Driver final : public Driver {
   Task<Result<>> feed();
   void end_program(EndedBy ended_by);
   Task<Result<>> watch_program();
-  Task<Result<>> end_rejected(std::string command);
+  [[nodiscard]] std::string rejected_late() const;
+  Task<Result<>> end_rejected(std::string what);
   void forget_rejection();
 
   [[nodiscard]] int axis_count() const { return static_cast<int>(catalog_.axes.size()); }
@@ -240,12 +245,12 @@ class Vme58Driver final : public Driver {
   bool on_its_way_ = false;  ///< text was put that the board is not known to have taken
   bool in_wq_ = false;       ///< WQ was put, and the board was not seen to read on
   Event written_;
-  std::string received_;             ///< characters that are no whole reply yet
-  std::deque<std::string> replies_;  ///< whole ones that nobody has taken
-  bool echo_ = false;                ///< EN was sent: between the frames stands what the board was sent
-  std::size_t replies_wanted_ = 0;   ///< by a question that is under way
-  std::string last_sent_;
-  bool command_error_ = false;  ///< seen in the status register and not told yet
+  std::string received_;               ///< characters that are no whole reply yet
+  std::deque<std::string> replies_;    ///< whole ones that nobody has taken
+  bool echo_ = false;                  ///< EN was sent: between the frames stands what the board was sent
+  std::size_t replies_wanted_ = 0;     ///< by a question that is under way
+  std::string last_sent_, last_said_;  ///< the latter by the user or for him: no question of a poll
+  bool command_error_ = false;         ///< seen in the status register and not told yet
 
   // mailbox and stops
   bool mailing_ = false, updating_ = false;
@@ -274,7 +279,9 @@ class Vme58Driver final : public Driver {
   std::deque<std::pair<int, std::string>> to_feed_;  ///< line and command
   std::string feeding_;                              ///< sent, not taken yet
   int feeding_line_ = 0;
-  std::string rejection_;  ///< why the latest program has ended, if it was that
+  bool feeding_waits_ = false;   ///< the board did not take it at once
+  bool program_flawed_ = false;  ///< a command of it was rejected when its turn came
+  std::string rejection_;        ///< why the latest program has ended, if it was that
   std::deque<std::string> for_scripts_;
 };
 

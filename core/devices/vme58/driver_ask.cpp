@@ -136,6 +136,7 @@ void Vme58Driver::take_done(unsigned axes) {
 
 // RL leaves the flags as they are. Of a flag that was seen before nothing more is told.
 Task<Result<>> Vme58Driver::read_slips() {
+  const auto before = slips_;
   auto reply = co_await ask("RL\n", Priority::poll);
   if (!reply) co_return fail(reply.error());
   for (int i = 0; i < axis_count() && ix(i) < reply->size(); ++i) {
@@ -148,6 +149,30 @@ Task<Result<>> Vme58Driver::read_slips() {
                      axis_name(i)));
   }
   draft_.window.put(reg::slip, 1, slips_);
+  if (slips_ != before) co_return co_await read_loops(Priority::poll);  // TN opens the loop then
+  co_return Result<>();
+}
+
+/// Which servo loops are closed, by EA (decision M04).
+Task<Result<>> Vme58Driver::read_loops(Priority priority) {
+  if (context_.recording) co_return Result<>();
+  std::string text;
+  std::vector<int> asked;
+  for (int i = 0; i < axis_count(); ++i) {
+    if (!catalog_.axes[ix(i)].switchable || !variant_.fitting(i).encoder) continue;
+    text += fmt::format("A{} EA ", axis_name(i));
+    asked.push_back(i);
+  }
+  if (asked.empty()) co_return Result<>();
+  text += context_.selector() + "\n";
+  const auto replies = co_await ask_several(std::move(text), asked.size(), priority, Millis(200));
+  if (!replies && replies.error().kind == FaultKind::no_answer) co_return Result<>();
+  if (!replies) co_return fail(replies.error());
+  for (std::size_t n = 0; n < asked.size(); ++n) {
+    const std::string& letters = (*replies)[n];
+    if (letters.size() == 6 && (letters[1] == 'E' || letters[1] == 'D'))
+      draft_.axes[asked[n]].enabled = letters[1] == 'E';
+  }
   co_return Result<>();
 }
 

@@ -44,8 +44,6 @@ Vme58Driver::Vme58Driver(DriverContext context)
 void Vme58Driver::forget() {
   minds_ = {};
   seen_ = {};
-  user_unit_ = {};
-  context_ = Context();
   to_feed_.clear();
   feeding_.clear();
   limits_ = homes_ = slips_ = status_ = 0;
@@ -107,7 +105,16 @@ Task<Result<>> Vme58Driver::connect(Station& station) {
   if (!looked) co_return looked;
   const bool unmarked = cycles[0].value == 0;  // another program's mark serves as well
   const bool was_reset = connected_before_ && unmarked;
+  const bool others_were_here = !connected_before_ && !unmarked;
   connected_before_ = true;
+  if (others_were_here) {
+    auto plain = co_await forget_others_units();
+    if (!plain) co_return plain;
+  }
+  if (!unmarked) {
+    auto asked = co_await read_loops(Priority::intent);
+    if (!asked) co_return asked;
+  }
   if (unmarked) {
     auto marked = co_await leave_mark();
     if (!marked) co_return marked;
@@ -209,6 +216,14 @@ Task<Result<>> Vme58Driver::identify() {
   co_return Result<>();
 }
 
+// User units that another program has left on would scale all that this one sends.
+Task<Result<>> Vme58Driver::forget_others_units() {
+  std::string text;
+  for (int i = 0; i < axis_count(); ++i) text += fmt::format("A{} UF ", axis_name(i));
+  text += context_.selector() + "\n";
+  co_return co_await write(std::move(text), Priority::intent);
+}
+
 Task<Result<>> Vme58Driver::leave_mark() {
   Burst burst(*this);
   std::vector<BusCycle>& cycles = burst.cycles;
@@ -223,6 +238,8 @@ Task<Result<>> Vme58Driver::found_reset() {
        "and "
        "queues are as from the factory; home the axes again.");
   forget();
+  user_unit_ = {};
+  context_ = Context();
   factory_params();
   auto taken = co_await take_over_rings();
   if (!taken) co_return taken;

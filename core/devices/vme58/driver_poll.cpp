@@ -420,12 +420,21 @@ std::optional<motion::ServoGains> Vme58Driver::known_gains(int axis) const {
   return gains;
 }
 
+// The error came to light in a round of status: what had waited in a queue was rejected when its turn came.
+void Vme58Driver::show_late_rejection() {
+  std::string words = fmt::format(
+      "The board reports a command error: of what waited in a queue, or of \"{}\".", without_end(last_said_));
+  if (draft_.program.run == RunState::running) {
+    rejection_ = words + " The program did not do all that it says.";
+    words = rejection_;
+    program_flawed_ = true;
+  }
+  tell(Notice::Kind::error, std::move(words));
+}
+
 void Vme58Driver::show_worst() {
   draft_.notice.clear();
-  if (std::exchange(command_error_, false) && stops_ == 0)
-    tell(Notice::Kind::error,
-         fmt::format("The board reports a command error. The latest text it was sent: {}",
-                     without_end(last_sent_)));
+  if (std::exchange(command_error_, false) && stops_ == 0) show_late_rejection();
   if (draft_.program.run == RunState::error) draft_.notice = rejection_;
   if (context_.recording)
     draft_.notice = "A contour is being recorded: moves and set-up wait for its end (CE or CK).";

@@ -70,6 +70,8 @@ Task<Result<>> Vme58Driver::run_program() {
   }
   ProgramState& p = draft_.program;
   p.run = RunState::running;
+  program_flawed_ = false;
+  feeding_line_ = 0;
   p.owned = true;
   p.slot = 0;
   p.ended_by = EndedBy::nothing;
@@ -87,13 +89,19 @@ Task<Result<>> Vme58Driver::feed() {
     if (!feeding_.empty()) {
       const auto taken = co_await is_taken(Priority::transfer);
       if (!taken) co_return fail(taken.error());
-      if (!*taken) co_return Result<>();
+      if (!*taken) {
+        feeding_waits_ = true;
+        co_return Result<>();
+      }
       const auto bad = co_await was_rejected(Priority::transfer);
       if (!bad) co_return fail(bad.error());
       const std::string sent = std::exchange(feeding_, {});
       ++draft_.feed.sent;
       draft_.program.command = static_cast<std::int16_t>(draft_.feed.sent);
-      if (*bad) co_return co_await end_rejected(sent);
+      std::string what = feeding_waits_
+                             ? rejected_late()  // others had their turn meanwhile
+                             : fmt::format("Line {}: the board rejected \"{}\".", feeding_line_ + 1, sent);
+      if (*bad) co_return co_await end_rejected(std::move(what));
       Context read = context_;
       for (const TextCommand& command : read_commands(sent, read)) note_sent(command);
     }
@@ -101,6 +109,11 @@ Task<Result<>> Vme58Driver::feed() {
       draft_.feed.running = false;
       co_return Result<>();
     }
+    const auto late = co_await was_rejected(Priority::transfer);
+    if (!late) co_return fail(late.error());
+    std::string what = rejected_late();
+    if (*late) co_return co_await end_rejected(std::move(what));
+    if (to_feed_.empty()) co_return Result<>();
     auto [line, command] = to_feed_.front();
     std::string text = command + ";\n";
     const auto put = co_await put_text(std::move(text), Priority::transfer);
@@ -109,16 +122,20 @@ Task<Result<>> Vme58Driver::feed() {
     if (to_feed_.empty()) co_return Result<>();  // a stop has come in between
     to_feed_.pop_front();
     feeding_line_ = line;
+    feeding_waits_ = false;
     feeding_ = std::move(command);
   }
   co_return Result<>();
 }
 
+std::string Vme58Driver::rejected_late() const {
+  return fmt::format("The board rejected a command of lines 1 to {} when its turn in a queue came.",
+                     feeding_line_ + 1);
+}
+
 /// It stays said until something else is done.
-Task<Result<>> Vme58Driver::end_rejected(std::string command) {
-  rejection_ =
-      fmt::format("Line {}: the board rejected \"{}\". The program ends there, and all axes were stopped.",
-                  feeding_line_ + 1, command);
+Task<Result<>> Vme58Driver::end_rejected(std::string what) {
+  rejection_ = what + " The program ends there, and all axes were stopped.";
   end_program(EndedBy::error);
   draft_.notice = rejection_;
   auto stopped = co_await stop_all(false);
@@ -157,6 +174,10 @@ Task<Result<>> Vme58Driver::watch_program() {
   const auto worked_off = co_await is_worked_off();
   if (!worked_off) co_return fail(worked_off.error());
   if (!*worked_off || draft_.program.run != RunState::running) co_return Result<>();
+  if (program_flawed_) {
+    end_program(EndedBy::error);
+    co_return Result<>();
+  }
   bool limit = false;
   for (int i = 0; i < axis_count(); ++i) limit = limit || (minds_[ix(i)].turned && met_limit(minds_[ix(i)]));
   end_program(limit ? EndedBy::limit : EndedBy::target);

@@ -86,6 +86,7 @@ Task<Result<bool>> Vme58Driver::put_text(std::string text, Priority priority) {
   if (!done) co_return fail(done.error());
   put_ = advanced(put_, static_cast<int>(text.size()));
   last_sent_ = text;
+  if (priority != Priority::poll) last_said_ = text;
   record(Way::sent, priority, text);
   co_return true;
 }
@@ -151,7 +152,18 @@ Task<Result<bool>> Vme58Driver::was_rejected(Priority priority) {
   co_return std::exchange(command_error_, false);
 }
 
+// What waits in a queue may be rejected at any time: not to be taken for the fault of what is sent next.
+Task<Result<>> Vme58Driver::settle_late_rejection(Priority priority) {
+  if (!draft_.working) co_return Result<>();
+  const auto late = co_await was_rejected(priority);
+  if (!late) co_return fail(late.error());
+  if (*late) show_late_rejection();
+  co_return Result<>();
+}
+
 Task<Result<>> Vme58Driver::command(std::string text, Priority priority) {
+  auto settled = co_await settle_late_rejection(priority);
+  if (!settled) co_return settled;
   auto written = co_await write(text, priority);
   if (!written) co_return written;
   const auto bad = co_await was_rejected(priority);

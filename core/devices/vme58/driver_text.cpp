@@ -73,6 +73,8 @@ Task<Result<std::string>> Vme58Driver::send_commands(std::string text, Duration 
       if (!reply) co_return fail(reply.error());
       answers += (answers.empty() ? "" : "\n") + *reply;
     } else {
+      auto settled = co_await settle_late_rejection(Priority::intent);
+      if (!settled) co_return fail(settled.error());
       // Until a round of status has seen all queues empty and no axis turning.
       if (!command.fact || command.fact->when == When::queued) draft_.working = queues_due_ = true;
       auto written = co_await write(word, Priority::intent, WhenStuck::leave);

@@ -25,14 +25,32 @@ const std::string* help_of(const TextCommand& command) {
   return found;
 }
 
+// A line of traffic does not tell what mode the lines before it have left. It is read as one of a single
+// axis, and where that makes no sense as one of AA, or as one of a contour.
+std::vector<TextCommand> commands_in_likely_mode(std::string_view bytes) {
+  std::vector<TextCommand> best;
+  std::ptrdiff_t fewest = 0;
+  for (const unsigned mode : {where::single, where::all, where::contour}) {
+    Context context;
+    context.recording = mode == where::contour;
+    context.mode = context.recording ? where::all : mode;
+    auto commands = read_commands(bytes, context);
+    const auto flaws = std::count_if(commands.begin(), commands.end(),
+                                     [](const TextCommand& c) { return !c.fact || !c.flaw.empty(); });
+    if (!best.empty() && flaws >= fewest) continue;
+    best = std::move(commands);
+    fewest = flaws;
+  }
+  return best;
+}
+
 std::string explain_sent(std::string_view bytes) {
   if (bytes == "data area") return "registers read, axis data asked for and read";
   if (bytes.starts_with("mailbox "))
     return "urgent, past everything that waits: " + explain_sent(bytes.substr(8));
-  Context context;
   std::string all;
   std::size_t said = 0;
-  const auto commands = read_commands(bytes, context);
+  const auto commands = commands_in_likely_mode(bytes);
   for (const TextCommand& command : commands) {
     const bool selector = command.fact && command.fact->op <= Op::AS;
     if (selector && commands.size() > 1) continue;

@@ -74,12 +74,14 @@ ParamInfo motor_type_full(int m) {
 }
 
 ParamInfo limit_mode(int m) {
-  ParamInfo p = row(fmt::format("L{}M", m), "Limit switches", fmt::format("Limit switches of motor {}", m),
-                    "How the two limit inputs are wired and whether they stop the motor. Velmex slides have "
-                    "normally closed switches: leave automatic. A rotary table with a home switch needs the "
-                    "home switch setting, so that the switch acts only while homing.");
+  ParamInfo p =
+      row(fmt::format("L{}M", m), "Limit switches", fmt::format("Limit switches of motor {}", m),
+          "How the two limit inputs are wired and whether they stop the motor. Velmex slides have "
+          "normally closed switches: leave automatic, which counts on them once one was seen closed. "
+          "A rotary table with a home switch needs the "
+          "home switch setting, so that the switch acts only while homing.");
   range(p, -2, 2, 0);
-  p.choices = {{0, "0: automatic, normally closed once seen closed"},
+  p.choices = {{0, "0: automatic, normally closed"},
                {1, "1: on, normally closed"},
                {2, "2: home switch only, normally closed"},
                {-1, "-1: on, normally open"},

@@ -41,6 +41,7 @@ class VxmDriver final : public Driver {
   Task<Result<>> poll() override;
   Task<Result<>> perform(const IntentBody& intent) override;
   Task<Result<>> stop(int axis, bool at_once) override;
+  [[nodiscard]] bool clears_up() const override;
   void wire_lost() override;
   Task<Result<std::string>> query(std::string text, Duration patience) override;
   [[nodiscard]] bool answers(std::string_view text) const override;
@@ -156,6 +157,7 @@ class VxmDriver final : public Driver {
   void add_leg(Job& job, const AxisTarget& goal, int speed, bool relative) const;
   Leg jog_leg(int axis, Sign sign, int speed) const;
   void warn_of_motor_type(int axis);
+  [[nodiscard]] bool may_turn(int slot, int motor) const;
 
   // ---- driver_legs.cpp
   Task<Result<int>> find_scratch();

@@ -58,7 +58,8 @@ Task<Result<int>> VxmDriver::find_scratch() {
       "All five programs of the controller hold commands, and a move of the console needs an empty one for "
       "its time.",
       "Nothing was sent and nothing was erased.",
-      "Which may be emptied? Save its text if it is needed, clear it, and move again.");
+      "Which may be emptied? Choose it in the program editor, save its text if it is needed, take Clear in "
+      "controller, and move again.");
   tell(Notice::Kind::question, none.sentence());
   co_return fail(none);
 }
@@ -195,6 +196,12 @@ std::optional<VxmDriver::Leg> VxmDriver::next_jog_leg(const Leg& last, EndedBy e
   Leg leg = jog_leg(last.axis, last.sign, last.speed);
   if (*leg.target == draft_.axes[last.axis].position) return std::nullopt;
   return leg;
+}
+
+// A move that nobody has stopped keeps its program: it may take as long as it likes.
+bool VxmDriver::clears_up() const {
+  const bool ends = !busy() || stopping_ != Stopping::no || job_.leg_over;
+  return scratch_ >= 0 && mode_ == Mode::on_line && !halted_ && ends;
 }
 
 Task<Result<>> VxmDriver::clean_scratch() {

@@ -220,7 +220,6 @@ Task<Result<>> VxmDriver::store() {
   for (ParamState& p : draft_.params) p.stored = true;
   draft_.unsaved_setup = draft_.unsaved_programs = false;
   if (draft_.store_count >= 0) {
-    ++draft_.store_count;
     tell(Notice::Kind::info, fmt::format("Set-up and programs are stored. {} of about {} writes are used.",
                                          draft_.store_count, store_life));
   } else {

@@ -316,6 +316,17 @@ void VxmDriver::show_running(int slot) {
   forget_how_it_ended();
 }
 
+/// False: the program is known, goes into no other, and has no index of this motor.
+bool VxmDriver::may_turn(int slot, int motor) const {
+  if (!listings_[ix(slot)]) return true;
+  const auto commands = commands_of(*listings_[ix(slot)]);
+  return std::any_of(commands.begin(), commands.end(), [&](const TextCommand& c) {
+    const bool index = c.verb <= Verb::home && c.verb != Verb::zero_here;
+    const bool leaves = c.verb >= Verb::jump && c.verb <= Verb::jump_pick;
+    return leaves || (index && c.motor == motor);
+  });
+}
+
 Task<Result<>> VxmDriver::run(int slot) {
   if (auto may = may_run(); !may) co_return may;
   if (draft_.slot_bytes_used[ix(slot)] == 0)
@@ -323,7 +334,8 @@ Task<Result<>> VxmDriver::run(int slot) {
                    "Nothing was run.", "Load it first.");
   auto speeds = co_await restore_speeds();
   if (!speeds) co_return speeds;
-  for (int i = 0; i < draft_.axis_count; ++i) warn_of_motor_type(i);
+  for (int i = 0; i < draft_.axis_count; ++i)
+    if (may_turn(slot, i + 1)) warn_of_motor_type(i);
   std::string text = hold_on_ ? "H" : "";
   text += select_program(slot) + "R";
   auto sent = co_await say(std::move(text), Priority::intent);

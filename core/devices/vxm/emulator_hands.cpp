@@ -184,6 +184,7 @@ void VxmEmulator::look(BenchView& view) const {
   view = BenchView();
   view.present = true;
   view.powered = box_.powered();
+  view.stores = static_cast<std::int64_t>(box_.stores);
   view.buttons = buttons_;
   view.inputs_operated = inputs_;
   for (int i = 0; i < boxes(); ++i) {

@@ -164,6 +164,16 @@ TEST_F(PumpTest, PollsSlowlyAtRestAfterAFewQuickRounds) {
   EXPECT_EQ(latest.link.state, LinkState::good);
 }
 
+TEST_F(PumpTest, WhatIsSaidBesidePollsIsCountedSoThatItIsShown) {
+  time.run_for(std::chrono::seconds(1));
+  const auto before = latest.link.said;
+  time.run_for(std::chrono::seconds(1));
+  EXPECT_EQ(latest.link.said, before) << "polls do not count";
+  post(intent::MoveTo({{AxisId{0}, Steps(400)}}));
+  time.run_for(Millis(10));
+  EXPECT_EQ(latest.link.said, before + 1);
+}
+
 TEST_F(PumpTest, NothingOfADownloadGoesOutBehindAStop) {
   const IntentId load = post(intent::LoadProgram(0, "text"));
   time.run_for(Millis(25));

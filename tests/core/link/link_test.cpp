@@ -142,6 +142,11 @@ TEST_F(LinkTest, AListWithoutAnEndMarkEndsWhenTheWireIsQuiet) {
   time.run_for(Millis(20));
   ASSERT_TRUE(list.came);
   EXPECT_EQ(*list.result, "PM0 M252\rI1M400\r");
+  std::string recorded;
+  traffic.drain([&](const TrafficEntry& entry) {
+    if (entry.way == Way::received) recorded += entry.bytes;
+  });
+  EXPECT_EQ(recorded, *list.result) << "the record has what the asker got";
 }
 
 TEST_F(LinkTest, WhatNeedsNoReplyIsDoneWhenTheWireHasCarriedIt) {

@@ -45,7 +45,7 @@ hw.check(c:get("M1M") == 4 and c:get("M2M") == 4, "both types were written")
 hw.check(ui.exists("status/unsaved"), "what is in RAM only is marked")
 ui.click("setup/store")
 hw.sleep(1)
-hw.check(toast("Stored in the controller."), "that it was stored is said")
+hw.check(toast("Stored in the controller. 1 of 100000 writes used."), "that it was stored is said, and how often")
 hw.check(not ui.exists("status/unsaved"), "nothing is unsaved any more")
 
 -- ---- search, show, undo of one value

@@ -112,14 +112,28 @@ TEST_F(VxmDriverMoves, ALongJogGoesOnBeyondItsBoundedIndex) {
   EXPECT_TRUE(wait_idle(3));
 }
 
-TEST_F(VxmDriverMoves, APulledCableEndsAJogByItself) {
+TEST_F(VxmDriverMoves, AJogThatLostItsCableIsStoppedAtTheNextConnection) {
   start();
   EXPECT_EQ(perform(intent::JogStart(AxisId{0}, Sign::plus, Pps{500}, false)), "");
   run(2);
   loop->pull();
   run(60);
   EXPECT_EQ(latest.link.state, LinkState::good);
-  EXPECT_EQ(position(), 15000) << "its bounded index, and none after it";
+  EXPECT_LT(position(), 2500) << "nobody can hold what the console has lost";
+  EXPECT_EQ(latest.axes[0].activity, Activity::idle);
+}
+
+TEST_F(VxmDriverMoves, ClosingDuringAJogLeavesNothingForTheRunButton) {
+  start();
+  EXPECT_EQ(perform(intent::JogStart(AxisId{0}, Sign::plus, Pps{500}, false)), "");
+  run(2);
+  conversation();
+  asio::co_spawn(io, pump->shut_down(), asio::detached);
+  run(5);
+  EXPECT_EQ(latest.link.state, LinkState::closed);
+  const std::string said = conversation();
+  EXPECT_THAT(said, HasSubstr("PM-4<0D>PM0")) << "the scratch program is emptied, the selection is the user's";
+  EXPECT_LT(said.find('D'), said.find("PM-4"));
 }
 
 TEST_F(VxmDriverMoves, AStatusByteThatLooksLikeAMessageIsAByte) {

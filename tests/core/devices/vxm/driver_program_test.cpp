@@ -33,6 +33,14 @@ TEST_F(VxmDriverProgram, ATextWithHeadingsFillsItsPrograms) {
   EXPECT_TRUE(told("Not part of a program and so not sent: R in line 11."));
 }
 
+TEST_F(VxmDriverProgram, OnlyAMotorThatTheProgramTurnsIsWarnedOf) {
+  start();
+  perform(intent::LoadProgram(0, "S2M1000\nI1M7\n"));
+  EXPECT_EQ(perform(intent::RunProgram(0)), "");
+  EXPECT_TRUE(told("Motor 1 is set to type 0"));
+  EXPECT_FALSE(told("Motor 2 is set to type 0"));
+}
+
 TEST_F(VxmDriverProgram, RefusesAWrongLineBeforeAnythingIsSent) {
   start();
   perform(intent::LoadProgram(0, "I1M7\n"));
