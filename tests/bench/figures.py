@@ -27,7 +27,8 @@ def row(what, figure, budget, kept):
 def bench(pattern, times=1):
     """The named benchmarks of one run: name -> its line. Several times: the medians, the benchmarks taken in turns, so
     that what else the machine does falls on all of them."""
-    turns = [f"--benchmark_repetitions={times}", "--benchmark_enable_random_interleaving=true"] if times > 1 else []
+    turns = [f"--benchmark_repetitions={times}", "--benchmark_enable_random_interleaving=true",
+             "--benchmark_min_time=0.1"] if times > 1 else []
     out = subprocess.run([BENCH, f"--benchmark_filter={pattern}", "--benchmark_format=json", *turns], check=True,
                          capture_output=True, text=True).stdout
     run = json.loads(out)["benchmarks"]
@@ -103,7 +104,7 @@ def board():
 
 
 def frame():
-    lines = bench("console_frame|imgui_demo", 9)
+    lines = bench("console_frame|imgui_demo", 5)
     demo = lines["imgui_demo_frame"]["cpu_time"]
     for name, what in (("console_frame_moving", "moving"), ("console_frame_at_rest", "at rest")):
         line = lines[name]
