@@ -45,6 +45,7 @@ void Pump::start() {
 
 Task<> Pump::shut_down() {
   if (!running_) co_return;
+  leaving_ = true;
   refuse_queued("The controller was closed. Nothing was sent.");
   if (jogging_) post_stop(Intent(0, intent::Stop()));
   // A stop that was asked for a moment ago may still wait for the answer to a question.

@@ -44,6 +44,10 @@ void Pump::post(Intent intent) {
     wake_.notify();
     return;
   }
+  if (leaving_) {
+    set_fate(intent.id, Fate::refused, "The controller was closed. Nothing was sent.");
+    return publish();
+  }
   set_fate(intent.id, Fate::pending);
   if (queue_.size() >= most_queued) {
     set_fate(intent.id, Fate::refused, "Too many commands wait already. This one was not sent.");
@@ -226,6 +230,7 @@ Task<> Pump::perform_next() {
 }
 
 Task<Result<std::string>> Pump::query(std::string text, Duration patience) {
+  if (leaving_) co_return fail(FaultKind::refused, "The controller was closed.", "Nothing was sent.");
   const bool recovers = try_to_recover(text);
   if (!recovers && (draft_.link.state == LinkState::lost || draft_.link.state == LinkState::closed))
     co_return fail(FaultKind::lost, "There is no connection to the controller.", "Nothing was sent.");

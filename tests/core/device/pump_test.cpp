@@ -229,8 +229,11 @@ TEST_F(PumpClosing, AHeldJogIsStopped) {
 TEST_F(PumpClosing, AStopOfSeveralStepsGoesOutWhole) {
   post(intent::Abort());
   close_now();
+  time.run_for(Millis(10));
+  const IntentId move = post(intent::MoveTo({{AxisId{0}, Steps(400)}}));
   time.run_for(std::chrono::seconds(3));
   EXPECT_THAT(commands(), ElementsAre("hello", "kill", "sure"));
+  EXPECT_EQ(latest.fate_of(move)->fate, Fate::refused) << "what comes while it closes is not begun";
   EXPECT_EQ(latest.link.state, LinkState::closed);
 }
 
