@@ -53,7 +53,8 @@ Result<> Automation::usable(std::string_view id) {
 Result<const Widget*> Automation::reach(std::string_view id) {
   Registry& registry = surface_.screen().registry();
   const Widget* drawn = registry.find(id);
-  if (!drawn || !drawn->enabled) frame();  // the last one may be older than what the script has just waited for
+  if (!drawn || !drawn->enabled)
+    frame();  // the last one may be older than what the script has just waited for
   if (Result<> ok = usable(id); !ok) return fail(ok.error());
   if (!registry.find(id)->in_view()) {
     registry.scroll_to(id);

@@ -7,7 +7,8 @@ int badness(State state) {
     case State::idle: return 0;
     case State::off: return 1;
     case State::limit_plus:
-    case State::limit_minus: return 2;
+    case State::limit_minus:
+    case State::slipped: return 2;
     case State::waiting: return 3;
     case State::moving_plus:
     case State::moving_minus:
@@ -44,6 +45,7 @@ State state_of(const Snapshot& now, int axis, Instant clock) {
     case Activity::stopping: return State::stopping;
     default: break;
   }
+  if (a.slipped) return State::slipped;
   if (!a.enabled) return State::off;
   if (a.limits_known && a.limit_plus) return State::limit_plus;
   if (a.limits_known && a.limit_minus) return State::limit_minus;
@@ -62,9 +64,14 @@ State worst_state(const Snapshot& now, Instant clock) {
       worst = state;
   }
   const ProgramState& program = now.program;
-  const bool runs = program.run == RunState::running ||  // while nothing moves: it waits for a time or an input
-                    (program.owned && (program.run == RunState::waiting || program.run == RunState::held));
+  const bool runs =
+      program.run == RunState::running ||  // while nothing moves: it waits for a time or an input
+      (program.owned && (program.run == RunState::waiting || program.run == RunState::held));
   if (runs && badness(worst) < badness(State::waiting)) worst = State::waiting;
+  for (const ThreadState& thread : now.threads)  // an axis that moves is told first
+    if (thread.known && thread.run == RunState::error && !is_motion(worst) &&
+        badness(worst) < badness(State::fault))
+      worst = State::fault;
   return worst;
 }
 

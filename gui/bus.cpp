@@ -2,11 +2,18 @@
 
 #include <algorithm>
 
+#include <fmt/core.h>
+
 #include "core/session/session_group.h"
 #include "gui/axis_look.h"
 #include "gui/tab.h"
 
 namespace hw::gui {
+
+bool speaks_of(std::string_view sentence, std::string_view id) {
+  return sentence.starts_with(fmt::format("{} ", id)) || sentence.starts_with(fmt::format("{}:", id)) ||
+         sentence.find(fmt::format(" {} ", id)) != sentence.npos;
+}
 
 Tab& Bus::worst() const {
   Tab* worst = members[chosen];

@@ -3,6 +3,7 @@
 // stay in sight, and Stop reaches all. GUI thread.
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "gui/widgets/state_word.h"
@@ -28,6 +29,9 @@ struct Bus {
   [[nodiscard]] std::size_t connected() const;
   void stop_all();
 };
+
+/// Whether the sentence says of whom on a bus it speaks: "02 moves to ...".
+bool speaks_of(std::string_view sentence, std::string_view id);
 
 /// Of a controller, or of the worst on its bus; `moving` when several move.
 State worst_state(const Tab& tab);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -82,8 +83,9 @@ int Console::faces() const {
 
 Tab& Console::make_tab(std::shared_ptr<Session> session, bool on_bus) {
   const Address& address = session->address();
+  // Two tabs of one address (two emulators) keep their texts and profiles apart.
   std::string key =
-      profile_key(address, outside_->usb_serial ? outside_->usb_serial(address) : std::string());
+      free_key(profile_key(address, outside_->usb_serial ? outside_->usb_serial(address) : std::string()));
   auto tab = std::make_unique<Tab>(std::move(session), std::move(key), on_bus);
   auto profile = ProfileStore(outside_->folders).load(tab->profile_key);
   if (profile) {
@@ -93,14 +95,30 @@ Tab& Console::make_tab(std::shared_ptr<Session> session, bool on_bus) {
   } else {
     toast(Mood::warn, profile.error().sentence());
   }
-  // Two tabs of one address (two emulators) keep their texts apart.
-  const auto others = std::count_if(tabs_.begin(), tabs_.end(),
-                                    [&](const auto& t) { return t->profile_key == tab->profile_key; });
-  const std::string kept_as =
-      others == 0 ? tab->profile_key : fmt::format("{} {}", tab->profile_key, others + 1);
-  if (outside_->folders.enabled) tell(tab->desk().keep_texts(Autosave(outside_->folders), kept_as));
+  tab->default_name = free_name(tab->catalog().short_name);
+  if (outside_->folders.enabled) tell(tab->desk().keep_texts(Autosave(outside_->folders), tab->profile_key));
   tab->desk().use(outside_->worker);
   return add(std::move(tab));
+}
+
+template <class Taken>
+static std::string numbered(const std::string& wanted, Taken taken) {
+  std::string name = wanted;
+  for (int n = 2; taken(name); ++n) name = fmt::format("{} {}", wanted, n);
+  return name;
+}
+
+/// The short name, with a number for a second one that has no name of its own either.
+std::string Console::free_name(const std::string& wanted) const {
+  return numbered(wanted, [this](const std::string& name) {
+    return std::any_of(tabs_.begin(), tabs_.end(), [&](const auto& tab) { return tab->name() == name; });
+  });
+}
+
+std::string Console::free_key(const std::string& wanted) const {
+  return numbered(wanted, [this](const std::string& key) {
+    return std::any_of(tabs_.begin(), tabs_.end(), [&](const auto& tab) { return tab->profile_key == key; });
+  });
 }
 
 Tab& Console::add(std::unique_ptr<Tab> tab) {
@@ -126,7 +144,15 @@ void Console::close_one(Tab& tab) {
     Task<> closed = session->close();
     // The session lives until its last coroutine has ended; the count tells when the scheduler may stop.
     asio::co_spawn(outside_->scheduler.executor(), std::move(closed),
-                   [session, counter = closing_](std::exception_ptr) { --*counter; });
+                   [session, counter = closing_, words = last_words_, wake = outside_->wake,
+                    name = std::string(tab.name())](std::exception_ptr) {
+                     session->notices().drain([&](Notice& notice) {
+                       notice.text = fmt::format("{}: {}", name, notice.text);
+                       words->push(std::move(notice));
+                     });
+                     if (wake) wake();
+                     --*counter;
+                   });
   }
   const auto at = std::find_if(tabs_.begin(), tabs_.end(), [&](const auto& t) { return t.get() == &tab; });
   const auto index = at - tabs_.begin();
@@ -274,20 +300,46 @@ void Console::let_go() {
 void Console::refresh(Ui& ui) {
   for (const auto& tab : tabs_) {
     tab->refresh();
+    if (const auto turns = tab->desk().text_turns(); std::exchange(tab->text_turns, turns) != turns)
+      toasts_.withdraw(&tab->desk().texts);
     tell_news(*tab);
     if (const double due = tab->desk().autosave_due_in(tab->clock()); due >= 0) ui.wake_in(due);
   }
+  last_words_->drain([this](Notice& notice) {
+    if (notice.kind == Notice::Kind::warning || notice.kind == Notice::Kind::error)
+      toast(Mood::warn, std::move(notice.text));
+  });
   if (!ImGui::IsMouseDown(0)) save();  // not at each step of a slider that is being dragged
 }
 
+// A device of a bus is named in any case: its neighbours stand beside it.
+void Console::toast(const Tab& of, Mood mood, std::string sentence, const void* about) {
+  const bool neighbours = of.bus && of.bus->members.size() > 1;
+  if (neighbours && !speaks_of(sentence, of.id())) sentence = fmt::format("{}: {}", of.id(), sentence);
+  toasts_.add(mood, std::move(sentence), about, std::string(of.name()));
+}
+
 void Console::tell_news(Tab& tab) {
-  for (std::string& complaint : tab.complaints()) toast(Mood::fault, std::move(complaint));
-  tab.complaints().clear();
-  for (Notice& notice : tab.take_notices())
-    toast(notice.kind == Notice::Kind::error     ? Mood::fault
+  for (Notice& notice : tab.take_notices()) {
+    const bool asked = notice.kind == Notice::Kind::question && &tab == active() &&
+                       dialogs.make_room(tab, std::move(notice.slots));
+    if (asked) {
+      asked_ = std::move(notice.text);
+      continue;
+    }
+    toast(tab,
+          notice.kind == Notice::Kind::error     ? Mood::fault
           : notice.kind == Notice::Kind::warning ? Mood::warn
                                                  : Mood::plain,
           std::move(notice.text));
+  }
+  for (std::string& complaint : tab.complaints()) {
+    // The refusal says in a toast what a dialog asks already. A fate has less room than a notice.
+    const bool asked = !asked_.empty() && asked_.starts_with(complaint);
+    if (!asked) toast(tab, Mood::fault, std::move(complaint));
+    if (asked) asked_.clear();
+  }
+  tab.complaints().clear();
 }
 
 void Console::tell(const Result<>& outcome) {
@@ -312,9 +364,9 @@ void Console::draw(Ui& ui) {
   draw_workspace(ui, *this, layout);
   draw_status_line(ui, *this, layout);
   dialogs.draw(ui, *this);
-  Box toasts_in = layout.centre;
-  toasts_in.height -= 48;  // where the terminal's line or a button may be
-  draw_toasts(ui, toasts_, in_pixels(ui, toasts_in));
+  const std::string_view front = active() ? active()->name() : std::string_view();
+  toasts_.look_at(faces() > 1 ? std::optional(front) : std::nullopt);
+  draw_toasts(ui, toasts_, in_pixels(ui, layout.centre), in_pixels(ui, layout.status));
   tooltip(ui, ui.cut());
   confirm_held_key(ui);
   for (const auto& tab : tabs_) {

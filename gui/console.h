@@ -68,7 +68,12 @@ class Console {
   void show_panel(std::string_view id, std::string_view widget = {});
   /// Starts one emulator of each controller.
   void start_demo();
-  void toast(Mood mood, std::string sentence) { toasts_.add(mood, std::move(sentence)); }
+  /// `about`: what it speaks of; Toasts::withdraw() takes it back when that has changed.
+  void toast(Mood mood, std::string sentence, const void* about = nullptr) {
+    toasts_.add(mood, std::move(sentence), about);
+  }
+  /// Of that controller: it is named when another one is looked at.
+  void toast(const Tab& of, Mood mood, std::string sentence, const void* about = nullptr);
   [[nodiscard]] bool dark() const { return dark_; }  ///< whoever owns the screen follows it between frames
   void set_dark(bool dark) { dark_ = dark; }
   /// How much larger than usual everything is: 1 = 100 %. Followed like dark().
@@ -111,6 +116,8 @@ class Console {
 
  private:
   void refresh(Ui& ui);
+  [[nodiscard]] std::string free_name(const std::string& wanted) const;
+  [[nodiscard]] std::string free_key(const std::string& wanted) const;
   Tab& make_tab(std::shared_ptr<Session> session, bool on_bus);
   void close_one(Tab& tab);
   void tell_news(Tab& tab);
@@ -135,7 +142,10 @@ class Console {
   Splitters kept_;  ///< as written last
   bool kept_dark_ = true;
   float kept_size_ = 1;
+  std::string asked_;  ///< by a dialog, of which no toast need tell
   std::shared_ptr<std::atomic<int>> closing_ = std::make_shared<std::atomic<int>>(0);
+  /// What controllers say while they are closed: their tabs have gone by then. Written on the io thread.
+  std::shared_ptr<Ring<Notice>> last_words_ = std::make_shared<Ring<Notice>>(16);
   std::string wanted_widget_;
 };
 

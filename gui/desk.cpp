@@ -29,26 +29,39 @@ Result<> Desk::keep_texts(Autosave autosave, std::string key) {
 }
 
 void Desk::sent(const IntentBody& body) {
-  if (std::holds_alternative<intent::SendText>(body) || std::holds_alternative<intent::Reset>(body))
-    texts.doubt();
+  if (std::holds_alternative<intent::Reset>(body)) texts.doubt();
 }
 
 void Desk::refresh(const Snapshot& now, Instant clock, const Send& send) {
   if (!worker_) own_worker_.deliver();
-  if (now.link.state == LinkState::lost || now.link.state == LinkState::closed) texts.doubt();
+  doubt_texts(now);
   job.update(texts, now, catalog_, clock, send);
   notice_program_changes(now);
   follower.follow(now, clock, texts, language_, worker());
+  if (std::exchange(started_at_, now.program.started_at) != now.program.started_at) ++starts_;
   setup_write.update(now, catalog_, send);
   setup.settle(now);
   autosave(clock);
+}
+
+// Without a link anybody may write there. What was under way then still is what it was, until it ends.
+void Desk::doubt_texts(const Snapshot& now) {
+  switch (now.link.state) {
+    case LinkState::closed: return texts.forget();
+    case LinkState::lost: return texts.doubt();
+    case LinkState::connecting: return;
+    case LinkState::good:
+    case LinkState::late: break;
+  }
+  const RunState run = now.program.run;
+  if (run == RunState::idle || run == RunState::error) texts.nothing_runs();
 }
 
 // A script, a raw command or a restored backup wrote into the controller what is not known here.
 void Desk::notice_program_changes(const Snapshot& now) {
   const std::uint32_t news = now.program_changes - std::exchange(program_changes_, now.program_changes);
   const bool ours = news == 1 && now.program_changed_by != 0 && now.program_changed_by == job.written_by();
-  if (news > 0 && !ours) texts.doubt();
+  if (news > 0 && !ours) texts.forget();
 }
 
 void Desk::autosave(Instant clock) {

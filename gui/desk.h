@@ -46,11 +46,13 @@ class Desk {
   /// Unsaved texts are kept under `key` from now on; those of last time come back. A fault: their file was
   /// damaged, nothing came back.
   Result<> keep_texts(Autosave autosave, std::string key);
+  /// Grows when a text is edited, sent or started: what was said of it before is old then.
+  [[nodiscard]] std::uint64_t text_turns() const { return texts.changes() + job.begun() + starts_; }
   /// Seconds until the autosave wants a frame; negative: it does not.
   [[nodiscard]] double autosave_due_in(Instant clock) const;
 
   /// A listing came up from the controller.
-  void listed(const Notice& notice) { texts.listed(notice.slot, notice.text, notice.at); }
+  void listed(const Notice& notice) { texts.listed(notice.slot, notice.text, notice.at, notice.whole); }
   /// Something went down that may change what the controller holds.
   void sent(const IntentBody& body);
   /// Once a frame, after the snapshot and its notices were taken.
@@ -58,6 +60,7 @@ class Desk {
 
  private:
   void autosave(Instant clock);
+  void doubt_texts(const Snapshot& now);
   void notice_program_changes(const Snapshot& now);
 
   const Catalog& catalog_;
@@ -68,7 +71,8 @@ class Desk {
   std::string autosave_key_;
   std::uint64_t autosaved_ = 0;
   std::uint32_t program_changes_ = 0;
-  Instant changed_at_{};
+  std::uint64_t starts_ = 0;
+  Instant changed_at_{}, started_at_{};
   bool dirty_ = false;
   std::shared_ptr<int> alive_ = std::make_shared<int>(0);
 };

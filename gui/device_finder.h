@@ -1,6 +1,7 @@
 #pragma once
-// The search for devices that can share a line, when port, rate or id are not known, as the connection page sees it: each
-// id at each rate of each port is asked, which takes a while and can be ended. Who asks stands behind this interface.
+// The search for devices that can share a line, when port, rate or id are not known, as the connection page
+// sees it: each id at each rate of each port is asked, which takes a while and can be ended. Who asks stands
+// behind this interface.
 #include <string>
 #include <vector>
 

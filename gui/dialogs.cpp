@@ -81,6 +81,13 @@ void Dialogs::close_controller(Console& console, Tab& tab) {
 
 void Dialogs::reset(Tab& tab) { begin(Kind::reset, tab); }
 
+bool Dialogs::make_room(Tab& tab, std::vector<int> slots) {
+  if (open() || slots.empty()) return false;
+  begin(Kind::make_room, tab);
+  slots_ = std::move(slots);
+  return true;
+}
+
 void Dialogs::draw(Ui& ui, Console& console) {
   if (!begin_modal(ui, "dialog", open(), width + 48)) return;
   if (ui.cancelled() && !just_opened_) close();
@@ -88,6 +95,7 @@ void Dialogs::draw(Ui& ui, Console& console) {
     case Kind::names: draw_names(ui, console); break;
     case Kind::close_controller: draw_close(ui, console); break;
     case Kind::reset: draw_reset(ui); break;
+    case Kind::make_room: draw_make_room(ui); break;
     case Kind::none: break;
   }
   just_opened_ = false;
@@ -155,6 +163,39 @@ void Dialogs::draw_reset(Ui& ui) {
   const int pressed = draw_choices(ui, choices);
   if (pressed == 1) tab_->send_followed(intent::Reset());
   if (pressed >= 0) close();
+}
+
+void Dialogs::draw_make_room(Ui& ui) {
+  const ProgramFacts& facts = tab_->catalog().program;
+  const Snapshot& now = tab_->now();
+  title(ui, "Which program may be emptied?");
+  wrapped(ui, Face::body, Tone::ink2,
+          "All programs of the controller hold commands. A move of the console needs an empty one for its "
+          "time. The text of the one that you choose is brought into the editor first.");
+  gap(ui, 12);
+  int chosen = -1;
+  for (const int slot : slots_) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const std::string name = fmt::format("{} {}", facts.slot_word, slot);
+    const std::string use =
+        fmt::format("{}, {} of {} {}", name, now.slot_bytes_used[static_cast<std::size_t>(slot)],
+                    facts.capacity, facts.capacity_unit);
+    const std::string words = "Empty " + name, id = fmt::format("room/{}", slot);
+    const float wide = button_width(ui, words);
+    const float right = at.x + ImGui::GetContentRegionAvail().x;
+    draw_text_line(ui, at.x, right - ui.px(wide + 8), at.y + ui.px(16), Face::body, ui[Tone::ink], use);
+    ImGui::SetCursorScreenPos(ImVec2(right - ui.px(wide), at.y));
+    if (button(ui, id, words).clicked) chosen = slot;
+    gap(ui, 4);
+  }
+  gap(ui, 8);
+  static constexpr Choice choices[] = {{"room/cancel", "Leave all as they are", ButtonStyle::outlined}};
+  if (draw_choices(ui, choices) == 0) close();
+  if (chosen < 0) return;
+  close();
+  Desk& desk = tab_->desk();
+  desk.job.begin(ProgramJob::Goal::make_room, chosen, desk.texts, now, tab_->catalog(),
+                 [this](IntentBody body) { return tab_->send(std::move(body)); });
 }
 
 }  // namespace hw::gui

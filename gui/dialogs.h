@@ -16,22 +16,27 @@ class Dialogs {
   /// Closes it, after asking when something moves or a program runs.
   void close_controller(Console& console, Tab& tab);
   void reset(Tab& tab);
+  /// A move needs an empty program and there is none: which of `slots` may be emptied? False, and nothing is
+  /// asked, while another question is open.
+  bool make_room(Tab& tab, std::vector<int> slots);
   [[nodiscard]] bool open() const { return kind_ != Kind::none; }
   void close() { kind_ = Kind::none; }
   void draw(Ui& ui, Console& console);
 
  private:
-  enum class Kind { none, names, close_controller, reset };
+  enum class Kind { none, names, close_controller, reset, make_room };
   void begin(Kind kind, Tab& tab);
   void draw_names(Ui& ui, Console& console);
   void draw_close(Ui& ui, Console& console);
   void draw_reset(Ui& ui);
+  void draw_make_room(Ui& ui);
 
   Kind kind_ = Kind::none;
   bool just_opened_ = false;
   Tab* tab_ = nullptr;
   std::string name_;
   std::vector<std::string> axis_names_;
+  std::vector<int> slots_;
 };
 
 }  // namespace hw::gui

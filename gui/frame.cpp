@@ -4,8 +4,15 @@
 
 namespace hw::gui {
 
-void PageFrame::toast(Mood mood, std::string sentence) const { console.toast(mood, std::move(sentence)); }
+void PageFrame::toast(Mood mood, std::string sentence, const void* about) const {
+  console.toast(mood, std::move(sentence), about);
+}
 
+void PageFrame::withdraw(const void* about) const { console.toasts().withdraw(about); }
+
+void Frame::toast(Mood mood, std::string sentence, const void* about) const {
+  console.toast(tab, mood, std::move(sentence), about);
+}
 IntentId Frame::send(IntentBody body) const { return tab.send_followed(std::move(body)); }
 IntentId Frame::send_and_watch(IntentBody body) const { return tab.send(std::move(body)); }
 void Frame::operate_bench(BenchCommand command) const { tab.operate_bench(std::move(command)); }

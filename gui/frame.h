@@ -27,8 +27,11 @@ struct PageFrame {
   bool rail;      ///< a column of 56 wide with lamps only
   Instant clock;  ///< present time; an age is clock - seen_at
 
-  /// A sentence at the bottom right. Faults stay until they are read, the rest goes after 6 s.
-  void toast(Mood mood, std::string sentence) const;
+  /// A sentence low in the centre. Faults stay until they are read, the rest goes after 6 s. `about`: what it
+  /// speaks of, see Toasts::withdraw().
+  void toast(Mood mood, std::string sentence, const void* about = nullptr) const;
+  /// What was said about it is not true any more.
+  void withdraw(const void* about) const;
 };
 
 struct Frame : PageFrame {
@@ -37,6 +40,8 @@ struct Frame : PageFrame {
   const Snapshot& now;
   const BenchView& bench;
 
+  /// It names this controller when another one is looked at.
+  void toast(Mood mood, std::string sentence, const void* about = nullptr) const;
   /// Sends it. If it is refused or fails, the sentence is shown as a toast.
   IntentId send(IntentBody body) const;
   /// Sends it; this panel itself shows what became of it, from now.fate_of(id).

@@ -66,11 +66,14 @@ Layout lay_out(const LayoutWishes& w) {
   return l;
 }
 
-float below_height(float centre_height, const Splitters& s, Tier tier) {
+float below_height(float centre_height, const Splitters& s, Tier tier, float wish) {
   constexpr float title = 44, row = 20, command = 48, work_at_least = 280;
   const float least = (tier == Tier::wide ? title : 0) + 3 * row + command;
   if (tier == Tier::narrow || centre_height < work_at_least + least) return 0;
-  return std::clamp(tier == Tier::medium ? s.below_medium : s.below, least, centre_height - work_at_least);
+  const float set = tier == Tier::medium ? s.below_medium : s.below;
+  const float usual = tier == Tier::medium ? Splitters().below_medium : Splitters().below;
+  const float given = wish > 0 && set == usual ? std::min(set, centre_height - wish) : set;
+  return std::clamp(given, least, centre_height - work_at_least);
 }
 
 }  // namespace hw::gui

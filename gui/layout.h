@@ -46,7 +46,7 @@ struct LayoutWishes {
 Layout lay_out(const LayoutWishes& wishes);
 
 /// Height of the part below in a centre of that height, at least three rows of traffic; 0: no room, it
-/// becomes a tab.
-float below_height(float centre_height, const Splitters& splitters, Tier tier);
+/// becomes a tab. `wish`: of the panel above it, see PanelEntry::good_height.
+float below_height(float centre_height, const Splitters& splitters, Tier tier, float wish = 0);
 
 }  // namespace hw::gui

@@ -5,9 +5,11 @@
 #include <cmath>
 #include <span>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include "gui/area.h"
+#include "gui/axis_look.h"
+#include "gui/bus.h"
 #include "gui/console.h"
 #include "gui/status_sentence.h"
 #include "gui/widgets/button.h"
@@ -51,9 +53,30 @@ RunPlace place_of_threads(Tab& tab) {
   run.who = fmt::format("{}{} {} {}", tab.catalog().program.slot_word, running > 1 ? "s" : "", numbers,
                         running > 1 ? "are" : "is");
   if (running > 1) return run;
-  run.line = tab.desk().texts.live_line(0, threads[static_cast<std::size_t>(last)].line);
+  run.stored_line = threads[static_cast<std::size_t>(last)].line;
+  run.line = tab.desk().texts.live_line(0, run.stored_line);
   if (last == 0) run.left_s = tab.desk().follower.left_s();  // it is the first that is rehearsed
   return run;
+}
+
+/// "Program 2 has stopped in error in line 19: V2=5/V1." of such programs. Why is not told: the controller
+/// has no word for it, and axes in error are named beside it.
+std::string failed_threads(Tab& tab) {
+  ProgramTexts& texts = tab.desk().texts;
+  std::string said;
+  const int count = std::min(tab.catalog().program.threads, max_threads);
+  for (int n = 0; n < count; ++n) {
+    const ThreadState& thread = tab.now().threads[static_cast<std::size_t>(n)];
+    if (!thread.known || thread.run != RunState::error) continue;
+    said += fmt::format("{}{} {} has stopped in error", said.empty() ? "" : " ",
+                        tab.catalog().program.slot_word, n);
+    const int line = texts.live_line(0, thread.line);
+    if (line >= 0)
+      said += fmt::format(" in line {}: {}.", line + 1, line_of(texts.text(0), line));
+    else
+      said += fmt::format(" at line {} of its stored code.", thread.line);
+  }
+  return said;
 }
 
 RunPlace run_place(Tab& tab) {
@@ -65,12 +88,6 @@ RunPlace run_place(Tab& tab) {
   if (place.slot >= 0) run.line = desk.texts.live_line(place.slot, place.command);
   run.pass = place.pass, run.passes = place.passes;
   return run;
-}
-
-/// Whether the sentence says of whom it speaks: "02 moves to ...".
-bool names(std::string_view sentence, std::string_view id) {
-  return sentence.starts_with(fmt::format("{} ", id)) ||
-         sentence.find(fmt::format(" {} ", id)) != sentence.npos;
 }
 
 /// On a bus a device stands for its only axis: "02 moves to ...", not "Axis X moves to ...".
@@ -85,20 +102,41 @@ void name_device(StatusSentence& said, const Tab& tab) {
   said.text = text;
 }
 
-StatusSentence sentence_of(Console& console, Tab& tab) {
-  if (Tab* worst = tab.bus ? &tab.bus->worst() : nullptr; worst && worst != &tab) {
-    StatusSentence said = sentence_of(console, *worst);
-    if (!names(said.text.view(), worst->id()))
-      said.text = fmt::format("{}: {}", worst->id(), said.text.view());
-    return said;
-  }
+StatusSentence sentence_alone(Console& console, Tab& tab) {
   const auto held = tab.jog.control();
   StatusSentence said = status_sentence(
       {tab.catalog(), tab.now(), tab.clock(), held, tab.jog.jogging(),
        [&](AxisId a, Steps s) { return std::string(format_with_unit(s, tab.unit(a)).view()); },
        [&](AxisId a, Pps v) { return std::string(format_speed(v, tab.unit(a)).view()); },
-       [&](Instant when) { return console.time_of_day(when); }, run_place(tab)});
+       [&](Instant when) { return console.time_of_day(when); }, run_place(tab), failed_threads(tab)});
   name_device(said, tab);
+  return said;
+}
+
+/// "01, 02 and 03 move." of the devices of a bus that do, but for `but`; empty: none does.
+std::string who_moves(const Bus& bus, const Tab* but) {
+  std::vector<std::string_view> ids;
+  for (const Tab* member : bus.members)
+    if (member != but && is_motion(worst_state(member->now(), member->clock()))) ids.push_back(member->id());
+  if (ids.empty()) return {};
+  if (ids.size() == 1) return fmt::format("{} moves.", ids.front());
+  const std::string_view last = ids.back();
+  ids.pop_back();
+  return fmt::format("{} and {} move.", fmt::join(ids, ", "), last);
+}
+
+/// Of a bus: what is worst on it, and who moves beside that.
+StatusSentence sentence_of(Console& console, Tab& tab) {
+  if (!tab.bus) return sentence_alone(console, tab);
+  Tab& worst = tab.bus->worst();
+  const std::string others = who_moves(*tab.bus, &worst);
+  const bool all_is_well = is_motion(worst_state(worst.now(), worst.clock()));
+  if (all_is_well && !others.empty() && !tab.jog.control())
+    return {Mood::motion, fmt::format("{} Esc stops everything.", who_moves(*tab.bus, nullptr))};
+  StatusSentence said = sentence_alone(console, worst);
+  if (&worst != &tab && !speaks_of(said.text.view(), worst.id()))
+    said.text = fmt::format("{}: {}", worst.id(), said.text.view());
+  if (!all_is_well && !others.empty()) said.text = fmt::format("{} {}", said.text.view(), others);
   return said;
 }
 

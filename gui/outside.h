@@ -21,7 +21,7 @@ struct Outside {
   std::function<void()> wake;   ///< any thread: a frame is wanted
   PortFinder* ports = nullptr;  ///< null: finds nothing
   DeviceFinder* devices = nullptr;
-  Worker* worker = nullptr;     ///< long jobs of programs; null: within the frame
+  Worker* worker = nullptr;  ///< long jobs of programs; null: within the frame
   UserFolders folders = UserFolders::none();
   std::function<std::string(const Address&)> usb_serial;  ///< of the adapter behind an address; may be null
   DayClock day;                                           ///< what time it is; 0: counts from the start

@@ -43,6 +43,9 @@ struct PanelEntry {
   bool (*wanted)(const Tab&) = nullptr;
   /// Logical. In less (a narrow window) it scrolls as a whole; 0: it manages with any.
   float least_height = 0;
+  /// Logical, of a panel tab. While it is in front the part below gives way, down to its least, unless
+  /// somebody has given that a height of his own; 0: it does not.
+  float good_height = 0;
 };
 
 struct PageEntry {

@@ -4,6 +4,8 @@
 
 #include <fmt/core.h>
 
+#include "gui/units_format.h"
+
 namespace hw::gui {
 
 void ProgramJob::refuse(std::string sentence) {
@@ -13,11 +15,17 @@ void ProgramJob::refuse(std::string sentence) {
 
 bool ProgramJob::begin(Goal goal, int slot, ProgramTexts& texts, const Snapshot& now, const Catalog& catalog,
                        const Send& send) {
-  if (busy()) return refuse("One program transfer at a time: wait until the present one has ended."), false;
+  if (busy()) {  // which goes on, or asks on
+    told_ = {Mood::fault, stage_ == Stage::asking
+                              ? "Answer the question about the program first."
+                              : "One program transfer at a time: wait until the present one has ended."};
+    return false;
+  }
+  ++begun_;
   goal_ = goal;
   slot_ = slot;
   text_ = texts.text(slot);
-  if (goal == Goal::fetch) {
+  if (goal == Goal::fetch || goal == Goal::make_room) {
     stage_ = Stage::fetching;
     waiting_for_ = send(intent::UploadProgram(slot));
     return true;
@@ -81,7 +89,7 @@ void ProgramJob::update(ProgramTexts& texts, const Snapshot& now, const Catalog&
   const IntentFate* fate = now.fate_of(waiting_for_);
   if (!fate || fate->fate == Fate::pending) return;
   if (fate->fate == Fate::done) return done(texts, now, catalog, clock, send);
-  if (stage_ == Stage::loading || stage_ == Stage::clearing) texts.doubt();
+  if (stage_ == Stage::loading || stage_ == Stage::clearing) texts.forget();
   refuse(std::string(fate->sentence.view()));
 }
 
@@ -94,6 +102,7 @@ void ProgramJob::done(ProgramTexts& texts, const Snapshot& now, const Catalog& c
       stage_ = Stage::idle;
       if (!texts.held(slot_).known)
         return refuse("The controller listed nothing. The text here is as it was.");
+      if (goal_ == Goal::make_room) return empty_kept(texts, catalog, send);
       texts.set_text(slot_, texts.held(slot_).text);
       told_ = {Mood::ok,
                fmt::format("{} {} was brought here from the controller.", catalog.program.slot_word, slot_)};
@@ -101,8 +110,9 @@ void ProgramJob::done(ProgramTexts& texts, const Snapshot& now, const Catalog& c
     case Stage::clearing:
       stage_ = Stage::idle;
       texts.cleared(slot_, clock);
-      told_ = {Mood::ok, fmt::format("{} {} in the controller is empty. The text here is as it was.",
-                                     catalog.program.slot_word, slot_)};
+      told_ = {Mood::ok, fmt::format("{} {} in the controller is empty. {}", catalog.program.slot_word, slot_,
+                                     goal_ == Goal::make_room ? "Its text is kept in the editor. Move again."
+                                                              : "The text here is as it was.")};
       return;
     case Stage::storing:
       stage_ = Stage::idle;
@@ -114,17 +124,30 @@ void ProgramJob::done(ProgramTexts& texts, const Snapshot& now, const Catalog& c
   }
 }
 
+/// What the controller holds must stand in the editor before it may go.
+void ProgramJob::empty_kept(ProgramTexts& texts, const Catalog& catalog, const Send& send) {
+  if (texts.text(slot_).find_first_not_of(" \t\r\n") == std::string::npos)
+    texts.set_text(slot_, texts.held(slot_).text);
+  else if (!texts.controller_has(slot_))
+    return refuse(
+        fmt::format("The editor's {0} {1} is another text than the controller's, which would be lost. "
+                    "Nothing was emptied. Save the text and clear the editor, or choose another one.",
+                    catalog.program.slot_word, slot_));
+  stage_ = Stage::clearing;
+  waiting_for_ = written_by_ = send(intent::ClearProgram(slot_));
+}
+
 void ProgramJob::compared(ProgramTexts& texts, const Snapshot& now, const Catalog& catalog,
                           const Send& send) {
   const HeldProgram& held = texts.held(slot_);
   if (held.known && text_ == texts.text(slot_) && texts.controller_has(slot_)) return after_load(send);
-  if (held.known && held.listing.empty()) return load(send);
+  if (held.known && held.whole && held.listing.empty()) return load(send);
   const int used = now.slot_bytes_used[static_cast<std::size_t>(slot_)];
   question_ = fmt::format(
       "{} {} in the controller holds another program{}, which was not loaded from here. "
       "Loading this text would overwrite it.",
       catalog.program.slot_word, slot_,
-      used > 0 ? fmt::format(" of {} {}", used, catalog.program.capacity_unit) : "");
+      used > 0 ? " of " + count_of(used, catalog.program.capacity_unit) : "");
   stage_ = Stage::asking;
 }
 

@@ -19,6 +19,7 @@ class ProgramJob {
     store,         ///< into the slot, then into non-volatile memory
     fetch,         ///< the controller's program into the editor
     clear,         ///< empties the slot in the controller
+    make_room,     ///< the same, after its text was brought into the editor
   };
   enum class Stage : std::uint8_t { idle, comparing, asking, loading, starting, storing, fetching, clearing };
   enum class Answer : std::uint8_t { overwrite, fetch_instead, leave };
@@ -44,6 +45,8 @@ class ProgramJob {
   [[nodiscard]] int slot() const { return slot_; }
   /// The last intent of a job that wrote into the controller; 0: none yet.
   [[nodiscard]] IntentId written_by() const { return written_by_; }
+  /// How often something was begun.
+  [[nodiscard]] std::uint64_t begun() const { return begun_; }
   [[nodiscard]] Goal goal() const { return goal_; }
   /// While asking: what would be lost.
   [[nodiscard]] const std::string& question() const { return question_; }
@@ -58,6 +61,7 @@ class ProgramJob {
   void compared(ProgramTexts& texts, const Snapshot& now, const Catalog& catalog, const Send& send);
   void done(ProgramTexts& texts, const Snapshot& now, const Catalog& catalog, Instant clock,
             const Send& send);
+  void empty_kept(ProgramTexts& texts, const Catalog& catalog, const Send& send);
   void refuse(std::string sentence);
 
   Goal goal_ = Goal::run;
@@ -65,6 +69,7 @@ class ProgramJob {
   int slot_ = 0;
   IntentId waiting_for_ = 0;
   IntentId written_by_ = 0;
+  std::uint64_t begun_ = 0;
   std::string text_;  ///< as it was when the job began: this is what is loaded
   std::string question_;
   Told told_;

@@ -1,6 +1,10 @@
 #include "gui/program_texts.h"
 
+#include <algorithm>
+
 #include <fmt/core.h>
+
+#include "gui/units_format.h"
 
 namespace hw::gui {
 
@@ -43,6 +47,17 @@ int ProgramTexts::cost(int slot) {
   return found == costs.end() ? 0 : found->second;
 }
 
+std::string_view line_of(std::string_view text, int line) {
+  for (; line > 0; --line) {
+    const std::size_t end = text.find('\n');
+    if (end == text.npos) return {};
+    text.remove_prefix(end + 1);
+  }
+  text = text.substr(0, text.find('\n'));
+  text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
+  return text;
+}
+
 std::string first_error_line(const ProgramReport& report) {
   for (const Problem& p : report.problems)
     if (p.error) return fmt::format("line {}", p.line + 1);
@@ -74,6 +89,10 @@ TextFile ProgramTexts::to_save(int slot) const {
   return file;
 }
 
+std::optional<std::string> ProgramTexts::known_in_file(int slot) const {
+  return at(slot).has_file ? std::optional(at(slot).in_file) : std::nullopt;
+}
+
 void ProgramTexts::saved(int slot, std::filesystem::path path, std::string_view text) {
   Slot& s = at(slot);
   s.path = std::move(path);
@@ -103,7 +122,8 @@ void ProgramTexts::restore(const std::vector<UnsavedText>& texts) {
 
 void ProgramTexts::hold(int slot, const std::string& text, bool from_here, Instant when) {
   Slot& s = at(slot);
-  s.held.known = true;
+  s.held.known = s.held.whole = true;
+  s.held.runs_on = false;
   s.held.from_here = from_here;
   s.held.text = text;
   s.held.report = language_ ? language_->analyse(text, slot) : ProgramReport();
@@ -123,11 +143,12 @@ void ProgramTexts::loaded(int slot, const std::string& text, Instant when) {
   }
 }
 
-void ProgramTexts::listed(int slot, const std::string& listing, Instant when) {
+void ProgramTexts::listed(int slot, const std::string& listing, Instant when, bool whole) {
   if (slot < 0 || slot >= count()) return;
   const HeldProgram before = at(slot).held;
   hold(slot, listing, false, when);
-  if (!before.from_here || before.listing != at(slot).held.listing) return;
+  at(slot).held.whole = whole;
+  if (!whole || !before.from_here || before.listing != at(slot).held.listing) return;
   at(slot).held = before;  // still what was loaded from here: keep its own text and time
   at(slot).held.known = true;
 }
@@ -135,12 +156,23 @@ void ProgramTexts::listed(int slot, const std::string& listing, Instant when) {
 void ProgramTexts::cleared(int slot, Instant when) { hold(slot, "", false, when); }
 
 void ProgramTexts::doubt() {
-  for (Slot& s : slots_) s.held.known = false;
+  for (Slot& s : slots_) {
+    s.held.runs_on = s.held.runs_on || s.held.known;
+    s.held.known = false;
+  }
+}
+
+void ProgramTexts::forget() {
+  for (Slot& s : slots_) s.held.known = s.held.runs_on = false;
+}
+
+void ProgramTexts::nothing_runs() {
+  for (Slot& s : slots_) s.held.runs_on = false;
 }
 
 bool ProgramTexts::controller_has(int slot) {
   const HeldProgram& held = at(slot).held;
-  if (!held.known) return false;
+  if (!held.known || !held.whole) return false;
   if (report(slot).has_errors()) return false;  // its listing lacks what is wrong
   const auto& listings = report(slot).listing;
   const auto own = listings.find(slot);
@@ -154,8 +186,8 @@ bool ProgramTexts::controller_has(int slot) {
 
 int ProgramTexts::live_line(int slot, int command) {
   Slot& s = at(slot);
-  if (command < 0 || s.held.listing.empty()) return -1;
   const HeldProgram& held = s.held;
+  if (command < 0 || held.listing.empty() || !lines_known(slot)) return -1;
   const bool same_as_typed = !held.from_here && controller_has(slot);
   const ProgramReport& of = same_as_typed ? report(slot) : held.report;
   for (std::size_t line = 0; line < of.lines.size(); ++line) {
@@ -217,18 +249,23 @@ ProgramNote program_note(ProgramTexts& texts, int slot, const Snapshot& now, con
     return {Mood::plain, fmt::format("The controller {} the same program as this text.", verb)};
   if (!mend.empty()) return {Mood::warn, fmt::format("Mend {} before the program can run.", mend)};
   if (used > 0 && texts.text(slot).empty())
-    return {Mood::plain,
-            fmt::format("{} {} in the controller holds {} {}. Load from controller brings them here.",
-                        facts.slot_word, slot, used, facts.capacity_unit)};
+    return {Mood::plain, fmt::format("{} {} in the controller holds {}. Load from controller brings {} here.",
+                                     facts.slot_word, slot, count_of(used, facts.capacity_unit),
+                                     used == 1 ? "it" : "them")};
   if (used > 0 && !held.known)
-    return {Mood::plain,
-            fmt::format("{} {} in the controller holds {} {}. Run compares them with this text first.",
-                        facts.slot_word, slot, used, facts.capacity_unit)};
+    return {
+        Mood::plain,
+        fmt::format("{} {} in the controller holds {}. Run compares {} with this text first.",
+                    facts.slot_word, slot, count_of(used, facts.capacity_unit), used == 1 ? "it" : "them")};
+  if (used > 0 && !held.whole)
+    return {
+        Mood::warn,
+        "The controller also holds code that means nothing here and is not in this text. Run asks before it "
+        "overwrites."};
   if (used > 0)
-    return {Mood::warn,
-            fmt::format("{} {} in the controller holds another program of {} {}. Run asks before it "
-                        "is overwritten.",
-                        facts.slot_word, slot, used, facts.capacity_unit)};
+    return {Mood::warn, fmt::format("{} {} in the controller holds another program of {}. Run asks before it "
+                                    "is overwritten.",
+                                    facts.slot_word, slot, count_of(used, facts.capacity_unit))};
   return {};
 }
 

@@ -2,6 +2,7 @@
 // The texts of one controller's program slots: what is typed, the file it belongs to, what the language says
 // of it, and what the controller is known to hold. GUI thread.
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,8 +18,10 @@ namespace hw::gui {
 
 /// What the controller's slot is known to hold.
 struct HeldProgram {
-  bool known = false;                ///< false: never read, or something may have changed it since
-  bool from_here = false;            ///< it was loaded from the text of this console
+  bool known = false;      ///< false: never read, or something may have changed it since
+  bool from_here = false;  ///< it was loaded from the text of this console
+  bool runs_on = false;  ///< not known any more, but the run that was under way then still is: it is of this
+  bool whole = true;     ///< false: it has code that means nothing here, which `text` leaves out
   std::vector<std::string> listing;  ///< canonical commands
   std::string text;                  ///< as it was loaded or listed
   ProgramReport report;              ///< of `text`
@@ -53,6 +56,8 @@ class ProgramTexts {
   [[nodiscard]] bool edited(int slot) const;
   void opened(int slot, std::filesystem::path path, TextFile file);
   [[nodiscard]] TextFile to_save(int slot) const;
+  /// What its file is known to hold; none: it was not read since the text was recovered.
+  [[nodiscard]] std::optional<std::string> known_in_file(int slot) const;
   /// `text` is what was written: it may have been edited meanwhile.
   void saved(int slot, std::filesystem::path path, std::string_view text);
   [[nodiscard]] std::vector<UnsavedText> unsaved() const;
@@ -64,14 +69,23 @@ class ProgramTexts {
   [[nodiscard]] const HeldProgram& held(int slot) const { return at(slot).held; }
   /// LoadProgram has ended well.
   void loaded(int slot, const std::string& text, Instant when);
-  /// UploadProgram brought this listing.
-  void listed(int slot, const std::string& listing, Instant when);
+  /// UploadProgram brought this listing; not `whole`: of what it understood.
+  void listed(int slot, const std::string& listing, Instant when, bool whole = true);
   void cleared(int slot, Instant when);
-  /// Somebody else may have changed it: the wire was lost, text was typed in the terminal, a reset.
+  /// Somebody else may have changed it: the wire was lost, a reset. What runs meanwhile runs on.
   void doubt();
+  /// Somebody else has changed it.
+  void forget();
+  /// What ran when it became doubtful has ended.
+  void nothing_runs();
+  /// The lines that the controller tells can be found in the text that was loaded or listed.
+  [[nodiscard]] bool lines_known(int slot) const {
+    return held(slot).whole && (held(slot).known || held(slot).runs_on);
+  }
   /// The controller is known to hold what is typed here now.
   bool controller_has(int slot);
-  /// Line (from 0) of the present text that the controller works on; -1: none, or not known.
+  /// Line (from 0) of the present text that the controller works on; -1: none, or not known: then the text
+  /// may be of another program.
   int live_line(int slot, int command);
 
  private:
@@ -103,6 +117,9 @@ struct ProgramNote {
 };
 ProgramNote program_note(ProgramTexts& texts, int slot, const Snapshot& now, const ProgramFacts& facts,
                          std::string_view loaded_at);
+
+/// Line `line` (from 0) of the text, without the spaces before it.
+std::string_view line_of(std::string_view text, int line);
 
 /// First error of a report as "line 8", for sentences; empty: none.
 std::string first_error_line(const ProgramReport& report);

@@ -25,6 +25,7 @@ void RunFollower::follow(const Snapshot& now, Instant clock, const ProgramTexts&
     ++run_number_;
     if (language) begin(now, texts, *language, worker);
   }
+  if (!texts.lines_known(told_.slot)) of_run_.reset();  // it is of another program
   if (seen_run_ == RunState::running) run_s_ += std::max(0.0, seconds(clock - seen_at_));
   seen_run_ = told_.run;
   seen_at_ = clock;

@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include "gui/lower_case.h"
+#include "gui/units_format.h"
 
 namespace hw::gui {
 
@@ -18,7 +19,9 @@ SetupEdits::SetupEdits(const Catalog& catalog) : catalog_(catalog), edits_(catal
 bool SetupEdits::set(std::size_t i, std::int64_t value, std::string* why) {
   const ParamInfo& p = catalog_.params[i];
   if (!p.accepts(value)) {
-    if (why) *why = fmt::format("{} takes {}. {} was not taken.", p.mnemonic, range_of(p), value);
+    if (why)
+      *why =
+          fmt::format("{} takes {}. {} was not taken.", p.mnemonic, range_in_words(p), value_text(p, value));
     return false;
   }
   edits_[i] = value;
@@ -143,6 +146,16 @@ std::string value_text(const ParamInfo& p, std::int64_t value) {
   if (p.decimals > 0)
     return fmt::format("{:.{}f}", static_cast<double>(value) / std::pow(10.0, p.decimals), p.decimals);
   return fmt::format("{}", value);
+}
+
+std::string range_in_words(const ParamInfo& p) {
+  if (!p.choices.empty()) return range_of(p);
+  return fmt::format("{}{} to {}", p.also_zero && p.minimum > 0 ? "0 or " : "", value_text(p, p.minimum),
+                     value_text(p, p.maximum));
+}
+
+std::string unit_of(const ParamInfo& p, const Catalog& catalog, const Snapshot& now) {
+  return p.follows_loop ? counted_unit(catalog, now, p.unit, p.axis) : p.unit;
 }
 
 std::string value_in_words(const ParamInfo& p, std::int64_t value) {

@@ -77,6 +77,10 @@ class SetupWrite {
 
 /// A value as it is written: "0.800" with decimals, "4EX07" with a prefix, else the number.
 std::string value_text(const ParamInfo& param, std::int64_t value);
+/// "0 or 1 to 600", "4EX00 to 4EX99", with the values as they are written.
+std::string range_in_words(const ParamInfo& param);
+/// Its unit as its axes count now.
+std::string unit_of(const ParamInfo& param, const Catalog& catalog, const Snapshot& now);
 /// The words of a value: the label of a choice, the names of set bits, or number and unit.
 std::string value_in_words(const ParamInfo& param, std::int64_t value);
 

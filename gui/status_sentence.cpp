@@ -49,13 +49,34 @@ Said say_link(const StatusFacts& f) {
   return {};
 }
 
+/// The programs that stopped in error come with what stopped them, where that is an axis.
+StatusSentence with_failed(const StatusFacts& f, StatusSentence said) {
+  if (!f.failed.empty()) said.text = fmt::format("{} {}", f.failed, said.text.view());
+  return said;
+}
+
+Said say_motion(const StatusFacts& f);
+Said say_program(const StatusFacts& f);
+
+/// What goes on beside an error.
+StatusSentence with_what_goes_on(const StatusFacts& f, StatusSentence said) {
+  for (const auto part : {say_motion, say_program})
+    if (const Said goes_on = part(f)) {
+      said.text = fmt::format("{} {}", said.text.view(), goes_on->text.view());
+      break;
+    }
+  return said;
+}
+
 Said say_error(const StatusFacts& f) {
   if (f.now.program.run == RunState::error && !f.now.notice.empty()) return say(Mood::fault, f.now.notice);
   for (int i = 0; i < f.now.axis_count; ++i) {
     if (f.now.axes[i].activity != Activity::error && !f.now.axes[i].alarm) continue;
-    if (!f.now.notice.empty()) return say(Mood::fault, f.now.notice);
-    return say(Mood::fault,
-               fmt::format("{} is in error. Stop it, and look at the terminal.", name_of(f.catalog, i)));
+    const StatusSentence error = say(
+        Mood::fault, f.now.notice.empty() ? fmt::format("{} is in error. Stop it, and look at the terminal.",
+                                                        name_of(f.catalog, i))
+                                          : std::string(f.now.notice.view()));
+    return with_what_goes_on(f, with_failed(f, error));
   }
   if (f.now.program.run == RunState::error) return say(Mood::fault, "The program ended with an error.");
   return {};
@@ -91,6 +112,8 @@ std::string say_line(const RunPlace& run, std::string_view before) {
 /// " in line 6, pass 7 of 20. 46 s left." of a running program; "." when nothing of it is known.
 std::string say_place(const RunPlace& run) {
   std::string words = say_line(run, " in ");
+  if (run.line < 0 && run.stored_line >= 0)
+    words = fmt::format(" at line {} of its stored code", run.stored_line);
   if (run.line >= 0 && run.passes > 1) words += fmt::format(", pass {} of {}", run.pass, run.passes);
   words += '.';
   if (run.left_s) {
@@ -107,9 +130,27 @@ std::string say_who(const StatusFacts& f) {
   return fmt::format("{} {} is", f.catalog.program.slot_word, f.now.program.slot);
 }
 
+/// "Motor 1 and motor 2 move", where several just move.
+std::string say_several(const StatusFacts& f) {
+  std::string names;
+  int count = 0, left = 0;
+  for (int i = 0; i < f.now.axis_count; ++i) left += f.now.axes[i].activity == Activity::moving;
+  for (int i = 0; i < f.now.axis_count; ++i) {
+    if (f.now.axes[i].activity != Activity::moving) continue;
+    if (count++ > 0) names += --left == 1 ? " and " : ", ";
+    names += count == 1 ? name_of(f.catalog, i) : plain_name(f.catalog, i);
+  }
+  return count > 1 ? names + " move" : std::string();
+}
+
 Said say_motion(const StatusFacts& f) {
   constexpr std::string_view way_out = "Esc stops everything.";
   const bool whole_program = f.now.program.owned && f.now.program.run == RunState::running;
+  const std::string several = f.held ? std::string() : say_several(f);
+  if (!several.empty() && whole_program)
+    return say(Mood::motion,
+               fmt::format("{} running{} {}. {}", say_who(f), say_place(f.run), several, way_out));
+  if (!several.empty()) return say(Mood::motion, fmt::format("{}. {}", several, way_out));
   for (int i = 0; i < f.now.axis_count; ++i) {
     const AxisState& a = f.now.axes[i];
     if (!moves(a)) continue;
@@ -131,7 +172,8 @@ Said say_motion(const StatusFacts& f) {
     if (a.has_target)
       return say(Mood::motion,
                  fmt::format("{} moves to {}. {}", name, f.show_position(axis(i), a.target), way_out));
-    return say(Mood::motion, fmt::format("{} moves {}. {}", name, sign_word(a.direction > 0), way_out));
+    const std::string way = a.direction == 0 ? "" : fmt::format(" {}", sign_word(a.direction > 0));
+    return say(Mood::motion, fmt::format("{} moves{}. {}", name, way, way_out));
   }
   return {};
 }
@@ -153,6 +195,14 @@ Said say_program(const StatusFacts& f) {
   return {};
 }
 
+/// One of several programs is in error, whatever the others do.
+Said say_failed(const StatusFacts& f) {
+  if (f.failed.empty()) return {};
+  for (const auto part : {say_motion, say_program})
+    if (const Said goes_on = part(f)) return with_failed(f, say(Mood::fault, goes_on->text));
+  return say(Mood::fault, f.failed + " Run begins it anew, Stop puts the error away.");
+}
+
 Said say_position(const StatusFacts& f) {
   for (int i = 0; i < f.now.axis_count; ++i) {
     const AxisState& a = f.now.axes[i];
@@ -165,6 +215,15 @@ Said say_position(const StatusFacts& f) {
                              "where it is.",
                              plain_name(f.catalog, i)));
   }
+  return {};
+}
+
+Said say_slip(const StatusFacts& f) {
+  for (int i = 0; i < f.now.axis_count; ++i)
+    if (f.now.axes[i].slipped)
+      return say(Mood::warn, fmt::format("{} has slipped: its encoder lay further off than is allowed. Look "
+                                         "what held it, then clear its flag.",
+                                         name_of(f.catalog, i)));
   return {};
 }
 
@@ -221,8 +280,8 @@ int unset_before_moving(const Catalog& catalog, const Snapshot& now, AxisId want
 }
 
 StatusSentence status_sentence(const StatusFacts& facts) {
-  for (const auto part : {say_link, say_error, say_late, say_motion, say_program, say_notice, say_unset,
-                          say_position, say_limit, say_stale, say_unsaved})
+  for (const auto part : {say_link, say_error, say_late, say_failed, say_motion, say_program, say_notice,
+                          say_unset, say_position, say_slip, say_limit, say_stale, say_unsaved})
     if (Said said = part(facts)) return std::move(*said);
   return say(Mood::plain, "Idle. Hold a jog button, type where to go, or run a program.");
 }

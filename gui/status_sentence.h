@@ -22,6 +22,7 @@ struct StatusSentence {
 struct RunPlace {
   std::string who;           ///< "Programs 0 and 2 are"; empty: the one that the snapshot names
   int line = -1;             ///< of the text, from 0; -1: not known
+  int stored_line = -1;      ///< of the stored code, where that is what is known
   int pass = 0, passes = 0;  ///< 0: not known
   std::optional<double> left_s;
 };
@@ -36,6 +37,7 @@ struct StatusFacts {
   std::function<std::string(AxisId, Pps)> show_speed;       ///< "5.000 mm/s"
   std::function<std::string(Instant)> time_of_day;          ///< "14:20:08"
   RunPlace run{};
+  std::string failed{};  ///< programs that have stopped in error, as a sentence: beside what still runs
 };
 
 StatusSentence status_sentence(const StatusFacts& facts);

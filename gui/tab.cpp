@@ -166,7 +166,8 @@ void Tab::find_why_not_move() {
 
 std::string_view Tab::name() const {
   if (bus) return bus->name;
-  return profile.name.empty() ? std::string_view(catalog_.short_name) : std::string_view(profile.name);
+  if (!profile.name.empty()) return profile.name;
+  return default_name.empty() ? std::string_view(catalog_.short_name) : std::string_view(default_name);
 }
 
 std::string Tab::axis_title(AxisId axis) const {

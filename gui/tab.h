@@ -69,6 +69,7 @@ class Tab {
 
   // ---- names and units
   Profile profile;
+  std::string default_name;      ///< until the user gives it one
   std::string profile_key;       ///< what the profile is kept under
   bool profile_changed = false;  ///< to be saved
   [[nodiscard]] std::string_view name() const;
@@ -93,9 +94,10 @@ class Tab {
   std::shared_ptr<Bus> bus;                                  ///< null: alone on its wire
   [[nodiscard]] std::string_view id() const { return id_; }  ///< which device of its wire; may be empty
   JogHold jog;
-  AxisId chosen_axis{0};     ///< of many: the one that Go and Home act on
-  bool unset_read = false;   ///< the user has read what should be chosen before the first move
-  std::string centre_panel;  ///< id of the panel in front
+  AxisId chosen_axis{0};         ///< of many: the one that Go and Home act on
+  bool unset_read = false;       ///< the user has read what should be chosen before the first move
+  std::string centre_panel;      ///< id of the panel in front
+  std::uint64_t text_turns = 0;  ///< Desk::text_turns() that the console has followed
   /// This controller's panels, beside the console's list; made when they are first drawn.
   std::vector<std::unique_ptr<Panel>> panels;
 

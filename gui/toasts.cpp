@@ -4,14 +4,27 @@
 
 namespace hw::gui {
 
-void Toasts::add(Mood mood, std::string text) {
+void Toasts::add(Mood mood, std::string text, const void* about, std::string of) {
   for (Toast& toast : list_)
-    if (toast.text == text) {
+    if (toast.text == text && toast.of == of) {
       toast.until_s = -1;  // said again: its time starts anew
       return;
     }
   if (list_.size() == at_most) list_.erase(list_.begin());
-  list_.push_back({next_number_++, mood, std::move(text), -1});
+  std::string said = text;
+  list_.push_back({next_number_++, mood, std::move(text), -1, about, std::move(of), std::move(said)});
+}
+
+void Toasts::look_at(std::optional<std::string_view> front) {
+  for (Toast& toast : list_) {
+    const bool named = front && !toast.of.empty() && toast.of != *front;
+    const std::size_t size = toast.text.size() + (named ? toast.of.size() + 2 : 0);
+    if (toast.said.size() != size) toast.said = named ? toast.of + ": " + toast.text : toast.text;
+  }
+}
+
+void Toasts::withdraw(const void* about) {
+  std::erase_if(list_, [about](const Toast& t) { return t.about == about; });
 }
 
 void Toasts::dismiss(int number) {

@@ -1,7 +1,10 @@
 #pragma once
-// What was done, or not, said once at the bottom right of the centre. Faults stay until they are read, the
-// rest goes after 6 s. The same sentence is not said twice at the same time.
+// What was done, or not, said once low in the centre where it covers no control. Faults stay until they are
+// read or what they were about has changed, the rest goes after 6 s. The same sentence is not said twice at
+// the same time.
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "gui/mood.h"
@@ -15,13 +18,23 @@ class Toasts {
     Mood mood;
     std::string text;
     double until_s;  ///< on the clock of the frames; negative: not shown yet
+    const void* about = nullptr;
+    std::string of{};      ///< the controller that it speaks of; empty: none
+    std::string said{};    ///< as it is shown
+    float x = -1, y = -1;  ///< where it lies, pixels: it does not wander; negative: nowhere yet
   };
 
-  void add(Mood mood, std::string text);
+  /// `about`: what it speaks of; see withdraw(). `of`: the name of its controller.
+  void add(Mood mood, std::string text, const void* about = nullptr, std::string of = {});
+  /// The controller that is in front: those that speak of another one name it. Nothing: there is but one.
+  void look_at(std::optional<std::string_view> front);
+  /// That has changed, so what was said about it is not true any more.
+  void withdraw(const void* about);
   void dismiss(int number);
   /// Once a frame, before drawing: starts the time of new ones, drops what has had its time.
   void tick(double now_s);
   [[nodiscard]] const std::vector<Toast>& list() const { return list_; }
+  [[nodiscard]] std::vector<Toast>& list() { return list_; }
   /// Seconds until the next one goes.
   [[nodiscard]] double due_in_s(double now_s) const;
 

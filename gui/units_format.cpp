@@ -64,10 +64,9 @@ NumberText format_position(Steps position, const DisplayUnit& unit) {
 NumberText format_with_unit(Steps position, const DisplayUnit& unit) {
   NumberText out = format_position(position, unit);
   if (!stands_close(unit.name)) out.append(" ");
-  if (!unit.real && std::llabs(position.value) == 1 && unit.name == "steps")
-    out.append("step");
-  else
-    out.append(unit.name);
+  std::string_view name = unit.name;
+  if (!unit.real && std::llabs(position.value) == 1 && name.ends_with('s')) name.remove_suffix(1);
+  out.append(name);
   return out;
 }
 
@@ -78,6 +77,26 @@ NumberText format_speed(Pps speed, const DisplayUnit& unit) {
   out.append(unit.name);
   out.append("/s");
   return out;
+}
+
+std::string counted_unit(const Catalog& catalog, const Snapshot& now, std::string_view unit, int axis) {
+  std::string said(unit);
+  const std::size_t word = said.find(catalog.step_word);
+  if (catalog.loop_word.empty() || word == said.npos) return said;
+  int asked = 0, closed = 0;
+  for (int i = 0; i < now.axis_count; ++i) {
+    if (axis >= 0 && i != axis) continue;
+    ++asked;
+    closed += now.axes[static_cast<std::size_t>(i)].in_counts;
+  }
+  if (closed > 0)
+    said.replace(word, catalog.step_word.size(), closed == asked ? catalog.loop_word : std::string());
+  return said;
+}
+
+std::string count_of(int n, std::string_view unit) {
+  if (n == 1 && unit.ends_with('s')) unit.remove_suffix(1);
+  return fmt::format("{} {}", n, unit);
 }
 
 NumberText format_duration(double s) {
@@ -127,8 +146,9 @@ Result<Steps> parse_position(std::string_view text, const DisplayUnit& unit) {
   std::string_view number = trim(text);
   if (number.ends_with(unit.name))
     number.remove_suffix(unit.name.size());
-  else if (!unit.real && number.ends_with("step"))
-    number.remove_suffix(4);
+  else if (!unit.real && unit.name.ends_with('s') &&
+           number.ends_with(unit.name.substr(0, unit.name.size() - 1)))
+    number.remove_suffix(unit.name.size() - 1);  // "1 step"
   const auto value = parse_number(number);
   if (!value) return fail(value.error());
   if (!unit.real && *value != std::floor(*value))
@@ -145,11 +165,13 @@ std::vector<JogStep> jog_steps(const DisplayUnit& unit, int many) {
   if (!unit.real) {
     for (std::int64_t n = 1; static_cast<int>(list.size()) < many; n *= 10) {
       const std::string label(format_with_unit(Steps(n), unit).view());
-      list.push_back({Steps(n), std::to_string(n), label, {}, std::string(format_position(Steps(n), unit).view())});
+      list.push_back(
+          {Steps(n), std::to_string(n), label, {}, std::string(format_position(Steps(n), unit).view())});
     }
     return list;
   }
-  list.push_back({Steps(1), "step", "1 step", std::string(format_with_unit(Steps(1), unit).view()), "1 step"});
+  list.push_back(
+      {Steps(1), "step", "1 step", std::string(format_with_unit(Steps(1), unit).view()), "1 step"});
   // The first power of ten that is well above one step, so that neither entry repeats the other.
   int exponent = static_cast<int>(std::ceil(std::log10(1.5 * std::fabs(unit.per_step))));
   for (; static_cast<int>(list.size()) < many; ++exponent) {

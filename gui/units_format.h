@@ -8,6 +8,8 @@
 
 #include "core/base/result.h"
 #include "core/base/units.h"
+#include "core/device/catalog.h"
+#include "core/device/snapshot.h"
 
 namespace hw::gui {
 
@@ -39,6 +41,11 @@ NumberText format_position(Steps position, const DisplayUnit& unit);
 NumberText format_with_unit(Steps position, const DisplayUnit& unit);
 /// "5.000 mm/s", "2000 steps/s".
 NumberText format_speed(Pps speed, const DisplayUnit& unit);
+/// A unit in Catalog::step_word ("pulses/s") in what is counted now: Catalog::loop_word, when the loop of
+/// that axis is closed, or of all axes without one. Of some of them only no word would be true: "/s".
+std::string counted_unit(const Catalog& catalog, const Snapshot& now, std::string_view unit, int axis = -1);
+/// "1 line", "24 lines": the catalog's units of programs are plurals.
+std::string count_of(int n, std::string_view unit);
 /// "18 s", "1 min 08.6 s": whole words of time for sentences.
 NumberText format_duration(double seconds);
 

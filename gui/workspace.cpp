@@ -119,7 +119,7 @@ void draw_side_tab(const Work& w, Place place, const Box& area) {
 
 /// A panel that has less than it needs is drawn in comfort and moves with the scroll bar.
 void draw_scrolled(const Work& w, std::size_t panel, const Box& area) {
-  constexpr float comfort = 320;
+  const float comfort = std::max(320.0f, w.console.list().panels[panel].least_height);
   const float scrolled = ImGui::GetScrollY() / w.ui.scale;
   w.draw(panel, {area.x, area.y - scrolled, area.width, comfort});
   ImGui::SetCursorScreenPos(w.ui.px(area.x, area.y - scrolled + comfort));
@@ -144,10 +144,14 @@ void draw_centre(const Work& w) {
   const Box& box = w.layout.centre;
   Ui& ui = w.ui;
   begin_region(ui, "centre", in_pixels(ui, box), Tone::panel, ImVec2(0, 0));
-  float below = below_height(box.height - 40, w.console.splitters, w.layout.tier);
-  const TabItems items = tab_items(w, below == 0);
+  const float centre_height = box.height - 40;
+  const bool below_is_tab = below_height(centre_height, w.console.splitters, w.layout.tier) == 0;
+  const TabItems items = tab_items(w, below_is_tab);
   if (items.count == 0) return end_region();
   const TabItem& chosen = items.chosen(w.tab.centre_panel);
+  const float wish =
+      chosen.panel >= 0 ? w.console.list().panels[static_cast<std::size_t>(chosen.panel)].good_height : 0;
+  float below = below_height(centre_height, w.console.splitters, w.layout.tier, wish);
   draw_panel_tabs(w, items, chosen);
   draw_banner(ui, w.console, w.tab, w.layout);
   const float top = ImGui::GetCursorScreenPos().y / ui.scale;
@@ -165,10 +169,12 @@ void draw_centre(const Work& w) {
                                               ui[Tone::line]);
     const bool wide = w.layout.tier == Tier::wide;
     Splitters& sizes = w.console.splitters;
-    splitter(ui, "splitter/below", in_pixels(ui, {box.x, area.y, box.width, 1}), false,
-             wide ? sizes.below : sizes.below_medium,
+    float& set = wide ? sizes.below : sizes.below_medium;
+    float shown = wish > 0 ? below : set;
+    splitter(ui, "splitter/below", in_pixels(ui, {box.x, area.y, box.width, 1}), false, shown,
              wide ? SplitRange{152, 700, Splitters().below} : SplitRange{108, 320, Splitters().below_medium},
              -1);
+    if (wish == 0 || shown != below) set = shown;
   }
   end_region();
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "gui/tab.h"
+#include "gui/units_format.h"
 #include "gui/widgets/button.h"
 #include "gui/widgets/choice.h"
 #include "gui/widgets/text.h"
@@ -122,12 +123,23 @@ void ActionForm::draw_field(Frame& f, std::size_t i, float width) {
   o.range.min = static_cast<double>(info.minimum) / scale;
   o.range.max = static_cast<double>(info.maximum) / scale;
   o.range.decimals = info.decimals;
-  o.range.unit = info.unit;
+  const std::string unit = unit_of(f, info);
+  o.range.unit = unit;
   o.width = width;
   o.sentence_below = false;
   const NumberEvent e = number_field(ui, id, info.label, std::nullopt, field.number, o);
   if (e.field.edited) refused_.clear();
   if (e.entered && !info_.moves && why_not(f).empty()) send(f);
+}
+
+// In counts or in pulses: that depends on the axis that the form has chosen.
+std::string ActionForm::unit_of(const Frame& f, const ActionField& info) const {
+  if (!info.follows_loop) return info.unit;
+  int axis = info.loop_axis;
+  for (std::size_t i = 0; axis < 0 && i < fields_.size(); ++i)
+    if (info_.fields[i].id == "axis" && !fields_[i].names.empty())
+      axis = static_cast<int>(info_.fields[i].choices[static_cast<std::size_t>(fields_[i].chosen)].value);
+  return counted_unit(f.catalog, f.now, info.unit, axis);
 }
 
 void ActionForm::draw_button(Frame& f, float width) {
@@ -139,11 +151,12 @@ void ActionForm::draw_button(Frame& f, float width) {
   if (button(f.ui, Path("action/{}/go", info_.id), info_.label, o).clicked) send(f);
 }
 
-std::optional<std::int64_t> ActionForm::value(const ActionField& info, Field& field) {
+std::optional<std::int64_t> ActionForm::value(const Frame& f, const ActionField& info, Field& field) {
   if (!field.names.empty()) return info.choices[static_cast<std::size_t>(field.chosen)].value;
   const double scale = std::pow(10.0, info.decimals);
+  const std::string unit = unit_of(f, info);
   const NumberRange range{static_cast<double>(info.minimum) / scale,
-                          static_cast<double>(info.maximum) / scale, info.decimals, info.unit};
+                          static_cast<double>(info.maximum) / scale, info.decimals, unit};
   field.number.sentence = range_sentence(field.number.text, range);
   if (!field.number.sentence.empty()) {
     if (refused_.empty())
@@ -160,7 +173,7 @@ void ActionForm::send(Frame& f) {
   refused_.clear();
   std::vector<std::int64_t> values;
   for (std::size_t i = 0; i < fields_.size(); ++i)
-    if (const auto v = value(info_.fields[i], fields_[i])) values.push_back(*v);
+    if (const auto v = value(f, info_.fields[i], fields_[i])) values.push_back(*v);
   if (values.size() != fields_.size()) return;
   asked_ = f.send_and_watch(intent::Act(action_, std::move(values)));
 }

@@ -34,7 +34,9 @@ class ActionForm {
   };
   void draw_field(gui::Frame& frame, std::size_t field, float width);
   void send(gui::Frame& frame);
-  [[nodiscard]] std::optional<std::int64_t> value(const ActionField& info, Field& field);
+  [[nodiscard]] std::optional<std::int64_t> value(const gui::Frame& frame, const ActionField& info,
+                                                  Field& field);
+  [[nodiscard]] std::string unit_of(const gui::Frame& frame, const ActionField& info) const;
   [[nodiscard]] std::string_view why_not(const gui::Frame& frame) const;
 
   const int action_;

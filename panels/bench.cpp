@@ -114,7 +114,8 @@ void Bench::draw_trouble(Frame& f) {
     o.tip = "Too much current: the circuit breaker pops out and takes the power away.";
     o.disabled =
         bit(f.bench.breakers_out, static_cast<std::size_t>(i)) ? "It has tripped. Push it in first." : "";
-    if (button(ui, path_of("trip", box), Path("Trip {}{}breaker", box.name, box.name.empty() ? "" : " "), o)
+    if (button(ui, path_of("trip", box),
+               box.name.empty() ? Path("Trip breaker") : Path("{} breaker", box.name), o)
             .clicked)
       f.operate_bench(bench::Breaker(i, true));
   }

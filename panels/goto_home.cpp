@@ -265,13 +265,21 @@ void GotoHome::follow(Frame& f, AxisId axis) {
 
 void GotoHome::draw_refusal(Frame& f, AxisId axis) {
   Row& row = rows_[axis.index];
+  const bool news = row.told != row.refused;
+  if (news) row.told = row.refused;
   if (row.refused.empty()) return;
   Ui& ui = f.ui;
   const std::string& name = f.catalog.axes[axis.index].name;
   const DisplayUnit& unit = f.tab.unit(axis);
   const float width = f.area.width;
   const float words = wrapped_height(ui, Face::body, row.refused, ui.px(width));
-  tinted(ui, Mood::fault, words + ui.px(row.offers ? 64 : 24));
+  const float height = words + ui.px(row.offers ? 64 : 24);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const Path id("goto/{}/refused", name);
+  if (news) ui.registry.scroll_to(id);
+  show(ui, {id, Kind::text, "Refused", row.refused, {}, false, {}},
+       {at, ImVec2(at.x + ui.px(width), at.y + height)});
+  tinted(ui, Mood::fault, height);
   gap(ui, 8);
   wrapped(ui, Face::body, Tone::ink, row.refused, width);
   if (row.offers) {

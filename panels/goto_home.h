@@ -22,6 +22,7 @@ class GotoHome final : public gui::Panel {
     gui::NumberField field;
     IntentId asked = 0;   ///< the move that was sent last
     std::string refused;  ///< why the last one was not done
+    std::string told;     ///< of `refused`, what was brought into view
     Steps nearest{};      ///< offered instead, when `offers`
     bool offers = false;
   };

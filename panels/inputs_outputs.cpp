@@ -16,6 +16,8 @@ using namespace gui;
 
 namespace {
 
+constexpr float heading_height = 24;
+
 bool bit(std::uint32_t bits, int number) { return (bits >> (number - 1)) & 1u; }
 bool io_is_old(const Frame& f) {
   return !f.connected() || is_stale(f.now.io_seen_at, f.clock, f.now.poll_period);
@@ -23,7 +25,7 @@ bool io_is_old(const Frame& f) {
 
 /// Of the whole columns in which all of `names` have room beside `around` logical pixels, so many.
 template <class Named>
-int columns_of(const Frame& f, const std::vector<Named>& names, int most, float around) {
+int columns_of(const Frame& f, std::span<const Named> names, int most, float around) {
   const auto fit = [&](int columns) {
     const float cell = (f.area.width + between) / static_cast<float>(columns) - between;
     return std::all_of(names.begin(), names.end(), [&](const Named& named) {
@@ -32,6 +34,25 @@ int columns_of(const Frame& f, const std::vector<Named>& names, int most, float 
   };
   while (most > 2 && !fit(most)) --most;
   return most;
+}
+
+/// The lines that stand together, from `first` on: those of one group.
+template <class Line>
+std::span<const Line> group_at(const std::vector<Line>& lines, std::size_t first) {
+  std::size_t end = first;
+  while (end < lines.size() && lines[end].group == lines[first].group) ++end;
+  return std::span(lines).subspan(first, end - first);
+}
+
+/// Over a group that has a name. `io/group/Lines 0 to 7: inputs`
+void draw_heading(Frame& f, std::string_view group) {
+  if (group.empty()) return;
+  Ui& ui = f.ui;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const Rect r{at, ImVec2(at.x + ui.px(f.area.width), at.y + ui.px(heading_height))};
+  draw_text_line(ui, r.min.x, r.max.x, r.centre().y, Face::small, ui[Tone::ink2], group);
+  show(ui, {Path("io/group/{}", group), Kind::text, group, group, {}, false, {}}, r);
+  ImGui::SetCursorScreenPos(ImVec2(at.x, r.max.y));
 }
 
 /// Cells of a grid, row after row.
@@ -106,14 +127,29 @@ void InputsOutputs::draw(Frame& f) {
   group_line(f.ui, 10);
 }
 
-/// What is on, in a word each; of many with short names only the lamps.
 void InputsOutputs::draw_inputs(Frame& f) {
-  const int count = static_cast<int>(f.catalog.inputs.size());
-  const bool words = count <= 6 || columns_of(f, f.catalog.inputs, 4, 20) < 4;
-  const int columns = words ? columns_of(f, f.catalog.inputs, 3, 56) : 4;
+  const auto& inputs = f.catalog.inputs;
+  for (std::size_t i = 0; i < inputs.size();) {
+    const auto group = group_at(inputs, i);
+    if (!group.front().of_output) {
+      draw_heading(f, group.front().group);
+      draw_levels(f, group, i);
+    }
+    i += group.size();
+  }
+}
+
+/// What is on, in a word each; of many with short names only the lamps. `first`: the place of the first, from
+/// 0.
+void InputsOutputs::draw_levels(Frame& f, std::span<const InputInfo> lines, std::size_t first) {
+  const int count = static_cast<int>(lines.size());
+  const bool words = count <= 6 || !lines.front().group.empty() || columns_of(f, lines, 4, 20) < 4;
+  const int columns = words ? columns_of(f, lines, 3, 56) : 4;
   Cells cells(f.ui, f.area.width, columns, 28);
-  for (int n = 1; n <= count; ++n) {
-    const InputInfo& info = f.catalog.inputs[static_cast<std::size_t>(n - 1)];
+  for (int i = 0; i < count; ++i) {
+    const InputInfo& info = lines[static_cast<std::size_t>(i)];
+    const std::size_t place = first + static_cast<std::size_t>(i);
+    const int n = static_cast<int>(place) + 1;
     const bool known = bit(f.now.inputs_known, n) && !io_is_old(f), high = bit(f.now.inputs, n);
     const bool active = high != info.active_low;
     LampOptions o;
@@ -123,22 +159,50 @@ void InputsOutputs::draw_inputs(Frame& f) {
     o.tip = info.help;
     o.width = cells.cell();
     o.height = 28;
-    cells.stand(n - 1);
-    lamp(f.ui, Path("io/in/{}", f.catalog.input_number(static_cast<std::size_t>(n - 1))),
-         with_minus(info.name), o);
+    cells.stand(i);
+    lamp(f.ui, Path("io/in/{}", f.catalog.input_number(place)), with_minus(info.name), o);
   }
   cells.end(count);
 }
 
+// A few have the name of their duty in full, and their places do not change when it comes and goes.
+static int output_columns(const Frame& f, std::span<const OutputInfo> outputs, int most) {
+  const int columns = columns_of(f, outputs, most, 20);
+  if (columns != 2) return columns;
+  constexpr float lamp_and_word = 66;
+  const float half = f.ui.px(std::floor((f.area.width + between) / 2) - between - lamp_and_word);
+  const bool fit = std::all_of(outputs.begin(), outputs.end(), [&](const OutputInfo& info) {
+    return text_width(f.ui, Face::body, info.duty.name) <= half;
+  });
+  return fit ? 2 : 1;
+}
+
+/// Under their switches the levels of the lines, where the controller tells them.
 void InputsOutputs::draw_outputs(Frame& f) {
-  const int count = static_cast<int>(f.catalog.outputs.size());
-  const int columns = columns_of(f, f.catalog.outputs, count > 6 ? 4 : 2, 20);
-  Cells cells(f.ui, f.area.width, columns, columns > 2 ? 36 : 40);
-  for (int n = 1; n <= count; ++n) {
-    cells.stand(n - 1);
-    draw_output(f, n, cells.cell(), columns > 2);
+  const auto& outputs = f.catalog.outputs;
+  for (std::size_t i = 0; i < outputs.size();) {
+    const auto group = group_at(outputs, i);
+    const int count = static_cast<int>(group.size());
+    const int columns = output_columns(f, group, outputs.size() > 6 ? 4 : 2);
+    draw_heading(f, group.front().group);
+    Cells cells(f.ui, f.area.width, columns, columns > 2 ? 36 : 40);
+    for (int n = 0; n < count; ++n) {
+      cells.stand(n);
+      draw_output(f, static_cast<int>(i) + n + 1, cells.cell(), columns > 2);
+    }
+    cells.end(count);
+    draw_levels_of_outputs(f, group.front().group);
+    i += group.size();
   }
-  cells.end(count);
+}
+
+void InputsOutputs::draw_levels_of_outputs(Frame& f, std::string_view group) {
+  const auto& inputs = f.catalog.inputs;
+  for (std::size_t i = 0; i < inputs.size();) {
+    const auto lines = group_at(inputs, i);
+    if (lines.front().of_output && lines.front().group == group) draw_levels(f, lines, i);
+    i += lines.size();
+  }
 }
 
 void InputsOutputs::draw_output(Frame& f, int n, float width, bool narrow) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <span>
 #include <string_view>
 
 #include <imgui.h>
@@ -9,6 +10,7 @@
 namespace hw::panels {
 
 /// Inputs as lamps, outputs as toggles that change when the controller has said so, analog inputs as meters.
+/// Lines with a group stand under its name, which tells their direction.
 class InputsOutputs final : public gui::Panel {
  public:
   void draw(gui::Frame& frame) override;
@@ -16,6 +18,8 @@ class InputsOutputs final : public gui::Panel {
  private:
   void draw_inputs(gui::Frame& frame);
   void draw_outputs(gui::Frame& frame);
+  void draw_levels(gui::Frame& frame, std::span<const InputInfo> lines, std::size_t first);
+  void draw_levels_of_outputs(gui::Frame& frame, std::string_view group);
   void draw_output(gui::Frame& frame, int number, float width, bool narrow);
   void draw_all_analog(gui::Frame& frame);
   void draw_analog(gui::Frame& frame, int number, float width, bool short_words);

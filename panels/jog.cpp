@@ -72,6 +72,16 @@ NumberText words_of(const OwnSpeed& own, const DisplayUnit& unit) {
   return words;
 }
 
+/// For steps and speed of all axes: of their own steps no word, where some count pulses and others counts.
+DisplayUnit common_unit(const Frame& f) {
+  DisplayUnit unit = f.tab.unit(AxisId{0});
+  for (int i = 1; !unit.real && i < f.now.axis_count; ++i) {
+    const DisplayUnit& other = f.tab.unit(AxisId{static_cast<std::uint8_t>(i)});
+    if (!other.real && other.name != unit.name) unit.name.clear();
+  }
+  return unit;
+}
+
 float cell_size(const Frame& f, float columns) {
   const float largest = f.tier == Tier::wide && f.catalog.axes.size() <= 3 ? 56.0f : 48.0f;
   return std::min(largest, std::floor((f.area.width + close_between) / columns) - close_between);
@@ -133,7 +143,8 @@ void Jog::draw_hint(Frame& f) {
   const bool keeps = f.tier != Tier::narrow;
   if (why.empty() && !keeps) return;
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const Path hint("Hold a button to move. A tap moves the chosen step, in {}.", steps_unit_.name);
+  const Path hint("Hold a button to move. A tap moves the chosen step{}{}.",
+                  steps_unit_.name.empty() ? "" : ", in ", steps_unit_.name);
   const std::string_view words = why.empty() ? hint.view() : why;
   draw_icon(ImGui::GetWindowDrawList(), Icon::info, ImVec2(at.x + ui.px(6), at.y + ui.px(8)), ui.px(12),
             ui[why.empty() ? Tone::ink3 : Tone::ink2]);
@@ -227,7 +238,7 @@ void Jog::draw_stop(Frame& f, float x, float y, ImVec2 size) {
 // ---- step
 
 void Jog::follow_unit(Frame& f) {
-  const DisplayUnit& unit = f.tab.unit(AxisId{0});
+  const DisplayUnit unit = common_unit(f);
   const int many = f.tier == Tier::wide || f.catalog.axes.size() != 2 ? 5 : 4;
   if (unit == steps_unit_ && many == steps_many_ && !steps_.empty()) return;
   steps_unit_ = unit;
@@ -298,7 +309,7 @@ void Jog::draw_speed_slider(Frame& f, ImVec2 at, float width) {
   const OwnSpeed own = own_speed(f);
   const Pps chosen = f.tab.jog_speed();
   const bool by_itself = chosen.value <= 0;
-  const DisplayUnit& unit = f.tab.unit(AxisId{0});
+  const DisplayUnit unit = common_unit(f);
   const NumberText words = by_itself ? words_of(own, unit) : format_speed(chosen, unit);
   SliderOptions o;
   o.min = std::max(1.0, f.catalog.jog_speed_min.value);
@@ -332,7 +343,7 @@ void Jog::draw_speed(Frame& f) {
   float y = at.y;
   if (roomy_speed(f)) {
     const Pps chosen = f.tab.jog_speed();
-    const DisplayUnit& unit = f.tab.unit(AxisId{0});
+    const DisplayUnit unit = common_unit(f);
     const bool by_itself = chosen.value <= 0;
     draw_text(ui, at, Face::body, ui[Tone::ink2], by_itself ? "Speed, the controller's" : "Speed while held");
     draw_text_right(ui, ImVec2(at.x + ui.px(f.area.width), at.y), Face::body_bold, ui[Tone::ink],

@@ -3,15 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/format.h>
-
-#include "core/session/text_file.h"
 #include "gui/area.h"
-#include "gui/console.h"
 #include "gui/tab.h"
 #include "gui/widgets/button.h"
 #include "gui/widgets/lamp.h"
-#include "gui/widgets/message.h"
 #include "gui/widgets/slider.h"
 #include "gui/widgets/text.h"
 #include "panels/measures.h"
@@ -307,103 +302,6 @@ void Moves::draw_param(Frame& f, std::size_t i, float width) {
   if (const auto colon = words.find(": "); colon != words.npos) words.remove_prefix(colon + 2);
   if (toggle_lamp(f.ui, Path("list/param/{}", p.mnemonic), words, o).clicked)
     f.send(intent::SetParam(p.mnemonic, p.choices[on ? 0 : 1].value));
-}
-
-// ---- rows and files
-
-void Moves::add_row(const Catalog& c) {
-  Row row(c.move_list.columns.size());
-  for (std::size_t i = 0; i < row.size(); ++i) {
-    const ActionField& info = c.move_list.columns[i];
-    if (!rows_.empty())
-      row[i].set(rows_.back()[i].value().value_or(0), info.decimals);
-    else
-      row[i].set(static_cast<double>(info.fallback) / std::pow(10.0, info.decimals), info.decimals);
-  }
-  rows_.push_back(std::move(row));
-  edited_ = true;
-}
-
-void Moves::show_rows(const std::vector<MoveRow>& rows, const MoveListFacts& facts) {
-  rows_.assign(rows.size(), Row(facts.columns.size()));
-  for (std::size_t r = 0; r < rows.size(); ++r)
-    for (std::size_t c = 0; c < rows[r].size(); ++c) {
-      const int decimals = facts.columns[c].decimals;
-      rows_[r][c].set(static_cast<double>(rows[r][c]) / std::pow(10.0, decimals), decimals);
-    }
-}
-
-std::optional<std::vector<MoveRow>> Moves::values(const MoveListFacts& facts, std::string& why) {
-  std::vector<MoveRow> all;
-  for (std::size_t r = 0; r < rows_.size(); ++r) {
-    MoveRow row;
-    for (std::size_t c = 0; c < rows_[r].size(); ++c) {
-      const ActionField& info = facts.columns[c];
-      const double scale = std::pow(10.0, info.decimals);
-      NumberField& field = rows_[r][c];
-      field.sentence = range_sentence(field.text, {static_cast<double>(info.minimum) / scale,
-                                                   static_cast<double>(info.maximum) / scale,
-                                                   info.decimals,
-                                                   {}});
-      if (!field.sentence.empty()) {
-        why = fmt::format("Move {}, {}: {}", r + 1, info.label, field.sentence);
-        return {};
-      }
-      row.push_back(std::llround(*field.value() * scale));
-    }
-    all.push_back(std::move(row));
-  }
-  return all;
-}
-
-void Moves::start(Frame& f) {
-  std::string why;
-  auto rows = values(f.catalog.move_list, why);
-  if (!rows) return f.toast(Mood::fault, why + ". Nothing was sent.");
-  started_ = f.send_and_watch(intent::FeedMoves(std::move(*rows)));
-}
-
-void Moves::begin_new(Frame& f) {
-  if (asked_to_open_)
-    return open_.ask_open("Open moves", open_.folder(), {f.catalog.move_list.file_suffix, ".csv", ".txt"});
-  rows_.clear();
-  file_.clear();
-  edited_ = false;
-}
-
-void Moves::save(Frame& f, const std::filesystem::path& path) {
-  std::string why;
-  const auto rows = values(f.catalog.move_list, why);
-  if (!rows) return f.toast(Mood::fault, why + ". Nothing was saved.");
-  TextFile file;
-  file.text = write_moves(*rows, f.catalog.move_list);
-  const auto saved = save_text(path, file);
-  if (!saved) return f.toast(Mood::fault, saved.error().sentence());
-  file_ = path;
-  edited_ = false;
-  f.toast(Mood::ok, fmt::format("Saved as {}.", path.string()));
-}
-
-void Moves::open(Frame& f, const std::filesystem::path& path) {
-  const auto file = load_text(path);
-  if (!file) return f.toast(Mood::fault, file.error().sentence());
-  const auto rows = read_moves(file->text, f.catalog.move_list);
-  if (!rows) return f.toast(Mood::fault, rows.error().sentence());
-  show_rows(*rows, f.catalog.move_list);
-  file_ = path;
-  edited_ = false;
-}
-
-void Moves::draw_dialogs(Frame& f) {
-  if (asking_) {
-    const Dialog what{.title = "Replace the list?",
-                      .sentences = "It has changes that are in no file.",
-                      .yes = "Replace",
-                      .no = "Keep the list"};
-    if (dialog(f.ui, "list/replace", asking_, what) == Answer::yes) begin_new(f);
-  }
-  if (const auto path = open_.draw(f.ui)) open(f, *path);
-  if (const auto path = save_.draw(f.ui)) save(f, *path);
 }
 
 }  // namespace hw::panels

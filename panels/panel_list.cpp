@@ -60,7 +60,7 @@ constexpr gui::PanelEntry panels[] = {
     {"variables", "Variables", Place::centre, make<Variables>, has_variables},
     {"list", "Moves", Place::centre, make<Moves>, has_move_list, 240},
     {"setup", "Setup", Place::centre, make<Setup>, has_parameters, 240},
-    {"tuning", "Tuning", Place::centre, make<Tuning>, tunes, 420},
+    {"tuning", "Tuning", Place::centre, make<Tuning>, tunes, 420, 616},
     {"contour", "Contour", Place::centre, make<Contour>, has_contours, 300},
     {"memory", "Memory", Place::centre, make<MemoryMap>, has_memory_map, 240},
     {"terminal", "Terminal", Place::below, make<Terminal>, nullptr},

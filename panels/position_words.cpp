@@ -15,7 +15,7 @@ using namespace gui;
 
 Caption about_number(Frame& f, AxisId axis) {
   const AxisState& a = f.now.axes[axis.index];
-  const DisplayUnit steps{f.catalog.step_word, 1, 0, false};
+  const DisplayUnit steps{counted_unit(f.catalog, f.now, f.catalog.step_word, axis.index), 1, 0, false};
   Caption said;
   const bool lost = f.now.link.state == LinkState::lost;
   const bool old = lost || (a.position_known && is_old(f.now, axis.index, f.clock));
@@ -129,7 +129,7 @@ NumberText shown_position(const AxisState& a, const DisplayUnit& unit) {
 }
 
 void show_steps(Frame& f, AxisId axis, const Rect& where) {
-  const DisplayUnit steps{f.catalog.step_word, 1, 0, false};
+  const DisplayUnit steps{counted_unit(f.catalog, f.now, f.catalog.step_word, axis.index), 1, 0, false};
   const NumberText in_steps = format_with_unit(f.now.axes[axis.index].position, steps);
   show(f.ui,
        {Path("dro/{}/steps", f.catalog.axes[axis.index].name), Kind::text, "Steps", in_steps, {}, false, {}},

@@ -47,6 +47,9 @@ bool under_way(const ProgramState& p) {
   return p.owned && (p.run == RunState::running || p.run == RunState::waiting || p.run == RunState::held);
 }
 
+/// What runs can be held where the controller steps through programs, or where threads are controlled.
+bool can_hold(const Catalog& c) { return c.can.single_step || c.program.threads > 0; }
+
 }  // namespace
 
 void Program::draw(Frame& f) {
@@ -63,7 +66,7 @@ void Program::draw(Frame& f) {
 void Program::follow(Frame& f) {
   Desk& desk = f.tab.desk();
   auto told = desk.job.take_told();
-  if (!told.sentence.empty()) f.toast(told.mood, std::move(told.sentence));
+  if (!told.sentence.empty()) f.toast(told.mood, std::move(told.sentence), &desk.texts);
   for (const auto& path : std::exchange(desk.dropped, {})) ask_or_open(f, path);
   if (const double due = desk.autosave_due_in(f.clock); due >= 0) f.ui.wake_in(due + 0.01);
   find_why_not_run(f);
@@ -75,7 +78,7 @@ void Program::shortcuts(Frame& f) {
     if (why_not_run_.empty())
       run(f, false);
     else
-      f.toast(Mood::warn, std::string(why_not_run_.view()));
+      f.toast(Mood::warn, std::string(why_not_run_.view()), &f.tab.desk().texts);
   }
   if (keys.pressed(Command::simulate)) simulate(f);
   if (keys.pressed(Command::save)) save(f);
@@ -136,7 +139,8 @@ void Program::draw_run(Frame& f) {
 
 void Program::draw_hold(Frame& f) {
   const ProgramState& p = f.now.program;
-  const std::string_view why = !f.connected()                               ? "There is no link."
+  const std::string_view why = !f.connected()         ? "There is no link."
+                               : !can_hold(f.catalog) ? "This controller cannot hold a program. Stop ends it."
                                : under_way(p) && p.run == RunState::running ? ""
                                                                             : no_program;
   if (button(f.ui, "program/hold", "Hold",
@@ -272,15 +276,17 @@ void Program::check(Frame& f) {
   const ProgramReport& report = desk.texts.report(slot);
   int errors = 0;
   for (const Problem& p : report.problems) errors += p.error;
-  if (errors == 0 && f.catalog.program.capacity <= 0) return f.toast(Mood::ok, "No error.");
+  f.console.toasts().withdraw(&desk.texts);
+  const auto say = [&](Mood mood, std::string words) { f.toast(mood, std::move(words), &desk.texts); };
+  if (errors == 0 && f.catalog.program.capacity <= 0) return say(Mood::ok, "No error.");
   if (errors == 0)
-    return f.toast(Mood::ok, fmt::format("No error. {} of {} {}.", desk.texts.cost(slot),
-                                         f.catalog.program.capacity, f.catalog.program.capacity_unit));
+    return say(Mood::ok, fmt::format("No error. {} of {} {}.", desk.texts.cost(slot),
+                                     f.catalog.program.capacity, f.catalog.program.capacity_unit));
   for (const Problem& p : report.problems) {
     if (!p.error) continue;
     editor_.go_to(slot, p.line, p.column);
-    return f.toast(Mood::fault, fmt::format("{} error{}. Line {}: {}", errors, errors == 1 ? "" : "s",
-                                            p.line + 1, p.sentence));
+    return say(Mood::fault, fmt::format("{} error{}. Line {}: {}", errors, errors == 1 ? "" : "s", p.line + 1,
+                                        p.sentence));
   }
 }
 

@@ -33,6 +33,7 @@ class Program final : public gui::Panel {
   void draw_memory(gui::Frame& frame, float left);
   void draw_slots(gui::Frame& frame);
   void draw_more(gui::Frame& f);
+  void draw_file_name(gui::Frame& frame, gui::Rect in, float slots_left);
   void draw_file_buttons(gui::Frame& frame);
   void draw_compiled_row(gui::Frame& frame);
   static gui::ButtonOptions file_button_look(const gui::Frame& frame, const char* keys);
@@ -52,7 +53,7 @@ class Program final : public gui::Panel {
   void check(gui::Frame& frame);
   void start(gui::Frame& frame, gui::ProgramJob::Goal goal);
   void save(gui::Frame& frame);
-  void save_as(gui::Frame& frame, const std::filesystem::path& path);
+  void write(gui::Frame& frame, int slot, const std::filesystem::path& path, bool overwrite);
   void open(gui::Frame& frame, const std::filesystem::path& path);
   void ask_or_open(gui::Frame& frame, const std::filesystem::path& path);
   void ask_or_empty(gui::Frame& frame);
@@ -65,6 +66,14 @@ class Program final : public gui::Panel {
   gui::FileDialog open_, save_;
   bool rehearsal_open_ = false;  ///< medium and narrow: the column instead of the line
   bool asking_replace_ = false, asking_clear_ = false;
+  /// Before a file is overwritten that another program has changed. Shared with the job that finds it out.
+  struct Overwrite {
+    bool asking = false;
+    int slot = 0;
+    std::filesystem::path path;
+    std::string question;
+  };
+  std::shared_ptr<Overwrite> overwrite_ = std::make_shared<Overwrite>();
   std::filesystem::path to_open_;  ///< asked about; empty: a new text instead
   std::string question_, words_;
   gui::ProgramNote note_;

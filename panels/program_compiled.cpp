@@ -18,7 +18,7 @@ void Program::draw_compiled_row(Frame& f) {
   const std::string_view busy = !f.connected()    ? "There is no link. The text stays here."
                                 : desk.job.busy() ? "A program is being transferred."
                                                   : "";
-  ButtonOptions view{.style = ButtonStyle::segment, .tip = "The low-level lines that the controller gets."};
+  ButtonOptions view{.style = ButtonStyle::quiet, .tip = "The low-level lines that the controller gets."};
   view.on = view_compiled_;
   const ButtonOptions quiet{.style = ButtonStyle::quiet, .disabled = busy};
   const auto next = [&] { ImGui::SameLine(0, ui.px(4)); };

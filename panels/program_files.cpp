@@ -24,7 +24,8 @@ void Program::draw_slots(Frame& f) {
   Desk& desk = f.tab.desk();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float middle = at.y + ui.px(slots_height / 2);
-  float x = ui.px(f.area.x + 16);
+  const float slots_left = ui.px(f.area.x + 16);
+  float x = slots_left;
   const std::string_view word = f.catalog.program.slot_word;
   if (f.area.width >= 800 || desk.texts.count() == 1) {
     draw_text_line(ui, x, ui.px(f.area.right()), middle, Face::body, ui[Tone::ink2], word);
@@ -41,24 +42,41 @@ void Program::draw_slots(Frame& f) {
     x = ImGui::GetCursorScreenPos().x;
   }
 
-  const int slot = desk.texts.chosen();
   const float files_left = std::max(ui.px(f.area.right() - 8) - file_buttons_width(f), x);
-  const std::string name = desk.texts.file_name(slot);
-  const bool edited = desk.texts.edited(slot);
-  const std::string_view shown = !name.empty() ? std::string_view(name) : edited ? "not in a file" : "";
-  const Face face = name.empty() ? Face::body : Face::body_bold;
-  const bool mark = edited && !name.empty();
-  const float mark_width = mark ? std::ceil(text_width(ui, Face::body, "edited")) + ui.px(8) : 0;
-  const float name_right = std::min(files_left - mark_width, x + std::ceil(text_width(ui, face, shown)));
-  draw_text_line(ui, x, name_right + 1, middle, face, ui[name.empty() ? Tone::warn : Tone::ink], shown);
-  if (mark)
-    draw_text_line(ui, name_right + ui.px(8), files_left, middle, Face::body, ui[Tone::warn], "edited");
-  show(ui, {.id = "program/file", .kind = Kind::text, .label = "File", .value = shown},
-       {ImVec2(x, at.y), ImVec2(files_left, at.y + ui.px(slots_height))});
+  draw_file_name(f, {ImVec2(x, at.y), ImVec2(files_left, at.y + ui.px(slots_height))}, slots_left);
   ImGui::SetCursorScreenPos(ImVec2(files_left, at.y + ui.px(4)));
   draw_file_buttons(f);
   draw_line_across(f, at.y + ui.px(slots_height) - ui.hair());
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(slots_height)));
+}
+
+// Without room "edited" goes first, then the name: it is told where the slots are pointed at.
+void Program::draw_file_name(Frame& f, Rect in, float slots_left) {
+  Ui& ui = f.ui;
+  const ProgramTexts& texts = f.tab.desk().texts;
+  const std::string name = texts.file_name(texts.chosen());
+  const bool edited = texts.edited(texts.chosen());
+  const std::string_view shown = !name.empty() ? std::string_view(name) : edited ? "not in a file" : "";
+  const Face face = name.empty() ? Face::body : Face::body_bold;
+  const float whole = std::ceil(text_width(ui, face, shown)), least = std::min(whole, ui.px(48));
+  const std::string tip = edited && !name.empty() ? name + ", edited" : std::string(shown);
+  float mark = edited && !name.empty() ? std::ceil(text_width(ui, Face::body, "edited")) + ui.px(8) : 0;
+  if (in.width() - mark < least) mark = 0;
+  const bool left_out = in.width() < least;
+  const float middle = std::floor(in.centre().y), name_right = std::min(in.max.x - mark, in.min.x + whole);
+  if (!left_out)
+    draw_text_line(ui, in.min.x, name_right + 1, middle, face, ui[name.empty() ? Tone::warn : Tone::ink],
+                   shown);
+  if (mark > 0)
+    draw_text_line(ui, name_right + ui.px(8), in.max.x, middle, Face::body, ui[Tone::warn], "edited");
+  if (left_out) in.min.x = slots_left;
+  show(ui,
+       {.id = "program/file",
+        .kind = Kind::text,
+        .label = "File",
+        .value = shown,
+        .tip = left_out ? std::string_view(tip) : std::string_view()},
+       in);
 }
 
 namespace {
@@ -148,23 +166,50 @@ void Program::save(Frame& f) {
   ProgramTexts& texts = f.tab.desk().texts;
   const auto& path = texts.file(texts.chosen());
   if (path.empty()) return ask_save(f);
-  save_as(f, path);
+  write(f, texts.chosen(), path, false);
 }
 
-void Program::save_as(Frame& f, const std::filesystem::path& path) {
+namespace {
+
+/// Empty: the file holds what it is known to hold, or is not there. Else what would be overwritten.
+std::string other_text_in(const std::filesystem::path& path, const std::optional<std::string>& known) {
+  std::error_code none;
+  if (!std::filesystem::is_regular_file(path, none)) return {};
+  const auto there = load_text(path);
+  const std::string name = path.filename().string();
+  if (!known)
+    return fmt::format("What {} holds was not read since this text was recovered. Saving overwrites it.",
+                       name);
+  if (there && there->text == *known) return {};
+  return fmt::format(
+      "{} no longer holds the text that was opened or saved here: another program has changed "
+      "it. Saving overwrites those changes.",
+      name);
+}
+
+}  // namespace
+
+/// `overwrite`: whatever the file holds by now.
+void Program::write(Frame& f, int slot, const std::filesystem::path& path, bool overwrite) {
   Desk& desk = f.tab.desk();
-  const int slot = desk.texts.chosen();
-  TextFile file = desk.texts.to_save(slot);
   struct Saved {
-    std::string text;
+    std::string text, changed;
     Result<> result;
   };
   desk.worker().run(
-      [path, file = std::move(file)]() mutable {
-        auto result = save_text(path, file);
-        return Saved{std::move(file.text), std::move(result)};
+      [path, overwrite, file = desk.texts.to_save(slot), known = desk.texts.known_in_file(slot)]() mutable {
+        Saved saved;
+        if (!overwrite) saved.changed = other_text_in(path, known);
+        if (!saved.changed.empty()) return saved;
+        saved.result = save_text(path, file);
+        saved.text = std::move(file.text);
+        return saved;
       },
-      [&console = f.console, &texts = desk.texts, slot, path](Saved saved) {
+      [&console = f.console, &texts = desk.texts, asks = overwrite_, slot, path](Saved saved) {
+        if (!saved.changed.empty()) {
+          *asks = {true, slot, path, std::move(saved.changed)};
+          return;
+        }
         if (!saved.result) return console.toast(Mood::fault, saved.result.error().sentence());
         texts.saved(slot, path, saved.text);
         console.toast(Mood::ok, fmt::format("Saved as {}.", path.string()));
@@ -221,8 +266,16 @@ void Program::draw_dialogs(Frame& f) {
                       .no = "Leave it"};
     if (dialog(f.ui, "program/clear", asking_clear_, what) == Answer::yes) start(f, ProgramJob::Goal::clear);
   }
+  if (overwrite_->asking) {
+    const Dialog what{.title = "Overwrite the file?",
+                      .sentences = overwrite_->question,
+                      .yes = "Overwrite it",
+                      .no = "Leave it as it is"};
+    if (dialog(f.ui, "program/overwrite", overwrite_->asking, what) == Answer::yes)
+      write(f, overwrite_->slot, overwrite_->path, true);
+  }
   if (const auto path = open_.draw(f.ui)) ask_or_open(f, *path);
-  if (const auto path = save_.draw(f.ui)) save_as(f, *path);
+  if (const auto path = save_.draw(f.ui)) write(f, f.tab.desk().texts.chosen(), *path, true);
 }
 
 }  // namespace hw::panels

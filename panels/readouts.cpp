@@ -100,13 +100,17 @@ void draw_table(Frame& f, std::span<const Run> columns, float width) {
     const float end = column + 1 < columns.size() ? share - 8 : share;  // the last ends where the lines end
     return Rect{ImVec2(x, y), ImVec2(x + ui.px(end), y + ui.px(height))};
   };
+  float free_from = cell(0, at.y, head_height).min.x;  // a head may begin over the end of the column before
   for (std::size_t n = 0; n < columns.size(); ++n) {
     const ReadoutInfo& info = c.readouts[columns[n].first];
     const Rect r = cell(n, at.y, head_height);
-    const Path title("{}{}{}", without_axis(c, info), info.unit.empty() ? "" : ", ", info.unit);
+    const std::string_view name = without_axis(c, info);
+    const bool says_unit = info.unit.empty() || name.ends_with(info.unit);
+    const Path title("{}{}{}", name, says_unit ? "" : ", ", says_unit ? "" : info.unit);
     const float w = std::ceil(text_width(ui, Face::small, title));
-    const float x = info.words.empty() ? std::max(r.min.x, r.max.x - w) : r.min.x;
+    const float x = info.words.empty() ? std::max(free_from, r.max.x - w) : r.min.x;
     draw_text_line(ui, x, r.max.x + 1, std::floor(r.centre().y), Face::small, ui[Tone::ink2], title);
+    free_from = std::min(x + w, r.max.x) + ui.px(8);
   }
   float y = at.y + ui.px(head_height);
   for (std::size_t axis = 0; axis < c.axes.size(); ++axis) {

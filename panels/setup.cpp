@@ -150,7 +150,8 @@ void Setup::draw_store(Frame& f) {
                                  "Keeps set-up and programs over power-off. The memory bears {} writes.",
                                  f.catalog.can.store_life);
   const std::string_view why = f.connected() && storing_ ? "It is being stored." : f.no_link();
-  if (button(f.ui, "setup/store", "Store in controller",
+  const std::string_view label = f.area.width < 560 ? "Store" : "Store in controller";
+  if (button(f.ui, "setup/store", label,
              {.disabled = why, .tip = {tip, std::min(end.size, sizeof tip)}, .height = 40})
           .clicked)
     storing_ = f.send_and_watch(intent::Store());
@@ -287,8 +288,11 @@ void Setup::draw_facts(Frame& f, float left) {
   const auto fact = [&](const char* id, const char* key, const std::string& value, Tone tone = Tone::ink) {
     key_value(ui, id, key, value, tone);
   };
-  if (p.choices.empty() && p.bits.empty())
-    fact("setup/facts/range", "Range", p.unit.empty() ? range_of(p) : range_of(p) + " " + p.unit);
+  if (p.choices.empty() && p.bits.empty()) {
+    const std::string unit = unit_of(p, f.catalog, f.now);
+    fact("setup/facts/range", "Range",
+         range_in_words(p) + (unit.empty() || unit.starts_with('/') ? "" : " ") + unit);
+  }
   fact("setup/facts/factory", "Factory value", value_text(p, p.fallback));
   fact("setup/facts/controller", "Controller has",
        has.known    ? value_text(p, has.value)
@@ -368,8 +372,10 @@ void Setup::taken_from_file(Frame& f, const Result<Backup>& file, const std::str
   problems_ = f.tab.desk().setup.take(*checked, f.now, &differing);
   from_file_ = name;
   for (SetupRowState& row : rows_) row.number.reset();
-  f.toast(Mood::plain, differing == 0
-                           ? fmt::format("{} says what the controller has already.", name)
+  if (differing == 0)
+    return f.toast(Mood::plain, fmt::format("{} says what the controller has already.", name));
+  f.toast(Mood::plain, differing == 1
+                           ? fmt::format("One value of {} differs from the controller. Write sends it.", name)
                            : fmt::format("{} values of {} differ from the controller. Write sends them.",
                                          differing, name));
 }

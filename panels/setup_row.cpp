@@ -193,7 +193,8 @@ void SetupRow::draw_number(float y) {
       static_cast<double>(p_.also_zero ? std::min<std::int64_t>(0, p_.minimum) : p_.minimum) / scale;
   options.range.max = static_cast<double>(p_.maximum) / scale;
   options.range.decimals = p_.decimals;
-  options.range.unit = p_.unit;
+  const std::string unit = unit_of(p_, f_.catalog, f_.now);
+  options.range.unit = unit;
   options.disabled = why_not();
   options.width = control_width();
   options.changed = edits_.changed(i_, f_.now);
@@ -205,7 +206,7 @@ void SetupRow::draw_number(float y) {
     if (edits_.set(i_, static_cast<std::int64_t>(std::llround(e.value * scale))))
       state_.number.reset();
     else
-      state_.number.sentence = range_of(p_) + " only";
+      state_.number.sentence = range_in_words(p_) + " only";
   }
   ImGui::SetCursorScreenPos(ImVec2(left_, std::max(below, y + ui_.px(setup_row_height))));
 }

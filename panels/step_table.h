@@ -1,12 +1,13 @@
 #pragma once
-// What two recorded steps are in numbers, and whether the newer one is better. Ids:
-// `tuning/measure/overshoot`, `/before`, `/change`.
+// What two recorded steps are in numbers, and whether the newer one is better: a row for each measure, or,
+// where plots need the height, a column. Ids: `tuning/measure/overshoot`, `/before`, `/change`.
 #include "gui/frame.h"
 #include "gui/step_response.h"
 
 namespace hw::panels {
 
 inline constexpr float step_table_height = 32 + 6 * 26 + 8;
+inline constexpr float flat_step_table_height = 36 + 24 + 24 + 40 + 4;
 
 struct TwoSteps {
   int number = 0;  ///< of the run; 0: none
@@ -16,5 +17,6 @@ struct TwoSteps {
 };
 /// At ImGui's cursor, `width` logical.
 void draw_step_table(gui::Frame& frame, const TwoSteps& steps, float width);
+void draw_flat_step_table(gui::Frame& frame, const TwoSteps& steps, float width);
 
 }  // namespace hw::panels

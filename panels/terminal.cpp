@@ -194,6 +194,12 @@ void Terminal::draw_list(Frame& f, float bottom) {
   ImGui::PopStyleColor();
   ImGui::PopStyleVar(3);
   if (ImGui::IsWindowAppearing()) ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
+  // Behind the longest form; one that would leave no room for its help is cut.
+  float help_at = ui.px(140);
+  for (const std::size_t offered : offered_)
+    help_at =
+        std::max(help_at, text_width(ui, Face::code_field, f.catalog.commands[offered].form) + ui.px(40));
+  help_at = std::min(help_at, ui.px(f.area.width) / 2);
   for (std::size_t i = 0; i < offered_.size(); ++i) {
     const CommandInfo& command = f.catalog.commands[offered_[i]];
     char id[64];
@@ -208,9 +214,9 @@ void Terminal::draw_list(Frame& f, float bottom) {
     if (chosen && !ImGui::IsItemVisible()) ImGui::SetScrollHereY(0.5f);
     if (t.hovered || chosen) draw_fill(ui, t.rect, ui[Tone::hover], 0);
     const float middle = std::floor(t.rect.centre().y);
-    draw_text_line(ui, t.rect.min.x + ui.px(16), t.rect.max.x, middle, Face::code_field, ui[Tone::ink],
+    const float help_x = t.rect.min.x + help_at;
+    draw_text_line(ui, t.rect.min.x + ui.px(16), help_x - ui.px(22), middle, Face::code_field, ui[Tone::ink],
                    command.form);
-    const float help_x = t.rect.min.x + ui.px(140);
     if (command.moves)
       draw_icon(ImGui::GetWindowDrawList(), Icon::play, ImVec2(help_x - ui.px(14), middle), ui.px(9),
                 ui[Tone::motion]);

@@ -59,12 +59,13 @@ PlaceWords place_of(Frame& f, const ThreadState& t) {
   const int source = texts.live_line(0, t.line);
   PlaceWords words{Path("line {}", t.line), Path("{}", ""), {}};
   if (source < 0) {
-    words.source = texts.held(0).known ? "its text has changed here" : "text not known: Upload shows it";
+    words.source = texts.lines_known(0)  ? "its text has changed here"
+                   : texts.held(0).known ? "its code means nothing here"
+                                         : "text not known: Upload shows it";
     return words;
   }
   words.number = Path("{}", source + 1);
   words.source = line_of(texts.text(0), source);
-  while (words.source.starts_with(' ') || words.source.starts_with('\t')) words.source.remove_prefix(1);
   return words;
 }
 
@@ -153,15 +154,6 @@ void draw_row(Frame& f, int n, const Rect& row) {
 
 bool is_busy(const ThreadState& t) {
   return t.run == RunState::running || t.run == RunState::waiting || t.run == RunState::held;
-}
-
-std::string_view line_of(std::string_view text, int line) {
-  for (; line > 0; --line) {
-    const std::size_t end = text.find('\n');
-    if (end == text.npos) return {};
-    text.remove_prefix(end + 1);
-  }
-  return text.substr(0, text.find('\n'));
 }
 
 namespace {

@@ -15,7 +15,5 @@ void draw_threads(gui::Frame& frame, float top_px);
 float threads_height(const Catalog& catalog, float width);
 /// Busy with its program: running, waiting or held.
 bool is_busy(const ThreadState& thread);
-/// A line (from 0) of a text.
-std::string_view line_of(std::string_view text, int line);
 
 }  // namespace hw::panels

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "core/device/servo_tuning.h"
 #include "gui/area.h"
 #include "gui/sample_feed.h"
@@ -79,23 +81,48 @@ void Tuning::take(const AxisSample& s) {
 
 bool Tuning::asked_by_others(const Frame& f) const { return f.now.fates[0].id > newest_; }
 
+bool Tuning::was_away(const Frame& f) {
+  const int frame = ImGui::GetFrameCount();
+  const bool frames_missed = frame - std::exchange(drawn_frame_, frame) > 1;
+  return f.ui.now_s - std::exchange(drawn_s_, f.ui.now_s) > 1.0 || frames_missed;
+}
+
+/// What has come between since a step was asked for, so that no other is begun. A restart shows by the doubt
+/// in the position, and by what went unanswered meanwhile.
+std::string_view Tuning::interruption(const Frame& f, bool away) const {
+  if (away) return "another panel was in front";
+  if (f.now.link.state != LinkState::good || f.now.link.timeouts != timeouts_)
+    return "the controller did not answer for a while";
+  if (f.now.axes[axis().index].position_doubtful && !doubtful_) return "the controller was reset";
+  return {};
+}
+
 /// Repeat is never carried on by itself after anything else has happened: a stop, somebody else's command, a
-/// refusal, a lost link, another panel in front.
+/// refusal, a lost link, a reset, another panel in front.
 void Tuning::follow(Frame& f) {
   take_samples(f.tab, [this](const AxisSample& s) { take(s); });
-  const bool was_away = f.ui.now_s - std::exchange(drawn_s_, f.ui.now_s) > 1.0;
+  const bool away = was_away(f);
+  if (stage_ == Stage::idle) return;
+  const std::string_view between = interruption(f, away);
   // A stop that comes between the question for samples and the step: the step is not made any more.
   if (stage_ == Stage::arming && (f.ui.cancelled() || asked_by_others(f))) {
     runs_.pop_back();
     stage_ = Stage::idle;
     return end_repeat(f, "The step was not made: something else came first.");
   }
-  if (repeat_ && stage_ != Stage::idle) {
-    if (f.ui.cancelled()) end_repeat(f, "Stopped: Repeat is off.");
-    if (was_away && stage_ == Stage::pausing) end_repeat(f, "");
-    if (asked_by_others(f)) end_repeat(f, "Repeat is off: something else was asked of the controller.");
+  if (stage_ == Stage::arming && !between.empty()) {
+    runs_.pop_back();
+    stage_ = Stage::idle;
+    return end_repeat(f, fmt::format("The step was not made: {}.", between));
   }
-  if (stage_ == Stage::idle) return;
+  if (repeat_) {
+    if (f.ui.cancelled())
+      end_repeat(f, "Stopped: Repeat is off.");
+    else if (!between.empty())
+      end_repeat(f, fmt::format("Repeat is off: {}.", between));
+    else if (asked_by_others(f))
+      end_repeat(f, "Repeat is off: something else was asked of the controller.");
+  }
   f.ui.wake_in(0.02);
   if (stage_ == Stage::pausing) {
     if (!repeat_)
@@ -185,6 +212,8 @@ void Tuning::record(Frame& f) {
   step_now_ = Steps(sign_ * std::llround(*step_.value()));
   runs_.emplace_back(++number_, axis(), step_now_);
   any_sample_ = false;
+  timeouts_ = f.now.link.timeouts;
+  doubtful_ = f.now.axes[axis().index].position_doubtful;
   const auto length = std::chrono::milliseconds(std::llround(length_ms_) + arming_ms);
   move_ = newest_ = f.send_and_watch(intent::Sample(axis(), length));
   stage_ = Stage::arming;

@@ -32,6 +32,8 @@ class Tuning final : public gui::Panel {
   };
   void make(const gui::Frame& frame);
   void follow(gui::Frame& frame);
+  [[nodiscard]] bool was_away(const gui::Frame& frame);
+  [[nodiscard]] std::string_view interruption(const gui::Frame& frame, bool away) const;
   void finish(gui::Frame& frame);
   void measure_before();
   void end_repeat(gui::Frame& frame, std::string why);
@@ -47,7 +49,6 @@ class Tuning final : public gui::Panel {
   void draw_plots(gui::Frame& frame, float width, float height);
   void draw_error(gui::Frame& frame, float width, float height, bool lowest);
   void draw_output(gui::Frame& frame, float height);
-  void draw_measures(gui::Frame& frame, float width);
   void draw_side(gui::Frame& frame, float width);
   void draw_gain(gui::Frame& frame, std::size_t param, float width);
   void send_gains(gui::Frame& frame);
@@ -75,6 +76,9 @@ class Tuning final : public gui::Panel {
   double since_s_ = 0, length_ms_ = 0, drawn_s_ = 0;
   Instant first_at_{}, last_at_{};
   bool any_sample_ = false;
+  int drawn_frame_ = 0;
+  std::uint64_t timeouts_ = 0;      ///< of the link, when the latest step was asked for
+  bool doubtful_ = false;           ///< its axis' position, likewise
   IntentId move_ = 0, newest_ = 0;  ///< newest_: the latest that this panel sent
   std::deque<gui::StepRun> runs_;   ///< oldest first
   // Of the latest that is whole, and of what it is compared with; number 0: there is none.

@@ -18,7 +18,29 @@ using namespace gui;
 namespace {
 
 constexpr float gain_row = 36;
-constexpr float room_for_three = 300;  // else the two small plots stand beside each other
+// Heights at which a plot can be read from where the machine is; and the least.
+constexpr float good_plot = 250, good_small_plot = 90;
+constexpr float least_plot = 140, least_small_plot = 84;
+
+/// How the height is shared. In too little of it the measurements scroll out of sight.
+struct WorkHeights {
+  float plot, small_plot;
+  bool stacked;  ///< the small plots under each other, else beside each other
+  bool flat;     ///< the table of measurements
+};
+WorkHeights share(float height, bool output) {
+  const float small_plots = output ? 2 : 1;
+  WorkHeights h{};
+  h.flat = height - step_table_height < good_plot + small_plots * good_small_plot;
+  const float table = h.flat ? flat_step_table_height : step_table_height;
+  const float room = std::max(least_plot + least_small_plot, height - table);
+  h.stacked = output && room >= good_plot + small_plots * good_small_plot;
+  const float rows = h.stacked ? small_plots : 1;
+  constexpr float good_share = good_small_plot / (good_plot + good_small_plot);
+  h.small_plot = std::floor(std::max(least_small_plot, room * (h.stacked ? 0.21f : good_share)));
+  h.plot = room - rows * h.small_plot;
+  return h;
+}
 
 /// "Proportional gain of X" under the title "Gains of X" is "Proportional".
 std::string_view without_axis(const Frame& f, const ParamInfo& p) {
@@ -53,14 +75,13 @@ void Tuning::draw_work(Frame& f, float width, float height) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::SetCursorScreenPos(ImVec2(ui.px(f.area.x), at.y));
   begin_part(ui, "tuning/work", ui.px(width), ui.px(height), Tone::panel, 0);
-  const float plots = std::max(200.0f, height - step_table_height);
   const bool output = shows_output();
-  const bool stacked = output && plots >= room_for_three;
-  const float small = std::max(72.0f, std::floor(plots * (stacked ? 0.24f : 0.3f)));
-  draw_plots(f, width, plots - (stacked ? 2 : 1) * small);
+  const WorkHeights heights = share(height, output);
+  const float small = heights.small_plot;
+  draw_plots(f, width, heights.plot);
   if (!output) {
     draw_error(f, width, small, true);
-  } else if (stacked) {
+  } else if (heights.stacked) {
     draw_error(f, width, small, false);
     draw_output(f, small);
   } else {
@@ -71,7 +92,8 @@ void Tuning::draw_work(Frame& f, float width, float height) {
     draw_output(f, small);
     ImGui::SetCursorScreenPos(below);
   }
-  draw_measures(f, width);
+  const TwoSteps steps{now_number_, now_, was_number_, was_};
+  heights.flat ? draw_flat_step_table(f, steps, width) : draw_step_table(f, steps, width);
   end_part();
 }
 
@@ -158,10 +180,6 @@ void Tuning::draw_output(Frame& f, float height) {
   const Path words("worked out, not read: {}", largest.view());
   o.words = words;
   plot(f.ui, "tuning/output", "Output, worked out", {traces.data(), n}, o, cursor_);
-}
-
-void Tuning::draw_measures(Frame& f, float width) {
-  draw_step_table(f, {now_number_, now_, was_number_, was_}, width);
 }
 
 // ---- gains

@@ -29,6 +29,12 @@ std::string_view real_unit(const Frame& f) {
   return found;
 }
 
+/// What the controller itself counts in.
+std::string own_unit(const Frame& f) {
+  const std::string unit = counted_unit(f.catalog, f.now, f.catalog.step_word);
+  return unit.empty() ? f.catalog.step_word : unit;
+}
+
 bool shows_real(const Frame& f) {
   return !f.tab.profile.unit.empty() && f.tab.profile.unit != f.catalog.step_word;
 }
@@ -48,7 +54,8 @@ void use(Frame& f, std::string unit) {
 void draw_axis_choice(Frame& f, std::size_t i) {
   const AxisInfo& axis = f.catalog.axes[i];
   AxisProfile& wish = f.tab.profile.axes[i];
-  std::vector<std::string_view> names{f.catalog.step_word};
+  const std::string own = counted_unit(f.catalog, f.now, f.catalog.step_word, static_cast<int>(i));
+  std::vector<std::string_view> names{own};
   int chosen = 0;
   for (const UnitChoice& choice : f.catalog.units) {
     names.push_back(choice.label);
@@ -100,7 +107,7 @@ void draw_unit_chooser(Frame& f) {
   const auto axes = static_cast<float>(f.catalog.axes.size());
   if (!begin_popup(ui, "unit", t, 484, 3.1f + 1.9f * axes)) return;
   const std::string_view real = real_unit(f);
-  if (popup_row(ui, "dro/unit/steps", f.catalog.step_word, "as the controller counts", !shows_real(f)))
+  if (popup_row(ui, "dro/unit/steps", own_unit(f), "as the controller counts", !shows_real(f)))
     use(f, f.catalog.step_word);
   if (popup_row(ui, "dro/unit/real", real.empty() ? "real units" : real, {}, shows_real(f) && !real.empty(),
                 real.empty() ? "Choose below what hangs on an axis first." : ""))

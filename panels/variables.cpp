@@ -126,9 +126,15 @@ void Variables::draw_cell(Frame& f, int n, float width) {
   ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(name_width), at.y));
   const std::optional<double> shown = known ? std::optional<double>(f.now.variables[index]) : std::nullopt;
   const NumberEvent e = number_field(ui, Path("var/{}", n), name, shown, fields_[index], o);
+  const std::string& sentence = fields_[index].sentence;
+  const bool refused = e.field.left && !sentence.empty();
+  if (refused || e.committed) f.withdraw(&fields_[index]);  // what was said of its last value
   if (e.committed) f.send(intent::SetVariable(n, std::llround(e.value)));
-  if (e.field.left && !fields_[index].sentence.empty())
-    f.toast(Mood::fault, fmt::format("{}: {} Nothing was sent.", name.view(), fields_[index].sentence));
+  if (refused)
+    f.toast(
+        Mood::fault,
+        fmt::format("{}: {}{} Nothing was sent.", name.view(), sentence, sentence.ends_with('.') ? "" : "."),
+        &fields_[index]);
 }
 
 void Variables::draw_command(Frame& f) {
@@ -157,7 +163,9 @@ void Variables::set(Frame& f) {
   const auto wish = parse_assignment(command_, f.catalog.variables);
   if (!wish) return f.toast(Mood::fault, wish.error().sentence());
   f.send(intent::SetVariable(wish->first, wish->second));
-  fields_[static_cast<std::size_t>(wish->first)].reset();
+  NumberField& field = fields_[static_cast<std::size_t>(wish->first)];
+  field.reset();
+  f.withdraw(&field);
   command_.clear();
 }
 

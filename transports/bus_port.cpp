@@ -132,20 +132,30 @@ Task<Result<std::unique_ptr<Window>>> open_bus_port(Scheduler& scheduler, std::s
   co_return make_bus_port(scheduler, std::move(*stream), std::move(where));
 }
 
-bool BusPortTalk::take(std::string_view bytes, const std::function<void(BusCycle&)>& perform,
-                       std::string& answers) {
+Result<> BusPortTalk::take(std::string_view bytes, const std::function<void(BusCycle&)>& perform,
+                           std::string& answers) {
   unfinished_ += bytes;
   std::size_t done = 0;
   while (done < unfinished_.size()) {
     const char op = unfinished_[done];
-    if (!is_op(op)) return false;
+    if (!is_op(op))
+      return fail(FaultKind::garbled,
+                  fmt::format("A client of the bus port sent {:02X} where an operation begins.",
+                              static_cast<unsigned char>(op)),
+                  "Its connection was closed.",
+                  "01, 02 and 04 read so many bytes, 81, 82 and 84 write them.");
     const bool write = (op & write_bit) != 0;
     const std::size_t width = width_of(op), length = head_bytes + (write ? width : 0);
     if (unfinished_.size() - done < length) break;
     const std::string_view message = std::string_view(unfinished_).substr(done, length);
     const auto offset = static_cast<std::uint16_t>(number(message.substr(1, 2)));
     const std::size_t begin = width == 1 ? offset : offset & ~std::size_t{1};
-    if (begin + width > bus_window_bytes) return false;
+    if (begin + width > bus_window_bytes)
+      return fail(FaultKind::garbled,
+                  fmt::format("A client of the bus port {} {} {} at 0x{:X}, which lies beyond the window.",
+                              write ? "wrote" : "asked for", width, width == 1 ? "byte" : "bytes", offset),
+                  "Its connection was closed.",
+                  fmt::format("The window ends at 0x{:X}.", bus_window_bytes - 1));
     const auto bytes_wide = static_cast<std::uint8_t>(width);
     BusCycle cycle = write ? BusCycle::store(bytes_wide, offset, number(message.substr(head_bytes)))
                            : BusCycle::read(bytes_wide, offset);
@@ -154,7 +164,7 @@ bool BusPortTalk::take(std::string_view bytes, const std::function<void(BusCycle
     done += length;
   }
   unfinished_.erase(0, done);
-  return true;
+  return {};
 }
 
 }  // namespace hw

@@ -23,9 +23,9 @@ std::unique_ptr<Window> make_bus_port(Scheduler& scheduler, std::unique_ptr<Stre
 /// The board's side of one connection: takes messages apart and puts answers together. No I/O.
 class BusPortTalk {
  public:
-  /// Gives each cycle to `perform`, adds what a read brought to `answers`. False: the bytes are no messages
+  /// Gives each cycle to `perform`, adds what a read brought to `answers`. A fault: the bytes are no messages
   /// of a bus port, and where the next one begins cannot be known; or a cycle lies beyond the window.
-  bool take(std::string_view bytes, const std::function<void(BusCycle&)>& perform, std::string& answers);
+  Result<> take(std::string_view bytes, const std::function<void(BusCycle&)>& perform, std::string& answers);
 
  private:
   std::string unfinished_;

@@ -126,8 +126,8 @@ class OpenNotice : public std::enable_shared_from_this<OpenNotice> {
   bool waiting_ = false;
 };
 
-// The kernel itself knows whether a client is there: without one, the master reads EIO and is hung up. What is
-// sent to nobody is lost, as on a serial line, and reading stops until the next one opens.
+// The kernel itself knows whether a client is there: without one, the master reads EIO and is hung up. What
+// is sent to nobody is lost, as on a serial line, and reading stops until the next one opens.
 class PtyEndpoint final : public FdStream {
  public:
   PtyEndpoint(Scheduler& scheduler, const Terminal& terminal, std::string link, int baud)

@@ -122,11 +122,12 @@ Result<std::shared_ptr<EmulatorHost>> EmulatorHost::make(Scheduler& scheduler,
                                                          std::vector<HostedDevice> devices,
                                                          HostOptions options, Trouble trouble) {
   std::shared_ptr<EmulatorHost> host(new EmulatorHost(scheduler, std::move(options)));
+  host->trouble_ = std::move(trouble);
   const std::string& file = host->options_.state_file;
   const bool several = devices.size() > 1;
   for (HostedDevice& device : devices) {
     const std::string state = file.empty() || !several ? file : fmt::format("{}.{}", file, device.id);
-    if (auto added = host->add_device(std::move(device), state, trouble); !added) return fail(added.error());
+    if (auto added = host->add_device(std::move(device), state); !added) return fail(added.error());
   }
   host->run_until(host->emulator_time());
   return host;
@@ -140,12 +141,11 @@ Result<std::shared_ptr<EmulatorHost>> EmulatorHost::make(Scheduler& scheduler,
   return make(scheduler, std::move(alone), std::move(options), std::move(trouble));
 }
 
-Result<> EmulatorHost::add_device(HostedDevice device, const std::string& state_file,
-                                  const Trouble& trouble) {
+Result<> EmulatorHost::add_device(HostedDevice device, const std::string& state_file) {
   auto added = std::make_unique<Device>(*this, std::move(device.emulator));
   if (!state_file.empty()) {
     if (auto loaded = added->load(state_file); !loaded) return loaded;
-    added->keep_memory_in(std::make_unique<StateFile>(scheduler_, state_file, trouble));
+    added->keep_memory_in(std::make_unique<StateFile>(scheduler_, state_file, trouble_));
   }
   devices_.push_back(std::move(added));
   return {};

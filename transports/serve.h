@@ -37,7 +37,8 @@ struct HostedDevice {
 
 class EmulatorHost final : public std::enable_shared_from_this<EmulatorHost> {
  public:
-  /// At least one device. Loads the state files that there are.
+  /// At least one device. Loads the state files that there are. `trouble` hears of a state file that could
+  /// not be written, and of a client of a bus port that was sent away.
   static Result<std::shared_ptr<EmulatorHost>> make(Scheduler& scheduler, std::vector<HostedDevice> devices,
                                                     HostOptions options, Trouble trouble = {});
   static Result<std::shared_ptr<EmulatorHost>> make(Scheduler& scheduler, std::unique_ptr<Emulator> emulator,
@@ -81,7 +82,7 @@ class EmulatorHost final : public std::enable_shared_from_this<EmulatorHost> {
   static constexpr Duration hand_over = std::chrono::microseconds(400);
 
   EmulatorHost(Scheduler& scheduler, HostOptions options);
-  Result<> add_device(HostedDevice device, const std::string& state_file, const Trouble& trouble);
+  Result<> add_device(HostedDevice device, const std::string& state_file);
   [[nodiscard]] Instant emulator_time() const;
   [[nodiscard]] Instant scheduler_time(Instant emulated) const;
   [[nodiscard]] Instant next_due() const;
@@ -112,6 +113,7 @@ class EmulatorHost final : public std::enable_shared_from_this<EmulatorHost> {
 
   Scheduler& scheduler_;
   HostOptions options_;
+  Trouble trouble_;
   Instant began_;
   Timer timer_;
   Instant armed_for_{};        // this and the next in emulated time

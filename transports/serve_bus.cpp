@@ -71,11 +71,13 @@ struct EmulatorHost::BusClient final : Stream::Listener {
     answers.clear();
     const Instant now = keep->emulator_time();
     keep->catch_up(now);
-    const bool sense = talk.take(
+    const auto taken = talk.take(
         bytes, [&](BusCycle& cycle) { keep->run_cycle(cycle); }, answers);
     if (!answers.empty()) stream->send(answers);
     keep->run_until(now);
-    if (!sense) leave();
+    if (taken) return;
+    if (keep->trouble_) keep->trouble_(taken.error());
+    leave();
   }
   void stream_closed(const Fault&) override { leave(); }
   void leave() {

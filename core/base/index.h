@@ -1,5 +1,6 @@
 #pragma once
-// Axes, inputs and slots are counted as int where a protocol or a person names them, and index as std::size_t.
+// Axes, inputs and slots are counted as int where a protocol or a person names them, and index as
+// std::size_t.
 #include <cstddef>
 
 namespace hw {

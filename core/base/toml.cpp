@@ -1,5 +1,5 @@
-// toml++ 3.3 tells the compiler that no character of U+00A1..U+0499 or U+FEB0..U+FEFE stands where it looks for a
-// space outside of a string. A file may well have one there. "No space" is the right answer.
+// toml++ 3.3 tells the compiler that no character of U+00A1..U+0499 or U+FEB0..U+FEFE stands where it looks
+// for a space outside of a string. A file may well have one there. "No space" is the right answer.
 #include <cstdint>
 
 #define TOML_IMPLEMENTATION

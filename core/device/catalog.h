@@ -40,7 +40,9 @@ struct InputInfo {
   std::string name;  ///< "In 1"
   std::string help;
   bool active_low = true;
-  int number = -1;  ///< the maker's; -1: its place, from 1 (see Catalog::input_number)
+  int number = -1;         ///< the maker's; -1: its place, from 1 (see Catalog::input_number)
+  std::string group = {};  ///< over those that stand together and have the same: "Lines 0 to 7: inputs"
+  bool of_output = false;  ///< the level of a line that is an output: shown with the outputs of its group
 };
 /// What the controller itself uses an output for at times: "In position".
 struct OutputDuty {
@@ -52,7 +54,8 @@ struct OutputInfo {
   std::string help;
   bool settable = true;
   OutputDuty duty = {};
-  int number = -1;  ///< the maker's; -1: its place, from 1 (see Catalog::output_number)
+  int number = -1;         ///< the maker's; -1: its place, from 1 (see Catalog::output_number)
+  std::string group = {};  ///< as InputInfo::group
 };
 struct AnalogInfo {
   std::string name, unit;  ///< "Analog", "counts"
@@ -89,6 +92,9 @@ struct ParamInfo {
   /// Not empty: said before the first move of its axis while the value is `unset_value`: why, and what to do.
   std::string before_moving;
   std::int64_t unset_value = 0;
+  /// Its unit is in Catalog::step_word and becomes Catalog::loop_word when the loop of its axis is closed;
+  /// without an axis, when all are.
+  bool follows_loop = false;
 
   [[nodiscard]] bool accepts(std::int64_t v) const {
     if (!choices.empty()) {
@@ -120,6 +126,8 @@ struct ActionField {
   std::int64_t minimum = 0, maximum = 0, fallback = 0;
   int decimals = 0;
   std::vector<ParamChoice> choices;  ///< not empty: exactly these values
+  bool follows_loop = false;         ///< as ParamInfo::follows_loop
+  int loop_axis = -1;  ///< whose loop; -1: of what is chosen in the field "axis", else the only one
 };
 /// Something the controller can be told to do that is no verb of all controllers: intent::Act. Drawn as a
 /// button with its fields.

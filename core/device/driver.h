@@ -46,6 +46,8 @@ class Driver {
   /// What the console has put into the controller for its own use is still there, and the next rounds of
   /// status take it away: a wire that is given up stays open for that.
   [[nodiscard]] virtual bool clears_up() const { return false; }
+  /// What stays in the controller when the connection is closed now and nobody expects there; empty: nothing.
+  [[nodiscard]] virtual std::string leaves_behind() const { return {}; }
   /// The wire is gone: nothing may be believed any more. The station is invalid afterwards.
   virtual void wire_lost() = 0;
   /// Raw text and its reply without terminator (scripts, `send`).

@@ -35,6 +35,7 @@ struct ProgramReport {
   std::vector<Problem> problems;
   std::map<int, int> cost;                          ///< per slot, in the catalog's capacity unit
   std::map<int, std::vector<std::string>> listing;  ///< per slot: the commands in canonical form
+  std::vector<int> programs;                        ///< the numbers of those that the text of slot 0 holds
   [[nodiscard]] bool has_errors() const {
     for (const Problem& p : problems)
       if (p.error) return true;

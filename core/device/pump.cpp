@@ -56,6 +56,8 @@ Task<> Pump::shut_down() {
   };
   while (connected() && driver_->clears_up() && scheduler_.now() < give_up)
     co_await published_.wait_until(give_up);
+  if (std::string left = driver_->leaves_behind(); connected() && !left.empty())
+    ways_.notify(Notice(Notice::Kind::warning, scheduler_.now(), std::move(left)));
   closing_ = true;
   if (station_) station_->close(Fault(FaultKind::lost, "The controller was closed."));
   wake_.notify();

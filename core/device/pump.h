@@ -95,7 +95,7 @@ class Pump {
   int attempt_ = 0;
   bool performing_ = false;
   bool jogging_ = false, jog_was_lost_ = false;
-  bool down_ = false;  ///< since the loss of the wire, through all attempts
+  bool down_ = false;     ///< since the loss of the wire, through all attempts
   bool leaving_ = false;  ///< shut_down() has begun: stops only
   bool running_ = false, closing_ = false, retry_now_ = false;
   bool recovering_ = false;  ///< what waits may be what makes the controller answer again

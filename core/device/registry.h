@@ -27,8 +27,8 @@ struct DeviceType {
   const Language& (*language)();
   /// What bytes on the wire mean, for the terminal. Pure; any thread. Appends to nothing, returns a sentence.
   std::string (*explain)(std::string_view bytes, Way way, TrafficKind kind, std::string_view asked);
-  /// A harmless question and whether the answer is this model's (`scan`): sent at each rate of the catalog. Where
-  /// several devices can share a line, NN in it stands for the two digits of the one that is asked.
+  /// A harmless question and whether the answer is this model's (`scan`): sent at each rate of the catalog.
+  /// Where several devices can share a line, NN in it stands for the two digits of the one that is asked.
   std::string_view probe;
   bool (*recognises)(std::string_view reply);
 };

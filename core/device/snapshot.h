@@ -63,7 +63,8 @@ struct AxisState {
   Steps encoder{};
   bool limit_minus = false, limit_plus = false, home = false, alarm = false;
   bool limits_known = false;
-  bool enabled = true;  ///< motor current; see AxisInfo::switchable
+  bool enabled = true;   ///< motor current; see AxisInfo::switchable
+  bool slipped = false;  ///< its encoder has lain further off than is allowed, and nobody has cleared that
   bool operator==(const AxisState&) const = default;
 };
 
@@ -241,8 +242,10 @@ struct Notice {
   Kind kind = Kind::info;
   Instant at{};
   IntentId intent = 0;
-  int slot = -1;     ///< program: which slot `text` is the listing of
-  std::string text;  ///< a sentence, or the listing
+  int slot = -1;           ///< program: which slot `text` is the listing of ...
+  bool whole = true;       ///< ... and false: `text` leaves out code that means nothing here
+  std::string text;        ///< a sentence, or the listing
+  std::vector<int> slots;  ///< question: one of these must be emptied before a move is possible
 
   Notice() = default;
   Notice(Kind k, Instant when, std::string t) : kind(k), at(when), text(std::move(t)) {}

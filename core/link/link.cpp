@@ -298,6 +298,11 @@ void Link::give_up_on(std::string_view bytes) {
 
 // ---- the end
 
+void Link::let_others_hear(const Station& speaker, std::string_view text) const {
+  for (Station* station : stations_)
+    if (station != &speaker && station->overheard) station->overheard(text);
+}
+
 void Link::leave(Station& station, const Fault& why) {
   std::erase(stations_, &station);
   if (spoke_last_ == &station) spoke_last_ = nullptr;

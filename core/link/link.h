@@ -78,6 +78,7 @@ class Link final : public std::enable_shared_from_this<Link>,
   // for stations
   void join(Station& station);
   void leave(Station& station, const Fault& why);
+  void let_others_hear(const Station& speaker, std::string_view text) const;
   Task<Result<std::string>> transact(Station& station, Transaction transaction);
   Task<Result<>> run(Station& station, std::span<BusCycle> cycles, Priority priority);
   void drop_procedures(Station& station);

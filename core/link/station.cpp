@@ -51,6 +51,10 @@ void Station::close(const Fault& why) {
   if (const auto link = std::exchange(link_, nullptr)) link->leave(*this, why);
 }
 
+void Station::let_others_hear(std::string_view text) const {
+  if (link_) link_->let_others_hear(*this, text);
+}
+
 void Station::record(Instant at, Way way, TrafficKind kind, std::string_view bytes) {
   if (kind != TrafficKind::poll) ++statistics_.said;
   if (!traffic_) return;

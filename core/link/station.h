@@ -48,6 +48,9 @@ class Station {
   std::function<std::size_t(std::string_view)> unsolicited;
   /// On a window: the controller has interrupted its host.
   std::function<void(std::uint8_t vector)> interrupted;
+  /// Another station of this wire says something for its user that may be meant for this device.
+  std::function<void(std::string_view)> overheard;
+  void let_others_hear(std::string_view text) const;
   /// The wire is gone for everybody on it.
   std::function<void(const Fault&)> closed;
 

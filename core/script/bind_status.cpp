@@ -128,7 +128,7 @@ void set_whole(lua_State* L, const char* name, std::int64_t value) {
 
 int push_axis_status(lua_State* L, const Snapshot& known, const Catalog&, int axis) {
   const AxisState& s = known.axes[axis];
-  lua_createtable(L, 0, 14);
+  lua_createtable(L, 0, 15);
   set_flag(L, "moving",
            s.activity == Activity::moving || s.activity == Activity::jogging ||
                s.activity == Activity::homing || s.activity == Activity::stopping);
@@ -141,6 +141,7 @@ int push_axis_status(lua_State* L, const Snapshot& known, const Catalog&, int ax
   set_flag(L, "home", s.home);
   set_flag(L, "alarm", s.alarm);
   set_flag(L, "enabled", s.enabled);
+  set_flag(L, "slip", s.slipped);
   set_flag(L, "position_known", s.position_known);
   set_flag(L, "position_doubtful", s.position_doubtful);
   set_word(L, "activity", name_of(s.activity));

@@ -197,10 +197,9 @@ void Runner::fiber_failed(Fiber& fiber, int status) {
     return;
   }
   const char* message = lua_tostring(fiber.L, -1);
-  failure_ =
-      (message ? std::string(message)
-               : fmt::format("{}an error that is a {}", where(fiber.L), luaL_typename(fiber.L, -1))) +
-      callers(fiber.L);
+  failure_ = (message ? std::string(message)
+                      : fmt::format("{}an error that is a {}", where(fiber.L), luaL_typename(fiber.L, -1))) +
+             callers(fiber.L);
 }
 
 // ---- the run

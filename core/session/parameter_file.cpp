@@ -92,6 +92,16 @@ static std::string in_parts_of_a_unit(int decimals) {
   }
 }
 
+/// A file does not know whether the loop is closed, so it names both: ", pulses/s (closed loop: counts/s)".
+static std::string unit_behind(const ParamInfo& p, const Catalog& catalog) {
+  if (p.unit.empty()) return {};
+  std::string closed = p.unit;
+  const std::size_t at = closed.find(catalog.step_word);
+  if (!p.follows_loop || catalog.loop_word.empty() || at == closed.npos) return ", " + p.unit;
+  closed.replace(at, catalog.step_word.size(), catalog.loop_word);
+  return fmt::format(", {} (closed loop: {})", p.unit, closed);
+}
+
 std::string write_backup(const Backup& b, const Catalog& catalog) {
   std::string out = fmt::format("# {}{}{}\n", catalog.name, b.saved_at.empty() ? "" : ", saved ", b.saved_at);
   const auto line = [&](const char* key, const std::string& value) {
@@ -112,7 +122,7 @@ std::string write_backup(const Backup& b, const Catalog& catalog) {
     }
     const ParamInfo& p = catalog.params[static_cast<std::size_t>(i)];
     if (p.group != group) out += fmt::format("# {}\n", group = p.group);
-    out += fmt::format("{:<16} # {}{}{}{}\n", assignment, p.label, p.unit.empty() ? "" : ", ", p.unit,
+    out += fmt::format("{:<16} # {}{}{}\n", assignment, p.label, unit_behind(p, catalog),
                        in_parts_of_a_unit(p.decimals));
   }
   if (!b.variables.empty()) out += "\n[variables]\n";

@@ -146,6 +146,10 @@ std::string why_not_finished(const Snapshot& s, const Catalog& catalog) {
     switch (s.axes[i].ended_by) {
       case EndedBy::limit: return because("was ended by its limit switch");
       case EndedBy::elsewhere:
+        if (s.axes[i].slipped)
+          return because(
+              "has slipped, and was stopped by that: its encoder and its position differ by more than is "
+              "allowed");
         return because(
             "was stopped by somebody else: the controller's Stop button or input, or another program");
       case EndedBy::error: return because("was ended by an error of the controller");

@@ -44,10 +44,10 @@ int write_all(int fd, std::string_view bytes) {
 }
 
 tl::unexpected<Fault> not_written(const fs::path& path, int error) {
-  return fail(
-      FaultKind::port, fmt::format("{} was not written: {}.", path.string(), reason_of(error)), {},
-      error == ENOSPC || error == EDQUOT || error == EFBIG ? "Free some space, or choose another place."
-                                                           : "Choose another place.");
+  return fail(FaultKind::port, fmt::format("{} was not written: {}.", path.string(), reason_of(error)), {},
+              error == ENOSPC || error == EDQUOT || error == EFBIG
+                  ? "Free some space, or choose another place."
+                  : "Choose another place.");
 }
 
 // A device or pipe has no old contents to protect, and must not be replaced by a file.
@@ -130,7 +130,8 @@ Result<> write_file(const fs::path& path, std::string_view bytes) {
     if (fs::is_directory(target, ignored)) return not_written(path, EISDIR);
     return write_in_place(target, bytes);
   }
-  std::string beside = (target.parent_path() / fmt::format(".{}.XXXXXX", target.filename().string())).string();
+  std::string beside =
+      (target.parent_path() / fmt::format(".{}.XXXXXX", target.filename().string())).string();
   Descriptor file(::mkostemp(beside.data(), O_CLOEXEC));
   if (!file.good()) return not_written(path, errno);
   struct stat old {};

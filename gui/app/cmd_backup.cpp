@@ -39,7 +39,8 @@ Task<int> put_back(Scheduler& scheduler, const Address& address, std::string fil
   if (!report) co_return complain(report.error());
   fmt::print("{}\n", report->sentence());
   if (in_ram_only)
-    fmt::print(stderr, "What was written is in force, but gone with the power until the controller stores it.\n");
+    fmt::print(stderr,
+               "What was written is in force, but gone with the power until the controller stores it.\n");
   for (const std::string& sentence : report->warnings) fmt::print(stderr, "{}\n", sentence);
   if (report->left_out.empty()) co_return done;
   for (const std::string& sentence : report->left_out) complain(sentence);

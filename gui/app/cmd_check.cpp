@@ -1,6 +1,6 @@
 #include <cstdio>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include "core/device/registry.h"
 #include "gui/app/cli.h"
@@ -18,8 +18,15 @@ static int check(const Given& given) {
   if (report.has_errors()) return failed;
   const ProgramFacts& facts = program->catalog.program;
   const std::string of = facts.capacity > 0 ? fmt::format(" of {}", facts.capacity) : std::string();
-  for (const auto& [slot, cost] : report.cost)
-    fmt::print("{}: {} {}: {}{} {}\n", program->path, facts.slot_word, slot, cost, of, facts.capacity_unit);
+  for (const auto& [slot, cost] : report.cost) {
+    if (facts.threads > 0 && report.programs.empty()) {  // subroutines alone, or nothing
+      fmt::print("{}: no program in it, {}{} {}\n", program->path, cost, of, facts.capacity_unit);
+      continue;
+    }
+    const std::vector<int> numbers = report.programs.empty() ? std::vector<int>(1, slot) : report.programs;
+    fmt::print("{}: {}{} {}: {}{} {}\n", program->path, facts.slot_word, numbers.size() > 1 ? "s" : "",
+               fmt::join(numbers, ", "), cost, of, facts.capacity_unit);
+  }
   return done;
 }
 

@@ -8,6 +8,7 @@
 #include "gui/app/port_watch.h"
 #include "gui/app/wiring.h"
 #include "gui/console.h"
+#include "gui/display_loss.h"
 #include "gui/outside.h"
 #include "gui/window.h"
 #include "gui/worker.h"
@@ -28,12 +29,17 @@ class ConsoleHouse {
         devices_(io_.scheduler(), [this] { wake(); }),
         console_(panels::panel_list(), outside(keeps_files)) {}
   ~ConsoleHouse() {
+    leave_controllers();
+    io_.stop();  // before anything that its thread may still use
+    window_ = nullptr;
+  }
+
+  /// Held jogs are stopped, and every controller is left in order.
+  void leave_controllers() {
     console_.let_go();
     console_.save();
     console_.close_all();
     while (console_.closing() > 0) std::this_thread::sleep_for(Millis(2));
-    io_.stop();  // before anything that its thread may still use
-    window_ = nullptr;
   }
 
   gui::Console& console() { return console_; }
@@ -98,6 +104,12 @@ int run_window(const std::vector<std::string>& addresses, bool demo) {
     console.let_go();
     return true;
   };
+  gui::guard_display(
+      [&house] {
+        house.leave_controllers();
+        complain("The display has gone away. Held jogs were stopped; other moves go on.");
+      },
+      [&w] { w.close(); });
   for (const std::string& address : addresses)
     if (auto opened = console.open(address); !opened) return complain(opened.error(), usage);
   if (demo) console.start_demo();

@@ -117,9 +117,18 @@ Result<> serve_pty(Scheduler& scheduler, const Order& order, EmulatorHost& host,
   return {};
 }
 
+// What keeps nothing without power takes --state like the others, and says so.
+void warn_of_empty_memory(const Order& order) {
+  const auto catalog = order.type->make_catalog({});
+  if (!order.keys.contains("state") || !catalog || catalog->can.store) return;
+  log::warning("emulate", fmt::format("The {} keeps nothing without power: {} will tell no more than that.",
+                                      catalog->short_name, order.keys.at("state")));
+}
+
 Task<int> serve(Scheduler& scheduler, const Order& order) {
   OpenOptions options;
   options.trouble = [](const Fault& fault) { log::error("emulate", fault.sentence()); };
+  warn_of_empty_memory(order);
   auto host = make_emulator_host(scheduler, *order.type, order.keys, order.ids, options);
   if (!host) co_return complain(host.error(), status_of(host.error()));
 

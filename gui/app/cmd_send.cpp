@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <span>
 
@@ -110,9 +111,18 @@ Task<int> send_texts(Scheduler& scheduler, std::shared_ptr<Session> session,
 /// while the connection is being made, if nothing else is answered.
 Task<int> send_stop_first(std::shared_ptr<Session> session, std::string text) {
   const auto reply = co_await session->pump().query(std::move(text), for_an_answer);
-  if (!reply) co_return complain(reply.error(), status_of(reply.error()));
-  if (!reply->empty()) print_reply(*reply);
+  // Some stops are never answered. Whether anybody is there, the connection tells.
+  if (!reply && reply.error().kind != FaultKind::no_answer)
+    co_return complain(reply.error(), status_of(reply.error()));
+  if (reply && !reply->empty()) print_reply(*reply);
   co_return done;
+}
+
+/// Who ends the program while something moves wants it to stop; else it just ends.
+void when_interrupted(Session& session, bool& interrupted) {
+  if (!busy(session.known())) std::raise(SIGINT);
+  interrupted = true;
+  session.pump().post(Intent(0, intent::Stop()));
 }
 
 Task<int> send_all(Scheduler& scheduler, const Address& address, const Given& given, double wait_s) {
@@ -127,11 +137,14 @@ Task<int> send_all(Scheduler& scheduler, const Address& address, const Given& gi
   }
   if (status == done) {
     const auto connected = co_await session->wait_until_connected();
+    bool interrupted = false;
+    const Interruption interruption(scheduler, [&] { when_interrupted(*session, interrupted); });
     status = connected ? co_await send_texts(scheduler, session, texts, wait_s)
                        : complain(connected.error(), status_of(connected.error()));
+    if (interrupted) status = complain("Interrupted. The controller was told to stop.");
   }
-  print_warnings(*session);
   co_await session->close();
+  print_warnings(*session);
   co_return status;
 }
 

@@ -27,7 +27,8 @@ FoundPort::State state_of(PortFinding finding) {
 // The four links of the chain between this computer and a controller, as far as the test went.
 std::vector<FoundPort::Check> checks_of(const PortReport& r) {
   using Is = FoundPort::Check::Result;
-  const bool opened = r.finding == PortFinding::answers || r.finding == PortFinding::silent || r.finding == PortFinding::garbled;
+  const bool opened = r.finding == PortFinding::answers || r.finding == PortFinding::silent ||
+                      r.finding == PortFinding::garbled;
   const bool returned = r.finding == PortFinding::answers || r.finding == PortFinding::garbled;
   const auto link = [](Is result, std::string what, std::string found) {
     FoundPort::Check check;
@@ -36,10 +37,19 @@ std::vector<FoundPort::Check> checks_of(const PortReport& r) {
   };
   const Is behind = opened ? Is::bad : Is::not_reached;
   return {link(opened ? Is::good : Is::bad, "Port opens", opened ? "nobody else holds it" : r.sentence()),
-          link(opened ? Is::good : Is::not_reached, "Bytes leave", opened ? fmt::format("{} speeds", r.asked.size()) : ""),
-          link(returned ? Is::good : behind, "Bytes return", returned ? "they do" : opened ? "none came back" : ""),
-          link(r.finding == PortFinding::answers ? Is::good : returned ? Is::bad : Is::not_reached, "Reply makes sense",
-               r.finding == PortFinding::answers ? r.name : returned ? "it does not" : "")};
+          link(opened ? Is::good : Is::not_reached, "Bytes leave",
+               opened ? fmt::format("{} speeds", r.asked.size()) : ""),
+          link(returned ? Is::good : behind, "Bytes return",
+               returned ? "they do"
+               : opened ? "none came back"
+                        : ""),
+          link(r.finding == PortFinding::answers ? Is::good
+               : returned                        ? Is::bad
+                                                 : Is::not_reached,
+               "Reply makes sense",
+               r.finding == PortFinding::answers ? r.name
+               : returned                        ? "it does not"
+                                                 : "")};
 }
 
 Task<> probe_and_tell(Scheduler& scheduler, SerialPort port, std::shared_ptr<Ring<PortReport>> reports,
@@ -60,7 +70,8 @@ FoundPort usb_port(const PerformaxDevice& device) {
       port.address = fmt::format("{}@{}", type.model, port.path);
     }
   port.state = device.permitted ? FoundPort::State::answers : FoundPort::State::forbidden;
-  port.sentence = device.permitted ? "is connected by USB." : std::string("This user may not open it. ") + udev_advice;
+  port.sentence =
+      device.permitted ? "is connected by USB." : std::string("This user may not open it. ") + udev_advice;
   return port;
 }
 
@@ -79,7 +90,8 @@ Task<> watch_usb(Scheduler& scheduler, std::shared_ptr<std::atomic<bool>> moved,
 
 void PortWatch::take(PortReport& report) {
   --asking_;
-  const auto at = std::find_if(found_.begin(), found_.end(), [&](const FoundPort& p) { return p.path == report.port.path; });
+  const auto at = std::find_if(found_.begin(), found_.end(),
+                               [&](const FoundPort& p) { return p.path == report.port.path; });
   if (at == found_.end()) return;  // unplugged meanwhile
   at->state = state_of(report.finding);
   at->title = report.name;
@@ -131,7 +143,8 @@ void PortWatch::list_serial() {
   });
   for (const SerialPort& port : there) {
     known_[port.path] = port;
-    if (std::any_of(found_.begin(), found_.end(), [&](const FoundPort& p) { return p.path == port.path; })) continue;
+    if (std::any_of(found_.begin(), found_.end(), [&](const FoundPort& p) { return p.path == port.path; }))
+      continue;
     FoundPort fresh;
     fresh.path = port.path;
     fresh.hardware = port.label();
@@ -149,12 +162,14 @@ void PortWatch::list_usb() {
 
 void PortWatch::ask(const std::string& path) {
   const auto known = known_.find(path);
-  const auto at = std::find_if(found_.begin(), found_.end(), [&](const FoundPort& p) { return p.path == path; });
+  const auto at =
+      std::find_if(found_.begin(), found_.end(), [&](const FoundPort& p) { return p.path == path; });
   if (known == known_.end() || at == found_.end()) return;
   at->state = FoundPort::State::asking;
   at->sentence.clear();
   ++asking_;
-  asio::co_spawn(scheduler_.executor(), probe_and_tell(scheduler_, known->second, reports_, wake_), asio::detached);
+  asio::co_spawn(scheduler_.executor(), probe_and_tell(scheduler_, known->second, reports_, wake_),
+                 asio::detached);
 }
 
 }  // namespace hw::app

@@ -14,7 +14,8 @@ namespace hw::app {
 
 class PortWatch final : public gui::PortFinder {
  public:
-  PortWatch(Scheduler& scheduler, std::function<void()> wake) : scheduler_(scheduler), wake_(std::move(wake)) {}
+  PortWatch(Scheduler& scheduler, std::function<void()> wake)
+      : scheduler_(scheduler), wake_(std::move(wake)) {}
 
   const std::vector<gui::FoundPort>& ports() override;
   void look() override;
@@ -37,8 +38,9 @@ class PortWatch final : public gui::PortFinder {
   std::shared_ptr<Ring<PortReport>> reports_ = std::make_shared<Ring<PortReport>>(64);  // io thread -> here
   int asking_ = 0;
   bool watching_ = false;
-  std::shared_ptr<std::atomic<bool>> usb_moved_ = std::make_shared<std::atomic<bool>>(false);  // set on the io thread
-  std::shared_ptr<int> page_;  // gone: nobody watches
+  std::shared_ptr<std::atomic<bool>> usb_moved_ =
+      std::make_shared<std::atomic<bool>>(false);  // set on the io thread
+  std::shared_ptr<int> page_;                      // gone: nobody watches
   Instant listed_at_{};
 };
 

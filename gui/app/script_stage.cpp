@@ -52,9 +52,7 @@ Result<> ScriptStage::set_theme(const std::string& name) {
   return set;
 }
 
-void ScriptStage::time_is_real() {
-  console_.set_day(gui::DayClock::local(scheduler_.now()));
-}
+void ScriptStage::time_is_real() { console_.set_day(gui::DayClock::local(scheduler_.now())); }
 
 // The runner closes the sessions; a held button lets go before.
 void ScriptStage::script_over() { console_.let_go(); }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "gui/units_format.h"
 #include "gui/widgets/button.h"
 #include "gui/widgets/code_editor.h"
 #include "gui/widgets/icons.h"
@@ -148,9 +149,10 @@ void CodeEditor::draw_right(Ui& ui, const EditorLook& look, const Metrics& m, in
   float end = right;
   char words[48] = {};
   if (!look.cost_title.empty() && !text_.empty()) {
-    if (cost > 0)
-      std::snprintf(words, sizeof words, line == 0 ? "%d %.*s" : "%d", cost,
-                    static_cast<int>(look.cost_title.size()), look.cost_title.data());
+    if (cost > 0 && line == 0)
+      std::snprintf(words, sizeof words, "%s", count_of(cost, look.cost_title).c_str());
+    else if (cost > 0)
+      std::snprintf(words, sizeof words, "%d", cost);
     else if (line == 0)
       std::snprintf(words, sizeof words, "%.*s", static_cast<int>(look.cost_title.size()),
                     look.cost_title.data());

@@ -108,7 +108,10 @@ Touch toggle_lamp(Ui& ui, std::string_view id, std::string_view name, const Togg
   if (refused)
     draw_icon(ImGui::GetWindowDrawList(), Icon::diamond_solid, shape_at, ui.px(12), ui[Tone::fault]);
   else
-    draw_lamp(ui, shape_at, 12, LampShape::round, on ? LampState::on : LampState::off);
+    draw_lamp(ui, shape_at, 12, LampShape::round,
+              o.state == ToggleState::stale ? LampState::unknown
+              : on                          ? LampState::on
+                                            : LampState::off);
   const Face word_face = on ? Face::small_bold : Face::small;
   const float word_left =
       t.rect.max.x - (o.narrow ? 0 : ui.px(8) + std::ceil(text_width(ui, word_face, word)));

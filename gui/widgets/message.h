@@ -29,8 +29,9 @@ int banner(Ui& ui, std::string_view id, const Banner& what, std::span<const Acti
 /// Tint of a row or card with its bar at the left, from the cursor down `height` pixels; draws nothing else.
 void tinted(Ui& ui, Mood mood, float height_px);
 
-/// At the bottom right of `within`, newest below; a click closes one. Ids: `toast/NUMBER`.
-void draw_toasts(Ui& ui, Toasts& toasts, const Rect& within);
+/// Low in `within`, where they cover no control; a click closes one. Without such a place the newest is told
+/// in the status line, and the others wait. Ids: `toast/NUMBER`.
+void draw_toasts(Ui& ui, Toasts& toasts, const Rect& within, const Rect& status);
 
 struct Dialog {
   std::string_view title;

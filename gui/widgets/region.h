@@ -13,8 +13,8 @@ inline constexpr float top_bar_height = 56;
 void begin_region(Ui& ui, const char* name, const Rect& where, Tone ground, ImVec2 padding = ImVec2(16, 0),
                   bool scrolls = false);
 void end_region();
-/// ImGui cuts half of a window's padding off: from here on its whole inside is drawn on and pressed. The window's end
-/// must pop the clip rectangle.
+/// ImGui cuts half of a window's padding off: from here on its whole inside is drawn on and pressed. The
+/// window's end must pop the clip rectangle.
 void use_whole_window();
 
 struct SplitRange {

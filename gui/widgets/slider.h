@@ -8,8 +8,8 @@ namespace hw::gui {
 
 struct SliderOptions {
   double min = 0, max = 1;
-  double step = 0;  ///< what + and - add, and what values are rounded to; 0: a hundredth of the range
-  double normal = -1;        ///< within the range: what a double click sets
+  double step = 0;     ///< what + and - add, and what values are rounded to; 0: a hundredth of the range
+  double normal = -1;  ///< within the range: what a double click sets
   bool logarithmic = false;  ///< for speeds over decades; min must be above 0
   std::string_view disabled = {};
   std::string_view tip = {};

@@ -22,6 +22,7 @@ constexpr StateLook looks[] = {
     {Icon::diamond_solid, "FAULT", "fault", Tone::fault},
     {Icon::pause, "WAITING", "waiting", Tone::warn},
     {Icon::clock, "CONNECTING", "asking", Tone::ink2},
+    {Icon::warning, "SLIP", "slip", Tone::warn},
 };
 
 Rect draw_state(Ui& ui, ImVec2 at, const StateLook& look, Face face) {

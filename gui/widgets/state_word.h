@@ -24,6 +24,7 @@ enum class State : std::uint8_t {
   fault,
   waiting,
   connecting,
+  slipped,  ///< stands, and its encoder has lain too far off
 };
 
 struct StateLook {

@@ -1,11 +1,14 @@
 // A hostile host: cycles on the bus and command text as the fuzzer likes, between them time and hands on the
 // bench. The board may do with it what it wants, but
 //  - it stays alive and its time goes forward,
-//  - no axis moves before the board has taken the letters of a command that moves something out of the ring,
+//  - no axis moves unless the board has taken the letters of a command that moves something out of the ring;
+//    when all has come to rest and nothing waits, that holds again, until the next such command,
+//  - what is at rest and holds no position stays where it is while the board takes no text,
 //  - a kill through the mailbox and IC bring it back to work.
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -19,8 +22,23 @@ using namespace hw;
 using fuzz::Bytes;
 using fuzz::require;
 
-constexpr std::array<std::string_view, 17> movers{"GO", "GD", "JG", "JF", "HM", "HR", "KM", "KR", "MV",
-                                                  "SP", "FP", "CX", "ET", "HN", "HG", "HV", "LP"};
+struct Mover {
+  std::string_view letters;
+  bool number;  ///< it is complete with what stands behind its number
+};
+constexpr std::array<Mover, 12> movers{{{"GO", false},
+                                        {"GD", false},
+                                        {"KM", false},
+                                        {"KR", false},
+                                        {"CX", false},
+                                        {"JG", true},
+                                        {"JF", true},
+                                        {"HM", true},
+                                        {"HR", true},
+                                        {"MV", true},
+                                        {"SP", true},
+                                        {"FP", true}}};
+constexpr std::string_view of_numbers = "0123456789+-., ";
 
 // A loop of commands that take no time turns a thousand times a second.
 constexpr Duration longest = std::chrono::minutes(1);
@@ -114,24 +132,54 @@ class Host {
 
   /// What has left the ring since the last look, and whether something moves without reason.
   void watch() {
-    if (!board().powered()) return;
-    for (const std::uint32_t get = get_index(); taken_to_ != get;
-         taken_to_ = (taken_to_ + 1) % vme58::ring_cells) {
-      heard_[0] = heard_[1];
-      heard_[1] = static_cast<char>(
-          bus().read16(static_cast<std::uint16_t>(vme58::at::output_buffer + 2 * taken_to_)));
-      const std::string_view letters(heard_.data(), heard_.size());
-      may_move_ = may_move_ || std::find(movers.begin(), movers.end(), letters) != movers.end();
+    if (!board().powered() || board().booting()) {
+      forget();
+      return;
     }
-    if (may_move_) return;
-    for (int a = 0; a < board().variant().axes(); ++a) require(!board().motion().moving(a));
+    const bool took_text = taken_to_ != get_index();
+    for (const std::uint32_t get = get_index(); taken_to_ != get;
+         taken_to_ = (taken_to_ + 1) % vme58::ring_cells)
+      hear(static_cast<char>(
+          bus().read16(static_cast<std::uint16_t>(vme58::at::output_buffer + 2 * taken_to_))));
+    for (int a = 0; a < board().variant().axes(); ++a) {
+      const vme58::Motion& motion = board().motion();
+      if (!may_move_) require(!motion.moving(a));
+      const bool by_encoder = motion.settings(a).holding || motion.settings(a).tracking;
+      auto& rests_at = rests_at_[static_cast<std::size_t>(a)];
+      if (!may_move_ && !took_text && !by_encoder && rests_at) require(motion.position(a) == *rests_at);
+      rests_at.reset();
+      if (!motion.moving(a) && !by_encoder) rests_at = motion.position(a);
+    }
+    if (complete_ && board().idle()) may_move_ = false;
+  }
+  void hear(char c) {
+    heard_[0] = heard_[1];
+    heard_[1] = c;
+    const std::string_view letters(heard_.data(), heard_.size());
+    const auto* mover =
+        std::find_if(movers.begin(), movers.end(), [&](const Mover& m) { return m.letters == letters; });
+    if (mover != movers.end()) {
+      may_move_ = true;
+      complete_ = !mover->number;
+    } else if (of_numbers.find(c) == of_numbers.npos) {
+      complete_ = true;
+    }
+  }
+  /// Without power, and while it boots: nothing that came before counts.
+  void forget() {
+    taken_to_ = get_index();
+    heard_ = {};
+    may_move_ = false;
+    rests_at_ = {};
   }
 
   std::unique_ptr<Emulator> emulator_;
   Instant now_{};
   std::uint32_t taken_to_ = 0;
   std::array<char, 2> heard_{};
-  bool may_move_ = false;
+  bool may_move_ = false;  ///< a command that moves has been taken, and not all has come to rest since
+  bool complete_ = true;   ///< the latest of them: no number of it can come any more
+  std::array<std::optional<std::int64_t>, vme58::most_axes> rests_at_{};
 };
 
 /// Mostly where something can happen.

@@ -79,5 +79,14 @@ TEST(Layout, TerminalShrinksToThreeRowsThenBecomesATab) {
   EXPECT_EQ(below_height(350, Splitters(), Tier::narrow), 0);
 }
 
+TEST(Layout, TheTerminalGivesWayToAPanelThatWantsHeightUnlessItWasDragged) {
+  EXPECT_EQ(below_height(768, Splitters(), Tier::wide, 616), 152);
+  EXPECT_EQ(below_height(1200, Splitters(), Tier::wide, 616), Splitters().below) << "there is room for both";
+  Splitters dragged;
+  dragged.below = 320;
+  EXPECT_EQ(below_height(768, dragged, Tier::wide, 616), 320);
+  EXPECT_EQ(below_height(768, Splitters(), Tier::wide), Splitters().below);
+}
+
 }  // namespace
 }  // namespace hw::gui

@@ -67,6 +67,16 @@ TEST_F(ProgramJobTest, RunComparesFirstWhenTheSlotIsInUse) {
   EXPECT_TRUE(last<intent::RunProgram>()) << "the same program: nothing is loaded";
 }
 
+TEST_F(ProgramJobTest, RunAsksBeforeItOverwritesWhatMeansNothingHere) {
+  now.slot_bytes_used[0] = 1;
+  texts.set_text(0, "I1M400");
+  ASSERT_TRUE(begin(ProgramJob::Goal::run));
+  texts.listed(0, "", Instant(), false);
+  settle(Fate::done);
+  EXPECT_EQ(job.stage(), ProgramJob::Stage::asking);
+  EXPECT_THAT(job.question(), HasSubstr("another program of 1 byte,"));
+}
+
 TEST_F(ProgramJobTest, RunAsksBeforeItOverwritesAnotherProgram) {
   now.slot_bytes_used[0] = 12;
   texts.set_text(0, "I1M400");
@@ -84,6 +94,40 @@ TEST_F(ProgramJobTest, RunAsksBeforeItOverwritesAnotherProgram) {
   settle(Fate::done);
   job.answer(ProgramJob::Answer::overwrite, texts, send);
   EXPECT_TRUE(last<intent::LoadProgram>());
+}
+
+TEST_F(ProgramJobTest, RoomIsMadeAfterTheTextWasBroughtIntoTheEditor) {
+  ASSERT_TRUE(begin(ProgramJob::Goal::make_room));
+  ASSERT_TRUE(last<intent::UploadProgram>());
+  texts.listed(0, "L9\n", Instant());
+  settle(Fate::done);
+  EXPECT_THAT(texts.text(0), HasSubstr("L9"));
+  ASSERT_TRUE(last<intent::ClearProgram>());
+  settle(Fate::done);
+  EXPECT_THAT(job.take_told().sentence, HasSubstr("Its text is kept in the editor. Move again."));
+}
+
+TEST_F(ProgramJobTest, AQuestionStaysUntilItIsAnswered) {
+  now.slot_bytes_used[0] = 12;
+  texts.set_text(0, "I1M400");
+  ASSERT_TRUE(begin(ProgramJob::Goal::run));
+  texts.listed(0, "L9\n", Instant());
+  settle(Fate::done);
+  ASSERT_EQ(job.stage(), ProgramJob::Stage::asking);
+  EXPECT_FALSE(begin(ProgramJob::Goal::make_room));
+  EXPECT_EQ(job.stage(), ProgramJob::Stage::asking);
+  EXPECT_THAT(job.take_told().sentence, HasSubstr("Answer the question about the program first."));
+}
+
+TEST_F(ProgramJobTest, NoRoomIsMadeWhereATextWouldBeLost) {
+  texts.set_text(0, "I1M400");
+  ASSERT_TRUE(begin(ProgramJob::Goal::make_room));
+  texts.listed(0, "L9\n", Instant());
+  settle(Fate::done);
+  EXPECT_FALSE(last<intent::ClearProgram>());
+  EXPECT_FALSE(job.busy());
+  EXPECT_EQ(texts.text(0), "I1M400");
+  EXPECT_THAT(job.take_told().sentence, HasSubstr("Nothing was emptied."));
 }
 
 TEST_F(ProgramJobTest, FetchingInsteadKeepsTheControllersProgram) {

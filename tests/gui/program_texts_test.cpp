@@ -103,6 +103,28 @@ TEST_F(ProgramTextsTest, LiveLineFollowsEditsAboveAndBelow) {
   EXPECT_EQ(texts.live_line(0, -1), -1);
 }
 
+TEST_F(ProgramTextsTest, NoLineIsNamedOfWhatSomebodyElseHasChanged) {
+  texts.set_text(0, "S1\nL0");
+  texts.loaded(0, texts.text(0), Instant());
+  ASSERT_EQ(texts.live_line(0, 1), 1);
+  texts.forget();
+  EXPECT_EQ(texts.live_line(0, 1), -1);
+  EXPECT_FALSE(texts.lines_known(0));
+  texts.listed(0, "S1\nL0\n", Instant());
+  EXPECT_EQ(texts.live_line(0, 1), 1) << "it was looked at";
+}
+
+TEST_F(ProgramTextsTest, WhatRanWhenTheWireWasLostIsStillFollowedUntilItEnds) {
+  texts.set_text(0, "S1\nL0");
+  texts.loaded(0, texts.text(0), Instant());
+  texts.doubt();
+  texts.doubt();
+  EXPECT_EQ(texts.live_line(0, 1), 1);
+  EXPECT_FALSE(texts.controller_has(0));
+  texts.nothing_runs();
+  EXPECT_EQ(texts.live_line(0, 1), -1) << "the next run may be of another program";
+}
+
 TEST_F(ProgramTextsTest, HeadingsFillOtherSlotsToo) {
   texts.set_text(0, "I1\nPM-1\nL0,L1");
   EXPECT_TRUE(texts.has_headings(0));
@@ -140,6 +162,28 @@ TEST(TextDiff, FindsTheFirstChange) {
   EXPECT_EQ(TextDiff("a\nb\nc", "x\na\nb\nc").line_now(2), 3);
   EXPECT_EQ(TextDiff("a\nb\nc", "a\nc").line_now(1), -1);
   EXPECT_EQ(TextDiff("a\na\na", "a\na").line_now(0), 0);
+}
+
+TEST_F(ProgramTextsTest, CodeThatMeansNothingHereIsNeverTheSameProgram) {
+  now.slot_bytes_used[0] = 4;
+  texts.set_text(0, "I1M400,L0");
+  texts.listed(0, "I1M400,L0", Instant(), false);
+  EXPECT_FALSE(texts.controller_has(0)) << "the text leaves something out";
+  EXPECT_EQ(texts.live_line(0, 0), -1) << "its lines are not those of the text";
+  EXPECT_THAT(note(), HasSubstr("means nothing here and is not in this text"));
+  texts.listed(0, "I1M400,L0", Instant());
+  EXPECT_TRUE(texts.controller_has(0));
+}
+
+TEST_F(ProgramTextsTest, OneByteIsNoPlural) {
+  now.slot_bytes_used[0] = 1;
+  EXPECT_EQ(note(), "Program 0 in the controller holds 1 byte. Load from controller brings it here.");
+}
+
+TEST(LineOf, IsOneLineWithoutItsIndent) {
+  EXPECT_EQ(line_of("ABS\n  X400\n", 1), "X400");
+  EXPECT_EQ(line_of("ABS", 1), "");
+  EXPECT_EQ(line_of("   ", 0), "");
 }
 
 }  // namespace

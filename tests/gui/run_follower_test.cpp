@@ -97,6 +97,15 @@ TEST_F(RunFollowerTest, WhatTheControllerTellsPutsItRight) {
   EXPECT_NEAR(follower.run_s(), 2.0, 1e-6);
 }
 
+TEST_F(RunFollowerTest, AProgramThatSomebodyChangesIsNotFollowed) {
+  ASSERT_EQ(when(11.5).command, 1);
+  texts.doubt();
+  EXPECT_EQ(when(11.6).command, 1) << "the wire was lost, the run goes on";
+  texts.forget();
+  EXPECT_EQ(when(11.7).command, -1);
+  EXPECT_FALSE(follower.left_s());
+}
+
 TEST_F(RunFollowerTest, SaysNothingItCannotKnow) {
   EXPECT_EQ(when(30).command, -1) << "longer than the rehearsal: something waits that was not rehearsed";
   EXPECT_FALSE(follower.left_s());

@@ -3,6 +3,8 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
+#include "gui/axis_look.h"
+
 namespace hw::gui {
 namespace {
 
@@ -13,6 +15,7 @@ class StatusSentenceTest : public testing::Test {
   Instant clock{Millis(10'000)};
   std::optional<JogHold::Control> held;
   RunPlace run;
+  std::string failed;
 
   StatusSentenceTest() {
     catalog.name = "Example Two";
@@ -40,7 +43,7 @@ class StatusSentenceTest : public testing::Test {
     return status_sentence({catalog, now, clock, held, held.has_value(),
                             [](AxisId, Steps s) { return fmt::format("{} steps", s.value); },
                             [](AxisId, Pps v) { return fmt::format("{} steps/s", v.value); },
-                            [](Instant) { return std::string("14:20:08"); }, run});
+                            [](Instant) { return std::string("14:20:08"); }, run, failed});
   }
 };
 
@@ -49,11 +52,74 @@ TEST_F(StatusSentenceTest, Idle) {
   EXPECT_EQ(say().mood, Mood::plain);
 }
 
+TEST_F(StatusSentenceTest, ASlipIsSaidWhileNothingMoves) {
+  now.axes[1].slipped = true;
+  EXPECT_EQ(say().mood, Mood::warn);
+  EXPECT_EQ(say().text.view().find("Motor 2 has slipped: its encoder lay further off than is allowed."), 0u);
+  EXPECT_EQ(state_of(now, 1, clock), State::slipped);
+  EXPECT_EQ(look_of(state_of(now, 1, clock)).word, "SLIP");
+  EXPECT_EQ(worst_state(now, clock), State::slipped) << "its tab says so too";
+  now.axes[1].enabled = false;
+  EXPECT_EQ(state_of(now, 1, clock), State::slipped) << "and it is why it is off";
+  now.axes[1].activity = Activity::moving;
+  EXPECT_EQ(say().mood, Mood::motion);
+  EXPECT_EQ(state_of(now, 1, clock), State::moving);
+}
+
 TEST_F(StatusSentenceTest, Moving) {
   now.axes[0].activity = Activity::moving;
   now.axes[0].has_target = true;
   now.axes[0].target = Steps(400);
   EXPECT_EQ(say(), (StatusSentence{Mood::motion, "Motor 1 moves to 400 steps. Esc stops everything."}));
+}
+
+TEST_F(StatusSentenceTest, AProgramInErrorIsSaidWhileOthersRun) {
+  failed = "Program 2 has stopped in error in line 19: V2=5/V1.";
+  EXPECT_EQ(say(), (StatusSentence{Mood::fault, failed + " Run begins it anew, Stop puts the error away."}));
+  now.program.owned = true;
+  now.program.run = RunState::running;
+  run.who = "Programs 0, 1 are";
+  EXPECT_EQ(say(),
+            (StatusSentence{Mood::fault, failed + " Programs 0, 1 are running. Esc stops everything."}));
+  now.axes[0].activity = Activity::error;
+  now.notice = "Axis X hit its + limit. Clear the errors before the next move.";
+  EXPECT_EQ(say().text.view(),
+            failed +
+                " Axis X hit its + limit. Clear the errors before the next move. Programs 0, "
+                "1 are running. Esc stops everything.")
+      << "what stopped it stands beside it";
+  now.program.run = RunState::idle;
+  now.program.owned = false;
+  EXPECT_EQ(say().text.view(), failed + " Axis X hit its + limit. Clear the errors before the next move.");
+}
+
+TEST_F(StatusSentenceTest, WhatGoesOnBesideAnAxisInErrorIsSaid) {
+  now.axes[0].activity = Activity::error;
+  now.notice = "Axis X hit its + limit. Clear the errors before the next move.";
+  now.axes[1].activity = Activity::moving;
+  EXPECT_EQ(say(), (StatusSentence{Mood::fault, std::string(now.notice.view()) +
+                                                    " Motor 2 moves. Esc stops everything."}));
+}
+
+TEST_F(StatusSentenceTest, OfATextThatIsNotKnownTheStoredLineIsTold) {
+  now.program.owned = true;
+  now.program.slot = 0;
+  now.program.run = RunState::running;
+  run.stored_line = 2;
+  EXPECT_EQ(say().text, "Program 0 is running at line 2 of its stored code. Esc stops everything.");
+  run.line = 5;
+  EXPECT_EQ(say().text, "Program 0 is running in line 6. Esc stops everything.");
+}
+
+TEST_F(StatusSentenceTest, SeveralAxesThatMoveAreNamedTogether) {
+  now.axes[0].activity = now.axes[1].activity = Activity::moving;
+  now.axes[0].has_target = true;
+  EXPECT_EQ(say().text, "Motor 1 and motor 2 move. Esc stops everything.");
+}
+
+TEST_F(StatusSentenceTest, ADirectionThatIsNotKnownIsNotSaid) {
+  now.axes[0].activity = Activity::moving;
+  EXPECT_EQ(say().text, "Motor 1 moves. Esc stops everything.");
 }
 
 TEST_F(StatusSentenceTest, ARunningProgramTellsLinePassAndTimeLeft) {
@@ -148,8 +214,7 @@ TEST_F(StatusSentenceTest, OldValuesAreNotTakenForNew) {
 
 TEST_F(StatusSentenceTest, WhatIsNotStoredIsSaidAtRest) {
   now.unsaved_setup = true;
-  EXPECT_EQ(say().text,
-            "Idle. The set-up is in RAM only: Store keeps it over power-off.");
+  EXPECT_EQ(say().text, "Idle. The set-up is in RAM only: Store keeps it over power-off.");
 }
 
 TEST_F(StatusSentenceTest, ProgramThatWaits) {

@@ -23,7 +23,8 @@ class TabTest : public testing::Test {
   std::vector<IntentBody> sent;
   Snapshot now;
   BenchView bench;
-  Tab tab{Address(), two_axes(),
+  Tab tab{Address(),
+          two_axes(),
           {[this](IntentBody body) {
              sent.push_back(std::move(body));
              return static_cast<IntentId>(sent.size());
@@ -100,7 +101,8 @@ TEST_F(TabTest, SaysWhyNothingMayMove) {
   now.program.slot = 0;
   now.program.run = RunState::running;
   show();
-  EXPECT_EQ(tab.why_not_move(), "Program 0 is running. Jog, Go and Home come back when it ends or is stopped.");
+  EXPECT_EQ(tab.why_not_move(),
+            "Program 0 is running. Jog, Go and Home come back when it ends or is stopped.");
   now.link.state = LinkState::lost;
   show();
   EXPECT_EQ(tab.why_not_move(), "There is no link. Jog, Go and Home come back when the controller answers.");

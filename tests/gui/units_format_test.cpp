@@ -100,5 +100,34 @@ TEST(UnitsFormat, AStepThatDoesNotFitSaysWhatItRoundsTo) {
   EXPECT_EQ(list[1].caption, "4 steps: 0.10");
 }
 
+TEST(CountedUnit, IsInCountsWhereTheLoopIsClosed) {
+  Catalog c;
+  c.step_word = "pulses", c.loop_word = "counts";
+  Snapshot now;
+  now.axis_count = 2;
+  EXPECT_EQ(counted_unit(c, now, "pulses/s"), "pulses/s");
+  now.axes[1].in_counts = true;
+  EXPECT_EQ(counted_unit(c, now, "pulses/s", 0), "pulses/s");
+  EXPECT_EQ(counted_unit(c, now, "pulses/s", 1), "counts/s");
+  EXPECT_EQ(counted_unit(c, now, "pulses/s"), "/s") << "one axis counts this, the other that";
+  now.axes[0].in_counts = true;
+  EXPECT_EQ(counted_unit(c, now, "pulses"), "counts");
+  EXPECT_EQ(counted_unit(c, now, "ms"), "ms");
+}
+
+TEST(CountOf, OneStepOfAnyWordIsNoPlural) {
+  const DisplayUnit pulses{"pulses", 1, 0, false};
+  EXPECT_EQ(format_with_unit(Steps(1), pulses).view(), "1 pulse");
+  EXPECT_EQ(format_with_unit(Steps(2), pulses).view(), "2 pulses");
+  EXPECT_EQ(*parse_position("1 pulse", pulses), Steps(1));
+  EXPECT_EQ(*parse_position("7 pulses", pulses), Steps(7));
+}
+
+TEST(CountOf, OneIsNoPlural) {
+  EXPECT_EQ(count_of(1, "lines"), "1 line");
+  EXPECT_EQ(count_of(0, "lines"), "0 lines");
+  EXPECT_EQ(count_of(24, "bytes"), "24 bytes");
+}
+
 }  // namespace
 }  // namespace hw::gui

@@ -5,6 +5,7 @@
 #include "gui/widgets/choice.h"
 #include "gui/widgets/digits.h"
 #include "gui/widgets/hold_button.h"
+#include "gui/widgets/lamp.h"
 #include "gui/widgets/number_field.h"
 #include "gui/widgets/text.h"
 #include "gui/widgets/text_field.h"
@@ -314,6 +315,23 @@ TEST(Digits, NumbersOfTheLook) {
             "234\xE2\x80\x89"
             "567.5");
   EXPECT_EQ(format_number(buffer, 3120, 0), "3120");
+}
+
+TEST(ToggleLamp, WhatIsNotKnownIsNotDrawnAsOff) {
+  std::size_t vertices = 0;
+  ToggleOptions o;
+  o.disabled = "There is no link.";
+  o.word = "off?";
+  Stage stage(in_window([&](Ui& ui) {
+                toggle_lamp(ui, "out", "Out 1", o);
+                vertices = static_cast<std::size_t>(ImGui::GetWindowDrawList()->VtxBuffer.Size);
+              }),
+              200, 100);
+  stage.frames(2);
+  const std::size_t off = vertices;
+  o.state = ToggleState::stale;
+  stage.frames(2);
+  EXPECT_NE(vertices, off) << "a ring of dashes";
 }
 
 }  // namespace

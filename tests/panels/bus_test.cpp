@@ -52,6 +52,28 @@ TEST_F(BusTest, ChoosingARowPutsTheOtherPanelsOnIt) {
   EXPECT_EQ(a.count<intent::MoveTo>(), 0);
 }
 
+TEST_F(BusTest, TheStatusLineNamesAllThatMove) {
+  const auto said = [&] {
+    s.run(0.1);
+    return s.value("status/text");
+  };
+  b.now.axes[0].activity = Activity::moving;
+  EXPECT_EQ(said(), "02 moves. Esc stops everything.");
+  c.now.axes[0].activity = Activity::moving;
+  EXPECT_EQ(said(), "02 and 03 move. Esc stops everything.");
+  a.now.axes[0].activity = Activity::moving;
+  EXPECT_EQ(said(), "01, 02 and 03 move. Esc stops everything.");
+  b.now.axes[0].activity = Activity::error;
+  b.now.notice = "Axis X hit its + limit.";
+  EXPECT_EQ(said(), "02: Axis X hit its + limit. 01 and 03 move.");
+}
+
+TEST_F(BusTest, WhatIsSaidOfADeviceNamesIt) {
+  s.console.toast(*b.tab, Mood::fault, "The controller did not answer in time.");
+  s.run(0.1);
+  EXPECT_EQ(s.value("toast/1"), "02: The controller did not answer in time.");
+}
+
 TEST_F(BusTest, ATapOnANumberOnlyChooses) {
   for (int tap = 0; tap < 2; ++tap) {
     MUST(s.hand.click("dro/02/position"));

@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
+#include "gui/device_finder.h"
 #include "tests/panels/console_stage.h"
 
 namespace hw::panels {
@@ -53,10 +54,23 @@ FoundPort silent_after_test() {
   return p;
 }
 
+class Devices final : public gui::DeviceFinder {
+ public:
+  std::vector<std::string> started;
+  gui::DeviceSearchState now;
+  void start(const std::string& path, int baud, int first, int last) override {
+    started.push_back(fmt::format("{} {} {}-{}", path.empty() ? "every port" : path, baud, first, last));
+    now.running = true;
+  }
+  void cancel() override { now.running = false, now.cancelled = true; }
+  const gui::DeviceSearchState& state() override { return now; }
+};
+
 struct Page {
   IoContext io;
   VirtualScheduler scheduler{io};
   Ports ports;
+  Devices devices;
   gui::Console console{panel_list(), outside()};
   gui::Stage stage;
 
@@ -76,6 +90,7 @@ struct Page {
   gui::Outside outside() {
     gui::Outside o(scheduler, WireOpener(), [] {});
     o.ports = &ports;
+    o.devices = &devices;
     return o;
   }
   std::string label(const char* id) {
@@ -104,6 +119,26 @@ TEST(ConnectPage, APortIsTestedAndSaysHowFarItCame) {
   EXPECT_EQ(p.stage.hand.value("connect/port/4/check/1").value_or("(none)"), "good: nobody else holds it");
   EXPECT_EQ(p.stage.hand.value("connect/port/4/check/3").value_or("(none)"), "bad: none came back");
   EXPECT_EQ(p.stage.hand.value("connect/port/4/check/4").value_or("(none)"), "not reached: not reached");
+}
+
+TEST(ConnectPage, ASearchGoesOverEveryPortAndTellsWhatItFinds) {
+  Page p;
+  const auto value = [&](const char* id) { return p.stage.hand.value(id).value_or("(none)"); };
+  ASSERT_TRUE(p.stage.hand.click("connect/search"));
+  p.stage.frames(2);
+  EXPECT_EQ(p.devices.started, std::vector<std::string>{"every port 0 0-99"});
+  p.devices.now.asked = 3, p.devices.now.of = 1500, p.devices.now.now = "/dev/ttyUSB1 at 9600 baud, id 02";
+  p.stage.frames(2);
+  EXPECT_EQ(value("connect/search/progress"), "3 of 1500: /dev/ttyUSB1 at 9600 baud, id 02");
+  p.devices.now.found = {{"Arcus DMX-K-SA", "dmx-k-sa@serial:/dev/ttyUSB3,id=05", "with id 05 answers"},
+                         {"/dev/ttyUSB2", "", "minicom holds it."}};
+  p.devices.now.running = false, p.devices.now.asked = 1500;
+  p.stage.frames(2);
+  EXPECT_EQ(value("connect/search/found/0/text"), "Arcus DMX-K-SA, with id 05 answers");
+  EXPECT_EQ(value("connect/search/found/1/text"), "/dev/ttyUSB2, minicom holds it.")
+      << "a port that could not be asked is told";
+  EXPECT_FALSE(p.stage.find("connect/search/found/1"));
+  EXPECT_EQ(value("connect/search/progress"), "Done after 1500 of 1500 questions, 1 found.");
 }
 
 TEST(ConnectPage, LooksAgainOnce) {

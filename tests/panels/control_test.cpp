@@ -87,6 +87,24 @@ TEST_F(ControlTest, AWrongNumberSendsNothingAndSaysWhy) {
   EXPECT_THAT(s.value("action/arc/refused"), HasSubstr("End angle: -3600 to 3600"));
 }
 
+TEST_F(ControlTest, AUnitIsThatOfTheAxisThatIsChosen) {
+  s.now.axes[1].in_counts = true;
+  s.type("action/change_speed/speed", "0");
+  s.click("action/change_speed/go");
+  EXPECT_THAT(s.value("action/change_speed/refused"), HasSubstr("pulses/s"));
+  s.click("action/change_speed/axis");
+  s.click("action/change_speed/axis/Y");
+  s.click("action/change_speed/go");
+  EXPECT_THAT(s.value("action/change_speed/refused"), HasSubstr("counts/s"));
+  s.type("action/arc/centre_x", "999999999");
+  s.click("action/arc/go");
+  EXPECT_THAT(s.value("action/arc/refused"), HasSubstr("pulses"));
+  s.type("action/arc/centre_x", "0");
+  s.type("action/arc/centre_y", "999999999");
+  s.click("action/arc/go");
+  EXPECT_THAT(s.value("action/arc/refused"), HasSubstr("counts"));
+}
+
 TEST_F(ControlTest, ARefusalStandsWhereItWasAsked) {
   s.click("action/arc/go");
   s.settle(Fate::refused, "An arc needs absolute mode.");

@@ -84,6 +84,9 @@ inline void add_full_actions(Catalog& c) {
       full_action("buffer_off", "Buffered mode off", "Buffer", {}, false, true),
       full_action("joystick", "Joystick", "Joystick", {full_axis_field(), full_switch_field()}, true),
   };
+  c.actions[3].fields[1].follows_loop = true;
+  c.actions[4].fields[0].follows_loop = c.actions[4].fields[1].follows_loop = true;
+  c.actions[4].fields[0].loop_axis = 0, c.actions[4].fields[1].loop_axis = 1;
   c.actions[6].of_move_buffer = c.actions[7].of_move_buffer = true;
   c.actions[8].follows_analog = true;
 }
@@ -91,7 +94,7 @@ inline void add_full_actions(Catalog& c) {
 inline Catalog full_catalog() {
   Catalog c;
   c.model = "full", c.name = "Full Controller", c.short_name = "FULL", c.summary = "everything";
-  c.step_word = "pulses";
+  c.step_word = "pulses", c.loop_word = "counts";
   for (int i = 0; i < 4; ++i) {
     const std::string letter(1, "XYZU"[i]);
     c.axes.push_back({letter, "axis " + letter, true, true, true, true});
@@ -99,8 +102,7 @@ inline Catalog full_catalog() {
   c.homing_modes = {{"home", "onto the home switch"}, {"limit", "to the limit switch"}};
   for (int i = 1; i <= 8; ++i) c.inputs.push_back({"DI" + std::to_string(i), "digital input", false});
   for (int i = 1; i <= 8; ++i) c.outputs.push_back({"DO" + std::to_string(i), "digital output", true});
-  for (int i = 1; i <= 8; ++i)
-    c.analog.push_back({"AI" + std::to_string(i), "mV", 0, 5000});
+  for (int i = 1; i <= 8; ++i) c.analog.push_back({"AI" + std::to_string(i), "mV", 0, 5000});
   add_full_readouts(c);
   add_full_actions(c);
   c.variables.count = 100, c.variables.stored_from = 50, c.variables.readout_group = 3;

@@ -160,6 +160,41 @@ TEST_F(ProgramTest, SavesOpensAndSaysWhatWentWrong) {
   EXPECT_TRUE(texts().edited(0));
 }
 
+TEST_F(ProgramTest, AsksBeforeItOverwritesWhatAnotherProgramHasSaved) {
+  test::Folder folder;
+  texts().saved(0, folder.put("scan.toy", "I1M400"), "I1M400");
+  write("I1M500");
+  folder.put("scan.toy", "I1M999");
+  s.click("program/save");
+  s.stage.frames(3);
+  EXPECT_EQ(folder.get("scan.toy"), "I1M999") << "not before it was asked";
+  s.click("program/overwrite/no");
+  s.stage.frames(3);
+  EXPECT_EQ(folder.get("scan.toy"), "I1M999");
+  EXPECT_TRUE(texts().edited(0));
+  s.click("program/save");
+  s.stage.frames(3);
+  s.click("program/overwrite/yes");
+  s.stage.frames(3);
+  EXPECT_EQ(folder.get("scan.toy"), "I1M500");
+  write("I1M600");
+  s.click("program/save");
+  s.stage.frames(3);
+  EXPECT_EQ(folder.get("scan.toy"), "I1M600") << "its own change is no other's";
+}
+
+TEST_F(ProgramTest, ARecoveredTextAsksBeforeItTakesItsFilesPlace) {
+  test::Folder folder;
+  texts().restore({{0, "I1M500", folder.put("scan.toy", "I1M999")}});
+  s.stage.frames(2);
+  s.click("program/save");
+  s.stage.frames(3);
+  EXPECT_EQ(folder.get("scan.toy"), "I1M999");
+  s.click("program/overwrite/yes");
+  s.stage.frames(3);
+  EXPECT_EQ(folder.get("scan.toy"), "I1M500");
+}
+
 TEST_F(ProgramTest, DroppedFileThatIsNoTextLeavesTheProgram) {
   test::Folder folder;
   write("I1M400");
@@ -220,6 +255,32 @@ TEST_F(ProgramTest, FitsEachTier) {
       EXPECT_LE(w->rect.max.y, height) << id;
     }
   }
+}
+
+TEST(ProgramNarrow, AFileNameWithoutRoomIsToldAtTheSlots) {
+  Program panel;
+  test::PanelStage s{panel, 380, 300, 1, gui::Tier::narrow};
+  TextFile file;
+  file.text = "I1M400";
+  s.tab.desk().texts.opened(0, "/tmp/a-long-name-of-a-program.toy", file);
+  s.stage.frames(2);
+  ASSERT_TRUE(s.stage.find("program/file"));
+  EXPECT_EQ(s.value("program/file"), "a-long-name-of-a-program.toy");
+  const gui::Widget* slot = s.stage.find("program/slot/0");
+  ASSERT_TRUE(slot);
+  EXPECT_TRUE(s.stage.find("program/file")->rect.contains(slot->rect.centre())) << "no room beside them";
+}
+
+TEST(ProgramHold, IsNotOfferedWhereTheControllerHasNoCommandForIt) {
+  Catalog catalog = test::toy_catalog();
+  catalog.can.single_step = false;
+  catalog.program.threads = 0;
+  Program panel;
+  test::PanelStage s{panel, 864, 480, 1, gui::Tier::wide, true, std::move(catalog)};
+  s.now.program.run = RunState::running;
+  s.now.program.owned = true;
+  s.stage.frames(2);
+  EXPECT_THAT(s.reason("program/hold"), HasSubstr("cannot hold a program"));
 }
 
 }  // namespace

@@ -482,5 +482,68 @@ TEST(ScreensOnce, ARefusalThatNobodyWatchesIsSaidOnce) {
   EXPECT_FALSE(s.hand.exists("toast/1"));
 }
 
+TEST(ScreensOnce, AToastNamesItsControllerOverTheTabOfAnother) {
+  ConsoleStage s;
+  Example& a = s.add();
+  a.tab->profile.name = "Stage";
+  s.console.toast(*a.tab, Mood::fault, "The home switch is not there.");
+  s.run(0.2);
+  EXPECT_EQ(s.value("toast/1"), "The home switch is not there.");
+  s.add();
+  s.run(0.2);
+  ASSERT_NE(s.console.active(), a.tab);
+  EXPECT_EQ(s.value("toast/1"), "Stage: The home switch is not there.");
+}
+
+TEST(ScreensOnce, WhatWasSaidOfATextGoesWhenTheTextChanges) {
+  ConsoleStage s;
+  Example& a = s.add();
+  a.tab->centre_panel = "program";
+  a.tab->desk().texts.set_text(0, "I1M400");
+  s.run(0.1);
+  s.console.toast(Mood::fault, "Nothing was sent. Line 1: BAD is no command.", &a.tab->desk().texts);
+  s.console.toast(Mood::fault, "The home switch is not there.");
+  s.run(0.2);
+  ASSERT_TRUE(s.hand.exists("toast/1"));
+  a.tab->desk().texts.set_text(0, "I1M500");
+  s.run(0.1);
+  EXPECT_FALSE(s.hand.exists("toast/1"));
+  EXPECT_TRUE(s.hand.exists("toast/2")) << "it spoke of something else";
+  s.console.toast(Mood::fault, "Line 1: no.", &a.tab->desk().texts);
+  s.run(0.1);
+  ASSERT_TRUE(s.hand.exists("toast/3"));
+  a.now.program.started_at = s.scheduler.now();
+  s.run(0.1);
+  EXPECT_FALSE(s.hand.exists("toast/3")) << "a program was started";
+}
+
+TEST(ScreensOnce, ARefusedTargetIsBroughtIntoView) {
+  ConsoleStage s(1024, 700);
+  s.add(example_catalog(4));
+  s.run(0.1);
+  ASSERT_TRUE(s.hand.type("goto/4", "99999999\n").has_value());
+  s.run(0.2);
+  const gui::Widget* refused = s.stage.find("goto/4/refused");
+  ASSERT_TRUE(refused);
+  EXPECT_TRUE(refused->in_view());
+  ASSERT_TRUE(s.stage.find("goto/4/nearest"));
+  EXPECT_TRUE(s.stage.find("goto/4/nearest")->in_view());
+}
+
+TEST(ScreensOnce, AnOutputHasRoomForTheNameOfItsDuty) {
+  ConsoleStage s;
+  Catalog c = example_catalog();
+  c.outputs[0].duty = {"In position", {"type1"}};
+  Example& a = s.add(std::move(c));
+  a.now.params[0] = {0, true, true};
+  s.run(0.1);
+  const float free = s.stage.find("io/out/1")->rect.width();
+  EXPECT_GT(free, 180) << "a line of its own";
+  a.now.params[0].value = 1;
+  s.run(0.1);
+  EXPECT_EQ(s.stage.find("io/out/1")->label, "In position");
+  EXPECT_EQ(s.stage.find("io/out/1")->rect.width(), free) << "its place does not change";
+}
+
 }  // namespace
 }  // namespace hw::panels

@@ -12,7 +12,8 @@ namespace {
 using ::testing::HasSubstr;
 
 struct TuningTest : ::testing::Test {
-  TuningTest() {
+  explicit TuningTest(int width = 864, int height = 620)
+      : s{panel, width, height, 1, gui::Tier::wide, true, test::window_catalog()} {
     s.now.axis_count = 3;
     for (AxisState& a : s.now.axes) a.position_known = true, a.activity = Activity::idle;
     s.stage.frames(2);
@@ -37,10 +38,32 @@ struct TuningTest : ::testing::Test {
     }
     s.stage.frames(3);
   }
+  /// With two runs drawn and compared: plots at least so high, no number out of sight.
+  void expect_readable(float plot, float small_plot, int height) {
+    output_known = true;
+    for (const double damping : {0.3, 0.7}) {
+      s.click("tuning/record");
+      samples(damping);
+    }
+    const auto height_of = [this](const char* id) {
+      const gui::Widget* found = s.stage.find(id);
+      EXPECT_TRUE(found) << id;
+      return found ? found->rect.height() : 0;
+    };
+    EXPECT_GE(height_of("tuning/plot"), plot);
+    EXPECT_GE(height_of("tuning/error"), small_plot);
+    EXPECT_GE(height_of("tuning/output"), small_plot);
+    for (const char* id : {"overshoot", "rise", "settling", "steady", "crossings", "largest"})
+      for (const char* which : {"", "/before", "/change"}) {
+        const gui::Widget* number = s.stage.find(fmt::format("tuning/measure/{}{}", id, which));
+        ASSERT_TRUE(number) << id << which;
+        EXPECT_LE(number->rect.max.y, static_cast<float>(height)) << id << which;
+      }
+  }
   void end_well() { s.settle(Fate::done); }
 
   Tuning panel;
-  test::PanelStage s{panel, 864, 620, 1, gui::Tier::wide, true, test::window_catalog()};
+  test::PanelStage s;
   Instant at{};
   bool output_known = false;
 };
@@ -83,6 +106,16 @@ TEST_F(TuningTest, TheOutputIsShownAsWorkedOutAndOnlyWhereItIsKnown) {
   s.click("tuning/record");
   EXPECT_TRUE(s.stage.find("tuning/output")) << "nothing jumps while the next one begins";
 }
+
+// The room in the centre of a window of 1024 x 700; of 1440 x 900, where the terminal gives way.
+struct TuningInASmallWindow : TuningTest {
+  TuningInASmallWindow() : TuningTest(704, 452) {}
+};
+TEST_F(TuningInASmallWindow, PlotsCanBeReadAndAllNumbersAreInSight) { expect_readable(160, 84, 452); }
+struct TuningInAUsualWindow : TuningTest {
+  TuningInAUsualWindow() : TuningTest(864, 616) {}
+};
+TEST_F(TuningInAUsualWindow, PlotsCanBeReadAndAllNumbersAreInSight) { expect_readable(248, 88, 616); }
 
 TEST_F(TuningTest, TheNextRunIsComparedWithTheOneBefore) {
   s.click("tuning/record");
@@ -134,6 +167,53 @@ TEST_F(TuningTest, RepeatIsNotCarriedOnAfterAnybodyElseHasSentSomething) {
   const std::size_t sent = s.sent.size();
   s.stage.frames(60);
   EXPECT_EQ(s.sent.size(), sent);
+}
+
+// Whatever comes while the step is recorded, not only between two.
+struct TuningInterrupted : TuningTest {
+  void expect_ended(const char* why) {
+    samples(0.5);
+    const std::size_t sent = s.sent.size();
+    s.stage.frames(60);
+    EXPECT_EQ(s.sent.size(), sent) << "nothing moves by itself";
+    EXPECT_THAT(s.toast(), HasSubstr(why));
+    EXPECT_EQ(s.reason("tuning/record"), "") << "Repeat is off";
+  }
+  void repeat_until_the_step_is_made() {
+    s.click("tuning/repeat");
+    AxisSample first;
+    panel.take(first);
+    s.stage.frames(2);
+    ASSERT_TRUE(s.last<intent::MoveBy>());
+  }
+};
+TEST_F(TuningInterrupted, ByAnotherPanelInFront) {
+  repeat_until_the_step_is_made();
+  s.stage.now_s += 1.5;  // not so long that the recording has ended for want of samples
+  s.stage.frames(1);
+  expect_ended("another panel was in front");
+}
+TEST_F(TuningInterrupted, ByAnotherPanelBeforeTheStep) {
+  s.click("tuning/repeat");
+  s.stage.now_s += 20;
+  panel.take(AxisSample());
+  s.stage.frames(30);
+  EXPECT_FALSE(s.last<intent::MoveBy>());
+  EXPECT_THAT(s.toast(), HasSubstr("The step was not made"));
+  EXPECT_EQ(s.reason("tuning/record"), "");
+}
+TEST_F(TuningInterrupted, ByALinkThatIsLate) {
+  repeat_until_the_step_is_made();
+  s.now.link.state = LinkState::late;
+  s.stage.frames(1);
+  s.now.link.state = LinkState::good;
+  expect_ended("did not answer");
+}
+TEST_F(TuningInterrupted, ByAReset) {
+  repeat_until_the_step_is_made();
+  s.now.axes[0].position_doubtful = true;
+  s.stage.frames(1);
+  expect_ended("was reset");
 }
 
 TEST_F(TuningTest, AStopBeforeTheStepKeepsItFromBeingMade) {

@@ -35,6 +35,18 @@ TEST_F(VariablesTest, ATypedValueIsSent) {
   EXPECT_EQ(s.last<intent::SetVariable>()->value, 440);
 }
 
+TEST_F(VariablesTest, ARefusalIsAWholeSentenceAndGoesWithTheNextValue) {
+  s.type("var/12", "1.5\n");
+  EXPECT_FALSE(s.last<intent::SetVariable>());
+  EXPECT_EQ(s.toast(), "V12: Whole numbers only. Nothing was sent.");
+  s.type("var/12", "7\n");
+  EXPECT_EQ(s.toast(), "");
+  s.type("var/12", "1.5\n");
+  EXPECT_NE(s.toast(), "");
+  s.type("var/command", "V12=8\n");
+  EXPECT_EQ(s.toast(), "");
+}
+
 TEST_F(VariablesTest, TheLineTakesThemAsTheMakerWritesThem) {
   s.type("var/command", "V53=-25\n");
   ASSERT_TRUE(s.last<intent::SetVariable>());

@@ -175,6 +175,27 @@ class Scripts(Case):
             self.assertNotEqual(places[0], "+0000000\n")
 
 
+    def test_a_stop_that_is_not_answered_keeps_nothing_back(self):
+        with emulator("vxm", "--tcp", "127.0.0.1:0") as (ready, _):
+            address = "vxm@tcp:" + port_of(ready[0])
+            self.expect(run("send", address, "D", "V"), 0, "R")
+            self.expect(run("send", address, "res", "V"), 0, "R")
+
+    def test_an_interrupted_send_stops_the_motors(self):
+        with emulator("vxm", "--tcp", "127.0.0.1:0") as (ready, _):
+            address = "vxm@tcp:" + port_of(ready[0])
+            process = subprocess.Popen([PROGRAM, "send", address, "PM-0,S1M1000,I1M60000,R"], stdout=subprocess.PIPE,
+                                       stderr=subprocess.PIPE, text=True)
+            time.sleep(1.5)
+            process.send_signal(signal.SIGINT)
+            out, err = process.communicate(timeout=30)
+            self.assertEqual(process.returncode, 1, (out, err))
+            self.assertIn("Interrupted. The controller was told to stop.", err)
+            time.sleep(1)
+            places = [run("send", address, "X").stdout for _ in range(2)]
+            self.assertEqual(places[0], places[1])
+
+
 class Sandbox(Case):
     def script(self, text):
         return run("run", self.file("s.lua", text), timeout=300)
@@ -290,6 +311,10 @@ class Emulate(Case):
             self.expect(run("send", "vxm@tcp:" + port_of(ready[0]), "PM0,C,I1M400", "rsm"), 0)
         with emulator("vxm", "--tcp", "127.0.0.1:0", "--state", state) as (ready, _):
             self.expect(run("send", "vxm@tcp:" + port_of(ready[0]), "PM0", "lst"), 0, "I1M400")
+
+    def test_a_board_that_keeps_nothing_says_so(self):
+        with emulator("vme58", "--bus", "127.0.0.1:0", "--state", self.folder / "state") as (_, process):
+            self.assertIn("VME58 keeps nothing without power", process.stderr.readline())
 
     def test_motors_quirks_bench_and_speed(self):
         bench = self.file("bench.toml", "quirks = [\"e-bar\"]\n[axis.1]\nplus = 300\n[input]\n1 = true\n")
@@ -456,7 +481,7 @@ class Send(Case):
     def test_an_unknown_command_is_named(self):
         result = run("send", "vxm@emulator", "bogus", "V")
         self.assertEqual((result.returncode, result.stdout), (0, "R\n"), result)
-        self.assertIn("no command of the VXM", result.stderr)
+        self.assertIn("no commands of the VXM", result.stderr)
 
     def test_a_run_prints_its_prompt_when_it_ends(self):
         with emulator("vxm", "--tcp", "127.0.0.1:0", "--speed", 10) as (ready, _):
@@ -525,6 +550,15 @@ class Send(Case):
 class Check(Case):
     def test_a_good_program(self):
         self.expect(run("check", self.file("a.vxm", "I1M400\nP5\nI1M-400\n"), "--for", "vxm"), 0)
+
+    def test_all_programs_of_a_text_are_named(self):
+        both = "PRG 0\nX100\nWAITX\nEND\nPRG 1\nV1=1\nEND\n"
+        self.expect(run("check", self.file("two.prg", both), "--for", "dmx-k-sa"), 0, "Programs 0, 1: ", " of 1275 lines")
+        self.expect(run("check", self.file("one.prg", "X100\nEND\n"), "--for", "dmx-k-sa"), 0, "Program 0: ")
+        for name, text in (("subs.prg", "SUB 1\nV1=1\nENDSUB\n"), ("none.prg", "")):
+            result = run("check", self.file(name, text), "--for", "pmx-4ex-sa")
+            self.expect(result, 0, "no program in it, ", " of 1275 lines")
+            self.assertNotIn("Program 0", result.stdout)
 
     def test_errors_have_their_place(self):
         path = self.file("b.vxm", "I1M400\nS1M9000\n")

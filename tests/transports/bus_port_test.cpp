@@ -18,6 +18,7 @@ using test::poll_until;
 using test::run_task;
 using test::ToyBoard;
 using test::WindowEar;
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -26,7 +27,8 @@ class BusPortTest : public testing::Test {
   BusPortTest() {
     auto toy = std::make_unique<ToyBoard>();
     board = toy.get();
-    host = *EmulatorHost::make(clock, std::move(toy), HostOptions());
+    host = *EmulatorHost::make(clock, std::move(toy), HostOptions(),
+                               [this](const Fault& fault) { troubles.push_back(fault.sentence()); });
     endpoint = *TcpEndpoint::open(clock, "127.0.0.1:0", false,
                                   [this](std::unique_ptr<Stream> s) { host->attach_bus(std::move(s)); });
   }
@@ -40,6 +42,7 @@ class BusPortTest : public testing::Test {
   ToyBoard* board = nullptr;
   std::shared_ptr<EmulatorHost> host;
   std::unique_ptr<TcpEndpoint> endpoint;
+  std::vector<std::string> troubles;
 };
 
 std::string bytes(std::initializer_list<int> values) {
@@ -79,6 +82,10 @@ TEST_F(BusPortTest, WhatIsNoMessageEndsTheConnectionAndNotTheBoard) {
   client->send("GET / HTTP/1.1\r\n");
   ASSERT_TRUE(poll_until(io, [&] { return ear.closed; }));
   EXPECT_TRUE(board->cycles.empty());
+  EXPECT_THAT(troubles,
+              ElementsAre(AllOf(HasSubstr("sent 47 where an operation begins"),
+                                HasSubstr("Its connection was closed"), HasSubstr("81, 82 and 84"))))
+      << "once";
   auto good = window();
   std::vector<BusCycle> burst{BusCycle::store(1, 3, 9), BusCycle::read(1, 3)};
   ASSERT_TRUE(run_task(io, good->run(burst)));
@@ -95,6 +102,9 @@ TEST_F(BusPortTest, ACycleBeyondTheWindowEndsTheConnectionAndReachesNoBoard) {
     EXPECT_EQ(ear.heard, "");
   }
   EXPECT_TRUE(board->cycles.empty());
+  EXPECT_THAT(troubles,
+              ElementsAre(HasSubstr("asked for 2 bytes at 0x1000"), HasSubstr("wrote 1 byte at 0xFFFF"),
+                          HasSubstr("asked for 4 bytes at 0xFFE"), HasSubstr("asked for 1 byte at 0x1000")));
   auto client = raw();
   Ear ear(*client);
   client->send(bytes({0x01, 0x0F, 0xFF, 0x02, 0x0F, 0xFE, 0x04, 0x0F, 0xFC}));

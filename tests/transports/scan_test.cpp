@@ -83,7 +83,8 @@ TEST_F(Scan, ASilentPortIsAskedAtEachRate) {
   ASSERT_GT(count, static_cast<ssize_t>(bauds.size()));
   const std::string text(asked, static_cast<std::size_t>(count));
   EXPECT_TRUE(text.starts_with(std::string(bauds.size(), 'V') + "\r@")) << text;
-  EXPECT_EQ(text.find('V', bauds.size()), std::string::npos) << "a lone V is asked first and not again: " << text;
+  EXPECT_EQ(text.find('V', bauds.size()), std::string::npos)
+      << "a lone V is asked first and not again: " << text;
   EXPECT_NE(report.sentence().find("switched on"), std::string::npos);
   ::close(master), ::close(slave);
 }

@@ -171,6 +171,17 @@ TEST_F(Serial, ThePermissionSentenceNamesGroupAndCommand) {
   EXPECT_NE(sentence.find("log out and in again"), std::string::npos);
 }
 
+TEST_F(Serial, NobodyIsToldToJoinAGroupThatHasNoRights) {
+  if (::geteuid() != 0) GTEST_SKIP() << "needs root to take the rights away";
+  ASSERT_EQ(::chown(port.c_str(), 0, 0), 0);
+  ASSERT_EQ(::chmod(port.c_str(), 0600), 0);
+  ASSERT_EQ(::seteuid(65534), 0);
+  const std::string sentence = refusal_sentence(port, PortRefusal::not_permitted);
+  ASSERT_EQ(::seteuid(0), 0);
+  EXPECT_EQ(sentence.find("usermod"), std::string::npos) << sentence;
+  EXPECT_NE(sentence.find("chgrp dialout"), std::string::npos) << sentence;
+}
+
 TEST_F(Serial, APulledCableIsSaid) {
   auto stream = *open_serial(clock, port, 9600);
   Ear ear(*stream);

@@ -247,6 +247,9 @@ TEST_F(Vme58Driver, ParametersAreReadFromTheDataArea) {
   ASSERT_TRUE(query("AX KP7"));
   run(Seconds(3));
   EXPECT_EQ(value("KPX"), 700);
+  ASSERT_TRUE(query("AX KP3.5"));
+  run(Seconds(3));
+  EXPECT_EQ(value("KPX"), 350) << "the board keeps the fraction, and shows 3";
 }
 
 TEST_F(Vme58Driver, OutputsGoByTheMakersNumbers) {
@@ -269,9 +272,25 @@ TEST_F(Vme58Driver, AResetOfTheBoardIsNoticed) {
   ASSERT_TRUE(run_until(
       [this] { return axis(0).position == Steps(0) && now().link.state == LinkState::good; }, Seconds(10)));
   EXPECT_THAT(told(), HasSubstr("switched off and on"));
+  EXPECT_TRUE(axis(0).position_doubtful) << "0 wherever the motor stands";
   EXPECT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(200)}})).fate, Fate::done);
   ASSERT_TRUE(becomes_idle());
   EXPECT_EQ(axis(0).position, Steps(200));
+  EXPECT_THAT(told(), HasSubstr("The position of X is doubtful"));
+  EXPECT_TRUE(axis(0).position_doubtful) << "a move tells nothing";
+}
+
+TEST_F(Vme58Driver, PositionsAreDoubtfulAfterAResetUntilTheyAreSetOrHomed) {
+  ASSERT_EQ(perform(intent::Reset()).fate, Fate::done);
+  ASSERT_TRUE(run_until([this] { return axis(0).position_doubtful; }, Seconds(10)));
+  ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::good; }, Seconds(10)));
+  ASSERT_EQ(perform(intent::SetPosition(0, Steps(100))).fate, Fate::done);
+  EXPECT_FALSE(axis(0).position_doubtful);
+  EXPECT_TRUE(axis(1).position_doubtful);
+  ASSERT_TRUE(query("AY LP0"));
+  run(Millis(500));
+  EXPECT_FALSE(axis(1).position_doubtful);
+  EXPECT_TRUE(axis(2).position_doubtful);
 }
 
 TEST_F(Vme58Driver, IndexesThatAStrangerHasWrittenDoNotHarmForLong) {
@@ -312,6 +331,57 @@ TEST_F(Vme58Driver, AProgramWithARejectedCommandStopsAndNamesTheLine) {
   EXPECT_THAT(told(), HasSubstr("Line 3: the board rejected \"LE\""));
   EXPECT_EQ(axis(2).position, Steps(0));
   EXPECT_LT(axis(0).position, Steps(5000));
+}
+
+TEST_F(Vme58Driver, ATextWhileAProgramIsFedLeavesTheProgramItsAxis) {
+  std::string text = "AY LP0 VL1000 AC100000\n";
+  for (int i = 0; i < 4; ++i) text += "MR300 GO ID WQ\n";
+  ASSERT_EQ(perform(intent::LoadProgram(0, text)).fate, Fate::done);
+  ASSERT_EQ(perform(intent::RunProgram(0)).fate, Fate::done);
+  run(Millis(400));
+  ASSERT_TRUE(now().feed.running);
+  (void)query("AX RP");
+  ASSERT_TRUE(becomes_idle());
+  EXPECT_EQ(axis(1).position, Steps(1200));
+  EXPECT_EQ(axis(0).position, Steps(0));
+  ASSERT_TRUE(query("MR50 GO"));
+  ASSERT_TRUE(becomes_idle());
+  EXPECT_EQ(axis(0).position, Steps(50)) << "the user has selected X, and that stays";
+}
+
+TEST_F(Vme58Driver, AQueryBetweenTwoPartsOfAProgramIsAnswered) {
+  std::string text = "AY LP0 VL20000 AC1000000\n";
+  for (int i = 0; i < 300; ++i) text += "MR10 GO\n";
+  ASSERT_EQ(perform(intent::LoadProgram(0, text)).fate, Fate::done);
+  ASSERT_EQ(perform(intent::RunProgram(0)).fate, Fate::done);
+  for (int i = 0; i < 20 && now().feed.running; ++i) (void)query("AX RP");
+  ASSERT_TRUE(becomes_idle(Seconds(120)));
+  EXPECT_EQ(axis(1).position, Steps(3000));
+  EXPECT_EQ(axis(0).position, Steps(0));
+  EXPECT_EQ(now().program.ended_by, EndedBy::target);
+}
+
+TEST_F(Vme58Driver, AContourOfTheUsersIsNotBegunWhileAProgramIsFed) {
+  ASSERT_EQ(perform(intent::LoadProgram(0, "AX VL1000 MR1000 GO ID WQ\nMR-500 GO ID\n")).fate, Fate::done);
+  ASSERT_EQ(perform(intent::RunProgram(0)).fate, Fate::done);
+  run(Millis(300));
+  ASSERT_TRUE(now().feed.running);
+  const auto refused = query("AA CV1000 CD0,0;");
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().sentence(), HasSubstr("A program is being sent"));
+  ASSERT_TRUE(becomes_idle());
+  EXPECT_EQ(axis(0).position, Steps(500));
+}
+
+TEST_F(Vme58Driver, AMoveOfAnOpenServoLoopSaysHowItIsClosed) {
+  ASSERT_TRUE(query("AX HF"));
+  const IntentFate fate = perform(intent::MoveBy({{AxisId{0}, Steps(100)}}));
+  EXPECT_THAT(std::string(fate.sentence.view()), HasSubstr("servo loop of axis X is open"));
+  EXPECT_THAT(std::string(fate.sentence.view()), HasSubstr("HN"));
+  ASSERT_EQ(perform(intent::LoadProgram(0, "AX MR100 GO ID\n")).fate, Fate::done);
+  perform(intent::RunProgram(0));
+  ASSERT_TRUE(becomes_idle());
+  EXPECT_THAT(told(), HasSubstr("servo loop of axis X is open"));
 }
 
 TEST_F(Vme58Driver, AContourIsCutByAProgram) {
@@ -357,6 +427,15 @@ TEST_F(Vme58Driver, TheWindowsImageAndQueuesAreThereForWhoLooks) {
   EXPECT_EQ(now().queue_free[1], 200);
   EXPECT_EQ(now().window.value(vme58::offset_of(0, vme58::AxisValue::maximum_velocity), 4), 100u);
 }
+
+class Vme58OfOtherJumpers : public Vme58Rig {
+ protected:
+  Vme58OfOtherJumpers() { board_is.emplace()["jumpers"] = "OII"; }
+};
+TEST_F(Vme58OfOtherJumpers, LinesThatGoAnotherWayThanIsShownAreTold) {
+  EXPECT_THAT(told(), HasSubstr("Open it with jumpers=OII in its address"));
+}
+TEST_F(Vme58Driver, LinesThatGoAsShownAreNotTold) { EXPECT_THAT(told(), testing::Not(HasSubstr("jumpers"))); }
 
 class Vme58Driver4s4 : public Vme58Rig {
  protected:

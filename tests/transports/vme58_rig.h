@@ -1,5 +1,7 @@
 #pragma once
 // A VME58 session in virtual time: real driver, link and window onto the emulated board.
+#include <optional>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -21,7 +23,7 @@ class Vme58Rig : public testing::Test {
     for (const auto& [key, value] : options) text += "," + key + "=" + value;
     const auto address = Address::parse(text);
     ASSERT_TRUE(address) << address.error().sentence();
-    auto emulator = find_device_type("vme58")->make_emulator(options);
+    auto emulator = find_device_type("vme58")->make_emulator(board_is.value_or(options));
     ASSERT_TRUE(emulator) << emulator.error().sentence();
     HostOptions host_options;
     host_options.name = "VME58";
@@ -109,6 +111,7 @@ class Vme58Rig : public testing::Test {
   }
 
   DeviceOptions options;
+  std::optional<DeviceOptions> board_is;  ///< of the board, where it is another than the address says
   IoContext io;
   VirtualScheduler time{io};
   std::shared_ptr<EmulatorHost> host;

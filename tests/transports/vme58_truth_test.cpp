@@ -303,6 +303,19 @@ TEST_F(Vme58TruthOfSteps, ASlipIsToldOnceAndStaysForWhoeverAsks) {
   EXPECT_EQ(told_now.find("has slipped"), told_now.rfind("has slipped")) << told_now;
   EXPECT_EQ(*query("RL"), "SNNN");
   EXPECT_EQ(now().readouts[static_cast<std::size_t>(session->catalog().find_readout("SLIPX"))], 1);
+  EXPECT_TRUE(now().axes[0].slipped);
+  EXPECT_FALSE(now().axes[1].slipped);
+  operate(bench::Jam(AxisId{0}, false));
+  ASSERT_TRUE(query("IC AX RP"));
+  run(Seconds(1));
+  EXPECT_FALSE(now().axes[0].slipped) << "the flag is cleared";
+}
+
+TEST_F(Vme58TruthOfSteps, AnAxisThatASlipHasStoppedIsSaidToHaveSlipped) {
+  ASSERT_TRUE(query("AX ES20 TN VL2000"));
+  operate(bench::Jam(AxisId{0}, true));
+  ASSERT_EQ(move_by(2000).fate, Fate::done);
+  EXPECT_THAT(wait().reason, HasSubstr("Axis X has slipped, and was stopped by that"));
 }
 
 // ---- echo

@@ -165,6 +165,12 @@ ActionField position_field(std::string id, std::string label, std::string unit) 
   return number_field(std::move(id), std::move(label), std::move(unit), position_min, position_max);
 }
 
+ActionField followed(ActionField field, int axis) {
+  field.follows_loop = true;
+  field.loop_axis = axis;
+  return field;
+}
+
 void add_readout(Catalog& catalog, Group group, std::string id, ReadoutInfo info) {
   info.id = std::move(id);
   info.group = group;
@@ -217,8 +223,10 @@ void add_common_readouts(Catalog& catalog, const Model& model) {
                state_words("Latch", {{0, "off"}, {1, "waiting"}, {2, "captured"}},
                            "An edge at its input captures both positions once."));
   add_readouts(catalog, model, latches, "LTaP",
-               value_readout("Captured pulse position", "pulses", "Means nothing while StepNLoop is on."));
-  add_readouts(catalog, model, latches, "LTaE", value_readout("Captured encoder position", "counts", ""));
+               value_readout("Captured pulses", "pulses",
+                             "Position at the edge. Means nothing while StepNLoop is on."));
+  add_readouts(catalog, model, latches, "LTaE",
+               value_readout("Captured counts", "counts", "Position of the encoder at the edge."));
   add_readouts(catalog, model, sync_outputs, "SYNaS",
                state_words("Sync output", {{0, "off"}, {1, "waiting"}, {2, "has acted"}},
                            "Compares the encoder with the sync position. Its settings stand in Setup and are "
@@ -264,7 +272,7 @@ struct CommonActions {
         "Changes the speed of an axis that moves. Choose the window for speed changes before the motion; the "
         "ramp must be straight.",
         "Change under way",
-        with_axis(false, {number_field("speed", "New speed", "pulses/s", 1, max_speed, 1000),
+        with_axis(false, {followed(number_field("speed", "New speed", "pulses/s", 1, max_speed, 1000)),
                           number_field("accel", "In (0: as set)", "ms", 0, longest_ramp_ms(model))}),
         where("On-The-Fly Speed Change")));
     actions.back().while_busy = actions.back().moves = true;
@@ -275,12 +283,12 @@ struct CommonActions {
                                   "The window of speeds within which the next motion may change its speed.",
                                   "Change under way", with_axis(false, {window}),
                                   where("On-The-Fly Speed Change")));
-    actions.push_back(
-        make_action("change_target", "Change target now",
-                    "Gives a running move of one axis another target; it turns round if it has passed "
-                    "it already.",
-                    "Change under way", with_axis(false, {position_field("target", "New target", "pulses")}),
-                    where("On-The-Fly Target Position Change")));
+    actions.push_back(make_action(
+        "change_target", "Change target now",
+        "Gives a running move of one axis another target; it turns round if it has passed "
+        "it already.",
+        "Change under way", with_axis(false, {followed(position_field("target", "New target", "pulses"))}),
+        where("On-The-Fly Target Position Change")));
     actions.back().while_busy = actions.back().moves = true;
   }
 

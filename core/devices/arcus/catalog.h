@@ -18,6 +18,8 @@ ActionField switch_field();
 ActionField number_field(std::string id, std::string label, std::string unit, std::int64_t minimum,
                          std::int64_t maximum, std::int64_t fallback = 0);
 ActionField position_field(std::string id, std::string label, std::string unit);
+/// The same in pulses, or in counts where StepNLoop of that axis is on.
+ActionField followed(ActionField field, int axis = -1);
 ActionInfo make_action(std::string id, std::string label, std::string help, std::string group,
                        std::vector<ActionField> fields, std::string manual);
 /// A readout that is a number.

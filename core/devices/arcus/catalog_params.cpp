@@ -23,10 +23,10 @@ struct Words {
 // clang-format off
 constexpr Words all_words[] = {
     {Setting::high_speed, "Speed", "High speed",
-     "The speed that moves, jogs and home searches reach after their ramp. An axis with StepNLoop counts it in encoder counts instead of pulses. Not kept by Store.",
+     "The speed that moves, jogs and home searches reach after their ramp. An axis with StepNLoop counts it in encoder counts instead of pulses{together}. Not kept by Store.",
      "pulses/s", "Motion Profile"},
     {Setting::low_speed, "Speed", "Low speed",
-     "The speed at which a ramp begins and ends, and at which the careful part of a home search runs. Not kept by Store.",
+     "The speed at which a ramp begins and ends, and at which the careful part of a home search runs. Counts as the high speed does. Not kept by Store.",
      "pulses/s", "Motion Profile"},
     {Setting::accel, "Speed", "Acceleration time",
      "How long the ramp from low to high speed takes. The controller adjusts a time that its table A.0 does not allow for the present speeds; what it uses is read back. Not kept by Store.",
@@ -199,6 +199,13 @@ std::string fill(std::string text, std::string_view letter, bool per_axis) {
   return text;
 }
 
+// "HSPD=1000 when SNL is enabled means that the target high speed is 1000 encoder counts per second": both
+// manuals, StepNLoop Closed Loop Control, notes.
+bool is_speed(Setting id) {
+  return id == Setting::high_speed || id == Setting::low_speed || id == Setting::axis_high_speed ||
+         id == Setting::axis_low_speed;
+}
+
 bool is_axis_form(const SettingFact& fact) { return fact.form.find('a') != fact.form.npos; }
 
 void add_choices(ParamInfo& p, const Model& model, Setting id, const Words& words) {
@@ -277,7 +284,10 @@ std::vector<ParamInfo> params(const Model& model, const Wording& wording) {
         p.group = words->group;
         p.label = fill(words->label, letter, per_axis);
         p.explanation = fill(words->explanation, letter, per_axis);
+        replace_all(p.explanation, "{together}",
+                    model.axes() > 1 ? ", but not in moves of several axes together" : "");
         p.unit = words->unit;
+        p.follows_loop = is_speed(fact.id);
         p.manual = fmt::format("{} {}", wording.feature_chapter, words->section);
         add_choices(p, model, fact.id, *words);
         add_bits(p, model, fact.id, wording);

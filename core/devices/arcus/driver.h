@@ -22,6 +22,7 @@
 #include "core/devices/arcus/codec.h"
 #include "core/devices/arcus/language/dialect.h"
 #include "core/devices/arcus/language/program.h"
+#include "core/devices/arcus/stored_code.h"
 
 namespace hw::arcus {
 
@@ -89,6 +90,7 @@ class ArcusDriver final : public Driver {
   Task<> wait_for_quiet();
   std::size_t hear(std::string_view bytes);
   void for_scripts(std::string text);
+  void overhear(std::string_view text);
   void note_sent(std::string_view text);
   void note_stop(std::string_view text);
   [[nodiscard]] int axis_named_in(std::string_view text) const;
@@ -190,6 +192,7 @@ class ArcusDriver final : public Driver {
   Task<Result<>> write_line(int line, std::string text);
   Task<Result<std::vector<std::string>>> read_lines();
   void note_stored(const std::vector<std::string>& lines);
+  tl::unexpected<Fault> broken_off(Fault why);
   Task<Result<>> upload(int program);
   Task<Result<>> run(int program);
   Task<Result<>> control(int thread, int what);
@@ -203,7 +206,8 @@ class ArcusDriver final : public Driver {
   Task<Result<>> read_params(std::string only);
   Task<Result<>> read_again();
   Task<Result<>> read_what_power_keeps();
-  [[nodiscard]] bool only_power_keeps(int index) const;
+  [[nodiscard]] bool in_ram_only(int index) const;
+  void compare_with_stored(int index);
   void program_runs();
   Task<Result<>> store();
   void is_stored();
@@ -246,11 +250,14 @@ class ArcusDriver final : public Driver {
   Instant round_began_{};
   int round_ = 0;
   std::uint32_t watched_ = 0;
-  std::optional<std::bitset<max_threads>> stored_programs_;  ///< not known: not looked, or foreign code
+  bool half_written_ = false;              ///< lines were stored, and not all of a program
+  std::optional<StoredCode> stored_code_;  ///< not known: not looked, or foreign code
   int next_readout_ = 0, next_variable_ = 0, next_analog_ = 0, next_param_ = 0, next_thread_ = 0,
       next_kept_ = 0;
   std::array<std::int64_t, max_params> after_power_up_{};  ///< of what is stored: as it was then
-  std::bitset<max_params> nobody_sets_;  ///< read, and no program has run since that may have set them
+  std::bitset<max_params> stored_known_;                   ///< of what is stored: after_power_up_ was read
+  bool unsaved_variables_ = false;                         ///< some were set and not stored
+  std::bitset<max_params> nobody_sets_;  ///< read, and nothing has run since that may have set them
   Instant program_ran_at_{};             ///< when one was last seen or started
   std::vector<bool> by_status_;          ///< readouts that the status tells
   std::deque<std::string> for_scripts_;

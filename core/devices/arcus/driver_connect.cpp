@@ -41,6 +41,7 @@ std::string ArcusDriver::axis_name(int axis) const {
 Task<Result<>> ArcusDriver::connect(Station& station) {
   station_ = &station;
   station.unsolicited = [this](std::string_view bytes) { return hear(bytes); };
+  station.overheard = [this](std::string_view text) { overhear(text); };
   strays_ = 0;
   auto identified = co_await identify();
   if (!identified) co_return identified;
@@ -228,11 +229,11 @@ void ArcusDriver::look_for_restart(const Stood& before) {
 void ArcusDriver::restarted(std::string_view how_it_shows) {
   for (ParamState& p : draft_.params) p = ParamState();
   nobody_sets_.reset();
-  draft_.unsaved_setup = false;
+  unsaved_variables_ = draft_.unsaved_setup = false;
   draft_.variables_known.reset();
   draft_.readouts_known.reset();
   borrowed_.reset();
-  stored_programs_.reset();
+  stored_code_.reset();
   end_feed();
   for (int i = 0; i < axis_count(); ++i) {
     minds_[static_cast<std::size_t>(i)] = AxisMind();

@@ -1,4 +1,6 @@
 // Set-up: every parameter by the maker's mnemonic; storing; and the list of what can be asked of the driver.
+#include <algorithm>
+
 #include <fmt/core.h>
 
 #include "core/base/index.h"
@@ -109,15 +111,17 @@ Task<Result<>> ArcusDriver::read_param(int index, Priority priority) {
     text = *reply;
     if (const auto value = decode_value(info, text)) {
       const ParamState& before = draft_.params[ix(index)];
-      const bool taken_back = before.known && before.value != *value && only_power_keeps(index) &&
-                              *value == after_power_up_[ix(index)];
+      const bool taken_back = before.known && before.value != *value && nobody_sets_.test(ix(index)) &&
+                              in_ram_only(index) && *value == after_power_up_[ix(index)];
       if (taken_back)
         restarted(fmt::format("{} read {} and now reads {}", info.mnemonic, encode_value(info, before.value),
                               encode_value(info, *value)));
       draft_.params[ix(index)].value = *value;
       draft_.params[ix(index)].known = true;
-      nobody_sets_.set(ix(index), scheduler_.now() - program_ran_at_ > std::chrono::seconds(1));
-      if (info.stored && draft_.params[ix(index)].stored) after_power_up_[ix(index)] = *value;
+      const bool programs_leave_it = stored_code_ && !stored_code_->sets.test(ix(index));
+      nobody_sets_.set(ix(index),
+                       programs_leave_it || scheduler_.now() - program_ran_at_ > std::chrono::seconds(1));
+      if (info.stored) compare_with_stored(index);
       co_return Result<>();
     }
     co_await wait_for_quiet();
@@ -128,16 +132,32 @@ Task<Result<>> ArcusDriver::read_param(int index, Priority priority) {
       "It was asked twice.");
 }
 
-// It may set anything.
+// What reads as it is stored needs no Store: it was set back, or the power was off.
+void ArcusDriver::compare_with_stored(int index) {
+  ParamState& read = draft_.params[ix(index)];
+  if (read.stored) {
+    after_power_up_[ix(index)] = read.value;
+    stored_known_.set(ix(index));
+    return;
+  }
+  if (!stored_known_.test(ix(index)) || read.value != after_power_up_[ix(index)]) return;
+  read.stored = true;
+  draft_.unsaved_setup = unsaved_variables_ || std::any_of(draft_.params.begin(), draft_.params.end(),
+                                                           [](const ParamState& p) { return !p.stored; });
+}
+
+// One that is not known may set anything.
 void ArcusDriver::program_runs() {
-  nobody_sets_.reset();
+  if (stored_code_)
+    nobody_sets_ &= ~stored_code_->sets;
+  else
+    nobody_sets_.reset();
   program_ran_at_ = scheduler_.now();
 }
 
-// Not in the memory that stays, and set by nobody but the console since it was read.
-bool ArcusDriver::only_power_keeps(int index) const {
-  const bool in_ram = !catalog_.params[ix(index)].stored || !draft_.params[ix(index)].stored;
-  return in_ram && nobody_sets_.test(ix(index)) && !borrowed_;
+// Not in the memory that stays.
+bool ArcusDriver::in_ram_only(int index) const {
+  return (!catalog_.params[ix(index)].stored || !draft_.params[ix(index)].stored) && !borrowed_;
 }
 
 // A controller that stood at zero shows by its positions nothing of having been switched off and on. What it
@@ -150,8 +170,7 @@ Task<Result<>> ArcusDriver::read_what_power_keeps() {
     const ParamInfo& info = catalog_.params[ix(index)];
     const ParamState& state = draft_.params[ix(index)];
     const bool would_show = !state.stored || (!info.stored && state.value != info.fallback);
-    if (state.known && would_show && only_power_keeps(index))
-      co_return co_await read_param(index, Priority::poll);
+    if (state.known && would_show && in_ram_only(index)) co_return co_await read_param(index, Priority::poll);
   }
   co_return Result<>();
 }
@@ -242,9 +261,11 @@ Task<Result<>> ArcusDriver::read_again() {
 void ArcusDriver::is_stored() {
   for (std::size_t i = 0; i < catalog_.params.size(); ++i) {
     ParamState& p = draft_.params[i];
+    if (catalog_.params[i].stored) stored_known_.set(i, p.known);
     if (catalog_.params[i].stored && p.known) after_power_up_[i] = p.value;
     p.stored = true;
   }
+  unsaved_variables_ = false;
   draft_.unsaved_setup = false;
 }
 

@@ -32,7 +32,11 @@ Task<Result<>> ArcusDriver::perform_program(IntentBody body) {
   if (const auto* i = std::get_if<UploadProgram>(&body)) co_return co_await upload(i->slot);
   if (std::holds_alternative<ClearProgram>(body)) {
     if (auto may = no_thread_runs(); !may) co_return may;
-    co_return co_await clear_from(0);
+    auto cleared = co_await clear_from(0);
+    draft_.transfer.running = false;
+    if (!cleared) co_return broken_off(std::move(cleared.error()));
+    half_written_ = false;
+    co_return cleared;
   }
   if (std::holds_alternative<SelectProgram>(body)) co_return Result<>();
   if (const auto* i = std::get_if<RunProgram>(&body)) co_return co_await run(i->slot);
@@ -70,14 +74,19 @@ Task<Result<>> ArcusDriver::control(int thread, int what) {
 // SR is answered with OK whether the program is there or not (decision AMB-115). One that runs is; one that
 // does not may have ended already, so the stored code is looked at.
 Task<Result<>> ArcusDriver::run(int program) {
+  if (half_written_)
+    co_return fail(FaultKind::refused,
+                   "What is stored is neither the old program nor the new one: its transfer was broken off.",
+                   "Nothing was started.",
+                   "Download the program again, or upload what is stored and look at it.");
   auto started = co_await control(program, thread_run);
   if (!started || draft_.threads[ix(program)].run != RunState::idle) co_return started;
-  if (stored_programs_ && (*stored_programs_)[ix(program)]) co_return started;
+  if (stored_code_ && stored_code_->programs[ix(program)]) co_return started;
   auto there = co_await read_lines();
   draft_.transfer.running = false;
   if (!there) co_return fail(there.error());
   note_stored(*there);
-  if (!stored_programs_ || (*stored_programs_)[ix(program)]) co_return started;
+  if (!stored_code_ || stored_code_->programs[ix(program)]) co_return started;
   co_return fail(FaultKind::refused, fmt::format("There is no program {0} in the stored code.", program),
                  "Nothing was started.",
                  program == 0 ? "Load one first." : fmt::format("Its text begins with PRG {}.", program));
@@ -85,11 +94,9 @@ Task<Result<>> ArcusDriver::run(int program) {
 
 // Which programs the stored code has; not known of code that another compiler has made.
 void ArcusDriver::note_stored(const std::vector<std::string>& lines) {
-  stored_programs_.reset();
+  stored_code_.reset();
   const language::Program code = language::decode(lines, dialect_);
-  if (!code.bad_lines.empty()) return;
-  std::bitset<max_threads>& there = stored_programs_.emplace();
-  for (std::size_t n = 0; n < there.size(); ++n) there.set(n, code.programs[n].has_value());
+  if (code.bad_lines.empty()) stored_code_ = read_stored_code(code, model());
 }
 
 // All that run, or all that are held; or the one, if it does.
@@ -131,6 +138,7 @@ Task<Result<std::string>> ArcusDriver::read_line(int line, Priority priority) {
 
 // An unused line is empty.
 Task<Result<>> ArcusDriver::write_line(int line, std::string text) {
+  half_written_ = true;
   std::string sent = fmt::format("SA{}={}", line, text);
   co_return co_await command(std::move(sent), Priority::transfer, Millis(500));
 }
@@ -157,8 +165,8 @@ Task<Result<>> ArcusDriver::may_be_program(int program, const language::Program&
   draft_.transfer.running = false;
   if (!there) co_return fail(there.error());
   note_stored(*there);
-  for (int n = 0; stored_programs_ && n < model().programs; ++n)
-    if ((*stored_programs_)[ix(n)] && !code.programs[ix(n)])
+  for (int n = 0; stored_code_ && n < model().programs; ++n)
+    if (stored_code_->programs[ix(n)] && !code.programs[ix(n)])
       co_return fail(FaultKind::refused,
                      fmt::format("The controller holds program {} too, and a text replaces all programs.", n),
                      "Nothing was written.", fmt::format("Put PRG {} and PRG {} into one text.", n, program));
@@ -178,16 +186,29 @@ Task<Result<>> ArcusDriver::load(int program, std::string text) {
     if (!may) co_return may;
   }
   const std::vector<std::string> lines = made.lines;
-  stored_programs_.reset();
+  stored_code_.reset();
   auto written = co_await write_lines(lines);
   draft_.transfer.running = false;
-  if (!written) co_return written;
+  if (!written) co_return broken_off(std::move(written.error()));
+  half_written_ = false;
   note_stored(lines);
   draft_.slot_bytes_used[0] = static_cast<std::int16_t>(lines.size());
   tell(Notice::Kind::info,
-       fmt::format("{} of {} lines are stored and were compared. They stay when the power goes.",
-                   lines.size(), program_lines));
+       lines.size() == 1
+           ? fmt::format("1 of {} lines is stored and was compared. It stays when the power goes.",
+                         program_lines)
+           : fmt::format("{} of {} lines are stored and were compared. They stay when the power goes.",
+                         lines.size(), program_lines));
   co_return Result<>();
+}
+
+/// By a stop, a lost link or a line that is not taken: what is stored then may run, and is no program.
+tl::unexpected<Fault> ArcusDriver::broken_off(Fault why) {
+  if (!half_written_) return fail(std::move(why));
+  draft_.slot_bytes_used[0] = -1;
+  why.done = "What is stored now is neither the old program nor the new one.";
+  why.advice = "Download it again before anything runs it.";
+  return fail(std::move(why));
 }
 
 // Each line is read back at once; a line that is equal already is not written.
@@ -202,9 +223,8 @@ Task<Result<>> ArcusDriver::write_lines(std::vector<std::string> lines) {
       auto back = co_await read_line(n, Priority::transfer);
       if (!back) co_return fail(back.error());
       if (*back != lines[ix(n)])
-        co_return fail(FaultKind::controller,
-                       fmt::format("Line {} reads back as \"{}\" instead of \"{}\".", n, *back, lines[ix(n)]),
-                       "The program is stored in part.", "Send it again before it is run.");
+        co_return fail(FaultKind::controller, fmt::format("Line {} reads back as \"{}\" instead of \"{}\".",
+                                                          n, *back, lines[ix(n)]));
     }
     show_transfer(n + 1, total);
     co_await stay_live();
@@ -215,7 +235,7 @@ Task<Result<>> ArcusDriver::write_lines(std::vector<std::string> lines) {
 // What a longer program has left behind.
 Task<Result<>> ArcusDriver::clear_from(int line) {
   int empty = 0;
-  stored_programs_.reset();
+  stored_code_.reset();
   for (int n = line; n < program_lines && empty < empty_lines_end_it; ++n) {
     auto there = co_await read_line(n, Priority::transfer);
     if (!there) co_return fail(there.error());
@@ -255,12 +275,14 @@ Task<Result<>> ArcusDriver::upload(int program) {
   draft_.transfer.running = false;
   if (!lines) co_return fail(lines.error());
   note_stored(*lines);
+  half_written_ = false;  // the user sees it now
   draft_.slot_bytes_used[0] = static_cast<std::int16_t>(lines->size());
   const language::Decompiled source = language::decompile(*lines, dialect_);
   const bool whole = program <= 0;
   Notice notice(Notice::Kind::program, scheduler_.now(),
                 whole ? source.text : language::program_alone(*lines, dialect_, program));
   notice.slot = whole ? 0 : program;
+  notice.whole = source.bad_lines.empty();
   notify_(std::move(notice));
   if (!source.bad_lines.empty()) tell(Notice::Kind::warning, foreign_lines(source.bad_lines, *lines));
   co_return Result<>();

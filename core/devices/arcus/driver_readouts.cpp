@@ -180,7 +180,7 @@ Task<Result<>> ArcusDriver::set_variable(const intent::SetVariable& wish) {
                    "Nothing was sent.");
   auto set = co_await command(set_command(fmt::format("V{}", wish.number), wish.value), Priority::intent);
   if (!set) co_return set;
-  if (wish.number >= facts.stored_from) draft_.unsaved_setup = true;
+  if (wish.number >= facts.stored_from) unsaved_variables_ = draft_.unsaved_setup = true;
   co_return co_await read_variable(wish.number, Priority::intent);
 }
 

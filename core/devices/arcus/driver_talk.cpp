@@ -215,6 +215,7 @@ Task<Result<>> ArcusDriver::broadcast(std::string text, Priority priority) {
                    fmt::format("A {} has no address that speaks to all devices of a line.", model().title),
                    "Nothing was sent.");
   if (may_set_counter(text)) ++counters_set_;
+  station_->let_others_hear(fmt::format("@{:02}{}", model().broadcast, text));
   Transaction t(frame(Framing::addressed, model().broadcast, text), ReplyShape::nothing(), priority);
   auto sent = co_await station_->transact(std::move(t));
   if (!sent) co_return fail(sent.error());
@@ -274,10 +275,15 @@ Task<Result<std::string>> ArcusDriver::query(std::string text, Duration patience
     note_sent(text_of(text));
     co_return std::string();
   }
-  auto reply = co_await exchange(text, Priority::intent, patience);
-  if (!reply) co_return fail(reply.error());
   const int to = address_of(text);
-  if (!reply->refused() && (to < 0 || to == catalog_.address)) note_sent(text_of(text));
+  const bool anothers = to >= 0 && to != catalog_.address;
+  if (station_ && anothers) station_->let_others_hear(text);
+  auto reply = co_await exchange(text, Priority::intent, patience);
+  if (!reply && anothers && reply.error().kind == FaultKind::no_answer)
+    co_return fail(FaultKind::no_answer,
+                   fmt::format("Device {:02} did not answer {} in time.", to, text_of(text)));
+  if (!reply) co_return fail(reply.error());
+  if (!reply->refused() && !anothers) note_sent(text_of(text));
   co_return std::move(reply->text);
 }
 
@@ -306,6 +312,19 @@ Task<Result<>> ArcusDriver::send_text(const intent::SendText& wish) {
   co_return Result<>();
 }
 
+// From a neighbour's terminal to this one, or to all. What it may change is read afresh after it: intents go
+// before polls.
+void ArcusDriver::overhear(std::string_view text) {
+  const int to = address_of(text);
+  if (to < 0 || (to != catalog_.address && to != model().broadcast)) return;
+  if (may_set_counter(text_of(text))) ++counters_set_;
+  if (changes_programs(text)) {
+    ++draft_.program_changes;
+    draft_.program_changed_by = 0;
+  }
+  note_sent(text_of(text));
+}
+
 // What the user's own text changes is read afresh, not guessed.
 void ArcusDriver::note_sent(std::string_view text) {
   const auto equals = text.find('=');
@@ -318,7 +337,7 @@ void ArcusDriver::note_sent(std::string_view text) {
         draft_.variables_known.reset(static_cast<std::size_t>(*n));
   }
   if (text == "STORE") is_stored();
-  if (text.starts_with("SA") && equals != text.npos) stored_programs_.reset();
+  if (text.starts_with("SA") && equals != text.npos) stored_code_.reset();
   if (const int axis = axis_named_in(text); axis >= 0 && takes_target_away(text))
     draft_.axes[axis].has_target = false;
   if (text.starts_with("STOP") || text.starts_with("ABORT")) note_stop(text);

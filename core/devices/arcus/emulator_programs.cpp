@@ -41,7 +41,7 @@ Refusal Controller::call_subroutine(int number) {
 }
 
 int Controller::program_state(int program) const { return static_cast<int>(vm_.state(program)); }
-int Controller::program_place(int program) const { return vm_.line(program); }
+int Controller::program_place(int program) const { return vm_.line(program, now_); }
 
 bool Controller::error_returns_to_start() const {
   if (settings_.has(Setting::error_return)) return settings_.on(Setting::error_return);

@@ -18,6 +18,8 @@ ProgramReport analyse_program(std::string_view text, const language::Dialect& di
     if (from.count > 0) line.slot = 0;
   }
   report.cost[0] = compiled.needed;
+  for (std::size_t n = 0; n < compiled.program.programs.size(); ++n)
+    if (compiled.program.programs[n]) report.programs.push_back(static_cast<int>(n));
   const bool complete = compiled.ok();
   if (complete && !compiled.lines.empty()) report.listing[0] = std::move(compiled.lines);
   report.problems = std::move(compiled.problems);

@@ -9,6 +9,7 @@
 namespace hw::pmx_4ex_sa {
 namespace {
 
+using arcus::followed;
 using arcus::make_action;
 using arcus::number_field;
 using arcus::position_field;
@@ -60,7 +61,8 @@ void add_actions(Catalog& c) {
       "X and Y move on an arc about the centre to the end angle. 0° lies on the minus side of X and angles "
       "grow clockwise. Absolute mode only.",
       "Arcs and circles",
-      {position_field("centre_x", "Centre X", "pulses"), position_field("centre_y", "Centre Y", "pulses"),
+      {followed(position_field("centre_x", "Centre X", "pulses"), 0),
+       followed(position_field("centre_y", "Centre Y", "pulses"), 1),
        angle("end_angle", "End angle", -3'600'000, 3'600'000, 180'000),
        angle("sweep", "Swept angle", 1, 3'600'000, 90'000), direction_field()},
       "PMX manual ch. 6 Arc Interpolation Moves"));
@@ -69,8 +71,8 @@ void add_actions(Catalog& c) {
       make_action("circle", "Draw circle",
                   "X and Y make one full turn about the centre and end where they began. Absolute mode only.",
                   "Arcs and circles",
-                  {position_field("centre_x", "Centre X", "pulses"),
-                   position_field("centre_y", "Centre Y", "pulses"), direction_field()},
+                  {followed(position_field("centre_x", "Centre X", "pulses"), 0),
+                   followed(position_field("centre_y", "Centre Y", "pulses"), 1), direction_field()},
                   "PMX manual ch. 6 Circular Interpolation Moves"));
   c.actions.back().moves = true;
   const std::size_t buffer_begin = c.actions.size();

@@ -51,17 +51,37 @@ std::vector<AxisInfo> axes(const Variant& variant) {
   return all;
 }
 
+bool is_output(std::uint16_t outputs, int line) { return (outputs >> line & 1) != 0; }
+
+/// Of a line and its neighbours that go the same way.
+std::string direction_of(std::uint16_t outputs, int line) {
+  const bool out = is_output(outputs, line);
+  int first = line, last = line;
+  while (first > 0 && is_output(outputs, first - 1) == out) --first;
+  while (last + 1 < io_lines && is_output(outputs, last + 1) == out) ++last;
+  return fmt::format("Lines {} to {}: {}", first, last, out ? "outputs" : "inputs");
+}
+
+/// Why a line goes the way it does.
+std::string reason_of_direction(std::uint16_t outputs, int line) {
+  const std::string_view way = is_output(outputs, line) ? "an output" : "an input";
+  if (line >= first_fixed_output) return "always an output";
+  const int first = line / lines_of_a_group * lines_of_a_group;
+  return fmt::format("{} by the jumper of lines {} to {}", way, first, first + lines_of_a_group - 1);
+}
+
 std::vector<InputInfo> inputs(std::uint16_t outputs) {
   std::vector<InputInfo> all;
   for (int line = 0; line < io_lines; ++line) {
-    const bool is_output = (outputs >> line & 1) != 0;
     InputInfo input;
-    input.name = fmt::format("I/O {}", line);
+    input.of_output = is_output(outputs, line);
+    input.name = fmt::format("{} {}", input.of_output ? "Line" : "In", line);
     input.help =
-        is_output ? fmt::format("General line {}, jumpered as an output: the level that stands on it.", line)
-                  : fmt::format("General line {}, an input. SW and WS take low for true.", line);
+        fmt::format("General line {}, {}. {}", line, reason_of_direction(outputs, line),
+                    input.of_output ? "The level that stands on it." : "SW and WS take low for true.");
     input.active_low = true;
     input.number = line;
+    input.group = direction_of(outputs, line);
     all.push_back(std::move(input));
   }
   return all;
@@ -70,12 +90,13 @@ std::vector<InputInfo> inputs(std::uint16_t outputs) {
 std::vector<OutputInfo> output_infos(std::uint16_t outputs, const Variant& variant) {
   std::vector<OutputInfo> all;
   for (int line = 0; line < io_lines; ++line) {
-    if ((outputs >> line & 1) == 0) continue;
+    if (!is_output(outputs, line)) continue;
     OutputInfo output;
     output.name = fmt::format("Out {}", line);
-    output.help =
-        fmt::format("General line {}: BL{} switches it on, which is low, BH{} off.", line, line, line);
+    output.help = fmt::format("General line {}, {}: BL{} switches it on, which is low, BH{} off.", line,
+                              reason_of_direction(outputs, line), line, line);
     output.number = line;
+    output.group = direction_of(outputs, line);
     all.push_back(std::move(output));
   }
   for (int i = 0; i < variant.axes(); ++i) {
@@ -88,6 +109,7 @@ std::vector<OutputInfo> output_infos(std::uint16_t outputs, const Variant& varia
         "its state: it is what the console has last set.",
         letter);
     output.number = first_auxiliary + i;
+    output.group = "Auxiliary: outputs";
     all.push_back(std::move(output));
   }
   return all;
@@ -140,7 +162,7 @@ ActionInfo action(std::string id, std::string label, std::string help, std::stri
   return a;
 }
 
-// In the order of enum Action. A board without encoders keeps those that need one, without a choice of axes.
+// In the order of enum Action. A board without encoders has none that needs one: those stand last.
 std::vector<ActionInfo> actions(const Variant& variant) {
   const auto any = [](const AxisFitting&) { return true; };
   const auto encoder = [](const AxisFitting& f) { return f.encoder; };
@@ -168,6 +190,13 @@ std::vector<ActionInfo> actions(const Variant& variant) {
       "axes that turn round and round.",
       "Motion", {axis_field(variant, any), field("divisor", "Divisor", "counts", 1, position_max, 4000)},
       "Move Specification"));
+  all.push_back(action("clear_while", "End WH loop", "CW: the WH loop of this axis ends at its next WG.",
+                       "Queues", {axis_field(variant, any)}, "Loop Control"));
+  all.push_back(action("force_position", "Stop near",
+                       "FP: empties the queue and comes to rest as near to this position as the ramp allows.",
+                       "Motion", {axis_field(variant, any), position}, "Velocity Staircase"));
+  all.back().moves = true;
+  if (variant.encoders == 0) return all;
   all.push_back(action(
       "encoder_ratio", "Encoder ratio",
       "ER: so many encoder counts are so many motor counts, for position hold of a step axis.", "Encoder",
@@ -186,12 +215,6 @@ std::vector<ActionInfo> actions(const Variant& variant) {
   all.push_back(action("slip_interrupt", "Interrupt on slip",
                        "IS: a slip of this axis may interrupt the host.", "Encoder",
                        {axis_field(variant, encoder)}, "Encoder"));
-  all.push_back(action("clear_while", "End WH loop", "CW: the WH loop of this axis ends at its next WG.",
-                       "Queues", {axis_field(variant, any)}, "Loop Control"));
-  all.push_back(action("force_position", "Stop near",
-                       "FP: empties the queue and comes to rest as near to this position as the ramp allows.",
-                       "Motion", {axis_field(variant, any), position}, "Velocity Staircase"));
-  all.back().moves = true;
   return all;
 }
 

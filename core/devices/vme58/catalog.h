@@ -11,18 +11,18 @@ enum Group : std::uint8_t { flag_group, queue_group, memory_group };
 inline constexpr int first_auxiliary = io_lines;
 /// Ways of homing, in the catalog's order.
 enum class HomeMode : std::uint8_t { edge, back_to_edge, stop_dead };
-/// Actions, in the catalog's order.
+/// Actions, in the catalog's order. From encoder_ratio on they need an axis with an encoder.
 enum class Action : std::uint8_t {
   clear_flags,
   flush,
   fraction_jog,
   remainder,
+  clear_while,
+  force_position,
   encoder_ratio,
   hold,
   track,
-  slip_interrupt,
-  clear_while,
-  force_position
+  slip_interrupt
 };
 
 Result<Catalog> make_catalog(const DeviceOptions& options);

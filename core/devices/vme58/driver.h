@@ -1,14 +1,16 @@
 #pragma once
 // The VME58 from the console's side. One subject per file:
-//   driver_talk.cpp     the rings: commands in, replies out; what the board rejects
-//   driver_mailbox.cpp  urgent commands past everything that waits (decision M29), and stops
-//   driver_connect.cpp  finding the board, saying why not, resets
-//   driver_poll.cpp     registers and data area, and what they mean
-//   driver_ask.cpp      what a round asks by command: flags, slips, queues
-//   driver_moves.cpp    moves, jogs, homing, positions, power, outputs
-//   driver_params.cpp   set-up
-//   driver_text.cpp     raw text of users and scripts
-//   driver_program.cpp  command strings that the console holds and feeds
+//   driver_talk.cpp        the rings: commands in, replies out
+//   driver_rejections.cpp  what the board rejects, at once or late
+//   driver_mailbox.cpp     urgent commands past everything that waits (decision M29), and stops
+//   driver_connect.cpp     finding the board, saying why not, resets
+//   driver_poll.cpp        registers and data area, and what they mean
+//   driver_samples.cpp     recordings of one axis
+//   driver_ask.cpp         what a round asks by command: flags, slips, queues
+//   driver_moves.cpp       moves, jogs, homing, positions, power, outputs
+//   driver_params.cpp      set-up
+//   driver_text.cpp        raw text of users and scripts
+//   driver_program.cpp     command strings that the console holds and feeds
 //
 // The board has one command ring and one addressed axis for everybody. What the console sends begins with the
 // axis that it means and ends with the one that the user's own text has selected.
@@ -65,6 +67,7 @@ class Vme58Driver final : public Driver {
     std::int8_t way = 0;        ///< direction of the latest change of position
     std::int8_t limit_end = 0;  ///< of the switch it stands on, once that is known
     std::int8_t letter = 0;     ///< the board's direction letter when that was last judged
+    bool homes = false;         ///< its motion sets its counter at the home switch
     bool by_text = false;       ///< a motion of the user's text or program may be under way
     bool asks_queue = false;    ///< it rests without a reason: its queue tells whether it has ended
     Duration jog_gap{};         ///< of a jog: it turns, though so long no count and no velocity may show it
@@ -104,9 +107,8 @@ class Vme58Driver final : public Driver {
   Task<Result<>> write(std::string text, Priority priority, WhenStuck when_stuck = WhenStuck::withdraw);
   Task<Result<bool>> is_taken(Priority priority);
   Task<Result<>> withdraw_text(Priority priority, int from);
-  Task<Result<>> settle_late_rejection(Priority priority);
+  Task<Result<>> select_again(Priority priority);
   Task<Result<>> command(std::string text, Priority priority);
-  Task<Result<bool>> was_rejected(Priority priority);
   Task<Result<std::string>> ask(std::string question, Priority priority, Duration patience = Millis(200));
   Task<Result<std::vector<std::string>>> ask_several(std::string text, std::size_t replies, Priority priority,
                                                      Duration patience);
@@ -117,8 +119,17 @@ class Vme58Driver final : public Driver {
   void record(Way way, Priority priority, std::string_view text);
   void for_scripts(std::string text);
   tl::unexpected<Fault> no_connection() const;
-  tl::unexpected<Fault> rejected(std::string_view text) const;
   void tell(Notice::Kind kind, std::string text);
+
+  // ---- driver_rejections.cpp
+  tl::unexpected<Fault> rejected(std::string_view text) const;
+  [[nodiscard]] std::string open_loop_words(std::string_view text, Context context) const;
+  Task<Result<bool>> was_rejected(Priority priority);
+  Task<Result<>> settle_late_rejection(Priority priority);
+  void show_late_rejection();
+  [[nodiscard]] std::string rejected_late() const;
+  Task<Result<>> end_rejected(std::string what);
+  void forget_rejection();
 
   // ---- driver_mailbox.cpp
   Task<Result<>> mail(std::string_view letters);
@@ -134,6 +145,7 @@ class Vme58Driver final : public Driver {
   Task<Result<>> identify();
   Task<Result<>> read_state();
   Task<Result<>> forget_others_units();
+  void tell_other_jumpers();
   Task<Result<>> leave_mark();
   Task<Result<>> found_reset();
   void forget();
@@ -152,16 +164,17 @@ class Vme58Driver final : public Driver {
   void begins_to_creep(int axis, Duration gap);
   void end_motion(int axis, EndedBy ended_by);
   void show_worst();
-  void show_late_rejection();
   void record_round();
-  [[nodiscard]] bool sampling() const;
-  void sample(Instant at);
-  [[nodiscard]] std::optional<motion::ServoGains> known_gains(int axis) const;
   [[nodiscard]] std::int64_t value(int axis, AxisValue v) const;
   [[nodiscard]] bool moving(int axis) const;
   [[nodiscard]] Duration rest_patience(int axis) const;
   [[nodiscard]] Duration jog_gap(int axis, double speed) const;
   [[nodiscard]] static bool met_limit(const AxisMind& mind);
+
+  // ---- driver_samples.cpp
+  [[nodiscard]] bool sampling() const;
+  void sample(Instant at);
+  [[nodiscard]] std::optional<motion::ServoGains> known_gains(int axis) const;
 
   // ---- driver_ask.cpp
   Task<Result<>> read_flags(Priority priority);
@@ -204,6 +217,8 @@ class Vme58Driver final : public Driver {
   Task<Result<>> send_text(std::string text);
   Task<Result<std::string>> send_commands(std::string text, Duration patience);
   void note_sent(const TextCommand& command);
+  void note_effects(const TextCommand& command);
+  Result<> may_say_while_feeding(const std::vector<TextCommand>& commands) const;
   void note_motion(const TextCommand& command);
 
   // ---- driver_program.cpp
@@ -211,11 +226,9 @@ class Vme58Driver final : public Driver {
   Task<Result<>> load(std::string text);
   Task<Result<>> run_program();
   Task<Result<>> feed();
+  [[nodiscard]] std::string fed_text(std::string_view command, const Context& after) const;
   void end_program(EndedBy ended_by);
   Task<Result<>> watch_program();
-  [[nodiscard]] std::string rejected_late() const;
-  Task<Result<>> end_rejected(std::string what);
-  void forget_rejection();
 
   [[nodiscard]] int axis_count() const { return static_cast<int>(catalog_.axes.size()); }
   [[nodiscard]] const std::string& axis_name(int axis) const {
@@ -237,6 +250,7 @@ class Vme58Driver final : public Driver {
   std::array<AxisData, max_axes> data_{};
   std::array<bool, max_axes> seen_{};         ///< its data has been read since the connection
   Context context_;                           ///< as the user's text has left it
+  bool selection_lost_ = false;               ///< text was taken back, perhaps half way between two selectors
   std::array<double, max_axes> user_unit_{};  ///< UU; 0: off
 
   // rings
@@ -279,6 +293,9 @@ class Vme58Driver final : public Driver {
   std::deque<std::pair<int, std::string>> to_feed_;  ///< line and command
   std::string feeding_;                              ///< sent, not taken yet
   int feeding_line_ = 0;
+  Context fed_context_;          ///< of the program, as far as it was put
+  Context before_feeding_;       ///< in which `feeding_` is read
+  bool fed_apart_ = false;       ///< the user's text has selected an axis meanwhile: each keeps its own
   bool feeding_waits_ = false;   ///< the board did not take it at once
   bool program_flawed_ = false;  ///< a command of it was rejected when its turn came
   std::string rejection_;        ///< why the latest program has ended, if it was that

@@ -17,9 +17,6 @@ Task<Result<>> Vme58Driver::act(intent::Act wish) {
     co_return fail(FaultKind::refused, fmt::format("{} takes {} values.", info.label, info.fields.size()),
                    "Nothing was sent.");
   const bool of_axis = !info.fields.empty() && info.fields.front().id == "axis";
-  if (of_axis && info.fields.front().choices.empty())
-    co_return fail(FaultKind::refused, "No axis of this board can do that: it has no encoder.",
-                   "Nothing was sent.");
   for (std::size_t i = 0; i < wish.values.size(); ++i) {
     const ActionField& field = info.fields[i];
     if (wish.values[i] < field.minimum || wish.values[i] > field.maximum)
@@ -51,6 +48,8 @@ Task<Result<>> Vme58Driver::act(intent::Act wish) {
       draft_.working = queues_due_ = true;
       text = fmt::format("RM{}", wish.values[1]);
       break;
+    case Action::clear_while: text = "CW"; break;
+    case Action::force_position: text = fmt::format("FP{}", wish.values[1]); break;
     case Action::encoder_ratio: text = fmt::format("ER{},{}", wish.values[1], wish.values[2]); break;
     case Action::hold:
       text = wish.values[1] != 0 ? "HN" : "HF";
@@ -58,8 +57,6 @@ Task<Result<>> Vme58Driver::act(intent::Act wish) {
       break;
     case Action::track: text = "ET"; break;
     case Action::slip_interrupt: text = "IS"; break;
-    case Action::clear_while: text = "CW"; break;
-    case Action::force_position: text = fmt::format("FP{}", wish.values[1]); break;
   }
   const std::string whole = addressed(axis, text);
   co_return co_await command(whole, Priority::intent);

@@ -42,7 +42,12 @@ Task<Result<>> Vme58Driver::ask_in_turn() {
     if (!worked_off) co_return fail(worked_off.error());
     if (*worked_off && std::exchange(draft_.working, false)) {
       flags_wanted_ = true;
-      for (AxisMind& mind : minds_) mind.by_text = false;
+      for (int i = 0; i < axis_count(); ++i) {
+        const bool ours = minds_[ix(i)].ours;
+        const bool homed = !ours && std::exchange(minds_[ix(i)].homes, false);
+        if (homed && draft_.axes[i].ended_by == EndedBy::nothing) draft_.axes[i].position_doubtful = false;
+        minds_[ix(i)].by_text = false;
+      }
     }
   }
   if (!may_ask && !turning) draft_.working = false;  // nobody can tell
@@ -142,6 +147,7 @@ Task<Result<>> Vme58Driver::read_slips() {
   for (int i = 0; i < axis_count() && ix(i) < reply->size(); ++i) {
     if ((*reply)[ix(i)] != 'S' || bit(slips_, i)) continue;
     slips_ = static_cast<std::uint8_t>(slips_ | 1u << i);
+    draft_.axes[i].slipped = true;
     if (const int place = catalog_.find_readout(fmt::format("SLIP{}", axis_name(i))); place >= 0)
       draft_.readouts[ix(place)] = 1;
     tell(Notice::Kind::warning,

@@ -213,7 +213,24 @@ Task<Result<>> Vme58Driver::identify() {
   auto directions = co_await ask("RB\n", Priority::intent);
   if (!directions) co_return fail(directions.error());
   outputs_direction_ = static_cast<int>(decode_hex(*directions).value_or(factory_outputs));
+  tell_other_jumpers();
   co_return Result<>();
+}
+
+/// The lines are shown in the directions that the address tells. Another board says so.
+void Vme58Driver::tell_other_jumpers() {
+  const auto is_output = [this](int line) { return bit(static_cast<unsigned>(outputs_direction_), line); };
+  const bool same = std::all_of(catalog_.inputs.begin(), catalog_.inputs.end(), [&](const InputInfo& line) {
+    return line.of_output == is_output(line.number);
+  });
+  if (same) return;
+  std::string jumpers;
+  for (int line = 0; line < first_fixed_output; line += lines_of_a_group)
+    jumpers += is_output(line) ? 'O' : 'I';
+  tell(Notice::Kind::warning,
+       fmt::format("The general lines of the board do not go the ways that are shown here. Open it with "
+                   "jumpers={} in its address.",
+                   jumpers));
 }
 
 // User units that another program has left on would scale all that this one sends.
@@ -240,7 +257,9 @@ Task<Result<>> Vme58Driver::found_reset() {
   forget();
   user_unit_ = {};
   context_ = Context();
+  selection_lost_ = false;
   factory_params();
+  for (int i = 0; i < axis_count(); ++i) draft_.axes[i].position_doubtful = true;
   auto taken = co_await take_over_rings();
   if (!taken) co_return taken;
   auto quiet = co_await write("EF\n", Priority::intent);

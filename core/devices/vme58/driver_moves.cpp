@@ -56,6 +56,7 @@ Task<Result<>> Vme58Driver::begin(std::string text, unsigned axes, Activity acti
     AxisMind& mind = minds_[ix(i)];
     mind.wanted = activity;
     mind.ours = true;
+    mind.homes = mind.homes && activity == Activity::homing;
     mind.group = (axes & (axes - 1)) != 0 ? axes : 0;
     mind.done = mind.limit_hit = mind.turned = mind.stopping = mind.by_text = mind.asks_queue = false;
     if (activity != Activity::jogging) begins_to_creep(i, {});
@@ -94,6 +95,10 @@ Task<Result<>> Vme58Driver::move(std::vector<AxisTarget> wish, Pps speed_wish, b
                      fmt::format("Position {} of axis {} lies outside the board's range, ±{}.", goal,
                                  axis_name(axis), position_max),
                      "Nothing was sent.");
+    if (!relative && draft_.axes[axis].position_doubtful)
+      tell(Notice::Kind::warning,
+           fmt::format("The position of {} is doubtful: {} may lie elsewhere than before.", axis_name(axis),
+                       t.value.value));
     if (relative && t.value.value == 0) continue;
     operands[ix(axis)] = t.value.value;
     targets[ix(axis)] = Steps(goal);
@@ -166,6 +171,7 @@ Task<Result<>> Vme58Driver::home(intent::Home wish) {
                      "Nothing was sent.");
   }
   text = addressed(axis, "CA " + text);
+  minds_[ix(axis)].homes = static_cast<HomeMode>(wish.mode) != HomeMode::stop_dead;  // KM keeps the counter
   const std::array<Steps, max_axes> nowhere{};
   co_return co_await begin(std::move(text), 1u << axis, Activity::homing, nowhere);
 }
@@ -190,6 +196,8 @@ Task<Result<>> Vme58Driver::set_position(intent::SetPosition wish) {
     minds_[ix(i)].counted = minds_[ix(i)].counted || wish.axis < 0 || wish.axis == i;
   auto sent = co_await command(std::move(text), Priority::intent);
   if (!sent) co_return sent;
+  for (int i = 0; i < axis_count(); ++i)
+    if (wish.axis < 0 || wish.axis == i) draft_.axes[i].position_doubtful = false;
   co_return co_await read_axes(Priority::intent);
 }
 

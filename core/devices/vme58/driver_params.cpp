@@ -17,6 +17,10 @@ std::int64_t unit_of(int decimals) {
   return unit;
 }
 
+std::int64_t in_units(double number, const ParameterFact& fact) {
+  return std::llround(number * static_cast<double>(unit_of(fact.decimals)));
+}
+
 std::string range_words(const ParamInfo& p) {
   if (!p.choices.empty()) {
     std::string all;
@@ -150,8 +154,9 @@ void Vme58Driver::note_param(const TextCommand& sent) {
     } else if (fact.whole_board && fact.letters == "PN" && (letters == "PF" || letters == "CN")) {
       state.value = letters == "CN" ? ramp_cosine : ramp_linear;
       state.known = true;
-    } else if (letters == fact.letters && !sent.numbers.empty() && sent.numbers.front() && !fact.shown) {
-      state.value = std::llround(*sent.numbers.front() * static_cast<double>(unit_of(fact.decimals)));
+    } else if (letters == fact.letters && !sent.numbers.empty() && sent.numbers.front() &&
+               (!fact.shown || fact.decimals > 0)) {  // of a gain the data area has the whole part only
+      state.value = in_units(*sent.numbers.front(), fact);
       state.known = true;
     }
   }

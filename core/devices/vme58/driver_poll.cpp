@@ -2,7 +2,6 @@
 // everybody: while the board takes questions it is asked instead, which leaves the flags to whoever wants
 // them (decisions M31, M32). Reading the limit register clears only a hit that is over, and is remembered.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <iterator>
@@ -26,7 +25,6 @@ constexpr int live_values = 3;               // encoder, position, velocity stan
 }  // namespace
 
 // A recording wants each copy that the board makes: one a millisecond.
-bool Vme58Driver::sampling() const { return sampled_axis_ >= 0 && scheduler_.now() < sample_until_; }
 Duration Vme58Driver::moving_period() const { return sampling() ? sample_pause : Duration(Millis(20)); }
 Duration Vme58Driver::idle_period() const {
   if (draft_.working) return moving_period();
@@ -148,6 +146,7 @@ void Vme58Driver::take_registers(const Registers& r) {
     }
     AxisState& axis = draft_.axes[i];
     axis.home = bit(r.home, i);
+    axis.slipped = bit(slips_, i);
     const int place = catalog_.find_readout(fmt::format("SLIP{}", axis_name(i)));
     if (place >= 0) {
       draft_.readouts_known.set(ix(place));
@@ -333,6 +332,7 @@ void Vme58Driver::show_still(int i, Instant at) {
 void Vme58Driver::end_motion(int i, EndedBy ended_by) {
   AxisState& axis = draft_.axes[i];
   AxisMind& mind = minds_[ix(i)];
+  if (std::exchange(mind.homes, false) && ended_by == EndedBy::target) axis.position_doubtful = false;
   axis.activity = Activity::idle;
   axis.ended_by = ended_by;
   axis.has_target = false;
@@ -372,64 +372,6 @@ void Vme58Driver::record_round() {
     fmt::format_to(std::back_inserter(round_text_), "{}{}", i == 0 ? "" : " ", draft_.axes[i].position.value);
   record(Way::sent, Priority::poll, "data area");
   record(Way::received, Priority::poll, round_text_);
-}
-
-void Vme58Driver::sample(Instant at) {
-  if (sampled_axis_ < 0 || !sample_) return;
-  const AxisState& axis = draft_.axes[sampled_axis_];
-  AxisSample s;
-  s.at = at;
-  s.axis = static_cast<std::uint8_t>(sampled_axis_);
-  s.moving = moving(sampled_axis_);
-  s.command = axis.position;
-  s.encoder = axis.encoder;
-  s.velocity = axis.speed;
-  if (const auto gains = known_gains(sampled_axis_)) {
-    const double steps = servo_watch_.look(*gains, catalog_.servo_update, at, s.command.value,
-                                           s.encoder.value, s.velocity.value);
-    s.output_percent = axis.enabled ? static_cast<float>(100 * steps / motion::output_limit) : 0;
-    s.output_known = true;
-  }
-  sample_(s);
-  if (at >= sample_until_) sampled_axis_ = -1;
-}
-
-/// None: not all of them are known. Where nothing is integrated, its interval does not matter.
-std::optional<motion::ServoGains> Vme58Driver::known_gains(int axis) const {
-  constexpr double hundredths = 100;
-  const std::array<std::pair<std::string_view, double motion::ServoGains::*>, 6> places{{
-      {"KP", &motion::ServoGains::kp},
-      {"KI", &motion::ServoGains::ki},
-      {"KD", &motion::ServoGains::kd},
-      {"KV", &motion::ServoGains::kv},
-      {"KA", &motion::ServoGains::ka},
-      {"KO", &motion::ServoGains::ko},
-  }};
-  motion::ServoGains gains;
-  std::size_t found = 0;
-  bool interval_known = false;
-  for (std::size_t i = 0; i < parameters_.size(); ++i) {
-    if (parameters_[i].axis != axis || !draft_.params[i].known) continue;
-    const std::string_view letters = parameters_[i].fact->letters;
-    const auto value = static_cast<double>(draft_.params[i].value);
-    for (const auto& [name, gain] : places)
-      if (letters == name) gains.*gain = value / hundredths, ++found;
-    if (letters == "KN") gains.kn = static_cast<int>(value), interval_known = true;
-  }
-  if (found != places.size() || (gains.ki != 0 && !interval_known)) return std::nullopt;
-  return gains;
-}
-
-// The error came to light in a round of status: what had waited in a queue was rejected when its turn came.
-void Vme58Driver::show_late_rejection() {
-  std::string words = fmt::format(
-      "The board reports a command error: of what waited in a queue, or of \"{}\".", without_end(last_said_));
-  if (draft_.program.run == RunState::running) {
-    rejection_ = words + " The program did not do all that it says.";
-    words = rejection_;
-    program_flawed_ = true;
-  }
-  tell(Notice::Kind::error, std::move(words));
 }
 
 void Vme58Driver::show_worst() {

@@ -1,5 +1,7 @@
 // The board keeps no programs: a program is a command string that the console holds and feeds into the ring
 // as the board takes it, each command by itself, so that the one that is rejected can be named.
+#include <utility>
+
 #include <fmt/core.h>
 
 #include "core/base/index.h"
@@ -56,7 +58,11 @@ Task<Result<>> Vme58Driver::run_program() {
   if (draft_.any_axis_moving())
     co_return fail(FaultKind::refused, "An axis is still moving.", "Nothing was sent.",
                    "Wait until it ends, or stop it.");
+  auto selected = co_await select_again(Priority::intent);
+  if (!selected) co_return selected;
   Context context = context_;
+  fed_context_ = before_feeding_ = context_;
+  fed_apart_ = false;
   to_feed_.clear();
   const std::string plain = without_comments(program_text_);
   for (const TextCommand& command : read_commands(plain, context))
@@ -83,6 +89,17 @@ Task<Result<>> Vme58Driver::run_program() {
   co_return co_await feed();
 }
 
+/// With the selector that the program means, and back to the user's, where the user's text has selected an
+/// axis meanwhile. Never within a contour: a selector would end it.
+std::string Vme58Driver::fed_text(std::string_view command, const Context& after) const {
+  const std::string users = context_.selector(), own = fed_context_.selector();
+  std::string text;
+  if (!fed_context_.recording && (selection_lost_ || (fed_apart_ && own != users))) text = own + " ";
+  text += fmt::format("{};", command);
+  if (fed_apart_ && !after.recording && after.selector() != users) text += " " + users;
+  return text + "\n";
+}
+
 /// As much as the board takes now. A command that waits for room stays in the ring until the next round.
 Task<Result<>> Vme58Driver::feed() {
   for (int n = 0; n < commands_a_round; ++n) {
@@ -101,9 +118,14 @@ Task<Result<>> Vme58Driver::feed() {
       std::string what = feeding_waits_
                              ? rejected_late()  // others had their turn meanwhile
                              : fmt::format("Line {}: the board rejected \"{}\".", feeding_line_ + 1, sent);
-      if (*bad) co_return co_await end_rejected(std::move(what));
-      Context read = context_;
-      for (const TextCommand& command : read_commands(sent, read)) note_sent(command);
+      if (*bad) {
+        what += open_loop_words(sent, before_feeding_);
+        selection_lost_ = true;  // it may have been the one that selects
+        if (!fed_apart_) context_ = before_feeding_;
+        co_return co_await end_rejected(std::move(what));
+      }
+      Context read = before_feeding_;
+      for (const TextCommand& command : read_commands(sent, read)) note_effects(command);
     }
     if (to_feed_.empty()) {
       draft_.feed.running = false;
@@ -115,38 +137,23 @@ Task<Result<>> Vme58Driver::feed() {
     if (*late) co_return co_await end_rejected(std::move(what));
     if (to_feed_.empty()) co_return Result<>();
     auto [line, command] = to_feed_.front();
-    std::string text = command + ";\n";
+    Context after = fed_context_;
+    (void)read_commands(command, after);
+    std::string text = fed_text(command, after);
     const auto put = co_await put_text(std::move(text), Priority::transfer);
     if (!put) co_return fail(put.error());
     if (!*put) co_return Result<>();
     if (to_feed_.empty()) co_return Result<>();  // a stop has come in between
     to_feed_.pop_front();
+    before_feeding_ = std::exchange(fed_context_, after);
+    if (!fed_apart_) context_ = after;
+    context_.recording = after.recording;
+    if (!after.recording) selection_lost_ = false;
     feeding_line_ = line;
     feeding_waits_ = false;
     feeding_ = std::move(command);
   }
   co_return Result<>();
-}
-
-std::string Vme58Driver::rejected_late() const {
-  return fmt::format("The board rejected a command of lines 1 to {} when its turn in a queue came.",
-                     feeding_line_ + 1);
-}
-
-/// It stays said until something else is done.
-Task<Result<>> Vme58Driver::end_rejected(std::string what) {
-  rejection_ = what + " The program ends there, and all axes were stopped.";
-  end_program(EndedBy::error);
-  draft_.notice = rejection_;
-  auto stopped = co_await stop_all(false);
-  tell(Notice::Kind::error, rejection_);
-  co_return stopped;
-}
-
-void Vme58Driver::forget_rejection() {
-  if (draft_.program.run != RunState::error) return;
-  draft_.program.run = RunState::idle;
-  draft_.notice.clear();
 }
 
 void Vme58Driver::end_program(EndedBy ended_by) {
@@ -180,6 +187,8 @@ Task<Result<>> Vme58Driver::watch_program() {
   }
   bool limit = false;
   for (int i = 0; i < axis_count(); ++i) limit = limit || (minds_[ix(i)].turned && met_limit(minds_[ix(i)]));
+  for (int i = 0; i < axis_count(); ++i)
+    if (std::exchange(minds_[ix(i)].homes, false) && !limit) draft_.axes[i].position_doubtful = false;
   end_program(limit ? EndedBy::limit : EndedBy::target);
   co_return Result<>();
 }

@@ -1,4 +1,4 @@
-// The rings: commands in, replies out, and what the board rejects.
+// The rings: commands in, replies out.
 #include <algorithm>
 
 #include <fmt/core.h>
@@ -29,14 +29,6 @@ TrafficKind kind_of(Priority priority) {
 
 tl::unexpected<Fault> Vme58Driver::no_connection() const {
   return fail(FaultKind::lost, "There is no connection to the board.", "Nothing was sent.");
-}
-
-tl::unexpected<Fault> Vme58Driver::rejected(std::string_view text) const {
-  return fail(FaultKind::controller,
-              fmt::format("The board rejected \"{}\": its status register reports a command error.",
-                          without_end(text)),
-              "The rest of what it understood was carried out.",
-              "Look at the axis' fitting (servo, step, encoder), the range of the number, and the mode.");
 }
 
 Task<Result<>> Vme58Driver::run(std::vector<BusCycle>& cycles, Priority priority) {
@@ -109,7 +101,16 @@ Task<Result<>> Vme58Driver::withdraw_text(Priority priority, int from) {
   for (int i = begin; i != put_; i = advanced(i, 1))
     cycles.push_back(BusCycle::store(2, static_cast<std::uint16_t>(at::output_buffer + 2 * i), ' '));
   if (cycles.empty()) co_return Result<>();
+  selection_lost_ = true;
   co_return co_await run(cycles, priority);
+}
+
+/// The board stands at the axis that the user's text has selected, also after text was taken back.
+Task<Result<>> Vme58Driver::select_again(Priority priority) {
+  if (!selection_lost_ || context_.recording) co_return Result<>();
+  auto written = co_await write(context_.selector() + "\n", priority);
+  if (written) selection_lost_ = false;
+  co_return written;
 }
 
 /// Returns when the board has taken it. Text that would wait behind a full queue and act at an unexpected
@@ -142,23 +143,6 @@ Task<Result<>> Vme58Driver::write(std::string text, Priority priority, WhenStuck
                  waits ? "What was sent waits in the ring and will be carried out when there is room."
                        : "What was sent was taken back.",
                  "Wait until its queues have room, or stop it.");
-}
-
-// A command error stays until the status register is read, which clears it.
-Task<Result<bool>> Vme58Driver::was_rejected(Priority priority) {
-  const auto registers = co_await read_registers(priority, false);
-  if (!registers) co_return fail(registers.error());
-  take_registers(*registers);
-  co_return std::exchange(command_error_, false);
-}
-
-// What waits in a queue may be rejected at any time: not to be taken for the fault of what is sent next.
-Task<Result<>> Vme58Driver::settle_late_rejection(Priority priority) {
-  if (!draft_.working) co_return Result<>();
-  const auto late = co_await was_rejected(priority);
-  if (!late) co_return fail(late.error());
-  if (*late) show_late_rejection();
-  co_return Result<>();
 }
 
 Task<Result<>> Vme58Driver::command(std::string text, Priority priority) {

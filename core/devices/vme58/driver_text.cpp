@@ -35,6 +35,12 @@ bool moves_in_queue(Op op) {
   }
 }
 
+/// What stands behind it speaks to the axis or the mode that it names.
+bool selects(const TextCommand& command) {
+  return command.fact && ((command.fact->op >= Op::AX && command.fact->op <= Op::AS) || command.is(Op::AA) ||
+                          command.is(Op::AM));
+}
+
 bool is_query(const TextCommand& command) { return command.fact && command.fact->when == When::query; }
 
 }  // namespace
@@ -61,6 +67,9 @@ Task<Result<std::string>> Vme58Driver::send_commands(std::string text, Duration 
   forget_rejection();
   Context context = context_;
   const auto commands = read_commands(text, context);
+  if (auto may = may_say_while_feeding(commands); !may) co_return fail(may.error());
+  auto selected = co_await select_again(Priority::intent);
+  if (!selected) co_return fail(selected.error());
   std::string answers;
   for (const TextCommand& command : commands) {
     std::string word(command.text);
@@ -77,8 +86,13 @@ Task<Result<std::string>> Vme58Driver::send_commands(std::string text, Duration 
       if (!settled) co_return fail(settled.error());
       // Until a round of status has seen all queues empty and no axis turning.
       if (!command.fact || command.fact->when == When::queued) draft_.working = queues_due_ = true;
+      const int put_before = put_;
       auto written = co_await write(word, Priority::intent, WhenStuck::leave);
-      if (!written) co_return fail(written.error());
+      if (!written) {
+        // Left in the ring it acts later: what is sent behind it must know.
+        if (put_ != put_before && selects(command)) note_sent(command);
+        co_return fail(written.error());
+      }
       const auto bad = co_await was_rejected(Priority::intent);
       if (!bad) co_return fail(bad.error());
       if (*bad && !command.flaw.empty())
@@ -93,9 +107,33 @@ Task<Result<std::string>> Vme58Driver::send_commands(std::string text, Duration 
   co_return answers;
 }
 
+/// Between CD and CE everything becomes part of the contour: of a program's what the user says, and of the
+/// user's what the program says.
+Result<> Vme58Driver::may_say_while_feeding(const std::vector<TextCommand>& commands) const {
+  const auto stops = [](const TextCommand& command) { return command.fact && stops_here(command.fact->op); };
+  if (!draft_.feed.running || std::all_of(commands.begin(), commands.end(), stops)) return {};
+  if (context_.recording)
+    return fail(FaultKind::refused,
+                "The program that runs is recording a contour: this text would become part of it.",
+                "Nothing was sent.", "Send it again when the contour has ended, or stop the program first.");
+  const auto records = [](const TextCommand& command) { return command.is(Op::CD); };
+  if (std::any_of(commands.begin(), commands.end(), records))
+    return fail(FaultKind::refused,
+                "A program is being sent to the board: its commands would become part of this contour.",
+                "Nothing was sent.", "Wait until the program ends, or stop it.");
+  return {};
+}
+
 void Vme58Driver::note_sent(const TextCommand& command) {
   if (!command.fact || !command.flaw.empty()) return;
+  fed_apart_ = fed_apart_ || (draft_.feed.running && selects(command));
   follow(command, context_);
+  note_effects(command);
+}
+
+/// All but the axis that it selects.
+void Vme58Driver::note_effects(const TextCommand& command) {
+  if (!command.fact || !command.flaw.empty()) return;
   note_param(command);
   note_motion(command);
   const int axis = command.context.axis;
@@ -107,7 +145,11 @@ void Vme58Driver::note_sent(const TextCommand& command) {
       break;
     case Op::EN: echo_ = true; break;
     case Op::LP:
-      for (int i = 0; i < axis_count(); ++i) minds_[ix(i)].counted = true;
+      for (int i = 0; i < axis_count(); ++i) {
+        minds_[ix(i)].counted = true;
+        const bool listed = ix(i) < command.numbers.size() && command.numbers[ix(i)];
+        if (one ? i == axis : listed) draft_.axes[i].position_doubtful = false;
+      }
       break;
     case Op::AN:
     case Op::AF:
@@ -149,6 +191,11 @@ void Vme58Driver::note_motion(const TextCommand& command) {
       if (!moving(i)) mind.from_limit = (limits_ >> i & 1) != 0;
       draft_.axes[i].ended_by = EndedBy::nothing;
     }
+    bool& homes = minds_[ix(i)].homes;
+    if (op == Op::HM || op == Op::HR)
+      homes = one;
+    else if (jogs || stops_here(op))
+      homes = false;
     const double speed = jogs ? std::abs(*command.numbers[place]) : 0;
     begins_to_creep(i, speed > 0 ? jog_gap(i, speed) : Duration::zero());
   }

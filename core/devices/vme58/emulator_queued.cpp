@@ -129,7 +129,9 @@ Board::Step Board::play_contour(int context) {
 
 // --- done flags --------------------------------------------------------------------------------------------
 
-/// Decision M53: the axes of the last move.
+/// Decision M53: the axes of the last move. Before any move it is all that the mode addresses, as ID of a
+/// single axis that has never moved sets its flag: a host that puts ID behind its set-up and waits for the
+/// flag would else wait for ever. The data sheet does not tell.
 unsigned Board::flagged_axes(int context) const {
   const Task& t = tasks_[ix(context)];
   return context < most_axes || t.last_axes == 0 ? axes_of(context) : t.last_axes;

@@ -62,9 +62,7 @@ class Check {
   ProgramReport report() {
     split_lines();
     mark_comments();
-    Context context;
-    const auto commands = read_commands(plain_, context);
-    for (const TextCommand& command : commands) look_at(command);
+    const Context context = look_at_all();
     if (context.recording)
       problem(recording_began_, 2, "The contour that begins here has no end: CE or CK is missing.", true);
     for (const Queue& queue : queues_)
@@ -122,6 +120,43 @@ class Check {
     problem(command.begin, command.length, std::move(sentence), true);
   }
 
+  /// Where AA or AM is missing that is said once: from there on the text is read as if it stood there.
+  /// Returns what is addressed at the end.
+  Context look_at_all() {
+    Context context;
+    auto commands = read_commands(plain_, context);
+    for (std::size_t i = 0; i < commands.size(); ++i) {
+      if (selects(commands[i])) assumed_ = false;
+      if (!assumed_ && modes_missed_ < most_modes_missed && lacks_mode(commands[i])) {
+        ++modes_missed_;
+        const std::size_t begin = commands[i].begin;
+        const bool all = (commands[i].fact->where & where::all) != 0;
+        error(commands[i], fmt::format("{} is taken {}. What follows is read as if {} stood before it.",
+                                       commands[i].fact->letters, where_it_is_taken(commands[i].fact->where),
+                                       all ? "AA" : "AM"));
+        assumed_ = told_already_ = true;
+        read_as_if_ = std::string(begin, ' ') + plain_.substr(begin);
+        context = Context{all ? where::all : where::tasks};
+        commands = read_commands(read_as_if_, context);
+        i = 0;
+      }
+      look_at(commands[i]);
+    }
+    return context;
+  }
+  static bool selects(const TextCommand& c) {
+    return c.fact && ((c.fact->op >= Op::AX && c.fact->op <= Op::AS) || c.is(Op::AA) || c.is(Op::AM));
+  }
+  /// It is meant for lists, and one axis is addressed.
+  static bool lacks_mode(const TextCommand& command) {
+    return command.fact && !command.context.recording && command.context.mode == where::single &&
+           (command.fact->where & where::single) == 0 && (command.fact->where & where::lists) != 0;
+  }
+  [[nodiscard]] unsigned modes_of(const TextCommand& command) const {
+    const unsigned modes = command.context.modes();
+    return assumed_ && !command.context.recording ? modes | where::single : modes;
+  }
+
   void look_at(const TextCommand& command) {
     const auto [line, column] = place(command.begin);
     LineReport& row = report_.lines[static_cast<std::size_t>(line)];
@@ -132,12 +167,13 @@ class Check {
     const std::size_t problems = report_.problems.size();
     if (!command.flaw.empty())
       problem(command.flaw_begin, command.flaw_length, command.flaw, true);
-    else if ((command.fact->where & command.context.modes()) == 0)
+    else if ((command.fact->where & modes_of(command)) == 0)
       error(command,
             fmt::format("{} is taken {}.", command.fact->letters, where_it_is_taken(command.fact->where)));
     else
       look_closer(command);
-    const bool bad = report_.problems.size() > problems && report_.problems.back().error;
+    const bool bad = std::exchange(told_already_, false) ||
+                     (report_.problems.size() > problems && report_.problems.back().error);
     row.tokens.push_back(
         {column, column + static_cast<int>(command.length), bad ? TokenKind::bad : kind_of(command)});
     std::sort(row.tokens.begin(), row.tokens.end(),
@@ -235,6 +271,10 @@ class Check {
 
   std::string_view text_;
   std::string plain_;
+  std::string read_as_if_;  ///< blank up to where a mode was missing
+  bool assumed_ = false, told_already_ = false;
+  static constexpr int most_modes_missed = 20;  ///< each is a reading of the rest; more are told one by one
+  int modes_missed_ = 0;
   std::vector<std::size_t> begins_;
   ProgramReport report_;
   std::array<Queue, most_axes + 2> queues_{};

@@ -42,6 +42,7 @@ class VxmDriver final : public Driver {
   Task<Result<>> perform(const IntentBody& intent) override;
   Task<Result<>> stop(int axis, bool at_once) override;
   [[nodiscard]] bool clears_up() const override;
+  [[nodiscard]] std::string leaves_behind() const override;
   void wire_lost() override;
   Task<Result<std::string>> query(std::string text, Duration patience) override;
   [[nodiscard]] bool answers(std::string_view text) const override;
@@ -111,11 +112,12 @@ class VxmDriver final : public Driver {
   struct RawAnswer {
     std::string text;
     bool last_is_answered = false;
+    std::optional<Fault> fault;  ///< what ended it; `text` is what was answered before
   };
   Task<Result<>> send_text(std::string text);
-  Task<Result<RawAnswer>> send_pieces(std::string text, Duration patience);
+  Task<RawAnswer> send_pieces(std::string text, Duration patience);
   void warn_of_flaws(const std::vector<TextCommand>& commands);
-  void note_sent(const std::vector<TextCommand>& commands);
+  void note_taken(const std::vector<TextCommand>& commands);
   std::optional<std::string> take_since(std::uint64_t number, char first = 0);
   Task<Result<std::string>> wait_for_prompt(std::uint64_t since, Duration patience);
 
@@ -161,6 +163,7 @@ class VxmDriver final : public Driver {
 
   // ---- driver_legs.cpp
   Task<Result<int>> find_scratch();
+  void ask_for_room(std::string sentence);
   bool may_be_scratch(int slot) const;
   Task<Result<>> begin(Job job);
   void forget_how_it_ended();
@@ -207,6 +210,7 @@ class VxmDriver final : public Driver {
   Task<Result<>> set_baud(std::int64_t number);
   Task<Result<>> read_param(int index, Priority priority);
   Task<Result<>> read_params();
+  void all_stored();
   Task<Result<>> store();
   Task<Result<>> reset();
   [[nodiscard]] std::optional<std::int64_t> param(std::string_view mnemonic) const;

@@ -58,10 +58,18 @@ Task<Result<int>> VxmDriver::find_scratch() {
       "All five programs of the controller hold commands, and a move of the console needs an empty one for "
       "its time.",
       "Nothing was sent and nothing was erased.",
-      "Which may be emptied? Choose it in the program editor, save its text if it is needed, take Clear in "
+      "Which may be emptied? Choose it in the program editor, save its text if it is needed, take Empty in "
       "controller, and move again.");
-  tell(Notice::Kind::question, none.sentence());
+  ask_for_room(none.sentence());
   co_return fail(none);
+}
+
+void VxmDriver::ask_for_room(std::string sentence) {
+  if (!notify_) return;
+  Notice question(Notice::Kind::question, scheduler_.now(), std::move(sentence));
+  for (int slot = 0; slot < program_count; ++slot)
+    if (may_be_scratch(slot)) question.slots.push_back(slot);
+  notify_(std::move(question));
 }
 
 // ---- legs
@@ -202,6 +210,14 @@ std::optional<VxmDriver::Leg> VxmDriver::next_jog_leg(const Leg& last, EndedBy e
 bool VxmDriver::clears_up() const {
   const bool ends = !busy() || stopping_ != Stopping::no || job_.leg_over;
   return scratch_ >= 0 && mode_ == Mode::on_line && !halted_ && ends;
+}
+
+std::string VxmDriver::leaves_behind() const {
+  if (scratch_ < 0) return {};
+  return fmt::format(
+      "The move goes on without the console, and program {} of the controller still holds it: "
+      "the Run button would repeat it. Send {} when the move is over.",
+      scratch_, empty_program(scratch_));
 }
 
 Task<Result<>> VxmDriver::clean_scratch() {

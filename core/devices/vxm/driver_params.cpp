@@ -204,6 +204,11 @@ Task<Result<>> VxmDriver::set_baud(std::int64_t number) {
       state ? "" : "Open it again at each rate, or switch it off and on: the stored rate then holds.");
 }
 
+void VxmDriver::all_stored() {
+  for (ParamState& p : draft_.params) p.stored = true;
+  draft_.unsaved_setup = draft_.unsaved_programs = false;
+}
+
 Task<Result<>> VxmDriver::store() {
   if (auto may = may_touch_programs(); !may) co_return may;
   auto cleaned = co_await clean_scratch();
@@ -217,8 +222,7 @@ Task<Result<>> VxmDriver::store() {
         "rsm was sent once and is not repeated: the memory bears a limited number of writes.",
         "Do not switch the controller off now. Ask for its state, and compare before you store again.");
   if (!reply) co_return fail(reply.error());
-  for (ParamState& p : draft_.params) p.stored = true;
-  draft_.unsaved_setup = draft_.unsaved_programs = false;
+  all_stored();
   if (draft_.store_count >= 0) {
     tell(Notice::Kind::info, fmt::format("Set-up and programs are stored. {} of about {} writes are used.",
                                          draft_.store_count, store_life));

@@ -94,10 +94,54 @@ std::string without_end(std::string reply) {
   return reply;
 }
 
+void add_answer(std::string& answers, std::string_view next) {
+  if (!answers.empty()) answers += '\r';
+  answers += next;
+}
+
+/// The answers that came before a failure are not lost.
+std::string with_answers(std::string_view answers, std::string_view done) {
+  return fmt::format("Before that it answered {}.{}{}", printable(answers), done.empty() ? "" : " ", done);
+}
+
+/// Which state takes a few commands only, for a sentence.
+std::string_view what_listens(const Listening& now) {
+  if (now.halted) return "After its error report the controller takes only K, or res";
+  if (now.running) return "While a program runs the controller takes only a few letters";
+  return "In local mode the controller takes only a few letters";
+}
+
+/// Taken in more states than one can know here: T and Z at a standstill, res always.
+bool may_be_taken(const TextCommand& c) {
+  return c.verb == Verb::letter ? c.letter == 'T' || c.letter == 'Z'
+                                : c.verb == Verb::word && c.name == "res";
+}
+
+/// What becomes of a text in the controller's present state.
+struct Reception {
+  std::vector<TextCommand> taken;
+  std::string dropped;         ///< known commands that it does not take: they go without a word as well
+  std::string_view when = {};  ///< the state that drops the first of them
+};
+
+Reception reception_of(const std::vector<TextCommand>& commands, Listening now) {
+  Reception r;
+  for (const TextCommand& c : commands) {
+    if (now.takes(c) || (!now.to_slave && may_be_taken(c))) {
+      r.taken.push_back(c);
+    } else if (c.flaw == Flaw::none && !now.to_slave) {
+      if (r.dropped.empty()) r.when = what_listens(now);
+      r.dropped += (r.dropped.empty() ? "" : " ") + canonical(c);
+    }
+    now.follow(c);
+  }
+  return r;
+}
+
 }  // namespace
 
 // What the text changes of which the driver keeps a record.
-void VxmDriver::note_sent(const std::vector<TextCommand>& commands) {
+void VxmDriver::note_taken(const std::vector<TextCommand>& commands) {
   const auto program_changed = [&] {
     if (selected_ < 0) return;
     draft_.slot_bytes_used[static_cast<std::size_t>(selected_)] = -1;
@@ -124,6 +168,7 @@ void VxmDriver::note_sent(const std::vector<TextCommand>& commands) {
       if (c.name == "DM" || c.name == "I" || c.name == "D") essentials_read_ = false;
     }
     if (c.verb == Verb::word && c.name == "del") program_changed();
+    if (c.verb == Verb::word && c.name == "rsm") all_stored();
     if (c.verb == Verb::word && c.name == "res") halted_ = 0;  // the next V finds it restarted
     if (c.verb != Verb::letter) continue;
     if (c.letter == 'C') program_changed();
@@ -140,13 +185,22 @@ void VxmDriver::note_sent(const std::vector<TextCommand>& commands) {
 
 // The controller drops what it does not know without a word.
 void VxmDriver::warn_of_flaws(const std::vector<TextCommand>& commands) {
+  std::string unknown;
+  int unknown_count = 0;
+  for (const TextCommand& c : commands)
+    if (c.flaw == Flaw::unknown) unknown += (unknown_count++ > 0 ? " " : "") + printable(c.name);
+  if (unknown_count == 1)
+    tell(Notice::Kind::warning,
+         fmt::format("{} is no command of the VXM: the controller drops it without a word. It was sent as it "
+                     "is. Press ? for the list of commands.",
+                     unknown));
+  if (unknown_count > 1)
+    tell(
+        Notice::Kind::warning,
+        fmt::format("{} are no commands of the VXM: the controller drops them without a word. They were sent "
+                    "as they are. Press ? for the list of commands.",
+                    unknown));
   for (const TextCommand& c : commands) {
-    if (c.flaw == Flaw::unknown)
-      tell(Notice::Kind::warning,
-           fmt::format(
-               "{} is no command of the VXM: the controller drops it without a word. It was sent as it "
-               "is. Press ? for the list of commands.",
-               printable(c.name)));
     if (c.flaw == Flaw::range)
       tell(Notice::Kind::warning,
            fmt::format(
@@ -172,7 +226,7 @@ static bool without_echo(std::string& text, const std::vector<TextCommand>& comm
 
 // Sends it piece by piece and gives back the answers, each without its end, joined by carriage returns.
 // `answered`: whether the last piece was one that is answered.
-Task<Result<VxmDriver::RawAnswer>> VxmDriver::send_pieces(std::string text, Duration patience) {
+Task<VxmDriver::RawAnswer> VxmDriver::send_pieces(std::string text, Duration patience) {
   const auto commands = read_text(text);
   warn_of_flaws(commands);
   if (without_echo(text, commands))
@@ -180,22 +234,30 @@ Task<Result<VxmDriver::RawAnswer>> VxmDriver::send_pieces(std::string text, Dura
   Listening now;
   now.local = mode_ == Mode::local, now.running = busy(), now.halted = halted_ != 0;
   now.digitized_lines = slave_present_ ? max_motors : motors_per_controller;
+  const Reception reception = reception_of(commands, now);
+  if (!reception.dropped.empty())
+    tell(Notice::Kind::warning, fmt::format("{} and drops {} without a word. It was sent as it is.",
+                                            reception.when, reception.dropped));
   const auto pieces = pieces_of(text, commands, now);
-  note_sent(commands);
+  note_taken(reception.taken);
   RawAnswer all;
   for (const Piece& piece : pieces) {
     all.last_is_answered = piece.answer.has_value();
     if (!piece.answer) {
       auto sent = co_await say(piece.text, Priority::intent);
-      if (!sent) co_return fail(sent.error());
-      continue;
+      if (sent) continue;
+      all.fault = std::move(sent.error());
+      co_return all;
     }
     const bool last = &piece == &pieces.back();
     const Duration wait = std::max(piece.answer->patience, last ? patience : usual_patience);
     auto reply =
         co_await ask(piece.text, piece.answer->shape, Priority::intent, piece.answer->stranger, wait);
-    if (!reply) co_return fail(reply.error());
-    all.text += (all.text.empty() ? "" : "\r") + without_end(std::move(*reply));
+    if (!reply) {
+      all.fault = std::move(reply.error());
+      co_return all;
+    }
+    add_answer(all.text, without_end(std::move(*reply)));
   }
   co_return all;
 }
@@ -212,10 +274,10 @@ Task<Result<>> VxmDriver::send_text(std::string text) {
                       canonical(c)),
           "Nothing was sent.", "Wait until it ends, or stop it.");
   }
-  auto sent = co_await send_pieces(std::move(text), usual_patience);
-  if (!sent) co_return fail(sent.error());
-  if (!sent->text.empty()) for_scripts(std::move(sent->text));
+  RawAnswer sent = co_await send_pieces(std::move(text), usual_patience);
+  if (!sent.text.empty()) for_scripts(std::move(sent.text));
   news_.notify();
+  if (sent.fault) co_return fail(std::move(*sent.fault));
   co_return Result<>();
 }
 
@@ -251,17 +313,19 @@ Task<Result<std::string>> VxmDriver::query(std::string text, Duration patience) 
   if (read_text(text).empty())
     co_return fail(FaultKind::refused, "There is no command in that text.", "Nothing was sent.");
   const std::uint64_t asked = next_unasked_;
-  auto sent = co_await send_pieces(std::move(text), patience);
-  if (!sent) {
-    if (sent.error().kind == FaultKind::no_answer)
-      if (auto report = take_since(asked, 'E')) co_return std::move(*report);  // instead of an answer
-    co_return fail(sent.error());
+  RawAnswer sent = co_await send_pieces(std::move(text), patience);
+  if (sent.fault) {
+    auto report = sent.fault->kind == FaultKind::no_answer ? take_since(asked, 'E') : std::nullopt;
+    if (!sent.text.empty() && !report) sent.fault->done = with_answers(sent.text, sent.fault->done);
+    if (!report) co_return fail(std::move(*sent.fault));
+    add_answer(sent.text, *report);  // it came instead of an answer
+    co_return std::move(sent.text);
   }
-  if (sent->last_is_answered) co_return std::move(sent->text);
+  if (sent.last_is_answered) co_return std::move(sent.text);
   auto prompt = co_await wait_for_prompt(asked, patience);
-  if (!prompt && sent->text.empty()) co_return prompt;
-  if (prompt && !sent->text.empty()) *prompt = sent->text + "\r" + *prompt;
-  co_return prompt ? std::move(*prompt) : std::move(sent->text);
+  if (!prompt && sent.text.empty()) co_return prompt;
+  if (prompt) add_answer(sent.text, *prompt);
+  co_return std::move(sent.text);
 }
 
 // For texts that have no answer of their own: R and what else brings a prompt some time.

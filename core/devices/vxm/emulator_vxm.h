@@ -65,7 +65,7 @@ class VxmEmulator final : public Emulator {
     [[nodiscard]] bool gives_power() const { return switched_on && !breaker_out; }
   };
   std::array<Supply, 2> supplies_{};  ///< of the controller, of its Slave
-  std::string held_back_;  ///< quirk overrun: the reply that is being sent
+  std::string held_back_;             ///< quirk overrun: the reply that is being sent
   Instant answering_until_{};
   std::uint64_t memory_loads_ = 0;
   mutable std::vector<TriggerPulse> pulses_;

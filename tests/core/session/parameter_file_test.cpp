@@ -101,6 +101,16 @@ TEST(ParameterFile, AValueWithDecimalsIsSaidToBeInPartsOfItsUnit) {
   EXPECT_THAT(write_backup(b, c), HasSubstr(", in hundredths\n"));
 }
 
+TEST(ParameterFile, AUnitThatFollowsALoopIsNamedBothWays) {
+  Catalog c = catalog();
+  c.loop_word = "counts";
+  c.params[0].follows_loop = true;
+  Backup b;
+  b.model = "toy";
+  b.parameters = {{"j1M", 100, 0}};
+  EXPECT_THAT(write_backup(b, c), HasSubstr("# Jog speed, steps/s (closed loop: counts/s)\n"));
+}
+
 TEST(ParameterFile, DiskFullIsSaid) {
   Backup b;
   b.model = "toy";

@@ -52,7 +52,7 @@ class Window(unittest.TestCase):
         self.env = {**os.environ, "DISPLAY": display, "XDG_CONFIG_HOME": str(home / "config"),
                     "XDG_STATE_HOME": str(home / "state"), "LIBGL_ALWAYS_SOFTWARE": "1"}
         self.env.pop("WAYLAND_DISPLAY", None)
-        self.start(["Xvfb", display, "-screen", "0", f"{WIDTH}x{HEIGHT}x24", "-nolisten", "tcp", "-noreset"])
+        self.display = self.start(["Xvfb", display, "-screen", "0", f"{WIDTH}x{HEIGHT}x24", "-nolisten", "tcp", "-noreset"])
         self.wait_until(lambda: subprocess.run(["xdotool", "getdisplaygeometry"], env=self.env,
                                                capture_output=True).returncode == 0, "the display is there")
         emulator = self.start([PROGRAM, "emulate", "vxm", "--tcp", "127.0.0.1:0"], stdout=subprocess.PIPE, text=True)
@@ -315,11 +315,7 @@ class Shape(Window):
 
 
 class Close(Window):
-    def test_closing_the_window_stops_a_held_jog(self):
-        begin = self.at_rest()
-        self.hold("jog/1/+", lambda position: position > begin + 300)
-        self.console.send_signal(signal.SIGTERM)
-        self.assertEqual(self.console.wait(30), 0)
+    def stands(self):
         time.sleep(2.5)  # the ramp
         for _ in range(2):
             here = subprocess.run([PROGRAM, "send", self.address, "X"], check=True, capture_output=True, text=True,
@@ -328,6 +324,21 @@ class Close(Window):
             there = subprocess.run([PROGRAM, "send", self.address, "X"], check=True, capture_output=True, text=True,
                                    timeout=60).stdout.split()[0]
         self.assertEqual(here, there)
+
+    def test_closing_the_window_stops_a_held_jog(self):
+        begin = self.at_rest()
+        self.hold("jog/1/+", lambda position: position > begin + 300)
+        self.console.send_signal(signal.SIGTERM)
+        self.assertEqual(self.console.wait(30), 0)
+        self.stands()
+
+    def test_a_display_that_goes_away_stops_a_held_jog(self):
+        begin = self.at_rest()
+        self.hold("jog/1/+", lambda position: position > begin + 300)
+        self.display.kill()
+        self.assertEqual(self.console.wait(30), 1)
+        self.assertIn("The display has gone away.", self.console.stderr.read())
+        self.stands()
 
 
 if __name__ == "__main__":

@@ -27,6 +27,15 @@ local function search(where, first, last)
   fill("connect/search/last", last)
   ui.click("connect/search")
 end
+-- How many ports a machine has is its own affair; of those that it has none is left out. What is asked and found
+-- there: tests/panels/connect_test.cpp, tests/transports/scan_test.cpp.
+local function every_port_was_asked()
+  shows("connect/search/progress", "%.$")
+  local said = ui.value("connect/search/progress")
+  local asked, all = said:match("^Done after (%d+) of (%d+) questions")
+  local none = said == "There is no serial port to ask." or said == "No port could be asked."
+  assert(none or (asked == all and tonumber(all) > 0), said)
+end
 
 -- ---- PMX-4EX-SA
 block("PMX-CONN-B1", function()
@@ -52,7 +61,7 @@ block("PMX-CONN-C1", function()
   pick("connect/form/model", 2)
   fill("connect/form/port", pmx)
   search(1, "98", "98")
-  shows("connect/search/progress", "%.$")  -- how many ports a machine has is its own affair
+  every_port_was_asked()
 end)
 block("PMX-CONN-C2", function()
   search(2, "06", "08")
@@ -100,7 +109,7 @@ block("DMX-CONN-D1", function()
   pick("connect/form/model", 3)
   fill("connect/form/port", dmx)
   search(1, "98", "98")
-  shows("connect/search/progress", "%.$")
+  every_port_was_asked()
 end)
 block("DMX-CONN-D2", function()
   search(2, "04", "06")

@@ -72,4 +72,13 @@ LoopWatch::Place LoopWatch::place_at(Turn turn) const {
   return {trace_[0].line, round + period_};
 }
 
+std::optional<std::uint16_t> LoopWatch::ran_last(Turn turn) const {
+  if (turn < start_) return std::nullopt;
+  const Turn round = start_ + (turn - start_) / period_ * period_;
+  std::optional<std::uint16_t> last;
+  for (int i = 0; i < steps_ && round + trace_[static_cast<std::size_t>(i)].offset <= turn; ++i)
+    last = trace_[static_cast<std::size_t>(i)].line;
+  return last;
+}
+
 }  // namespace hw::arcus::language

@@ -36,6 +36,8 @@ class LoopWatch {
   };
   /// Where an idle thread stands at `turn`: its next statement from then on.
   [[nodiscard]] Place place_at(Turn turn) const;
+  /// The statement that an idle thread has run last, at `turn` or before; nothing: it is at the loop's head.
+  [[nodiscard]] std::optional<std::uint16_t> ran_last(Turn turn) const;
 
  private:
   struct Step {

@@ -44,6 +44,8 @@ void Vm::start(Thread& thread, std::uint16_t line, Turn turn) {
 bool Vm::control(int program, int command, Instant now) {
   if (program < 0 || program >= max_programs || command < 0 || command > 3) return false;
   Thread& thread = threads_[program];
+  const bool leaves = command == 0 || command == 2;
+  if (leaves && thread.state == ThreadState::running && thread.loop.idle()) catch_up(thread, first_turn(now));
   switch (command) {
     case 0: thread.state = ThreadState::stopped; break;
     case 1:
@@ -105,12 +107,10 @@ void Vm::run_turn(Instant now, VmHost& host) {
 void Vm::run_thread(Thread& thread, Turn turn, VmHost& host) {
   if (thread.loop.idle()) {
     if (idles(thread, host)) return;
-    const LoopWatch::Place place = thread.loop.place_at(turn);
-    thread.line = place.line;
-    thread.due = place.turn;
-    thread.loop = {};
+    catch_up(thread, turn);
   }
   if (thread.due > turn) return;
+  thread.delay_at.reset();
   thread.loop.runs(thread.line, turn);
   thread.waits_for = {};
   thread.due = turn + 1;
@@ -123,6 +123,25 @@ void Vm::run_thread(Thread& thread, Turn turn, VmHost& host) {
     case Next::Kind::fail: fail(thread, next.trouble, turn); break;
     case Next::Kind::leave: break;
   }
+}
+
+void Vm::catch_up(Thread& thread, Turn turn) const {
+  const auto last = thread.loop.ran_last(turn - 1);
+  const LoopWatch::Place next = thread.loop.place_at(turn);
+  thread.delay_at.reset();
+  if (last && program_->code[*last].op == Opcode::delay) thread.delay_at = last;
+  thread.line = next.line;
+  thread.due = next.turn;
+  thread.loop = {};
+}
+
+int Vm::line(int program, Instant now) const {
+  const Thread& thread = threads_[program];
+  if (thread.state != ThreadState::running || !thread.loop.idle())
+    return thread.delay_at.value_or(thread.line);
+  Thread by_now = thread;
+  catch_up(by_now, first_turn(now));
+  return by_now.delay_at.value_or(by_now.line);
 }
 
 void Vm::fail(Thread& thread, Trouble trouble, Turn turn) {

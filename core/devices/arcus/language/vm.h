@@ -54,9 +54,9 @@ class Vm {
 
   [[nodiscard]] ThreadState state(int program) const { return threads_[program].state; }
   [[nodiscard]] ThreadState call_state() const { return threads_[gs_thread].state; }
-  /// SPCn: the low-level line of the statement that runs next, or that failed. A thread that idles in a loop
-  /// shows the loop's WHILE.
-  [[nodiscard]] int line(int program) const { return threads_[program].line; }
+  /// SPCn: the low-level line of the statement that runs next, that waits, or that failed; of a DELAY until
+  /// its time has passed.
+  [[nodiscard]] int line(int program, Instant now) const;
   [[nodiscard]] int call_line() const { return threads_[gs_thread].line; }
   /// The low-level line whose statement is being run at this moment, as its host is called; -1: none is.
   [[nodiscard]] int line_at_work() const { return line_at_work_; }
@@ -86,7 +86,8 @@ class Vm {
     AxisSet waits_for;       ///< the statement at `line` waits until these are at rest
     std::uint16_t line = 0;
     std::uint16_t first_line = 0;
-    Turn due = 0;  ///< not before this turn
+    Turn due = 0;                           ///< not before this turn
+    std::optional<std::uint16_t> delay_at;  ///< where the DELAY stands whose time has not passed
     LoopWatch loop;
     std::array<Frame, max_call_depth + 2> frames;  ///< one more for GS and one for SUB 31
   };
@@ -101,6 +102,8 @@ class Vm {
 
   void start(Thread& thread, std::uint16_t line, Turn turn);
   void run_thread(Thread& thread, Turn turn, VmHost& host);
+  /// What the thread has not run since it idles, it now has run, up to before `turn`.
+  void catch_up(Thread& thread, Turn turn) const;
   void fail(Thread& thread, Trouble trouble, Turn turn);
   [[nodiscard]] std::int32_t value_of(const Operand& operand, const VmHost& host) const;
   [[nodiscard]] bool idles(const Thread& thread, const VmHost& host) const;

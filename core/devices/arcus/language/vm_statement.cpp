@@ -33,7 +33,7 @@ Vm::Next Vm::Statement::run() {
     case Opcode::endwhile: return go_round();
     case Opcode::set: return set();
     case Opcode::compute: return compute_value();
-    case Opcode::delay: thread_.due = turn_ + i_->values[0].number; return go_on();
+    case Opcode::delay: return delay();
     default: thread_.loop.has_changed_something(); return run_effect();
   }
 }
@@ -163,6 +163,12 @@ Vm::Next Vm::Statement::compute_value() {
 Vm::Next Vm::Statement::wait() {
   const auto stands_still = obstacle(i_->axes);
   return stands_still ? *stands_still : go_on();
+}
+
+Vm::Next Vm::Statement::delay() {
+  thread_.due = turn_ + i_->values[0].number;
+  thread_.delay_at = thread_.line;
+  return go_on();
 }
 
 Vm::Next Vm::Statement::move() {

@@ -36,6 +36,7 @@ class Vm::Statement {
   Next set();
   Next compute_value();
   Next wait();
+  Next delay();
   Next move();
   Next arc();
   Next home(HomeMode mode);

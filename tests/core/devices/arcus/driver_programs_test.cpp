@@ -53,6 +53,30 @@ TEST_F(Programs, EachOfTwoIsListedAlone) {
   }
 }
 
+TEST_F(Programs, OneWhoseTransferWasBrokenOffDoesNotRun) {
+  std::string text;
+  for (int n = 0; n < 100; ++n) text += "V1=" + std::to_string(n) + "\n";
+  for (const std::string_view model : both) {
+    start(model, {}, true);
+    ASSERT_EQ(load(0, "X100\nEND\n"), "");
+    const IntentId loading = post(intent::LoadProgram(0, text + "END\n"));
+    ASSERT_TRUE(run_until([&] { return latest.transfer.done > 10; }, 60));
+    ASSERT_EQ(perform(intent::Stop()), "");
+    ASSERT_TRUE(run_until([&] { return fate(loading) != Fate::pending; }, 10));
+    EXPECT_EQ(pump->known().fate_of(loading)->sentence.view(),
+              "A stop came first. What is stored now is neither the old program nor the new one. Download it "
+              "again before anything runs it.");
+    EXPECT_EQ(latest.slot_bytes_used[0], -1) << "how much it is, is not known";
+    EXPECT_THAT(perform(intent::RunProgram(0)),
+                HasSubstr("its transfer was broken off. Nothing was started."));
+    EXPECT_EQ(position(), 0);
+    ASSERT_EQ(load(0, "X100\nEND\n"), "");
+    EXPECT_EQ(perform(intent::RunProgram(0)), "");
+    EXPECT_TRUE(wait_idle());
+    next_model();
+  }
+}
+
 TEST_F(Programs, OneThatIsNotThereDoesNotRun) {
   for (const std::string_view model : both) {
     start(model);

@@ -131,9 +131,9 @@ TEST_F(OneReply, ACommandThatIsAnsweredWithNonsenseIsSentOnce) {
 TEST_F(OneReply, AStoredLineThatReadsBackWrongIsNamed) {
   start();
   liar->instead["SA1"] = ended("WAIT,Y");
-  EXPECT_THAT(
-      perform(intent::LoadProgram(0, "X400\nWAITX\nEND\n")),
-      AllOf(HasSubstr("Line 1 reads back as \"WAIT,Y\" instead of \"WAIT,X\""), HasSubstr("stored in part")));
+  EXPECT_THAT(perform(intent::LoadProgram(0, "X400\nWAITX\nEND\n")),
+              AllOf(HasSubstr("Line 1 reads back as \"WAIT,Y\" instead of \"WAIT,X\""),
+                    HasSubstr("neither the old program nor the new one")));
   EXPECT_FALSE(latest.transfer.running);
 }
 

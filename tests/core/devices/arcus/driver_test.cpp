@@ -115,6 +115,11 @@ TEST_F(DriverTest, OnlyCommandsStandBesideThePolls) {
   EXPECT_EQ(sent(), "X50000 STOP STOP SLTX=25");
 }
 
+TEST_F(DriverTest, WhoDidNotAnswerATextForAnotherDeviceIsNamed) {
+  start(dmx);
+  EXPECT_EQ(query("@44PX=0"), "fault: Device 44 did not answer PX=0 in time.");
+}
+
 // ---- power cycles
 
 class Restart : public DriverTest {
@@ -205,6 +210,60 @@ TEST_F(Restart, AtZeroWithEverythingStoredNothingShowsItAndNothingIsLost) {
   power_cycle();
   EXPECT_FALSE(said());
   EXPECT_EQ(param("SLT"), 30);
+}
+
+// The code of the program is known, and sets none of what was lost.
+TEST_F(Restart, AtZeroAfterAProgramHasRunItStillShows) {
+  start(pmx);
+  run(40);
+  ASSERT_EQ(perform(intent::SetParam("SLTX", 30)), "");
+  ASSERT_EQ(perform(intent::SetParam("HSY", 2345)), "");
+  ASSERT_EQ(perform(intent::LoadProgram(0, "V60=7\nHSPDX=500\nEND\n")), "");
+  ASSERT_EQ(perform(intent::RunProgram(0)), "");
+  run(1);
+  power_cycle();
+  EXPECT_TRUE(said()) << all_notices();
+  EXPECT_FALSE(latest.unsaved_setup);
+}
+
+// What it takes back may have been a program nobody knows the code of; that nothing is left to store is sure.
+TEST_F(Restart, AtZeroAfterAnUnknownProgramNothingIsLeftToStore) {
+  start(pmx);
+  run(40);
+  ASSERT_EQ(perform(intent::LoadProgram(0, "WHILE 1=1\nDELAY=100\nENDWHILE\nEND\n")), "");
+  ASSERT_EQ(perform(intent::SetParam("SLTX", 30)), "");
+  EXPECT_TRUE(latest.unsaved_setup);
+  EXPECT_EQ(query("SA0=" + query("SA0")), "OK");
+  ASSERT_EQ(perform(intent::RunProgram(0)), "");
+  run(3);
+  power_cycle();
+  EXPECT_EQ(param("SLTX"), 20);
+  EXPECT_FALSE(latest.unsaved_setup) << all_notices();
+}
+
+TEST_F(Restart, WhatAProgramSetsIsNone) {
+  start(pmx);
+  run(40);
+  ASSERT_EQ(perform(intent::SetParam("HSY", 2345)), "");
+  ASSERT_EQ(perform(intent::SetParam("SCVX", 1)), "");
+  ASSERT_EQ(perform(intent::LoadProgram(0, "HSPDY=0\nSCVX=0\nEND\n")), "");
+  ASSERT_EQ(perform(intent::RunProgram(0)), "");
+  run(60);
+  EXPECT_FALSE(said()) << all_notices();
+}
+
+// By hand, too.
+TEST_F(Restart, WhatIsSetBackNeedsNoStore) {
+  start(pmx);
+  run(40);
+  ASSERT_EQ(perform(intent::SetParam("SLTX", 30)), "");
+  EXPECT_TRUE(latest.unsaved_setup);
+  ASSERT_EQ(perform(intent::SetParam("SLTX", 20)), "");
+  EXPECT_FALSE(latest.unsaved_setup);
+  ASSERT_EQ(perform(intent::SetVariable(60, 1)), "");
+  ASSERT_EQ(perform(intent::SetParam("SLTX", 30)), "");
+  ASSERT_EQ(perform(intent::SetParam("SLTX", 20)), "");
+  EXPECT_TRUE(latest.unsaved_setup) << "the variable is not stored";
 }
 
 TEST_F(Restart, WhatIsNone) {

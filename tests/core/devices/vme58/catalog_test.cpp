@@ -50,6 +50,42 @@ TEST(Vme58Catalog, JumpersSayWhichLinesAreOutputs) {
   EXPECT_GE(catalog->find_output(13), 0) << "the last two are outputs for good";
 }
 
+TEST(Vme58Catalog, EachLineTellsItsDirection) {
+  const auto catalog = make_catalog({{"jumpers", "IOI"}});
+  ASSERT_TRUE(catalog);
+  ASSERT_EQ(catalog->inputs.size(), 14u);
+  const auto line = [&](std::size_t n) -> const InputInfo& { return catalog->inputs[n]; };
+  EXPECT_EQ(line(3).name, "In 3");
+  EXPECT_EQ(line(3).group, "Lines 0 to 3: inputs");
+  EXPECT_FALSE(line(3).of_output);
+  EXPECT_TRUE(line(4).of_output);
+  EXPECT_EQ(line(4).group, "Lines 4 to 7: outputs");
+  EXPECT_THAT(line(4).help, testing::HasSubstr("an output by the jumper of lines 4 to 7"));
+  EXPECT_EQ(line(11).group, "Lines 8 to 11: inputs");
+  EXPECT_EQ(line(12).group, "Lines 12 to 13: outputs");
+  EXPECT_THAT(line(12).help, testing::HasSubstr("always an output"));
+  EXPECT_EQ(catalog->outputs[0].group, line(4).group) << "its switch stands with it";
+  EXPECT_EQ(catalog->outputs.back().group, "Auxiliary: outputs");
+  EXPECT_EQ(make_catalog({})->inputs[13].group, "Lines 8 to 13: outputs")
+      << "neighbours of the same direction";
+}
+
+TEST(Vme58Catalog, NoActionIsOfferedThatNoAxisCanDo) {
+  const auto without = make_catalog({{"variant", "4"}});
+  ASSERT_TRUE(without);
+  EXPECT_LT(without->find_action("encoder_ratio"), 0);
+  EXPECT_LT(without->find_action("slip_interrupt"), 0);
+  EXPECT_GE(without->find_action("force_position"), 0);
+  for (const OptionInfo& option : without->options)
+    for (const auto& [value, label] : option.choices) {
+      if (option.key != "variant") continue;
+      const auto catalog = make_catalog({{"variant", value}});
+      for (const ActionInfo& action : catalog->actions)
+        for (const ActionField& field : action.fields)
+          EXPECT_FALSE(field.id == "axis" && field.choices.empty()) << value << " " << action.id;
+    }
+}
+
 TEST(Vme58Catalog, WhatTheDataSheetLeavesOpenIsShownAsItIsSaid) {
   const auto catalog = make_catalog({{"velocity", "3000"},
                                      {"acceleration", "7000"},

@@ -67,6 +67,22 @@ TEST(Vme58Check, MistakesAreNamedWhereTheyStand) {
   }
 }
 
+TEST(Vme58Check, AMissingModeIsSaidOnce) {
+  const auto verbatim = errors(
+      "CV1000\nCD,,0,0;\nAN0;\nCR0,5000,3.1415926\nCR0,0,6.2831853\nAF0;\nMT-10,10000\nCE\n"
+      "MT,,-1000,0; GO\nCX\n");
+  ASSERT_EQ(verbatim.size(), 1u) << "the rest follows from it";
+  EXPECT_EQ(verbatim[0].line, 1);
+  EXPECT_THAT(verbatim[0].sentence,
+              HasSubstr("CD is taken only after AA or AM. What follows is read as if AA"));
+  EXPECT_EQ(errors("AX MT1,2; GO KP2 HN").size(), 1u) << "right for one axis";
+  const auto others = errors("AX MT1,2; GO XQ AY MT3,4; GO AA KP2");
+  ASSERT_EQ(others.size(), 4u) << "what does not follow from it is said, and a new one after a new selection";
+  EXPECT_THAT(others[1].sentence, HasSubstr("XQ"));
+  EXPECT_THAT(others[2].sentence, HasSubstr("MT is taken"));
+  EXPECT_THAT(others[3].sentence, HasSubstr("while one axis"));
+}
+
 TEST(Vme58Check, EachAxisHasLoopsOfItsOwn) {
   EXPECT_TRUE(errors("AX LS2 AY LS2 AZ LS2 AT LS2 AU LS2 AX MR5 GO LE AY MR5 GO LE AZ MR5 GO LE "
                      "AT MR5 GO LE AU MR5 GO LE")

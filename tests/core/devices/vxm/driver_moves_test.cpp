@@ -132,8 +132,21 @@ TEST_F(VxmDriverMoves, ClosingDuringAJogLeavesNothingForTheRunButton) {
   run(5);
   EXPECT_EQ(latest.link.state, LinkState::closed);
   const std::string said = conversation();
-  EXPECT_THAT(said, HasSubstr("PM-4<0D>PM0")) << "the scratch program is emptied, the selection is the user's";
+  EXPECT_THAT(said, HasSubstr("PM-4<0D>PM0"))
+      << "the scratch program is emptied, the selection is the user's";
   EXPECT_LT(said.find('D'), said.find("PM-4"));
+}
+
+TEST_F(VxmDriverMoves, ClosingDuringAMoveSaysThatItsProgramStays) {
+  start();
+  EXPECT_EQ(move_by(0, 60000, 1000), "");
+  run(1);
+  EXPECT_FALSE(told("the Run button would repeat it"));
+  asio::co_spawn(io, pump->shut_down(), asio::detached);
+  run(1);
+  EXPECT_EQ(latest.link.state, LinkState::closed)
+      << "a move may take as long as it likes: nobody waits for it";
+  EXPECT_TRUE(told("program 4 of the controller still holds it")) << all_notices();
 }
 
 TEST_F(VxmDriverMoves, AStatusByteThatLooksLikeAMessageIsAByte) {
@@ -233,6 +246,7 @@ TEST_F(VxmDriverMoves, AsksWhichProgramMayBeEmptiedWhenAllAreUsed) {
   EXPECT_THAT(move_by(0, 100), HasSubstr("All five programs of the controller hold commands"));
   ASSERT_FALSE(notices.empty());
   EXPECT_EQ(notices.back().kind, Notice::Kind::question);
+  EXPECT_THAT(notices.back().slots, testing::ElementsAre(0, 1, 2, 3, 4));
   EXPECT_EQ(perform(intent::ClearProgram(3)), "");
   EXPECT_EQ(move_by(0, 100), "");
   EXPECT_TRUE(wait_idle());

@@ -59,6 +59,60 @@ TEST_F(VxmDriverText, AnErrorReportInsteadOfAnAnswerIsTheAnswer) {
   EXPECT_TRUE(listens()) << "and is put on-line again";
 }
 
+TEST_F(VxmDriverText, WhatCameBeforeAnErrorReportIsAnAnswerToo) {
+  EXPECT_EQ(query("XZ"), "+0000000\rEB");
+  run(2);
+  EXPECT_TRUE(listens());
+}
+
+TEST_F(VxmDriverText, WhatCameBeforeAMissingAnswerIsTold) {
+  std::string answer;
+  bool came = false;
+  asio::co_spawn(io, ask(*pump, "XY", Millis(300), answer, came), asio::detached);
+  ASSERT_TRUE(run_until([&] { return sent().ends_with("Y"); }, 5)) << "X is answered, Y is asked";
+  loop->drop(1000);
+  ASSERT_TRUE(run_until([&] { return came; }, 5));
+  EXPECT_THAT(answer, HasSubstr("Before that it answered +0000000"));
+}
+
+TEST_F(VxmDriverText, WhatAStateDropsIsSaid) {
+  EXPECT_EQ(send("PM-0,L5,I1M4000,R"), "");
+  run(0.5);
+  EXPECT_EQ(send("I1M5,X"), "");
+  EXPECT_TRUE(told("While a program runs the controller takes only a few letters and drops I1M5 without"))
+      << all_notices();
+  EXPECT_TRUE(wait_idle());
+  EXPECT_EQ(send("Q"), "");
+  EXPECT_EQ(send("X,V"), "");
+  EXPECT_TRUE(told("In local mode the controller takes only a few letters and drops X without"))
+      << all_notices();
+}
+
+TEST_F(VxmDriverText, WhatIsDroppedIsNotTakenForDone) {
+  EXPECT_EQ(send("PM-0,L5,I1M4000,R"), "");
+  run(0.5);
+  EXPECT_EQ(send("PM3,"), "");
+  EXPECT_TRUE(wait_idle());
+  EXPECT_EQ(latest.program.slot, 0);
+  EXPECT_EQ(send("[PM2,I3M5,]"), "");
+  EXPECT_EQ(latest.program.slot, 0) << "the Slave's programs are its own";
+  EXPECT_EQ(send("Q"), "");
+  EXPECT_EQ(send("R"), "");
+  run(1);
+  EXPECT_EQ(latest.program.run, RunState::idle) << "R is dropped in Local mode";
+}
+
+TEST_F(VxmDriverText, WhatIsStoredByTextIsNotCalledUnsaved) {
+  EXPECT_EQ(send("setM1M4,PM-0,I1M5,"), "");
+  EXPECT_TRUE(latest.unsaved_setup && latest.unsaved_programs);
+  EXPECT_EQ(query("rsm", 10), "^");
+  run(1);
+  EXPECT_FALSE(latest.unsaved_setup || latest.unsaved_programs);
+  EXPECT_EQ(send("rsm,setM1M3,"), "");
+  run(1);
+  EXPECT_TRUE(latest.unsaved_setup) << "set after it was stored";
+}
+
 TEST_F(VxmDriverText, InLocalModeOnlyVAndDAreAnswered) {
   EXPECT_EQ(send("Q"), "");
   EXPECT_EQ(query("V"), "J");

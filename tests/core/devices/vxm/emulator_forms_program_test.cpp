@@ -83,6 +83,12 @@ VXM_FORM("vxm.pma.set") {
   EXPECT_EQ(rig.position(3), 500) << "program 2 is not coupled";
   rig.send("PMA5,");
   EXPECT_EQ(rig.ask("PMA,"), "1\r");
+  rig.send("Q");
+  rig.send("PMA0,F");
+  EXPECT_EQ(rig.ask("PMA,"), "1\r") << "not in local mode";
+  rig.send("PM-0,P1,RPMA0,");
+  rig.run_for(1s);
+  EXPECT_EQ(rig.ask("PMA,"), "1\r") << "not while a program runs";
 }
 
 VXM_FORM("vxm.pma.except") {

@@ -173,7 +173,7 @@ void Workbench::run_for(Duration time) {
 }
 
 int Workbench::source_line(int program) const {
-  const auto line = static_cast<std::size_t>(vm.line(program));
+  const auto line = static_cast<std::size_t>(vm.line(program, now));
   return line < compiled.source_line.size() ? compiled.source_line[line] + 1 : 0;
 }
 

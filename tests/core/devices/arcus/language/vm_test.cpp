@@ -57,8 +57,10 @@ TEST(VmTurns, TurnsStandOnWholeMilliseconds) {
   EXPECT_EQ(bench.vm.next_turn(bench.now, bench.host), Instant(14ms));
   bench.run_ms(9);
   EXPECT_EQ(bench.vm.variable(2), 0);
+  EXPECT_EQ(bench.vm.line(0, bench.now), 1) << "it stands in the DELAY until that is over";
   bench.run_ms(1);
   EXPECT_EQ(bench.vm.variable(2), 1);
+  EXPECT_GT(bench.vm.line(0, bench.now), 1);
 }
 
 TEST(VmTurns, WaitingForAnAxisCostsNone) {
@@ -161,6 +163,44 @@ TEST(VmIdleLoop, PauseAndContinueWithinIt) {
   EXPECT_EQ(bench.vm.variable(1), 1);
 }
 
+/// Where a loop that idles is told to be, against one of the same length that cannot idle.
+TEST(VmIdleLoop, TellsTheLineWhereItWouldBe) {
+  const std::string steady = "WHILE 1=1\nV5=DI2\nIF DI1=1\nV1=1\nENDIF\nDELAY=7\nENDWHILE\nEND";
+  const std::string unsteady = "WHILE 1=1\nV5=PSX\nIF DI1=1\nV1=1\nENDIF\nDELAY=7\nENDWHILE\nEND";
+  Workbench idles = running(steady), works = running(unsteady);
+  idles.run_for(50us);  // between two turns
+  works.run_for(50us);
+  for (int tenth_ms = 0; tenth_ms < 600; ++tenth_ms) {
+    EXPECT_EQ(idles.source_line(0), works.source_line(0)) << tenth_ms / 10.0 << " ms";
+    idles.run_for(100us);
+    works.run_for(100us);
+  }
+}
+
+TEST(VmIdleLoop, StandsInItsDelayForHoursWithoutTurns) {
+  Workbench bench = running("WHILE DI1=0\nDELAY=200\nENDWHILE\nEND");
+  int in_delay = 0;
+  for (int i = 0; i < 1000; ++i) {
+    bench.run_for(7919ms);
+    in_delay += bench.source_line(0) == 2;
+  }
+  EXPECT_GT(in_delay, 950);
+  EXPECT_LT(bench.turns, 20);
+}
+
+TEST(VmIdleLoop, HeldInItsDelayItStaysThere) {
+  Workbench bench = running("WHILE DI1=0\nDELAY=200\nENDWHILE\nV1=1\nEND");
+  bench.run_for(60s + 50ms);
+  ASSERT_EQ(bench.source_line(0), 2);
+  bench.vm.control(0, 2, bench.now);
+  bench.run_for(1s);
+  EXPECT_EQ(bench.source_line(0), 2);
+  bench.host.set("DI1", 1);
+  bench.vm.control(0, 3, bench.now);
+  bench.run_ms(10);
+  EXPECT_EQ(bench.vm.variable(1), 1);
+}
+
 // States (AMB-115).
 
 TEST(VmStates, RunOnARunningProgramChangesNothing) {
@@ -220,9 +260,9 @@ TEST(VmStates, AProgramCanStopAndPauseItself) {
 
 TEST(VmStates, TheProgramCounterNamesTheLineToCome) {
   Workbench bench = running("V1=1\nX100Y100\nWAITX\nV1=2\nEND");
-  EXPECT_EQ(bench.vm.line(0), 0);
+  EXPECT_EQ(bench.vm.line(0, bench.now), 0);
   bench.run_ms(50);
-  EXPECT_EQ(bench.vm.line(0), 3);  // WAITX behind the two lines of the move
+  EXPECT_EQ(bench.vm.line(0, bench.now), 3);  // WAITX behind the two lines of the move
   EXPECT_EQ(bench.source_line(0), 3);
 }
 
@@ -387,7 +427,7 @@ TEST(VmErrors, LinesThatMeanNothingStopTheThread) {
   bench.run_ms(10);
   EXPECT_EQ(bench.vm.variable(1), 1);
   EXPECT_EQ(bench.vm.state(0), ThreadState::error);
-  EXPECT_EQ(bench.vm.line(0), 1);
+  EXPECT_EQ(bench.vm.line(0, bench.now), 1);
   EXPECT_EQ(bench.vm.trouble(0), Trouble::bad_line);
 }
 
