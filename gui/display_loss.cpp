@@ -29,11 +29,17 @@ void set_handler(const char* setter, Handler handler) {
 
 }  // namespace
 
-void guard_display(std::function<void()> lost, std::function<void()> failed) {
+DisplayGuard::DisplayGuard(std::function<void()> lost, std::function<void()> failed) {
   when_lost = std::move(lost);
   when_failed = std::move(failed);
   set_handler("XSetIOErrorHandler", &on_lost);
   set_handler("XSetErrorHandler", &on_failed);
+}
+
+// The handlers stay: without them X would end the program in its own way while the window is closed.
+DisplayGuard::~DisplayGuard() {
+  when_lost = nullptr;
+  when_failed = nullptr;
 }
 
 }  // namespace hw::gui

@@ -104,7 +104,7 @@ int run_window(const std::vector<std::string>& addresses, bool demo) {
     console.let_go();
     return true;
   };
-  gui::guard_display(
+  const gui::DisplayGuard guard(
       [&house] {
         house.leave_controllers();
         complain("The display has gone away. Held jogs were stopped; other moves go on.");

@@ -38,6 +38,16 @@ class Case(unittest.TestCase):
         path.write_bytes(text if isinstance(text, bytes) else text.encode())
         return path
 
+    def interrupt(self, said, *arguments):
+        """Lets the program work for a while, and presses Ctrl-C."""
+        process = subprocess.Popen([PROGRAM, *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                   text=True)
+        time.sleep(1.5)
+        process.send_signal(signal.SIGINT)
+        out, err = process.communicate(timeout=30)
+        self.assertEqual(process.returncode, 1, (out, err))
+        self.assertIn(said, err)
+
     def expect(self, result, status, *parts):
         self.assertEqual(result.returncode, status, result)
         for part in parts:
@@ -161,19 +171,12 @@ class Scripts(Case):
         with emulator("vxm", "--tcp", "127.0.0.1:0") as (ready, _):
             script = self.file("jog.lua", "local c = assert(hw.open('vxm@tcp:' .. hw.args[1]))\n"
                                           "c:jog(1, '+') print('jogs') hw.sleep(1000)")
-            process = subprocess.Popen([PROGRAM, "run", str(script), port_of(ready[0])], stdout=subprocess.PIPE,
-                                       stderr=subprocess.PIPE, text=True)
-            time.sleep(1.5)
-            process.send_signal(signal.SIGINT)
-            out, err = process.communicate(timeout=30)
-            self.assertEqual(process.returncode, 1, (out, err))
-            self.assertIn("told to stop", err)
+            self.interrupt("told to stop", "run", script, port_of(ready[0]))
             address = "vxm@tcp:" + port_of(ready[0])
             time.sleep(2)  # the ramp
             places = [run("send", address, "X").stdout for _ in range(2)]
             self.assertEqual(places[0], places[1])
             self.assertNotEqual(places[0], "+0000000\n")
-
 
     def test_a_stop_that_is_not_answered_keeps_nothing_back(self):
         with emulator("vxm", "--tcp", "127.0.0.1:0") as (ready, _):
@@ -184,13 +187,7 @@ class Scripts(Case):
     def test_an_interrupted_send_stops_the_motors(self):
         with emulator("vxm", "--tcp", "127.0.0.1:0") as (ready, _):
             address = "vxm@tcp:" + port_of(ready[0])
-            process = subprocess.Popen([PROGRAM, "send", address, "PM-0,S1M1000,I1M60000,R"], stdout=subprocess.PIPE,
-                                       stderr=subprocess.PIPE, text=True)
-            time.sleep(1.5)
-            process.send_signal(signal.SIGINT)
-            out, err = process.communicate(timeout=30)
-            self.assertEqual(process.returncode, 1, (out, err))
-            self.assertIn("Interrupted. The controller was told to stop.", err)
+            self.interrupt("Interrupted. The controller was told to stop.", "send", address, "PM-0,S1M1000,I1M60000,R")
             time.sleep(1)
             places = [run("send", address, "X").stdout for _ in range(2)]
             self.assertEqual(places[0], places[1])

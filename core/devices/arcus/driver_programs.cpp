@@ -78,7 +78,7 @@ Task<Result<>> ArcusDriver::run(int program) {
     co_return fail(FaultKind::refused,
                    "What is stored is neither the old program nor the new one: its transfer was broken off.",
                    "Nothing was started.",
-                   "Download the program again, or upload what is stored and look at it.");
+                   "Download the program again, or upload what is stored, look at it and download that.");
   auto started = co_await control(program, thread_run);
   if (!started || draft_.threads[ix(program)].run != RunState::idle) co_return started;
   if (stored_code_ && stored_code_->programs[ix(program)]) co_return started;
@@ -275,7 +275,6 @@ Task<Result<>> ArcusDriver::upload(int program) {
   draft_.transfer.running = false;
   if (!lines) co_return fail(lines.error());
   note_stored(*lines);
-  half_written_ = false;  // the user sees it now
   draft_.slot_bytes_used[0] = static_cast<std::int16_t>(lines->size());
   const language::Decompiled source = language::decompile(*lines, dialect_);
   const bool whole = program <= 0;

@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include "core/base/index.h"
 #include "core/devices/vme58/driver.h"
 
 namespace hw::vme58 {

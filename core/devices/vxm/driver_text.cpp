@@ -1,5 +1,7 @@
 // Raw text of the user's or a script's: cut so that nothing is sent while the controller answers (the overrun
 // of the manual's p.30 locks it until power-off), and followed, so that the driver knows what it changed.
+#include <algorithm>
+
 #include <fmt/core.h>
 
 #include "core/devices/vxm/driver.h"
@@ -20,6 +22,7 @@ struct AnswerShape {
 struct Piece {
   std::string text;
   std::optional<AnswerShape> answer;
+  bool stores = false;  ///< rsm
 };
 
 /// What decides which commands the controller takes, as it changes on the way through a text.
@@ -80,7 +83,8 @@ std::vector<Piece> pieces_of(std::string_view text, const std::vector<TextComman
   std::size_t from = 0;
   for (const TextCommand& c : commands) {
     if (auto answer = answer_shape(c, now)) {
-      pieces.push_back({std::string(text.substr(from, c.end - from)), answer});
+      const bool stores = c.verb == Verb::word && c.name == "rsm";
+      pieces.push_back({std::string(text.substr(from, c.end - from)), answer, stores});
       from = c.end;
     }
     now.follow(c);
@@ -240,13 +244,18 @@ Task<VxmDriver::RawAnswer> VxmDriver::send_pieces(std::string text, Duration pat
                                             reception.when, reception.dropped));
   const auto pieces = pieces_of(text, commands, now);
   note_taken(reception.taken);
+  bool to_store = std::any_of(pieces.begin(), pieces.end(), [](const Piece& piece) { return piece.stores; });
+  const auto failed = [&](Fault why) {
+    if (to_store) draft_.unsaved_setup = draft_.unsaved_programs = true;  // rsm is not confirmed
+    return why;
+  };
   RawAnswer all;
   for (const Piece& piece : pieces) {
     all.last_is_answered = piece.answer.has_value();
     if (!piece.answer) {
       auto sent = co_await say(piece.text, Priority::intent);
       if (sent) continue;
-      all.fault = std::move(sent.error());
+      all.fault = failed(std::move(sent.error()));
       co_return all;
     }
     const bool last = &piece == &pieces.back();
@@ -254,9 +263,10 @@ Task<VxmDriver::RawAnswer> VxmDriver::send_pieces(std::string text, Duration pat
     auto reply =
         co_await ask(piece.text, piece.answer->shape, Priority::intent, piece.answer->stranger, wait);
     if (!reply) {
-      all.fault = std::move(reply.error());
+      all.fault = failed(std::move(reply.error()));
       co_return all;
     }
+    if (piece.stores) to_store = false;
     add_answer(all.text, without_end(std::move(*reply)));
   }
   co_return all;
@@ -301,7 +311,7 @@ bool VxmDriver::is_stop(std::string_view text) const {
 bool VxmDriver::changes_programs(std::string_view text) const {
   const auto commands = read_text(text);
   return std::any_of(commands.begin(), commands.end(), [](const TextCommand& c) {
-    return c.stored() || (c.verb == Verb::letter && c.letter == 'C') ||
+    return c.stored() || c.verb == Verb::empty || (c.verb == Verb::letter && c.letter == 'C') ||
            (c.verb == Verb::word && (c.name == "del" || c.name == "res"));
   });
 }

@@ -113,6 +113,28 @@ TEST_F(VxmDriverText, WhatIsStoredByTextIsNotCalledUnsaved) {
   EXPECT_TRUE(latest.unsaved_setup) << "set after it was stored";
 }
 
+TEST_F(VxmDriverText, WhatTheControllerDidNotConfirmIsNotCalledStored) {
+  EXPECT_EQ(send("setM1M4,"), "");
+  loop->operate(bench::Cable(false));
+  EXPECT_THAT(query("rsm", 30), HasSubstr("did not answer"));
+  EXPECT_TRUE(latest.unsaved_setup);
+}
+
+TEST_F(VxmDriverText, WhatChangesAProgramIsCounted) {
+  for (const char* text : {"PM-0", "PM-3,I1M5", "I1M400", "C", "del1", "res"}) {
+    const std::uint32_t before = latest.program_changes;
+    send(text);
+    run(0.5);
+    EXPECT_GT(latest.program_changes, before) << text;
+  }
+  for (const char* text : {"X", "PM1", "setM1M4", "V"}) {
+    const std::uint32_t before = latest.program_changes;
+    send(text);
+    run(0.5);
+    EXPECT_EQ(latest.program_changes, before) << text;
+  }
+}
+
 TEST_F(VxmDriverText, InLocalModeOnlyVAndDAreAnswered) {
   EXPECT_EQ(send("Q"), "");
   EXPECT_EQ(query("V"), "J");
