@@ -4,11 +4,13 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <optional>
 #include <tuple>
 
 #include <fmt/format.h>
 
 #include "core/devices/vme58/command_text.h"
+#include "core/devices/vme58/facts.h"
 
 namespace hw::vme58 {
 namespace {
@@ -183,7 +185,10 @@ class Check {
   void look_closer(const TextCommand& command) {
     check_ranges(command);
     switch (command.fact->op) {
-      case Op::UU: scaled_ = true; break;
+      case Op::UU:
+        scaled_ = true;
+        if (has_zero(command)) error(command, "UU cannot multiply by 0.");
+        break;
       case Op::UF: scaled_ = false; break;
       case Op::MA:
       case Op::MR:
@@ -195,6 +200,10 @@ class Check {
           problem(command.begin, command.length, "No move has been prepared: this starts nothing.", false);
         break;
       case Op::RM:
+        if (has_zero(command)) error(command, "RM cannot divide by 0.");
+        break;
+      case Op::BL:
+      case Op::BH: check_direction(command); break;
       case Op::contour_MT: check_contour_places(command); break;
       case Op::CD:
         recording_began_ = command.begin;
@@ -223,11 +232,34 @@ class Check {
     }
   }
 
-  void check_contour_places(const TextCommand& command) {
-    if (command.fact->op == Op::RM) {
-      if (command.numbers[0] == 0.0) error(command, "RM cannot divide by 0.");
+  static bool has_zero(const TextCommand& command) {
+    return std::find(command.numbers.begin(), command.numbers.end(), 0.0) != command.numbers.end();
+  }
+
+  // The board's jumpers decide; a text does not know them.
+  void check_direction(const TextCommand& command) {
+    const std::optional<double> line = command.numbers.empty() ? std::nullopt : command.numbers[0];
+    if (!line || *line < 0 || *line >= io_lines || (factory_outputs >> static_cast<int>(*line) & 1) != 0)
       return;
-    }
+    problem(
+        command.begin, command.length,
+        fmt::format("Line {:.0f} is an input unless jumpers on the board say otherwise: the board rejects "
+                    "this then.",
+                    std::trunc(*line)),
+        false);
+  }
+
+  // A board that is told no user units cuts fractions off (decision M15).
+  void check_fraction(const TextCommand& command, double value) {
+    if (std::trunc(value) == value) return;
+    problem(
+        command.begin, command.length,
+        fmt::format("{:.10g} is taken as {:.10g}: {} takes whole numbers{}.", value, std::trunc(value),
+                    command.fact->letters, command.fact->number == Number::counts ? " unless UU is on" : ""),
+        false);
+  }
+
+  void check_contour_places(const TextCommand& command) {
     const auto axes = static_cast<std::size_t>(std::popcount(command.context.contour_axes));
     if (command.numbers.size() > axes)
       error(command,
@@ -243,10 +275,13 @@ class Check {
       const bool third = fact.shape == Shape::triple && i == 2;
       const double low = second || third ? fact.second_min : fact.min,
                    high = second || third ? fact.second_max : fact.max;
-      const double value = fact.number == Number::whole || fact.number == Number::counts
-                               ? std::trunc(*command.numbers[i])
-                               : *command.numbers[i];
-      if (third || (value >= low && value <= high)) continue;
+      const bool whole = fact.number == Number::whole || fact.number == Number::counts;
+      const double value = whole ? std::trunc(*command.numbers[i]) : *command.numbers[i];
+      if (third) continue;
+      if (value >= low && value <= high) {
+        if (whole) check_fraction(command, *command.numbers[i]);
+        continue;
+      }
       return error(command, fmt::format("{:.10g} is out of range: {} takes {:.10g} to {:.10g}.",
                                         *command.numbers[i], fact.letters, low, high));
     }

@@ -196,13 +196,13 @@ void VxmDriver::warn_of_flaws(const std::vector<TextCommand>& commands) {
   if (unknown_count == 1)
     tell(Notice::Kind::warning,
          fmt::format("{} is no command of the VXM: the controller drops it without a word. It was sent as it "
-                     "is. Press ? for the list of commands.",
+                     "is. The terminal lists the commands behind ?.",
                      unknown));
   if (unknown_count > 1)
     tell(
         Notice::Kind::warning,
         fmt::format("{} are no commands of the VXM: the controller drops them without a word. They were sent "
-                    "as they are. Press ? for the list of commands.",
+                    "as they are. The terminal lists the commands behind ?.",
                     unknown));
   for (const TextCommand& c : commands) {
     if (c.flaw == Flaw::range)

@@ -57,6 +57,8 @@ TEST(Vme58Check, MistakesAreNamedWhereTheyStand) {
       {"AX BL14", 0, 3, "out of range"},
       {"AX MR1-2 GO", 0, 6, "no command"},
       {"AX RM0", 0, 3, "divide by 0"},
+      {"AX UU0", 0, 3, "multiply by 0"},
+      {"AA UU2,0;", 0, 3, "multiply by 0"},
   };
   for (const Wrong& w : all) {
     const auto found = errors(w.text);
@@ -104,6 +106,21 @@ TEST(Vme58Check, WhatMayBeMeantIsAWarning) {
   EXPECT_FALSE(report.has_errors());
   ASSERT_EQ(report.problems.size(), 1u);
   EXPECT_THAT(report.problems[0].sentence, HasSubstr("No move has been prepared"));
+}
+
+std::string warning(std::string_view text) {
+  const auto report = check_program(text);
+  EXPECT_FALSE(report.has_errors()) << text;
+  return report.problems.empty() ? "" : report.problems.back().sentence;
+}
+TEST(Vme58Check, WhatTheBoardMakesOfItIsAWarning) {
+  EXPECT_EQ(warning("AX MR1.5 GO"), "1.5 is taken as 1: MR takes whole numbers unless UU is on.");
+  EXPECT_EQ(warning("AX UU100 MR1.5 GO"), "");
+  EXPECT_EQ(warning("AX WT2.5"), "2.5 is taken as 2: WT takes whole numbers.");
+  EXPECT_EQ(warning("AX KP2.5"), "");
+  EXPECT_EQ(warning("BH3"),
+            "Line 3 is an input unless jumpers on the board say otherwise: the board rejects this then.");
+  EXPECT_EQ(warning("BH8 BL13"), "");
 }
 
 TEST(Vme58Text, TheContextFollowsTheText) {

@@ -115,7 +115,7 @@ TEST_F(VxmDriverText, WhatIsStoredByTextIsNotCalledUnsaved) {
 
 TEST_F(VxmDriverText, WhatTheControllerDidNotConfirmIsNotCalledStored) {
   EXPECT_EQ(send("setM1M4,"), "");
-  loop->operate(bench::Cable(false));
+  loop->operate(bench::Power(false));
   EXPECT_THAT(query("rsm", 30), HasSubstr("did not answer"));
   EXPECT_TRUE(latest.unsaved_setup);
 }
