@@ -87,13 +87,12 @@ bool Tuning::was_away(const Frame& f) {
   return f.ui.now_s - std::exchange(drawn_s_, f.ui.now_s) > 1.0 || frames_missed;
 }
 
-/// What has come between since a step was asked for, so that no other is begun. A restart shows by the doubt
-/// in the position, and by what went unanswered meanwhile.
+/// What has come between since a step was asked for, so that no other is begun.
 std::string_view Tuning::interruption(const Frame& f, bool away) const {
   if (away) return "another panel was in front";
   if (f.now.link.state != LinkState::good || f.now.link.timeouts != timeouts_)
     return "the controller did not answer for a while";
-  if (f.now.axes[axis().index].position_doubtful && !doubtful_) return "the controller was reset";
+  if (f.now.restarts != restarts_) return "the controller was reset";
   return {};
 }
 
@@ -213,7 +212,7 @@ void Tuning::record(Frame& f) {
   runs_.emplace_back(++number_, axis(), step_now_);
   any_sample_ = false;
   timeouts_ = f.now.link.timeouts;
-  doubtful_ = f.now.axes[axis().index].position_doubtful;
+  restarts_ = f.now.restarts;
   const auto length = std::chrono::milliseconds(std::llround(length_ms_) + arming_ms);
   move_ = newest_ = f.send_and_watch(intent::Sample(axis(), length));
   stage_ = Stage::arming;

@@ -78,7 +78,7 @@ class Tuning final : public gui::Panel {
   bool any_sample_ = false;
   int drawn_frame_ = 0;
   std::uint64_t timeouts_ = 0;      ///< of the link, when the latest step was asked for
-  bool doubtful_ = false;           ///< its axis' position, likewise
+  std::uint32_t restarts_ = 0;      ///< of the controller, likewise
   IntentId move_ = 0, newest_ = 0;  ///< newest_: the latest that this panel sent
   std::deque<gui::StepRun> runs_;   ///< oldest first
   // Of the latest that is whole, and of what it is compared with; number 0: there is none.

@@ -193,6 +193,7 @@ struct Snapshot {
   std::array<ParamState, max_params> params{};            ///< by index in Catalog::params
   bool unsaved_setup = false, unsaved_programs = false;   ///< in RAM and not stored
   bool working = false;           ///< at commands that wait in its queues, though no axis may move
+  std::uint32_t restarts = 0;     ///< of the controller, as its answers showed while it was connected
   std::int32_t store_count = -1;  ///< writes used of the non-volatile memory; an emulator knows
   /// Commands that may have changed what the controller's programs are, and the last of them (0: a raw
   /// question).

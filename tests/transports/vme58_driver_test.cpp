@@ -278,6 +278,9 @@ TEST_F(Vme58Driver, AResetOfTheBoardIsNoticed) {
   EXPECT_EQ(axis(0).position, Steps(200));
   EXPECT_THAT(told(), HasSubstr("The position of X is doubtful"));
   EXPECT_TRUE(axis(0).position_doubtful) << "a move tells nothing";
+  EXPECT_EQ(now().restarts, 1u);
+  operate(bench::PowerCycle());
+  EXPECT_TRUE(run_until([this] { return now().restarts == 2; }, Seconds(10))) << "doubtful or not";
 }
 
 TEST_F(Vme58Driver, PositionsAreDoubtfulAfterAResetUntilTheyAreSetOrHomed) {

@@ -254,6 +254,7 @@ Task<Result<>> Vme58Driver::found_reset() {
        "The board has been reset, or switched off and on, since the console last read it. Positions, set-up "
        "and "
        "queues are as from the factory; home the axes again.");
+  ++draft_.restarts;
   forget();
   user_unit_ = {};
   context_ = Context();

@@ -49,12 +49,12 @@ TokenKind kind_of(const TextCommand& command) {
   }
 }
 
-std::string where_it_is_taken(unsigned where) {
+std::string where_it_is_taken(unsigned where, bool recording) {
+  if (recording) return "not while a contour is recorded: CE or CK ends it";
   if (where == where::contour) return "only between CD and CE or CK";
   if (where == where::all) return "only after AA";
   if ((where & where::single) == 0) return "only after AA or AM";
-  if ((where & where::lists) == 0) return "only while one axis is addressed (AX to AS)";
-  return "not while a contour is recorded";
+  return "only while one axis is addressed (AX to AS)";
 }
 
 class Check {
@@ -134,8 +134,8 @@ class Check {
         const std::size_t begin = commands[i].begin;
         const bool all = (commands[i].fact->where & where::all) != 0;
         error(commands[i], fmt::format("{} is taken {}. What follows is read as if {} stood before it.",
-                                       commands[i].fact->letters, where_it_is_taken(commands[i].fact->where),
-                                       all ? "AA" : "AM"));
+                                       commands[i].fact->letters,
+                                       where_it_is_taken(commands[i].fact->where, false), all ? "AA" : "AM"));
         assumed_ = told_already_ = true;
         read_as_if_ = std::string(begin, ' ') + plain_.substr(begin);
         context = Context{all ? where::all : where::tasks};
@@ -170,8 +170,8 @@ class Check {
     if (!command.flaw.empty())
       problem(command.flaw_begin, command.flaw_length, command.flaw, true);
     else if ((command.fact->where & modes_of(command)) == 0)
-      error(command,
-            fmt::format("{} is taken {}.", command.fact->letters, where_it_is_taken(command.fact->where)));
+      error(command, fmt::format("{} is taken {}.", command.fact->letters,
+                                 where_it_is_taken(command.fact->where, command.context.recording)));
     else
       look_closer(command);
     const bool bad = std::exchange(told_already_, false) ||

@@ -194,6 +194,7 @@ Task<Result<>> VxmDriver::go_on_line(bool said_before) {
 
 // Power off and on, or res: positions are zero wherever the motors stand, RAM holds what was stored last.
 Task<Result<>> VxmDriver::found_restarted(const char* why) {
+  ++draft_.restarts;
   const bool was_moving = busy();
   auto reply = co_await ask("D", ReplyShape::until_quiet(greeting_quiet_ms), Priority::intent, nullptr);
   std::optional<Digitized> places;

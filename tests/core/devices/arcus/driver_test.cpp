@@ -138,6 +138,7 @@ TEST_F(Restart, PositionsThatReadZeroShowIt) {
   power_cycle();
   EXPECT_TRUE(said()) << all_notices();
   EXPECT_TRUE(latest.axes[0].position_doubtful);
+  EXPECT_EQ(latest.restarts, 1u);
 }
 
 TEST_F(Restart, InTheMiddleOfAMoveItIsNoArrival) {

@@ -56,6 +56,7 @@ TEST(Vme58Check, MistakesAreNamedWhereTheyStand) {
       {"AA CD0,0; MT1,2,3 CE", 0, 10, "here are 3 numbers"},
       {"AX BL14", 0, 3, "out of range"},
       {"AX MR1-2 GO", 0, 6, "no command"},
+      {"AA CD0,0; CD0,0; CE", 0, 10, "while a contour is recorded: CE or CK ends it"},
       {"AX RM0", 0, 3, "divide by 0"},
       {"AX UU0", 0, 3, "multiply by 0"},
       {"AA UU2,0;", 0, 3, "multiply by 0"},

@@ -165,6 +165,7 @@ TEST_F(VxmDriverConnect, APowerCycleIsNoticedAndSaid) {
   EXPECT_EQ(latest.link.state, LinkState::good);
   EXPECT_EQ(position(), 0);
   EXPECT_TRUE(latest.axes[0].position_doubtful);
+  EXPECT_EQ(latest.restarts, 1u);
   EXPECT_TRUE(
       told("The controller has gone to Local mode: the controller was switched off and on, or reset. Its "
            "positions read "
