@@ -475,6 +475,10 @@ class Send(Case):
         self.assertEqual((result.returncode, result.stdout), (0, "EB\n"), result)
         self.assertIn("EB", result.stderr)
 
+    def test_a_question_that_is_dropped_has_failed(self):
+        result = run("send", "vxm@emulator", "Q", "X")
+        self.expect(result, 1, "X: In local mode the controller takes only a few letters and drops X without a word.")
+
     def test_an_unknown_command_is_named(self):
         result = run("send", "vxm@emulator", "bogus", "V")
         self.assertEqual((result.returncode, result.stdout), (0, "R\n"), result)

@@ -113,10 +113,12 @@ class VxmDriver final : public Driver {
     std::string text;
     bool last_is_answered = false;
     std::optional<Fault> fault;  ///< what ended it; `text` is what was answered before
+    std::string dropped;         ///< a sentence about commands that the controller's state drops
   };
   Task<Result<>> send_text(std::string text);
   Task<RawAnswer> send_pieces(std::string text, Duration patience);
   void warn_of_flaws(const std::vector<TextCommand>& commands);
+  void warn_of_dropped(const RawAnswer& sent);
   void note_taken(const std::vector<TextCommand>& commands);
   std::optional<std::string> take_since(std::uint64_t number, char first = 0);
   Task<Result<std::string>> wait_for_prompt(std::uint64_t since, Duration patience);

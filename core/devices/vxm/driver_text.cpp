@@ -220,6 +220,10 @@ void VxmDriver::warn_of_flaws(const std::vector<TextCommand>& commands) {
   }
 }
 
+void VxmDriver::warn_of_dropped(const RawAnswer& sent) {
+  if (!sent.dropped.empty()) tell(Notice::Kind::warning, sent.dropped + " It was sent as it is.");
+}
+
 // Echo would come between every question and its answer: F goes out for E.
 static bool without_echo(std::string& text, const std::vector<TextCommand>& commands) {
   bool asked = false;
@@ -239,9 +243,6 @@ Task<VxmDriver::RawAnswer> VxmDriver::send_pieces(std::string text, Duration pat
   now.local = mode_ == Mode::local, now.running = busy(), now.halted = halted_ != 0;
   now.digitized_lines = slave_present_ ? max_motors : motors_per_controller;
   const Reception reception = reception_of(commands, now);
-  if (!reception.dropped.empty())
-    tell(Notice::Kind::warning, fmt::format("{} and drops {} without a word. It was sent as it is.",
-                                            reception.when, reception.dropped));
   const auto pieces = pieces_of(text, commands, now);
   note_taken(reception.taken);
   bool to_store = std::any_of(pieces.begin(), pieces.end(), [](const Piece& piece) { return piece.stores; });
@@ -250,6 +251,8 @@ Task<VxmDriver::RawAnswer> VxmDriver::send_pieces(std::string text, Duration pat
     return why;
   };
   RawAnswer all;
+  if (!reception.dropped.empty())
+    all.dropped = fmt::format("{} and drops {} without a word.", reception.when, reception.dropped);
   for (const Piece& piece : pieces) {
     all.last_is_answered = piece.answer.has_value();
     if (!piece.answer) {
@@ -285,6 +288,7 @@ Task<Result<>> VxmDriver::send_text(std::string text) {
           "Nothing was sent.", "Wait until it ends, or stop it.");
   }
   RawAnswer sent = co_await send_pieces(std::move(text), usual_patience);
+  warn_of_dropped(sent);
   if (!sent.text.empty()) for_scripts(std::move(sent.text));
   news_.notify();
   if (sent.fault) co_return fail(std::move(*sent.fault));
@@ -324,6 +328,7 @@ Task<Result<std::string>> VxmDriver::query(std::string text, Duration patience) 
     co_return fail(FaultKind::refused, "There is no command in that text.", "Nothing was sent.");
   const std::uint64_t asked = next_unasked_;
   RawAnswer sent = co_await send_pieces(std::move(text), patience);
+  if (sent.fault || sent.last_is_answered) warn_of_dropped(sent);
   if (sent.fault) {
     auto report = sent.fault->kind == FaultKind::no_answer ? take_since(asked, 'E') : std::nullopt;
     if (!sent.text.empty() && !report) sent.fault->done = with_answers(sent.text, sent.fault->done);
@@ -333,7 +338,11 @@ Task<Result<std::string>> VxmDriver::query(std::string text, Duration patience) 
   }
   if (sent.last_is_answered) co_return std::move(sent.text);
   auto prompt = co_await wait_for_prompt(asked, patience);
-  if (!prompt && sent.text.empty()) co_return prompt;
+  if (!prompt && sent.text.empty()) {
+    if (sent.dropped.empty()) co_return prompt;
+    co_return fail(FaultKind::controller, sent.dropped, "It was sent as it is.");
+  }
+  warn_of_dropped(sent);
   if (prompt) add_answer(sent.text, *prompt);
   co_return std::move(sent.text);
 }
