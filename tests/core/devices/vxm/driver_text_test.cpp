@@ -86,10 +86,10 @@ TEST_F(VxmDriverText, WhatAStateDropsIsSaid) {
   EXPECT_EQ(send("X,V"), "");
   EXPECT_TRUE(told("In local mode the controller takes only a few letters and drops X without"))
       << all_notices();
-  EXPECT_EQ(
-      query("X"),
-      "In local mode the controller takes only a few letters and drops X without a word. It was sent as it "
-      "is.");
+  EXPECT_EQ(query("X"),
+            "fault: In local mode the controller takes only a few letters and drops X without a word. It was "
+            "sent as it "
+            "is.");
 }
 
 TEST_F(VxmDriverText, WhatIsDroppedIsNotTakenForDone) {
