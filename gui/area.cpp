@@ -7,7 +7,9 @@ namespace hw::gui {
 void begin_part(Ui& ui, const char* name, float width, float height, Tone ground, float padding,
                 bool scrolls) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(padding), 0));
-  ImGui::PushStyleColor(ImGuiCol_ChildBg, ui[ground]);
+  // Regions are of that tone already. Without a graphics card each filled pixel costs time.
+  const bool shines_through = ground == Tone::panel;
+  ImGui::PushStyleColor(ImGuiCol_ChildBg, shines_through ? 0 : ui[ground]);
   ImGuiWindowFlags flags =
       ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoNav;
   if (!scrolls) flags |= ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
