@@ -129,6 +129,9 @@ TEST_F(TcpTransport, AnUnknownHost) {
 }
 
 TEST_F(TcpTransport, AHostNameIsLookedUp) {
+  boost::system::error_code unknown;
+  (void)asio::ip::tcp::resolver(io).resolve("localhost", "", unknown);
+  if (unknown) GTEST_SKIP() << "This machine does not know its own name.";
   const std::string port = endpoint->address().substr(endpoint->address().find(':'));
   auto stream = run_task(io, open_tcp(clock, "localhost" + port));
   EXPECT_TRUE(stream) << stream.error().sentence();
