@@ -129,10 +129,7 @@ void Console::refresh(Ui& ui) {
     tell_news(*tab);
     if (const double due = tab->desk().autosave_due_in(tab->clock()); due >= 0) ui.wake_in(due);
   }
-  last_words_->drain([this](Notice& notice) {
-    if (notice.kind == Notice::Kind::warning || notice.kind == Notice::Kind::error)
-      toast(Mood::warn, std::move(notice.text));
-  });
+  for (std::string& sentence : take_last_words()) toast(Mood::warn, std::move(sentence));
   if (!ImGui::IsMouseDown(0)) save();  // not at each step of a slider that is being dragged
 }
 

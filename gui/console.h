@@ -47,6 +47,8 @@ class Console {
   void join(std::vector<Tab*> members, std::string name, std::shared_ptr<SessionGroup> group = nullptr);
   void close(Tab& tab);  ///< and all others of its bus
   void close_all();
+  /// What controllers had to say while they were closed, one sentence each; told once.
+  std::vector<std::string> take_last_words();
   /// Sessions that were told to close and are not done yet. The scheduler must run until it is 0.
   [[nodiscard]] int closing() const { return *closing_; }
   void rename(Tab& tab, std::string name);

@@ -139,6 +139,15 @@ void Console::close_one(Tab& tab) {
     activate(*tabs_[std::min<std::size_t>(static_cast<std::size_t>(index), tabs_.size() - 1)]);
 }
 
+std::vector<std::string> Console::take_last_words() {
+  std::vector<std::string> words;
+  last_words_->drain([&](Notice& notice) {
+    if (notice.kind == Notice::Kind::warning || notice.kind == Notice::Kind::error)
+      words.push_back(std::move(notice.text));
+  });
+  return words;
+}
+
 void Console::close_all() {
   while (!tabs_.empty()) close(*tabs_.back());
 }

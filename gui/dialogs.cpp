@@ -95,7 +95,7 @@ void Dialogs::draw(Ui& ui, Console& console) {
     case Kind::names: draw_names(ui, console); break;
     case Kind::close_controller: draw_close(ui, console); break;
     case Kind::reset: draw_reset(ui); break;
-    case Kind::make_room: draw_make_room(ui); break;
+    case Kind::make_room: draw_make_room(ui, console); break;
     case Kind::none: break;
   }
   just_opened_ = false;
@@ -165,7 +165,7 @@ void Dialogs::draw_reset(Ui& ui) {
   if (pressed >= 0) close();
 }
 
-void Dialogs::draw_make_room(Ui& ui) {
+void Dialogs::draw_make_room(Ui& ui, Console& console) {
   const ProgramFacts& facts = tab_->catalog().program;
   const Snapshot& now = tab_->now();
   title(ui, "Which program may be emptied?");
@@ -193,6 +193,7 @@ void Dialogs::draw_make_room(Ui& ui) {
   if (draw_choices(ui, choices) == 0) close();
   if (chosen < 0) return;
   close();
+  console.show_panel("program");  // where its text comes, and what becomes of it is told
   Desk& desk = tab_->desk();
   desk.job.begin(ProgramJob::Goal::make_room, chosen, desk.texts, now, tab_->catalog(),
                  [this](IntentBody body) { return tab_->send(std::move(body)); });

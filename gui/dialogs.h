@@ -29,7 +29,7 @@ class Dialogs {
   void draw_names(Ui& ui, Console& console);
   void draw_close(Ui& ui, Console& console);
   void draw_reset(Ui& ui);
-  void draw_make_room(Ui& ui);
+  void draw_make_room(Ui& ui, Console& console);
 
   Kind kind_ = Kind::none;
   bool just_opened_ = false;

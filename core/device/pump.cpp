@@ -159,8 +159,9 @@ void Pump::lose_wire(const Fault& why) {
 
 Task<> Pump::serve() {
   while (!closing_ && station_->is_open()) {
+    // What the stop has cut short has ended. A round of status may have to set up a restarted controller.
+    if (stops_under_way_ == 0) station_->end_stop();
     if (stops_under_way_ == 0 && !queue_.empty()) {
-      station_->end_stop();
       co_await perform_next();
       fast_polls_ = fast_polls_after_a_command;
       next_poll_ = scheduler_.now();

@@ -34,12 +34,13 @@ class ConsoleHouse {
     window_ = nullptr;
   }
 
-  /// Held jogs are stopped, and every controller is left in order.
+  /// Held jogs are stopped, and every controller is left in order. What goes on there is said.
   void leave_controllers() {
     console_.let_go();
     console_.save();
     console_.close_all();
     while (console_.closing() > 0) std::this_thread::sleep_for(Millis(2));
+    for (const std::string& sentence : console_.take_last_words()) complain(sentence);
   }
 
   gui::Console& console() { return console_; }
@@ -109,7 +110,11 @@ int run_window(const std::vector<std::string>& addresses, bool demo) {
         house.leave_controllers();
         complain("The display has gone away. Held jogs were stopped; other moves go on.");
       },
-      [&w] { w.close(); });
+      [&console] {
+        console.let_go();
+        console.toast(gui::Mood::warn,
+                      "The display refused a request of this window. Held jogs were let go.");
+      });
   for (const std::string& address : addresses)
     if (auto opened = console.open(address); !opened) return complain(opened.error(), usage);
   if (demo) console.start_demo();

@@ -36,6 +36,12 @@ void print_warnings(Session& session) {
   });
 }
 
+/// By the user, with Ctrl-C.
+struct Stopped {
+  static constexpr IntentId id = 1;  ///< no other intent is posted here
+  bool asked = false;
+};
+
 bool busy(const Snapshot& s) {
   return s.any_axis_moving() || s.working || s.program.run == RunState::running ||
          s.program.run == RunState::waiting;
@@ -85,13 +91,14 @@ Task<int> wait_for_rest(Scheduler& scheduler, std::shared_ptr<Session> session, 
   co_return done;
 }
 
-/// One after the other. A text that failed ends it; one whose end did not come in time does not.
+/// One after the other. A text that failed ends it; one whose end did not come in time does not. Nothing is
+/// sent behind a stop of the user's.
 Task<int> send_texts(Scheduler& scheduler, std::shared_ptr<Session> session,
-                     std::span<const std::string> texts, double wait_s) {
+                     std::span<const std::string> texts, double wait_s, const Stopped& stopped) {
   const Driver& driver = session->pump().driver();
   int status = done;
   bool end_is_told = false;
-  for (std::size_t i = 0; i < texts.size(); ++i) {
+  for (std::size_t i = 0; i < texts.size() && !stopped.asked; ++i) {
     const int sent = co_await send_one(session, texts[i], wait_s);
     if (sent != done) co_return sent;
     end_is_told = end_is_told || driver.answers_later(texts[i]);
@@ -119,10 +126,19 @@ Task<int> send_stop_first(std::shared_ptr<Session> session, std::string text) {
 }
 
 /// Who ends the program while something moves wants it to stop; else it just ends.
-void when_interrupted(Session& session, bool& interrupted) {
+void when_interrupted(Session& session, Stopped& stopped) {
   if (!busy(session.known())) std::raise(SIGINT);
-  interrupted = true;
-  session.pump().post(Intent(0, intent::Stop()));
+  stopped.asked = true;
+  session.pump().post(Intent(Stopped::id, intent::Stop()));
+}
+
+Task<int> tell_of_stop(std::shared_ptr<Session> session) {
+  const IntentFate* fate = session->known().fate_of(Stopped::id);
+  for (; fate && fate->fate == Fate::pending; fate = session->known().fate_of(Stopped::id))
+    co_await session->pump().published().wait();
+  if (fate && fate->fate != Fate::done)
+    co_return complain(fmt::format("Interrupted. {}", fate->sentence.view()));
+  co_return complain("Interrupted. The controller was told to stop.");
 }
 
 Task<int> send_all(Scheduler& scheduler, const Address& address, const Given& given, double wait_s) {
@@ -137,11 +153,11 @@ Task<int> send_all(Scheduler& scheduler, const Address& address, const Given& gi
   }
   if (status == done) {
     const auto connected = co_await session->wait_until_connected();
-    bool interrupted = false;
-    const Interruption interruption(scheduler, [&] { when_interrupted(*session, interrupted); });
-    status = connected ? co_await send_texts(scheduler, session, texts, wait_s)
+    Stopped stopped;
+    const Interruption interruption(scheduler, [&] { when_interrupted(*session, stopped); });
+    status = connected ? co_await send_texts(scheduler, session, texts, wait_s, stopped)
                        : complain(connected.error(), status_of(connected.error()));
-    if (interrupted) status = complain("Interrupted. The controller was told to stop.");
+    if (stopped.asked) status = co_await tell_of_stop(session);
   }
   co_await session->close();
   print_warnings(*session);

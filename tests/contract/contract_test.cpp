@@ -160,6 +160,7 @@ TEST_P(ContractTest, GarbledAndDroppedBytesLoseNothing) {
 TEST_P(ContractTest, APowerCycleIsNoticedAndNothingMoves) {
   perform(intent::MoveTo({{AxisId{0}, Steps(400)}}));
   ASSERT_TRUE(becomes_idle(seconds(20)));
+  perform(intent::Stop());  // which keeps nothing back afterwards
   operate(bench::PowerCycle());
   ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::good && axis().position == Steps(0); },
                         seconds(30)));

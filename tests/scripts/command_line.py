@@ -187,7 +187,8 @@ class Scripts(Case):
     def test_an_interrupted_send_stops_the_motors(self):
         with emulator("vxm", "--tcp", "127.0.0.1:0") as (ready, _):
             address = "vxm@tcp:" + port_of(ready[0])
-            self.interrupt("Interrupted. The controller was told to stop.", "send", address, "PM-0,S1M1000,I1M60000,R")
+            self.interrupt("Interrupted. The controller was told to stop.", "send", address, "PM-0,S1M1000,I1M60000,R",
+                           "PM-1,S1M1000,I1M-60000,R")
             time.sleep(1)
             places = [run("send", address, "X").stdout for _ in range(2)]
             self.assertEqual(places[0], places[1])

@@ -268,9 +268,14 @@ TEST_F(Vme58Driver, AResetOfTheBoardIsNoticed) {
   perform(intent::MoveTo({{AxisId{0}, Steps(400)}}));
   ASSERT_TRUE(becomes_idle());
   (void)told();
+  perform(intent::Stop());  // which keeps nothing back afterwards
+  run(Millis(500));
   operate(bench::PowerCycle());
-  ASSERT_TRUE(run_until(
-      [this] { return axis(0).position == Steps(0) && now().link.state == LinkState::good; }, Seconds(10)));
+  ASSERT_TRUE(
+      run_until([this] { return now().restarts == 1 && now().link.state == LinkState::good; }, Seconds(10)));
+  run(Seconds(1));
+  EXPECT_EQ(now().restarts, 1u) << "noticed once";
+  EXPECT_EQ(axis(0).position, Steps(0));
   EXPECT_THAT(told(), HasSubstr("switched off and on"));
   EXPECT_TRUE(axis(0).position_doubtful) << "0 wherever the motor stands";
   EXPECT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(200)}})).fate, Fate::done);
@@ -278,7 +283,6 @@ TEST_F(Vme58Driver, AResetOfTheBoardIsNoticed) {
   EXPECT_EQ(axis(0).position, Steps(200));
   EXPECT_THAT(told(), HasSubstr("The position of X is doubtful"));
   EXPECT_TRUE(axis(0).position_doubtful) << "a move tells nothing";
-  EXPECT_EQ(now().restarts, 1u);
   operate(bench::PowerCycle());
   EXPECT_TRUE(run_until([this] { return now().restarts == 2; }, Seconds(10))) << "doubtful or not";
 }
@@ -293,6 +297,23 @@ TEST_F(Vme58Driver, PositionsAreDoubtfulAfterAResetUntilTheyAreSetOrHomed) {
   ASSERT_TRUE(query("AY LP0"));
   run(Millis(500));
   EXPECT_FALSE(axis(1).position_doubtful);
+  EXPECT_TRUE(axis(2).position_doubtful);
+}
+
+TEST_F(Vme58Driver, AHomingThatNeverBeganTakesNoDoubtAway) {
+  ASSERT_EQ(perform(intent::Reset()).fate, Fate::done);
+  ASSERT_TRUE(run_until([this] { return axis(0).position_doubtful; }, Seconds(10)));
+  ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::good; }, Seconds(10)));
+  perform(intent::SendText("AX WT3000 HM0"));
+  run(Millis(500));
+  perform(intent::Stop());
+  run(Seconds(5));
+  EXPECT_TRUE(axis(0).position_doubtful) << "stopped while it waited in the queue";
+  perform(intent::SendText("AZ HF"));
+  EXPECT_EQ(perform(intent::Home(AxisId{2}, Sign::plus, 0)).fate, Fate::failed) << "its loop is open";
+  perform(intent::SendText("AY MR100 GO"));
+  ASSERT_TRUE(becomes_idle());
+  run(Seconds(2));
   EXPECT_TRUE(axis(2).position_doubtful);
 }
 

@@ -138,9 +138,13 @@ Task<Result<std::string>> ArcusDriver::read_line(int line, Priority priority) {
 
 // An unused line is empty.
 Task<Result<>> ArcusDriver::write_line(int line, std::string text) {
-  half_written_ = true;
   std::string sent = fmt::format("SA{}={}", line, text);
-  co_return co_await command(std::move(sent), Priority::transfer, Millis(500));
+  auto written = co_await command(std::move(sent), Priority::transfer, Millis(500));
+  // A stop that came first, or a refusal: this line is not stored.
+  const bool kept_out =
+      !written && (written.error().kind == FaultKind::stopped || written.error().kind == FaultKind::refused);
+  half_written_ = half_written_ || !kept_out;
+  co_return written;
 }
 
 void ArcusDriver::show_transfer(int done, int total) {

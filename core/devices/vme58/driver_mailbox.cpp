@@ -114,6 +114,7 @@ void Vme58Driver::stopping(int axis, bool at_once) {
     if (axis >= 0 && i != axis) continue;
     AxisMind& mind = minds_[ix(i)];
     begins_to_creep(i, {});
+    mind.homes = false;  // one that waits in a queue goes with it
     if (!moving(i) && !mind.ours) continue;
     mind.stopping = true;
     mind.ended_by = at_once ? EndedBy::abort : EndedBy::stop;

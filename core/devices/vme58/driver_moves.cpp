@@ -73,6 +73,7 @@ Task<Result<>> Vme58Driver::begin(std::string text, unsigned axes, Activity acti
   for (int i = 0; i < axis_count(); ++i)
     if ((axes >> i & 1) != 0) {
       minds_[ix(i)].ours = moving(i) && minds_[ix(i)].ours;
+      minds_[ix(i)].homes = false;
       draft_.axes[i].has_target = false;
       show_still(i, scheduler_.now());
     }

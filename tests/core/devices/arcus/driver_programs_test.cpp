@@ -80,6 +80,28 @@ TEST_F(Programs, OneWhoseTransferWasBrokenOffDoesNotRun) {
   }
 }
 
+TEST_F(Programs, AStopBeforeTheFirstLineIsWrittenLeavesTheOldOne) {
+  const auto stored = [this] { return query("SA0") + query("SA1") + query("SA2"); };
+  for (const std::string_view model : both) {
+    start(model, {}, true);
+    int untouched = 0;
+    for (double delay = 0.001; delay < 0.06; delay += 0.002) {
+      ASSERT_EQ(load(0, "X100\nEND\n"), "");
+      const std::string before = stored();
+      const IntentId loading = post(intent::LoadProgram(0, "X300\nEND\n"));
+      run(delay);
+      perform(intent::Stop());
+      ASSERT_TRUE(run_until([&] { return fate(loading) != Fate::pending; }, 10));
+      if (stored() != before) break;
+      ++untouched;
+      EXPECT_EQ(perform(intent::RunProgram(0)), "") << delay;
+      ASSERT_TRUE(wait_idle());
+    }
+    EXPECT_GT(untouched, 1);
+    next_model();
+  }
+}
+
 TEST_F(Programs, OneThatIsNotThereDoesNotRun) {
   for (const std::string_view model : both) {
     start(model);
