@@ -32,11 +32,12 @@ std::size_t Bus::connected() const {
 }
 
 void Bus::stop_all() {
-  for (Tab* member : members) member->jog.forget();
-  if (group)
-    group->stop();
-  else
+  if (!group) {
     for (Tab* member : members) member->stop_all();
+    return;
+  }
+  const std::vector<IntentId> stops = group->stop();
+  for (std::size_t i = 0; i < members.size(); ++i) members[i]->stopped_with(stops[i]);
 }
 
 State worst_state(const Tab& tab) {

@@ -30,6 +30,14 @@ Result<> Desk::keep_texts(Autosave autosave, std::string key) {
 
 void Desk::sent(const IntentBody& body) {
   if (std::holds_alternative<intent::Reset>(body)) texts.doubt();
+  if (std::holds_alternative<intent::Stop>(body) || std::holds_alternative<intent::Abort>(body) ||
+      std::holds_alternative<intent::HaltProgram>(body))
+    stopped();
+}
+
+void Desk::stopped() {
+  job.give_up();
+  ++stops_;
 }
 
 void Desk::refresh(const Snapshot& now, Instant clock, const Send& send) {

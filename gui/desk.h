@@ -55,6 +55,10 @@ class Desk {
   void listed(const Notice& notice) { texts.listed(notice.slot, notice.text, notice.at, notice.whole); }
   /// Something went down that may change what the controller holds.
   void sent(const IntentBody& body);
+  /// A stop goes out: nothing that was begun before is carried on.
+  void stopped();
+  /// Grows with each stop.
+  [[nodiscard]] std::uint64_t stops() const { return stops_; }
   /// Once a frame, after the snapshot and its notices were taken.
   void refresh(const Snapshot& now, Instant clock, const Send& send);
 
@@ -71,7 +75,7 @@ class Desk {
   std::string autosave_key_;
   std::uint64_t autosaved_ = 0;
   std::uint32_t program_changes_ = 0;
-  std::uint64_t starts_ = 0;
+  std::uint64_t starts_ = 0, stops_ = 0;
   Instant changed_at_{}, started_at_{};
   bool dirty_ = false;
   std::shared_ptr<int> alive_ = std::make_shared<int>(0);

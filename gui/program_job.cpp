@@ -22,6 +22,7 @@ bool ProgramJob::begin(Goal goal, int slot, ProgramTexts& texts, const Snapshot&
     return false;
   }
   ++begun_;
+  given_up_ = false;
   goal_ = goal;
   slot_ = slot;
   text_ = texts.text(slot);
@@ -88,9 +89,22 @@ void ProgramJob::update(ProgramTexts& texts, const Snapshot& now, const Catalog&
   if (stage_ == Stage::asking) return;
   const IntentFate* fate = now.fate_of(waiting_for_);
   if (!fate || fate->fate == Fate::pending) return;
+  if (fate->fate == Fate::done && given_up_) return end_given_up(texts, clock);
   if (fate->fate == Fate::done) return done(texts, now, catalog, clock, send);
   if (stage_ == Stage::loading || stage_ == Stage::clearing) texts.forget();
   refuse(std::string(fate->sentence.view()));
+}
+
+void ProgramJob::give_up() {
+  given_up_ = busy();
+  if (stage_ == Stage::asking || stage_ == Stage::starting) stage_ = Stage::idle;
+}
+
+void ProgramJob::end_given_up(ProgramTexts& texts, Instant clock) {
+  if (stage_ == Stage::loading) texts.loaded(slot_, text_, clock);
+  if (stage_ == Stage::clearing) texts.cleared(slot_, clock);
+  stage_ = Stage::idle;
+  told_ = {Mood::plain, "A stop came: what was under way is done, and nothing follows it."};
 }
 
 void ProgramJob::done(ProgramTexts& texts, const Snapshot& now, const Catalog& catalog, Instant clock,

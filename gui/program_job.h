@@ -37,8 +37,8 @@ class ProgramJob {
   void update(ProgramTexts& texts, const Snapshot& now, const Catalog& catalog, Instant clock,
               const Send& send);
   void answer(Answer answer, ProgramTexts& texts, const Send& send);
-  /// A stop, or a lost wire: what was planned after the present step is not done.
-  void give_up() { stage_ = Stage::idle; }
+  /// A stop came: the present step ends as it does, and nothing follows it.
+  void give_up();
 
   [[nodiscard]] Stage stage() const { return stage_; }
   [[nodiscard]] bool busy() const { return stage_ != Stage::idle; }
@@ -63,6 +63,7 @@ class ProgramJob {
             const Send& send);
   void empty_kept(ProgramTexts& texts, const Catalog& catalog, const Send& send);
   void refuse(std::string sentence);
+  void end_given_up(ProgramTexts& texts, Instant clock);
 
   Goal goal_ = Goal::run;
   Stage stage_ = Stage::idle;
@@ -70,6 +71,7 @@ class ProgramJob {
   IntentId waiting_for_ = 0;
   IntentId written_by_ = 0;
   std::uint64_t begun_ = 0;
+  bool given_up_ = false;
   std::string text_;  ///< as it was when the job began: this is what is loaded
   std::string question_;
   Told told_;

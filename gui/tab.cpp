@@ -110,6 +110,12 @@ void Tab::stop_all() {
   send_followed(intent::Stop());
 }
 
+void Tab::stopped_with(IntentId stop) {
+  jog.forget();
+  desk_.stopped();
+  followed_.push_back(stop);
+}
+
 std::vector<Notice> Tab::take_notices() { return std::exchange(notices_, {}); }
 
 void Tab::follow_fates() {

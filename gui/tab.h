@@ -59,6 +59,8 @@ class Tab {
   /// may. Valid until the next refresh().
   [[nodiscard]] std::string_view why_not_move() const { return why_not_move_; }
   void stop_all();  ///< Stop to this controller; a held jog is forgotten, since the stop ends it
+  /// The same for a stop that has gone out with those of others, as this intent.
+  void stopped_with(IntentId stop);
 
   /// A panel that shows these values is drawn in this frame: they are asked for in each round while it is,
   /// see intent::Watch. Bit n = group n of Catalog::readout_groups.

@@ -184,7 +184,10 @@ std::string_view Contour::why_not_run(const Frame& f) const {
   return {};
 }
 
-void Contour::run(Frame& f) { loading_ = f.send_and_watch(intent::LoadProgram(0, text_)); }
+void Contour::run(Frame& f) {
+  loading_ = f.send_and_watch(intent::LoadProgram(0, text_));
+  stops_ = f.tab.desk().stops();
+}
 
 void Contour::follow(Frame& f) {
   const auto ended = [&](IntentId& id) {
@@ -195,7 +198,10 @@ void Contour::follow(Frame& f) {
     f.toast(Mood::fault, std::string(fate->sentence.view()));
     return false;
   };
-  if (f.ui.cancelled()) loading_ = starting_ = 0;  // a stop: what is loaded is not started any more
+  // A stop, or another panel in front meanwhile: what is loaded is not started any more.
+  const int frame = ImGui::GetFrameCount();
+  const bool was_away = frame - std::exchange(drawn_frame_, frame) > 1;
+  if (was_away || f.ui.cancelled() || f.tab.desk().stops() != stops_) loading_ = starting_ = 0;
   if (loading_ && ended(loading_)) starting_ = f.send_and_watch(intent::RunProgram(0));
   if (starting_) ended(starting_);
 }

@@ -78,6 +78,8 @@ class Contour final : public gui::Panel {
   gui::PlotCursor cursor_;
 
   IntentId loading_ = 0, starting_ = 0;
+  std::uint64_t stops_ = 0;  ///< that had gone out when Run was pressed
+  int drawn_frame_ = 0;
   bool asking_ = false;
 };
 

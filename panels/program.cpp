@@ -172,7 +172,6 @@ void Program::draw_stop(Frame& f) {
               {.icon = Icon::stop, .disabled = busy ? "" : no_program, .height = 40})
            .clicked)
     return;
-  desk.job.give_up();
   f.send(intent::HaltProgram());
 }
 

@@ -47,7 +47,7 @@ Task<> Pump::shut_down() {
   if (!running_) co_return;
   leaving_ = true;
   refuse_queued("The controller was closed. Nothing was sent.");
-  if (jogging_) post_stop(Intent(0, intent::Stop()));
+  if (jogs_.any()) post_stop(Intent(0, intent::Stop()));
   // A stop that was asked for a moment ago may still wait for the answer to a question.
   while (stops_under_way_ > 0) co_await ended_.wait();
   const Instant give_up = scheduler_.now() + longest_clearing;
@@ -147,11 +147,11 @@ Task<> Pump::wait_for_retry() {
 void Pump::lose_wire(const Fault& why) {
   if (!std::exchange(down_, true))
     draft_.link.lost_at = scheduler_.now();  // attempts in between do not count
-  jog_was_lost_ = jog_was_lost_ || jogging_;
+  jog_was_lost_ = jog_was_lost_ || jogs_.any();
   draft_.link.state = LinkState::lost;
   draft_.link.sentence = why.sentence();
   dead_man_.disarm();
-  jogging_ = false;
+  jogs_.stop(-1);
   if (station_) station_->close(why);
   driver_->wire_lost();
   publish();

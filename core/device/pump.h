@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "core/device/driver.h"
+#include "core/device/held_jogs.h"
 #include "core/device/registry.h"
 #include "core/link/station.h"
 #include "core/time/scheduler.h"
@@ -72,6 +73,10 @@ class Pump {
   bool try_to_recover(const std::string& text);
   void answer_recovery();
   void hold_jog(const Intent& intent);
+  void release_jogs(const IntentBody& stop);
+  void jog_not_begun(const Intent& intent);
+  void jog_failed(const Intent& intent, FaultKind kind);
+  void disarm_if_none_is_held();
   void count_program_change(const Job& job);
   void jog_let_go();
   void poll_finished(const Result<>& result);
@@ -92,9 +97,11 @@ class Pump {
   std::uint64_t rounds_begun_ = 0, rounds_ended_ = 0, round_wanted_ = 0;
   int fast_polls_ = 0;
   int stops_under_way_ = 0;
+  std::uint64_t stops_begun_ = 0;
   int attempt_ = 0;
   bool performing_ = false;
-  bool jogging_ = false, jog_was_lost_ = false;
+  HeldJogs jogs_;
+  bool jog_was_lost_ = false;
   bool down_ = false;     ///< since the loss of the wire, through all attempts
   bool leaving_ = false;  ///< shut_down() has begun: stops only
   bool running_ = false, closing_ = false, retry_now_ = false;

@@ -10,10 +10,10 @@ namespace {
 
 constexpr std::size_t most_queued = 64;
 
-bool starts_motion(const IntentBody& body) {
-  return std::holds_alternative<intent::MoveTo>(body) || std::holds_alternative<intent::MoveBy>(body) ||
-         std::holds_alternative<intent::JogStart>(body) || std::holds_alternative<intent::Home>(body) ||
-         std::holds_alternative<intent::RunProgram>(body);
+/// What is usually asked for in order to start a program next.
+bool leads_to_a_start(const IntentBody& body) {
+  return std::holds_alternative<intent::LoadProgram>(body) ||
+         std::holds_alternative<intent::UploadProgram>(body);
 }
 
 Fault failed_inside(const char* what, const std::exception& defect) {
@@ -25,10 +25,10 @@ Fault failed_inside(const char* what, const std::exception& defect) {
 
 void Pump::post(Intent intent) {
   if (std::holds_alternative<intent::JogKeepAlive>(intent.body)) {
-    if (jogging_ && dead_man_.armed()) dead_man_.arm(scheduler_.now() + dead_man);
+    if (jogs_.any() && dead_man_.armed()) dead_man_.arm(scheduler_.now() + dead_man);
     return;
   }
-  if (std::holds_alternative<intent::JogStop>(intent.body) && !jogging_) {
+  if (std::holds_alternative<intent::JogStop>(intent.body) && !jogs_.any()) {
     // Released twice, or a jog that was refused. A second stop would mean: at once, without a ramp.
     set_fate(intent.id, Fate::done);
     return publish();
@@ -89,8 +89,43 @@ void Pump::answer_recovery() {
 void Pump::hold_jog(const Intent& intent) {
   const auto* jog = std::get_if<intent::JogStart>(&intent.body);
   if (!jog) return;
-  jogging_ = true;
+  jogs_.begin(intent.id, jog->axis.index, jog->dead_man);
   if (jog->dead_man) dead_man_.arm(scheduler_.now() + dead_man);
+}
+
+// Halting one of several threads leaves the motion alone, and a stop of one axis the others: what else is
+// held stays guarded.
+void Pump::release_jogs(const IntentBody& stop) {
+  if (std::holds_alternative<intent::HaltProgram>(stop) && catalog_.program.threads > 0) return;
+  if (const auto* s = std::get_if<intent::Stop>(&stop))
+    jogs_.stop(s->axis);
+  else if (const auto* a = std::get_if<intent::Abort>(&stop))
+    jogs_.stop(a->axis);
+  else if (std::holds_alternative<intent::JogStop>(stop))
+    jogs_.stop_latest();
+  else
+    jogs_.stop(-1);
+  disarm_if_none_is_held();
+}
+
+void Pump::disarm_if_none_is_held() {
+  if (!jogs_.any_guarded()) dead_man_.disarm();
+}
+
+void Pump::jog_not_begun(const Intent& intent) {
+  if (!std::holds_alternative<intent::JogStart>(intent.body)) return;
+  jogs_.end(intent.id);
+  disarm_if_none_is_held();
+}
+
+/// One that may have begun although nobody can tell is stopped: its hand has been told of the failure, and
+/// will not stop it.
+void Pump::jog_failed(const Intent& intent, FaultKind kind) {
+  if (!std::holds_alternative<intent::JogStart>(intent.body) || !jogs_.has(intent.id)) return;
+  if (kind == FaultKind::refused || kind == FaultKind::stopped) return jog_not_begun(intent);
+  ways_.notify(Notice(Notice::Kind::warning, scheduler_.now(),
+                      "Whether the jog has begun is not known, so the axis was told to stop."));
+  post_stop(Intent(0, intent::JogStop()));
 }
 
 void Pump::jog_let_go() {
@@ -102,6 +137,7 @@ void Pump::jog_let_go() {
 void Pump::refuse_queued(std::string_view why) {
   for (auto& job : queue_) {
     set_fate(job->intent.id, Fate::refused, why);
+    jog_not_begun(job->intent);
     if (job->is_query) {
       job->reply = fail(FaultKind::refused, std::string(why));
       job->answered = true;
@@ -116,13 +152,8 @@ void Pump::refuse_queued(std::string_view why) {
 }
 
 void Pump::post_stop(Intent intent) {
-  // Halting one of several threads leaves the motion alone: a held jog stays guarded.
-  const bool motion_goes_on =
-      std::holds_alternative<intent::HaltProgram>(intent.body) && catalog_.program.threads > 0;
-  if (!motion_goes_on) {
-    dead_man_.disarm();
-    jogging_ = false;
-  }
+  ++stops_begun_;
+  release_jogs(intent.body);
   refuse_queued("A stop came first. This was not sent.");
   set_fate(intent.id, Fate::pending);
   if (!station_ || !station_->is_open()) {
@@ -211,21 +242,22 @@ Task<> Pump::perform_next() {
     co_return;
   }
   Result<> performed;
+  const std::uint64_t stops_before = stops_begun_;
   try {
     performed = co_await driver_->perform(job->intent.body);
   } catch (const std::exception& defect) {
     performed = fail(failed_inside("command", defect));
   }
   performing_ = false;
+  if (performed && stops_begun_ != stops_before && leads_to_a_start(job->intent.body))
+    performed = fail(FaultKind::stopped, "A stop came while this was under way.", "It is whole.",
+                     "Nothing follows it: ask again for what should.");
   if (performed)
     set_fate(job->intent.id, Fate::done);
   else
     set_fate(job->intent.id, performed.error().kind == FaultKind::refused ? Fate::refused : Fate::failed,
              performed.error().sentence());
-  if (!performed && starts_motion(job->intent.body)) {
-    jogging_ = false;
-    dead_man_.disarm();
-  }
+  if (!performed) jog_failed(job->intent, performed.error().kind);
   publish();
 }
 

@@ -134,16 +134,19 @@ Task<Result<>> ArcusDriver::jog(intent::JogStart wish) {
   auto borrowed = co_await borrow_speed(wish.speed, axis);
   if (!borrowed) co_return borrowed;
   std::vector<int> axes{axis};
+  const int before = std::exchange(jogged_axis_, axis);  // one whose answer is lost may run, and is stopped
   auto started =
       co_await start(fill(forms_, forms_.jog, axis, wish.sign), std::move(axes), Activity::jogging);
   if (started) {
-    jogged_axis_ = axis;
     draft_.axes[axis].direction = static_cast<std::int8_t>(factor(wish.sign));
     draft_.axes[axis].has_target = false;
+  } else if (started.error().kind == FaultKind::refused || started.error().kind == FaultKind::stopped) {
+    jogged_axis_ = before;
   }
   auto returned = co_await give_speed_back();
   if (!started) co_return started;
-  co_return returned;
+  if (!returned) tell(Notice::Kind::warning, returned.error().sentence());  // the jog runs all the same
+  co_return Result<>();
 }
 
 Task<Result<>> ArcusDriver::home(intent::Home wish) {

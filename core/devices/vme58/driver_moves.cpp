@@ -51,10 +51,11 @@ Result<std::int64_t> Vme58Driver::checked_speed(Pps speed) const {
 Task<Result<>> Vme58Driver::begin(std::string text, unsigned axes, Activity activity,
                                   std::array<Steps, max_axes> targets) {
   forget_rejection();
+  std::array<Activity, max_axes> before{};
   for (int i = 0; i < axis_count(); ++i) {
     if ((axes >> i & 1) == 0) continue;
     AxisMind& mind = minds_[ix(i)];
-    mind.wanted = activity;
+    before[ix(i)] = std::exchange(mind.wanted, activity);
     mind.ours = true;
     mind.homes = mind.homes && activity == Activity::homing;
     mind.group = (axes & (axes - 1)) != 0 ? axes : 0;
@@ -73,6 +74,7 @@ Task<Result<>> Vme58Driver::begin(std::string text, unsigned axes, Activity acti
   for (int i = 0; i < axis_count(); ++i)
     if ((axes >> i & 1) != 0) {
       minds_[ix(i)].ours = moving(i) && minds_[ix(i)].ours;
+      minds_[ix(i)].wanted = before[ix(i)];  // what still moves is what it was
       minds_[ix(i)].homes = false;
       draft_.axes[i].has_target = false;
       show_still(i, scheduler_.now());
@@ -150,11 +152,13 @@ Task<Result<>> Vme58Driver::jog(intent::JogStart wish) {
   auto speed = checked_speed(wish.speed);
   if (!speed) co_return fail(speed.error());
   if (*speed == 0) speed = std::max<std::int64_t>(1, own_velocity_of(axis));
-  jogged_axis_ = axis;
+  const int before = std::exchange(jogged_axis_, axis);
   minds_[ix(axis)].jog_gap = jog_gap(axis, static_cast<double>(*speed));
   std::string text = addressed(axis, fmt::format("JG{}", factor(wish.sign) * *speed));
   const std::array<Steps, max_axes> nowhere{};
-  co_return co_await begin(std::move(text), 1u << axis, Activity::jogging, nowhere);
+  auto begun = co_await begin(std::move(text), 1u << axis, Activity::jogging, nowhere);
+  if (!begun && !moving(axis)) jogged_axis_ = before;
+  co_return begun;
 }
 
 // CA first: a done flag of an earlier motion says nothing of this one.
