@@ -25,6 +25,8 @@ class HeldJogs {
     if (any()) stop(jogs_.back().axis);
   }
 
+  /// 0: none is held.
+  [[nodiscard]] IntentId latest() const { return any() ? jogs_.back().id : 0; }
   [[nodiscard]] bool any() const { return !jogs_.empty(); }
   [[nodiscard]] bool has(IntentId id) const {
     return std::any_of(jogs_.begin(), jogs_.end(), [id](const Jog& jog) { return jog.id == id; });

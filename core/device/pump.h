@@ -74,6 +74,7 @@ class Pump {
   void answer_recovery();
   void hold_jog(const Intent& intent);
   void release_jogs(const IntentBody& stop);
+  bool withdraw_waiting_jog();
   void jog_not_begun(const Intent& intent);
   void jog_failed(const Intent& intent, FaultKind kind);
   void disarm_if_none_is_held();

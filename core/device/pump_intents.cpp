@@ -28,8 +28,9 @@ void Pump::post(Intent intent) {
     if (jogs_.any() && dead_man_.armed()) dead_man_.arm(scheduler_.now() + dead_man);
     return;
   }
-  if (std::holds_alternative<intent::JogStop>(intent.body) && !jogs_.any()) {
-    // Released twice, or a jog that was refused. A second stop would mean: at once, without a ramp.
+  if (std::holds_alternative<intent::JogStop>(intent.body) && (!jogs_.any() || withdraw_waiting_jog())) {
+    // Released twice, a jog that was refused, or one whose turn had not come. A second stop would mean: at
+    // once, without a ramp.
     set_fate(intent.id, Fate::done);
     return publish();
   }
@@ -110,6 +111,19 @@ void Pump::release_jogs(const IntentBody& stop) {
 
 void Pump::disarm_if_none_is_held() {
   if (!jogs_.any_guarded()) dead_man_.disarm();
+}
+
+/// The latest jog, if it still waits for its turn: it has moved nothing, so nothing is stopped.
+bool Pump::withdraw_waiting_jog() {
+  const auto waits = std::find_if(queue_.begin(), queue_.end(), [this](const auto& job) {
+    return std::holds_alternative<intent::JogStart>(job->intent.body) && job->intent.id == jogs_.latest();
+  });
+  if (waits == queue_.end()) return false;
+  const Intent jog = (*waits)->intent;
+  queue_.erase(waits);
+  jog_not_begun(jog);
+  set_fate(jog.id, Fate::refused, "It was let go before its turn came. Nothing was sent.");
+  return true;
 }
 
 void Pump::jog_not_begun(const Intent& intent) {

@@ -142,6 +142,76 @@ TEST_P(ContractTest, AJogThatLostItsLinkIsStoppedWhenTheLinkIsBack) {
   EXPECT_EQ(load(), there);
 }
 
+TEST_P(ContractTest, WhatIsRefusedBesideAHeldJogLeavesItGuarded) {
+  const auto hold = [this](int times) {
+    for (int i = 0; i < times; ++i) {
+      run(Millis(100));
+      session->send(intent::JogKeepAlive());
+    }
+  };
+  session->send(intent::JogStart(AxisId{0}, Sign::plus));
+  hold(5);
+  const IntentId refused = session->send(intent::MoveTo({{AxisId{0}, Steps(2'000'000'000)}}));
+  hold(5);
+  EXPECT_EQ(now().fate_of(refused)->fate, Fate::refused);
+  session->send(intent::JogStop());
+  ASSERT_TRUE(becomes_idle(seconds(10)));
+  const Steps there = load();
+  run(seconds(3));
+  EXPECT_EQ(load(), there);
+}
+
+TEST_P(ContractTest, AJogWhoseAnswerIsLostDoesNotOutliveItsHand) {
+  for (int delay_ms = 0; delay_ms < 24; delay_ms += 2) {
+    session->send(intent::JogStart(AxisId{0}, delay_ms % 4 == 0 ? Sign::plus : Sign::minus));
+    run(Millis(delay_ms));
+    operate(bench::Drop(3));
+    for (int i = 0; i < 4; ++i) {
+      run(Millis(100));
+      session->send(intent::JogKeepAlive());
+    }
+    session->send(intent::JogStop());
+    run(seconds(3));
+    const Steps there = load();
+    run(seconds(2));
+    EXPECT_EQ(load(), there) << delay_ms;
+    ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::good; }, seconds(60)));
+    ASSERT_TRUE(becomes_idle(seconds(20)));
+  }
+}
+
+TEST_P(ContractTest, AJogThatIsLetGoBeforeItsTurnMovesNothing) {
+  session->send(intent::MoveTo({{AxisId{0}, Steps(400)}}));
+  const IntentId jog = session->send(intent::JogStart(AxisId{0}, Sign::plus));
+  session->send(intent::JogStop());
+  ASSERT_TRUE(
+      run_until([&] { return now().fate_of(jog) && now().fate_of(jog)->fate == Fate::refused; }, seconds(5)));
+  ASSERT_TRUE(becomes_idle(seconds(20)));
+  EXPECT_EQ(axis().position, Steps(400)) << "and the move before it is not stopped";
+}
+
+// Begun at each moment of an attempt to connect.
+TEST_P(ContractTest, AStopWhileTheLinkIsRestoredGoesOutWhole) {
+  for (int into_it_ms = 0; into_it_ms <= 40; into_it_ms += 2) {
+    ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::good; }, seconds(60)));
+    ASSERT_TRUE(becomes_idle(seconds(120)));
+    perform(intent::MoveBy({{AxisId{0}, Steps(into_it_ms % 4 == 0 ? 50000 : -50000)}}));
+    run(Millis(50));
+    operate(bench::Unplug(true));
+    ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::lost; }, seconds(10)));
+    operate(bench::Unplug(false));
+    run(now().link.next_attempt - time.now() + Millis(into_it_ms));
+    const IntentId stop = session->send(intent::Stop());
+    run(seconds(4));
+    const IntentFate* fate = now().fate_of(stop);
+    ASSERT_TRUE(fate);
+    EXPECT_EQ(fate->fate, Fate::done) << into_it_ms << ": " << fate->sentence.view();
+    const Steps there = load();
+    run(seconds(3));
+    EXPECT_EQ(load(), there) << into_it_ms;
+  }
+}
+
 TEST_P(ContractTest, GarbledAndDroppedBytesLoseNothing) {
   for (int i = 0; i < 5; ++i) {
     operate(bench::Garble(7));

@@ -47,6 +47,18 @@ TEST_F(ProgramJobTest, RunLoadsWhatAnEmptySlotDoesNotHold) {
   EXPECT_TRUE(last<intent::RunProgram>());
 }
 
+TEST_F(ProgramJobTest, NothingIsStartedBehindAStop) {
+  texts.set_text(0, "I1M400");
+  ASSERT_TRUE(begin(ProgramJob::Goal::run));
+  job.give_up();
+  settle(Fate::done);
+  EXPECT_FALSE(last<intent::RunProgram>());
+  EXPECT_FALSE(job.busy());
+  EXPECT_THAT(job.take_told().sentence, HasSubstr("A stop came"));
+  ASSERT_TRUE(begin(ProgramJob::Goal::run));
+  EXPECT_TRUE(last<intent::RunProgram>()) << "asked for again, and loaded already";
+}
+
 TEST_F(ProgramJobTest, AControllerThatKeepsNoProgramsIsSentTheTextWithoutAsking) {
   catalog.program.capacity = 0;
   now.slot_bytes_used[0] = 4;

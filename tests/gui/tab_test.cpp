@@ -38,6 +38,23 @@ class TabTest : public testing::Test {
   void show() { tab.show(now, bench, Instant{}); }
 };
 
+TEST_F(TabTest, EveryStopEndsWhatIsBeingPrepared) {
+  const auto begin = [this] {
+    tab.desk().job.begin(ProgramJob::Goal::clear, 0, tab.desk().texts, now, tab.catalog(),
+                         [this](IntentBody body) { return tab.send(std::move(body)); });
+    return tab.desk().stops();
+  };
+  std::uint64_t before = begin();
+  tab.stop_all();
+  EXPECT_GT(tab.desk().stops(), before);
+  before = begin();
+  tab.stopped_with(99);
+  EXPECT_GT(tab.desk().stops(), before);
+  before = begin();
+  tab.send(intent::HaltProgram());
+  EXPECT_GT(tab.desk().stops(), before);
+}
+
 TEST_F(TabTest, UnitsComeFromTheProfile) {
   EXPECT_EQ(tab.unit(AxisId{0}).name, "steps");
   tab.profile.unit = "real";

@@ -300,6 +300,31 @@ TEST_F(Vme58Driver, PositionsAreDoubtfulAfterAResetUntilTheyAreSetOrHomed) {
   EXPECT_TRUE(axis(2).position_doubtful);
 }
 
+TEST_F(Vme58Driver, ALostLinkEndsARecordingAndAProgramThatIsFed) {
+  const auto reconnect = [this] {
+    operate(bench::Unplug(true));
+    ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::lost; }, Seconds(20)));
+    operate(bench::Unplug(false));
+    ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::good; }, Seconds(20)));
+    ASSERT_TRUE(becomes_idle());
+  };
+  perform(intent::SendText("AA CD0,0; CV1000;"));
+  run(Seconds(1));
+  reconnect();
+  EXPECT_THAT(told(), HasSubstr("The contour that was being recorded is gone with the connection"));
+  EXPECT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(400)}})).fate, Fate::done);
+  ASSERT_TRUE(becomes_idle());
+  std::string text = "AX VL20000 AC1000000\n";
+  for (int i = 0; i < 600; ++i) text += "MR10 GO\n";
+  ASSERT_EQ(perform(intent::LoadProgram(0, text)).fate, Fate::done);
+  ASSERT_EQ(perform(intent::RunProgram(0)).fate, Fate::done);
+  run(Millis(300));
+  ASSERT_TRUE(now().feed.running);
+  reconnect();
+  EXPECT_FALSE(now().feed.running);
+  EXPECT_EQ(perform(intent::SendText("AA CD100,100; CE")).fate, Fate::done);
+}
+
 TEST_F(Vme58Driver, AHomingThatNeverBeganTakesNoDoubtAway) {
   ASSERT_EQ(perform(intent::Reset()).fate, Fate::done);
   ASSERT_TRUE(run_until([this] { return axis(0).position_doubtful; }, Seconds(10)));

@@ -56,7 +56,7 @@ Task<Result<>> ArcusDriver::feed() {
     const std::string text = fmt::format("I{}:{}:{}:{}", row[0], row[1], row[2], row[3]);
     auto reply = co_await exchange(text, Priority::intent, Millis(200));
     if (reply && reply->text == model().refusal(Refusal::buffer_full)) {
-      to_feed_.push_front(row);
+      if (draft_.feed.running) to_feed_.push_front(row);  // else a stop has ended the list meanwhile
       buffer_free_ = 0;
       break;
     }

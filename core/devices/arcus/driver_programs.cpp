@@ -31,6 +31,8 @@ Task<Result<>> ArcusDriver::perform_program(IntentBody body) {
   if (const auto* i = std::get_if<LoadProgram>(&body)) co_return co_await load(i->slot, i->text);
   if (const auto* i = std::get_if<UploadProgram>(&body)) co_return co_await upload(i->slot);
   if (std::holds_alternative<ClearProgram>(body)) {
+    auto read = co_await read_threads(true, Priority::intent);
+    if (!read) co_return read;
     if (auto may = no_thread_runs(); !may) co_return may;
     auto cleared = co_await clear_from(0);
     draft_.transfer.running = false;
@@ -178,6 +180,8 @@ Task<Result<>> ArcusDriver::may_be_program(int program, const language::Program&
 }
 
 Task<Result<>> ArcusDriver::load(int program, std::string text) {
+  auto read = co_await read_threads(true, Priority::intent);  // others may have started one
+  if (!read) co_return read;
   if (auto may = no_thread_runs(); !may) co_return may;
   const language::Compilation made = language::compile(text, dialect_);
   for (const Problem& p : made.problems)

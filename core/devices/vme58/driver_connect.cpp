@@ -53,6 +53,7 @@ void Vme58Driver::forget() {
   draft_.queue_known = 0;
   draft_.window.rings_known = false;
   draft_.program.run = RunState::idle;
+  draft_.program.owned = draft_.feed.running = false;
   for (int i = 0; i < axis_count(); ++i) {
     AxisState& axis = draft_.axes[i];
     axis.limits_known = false;
@@ -64,6 +65,10 @@ void Vme58Driver::forget() {
 }
 
 void Vme58Driver::wire_lost() {
+  // Whoever connects anew selects an axis, which ends a recording on the board too.
+  if (std::exchange(context_.recording, false))
+    tell(Notice::Kind::warning,
+         "The contour that was being recorded is gone with the connection. Record it from its CD on.");
   lost_while_busy_ = draft_.any_axis_moving();
   for (int i = 0; i < axis_count(); ++i) {
     if (lost_while_busy_ && moving(i)) draft_.axes[i].ended_by = EndedBy::lost;

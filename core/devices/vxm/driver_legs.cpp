@@ -44,7 +44,7 @@ Task<Result<int>> VxmDriver::find_scratch() {
       auto chosen = co_await say(select_program(slot), Priority::intent);
       if (!chosen) co_return fail(chosen.error());
       auto listing = co_await ask_listing(Priority::intent);
-      auto back = co_await say(select_program(selected_), Priority::intent);
+      auto back = co_await say(select_program(selected_), Priority::poll);  // a stop does not keep it back
       if (!listing) co_return fail(listing.error());
       if (!back) co_return fail(back.error());
       if (listing->slot == slot && listing->free_bytes == program_bytes && listing->commands.empty()) {

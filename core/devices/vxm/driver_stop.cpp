@@ -74,8 +74,8 @@ Task<Result<>> VxmDriver::stop_program() {
   if (draft_.program.run == RunState::held) co_return co_await kill(true);
   if (!hold_on_) {
     auto held = co_await say("H", Priority::stop);
+    hold_on_ = true;  // also when it may not have got through: a second H would let the motor go on
     if (!held) co_return held;
-    hold_on_ = true;
     // Between two commands the hold is told at once, and D into that listing would be an overrun.
     if (station_) co_await scheduler_.sleep_for(station_->wire_time(2) + Millis(1));
   }

@@ -80,6 +80,19 @@ TEST_F(Programs, OneWhoseTransferWasBrokenOffDoesNotRun) {
   }
 }
 
+TEST_F(Programs, OneThatATextHasStartedIsNotWrittenOver) {
+  for (const std::string_view model : both) {
+    start(model);
+    ASSERT_EQ(load(0, "WHILE 1=1\nV1=V1+1\nENDWHILE\nEND\n"), "");
+    EXPECT_EQ(query("SR0=1"), "OK");
+    EXPECT_THAT(load(0, "X300\nEND\n"), HasSubstr("Program 0 runs, and all programs share the stored code."));
+    EXPECT_THAT(perform(intent::ClearProgram(0)), HasSubstr("Program 0 runs"));
+    perform(intent::Stop());
+    run(1);
+    next_model();
+  }
+}
+
 TEST_F(Programs, AStopBeforeTheFirstLineIsWrittenLeavesTheOldOne) {
   const auto stored = [this] { return query("SA0") + query("SA1") + query("SA2"); };
   for (const std::string_view model : both) {
