@@ -13,9 +13,10 @@ targets=("$@")
 [ ${#targets[@]} -gt 0 ] || for t in tests/fuzz/*_fuzz; do targets+=("$(basename "$t")"); done
 mkdir -p found
 
+# A unit may take some seconds: the emulators run endless programs for ten minutes of theirs.
 fuzz() {
   mkdir -p "corpus/$1"
-  nice -n 19 "tests/fuzz/$1" -max_total_time="$duration" -timeout=60 -rss_limit_mb=4096 -print_final_stats=1 \
+  nice -n 19 "tests/fuzz/$1" -max_total_time="$duration" -timeout=60 -report_slow_units=60 -rss_limit_mb=4096 -print_final_stats=1 \
     -artifact_prefix="found/$1-" "corpus/$1" >"$1.log" 2>&1 || true
 }
 export -f fuzz
