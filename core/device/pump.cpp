@@ -107,8 +107,9 @@ Task<bool> Pump::open_and_connect() {
   if (!connected && stops_begun_ != stops_before) {
     // Cut short by a stop, which goes out whole before this wire is left; then it is made again.
     while (stops_under_way_ > 0 && station_->is_open()) co_await ended_.wait();
-    connected = fail(FaultKind::lost, "A stop came while the connection was made, and went out first.", {},
-                     "The connection is made again.");
+    if (station_->is_open())
+      connected = fail(FaultKind::lost, "A stop came while the connection was made, and went out first.", {},
+                       "The connection is made again.");
     retry_now_ = true;
   }
   if (closing_) co_return false;

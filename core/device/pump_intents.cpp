@@ -28,7 +28,8 @@ void Pump::post(Intent intent) {
     if (jogs_.any() && dead_man_.armed()) dead_man_.arm(scheduler_.now() + dead_man);
     return;
   }
-  if (std::holds_alternative<intent::JogStop>(intent.body) && (!jogs_.any() || withdraw_waiting_jog())) {
+  const bool lets_go = std::holds_alternative<intent::JogStop>(intent.body);
+  if (lets_go && (!jogs_.any() || (withdraw_waiting_jog() && !jogs_.any()))) {
     // Released twice, a jog that was refused, or one whose turn had not come. A second stop would mean: at
     // once, without a ramp.
     set_fate(intent.id, Fate::done);
@@ -133,13 +134,16 @@ void Pump::jog_not_begun(const Intent& intent) {
 }
 
 /// One that may have begun although nobody can tell is stopped: its hand has been told of the failure, and
-/// will not stop it.
+/// will not stop it. It is stopped by its axis, so that nothing else is.
 void Pump::jog_failed(const Intent& intent, FaultKind kind) {
-  if (!std::holds_alternative<intent::JogStart>(intent.body) || !jogs_.has(intent.id)) return;
-  if (kind == FaultKind::refused || kind == FaultKind::stopped) return jog_not_begun(intent);
+  const auto* jog = std::get_if<intent::JogStart>(&intent.body);
+  if (!jog || !jogs_.has(intent.id)) return;
+  const bool rejected =
+      kind == FaultKind::refused || kind == FaultKind::stopped || kind == FaultKind::controller;
+  if (rejected) return jog_not_begun(intent);
   ways_.notify(Notice(Notice::Kind::warning, scheduler_.now(),
                       "Whether the jog has begun is not known, so the axis was told to stop."));
-  post_stop(Intent(0, intent::JogStop()));
+  post_stop(Intent(0, intent::Stop(jog->axis.index)));
 }
 
 void Pump::jog_let_go() {

@@ -300,6 +300,17 @@ TEST_F(Vme58Driver, PositionsAreDoubtfulAfterAResetUntilTheyAreSetOrHomed) {
   EXPECT_TRUE(axis(2).position_doubtful);
 }
 
+TEST_F(Vme58Driver, AJogThatIsRejectedStopsNothingElse) {
+  perform(intent::SendText("AY HF"));
+  perform(intent::MoveBy({{AxisId{0}, Steps(20000)}}, Pps(5000)));
+  run(Millis(300));
+  EXPECT_EQ(perform(intent::JogStart(AxisId{1}, Sign::plus)).fate, Fate::failed) << "its loop is open";
+  perform(intent::JogStop());
+  ASSERT_TRUE(becomes_idle());
+  EXPECT_EQ(axis(0).ended_by, EndedBy::target);
+  EXPECT_EQ(axis(0).position, Steps(20000));
+}
+
 TEST_F(Vme58Driver, ALostLinkEndsARecordingAndAProgramThatIsFed) {
   const auto reconnect = [this] {
     operate(bench::Unplug(true));

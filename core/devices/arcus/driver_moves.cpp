@@ -132,7 +132,14 @@ Task<Result<>> ArcusDriver::jog(intent::JogStart wish) {
   const int axis = wish.axis.index;
   if (auto may = may_move_axis(axis); !may) co_return may;
   auto borrowed = co_await borrow_speed(wish.speed, axis);
-  if (!borrowed) co_return borrowed;
+  if (!borrowed) {
+    Fault why = borrowed.error();
+    if (why.kind == FaultKind::no_answer || why.kind == FaultKind::garbled) {
+      why.kind = FaultKind::refused;  // nothing that moves went out
+      why.done = "The jog was not sent.";
+    }
+    co_return fail(std::move(why));
+  }
   std::vector<int> axes{axis};
   const int before = std::exchange(jogged_axis_, axis);  // one whose answer is lost may run, and is stopped
   auto started =

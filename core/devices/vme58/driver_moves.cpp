@@ -157,7 +157,11 @@ Task<Result<>> Vme58Driver::jog(intent::JogStart wish) {
   std::string text = addressed(axis, fmt::format("JG{}", factor(wish.sign) * *speed));
   const std::array<Steps, max_axes> nowhere{};
   auto begun = co_await begin(std::move(text), 1u << axis, Activity::jogging, nowhere);
-  if (!begun && !moving(axis)) jogged_axis_ = before;
+  if (!begun && !moving(axis)) {
+    jogged_axis_ = before;
+    // What the ring does not take is taken back: it is not carried out later.
+    if (begun.error().kind == FaultKind::no_answer) begun.error().kind = FaultKind::refused;
+  }
   co_return begun;
 }
 
