@@ -37,7 +37,7 @@ class Driver {
   /// transactions dropped.
   virtual Task<Result<>> stop(int axis, bool at_once) = 0;
   /// A held jog was let go: stops what it moves. Programs that run beside it go on where there can be any.
-  virtual Task<Result<>> stop_jog() { return stop(-1, false); }
+  virtual Task<Result<>> stop_jog(int axis) { return stop(axis, false); }
   /// Ends a program (-1: all), beside whatever is under way. Goes out like a stop.
   virtual Task<Result<>> halt_program(int /*thread*/) { return stop(-1, false); }
   /// One message that stops every controller of this kind on the wire, where the maker has one (broadcast).

@@ -20,13 +20,6 @@ class HeldJogs {
   void stop(int axis) {
     std::erase_if(jogs_, [axis](const Jog& jog) { return axis < 0 || jog.axis == axis; });
   }
-  /// The one that a driver's stop_jog() ends.
-  void stop_latest() {
-    if (any()) stop(jogs_.back().axis);
-  }
-
-  /// 0: none is held.
-  [[nodiscard]] IntentId latest() const { return any() ? jogs_.back().id : 0; }
   [[nodiscard]] bool any() const { return !jogs_.empty(); }
   [[nodiscard]] bool has(IntentId id) const {
     return std::any_of(jogs_.begin(), jogs_.end(), [id](const Jog& jog) { return jog.id == id; });
@@ -35,12 +28,19 @@ class HeldJogs {
     return std::any_of(jogs_.begin(), jogs_.end(), [](const Jog& jog) { return jog.guarded; });
   }
 
- private:
   struct Jog {
-    IntentId id;
-    int axis;
-    bool guarded;
+    IntentId id = 0;  ///< 0: none is held
+    int axis = -1;
+    bool guarded = false;
   };
+  /// The one that ends when a hand lets go: its own, whatever a script has begun meanwhile.
+  [[nodiscard]] Jog in_hand() const {
+    const auto own = std::find_if(jogs_.rbegin(), jogs_.rend(), [](const Jog& jog) { return jog.guarded; });
+    if (own != jogs_.rend()) return *own;
+    return any() ? jogs_.back() : Jog();
+  }
+
+ private:
   std::vector<Jog> jogs_;
 };
 

@@ -42,7 +42,10 @@ struct JogStart {
       : axis(a), sign(s), speed(v), dead_man(guarded) {}
 };
 struct JogKeepAlive {};
-struct JogStop {};
+/// The hand lets go of its jog; a jog that a script holds goes on.
+struct JogStop {
+  int axis = -1;  ///< filled in on the way: that of the jog which ends; -1: not known, so all
+};
 struct Home {
   AxisId axis;
   Sign sign;

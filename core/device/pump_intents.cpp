@@ -29,7 +29,7 @@ void Pump::post(Intent intent) {
     return;
   }
   const bool lets_go = std::holds_alternative<intent::JogStop>(intent.body);
-  if (lets_go && (!jogs_.any() || (withdraw_waiting_jog() && !jogs_.any()))) {
+  if (lets_go && (!jogs_.any() || (withdraw_waiting_jog() && !jogs_.any_guarded()))) {
     // Released twice, a jog that was refused, or one whose turn had not come. A second stop would mean: at
     // once, without a ramp.
     set_fate(intent.id, Fate::done);
@@ -103,8 +103,8 @@ void Pump::release_jogs(const IntentBody& stop) {
     jogs_.stop(s->axis);
   else if (const auto* a = std::get_if<intent::Abort>(&stop))
     jogs_.stop(a->axis);
-  else if (std::holds_alternative<intent::JogStop>(stop))
-    jogs_.stop_latest();
+  else if (const auto* j = std::get_if<intent::JogStop>(&stop))
+    jogs_.stop(j->axis);
   else
     jogs_.stop(-1);
   disarm_if_none_is_held();
@@ -114,10 +114,10 @@ void Pump::disarm_if_none_is_held() {
   if (!jogs_.any_guarded()) dead_man_.disarm();
 }
 
-/// The latest jog, if it still waits for its turn: it has moved nothing, so nothing is stopped.
+/// The hand's jog, if it still waits for its turn: it has moved nothing, so nothing is stopped.
 bool Pump::withdraw_waiting_jog() {
   const auto waits = std::find_if(queue_.begin(), queue_.end(), [this](const auto& job) {
-    return std::holds_alternative<intent::JogStart>(job->intent.body) && job->intent.id == jogs_.latest();
+    return std::holds_alternative<intent::JogStart>(job->intent.body) && job->intent.id == jogs_.in_hand().id;
   });
   if (waits == queue_.end()) return false;
   const Intent jog = (*waits)->intent;
@@ -171,6 +171,7 @@ void Pump::refuse_queued(std::string_view why) {
 
 void Pump::post_stop(Intent intent) {
   ++stops_begun_;
+  if (auto* lets_go = std::get_if<intent::JogStop>(&intent.body)) lets_go->axis = jogs_.in_hand().axis;
   release_jogs(intent.body);
   refuse_queued("A stop came first. This was not sent.");
   set_fate(intent.id, Fate::pending);
@@ -208,7 +209,8 @@ Task<Result<>> Pump::stop_as_asked(const IntentBody& body) {
   if (const auto* s = std::get_if<intent::Stop>(&body)) return driver_->stop(s->axis, false);
   if (const auto* a = std::get_if<intent::Abort>(&body)) return driver_->stop(a->axis, true);
   if (const auto* h = std::get_if<intent::HaltProgram>(&body)) return driver_->halt_program(h->thread);
-  return driver_->stop_jog();
+  const auto* j = std::get_if<intent::JogStop>(&body);
+  return driver_->stop_jog(j ? j->axis : -1);
 }
 
 Task<> Pump::stop_and_report(Intent intent) {

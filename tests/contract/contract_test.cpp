@@ -161,6 +161,30 @@ TEST_P(ContractTest, WhatIsRefusedBesideAHeldJogLeavesItGuarded) {
   EXPECT_EQ(load(), there);
 }
 
+// Where two axes can jog at once: a hand lets go of its own, whatever a script holds or has let go.
+TEST_P(ContractTest, AHandLetsGoOfItsOwnJogBesideAScripts) {
+  for (const bool script_ends_first : {false, true}) {
+    session->send(intent::JogStart(AxisId{0}, Sign::plus));
+    run(Millis(100));
+    session->send(intent::JogKeepAlive());
+    if (now().axis_count < 2) return;
+    const IntentId scripts = session->send(intent::JogStart(AxisId{1}, Sign::plus, {}, false));
+    run(Millis(200));
+    session->send(intent::JogKeepAlive());
+    if (now().fate_of(scripts)->fate == Fate::refused) return;
+    if (script_ends_first) session->send(intent::Stop(1));
+    run(Millis(200));
+    session->send(intent::JogStop());
+    ASSERT_TRUE(run_until([this] { return axis().activity == Activity::idle; }, seconds(10)));
+    const Steps there = load();
+    run(seconds(2));
+    EXPECT_EQ(load(), there);
+    EXPECT_EQ(now().axes[1].activity, script_ends_first ? Activity::idle : Activity::jogging);
+    session->send(intent::Stop());
+    ASSERT_TRUE(becomes_idle(seconds(20)));
+  }
+}
+
 TEST_P(ContractTest, AJogWhoseAnswerIsLostDoesNotOutliveItsHand) {
   for (int delay_ms = 0; delay_ms < 24; delay_ms += 2) {
     session->send(intent::JogStart(AxisId{0}, delay_ms % 4 == 0 ? Sign::plus : Sign::minus));

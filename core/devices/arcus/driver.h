@@ -34,7 +34,7 @@ class ArcusDriver final : public Driver {
   Task<Result<>> poll() override;
   Task<Result<>> perform(const IntentBody& intent) override;
   Task<Result<>> stop(int axis, bool at_once) override;
-  Task<Result<>> stop_jog() override;
+  Task<Result<>> stop_jog(int axis) override;
   Task<Result<>> stop_wire(bool at_once) override;
   Task<Result<>> halt_program(int thread) override;
   void wire_lost() override;
@@ -66,10 +66,11 @@ class ArcusDriver final : public Driver {
     std::array<bool, max_axes> moving{};
     bool known = true;
   };
-  /// How the speed is put for one motion and back afterwards.
-  struct BorrowedSpeed {
+  /// A setting that is written for one motion, and put back behind it.
+  struct Borrowed {
     std::string name;
-    std::int64_t before;
+    std::int64_t before, for_now;
+    bool left_alone = false;  ///< through a lost wire: whoever has set it since is right
   };
 
   // ---- driver_talk.cpp
@@ -153,8 +154,10 @@ class ArcusDriver final : public Driver {
   Task<Result<>> set_output(intent::SetOutput wish);
   [[nodiscard]] std::string who_has(int output) const;
   Task<Result<>> start(std::string text, std::vector<int> axes, Activity activity);
+  Task<Result<>> borrow(std::string name, std::int64_t value);
   Task<Result<>> borrow_speed(Pps speed, int axis);
-  Task<Result<>> give_speed_back();
+  Task<Result<>> give_back();
+  Task<Result<>> give_back_first();
   Task<Fault> after_doubt(Fault why, std::string_view sent);
   Result<> may_move_axis(int axis) const;
   void begun(int axis, Activity activity, Instant at);
@@ -235,8 +238,7 @@ class ArcusDriver final : public Driver {
   int counters_set_ = 0;     ///< texts sent that may set a position or encoder counter
   int counters_judged_ = 0;  ///< of them, those that the newest round has answered for
   bool incremental_ = false;
-  std::optional<BorrowedSpeed> borrowed_;
-  int jogged_axis_ = -1;
+  std::optional<Borrowed> borrowed_;
   std::deque<std::vector<std::int64_t>> to_feed_;
   int buffer_free_ = 0;
   bool buffer_on_ = false;

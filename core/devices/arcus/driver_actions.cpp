@@ -94,26 +94,20 @@ Task<Result<>> ArcusDriver::clear_errors(std::string_view form, int axis) {
 
 // The ramp takes the acceleration time: one that is given is written for this change and put back.
 Task<Result<>> ArcusDriver::change_speed(int axis, std::int64_t speed, std::int64_t accel_ms) {
-  std::string name(forms_.accel);
-  std::int64_t before = 0;
   if (accel_ms > 0) {
+    std::string name(forms_.accel);
     if (forms_.axis_speeds) {
       auto own = co_await ask_number(fill(forms_, forms_.axis_accel, axis), Priority::intent);
       if (!own) co_return fail(own.error());
       if (*own != 0) name = fill(forms_, forms_.axis_accel, axis);
     }
-    auto present = co_await ask_number(name, Priority::intent);
-    if (!present) co_return fail(present.error());
-    before = *present;
-    auto set = co_await command(set_command(name, accel_ms), Priority::intent);
-    if (!set) co_return set;
+    auto borrowed = co_await borrow(std::move(name), accel_ms);
+    if (!borrowed) co_return borrowed;
   }
   const std::string text = fill(forms_, forms_.change_speed, axis, Sign::plus, speed);
   auto changed = co_await command(text, Priority::intent);
-  if (accel_ms > 0) {
-    auto returned = co_await command(set_command(name, before), Priority::intent);
-    if (changed && !returned) co_return returned;
-  }
+  auto returned = co_await give_back();
+  if (changed && !returned) co_return returned;
   if (!changed && changed.error().kind == FaultKind::refused)
     changed.error().advice = "Choose the window before the motion begins; the axis must be moving.";
   co_return changed;

@@ -254,7 +254,7 @@ void ArcusDriver::wire_lost() {
   station_ = nullptr;
   lost_while_busy_ = lost_while_busy_ || any_moving();
   lost_at_ = scheduler_.now();
-  borrowed_.reset();
+  if (borrowed_) borrowed_->left_alone = true;
   end_feed();
   draft_.transfer = TransferState();
   for (int i = 0; i < axis_count(); ++i) {

@@ -123,7 +123,7 @@ Task<Result<>> ArcusDriver::move(std::vector<AxisTarget> wish, Pps speed, bool r
     draft_.axes[axes[i]].has_target = true;
     draft_.axes[axes[i]].target = Steps(goals[i]);
   }
-  auto returned = co_await give_speed_back();
+  auto returned = co_await give_back();
   if (!started) co_return started;
   co_return returned;
 }
@@ -141,16 +141,13 @@ Task<Result<>> ArcusDriver::jog(intent::JogStart wish) {
     co_return fail(std::move(why));
   }
   std::vector<int> axes{axis};
-  const int before = std::exchange(jogged_axis_, axis);  // one whose answer is lost may run, and is stopped
   auto started =
       co_await start(fill(forms_, forms_.jog, axis, wish.sign), std::move(axes), Activity::jogging);
   if (started) {
     draft_.axes[axis].direction = static_cast<std::int8_t>(factor(wish.sign));
     draft_.axes[axis].has_target = false;
-  } else if (started.error().kind == FaultKind::refused || started.error().kind == FaultKind::stopped) {
-    jogged_axis_ = before;
   }
-  auto returned = co_await give_speed_back();
+  auto returned = co_await give_back();
   if (!started) co_return started;
   if (!returned) tell(Notice::Kind::warning, returned.error().sentence());  // the jog runs all the same
   co_return Result<>();
@@ -192,20 +189,41 @@ Task<Result<>> ArcusDriver::borrow_speed(Pps speed, int axis) {
     }
     if (own) name = fill(forms_, forms_.axis_high_speed, axis);
   }
-  auto before = co_await ask_number(name, Priority::intent);
-  if (!before) co_return fail(before.error());
-  if (*before == wanted) co_return Result<>();
-  borrowed_ = BorrowedSpeed{name, *before};
-  auto set = co_await command(set_command(name, wanted), Priority::intent);
-  co_return set;
+  co_return co_await borrow(std::move(name), wanted);
 }
 
-Task<Result<>> ArcusDriver::give_speed_back() {
+Task<Result<>> ArcusDriver::borrow(std::string name, std::int64_t value) {
+  auto before = co_await ask_number(name, Priority::intent);
+  if (!before) co_return fail(before.error());
+  if (*before == value) co_return Result<>();
+  borrowed_ = Borrowed{name, *before, value};
+  co_return co_await command(set_command(name, value), Priority::intent);
+}
+
+Task<Result<>> ArcusDriver::give_back() {
   if (!borrowed_) co_return Result<>();
+  if (borrowed_->left_alone) {
+    auto present = co_await ask_number(borrowed_->name, Priority::intent);
+    if (!present) co_return fail(present.error());
+    if (borrowed_ && *present != borrowed_->for_now) borrowed_.reset();
+    if (!borrowed_) co_return Result<>();
+  }
   auto set = co_await command(set_command(borrowed_->name, borrowed_->before), Priority::intent);
   if (set) borrowed_.reset();
   if (!set && set.error().kind == FaultKind::stopped) co_return Result<>();  // the next round does it
   co_return set;
+}
+
+// What a stop or a lost wire has kept from being put back: before anything that it would act on, or store.
+Task<Result<>> ArcusDriver::give_back_first() {
+  auto returned = co_await give_back();
+  if (returned ||
+      (returned.error().kind != FaultKind::no_answer && returned.error().kind != FaultKind::garbled))
+    co_return returned;
+  Fault why = std::move(returned.error());
+  why.kind = FaultKind::refused;
+  why.done = "The setting of the last motion is not put back yet; nothing else was sent.";
+  co_return fail(std::move(why));
 }
 
 // ---- counters, power, outputs

@@ -26,7 +26,7 @@ Task<Result<>> ArcusDriver::poll() {
   auto loop = co_await read_loop(Priority::poll);
   if (!loop) co_return loop;
   if (borrowed_ && stops_ == 0) {
-    auto returned = co_await give_speed_back();
+    auto returned = co_await give_back();
     if (!returned) co_return returned;
   }
   auto fed = co_await feed();

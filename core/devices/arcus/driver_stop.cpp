@@ -80,10 +80,8 @@ Task<Result<>> ArcusDriver::stop_now(int axis, bool at_once) {
 }
 
 // What the jog moves stops; programs, and axes that they move, go on.
-Task<Result<>> ArcusDriver::stop_jog() {
-  const int axis = std::exchange(jogged_axis_, -1);
+Task<Result<>> ArcusDriver::stop_jog(int axis) {
   stop_ramps_ = false;  // letting go is never the second stop, which would be at once
-  if (axis < 0) co_return co_await stop(-1, false);
   co_return co_await stop(axis, false);
 }
 

@@ -269,6 +269,7 @@ bool ArcusDriver::take_unsolicited(std::string& text) {
 // ---- raw text
 
 Task<Result<std::string>> ArcusDriver::query(std::string text, Duration patience) {
+  if (auto returned = co_await give_back_first(); !returned) co_return fail(returned.error());
   if (model().broadcast >= 0 && address_of(text) == model().broadcast) {
     auto sent = co_await broadcast(std::string(text_of(text)), Priority::intent);
     if (!sent) co_return fail(sent.error());

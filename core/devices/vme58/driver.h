@@ -41,7 +41,7 @@ class Vme58Driver final : public Driver {
   Task<Result<>> poll() override;
   Task<Result<>> perform(const IntentBody& intent) override;
   Task<Result<>> stop(int axis, bool at_once) override;
-  Task<Result<>> stop_jog() override;
+  Task<Result<>> stop_jog(int axis) override;
   void wire_lost() override;
   Task<Result<std::string>> query(std::string text, Duration patience) override;
   [[nodiscard]] bool answers(std::string_view text) const override;
@@ -271,7 +271,6 @@ class Vme58Driver final : public Driver {
   std::uint8_t control_ = 0;  ///< interrupts that the console has enabled
   int stops_ = 0;             ///< under way
   bool stop_ramps_ = false;
-  int jogged_axis_ = -1;
 
   bool connected_before_ = false, lost_while_busy_ = false;
   int outputs_direction_ = factory_outputs;

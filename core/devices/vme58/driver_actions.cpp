@@ -38,7 +38,6 @@ Task<Result<>> Vme58Driver::act(intent::Act wish) {
     case Action::flush: text = "FL"; break;
     case Action::fraction_jog:
       if (auto may = may_move(axis); !may) co_return may;
-      jogged_axis_ = axis;
       text = addressed(axis, "JF" + encode_number(wish.values[1], 3));
       if (wish.values[1] == 0) co_return co_await command(std::move(text), Priority::intent);
       minds_[ix(axis)].jog_gap = jog_gap(axis, std::abs(static_cast<double>(wish.values[1])) / 1000);

@@ -68,8 +68,7 @@ Task<Result<>> Vme58Driver::stop(int axis, bool at_once) {
 }
 
 // What the jog moves stops; the other axes go on.
-Task<Result<>> Vme58Driver::stop_jog() {
-  const int axis = std::exchange(jogged_axis_, -1);
+Task<Result<>> Vme58Driver::stop_jog(int axis) {
   stop_ramps_ = false;  // letting go is never the second stop, which would be at once
   co_return co_await stop(axis, false);
 }

@@ -152,16 +152,13 @@ Task<Result<>> Vme58Driver::jog(intent::JogStart wish) {
   auto speed = checked_speed(wish.speed);
   if (!speed) co_return fail(speed.error());
   if (*speed == 0) speed = std::max<std::int64_t>(1, own_velocity_of(axis));
-  const int before = std::exchange(jogged_axis_, axis);
   minds_[ix(axis)].jog_gap = jog_gap(axis, static_cast<double>(*speed));
   std::string text = addressed(axis, fmt::format("JG{}", factor(wish.sign) * *speed));
   const std::array<Steps, max_axes> nowhere{};
   auto begun = co_await begin(std::move(text), 1u << axis, Activity::jogging, nowhere);
-  if (!begun && !moving(axis)) {
-    jogged_axis_ = before;
-    // What the ring does not take is taken back: it is not carried out later.
-    if (begun.error().kind == FaultKind::no_answer) begun.error().kind = FaultKind::refused;
-  }
+  // What the ring does not take is taken back: it is not carried out later.
+  if (!begun && !moving(axis) && begun.error().kind == FaultKind::no_answer)
+    begun.error().kind = FaultKind::refused;
   co_return begun;
 }
 

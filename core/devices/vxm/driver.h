@@ -198,7 +198,9 @@ class VxmDriver final : public Driver {
   Task<Result<>> clear(int slot);
   Task<Result<>> select(int slot);
   Task<Result<>> run(int slot);
+  Result<> may_switch_hold() const;
   Task<Result<>> pause();
+  Task<Result<>> switch_hold(std::string text, bool on, Priority priority);
   Task<Result<>> resume();
   Task<Result<>> single_step();
   Result<> may_touch_programs() const;
@@ -239,6 +241,7 @@ class VxmDriver final : public Driver {
   int confirmed_scratch_ = -1;  ///< slot that lst has shown empty
   bool stored_running_ = false;
   bool hold_on_ = false;
+  bool hold_doubtful_ = false;  ///< the wire was lost with an H on it: another might let the motors go on
   bool release_hold_ = false;
   char halted_ = 0;  ///< letter of the error that waits for K
   Stopping stopping_ = Stopping::no;

@@ -235,7 +235,7 @@ Task<Result<>> VxmDriver::found_restarted(const char* why) {
 }
 
 void VxmDriver::forget_ram() {
-  hold_on_ = false;
+  hold_on_ = hold_doubtful_ = false;
   halted_ = 0;
   scratch_ = confirmed_scratch_ = -1;
   selected_ = 0;

@@ -40,9 +40,8 @@ Task<Result<>> VxmDriver::poll_on_line() {
   ++round_;
   round_began_ = scheduler_.now();
   if (std::exchange(release_hold_, false)) {
-    auto released = co_await say("H", Priority::poll);
+    auto released = co_await switch_hold("H", false, Priority::poll);
     if (!released) co_return released;
-    hold_on_ = false;
   }
   auto finished = co_await finish_leg();
   if (!finished) co_return finished;

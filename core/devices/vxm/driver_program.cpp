@@ -338,9 +338,8 @@ Task<Result<>> VxmDriver::run(int slot) {
     if (may_turn(slot, i + 1)) warn_of_motor_type(i);
   std::string text = hold_on_ ? "H" : "";
   text += select_program(slot) + "R";
-  auto sent = co_await say(std::move(text), Priority::intent);
+  auto sent = co_await switch_hold(std::move(text), false, Priority::intent);
   if (!sent) co_return sent;
-  hold_on_ = false;
   selected_ = slot;
   show_running(slot);
   if (listings_[ix(slot)])
@@ -351,13 +350,26 @@ Task<Result<>> VxmDriver::run(int slot) {
 }
 
 // H is a switch: it is said only when it changes what is wanted.
+Task<Result<>> VxmDriver::switch_hold(std::string text, bool on, Priority priority) {
+  auto said = co_await say(std::move(text), priority);
+  if (said) hold_on_ = on;
+  if (!said && said.error().kind == FaultKind::lost) hold_doubtful_ = true;
+  co_return said;
+}
+
+Result<> VxmDriver::may_switch_hold() const {
+  if (!hold_doubtful_) return {};
+  return fail(FaultKind::refused,
+              "The connection was lost while the hold was switched: whether it is on is not known.",
+              "Nothing was sent.", "Stop the program. It is stopped at once then, without a ramp.");
+}
+
 Task<Result<>> VxmDriver::pause() {
   if (!stored_running_) co_return fail(FaultKind::refused, "No program is running.", "Nothing was sent.");
+  if (auto may = may_switch_hold(); !may) co_return may;
   if (hold_on_) co_return Result<>();
-  auto said = co_await say("H", Priority::intent);
-  if (!said) co_return said;
-  hold_on_ = true;
-  draft_.program.stepping = true;
+  auto said = co_await switch_hold("H", true, Priority::intent);
+  if (said) draft_.program.stepping = true;
   co_return said;
 }
 
@@ -365,14 +377,16 @@ Task<Result<>> VxmDriver::resume() {
   ProgramState& p = draft_.program;
   if (!stored_running_)
     co_return fail(FaultKind::refused, "No program is held or waits.", "Nothing was sent.", "Run it.");
+  if (auto may = may_switch_hold(); !may && p.run != RunState::waiting) co_return may;
   if (!hold_on_ && p.run != RunState::waiting)
     co_return fail(FaultKind::refused, "The program runs: it is not held and does not wait for G.",
                    "Nothing was sent.",
                    "If it stands in a wait for an input (U0 and its like), only that input lets it go on.");
   const bool waits = p.run == RunState::waiting;
-  auto said = co_await say(waits ? "G" : "H", Priority::intent);
+  auto said =
+      waits ? co_await say("G", Priority::intent) : co_await switch_hold("H", false, Priority::intent);
   if (!said) co_return said;
-  if (!waits) hold_on_ = p.stepping = false;
+  if (!waits) p.stepping = false;
   p.run = RunState::running;
   p.command = -1;
   co_return said;
@@ -383,9 +397,8 @@ Task<Result<>> VxmDriver::single_step() {
   if (!stored_running_) {  // start it held: nothing moves before the next step
     if (auto may = may_run(); !may) co_return may;
     std::string text = hold_on_ ? "R" : "HR";
-    auto started = co_await say(std::move(text), Priority::intent);
+    auto started = co_await switch_hold(std::move(text), true, Priority::intent);
     if (!started) co_return started;
-    hold_on_ = true;
     show_running(selected_);
     co_return started;
   }

@@ -72,9 +72,9 @@ Task<Result<>> VxmDriver::stop_unknown() {
 Task<Result<>> VxmDriver::stop_program() {
   stopping_ = Stopping::program;
   if (draft_.program.run == RunState::held) co_return co_await kill(true);
+  if (hold_doubtful_) co_return co_await kill(false);
   if (!hold_on_) {
-    auto held = co_await say("H", Priority::stop);
-    hold_on_ = true;  // also when it may not have got through: a second H would let the motor go on
+    auto held = co_await switch_hold("H", true, Priority::stop);
     if (!held) co_return held;
     // Between two commands the hold is told at once, and D into that listing would be an overrun.
     if (station_) co_await scheduler_.sleep_for(station_->wire_time(2) + Millis(1));
@@ -89,9 +89,7 @@ Task<Result<>> VxmDriver::stop_program() {
   if (!stored_running_) {
     // It ended by itself. The hold must not keep the next run.
     stopping_ = Stopping::no;
-    auto released = co_await say("H", Priority::stop);
-    if (released) hold_on_ = false;
-    co_return released;
+    co_return co_await switch_hold("H", false, Priority::stop);
   }
   co_return co_await kill(standing);
 }
@@ -144,7 +142,7 @@ Task<Result<>> VxmDriver::kill(bool standing) {
 void VxmDriver::killed(EndedBy ended_by) {
   killed_at_ = scheduler_.now();
   halted_ = 0;
-  hold_on_ = false;
+  hold_on_ = hold_doubtful_ = false;
   stopping_ = Stopping::no;
   if (job_.active()) {
     job_.legs.resize(1);

@@ -179,7 +179,8 @@ void VxmDriver::heard_held(std::string_view command) {
   }
   ProgramState& p = draft_.program;
   p.run = RunState::held;
-  p.stepping = true;
+  p.stepping = hold_on_ = true;
+  hold_doubtful_ = false;
   p.command_told = false;
   const int before = p.command;
   p.command = -1;

@@ -342,6 +342,38 @@ TEST_F(DriverTest, ASpeedForOneMoveIsGivenBack) {
   EXPECT_EQ(query("HS"), "1000");
 }
 
+TEST_F(DriverTest, ASpeedThatAStopKeptFromBeingGivenBackIsBackBeforeTheNextMove) {
+  start(pmx, {}, true);
+  for (int ms = 0; ms < 140; ms += 3) {
+    post(intent::JogStart(AxisId{0}, Sign::plus, Pps{4000}, false));
+    run(ms / 1000.0);
+    post(intent::Stop());
+    EXPECT_EQ(perform(intent::MoveBy(targets({-300}))), "") << ms;
+    const std::string all = sent();
+    const auto move = all.rfind(" X"), speed = all.rfind("HS=", move);
+    if (speed != std::string::npos) {
+      EXPECT_EQ(all.substr(speed, 8), "HS=1000 ") << ms << ": " << all;
+    }
+    ASSERT_TRUE(wait_idle());
+  }
+}
+
+TEST_F(DriverTest, ASpeedThatALostWireKeptFromBeingGivenBackIsBackAfterIt) {
+  start(pmx, {}, true);
+  for (int ms = 20; ms < 500; ms += 10) {
+    post(intent::JogStart(AxisId{0}, Sign::plus, Pps{4000}, false));
+    run(ms / 1000.0);
+    loop->pull();
+    run(0.01);
+    ASSERT_TRUE(run_until([&] { return latest.link.state == LinkState::good; }));
+    ASSERT_TRUE(wait_idle());
+    EXPECT_EQ(query("HS"), "1000") << ms;
+  }
+  EXPECT_EQ(query("HS=2000"), "OK") << "what somebody sets is theirs";
+  run(2);
+  EXPECT_EQ(query("HS"), "2000");
+}
+
 TEST_F(DriverTest, ATargetBeyond28BitsIsRefusedHere) {
   start(dmx);
   sent();

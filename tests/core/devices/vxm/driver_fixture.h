@@ -61,9 +61,13 @@ class DriverTest : public testing::Test {
     return time.run_until(time.now() + from_seconds(at_most), done);
   }
   /// Sends and waits for its fate: empty when done, else the sentence.
-  std::string perform(IntentBody body) {
+  IntentId post(IntentBody body) {
     const IntentId id = ++last_id;
     pump->post(Intent(id, std::move(body)));
+    return id;
+  }
+  std::string perform(IntentBody body) {
+    const IntentId id = post(std::move(body));
     run_until([&] { return fate(id) != Fate::pending; }, 30);
     const IntentFate* f = pump->known().fate_of(id);
     if (!f) return "no fate";

@@ -119,6 +119,29 @@ TEST_F(VxmDriverProgram, StepsThroughAndKnowsTheLiveCommand) {
   EXPECT_FALSE(latest.program.stepping);
 }
 
+// A second H would let the program go on: the stop must not say it when the first may have got through.
+TEST_F(VxmDriverProgram, AStopEndsAProgramWhoseHoldWentWithTheWire) {
+  start({}, true);
+  ASSERT_EQ(perform(intent::LoadProgram(0, "S1M1000\nI1M4000\nI1M-4000\nL0\n")), "");
+  for (int i = 0; i < 80; ++i) {
+    ASSERT_EQ(perform(intent::RunProgram(0)), "");
+    run(0.5 + i % 7 * 0.001);
+    i % 2 != 0 ? post(intent::Pause()) : post(intent::Stop());
+    run(i / 2 * 0.0005);
+    loop->pull();
+    run(0.01);
+    ASSERT_TRUE(run_until([&] { return latest.link.state == LinkState::good; })) << i;
+    const Instant asked = time.now();
+    EXPECT_EQ(perform(intent::Stop()), "") << i;
+    EXPECT_LT(time.now() - asked, std::chrono::seconds(2)) << i;
+    run(0.3);
+    const auto there = position();
+    run(6);
+    EXPECT_EQ(position(), there) << i;
+    EXPECT_EQ(latest.program.run, RunState::idle);
+  }
+}
+
 TEST_F(VxmDriverProgram, PausesBetweenTwoCommandsAndGoesOn) {
   start();
   ASSERT_EQ(perform(intent::LoadProgram(0, "I1M1000\nI1M1000\nI1M1000\n")), "");
