@@ -5,6 +5,7 @@
 #include <cerrno>
 
 #include <sys/socket.h>
+#include <termios.h>
 #include <unistd.h>
 
 namespace hw {
@@ -124,6 +125,18 @@ void FdStream::send(std::string_view bytes) {
   }
   io_->backlog += bytes;
   if (!io_->waiting_to_write) io_->wait_to_write();
+}
+
+void FdStream::discard_unsent() {
+  io_->backlog.clear();
+  io_->backlog_sent = 0;
+  if (!io_->descriptor.is_open()) return;
+  if (kind_ == Kind::tty) {
+    ::tcflush(fd(), TCOFLUSH);
+    return;
+  }
+  const linger at_once{1, 0};  // else the kernel goes on trying for minutes
+  ::setsockopt(fd(), SOL_SOCKET, SO_LINGER, &at_once, sizeof at_once);
 }
 
 void FdStream::end_soon(Fault why) {

@@ -17,6 +17,7 @@ class FdStream : public Stream {
   ~FdStream() override;
   void listen(Listener* listener) final;
   void send(std::string_view bytes) override;
+  void discard_unsent() final;
 
  protected:
   /// Takes `fd` over; reading begins with the first listener.

@@ -20,6 +20,15 @@ class HeldJogs {
   void stop(int axis) {
     std::erase_if(jogs_, [axis](const Jog& jog) { return axis < 0 || jog.axis == axis; });
   }
+  /// Those of scripts that `over(id, axis)` says have ended by themselves: at a limit.
+  template <class Over>
+  void forget_if(Over over) {
+    std::erase_if(jogs_, [&](const Jog& jog) { return !jog.guarded && over(jog.id, jog.axis); });
+  }
+  template <class Each>
+  void for_each_axis(Each each) const {
+    for (const Jog& jog : jogs_) each(jog.axis);
+  }
   [[nodiscard]] bool any() const { return !jogs_.empty(); }
   [[nodiscard]] bool has(IntentId id) const {
     return std::any_of(jogs_.begin(), jogs_.end(), [id](const Jog& jog) { return jog.id == id; });

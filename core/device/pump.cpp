@@ -127,11 +127,7 @@ Task<bool> Pump::open_and_connect() {
   next_poll_ = scheduler_.now();
   fast_polls_ = fast_polls_after_a_command;
   publish();
-  if (std::exchange(jog_was_lost_, false) && draft_.any_axis_moving()) {
-    ways_.notify(Notice(Notice::Kind::warning, scheduler_.now(),
-                        "The jog that was held when the link was lost still ran. It is stopped."));
-    post_stop(Intent(0, intent::JogStop()));
-  }
+  make_good_the_stop();
   co_return true;
 }
 
@@ -156,12 +152,12 @@ Task<> Pump::wait_for_retry() {
 void Pump::lose_wire(const Fault& why) {
   if (!std::exchange(down_, true))
     draft_.link.lost_at = scheduler_.now();  // attempts in between do not count
-  jog_was_lost_ = jog_was_lost_ || jogs_.any();
+  jogs_.for_each_axis([this](int axis) { owed_stop_.add(axis); });
   draft_.link.state = LinkState::lost;
   draft_.link.sentence = why.sentence();
   dead_man_.disarm();
   jogs_.stop(-1);
-  if (station_) station_->close(why);
+  if (station_) station_->give_up(why);
   driver_->wire_lost();
   publish();
 }
@@ -204,6 +200,8 @@ void Pump::poll_finished(const Result<>& result) {
                     "Look at its power, the cable and the baud rate."));
     return;
   }
+  forget_jogs_that_ended();
+  if (result && !draft_.any_axis_moving() && draft_.program.run != RunState::running) owed_stop_.forget();
   const bool understood =
       result || (result.error().kind != FaultKind::garbled && result.error().kind != FaultKind::refused);
   health.state = s.misses_in_a_row > 0 || !understood ? LinkState::late : LinkState::good;

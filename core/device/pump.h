@@ -7,6 +7,7 @@
 
 #include "core/device/driver.h"
 #include "core/device/held_jogs.h"
+#include "core/device/owed_stop.h"
 #include "core/device/registry.h"
 #include "core/link/station.h"
 #include "core/time/scheduler.h"
@@ -78,6 +79,9 @@ class Pump {
   void jog_not_begun(const Intent& intent);
   void jog_failed(const Intent& intent, FaultKind kind);
   void disarm_if_none_is_held();
+  void owe_stop(const IntentBody& stop);
+  void make_good_the_stop();
+  void forget_jogs_that_ended();
   void count_program_change(const Job& job);
   void jog_let_go();
   void poll_finished(const Result<>& result);
@@ -102,7 +106,7 @@ class Pump {
   int attempt_ = 0;
   bool performing_ = false;
   HeldJogs jogs_;
-  bool jog_was_lost_ = false;
+  OwedStop owed_stop_;    ///< to be made good when the wire is back
   bool down_ = false;     ///< since the loss of the wire, through all attempts
   bool leaving_ = false;  ///< shut_down() has begun: stops only
   bool running_ = false, closing_ = false, retry_now_ = false;

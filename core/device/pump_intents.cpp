@@ -133,6 +133,40 @@ void Pump::jog_not_begun(const Intent& intent) {
   disarm_if_none_is_held();
 }
 
+/// A script does not let go of what a limit has ended; nothing else is to be stopped in its name.
+void Pump::forget_jogs_that_ended() {
+  jogs_.forget_if([this](IntentId id, int axis) {
+    const bool waits =
+        std::any_of(queue_.begin(), queue_.end(), [id](const auto& job) { return job->intent.id == id; });
+    const Activity activity = draft_.axes[axis].activity;
+    return !waits && activity != Activity::jogging && activity != Activity::unknown;
+  });
+}
+
+void Pump::owe_stop(const IntentBody& stop) {
+  if (const auto* s = std::get_if<intent::Stop>(&stop))
+    owed_stop_.add(s->axis);
+  else if (const auto* a = std::get_if<intent::Abort>(&stop))
+    owed_stop_.add(a->axis);
+  else if (const auto* j = std::get_if<intent::JogStop>(&stop))
+    owed_stop_.add(j->axis);
+  else if (catalog_.program.threads == 0)
+    owed_stop_.add(-1);
+}
+
+void Pump::make_good_the_stop() {
+  if (!owed_stop_.any()) return;
+  const int axis = owed_stop_.take();
+  const bool runs = axis >= 0 ? draft_.axis_moves(axis)
+                              : draft_.any_axis_moving() || draft_.program.run == RunState::running;
+  if (!runs) return;
+  ways_.notify(
+      Notice(Notice::Kind::warning, scheduler_.now(),
+             "When the link was lost a jog was held, or a stop was on its way, and it still ran. It is "
+             "stopped now."));
+  post_stop(Intent(0, intent::Stop(axis)));
+}
+
 /// One that may have begun although nobody can tell is stopped: its hand has been told of the failure, and
 /// will not stop it. It is stopped by its axis, so that nothing else is.
 void Pump::jog_failed(const Intent& intent, FaultKind kind) {
@@ -178,6 +212,7 @@ void Pump::post_stop(Intent intent) {
   if (!station_ || !station_->is_open()) {
     set_fate(intent.id, Fate::failed,
              "Stop does not reach the controller: there is no connection. Use its power switch.");
+    owe_stop(intent.body);
     return publish();
   }
   station_->begin_stop();
@@ -220,6 +255,7 @@ Task<> Pump::stop_and_report(Intent intent) {
       set_fate(intent.id, Fate::done);
     else
       set_fate(intent.id, Fate::failed, stopped.error().sentence());
+    if (!stopped) owe_stop(intent.body);
   } catch (const std::exception& defect) {
     set_fate(intent.id, Fate::failed, fmt::format("The stop failed inside: {}.", defect.what()));
   }

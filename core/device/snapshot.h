@@ -208,11 +208,14 @@ struct Snapshot {
       if (f.id == id && id != 0) return &f;
     return nullptr;
   }
+  [[nodiscard]] bool axis_moves(int axis) const {
+    const Activity now = axes[axis].activity;
+    return now == Activity::moving || now == Activity::jogging || now == Activity::homing ||
+           now == Activity::stopping;
+  }
   [[nodiscard]] bool any_axis_moving() const {
     for (int i = 0; i < axis_count; ++i)
-      if (axes[i].activity == Activity::moving || axes[i].activity == Activity::jogging ||
-          axes[i].activity == Activity::homing || axes[i].activity == Activity::stopping)
-        return true;
+      if (axis_moves(i)) return true;
     return false;
   }
 };

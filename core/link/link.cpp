@@ -69,9 +69,22 @@ Duration Link::wire_time(std::size_t bytes) const {
 Task<Result<std::string>> Link::transact(Station& station, Transaction transaction) {
   Pending pending(station, std::move(transaction));
   waiting_[static_cast<std::size_t>(pending.transaction.priority)].push_back(&pending);
+  if (pending.transaction.priority == Priority::stop) hurry_for_a_stop();
   start_next();
   while (!pending.finished) co_await pending.suspended.here();
   co_return std::move(pending.result);
+}
+
+// However long the asker of the question on the wire would wait: a stop waits no longer than for a usual
+// answer. One that is coming in is heard to its end.
+void Link::hurry_for_a_stop() {
+  constexpr std::size_t usual_answer = 16;
+  if (!in_flight_ || !stream_ || !in_flight_->is_question()) return;
+  if (in_flight_->transaction.priority == Priority::stop) return;
+  if (in_flight_->transaction.reply.kind == ReplyShape::Kind::quiet_end && !received_.empty()) return;
+  const Duration on_wire = wire_time(in_flight_->transaction.bytes.size() + usual_answer);
+  const Instant latest = std::max(scheduler_.now(), sent_at_ + on_wire) + longest_wait_of_a_stop;
+  if (latest < deadline_at_) deadline_.arm(deadline_at_ = latest);
 }
 
 // A window has its own deadline, so that a burst that is under way always ends.
@@ -124,7 +137,7 @@ void Link::start_next() {
     return;
   }
   constexpr std::size_t usual_answer = 16;
-  deadline_.arm(sent_at_ + patience_for(t) + wire_time(t.bytes.size() + usual_answer));
+  deadline_.arm(deadline_at_ = sent_at_ + patience_for(t) + wire_time(t.bytes.size() + usual_answer));
   stream_->send(t.bytes);
 }
 
@@ -173,6 +186,8 @@ void Link::on_deadline() {
     finish(std::exchange(received_, {}));
     return;
   }
+  if (in_flight_->transaction.may_be_silent && received_.empty())
+    return finish(fail(FaultKind::no_answer, "The controller did not answer."));
   StationStatistics& statistics = in_flight_->station.statistics_;
   ++statistics.timeouts;
   ++statistics.misses_in_a_row;
@@ -236,7 +251,7 @@ void Link::take_received() {
     if (!in_flight_ || received_.empty()) continue;
     const Transaction& t = in_flight_->transaction;
     if (t.reply.kind == ReplyShape::Kind::quiet_end) {
-      deadline_.arm(scheduler_.now() + Millis(t.reply.quiet_ms) + wire_time(2));
+      deadline_.arm(deadline_at_ = scheduler_.now() + Millis(t.reply.quiet_ms) + wire_time(2));
       return;
     }
     const auto length = t.reply.complete(received_);
@@ -303,8 +318,9 @@ void Link::let_others_hear(const Station& speaker, std::string_view text) const 
     if (station != &speaker && station->overheard) station->overheard(text);
 }
 
-void Link::leave(Station& station, const Fault& why) {
+void Link::leave(Station& station, const Fault& why, Leaving leaving) {
   std::erase(stations_, &station);
+  if (leaving == Leaving::given_up && stations_.empty() && stream_) stream_->discard_unsent();
   if (spoke_last_ == &station) spoke_last_ = nullptr;
   const auto lost = [&] { return fail(FaultKind::lost, why.what, why.done, why.advice); };
   for (auto& queue : waiting_)
@@ -348,7 +364,7 @@ void Link::interrupted(std::uint8_t vector) {
 void Link::close_all(const Fault& why) {
   while (!stations_.empty()) {
     Station* station = stations_.back();
-    station->close(why);
+    station->give_up(why);
     if (station->closed) station->closed(why);
   }
 }

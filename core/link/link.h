@@ -35,6 +35,8 @@ struct Transaction {
   bool prompt = false;
   /// The answer shows who gave it, so that it is taken for no other's however late it comes.
   bool names_itself = false;
+  /// Silence says nothing against the link: the controller is in a state in which it does not answer.
+  bool may_be_silent = false;
   /// What the console asks for itself about the state: recorded as a poll, however urgent it is.
   bool own_question = false;
   /// How many bytes at the front of what came in are messages of their own and no part of the reply (a prompt
@@ -66,6 +68,8 @@ class Link final : public std::enable_shared_from_this<Link>,
   /// Time that `bytes` characters take on this wire (0 when it has no rate).
   [[nodiscard]] Duration wire_time(std::size_t bytes) const;
   [[nodiscard]] std::size_t station_count() const { return stations_.size(); }
+  /// A controller was told another rate, and the wire follows it.
+  std::function<void(int baud)> rate_set;
 
  private:
   friend class Station;
@@ -73,15 +77,18 @@ class Link final : public std::enable_shared_from_this<Link>,
   static constexpr Duration settle_time = Millis(50);
   static constexpr Duration longest_delay = std::chrono::seconds(3);  ///< of an answer that still comes
   static constexpr Duration least_patience = Millis(50);              ///< adapters hand bytes over in pieces
+  static constexpr Duration longest_wait_of_a_stop = Millis(200);     ///< for an answer beyond its bytes
   static constexpr int prompt_answers_needed = 16;                    ///< before the wire is known
 
   // for stations
   void join(Station& station);
-  void leave(Station& station, const Fault& why);
+  enum class Leaving : bool { in_order, given_up };
+  void leave(Station& station, const Fault& why, Leaving leaving);
   void let_others_hear(const Station& speaker, std::string_view text) const;
   Task<Result<std::string>> transact(Station& station, Transaction transaction);
   Task<Result<>> run(Station& station, std::span<BusCycle> cycles, Priority priority);
   void drop_procedures(Station& station);
+  void hurry_for_a_stop();
   [[nodiscard]] Duration patience_for(const Transaction& transaction) const;
   [[nodiscard]] bool answer_owed() const;
   void learn_from_answer(const Transaction& transaction, std::size_t answer_bytes);
@@ -111,7 +118,7 @@ class Link final : public std::enable_shared_from_this<Link>,
   std::array<std::vector<Pending*>, 4> waiting_;  ///< by priority; few, and they keep their memory
   Pending* in_flight_ = nullptr;
   std::string received_;
-  Instant sent_at_{};
+  Instant sent_at_{}, deadline_at_{};
   /// From the end of the question to the answer, beyond its bytes; forgets slowly.
   Duration slowest_prompt_{};
   int prompt_answers_ = 0;

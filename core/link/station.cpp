@@ -44,11 +44,17 @@ bool Station::answer_owed_on_wire() const { return link_ && link_->answer_owed()
 Result<> Station::set_rate(int baud) {
   if (!link_) return fail(no_connection());
   if (!link_->stream_) return {};
-  return link_->stream_->set_rate(baud);
+  auto set = link_->stream_->set_rate(baud);
+  if (set && link_->rate() > 0 && link_->rate_set) link_->rate_set(baud);
+  return set;
 }
 
 void Station::close(const Fault& why) {
-  if (const auto link = std::exchange(link_, nullptr)) link->leave(*this, why);
+  if (const auto link = std::exchange(link_, nullptr)) link->leave(*this, why, Link::Leaving::in_order);
+}
+
+void Station::give_up(const Fault& why) {
+  if (const auto link = std::exchange(link_, nullptr)) link->leave(*this, why, Link::Leaving::given_up);
 }
 
 void Station::let_others_hear(std::string_view text) const {

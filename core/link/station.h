@@ -76,6 +76,8 @@ class Station {
   }
   /// Leaves the wire; waiting transactions end with Fault{lost}. `closed` is not called.
   void close(const Fault& why);
+  /// The same of a wire that carries nothing any more: what waits in it must not arrive later.
+  void give_up(const Fault& why);
 
  private:
   friend class Link;

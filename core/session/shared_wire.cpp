@@ -18,7 +18,17 @@ Task<Result<Wire>> SharedWire::open() {
       wire.opened_.notify();
     }
   } opening(*this);
-  co_return co_await opener_(scheduler_, address_, bench(0));
+  Address address = address_now();
+  co_return co_await opener_(scheduler_, std::move(address), bench(0));
+}
+
+// A controller keeps the rate that it was told until its power is off, and longer when it was stored: the two
+// are tried in turn.
+Address SharedWire::address_now() {
+  Address address = address_;
+  if (std::exchange(rate_set_is_next_, !rate_set_is_next_) && rate_set_ > 0)
+    address.options["baud"] = std::to_string(rate_set_);
+  return address;
 }
 
 Task<Result<std::shared_ptr<Link>>> SharedWire::link() {
@@ -33,6 +43,12 @@ Task<Result<std::shared_ptr<Link>>> SharedWire::link() {
     benches_ = std::move(wire->benches);
     link = wire->window ? std::make_shared<Link>(scheduler_, std::move(wire->window))
                         : std::make_shared<Link>(scheduler_, std::move(wire->stream));
+    link->rate_set = [self = weak_from_this()](int baud) {
+      const auto wire = self.lock();
+      if (!wire) return;
+      wire->rate_set_ = baud;
+      wire->rate_set_is_next_ = true;
+    };
     link_ = link;
   } else {
     failure_ = wire.error();

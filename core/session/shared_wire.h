@@ -22,6 +22,7 @@ class SharedWire : public std::enable_shared_from_this<SharedWire> {
 
  private:
   Task<Result<Wire>> open();
+  [[nodiscard]] Address address_now();
   // Devices that lost the wire together ask for it again together; one attempt answers all of them.
   static constexpr Duration same_attempt = Millis(20);
 
@@ -34,6 +35,8 @@ class SharedWire : public std::enable_shared_from_this<SharedWire> {
   Event opened_;
   std::optional<Fault> failure_;  ///< of the latest attempt
   Instant failed_at_{};
+  int rate_set_ = 0;  ///< by a controller's set-up since it was opened; 0: as the address says
+  bool rate_set_is_next_ = false;
 };
 
 }  // namespace hw

@@ -142,6 +142,39 @@ TEST_P(ContractTest, AJogThatLostItsLinkIsStoppedWhenTheLinkIsBack) {
   EXPECT_EQ(load(), there);
 }
 
+TEST_P(ContractTest, WhatIsStoppedWithoutALinkIsStoppedWhenItIsBack) {
+  perform(intent::MoveBy({{AxisId{0}, Steps(1'000'000)}}));
+  run(Millis(200));
+  operate(bench::Unplug(true));
+  ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::lost; }, seconds(10)));
+  EXPECT_EQ(perform(intent::Stop(0)).fate, Fate::failed) << "and it is said";
+  operate(bench::Unplug(false));
+  ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::good; }, seconds(20)));
+  ASSERT_TRUE(becomes_idle(seconds(10)));
+  const Steps there = load();
+  run(seconds(5));
+  EXPECT_EQ(load(), there);
+}
+
+TEST_P(ContractTest, AScriptsJogThatALimitHasEndedStopsNothingElse) {
+  perform(intent::SetPosition(0));
+  session->send(intent::JogStart(AxisId{0}, Sign::plus, {}, false));
+  run(seconds(1));
+  operate(bench::Limit(AxisId{0}, Sign::plus, true));
+  ASSERT_TRUE(becomes_idle(seconds(20)));
+  operate(bench::Limit(AxisId{0}, Sign::plus, false));
+  const Steps there = axis().position;
+  perform(intent::MoveTo({{AxisId{0}, there - Steps(3000)}}));
+  run(Millis(300));
+  if (!now().any_axis_moving()) return;  // where the error of a limit must be cleared first
+  operate(bench::Unplug(true));
+  ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::lost; }, seconds(10)));
+  operate(bench::Unplug(false));
+  ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::good; }, seconds(20)));
+  ASSERT_TRUE(becomes_idle(seconds(20)));
+  EXPECT_EQ(axis().position, there - Steps(3000));
+}
+
 TEST_P(ContractTest, WhatIsRefusedBesideAHeldJogLeavesItGuarded) {
   const auto hold = [this](int times) {
     for (int i = 0; i < times; ++i) {

@@ -45,6 +45,19 @@ TEST_F(TcpTransport, CarriesBytesBothWays) {
   ASSERT_TRUE(poll_until(io, [&] { return at_near.heard == "+0000400\r"; }));
 }
 
+// A motion command that waits in a dead network must not start when the network is back.
+TEST_F(TcpTransport, WhatHasNotLeftAWireThatIsGivenUpNeverArrives) {
+  auto near = connect();
+  const std::string much(700'000, 'X');
+  near->send(much);  // nobody reads yet: most of it waits in the two kernels
+  near->send(much);
+  near->discard_unsent();
+  near.reset();
+  Ear at_far(*accepted[0]);
+  ASSERT_TRUE(poll_until(io, [&] { return at_far.closed; }));
+  EXPECT_LT(at_far.heard.size(), 2 * much.size());
+}
+
 TEST_F(TcpTransport, ReportsThePortItReallyHas) {
   EXPECT_TRUE(endpoint->address().starts_with("127.0.0.1:"));
   EXPECT_FALSE(endpoint->address().ends_with(":0"));

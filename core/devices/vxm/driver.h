@@ -137,6 +137,7 @@ class VxmDriver final : public Driver {
   void forget_ram();
 
   // ---- driver_poll.cpp
+  Task<Result<>> ask_whether_it_hears_again();
   Task<Result<>> poll_on_line();
   Task<Result<>> poll_local();
   Task<Result<>> read_positions(Priority priority, bool at_rest);
@@ -157,6 +158,7 @@ class VxmDriver final : public Driver {
   Result<> may_move(int axis) const;
   Result<> may_run() const;
   Result<int> checked_speed(Pps speed) const;
+  Result<> may_move_all(const std::vector<AxisTarget>& targets, bool relative) const;
   Result<std::vector<AxisTarget>> checked_goals(const std::vector<AxisTarget>& targets, bool relative);
   void add_leg(Job& job, const AxisTarget& goal, int speed, bool relative) const;
   Leg jog_leg(int axis, Sign sign, int speed) const;
@@ -182,6 +184,9 @@ class VxmDriver final : public Driver {
 
   // ---- driver_stop.cpp
   Task<Result<>> stop_unknown();
+  Task<Result<>> watch_the_ramp();
+  [[nodiscard]] bool ramps_down() const;
+  void drop_later_legs(int axis);
   Task<Result<>> stop_program();
   Task<bool> wait_for_standstill(Instant give_up);
   Task<Result<>> kill(bool standing);
@@ -244,6 +249,8 @@ class VxmDriver final : public Driver {
   bool hold_doubtful_ = false;  ///< the wire was lost with an H on it: another might let the motors go on
   bool release_hold_ = false;
   char halted_ = 0;  ///< letter of the error that waits for K
+  Instant ask_again_at_{};
+  std::uint64_t kills_ = 0;
   Stopping stopping_ = Stopping::no;
   int selected_ = -1;
   std::array<std::optional<std::vector<std::string>>, program_count> listings_;

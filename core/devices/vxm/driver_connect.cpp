@@ -202,6 +202,7 @@ Task<Result<>> VxmDriver::found_restarted(const char* why) {
   bool zero = true;
   if (places)
     for (const Steps place : places->positions) zero = zero && place.value == 0;
+  lost_while_busy_ = false;
   job_ = Job();
   stored_running_ = false;
   draft_.program.run = RunState::idle;

@@ -81,14 +81,28 @@ void VxmDriver::warn_of_motor_type(int axis) {
 Task<Result<>> VxmDriver::move(const std::vector<AxisTarget>& targets, Pps wish, bool relative) {
   auto speed = checked_speed(wish);
   if (!speed) co_return fail(speed.error());
+  // Where the axes stand is read first: the last round may have asked before a program came to its end.
+  if (auto may = may_move_all(targets, relative); !may) co_return may;
+  auto read = co_await read_positions(Priority::intent, true);
+  if (!read) co_return read;
   auto goals = checked_goals(targets, relative);
   if (!goals) co_return fail(goals.error());
   if (goals->empty()) co_return Result<>();
-  auto read = co_await read_positions(Priority::intent, true);
-  if (!read) co_return read;
   Job job;
   for (const AxisTarget& goal : *goals) add_leg(job, goal, *speed, relative);
   co_return co_await begin(std::move(job));
+}
+
+Result<> VxmDriver::may_move_all(const std::vector<AxisTarget>& targets, bool relative) const {
+  for (const AxisTarget& t : targets) {
+    if (auto may = may_move(t.axis.index); !may) return may;
+    if (relative && (t.value.value < -max_index || t.value.value > max_index))
+      return fail(
+          FaultKind::refused,
+          fmt::format("{} steps are too many for one move: a VXM takes up to {}.", t.value.value, max_index),
+          "Nothing was sent.");
+  }
+  return {};
 }
 
 /// Where each axis is to go, as far as positions are known. Axes that stay are left out.
@@ -97,12 +111,6 @@ Result<std::vector<AxisTarget>> VxmDriver::checked_goals(const std::vector<AxisT
   std::vector<AxisTarget> goals;
   for (const AxisTarget& t : targets) {
     const int axis = t.axis.index;
-    if (auto may = may_move(axis); !may) return fail(may.error());
-    if (relative && (t.value.value < -max_index || t.value.value > max_index))
-      return fail(
-          FaultKind::refused,
-          fmt::format("{} steps are too many for one move: a VXM takes up to {}.", t.value.value, max_index),
-          "Nothing was sent.");
     const AxisState& state = draft_.axes[axis];
     const Steps goal = relative ? state.position + t.value : t.value;
     if ((!relative || state.position_known) && (goal < catalog_.position_min || goal > catalog_.position_max))

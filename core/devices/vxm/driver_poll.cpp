@@ -16,7 +16,7 @@ constexpr int params_per_round = 4;  // set-up is read in the gaps, a few values
 
 Task<Result<>> VxmDriver::poll() {
   if (!station_) co_return fail(FaultKind::lost, "There is no connection to the controller.");
-  if (halted_) co_return Result<>();  // it would not answer
+  if (halted_) co_return co_await ask_whether_it_hears_again();
   Result<> polled;
   if (stay_local_)
     polled = co_await poll_local();
@@ -34,6 +34,22 @@ Duration VxmDriver::moving_period() const {
   const Duration round = station_ ? station_->wire_time(bytes_of_a_round) : Duration::zero();
   if (round == Duration::zero()) return without_wire;
   return std::max(Duration::zero(), round - (scheduler_.now() - round_began_));
+}
+
+// After its error report it answers nothing but K. What answers was switched off and on, or somebody else's K
+// has reached it.
+Task<Result<>> VxmDriver::ask_whether_it_hears_again() {
+  if (scheduler_.now() < ask_again_at_) co_return Result<>();
+  ask_again_at_ = scheduler_.now() + std::chrono::seconds(1);
+  Transaction t("V", ReplyShape::bytes(1), Priority::poll);
+  t.stranger = before_state;
+  t.may_be_silent = true;
+  auto reply = co_await station_->transact(std::move(t));
+  if (!reply) co_return reply.error().kind == FaultKind::lost ? fail(reply.error()) : Result<>();
+  const auto state = decode_state(*reply);
+  if (!state || !halted_) co_return Result<>();
+  killed(EndedBy::error);
+  co_return co_await take_state(*state);
 }
 
 Task<Result<>> VxmDriver::poll_on_line() {
@@ -134,6 +150,7 @@ Task<Result<>> VxmDriver::take_state(char state) {
     show_running(-1);  // by the Run button, or from before this connection
   } else if (state == ready && job_.active()) {
     job_.leg_over = true;  // its prompt was lost, or comes in the next moment
+    news_.notify();
   } else if (state == ready && stored_running_) {
     run_ended(EndedBy::target);
   }

@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include "core/base/index.h"
 #include "core/devices/vxm/driver.h"
 
 namespace hw::vxm {
@@ -32,9 +33,7 @@ Task<Result<>> VxmDriver::stop(int axis, bool at_once) {
   if (job_.active()) {
     const bool concerned =
         axis < 0 || job_.legs.front().axis == axis || job_.legs.front().second_axis == axis;
-    std::erase_if(job_.legs, [&](const Leg& leg) {
-      return &leg != &job_.legs.front() && (axis < 0 || leg.axis == axis);
-    });
+    drop_later_legs(axis);
     if (!concerned) co_return Result<>();
     job_.legs.resize(1);
     job_.jog = false;
@@ -43,10 +42,49 @@ Task<Result<>> VxmDriver::stop(int axis, bool at_once) {
     for (const int index : {job_.legs.front().axis, job_.legs.front().second_axis})
       if (index >= 0 && draft_.axes[index].activity != Activity::idle)
         draft_.axes[index].activity = Activity::stopping;
-    co_return co_await say("D", Priority::stop);
+    auto said = co_await say("D", Priority::stop);
+    if (!said) co_return said;
+    co_return co_await watch_the_ramp();
   }
   if (stored_running_) co_return co_await stop_program();
   co_return co_await stop_unknown();
+}
+
+void VxmDriver::drop_later_legs(int axis) {
+  std::erase_if(job_.legs, [&](const Leg& leg) {
+    if (&leg == &job_.legs.front()) return false;
+    const bool stops = axis < 0 || leg.axis == axis || leg.second_axis == axis;
+    if (stops && axis >= 0 && leg.second_axis >= 0)
+      tell(Notice::Kind::warning, fmt::format("Motors {} and {} were to move together: both stay now.",
+                                              leg.axis + 1, leg.second_axis + 1));
+    return stops;
+  });
+}
+
+bool VxmDriver::ramps_down() const {
+  return station_ && job_.active() && !job_.leg_over && stopping_ == Stopping::ramp;
+}
+
+// D is not answered. One that did not get through shows by a motor that loses no speed: it is said again, and
+// what still turns after the longest ramp is killed.
+Task<Result<>> VxmDriver::watch_the_ramp() {
+  constexpr Duration look = Millis(300);
+  constexpr double least_loss = min_accel * accel_unit * seconds(look) / 2;
+  const Instant give_up = scheduler_.now() + longest_ramp + look;
+  const std::size_t axis = ix(std::max(job_.legs.front().axis, 0));
+  double before = seen_speed_[axis];
+  while (ramps_down() && scheduler_.now() < give_up) {
+    const Instant next = scheduler_.now() + look;
+    while (ramps_down() && scheduler_.now() < next) co_await news_.wait_until(next);
+    if (ramps_down() && seen_speed_[axis] > before - least_loss) {
+      auto said = co_await say("D", Priority::stop);
+      if (!said) co_return said;
+    }
+    before = seen_speed_[axis];
+  }
+  if (!station_) co_return fail(FaultKind::lost, "The connection was lost while the motor was stopping.");
+  if (ramps_down()) co_return co_await kill(false);
+  co_return Result<>();
 }
 
 // As far as is known nothing runs. That may be a fifth of a second old.
@@ -142,6 +180,7 @@ Task<Result<>> VxmDriver::kill(bool standing) {
 void VxmDriver::killed(EndedBy ended_by) {
   killed_at_ = scheduler_.now();
   halted_ = 0;
+  ++kills_;
   hold_on_ = hold_doubtful_ = false;
   stopping_ = Stopping::no;
   if (job_.active()) {
@@ -154,6 +193,7 @@ void VxmDriver::killed(EndedBy ended_by) {
   if (draft_.program.run == RunState::error) draft_.program.run = RunState::idle;
   for (int i = 0; i < draft_.axis_count; ++i)
     if (draft_.axes[i].activity == Activity::error) draft_.axes[i].activity = Activity::idle;
+  news_.notify();
 }
 
 // K above 1000 steps/s may cost steps that the controller does not know of (p.23). An unknown speed counts as

@@ -218,6 +218,8 @@ void VxmDriver::heard_error(char letter) {
   }
   if (words.halts) {
     halted_ = letter;
+    ask_again_at_ = scheduler_.now() + std::chrono::seconds(1);
+    draft_.inputs_known = draft_.outputs_known = draft_.analog_known = 0;  // nobody tells them now
     run_ended(EndedBy::error);
     draft_.program.run = RunState::error;
     for (int i = 0; i < draft_.axis_count; ++i) draft_.axes[i].activity = Activity::error;

@@ -69,6 +69,10 @@ Duration Loopback::byte_time() const {
 void Loopback::sent(std::string_view bytes) {
   to_controller += bytes;
   for (const char c : bytes) {
+    if (lose_ > 0) {
+      --lose_;
+      continue;
+    }
     in_free_ = std::max(in_free_, scheduler_.now()) + byte_time();
     in_.push_back({in_free_, c});
   }

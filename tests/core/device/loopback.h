@@ -21,6 +21,8 @@ class Loopback {
   void pull();
   void garble(int bytes) { garble_ += bytes; }
   void drop(int bytes) { drop_ += bytes; }
+  /// The same of those on their way to the controller.
+  void lose(int bytes) { lose_ += bytes; }
   /// A program that answers everything in its own way stands in for the controller.
   void replace_by(std::string (*other)(std::string_view)) { other_ = other; }
 
@@ -47,7 +49,7 @@ class Loopback {
   std::deque<Byte> in_, out_;
   Instant in_free_{}, out_free_{};
   End* end_ = nullptr;
-  int garble_ = 0, drop_ = 0;
+  int garble_ = 0, drop_ = 0, lose_ = 0;
   std::string (*other_)(std::string_view) = nullptr;
 };
 

@@ -68,10 +68,12 @@ class ToyDriver : public Driver {
       co_return fail(FaultKind::refused, "No memory.", "Nothing was sent.");
     if (std::holds_alternative<intent::Reset>(body)) throw std::runtime_error("a library gave up");
     const bool jog = std::holds_alternative<intent::JogStart>(body);
+    if (!jog) context_.draft.axes[0].activity = Activity::moving;
     co_return co_await say(jog ? "jog" : "go", Priority::intent);
   }
   Task<Result<>> stop(int, bool at_once) override {
     auto stopped = co_await say(at_once ? "kill" : "stop", Priority::stop);
+    if (stopped && !at_once) context_.draft.axes[0].activity = Activity::idle;
     if (!at_once || !stopped) co_return stopped;
     co_await context_.scheduler.sleep_for(std::chrono::seconds(2));
     if (station_ == nullptr) co_return fail(FaultKind::lost, "The wire is gone.");
@@ -249,6 +251,31 @@ TEST_F(PumpClosing, AStopGoesOutBehindAQuestionThatIsNeverAnswered) {
   time.run_for(std::chrono::seconds(3));
   EXPECT_THAT(commands(), ElementsAre("hello", "jog", "stop"));
   EXPECT_EQ(latest.link.state, LinkState::closed);
+}
+
+// In the silence before a loss nobody knows whether it has got through.
+TEST_F(PumpTest, AStopThatALossCutsShortIsMadeGood) {
+  post(intent::MoveTo({{AxisId{0}, Steps(400)}}));
+  time.run_for(Millis(50));
+  silent = true;
+  post(intent::Abort());
+  while (latest.link.state != LinkState::lost) time.run_for(Millis(10));
+  silent = false;
+  time.run_for(std::chrono::seconds(10));
+  EXPECT_THAT(commands(), ElementsAre("hello", "go", "kill", "hello", "stop"));
+  EXPECT_THAT(notices, ElementsAre(HasSubstr("a stop was on its way")));
+}
+
+TEST_F(PumpTest, AStopWithoutAConnectionIsMadeGood) {
+  post(intent::MoveTo({{AxisId{0}, Steps(400)}}));
+  time.run_for(Millis(50));
+  silent = true;
+  while (latest.link.state != LinkState::lost) time.run_for(Millis(10));
+  const IntentId stop = post(intent::Stop());
+  EXPECT_EQ(latest.fate_of(stop)->fate, Fate::failed);
+  silent = false;
+  time.run_for(std::chrono::seconds(10));
+  EXPECT_THAT(commands(), ElementsAre("hello", "go", "hello", "stop"));
 }
 
 TEST_F(PumpTest, ALateKeepAliveDoesNotReviveAStoppedJog) {

@@ -63,6 +63,19 @@ TEST_F(LinkTest, AStopOvertakesEverythingThatWaits) {
   EXPECT_FALSE(poll.came);
 }
 
+TEST_F(LinkTest, AStopWaitsForNoPatientQuestion) {
+  Answer patient, stop;
+  Transaction question("rsm\r", ReplyShape::line(), Priority::intent);
+  question.patience = std::chrono::seconds(20);
+  asio::co_spawn(io, ask(station, std::move(question), patient), asio::detached);
+  time.run_for(std::chrono::seconds(1));
+  start("D", ReplyShape::nothing(), Priority::stop, stop);
+  EXPECT_THAT(wire->sent, ElementsAre("rsm\r")) << "the answer may be coming just now";
+  time.run_for(Millis(201));
+  EXPECT_THAT(wire->sent, ElementsAre("rsm\r", "D"));
+  EXPECT_TRUE(patient.came && !patient.result);
+}
+
 TEST_F(LinkTest, AnUnansweredQuestionEndsAtItsDeadlineAndALateReplyIsNotTakenForTheNext) {
   Answer lost, next;
   start("X", ReplyShape::line(), Priority::poll, lost);

@@ -224,6 +224,21 @@ TEST_F(VxmDriverConnect, PowerOffIsALostLinkUntilItIsBack) {
       << all_notices();
 }
 
+TEST_F(VxmDriverConnect, APowerCycleAfterAnErrorIsNoticed) {
+  start();
+  query("PM1,JM2,PM2,JM3,PM3,JM4,PM4,JM0,PM0,JM1,R", 1);
+  run(1);
+  ASSERT_EQ(latest.program.run, RunState::error);
+  EXPECT_EQ(latest.inputs_known, 0u) << "nobody tells them now";
+  run(30);
+  EXPECT_EQ(latest.link.state, LinkState::good) << "it hears K only: silence is no fault of the link";
+  ASSERT_TRUE(loop->operate(bench::PowerCycle()));
+  run(5);
+  EXPECT_TRUE(told("the controller was switched off and on, or reset.")) << all_notices();
+  EXPECT_NE(latest.program.run, RunState::error);
+  EXPECT_EQ(move_to(0, 100), "");
+}
+
 TEST_F(VxmDriverConnect, GarbledAndDroppedBytesCostOneQuestionNotAMotion) {
   start({}, true);
   ASSERT_EQ(move_to(0, 16000), "");

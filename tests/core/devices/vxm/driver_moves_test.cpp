@@ -102,6 +102,18 @@ TEST_F(VxmDriverMoves, AJogEndsWithItsStop) {
   EXPECT_EQ(query("PM"), "0");
 }
 
+// Its end may come inside a round that has already asked where the motor is.
+TEST_F(VxmDriverMoves, AMoveBehindAProgramGoesFromWhereItEnded) {
+  start({}, true);
+  std::int64_t wanted = 0;
+  for (int i = 0; i < 40; ++i) {
+    EXPECT_EQ(query(fmt::format("PM-0,I1M{},R", 40 + i)), "^");
+    EXPECT_EQ(perform(intent::MoveBy({{AxisId{0}, Steps(1)}})), "");
+    EXPECT_TRUE(wait_idle());
+    EXPECT_EQ(position(), wanted += 41 + i);
+  }
+}
+
 TEST_F(VxmDriverMoves, ALongJogGoesOnBeyondItsBoundedIndex) {
   start();
   EXPECT_EQ(perform(intent::JogStart(AxisId{0}, Sign::minus, Pps{500}, false)), "");

@@ -35,6 +35,45 @@ TEST_F(VxmDriverStop, AMoveOfTheConsoleIsRampedDownByDAlone) {
   EXPECT_FALSE(latest.axes[0].position_doubtful);
 }
 
+TEST_F(VxmDriverStop, ADThatDidNotGetThroughIsSaidAgain) {
+  start();
+  move_to(0, 50000);
+  run(3);
+  sent();
+  post(intent::Stop());
+  loop->lose(1);
+  run(0.05);
+  const auto when_asked = position();
+  EXPECT_TRUE(wait_idle(5));
+  EXPECT_EQ(sent(), "DD");
+  EXPECT_LT(position(), when_asked + 3000);
+  EXPECT_EQ(latest.axes[0].ended_by, EndedBy::stop);
+}
+
+TEST_F(VxmDriverStop, AMoveThatEndedBeforeItsStopHasArrived) {
+  start();
+  move_to(0, 4000);
+  ASSERT_TRUE(run_until([&] { return position() > 3900; }));
+  loop->lose(1);
+  EXPECT_EQ(perform(intent::Stop()), "");
+  EXPECT_TRUE(wait_idle());
+  EXPECT_EQ(position(), 4000);
+  EXPECT_EQ(latest.axes[0].ended_by, EndedBy::target);
+}
+
+TEST_F(VxmDriverStop, AnAxisThatWasToMoveWithAnotherNeverStarts) {
+  start({{"motors", "4"}});
+  std::vector<AxisTarget> three = target(0, 4000);
+  three.push_back(target(1, 400)[0]);
+  three.push_back(target(2, 4000)[0]);
+  EXPECT_EQ(perform(intent::MoveBy(three)), "");
+  run(0.5);
+  EXPECT_EQ(perform(intent::Stop(2)), "");
+  EXPECT_TRUE(wait_idle());
+  EXPECT_EQ(position(2), 0);
+  EXPECT_EQ(position(0), 4000) << "it was not asked to stop";
+}
+
 TEST_F(VxmDriverStop, TheOtherAxisOfAMoveNeverStarts) {
   start();
   std::vector<AxisTarget> both = target(0, 8000);
@@ -89,7 +128,7 @@ TEST_F(VxmDriverStop, ASecondStopIsKAtOnceAndDoubtsAFastPosition) {
   move_to(0, 50000);
   run(3);
   sent();
-  perform(intent::Stop());
+  post(intent::Stop());
   run(0.05);
   EXPECT_EQ(perform(intent::Stop()), "");
   EXPECT_EQ(sent(), "DK");

@@ -124,6 +124,18 @@ TEST_F(VxmDriverText, WhatTheControllerDidNotConfirmIsNotCalledStored) {
   EXPECT_TRUE(latest.unsaved_setup);
 }
 
+TEST_F(VxmDriverText, AStopEndsTheWaitForAnAnswer) {
+  Instant answered{};
+  std::string answer;
+  bool came = false;
+  asio::co_spawn(io, ask(*pump, "I1M400000,R", std::chrono::seconds(60), answer, came), asio::detached);
+  run(1);
+  perform(intent::Abort());
+  run(0.2);
+  EXPECT_TRUE(came);
+  EXPECT_THAT(answer, HasSubstr("A stop has ended"));
+}
+
 TEST_F(VxmDriverText, WhatChangesAProgramIsCounted) {
   for (const char* text : {"PM-0", "PM-3,I1M5", "I1M400", "C", "del1", "res"}) {
     const std::uint32_t before = latest.program_changes;

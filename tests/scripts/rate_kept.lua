@@ -1,0 +1,21 @@
+-- A controller keeps the rate that it was told: after a lost link it is looked for there, and its motor is stopped.
+local c = assert(hw.open("vxm@emulator,wire=real,baud=9600"))
+c:set("M1M", 4)
+assert(c:set("B", 19))
+assert(c:jog(1, "+", 500))
+hw.sleep(1)
+c.bench:unplug(true)
+hw.sleep(2)
+c.bench:unplug(false)
+hw.sleep(10)
+local there = assert(c:position(1))
+hw.sleep(2)
+hw.check(c:position(1) == there, "the jog that was lost with the link does not go on")
+hw.check(c:stop())
+
+-- Switched off and on it is back at the stored one.
+c.bench:power(false)
+hw.sleep(3)
+c.bench:power(true)
+hw.sleep(15)
+hw.check(c:get("B") == 9, tostring(c:get("B")))
