@@ -112,12 +112,6 @@ void Runner::end_run(lua_State* L, std::string sentence) {
   for (auto& [state, fiber] : fibers_) lua_sethook(state, ending_hook, LUA_MASKCOUNT, 1);
 }
 
-void Runner::interrupt(std::string why) {
-  if (failure_.empty()) failure_ = std::move(why);
-  ending_ = true;
-  main_over_ = true;
-}
-
 // ---- fibers
 
 Runner::Fiber& Runner::add_fiber() {
@@ -276,30 +270,6 @@ void Runner::run_one_frame() {
   scheduler_.run_until(next_frame_, [this] { return main_over_; });
   options_.stage->frame(scheduler_.now());
   next_frame_ = std::max(next_frame_ + frame_period, scheduler_.now());
-}
-
-Task<> Runner::close_all(bool stop_first, bool& closed) {
-  for (const auto& group : groups_) {
-    const auto& all = group->members();
-    const bool moves = std::any_of(all.begin(), all.end(),
-                                   [](const auto& session) { return session->known().any_axis_moving(); });
-    if (stop_first && moves) co_await group->perform_stop(false);
-    co_await group->close();
-  }
-  closed = true;
-}
-
-// What the script leaves running by mistake is stopped; what it left running on purpose, at its regular end,
-// goes on, but for jogs, which nobody holds any more.
-void Runner::finish() {
-  main_over_ = true;
-  ended_.notify();
-  if (options_.stage) options_.stage->script_over();
-  bool closed = false;
-  asio::co_spawn(scheduler_.executor(), close_all(!failure_.empty(), closed), asio::detached);
-  constexpr auto patience = std::chrono::seconds(10);
-  scheduler_.run_until(scheduler_.now() + patience, [&closed] { return closed; });
-  tell_notices();
 }
 
 void Runner::add(std::shared_ptr<SessionGroup> group) { groups_.push_back(std::move(group)); }

@@ -48,8 +48,8 @@ class Runner {
 
   /// Runs the script's text to its end, with frames of the stage in between. A fault tells FILE:LINE.
   Result<> run(std::string_view text);
-  /// Somebody wants it to end now (an interrupt): all controllers are told to stop.
-  void interrupt(std::string why);
+  /// Somebody wants it to end now: all controllers are told to stop.
+  void interrupt();
   /// Called when time becomes real, because the script opens a controller outside of this process.
   std::function<void()> on_real_time;
   /// For a watchdog on another thread: changes at least every 10,000 instructions of the script.
@@ -86,7 +86,8 @@ class Runner {
 
  private:
   struct Fiber;
-  struct Memory;
+  struct Left;
+  struct Leaving;
   friend int resume_with_answer(lua_State*, int, std::ptrdiff_t);
 
   static void* allocate(void* self, void* block, std::size_t old_size, std::size_t new_size);
@@ -103,7 +104,9 @@ class Runner {
   void take_turns();
   void act_now();
   void finish();
-  Task<> close_all(bool stop_first, bool& closed);
+  Task<> leave(std::shared_ptr<Leaving> leaving, Left& one);
+  Task<> leave_all(std::shared_ptr<Leaving> leaving);
+  void tell_of_stops(const Leaving& leaving);
   void tell_notices();
 
   HybridScheduler& scheduler_;
@@ -125,7 +128,7 @@ class Runner {
   std::atomic<bool> at_work_{false};
   std::uint64_t instructions_ = 0;
   Instant counted_since_{};
-  bool main_over_ = false, ending_ = false;
+  bool main_over_ = false, ending_ = false, interrupted_ = false;
   std::string failure_;  ///< why the run ended early; empty: it has not
 };
 

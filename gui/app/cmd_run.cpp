@@ -47,8 +47,7 @@ static int run_script(const Given& given) {
   std::optional<Interruption> interruption;  // real motors are told to stop; virtual ones just end
   runner.on_real_time = [&] {
     if (stage) stage->time_is_real();
-    interruption.emplace(scheduler,
-                         [&] { runner.interrupt("Interrupted. The controllers were told to stop."); });
+    interruption.emplace(scheduler, [&] { runner.interrupt(); });
   };
   if (scheduler.is_real()) runner.on_real_time();
   const Watchdog watchdog(runner.heartbeat(), runner.at_work(), std::chrono::seconds(20));

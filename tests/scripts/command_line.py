@@ -194,6 +194,40 @@ class Scripts(Case):
             self.assertEqual(places[0], places[1])
 
 
+class Ends(Case):
+    """What a script leaves behind when it fails, in virtual time."""
+    def traffic_after(self, status, text, *parts):
+        """Runs it; what went to the controllers: (time, wire, text)."""
+        path = self.folder / "traffic"
+        self.expect(run("run", self.file("s.lua", text), "--traffic", path), status, *parts)
+        lines = re.findall(r"(?m)^ *([\d.]+) (\d+) > (.*)$", path.read_text())
+        return [(float(t), int(wire), what) for t, wire, what in lines]
+
+    def test_a_program_in_its_pause_is_stopped(self):
+        said = self.traffic_after(1, "local c = hw.open('vxm@emulator')\n"
+                                     "c:load('S1M2000,I1M400,P20,I1M-400,P20,L0') assert(c:run()) hw.sleep(1.3)\n"
+                                     "hw.check(not c:status().moving, 'it pauses') hw.check(false)\n", "s.lua:3: ")
+        self.assertIn("K", [what for _, _, what in said])
+
+    def test_what_began_after_the_last_look_is_stopped(self):
+        said = self.traffic_after(1, "local c = hw.open('pmx-4ex-sa@emulator,wire=real')\n"
+                                     "c:query('EO=15') c:query('INC') hw.sleep(1)\n"
+                                     "hw.check(c:query('X1000000') == '1')\n", "s.lua:3: ")
+        self.assertIn("@00STOP\\r", [what for _, _, what in said])
+
+    def test_what_was_sent_last_does_not_follow_the_stop(self):
+        said = self.traffic_after(1, "local c = hw.open('pmx-4ex-sa@emulator,wire=real')\n"
+                                     "c:query('EO=15') hw.sleep(1) c:send('X1000000') hw.check(false)\n")
+        words = [what for _, _, what in said]
+        self.assertIn("@00STOP\\r", words)
+        self.assertNotIn("@00X1000000\\r", words[words.index("@00STOP\\r"):])
+
+    def test_a_stop_that_reaches_nobody_is_said(self):
+        self.traffic_after(1, "local a, b = hw.open('vxm@emulator'), hw.open('pmx-4ex-sa@emulator')\n"
+                              "a.bench:unplug(true) hw.sleep(5) hw.check(false)\n",
+                           "Not every controller is known to have stopped:\nvxm@emulator: Stop does not reach")
+
+
 class Sandbox(Case):
     def script(self, text):
         return run("run", self.file("s.lua", text), timeout=300)

@@ -1,0 +1,98 @@
+// How a run ends, and what becomes of the controllers that it leaves behind.
+#include <algorithm>
+
+#include <fmt/core.h>
+
+#include "core/script/module.h"
+#include "core/script/runner.h"
+
+namespace hw::script {
+
+constexpr Duration for_the_end = std::chrono::seconds(10);
+
+struct Runner::Left {
+  std::shared_ptr<Session> session;
+  IntentId stop = 0;    ///< 0: none, or what became of it is known
+  std::string trouble;  ///< why it may not have been stopped
+  bool closed = false;
+};
+
+struct Runner::Leaving {
+  std::vector<Left> all;
+  bool begun = false;
+  // What a hand has closed before was left on purpose.
+  void add(const std::shared_ptr<Session>& session, IntentId stop) {
+    if (session->known().link.state == LinkState::closed) return;
+    all.push_back(Left{session, stop, {}, false});
+  }
+  [[nodiscard]] bool has(const Session& session) const {
+    return std::any_of(all.begin(), all.end(),
+                       [&](const Left& one) { return one.session.get() == &session; });
+  }
+  [[nodiscard]] bool over() const {
+    return begun && std::all_of(all.begin(), all.end(), [](const Left& one) { return one.closed; });
+  }
+};
+
+void Runner::interrupt() {
+  if (failure_.empty()) {
+    failure_ = "Interrupted.";
+    interrupted_ = true;
+  }
+  ending_ = true;
+  main_over_ = true;
+}
+
+// What the script leaves running by mistake is stopped; what it left running on purpose, at its regular end,
+// goes on, but for jogs, which nobody holds any more.
+void Runner::finish() {
+  main_over_ = true;
+  ended_.notify();
+  const auto leaving = std::make_shared<Leaving>();
+  asio::co_spawn(scheduler_.executor(), leave_all(leaving), asio::detached);  // behind what was sent before
+  if (options_.stage) options_.stage->script_over();
+  scheduler_.run_until(scheduler_.now() + for_the_end, [&leaving] { return leaving->over(); });
+  tell_notices();
+  if (!failure_.empty()) tell_of_stops(*leaving);
+}
+
+// A snapshot may be older than what the script said last: who fails stops all, whether they seem to move or
+// not.
+Task<> Runner::leave_all(std::shared_ptr<Leaving> leaving) {
+  leaving->begun = true;
+  for (const auto& group : groups_) {
+    const auto ids = failure_.empty() ? std::vector<IntentId>() : group->post_stop(false);
+    for (std::size_t i = 0; i < group->members().size(); ++i)
+      leaving->add(group->members()[i], ids.empty() ? 0 : ids[i]);
+  }
+  if (options_.stage)
+    for (const auto& session : options_.stage->controllers())
+      if (!leaving->has(*session))
+        leaving->add(session, failure_.empty() ? 0 : session->post(intent::Stop()));
+  for (Left& one : leaving->all) co_await leave(leaving, one);
+}
+
+Task<> Runner::leave(std::shared_ptr<Leaving>, Left& one) {
+  if (one.stop != 0) {
+    const auto stopped = co_await one.session->outcome(one.stop);
+    if (!stopped) one.trouble = stopped.error().sentence();
+    one.stop = 0;
+  }
+  co_await one.session->close();
+  one.closed = true;
+}
+
+void Runner::tell_of_stops(const Leaving& leaving) {
+  std::string troubles;
+  for (const Left& one : leaving.all) {
+    std::string_view trouble = one.trouble;
+    if (one.stop != 0) trouble = "It was told to stop, and has not come to rest yet. Watch it.";
+    if (!trouble.empty()) troubles += fmt::format("\n{}: {}", one.session->address().text(), trouble);
+  }
+  if (!troubles.empty())
+    failure_ += "\nNot every controller is known to have stopped:" + troubles;
+  else if (interrupted_ && !leaving.all.empty())
+    failure_ += " The controllers were told to stop.";
+}
+
+}  // namespace hw::script
