@@ -104,8 +104,8 @@ class Runner {
   void take_turns();
   void act_now();
   void finish();
-  Task<> leave(std::shared_ptr<Leaving> leaving, Left& one);
-  Task<> leave_all(std::shared_ptr<Leaving> leaving);
+  void leave_all(const std::shared_ptr<Leaving>& leaving);
+  static Task<> leave(std::shared_ptr<Leaving> leaving, std::size_t which);
   void tell_of_stops(const Leaving& leaving);
   void tell_notices();
 

@@ -49,7 +49,8 @@ void Runner::finish() {
   main_over_ = true;
   ended_.notify();
   const auto leaving = std::make_shared<Leaving>();
-  asio::co_spawn(scheduler_.executor(), leave_all(leaving), asio::detached);  // behind what was sent before
+  // Behind what was sent before.
+  asio::post(scheduler_.executor(), [this, leaving] { leave_all(leaving); });
   if (options_.stage) options_.stage->script_over();
   scheduler_.run_until(scheduler_.now() + for_the_end, [&leaving] { return leaving->over(); });
   tell_notices();
@@ -57,8 +58,8 @@ void Runner::finish() {
 }
 
 // A snapshot may be older than what the script said last: who fails stops all, whether they seem to move or
-// not.
-Task<> Runner::leave_all(std::shared_ptr<Leaving> leaving) {
+// not. All are told before one is waited for: a ramp may take longer than the end does.
+void Runner::leave_all(const std::shared_ptr<Leaving>& leaving) {
   leaving->begun = true;
   for (const auto& group : groups_) {
     const auto ids = failure_.empty() ? std::vector<IntentId>() : group->post_stop(false);
@@ -69,10 +70,12 @@ Task<> Runner::leave_all(std::shared_ptr<Leaving> leaving) {
     for (const auto& session : options_.stage->controllers())
       if (!leaving->has(*session))
         leaving->add(session, failure_.empty() ? 0 : session->post(intent::Stop()));
-  for (Left& one : leaving->all) co_await leave(leaving, one);
+  for (std::size_t i = 0; i < leaving->all.size(); ++i)
+    asio::co_spawn(scheduler_.executor(), leave(leaving, i), asio::detached);
 }
 
-Task<> Runner::leave(std::shared_ptr<Leaving>, Left& one) {
+Task<> Runner::leave(std::shared_ptr<Leaving> leaving, std::size_t which) {
+  Left& one = leaving->all[which];
   if (one.stop != 0) {
     const auto stopped = co_await one.session->outcome(one.stop);
     if (!stopped) one.trouble = stopped.error().sentence();

@@ -222,6 +222,27 @@ class Ends(Case):
         self.assertIn("@00STOP\\r", words)
         self.assertNotIn("@00X1000000\\r", words[words.index("@00STOP\\r"):])
 
+    # Ramps that are longer than the end of a script waits.
+    SLOW = ("local a, b = hw.open('pmx-4ex-sa@emulator'), hw.open('pmx-4ex-sa@emulator')\n"
+            "for _, c in ipairs {a, b} do for _, t in ipairs {'EO=15', 'INC', 'HS=20000', 'ACC=20000'} do\n"
+            "assert(c:query(t) == 'OK') end end\n")
+
+    def first_stops(self, said):
+        return {wire: t for t, wire, what in reversed(said) if what.startswith("@00STOP")}
+
+    def test_all_controllers_are_told_before_the_first_is_waited_for(self):
+        said = self.traffic_after(1, self.SLOW + "a:query('X1000000') b:query('X1000000') hw.sleep(25) hw.check(false)",
+                                  "pmx-4ex-sa@emulator: It was told to stop, and has not come to rest yet.")
+        stops = self.first_stops(said)
+        self.assertEqual(sorted(stops), [1, 2])
+        self.assertAlmostEqual(stops[1], stops[2], delta=0.01)
+
+    def test_jogs_are_let_go_together(self):
+        said = self.traffic_after(0, self.SLOW + "a:jog('X', '+') b:jog('X', '+') hw.sleep(25)")
+        stops = self.first_stops(said)
+        self.assertEqual(sorted(stops), [1, 2])
+        self.assertAlmostEqual(stops[1], stops[2], delta=0.01)
+
     def test_a_stop_that_reaches_nobody_is_said(self):
         self.traffic_after(1, "local a, b = hw.open('vxm@emulator'), hw.open('pmx-4ex-sa@emulator')\n"
                               "a.bench:unplug(true) hw.sleep(5) hw.check(false)\n",
