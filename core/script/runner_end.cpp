@@ -29,18 +29,29 @@ struct Runner::Leaving {
     return std::any_of(all.begin(), all.end(),
                        [&](const Left& one) { return one.session.get() == &session; });
   }
+  // An interrupt while they are being closed.
+  void stop() {
+    for (Left& one : all)
+      if (one.closed)
+        one.trouble = "It was closed already: what the script has left running goes on.";
+      else
+        one.stop = one.session->post(intent::Stop());
+  }
   [[nodiscard]] bool over() const {
     return begun && std::all_of(all.begin(), all.end(), [](const Left& one) { return one.closed; });
   }
 };
 
 void Runner::interrupt() {
-  if (failure_.empty()) {
-    failure_ = "Interrupted.";
-    interrupted_ = true;
-  }
-  ending_ = true;
-  main_over_ = true;
+  interrupt_asked_ = true;                                         // for a script that computes ...
+  asio::post(scheduler_.executor(), [this] { interrupt_now(); });  // ... and for one that waits
+}
+
+void Runner::interrupt_now() {
+  if (!failure_.empty()) return;
+  failure_ = "Interrupted.";
+  interrupted_ = ending_ = main_over_ = true;
+  if (leaving_) leaving_->stop();
 }
 
 // What the script leaves running by mistake is stopped; what it left running on purpose, at its regular end,
@@ -49,8 +60,10 @@ void Runner::finish() {
   main_over_ = true;
   ended_.notify();
   const auto leaving = std::make_shared<Leaving>();
-  // Behind what was sent before.
-  asio::post(scheduler_.executor(), [this, leaving] { leave_all(leaving); });
+  asio::post(scheduler_.executor(), [this, leaving] {  // behind what was sent before
+    leave_all(leaving);
+    leaving_ = leaving;
+  });
   if (options_.stage) options_.stage->script_over();
   scheduler_.run_until(scheduler_.now() + for_the_end, [&leaving] { return leaving->over(); });
   tell_notices();
@@ -76,13 +89,17 @@ void Runner::leave_all(const std::shared_ptr<Leaving>& leaving) {
 
 Task<> Runner::leave(std::shared_ptr<Leaving> leaving, std::size_t which) {
   Left& one = leaving->all[which];
-  if (one.stop != 0) {
-    const auto stopped = co_await one.session->outcome(one.stop);
-    if (!stopped) one.trouble = stopped.error().sentence();
-    one.stop = 0;
-  }
+  co_await see_stopped(one);
   co_await one.session->close();
+  co_await see_stopped(one);  // by an interrupt that came meanwhile
   one.closed = true;
+}
+
+Task<> Runner::see_stopped(Left& one) {
+  if (one.stop == 0) co_return;
+  const auto stopped = co_await one.session->outcome(one.stop);
+  if (!stopped) one.trouble = stopped.error().sentence();
+  one.stop = 0;
 }
 
 void Runner::tell_of_stops(const Leaving& leaving) {

@@ -249,6 +249,71 @@ class Ends(Case):
                            "Not every controller is known to have stopped:\nvxm@emulator: Stop does not reach")
 
 
+class Interrupted(Case):
+    """Ctrl-C and its kin while a script does what it likes."""
+    JOG = "local c = assert(hw.open('vxm@tcp:' .. hw.args[1])) assert(c:jog(1, '+')) hw.sleep(0.3) print('now') "
+    TOLD = "Interrupted. The controllers were told to stop."
+
+    @contextlib.contextmanager
+    def script(self, text, model="vxm"):
+        """Runs it, until it prints a line, with an emulator."""
+        with emulator(model, "--tcp", "127.0.0.1:0") as (ready, _):
+            self.address = f"{model}@tcp:" + port_of(ready[0])
+            process = subprocess.Popen([PROGRAM, "run", self.file("s.lua", text), port_of(ready[0])], text=True,
+                                       stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+            try:
+                self.assertEqual(process.stdout.read(3), "now")
+                time.sleep(0.3)
+                yield process
+            finally:
+                process.kill()
+                process.communicate()
+
+    def assert_stands(self):
+        time.sleep(2)  # the ramp
+        places = [run("send", self.address, "X").stdout for _ in range(2)]
+        self.assertEqual(places[0], places[1])
+        self.assertNotEqual(places[0], "+0000000\n")
+
+    def ends_by(self, text, number):
+        flush = "print(('x'):rep(5000)) "  # standard output is a pipe
+        with self.script(self.JOG + flush + text) as process:
+            process.send_signal(number)
+            _, err = process.communicate(timeout=15)
+            self.assertEqual(process.returncode, 1, err)
+            self.assertIn(self.TOLD, err)
+            self.assert_stands()
+
+    def test_a_script_that_computes(self):
+        self.ends_by("local t = {} for i = 1, 1000 do t[i] = i end\n"
+                     "while true do pcall(function() while true do table.concat(t, ',') end end) end", signal.SIGINT)
+
+    def test_a_call_that_does_not_come_back(self):
+        self.ends_by("pcall(string.find, ('a'):rep(60), ('a-'):rep(30) .. 'b') hw.sleep(100)", signal.SIGTERM)
+
+    # A ramp of many seconds, which the end of the script waits for.
+    SLOW = ("local c = assert(hw.open('pmx-4ex-sa@tcp:' .. hw.args[1]))\n"
+            "for _, t in ipairs {'EO=15', 'HS=20000', 'ACC=20000'} do assert(c:query(t) == 'OK') end\n"
+            "assert(c:jog('X', '+')) hw.sleep(4) print('now' .. ('x'):rep(5000)) ")
+
+    def test_the_regular_end(self):
+        with self.script(self.SLOW, "pmx-4ex-sa") as process:
+            process.send_signal(signal.SIGINT)
+            _, err = process.communicate(timeout=5)
+            self.assertEqual(process.returncode, 1, err)
+            self.assertIn(self.TOLD, err)
+
+    def test_the_second_signal(self):
+        with self.script(self.SLOW + "hw.sleep(100)", "pmx-4ex-sa") as process:
+            process.send_signal(signal.SIGINT)
+            time.sleep(0.5)
+            self.assertIsNone(process.poll(), "it waits for the ramp")
+            process.send_signal(signal.SIGINT)
+            _, err = process.communicate(timeout=5)
+            self.assertEqual(process.returncode, -signal.SIGINT, err)
+            self.assertNotIn("told to stop", err)
+
+
 class Sandbox(Case):
     def script(self, text):
         return run("run", self.file("s.lua", text), timeout=300)
