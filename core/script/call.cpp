@@ -82,6 +82,7 @@ int resume_with_answer(lua_State* L, int status, std::ptrdiff_t context);
 static int call_body(lua_State* L) {
   const auto* function = static_cast<const Function*>(lua_touserdata(L, lua_upvalueindex(1)));
   const int self = static_cast<int>(lua_tointeger(L, lua_upvalueindex(2)));
+  const WayOut::Closed closed(Runner::of(L).way_out());
   try {
     Call call(L, function->name, self);
     return function->body(call);

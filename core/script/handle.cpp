@@ -100,6 +100,7 @@ void push_controller(lua_State* L, std::shared_ptr<SessionGroup> group) {
 }
 
 int drop_handle(lua_State* L) {
+  const WayOut::Closed closed(Runner::of(L).way_out());
   static_cast<Handle*>(lua_touserdata(L, 1))->~Handle();
   return 0;
 }
@@ -124,6 +125,7 @@ int perform(Call& call, IntentBody body) { return perform(call, session_of(call)
 // c.bench, c.devices, else a method. A bus has no bench of its own: what is not there is nil.
 int index_handle(lua_State* L) {
   const auto& handle = *static_cast<Handle*>(luaL_checkudata(L, 1, controller_type));
+  const WayOut::Closed closed(Runner::of(L).way_out());
   const std::string_view key = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : "";
   if (key == "bench" && handle.device >= 0) {
     push_handle(L, handle, bench_type);

@@ -13,9 +13,11 @@ class Stage {
   virtual void bind(lua_State* L) = 0;
   /// A controller or bus that the script has opened; the newest is the one that ids mean.
   virtual void opened(const std::shared_ptr<SessionGroup>& group) = 0;
+  /// Every controller on the screen, those that hands have opened there included.
+  [[nodiscard]] virtual std::vector<std::shared_ptr<Session>> controllers() const { return {}; }
   /// One frame, 60 a second of script time.
   virtual void frame(Instant now) = 0;
-  /// Between the end of the script and the closing of its controllers.
+  /// The script has ended: nothing is held any more.
   virtual void script_over() = 0;
 };
 

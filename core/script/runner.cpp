@@ -41,6 +41,13 @@ std::string callers(lua_State* L) {
   return all;
 }
 
+std::string too_long(Duration limit) {
+  return fmt::format(
+      "The script computed for {:g} s without letting time go on, so it was ended. "
+      "A loop that waits for something needs a hw.sleep().",
+      seconds(limit));
+}
+
 }  // namespace
 
 struct Runner::Fiber {
@@ -61,13 +68,18 @@ Runner::Runner(HybridScheduler& scheduler, RunOptions options)
 }
 
 Runner::~Runner() {
-  if (lua_) lua_close(lua_);
+  static auto& left_alone = *new std::vector<lua_State*>();  // so that who looks for leaks finds none
+  if (broken_)
+    left_alone.push_back(lua_);
+  else if (lua_)
+    lua_close(lua_);
 }
 
 Runner& Runner::of(lua_State* L) { return **static_cast<Runner**>(lua_getextraspace(L)); }
 
 void* Runner::allocate(void* self, void* block, std::size_t old_size, std::size_t new_size) {
   auto& runner = *static_cast<Runner*>(self);
+  const WayOut::Closed closed(runner.way_out_);
   if (!block) old_size = 0;  // then it is a kind of object, not a size
   if (new_size == 0) {
     std::free(block);
@@ -84,8 +96,12 @@ void* Runner::allocate(void* self, void* block, std::size_t old_size, std::size_
 
 void Runner::count_hook(lua_State* L, lua_Debug*) {
   Runner& runner = of(L);
+  const WayOut::Closed closed(runner.way_out_);
   runner.heartbeat_.fetch_add(1, std::memory_order_relaxed);
+  if (runner.interrupt_asked_) runner.interrupt_now();
+  if (runner.ending_) return runner.unwind(L);  // a coroutine of the script's own
   runner.count(L, hook_every);
+  runner.count_time(L);
 }
 
 // Every further instruction, in whatever pcall of the script, raises the error again.
@@ -104,25 +120,32 @@ void Runner::count(lua_State* L, std::uint64_t instructions) {
                       options_.limits.instructions / 1'000'000));
 }
 
+// Calls of Lua's library that take long are few instructions.
+void Runner::count_time(lua_State* L) {
+  const auto limit = options_.limits.computing;
+  if (ending_ || std::chrono::steady_clock::now() - resumed_at_ < limit) return;
+  end_run(L, too_long(limit));
+}
+
 void Runner::end_run(lua_State* L, std::string sentence) {
   if (ending_) return;
   ending_ = true;
   failure_ = where(L) + sentence;
-  lua_sethook(L, ending_hook, LUA_MASKCOUNT, 1);
-  for (auto& [state, fiber] : fibers_) lua_sethook(state, ending_hook, LUA_MASKCOUNT, 1);
+  unwind(L);
 }
 
-void Runner::interrupt(std::string why) {
-  if (failure_.empty()) failure_ = std::move(why);
-  ending_ = true;
-  main_over_ = true;
+void Runner::unwind(lua_State* L) {
+  lua_sethook(L, ending_hook, LUA_MASKCOUNT, 1);
+  for (auto& [state, fiber] : fibers_) lua_sethook(state, ending_hook, LUA_MASKCOUNT, 1);
 }
 
 // ---- fibers
 
 Runner::Fiber& Runner::add_fiber() {
   lua_State* L = lua_newthread(lua_);
-  auto fiber = std::make_unique<Fiber>(scheduler_, [this, L] { resume(*fibers_.at(L), 0); });
+  auto fiber = std::make_unique<Fiber>(scheduler_, [this, L] {
+    if (!main_over_) resume(*fibers_.at(L), 0);
+  });
   fiber->L = L;
   fiber->kept = luaL_ref(lua_, LUA_REGISTRYINDEX);
   lua_sethook(L, count_hook, LUA_MASKCOUNT, hook_every);
@@ -155,9 +178,12 @@ int resume_with_answer(lua_State* L, int, lua_KContext) {
   const auto fiber = Runner::of(L).fibers_.find(L);
   if (fiber == Runner::of(L).fibers_.end() || !fiber->second->answer)
     return luaL_error(L, "only what a call waits for can resume it");
-  Answer& answer = fiber->second->answer;
-  const int results = answer(L);
-  answer = nullptr;
+  int results = 0;
+  {
+    const WayOut::Closed closed(Runner::of(L).way_out());
+    results = fiber->second->answer(L);
+    fiber->second->answer = nullptr;
+  }
   return results == Call::misused ? lua_error(L) : results;
 }
 
@@ -168,11 +194,14 @@ void Runner::run_at(lua_State* L, Instant when) {
 }
 
 void Runner::resume(Fiber& fiber, int arguments) {
-  int results = 0;
+  int results = 0, status = LUA_OK;
   heartbeat_.fetch_add(1, std::memory_order_relaxed);
+  resumed_at_ = std::chrono::steady_clock::now();
   at_work_ = true;
-  const int status = lua_resume(fiber.L, nullptr, arguments, &results);
+  const bool came_back =
+      way_out_.through([&] { status = lua_resume(fiber.L, nullptr, arguments, &results); });
   at_work_ = false;
+  if (!came_back) return broken_out();
   if (status == LUA_YIELD && fiber.waits) return;
   if (status == LUA_YIELD) {
     lua_pushliteral(fiber.L, "coroutine.yield outside of a coroutine");
@@ -186,6 +215,15 @@ void Runner::resume(Fiber& fiber, int arguments) {
     luaL_unref(lua_, LUA_REGISTRYINDEX, fiber.kept);
     fibers_.erase(fiber.L);
   }
+}
+
+// Nothing but its memory may be known of the Lua state from here on.
+void Runner::broken_out() {
+  broken_ = ending_ = main_over_ = true;
+  if (interrupt_asked_)
+    interrupt_now();
+  else if (failure_.empty())
+    failure_ = too_long(options_.limits.computing);
 }
 
 void Runner::fiber_failed(Fiber& fiber, int status) {
@@ -276,30 +314,6 @@ void Runner::run_one_frame() {
   scheduler_.run_until(next_frame_, [this] { return main_over_; });
   options_.stage->frame(scheduler_.now());
   next_frame_ = std::max(next_frame_ + frame_period, scheduler_.now());
-}
-
-Task<> Runner::close_all(bool stop_first, bool& closed) {
-  for (const auto& group : groups_) {
-    const auto& all = group->members();
-    const bool moves = std::any_of(all.begin(), all.end(),
-                                   [](const auto& session) { return session->known().any_axis_moving(); });
-    if (stop_first && moves) co_await group->perform_stop(false);
-    co_await group->close();
-  }
-  closed = true;
-}
-
-// What the script leaves running by mistake is stopped; what it left running on purpose, at its regular end,
-// goes on, but for jogs, which nobody holds any more.
-void Runner::finish() {
-  main_over_ = true;
-  ended_.notify();
-  if (options_.stage) options_.stage->script_over();
-  bool closed = false;
-  asio::co_spawn(scheduler_.executor(), close_all(!failure_.empty(), closed), asio::detached);
-  constexpr auto patience = std::chrono::seconds(10);
-  scheduler_.run_until(scheduler_.now() + patience, [&closed] { return closed; });
-  tell_notices();
 }
 
 void Runner::add(std::shared_ptr<SessionGroup> group) { groups_.push_back(std::move(group)); }

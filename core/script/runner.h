@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/asio.h"
+#include "core/script/way_out.h"
 #include "core/session/session_group.h"
 #include "core/session/wire.h"
 #include "core/time/hybrid_scheduler.h"
@@ -23,7 +24,9 @@ class Stage;
 
 struct Limits {
   std::size_t memory_bytes = std::size_t{256} << 20;
-  std::uint64_t instructions = 300'000'000;  ///< without letting time go on
+  // Without letting time go on:
+  std::uint64_t instructions = 300'000'000;
+  Duration computing = std::chrono::seconds(20);  ///< by the clock on the wall
 };
 
 struct RunOptions {
@@ -48,13 +51,20 @@ class Runner {
 
   /// Runs the script's text to its end, with frames of the stage in between. A fault tells FILE:LINE.
   Result<> run(std::string_view text);
-  /// Somebody wants it to end now (an interrupt): all controllers are told to stop.
-  void interrupt(std::string why);
   /// Called when time becomes real, because the script opens a controller outside of this process.
   std::function<void()> on_real_time;
-  /// For a watchdog on another thread: changes at least every 10,000 instructions of the script.
-  [[nodiscard]] const std::atomic<std::uint64_t>& heartbeat() const { return heartbeat_; }
-  [[nodiscard]] const std::atomic<bool>& at_work() const { return at_work_; }
+
+  // ---- any thread, while run() is under way
+  /// Somebody wants it to end now, whatever it is doing: all controllers are told to stop.
+  void interrupt();
+  /// Whether the script computes; then heartbeat() changes at least every 10,000 instructions.
+  [[nodiscard]] bool at_work() const { return at_work_; }
+  [[nodiscard]] std::uint64_t heartbeat() const { return heartbeat_; }
+  /// How long that may take.
+  [[nodiscard]] Duration patience() const { return options_.limits.computing; }
+  /// Ends a script that stays in one call of Lua's library, if its heart still stands at `seen`. Asked again
+  /// until at_work() is over: there are moments when that is not possible.
+  void break_out(std::uint64_t seen) { way_out_.take(seen); }
 
   // ---- for bindings (io thread, while the script runs)
   static Runner& of(lua_State* L);
@@ -68,6 +78,8 @@ class Runner {
   void wait_for(lua_State* L, Task<Answer> work);
   /// Runs the function on top of `L`'s stack as a fiber of its own, at `when`. Pops it.
   void run_at(lua_State* L, Instant when);
+  /// What C++ closes while Lua calls it.
+  [[nodiscard]] WayOut& way_out() { return way_out_; }
   /// Ends the whole run with this sentence; no pcall of the script survives it.
   void end_run(lua_State* L, std::string sentence);
   void add(std::shared_ptr<SessionGroup> group);
@@ -86,13 +98,18 @@ class Runner {
 
  private:
   struct Fiber;
-  struct Memory;
+  struct Left;
+  struct Leaving;
   friend int resume_with_answer(lua_State*, int, std::ptrdiff_t);
 
   static void* allocate(void* self, void* block, std::size_t old_size, std::size_t new_size);
   static void count_hook(lua_State* L, lua_Debug*);
   static void ending_hook(lua_State* L, lua_Debug*);
   void count(lua_State* L, std::uint64_t instructions);
+  void count_time(lua_State* L);
+  void unwind(lua_State* L);
+  void interrupt_now();
+  void broken_out();
   void prepare();
   bool load(std::string_view text);
   Fiber& add_fiber();
@@ -103,7 +120,10 @@ class Runner {
   void take_turns();
   void act_now();
   void finish();
-  Task<> close_all(bool stop_first, bool& closed);
+  void leave_all(const std::shared_ptr<Leaving>& leaving);
+  static Task<> leave(std::shared_ptr<Leaving> leaving, std::size_t which);
+  static Task<> see_stopped(Left& one);
+  void tell_of_stops(const Leaving& leaving);
   void tell_notices();
 
   HybridScheduler& scheduler_;
@@ -122,10 +142,14 @@ class Runner {
   };
   std::deque<Act> acts_;
   std::atomic<std::uint64_t> heartbeat_{0};
-  std::atomic<bool> at_work_{false};
+  std::atomic<bool> at_work_{false}, interrupt_asked_{false};
+  WayOut way_out_{heartbeat_};
+  std::chrono::steady_clock::time_point resumed_at_;
   std::uint64_t instructions_ = 0;
   Instant counted_since_{};
-  bool main_over_ = false, ending_ = false;
+  bool main_over_ = false, ending_ = false, interrupted_ = false;
+  bool broken_ = false;  ///< the Lua state was left by the way out
+  std::shared_ptr<Leaving> leaving_;
   std::string failure_;  ///< why the run ended early; empty: it has not
 };
 

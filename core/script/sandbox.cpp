@@ -6,6 +6,7 @@
 #include <lua.hpp>
 #include <string_view>
 
+#include "core/script/runner.h"
 #include "core/session/text_file.h"
 #include "core/session/user_files.h"
 
@@ -114,6 +115,7 @@ bool load_module(lua_State* L, const std::string& folder, std::string_view name)
 }
 
 bool load_module_of_upvalue(lua_State* L) {
+  const WayOut::Closed closed(Runner::of(L).way_out());
   std::size_t length = 0;
   const char* name = lua_tolstring(L, 1, &length);
   return load_module(L, lua_tostring(L, lua_upvalueindex(1)),

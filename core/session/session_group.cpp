@@ -50,11 +50,16 @@ std::vector<IntentId> SessionGroup::stop(bool at_once) {
   return ids;
 }
 
-Task<Result<>> SessionGroup::perform_stop(bool at_once) {
-  const auto self = shared_from_this();
+std::vector<IntentId> SessionGroup::post_stop(bool at_once) {
   stop_wire(at_once);
   std::vector<IntentId> ids;
   for (const auto& member : members_) ids.push_back(member->post(stop_intent(at_once)));
+  return ids;
+}
+
+Task<Result<>> SessionGroup::perform_stop(bool at_once) {
+  const auto self = shared_from_this();
+  const std::vector<IntentId> ids = post_stop(at_once);
   Result<> all;
   for (std::size_t i = 0; i < ids.size(); ++i) {
     auto stopped = co_await members_[i]->outcome(ids[i]);

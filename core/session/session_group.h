@@ -27,7 +27,9 @@ class SessionGroup : public std::enable_shared_from_this<SessionGroup> {
   std::vector<IntentId> stop(bool at_once = false);
 
   // ---- io thread
-  /// The same as stop(), and resumes with the first thing that went wrong.
+  /// The same as stop(), before anything else happens on this thread.
+  std::vector<IntentId> post_stop(bool at_once);
+  /// And resumes with the first thing that went wrong.
   Task<Result<>> perform_stop(bool at_once);
   /// Resumes when nothing moves or runs any more on any of them.
   Task<Result<>> wait_until_idle(Duration patience);

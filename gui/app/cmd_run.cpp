@@ -1,5 +1,4 @@
 #include <cstdio>
-#include <optional>
 
 #include <fmt/core.h>
 
@@ -44,14 +43,12 @@ static int run_script(const Given& given) {
   if (given.has("gui")) stage = std::make_unique<ScriptStage>(scheduler, options.opener);
   options.stage = stage.get();
   script::Runner runner(scheduler, std::move(options));
-  std::optional<Interruption> interruption;  // real motors are told to stop; virtual ones just end
+  Watchdog watchdog(runner);
   runner.on_real_time = [&] {
     if (stage) stage->time_is_real();
-    interruption.emplace(scheduler,
-                         [&] { runner.interrupt("Interrupted. The controllers were told to stop."); });
+    watchdog.take_signals();  // real motors are told to stop; virtual ones just end
   };
   if (scheduler.is_real()) runner.on_real_time();
-  const Watchdog watchdog(runner.heartbeat(), runner.at_work(), std::chrono::seconds(20));
   const auto outcome = runner.run(file->text);
   std::fflush(stdout);
   return outcome ? done : complain(outcome.error());

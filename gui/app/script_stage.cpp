@@ -36,6 +36,13 @@ ScriptStage::~ScriptStage() = default;
 
 void ScriptStage::opened(const std::shared_ptr<SessionGroup>& group) { console_.adopt(group); }
 
+std::vector<std::shared_ptr<Session>> ScriptStage::controllers() const {
+  std::vector<std::shared_ptr<Session>> all;
+  for (const auto& tab : console_.tabs())
+    if (tab->session()) all.push_back(tab->session());
+  return all;
+}
+
 void ScriptStage::frame(Instant now) {
   if (console_.dark() != console_was_dark_) surface_.screen().set_theme(console_was_dark_ = console_.dark());
   if (console_.size() != size_) {
@@ -54,7 +61,7 @@ Result<> ScriptStage::set_theme(const std::string& name) {
 
 void ScriptStage::time_is_real() { console_.set_day(gui::DayClock::local(scheduler_.now())); }
 
-// The runner closes the sessions; a held button lets go before.
+// The runner closes the sessions.
 void ScriptStage::script_over() { console_.let_go(); }
 
 }  // namespace hw::app

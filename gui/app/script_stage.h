@@ -33,6 +33,7 @@ class ScriptStage final : public script::Stage {
 
   void bind(lua_State* L) override;  ///< bind_ui.cpp
   void opened(const std::shared_ptr<SessionGroup>& group) override;
+  [[nodiscard]] std::vector<std::shared_ptr<Session>> controllers() const override;
   void frame(Instant now) override;
   void script_over() override;
 

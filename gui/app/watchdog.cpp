@@ -1,32 +1,59 @@
 #include "gui/app/watchdog.h"
 
+#include <csignal>
 #include <cstdlib>
 
 #include "gui/app/cli.h"
 
 namespace hw::app {
+namespace {
 
-Watchdog::Watchdog(const std::atomic<std::uint64_t>& heartbeat, const std::atomic<bool>& at_work,
-                   std::chrono::seconds patience)
-    : heartbeat_(heartbeat), at_work_(at_work), thread_([this, patience] { watch(patience); }) {}
+constexpr std::chrono::seconds every(1);
+constexpr std::chrono::seconds after_a_signal(1);
+constexpr std::chrono::seconds to_get_it_out(5);
+
+}  // namespace
+
+Watchdog::Watchdog(script::Runner& runner) : runner_(runner) {
+  look_later();
+  thread_ = std::thread([this] { io_.run(); });
+}
 
 Watchdog::~Watchdog() {
-  {
-    const std::lock_guard lock(mutex_);
-    end_ = true;
-  }
-  ended_.notify_one();
+  io_.stop();
   thread_.join();
 }
 
-void Watchdog::watch(std::chrono::seconds patience) {
-  std::unique_lock lock(mutex_);
-  for (std::uint64_t seen = heartbeat_; !ended_.wait_for(lock, patience, [this] { return end_; });
-       seen = heartbeat_)
-    if (at_work_ && heartbeat_ == seen) {
-      complain("The script stayed in one call of Lua's library for too long, so the run was ended.");
-      std::_Exit(failed);
-    }
+void Watchdog::take_signals() {
+  signals_.emplace(io_.get_executor(), SIGINT, SIGTERM, SIGHUP);
+  signals_->async_wait([this](boost::system::error_code error, int) {
+    if (error) return;
+    signals_->clear();  // back to the system's way of ending a program
+    interrupted_ = true;
+    runner_.interrupt();
+  });
+}
+
+void Watchdog::look_later() {
+  timer_.expires_after(every);
+  timer_.async_wait([this](boost::system::error_code error) {
+    if (error) return;
+    look();
+    look_later();
+  });
+}
+
+void Watchdog::look() {
+  const std::uint64_t beat = runner_.heartbeat();
+  stands_still_ = runner_.at_work() && beat == seen_ ? stands_still_ + every : std::chrono::seconds(0);
+  seen_ = beat;
+  const Duration patience = interrupted_ ? Duration(after_a_signal) : runner_.patience();
+  if (stands_still_ < patience) return;
+  if (stands_still_ < patience + to_get_it_out) return runner_.break_out(beat);
+  complain(
+      "The script hangs in a call that cannot be interrupted, so the run was ended. Its controllers could "
+      "not be told to stop: their axes may still move. Use their power switches.");
+  std::_Exit(failed);
 }
 
 }  // namespace hw::app

@@ -1,29 +1,37 @@
 #pragma once
-// Ends the process when a script stays inside one call of Lua's library for too long: such a call (a pattern
-// that backtracks for ever) cannot be interrupted from inside.
-#include <atomic>
-#include <chrono>
-#include <condition_variable>
-#include <cstdint>
-#include <mutex>
+// Beside a script, on a thread of its own: takes the signals that end it, whatever it is doing, and gets it
+// out of a call of Lua's library that does not come back (a pattern that backtracks for ever).
+#include <optional>
 #include <thread>
+
+#include "core/base/asio.h"
+#include "core/script/runner.h"
 
 namespace hw::app {
 
 class Watchdog {
  public:
-  /// `heartbeat` must change at least once in `patience` while `at_work` is true.
-  Watchdog(const std::atomic<std::uint64_t>& heartbeat, const std::atomic<bool>& at_work,
-           std::chrono::seconds patience);
+  /// The runner outlives it.
+  explicit Watchdog(script::Runner& runner);
   ~Watchdog();
+  Watchdog(const Watchdog&) = delete;
+  Watchdog& operator=(const Watchdog&) = delete;
+  /// From now on SIGINT, SIGTERM and SIGHUP interrupt the script. A second one ends the program the hard way.
+  void take_signals();
 
  private:
-  void watch(std::chrono::seconds patience);
-  const std::atomic<std::uint64_t>& heartbeat_;
-  const std::atomic<bool>& at_work_;
-  std::mutex mutex_;
-  std::condition_variable ended_;
-  bool end_ = false;
+  void look_later();
+  void look();
+
+  script::Runner& runner_;
+  IoContext io_{1};
+  asio::basic_waitable_timer<std::chrono::steady_clock, asio::wait_traits<std::chrono::steady_clock>,
+                             Executor>
+      timer_{io_.get_executor()};
+  std::optional<asio::basic_signal_set<Executor>> signals_;
+  std::uint64_t seen_ = 0;
+  std::chrono::seconds stands_still_{};
+  bool interrupted_ = false;
   std::thread thread_;
 };
 

@@ -194,6 +194,126 @@ class Scripts(Case):
             self.assertEqual(places[0], places[1])
 
 
+class Ends(Case):
+    """What a script leaves behind when it fails, in virtual time."""
+    def traffic_after(self, status, text, *parts):
+        """Runs it; what went to the controllers: (time, wire, text)."""
+        path = self.folder / "traffic"
+        self.expect(run("run", self.file("s.lua", text), "--traffic", path), status, *parts)
+        lines = re.findall(r"(?m)^ *([\d.]+) (\d+) > (.*)$", path.read_text())
+        return [(float(t), int(wire), what) for t, wire, what in lines]
+
+    def test_a_program_in_its_pause_is_stopped(self):
+        said = self.traffic_after(1, "local c = hw.open('vxm@emulator')\n"
+                                     "c:load('S1M2000,I1M400,P20,I1M-400,P20,L0') assert(c:run()) hw.sleep(1.3)\n"
+                                     "hw.check(not c:status().moving, 'it pauses') hw.check(false)\n", "s.lua:3: ")
+        self.assertIn("K", [what for _, _, what in said])
+
+    def test_what_began_after_the_last_look_is_stopped(self):
+        said = self.traffic_after(1, "local c = hw.open('pmx-4ex-sa@emulator,wire=real')\n"
+                                     "c:query('EO=15') c:query('INC') hw.sleep(1)\n"
+                                     "hw.check(c:query('X1000000') == '1')\n", "s.lua:3: ")
+        self.assertIn("@00STOP\\r", [what for _, _, what in said])
+
+    def test_what_was_sent_last_does_not_follow_the_stop(self):
+        said = self.traffic_after(1, "local c = hw.open('pmx-4ex-sa@emulator,wire=real')\n"
+                                     "c:query('EO=15') hw.sleep(1) c:send('X1000000') hw.check(false)\n")
+        words = [what for _, _, what in said]
+        self.assertIn("@00STOP\\r", words)
+        self.assertNotIn("@00X1000000\\r", words[words.index("@00STOP\\r"):])
+
+    # Ramps that are longer than the end of a script waits.
+    SLOW = ("local a, b = hw.open('pmx-4ex-sa@emulator'), hw.open('pmx-4ex-sa@emulator')\n"
+            "for _, c in ipairs {a, b} do for _, t in ipairs {'EO=15', 'INC', 'HS=20000', 'ACC=20000'} do\n"
+            "assert(c:query(t) == 'OK') end end\n")
+
+    def first_stops(self, said):
+        return {wire: t for t, wire, what in reversed(said) if what.startswith("@00STOP")}
+
+    def test_all_controllers_are_told_before_the_first_is_waited_for(self):
+        said = self.traffic_after(1, self.SLOW + "a:query('X1000000') b:query('X1000000') hw.sleep(25) hw.check(false)",
+                                  "pmx-4ex-sa@emulator: It was told to stop, and has not come to rest yet.")
+        stops = self.first_stops(said)
+        self.assertEqual(sorted(stops), [1, 2])
+        self.assertAlmostEqual(stops[1], stops[2], delta=0.01)
+
+    def test_jogs_are_let_go_together(self):
+        said = self.traffic_after(0, self.SLOW + "a:jog('X', '+') b:jog('X', '+') hw.sleep(25)")
+        stops = self.first_stops(said)
+        self.assertEqual(sorted(stops), [1, 2])
+        self.assertAlmostEqual(stops[1], stops[2], delta=0.01)
+
+    def test_a_stop_that_reaches_nobody_is_said(self):
+        self.traffic_after(1, "local a, b = hw.open('vxm@emulator'), hw.open('pmx-4ex-sa@emulator')\n"
+                              "a.bench:unplug(true) hw.sleep(5) hw.check(false)\n",
+                           "Not every controller is known to have stopped:\nvxm@emulator: Stop does not reach")
+
+
+class Interrupted(Case):
+    """Ctrl-C and its kin while a script does what it likes."""
+    JOG = "local c = assert(hw.open('vxm@tcp:' .. hw.args[1])) assert(c:jog(1, '+')) hw.sleep(0.3) print('now') "
+    TOLD = "Interrupted. The controllers were told to stop."
+
+    @contextlib.contextmanager
+    def script(self, text, model="vxm"):
+        """Runs it, until it prints a line, with an emulator."""
+        with emulator(model, "--tcp", "127.0.0.1:0") as (ready, _):
+            self.address = f"{model}@tcp:" + port_of(ready[0])
+            process = subprocess.Popen([PROGRAM, "run", self.file("s.lua", text), port_of(ready[0])], text=True,
+                                       stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+            try:
+                self.assertEqual(process.stdout.read(3), "now")
+                time.sleep(0.3)
+                yield process
+            finally:
+                process.kill()
+                process.communicate()
+
+    def assert_stands(self):
+        time.sleep(2)  # the ramp
+        places = [run("send", self.address, "X").stdout for _ in range(2)]
+        self.assertEqual(places[0], places[1])
+        self.assertNotEqual(places[0], "+0000000\n")
+
+    def ends_by(self, text, number):
+        flush = "print(('x'):rep(5000)) "  # standard output is a pipe
+        with self.script(self.JOG + flush + text) as process:
+            process.send_signal(number)
+            _, err = process.communicate(timeout=15)
+            self.assertEqual(process.returncode, 1, err)
+            self.assertIn(self.TOLD, err)
+            self.assert_stands()
+
+    def test_a_script_that_computes(self):
+        self.ends_by("local t = {} for i = 1, 1000 do t[i] = i end\n"
+                     "while true do pcall(function() while true do table.concat(t, ',') end end) end", signal.SIGINT)
+
+    def test_a_call_that_does_not_come_back(self):
+        self.ends_by("pcall(string.find, ('a'):rep(60), ('a-'):rep(30) .. 'b') hw.sleep(100)", signal.SIGTERM)
+
+    # A ramp of many seconds, which the end of the script waits for.
+    SLOW = ("local c = assert(hw.open('pmx-4ex-sa@tcp:' .. hw.args[1]))\n"
+            "for _, t in ipairs {'EO=15', 'HS=20000', 'ACC=20000'} do assert(c:query(t) == 'OK') end\n"
+            "assert(c:jog('X', '+')) hw.sleep(4) print('now' .. ('x'):rep(5000)) ")
+
+    def test_the_regular_end(self):
+        with self.script(self.SLOW, "pmx-4ex-sa") as process:
+            process.send_signal(signal.SIGINT)
+            _, err = process.communicate(timeout=5)
+            self.assertEqual(process.returncode, 1, err)
+            self.assertIn(self.TOLD, err)
+
+    def test_the_second_signal(self):
+        with self.script(self.SLOW + "hw.sleep(100)", "pmx-4ex-sa") as process:
+            process.send_signal(signal.SIGINT)
+            time.sleep(0.5)
+            self.assertIsNone(process.poll(), "it waits for the ramp")
+            process.send_signal(signal.SIGINT)
+            _, err = process.communicate(timeout=5)
+            self.assertEqual(process.returncode, -signal.SIGINT, err)
+            self.assertNotIn("told to stop", err)
+
+
 class Sandbox(Case):
     def script(self, text):
         return run("run", self.file("s.lua", text), timeout=300)

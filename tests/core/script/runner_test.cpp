@@ -1,6 +1,8 @@
 // A script without any controller: what it is told, what it may not, and how it ends.
 #include "core/script/runner.h"
 
+#include <thread>
+
 #include <gmock/gmock.h>
 
 #include "core/script/module.h"
@@ -73,6 +75,69 @@ TEST(Runner, EndsALoopWithoutEnd) {
   EXPECT_THAT(run("while true do hw.sleep(0) end", limits).fault(), HasSubstr("without letting time go on"));
   EXPECT_EQ(run("for i = 1, 300 do for j = 1, 10000 do end hw.sleep(0.01) end", limits).fault(), "none");
 }
+
+TEST(Runner, EndsALoopOfLongCalls) {
+  Limits limits;
+  limits.computing = Millis(50);
+  EXPECT_THAT(
+      run("local t = {} for i = 1, 1000 do t[i] = i end\nwhile true do table.concat(t) end", limits).fault(),
+      StartsWith("test.lua:2: The script computed for 0.05 s"));
+}
+
+TEST(Runner, EndsNestedCoroutinesThatCatchEverything) {
+  Limits limits;
+  limits.instructions = 1'000'000;
+  EXPECT_THAT(run("local function f() while true do end end\n"
+                  "coroutine.wrap(function() while true do coroutine.resume(coroutine.create(f)) end end)()",
+                  limits)
+                  .fault(),
+              StartsWith("test.lua:1: The script ran 1 million"));
+}
+
+// Runs a script that computes for ever, and does something to it from another thread once it does.
+Ran run_beside(std::string_view text, const std::function<void(Runner&)>& act) {
+  IoContext io{1};
+  HybridScheduler time(io, true);
+  Ran ran;
+  RunOptions options;
+  options.path = "test.lua";
+  options.print = [&](std::string_view line) { ran.printed += line; };
+  options.log = [&](std::string_view line) { ran.logged += line; };
+  Runner runner(time, std::move(options));
+  std::thread beside([&] {
+    while (!runner.at_work()) std::this_thread::yield();
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    act(runner);
+  });
+  ran.result = runner.run(text);
+  beside.join();
+  return ran;
+}
+
+TEST(Runner, AnInterruptEndsAScriptThatComputes) {
+  const Ran ran = run_beside("pcall(function() while true do end end) print('never')",
+                             [](Runner& runner) { runner.interrupt(); });
+  EXPECT_EQ(ran.fault(), "Interrupted.");
+  EXPECT_EQ(ran.printed, "");
+}
+
+#ifndef __SANITIZE_THREAD__  // keeps signals back until the call comes back
+TEST(Runner, ACallThatDoesNotComeBackIsLeft) {
+  for (const bool interrupted : {false, true}) {
+    const auto get_out = [&](Runner& runner) {
+      if (interrupted) runner.interrupt();
+      while (runner.at_work()) {
+        runner.break_out(runner.heartbeat());
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      }
+    };
+    const Ran ran =
+        run_beside("pcall(string.find, ('a'):rep(60), ('a-'):rep(30) .. 'b') print('never')", get_out);
+    EXPECT_THAT(ran.fault(), StartsWith(interrupted ? "Interrupted." : "The script computed for 20 s"));
+    EXPECT_EQ(ran.printed, "");
+  }
+}
+#endif
 
 TEST(Runner, LimitsMemory) {
   Limits limits;

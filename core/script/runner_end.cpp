@@ -1,0 +1,118 @@
+// How a run ends, and what becomes of the controllers that it leaves behind.
+#include <algorithm>
+
+#include <fmt/core.h>
+
+#include "core/script/module.h"
+#include "core/script/runner.h"
+
+namespace hw::script {
+
+constexpr Duration for_the_end = std::chrono::seconds(10);
+
+struct Runner::Left {
+  std::shared_ptr<Session> session;
+  IntentId stop = 0;    ///< 0: none, or what became of it is known
+  std::string trouble;  ///< why it may not have been stopped
+  bool closed = false;
+};
+
+struct Runner::Leaving {
+  std::vector<Left> all;
+  bool begun = false;
+  // What a hand has closed before was left on purpose.
+  void add(const std::shared_ptr<Session>& session, IntentId stop) {
+    if (session->known().link.state == LinkState::closed) return;
+    all.push_back(Left{session, stop, {}, false});
+  }
+  [[nodiscard]] bool has(const Session& session) const {
+    return std::any_of(all.begin(), all.end(),
+                       [&](const Left& one) { return one.session.get() == &session; });
+  }
+  // An interrupt while they are being closed.
+  void stop() {
+    for (Left& one : all)
+      if (one.closed)
+        one.trouble = "It was closed already: what the script has left running goes on.";
+      else
+        one.stop = one.session->post(intent::Stop());
+  }
+  [[nodiscard]] bool over() const {
+    return begun && std::all_of(all.begin(), all.end(), [](const Left& one) { return one.closed; });
+  }
+};
+
+void Runner::interrupt() {
+  interrupt_asked_ = true;                                         // for a script that computes ...
+  asio::post(scheduler_.executor(), [this] { interrupt_now(); });  // ... and for one that waits
+}
+
+void Runner::interrupt_now() {
+  if (!failure_.empty()) return;
+  failure_ = "Interrupted.";
+  interrupted_ = ending_ = main_over_ = true;
+  if (leaving_) leaving_->stop();
+}
+
+// What the script leaves running by mistake is stopped; what it left running on purpose, at its regular end,
+// goes on, but for jogs, which nobody holds any more.
+void Runner::finish() {
+  main_over_ = true;
+  ended_.notify();
+  const auto leaving = std::make_shared<Leaving>();
+  asio::post(scheduler_.executor(), [this, leaving] {  // behind what was sent before
+    leave_all(leaving);
+    leaving_ = leaving;
+  });
+  if (options_.stage) options_.stage->script_over();
+  scheduler_.run_until(scheduler_.now() + for_the_end, [&leaving] { return leaving->over(); });
+  tell_notices();
+  if (!failure_.empty()) tell_of_stops(*leaving);
+}
+
+// A snapshot may be older than what the script said last: who fails stops all, whether they seem to move or
+// not. All are told before one is waited for: a ramp may take longer than the end does.
+void Runner::leave_all(const std::shared_ptr<Leaving>& leaving) {
+  leaving->begun = true;
+  for (const auto& group : groups_) {
+    const auto ids = failure_.empty() ? std::vector<IntentId>() : group->post_stop(false);
+    for (std::size_t i = 0; i < group->members().size(); ++i)
+      leaving->add(group->members()[i], ids.empty() ? 0 : ids[i]);
+  }
+  if (options_.stage)
+    for (const auto& session : options_.stage->controllers())
+      if (!leaving->has(*session))
+        leaving->add(session, failure_.empty() ? 0 : session->post(intent::Stop()));
+  for (std::size_t i = 0; i < leaving->all.size(); ++i)
+    asio::co_spawn(scheduler_.executor(), leave(leaving, i), asio::detached);
+}
+
+Task<> Runner::leave(std::shared_ptr<Leaving> leaving, std::size_t which) {
+  Left& one = leaving->all[which];
+  co_await see_stopped(one);
+  co_await one.session->close();
+  co_await see_stopped(one);  // by an interrupt that came meanwhile
+  one.closed = true;
+}
+
+Task<> Runner::see_stopped(Left& one) {
+  if (one.stop == 0) co_return;
+  const auto stopped = co_await one.session->outcome(one.stop);
+  if (!stopped) one.trouble = stopped.error().sentence();
+  one.stop = 0;
+}
+
+void Runner::tell_of_stops(const Leaving& leaving) {
+  std::string troubles;
+  for (const Left& one : leaving.all) {
+    std::string_view trouble = one.trouble;
+    if (one.stop != 0) trouble = "It was told to stop, and has not come to rest yet. Watch it.";
+    if (!trouble.empty()) troubles += fmt::format("\n{}: {}", one.session->address().text(), trouble);
+  }
+  if (!troubles.empty())
+    failure_ += "\nNot every controller is known to have stopped:" + troubles;
+  else if (interrupted_ && !leaving.all.empty())
+    failure_ += " The controllers were told to stop.";
+}
+
+}  // namespace hw::script
