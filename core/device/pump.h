@@ -70,6 +70,7 @@ class Pump {
   Task<> leave_wire();
   Task<> wait_for_retry();
   void post_stop(Intent intent);
+  void make_way_for(const std::string& text);
   void refuse_queued(std::string_view why);
   bool try_to_recover(const std::string& text);
   void answer_recovery();

@@ -50,13 +50,14 @@ void Pump::post(Intent intent) {
     set_fate(intent.id, Fate::refused, "The controller was closed. Nothing was sent.");
     return publish();
   }
+  const auto* text = std::get_if<intent::SendText>(&intent.body);
+  if (text) make_way_for(text->text);
   set_fate(intent.id, Fate::pending);
   if (queue_.size() >= most_queued) {
     set_fate(intent.id, Fate::refused, "Too many commands wait already. This one was not sent.");
     return publish();
   }
   hold_jog(intent);
-  const auto* text = std::get_if<intent::SendText>(&intent.body);
   const bool recovers = text && try_to_recover(text->text);
   queue_.push_back(std::make_unique<Job>(std::move(intent)));
   queue_.back()->recovers = recovers;
@@ -220,6 +221,16 @@ void Pump::post_stop(Intent intent) {
   asio::co_spawn(scheduler_.executor(), stop_and_report(std::move(intent)), asio::detached);
 }
 
+/// A stop in the controller's own words goes as it is, and waits for nothing either: what waits is refused, and
+/// what is under way finds its next step dropped.
+void Pump::make_way_for(const std::string& text) {
+  const bool connected = draft_.link.state == LinkState::good || draft_.link.state == LinkState::late;
+  if (!connected || !station_ || !driver_->is_stop(text)) return;
+  ++stops_begun_;
+  refuse_queued("A stop came first. This was not sent.");
+  station_->begin_stop();
+}
+
 bool Pump::stop_wire(bool at_once) {
   if (!station_ || !station_->is_open()) return false;
   ++stops_under_way_;
@@ -322,6 +333,7 @@ Task<Result<std::string>> Pump::query(std::string text, Duration patience) {
   const bool recovers = try_to_recover(text);
   if (!recovers && (draft_.link.state == LinkState::lost || draft_.link.state == LinkState::closed))
     co_return fail(FaultKind::lost, "There is no connection to the controller.", "Nothing was sent.");
+  make_way_for(text);
   auto owned = std::make_unique<Job>(Intent(0, intent::SendText(text)));
   Job* job = owned.get();
   job->is_query = true;

@@ -52,6 +52,7 @@ HybridScheduler::Turn HybridScheduler::real_turns(Instant until, const std::func
     settle();
     if (done()) return Turn::done;
     fire_due(now());
+    if (done()) return Turn::done;
     if (now() >= until) return Turn::time;
     const Instant next = std::min(until, has_alarms() ? first_alarm() : Instant::max());
     if (next == Instant::max())

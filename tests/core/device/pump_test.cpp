@@ -67,6 +67,8 @@ class ToyDriver : public Driver {
     if (std::holds_alternative<intent::Store>(body))
       co_return fail(FaultKind::refused, "No memory.", "Nothing was sent.");
     if (std::holds_alternative<intent::Reset>(body)) throw std::runtime_error("a library gave up");
+    if (const auto* text = std::get_if<intent::SendText>(&body))
+      co_return co_await say(text->text, Priority::intent);
     const bool jog = std::holds_alternative<intent::JogStart>(body);
     if (!jog) context_.draft.axes[0].activity = Activity::moving;
     co_return co_await say(jog ? "jog" : "go", Priority::intent);
@@ -86,6 +88,7 @@ class ToyDriver : public Driver {
     if (!sent) co_return fail(sent.error());
     co_return "answer to " + text;
   }
+  [[nodiscard]] bool is_stop(std::string_view text) const override { return text == "STOP"; }
   bool take_unsolicited(std::string&) override { return false; }
   [[nodiscard]] Duration moving_period() const override { return Millis(20); }
   [[nodiscard]] Duration idle_period() const override { return Millis(200); }
@@ -185,6 +188,18 @@ TEST_F(PumpTest, NothingOfADownloadGoesOutBehindAStop) {
   EXPECT_EQ(latest.fate_of(stop)->fate, Fate::done);
   EXPECT_EQ(latest.fate_of(load)->fate, Fate::failed);
   EXPECT_THAT(std::string(latest.fate_of(load)->sentence.view()), HasSubstr("A stop came first"));
+}
+
+TEST_F(PumpTest, AStopInTheControllersOwnWordsWaitsForNothingEither) {
+  const IntentId load = post(intent::LoadProgram(0, "text"));
+  time.run_for(Millis(5));
+  const IntentId move = post(intent::MoveTo({{AxisId{0}, Steps(400)}}));
+  const IntentId stop = post(intent::SendText("STOP"));
+  time.run_for(Millis(100));
+  EXPECT_THAT(commands(), ElementsAre("hello", "line 0", "STOP"));
+  EXPECT_EQ(latest.fate_of(load)->fate, Fate::failed);
+  EXPECT_EQ(latest.fate_of(move)->fate, Fate::refused);
+  EXPECT_EQ(latest.fate_of(stop)->fate, Fate::done);
 }
 
 TEST_F(PumpTest, WhatWaitsBehindAProcedureIsRefusedWhenAStopComes) {
