@@ -192,6 +192,7 @@ class Vme58Driver final : public Driver {
   // ---- driver_moves.cpp
   Task<Result<>> move(std::vector<AxisTarget> wish, Pps speed, bool relative);
   Task<Result<>> jog(intent::JogStart wish);
+  Task<Result<>> begin_jog(std::string text, int axis);
   Task<Result<>> home(intent::Home wish);
   Task<Result<>> set_position(intent::SetPosition wish);
   Task<Result<>> set_power(intent::SetPower wish);

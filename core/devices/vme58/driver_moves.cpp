@@ -154,11 +154,25 @@ Task<Result<>> Vme58Driver::jog(intent::JogStart wish) {
   if (*speed == 0) speed = std::max<std::int64_t>(1, own_velocity_of(axis));
   minds_[ix(axis)].jog_gap = jog_gap(axis, static_cast<double>(*speed));
   std::string text = addressed(axis, fmt::format("JG{}", factor(wish.sign) * *speed));
+  co_return co_await begin_jog(std::move(text), axis);
+}
+
+// Whoever is told that his jog has not begun will not stop it. A command error may be another command's, seen
+// while the jog waited in the ring: the axis is stopped then, by itself, and if it stands nothing happens.
+Task<Result<>> Vme58Driver::begin_jog(std::string text, int axis) {
   const std::array<Steps, max_axes> nowhere{};
   auto begun = co_await begin(std::move(text), 1u << axis, Activity::jogging, nowhere);
-  // What the ring does not take is taken back: it is not carried out later.
-  if (!begun && !moving(axis) && begun.error().kind == FaultKind::no_answer)
-    begun.error().kind = FaultKind::refused;
+  if (begun) co_return begun;
+  FaultKind& kind = begun.error().kind;
+  if (kind == FaultKind::no_answer) {
+    // What the ring did not take was taken back, unless the board was just coming to it.
+    (void)co_await read_axes(Priority::intent);
+    if (!moving(axis)) kind = FaultKind::refused;
+  } else if (kind == FaultKind::controller) {
+    std::string stop = addressed(axis, "ST");
+    const auto stopped = co_await write(std::move(stop), Priority::intent);
+    if (!stopped) kind = stopped.error().kind == FaultKind::lost ? FaultKind::lost : FaultKind::no_answer;
+  }
   co_return begun;
 }
 
