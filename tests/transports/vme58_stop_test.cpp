@@ -41,5 +41,57 @@ TEST_F(Vme58Stops, AJogBesideAnothersCommandErrorDoesNotOutliveItsHand) {
   EXPECT_GT(failed, 0);
 }
 
+// ---- of one axis
+
+constexpr const char* there_and_back = "MT20000,20000; GO\nMT0,0; GO\nMT20000,20000; GO\nMT0,0; GO\n";
+
+TEST_F(Vme58Stops, OneAxisOfAProgramIsStoppedForGood) {
+  for (const char* mode : {"AA", "AM"}) {
+    const std::string text = std::string(mode) + " VL20000,20000; AC100000,100000;\n" + there_and_back;
+    ASSERT_EQ(perform(intent::LoadProgram(0, text)).fate, Fate::done);
+    ASSERT_EQ(perform(intent::RunProgram(0)).fate, Fate::done);
+    run(Millis(500));
+    ASSERT_EQ(axis(0).activity, Activity::moving);
+    EXPECT_EQ(perform(intent::Stop(0)).fate, Fate::done);
+    expect_stays(0);
+    EXPECT_EQ(now().program.run, RunState::idle);
+    EXPECT_THAT(told(), HasSubstr("all axes were stopped"));
+    perform(intent::MoveTo({{AxisId{0}, Steps(0)}, {AxisId{1}, Steps(0)}}));
+    ASSERT_TRUE(becomes_idle());
+  }
+}
+
+TEST_F(Vme58Stops, OneAxisThatATextMovesWithOthersIsStoppedForGood) {
+  ASSERT_TRUE(query(std::string("AA VL20000,20000; AC100000,100000; ") + there_and_back));
+  run(Millis(500));
+  EXPECT_EQ(perform(intent::Stop(0)).fate, Fate::done);
+  expect_stays(0);
+  ASSERT_TRUE(query("AM WT1000; MR500,500; GO"));
+  EXPECT_EQ(perform(intent::Stop(0)).fate, Fate::done) << "it waits in the queue";
+  expect_stays(0);
+}
+
+TEST_F(Vme58Stops, OneAxisThatATextMovedBeforeTheLinkWasLostIsStoppedForGood) {
+  ASSERT_TRUE(query(std::string("AA VL5000,5000; AC100000,100000; ") + there_and_back));
+  run(Millis(500));
+  operate(bench::Unplug(true));
+  ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::lost; }, Seconds(20)));
+  operate(bench::Unplug(false));
+  ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::good; }, Seconds(20)));
+  EXPECT_EQ(perform(intent::Stop(0)).fate, Fate::done);
+  expect_stays(0);
+}
+
+TEST_F(Vme58Stops, OneAxisOfItsOwnStopsAlone) {
+  perform(intent::MoveBy({{AxisId{1}, Steps(100000)}}, Pps{2000}));
+  ASSERT_TRUE(query("AX VL2000 MR5000 GO MR-5000 GO AA MR,,5000,5000; GO AM WT500; MR,,,,100; GO"));
+  run(Millis(500));
+  EXPECT_EQ(perform(intent::Stop(0)).fate, Fate::done);
+  expect_stays(0, Seconds(1));
+  EXPECT_EQ(axis(1).activity, Activity::moving);
+  EXPECT_GT(axis(2).position, Steps(0));
+  EXPECT_EQ(axis(4).position, Steps(100));
+}
+
 }  // namespace
 }  // namespace hw

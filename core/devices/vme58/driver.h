@@ -69,6 +69,7 @@ class Vme58Driver final : public Driver {
     std::int8_t letter = 0;     ///< the board's direction letter when that was last judged
     bool homes = false;         ///< its motion sets its counter at the home switch
     bool by_text = false;       ///< a motion of the user's text or program may be under way
+    bool in_group = false;      ///< in the queue of AA or AM something may wait that moves it
     bool asks_queue = false;    ///< it rests without a reason: its queue tells whether it has ended
     Duration jog_gap{};         ///< of a jog: it turns, though so long no count and no velocity may show it
     Instant creeps_until{};     ///< and so it is taken to turn until then
@@ -133,8 +134,10 @@ class Vme58Driver final : public Driver {
 
   // ---- driver_mailbox.cpp
   Task<Result<>> mail(std::string_view letters);
+  Task<Result<>> stop_what(int axis, bool at_once, bool jog);
   Task<Result<>> stop_axis(int axis);
   Task<Result<>> stop_all(bool at_once);
+  [[nodiscard]] bool stops_alone(int axis) const;
   Task<Result<>> wait_for_standstill(int axis);
   void stopping(int axis, bool at_once);
   void stands(int axis);
@@ -221,6 +224,7 @@ class Vme58Driver final : public Driver {
   void note_effects(const TextCommand& command);
   Result<> may_say_while_feeding(const std::vector<TextCommand>& commands) const;
   void note_motion(const TextCommand& command);
+  void note_group(const TextCommand& command);
 
   // ---- driver_program.cpp
   Task<Result<>> perform_program(const IntentBody& body);

@@ -210,6 +210,8 @@ Task<Result<>> Vme58Driver::read_queues(Priority priority) {
   queues_empty_ = empty;
   take_queues(were_empty);
   const unsigned all_groups = 3u << axis_count();
+  if ((full_room & all_groups) == all_groups)
+    for (AxisMind& mind : minds_) mind.in_group = false;
   const Instant now = scheduler_.now();
   for (int i = 0; i < axis_count(); ++i) {
     AxisMind& mind = minds_[ix(i)];

@@ -44,6 +44,22 @@ Task<Result<>> Vme58Driver::mail(std::string_view letters) {
 }
 
 Task<Result<>> Vme58Driver::stop(int axis, bool at_once) {
+  co_return co_await stop_what(axis, at_once, false);
+}
+
+// What the jog moves stops; the other axes, and what waits for this one, go on.
+Task<Result<>> Vme58Driver::stop_jog(int axis) {
+  stop_ramps_ = false;  // letting go is never the second stop, which would be at once
+  co_return co_await stop_what(axis, false, true);
+}
+
+/// ST of one axis empties its own queue only: what a program still says, or what waits in those of AA and AM,
+/// would move it again.
+bool Vme58Driver::stops_alone(int axis) const {
+  return !minds_[ix(axis)].in_group && draft_.program.run != RunState::running && !draft_.feed.running;
+}
+
+Task<Result<>> Vme58Driver::stop_what(int axis, bool at_once, bool jog) {
   if (!station_)
     co_return fail(FaultKind::lost, "Stop does not reach the board: there is no connection.",
                    "Nothing was sent.", "Switch the power of the drives off.");
@@ -51,7 +67,11 @@ Task<Result<>> Vme58Driver::stop(int axis, bool at_once) {
   ++stops_;
   forget_rejection();
   stop_ramps_ = !at_once;
-  const bool alone = axis >= 0 && !at_once && minds_[ix(axis)].group == 0 && !context_.recording;
+  const bool one = axis >= 0 && !at_once && minds_[ix(axis)].group == 0 && !context_.recording;
+  const bool alone = one && (jog || stops_alone(axis));
+  if (one && !alone)
+    tell(Notice::Kind::info,
+         fmt::format("A program or a text may move {} again, so all axes were stopped.", axis_name(axis)));
   if (!alone) end_program(at_once ? EndedBy::abort : EndedBy::stop);
   stopping(alone ? axis : -1, at_once);
   if (axis >= 0 && at_once)
@@ -65,12 +85,6 @@ Task<Result<>> Vme58Driver::stop(int axis, bool at_once) {
   --stops_;
   if (station_) stands(alone ? axis : -1);
   co_return stopped;
-}
-
-// What the jog moves stops; the other axes go on.
-Task<Result<>> Vme58Driver::stop_jog(int axis) {
-  stop_ramps_ = false;  // letting go is never the second stop, which would be at once
-  co_return co_await stop(axis, false);
 }
 
 // The mailbox has no place for an axis: ST goes through the ring, as long as nothing stands there.

@@ -161,7 +161,7 @@ void Vme58Driver::end_program(EndedBy ended_by) {
   feeding_.clear();
   draft_.feed.running = false;
   context_.recording = false;
-  for (AxisMind& mind : minds_) mind.by_text = mind.homes = false;
+  for (AxisMind& mind : minds_) mind.by_text = mind.in_group = mind.homes = false;
   ProgramState& p = draft_.program;
   if (p.run != RunState::running) return;
   p.run = ended_by == EndedBy::error ? RunState::error : RunState::idle;

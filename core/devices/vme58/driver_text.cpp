@@ -86,6 +86,7 @@ Task<Result<std::string>> Vme58Driver::send_commands(std::string text, Duration 
       if (!settled) co_return fail(settled.error());
       // Until a round of status has seen all queues empty and no axis turning.
       if (!command.fact || command.fact->when == When::queued) draft_.working = queues_due_ = true;
+      note_group(command);  // before a stop can come in between
       const int put_before = put_;
       auto written = co_await write(word, Priority::intent, WhenStuck::leave);
       if (!written) {
@@ -198,6 +199,18 @@ void Vme58Driver::note_motion(const TextCommand& command) {
       homes = false;
     const double speed = jogs ? std::abs(*command.numbers[place]) : 0;
     begins_to_creep(i, speed > 0 ? jog_gap(i, speed) : Duration::zero());
+  }
+}
+
+/// Lists of AA and AM name the axes that they move.
+void Vme58Driver::note_group(const TextCommand& command) {
+  if (!command.fact || command.fact->when != When::queued || command.context.mode == where::single) return;
+  const bool contour = command.is(Op::CX);
+  const bool all = command.is(Op::KM) || command.is(Op::KR) || (contour && command.context.contour_axes == 0);
+  for (int i = 0; i < axis_count(); ++i) {
+    const bool listed = ix(i) < command.numbers.size() && command.numbers[ix(i)].has_value();
+    const bool drawn = contour && (command.context.contour_axes >> i & 1) != 0;
+    if (all || drawn || (command.fact->shape == Shape::list && listed)) minds_[ix(i)].in_group = true;
   }
 }
 
