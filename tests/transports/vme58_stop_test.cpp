@@ -72,7 +72,7 @@ TEST_F(Vme58Stops, OneAxisThatATextMovesWithOthersIsStoppedForGood) {
 }
 
 TEST_F(Vme58Stops, OneAxisThatATextMovedBeforeTheLinkWasLostIsStoppedForGood) {
-  ASSERT_TRUE(query(std::string("AA VL5000,5000; AC100000,100000; ") + there_and_back));
+  ASSERT_TRUE(query(std::string("AA VL2000,2000; AC100000,100000; ") + there_and_back));
   run(Millis(500));
   operate(bench::Unplug(true));
   ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::lost; }, Seconds(20)));
@@ -91,6 +91,21 @@ TEST_F(Vme58Stops, OneAxisOfItsOwnStopsAlone) {
   EXPECT_EQ(axis(1).activity, Activity::moving);
   EXPECT_GT(axis(2).position, Steps(0));
   EXPECT_EQ(axis(4).position, Steps(100));
+}
+
+TEST_F(Vme58Stops, TwoAxesThatAreStoppedOneAfterTheOtherRamp) {
+  ASSERT_TRUE(query("AX VL20000 AC20000 AY VL20000 AC20000 AZ VL20000 AC20000"));
+  for (const std::uint8_t i : {0, 1, 2}) perform(intent::MoveBy({{AxisId{i}, Steps(1000000)}}));
+  run(Seconds(2));
+  session->send(intent::Stop(0));
+  session->send(intent::Stop(1));
+  run(Millis(300));
+  EXPECT_EQ(axis(0).activity, Activity::stopping);
+  EXPECT_EQ(axis(1).activity, Activity::stopping);
+  EXPECT_NEAR(axis(2).speed.value, 20000, 1);
+  run(Seconds(2));
+  EXPECT_EQ(axis(1).ended_by, EndedBy::stop);
+  EXPECT_EQ(axis(2).activity, Activity::moving);
 }
 
 }  // namespace

@@ -23,6 +23,7 @@
 #include <vector>
 
 #include "core/device/driver.h"
+#include "core/device/stops_under_way.h"
 #include "core/devices/vme58/catalog.h"
 #include "core/devices/vme58/codec.h"
 #include "core/devices/vme58/command_text.h"
@@ -274,8 +275,7 @@ class Vme58Driver final : public Driver {
   // mailbox and stops
   bool mailing_ = false, updating_ = false;
   std::uint8_t control_ = 0;  ///< interrupts that the console has enabled
-  int stops_ = 0;             ///< under way
-  bool stop_ramps_ = false;
+  StopsUnderWay stops_;
 
   bool connected_before_ = false, lost_while_busy_ = false;
   int outputs_direction_ = factory_outputs;

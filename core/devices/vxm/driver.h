@@ -245,6 +245,7 @@ class VxmDriver final : public Driver {
   bool release_hold_ = false;
   char halted_ = 0;  ///< letter of the error that waits for K
   Stopping stopping_ = Stopping::no;
+  int ramped_ = -1;  ///< the axis that was to stop by a ramp; -1: all were
   int selected_ = -1;
   std::array<std::optional<std::vector<std::string>>, program_count> listings_;
   std::array<std::optional<int>, max_motors> known_speed_;  ///< S as the user's commands left it
