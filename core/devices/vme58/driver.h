@@ -8,6 +8,7 @@
 //   driver_samples.cpp     recordings of one axis
 //   driver_ask.cpp         what a round asks by command: flags, slips, queues
 //   driver_moves.cpp       moves, jogs, homing, positions, power, outputs
+//   driver_speeds.cpp      the speed of an axis, and that of one move
 //   driver_params.cpp      set-up
 //   driver_text.cpp        raw text of users and scripts
 //   driver_program.cpp     command strings that the console holds and feeds
@@ -53,6 +54,11 @@ class Vme58Driver final : public Driver {
   [[nodiscard]] Duration idle_period() const override;
 
  private:
+  /// A setting that is written for one motion, and put back behind it.
+  struct Borrowed {
+    std::int64_t before, for_now;
+    bool left_alone = false;  ///< through a lost window: whoever has set it since is right
+  };
   /// What the console knows of an axis beside the snapshot.
   struct AxisMind {
     Activity wanted = Activity::idle;     ///< what our last command began
@@ -75,7 +81,7 @@ class Vme58Driver final : public Driver {
     Duration jog_gap{};         ///< of a jog: it turns, though so long no count and no velocity may show it
     Instant creeps_until{};     ///< and so it is taken to turn until then
     Instant still_since{};
-    std::optional<std::int64_t> borrowed_velocity;  ///< VL before a move with a speed of its own
+    std::optional<Borrowed> velocity;  ///< VL, while a move with a speed of its own has another there
   };
   struct Registers {
     std::uint8_t control = 0, status = 0, limit = 0, home = 0;
@@ -204,19 +210,25 @@ class Vme58Driver final : public Driver {
   Task<Result<>> act(intent::Act wish);
   Task<Result<>> begin(std::string text, unsigned axes, Activity activity,
                        std::array<Steps, max_axes> targets);
-  Task<Result<>> give_speed_back(int axis);
   Result<> may_move(int axis) const;
   Result<> may_talk() const;
   Result<std::int64_t> checked_speed(Pps speed) const;
+
+  // ---- driver_speeds.cpp
+  Task<Result<>> read_velocity(int axis);
+  Task<Result<>> borrow_velocity(int axis, std::int64_t speed);
+  Task<Result<>> give_speed_back(int axis, Priority priority);
+  Task<Result<>> give_speeds_back(Priority priority);
+  void note_velocity(const TextCommand& command);
+  [[nodiscard]] std::int64_t velocity_of(int axis) const;
+  /// VL as the user has it, also while a move with a speed of its own has put another there.
+  [[nodiscard]] std::int64_t own_velocity_of(int axis) const;
 
   // ---- driver_params.cpp
   Task<Result<>> set_param(intent::SetParam wish);
   Task<Result<>> read_params();
   void factory_params();
   void note_param(const TextCommand& command);
-  [[nodiscard]] std::int64_t velocity_of(int axis) const;
-  /// VL as the user has it, also while a move with a speed of its own has put another there.
-  [[nodiscard]] std::int64_t own_velocity_of(int axis) const;
 
   // ---- driver_text.cpp
   Task<Result<>> send_text(std::string text);

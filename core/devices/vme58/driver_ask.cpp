@@ -51,12 +51,7 @@ Task<Result<>> Vme58Driver::ask_in_turn() {
     }
   }
   if (!may_ask && !turning) draft_.working = false;  // nobody can tell
-  for (int i = 0; i < axis_count(); ++i)
-    if (minds_[ix(i)].borrowed_velocity && !minds_[ix(i)].ours) {
-      auto given = co_await give_speed_back(i);
-      if (!given) co_return given;
-    }
-  co_return Result<>();
+  co_return co_await give_speeds_back(Priority::poll);
 }
 
 /// Every queue is empty and nothing turns. What AM has begun leaves its queue at once, and a switch may just

@@ -75,7 +75,13 @@ void Vme58Driver::wire_lost() {
     draft_.axes[i].position_known = false;
   }
   if (draft_.program.run == RunState::running) draft_.program.ended_by = EndedBy::lost;
+  std::array<std::optional<Borrowed>, max_axes> borrowed;
+  for (int i = 0; i < axis_count(); ++i) borrowed[ix(i)] = minds_[ix(i)].velocity;
   forget();
+  for (int i = 0; i < axis_count(); ++i) {
+    minds_[ix(i)].velocity = borrowed[ix(i)];
+    if (minds_[ix(i)].velocity) minds_[ix(i)].velocity->left_alone = true;
+  }
   for (ParamState& p : draft_.params) p.known = false;
   draft_.inputs_known = draft_.outputs_known = 0;
   draft_.window.known = false;

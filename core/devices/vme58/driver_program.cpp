@@ -58,6 +58,8 @@ Task<Result<>> Vme58Driver::run_program() {
   if (draft_.any_axis_moving())
     co_return fail(FaultKind::refused, "An axis is still moving.", "Nothing was sent.",
                    "Wait until it ends, or stop it.");
+  auto own = co_await give_speeds_back(Priority::intent);
+  if (!own) co_return own;
   auto selected = co_await select_again(Priority::intent);
   if (!selected) co_return selected;
   Context context = context_;

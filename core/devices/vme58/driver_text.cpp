@@ -68,6 +68,8 @@ Task<Result<std::string>> Vme58Driver::send_commands(std::string text, Duration 
   Context context = context_;
   const auto commands = read_commands(text, context);
   if (auto may = may_say_while_feeding(commands); !may) co_return fail(may.error());
+  auto own = co_await give_speeds_back(Priority::intent);
+  if (!own) co_return fail(own.error());
   auto selected = co_await select_again(Priority::intent);
   if (!selected) co_return fail(selected.error());
   std::string answers;
@@ -145,6 +147,7 @@ void Vme58Driver::note_effects(const TextCommand& command) {
       if (one && catalog_.axes[ix(axis)].switchable) draft_.axes[axis].enabled = command.fact->op == Op::HN;
       break;
     case Op::EN: echo_ = true; break;
+    case Op::VL: note_velocity(command); break;
     case Op::LP:
       for (int i = 0; i < axis_count(); ++i) {
         minds_[ix(i)].counted = true;
