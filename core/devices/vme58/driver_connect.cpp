@@ -207,7 +207,8 @@ Task<Result<>> Vme58Driver::identify() {
   draft_.identity.model =
       greeting->variant.empty() ? greeting->model : greeting->model + "-" + greeting->variant;
   draft_.identity.firmware = greeting->version;
-  auto positions = co_await ask("AA RP AX\n", Priority::intent);
+  std::string axes_question = fmt::format("AA RP {}\n", context_.selector());  // where the user's text stands
+  auto positions = co_await ask(std::move(axes_question), Priority::intent);
   if (!positions) co_return fail(positions.error());
   const auto fields = decode_numbers(*positions);
   const int axes = fields ? static_cast<int>(fields->size()) : 0;
@@ -275,7 +276,9 @@ Task<Result<>> Vme58Driver::found_reset() {
   for (int i = 0; i < axis_count(); ++i) draft_.axes[i].position_doubtful = true;
   auto taken = co_await take_over_rings();
   if (!taken) co_return taken;
-  auto quiet = co_await write("EF\n", Priority::intent);
+  // Connecting anew has selected what the user's text had, before this was known.
+  std::string quiet_text = fmt::format("EF {}\n", context_.selector());
+  auto quiet = co_await write(std::move(quiet_text), Priority::intent);
   if (!quiet) co_return quiet;
   co_return co_await leave_mark();
 }
