@@ -108,5 +108,20 @@ TEST_F(Vme58Stops, TwoAxesThatAreStoppedOneAfterTheOtherRamp) {
   EXPECT_EQ(axis(2).activity, Activity::moving);
 }
 
+// ---- what is stopped beside the axes
+
+TEST_F(Vme58Stops, ARecordingEndsOnTheBoardToo) {
+  ASSERT_TRUE(query("AA VL5000,5000; CV1000 CD0,0; MT1000,1000;"));
+  session->send(intent::Stop());
+  EXPECT_EQ(perform(intent::SetOutput(8, true)).fate, Fate::done);
+  EXPECT_EQ(peek(1, vme58::reg::io_high) & 1, 0u);
+  ASSERT_TRUE(query("CD0,0; MT1000,1000;"));
+  session->send(intent::Stop());
+  EXPECT_TRUE(query("MT500,500; GO"));
+  ASSERT_TRUE(becomes_idle());
+  EXPECT_EQ(axis(0).position, Steps(500));
+  EXPECT_EQ(axis(1).position, Steps(500));
+}
+
 }  // namespace
 }  // namespace hw

@@ -70,6 +70,7 @@ Task<Result<>> Vme58Driver::stop_what(int axis, bool at_once, bool jog) {
   if (one && !alone)
     tell(Notice::Kind::info,
          fmt::format("A program or a text may move {} again, so all axes were stopped.", axis_name(axis)));
+  const bool recorded = context_.recording;
   if (!alone) end_program(at_once ? EndedBy::abort : EndedBy::stop);
   stopping(alone ? axis : -1, at_once);
   if (axis >= 0 && at_once)
@@ -79,6 +80,7 @@ Task<Result<>> Vme58Driver::stop_what(int axis, bool at_once, bool jog) {
     stopped = co_await stop_axis(axis);
   else
     stopped = co_await stop_all(at_once);
+  if (stopped && recorded) (void)co_await select_again(Priority::stop);  // else with the next text
   if (stopped) stopped = co_await wait_for_standstill(alone ? axis : -1);
   stops_.end(axis, at_once);
   if (station_) stands(alone ? axis : -1);

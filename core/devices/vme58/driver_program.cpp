@@ -162,7 +162,8 @@ void Vme58Driver::end_program(EndedBy ended_by) {
   to_feed_.clear();
   feeding_.clear();
   draft_.feed.running = false;
-  context_.recording = false;
+  if (std::exchange(context_.recording, false))
+    selection_lost_ = true;  // a selector ends it on the board too
   for (AxisMind& mind : minds_) mind.by_text = mind.in_group = mind.homes = false;
   ProgramState& p = draft_.program;
   if (p.run != RunState::running) return;

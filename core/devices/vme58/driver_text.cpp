@@ -98,6 +98,10 @@ Task<Result<std::string>> Vme58Driver::send_commands(std::string text, Duration 
       }
       const auto bad = co_await was_rejected(Priority::intent);
       if (!bad) co_return fail(bad.error());
+      if (*bad && context_.recording && (command.is(Op::CE) || command.is(Op::CK))) {
+        context_.recording = false;  // there is no other end
+        selection_lost_ = true;
+      }
       if (*bad && !command.flaw.empty())
         co_return fail(FaultKind::controller,
                        fmt::format("The board rejected \"{}\": {}", command.text, command.flaw),
