@@ -158,6 +158,8 @@ class Vme58Driver final : public Driver {
   void tell_other_jumpers();
   Task<Result<>> leave_mark();
   Task<Result<>> found_reset();
+  Task<Result<>> reset_by_text(std::string text);
+  void lose_motions();
   void forget();
 
   // ---- driver_poll.cpp
@@ -289,7 +291,7 @@ class Vme58Driver final : public Driver {
   std::uint8_t control_ = 0;  ///< interrupts that the console has enabled
   StopsUnderWay stops_;
 
-  bool connected_before_ = false, lost_while_busy_ = false;
+  bool connected_before_ = false;
   int outputs_direction_ = factory_outputs;
   std::uint8_t limits_ = 0, homes_ = 0, slips_ = 0;
   std::uint8_t status_ = 0;  ///< as last read

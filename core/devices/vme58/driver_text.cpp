@@ -83,6 +83,9 @@ Task<Result<std::string>> Vme58Driver::send_commands(std::string text, Duration 
       auto reply = co_await ask(std::move(word), Priority::intent, patience);
       if (!reply) co_return fail(reply.error());
       answers += (answers.empty() ? "" : "\n") + *reply;
+    } else if (command.is(Op::RS) && command.flaw.empty()) {
+      auto reset = co_await reset_by_text(std::move(word));
+      if (!reset) co_return fail(reset.error());
     } else {
       auto settled = co_await settle_late_rejection(Priority::intent);
       if (!settled) co_return fail(settled.error());
