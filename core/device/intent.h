@@ -53,7 +53,7 @@ struct Home {
   Home(AxisId a, Sign s, int m = 0) : axis(a), sign(s), mode(m) {}
 };
 /// Ramp down. Always goes out first. On an axis that is already stopping, or asked twice: at once, without
-/// ramp.
+/// ramp. The first one of all axes ramps also beside that of a single axis.
 struct Stop {
   int axis;  ///< -1: all
   explicit Stop(int a = -1) : axis(a) {}

@@ -218,6 +218,54 @@ TEST_P(ContractTest, AHandLetsGoOfItsOwnJogBesideAScripts) {
   }
 }
 
+// Where several axes can move at once: a stop is the second one only of what is stopping already.
+TEST_P(ContractTest, StopsOfDifferentAxesAreNotAStopAskedTwice) {
+  const auto jogs = [this](std::uint8_t i, bool guarded = false) {
+    const IntentId jog = session->send(intent::JogStart(AxisId{i}, Sign::plus, {}, guarded));
+    run(Millis(200));
+    return now().fate_of(jog)->fate == Fate::done;
+  };
+  const int axes = std::min(now().axis_count, 3);
+  if (axes < 2 || !jogs(0) || !jogs(1)) return;
+  const bool third = axes > 2 && jogs(2);
+  session->send(intent::Stop(0));
+  run(Millis(20));
+  session->send(intent::Stop(1));
+  run(seconds(1));
+  for (const int i : {0, 1}) EXPECT_EQ(now().axes[i].ended_by, EndedBy::stop) << i;
+  EXPECT_EQ(now().axes[2].activity == Activity::jogging, third);
+  ASSERT_TRUE(jogs(0));
+  session->send(intent::Stop(0));
+  run(Millis(20));
+  session->send(intent::Stop());
+  ASSERT_TRUE(becomes_idle(seconds(20)));
+  EXPECT_EQ(now().axes[axes - 1].ended_by, EndedBy::stop) << "the first stop of all";
+  ASSERT_TRUE(jogs(1));
+  ASSERT_TRUE(jogs(0, true));
+  session->send(intent::JogStop());
+  run(Millis(20));
+  session->send(intent::Stop());
+  ASSERT_TRUE(becomes_idle(seconds(20)));
+  EXPECT_EQ(now().axes[1].ended_by, EndedBy::stop) << "letting go was none";
+  ASSERT_TRUE(jogs(0));
+  session->send(intent::Stop(0));
+  run(Millis(20));
+  session->send(intent::Stop(0));
+  ASSERT_TRUE(becomes_idle(seconds(20)));
+  EXPECT_EQ(now().axes[0].ended_by, EndedBy::abort) << "asked twice";
+}
+
+TEST_P(ContractTest, AStopWhileAReleasedJogRampsIsTheFirst) {
+  session->send(intent::JogStart(AxisId{0}, Sign::plus));
+  run(Millis(200));
+  session->send(intent::JogStop());
+  run(Millis(20));
+  ASSERT_NE(axis().speed.value, 0);
+  session->send(intent::Stop());
+  ASSERT_TRUE(becomes_idle(seconds(20)));
+  EXPECT_EQ(axis().ended_by, EndedBy::stop);
+}
+
 TEST_P(ContractTest, AJogWhoseAnswerIsLostDoesNotOutliveItsHand) {
   for (int delay_ms = 0; delay_ms < 24; delay_ms += 2) {
     session->send(intent::JogStart(AxisId{0}, delay_ms % 4 == 0 ? Sign::plus : Sign::minus));

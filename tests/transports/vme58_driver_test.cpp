@@ -488,6 +488,40 @@ TEST_F(Vme58Driver, TheWindowsImageAndQueuesAreThereForWhoLooks) {
   EXPECT_EQ(now().window.value(vme58::offset_of(0, vme58::AxisValue::maximum_velocity), 4), 100u);
 }
 
+class Vme58DriverOfStepAxes : public Vme58Rig {
+ protected:
+  Vme58DriverOfStepAxes() : Vme58Rig({{"variant", "8"}}) {}
+};
+TEST_F(Vme58DriverOfStepAxes, TheUsersAxisIsTheSameAfterALostLink) {
+  ASSERT_TRUE(query("AY VL1000 AC1000000"));
+  for (int goes_ms = 100; goes_ms < 200; goes_ms += 20) {
+    ASSERT_TRUE(query("MR3000 GO"));
+    run(Millis(goes_ms));
+    operate(bench::Unplug(true));
+    ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::lost; }, Seconds(20)));
+    operate(bench::Unplug(false));
+    ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::good; }, Seconds(20)));
+    ASSERT_TRUE(query("MR777 GO"));
+    ASSERT_TRUE(becomes_idle());
+  }
+  EXPECT_EQ(axis(0).position, Steps(0));
+  EXPECT_EQ(axis(1).position, Steps(5 * 3777));
+}
+TEST_F(Vme58DriverOfStepAxes, AfterALossOfPowerItIsTheBoardsOwn) {
+  ASSERT_TRUE(query("AY VL1000 AC1000000"));
+  operate(bench::Unplug(true));
+  ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::lost; }, Seconds(20)));
+  operate(bench::PowerCycle());
+  run(Seconds(1));
+  operate(bench::Unplug(false));
+  ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::good; }, Seconds(20)));
+  EXPECT_EQ(now().restarts, 1u);
+  ASSERT_TRUE(query("MR777 GO"));
+  ASSERT_TRUE(becomes_idle());
+  EXPECT_EQ(axis(0).position, Steps(777));
+  EXPECT_EQ(axis(1).position, Steps(0));
+}
+
 class Vme58OfOtherJumpers : public Vme58Rig {
  protected:
   Vme58OfOtherJumpers() { board_is.emplace()["jumpers"] = "OII"; }

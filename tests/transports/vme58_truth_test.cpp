@@ -120,6 +120,37 @@ TEST_F(Vme58Truth, WhatAStopHasEmptiedIsNotWaitedFor) {
   EXPECT_EQ(axis().position, Steps(0));
 }
 
+TEST_F(Vme58Truth, AMoveThatAResetByTextEndsIsLost) {
+  ASSERT_TRUE(query("AX VL10000 AC100000"));
+  ASSERT_EQ(move_by(100000, Pps{}).fate, Fate::done);
+  run(Millis(500));
+  const IntentFate fate = perform(intent::SendText("RS"));
+  EXPECT_EQ(fate.fate, Fate::done) << fate.sentence.view();
+  EXPECT_NE(wait().reason, "");
+  run(Seconds(3));
+  EXPECT_THAT(wait().reason, HasSubstr("Axis X was lost sight of while it moved"));
+  EXPECT_EQ(axis().ended_by, EndedBy::lost);
+  EXPECT_EQ(now().restarts, 1u);
+  ASSERT_EQ(move_by(100).fate, Fate::done);
+  EXPECT_EQ(wait().reason, "");
+}
+
+TEST_F(Vme58Truth, AProgramThatAResetEndsIsLost) {
+  for (const bool by_text : {false, true}) {
+    ASSERT_EQ(perform(intent::LoadProgram(0, "AX VL10000 WT2000 MR100000 GO")).fate, Fate::done);
+    ASSERT_EQ(perform(intent::RunProgram(0)).fate, Fate::done);
+    run(Millis(500));
+    if (by_text)
+      perform(intent::SendText("RS"));
+    else
+      operate(bench::PowerCycle());
+    EXPECT_NE(wait().reason, "");
+    run(Seconds(3));
+    EXPECT_EQ(now().program.ended_by, EndedBy::lost);
+    EXPECT_NE(wait().reason, "");
+  }
+}
+
 // ---- gentle ramps
 
 TEST_F(Vme58Truth, AMoveSoGentleThatNothingShowsAtFirstIsNotSaidToBeStopped) {

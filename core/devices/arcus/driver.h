@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "core/device/driver.h"
+#include "core/device/stops_under_way.h"
 #include "core/devices/arcus/codec.h"
 #include "core/devices/arcus/language/dialect.h"
 #include "core/devices/arcus/language/program.h"
@@ -176,6 +177,7 @@ class ArcusDriver final : public Driver {
   void end_feed();
 
   // ---- driver_stop.cpp
+  Task<Result<>> stop_what(int axis, bool at_once);
   Task<Result<>> stop_now(int axis, bool at_once);
   Task<Result<>> say_stop(std::string text);
   Task<Result<>> release_joystick(int axis);
@@ -242,8 +244,7 @@ class ArcusDriver final : public Driver {
   std::deque<std::vector<std::int64_t>> to_feed_;
   int buffer_free_ = 0;
   bool buffer_on_ = false;
-  int stops_ = 0;            ///< under way
-  bool stop_ramps_ = false;  ///< the one under way ramps
+  StopsUnderWay stops_;
 
   bool connected_before_ = false, lost_while_busy_ = false;
   bool name_told_ = false;

@@ -25,7 +25,7 @@ Task<Result<>> ArcusDriver::poll() {
   counters_judged_ = counters_set_before;
   auto loop = co_await read_loop(Priority::poll);
   if (!loop) co_return loop;
-  if (borrowed_ && stops_ == 0) {
+  if (borrowed_ && !stops_.any()) {
     auto returned = co_await give_back();
     if (!returned) co_return returned;
   }

@@ -40,15 +40,21 @@ void ArcusDriver::ended_by_us(int axis, EndedBy why) {
 }
 
 Task<Result<>> ArcusDriver::stop(int axis, bool at_once) {
+  const bool asked_twice = stops_.ramps(axis);
+  co_return co_await stop_what(axis, at_once || asked_twice);
+}
+
+// What the jog moves stops; programs, and axes that they move, go on. Letting go is never the second stop.
+Task<Result<>> ArcusDriver::stop_jog(int axis) { co_return co_await stop_what(axis, false); }
+
+Task<Result<>> ArcusDriver::stop_what(int axis, bool at_once) {
   if (!station_)
     co_return fail(FaultKind::lost, "Stop does not reach the controller: there is no connection.",
                    "Nothing was sent.", "Use its power switch.");
-  at_once = at_once || (stops_ > 0 && stop_ramps_);  // asked twice
-  ++stops_;
-  stop_ramps_ = !at_once;
+  stops_.begin(axis, at_once);
   end_feed();
   auto stopped = co_await stop_now(axis, at_once);
-  --stops_;
+  stops_.end(axis, at_once);
   if (station_) stands(axis);
   co_return stopped;
 }
@@ -77,12 +83,6 @@ Task<Result<>> ArcusDriver::stop_now(int axis, bool at_once) {
   said = co_await say_stop(word);
   if (!said) co_return said;
   co_return co_await wait_for_standstill(-1);
-}
-
-// What the jog moves stops; programs, and axes that they move, go on.
-Task<Result<>> ArcusDriver::stop_jog(int axis) {
-  stop_ramps_ = false;  // letting go is never the second stop, which would be at once
-  co_return co_await stop(axis, false);
 }
 
 // A stop for all devices of the line in one message; the stop of each follows.

@@ -8,6 +8,7 @@
 //   driver_samples.cpp     recordings of one axis
 //   driver_ask.cpp         what a round asks by command: flags, slips, queues
 //   driver_moves.cpp       moves, jogs, homing, positions, power, outputs
+//   driver_speeds.cpp      the speed of an axis, and that of one move
 //   driver_params.cpp      set-up
 //   driver_text.cpp        raw text of users and scripts
 //   driver_program.cpp     command strings that the console holds and feeds
@@ -23,6 +24,7 @@
 #include <vector>
 
 #include "core/device/driver.h"
+#include "core/device/stops_under_way.h"
 #include "core/devices/vme58/catalog.h"
 #include "core/devices/vme58/codec.h"
 #include "core/devices/vme58/command_text.h"
@@ -52,6 +54,11 @@ class Vme58Driver final : public Driver {
   [[nodiscard]] Duration idle_period() const override;
 
  private:
+  /// A setting that is written for one motion, and put back behind it.
+  struct Borrowed {
+    std::int64_t before, for_now;
+    bool left_alone = false;  ///< through a lost window: whoever has set it since is right
+  };
   /// What the console knows of an axis beside the snapshot.
   struct AxisMind {
     Activity wanted = Activity::idle;     ///< what our last command began
@@ -69,11 +76,12 @@ class Vme58Driver final : public Driver {
     std::int8_t letter = 0;     ///< the board's direction letter when that was last judged
     bool homes = false;         ///< its motion sets its counter at the home switch
     bool by_text = false;       ///< a motion of the user's text or program may be under way
+    bool in_group = false;      ///< in the queue of AA or AM something may wait that moves it
     bool asks_queue = false;    ///< it rests without a reason: its queue tells whether it has ended
     Duration jog_gap{};         ///< of a jog: it turns, though so long no count and no velocity may show it
     Instant creeps_until{};     ///< and so it is taken to turn until then
     Instant still_since{};
-    std::optional<std::int64_t> borrowed_velocity;  ///< VL before a move with a speed of its own
+    std::optional<Borrowed> velocity;  ///< VL, while a move with a speed of its own has another there
   };
   struct Registers {
     std::uint8_t control = 0, status = 0, limit = 0, home = 0;
@@ -133,8 +141,10 @@ class Vme58Driver final : public Driver {
 
   // ---- driver_mailbox.cpp
   Task<Result<>> mail(std::string_view letters);
+  Task<Result<>> stop_what(int axis, bool at_once, bool jog);
   Task<Result<>> stop_axis(int axis);
   Task<Result<>> stop_all(bool at_once);
+  [[nodiscard]] bool stops_alone(int axis) const;
   Task<Result<>> wait_for_standstill(int axis);
   void stopping(int axis, bool at_once);
   void stands(int axis);
@@ -148,6 +158,8 @@ class Vme58Driver final : public Driver {
   void tell_other_jumpers();
   Task<Result<>> leave_mark();
   Task<Result<>> found_reset();
+  Task<Result<>> reset_by_text(std::string text);
+  void lose_motions();
   void forget();
 
   // ---- driver_poll.cpp
@@ -192,6 +204,7 @@ class Vme58Driver final : public Driver {
   // ---- driver_moves.cpp
   Task<Result<>> move(std::vector<AxisTarget> wish, Pps speed, bool relative);
   Task<Result<>> jog(intent::JogStart wish);
+  Task<Result<>> begin_jog(std::string text, int axis);
   Task<Result<>> home(intent::Home wish);
   Task<Result<>> set_position(intent::SetPosition wish);
   Task<Result<>> set_power(intent::SetPower wish);
@@ -199,19 +212,25 @@ class Vme58Driver final : public Driver {
   Task<Result<>> act(intent::Act wish);
   Task<Result<>> begin(std::string text, unsigned axes, Activity activity,
                        std::array<Steps, max_axes> targets);
-  Task<Result<>> give_speed_back(int axis);
   Result<> may_move(int axis) const;
   Result<> may_talk() const;
   Result<std::int64_t> checked_speed(Pps speed) const;
+
+  // ---- driver_speeds.cpp
+  Task<Result<>> read_velocity(int axis);
+  Task<Result<>> borrow_velocity(int axis, std::int64_t speed);
+  Task<Result<>> give_speed_back(int axis, Priority priority);
+  Task<Result<>> give_speeds_back(Priority priority);
+  void note_velocity(const TextCommand& command);
+  [[nodiscard]] std::int64_t velocity_of(int axis) const;
+  /// VL as the user has it, also while a move with a speed of its own has put another there.
+  [[nodiscard]] std::int64_t own_velocity_of(int axis) const;
 
   // ---- driver_params.cpp
   Task<Result<>> set_param(intent::SetParam wish);
   Task<Result<>> read_params();
   void factory_params();
   void note_param(const TextCommand& command);
-  [[nodiscard]] std::int64_t velocity_of(int axis) const;
-  /// VL as the user has it, also while a move with a speed of its own has put another there.
-  [[nodiscard]] std::int64_t own_velocity_of(int axis) const;
 
   // ---- driver_text.cpp
   Task<Result<>> send_text(std::string text);
@@ -220,6 +239,7 @@ class Vme58Driver final : public Driver {
   void note_effects(const TextCommand& command);
   Result<> may_say_while_feeding(const std::vector<TextCommand>& commands) const;
   void note_motion(const TextCommand& command);
+  void note_group(const TextCommand& command);
 
   // ---- driver_program.cpp
   Task<Result<>> perform_program(const IntentBody& body);
@@ -269,10 +289,9 @@ class Vme58Driver final : public Driver {
   // mailbox and stops
   bool mailing_ = false, updating_ = false;
   std::uint8_t control_ = 0;  ///< interrupts that the console has enabled
-  int stops_ = 0;             ///< under way
-  bool stop_ramps_ = false;
+  StopsUnderWay stops_;
 
-  bool connected_before_ = false, lost_while_busy_ = false;
+  bool connected_before_ = false;
   int outputs_direction_ = factory_outputs;
   std::uint8_t limits_ = 0, homes_ = 0, slips_ = 0;
   std::uint8_t status_ = 0;  ///< as last read

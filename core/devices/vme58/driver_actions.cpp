@@ -29,7 +29,6 @@ Task<Result<>> Vme58Driver::act(intent::Act wish) {
   }
   const int axis = of_axis ? static_cast<int>(wish.values[0]) : 0;
   std::string text;
-  const std::array<Steps, max_axes> nowhere{};
   switch (static_cast<Action>(wish.action)) {
     case Action::clear_flags:
       for (std::size_t i = 0; i < catalog_.readouts.size(); ++i)
@@ -41,7 +40,7 @@ Task<Result<>> Vme58Driver::act(intent::Act wish) {
       text = addressed(axis, "JF" + encode_number(wish.values[1], 3));
       if (wish.values[1] == 0) co_return co_await command(std::move(text), Priority::intent);
       minds_[ix(axis)].jog_gap = jog_gap(axis, std::abs(static_cast<double>(wish.values[1])) / 1000);
-      co_return co_await begin(std::move(text), 1u << axis, Activity::jogging, nowhere);
+      co_return co_await begin_jog(std::move(text), axis);
     case Action::remainder:
       minds_[ix(axis)].counted = true;
       draft_.working = queues_due_ = true;

@@ -51,12 +51,7 @@ Task<Result<>> Vme58Driver::ask_in_turn() {
     }
   }
   if (!may_ask && !turning) draft_.working = false;  // nobody can tell
-  for (int i = 0; i < axis_count(); ++i)
-    if (minds_[ix(i)].borrowed_velocity && !minds_[ix(i)].ours) {
-      auto given = co_await give_speed_back(i);
-      if (!given) co_return given;
-    }
-  co_return Result<>();
+  co_return co_await give_speeds_back(Priority::poll);
 }
 
 /// Every queue is empty and nothing turns. What AM has begun leaves its queue at once, and a switch may just
@@ -210,6 +205,8 @@ Task<Result<>> Vme58Driver::read_queues(Priority priority) {
   queues_empty_ = empty;
   take_queues(were_empty);
   const unsigned all_groups = 3u << axis_count();
+  if ((full_room & all_groups) == all_groups)
+    for (AxisMind& mind : minds_) mind.in_group = false;
   const Instant now = scheduler_.now();
   for (int i = 0; i < axis_count(); ++i) {
     AxisMind& mind = minds_[ix(i)];

@@ -11,6 +11,8 @@ namespace {
 
 constexpr std::uint16_t our_mark = 0x4857;  // in a cell that only a reset clears
 constexpr Duration start_patience = std::chrono::seconds(3);
+constexpr Duration reset_patience = Millis(250);  // as of other text
+constexpr Duration reset_look = Millis(1);
 constexpr std::uint16_t probe_step = 0x100;
 
 const Variant& variant_of(const Catalog& catalog) {
@@ -64,18 +66,31 @@ void Vme58Driver::forget() {
   }
 }
 
+/// Nobody has seen how it ended, or it will not.
+void Vme58Driver::lose_motions() {
+  const bool runs = draft_.program.run == RunState::running;
+  for (int i = 0; i < axis_count(); ++i) {
+    const AxisMind& mind = minds_[ix(i)];
+    const bool waits = mind.by_text && (draft_.working || runs);
+    if (moving(i) || mind.ours || waits) draft_.axes[i].ended_by = EndedBy::lost;
+  }
+  if (runs) draft_.program.ended_by = EndedBy::lost;
+}
+
 void Vme58Driver::wire_lost() {
   // Whoever connects anew selects an axis, which ends a recording on the board too.
   if (std::exchange(context_.recording, false))
     tell(Notice::Kind::warning,
          "The contour that was being recorded is gone with the connection. Record it from its CD on.");
-  lost_while_busy_ = draft_.any_axis_moving();
-  for (int i = 0; i < axis_count(); ++i) {
-    if (lost_while_busy_ && moving(i)) draft_.axes[i].ended_by = EndedBy::lost;
-    draft_.axes[i].position_known = false;
-  }
-  if (draft_.program.run == RunState::running) draft_.program.ended_by = EndedBy::lost;
+  lose_motions();
+  for (int i = 0; i < axis_count(); ++i) draft_.axes[i].position_known = false;
+  std::array<std::optional<Borrowed>, max_axes> borrowed;
+  for (int i = 0; i < axis_count(); ++i) borrowed[ix(i)] = minds_[ix(i)].velocity;
   forget();
+  for (int i = 0; i < axis_count(); ++i) {
+    minds_[ix(i)].velocity = borrowed[ix(i)];
+    if (minds_[ix(i)].velocity) minds_[ix(i)].velocity->left_alone = true;
+  }
   for (ParamState& p : draft_.params) p.known = false;
   draft_.inputs_known = draft_.outputs_known = 0;
   draft_.window.known = false;
@@ -117,6 +132,7 @@ Task<Result<>> Vme58Driver::connect(Station& station) {
     if (!plain) co_return plain;
   }
   if (!unmarked) {
+    for (AxisMind& mind : minds_) mind.in_group = true;  // by whoever spoke before
     auto asked = co_await read_loops(Priority::intent);
     if (!asked) co_return asked;
   }
@@ -200,7 +216,8 @@ Task<Result<>> Vme58Driver::identify() {
   draft_.identity.model =
       greeting->variant.empty() ? greeting->model : greeting->model + "-" + greeting->variant;
   draft_.identity.firmware = greeting->version;
-  auto positions = co_await ask("AA RP AX\n", Priority::intent);
+  std::string axes_question = fmt::format("AA RP {}\n", context_.selector());  // where the user's text stands
+  auto positions = co_await ask(std::move(axes_question), Priority::intent);
   if (!positions) co_return fail(positions.error());
   const auto fields = decode_numbers(*positions);
   const int axes = fields ? static_cast<int>(fields->size()) : 0;
@@ -260,6 +277,7 @@ Task<Result<>> Vme58Driver::found_reset() {
        "and "
        "queues are as from the factory; home the axes again.");
   ++draft_.restarts;
+  lose_motions();
   forget();
   user_unit_ = {};
   context_ = Context();
@@ -268,9 +286,37 @@ Task<Result<>> Vme58Driver::found_reset() {
   for (int i = 0; i < axis_count(); ++i) draft_.axes[i].position_doubtful = true;
   auto taken = co_await take_over_rings();
   if (!taken) co_return taken;
-  auto quiet = co_await write("EF\n", Priority::intent);
+  // Connecting anew has selected what the user's text had, before this was known.
+  std::string quiet_text = fmt::format("EF {}\n", context_.selector());
+  auto quiet = co_await write(std::move(quiet_text), Priority::intent);
   if (!quiet) co_return quiet;
   co_return co_await leave_mark();
+}
+
+/// RS among a text: it is over when the board has started again, and takes what comes next. It leaves no ring
+/// that could tell whether it was taken.
+Task<Result<>> Vme58Driver::reset_by_text(std::string text) {
+  const auto put = co_await put_text(std::move(text), Priority::intent);
+  if (!put) co_return fail(put.error());
+  const Instant put_at = scheduler_.now();
+  bool seen = false;
+  while (*put && station_ && scheduler_.now() < put_at + (seen ? start_patience : reset_patience)) {
+    const auto registers = co_await read_registers(Priority::intent, false);
+    if (!registers) co_return fail(registers.error());
+    const bool started = (registers->status & status::initialized) != 0;
+    seen = seen || !started || registers->mark == 0;
+    if (!seen) take_registers(*registers);
+    if (seen && started) {
+      auto told = co_await found_reset();
+      if (!told) co_return told;
+      co_return co_await read_state();
+    }
+    co_await scheduler_.sleep_for(reset_look);
+  }
+  co_return fail(FaultKind::no_answer,
+                 seen ? "The board does not start again." : "The board takes no RS now.",
+                 *put ? "RS was put into its ring." : "Nothing was sent.",
+                 "The console's own reset goes past the ring.");
 }
 
 Task<Result<>> Vme58Driver::read_state() {

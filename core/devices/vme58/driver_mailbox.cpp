@@ -10,6 +10,7 @@ namespace {
 
 constexpr Duration mail_patience = Millis(50);
 constexpr Duration mail_look = std::chrono::microseconds(500);
+constexpr Duration ring_patience = Millis(5);  // another stop may just be on its way
 constexpr Duration standstill_look = Millis(10);
 constexpr Duration longest_stop = std::chrono::seconds(60);  // of a ramp that the user made long
 
@@ -44,14 +45,32 @@ Task<Result<>> Vme58Driver::mail(std::string_view letters) {
 }
 
 Task<Result<>> Vme58Driver::stop(int axis, bool at_once) {
+  const bool asked_twice = stops_.ramps(axis);
+  co_return co_await stop_what(axis, at_once || asked_twice, false);
+}
+
+// What the jog moves stops; the other axes, and what waits for this one, go on. Letting go is never the
+// second stop.
+Task<Result<>> Vme58Driver::stop_jog(int axis) { co_return co_await stop_what(axis, false, true); }
+
+/// ST of one axis empties its own queue only: what a program still says, or what waits in those of AA and AM,
+/// would move it again.
+bool Vme58Driver::stops_alone(int axis) const {
+  return !minds_[ix(axis)].in_group && draft_.program.run != RunState::running && !draft_.feed.running;
+}
+
+Task<Result<>> Vme58Driver::stop_what(int axis, bool at_once, bool jog) {
   if (!station_)
     co_return fail(FaultKind::lost, "Stop does not reach the board: there is no connection.",
                    "Nothing was sent.", "Switch the power of the drives off.");
-  at_once = at_once || (stops_ > 0 && stop_ramps_);  // asked twice
-  ++stops_;
+  stops_.begin(axis, at_once);
   forget_rejection();
-  stop_ramps_ = !at_once;
-  const bool alone = axis >= 0 && !at_once && minds_[ix(axis)].group == 0 && !context_.recording;
+  const bool one = axis >= 0 && !at_once && minds_[ix(axis)].group == 0 && !context_.recording;
+  const bool alone = one && (jog || stops_alone(axis));
+  if (one && !alone)
+    tell(Notice::Kind::info,
+         fmt::format("A program or a text may move {} again, so all axes were stopped.", axis_name(axis)));
+  const bool recorded = context_.recording;
   if (!alone) end_program(at_once ? EndedBy::abort : EndedBy::stop);
   stopping(alone ? axis : -1, at_once);
   if (axis >= 0 && at_once)
@@ -61,21 +80,21 @@ Task<Result<>> Vme58Driver::stop(int axis, bool at_once) {
     stopped = co_await stop_axis(axis);
   else
     stopped = co_await stop_all(at_once);
+  if (stopped && recorded) (void)co_await select_again(Priority::stop);  // else with the next text
   if (stopped) stopped = co_await wait_for_standstill(alone ? axis : -1);
-  --stops_;
+  stops_.end(axis, at_once);
   if (station_) stands(alone ? axis : -1);
   co_return stopped;
 }
 
-// What the jog moves stops; the other axes go on.
-Task<Result<>> Vme58Driver::stop_jog(int axis) {
-  stop_ramps_ = false;  // letting go is never the second stop, which would be at once
-  co_return co_await stop(axis, false);
-}
-
 // The mailbox has no place for an axis: ST goes through the ring, as long as nothing stands there.
 Task<Result<>> Vme58Driver::stop_axis(int axis) {
-  const auto free = co_await is_taken(Priority::stop);
+  auto free = co_await is_taken(Priority::stop);
+  for (const Instant give_up = scheduler_.now() + ring_patience;
+       free && !*free && scheduler_.now() < give_up;) {
+    co_await scheduler_.sleep_for(mail_look);
+    free = co_await is_taken(Priority::stop);
+  }
   if (!free) co_return fail(free.error());
   if (*free) {
     const std::string text = addressed(axis, "ST");

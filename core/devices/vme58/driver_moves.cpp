@@ -113,11 +113,17 @@ Task<Result<>> Vme58Driver::move(std::vector<AxisTarget> wish, Pps speed_wish, b
   std::string text;
   int only = 0;
   while (alone && (axes >> only & 1) == 0) ++only;
+  for (int i = 0; i < axis_count(); ++i) {
+    if ((axes >> i & 1) == 0) continue;
+    Result<> set;
+    if (*speed > 0)
+      set = co_await borrow_velocity(i, *speed);
+    else
+      set = co_await give_speed_back(i, Priority::intent);
+    if (!set) co_return set;
+  }
   if (*speed > 0) {
     // VL waits in the queue like the move, so it can be put back behind it: by whoever sees it end.
-    for (int i = 0; i < axis_count(); ++i)
-      if ((axes >> i & 1) != 0 && !minds_[ix(i)].borrowed_velocity)
-        minds_[ix(i)].borrowed_velocity = velocity_of(i);
     std::array<std::optional<std::int64_t>, most_axes> speeds{};
     for (int i = 0; i < axis_count(); ++i)
       if ((axes >> i & 1) != 0) speeds[ix(i)] = *speed;
@@ -133,32 +139,37 @@ Task<Result<>> Vme58Driver::move(std::vector<AxisTarget> wish, Pps speed_wish, b
   co_return co_await begin(std::move(text), axes, Activity::moving, targets);
 }
 
-Task<Result<>> Vme58Driver::give_speed_back(int axis) {
-  const std::int64_t before = *std::exchange(minds_[ix(axis)].borrowed_velocity, std::nullopt);
-  if (before == velocity_of(axis) || context_.recording) co_return Result<>();
-  const std::string text = addressed(axis, fmt::format("VL{}", before));
-  auto given = co_await command(text, Priority::poll);
-  if (!given) co_return given;
-  // It is shown as the axis' own before it comes to be read in turn.
-  data_[ix(axis)].values[ix(static_cast<int>(AxisValue::maximum_velocity))] =
-      static_cast<std::int32_t>(before);
-  next_axis_ = axis;
-  co_return given;
-}
-
 Task<Result<>> Vme58Driver::jog(intent::JogStart wish) {
   const int axis = wish.axis.index;
   if (auto may = may_move(axis); !may) co_return may;
   auto speed = checked_speed(wish.speed);
   if (!speed) co_return fail(speed.error());
+  if (*speed == 0) {
+    auto read = co_await read_velocity(axis);
+    if (!read) co_return read;
+  }
   if (*speed == 0) speed = std::max<std::int64_t>(1, own_velocity_of(axis));
   minds_[ix(axis)].jog_gap = jog_gap(axis, static_cast<double>(*speed));
   std::string text = addressed(axis, fmt::format("JG{}", factor(wish.sign) * *speed));
+  co_return co_await begin_jog(std::move(text), axis);
+}
+
+// Whoever is told that his jog has not begun will not stop it. A command error may be another command's, seen
+// while the jog waited in the ring: the axis is stopped then, by itself, and if it stands nothing happens.
+Task<Result<>> Vme58Driver::begin_jog(std::string text, int axis) {
   const std::array<Steps, max_axes> nowhere{};
   auto begun = co_await begin(std::move(text), 1u << axis, Activity::jogging, nowhere);
-  // What the ring does not take is taken back: it is not carried out later.
-  if (!begun && !moving(axis) && begun.error().kind == FaultKind::no_answer)
-    begun.error().kind = FaultKind::refused;
+  if (begun) co_return begun;
+  FaultKind& kind = begun.error().kind;
+  if (kind == FaultKind::no_answer) {
+    // What the ring did not take was taken back, unless the board was just coming to it.
+    (void)co_await read_axes(Priority::intent);
+    if (!moving(axis)) kind = FaultKind::refused;
+  } else if (kind == FaultKind::controller) {
+    std::string stop = addressed(axis, "ST");
+    const auto stopped = co_await write(std::move(stop), Priority::intent);
+    if (!stopped) kind = stopped.error().kind == FaultKind::lost ? FaultKind::lost : FaultKind::no_answer;
+  }
   co_return begun;
 }
 
@@ -176,6 +187,8 @@ Task<Result<>> Vme58Driver::home(intent::Home wish) {
       co_return fail(FaultKind::refused, fmt::format("There is no way of homing number {}.", wish.mode),
                      "Nothing was sent.");
   }
+  auto own = co_await give_speed_back(axis, Priority::intent);
+  if (!own) co_return own;
   text = addressed(axis, "CA " + text);
   minds_[ix(axis)].homes = static_cast<HomeMode>(wish.mode) != HomeMode::stop_dead;  // KM keeps the counter
   const std::array<Steps, max_axes> nowhere{};

@@ -96,6 +96,8 @@ Task<Result<>> Vme58Driver::set_param(intent::SetParam wish) {
   state.value = wish.value;
   state.known = true;
   if (!parameter.fact->shown) co_return Result<>();
+  auto& borrowed = minds_[ix(parameter.axis)].velocity;
+  if (borrowed && parameter.fact->shown == AxisValue::maximum_velocity) borrowed->before = wish.value;
   // AC, VL and VB wait in the axis' queue: what the board shows may come later.
   next_axis_ = parameter.axis;
   auto read = co_await read_axes(Priority::intent);
@@ -160,12 +162,6 @@ void Vme58Driver::note_param(const TextCommand& sent) {
       state.known = true;
     }
   }
-}
-
-std::int64_t Vme58Driver::velocity_of(int axis) const { return value(axis, AxisValue::maximum_velocity); }
-
-std::int64_t Vme58Driver::own_velocity_of(int axis) const {
-  return minds_[ix(axis)].borrowed_velocity.value_or(velocity_of(axis));
 }
 
 }  // namespace hw::vme58

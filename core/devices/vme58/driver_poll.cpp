@@ -304,7 +304,7 @@ void Vme58Driver::show_still(int i, Instant at) {
   AxisState& axis = draft_.axes[i];
   AxisMind& mind = minds_[ix(i)];
   if (mind.stopping) {
-    if (stops_ == 0) end_motion(i, mind.ended_by);
+    if (!stops_.any()) end_motion(i, mind.ended_by);
     return;
   }
   if (!mind.ours) {
@@ -376,7 +376,7 @@ void Vme58Driver::record_round() {
 
 void Vme58Driver::show_worst() {
   draft_.notice.clear();
-  if (std::exchange(command_error_, false) && stops_ == 0) show_late_rejection();
+  if (std::exchange(command_error_, false) && !stops_.any()) show_late_rejection();
   if (draft_.program.run == RunState::error) draft_.notice = rejection_;
   if (context_.recording)
     draft_.notice = "A contour is being recorded: moves and set-up wait for its end (CE or CK).";

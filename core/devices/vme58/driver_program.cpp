@@ -58,6 +58,8 @@ Task<Result<>> Vme58Driver::run_program() {
   if (draft_.any_axis_moving())
     co_return fail(FaultKind::refused, "An axis is still moving.", "Nothing was sent.",
                    "Wait until it ends, or stop it.");
+  auto own = co_await give_speeds_back(Priority::intent);
+  if (!own) co_return own;
   auto selected = co_await select_again(Priority::intent);
   if (!selected) co_return selected;
   Context context = context_;
@@ -160,8 +162,9 @@ void Vme58Driver::end_program(EndedBy ended_by) {
   to_feed_.clear();
   feeding_.clear();
   draft_.feed.running = false;
-  context_.recording = false;
-  for (AxisMind& mind : minds_) mind.by_text = mind.homes = false;
+  if (std::exchange(context_.recording, false))
+    selection_lost_ = true;  // a selector ends it on the board too
+  for (AxisMind& mind : minds_) mind.by_text = mind.in_group = mind.homes = false;
   ProgramState& p = draft_.program;
   if (p.run != RunState::running) return;
   p.run = ended_by == EndedBy::error ? RunState::error : RunState::idle;

@@ -68,6 +68,8 @@ Task<Result<std::string>> Vme58Driver::send_commands(std::string text, Duration 
   Context context = context_;
   const auto commands = read_commands(text, context);
   if (auto may = may_say_while_feeding(commands); !may) co_return fail(may.error());
+  auto own = co_await give_speeds_back(Priority::intent);
+  if (!own) co_return fail(own.error());
   auto selected = co_await select_again(Priority::intent);
   if (!selected) co_return fail(selected.error());
   std::string answers;
@@ -81,11 +83,15 @@ Task<Result<std::string>> Vme58Driver::send_commands(std::string text, Duration 
       auto reply = co_await ask(std::move(word), Priority::intent, patience);
       if (!reply) co_return fail(reply.error());
       answers += (answers.empty() ? "" : "\n") + *reply;
+    } else if (command.is(Op::RS) && command.flaw.empty()) {
+      auto reset = co_await reset_by_text(std::move(word));
+      if (!reset) co_return fail(reset.error());
     } else {
       auto settled = co_await settle_late_rejection(Priority::intent);
       if (!settled) co_return fail(settled.error());
       // Until a round of status has seen all queues empty and no axis turning.
       if (!command.fact || command.fact->when == When::queued) draft_.working = queues_due_ = true;
+      note_group(command);  // before a stop can come in between
       const int put_before = put_;
       auto written = co_await write(word, Priority::intent, WhenStuck::leave);
       if (!written) {
@@ -95,6 +101,10 @@ Task<Result<std::string>> Vme58Driver::send_commands(std::string text, Duration 
       }
       const auto bad = co_await was_rejected(Priority::intent);
       if (!bad) co_return fail(bad.error());
+      if (*bad && context_.recording && (command.is(Op::CE) || command.is(Op::CK))) {
+        context_.recording = false;  // there is no other end
+        selection_lost_ = true;
+      }
       if (*bad && !command.flaw.empty())
         co_return fail(FaultKind::controller,
                        fmt::format("The board rejected \"{}\": {}", command.text, command.flaw),
@@ -144,6 +154,7 @@ void Vme58Driver::note_effects(const TextCommand& command) {
       if (one && catalog_.axes[ix(axis)].switchable) draft_.axes[axis].enabled = command.fact->op == Op::HN;
       break;
     case Op::EN: echo_ = true; break;
+    case Op::VL: note_velocity(command); break;
     case Op::LP:
       for (int i = 0; i < axis_count(); ++i) {
         minds_[ix(i)].counted = true;
@@ -198,6 +209,18 @@ void Vme58Driver::note_motion(const TextCommand& command) {
       homes = false;
     const double speed = jogs ? std::abs(*command.numbers[place]) : 0;
     begins_to_creep(i, speed > 0 ? jog_gap(i, speed) : Duration::zero());
+  }
+}
+
+/// Lists of AA and AM name the axes that they move.
+void Vme58Driver::note_group(const TextCommand& command) {
+  if (!command.fact || command.fact->when != When::queued || command.context.mode == where::single) return;
+  const bool contour = command.is(Op::CX);
+  const bool all = command.is(Op::KM) || command.is(Op::KR) || (contour && command.context.contour_axes == 0);
+  for (int i = 0; i < axis_count(); ++i) {
+    const bool listed = ix(i) < command.numbers.size() && command.numbers[ix(i)].has_value();
+    const bool drawn = contour && (command.context.contour_axes >> i & 1) != 0;
+    if (all || drawn || (command.fact->shape == Shape::list && listed)) minds_[ix(i)].in_group = true;
   }
 }
 

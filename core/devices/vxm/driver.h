@@ -252,6 +252,7 @@ class VxmDriver final : public Driver {
   Instant ask_again_at_{};
   std::uint64_t kills_ = 0;
   Stopping stopping_ = Stopping::no;
+  int ramped_ = -1;  ///< the axis that was to stop by a ramp; -1: all were
   int selected_ = -1;
   std::array<std::optional<std::vector<std::string>>, program_count> listings_;
   std::array<std::optional<int>, max_motors> known_speed_;  ///< S as the user's commands left it

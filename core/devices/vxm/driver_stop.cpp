@@ -22,7 +22,14 @@ Task<Result<>> VxmDriver::stop(int axis, bool at_once) {
   if (!station_)
     co_return fail(FaultKind::lost, "Stop does not reach the controller: there is no connection.",
                    "Nothing was sent.", "Use its power switch.");
-  if (at_once || stopping_ != Stopping::no || halted_) co_return co_await kill(false);
+  // The first stop of all, or of another motor, is no second one of what ramps down already.
+  const bool other = stopping_ == Stopping::ramp && ramped_ >= 0 && ramped_ != axis;
+  if (at_once || (stopping_ != Stopping::no && !other) || halted_) co_return co_await kill(false);
+  if (other) {
+    if (axis >= 0) co_return Result<>();
+    ramped_ = axis;
+    co_return co_await say("D", Priority::stop);  // the one before may not have come through
+  }
   if (mode_ == Mode::local) {
     auto said = co_await say("F", Priority::stop);
     if (!said) co_return said;
@@ -39,6 +46,7 @@ Task<Result<>> VxmDriver::stop(int axis, bool at_once) {
     job_.jog = false;
     if (!job_.leg_over) job_.ended_by = EndedBy::stop;
     stopping_ = Stopping::ramp;
+    ramped_ = axis;
     for (const int index : {job_.legs.front().axis, job_.legs.front().second_axis})
       if (index >= 0 && draft_.axes[index].activity != Activity::idle)
         draft_.axes[index].activity = Activity::stopping;

@@ -1,0 +1,80 @@
+// At which speed an axis goes: VL, which is the user's, and which a move with a speed of its own borrows.
+#include <cmath>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "core/base/index.h"
+#include "core/devices/vme58/driver.h"
+
+namespace hw::vme58 {
+
+std::int64_t Vme58Driver::velocity_of(int axis) const { return value(axis, AxisValue::maximum_velocity); }
+
+std::int64_t Vme58Driver::own_velocity_of(int axis) const {
+  const auto& borrowed = minds_[ix(axis)].velocity;
+  return borrowed ? borrowed->before : velocity_of(axis);
+}
+
+/// In turn it would be read once in a second or two, and a text may just have set it.
+Task<Result<>> Vme58Driver::read_velocity(int axis) {
+  next_axis_ = axis;
+  auto read = co_await read_axes(Priority::intent);
+  if (!read && read.error().kind == FaultKind::no_answer) {
+    read.error().kind = FaultKind::refused;
+    read.error().done = "Nothing was sent.";
+  }
+  co_return read;
+}
+
+Task<Result<>> Vme58Driver::borrow_velocity(int axis, std::int64_t speed) {
+  if (!minds_[ix(axis)].velocity) {
+    auto read = co_await read_velocity(axis);
+    if (!read) co_return read;
+  }
+  minds_[ix(axis)].velocity = Borrowed{own_velocity_of(axis), speed};
+  co_return Result<>();
+}
+
+Task<Result<>> Vme58Driver::give_speed_back(int axis, Priority priority) {
+  if (!minds_[ix(axis)].velocity || context_.recording) co_return Result<>();
+  const Borrowed borrowed = *minds_[ix(axis)].velocity;
+  const bool anothers = borrowed.left_alone && velocity_of(axis) != borrowed.for_now;
+  if (borrowed.before == borrowed.for_now || anothers) {
+    minds_[ix(axis)].velocity.reset();
+    co_return Result<>();
+  }
+  std::string text = addressed(axis, fmt::format("VL{}", borrowed.before));
+  auto given = co_await command(std::move(text), priority);
+  if (!given && given.error().kind != FaultKind::controller) co_return given;  // it is still to be done
+  minds_[ix(axis)].velocity.reset();
+  // It is shown as the axis' own before it comes to be read in turn.
+  data_[ix(axis)].values[ix(static_cast<int>(AxisValue::maximum_velocity))] =
+      static_cast<std::int32_t>(borrowed.before);
+  next_axis_ = axis;
+  co_return given;
+}
+
+Task<Result<>> Vme58Driver::give_speeds_back(Priority priority) {
+  for (int i = 0; i < axis_count(); ++i) {
+    if (minds_[ix(i)].ours) continue;
+    auto given = co_await give_speed_back(i, priority);
+    if (!given) co_return given;
+  }
+  co_return Result<>();
+}
+
+/// What is set while it is borrowed is what is given back.
+void Vme58Driver::note_velocity(const TextCommand& command) {
+  const bool one = command.context.mode == where::single;
+  for (int i = 0; i < axis_count(); ++i) {
+    const std::size_t place = one ? 0 : ix(i);
+    if ((one && i != command.context.axis) || place >= command.numbers.size() || !command.numbers[place])
+      continue;
+    const double unit = user_unit_[ix(i)] != 0 ? user_unit_[ix(i)] : 1;
+    if (auto& borrowed = minds_[ix(i)].velocity)
+      borrowed->before = std::llround(*command.numbers[place] * unit);
+  }
+}
+
+}  // namespace hw::vme58

@@ -1,0 +1,103 @@
+// At which speed an axis of the VME58 goes when nobody names one, and that a speed that was chosen for one
+// motion is that one's only.
+#include "core/devices/vme58/facts.h"
+#include "tests/transports/vme58_rig.h"
+
+namespace hw {
+namespace {
+
+using test::Seconds;
+
+class Vme58Speeds : public test::Vme58Rig {
+ protected:
+  static std::string name(int i) { return std::string(1, vme58::axis_letters[static_cast<std::size_t>(i)]); }
+  /// VL as the board has it.
+  std::int64_t on_board(int i) {
+    run(Seconds(3));
+    return static_cast<std::int32_t>(peek(4, vme58::offset_of(i, vme58::AxisValue::maximum_velocity)));
+  }
+  IntentFate step(std::uint8_t i, std::int64_t counts, Pps speed) {
+    return perform(intent::MoveBy({{AxisId{i}, Steps(counts)}}, speed));
+  }
+};
+
+TEST_F(Vme58Speeds, AJogGoesAtTheSpeedThatWasSetAMomentAgo) {
+  for (std::uint8_t i = 0; i < 8; ++i) {
+    ASSERT_TRUE(query("A" + name(i) + " VL500"));
+    session->send(intent::JogStart(AxisId{i}, Sign::plus, Pps{}, false));
+    run(Millis(300));
+    EXPECT_NEAR(axis(i).speed.value, 500, 1) << name(i);
+    perform(intent::Stop());
+  }
+  ASSERT_EQ(perform(intent::LoadProgram(0, "AX VL700")).fate, Fate::done);
+  ASSERT_EQ(perform(intent::RunProgram(0)).fate, Fate::done);
+  ASSERT_TRUE(run_until([this] { return now().program.run == RunState::idle; }, Seconds(5)));
+  session->send(intent::JogStart(AxisId{0}, Sign::plus, Pps{}, false));
+  run(Millis(300));
+  EXPECT_NEAR(axis(0).speed.value, 700, 1);
+}
+
+TEST_F(Vme58Speeds, TheSpeedOfAShortStepIsGivenBack) {
+  for (std::uint8_t i = 0; i < 8; ++i)
+    ASSERT_EQ(perform(intent::SetParam("VL" + name(i), 100)).fate, Fate::done);
+  for (std::uint8_t i = 0; i < 8; ++i) {
+    EXPECT_EQ(step(i, 10, Pps{500}).fate, Fate::done);
+    EXPECT_EQ(on_board(i), 100) << name(i);
+  }
+  ASSERT_TRUE(query("AX VL200"));
+  EXPECT_EQ(step(0, 10, Pps{500}).fate, Fate::done);
+  EXPECT_EQ(on_board(0), 200) << "set a moment before";
+}
+
+TEST_F(Vme58Speeds, TheSpeedOfAStepIsGivenBackBehindALostLinkToo) {
+  for (const bool anothers : {false, true}) {
+    ASSERT_EQ(perform(intent::SetParam("VLX", 2000)).fate, Fate::done);
+    EXPECT_EQ(step(0, 300, Pps{500}).fate, Fate::done);
+    operate(bench::Unplug(true));
+    ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::lost; }, Seconds(20)));
+    operate(bench::Unplug(false));
+    ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::good; }, Seconds(20)));
+    if (anothers) {
+      ASSERT_EQ(perform(intent::SetParam("VLX", 700)).fate, Fate::done);
+    }
+    EXPECT_EQ(on_board(0), anothers ? 700 : 2000);
+  }
+}
+
+TEST_F(Vme58Speeds, WhatIsSetDuringAStepStays) {
+  ASSERT_EQ(step(0, 300, Pps{500}).fate, Fate::done);
+  ASSERT_EQ(perform(intent::SetParam("VLX", 5000)).fate, Fate::done);
+  ASSERT_TRUE(becomes_idle());
+  EXPECT_EQ(on_board(0), 5000);
+  ASSERT_EQ(step(0, 300, Pps{500}).fate, Fate::done);
+  ASSERT_TRUE(query("AX VL6000"));
+  ASSERT_TRUE(becomes_idle());
+  EXPECT_EQ(on_board(0), 6000);
+  ASSERT_EQ(step(0, 300, Pps{500}).fate, Fate::done);
+  ASSERT_TRUE(query("AA VL7000,8000;"));
+  ASSERT_TRUE(becomes_idle());
+  EXPECT_EQ(on_board(0), 7000);
+  EXPECT_EQ(on_board(1), 8000);
+}
+
+TEST_F(Vme58Speeds, WhatComesRightBehindAStopGoesAtTheAxisOwnSpeed) {
+  ASSERT_TRUE(query("AX VL2000 AC100000"));
+  ASSERT_EQ(perform(intent::LoadProgram(0, "AX MR100000 GO")).fate, Fate::done);
+  const auto behind_a_stop = [this](IntentBody body) {
+    EXPECT_EQ(step(0, 100000, Pps{20000}).fate, Fate::done);
+    run(Millis(500));
+    session->send(intent::Stop());
+    session->send(std::move(body));
+    run(Seconds(2));
+    const double speed = axis(0).speed.value;
+    perform(intent::Stop());
+    return speed;
+  };
+  EXPECT_NEAR(behind_a_stop(intent::MoveBy({{AxisId{0}, Steps(100000)}})), 2000, 1);
+  EXPECT_NEAR(behind_a_stop(intent::Home(AxisId{0}, Sign::plus, 2)), 2000, 1);
+  EXPECT_NEAR(behind_a_stop(intent::SendText("MR100000 GO")), 2000, 1);
+  EXPECT_NEAR(behind_a_stop(intent::RunProgram(0)), 2000, 1);
+}
+
+}  // namespace
+}  // namespace hw

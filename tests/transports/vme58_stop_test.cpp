@@ -1,0 +1,127 @@
+// What a stop of the VME58 ends, and what it leaves alone.
+#include "core/devices/vme58/facts.h"
+#include "tests/transports/vme58_rig.h"
+
+namespace hw {
+namespace {
+
+using test::Seconds;
+using testing::HasSubstr;
+
+class Vme58Stops : public test::Vme58Rig {
+ protected:
+  void hold_jog(int tenths) {
+    for (int i = 0; i < tenths; ++i) {
+      run(Millis(100));
+      session->send(intent::JogKeepAlive());
+    }
+  }
+  void expect_stays(int i, Duration how_long = Seconds(5)) {
+    const Steps there = axis(i).position;
+    run(how_long);
+    EXPECT_EQ(axis(i).position, there);
+    EXPECT_EQ(axis(i).speed.value, 0);
+  }
+};
+
+TEST_F(Vme58Stops, AJogBesideAnothersCommandErrorDoesNotOutliveItsHand) {
+  ASSERT_TRUE(query("AX VL2000 AY VL2000 HF"));
+  run(Seconds(2));
+  int failed = 0;
+  for (int before_ms = 10; before_ms < 360; before_ms += 50) {
+    perform(intent::SendText("AY WT350 MR100 GO WQ"));  // MR is rejected at its turn, and WQ holds the ring
+    run(Millis(before_ms));
+    const IntentId jog = session->send(intent::JogStart(AxisId{0}, Sign::plus));
+    hold_jog(9);
+    failed += now().fate_of(jog)->fate == Fate::failed;
+    session->send(intent::JogStop());
+    run(Seconds(1));
+    expect_stays(0);
+  }
+  EXPECT_GT(failed, 0);
+}
+
+// ---- of one axis
+
+constexpr const char* there_and_back = "MT20000,20000; GO\nMT0,0; GO\nMT20000,20000; GO\nMT0,0; GO\n";
+
+TEST_F(Vme58Stops, OneAxisOfAProgramIsStoppedForGood) {
+  for (const char* mode : {"AA", "AM"}) {
+    const std::string text = std::string(mode) + " VL20000,20000; AC100000,100000;\n" + there_and_back;
+    ASSERT_EQ(perform(intent::LoadProgram(0, text)).fate, Fate::done);
+    ASSERT_EQ(perform(intent::RunProgram(0)).fate, Fate::done);
+    run(Millis(500));
+    ASSERT_EQ(axis(0).activity, Activity::moving);
+    EXPECT_EQ(perform(intent::Stop(0)).fate, Fate::done);
+    expect_stays(0);
+    EXPECT_EQ(now().program.run, RunState::idle);
+    EXPECT_THAT(told(), HasSubstr("all axes were stopped"));
+    perform(intent::MoveTo({{AxisId{0}, Steps(0)}, {AxisId{1}, Steps(0)}}));
+    ASSERT_TRUE(becomes_idle());
+  }
+}
+
+TEST_F(Vme58Stops, OneAxisThatATextMovesWithOthersIsStoppedForGood) {
+  ASSERT_TRUE(query(std::string("AA VL20000,20000; AC100000,100000; ") + there_and_back));
+  run(Millis(500));
+  EXPECT_EQ(perform(intent::Stop(0)).fate, Fate::done);
+  expect_stays(0);
+  ASSERT_TRUE(query("AM WT1000; MR500,500; GO"));
+  EXPECT_EQ(perform(intent::Stop(0)).fate, Fate::done) << "it waits in the queue";
+  expect_stays(0);
+}
+
+TEST_F(Vme58Stops, OneAxisThatATextMovedBeforeTheLinkWasLostIsStoppedForGood) {
+  ASSERT_TRUE(query(std::string("AA VL2000,2000; AC100000,100000; ") + there_and_back));
+  run(Millis(500));
+  operate(bench::Unplug(true));
+  ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::lost; }, Seconds(20)));
+  operate(bench::Unplug(false));
+  ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::good; }, Seconds(20)));
+  EXPECT_EQ(perform(intent::Stop(0)).fate, Fate::done);
+  expect_stays(0);
+}
+
+TEST_F(Vme58Stops, OneAxisOfItsOwnStopsAlone) {
+  perform(intent::MoveBy({{AxisId{1}, Steps(100000)}}, Pps{2000}));
+  ASSERT_TRUE(query("AX VL2000 MR5000 GO MR-5000 GO AA MR,,5000,5000; GO AM WT500; MR,,,,100; GO"));
+  run(Millis(500));
+  EXPECT_EQ(perform(intent::Stop(0)).fate, Fate::done);
+  expect_stays(0, Seconds(1));
+  EXPECT_EQ(axis(1).activity, Activity::moving);
+  EXPECT_GT(axis(2).position, Steps(0));
+  EXPECT_EQ(axis(4).position, Steps(100));
+}
+
+TEST_F(Vme58Stops, TwoAxesThatAreStoppedOneAfterTheOtherRamp) {
+  ASSERT_TRUE(query("AX VL20000 AC20000 AY VL20000 AC20000 AZ VL20000 AC20000"));
+  for (const std::uint8_t i : {0, 1, 2}) perform(intent::MoveBy({{AxisId{i}, Steps(1000000)}}));
+  run(Seconds(2));
+  session->send(intent::Stop(0));
+  session->send(intent::Stop(1));
+  run(Millis(300));
+  EXPECT_EQ(axis(0).activity, Activity::stopping);
+  EXPECT_EQ(axis(1).activity, Activity::stopping);
+  EXPECT_NEAR(axis(2).speed.value, 20000, 1);
+  run(Seconds(2));
+  EXPECT_EQ(axis(1).ended_by, EndedBy::stop);
+  EXPECT_EQ(axis(2).activity, Activity::moving);
+}
+
+// ---- what is stopped beside the axes
+
+TEST_F(Vme58Stops, ARecordingEndsOnTheBoardToo) {
+  ASSERT_TRUE(query("AA VL5000,5000; CV1000 CD0,0; MT1000,1000;"));
+  session->send(intent::Stop());
+  EXPECT_EQ(perform(intent::SetOutput(8, true)).fate, Fate::done);
+  EXPECT_EQ(peek(1, vme58::reg::io_high) & 1, 0u);
+  ASSERT_TRUE(query("CD0,0; MT1000,1000;"));
+  session->send(intent::Stop());
+  EXPECT_TRUE(query("MT500,500; GO"));
+  ASSERT_TRUE(becomes_idle());
+  EXPECT_EQ(axis(0).position, Steps(500));
+  EXPECT_EQ(axis(1).position, Steps(500));
+}
+
+}  // namespace
+}  // namespace hw
