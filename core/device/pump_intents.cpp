@@ -221,8 +221,8 @@ void Pump::post_stop(Intent intent) {
   asio::co_spawn(scheduler_.executor(), stop_and_report(std::move(intent)), asio::detached);
 }
 
-/// A stop in the controller's own words goes as it is, and waits for nothing either: what waits is refused, and
-/// what is under way finds its next step dropped.
+/// A stop in the controller's own words goes as it is, and waits for nothing either: what waits is refused,
+/// and what is under way finds its next step dropped.
 void Pump::make_way_for(const std::string& text) {
   const bool connected = draft_.link.state == LinkState::good || draft_.link.state == LinkState::late;
   if (!connected || !station_ || !driver_->is_stop(text)) return;
