@@ -34,6 +34,7 @@ TEST_F(Vme58Stops, AJogBesideAnothersCommandErrorDoesNotOutliveItsHand) {
     const IntentId jog = session->send(intent::JogStart(AxisId{0}, Sign::plus));
     hold_jog(9);
     failed += now().fate_of(jog)->fate == Fate::failed;
+    EXPECT_NE(axis(0).ended_by, EndedBy::elsewhere);
     session->send(intent::JogStop());
     run(Seconds(1));
     expect_stays(0);

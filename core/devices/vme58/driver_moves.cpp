@@ -166,6 +166,7 @@ Task<Result<>> Vme58Driver::begin_jog(std::string text, int axis) {
     (void)co_await read_axes(Priority::intent);
     if (!moving(axis)) kind = FaultKind::refused;
   } else if (kind == FaultKind::controller) {
+    stopping(axis, false);  // also a jog before it
     std::string stop = addressed(axis, "ST");
     const auto stopped = co_await write(std::move(stop), Priority::intent);
     if (!stopped) kind = stopped.error().kind == FaultKind::lost ? FaultKind::lost : FaultKind::no_answer;
