@@ -139,7 +139,8 @@ Task<> Pump::leave_wire() {
 
 Task<> Pump::wait_for_retry() {
   constexpr std::string_view silent = "The controller does not answer. Nothing was sent.";
-  refuse_queued(std::exchange(recovering_, false) ? draft_.link.sentence.view() : silent);
+  const bool says_why = std::exchange(recovering_, false) || retry_now_;  // a stop came, or a new attempt
+  refuse_queued(says_why ? draft_.link.sentence.view() : silent);
   draft_.link.next_attempt = scheduler_.now() + back_off(attempt_);
   publish();
   while (!closing_ && !retry_now_ && scheduler_.now() < draft_.link.next_attempt) {
