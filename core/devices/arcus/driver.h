@@ -178,8 +178,11 @@ class ArcusDriver final : public Driver {
   // ---- driver_stop.cpp
   Task<Result<>> stop_now(int axis, bool at_once);
   Task<Result<>> say_stop(std::string text);
+  Task<Result<>> say_stops(std::string word, int axis, bool all);
+  Task<Result<>> say_each_once(std::string word, int axis, bool all);
   Task<Result<>> release_joystick(int axis);
-  Task<Result<>> halt_threads(bool all);
+  Task<Result<>> halt_threads(int only);
+  Task<Result<>> threads_rest();
   Task<Result<>> wait_for_standstill(int axis);
   void stopping(int axis, bool at_once);
   void ended_by_us(int axis, EndedBy why);
@@ -199,6 +202,7 @@ class ArcusDriver final : public Driver {
   Task<Result<>> upload(int program);
   Task<Result<>> run(int program);
   Task<Result<>> control(int thread, int what);
+  void forget_thread(std::string_view text);
   Task<Result<>> control_all(int thread, int what);
   Result<> no_thread_runs() const;
   void show_transfer(int done, int total);

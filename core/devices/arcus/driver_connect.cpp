@@ -229,6 +229,7 @@ void ArcusDriver::look_for_restart(const Stood& before) {
 void ArcusDriver::restarted(std::string_view how_it_shows) {
   ++draft_.restarts;
   for (ParamState& p : draft_.params) p = ParamState();
+  for (ThreadState& t : draft_.threads) t = ThreadState();
   nobody_sets_.reset();
   unsaved_variables_ = draft_.unsaved_setup = false;
   draft_.variables_known.reset();

@@ -61,7 +61,6 @@ Task<Result<>> ArcusDriver::control(int thread, int what) {
     co_return fail(std::move(fault));
   }
   if (what == thread_run) draft_.program.started_at = scheduler_.now();
-  draft_.threads[ix(thread)].known = false;
   auto read = co_await read_threads(false, Priority::intent);
   if (!read) co_return read;
   const RunState now = draft_.threads[ix(thread)].run;
@@ -71,6 +70,13 @@ Task<Result<>> ArcusDriver::control(int thread, int what) {
                                draft_.threads[ix(thread)].line),
                    {}, "Look at the program, and whether an axis has an error.");
   co_return Result<>();
+}
+
+/// What is told to a thread (SR0=1) may change what it does.
+void ArcusDriver::forget_thread(std::string_view text) {
+  if (!text.starts_with("SR") || text.size() < 4 || text[3] != '=') return;
+  const auto n = decode_number(text.substr(2, 1));
+  if (n && *n >= 0 && *n < model().programs) draft_.threads[ix(static_cast<int>(*n))].known = false;
 }
 
 // SR is answered with OK whether the program is there or not (decision AMB-115). One that runs is; one that

@@ -1,5 +1,6 @@
-// Stopping, by decision AMB-128: the joystick off where it is on, STOP (or ABORT), each running program
-// stopped, STOP again because a program may have begun a move in between, then the status until all stand.
+// Stopping, by decision AMB-128: STOP (or ABORT), every program stopped, the joystick off where it is on,
+// STOP again because a program or the stick may have begun a move in between, then the status until all
+// stand.
 #include <fmt/core.h>
 
 #include "core/base/index.h"
@@ -67,16 +68,31 @@ Task<Result<>> ArcusDriver::stop_now(int axis, bool at_once) {
   const bool all = axis < 0 || axis_count() == 1;
   const std::string word = all ? std::string(form.substr(0, form.find('a'))) : fill(forms_, form, axis);
   stopping(axis, at_once);
-  auto released = co_await release_joystick(axis);
-  auto said = co_await say_stop(word);
+  auto said = co_await say_stops(word, axis, all);
   if (!said) co_return said;
-  if (!released) co_return released;
-  if (!all) co_return co_await wait_for_standstill(axis);
-  auto halted = co_await halt_threads(false);
+  co_return co_await wait_for_standstill(all ? -1 : axis);
+}
+
+Task<Result<>> ArcusDriver::say_stops(std::string word, int axis, bool all) {
+  Result<> said;
+  for (int attempt = 0; attempt < stop_attempts; ++attempt) {
+    said = co_await say_each_once(word, axis, all);
+    if (said || !station_) break;
+  }
+  co_return said;
+}
+
+// Whatever is not confirmed, the next is sent: each answer that is waited for keeps back the others.
+Task<Result<>> ArcusDriver::say_each_once(std::string word, int axis, bool all) {
+  (void)co_await command(word, Priority::stop);  // said again below
+  Result<> halted, rest;
+  if (all) halted = co_await halt_threads(-1);
+  auto released = co_await release_joystick(all ? -1 : axis);
+  auto said = co_await command(word, Priority::stop);
+  if (all) rest = co_await threads_rest();
+  if (!said) co_return said;
   if (!halted) co_return halted;
-  said = co_await say_stop(word);
-  if (!said) co_return said;
-  co_return co_await wait_for_standstill(-1);
+  co_return released ? rest : released;
 }
 
 // What the jog moves stops; programs, and axes that they move, go on.
@@ -109,14 +125,28 @@ Task<Result<>> ArcusDriver::release_joystick(int axis) {
   co_return said;
 }
 
-Task<Result<>> ArcusDriver::halt_threads(bool all) {
+// One, or all (-1): also those that were idle when they were last asked. A program, another host or the
+// power-up may have started them.
+Task<Result<>> ArcusDriver::halt_threads(int only) {
+  Result<> halted;
   for (int n = 0; n < model().programs; ++n) {
-    const ThreadState& thread = draft_.threads[ix(n)];
-    const bool rests = thread.known && (thread.run == RunState::idle || thread.run == RunState::error);
-    if (rests && !all) continue;
-    auto said = co_await say_stop(fmt::format("SR{}=0", n));
-    if (!said) co_return said;
-    draft_.threads[ix(n)].known = false;
+    if (only >= 0 && n != only) continue;
+    auto said = co_await command(fmt::format("SR{}=0", n), Priority::stop);
+    if (!said && halted) halted = std::move(said);
+  }
+  co_return halted;
+}
+
+// One that was halted is started again by another that is not yet.
+Task<Result<>> ArcusDriver::threads_rest() {
+  auto read = co_await read_threads(true, Priority::stop);
+  if (!read) co_return read;
+  for (int n = 0; n < model().programs; ++n) {
+    const RunState run = draft_.threads[ix(n)].run;
+    if (run != RunState::running && run != RunState::held) continue;
+    co_return fail(FaultKind::controller, fmt::format("Program {} still runs: something starts it again.", n),
+                   fmt::format("It was told to stop {} times.", stop_attempts),
+                   "Stop again, or switch the power off.");
   }
   co_return Result<>();
 }
@@ -144,12 +174,12 @@ Task<Result<>> ArcusDriver::halt_program(int thread) {
   if (!station_) co_return no_connection();
   if (thread >= model().programs)
     co_return fail(FaultKind::refused, fmt::format("There is no program {}.", thread), "Nothing was sent.");
-  Result<> said;
-  if (thread < 0)
-    said = co_await halt_threads(true);
-  else
-    said = co_await say_stop(fmt::format("SR{}=0", thread));
-  if (!said) co_return said;
+  Result<> halted;
+  for (int attempt = 0; attempt < stop_attempts; ++attempt) {
+    halted = co_await halt_threads(thread);
+    if (halted || !station_) break;
+  }
+  if (!halted) co_return halted;
   co_return co_await read_threads(true, Priority::stop);
 }
 

@@ -78,6 +78,7 @@ Task<Result<Reply>> ArcusDriver::exchange(std::string text, Priority priority, D
     if (!named) co_return fail(named.error());
   }
   const int strays_before = strays_;
+  forget_thread(said);  // whether or not it is confirmed
   auto reply = co_await say(text, priority, patience, own_question);
   if (!reply || !must_be_sure || !station_ || !station_->answer_owed_on_wire()) co_return reply;
   auto named = co_await hear_its_name(priority);
@@ -337,6 +338,7 @@ void ArcusDriver::note_sent(std::string_view text) {
       if (const auto n = decode_number(name.substr(1)); n && *n >= 0 && *n < variables)
         draft_.variables_known.reset(static_cast<std::size_t>(*n));
   }
+  forget_thread(text);
   if (text == "STORE") is_stored();
   if (text.starts_with("SA") && equals != text.npos) stored_code_.reset();
   if (const int axis = axis_named_in(text); axis >= 0 && takes_target_away(text))

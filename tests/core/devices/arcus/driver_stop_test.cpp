@@ -1,0 +1,112 @@
+// Stops that have to reach more than what the console has seen run: programs that others start, axes that a
+// program gave to the joystick, lines on which answers are lost.
+#include "tests/core/devices/arcus/driver_fixture.h"
+
+namespace hw::arcus {
+namespace {
+
+using testing::HasSubstr;
+
+class Stopping : public DriverTest {
+ protected:
+  static constexpr const char* pmx = "pmx-4ex-sa";
+  static constexpr const char* dmx = "dmx-k-sa";
+  const std::string to_and_fro = "ABS\nWHILE 1=1\nX2000\nWAITX\nX0\nWAITX\nENDWHILE\nEND\n";
+  const std::string endless = "WHILE 1=1\nV1=V1+1\nDELAY=10\nENDWHILE\nEND\n";
+  std::string load(std::string text) { return perform(intent::LoadProgram(0, std::move(text))); }
+  /// Nothing moves, and nothing begins to.
+  bool stays() {
+    const auto there = query("PX");
+    run(1.5);
+    return query("PX") == there;
+  }
+  void next() {
+    TearDown();
+    latest = Snapshot();
+    notices.clear();
+  }
+};
+
+TEST_F(Stopping, EndsAProgramThatAProgramHasStarted) {
+  for (const double after : {0.05, 0.1, 0.3, 0.7}) {
+    start(pmx, {}, true);
+    ASSERT_EQ(load("PRG 0\nSR3=1\nDELAY=1\nEND\nPRG 3\n" + to_and_fro), "");
+    run(2);
+    ASSERT_EQ(perform(intent::RunProgram(0)), "");
+    run(after);
+    EXPECT_EQ(perform(intent::Stop()), "");
+    EXPECT_EQ(latest.threads[3].run, RunState::idle);
+    EXPECT_EQ(query("SASTAT3"), "0") << after;
+    EXPECT_TRUE(stays()) << after;
+    next();
+  }
+}
+
+// Each starts the other, so that one that was halted runs again before the other is.
+TEST_F(Stopping, EndsTwoProgramsThatStartEachOther) {
+  for (const char* model : {pmx, dmx}) {
+    start(model, {}, true);
+    ASSERT_EQ(
+        load("PRG 0\nWHILE 1=1\nSR1=1\nENDWHILE\nEND\nPRG 1\nWHILE 1=1\nSR0=1\nX1000\nWAITX\nX0\nWAITX\n"
+             "ENDWHILE\nEND\n"),
+        "");
+    ASSERT_EQ(perform(intent::RunProgram(0)), "");
+    run(1);
+    const std::string said = perform(intent::Stop());
+    const bool ended = query("SASTAT0") == "0" && query("SASTAT1") == "0";
+    EXPECT_EQ(ended, said.empty()) << said;
+    EXPECT_TRUE(ended || testing::Value(said, HasSubstr("still runs"))) << said;
+    next();
+  }
+}
+
+TEST_F(Stopping, EndsAProgramWhoseStartWasNotConfirmed) {
+  for (const double rested : {3.0, 3.05, 3.1, 3.15, 3.2}) {
+    start(pmx);
+    ASSERT_EQ(load("PRG 0\nDELAY=1\nEND\nPRG 3\n" + to_and_fro), "");
+    run(rested);
+    loop->drop(3);
+    EXPECT_NE(perform(intent::RunProgram(3)), "");
+    EXPECT_FALSE(latest.threads[3].known);
+    EXPECT_EQ(perform(intent::Stop()), "");
+    EXPECT_EQ(query("SASTAT3"), "0") << rested;
+    EXPECT_TRUE(stays()) << rested;
+    next();
+  }
+}
+
+TEST_F(Stopping, EndsAProgramThatTheControllerStartsWhenItsPowerComesBack) {
+  for (const double rested : {2.05, 2.25, 2.45, 2.65}) {  // another thread is looked at each time
+    start(pmx);
+    ASSERT_EQ(load("PRG 0\nDELAY=1\nEND\nPRG 2\nDELAY=50\n" + to_and_fro), "");
+    ASSERT_EQ(perform(intent::SetParam("SLOAD", 4)), "");
+    ASSERT_EQ(perform(intent::Store()), "");
+    run(rested);
+    ASSERT_TRUE(loop->operate(bench::PowerCycle()));
+    run(0.1);
+    EXPECT_EQ(perform(intent::Stop()), "");
+    EXPECT_EQ(query("SASTAT2"), "0") << rested;
+    EXPECT_TRUE(stays()) << rested;
+    next();
+  }
+}
+
+// ---- answers that are lost
+
+TEST_F(Stopping, ReachesTheProgramsAlsoWhereItsAnswersAreLost) {
+  for (const int lost : {3, 6, 9, 12, 15, 18, 21}) {
+    start(pmx);
+    ASSERT_EQ(load(to_and_fro), "");
+    run(3);
+    ASSERT_EQ(perform(intent::RunProgram(0)), "");
+    run(1.005);
+    loop->drop(lost);
+    EXPECT_EQ(perform(intent::Stop()), "") << lost;
+    EXPECT_EQ(query("SASTAT0"), "0") << lost;
+    EXPECT_TRUE(stays()) << lost;
+    next();
+  }
+}
+
+}  // namespace
+}  // namespace hw::arcus
