@@ -107,21 +107,37 @@ Task<Result<>> ArcusDriver::stop_wire(bool at_once) {
   co_return co_await broadcast(at_once ? "ABORT" : "STOP", Priority::stop);
 }
 
-// Its axes would go on by the stick.
+namespace {
+
+Fault joystick_not_read(bool switched_off) {
+  return Fault(FaultKind::garbled, "The controller did not tell which axes follow the joystick.",
+               switched_off ? "STOP was sent, and the joystick was switched off for all axes."
+                            : "STOP was sent; the joystick was left as it is.",
+               switched_off ? "" : "Stop all axes if this one goes on.");
+}
+
+}  // namespace
+
+// Its axes would go on by the stick. It is asked each time: programs, other hosts and a power-up switch it
+// on.
 Task<Result<>> ArcusDriver::release_joystick(int axis) {
   if (!forms_.joystick) co_return Result<>();
-  const auto mask = param("JE");
-  if (mask && *mask == 0) co_return Result<>();
+  const int index = catalog_.find_param("JE");
+  const auto mask = co_await ask_number("JE", Priority::stop);
+  if (!mask && mask.error().kind == FaultKind::lost) co_return fail(mask.error());
   const std::int64_t kept = axis < 0 || !mask ? 0 : *mask & ~(std::int64_t{1} << axis);
   if (mask && kept == *mask) co_return Result<>();
-  auto said = co_await say_stop(set_command("JE", kept));
-  const int index = catalog_.find_param("JE");
-  if (said && mask) {
-    changed_param(index);
-    draft_.params[ix(index)].value = kept;
-    draft_.params[ix(index)].known = true;
-    tell(Notice::Kind::info, "The joystick was switched off by the stop.");
+  if (!mask && axis >= 0) {
+    draft_.params[ix(index)].known = false;
+    co_return fail(joystick_not_read(false));
   }
+  auto said = co_await command(set_command("JE", kept), Priority::stop);
+  changed_param(index);
+  if (!said) co_return said;
+  if (!mask) co_return fail(joystick_not_read(true));
+  draft_.params[ix(index)].value = kept;
+  draft_.params[ix(index)].known = true;
+  tell(Notice::Kind::info, "The joystick was switched off by the stop.");
   co_return said;
 }
 

@@ -53,8 +53,8 @@ std::ostream& operator<<(std::ostream& out, const BrokenReply& b) { return out <
 
 class BrokenReplies : public DriverTest, public testing::WithParamInterface<BrokenReply> {
  protected:
-  void start() {
-    type = find_device_type("dmx-k-sa");
+  void start(std::string_view model = "dmx-k-sa") {
+    type = find_device_type(model);
     auto owned = std::make_unique<Liar>(type->make_emulator({}).value());
     liar = owned.get();
     loop = std::make_unique<test::Loopback>(time, std::move(owned), false);
@@ -165,6 +165,26 @@ TEST_F(OneReply, ARunOfForeignCodeStopsWithItsLine) {
 TEST_F(OneReply, AProgramForTheOtherModelIsRefusedWithItsLine) {
   start();
   EXPECT_THAT(perform(intent::LoadProgram(0, "U1000\nEND\n")), HasSubstr("error in line 1"));
+}
+
+// ---- a stop that cannot read the joystick
+
+TEST_F(OneReply, WithoutTheStateOfTheJoystickAStopOfOneAxisLeavesItAndSaysSo) {
+  start("pmx-4ex-sa");
+  ASSERT_EQ(query("JE=3"), "OK");
+  liar->instead["JE"] = "x\r";
+  EXPECT_THAT(perform(intent::Stop(1)), HasSubstr("joystick"));
+  liar->instead.clear();
+  EXPECT_EQ(query("JE"), "3");
+}
+
+TEST_F(OneReply, WithoutTheStateOfTheJoystickAStopOfAllSwitchesItOffAndSaysSo) {
+  start("pmx-4ex-sa");
+  ASSERT_EQ(query("JE=3"), "OK");
+  liar->instead["JE"] = "x\r";
+  EXPECT_THAT(perform(intent::Stop()), HasSubstr("joystick"));
+  liar->instead.clear();
+  EXPECT_EQ(query("JE"), "0");
 }
 
 }  // namespace

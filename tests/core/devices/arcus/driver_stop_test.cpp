@@ -91,6 +91,40 @@ TEST_F(Stopping, EndsAProgramThatTheControllerStartsWhenItsPowerComesBack) {
   }
 }
 
+// ---- the joystick
+
+TEST_F(Stopping, TakesAnAxisFromTheJoystickThatAProgramGaveIt) {
+  start(pmx);
+  ASSERT_TRUE(loop->operate(bench::Analog(1, 2500)));
+  ASSERT_EQ(perform(intent::SetParam("JV1", 1000, true)), "");
+  ASSERT_EQ(perform(intent::SetParam("JV5", 1000, true)), "");
+  run(40);  // everything is known
+  ASSERT_EQ(load("JOYENA=1\nWHILE 1=1\nDELAY=100\nENDWHILE\nEND\n"), "");
+  ASSERT_TRUE(loop->operate(bench::Analog(1, 5000)));
+  ASSERT_EQ(perform(intent::RunProgram(0)), "");
+  run(2);
+  ASSERT_TRUE(latest.any_axis_moving());
+  EXPECT_EQ(perform(intent::Stop()), "");
+  EXPECT_EQ(query("JE"), "0");
+  EXPECT_TRUE(stays());
+}
+
+TEST_F(Stopping, OfOneAxisLeavesTheOthersTheirJoystick) {
+  start(pmx);
+  ASSERT_EQ(query("JE=3"), "OK");
+  EXPECT_EQ(perform(intent::Stop(1)), "");
+  EXPECT_EQ(query("JE"), "1");
+  EXPECT_TRUE(told("joystick was switched off"));
+}
+
+TEST_F(Stopping, WithoutAJoystickChangesNoSetting) {
+  start(pmx);
+  sent();
+  EXPECT_EQ(perform(intent::Stop(1)), "");
+  EXPECT_EQ(sent(), "STOPY STOPY") << "not known yet, and asked";
+  EXPECT_FALSE(latest.unsaved_setup);
+}
+
 // ---- answers that are lost
 
 TEST_F(Stopping, ReachesTheProgramsAlsoWhereItsAnswersAreLost) {
