@@ -176,7 +176,8 @@ class ArcusDriver final : public Driver {
   void end_feed();
 
   // ---- driver_stop.cpp
-  Task<Result<>> stop_now(int axis, bool at_once);
+  Task<Result<>> stop_what(int axis, bool at_once, bool motion_only);
+  Task<Result<>> stop_now(int axis, bool at_once, bool motion_only);
   Task<Result<>> say_stop(std::string text);
   Task<Result<>> say_stops(std::string word, int axis, bool all);
   Task<Result<>> say_each_once(std::string word, int axis, bool all);

@@ -41,6 +41,16 @@ void ArcusDriver::ended_by_us(int axis, EndedBy why) {
 }
 
 Task<Result<>> ArcusDriver::stop(int axis, bool at_once) {
+  co_return co_await stop_what(axis, at_once, false);
+}
+
+// What the jog moves stops; programs, and axes that they move, go on.
+Task<Result<>> ArcusDriver::stop_jog(int axis) {
+  stop_ramps_ = false;  // letting go is never the second stop, which would be at once
+  co_return co_await stop_what(axis, false, true);
+}
+
+Task<Result<>> ArcusDriver::stop_what(int axis, bool at_once, bool motion_only) {
   if (!station_)
     co_return fail(FaultKind::lost, "Stop does not reach the controller: there is no connection.",
                    "Nothing was sent.", "Use its power switch.");
@@ -48,7 +58,7 @@ Task<Result<>> ArcusDriver::stop(int axis, bool at_once) {
   ++stops_;
   stop_ramps_ = !at_once;
   end_feed();
-  auto stopped = co_await stop_now(axis, at_once);
+  auto stopped = co_await stop_now(axis, at_once, motion_only);
   --stops_;
   if (station_) stands(axis);
   co_return stopped;
@@ -63,12 +73,16 @@ void ArcusDriver::stands(int axis) {
   }
 }
 
-Task<Result<>> ArcusDriver::stop_now(int axis, bool at_once) {
+Task<Result<>> ArcusDriver::stop_now(int axis, bool at_once, bool motion_only) {
   const std::string_view form = at_once ? forms_.abort : forms_.stop;
   const bool all = axis < 0 || axis_count() == 1;
   const std::string word = all ? std::string(form.substr(0, form.find('a'))) : fill(forms_, form, axis);
   stopping(axis, at_once);
-  auto said = co_await say_stops(word, axis, all);
+  Result<> said;
+  if (motion_only)
+    said = co_await say_stop(word);
+  else
+    said = co_await say_stops(word, axis, all);
   if (!said) co_return said;
   co_return co_await wait_for_standstill(all ? -1 : axis);
 }
@@ -93,12 +107,6 @@ Task<Result<>> ArcusDriver::say_each_once(std::string word, int axis, bool all) 
   if (!said) co_return said;
   if (!halted) co_return halted;
   co_return released ? rest : released;
-}
-
-// What the jog moves stops; programs, and axes that they move, go on.
-Task<Result<>> ArcusDriver::stop_jog(int axis) {
-  stop_ramps_ = false;  // letting go is never the second stop, which would be at once
-  co_return co_await stop(axis, false);
 }
 
 // A stop for all devices of the line in one message; the stop of each follows.

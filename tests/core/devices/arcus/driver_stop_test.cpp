@@ -142,5 +142,23 @@ TEST_F(Stopping, ReachesTheProgramsAlsoWhereItsAnswersAreLost) {
   }
 }
 
+// ---- a jog that ends
+
+TEST_F(Stopping, AJogThatEndsLeavesTheProgramsOfBothModels) {
+  for (const char* model : {pmx, dmx}) {
+    start(model);
+    ASSERT_EQ(load("PRG 0\nDELAY=1\nEND\nPRG 1\n" + endless), "");
+    ASSERT_EQ(perform(intent::RunProgram(1)), "");
+    ASSERT_EQ(perform(intent::JogStart(AxisId{0}, Sign::plus, {}, false)), "");
+    run(1);
+    ASSERT_EQ(latest.axes[0].activity, Activity::jogging);
+    EXPECT_EQ(perform(intent::JogStop()), "");
+    EXPECT_EQ(latest.axes[0].activity, Activity::idle);
+    EXPECT_EQ(query("SASTAT1"), "1") << model;
+    EXPECT_TRUE(stays());
+    next();
+  }
+}
+
 }  // namespace
 }  // namespace hw::arcus
