@@ -280,6 +280,7 @@ Task<Result<std::string>> ArcusDriver::query(std::string text, Duration patience
   const int to = address_of(text);
   const bool anothers = to >= 0 && to != catalog_.address;
   if (station_ && anothers) station_->let_others_hear(text);
+  if (!anothers && ends_motion(text_of(text))) end_feed();  // whether or not it is confirmed
   auto reply = co_await exchange(text, Priority::intent, patience);
   if (!reply && anothers && reply.error().kind == FaultKind::no_answer)
     co_return fail(FaultKind::no_answer,
@@ -343,14 +344,15 @@ void ArcusDriver::note_sent(std::string_view text) {
   if (text.starts_with("SA") && equals != text.npos) stored_code_.reset();
   if (const int axis = axis_named_in(text); axis >= 0 && takes_target_away(text))
     draft_.axes[axis].has_target = false;
-  if (text.starts_with("STOP") || text.starts_with("ABORT")) note_stop(text);
+  if (ends_motion(text)) note_stop(text);
   if (!arcus::may_move(forms_, text)) return;
   ++counters_set_;  // homing sets them; a short move to zero ends before anybody has seen it move
   changed_();
 }
 
-// The user's own stop: what it has ended did not end by itself.
+// The user's own stop: what it has ended did not end by itself, and nothing that waits here begins again.
 void ArcusDriver::note_stop(std::string_view text) {
+  end_feed();
   const int only = axis_count() > 1 ? axis_named_in(text) : -1;
   const EndedBy why = text.starts_with("ABORT") ? EndedBy::abort : EndedBy::stop;
   for (int i = 0; i < axis_count(); ++i)

@@ -160,5 +160,25 @@ TEST_F(Stopping, AJogThatEndsLeavesTheProgramsOfBothModels) {
   }
 }
 
+// ---- the user's own words
+
+TEST_F(Stopping, TypedItEndsTheListOfMoves) {
+  for (const char* text : {"STOP", "ABORT", "@00STOP"})
+    for (const int lost : {0, 3}) {
+      start(pmx);
+      std::vector<std::vector<std::int64_t>> rows(100, {0, 0, 0, 500});
+      for (std::size_t i = 0; i < rows.size(); ++i) rows[i][0] = static_cast<std::int64_t>(i + 1) * 100;
+      ASSERT_EQ(perform(intent::FeedMoves(rows)), "");
+      run(2);
+      ASSERT_TRUE(latest.feed.running);
+      loop->drop(lost);
+      query(text);
+      run(1);
+      EXPECT_FALSE(latest.feed.running) << text << lost;
+      EXPECT_TRUE(stays()) << text << lost;
+      next();
+    }
+}
+
 }  // namespace
 }  // namespace hw::arcus
