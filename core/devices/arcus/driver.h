@@ -8,6 +8,7 @@
 //   driver_actions.cpp   the catalog's actions
 //   driver_buffer.cpp    feeding a list of moves
 //   driver_stop.cpp      stops (decision AMB-128)
+//   driver_subroutine.cpp  subroutines called by the host, which no stop ends
 //   driver_programs.cpp  load, read, run, pause, halt
 //   driver_params.cpp    set-up
 #include <array>
@@ -71,6 +72,11 @@ class ArcusDriver final : public Driver {
     std::string name;
     std::int64_t before, for_now;
     bool left_alone = false;  ///< through a lost wire: whoever has set it since is right
+  };
+  /// A subroutine that the host has called, and that moves something or may.
+  struct Called {
+    int number;
+    std::optional<Duration> rests;  ///< it is over when nothing has moved for so long
   };
 
   // ---- driver_talk.cpp
@@ -189,6 +195,11 @@ class ArcusDriver final : public Driver {
   void ended_by_us(int axis, EndedBy why);
   void stands(int axis);
 
+  // ---- driver_subroutine.cpp
+  std::optional<Called> note_call(std::string_view text);
+  [[nodiscard]] bool subroutine_may_run();
+  Task<Result<>> outlast_subroutine(std::string word);
+
   // ---- driver_programs.cpp
   Task<Result<>> perform_program(IntentBody body);
   Task<Result<>> load(int program, std::string text);
@@ -259,6 +270,8 @@ class ArcusDriver final : public Driver {
   std::uint32_t watched_ = 0;
   bool half_written_ = false;              ///< lines were stored, and not all of a program
   std::optional<StoredCode> stored_code_;  ///< not known: not looked, or foreign code
+  std::optional<Called> called_;
+  Instant moved_at_{};  ///< when an axis was last seen to move, or may have
   int next_readout_ = 0, next_variable_ = 0, next_analog_ = 0, next_param_ = 0, next_thread_ = 0,
       next_kept_ = 0;
   std::array<std::int64_t, max_params> after_power_up_{};  ///< of what is stored: as it was then

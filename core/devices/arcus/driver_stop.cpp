@@ -84,6 +84,7 @@ Task<Result<>> ArcusDriver::stop_now(int axis, bool at_once, bool motion_only) {
   else
     said = co_await say_stops(word, axis, all);
   if (!said) co_return said;
+  if (all && !motion_only && subroutine_may_run()) co_return co_await outlast_subroutine(word);
   co_return co_await wait_for_standstill(all ? -1 : axis);
 }
 

@@ -79,7 +79,9 @@ Task<Result<Reply>> ArcusDriver::exchange(std::string text, Priority priority, D
   }
   const int strays_before = strays_;
   forget_thread(said);  // whether or not it is confirmed
+  const auto called_before = note_call(said);
   auto reply = co_await say(text, priority, patience, own_question);
+  if (reply ? reply->refused() : reply.error().kind == FaultKind::stopped) called_ = called_before;
   if (!reply || !must_be_sure || !station_ || !station_->answer_owed_on_wire()) co_return reply;
   auto named = co_await hear_its_name(priority);
   if (!named) co_return fail(named.error());
@@ -341,6 +343,7 @@ void ArcusDriver::note_sent(std::string_view text) {
   }
   forget_thread(text);
   if (text == "STORE") is_stored();
+  note_call(text);
   if (text.starts_with("SA") && equals != text.npos) stored_code_.reset();
   if (const int axis = axis_named_in(text); axis >= 0 && takes_target_away(text))
     draft_.axes[axis].has_target = false;
