@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t most_for_scripts = 256;
 constexpr Duration usual_patience = Millis(200);
-constexpr Duration quiet_time = Millis(30);
+constexpr Duration quiet_time = Millis(30), longest_noise = Millis(300);
 
 std::string printable(std::string_view bytes) {
   std::string all;
@@ -225,12 +225,14 @@ Task<Result<>> ArcusDriver::broadcast(std::string text, Priority priority) {
   co_return Result<>();
 }
 
-// After an answer that made no sense: what still comes must not be taken for the next one.
+// After an answer that made no sense: what still comes must not be taken for the next one. Where another
+// program talks all the time it never is quiet.
 Task<> ArcusDriver::wait_for_quiet() {
+  const Instant give_up = scheduler_.now() + longest_noise;
   Instant quiet_at = scheduler_.now() + quiet_time;
   while (station_ && scheduler_.now() < quiet_at) {
     co_await scheduler_.sleep_until(quiet_at);
-    quiet_at = std::max(quiet_at, heard_at_ + quiet_time);
+    quiet_at = std::min(std::max(quiet_at, heard_at_ + quiet_time), give_up);
   }
 }
 

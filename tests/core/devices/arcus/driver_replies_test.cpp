@@ -187,5 +187,40 @@ TEST_F(OneReply, WithoutTheStateOfTheJoystickAStopOfAllSwitchesItOffAndSaysSo) {
   EXPECT_EQ(query("JE"), "0");
 }
 
+// ---- another program on the line
+
+/// It asks the same controller again and again, and everybody hears the answers.
+class Overheard final : public test::EmulatorAround {
+ public:
+  Overheard(std::unique_ptr<Emulator> inner, Duration period)
+      : EmulatorAround(std::move(inner)), period_(period) {}
+  [[nodiscard]] std::optional<Instant> next_event() const override {
+    const auto next = inner_->next_event();
+    return next ? std::min(*next, asks_at_) : asks_at_;
+  }
+  void advance_to(Instant now) override {
+    inner_->advance_to(now);
+    for (; asks_at_ <= now; asks_at_ += period_) inner_->receive("@01PX\r");
+  }
+
+ private:
+  Duration period_;
+  Instant asks_at_{};
+};
+
+TEST_F(DriverTest, WhereAnotherProgramAsksAllTheTimeConnectingEnds) {
+  for (const int period : {5, 10, 20}) {
+    type = find_device_type("dmx-k-sa");
+    loop = std::make_unique<test::Loopback>(
+        time, std::make_unique<Overheard>(type->make_emulator({}).value(), Millis(period)), false);
+    catalog = type->make_catalog({}).value();
+    open();
+    EXPECT_EQ(latest.link.state, LinkState::lost) << period;
+    EXPECT_THAT(std::string(latest.link.sentence.view()), HasSubstr("another program talks on this line"));
+    TearDown();
+    latest = Snapshot();
+  }
+}
+
 }  // namespace
 }  // namespace hw::arcus
