@@ -38,6 +38,7 @@ class ArcusDriver final : public Driver {
   Task<Result<>> stop_jog(int axis) override;
   Task<Result<>> stop_wire(bool at_once) override;
   Task<Result<>> halt_program(int thread) override;
+  [[nodiscard]] std::string leaves_behind() const override;
   void wire_lost() override;
   Task<Result<std::string>> query(std::string text, Duration patience) override;
   [[nodiscard]] bool answers(std::string_view text) const override;
