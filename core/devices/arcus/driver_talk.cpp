@@ -273,10 +273,13 @@ bool ArcusDriver::take_unsolicited(std::string& text) {
 
 // ---- raw text
 
+// A stop waits for nothing that is to come first.
 Task<Result<std::string>> ArcusDriver::query(std::string text, Duration patience) {
-  if (auto returned = co_await give_back_first(); !returned) co_return fail(returned.error());
+  const Priority priority = is_stop(text) ? Priority::stop : Priority::intent;
+  if (priority != Priority::stop)
+    if (auto returned = co_await give_back_first(); !returned) co_return fail(returned.error());
   if (model().broadcast >= 0 && address_of(text) == model().broadcast) {
-    auto sent = co_await broadcast(std::string(text_of(text)), Priority::intent);
+    auto sent = co_await broadcast(std::string(text_of(text)), priority);
     if (!sent) co_return fail(sent.error());
     note_sent(text_of(text));
     co_return std::string();
@@ -285,7 +288,7 @@ Task<Result<std::string>> ArcusDriver::query(std::string text, Duration patience
   const bool anothers = to >= 0 && to != catalog_.address;
   if (station_ && anothers) station_->let_others_hear(text);
   if (!anothers && ends_motion(text_of(text))) end_feed();  // whether or not it is confirmed
-  auto reply = co_await exchange(text, Priority::intent, patience);
+  auto reply = co_await exchange(text, priority, patience);
   if (!reply && anothers && reply.error().kind == FaultKind::no_answer)
     co_return fail(FaultKind::no_answer,
                    fmt::format("Device {:02} did not answer {} in time.", to, text_of(text)));
@@ -307,9 +310,17 @@ bool ArcusDriver::changes_programs(std::string_view text) const {
   return command.starts_with("SA") && command.find('=') != command.npos;
 }
 
+// To this device or to all.
+bool ArcusDriver::is_stop(std::string_view text) const {
+  const int to = address_of(text);
+  const std::string_view command = text_of(text);
+  return (to < 0 || to == catalog_.address || to == model().broadcast) &&
+         (ends_motion(command) || ends_program(command));
+}
+
 Task<Result<>> ArcusDriver::send_text(const intent::SendText& wish) {
   if (wish.broadcast) {
-    auto sent = co_await broadcast(wish.text, Priority::intent);
+    auto sent = co_await broadcast(wish.text, is_stop(wish.text) ? Priority::stop : Priority::intent);
     if (sent) note_sent(wish.text);
     co_return sent;
   }

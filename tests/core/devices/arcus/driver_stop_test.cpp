@@ -180,5 +180,20 @@ TEST_F(Stopping, TypedItEndsTheListOfMoves) {
     }
 }
 
+TEST_F(Stopping, TypedItIsKnownAsOne) {
+  start(dmx);
+  const Driver& driver = pump->driver();
+  for (const char* text : {"STOP", "ABORT", "SR0=0", "SR1=0", "@01STOP", "@00ABORT", "@01SR1=0"})
+    EXPECT_TRUE(driver.is_stop(text)) << text;
+  for (const char* text :
+       {"", "@", "PX", "SR0=1", "SR0", "SR", "SR0=01", "@02STOP", "X100", "STORE", "SLOAD=0"})
+    EXPECT_FALSE(driver.is_stop(text)) << text;
+  next();
+  start(pmx);
+  for (const char* text : {"STOPX", "ABORTU", "SR3=0", "@00STOPY"})
+    EXPECT_TRUE(pump->driver().is_stop(text)) << text;
+  EXPECT_FALSE(pump->driver().is_stop("@01STOP"));
+}
+
 }  // namespace
 }  // namespace hw::arcus
