@@ -189,7 +189,7 @@ class ArcusDriver final : public Driver {
   Task<Result<>> say_stop(std::string text);
   Task<Result<>> say_stops(std::string word, int axis, bool all);
   Task<Result<>> say_each_once(std::string word, int axis, bool all);
-  Task<Result<>> release_joystick(int axis);
+  Task<Result<>> release_joystick(int axis, std::string stop);
   Task<Result<>> halt_threads(int only);
   Task<Result<>> threads_rest();
   Task<Result<>> wait_for_standstill(int axis);

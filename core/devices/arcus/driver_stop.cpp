@@ -92,18 +92,23 @@ Task<Result<>> ArcusDriver::say_stops(std::string word, int axis, bool all) {
   Result<> said;
   for (int attempt = 0; attempt < stop_attempts; ++attempt) {
     said = co_await say_each_once(word, axis, all);
-    if (said || !station_) break;
+    if (said) break;
+    if (!station_)
+      co_return fail(FaultKind::lost, "The connection was lost while the controller was told to stop.",
+                     "Whether it has heard all of it is not known.", "Use its power switch if it moves.");
   }
   co_return said;
 }
 
 // Whatever is not confirmed, the next is sent: each answer that is waited for keeps back the others.
 Task<Result<>> ArcusDriver::say_each_once(std::string word, int axis, bool all) {
-  (void)co_await command(word, Priority::stop);  // said again below
-  Result<> halted, rest;
-  if (all) halted = co_await halt_threads(-1);
-  auto released = co_await release_joystick(all ? -1 : axis);
   auto said = co_await command(word, Priority::stop);
+  Result<> halted, rest;
+  if (all) {
+    halted = co_await halt_threads(-1);
+    said = co_await command(word, Priority::stop);
+  }
+  auto released = co_await release_joystick(all ? -1 : axis, word);
   if (all) rest = co_await threads_rest();
   if (!said) co_return said;
   if (!halted) co_return halted;
@@ -129,7 +134,7 @@ Fault joystick_not_read(bool switched_off) {
 
 // Its axes would go on by the stick. It is asked each time: programs, other hosts and a power-up switch it
 // on.
-Task<Result<>> ArcusDriver::release_joystick(int axis) {
+Task<Result<>> ArcusDriver::release_joystick(int axis, std::string stop) {
   if (!forms_.joystick) co_return Result<>();
   const int index = catalog_.find_param("JE");
   const auto mask = co_await ask_number("JE", Priority::stop);
@@ -140,9 +145,10 @@ Task<Result<>> ArcusDriver::release_joystick(int axis) {
     draft_.params[ix(index)].known = false;
     co_return fail(joystick_not_read(false));
   }
-  auto said = co_await command(set_command("JE", kept), Priority::stop);
+  const auto set = co_await command(set_command("JE", kept), Priority::stop);
   changed_param(index);
-  if (!said) co_return said;
+  auto said = co_await command(stop, Priority::stop);
+  if (!set) co_return set;
   if (!mask) co_return fail(joystick_not_read(true));
   draft_.params[ix(index)].value = kept;
   draft_.params[ix(index)].known = true;

@@ -121,7 +121,7 @@ TEST_F(Stopping, WithoutAJoystickChangesNoSetting) {
   start(pmx);
   sent();
   EXPECT_EQ(perform(intent::Stop(1)), "");
-  EXPECT_EQ(sent(), "STOPY STOPY") << "not known yet, and asked";
+  EXPECT_EQ(sent(), "STOPY") << "not known yet, and asked";
   EXPECT_FALSE(latest.unsaved_setup);
 }
 
@@ -138,6 +138,22 @@ TEST_F(Stopping, ReachesTheProgramsAlsoWhereItsAnswersAreLost) {
     EXPECT_EQ(perform(intent::Stop()), "") << lost;
     EXPECT_EQ(query("SASTAT0"), "0") << lost;
     EXPECT_TRUE(stays()) << lost;
+    next();
+  }
+}
+
+TEST_F(Stopping, SaysEverythingOnceBeforeASilentLineIsGivenUp) {
+  for (const bool byte_times : {false, true}) {
+    start(pmx, {}, byte_times);
+    ASSERT_EQ(load(to_and_fro), "");
+    ASSERT_EQ(perform(intent::RunProgram(0)), "");
+    run(1);
+    loop->drop(1 << 20);
+    const auto before = loop->to_controller.size();
+    EXPECT_THAT(perform(intent::Stop()), HasSubstr("connection was lost while"));
+    EXPECT_THAT(loop->to_controller.substr(before),
+                testing::StartsWith("@00STOP\r@00SR0=0\r@00SR1=0\r@00SR2=0\r"
+                                    "@00SR3=0\r@00STOP\r"));
     next();
   }
 }
