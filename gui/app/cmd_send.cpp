@@ -119,6 +119,9 @@ Task<int> send_texts(Scheduler& scheduler, std::shared_ptr<Session> session,
 Task<int> send_stop_first(std::shared_ptr<Session> session, std::string text) {
   const auto reply = co_await session->pump().query(std::move(text), for_an_answer);
   // Some stops are never answered. Whether anybody is there, the connection tells.
+  if (!reply && reply.error().kind == FaultKind::refused)  // why nobody is there is known by then
+    if (const auto connected = co_await session->wait_until_connected(); !connected)
+      co_return complain(connected.error(), status_of(connected.error()));
   if (!reply && reply.error().kind != FaultKind::no_answer)
     co_return complain(reply.error(), status_of(reply.error()));
   if (reply && !reply->empty()) print_reply(*reply);

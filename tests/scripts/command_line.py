@@ -617,6 +617,12 @@ class Send(Case):
             result = run("send", model + "@emulator", *texts, timeout=20)
             self.assertEqual((result.returncode, result.stdout.strip()), (0, shown), result)
 
+    def test_a_stop_that_nobody_hears_says_why(self):
+        with emulator("dmx-k-sa", "--tcp", "127.0.0.1:0", "--id", "01") as (ready, _):
+            address = "dmx-k-sa@tcp:" + port_of(ready[0]) + ",id="
+            self.assertEqual(run("send", address + "01", "STOP", "SR0=0").stdout, "OK\nOK\n")
+            self.expect(run("send", address + "02", "STOP"), 1, "No DMX-K-SA answers at address 02.")
+
     def test_a_controller_in_an_error_state_takes_k(self):
         with emulator("vxm", "--tcp", "127.0.0.1:0") as (ready, _):
             address = "vxm@tcp:" + port_of(ready[0])

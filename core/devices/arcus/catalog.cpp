@@ -307,10 +307,13 @@ struct CommonActions {
   }
 
   void add_programs() {
-    actions.push_back(make_action("subroutine", "Run subroutine",
-                                  "Runs one of the stored subroutines, beside whatever program runs.",
-                                  "Programs", {number_field("number", "Subroutine", "", 0, subroutines - 1)},
-                                  where("Standalone Programming")));
+    actions.push_back(
+        make_action("subroutine", "Run subroutine",
+                    "Runs one of the stored subroutines, beside whatever program runs. No command ends "
+                    "it: Stop ends the move that it has begun, and its next line may begin "
+                    "another. Only its own end or the power switch does.",
+                    "Programs", {number_field("number", "Subroutine", "", 0, subroutines - 1)},
+                    where("Standalone Programming")));
     actions.back().moves = actions.back().while_busy = true;
   }
 };

@@ -191,6 +191,12 @@ bool may_move(const Forms& forms, std::string_view text) {
   return false;
 }
 
+bool ends_motion(std::string_view text) { return text.starts_with("STOP") || text.starts_with("ABORT"); }
+
+bool ends_program(std::string_view text) {
+  return text.size() == 5 && text.starts_with("SR") && is_digit(text[2]) && text.ends_with("=0");
+}
+
 bool has_bit(std::int64_t word, int bit) { return bit != no_bit && (word >> bit & 1) != 0; }
 
 // Decision AMB-133: accelerating, constant and decelerating are the lowest three bits of both tables.

@@ -71,6 +71,10 @@ std::string move_command(const Forms& forms, const std::vector<AxisValue>& targe
 /// Commands that may move something: they are never repeated.
 bool may_move(const Forms& forms, std::string_view text);
 
+/// Commands that end motion (STOP, ABORT), or a program (SR0=0).
+bool ends_motion(std::string_view text);
+bool ends_program(std::string_view text);
+
 /// Bits of a status word.
 bool has_bit(std::int64_t word, int bit);
 /// Running, by the bits that both tables have in their lowest places.

@@ -8,6 +8,7 @@
 //   driver_actions.cpp   the catalog's actions
 //   driver_buffer.cpp    feeding a list of moves
 //   driver_stop.cpp      stops (decision AMB-128)
+//   driver_subroutine.cpp  subroutines called by the host, which no stop ends
 //   driver_programs.cpp  load, read, run, pause, halt
 //   driver_params.cpp    set-up
 #include <array>
@@ -38,11 +39,13 @@ class ArcusDriver final : public Driver {
   Task<Result<>> stop_jog(int axis) override;
   Task<Result<>> stop_wire(bool at_once) override;
   Task<Result<>> halt_program(int thread) override;
+  [[nodiscard]] std::string leaves_behind() const override;
   void wire_lost() override;
   Task<Result<std::string>> query(std::string text, Duration patience) override;
   [[nodiscard]] bool answers(std::string_view text) const override;
   [[nodiscard]] bool answers_later(std::string_view text) const override;
   [[nodiscard]] bool changes_programs(std::string_view text) const override;
+  [[nodiscard]] bool is_stop(std::string_view text) const override;
   bool take_unsolicited(std::string& text) override;
   [[nodiscard]] Duration moving_period() const override;
   [[nodiscard]] Duration idle_period() const override { return Millis(200); }
@@ -72,6 +75,11 @@ class ArcusDriver final : public Driver {
     std::string name;
     std::int64_t before, for_now;
     bool left_alone = false;  ///< through a lost wire: whoever has set it since is right
+  };
+  /// A subroutine that the host has called, and that moves something or may.
+  struct Called {
+    int number;
+    std::optional<Duration> rests;  ///< it is over when nothing has moved for so long
   };
 
   // ---- driver_talk.cpp
@@ -177,15 +185,23 @@ class ArcusDriver final : public Driver {
   void end_feed();
 
   // ---- driver_stop.cpp
-  Task<Result<>> stop_what(int axis, bool at_once);
-  Task<Result<>> stop_now(int axis, bool at_once);
+  Task<Result<>> stop_what(int axis, bool at_once, bool motion_only);
+  Task<Result<>> stop_now(int axis, bool at_once, bool motion_only);
   Task<Result<>> say_stop(std::string text);
-  Task<Result<>> release_joystick(int axis);
-  Task<Result<>> halt_threads(bool all);
+  Task<Result<>> say_stops(std::string word, int axis, bool all);
+  Task<Result<>> say_each_once(std::string word, int axis, bool all);
+  Task<Result<>> release_joystick(int axis, std::string stop);
+  Task<Result<>> halt_threads(int only);
+  Task<Result<>> threads_rest();
   Task<Result<>> wait_for_standstill(int axis);
   void stopping(int axis, bool at_once);
   void ended_by_us(int axis, EndedBy why);
   void stands(int axis);
+
+  // ---- driver_subroutine.cpp
+  std::optional<Called> note_call(std::string_view text);
+  [[nodiscard]] bool subroutine_may_run();
+  Task<Result<>> outlast_subroutine(std::string word);
 
   // ---- driver_programs.cpp
   Task<Result<>> perform_program(IntentBody body);
@@ -201,6 +217,7 @@ class ArcusDriver final : public Driver {
   Task<Result<>> upload(int program);
   Task<Result<>> run(int program);
   Task<Result<>> control(int thread, int what);
+  void forget_thread(std::string_view text);
   Task<Result<>> control_all(int thread, int what);
   Result<> no_thread_runs() const;
   void show_transfer(int done, int total);
@@ -255,6 +272,8 @@ class ArcusDriver final : public Driver {
   std::uint32_t watched_ = 0;
   bool half_written_ = false;              ///< lines were stored, and not all of a program
   std::optional<StoredCode> stored_code_;  ///< not known: not looked, or foreign code
+  std::optional<Called> called_;
+  Instant moved_at_{};  ///< when an axis was last seen to move, or may have
   int next_readout_ = 0, next_variable_ = 0, next_analog_ = 0, next_param_ = 0, next_thread_ = 0,
       next_kept_ = 0;
   std::array<std::int64_t, max_params> after_power_up_{};  ///< of what is stored: as it was then

@@ -43,6 +43,7 @@ Task<Result<>> ArcusDriver::connect(Station& station) {
   station.unsolicited = [this](std::string_view bytes) { return hear(bytes); };
   station.overheard = [this](std::string_view text) { overhear(text); };
   strays_ = 0;
+  moved_at_ = scheduler_.now();  // unseen
   auto identified = co_await identify();
   if (!identified) co_return identified;
   auto named = co_await read_name();
@@ -229,12 +230,14 @@ void ArcusDriver::look_for_restart(const Stood& before) {
 void ArcusDriver::restarted(std::string_view how_it_shows) {
   ++draft_.restarts;
   for (ParamState& p : draft_.params) p = ParamState();
+  for (ThreadState& t : draft_.threads) t = ThreadState();
   nobody_sets_.reset();
   unsaved_variables_ = draft_.unsaved_setup = false;
   draft_.variables_known.reset();
   draft_.readouts_known.reset();
   borrowed_.reset();
   stored_code_.reset();
+  called_.reset();
   end_feed();
   for (int i = 0; i < axis_count(); ++i) {
     minds_[static_cast<std::size_t>(i)] = AxisMind();

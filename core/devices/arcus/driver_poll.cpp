@@ -85,6 +85,7 @@ Task<Result<>> ArcusDriver::read_motion(Priority priority) {
     axis.encoder = Steps((*encoders)[ix(i)]);
     axis.speed = Pps(std::abs(static_cast<double>((*speeds)[ix(i)])));
     if (changed) minds_[ix(i)].turned = static_cast<std::int8_t>(move > Steps(0) ? 1 : -1);
+    if (runs(i)) moved_at_ = scheduler_.now();
     show_axis(i, asked_at);
   }
   co_return Result<>();

@@ -61,7 +61,6 @@ Task<Result<>> ArcusDriver::control(int thread, int what) {
     co_return fail(std::move(fault));
   }
   if (what == thread_run) draft_.program.started_at = scheduler_.now();
-  draft_.threads[ix(thread)].known = false;
   auto read = co_await read_threads(false, Priority::intent);
   if (!read) co_return read;
   const RunState now = draft_.threads[ix(thread)].run;
@@ -71,6 +70,13 @@ Task<Result<>> ArcusDriver::control(int thread, int what) {
                                draft_.threads[ix(thread)].line),
                    {}, "Look at the program, and whether an axis has an error.");
   co_return Result<>();
+}
+
+/// What is told to a thread (SR0=1) may change what it does.
+void ArcusDriver::forget_thread(std::string_view text) {
+  if (!text.starts_with("SR") || text.size() < 4 || text[3] != '=') return;
+  const auto n = decode_number(text.substr(2, 1));
+  if (n && *n >= 0 && *n < model().programs) draft_.threads[ix(static_cast<int>(*n))].known = false;
 }
 
 // SR is answered with OK whether the program is there or not (decision AMB-115). One that runs is; one that
@@ -141,11 +147,12 @@ Task<Result<std::string>> ArcusDriver::read_line(int line, Priority priority) {
 // An unused line is empty.
 Task<Result<>> ArcusDriver::write_line(int line, std::string text) {
   std::string sent = fmt::format("SA{}={}", line, text);
+  const bool half_written_before = std::exchange(half_written_, true);  // should the console be closed now
   auto written = co_await command(std::move(sent), Priority::transfer, Millis(500));
   // A stop that came first, or a refusal: this line is not stored.
   const bool kept_out =
       !written && (written.error().kind == FaultKind::stopped || written.error().kind == FaultKind::refused);
-  half_written_ = half_written_ || !kept_out;
+  if (kept_out) half_written_ = half_written_before;
   co_return written;
 }
 
@@ -210,13 +217,25 @@ Task<Result<>> ArcusDriver::load(int program, std::string text) {
   co_return Result<>();
 }
 
+namespace {
+
+constexpr const char* torn = "What is stored now is neither the old program nor the new one.";
+constexpr const char* mend_it = "Download it again before anything runs it.";
+
+}  // namespace
+
 /// By a stop, a lost link or a line that is not taken: what is stored then may run, and is no program.
 tl::unexpected<Fault> ArcusDriver::broken_off(Fault why) {
   if (!half_written_) return fail(std::move(why));
   draft_.slot_bytes_used[0] = -1;
-  why.done = "What is stored now is neither the old program nor the new one.";
-  why.advice = "Download it again before anything runs it.";
+  why.done = torn;
+  why.advice = mend_it;
   return fail(std::move(why));
+}
+
+// The next console to open it does not know.
+std::string ArcusDriver::leaves_behind() const {
+  return half_written_ ? fmt::format("{} {}", torn, mend_it) : std::string();
 }
 
 // Each line is read back at once; a line that is equal already is not written.

@@ -1,5 +1,6 @@
-// Stopping, by decision AMB-128: the joystick off where it is on, STOP (or ABORT), each running program
-// stopped, STOP again because a program may have begun a move in between, then the status until all stand.
+// Stopping, by decision AMB-128: STOP (or ABORT), every program stopped, the joystick off where it is on,
+// STOP again because a program or the stick may have begun a move in between, then the status until all
+// stand.
 #include <fmt/core.h>
 
 #include "core/base/index.h"
@@ -41,19 +42,19 @@ void ArcusDriver::ended_by_us(int axis, EndedBy why) {
 
 Task<Result<>> ArcusDriver::stop(int axis, bool at_once) {
   const bool asked_twice = stops_.ramps(axis);
-  co_return co_await stop_what(axis, at_once || asked_twice);
+  co_return co_await stop_what(axis, at_once || asked_twice, false);
 }
 
 // What the jog moves stops; programs, and axes that they move, go on. Letting go is never the second stop.
-Task<Result<>> ArcusDriver::stop_jog(int axis) { co_return co_await stop_what(axis, false); }
+Task<Result<>> ArcusDriver::stop_jog(int axis) { co_return co_await stop_what(axis, false, true); }
 
-Task<Result<>> ArcusDriver::stop_what(int axis, bool at_once) {
+Task<Result<>> ArcusDriver::stop_what(int axis, bool at_once, bool motion_only) {
   if (!station_)
     co_return fail(FaultKind::lost, "Stop does not reach the controller: there is no connection.",
                    "Nothing was sent.", "Use its power switch.");
   stops_.begin(axis, at_once);
   end_feed();
-  auto stopped = co_await stop_now(axis, at_once);
+  auto stopped = co_await stop_now(axis, at_once, motion_only);
   stops_.end(axis, at_once);
   if (station_) stands(axis);
   co_return stopped;
@@ -68,21 +69,46 @@ void ArcusDriver::stands(int axis) {
   }
 }
 
-Task<Result<>> ArcusDriver::stop_now(int axis, bool at_once) {
+Task<Result<>> ArcusDriver::stop_now(int axis, bool at_once, bool motion_only) {
   const std::string_view form = at_once ? forms_.abort : forms_.stop;
   const bool all = axis < 0 || axis_count() == 1;
   const std::string word = all ? std::string(form.substr(0, form.find('a'))) : fill(forms_, form, axis);
   stopping(axis, at_once);
-  auto released = co_await release_joystick(axis);
-  auto said = co_await say_stop(word);
+  Result<> said;
+  if (motion_only)
+    said = co_await say_stop(word);
+  else
+    said = co_await say_stops(word, axis, all);
   if (!said) co_return said;
-  if (!released) co_return released;
-  if (!all) co_return co_await wait_for_standstill(axis);
-  auto halted = co_await halt_threads(false);
+  if (all && !motion_only && subroutine_may_run()) co_return co_await outlast_subroutine(word);
+  co_return co_await wait_for_standstill(all ? -1 : axis);
+}
+
+Task<Result<>> ArcusDriver::say_stops(std::string word, int axis, bool all) {
+  Result<> said;
+  for (int attempt = 0; attempt < stop_attempts; ++attempt) {
+    said = co_await say_each_once(word, axis, all);
+    if (said) break;
+    if (!station_)
+      co_return fail(FaultKind::lost, "The connection was lost while the controller was told to stop.",
+                     "Whether it has heard all of it is not known.", "Use its power switch if it moves.");
+  }
+  co_return said;
+}
+
+// Whatever is not confirmed, the next is sent: each answer that is waited for keeps back the others.
+Task<Result<>> ArcusDriver::say_each_once(std::string word, int axis, bool all) {
+  auto said = co_await command(word, Priority::stop);
+  Result<> halted, rest;
+  if (all) {
+    halted = co_await halt_threads(-1);
+    said = co_await command(word, Priority::stop);
+  }
+  auto released = co_await release_joystick(all ? -1 : axis, word);
+  if (all) rest = co_await threads_rest();
+  if (!said) co_return said;
   if (!halted) co_return halted;
-  said = co_await say_stop(word);
-  if (!said) co_return said;
-  co_return co_await wait_for_standstill(-1);
+  co_return released ? rest : released;
 }
 
 // A stop for all devices of the line in one message; the stop of each follows.
@@ -91,32 +117,63 @@ Task<Result<>> ArcusDriver::stop_wire(bool at_once) {
   co_return co_await broadcast(at_once ? "ABORT" : "STOP", Priority::stop);
 }
 
-// Its axes would go on by the stick.
-Task<Result<>> ArcusDriver::release_joystick(int axis) {
+namespace {
+
+Fault joystick_not_read(bool switched_off) {
+  return Fault(FaultKind::garbled, "The controller did not tell which axes follow the joystick.",
+               switched_off ? "STOP was sent, and the joystick was switched off for all axes."
+                            : "STOP was sent; the joystick was left as it is.",
+               switched_off ? "" : "Stop all axes if this one goes on.");
+}
+
+}  // namespace
+
+// Its axes would go on by the stick. It is asked each time: programs, other hosts and a power-up switch it
+// on.
+Task<Result<>> ArcusDriver::release_joystick(int axis, std::string stop) {
   if (!forms_.joystick) co_return Result<>();
-  const auto mask = param("JE");
-  if (mask && *mask == 0) co_return Result<>();
+  const int index = catalog_.find_param("JE");
+  const auto mask = co_await ask_number("JE", Priority::stop);
+  if (!mask && mask.error().kind == FaultKind::lost) co_return fail(mask.error());
   const std::int64_t kept = axis < 0 || !mask ? 0 : *mask & ~(std::int64_t{1} << axis);
   if (mask && kept == *mask) co_return Result<>();
-  auto said = co_await say_stop(set_command("JE", kept));
-  const int index = catalog_.find_param("JE");
-  if (said && mask) {
-    changed_param(index);
-    draft_.params[ix(index)].value = kept;
-    draft_.params[ix(index)].known = true;
-    tell(Notice::Kind::info, "The joystick was switched off by the stop.");
+  if (!mask && axis >= 0) {
+    draft_.params[ix(index)].known = false;
+    co_return fail(joystick_not_read(false));
   }
+  const auto set = co_await command(set_command("JE", kept), Priority::stop);
+  changed_param(index);
+  auto said = co_await command(stop, Priority::stop);
+  if (!set) co_return set;
+  if (!mask) co_return fail(joystick_not_read(true));
+  draft_.params[ix(index)].value = kept;
+  draft_.params[ix(index)].known = true;
+  tell(Notice::Kind::info, "The joystick was switched off by the stop.");
   co_return said;
 }
 
-Task<Result<>> ArcusDriver::halt_threads(bool all) {
+// One, or all (-1): also those that were idle when they were last asked. A program, another host or the
+// power-up may have started them.
+Task<Result<>> ArcusDriver::halt_threads(int only) {
+  Result<> halted;
   for (int n = 0; n < model().programs; ++n) {
-    const ThreadState& thread = draft_.threads[ix(n)];
-    const bool rests = thread.known && (thread.run == RunState::idle || thread.run == RunState::error);
-    if (rests && !all) continue;
-    auto said = co_await say_stop(fmt::format("SR{}=0", n));
-    if (!said) co_return said;
-    draft_.threads[ix(n)].known = false;
+    if (only >= 0 && n != only) continue;
+    auto said = co_await command(fmt::format("SR{}=0", n), Priority::stop);
+    if (!said && halted) halted = std::move(said);
+  }
+  co_return halted;
+}
+
+// One that was halted is started again by another that is not yet.
+Task<Result<>> ArcusDriver::threads_rest() {
+  auto read = co_await read_threads(true, Priority::stop);
+  if (!read) co_return read;
+  for (int n = 0; n < model().programs; ++n) {
+    const RunState run = draft_.threads[ix(n)].run;
+    if (run != RunState::running && run != RunState::held) continue;
+    co_return fail(FaultKind::controller, fmt::format("Program {} still runs: something starts it again.", n),
+                   fmt::format("It was told to stop {} times.", stop_attempts),
+                   "Stop again, or switch the power off.");
   }
   co_return Result<>();
 }
@@ -144,12 +201,12 @@ Task<Result<>> ArcusDriver::halt_program(int thread) {
   if (!station_) co_return no_connection();
   if (thread >= model().programs)
     co_return fail(FaultKind::refused, fmt::format("There is no program {}.", thread), "Nothing was sent.");
-  Result<> said;
-  if (thread < 0)
-    said = co_await halt_threads(true);
-  else
-    said = co_await say_stop(fmt::format("SR{}=0", thread));
-  if (!said) co_return said;
+  Result<> halted;
+  for (int attempt = 0; attempt < stop_attempts; ++attempt) {
+    halted = co_await halt_threads(thread);
+    if (halted || !station_) break;
+  }
+  if (!halted) co_return halted;
   co_return co_await read_threads(true, Priority::stop);
 }
 

@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t most_for_scripts = 256;
 constexpr Duration usual_patience = Millis(200);
-constexpr Duration quiet_time = Millis(30);
+constexpr Duration quiet_time = Millis(30), longest_noise = Millis(300);
 
 std::string printable(std::string_view bytes) {
   std::string all;
@@ -78,7 +78,10 @@ Task<Result<Reply>> ArcusDriver::exchange(std::string text, Priority priority, D
     if (!named) co_return fail(named.error());
   }
   const int strays_before = strays_;
+  forget_thread(said);  // whether or not it is confirmed
+  const auto called_before = note_call(said);
   auto reply = co_await say(text, priority, patience, own_question);
+  if (reply ? reply->refused() : reply.error().kind == FaultKind::stopped) called_ = called_before;
   if (!reply || !must_be_sure || !station_ || !station_->answer_owed_on_wire()) co_return reply;
   auto named = co_await hear_its_name(priority);
   if (!named) co_return fail(named.error());
@@ -222,12 +225,14 @@ Task<Result<>> ArcusDriver::broadcast(std::string text, Priority priority) {
   co_return Result<>();
 }
 
-// After an answer that made no sense: what still comes must not be taken for the next one.
+// After an answer that made no sense: what still comes must not be taken for the next one. Where another
+// program talks all the time it never is quiet.
 Task<> ArcusDriver::wait_for_quiet() {
+  const Instant give_up = scheduler_.now() + longest_noise;
   Instant quiet_at = scheduler_.now() + quiet_time;
   while (station_ && scheduler_.now() < quiet_at) {
     co_await scheduler_.sleep_until(quiet_at);
-    quiet_at = std::max(quiet_at, heard_at_ + quiet_time);
+    quiet_at = std::min(std::max(quiet_at, heard_at_ + quiet_time), give_up);
   }
 }
 
@@ -268,10 +273,13 @@ bool ArcusDriver::take_unsolicited(std::string& text) {
 
 // ---- raw text
 
+// A stop waits for nothing that is to come first.
 Task<Result<std::string>> ArcusDriver::query(std::string text, Duration patience) {
-  if (auto returned = co_await give_back_first(); !returned) co_return fail(returned.error());
+  const Priority priority = is_stop(text) ? Priority::stop : Priority::intent;
+  if (priority != Priority::stop)
+    if (auto returned = co_await give_back_first(); !returned) co_return fail(returned.error());
   if (model().broadcast >= 0 && address_of(text) == model().broadcast) {
-    auto sent = co_await broadcast(std::string(text_of(text)), Priority::intent);
+    auto sent = co_await broadcast(std::string(text_of(text)), priority);
     if (!sent) co_return fail(sent.error());
     note_sent(text_of(text));
     co_return std::string();
@@ -279,7 +287,8 @@ Task<Result<std::string>> ArcusDriver::query(std::string text, Duration patience
   const int to = address_of(text);
   const bool anothers = to >= 0 && to != catalog_.address;
   if (station_ && anothers) station_->let_others_hear(text);
-  auto reply = co_await exchange(text, Priority::intent, patience);
+  if (!anothers && ends_motion(text_of(text))) end_feed();  // whether or not it is confirmed
+  auto reply = co_await exchange(text, priority, patience);
   if (!reply && anothers && reply.error().kind == FaultKind::no_answer)
     co_return fail(FaultKind::no_answer,
                    fmt::format("Device {:02} did not answer {} in time.", to, text_of(text)));
@@ -301,9 +310,17 @@ bool ArcusDriver::changes_programs(std::string_view text) const {
   return command.starts_with("SA") && command.find('=') != command.npos;
 }
 
+// To this device or to all.
+bool ArcusDriver::is_stop(std::string_view text) const {
+  const int to = address_of(text);
+  const std::string_view command = text_of(text);
+  return (to < 0 || to == catalog_.address || to == model().broadcast) &&
+         (ends_motion(command) || ends_program(command));
+}
+
 Task<Result<>> ArcusDriver::send_text(const intent::SendText& wish) {
   if (wish.broadcast) {
-    auto sent = co_await broadcast(wish.text, Priority::intent);
+    auto sent = co_await broadcast(wish.text, is_stop(wish.text) ? Priority::stop : Priority::intent);
     if (sent) note_sent(wish.text);
     co_return sent;
   }
@@ -337,18 +354,21 @@ void ArcusDriver::note_sent(std::string_view text) {
       if (const auto n = decode_number(name.substr(1)); n && *n >= 0 && *n < variables)
         draft_.variables_known.reset(static_cast<std::size_t>(*n));
   }
+  forget_thread(text);
   if (text == "STORE") is_stored();
+  note_call(text);
   if (text.starts_with("SA") && equals != text.npos) stored_code_.reset();
   if (const int axis = axis_named_in(text); axis >= 0 && takes_target_away(text))
     draft_.axes[axis].has_target = false;
-  if (text.starts_with("STOP") || text.starts_with("ABORT")) note_stop(text);
+  if (ends_motion(text)) note_stop(text);
   if (!arcus::may_move(forms_, text)) return;
   ++counters_set_;  // homing sets them; a short move to zero ends before anybody has seen it move
   changed_();
 }
 
-// The user's own stop: what it has ended did not end by itself.
+// The user's own stop: what it has ended did not end by itself, and nothing that waits here begins again.
 void ArcusDriver::note_stop(std::string_view text) {
+  end_feed();
   const int only = axis_count() > 1 ? axis_named_in(text) : -1;
   const EndedBy why = text.starts_with("ABORT") ? EndedBy::abort : EndedBy::stop;
   for (int i = 0; i < axis_count(); ++i)

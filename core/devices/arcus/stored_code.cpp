@@ -7,6 +7,7 @@ namespace {
 
 using language::Instruction;
 using language::Opcode;
+using language::Operand;
 using language::Quantity;
 
 class SetParams {
@@ -70,6 +71,76 @@ void SetParams::add_written(Quantity quantity, int axis) {
   }
 }
 
+/// What a subroutine does from its head to its end, with those that it calls. Without a loop it is over when
+/// it has had time for each of its statements.
+class SubroutineWalk {
+ public:
+  explicit SubroutineWalk(const language::Program& code) : code_(code) {}
+  StoredSubroutine walk(std::size_t number) {
+    go_through(*code_.subs[number], 0);
+    const bool returns_in_error =
+        code_.subs[language::error_subroutine].has_value();  // to the same statement
+    if (!ends_ || (returns_in_error && moves_)) return {moves_, std::nullopt};
+    return {moves_, rests_};
+  }
+
+ private:
+  void go_through(std::size_t line, int depth);
+  void count(const Instruction& statement, int depth);
+  void give_up() { moves_ = true, ends_ = false; }
+
+  static constexpr Duration between_two = Millis(500);    // looks at an axis, that a short move may fall into
+  static constexpr Duration of_a_statement = Millis(10);  // ten times AMB-127
+  static constexpr int most_statements = 10'000;
+  const language::Program& code_;
+  Duration rests_ = std::chrono::seconds(1);
+  bool moves_ = false, ends_ = true;
+  int statements_ = 0;
+};
+
+void SubroutineWalk::go_through(std::size_t line, int depth) {
+  for (; line < code_.code.size() && statements_ < most_statements; ++line) {
+    const Instruction& statement = code_.code[line];
+    if (statement.op == Opcode::endsub || statement.op == Opcode::end) return;
+    count(statement, depth);
+  }
+}
+
+void SubroutineWalk::count(const Instruction& statement, int depth) {
+  const Operand& first = statement.values[0];
+  rests_ += of_a_statement;
+  if (++statements_ == most_statements) give_up();
+  switch (statement.op) {
+    case Opcode::delay: rests_ += Millis(first.number); break;
+    case Opcode::while_: ends_ = false; break;
+    case Opcode::gosub: {
+      const auto n = static_cast<std::size_t>(first.number);
+      if (depth >= language::max_call_depth || n >= code_.subs.size())
+        give_up();
+      else if (code_.subs[n])
+        go_through(*code_.subs[n], depth + 1);
+      break;
+    }
+    case Opcode::set: moves_ = moves_ || statement.target == quantity_operand(Quantity::joystick_axes); break;
+    case Opcode::run:
+    case Opcode::move:
+    case Opcode::arc_clockwise:
+    case Opcode::arc_counterclockwise:
+    case Opcode::circle_clockwise:
+    case Opcode::circle_counterclockwise:
+    case Opcode::home_switch:
+    case Opcode::home_limit:
+    case Opcode::home_switch_index:
+    case Opcode::home_index:
+    case Opcode::home_switch_slow:
+    case Opcode::jog:
+      moves_ = true;
+      rests_ += between_two;
+      break;
+    default: break;
+  }
+}
+
 }  // namespace
 
 StoredCode read_stored_code(const language::Program& code, const Model& model) {
@@ -83,6 +154,8 @@ StoredCode read_stored_code(const language::Program& code, const Model& model) {
       params.add_written(i.target.quantity, i.target.index);
   }
   stored.sets = params.found();
+  for (std::size_t n = 0; n < stored.subs.size(); ++n)
+    if (code.subs[n]) stored.subs[n] = SubroutineWalk(code).walk(n);
   return stored;
 }
 

@@ -59,7 +59,7 @@ constexpr arcus::CommandRow rows[] = {
     {"PX", "PX", "reads the pulse counter, or the real-time target with StepNLoop", false, "ch. 9"},
     {"PX=[value]", "PX=0", "writes the position counter", false, "ch. 9"},
     {"PS", "PS", "reads the present speed; counts/s with StepNLoop", false, "ch. 9"},
-    {"GS[0-31]", "GS1", "runs a stored subroutine from the host", true, "ch. 9"},
+    {"GS[0-31]", "GS1", "runs a stored subroutine from the host; no command ends it", true, "ch. 9"},
     {"HSPD", "HSPD", "reads the high speed", false, "ch. 9"},
     {"HSPD=[Value]", "HSPD=10000", "writes the high speed", false, "ch. 9"},
     {"LSPD", "LSPD", "reads the low speed", false, "ch. 9"},

@@ -154,7 +154,7 @@ constexpr arcus::CommandRow rows[] = {
     {"SLOAD=[value]", "SLOAD=1", "selects by bits the programs that start at power-up", false, "ch. 9"},
     {"SR[0-3]=[value]", "SR0=1", "stops (0), runs (1), pauses (2) or continues (3) one program", true, "ch. 9"},
     {"SPC[0-3]", "SPC0", "reads the current compiled line of one program", false, "ch. 9"},
-    {"GS[0-31]", "GS1", "runs a stored subroutine from the host", true, "ch. 9"},
+    {"GS[0-31]", "GS1", "runs a stored subroutine from the host; no command ends it", true, "ch. 9"},
 };
 // clang-format on
 

@@ -80,6 +80,32 @@ TEST_F(Programs, OneWhoseTransferWasBrokenOffDoesNotRun) {
   }
 }
 
+TEST_F(Programs, OneThatIsHalfWrittenWhenTheConsoleIsClosedIsNamed) {
+  std::string text;
+  for (int n = 0; n < 100; ++n) text += "V1=" + std::to_string(n) + "\n";
+  for (const std::string_view model : both)
+    for (const bool stopped : {false, true}) {
+      start(model, {}, true);
+      EXPECT_EQ(pump->driver().leaves_behind(), "");
+      post(intent::LoadProgram(0, text + "END\n"));
+      ASSERT_TRUE(run_until([&] { return latest.transfer.done > 10; }, 60));
+      if (stopped) perform(intent::Stop());
+      asio::co_spawn(io, pump->shut_down(), asio::detached);
+      run(1);
+      EXPECT_TRUE(told("What is stored now is neither the old program nor the new one.")) << model << stopped;
+      next_model();
+    }
+}
+
+TEST_F(Programs, OneThatIsWholeIsNothingLeftBehind) {
+  for (const std::string_view model : both) {
+    start(model);
+    ASSERT_EQ(load(0, "X100\nEND\n"), "");
+    EXPECT_EQ(pump->driver().leaves_behind(), "");
+    next_model();
+  }
+}
+
 TEST_F(Programs, OneThatATextHasStartedIsNotWrittenOver) {
   for (const std::string_view model : both) {
     start(model);

@@ -53,8 +53,8 @@ std::ostream& operator<<(std::ostream& out, const BrokenReply& b) { return out <
 
 class BrokenReplies : public DriverTest, public testing::WithParamInterface<BrokenReply> {
  protected:
-  void start() {
-    type = find_device_type("dmx-k-sa");
+  void start(std::string_view model = "dmx-k-sa") {
+    type = find_device_type(model);
     auto owned = std::make_unique<Liar>(type->make_emulator({}).value());
     liar = owned.get();
     loop = std::make_unique<test::Loopback>(time, std::move(owned), false);
@@ -165,6 +165,61 @@ TEST_F(OneReply, ARunOfForeignCodeStopsWithItsLine) {
 TEST_F(OneReply, AProgramForTheOtherModelIsRefusedWithItsLine) {
   start();
   EXPECT_THAT(perform(intent::LoadProgram(0, "U1000\nEND\n")), HasSubstr("error in line 1"));
+}
+
+// ---- a stop that cannot read the joystick
+
+TEST_F(OneReply, WithoutTheStateOfTheJoystickAStopOfOneAxisLeavesItAndSaysSo) {
+  start("pmx-4ex-sa");
+  ASSERT_EQ(query("JE=3"), "OK");
+  liar->instead["JE"] = "x\r";
+  EXPECT_THAT(perform(intent::Stop(1)), HasSubstr("joystick"));
+  liar->instead.clear();
+  EXPECT_EQ(query("JE"), "3");
+}
+
+TEST_F(OneReply, WithoutTheStateOfTheJoystickAStopOfAllSwitchesItOffAndSaysSo) {
+  start("pmx-4ex-sa");
+  ASSERT_EQ(query("JE=3"), "OK");
+  liar->instead["JE"] = "x\r";
+  EXPECT_THAT(perform(intent::Stop()), HasSubstr("joystick"));
+  liar->instead.clear();
+  EXPECT_EQ(query("JE"), "0");
+}
+
+// ---- another program on the line
+
+/// It asks the same controller again and again, and everybody hears the answers.
+class Overheard final : public test::EmulatorAround {
+ public:
+  Overheard(std::unique_ptr<Emulator> inner, Duration period)
+      : EmulatorAround(std::move(inner)), period_(period) {}
+  [[nodiscard]] std::optional<Instant> next_event() const override {
+    const auto next = inner_->next_event();
+    return next ? std::min(*next, asks_at_) : asks_at_;
+  }
+  void advance_to(Instant now) override {
+    inner_->advance_to(now);
+    for (; asks_at_ <= now; asks_at_ += period_) inner_->receive("@01PX\r");
+  }
+
+ private:
+  Duration period_;
+  Instant asks_at_{};
+};
+
+TEST_F(DriverTest, WhereAnotherProgramAsksAllTheTimeConnectingEnds) {
+  for (const int period : {5, 10, 20}) {
+    type = find_device_type("dmx-k-sa");
+    loop = std::make_unique<test::Loopback>(
+        time, std::make_unique<Overheard>(type->make_emulator({}).value(), Millis(period)), false);
+    catalog = type->make_catalog({}).value();
+    open();
+    EXPECT_EQ(latest.link.state, LinkState::lost) << period;
+    EXPECT_THAT(std::string(latest.link.sentence.view()), HasSubstr("another program talks on this line"));
+    TearDown();
+    latest = Snapshot();
+  }
 }
 
 }  // namespace

@@ -1,0 +1,65 @@
+// Subroutines that the host has called (GS, decision AMB-046). No SR ends the thread that they run in and no
+// SASTAT shows it: STOP ends only the move that one has begun, and its next line may begin another.
+#include <fmt/core.h>
+
+#include "core/base/index.h"
+#include "core/devices/arcus/driver.h"
+
+namespace hw::arcus {
+namespace {
+
+constexpr Duration between_looks = Millis(40);
+constexpr Duration longest_watch = std::chrono::seconds(10);
+constexpr Duration usual_rest = std::chrono::seconds(2);    // where nobody can tell when it is over
+constexpr Duration longest_rest = std::chrono::seconds(5);  // that is waited for
+
+}  // namespace
+
+/// Before it is sent: whether or not it is confirmed. Returns what was known before.
+std::optional<ArcusDriver::Called> ArcusDriver::note_call(std::string_view text) {
+  const auto before = called_;
+  if (!text.starts_with("GS")) return before;
+  const auto number = decode_number(text.substr(2));
+  if (!number || *number < 0 || *number >= subroutines) return before;
+  const auto n = static_cast<std::size_t>(*number);
+  const bool known = stored_code_ && stored_code_->subs[n];
+  if (known && !stored_code_->subs[n]->moves) return before;
+  called_ = Called{static_cast<int>(n), known ? stored_code_->subs[n]->rests : std::nullopt};
+  moved_at_ = scheduler_.now();
+  return before;
+}
+
+/// The one that was called may still be under way.
+bool ArcusDriver::subroutine_may_run() {
+  if (called_ && called_->rests && scheduler_.now() - moved_at_ > *called_->rests) called_.reset();
+  return called_.has_value();
+}
+
+// Each move that it begins is stopped, until it is over or nobody can tell.
+Task<Result<>> ArcusDriver::outlast_subroutine(std::string word) {
+  const Instant give_up = scheduler_.now() + longest_watch;
+  Instant stood_at = scheduler_.now();
+  bool turns = false;
+  while (subroutine_may_run() && scheduler_.now() < give_up) {
+    const bool is_told = called_->rests && *called_->rests <= longest_rest;
+    if (!is_told && scheduler_.now() - stood_at > usual_rest) break;
+    co_await scheduler_.sleep_for(between_looks);
+    auto read = co_await read_motion(Priority::stop);
+    if (read) read = co_await read_loop(Priority::stop);
+    if (!read) co_return read;
+    turns = false;
+    for (int i = 0; i < axis_count(); ++i) turns = turns || runs(i);
+    if (!turns) continue;
+    stood_at = scheduler_.now();
+    auto said = co_await say_each_once(word, -1, true);
+    if (!said && !station_) co_return said;
+  }
+  if (!subroutine_may_run()) co_return Result<>();
+  co_return fail(FaultKind::controller,
+                 fmt::format("Subroutine {}, which GS has started, may go on, and {}.", called_->number,
+                             turns ? "an axis still moves" : "its next line may move again what stands now"),
+                 "STOP ends only the move that it has begun; no command ends a subroutine.",
+                 "Switch the power off to end it.");
+}
+
+}  // namespace hw::arcus
