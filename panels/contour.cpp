@@ -202,8 +202,7 @@ void Contour::follow(Frame& f) {
   const int frame = ImGui::GetFrameCount();
   const bool was_away = frame - std::exchange(drawn_frame_, frame) > 1;
   if (was_away && loading_ != 0 && f.tab.desk().stops() == stops_)
-    f.toast(Mood::warning,
-            "The list was loaded and is not started: another panel came to the front meanwhile.");
+    f.toast(Mood::warn, "The list was loaded and is not started: another panel came to the front meanwhile.");
   if (was_away || f.ui.cancelled() || f.tab.desk().stops() != stops_) loading_ = starting_ = 0;
   if (loading_ && ended(loading_)) starting_ = f.send_and_watch(intent::RunProgram(0));
   if (starting_) ended(starting_);
