@@ -45,8 +45,7 @@ class HeldJogs {
   /// The one that ends when a hand lets go: its own, whatever a script has begun meanwhile.
   [[nodiscard]] Jog in_hand() const {
     const auto own = std::find_if(jogs_.rbegin(), jogs_.rend(), [](const Jog& jog) { return jog.guarded; });
-    if (own != jogs_.rend()) return *own;
-    return any() ? jogs_.back() : Jog();
+    return own != jogs_.rend() ? *own : Jog();
   }
 
  private:

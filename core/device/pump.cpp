@@ -151,8 +151,11 @@ Task<> Pump::wait_for_retry() {
 }
 
 void Pump::lose_wire(const Fault& why) {
-  if (!std::exchange(down_, true))
-    draft_.link.lost_at = scheduler_.now();  // attempts in between do not count
+  if (!std::exchange(down_, true)) {  // attempts in between do not count
+    draft_.link.lost_at = scheduler_.now();
+    ran_when_lost_ = something_runs() || jogs_.any() || performing_;
+    restarts_when_lost_ = draft_.restarts;
+  }
   jogs_.for_each_axis([this](int axis) { owed_stop_.add(axis); });
   draft_.link.state = LinkState::lost;
   draft_.link.sentence = why.sentence();
@@ -202,7 +205,7 @@ void Pump::poll_finished(const Result<>& result) {
     return;
   }
   forget_jogs_that_ended();
-  if (result && !draft_.any_axis_moving() && draft_.program.run != RunState::running) owed_stop_.forget();
+  if (result && !something_runs()) owed_stop_.forget();
   const bool understood =
       result || (result.error().kind != FaultKind::garbled && result.error().kind != FaultKind::refused);
   health.state = s.misses_in_a_row > 0 || !understood ? LinkState::late : LinkState::good;

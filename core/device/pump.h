@@ -70,7 +70,11 @@ class Pump {
   Task<> leave_wire();
   Task<> wait_for_retry();
   void post_stop(Intent intent);
-  void make_way_for(const std::string& text);
+  [[nodiscard]] bool stops_by_text(const std::string& text) const;
+  void begin_stop();
+  void end_stop();
+  Task<> perform_stop_text(Intent intent);
+  Task<Result<std::string>> query_stop(std::string text, Duration patience);
   void refuse_queued(std::string_view why);
   bool try_to_recover(const std::string& text);
   void answer_recovery();
@@ -80,10 +84,11 @@ class Pump {
   void jog_not_begun(const Intent& intent);
   void jog_failed(const Intent& intent, FaultKind kind);
   void disarm_if_none_is_held();
+  [[nodiscard]] bool something_runs() const;
   void owe_stop(const IntentBody& stop);
   void make_good_the_stop();
   void forget_jogs_that_ended();
-  void count_program_change(const Job& job);
+  void count_program_change(const Intent& intent);
   void jog_let_go();
   void poll_finished(const Result<>& result);
   void lose_wire(const Fault& why);
@@ -107,7 +112,9 @@ class Pump {
   int attempt_ = 0;
   bool performing_ = false;
   HeldJogs jogs_;
-  OwedStop owed_stop_;    ///< to be made good when the wire is back
+  OwedStop owed_stop_;  ///< to be made good when the wire is back
+  bool ran_when_lost_ = false;
+  std::uint32_t restarts_when_lost_ = 0;
   bool down_ = false;     ///< since the loss of the wire, through all attempts
   bool leaving_ = false;  ///< shut_down() has begun: stops only
   bool running_ = false, closing_ = false, retry_now_ = false;

@@ -1,4 +1,5 @@
-// What is asked of an open controller: commands in their order, questions, and stops, which wait for nothing.
+// What is asked of an open controller: commands and questions in their order, and jogs. Stops:
+// pump_stops.cpp.
 #include <algorithm>
 
 #include <fmt/core.h>
@@ -16,11 +17,6 @@ bool leads_to_a_start(const IntentBody& body) {
          std::holds_alternative<intent::UploadProgram>(body);
 }
 
-Fault failed_inside(const char* what, const std::exception& defect) {
-  return Fault(FaultKind::internal, fmt::format("The {} failed inside: {}.", what, defect.what()),
-               "What the controller did with it is not known.", "Look at its state before the next command.");
-}
-
 }  // namespace
 
 void Pump::post(Intent intent) {
@@ -29,7 +25,7 @@ void Pump::post(Intent intent) {
     return;
   }
   const bool lets_go = std::holds_alternative<intent::JogStop>(intent.body);
-  if (lets_go && (!jogs_.any() || (withdraw_waiting_jog() && !jogs_.any_guarded()))) {
+  if (lets_go && (!jogs_.any_guarded() || (withdraw_waiting_jog() && !jogs_.any_guarded()))) {
     // Released twice, a jog that was refused, or one whose turn had not come. A second stop would mean: at
     // once, without a ramp.
     set_fate(intent.id, Fate::done);
@@ -51,13 +47,18 @@ void Pump::post(Intent intent) {
     return publish();
   }
   const auto* text = std::get_if<intent::SendText>(&intent.body);
-  if (text) make_way_for(text->text);
   set_fate(intent.id, Fate::pending);
+  if (text && stops_by_text(text->text)) {
+    begin_stop();
+    asio::co_spawn(scheduler_.executor(), perform_stop_text(std::move(intent)), asio::detached);
+    return;
+  }
   if (queue_.size() >= most_queued) {
     set_fate(intent.id, Fate::refused, "Too many commands wait already. This one was not sent.");
     return publish();
   }
   hold_jog(intent);
+  if (text && draft_.link.state == LinkState::lost && driver_->is_stop(text->text)) owed_stop_.add(-1);
   const bool recovers = text && try_to_recover(text->text);
   queue_.push_back(std::make_unique<Job>(std::move(intent)));
   queue_.back()->recovers = recovers;
@@ -144,30 +145,6 @@ void Pump::forget_jogs_that_ended() {
   });
 }
 
-void Pump::owe_stop(const IntentBody& stop) {
-  if (const auto* s = std::get_if<intent::Stop>(&stop))
-    owed_stop_.add(s->axis);
-  else if (const auto* a = std::get_if<intent::Abort>(&stop))
-    owed_stop_.add(a->axis);
-  else if (const auto* j = std::get_if<intent::JogStop>(&stop))
-    owed_stop_.add(j->axis);
-  else if (catalog_.program.threads == 0)
-    owed_stop_.add(-1);
-}
-
-void Pump::make_good_the_stop() {
-  if (!owed_stop_.any()) return;
-  const int axis = owed_stop_.take();
-  const bool runs = axis >= 0 ? draft_.axis_moves(axis)
-                              : draft_.any_axis_moving() || draft_.program.run == RunState::running;
-  if (!runs) return;
-  ways_.notify(
-      Notice(Notice::Kind::warning, scheduler_.now(),
-             "When the link was lost a jog was held, or a stop was on its way, and it still ran. It is "
-             "stopped now."));
-  post_stop(Intent(0, intent::Stop(axis)));
-}
-
 /// One that may have begun although nobody can tell is stopped: its hand has been told of the failure, and
 /// will not stop it. It is stopped by its axis, so that nothing else is.
 void Pump::jog_failed(const Intent& intent, FaultKind kind) {
@@ -178,7 +155,9 @@ void Pump::jog_failed(const Intent& intent, FaultKind kind) {
   if (rejected) return jog_not_begun(intent);
   ways_.notify(Notice(Notice::Kind::warning, scheduler_.now(),
                       "Whether the jog has begun is not known, so the axis was told to stop."));
-  post_stop(Intent(0, intent::Stop(jog->axis.index)));
+  intent::JogStop lets_go;
+  lets_go.axis = jog->axis.index;
+  post_stop(Intent(0, lets_go));
 }
 
 void Pump::jog_let_go() {
@@ -204,83 +183,9 @@ void Pump::refuse_queued(std::string_view why) {
   }
 }
 
-void Pump::post_stop(Intent intent) {
-  ++stops_begun_;
-  if (auto* lets_go = std::get_if<intent::JogStop>(&intent.body)) lets_go->axis = jogs_.in_hand().axis;
-  release_jogs(intent.body);
-  refuse_queued("A stop came first. This was not sent.");
-  set_fate(intent.id, Fate::pending);
-  if (!station_ || !station_->is_open()) {
-    set_fate(intent.id, Fate::failed,
-             "Stop does not reach the controller: there is no connection. Use its power switch.");
-    owe_stop(intent.body);
-    return publish();
-  }
-  station_->begin_stop();
-  ++stops_under_way_;
-  asio::co_spawn(scheduler_.executor(), stop_and_report(std::move(intent)), asio::detached);
-}
-
-/// A stop in the controller's own words goes as it is, and waits for nothing either: what waits is refused,
-/// and what is under way finds its next step dropped.
-void Pump::make_way_for(const std::string& text) {
-  const bool connected = draft_.link.state == LinkState::good || draft_.link.state == LinkState::late;
-  if (!connected || !station_ || !driver_->is_stop(text)) return;
-  ++stops_begun_;
-  refuse_queued("A stop came first. This was not sent.");
-  station_->begin_stop();
-}
-
-bool Pump::stop_wire(bool at_once) {
-  if (!station_ || !station_->is_open()) return false;
-  ++stops_under_way_;
-  asio::co_spawn(scheduler_.executor(), run_stop_wire(at_once), asio::detached);
-  return true;
-}
-
-Task<> Pump::run_stop_wire(bool at_once) {
-  try {
-    auto stopped = co_await driver_->stop_wire(at_once);
-    if (!stopped) ways_.notify(Notice(Notice::Kind::error, scheduler_.now(), stopped.error().sentence()));
-  } catch (const std::exception& defect) {
-    ways_.notify(Notice(Notice::Kind::error, scheduler_.now(),
-                        fmt::format("The stop of all failed inside: {}.", defect.what())));
-  }
-  --stops_under_way_;
-  wake_.notify();
-  ended_.notify();
-}
-
-Task<Result<>> Pump::stop_as_asked(const IntentBody& body) {
-  if (const auto* s = std::get_if<intent::Stop>(&body)) return driver_->stop(s->axis, false);
-  if (const auto* a = std::get_if<intent::Abort>(&body)) return driver_->stop(a->axis, true);
-  if (const auto* h = std::get_if<intent::HaltProgram>(&body)) return driver_->halt_program(h->thread);
-  const auto* j = std::get_if<intent::JogStop>(&body);
-  return driver_->stop_jog(j ? j->axis : -1);
-}
-
-Task<> Pump::stop_and_report(Intent intent) {
-  try {
-    auto stopped = co_await stop_as_asked(intent.body);
-    if (stopped)
-      set_fate(intent.id, Fate::done);
-    else
-      set_fate(intent.id, Fate::failed, stopped.error().sentence());
-    if (!stopped) owe_stop(intent.body);
-  } catch (const std::exception& defect) {
-    set_fate(intent.id, Fate::failed, fmt::format("The stop failed inside: {}.", defect.what()));
-  }
-  --stops_under_way_;
-  next_poll_ = scheduler_.now();
-  fast_polls_ = fast_polls_after_a_command;
-  publish();
-  wake_.notify();
-  ended_.notify();
-}
-
 // Whoever has its own idea of the programs in the controller hears that others may have changed them.
-void Pump::count_program_change(const Job& job) {
-  const IntentBody& body = job.intent.body;
+void Pump::count_program_change(const Intent& intent) {
+  const IntentBody& body = intent.body;
   const auto* raw = std::get_if<intent::SendText>(&body);  // a question too
   const bool changes = raw ? driver_->changes_programs(raw->text)
                            : std::holds_alternative<intent::LoadProgram>(body) ||
@@ -288,14 +193,14 @@ void Pump::count_program_change(const Job& job) {
                                  std::holds_alternative<intent::Reset>(body);
   if (!changes) return;
   ++draft_.program_changes;
-  draft_.program_changed_by = job.intent.id;
+  draft_.program_changed_by = intent.id;
 }
 
 Task<> Pump::perform_next() {
   std::unique_ptr<Job> job = std::move(queue_.front());
   queue_.pop_front();
   performing_ = true;
-  count_program_change(*job);
+  count_program_change(job->intent);
   if (job->is_query) {
     try {
       job->reply = co_await driver_->query(job->text, job->patience);
@@ -331,9 +236,11 @@ Task<> Pump::perform_next() {
 Task<Result<std::string>> Pump::query(std::string text, Duration patience) {
   if (leaving_) co_return fail(FaultKind::refused, "The controller was closed.", "Nothing was sent.");
   const bool recovers = try_to_recover(text);
-  if (!recovers && (draft_.link.state == LinkState::lost || draft_.link.state == LinkState::closed))
+  const bool lost = draft_.link.state == LinkState::lost || draft_.link.state == LinkState::closed;
+  if (lost && driver_->is_stop(text)) owed_stop_.add(-1);
+  if (!recovers && lost)
     co_return fail(FaultKind::lost, "There is no connection to the controller.", "Nothing was sent.");
-  make_way_for(text);
+  if (stops_by_text(text)) co_return co_await query_stop(std::move(text), patience);
   auto owned = std::make_unique<Job>(Intent(0, intent::SendText(text)));
   Job* job = owned.get();
   job->is_query = true;

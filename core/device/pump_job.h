@@ -1,6 +1,9 @@
 #pragma once
-// What the two halves of the pump share, and nobody else sees.
+// What the parts of the pump share, and nobody else sees.
+#include <exception>
 #include <string>
+
+#include <fmt/core.h>
 
 #include "core/device/pump.h"
 
@@ -8,6 +11,11 @@ namespace hw {
 
 /// A controller's status may lag behind the command by a round or two.
 constexpr int fast_polls_after_a_command = 3;
+
+inline Fault failed_inside(const char* what, const std::exception& defect) {
+  return Fault(FaultKind::internal, fmt::format("The {} failed inside: {}.", what, defect.what()),
+               "What the controller did with it is not known.", "Look at its state before the next command.");
+}
 
 struct Pump::Job {
   Intent intent;

@@ -74,8 +74,11 @@ TEST_P(ContractTest, AMoveEndsWhereItWasSent) {
 }
 
 TEST_P(ContractTest, AHeldJogMovesAndStopsWhenItIsLetGo) {
-  session->send(intent::JogStart(AxisId{0}, Sign::plus, {}, false));
-  run(seconds(1));
+  session->send(intent::JogStart(AxisId{0}, Sign::plus));
+  for (int i = 0; i < 10; ++i) {
+    run(Millis(100));
+    session->send(intent::JogKeepAlive());
+  }
   EXPECT_GT(axis().direction, 0);
   session->send(intent::JogStop());
   ASSERT_TRUE(becomes_idle(seconds(20)));

@@ -70,8 +70,11 @@ TEST_F(Vme58Driver, FindsOutWhatItIs) {
 }
 
 TEST_F(Vme58Driver, JogsOneAxisAndStopsItWhenLetGo) {
-  session->send(intent::JogStart(AxisId{3}, Sign::minus, Pps{1500}, false));
-  run(Seconds(2));
+  session->send(intent::JogStart(AxisId{3}, Sign::minus, Pps{1500}));
+  for (int i = 0; i < 20; ++i) {
+    run(Millis(100));
+    session->send(intent::JogKeepAlive());
+  }
   EXPECT_EQ(axis(3).activity, Activity::jogging);
   EXPECT_EQ(axis(3).direction, -1);
   EXPECT_NEAR(axis(3).speed.value, 1500, 1);

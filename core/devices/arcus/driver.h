@@ -80,6 +80,7 @@ class ArcusDriver final : public Driver {
   struct Called {
     int number;
     std::optional<Duration> rests;  ///< it is over when nothing has moved for so long
+    bool told = false;
   };
 
   // ---- driver_talk.cpp

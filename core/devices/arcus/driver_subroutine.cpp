@@ -55,11 +55,14 @@ Task<Result<>> ArcusDriver::outlast_subroutine(std::string word) {
     if (!said && !station_) co_return said;
   }
   if (!subroutine_may_run()) co_return Result<>();
-  co_return fail(FaultKind::controller,
-                 fmt::format("Subroutine {}, which GS has started, may go on, and {}.", called_->number,
-                             turns ? "an axis still moves" : "its next line may move again what stands now"),
-                 "STOP ends only the move that it has begun; no command ends a subroutine.",
-                 "Switch the power off to end it.");
+  Fault fault(FaultKind::controller,
+              fmt::format("Subroutine {}, which GS has started, may go on, and {}.", called_->number,
+                          turns ? "an axis still moves" : "its next line may move again what stands now"),
+              "STOP ends only the move that it has begun; no command ends a subroutine.",
+              "Switch the power off to end it.");
+  if (turns || !std::exchange(called_->told, true)) co_return fail(std::move(fault));
+  tell(Notice::Kind::warning, fault.sentence());  // it stood through two stops: they are not failed for ever
+  co_return Result<>();
 }
 
 }  // namespace hw::arcus

@@ -66,8 +66,9 @@ tl::unexpected<Fault> ArcusDriver::no_connection() const {
 Task<Result<Reply>> ArcusDriver::exchange(std::string text, Priority priority, Duration patience,
                                           bool own_question) {
   if (!station_) co_return no_connection();
-  const std::string_view said = text_of(text);
-  if (said.starts_with("SR") || said.starts_with("GS")) program_runs();
+  const bool anothers = address_of(text) >= 0 && address_of(text) != catalog_.address;
+  const std::string_view said = anothers ? std::string_view() : text_of(text);
+  if ((said.starts_with("SR") && !ends_program(said)) || said.starts_with("GS")) program_runs();
   if (may_set_counter(said)) ++counters_set_;
   const bool must_be_sure = own_question || priority != Priority::stop;
   if (must_be_sure && station_->owes_answer()) {
@@ -335,6 +336,7 @@ Task<Result<>> ArcusDriver::send_text(const intent::SendText& wish) {
 void ArcusDriver::overhear(std::string_view text) {
   const int to = address_of(text);
   if (to < 0 || (to != catalog_.address && to != model().broadcast)) return;
+  if (station_ && is_stop(text)) station_->begin_stop();  // what is under way here says nothing behind it
   if (may_set_counter(text_of(text))) ++counters_set_;
   if (changes_programs(text)) {
     ++draft_.program_changes;

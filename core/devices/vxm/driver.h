@@ -76,6 +76,7 @@ class VxmDriver final : public Driver {
     EndedBy ended_by = EndedBy::nothing;  ///< why it was cut short
     bool leg_over = false;                ///< prompt seen or missed; positions still to be read
     bool limit_reported = false;
+    bool cut_whole = false;  ///< the stop has cut off nothing but this leg
     [[nodiscard]] bool active() const { return !legs.empty(); }
   };
   enum class Mode : std::uint8_t { unknown, on_line, local };
@@ -184,9 +185,10 @@ class VxmDriver final : public Driver {
 
   // ---- driver_stop.cpp
   Task<Result<>> stop_unknown();
-  Task<Result<>> watch_the_ramp();
+  Task<Result<>> watch_the_ramp(int turning);
   [[nodiscard]] bool ramps_down() const;
   void drop_later_legs(int axis);
+  void note_stop();
   Task<Result<>> stop_program();
   Task<bool> wait_for_standstill(Instant give_up);
   Task<Result<>> kill(bool standing);

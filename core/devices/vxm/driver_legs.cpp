@@ -117,6 +117,7 @@ Task<Result<>> VxmDriver::start_leg() {
   auto sent = co_await say(std::move(program), Priority::intent);
   if (sent) co_return sent;
   hold_on_ = held;
+  hold_doubtful_ = hold_doubtful_ || (held && sent.error().kind == FaultKind::lost);
   // A stop came first: nothing of it has gone out.
   const std::deque<Leg> never = std::exchange(job_.legs, {});
   if (!never.empty()) show_leg_ended(never.front(), EndedBy::stop);
@@ -169,7 +170,8 @@ Task<Result<>> VxmDriver::finish_leg() {
 
 EndedBy VxmDriver::how_it_ended(const Leg& leg) const {
   const bool arrived = leg.axis >= 0 && leg.target && draft_.axes[leg.axis].position == *leg.target;
-  if (job_.ended_by == EndedBy::stop && arrived) return EndedBy::target;  // the stop came too late
+  if (job_.ended_by == EndedBy::stop && job_.cut_whole && arrived)
+    return EndedBy::target;  // the stop came too late
   if (job_.ended_by != EndedBy::nothing) return job_.ended_by;
   if (leg.axis < 0 || leg.activity == Activity::idle || leg.activity == Activity::homing)
     return EndedBy::target;

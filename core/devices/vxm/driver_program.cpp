@@ -351,9 +351,10 @@ Task<Result<>> VxmDriver::run(int slot) {
 
 // H is a switch: it is said only when it changes what is wanted.
 Task<Result<>> VxmDriver::switch_hold(std::string text, bool on, Priority priority) {
+  const bool switches = text.starts_with('H');
   auto said = co_await say(std::move(text), priority);
   if (said) hold_on_ = on;
-  if (!said && said.error().kind == FaultKind::lost) hold_doubtful_ = true;
+  if (!said && switches && said.error().kind == FaultKind::lost) hold_doubtful_ = true;
   co_return said;
 }
 

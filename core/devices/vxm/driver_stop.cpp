@@ -40,6 +40,7 @@ Task<Result<>> VxmDriver::stop(int axis, bool at_once) {
   if (job_.active()) {
     const bool concerned =
         axis < 0 || job_.legs.front().axis == axis || job_.legs.front().second_axis == axis;
+    const bool later_legs = job_.legs.size() > 1;
     drop_later_legs(axis);
     if (!concerned) co_return Result<>();
     job_.legs.resize(1);
@@ -50,9 +51,11 @@ Task<Result<>> VxmDriver::stop(int axis, bool at_once) {
     for (const int index : {job_.legs.front().axis, job_.legs.front().second_axis})
       if (index >= 0 && draft_.axes[index].activity != Activity::idle)
         draft_.axes[index].activity = Activity::stopping;
+    job_.cut_whole = job_.legs.front().second_axis < 0 && !later_legs;
+    const int turning = std::max(job_.legs.front().axis, 0);
     auto said = co_await say("D", Priority::stop);
     if (!said) co_return said;
-    co_return co_await watch_the_ramp();
+    co_return co_await watch_the_ramp(turning);
   }
   if (stored_running_) co_return co_await stop_program();
   co_return co_await stop_unknown();
@@ -75,16 +78,20 @@ bool VxmDriver::ramps_down() const {
 
 // D is not answered. One that did not get through shows by a motor that loses no speed: it is said again, and
 // what still turns after the longest ramp is killed.
-Task<Result<>> VxmDriver::watch_the_ramp() {
+Task<Result<>> VxmDriver::watch_the_ramp(int turning) {
   constexpr Duration look = Millis(300);
   constexpr double least_loss = min_accel * accel_unit * seconds(look) / 2;
   const Instant give_up = scheduler_.now() + longest_ramp + look;
-  const std::size_t axis = ix(std::max(job_.legs.front().axis, 0));
+  const std::size_t axis = ix(turning);
+  const bool can_be_seen =
+      turning < motors_per_controller;  // a Slave's motors cannot be read while they turn
+  bool again = false;
   double before = seen_speed_[axis];
   while (ramps_down() && scheduler_.now() < give_up) {
     const Instant next = scheduler_.now() + look;
     while (ramps_down() && scheduler_.now() < next) co_await news_.wait_until(next);
-    if (ramps_down() && seen_speed_[axis] > before - least_loss) {
+    if (ramps_down() && (can_be_seen ? seen_speed_[axis] > before - least_loss : !again)) {
+      again = true;
       auto said = co_await say("D", Priority::stop);
       if (!said) co_return said;
     }

@@ -177,6 +177,7 @@ void VxmDriver::note_taken(const std::vector<TextCommand>& commands) {
     if (c.verb != Verb::letter) continue;
     if (c.letter == 'C') program_changed();
     if (c.letter == 'K') doubt_positions(), killed();
+    if (c.letter == 'D' && mode_ == Mode::on_line) note_stop();
     if (c.letter == 'H') hold_on_ = !hold_on_;
     if (c.letter == 'Q') stay_local_ = true, mode_ = Mode::local;
     if (c.letter == 'E' || c.letter == 'F' || c.letter == 'G') stay_local_ = false, mode_ = Mode::on_line;
@@ -185,6 +186,14 @@ void VxmDriver::note_taken(const std::vector<TextCommand>& commands) {
     if (c.letter == 'N')
       for (int i = 0; i < draft_.axis_count; ++i) draft_.axes[i].position_doubtful = false;
   }
+}
+
+// The user's own D: nothing of the console's move follows it.
+void VxmDriver::note_stop() {
+  if (!job_.active()) return;
+  drop_later_legs(-1);
+  job_.jog = false;
+  if (!job_.leg_over) job_.ended_by = EndedBy::stop;
 }
 
 // The controller drops what it does not know without a word.
@@ -235,6 +244,7 @@ static bool without_echo(std::string& text, const std::vector<TextCommand>& comm
 // Sends it piece by piece and gives back the answers, each without its end, joined by carriage returns.
 // `answered`: whether the last piece was one that is answered.
 Task<VxmDriver::RawAnswer> VxmDriver::send_pieces(std::string text, Duration patience) {
+  const Priority priority = is_stop(text) ? Priority::stop : Priority::intent;
   const auto commands = read_text(text);
   warn_of_flaws(commands);
   if (without_echo(text, commands))
@@ -256,15 +266,14 @@ Task<VxmDriver::RawAnswer> VxmDriver::send_pieces(std::string text, Duration pat
   for (const Piece& piece : pieces) {
     all.last_is_answered = piece.answer.has_value();
     if (!piece.answer) {
-      auto sent = co_await say(piece.text, Priority::intent);
+      auto sent = co_await say(piece.text, priority);
       if (sent) continue;
       all.fault = failed(std::move(sent.error()));
       co_return all;
     }
     const bool last = &piece == &pieces.back();
     const Duration wait = std::max(piece.answer->patience, last ? patience : usual_patience);
-    auto reply =
-        co_await ask(piece.text, piece.answer->shape, Priority::intent, piece.answer->stranger, wait);
+    auto reply = co_await ask(piece.text, piece.answer->shape, priority, piece.answer->stranger, wait);
     if (!reply) {
       all.fault = failed(std::move(reply.error()));
       co_return all;
@@ -304,12 +313,17 @@ bool VxmDriver::answers(std::string_view text) const {
 
 bool VxmDriver::answers_later(std::string_view text) const { return !answers(text); }
 
+// It begins with what stops, and starts nothing behind that.
 bool VxmDriver::is_stop(std::string_view text) const {
   const auto commands = read_text(text);
-  return std::any_of(commands.begin(), commands.end(), [](const TextCommand& c) {
-    return (c.verb == Verb::letter && (c.letter == 'K' || c.letter == 'D')) ||
-           (c.verb == Verb::word && c.name == "res");
-  });
+  if (commands.empty()) return false;
+  const TextCommand& first = commands.front();
+  const bool ramps = first.letter == 'D' && busy();  // else it asks for places
+  const bool stops = first.verb == Verb::letter ? first.letter == 'K' || ramps
+                                                : first.verb == Verb::word && first.name == "res";
+  return stops && std::none_of(commands.begin(), commands.end(), [](const TextCommand& c) {
+           return c.verb == Verb::letter && c.letter == 'R';
+         });
 }
 
 bool VxmDriver::changes_programs(std::string_view text) const {
@@ -321,8 +335,10 @@ bool VxmDriver::changes_programs(std::string_view text) const {
 }
 
 Task<Result<std::string>> VxmDriver::query(std::string text, Duration patience) {
-  auto settled = co_await finish_leg();
-  if (!settled) co_return fail(settled.error());
+  if (!is_stop(text)) {
+    auto settled = co_await finish_leg();
+    if (!settled) co_return fail(settled.error());
+  }
   if (ends_open(text)) text += '\r';
   if (read_text(text).empty())
     co_return fail(FaultKind::refused, "There is no command in that text.", "Nothing was sent.");

@@ -38,6 +38,8 @@ class ToyWire : public Stream {
   std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);
 };
 
+bool moves_at_connect = false;  // of the toy
+
 class ToyDriver : public Driver {
  public:
   explicit ToyDriver(DriverContext context) : context_(std::move(context)) {}
@@ -46,6 +48,7 @@ class ToyDriver : public Driver {
     station_ = &station;
     auto greeted = co_await say("hello", Priority::intent);
     if (!greeted) co_return greeted;
+    if (moves_at_connect) context_.draft.axes[0].activity = Activity::moving;
     co_return co_await poll();
   }
   Task<Result<>> poll() override {
@@ -68,7 +71,7 @@ class ToyDriver : public Driver {
       co_return fail(FaultKind::refused, "No memory.", "Nothing was sent.");
     if (std::holds_alternative<intent::Reset>(body)) throw std::runtime_error("a library gave up");
     if (const auto* text = std::get_if<intent::SendText>(&body))
-      co_return co_await say(text->text, Priority::intent);
+      co_return co_await say(text->text, is_stop(text->text) ? Priority::stop : Priority::intent);
     const bool jog = std::holds_alternative<intent::JogStart>(body);
     if (!jog) context_.draft.axes[0].activity = Activity::moving;
     co_return co_await say(jog ? "jog" : "go", Priority::intent);
@@ -128,6 +131,7 @@ struct PumpTest : testing::Test {
   IntentId last_id = 0;
 
   void SetUp() override {
+    moves_at_connect = false;
     type.make_driver = &make_toy;
     Pump::Ways ways;
     ways.open_wire = [this] { return open(); };
@@ -200,6 +204,19 @@ TEST_F(PumpTest, AStopInTheControllersOwnWordsWaitsForNothingEither) {
   EXPECT_EQ(latest.fate_of(load)->fate, Fate::failed);
   EXPECT_EQ(latest.fate_of(move)->fate, Fate::refused);
   EXPECT_EQ(latest.fate_of(stop)->fate, Fate::done);
+}
+
+TEST_F(PumpTest, AStopInItsOwnWordsPushesNoOtherAsideAndWaitsForNone) {
+  post(intent::Abort());  // two seconds until it is sure
+  time.run_for(Millis(5));
+  post(intent::SendText("STOP"));
+  post(intent::SendText("STOP"));
+  time.run_for(Millis(100));
+  EXPECT_THAT(commands(), ElementsAre("hello", "kill", "STOP", "STOP"));
+  time.run_for(std::chrono::seconds(3));
+  post(intent::MoveTo({{AxisId{0}, Steps(400)}}));
+  time.run_for(Millis(50));
+  EXPECT_EQ(commands().back(), "go") << "and the way is free again";
 }
 
 TEST_F(PumpTest, WhatWaitsBehindAProcedureIsRefusedWhenAStopComes) {
@@ -279,6 +296,16 @@ TEST_F(PumpTest, AStopThatALossCutsShortIsMadeGood) {
   time.run_for(std::chrono::seconds(10));
   EXPECT_THAT(commands(), ElementsAre("hello", "go", "kill", "hello", "stop"));
   EXPECT_THAT(notices, ElementsAre(HasSubstr("a stop was on its way")));
+}
+
+TEST_F(PumpTest, AStopOfWhatStoodAtTheLossIsOwedToNobody) {
+  silent = true;
+  while (latest.link.state != LinkState::lost) time.run_for(Millis(10));
+  post(intent::Stop());
+  moves_at_connect = true;  // somebody at the controller has begun that meanwhile
+  silent = false;
+  time.run_for(std::chrono::seconds(10));
+  EXPECT_THAT(commands(), ElementsAre("hello", "hello"));
 }
 
 TEST_F(PumpTest, AStopWithoutAConnectionIsMadeGood) {

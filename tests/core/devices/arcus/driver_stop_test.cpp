@@ -165,8 +165,8 @@ TEST_F(Stopping, AJogThatEndsLeavesTheProgramsOfBothModels) {
     start(model);
     ASSERT_EQ(load("PRG 0\nDELAY=1\nEND\nPRG 1\n" + endless), "");
     ASSERT_EQ(perform(intent::RunProgram(1)), "");
-    ASSERT_EQ(perform(intent::JogStart(AxisId{0}, Sign::plus, {}, false)), "");
-    run(1);
+    ASSERT_EQ(perform(intent::JogStart(AxisId{0}, Sign::plus)), "");
+    hold(10);
     ASSERT_EQ(latest.axes[0].activity, Activity::jogging);
     EXPECT_EQ(perform(intent::JogStop()), "");
     EXPECT_EQ(latest.axes[0].activity, Activity::idle);

@@ -394,8 +394,8 @@ TEST_F(DriverTest, AJogThatIsLetGoStopsItsAxisAndLeavesProgramsAlone) {
   start(pmx);
   ASSERT_EQ(perform(intent::LoadProgram(0, "WHILE 1=1\nV1=V1+1\nDELAY=10\nENDWHILE\nEND\n")), "");
   ASSERT_EQ(perform(intent::RunProgram(0)), "");
-  EXPECT_EQ(perform(intent::JogStart(AxisId{1}, Sign::minus, {}, false)), "");
-  run(1);
+  EXPECT_EQ(perform(intent::JogStart(AxisId{1}, Sign::minus)), "");
+  hold(10);
   EXPECT_EQ(latest.axes[1].activity, Activity::jogging);
   EXPECT_EQ(latest.axes[1].direction, -1);
   sent();

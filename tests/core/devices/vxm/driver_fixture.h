@@ -78,6 +78,13 @@ class DriverTest : public testing::Test {
     const IntentFate* f = pump->known().fate_of(id);
     return f ? f->fate : Fate::pending;
   }
+  /// As a hand on a jog does, each for a tenth of a second.
+  void hold(int times) {
+    for (; times > 0; --times) {
+      run(0.1);
+      pump->post(Intent(0, intent::JogKeepAlive()));
+    }
+  }
   std::string query(std::string text, double patience = 1) {
     std::string answer;
     bool came = false;

@@ -86,9 +86,9 @@ TEST_F(VxmDriverMoves, ASpeedOfItsOwnIsPutBack) {
 
 TEST_F(VxmDriverMoves, AJogEndsWithItsStop) {
   start({}, true);
-  EXPECT_EQ(perform(intent::JogStart(AxisId{0}, Sign::plus, Pps{1000}, false)), "");
+  EXPECT_EQ(perform(intent::JogStart(AxisId{0}, Sign::plus, Pps{1000})), "");
   EXPECT_EQ(latest.axes[0].activity, Activity::jogging);
-  run(2);
+  hold(20);
   EXPECT_GT(position(), 800);
   EXPECT_EQ(perform(intent::JogStop()), "");
   EXPECT_TRUE(wait_idle(3));
@@ -116,8 +116,8 @@ TEST_F(VxmDriverMoves, AMoveBehindAProgramGoesFromWhereItEnded) {
 
 TEST_F(VxmDriverMoves, ALongJogGoesOnBeyondItsBoundedIndex) {
   start();
-  EXPECT_EQ(perform(intent::JogStart(AxisId{0}, Sign::minus, Pps{500}, false)), "");
-  run(45);
+  EXPECT_EQ(perform(intent::JogStart(AxisId{0}, Sign::minus, Pps{500})), "");
+  hold(450);
   EXPECT_LT(position(), -20000) << "30 s are one index";
   EXPECT_EQ(latest.axes[0].activity, Activity::jogging);
   EXPECT_EQ(perform(intent::JogStop()), "");

@@ -50,6 +50,42 @@ TEST_F(VxmDriverStop, ADThatDidNotGetThroughIsSaidAgain) {
   EXPECT_EQ(latest.axes[0].ended_by, EndedBy::stop);
 }
 
+TEST_F(VxmDriverStop, TypedItEndsTheWholeMove) {
+  start();
+  std::vector<AxisTarget> both = target(0, 8000);
+  both.push_back(target(1, 8000)[0]);
+  EXPECT_EQ(perform(intent::MoveTo(both)), "");
+  run(1);
+  EXPECT_EQ(perform(intent::SendText("D")), "");
+  EXPECT_TRUE(wait_idle());
+  EXPECT_TRUE(stands(0));
+  EXPECT_EQ(position(1), 0);
+  EXPECT_EQ(latest.axes[0].ended_by, EndedBy::stop);
+}
+
+TEST_F(VxmDriverStop, ATypedKWaitsForNoRamp) {
+  start();
+  move_to(0, 50000);
+  run(3);
+  sent();
+  post(intent::Stop());
+  run(0.05);
+  post(intent::SendText("K"));
+  run(0.05);
+  EXPECT_EQ(sent(), "DK");
+}
+
+// At each moment of a move's end, also while its last questions are on the wire.
+TEST_F(VxmDriverStop, AtTheVeryEndOfAMoveDoesNoHarm) {
+  start({}, true);
+  for (int ms = 0; ms < 60; ++ms) {
+    move_to(0, ms % 2 == 0 ? 100 : 0);
+    run(0.40 + ms * 0.001);
+    EXPECT_EQ(perform(intent::Stop()), "") << ms;
+    EXPECT_TRUE(wait_idle(5)) << ms;
+  }
+}
+
 TEST_F(VxmDriverStop, AMoveThatEndedBeforeItsStopHasArrived) {
   start();
   move_to(0, 4000);

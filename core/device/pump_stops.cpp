@@ -1,0 +1,150 @@
+// Stops of an open controller, in the console's verbs or the controller's own words. They wait for nothing
+// that is queued, and one that a lost wire may have swallowed is made good.
+#include <fmt/core.h>
+
+#include "core/device/pump_job.h"
+
+namespace hw {
+
+bool Pump::something_runs() const {
+  const RunState run = draft_.program.run;
+  return draft_.any_axis_moving() || run == RunState::running || run == RunState::waiting;
+}
+
+void Pump::owe_stop(const IntentBody& stop) {
+  if (const auto* s = std::get_if<intent::Stop>(&stop))
+    owed_stop_.add(s->axis);
+  else if (const auto* a = std::get_if<intent::Abort>(&stop))
+    owed_stop_.add(a->axis);
+  else if (const auto* j = std::get_if<intent::JogStop>(&stop))
+    owed_stop_.add(j->axis);
+  else if (catalog_.program.threads == 0)
+    owed_stop_.add(-1);
+}
+
+void Pump::make_good_the_stop() {
+  if (!owed_stop_.any()) return;
+  const int axis = owed_stop_.take();
+  // What began since, after a restart or from rest, is somebody else's.
+  if (!ran_when_lost_ || draft_.restarts != restarts_when_lost_) return;
+  const bool alone = axis >= 0 && catalog_.program.threads > 0;  // else a program is what moves it
+  if (!(alone ? draft_.axis_moves(axis) : something_runs())) return;
+  ways_.notify(
+      Notice(Notice::Kind::warning, scheduler_.now(),
+             "When the link was lost a jog was held, or a stop was on its way, and it still ran. It is "
+             "stopped now."));
+  post_stop(Intent(0, intent::Stop(axis)));
+}
+
+void Pump::post_stop(Intent intent) {
+  auto* lets_go = std::get_if<intent::JogStop>(&intent.body);
+  if (lets_go && lets_go->axis < 0) lets_go->axis = jogs_.in_hand().axis;
+  release_jogs(intent.body);
+  set_fate(intent.id, Fate::pending);
+  if (!station_ || !station_->is_open()) {
+    set_fate(intent.id, Fate::failed,
+             "Stop does not reach the controller: there is no connection. Use its power switch.");
+    ++stops_begun_;
+    refuse_queued("A stop came first. This was not sent.");
+    owe_stop(intent.body);
+    return publish();
+  }
+  begin_stop();
+  asio::co_spawn(scheduler_.executor(), stop_and_report(std::move(intent)), asio::detached);
+}
+
+/// A stop in the controller's own words goes as it is, and waits for nothing either.
+bool Pump::stops_by_text(const std::string& text) const {
+  const bool connected = draft_.link.state == LinkState::good || draft_.link.state == LinkState::late;
+  return connected && station_ && station_->is_open() && driver_->is_stop(text);
+}
+
+void Pump::begin_stop() {
+  ++stops_begun_;
+  refuse_queued("A stop came first. This was not sent.");
+  station_->begin_stop();
+  ++stops_under_way_;
+}
+
+void Pump::end_stop() {
+  --stops_under_way_;
+  next_poll_ = scheduler_.now();
+  fast_polls_ = fast_polls_after_a_command;
+  publish();
+  wake_.notify();
+  ended_.notify();
+}
+
+Task<> Pump::perform_stop_text(Intent intent) {
+  count_program_change(intent);
+  Result<> performed;
+  try {
+    performed = co_await driver_->perform(intent.body);
+  } catch (const std::exception& defect) {
+    performed = fail(failed_inside("command", defect));
+  }
+  if (performed)
+    set_fate(intent.id, Fate::done);
+  else
+    set_fate(intent.id, Fate::failed, performed.error().sentence());
+  if (!performed && performed.error().kind != FaultKind::refused) owed_stop_.add(-1);
+  end_stop();
+}
+
+bool Pump::stop_wire(bool at_once) {
+  if (!station_ || !station_->is_open()) return false;
+  ++stops_under_way_;
+  asio::co_spawn(scheduler_.executor(), run_stop_wire(at_once), asio::detached);
+  return true;
+}
+
+Task<> Pump::run_stop_wire(bool at_once) {
+  try {
+    auto stopped = co_await driver_->stop_wire(at_once);
+    if (!stopped) ways_.notify(Notice(Notice::Kind::error, scheduler_.now(), stopped.error().sentence()));
+  } catch (const std::exception& defect) {
+    ways_.notify(Notice(Notice::Kind::error, scheduler_.now(),
+                        fmt::format("The stop of all failed inside: {}.", defect.what())));
+  }
+  --stops_under_way_;
+  wake_.notify();
+  ended_.notify();
+}
+
+Task<Result<>> Pump::stop_as_asked(const IntentBody& body) {
+  if (const auto* s = std::get_if<intent::Stop>(&body)) return driver_->stop(s->axis, false);
+  if (const auto* a = std::get_if<intent::Abort>(&body)) return driver_->stop(a->axis, true);
+  if (const auto* h = std::get_if<intent::HaltProgram>(&body)) return driver_->halt_program(h->thread);
+  const auto* j = std::get_if<intent::JogStop>(&body);
+  return driver_->stop_jog(j ? j->axis : -1);
+}
+
+Task<> Pump::stop_and_report(Intent intent) {
+  try {
+    auto stopped = co_await stop_as_asked(intent.body);
+    if (stopped)
+      set_fate(intent.id, Fate::done);
+    else
+      set_fate(intent.id, Fate::failed, stopped.error().sentence());
+    if (!stopped) owe_stop(intent.body);
+  } catch (const std::exception& defect) {
+    set_fate(intent.id, Fate::failed, fmt::format("The stop failed inside: {}.", defect.what()));
+  }
+  end_stop();
+}
+
+Task<Result<std::string>> Pump::query_stop(std::string text, Duration patience) {
+  begin_stop();
+  count_program_change(Intent(0, intent::SendText(text)));
+  Result<std::string> reply;
+  try {
+    reply = co_await driver_->query(std::move(text), patience);
+  } catch (const std::exception& defect) {
+    reply = fail(failed_inside("question", defect));
+  }
+  if (!reply && reply.error().kind != FaultKind::refused) owed_stop_.add(-1);
+  end_stop();
+  co_return reply;
+}
+
+}  // namespace hw
