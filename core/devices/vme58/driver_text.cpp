@@ -103,7 +103,7 @@ Task<Result<std::string>> Vme58Driver::send_commands(std::string text, Duration 
       if (!bad) co_return fail(bad.error());
       if (*bad && context_.recording && (command.is(Op::CE) || command.is(Op::CK))) {
         context_.recording = false;  // there is no other end
-        selection_lost_ = true;
+        selection_lost_ = draft_.working = queues_due_ = true;
       }
       if (*bad && !command.flaw.empty())
         co_return fail(FaultKind::controller,
@@ -137,7 +137,9 @@ Result<> Vme58Driver::may_say_while_feeding(const std::vector<TextCommand>& comm
 void Vme58Driver::note_sent(const TextCommand& command) {
   if (!command.fact || !command.flaw.empty()) return;
   fed_apart_ = fed_apart_ || (draft_.feed.running && selects(command));
+  const bool recorded = context_.recording;
   follow(command, context_);
+  if (recorded && !context_.recording) draft_.working = queues_due_ = true;  // meanwhile nobody could ask
   note_effects(command);
 }
 
