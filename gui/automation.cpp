@@ -24,17 +24,22 @@ unsigned next_code_point(std::string_view& text) {
 
 }  // namespace
 
-Automation::Automation(Surface& surface, std::function<void()> run_frame, std::function<double()> now_s)
-    : surface_(surface), run_frame_(std::move(run_frame)), now_s_(std::move(now_s)) {}
+Automation::Automation(Surface& surface, std::function<void()> run_frame, std::function<double()> now_s,
+                       std::function<bool()> over)
+    : surface_(surface), run_frame_(std::move(run_frame)), now_s_(std::move(now_s)), over_(std::move(over)) {}
 
 void Automation::frame(int n) {
-  for (int i = 0; i < n; ++i) run_frame_();
+  for (int i = 0; i < n && !over_(); ++i) run_frame_();
+}
+
+void Automation::take_input() {
+  do frame();
+  while (surface_.screen().more_input() && !over_());
 }
 
 /// Until all input has had its frame, and one more in which its effects are drawn.
 void Automation::settle() {
-  do frame();
-  while (surface_.screen().more_input());
+  take_input();
   frame();
 }
 
@@ -155,8 +160,7 @@ Result<> Automation::key_down(std::string_view text) {
   if (chord->alt) input.push(InputEvent::key(GLFW_KEY_LEFT_ALT, true, now));
   input.push(InputEvent::key(chord->key, true, now));
   if (chord->text) input.push(InputEvent::text(chord->text, now));
-  frame();
-  while (surface_.screen().more_input()) frame();
+  take_input();
   return {};
 }
 

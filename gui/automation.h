@@ -14,8 +14,11 @@ namespace hw::gui {
 
 class Automation {
  public:
-  /// `run_frame` advances the clock by one frame and draws it; `now_s` reads that clock.
-  Automation(Surface& surface, std::function<void()> run_frame, std::function<double()> now_s);
+  /// `run_frame` advances the clock by one frame and draws it; `now_s` reads that clock; once `over`, no
+  /// further frame is drawn.
+  Automation(
+      Surface& surface, std::function<void()> run_frame, std::function<double()> now_s,
+      std::function<bool()> over = [] { return false; });
 
   Result<> click(std::string_view id);
   /// Mouse down on it, and it stays down until release().
@@ -54,11 +57,13 @@ class Automation {
   void point_at(ImVec2 at);
   void push_text(std::string_view text);
   void settle();
+  void take_input();
   void tap(int key);
 
   Surface& surface_;
   std::function<void()> run_frame_;
   std::function<double()> now_s_;
+  std::function<bool()> over_;
   std::string pressed_;
 };
 

@@ -93,8 +93,14 @@ int at(Call& call) {
 
 // ---- place(axis, {minus=, plus=, home={from, to}, ...}): the keys of a bench file's [axis.N]
 
+/// Without the script's __index: no code of its may run in here.
+int raw_field(lua_State* L, int table, const char* key) {
+  lua_pushstring(L, key);
+  return lua_rawget(L, table);
+}
+
 std::optional<Steps> steps(lua_State* L, int table, const char* key) {
-  lua_getfield(L, table, key);
+  raw_field(L, table, key);
   int whole = 0;
   const lua_Integer value = lua_tointegerx(L, -1, &whole);
   const bool absent = lua_isnil(L, -1);
@@ -105,7 +111,7 @@ std::optional<Steps> steps(lua_State* L, int table, const char* key) {
 }
 
 void read_home(lua_State* L, int table, AxisPlace& place) {
-  lua_getfield(L, table, "home");
+  raw_field(L, table, "home");
   if (!lua_isnil(L, -1)) {
     int ok_from = 0, ok_to = 0;
     if (lua_istable(L, -1)) {
@@ -122,7 +128,7 @@ void read_home(lua_State* L, int table, AxisPlace& place) {
 
 /// motor = true, false, or a table of what differs from the motor of core/motion/motor.h.
 void read_motor(lua_State* L, int table, AxisPlace& place) {
-  const int kind = lua_getfield(L, table, "motor");
+  const int kind = raw_field(L, table, "motor");
   if (kind != LUA_TNIL) place.motor.emplace();
   if (kind == LUA_TBOOLEAN) place.motor->present = lua_toboolean(L, -1) != 0;
   if (kind == LUA_TTABLE) {
@@ -171,7 +177,7 @@ int place(Call& call) {
   place.backlash = steps(call.L, table, "backlash");
   read_home(call.L, table, place);
   read_motor(call.L, table, place);
-  if (lua_getfield(call.L, table, "counts_per_step") != LUA_TNIL) {
+  if (raw_field(call.L, table, "counts_per_step") != LUA_TNIL) {
     if (lua_type(call.L, -1) != LUA_TNUMBER) throw Misuse("bench:place: counts_per_step must be a number");
     place.counts_per_step = lua_tonumber(call.L, -1);
   }

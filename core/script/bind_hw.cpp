@@ -65,10 +65,9 @@ int print(Call& call) {
   std::string line;
   for (int i = 1, n = lua_gettop(call.L); i <= n; ++i) {
     std::size_t length = 0;
-    const char* text = luaL_tolstring(call.L, i, &length);
+    const char* text = lua_tolstring(call.L, i, &length);
     if (i > 1) line += '\t';
     line.append(text, length);
-    lua_pop(call.L, 1);
   }
   line += '\n';
   call.runner().options().print(line);
@@ -78,7 +77,7 @@ int print(Call& call) {
 constexpr Function functions[] = {
     {"open", open}, {"sleep", sleep}, {"now", now}, {"check", check}, {"log", log},
 };
-constexpr Function globals[] = {{"print", print}};
+constexpr Function globals[] = {{"print", print, true}};
 
 // Without a stage `ui` says what is missing.
 void bind_absent_screen(lua_State* L) {

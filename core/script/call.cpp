@@ -94,7 +94,17 @@ static int call_body(lua_State* L) {
   }
 }
 
+// Runs code of the script, which may not come back or raise an error: no C++ object may live here.
+static void make_texts(lua_State* L) {
+  for (int i = 1, n = lua_gettop(L); i <= n; ++i) {
+    luaL_tolstring(L, i, nullptr);
+    lua_replace(L, i);
+  }
+}
+
 static int enter(lua_State* L) {
+  Runner::of(L).way_out().open();
+  if (static_cast<const Function*>(lua_touserdata(L, lua_upvalueindex(1)))->texts) make_texts(L);
   const int results = call_body(L);
   if (results == Call::misused) return lua_error(L);
   if (results == Call::waits) return lua_yieldk(L, 0, 0, resume_with_answer);

@@ -59,6 +59,7 @@ class Call {
 struct Function {
   const char* name;
   int (*body)(Call&);
+  bool texts = false;  ///< whatever it is given becomes a text first, as the script's __tostring has it
 };
 /// Adds them to the table on the top; `self` as in Call.
 void add_functions(lua_State* L, std::span<const Function> functions, int self);

@@ -96,6 +96,7 @@ void* Runner::allocate(void* self, void* block, std::size_t old_size, std::size_
 
 void Runner::count_hook(lua_State* L, lua_Debug*) {
   Runner& runner = of(L);
+  runner.way_out_.open();
   const WayOut::Closed closed(runner.way_out_);
   runner.heartbeat_.fetch_add(1, std::memory_order_relaxed);
   if (runner.interrupt_asked_) runner.interrupt_now();

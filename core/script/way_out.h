@@ -34,15 +34,20 @@ class WayOut {
   /// Any thread: takes it, if the script has given no sign of life since `seen`.
   void take(std::uint64_t seen);
 
+  /// Lua's own code runs. An error of Lua's, as when memory is short, may have jumped past a Closed's end.
+  void open() { closed_ = 0; }
+
+  /// No code of the script may run meanwhile.
   class Closed {
    public:
-    explicit Closed(WayOut& way) : way_(way) { way_.closed_ = way_.closed_ + 1; }
-    ~Closed() { way_.closed_ = way_.closed_ - 1; }
+    explicit Closed(WayOut& way) : way_(way), before_(way.closed_) { way_.closed_ = 1; }
+    ~Closed() { way_.closed_ = before_; }
     Closed(const Closed&) = delete;
     Closed& operator=(const Closed&) = delete;
 
    private:
     WayOut& way_;
+    const std::sig_atomic_t before_;
   };
 
  private:

@@ -27,7 +27,8 @@ ScriptStage::ScriptStage(Scheduler& scheduler, WireOpener opener)
       devices_(scheduler, [this] { runner_->go_real(); }),
       console_(panels::panel_list(), outside(std::move(opener))),
       automation_(
-          surface_, [this] { runner_->run_one_frame(); }, [this] { return seconds(scheduler_.now()); }) {
+          surface_, [this] { runner_->run_one_frame(); }, [this] { return seconds(scheduler_.now()); },
+          [this] { return runner_->over(); }) {
   console_.attach(surface_.screen().keyboard());
   frame(scheduler_.now());  // a script may look at the screen before it waits for the first time
 }

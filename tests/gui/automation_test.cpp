@@ -27,6 +27,22 @@ TEST(Automation, UnknownAndDisabledAreRefusedWithASentence) {
   EXPECT_FALSE(stage.hand.release("program/run"));
 }
 
+TEST(Automation, DrawsNoFrameMoreOnceTheRunIsOver) {
+  Stage stage(in_window([](Ui& ui) { button(ui, "program/run", "Run"); }));
+  int left = 3;
+  Automation hand(
+      stage.surface,
+      [&] {
+        --left;
+        stage.frame();
+      },
+      [&] { return stage.now_s; }, [&] { return left == 0; });
+  hand.frame(1000);
+  EXPECT_EQ(left, 0);
+  EXPECT_TRUE(hand.key("Escape"));
+  EXPECT_EQ(left, 0);
+}
+
 TEST(Automation, ScrollsIntoView) {
   int clicked = 0;
   Stage stage(in_window([&](Ui& ui) {

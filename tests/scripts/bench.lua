@@ -40,6 +40,8 @@ b:place(1, {minus = -5000, plus = 90000, home = {2000, 2400}, backlash = 3})
 b:place(1, {index_every = 4000, counts_per_step = 1.25})  -- a scale that a VXM does not read
 fails("minus must be below plus", b.place, b, 1, {minus = 5, plus = 5})
 fails('a place has no "plsu"', b.place, b, 1, {plsu = 5})
+local own = setmetatable({plus = 90000}, {__index = function() error("the script's code ran in place()") end})
+hw.check(b:place(1, own))
 
 -- what the controller cannot know
 local before = c:position(1)

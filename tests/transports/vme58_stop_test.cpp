@@ -83,6 +83,41 @@ TEST_F(Vme58Stops, OneAxisThatATextMovedBeforeTheLinkWasLostIsStoppedForGood) {
   expect_stays(0);
 }
 
+TEST_F(Vme58Stops, OneAxisThatAnEarlierTextHasPreparedIsStoppedForGood) {
+  ASSERT_TRUE(query("AX VL2000 AC100000 AY VL2000 AC100000"));
+  for (const char* mode : {"AA ", "AM "})
+    for (const char* go : {"GO", "GD"}) {
+      ASSERT_TRUE(query(std::string(mode) + "MR3000,3000;"));
+      run(Seconds(1));
+      ASSERT_TRUE(query(std::string("WT1500 ") + go));
+      run(Millis(500));
+      EXPECT_EQ(perform(intent::Stop(0)).fate, Fate::done);
+      expect_stays(0);
+    }
+  ASSERT_EQ(perform(intent::LoadProgram(0, "AA MR3000,3000;")).fate, Fate::done);
+  ASSERT_EQ(perform(intent::RunProgram(0)).fate, Fate::done);
+  ASSERT_TRUE(becomes_idle());
+  ASSERT_TRUE(query("AA WT1500 GO"));
+  EXPECT_EQ(perform(intent::Stop(0)).fate, Fate::done);
+  expect_stays(0);
+}
+
+TEST_F(Vme58Stops, OneAxisStopsAloneAfterAContour) {
+  for (const char* end : {"CE", "CK", "AA"}) {
+    ASSERT_TRUE(query("AA VL2000,2000; CV1000 CD0,0; MT1000,1000;"));
+    run(Seconds(3));
+    (void)query(end);
+    run(Seconds(2));
+    for (const std::uint8_t i : {0, 1}) perform(intent::MoveBy({{AxisId{i}, Steps(100000)}}, Pps{2000}));
+    run(Millis(500));
+    EXPECT_EQ(perform(intent::Stop(0)).fate, Fate::done);
+    EXPECT_EQ(axis(0).activity, Activity::idle) << end;
+    EXPECT_EQ(axis(1).activity, Activity::moving) << end;
+    perform(intent::Stop());
+    ASSERT_TRUE(becomes_idle());
+  }
+}
+
 TEST_F(Vme58Stops, OneAxisOfItsOwnStopsAlone) {
   perform(intent::MoveBy({{AxisId{1}, Steps(100000)}}, Pps{2000}));
   ASSERT_TRUE(query("AX VL2000 MR5000 GO MR-5000 GO AA MR,,5000,5000; GO AM WT500; MR,,,,100; GO"));

@@ -77,6 +77,7 @@ class Vme58Driver final : public Driver {
     bool homes = false;         ///< its motion sets its counter at the home switch
     bool by_text = false;       ///< a motion of the user's text or program may be under way
     bool in_group = false;      ///< in the queue of AA or AM something may wait that moves it
+    bool listed = false;        ///< a list of AA or AM may have prepared a motion that their next GO begins
     bool asks_queue = false;    ///< it rests without a reason: its queue tells whether it has ended
     Duration jog_gap{};         ///< of a jog: it turns, though so long no count and no velocity may show it
     Instant creeps_until{};     ///< and so it is taken to turn until then

@@ -132,7 +132,7 @@ Task<Result<>> Vme58Driver::connect(Station& station) {
     if (!plain) co_return plain;
   }
   if (!unmarked) {
-    for (AxisMind& mind : minds_) mind.in_group = true;  // by whoever spoke before
+    for (AxisMind& mind : minds_) mind.in_group = mind.listed = true;  // by whoever spoke before
     auto asked = co_await read_loops(Priority::intent);
     if (!asked) co_return asked;
   }

@@ -140,7 +140,7 @@ Task<Result<>> Vme58Driver::feed() {
     if (to_feed_.empty()) co_return Result<>();
     auto [line, command] = to_feed_.front();
     Context after = fed_context_;
-    (void)read_commands(command, after);
+    for (const TextCommand& read : read_commands(command, after)) note_group(read);
     std::string text = fed_text(command, after);
     const auto put = co_await put_text(std::move(text), Priority::transfer);
     if (!put) co_return fail(put.error());

@@ -103,7 +103,7 @@ Task<Result<std::string>> Vme58Driver::send_commands(std::string text, Duration 
       if (!bad) co_return fail(bad.error());
       if (*bad && context_.recording && (command.is(Op::CE) || command.is(Op::CK))) {
         context_.recording = false;  // there is no other end
-        selection_lost_ = true;
+        selection_lost_ = draft_.working = queues_due_ = true;
       }
       if (*bad && !command.flaw.empty())
         co_return fail(FaultKind::controller,
@@ -137,7 +137,9 @@ Result<> Vme58Driver::may_say_while_feeding(const std::vector<TextCommand>& comm
 void Vme58Driver::note_sent(const TextCommand& command) {
   if (!command.fact || !command.flaw.empty()) return;
   fed_apart_ = fed_apart_ || (draft_.feed.running && selects(command));
+  const bool recorded = context_.recording;
   follow(command, context_);
+  if (recorded && !context_.recording) draft_.working = queues_due_ = true;  // meanwhile nobody could ask
   note_effects(command);
 }
 
@@ -212,15 +214,18 @@ void Vme58Driver::note_motion(const TextCommand& command) {
   }
 }
 
-/// Lists of AA and AM name the axes that they move.
+/// Lists of AA and AM name the axes that they move, and a GO may come long behind its list.
 void Vme58Driver::note_group(const TextCommand& command) {
   if (!command.fact || command.fact->when != When::queued || command.context.mode == where::single) return;
-  const bool contour = command.is(Op::CX);
+  const bool contour = command.is(Op::CX), begins = command.is(Op::GO) || command.is(Op::GD);
   const bool all = command.is(Op::KM) || command.is(Op::KR) || (contour && command.context.contour_axes == 0);
   for (int i = 0; i < axis_count(); ++i) {
-    const bool listed = ix(i) < command.numbers.size() && command.numbers[ix(i)].has_value();
+    AxisMind& mind = minds_[ix(i)];
+    const bool named = ix(i) < command.numbers.size() && command.numbers[ix(i)].has_value();
+    const bool listed = command.fact->shape == Shape::list && named;
     const bool drawn = contour && (command.context.contour_axes >> i & 1) != 0;
-    if (all || drawn || (command.fact->shape == Shape::list && listed)) minds_[ix(i)].in_group = true;
+    mind.listed = mind.listed || listed;
+    if (all || drawn || listed || (begins && mind.listed)) mind.in_group = true;
   }
 }
 

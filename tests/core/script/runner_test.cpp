@@ -122,7 +122,7 @@ TEST(Runner, AnInterruptEndsAScriptThatComputes) {
 }
 
 #ifndef __SANITIZE_THREAD__  // keeps signals back until the call comes back
-TEST(Runner, ACallThatDoesNotComeBackIsLeft) {
+void expect_left(const std::string& text) {
   for (const bool interrupted : {false, true}) {
     const auto get_out = [&](Runner& runner) {
       if (interrupted) runner.interrupt();
@@ -131,11 +131,22 @@ TEST(Runner, ACallThatDoesNotComeBackIsLeft) {
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
       }
     };
-    const Ran ran =
-        run_beside("pcall(string.find, ('a'):rep(60), ('a-'):rep(30) .. 'b') print('never')", get_out);
+    const Ran ran = run_beside(
+        "local function hang() return string.find(('a'):rep(60), ('a-'):rep(30) .. 'b') end\n" + text,
+        get_out);
     EXPECT_THAT(ran.fault(), StartsWith(interrupted ? "Interrupted." : "The script computed for 20 s"));
     EXPECT_EQ(ran.printed, "");
   }
+}
+
+TEST(Runner, ACallThatDoesNotComeBackIsLeft) { expect_left("pcall(hang) print('never')"); }
+
+TEST(Runner, ATextOfTheScriptsOwnThatDoesNotComeBackIsLeft) {
+  expect_left("pcall(print, setmetatable({}, {__tostring = hang})) print('never')");
+}
+
+TEST(Runner, AnErrorInATextOfTheScriptsOwnKeepsNoCallIn) {
+  expect_left("pcall(print, setmetatable({}, {__tostring = function() error('x') end})) hang()");
 }
 #endif
 
