@@ -49,6 +49,8 @@ class Pump {
   void know_store_count(std::int32_t writes_used);
   [[nodiscard]] const Snapshot& known() const { return draft_; }
   [[nodiscard]] Driver& driver() { return *driver_; }
+  /// A stop of all axes is under way: another one would mean "at once, without a ramp".
+  [[nodiscard]] bool stops_all() const { return stops_of_all_ > 0; }
   [[nodiscard]] bool busy() const { return performing_ || !queue_.empty() || stops_under_way_ > 0; }
   /// Notified after each publication.
   [[nodiscard]] Event& published() { return published_; }
@@ -108,6 +110,7 @@ class Pump {
   std::uint64_t rounds_begun_ = 0, rounds_ended_ = 0, round_wanted_ = 0;
   int fast_polls_ = 0;
   int stops_under_way_ = 0;
+  int stops_of_all_ = 0;  ///< of them
   std::uint64_t stops_begun_ = 0;
   int attempt_ = 0;
   bool performing_ = false;

@@ -120,6 +120,9 @@ Task<Result<>> Pump::stop_as_asked(const IntentBody& body) {
 }
 
 Task<> Pump::stop_and_report(Intent intent) {
+  const auto* stop = std::get_if<intent::Stop>(&intent.body);
+  const int of_all = stop && stop->axis < 0 ? 1 : 0;
+  stops_of_all_ += of_all;
   try {
     auto stopped = co_await stop_as_asked(intent.body);
     if (stopped)
@@ -130,6 +133,7 @@ Task<> Pump::stop_and_report(Intent intent) {
   } catch (const std::exception& defect) {
     set_fate(intent.id, Fate::failed, fmt::format("The stop failed inside: {}.", defect.what()));
   }
+  stops_of_all_ -= of_all;
   end_stop();
 }
 

@@ -34,7 +34,7 @@ struct Runner::Leaving {
     for (Left& one : all)
       if (one.closed)
         one.trouble = "It was closed already: what the script has left running goes on.";
-      else
+      else if (!one.session->pump().stops_all())
         one.stop = one.session->post(intent::Stop());
   }
   [[nodiscard]] bool over() const {

@@ -252,7 +252,7 @@ class VxmDriver final : public Driver {
   bool release_hold_ = false;
   char halted_ = 0;  ///< letter of the error that waits for K
   Instant ask_again_at_{};
-  std::uint64_t kills_ = 0;
+  std::uint64_t stops_said_ = 0;
   Stopping stopping_ = Stopping::no;
   int ramped_ = -1;  ///< the axis that was to stop by a ramp; -1: all were
   int selected_ = -1;

@@ -22,6 +22,8 @@ Task<Result<>> VxmDriver::stop(int axis, bool at_once) {
   if (!station_)
     co_return fail(FaultKind::lost, "Stop does not reach the controller: there is no connection.",
                    "Nothing was sent.", "Use its power switch.");
+  ++stops_said_;
+  news_.notify();
   // The first stop of all, or of another motor, is no second one of what ramps down already.
   const bool other = stopping_ == Stopping::ramp && ramped_ >= 0 && ramped_ != axis;
   if (at_once || (stopping_ != Stopping::no && !other) || halted_) co_return co_await kill(false);
@@ -195,7 +197,7 @@ Task<Result<>> VxmDriver::kill(bool standing) {
 void VxmDriver::killed(EndedBy ended_by) {
   killed_at_ = scheduler_.now();
   halted_ = 0;
-  ++kills_;
+  ++stops_said_;
   hold_on_ = hold_doubtful_ = false;
   stopping_ = Stopping::no;
   if (job_.active()) {

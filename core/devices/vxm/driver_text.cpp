@@ -366,10 +366,10 @@ Task<Result<std::string>> VxmDriver::query(std::string text, Duration patience) 
 // For texts that have no answer of their own: R and what else brings a prompt some time.
 Task<Result<std::string>> VxmDriver::wait_for_prompt(std::uint64_t since, Duration patience) {
   const Instant deadline = scheduler_.now() + patience;
-  const std::uint64_t kills_before = kills_;
+  const std::uint64_t stops_before = stops_said_;
   for (bool in_time = true;;) {
     if (auto text = take_since(since)) co_return std::move(*text);
-    if (kills_ != kills_before)
+    if (stops_said_ != stops_before)
       co_return fail(FaultKind::stopped, "A stop has ended what the answer was waited for.", "It was sent.");
     if (!station_) co_return fail(FaultKind::lost, "The connection was lost before an answer came.");
     if (!in_time)
