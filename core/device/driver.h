@@ -60,6 +60,8 @@ class Driver {
   [[nodiscard]] virtual bool changes_programs(std::string_view) const { return true; }
   /// Whether this raw text stops what is under way, so that nothing may keep it back.
   [[nodiscard]] virtual bool is_stop(std::string_view) const { return false; }
+  /// And whether it stops all axes and programs.
+  [[nodiscard]] virtual bool stops_all(std::string_view text) const { return is_stop(text); }
   /// A text that a controller in an error state takes although it answers nothing, connecting included: it
   /// is remembered, and said on the user's word if the controller is silent at the next connect(). False:
   /// this is no such text.

@@ -49,8 +49,8 @@ Task<> Pump::shut_down() {
   refuse_queued("The controller was closed. Nothing was sent.");
   if (jogs_.any()) post_stop(Intent(0, intent::Stop()));
   // A stop that was asked for a moment ago may still wait for the answer to a question.
-  while (stops_under_way_ > 0) co_await ended_.wait();
   const Instant give_up = scheduler_.now() + longest_clearing;
+  while (stops_under_way_ > 0 && scheduler_.now() < give_up) co_await ended_.wait_until(give_up);
   const auto connected = [this] {
     return draft_.link.state == LinkState::good || draft_.link.state == LinkState::late;
   };

@@ -76,6 +76,7 @@ class Pump {
   void begin_stop();
   void end_stop();
   Task<> perform_stop_text(Intent intent);
+  void owe_stop(const std::string& text, const Fault& why);
   Task<Result<std::string>> query_stop(std::string text, Duration patience);
   void refuse_queued(std::string_view why);
   bool try_to_recover(const std::string& text);

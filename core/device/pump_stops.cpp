@@ -22,6 +22,11 @@ void Pump::owe_stop(const IntentBody& stop) {
     owed_stop_.add(-1);
 }
 
+void Pump::owe_stop(const std::string& text, const Fault& why) {
+  const bool kept_out = why.kind == FaultKind::refused || why.kind == FaultKind::stopped;
+  if (!kept_out && driver_->stops_all(text)) owed_stop_.add(-1);
+}
+
 void Pump::make_good_the_stop() {
   if (!owed_stop_.any()) return;
   const int axis = owed_stop_.take();
@@ -87,7 +92,7 @@ Task<> Pump::perform_stop_text(Intent intent) {
     set_fate(intent.id, Fate::done);
   else
     set_fate(intent.id, Fate::failed, performed.error().sentence());
-  if (!performed && performed.error().kind != FaultKind::refused) owed_stop_.add(-1);
+  if (!performed) owe_stop(std::get<intent::SendText>(intent.body).text, performed.error());
   end_stop();
 }
 
@@ -142,11 +147,11 @@ Task<Result<std::string>> Pump::query_stop(std::string text, Duration patience) 
   count_program_change(Intent(0, intent::SendText(text)));
   Result<std::string> reply;
   try {
-    reply = co_await driver_->query(std::move(text), patience);
+    reply = co_await driver_->query(text, patience);
   } catch (const std::exception& defect) {
     reply = fail(failed_inside("question", defect));
   }
-  if (!reply && reply.error().kind != FaultKind::refused) owed_stop_.add(-1);
+  if (!reply) owe_stop(text, reply.error());
   end_stop();
   co_return reply;
 }

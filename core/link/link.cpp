@@ -80,7 +80,6 @@ Task<Result<std::string>> Link::transact(Station& station, Transaction transacti
 void Link::hurry_for_a_stop() {
   constexpr std::size_t usual_answer = 16;
   if (!in_flight_ || !stream_ || !in_flight_->is_question()) return;
-  if (in_flight_->transaction.priority == Priority::stop) return;
   if (in_flight_->transaction.reply.kind == ReplyShape::Kind::quiet_end && !received_.empty()) return;
   const Duration on_wire = wire_time(in_flight_->transaction.bytes.size() + usual_answer);
   const Instant latest = std::max(scheduler_.now(), sent_at_ + on_wire) + longest_wait_of_a_stop;

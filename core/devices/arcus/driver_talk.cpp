@@ -319,6 +319,10 @@ bool ArcusDriver::is_stop(std::string_view text) const {
          (ends_motion(command) || ends_program(command));
 }
 
+bool ArcusDriver::stops_all(std::string_view text) const {
+  return is_stop(text) && (text_of(text) == "STOP" || text_of(text) == "ABORT");
+}
+
 Task<Result<>> ArcusDriver::send_text(const intent::SendText& wish) {
   if (wish.broadcast) {
     auto sent = co_await broadcast(wish.text, is_stop(wish.text) ? Priority::stop : Priority::intent);

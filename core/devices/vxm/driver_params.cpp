@@ -38,6 +38,8 @@ std::string range_words(const ParamInfo& p) {
 
 Task<Result<>> VxmDriver::perform(const IntentBody& body) {
   using namespace intent;
+  if (const auto* i = std::get_if<SendText>(&body); i && is_stop(i->text))
+    co_return co_await send_text(i->text);
   auto settled = co_await finish_leg();
   if (!settled) co_return settled;
   if (const auto* i = std::get_if<SendText>(&body)) co_return co_await send_text(i->text);

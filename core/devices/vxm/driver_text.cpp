@@ -78,13 +78,26 @@ std::optional<AnswerShape> answer_shape(const TextCommand& c, const Listening& n
   return std::nullopt;
 }
 
+/// Of what belongs together: ( ) and [ ].
+bool within_a_group(std::string_view text) {
+  const auto count = [text](char c) { return std::count(text.begin(), text.end(), c); };
+  return count('(') != count(')') || count('[') != count(']');
+}
+
+// A stop waits for what is on the wire: long texts are cut where a command ends.
+constexpr std::size_t most_at_once = 24;
+
 std::vector<Piece> pieces_of(std::string_view text, const std::vector<TextCommand>& commands, Listening now) {
   std::vector<Piece> pieces;
   std::size_t from = 0;
   for (const TextCommand& c : commands) {
+    const bool whole = c.end - from >= most_at_once && !within_a_group(text.substr(0, c.end));
     if (auto answer = answer_shape(c, now)) {
       const bool stores = c.verb == Verb::word && c.name == "rsm";
       pieces.push_back({std::string(text.substr(from, c.end - from)), answer, stores});
+      from = c.end;
+    } else if (whole) {
+      pieces.push_back({std::string(text.substr(from, c.end - from)), std::nullopt});
       from = c.end;
     }
     now.follow(c);

@@ -76,6 +76,17 @@ TEST_F(LinkTest, AStopWaitsForNoPatientQuestion) {
   EXPECT_TRUE(patient.came && !patient.result);
 }
 
+TEST_F(LinkTest, AStopWaitsForNoPatientStopEither) {
+  Answer patient, stop;
+  Transaction question("@02STOP\r", ReplyShape::line(), Priority::stop);
+  question.patience = std::chrono::seconds(60);
+  asio::co_spawn(io, ask(station, std::move(question), patient), asio::detached);
+  time.run_for(std::chrono::seconds(1));
+  start("@01STOP\r", ReplyShape::line(), Priority::stop, stop);
+  time.run_for(Millis(201));
+  EXPECT_THAT(wire->sent, ElementsAre("@02STOP\r", "@01STOP\r"));
+}
+
 TEST_F(LinkTest, AnUnansweredQuestionEndsAtItsDeadlineAndALateReplyIsNotTakenForTheNext) {
   Answer lost, next;
   start("X", ReplyShape::line(), Priority::poll, lost);

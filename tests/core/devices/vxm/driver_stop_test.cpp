@@ -75,6 +75,19 @@ TEST_F(VxmDriverStop, ATypedKWaitsForNoRamp) {
   EXPECT_EQ(sent(), "DK");
 }
 
+TEST_F(VxmDriverStop, ALongTextIsNotWaitedFor) {
+  start({}, true);
+  run_program("I1M4000\nI1M-4000\nL0\n");
+  sent();
+  std::string text;
+  for (int i = 0; i < 300; ++i) text += "I1M400,";
+  post(intent::SendText(text));
+  run(0.1);
+  post(intent::Stop());
+  run(0.06);
+  EXPECT_THAT(sent(), HasSubstr("H"));
+}
+
 // At each moment of a move's end, also while its last questions are on the wire.
 TEST_F(VxmDriverStop, AtTheVeryEndOfAMoveDoesNoHarm) {
   start({}, true);
