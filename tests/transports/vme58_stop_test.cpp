@@ -62,6 +62,21 @@ TEST_F(Vme58Stops, OneAxisOfAProgramIsStoppedForGood) {
   }
 }
 
+TEST_F(Vme58Stops, TypedItEndsTheProgramThatIsStillFed) {
+  std::string text = "AX VL1000 AC10000\n";
+  for (int i = 0; i < 200; ++i) text += "MR200 GO\n";
+  for (const char* stop : {"SA", "KL", "AX ST"}) {
+    ASSERT_EQ(perform(intent::LoadProgram(0, text)).fate, Fate::done);
+    ASSERT_EQ(perform(intent::RunProgram(0)).fate, Fate::done);
+    run(Millis(1500));
+    ASSERT_EQ(now().program.run, RunState::running);
+    EXPECT_EQ(perform(intent::SendText(stop)).fate, Fate::done) << stop;
+    ASSERT_TRUE(becomes_idle()) << stop;
+    expect_stays(0);
+    EXPECT_EQ(now().program.run, RunState::idle) << stop;
+  }
+}
+
 TEST_F(Vme58Stops, OneAxisThatATextMovesWithOthersIsStoppedForGood) {
   ASSERT_TRUE(query(std::string("AA VL20000,20000; AC100000,100000; ") + there_and_back));
   run(Millis(500));

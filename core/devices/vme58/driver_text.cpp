@@ -91,6 +91,8 @@ Task<Result<std::string>> Vme58Driver::send_commands(std::string text, Duration 
       if (!settled) co_return fail(settled.error());
       // Until a round of status has seen all queues empty and no axis turning.
       if (!command.fact || command.fact->when == When::queued) draft_.working = queues_due_ = true;
+      if (draft_.program.run == RunState::running && command.fact && stops_here(command.fact->op))
+        end_program(command.is(Op::KL) ? EndedBy::abort : EndedBy::stop);  // nothing of it is fed behind this
       note_group(command);  // before a stop can come in between
       const int put_before = put_;
       auto written = co_await write(word, Priority::intent, WhenStuck::leave);

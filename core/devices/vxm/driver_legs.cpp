@@ -96,6 +96,7 @@ Task<Result<>> VxmDriver::begin(Job job) {
   auto slot = co_await find_scratch();
   if (!slot) co_return fail(slot.error());
   scratch_ = *slot;
+  stopping_ = Stopping::no;  // one that was never confirmed is no first stop of this
   forget_how_it_ended();
   job_ = std::move(job);
   co_return co_await start_leg();

@@ -338,6 +338,7 @@ Task<Result<>> VxmDriver::run(int slot) {
     if (may_turn(slot, i + 1)) warn_of_motor_type(i);
   std::string text = hold_on_ ? "H" : "";
   text += select_program(slot) + "R";
+  stopping_ = Stopping::no;
   auto sent = co_await switch_hold(std::move(text), false, Priority::intent);
   if (!sent) co_return sent;
   selected_ = slot;

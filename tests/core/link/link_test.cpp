@@ -87,6 +87,18 @@ TEST_F(LinkTest, AStopWaitsForNoPatientStopEither) {
   EXPECT_THAT(wire->sent, ElementsAre("@02STOP\r", "@01STOP\r"));
 }
 
+TEST_F(LinkTest, AStopThatWaitsAlreadyHurriesTheOneBeforeIt) {
+  Answer poll, patient, stop;
+  start("X", ReplyShape::line(), Priority::poll, poll);
+  Transaction question("@02STOP\r", ReplyShape::line(), Priority::stop);
+  question.patience = std::chrono::seconds(60);
+  asio::co_spawn(io, ask(station, std::move(question), patient), asio::detached);
+  start("@01STOP\r", ReplyShape::line(), Priority::stop, stop);
+  arrive("+0000000\r");
+  time.run_for(Millis(201));
+  EXPECT_THAT(wire->sent, ElementsAre("X", "@02STOP\r", "@01STOP\r"));
+}
+
 TEST_F(LinkTest, AnUnansweredQuestionEndsAtItsDeadlineAndALateReplyIsNotTakenForTheNext) {
   Answer lost, next;
   start("X", ReplyShape::line(), Priority::poll, lost);
