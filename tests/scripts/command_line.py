@@ -383,7 +383,9 @@ class Emulate(Case):
             wires = [socket.create_connection(("127.0.0.1", int(line.rsplit(":")[-1])), timeout=10) for line in ready]
             for wire in wires:
                 wire.settimeout(10)
-            wires[0].sendall(b"FV")
+            wires[1].sendall(b"FV")  # answered: the emulator has taken the connection
+            self.assertEqual(wires[1].recv(1), b"R")
+            wires[0].sendall(b"V")
             self.assertEqual(wires[0].recv(1), b"R")
             self.assertEqual(wires[1].recv(1), b"R")
             for wire in wires:
