@@ -20,6 +20,7 @@ struct DriverContext {
   Snapshot& draft;                     ///< the driver writes it; the pump publishes it
   std::function<void(Notice)> notify;  ///< what must not be lost
   std::function<void()> changed;       ///< something came unasked: publish soon, poll soon
+  std::function<void()> stop_heard;    ///< somebody else on the wire stops this controller
   std::function<void(const AxisSample&)> sample = nullptr;  ///< of a recording: intent::Sample
 };
 
@@ -52,6 +53,12 @@ class Driver {
   virtual void wire_lost() = 0;
   /// Raw text and its reply without terminator (scripts, `send`).
   virtual Task<Result<std::string>> query(std::string text, Duration patience) = 0;
+  /// The same of a text that stops, beside whatever is under way. Where its answer comes long after it,
+  /// `said` is called as soon as all of it has gone out.
+  virtual Task<Result<std::string>> query_stop(std::string text, Duration patience,
+                                               std::function<void()> /*said*/) {
+    return query(std::move(text), patience);
+  }
   /// Whether the controller answers this raw text by itself and at once.
   [[nodiscard]] virtual bool answers(std::string_view) const { return true; }
   /// Whether it tells by itself, later, that what this raw text began is over: a prompt.
@@ -60,6 +67,8 @@ class Driver {
   [[nodiscard]] virtual bool changes_programs(std::string_view) const { return true; }
   /// Whether this raw text stops what is under way, so that nothing may keep it back.
   [[nodiscard]] virtual bool is_stop(std::string_view) const { return false; }
+  /// Whether that is under way in another controller of the wire only.
+  [[nodiscard]] virtual bool stops_another(std::string_view) const { return false; }
   /// And whether it stops all axes and programs.
   [[nodiscard]] virtual bool stops_all(std::string_view text) const { return is_stop(text); }
   /// A text that a controller in an error state takes although it answers nothing, connecting included: it

@@ -33,7 +33,12 @@ Pump::Pump(Scheduler& scheduler, const DeviceType& type, const Catalog& catalog,
     publish();
     wake_.notify();
   };
-  driver_ = type.make_driver(DriverContext{scheduler, catalog_, draft_, ways_.notify, changed, ways_.sample});
+  const auto stop_heard = [this] {
+    drop_what_waits();
+    wake_.notify();
+  };
+  driver_ = type.make_driver(
+      DriverContext{scheduler, catalog_, draft_, ways_.notify, changed, stop_heard, ways_.sample});
 }
 
 Pump::~Pump() = default;
@@ -60,8 +65,9 @@ Task<> Pump::shut_down() {
     ways_.notify(Notice(Notice::Kind::warning, scheduler_.now(), std::move(left)));
   closing_ = true;
   if (station_) station_->close(Fault(FaultKind::lost, "The controller was closed."));
+  if (performing_ || answers_awaited_ > 0) driver_->wire_lost();  // nobody waits for an answer any more
   wake_.notify();
-  while (running_ || stops_under_way_ > 0) co_await ended_.wait();
+  while (running_ || stops_under_way_ > 0 || answers_awaited_ > 0) co_await ended_.wait();
   refuse_queued("The controller was closed. Nothing was sent.");
 }
 

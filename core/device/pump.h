@@ -74,6 +74,8 @@ class Pump {
   void post_stop(Intent intent);
   [[nodiscard]] bool stops_by_text(const std::string& text) const;
   void begin_stop();
+  void begin_stop_text(const std::string& text);
+  void drop_what_waits();
   void end_stop();
   Task<> perform_stop_text(Intent intent);
   void owe_stop(const std::string& text, const Fault& why);
@@ -111,7 +113,8 @@ class Pump {
   std::uint64_t rounds_begun_ = 0, rounds_ended_ = 0, round_wanted_ = 0;
   int fast_polls_ = 0;
   int stops_under_way_ = 0;
-  int stops_of_all_ = 0;  ///< of them
+  int stops_of_all_ = 0;     ///< of them
+  int answers_awaited_ = 0;  ///< of stops in the controller's words that may have gone out long ago
   std::uint64_t stops_begun_ = 0;
   int attempt_ = 0;
   bool performing_ = false;

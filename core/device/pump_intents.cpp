@@ -49,7 +49,7 @@ void Pump::post(Intent intent) {
   const auto* text = std::get_if<intent::SendText>(&intent.body);
   set_fate(intent.id, Fate::pending);
   if (text && stops_by_text(text->text)) {
-    begin_stop();
+    begin_stop_text(text->text);
     asio::co_spawn(scheduler_.executor(), perform_stop_text(std::move(intent)), asio::detached);
     return;
   }
@@ -240,7 +240,7 @@ Task<Result<std::string>> Pump::query(std::string text, Duration patience) {
   if (lost && driver_->stops_all(text)) owed_stop_.add(-1);
   if (!recovers && lost)
     co_return fail(FaultKind::lost, "There is no connection to the controller.", "Nothing was sent.");
-  if (stops_by_text(text) && driver_->answers(text)) co_return co_await query_stop(std::move(text), patience);
+  if (stops_by_text(text)) co_return co_await query_stop(std::move(text), patience);
   auto owned = std::make_unique<Job>(Intent(0, intent::SendText(text)));
   Job* job = owned.get();
   job->is_query = true;

@@ -65,10 +65,19 @@ bool Pump::stops_by_text(const std::string& text) const {
 }
 
 void Pump::begin_stop() {
+  drop_what_waits();
+  ++stops_under_way_;
+}
+
+void Pump::begin_stop_text(const std::string& text) {
+  if (!driver_->stops_another(text)) drop_what_waits();
+  ++stops_under_way_;
+}
+
+void Pump::drop_what_waits() {
   ++stops_begun_;
   refuse_queued("A stop came first. This was not sent.");
-  station_->begin_stop();
-  ++stops_under_way_;
+  if (station_) station_->begin_stop();
 }
 
 void Pump::end_stop() {
@@ -143,16 +152,23 @@ Task<> Pump::stop_and_report(Intent intent) {
 }
 
 Task<Result<std::string>> Pump::query_stop(std::string text, Duration patience) {
-  begin_stop();
+  begin_stop_text(text);
   count_program_change(Intent(0, intent::SendText(text)));
+  ++answers_awaited_;
+  bool out = false;
+  const auto said = [this, &out] {
+    if (!std::exchange(out, true)) end_stop();
+  };
   Result<std::string> reply;
   try {
-    reply = co_await driver_->query(text, patience);
+    reply = co_await driver_->query_stop(text, patience, said);
   } catch (const std::exception& defect) {
     reply = fail(failed_inside("question", defect));
   }
-  if (!reply) owe_stop(text, reply.error());
-  end_stop();
+  if (!reply && !out) owe_stop(text, reply.error());
+  --answers_awaited_;
+  said();
+  ended_.notify();
   co_return reply;
 }
 

@@ -46,6 +46,7 @@ class ArcusDriver final : public Driver {
   [[nodiscard]] bool answers_later(std::string_view text) const override;
   [[nodiscard]] bool changes_programs(std::string_view text) const override;
   [[nodiscard]] bool is_stop(std::string_view text) const override;
+  [[nodiscard]] bool stops_another(std::string_view text) const override;
   [[nodiscard]] bool stops_all(std::string_view text) const override;
   bool take_unsolicited(std::string& text) override;
   [[nodiscard]] Duration moving_period() const override;
@@ -250,7 +251,7 @@ class ArcusDriver final : public Driver {
   const Catalog& catalog_;
   Snapshot& draft_;
   std::function<void(Notice)> notify_;
-  std::function<void()> changed_;
+  std::function<void()> changed_, stop_heard_;
   const Forms& forms_;
   const language::Dialect& dialect_;
   Station* station_ = nullptr;

@@ -24,6 +24,7 @@ ArcusDriver::ArcusDriver(DriverContext context, const Forms& forms, const langua
       draft_(context.draft),
       notify_(std::move(context.notify)),
       changed_(std::move(context.changed)),
+      stop_heard_(std::move(context.stop_heard)),
       forms_(forms),
       dialect_(dialect) {
   draft_.axis_count = axis_count();

@@ -311,16 +311,17 @@ bool ArcusDriver::changes_programs(std::string_view text) const {
   return command.starts_with("SA") && command.find('=') != command.npos;
 }
 
-// To this device or to all.
 bool ArcusDriver::is_stop(std::string_view text) const {
+  return ends_motion(text_of(text)) || ends_program(text_of(text));
+}
+
+bool ArcusDriver::stops_another(std::string_view text) const {
   const int to = address_of(text);
-  const std::string_view command = text_of(text);
-  return (to < 0 || to == catalog_.address || to == model().broadcast) &&
-         (ends_motion(command) || ends_program(command));
+  return is_stop(text) && to >= 0 && to != catalog_.address && to != model().broadcast;
 }
 
 bool ArcusDriver::stops_all(std::string_view text) const {
-  return is_stop(text) && (text_of(text) == "STOP" || text_of(text) == "ABORT");
+  return is_stop(text) && !stops_another(text) && (text_of(text) == "STOP" || text_of(text) == "ABORT");
 }
 
 Task<Result<>> ArcusDriver::send_text(const intent::SendText& wish) {
@@ -340,7 +341,7 @@ Task<Result<>> ArcusDriver::send_text(const intent::SendText& wish) {
 void ArcusDriver::overhear(std::string_view text) {
   const int to = address_of(text);
   if (to < 0 || (to != catalog_.address && to != model().broadcast)) return;
-  if (station_ && is_stop(text)) station_->begin_stop();  // what is under way here says nothing behind it
+  if (station_ && is_stop(text)) stop_heard_();  // nothing that waits here is said behind it
   if (may_set_counter(text_of(text))) ++counters_set_;
   if (changes_programs(text)) {
     ++draft_.program_changes;

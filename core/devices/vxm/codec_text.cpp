@@ -240,6 +240,12 @@ std::vector<TextCommand> read_text(std::string_view text, int motor) {
   return all;
 }
 
+std::vector<TextCommand> commands_of(const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string& line : lines) text += line + '\r';
+  return read_text(text);
+}
+
 bool ends_open(std::string_view text) {
   const auto all = read_text(text);
   // A number without its end, but also a spoilt command: the controller drops what follows up to an ender.

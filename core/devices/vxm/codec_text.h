@@ -69,6 +69,8 @@ struct TextCommand {
 /// Reads a text as the controller would: a line feed counts for nothing, a remark lasts to the carriage
 /// return. `motor` is the one addressed last before it.
 std::vector<TextCommand> read_text(std::string_view text, int motor = 1);
+/// The same of a listing.
+std::vector<TextCommand> commands_of(const std::vector<std::string>& lines);
 /// True if the controller would take the next byte for a part of the last command.
 bool ends_open(std::string_view text);
 /// As `lst` writes it: motor always shown, no ender.

@@ -7,7 +7,8 @@
 //   driver_moves.cpp    moves, jogs, homing, zero, outputs: what they consist of
 //   driver_legs.cpp     how each is carried out: runs of a program that nobody uses
 //   driver_stop.cpp     stops (decision V102)
-//   driver_program.cpp  load, read, run, hold, step
+//   driver_program.cpp  load, read, select
+//   driver_run.cpp      run, hold, step
 //   driver_params.cpp   set-up
 #include <array>
 #include <deque>
@@ -45,6 +46,8 @@ class VxmDriver final : public Driver {
   [[nodiscard]] std::string leaves_behind() const override;
   void wire_lost() override;
   Task<Result<std::string>> query(std::string text, Duration patience) override;
+  Task<Result<std::string>> query_stop(std::string text, Duration patience,
+                                       std::function<void()> said) override;
   [[nodiscard]] bool answers(std::string_view text) const override;
   [[nodiscard]] bool answers_later(std::string_view text) const override;
   [[nodiscard]] bool is_stop(std::string_view text) const override;
@@ -118,6 +121,7 @@ class VxmDriver final : public Driver {
   };
   Task<Result<>> send_text(std::string text);
   Task<RawAnswer> send_pieces(std::string text, Duration patience);
+  Task<Result<std::string>> converse(std::string text, Duration patience, std::function<void()> said);
   void warn_of_flaws(const std::vector<TextCommand>& commands);
   void warn_of_dropped(const RawAnswer& sent);
   void note_taken(const std::vector<TextCommand>& commands);
@@ -164,7 +168,6 @@ class VxmDriver final : public Driver {
   void add_leg(Job& job, const AxisTarget& goal, int speed, bool relative) const;
   Leg jog_leg(int axis, Sign sign, int speed) const;
   void warn_of_motor_type(int axis);
-  [[nodiscard]] bool may_turn(int slot, int motor) const;
 
   // ---- driver_legs.cpp
   Task<Result<int>> find_scratch();
@@ -204,14 +207,17 @@ class VxmDriver final : public Driver {
   Task<Result<>> upload(int slot);
   Task<Result<>> clear(int slot);
   Task<Result<>> select(int slot);
+  Result<> may_touch_programs() const;
+
+  // ---- driver_run.cpp
   Task<Result<>> run(int slot);
   Result<> may_switch_hold() const;
   Task<Result<>> pause();
   Task<Result<>> switch_hold(std::string text, bool on, Priority priority);
   Task<Result<>> resume();
   Task<Result<>> single_step();
-  Result<> may_touch_programs() const;
   void show_running(int slot);
+  [[nodiscard]] bool may_turn(int slot, int motor) const;
 
   // ---- driver_params.cpp
   Task<Result<>> perform_program(const IntentBody& body);
@@ -253,6 +259,7 @@ class VxmDriver final : public Driver {
   char halted_ = 0;  ///< letter of the error that waits for K
   Instant ask_again_at_{};
   std::uint64_t stops_said_ = 0;
+  int stop_queries_ = 0;  ///< stops in the user's words whose answer is waited for
   Stopping stopping_ = Stopping::no;
   int ramped_ = -1;  ///< the axis that was to stop by a ramp; -1: all were
   int selected_ = -1;

@@ -160,11 +160,12 @@ void VxmDriver::heard(const Message& m) {
 }
 
 void VxmDriver::heard_prompt() {
+  const bool of_kill = killed_at_ != Instant{} && scheduler_.now() - killed_at_ < Millis(100);
   if (job_.active()) {
     job_.leg_over = true;  // its end is shown once the positions have been read
+    if (stop_queries_ > 0 && !of_kill) for_scripts("^");  // what the user has stopped answers the user
     return;
   }
-  const bool of_kill = killed_at_ != Instant{} && scheduler_.now() - killed_at_ < Millis(100);
   if (stored_running_) run_ended(EndedBy::target);
   if (!of_kill) for_scripts("^");
 }

@@ -1,110 +1,14 @@
-// Raw text of the user's or a script's: cut so that nothing is sent while the controller answers (the overrun
-// of the manual's p.30 locks it until power-off), and followed, so that the driver knows what it changed.
+// Raw text of the user's or a script's: sent in pieces, and followed, so that the driver knows what it
+// changed.
 #include <algorithm>
 
 #include <fmt/core.h>
 
 #include "core/devices/vxm/driver.h"
+#include "core/devices/vxm/text_pieces.h"
 
 namespace hw::vxm {
 namespace {
-
-constexpr Duration usual_patience = Millis(200);
-
-/// How the answer to a command ends.
-struct AnswerShape {
-  ReplyShape shape;
-  std::size_t (*stranger)(std::string_view) = nullptr;
-  Duration patience = usual_patience;
-};
-
-/// At most the last command of it is answered, so it may go out at once.
-struct Piece {
-  std::string text;
-  std::optional<AnswerShape> answer;
-  bool stores = false;  ///< rsm
-};
-
-/// What decides which commands the controller takes, as it changes on the way through a text.
-struct Listening {
-  bool local = false, running = false, halted = false, to_slave = false;
-  int digitized_lines = 2;
-
-  [[nodiscard]] bool takes(const TextCommand& c) const {
-    if (to_slave || c.flaw != Flaw::none) return false;
-    const bool is_letter = c.verb == Verb::letter;
-    if (halted) return is_letter && c.letter == 'K';
-    const std::string_view letters = running ? accepted_while_running : accepted_in_local;
-    if (running || local) return is_letter && letters.find(c.letter) != std::string_view::npos;
-    return true;
-  }
-  void follow(const TextCommand& c) {
-    if (c.verb == Verb::slave_begins) to_slave = true;
-    if (c.verb == Verb::slave_ends) to_slave = false;
-    if (c.verb == Verb::word && c.name == "res") local = true, running = halted = false;
-    if (c.verb != Verb::letter || to_slave) return;
-    if (c.letter == 'K') running = halted = false;
-    if (running || halted) return;
-    if (c.letter == 'E' || c.letter == 'F' || c.letter == 'G') local = false;
-    if (c.letter == 'Q') local = true;
-    if (c.letter == 'R') running = !local;
-  }
-};
-
-AnswerShape line_answer() { return {ReplyShape::line(), before_number}; }
-
-std::optional<AnswerShape> answer_shape(const TextCommand& c, const Listening& now) {
-  if (!now.takes(c)) return std::nullopt;
-  if (c.verb == Verb::get || c.verb == Verb::ask_selected || c.verb == Verb::ask_associate)
-    return line_answer();
-  if (c.verb == Verb::word && c.name == "lst") return AnswerShape{ReplyShape::until_quiet(listing_quiet_ms)};
-  if (c.verb == Verb::word && c.name == "rsm")
-    return AnswerShape{ReplyShape::bytes(1), before_prompt, store_patience};
-  if (c.verb != Verb::letter) return std::nullopt;
-  switch (c.letter) {
-    case 'D':
-      if (!now.local || now.running) return std::nullopt;
-      return AnswerShape{ReplyShape::several_lines(static_cast<std::uint16_t>(now.digitized_lines))};
-    case 'V': return AnswerShape{ReplyShape::bytes(1), before_state};
-    case 'K': return AnswerShape{ReplyShape::bytes(1), before_prompt};
-    case 'x':
-    case 'y': return AnswerShape{ReplyShape::several_lines(4), before_number};
-    case '?':
-    case '~':
-    case '$': return AnswerShape{ReplyShape::bytes(1)};
-    default: break;
-  }
-  if (std::string_view("XYZTM#*@").find(c.letter) != std::string_view::npos) return line_answer();
-  return std::nullopt;
-}
-
-/// Of what belongs together: ( ) and [ ].
-bool within_a_group(std::string_view text) {
-  const auto count = [text](char c) { return std::count(text.begin(), text.end(), c); };
-  return count('(') != count(')') || count('[') != count(']');
-}
-
-// A stop waits for what is on the wire: long texts are cut where a command ends.
-constexpr std::size_t most_at_once = 24;
-
-std::vector<Piece> pieces_of(std::string_view text, const std::vector<TextCommand>& commands, Listening now) {
-  std::vector<Piece> pieces;
-  std::size_t from = 0;
-  for (const TextCommand& c : commands) {
-    const bool whole = c.end - from >= most_at_once && !within_a_group(text.substr(0, c.end));
-    if (auto answer = answer_shape(c, now)) {
-      const bool stores = c.verb == Verb::word && c.name == "rsm";
-      pieces.push_back({std::string(text.substr(from, c.end - from)), answer, stores});
-      from = c.end;
-    } else if (whole) {
-      pieces.push_back({std::string(text.substr(from, c.end - from)), std::nullopt});
-      from = c.end;
-    }
-    now.follow(c);
-  }
-  if (from < text.size()) pieces.push_back({std::string(text.substr(from)), std::nullopt});
-  return pieces;
-}
 
 std::string without_end(std::string reply) {
   if (reply.ends_with('\r')) reply.pop_back();
@@ -119,40 +23,6 @@ void add_answer(std::string& answers, std::string_view next) {
 /// The answers that came before a failure are not lost.
 std::string with_answers(std::string_view answers, std::string_view done) {
   return fmt::format("Before that it answered {}.{}{}", printable(answers), done.empty() ? "" : " ", done);
-}
-
-/// Which state takes a few commands only, for a sentence.
-std::string_view what_listens(const Listening& now) {
-  if (now.halted) return "After its error report the controller takes only K, or res";
-  if (now.running) return "While a program runs the controller takes only a few letters";
-  return "In local mode the controller takes only a few letters";
-}
-
-/// Taken in more states than one can know here: T and Z at a standstill, res always.
-bool may_be_taken(const TextCommand& c) {
-  return c.verb == Verb::letter ? c.letter == 'T' || c.letter == 'Z'
-                                : c.verb == Verb::word && c.name == "res";
-}
-
-/// What becomes of a text in the controller's present state.
-struct Reception {
-  std::vector<TextCommand> taken;
-  std::string dropped;         ///< known commands that it does not take: they go without a word as well
-  std::string_view when = {};  ///< the state that drops the first of them
-};
-
-Reception reception_of(const std::vector<TextCommand>& commands, Listening now) {
-  Reception r;
-  for (const TextCommand& c : commands) {
-    if (now.takes(c) || (!now.to_slave && may_be_taken(c))) {
-      r.taken.push_back(c);
-    } else if (c.flaw == Flaw::none && !now.to_slave) {
-      if (r.dropped.empty()) r.when = what_listens(now);
-      r.dropped += (r.dropped.empty() ? "" : " ") + canonical(c);
-    }
-    now.follow(c);
-  }
-  return r;
 }
 
 }  // namespace
@@ -189,7 +59,7 @@ void VxmDriver::note_taken(const std::vector<TextCommand>& commands) {
     if (c.verb == Verb::word && c.name == "res") halted_ = 0;  // the next V finds it restarted
     if (c.verb != Verb::letter) continue;
     if (c.letter == 'C') program_changed();
-    if (c.letter == 'K') doubt_positions(), killed();
+    if (c.letter == 'K') doubt_positions(), killed_at_ = scheduler_.now();
     if (c.letter == 'D' && mode_ == Mode::on_line) note_stop();
     if (c.letter == 'H') hold_on_ = !hold_on_;
     if (c.letter == 'Q') stay_local_ = true, mode_ = Mode::local;
@@ -201,8 +71,11 @@ void VxmDriver::note_taken(const std::vector<TextCommand>& commands) {
   }
 }
 
-// The user's own D: nothing of the console's move follows it.
+// The user's own D: nothing of the console's move follows it, and nobody waits for its end any more.
 void VxmDriver::note_stop() {
+  if (!busy()) return;
+  ++stops_said_;
+  news_.notify();
   if (!job_.active()) return;
   drop_later_legs(-1);
   job_.jog = false;
@@ -265,18 +138,16 @@ Task<VxmDriver::RawAnswer> VxmDriver::send_pieces(std::string text, Duration pat
   Listening now;
   now.local = mode_ == Mode::local, now.running = busy(), now.halted = halted_ != 0;
   now.digitized_lines = slave_present_ ? max_motors : motors_per_controller;
-  const Reception reception = reception_of(commands, now);
   const auto pieces = pieces_of(text, commands, now);
-  note_taken(reception.taken);
   bool to_store = std::any_of(pieces.begin(), pieces.end(), [](const Piece& piece) { return piece.stores; });
   const auto failed = [&](Fault why) {
     if (to_store) draft_.unsaved_setup = draft_.unsaved_programs = true;  // rsm is not confirmed
     return why;
   };
   RawAnswer all;
-  if (!reception.dropped.empty())
-    all.dropped = fmt::format("{} and drops {} without a word.", reception.when, reception.dropped);
+  all.dropped = dropped_of(commands, now);
   for (const Piece& piece : pieces) {
+    note_taken(piece.taken);
     all.last_is_answered = piece.answer.has_value();
     if (!piece.answer) {
       auto sent = co_await say(piece.text, priority);
@@ -292,6 +163,7 @@ Task<VxmDriver::RawAnswer> VxmDriver::send_pieces(std::string text, Duration pat
       co_return all;
     }
     if (piece.stores) to_store = false;
+    if (piece.kills) killed();
     add_answer(all.text, without_end(std::move(*reply)));
   }
   co_return all;
@@ -299,10 +171,11 @@ Task<VxmDriver::RawAnswer> VxmDriver::send_pieces(std::string text, Duration pat
 
 Task<Result<>> VxmDriver::send_text(std::string text) {
   if (ends_open(text)) text += '\r';
+  const bool stops = is_stop(text);
   for (const TextCommand& c : read_text(text)) {
     const bool taken_while_running =
         c.verb == Verb::letter && accepted_while_running.find(c.letter) != std::string_view::npos;
-    if (job_.active() && !taken_while_running && !(c.verb == Verb::word && c.name == "res"))
+    if (!stops && job_.active() && !taken_while_running && !(c.verb == Verb::word && c.name == "res"))
       co_return fail(
           FaultKind::refused,
           fmt::format("A move of the console is under way, and the controller does not take {} then.",
@@ -348,10 +221,21 @@ bool VxmDriver::changes_programs(std::string_view text) const {
 }
 
 Task<Result<std::string>> VxmDriver::query(std::string text, Duration patience) {
-  if (!is_stop(text)) {
-    auto settled = co_await finish_leg();
-    if (!settled) co_return fail(settled.error());
-  }
+  auto settled = co_await finish_leg();
+  if (!settled) co_return fail(settled.error());
+  co_return co_await converse(std::move(text), patience, nullptr);
+}
+
+Task<Result<std::string>> VxmDriver::query_stop(std::string text, Duration patience,
+                                                std::function<void()> said) {
+  ++stop_queries_;
+  auto reply = co_await converse(std::move(text), patience, std::move(said));
+  --stop_queries_;
+  co_return reply;
+}
+
+Task<Result<std::string>> VxmDriver::converse(std::string text, Duration patience,
+                                              std::function<void()> said) {
   if (ends_open(text)) text += '\r';
   if (read_text(text).empty())
     co_return fail(FaultKind::refused, "There is no command in that text.", "Nothing was sent.");
@@ -366,6 +250,7 @@ Task<Result<std::string>> VxmDriver::query(std::string text, Duration patience) 
     co_return std::move(sent.text);
   }
   if (sent.last_is_answered) co_return std::move(sent.text);
+  if (said) said();
   auto prompt = co_await wait_for_prompt(asked, patience);
   if (!prompt && sent.text.empty()) {
     if (sent.dropped.empty()) co_return prompt;

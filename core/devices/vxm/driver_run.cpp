@@ -1,0 +1,118 @@
+// Runs of stored programs: starting, holding, going on, single steps.
+#include <algorithm>
+
+#include <fmt/core.h>
+
+#include "core/base/index.h"
+#include "core/devices/vxm/driver.h"
+
+namespace hw::vxm {
+
+void VxmDriver::show_running(int slot) {
+  stored_running_ = true;
+  ProgramState& p = draft_.program;
+  p.run = RunState::running;
+  p.owned = true;
+  p.slot = static_cast<std::int8_t>(slot >= 0 ? slot : selected_);
+  p.command = -1;
+  p.command_told = false;
+  p.stepping = hold_on_;
+  p.started_at = scheduler_.now();
+  forget_how_it_ended();
+}
+
+/// False: the program is known, goes into no other, and has no index of this motor.
+bool VxmDriver::may_turn(int slot, int motor) const {
+  if (!listings_[ix(slot)]) return true;
+  const auto commands = commands_of(*listings_[ix(slot)]);
+  return std::any_of(commands.begin(), commands.end(), [&](const TextCommand& c) {
+    const bool index = c.verb <= Verb::home && c.verb != Verb::zero_here;
+    const bool leaves = c.verb >= Verb::jump && c.verb <= Verb::jump_pick;
+    return leaves || (index && c.motor == motor);
+  });
+}
+
+Task<Result<>> VxmDriver::run(int slot) {
+  if (auto may = may_run(); !may) co_return may;
+  if (draft_.slot_bytes_used[ix(slot)] == 0)
+    co_return fail(FaultKind::refused, fmt::format("Program {} of the controller is empty.", slot),
+                   "Nothing was run.", "Load it first.");
+  auto speeds = co_await restore_speeds();
+  if (!speeds) co_return speeds;
+  for (int i = 0; i < draft_.axis_count; ++i)
+    if (may_turn(slot, i + 1)) warn_of_motor_type(i);
+  std::string text = hold_on_ ? "H" : "";
+  text += select_program(slot) + "R";
+  stopping_ = Stopping::no;
+  auto sent = co_await switch_hold(std::move(text), false, Priority::intent);
+  if (!sent) co_return sent;
+  selected_ = slot;
+  show_running(slot);
+  if (listings_[ix(slot)])
+    for (const TextCommand& c : commands_of(*listings_[ix(slot)]))
+      if (c.verb == Verb::speed && c.motor >= 1 && c.motor <= max_motors)
+        known_speed_[ix(c.motor - 1)] = static_cast<int>(c.value);
+  co_return sent;
+}
+
+// H is a switch: it is said only when it changes what is wanted.
+Task<Result<>> VxmDriver::switch_hold(std::string text, bool on, Priority priority) {
+  const bool switches = text.starts_with('H');
+  auto said = co_await say(std::move(text), priority);
+  if (said) hold_on_ = on;
+  if (!said && switches && said.error().kind == FaultKind::lost) hold_doubtful_ = true;
+  co_return said;
+}
+
+Result<> VxmDriver::may_switch_hold() const {
+  if (!hold_doubtful_) return {};
+  return fail(FaultKind::refused,
+              "The connection was lost while the hold was switched: whether it is on is not known.",
+              "Nothing was sent.", "Stop the program. It is stopped at once then, without a ramp.");
+}
+
+Task<Result<>> VxmDriver::pause() {
+  if (!stored_running_) co_return fail(FaultKind::refused, "No program is running.", "Nothing was sent.");
+  if (auto may = may_switch_hold(); !may) co_return may;
+  if (hold_on_) co_return Result<>();
+  auto said = co_await switch_hold("H", true, Priority::intent);
+  if (said) draft_.program.stepping = true;
+  co_return said;
+}
+
+Task<Result<>> VxmDriver::resume() {
+  ProgramState& p = draft_.program;
+  if (!stored_running_)
+    co_return fail(FaultKind::refused, "No program is held or waits.", "Nothing was sent.", "Run it.");
+  if (auto may = may_switch_hold(); !may && p.run != RunState::waiting) co_return may;
+  if (!hold_on_ && p.run != RunState::waiting)
+    co_return fail(FaultKind::refused, "The program runs: it is not held and does not wait for G.",
+                   "Nothing was sent.",
+                   "If it stands in a wait for an input (U0 and its like), only that input lets it go on.");
+  const bool waits = p.run == RunState::waiting;
+  auto said =
+      waits ? co_await say("G", Priority::intent) : co_await switch_hold("H", false, Priority::intent);
+  if (!said) co_return said;
+  if (!waits) p.stepping = false;
+  p.run = RunState::running;
+  p.command = -1;
+  co_return said;
+}
+
+Task<Result<>> VxmDriver::single_step() {
+  ProgramState& p = draft_.program;
+  if (!stored_running_) {  // start it held: nothing moves before the next step
+    if (auto may = may_run(); !may) co_return may;
+    std::string text = hold_on_ ? "R" : "HR";
+    auto started = co_await switch_hold(std::move(text), true, Priority::intent);
+    if (!started) co_return started;
+    show_running(selected_);
+    co_return started;
+  }
+  if (p.run != RunState::held) co_return co_await pause();
+  auto said = co_await say("G", Priority::intent);
+  if (said) p.run = RunState::running;
+  co_return said;
+}
+
+}  // namespace hw::vxm

@@ -1,0 +1,127 @@
+#include "core/devices/vxm/text_pieces.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "core/devices/vxm/codec.h"
+#include "core/devices/vxm/driver.h"
+#include "core/devices/vxm/facts.h"
+
+namespace hw::vxm {
+namespace {
+
+AnswerShape line_answer() { return {ReplyShape::line(), before_number}; }
+
+std::optional<AnswerShape> answer_shape(const TextCommand& c, const Listening& now) {
+  if (!now.takes(c)) return std::nullopt;
+  if (c.verb == Verb::get || c.verb == Verb::ask_selected || c.verb == Verb::ask_associate)
+    return line_answer();
+  if (c.verb == Verb::word && c.name == "lst") return AnswerShape{ReplyShape::until_quiet(listing_quiet_ms)};
+  if (c.verb == Verb::word && c.name == "rsm")
+    return AnswerShape{ReplyShape::bytes(1), before_prompt, store_patience};
+  if (c.verb != Verb::letter) return std::nullopt;
+  switch (c.letter) {
+    case 'D':
+      if (!now.local || now.running) return std::nullopt;
+      return AnswerShape{ReplyShape::several_lines(static_cast<std::uint16_t>(now.digitized_lines))};
+    case 'V': return AnswerShape{ReplyShape::bytes(1), before_state};
+    case 'K': return AnswerShape{ReplyShape::bytes(1), before_prompt};
+    case 'x':
+    case 'y': return AnswerShape{ReplyShape::several_lines(4), before_number};
+    case '?':
+    case '~':
+    case '$': return AnswerShape{ReplyShape::bytes(1)};
+    default: break;
+  }
+  if (std::string_view("XYZTM#*@").find(c.letter) != std::string_view::npos) return line_answer();
+  return std::nullopt;
+}
+
+/// Of what belongs together: ( ) and [ ].
+bool within_a_group(std::string_view text) {
+  const auto count = [text](char c) { return std::count(text.begin(), text.end(), c); };
+  return count('(') != count(')') || count('[') != count(']');
+}
+
+// A stop waits for what is on the wire: long texts are cut where a command ends.
+constexpr std::size_t most_at_once = 24;
+
+/// Which state takes a few commands only, for a sentence.
+std::string_view what_listens(const Listening& now) {
+  if (now.halted) return "After its error report the controller takes only K, or res";
+  if (now.running) return "While a program runs the controller takes only a few letters";
+  return "In local mode the controller takes only a few letters";
+}
+
+/// Taken in more states than one can know here: T and Z at a standstill, res always.
+bool may_be_taken(const TextCommand& c) {
+  return c.verb == Verb::letter ? c.letter == 'T' || c.letter == 'Z'
+                                : c.verb == Verb::word && c.name == "res";
+}
+
+}  // namespace
+
+bool Listening::takes(const TextCommand& c) const {
+  if (to_slave || c.flaw != Flaw::none) return false;
+  const bool is_letter = c.verb == Verb::letter;
+  if (halted) return is_letter && c.letter == 'K';
+  const std::string_view letters = running ? accepted_while_running : accepted_in_local;
+  if (running || local) return is_letter && letters.find(c.letter) != std::string_view::npos;
+  return true;
+}
+
+void Listening::follow(const TextCommand& c) {
+  if (c.verb == Verb::slave_begins) to_slave = true;
+  if (c.verb == Verb::slave_ends) to_slave = false;
+  if (c.verb == Verb::word && c.name == "res") local = true, running = halted = false;
+  if (c.verb != Verb::letter || to_slave) return;
+  if (c.letter == 'K') running = halted = false;
+  if (running || halted) return;
+  if (c.letter == 'E' || c.letter == 'F' || c.letter == 'G') local = false;
+  if (c.letter == 'Q') local = true;
+  if (c.letter == 'R') running = !local;
+}
+
+std::vector<Piece> pieces_of(std::string_view text, const std::vector<TextCommand>& commands, Listening now) {
+  std::vector<Piece> pieces;
+  std::vector<TextCommand> taken;
+  std::size_t from = 0;
+  const auto cut_at = [&](std::size_t end, std::optional<AnswerShape> answer) {
+    pieces.push_back(
+        {std::string(text.substr(from, end - from)), std::move(answer), std::exchange(taken, {})});
+    from = end;
+  };
+  for (const TextCommand& c : commands) {
+    if (now.takes(c) || (!now.to_slave && may_be_taken(c))) taken.push_back(c);
+    const bool whole = c.end - from >= most_at_once && !within_a_group(text.substr(0, c.end));
+    if (auto answer = answer_shape(c, now)) {
+      cut_at(c.end, std::move(answer));
+      pieces.back().stores = c.verb == Verb::word && c.name == "rsm";
+      pieces.back().kills = c.verb == Verb::letter && c.letter == 'K';
+    } else if (whole) {
+      cut_at(c.end, std::nullopt);
+    }
+    now.follow(c);
+  }
+  if (from < text.size()) cut_at(text.size(), std::nullopt);
+  return pieces;
+}
+
+std::string dropped_of(const std::vector<TextCommand>& commands, Listening now) {
+  std::string dropped;
+  std::string_view when;
+  for (const TextCommand& c : commands) {
+    const bool taken = now.takes(c) || (!now.to_slave && may_be_taken(c));
+    if (!taken && c.flaw == Flaw::none && !now.to_slave) {
+      if (dropped.empty()) when = what_listens(now);
+      dropped += (dropped.empty() ? "" : " ") + canonical(c);
+    }
+    now.follow(c);
+  }
+  if (dropped.empty()) return dropped;
+  return fmt::format("{} and drops {} without a word.", when, dropped);
+}
+
+}  // namespace hw::vxm

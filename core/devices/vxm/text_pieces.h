@@ -1,0 +1,47 @@
+#pragma once
+// A raw text as it goes out: cut so that nothing is sent while the controller answers (the overrun of the
+// manual's p.30 locks it until power-off), with what the controller takes of it in its present state. Pure.
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/devices/vxm/codec_text.h"
+#include "core/link/framing.h"
+#include "core/time/clock.h"
+
+namespace hw::vxm {
+
+inline constexpr Duration usual_patience = Millis(200);
+
+/// How the answer to a command ends.
+struct AnswerShape {
+  ReplyShape shape;
+  std::size_t (*stranger)(std::string_view) = nullptr;
+  Duration patience = usual_patience;
+};
+
+/// At most the last command of it is answered, so it may go out at once.
+struct Piece {
+  std::string text;
+  std::optional<AnswerShape> answer;
+  std::vector<TextCommand> taken;
+  bool stores = false;  ///< rsm
+  bool kills = false;   ///< K
+};
+
+/// What decides which commands the controller takes, as it changes on the way through a text.
+struct Listening {
+  bool local = false, running = false, halted = false, to_slave = false;
+  int digitized_lines = 2;
+
+  [[nodiscard]] bool takes(const TextCommand& command) const;
+  void follow(const TextCommand& command);
+};
+
+std::vector<Piece> pieces_of(std::string_view text, const std::vector<TextCommand>& commands, Listening now);
+
+/// A sentence about known commands that the controller's state drops without a word; empty: none.
+std::string dropped_of(const std::vector<TextCommand>& commands, Listening now);
+
+}  // namespace hw::vxm
