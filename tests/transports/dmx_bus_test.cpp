@@ -47,6 +47,23 @@ class DmxBus : public ::testing::Test, protected test::BusStage {
   }
   void TearDown() override { close_all(); }
 
+  void say(Member& member, std::string text, bool to_all = false) {
+    member.pump->post(Intent(++last_id, intent::SendText(std::move(text), to_all)));
+  }
+  /// For seconds, and everything that it is asked after that waits.
+  void ask_nobody(Member& member) {
+    asio::co_spawn(
+        io,
+        [](Pump& pump) -> Task<> {
+          auto reply = co_await pump.query("@29PX", std::chrono::seconds(5));
+          EXPECT_FALSE(reply);
+        }(*member.pump),
+        asio::detached);
+    run(0.1);
+  }
+  static bool moves(const Member& member) { return member.latest.any_axis_moving(); }
+
+  IntentId last_id = 0;
   const DeviceType* type = find_device_type("dmx-k-sa");
   std::vector<test::LateEmulator*> emulators;
 };
@@ -100,6 +117,38 @@ TEST_F(DmxBus, AStopWaitsNoLongerForASilentOneThanItsPatience) {
     if (e.way == Way::sent && e.kind == TrafficKind::stop) waited = std::min(waited, e.at - wished_at);
   });
   EXPECT_LT(waited, Millis(55)) << "not 200 ms: 29 others have answered at once";
+}
+
+TEST_F(DmxBus, AStopTypedToAllIsFollowedByNothingThatWaitedAtANeighbour) {
+  build_and_connect(2);
+  Member& other = *members[1];
+  say(other, "EO=1");
+  run(0.5);
+  ask_nobody(other);
+  say(other, "X100000");
+  say(*members[0], "STOP", true);
+  run(2);
+  EXPECT_FALSE(moves(other));
+  ASSERT_TRUE(other.latest.fate_of(last_id - 1));
+  EXPECT_EQ(other.latest.fate_of(last_id - 1)->fate, Fate::refused);
+  say(other, "X100000");
+  run(1);
+  EXPECT_TRUE(moves(other)) << "what is asked after the stop is done";
+}
+
+TEST_F(DmxBus, AStopTypedForANeighbourWaitsForNothingAndDropsNothingHere) {
+  build_and_connect(2);
+  for (const auto& member : members) say(*member, "EO=1");
+  say(*members[1], "X100000");
+  run(1);
+  ASSERT_TRUE(moves(*members[1]));
+  ask_nobody(*members[0]);
+  say(*members[0], "X100000");
+  say(*members[0], "@02STOP");
+  run(1);
+  EXPECT_FALSE(moves(*members[1]));
+  run(5);
+  EXPECT_TRUE(moves(*members[0]));
 }
 
 TEST_F(DmxBus, TwoWithOneNameAreNotTakenForADevice) {

@@ -125,6 +125,7 @@ class VxmDriver final : public Driver {
   void warn_of_flaws(const std::vector<TextCommand>& commands);
   void warn_of_dropped(const RawAnswer& sent);
   void note_taken(const std::vector<TextCommand>& commands);
+  void end_waits();
   std::optional<std::string> take_since(std::uint64_t number, char first = 0);
   Task<Result<std::string>> wait_for_prompt(std::uint64_t since, Duration patience);
 

@@ -22,8 +22,7 @@ Task<Result<>> VxmDriver::stop(int axis, bool at_once) {
   if (!station_)
     co_return fail(FaultKind::lost, "Stop does not reach the controller: there is no connection.",
                    "Nothing was sent.", "Use its power switch.");
-  ++stops_said_;
-  news_.notify();
+  end_waits();
   // The first stop of all, or of another motor, is no second one of what ramps down already.
   const bool other = stopping_ == Stopping::ramp && ramped_ >= 0 && ramped_ != axis;
   if (at_once || (stopping_ != Stopping::no && !other) || halted_) co_return co_await kill(false);

@@ -56,7 +56,10 @@ void VxmDriver::note_taken(const std::vector<TextCommand>& commands) {
     }
     if (c.verb == Verb::word && c.name == "del") program_changed();
     if (c.verb == Verb::word && c.name == "rsm") all_stored();
-    if (c.verb == Verb::word && c.name == "res") halted_ = 0;  // the next V finds it restarted
+    if (c.verb == Verb::word && c.name == "res") {  // the next V finds it restarted
+      halted_ = 0;
+      end_waits();
+    }
     if (c.verb != Verb::letter) continue;
     if (c.letter == 'C') program_changed();
     if (c.letter == 'K') doubt_positions(), killed_at_ = scheduler_.now();
@@ -71,11 +74,15 @@ void VxmDriver::note_taken(const std::vector<TextCommand>& commands) {
   }
 }
 
+void VxmDriver::end_waits() {
+  ++stops_said_;
+  news_.notify();
+}
+
 // The user's own D: nothing of the console's move follows it, and nobody waits for its end any more.
 void VxmDriver::note_stop() {
   if (!busy()) return;
-  ++stops_said_;
-  news_.notify();
+  end_waits();
   if (!job_.active()) return;
   drop_later_legs(-1);
   job_.jog = false;

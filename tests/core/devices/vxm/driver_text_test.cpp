@@ -136,6 +136,75 @@ TEST_F(VxmDriverText, AStopEndsTheWaitForAnAnswer) {
   EXPECT_THAT(answer, HasSubstr("A stop has ended"));
 }
 
+// The first question waits for the end of its program.
+TEST_F(VxmDriverText, AStopInAQuestionWaitsForNoOther) {
+  for (const char* stop : {"D", "res", "K"}) {
+    SCOPED_TRACE(stop);
+    std::string first, second;
+    bool first_came = false, second_came = false;
+    const auto spawn = [&](std::string text, std::string& answer, bool& came) {
+      asio::co_spawn(io, ask(*pump, std::move(text), std::chrono::seconds(60), answer, came), asio::detached);
+    };
+    spawn("PM-0,I1M400000,R", first, first_came);
+    run(1);
+    sent();
+    spawn(stop, second, second_came);
+    run(0.1);
+    EXPECT_THAT(sent(), testing::StartsWith(stop));
+    EXPECT_TRUE(first_came);
+    EXPECT_THAT(first, HasSubstr("A stop has ended"));
+    run(3);
+    EXPECT_FALSE(latest.any_axis_moving());
+    EXPECT_EQ(second_came, std::string_view("res") != stop) << "nothing tells the end of res";
+    if (second_came) {
+      EXPECT_EQ(second, "^");
+    }
+    perform(intent::Abort());
+    run(1);
+    EXPECT_TRUE(second_came);
+  }
+}
+
+TEST_F(VxmDriverText, AStopInAQuestionIsToldTheEndOfTheMove) {
+  move_to(0, 400000);
+  run(2);
+  EXPECT_EQ(query("D", 10), "^");
+  EXPECT_TRUE(wait_idle());
+  EXPECT_EQ(latest.axes[0].ended_by, EndedBy::stop);
+}
+
+TEST_F(VxmDriverText, AStopMayHaveMoreBehindIt) {
+  move_to(0, 400000);
+  run(2);
+  EXPECT_THAT(send("PM1,"), HasSubstr("A move of the console"));
+  EXPECT_EQ(send("K,PM1,"), "");
+  EXPECT_TRUE(wait_idle());
+  EXPECT_EQ(latest.program.slot, 1);
+  EXPECT_EQ(query("PM\r"), "1");
+}
+
+TEST_F(VxmDriverText, AKThatDidNotGetThroughHasEndedNothing) {
+  send("PM-0,I1M400000,R");
+  run(2);
+  loop->lose(1);
+  EXPECT_THAT(query("K"), HasSubstr("did not answer"));
+  EXPECT_EQ(latest.program.run, RunState::running);
+  EXPECT_EQ(query("K"), "^");
+  run(0.5);
+  EXPECT_EQ(latest.program.run, RunState::idle);
+}
+
+TEST_F(VxmDriverText, ClosingWaitsForNoAnswer) {
+  std::string answer;
+  bool came = false, closed = false;
+  asio::co_spawn(io, ask(*pump, "PM-0,I1M400000,R", std::chrono::seconds(60), answer, came), asio::detached);
+  run(1);
+  asio::co_spawn(io, pump->shut_down(), [&](std::exception_ptr) { closed = true; });
+  run(0.5);
+  EXPECT_TRUE(closed && came) << answer;
+  EXPECT_THAT(answer, HasSubstr("lost"));
+}
+
 TEST_F(VxmDriverText, WhatChangesAProgramIsCounted) {
   for (const char* text : {"PM-0", "PM-3,I1M5", "I1M400", "C", "del1", "res"}) {
     const std::uint32_t before = latest.program_changes;
