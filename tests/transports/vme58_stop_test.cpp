@@ -159,6 +159,17 @@ TEST_F(Vme58Stops, TwoAxesThatAreStoppedOneAfterTheOtherRamp) {
   EXPECT_EQ(axis(2).activity, Activity::moving);
 }
 
+TEST_F(Vme58Stops, AnAbortRightBehindAStopFindsTheMailboxFree) {
+  ASSERT_TRUE(query("AX VL20000 AC2000"));
+  perform(intent::MoveBy({{AxisId{0}, Steps(1000000)}}));
+  run(Seconds(11));
+  session->send(intent::Stop());
+  session->send(intent::Abort());
+  run(Millis(200));
+  EXPECT_THAT(lines(), testing::IsSupersetOf({"> mailbox SA", "> mailbox KL"}));
+  EXPECT_EQ(axis(0).speed.value, 0) << "no ramp of ten seconds";
+}
+
 // ---- what is stopped beside the axes
 
 TEST_F(Vme58Stops, ARecordingEndsOnTheBoardToo) {

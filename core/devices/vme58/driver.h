@@ -142,6 +142,7 @@ class Vme58Driver final : public Driver {
 
   // ---- driver_mailbox.cpp
   Task<Result<>> mail(std::string_view letters);
+  Task<Result<bool>> mail_is_taken();
   Task<Result<>> stop_what(int axis, bool at_once, bool jog);
   Task<Result<>> stop_axis(int axis);
   Task<Result<>> stop_all(bool at_once);

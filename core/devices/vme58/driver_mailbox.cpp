@@ -16,30 +16,42 @@ constexpr Duration longest_stop = std::chrono::seconds(60);  // of a ramp that t
 
 }  // namespace
 
+/// The mailbox is free: the board has taken what stood in it (control register, bit 5). False: not in time.
+Task<Result<bool>> Vme58Driver::mail_is_taken() {
+  Burst burst(*this);
+  const Instant give_up = scheduler_.now() + mail_patience;
+  for (;;) {
+    burst.cycles.assign(1, BusCycle::read(1, reg::control));
+    auto looked = co_await run(burst.cycles, Priority::stop);
+    if (!looked) co_return fail(looked.error());
+    if ((burst.cycles[0].value & control::interrupt_board) == 0) co_return true;
+    if (scheduler_.now() > give_up) co_return false;
+    co_await scheduler_.sleep_for(mail_look);
+  }
+}
+
+// A word put over one that the board has not taken would be lost with its request, or instead of it. Behind
+// a request that the board never takes back it is put there all the same: it may be a stop.
 Task<Result<>> Vme58Driver::mail(std::string_view letters) {
   const std::string word(letters);
+  while (mailing_) co_await scheduler_.sleep_for(mail_look);
   mailing_ = true;
   struct Mailing {
     Vme58Driver& driver;
     explicit Mailing(Vme58Driver& d) : driver(d) {}
     ~Mailing() { driver.mailing_ = false; }
   } mailing(*this);
+  const auto free = co_await mail_is_taken();
+  if (!free) co_return fail(free.error());
   const auto kept = static_cast<std::uint8_t>(control_ | (updating_ ? control::update_data : 0));
   Burst burst(*this);
-  std::vector<BusCycle>& cycles = burst.cycles;
-  append_mail(cycles, word, kept);
-  auto sent = co_await run(cycles, Priority::stop);
+  append_mail(burst.cycles, word, kept);
+  auto sent = co_await run(burst.cycles, Priority::stop);
   if (!sent) co_return sent;
   record(Way::sent, Priority::stop, fmt::format("mailbox {}", word));
-  const Instant give_up = scheduler_.now() + mail_patience;
-  while (station_) {
-    cycles.assign(1, BusCycle::read(1, reg::control));
-    auto looked = co_await run(cycles, Priority::stop);
-    if (!looked) co_return looked;
-    if ((cycles[0].value & control::interrupt_board) == 0) co_return Result<>();
-    if (scheduler_.now() > give_up) break;
-    co_await scheduler_.sleep_for(mail_look);
-  }
+  const auto taken = co_await mail_is_taken();
+  if (!taken) co_return fail(taken.error());
+  if (*taken) co_return Result<>();
   co_return fail(FaultKind::no_answer, fmt::format("The board did not take {} out of its mailbox.", word),
                  "It was put there.", "Watch the machine. If it still moves, switch its power off.");
 }
