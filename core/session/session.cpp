@@ -160,6 +160,7 @@ std::string why_not_finished(const Snapshot& s, const Catalog& catalog) {
       case EndedBy::abort: break;
     }
   }
+  if (s.program.ended_by == EndedBy::lost) return "The program was lost sight of while it ran.";
   return {};
 }
 

@@ -136,19 +136,23 @@ TEST_F(Vme58Truth, AMoveThatAResetByTextEndsIsLost) {
 }
 
 TEST_F(Vme58Truth, AProgramThatAResetEndsIsLost) {
-  for (const bool by_text : {false, true}) {
-    ASSERT_EQ(perform(intent::LoadProgram(0, "AX VL10000 WT2000 MR100000 GO")).fate, Fate::done);
-    ASSERT_EQ(perform(intent::RunProgram(0)).fate, Fate::done);
-    run(Millis(500));
-    if (by_text)
-      perform(intent::SendText("RS"));
-    else
-      operate(bench::PowerCycle());
-    EXPECT_NE(wait().reason, "");
-    run(Seconds(3));
-    EXPECT_EQ(now().program.ended_by, EndedBy::lost);
-    EXPECT_NE(wait().reason, "");
-  }
+  for (const bool moves : {true, false})
+    for (const bool by_text : {false, true}) {
+      const std::string text = moves ? "AX VL10000 WT2000 MR100000 GO" : "AX WT2000 BL8";
+      ASSERT_EQ(perform(intent::LoadProgram(0, text)).fate, Fate::done);
+      ASSERT_EQ(perform(intent::RunProgram(0)).fate, Fate::done);
+      run(Millis(500));
+      if (by_text)
+        perform(intent::SendText("RS"));
+      else
+        operate(bench::PowerCycle());
+      EXPECT_NE(wait().reason, "");
+      run(Seconds(3));
+      EXPECT_EQ(now().program.ended_by, EndedBy::lost);
+      EXPECT_NE(wait().reason, "");
+      ASSERT_EQ(move_by(100).fate, Fate::done);
+      EXPECT_EQ(wait().reason, "") << "that was the program, not this";
+    }
 }
 
 // ---- gentle ramps

@@ -51,6 +51,7 @@ Result<std::int64_t> Vme58Driver::checked_speed(Pps speed) const {
 Task<Result<>> Vme58Driver::begin(std::string text, unsigned axes, Activity activity,
                                   std::array<Steps, max_axes> targets) {
   forget_rejection();
+  draft_.program.ended_by = EndedBy::nothing;  // what is told from here on is how this ends
   std::array<Activity, max_axes> before{};
   for (int i = 0; i < axis_count(); ++i) {
     if ((axes >> i & 1) == 0) continue;

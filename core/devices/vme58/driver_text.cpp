@@ -195,6 +195,7 @@ void Vme58Driver::note_motion(const TextCommand& command) {
   const Op op = command.fact->op;
   const bool jogs = op == Op::JG || op == Op::JF;
   if (!jogs && !stops_here(op) && !moves_in_queue(op)) return;
+  if (!stops_here(op)) draft_.program.ended_by = EndedBy::nothing;
   const bool one = command.context.mode == where::single && (jogs || op == Op::ST || moves_in_queue(op));
   for (int i = 0; i < axis_count(); ++i) {
     if (one && i != command.context.axis) continue;
