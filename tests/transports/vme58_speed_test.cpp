@@ -80,6 +80,56 @@ TEST_F(Vme58Speeds, WhatIsSetDuringAStepStays) {
   EXPECT_EQ(on_board(1), 8000);
 }
 
+TEST_F(Vme58Speeds, WhatStillWaitsInAQueueIsGivenBackToo) {
+  for (const char* text : {"AX MR3000 GO ID VL500", "AX WT3000 VL500", "AX MR3000 GO ID"}) {
+    const bool by_param = !std::string_view(text).ends_with("VL500");
+    ASSERT_TRUE(query("AX VL1000 AC1000000"));
+    run(Seconds(1));
+    ASSERT_TRUE(query(text));
+    run(Seconds(1));
+    if (by_param) {
+      ASSERT_EQ(perform(intent::SetParam("VLX", 500)).fate, Fate::done);
+    }
+    run(Millis(100));
+    EXPECT_EQ(axis(0).own_speed.value, 500) << "of what comes next";
+    for (int i = 0; i < 3; ++i) {
+      step(0, 300, Pps{1500});
+      run_until([this] { return axis(0).activity == Activity::idle; }, Seconds(10));
+    }
+    ASSERT_TRUE(becomes_idle());
+    EXPECT_EQ(on_board(0), 500) << text;
+    EXPECT_EQ(axis(0).own_speed.value, 500) << text;
+  }
+}
+
+TEST_F(Vme58Speeds, WhatAStopHasTakenOutOfAQueueIsNotGivenBack) {
+  for (const char* how : {"", "AX FL", "SA"}) {
+    ASSERT_TRUE(query("AX VL1000 AC1000000"));
+    run(Seconds(1));
+    ASSERT_TRUE(query("AX MR3000 GO ID VL500"));
+    run(Seconds(1));
+    EXPECT_EQ(step(0, 300, Pps{1500}).fate, Fate::done);
+    if (*how == 0)
+      perform(intent::Stop());
+    else
+      ASSERT_TRUE(query(how));
+    run(Seconds(1));
+    perform(intent::Stop());
+    EXPECT_EQ(on_board(0), 1000) << how;
+    EXPECT_EQ(axis(0).own_speed.value, 1000) << how;
+  }
+}
+
+TEST_F(Vme58Speeds, AJogBehindASpeedThatStillWaitsGoesAtThat) {
+  ASSERT_TRUE(query("AX VL1000 AC1000000"));
+  run(Seconds(1));
+  ASSERT_TRUE(query("AX MR1000 GO ID VL500"));
+  run(Millis(500));
+  session->send(intent::JogStart(AxisId{0}, Sign::plus, Pps{}, false));
+  run(Seconds(2));
+  EXPECT_NEAR(axis(0).speed.value, 500, 1);
+}
+
 TEST_F(Vme58Speeds, WhatComesRightBehindAStopGoesAtTheAxisOwnSpeed) {
   ASSERT_TRUE(query("AX VL2000 AC100000"));
   ASSERT_EQ(perform(intent::LoadProgram(0, "AX MR100000 GO")).fate, Fate::done);

@@ -57,7 +57,13 @@ class Vme58Driver final : public Driver {
   /// A setting that is written for one motion, and put back behind it.
   struct Borrowed {
     std::int64_t before, for_now;
-    bool left_alone = false;  ///< through a lost window: whoever has set it since is right
+    bool left_alone = false;  ///< a lost window or an emptied queue came between: what is there is right,
+                              ///< unless it is `for_now`
+  };
+  /// A VL that text or set-up has put into a queue, where it may still wait.
+  struct PutVelocity {
+    std::int64_t value;
+    bool carried_out = false;  ///< the queues were seen empty since: what is read next is right
   };
   /// What the console knows of an axis beside the snapshot.
   struct AxisMind {
@@ -83,6 +89,7 @@ class Vme58Driver final : public Driver {
     Instant creeps_until{};     ///< and so it is taken to turn until then
     Instant still_since{};
     std::optional<Borrowed> velocity;  ///< VL, while a move with a speed of its own has another there
+    std::optional<PutVelocity> put_velocity;
   };
   struct Registers {
     std::uint8_t control = 0, status = 0, limit = 0, home = 0;
@@ -219,13 +226,15 @@ class Vme58Driver final : public Driver {
   Result<std::int64_t> checked_speed(Pps speed) const;
 
   // ---- driver_speeds.cpp
-  Task<Result<>> read_velocity(int axis);
+  Task<Result<>> read_velocity(int axis, Priority priority);
   Task<Result<>> borrow_velocity(int axis, std::int64_t speed);
   Task<Result<>> give_speed_back(int axis, Priority priority);
   Task<Result<>> give_speeds_back(Priority priority);
   void note_velocity(const TextCommand& command);
+  void forget_put_velocities(int axis);
   [[nodiscard]] std::int64_t velocity_of(int axis) const;
-  /// VL as the user has it, also while a move with a speed of its own has put another there.
+  /// VL as the user has it, also while a move with a speed of its own has put another there, or while it
+  /// waits in a queue.
   [[nodiscard]] std::int64_t own_velocity_of(int axis) const;
 
   // ---- driver_params.cpp

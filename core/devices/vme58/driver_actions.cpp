@@ -34,7 +34,10 @@ Task<Result<>> Vme58Driver::act(intent::Act wish) {
       for (std::size_t i = 0; i < catalog_.readouts.size(); ++i)
         if (catalog_.readouts[i].group == flag_group) draft_.readouts[i] = 0;
       co_return co_await command("IC\n", Priority::intent);
-    case Action::flush: text = "FL"; break;
+    case Action::flush:
+      forget_put_velocities(axis);
+      text = "FL";
+      break;
     case Action::fraction_jog:
       if (auto may = may_move(axis); !may) co_return may;
       text = addressed(axis, "JF" + encode_number(wish.values[1], 3));
@@ -47,7 +50,10 @@ Task<Result<>> Vme58Driver::act(intent::Act wish) {
       text = fmt::format("RM{}", wish.values[1]);
       break;
     case Action::clear_while: text = "CW"; break;
-    case Action::force_position: text = fmt::format("FP{}", wish.values[1]); break;
+    case Action::force_position:
+      forget_put_velocities(axis);  // it empties the queue too
+      text = fmt::format("FP{}", wish.values[1]);
+      break;
     case Action::encoder_ratio: text = fmt::format("ER{},{}", wish.values[1], wish.values[2]); break;
     case Action::hold:
       text = wish.values[1] != 0 ? "HN" : "HF";

@@ -33,7 +33,9 @@ Task<Result<>> Vme58Driver::ask_in_turn() {
   bool at_once = queues_due_ && !turning;
   for (int i = 0; i < axis_count(); ++i) {
     const bool waiting = bit(draft_.queue_known, i) && draft_.queue_free[ix(i)] < queue_entries;
-    matters = matters || waiting || (moving(i) && !minds_[ix(i)].ours);
+    const auto& velocity = minds_[ix(i)].put_velocity;
+    const bool may_wait = velocity && !velocity->carried_out;
+    matters = matters || waiting || may_wait || (moving(i) && !minds_[ix(i)].ours);
     at_once = at_once || minds_[ix(i)].asks_queue;
   }
   queues_due_ = turning && (queues_due_ || draft_.working);
@@ -210,6 +212,8 @@ Task<Result<>> Vme58Driver::read_queues(Priority priority) {
   const Instant now = scheduler_.now();
   for (int i = 0; i < axis_count(); ++i) {
     AxisMind& mind = minds_[ix(i)];
+    const unsigned all_of_it = all_groups | 1u << i;
+    if (mind.put_velocity && (full_room & all_of_it) == all_of_it) mind.put_velocity->carried_out = true;
     if (!std::exchange(mind.asks_queue, false) || !mind.ours) continue;
     const unsigned its = mind.group != 0 ? all_groups : 1u << i;
     const AxisState& axis = draft_.axes[i];

@@ -144,6 +144,7 @@ void Vme58Driver::stopping(int axis, bool at_once) {
   for (int i = 0; i < axis_count(); ++i) {
     if (axis >= 0 && i != axis) continue;
     AxisMind& mind = minds_[ix(i)];
+    forget_put_velocities(i);
     begins_to_creep(i, {});
     mind.homes = false;  // one that waits in a queue goes with it
     if (!moving(i) && !mind.ours) continue;

@@ -146,7 +146,7 @@ Task<Result<>> Vme58Driver::jog(intent::JogStart wish) {
   auto speed = checked_speed(wish.speed);
   if (!speed) co_return fail(speed.error());
   if (*speed == 0) {
-    auto read = co_await read_velocity(axis);
+    auto read = co_await read_velocity(axis, Priority::intent);
     if (!read) co_return read;
   }
   if (*speed == 0) speed = std::max<std::int64_t>(1, own_velocity_of(axis));

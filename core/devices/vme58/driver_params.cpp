@@ -102,6 +102,9 @@ Task<Result<>> Vme58Driver::set_param(intent::SetParam wish) {
   next_axis_ = parameter.axis;
   auto read = co_await read_axes(Priority::intent);
   if (!read) co_return read;
+  auto& put = minds_[ix(parameter.axis)].put_velocity;
+  if (parameter.fact->shown == AxisValue::maximum_velocity && (put || state.value != wish.value))
+    put = PutVelocity{wish.value};
   if (state.value == wish.value) co_return Result<>();
   if (moving(parameter.axis)) {
     tell(Notice::Kind::info,
@@ -117,6 +120,8 @@ Task<Result<>> Vme58Driver::set_param(intent::SetParam wish) {
 
 /// From the data area, which has integer parts only: a fraction that the console has set stays beside it.
 void Vme58Driver::take_parameters(int axis) {
+  auto& put = minds_[ix(axis)].put_velocity;
+  if (put && put->carried_out) put.reset();
   for (std::size_t i = 0; i < parameters_.size(); ++i) {
     const Parameter& parameter = parameters_[i];
     if (parameter.axis != axis || !parameter.fact->shown) continue;

@@ -12,14 +12,20 @@ namespace hw::vme58 {
 std::int64_t Vme58Driver::velocity_of(int axis) const { return value(axis, AxisValue::maximum_velocity); }
 
 std::int64_t Vme58Driver::own_velocity_of(int axis) const {
-  const auto& borrowed = minds_[ix(axis)].velocity;
-  return borrowed ? borrowed->before : velocity_of(axis);
+  const AxisMind& mind = minds_[ix(axis)];
+  if (mind.velocity) return mind.velocity->before;
+  return mind.put_velocity ? mind.put_velocity->value : velocity_of(axis);
 }
 
-/// In turn it would be read once in a second or two, and a text may just have set it.
-Task<Result<>> Vme58Driver::read_velocity(int axis) {
+/// In turn it would be read once in a second or two, and a text may just have set it. One that may wait in a
+/// queue is believed until the queues are empty.
+Task<Result<>> Vme58Driver::read_velocity(int axis, Priority priority) {
+  if (minds_[ix(axis)].put_velocity) {
+    auto asked = co_await read_queues(Priority::poll);
+    if (!asked) co_return asked;
+  }
   next_axis_ = axis;
-  auto read = co_await read_axes(Priority::intent);
+  auto read = co_await read_axes(priority);
   if (!read && read.error().kind == FaultKind::no_answer) {
     read.error().kind = FaultKind::refused;
     read.error().done = "Nothing was sent.";
@@ -29,7 +35,7 @@ Task<Result<>> Vme58Driver::read_velocity(int axis) {
 
 Task<Result<>> Vme58Driver::borrow_velocity(int axis, std::int64_t speed) {
   if (!minds_[ix(axis)].velocity) {
-    auto read = co_await read_velocity(axis);
+    auto read = co_await read_velocity(axis, Priority::intent);
     if (!read) co_return read;
   }
   minds_[ix(axis)].velocity = Borrowed{own_velocity_of(axis), speed};
@@ -39,6 +45,10 @@ Task<Result<>> Vme58Driver::borrow_velocity(int axis, std::int64_t speed) {
 Task<Result<>> Vme58Driver::give_speed_back(int axis, Priority priority) {
   if (!minds_[ix(axis)].velocity || context_.recording) co_return Result<>();
   const Borrowed borrowed = *minds_[ix(axis)].velocity;
+  if (borrowed.left_alone) {
+    auto read = co_await read_velocity(axis, priority);
+    if (!read) co_return read;
+  }
   const bool anothers = borrowed.left_alone && velocity_of(axis) != borrowed.for_now;
   if (borrowed.before == borrowed.for_now || anothers) {
     minds_[ix(axis)].velocity.reset();
@@ -48,6 +58,7 @@ Task<Result<>> Vme58Driver::give_speed_back(int axis, Priority priority) {
   auto given = co_await command(std::move(text), priority);
   if (!given && given.error().kind != FaultKind::controller) co_return given;  // it is still to be done
   minds_[ix(axis)].velocity.reset();
+  if (draft_.working) minds_[ix(axis)].put_velocity = PutVelocity{borrowed.before};
   // It is shown as the axis' own before it comes to be read in turn.
   data_[ix(axis)].values[ix(static_cast<int>(AxisValue::maximum_velocity))] =
       static_cast<std::int32_t>(borrowed.before);
@@ -72,8 +83,20 @@ void Vme58Driver::note_velocity(const TextCommand& command) {
     if ((one && i != command.context.axis) || place >= command.numbers.size() || !command.numbers[place])
       continue;
     const double unit = user_unit_[ix(i)] != 0 ? user_unit_[ix(i)] : 1;
-    if (auto& borrowed = minds_[ix(i)].velocity)
-      borrowed->before = std::llround(*command.numbers[place] * unit);
+    AxisMind& mind = minds_[ix(i)];
+    mind.put_velocity = PutVelocity{std::llround(*command.numbers[place] * unit)};
+    if (mind.velocity) mind.velocity->before = mind.put_velocity->value;
+  }
+}
+
+/// Its queue is emptied: what waits there is never carried out, nor is what was to be put back behind it.
+/// -1: all.
+void Vme58Driver::forget_put_velocities(int axis) {
+  for (int i = 0; i < axis_count(); ++i) {
+    AxisMind& mind = minds_[ix(i)];
+    if (axis >= 0 && i != axis) continue;
+    if (mind.velocity && mind.put_velocity) mind.velocity->left_alone = true;
+    mind.put_velocity.reset();
   }
 }
 

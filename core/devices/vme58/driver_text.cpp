@@ -159,6 +159,8 @@ void Vme58Driver::note_effects(const TextCommand& command) {
       break;
     case Op::EN: echo_ = true; break;
     case Op::VL: note_velocity(command); break;
+    case Op::FL:
+    case Op::FP: forget_put_velocities(one ? axis : -1); break;
     case Op::LP:
       for (int i = 0; i < axis_count(); ++i) {
         minds_[ix(i)].counted = true;
@@ -199,6 +201,7 @@ void Vme58Driver::note_motion(const TextCommand& command) {
   const bool one = command.context.mode == where::single && (jogs || op == Op::ST || moves_in_queue(op));
   for (int i = 0; i < axis_count(); ++i) {
     if (one && i != command.context.axis) continue;
+    if (stops_here(op)) forget_put_velocities(i);
     const std::size_t place = one ? 0 : ix(i);
     const bool meant = place < command.numbers.size() && command.numbers[place].has_value();
     if (jogs && !meant) continue;
