@@ -120,6 +120,35 @@ TEST_F(Vme58Speeds, WhatAStopHasTakenOutOfAQueueIsNotGivenBack) {
   }
 }
 
+TEST_F(Vme58Speeds, WhatATextMovesBehindAStepGoesAtTheAxisOwnSpeed) {
+  for (const char* text : {"AX MR100000 GO", "AA MR100000; GO", "AX LS2 MR50000 GO LE", "AX"}) {
+    ASSERT_TRUE(query("AX VL1000 AC1000000"));
+    run(Seconds(1));
+    EXPECT_EQ(step(0, 3000, Pps{3000}).fate, Fate::done);
+    ASSERT_TRUE(query("AX RP"));
+    ASSERT_TRUE(query(text));
+    run(Millis(100));
+    if (std::string_view(text) == "AX") ASSERT_TRUE(query("MR100000 GO"));
+    run(Millis(400));
+    EXPECT_NEAR(axis(0).speed.value, 3000, 10) << "the step itself is as it was";
+    run(Seconds(2));
+    EXPECT_NEAR(axis(0).speed.value, 1000, 1) << text;
+    ASSERT_TRUE(query("AX VL1200"));
+    perform(intent::Stop());
+    EXPECT_EQ(on_board(0), 1000) << "the other one was taken out of the queue";
+  }
+}
+
+TEST_F(Vme58Speeds, AStepThatIsStoppedBeforeTheTextBehindItGivesItsSpeedBack) {
+  ASSERT_TRUE(query("AX VL1000 AC1000000"));
+  run(Seconds(1));
+  EXPECT_EQ(step(0, 30000, Pps{3000}).fate, Fate::done);
+  ASSERT_TRUE(query("AX MR100000 GO"));
+  run(Millis(400));
+  perform(intent::Stop());
+  EXPECT_EQ(on_board(0), 1000);
+}
+
 TEST_F(Vme58Speeds, AJogBehindASpeedThatStillWaitsGoesAtThat) {
   ASSERT_TRUE(query("AX VL1000 AC1000000"));
   run(Seconds(1));

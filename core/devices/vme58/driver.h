@@ -57,8 +57,9 @@ class Vme58Driver final : public Driver {
   /// A setting that is written for one motion, and put back behind it.
   struct Borrowed {
     std::int64_t before, for_now;
-    bool left_alone = false;  ///< a lost window or an emptied queue came between: what is there is right,
-                              ///< unless it is `for_now`
+    bool left_alone = false;    ///< a lost window or an emptied queue came between: what is there is right,
+                                ///< unless it is `for_now`
+    bool waits_behind = false;  ///< `before` was put into the queue behind the motion already
   };
   /// A VL that text or set-up has put into a queue, where it may still wait.
   struct PutVelocity {
@@ -230,6 +231,7 @@ class Vme58Driver final : public Driver {
   Task<Result<>> borrow_velocity(int axis, std::int64_t speed);
   Task<Result<>> give_speed_back(int axis, Priority priority);
   Task<Result<>> give_speeds_back(Priority priority);
+  Task<Result<>> give_speeds_behind_motions(Priority priority);
   void note_velocity(const TextCommand& command);
   void forget_put_velocities(int axis);
   [[nodiscard]] std::int64_t velocity_of(int axis) const;

@@ -75,6 +75,21 @@ Task<Result<>> Vme58Driver::give_speeds_back(Priority priority) {
   co_return Result<>();
 }
 
+/// What comes behind a motion that is under way, in the same queue, goes at the axis' own speed. At its end
+/// that is given back once more: a stop may take this out of the queue. A move of several axes stands in the
+/// queue of AM, and what is put into theirs may come before it.
+Task<Result<>> Vme58Driver::give_speeds_behind_motions(Priority priority) {
+  for (int i = 0; i < axis_count() && !context_.recording; ++i) {
+    const auto& borrowed = minds_[ix(i)].velocity;
+    if (!borrowed || borrowed->waits_behind || !minds_[ix(i)].ours || minds_[ix(i)].group != 0) continue;
+    std::string text = addressed(i, fmt::format("VL{}", borrowed->before));
+    auto given = co_await command(std::move(text), priority);
+    if (!given) co_return given;
+    if (minds_[ix(i)].velocity) minds_[ix(i)].velocity->waits_behind = true;
+  }
+  co_return Result<>();
+}
+
 /// What is set while it is borrowed is what is given back.
 void Vme58Driver::note_velocity(const TextCommand& command) {
   const bool one = command.context.mode == where::single;

@@ -42,6 +42,7 @@ bool selects(const TextCommand& command) {
 }
 
 bool is_query(const TextCommand& command) { return command.fact && command.fact->when == When::query; }
+bool is_queued(const TextCommand& command) { return command.fact && command.fact->when == When::queued; }
 
 }  // namespace
 
@@ -69,6 +70,8 @@ Task<Result<std::string>> Vme58Driver::send_commands(std::string text, Duration 
   const auto commands = read_commands(text, context);
   if (auto may = may_say_while_feeding(commands); !may) co_return fail(may.error());
   auto own = co_await give_speeds_back(Priority::intent);
+  if (own && std::any_of(commands.begin(), commands.end(), is_queued))
+    own = co_await give_speeds_behind_motions(Priority::intent);
   if (!own) co_return fail(own.error());
   auto selected = co_await select_again(Priority::intent);
   if (!selected) co_return fail(selected.error());
