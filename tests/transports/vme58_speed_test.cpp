@@ -128,7 +128,9 @@ TEST_F(Vme58Speeds, WhatATextMovesBehindAStepGoesAtTheAxisOwnSpeed) {
     ASSERT_TRUE(query("AX RP"));
     ASSERT_TRUE(query(text));
     run(Millis(100));
-    if (std::string_view(text) == "AX") ASSERT_TRUE(query("MR100000 GO"));
+    if (std::string_view(text) == "AX") {
+      ASSERT_TRUE(query("MR100000 GO"));
+    }
     run(Millis(400));
     EXPECT_NEAR(axis(0).speed.value, 3000, 10) << "the step itself is as it was";
     run(Seconds(2));

@@ -170,6 +170,116 @@ TEST_F(Vme58Stops, AnAbortRightBehindAStopFindsTheMailboxFree) {
   EXPECT_EQ(axis(0).speed.value, 0) << "no ramp of ten seconds";
 }
 
+// ---- in the board's own words
+
+TEST_F(Vme58Stops, ATypedOneIsKnownByItsWords) {
+  const Driver& driver = session->pump().driver();
+  for (const char* all : {"SA", "KL", "SD", "AA SA", "AX;KL;\n", "AX ST SA", " SA SA AY"}) {
+    EXPECT_TRUE(driver.is_stop(all)) << all;
+    EXPECT_TRUE(driver.stops_all(all)) << all;
+  }
+  for (const char* some : {"AX ST", "AAST", "AM ST", "AX ST AY ST", "AX AY ST ST"}) {
+    EXPECT_TRUE(driver.is_stop(some)) << some;
+    EXPECT_FALSE(driver.stops_all(some)) << some;
+  }
+  for (const char* none :
+       {"", "AX", "ST", "ST AX", "SA ST", "SA MR100 GO", "AX ST RP", "KL 5", "sa", "S A", "RS"})
+    EXPECT_FALSE(driver.is_stop(none)) << none;
+}
+
+TEST_F(Vme58Stops, ATypedOneGoesPastAFullQueueAndWhatWaits) {
+  for (const char* stop : {"SA", "KL", "SD", "AX ST"})
+    for (const bool asked : {false, true}) {
+      ASSERT_TRUE(query("AX VL20000 AC40000 MR1000000 GO"));
+      std::string many;
+      for (int i = 0; i < 150; ++i) many += "WT1 ";
+      (void)query(many);  // more than the queue holds: the rest waits in the ring
+      run(Seconds(1));
+      ASSERT_NEAR(axis(0).speed.value, 20000, 1);
+      for (int i = 0; i < 5; ++i) session->send(intent::SendText("MR777 GO"));
+      run(Millis(1));
+      (void)lines();
+      const Instant then = time.now();
+      if (asked)
+        EXPECT_TRUE(query(stop));
+      else
+        EXPECT_EQ(perform(intent::SendText(stop)).fate, Fate::done);
+      EXPECT_LT(time.now() - then, Millis(50)) << stop;
+      run(Millis(150));
+      const bool kills = std::string_view(stop) == "KL";
+      EXPECT_EQ(axis(0).speed.value == 0, kills) << stop;
+      run(Millis(500));
+      expect_stays(0);
+      const std::string word = std::string_view(stop) == "AX ST" ? "SA" : stop;
+      EXPECT_THAT(lines(), testing::Contains("> mailbox " + word));
+      ASSERT_TRUE(becomes_idle());
+    }
+}
+
+TEST_F(Vme58Stops, ATypedOneOfOneAxisLeavesTheOthers) {
+  ASSERT_TRUE(query("AX VL20000 AC40000 MR1000000 GO AY VL20000 AC40000 MR1000000 GO"));
+  run(Seconds(1));
+  for (int i = 0; i < 5; ++i) session->send(intent::SendText("AX RP AY RP"));
+  EXPECT_EQ(perform(intent::SendText("AX ST")).fate, Fate::done);
+  run(Seconds(1));
+  expect_stays(0, Seconds(1));
+  EXPECT_NEAR(axis(1).speed.value, 20000, 1);
+  EXPECT_THAT(lines(), testing::Contains("> AX ST"));
+}
+
+// A bus that takes its time for each burst.
+class Vme58SlowBusStops : public Vme58Stops {
+ protected:
+  class SlowBus final : public Window {
+   public:
+    SlowBus(Scheduler& time, std::unique_ptr<Window> window) : time_(time), window_(std::move(window)) {}
+    void listen(Listener* listener) override { window_->listen(listener); }
+    [[nodiscard]] std::string describe() const override { return window_->describe(); }
+    Task<Result<>> run(std::span<BusCycle> cycles) override {
+      co_await time_.sleep_for(std::chrono::microseconds(130));
+      auto done = co_await window_->run(cycles);
+      co_await time_.sleep_for(std::chrono::microseconds(120));
+      co_return done;
+    }
+
+   private:
+    Scheduler& time_;
+    std::unique_ptr<Window> window_;
+  };
+  std::unique_ptr<Window> dressed(std::unique_ptr<Window> window) override {
+    return std::make_unique<SlowBus>(time, std::move(window));
+  }
+};
+
+TEST_F(Vme58SlowBusStops, ATypedOneSelectsWhatItSaysWhateverItOvertakes) {
+  ASSERT_TRUE(query("AX VL20000 AC1000000 AY VL20000 AC1000000 AZ VL20000 AC1000000"));
+  run(Seconds(1));
+  for (const char* stop : {"AX ST", "AX SA", "KL AX", "AY ST AX ST"})
+    for (int after_us = 0; after_us < 6000; after_us += 70) {
+      ASSERT_TRUE(query("AZ"));
+      session->send(intent::SendText("AY MR10000 GO AZ"));
+      run(std::chrono::microseconds(after_us));
+      EXPECT_EQ(perform(intent::SendText(stop)).fate, Fate::done);
+      run(Millis(50));
+      const Steps x = axis(0).position, y = axis(1).position, z = axis(2).position;
+      ASSERT_TRUE(query("MR100 GO"));
+      ASSERT_TRUE(becomes_idle());
+      ASSERT_EQ(axis(0).position, x + Steps(100)) << stop << ' ' << after_us;
+      EXPECT_TRUE(std::string_view(stop) == "AX ST" || axis(1).position == y) << stop << ' ' << after_us;
+      ASSERT_EQ(axis(2).position, z) << stop << ' ' << after_us;
+    }
+}
+
+TEST_F(Vme58Stops, ATypedOneOfAllLeavesARecordingOpen) {
+  ASSERT_TRUE(query("AA VL5000,5000; CV1000 CD0,0; MT1000,1000;"));
+  EXPECT_EQ(perform(intent::SendText("SA")).fate, Fate::done);
+  EXPECT_NE(perform(intent::SetOutput(8, true)).fate, Fate::done);
+  ASSERT_TRUE(query("CK CX"));
+  ASSERT_TRUE(becomes_idle());
+  EXPECT_EQ(axis(0).position, Steps(1000));
+  EXPECT_EQ(axis(1).position, Steps(1000));
+}
+
 // ---- what is stopped beside the axes
 
 TEST_F(Vme58Stops, ARecordingEndsOnTheBoardToo) {

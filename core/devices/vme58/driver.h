@@ -49,6 +49,8 @@ class Vme58Driver final : public Driver {
   [[nodiscard]] bool answers(std::string_view text) const override;
   /// The board keeps none.
   [[nodiscard]] bool changes_programs(std::string_view) const override { return false; }
+  [[nodiscard]] bool is_stop(std::string_view text) const override;
+  [[nodiscard]] bool stops_all(std::string_view text) const override;
   bool take_unsolicited(std::string& text) override;
   [[nodiscard]] Duration moving_period() const override;
   [[nodiscard]] Duration idle_period() const override;
@@ -152,8 +154,8 @@ class Vme58Driver final : public Driver {
   Task<Result<>> mail(std::string_view letters);
   Task<Result<bool>> mail_is_taken();
   Task<Result<>> stop_what(int axis, bool at_once, bool jog);
-  Task<Result<>> stop_axis(int axis);
-  Task<Result<>> stop_all(bool at_once);
+  Task<Result<>> stop_axis(std::string selector);
+  Task<Result<>> stop_all(std::string_view word);
   [[nodiscard]] bool stops_alone(int axis) const;
   Task<Result<>> wait_for_standstill(int axis);
   void stopping(int axis, bool at_once);
@@ -248,6 +250,8 @@ class Vme58Driver final : public Driver {
   // ---- driver_text.cpp
   Task<Result<>> send_text(std::string text);
   Task<Result<std::string>> send_commands(std::string text, Duration patience);
+  Task<Result<>> stop_by_text(std::string text);
+  void note_stop_of_program(const TextCommand& command);
   void note_sent(const TextCommand& command);
   void note_effects(const TextCommand& command);
   Result<> may_say_while_feeding(const std::vector<TextCommand>& commands) const;
@@ -303,6 +307,7 @@ class Vme58Driver final : public Driver {
   bool mailing_ = false, updating_ = false;
   std::uint8_t control_ = 0;  ///< interrupts that the console has enabled
   StopsUnderWay stops_;
+  std::uint64_t stops_by_text_ = 0;  ///< how many have come
 
   bool connected_before_ = false;
   int outputs_direction_ = factory_outputs;

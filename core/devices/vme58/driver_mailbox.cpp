@@ -87,11 +87,12 @@ Task<Result<>> Vme58Driver::stop_what(int axis, bool at_once, bool jog) {
   stopping(alone ? axis : -1, at_once);
   if (axis >= 0 && at_once)
     tell(Notice::Kind::info, "The board's only stop without a ramp, KL, stops every axis.");
+  std::string selector = alone ? "A" + axis_name(axis) : std::string();
   Result<> stopped;
   if (alone)
-    stopped = co_await stop_axis(axis);
+    stopped = co_await stop_axis(std::move(selector));
   else
-    stopped = co_await stop_all(at_once);
+    stopped = co_await stop_all(at_once ? "KL" : "SA");
   if (stopped && recorded) (void)co_await select_again(Priority::stop);  // else with the next text
   if (stopped) stopped = co_await wait_for_standstill(alone ? axis : -1);
   stops_.end(axis, at_once);
@@ -99,8 +100,9 @@ Task<Result<>> Vme58Driver::stop_what(int axis, bool at_once, bool jog) {
   co_return stopped;
 }
 
-// The mailbox has no place for an axis: ST goes through the ring, as long as nothing stands there.
-Task<Result<>> Vme58Driver::stop_axis(int axis) {
+// The mailbox has no place for an axis: ST goes through the ring, as long as nothing stands there. In AA and
+// AM it stops what their queue moves.
+Task<Result<>> Vme58Driver::stop_axis(std::string selector) {
   auto free = co_await is_taken(Priority::stop);
   for (const Instant give_up = scheduler_.now() + ring_patience;
        free && !*free && scheduler_.now() < give_up;) {
@@ -109,19 +111,20 @@ Task<Result<>> Vme58Driver::stop_axis(int axis) {
   }
   if (!free) co_return fail(free.error());
   if (*free) {
-    const std::string text = addressed(axis, "ST");
+    const std::string text = addressed(selector, "ST");
     auto written = co_await write(text, Priority::stop);
     if (written || written.error().kind == FaultKind::lost) co_return written;
   }
+  const bool group = selector == "AA" || selector == "AM";
   tell(Notice::Kind::warning,
-       fmt::format("The board takes no command for axis {} alone now, so all axes were stopped.",
-                   axis_name(axis)));
+       fmt::format("The board takes no command for {} alone now, so all axes were stopped.",
+                   group ? "the axes of " + selector : "axis " + selector.substr(1)));
   stopping(-1, false);
-  co_return co_await stop_all(false);
+  co_return co_await stop_all("SA");
 }
 
-Task<Result<>> Vme58Driver::stop_all(bool at_once) {
-  const std::string_view word = at_once ? "KL" : "SA";
+/// SA, SD or KL.
+Task<Result<>> Vme58Driver::stop_all(std::string_view word) {
   // The mail overtakes text that stands in the ring: taken a moment later it would move behind the stop.
   const bool overtakes = on_its_way_;
   auto mailed = co_await mail(word);

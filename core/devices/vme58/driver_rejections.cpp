@@ -101,7 +101,7 @@ Task<Result<>> Vme58Driver::end_rejected(std::string what) {
   rejection_ = what + " The program ends there, and all axes were stopped.";
   end_program(EndedBy::error);
   draft_.notice = rejection_;
-  auto stopped = co_await stop_all(false);
+  auto stopped = co_await stop_all("SA");
   tell(Notice::Kind::error, rejection_);
   co_return stopped;
 }

@@ -108,8 +108,9 @@ Task<Result<>> Vme58Driver::withdraw_text(Priority priority, int from) {
 /// The board stands at the axis that the user's text has selected, also after text was taken back.
 Task<Result<>> Vme58Driver::select_again(Priority priority) {
   if (!selection_lost_ || context_.recording) co_return Result<>();
-  auto written = co_await write(context_.selector() + "\n", priority);
-  if (written) selection_lost_ = false;
+  std::string selector = context_.selector() + "\n";
+  auto written = co_await write(selector, priority);
+  if (written && selector == context_.selector() + "\n") selection_lost_ = false;  // else a stop has selected
   co_return written;
 }
 

@@ -63,9 +63,69 @@ Task<Result<std::string>> Vme58Driver::query(std::string text, Duration patience
   co_return co_await send_commands(std::move(text), patience);
 }
 
+/// Nothing but stops. What a bare ST would stop is not known as long as texts may wait that select an axis:
+/// it takes its turn behind them.
+bool Vme58Driver::is_stop(std::string_view text) const {
+  Context context = context_;
+  bool stops = false, selected = false;
+  for (const TextCommand& command : commands_in(text, context)) {
+    if (!command.fact || !command.flaw.empty()) return false;
+    follow(command, context);
+    if (selects(command))
+      selected = true;
+    else if (!stops_here(command.fact->op) || (command.is(Op::ST) && !selected))
+      return false;
+    else
+      stops = true;
+    if (context.axis >= axis_count()) return false;
+  }
+  return stops;
+}
+
+bool Vme58Driver::stops_all(std::string_view text) const {
+  const auto commands = commands_in(text, context_);
+  return is_stop(text) && std::any_of(commands.begin(), commands.end(), [](const TextCommand& command) {
+           return stops_here(command.fact->op) && !command.is(Op::ST);
+         });
+}
+
+/// Goes like the console's own stops, beside a text of before, and means no more than it says. Which axis it
+/// selects is known from here on, whatever becomes of that text; the board hears it with the next one.
+Task<Result<>> Vme58Driver::stop_by_text(std::string text) {
+  ++stops_by_text_;
+  forget_rejection();
+  const bool recorded = context_.recording;
+  const auto commands = read_commands(text, context_);  // which it follows
+  if (recorded && !context_.recording) draft_.working = queues_due_ = true;
+  for (const TextCommand& command : commands) {
+    selection_lost_ = selection_lost_ || selects(command);
+    note_stop_of_program(command);
+    note_effects(command);
+  }
+  Result<> all;
+  for (const TextCommand& command : commands) {
+    if (!stops_here(command.fact->op)) continue;
+    std::string selector = command.context.selector();
+    Result<> stopped;
+    if (command.is(Op::ST))
+      stopped = co_await stop_axis(std::move(selector));
+    else
+      stopped = co_await stop_all(command.fact->letters);
+    if (all) all = std::move(stopped);
+  }
+  flags_wanted_ = true;
+  co_return all;
+}
+
 /// The replies of its queries, one on a line.
 Task<Result<std::string>> Vme58Driver::send_commands(std::string text, Duration patience) {
+  if (is_stop(text)) {
+    auto stopped = co_await stop_by_text(std::move(text));
+    if (!stopped) co_return fail(stopped.error());
+    co_return std::string();
+  }
   forget_rejection();
+  const std::uint64_t stops_before = stops_by_text_;
   Context context = context_;
   const auto commands = read_commands(text, context);
   if (auto may = may_say_while_feeding(commands); !may) co_return fail(may.error());
@@ -94,14 +154,13 @@ Task<Result<std::string>> Vme58Driver::send_commands(std::string text, Duration 
       if (!settled) co_return fail(settled.error());
       // Until a round of status has seen all queues empty and no axis turning.
       if (!command.fact || command.fact->when == When::queued) draft_.working = queues_due_ = true;
-      if (draft_.program.run == RunState::running && command.fact && stops_here(command.fact->op))
-        end_program(command.is(Op::KL) ? EndedBy::abort : EndedBy::stop);  // nothing of it is fed behind this
+      note_stop_of_program(command);
       note_group(command);  // before a stop can come in between
       const int put_before = put_;
       auto written = co_await write(word, Priority::intent, WhenStuck::leave);
       if (!written) {
-        // Left in the ring it acts later: what is sent behind it must know.
-        if (put_ != put_before && selects(command)) note_sent(command);
+        // Left in the ring it acts later: what is sent behind it must know. A stop selects behind it.
+        if (put_ != put_before && selects(command) && stops_by_text_ == stops_before) note_sent(command);
         co_return fail(written.error());
       }
       const auto bad = co_await was_rejected(Priority::intent);
@@ -116,10 +175,20 @@ Task<Result<std::string>> Vme58Driver::send_commands(std::string text, Duration 
                        "What stood before it was carried out, nothing behind it was sent.");
       if (*bad) co_return rejected(command.text);
     }
+    if (stops_by_text_ != stops_before) {
+      note_effects(command);
+      co_return fail(stop_came_first());
+    }
     note_sent(command);
   }
   flags_wanted_ = true;
   co_return answers;
+}
+
+/// Nothing of it is fed behind this.
+void Vme58Driver::note_stop_of_program(const TextCommand& command) {
+  if (draft_.program.run != RunState::running || !command.fact || !stops_here(command.fact->op)) return;
+  end_program(command.is(Op::KL) ? EndedBy::abort : EndedBy::stop);
 }
 
 /// Between CD and CE everything becomes part of the contour: of a program's what the user says, and of the
