@@ -163,17 +163,8 @@ Task<Result<std::string>> Vme58Driver::send_commands(std::string text, Duration 
         if (put_ != put_before && selects(command) && stops_by_text_ == stops_before) note_sent(command);
         co_return fail(written.error());
       }
-      const auto bad = co_await was_rejected(Priority::intent);
-      if (!bad) co_return fail(bad.error());
-      if (*bad && context_.recording && (command.is(Op::CE) || command.is(Op::CK))) {
-        context_.recording = false;  // there is no other end
-        selection_lost_ = draft_.working = queues_due_ = true;
-      }
-      if (*bad && !command.flaw.empty())
-        co_return fail(FaultKind::controller,
-                       fmt::format("The board rejected \"{}\": {}", command.text, command.flaw),
-                       "What stood before it was carried out, nothing behind it was sent.");
-      if (*bad) co_return rejected(command.text);
+      auto accepted = co_await accepts(command);
+      if (!accepted) co_return fail(accepted.error());
     }
     if (stops_by_text_ != stops_before) {
       note_effects(command);
@@ -183,6 +174,22 @@ Task<Result<std::string>> Vme58Driver::send_commands(std::string text, Duration 
   }
   flags_wanted_ = true;
   co_return answers;
+}
+
+/// It has been taken from the ring, and was no command error.
+Task<Result<>> Vme58Driver::accepts(const TextCommand& command) {
+  const auto bad = co_await was_rejected(Priority::intent);
+  if (!bad) co_return fail(bad.error());
+  if (!*bad) co_return Result<>();
+  if (context_.recording && (command.is(Op::CE) || command.is(Op::CK))) {
+    context_.recording = false;  // there is no other end
+    selection_lost_ = draft_.working = queues_due_ = true;
+  }
+  if (!command.flaw.empty())
+    co_return fail(FaultKind::controller,
+                   fmt::format("The board rejected \"{}\": {}", command.text, command.flaw),
+                   "What stood before it was carried out, nothing behind it was sent.");
+  co_return rejected(command.text);
 }
 
 /// Nothing of it is fed behind this.
