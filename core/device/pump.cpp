@@ -56,9 +56,6 @@ Task<> Pump::shut_down() {
   // A stop that was asked for a moment ago may still wait for the answer to a question.
   const Instant give_up = scheduler_.now() + longest_clearing;
   while (stops_under_way_ > 0 && scheduler_.now() < give_up) co_await ended_.wait_until(give_up);
-  const auto connected = [this] {
-    return draft_.link.state == LinkState::good || draft_.link.state == LinkState::late;
-  };
   while (connected() && driver_->clears_up() && scheduler_.now() < give_up)
     co_await published_.wait_until(give_up);
   if (std::string left = driver_->leaves_behind(); connected() && !left.empty())
@@ -69,6 +66,10 @@ Task<> Pump::shut_down() {
   wake_.notify();
   while (running_ || stops_under_way_ > 0 || answers_awaited_ > 0) co_await ended_.wait();
   refuse_queued("The controller was closed. Nothing was sent.");
+}
+
+bool Pump::connected() const {
+  return draft_.link.state == LinkState::good || draft_.link.state == LinkState::late;
 }
 
 // ---- the life of the connection
@@ -162,6 +163,7 @@ void Pump::lose_wire(const Fault& why) {
     ran_when_lost_ = something_runs() || jogs_.any() || performing_;
     restarts_when_lost_ = draft_.restarts;
   }
+  if (std::exchange(unanswered_stop_, std::nullopt)) owed_stop_.add(-1);
   jogs_.for_each_axis([this](int axis) { owed_stop_.add(axis); });
   draft_.link.state = LinkState::lost;
   draft_.link.sentence = why.sentence();
@@ -212,6 +214,7 @@ void Pump::poll_finished(const Result<>& result) {
   }
   forget_jogs_that_ended();
   if (result && !something_runs()) owed_stop_.forget();
+  if (result && unanswered_stop_ && rounds_begun_ > *unanswered_stop_) unanswered_stop_.reset();
   const bool understood =
       result || (result.error().kind != FaultKind::garbled && result.error().kind != FaultKind::refused);
   health.state = s.misses_in_a_row > 0 || !understood ? LinkState::late : LinkState::good;
@@ -236,9 +239,6 @@ std::uint64_t Pump::want_round() {
 }
 
 Task<> Pump::refresh() {
-  const auto connected = [this] {
-    return draft_.link.state == LinkState::good || draft_.link.state == LinkState::late;
-  };
   if (!connected()) co_return;
   const std::uint64_t wanted = want_round();
   while (rounds_ended_ < wanted && connected() && !closing_) co_await published_.wait();

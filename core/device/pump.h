@@ -4,6 +4,7 @@
 #include <deque>
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "core/device/driver.h"
 #include "core/device/held_jogs.h"
@@ -78,7 +79,7 @@ class Pump {
   void drop_what_waits();
   void end_stop();
   Task<> perform_stop_text(Intent intent);
-  void owe_stop(const std::string& text, const Fault& why);
+  void owe_stop_of_all(const Fault& why);
   Task<Result<std::string>> query_stop(std::string text, Duration patience);
   void refuse_queued(std::string_view why);
   bool try_to_recover(const std::string& text);
@@ -89,6 +90,7 @@ class Pump {
   void jog_not_begun(const Intent& intent);
   void jog_failed(const Intent& intent, FaultKind kind);
   void disarm_if_none_is_held();
+  [[nodiscard]] bool connected() const;
   [[nodiscard]] bool something_runs() const;
   void owe_stop(const IntentBody& stop);
   void make_good_the_stop();
@@ -120,6 +122,9 @@ class Pump {
   bool performing_ = false;
   HeldJogs jogs_;
   OwedStop owed_stop_;  ///< to be made good when the wire is back
+  /// The round of status in which a stop of all went out that nothing answers, until a later one has ended
+  /// well: the wire may have swallowed it.
+  std::optional<std::uint64_t> unanswered_stop_;
   bool ran_when_lost_ = false;
   std::uint32_t restarts_when_lost_ = 0;
   bool down_ = false;     ///< since the loss of the wire, through all attempts

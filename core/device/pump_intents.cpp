@@ -58,7 +58,7 @@ void Pump::post(Intent intent) {
     return publish();
   }
   hold_jog(intent);
-  if (text && draft_.link.state == LinkState::lost && driver_->stops_all(text->text)) owed_stop_.add(-1);
+  if (text && !connected() && driver_->stops_all(text->text)) owed_stop_.add(-1);
   const bool recovers = text && try_to_recover(text->text);
   queue_.push_back(std::make_unique<Job>(std::move(intent)));
   queue_.back()->recovers = recovers;
@@ -237,7 +237,7 @@ Task<Result<std::string>> Pump::query(std::string text, Duration patience) {
   if (leaving_) co_return fail(FaultKind::refused, "The controller was closed.", "Nothing was sent.");
   const bool recovers = try_to_recover(text);
   const bool lost = draft_.link.state == LinkState::lost || draft_.link.state == LinkState::closed;
-  if (lost && driver_->stops_all(text)) owed_stop_.add(-1);
+  if (!connected() && driver_->stops_all(text)) owed_stop_.add(-1);
   if (!recovers && lost)
     co_return fail(FaultKind::lost, "There is no connection to the controller.", "Nothing was sent.");
   if (stops_by_text(text)) co_return co_await query_stop(std::move(text), patience);

@@ -22,9 +22,9 @@ void Pump::owe_stop(const IntentBody& stop) {
     owed_stop_.add(-1);
 }
 
-void Pump::owe_stop(const std::string& text, const Fault& why) {
+void Pump::owe_stop_of_all(const Fault& why) {
   const bool kept_out = why.kind == FaultKind::refused || why.kind == FaultKind::stopped;
-  if (!kept_out && driver_->stops_all(text)) owed_stop_.add(-1);
+  if (!kept_out) owed_stop_.add(-1);
 }
 
 void Pump::make_good_the_stop() {
@@ -60,8 +60,7 @@ void Pump::post_stop(Intent intent) {
 
 /// A stop in the controller's own words goes as it is, and waits for nothing either.
 bool Pump::stops_by_text(const std::string& text) const {
-  const bool connected = draft_.link.state == LinkState::good || draft_.link.state == LinkState::late;
-  return connected && station_ && station_->is_open() && driver_->is_stop(text);
+  return connected() && station_ && station_->is_open() && driver_->is_stop(text);
 }
 
 void Pump::begin_stop() {
@@ -91,6 +90,8 @@ void Pump::end_stop() {
 
 Task<> Pump::perform_stop_text(Intent intent) {
   count_program_change(intent);
+  const std::string& text = std::get<intent::SendText>(intent.body).text;
+  const bool all = driver_->stops_all(text), answered = driver_->answers(text);
   Result<> performed;
   try {
     performed = co_await driver_->perform(intent.body);
@@ -101,7 +102,8 @@ Task<> Pump::perform_stop_text(Intent intent) {
     set_fate(intent.id, Fate::done);
   else
     set_fate(intent.id, Fate::failed, performed.error().sentence());
-  if (!performed) owe_stop(std::get<intent::SendText>(intent.body).text, performed.error());
+  if (!performed && all) owe_stop_of_all(performed.error());
+  if (performed && all && !answered) unanswered_stop_ = rounds_begun_;
   end_stop();
 }
 
@@ -154,10 +156,13 @@ Task<> Pump::stop_and_report(Intent intent) {
 Task<Result<std::string>> Pump::query_stop(std::string text, Duration patience) {
   begin_stop_text(text);
   count_program_change(Intent(0, intent::SendText(text)));
+  const bool all = driver_->stops_all(text), answered = driver_->answers(text);
   ++answers_awaited_;
   bool out = false;
-  const auto said = [this, &out] {
-    if (!std::exchange(out, true)) end_stop();
+  const auto said = [this, all, &out] {
+    if (std::exchange(out, true)) return;
+    if (all) unanswered_stop_ = rounds_begun_;
+    end_stop();
   };
   Result<std::string> reply;
   try {
@@ -165,9 +170,10 @@ Task<Result<std::string>> Pump::query_stop(std::string text, Duration patience) 
   } catch (const std::exception& defect) {
     reply = fail(failed_inside("question", defect));
   }
-  if (!reply && !out) owe_stop(text, reply.error());
+  if (!reply && !out && all) owe_stop_of_all(reply.error());
+  if (reply && !out && all && !answered) unanswered_stop_ = rounds_begun_;
   --answers_awaited_;
-  said();
+  if (!out) end_stop();
   ended_.notify();
   co_return reply;
 }

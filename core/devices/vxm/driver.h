@@ -51,6 +51,7 @@ class VxmDriver final : public Driver {
   [[nodiscard]] bool answers(std::string_view text) const override;
   [[nodiscard]] bool answers_later(std::string_view text) const override;
   [[nodiscard]] bool is_stop(std::string_view text) const override;
+  [[nodiscard]] bool stops_all(std::string_view text) const override;
   [[nodiscard]] bool changes_programs(std::string_view text) const override;
   bool recover_by(std::string_view text) override;
   std::optional<std::string> take_recovery() override { return std::exchange(recovery_, std::nullopt); }
@@ -109,6 +110,7 @@ class VxmDriver final : public Driver {
   void lose_slave();
   void heard_limit();
   void for_scripts(std::string text);
+  void prompt_for_scripts();
   void tell(Notice::Kind kind, std::string text);
   void tell(const Fault& fault);
 
@@ -140,6 +142,9 @@ class VxmDriver final : public Driver {
   Task<Result<>> read_sizes();
   Task<Result<>> read_essentials();
   Task<Result<>> resume_after_loss(char state);
+  Task<Result<>> found_reset_on_line();
+  void forget_what_ran();
+  void stands_after_restart(bool at_zero);
   void forget_ram();
 
   // ---- driver_poll.cpp
@@ -257,7 +262,8 @@ class VxmDriver final : public Driver {
   bool hold_on_ = false;
   bool hold_doubtful_ = false;  ///< the wire was lost with an H on it: another might let the motors go on
   bool release_hold_ = false;
-  char halted_ = 0;  ///< letter of the error that waits for K
+  bool reset_said_ = false;  ///< res by a text of the user's; its restart has not been seen
+  char halted_ = 0;          ///< letter of the error that waits for K
   Instant ask_again_at_{};
   std::uint64_t stops_said_ = 0;
   int stop_queries_ = 0;  ///< stops in the user's words whose answer is waited for
@@ -288,6 +294,7 @@ class VxmDriver final : public Driver {
   };
   std::deque<Unasked> for_scripts_;
   std::uint64_t next_unasked_ = 0;
+  std::uint64_t prompts_until_ = 0;  ///< the number behind the latest prompt
 };
 
 }  // namespace hw::vxm

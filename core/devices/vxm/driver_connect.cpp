@@ -125,7 +125,7 @@ Task<Result<>> VxmDriver::recover() {
   auto reply = co_await ask(*recover_by_, shape, Priority::intent, nullptr, patience);
   if (!reply && reply.error().kind != FaultKind::no_answer) co_return fail(reply.error());
   recovery_ = reply && reply->find(prompt) != std::string::npos ? std::string(1, prompt) : std::string();
-  killed(EndedBy::error);
+  if (!recovery_->empty()) killed(EndedBy::error);
   co_return Result<>();
 }
 
@@ -148,6 +148,7 @@ Task<Result<>> VxmDriver::greet() {
   if (!greeting.state || !greeting.sense) co_return nonsense(*bytes, rate);
   if (greeting.state == jog_idle || greeting.state == jog_moving)
     co_return co_await found_local(greeting.state);
+  if (tried && halted_) killed(EndedBy::error);  // it hears again
   mode_ = Mode::on_line;
   // F: no echo, no carriage returns behind prompts, whoever asked for them.
   auto said = co_await say("F", Priority::intent);
@@ -202,23 +203,11 @@ Task<Result<>> VxmDriver::found_restarted(const char* why) {
   bool zero = true;
   if (places)
     for (const Steps place : places->positions) zero = zero && place.value == 0;
-  lost_while_busy_ = false;
-  job_ = Job();
-  stored_running_ = false;
-  draft_.program.run = RunState::idle;
-  draft_.program.owned = false;
-  stopping_ = Stopping::no;
+  forget_what_ran();
   mode_ = Mode::unknown;
   auto on_line = co_await go_on_line(false);
   if (!on_line) co_return on_line;
-  for (int i = 0; i < draft_.axis_count; ++i) {
-    AxisState& axis = draft_.axes[i];
-    if (axis.activity != Activity::idle && axis.activity != Activity::unknown) axis.ended_by = EndedBy::lost;
-    axis.activity = Activity::idle;
-    axis.direction = 0;
-    axis.has_target = false;
-    axis.position_doubtful = zero;
-  }
+  stands_after_restart(zero);
   if (zero) {
     forget_ram();
     tell(Notice::Kind::warning,
@@ -233,6 +222,38 @@ Task<Result<>> VxmDriver::found_restarted(const char* why) {
                      why));
   }
   co_return co_await read_positions(Priority::intent, true);
+}
+
+// A res that F followed in one go: nothing but that it was said tells of the restart.
+Task<Result<>> VxmDriver::found_reset_on_line() {
+  ++draft_.restarts;
+  forget_what_ran();
+  stands_after_restart(true);
+  forget_ram();
+  tell(Notice::Kind::warning,
+       "The controller was reset by res: its positions read zero where the motors stand now, and what was "
+       "not stored is gone. Find home before the next absolute move.");
+  co_return co_await read_positions(Priority::intent, true);
+}
+
+void VxmDriver::forget_what_ran() {
+  lost_while_busy_ = reset_said_ = false;
+  job_ = Job();
+  stored_running_ = false;
+  draft_.program.run = RunState::idle;
+  draft_.program.owned = false;
+  stopping_ = Stopping::no;
+}
+
+void VxmDriver::stands_after_restart(bool at_zero) {
+  for (int i = 0; i < draft_.axis_count; ++i) {
+    AxisState& axis = draft_.axes[i];
+    if (axis.activity != Activity::idle && axis.activity != Activity::unknown) axis.ended_by = EndedBy::lost;
+    axis.activity = Activity::idle;
+    axis.direction = 0;
+    axis.has_target = false;
+    axis.position_doubtful = at_zero;
+  }
 }
 
 void VxmDriver::forget_ram() {

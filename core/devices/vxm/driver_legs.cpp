@@ -214,12 +214,13 @@ std::optional<VxmDriver::Leg> VxmDriver::next_jog_leg(const Leg& last, EndedBy e
 
 // A move that nobody has stopped keeps its program: it may take as long as it likes.
 bool VxmDriver::clears_up() const {
-  const bool ends = !busy() || stopping_ != Stopping::no || job_.leg_over;
-  return scratch_ >= 0 && mode_ == Mode::on_line && !halted_ && ends;
+  const bool ends =
+      !busy() || stopping_ != Stopping::no || job_.leg_over || job_.ended_by != EndedBy::nothing;
+  return scratch_ >= 0 && !reset_said_ && mode_ == Mode::on_line && !halted_ && ends;
 }
 
 std::string VxmDriver::leaves_behind() const {
-  if (scratch_ < 0) return {};
+  if (scratch_ < 0 || reset_said_) return {};
   return fmt::format(
       "The move goes on without the console, and program {} of the controller still holds it: "
       "the Run button would repeat it. Send {} when the move is over.",

@@ -10,6 +10,7 @@ namespace hw::vxm {
 
 void VxmDriver::show_running(int slot) {
   stored_running_ = true;
+  killed_at_ = {};  // the next prompt is of this run
   ProgramState& p = draft_.program;
   p.run = RunState::running;
   p.owned = true;

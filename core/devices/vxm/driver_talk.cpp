@@ -163,11 +163,16 @@ void VxmDriver::heard_prompt() {
   const bool of_kill = killed_at_ != Instant{} && scheduler_.now() - killed_at_ < Millis(100);
   if (job_.active()) {
     job_.leg_over = true;  // its end is shown once the positions have been read
-    if (stop_queries_ > 0 && !of_kill) for_scripts("^");  // what the user has stopped answers the user
+    if (stop_queries_ > 0 && !of_kill) prompt_for_scripts();  // what the user has stopped answers the user
     return;
   }
   if (stored_running_) run_ended(EndedBy::target);
-  if (!of_kill) for_scripts("^");
+  if (!of_kill) prompt_for_scripts();
+}
+
+void VxmDriver::prompt_for_scripts() {
+  for_scripts(std::string(1, prompt));
+  prompts_until_ = next_unasked_;
 }
 
 // The controller lists the command before which it holds (firmware 1.21 on). Which of several equal commands

@@ -79,10 +79,8 @@ void VxmDriver::end_waits() {
   news_.notify();
 }
 
-// The user's own D: nothing of the console's move follows it, and nobody waits for its end any more.
+// The user's own D: nothing of the console's move follows it. Of a stored program it ends one index only.
 void VxmDriver::note_stop() {
-  if (!busy()) return;
-  end_waits();
   if (!job_.active()) return;
   drop_later_legs(-1);
   job_.jog = false;
@@ -153,17 +151,20 @@ Task<VxmDriver::RawAnswer> VxmDriver::send_pieces(std::string text, Duration pat
   };
   RawAnswer all;
   all.dropped = dropped_of(commands, now);
+  const Piece* last = last_command_of(pieces);
+  all.last_is_answered = last && last->answer;
   for (const Piece& piece : pieces) {
     note_taken(piece.taken);
-    all.last_is_answered = piece.answer.has_value();
     if (!piece.answer) {
       auto sent = co_await say(piece.text, priority);
-      if (sent) continue;
+      if (sent) {
+        reset_said_ = reset_said_ || piece.resets;
+        continue;
+      }
       all.fault = failed(std::move(sent.error()));
       co_return all;
     }
-    const bool last = &piece == &pieces.back();
-    const Duration wait = std::max(piece.answer->patience, last ? patience : usual_patience);
+    const Duration wait = std::max(piece.answer->patience, &piece == last ? patience : usual_patience);
     auto reply = co_await ask(piece.text, piece.answer->shape, priority, piece.answer->stranger, wait);
     if (!reply) {
       all.fault = failed(std::move(reply.error()));
@@ -201,7 +202,8 @@ bool VxmDriver::answers(std::string_view text) const {
   Listening now;
   now.local = mode_ == Mode::local, now.running = busy(), now.halted = halted_ != 0;
   const auto pieces = pieces_of(text, read_text(text), now);
-  return !pieces.empty() && pieces.back().answer.has_value();
+  const Piece* last = last_command_of(pieces);
+  return last && last->answer;
 }
 
 bool VxmDriver::answers_later(std::string_view text) const { return !answers(text); }
@@ -217,6 +219,13 @@ bool VxmDriver::is_stop(std::string_view text) const {
   return stops && std::none_of(commands.begin(), commands.end(), [](const TextCommand& c) {
            return c.verb == Verb::letter && c.letter == 'R';
          });
+}
+
+// D ends one index of a stored program, which goes on.
+bool VxmDriver::stops_all(std::string_view text) const {
+  if (!is_stop(text)) return false;
+  const TextCommand first = read_text(text).front();
+  return first.verb == Verb::word || first.letter == 'K' || job_.active();
 }
 
 bool VxmDriver::changes_programs(std::string_view text) const {
@@ -273,9 +282,10 @@ Task<Result<std::string>> VxmDriver::wait_for_prompt(std::uint64_t since, Durati
   const Instant deadline = scheduler_.now() + patience;
   const std::uint64_t stops_before = stops_said_;
   for (bool in_time = true;;) {
-    if (auto text = take_since(since)) co_return std::move(*text);
     if (stops_said_ != stops_before)
       co_return fail(FaultKind::stopped, "A stop has ended what the answer was waited for.", "It was sent.");
+    if (auto text = take_since(since)) co_return std::move(*text);
+    if (prompts_until_ > since) co_return std::string(1, prompt);  // somebody else who waits has taken it
     if (!station_) co_return fail(FaultKind::lost, "The connection was lost before an answer came.");
     if (!in_time)
       co_return fail(FaultKind::no_answer, fmt::format("No answer came in {:g} s.", seconds(patience)));

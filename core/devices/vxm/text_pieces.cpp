@@ -91,6 +91,8 @@ std::vector<Piece> pieces_of(std::string_view text, const std::vector<TextComman
   const auto cut_at = [&](std::size_t end, std::optional<AnswerShape> answer) {
     pieces.push_back(
         {std::string(text.substr(from, end - from)), std::move(answer), std::exchange(taken, {})});
+    for (const TextCommand& c : pieces.back().taken)
+      pieces.back().resets = pieces.back().resets || (c.verb == Verb::word && c.name == "res");
     from = end;
   };
   for (const TextCommand& c : commands) {
@@ -105,8 +107,18 @@ std::vector<Piece> pieces_of(std::string_view text, const std::vector<TextComman
     }
     now.follow(c);
   }
-  if (from < text.size()) cut_at(text.size(), std::nullopt);
+  if (from < text.size()) {
+    const bool mere_end = !pieces.empty() && read_text(text.substr(from)).empty();
+    cut_at(text.size(), std::nullopt);
+    pieces.back().mere_end = mere_end;
+  }
   return pieces;
+}
+
+const Piece* last_command_of(const std::vector<Piece>& pieces) {
+  const auto last =
+      std::find_if(pieces.rbegin(), pieces.rend(), [](const Piece& piece) { return !piece.mere_end; });
+  return last == pieces.rend() ? nullptr : &*last;
 }
 
 std::string dropped_of(const std::vector<TextCommand>& commands, Listening now) {

@@ -26,8 +26,10 @@ struct Piece {
   std::string text;
   std::optional<AnswerShape> answer;
   std::vector<TextCommand> taken;
-  bool stores = false;  ///< rsm
-  bool kills = false;   ///< K
+  bool stores = false;    ///< rsm
+  bool kills = false;     ///< K
+  bool resets = false;    ///< res
+  bool mere_end = false;  ///< nothing but the end of the piece before
 };
 
 /// What decides which commands the controller takes, as it changes on the way through a text.
@@ -40,6 +42,9 @@ struct Listening {
 };
 
 std::vector<Piece> pieces_of(std::string_view text, const std::vector<TextCommand>& commands, Listening now);
+
+/// The last of them that is more than an end; null: there is none.
+const Piece* last_command_of(const std::vector<Piece>& pieces);
 
 /// A sentence about known commands that the controller's state drops without a word; empty: none.
 std::string dropped_of(const std::vector<TextCommand>& commands, Listening now);

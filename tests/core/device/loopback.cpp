@@ -69,8 +69,8 @@ Duration Loopback::byte_time() const {
 void Loopback::sent(std::string_view bytes) {
   to_controller += bytes;
   for (const char c : bytes) {
-    if (lose_ > 0) {
-      --lose_;
+    if (silent_ || lose_ > 0) {
+      if (lose_ > 0) --lose_;
       continue;
     }
     in_free_ = std::max(in_free_, scheduler_.now()) + byte_time();
@@ -98,8 +98,8 @@ void Loopback::step() {
     std::string output;
     emulator_->take_output(output);
     for (char c : output) {
-      if (drop_ > 0) {
-        --drop_;
+      if (silent_ || drop_ > 0) {
+        if (drop_ > 0) --drop_;
         continue;
       }
       if (garble_ > 0) --garble_, c = static_cast<char>(c ^ 0x91);

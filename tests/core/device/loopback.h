@@ -23,6 +23,8 @@ class Loopback {
   void drop(int bytes) { drop_ += bytes; }
   /// The same of those on their way to the controller.
   void lose(int bytes) { lose_ += bytes; }
+  /// Both ways nothing arrives, and nobody is told.
+  void silence(bool on) { silent_ = on; }
   /// A program that answers everything in its own way stands in for the controller.
   void replace_by(std::string (*other)(std::string_view)) { other_ = other; }
 
@@ -50,6 +52,7 @@ class Loopback {
   Instant in_free_{}, out_free_{};
   End* end_ = nullptr;
   int garble_ = 0, drop_ = 0, lose_ = 0;
+  bool silent_ = false;
   std::string (*other_)(std::string_view) = nullptr;
 };
 

@@ -193,6 +193,30 @@ TEST_F(VxmDriverConnect, APowerCycleInMotionDoesNotTakeTheMotionUpAgain) {
   EXPECT_EQ(position(), 10);
 }
 
+// The wire carries nothing any more, and nobody has noticed.
+TEST_F(VxmDriverConnect, AStopInItsWordsThatTheWireHasSwallowedIsMadeGood) {
+  for (const char* stop : {"D", "K"}) {
+    for (const double later : {0.01, 0.1, 0.4, 0.6, 0.8, 1.0, 1.3, 2.0}) {
+      start();
+      ASSERT_EQ(move_to(0, 40000), "");
+      run(2);
+      loop->silence(true);
+      run(later);
+      post(intent::SendText(stop));
+      run(3);
+      loop->silence(false);
+      ASSERT_TRUE(run_until([&] { return latest.link.state == LinkState::good; }, 10));
+      run(5);
+      const auto here = position();
+      run(1);
+      EXPECT_EQ(position(), here) << stop << later;
+      EXPECT_LT(here, 40000) << stop << later;
+      EXPECT_EQ(query("PM4,lst,PM0,"), "PM4 M256") << stop << later;
+      TearDown();
+    }
+  }
+}
+
 TEST_F(VxmDriverConnect, ASlaveThatLosesItsPowerRestartsItsMasterOnce) {
   start({{"motors", "4"}});
   EXPECT_TRUE(latest.axes[2].position_known);

@@ -151,10 +151,13 @@ TEST_F(VxmDriverText, AStopInAQuestionWaitsForNoOther) {
     spawn(stop, second, second_came);
     run(0.1);
     EXPECT_THAT(sent(), testing::StartsWith(stop));
-    EXPECT_TRUE(first_came);
-    EXPECT_THAT(first, HasSubstr("A stop has ended"));
+    if (stop != std::string_view("D")) {  // which ends the index; the program's own end is told to both
+      EXPECT_TRUE(first_came);
+      EXPECT_THAT(first, HasSubstr("A stop has ended"));
+    }
     run(3);
     EXPECT_FALSE(latest.any_axis_moving());
+    EXPECT_TRUE(first_came);
     EXPECT_EQ(second_came, std::string_view("res") != stop) << "nothing tells the end of res";
     if (second_came) {
       EXPECT_EQ(second, "^");
@@ -192,6 +195,66 @@ TEST_F(VxmDriverText, AKThatDidNotGetThroughHasEndedNothing) {
   EXPECT_EQ(query("K"), "^");
   run(0.5);
   EXPECT_EQ(latest.program.run, RunState::idle);
+}
+
+TEST_F(VxmDriverText, ARunRightBehindAKHasItsPrompt) {
+  EXPECT_EQ(query("K"), "^");
+  EXPECT_EQ(query("PM-0,I1M1,R", 5), "^");
+  EXPECT_EQ(send("K"), "");
+  EXPECT_EQ(query("PM-0,I1M4,R", 5), "^");
+}
+
+TEST_F(VxmDriverText, APromptOfKIsNotTheEndOfAProgram) {
+  std::string answer;
+  bool came = false;
+  asio::co_spawn(io, ask(*pump, "PM-0,I1M400000,R", std::chrono::seconds(60), answer, came), asio::detached);
+  run(1);
+  EXPECT_EQ(send("K"), "");
+  run(0.1);
+  EXPECT_TRUE(came);
+  EXPECT_THAT(answer, HasSubstr("A stop has ended"));
+}
+
+TEST_F(VxmDriverText, ANeedlessEndIsNotWaitedFor) {
+  for (const char* question : {"V\r", "K\r", "X,"}) {
+    const Instant asked = time.now();
+    EXPECT_THAT(query(question, 5), testing::AnyOf("R", "^", "+0000000")) << question;
+    EXPECT_LT(time.now() - asked, std::chrono::seconds(1)) << question;
+  }
+}
+
+TEST_F(VxmDriverText, AResetThatFHidesIsFound) {
+  for (const bool at_once : {true, false}) {
+    move_by(0, 1000);
+    wait_idle();
+    EXPECT_FALSE(latest.axes[0].position_doubtful && latest.restarts == 0);
+    const std::uint32_t before = latest.restarts;
+    if (at_once) {
+      EXPECT_EQ(send("res,F"), "");
+    } else {
+      post(intent::SendText("res"));
+      post(intent::SendText("F"));
+    }
+    run(2);
+    EXPECT_EQ(latest.restarts, before + 1) << at_once;
+    EXPECT_TRUE(latest.axes[0].position_doubtful);
+    EXPECT_TRUE(told("Find home before the next absolute move"));
+    notices.clear();
+  }
+}
+
+TEST_F(VxmDriverText, ClosingBehindATypedDLeavesNothingBehind) {
+  for (const char* stop : {"D", "res"}) {
+    move_to(0, 400000);
+    run(2);
+    EXPECT_EQ(send(stop), "");
+    asio::co_spawn(io, pump->shut_down(), asio::detached);
+    run(9);
+    EXPECT_FALSE(told("The move goes on without the console")) << stop;
+    pump.reset();
+    open();
+    EXPECT_EQ(query("PM4,lst,PM0,"), "PM4 M256") << stop;
+  }
 }
 
 TEST_F(VxmDriverText, ClosingWaitsForNoAnswer) {
