@@ -88,7 +88,7 @@ void ProgramJob::update(ProgramTexts& texts, const Snapshot& now, const Catalog&
         "The link was lost before the program was transferred. Look at it again when the link is back.");
   if (stage_ == Stage::asking) return;
   const IntentFate* fate = now.fate_of(waiting_for_);
-  if (!fate && now.fates[0].id > waiting_for_ + now.fates.size()) {  // newer ones have pushed it out
+  if (now.forgotten(waiting_for_)) {
     texts.forget();
     return refuse("What became of the transfer is not known. Look at the controller's program.");
   }

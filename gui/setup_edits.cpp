@@ -127,6 +127,9 @@ void SetupWrite::update(const Snapshot& now, const Catalog& catalog, const Send&
   if (now.link.state == LinkState::lost || now.link.state == LinkState::closed)
     return ended(false,
                  fmt::format("The link was lost: {} of {} values were written.", next_, values_.size()));
+  if (now.forgotten(waiting_for_))
+    return ended(false, fmt::format("What became of a value is not known: {} of {} values were written.",
+                                    next_, values_.size()));
   const IntentFate* fate = now.fate_of(waiting_for_);
   if (!fate || fate->fate == Fate::pending) return;
   if (fate->fate != Fate::done) {

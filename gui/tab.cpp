@@ -121,10 +121,7 @@ std::vector<Notice> Tab::take_notices() { return std::exchange(notices_, {}); }
 void Tab::follow_fates() {
   const auto settled = [this](IntentId id) {
     const IntentFate* fate = now_->fate_of(id);
-    if (!fate) {  // not taken up yet, or so long ago that newer ones have pushed it out
-      const IntentId newest = now_->fates[0].id;
-      return newest > id + now_->fates.size();
-    }
+    if (!fate) return now_->forgotten(id);  // else not taken up yet
     if (fate->fate == Fate::pending) return false;
     if (fate->fate == Fate::done) return true;
     if (id == jog.jog_intent()) jog.forget();  // there is no jog to stop

@@ -183,6 +183,7 @@ void ActionForm::draw_refusal(Frame& f, float width) {
     if (fate->fate != Fate::done) refused_ = fate->sentence.view();
     asked_ = 0;
   }
+  if (f.now.forgotten(asked_)) asked_ = 0;
   if (refused_.empty()) return;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   wrapped(f.ui, Face::small, Tone::fault, refused_, width);

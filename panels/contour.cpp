@@ -191,6 +191,7 @@ void Contour::run(Frame& f) {
 
 void Contour::follow(Frame& f) {
   const auto ended = [&](IntentId& id) {
+    if (f.now.forgotten(id)) id = 0;
     const IntentFate* fate = f.now.fate_of(id);
     if (!fate || fate->fate == Fate::pending) return false;
     id = 0;

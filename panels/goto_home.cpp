@@ -257,6 +257,7 @@ void GotoHome::go_to_zero(Frame& f) {
 
 void GotoHome::follow(Frame& f, AxisId axis) {
   Row& row = rows_[axis.index];
+  if (f.now.forgotten(row.asked)) row.asked = 0;
   const IntentFate* fate = f.now.fate_of(row.asked);
   if (!fate || fate->fate == Fate::pending) return;
   if (fate->fate != Fate::done) row.refused = fate->sentence.view();

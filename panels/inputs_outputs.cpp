@@ -211,7 +211,7 @@ void InputsOutputs::draw_output(Frame& f, int n, float width, bool narrow) {
   const int number = f.catalog.output_number(static_cast<std::size_t>(n - 1));
   IntentId& asked = asked_[static_cast<std::size_t>(n)];
   const IntentFate* fate = f.now.fate_of(asked);
-  if (fate && fate->fate == Fate::done) asked = 0;
+  if ((fate && fate->fate == Fate::done) || f.now.forgotten(asked)) asked = 0;
   ToggleOptions o;
   o.width = width;
   o.narrow = narrow;

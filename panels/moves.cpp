@@ -56,6 +56,7 @@ void Moves::draw(Frame& f) {
 }
 
 void Moves::follow(Frame& f) {
+  if (f.now.forgotten(started_)) started_ = 0;
   const IntentFate* fate = f.now.fate_of(started_);
   if (!fate || fate->fate == Fate::pending) return;
   started_ = 0;

@@ -64,6 +64,7 @@ void Setup::follow(Frame& f) {
   }
   const auto told = f.tab.desk().setup_write.take_told();
   if (!told.sentence.empty()) f.toast(told.good ? Mood::ok : Mood::fault, told.sentence);
+  if (f.now.forgotten(storing_)) storing_ = 0;
   const IntentFate* stored = f.now.fate_of(storing_);
   if (stored && stored->fate != Fate::pending) {
     storing_ = 0;

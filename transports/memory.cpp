@@ -53,6 +53,7 @@ class MemoryEnd final : public Stream {
     mine().listener = listener;
     if (listener && !other().exists) shared_->post_delivery(place_);
   }
+  void discard_unsent() override {}
   void send(std::string_view bytes) override {
     if (!other().exists || bytes.empty()) return;
     other().inbox += bytes;

@@ -206,6 +206,7 @@ class PerformaxStream final : public Stream {
     wire_->read();
   }
   void send(std::string_view bytes) override { wire_->send(bytes); }
+  void discard_unsent() override { wire_->waiting.clear(); }
   Result<> set_rate(int) override { return {}; }
   [[nodiscard]] int rate() const override { return 0; }
   [[nodiscard]] bool carries_messages() const override { return true; }

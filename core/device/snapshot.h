@@ -208,6 +208,10 @@ struct Snapshot {
       if (f.id == id && id != 0) return &f;
     return nullptr;
   }
+  /// It was taken up, and so many newer ones have been since that what became of it stands here no more.
+  [[nodiscard]] bool forgotten(IntentId id) const {
+    return id != 0 && !fate_of(id) && fates[0].id > id + fates.size();
+  }
   [[nodiscard]] bool axis_moves(int axis) const {
     const Activity now = axes[axis].activity;
     return now == Activity::moving || now == Activity::jogging || now == Activity::homing ||

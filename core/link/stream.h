@@ -24,7 +24,7 @@ class Stream {
   /// Never blocks. Bytes go out in the order of the calls.
   virtual void send(std::string_view bytes) = 0;
   /// The wire is given up: what has not left yet must not arrive later, when nobody looks any more.
-  virtual void discard_unsent() {}
+  virtual void discard_unsent() = 0;
   /// Line rate in baud, 8N1. Streams without a rate accept and ignore it.
   virtual Result<> set_rate(int baud) = 0;
   /// 0: no rate, bytes arrive as fast as they can.

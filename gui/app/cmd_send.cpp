@@ -40,6 +40,7 @@ void print_warnings(Session& session) {
 struct Stopped {
   static constexpr IntentId id = 1;  ///< no other intent is posted here
   bool asked = false;
+  bool unseen = false;  ///< a text has gone out, and what it began shows in no round of status yet
 };
 
 bool busy(const Snapshot& s) {
@@ -94,11 +95,12 @@ Task<int> wait_for_rest(Scheduler& scheduler, std::shared_ptr<Session> session, 
 /// One after the other. A text that failed ends it; one whose end did not come in time does not. Nothing is
 /// sent behind a stop of the user's.
 Task<int> send_texts(Scheduler& scheduler, std::shared_ptr<Session> session,
-                     std::span<const std::string> texts, double wait_s, const Stopped& stopped) {
+                     std::span<const std::string> texts, double wait_s, Stopped& stopped) {
   const Driver& driver = session->pump().driver();
   int status = done;
   bool end_is_told = false;
   for (std::size_t i = 0; i < texts.size() && !stopped.asked; ++i) {
+    stopped.unseen = true;
     const int sent = co_await send_one(session, texts[i], wait_s);
     if (sent != done) co_return sent;
     end_is_told = end_is_told || driver.answers_later(texts[i]);
@@ -110,6 +112,7 @@ Task<int> send_texts(Scheduler& scheduler, std::shared_ptr<Session> session,
     print_warnings(*session);
   }
   co_await session->pump().refresh();  // what the last one brought about
+  stopped.unseen = false;
   print_unasked(*session);
   co_return status;
 }
@@ -128,9 +131,9 @@ Task<int> send_stop_first(std::shared_ptr<Session> session, std::string text) {
   co_return done;
 }
 
-/// Who ends the program while something moves wants it to stop; else it just ends.
+/// Who ends the program while something moves, or may have begun to, wants it to stop; else it just ends.
 void when_interrupted(Session& session, Stopped& stopped) {
-  if (!busy(session.known())) std::raise(SIGINT);
+  if (!busy(session.known()) && !stopped.unseen) std::raise(SIGINT);
   stopped.asked = true;
   session.pump().post(Intent(Stopped::id, intent::Stop()));
 }

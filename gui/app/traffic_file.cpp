@@ -37,6 +37,7 @@ class Tapped final : public Stream, private Stream::Listener {
     file_->write(scheduler_.now(), wire_, '>', bytes);
     inner_->send(bytes);
   }
+  void discard_unsent() override { inner_->discard_unsent(); }
   Result<> set_rate(int baud) override { return inner_->set_rate(baud); }
   [[nodiscard]] int rate() const override { return inner_->rate(); }
   [[nodiscard]] bool carries_messages() const override { return inner_->carries_messages(); }

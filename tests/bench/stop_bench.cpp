@@ -36,6 +36,7 @@ class Tap final : public Stream, private Stream::Listener {
     inner_->listen(this);
   }
   void listen(Stream::Listener* listener) override { listener_ = listener; }
+  void discard_unsent() override { inner_->discard_unsent(); }
   void send(std::string_view bytes) override {
     if (moments_.stopped_at == 0) {
       if (bytes.find_first_of("KD") != bytes.npos)

@@ -196,6 +196,8 @@ d.bench:power(false, "Slave")
 hw.sleep(2)
 pictures("slave-off", open_right, close_right)
 d.bench:power(true, "Slave")
+hw.sleep(1)
+if not d:status(1).moving then d:move_by{[1] = 90000} hw.sleep(0.5) end
 pictures("controllers", function() if ui.exists("controller/menu") then ui.click("controller/menu") end end, escape, {narrow})
 ui.click("menu")
 ui.click("menu/close")

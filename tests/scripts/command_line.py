@@ -193,6 +193,21 @@ class Scripts(Case):
             places = [run("send", address, "X").stdout for _ in range(2)]
             self.assertEqual(places[0], places[1])
 
+    def test_an_interrupted_send_stops_what_has_just_begun(self):
+        with emulator("dmx-k-sa", "--tcp", "127.0.0.1:0", "--wire", "real") as (ready, _):
+            address = "dmx-k-sa@tcp:" + port_of(ready[0])
+            self.expect(run("send", address, "EO=1"), 0)
+            process = subprocess.Popen([PROGRAM, "send", address, "X1000000"] + ["ID"] * 100, text=True,
+                                       stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+            self.assertEqual(process.stdout.read(3), "OK\n")
+            process.send_signal(signal.SIGINT)
+            _, err = process.communicate(timeout=15)
+            self.assertEqual(process.returncode, 1, err)
+            self.assertIn("Interrupted. The controller was told to stop.", err)
+            time.sleep(1)
+            places = [run("send", address, "PX").stdout for _ in range(2)]
+            self.assertEqual(places[0], places[1])
+
 
 class Ends(Case):
     """What a script leaves behind when it fails, in virtual time."""

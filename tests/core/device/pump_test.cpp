@@ -19,6 +19,7 @@ class ToyWire : public Stream {
       : scheduler_(scheduler), sent_(sent), silent_(silent) {}
   ~ToyWire() override { *alive_ = false; }
   void listen(Listener* listener) override { listener_ = listener; }
+  void discard_unsent() override {}
   void send(std::string_view bytes) override {
     sent_.emplace_back(bytes);
     if (bytes != "?" || silent_) return;

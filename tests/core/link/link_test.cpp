@@ -13,6 +13,7 @@ using testing::ElementsAre;
 class FakeStream : public Stream {
  public:
   void listen(Listener* l) override { listener = l; }
+  void discard_unsent() override {}
   void send(std::string_view bytes) override { sent.emplace_back(bytes); }
   Result<> set_rate(int baud) override { return rate_ = baud, Result<>(); }
   [[nodiscard]] int rate() const override { return rate_; }
