@@ -43,7 +43,9 @@ void Console::join(std::vector<Tab*> members, std::string name, std::shared_ptr<
   bus->name = std::move(name);
   bus->members = std::move(members);
   for (Tab* member : bus->members) member->bus = bus;
-  activate(*bus->members.front());
+  Tab& first = *bus->members.front();
+  first.choose_jog(first.jog_step(), first.jog_speed());
+  activate(first);
 }
 
 bool Console::is_face(const Tab& tab) { return !tab.bus || &tab.bus->front() == &tab; }

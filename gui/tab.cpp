@@ -187,6 +187,17 @@ void Tab::profile_edited() {
   work_out_units();
 }
 
+void Tab::choose_jog(Steps step, Pps speed) {
+  const auto take = [&](Tab& tab) {
+    if (tab.profile.jog_step == step && tab.profile.jog_speed == speed) return;
+    tab.profile.jog_step = step;
+    tab.profile.jog_speed = speed;
+    tab.profile_edited();
+  };
+  if (!bus) return take(*this);
+  for (Tab* member : bus->members) take(*member);
+}
+
 // An axis with a closed loop counts in other units than one without.
 void Tab::follow_counting() {
   for (std::size_t i = 0; i < catalog_.axes.size() && i < units_.size(); ++i) {

@@ -139,6 +139,64 @@ TEST_F(BusTest, TheTerminalSpeaksToOneOrToAll) {
   EXPECT_EQ(s.console.active(), b.tab);
 }
 
+TEST_F(BusTest, OneChoiceOfStepAndSpeedIsForAllRows) {
+  a.tab->profile.jog_speed = Pps(300);
+  MUST(s.hand.click("bus/02"));
+  s.run(0.1);
+  MUST(s.hand.click("jog/step/100"));
+  MUST(s.hand.press("jog/speed"));
+  MUST(s.hand.release("jog/speed"));
+  MUST(s.hand.click("bus/01"));
+  s.run(0.1);
+  EXPECT_EQ(s.value("jog/step/100"), "on");
+  MUST(s.hand.click("jog/03/+"));
+  s.run(0.1);
+  ASSERT_TRUE(c.last<intent::MoveBy>());
+  EXPECT_EQ(c.last<intent::MoveBy>()->distances[0].value, Steps(100));
+  const Pps speed = a.tab->jog_speed();
+  EXPECT_NE(speed, Pps(300));
+  EXPECT_EQ(b.tab->jog_speed(), speed);
+  EXPECT_EQ(c.tab->jog_speed(), speed);
+}
+
+TEST(Bus, WhoJoinsTakesTheStepThatIsLit) {
+  ConsoleStage s;
+  Example& a = s.add(one_of_bus(1));
+  Example& b = s.add(one_of_bus(2));
+  a.tab->profile.jog_step = Steps(10);
+  a.tab->profile.jog_speed = Pps(300);
+  b.tab->profile.jog_step = Steps(1000);
+  s.console.join({a.tab, b.tab}, "Example 01-02");
+  s.run(0.1);
+  EXPECT_EQ(s.value("jog/step/10"), "on");
+  MUST(s.hand.click("jog/02/+"));
+  s.run(0.1);
+  ASSERT_TRUE(b.last<intent::MoveBy>());
+  EXPECT_EQ(b.last<intent::MoveBy>()->distances[0].value, Steps(10));
+  EXPECT_EQ(b.tab->jog_speed(), Pps(300));
+}
+
+TEST_F(BusTest, TheSpeedThatIsSaidIsThatOfAllRows) {
+  EXPECT_EQ(s.value("jog/speed"), "2000 steps/s");
+  c.now.axes[0].own_speed = Pps(500);
+  s.run(0.1);
+  EXPECT_EQ(s.value("jog/speed"), "each its own");
+}
+
+TEST_F(BusTest, RowsInDifferentUnitsShareStepsOfTheControllers) {
+  MUST(s.hand.click("jog/step/1000"));
+  b.tab->profile.unit = "real";
+  b.tab->profile.axes[0].unit_choice = "screw of 1 mm";
+  b.tab->profile_edited();
+  MUST(s.hand.click("bus/02"));
+  s.run(0.1);
+  EXPECT_EQ(s.value("jog/step/1000"), "on");
+  MUST(s.hand.click("jog/02/+"));
+  s.run(0.1);
+  ASSERT_TRUE(b.last<intent::MoveBy>());
+  EXPECT_EQ(b.last<intent::MoveBy>()->distances[0].value, Steps(1000));
+}
+
 TEST_F(BusTest, ClosingTheTabClosesAll) {
   s.console.close(*b.tab);
   a.tab = b.tab = c.tab = nullptr;
