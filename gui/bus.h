@@ -18,11 +18,14 @@ class Tab;
 
 struct Bus {
   std::shared_ptr<SessionGroup> group;  ///< null in tests of panels
-  std::string name;                     ///< the catalog's short name and the ids
+  std::string default_name;             ///< the catalog's short name and the ids
   std::vector<Tab*> members;            ///< in the order of their ids; owned by the console
   std::size_t chosen = 0;
 
   [[nodiscard]] Tab& front() const { return *members[chosen]; }
+  /// The user's, which the first member's profile keeps; else the default.
+  [[nodiscard]] std::string_view name() const;
+  void rename(std::string name);
   /// The one whose state is the worst; the chosen one if none is worse.
   [[nodiscard]] Tab& worst() const;
   /// How many answer.

@@ -64,7 +64,7 @@ void Dialogs::begin(Kind kind, Tab& tab) {
 
 void Dialogs::names(Tab& tab) {
   begin(Kind::names, tab);
-  name_ = tab.profile.name;
+  name_ = tab.bus ? tab.bus->members.front()->profile.bus_name : tab.profile.name;
   axis_names_.clear();
   for (std::size_t i = 0; i < tab.catalog().axes.size(); ++i) axis_names_.push_back(tab.profile.axes[i].name);
 }
@@ -108,7 +108,9 @@ void Dialogs::draw_names(Ui& ui, Console& console) {
   wrapped(ui, Face::small, Tone::ink2, "Yours, for the screen only. The controller does not know them.");
   gap(ui, 12);
   if (just_opened_) type_into(ui, "names/controller");
-  bool done = labelled_field(ui, "names/controller", "Controller", name_, tab_->catalog().short_name).entered;
+  const std::string& unnamed = tab_->bus ? tab_->bus->default_name : tab_->catalog().short_name;
+  bool done =
+      labelled_field(ui, "names/controller", tab_->bus ? "Bus" : "Controller", name_, unnamed).entered;
   for (std::size_t i = 0; i < axis_names_.size(); ++i) {
     const AxisInfo& axis = tab_->catalog().axes[i];
     gap(ui, 4);

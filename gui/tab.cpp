@@ -171,7 +171,7 @@ void Tab::find_why_not_move() {
 }
 
 std::string_view Tab::name() const {
-  if (bus) return bus->name;
+  if (bus) return bus->name();
   if (!profile.name.empty()) return profile.name;
   return default_name.empty() ? std::string_view(catalog_.short_name) : std::string_view(default_name);
 }

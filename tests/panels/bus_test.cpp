@@ -197,6 +197,22 @@ TEST_F(BusTest, RowsInDifferentUnitsShareStepsOfTheControllers) {
   EXPECT_EQ(b.last<intent::MoveBy>()->distances[0].value, Steps(1000));
 }
 
+TEST_F(BusTest, TheNameIsThatOfTheBus) {
+  MUST(s.hand.click("bus/02"));
+  s.run(0.1);
+  for (const char* wished : {"Lift bus", ""}) {
+    MUST(s.hand.click("menu"));
+    s.run(0.1);
+    MUST(s.hand.click("menu/names"));
+    s.run(0.1);
+    MUST(s.hand.type("names/controller", wished));
+    MUST(s.hand.click("names/ok"));
+    s.run(0.1);
+    for (const Example* e : {&a, &b, &c})
+      EXPECT_EQ(e->tab->name(), *wished ? std::string_view(wished) : "Example 01-03");
+  }
+}
+
 TEST_F(BusTest, ClosingTheTabClosesAll) {
   s.console.close(*b.tab);
   a.tab = b.tab = c.tab = nullptr;
