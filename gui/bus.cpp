@@ -11,6 +11,13 @@
 
 namespace hw::gui {
 
+std::string in_words(std::span<const std::string_view> names) {
+  std::string words;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    words += fmt::format("{}{}", i == 0 ? "" : i + 1 == names.size() ? " and " : ", ", names[i]);
+  return words;
+}
+
 bool speaks_of(std::string_view sentence, std::string_view id) {
   return sentence.starts_with(fmt::format("{} ", id)) || sentence.starts_with(fmt::format("{}:", id)) ||
          sentence.find(fmt::format(" {} ", id)) != sentence.npos;

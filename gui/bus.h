@@ -2,6 +2,7 @@
 // Controllers that share a wire and one tab of the console: one is chosen and the other panels act on it, all
 // stay in sight, and Stop reaches all. GUI thread.
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,6 +33,9 @@ struct Bus {
   [[nodiscard]] std::size_t connected() const;
   void stop_all();
 };
+
+/// "01, 02 and 03".
+std::string in_words(std::span<const std::string_view> names);
 
 /// Whether the sentence says of whom on a bus it speaks: "02 moves to ...".
 bool speaks_of(std::string_view sentence, std::string_view id);

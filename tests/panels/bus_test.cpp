@@ -213,6 +213,30 @@ TEST_F(BusTest, TheNameIsThatOfTheBus) {
   }
 }
 
+TEST_F(BusTest, ClosingAsksForEachThatMovesAndStopsAll) {
+  c.now.axes[0].activity = Activity::moving;
+  s.run(0.1);
+  MUST(s.hand.click("menu"));
+  s.run(0.1);
+  MUST(s.hand.click("menu/close"));
+  s.run(0.1);
+  ASSERT_EQ(s.console.tabs().size(), 3u) << "03 moves";
+  MUST(s.hand.click("close/stop"));
+  for (const Example* e : {&a, &b, &c}) EXPECT_EQ(e->count<intent::Stop>(), 1);
+  EXPECT_TRUE(s.console.tabs().empty());
+}
+
+TEST_F(BusTest, NobodyIsAskedForWhoIsOutOfReach) {
+  b.now.axes[0].activity = Activity::moving;
+  b.now.link.state = LinkState::lost;
+  s.run(0.1);
+  MUST(s.hand.click("menu"));
+  s.run(0.1);
+  MUST(s.hand.click("menu/close"));
+  s.run(0.1);
+  EXPECT_TRUE(s.console.tabs().empty());
+}
+
 TEST_F(BusTest, ClosingTheTabClosesAll) {
   s.console.close(*b.tab);
   a.tab = b.tab = c.tab = nullptr;
