@@ -1,6 +1,7 @@
 #include "gui/bus.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -10,9 +11,26 @@
 
 namespace hw::gui {
 
+std::string in_words(std::span<const std::string_view> names) {
+  std::string words;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    words += fmt::format("{}{}", i == 0 ? "" : i + 1 == names.size() ? " and " : ", ", names[i]);
+  return words;
+}
+
 bool speaks_of(std::string_view sentence, std::string_view id) {
   return sentence.starts_with(fmt::format("{} ", id)) || sentence.starts_with(fmt::format("{}:", id)) ||
          sentence.find(fmt::format(" {} ", id)) != sentence.npos;
+}
+
+std::string_view Bus::name() const {
+  const std::string& users = members.front()->profile.bus_name;
+  return users.empty() ? default_name : users;
+}
+
+void Bus::rename(std::string name) {
+  members.front()->profile.bus_name = std::move(name);
+  members.front()->profile_edited();
 }
 
 Tab& Bus::worst() const {

@@ -51,7 +51,7 @@ class Console {
   std::vector<std::string> take_last_words();
   /// Sessions that were told to close and are not done yet. The scheduler must run until it is 0.
   [[nodiscard]] int closing() const { return *closing_; }
-  void rename(Tab& tab, std::string name);
+  void rename(Tab& tab, std::string name);  ///< of a bus: names the bus
   void reconnect(Tab& tab);
   [[nodiscard]] const std::vector<std::unique_ptr<Tab>>& tabs() const { return tabs_; }
   /// Has a tab in the top bar: alone, or the chosen one of its bus.

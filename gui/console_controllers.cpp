@@ -10,6 +10,11 @@
 
 namespace hw::gui {
 
+/// What the user calls it, or the bus that it is on; empty: nothing.
+static std::string users_name(const Tab& tab) {
+  return tab.bus ? tab.bus->members.front()->profile.bus_name : tab.profile.name;
+}
+
 Result<Tab*> Console::open(std::string_view text) {
   auto address = Address::parse(text);
   if (!address) return fail(address.error());
@@ -19,7 +24,7 @@ Result<Tab*> Console::open(std::string_view text) {
   auto group = SessionGroup::open(outside_->scheduler, *address, outside_->open_wire, outside_->wake);
   if (!group) return fail(group.error());
   Tab& tab = adopt(std::move(*group));
-  tell(recent_.opened(address->text(), std::string(tab.profile.name)));
+  tell(recent_.opened(address->text(), users_name(tab)));
   return &tab;
 }
 
@@ -40,10 +45,12 @@ Tab& Console::adopt(std::shared_ptr<SessionGroup> group) {
 void Console::join(std::vector<Tab*> members, std::string name, std::shared_ptr<SessionGroup> group) {
   auto bus = std::make_shared<Bus>();
   bus->group = std::move(group);
-  bus->name = std::move(name);
+  bus->default_name = std::move(name);
   bus->members = std::move(members);
   for (Tab* member : bus->members) member->bus = bus;
-  activate(*bus->members.front());
+  Tab& first = *bus->members.front();
+  first.choose_jog(first.jog_step(), first.jog_speed());
+  activate(first);
 }
 
 bool Console::is_face(const Tab& tab) { return !tab.bus || &tab.bus->front() == &tab; }
@@ -153,9 +160,14 @@ void Console::close_all() {
 }
 
 void Console::rename(Tab& tab, std::string name) {
-  tab.profile.name = std::move(name);
-  tab.profile_edited();
-  tell(recent_.renamed(tab.address().text(), tab.profile.name));
+  if (tab.bus) {
+    tab.bus->rename(std::move(name));
+  } else {
+    tab.profile.name = std::move(name);
+    tab.profile_edited();
+  }
+  const Address& opened = tab.bus && tab.bus->group ? tab.bus->group->address() : tab.address();
+  tell(recent_.renamed(opened.text(), users_name(tab)));
 }
 
 void Console::reconnect(Tab& tab) { tab.send_followed(intent::Reconnect()); }

@@ -1,5 +1,6 @@
 #include "gui/dialogs.h"
 
+#include <algorithm>
 #include <span>
 
 #include <fmt/core.h>
@@ -54,6 +55,49 @@ int draw_choices(Ui& ui, std::span<const Choice> choices) {
   return pressed;
 }
 
+// ---- what a closed tab leaves behind
+
+/// All that closing it closes.
+std::vector<const Tab*> closed_with(const Tab& tab) {
+  if (!tab.bus) return {&tab};
+  return {tab.bus->members.begin(), tab.bus->members.end()};
+}
+
+bool runs_program(const Tab& tab) {
+  const ProgramState& program = tab.now().program;
+  return program.owned && program.run != RunState::idle;
+}
+bool moves(const Tab& tab) { return tab.now().any_axis_moving(); }
+
+bool busy_within_reach(const Tab* tab) {
+  const LinkState link = tab->now().link.state;
+  return (moves(*tab) || runs_program(*tab)) && (link == LinkState::good || link == LinkState::late);
+}
+
+std::string goes_on_alone(const Tab& tab) {
+  if (runs_program(tab))
+    return fmt::format(
+        "{} {} runs in the controller, and goes on there when this window no longer watches it.",
+        tab.catalog().program.slot_word, tab.now().program.slot);
+  return moves(tab) ? "An axis is moving, and nobody would watch it." : "Nothing moves any more.";
+}
+
+/// "A program runs in 02. 01 and 03 move. Nobody would watch them."
+std::string goes_on_on_bus(const Bus& bus) {
+  std::vector<std::string_view> running, moving;
+  for (const Tab* member : bus.members)
+    if (runs_program(*member))
+      running.push_back(member->id());
+    else if (moves(*member))
+      moving.push_back(member->id());
+  if (running.empty() && moving.empty()) return "Nothing moves any more.";
+  std::string said;
+  if (!running.empty()) said += fmt::format("A program runs in {}. ", in_words(running));
+  if (!moving.empty())
+    said += fmt::format("{} {}. ", in_words(moving), moving.size() == 1 ? "moves" : "move");
+  return said + (running.size() + moving.size() > 1 ? "Nobody would watch them." : "Nobody would watch it.");
+}
+
 }  // namespace
 
 void Dialogs::begin(Kind kind, Tab& tab) {
@@ -64,16 +108,14 @@ void Dialogs::begin(Kind kind, Tab& tab) {
 
 void Dialogs::names(Tab& tab) {
   begin(Kind::names, tab);
-  name_ = tab.profile.name;
+  name_ = tab.bus ? tab.bus->members.front()->profile.bus_name : tab.profile.name;
   axis_names_.clear();
   for (std::size_t i = 0; i < tab.catalog().axes.size(); ++i) axis_names_.push_back(tab.profile.axes[i].name);
 }
 
 void Dialogs::close_controller(Console& console, Tab& tab) {
-  const ProgramState& program = tab.now().program;
-  const bool busy = tab.now().any_axis_moving() || (program.owned && program.run != RunState::idle);
-  const bool there = tab.now().link.state == LinkState::good || tab.now().link.state == LinkState::late;
-  if (busy && there)
+  const std::vector<const Tab*> closed = closed_with(tab);
+  if (std::any_of(closed.begin(), closed.end(), busy_within_reach))
     begin(Kind::close_controller, tab);
   else
     console.close(tab);
@@ -108,7 +150,9 @@ void Dialogs::draw_names(Ui& ui, Console& console) {
   wrapped(ui, Face::small, Tone::ink2, "Yours, for the screen only. The controller does not know them.");
   gap(ui, 12);
   if (just_opened_) type_into(ui, "names/controller");
-  bool done = labelled_field(ui, "names/controller", "Controller", name_, tab_->catalog().short_name).entered;
+  const std::string& unnamed = tab_->bus ? tab_->bus->default_name : tab_->catalog().short_name;
+  bool done =
+      labelled_field(ui, "names/controller", tab_->bus ? "Bus" : "Controller", name_, unnamed).entered;
   for (std::size_t i = 0; i < axis_names_.size(); ++i) {
     const AxisInfo& axis = tab_->catalog().axes[i];
     gap(ui, 4);
@@ -128,30 +172,28 @@ void Dialogs::draw_names(Ui& ui, Console& console) {
 
 void Dialogs::draw_close(Ui& ui, Console& console) {
   Tab& tab = *tab_;
-  const ProgramState& program = tab.now().program;
   title(ui, fmt::format("Close {}?", tab.name()));
-  const std::string what =
-      program.owned
-          ? fmt::format(
-                "{} {} runs in the controller, and goes on there when this window no longer watches it.",
-                tab.catalog().program.slot_word, program.slot)
-          : std::string("An axis is moving, and nobody would watch it.");
-  wrapped(ui, Face::body, Tone::ink2, what);
+  wrapped(ui, Face::body, Tone::ink2, tab.bus ? goes_on_on_bus(*tab.bus) : goes_on_alone(tab));
   gap(ui, 12);
-  static constexpr Choice choices[] = {{"close/cancel", "Cancel", ButtonStyle::outlined},
-                                       {"close/leave", "Close, let it go on"},
-                                       {"close/stop", "Stop it and close"}};
+  const Choice choices[] = {{"close/cancel", "Cancel", ButtonStyle::outlined},
+                            {"close/leave", "Close, let it go on"},
+                            {"close/stop", tab.bus ? "Stop all and close" : "Stop it and close"}};
   const int pressed = draw_choices(ui, choices);
   if (pressed < 0) return;
   close();
   if (pressed == 0) return;
-  if (pressed == 2) tab.stop_all();
+  if (pressed == 2) {
+    if (tab.bus)
+      tab.bus->stop_all();
+    else
+      tab.stop_all();
+  }
   console.close(tab);
 }
 
 void Dialogs::draw_reset(Ui& ui) {
   const Snapshot& now = tab_->now();
-  title(ui, fmt::format("Reset {}?", tab_->name()));
+  title(ui, fmt::format("Reset {}?", tab_->bus ? tab_->id() : tab_->name()));  // its neighbours go on
   std::string what =
       "As if its power had been switched off and on: it stops, and its positions start from zero.";
   if (now.unsaved_setup || now.unsaved_programs)

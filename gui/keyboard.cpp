@@ -51,7 +51,10 @@ void Keyboard::emit(Command c, bool down, double at_s) {
   if (on_edge) on_edge(CommandEdge{c, down, at_s});
 }
 
+// With Alt or Super a key is the window manager's, or another program's habit: Alt+Left goes back there, and
+// must not move an axis here.
 const Shortcut* Keyboard::match(int key) const {
+  if (alt_ || super_) return nullptr;
   for (const Shortcut& s : table)
     if (s.key == key && s.ctrl == ctrl_ && s.shift == shift_ && (s.reach == Reach::always || !typing_))
       return &s;
@@ -116,6 +119,8 @@ bool Keyboard::in_turn(const InputEvent& event) {
   if (!is_key(event, taken_.size())) return false;
   if (event.code == GLFW_KEY_LEFT_CONTROL || event.code == GLFW_KEY_RIGHT_CONTROL) ctrl_ = event.down;
   if (event.code == GLFW_KEY_LEFT_SHIFT || event.code == GLFW_KEY_RIGHT_SHIFT) shift_ = event.down;
+  if (event.code == GLFW_KEY_LEFT_ALT || event.code == GLFW_KEY_RIGHT_ALT) alt_ = event.down;
+  if (event.code == GLFW_KEY_LEFT_SUPER || event.code == GLFW_KEY_RIGHT_SUPER) super_ = event.down;
   return event.down ? key_down(event) : key_up(event);
 }
 
@@ -134,7 +139,7 @@ void Keyboard::release_all(double at_s) {
       emit(static_cast<Command>(i), false, at_s);
     }
   taken_.fill(false);
-  ctrl_ = shift_ = false;
+  ctrl_ = shift_ = alt_ = super_ = false;
 }
 
 void Keyboard::begin_frame() {

@@ -118,11 +118,8 @@ std::string who_moves(const Bus& bus, const Tab* but) {
   std::vector<std::string_view> ids;
   for (const Tab* member : bus.members)
     if (member != but && is_motion(worst_state(member->now(), member->clock()))) ids.push_back(member->id());
-  if (ids.empty()) return {};
-  if (ids.size() == 1) return fmt::format("{} moves.", ids.front());
-  const std::string_view last = ids.back();
-  ids.pop_back();
-  return fmt::format("{} and {} move.", fmt::join(ids, ", "), last);
+  return ids.empty() ? std::string()
+                     : fmt::format("{} {}.", in_words(ids), ids.size() == 1 ? "moves" : "move");
 }
 
 /// Of a bus: what is worst on it, and who moves beside that.

@@ -168,7 +168,7 @@ void Tab::find_why_not_move() {
 }
 
 std::string_view Tab::name() const {
-  if (bus) return bus->name;
+  if (bus) return bus->name();
   if (!profile.name.empty()) return profile.name;
   return default_name.empty() ? std::string_view(catalog_.short_name) : std::string_view(default_name);
 }
@@ -182,6 +182,17 @@ std::string Tab::axis_title(AxisId axis) const {
 void Tab::profile_edited() {
   profile_changed = true;
   work_out_units();
+}
+
+void Tab::choose_jog(Steps step, Pps speed) {
+  const auto take = [&](Tab& tab) {
+    if (tab.profile.jog_step == step && tab.profile.jog_speed == speed) return;
+    tab.profile.jog_step = step;
+    tab.profile.jog_speed = speed;
+    tab.profile_edited();
+  };
+  if (!bus) return take(*this);
+  for (Tab* member : bus->members) take(*member);
 }
 
 // An axis with a closed loop counts in other units than one without.

@@ -83,6 +83,8 @@ class Tab {
   [[nodiscard]] Steps jog_step() const { return profile.jog_step; }
   /// Held jog: the user's choice, else 0 (the controller's own).
   [[nodiscard]] Pps jog_speed() const { return profile.jog_speed; }
+  /// Chooses both: on a bus, whose rows have one control, for all of it.
+  void choose_jog(Steps step, Pps speed);
 
   /// Traffic, program texts, edited set-up: what outlives the panel that shows it.
   [[nodiscard]] Desk& desk() { return desk_; }

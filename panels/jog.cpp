@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
+#include <utility>
 
 #include "gui/area.h"
 #include "gui/tab.h"
@@ -48,22 +48,34 @@ bool close_together(const Frame& f) {
 
 bool roomy_speed(const Frame& f) { return f.tier == Tier::wide && !close_together(f); }
 
+/// All that the steps and the speed are for: on a bus the axes of all its devices.
+template <class Act>
+void for_each_axis(const Frame& f, Act act) {
+  const auto of = [&](const Tab& tab) {
+    for (std::size_t i = 0; i < tab.catalog().axes.size(); ++i)
+      act(tab, AxisId{static_cast<std::uint8_t>(i)});
+  };
+  if (!f.tab.bus) return of(f.tab);
+  for (const Tab* member : f.tab.bus->members) of(*member);
+}
+
 /// How fast the axes go where nobody asks for a speed.
 struct OwnSpeed {
   bool alike = true;  ///< the same for all axes
   Pps speed{};        ///< the highest; 0: not known yet
 };
 OwnSpeed own_speed(const Frame& f) {
+  bool any_on = false, known = true;
   OwnSpeed own;
-  const auto axes = std::span(f.now.axes).first(static_cast<std::size_t>(f.now.axis_count));
-  const bool any_on = std::any_of(axes.begin(), axes.end(), [](const AxisState& a) { return a.enabled; });
-  for (const AxisState& axis : axes) {
-    if (any_on && !axis.enabled) continue;
-    if (axis.own_speed.value <= 0) return {};
+  for_each_axis(f, [&](const Tab& tab, AxisId id) { any_on = any_on || tab.now().axes[id.index].enabled; });
+  for_each_axis(f, [&](const Tab& tab, AxisId id) {
+    const AxisState& axis = tab.now().axes[id.index];
+    if (any_on && !axis.enabled) return;
+    known = known && axis.own_speed.value > 0;
     own.alike = own.alike && (own.speed.value <= 0 || own.speed == axis.own_speed);
     own.speed = std::max(own.speed, axis.own_speed);
-  }
-  return own;
+  });
+  return known ? own : OwnSpeed();
 }
 NumberText words_of(const OwnSpeed& own, const DisplayUnit& unit) {
   if (own.speed.value > 0 && own.alike) return format_speed(own.speed, unit);
@@ -72,14 +84,33 @@ NumberText words_of(const OwnSpeed& own, const DisplayUnit& unit) {
   return words;
 }
 
-/// For steps and speed of all axes: of their own steps no word, where some count pulses and others counts.
+/// What the controllers count in: no word, where some count pulses and others counts.
+DisplayUnit own_unit(const Frame& f) {
+  DisplayUnit unit;
+  bool first = true;
+  for_each_axis(f, [&](const Tab& tab, AxisId axis) {
+    const Catalog& c = tab.catalog();
+    const bool in_counts = !c.loop_word.empty() && tab.now().axes[axis.index].in_counts;
+    const std::string& word = in_counts ? c.loop_word : c.step_word;
+    if (std::exchange(first, false))
+      unit.name = word;
+    else if (unit.name != word)
+      unit.name.clear();
+  });
+  return unit;
+}
+
+/// For steps and speed of all axes: the real unit that all have in common, without the sign of those that
+/// count against their steps, or else what the controllers themselves count in.
 DisplayUnit common_unit(const Frame& f) {
   DisplayUnit unit = f.tab.unit(AxisId{0});
-  for (int i = 1; !unit.real && i < f.now.axis_count; ++i) {
-    const DisplayUnit& other = f.tab.unit(AxisId{static_cast<std::uint8_t>(i)});
-    if (!other.real && other.name != unit.name) unit.name.clear();
-  }
-  return unit;
+  unit.per_step = std::fabs(unit.per_step);
+  bool same = unit.real;
+  for_each_axis(f, [&](const Tab& tab, AxisId axis) {
+    const DisplayUnit& other = tab.unit(axis);
+    same = same && other.real && other.name == unit.name && std::fabs(other.per_step) == unit.per_step;
+  });
+  return same ? unit : own_unit(f);
 }
 
 float cell_size(const Frame& f, float columns) {
@@ -240,14 +271,17 @@ void Jog::draw_stop(Frame& f, float x, float y, ImVec2 size) {
 void Jog::follow_unit(Frame& f) {
   const DisplayUnit unit = common_unit(f);
   const int many = f.tier == Tier::wide || f.catalog.axes.size() != 2 ? 5 : 4;
-  if (unit == steps_unit_ && many == steps_many_ && !steps_.empty()) return;
+  const auto chosen = [&](const JogStep& step) { return step.steps == f.tab.jog_step(); };
+  const bool lit = std::any_of(steps_.begin(), steps_.end(), chosen);
+  if (unit == steps_unit_ && many == steps_many_ && lit) return;
   steps_unit_ = unit;
   steps_many_ = many;
   steps_ = jog_steps(unit, 5);
-  if (many == 5) return;
   // Never drop the chosen one.
-  const bool last_chosen = steps_.back().steps == f.tab.jog_step();
-  steps_.erase(last_chosen ? steps_.begin() + 1 : steps_.end() - 1);
+  if (many < 5) steps_.erase(chosen(steps_.back()) ? steps_.begin() + 1 : steps_.end() - 1);
+  // A tap never moves what no button shows: what was chosen in another unit gives way to the least.
+  if (std::none_of(steps_.begin(), steps_.end(), chosen))
+    f.tab.choose_jog(steps_.front().steps, f.tab.jog_speed());
 }
 
 std::string_view Jog::label_of(const JogStep& step, int room) const {
@@ -261,10 +295,8 @@ void Jog::draw_step(Frame& f, const JogStep& step, std::string_view label, float
   o.on = step.steps == f.tab.jog_step();
   o.width = width;
   o.tip = step.caption.empty() ? std::string_view("A tap moves this far.") : std::string_view(step.caption);
-  if (button(f.ui, Path("jog/step/{}", step.id), label, o).clicked) {
-    f.tab.profile.jog_step = step.steps;
-    f.tab.profile_edited();
-  }
+  if (button(f.ui, Path("jog/step/{}", step.id), label, o).clicked)
+    f.tab.choose_jog(step.steps, f.tab.jog_speed());
 }
 
 void Jog::draw_steps_column(Frame& f, float x, float width, float height) {
@@ -331,8 +363,7 @@ void Jog::draw_speed_slider(Frame& f, ImVec2 at, float width) {
   double speed = by_itself ? o.normal : chosen.value;
   if (slider(ui, "jog/speed", "Speed while held", speed, o)) {
     const double wished = std::round(speed);
-    f.tab.profile.jog_speed = Pps(wished == std::round(o.normal) ? 0 : wished);
-    f.tab.profile_edited();
+    f.tab.choose_jog(f.tab.jog_step(), Pps(wished == std::round(o.normal) ? 0 : wished));
   }
 }
 

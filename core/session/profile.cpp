@@ -26,6 +26,7 @@ Result<Profile> ProfileStore::load(std::string_view key) const {
   try {
     Profile profile;
     profile.name = object->value("name", "");
+    profile.bus_name = object->value("bus_name", "");
     profile.unit = object->value("unit", "");
     profile.jog_step = Steps(object->value("jog_step", std::int64_t{1}));
     profile.jog_speed = Pps(object->value("jog_speed", 0.0));
@@ -50,6 +51,7 @@ Result<> ProfileStore::save(std::string_view key, const Profile& profile) const 
     axes.push_back({{"name", axis.name}, {"unit_choice", axis.unit_choice}, {"reversed", axis.reversed}});
   const json object = {{"controller", std::string(key)},
                        {"name", profile.name},
+                       {"bus_name", profile.bus_name},
                        {"unit", profile.unit},
                        {"jog_step", profile.jog_step.value},
                        {"jog_speed", profile.jog_speed.value},

@@ -19,6 +19,7 @@ struct AxisProfile {
 
 struct Profile {
   std::string name;                        ///< of the controller: "VXM stage"; empty: the catalog's
+  std::string bus_name;                    ///< of the bus that it is the first of; empty: what is on it
   std::string unit;                        ///< shown now: "steps", "mm"; empty: steps
   std::array<AxisProfile, max_axes> axes;  ///< by AxisId
   Steps jog_step{1};                       ///< chosen step

@@ -211,6 +211,34 @@ TEST(Keyboard, ModifiersMakeTheDifference) {
   EXPECT_EQ(r.edges, (Recorder::Edges{{Command::run, true}, {Command::next_controller, true}}));
 }
 
+// The window manager's, or a menu's: Alt+Left goes back elsewhere, and must move nothing here.
+TEST(Keyboard, WithAltOrSuperAKeyIsNotOurs) {
+  for (const int other : {GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT, GLFW_KEY_LEFT_SUPER, GLFW_KEY_RIGHT_SUPER}) {
+    Recorder r;
+    r.key(other, true);
+    for (const int key : {GLFW_KEY_RIGHT, GLFW_KEY_PAGE_UP, GLFW_KEY_F5}) {
+      EXPECT_FALSE(r.key(key, true));
+      EXPECT_FALSE(r.key(key, false));
+    }
+    EXPECT_TRUE(r.edges.empty());
+    EXPECT_TRUE(r.key(GLFW_KEY_ESCAPE, true)) << "Esc stops with anything";
+    r.key(GLFW_KEY_ESCAPE, false);
+    r.key(other, false);
+    EXPECT_TRUE(r.key(GLFW_KEY_RIGHT, true));
+    r.key(other, true);
+    EXPECT_TRUE(r.key(GLFW_KEY_RIGHT, false)) << "and one that began before ends";
+    EXPECT_EQ(r.edges.back(), (std::pair{Command::jog_right, false}));
+  }
+}
+
+TEST(Keyboard, AModifierIsForgottenWithTheFocus) {
+  Recorder r;
+  r.key(GLFW_KEY_LEFT_ALT, true);
+  r.key(GLFW_KEY_LEFT_SUPER, true);
+  r.see(InputEvent::focus_lost(1));
+  EXPECT_TRUE(r.key(GLFW_KEY_RIGHT, true));
+}
+
 TEST(Keyboard, TheMapOpensByTheCharacterOutsideOfText) {
   Recorder r;
   EXPECT_TRUE(r.see(InputEvent::text('?', 0)));

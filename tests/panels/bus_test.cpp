@@ -139,6 +139,104 @@ TEST_F(BusTest, TheTerminalSpeaksToOneOrToAll) {
   EXPECT_EQ(s.console.active(), b.tab);
 }
 
+TEST_F(BusTest, OneChoiceOfStepAndSpeedIsForAllRows) {
+  a.tab->profile.jog_speed = Pps(300);
+  MUST(s.hand.click("bus/02"));
+  s.run(0.1);
+  MUST(s.hand.click("jog/step/100"));
+  MUST(s.hand.press("jog/speed"));
+  MUST(s.hand.release("jog/speed"));
+  MUST(s.hand.click("bus/01"));
+  s.run(0.1);
+  EXPECT_EQ(s.value("jog/step/100"), "on");
+  MUST(s.hand.click("jog/03/+"));
+  s.run(0.1);
+  ASSERT_TRUE(c.last<intent::MoveBy>());
+  EXPECT_EQ(c.last<intent::MoveBy>()->distances[0].value, Steps(100));
+  const Pps speed = a.tab->jog_speed();
+  EXPECT_NE(speed, Pps(300));
+  EXPECT_EQ(b.tab->jog_speed(), speed);
+  EXPECT_EQ(c.tab->jog_speed(), speed);
+}
+
+TEST(Bus, WhoJoinsTakesTheStepThatIsLit) {
+  ConsoleStage s;
+  Example& a = s.add(one_of_bus(1));
+  Example& b = s.add(one_of_bus(2));
+  a.tab->profile.jog_step = Steps(10);
+  a.tab->profile.jog_speed = Pps(300);
+  b.tab->profile.jog_step = Steps(1000);
+  s.console.join({a.tab, b.tab}, "Example 01-02");
+  s.run(0.1);
+  EXPECT_EQ(s.value("jog/step/10"), "on");
+  MUST(s.hand.click("jog/02/+"));
+  s.run(0.1);
+  ASSERT_TRUE(b.last<intent::MoveBy>());
+  EXPECT_EQ(b.last<intent::MoveBy>()->distances[0].value, Steps(10));
+  EXPECT_EQ(b.tab->jog_speed(), Pps(300));
+}
+
+TEST_F(BusTest, TheSpeedThatIsSaidIsThatOfAllRows) {
+  EXPECT_EQ(s.value("jog/speed"), "2000 steps/s");
+  c.now.axes[0].own_speed = Pps(500);
+  s.run(0.1);
+  EXPECT_EQ(s.value("jog/speed"), "each its own");
+}
+
+TEST_F(BusTest, RowsInDifferentUnitsShareStepsOfTheControllers) {
+  MUST(s.hand.click("jog/step/1000"));
+  b.tab->profile.unit = "real";
+  b.tab->profile.axes[0].unit_choice = "screw of 1 mm";
+  b.tab->profile_edited();
+  MUST(s.hand.click("bus/02"));
+  s.run(0.1);
+  EXPECT_EQ(s.value("jog/step/1000"), "on");
+  MUST(s.hand.click("jog/02/+"));
+  s.run(0.1);
+  ASSERT_TRUE(b.last<intent::MoveBy>());
+  EXPECT_EQ(b.last<intent::MoveBy>()->distances[0].value, Steps(1000));
+}
+
+TEST_F(BusTest, TheNameIsThatOfTheBus) {
+  MUST(s.hand.click("bus/02"));
+  s.run(0.1);
+  for (const char* wished : {"Lift bus", ""}) {
+    MUST(s.hand.click("menu"));
+    s.run(0.1);
+    MUST(s.hand.click("menu/names"));
+    s.run(0.1);
+    MUST(s.hand.type("names/controller", wished));
+    MUST(s.hand.click("names/ok"));
+    s.run(0.1);
+    for (const Example* e : {&a, &b, &c})
+      EXPECT_EQ(e->tab->name(), *wished ? std::string_view(wished) : "Example 01-03");
+  }
+}
+
+TEST_F(BusTest, ClosingAsksForEachThatMovesAndStopsAll) {
+  c.now.axes[0].activity = Activity::moving;
+  s.run(0.1);
+  MUST(s.hand.click("menu"));
+  s.run(0.1);
+  MUST(s.hand.click("menu/close"));
+  s.run(0.1);
+  ASSERT_EQ(s.console.tabs().size(), 3u) << "03 moves";
+  MUST(s.hand.click("close/stop"));
+  for (const Example* e : {&a, &b, &c}) EXPECT_EQ(e->count<intent::Stop>(), 1);
+  EXPECT_TRUE(s.console.tabs().empty());
+}
+
+TEST_F(BusTest, NobodyIsAskedForWhoIsOutOfReach) {
+  b.now.axes[0].activity = Activity::moving;
+  b.now.link.state = LinkState::lost;
+  s.run(0.1);
+  MUST(s.hand.click("menu"));
+  s.run(0.1);
+  MUST(s.hand.click("menu/close"));
+  s.run(0.1);
+  EXPECT_TRUE(s.console.tabs().empty());
+}
+
 TEST_F(BusTest, ClosingTheTabClosesAll) {
   s.console.close(*b.tab);
   a.tab = b.tab = c.tab = nullptr;

@@ -14,6 +14,7 @@ using ::testing::HasSubstr;
 Profile stage() {
   Profile p;
   p.name = "VXM stage";
+  p.bus_name = "Lift bus";
   p.unit = "mm";
   p.axes[0].name = "across";
   p.axes[0].unit_choice = "BiSlide E04";

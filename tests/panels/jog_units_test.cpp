@@ -1,0 +1,97 @@
+// Steps and speed of jogging where axes are shown in real units.
+#include <gtest/gtest.h>
+
+#include "tests/panels/console_stage.h"
+
+namespace hw::panels {
+namespace {
+
+using namespace gui;
+
+#define MUST(action)                                          \
+  do {                                                        \
+    const auto done = (action);                               \
+    ASSERT_TRUE(done.has_value()) << done.error().sentence(); \
+  } while (false)
+
+class JogUnitsTest : public testing::Test {
+ protected:
+  ConsoleStage s;
+  Example& a = s.add(with_screws());
+  void SetUp() override { s.run(0.1); }
+
+  static Catalog with_screws() {
+    Catalog c = example_catalog();
+    c.units.push_back({"screw of 2 mm", "mm", 0.005, 3});
+    return c;
+  }
+  void show_in(const char* first, const char* second) {
+    a.tab->profile.unit = "real";
+    a.tab->profile.axes[0].unit_choice = first;
+    a.tab->profile.axes[1].unit_choice = second;
+    a.tab->profile_edited();
+    s.run(0.1);
+  }
+  Steps tap(const char* id) {
+    EXPECT_TRUE(s.hand.click(id).has_value());
+    s.run(0.1);
+    const auto* by = a.last<intent::MoveBy>();
+    return by ? by->distances[0].value : Steps(0);
+  }
+};
+
+TEST_F(JogUnitsTest, OneUnitOfAllAxesIsThatOfTheSteps) {
+  show_in("screw of 1 mm", "screw of 1 mm");
+  a.tab->profile.axes[1].reversed = true;  // how long a step is stays the same
+  a.tab->profile_edited();
+  s.run(0.1);
+  MUST(s.hand.click("jog/step/1"));
+  EXPECT_EQ(tap("jog/2/+"), Steps(400));
+  EXPECT_EQ(s.value("jog/speed"), "5.000 mm/s");
+}
+
+TEST_F(JogUnitsTest, AxesOfDifferentUnitsAreSteppedInWhatTheControllerCounts) {
+  for (const char* second : {"screw of 2 mm", "table", ""}) {
+    show_in("screw of 1 mm", second);
+    MUST(s.hand.click("jog/step/1000"));
+    s.run(0.1);
+    EXPECT_EQ(s.value("jog/step/1000"), "on") << second;
+    EXPECT_EQ(tap("jog/1/+"), Steps(1000)) << second;
+    EXPECT_EQ(tap("jog/2/+"), Steps(1000)) << second;
+    EXPECT_EQ(s.value("jog/speed"), "2000 steps/s") << second;
+  }
+}
+
+TEST_F(JogUnitsTest, AnAxisThatCountsStepsIsNoReasonToShowAnothersUnit) {
+  show_in("", "screw of 1 mm");
+  EXPECT_EQ(s.value("jog/speed"), "2000 steps/s");
+  EXPECT_EQ(tap("jog/2/+"), Steps(1));
+}
+
+TEST_F(JogUnitsTest, ASpeedIsNotNegativeOnAReversedAxis) {
+  a.tab->profile.axes[0].reversed = a.tab->profile.axes[1].reversed = true;
+  show_in("screw of 1 mm", "screw of 1 mm");
+  EXPECT_EQ(s.value("jog/speed"), "5.000 mm/s");
+}
+
+TEST_F(JogUnitsTest, WhatATapMovesIsAlwaysLit) {
+  show_in("screw of 1 mm", "screw of 1 mm");
+  MUST(s.hand.click("jog/step/1"));
+  MUST(s.hand.click("dro/unit"));
+  s.run(0.1);
+  MUST(s.hand.click("dro/unit/steps"));
+  MUST(s.hand.key("Escape"));
+  s.run(0.1);
+  EXPECT_EQ(s.value("jog/step/1"), "on") << "400 steps are none of the choices: the least is taken";
+  EXPECT_EQ(tap("jog/1/+"), Steps(1));
+}
+
+TEST_F(JogUnitsTest, AStepThatIsStillAChoiceStays) {
+  MUST(s.hand.click("jog/step/1"));
+  show_in("screw of 1 mm", "screw of 1 mm");
+  EXPECT_EQ(s.value("jog/step/step"), "on");
+  EXPECT_EQ(tap("jog/1/+"), Steps(1));
+}
+
+}  // namespace
+}  // namespace hw::panels
