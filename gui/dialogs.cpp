@@ -54,6 +54,24 @@ int draw_choices(Ui& ui, std::span<const Choice> choices) {
   return pressed;
 }
 
+/// What panels hold that is kept nowhere else; whose it is, when it may be of several.
+std::string unkept_of(std::span<Tab* const> tabs) {
+  std::string all;
+  for (const Tab* tab : tabs) {
+    const std::string what = tab->unkept();
+    if (what.empty()) continue;
+    if (!all.empty()) all += ' ';
+    all += tabs.size() > 1 ? fmt::format("{}: {}", tab->name(), what) : what;
+  }
+  return all;
+}
+
+/// The others of its bus are closed with it.
+std::string unkept_with(Tab& tab) {
+  Tab* const alone[] = {&tab};
+  return unkept_of(tab.bus ? std::span<Tab* const>(tab.bus->members) : alone);
+}
+
 }  // namespace
 
 void Dialogs::begin(Kind kind, Tab& tab) {
@@ -73,10 +91,22 @@ void Dialogs::close_controller(Console& console, Tab& tab) {
   const ProgramState& program = tab.now().program;
   const bool busy = tab.now().any_axis_moving() || (program.owned && program.run != RunState::idle);
   const bool there = tab.now().link.state == LinkState::good || tab.now().link.state == LinkState::late;
-  if (busy && there)
+  goes_on_ = busy && there;
+  unkept_ = unkept_with(tab);
+  if (goes_on_ || !unkept_.empty())
     begin(Kind::close_controller, tab);
   else
     console.close(tab);
+}
+
+bool Dialogs::may_end(Console& console) {
+  std::vector<Tab*> all;
+  for (const auto& tab : console.tabs()) all.push_back(tab.get());
+  unkept_ = unkept_of(all);
+  if (unkept_.empty()) return true;
+  goes_on_ = false;
+  begin(Kind::end, *all.front());
+  return false;
 }
 
 void Dialogs::reset(Tab& tab) { begin(Kind::reset, tab); }
@@ -94,6 +124,7 @@ void Dialogs::draw(Ui& ui, Console& console) {
   switch (kind_) {
     case Kind::names: draw_names(ui, console); break;
     case Kind::close_controller: draw_close(ui, console); break;
+    case Kind::end: draw_end(ui, console); break;
     case Kind::reset: draw_reset(ui); break;
     case Kind::make_room: draw_make_room(ui, console); break;
     case Kind::none: break;
@@ -130,12 +161,17 @@ void Dialogs::draw_close(Ui& ui, Console& console) {
   Tab& tab = *tab_;
   const ProgramState& program = tab.now().program;
   title(ui, fmt::format("Close {}?", tab.name()));
-  const std::string what =
+  if (!goes_on_) {
+    if (const int pressed = ask_about_unkept(ui); pressed == 1) console.close(tab);
+    return;
+  }
+  std::string what =
       program.owned
           ? fmt::format(
                 "{} {} runs in the controller, and goes on there when this window no longer watches it.",
                 tab.catalog().program.slot_word, program.slot)
           : std::string("An axis is moving, and nobody would watch it.");
+  if (!unkept_.empty()) what += " " + unkept_ + " That is lost.";
   wrapped(ui, Face::body, Tone::ink2, what);
   gap(ui, 12);
   static constexpr Choice choices[] = {{"close/cancel", "Cancel", ButtonStyle::outlined},
@@ -147,6 +183,22 @@ void Dialogs::draw_close(Ui& ui, Console& console) {
   if (pressed == 0) return;
   if (pressed == 2) tab.stop_all();
   console.close(tab);
+}
+
+void Dialogs::draw_end(Ui& ui, Console& console) {
+  title(ui, "Close the window?");
+  if (ask_about_unkept(ui) == 1) console.end();
+}
+
+/// 1: it may be lost.
+int Dialogs::ask_about_unkept(Ui& ui) {
+  wrapped(ui, Face::body, Tone::ink2, unkept_ + " Closing loses it.");
+  gap(ui, 12);
+  static constexpr Choice choices[] = {{"close/cancel", "Cancel", ButtonStyle::outlined},
+                                       {"close/lose", "Close anyway"}};
+  const int pressed = draw_choices(ui, choices);
+  if (pressed >= 0) close();
+  return pressed;
 }
 
 void Dialogs::draw_reset(Ui& ui) {
