@@ -119,6 +119,14 @@ void Console::let_go() {
   for (const auto& tab : tabs_) tab->jog.let_go();
 }
 
+void Console::drop(const std::vector<std::string>& paths) {
+  if (covered_)
+    return toast(Mood::warn, "Nothing was opened: answer what is asked first, then drop it again.");
+  if (!active()) return toast(Mood::plain, "Connect a controller first: files are opened in its editor.");
+  for (const std::string& path : paths) active()->desk().dropped.emplace_back(path);
+  show_panel("program");
+}
+
 // ---- frame
 
 void Console::refresh(Ui& ui) {
@@ -168,6 +176,7 @@ void Console::tell(const Result<>& outcome) {
 }
 
 void Console::draw(Ui& ui) {
+  covered_ = ui.registry.top_layer() > 0;
   refresh(ui);
   if (!wanted_widget_.empty()) {
     ui.registry.scroll_to(wanted_widget_);

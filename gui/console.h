@@ -96,6 +96,13 @@ class Console {
   /// The window lost the focus or is about to close: nothing is held any more.
   void let_go();
 
+  /// The window shall close, and nothing is to be asked any more: whoever owns it closes it.
+  void end() { ended_ = true; }
+  [[nodiscard]] bool ended() const { return ended_; }
+  /// Files let fall on the window are opened in the editor of the controller in front; under a dialog or a
+  /// menu none is, for what it asks comes first.
+  void drop(const std::vector<std::string>& paths);
+
   // ---- frame
   void draw(Ui& ui);
   /// Writes what the user has named, chosen and dragged. Also done by the way; call it before the end.
@@ -144,6 +151,7 @@ class Console {
   Splitters kept_;  ///< as written last
   bool kept_dark_ = true;
   float kept_size_ = 1;
+  bool ended_ = false, covered_ = false;
   std::string asked_;  ///< by a dialog, of which no toast need tell
   std::shared_ptr<std::atomic<int>> closing_ = std::make_shared<std::atomic<int>>(0);
   /// What controllers say while they are closed: their tabs have gone by then. Written on the io thread.

@@ -117,6 +117,7 @@ void Console::close(Tab& tab) {
 
 void Console::close_one(Tab& tab) {
   tab.jog.let_go();
+  tab.desk().keep_now();
   save();
   if (std::shared_ptr<Session> session = tab.session()) {
     ++*closing_;

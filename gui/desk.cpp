@@ -78,7 +78,11 @@ void Desk::autosave(Instant clock) {
     dirty_ = true;
     changed_at_ = clock;
   }
-  if (clock - changed_at_ < autosave_after) return;
+  if (clock - changed_at_ >= autosave_after) keep_now();
+}
+
+void Desk::keep_now() {
+  if (!autosave_.enabled() || texts.changes() == autosaved_) return;
   dirty_ = false;
   autosaved_ = texts.changes();
   worker().run(

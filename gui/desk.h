@@ -46,6 +46,9 @@ class Desk {
   /// Unsaved texts are kept under `key` from now on; those of last time come back. A fault: their file was
   /// damaged, nothing came back.
   Result<> keep_texts(Autosave autosave, std::string key);
+  /// The desk is about to go: what was typed since the last time is kept without waiting. The worker may
+  /// still have to write it.
+  void keep_now();
   /// Grows when a text is edited, sent or started: what was said of it before is old then.
   [[nodiscard]] std::uint64_t text_turns() const { return texts.changes() + job.begun() + starts_; }
   /// Seconds until the autosave wants a frame; negative: it does not.

@@ -98,6 +98,24 @@ std::string goes_on_on_bus(const Bus& bus) {
   return said + (running.size() + moving.size() > 1 ? "Nobody would watch them." : "Nobody would watch it.");
 }
 
+/// What panels hold that is kept nowhere else; whose it is, when it may be of several.
+std::string unkept_of(std::span<Tab* const> tabs) {
+  std::string all;
+  for (const Tab* tab : tabs) {
+    const std::string what = tab->unkept();
+    if (what.empty()) continue;
+    if (!all.empty()) all += ' ';
+    all += tabs.size() > 1 ? fmt::format("{}: {}", tab->name(), what) : what;
+  }
+  return all;
+}
+
+/// The others of its bus are closed with it.
+std::string unkept_with(Tab& tab) {
+  Tab* const alone[] = {&tab};
+  return unkept_of(tab.bus ? std::span<Tab* const>(tab.bus->members) : alone);
+}
+
 }  // namespace
 
 void Dialogs::begin(Kind kind, Tab& tab) {
@@ -115,10 +133,22 @@ void Dialogs::names(Tab& tab) {
 
 void Dialogs::close_controller(Console& console, Tab& tab) {
   const std::vector<const Tab*> closed = closed_with(tab);
-  if (std::any_of(closed.begin(), closed.end(), busy_within_reach))
+  goes_on_ = std::any_of(closed.begin(), closed.end(), busy_within_reach);
+  unkept_ = unkept_with(tab);
+  if (goes_on_ || !unkept_.empty())
     begin(Kind::close_controller, tab);
   else
     console.close(tab);
+}
+
+bool Dialogs::may_end(Console& console) {
+  std::vector<Tab*> all;
+  for (const auto& tab : console.tabs()) all.push_back(tab.get());
+  unkept_ = unkept_of(all);
+  if (unkept_.empty()) return true;
+  goes_on_ = false;
+  begin(Kind::end, *all.front());
+  return false;
 }
 
 void Dialogs::reset(Tab& tab) { begin(Kind::reset, tab); }
@@ -136,6 +166,7 @@ void Dialogs::draw(Ui& ui, Console& console) {
   switch (kind_) {
     case Kind::names: draw_names(ui, console); break;
     case Kind::close_controller: draw_close(ui, console); break;
+    case Kind::end: draw_end(ui, console); break;
     case Kind::reset: draw_reset(ui); break;
     case Kind::make_room: draw_make_room(ui, console); break;
     case Kind::none: break;
@@ -173,7 +204,13 @@ void Dialogs::draw_names(Ui& ui, Console& console) {
 void Dialogs::draw_close(Ui& ui, Console& console) {
   Tab& tab = *tab_;
   title(ui, fmt::format("Close {}?", tab.name()));
-  wrapped(ui, Face::body, Tone::ink2, tab.bus ? goes_on_on_bus(*tab.bus) : goes_on_alone(tab));
+  if (!goes_on_) {
+    if (const int pressed = ask_about_unkept(ui); pressed == 1) console.close(tab);
+    return;
+  }
+  std::string what = tab.bus ? goes_on_on_bus(*tab.bus) : goes_on_alone(tab);
+  if (!unkept_.empty()) what += " " + unkept_ + " That is lost.";
+  wrapped(ui, Face::body, Tone::ink2, what);
   gap(ui, 12);
   const Choice choices[] = {{"close/cancel", "Cancel", ButtonStyle::outlined},
                             {"close/leave", "Close, let it go on"},
@@ -189,6 +226,22 @@ void Dialogs::draw_close(Ui& ui, Console& console) {
       tab.stop_all();
   }
   console.close(tab);
+}
+
+void Dialogs::draw_end(Ui& ui, Console& console) {
+  title(ui, "Close the window?");
+  if (ask_about_unkept(ui) == 1) console.end();
+}
+
+/// 1: it may be lost.
+int Dialogs::ask_about_unkept(Ui& ui) {
+  wrapped(ui, Face::body, Tone::ink2, unkept_ + " Closing loses it.");
+  gap(ui, 12);
+  static constexpr Choice choices[] = {{"close/cancel", "Cancel", ButtonStyle::outlined},
+                                       {"close/lose", "Close anyway"}};
+  const int pressed = draw_choices(ui, choices);
+  if (pressed >= 0) close();
+  return pressed;
 }
 
 void Dialogs::draw_reset(Ui& ui) {

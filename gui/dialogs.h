@@ -13,8 +13,11 @@ class Dialogs {
  public:
   /// Names of the controller and its axes.
   void names(Tab& tab);
-  /// Closes it, after asking when something moves or a program runs.
+  /// Closes it, after asking when something moves or a program runs, or a panel holds what is kept nowhere
+  /// else.
   void close_controller(Console& console, Tab& tab);
+  /// Whether the window may close. False: it is asked first, for the same reason; see Console::ended().
+  bool may_end(Console& console);
   void reset(Tab& tab);
   /// A move needs an empty program and there is none: which of `slots` may be emptied? False, and nothing is
   /// asked, while another question is open.
@@ -24,15 +27,19 @@ class Dialogs {
   void draw(Ui& ui, Console& console);
 
  private:
-  enum class Kind { none, names, close_controller, reset, make_room };
+  enum class Kind { none, names, close_controller, end, reset, make_room };
   void begin(Kind kind, Tab& tab);
   void draw_names(Ui& ui, Console& console);
   void draw_close(Ui& ui, Console& console);
+  void draw_end(Ui& ui, Console& console);
+  int ask_about_unkept(Ui& ui);
   void draw_reset(Ui& ui);
   void draw_make_room(Ui& ui, Console& console);
 
   Kind kind_ = Kind::none;
   bool just_opened_ = false;
+  bool goes_on_ = false;  ///< what closes moves, or its program runs
+  std::string unkept_;    ///< what would be lost
   Tab* tab_ = nullptr;
   std::string name_;
   std::vector<std::string> axis_names_;

@@ -21,14 +21,15 @@ constexpr Shortcut table[] = {
      "Jog axis 3 \u2212 while held"},
     {Command::jog_page_up, GLFW_KEY_PAGE_UP, plain, plain, Reach::outside_text, true, "Page up",
      "Jog axis 3 + while held"},
-    {Command::run, GLFW_KEY_ENTER, ctrl, plain, Reach::always, false, "Ctrl Enter", "Run the program"},
-    {Command::run, GLFW_KEY_KP_ENTER, ctrl, plain, Reach::always, false, "", ""},
-    {Command::simulate, GLFW_KEY_F5, plain, plain, Reach::always, false, "F5", "Simulate the program"},
-    {Command::save, GLFW_KEY_S, ctrl, plain, Reach::always, false, "Ctrl S", "Save the text to its file"},
-    {Command::open, GLFW_KEY_O, ctrl, plain, Reach::always, false, "Ctrl O", "Open a file"},
-    {Command::next_controller, GLFW_KEY_TAB, ctrl, plain, Reach::always, false, "Ctrl Tab",
+    {Command::run, GLFW_KEY_ENTER, ctrl, plain, Reach::also_typing, false, "Ctrl Enter", "Run the program"},
+    {Command::run, GLFW_KEY_KP_ENTER, ctrl, plain, Reach::also_typing, false, "", ""},
+    {Command::simulate, GLFW_KEY_F5, plain, plain, Reach::also_typing, false, "F5", "Simulate the program"},
+    {Command::save, GLFW_KEY_S, ctrl, plain, Reach::also_typing, false, "Ctrl S",
+     "Save the text to its file"},
+    {Command::open, GLFW_KEY_O, ctrl, plain, Reach::also_typing, false, "Ctrl O", "Open a file"},
+    {Command::next_controller, GLFW_KEY_TAB, ctrl, plain, Reach::also_typing, false, "Ctrl Tab",
      "Next controller"},
-    {Command::previous_controller, GLFW_KEY_TAB, ctrl, shift, Reach::always, false, "Ctrl Shift Tab",
+    {Command::previous_controller, GLFW_KEY_TAB, ctrl, shift, Reach::also_typing, false, "Ctrl Shift Tab",
      "Previous controller"},
     {Command::larger, GLFW_KEY_EQUAL, ctrl, plain, Reach::always, false, "Ctrl +", "Everything larger"},
     {Command::larger, GLFW_KEY_EQUAL, ctrl, shift, Reach::always, false, "", ""},
@@ -39,7 +40,8 @@ constexpr Shortcut table[] = {
     {Command::normal_size, GLFW_KEY_0, ctrl, plain, Reach::always, false, "Ctrl 0", "The usual size"},
     {Command::normal_size, GLFW_KEY_KP_0, ctrl, plain, Reach::always, false, "", ""},
     {Command::show_map, by_letter, plain, plain, Reach::outside_text, false, "?", "This map"},
-    {Command::show_map, GLFW_KEY_F1, plain, plain, Reach::always, false, "F1", "This map, also while typing"},
+    {Command::show_map, GLFW_KEY_F1, plain, plain, Reach::also_typing, false, "F1",
+     "This map, also while typing"},
 };
 
 }  // namespace
@@ -56,7 +58,7 @@ void Keyboard::emit(Command c, bool down, double at_s) {
 const Shortcut* Keyboard::match(int key) const {
   if (alt_ || super_) return nullptr;
   for (const Shortcut& s : table)
-    if (s.key == key && s.ctrl == ctrl_ && s.shift == shift_ && (s.reach == Reach::always || !typing_))
+    if (s.key == key && s.ctrl == ctrl_ && s.shift == shift_ && (s.reach != Reach::outside_text || !typing_))
       return &s;
   return nullptr;
 }
@@ -74,6 +76,8 @@ bool Keyboard::key_down(const InputEvent& event) {
   const Shortcut* s = match(event.code);
   if (!s) return false;
   taken = true;
+  // Swallowed all the same: Ctrl Enter is not the Enter of the dialog that lies over the program either.
+  if (covered_ && s->reach != Reach::always) return true;
   if (s->held) held_[index(s->command)] = true;
   emit(s->command, true, event.at_s);
   return true;
@@ -131,6 +135,7 @@ bool Keyboard::jogging() const {
 }
 
 void Keyboard::set_typing(bool typing) { typing_ = typing; }
+void Keyboard::set_covered(bool covered) { covered_ = covered; }
 
 void Keyboard::release_all(double at_s) {
   for (std::size_t i = 0; i < n; ++i)

@@ -36,7 +36,8 @@ enum class Command : std::uint8_t {
 
 /// Where a shortcut counts.
 enum class Reach : std::uint8_t {
-  always,        ///< also while text is being typed
+  always,        ///< also over a dialog
+  also_typing,   ///< while text is being typed; not behind a dialog, a menu or a list that is open
   outside_text,  ///< not while a text field, a list or a dialog wants the key
 };
 
@@ -79,6 +80,8 @@ class Keyboard {
   /// Said by the frame: somebody types, or a list or dialog wants the arrows.
   void set_typing(bool typing);
   [[nodiscard]] bool typing() const { return typing_; }
+  /// Said by the frame: a dialog, a menu or a list lies over what most shortcuts act on.
+  void set_covered(bool covered);
   /// Lets go of all held keys, as when the window loses its focus.
   void release_all(double at_s);
   /// Frame border: what arrived since becomes what pressed() and released() tell.
@@ -99,7 +102,8 @@ class Keyboard {
   std::array<bool, n> held_{};
   std::array<bool, 512> taken_{};  // keys whose release belongs to us
   Edges now_, next_;
-  bool ctrl_ = false, shift_ = false, alt_ = false, super_ = false, typing_ = false;
+  bool ctrl_ = false, shift_ = false, alt_ = false, super_ = false;
+  bool typing_ = false, covered_ = false;
 };
 
 }  // namespace hw::gui

@@ -15,6 +15,8 @@ class Panel {
  public:
   virtual ~Panel() = default;
   virtual void draw(Frame& frame) = 0;
+  /// What would be lost with this object and is kept nowhere else, as a sentence; empty: nothing.
+  [[nodiscard]] virtual std::string_view unkept() const { return {}; }
 };
 
 /// Without a controller; one object.

@@ -172,7 +172,11 @@ void ProgramJob::compared(ProgramTexts& texts, const Snapshot& now, const Catalo
 void ProgramJob::answer(Answer answer, ProgramTexts& texts, const Send& send) {
   if (stage_ != Stage::asking) return;
   switch (answer) {
-    case Answer::overwrite: return load(send);
+    case Answer::overwrite:
+      // The question was about what stood there when Run was pressed, and that is not what one sees now.
+      if (texts.text(slot_) != text_)
+        return refuse("The text has changed since. Nothing was sent; press Run again.");
+      return load(send);
     case Answer::fetch_instead:
       texts.set_text(slot_, texts.held(slot_).text);
       stage_ = Stage::idle;

@@ -57,7 +57,9 @@ void Screen::frame(double now_s, ImVec2 size_px, const Draw& draw) {
   typing_ = ui.typing() || (g.ActiveId != 0 && g.ActiveId == g.InputTextState.ID);
   focus_.end_frame(typing_);
   field_takes_tab_ = typing_ && ui.takes_tab();
-  keyboard_.set_typing(typing_ || ui.takes_arrows() || registry_.top_layer() > 0);
+  const bool covered = registry_.top_layer() > 0;
+  keyboard_.set_typing(typing_ || ui.takes_arrows() || covered);
+  keyboard_.set_covered(covered);
   if (keyboard_.jogging()) ui.wake_in(1.0 / 30);  // whoever holds sends keep-alives: frames go on
   wake_in_s_ = input_.empty() && !focus_.entering() ? ui.wake_in_s() : 0;
 }

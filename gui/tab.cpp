@@ -179,6 +179,14 @@ std::string Tab::axis_title(AxisId axis) const {
   return users.empty() ? own : own + " " + users;
 }
 
+std::string Tab::unkept() const {
+  std::string all;
+  for (const auto& panel : panels)
+    if (const std::string_view what = panel ? panel->unkept() : ""; !what.empty())
+      all.append(all.empty() ? "" : " ").append(what);
+  return all;
+}
+
 void Tab::profile_edited() {
   profile_changed = true;
   work_out_units();

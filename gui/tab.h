@@ -104,6 +104,8 @@ class Tab {
   std::uint64_t text_turns = 0;  ///< Desk::text_turns() that the console has followed
   /// This controller's panels, beside the console's list; made when they are first drawn.
   std::vector<std::unique_ptr<Panel>> panels;
+  /// What would go with them, see Panel::unkept(); empty: nothing.
+  [[nodiscard]] std::string unkept() const;
 
  private:
   void follow_fates();

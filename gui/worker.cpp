@@ -40,6 +40,7 @@ void Worker::work() {
     lock.lock();
     working_ = false;
     finished_.push_back(std::move(delivery));
+    changed_.notify_all();  // whoever is in finish()
     if (wake_ && !ending_) wake_();
   }
 }
@@ -59,6 +60,15 @@ bool Worker::deliver() {
   }
   for (Delivery& delivery : ready) delivery();
   return !ready.empty();
+}
+
+void Worker::finish() {
+  if (!threaded_) {
+    deliver();
+    return;
+  }
+  std::unique_lock lock(mutex_);
+  changed_.wait(lock, [this] { return waiting_.empty() && !working_; });
 }
 
 bool Worker::idle() {

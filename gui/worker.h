@@ -37,6 +37,9 @@ class Worker {
   /// GUI thread, once a frame. True: something was handed over.
   bool deliver();
   [[nodiscard]] bool idle();
+  /// GUI thread. Waits until nothing is under way or waits; results stay for deliver(). For an end without
+  /// destructors.
+  void finish();
 
  private:
   using Delivery = std::function<void()>;

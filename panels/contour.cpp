@@ -189,6 +189,19 @@ void Contour::run(Frame& f) {
   stops_ = f.tab.desk().stops();
 }
 
+/// Its text is kept with the others from then on.
+void Contour::put_into_program(Frame& f) {
+  f.tab.desk().texts.set_text(0, text_);
+  (stairs_shown_ ? stairs_unkept_ : contour_unkept_) = false;
+  f.show_panel("program");
+}
+
+std::string_view Contour::unkept() const {
+  if (contour_unkept_ && !pieces_.empty()) return "The contour is in no file and not in the program.";
+  if (stairs_unkept_ && !stairs_.empty()) return "The staircase is in no file and not in the program.";
+  return {};
+}
+
 void Contour::follow(Frame& f) {
   const auto ended = [&](IntentId& id) {
     if (f.now.forgotten(id)) id = 0;
@@ -233,7 +246,7 @@ void Contour::draw_toolbar(Frame& f) {
   put.tip = "Puts the text into the program editor.";
   if (button(ui, "contour/to_program", "To the program", put).clicked) {
     asking_ = !f.tab.desk().texts.text(0).empty();
-    if (!asking_) f.tab.desk().texts.set_text(0, text_), f.show_panel("program");
+    if (!asking_) put_into_program(f);
   }
   const float after = ImGui::GetItemRectMax().x + ui.px(16);
   ImGui::SetCursorScreenPos(ImVec2(after, at.y + ui.px(12)));
@@ -321,9 +334,7 @@ void Contour::draw_dialogs(Frame& f) {
                     .sentences = "The editor holds another text. What is not in a file is lost.",
                     .yes = "Replace",
                     .no = "Keep the text"};
-  if (dialog(f.ui, "contour/replace", asking_, what) != Answer::yes) return;
-  f.tab.desk().texts.set_text(0, text_);
-  f.show_panel("program");
+  if (dialog(f.ui, "contour/replace", asking_, what) == Answer::yes) put_into_program(f);
 }
 
 }  // namespace hw::panels

@@ -18,6 +18,7 @@ namespace hw::panels {
 class Contour final : public gui::Panel {
  public:
   void draw(gui::Frame& frame) override;
+  [[nodiscard]] std::string_view unkept() const override;
 
  private:
   struct Piece {
@@ -36,6 +37,7 @@ class Contour final : public gui::Panel {
   void draw_staircase_line(const StaircasePlan& plan);
   void follow(gui::Frame& frame);
   void run(gui::Frame& frame);
+  void put_into_program(gui::Frame& frame);
   [[nodiscard]] std::string_view why_not_run(const gui::Frame& frame) const;
 
   void draw_toolbar(gui::Frame& frame);
@@ -45,6 +47,7 @@ class Contour final : public gui::Panel {
   void draw_dialogs(gui::Frame& frame);
 
   // ---- contour_edit.cpp
+  void edited();  ///< the list that is shown, by hand
   void draw_contour_list(gui::Frame& frame, float width);
   void draw_contour_head(gui::Frame& frame, float width);
   bool draw_piece(gui::Frame& frame, std::size_t row, float width);
@@ -60,6 +63,7 @@ class Contour final : public gui::Panel {
   const ContourWriter* writer_ = nullptr;  ///< the tab's language, or null
   bool made_ = false, changed_ = true;
   bool stairs_shown_ = false;
+  bool contour_unkept_ = false, stairs_unkept_ = false;  ///< edited since it was put into the program
   std::vector<std::string_view> axis_names_, output_names_;
   std::vector<int> outputs_;  ///< places in the catalog
 

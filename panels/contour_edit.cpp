@@ -44,6 +44,11 @@ bool remove_button(Ui& ui, std::string_view id, ImVec2 at) {
 
 }  // namespace
 
+void Contour::edited() {
+  changed_ = true;
+  (stairs_shown_ ? stairs_unkept_ : contour_unkept_) = true;
+}
+
 void Contour::number(Frame& f, std::string_view id, std::string_view label, NumberField& field,
                      NumberRange range, ImVec2 at, float width) {
   NumberOptions o;
@@ -52,7 +57,7 @@ void Contour::number(Frame& f, std::string_view id, std::string_view label, Numb
   o.sentence_below = false;
   if (!field.sentence.empty()) o.tip = field.sentence;
   ImGui::SetCursorScreenPos(at);
-  if (number_field(f.ui, id, label, std::nullopt, field, o).field.edited) changed_ = true;
+  if (number_field(f.ui, id, label, std::nullopt, field, o).field.edited) edited();
 }
 
 int Contour::axis_choice(Frame& f, std::string_view id, std::string_view label, int chosen, ImVec2 at,
@@ -62,7 +67,7 @@ int Contour::axis_choice(Frame& f, std::string_view id, std::string_view label, 
   ImGui::SetCursorScreenPos(ImVec2(at.x + f.ui.px(word + 8), at.y));
   const int picked = dropdown(f.ui, id, label, axis_names_, chosen, {.width = 52});
   if (picked < 0) return chosen;
-  changed_ = true;
+  edited();
   return picked;
 }
 
@@ -77,7 +82,7 @@ void Contour::draw_contour_list(Frame& f, float width) {
     if (draw_piece(f, i, width)) removed = i;
   if (removed < pieces_.size()) {
     pieces_.erase(pieces_.begin() + static_cast<std::ptrdiff_t>(removed));
-    changed_ = true;
+    edited();
   }
   if (pieces_.empty()) {
     gap(ui, 4);
@@ -101,7 +106,7 @@ void Contour::draw_contour_head(Frame& f, float width) {
   ImGui::SetCursorScreenPos(place(0, 200));
   static constexpr std::array<std::string_view, 2> ends = {"Ramp", "At once"};
   if (const int end = segment(ui, "contour/end", ends, ramp_ ? 0 : 1, {.cell_width = 52}); end >= 0)
-    ramp_ = end == 0, changed_ = true;
+    ramp_ = end == 0, edited();
   words_at(ui, place(1, 0), head_width, "Begin");
   number(f, "contour/x", "Begin, right", x_, positions(f.catalog), place(1, head_width), cell);
   number(f, "contour/y", "Begin, up", y_, positions(f.catalog), place(1, head_width + cell + between), cell);
@@ -132,12 +137,12 @@ bool Contour::draw_piece(Frame& f, std::size_t row, float width) {
     if (const int picked = dropdown(ui, Path("contour/{}/output", n), "Output", output_names_, p.output,
                                     {.width = 2 * cell + between - 40});
         picked >= 0)
-      p.output = picked, changed_ = true;
+      p.output = picked, edited();
     static constexpr std::array<std::string_view, 2> states = {"on", "off"};
     ImGui::SetCursorScreenPos(ImVec2(place(2).x - ui.px(32), at.y));
     if (const int state = segment(ui, Path("contour/{}/state", n), states, p.on ? 0 : 1, {.cell_width = 40});
         state >= 0)
-      p.on = state == 0, changed_ = true;
+      p.on = state == 0, edited();
   } else {
     number(f, Path("contour/{}/x", n), arc ? "Centre, right" : "End, right", p.x, positions(f.catalog),
            place(0), cell);
@@ -175,7 +180,7 @@ void Contour::add(ContourPiece::Kind kind) {
     else if (old.kind == ContourPiece::Kind::output && kind == old.kind)
       p.output = old.output, p.on = !old.on;
   pieces_.push_back(std::move(p));
-  changed_ = true;
+  edited();
 }
 
 // ---- staircase
@@ -201,7 +206,7 @@ void Contour::draw_stairs_list(Frame& f, float width) {
     if (draw_stair(f, i, width)) removed = i;
   if (removed < stairs_.size()) {
     stairs_.erase(stairs_.begin() + static_cast<std::ptrdiff_t>(removed));
-    changed_ = true;
+    edited();
   }
   const ImVec2 end = ImGui::GetCursorScreenPos();
   words_at(ui, end, head_width, "stop at");
@@ -215,7 +220,7 @@ void Contour::draw_stairs_list(Frame& f, float width) {
     s.until.set(last + 1000, 0);
     s.speed.set(stairs_.empty() ? 1000 : stairs_.back().speed.value().value_or(1000), 0);
     stairs_.push_back(std::move(s));
-    changed_ = true;
+    edited();
   }
   gap(ui, 16);
 }

@@ -16,6 +16,7 @@ namespace hw::panels {
 class Moves final : public gui::Panel {
  public:
   void draw(gui::Frame& frame) override;
+  [[nodiscard]] std::string_view unkept() const override;
 
  private:
   using Row = std::vector<gui::NumberField>;

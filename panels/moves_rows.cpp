@@ -57,6 +57,10 @@ std::optional<std::vector<MoveRow>> Moves::values(const MoveListFacts& facts, st
   return all;
 }
 
+std::string_view Moves::unkept() const {
+  return edited_ && !rows_.empty() ? "The list of moves has changes that are in no file." : "";
+}
+
 void Moves::start(Frame& f) {
   std::string why;
   auto rows = values(f.catalog.move_list, why);

@@ -43,6 +43,9 @@ class ConsoleHouse {
     for (const std::string& sentence : console_.take_last_words()) complain(sentence);
   }
 
+  /// For an end that takes nothing down: what the worker still has to write is written.
+  void keep_texts() { worker_.finish(); }
+
   gui::Console& console() { return console_; }
   Scheduler& scheduler() { return io_.scheduler(); }
   void draw(gui::Ui& ui) {
@@ -78,15 +81,6 @@ class ConsoleHouse {
   gui::Console console_;
 };
 
-/// Texts let fall on the window are opened in the editor of the controller in front.
-void take_dropped(gui::Console& console, const std::vector<std::string>& paths) {
-  gui::Tab* tab = console.active();
-  if (!tab)
-    return console.toast(gui::Mood::plain, "Connect a controller first: files are opened in its editor.");
-  for (const std::string& path : paths) tab->desk().dropped.emplace_back(path);
-  console.show_panel("program");
-}
-
 int run_window(const std::vector<std::string>& addresses, bool demo) {
   gui::WindowOptions options;
   auto window = gui::Window::open(options);
@@ -99,15 +93,16 @@ int run_window(const std::vector<std::string>& addresses, bool demo) {
   float size = console.size();
   w.set_user_scale(size);
   console.attach(w.screen().keyboard());
-  w.on_drop = [&](const std::vector<std::string>& paths) { take_dropped(console, paths); };
+  w.on_drop = [&](const std::vector<std::string>& paths) { console.drop(paths); };
   w.on_first_frame = [] { log::debug("window", "first frame"); };
   w.on_close = [&] {
     console.let_go();
-    return true;
+    return console.dialogs.may_end(console);
   };
   const gui::DisplayGuard guard(
       [&house] {
         house.leave_controllers();
+        house.keep_texts();
         complain("The display has gone away. Held jogs were stopped; other moves go on.");
       },
       [&console] {
@@ -124,6 +119,7 @@ int run_window(const std::vector<std::string>& addresses, bool demo) {
   });
   w.run([&](gui::Ui& ui) {
     house.draw(ui);
+    if (console.ended()) w.close();
     if (w.screen().dark() != console.dark()) {
       w.screen().set_theme(console.dark());
       ui.wake_in(0);

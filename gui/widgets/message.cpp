@@ -245,11 +245,25 @@ void draw_toasts(Ui& ui, Toasts& toasts, const Rect& within, const Rect& status)
   if (closed) toasts.dismiss(closed);
 }
 
+namespace {
+
+/// A dialog is drawn, in this frame or in the one before. One whose owner has gone away without closing it
+/// may still stand in ImGui's stack: nobody has to wait for that.
+bool a_dialog_is_up() {
+  for (const ImGuiPopupData& popup : GImGui->OpenPopupStack)
+    if (const ImGuiWindow* w = popup.Window; w && (w->Flags & ImGuiWindowFlags_Modal))
+      if (w->Active || w->WasActive) return true;
+  return false;
+}
+
+}  // namespace
+
 bool begin_modal(Ui& ui, std::string_view id, bool open, float width, float height) {
   char name[96];
   std::snprintf(name, sizeof name, "##%.*s", static_cast<int>(id.size()), id.data());
-  if (open && !ImGui::IsPopupOpen(name)) ImGui::OpenPopup(name);
   if (!open) return false;
+  // At one level ImGui knows one: a second would close the first, and the first the second, for ever.
+  if (!ImGui::IsPopupOpen(name) && !a_dialog_is_up()) ImGui::OpenPopup(name);
   const float w = std::min(ui.px(width), ui.size_px.x - ui.px(32));
   // In the middle of what is under the top bar: STOP ALL stays in sight.
   const float top = ui.px(top_bar_height), room = ui.size_px.y - top;

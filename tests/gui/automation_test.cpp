@@ -163,6 +163,36 @@ TEST(Automation, ADialogCoversAndItsAnswersCome) {
   EXPECT_EQ(below, 1);
 }
 
+TEST(Automation, ASecondDialogWaitsForItsTurn) {
+  bool first = true, second = false, first_drawn = true;
+  int below = 0;
+  Stage stage(in_window([&](Ui& ui) {
+    below += button(ui, "below", "Below").clicked;
+    dialog(ui, "second", second, {"And this?", "It came later.", "Yes", "No"});
+    if (first_drawn) dialog(ui, "first", first, {"This?", "It came first.", "Yes", "No"});
+  }));
+  stage.frames(3);
+  second = true;
+  for (int i = 0; i < 20; ++i) {
+    stage.frame();
+    EXPECT_TRUE(stage.find("first/yes")) << "frame " << i;
+    EXPECT_FALSE(stage.find("second/yes")) << "frame " << i;
+  }
+  ASSERT_TRUE(stage.hand.click("first/yes"));
+  stage.frames(3);
+  EXPECT_TRUE(second) << "one answer is for one question";
+  ASSERT_TRUE(stage.hand.click("second/no"));
+  stage.frames(3);
+  ASSERT_TRUE(stage.hand.click("below"));
+  EXPECT_EQ(below, 1);
+  first = true;
+  stage.frames(3);
+  ASSERT_TRUE(stage.find("first/yes"));
+  second = true, first_drawn = false;
+  stage.frames(3);
+  EXPECT_TRUE(stage.find("second/yes")) << "what is drawn no more is not waited for";
+}
+
 struct Page {
   std::string text;
   int plain = 0, moved = 0;

@@ -247,6 +247,23 @@ TEST(Keyboard, TheMapOpensByTheCharacterOutsideOfText) {
   EXPECT_EQ(r.edges.size(), 1u);
 }
 
+TEST(Keyboard, BehindADialogOnlyStopAndTheSizesAct) {
+  Recorder r;
+  r.keyboard.set_typing(true);
+  r.keyboard.set_covered(true);
+  r.key(GLFW_KEY_LEFT_CONTROL, true);
+  for (const int key : {GLFW_KEY_ENTER, GLFW_KEY_KP_ENTER, GLFW_KEY_S, GLFW_KEY_O, GLFW_KEY_TAB}) {
+    EXPECT_TRUE(r.key(key, true)) << "nor is it the Enter of the dialog";
+    r.key(key, false);
+  }
+  EXPECT_TRUE(r.edges.empty());
+  r.key(GLFW_KEY_EQUAL, true);
+  r.key(GLFW_KEY_ESCAPE, true);
+  EXPECT_EQ(r.edges, (Recorder::Edges{{Command::larger, true}, {Command::stop_all, true}}));
+  r.key(GLFW_KEY_LEFT_CONTROL, false);
+  EXPECT_FALSE(r.key(GLFW_KEY_ENTER, true)) << "a plain one is";
+}
+
 TEST(Keyboard, EachShortcutOfTheMapIsExplained) {
   for (const Shortcut& s : shortcuts()) EXPECT_EQ(s.keys.empty(), s.does.empty()) << s.keys;
 }

@@ -108,6 +108,21 @@ TEST_F(ProgramJobTest, RunAsksBeforeItOverwritesAnotherProgram) {
   EXPECT_TRUE(last<intent::LoadProgram>());
 }
 
+TEST_F(ProgramJobTest, WhatWasTypedDuringTheQuestionIsNotAnsweredForByIt) {
+  now.slot_bytes_used[0] = 12;
+  texts.set_text(0, "I1M400");
+  ASSERT_TRUE(begin(ProgramJob::Goal::run));
+  texts.listed(0, "L9\n", Instant());
+  settle(Fate::done);
+  ASSERT_EQ(job.stage(), ProgramJob::Stage::asking);
+  texts.set_text(0, "I1M-77");
+  const std::size_t before = sent.size();
+  job.answer(ProgramJob::Answer::overwrite, texts, send);
+  EXPECT_EQ(sent.size(), before);
+  EXPECT_FALSE(job.busy());
+  EXPECT_THAT(job.take_told().sentence, HasSubstr("The text has changed since. Nothing was sent"));
+}
+
 TEST_F(ProgramJobTest, RoomIsMadeAfterTheTextWasBroughtIntoTheEditor) {
   ASSERT_TRUE(begin(ProgramJob::Goal::make_room));
   ASSERT_TRUE(last<intent::UploadProgram>());

@@ -1,0 +1,139 @@
+// What becomes of the user's work when a controller or the window is closed, and of what comes while
+// something is being asked.
+#include <chrono>
+#include <thread>
+
+#include <gmock/gmock.h>
+
+#include "gui/worker.h"
+#include "tests/core/session/folder.h"
+#include "tests/panels/console_stage.h"
+#include "tests/panels/full_catalog.h"
+
+namespace hw::panels {
+namespace {
+
+using ::testing::HasSubstr;
+
+struct Closing : testing::Test {
+  test::Folder folder;
+  Autosave autosave{UserFolders::below(folder.path())};
+  ConsoleStage s;
+
+  void click(const char* id) {
+    const auto done = s.hand.click(id);
+    EXPECT_TRUE(done) << id << ": " << done.error().sentence();
+    s.run(0.1);
+  }
+  void close_controller() {
+    click("menu");
+    click("menu/close");
+  }
+  Example& with_a_list() {
+    Example& e = s.add(test::full_catalog());
+    s.run(0.1);
+    click("tab/list");
+    click("list/add");
+    return e;
+  }
+  [[nodiscard]] std::string kept(const char* key) const {
+    const auto texts = autosave.restore(key);
+    return texts && !texts->empty() ? texts->front().text : "";
+  }
+};
+
+TEST_F(Closing, WhatWasTypedJustBeforeIsKept) {
+  Example& e = s.add();
+  ASSERT_TRUE(e.tab->desk().keep_texts(autosave, "stage"));
+  s.run(0.1);
+  e.tab->desk().texts.set_text(0, "I1M400");
+  s.run(0.1);
+  EXPECT_EQ(kept("stage"), "") << "it is too new";
+  s.console.close(*e.tab);
+  EXPECT_EQ(kept("stage"), "I1M400");
+}
+
+TEST_F(Closing, WhatWasEmptiedJustBeforeDoesNotComeBack) {
+  Example& e = s.add();
+  ASSERT_TRUE(e.tab->desk().keep_texts(autosave, "stage"));
+  e.tab->desk().texts.set_text(0, "I1M400");
+  s.run(1.5);
+  ASSERT_EQ(kept("stage"), "I1M400");
+  e.tab->desk().texts.set_text(0, "");
+  s.console.close(*e.tab);
+  EXPECT_EQ(kept("stage"), "");
+}
+
+TEST(WorkerEnd, FinishWaitsForWhatIsStillToBeWritten) {
+  gui::Worker worker({}, true);
+  const auto alive = std::make_shared<int>(0);
+  std::atomic<int> written = 0;
+  for (int i = 0; i < 3; ++i)
+    worker.run(
+        [&written] {
+          std::this_thread::sleep_for(std::chrono::milliseconds(20));
+          return ++written;
+        },
+        [](int) {}, alive);
+  worker.finish();
+  EXPECT_EQ(written, 3);
+}
+
+TEST_F(Closing, AListThatIsInNoFileIsAskedAbout) {
+  with_a_list();
+  close_controller();
+  ASSERT_EQ(s.console.tabs().size(), 1u);
+  click("close/cancel");
+  close_controller();
+  click("close/lose");
+  EXPECT_TRUE(s.console.tabs().empty());
+}
+
+TEST_F(Closing, WhatMovesAndAListAreOneQuestion) {
+  Example& e = with_a_list();
+  e.now.axes[0].activity = Activity::moving;
+  s.run(0.1);
+  close_controller();
+  EXPECT_FALSE(s.stage.find("close/lose"));
+  click("close/leave");
+  EXPECT_TRUE(s.console.tabs().empty());
+}
+
+TEST_F(Closing, TheWindowAsksAboutAListToo) {
+  s.add();
+  EXPECT_TRUE(s.console.dialogs.may_end(s.console)) << "there is nothing to lose";
+  with_a_list();
+  s.console.activate(*s.console.tabs().front());
+  EXPECT_FALSE(s.console.dialogs.may_end(s.console));
+  s.run(0.1);
+  click("close/cancel");
+  EXPECT_FALSE(s.console.ended());
+  EXPECT_FALSE(s.console.dialogs.may_end(s.console));
+  s.run(0.1);
+  click("close/lose");
+  EXPECT_TRUE(s.console.ended());
+  EXPECT_EQ(s.console.tabs().size(), 2u) << "they are left in order by whoever ends the window";
+}
+
+TEST_F(Closing, AFileDroppedOntoAQuestionIsNotOpened) {
+  Example& e = s.add();
+  e.tab->desk().texts.set_text(0, "I1M400");
+  s.run(0.1);
+  const std::vector<std::string> files = {folder.put("a.txt", "I1M5\n").string()};
+  click("menu");
+  click("menu/names");
+  s.console.drop(files);
+  s.run(0.1);
+  EXPECT_TRUE(s.stage.find("names/cancel")) << "and the question stays";
+  click("names/cancel");
+  EXPECT_EQ(e.tab->desk().texts.text(0), "I1M400");
+  ASSERT_FALSE(s.console.toasts().list().empty());
+  EXPECT_THAT(s.console.toasts().list().back().text, HasSubstr("Nothing was opened"));
+  e.tab->desk().texts.set_text(0, "");
+  s.console.drop(files);
+  s.run(0.1);
+  EXPECT_EQ(e.tab->desk().texts.text(0), "I1M5\n");
+}
+
+}  // namespace
+}  // namespace hw::panels
