@@ -85,7 +85,7 @@ NumberText words_of(const OwnSpeed& own, const DisplayUnit& unit) {
 }
 
 /// What the controllers count in: no word, where some count pulses and others counts.
-DisplayUnit own_unit(const Frame& f) {
+DisplayUnit counted_by_all(const Frame& f) {
   DisplayUnit unit;
   bool first = true;
   for_each_axis(f, [&](const Tab& tab, AxisId axis) {
@@ -110,7 +110,7 @@ DisplayUnit common_unit(const Frame& f) {
     const DisplayUnit& other = tab.unit(axis);
     same = same && other.real && other.name == unit.name && std::fabs(other.per_step) == unit.per_step;
   });
-  return same ? unit : own_unit(f);
+  return same ? unit : counted_by_all(f);
 }
 
 float cell_size(const Frame& f, float columns) {
