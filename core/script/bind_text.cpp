@@ -13,8 +13,10 @@ bool is_lost(const SessionPtr& session) {
 
 // Whoever is connected can speak to all.
 const SessionPtr& speaker_of(const SessionGroup& bus) {
-  for (const SessionPtr& member : bus.members())
-    if (!is_lost(member)) return member;
+  for (const SessionPtr& member : bus.members()) {
+    const LinkState state = member->known().link.state;
+    if (state == LinkState::good || state == LinkState::late) return member;
+  }
   return bus.members().front();
 }
 
