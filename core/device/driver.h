@@ -17,10 +17,10 @@ namespace hw {
 struct DriverContext {
   Scheduler& scheduler;
   const Catalog& catalog;
-  Snapshot& draft;                     ///< the driver writes it; the pump publishes it
-  std::function<void(Notice)> notify;  ///< what must not be lost
-  std::function<void()> changed;       ///< something came unasked: publish soon, poll soon
-  std::function<void()> stop_heard;    ///< somebody else on the wire stops this controller
+  Snapshot& draft;                           ///< the driver writes it; the pump publishes it
+  std::function<void(Notice)> notify;        ///< what must not be lost
+  std::function<void()> changed;             ///< something came unasked: publish soon, poll soon
+  std::function<void(bool all)> stop_heard;  ///< somebody else on the wire stops this controller
   std::function<void(const AxisSample&)> sample = nullptr;  ///< of a recording: intent::Sample
 };
 

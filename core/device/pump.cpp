@@ -33,8 +33,9 @@ Pump::Pump(Scheduler& scheduler, const DeviceType& type, const Catalog& catalog,
     publish();
     wake_.notify();
   };
-  const auto stop_heard = [this] {
+  const auto stop_heard = [this](bool all) {
     drop_what_waits();
+    if (all) unanswered_stop_ = rounds_begun_;  // who says it learns nothing of whether it came here
     wake_.notify();
   };
   driver_ = type.make_driver(

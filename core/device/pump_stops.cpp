@@ -91,7 +91,8 @@ void Pump::end_stop() {
 Task<> Pump::perform_stop_text(Intent intent) {
   count_program_change(intent);
   const std::string& text = std::get<intent::SendText>(intent.body).text;
-  const bool all = driver_->stops_all(text), answered = driver_->answers(text);
+  const bool to_all = std::get<intent::SendText>(intent.body).broadcast;
+  const bool all = driver_->stops_all(text), answered = driver_->answers(text) && !to_all;
   Result<> performed;
   try {
     performed = co_await driver_->perform(intent.body);

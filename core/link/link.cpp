@@ -313,9 +313,9 @@ void Link::give_up_on(std::string_view bytes) {
 
 // ---- the end
 
-void Link::let_others_hear(const Station& speaker, std::string_view text) const {
+void Link::let_others_hear(const Station& speaker, std::string_view text, Hearsay what) const {
   for (Station* station : stations_)
-    if (station != &speaker && station->overheard) station->overheard(text);
+    if (station != &speaker && station->overheard) station->overheard(text, what);
 }
 
 void Link::leave(Station& station, const Fault& why, Leaving leaving) {

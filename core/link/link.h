@@ -19,6 +19,7 @@
 namespace hw {
 
 class Station;
+enum class Hearsay : std::uint8_t;
 
 enum class Priority : std::uint8_t { stop, intent, transfer, poll };
 
@@ -84,7 +85,7 @@ class Link final : public std::enable_shared_from_this<Link>,
   void join(Station& station);
   enum class Leaving : bool { in_order, given_up };
   void leave(Station& station, const Fault& why, Leaving leaving);
-  void let_others_hear(const Station& speaker, std::string_view text) const;
+  void let_others_hear(const Station& speaker, std::string_view text, Hearsay what) const;
   Task<Result<std::string>> transact(Station& station, Transaction transaction);
   Task<Result<>> run(Station& station, std::span<BusCycle> cycles, Priority priority);
   void drop_procedures(Station& station);

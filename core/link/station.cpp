@@ -57,8 +57,8 @@ void Station::give_up(const Fault& why) {
   if (const auto link = std::exchange(link_, nullptr)) link->leave(*this, why, Link::Leaving::given_up);
 }
 
-void Station::let_others_hear(std::string_view text) const {
-  if (link_) link_->let_others_hear(*this, text);
+void Station::let_others_hear(std::string_view text, Hearsay what) const {
+  if (link_) link_->let_others_hear(*this, text, what);
 }
 
 void Station::record(Instant at, Way way, TrafficKind kind, std::string_view bytes) {

@@ -18,6 +18,10 @@ struct StationStatistics {
   int misses_in_a_row = 0;
 };
 
+/// What another station's user says to this device, as it goes on: before it goes out; when it has been done,
+/// as far as the device tells; when it was refused or never went out.
+enum class Hearsay : std::uint8_t { said, done, refused };
+
 class Station {
  public:
   /// `traffic` may be null. The link stays open as long as a station is on it.
@@ -49,8 +53,8 @@ class Station {
   /// On a window: the controller has interrupted its host.
   std::function<void(std::uint8_t vector)> interrupted;
   /// Another station of this wire says something for its user that may be meant for this device.
-  std::function<void(std::string_view)> overheard;
-  void let_others_hear(std::string_view text) const;
+  std::function<void(std::string_view, Hearsay)> overheard;
+  void let_others_hear(std::string_view text, Hearsay what) const;
   /// The wire is gone for everybody on it.
   std::function<void(const Fault&)> closed;
 

@@ -6,16 +6,29 @@
 namespace hw::script {
 namespace {
 
+bool is_lost(const SessionPtr& session) {
+  const LinkState state = session->known().link.state;
+  return state == LinkState::lost || state == LinkState::closed;
+}
+
+// Whoever is connected can speak to all.
+const SessionPtr& speaker_of(const SessionGroup& bus) {
+  for (const SessionPtr& member : bus.members()) {
+    const LinkState state = member->known().link.state;
+    if (state == LinkState::good || state == LinkState::late) return member;
+  }
+  return bus.members().front();
+}
+
 // On a bus: to all of its devices at once, where the maker has a way to say that.
 int send(Call& call) {
   const auto bus = bus_of(call);
-  const SessionPtr& session = bus ? bus->members().front() : session_of(call);
+  const SessionPtr& session = bus ? speaker_of(*bus) : session_of(call);
   if (bus && !session->catalog().can.broadcast)
     return call.refuse(fmt::format("{} has no message to all devices of a wire. Send it to each of them.",
                                    session->catalog().short_name));
-  const LinkHealth& link = session->known().link;
-  if (link.state == LinkState::lost || link.state == LinkState::closed)
-    return call.refuse(fmt::format("There is no connection. {}", link.sentence.view()));
+  if (is_lost(session))
+    return call.refuse(fmt::format("There is no connection. {}", session->known().link.sentence.view()));
   session->send_text(call.text(1, "text"), bus != nullptr);
   return call.yes();
 }

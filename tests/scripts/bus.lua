@@ -54,3 +54,13 @@ for _, id in ipairs(ids) do hw.check(c:position(id) == nil, id .. " is lost") en
 c.devices["01"].bench:unplug(false)
 hw.sleep(10)
 for _, id in ipairs(ids) do hw.check(c:position(id), id .. " is back") end
+
+-- What is sent to all goes out also where the first of them is switched off.
+c.devices["01"].bench:power(false)
+hw.sleep(3)
+hw.check(c:position("01") == nil, "01 is switched off")
+assert(c:jog("04", "+"))
+hw.sleep(0.5)
+assert(c:send("STOP"))
+hw.sleep(2)
+hw.check(c:status("04").idle, "04 has heard the stop")

@@ -151,6 +151,130 @@ TEST_F(DmxBus, AStopTypedForANeighbourWaitsForNothingAndDropsNothingHere) {
   EXPECT_TRUE(moves(*members[0]));
 }
 
+TEST_F(DmxBus, AStopTypedToAllWithItsAddressIsHeardByAll) {
+  build_and_connect(2);
+  Member& other = *members[1];
+  say(other, "EO=1");
+  run(0.5);
+  ask_nobody(other);
+  say(other, "X100000");
+  say(*members[0], "@00STOP", true);
+  run(2);
+  EXPECT_FALSE(moves(other));
+}
+
+// It is answered: by the one whose address it brings.
+TEST_F(DmxBus, ATextToAllThatBringsAnAddressShiftsNoAnswers) {
+  build_and_connect(3);
+  std::vector<std::string> wrong;
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    Member& member = *members[i];
+    const Steps own(1000 * static_cast<int>(i + 1));
+    member.pump->post(Intent(1, intent::SetPosition(0, own)));
+    run(1);
+    member.published = [&wrong, &member, own](const Snapshot& s) {
+      if (s.axes[0].position_known && s.axes[0].position != own)
+        wrong.push_back(member.catalog.id() + " at " + std::to_string(s.axes[0].position.value));
+    };
+  }
+  say(*members[0], "@02PX", true);
+  run(5);
+  say(*members[0], "@02STOP", true);
+  run(5);
+  EXPECT_THAT(wrong, IsEmpty());
+  for (const auto& member : members) EXPECT_THAT(member->notices, IsEmpty());
+}
+
+TEST_F(DmxBus, AStopThatALostWireSwallowsIsOwedByAllWhoHeardIt) {
+  for (const bool at_once : {true, false}) {
+    build_and_connect(3);
+    for (const auto& member : members) {
+      say(*member, "EO=1");
+      say(*member, "HSPD=1000");
+      say(*member, "X100000");
+    }
+    run(1);
+    for (const auto& member : members) ASSERT_TRUE(moves(*member));
+    for (test::LateEmulator* emulator : emulators) emulator->be_deaf(true);
+    if (at_once) {
+      say(*members[0], "STOP", true);
+    } else {
+      say(*members[0], "@02STOP");
+      say(*members[0], "@03STOP");
+      say(*members[0], "STOP");
+    }
+    run(3);
+    for (const auto& member : members) EXPECT_EQ(member->latest.link.state, LinkState::lost);
+    for (test::LateEmulator* emulator : emulators) emulator->be_deaf(false);
+    run(10);
+    for (const auto& member : members) EXPECT_FALSE(moves(*member)) << member->catalog.id() << at_once;
+    close_all();
+    members.clear();
+    emulators.clear();
+  }
+}
+
+TEST_F(DmxBus, WhatANeighbourTellsItToStoreIsStoredWhenItSaysSo) {
+  build_and_connect(2);
+  Member& other = *members[1];
+  other.pump->post(Intent(1, intent::SetParam("SLR", 900)));
+  run(1);
+  ASSERT_TRUE(other.latest.unsaved_setup);
+  ASSERT_TRUE(host->bench(1)->operate(bench::Garble(2)));
+  say(*members[0], "@02STORE");
+  ASSERT_TRUE(host->bench(1)->operate(bench::Power(false)));
+  run(0.2);
+  EXPECT_TRUE(other.latest.unsaved_setup);
+  run(5);
+  EXPECT_TRUE(other.latest.unsaved_setup);
+  ASSERT_TRUE(host->bench(1)->operate(bench::Power(true)));
+  run(10);
+  other.pump->post(Intent(2, intent::SetParam("SLR", 700)));
+  run(1);
+  ASSERT_TRUE(other.latest.unsaved_setup);
+  say(*members[0], "@02STORE");
+  run(1);
+  EXPECT_FALSE(other.latest.unsaved_setup);
+}
+
+TEST_F(DmxBus, ASubroutineThatItRefusesANeighbourWasNotCalled) {
+  build_and_connect(2);
+  Member& other = *members[1];
+  say(*members[0], "@02GS3");
+  run(1);
+  const Instant asked = time.now();
+  other.pump->post(Intent(1, intent::Stop()));
+  ASSERT_TRUE(time.run_until(time.now() + from_seconds(20), [&] {
+    const IntentFate* fate = other.latest.fate_of(1);
+    return fate && fate->fate != Fate::pending;
+  }));
+  EXPECT_LT(seconds(time.now() - asked), 0.5);
+}
+
+TEST_F(DmxBus, OneThatIsStoppedWhileOthersAreBusyIsNeverSaidToHaveArrived) {
+  build_and_connect(6);
+  for (const auto& member : members) {
+    say(*member, "EO=1");
+    say(*member, "HSPD=20000");
+    member->pump->post(Intent(1, intent::JogStart(AxisId{0}, Sign::plus, Pps{500}, false)));
+  }
+  run(1);
+  Member& one = *members.front();
+  one.pump->post(Intent(1, intent::Stop()));
+  run(2);
+  for (int i = 0; i < 60; ++i) {
+    std::vector<AxisTarget> target(1);
+    target[0].value = Steps(i % 2 == 0 ? 90000 : -90000);
+    one.pump->post(Intent(100 + 2 * i, intent::MoveTo(target)));
+    run(0.5 + 0.0037 * i);
+    ASSERT_TRUE(moves(one)) << i;
+    one.pump->post(Intent(101 + 2 * i, intent::Stop()));
+    run(2);
+    EXPECT_FALSE(moves(one)) << i;
+    EXPECT_EQ(one.latest.axes[0].ended_by, EndedBy::stop) << i;
+  }
+}
+
 TEST_F(DmxBus, TwoWithOneNameAreNotTakenForADevice) {
   build({"01", "01"});
   Member& member = connect("01");

@@ -15,6 +15,12 @@ class LateEmulator final : public EmulatorAround {
   void be_late(int replies, Duration delay) { late_replies_ = replies, delay_ = delay; }
   [[nodiscard]] bool was_late() const { return late_replies_ == 0 && held_.empty(); }
 
+  /// The wire swallows what is said to it.
+  void be_deaf(bool deaf) { deaf_ = deaf; }
+
+  void receive(std::string_view bytes) override {
+    if (!deaf_) inner_->receive(bytes);
+  }
   void take_output(std::string& sink) override {
     std::string fresh;
     inner_->take_output(fresh);
@@ -43,6 +49,7 @@ class LateEmulator final : public EmulatorAround {
   };
   std::deque<Held> held_;
   Instant now_{};
+  bool deaf_ = false;
   int late_replies_ = 0;
   Duration delay_{};
 };

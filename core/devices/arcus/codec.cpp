@@ -191,10 +191,53 @@ bool may_move(const Forms& forms, std::string_view text) {
   return false;
 }
 
-bool ends_motion(std::string_view text) { return text.starts_with("STOP") || text.starts_with("ABORT"); }
+bool may_set_counter(std::string_view text) {
+  if (text.starts_with("CLR") || text.starts_with("ABORT") || text.starts_with("SR") ||
+      text.starts_with("GS"))
+    return true;
+  const std::string_view name = text.substr(0, text.find('='));
+  if (name.size() == text.size()) return false;
+  const bool counter = name.size() == 2 && (name[0] == 'P' || name[0] == 'E');
+  const bool loop = name == "SL" || (name.size() == 3 && name.starts_with("SL"));
+  return counter || loop || name == "JE";
+}
+
+namespace {
+
+std::string_view trimmed(std::string_view text) {
+  const auto begin = text.find_first_not_of(' ');
+  return begin == text.npos ? std::string_view() : text.substr(begin, text.find_last_not_of(' ') - begin + 1);
+}
+
+}  // namespace
+
+std::string bare_text(std::string_view text) {
+  const auto equals = text.find('=');
+  if (equals == text.npos) return std::string(trimmed(text));
+  return fmt::format("{}={}", trimmed(text.substr(0, equals)), trimmed(text.substr(equals + 1)));
+}
+
+std::string command_in(std::string_view bytes) { return bare_text(text_of(bytes)); }
+
+bool ends_motion(std::string_view text) {
+  const std::string_view word = trimmed(text);
+  return word.starts_with("STOP") || word.starts_with("ABORT");
+}
+
+std::optional<int> thread_named_in(std::string_view text) {
+  const std::string clean = bare_text(text);
+  const auto equals = clean.find('=');
+  if (!clean.starts_with("SR") || equals == clean.npos || equals < 3 || !is_digit(clean[2]))
+    return std::nullopt;
+  return whole_number<int>(std::string_view(clean).substr(2, equals - 2));
+}
 
 bool ends_program(std::string_view text) {
-  return text.size() == 5 && text.starts_with("SR") && is_digit(text[2]) && text.ends_with("=0");
+  if (!thread_named_in(text)) return false;
+  const std::string clean = bare_text(text);
+  std::string_view value = std::string_view(clean).substr(clean.find('=') + 1);
+  if (value.starts_with('+') && value.size() > 1 && is_digit(value[1])) value.remove_prefix(1);
+  return decode_number(value) == 0;
 }
 
 bool has_bit(std::int64_t word, int bit) { return bit != no_bit && (word >> bit & 1) != 0; }

@@ -71,6 +71,17 @@ std::string move_command(const Forms& forms, const std::vector<AxisValue>& targe
 /// Commands that may move something: they are never repeated.
 bool may_move(const Forms& forms, std::string_view text);
 
+/// A text that sets a position or encoder counter, or may: clearing an error and switching StepNLoop put the
+/// target where the axis stands.
+bool may_set_counter(std::string_view text);
+
+/// As the controllers read it: without blanks at its ends and around '='.
+std::string bare_text(std::string_view text);
+/// The same of what stands in a framed text.
+std::string command_in(std::string_view bytes);
+
+/// The thread of SR0=1.
+std::optional<int> thread_named_in(std::string_view text);
 /// Commands that end motion (STOP, ABORT), or a program (SR0=0).
 bool ends_motion(std::string_view text);
 bool ends_program(std::string_view text);

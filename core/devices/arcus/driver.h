@@ -1,6 +1,7 @@
 #pragma once
 // Both Arcus controllers from the console's side: what differs is in the Forms. One subject per file:
-//   driver_talk.cpp      questions, commands, raw text, what comes unasked
+//   driver_talk.cpp      questions, commands, what comes unasked
+//   driver_text.cpp      the user's own text
 //   driver_connect.cpp   finding the device, saying why not, power-cycles, lost wires
 //   driver_poll.cpp      the round of status and what it means
 //   driver_readouts.cpp  readouts, variables, analog inputs, threads: read in turn, watched ones each round
@@ -39,6 +40,7 @@ class ArcusDriver final : public Driver {
   Task<Result<>> stop_jog(int axis) override;
   Task<Result<>> stop_wire(bool at_once) override;
   Task<Result<>> halt_program(int thread) override;
+  [[nodiscard]] bool clears_up() const override { return borrowed_.has_value(); }
   [[nodiscard]] std::string leaves_behind() const override;
   void wire_lost() override;
   Task<Result<std::string>> query(std::string text, Duration patience) override;
@@ -58,12 +60,13 @@ class ArcusDriver final : public Driver {
     Activity wanted = Activity::idle;     ///< what our last command began
     EndedBy ended_by = EndedBy::nothing;  ///< why we ended it, if we did
     std::int64_t status = 0;
-    int loop_state = -1;     ///< -1: not read yet
-    bool ours = false;       ///< a motion of the console is under way
-    bool stopping = false;   ///< a stop was sent
-    unsigned with = 0;       ///< a bit for each axis of the same motion
-    std::int8_t turned = 0;  ///< direction of the latest change of position
-    Instant begun_at{};      ///< when our last command was sent
+    int loop_state = -1;      ///< -1: not read yet
+    Instant loop_asked_at{};  ///< the question that told it
+    bool ours = false;        ///< a motion of the console is under way
+    bool stopping = false;    ///< a stop was sent
+    unsigned with = 0;        ///< a bit for each axis of the same motion
+    std::int8_t turned = 0;   ///< direction of the latest change of position
+    Instant begun_at{};       ///< when our last command was sent
   };
   /// What positions are compared with, to notice that the controller has been switched off and on.
   struct Stood {
@@ -99,18 +102,22 @@ class ArcusDriver final : public Driver {
                                                       Priority priority);
   Task<Result<>> command(std::string text, Priority priority, Duration patience = Millis(200));
   Task<Result<>> broadcast(std::string text, Priority priority);
-  Task<Result<>> send_text(const intent::SendText& wish);
   Task<> wait_for_quiet();
   std::size_t hear(std::string_view bytes);
   void for_scripts(std::string text);
-  void overhear(std::string_view text);
-  void note_sent(std::string_view text);
-  void note_stop(std::string_view text);
-  [[nodiscard]] int axis_named_in(std::string_view text) const;
   tl::unexpected<Fault> refusal(std::string_view sent, std::string_view reply) const;
   tl::unexpected<Fault> no_connection() const;
   void tell(Notice::Kind kind, std::string text);
   [[nodiscard]] Framing framing() const;
+
+  // ---- driver_text.cpp
+  Task<Result<>> send_text(const intent::SendText& wish);
+  void overhear(std::string_view text, Hearsay what);
+  void note_done(std::string_view text);
+  [[nodiscard]] int axis_stopped_by(std::string_view text) const;
+  void note_sent(std::string_view as_typed);
+  void note_stop(std::string_view text);
+  [[nodiscard]] int axis_named_in(std::string_view text) const;
 
   // ---- driver_connect.cpp
   Task<Result<>> identify();
@@ -197,6 +204,7 @@ class ArcusDriver final : public Driver {
   Task<Result<>> halt_threads(int only);
   Task<Result<>> threads_rest();
   Task<Result<>> wait_for_standstill(int axis);
+  void stop_is_said(int axis, EndedBy how);
   void stopping(int axis, bool at_once);
   void ended_by_us(int axis, EndedBy why);
   void stands(int axis);
@@ -251,7 +259,8 @@ class ArcusDriver final : public Driver {
   const Catalog& catalog_;
   Snapshot& draft_;
   std::function<void(Notice)> notify_;
-  std::function<void()> changed_, stop_heard_;
+  std::function<void()> changed_;
+  std::function<void(bool)> stop_heard_;
   const Forms& forms_;
   const language::Dialect& dialect_;
   Station* station_ = nullptr;
@@ -265,17 +274,21 @@ class ArcusDriver final : public Driver {
   int buffer_free_ = 0;
   bool buffer_on_ = false;
   StopsUnderWay stops_;
+  std::array<std::uint32_t, max_axes> stops_said_{};  ///< of each axis, by whomever on this wire
+  EndedBy latest_stop_ = EndedBy::stop;
 
   bool connected_before_ = false, lost_while_busy_ = false;
   bool name_told_ = false;
   Instant lost_at_{}, heard_at_{};
   int strays_ = 0;  ///< texts that nobody asked for
   Instant round_began_{};
+  Instant motion_asked_at_{};  ///< the oldest question of the newest round that has been applied
   int round_ = 0;
   std::uint32_t watched_ = 0;
   bool half_written_ = false;              ///< lines were stored, and not all of a program
   std::optional<StoredCode> stored_code_;  ///< not known: not looked, or foreign code
   std::optional<Called> called_;
+  std::optional<Called> called_before_hearsay_;
   Instant moved_at_{};  ///< when an axis was last seen to move, or may have
   int next_readout_ = 0, next_variable_ = 0, next_analog_ = 0, next_param_ = 0, next_thread_ = 0,
       next_kept_ = 0;

@@ -23,6 +23,7 @@ Task<Result<>> ArcusDriver::start_feed(intent::FeedMoves wish) {
                        fmt::format("Move {} of the list cannot be sent: {} goes from {} to {}.", row + 1,
                                    columns[c].label, columns[c].minimum, columns[c].maximum),
                        "Nothing was sent.");
+  const auto stops_before = stops_said_;
   auto read = co_await read_motion(Priority::intent);
   if (!read) co_return read;
   if (!buffer_on_) {
@@ -35,6 +36,7 @@ Task<Result<>> ArcusDriver::start_feed(intent::FeedMoves wish) {
     auto again = co_await read_motion(Priority::intent);
     if (!again) co_return again;
   }
+  if (stops_said_ != stops_before) co_return fail(stop_came_first());  // it found no list to end
   to_feed_.assign(std::make_move_iterator(wish.rows.begin()), std::make_move_iterator(wish.rows.end()));
   draft_.feed.running = !to_feed_.empty();
   draft_.feed.sent = 0;

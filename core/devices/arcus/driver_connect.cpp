@@ -42,7 +42,7 @@ std::string ArcusDriver::axis_name(int axis) const {
 Task<Result<>> ArcusDriver::connect(Station& station) {
   station_ = &station;
   station.unsolicited = [this](std::string_view bytes) { return hear(bytes); };
-  station.overheard = [this](std::string_view text) { overhear(text); };
+  station.overheard = [this](std::string_view text, Hearsay what) { overhear(text, what); };
   strays_ = 0;
   moved_at_ = scheduler_.now();  // unseen
   auto identified = co_await identify();

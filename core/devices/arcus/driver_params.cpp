@@ -274,9 +274,7 @@ void ArcusDriver::is_stored() {
 Task<Result<>> ArcusDriver::store() {
   auto done = co_await command("STORE", Priority::intent, store_patience);
   if (!done && done.error().kind == FaultKind::no_answer)
-    co_return fail(FaultKind::no_answer,
-                   fmt::format("The controller did not confirm in {:.0f} s that it has stored.",
-                               seconds(store_patience)),
+    co_return fail(FaultKind::no_answer, "The controller did not confirm in time that it has stored.",
                    "STORE was sent once and is not repeated: the memory bears a limited number of writes.",
                    "Do not switch the controller off now. Compare the set-up before you store again.");
   if (!done) co_return done;

@@ -72,6 +72,8 @@ Task<Result<>> ArcusDriver::read_motion(Priority priority) {
   if (!encoders) co_return fail(encoders.error());
   auto speeds = co_await ask_numbers(std::string(forms_.speeds), axes, priority);
   if (!speeds) co_return fail(speeds.error());
+  if (asked_at < motion_asked_at_) co_return Result<>();  // overtaken: a stop's own round is newer
+  motion_asked_at_ = asked_at;
   take_status(*status);
   for (int i = 0; i < axis_count(); ++i) {
     AxisState& axis = draft_.axes[i];
@@ -129,6 +131,8 @@ Task<Result<>> ArcusDriver::read_loop(Priority priority) {
     const Instant asked_at = scheduler_.now();
     auto state = co_await ask_number(question, priority);
     if (!state) co_return fail(state.error());
+    if (asked_at < mind.loop_asked_at) continue;
+    mind.loop_asked_at = asked_at;
     mind.loop_state = static_cast<int>(*state);
     draft_.axes[i].in_counts = *state != static_cast<int>(LoopState::off);
     put_readout(question, *state);

@@ -74,9 +74,8 @@ Task<Result<>> ArcusDriver::control(int thread, int what) {
 
 /// What is told to a thread (SR0=1) may change what it does.
 void ArcusDriver::forget_thread(std::string_view text) {
-  if (!text.starts_with("SR") || text.size() < 4 || text[3] != '=') return;
-  const auto n = decode_number(text.substr(2, 1));
-  if (n && *n >= 0 && *n < model().programs) draft_.threads[ix(static_cast<int>(*n))].known = false;
+  const auto n = thread_named_in(text);
+  if (n && *n >= 0 && *n < model().programs) draft_.threads[ix(*n)].known = false;
 }
 
 // SR is answered with OK whether the program is there or not (decision AMB-115). One that runs is; one that
@@ -235,7 +234,11 @@ tl::unexpected<Fault> ArcusDriver::broken_off(Fault why) {
 
 // The next console to open it does not know.
 std::string ArcusDriver::leaves_behind() const {
-  return half_written_ ? fmt::format("{} {}", torn, mend_it) : std::string();
+  std::string left = half_written_ ? fmt::format("{} {}", torn, mend_it) : std::string();
+  if (!borrowed_) return left;
+  if (!left.empty()) left += ' ';
+  return left + fmt::format("{0} is {1} for one motion; it was {2}. Set {0}={2} before the next one.",
+                            borrowed_->name, borrowed_->for_now, borrowed_->before);
 }
 
 // Each line is read back at once; a line that is equal already is not written.

@@ -53,11 +53,19 @@ Task<Result<>> ArcusDriver::stop_what(int axis, bool at_once, bool motion_only) 
     co_return fail(FaultKind::lost, "Stop does not reach the controller: there is no connection.",
                    "Nothing was sent.", "Use its power switch.");
   stops_.begin(axis, at_once);
-  end_feed();
+  stop_is_said(axis, at_once ? EndedBy::abort : EndedBy::stop);
   auto stopped = co_await stop_now(axis, at_once, motion_only);
   stops_.end(axis, at_once);
   if (station_) stands(axis);
   co_return stopped;
+}
+
+// Also what is on its way out just now, and does not move yet, is ended by it.
+void ArcusDriver::stop_is_said(int axis, EndedBy how) {
+  end_feed();
+  latest_stop_ = how;
+  for (int i = 0; i < axis_count(); ++i)
+    if (axis < 0 || i == axis) ++stops_said_[ix(i)];
 }
 
 // What was being stopped is shown as it is again.

@@ -1,4 +1,4 @@
-// Questions and commands, raw text, and what the device says unasked.
+// Questions and commands, and what the device says unasked. The user's own text: driver_text.cpp.
 #include <fmt/core.h>
 
 #include "core/devices/arcus/driver.h"
@@ -19,26 +19,6 @@ std::string printable(std::string_view bytes) {
 
 bool worth_another_try(const Fault& fault) {
   return fault.kind == FaultKind::no_answer || fault.kind == FaultKind::garbled;
-}
-
-/// A text that sets a position or encoder counter, or may: clearing an error and switching StepNLoop put the
-/// target where the axis stands.
-bool may_set_counter(std::string_view text) {
-  if (text.starts_with("CLR") || text.starts_with("ABORT") || text.starts_with("SR") ||
-      text.starts_with("GS"))
-    return true;
-  const std::string_view name = text.substr(0, text.find('='));
-  if (name.size() == text.size()) return false;
-  const bool counter = name.size() == 2 && (name[0] == 'P' || name[0] == 'E');
-  const bool loop = name == "SL" || (name.size() == 3 && name.starts_with("SL"));
-  return counter || loop || name == "JE";
-}
-
-/// After it, where the axis was sent is not where it is to come to rest.
-bool takes_target_away(std::string_view text) {
-  if (text.starts_with('T')) return text.find('=') == text.npos;
-  const bool counter = text.size() > 3 && text[2] == '=' && (text[0] == 'P' || text[0] == 'E');
-  return counter && text[1] != 'O';
 }
 
 tl::unexpected<Fault> means_nothing(std::string_view question, std::string_view reply) {
@@ -67,7 +47,7 @@ Task<Result<Reply>> ArcusDriver::exchange(std::string text, Priority priority, D
                                           bool own_question) {
   if (!station_) co_return no_connection();
   const bool anothers = address_of(text) >= 0 && address_of(text) != catalog_.address;
-  const std::string_view said = anothers ? std::string_view() : text_of(text);
+  const std::string said = anothers ? std::string() : command_in(text);
   if ((said.starts_with("SR") && !ends_program(said)) || said.starts_with("GS")) program_runs();
   if (may_set_counter(said)) ++counters_set_;
   const bool must_be_sure = own_question || priority != Priority::stop;
@@ -218,10 +198,14 @@ Task<Result<>> ArcusDriver::broadcast(std::string text, Priority priority) {
     co_return fail(FaultKind::refused,
                    fmt::format("A {} has no address that speaks to all devices of a line.", model().title),
                    "Nothing was sent.");
-  if (may_set_counter(text)) ++counters_set_;
-  station_->let_others_hear(fmt::format("@{:02}{}", model().broadcast, text));
+  if (may_set_counter(bare_text(text))) ++counters_set_;
+  const std::string to_all = fmt::format("@{:02}{}", model().broadcast, text);
+  station_->let_others_hear(to_all, Hearsay::said);
   Transaction t(frame(Framing::addressed, model().broadcast, text), ReplyShape::nothing(), priority);
   auto sent = co_await station_->transact(std::move(t));
+  if (sent && station_) station_->let_others_hear(to_all, Hearsay::done);
+  if (!sent && station_ && sent.error().kind == FaultKind::stopped)
+    station_->let_others_hear(to_all, Hearsay::refused);
   if (!sent) co_return fail(sent.error());
   co_return Result<>();
 }
@@ -270,124 +254,6 @@ bool ArcusDriver::take_unsolicited(std::string& text) {
   text = std::move(for_scripts_.front());
   for_scripts_.pop_front();
   return true;
-}
-
-// ---- raw text
-
-// A stop waits for nothing that is to come first.
-Task<Result<std::string>> ArcusDriver::query(std::string text, Duration patience) {
-  const Priority priority = is_stop(text) ? Priority::stop : Priority::intent;
-  if (priority != Priority::stop)
-    if (auto returned = co_await give_back_first(); !returned) co_return fail(returned.error());
-  if (model().broadcast >= 0 && address_of(text) == model().broadcast) {
-    auto sent = co_await broadcast(std::string(text_of(text)), priority);
-    if (!sent) co_return fail(sent.error());
-    note_sent(text_of(text));
-    co_return std::string();
-  }
-  const int to = address_of(text);
-  const bool anothers = to >= 0 && to != catalog_.address;
-  if (station_ && anothers) station_->let_others_hear(text);
-  if (!anothers && ends_motion(text_of(text))) end_feed();  // whether or not it is confirmed
-  auto reply = co_await exchange(text, priority, patience);
-  if (!reply && anothers && reply.error().kind == FaultKind::no_answer)
-    co_return fail(FaultKind::no_answer,
-                   fmt::format("Device {:02} did not answer {} in time.", to, text_of(text)));
-  if (!reply) co_return fail(reply.error());
-  if (!reply->refused() && !anothers) note_sent(text_of(text));
-  co_return std::move(reply->text);
-}
-
-bool ArcusDriver::answers(std::string_view text) const {
-  return model().broadcast < 0 || address_of(text) != model().broadcast;
-}
-
-// The automatic message at the end of a move (DMX manual, AR).
-bool ArcusDriver::answers_later(std::string_view) const { return param("AR") == 1; }
-
-// A line of the program memory: SA[line]=[code].
-bool ArcusDriver::changes_programs(std::string_view text) const {
-  const std::string_view command = text_of(text);
-  return command.starts_with("SA") && command.find('=') != command.npos;
-}
-
-bool ArcusDriver::is_stop(std::string_view text) const {
-  return ends_motion(text_of(text)) || ends_program(text_of(text));
-}
-
-bool ArcusDriver::stops_another(std::string_view text) const {
-  const int to = address_of(text);
-  return is_stop(text) && to >= 0 && to != catalog_.address && to != model().broadcast;
-}
-
-bool ArcusDriver::stops_all(std::string_view text) const {
-  return is_stop(text) && !stops_another(text) && (text_of(text) == "STOP" || text_of(text) == "ABORT");
-}
-
-Task<Result<>> ArcusDriver::send_text(const intent::SendText& wish) {
-  if (wish.broadcast) {
-    auto sent = co_await broadcast(wish.text, is_stop(wish.text) ? Priority::stop : Priority::intent);
-    if (sent) note_sent(wish.text);
-    co_return sent;
-  }
-  auto reply = co_await query(wish.text, usual_patience);
-  if (!reply) co_return fail(reply.error());
-  if (!reply->empty()) for_scripts(std::move(*reply));
-  co_return Result<>();
-}
-
-// From a neighbour's terminal to this one, or to all. What it may change is read afresh after it: intents go
-// before polls.
-void ArcusDriver::overhear(std::string_view text) {
-  const int to = address_of(text);
-  if (to < 0 || (to != catalog_.address && to != model().broadcast)) return;
-  if (station_ && is_stop(text)) stop_heard_();  // nothing that waits here is said behind it
-  if (may_set_counter(text_of(text))) ++counters_set_;
-  if (changes_programs(text)) {
-    ++draft_.program_changes;
-    draft_.program_changed_by = 0;
-  }
-  note_sent(text_of(text));
-}
-
-// What the user's own text changes is read afresh, not guessed.
-void ArcusDriver::note_sent(std::string_view text) {
-  const auto equals = text.find('=');
-  const std::string_view name = text.substr(0, equals);
-  if (equals != text.npos) {
-    const int index = catalog_.find_param(name);
-    if (index >= 0) changed_param(index);
-    if (name.starts_with('V'))
-      if (const auto n = decode_number(name.substr(1)); n && *n >= 0 && *n < variables)
-        draft_.variables_known.reset(static_cast<std::size_t>(*n));
-  }
-  forget_thread(text);
-  if (text == "STORE") is_stored();
-  note_call(text);
-  if (text.starts_with("SA") && equals != text.npos) stored_code_.reset();
-  if (const int axis = axis_named_in(text); axis >= 0 && takes_target_away(text))
-    draft_.axes[axis].has_target = false;
-  if (ends_motion(text)) note_stop(text);
-  if (!arcus::may_move(forms_, text)) return;
-  ++counters_set_;  // homing sets them; a short move to zero ends before anybody has seen it move
-  changed_();
-}
-
-// The user's own stop: what it has ended did not end by itself, and nothing that waits here begins again.
-void ArcusDriver::note_stop(std::string_view text) {
-  end_feed();
-  const int only = axis_count() > 1 ? axis_named_in(text) : -1;
-  const EndedBy why = text.starts_with("ABORT") ? EndedBy::abort : EndedBy::stop;
-  for (int i = 0; i < axis_count(); ++i)
-    if ((only < 0 || i == only) && moving(i)) ended_by_us(i, why);
-}
-
-/// "PX=0", "TX500", "STOPX" -> 0; -1: none. With one axis it need not be named.
-int ArcusDriver::axis_named_in(std::string_view text) const {
-  if (axis_count() == 1) return 0;
-  const std::string_view name = text.substr(0, text.find_first_of("=0123456789-"));
-  const auto axis = name.empty() ? std::string_view::npos : model().axis_letters.find(name.back());
-  return axis == std::string_view::npos ? -1 : static_cast<int>(axis);
 }
 
 void ArcusDriver::tell(Notice::Kind kind, std::string text) {
