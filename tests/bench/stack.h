@@ -31,7 +31,7 @@ struct Stack {
     if (wire) {
       auto link = std::make_shared<Link>(time, std::move(wire->stream));
       station = std::make_unique<Station>(std::move(link), &traffic);
-      driver = type.make_driver(DriverContext{time, catalog, draft, [](Notice) {}, [] {}, [] {}});
+      driver = type.make_driver(DriverContext{time, catalog, draft, [](Notice) {}, [] {}, [](bool) {}});
       auto ready = co_await driver->connect(*station);
       traffic.drain([](TrafficEntry&) {});  // what connecting took is not counted
       connected = ready.has_value();
