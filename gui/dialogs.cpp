@@ -204,6 +204,8 @@ void Dialogs::draw_names(Ui& ui, Console& console) {
 void Dialogs::draw_close(Ui& ui, Console& console) {
   Tab& tab = *tab_;
   title(ui, fmt::format("Close {}?", tab.name()));
+  const std::vector<const Tab*> closed = closed_with(tab);
+  goes_on_ = goes_on_ || std::any_of(closed.begin(), closed.end(), busy_within_reach);
   if (!goes_on_) {
     if (const int pressed = ask_about_unkept(ui); pressed == 1) console.close(tab);
     return;

@@ -17,6 +17,7 @@ namespace {
 
 constexpr double frame_seconds = 1.0 / 60;
 constexpr int frames_after_input = 3;
+constexpr double look_at_keys_every_s = 0.05;  // while one is down
 enum { cursor_arrow, cursor_text, cursor_ew, cursor_ns };
 
 std::string glfw_says() {
@@ -36,10 +37,16 @@ float monitor_scale() {
 struct Window::Callbacks {
   static Window& of(GLFWwindow* w) { return *static_cast<Window*>(glfwGetWindowUserPointer(w)); }
 
-  static void key(GLFWwindow* w, int key, int, int action, int) {
+  static void key(GLFWwindow* w, int key, int code, int action, int) {
     if (key < 0) return;
-    if (action == GLFW_REPEAT) return of(w).touched(1);  // ImGui counts its own repeats, but needs frames
-    of(w).push(InputEvent::key(key, action == GLFW_PRESS, of(w).now_s()));
+    const bool pressed = action == GLFW_PRESS || (action == GLFW_REPEAT && of(w).keys_.is_press(key, code));
+    if (action == GLFW_REPEAT && !pressed)
+      return of(w).touched(1);  // ImGui counts its own repeats, but needs frames
+    if (pressed)
+      of(w).keys_.press(key, code);
+    else
+      of(w).keys_.release(key);
+    of(w).push(InputEvent::key(key, pressed, of(w).now_s()));
   }
   static void character(GLFWwindow* w, unsigned code) { of(w).push(InputEvent::text(code, of(w).now_s())); }
   static void button(GLFWwindow* w, int button, int action, int) {
@@ -57,7 +64,10 @@ struct Window::Callbacks {
     of(w).push(InputEvent::wheel(static_cast<float>(x), static_cast<float>(y), of(w).now_s()));
   }
   static void focus(GLFWwindow* w, int focused) {
-    if (!focused) of(w).push(InputEvent::focus_lost(of(w).now_s()));
+    if (!focused) {
+      of(w).keys_.forget();
+      of(w).push(InputEvent::focus_lost(of(w).now_s()));
+    }
     of(w).touched(1);
   }
   static void size(GLFWwindow* w, int, int) { of(w).touched(2); }
@@ -184,6 +194,10 @@ void Window::push(const InputEvent& event) {
   touched(frames_after_input);
 }
 
+void Window::let_go_of_lost_keys() {
+  for (const int key : keys_.lost()) push(InputEvent::key(key, false, now_s()));
+}
+
 void Window::touched(int frames) { frames_wanted_ = std::max(frames_wanted_, frames); }
 
 void Window::wake() {
@@ -216,7 +230,8 @@ bool Window::frame_is_due() const {
 void Window::wait() {
   const double since = now_s() - last_frame_s_;
   const bool wants = frames_wanted_ > 0 || woken_ || screen_->more_input();
-  const double until = std::max(wants ? 0.0 : screen_->wake_in_s(), frame_seconds) - since;
+  double until = std::max(wants ? 0.0 : screen_->wake_in_s(), frame_seconds) - since;
+  if (keys_.any()) until = std::min(until, look_at_keys_every_s);
   if (until <= 0)
     glfwPollEvents();
   else
@@ -226,6 +241,7 @@ void Window::wait() {
 void Window::run(const Draw& draw) {
   while (!closing_) {
     wait();
+    let_go_of_lost_keys();
     if (glfwGetWindowAttrib(window_, GLFW_ICONIFIED)) {
       frames_wanted_ = 0;
       woken_ = false;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "gui/physical_keys.h"
 #include "gui/screen.h"
 
 struct GLFWwindow;
@@ -58,6 +59,7 @@ class Window : public Surface {
   void connect_callbacks();
   void connect_clipboard();
   void push(const InputEvent& event);
+  void let_go_of_lost_keys();
   void touched(int frames);
   void wait();
   [[nodiscard]] bool frame_is_due() const;
@@ -71,6 +73,7 @@ class Window : public Surface {
   GLFWcursor* cursors_[4] = {};
   int cursor_shown_ = -1;
   std::unique_ptr<Screen> screen_;
+  PhysicalKeys keys_;
   std::atomic<bool> woken_{true}, closing_{false};
   bool gl_ready_ = false;
   int frames_wanted_ = 3, atlas_generation_ = 0;

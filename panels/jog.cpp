@@ -70,6 +70,8 @@ OwnSpeed own_speed(const Frame& f) {
   for_each_axis(f, [&](const Tab& tab, AxisId id) { any_on = any_on || tab.now().axes[id.index].enabled; });
   for_each_axis(f, [&](const Tab& tab, AxisId id) {
     const AxisState& axis = tab.now().axes[id.index];
+    const LinkState link = tab.now().link.state;
+    if (link != LinkState::good && link != LinkState::late) return;
     if (any_on && !axis.enabled) return;
     known = known && axis.own_speed.value > 0;
     own.alike = own.alike && (own.speed.value <= 0 || own.speed == axis.own_speed);

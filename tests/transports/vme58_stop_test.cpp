@@ -270,6 +270,34 @@ TEST_F(Vme58SlowBusStops, ATypedOneSelectsWhatItSaysWhateverItOvertakes) {
     }
 }
 
+// What the board took before the stop may have selected: then both stand where the text left them, or where
+// the console believes, but never apart.
+TEST_F(Vme58SlowBusStops, BehindOneTheBoardAndTheConsoleStandAtTheSameAxis) {
+  ASSERT_TRUE(query("AX VL20000 AC1000000 AY VL20000 AC1000000 AZ VL20000 AC1000000"));
+  run(Seconds(1));
+  const auto moved = [&] {
+    const Steps x = axis(0).position, y = axis(1).position;
+    EXPECT_TRUE(query("MR50 GO"));
+    EXPECT_TRUE(becomes_idle());
+    return std::array{axis(0).position != x, axis(1).position != y};
+  };
+  for (const char* stop : {"SA", "KL", ""})
+    for (int after_us = 0; after_us < 6000; after_us += 110) {
+      ASSERT_TRUE(query("AX"));
+      session->send(intent::SendText("AY MR1000 GO"));
+      run(std::chrono::microseconds(after_us));
+      if (*stop)
+        perform(intent::SendText(stop));
+      else
+        perform(intent::Stop());
+      ASSERT_TRUE(becomes_idle());
+      const auto first = moved();
+      perform(intent::MoveBy({{AxisId{2}, Steps(10)}}));  // selects, and goes back to what the user had selected
+      ASSERT_TRUE(becomes_idle());
+      ASSERT_EQ(moved(), first) << stop << ' ' << after_us;
+    }
+}
+
 TEST_F(Vme58Stops, ATypedOneOfAllLeavesARecordingOpen) {
   ASSERT_TRUE(query("AA VL5000,5000; CV1000 CD0,0; MT1000,1000;"));
   EXPECT_EQ(perform(intent::SendText("SA")).fate, Fate::done);

@@ -145,7 +145,10 @@ Task<Result<>> Vme58Driver::feed() {
     const auto put = co_await put_text(std::move(text), Priority::transfer);
     if (!put) co_return fail(put.error());
     if (!*put) co_return Result<>();
-    if (to_feed_.empty()) co_return Result<>();  // a stop has come in between
+    if (to_feed_.empty()) {  // a stop has come in between, and what was put may have selected
+      selection_lost_ = true;
+      co_return Result<>();
+    }
     to_feed_.pop_front();
     before_feeding_ = std::exchange(fed_context_, after);
     if (!fed_apart_) context_ = after;

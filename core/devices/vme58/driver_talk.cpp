@@ -185,7 +185,7 @@ Task<Result<std::vector<std::string>>> Vme58Driver::ask_several(std::string text
     if (scheduler_.now() - asked_at > patience) {
       const auto bad = co_await was_rejected(priority);
       if (bad && *bad) co_return rejected(text);
-      station_->count_miss();
+      if (station_) station_->count_miss();
       co_return fail(FaultKind::no_answer,
                      fmt::format("The board did not answer to {} in time.", without_end(text)));
     }

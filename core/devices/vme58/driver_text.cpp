@@ -159,15 +159,20 @@ Task<Result<std::string>> Vme58Driver::send_commands(std::string text, Duration 
       const int put_before = put_;
       auto written = co_await write(word, Priority::intent, WhenStuck::leave);
       if (!written) {
-        // Left in the ring it acts later: what is sent behind it must know. A stop selects behind it.
-        if (put_ != put_before && selects(command) && stops_by_text_ == stops_before) note_sent(command);
+        // Left in the ring it acts later: what is sent behind it must know.
+        if (put_ != put_before && selects(command) && stops_by_text_ == stops_before)
+          note_sent(command);
+        else
+          selection_lost_ = selection_lost_ || (put_ != put_before && selects(command));
         co_return fail(written.error());
       }
       auto accepted = co_await accepts(command);
+      selection_lost_ = selection_lost_ || (!accepted && selects(command));  // the board may have taken it
       if (!accepted) co_return fail(accepted.error());
     }
     if (stops_by_text_ != stops_before) {
       note_effects(command);
+      selection_lost_ = selection_lost_ || selects(command);  // before the stop, or behind it
       co_return fail(stop_came_first());
     }
     note_sent(command);

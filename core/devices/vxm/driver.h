@@ -128,6 +128,7 @@ class VxmDriver final : public Driver {
   void warn_of_dropped(const RawAnswer& sent);
   void note_taken(const std::vector<TextCommand>& commands);
   void end_waits();
+  std::string cut_behind_stop(std::string& text) const;
   std::optional<std::string> take_since(std::uint64_t number, char first = 0);
   Task<Result<std::string>> wait_for_prompt(std::uint64_t since, Duration patience);
 

@@ -220,7 +220,7 @@ bool VxmDriver::clears_up() const {
 }
 
 std::string VxmDriver::leaves_behind() const {
-  if (scratch_ < 0 || reset_said_) return {};
+  if (scratch_ < 0 || reset_said_ || job_.leg_over) return {};
   return fmt::format(
       "The move goes on without the console, and program {} of the controller still holds it: "
       "the Run button would repeat it. Send {} when the move is over.",

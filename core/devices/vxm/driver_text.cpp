@@ -20,6 +20,20 @@ void add_answer(std::string& answers, std::string_view next) {
   answers += next;
 }
 
+/// What stops or asks, or goes on-line: it changes nothing that a move of the console needs to its end.
+bool goes_with_a_stop(const TextCommand& c) {
+  if (c.verb == Verb::word) return c.name == "res";
+  return c.verb == Verb::letter && std::string_view("KDFVXY?~$@").find(c.letter) != std::string_view::npos;
+}
+
+Fault not_behind_stop(std::string_view rest) {
+  return Fault(
+      FaultKind::refused,
+      fmt::format("{} was not sent: a move of the console was under way, and its stop was sent first.",
+                  printable(rest)),
+      "", "Send it again when the move has ended.");
+}
+
 /// The answers that came before a failure are not lost.
 std::string with_answers(std::string_view answers, std::string_view done) {
   return fmt::format("Before that it answered {}.{}{}", printable(answers), done.empty() ? "" : " ", done);
@@ -180,6 +194,7 @@ Task<VxmDriver::RawAnswer> VxmDriver::send_pieces(std::string text, Duration pat
 Task<Result<>> VxmDriver::send_text(std::string text) {
   if (ends_open(text)) text += '\r';
   const bool stops = is_stop(text);
+  const std::string rest = stops ? cut_behind_stop(text) : std::string();
   for (const TextCommand& c : read_text(text)) {
     const bool taken_while_running =
         c.verb == Verb::letter && accepted_while_running.find(c.letter) != std::string_view::npos;
@@ -195,7 +210,19 @@ Task<Result<>> VxmDriver::send_text(std::string text) {
   if (!sent.text.empty()) for_scripts(std::move(sent.text));
   news_.notify();
   if (sent.fault) co_return fail(std::move(*sent.fault));
+  if (!rest.empty()) co_return fail(not_behind_stop(rest));
   co_return Result<>();
+}
+
+// A move of the console ends in steps that the rest of the text would come between: its program is still
+// selected.
+std::string VxmDriver::cut_behind_stop(std::string& text) const {
+  const auto commands = read_text(text);
+  const auto first = std::find_if_not(commands.begin(), commands.end(), goes_with_a_stop);
+  if (!job_.active() || first == commands.end()) return {};
+  std::string rest = text.substr(first->begin);
+  text.resize(first->begin);
+  return rest;
 }
 
 bool VxmDriver::answers(std::string_view text) const {
@@ -255,6 +282,7 @@ Task<Result<std::string>> VxmDriver::converse(std::string text, Duration patienc
   if (ends_open(text)) text += '\r';
   if (read_text(text).empty())
     co_return fail(FaultKind::refused, "There is no command in that text.", "Nothing was sent.");
+  const std::string rest = said ? cut_behind_stop(text) : std::string();
   const std::uint64_t asked = next_unasked_;
   RawAnswer sent = co_await send_pieces(std::move(text), patience);
   if (sent.fault || sent.last_is_answered) warn_of_dropped(sent);
@@ -265,6 +293,7 @@ Task<Result<std::string>> VxmDriver::converse(std::string text, Duration patienc
     add_answer(sent.text, *report);  // it came instead of an answer
     co_return std::move(sent.text);
   }
+  if (!rest.empty()) co_return fail(not_behind_stop(rest));
   if (sent.last_is_answered) co_return std::move(sent.text);
   if (said) said();
   auto prompt = co_await wait_for_prompt(asked, patience);

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """The console's window under Xvfb, worked with a real mouse and keyboard. What it does is seen on the wire: a
 silent second client of the emulator hears every reply of the controller."""
+import ctypes
 import json
 import os
 import pathlib
@@ -194,6 +195,44 @@ class Hold(Window):
         self.assertLess(stopped, moving + 6000)
         time.sleep(1)
         self.assertEqual(self.wire.first_motor()[-1], stopped, "stays")
+
+
+    def grab_the_keyboard(self, keys_up, seconds=1.5):
+        """As who switches windows or takes a screenshot does; meanwhile the keys go up, and nobody is told."""
+        x = ctypes.CDLL("libX11.so.6")
+        x.XOpenDisplay.restype = ctypes.c_void_p
+        display = ctypes.c_void_p(x.XOpenDisplay(self.env["DISPLAY"].encode()))
+        root = ctypes.c_ulong(x.XDefaultRootWindow(display))
+        self.assertEqual(x.XGrabKeyboard(display, root, 0, 1, 1, 0), 0)
+        x.XSync(display, 0)
+        time.sleep(0.3)
+        for key in keys_up:
+            self.xdo("keyup", key)
+        time.sleep(seconds)
+        x.XUngrabKeyboard(display, 0)
+        x.XCloseDisplay(display)
+
+    def test_a_key_that_goes_up_unseen_is_let_go(self):
+        begin = self.at_rest()
+        self.xdo("keydown", "Right")
+        self.wait_until(lambda: self.wire.first_motor()[-1] > begin + 400, "moves")
+        self.grab_the_keyboard(["Right"])
+        stopped = self.at_rest()
+        time.sleep(1)
+        self.assertEqual(self.wire.first_motor()[-1], stopped, "stays")
+        self.xdo("keydown", "Right")
+        self.wait_until(lambda: self.wire.first_motor()[-1] > stopped + 400, "the next press is one")
+        self.xdo("keyup", "Right")
+        self.at_rest()
+
+    def test_a_modifier_that_goes_up_unseen_disables_nothing(self):
+        begin = self.at_rest()
+        self.xdo("keydown", "Alt_L")
+        self.grab_the_keyboard(["Alt_L"])
+        self.xdo("keydown", "Right")
+        self.wait_until(lambda: self.wire.first_motor()[-1] > begin + 400, "moves")
+        self.xdo("keyup", "Right")
+        self.at_rest()
 
 
 class Type(Window):

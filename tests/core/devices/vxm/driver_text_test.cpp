@@ -180,10 +180,21 @@ TEST_F(VxmDriverText, AStopMayHaveMoreBehindIt) {
   move_to(0, 400000);
   run(2);
   EXPECT_THAT(send("PM1,"), HasSubstr("A move of the console"));
+  EXPECT_THAT(send("K,V,PM1,I1M400,"), HasSubstr("PM1,I1M400, was not sent"))
+      << "which would go into the move's own program";
+  EXPECT_TRUE(wait_idle());
+  EXPECT_EQ(latest.program.slot, 0);
+  EXPECT_EQ(query("PM,lst"), "0\rPM0 M256");
+  move_to(0, 400000);
+  run(2);
+  EXPECT_THAT(query("K,Q"), HasSubstr("Q was not sent"));
+  EXPECT_TRUE(wait_idle());
+  EXPECT_EQ(query("V"), "R");
+  send("PM-0,I1M400000,R");
+  run(1);
   EXPECT_EQ(send("K,PM1,"), "");
   EXPECT_TRUE(wait_idle());
-  EXPECT_EQ(latest.program.slot, 1);
-  EXPECT_EQ(query("PM\r"), "1");
+  EXPECT_EQ(latest.program.slot, 1) << "of a stored program nothing is left to do";
 }
 
 TEST_F(VxmDriverText, AKThatDidNotGetThroughHasEndedNothing) {
