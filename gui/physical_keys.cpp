@@ -47,13 +47,14 @@ bool PhysicalKeys::is_press(int key, int code) {
 void PhysicalKeys::release(int key) {
   if (!is_known(key) || codes_[static_cast<std::size_t>(key)] == 0) return;
   codes_[static_cast<std::size_t>(key)] = 0;
-  suspects_[static_cast<std::size_t>(key)] = false;
+  suspects_[static_cast<std::size_t>(key)] = seen_[static_cast<std::size_t>(key)] = false;
   --down_;
 }
 
 void PhysicalKeys::forget() {
   codes_.fill(0);
   suspects_.fill(false);
+  seen_.fill(false);
   down_ = 0;
 }
 
@@ -65,7 +66,8 @@ std::vector<int> PhysicalKeys::lost() {
   for (int key = 0; key < static_cast<int>(codes_.size()); ++key)
     if (const auto k = static_cast<std::size_t>(key); codes_[k] != 0) {
       const bool up = !is_down(*map, codes_[k]);
-      if (!std::exchange(suspects_[k], up) || !up) continue;
+      seen_[k] = seen_[k] || !up;
+      if (!seen_[k] || !std::exchange(suspects_[k], up) || !up) continue;
       keys.push_back(key);
       release(key);
     }

@@ -24,6 +24,8 @@ class PhysicalKeys {
   [[nodiscard]] bool is_known(int key) const { return key >= 0 && key < static_cast<int>(codes_.size()); }
   std::array<int, 512> codes_{};      ///< by key; 0: it is up
   std::array<bool, 512> suspects_{};  ///< were up for the server, and their release may have been on its way
+  std::array<bool, 512>
+      seen_{};  ///< the server has shown them down: it does not of keys that a program sends
   int down_ = 0;
 };
 

@@ -65,10 +65,9 @@ class Driver {
   [[nodiscard]] virtual bool answers_later(std::string_view) const { return false; }
   /// Whether this raw text may change what the controller's programs are.
   [[nodiscard]] virtual bool changes_programs(std::string_view) const { return true; }
-  /// Whether this raw text stops what is under way, so that nothing may keep it back.
+  /// Whether this raw text stops what is under way, here or in another controller of the wire, so that
+  /// nothing may keep it back.
   [[nodiscard]] virtual bool is_stop(std::string_view) const { return false; }
-  /// Whether that is under way in another controller of the wire only.
-  [[nodiscard]] virtual bool stops_another(std::string_view) const { return false; }
   /// And whether it stops all axes and programs.
   [[nodiscard]] virtual bool stops_all(std::string_view text) const { return is_stop(text); }
   /// A text that a controller in an error state takes although it answers nothing, connecting included: it

@@ -75,7 +75,6 @@ class Pump {
   void post_stop(Intent intent);
   [[nodiscard]] bool stops_by_text(const std::string& text) const;
   void begin_stop();
-  void begin_stop_text(const std::string& text);
   void drop_what_waits();
   void end_stop();
   Task<> perform_stop_text(Intent intent);

@@ -49,7 +49,7 @@ void Pump::post(Intent intent) {
   const auto* text = std::get_if<intent::SendText>(&intent.body);
   set_fate(intent.id, Fate::pending);
   if (text && stops_by_text(text->text)) {
-    begin_stop_text(text->text);
+    begin_stop();
     asio::co_spawn(scheduler_.executor(), perform_stop_text(std::move(intent)), asio::detached);
     return;
   }

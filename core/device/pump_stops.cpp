@@ -68,11 +68,6 @@ void Pump::begin_stop() {
   ++stops_under_way_;
 }
 
-void Pump::begin_stop_text(const std::string& text) {
-  if (!driver_->stops_another(text)) drop_what_waits();
-  ++stops_under_way_;
-}
-
 void Pump::drop_what_waits() {
   ++stops_begun_;
   refuse_queued("A stop came first. This was not sent.");
@@ -155,7 +150,7 @@ Task<> Pump::stop_and_report(Intent intent) {
 }
 
 Task<Result<std::string>> Pump::query_stop(std::string text, Duration patience) {
-  begin_stop_text(text);
+  begin_stop();
   count_program_change(Intent(0, intent::SendText(text)));
   const bool all = driver_->stops_all(text), answered = driver_->answers(text);
   ++answers_awaited_;

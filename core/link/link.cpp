@@ -207,7 +207,9 @@ void Link::on_deadline() {
 void Link::drop_procedures(Station& station) {
   for (const Priority priority : {Priority::intent, Priority::transfer})
     std::erase_if(waiting_[static_cast<std::size_t>(priority)], [&](Pending* p) {
-      if (&p->station != &station) return false;
+      const bool its_own = &p->station == &station;
+      const bool for_it = station.address >= 0 && p->transaction.meant_for == station.address;
+      if (!its_own && !for_it) return false;
       end(*p, fail(stop_came_first()));
       return true;
     });

@@ -38,6 +38,8 @@ struct Transaction {
   bool names_itself = false;
   /// Silence says nothing against the link: the controller is in a state in which it does not answer.
   bool may_be_silent = false;
+  /// The address on the wire of the controller that it is for, where that is another station's; -1: not so.
+  int meant_for = -1;
   /// What the console asks for itself about the state: recorded as a poll, however urgent it is.
   bool own_question = false;
   /// How many bytes at the front of what came in are messages of their own and no part of the reply (a prompt

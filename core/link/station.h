@@ -40,12 +40,14 @@ class Station {
   /// ... and whether what it waited for came in time.
   void count_answer(Duration round_trip, bool poll, Instant now);
   void count_miss();
-  /// From now until end_stop() intents and transfers of this station, waiting or new, end with
-  /// Fault{stopped}, so that no procedure that was under way can send its next step behind the stop. The one
-  /// in flight goes on.
+  /// From now until end_stop() intents and transfers of this station, waiting or new, and those of others for
+  /// its device that wait, end with Fault{stopped}, so that no procedure that was under way can send its next
+  /// step behind the stop. The one in flight goes on.
   void begin_stop();
   void end_stop() { stopping_ = false; }
 
+  /// Of this device on a wire of several; -1: it has none.
+  int address = -1;
   /// Bytes that no transaction claimed, at least one. The handler returns how many at the front are its own
   /// and done with; npos: they may be, more must come to tell (they are offered again with what follows).
   /// What no station on the wire understands counts as unparsed.

@@ -136,19 +136,30 @@ TEST_F(DmxBus, AStopTypedToAllIsFollowedByNothingThatWaitedAtANeighbour) {
   EXPECT_TRUE(moves(other)) << "what is asked after the stop is done";
 }
 
-TEST_F(DmxBus, AStopTypedForANeighbourWaitsForNothingAndDropsNothingHere) {
+TEST_F(DmxBus, AStopTypedForANeighbourWaitsForNothing) {
   build_and_connect(2);
-  for (const auto& member : members) say(*member, "EO=1");
+  say(*members[1], "EO=1");
   say(*members[1], "X100000");
   run(1);
   ASSERT_TRUE(moves(*members[1]));
   ask_nobody(*members[0]);
-  say(*members[0], "X100000");
   say(*members[0], "@02STOP");
   run(1);
   EXPECT_FALSE(moves(*members[1]));
-  run(5);
-  EXPECT_TRUE(moves(*members[0]));
+}
+
+TEST_F(DmxBus, AStopTypedForANeighbourOvertakesNothingThatIsDoneAfterIt) {
+  build_and_connect(3);
+  say(*members[1], "EO=1");
+  run(0.5);
+  ASSERT_TRUE(host->bench(2)->operate(bench::Power(false)));
+  for (int after_ms = 0; after_ms < 60; after_ms += 3) {
+    say(*members[0], "@02J+");
+    run(after_ms * 0.001);
+    say(*members[0], "@02STOP");
+    run(2);
+    ASSERT_FALSE(moves(*members[1])) << after_ms;
+  }
 }
 
 TEST_F(DmxBus, AStopTypedToAllWithItsAddressIsHeardByAll) {

@@ -48,7 +48,7 @@ class ArcusDriver final : public Driver {
   [[nodiscard]] bool answers_later(std::string_view text) const override;
   [[nodiscard]] bool changes_programs(std::string_view text) const override;
   [[nodiscard]] bool is_stop(std::string_view text) const override;
-  [[nodiscard]] bool stops_another(std::string_view text) const override;
+  [[nodiscard]] bool stops_another(std::string_view text) const;
   [[nodiscard]] bool stops_all(std::string_view text) const override;
   bool take_unsolicited(std::string& text) override;
   [[nodiscard]] Duration moving_period() const override;

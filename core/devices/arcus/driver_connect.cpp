@@ -41,6 +41,7 @@ std::string ArcusDriver::axis_name(int axis) const {
 
 Task<Result<>> ArcusDriver::connect(Station& station) {
   station_ = &station;
+  station.address = catalog_.address;
   station.unsolicited = [this](std::string_view bytes) { return hear(bytes); };
   station.overheard = [this](std::string_view text, Hearsay what) { overhear(text, what); };
   strays_ = 0;

@@ -62,7 +62,8 @@ Task<Result<Reply>> ArcusDriver::exchange(std::string text, Priority priority, D
   forget_thread(said);  // whether or not it is confirmed
   const auto called_before = note_call(said);
   auto reply = co_await say(text, priority, patience, own_question);
-  if (reply ? reply->refused() : reply.error().kind == FaultKind::stopped) called_ = called_before;
+  if (said.starts_with("GS") && (reply ? reply->refused() : reply.error().kind == FaultKind::stopped))
+    called_ = called_before;
   if (!reply || !must_be_sure || !station_ || !station_->answer_owed_on_wire()) co_return reply;
   auto named = co_await hear_its_name(priority);
   if (!named) co_return fail(named.error());
@@ -80,6 +81,7 @@ Task<Result<Reply>> ArcusDriver::say(std::string text, Priority priority, Durati
   const bool usb = station_->carries_messages();
   Transaction t(frame(framing(), catalog_.address, text), usb ? ReplyShape::message() : ReplyShape::text(),
                 priority);
+  if (const int to = address_of(text); to != catalog_.address) t.meant_for = to;
   t.patience = patience;
   t.prompt = own_question;
   t.own_question = own_question && priority != Priority::transfer;

@@ -220,11 +220,12 @@ bool VxmDriver::clears_up() const {
 }
 
 std::string VxmDriver::leaves_behind() const {
-  if (scratch_ < 0 || reset_said_ || job_.leg_over) return {};
+  if (scratch_ < 0 || reset_said_) return {};
   return fmt::format(
-      "The move goes on without the console, and program {} of the controller still holds it: "
-      "the Run button would repeat it. Send {} when the move is over.",
-      scratch_, empty_program(scratch_));
+      "{}program {} of the controller still holds {}: the Run button would repeat it. Send {} when the move "
+      "is over.",
+      job_.leg_over ? "The " : "The move goes on without the console, and ", scratch_,
+      job_.leg_over ? "a move of the console" : "it", empty_program(scratch_));
 }
 
 Task<Result<>> VxmDriver::clean_scratch() {

@@ -28,7 +28,7 @@ bool goes_with_a_stop(const TextCommand& c) {
 
 Fault not_behind_stop(std::string_view rest) {
   return Fault(
-      FaultKind::refused,
+      FaultKind::controller,
       fmt::format("{} was not sent: a move of the console was under way, and its stop was sent first.",
                   printable(rest)),
       "", "Send it again when the move has ended.");
@@ -293,7 +293,11 @@ Task<Result<std::string>> VxmDriver::converse(std::string text, Duration patienc
     add_answer(sent.text, *report);  // it came instead of an answer
     co_return std::move(sent.text);
   }
-  if (!rest.empty()) co_return fail(not_behind_stop(rest));
+  if (!rest.empty()) {
+    Fault cut = not_behind_stop(rest);
+    if (!sent.text.empty()) cut.done = with_answers(sent.text, "");
+    co_return fail(std::move(cut));
+  }
   if (sent.last_is_answered) co_return std::move(sent.text);
   if (said) said();
   auto prompt = co_await wait_for_prompt(asked, patience);

@@ -124,7 +124,7 @@ TEST_F(StopAtAnyTime, WhateverTheControllerTakesForAStopIsOne) {
   for (const char* text :
        {"SR0= 0", "SR0 =0", " SR0=0", "SR0=00", "SR00=0", "SR0=+0", "SR0=-0", "SR0=0 ", "@01 SR1 = 0"})
     EXPECT_TRUE(driver.is_stop(text)) << text;
-  EXPECT_TRUE(driver.stops_another("@02 STOP"));
+  EXPECT_TRUE(driver.is_stop("@02 STOP") && !driver.stops_all("@02 STOP"));
   for (const char* text : {"SR0= 1", "SR0=+1", "SR0=0x", "SR=0", "SRX=0", "SR0=", " X100", "SR0= "})
     EXPECT_FALSE(driver.is_stop(text)) << text;
 }

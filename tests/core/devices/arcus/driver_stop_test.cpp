@@ -201,20 +201,19 @@ TEST_F(Stopping, TypedItIsKnownAsOne) {
   const Driver& driver = pump->driver();
   for (const char* text : {"STOP", "ABORT", "SR0=0", "SR1=0", "@01STOP", "@00ABORT", "@01SR1=0"}) {
     EXPECT_TRUE(driver.is_stop(text)) << text;
-    EXPECT_FALSE(driver.stops_another(text)) << text;
   }
   for (const char* text :
        {"", "@", "PX", "SR0=1", "SR0", "SR", "SR0=01", "X100", "@02X100", "STORE", "SLOAD=0"})
     EXPECT_FALSE(driver.is_stop(text)) << text;
   for (const char* text : {"@02STOP", "@17SR0=0"}) {
-    EXPECT_TRUE(driver.is_stop(text) && driver.stops_another(text)) << text;
+    EXPECT_TRUE(driver.is_stop(text)) << text;
     EXPECT_FALSE(driver.stops_all(text)) << "of this one nothing: " << text;
   }
   next();
   start(pmx);
   for (const char* text : {"STOPX", "ABORTU", "SR3=0", "@00STOPY"})
     EXPECT_TRUE(pump->driver().is_stop(text)) << text;
-  EXPECT_TRUE(pump->driver().stops_another("@01STOP"));
+  EXPECT_FALSE(pump->driver().stops_all("@01STOP"));
 }
 
 }  // namespace
