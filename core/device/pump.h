@@ -74,6 +74,8 @@ class Pump {
   Task<> wait_for_retry();
   void post_stop(Intent intent);
   [[nodiscard]] bool stops_by_text(const std::string& text) const;
+  void enqueue(std::unique_ptr<Job> job);
+  [[nodiscard]] std::uint64_t stops_of(Addressee whom) const;
   void begin_stop();
   void drop_what_waits();
   void end_stop();
@@ -81,6 +83,7 @@ class Pump {
   void owe_stop_of_all(const Fault& why);
   Task<Result<std::string>> query_stop(std::string text, Duration patience);
   void refuse_queued(std::string_view why);
+  void refuse(std::unique_ptr<Job> job, std::string_view why);
   bool try_to_recover(const std::string& text);
   void answer_recovery();
   void hold_jog(const Intent& intent);

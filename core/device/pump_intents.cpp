@@ -60,9 +60,22 @@ void Pump::post(Intent intent) {
   hold_jog(intent);
   if (text && !connected() && driver_->stops_all(text->text)) owed_stop_.add(-1);
   const bool recovers = text && try_to_recover(text->text);
-  queue_.push_back(std::make_unique<Job>(std::move(intent)));
-  queue_.back()->recovers = recovers;
+  auto job = std::make_unique<Job>(std::move(intent));
+  job->recovers = recovers;
+  enqueue(std::move(job));
+}
+
+void Pump::enqueue(std::unique_ptr<Job> job) {
+  if (const auto* text = std::get_if<intent::SendText>(&job->intent.body))
+    job->whom = driver_->meant_for(*text);
+  job->stops_before = stops_of(job->whom);
+  queue_.push_back(std::move(job));
   wake_.notify();
+}
+
+std::uint64_t Pump::stops_of(Addressee whom) const {
+  if (whom == Addressee::nobody_else || !station_) return 0;
+  return station_->stops_of(whom);
 }
 
 /// A text that a silent controller may yet take is said in the attempt to connect: in the one under way, or
@@ -167,20 +180,19 @@ void Pump::jog_let_go() {
 }
 
 void Pump::refuse_queued(std::string_view why) {
-  for (auto& job : queue_) {
-    set_fate(job->intent.id, Fate::refused, why);
-    jog_not_begun(job->intent);
-    if (job->is_query) {
-      job->reply = fail(FaultKind::refused, std::string(why));
-      job->answered = true;
-      job->asker.resume(scheduler_.executor());
-      job.release();  // its asker owns it from here
-    }
-  }
-  if (!queue_.empty()) {
-    queue_.clear();
-    publish();
-  }
+  if (queue_.empty()) return;
+  for (auto& job : std::exchange(queue_, {})) refuse(std::move(job), why);
+  publish();
+}
+
+void Pump::refuse(std::unique_ptr<Job> job, std::string_view why) {
+  set_fate(job->intent.id, Fate::refused, why);
+  jog_not_begun(job->intent);
+  if (!job->is_query) return;
+  job->reply = fail(FaultKind::refused, std::string(why));
+  job->answered = true;
+  job->asker.resume(scheduler_.executor());
+  job.release();  // its asker owns it from here
 }
 
 // Whoever has its own idea of the programs in the controller hears that others may have changed them.
@@ -199,6 +211,10 @@ void Pump::count_program_change(const Intent& intent) {
 Task<> Pump::perform_next() {
   std::unique_ptr<Job> job = std::move(queue_.front());
   queue_.pop_front();
+  if (job->stops_before != stops_of(job->whom)) {  // the stop of another device
+    refuse(std::move(job), stopped_first);
+    co_return publish();
+  }
   performing_ = true;
   count_program_change(job->intent);
   if (job->is_query) {
@@ -247,8 +263,7 @@ Task<Result<std::string>> Pump::query(std::string text, Duration patience) {
   job->recovers = recovers;
   job->text = std::move(text);
   job->patience = patience;
-  queue_.push_back(std::move(owned));
-  wake_.notify();
+  enqueue(std::move(owned));
   while (!job->answered) co_await job->asker.here();
   std::unique_ptr<Job> mine(job);
   co_return std::move(mine->reply);

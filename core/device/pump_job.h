@@ -12,6 +12,8 @@ namespace hw {
 /// A controller's status may lag behind the command by a round or two.
 constexpr int fast_polls_after_a_command = 3;
 
+constexpr std::string_view stopped_first = "A stop came first. This was not sent.";
+
 inline Fault failed_inside(const char* what, const std::exception& defect) {
   return Fault(FaultKind::internal, fmt::format("The {} failed inside: {}.", what, defect.what()),
                "What the controller did with it is not known.", "Look at its state before the next command.");
@@ -20,7 +22,9 @@ inline Fault failed_inside(const char* what, const std::exception& defect) {
 struct Pump::Job {
   Intent intent;
   bool is_query = false;
-  bool recovers = false;  ///< may be what makes a silent controller answer again
+  bool recovers = false;                    ///< may be what makes a silent controller answer again
+  Addressee whom = Addressee::nobody_else;  ///< of the others on the wire
+  std::uint64_t stops_before = 0;           ///< of them
   std::string text;
   Duration patience{};
   Result<std::string> reply{std::string()};

@@ -50,7 +50,7 @@ void Pump::post_stop(Intent intent) {
     set_fate(intent.id, Fate::failed,
              "Stop does not reach the controller: there is no connection. Use its power switch.");
     ++stops_begun_;
-    refuse_queued("A stop came first. This was not sent.");
+    refuse_queued(stopped_first);
     owe_stop(intent.body);
     return publish();
   }
@@ -70,7 +70,7 @@ void Pump::begin_stop() {
 
 void Pump::drop_what_waits() {
   ++stops_begun_;
-  refuse_queued("A stop came first. This was not sent.");
+  refuse_queued(stopped_first);
   if (station_) station_->begin_stop();
 }
 

@@ -204,11 +204,25 @@ void Link::on_deadline() {
   finish(fail(std::move(fault)));
 }
 
+void Link::stop_begins(Station& station) {
+  if (station.address >= 0) ++stops_begun_[station.address];
+  drop_procedures(station);
+}
+
+std::uint64_t Link::stops_of(Addressee whom) const {
+  std::uint64_t stops = 0;
+  for (const auto& [address, begun] : stops_begun_)
+    if (whom == Addressee::everyone || whom == Addressee(address)) stops += begun;
+  return stops;
+}
+
 void Link::drop_procedures(Station& station) {
   for (const Priority priority : {Priority::intent, Priority::transfer})
     std::erase_if(waiting_[static_cast<std::size_t>(priority)], [&](Pending* p) {
       const bool its_own = &p->station == &station;
-      const bool for_it = station.address >= 0 && p->transaction.meant_for == station.address;
+      const Addressee whom = p->transaction.meant_for;
+      const bool for_it =
+          station.address >= 0 && (whom == Addressee(station.address) || whom == Addressee::everyone);
       if (!its_own && !for_it) return false;
       end(*p, fail(stop_came_first()));
       return true;

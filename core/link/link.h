@@ -5,6 +5,7 @@
 // window onto a bus, where a transaction is a burst of cycles. Io thread only.
 #include <array>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -23,6 +24,9 @@ enum class Hearsay : std::uint8_t;
 
 enum class Priority : std::uint8_t { stop, intent, transfer, poll };
 
+/// Whom a text is for beside the device at whose terminal it is typed: an address, or one of these.
+enum class Addressee : int { everyone = -2, nobody_else = -1 };
+
 struct Transaction {
   std::string bytes;
   ReplyShape reply;
@@ -38,8 +42,8 @@ struct Transaction {
   bool names_itself = false;
   /// Silence says nothing against the link: the controller is in a state in which it does not answer.
   bool may_be_silent = false;
-  /// The address on the wire of the controller that it is for, where that is another station's; -1: not so.
-  int meant_for = -1;
+  /// Whom of the others on the wire it is for.
+  Addressee meant_for = Addressee::nobody_else;
   /// What the console asks for itself about the state: recorded as a poll, however urgent it is.
   bool own_question = false;
   /// How many bytes at the front of what came in are messages of their own and no part of the reply (a prompt
@@ -90,7 +94,9 @@ class Link final : public std::enable_shared_from_this<Link>,
   void let_others_hear(const Station& speaker, std::string_view text, Hearsay what) const;
   Task<Result<std::string>> transact(Station& station, Transaction transaction);
   Task<Result<>> run(Station& station, std::span<BusCycle> cycles, Priority priority);
+  void stop_begins(Station& station);
   void drop_procedures(Station& station);
+  [[nodiscard]] std::uint64_t stops_of(Addressee whom) const;
   void hurry_for_a_stop();
   [[nodiscard]] Duration patience_for(const Transaction& transaction) const;
   [[nodiscard]] bool answer_owed() const;
@@ -119,6 +125,7 @@ class Link final : public std::enable_shared_from_this<Link>,
   Station* spoke_last_ =
       nullptr;  ///< whose transaction was last on the wire; what makes no sense is told to it
   std::array<std::vector<Pending*>, 4> waiting_;  ///< by priority; few, and they keep their memory
+  std::map<int, std::uint64_t> stops_begun_;      ///< of each address on the wire, since it was opened
   Pending* in_flight_ = nullptr;
   std::string received_;
   Instant sent_at_{}, deadline_at_{};

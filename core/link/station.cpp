@@ -35,7 +35,7 @@ Task<Result<>> Station::bus(std::span<BusCycle> cycles, Priority priority) {
 
 void Station::begin_stop() {
   stopping_ = true;
-  if (link_) link_->drop_procedures(*this);
+  if (link_) link_->stop_begins(*this);
 }
 
 bool Station::owes_answer() const { return link_ && link_->scheduler_.now() < owes_until_; }

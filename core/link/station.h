@@ -46,6 +46,10 @@ class Station {
   void begin_stop();
   void end_stop() { stopping_ = false; }
 
+  /// How many stops have begun on this wire of those whom a text is for: one that was asked for before the
+  /// latest of them is not said any more.
+  [[nodiscard]] std::uint64_t stops_of(Addressee whom) const { return link_ ? link_->stops_of(whom) : 0; }
+
   /// Of this device on a wire of several; -1: it has none.
   int address = -1;
   /// Bytes that no transaction claimed, at least one. The handler returns how many at the front are its own

@@ -148,18 +148,33 @@ TEST_F(DmxBus, AStopTypedForANeighbourWaitsForNothing) {
   EXPECT_FALSE(moves(*members[1]));
 }
 
-TEST_F(DmxBus, AStopTypedForANeighbourOvertakesNothingThatIsDoneAfterIt) {
+// It waits there behind a round of status, which is long where another device is silent.
+TEST_F(DmxBus, AStopTakesBackWhatWaitsForItAtANeighbour) {
+  using Say = std::function<void()>;
   build_and_connect(3);
-  say(*members[1], "EO=1");
+  Member &speaker = *members[0], &other = *members[1];
+  say(other, "EO=1");
   run(0.5);
   ASSERT_TRUE(host->bench(2)->operate(bench::Power(false)));
-  for (int after_ms = 0; after_ms < 60; after_ms += 3) {
-    say(*members[0], "@02J+");
-    run(after_ms * 0.001);
-    say(*members[0], "@02STOP");
-    run(2);
-    ASSERT_FALSE(moves(*members[1])) << after_ms;
-  }
+  const Say motions[] = {[&] { say(speaker, "@02J+"); }, [&] { say(speaker, "J+", true); },
+                         [&] { say(speaker, "@00J+"); }};
+  const Say stops[] = {[&] { other.pump->post(Intent(++last_id, intent::Stop())); },
+                       [&] { say(other, "STOP"); }, [&] { say(speaker, "@02STOP"); }};
+  for (const Say& move : motions)
+    for (const Say& stop : stops) {
+      for (int after_ms = 0; after_ms < 60; after_ms += 6) {
+        move();
+        run(after_ms * 0.001);
+        stop();
+        run(2);
+        ASSERT_FALSE(moves(other)) << &move - motions << ' ' << &stop - stops << ' ' << after_ms;
+      }
+      move();
+      run(1);
+      ASSERT_TRUE(moves(other)) << "what is asked after the stop is done";
+      stop();
+      run(2);
+    }
 }
 
 TEST_F(DmxBus, AStopTypedToAllWithItsAddressIsHeardByAll) {

@@ -11,7 +11,7 @@ namespace hw::arcus {
 namespace {
 
 constexpr int empty_lines_end_it = 4;  // in a row
-constexpr int thread_stop = 0, thread_run = 1, thread_pause = 2, thread_continue = 3;
+constexpr int thread_run = 1, thread_pause = 2, thread_continue = 3;
 
 std::string foreign_lines(const std::vector<language::BadLine>& bad, const std::vector<std::string>& lines) {
   const bool one = bad.size() == 1;

@@ -24,8 +24,11 @@ EndedBy how_it_ends(std::string_view stop) {
 // A stop waits for nothing that is to come first.
 Task<Result<std::string>> ArcusDriver::query(std::string text, Duration patience) {
   const Priority priority = is_stop(text) ? Priority::stop : Priority::intent;
-  if (priority != Priority::stop)
+  if (priority != Priority::stop) {
+    const std::uint64_t stops_before = stops_of_others(text);
     if (auto returned = co_await give_back_first(); !returned) co_return fail(returned.error());
+    if (stops_of_others(text) != stops_before) co_return fail(stop_came_first());
+  }
   if (model().broadcast >= 0 && address_of(text) == model().broadcast) {
     auto sent = co_await broadcast(std::string(text_of(text)), priority);
     if (!sent) co_return fail(sent.error());
@@ -78,6 +81,20 @@ bool ArcusDriver::stops_another(std::string_view text) const {
 bool ArcusDriver::stops_all(std::string_view text) const {
   const std::string word = command_in(text);
   return is_stop(text) && !stops_another(text) && (word == "STOP" || word == "ABORT");
+}
+
+Addressee ArcusDriver::whom_of_others(std::string_view text) const {
+  const int to = address_of(text);
+  if (to < 0 || to == catalog_.address) return Addressee::nobody_else;
+  return to == model().broadcast ? Addressee::everyone : Addressee(to);
+}
+
+std::uint64_t ArcusDriver::stops_of_others(std::string_view text) const {
+  return station_ ? station_->stops_of(whom_of_others(text)) : 0;
+}
+
+Addressee ArcusDriver::meant_for(const intent::SendText& wish) const {
+  return wish.broadcast && address_of(wish.text) < 0 ? Addressee::everyone : whom_of_others(wish.text);
 }
 
 // To all, unless it says itself to whom: then that one answers, or it is the address of all.

@@ -250,6 +250,7 @@ class Vme58Driver final : public Driver {
   // ---- driver_text.cpp
   Task<Result<>> send_text(std::string text);
   Task<Result<std::string>> send_commands(std::string text, Duration patience);
+  Task<Result<>> put_command(const TextCommand& command, std::string word, std::uint64_t stops_before);
   Task<Result<>> accepts(const TextCommand& command);
   Task<Result<>> stop_by_text(std::string text);
   void note_stop_of_program(const TextCommand& command);

@@ -150,25 +150,8 @@ Task<Result<std::string>> Vme58Driver::send_commands(std::string text, Duration 
       auto reset = co_await reset_by_text(std::move(word));
       if (!reset) co_return fail(reset.error());
     } else {
-      auto settled = co_await settle_late_rejection(Priority::intent);
-      if (!settled) co_return fail(settled.error());
-      // Until a round of status has seen all queues empty and no axis turning.
-      if (!command.fact || command.fact->when == When::queued) draft_.working = queues_due_ = true;
-      note_stop_of_program(command);
-      note_group(command);  // before a stop can come in between
-      const int put_before = put_;
-      auto written = co_await write(word, Priority::intent, WhenStuck::leave);
-      if (!written) {
-        // Left in the ring it acts later: what is sent behind it must know.
-        if (put_ != put_before && selects(command) && stops_by_text_ == stops_before)
-          note_sent(command);
-        else
-          selection_lost_ = selection_lost_ || (put_ != put_before && selects(command));
-        co_return fail(written.error());
-      }
-      auto accepted = co_await accepts(command);
-      selection_lost_ = selection_lost_ || (!accepted && selects(command));  // the board may have taken it
-      if (!accepted) co_return fail(accepted.error());
+      auto put = co_await put_command(command, std::move(word), stops_before);
+      if (!put) co_return fail(put.error());
     }
     if (stops_by_text_ != stops_before) {
       note_effects(command);
@@ -179,6 +162,31 @@ Task<Result<std::string>> Vme58Driver::send_commands(std::string text, Duration 
   }
   flags_wanted_ = true;
   co_return answers;
+}
+
+/// One that is no question. `stops_before`: of those by text, when this text began.
+Task<Result<>> Vme58Driver::put_command(const TextCommand& command, std::string word,
+                                        std::uint64_t stops_before) {
+  auto settled = co_await settle_late_rejection(Priority::intent);
+  if (!settled) co_return settled;
+  // Until a round of status has seen all queues empty and no axis turning.
+  if (!command.fact || command.fact->when == When::queued) draft_.working = queues_due_ = true;
+  note_stop_of_program(command);
+  note_group(command);  // before a stop can come in between
+  const int put_before = put_;
+  auto written = co_await write(std::move(word), Priority::intent, WhenStuck::leave);
+  if (!written) {
+    // Left in the ring it acts later: what is sent behind it must know.
+    const bool left_in_ring = put_ != put_before && selects(command);
+    if (left_in_ring && stops_by_text_ == stops_before)
+      note_sent(command);
+    else
+      selection_lost_ = selection_lost_ || left_in_ring;
+    co_return written;
+  }
+  auto accepted = co_await accepts(command);
+  selection_lost_ = selection_lost_ || (!accepted && selects(command));  // the board may have taken it
+  co_return accepted;
 }
 
 /// It has been taken from the ring, and was no command error.
