@@ -21,6 +21,13 @@ struct ProgramJobTest : ::testing::Test {
     now.fates[0] = f;
     job.update(texts, now, catalog, Instant(), send);
   }
+  void find_another_program() {
+    now.slot_bytes_used[0] = 12;
+    texts.set_text(0, "I1M400");
+    ASSERT_TRUE(begin(ProgramJob::Goal::run));
+    texts.listed(0, "L9\n", Instant());
+    settle(Fate::done);
+  }
   template <class T>
   const T* last() const {
     return sent.empty() ? nullptr : std::get_if<T>(&sent.back());
@@ -90,11 +97,7 @@ TEST_F(ProgramJobTest, RunAsksBeforeItOverwritesWhatMeansNothingHere) {
 }
 
 TEST_F(ProgramJobTest, RunAsksBeforeItOverwritesAnotherProgram) {
-  now.slot_bytes_used[0] = 12;
-  texts.set_text(0, "I1M400");
-  ASSERT_TRUE(begin(ProgramJob::Goal::run));
-  texts.listed(0, "L9\n", Instant());
-  settle(Fate::done);
+  find_another_program();
   EXPECT_EQ(job.stage(), ProgramJob::Stage::asking);
   EXPECT_THAT(job.question(), HasSubstr("Program 0 in the controller holds another program of 12 bytes"));
   EXPECT_EQ(sent.size(), 1u);
@@ -109,11 +112,7 @@ TEST_F(ProgramJobTest, RunAsksBeforeItOverwritesAnotherProgram) {
 }
 
 TEST_F(ProgramJobTest, WhatWasTypedDuringTheQuestionIsNotAnsweredForByIt) {
-  now.slot_bytes_used[0] = 12;
-  texts.set_text(0, "I1M400");
-  ASSERT_TRUE(begin(ProgramJob::Goal::run));
-  texts.listed(0, "L9\n", Instant());
-  settle(Fate::done);
+  find_another_program();
   ASSERT_EQ(job.stage(), ProgramJob::Stage::asking);
   texts.set_text(0, "I1M-77");
   const std::size_t before = sent.size();
@@ -135,11 +134,7 @@ TEST_F(ProgramJobTest, RoomIsMadeAfterTheTextWasBroughtIntoTheEditor) {
 }
 
 TEST_F(ProgramJobTest, AQuestionStaysUntilItIsAnswered) {
-  now.slot_bytes_used[0] = 12;
-  texts.set_text(0, "I1M400");
-  ASSERT_TRUE(begin(ProgramJob::Goal::run));
-  texts.listed(0, "L9\n", Instant());
-  settle(Fate::done);
+  find_another_program();
   ASSERT_EQ(job.stage(), ProgramJob::Stage::asking);
   EXPECT_FALSE(begin(ProgramJob::Goal::make_room));
   EXPECT_EQ(job.stage(), ProgramJob::Stage::asking);

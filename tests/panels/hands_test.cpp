@@ -3,17 +3,12 @@
 
 #include "gui/input_queue.h"
 #include "tests/panels/console_stage.h"
+#include "tests/panels/must.h"
 
 namespace hw::panels {
 namespace {
 
 using namespace gui;
-
-#define MUST(action)                                          \
-  do {                                                        \
-    const auto done = (action);                               \
-    ASSERT_TRUE(done.has_value()) << done.error().sentence(); \
-  } while (false)
 
 class HandsTest : public testing::Test {
  protected:

@@ -2,17 +2,12 @@
 #include <gtest/gtest.h>
 
 #include "tests/panels/console_stage.h"
+#include "tests/panels/must.h"
 
 namespace hw::panels {
 namespace {
 
 using namespace gui;
-
-#define MUST(action)                                          \
-  do {                                                        \
-    const auto done = (action);                               \
-    ASSERT_TRUE(done.has_value()) << done.error().sentence(); \
-  } while (false)
 
 class JogUnitsTest : public testing::Test {
  protected:

@@ -61,6 +61,13 @@ class DmxBus : public ::testing::Test, protected test::BusStage {
         asio::detached);
     run(0.1);
   }
+  /// A move that stands in the device's own queue.
+  void let_move_wait(Member& member) {
+    say(member, "EO=1");
+    run(0.5);
+    ask_nobody(member);
+    say(member, "X100000");
+  }
   static bool moves(const Member& member) { return member.latest.any_axis_moving(); }
 
   IntentId last_id = 0;
@@ -122,10 +129,7 @@ TEST_F(DmxBus, AStopWaitsNoLongerForASilentOneThanItsPatience) {
 TEST_F(DmxBus, AStopTypedToAllIsFollowedByNothingThatWaitedAtANeighbour) {
   build_and_connect(2);
   Member& other = *members[1];
-  say(other, "EO=1");
-  run(0.5);
-  ask_nobody(other);
-  say(other, "X100000");
+  let_move_wait(other);
   say(*members[0], "STOP", true);
   run(2);
   EXPECT_FALSE(moves(other));
@@ -180,10 +184,7 @@ TEST_F(DmxBus, AStopTakesBackWhatWaitsForItAtANeighbour) {
 TEST_F(DmxBus, AStopTypedToAllWithItsAddressIsHeardByAll) {
   build_and_connect(2);
   Member& other = *members[1];
-  say(other, "EO=1");
-  run(0.5);
-  ask_nobody(other);
-  say(other, "X100000");
+  let_move_wait(other);
   say(*members[0], "@00STOP", true);
   run(2);
   EXPECT_FALSE(moves(other));

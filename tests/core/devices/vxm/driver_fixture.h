@@ -1,26 +1,21 @@
 #pragma once
-// A console without its window: pump, driver, link, and an emulated VXM at the other end.
-#include <iostream>
+// A console without its window, and an emulated VXM at the other end.
 #include <memory>
 #include <string>
 #include <vector>
 
-#include <fmt/core.h>
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
-#include "core/device/pump.h"
 #include "core/devices/vxm/catalog.h"
 #include "core/devices/vxm/device_type.h"
 #include "core/devices/vxm/emulator.h"
-#include "core/time/virtual_scheduler.h"
-#include "tests/core/device/loopback.h"
+#include "tests/core/device/driver_stage.h"
 
 namespace hw::vxm {
 
 using Options = std::map<std::string, std::string>;
 
-class DriverTest : public testing::Test {
+class DriverTest : public test::DriverStage {
  protected:
   void start(const Options& options = {}, bool byte_times = false) {
     catalog_options = options;
@@ -32,90 +27,15 @@ class DriverTest : public testing::Test {
     if (catalog_options.contains("motors")) known["motors"] = catalog_options["motors"];
     catalog = make_catalog(known).value();
     type = device_type();
-    Pump::Ways ways;
-    ways.open_wire = [this]() -> Task<Result<std::shared_ptr<Link>>> { return open_wire(); };
-    ways.publish = [this](const Snapshot& s) { latest = s; };
-    ways.notify = [this](Notice n) { notices.push_back(std::move(n)); };
-    ways.traffic = &traffic;
-    pump = std::make_unique<Pump>(time, type, catalog, std::move(ways));
-    pump->start();
-    run_until([&] { return latest.link.state != LinkState::connecting; }, 5);
-    run(0.3);
+    DriverStage::open(type);
   }
-  void TearDown() override {
-    if (!pump) return;
-    if (HasFailure()) std::cerr << conversation();
-    asio::co_spawn(io, pump->shut_down(), asio::detached);
-    run(2);
-    pump.reset();
-    loop.reset();
-  }
-  Task<Result<std::shared_ptr<Link>>> open_wire() {
-    if (port_missing) co_return fail(FaultKind::port, "There is no port /dev/ttyUSB0.");
-    co_return std::make_shared<Link>(time, loop->plug());
-  }
-
-  void run(double s) { time.run_for(from_seconds(s)); }
-  template <class Done>
-  bool run_until(Done done, double at_most = 60) {
-    return time.run_until(time.now() + from_seconds(at_most), done);
-  }
-  /// Sends and waits for its fate: empty when done, else the sentence.
-  IntentId post(IntentBody body) {
-    const IntentId id = ++last_id;
-    pump->post(Intent(id, std::move(body)));
-    return id;
-  }
-  std::string perform(IntentBody body) {
-    const IntentId id = post(std::move(body));
-    run_until([&] { return fate(id) != Fate::pending; }, 30);
-    const IntentFate* f = pump->known().fate_of(id);
-    if (!f) return "no fate";
-    if (f->fate == Fate::pending) return "still pending";
-    return f->fate == Fate::done ? "" : std::string(f->sentence.view());
-  }
-  Fate fate(IntentId id) {
-    const IntentFate* f = pump->known().fate_of(id);
-    return f ? f->fate : Fate::pending;
-  }
-  /// As a hand on a jog does, each for a tenth of a second.
-  void hold(int times) {
-    for (; times > 0; --times) {
-      run(0.1);
-      pump->post(Intent(0, intent::JogKeepAlive()));
-    }
-  }
-  std::string query(std::string text, double patience = 1) {
-    std::string answer;
-    bool came = false;
-    asio::co_spawn(io, ask(*pump, std::move(text), from_seconds(patience), answer, came), asio::detached);
-    run_until([&] { return came; }, patience + 5);
-    return answer;
-  }
-  static Task<> ask(Pump& pump, std::string text, Duration patience, std::string& answer, bool& came) {
-    auto reply = co_await pump.query(std::move(text), patience);
-    answer = reply ? *reply : "fault: " + reply.error().sentence();
-    came = true;
-  }
-  bool idle() { return !pump->busy() && !latest.any_axis_moving() && latest.program.run == RunState::idle; }
-  bool wait_idle(double at_most = 120) {
-    run(0.05);
-    const bool done = run_until([&] { return idle(); }, at_most);
-    run(0.3);
-    return done;
-  }
+  bool idle() override { return DriverStage::idle() && latest.program.run == RunState::idle; }
   std::string unsolicited() {
     std::string all, text;
     while (pump->driver().take_unsolicited(text)) all += (all.empty() ? "" : " ") + text;
     return all;
   }
-  std::int64_t position(int axis = 0) { return latest.axes[axis].position.value; }
-  static std::vector<AxisTarget> target(int axis, std::int64_t value) {
-    AxisTarget t;
-    t.axis = AxisId{static_cast<std::uint8_t>(axis)};
-    t.value = Steps{value};
-    return {t};
-  }
+  static std::vector<AxisTarget> target(int axis, std::int64_t value) { return {target_of(axis, value)}; }
   std::string move_to(int axis, std::int64_t value, double speed = 0) {
     return perform(intent::MoveTo(target(axis, value), Pps{speed}));
   }
@@ -131,44 +51,9 @@ class DriverTest : public testing::Test {
     });
     return all;
   }
-  /// The end of what went over the wire, for a failed test.
-  std::string conversation() {
-    std::vector<std::string> lines;
-    traffic.drain([&](const TrafficEntry& e) {
-      std::string bytes;
-      for (const char c : e.bytes)
-        bytes +=
-            c >= ' ' && c < 127 ? std::string(1, c) : fmt::format("<{:02X}>", static_cast<unsigned char>(c));
-      lines.push_back(fmt::format("{:10.4f} {} {} {}\n", seconds(e.at), static_cast<int>(e.kind),
-                                  e.way == Way::sent ? "->" : "  <-", bytes));
-    });
-    std::string all;
-    for (std::size_t i = lines.size() > 60 ? lines.size() - 60 : 0; i < lines.size(); ++i) all += lines[i];
-    return all + all_notices() + std::string(latest.link.sentence.view()) + "\n";
-  }
-  bool told(std::string_view part) {
-    for (const Notice& n : notices)
-      if (n.text.find(part) != std::string::npos) return true;
-    return false;
-  }
-  std::string all_notices() {
-    std::string all;
-    for (const Notice& n : notices) all += n.text + "\n";
-    return all;
-  }
 
-  IoContext io;
-  VirtualScheduler time{io};
-  TrafficRing traffic{1 << 16};
-  std::unique_ptr<test::Loopback> loop;
   Options catalog_options;
-  Catalog catalog;
   DeviceType type{};
-  std::vector<Notice> notices;
-  Snapshot latest;
-  std::unique_ptr<Pump> pump;
-  IntentId last_id = 0;
-  bool port_missing = false;
 };
 
 }  // namespace hw::vxm
