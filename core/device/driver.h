@@ -70,8 +70,8 @@ class Driver {
   [[nodiscard]] virtual bool is_stop(std::string_view) const { return false; }
   /// And whether it stops all axes and programs.
   [[nodiscard]] virtual bool stops_all(std::string_view text) const { return is_stop(text); }
-  /// Whom of the others on the wire this raw text is for.
-  [[nodiscard]] virtual Addressee meant_for(const intent::SendText&) const { return Addressee::nobody_else; }
+  /// Which devices of a wire that several share this raw text is for.
+  [[nodiscard]] virtual Addressees meant_for(const intent::SendText&) const { return Addressees::none(); }
   /// A text that a controller in an error state takes although it answers nothing, connecting included: it
   /// is remembered, and said on the user's word if the controller is silent at the next connect(). False:
   /// this is no such text.

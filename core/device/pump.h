@@ -75,8 +75,8 @@ class Pump {
   void post_stop(Intent intent);
   [[nodiscard]] bool stops_by_text(const std::string& text) const;
   void enqueue(std::unique_ptr<Job> job);
-  [[nodiscard]] std::uint64_t stops_of(Addressee whom) const;
-  void begin_stop();
+  void tell_wire_of_stop(Addressees whom);
+  void begin_stop(Addressees whom);
   void drop_what_waits();
   void end_stop();
   Task<> perform_stop_text(Intent intent);
@@ -110,6 +110,7 @@ class Pump {
   Snapshot draft_;
   std::unique_ptr<Driver> driver_;
   std::unique_ptr<Station> station_;
+  std::weak_ptr<Link> wire_;  ///< that it has, or had last: others may be on it still
   std::deque<std::unique_ptr<Job>> queue_;
   Event wake_, published_, ended_;
   Timer dead_man_;

@@ -48,8 +48,9 @@ void Pump::post(Intent intent) {
   }
   const auto* text = std::get_if<intent::SendText>(&intent.body);
   set_fate(intent.id, Fate::pending);
+  if (text && driver_->is_stop(text->text)) tell_wire_of_stop(driver_->meant_for(*text));
   if (text && stops_by_text(text->text)) {
-    begin_stop();
+    begin_stop(driver_->meant_for(*text));
     asio::co_spawn(scheduler_.executor(), perform_stop_text(std::move(intent)), asio::detached);
     return;
   }
@@ -66,16 +67,11 @@ void Pump::post(Intent intent) {
 }
 
 void Pump::enqueue(std::unique_ptr<Job> job) {
-  if (const auto* text = std::get_if<intent::SendText>(&job->intent.body))
-    job->whom = driver_->meant_for(*text);
-  job->stops_before = stops_of(job->whom);
+  const auto* text = std::get_if<intent::SendText>(&job->intent.body);
+  if (const auto wire = wire_.lock(); wire && text)
+    job->stops_before = wire->stops_said(driver_->meant_for(*text));
   queue_.push_back(std::move(job));
   wake_.notify();
-}
-
-std::uint64_t Pump::stops_of(Addressee whom) const {
-  if (whom == Addressee::nobody_else || !station_) return 0;
-  return station_->stops_of(whom);
 }
 
 /// A text that a silent controller may yet take is said in the attempt to connect: in the one under way, or
@@ -211,10 +207,7 @@ void Pump::count_program_change(const Intent& intent) {
 Task<> Pump::perform_next() {
   std::unique_ptr<Job> job = std::move(queue_.front());
   queue_.pop_front();
-  if (job->stops_before != stops_of(job->whom)) {  // the stop of another device
-    refuse(std::move(job), stopped_first);
-    co_return publish();
-  }
+  station_->stops_before = job->stops_before;
   performing_ = true;
   count_program_change(job->intent);
   if (job->is_query) {
@@ -254,6 +247,7 @@ Task<Result<std::string>> Pump::query(std::string text, Duration patience) {
   const bool recovers = try_to_recover(text);
   const bool lost = draft_.link.state == LinkState::lost || draft_.link.state == LinkState::closed;
   if (!connected() && driver_->stops_all(text)) owed_stop_.add(-1);
+  if (driver_->is_stop(text)) tell_wire_of_stop(driver_->meant_for(intent::SendText(text)));
   if (!recovers && lost)
     co_return fail(FaultKind::lost, "There is no connection to the controller.", "Nothing was sent.");
   if (stops_by_text(text)) co_return co_await query_stop(std::move(text), patience);

@@ -22,9 +22,8 @@ inline Fault failed_inside(const char* what, const std::exception& defect) {
 struct Pump::Job {
   Intent intent;
   bool is_query = false;
-  bool recovers = false;                    ///< may be what makes a silent controller answer again
-  Addressee whom = Addressee::nobody_else;  ///< of the others on the wire
-  std::uint64_t stops_before = 0;           ///< of them
+  bool recovers = false;           ///< may be what makes a silent controller answer again
+  std::uint64_t stops_before = 0;  ///< for those whom the text is for, on this wire
   std::string text;
   Duration patience{};
   Result<std::string> reply{std::string()};

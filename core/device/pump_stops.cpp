@@ -46,6 +46,7 @@ void Pump::post_stop(Intent intent) {
   if (lets_go && lets_go->axis < 0) lets_go->axis = jogs_.in_hand().axis;
   release_jogs(intent.body);
   set_fate(intent.id, Fate::pending);
+  tell_wire_of_stop(Addressees::one(catalog_.address));
   if (!station_ || !station_->is_open()) {
     set_fate(intent.id, Fate::failed,
              "Stop does not reach the controller: there is no connection. Use its power switch.");
@@ -54,7 +55,7 @@ void Pump::post_stop(Intent intent) {
     owe_stop(intent.body);
     return publish();
   }
-  begin_stop();
+  begin_stop(Addressees::one(catalog_.address));
   asio::co_spawn(scheduler_.executor(), stop_and_report(std::move(intent)), asio::detached);
 }
 
@@ -63,8 +64,15 @@ bool Pump::stops_by_text(const std::string& text) const {
   return connected() && station_ && station_->is_open() && driver_->is_stop(text);
 }
 
-void Pump::begin_stop() {
-  drop_what_waits();
+/// Also of one that does not get through: nobody's text is to set in motion behind it what it was to stop.
+void Pump::tell_wire_of_stop(Addressees whom) {
+  if (const auto wire = wire_.lock()) wire->stop_said(whom);
+}
+
+/// What waits here goes on behind a stop of others only.
+void Pump::begin_stop(Addressees whom) {
+  const auto own = Addressees::one(catalog_.address);
+  if (!whom.any() || whom.share(own)) drop_what_waits();
   ++stops_under_way_;
 }
 
@@ -150,7 +158,7 @@ Task<> Pump::stop_and_report(Intent intent) {
 }
 
 Task<Result<std::string>> Pump::query_stop(std::string text, Duration patience) {
-  begin_stop();
+  begin_stop(driver_->meant_for(intent::SendText(text)));
   count_program_change(Intent(0, intent::SendText(text)));
   const bool all = driver_->stops_all(text), answered = driver_->answers(text);
   ++answers_awaited_;

@@ -204,29 +204,52 @@ void Link::on_deadline() {
   finish(fail(std::move(fault)));
 }
 
-void Link::stop_begins(Station& station) {
-  if (station.address >= 0) ++stops_begun_[station.address];
-  drop_procedures(station);
-}
-
-std::uint64_t Link::stops_of(Addressee whom) const {
-  std::uint64_t stops = 0;
-  for (const auto& [address, begun] : stops_begun_)
-    if (whom == Addressee::everyone || whom == Addressee(address)) stops += begun;
-  return stops;
-}
-
-void Link::drop_procedures(Station& station) {
+template <class Which>
+void Link::drop_waiting(Which which) {
   for (const Priority priority : {Priority::intent, Priority::transfer})
     std::erase_if(waiting_[static_cast<std::size_t>(priority)], [&](Pending* p) {
-      const bool its_own = &p->station == &station;
-      const Addressee whom = p->transaction.meant_for;
-      const bool for_it =
-          station.address >= 0 && (whom == Addressee(station.address) || whom == Addressee::everyone);
-      if (!its_own && !for_it) return false;
+      if (!which(*p)) return false;
       end(*p, fail(stop_came_first()));
       return true;
     });
+}
+
+void Link::drop_procedures(Station& station) {
+  drop_waiting([&](const Pending& p) { return &p.station == &station; });
+}
+
+// ---- stops, and what is said to others' devices
+
+void Link::stop_said(Addressees to) {
+  if (!to.any()) return;
+  const auto same = std::find_if(stops_said_.begin(), stops_said_.end(),
+                                 [&](const StopsSaid& said) { return said.to == to; });
+  if (same != stops_said_.end())
+    ++same->count;
+  else
+    stops_said_.push_back({to, 1});
+  drop_waiting([&](const Pending& p) { return p.transaction.moves_others.share(to); });
+}
+
+std::uint64_t Link::stops_said(Addressees to) const {
+  std::uint64_t all = 0;
+  for (const StopsSaid& said : stops_said_)
+    if (said.to.share(to)) all += said.count;
+  return all;
+}
+
+Result<> Link::may_be_said(const Station& station, const Transaction& transaction) const {
+  const bool yields = transaction.priority == Priority::intent || transaction.priority == Priority::transfer;
+  if (!yields) return {};
+  if (station.stopping_) return fail(stop_came_first());
+  const Addressees others = transaction.moves_others;
+  if (!others.any()) return {};
+  if (stops_said(others) != station.stops_before) return fail(stop_came_first());
+  for (const Station* other : stations_)
+    if (other->stopping_ && others.share(Addressees::one(other->address)))
+      return fail(FaultKind::refused, "A device that this is for is being stopped.", "This was not sent.",
+                  "Send it again when that device stands.");
+  return {};
 }
 
 // ---- what comes in

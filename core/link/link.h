@@ -5,12 +5,12 @@
 // window onto a bus, where a transaction is a burst of cycles. Io thread only.
 #include <array>
 #include <functional>
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "core/base/asio.h"
+#include "core/link/addressees.h"
 #include "core/link/framing.h"
 #include "core/link/stream.h"
 #include "core/link/traffic.h"
@@ -23,9 +23,6 @@ class Station;
 enum class Hearsay : std::uint8_t;
 
 enum class Priority : std::uint8_t { stop, intent, transfer, poll };
-
-/// Whom a text is for beside the device at whose terminal it is typed: an address, or one of these.
-enum class Addressee : int { everyone = -2, nobody_else = -1 };
 
 struct Transaction {
   std::string bytes;
@@ -42,8 +39,9 @@ struct Transaction {
   bool names_itself = false;
   /// Silence says nothing against the link: the controller is in a state in which it does not answer.
   bool may_be_silent = false;
-  /// Whom of the others on the wire it is for.
-  Addressee meant_for = Addressee::nobody_else;
+  /// The devices of other stations that it may set in motion: it is not sent behind a stop of theirs that
+  /// came after it was asked for (Station::stops_before), nor while one is being stopped.
+  Addressees moves_others = Addressees::none();
   /// What the console asks for itself about the state: recorded as a poll, however urgent it is.
   bool own_question = false;
   /// How many bytes at the front of what came in are messages of their own and no part of the reply (a prompt
@@ -75,6 +73,12 @@ class Link final : public std::enable_shared_from_this<Link>,
   /// Time that `bytes` characters take on this wire (0 when it has no rate).
   [[nodiscard]] Duration wire_time(std::size_t bytes) const;
   [[nodiscard]] std::size_t station_count() const { return stations_.size(); }
+  /// A stop for these devices, by whomever it is said: what others have waiting that would set them in motion
+  /// is not sent.
+  void stop_said(Addressees to);
+  /// How many there were for any of them since the wire was opened.
+  [[nodiscard]] std::uint64_t stops_said(Addressees to) const;
+
   /// A controller was told another rate, and the wire follows it.
   std::function<void(int baud)> rate_set;
 
@@ -94,9 +98,10 @@ class Link final : public std::enable_shared_from_this<Link>,
   void let_others_hear(const Station& speaker, std::string_view text, Hearsay what) const;
   Task<Result<std::string>> transact(Station& station, Transaction transaction);
   Task<Result<>> run(Station& station, std::span<BusCycle> cycles, Priority priority);
-  void stop_begins(Station& station);
   void drop_procedures(Station& station);
-  [[nodiscard]] std::uint64_t stops_of(Addressee whom) const;
+  template <class Which>
+  void drop_waiting(Which which);
+  [[nodiscard]] Result<> may_be_said(const Station& station, const Transaction& transaction) const;
   void hurry_for_a_stop();
   [[nodiscard]] Duration patience_for(const Transaction& transaction) const;
   [[nodiscard]] bool answer_owed() const;
@@ -125,7 +130,11 @@ class Link final : public std::enable_shared_from_this<Link>,
   Station* spoke_last_ =
       nullptr;  ///< whose transaction was last on the wire; what makes no sense is told to it
   std::array<std::vector<Pending*>, 4> waiting_;  ///< by priority; few, and they keep their memory
-  std::map<int, std::uint64_t> stops_begun_;      ///< of each address on the wire, since it was opened
+  struct StopsSaid {
+    Addressees to;
+    std::uint64_t count;
+  };
+  std::vector<StopsSaid> stops_said_;
   Pending* in_flight_ = nullptr;
   std::string received_;
   Instant sent_at_{}, deadline_at_{};

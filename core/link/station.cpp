@@ -23,7 +23,7 @@ Station::~Station() { close(Fault(FaultKind::lost, "The connection was closed.")
 
 Task<Result<std::string>> Station::transact(Transaction transaction) {
   if (!link_) return not_sent(no_connection());
-  if (stopping_ && yields_to_stop(transaction.priority)) return not_sent(stop_came_first());
+  if (auto may = link_->may_be_said(*this, transaction); !may) return not_sent(std::move(may.error()));
   return link_->transact(*this, std::move(transaction));
 }
 
@@ -35,7 +35,7 @@ Task<Result<>> Station::bus(std::span<BusCycle> cycles, Priority priority) {
 
 void Station::begin_stop() {
   stopping_ = true;
-  if (link_) link_->stop_begins(*this);
+  if (link_) link_->drop_procedures(*this);
 }
 
 bool Station::owes_answer() const { return link_ && link_->scheduler_.now() < owes_until_; }

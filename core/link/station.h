@@ -40,16 +40,14 @@ class Station {
   /// ... and whether what it waited for came in time.
   void count_answer(Duration round_trip, bool poll, Instant now);
   void count_miss();
-  /// From now until end_stop() intents and transfers of this station, waiting or new, and those of others for
-  /// its device that wait, end with Fault{stopped}, so that no procedure that was under way can send its next
-  /// step behind the stop. The one in flight goes on.
+  /// From now until end_stop() intents and transfers of this station, waiting or new, end with
+  /// Fault{stopped}, so that no procedure that was under way can send its next step behind the stop. The one
+  /// in flight goes on.
   void begin_stop();
   void end_stop() { stopping_ = false; }
 
-  /// How many stops have begun on this wire of those whom a text is for: one that was asked for before the
-  /// latest of them is not said any more.
-  [[nodiscard]] std::uint64_t stops_of(Addressee whom) const { return link_ ? link_->stops_of(whom) : 0; }
-
+  /// Link::stops_said() of those whom the user's text that is under way is for, when it was asked for.
+  std::uint64_t stops_before = 0;
   /// Of this device on a wire of several; -1: it has none.
   int address = -1;
   /// Bytes that no transaction claimed, at least one. The handler returns how many at the front are its own

@@ -16,6 +16,7 @@ using testing::AllOf;
 using testing::AnyOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 class DmxBus : public ::testing::Test, protected test::BusStage {
  protected:
@@ -67,6 +68,13 @@ class DmxBus : public ::testing::Test, protected test::BusStage {
     run(0.5);
     ask_nobody(member);
     say(member, "X100000");
+  }
+  bool goes_out(const char* text) {
+    return time.run_until(time.now() + from_seconds(1), [&] {
+      const auto all = sent();
+      return std::any_of(all.begin(), all.end(),
+                         [&](const Sent& s) { return s.entry.bytes.starts_with(text); });
+    });
   }
   static bool moves(const Member& member) { return member.latest.any_axis_moving(); }
 
@@ -179,6 +187,98 @@ TEST_F(DmxBus, AStopTakesBackWhatWaitsForItAtANeighbour) {
       stop();
       run(2);
     }
+}
+
+// What the speaker's own jog has borrowed is given back first, and takes its time.
+TEST_F(DmxBus, AStopTakesBackWhatANeighbourIsAboutToSay) {
+  build_and_connect(3);
+  Member &speaker = *members[0], &other = *members[1];
+  say(speaker, "EO=1");
+  say(other, "EO=1");
+  run(0.5);
+  for (const char* text : {"@02J+", "@00J+"}) {
+    sent();
+    speaker.pump->post(Intent(++last_id, intent::JogStart(AxisId{0}, Sign::plus, Pps(300))));
+    ASSERT_TRUE(goes_out("@01J+"));
+    speaker.pump->post(Intent(++last_id, intent::Stop()));
+    say(speaker, text);
+    ASSERT_TRUE(goes_out("@01HSPD=1000"));
+    say(*members[2], "@02STOP");
+    run(2);
+    EXPECT_FALSE(moves(other)) << text;
+    say(speaker, "STOP", true);
+    run(1);
+  }
+  for (const auto& member : members) EXPECT_THAT(member->notices, IsEmpty());
+}
+
+TEST_F(DmxBus, AStopOfOneThatIsNotConnectedTakesBackWhatWaitsForItElsewhere) {
+  build_and_connect(3);
+  Member &speaker = *members[0], &other = *members[1];
+  say(other, "EO=1");
+  run(0.5);
+  const std::function<void()> stops[] = {[&] { other.pump->post(Intent(++last_id, intent::Stop())); },
+                                         [&] { say(other, "STOP"); }, [&] { say(*members[2], "@02STOP"); }};
+  for (const auto& stop : stops)
+    for (const LinkState state : {LinkState::lost, LinkState::connecting}) {
+      emulators[1]->be_deaf(true);
+      run(8);
+      ask_nobody(speaker);
+      say(speaker, "@02J+");
+      ASSERT_TRUE(
+          time.run_until(time.now() + from_seconds(10), [&] { return other.latest.link.state == state; }));
+      emulators[1]->be_deaf(false);
+      stop();
+      run(12);
+      EXPECT_FALSE(moves(other)) << &stop - stops;
+      EXPECT_EQ(other.latest.link.state, LinkState::good);
+    }
+}
+
+TEST_F(DmxBus, WhatWouldSetInMotionWhatIsBeingStoppedIsRefused) {
+  build_and_connect(2);
+  Member &speaker = *members[0], &other = *members[1];
+  for (const char* text : {"EO=1", "HSPD=20000", "ACC=2000", "J+"}) say(other, text);
+  run(3);
+  ASSERT_TRUE(moves(other));
+  other.pump->post(Intent(++last_id, intent::Stop()));
+  const IntentId stop = last_id;
+  run(0.3);
+  say(speaker, "@02J+");
+  const IntentId jog = last_id;
+  say(speaker, "@02V1=7");
+  const IntentId setting = last_id;
+  run(4);
+  EXPECT_FALSE(moves(other));
+  EXPECT_EQ(other.latest.fate_of(stop)->fate, Fate::done);
+  EXPECT_EQ(speaker.latest.fate_of(jog)->fate, Fate::refused);
+  EXPECT_THAT(speaker.latest.fate_of(jog)->sentence.view(), HasSubstr("is being stopped"));
+  EXPECT_EQ(speaker.latest.fate_of(setting)->fate, Fate::done);
+}
+
+TEST_F(DmxBus, AStopOfOneTakesNothingFromTheOthers) {
+  build_and_connect(3);
+  Member &speaker = *members[0], &other = *members[1];
+  say(other, "EO=1");
+  run(0.5);
+  ask_nobody(speaker);
+  say(speaker, "@02V1=7");
+  const IntentId setting = last_id;
+  say(speaker, "@02J+");
+  say(other, "@03STOP");
+  run(6);
+  EXPECT_EQ(speaker.latest.fate_of(setting)->fate, Fate::done);
+  EXPECT_TRUE(moves(other));
+}
+
+// Each of several is answered, and an answer too many would be taken for another's.
+TEST_F(DmxBus, ATextIsOneCommand) {
+  build_and_connect(2);
+  sent();
+  say(*members[0], "V1=1\r@02V1=2");
+  run(1);
+  EXPECT_EQ(members[0]->latest.fate_of(last_id)->fate, Fate::refused);
+  for (const Sent& s : sent()) EXPECT_THAT(s.entry.bytes, Not(HasSubstr("V1=")));
 }
 
 TEST_F(DmxBus, AStopTypedToAllWithItsAddressIsHeardByAll) {

@@ -29,6 +29,11 @@
 
 namespace hw::arcus {
 
+/// It never went out.
+inline bool was_kept_back(const Fault& fault) {
+  return fault.kind == FaultKind::stopped || fault.kind == FaultKind::refused;
+}
+
 class ArcusDriver final : public Driver {
  public:
   ArcusDriver(DriverContext context, const Forms& forms, const language::Dialect& dialect);
@@ -49,7 +54,7 @@ class ArcusDriver final : public Driver {
   [[nodiscard]] bool changes_programs(std::string_view text) const override;
   [[nodiscard]] bool is_stop(std::string_view text) const override;
   [[nodiscard]] bool stops_another(std::string_view text) const;
-  [[nodiscard]] Addressee meant_for(const intent::SendText& wish) const override;
+  [[nodiscard]] Addressees meant_for(const intent::SendText& wish) const override;
   [[nodiscard]] bool stops_all(std::string_view text) const override;
   bool take_unsolicited(std::string& text) override;
   [[nodiscard]] Duration moving_period() const override;
@@ -113,8 +118,6 @@ class ArcusDriver final : public Driver {
 
   // ---- driver_text.cpp
   Task<Result<>> send_text(const intent::SendText& wish);
-  [[nodiscard]] Addressee whom_of_others(std::string_view text) const;
-  [[nodiscard]] std::uint64_t stops_of_others(std::string_view text) const;
   void overhear(std::string_view text, Hearsay what);
   void note_done(std::string_view text);
   [[nodiscard]] int axis_stopped_by(std::string_view text) const;

@@ -213,6 +213,8 @@ Task<Result<>> ArcusDriver::give_back() {
     if (!borrowed_) co_return Result<>();
   }
   auto set = co_await command(set_command(borrowed_->name, borrowed_->before), Priority::intent);
+  if (const int index = catalog_.find_param(borrowed_->name); set && index >= 0)
+    nobody_sets_.reset(ix(index));  // it was read with the borrowed value, perhaps
   if (set) borrowed_.reset();
   if (!set && set.error().kind == FaultKind::stopped) co_return Result<>();  // the next round does it
   co_return set;

@@ -149,9 +149,7 @@ Task<Result<>> ArcusDriver::write_line(int line, std::string text) {
   const bool half_written_before = std::exchange(half_written_, true);  // should the console be closed now
   auto written = co_await command(std::move(sent), Priority::transfer, Millis(500));
   // A stop that came first, or a refusal: this line is not stored.
-  const bool kept_out =
-      !written && (written.error().kind == FaultKind::stopped || written.error().kind == FaultKind::refused);
-  if (kept_out) half_written_ = half_written_before;
+  if (!written && was_kept_back(written.error())) half_written_ = half_written_before;
   co_return written;
 }
 

@@ -52,19 +52,17 @@ Task<Result<Reply>> ArcusDriver::exchange(std::string text, Priority priority, D
   if (may_set_counter(said)) ++counters_set_;
   const bool must_be_sure = own_question || priority != Priority::stop;
   if (must_be_sure && station_->owes_answer()) {
-    const std::uint64_t stops_before = stops_of_others(text);
     auto named = co_await hear_its_name(priority);
     if (!named && !own_question && named.error().kind == FaultKind::no_answer)
       co_return fail(FaultKind::refused, "The controller does not answer, not even with its name.",
                      fmt::format("{} was not sent.", text));
     if (!named) co_return fail(named.error());
-    if (stops_of_others(text) != stops_before) co_return fail(stop_came_first());
   }
   const int strays_before = strays_;
   forget_thread(said);  // whether or not it is confirmed
   const auto called_before = note_call(said);
   auto reply = co_await say(text, priority, patience, own_question);
-  if (said.starts_with("GS") && (reply ? reply->refused() : reply.error().kind == FaultKind::stopped))
+  if (said.starts_with("GS") && (reply ? reply->refused() : was_kept_back(reply.error())))
     called_ = called_before;
   if (!reply || !must_be_sure || !station_ || !station_->answer_owed_on_wire()) co_return reply;
   auto named = co_await hear_its_name(priority);
@@ -83,7 +81,8 @@ Task<Result<Reply>> ArcusDriver::say(std::string text, Priority priority, Durati
   const bool usb = station_->carries_messages();
   Transaction t(frame(framing(), catalog_.address, text), usb ? ReplyShape::message() : ReplyShape::text(),
                 priority);
-  t.meant_for = whom_of_others(text);
+  if (const int to = address_of(text); to != catalog_.address && arcus::may_move(forms_, command_in(text)))
+    t.moves_others = Addressees::one(to);
   t.patience = patience;
   t.prompt = own_question;
   t.own_question = own_question && priority != Priority::transfer;
@@ -206,11 +205,10 @@ Task<Result<>> ArcusDriver::broadcast(std::string text, Priority priority) {
   const std::string to_all = fmt::format("@{:02}{}", model().broadcast, text);
   station_->let_others_hear(to_all, Hearsay::said);
   Transaction t(frame(Framing::addressed, model().broadcast, text), ReplyShape::nothing(), priority);
-  t.meant_for = Addressee::everyone;
+  if (arcus::may_move(forms_, bare_text(text))) t.moves_others = Addressees::all();
   auto sent = co_await station_->transact(std::move(t));
   if (sent && station_) station_->let_others_hear(to_all, Hearsay::done);
-  if (!sent && station_ && sent.error().kind == FaultKind::stopped)
-    station_->let_others_hear(to_all, Hearsay::refused);
+  if (!sent && station_ && was_kept_back(sent.error())) station_->let_others_hear(to_all, Hearsay::refused);
   if (!sent) co_return fail(sent.error());
   co_return Result<>();
 }

@@ -15,6 +15,14 @@ bool takes_target_away(std::string_view text) {
   return counter && text[1] != 'O';
 }
 
+/// Each is answered by itself: the second answer would be taken for that to the next question.
+Result<> is_one_command(std::string_view text) {
+  const auto end = text.find_first_of(std::string_view("\r\n\0", 3));
+  if (end == text.npos || text_of(text.substr(end)).empty()) return {};
+  return fail(FaultKind::refused, "This is more than one command: the end of a line ends one.",
+              "Nothing was sent.", "Send them one by one.");
+}
+
 EndedBy how_it_ends(std::string_view stop) {
   return stop.starts_with("ABORT") ? EndedBy::abort : EndedBy::stop;
 }
@@ -25,9 +33,8 @@ EndedBy how_it_ends(std::string_view stop) {
 Task<Result<std::string>> ArcusDriver::query(std::string text, Duration patience) {
   const Priority priority = is_stop(text) ? Priority::stop : Priority::intent;
   if (priority != Priority::stop) {
-    const std::uint64_t stops_before = stops_of_others(text);
+    if (auto one = is_one_command(text); !one) co_return fail(one.error());
     if (auto returned = co_await give_back_first(); !returned) co_return fail(returned.error());
-    if (stops_of_others(text) != stops_before) co_return fail(stop_came_first());
   }
   if (model().broadcast >= 0 && address_of(text) == model().broadcast) {
     auto sent = co_await broadcast(std::string(text_of(text)), priority);
@@ -42,7 +49,7 @@ Task<Result<std::string>> ArcusDriver::query(std::string text, Duration patience
   if (const std::string command = command_in(text); !anothers && ends_motion(command))
     stop_is_said(axis_stopped_by(command), how_it_ends(command));  // whether or not it is confirmed
   auto reply = co_await exchange(text, priority, patience);
-  const bool not_done = reply ? reply->refused() : reply.error().kind == FaultKind::stopped;
+  const bool not_done = reply ? reply->refused() : was_kept_back(reply.error());
   if (station_ && anothers && (reply || not_done))
     station_->let_others_hear(text, not_done ? Hearsay::refused : Hearsay::done);
   if (!reply && anothers && reply.error().kind == FaultKind::no_answer)
@@ -83,18 +90,10 @@ bool ArcusDriver::stops_all(std::string_view text) const {
   return is_stop(text) && !stops_another(text) && (word == "STOP" || word == "ABORT");
 }
 
-Addressee ArcusDriver::whom_of_others(std::string_view text) const {
-  const int to = address_of(text);
-  if (to < 0 || to == catalog_.address) return Addressee::nobody_else;
-  return to == model().broadcast ? Addressee::everyone : Addressee(to);
-}
-
-std::uint64_t ArcusDriver::stops_of_others(std::string_view text) const {
-  return station_ ? station_->stops_of(whom_of_others(text)) : 0;
-}
-
-Addressee ArcusDriver::meant_for(const intent::SendText& wish) const {
-  return wish.broadcast && address_of(wish.text) < 0 ? Addressee::everyone : whom_of_others(wish.text);
+Addressees ArcusDriver::meant_for(const intent::SendText& wish) const {
+  const int to = address_of(wish.text);
+  if (to < 0) return wish.broadcast ? Addressees::all() : Addressees::one(catalog_.address);
+  return to == model().broadcast ? Addressees::all() : Addressees::one(to);
 }
 
 // To all, unless it says itself to whom: then that one answers, or it is the address of all.
