@@ -111,6 +111,14 @@ void ProgramJob::end_given_up(ProgramTexts& texts, Instant clock) {
   told_ = {Mood::plain, "A stop came: what was under way is done, and nothing follows it."};
 }
 
+void ProgramJob::fetched(ProgramTexts& texts, const Catalog& catalog) {
+  const std::string& text = texts.held(slot_).text;
+  const bool replaces = !texts.text(slot_).empty() && texts.text(slot_) != text;
+  texts.set_text(slot_, text);
+  told_ = {Mood::ok, fmt::format("{} {} was brought here from the controller.{}", catalog.program.slot_word,
+                                 slot_, replaces ? " Ctrl+Z brings back what stood here." : "")};
+}
+
 void ProgramJob::done(ProgramTexts& texts, const Snapshot& now, const Catalog& catalog, Instant clock,
                       const Send& send) {
   switch (stage_) {
@@ -121,10 +129,7 @@ void ProgramJob::done(ProgramTexts& texts, const Snapshot& now, const Catalog& c
       if (!texts.held(slot_).known)
         return refuse("The controller listed nothing. The text here is as it was.");
       if (goal_ == Goal::make_room) return empty_kept(texts, catalog, send);
-      texts.set_text(slot_, texts.held(slot_).text);
-      told_ = {Mood::ok,
-               fmt::format("{} {} was brought here from the controller.", catalog.program.slot_word, slot_)};
-      return;
+      return fetched(texts, catalog);
     case Stage::clearing:
       stage_ = Stage::idle;
       texts.cleared(slot_, clock);

@@ -64,6 +64,7 @@ class ProgramJob {
   void empty_kept(ProgramTexts& texts, const Catalog& catalog, const Send& send);
   void refuse(std::string sentence);
   void end_given_up(ProgramTexts& texts, Instant clock);
+  void fetched(ProgramTexts& texts, const Catalog& catalog);
 
   Goal goal_ = Goal::run;
   Stage stage_ = Stage::idle;

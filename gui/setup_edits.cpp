@@ -117,6 +117,15 @@ void SetupWrite::send_next(const Catalog& catalog, const Send& send) {
   waiting_for_ = send(intent::SetParam(catalog.params[i].mnemonic, value, confirmed_));
 }
 
+std::string SetupWrite::what_store_keeps(const Catalog& catalog) const {
+  const auto kept = static_cast<std::size_t>(std::count_if(
+      values_.begin(), values_.end(), [&](const auto& value) { return catalog.params[value.first].stored; }));
+  const bool one = values_.size() == 1;
+  if (kept == 0) return one ? "It is not kept over power-off." : "They are not kept over power-off.";
+  if (kept < values_.size()) return fmt::format("Store keeps {} of them over power-off.", kept);
+  return fmt::format("Store keeps {} over power-off.", one ? "it" : "them");
+}
+
 void SetupWrite::update(const Snapshot& now, const Catalog& catalog, const Send& send) {
   if (!busy()) return;
   const auto ended = [&](bool good, std::string sentence) {
@@ -139,9 +148,8 @@ void SetupWrite::update(const Snapshot& now, const Catalog& catalog, const Send&
   }
   ++next_;
   if (busy()) return send_next(catalog, send);
-  ended(true,
-        fmt::format("{} value{} written and read back. In force now; Store keeps {} over power-off.",
-                    values_.size(), values_.size() == 1 ? "" : "s", values_.size() == 1 ? "it" : "them"));
+  ended(true, fmt::format("{} value{} written and read back. In force now; {}", values_.size(),
+                          values_.size() == 1 ? "" : "s", what_store_keeps(catalog)));
 }
 
 std::string value_text(const ParamInfo& p, std::int64_t value) {

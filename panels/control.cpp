@@ -186,7 +186,7 @@ void Control::draw_about(Frame& f, float width) {
   const Identity& who = f.now.identity;
   fact("about/model", "Says it is", told(who.model));
   fact("about/firmware", "Firmware", told(who.firmware));
-  if (!who.serial.empty()) fact("about/serial", "Serial number", who.serial.view());
+  if (!who.serial.empty()) fact("about/serial", "Device name", who.serial.view());
   fact("about/console", "This program", "Handwheel " HW_VERSION);
   fact("about/older", "Lacking in this firmware", unanswered(f));
   ImGui::SetCursorScreenPos(ImVec2(at.x, y));

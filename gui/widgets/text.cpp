@@ -163,9 +163,12 @@ void section_title(Ui& ui, std::string_view title, std::string_view caption, flo
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float h = ui.px(height), width = ImGui::GetContentRegionAvail().x;
   draw_text_line(ui, at.x, at.x + width, at.y + h * 0.5f, Face::body_bold, ui[Tone::ink], title);
-  if (!caption.empty())
-    draw_text_right(ui, ImVec2(at.x + width, at.y + std::floor((h - ui.line(Face::small)) * 0.5f + 1)),
-                    Face::small, ui[Tone::ink2], caption);
+  if (!caption.empty()) {  // at the right, cut where the title would be in its way
+    const float first = at.x + std::ceil(text_width(ui, Face::body_bold, title)) + ui.px(8);
+    const float wanted = at.x + width - std::ceil(text_width(ui, Face::small, caption));
+    draw_text_line(ui, std::max(first, wanted), at.x + width + 1, at.y + h * 0.5f + 1, Face::small,
+                   ui[Tone::ink2], caption);
+  }
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + h));
 }
 

@@ -233,6 +233,17 @@ TEST_F(ProgramJobTest, FetchBringsTheListingAndClearLeavesTheText) {
   EXPECT_TRUE(texts.held(0).listing.empty());
 }
 
+TEST_F(ProgramJobTest, FetchSaysHowToGetBackWhatItReplaces) {
+  begin(ProgramJob::Goal::fetch);
+  texts.listed(0, "L9\n", Instant());
+  settle(Fate::done);
+  EXPECT_THAT(job.take_told().sentence, testing::Not(HasSubstr("Ctrl+Z")));
+  texts.set_text(0, "L9\n; a note\n");
+  begin(ProgramJob::Goal::fetch);
+  settle(Fate::done);
+  EXPECT_THAT(job.take_told().sentence, HasSubstr("Ctrl+Z brings back what stood here."));
+}
+
 TEST_F(ProgramJobTest, TextTypedDuringTheTransferIsNotTakenForLoaded) {
   texts.set_text(0, "I1");
   begin(ProgramJob::Goal::run);

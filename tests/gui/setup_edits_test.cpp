@@ -104,6 +104,19 @@ TEST_F(SetupEditsTest, WritesOneAfterAnother) {
   EXPECT_THAT(write.take_told().sentence, HasSubstr("2 values written and read back."));
 }
 
+TEST_F(SetupEditsTest, WhatStoreKeepsIsSaidOfEachValue) {
+  catalog.params[2].stored = false;
+  edits.set(2, 5);
+  write.begin(edits, now, catalog, false, send);
+  settle(Fate::done);
+  EXPECT_THAT(write.take_told().sentence, HasSubstr("It is not kept over power-off."));
+  edits.set(1, 55);
+  write.begin(edits, now, catalog, false, send);
+  settle(Fate::done);
+  settle(Fate::done);
+  EXPECT_THAT(write.take_told().sentence, HasSubstr("Store keeps 1 of them over power-off."));
+}
+
 TEST_F(SetupEditsTest, ARefusalStopsTheRest) {
   edits.set(1, 100);
   edits.set(2, 3);
