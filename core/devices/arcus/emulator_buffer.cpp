@@ -91,7 +91,9 @@ void Controller::next_segment(Pps speed) {
   motion::Offsets way{};
   for (int a = 0; a < 3; ++a) way[ix(a)] = s.to[ix(a)] - position(a);
   const Path path = Path::line(way);
-  begin(MotionKind::buffered, xyz, path, segment_profile(path, s, speed, 0, buffer_.queue.size() == 1));
+  SpeedOrder by = path_order(xyz);
+  by.high = s.speed;
+  begin(MotionKind::buffered, xyz, path, segment_profile(path, s, speed, 0, buffer_.queue.size() == 1), by);
 }
 
 void Controller::segment_ended(Pps speed) {

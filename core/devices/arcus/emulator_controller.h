@@ -27,8 +27,8 @@ enum class MotionKind : std::uint8_t { target, jog, homing, correction, interpol
 struct Motion {
   bool active = false, stopping = false;
   MotionKind kind = MotionKind::target;
-  unsigned axes = 0;               ///< a bit for each
-  std::int64_t changed_speed = 0;  ///< by SSPD; 0: none
+  unsigned axes = 0;     ///< a bit for each
+  SpeedOrder order;      ///< as it began, or as SSPD left it (decision AMB-047)
   motion::Path path;
   motion::Profile profile;
   std::int64_t applied = 0;    ///< steps of the path made
@@ -207,7 +207,8 @@ class Controller {
   [[nodiscard]] std::string letter(int axis) const { return std::string(1, model_->axis_letters[ix(axis)]); }
 
   // Motions (emulator_motion.cpp).
-  void begin(MotionKind kind, unsigned axes, const motion::Path& path, const motion::Profile& profile);
+  void begin(MotionKind kind, unsigned axes, const motion::Path& path, const motion::Profile& profile,
+             const SpeedOrder& order);
   /// The same motion goes on by another profile from where it is.
   void continue_by(Motion& m, const motion::Profile& profile);
   void bring_up_to_date();
@@ -237,7 +238,11 @@ class Controller {
   [[nodiscard]] SpeedOrder order(int axis) const;            ///< of a move of this axis alone
   [[nodiscard]] SpeedOrder path_order(unsigned axes) const;  ///< of an interpolated move
   [[nodiscard]] RampOrder ramps_of(const Motion& m) const;
-  void begin_index(MotionKind kind, int axis, std::int64_t pulses);
+  [[nodiscard]] RampOrder stop_ramps(const Motion& m) const;
+  void begin_index(MotionKind kind, int axis, std::int64_t pulses) {
+    begin_index(kind, axis, pulses, order(axis));
+  }
+  void begin_index(MotionKind kind, int axis, std::int64_t pulses, const SpeedOrder& by);
   void begin_endless(MotionKind kind, int axis, Sign way, bool slowly);
 
   // StepNLoop (emulator_loop.cpp).

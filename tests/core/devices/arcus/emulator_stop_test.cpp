@@ -1,0 +1,75 @@
+// What a stop leaves behind: where an axis rests, how long its ramp takes, what has been written meanwhile.
+#include "tests/core/devices/arcus/rig.h"
+
+namespace hw::arcus::proof {
+namespace {
+
+// --- the ramp is that of the motion's start (decisions AMB-047, AMB-054) -----------------------------------
+
+TEST(ArcusStop, SpeedsWrittenDuringAMotionLeaveItsRampAlone) {
+  for (const char* meanwhile : {"HS=200", "HS=60000", "ACC=20"}) {
+    for (const char* move : {"JX+", "X300000", "X30000Y40000"}) {
+      Rig rig(Which::pmx);
+      rig.ok("HS=5000"), rig.ok("ACC=1000"), rig.ok(move);
+      rig.run_for(2s);
+      rig.ok(meanwhile), rig.ok("STOP");
+      EXPECT_TRUE(same_time(rig.run_to_rest(), 1s, 1ms)) << move << " " << meanwhile;
+    }
+  }
+}
+
+TEST(ArcusStop, ABufferedMoveStopsInAcc) {
+  Rig rig(Which::pmx);
+  rig.ok("BO"), rig.ok("I60000:0:0:20000");
+  rig.run_for(1s);
+  rig.ok("STOP");
+  EXPECT_TRUE(same_time(rig.run_to_rest(), 300ms, 1ms));
+  EXPECT_NEAR(rig.number("PX"), 20000 + (20000 + 100) / 2 * 0.3, 5);
+}
+
+TEST(ArcusStop, AStopAfterASpeedChangeTakesAcc) {
+  Rig rig(Which::pmx);
+  rig.ok("SSPDMX=1"), rig.ok("JX+");
+  rig.run_for(1s);
+  rig.ok("SSPDX=20000");
+  rig.run_for(1s);
+  rig.ok("HS=500"), rig.ok("STOPX");
+  EXPECT_TRUE(same_time(rig.run_to_rest(), 300ms, 1ms));
+}
+
+TEST(ArcusStop, HomingRampsAsItBegan) {
+  Rig rig(Which::pmx);
+  rig.ok("HS=5000"), rig.ok("ACC=1000"), rig.ok("HX+0");
+  rig.run_for(2s);
+  rig.ok("HS=200");
+  rig.home_switch(0, true);
+  EXPECT_TRUE(same_time(rig.run_to_rest(), 1s, 1ms));
+}
+
+TEST(ArcusStop, ANewDestinationLeavesTheSpeed) {
+  Rig rig(Which::pmx);
+  rig.ok("X50000");
+  rig.run_for(1s);
+  rig.ok("HS=8000"), rig.ok("TX60000");
+  rig.run_for(1s);
+  EXPECT_EQ(rig.ask("PS"), "1000:0:0:0");
+}
+
+TEST(ArcusStop, TurningRoundKeepsTheSpeedThatWasChanged) {
+  Rig rig(Which::pmx);
+  rig.ok("SSPDMX=1"), rig.ok("X20000");
+  rig.run_for(1s);
+  rig.ok("SSPDX=5000");
+  rig.run_for(1s);
+  rig.ok("TX0");
+  rig.run_for(700ms);
+  EXPECT_EQ(rig.ask("PS"), "5000:0:0:0");
+  rig.ok("TX15000");
+  rig.run_for(50ms);
+  rig.ok("SSPDX=3000");
+  rig.run_for(700ms);
+  EXPECT_EQ(rig.ask("PS"), "3000:0:0:0");
+}
+
+}  // namespace
+}  // namespace hw::arcus::proof
