@@ -28,6 +28,7 @@ struct Motion {
   bool active = false, stopping = false;
   MotionKind kind = MotionKind::target;
   unsigned axes = 0;     ///< a bit for each
+  bool by_hand = false;  ///< STOP or ABORT: where it comes to rest is where it is to be
   SpeedOrder order;      ///< as it began, or as SSPD left it (decision AMB-047)
   motion::Path path;
   motion::Profile profile;
@@ -253,6 +254,7 @@ class Controller {
   [[nodiscard]] std::int64_t target_at(int axis, std::int64_t offset) const;
   [[nodiscard]] std::int64_t target(int axis) const;
   void freeze_target(int axis);
+  void rest_here(int axis);
   void watch_loop(Motion& m, int axis, int way, Sign load_way);
   bool stalled(Motion& m, int axis);
   void settle_loop(int axis);

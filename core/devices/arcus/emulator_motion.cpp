@@ -236,6 +236,7 @@ void Controller::finish(Motion& m, End end) {
       continue;
     }
     if (done.stopping && !axis.then_target) axis.announces = false, axis.homing = Homing();
+    if (done.by_hand) rest_here(a);
     if (const auto target = std::exchange(axis.then_target, std::nullopt)) {
       const double way =
           static_cast<double>(*target - (closed(a) ? axis.encoder() : wrap_position(axis.pulses)));
@@ -258,6 +259,7 @@ void Controller::stop_motion(Motion& m) {
     buffer_.queue.resize(1);
     buffer_.end = buffer_.start;
   }
+  m.by_hand = true;
   const bool was_stopping = std::exchange(m.stopping, true);
   if (was_stopping) return;
   const motion::Ramp ramp = stop_ramps(m).ramp;
@@ -287,6 +289,7 @@ void Controller::abort(int axis) {
     constexpr Duration one_update = std::chrono::milliseconds(1);
     for (int a = 0; a < axes(); ++a)
       if (takes_part(*m, a)) axes_[ix(a)].aborted_until = now_ + one_update;
+    m->by_hand = true;
     cut(*m);
   }
   buffer_off();

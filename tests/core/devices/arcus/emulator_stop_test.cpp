@@ -4,6 +4,75 @@
 namespace hw::arcus::proof {
 namespace {
 
+/// Until the axis rests; whether StepNLoop has corrected on the way there.
+bool corrects_before_rest(Rig& rig, const std::string& axis = "") {
+  bool corrected = false;
+  for (int i = 0; i < 20'000 && (rig.number("MST" + axis) & 7) != 0; ++i) {
+    corrected |= rig.number("SLS" + axis) == 2;
+    rig.run_for(1ms);
+  }
+  return corrected;
+}
+
+// --- StepNLoop verifies only a targeted move that ends by itself (DMX manual ch. 7, PMX manual ch. 6) ------
+
+TEST(ArcusStop, AnAbortedCorrectionIsNotTakenUpAgain) {
+  Rig rig(Which::dmx);
+  rig.ok("X1000");
+  rig.run_to_rest();
+  rig.slip(0, -800);
+  rig.run_for(200ms);
+  ASSERT_EQ(rig.ask("SLS"), "2");
+  rig.ok("ABORT");
+  EXPECT_EQ(rig.ask("SLS"), "4") << "for one update";
+  const std::string here = rig.ask("EX");
+  EXPECT_EQ(rig.ask("MST"), "0");
+  rig.run_for(1s);
+  EXPECT_EQ(rig.ask("SLS"), "0");
+  EXPECT_EQ(rig.ask("EX"), here);
+  EXPECT_EQ(rig.ask("PX"), here) << "its target now";
+  rig.slip(0, 100);
+  EXPECT_EQ(rig.ask("SLS"), "2") << "what disturbs it at rest is corrected as ever";
+}
+
+TEST(ArcusStop, AStoppedCorrectionIsNotTakenUpAgain) {
+  Rig rig(Which::pmx);
+  rig.ok("SLX=1");
+  rig.slip(0, -800);
+  rig.run_for(300ms);
+  ASSERT_EQ(rig.ask("SLSX"), "2");
+  rig.ok("STOPX");
+  EXPECT_EQ(rig.ask("SLSX"), "3");
+  EXPECT_FALSE(corrects_before_rest(rig, "X"));
+  EXPECT_LT(rig.number("EX"), -10);
+  EXPECT_EQ(rig.ask("PX"), rig.ask("EX"));
+  EXPECT_EQ(rig.ask("SLSX"), "0");
+}
+
+TEST(ArcusStop, AJammedAxisLetsItsLoopBeSwitchedOffAfterAnAbort) {
+  Rig rig(Which::pmx);
+  rig.ok("SLX=1");
+  rig.jam(0, true);
+  rig.ok("X500");
+  rig.run_for(2s);
+  rig.ok("ABORT");
+  EXPECT_EQ(rig.ask("SLX=0"), "OK");
+}
+
+TEST(ArcusStop, MovesJogsAndLinesRestWhereTheyAreStopped) {
+  for (const char* move : {"X5000", "JX+", "X5000Y2500"})
+    for (const char* end : {"STOP", "ABORT"}) {
+      Rig rig(Which::pmx);
+      rig.ok("SLX=1"), rig.ok("SLY=1"), rig.ok(move);
+      rig.run_for(1s);
+      rig.slip(0, -300);
+      rig.ok(end);
+      EXPECT_FALSE(corrects_before_rest(rig, "X")) << move << " " << end;
+      EXPECT_EQ(rig.ask("DXX"), "0") << move << " " << end;
+      EXPECT_EQ(rig.ask("PX"), rig.ask("EX")) << move << " " << end;
+    }
+}
+
 // --- the ramp is that of the motion's start (decisions AMB-047, AMB-054) -----------------------------------
 
 TEST(ArcusStop, SpeedsWrittenDuringAMotionLeaveItsRampAlone) {
