@@ -269,6 +269,7 @@ class Controller {
   void watch_homing(Motion& m, int axis, int way, Sign load_way);
 
   // Buffered moves.
+  [[nodiscard]] bool buffer_has_loop() const;
   void next_segment(Pps speed);
   void segment_ended(Pps speed);
   [[nodiscard]] motion::Profile segment_profile(const motion::Path& path, const Segment& s, Pps now,

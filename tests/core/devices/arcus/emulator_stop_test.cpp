@@ -73,6 +73,13 @@ TEST(ArcusStop, MovesJogsAndLinesRestWhereTheyAreStopped) {
     }
 }
 
+TEST(ArcusStop, NoBufferedMoveUnderStepNLoop) {
+  Rig rig(Which::pmx);
+  rig.ok("BO"), rig.ok("SLY=1");
+  EXPECT_EQ(rig.ask("I1000:0:0:500"), "?I1000:0:0:500");
+  rig.ok("SLY=0"), rig.ok("I1000:0:0:500");
+}
+
 // --- the ramp is that of the motion's start (decisions AMB-047, AMB-054) -----------------------------------
 
 TEST(ArcusStop, SpeedsWrittenDuringAMotionLeaveItsRampAlone) {
@@ -138,6 +145,18 @@ TEST(ArcusStop, TurningRoundKeepsTheSpeedThatWasChanged) {
   rig.ok("SSPDX=3000");
   rig.run_for(700ms);
   EXPECT_EQ(rig.ask("PS"), "3000:0:0:0");
+}
+
+// --- sync outputs and the buffer's fields ------------------------------------------------------------------
+
+TEST(ArcusStop, ABufferTurnedOnAgainCountsTheSegmentThatRuns) {
+  Rig rig(Which::pmx);
+  for (const char* c : {"BO", "I1000:0:0:500", "I2000:0:0:500", "BF", "BO", "I3000:0:0:500"}) rig.ok(c);
+  const auto fields = [&] { return rig.ask("MST").substr(rig.ask("MST").size() - 10); };
+  EXPECT_EQ(fields(), "1:0:1:34:0");
+  rig.run_for(20s);
+  EXPECT_EQ(rig.ask("PX"), "3000");
+  EXPECT_EQ(fields(), "1:1:1:36:0");
 }
 
 }  // namespace
