@@ -73,6 +73,26 @@ TEST(ArcusStop, MovesJogsAndLinesRestWhereTheyAreStopped) {
     }
 }
 
+TEST(ArcusStop, TheLoopSwitchedOnAgainTakesThePlaceAsItsTarget) {
+  Rig rig(Which::dmx);
+  rig.jam(0, true);
+  rig.ok("X5000");
+  rig.run_to_rest();
+  ASSERT_EQ(rig.ask("SLS"), "10");
+  rig.ok("SL=1");
+  EXPECT_EQ(rig.ask("SLS"), "0");
+  EXPECT_EQ(rig.ask("DX"), "0");
+}
+
+TEST(ArcusStop, ARatioWrittenDuringAMoveIsLookedAtOnce) {
+  Rig rig(Which::dmx);
+  rig.ok("HSPD=5000"), rig.ok("X50000");
+  rig.run_for(1s);
+  rig.ok("SLR=2.0");
+  EXPECT_EQ(rig.ask("SLS"), "10");
+  EXPECT_EQ(rig.ask("MST"), "0");
+}
+
 TEST(ArcusStop, NoBufferedMoveUnderStepNLoop) {
   Rig rig(Which::pmx);
   rig.ok("BO"), rig.ok("SLY=1");
