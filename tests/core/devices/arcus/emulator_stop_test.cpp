@@ -169,6 +169,23 @@ TEST(ArcusStop, TurningRoundKeepsTheSpeedThatWasChanged) {
 
 // --- sync outputs and the buffer's fields ------------------------------------------------------------------
 
+// Nothing has passed the position; only where the counter stands then counts (decision AMB-086).
+TEST(ArcusStop, AWrittenCounterStepsOverNoSyncPosition) {
+  Rig rig(Which::dmx);
+  rig.ok("SYNC=1"), rig.ok("SYNP=3000"), rig.ok("SYNO"), rig.ok("EX=5000");
+  EXPECT_EQ(rig.ask("SYNS"), "1");
+  rig.ok("PX=0");
+  EXPECT_EQ(rig.ask("SYNS"), "1");
+  rig.ok("EX=9000"), rig.ok("L-");
+  rig.limit(0, '-', true);
+  rig.limit(0, '-', false);
+  rig.run_to_rest();
+  EXPECT_EQ(rig.ask("EX"), "0");
+  EXPECT_EQ(rig.ask("SYNS"), "1");
+  rig.ok("EX=3000");
+  EXPECT_EQ(rig.ask("SYNS"), "2");
+}
+
 TEST(ArcusStop, ABufferTurnedOnAgainCountsTheSegmentThatRuns) {
   Rig rig(Which::pmx);
   for (const char* c : {"BO", "I1000:0:0:500", "I2000:0:0:500", "BF", "BO", "I3000:0:0:500"}) rig.ok(c);
