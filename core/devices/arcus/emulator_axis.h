@@ -83,7 +83,10 @@ class Axis {
 
   [[nodiscard]] std::int64_t encoder() const { return encoder_at(plant.load()); }
   [[nodiscard]] std::int64_t encoder_at(Steps load) const;
-  void set_encoder(std::int64_t value) { encoder_offset += value - encoder(); }
+  void set_encoder(std::int64_t value) {
+    encoder_offset += value - encoder();
+    sync.seen = value;  // nothing has been passed on the way there (decision AMB-086)
+  }
   [[nodiscard]] bool index_operated() const;
   /// Makes `count` pulses; `physical` is the direction of the load.
   void turn(int way, Sign physical, std::int64_t count);

@@ -18,10 +18,12 @@ constexpr unsigned xyz = 0b111;
 
 int Controller::buffer_free() const { return model_->buffer_places - static_cast<int>(buffer_.queue.size()); }
 
+bool Controller::buffer_has_loop() const { return closed(0) || closed(1) || closed(2); }
+
 Refusal Controller::buffer_on() {
-  for (int a = 0; a < 3; ++a)
-    if (closed(a)) return Refusal::unknown;
-  if (!buffer_.on) buffer_.start = buffer_.end = 0, buffer_.used = false;
+  if (buffer_has_loop()) return Refusal::unknown;
+  // A segment that still runs since BF has the first place.
+  if (!buffer_.on) buffer_.start = buffer_.end = 0, buffer_.used = !buffer_.queue.empty();
   buffer_.on = true;
   return Refusal::none;
 }
@@ -47,6 +49,7 @@ Refusal Controller::buffer_move(const Segment& segment) {
       if (const Refusal r = refuses_motion(1u << a); r != Refusal::none && r != Refusal::moving) return r;
   if (!buffer_.running)
     if (const Refusal r = refuses_motion(xyz); r != Refusal::none) return r;
+  if (buffer_has_loop()) return Refusal::unknown;
   if (buffer_free() == 0) return Refusal::buffer_full;
   bring_up_to_date();
   const bool was_last = buffer_.queue.size() == 1;
@@ -91,7 +94,9 @@ void Controller::next_segment(Pps speed) {
   motion::Offsets way{};
   for (int a = 0; a < 3; ++a) way[ix(a)] = s.to[ix(a)] - position(a);
   const Path path = Path::line(way);
-  begin(MotionKind::buffered, xyz, path, segment_profile(path, s, speed, 0, buffer_.queue.size() == 1));
+  SpeedOrder by = path_order(xyz);
+  by.high = s.speed;
+  begin(MotionKind::buffered, xyz, path, segment_profile(path, s, speed, 0, buffer_.queue.size() == 1), by);
 }
 
 void Controller::segment_ended(Pps speed) {

@@ -27,8 +27,9 @@ enum class MotionKind : std::uint8_t { target, jog, homing, correction, interpol
 struct Motion {
   bool active = false, stopping = false;
   MotionKind kind = MotionKind::target;
-  unsigned axes = 0;               ///< a bit for each
-  std::int64_t changed_speed = 0;  ///< by SSPD; 0: none
+  unsigned axes = 0;     ///< a bit for each
+  bool by_hand = false;  ///< STOP or ABORT: where it comes to rest is where it is to be
+  SpeedOrder order;      ///< as it began, or as SSPD left it (decision AMB-047)
   motion::Path path;
   motion::Profile profile;
   std::int64_t applied = 0;    ///< steps of the path made
@@ -207,7 +208,8 @@ class Controller {
   [[nodiscard]] std::string letter(int axis) const { return std::string(1, model_->axis_letters[ix(axis)]); }
 
   // Motions (emulator_motion.cpp).
-  void begin(MotionKind kind, unsigned axes, const motion::Path& path, const motion::Profile& profile);
+  void begin(MotionKind kind, unsigned axes, const motion::Path& path, const motion::Profile& profile,
+             const SpeedOrder& order);
   /// The same motion goes on by another profile from where it is.
   void continue_by(Motion& m, const motion::Profile& profile);
   void bring_up_to_date();
@@ -237,7 +239,11 @@ class Controller {
   [[nodiscard]] SpeedOrder order(int axis) const;            ///< of a move of this axis alone
   [[nodiscard]] SpeedOrder path_order(unsigned axes) const;  ///< of an interpolated move
   [[nodiscard]] RampOrder ramps_of(const Motion& m) const;
-  void begin_index(MotionKind kind, int axis, std::int64_t pulses);
+  [[nodiscard]] RampOrder stop_ramps(const Motion& m) const;
+  void begin_index(MotionKind kind, int axis, std::int64_t pulses) {
+    begin_index(kind, axis, pulses, order(axis));
+  }
+  void begin_index(MotionKind kind, int axis, std::int64_t pulses, const SpeedOrder& by);
   void begin_endless(MotionKind kind, int axis, Sign way, bool slowly);
 
   // StepNLoop (emulator_loop.cpp).
@@ -248,6 +254,7 @@ class Controller {
   [[nodiscard]] std::int64_t target_at(int axis, std::int64_t offset) const;
   [[nodiscard]] std::int64_t target(int axis) const;
   void freeze_target(int axis);
+  void rest_here(int axis);
   void watch_loop(Motion& m, int axis, int way, Sign load_way);
   bool stalled(Motion& m, int axis);
   void settle_loop(int axis);
@@ -262,6 +269,7 @@ class Controller {
   void watch_homing(Motion& m, int axis, int way, Sign load_way);
 
   // Buffered moves.
+  [[nodiscard]] bool buffer_has_loop() const;
   void next_segment(Pps speed);
   void segment_ended(Pps speed);
   [[nodiscard]] motion::Profile segment_profile(const motion::Path& path, const Segment& s, Pps now,

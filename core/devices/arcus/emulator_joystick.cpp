@@ -93,7 +93,8 @@ void Controller::joystick_turn(int a) {
     continue_by(*m, Profile::constant(now_, from, Pps(std::abs(next)), Profile::endless));
   } else if (m == nullptr) {
     const Path path = Path::along(ix(a), next < 0 ? Sign::minus : Sign::plus, Profile::endless);
-    begin(MotionKind::joystick, 1u << a, path, Profile::constant(now_, 0, Pps(std::abs(next)), path.steps()));
+    begin(MotionKind::joystick, 1u << a, path, Profile::constant(now_, 0, Pps(std::abs(next)), path.steps()),
+          order(a));
     if (motion_of(a) == nullptr) joystick_speed_[ix(a)] = 0;  // into a switch
   }
   if (wish != joystick_speed_[ix(a)] || joystick_slows(a)) schedule_joystick();

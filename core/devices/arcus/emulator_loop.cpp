@@ -60,6 +60,14 @@ void Controller::loop_fails(int a, LoopState state) {
   axes_[ix(a)].announces = false;
 }
 
+/// After STOP and ABORT nothing is verified: only targeted moves that end by themselves are.
+void Controller::rest_here(int a) {
+  Axis& axis = axes_[ix(a)];
+  if (!closed(a) || axis.loop_error) return;
+  axis.target = wrap_position(axis.encoder());
+  axis.attempts = 0, axis.extra_done = false;
+}
+
 /// At rest: in position, one more correction, or an error.
 void Controller::settle_loop(int a) {
   Axis& axis = axes_[ix(a)];

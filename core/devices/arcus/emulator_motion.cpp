@@ -21,12 +21,14 @@ Sign sign_of(int way) { return way < 0 ? Sign::minus : Sign::plus; }
 
 }  // namespace
 
-void Controller::begin(MotionKind kind, unsigned axes, const Path& path, const Profile& profile) {
+void Controller::begin(MotionKind kind, unsigned axes, const Path& path, const Profile& profile,
+                       const SpeedOrder& order) {
   int slot = 0;
   while ((axes >> slot & 1u) == 0) ++slot;
   Motion& m = motions_[ix(slot)];
   m = Motion();
   m.active = true, m.kind = kind, m.axes = axes, m.path = path, m.profile = profile;
+  m.order = order;
   for (int a = 0; a < this->axes(); ++a)
     if (takes_part(m, a)) axes_[ix(a)].slot = slot, axes_[ix(a)].arrived_by = 0;
   ++moves_begun;
@@ -234,12 +236,13 @@ void Controller::finish(Motion& m, End end) {
       continue;
     }
     if (done.stopping && !axis.then_target) axis.announces = false, axis.homing = Homing();
+    if (done.by_hand) rest_here(a);
     if (const auto target = std::exchange(axis.then_target, std::nullopt)) {
       const double way =
           static_cast<double>(*target - (closed(a) ? axis.encoder() : wrap_position(axis.pulses)));
       const bool announces = axis.announces;
       axis.target = *target;
-      begin_index(MotionKind::target, a, std::llround(way * ratio(a)));
+      begin_index(MotionKind::target, a, std::llround(way * ratio(a)), done.order);
       if (axis.slot >= 0) axis.announces = announces;
       continue;
     }
@@ -256,9 +259,10 @@ void Controller::stop_motion(Motion& m) {
     buffer_.queue.resize(1);
     buffer_.end = buffer_.start;
   }
+  m.by_hand = true;
   const bool was_stopping = std::exchange(m.stopping, true);
   if (was_stopping) return;
-  const motion::Ramp ramp = ramps_of(m).ramp;
+  const motion::Ramp ramp = stop_ramps(m).ramp;
   const double from = m.profile.distance(now_);
   const Pps speed = m.profile.speed(now_);
   Profile down = Profile::ramp_down(now_, from, speed, ramp);
@@ -285,6 +289,7 @@ void Controller::abort(int axis) {
     constexpr Duration one_update = std::chrono::milliseconds(1);
     for (int a = 0; a < axes(); ++a)
       if (takes_part(*m, a)) axes_[ix(a)].aborted_until = now_ + one_update;
+    m->by_hand = true;
     cut(*m);
   }
   buffer_off();

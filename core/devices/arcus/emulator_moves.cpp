@@ -54,16 +54,18 @@ SpeedOrder Controller::path_order(unsigned axes) const {
 }
 
 RampOrder Controller::ramps_of(const Motion& m) const {
-  if (m.kind == MotionKind::interpolated || m.kind == MotionKind::buffered)
-    return scaled(ramps(*model_, path_order(m.axes)), m.path.pulses_per_step());
-  int axis = 0;
-  while ((m.axes >> axis & 1u) == 0) ++axis;
-  SpeedOrder o = order(axis);
-  if (m.changed_speed != 0) o.high = m.changed_speed;
-  return ramps(*model_, o);
+  return scaled(ramps(*model_, m.order), m.path.pulses_per_step());
 }
 
-void Controller::begin_index(MotionKind kind, int a, std::int64_t pulses) {
+/// From full speed, or from the present one while that is still above it, STOP takes ACC (or DEC).
+RampOrder Controller::stop_ramps(const Motion& m) const {
+  SpeedOrder o = m.order;
+  const double now = m.profile.speed(now_).value * m.path.pulses_per_step() / o.ratio;
+  o.high = std::max<std::int64_t>(o.high, std::llround(now));
+  return scaled(ramps(*model_, o), m.path.pulses_per_step());
+}
+
+void Controller::begin_index(MotionKind kind, int a, std::int64_t pulses, const SpeedOrder& by) {
   Axis& axis = axes_[ix(a)];
   if (kind != MotionKind::correction) {
     axis.follows = closed(a);
@@ -78,8 +80,8 @@ void Controller::begin_index(MotionKind kind, int a, std::int64_t pulses) {
     return;
   }
   const Path path = Path::along(ix(a), pulses < 0 ? Sign::minus : Sign::plus, std::abs(pulses));
-  const RampOrder r = ramps_over(*model_, order(a), static_cast<double>(std::abs(pulses)));
-  begin(kind, 1u << a, path, Profile::index(now_, path.steps(), r.top, r.ramp));
+  const RampOrder r = ramps_over(*model_, by, static_cast<double>(std::abs(pulses)));
+  begin(kind, 1u << a, path, Profile::index(now_, path.steps(), r.top, r.ramp), by);
 }
 
 void Controller::begin_endless(MotionKind kind, int a, Sign way, bool slowly) {
@@ -87,10 +89,12 @@ void Controller::begin_endless(MotionKind kind, int a, Sign way, bool slowly) {
   axis.follows = closed(a);
   axis.anchor_target = axis.encoder(), axis.anchor_offset = 0;
   const Path path = Path::along(ix(a), way, Profile::endless);
-  const RampOrder r = ramps(*model_, order(a));
+  const SpeedOrder by = order(a);
+  const RampOrder r = ramps(*model_, by);
   begin(kind, 1u << a, path,
         slowly ? Profile::constant(now_, 0, r.ramp.start_speed, Profile::endless)
-               : Profile::index(now_, Profile::endless, r.top, r.ramp));
+               : Profile::index(now_, Profile::endless, r.top, r.ramp),
+        by);
 }
 
 Refusal Controller::refuses_motion(unsigned wanted) const {
@@ -151,8 +155,9 @@ Refusal Controller::move(const Targets& targets) {
   tell(said);
   const Path path = Path::line(way);
   const double length = static_cast<double>(path.steps()) * path.pulses_per_step();
-  const RampOrder r = scaled(ramps_over(*model_, path_order(wanted), length), path.pulses_per_step());
-  begin(MotionKind::interpolated, wanted, path, Profile::index(now_, path.steps(), r.top, r.ramp));
+  const SpeedOrder by = path_order(wanted);
+  const RampOrder r = scaled(ramps_over(*model_, by, length), path.pulses_per_step());
+  begin(MotionKind::interpolated, wanted, path, Profile::index(now_, path.steps(), r.top, r.ramp), by);
   return Refusal::none;
 }
 
@@ -200,9 +205,9 @@ Refusal Controller::arc(std::int64_t centre_x, std::int64_t centre_y, bool clock
         (closed(a) ? encoder(a) : position(a)) + std::llround(static_cast<double>(axis.anchor_offset) / k);
   }
   if (turn == 0) return Refusal::none;
-  const RampOrder r =
-      scaled(ramps_over(*model_, path_order(0b11), radius * k * turn), path.pulses_per_step());
-  begin(MotionKind::interpolated, 0b11, path, Profile::index(now_, path.steps(), r.top, r.ramp));
+  const SpeedOrder by = path_order(0b11);
+  const RampOrder r = scaled(ramps_over(*model_, by, radius * k * turn), path.pulses_per_step());
+  begin(MotionKind::interpolated, 0b11, path, Profile::index(now_, path.steps(), r.top, r.ramp), by);
   return Refusal::none;
 }
 
@@ -246,20 +251,23 @@ Refusal Controller::change_target(int a, std::int64_t wanted) {
 Refusal Controller::change_speed(int a, std::int64_t wanted) {
   bring_up_to_date();
   Motion* m = motion_of(a);
-  if (m == nullptr || m->stopping || (m->kind != MotionKind::target && m->kind != MotionKind::jog))
+  const bool turns = m != nullptr && axes_[ix(a)].then_target.has_value();
+  if (m == nullptr || (m->stopping && !turns) ||
+      (m->kind != MotionKind::target && m->kind != MotionKind::jog))
     return Refusal::speed;
-  SpeedOrder o = order(a);
+  const SpeedOrder o = order(a);
   const double now = m->profile.speed(now_).value, to = static_cast<double>(wanted) * o.ratio;
   SpeedOrder change = o;
   const auto unit = [&](double pulses) { return static_cast<std::int64_t>(std::llround(pulses / o.ratio)); };
   change.high = std::max(unit(now), wanted), change.low = std::min(unit(now), wanted);
   const std::int64_t ms = adjusted_ms(*model_, change, to < now ? o.decel_ms : o.accel_ms);
   const double rate = std::max(std::abs(to - now), 1.0) * 1000 / static_cast<double>(ms);
-  m->changed_speed = wanted;
+  m->order = o, m->order.high = wanted;
   const motion::Ramp after = ramps_of(*m).ramp;
   const motion::Ramp ramp(rate, after.decel, after.start_speed);
   const double from = m->profile.distance(now_);
   tell("goes on with " + letter(a) + " at " + std::to_string(wanted));
+  if (turns) return Refusal::none;  // the way back is made by it
   if (m->kind == MotionKind::jog)
     continue_by(*m,
                 Profile::change(now_, from, Pps(now), Pps(to), motion::Ramp(rate, rate), Profile::endless));

@@ -27,7 +27,7 @@ Refusal Controller::write_setting(Setting id, std::int64_t value, int which) {
       if (moving(which) || (value != 0 && joystick_on(which))) return Refusal::moving;
       Axis& axis = axes_[ix(which)];
       counter_is_written(which);
-      if (value != 0 && !closed(which)) axis.target = encoder(which);
+      if (value != 0) axis.target = encoder(which);
       if (value == 0 && closed(which))
         axis.pulses = std::llround(static_cast<double>(encoder(which)) * ratio(which));
       axis.loop_error.reset();
@@ -59,6 +59,7 @@ Refusal Controller::write_setting(Setting id, std::int64_t value, int which) {
     case Setting::sync_condition:
     case Setting::sync_position:
     case Setting::sync_width:
+    case Setting::loop_ratio:
     case Setting::loop_range:
     case Setting::loop_tolerance:
       for (int a = 0; a < axes(); ++a) bench_changed(a);
