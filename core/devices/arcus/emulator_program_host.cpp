@@ -1,5 +1,7 @@
 #include "core/devices/arcus/emulator_program_host.h"
 
+#include "core/devices/arcus/language/dialect.h"
+
 namespace hw::arcus {
 
 using language::Outcome;
@@ -16,6 +18,11 @@ Outcome outcome_of(Refusal refusal) {
 /// Of a value: what would be refused to a host is an error of the program (decisions AMB-113, AMB-118).
 Outcome outcome_of_value(Refusal refusal) {
   return refusal == Refusal::none ? Outcome::done : Outcome::error;
+}
+
+const language::Dialect& dialect_of(const Model& model) {
+  const language::Dialect& pmx = language::pmx_4ex_sa();
+  return pmx.model == model.name ? pmx : language::dmx_k_sa();
 }
 
 std::int32_t narrow(std::int64_t v) { return static_cast<std::int32_t>(v); }
@@ -96,13 +103,16 @@ Outcome ProgramHost::write(Quantity quantity, int index, std::int32_t value) {
     return outcome_of_value(
         controller_->write_setting(row->setting, value, row->offset + index * row->stride));
   }
+  if (quantity == Quantity::new_speed) {  // never refused in a program (decision AMB-058)
+    if (!seen_.settings().on(Setting::s_curve, index)) (void)controller_->change_speed(index, value);
+    return Outcome::done;
+  }
+  // A register takes from a program what it takes from a host (decisions AMB-062, AMB-118).
+  if (!can_hold(dialect_of(seen_.model()), quantity, value)) return Outcome::error;
   constexpr int ms_per_idle_unit = 10;  // decision AMB-096
   switch (quantity) {
     case Quantity::pulse_position: return outcome_of_value(controller_->set_position(index, value));
     case Quantity::encoder_position: return outcome_of_value(controller_->set_encoder(index, value));
-    case Quantity::new_speed:  // never refused in a program (decision AMB-058)
-      if (!seen_.settings().on(Setting::s_curve, index)) (void)controller_->change_speed(index, value);
-      return Outcome::done;
     case Quantity::outputs: controller_->set_outputs(value); return Outcome::done;
     case Quantity::output: controller_->set_output(index, value != 0); return Outcome::done;
     case Quantity::enables: controller_->set_enables(value); return Outcome::done;

@@ -16,10 +16,48 @@ namespace {
 constexpr std::size_t most_events = 10'000;
 constexpr int run_it = 1, state_running = 1, state_error = 4;
 
+std::string why_a_value_fails(const language::Instruction& i, const language::Dialect& dialect) {
+  const std::string name = spell(dialect, i.target), value = spell(dialect, i.values[0]);
+  return name + " cannot be given " + (value.front() == 'V' ? "the value of " + value : value) + " here.";
+}
+
+std::string why_an_axis_fails(Refusal held_by) {
+  switch (held_by) {
+    case Refusal::limit_error:
+      return "a limit switch has stopped an axis of it, and nothing cleared the error.";
+    case Refusal::alarm: return "an axis of it has an alarm.";
+    case Refusal::loop_error: return "an axis of it has a StepNLoop error.";
+    default: return "the controller refuses this motion.";
+  }
+}
+
+/// `held_by`: what holds an axis of the statement.
+std::string why_it_fails(const language::Instruction& i, const language::Program& program, Refusal held_by,
+                         const language::Dialect& dialect) {
+  using language::Opcode;
+  switch (i.op) {
+    case Opcode::compute: return "a division by zero.";
+    case Opcode::set: return why_a_value_fails(i, dialect);
+    case Opcode::gosub:
+      return program.subs[ix(i.values[0].number)] ? "it calls deeper than eight subroutines."
+                                                  : "there is no such subroutine.";
+    case Opcode::endsub: return "nothing has called this subroutine.";
+    case Opcode::empty:
+    case Opcode::continued:
+    case Opcode::bad: return "there is no program here.";
+    default: return why_an_axis_fails(held_by);
+  }
+}
+
 class Rehearsing {
  public:
-  Rehearsing(ArcusEmulator& emulator, const language::Compilation& made, const RehearseOptions& options)
-      : emulator_(emulator), controller_(emulator.controller()), made_(made), options_(options) {
+  Rehearsing(ArcusEmulator& emulator, const language::Compilation& made, const RehearseOptions& options,
+             const language::Dialect& dialect)
+      : emulator_(emulator),
+        controller_(emulator.controller()),
+        made_(made),
+        options_(options),
+        dialect_(dialect) {
     result_.program_size["0"] = static_cast<int>(made.lines.size());
     for (int i = 0; i < std::min(controller_.axes(), static_cast<int>(options.start_at.size())); ++i)
       (void)controller_.set_position(i, options.start_at[static_cast<std::size_t>(i)]);
@@ -71,7 +109,7 @@ class Rehearsing {
       collect(trace);
     }
     if (const int failed = program_in(state_error); failed >= 0)
-      result_.error = place_of(failed) + " stopped in error.";
+      result_.error = place_of(failed) + " stopped in error: " + reason_of(failed);
     result_.finished = result_.error.empty();
   }
 
@@ -93,6 +131,24 @@ class Rehearsing {
     if (line >= 0 && line < static_cast<int>(made_.source_line.size()))
       place += ", line " + std::to_string(made_.source_line[static_cast<std::size_t>(line)] + 1) + ",";
     return place;
+  }
+
+  /// Why the statement that the program stopped at cannot be done.
+  [[nodiscard]] std::string reason_of(int program) const {
+    const auto line = static_cast<std::size_t>(controller_.program_place(program));
+    if (line >= made_.program.code.size()) return "the code ends here.";
+    const language::Instruction& i = made_.program.code[line];
+    return why_it_fails(i, made_.program, error_among(i), dialect_);
+  }
+  /// What holds one of the axes that the statement needs.
+  [[nodiscard]] Refusal error_among(const language::Instruction& i) const {
+    const bool arc = shape_of(i.op) == language::Shape::centre || shape_of(i.op) == language::Shape::arc;
+    for (int axis = 0; axis < controller_.axes(); ++axis) {
+      if (!(arc ? axis < 2 : i.axes.has(axis) || i.op == language::Opcode::wait)) continue;
+      const Refusal r = controller_.refuses_motion(1U << static_cast<unsigned>(axis));
+      if (r == Refusal::limit_error || r == Refusal::alarm || r == Refusal::loop_error) return r;
+    }
+    return Refusal::none;
   }
 
   void collect(std::vector<Controller::Trace>& trace) {
@@ -140,6 +196,7 @@ class Rehearsing {
   Controller& controller_;
   const language::Compilation& made_;
   const RehearseOptions& options_;
+  const language::Dialect& dialect_;
   PlannedHands hands_;
   Instant now_{};
   std::array<std::int64_t, max_axes> turned_{};  ///< pulses made until the last look
@@ -153,6 +210,22 @@ Result<> without_errors(const language::Compilation& made, const char* done) {
   return {};
 }
 
+/// A text without the program that is started would seem to go well. An empty text has nothing to start.
+Result<> with_program(const language::Compilation& made, int wanted) {
+  const auto& programs = made.program.programs;
+  const auto start = ix(std::clamp(wanted, 0, static_cast<int>(programs.size()) - 1));
+  if (made.lines.empty() || programs[start]) return {};
+  std::string there;
+  for (std::size_t n = 0; n < programs.size(); ++n)
+    if (programs[n]) there += (there.empty() ? "PRG " : ", PRG ") + std::to_string(n);
+  const std::string number = std::to_string(start);
+  return fail(FaultKind::text,
+              "There is no program " + number + " to start; the text has " +
+                  (there.empty() ? "subroutines only" : there) + ". Write a PRG " + number +
+                  (there.empty() ? " that calls them with GOSUB." : ", which may start others with SR."),
+              "Nothing was rehearsed.");
+}
+
 }  // namespace
 
 Result<Rehearsal> rehearse_program(std::string_view text, const RehearseOptions& options, Emulator& emulator,
@@ -161,7 +234,8 @@ Result<Rehearsal> rehearse_program(std::string_view text, const RehearseOptions&
   if (!arcus) return fail(FaultKind::internal, "The rehearsal has no controller.");
   const language::Compilation made = language::compile(text, dialect);
   if (auto good = without_errors(made, "Nothing was rehearsed."); !good) return fail(good.error());
-  Rehearsing rehearsing(*arcus, made, options);
+  if (auto there = with_program(made, options.slot); !there) return fail(there.error());
+  Rehearsing rehearsing(*arcus, made, options, dialect);
   if (!options.bench_toml.empty()) {
     const auto bench = parse_bench_file(options.bench_toml, catalog);
     if (!bench) return fail(bench.error());

@@ -6,6 +6,7 @@
 #include "core/devices/arcus/language/complaints.h"
 #include "core/devices/arcus/language/lexer.h"
 #include "core/devices/arcus/language/listing.h"
+#include "core/devices/arcus/language/listing_check.h"
 #include "core/devices/arcus/language/parser.h"
 #include "core/devices/arcus/language/structure.h"
 #include "core/devices/arcus/language/text_lines.h"
@@ -105,6 +106,7 @@ Compilation compile_listing(std::string_view text, const Dialect& dialect) {
     problem.line = listing.source_line[static_cast<std::size_t>(bad.line)];
     problem.sentence = "Line " + std::to_string(bad.line) + " " + bad.why + ".";
   }
+  check_listing(out.program, listing.source_line, dialect, out.problems);
   for_each_line(text, [&](std::string_view line, int) {
     out.text.push_back({{{0, static_cast<int>(line.size()), TokenKind::plain}}, -1, 0});
   });

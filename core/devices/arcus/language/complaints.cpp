@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <vector>
 
 namespace hw::arcus::language {
@@ -96,15 +97,41 @@ const Dialect* other_home_of(const Dialect& dialect, std::string_view letters, i
   return nullptr;
 }
 
+/// Two letters that stand next to each other have changed places: the commonest slip.
+bool swapped(std::string_view a, std::string_view b) {
+  if (a.size() != b.size()) return false;
+  const auto at = static_cast<std::size_t>(std::mismatch(a.begin(), a.end(), b.begin()).first - a.begin());
+  return at + 1 < a.size() && a[at] == b[at + 1] && a[at + 1] == b[at] &&
+         a.substr(at + 2) == b.substr(at + 2);
+}
+
 std::string nearest(const Dialect& dialect, std::string_view letters) {
   const std::string* best = nullptr;
   int closer_than = letters.size() < 4 ? 2 : 3;
   for (const std::string& word : vocabulary(dialect)) {
     const auto length_difference = static_cast<int>(word.size()) - static_cast<int>(letters.size());
     if (std::abs(length_difference) >= closer_than) continue;
-    if (const int d = distance(letters, word); d < closer_than) closer_than = d, best = &word;
+    if (const int d = swapped(letters, word) ? 1 : distance(letters, word); d < closer_than)
+      closer_than = d, best = &word;
   }
   return best ? *best : std::string();
+}
+
+/// IFV1: the blank between a keyword and its operand is missing.
+std::optional<Complaint> glued_keyword(const Dialect& dialect, std::string_view word) {
+  for (const std::string_view keyword : {"IF", "ELSEIF", "WHILE", "GOSUB"}) {
+    if (!word.starts_with(keyword)) continue;
+    const std::string_view operand = word.substr(keyword.size());
+    const std::string_view letters = operand.substr(0, operand.find_first_of("0123456789"));
+    const bool with_number = letters.size() < operand.size();
+    const bool variable = letters == "V" && with_number;
+    if (!variable && !find_name(dialect, letters, with_number ? 1 : -1)) continue;
+    if (keyword == "GOSUB")
+      return Complaint{"GOSUB takes a number only, not " + std::string(operand) + ".", {}};
+    std::string apart = std::string(keyword) + " " + std::string(operand);
+    return Complaint{"A blank is missing: " + apart + ".", std::move(apart)};
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -114,6 +141,16 @@ std::string grouped(std::int64_t number) {
   for (int at = static_cast<int>(digits.size()) - 3; at > 0; at -= 3)
     digits.insert(static_cast<std::size_t>(at), ",");
   return (number < 0 ? "-" : "") + digits;
+}
+
+std::string value_range(const NameRow& row, const std::string& name) {
+  return name + " takes " + (row.also_zero ? "0 or " : "") + grouped(row.minimum) + " to " +
+         grouped(row.maximum) + ".";
+}
+
+std::string position_range(const Dialect& dialect) {
+  return "Positions are " + grouped(dialect.min_position) + " to " + grouped(dialect.max_position) +
+         " (28 bits).";
 }
 
 Complaint unknown_word(const Dialect& dialect, std::string_view word) {
@@ -140,12 +177,13 @@ Complaint unknown_word(const Dialect& dialect, std::string_view word) {
   if (const Dialect* other = other_home_of(dialect, letters, number)) {
     const bool only_the_axis =
         letters.size() == 1 || lacks_axis(dialect, letters.substr(0, letters.size() - 1));
-    if (only_the_axis && dialect.axis_of(letters.back()) < 0)
+    if (only_the_axis && dialect.axis_of(letters.back()) < 0 && other->axis_of(letters.back()) >= 0)
       return {shown + ": the " + name + " has " + the_axes(dialect) + ".", {}};
     return {
         shown + " belongs to the " + std::string(other->model_name) + ". The " + name + " does not know it.",
         {}};
   }
+  if (auto about = glued_keyword(dialect, word)) return *about;
   const bool one_letter_and_number = letters.size() == 1 && number >= 0;  // near to too many words
   std::string guess = one_letter_and_number ? std::string() : nearest(dialect, letters);
   if (guess.empty()) return {shown + " is nothing that a program of the " + name + " knows.", {}};

@@ -16,6 +16,10 @@ struct Complaint {
 /// `word`: letters in capitals and the digits behind them, as one.
 [[nodiscard]] Complaint unknown_word(const Dialect& dialect, std::string_view word);
 
+/// "DO takes 0 to 255."
+[[nodiscard]] std::string value_range(const NameRow& row, const std::string& name);
+[[nodiscard]] std::string position_range(const Dialect& dialect);
+
 [[nodiscard]] std::string grouped(std::int64_t number);  ///< 6,000,000
 
 }  // namespace hw::arcus::language

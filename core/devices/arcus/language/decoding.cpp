@@ -41,6 +41,12 @@ Opcode opcode_of(Text mnemonic) {
   return Opcode::bad;
 }
 
+/// As it is written out: no leading zeros, no +. So a line is spelt in one way only.
+std::optional<std::int32_t> canonical_number(Text text) {
+  const auto n = whole_number<std::int32_t>(text);
+  return n && std::to_string(*n) == text ? n : std::nullopt;
+}
+
 /// Reads one statement from its lines. Every `read_...` says whether what it wanted was there.
 class StatementReader {
  public:
@@ -88,7 +94,7 @@ class StatementReader {
   }
 
   bool read_number(Text text, std::size_t at) {
-    const auto n = whole_number<std::int32_t>(text);
+    const auto n = canonical_number(text);
     if (n) i_.values[at] = number_operand(*n);
     return n.has_value();
   }
@@ -103,7 +109,7 @@ class StatementReader {
     }
   }
   static bool read_line(Text text, std::uint16_t& line) {
-    const auto n = whole_number<std::int32_t>(text);
+    const auto n = canonical_number(text);
     if (!n || *n < 0 || *n >= max_lines) return false;
     line = static_cast<std::uint16_t>(*n);
     return true;
@@ -111,12 +117,12 @@ class StatementReader {
 
   /// A number, a variable or a name.
   [[nodiscard]] std::optional<Operand> operand(Text text, const NameRow** row = nullptr) const {
-    if (const auto n = whole_number<std::int32_t>(text)) return number_operand(*n);
+    if (const auto n = canonical_number(text)) return number_operand(*n);
     const auto digits = std::find_if(text.begin(), text.end(), is_digit);
     const Text letters = text.substr(0, static_cast<std::size_t>(digits - text.begin()));
     int n = -1;
     if (digits != text.end()) {
-      const auto number = whole_number<std::int32_t>(text.substr(letters.size()));
+      const auto number = canonical_number(text.substr(letters.size()));
       if (!number || *number > 999) return std::nullopt;
       n = *number;
     }

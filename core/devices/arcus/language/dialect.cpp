@@ -210,6 +210,12 @@ std::optional<WordFound> find_word(const Dialect& dialect, std::string_view lett
   return std::nullopt;
 }
 
+bool can_hold(const Dialect& dialect, Quantity quantity, std::int64_t value) {
+  for (const NameRow& row : dialect.names)
+    if (row.quantity == quantity && row.writable != Writable::no) return row.any_is_on || row.accepts(value);
+  return false;
+}
+
 std::string spell(const Dialect& dialect, Quantity quantity, int index) {
   for (const NameRow& row : dialect.names) {
     if (row.quantity != quantity || !row.usual.empty()) continue;

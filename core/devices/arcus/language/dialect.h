@@ -79,6 +79,9 @@ struct WordFound {
 /// "HOMEX", "STOP".
 [[nodiscard]] std::optional<WordFound> find_word(const Dialect& dialect, std::string_view letters);
 
+/// Whether what a program writes into it fits; its number means on where any number does.
+[[nodiscard]] bool can_hold(const Dialect& dialect, Quantity quantity, std::int64_t value);
+
 /// How the maker writes it: "HSPDX", "DI3", "PS"; "V7", "-100".
 [[nodiscard]] std::string spell(const Dialect& dialect, Quantity quantity, int index);
 [[nodiscard]] std::string spell(const Dialect& dialect, const Operand& operand);

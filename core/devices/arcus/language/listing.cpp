@@ -1,5 +1,7 @@
 #include "core/devices/arcus/language/listing.h"
 
+#include <algorithm>
+
 #include "core/base/number_text.h"
 #include "core/devices/arcus/language/program.h"
 #include "core/devices/arcus/language/text_lines.h"
@@ -21,6 +23,12 @@ std::string_view take_word(std::string_view& text) {
   const std::string_view word = text.substr(0, end);
   text = end == std::string_view::npos ? std::string_view() : trimmed(text.substr(end));
   return word;
+}
+
+/// In small letters as well, as the rest of a program may be (AMB-112).
+bool is_mark(std::string_view word) {
+  return std::equal(word.begin(), word.end(), mark.begin(), mark.end(),
+                    [](char c, char m) { return c == m || (c >= 'a' && c <= 'z' && c - 'a' + 'A' == m); });
 }
 
 class ListingReader {
@@ -91,10 +99,14 @@ std::string write_listing(const std::vector<std::string>& lines, const Dialect& 
 }
 
 bool is_listing(std::string_view text) {
-  const auto begin = text.find_first_not_of(" \t\r\n");
-  if (begin == std::string_view::npos || !text.substr(begin).starts_with(mark)) return false;
-  const std::string_view behind = text.substr(begin + mark.size());
-  return behind.empty() || behind.front() == ' ' || behind.front() == '\t';
+  bool found = false, listing = false;
+  for_each_line(text, [&](std::string_view line, int) {
+    std::string_view statement = trimmed(line.substr(0, line.find(';')));
+    if (found || statement.empty()) return;
+    found = true;
+    listing = is_mark(take_word(statement));
+  });
+  return listing;
 }
 
 ReadListing read_listing(std::string_view text, const Dialect& dialect) {

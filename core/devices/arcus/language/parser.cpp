@@ -97,6 +97,7 @@ bool LineParser::expect_equals(const std::string& what) {
 bool LineParser::number(std::int32_t& value) {
   const Lexeme& first = here();
   const bool minus = take("-");
+  too_large_ = false;
   if (!minus) take("+");
   if (!here().is(Kind::number)) {
     if (here().is(Kind::word) && here().text.front() == 'V' && ahead().is(Kind::number))
@@ -105,7 +106,8 @@ bool LineParser::number(std::int32_t& value) {
   }
   const auto n = whole_number<std::int64_t>(here().text);
   const std::int64_t with_sign = n ? (minus ? -*n : *n) : highest + 1;
-  if (with_sign < lowest || with_sign > highest)
+  too_large_ = with_sign < lowest || with_sign > highest;
+  if (too_large_)
     return complain(
         first.begin, here().end,
         "This number is too large: " + grouped(lowest) + " to " + grouped(highest) + " can be held.");
@@ -120,8 +122,7 @@ bool LineParser::bounded_number(std::int64_t minimum, std::int64_t maximum, cons
   const std::size_t problems = problems_.size();
   if (!number(value)) {
     // A number that not even 32 bits hold is out of this range as well.
-    if (problems_.size() > problems && problems_.back().sentence.starts_with("This number is too large"))
-      problems_.back().sentence = sentence;
+    if (problems_.size() > problems && too_large_) problems_.back().sentence = sentence;
     return false;
   }
   if (value >= minimum && value <= maximum) return true;

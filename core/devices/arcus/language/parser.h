@@ -83,6 +83,7 @@ class LineParser {
   const std::vector<Lexeme>* lexemes_ = nullptr;
   std::size_t at_ = 0;
   int line_ = 0;
+  bool too_large_ = false;  ///< the number read last: not even 32 bits hold it
   Instruction i_;
 };
 

@@ -44,6 +44,14 @@ Opcode arc_keyword(std::string_view word) {
 /// What it opens or closes counts even when the line has a mistake.
 bool is_structure(Opcode op) { return op >= Opcode::prg && op <= Opcode::endwhile && op != Opcode::gosub; }
 
+/// A misspelt word opens or closes what the word opens or closes that it is taken for. END is near to much
+/// that is none, and would end a program.
+Opcode guessed_structure(std::string_view word, std::string_view fix) {
+  const Opcode op = keyword(fix.substr(0, fix.find(' ')));
+  const bool far = op == Opcode::end && word.front() != fix.front();
+  return is_structure(op) && !far ? op : Opcode::bad;
+}
+
 /// Two words that belong together: END IF.
 std::string joined(const Lexeme& first, const Lexeme& second) {
   if (!second.is(Lexeme::Kind::word)) return {};
@@ -62,8 +70,11 @@ std::optional<Statement> LineParser::parse(const LexedLine& lexed, int line) {
   if (at_end()) return std::nullopt;
   const int begin = here().begin, end = lexemes_->back().begin;
   i_.op = keyword(here().text);
+  const std::size_t problems = problems_.size();
   const bool sound = check_characters() && parse_statement();
   if (!sound && !is_structure(i_.op)) i_.op = Opcode::bad;
+  if (i_.op == Opcode::bad && problems_.size() > problems && problems_.back().column == begin)
+    i_.op = guessed_structure(lexemes_->front().text, problems_.back().fix_text);
   i_.lines = static_cast<std::uint8_t>(lines_of(i_.op) > 0 ? lines_of(i_.op) : i_.axes.count());
   return Statement{i_, line, begin, end - begin, sound};
 }
@@ -220,6 +231,8 @@ bool LineParser::parse_one_move() {
   const Lexeme& word = here();
   const bool glued_v = word.text.size() == 2 && word.text[1] == 'V';
   if (!word.is(Kind::word) || (word.text.size() > 1 && !glued_v)) return complain_about_rest();
+  if (word.is(Kind::word, "V"))
+    return complain(word.begin, ahead().end, "The letter of the axis is missing before the variable.");
   const int axis = dialect_.axis_of(word.text.front());
   if (axis < 0) return complain_about_word(at_);
   if (i_.axes.has(axis))
@@ -231,10 +244,9 @@ bool LineParser::parse_one_move() {
   if (here().is(Kind::sign, "="))
     return complain(here(), "A move has no =. Write " + std::string(word.text) + "1000.");
   if (here().is(Kind::word, "V")) return variable(target);
-  const std::string range = "Positions are " + grouped(dialect_.min_position) + " to " +
-                            grouped(dialect_.max_position) + " (28 bits).";
   std::int32_t position = 0;
-  if (!bounded_number(dialect_.min_position, dialect_.max_position, range, position)) return false;
+  if (!bounded_number(dialect_.min_position, dialect_.max_position, position_range(dialect_), position))
+    return false;
   target = number_operand(position);
   return true;
 }
@@ -289,15 +301,13 @@ bool LineParser::parse_written_value(const NameRow& row, const std::string& name
     return variable(i_.values[0]);
   }
   std::int32_t value = 0;
-  std::string range = name + " takes " + (row.also_zero ? "0 or " : "") + grouped(row.minimum) + " to " +
-                      grouped(row.maximum) + ".";
   if (row.any_is_on) {
     if (!number(value)) return false;
     if (!row.accepts(value))
       warn(first.begin, (*lexemes_)[at_ - 1].end,
            "Any number but 0 switches " + name + " on; 1 says it plainly.", "1");
   } else if (!(row.also_zero && first.is(Kind::number, "0"))) {
-    if (!bounded_number(row.minimum, row.maximum, range, value)) return false;
+    if (!bounded_number(row.minimum, row.maximum, value_range(row, name), value)) return false;
   } else {
     advance();
   }

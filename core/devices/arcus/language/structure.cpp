@@ -49,7 +49,7 @@ class StructureCheck {
       default: break;
     }
     if (place_ == Place::outside) enter_text_before_headings(s);
-    see_block(s);
+    if (place_ != Place::outside) see_block(s);  // a stray line is complained of once
   }
 
   void begin_program(const Statement& s) {
@@ -201,6 +201,7 @@ class CallGraph {
     int inside = -1;
     for (const Statement& s : statements) {
       const auto number = static_cast<std::size_t>(s.instruction.values[0].number);
+      unread_head_ |= !s.sound && s.instruction.op == Opcode::sub;
       if (!s.sound) continue;
       if (s.instruction.op == Opcode::sub) {
         inside = static_cast<int>(number);
@@ -213,6 +214,8 @@ class CallGraph {
     }
   }
   [[nodiscard]] const Statement* head(std::size_t sub) const { return heads_[sub]; }
+  /// A SUB whose line has a mistake may be any of them.
+  [[nodiscard]] bool may_be_there(std::size_t sub) const { return heads_[sub] || unread_head_; }
 
   /// Levels of calls below and with this one; more than any program may have when it comes back to itself.
   int depth(std::size_t sub) {
@@ -228,6 +231,7 @@ class CallGraph {
 
  private:
   std::array<const Statement*, subroutines> heads_{};
+  bool unread_head_ = false;
   std::array<std::vector<std::size_t>, subroutines> calls_;
   std::array<int, subroutines> known_{};
   std::array<bool, subroutines> walking_{};
@@ -247,7 +251,7 @@ void check_calls(const std::vector<Statement>& statements, std::vector<Problem>&
     if (s.instruction.op == Opcode::endsub || s.instruction.op == Opcode::prg) in_sub = false;
     if (s.instruction.op != Opcode::gosub || !s.sound) continue;
     const auto sub = static_cast<std::size_t>(s.instruction.values[0].number);
-    if (!graph.head(sub)) {
+    if (!graph.may_be_there(sub)) {
       problems.push_back(problem_at(s, "There is no SUB " + number_of(s) + " in this text."));
       continue;
     }

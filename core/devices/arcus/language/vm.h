@@ -112,6 +112,8 @@ class Vm {
   std::shared_ptr<const Program> program_ = std::make_shared<const Program>();
   std::array<Thread, max_programs + 1> threads_;
   std::array<std::int32_t, variables> variables_{};
+  /// By axis: the axes of the last motion that a program gave it (AMB-114).
+  std::array<AxisSet, max_axes> moved_with_{};
   Turn last_turn_ = -1;
   int line_at_work_ = -1;
 };

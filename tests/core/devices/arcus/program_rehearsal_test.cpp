@@ -117,5 +117,50 @@ TEST_P(ArcusRehearsal, ATextWithAnErrorIsNotRehearsed) {
   EXPECT_NE(r.error().sentence().find("Nothing was rehearsed"), std::string::npos);
 }
 
+TEST_P(ArcusRehearsal, AValueThatTheRegisterCannotHoldIsAnErrorOfTheProgram) {
+  for (const char* register_ : {"DO", "EO", "PX", "EX"}) {
+    const std::string name(register_);
+    const auto r = rehearse(("V1=999999999\n" + name + "=V1\nEND\n").c_str());
+    ASSERT_TRUE(r) << r.error().sentence();
+    EXPECT_EQ(r->error,
+              "Program 0, line 2, stopped in error: " + name + " cannot be given the value of V1 here.");
+    EXPECT_EQ(r->axes[0].position, 0);
+  }
+  const auto complement = rehearse("DO=3\nV1=~DO\nDO=V1\nEND\n");
+  ASSERT_TRUE(complement);
+  EXPECT_NE(complement->error, "");
+  EXPECT_EQ(complement->outputs.at("1"), 1);
+  const auto any_is_on = rehearse("V1=-7\nDO2=V1\nEND\n");  // AMB-094
+  ASSERT_TRUE(any_is_on);
+  EXPECT_EQ(any_is_on->error, "");
+  EXPECT_EQ(any_is_on->outputs.at("2"), 1);
+}
+
+TEST_P(ArcusRehearsal, SaysWhyAProgramStoppedInError) {
+  const auto why = [&](const char* text, const char* bench = "") {
+    RehearseOptions options;
+    options.bench_toml = bench;
+    const auto r = find_device_type(GetParam())->language().rehearse(text, options);
+    return r ? r->error : r.error().sentence();
+  };
+  EXPECT_EQ(why("V1=5/V2\nEND\n"), "Program 0, line 1, stopped in error: a division by zero.");
+  EXPECT_EQ(why("GOSUB 1\nEND\nSUB 1\nGOSUB 1\nENDSUB\n"),
+            "Program 0, line 4, stopped in error: it calls deeper than eight subroutines.");
+  EXPECT_EQ(why("JOGX+\nWAITX\nEND\n", "[axis.X]\nplus = 500\n"),
+            "Program 0, line 2, stopped in error: a limit switch has stopped an axis of it, and nothing "
+            "cleared the error.");
+}
+
+TEST_P(ArcusRehearsal, ATextWithoutProgram0HasNothingToStart) {
+  const auto other = rehearse("PRG 1\nX1000\nEND\n");
+  ASSERT_FALSE(other);
+  EXPECT_NE(other.error().sentence().find("no program 0 to start; the text has PRG 1"), std::string::npos)
+      << other.error().sentence();
+  const auto sub = rehearse("SUB 3\nX1000\nENDSUB\n");
+  ASSERT_FALSE(sub);
+  EXPECT_NE(sub.error().sentence().find("subroutines only"), std::string::npos) << sub.error().sentence();
+  EXPECT_TRUE(rehearse(""));
+}
+
 }  // namespace
 }  // namespace hw::arcus

@@ -25,6 +25,11 @@ TEST(LowLevel, UnusedLinesAtTheEndDoNotCount) {
 TEST(LowLevel, OperandsThatDoNotExist) {
   for (const char* line : {"SET,V100,1",
                            "SET,V-1,1",
+                           "SET,V01,5",
+                           "SET,V1,007",
+                           "SET,V1,+5",
+                           "SET,V1,-0",
+                           "GOSUB,01",
                            "SET,DI1,1",
                            "SET,DO9,1",
                            "SET,HSPD,PX",
