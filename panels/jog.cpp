@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "gui/area.h"
 #include "gui/tab.h"
 #include "gui/widgets/button.h"
 #include "gui/widgets/hold_button.h"
-#include "gui/widgets/slider.h"
 #include "gui/widgets/text.h"
 #include "panels/jog_button.h"
+#include "panels/jog_units.h"
 #include "panels/measures.h"
 #include "panels/path.h"
 #include "panels/unit_chooser.h"
@@ -46,75 +45,6 @@ bool close_together(const Frame& f) {
   return f.tier == Tier::medium || (f.tier == Tier::wide && (f.tab.bus || f.catalog.axes.size() > 2));
 }
 
-bool roomy_speed(const Frame& f) { return f.tier == Tier::wide && !close_together(f); }
-
-/// All that the steps and the speed are for: on a bus the axes of all its devices.
-template <class Act>
-void for_each_axis(const Frame& f, Act act) {
-  const auto of = [&](const Tab& tab) {
-    for (std::size_t i = 0; i < tab.catalog().axes.size(); ++i)
-      act(tab, AxisId{static_cast<std::uint8_t>(i)});
-  };
-  if (!f.tab.bus) return of(f.tab);
-  for (const Tab* member : f.tab.bus->members) of(*member);
-}
-
-/// How fast the axes go where nobody asks for a speed.
-struct OwnSpeed {
-  bool alike = true;  ///< the same for all axes
-  Pps speed{};        ///< the highest; 0: not known yet
-};
-OwnSpeed own_speed(const Frame& f) {
-  bool any_on = false, known = true;
-  OwnSpeed own;
-  for_each_axis(f, [&](const Tab& tab, AxisId id) { any_on = any_on || tab.now().axes[id.index].enabled; });
-  for_each_axis(f, [&](const Tab& tab, AxisId id) {
-    const AxisState& axis = tab.now().axes[id.index];
-    const LinkState link = tab.now().link.state;
-    if (link != LinkState::good && link != LinkState::late) return;
-    if (any_on && !axis.enabled) return;
-    known = known && axis.own_speed.value > 0;
-    own.alike = own.alike && (own.speed.value <= 0 || own.speed == axis.own_speed);
-    own.speed = std::max(own.speed, axis.own_speed);
-  });
-  return known ? own : OwnSpeed();
-}
-NumberText words_of(const OwnSpeed& own, const DisplayUnit& unit) {
-  if (own.speed.value > 0 && own.alike) return format_speed(own.speed, unit);
-  NumberText words;
-  words.append(own.alike ? "not known yet" : "each its own");
-  return words;
-}
-
-/// What the controllers count in: no word, where some count pulses and others counts.
-DisplayUnit counted_by_all(const Frame& f) {
-  DisplayUnit unit;
-  bool first = true;
-  for_each_axis(f, [&](const Tab& tab, AxisId axis) {
-    const Catalog& c = tab.catalog();
-    const bool in_counts = !c.loop_word.empty() && tab.now().axes[axis.index].in_counts;
-    const std::string& word = in_counts ? c.loop_word : c.step_word;
-    if (std::exchange(first, false))
-      unit.name = word;
-    else if (unit.name != word)
-      unit.name.clear();
-  });
-  return unit;
-}
-
-/// For steps and speed of all axes: the real unit that all have in common, without the sign of those that
-/// count against their steps, or else what the controllers themselves count in.
-DisplayUnit common_unit(const Frame& f) {
-  DisplayUnit unit = f.tab.unit(AxisId{0});
-  unit.per_step = std::fabs(unit.per_step);
-  bool same = unit.real;
-  for_each_axis(f, [&](const Tab& tab, AxisId axis) {
-    const DisplayUnit& other = tab.unit(axis);
-    same = same && other.real && other.name == unit.name && std::fabs(other.per_step) == unit.per_step;
-  });
-  return same ? unit : counted_by_all(f);
-}
-
 float cell_size(const Frame& f, float columns) {
   const float largest = f.tier == Tier::wide && f.catalog.axes.size() <= 3 ? 56.0f : 48.0f;
   return std::min(largest, std::floor((f.area.width + close_between) / columns) - close_between);
@@ -142,7 +72,7 @@ void Jog::draw(Frame& f) {
   } else {
     draw_cross(f);
   }
-  if (!close_together(f)) draw_speed(f);
+  if (!close_together(f)) speed_.draw(f, f.tier == Tier::wide);
   if (f.tier != Tier::narrow) group_line(f.ui, close_together(f) ? 4 : 8);
 }
 
@@ -155,7 +85,8 @@ void Jog::draw_title(Frame& f) {
   const ImVec2 after = ImGui::GetCursorScreenPos();
   if (close_together(f)) {
     constexpr float title = 40;
-    draw_speed_slider(f, ImVec2(at.x + ui.px(title), at.y + ui.px(2)), f.area.width - title);
+    ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(title), at.y + ui.px(2)));
+    speed_.draw_line(f, f.area.width - title);
   } else if (f.tier == Tier::narrow) {
     ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(f.area.width - unit_chooser_width(f)), at.y + ui.px(4)));
     draw_unit_chooser(f);
@@ -333,58 +264,6 @@ void Jog::draw_steps_row(Frame& f, float x, float y, float row) {
     draw_step(f, step, label, width);
     x += width + close_between;
   }
-}
-
-// ---- speed
-
-/// One line: the slider, and how fast that is.
-void Jog::draw_speed_slider(Frame& f, ImVec2 at, float width) {
-  Ui& ui = f.ui;
-  const OwnSpeed own = own_speed(f);
-  const Pps chosen = f.tab.jog_speed();
-  const bool by_itself = chosen.value <= 0;
-  const DisplayUnit unit = common_unit(f);
-  const NumberText words = by_itself ? words_of(own, unit) : format_speed(chosen, unit);
-  SliderOptions o;
-  o.min = std::max(1.0, f.catalog.jog_speed_min.value);
-  o.max = f.catalog.jog_speed_max.value;
-  o.step = 1;
-  o.logarithmic = true;
-  o.normal = std::clamp(own.speed.value > 0 ? own.speed.value : f.catalog.jog_speed.value, o.min, o.max);
-  o.tip = !by_itself  ? "Speed while held. A double click goes back to the controller's own."
-          : own.alike ? "Speed while held: the controller's own. Drag to choose another."
-                      : "Speed while held: each axis has one of its own. Drag to choose one for all.";
-  o.value_text = words;
-  o.width = width;
-  if (!roomy_speed(f)) {
-    const float right = std::ceil(text_width(ui, Face::body_bold, words));
-    draw_text_right(ui, ImVec2(at.x + ui.px(width), at.y + ui.px(6)), Face::body_bold, ui[Tone::ink], words);
-    o.width -= std::max(84.0f, std::ceil(right / ui.scale)) + 8;
-  }
-  ImGui::SetCursorScreenPos(at);
-  double speed = by_itself ? o.normal : chosen.value;
-  if (slider(ui, "jog/speed", "Speed while held", speed, o)) {
-    const double wished = std::round(speed);
-    f.tab.choose_jog(f.tab.jog_step(), Pps(wished == std::round(o.normal) ? 0 : wished));
-  }
-}
-
-/// A line of its own; where there is room the words stand over the slider.
-void Jog::draw_speed(Frame& f) {
-  Ui& ui = f.ui;
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  float y = at.y;
-  if (roomy_speed(f)) {
-    const Pps chosen = f.tab.jog_speed();
-    const DisplayUnit unit = common_unit(f);
-    const bool by_itself = chosen.value <= 0;
-    draw_text(ui, at, Face::body, ui[Tone::ink2], by_itself ? "Speed, the controller's" : "Speed while held");
-    draw_text_right(ui, ImVec2(at.x + ui.px(f.area.width), at.y), Face::body_bold, ui[Tone::ink],
-                    by_itself ? words_of(own_speed(f), unit) : format_speed(chosen, unit));
-    y += ui.px(22);
-  }
-  draw_speed_slider(f, ImVec2(at.x, y), f.area.width);
-  ImGui::SetCursorScreenPos(ImVec2(at.x, y + ui.px(36)));
 }
 
 }  // namespace hw::panels

@@ -5,6 +5,7 @@
 
 #include "gui/panel.h"
 #include "gui/units_format.h"
+#include "panels/jog_speed.h"
 
 namespace hw::panels {
 
@@ -28,10 +29,9 @@ class Jog final : public gui::Panel {
   [[nodiscard]] bool labels_fit(const gui::Frame& frame, float width) const;
   /// What a step is called where `room` (0: least) words have room.
   [[nodiscard]] std::string_view label_of(const gui::JogStep& step, int room) const;
-  void draw_speed(gui::Frame& frame);
-  void draw_speed_slider(gui::Frame& frame, ImVec2 at, float width);
   void follow_unit(gui::Frame& frame);
 
+  JogSpeed speed_;
   std::vector<gui::JogStep> steps_;
   gui::DisplayUnit steps_unit_;
   int steps_many_ = 0;

@@ -88,5 +88,34 @@ TEST_F(JogUnitsTest, AStepThatIsStillAChoiceStays) {
   EXPECT_EQ(tap("jog/1/+"), Steps(1));
 }
 
+TEST_F(JogUnitsTest, TheSpeedCanBeTypedInTheUnitThatIsShown) {
+  MUST(s.hand.click("jog/speed/number"));
+  s.run(0.1);
+  MUST(s.hand.type("jog/speed/field", "1234\n"));
+  s.run(0.1);
+  EXPECT_EQ(a.tab->jog_speed(), Pps(1234));
+  EXPECT_EQ(s.value("jog/speed/number"), "1234 steps/s") << "the field is gone again";
+  show_in("screw of 1 mm", "screw of 1 mm");
+  MUST(s.hand.click("jog/speed/number"));
+  s.run(0.1);
+  MUST(s.hand.type("jog/speed/field", "2.5\n"));
+  s.run(0.1);
+  EXPECT_EQ(a.tab->jog_speed(), Pps(1000));
+}
+
+TEST_F(JogUnitsTest, ASpeedThatDoesNotGoChangesNothing) {
+  a.tab->profile.jog_speed = Pps(500);
+  MUST(s.hand.click("jog/speed/number"));
+  s.run(0.1);
+  MUST(s.hand.type("jog/speed/field", "0\n"));
+  s.run(0.1);
+  EXPECT_EQ(a.tab->jog_speed(), Pps(500));
+  EXPECT_TRUE(s.stage.find("jog/speed/field")) << "to be mended";
+  MUST(s.hand.click("goto/1"));
+  s.run(0.2);
+  EXPECT_FALSE(s.stage.find("jog/speed/field"));
+  EXPECT_EQ(s.value("jog/speed/number"), "500 steps/s");
+}
+
 }  // namespace
 }  // namespace hw::panels
