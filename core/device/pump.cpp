@@ -105,7 +105,6 @@ Task<bool> Pump::open_and_connect() {
     lose_wire(opened.error());
     co_return false;
   }
-  wire_ = *opened;
   station_ = std::make_unique<Station>(std::move(*opened), ways_.traffic);
   station_->closed = [this](const Fault& why) {
     lose_wire(why);

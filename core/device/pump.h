@@ -23,6 +23,8 @@ class Pump {
     std::function<void(Notice)> notify;
     TrafficRing* traffic = nullptr;
     std::function<void(const AxisSample&)> sample = nullptr;
+    /// The wire as others on it have it open, whether or not this one is on it; null: nobody, or not shared.
+    std::function<std::shared_ptr<Link>()> open_link = nullptr;
   };
 
   Pump(Scheduler& scheduler, const DeviceType& type, const Catalog& catalog, Ways ways);
@@ -75,6 +77,7 @@ class Pump {
   void post_stop(Intent intent);
   [[nodiscard]] bool stops_by_text(const std::string& text) const;
   void enqueue(std::unique_ptr<Job> job);
+  [[nodiscard]] std::shared_ptr<Link> shared_wire() const;
   void tell_wire_of_stop(Addressees whom);
   void begin_stop(Addressees whom);
   void drop_what_waits();
@@ -110,7 +113,6 @@ class Pump {
   Snapshot draft_;
   std::unique_ptr<Driver> driver_;
   std::unique_ptr<Station> station_;
-  std::weak_ptr<Link> wire_;  ///< that it has, or had last: others may be on it still
   std::deque<std::unique_ptr<Job>> queue_;
   Event wake_, published_, ended_;
   Timer dead_man_;

@@ -68,7 +68,7 @@ void Pump::post(Intent intent) {
 
 void Pump::enqueue(std::unique_ptr<Job> job) {
   const auto* text = std::get_if<intent::SendText>(&job->intent.body);
-  if (const auto wire = wire_.lock(); wire && text)
+  if (const auto wire = shared_wire(); wire && text)
     job->stops_before = wire->stops_said(driver_->meant_for(*text));
   queue_.push_back(std::move(job));
   wake_.notify();

@@ -66,13 +66,17 @@ bool Pump::stops_by_text(const std::string& text) const {
 
 /// Also of one that does not get through: nobody's text is to set in motion behind it what it was to stop.
 void Pump::tell_wire_of_stop(Addressees whom) {
-  if (const auto wire = wire_.lock()) wire->stop_said(whom);
+  if (const auto wire = shared_wire()) wire->stop_said(whom);
 }
+
+std::shared_ptr<Link> Pump::shared_wire() const { return ways_.open_link ? ways_.open_link() : nullptr; }
 
 /// What waits here goes on behind a stop of others only.
 void Pump::begin_stop(Addressees whom) {
   const auto own = Addressees::one(catalog_.address);
-  if (!whom.any() || whom.share(own)) drop_what_waits();
+  const bool here = !whom.any() || whom.share(own);
+  if (here) drop_what_waits();
+  if (here && station_) station_->being_stopped = true;
   ++stops_under_way_;
 }
 
@@ -84,6 +88,7 @@ void Pump::drop_what_waits() {
 
 void Pump::end_stop() {
   --stops_under_way_;
+  if (stops_under_way_ == 0 && station_) station_->being_stopped = false;
   next_poll_ = scheduler_.now();
   fast_polls_ = fast_polls_after_a_command;
   publish();

@@ -246,7 +246,7 @@ Result<> Link::may_be_said(const Station& station, const Transaction& transactio
   if (!others.any()) return {};
   if (stops_said(others) != station.stops_before) return fail(stop_came_first());
   for (const Station* other : stations_)
-    if (other->stopping_ && others.share(Addressees::one(other->address)))
+    if (other->being_stopped && others.share(Addressees::one(other->address)))
       return fail(FaultKind::refused, "A device that this is for is being stopped.", "This was not sent.",
                   "Send it again when that device stands.");
   return {};

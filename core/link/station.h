@@ -48,6 +48,8 @@ class Station {
 
   /// Link::stops_said() of those whom the user's text that is under way is for, when it was asked for.
   std::uint64_t stops_before = 0;
+  /// A stop of this device is under way: nobody else sets it in motion.
+  bool being_stopped = false;
   /// Of this device on a wire of several; -1: it has none.
   int address = -1;
   /// Bytes that no transaction claimed, at least one. The handler returns how many at the front are its own

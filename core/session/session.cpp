@@ -38,7 +38,8 @@ Session::Session(Scheduler& scheduler, Address address, const DeviceType& type, 
       pump_(scheduler, type, catalog_,
             Pump::Ways{[this] { return open_wire(); }, [this](const Snapshot& s) { show(s); },
                        [this](Notice n) { tell(std::move(n)); }, &traffic_,
-                       [this](const AxisSample& sample) { samples_.push(sample); }}) {}
+                       [this](const AxisSample& sample) { samples_.push(sample); },
+                       [this] { return wire_->open_link(); }}) {}
 
 Session::~Session() {
   if (bench_) bench_->changed = nullptr;

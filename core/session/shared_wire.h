@@ -17,6 +17,8 @@ class SharedWire : public std::enable_shared_from_this<SharedWire> {
 
   /// The open link. All that ask while it is being opened get the one answer.
   Task<Result<std::shared_ptr<Link>>> link();
+  /// The same without opening it; null: nobody has it open.
+  [[nodiscard]] std::shared_ptr<Link> open_link() const;
   /// The bench of the device at `place` in the order of the address's ids; null: not an emulator of ours.
   [[nodiscard]] std::shared_ptr<BenchAccess> bench(std::size_t place) const;
 

@@ -222,7 +222,14 @@ TEST_F(DmxBus, AStopOfOneThatIsNotConnectedTakesBackWhatWaitsForItElsewhere) {
   for (const auto& stop : stops)
     for (const LinkState state : {LinkState::lost, LinkState::connecting}) {
       emulators[1]->be_deaf(true);
-      run(8);
+      run(25);
+      if (state == LinkState::lost) {  // for the others it is another wire already
+        ASSERT_TRUE(host->bench(0)->operate(bench::Unplug(true)));
+        run(0.2);
+        ASSERT_TRUE(host->bench(0)->operate(bench::Unplug(false)));
+        ASSERT_TRUE(time.run_until(time.now() + from_seconds(3),
+                                   [&] { return speaker.latest.link.state == LinkState::good; }));
+      }
       ask_nobody(speaker);
       say(speaker, "@02J+");
       ASSERT_TRUE(
@@ -256,6 +263,23 @@ TEST_F(DmxBus, WhatWouldSetInMotionWhatIsBeingStoppedIsRefused) {
   EXPECT_EQ(speaker.latest.fate_of(setting)->fate, Fate::done);
 }
 
+TEST_F(DmxBus, ANeighbourSetsItInMotionAsSoonAsTheStopHasEnded) {
+  build_and_connect(4);
+  Member &speaker = *members[0], &other = *members[1];
+  say(other, "EO=1");
+  run(0.5);
+  for (int i = 0; i < 10; ++i) {
+    other.pump->post(Intent(++last_id, intent::Stop()));
+    const IntentId stop = last_id;
+    ASSERT_TRUE(time.run_until(time.now() + from_seconds(5),
+                               [&] { return other.pump->known().fate_of(stop)->fate == Fate::done; }));
+    say(speaker, i % 2 == 0 ? "@02J+" : "@00J+");
+    run(1);
+    EXPECT_EQ(speaker.latest.fate_of(last_id)->fate, Fate::done) << i;
+    EXPECT_TRUE(moves(other)) << i;
+  }
+}
+
 TEST_F(DmxBus, AStopOfOneTakesNothingFromTheOthers) {
   build_and_connect(3);
   Member &speaker = *members[0], &other = *members[1];
@@ -278,7 +302,18 @@ TEST_F(DmxBus, ATextIsOneCommand) {
   say(*members[0], "V1=1\r@02V1=2");
   run(1);
   EXPECT_EQ(members[0]->latest.fate_of(last_id)->fate, Fate::refused);
-  for (const Sent& s : sent()) EXPECT_THAT(s.entry.bytes, Not(HasSubstr("V1=")));
+  say(*members[0], "V1=1\r@02J+", true);
+  run(1);
+  EXPECT_EQ(members[0]->latest.fate_of(last_id)->fate, Fate::refused);
+  say(*members[0], "STOP\r@02V1=2");
+  run(1);
+  EXPECT_EQ(members[0]->latest.fate_of(last_id)->fate, Fate::failed);
+  bool stopped = false;
+  for (const Sent& s : sent()) {
+    EXPECT_THAT(s.entry.bytes, Not(HasSubstr("V1=")));
+    stopped = stopped || s.entry.bytes == "@01STOP\r";
+  }
+  EXPECT_TRUE(stopped);
 }
 
 TEST_F(DmxBus, AStopTypedToAllWithItsAddressIsHeardByAll) {

@@ -118,6 +118,7 @@ class ArcusDriver final : public Driver {
 
   // ---- driver_text.cpp
   Task<Result<>> send_text(const intent::SendText& wish);
+  Task<Result<std::string>> say_command(std::string text, Duration patience);
   void overhear(std::string_view text, Hearsay what);
   void note_done(std::string_view text);
   [[nodiscard]] int axis_stopped_by(std::string_view text) const;

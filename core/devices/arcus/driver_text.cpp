@@ -15,12 +15,15 @@ bool takes_target_away(std::string_view text) {
   return counter && text[1] != 'O';
 }
 
-/// Each is answered by itself: the second answer would be taken for that to the next question.
-Result<> is_one_command(std::string_view text) {
-  const auto end = text.find_first_of(std::string_view("\r\n\0", 3));
-  if (end == text.npos || text_of(text.substr(end)).empty()) return {};
-  return fail(FaultKind::refused, "This is more than one command: the end of a line ends one.",
-              "Nothing was sent.", "Send them one by one.");
+/// Each of several is answered by itself: the second answer would be taken for that to the next question.
+/// True: there is something behind the first, which alone is left.
+bool cut_to_one_command(std::string& text) {
+  constexpr std::string_view ends("\r\n\0", 3), nothing(" \r\n\0", 4);
+  text.erase(0, std::min(text.find_first_not_of(ends), text.size()));
+  const auto end = text.find_first_of(ends);
+  const bool more = end != text.npos && text.find_first_not_of(nothing, end) != text.npos;
+  text.erase(std::min(end, text.size()));
+  return more;
 }
 
 EndedBy how_it_ends(std::string_view stop) {
@@ -29,11 +32,21 @@ EndedBy how_it_ends(std::string_view stop) {
 
 }  // namespace
 
-// A stop waits for nothing that is to come first.
 Task<Result<std::string>> ArcusDriver::query(std::string text, Duration patience) {
+  if (!cut_to_one_command(text)) co_return co_await say_command(std::move(text), patience);
+  if (!is_stop(text))
+    co_return fail(FaultKind::refused, "This is more than one command: the end of a line ends one.",
+                   "Nothing was sent.", "Send them one by one.");
+  auto stopped = co_await say_command(std::move(text), patience);
+  if (!stopped) co_return stopped;
+  co_return fail(FaultKind::refused, "There is another command behind the stop.", "The stop was sent alone.",
+                 "Send the other by itself.");
+}
+
+// A stop waits for nothing that is to come first.
+Task<Result<std::string>> ArcusDriver::say_command(std::string text, Duration patience) {
   const Priority priority = is_stop(text) ? Priority::stop : Priority::intent;
   if (priority != Priority::stop) {
-    if (auto one = is_one_command(text); !one) co_return fail(one.error());
     if (auto returned = co_await give_back_first(); !returned) co_return fail(returned.error());
   }
   if (model().broadcast >= 0 && address_of(text) == model().broadcast) {
@@ -98,13 +111,13 @@ Addressees ArcusDriver::meant_for(const intent::SendText& wish) const {
 
 // To all, unless it says itself to whom: then that one answers, or it is the address of all.
 Task<Result<>> ArcusDriver::send_text(const intent::SendText& wish) {
-  if (wish.broadcast && address_of(wish.text) < 0) {
-    auto sent = co_await broadcast(wish.text, is_stop(wish.text) ? Priority::stop : Priority::intent);
-    if (sent) note_sent(wish.text);
-    if (sent) note_done(wish.text);
-    co_return sent;
+  std::string text = wish.text;
+  if (wish.broadcast && address_of(text) < 0) {
+    if (model().broadcast < 0 || framing() == Framing::message)
+      co_return co_await broadcast(std::move(text), Priority::intent);  // which says why not
+    text.insert(0, fmt::format("@{:02}", model().broadcast));
   }
-  auto reply = co_await query(wish.text, typed_patience);
+  auto reply = co_await query(std::move(text), typed_patience);
   if (!reply) co_return fail(reply.error());
   if (!reply->empty()) for_scripts(std::move(*reply));
   co_return Result<>();
