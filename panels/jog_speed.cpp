@@ -12,7 +12,7 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-constexpr float line_height = 32, number_height = 26, least_number = 84;
+constexpr float slider_height = 32, number_height = 26, least_number = 84;
 
 /// How fast the axes go where nobody asks for a speed.
 struct OwnSpeed {
@@ -145,7 +145,7 @@ void JogSpeed::draw_line(Frame& f, float width) {
   const float words = std::ceil(text_width(ui, Face::body_bold, speed_in_words(f)) / ui.scale);
   const float number = std::max(least_number, words) + 8;
   draw_slider(f, width - number);
-  const float down = ui.px((line_height - number_height) / 2);
+  const float down = ui.px((slider_height - number_height) / 2);
   draw_number(f, ImVec2(at.x + ui.px(width - number + 4), at.y + down), number - 4, number_height);
 }
 

@@ -69,6 +69,7 @@ class Restless final : public VmHost {
   void set_absolute(bool) override {}
   [[nodiscard]] bool moving(int) const override { return false; }
   [[nodiscard]] bool in_error(int) const override { return false; }
+  [[nodiscard]] AxisSet moved_with(int) const override { return {}; }
   void clear_error(int) override {}
   void arm_sync(int, bool) override {}
   void store() override {}

@@ -48,6 +48,7 @@ class FuzzedController final : public VmHost {
   void set_absolute(bool) override {}
   [[nodiscard]] bool moving(int) const override { return next() % 4 == 0; }
   [[nodiscard]] bool in_error(int) const override { return next() % 16 == 0; }
+  [[nodiscard]] AxisSet moved_with(int axis) const override { return check(one_axis(axis)), AxisSet{next()}; }
   void clear_error(int axis) override { check(one_axis(axis)); }
   void arm_sync(int axis, bool) override { check(one_axis(axis)); }
   void store() override {}

@@ -73,6 +73,7 @@ class Axis {
   Instant aborted_until{};
 
   int slot = -1;                            ///< motion that it takes part in
+  unsigned moved_with = 0;                  ///< a bit for each axis of its last motion that has had no other
   int arrived_by = 0;                       ///< direction of the last pulse of that motion
   bool announces = false;                   ///< its arrival is to be reported (AR)
   std::optional<std::int64_t> then_target;  ///< after coming to rest: T behind the stopping point

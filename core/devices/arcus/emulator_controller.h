@@ -134,6 +134,8 @@ class Controller {
   [[nodiscard]] LoopState loop_state(int axis) const;
   [[nodiscard]] std::int64_t current_ma() const;
   [[nodiscard]] bool moving(int axis) const { return axes_[ix(axis)].slot >= 0; }
+  /// A bit for each axis of its last motion, itself too.
+  [[nodiscard]] unsigned moved_with(int axis) const { return axes_[ix(axis)].moved_with; }
   /// Limit, alarm or StepNLoop error latched.
   [[nodiscard]] bool in_error(int axis) const;
   /// 1, or with StepNLoop the pulses of an encoder count.

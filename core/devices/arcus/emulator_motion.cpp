@@ -29,8 +29,11 @@ void Controller::begin(MotionKind kind, unsigned axes, const Path& path, const P
   m = Motion();
   m.active = true, m.kind = kind, m.axes = axes, m.path = path, m.profile = profile;
   m.order = order;
-  for (int a = 0; a < this->axes(); ++a)
-    if (takes_part(m, a)) axes_[ix(a)].slot = slot, axes_[ix(a)].arrived_by = 0;
+  for (int a = 0; a < this->axes(); ++a) {
+    Axis& axis = axes_[ix(a)];
+    axis.moved_with = takes_part(m, a) ? axes : axis.moved_with & ~axes;
+    if (takes_part(m, a)) axis.slot = slot, axis.arrived_by = 0;
+  }
   ++moves_begun;
   look(m);
   if (m.active) plan(m);
@@ -259,9 +262,8 @@ void Controller::stop_motion(Motion& m) {
     buffer_.queue.resize(1);
     buffer_.end = buffer_.start;
   }
-  m.by_hand = true;
-  const bool was_stopping = std::exchange(m.stopping, true);
-  if (was_stopping) return;
+  m.stopping = true;
+  if (std::exchange(m.by_hand, true)) return;  // STOP again changes nothing
   const motion::Ramp ramp = stop_ramps(m).ramp;
   const double from = m.profile.distance(now_);
   const Pps speed = m.profile.speed(now_);

@@ -230,9 +230,10 @@ Refusal Controller::change_target(int a, std::int64_t wanted) {
   const std::int64_t steps =
       m->path.steps() + std::llround(static_cast<double>(way * (wanted - old)) * ratio(a));
   const RampOrder r = ramps_of(*m);
+  const motion::Ramp slowing = stop_ramps(*m).ramp;  // SSPD may be slowing it down still
   const double from = m->profile.distance(now_);
   const Pps speed = m->profile.speed(now_);
-  const Profile down = Profile::ramp_down(now_, from, speed, r.ramp);
+  const Profile down = Profile::ramp_down(now_, from, speed, slowing);
   if (steps <= m->applied || steps < down.length()) {
     axis.then_target = wanted;
     m->stopping = true;
@@ -243,7 +244,7 @@ Refusal Controller::change_target(int a, std::int64_t wanted) {
   axis.target = axis.anchor_target = wanted;
   axis.anchor_offset = way * steps;
   m->path = Path::along(ix(a), way < 0 ? Sign::minus : Sign::plus, steps);
-  continue_by(*m, Profile::approach(now_, from, speed, r.top, r.ramp.decel, r.ramp, steps));
+  continue_by(*m, Profile::approach(now_, from, speed, r.top, slowing.decel, r.ramp, steps));
   return Refusal::none;
 }
 

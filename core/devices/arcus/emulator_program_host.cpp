@@ -169,6 +169,11 @@ bool ProgramHost::in_error(int axis) const {
   return r == Refusal::limit_error || r == Refusal::alarm || r == Refusal::loop_error;
 }
 
+language::AxisSet ProgramHost::moved_with(int axis) const {
+  if (axis >= seen_.axes()) return {};
+  return {static_cast<std::uint8_t>(seen_.moved_with(axis))};
+}
+
 void ProgramHost::arm_sync(int axis, bool on) {
   if (on)
     controller_->sync_on(axis);

@@ -22,6 +22,7 @@ class ProgramHost final : public language::VmHost {
   void set_absolute(bool absolute) override { controller_->set_incremental(!absolute); }
   [[nodiscard]] bool moving(int axis) const override { return axis < seen_.axes() && seen_.moving(axis); }
   [[nodiscard]] bool in_error(int axis) const override;
+  [[nodiscard]] language::AxisSet moved_with(int axis) const override;
   void clear_error(int axis) override { controller_->clear_errors(axis); }
   void arm_sync(int axis, bool on) override;
   void store() override { controller_->store(); }

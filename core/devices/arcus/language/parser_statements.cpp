@@ -44,11 +44,19 @@ Opcode arc_keyword(std::string_view word) {
 /// What it opens or closes counts even when the line has a mistake.
 bool is_structure(Opcode op) { return op >= Opcode::prg && op <= Opcode::endwhile && op != Opcode::gosub; }
 
+/// EN=1, EN1=1: whatever that was to be, it is given a value.
+bool is_given_value(const std::vector<Lexeme>& line) {
+  const std::size_t behind = line.size() > 1 && line[1].is(Lexeme::Kind::number) ? 2 : 1;
+  return line.size() > behind && line[behind].is(Lexeme::Kind::sign, "=");
+}
+
 /// A misspelt word opens or closes what the word opens or closes that it is taken for. END is near to much
 /// that is none, and would end a program.
-Opcode guessed_structure(std::string_view word, std::string_view fix) {
-  const Opcode op = keyword(fix.substr(0, fix.find(' ')));
-  const bool far = op == Opcode::end && word.front() != fix.front();
+Opcode guessed_structure(const std::vector<Lexeme>& line, std::string_view fix) {
+  const std::size_t blank = fix.find(' ');  // IFV1=1: IF V1
+  if (blank == fix.npos && is_given_value(line)) return Opcode::bad;
+  const Opcode op = keyword(fix.substr(0, blank));
+  const bool far = op == Opcode::end && line.front().text.front() != fix.front();
   return is_structure(op) && !far ? op : Opcode::bad;
 }
 
@@ -74,7 +82,7 @@ std::optional<Statement> LineParser::parse(const LexedLine& lexed, int line) {
   const bool sound = check_characters() && parse_statement();
   if (!sound && !is_structure(i_.op)) i_.op = Opcode::bad;
   if (i_.op == Opcode::bad && problems_.size() > problems && problems_.back().column == begin)
-    i_.op = guessed_structure(lexemes_->front().text, problems_.back().fix_text);
+    i_.op = guessed_structure(*lexemes_, problems_.back().fix_text);
   i_.lines = static_cast<std::uint8_t>(lines_of(i_.op) > 0 ? lines_of(i_.op) : i_.axes.count());
   return Statement{i_, line, begin, end - begin, sound};
 }

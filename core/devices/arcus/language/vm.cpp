@@ -144,14 +144,16 @@ int Vm::line(int program, Instant now) const {
   return by_now.delay_at.value_or(by_now.line);
 }
 
+bool Vm::Thread::sees_to_error() const {
+  return std::any_of(frames.begin(), frames.begin() + depth,
+                     [](const Frame& f) { return f.sub == error_subroutine; });
+}
+
 void Vm::fail(Thread& thread, Trouble trouble, Turn turn) {
   thread.trouble = trouble;
   thread.loop = {};
-  const auto frames_end = thread.frames.begin() + thread.depth;
-  const bool in_handler = std::any_of(thread.frames.begin(), frames_end,
-                                      [](const Frame& f) { return f.sub == error_subroutine; });
   const auto handler = program_->subs[error_subroutine];
-  if (in_handler || !handler) {
+  if (thread.sees_to_error() || !handler) {
     thread.state = ThreadState::error;
     return;
   }

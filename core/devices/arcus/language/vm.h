@@ -90,6 +90,7 @@ class Vm {
     std::optional<std::uint16_t> delay_at;  ///< where the DELAY stands whose time has not passed
     LoopWatch loop;
     std::array<Frame, max_call_depth + 2> frames;  ///< one more for GS and one for SUB 31
+    [[nodiscard]] bool sees_to_error() const;      ///< somewhere in SUB 31
   };
   /// What a statement leads to.
   struct Next {
@@ -112,8 +113,6 @@ class Vm {
   std::shared_ptr<const Program> program_ = std::make_shared<const Program>();
   std::array<Thread, max_programs + 1> threads_;
   std::array<std::int32_t, variables> variables_{};
-  /// By axis: the axes of the last motion that a program gave it (AMB-114).
-  std::array<AxisSet, max_axes> moved_with_{};
   Turn last_turn_ = -1;
   int line_at_work_ = -1;
 };

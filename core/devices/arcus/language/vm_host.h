@@ -51,6 +51,9 @@ class VmHost {
   /// A limit, alarm or StepNLoop error is latched (AMB-035, AMB-118; IERR takes it away).
   [[nodiscard]] virtual bool in_error(int axis) const = 0;
 
+  /// The axes of the last motion of this one, as far as they have had none of their own since.
+  [[nodiscard]] virtual AxisSet moved_with(int axis) const = 0;
+
   // The rest.
   virtual void clear_error(int axis) = 0;
   virtual void arm_sync(int axis, bool on) = 0;

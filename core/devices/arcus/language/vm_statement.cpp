@@ -82,17 +82,6 @@ void Vm::Statement::put(int variable, std::int32_t value) {
   thread_.loop.has_read(variable_operand(variable), value);  // somebody else's write wakes the loop
 }
 
-Vm::Next Vm::Statement::motion(Outcome outcome, AxisSet axes) {
-  if (outcome == Outcome::done) {
-    for (std::size_t axis = 0; axis < max_axes; ++axis) {
-      AxisSet& with = vm_.moved_with_[axis];
-      with = axes.has(static_cast<int>(axis)) ? axes
-                                              : AxisSet{static_cast<std::uint8_t>(with.bits & ~axes.bits)};
-    }
-  }
-  return this->outcome(outcome, axes);
-}
-
 Vm::Next Vm::Statement::outcome(Outcome outcome, AxisSet axes) {
   if (outcome == Outcome::busy) return wait_for(axes);
   return outcome == Outcome::done ? go_on() : fail(Trouble::refused);
@@ -172,8 +161,9 @@ Vm::Next Vm::Statement::compute_value() {
 }
 
 Vm::Next Vm::Statement::wait() {
-  // In an interpolated move any of its axes will do, and the error of any of them counts (AMB-114).
-  const AxisSet together = vm_.moved_with_[static_cast<std::size_t>(i_->axes.first())];
+  // In an interpolated move any of its axes will do, and the error of any of them counts (AMB-114); but what
+  // sees to an error waits for its own.
+  const AxisSet together = thread_.sees_to_error() ? AxisSet() : host_.moved_with(i_->axes.first());
   for (int axis = 0; axis < max_axes; ++axis)
     if (together.has(axis) && host_.in_error(axis)) return fail(Trouble::axis_in_error);
   const auto stands_still = obstacle(i_->axes);
@@ -192,7 +182,7 @@ Vm::Next Vm::Statement::move() {
   move.axes = i_->axes;
   for (std::size_t axis = 0; axis < max_axes; ++axis)
     if (i_->axes.has(static_cast<int>(axis))) move.target[axis] = value(i_->values[axis]);
-  return motion(host_.move(move), i_->axes);
+  return outcome(host_.move(move), i_->axes);
 }
 
 Vm::Next Vm::Statement::arc() {
@@ -205,17 +195,17 @@ Vm::Next Vm::Statement::arc() {
   arc.centre_y = i_->values[1].number;
   arc.end_angle = i_->values[2].number;
   arc.swept_angle = i_->values[3].number;
-  return motion(host_.arc(arc), xy);
+  return outcome(host_.arc(arc), xy);
 }
 
 Vm::Next Vm::Statement::home(HomeMode mode) {
   if (const auto in_the_way = obstacle(i_->axes)) return *in_the_way;
-  return motion(host_.home(i_->axes.first(), mode, i_->sign), i_->axes);
+  return outcome(host_.home(i_->axes.first(), mode, i_->sign), i_->axes);
 }
 
 Vm::Next Vm::Statement::jog() {
   if (const auto in_the_way = obstacle(i_->axes)) return *in_the_way;
-  return motion(host_.jog(i_->axes.first(), i_->sign), i_->axes);
+  return outcome(host_.jog(i_->axes.first(), i_->sign), i_->axes);
 }
 
 }  // namespace hw::arcus::language

@@ -196,5 +196,20 @@ TEST(ArcusStop, ABufferTurnedOnAgainCountsTheSegmentThatRuns) {
   EXPECT_EQ(fields(), "1:1:1:36:0");
 }
 
+TEST(ArcusStop, ANewDestinationWhileTheSpeedFallsIsNoSlowerRamp) {
+  for (const char* target : {"TX0", "TX60000"}) {
+    Rig rig(Which::pmx);
+    rig.ok("HS=20000"), rig.ok("ACC=1000"), rig.ok("SSPDMX=1"), rig.ok("X100000");
+    rig.run_for(2s);
+    rig.ok("SSPDX=150");
+    rig.run_for(100ms);
+    rig.ok(target);
+    rig.run_for(100ms);
+    rig.ok("STOPX");
+    rig.run_for(1100ms);
+    EXPECT_EQ(rig.ask("MSTX"), "0") << target;
+  }
+}
+
 }  // namespace
 }  // namespace hw::arcus::proof

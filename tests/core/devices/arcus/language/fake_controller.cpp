@@ -77,9 +77,17 @@ Outcome FakeController::write(Quantity quantity, int index, std::int32_t value) 
 void FakeController::begin(int axis, std::int32_t to) {
   Axis& a = axes_[axis];
   const std::int32_t from = position(axis);
-  a = {true, std::abs(to) == far_away, false, from, to, now, now};
+  together(one_axis(axis));
+  a = {true, std::abs(to) == far_away, false, from, to, now, now, one_axis(axis)};
   a.ends += from_seconds(std::abs(double(to) - from) / read(Quantity::high_speed, 0));
   if (a.ends == now) a.moving = false;
+}
+
+void FakeController::together(AxisSet axes) {
+  for (int axis = 0; axis < max_axes; ++axis) {
+    AxisSet& with = axes_[axis].with;
+    with = axes.has(axis) ? axes : AxisSet{static_cast<std::uint8_t>(with.bits & ~axes.bits)};
+  }
 }
 
 Outcome FakeController::move(const Move& move) {
@@ -91,6 +99,7 @@ Outcome FakeController::move(const Move& move) {
     what += " " + letter_of(axis) + std::to_string(move.target[axis]);
     begin(axis, (absolute_ ? 0 : position(axis)) + move.target[axis]);
   }
+  together(move.axes);
   done.push_back(what);
   return Outcome::done;
 }
@@ -101,6 +110,7 @@ Outcome FakeController::arc(const Arc& arc) {
   if (!arc.full_circle)
     done.back() += " to " + std::to_string(arc.end_angle) + " by " + std::to_string(arc.swept_angle);
   begin(0, position(0) + 10), begin(1, position(1) + 10);
+  together({0b11});
   return Outcome::done;
 }
 

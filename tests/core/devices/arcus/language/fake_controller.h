@@ -42,6 +42,7 @@ class FakeController final : public VmHost {
   void set_absolute(bool absolute) override;
   [[nodiscard]] bool moving(int axis) const override { return axes_[axis].moving; }
   [[nodiscard]] bool in_error(int axis) const override { return error[axis]; }
+  [[nodiscard]] AxisSet moved_with(int axis) const override { return axes_[axis].with; }
   void clear_error(int axis) override;
   void arm_sync(int axis, bool on) override;
   void store() override { done.emplace_back("store"); }
@@ -52,8 +53,10 @@ class FakeController final : public VmHost {
     bool moving = false, endless = false, homing = false;
     std::int32_t from = 0, to = 0;
     Instant began{}, ends{};
+    AxisSet with;
   };
   void begin(int axis, std::int32_t to);
+  void together(AxisSet axes);
   void halt(AxisSet axes, const char* word);
   [[nodiscard]] std::string letter_of(int axis) const { return std::string(1, dialect_.axes[axis]); }
 

@@ -36,5 +36,13 @@ TEST(VmWait, AMoveOfItsOwnEndsWhatAnAxisHadInCommon) {
   EXPECT_EQ(bench.vm.variable(1), 1);
 }
 
+TEST(VmWait, WhatSeesToAnErrorWaitsForItsOwnAxis) {
+  Workbench bench = at_work("X1000Y1000\nWAITX\nEND\nSUB 31\nWAITX\nECLEARY\nV2=1\nSR0=0\nENDSUB");
+  bench.run_ms(20);
+  bench.host.error[1] = true;
+  bench.run_for(60s);
+  EXPECT_EQ(bench.vm.variable(2), 1);
+}
+
 }  // namespace
 }  // namespace hw::arcus::language
