@@ -103,7 +103,8 @@ bool Jog::labels_fit(const Frame& f, float width) const {
 // The pad does not move under the hand when there is a reason not to jog: its place is kept.
 void Jog::draw_hint(Frame& f) {
   Ui& ui = f.ui;
-  const std::string_view why = f.tab.why_not_move();
+  const std::string_view flaw = speed_.flaw();
+  const std::string_view why = flaw.empty() ? f.tab.why_not_move() : flaw;
   const bool keeps = f.tier != Tier::narrow;
   if (why.empty() && !keeps) return;
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -113,7 +114,8 @@ void Jog::draw_hint(Frame& f) {
   draw_icon(ImGui::GetWindowDrawList(), Icon::info, ImVec2(at.x + ui.px(6), at.y + ui.px(8)), ui.px(12),
             ui[why.empty() ? Tone::ink3 : Tone::ink2]);
   ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(20), at.y));
-  wrapped(ui, Face::small, why.empty() ? Tone::ink3 : Tone::ink2, words, f.area.width - 20);
+  const Tone tone = !flaw.empty() ? Tone::fault : why.empty() ? Tone::ink3 : Tone::ink2;
+  wrapped(ui, Face::small, tone, words, f.area.width - 20);
   const float lines = f.tier == Tier::wide ? 2 : keeps ? 3 : 0;
   const float end = std::max(ImGui::GetItemRectMax().y, at.y + lines * ui.line(Face::small));
   ImGui::SetCursorScreenPos(ImVec2(at.x, end + ui.px(4)));

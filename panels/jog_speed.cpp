@@ -127,7 +127,7 @@ void JogSpeed::draw_field(Frame& f, float width, float height) {
   o.width = width;
   o.height = height;
   o.sentence_below = false;
-  o.tip = field_.sentence.empty() ? std::string_view("Enter takes it.") : std::string_view(field_.sentence);
+  o.tip = "Enter takes it.";
   const NumberEvent e = number_field(f.ui, "jog/speed/field", "Speed while held", std::nullopt, field_, o);
   if (e.entered || e.committed) choose(f, e.value / k);
   if (e.field.entered && !e.entered) {  // it does not go: to be mended where it stands

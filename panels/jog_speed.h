@@ -12,6 +12,8 @@ class JogSpeed {
   void draw(gui::Frame& frame, bool roomy);
   /// At the cursor, all in one line.
   void draw_line(gui::Frame& frame, float width);
+  /// Why the speed that is typed does not go; empty: it does, or none is typed.
+  [[nodiscard]] std::string_view flaw() const { return typing_ ? field_.sentence : std::string_view(); }
 
  private:
   void draw_slider(gui::Frame& frame, float width);

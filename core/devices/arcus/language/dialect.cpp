@@ -1,5 +1,6 @@
 #include "core/devices/arcus/language/dialect.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace hw::arcus::language {
@@ -210,10 +211,16 @@ std::optional<WordFound> find_word(const Dialect& dialect, std::string_view lett
   return std::nullopt;
 }
 
+const NameRow* writable_row(const Dialect& dialect, Quantity quantity) {
+  const auto row = std::find_if(dialect.names.begin(), dialect.names.end(), [&](const NameRow& r) {
+    return r.quantity == quantity && r.writable != Writable::no;
+  });
+  return row == dialect.names.end() ? nullptr : &*row;
+}
+
 bool can_hold(const Dialect& dialect, Quantity quantity, std::int64_t value) {
-  for (const NameRow& row : dialect.names)
-    if (row.quantity == quantity && row.writable != Writable::no) return row.any_is_on || row.accepts(value);
-  return false;
+  const NameRow* row = writable_row(dialect, quantity);
+  return row && (row->any_is_on || row->accepts(value));
 }
 
 std::string spell(const Dialect& dialect, Quantity quantity, int index) {

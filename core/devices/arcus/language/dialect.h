@@ -79,6 +79,8 @@ struct WordFound {
 /// "HOMEX", "STOP".
 [[nodiscard]] std::optional<WordFound> find_word(const Dialect& dialect, std::string_view letters);
 
+/// The row of what a program may write; null: it may not.
+[[nodiscard]] const NameRow* writable_row(const Dialect& dialect, Quantity quantity);
 /// Whether what a program writes into it fits; its number means on where any number does.
 [[nodiscard]] bool can_hold(const Dialect& dialect, Quantity quantity, std::int64_t value);
 

@@ -1,6 +1,5 @@
 #include "core/devices/arcus/language/listing_check.h"
 
-#include <algorithm>
 #include <string>
 
 #include "core/devices/arcus/language/complaints.h"
@@ -9,16 +8,9 @@
 namespace hw::arcus::language {
 namespace {
 
-const NameRow* row_of(const Dialect& dialect, Quantity quantity) {
-  const auto row = std::find_if(dialect.names.begin(), dialect.names.end(), [&](const NameRow& r) {
-    return r.quantity == quantity && r.writable != Writable::no;
-  });
-  return row == dialect.names.end() ? nullptr : &*row;
-}
-
 std::string wrong_setting(const Instruction& i, const Dialect& dialect) {
   const NameRow* row =
-      i.target.kind == Operand::Kind::quantity ? row_of(dialect, i.target.quantity) : nullptr;
+      i.target.kind == Operand::Kind::quantity ? writable_row(dialect, i.target.quantity) : nullptr;
   if (!row) return {};
   const Operand& value = i.values[0];
   const std::string name = spell(dialect, i.target);
