@@ -70,8 +70,10 @@ int print(Call& call) {
     line.append(text, length);
   }
   line += '\n';
-  call.runner().options().print(line);
-  return call.nothing();
+  const auto printed = call.runner().options().print(line);
+  if (printed) return call.nothing();
+  call.runner().end_unread(call.L, printed.error());
+  throw Misuse(printed.error().sentence());
 }
 
 constexpr Function functions[] = {

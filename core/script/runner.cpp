@@ -135,6 +135,11 @@ void Runner::end_run(lua_State* L, std::string sentence) {
   unwind(L);
 }
 
+void Runner::end_unread(lua_State* L, const Fault& why) {
+  from_outside_ = true;
+  end_run(L, why.sentence());
+}
+
 void Runner::unwind(lua_State* L) {
   lua_sethook(L, ending_hook, LUA_MASKCOUNT, 1);
   for (auto& [state, fiber] : fibers_) lua_sethook(state, ending_hook, LUA_MASKCOUNT, 1);

@@ -34,9 +34,10 @@ struct RunOptions {
   std::vector<std::string> args;  ///< hw.args
   WireOpener opener;
   Limits limits;
-  std::function<void(std::string_view)> print;  ///< results
-  std::function<void(std::string_view)> log;    ///< hw.log and what controllers report
-  Stage* stage = nullptr;                       ///< a screen: `ui`, frames
+  /// Results. A fault ends the script, which nobody hears any more.
+  std::function<Result<>(std::string_view)> print;
+  std::function<void(std::string_view)> log;  ///< hw.log and what controllers report
+  Stage* stage = nullptr;                     ///< a screen: `ui`, frames
 };
 
 /// What a call that waited gives back: pushes values, answers how many.
@@ -57,6 +58,8 @@ class Runner {
   // ---- any thread, while run() is under way
   /// Somebody wants it to end now, whatever it is doing: all controllers are told to stop.
   void interrupt();
+  /// The same for another reason: a sentence.
+  void give_up(std::string why);
   /// Whether the script computes; then heartbeat() changes at least every 10,000 instructions.
   [[nodiscard]] bool at_work() const { return at_work_; }
   [[nodiscard]] std::uint64_t heartbeat() const { return heartbeat_; }
@@ -82,6 +85,8 @@ class Runner {
   [[nodiscard]] WayOut& way_out() { return way_out_; }
   /// Ends the whole run with this sentence; no pcall of the script survives it.
   void end_run(lua_State* L, std::string sentence);
+  /// The same for results that nobody gets: the script has lost what it is run for.
+  void end_unread(lua_State* L, const Fault& why);
   void add(std::shared_ptr<SessionGroup> group);
   void remove(const std::shared_ptr<SessionGroup>& group);
   /// Suspends a waiting call; false: the script has ended meanwhile.
@@ -108,7 +113,7 @@ class Runner {
   void count(lua_State* L, std::uint64_t instructions);
   void count_time(lua_State* L);
   void unwind(lua_State* L);
-  void interrupt_now();
+  void interrupt_now(std::string why = "Interrupted.");
   void broken_out();
   void prepare();
   bool load(std::string_view text);
@@ -147,8 +152,9 @@ class Runner {
   std::chrono::steady_clock::time_point resumed_at_;
   std::uint64_t instructions_ = 0;
   Instant counted_since_{};
-  bool main_over_ = false, ending_ = false, interrupted_ = false;
-  bool broken_ = false;  ///< the Lua state was left by the way out
+  bool main_over_ = false, ending_ = false;
+  bool from_outside_ = false;  ///< the end came from outside of the script: what was done then is told
+  bool broken_ = false;        ///< the Lua state was left by the way out
   std::shared_ptr<Leaving> leaving_;
   std::string failure_;  ///< why the run ended early; empty: it has not
 };

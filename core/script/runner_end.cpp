@@ -47,10 +47,14 @@ void Runner::interrupt() {
   asio::post(scheduler_.executor(), [this] { interrupt_now(); });  // ... and for one that waits
 }
 
-void Runner::interrupt_now() {
+void Runner::give_up(std::string why) {
+  asio::post(scheduler_.executor(), [this, why = std::move(why)] { interrupt_now(why); });
+}
+
+void Runner::interrupt_now(std::string why) {
   if (!failure_.empty()) return;
-  failure_ = "Interrupted.";
-  interrupted_ = ending_ = main_over_ = true;
+  failure_ = std::move(why);
+  from_outside_ = ending_ = main_over_ = true;
   if (leaving_) leaving_->stop();
 }
 
@@ -111,7 +115,7 @@ void Runner::tell_of_stops(const Leaving& leaving) {
   }
   if (!troubles.empty())
     failure_ += "\nNot every controller is known to have stopped:" + troubles;
-  else if (interrupted_ && !leaving.all.empty())
+  else if (from_outside_ && !leaving.all.empty())
     failure_ += " The controllers were told to stop.";
 }
 

@@ -2,13 +2,14 @@
 
 #include <CLI/CLI.hpp>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
+#include <sstream>
 
 #include <fmt/core.h>
 
 #include "core/base/log.h"
 #include "core/session/address.h"
+#include "gui/app/output.h"
 
 namespace hw::app {
 namespace {
@@ -130,6 +131,20 @@ constexpr const char* footer =
     "  vxm@tcp:HOST:PORT       vxm@rfc2217:HOST:PORT,baud=9600\n"
     "Exit status: 0 done, 1 the job failed (with a sentence), 2 wrong usage.";
 
+/// --help, --version.
+int fulfil(const CLI::App& app, const CLI::Success& wish) {
+  std::ostringstream told;
+  const int status = app.exit(wish, told, told);
+  write_result(told.str());
+  return status == 0 ? done : usage;
+}
+
+/// What is asked for and cannot be written is a job that failed.
+int status_with_output(int status) {
+  if (!output_is_lost() || status == usage) return status;
+  return output_loss_is_told() ? failed : complain(output_loss());
+}
+
 }  // namespace
 
 std::string Given::one(const std::string& name, std::string fallback) const {
@@ -151,7 +166,7 @@ Result<double> Given::number(const std::string& name, double fallback, double lo
 }
 
 int complain(std::string_view sentence, Exit status) {
-  fmt::print(stderr, "handwheel: {}\n", sentence);
+  write_aside(fmt::format("handwheel: {}", sentence));
   return status;
 }
 int complain(const Fault& fault, Exit status) { return complain(fault.sentence(), status); }
@@ -178,7 +193,7 @@ int run_command_line(int argc, char** argv) {
   try {
     app.parse(words_for_parser(argc, argv));
   } catch (const CLI::Success& wish) {  // --help, --version
-    return app.exit(wish) == 0 ? done : usage;
+    return status_with_output(fulfil(app, wish));
   } catch (const CLI::ParseError& error) {
     return complain(
         fmt::format("{}. `{} --help` tells what there is.", why_not(app, error, argv[1]), asked_for(app)),
@@ -186,7 +201,7 @@ int run_command_line(int argc, char** argv) {
   }
   if (verbose) log::set_level(log::Level::debug);
   for (Parsed& one : parsed)
-    if (one.app->parsed()) return one.command->run(collect(one));
+    if (one.app->parsed()) return status_with_output(one.command->run(collect(one)));
   return open_subcommand.run({});
 }
 

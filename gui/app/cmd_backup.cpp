@@ -1,11 +1,11 @@
 #include <algorithm>
-#include <cstdio>
 
 #include <fmt/core.h>
 
 #include "core/session/address.h"
 #include "core/session/backup.h"
 #include "gui/app/cli.h"
+#include "gui/app/output.h"
 #include "gui/app/wiring.h"
 
 namespace hw::app {
@@ -22,8 +22,8 @@ Task<int> take(Scheduler& scheduler, const Address& address, std::string file) {
     co_return complain(saved.error());
   const auto programs = std::count_if(taken->programs.begin(), taken->programs.end(),
                                       [](const auto& p) { return !p.second.empty(); });
-  fmt::print("{}: {} parameters, {} program{}\n", file, taken->parameters.size(), programs,
-             programs == 1 ? "" : "s");
+  print_result("{}: {} parameters, {} program{}\n", file, taken->parameters.size(), programs,
+               programs == 1 ? "" : "s");
   co_return done;
 }
 
@@ -37,11 +37,10 @@ Task<int> put_back(Scheduler& scheduler, const Address& address, std::string fil
   const bool in_ram_only = session->known().unsaved_setup || session->known().unsaved_programs;
   co_await session->close();
   if (!report) co_return complain(report.error());
-  fmt::print("{}\n", report->sentence());
+  print_result("{}\n", report->sentence());
   if (in_ram_only)
-    fmt::print(stderr,
-               "What was written is in force, but gone with the power until the controller stores it.\n");
-  for (const std::string& sentence : report->warnings) fmt::print(stderr, "{}\n", sentence);
+    write_aside("What was written is in force, but gone with the power until the controller stores it.\n");
+  for (const std::string& sentence : report->warnings) write_aside(sentence);
   if (report->left_out.empty()) co_return done;
   for (const std::string& sentence : report->left_out) complain(sentence);
   co_return failed;

@@ -1,9 +1,8 @@
-#include <cstdio>
-
 #include <fmt/format.h>
 
 #include "core/device/registry.h"
 #include "gui/app/cli.h"
+#include "gui/app/output.h"
 #include "gui/app/program_file.h"
 
 namespace hw::app {
@@ -13,19 +12,19 @@ static int check(const Given& given) {
   if (!program) return complain(program.error(), status_of(program.error()));
   const ProgramReport report = program->language->analyse(program->text, 0);
   for (const Problem& p : report.problems)
-    fmt::print("{}:{}:{}: {}: {}\n", program->path, p.line + 1, p.column + 1, p.error ? "error" : "warning",
-               p.sentence);
+    print_result("{}:{}:{}: {}: {}\n", program->path, p.line + 1, p.column + 1, p.error ? "error" : "warning",
+                 p.sentence);
   if (report.has_errors()) return failed;
   const ProgramFacts& facts = program->catalog.program;
   const std::string of = facts.capacity > 0 ? fmt::format(" of {}", facts.capacity) : std::string();
   for (const auto& [slot, cost] : report.cost) {
     if (facts.threads > 0 && report.programs.empty()) {  // subroutines alone, or nothing
-      fmt::print("{}: no program in it, {}{} {}\n", program->path, cost, of, facts.capacity_unit);
+      print_result("{}: no program in it, {}{} {}\n", program->path, cost, of, facts.capacity_unit);
       continue;
     }
     const std::vector<int> numbers = report.programs.empty() ? std::vector<int>(1, slot) : report.programs;
-    fmt::print("{}: {}{} {}: {}{} {}\n", program->path, facts.slot_word, numbers.size() > 1 ? "s" : "",
-               fmt::join(numbers, ", "), cost, of, facts.capacity_unit);
+    print_result("{}: {}{} {}: {}{} {}\n", program->path, facts.slot_word, numbers.size() > 1 ? "s" : "",
+                 fmt::join(numbers, ", "), cost, of, facts.capacity_unit);
   }
   return done;
 }

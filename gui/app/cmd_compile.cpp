@@ -1,11 +1,10 @@
-#include <cstdio>
-
 #include <fmt/format.h>
 
 #include "core/device/registry.h"
 #include "core/session/text_file.h"
 #include "core/session/user_files.h"
 #include "gui/app/cli.h"
+#include "gui/app/output.h"
 #include "gui/app/program_file.h"
 
 namespace hw::app {
@@ -31,19 +30,19 @@ static int compile(const Given& given) {
                     program->catalog.name));
   const ProgramReport report = program->language->analyse(program->text, 0);
   for (const Problem& p : report.problems)
-    fmt::print(stderr, "{}:{}:{}: {}: {}\n", program->path, p.line + 1, p.column + 1,
-               p.error ? "error" : "warning", p.sentence);
+    write_aside(fmt::format("{}:{}:{}: {}: {}", program->path, p.line + 1, p.column + 1,
+                            p.error ? "error" : "warning", p.sentence));
   if (report.has_errors()) return failed;
   const std::string listing = listing_of(report, program->catalog.model);
-  if (given.has("listing")) fmt::print("{}", listing);
+  if (given.has("listing")) write_result(listing);
   if (!given.has("output")) {
     if (given.has("listing")) return done;
     return complain("It is not said where to write it. Add -o OUT, or --listing to see it.", usage);
   }
   if (auto written = write_file(given.one("output"), listing); !written) return complain(written.error());
   const auto cost = report.cost.find(0);
-  fmt::print("{}: {} of {} {}\n", given.one("output"), cost == report.cost.end() ? 0 : cost->second,
-             program->catalog.program.capacity, program->catalog.program.capacity_unit);
+  print_result("{}: {} of {} {}\n", given.one("output"), cost == report.cost.end() ? 0 : cost->second,
+               program->catalog.program.capacity, program->catalog.program.capacity_unit);
   return done;
 }
 

@@ -5,6 +5,7 @@
 #include "gui/app/cli.h"
 #include "gui/app/demo.h"
 #include "gui/app/device_search.h"
+#include "gui/app/output.h"
 #include "gui/app/port_watch.h"
 #include "gui/app/wiring.h"
 #include "gui/console.h"
@@ -139,7 +140,8 @@ static int open_console(const Given& given) {
 
 static int demo(const Given& given) {
   if (has_display() && !given.has("headless")) return run_window({}, true);
-  if (!has_display()) print_line("There is no display: emulated controllers do a job in words and pictures.");
+  if (!has_display())
+    print_result("There is no display: emulated controllers do a job in words and pictures.\n");
   return headless_demo(given.one("pictures", folder_of_program() + "/demo"));
 }
 

@@ -1,11 +1,11 @@
 #include <algorithm>
-#include <cstdio>
 
 #include <fmt/format.h>
 
 #include "core/base/log.h"
 #include "core/session/address.h"
 #include "gui/app/cli.h"
+#include "gui/app/output.h"
 #include "gui/app/wiring.h"
 #include "transports/open.h"
 #include "transports/pty_endpoint.h"
@@ -91,8 +91,7 @@ Result<Order> understand(const Given& given) {
 }
 
 void say_ready(const DeviceType& type, const char* kind, std::string_view where) {
-  fmt::print("ready {} {} {}\n", type.model, kind, where);
-  std::fflush(stdout);
+  print_result("ready {} {} {}\n", type.model, kind, where);
 }
 
 Result<std::unique_ptr<TcpEndpoint>> serve_tcp(Scheduler& scheduler, const Order& order,
@@ -145,7 +144,7 @@ Task<int> serve(Scheduler& scheduler, const Order& order) {
     if (!endpoint) co_return complain(endpoint.error(), status_of(endpoint.error()));
     listening.push_back(std::move(*endpoint));
   }
-  co_await ended.wait();
+  if (!output_is_lost()) co_await ended.wait();  // else nobody knows where it is served
   co_return done;
 }
 

@@ -1,26 +1,13 @@
-#include <cstdio>
-
-#include <fmt/core.h>
-
 #include "core/script/runner.h"
 #include "core/session/text_file.h"
 #include "gui/app/cli.h"
+#include "gui/app/output.h"
 #include "gui/app/script_stage.h"
 #include "gui/app/traffic_file.h"
 #include "gui/app/watchdog.h"
 #include "gui/app/wiring.h"
 
 namespace hw::app {
-namespace {
-
-void print_result(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stdout); }
-void print_log(std::string_view line) {
-  std::fflush(stdout);  // so that both streams stay in order for a reader of both
-  fmt::print(stderr, "{}\n", line);
-}
-
-}  // namespace
-
 static int run_script(const Given& given) {
   const auto file = load_text(given.words[0]);
   if (!file) return complain(file.error());
@@ -29,12 +16,14 @@ static int run_script(const Given& given) {
   options.path = given.words[0];
   options.args.assign(given.words.begin() + 1, given.words.end());
   options.opener = wire_opener();
-  options.print = print_result;
-  options.log = print_log;
+  options.print = print_of_script;
+  options.log = write_aside;
+  std::shared_ptr<TrafficFile> traffic;
   if (given.has("traffic")) {
-    auto traffic = TrafficFile::create(given.one("traffic"));
-    if (!traffic) return complain(traffic.error());
-    options.opener = TrafficFile::tap(std::move(*traffic), std::move(options.opener));
+    auto created = TrafficFile::create(given.one("traffic"));
+    if (!created) return complain(created.error());
+    traffic = std::move(*created);
+    options.opener = TrafficFile::tap(traffic, std::move(options.opener));
   }
 
   IoContext io{1};
@@ -43,14 +32,16 @@ static int run_script(const Given& given) {
   if (given.has("gui")) stage = std::make_unique<ScriptStage>(scheduler, options.opener);
   options.stage = stage.get();
   script::Runner runner(scheduler, std::move(options));
+  if (traffic) traffic->on_failure = [&runner](const Fault& why) { runner.give_up(why.sentence()); };
   Watchdog watchdog(runner);
   runner.on_real_time = [&] {
     if (stage) stage->time_is_real();
     watchdog.take_signals();  // real motors are told to stop; virtual ones just end
   };
   if (scheduler.is_real()) runner.on_real_time();
-  const auto outcome = runner.run(file->text);
-  std::fflush(stdout);
+  auto outcome = runner.run(file->text);
+  if (traffic)
+    if (auto kept = traffic->finish(); outcome) outcome = std::move(kept);
   return outcome ? done : complain(outcome.error());
 }
 

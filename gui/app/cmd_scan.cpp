@@ -1,9 +1,8 @@
-#include <cstdio>
-
 #include <fmt/core.h>
 
 #include "core/device/registry.h"
 #include "gui/app/cli.h"
+#include "gui/app/output.h"
 #include "gui/app/wiring.h"
 #include "transports/performax_usb.h"
 #include "transports/scan.h"
@@ -12,20 +11,19 @@ namespace hw::app {
 namespace {
 
 void print_report(const PortReport& report) {
-  fmt::print("{}  {}\n    {}\n", report.port.path, report.port.label(), report.sentence());
-  if (const std::string address = report.address(); !address.empty()) fmt::print("    {}\n", address);
+  print_result("{}  {}\n    {}\n", report.port.path, report.port.label(), report.sentence());
+  if (const std::string address = report.address(); !address.empty()) print_result("    {}\n", address);
   if (report.finding == PortFinding::silent)
-    fmt::print("    Several devices on one line: handwheel scan {} --ids 00-99\n", report.port.path);
-  std::fflush(stdout);
+    print_result("    Several devices on one line: handwheel scan {} --ids 00-99\n", report.port.path);
 }
 
 void print_usb() {
   for (const PerformaxDevice& device : list_performax()) {
-    fmt::print("usb:{}  {}\n", device.serial, device.product);
-    if (!device.permitted) fmt::print("    This user may not open it. {}\n", udev_advice);
+    print_result("usb:{}  {}\n", device.serial, device.product);
+    if (!device.permitted) print_result("    This user may not open it. {}\n", udev_advice);
     for (const DeviceType& type : device_types())
       if (const auto catalog = type.make_catalog({}); catalog && catalog->can.usb)
-        fmt::print("    {}@usb:{}\n", type.model, device.serial);
+        print_result("    {}@usb:{}\n", type.model, device.serial);
   }
 }
 
@@ -48,11 +46,11 @@ Task<int> scan_all(Scheduler& scheduler, std::vector<SerialPort> ports, bool nam
 }
 
 Task<int> search_ids(Scheduler& scheduler, DeviceSearch search) {
-  std::function<bool(const SearchProgress&)> go_on;
+  std::function<bool(const SearchProgress&)> go_on = [](const SearchProgress&) { return !output_is_lost(); };
   std::function<void(const PortReport&)> tell = print_report;
   const int first = search.first_id, last = search.last_id;
   const auto found = co_await search_devices(scheduler, std::move(search), go_on, tell);
-  fmt::print("{} found among the ids {:02} to {:02}.\n", found.size(), first, last);
+  print_result("{} found among the ids {:02} to {:02}.\n", found.size(), first, last);
   co_return done;
 }
 
@@ -115,7 +113,7 @@ static int scan(const Given& given) {
   }
   std::vector<SerialPort> ports = ports_meant(given.words);
   if (given.words.empty()) {
-    if (ports.empty()) fmt::print("No serial ports.\n");
+    if (ports.empty()) print_result("No serial ports.\n");
     print_usb();
   }
   const bool named = !given.words.empty();

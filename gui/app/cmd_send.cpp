@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <csignal>
-#include <cstdio>
 #include <span>
 
 #include <fmt/core.h>
 
 #include "core/session/address.h"
 #include "gui/app/cli.h"
+#include "gui/app/output.h"
 #include "gui/app/wiring.h"
 
 namespace hw::app {
@@ -24,19 +24,17 @@ void print_reply(std::string_view reply) {
     const bool plain = (byte >= ' ' && byte < 0x7F) || c == '\n';
     shown += c == '\r' ? "\n" : plain ? std::string(1, c) : fmt::format("\\x{:02X}", byte);
   }
-  fmt::print("{}\n", shown);
-  std::fflush(stdout);
+  print_result("{}\n", shown);
 }
 
 // What the driver has to say beside the reply: an unknown command, an error report in words.
 void print_warnings(Session& session) {
   session.notices().drain([](Notice& notice) {
-    if (notice.kind != Notice::Kind::info && notice.kind != Notice::Kind::program)
-      fmt::print(stderr, "{}\n", notice.text);
+    if (notice.kind != Notice::Kind::info && notice.kind != Notice::Kind::program) write_aside(notice.text);
   });
 }
 
-/// By the user, with Ctrl-C.
+/// By the user, with Ctrl-C, or because nobody reads the replies any more.
 struct Stopped {
   static constexpr IntentId id = 1;  ///< no other intent is posted here
   bool asked = false;
@@ -93,13 +91,13 @@ Task<int> wait_for_rest(Scheduler& scheduler, std::shared_ptr<Session> session, 
 }
 
 /// One after the other. A text that failed ends it; one whose end did not come in time does not. Nothing is
-/// sent behind a stop of the user's.
+/// sent behind a stop of the user's, nor when nobody reads the replies.
 Task<int> send_texts(Scheduler& scheduler, std::shared_ptr<Session> session,
                      std::span<const std::string> texts, double wait_s, Stopped& stopped) {
   const Driver& driver = session->pump().driver();
   int status = done;
   bool end_is_told = false;
-  for (std::size_t i = 0; i < texts.size() && !stopped.asked; ++i) {
+  for (std::size_t i = 0; i < texts.size() && !stopped.asked && !output_is_lost(); ++i) {
     stopped.unseen = true;
     const int sent = co_await send_one(session, texts[i], wait_s);
     if (sent != done) co_return sent;
@@ -131,20 +129,25 @@ Task<int> send_stop_first(std::shared_ptr<Session> session, std::string text) {
   co_return done;
 }
 
+bool may_move(Session& session, const Stopped& stopped) { return busy(session.known()) || stopped.unseen; }
+
+void stop(Session& session, Stopped& stopped) {
+  if (!std::exchange(stopped.asked, true)) session.pump().post(Intent(Stopped::id, intent::Stop()));
+}
+
 /// Who ends the program while something moves, or may have begun to, wants it to stop; else it just ends.
 void when_interrupted(Session& session, Stopped& stopped) {
-  if (!busy(session.known()) && !stopped.unseen) std::raise(SIGINT);
-  stopped.asked = true;
-  session.pump().post(Intent(Stopped::id, intent::Stop()));
+  if (!may_move(session, stopped)) std::raise(SIGINT);
+  stop(session, stopped);
 }
 
 Task<int> tell_of_stop(std::shared_ptr<Session> session) {
   const IntentFate* fate = session->known().fate_of(Stopped::id);
   for (; fate && fate->fate == Fate::pending; fate = session->known().fate_of(Stopped::id))
     co_await session->pump().published().wait();
-  if (fate && fate->fate != Fate::done)
-    co_return complain(fmt::format("Interrupted. {}", fate->sentence.view()));
-  co_return complain("Interrupted. The controller was told to stop.");
+  const std::string why = output_is_lost() ? output_loss().sentence() : "Interrupted.";
+  if (fate && fate->fate != Fate::done) co_return complain(fmt::format("{} {}", why, fate->sentence.view()));
+  co_return complain(why + " The controller was told to stop.");
 }
 
 Task<int> send_all(Scheduler& scheduler, const Address& address, const Given& given, double wait_s) {
@@ -152,19 +155,22 @@ Task<int> send_all(Scheduler& scheduler, const Address& address, const Given& gi
   if (!opened) co_return complain(opened.error(), status_of(opened.error()));
   const std::shared_ptr<Session> session = *opened;
   std::span<const std::string> texts = std::span(given.words).subspan(1);
+  Stopped stopped;
+  const OutputWatch unread([&] {
+    if (may_move(*session, stopped)) stop(*session, stopped);
+  });
   int status = done;
   if (session->pump().driver().is_stop(texts[0])) {
     status = co_await send_stop_first(session, texts[0]);
     texts = texts.subspan(1);
   }
-  if (status == done) {
+  if (status == done && !output_is_lost()) {
     const auto connected = co_await session->wait_until_connected();
-    Stopped stopped;
     const Interruption interruption(scheduler, [&] { when_interrupted(*session, stopped); });
     status = connected ? co_await send_texts(scheduler, session, texts, wait_s, stopped)
                        : complain(connected.error(), status_of(connected.error()));
-    if (stopped.asked) status = co_await tell_of_stop(session);
   }
+  if (stopped.asked) status = co_await tell_of_stop(session);
   co_await session->close();
   print_warnings(*session);
   co_return status;

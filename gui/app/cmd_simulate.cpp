@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cstdio>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -11,6 +10,7 @@
 #include "core/session/text_file.h"
 #include "core/session/user_files.h"
 #include "gui/app/cli.h"
+#include "gui/app/output.h"
 #include "gui/app/program_file.h"
 
 namespace hw::app {
@@ -52,22 +52,22 @@ void print_json(const Rehearsal& r, const Catalog& catalog) {
     e["what"] = event.what;
     out["events"].push_back(std::move(e));
   }
-  fmt::print("{}\n", out.dump(-1, ' ', true, Json::error_handler_t::replace));
+  print_result("{}\n", out.dump(-1, ' ', true, Json::error_handler_t::replace));
 }
 
 void print_words(const Rehearsal& r, const Catalog& catalog) {
   if (r.finished)
-    fmt::print("ends after {:.3f} s\n", r.duration_s);
+    print_result("ends after {:.3f} s\n", r.duration_s);
   else if (r.error.empty())
-    fmt::print("still runs after {:.3f} s\n", r.duration_s);
-  if (!r.error.empty()) fmt::print("stopped after {:.3f} s: {}\n", r.duration_s, r.error);
+    print_result("still runs after {:.3f} s\n", r.duration_s);
+  if (!r.error.empty()) print_result("stopped after {:.3f} s: {}\n", r.duration_s, r.error);
   for (const RehearsedAxis& a : r.axes)
-    fmt::print("axis {}: ends at {}, between {} and {}, travel {} {}\n", a.name, a.position, a.minimum,
-               a.maximum, a.travel, a.in_counts ? catalog.loop_word : catalog.step_word);
-  for (const auto& [name, on] : in_order(r.outputs)) fmt::print("output {}: {}\n", name, on ? "on" : "off");
+    print_result("axis {}: ends at {}, between {} and {}, travel {} {}\n", a.name, a.position, a.minimum,
+                 a.maximum, a.travel, a.in_counts ? catalog.loop_word : catalog.step_word);
+  for (const auto& [name, on] : in_order(r.outputs)) print_result("output {}: {}\n", name, on ? "on" : "off");
   for (const auto& [slot, size] : r.program_size)
-    fmt::print("{} {}: {} {}\n", catalog.program.slot_word, slot, size, catalog.program.capacity_unit);
-  for (const RehearsedEvent& e : r.events) fmt::print("{:10.3f} s  {}\n", e.t, e.what);
+    print_result("{} {}: {} {}\n", catalog.program.slot_word, slot, size, catalog.program.capacity_unit);
+  for (const RehearsedEvent& e : r.events) print_result("{:10.3f} s  {}\n", e.t, e.what);
 }
 
 // A bench file's mistakes are told under its own name, before anything runs.

@@ -1,6 +1,5 @@
 #include "gui/app/demo.h"
 
-#include <cstdio>
 #include <filesystem>
 
 #include <fmt/core.h>
@@ -8,6 +7,7 @@
 #include "core/device/registry.h"
 #include "core/script/runner.h"
 #include "gui/app/cli.h"
+#include "gui/app/output.h"
 #include "gui/app/script_stage.h"
 #include "gui/app/wiring.h"
 
@@ -131,11 +131,6 @@ print(string.format("%.0f s of emulated time.", hw.now()))
 
 }  // namespace
 
-void print_line(std::string_view line) {
-  fmt::print("{}\n", line);
-  std::fflush(stdout);
-}
-
 std::string folder_of_program() {
   std::error_code error;
   const auto self = std::filesystem::read_symlink("/proc/self/exe", error);
@@ -154,11 +149,8 @@ int headless_demo(const std::string& pictures) {
   const auto catalog = pmx->make_catalog({});
   options.args = {pictures, catalog->program.example};
   options.opener = wire_opener();
-  options.print = [](std::string_view text) {
-    std::fwrite(text.data(), 1, text.size(), stdout);
-    std::fflush(stdout);
-  };
-  options.log = print_line;
+  options.print = print_of_script;
+  options.log = [](std::string_view line) { print_result("{}\n", line); };
   ScriptStage stage(scheduler, options.opener);
   options.stage = &stage;
   script::Runner runner(scheduler, std::move(options));

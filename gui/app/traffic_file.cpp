@@ -1,9 +1,10 @@
 #include "gui/app/traffic_file.h"
 
 #include <cerrno>
-#include <cstring>
 
 #include <fmt/core.h>
+
+#include "core/session/user_files.h"
 
 namespace hw::app {
 namespace {
@@ -121,9 +122,8 @@ Task<Result<Wire>> open_tapped(Scheduler& scheduler, Address address, std::share
 
 Result<std::shared_ptr<TrafficFile>> TrafficFile::create(const std::string& path) {
   std::FILE* file = std::fopen(path.c_str(), "w");
-  if (!file)
-    return fail(FaultKind::port, fmt::format("{} cannot be written: {}.", path, std::strerror(errno)));
-  return std::shared_ptr<TrafficFile>(new TrafficFile(file));
+  if (!file) return fail(FaultKind::port, fmt::format("{} cannot be written: {}.", path, reason_of(errno)));
+  return std::shared_ptr<TrafficFile>(new TrafficFile(file, path));
 }
 TrafficFile::~TrafficFile() { std::fclose(file_); }
 
@@ -135,10 +135,27 @@ WireOpener TrafficFile::tap(std::shared_ptr<TrafficFile> file, WireOpener inner)
 }
 
 void TrafficFile::write(Instant at, int wire, char way, std::string_view bytes) {
-  fmt::print(file_, "{:12.6f} {} {} {}\n", seconds(at), wire, way, readable(bytes));
+  put(fmt::format("{:12.6f} {} {} {}\n", seconds(at), wire, way, readable(bytes)));
 }
 void TrafficFile::note(Instant at, int wire, std::string_view event) {
-  fmt::print(file_, "{:12.6f} {} # {}\n", seconds(at), wire, event);
+  put(fmt::format("{:12.6f} {} # {}\n", seconds(at), wire, event));
+}
+
+void TrafficFile::put(std::string_view line) {
+  if (error_ != 0 || std::fwrite(line.data(), 1, line.size(), file_) == line.size()) return;
+  error_ = errno;
+  if (on_failure) on_failure(not_written());
+}
+
+Result<> TrafficFile::finish() {
+  on_failure = nullptr;
+  if (error_ == 0 && std::fflush(file_) != 0) error_ = errno;
+  if (error_ == 0) return {};
+  return fail(not_written());
+}
+
+Fault TrafficFile::not_written() const {
+  return Fault(FaultKind::port, fmt::format("{} cannot be written: {}.", path_, reason_of(error_)));
 }
 
 }  // namespace hw::app

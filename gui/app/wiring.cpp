@@ -3,6 +3,9 @@
 #include <csignal>
 #include <optional>
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include "core/base/log.h"
 #include "transports/open.h"
 
@@ -60,6 +63,11 @@ Task<Result<std::shared_ptr<Session>>> connect(Scheduler& scheduler, Address add
   co_return fail(connected.error());
 }
 
-void prepare_process() { std::signal(SIGPIPE, SIG_IGN); }
+void prepare_process() {
+  std::signal(SIGPIPE, SIG_IGN);
+  // What is opened takes the lowest free number. Reading is all that this one allows: writing still fails.
+  for (const int fd : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (::fcntl(fd, F_GETFD) < 0) ::open("/dev/null", O_RDONLY);
+}
 
 }  // namespace hw::app

@@ -47,7 +47,8 @@ class Interruption {
 /// A session that is connected, or why not. Closes it again when it cannot connect.
 Task<Result<std::shared_ptr<Session>>> connect(Scheduler& scheduler, Address address, WireOpener opener);
 
-/// Blocks SIGPIPE and the like, once, before any thread.
+/// Once, before anything is opened: a pipe that nobody reads is an error of the write and no end of the
+/// program, and no port is opened under the number of a standard stream that is closed.
 void prepare_process();
 
 }  // namespace hw::app

@@ -97,7 +97,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   script::RunOptions options;
   options.path = "fuzz.lua";
   options.opener = make_wire_opener();
-  options.print = [](std::string_view) {};
+  options.print = [](std::string_view) { return hw::Result<>(); };
   options.log = [](std::string_view) {};
   options.limits.memory_bytes = 16 << 20;
   options.limits.instructions = 500'000;

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Keeps the arrows of the house: which folder may include which, and who may name a device."""
+"""Keeps the arrows of the house: which folder may include which, who may name a device, and who writes to a shell."""
 import pathlib
 import re
 import sys
@@ -14,6 +14,8 @@ FORBIDDEN_FOLDERS = {
 CORE_ORDER = ["base", "time", "motion", "link", "device", "devices", "session", "script"]
 DEVICE_NAME = re.compile(r"\b(vxm|arcus|pmx|dmx|vme58|velmex)", re.IGNORECASE)
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
+OUTPUT = re.compile(r"\bfmt::print\(|\bstd::(cout|cerr|printf|puts)\b|\b(stdout|stderr)\b")
+WORDS = re.compile(r'"(\\.|[^"\\])*"')
 problems = []
 
 
@@ -52,6 +54,9 @@ def check(path):
             parts[1] == "motion" or (top == "core" and stem.startswith(("emulator", "codec", "program", "report")))
         ):
             say("motion, codec and emulator are pure")
+    for number, line in enumerate(text.splitlines(), 1):
+        if stem != "output" and OUTPUT.search(WORDS.sub("", line).split("//")[0]):
+            problems.append(f"{name}:{number}: writes by itself; gui/app/output.h notices what is lost")
     if top in ("panels", "gui") and not app:
         for number, line in enumerate(text.splitlines(), 1):
             if DEVICE_NAME.search(line):

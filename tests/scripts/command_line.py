@@ -291,8 +291,7 @@ class Interrupted(Case):
         self.assertNotEqual(places[0], "+0000000\n")
 
     def ends_by(self, text, number):
-        flush = "print(('x'):rep(5000)) "  # standard output is a pipe
-        with self.script(self.JOG + flush + text) as process:
+        with self.script(self.JOG + text) as process:
             process.send_signal(number)
             _, err = process.communicate(timeout=15)
             self.assertEqual(process.returncode, 1, err)
@@ -309,7 +308,7 @@ class Interrupted(Case):
     # A ramp of many seconds, which the end of the script waits for.
     SLOW = ("local c = assert(hw.open('pmx-4ex-sa@tcp:' .. hw.args[1]))\n"
             "for _, t in ipairs {'EO=15', 'HS=20000', 'ACC=20000'} do assert(c:query(t) == 'OK') end\n"
-            "assert(c:jog('X', '+')) hw.sleep(4) print('now' .. ('x'):rep(5000)) ")
+            "assert(c:jog('X', '+')) hw.sleep(4) print('now') ")
 
     def test_the_regular_end(self):
         with self.script(self.SLOW, "pmx-4ex-sa") as process:
@@ -327,6 +326,110 @@ class Interrupted(Case):
             _, err = process.communicate(timeout=5)
             self.assertEqual(process.returncode, -signal.SIGINT, err)
             self.assertNotIn("told to stop", err)
+
+
+class Output(Case):
+    """What becomes of a command whose results nobody gets: a closed pipe, a full disk."""
+    JOG = "local c = assert(hw.open(hw.args[1])) assert(c:jog(1, '+'))\n"
+    UNREAD = "The output cannot be written: nobody reads the other end of the pipe. The controllers were told to stop."
+
+    def into_a_pipe_that_closes(self, *arguments, lines=1):
+        """Reads some lines of its output, as `head -1` does; its status and what it says aside."""
+        process = subprocess.Popen([PROGRAM, *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                   text=True)
+        for _ in range(lines):
+            self.assertTrue(process.stdout.readline())
+        process.stdout.close()
+        said = process.stderr.read()
+        process.stderr.close()
+        return process.wait(timeout=30), said
+
+    def onto_a_full_disk(self, *arguments):
+        with open("/dev/full", "w") as full:
+            return subprocess.run([PROGRAM, *map(str, arguments)], stdout=full, stderr=subprocess.PIPE, text=True,
+                                  timeout=60)
+
+    def assert_stands(self, address, question="X"):
+        places = [run("send", address, question).stdout for _ in range(2)]
+        self.assertEqual(places[0], places[1])
+        self.assertNotIn(places[0].strip(), ("", "0", "+0000000"))
+
+    def ends_unread(self, text):
+        with emulator("vxm", "--tcp", "127.0.0.1:0") as (ready, _):
+            address = "vxm@tcp:" + port_of(ready[0])
+            status, said = self.into_a_pipe_that_closes("run", self.file("s.lua", self.JOG + text), address)
+            self.assertEqual((status, said.splitlines()[-1]), (1, f"handwheel: s.lua:2: {self.UNREAD}"))
+            self.assert_stands(address)
+
+    def test_a_script_stops_what_it_began(self):
+        self.ends_unread("for i = 1, 100 do print(c:position(1)) hw.sleep(0.1) end")
+
+    def test_no_pcall_survives_it(self):
+        self.ends_unread("for i = 1, 100 do pcall(print, c:position(1)) hw.sleep(0.1) end")
+
+    def test_send_stops_what_it_began(self):
+        with emulator("dmx-k-sa", "--tcp", "127.0.0.1:0") as (ready, _):
+            address = "dmx-k-sa@tcp:" + port_of(ready[0])
+            status, said = self.into_a_pipe_that_closes("send", address, "J+", *["ID"] * 1000,
+                                                        lines=200)
+            self.assertEqual((status, said), (1, "handwheel: The output cannot be written: nobody reads the other "
+                                                 "end of the pipe. The controller was told to stop.\n"))
+            time.sleep(0.5)  # the ramp
+            self.assert_stands(address, "PX")
+
+    def test_send_sends_nothing_more(self):
+        with emulator("vxm", "--tcp", "127.0.0.1:0") as (ready, _):
+            address = "vxm@tcp:" + port_of(ready[0])
+            self.assertEqual(self.onto_a_full_disk("send", address, "X", "C,I1M4000,R").returncode, 1)
+            self.assertEqual(run("send", address, "X").stdout, "+0000000\n")
+
+    def test_a_full_disk_fails_the_job(self):
+        program = self.file("a.vxm", "I1M400\n")
+        arcus = self.file("a.prg", "PRG 0\nX100\nEND\n")
+        said = "The output cannot be written: the disk is full."
+        for arguments in (("run", self.file("s.lua", "print('a')")), ("send", "vxm@emulator", "X"),
+                          ("check", program, "--for", "vxm"), ("simulate", program, "--for", "vxm"),
+                          ("simulate", program, "--for", "vxm", "--json"),
+                          ("compile", arcus, "--for", "pmx-4ex-sa", "--listing"),
+                          ("compile", arcus, "--for", "pmx-4ex-sa", "-o", self.folder / "a.lst"),
+                          ("backup", "vxm@emulator", "-o", self.folder / "a.toml"),
+                          ("emulate", "vxm", "--tcp", "127.0.0.1:0"), ("scan", "--help"), ("--version",)):
+            result = self.onto_a_full_disk(*arguments)
+            self.assertEqual(result.returncode, 1, (arguments, result))
+            self.assertEqual(result.stderr.count(said), 1, (arguments, result))
+
+    def test_traffic_that_cannot_be_written(self):
+        script = self.file("s.lua", "local c = hw.open('vxm@emulator') for i = 1, 1000 do c:query('X') end print('end')")
+        result = run("run", script, "--traffic", "/dev/full")
+        self.assertEqual((result.returncode, result.stdout), (1, ""), result)
+        self.assertIn("/dev/full cannot be written: the disk is full. The controllers were told to stop.", result.stderr)
+        short = self.file("short.lua", "print(hw.open('vxm@emulator'):query('X'))")
+        self.expect(run("run", short, "--traffic", "/dev/full"), 1, "/dev/full cannot be written: the disk is full.")
+
+    def test_nobody_reads_the_complaints_either(self):
+        script = self.file("s.lua", "for i = 1, 100 do hw.log('a') print('b') end error('c')")
+        process = subprocess.Popen([PROGRAM, "run", script], stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        process.stdout.close()
+        self.assertEqual(process.wait(timeout=30), 1)
+
+    def test_a_closed_output_is_no_port(self):
+        with emulator("vxm", "--tcp", "127.0.0.1:0") as (ready, _):
+            address = "vxm@tcp:" + port_of(ready[0])
+            script = self.file("s.lua", "local c = assert(hw.open(hw.args[1])) print('C,I1M4000,R') hw.sleep(0.2)")
+            closed = subprocess.run(["sh", "-c", 'exec "$0" run "$1" "$2" >&-', PROGRAM, script, address], text=True,
+                                    stderr=subprocess.PIPE, timeout=30)
+            self.assertEqual(closed.returncode, 1)
+            self.assertIn("The output cannot be written: it is closed.", closed.stderr)
+            self.assertEqual(run("send", address, "X").stdout, "+0000000\n")
+
+    def test_each_line_comes_at_once(self):
+        process = subprocess.Popen([PROGRAM, "run", "--realtime", self.file("s.lua", "print('a') hw.sleep(30)")],
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        began = time.monotonic()
+        self.assertEqual(process.stdout.readline(), "a\n")
+        self.assertLess(time.monotonic() - began, 15)
+        process.terminate()
+        process.communicate(timeout=30)
 
 
 class Sandbox(Case):

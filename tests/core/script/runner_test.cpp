@@ -17,25 +17,46 @@ struct Ran {
   Result<> result;
   std::string printed, logged;
   Instant ended;
+  std::size_t room = std::string::npos;  ///< for what is printed
   [[nodiscard]] std::string fault() const { return result ? "none" : result.error().what; }
+  Result<> print(std::string_view line) {
+    if (printed.size() + line.size() > room) return fail(FaultKind::port, "The output cannot be written.");
+    printed += line;
+    return {};
+  }
 };
 
-Ran run(std::string_view text, Limits limits = {}, Stage* stage = nullptr,
-        std::vector<std::string> args = {}) {
+void run_into(Ran& ran, std::string_view text, Limits limits = {}, Stage* stage = nullptr,
+              std::vector<std::string> args = {}) {
   IoContext io{1};
   HybridScheduler time(io, false);
-  Ran ran;
   RunOptions options;
   options.path = "some/folder/test.lua";
   options.args = std::move(args);
   options.limits = limits;
   options.stage = stage;
-  options.print = [&](std::string_view line) { ran.printed += line; };
+  options.print = [&](std::string_view line) { return ran.print(line); };
   options.log = [&](std::string_view line) { ran.logged += line; };
   Runner runner(time, std::move(options));
   ran.result = runner.run(text);
   ran.ended = time.now();
+}
+
+Ran run(std::string_view text, Limits limits = {}, Stage* stage = nullptr,
+        std::vector<std::string> args = {}) {
+  Ran ran;
+  run_into(ran, text, limits, stage, std::move(args));
   return ran;
+}
+
+// The script has lost what it is run for: no pcall keeps it going.
+TEST(Runner, ResultsThatNobodyGetsEndTheRun) {
+  Ran ran;
+  ran.room = 4;
+  run_into(ran, "print('a')\nfor i = 1, 9 do pcall(print, 'b') end\nhw.log('c')");
+  EXPECT_EQ(ran.fault(), "test.lua:2: The output cannot be written.");
+  EXPECT_EQ(ran.printed, "a\nb\n");
+  EXPECT_EQ(ran.logged, "");
 }
 
 TEST(Runner, RunsToTheEndOfTheScript) {
@@ -101,7 +122,7 @@ Ran run_beside(std::string_view text, const std::function<void(Runner&)>& act) {
   Ran ran;
   RunOptions options;
   options.path = "test.lua";
-  options.print = [&](std::string_view line) { ran.printed += line; };
+  options.print = [&](std::string_view line) { return ran.print(line); };
   options.log = [&](std::string_view line) { ran.logged += line; };
   Runner runner(time, std::move(options));
   std::thread beside([&] {

@@ -1,0 +1,67 @@
+#include "gui/app/output.h"
+
+#include <cerrno>
+#include <cstdio>
+
+#include <unistd.h>
+
+#include "core/session/user_files.h"
+
+namespace hw::app {
+namespace {
+
+// A process has one stdout.
+int lost_by = 0;  // errno; 0: all was written
+bool loss_told = false;
+std::function<void()> when_output_is_lost;
+
+int write_all_of(int fd, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t n = ::write(fd, bytes.data(), bytes.size());
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) return errno;
+    bytes.remove_prefix(static_cast<std::size_t>(n));
+  }
+  return 0;
+}
+
+std::string why_lost() {
+  switch (lost_by) {
+    case EPIPE: return "nobody reads the other end of the pipe";
+    case EBADF: return "it is closed";
+    default: return reason_of(lost_by);
+  }
+}
+
+}  // namespace
+
+bool write_result(std::string_view text) {
+  if (lost_by != 0) return false;
+  lost_by = write_all_of(STDOUT_FILENO, text);
+  if (lost_by == 0) return true;
+  if (const auto act = std::exchange(when_output_is_lost, nullptr)) act();
+  return false;
+}
+
+bool output_is_lost() { return lost_by != 0; }
+bool output_loss_is_told() { return loss_told; }
+
+Fault output_loss() {
+  loss_told = true;
+  return Fault(FaultKind::port, fmt::format("The output cannot be written: {}.", why_lost()));
+}
+
+Result<> print_of_script(std::string_view text) {
+  if (write_result(text)) return {};
+  return fail(output_loss());
+}
+
+OutputWatch::OutputWatch(std::function<void()> act) { when_output_is_lost = std::move(act); }
+OutputWatch::~OutputWatch() { when_output_is_lost = nullptr; }
+
+void write_aside(std::string_view line) {
+  const std::string whole = fmt::format("{}\n", line);
+  static_cast<void>(write_all_of(STDERR_FILENO, whole));
+}
+
+}  // namespace hw::app

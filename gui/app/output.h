@@ -1,0 +1,46 @@
+#pragma once
+// What the program says to a shell: results on stdout, everything else on stderr. Nothing else writes there,
+// so that no result is lost without a word. What was said has left the program when the call returns: a
+// reader at the other end of a pipe sees it at once.
+#include <functional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "core/base/result.h"
+
+namespace hw::app {
+
+/// False: it could not be written (a pipe that nobody reads, a full disk). Nothing is written from then on,
+/// and the program ends with status 1: see output_loss().
+bool write_result(std::string_view text);
+template <class... T>
+bool print_result(fmt::format_string<T...> format, T&&... values) {
+  return write_result(fmt::format(format, std::forward<T>(values)...));
+}
+
+/// Whether a result could not be written.
+[[nodiscard]] bool output_is_lost();
+/// Why, in a sentence, for whoever tells it.
+[[nodiscard]] Fault output_loss();
+/// Somebody has told it.
+[[nodiscard]] bool output_loss_is_told();
+
+/// As RunOptions::print.
+Result<> print_of_script(std::string_view text);
+
+/// While it lives, `act` is called (by who writes) when the first result cannot be written. One at a time.
+class OutputWatch {
+ public:
+  explicit OutputWatch(std::function<void()> act);
+  ~OutputWatch();
+  OutputWatch(const OutputWatch&) = delete;
+  OutputWatch& operator=(const OutputWatch&) = delete;
+};
+
+/// A line on stderr. Who does not read it misses it, and that is all.
+void write_aside(std::string_view line);
+
+}  // namespace hw::app
