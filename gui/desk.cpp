@@ -40,11 +40,12 @@ void Desk::stopped() {
   ++stops_;
 }
 
-void Desk::refresh(const Snapshot& now, Instant clock, const Send& send) {
+void Desk::refresh(const Snapshot& now, const BenchView& bench, Instant clock, const Send& send) {
   if (!worker_) own_worker_.deliver();
   doubt_texts(now);
   job.update(texts, now, catalog_, clock, send);
   notice_program_changes(now);
+  rehearsals.follow(now, bench, catalog_);
   follower.follow(now, clock, texts, language_, worker());
   if (std::exchange(started_at_, now.program.started_at) != now.program.started_at) ++starts_;
   setup_write.update(now, catalog_, send);

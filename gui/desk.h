@@ -63,7 +63,7 @@ class Desk {
   /// Grows with each stop.
   [[nodiscard]] std::uint64_t stops() const { return stops_; }
   /// Once a frame, after the snapshot and its notices were taken.
-  void refresh(const Snapshot& now, Instant clock, const Send& send);
+  void refresh(const Snapshot& now, const BenchView& bench, Instant clock, const Send& send);
 
  private:
   void autosave(Instant clock);

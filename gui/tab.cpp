@@ -72,7 +72,7 @@ void Tab::refresh() {
   follow_fates();
   tell_what_is_watched();
   find_why_not_move();
-  desk_.refresh(*now_, clock_, [this](IntentBody body) { return send(std::move(body)); });
+  desk_.refresh(*now_, *bench_, clock_, [this](IntentBody body) { return send(std::move(body)); });
 }
 
 void Tab::show(const Snapshot& snapshot, const BenchView& bench, Instant clock) {
@@ -83,7 +83,7 @@ void Tab::show(const Snapshot& snapshot, const BenchView& bench, Instant clock) 
   follow_fates();
   tell_what_is_watched();
   find_why_not_move();
-  desk_.refresh(*now_, clock_, [this](IntentBody body) { return send(std::move(body)); });
+  desk_.refresh(*now_, *bench_, clock_, [this](IntentBody body) { return send(std::move(body)); });
 }
 
 void Tab::take(Notice& notice) {

@@ -255,7 +255,8 @@ void Program::run(Frame& f, bool stepping) {
   const Desk& desk = f.tab.desk();
   const int slot = desk.texts.chosen();
   const Rehearsals::Outcome* tried = desk.rehearsals.of(slot);
-  if (desk.job.busy() && (!tried || tried->text != desk.texts.text(slot))) simulate(f);
+  const bool holds = tried && tried->text == desk.texts.text(slot) && tried->stand.footing == Footing::here;
+  if (desk.job.busy() && !holds) simulate(f);
 }
 
 void Program::simulate(Frame& f) {
@@ -266,7 +267,7 @@ void Program::simulate(Frame& f) {
   options.slot = slot;
   options.axes = static_cast<int>(f.catalog.axes.size());
   options.device = f.catalog.made_from;
-  desk.rehearsals.start(*desk.language(), desk.texts.text(slot), options, desk.worker());
+  desk.rehearsals.start(*desk.language(), desk.texts.text(slot), options, f.now, f.bench, desk.worker());
 }
 
 void Program::check(Frame& f) {

@@ -46,7 +46,7 @@ void Program::draw_work(Frame& f, float bottom) {
   const float x = ui.px(f.area.right() - side);
   ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(x, at.y), ImVec2(x + ui.hair(), bottom), ui[Tone::line]);
   ImGui::SetCursorScreenPos(ImVec2(x + ui.hair(), at.y));
-  rehearsal_.draw_column(f, slot, side - 1, height);
+  if (rehearsal_.draw_column(f, slot, side - 1, height)) simulate(f);
 }
 
 // What stands under the editor, from the bottom up; returns where the editor ends.

@@ -66,7 +66,7 @@ void RehearsalCard::refresh_caption(const Frame& f, int slot) {
 void RehearsalCard::refresh_words(const Frame& f) {
   axes_.clear();
   event_times_.clear();
-  time_.clear(), fault_.clear(), sends_.clear(), spans_.clear();
+  time_.clear(), fault_.clear(), sends_.clear(), spans_.clear(), stand_.clear();
   if (!outcome_) return;
   if (!outcome_->result) {
     fault_ = outcome_->result.error().sentence();
@@ -79,6 +79,7 @@ void RehearsalCard::refresh_words(const Frame& f) {
     fault_ =
         fmt::format("It has not ended after {}; it may never end.", format_duration(r.duration_s).view());
   for (const RehearsedAxis& axis : r.axes) say_span(f, axis);
+  say_stand(f);
   sends_ = r.sent_to_host;
   std::replace(sends_.begin(), sends_.end(), '\r', ' ');
   constexpr std::size_t most_events = 200;
@@ -97,8 +98,37 @@ void RehearsalCard::say_span(const Frame& f, const RehearsedAxis& axis) {
   axes_.push_back({axis.name, std::move(span)});
 }
 
-void RehearsalCard::draw_column(Frame& f, int slot, float width, float height) {
+// Why nothing is said of limits; empty: something is.
+void RehearsalCard::say_stand(const Frame& f) {
+  const Stand& stand = outcome_->stand;
+  const int i = std::max(0, stand.axis);
+  const std::string axis = fmt::format("axis {}", f.catalog.axes[static_cast<std::size_t>(i)].name);
+  const DisplayUnit& unit = f.tab.unit(AxisId{static_cast<std::uint8_t>(i)});
+  const NumberText began = format_position(stand.began, unit);
+  switch (stand.footing) {
+    case Footing::here:
+      if (!outcome_->scene.switches) stand_ = "Where the limit switches are is not known here";
+      break;
+    case Footing::elsewhere:
+      stand_ = fmt::format("Rehearsed from {}; {} stands at {}", began.view(), axis,
+                           format_with_unit(stand.stands, unit).view());
+      break;
+    case Footing::moving: stand_ = fmt::format("Rehearsed from {}; {} is moving", began.view(), axis); break;
+    case Footing::other_count:
+      stand_ = fmt::format("Rehearsed as after power-up; {} counts in another unit now", axis);
+      break;
+    case Footing::unknown:
+      stand_ = fmt::format("Rehearsed from {}; where {} stands is not known", began.view(), axis);
+      break;
+    case Footing::doubtful: stand_ = fmt::format("The position of {} may not be true", axis); break;
+    case Footing::other_bench: stand_ = "Switches on the bench have been moved since"; break;
+  }
+  if (!stand_.empty()) stand_ += ": limits are not judged.";
+}
+
+bool RehearsalCard::draw_column(Frame& f, int slot, float width, float height) {
   Ui& ui = f.ui;
+  bool again = false;
   refresh(f, slot);
   begin_part(ui, "rehearsal", ui.px(width), ui.px(height), Tone::panel, 16);
   section_title(ui, "Rehearsal", said_caption_);
@@ -112,11 +142,12 @@ void RehearsalCard::draw_column(Frame& f, int slot, float width, float height) {
   } else {
     draw_progress(f);
     draw_axes(f);
-    draw_verdict(f);
+    again = draw_verdict(f);
     draw_events(f);
   }
   gap(ui, 12);
   end_part();
+  return again;
 }
 
 void RehearsalCard::draw_progress(Frame& f) {
@@ -149,22 +180,19 @@ void RehearsalCard::draw_axes(Frame& f) {
   gap(f.ui, 8);
 }
 
-void RehearsalCard::draw_verdict(Frame& f) {
+bool RehearsalCard::draw_verdict(Frame& f) {
   Ui& ui = f.ui;
   const Rehearsal& r = *outcome_->result;
-  key_value(ui, "rehearsal/begins", "Begins", "at 0, as after power-up");
+  const bool at_zero = std::all_of(r.axes.begin(), r.axes.end(), [](auto& axis) { return axis.begin == 0; });
+  key_value(ui, "rehearsal/begins", "Begins",
+            at_zero         ? "at 0"
+            : begins_here() ? "where the axes stand"
+                            : "where the axes stood");
   if (!fault_.empty()) {
     wrapped(ui, Face::body, Tone::fault, fault_);
     gap(ui, 8);
   }
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float right = at.x + ImGui::GetContentRegionAvail().x;
-  const std::string_view verdict = r.limit_touched ? "touched" : "none touched";
-  const Tone tone = r.limit_touched ? Tone::warn : Tone::ok;
-  key_value(ui, "rehearsal/limits", "Limits", verdict, r.limit_touched ? Tone::warn : Tone::ink);
-  draw_icon(ImGui::GetWindowDrawList(), r.limit_touched ? Icon::warning : Icon::check,
-            ImVec2(std::floor(right - text_width(ui, Face::body, verdict) - ui.px(14)), at.y + ui.px(12)),
-            ui.px(12), ui[tone]);
+  const bool again = draw_limits(f);
   char words[32];
   auto end = fmt::format_to_n(words, sizeof words, "{}", r.moves);
   key_value(ui, "rehearsal/moves", "Moves", {words, std::min(end.size, sizeof words)});
@@ -179,6 +207,37 @@ void RehearsalCard::draw_verdict(Frame& f) {
   }
   key_value(ui, "rehearsal/sends", "Sends",
             sends_.empty() ? std::string_view("nothing") : std::string_view(sends_));
+  return again;
+}
+
+// The tick stands only where the axes would really go that way.
+bool RehearsalCard::draw_limits(Frame& f) {
+  Ui& ui = f.ui;
+  const bool touched = outcome_->result->limit_touched;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float right = at.x + ImGui::GetContentRegionAvail().x;
+  const std::string_view verdict = !judges_limits() ? "not judged" : touched ? "touched" : "none touched";
+  const bool fine = judges_limits() && !touched, warns = !begins_here() || (judges_limits() && touched);
+  key_value(ui, "rehearsal/limits", "Limits", verdict, warns ? Tone::warn : Tone::ink);
+  if (fine || warns)
+    draw_icon(ImGui::GetWindowDrawList(), fine ? Icon::check : Icon::warning,
+              ImVec2(std::floor(right - text_width(ui, Face::body, verdict) - ui.px(14)), at.y + ui.px(12)),
+              ui.px(12), ui[fine ? Tone::ok : Tone::warn]);
+  if (stand_.empty()) return false;
+  const ImVec2 words_at = ImGui::GetCursorScreenPos();
+  const float height = wrapped_height(ui, Face::small, stand_, right - words_at.x);
+  wrapped(ui, Face::small, warns ? Tone::warn : Tone::ink2, stand_);
+  show(ui, {.id = "rehearsal/stand", .kind = Kind::text, .label = "Where it begins", .value = stand_},
+       {words_at, ImVec2(right, words_at.y + height)});
+  gap(ui, 8);
+  const Footing footing = outcome_->stand.footing;
+  if (begins_here() || footing == Footing::unknown || footing == Footing::doubtful) return false;
+  const std::string_view why = of_running_                  ? "The program runs."
+                               : footing == Footing::moving ? "An axis is moving."
+                                                            : "";
+  const bool again = button(ui, "rehearsal/again", "Rehearse from here", {.disabled = why}).clicked;
+  gap(ui, 8);
+  return again;
 }
 
 void RehearsalCard::draw_events(Frame& f) {
@@ -230,16 +289,22 @@ bool RehearsalCard::draw_line(Frame& f, int slot, bool opened) {
     word(Face::body_medium, tone, time_);
     if (old_ && !of_running_) word(Face::small, Tone::ink3, said_caption_);
     const bool touched = outcome_->result->limit_touched;
-    const std::string_view verdict = touched ? "a limit is touched" : "no limit touched";
+    const std::string_view verdict = !begins_here()     ? "begins elsewhere: limits not judged"
+                                     : !judges_limits() ? "limits not judged"
+                                     : touched          ? "a limit is touched"
+                                                        : "no limit touched";
+    const bool fine = judges_limits() && !touched;
     // The verdict is never cut; of the spans what fits.
     const float verdict_width = ui.px(20 + 14) + std::ceil(text_width(ui, Face::body, verdict));
     const float spans_end = right - ui.px(24) - verdict_width;
     draw_text_line(ui, x, spans_end, middle, Face::body, ui[Tone::ink2], spans_);
     if (!spans_.empty())
       x = std::max(x, std::min(spans_end, x + std::ceil(text_width(ui, Face::body, spans_)))) + ui.px(14);
-    draw_icon(ImGui::GetWindowDrawList(), touched ? Icon::warning : Icon::check, ImVec2(x + ui.px(6), middle),
-              ui.px(12), ui[touched ? Tone::warn : Tone::ok]);
-    x += ui.px(20);
+    if (fine || judges_limits() || !begins_here()) {
+      draw_icon(ImGui::GetWindowDrawList(), fine ? Icon::check : Icon::warning, ImVec2(x + ui.px(6), middle),
+                ui.px(12), ui[fine ? Tone::ok : Tone::warn]);
+      x += ui.px(20);
+    }
     word(Face::body, Tone::ink, verdict);
   }
   show(ui,

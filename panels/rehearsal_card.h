@@ -8,8 +8,8 @@ namespace hw::panels {
 
 class RehearsalCard {
  public:
-  /// At ImGui's cursor, `width` and `height` logical.
-  void draw_column(gui::Frame& frame, int slot, float width, float height);
+  /// At ImGui's cursor, `width` and `height` logical. True: it is to be rehearsed again, from here.
+  bool draw_column(gui::Frame& frame, int slot, float width, float height);
   /// One line of 36. True: a click wants the column.
   bool draw_line(gui::Frame& frame, int slot, bool opened);
 
@@ -18,16 +18,21 @@ class RehearsalCard {
   void refresh_caption(const gui::Frame& frame, int slot);
   void refresh_words(const gui::Frame& frame);
   void say_span(const gui::Frame& frame, const RehearsedAxis& axis);
+  void say_stand(const gui::Frame& frame);
+  [[nodiscard]] bool begins_here() const { return outcome_->stand.footing == gui::Footing::here; }
+  /// What it says of limits holds for the axes as they stand.
+  [[nodiscard]] bool judges_limits() const { return begins_here() && outcome_->scene.switches; }
   void draw_progress(gui::Frame& frame);
   void draw_axes(gui::Frame& frame);
-  void draw_verdict(gui::Frame& frame);
+  bool draw_verdict(gui::Frame& frame);
+  bool draw_limits(gui::Frame& frame);
   void draw_events(gui::Frame& frame);
 
   // What is shown, made anew only when it changes.
   int version_ = -1, slot_ = -1;
   std::string text_of_units_, units_now_;
   const gui::Rehearsals::Outcome* outcome_ = nullptr;
-  std::string time_, fault_, sends_, spans_;
+  std::string time_, fault_, sends_, spans_, stand_;
   struct Axis {
     std::string name, span;
   };

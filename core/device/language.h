@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/device/bench.h"
 #include "core/time/clock.h"
 
 namespace hw {
@@ -48,6 +49,7 @@ struct RehearsedAxis {
   std::int64_t position = 0, minimum = 0, maximum = 0;  ///< as the controller counts it
   std::int64_t travel = 0;                              ///< the way made, in both directions
   bool in_counts = false;                               ///< closed loop: all of this is in Catalog::loop_word
+  std::int64_t begin = 0;                               ///< where it stood at the start
 };
 struct RehearsedEvent {
   double t = 0;
@@ -73,8 +75,12 @@ struct RehearseOptions {
   std::string bench_toml;                     ///< a bench file's text, or empty
   int axes = 0;                               ///< 0: as few as the text needs
   std::map<std::string, std::string> device;  ///< Catalog::made_from of the controller that it is meant for
-  /// Where the counters stand at the start, by axis; those that are missing: 0, as after power-up.
+  /// Where the counters stand at the start, by axis; those that are missing: 0, as after power-up. Where one
+  /// cannot begin there, RehearsedAxis::begin tells.
   std::vector<std::int64_t> start_at;
+  /// Done on the emulated controller's bench before the start and before what `bench_toml` says. Its loads
+  /// stand at 0 then.
+  std::vector<BenchCommand> bench;
 };
 
 class Language {

@@ -10,10 +10,15 @@ namespace hw {
 
 class PlannedHands {
  public:
+  /// In order, as far as none is refused.
+  static Result<> act(const std::vector<BenchCommand>& commands, Emulator& emulator) {
+    for (const BenchCommand& command : commands)
+      if (auto done = emulator.operate(command); !done) return done;
+    return {};
+  }
   /// Does what stands at the start, and remembers what comes later.
   Result<> begin(const BenchFile& bench, Emulator& emulator) {
-    for (const BenchCommand& command : bench.at_start)
-      if (auto done = emulator.operate(command); !done) return done;
+    if (auto done = act(bench.at_start, emulator); !done) return done;
     later_.assign(bench.later.begin(), bench.later.end());
     return {};
   }

@@ -6,6 +6,13 @@
 
 namespace hw {
 
+/// Where the switches of an axis act on the way of its load; what is absent is not there.
+struct SwitchPlaces {
+  std::optional<Steps> minus, plus;  ///< travel limits
+  std::optional<Steps> home_from, home_to;
+  bool operator==(const SwitchPlaces&) const = default;
+};
+
 /// What hangs on one axis, in steps of the controller. Positions are those of the load, counted from where it
 /// stood when the bench was built. In a change of place what is absent stays as it is; a switch that the
 /// bench was never given never acts.
@@ -16,6 +23,8 @@ struct AxisPlace {
   std::optional<double> counts_per_step;    ///< encoder
   std::optional<Steps> backlash;
   std::optional<Motor> motor;  ///< of a servo axis
+
+  [[nodiscard]] SwitchPlaces switches() const { return {minus, plus, home_from, home_to}; }
 };
 
 }  // namespace hw

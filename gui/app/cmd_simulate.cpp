@@ -64,6 +64,7 @@ void print_words(const Rehearsal& r, const Catalog& catalog) {
   for (const RehearsedAxis& a : r.axes)
     print_result("axis {}: ends at {}, between {} and {}, travel {} {}\n", a.name, a.position, a.minimum,
                  a.maximum, a.travel, a.in_counts ? catalog.loop_word : catalog.step_word);
+  print_result("limits, beginning at 0: {}\n", r.limit_touched ? "touched" : "none touched");
   for (const auto& [name, on] : in_order(r.outputs)) print_result("output {}: {}\n", name, on ? "on" : "off");
   for (const auto& [slot, size] : r.program_size)
     print_result("{} {}: {} {}\n", catalog.program.slot_word, slot, size, catalog.program.capacity_unit);

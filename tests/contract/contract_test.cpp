@@ -379,6 +379,24 @@ TEST_P(ContractTest, TheLanguageNeverFailsOnAnyText) {
   }
 }
 
+// Each axis begins where it is said to stand, and what the text does is counted from there.
+TEST_P(ContractTest, ARehearsalBeginsWhereTheAxesStand) {
+  const Catalog& catalog = session->catalog();
+  RehearseOptions options;
+  options.for_seconds = 5;
+  options.axes = static_cast<int>(catalog.axes.size());
+  options.device = catalog.made_from;
+  options.start_at.assign(catalog.axes.size(), 20000);
+  const auto rehearsed = GetParam()->language().rehearse(catalog.program.example, options);
+  ASSERT_TRUE(rehearsed) << rehearsed.error().sentence();
+  ASSERT_FALSE(rehearsed->axes.empty());
+  for (const RehearsedAxis& rehearsed_axis : rehearsed->axes) {
+    EXPECT_EQ(rehearsed_axis.begin, 20000) << rehearsed_axis.name;
+    EXPECT_LE(rehearsed_axis.minimum, 20000) << rehearsed_axis.name;
+    EXPECT_GE(rehearsed_axis.maximum, 20000) << rehearsed_axis.name;
+  }
+}
+
 TEST_P(ContractTest, WithoutAnybodyWatchingItStaysGoodForAnHour) {
   run(std::chrono::hours(1));
   EXPECT_EQ(now().link.state, LinkState::good);

@@ -61,8 +61,8 @@ TEST(Rehearsals, ResultComesInALaterFrameWithTheTextItIsOf) {
   Rehearsals rehearsals;
   RehearseOptions options;
   options.slot = 1;
-  rehearsals.start(language, "I1\nI2\nI3", options, worker);
-  rehearsals.start(language, "I1", options, worker);
+  rehearsals.start(language, "I1\nI2\nI3", options, {}, {}, worker);
+  rehearsals.start(language, "I1", options, {}, {}, worker);
   EXPECT_TRUE(rehearsals.under_way(1));
   EXPECT_EQ(rehearsals.of(1), nullptr);
   worker.deliver();

@@ -165,6 +165,7 @@ void ArcusEmulator::look(BenchView& view) const {
     const motion::Plant& plant = controller_.axis(a).plant;
     const std::uint32_t bit = 1u << a;
     view.load_position[static_cast<std::size_t>(a)] = plant.load();
+    view.switches[static_cast<std::size_t>(a)] = plant.place().switches();
     if (plant.limit_operated(Sign::minus)) view.limits_minus |= bit;
     if (plant.limit_operated(Sign::plus)) view.limits_plus |= bit;
     if (plant.limit_by_hand(Sign::minus)) view.limits_minus_by_hand |= bit;

@@ -64,11 +64,12 @@ class Rehearsing {
     for (int i = 0; i < controller_.axes(); ++i) {
       RehearsedAxis axis;
       axis.name = std::string(1, controller_.model().axis_letters[static_cast<std::size_t>(i)]);
-      axis.position = axis.minimum = axis.maximum = controller_.position(i);
+      axis.begin = axis.position = axis.minimum = axis.maximum = controller_.position(i);
       result_.axes.push_back(std::move(axis));
     }
   }
 
+  Result<> set_bench() { return PlannedHands::act(options_.bench, emulator_); }
   Result<> set_bench(const BenchFile& bench) { return hands_.begin(bench, emulator_); }
 
   Rehearsal run() {
@@ -236,6 +237,7 @@ Result<Rehearsal> rehearse_program(std::string_view text, const RehearseOptions&
   if (auto good = without_errors(made, "Nothing was rehearsed."); !good) return fail(good.error());
   if (auto there = with_program(made, options.slot); !there) return fail(there.error());
   Rehearsing rehearsing(*arcus, made, options, dialect);
+  if (auto done = rehearsing.set_bench(); !done) return fail(done.error());
   if (!options.bench_toml.empty()) {
     const auto bench = parse_bench_file(options.bench_toml, catalog);
     if (!bench) return fail(bench.error());

@@ -90,6 +90,7 @@ void Motion::look(BenchView& view) const {
     const std::uint32_t bit = 1u << a;
     const auto show = [bit](std::uint32_t& mask, bool on) { mask = on ? mask | bit : mask & ~bit; };
     view.load_position[ix(a)] = plant.load();
+    view.switches[ix(a)] = plant.place().switches();
     show(view.limits_minus, plant.limit_operated(Sign::minus));
     show(view.limits_plus, plant.limit_operated(Sign::plus));
     show(view.limits_minus_by_hand, plant.limit_by_hand(Sign::minus));

@@ -3,6 +3,7 @@
 #include "core/devices/vme58/program_rehearsal.h"
 
 #include <algorithm>
+#include <array>
 #include <deque>
 
 #include <fmt/format.h>
@@ -37,6 +38,7 @@ class Rehearsing {
       text_.push_back({line_of(plain, command.begin), std::string(command.text)});
   }
 
+  Result<> set_bench() { return PlannedHands::act(options_.bench, emulator_); }
   Result<> set_bench(const BenchFile& bench) { return hands_.begin(bench, emulator_); }
 
   Rehearsal run() {
@@ -76,6 +78,7 @@ class Rehearsing {
     (void)take_replies();
     notes_.list.clear();
     board_.motion().measure_from_here();
+    for (int i = 0; i < axes(); ++i) begin_[ix(i)] = board_.motion().position(i);
     result_.outputs_at_first = outputs();
   }
   [[nodiscard]] int axes() const { return board_.variant().axes(); }
@@ -182,6 +185,7 @@ class Rehearsing {
       RehearsedAxis a;
       a.name = std::string(axis_letters.substr(ix(i), 1));
       a.position = board_.motion().position(i);
+      a.begin = begin_[ix(i)];
       a.minimum = span.lowest, a.maximum = span.highest, a.travel = span.travel;
       result_.axes.push_back(std::move(a));
     }
@@ -209,6 +213,7 @@ class Rehearsing {
   Notes notes_;
   std::uint32_t put_ = 0, get_ = 0;
   Instant now_{};
+  std::array<std::int64_t, most_axes> begin_{};
   Rehearsal result_;
 };
 
@@ -228,6 +233,7 @@ Result<Rehearsal> rehearse_program(std::string_view text, const RehearseOptions&
   auto* emulator = dynamic_cast<Vme58Emulator*>(made->get());
   if (!emulator) return fail(FaultKind::internal, "The rehearsal has no board.");
   Rehearsing rehearsing(*emulator, commands, plain, options);
+  if (auto done = rehearsing.set_bench(); !done) return fail(done.error());
   if (!options.bench_toml.empty()) {
     auto catalog = make_catalog(options.device);
     if (!catalog) return fail(catalog.error());

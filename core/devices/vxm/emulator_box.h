@@ -74,7 +74,12 @@ class Box {
   [[nodiscard]] int moves_begun() const { return moves_begun_; }
   [[nodiscard]] const Program& program(int i) const { return memory_.programs[static_cast<std::size_t>(i)]; }
   void go() { go_signal(); }
-  void set_counter(int axis, std::int32_t value) { axes_[static_cast<std::size_t>(axis)].counter = value; }
+  /// Where a rehearsal begins.
+  void set_counter(int axis, std::int32_t value) {
+    Axis& a = axes_[static_cast<std::size_t>(axis)];
+    a.counter = value;
+    a.unwrapped = a.lowest = a.highest = value;
+  }
 
  private:
   // emulator_box.cpp

@@ -204,6 +204,7 @@ void VxmEmulator::look(BenchView& view) const {
     const motion::Plant& plant = box.axis(local).plant;
     const std::uint32_t bit = 1u << axis;
     view.load_position[ix(axis)] = plant.load();
+    view.switches[ix(axis)] = plant.place().switches();
     if (box.switch_operated(local, Sign::minus)) view.limits_minus |= bit;
     if (box.switch_operated(local, Sign::plus)) view.limits_plus |= bit;
     if (plant.limit_by_hand(Sign::minus)) view.limits_minus_by_hand |= bit;

@@ -1,8 +1,10 @@
 #include "core/devices/vxm/program_rehearsal.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
+#include "core/base/index.h"
 #include "core/device/bench_file.h"
 #include "core/device/planned_hands.h"
 #include "core/devices/vxm/catalog.h"
@@ -46,6 +48,7 @@ class Rehearsing {
   Rehearsing(const Analysis& analysis, const RehearseOptions& options, int motors)
       : analysis_(analysis), options_(options), emulator_(emulator_options(motors)), motors_(motors) {}
 
+  Result<> set_bench() { return PlannedHands::act(options_.bench, emulator_); }
   Result<> set_bench(const BenchFile& bench) { return hands_.begin(bench, emulator_); }
 
   Rehearsal run() {
@@ -65,6 +68,7 @@ class Rehearsing {
       owner.set_counter(i % motors_per_controller,
                         wrap_position(options_.start_at[static_cast<std::size_t>(i)]));
     }
+    for (int i = 0; i < motors_; ++i) begin_[ix(i)] = axis(i).counter;
     box.trace = &trace_;
     emulator_.receive("R");
     go_through();
@@ -149,15 +153,20 @@ class Rehearsing {
     if (box.limit_was_hit()) result_.limit_touched = true;
   }
 
+  [[nodiscard]] const Axis& axis(int motor) {
+    const Box& owner = motor < motors_per_controller ? emulator_.box() : *emulator_.box().slave();
+    return owner.axis(motor % motors_per_controller);
+  }
+
   Rehearsal finish() {
     Box& box = emulator_.box();
     result_.duration_s = seconds(now_);
     for (int i = 0; i < motors_; ++i) {
-      const Box& owner = i < motors_per_controller ? box : *box.slave();
-      const Axis& axis = owner.axis(i % motors_per_controller);
+      const Axis& now = axis(i);
       RehearsedAxis a;
       a.name = std::to_string(i + 1);
-      a.position = axis.counter, a.minimum = axis.lowest, a.maximum = axis.highest, a.travel = axis.travelled;
+      a.position = now.counter, a.minimum = now.lowest, a.maximum = now.highest, a.travel = now.travelled;
+      a.begin = begin_[ix(i)];
       result_.axes.push_back(std::move(a));
     }
     const int boxes = motors_ > motors_per_controller ? 2 : 1;
@@ -174,6 +183,7 @@ class Rehearsing {
   int motors_;
   PlannedHands hands_;
   std::vector<Trace> trace_;
+  std::array<std::int64_t, max_motors> begin_{};
   Instant now_{};
   Rehearsal result_;
 };
@@ -195,6 +205,7 @@ Result<Rehearsal> rehearse_program(std::string_view text, const RehearseOptions&
   const int needed = analysis.motors > motors_per_controller ? max_motors : motors_per_controller;
   const int motors = std::clamp(options.axes == 0 ? needed : options.axes, 1, max_motors);
   Rehearsing rehearsing(analysis, options, motors);
+  if (auto done = rehearsing.set_bench(); !done) return fail(done.error());
   if (!options.bench_toml.empty()) {
     auto catalog = make_catalog({{"motors", std::to_string(motors)}});
     if (!catalog) return fail(catalog.error());

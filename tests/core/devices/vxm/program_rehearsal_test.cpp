@@ -105,7 +105,9 @@ TEST(VxmRehearsal, AnAbsoluteMoveDependsOnWhereItBegins) {
   const Rehearsal r = rehearse("IA1M400,IA2M0", options);
   EXPECT_EQ(r.axes[0].position, 400);
   EXPECT_EQ(r.axes[0].travel, 0);
+  EXPECT_EQ(r.axes[0].minimum, 400);
   EXPECT_EQ(r.axes[1].travel, 50);
+  EXPECT_EQ(r.axes[1].maximum, 0);
 }
 
 TEST(VxmRehearsal, MotorsThreeAndFourNeedTheSlave) {
