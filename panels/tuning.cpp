@@ -126,7 +126,7 @@ void Tuning::follow(Frame& f) {
   if (stage_ == Stage::pausing) {
     if (!repeat_)
       stage_ = Stage::idle;
-    else if (f.ui.now_s - since_s_ > pause_s)
+    else if (f.ui.now_s - since_s_ > pause_s && !f.now.axis_moves(axis().index))  // it may still settle
       record(f);
     return;
   }
@@ -167,8 +167,9 @@ void Tuning::finish(Frame& f) {
   measure_before();
   if (!repeat_) return;
   const EndedBy ended = f.now.axes[axis().index].ended_by;
-  if (ended != EndedBy::target && ended != EndedBy::nothing)
-    return end_repeat(f, "Repeat is off: the axis was stopped before its target.");
+  const bool by_itself =
+      ended == EndedBy::target || ended == EndedBy::nothing || ended == EndedBy::not_in_place;
+  if (!by_itself) return end_repeat(f, "Repeat is off: the axis was stopped before its target.");
   sign_ = -sign_;
   stage_ = Stage::pausing;
   since_s_ = f.ui.now_s;
