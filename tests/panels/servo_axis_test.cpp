@@ -7,7 +7,6 @@
 namespace hw::panels {
 namespace {
 
-
 Catalog servo_catalog(int axes) {
   Catalog c = example_catalog(axes);
   for (AxisInfo& axis : c.axes) axis.servo = axis.switchable = true;
@@ -62,6 +61,17 @@ TEST_F(ServoAxis, ShowsPlaceCommandAndError) {
   }
 }
 
+TEST_F(ServoAxis, ItsPowerStandsStillWhileItsStateChanges) {
+  open(4);
+  const auto left = [this] { return s.stage.find("dro/2/power")->rect.min.x; };
+  const float before = left();
+  for (const Loop loop : {Loop::following, Loop::off_place, Loop::open}) {
+    second().loop = loop;
+    s.run(0.1);
+    EXPECT_EQ(left(), before) << static_cast<int>(loop);
+  }
+}
+
 TEST_F(ServoAxis, WhatWouldDriveItThereIsAskedFirstAndGoesOutAgainWithTheAnswer) {
   open(2);
   leave_behind();
@@ -81,9 +91,9 @@ TEST_F(ServoAxis, WhatWouldDriveItThereIsAskedFirstAndGoesOutAgainWithTheAnswer)
   EXPECT_TRUE(e->last<intent::SetPower>()->on);
   EXPECT_FALSE(s.stage.find("closing/cancel"));
 
+  e->now.fates[0].asks = false;
   e->fate(Fate::done);
   s.run(0.1);
-  e->now.fates[0].asks = false;
   click("dro/2/power");
   ask("Again.");
   click("closing/drive");
