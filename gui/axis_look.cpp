@@ -4,11 +4,14 @@ namespace hw::gui {
 
 int badness(State state) {
   switch (state) {
-    case State::idle: return 0;
-    case State::off: return 1;
+    case State::idle:
+    case State::in_place: return 0;
+    case State::off:
+    case State::open_loop: return 1;
     case State::limit_plus:
     case State::limit_minus:
-    case State::slipped: return 2;
+    case State::slipped:
+    case State::not_in_place: return 2;
     case State::waiting: return 3;
     case State::moving_plus:
     case State::moving_minus:
@@ -46,10 +49,12 @@ State state_of(const Snapshot& now, int axis, Instant clock) {
     default: break;
   }
   if (a.slipped) return State::slipped;
+  if (a.loop == Loop::open) return State::open_loop;
   if (!a.enabled) return State::off;
   if (a.limits_known && a.limit_plus) return State::limit_plus;
   if (a.limits_known && a.limit_minus) return State::limit_minus;
-  return State::idle;
+  if (a.loop == Loop::off_place) return State::not_in_place;
+  return a.loop == Loop::in_place ? State::in_place : State::idle;
 }
 
 State worst_state(const Snapshot& now, Instant clock) {

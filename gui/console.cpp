@@ -169,6 +169,10 @@ void Console::tell_news(Tab& tab) {
     if (asked) asked_.clear();
   }
   tab.complaints().clear();
+  if (auto& question = tab.question(); question && !dialogs.open()) {
+    dialogs.closing(tab, std::move(*question));
+    question.reset();
+  }
 }
 
 void Console::tell(const Result<>& outcome) {

@@ -36,21 +36,23 @@ Field labelled_field(Ui& ui, std::string_view id, std::string_view label, std::s
 struct Choice {
   std::string_view id, label;
   ButtonStyle style = ButtonStyle::normal;
+  bool moving = false;
 };
 
 /// The buttons of a dialog, to its right edge, the way out first. Returns the index of the one just pressed,
 /// or -1.
 int draw_choices(Ui& ui, std::span<const Choice> choices) {
   float all = 0;
-  for (const Choice& c : choices) all += button_width(ui, c.label, {.style = c.style}) + 8;
+  for (const Choice& c : choices)
+    all += button_width(ui, c.label, {.style = c.style, .moving = c.moving}) + 8;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::SetCursorScreenPos(
       ImVec2(at.x + std::max(0.0f, ImGui::GetContentRegionAvail().x - ui.px(all - 8)), at.y));
   int pressed = -1;
   for (std::size_t i = 0; i < choices.size(); ++i) {
     if (i > 0) ImGui::SameLine(0, ui.px(8));
-    if (button(ui, choices[i].id, choices[i].label, {.style = choices[i].style}).clicked)
-      pressed = static_cast<int>(i);
+    const ButtonOptions options{.style = choices[i].style, .moving = choices[i].moving};
+    if (button(ui, choices[i].id, choices[i].label, options).clicked) pressed = static_cast<int>(i);
   }
   return pressed;
 }
@@ -160,6 +162,13 @@ bool Dialogs::make_room(Tab& tab, std::vector<int> slots) {
   return true;
 }
 
+bool Dialogs::closing(Tab& tab, Tab::Question question) {
+  if (open()) return false;
+  begin(Kind::closing, tab);
+  question_ = std::move(question);
+  return true;
+}
+
 void Dialogs::draw(Ui& ui, Console& console) {
   if (!begin_modal(ui, "dialog", open(), width + 48)) return;
   if (ui.cancelled() && !just_opened_) close();
@@ -169,6 +178,7 @@ void Dialogs::draw(Ui& ui, Console& console) {
     case Kind::end: draw_end(ui, console); break;
     case Kind::reset: draw_reset(ui); break;
     case Kind::make_room: draw_make_room(ui, console); break;
+    case Kind::closing: draw_closing(ui); break;
     case Kind::none: break;
   }
   just_opened_ = false;
@@ -294,6 +304,22 @@ void Dialogs::draw_make_room(Ui& ui, Console& console) {
   Desk& desk = tab_->desk();
   desk.job.begin(ProgramJob::Goal::make_room, chosen, desk.texts, now, tab_->catalog(),
                  [this](IntentBody body) { return tab_->send(std::move(body)); });
+}
+
+void Dialogs::draw_closing(Ui& ui) {
+  title(ui, "Drive it to its command?");
+  wrapped(ui, Face::body, Tone::ink2, question_->sentence);
+  gap(ui, 12);
+  static constexpr Choice choices[] = {
+      {"closing/cancel", "Cancel", ButtonStyle::outlined},
+      {"closing/drive", "Drive it there", ButtonStyle::normal, true},
+      {"closing/stay", "Take this place as its command", ButtonStyle::primary}};
+  const int pressed = draw_choices(ui, choices);
+  if (pressed < 0) return;
+  close();
+  if (pressed == 0) return;
+  *closing_of(question_->body) = pressed == 1 ? intent::Closing::drive : intent::Closing::stay;
+  tab_->send_followed(std::move(question_->body));
 }
 
 }  // namespace hw::gui

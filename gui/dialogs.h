@@ -1,12 +1,14 @@
 #pragma once
 // The few questions that the console itself asks. One at a time, over everything but STOP ALL and Esc.
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "gui/tab.h"
 
 namespace hw::gui {
 
 class Console;
-class Tab;
 class Ui;
 
 class Dialogs {
@@ -22,12 +24,14 @@ class Dialogs {
   /// A move needs an empty program and there is none: which of `slots` may be emptied? False, and nothing is
   /// asked, while another question is open.
   bool make_room(Tab& tab, std::vector<int> slots);
+  /// What becomes of a servo axis whose loop is about to close far from its command. False as make_room().
+  bool closing(Tab& tab, Tab::Question question);
   [[nodiscard]] bool open() const { return kind_ != Kind::none; }
   void close() { kind_ = Kind::none; }
   void draw(Ui& ui, Console& console);
 
  private:
-  enum class Kind { none, names, close_controller, end, reset, make_room };
+  enum class Kind { none, names, close_controller, end, reset, make_room, closing };
   void begin(Kind kind, Tab& tab);
   void draw_names(Ui& ui, Console& console);
   void draw_close(Ui& ui, Console& console);
@@ -35,6 +39,7 @@ class Dialogs {
   int ask_about_unkept(Ui& ui);
   void draw_reset(Ui& ui);
   void draw_make_room(Ui& ui, Console& console);
+  void draw_closing(Ui& ui);
 
   Kind kind_ = Kind::none;
   bool just_opened_ = false;
@@ -44,6 +49,7 @@ class Dialogs {
   std::string name_;
   std::vector<std::string> axis_names_;
   std::vector<int> slots_;
+  std::optional<Tab::Question> question_;
 };
 
 }  // namespace hw::gui

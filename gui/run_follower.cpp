@@ -40,7 +40,7 @@ void RunFollower::begin(const Snapshot& now, const ProgramTexts& texts, const La
   options.slot = now.program.slot;
   options.axes = now.axis_count;
   options.device = device_;
-  for (int i = 0; i < now.axis_count; ++i) options.start_at.push_back(now.axes[i].position.value);
+  for (int i = 0; i < now.axis_count; ++i) options.start_at.push_back(now.axes[i].commanded().value);
   worker.run([&language, text = held.text,
               options = std::move(options)] { return language.rehearse(text, options); },
              [this, run = run_number_](Result<Rehearsal> result) {

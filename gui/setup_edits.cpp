@@ -143,6 +143,9 @@ void SetupWrite::update(const Snapshot& now, const Catalog& catalog, const Send&
   if (!fate || fate->fate == Fate::pending) return;
   if (fate->fate != Fate::done) {
     const ParamInfo& p = catalog.params[values_[next_].first];
+    if (fate->asks)  // a dialog does, and sends it
+      return ended(false, fmt::format("{} needs an answer first. {} of {} values were written.", p.mnemonic,
+                                      next_, values_.size()));
     return ended(false, fmt::format("{}: {} {} of {} values were written.", p.mnemonic, fate->sentence.view(),
                                     next_, values_.size()));
   }

@@ -1,6 +1,7 @@
 #include "gui/status_sentence.h"
 
 #include <cmath>
+#include <cstdlib>
 
 #include <fmt/core.h>
 
@@ -169,6 +170,10 @@ Said say_motion(const StatusFacts& f) {
                                            f.catalog.axes[static_cast<std::size_t>(i)].name,
                                            sign_word(f.held->sign == Sign::plus), name, at, way_out));
     }
+    if (a.loop == Loop::following && a.speed.value == 0 && a.direction == 0 && a.activity == Activity::moving)
+      return say(Mood::motion,
+                 fmt::format("{} settles, {} from its command. {}", name,
+                             f.show_position(axis(i), Steps(std::abs(a.following_error().value))), way_out));
     if (a.has_target)
       return say(Mood::motion,
                  fmt::format("{} moves to {}. {}", name, f.show_position(axis(i), a.target), way_out));
@@ -227,6 +232,37 @@ Said say_slip(const StatusFacts& f) {
   return {};
 }
 
+/// Some of its gains answer a standing error, as far as is known.
+bool is_driven(const StatusFacts& f, int index) {
+  bool any = false;
+  for (std::size_t i = 0; i < f.catalog.params.size() && i < f.now.params.size(); ++i) {
+    if (!f.catalog.params[i].drives || f.catalog.params[i].axis != index) continue;
+    if (!f.now.params[i].known || f.now.params[i].value != 0) return true;
+    any = true;
+  }
+  return !any;
+}
+
+Said say_servo(const StatusFacts& f) {
+  for (int i = 0; i < f.now.axis_count; ++i) {
+    const AxisState& a = f.now.axes[i];
+    if (a.loop != Loop::off_place) continue;
+    return say(Mood::warn,
+               fmt::format("{} is not in place: it stands {} from its command, {}. {}", name_of(f.catalog, i),
+                           f.show_position(axis(i), Steps(std::abs(a.following_error().value))),
+                           f.show_position(axis(i), a.command),
+                           is_driven(f, i) ? "Look what holds it, and at its gains."
+                                           : "Its gains are 0, so nothing drives it."));
+  }
+  for (int i = 0; i < f.now.axis_count; ++i)
+    if (f.now.axes[i].loop == Loop::open)
+      return say(Mood::warn,
+                 fmt::format("The loop of {} is open: its motor is free, and it takes no "
+                             "motion. \"Motor power on\", in the menu of its position, closes it.",
+                             plain_name(f.catalog, i)));
+  return {};
+}
+
 Said say_limit(const StatusFacts& f) {
   for (int i = 0; i < f.now.axis_count; ++i) {
     const AxisState& a = f.now.axes[i];
@@ -281,7 +317,7 @@ int unset_before_moving(const Catalog& catalog, const Snapshot& now, AxisId want
 
 StatusSentence status_sentence(const StatusFacts& facts) {
   for (const auto part : {say_link, say_error, say_late, say_failed, say_motion, say_program, say_notice,
-                          say_unset, say_position, say_slip, say_limit, say_stale, say_unsaved})
+                          say_unset, say_position, say_slip, say_servo, say_limit, say_stale, say_unsaved})
     if (Said said = part(facts)) return std::move(*said);
   return say(Mood::plain, "Idle. Hold a jog button, type where to go, or run a program.");
 }

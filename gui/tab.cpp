@@ -95,7 +95,11 @@ void Tab::take(Notice& notice) {
 
 IntentId Tab::send(IntentBody body) {
   desk_.sent(body);
-  return door_.send(std::move(body));
+  if (!closing_of(body)) return door_.send(std::move(body));
+  IntentBody again = body;
+  const IntentId id = door_.send(std::move(body));
+  may_ask_.emplace_back(id, std::move(again));
+  return id;
 }
 
 IntentId Tab::send_followed(IntentBody body) {
@@ -125,10 +129,23 @@ void Tab::follow_fates() {
     if (fate->fate == Fate::pending) return false;
     if (fate->fate == Fate::done) return true;
     if (id == jog.jog_intent()) jog.forget();  // there is no jog to stop
+    if (fate->asks) return true;               // follow_questions() has it
     complaints_.emplace_back(fate->sentence.view());
     return true;
   };
   std::erase_if(followed_, settled);
+  follow_questions();
+}
+
+void Tab::follow_questions() {
+  const auto settled = [this](Intent& intent) {
+    const IntentFate* fate = now_->fate_of(intent.id);
+    if (!fate) return now_->forgotten(intent.id);
+    if (fate->fate == Fate::pending) return false;
+    if (fate->asks) question_ = Question{std::move(intent.body), std::string(fate->sentence.view())};
+    return true;
+  };
+  std::erase_if(may_ask_, settled);
 }
 
 // What was drawn since the last call. A controller that was away has forgotten nothing, but its driver may

@@ -4,6 +4,7 @@
 // thread; the Session is the only door to the other.
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -93,6 +94,12 @@ class Tab {
   /// Messages since the last call; listings go to the desk.
   [[nodiscard]] std::vector<Notice> take_notices();
   [[nodiscard]] std::vector<std::string>& complaints() { return complaints_; }
+  /// An intent that may go out again with an answer (intent::Closing), and why it is asked; see Dialogs.
+  struct Question {
+    IntentBody body;
+    std::string sentence;
+  };
+  [[nodiscard]] std::optional<Question>& question() { return question_; }
 
   // ---- view
   std::shared_ptr<Bus> bus;                                  ///< null: alone on its wire
@@ -109,6 +116,7 @@ class Tab {
 
  private:
   void follow_fates();
+  void follow_questions();
   void tell_what_is_watched();
   void find_why_not_move();
   void take(Notice& notice);
@@ -133,6 +141,8 @@ class Tab {
   ProgramState told_program_;
   bool told_ = false;
   std::vector<IntentId> followed_;
+  std::vector<Intent> may_ask_;  ///< sent, and not known yet whether they need an answer first
+  std::optional<Question> question_;
   std::vector<Notice> notices_;
   std::vector<std::string> complaints_;
 };

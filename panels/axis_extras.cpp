@@ -40,8 +40,12 @@ std::string_view word_of(AxisError error) {
   return {};
 }
 
+bool power_known(const Frame& f, AxisId axis) {
+  return f.connected() && f.now.axes[axis.index].loop != Loop::unknown;
+}
+
 std::string_view power_word(const Frame& f, AxisId axis, bool brief) {
-  if (!f.connected()) return brief ? "?" : "power?";
+  if (!power_known(f, axis)) return brief ? "?" : "power?";
   const bool on = f.now.axes[axis.index].enabled;
   return brief ? (on ? "on" : "off") : on ? "power on" : "power off";
 }
@@ -68,9 +72,9 @@ void draw_power(Frame& f, AxisId axis, ImVec2 at, float height, bool brief) {
   if (t.hovered && t.enabled) draw_fill(ui, t.rect, ui[Tone::hover]);
   const float middle = std::floor(t.rect.centre().y);
   draw_lamp(ui, ImVec2(at.x + ui.px(10), middle), 10, LampShape::round,
-            !f.connected() ? LampState::unknown
-            : a.enabled    ? LampState::on
-                           : LampState::off);
+            !power_known(f, axis) ? LampState::unknown
+            : a.enabled           ? LampState::on
+                                  : LampState::off);
   draw_text_line(ui, at.x + ui.px(22), t.rect.max.x, middle, Face::small,
                  ui[a.enabled ? Tone::ink : Tone::ink2], power_word(f, axis, brief));
   draw_ring(ui, t);

@@ -106,7 +106,7 @@ Result<ContourPlan> Contour::contour() const {
 Result<StaircasePlan> Contour::staircase(const Frame& f) const {
   StaircasePlan plan;
   plan.axis = AxisId{static_cast<std::uint8_t>(stair_axis_)};
-  plan.from = f.now.axes[plan.axis.index].position;
+  plan.from = f.now.axes[plan.axis.index].commanded();
   const auto stop = whole(stop_at_);
   if (!stop) return no_number("The place where it stops");
   plan.stop_at = Steps(*stop);
@@ -120,7 +120,7 @@ Result<StaircasePlan> Contour::staircase(const Frame& f) const {
 
 /// Only when something has changed: a panel at rest works nothing out and allocates nothing.
 void Contour::work_out(Frame& f) {
-  const Steps stands = f.now.axes[static_cast<std::size_t>(stair_axis_)].position;
+  const Steps stands = f.now.axes[static_cast<std::size_t>(stair_axis_)].commanded();
   if (stairs_shown_ && stands != worked_out_from_ && !f.now.any_axis_moving()) changed_ = true;
   if (!std::exchange(changed_, false)) return;
   worked_out_from_ = stands;

@@ -160,7 +160,7 @@ std::optional<Steps> GotoHome::target_of(Frame& f, AxisId axis) {
     row.refused = typed.error().sentence();
     return {};
   }
-  const Steps here = f.now.axes[axis.index].position;
+  const Steps here = f.now.axes[axis.index].commanded();
   const Steps target = by_ ? here + *typed : *typed;
   const Steps low = f.catalog.position_min, high = f.catalog.position_max;
   if (low >= high || (target >= low && target <= high)) return *typed;

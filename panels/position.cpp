@@ -217,9 +217,9 @@ void Position::draw_head(Frame& f, AxisId axis, ImVec2 at, float w) {
   draw_state_right(ui, Path("dro/{}/state", info.name), ImVec2(at.x + w, at.y), state, Face::title_bold,
                    at.x + w - left - limits);
   // What a hand presses stands still while the state word changes.
-  const float widest =
-      std::max(state_word_width(ui, state, Face::title_bold),
-               info.switchable ? state_word_width(ui, State::moving_plus, Face::title_bold) : 0);
+  const State longest = info.servo ? State::not_in_place : State::moving_plus;
+  const float widest = std::max(state_word_width(ui, state, Face::title_bold),
+                                info.switchable ? state_word_width(ui, longest, Face::title_bold) : 0);
   float right = at.x + w - widest - ui.px(12);
   if (in_strip(f) && f.bench.present && axis.index == 0) {
     const EmulatedForm form = emulated_form(ui, right - left - limits - ui.px(48));

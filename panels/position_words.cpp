@@ -77,21 +77,42 @@ int queued(const Frame& f, AxisId axis) {
   return known ? std::max(0, f.catalog.queue_depth - f.now.queue_free[axis.index]) : 0;
 }
 
+/// Of a servo axis that can be seen: how far it is from its command, and in many words where that stands.
+NumberText behind(const Frame& f, AxisId axis, bool whole) {
+  const AxisState& a = f.now.axes[axis.index];
+  const DisplayUnit& unit = f.tab.unit(axis);
+  NumberText words;
+  if (a.loop == Loop::none || !f.connected() || !a.position_known) return words;
+  if (whole && !is_motion(state_of(f.now, axis.index, f.clock))) {
+    words.append("sent to ");
+    words.append(format_position(a.command, unit).view());
+    words.append(", ");
+  }
+  words.append("error ");
+  words.append(format_position(a.following_error(), unit).view());
+  return words;
+}
+
 // Less at each next brevity. The unit of a speed is that of the position beside it; it goes first, then the
-// speed.
+// speed. How far a servo axis is behind goes last.
 Path at_work(const Frame& f, AxisId axis, int brevity) {
   const Pps speed = f.now.axes[axis.index].speed;
   const bool runs = speed.value > 0 && is_motion(state_of(f.now, axis.index, f.clock));
   const int waiting = queued(f, axis);
+  const NumberText error = behind(f, axis, brevity == 0);
+  const bool has_error = !error.view().empty();
+  if (has_error && brevity == least_words) return Path("{}", error.view());
   NumberText does;
   if (brevity < 2)
     does = where_to(f, axis, brevity == 0);
-  else if (runs && (brevity < least_words || waiting == 0))
+  else if (runs && (has_error ? brevity == 2 : brevity < least_words || waiting == 0))
     does = format_brief_speed(speed, f.tab.unit(axis));
-  const std::string_view comma = does.view().empty() || waiting == 0 ? "" : ", ";
-  if (waiting == 0) return Path("{}", does.view());
-  if (brevity < 3) return Path("{}{}queue {} of {}", does.view(), comma, waiting, f.catalog.queue_depth);
-  return Path("{}{}queue {}", does.view(), comma, waiting);
+  const auto comma = [](std::string_view before, bool more) { return before.empty() || !more ? "" : ", "; };
+  const Path said("{}{}{}", does.view(), comma(does, has_error), error.view());
+  if (waiting == 0) return said;
+  if (brevity < 3)
+    return Path("{}{}queue {} of {}", said.view(), comma(said, true), waiting, f.catalog.queue_depth);
+  return Path("{}{}queue {}", said.view(), comma(said, true), waiting);
 }
 
 /// `dro/X/queue`, where the axis says what it does.
@@ -105,10 +126,27 @@ void show_queue(Frame& f, AxisId axis, const Rect& where) {
        where);
 }
 
+/// `dro/X/command`, `dro/X/error`, there too.
+void show_servo(Frame& f, AxisId axis, const Rect& where) {
+  const AxisState& a = f.now.axes[axis.index];
+  if (a.loop == Loop::none) return;
+  const std::string& name = f.catalog.axes[axis.index].name;
+  const bool known = f.connected() && a.position_known;
+  const NumberText command = format_position(a.command, f.tab.unit(axis));
+  const NumberText error = format_position(a.following_error(), f.tab.unit(axis));
+  const auto tell = [&](const Path& id, std::string_view label, std::string_view value) {
+    show(f.ui, {id, Kind::text, label, known ? value : "?", {}, false, {}}, where);
+  };
+  tell(Path("dro/{}/command", name), "Command", command);
+  tell(Path("dro/{}/error", name), "Following error", error);
+}
+
 }  // namespace
 
 float draw_at_work(Frame& f, AxisId axis, ImVec2 at, float room, bool right_aligned) {
-  show_queue(f, axis, {at, ImVec2(at.x + std::max(0.0f, room), at.y + f.ui.line(Face::small))});
+  const Rect where{at, ImVec2(at.x + std::max(0.0f, room), at.y + f.ui.line(Face::small))};
+  show_queue(f, axis, where);
+  show_servo(f, axis, where);
   return draw_what_fits(f.ui, at, room, right_aligned,
                         [&](int brevity) { return at_work(f, axis, brevity); });
 }

@@ -18,8 +18,8 @@ Caption about_number(gui::Frame& frame, AxisId axis);
 /// Where it goes and how fast, or what a limit still lets it do. `whole`: with the target.
 gui::NumberText where_to(const gui::Frame& frame, AxisId axis, bool whole);
 /// What it does and how many commands wait in its queue, as wordy as there is room: "200 000 counts/s, queue
-/// 12 of 200", "200 000/s, queue 12", "queue 12". Returns its width in pixels; 0: nothing, or no room for
-/// any.
+/// 12 of 200", "200 000/s, queue 12", "queue 12"; of a servo axis also how far it is from its command.
+/// Returns its width in pixels; 0: nothing, or no room for any.
 float draw_at_work(gui::Frame& frame, AxisId axis, ImVec2 at, float room_px, bool right_aligned);
 /// "5.000/s", beside a position that says the unit.
 gui::NumberText format_brief_speed(Pps speed, const gui::DisplayUnit& unit);

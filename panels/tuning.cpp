@@ -124,9 +124,10 @@ void Tuning::follow(Frame& f) {
   }
   f.ui.wake_in(0.02);
   if (stage_ == Stage::pausing) {
+    const bool settles = f.now.axis_moves(axis().index);
     if (!repeat_)
       stage_ = Stage::idle;
-    else if (f.ui.now_s - since_s_ > pause_s)
+    else if (f.ui.now_s - since_s_ > pause_s && !settles && !ended_early(f))
       record(f);
     return;
   }
@@ -148,6 +149,14 @@ void Tuning::end_repeat(Frame& f, std::string why) {
   if (!why.empty()) f.toast(Mood::plain, std::move(why));
 }
 
+/// Then Repeat ends. One that has not come to its place is what is being tuned.
+bool Tuning::ended_early(Frame& f) {
+  const EndedBy ended = f.now.axes[axis().index].ended_by;
+  if (ended == EndedBy::target || ended == EndedBy::nothing || ended == EndedBy::not_in_place) return false;
+  end_repeat(f, "Repeat is off: the axis was stopped before its target.");
+  return true;
+}
+
 void Tuning::finish(Frame& f) {
   stage_ = Stage::idle;
   if (!runs_.back().moved()) {
@@ -165,10 +174,7 @@ void Tuning::finish(Frame& f) {
   run_names_.assign(run_texts_.begin(), run_texts_.end());
   now_number_ = runs_.back().number();
   measure_before();
-  if (!repeat_) return;
-  const EndedBy ended = f.now.axes[axis().index].ended_by;
-  if (ended != EndedBy::target && ended != EndedBy::nothing)
-    return end_repeat(f, "Repeat is off: the axis was stopped before its target.");
+  if (!repeat_ || ended_early(f)) return;
   sign_ = -sign_;
   stage_ = Stage::pausing;
   since_s_ = f.ui.now_s;

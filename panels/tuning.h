@@ -35,6 +35,7 @@ class Tuning final : public gui::Panel {
   [[nodiscard]] bool was_away(const gui::Frame& frame);
   [[nodiscard]] std::string_view interruption(const gui::Frame& frame, bool away) const;
   void finish(gui::Frame& frame);
+  bool ended_early(gui::Frame& frame);
   void measure_before();
   void end_repeat(gui::Frame& frame, std::string why);
   void record(gui::Frame& frame);

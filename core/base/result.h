@@ -8,6 +8,7 @@ namespace hw {
 
 enum class FaultKind {
   refused,     ///< not sent: out of range, not possible in this state, or needs a confirmation
+  asks,        ///< not sent: the user has to choose first, see intent::Closing
   no_answer,   ///< sent, and the deadline passed
   garbled,     ///< an answer came that means nothing
   controller,  ///< the controller itself reported an error

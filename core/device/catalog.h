@@ -20,6 +20,7 @@ struct AxisInfo {
   bool encoder = false;      ///< has a counter of its own that can be set: intent::SetEncoder
   bool home_input = false;   ///< tells whether it stands on its home switch: AxisState::home
   bool alarm_input = false;  ///< of its motor's driver: AxisState::alarm
+  bool servo = false;        ///< its position is its encoder's: AxisState::loop, AxisState::command
 };
 
 /// A ready-made conversion from steps to a real unit (lead screws, rotary tables).
@@ -95,6 +96,8 @@ struct ParamInfo {
   /// Its unit is in Catalog::step_word and becomes Catalog::loop_word when the loop of its axis is closed;
   /// without an axis, when all are.
   bool follows_loop = false;
+  /// The greater it is, the harder the loop of its servo axis drives towards the command: intent::Closing.
+  bool drives = false;
 
   [[nodiscard]] bool accepts(std::int64_t v) const {
     if (!choices.empty()) {

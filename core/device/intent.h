@@ -21,6 +21,14 @@ struct AxisTarget {
 
 namespace intent {
 
+/// What becomes of a servo axis whose loop is about to close, or to drive harder, while it stands far from
+/// its command.
+enum class Closing : std::uint8_t {
+  ask,    ///< nothing: the intent is refused, and IntentFate::asks is set
+  drive,  ///< it is driven there at once
+  stay    ///< it stays: the place where it stands becomes its command first
+};
+
 struct MoveTo {
   std::vector<AxisTarget>
       targets;  ///< absolute; several axes: together where the controller can, else in order
@@ -79,7 +87,8 @@ struct SetEncoder {
 struct SetPower {
   int axis;
   bool on;
-  SetPower(int a, bool o) : axis(a), on(o) {}
+  Closing closing;
+  SetPower(int a, bool o, Closing c = Closing::ask) : axis(a), on(o), closing(c) {}
 };
 struct SetOutput {
   int number;  ///< the maker's: Catalog::output_number
@@ -90,6 +99,7 @@ struct SetParam {
   std::string mnemonic;
   std::int64_t value;
   bool confirmed;  ///< the user has read the parameter's warning
+  Closing closing = Closing::ask;
   SetParam(std::string m, std::int64_t v, bool c = false) : mnemonic(std::move(m)), value(v), confirmed(c) {}
 };
 /// Into Snapshot::params. All of them, and the variables that are stored; or only one, where the controller
@@ -146,6 +156,7 @@ struct HaltProgram {
 struct Act {
   int action;  ///< index into Catalog::actions
   std::vector<std::int64_t> values;
+  Closing closing = Closing::ask;
   Act(int a, std::vector<std::int64_t> v) : action(a), values(std::move(v)) {}
 };
 struct SetVariable {
@@ -191,6 +202,14 @@ using IntentBody = std::variant<
     intent::LoadProgram, intent::UploadProgram, intent::ClearProgram, intent::RunProgram, intent::Pause,
     intent::Resume, intent::SingleStep, intent::HaltProgram, intent::Act, intent::SetVariable, intent::Watch,
     intent::Sample, intent::FeedMoves, intent::SendText, intent::Reset, intent::Reconnect, intent::ReadAgain>;
+
+/// Of an intent that may close a servo loop; null: of no other.
+inline intent::Closing* closing_of(IntentBody& body) {
+  if (auto* i = std::get_if<intent::SetPower>(&body)) return &i->closing;
+  if (auto* i = std::get_if<intent::SetParam>(&body)) return &i->closing;
+  if (auto* i = std::get_if<intent::Act>(&body)) return &i->closing;
+  return nullptr;
+}
 
 struct Intent {
   IntentId id = 0;

@@ -262,6 +262,7 @@ void Pump::set_fate(IntentId id, Fate fate, std::string_view sentence) {
   }
   at->fate = fate;
   at->sentence = sentence;
+  at->asks = false;
 }
 
 void Pump::publish() {

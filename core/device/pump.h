@@ -105,6 +105,7 @@ class Pump {
   void poll_finished(const Result<>& result);
   void lose_wire(const Fault& why);
   void set_fate(IntentId id, Fate fate, std::string_view sentence = {});
+  void tell_fault(IntentId id, const Fault& fault);
   void publish();
 
   Scheduler& scheduler_;

@@ -204,6 +204,13 @@ void Pump::count_program_change(const Intent& intent) {
   draft_.program_changed_by = intent.id;
 }
 
+void Pump::tell_fault(IntentId id, const Fault& fault) {
+  const bool asks = fault.kind == FaultKind::asks;
+  set_fate(id, asks || fault.kind == FaultKind::refused ? Fate::refused : Fate::failed, fault.sentence());
+  for (IntentFate& fate : draft_.fates)
+    if (fate.id == id && id != 0) fate.asks = asks;
+}
+
 Task<> Pump::perform_next() {
   std::unique_ptr<Job> job = std::move(queue_.front());
   queue_.pop_front();
@@ -236,8 +243,7 @@ Task<> Pump::perform_next() {
   if (performed)
     set_fate(job->intent.id, Fate::done);
   else
-    set_fate(job->intent.id, performed.error().kind == FaultKind::refused ? Fate::refused : Fate::failed,
-             performed.error().sentence());
+    tell_fault(job->intent.id, performed.error());
   if (!performed) jog_failed(job->intent, performed.error().kind);
   publish();
 }

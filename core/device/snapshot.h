@@ -27,7 +27,8 @@ enum class EndedBy : std::uint8_t {
   abort,      ///< the console's own, at once
   elsewhere,  ///< cut short by somebody else: the controller's Stop input, another program on the wire
   error,
-  lost
+  lost,
+  not_in_place  ///< of a servo axis: its command has ended, and its encoder did not come there
 };
 /// Where on its profile a motion is, if the controller tells.
 enum class Phase : std::uint8_t { unknown, accelerating, constant, decelerating };
@@ -44,8 +45,18 @@ enum class AxisError : std::uint8_t {
   not_corrected  ///< closed loop: given up after so many attempts
 };
 
+/// How a servo axis (AxisInfo::servo) stands to its command.
+enum class Loop : std::uint8_t {
+  none,       ///< no servo axis: its position is what the controller counts
+  unknown,    ///< nobody has told yet whether its loop is closed
+  open,       ///< its motor is free: nothing holds it where its command stands
+  following,  ///< on its way behind its command, or settling
+  in_place,   ///< its error has lain within the deadband for a while
+  off_place   ///< its command has long ended, and it does not come there
+};
+
 struct AxisState {
-  Steps position{};
+  Steps position{};                ///< of a servo axis: its encoder's
   Instant seen_at{};               ///< when the position was read
   bool position_known = false;     ///< false: never read, or not true any more since a loss or reset
   bool position_doubtful = false;  ///< the controller counts, but steps may have been lost (see `doubt`)
@@ -61,11 +72,18 @@ struct AxisState {
   bool in_counts = false;  ///< closed loop: position, speed and target count in Catalog::loop_word
   bool has_encoder = false;
   Steps encoder{};
+  Loop loop = Loop::none;
+  Steps command{};       ///< of a servo axis: where it is sent at this instant
+  bool far_off = false;  ///< its error is so large that closing its loop is asked about: intent::Closing
   bool limit_minus = false, limit_plus = false, home = false, alarm = false;
   bool limits_known = false;
   bool enabled = true;   ///< motor current; see AxisInfo::switchable
   bool slipped = false;  ///< its encoder has lain further off than is allowed, and nobody has cleared that
   bool operator==(const AxisState&) const = default;
+
+  /// Where its moves begin, and what relative ones add to.
+  [[nodiscard]] Steps commanded() const { return loop == Loop::none ? position : command; }
+  [[nodiscard]] Steps following_error() const { return commanded() - position; }
 };
 
 enum class RunState : std::uint8_t { idle, running, waiting, held, error };
@@ -110,6 +128,7 @@ struct IntentFate {
   IntentId id = 0;
   Fate fate = Fate::pending;
   FixedText<320> sentence;  ///< refused or failed: Fault::sentence()
+  bool asks = false;        ///< refused until intent::Closing says what is to be done
   bool operator==(const IntentFate&) const = default;
 };
 

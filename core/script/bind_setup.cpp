@@ -71,14 +71,37 @@ int get(Call& call) {
   return call.wait(get_param(session_of(call), index));
 }
 
-// A script says what it means: it confirms what the console would ask a person.
+intent::Closing closing_of(const Call& call, int argument) {
+  if (!call.has(argument)) return intent::Closing::ask;
+  const std::string word = call.text(argument, "answer");
+  if (word == "drive") return intent::Closing::drive;
+  if (word == "stay") return intent::Closing::stay;
+  throw Misuse("the answer must be \"drive\" or \"stay\"");
+}
+
+Task<Answer> set_param(SessionPtr session, intent::SetParam wish) {
+  const std::string name = wish.mnemonic;
+  const IntentId id = session->post(std::move(wish));
+  auto done = co_await session->outcome(id);
+  const IntentFate* fate = session->known().fate_of(id);
+  if (!done && fate && fate->asks)
+    co_return answer_refused(
+        fmt::format("{} A script says which: c:set(\"{}\", value, \"stay\"), or \"drive\".",
+                    done.error().sentence(), name));
+  co_return answer_of(done);
+}
+
+// A script says what it means: it confirms what the console would ask a person, as that stands written in the
+// manual. How far a servo axis stands from its command does not: that it has to answer.
 int set(Call& call) {
   const std::string name = call.text(1, "parameter");
   const Catalog& catalog = session_of(call)->catalog();
   const int index = catalog.find_param(name);
   if (index < 0) return call.refuse(no_param(catalog, name));
   const ParamInfo& info = catalog.params[static_cast<std::size_t>(index)];
-  return perform(call, intent::SetParam(name, value_of(call, 2, info), true));
+  intent::SetParam wish(name, value_of(call, 2, info), true);
+  wish.closing = closing_of(call, 3);
+  return call.wait(set_param(session_of(call), std::move(wish)));
 }
 
 constexpr Function setup_table[] = {

@@ -89,6 +89,7 @@ const char* name_of(EndedBy e) {
     case EndedBy::elsewhere: return "elsewhere";
     case EndedBy::error: return "error";
     case EndedBy::lost: return "lost";
+    case EndedBy::not_in_place: return "not_in_place";
   }
   return "nothing";
 }
@@ -126,9 +127,21 @@ void set_whole(lua_State* L, const char* name, std::int64_t value) {
   lua_setfield(L, -2, name);
 }
 
+/// What is said of a servo axis only; what is not known of its loop is left out.
+void set_servo(lua_State* L, const AxisState& s) {
+  set_flag(L, "servo", s.loop != Loop::none);
+  if (s.loop == Loop::none) return;
+  set_whole(L, "command", s.command.value);
+  set_whole(L, "following_error", s.following_error().value);
+  if (s.loop == Loop::unknown) return;
+  set_flag(L, "in_place", s.loop == Loop::in_place);
+  set_flag(L, "open_loop", s.loop == Loop::open);
+}
+
 int push_axis_status(lua_State* L, const Snapshot& known, const Catalog&, int axis) {
   const AxisState& s = known.axes[axis];
-  lua_createtable(L, 0, 15);
+  lua_createtable(L, 0, 20);
+  set_servo(L, s);
   set_flag(L, "moving",
            s.activity == Activity::moving || s.activity == Activity::jogging ||
                s.activity == Activity::homing || s.activity == Activity::stopping);

@@ -1,5 +1,7 @@
 #include "core/session/session.h"
 
+#include <cstdlib>
+
 #include <fmt/core.h>
 
 namespace hw {
@@ -155,6 +157,11 @@ std::string why_not_finished(const Snapshot& s, const Catalog& catalog) {
             "was stopped by somebody else: the controller's Stop button or input, or another program");
       case EndedBy::error: return because("was ended by an error of the controller");
       case EndedBy::lost: return because("was lost sight of while it moved");
+      case EndedBy::not_in_place:
+        return fmt::format(
+            "Axis {} has not come where it was sent: its encoder stands at {}, {} {} from there.",
+            catalog.axes[i].name, s.axes[i].position.value, std::abs(s.axes[i].following_error().value),
+            catalog.step_word);
       case EndedBy::nothing:
       case EndedBy::target:
       case EndedBy::stop:

@@ -23,6 +23,9 @@ constexpr StateLook looks[] = {
     {Icon::pause, "WAITING", "waiting", Tone::warn},
     {Icon::clock, "CONNECTING", "asking", Tone::ink2},
     {Icon::warning, "SLIP", "slip", Tone::warn},
+    {Icon::ring_dot, "IN PLACE", "in place", Tone::ink2},
+    {Icon::cross, "OPEN LOOP", "open loop", Tone::ink3},
+    {Icon::warning, "NOT IN PLACE", "not in place", Tone::warn},
 };
 
 Rect draw_state(Ui& ui, ImVec2 at, const StateLook& look, Face face) {

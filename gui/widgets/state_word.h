@@ -24,7 +24,10 @@ enum class State : std::uint8_t {
   fault,
   waiting,
   connecting,
-  slipped,  ///< stands, and its encoder has lain too far off
+  slipped,      ///< stands, and its encoder has lain too far off
+  in_place,     ///< a servo axis: its encoder stands where it is sent
+  open_loop,    ///< a servo axis: its motor is free
+  not_in_place  ///< a servo axis: it has not come where it was sent
 };
 
 struct StateLook {

@@ -66,6 +66,40 @@ TEST_F(StatusSentenceTest, ASlipIsSaidWhileNothingMoves) {
   EXPECT_EQ(state_of(now, 1, clock), State::moving);
 }
 
+TEST_F(StatusSentenceTest, AServoAxisSaysHowItStandsToItsCommand) {
+  ParamInfo gain;
+  gain.mnemonic = "KP2";
+  gain.axis = 1;
+  gain.drives = true;
+  catalog.params.push_back(gain);
+  now.params[1] = {200, true, true};
+  AxisState& a = now.axes[1];
+  a.loop = Loop::in_place;
+  a.command = a.position = Steps(5000);
+  EXPECT_EQ(look_of(state_of(now, 1, clock)).word, "IN PLACE");
+  EXPECT_EQ(worst_state(now, clock), State::idle);
+  EXPECT_EQ(say().mood, Mood::plain);
+  a.loop = Loop::off_place;
+  a.position = Steps(0);
+  EXPECT_EQ(look_of(state_of(now, 1, clock)).word, "NOT IN PLACE");
+  EXPECT_EQ(worst_state(now, clock), State::not_in_place);
+  EXPECT_EQ(say(), (StatusSentence{Mood::warn,
+                                   "Motor 2 is not in place: it stands 5000 steps from its command, "
+                                   "5000 steps. Look what holds it, and at its gains."}));
+  now.params[1].value = 0;
+  EXPECT_NE(say().text.view().find("Its gains are 0, so nothing drives it."), std::string::npos);
+  a.loop = Loop::open;
+  EXPECT_EQ(look_of(state_of(now, 1, clock)).word, "OPEN LOOP");
+  EXPECT_EQ(say().text.view().find("The loop of motor 2 is open: its motor is free"), 0u);
+  a.loop = Loop::unknown;
+  EXPECT_EQ(look_of(state_of(now, 1, clock)).word, "IDLE") << "what is not known is not shown as known";
+  a.loop = Loop::following;
+  a.activity = Activity::moving;
+  EXPECT_EQ(say(), (StatusSentence{Mood::motion,
+                                   "Motor 2 settles, 5000 steps from its command. Esc stops "
+                                   "everything."}));
+}
+
 TEST_F(StatusSentenceTest, Moving) {
   now.axes[0].activity = Activity::moving;
   now.axes[0].has_target = true;

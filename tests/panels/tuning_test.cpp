@@ -148,6 +148,19 @@ TEST_F(TuningTest, RepeatGoesToAndFroAndEndsWithTheNextPress) {
   EXPECT_EQ(s.sent.size(), sent);
 }
 
+TEST_F(TuningTest, RepeatWaitsForAnAxisThatSettles) {
+  s.click("tuning/repeat");
+  s.now.axes[0].activity = Activity::moving;
+  samples(0.5);
+  const std::size_t sent = s.sent.size();
+  s.stage.frames(60);
+  EXPECT_EQ(s.sent.size(), sent);
+  s.now.axes[0].activity = Activity::idle;
+  s.now.axes[0].ended_by = EndedBy::not_in_place;
+  s.stage.frames(5);
+  EXPECT_GT(s.sent.size(), sent) << "a loop that does not come there is what is being tuned";
+}
+
 TEST_F(TuningTest, RepeatIsNotCarriedOnAfterAStop) {
   s.click("tuning/repeat");
   s.now.axes[0].ended_by = EndedBy::stop;

@@ -44,7 +44,7 @@ std::vector<AxisInfo> axes(const Variant& variant) {
     axis.name = axis_letters.substr(ix(i), 1);
     axis.description =
         fmt::format("{} axis {}", fitting.kind == AxisKind::servo ? "servo" : "step", axis.name);
-    axis.switchable = fitting.kind == AxisKind::servo;
+    axis.switchable = axis.servo = fitting.kind == AxisKind::servo;
     axis.home_input = true;
     all.push_back(std::move(axis));
   }

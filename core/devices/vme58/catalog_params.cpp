@@ -39,6 +39,7 @@ std::vector<ParamInfo> param_infos(const Variant& variant) {
     p.unit = fact.unit;
     p.minimum = fact.minimum, p.maximum = fact.maximum, p.fallback = fact.factory;
     p.decimals = fact.decimals;
+    p.drives = fact.drives;
     p.stored = false;
     p.readable = fact.shown.has_value();
     if (!fact.on.empty()) p.choices = {{0, fact.off_words}, {1, fact.on_words}};

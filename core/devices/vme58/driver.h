@@ -5,10 +5,11 @@
 //   driver_mailbox.cpp     urgent commands past everything that waits (decision M29), and stops
 //   driver_connect.cpp     finding the board, saying why not, resets
 //   driver_poll.cpp        registers and data area, and what they mean
+//   driver_servo.cpp       servo axes: places, loops, and what may close one
 //   driver_samples.cpp     recordings of one axis
 //   driver_ask.cpp         what a round asks by command: flags, slips, queues
 //   driver_moves.cpp       moves, jogs, homing, positions, power, outputs
-//   driver_speeds.cpp      the speed of an axis, and that of one move
+//   driver_speeds.cpp      the speed of an axis, and that of one move; how long a slow one may show nothing
 //   driver_params.cpp      set-up
 //   driver_text.cpp        raw text of users and scripts
 //   driver_program.cpp     command strings that the console holds and feeds
@@ -29,6 +30,7 @@
 #include "core/devices/vme58/codec.h"
 #include "core/devices/vme58/command_text.h"
 #include "core/devices/vme58/parameters.h"
+#include "core/devices/vme58/servo_place.h"
 #include "core/motion/servo_watch.h"
 
 namespace hw::vme58 {
@@ -68,6 +70,13 @@ class Vme58Driver final : public Driver {
     std::int64_t value;
     bool carried_out = false;  ///< the queues were seen empty since: what is read next is right
   };
+  /// Of a servo axis.
+  struct ServoMind {
+    ServoPlace place;
+    std::optional<bool> closed;  ///< its loop, as EA, HN or HF have told; none: not known
+    bool goes_to_place = true;   ///< its motion is to end somewhere: no jog, and not cut short by a stop
+    bool settling = false;       ///< such a motion was seen, and nobody has said yet how it ended
+  };
   /// What the console knows of an axis beside the snapshot.
   struct AxisMind {
     Activity wanted = Activity::idle;     ///< what our last command began
@@ -91,6 +100,7 @@ class Vme58Driver final : public Driver {
     Duration jog_gap{};         ///< of a jog: it turns, though so long no count and no velocity may show it
     Instant creeps_until{};     ///< and so it is taken to turn until then
     Instant still_since{};
+    ServoMind servo;
     std::optional<Borrowed> velocity;  ///< VL, while a move with a speed of its own has another there
     std::optional<PutVelocity> put_velocity;
   };
@@ -185,15 +195,27 @@ class Vme58Driver final : public Driver {
   void show_axis(int axis, Instant at);
   void show_still(int axis, Instant at);
   void show_limits(int axis);
-  void begins_to_creep(int axis, Duration gap);
   void end_motion(int axis, EndedBy ended_by);
   void show_worst();
   void record_round();
   [[nodiscard]] std::int64_t value(int axis, AxisValue v) const;
   [[nodiscard]] bool moving(int axis) const;
-  [[nodiscard]] Duration rest_patience(int axis) const;
-  [[nodiscard]] Duration jog_gap(int axis, double speed) const;
   [[nodiscard]] static bool met_limit(const AxisMind& mind);
+
+  // ---- driver_servo.cpp
+  void show_place(int axis, Instant at, bool turns);
+  [[nodiscard]] bool settles(int axis) const;
+  EndedBy judged(int axis, EndedBy ended_by);
+  void begins_to_settle(int axis);
+  void know_loop(int axis, std::optional<bool> closed);
+  [[nodiscard]] std::int64_t deadband(int axis) const;
+  [[nodiscard]] std::optional<std::int64_t> known_param(int axis, std::string_view letters) const;
+  [[nodiscard]] bool driven(int axis) const;
+  Task<Result<>> may_close(int axis, intent::Closing answer, std::string state, std::string consequence);
+  Task<Result<>> may_drive(const Parameter& parameter, std::int64_t value, intent::Closing answer);
+  Task<Result<>> take_place(int axis);
+  Task<Result<>> load_positions(int axis, Steps value);
+  bool warn_of_closing(const TextCommand& command);
 
   // ---- driver_samples.cpp
   [[nodiscard]] bool sampling() const;
@@ -220,6 +242,7 @@ class Vme58Driver final : public Driver {
   Task<Result<>> home(intent::Home wish);
   Task<Result<>> set_position(intent::SetPosition wish);
   Task<Result<>> set_power(intent::SetPower wish);
+  Task<Result<>> switch_loop(int axis, bool on, intent::Closing answer);
   Task<Result<>> set_output(intent::SetOutput wish);
   Task<Result<>> act(intent::Act wish);
   Task<Result<>> begin(std::string text, unsigned axes, Activity activity,
@@ -240,6 +263,9 @@ class Vme58Driver final : public Driver {
   /// VL as the user has it, also while a move with a speed of its own has put another there, or while it
   /// waits in a queue.
   [[nodiscard]] std::int64_t own_velocity_of(int axis) const;
+  void begins_to_creep(int axis, Duration gap);
+  [[nodiscard]] Duration rest_patience(int axis) const;
+  [[nodiscard]] Duration jog_gap(int axis, double speed) const;
 
   // ---- driver_params.cpp
   Task<Result<>> set_param(intent::SetParam wish);
@@ -316,6 +342,7 @@ class Vme58Driver final : public Driver {
   std::uint8_t limits_ = 0, homes_ = 0, slips_ = 0;
   std::uint8_t status_ = 0;  ///< as last read
   bool flags_wanted_ = false;
+  bool loops_wanted_ = false;  ///< an axis did not come to its place: its loop may have opened
   bool queues_due_ = false;    ///< they are asked for as soon as nothing turns
   bool queues_empty_ = false;  ///< all of them, those of AA and AM too, when last asked
   std::uint32_t watched_ = 0;

@@ -56,8 +56,9 @@ Task<Result<>> Vme58Driver::act(intent::Act wish) {
       break;
     case Action::encoder_ratio: text = fmt::format("ER{},{}", wish.values[1], wish.values[2]); break;
     case Action::hold:
+      if (catalog_.axes[ix(axis)].servo)
+        co_return co_await switch_loop(axis, wish.values[1] != 0, wish.closing);
       text = wish.values[1] != 0 ? "HN" : "HF";
-      if (catalog_.axes[ix(axis)].switchable) draft_.axes[axis].enabled = wish.values[1] != 0;
       break;
     case Action::track: text = "ET"; break;
     case Action::slip_interrupt: text = "IS"; break;

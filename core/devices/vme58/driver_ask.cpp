@@ -27,6 +27,10 @@ Task<Result<>> Vme58Driver::ask_in_turn() {
     auto asked = co_await read_slips();
     if (!asked) co_return asked;
   }
+  if (may_ask && std::exchange(loops_wanted_, false)) {
+    auto asked = co_await read_loops(Priority::poll);
+    if (!asked) co_return asked;
+  }
   // An axis may work at what others have sent; what is not empty is read until it is.
   const bool turning = draft_.any_axis_moving();
   bool matters = draft_.working || bit(watched_, queue_group) || draft_.program.run == RunState::running;
@@ -112,7 +116,8 @@ bool Vme58Driver::wants_done() const {
   if ((status_ & status::done) == 0) return false;
   for (int i = 0; i < axis_count(); ++i) {
     const AxisMind& mind = minds_[ix(i)];
-    if (mind.ours && !mind.stopping && !moving(i) && mind.wanted != Activity::jogging) return true;
+    if (mind.ours && !mind.stopping && !moving(i) && !settles(i) && mind.wanted != Activity::jogging)
+      return true;
   }
   return bit(watched_, memory_group) && round_ % queue_rounds == 0;
 }
@@ -174,7 +179,7 @@ Task<Result<>> Vme58Driver::read_loops(Priority priority) {
   for (std::size_t n = 0; n < asked.size(); ++n) {
     const std::string& letters = (*replies)[n];
     if (letters.size() == 6 && (letters[1] == 'E' || letters[1] == 'D'))
-      draft_.axes[asked[n]].enabled = letters[1] == 'E';
+      know_loop(asked[n], letters[1] == 'E');
   }
   co_return Result<>();
 }
@@ -220,7 +225,7 @@ Task<Result<>> Vme58Driver::read_queues(Priority priority) {
     if ((full_room & its) != its)
       mind.still_since = now;  // the move stands in the queue: it is under way, or has yet to begin
     else
-      end_motion(i, axis.has_target && axis.position == axis.target ? EndedBy::target : EndedBy::elsewhere);
+      end_motion(i, axis.has_target && axis.command == axis.target ? EndedBy::target : EndedBy::elsewhere);
   }
   co_return Result<>();
 }

@@ -60,6 +60,7 @@ void Vme58Driver::forget() {
     AxisState& axis = draft_.axes[i];
     axis.limits_known = false;
     axis.has_encoder = variant_.fitting(i).encoder;
+    know_loop(i, std::nullopt);
     axis.activity = Activity::unknown;
     axis.speed = axis.own_speed = {};
     axis.direction = 0;
@@ -131,11 +132,8 @@ Task<Result<>> Vme58Driver::connect(Station& station) {
     auto plain = co_await forget_others_units();
     if (!plain) co_return plain;
   }
-  if (!unmarked) {
+  if (!unmarked)
     for (AxisMind& mind : minds_) mind.in_group = mind.listed = true;  // by whoever spoke before
-    auto asked = co_await read_loops(Priority::intent);
-    if (!asked) co_return asked;
-  }
   if (unmarked) {
     auto marked = co_await leave_mark();
     if (!marked) co_return marked;
@@ -320,7 +318,7 @@ Task<Result<>> Vme58Driver::reset_by_text(std::string text) {
 }
 
 Task<Result<>> Vme58Driver::read_state() {
-  flags_wanted_ = true;
+  flags_wanted_ = loops_wanted_ = true;
   draft_.working = queues_due_ = true;  // another program may have left something in the queues
   auto all = co_await read_all_values(Priority::intent);
   if (!all) co_return all;

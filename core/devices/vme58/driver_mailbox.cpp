@@ -150,6 +150,7 @@ void Vme58Driver::stopping(int axis, bool at_once) {
     forget_put_velocities(i);
     begins_to_creep(i, {});
     mind.homes = false;  // one that waits in a queue goes with it
+    mind.servo.goes_to_place = mind.servo.settling = false;
     if (!moving(i) && !mind.ours) continue;
     mind.stopping = true;
     mind.ended_by = at_once ? EndedBy::abort : EndedBy::stop;

@@ -64,6 +64,8 @@ Task<Result<>> Vme58Driver::begin(std::string text, unsigned axes, Activity acti
     if (activity != Activity::jogging) begins_to_creep(i, {});
     if (!moving(i)) mind.from_limit = (limits_ >> i & 1) != 0;
     mind.still_since = scheduler_.now();
+    mind.servo.goes_to_place = activity != Activity::jogging;
+    mind.servo.settling = false;
     AxisState& axis = draft_.axes[i];
     axis.activity = activity;
     axis.ended_by = EndedBy::nothing;
@@ -93,7 +95,7 @@ Task<Result<>> Vme58Driver::move(std::vector<AxisTarget> wish, Pps speed_wish, b
   for (const AxisTarget& t : wish) {
     const int axis = t.axis.index;
     if (auto may = may_move(axis); !may) co_return may;
-    const std::int64_t goal = relative ? draft_.axes[axis].position.value + t.value.value : t.value.value;
+    const std::int64_t goal = relative ? draft_.axes[axis].command.value + t.value.value : t.value.value;
     if (std::abs(goal) > position_max)
       co_return fail(FaultKind::refused,
                      fmt::format("Position {} of axis {} lies outside the board's range, ±{}.", goal,
@@ -205,21 +207,11 @@ Task<Result<>> Vme58Driver::set_position(intent::SetPosition wish) {
     co_return fail(FaultKind::refused,
                    fmt::format("{} lies outside the board's range, ±{}.", wish.value.value, position_max),
                    "Nothing was sent.");
-  std::string text;
-  if (wish.axis >= 0) {
-    text = addressed(wish.axis, fmt::format("LP{}", wish.value.value));
-  } else {
-    std::array<std::optional<std::int64_t>, most_axes> all{};
-    for (int i = 0; i < axis_count(); ++i) all[ix(i)] = wish.value.value;
-    text = addressed("AA", encode_list("LP", all));
-  }
-  for (int i = 0; i < axis_count(); ++i)
-    minds_[ix(i)].counted = minds_[ix(i)].counted || wish.axis < 0 || wish.axis == i;
-  auto sent = co_await command(std::move(text), Priority::intent);
-  if (!sent) co_return sent;
+  auto loaded = co_await load_positions(wish.axis, wish.value);
+  if (!loaded) co_return loaded;
   for (int i = 0; i < axis_count(); ++i)
     if (wish.axis < 0 || wish.axis == i) draft_.axes[i].position_doubtful = false;
-  co_return co_await read_axes(Priority::intent);
+  co_return Result<>();
 }
 
 // HN closes the loop of a servo axis, HF opens it: the motor is free then.
@@ -234,10 +226,8 @@ Task<Result<>> Vme58Driver::set_power(intent::SetPower wish) {
           fmt::format("Axis {} is no servo axis: the board does not switch its motor.", axis_name(i)),
           "Nothing was sent.");
     }
-    const std::string text = addressed(i, wish.on ? "HN" : "HF");
-    auto sent = co_await command(text, Priority::intent);
-    if (!sent) co_return sent;
-    draft_.axes[i].enabled = wish.on;
+    auto switched = co_await switch_loop(i, wish.on, wish.closing);
+    if (!switched) co_return switched;
   }
   co_return Result<>();
 }

@@ -88,6 +88,8 @@ Task<Result<>> Vme58Driver::set_param(intent::SetParam wish) {
   if (!info.warning.empty() && !wish.confirmed && wish.value != info.fallback)
     co_return fail(FaultKind::refused, info.warning, "Nothing was sent.", "Confirm it to go on.");
   const Parameter& parameter = parameters_[ix(index)];
+  auto may = co_await may_drive(parameter, wish.value, wish.closing);
+  if (!may) co_return may;
   const std::string set = set_text(*parameter.fact, wish.value);
   const std::string text = parameter.axis >= 0 ? addressed(parameter.axis, set) : set + "\n";
   auto sent = co_await command(text, Priority::intent);
@@ -95,6 +97,8 @@ Task<Result<>> Vme58Driver::set_param(intent::SetParam wish) {
   ParamState& state = draft_.params[ix(index)];
   state.value = wish.value;
   state.known = true;
+  const bool goes_there = wish.closing == intent::Closing::drive && parameter.fact->drives;
+  if (goes_there && draft_.axes[parameter.axis].far_off) begins_to_settle(parameter.axis);
   if (!parameter.fact->shown) co_return Result<>();
   auto& borrowed = minds_[ix(parameter.axis)].velocity;
   if (borrowed && parameter.fact->shown == AxisValue::maximum_velocity) borrowed->before = wish.value;
@@ -138,7 +142,6 @@ void Vme58Driver::factory_params() {
     draft_.params[i].value = catalog_.params[i].fallback;
     draft_.params[i].known = true;
   }
-  for (int i = 0; i < axis_count(); ++i) draft_.axes[i].enabled = true;
   for (std::size_t place = 0; place < catalog_.outputs.size(); ++place)
     if (catalog_.outputs[place].number >= first_auxiliary) {
       draft_.outputs |= 1u << place;  // decision M37: high, the transistor is off

@@ -19,7 +19,6 @@ constexpr Duration copy_time = std::chrono::microseconds(1000);   // decision M2
 constexpr Duration sample_pause = std::chrono::microseconds(50);  // between two rounds of a recording
 constexpr Duration copy_look = std::chrono::microseconds(300);
 constexpr Duration update_patience = Millis(50);
-constexpr Duration rest_time = Millis(400);  // at rest so long without a done flag: it may have ended
 constexpr int live_values = 3;               // encoder, position, velocity stand first
 
 }  // namespace
@@ -230,16 +229,17 @@ void Vme58Driver::take_cycles(const std::vector<BusCycle>& cycles) {
 void Vme58Driver::show_axis(int i, Instant at) {
   AxisState& axis = draft_.axes[i];
   AxisMind& mind = minds_[ix(i)];
-  const Steps position(value(i, AxisValue::command_position));
-  const Steps change = position - axis.position;
+  const Steps command(value(i, AxisValue::command_position));
+  const Steps change = command - axis.command;
   const bool fresh = axis.position_known && seen_[ix(i)];
   if (fresh && change.value != 0 && !mind.counted) mind.way = change.value > 0 ? 1 : -1;
   const bool crept = fresh && change.value != 0 && !mind.counted;
   mind.counted = false;
   seen_[ix(i)] = true;
   const double speed = std::abs(static_cast<double>(value(i, AxisValue::command_velocity)));
-  axis.position = position;
+  axis.command = command;
   axis.encoder = Steps(value(i, AxisValue::encoder_position));
+  axis.position = catalog_.axes[ix(i)].servo ? axis.encoder : command;
   axis.seen_at = at;
   axis.position_known = true;
   axis.speed = Pps(speed);
@@ -247,6 +247,7 @@ void Vme58Driver::show_axis(int i, Instant at) {
   if (crept && mind.jog_gap > Duration::zero()) mind.creeps_until = at + mind.jog_gap;
   const bool turns = speed > 0 || crept || at < mind.creeps_until;
   axis.direction = turns ? mind.way : std::int8_t{0};
+  show_place(i, at, turns);
   // What has turned on a switch that it stood on has come away from it, whatever the direction letter says.
   if (crept && mind.from_limit && bit(limits_, i)) {
     mind.limit_end = static_cast<std::int8_t>(-mind.way);
@@ -273,28 +274,6 @@ void Vme58Driver::show_limits(int i) {
   axis.limit_plus = bit(limits_, i) && end > 0;
 }
 
-/// For so long an axis that turns may show neither velocity nor count: an axis that is ramped very gently,
-/// which a queue tells of only when it moves by itself.
-Duration Vme58Driver::rest_patience(int i) const {
-  const AxisMind& mind = minds_[ix(i)];
-  if (mind.group == 0 && mind.wanted != Activity::jogging) return rest_time;
-  return std::max(jog_gap(i, 1), mind.jog_gap);
-}
-
-/// A jog's: until its first count, and between two counts when it is slower than one a second.
-Duration Vme58Driver::jog_gap(int i, double speed) const {
-  const auto acceleration = static_cast<double>(std::max<std::int64_t>(1, value(i, AxisValue::acceleration)));
-  const double ramp_s = 2 * std::sqrt(2 / acceleration);
-  const double count_s = speed > 0 && speed < 1 ? 1.5 / speed : 0;
-  return rest_time + from_seconds(ramp_s + count_s);
-}
-
-void Vme58Driver::begins_to_creep(int i, Duration gap) {
-  AxisMind& mind = minds_[ix(i)];
-  mind.jog_gap = gap;
-  mind.creeps_until = gap > Duration::zero() ? scheduler_.now() + gap : Instant{};
-}
-
 /// A switch that it stood on when it began has ended a motion only if it did not come away from there.
 bool Vme58Driver::met_limit(const AxisMind& mind) {
   return mind.limit_hit && !(mind.from_limit && mind.turned);
@@ -307,12 +286,18 @@ void Vme58Driver::show_still(int i, Instant at) {
     if (!stops_.any()) end_motion(i, mind.ended_by);
     return;
   }
+  if (settles(i)) {  // its command has ended, the axis has not yet
+    mind.still_since = at;
+    axis.activity = mind.ours ? mind.wanted : Activity::moving;
+    return;
+  }
   if (!mind.ours) {
     if (axis.activity != Activity::idle) axis.activity = Activity::idle;
+    if (judged(i, EndedBy::target) == EndedBy::not_in_place) axis.ended_by = EndedBy::not_in_place;
     if (mind.by_text && mind.turned && met_limit(mind)) axis.ended_by = EndedBy::limit;
     return;
   }
-  const bool there = axis.has_target && axis.position == axis.target;
+  const bool there = axis.has_target && axis.command == axis.target;
   const bool limited = met_limit(mind);
   // The board goes on with the ID behind a move that a switch has cut short. And a done flag of a motion
   // before stays until the move's GD is carried out.
@@ -332,6 +317,7 @@ void Vme58Driver::show_still(int i, Instant at) {
 void Vme58Driver::end_motion(int i, EndedBy ended_by) {
   AxisState& axis = draft_.axes[i];
   AxisMind& mind = minds_[ix(i)];
+  ended_by = judged(i, ended_by);
   if (std::exchange(mind.homes, false) && ended_by == EndedBy::target) axis.position_doubtful = false;
   axis.activity = Activity::idle;
   axis.ended_by = ended_by;

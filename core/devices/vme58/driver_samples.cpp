@@ -17,7 +17,7 @@ void Vme58Driver::sample(Instant at) {
   s.at = at;
   s.axis = static_cast<std::uint8_t>(sampled_axis_);
   s.moving = moving(sampled_axis_);
-  s.command = axis.position;
+  s.command = axis.command;
   s.encoder = axis.encoder;
   s.velocity = axis.speed;
   if (const auto gains = known_gains(sampled_axis_)) {

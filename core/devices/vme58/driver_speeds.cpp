@@ -8,6 +8,11 @@
 #include "core/devices/vme58/driver.h"
 
 namespace hw::vme58 {
+namespace {
+
+constexpr Duration rest_time = Millis(400);  // at rest so long without a done flag: it may have ended
+
+}  // namespace
 
 std::int64_t Vme58Driver::velocity_of(int axis) const { return value(axis, AxisValue::maximum_velocity); }
 
@@ -113,6 +118,30 @@ void Vme58Driver::forget_put_velocities(int axis) {
     if (mind.velocity && mind.put_velocity) mind.velocity->left_alone = true;
     mind.put_velocity.reset();
   }
+}
+
+// ---- for how long a motion may show nothing
+
+/// For so long an axis that turns may show neither velocity nor count: an axis that is ramped very gently,
+/// which a queue tells of only when it moves by itself.
+Duration Vme58Driver::rest_patience(int i) const {
+  const AxisMind& mind = minds_[ix(i)];
+  if (mind.group == 0 && mind.wanted != Activity::jogging) return rest_time;
+  return std::max(jog_gap(i, 1), mind.jog_gap);
+}
+
+/// A jog's: until its first count, and between two counts when it is slower than one a second.
+Duration Vme58Driver::jog_gap(int i, double speed) const {
+  const auto acceleration = static_cast<double>(std::max<std::int64_t>(1, value(i, AxisValue::acceleration)));
+  const double ramp_s = 2 * std::sqrt(2 / acceleration);
+  const double count_s = speed > 0 && speed < 1 ? 1.5 / speed : 0;
+  return rest_time + from_seconds(ramp_s + count_s);
+}
+
+void Vme58Driver::begins_to_creep(int i, Duration gap) {
+  AxisMind& mind = minds_[ix(i)];
+  mind.jog_gap = gap;
+  mind.creeps_until = gap > Duration::zero() ? scheduler_.now() + gap : Instant{};
 }
 
 }  // namespace hw::vme58

@@ -240,6 +240,7 @@ void Vme58Driver::note_sent(const TextCommand& command) {
 /// All but the axis that it selects.
 void Vme58Driver::note_effects(const TextCommand& command) {
   if (!command.fact || !command.flaw.empty()) return;
+  const bool drives = warn_of_closing(command);
   note_param(command);
   note_motion(command);
   const int axis = command.context.axis;
@@ -247,7 +248,7 @@ void Vme58Driver::note_effects(const TextCommand& command) {
   switch (command.fact->op) {
     case Op::HN:
     case Op::HF:
-      if (one && catalog_.axes[ix(axis)].switchable) draft_.axes[axis].enabled = command.fact->op == Op::HN;
+      if (one) know_loop(axis, command.fact->op == Op::HN);
       break;
     case Op::EN: echo_ = true; break;
     case Op::VL: note_velocity(command); break;
@@ -281,6 +282,7 @@ void Vme58Driver::note_effects(const TextCommand& command) {
       break;
     default: break;
   }
+  if (drives) begins_to_settle(axis);
 }
 
 /// What was told of an axis' end was of another motion. And a jog leaves its queue at once, and may be so
@@ -302,6 +304,9 @@ void Vme58Driver::note_motion(const TextCommand& command) {
       if (!moving(i)) mind.from_limit = (limits_ >> i & 1) != 0;
       draft_.axes[i].ended_by = EndedBy::nothing;
     }
+    ServoMind& servo = minds_[ix(i)].servo;
+    servo.goes_to_place = !jogs && !stops_here(op);
+    servo.settling = servo.settling && servo.goes_to_place;
     bool& homes = minds_[ix(i)].homes;
     if (op == Op::HM || op == Op::HR)
       homes = one;

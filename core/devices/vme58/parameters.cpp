@@ -29,6 +29,11 @@ constexpr ParameterFact either(std::string_view letters, std::string_view off, s
   f.off_words = off_words, f.on_words = on_words;
   return f;
 }
+/// A gain that acts on a standing error.
+constexpr ParameterFact driving(ParameterFact f) {
+  f.drives = true;
+  return f;
+}
 constexpr ParameterFact of_board(ParameterFact f) {
   f.whole_board = true;
   return f;
@@ -44,12 +49,12 @@ constexpr ParameterFact facts[] = {
            "Ramp rate of {}", "How fast {} speeds up and slows down, stops included. A small value makes every stop long.", "counts/s²"),
     number("VB", Fitting::any, base_velocity, 0, velocity_max, 0, "Speeds and ramps",
            "Start speed of {}", "Ramps of {} begin and end at this speed at once, which helps a stepper past its resonance. Keep it below the top speed.", "counts/s"),
-    number("KP", Fitting::servo, proportional_gain, 0, most_gain, 0, "Servo loop",
-           "Proportional gain of {}", "The output of {} grows with the distance between where it is sent and where it is. Too little is soft, too much oscillates.", "", 2),
+    driving(number("KP", Fitting::servo, proportional_gain, 0, most_gain, 0, "Servo loop",
+           "Proportional gain of {}", "The output of {} grows with the distance between where it is sent and where it is. Too little is soft, too much oscillates.", "", 2)),
     number("KD", Fitting::servo, differential_gain, 0, most_gain, 0, "Servo loop",
            "Derivative gain of {}", "Damps {}: the output works against quick changes of the error. Raise it with the proportional gain.", "", 2),
-    number("KI", Fitting::servo, integral_gain, 0, most_gain, 0, "Servo loop",
-           "Integral gain of {}", "Removes the small error that friction or a steady load leaves on {}. Too much makes it swing slowly.", "", 2),
+    driving(number("KI", Fitting::servo, integral_gain, 0, most_gain, 0, "Servo loop",
+           "Integral gain of {}", "Removes the small error that friction or a steady load leaves on {}. Too much makes it swing slowly.", "", 2)),
     number("KV", Fitting::servo, velocity_feed_forward, 0, most_gain, 0, "Servo loop",
            "Velocity feed-forward of {}", "Adds output in proportion to the commanded speed of {}, so that less error is needed to follow it.", "", 2),
     number("KA", Fitting::servo, acceleration_feed_forward, 0, most_gain, 0, "Servo loop",

@@ -19,6 +19,7 @@ struct ParameterFact {
   Fitting fitting = Fitting::any;
   bool whole_board = false;
   std::optional<AxisValue> shown;  ///< where the data area shows it (its integer part)
+  bool drives = false;             ///< as ParamInfo::drives
   int decimals = 0;
   std::int64_t minimum = 0, maximum = 0, factory = 0;
   /// A switch: two commands instead of one with a number; the parameter is 0 or 1.
