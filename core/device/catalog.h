@@ -20,6 +20,7 @@ struct AxisInfo {
   bool encoder = false;      ///< has a counter of its own that can be set: intent::SetEncoder
   bool home_input = false;   ///< tells whether it stands on its home switch: AxisState::home
   bool alarm_input = false;  ///< of its motor's driver: AxisState::alarm
+  std::string switch_on = {};  ///< the maker's command that switches its current on: "EO1=1"
 };
 
 /// A ready-made conversion from steps to a real unit (lead screws, rotary tables).
@@ -33,7 +34,8 @@ struct UnitChoice {
 struct HomingMode {
   std::string id;          ///< for scripts: "limit"
   std::string label;       ///< "to the limit switch"
-  std::string maker = {};  ///< the maker's word for it, where it has one: "ZH"
+  std::string maker = {};     ///< the maker's word for it, where it has one: "ZH"
+  bool sets_position = true;  ///< the count is set where it ends
 };
 
 struct InputInfo {
@@ -127,7 +129,8 @@ struct ActionField {
   int decimals = 0;
   std::vector<ParamChoice> choices;  ///< not empty: exactly these values
   bool follows_loop = false;         ///< as ParamInfo::follows_loop
-  int loop_axis = -1;  ///< whose loop; -1: of what is chosen in the field "axis", else the only one
+  bool is_place = false;             ///< a position that an axis is sent by: it takes the count for true
+  int of_axis = -1;  ///< whose value it is; -1: of what is chosen in the field "axis", else of the only one
 };
 /// Something the controller can be told to do that is no verb of all controllers: intent::Act. Drawn as a
 /// button with its fields.

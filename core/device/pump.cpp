@@ -251,7 +251,7 @@ void Pump::know_store_count(std::int32_t writes_used) {
 
 // ---- what is told
 
-void Pump::set_fate(IntentId id, Fate fate, std::string_view sentence) {
+void Pump::set_fate(IntentId id, Fate fate, std::string_view sentence, std::uint32_t doubtful) {
   if (id == 0) return;
   auto& fates = draft_.fates;
   auto at = std::find_if(fates.begin(), fates.end(), [&](const IntentFate& f) { return f.id == id; });
@@ -262,6 +262,7 @@ void Pump::set_fate(IntentId id, Fate fate, std::string_view sentence) {
   }
   at->fate = fate;
   at->sentence = sentence;
+  at->doubtful = doubtful;
 }
 
 void Pump::publish() {

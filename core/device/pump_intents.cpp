@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include "core/device/pump_job.h"
+#include "core/device/refusals.h"
 
 namespace hw {
 namespace {
@@ -204,6 +205,35 @@ void Pump::count_program_change(const Intent& intent) {
   draft_.program_changed_by = intent.id;
 }
 
+/// What no driver is asked for: see refusals.h.
+bool Pump::refuse_to_move(const Intent& intent) {
+  const auto powered = has_power(catalog_, draft_, intent.body);
+  const std::uint32_t doubtful = doubtful_axes(catalog_, draft_, intent.body);
+  if (powered && doubtful == 0) return false;
+  if (!powered)
+    set_fate(intent.id, Fate::refused, powered.error().sentence());
+  else
+    set_fate(intent.id, Fate::refused,
+             say_doubtful(catalog_, draft_, intent.body, doubtful, words_in_steps(catalog_, draft_)),
+             doubtful);
+  jog_not_begun(intent);
+  publish();
+  return true;
+}
+
+Result<> Pump::trust_position(AxisId axis) {
+  if (axis.index >= catalog_.axes.size())
+    return fail(FaultKind::refused, fmt::format("There is no axis {}.", axis.index + 1));
+  AxisState& state = draft_.axes[axis.index];
+  if (!state.position_known)
+    return fail(FaultKind::refused,
+                fmt::format("The position of {} is not known, so it cannot be taken for true.",
+                            spoken_name(catalog_, axis.index)),
+                {}, "Home it, or set its position.");
+  state.trust.settle(Trust::set, scheduler_.now());
+  return {};
+}
+
 Task<> Pump::perform_next() {
   std::unique_ptr<Job> job = std::move(queue_.front());
   queue_.pop_front();
@@ -222,10 +252,17 @@ Task<> Pump::perform_next() {
     job.release();  // its asker owns it from here
     co_return;
   }
+  if (refuse_to_move(job->intent)) {
+    performing_ = false;
+    co_return;
+  }
   Result<> performed;
   const std::uint64_t stops_before = stops_begun_;
   try {
-    performed = co_await driver_->perform(job->intent.body);
+    if (const auto* wish = std::get_if<intent::TrustPosition>(&job->intent.body))
+      performed = trust_position(wish->axis);
+    else
+      performed = co_await driver_->perform(job->intent.body);
   } catch (const std::exception& defect) {
     performed = fail(failed_inside("command", defect));
   }

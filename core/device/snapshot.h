@@ -10,6 +10,7 @@
 #include "core/base/fixed_text.h"
 #include "core/base/units.h"
 #include "core/device/intent.h"
+#include "core/device/trust.h"
 #include "core/time/clock.h"
 
 namespace hw {
@@ -46,9 +47,9 @@ enum class AxisError : std::uint8_t {
 
 struct AxisState {
   Steps position{};
-  Instant seen_at{};               ///< when the position was read
-  bool position_known = false;     ///< false: never read, or not true any more since a loss or reset
-  bool position_doubtful = false;  ///< the controller counts, but steps may have been lost (see `doubt`)
+  Instant seen_at{};            ///< when the position was read
+  bool position_known = false;  ///< false: never read, or not true any more since a loss or reset
+  PositionTrust trust;          ///< of what is known
   Activity activity = Activity::unknown;
   Phase phase = Phase::unknown;
   AxisError error = AxisError::none;
@@ -109,7 +110,8 @@ enum class Fate : std::uint8_t { pending, done, refused, failed };
 struct IntentFate {
   IntentId id = 0;
   Fate fate = Fate::pending;
-  FixedText<320> sentence;  ///< refused or failed: Fault::sentence()
+  FixedText<320> sentence;     ///< refused or failed: Fault::sentence()
+  std::uint32_t doubtful = 0;  ///< refused for it: bit per axis whose position is not to be trusted
   bool operator==(const IntentFate&) const = default;
 };
 

@@ -50,7 +50,7 @@ Task<Result<>> Vme58Driver::poll() {
   }
   take_registers(*registers);
   if (registers->mark == 0) {
-    auto told = co_await found_reset();
+    auto told = co_await found_reset(Doubt::restarted);
     if (!told) co_return told;
     co_return co_await read_state();
   }
@@ -332,7 +332,7 @@ void Vme58Driver::show_still(int i, Instant at) {
 void Vme58Driver::end_motion(int i, EndedBy ended_by) {
   AxisState& axis = draft_.axes[i];
   AxisMind& mind = minds_[ix(i)];
-  if (std::exchange(mind.homes, false) && ended_by == EndedBy::target) axis.position_doubtful = false;
+  if (std::exchange(mind.homes, false) && ended_by == EndedBy::target) trusted(i, Trust::homed);
   axis.activity = Activity::idle;
   axis.ended_by = ended_by;
   axis.has_target = false;
