@@ -56,13 +56,15 @@ Result<> Automation::usable(std::string_view id) {
 
 /// What can start motion takes a press only when it has stood still for a while: see standing.h.
 Result<> Automation::wait_until_it_stands(std::string_view id) {
-  constexpr int frames_at_most = 180;
+  constexpr int frames_at_most = 90;
   for (int n = 0; n < frames_at_most && !over_(); ++n) {
     if (Result<> ok = usable(id); !ok) return ok;
     const Widget* w = surface_.screen().registry().find(id);
     if (!w->moving || now_s_() - w->stands_since_s >= must_stand_s) return {};
     frame();
   }
+  const Widget* w = surface_.screen().registry().find(id);
+  if (w && w->layer < surface_.screen().registry().top_layer()) return {};  // covered: who presses says so
   return refuse(quoted(id) + " does not stand still: a press on it would not be taken.");
 }
 

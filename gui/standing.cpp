@@ -16,10 +16,8 @@ Standing::Place& Standing::see(ImGuiID id, const Rect& rect, bool ready, double 
   const bool is_new = place == places_.end();
   if (is_new) place = places_.insert(places_.end(), Place{.id = id});
   const bool moved = is_new || !same(place->rect, rect), woke = ready && !place->ready;
-  if (moved || woke) {
-    place->since_s = now_s;
-    place->came_alive = !moved;
-  }
+  if (moved || woke || !ready) place->since_s = now_s;
+  if (moved || woke) place->came_alive = !moved;
   place->rect = rect;
   place->ready = ready;
   place->seen = true;

@@ -21,7 +21,7 @@ class Standing {
     Rect rect{};
     bool ready = false;            ///< enabled, and no list or dialog is open over it
     bool came_alive = false;       ///< what changed last: it became ready where it stood
-    double since_s = 0;            ///< of the frame that first drew it so
+    double since_s = 0;            ///< of the frame that first drew it so; of this one while it is not ready
     double not_taken_until_s = 0;  ///< till then it shows that a press came too early
     bool seen = false;
     [[nodiscard]] bool too_early(double press_s) const { return press_s - since_s < must_stand_s; }

@@ -192,6 +192,16 @@ TEST_F(StandingTest, TheKeyboardMeansItByName) {
   EXPECT_EQ(gone, 1);
 }
 
+TEST_F(StandingTest, TheHandOfAScriptWaitsForWhatADialogHasJustUncovered) {
+  wait(1);
+  ask = true;
+  stage.frames(3);
+  ask = false;
+  stage.frame();
+  ASSERT_TRUE(stage.hand.click("go").has_value());
+  EXPECT_EQ(gone, 1);
+}
+
 TEST_F(StandingTest, TheHandOfAScriptWaitsByItself) {
   stage.frames(2);
   ASSERT_TRUE(stage.hand.click("go").has_value());
