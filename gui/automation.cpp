@@ -54,6 +54,20 @@ Result<> Automation::usable(std::string_view id) {
   return {};
 }
 
+/// What can start motion takes a press only when it has stood still for a while: see standing.h.
+Result<> Automation::wait_until_it_stands(std::string_view id) {
+  constexpr int frames_at_most = 90;
+  for (int n = 0; n < frames_at_most && !over_(); ++n) {
+    if (Result<> ok = usable(id); !ok) return ok;
+    const Widget* w = surface_.screen().registry().find(id);
+    if (!w->moving || now_s_() - w->stands_since_s >= must_stand_s) return {};
+    frame();
+  }
+  const Widget* w = surface_.screen().registry().find(id);
+  if (w && w->layer < surface_.screen().registry().top_layer()) return {};  // covered: who presses says so
+  return refuse(quoted(id) + " does not stand still: a press on it would not be taken.");
+}
+
 /// Brings the widget into view and under the mouse.
 Result<const Widget*> Automation::reach(std::string_view id) {
   Registry& registry = surface_.screen().registry();
@@ -69,6 +83,7 @@ Result<const Widget*> Automation::reach(std::string_view id) {
       return refuse(quoted(id) + " is out of view and cannot be scrolled into it.",
                     "Make the window larger.");
   }
+  if (Result<> ok = wait_until_it_stands(id); !ok) return fail(ok.error());
   point_at(registry.find(id)->rect.centre());
   if (Result<> ok = usable(id); !ok) return fail(ok.error());
   const Widget* w = registry.find(id);

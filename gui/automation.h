@@ -20,6 +20,8 @@ class Automation {
       Surface& surface, std::function<void()> run_frame, std::function<double()> now_s,
       std::function<bool()> over = [] { return false; });
 
+  // A press on what can start motion waits until that has stood still long enough to take it: standing.h.
+
   Result<> click(std::string_view id);
   /// Mouse down on it, and it stays down until release().
   Result<> press(std::string_view id);
@@ -54,6 +56,7 @@ class Automation {
  private:
   Result<const Widget*> reach(std::string_view id);
   Result<> usable(std::string_view id);
+  Result<> wait_until_it_stands(std::string_view id);
   void point_at(ImVec2 at);
   void push_text(std::string_view text);
   void settle();

@@ -48,8 +48,12 @@ struct Widget {
   Rect rect{}, clip{};  ///< pixels; what of the window may be seen there
   int layer = 0;        ///< depth of popups and dialogs; only the deepest can be used
   bool enabled = true;
-  bool moving = false;   ///< can start motion
-  bool hovered = false;  ///< the mouse is over it and nothing covers it
+  bool moving = false;        ///< can start motion
+  bool stops = false;         ///< a Stop: nothing may lie over it
+  bool card = false;          ///< the ground of a card that lies over other parts: no toast may lie on it
+  double stands_since_s = 0;  ///< `moving`: it stands still and ready since then, see standing.h
+  bool not_taken = false;     ///< `moving`: a press has just come too early, and it says so
+  bool hovered = false;       ///< the mouse is over it and nothing covers it
   [[nodiscard]] bool usable() const {
     return kind != Kind::lamp && kind != Kind::text && kind != Kind::meter;
   }

@@ -35,7 +35,7 @@ std::vector<BenchCommand> moved_bench(const BenchView& bench, int axes) {
 
 Footing footing_of(const RehearsedAxis& rehearsed, const AxisState& axis, bool moves) {
   if (!axis.position_known) return Footing::unknown;
-  if (axis.position_doubtful) return Footing::doubtful;
+  if (axis.trust.doubtful()) return Footing::doubtful;
   if (rehearsed.in_counts != axis.in_counts) return Footing::other_count;
   if (moves) return Footing::moving;
   return rehearsed.begin == axis.position.value ? Footing::here : Footing::elsewhere;

@@ -49,10 +49,11 @@ void Screen::frame(double now_s, ImVec2 size_px, const Draw& draw) {
   ImGui::NewFrame();
   focus_.begin_frame(registry_, now_s, typing_, field_takes_tab_);
   registry_.begin_frame();
-  Ui ui(*theme_, fonts_, registry_, focus_, keyboard_, input_, now_s, size_px);
+  Ui ui(*theme_, fonts_, registry_, focus_, standing_, keyboard_, input_, now_s, size_px);
   draw(ui);
   ImGui::Render();
   registry_.end_frame();
+  standing_.end_frame();
   const ImGuiContext& g = *context_;
   typing_ = ui.typing() || (g.ActiveId != 0 && g.ActiveId == g.InputTextState.ID);
   focus_.end_frame(typing_);

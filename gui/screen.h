@@ -55,6 +55,7 @@ class Screen {
   Keyboard keyboard_;
   Registry registry_;
   Focus focus_;
+  Standing standing_;
   float wanted_scale_;
   bool style_old_ = true, typing_ = false, field_takes_tab_ = false;
   int atlas_generation_ = 1;

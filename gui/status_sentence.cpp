@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include "core/device/refusals.h"
 #include "gui/units_format.h"
 
 namespace hw::gui {
@@ -214,11 +215,11 @@ Said say_position(const StatusFacts& f) {
     if (!a.position_known)
       return say(Mood::warn, fmt::format("Where {} stands is not known. Home it, or say where it is.",
                                          plain_name(f.catalog, i)));
-    if (a.position_doubtful)
-      return say(Mood::warn,
-                 fmt::format("The position of {} is doubtful: steps may have been lost. Home it, or say "
-                             "where it is.",
-                             plain_name(f.catalog, i)));
+    if (a.trust.doubtful())
+      return say(Mood::warn, fmt::format("The position of {} is not to be trusted: {} ({}). Home it, or say "
+                                         "where it stands.",
+                                         spoken_name(f.catalog, i), words_of(a.trust.cause),
+                                         f.time_of_day(a.trust.since)));
   }
   return {};
 }

@@ -17,7 +17,9 @@
 //     read, the wheel changes nothing, a wrong value turns red with the range in words and is not reported.
 //   - Enabled and why not: every options struct has `disabled`: a sentence; empty means enabled. Say when it
 //     ends. It is shown as a tooltip; draw it beside the control where there is room.
-//   - Motion: set `.moving = true` on whatever can start motion (cyan edge, second press by keyboard).
+//   - Motion: set `.moving = true` on whatever can start motion (cyan edge, second press by keyboard, and a
+//     press counts only where it has stood still for a while: standing.h). So nothing that moves metal may
+//     have its place by what a text says: keep room for the longest.
 //     hold_button gives started / held / ended, with the times of the hand, not of the frame.
 //   - draw_text_line cuts what is too long; the whole of it is told under the mouse, by itself.
 //   - What changes with time only (a toast that goes, "Attempt 5 in 3 s") calls ui.wake_in(seconds), else no
@@ -39,6 +41,7 @@
 #include "gui/input_queue.h"
 #include "gui/keyboard.h"
 #include "gui/registry.h"
+#include "gui/standing.h"
 #include "gui/theme.h"
 
 namespace hw::gui {
@@ -48,12 +51,13 @@ inline constexpr float fill = -1;
 
 class Ui {
  public:
-  Ui(const Theme& t, const Fonts& f, Registry& r, Focus& fo, Keyboard& k, InputQueue& in, double now,
-     ImVec2 size)
+  Ui(const Theme& t, const Fonts& f, Registry& r, Focus& fo, Standing& st, Keyboard& k, InputQueue& in,
+     double now, ImVec2 size)
       : theme(t),
         fonts(f),
         registry(r),
         focus(fo),
+        standing(st),
         keyboard(k),
         input(in),
         scale(f.scale()),
@@ -64,6 +68,7 @@ class Ui {
   const Fonts& fonts;
   Registry& registry;
   Focus& focus;
+  Standing& standing;
   Keyboard& keyboard;
   InputQueue& input;
   const float scale;     ///< physical over logical pixels

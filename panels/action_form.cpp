@@ -135,7 +135,7 @@ void ActionForm::draw_field(Frame& f, std::size_t i, float width) {
 // In counts or in pulses: that depends on the axis that the form has chosen.
 std::string ActionForm::unit_of(const Frame& f, const ActionField& info) const {
   if (!info.follows_loop) return info.unit;
-  int axis = info.loop_axis;
+  int axis = info.of_axis;
   for (std::size_t i = 0; axis < 0 && i < fields_.size(); ++i)
     if (info_.fields[i].id == "axis" && !fields_[i].names.empty())
       axis = static_cast<int>(info_.fields[i].choices[static_cast<std::size_t>(fields_[i].chosen)].value);

@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include "core/device/refusals.h"
 #include "gui/popup.h"
 #include "gui/tab.h"
 #include "gui/widgets/text.h"
@@ -67,7 +68,7 @@ void AxisMenu::draw_position_rows(Frame& f, AxisId axis) {
   if (!set_field(f, Path("dro/{}/set", name), "It stands at", position_, unit, why)) return;
   const auto value = parse_position(position_, unit);
   if (!value) return f.toast(Mood::fault, value.error().sentence());
-  f.send(intent::SetPosition(axis.index, *value));
+  f.send(stands_at(f.now, axis, *value));
   position_.clear();
   ImGui::CloseCurrentPopup();
 }

@@ -122,8 +122,8 @@ void GotoHome::draw_row(Frame& f, AxisId axis) {
     draw_homes(f, axis, why);
   }
   if (clicked || typed.entered) go(f, axis);
+  draw_refusal(f, axis, {at, ImVec2(at.x + ui.px(f.area.width), at.y + ui.px(32))});
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(36)));
-  draw_refusal(f, axis);
 }
 
 void GotoHome::draw_homes(Frame& f, AxisId axis, std::string_view why) {
@@ -264,39 +264,25 @@ void GotoHome::follow(Frame& f, AxisId axis) {
   row.asked = 0;
 }
 
-void GotoHome::draw_refusal(Frame& f, AxisId axis) {
+void GotoHome::draw_refusal(Frame& f, AxisId axis, const Rect& beside) {
   Row& row = rows_[axis.index];
-  const bool news = row.told != row.refused;
-  if (news) row.told = row.refused;
   if (row.refused.empty()) return;
-  Ui& ui = f.ui;
   const std::string& name = f.catalog.axes[axis.index].name;
   const DisplayUnit& unit = f.tab.unit(axis);
-  const float width = f.area.width;
-  const float words = wrapped_height(ui, Face::body, row.refused, ui.px(width));
-  const float height = words + ui.px(row.offers ? 64 : 24);
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const Path id("goto/{}/refused", name);
-  if (news) ui.registry.scroll_to(id);
-  show(ui, {id, Kind::text, "Refused", row.refused, {}, false, {}},
-       {at, ImVec2(at.x + ui.px(width), at.y + height)});
-  tinted(ui, Mood::fault, height);
-  gap(ui, 8);
-  wrapped(ui, Face::body, Tone::ink, row.refused, width);
-  if (row.offers) {
-    gap(ui, 4);
-    ButtonOptions o;
-    o.moving = true;
-    o.disabled = f.tab.why_not_move();
-    const std::string label =
-        fmt::format("Go {} {}", by_ ? "by" : "to", format_with_unit(row.nearest, unit).view());
-    if (button(ui, Path("goto/{}/nearest", name), label, o).clicked) {
-      const Steps nearest = row.nearest;
-      row.field.set(from_steps(nearest, unit), unit.real ? unit.decimals : 0);
-      go_to(f, axis, nearest);
-    }
+  const Path id("goto/{}/refused", name), nearest("goto/{}/nearest", name);
+  const Path label("Go {} {}", by_ ? "by" : "to", format_with_unit(row.nearest, unit).view());
+  const std::array<Action, 1> actions = {
+      Action{.id = nearest, .label = label, .disabled = f.tab.why_not_move(), .moving = true}};
+  const Path about("Go, {}", name);
+  row.card.begin(
+      f, {.id = id, .about = about, .words = row.refused, .actions = {actions.data(), row.offers ? 1u : 0u}},
+      beside);
+  const RefusalTouch done = row.card.end();
+  if (done.action == 0) {
+    row.field.set(from_steps(row.nearest, unit), unit.real ? unit.decimals : 0);
+    go_to(f, axis, row.nearest);
   }
-  gap(ui, 16);
+  if (done.closed) row.refused.clear(), row.offers = false;
 }
 
 }  // namespace hw::panels

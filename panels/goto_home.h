@@ -9,6 +9,7 @@
 
 #include "gui/panel.h"
 #include "gui/widgets/number_field.h"
+#include "panels/refusal_card.h"
 
 namespace hw::panels {
 
@@ -22,9 +23,9 @@ class GotoHome final : public gui::Panel {
     gui::NumberField field;
     IntentId asked = 0;   ///< the move that was sent last
     std::string refused;  ///< why the last one was not done
-    std::string told;     ///< of `refused`, what was brought into view
     Steps nearest{};      ///< offered instead, when `offers`
     bool offers = false;
+    RefusalCard card;
   };
   void draw_title(gui::Frame& frame);
   void draw_name(gui::Frame& frame, AxisId axis, ImVec2 at);
@@ -32,7 +33,7 @@ class GotoHome final : public gui::Panel {
   void draw_all_or_one(gui::Frame& frame);
   void draw_row(gui::Frame& frame, AxisId axis);
   void draw_homes(gui::Frame& frame, AxisId axis, std::string_view why);
-  void draw_refusal(gui::Frame& frame, AxisId axis);
+  void draw_refusal(gui::Frame& frame, AxisId axis, const gui::Rect& beside);
   void go(gui::Frame& frame, AxisId axis);
   void go_to(gui::Frame& frame, AxisId axis, Steps target);
   void follow(gui::Frame& frame, AxisId axis);

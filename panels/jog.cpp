@@ -179,8 +179,9 @@ void Jog::draw_button(Frame& f, AxisId axis, Sign sign, float x, float y, ImVec2
 void Jog::draw_stop(Frame& f, float x, float y, ImVec2 size) {
   Ui& ui = f.ui;
   ImGui::SetCursorScreenPos(ImVec2(origin_.x + ui.px(x), origin_.y + ui.px(y)));
-  const Touch t = touch(ui, {"jog/stop", Kind::button, "Stop", {}, {}, false, "Stops this controller"},
-                        ui.px(size.x, size.y));
+  const Touch t =
+      touch(ui, {"jog/stop", Kind::button, "Stop", {}, {}, false, "Stops this controller", false, true},
+            ui.px(size.x, size.y));
   if (t.hovered || t.held) draw_fill(ui, t.rect, ui[t.held ? Tone::sel : Tone::hover]);
   draw_outline(ui, t.rect, ui[Tone::fault]);
   const float middle = t.rect.centre().y;

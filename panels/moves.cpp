@@ -86,6 +86,7 @@ void Moves::draw_toolbar(Frame& f) {
   ImGui::SameLine(0, ui.px(8));
   ButtonOptions stop;
   stop.icon = Icon::stop;
+  stop.stops = true;
   stop.height = 40;
   stop.disabled = f.now.feed.running ? "" : "No list is on its way.";
   stop.tip = "Stops the axes and sends no more. Buffered mode is switched off.";

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/device/refusals.h"
 #include "gui/axis_look.h"
 #include "gui/tab.h"
 #include "gui/ui.h"
@@ -27,8 +28,9 @@ Caption about_number(Frame& f, AxisId axis) {
   } else if (!a.position_known) {
     said.words.append("not known: home it, or set it");
     said.tone = Tone::warn;
-  } else if (a.position_doubtful) {
-    said.words.append("doubtful: steps may be lost");
+  } else if (a.trust.doubtful()) {
+    said.words.append("untrusted: ");
+    said.words.append(brief_words_of(a.trust.cause));
     said.tone = Tone::warn;
   } else if (f.tab.unit(axis).real) {
     said.words = format_with_unit(a.position, steps);
@@ -154,7 +156,7 @@ float draw_at_work(Frame& f, AxisId axis, ImVec2 at, float room, bool right_alig
 DigitsState digits_state(const Snapshot& now, std::size_t axis, Instant clock) {
   const AxisState& a = now.axes[axis];
   const State state = state_of(now, static_cast<int>(axis), clock);
-  if (!a.position_known || a.position_doubtful) return DigitsState::untrusted;
+  if (!a.position_known || a.trust.doubtful()) return DigitsState::untrusted;
   if (state == State::lost || state == State::stale || state == State::connecting) return DigitsState::stale;
   return state == State::off ? DigitsState::off : DigitsState::good;
 }

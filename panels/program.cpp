@@ -169,7 +169,7 @@ void Program::draw_stop(Frame& f) {
   Desk& desk = f.tab.desk();
   const bool busy = under_way(f.now.program) || desk.job.busy();
   if (!button(f.ui, "program/stop", "Stop",
-              {.icon = Icon::stop, .disabled = busy ? "" : no_program, .height = 40})
+              {.icon = Icon::stop, .disabled = busy ? "" : no_program, .height = 40, .stops = true})
            .clicked)
     return;
   f.send(intent::HaltProgram());

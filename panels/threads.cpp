@@ -144,6 +144,7 @@ void draw_row(Frame& f, int n, const Rect& row) {
   ButtonOptions stop;
   stop.height = 28;
   stop.width = second;
+  stop.stops = true;
   if (!words) stop.icon = Icon::stop, stop.tip = "Stop";
   stop.disabled = is_busy(t) || t.run == RunState::error ? no_link : "It does not run.";
   if (button(ui, Path("thread/{}/stop", n), words ? "Stop" : "", stop).clicked)

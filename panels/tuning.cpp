@@ -248,7 +248,7 @@ void Tuning::draw_toolbar(Frame& f) {
   }
   ImGui::SameLine(0, ui.px(8));
   ButtonOptions again;
-  again.moving = true;
+  again.moving = !repeat_;  // a press that ends it waits for nothing
   again.height = 40;
   again.on = repeat_;
   again.disabled = repeat_ ? std::string_view() : why_not(f);

@@ -21,6 +21,7 @@ struct AxisInfo {
   bool home_input = false;   ///< tells whether it stands on its home switch: AxisState::home
   bool alarm_input = false;  ///< of its motor's driver: AxisState::alarm
   bool servo = false;        ///< its position is its encoder's: AxisState::loop, AxisState::command
+  std::string switch_on = {};  ///< the maker's command that switches its current on: "EO1=1"
 };
 
 /// A ready-made conversion from steps to a real unit (lead screws, rotary tables).
@@ -34,7 +35,8 @@ struct UnitChoice {
 struct HomingMode {
   std::string id;          ///< for scripts: "limit"
   std::string label;       ///< "to the limit switch"
-  std::string maker = {};  ///< the maker's word for it, where it has one: "ZH"
+  std::string maker = {};     ///< the maker's word for it, where it has one: "ZH"
+  bool sets_position = true;  ///< the count is set where it ends
 };
 
 struct InputInfo {
@@ -130,7 +132,8 @@ struct ActionField {
   int decimals = 0;
   std::vector<ParamChoice> choices;  ///< not empty: exactly these values
   bool follows_loop = false;         ///< as ParamInfo::follows_loop
-  int loop_axis = -1;  ///< whose loop; -1: of what is chosen in the field "axis", else the only one
+  bool is_place = false;             ///< a position that an axis is sent by: it takes the count for true
+  int of_axis = -1;  ///< whose value it is; -1: of what is chosen in the field "axis", else of the only one
 };
 /// Something the controller can be told to do that is no verb of all controllers: intent::Act. Drawn as a
 /// button with its fields.

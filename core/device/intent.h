@@ -32,7 +32,8 @@ enum class Closing : std::uint8_t {
 struct MoveTo {
   std::vector<AxisTarget>
       targets;  ///< absolute; several axes: together where the controller can, else in order
-  Pps speed;    ///< 0: as the controller is set
+  Pps speed;                   ///< 0: as the controller is set
+  bool despite_doubt = false;  ///< this once, although a position is not to be trusted; see PositionTrust
   explicit MoveTo(std::vector<AxisTarget> t, Pps s = {}) : targets(std::move(t)), speed(s) {}
 };
 struct MoveBy {
@@ -76,6 +77,11 @@ struct SetPosition {
   int axis;
   Steps value;
   explicit SetPosition(int a, Steps v = {}) : axis(a), value(v) {}
+};
+/// Takes the present position for true as it reads, on the user's word. Nothing is sent.
+struct TrustPosition {
+  AxisId axis;
+  explicit TrustPosition(AxisId a) : axis(a) {}
 };
 /// Makes the present encoder count read `value`.
 struct SetEncoder {
@@ -136,7 +142,10 @@ struct ClearProgram {
 /// `slot`: where the catalog has threads, the thread to run.
 struct RunProgram {
   int slot;
-  explicit RunProgram(int s) : slot(s) {}
+  /// Where a text that the console itself has written goes; a text of the user's is his own word.
+  std::vector<AxisTarget> places;
+  bool despite_doubt = false;
+  explicit RunProgram(int s, std::vector<AxisTarget> p = {}) : slot(s), places(std::move(p)) {}
 };
 struct Pause {  ///< hold before the next command
   int thread;   ///< -1: the only one, or all
@@ -157,6 +166,7 @@ struct Act {
   int action;  ///< index into Catalog::actions
   std::vector<std::int64_t> values;
   Closing closing = Closing::ask;
+  bool despite_doubt = false;
   Act(int a, std::vector<std::int64_t> v) : action(a), values(std::move(v)) {}
 };
 struct SetVariable {
@@ -181,6 +191,7 @@ struct Sample {
 /// it.
 struct FeedMoves {
   std::vector<std::vector<std::int64_t>> rows;
+  bool despite_doubt = false;
   explicit FeedMoves(std::vector<std::vector<std::int64_t>> r) : rows(std::move(r)) {}
 };
 /// The maker's own text, framing added by the driver, no waiting.
@@ -197,8 +208,8 @@ struct ReadAgain {};  ///< read the whole state afresh (after a doubt)
 
 using IntentBody = std::variant<
     intent::MoveTo, intent::MoveBy, intent::JogStart, intent::JogKeepAlive, intent::JogStop, intent::Home,
-    intent::Stop, intent::Abort, intent::SetPosition, intent::SetEncoder, intent::SetPower, intent::SetOutput,
-    intent::SetParam, intent::ReadParams, intent::ReadAnalog, intent::Store, intent::SelectProgram,
+    intent::Stop, intent::Abort, intent::SetPosition, intent::TrustPosition, intent::SetEncoder, intent::SetPower,
+    intent::SetOutput,    intent::SetParam, intent::ReadParams, intent::ReadAnalog, intent::Store, intent::SelectProgram,
     intent::LoadProgram, intent::UploadProgram, intent::ClearProgram, intent::RunProgram, intent::Pause,
     intent::Resume, intent::SingleStep, intent::HaltProgram, intent::Act, intent::SetVariable, intent::Watch,
     intent::Sample, intent::FeedMoves, intent::SendText, intent::Reset, intent::Reconnect, intent::ReadAgain>;

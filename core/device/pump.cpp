@@ -252,17 +252,22 @@ void Pump::know_store_count(std::int32_t writes_used) {
 // ---- what is told
 
 void Pump::set_fate(IntentId id, Fate fate, std::string_view sentence) {
-  if (id == 0) return;
+  IntentFate told;
+  told.id = id;
+  told.fate = fate;
+  told.sentence = sentence;
+  set_fate(told);
+}
+
+void Pump::set_fate(const IntentFate& told) {
+  if (told.id == 0) return;
   auto& fates = draft_.fates;
-  auto at = std::find_if(fates.begin(), fates.end(), [&](const IntentFate& f) { return f.id == id; });
+  auto at = std::find_if(fates.begin(), fates.end(), [&](const IntentFate& f) { return f.id == told.id; });
   if (at == fates.end()) {
     std::move_backward(fates.begin(), fates.end() - 1, fates.end());
     at = fates.begin();
-    at->id = id;
   }
-  at->fate = fate;
-  at->sentence = sentence;
-  at->asks = false;
+  *at = told;
 }
 
 void Pump::publish() {

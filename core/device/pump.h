@@ -67,6 +67,8 @@ class Pump {
   Task<> live();
   Task<> serve();
   Task<> perform_next();
+  bool refuse_to_move(const Intent& intent);
+  Result<> trust_position(AxisId axis);
   Task<Result<>> stop_as_asked(const IntentBody& body);
   // These two run beside live(); whoever starts one counts it in stops_under_way_ first.
   Task<> stop_and_report(Intent intent);
@@ -105,6 +107,7 @@ class Pump {
   void poll_finished(const Result<>& result);
   void lose_wire(const Fault& why);
   void set_fate(IntentId id, Fate fate, std::string_view sentence = {});
+  void set_fate(const IntentFate& told);
   void tell_fault(IntentId id, const Fault& fault);
   void publish();
 

@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include "core/device/pump_job.h"
+#include "core/device/refusals.h"
 
 namespace hw {
 namespace {
@@ -205,10 +206,42 @@ void Pump::count_program_change(const Intent& intent) {
 }
 
 void Pump::tell_fault(IntentId id, const Fault& fault) {
-  const bool asks = fault.kind == FaultKind::asks;
-  set_fate(id, asks || fault.kind == FaultKind::refused ? Fate::refused : Fate::failed, fault.sentence());
-  for (IntentFate& fate : draft_.fates)
-    if (fate.id == id && id != 0) fate.asks = asks;
+  IntentFate told;
+  told.id = id;
+  told.asks = fault.kind == FaultKind::asks;
+  told.fate = told.asks || fault.kind == FaultKind::refused ? Fate::refused : Fate::failed;
+  told.sentence = fault.sentence();
+  set_fate(told);
+}
+
+/// What no driver is asked for: see refusals.h.
+bool Pump::refuse_to_move(const Intent& intent) {
+  const auto powered = has_power(catalog_, draft_, intent.body);
+  IntentFate told;
+  told.id = intent.id;
+  told.fate = Fate::refused;
+  told.doubtful = powered ? doubtful_axes(catalog_, draft_, intent.body) : 0;
+  if (powered && told.doubtful == 0) return false;
+  told.sentence = powered ? say_doubtful(catalog_, draft_, intent.body, told.doubtful,
+                                         words_in_steps(catalog_, draft_))
+                          : powered.error().sentence();
+  set_fate(told);
+  jog_not_begun(intent);
+  publish();
+  return true;
+}
+
+Result<> Pump::trust_position(AxisId axis) {
+  if (axis.index >= catalog_.axes.size())
+    return fail(FaultKind::refused, fmt::format("There is no axis {}.", axis.index + 1));
+  AxisState& state = draft_.axes[axis.index];
+  if (!state.position_known)
+    return fail(FaultKind::refused,
+                fmt::format("The position of {} is not known, so it cannot be taken for true.",
+                            spoken_name(catalog_, axis.index)),
+                {}, "Home it, or set its position.");
+  state.trust.settle(Trust::set, scheduler_.now());
+  return {};
 }
 
 Task<> Pump::perform_next() {
@@ -229,10 +262,17 @@ Task<> Pump::perform_next() {
     job.release();  // its asker owns it from here
     co_return;
   }
+  if (refuse_to_move(job->intent)) {
+    performing_ = false;
+    co_return;
+  }
   Result<> performed;
   const std::uint64_t stops_before = stops_begun_;
   try {
-    performed = co_await driver_->perform(job->intent.body);
+    if (const auto* wish = std::get_if<intent::TrustPosition>(&job->intent.body))
+      performed = trust_position(wish->axis);
+    else
+      performed = co_await driver_->perform(job->intent.body);
   } catch (const std::exception& defect) {
     performed = fail(failed_inside("command", defect));
   }

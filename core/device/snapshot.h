@@ -10,6 +10,7 @@
 #include "core/base/fixed_text.h"
 #include "core/base/units.h"
 #include "core/device/intent.h"
+#include "core/device/trust.h"
 #include "core/time/clock.h"
 
 namespace hw {
@@ -56,10 +57,10 @@ enum class Loop : std::uint8_t {
 };
 
 struct AxisState {
-  Steps position{};                ///< of a servo axis: its encoder's
-  Instant seen_at{};               ///< when the position was read
-  bool position_known = false;     ///< false: never read, or not true any more since a loss or reset
-  bool position_doubtful = false;  ///< the controller counts, but steps may have been lost (see `doubt`)
+  Steps position{};             ///< of a servo axis: its encoder's
+  Instant seen_at{};            ///< when the position was read
+  bool position_known = false;  ///< false: never read, or not true any more since a loss or reset
+  PositionTrust trust;          ///< of what is known
   Activity activity = Activity::unknown;
   Phase phase = Phase::unknown;
   AxisError error = AxisError::none;
@@ -127,8 +128,9 @@ enum class Fate : std::uint8_t { pending, done, refused, failed };
 struct IntentFate {
   IntentId id = 0;
   Fate fate = Fate::pending;
-  FixedText<320> sentence;  ///< refused or failed: Fault::sentence()
-  bool asks = false;        ///< refused until intent::Closing says what is to be done
+  FixedText<320> sentence;     ///< refused or failed: Fault::sentence()
+  bool asks = false;           ///< refused until intent::Closing says what is to be done
+  std::uint32_t doubtful = 0;  ///< refused for it: bit per axis whose position is not to be trusted
   bool operator==(const IntentFate&) const = default;
 };
 

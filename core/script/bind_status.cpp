@@ -156,7 +156,7 @@ int push_axis_status(lua_State* L, const Snapshot& known, const Catalog&, int ax
   set_flag(L, "enabled", s.enabled);
   set_flag(L, "slip", s.slipped);
   set_flag(L, "position_known", s.position_known);
-  set_flag(L, "position_doubtful", s.position_doubtful);
+  set_flag(L, "position_doubtful", s.trust.doubtful());
   set_word(L, "activity", name_of(s.activity));
   set_word(L, "ended_by", name_of(s.ended_by));
   return 1;

@@ -95,7 +95,7 @@ float button_width(const Ui& ui, std::string_view label, const ButtonOptions& o)
 
 Touch button(Ui& ui, std::string_view id, std::string_view label, const ButtonOptions& o) {
   const float w = o.width == 0 ? ui.px(button_width(ui, label, o)) : width_px(ui, o.width);
-  const About about{id, Kind::button, label, o.on ? "on" : "", o.disabled, o.moving, o.tip};
+  const About about{id, Kind::button, label, o.on ? "on" : "", o.disabled, o.moving, o.tip, false, o.stops};
   const Touch t = touch(ui, about, ImVec2(w, ui.px(o.height)));
   const Paint paint = paint_of(ui, t, o);
   if (paint.fill) draw_fill(ui, t.rect, paint.fill);
@@ -120,7 +120,7 @@ bool link(Ui& ui, std::string_view id, std::string_view label, std::string_view 
 }
 
 Touch stop_button(Ui& ui, ImVec2 size, std::string_view second) {
-  const Touch t = touch(ui, {"stop_all", Kind::button, "STOP ALL", second, {}, false, {}, true}, size);
+  const Touch t = touch(ui, {"stop_all", Kind::button, "STOP ALL", second, {}, false, {}, true, true}, size);
   ImDrawList* list = ImGui::GetWindowDrawList();
   const ImU32 fill_colour = t.held ? ui[Tone::on_stop] : ui[Tone::stop];
   const ImU32 ink = t.held ? ui[Tone::stop] : ui[Tone::on_stop];

@@ -27,6 +27,7 @@ struct ButtonOptions {
   float width = 0;      ///< logical; 0 natural, `fill` the rest of the line
   float height = 32;    ///< 32 or 40; 28 in rows (the hit stays the row's)
   bool moving = false;  ///< can start motion
+  bool stops = false;   ///< a Stop
   bool on = false;      ///< chosen: `sel` and `edge`
 };
 

@@ -162,7 +162,8 @@ bool touch_each_other(const Rect& a, const Rect& b) {
 std::vector<Rect> controls_in(const Ui& ui, const Rect& within) {
   std::vector<Rect> all;
   for (const Widget& w : ui.registry.widgets()) {
-    if (!w.usable() || w.kind == Kind::editor || w.id.starts_with("toast/")) continue;
+    const bool in_the_way = (w.usable() && w.kind != Kind::editor) || w.card;
+    if (!in_the_way || w.id.starts_with("toast/")) continue;
     const Rect seen{ImVec2(std::max(w.rect.min.x, w.clip.min.x), std::max(w.rect.min.y, w.clip.min.y)),
                     ImVec2(std::min(w.rect.max.x, w.clip.max.x), std::min(w.rect.max.y, w.clip.max.y))};
     if (seen.width() > 0 && seen.height() > 0 && touch_each_other(seen, within)) all.push_back(seen);

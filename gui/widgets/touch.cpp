@@ -9,7 +9,10 @@
 namespace hw::gui {
 namespace {
 
-void add_to_registry(Ui& ui, const About& about, const Rect& rect, bool hovered) {
+constexpr double says_not_taken_s = 2;
+
+void add_to_registry(Ui& ui, const About& about, const Rect& rect, bool hovered,
+                     const Standing::Place* place = nullptr) {
   Widget w;
   w.id = about.id;
   w.label = about.label;
@@ -22,6 +25,12 @@ void add_to_registry(Ui& ui, const About& about, const Rect& rect, bool hovered)
   w.layer = GImGui->BeginPopupStack.Size;
   w.enabled = about.disabled.empty();
   w.moving = about.moving;
+  w.stops = about.stops;
+  w.card = about.card;
+  if (place) {
+    w.stands_since_s = place->since_s;
+    w.not_taken = place->not_taken_until_s > ui.now_s;
+  }
   w.hovered = hovered;
   ui.registry.add(w);
 }
@@ -48,6 +57,35 @@ void press_by_keyboard(Ui& ui, std::string_view id, Touch& t) {
   if (t.armed) ui.wake_in(2.0);
 }
 
+/// A press on what has only just come under the hand is none, and neither is letting go of it.
+void refuse_early_press(Ui& ui, Standing::Place& place, Touch& t) {
+  if (t.started) place.not_taken_until_s = 0;
+  if (t.started && place.too_early(t.pressed_at_s)) {
+    place.not_taken_until_s = ui.now_s + says_not_taken_s;
+    ImGui::ClearActiveID();
+    t.started = t.held = t.clicked = t.double_clicked = false;
+  }
+  t.not_taken = place.not_taken_until_s > ui.now_s;
+  if (t.not_taken) ui.wake_in(place.not_taken_until_s - ui.now_s);
+}
+
+std::string_view why_not_taken(const Standing::Place& place) {
+  return place.came_alive ? "Not taken: it had come alive only just before. Press again."
+                          : "Not taken: it had only just come here. Press again.";
+}
+
+/// Why it cannot be pressed, what it does, or what a press has done to it.
+void tell(Ui& ui, const About& about, const Touch& t, bool over, const Standing::Place* place) {
+  const std::string_view said = !t.enabled ? about.disabled : about.tip;
+  const bool told_by_ring = t.ring && !t.armed && !t.enabled;
+  if (t.armed)
+    tooltip(ui, "Press again within two seconds: this moves something.", &t.rect);
+  else if (t.not_taken)
+    tooltip(ui, why_not_taken(*place), &t.rect);
+  else if (!said.empty() && !t.held && (over || told_by_ring))
+    tooltip(ui, said, over ? nullptr : &t.rect);
+}
+
 }  // namespace
 
 Touch touch(Ui& ui, const About& about, ImVec2 size) {
@@ -62,9 +100,15 @@ Touch touch(Ui& ui, const About& about, ImVec2 size) {
   const bool pressed = ImGui::InvisibleButton("", size);
   const bool over = about.always ? t.rect.contains(ImGui::GetIO().MousePos) : ImGui::IsItemHovered();
   t.hovered = over;
+  Standing::Place* place = nullptr;
+  if (about.moving) {
+    const bool uncovered = GImGui->BeginPopupStack.Size >= ui.registry.top_layer();
+    place = &ui.standing.see(ImGui::GetID(""), t.rect, t.enabled && uncovered, ui.now_s);
+  }
   if (t.enabled) {
     t.clicked = about.always ? over && ImGui::IsMouseClicked(0) : pressed;
     press_by_mouse(ui, t);
+    if (place) refuse_early_press(ui, *place, t);
     if (t.started) ui.focus.set(about.id);
     press_by_keyboard(ui, about.id, t);
   }
@@ -74,13 +118,8 @@ Touch touch(Ui& ui, const About& about, ImVec2 size) {
   t.held |= ui.pretend == Ui::Pretend::held;
   t.ring |= ui.pretend == Ui::Pretend::ring;
   if (ui.registry.wants_scroll(about.id)) ImGui::ScrollToItem(ImGuiScrollFlags_KeepVisibleEdgeY);
-  add_to_registry(ui, about, t.rect, over);
-  const std::string_view said = !t.enabled ? about.disabled : about.tip;
-  const bool told_by_ring = t.ring && !t.armed && !t.enabled;
-  if (t.armed)
-    tooltip(ui, "Press again within two seconds: this moves something.", &t.rect);
-  else if (!said.empty() && !t.held && (over || told_by_ring))
-    tooltip(ui, said, over ? nullptr : &t.rect);
+  add_to_registry(ui, about, t.rect, over, place);
+  tell(ui, about, t, over, place);
   return t;
 }
 
@@ -108,6 +147,7 @@ void draw_outline(Ui& ui, const Rect& r, ImU32 colour, float rounding, float wid
 }
 
 void draw_ring(Ui& ui, const Touch& t) {
+  if (t.not_taken) draw_dashed_outline(ui, t.rect, ui[Tone::warn]);
   if (!t.ring) return;
   const float out = ui.px(4), w = ui.px(2);
   const Rect r{ImVec2(t.rect.min.x - out, t.rect.min.y - out),

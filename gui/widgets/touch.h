@@ -16,6 +16,8 @@ struct About {
   bool moving = false;             ///< can start motion
   std::string_view tip = {};
   bool always = false;  ///< STOP ALL: works on the press already, and under every dialog and list
+  bool stops = false;   ///< a Stop
+  bool card = false;    ///< the ground of a card over other parts
 };
 
 struct Touch {
@@ -30,13 +32,14 @@ struct Touch {
   double pressed_at_s = 0, released_at_s = 0;  ///< times of the hand, not of the frame
   bool ring = false;                           ///< shows the focus ring
   bool armed = false;                          ///< one press of the keyboard has come, the second moves
+  bool not_taken = false;                      ///< a press came before it had stood still, and was none
 };
 
 /// `size` in pixels.
 Touch touch(Ui& ui, const About& about, ImVec2 size);
 /// The same for what nobody can press (lamps, meters): registers the last ImGui item's place or `rect`.
 void show(Ui& ui, const About& about, const Rect& rect);
-/// 2 px ring, 2 px outside the control.
+/// 2 px ring, 2 px outside the control; and dashes around one whose press was not taken.
 void draw_ring(Ui& ui, const Touch& t);
 /// Outline of `hair` width that lies on whole pixels inside `r`.
 void draw_outline(Ui& ui, const Rect& r, ImU32 colour, float rounding = 3, float width = 0);

@@ -1,6 +1,10 @@
 #pragma once
 // One registered controller as an in-process emulator, opened through the real wire, link, driver and session
 // in virtual time. A fifth controller is tested by being listed.
+#include <algorithm>
+#include <string>
+#include <vector>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -9,6 +13,18 @@
 #include "transports/open.h"
 
 namespace hw {
+
+inline std::vector<const DeviceType*> emulated_types() {
+  std::vector<const DeviceType*> all;
+  for (const DeviceType& type : device_types())
+    if (type.make_emulator) all.push_back(&type);
+  return all;
+}
+inline std::string name_of_type(const testing::TestParamInfo<const DeviceType*>& info) {
+  std::string name(info.param->model);
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
 
 class ContractTest : public testing::TestWithParam<const DeviceType*> {
  protected:
@@ -21,6 +37,7 @@ class ContractTest : public testing::TestWithParam<const DeviceType*> {
     ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::good; }, std::chrono::seconds(10)))
         << now().link.sentence.view();
     run(std::chrono::seconds(2));
+    switch_on();
   }
   void TearDown() override {
     if (!session) return;
@@ -50,6 +67,14 @@ class ContractTest : public testing::TestWithParam<const DeviceType*> {
     run_until([&] { return now().fate_of(id) && now().fate_of(id)->fate != Fate::pending; }, patience);
     const IntentFate* fate = now().fate_of(id);
     return fate ? *fate : IntentFate{};
+  }
+  /// The motors whose current can be switched: some have none after power-up.
+  void switch_on() {
+    for (std::size_t i = 0; i < session->catalog().axes.size(); ++i) {
+      if (!session->catalog().axes[i].switchable) continue;
+      EXPECT_EQ(perform(intent::SetPower(static_cast<int>(i), true)).fate, Fate::done);
+    }
+    run(std::chrono::seconds(1));
   }
   bool becomes_idle(Duration patience) {
     run(Millis(300));

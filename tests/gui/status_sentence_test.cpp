@@ -235,7 +235,7 @@ TEST_F(StatusSentenceTest, MotorThatIsNotChosenIsSaidBeforeTheFirstMove) {
 }
 
 TEST_F(StatusSentenceTest, DoubtIsSaid) {
-  now.axes[0].position_doubtful = true;
+  now.axes[0].trust.doubt(Doubt::power_cut, {});
   EXPECT_EQ(say().mood, Mood::warn);
   now.axes[0].position_known = false;
   EXPECT_EQ(say().text, "Where motor 1 stands is not known. Home it, or say where it is.");

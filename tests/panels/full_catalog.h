@@ -86,7 +86,7 @@ inline void add_full_actions(Catalog& c) {
   };
   c.actions[3].fields[1].follows_loop = true;
   c.actions[4].fields[0].follows_loop = c.actions[4].fields[1].follows_loop = true;
-  c.actions[4].fields[0].loop_axis = 0, c.actions[4].fields[1].loop_axis = 1;
+  c.actions[4].fields[0].of_axis = 0, c.actions[4].fields[1].of_axis = 1;
   c.actions[6].of_move_buffer = c.actions[7].of_move_buffer = true;
   c.actions[8].follows_analog = true;
 }

@@ -110,7 +110,7 @@ TEST_P(Screens, Lost) {
   s.run(0.5);
   s.stale = true;
   a.now.axes[0].position = Steps(36560);
-  a.now.axes[0].position_doubtful = true;
+  a.now.axes[0].trust.doubt(Doubt::power_cut, {});
   a.now.link.state = LinkState::lost;
   a.now.link.lost_at = s.scheduler.now();
   a.now.link.next_attempt = s.scheduler.now() + Millis(8000);

@@ -138,7 +138,7 @@ TEST_F(UsbSession, SwitchedOffMeanwhileItIsSaidSo) {
   plug_in(controller());
   ASSERT_TRUE(until([&] { return known().link.state == LinkState::good; })) << sentence();
   EXPECT_THAT(told(), HasSubstr("switched off and on"));
-  EXPECT_TRUE(axis().position_doubtful);
+  EXPECT_TRUE(axis().trust.doubtful());
 }
 
 TEST_F(UsbSession, ACutReplyIsNeverTakenForAWholeOne) {

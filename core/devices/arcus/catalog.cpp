@@ -63,7 +63,8 @@ Catalog common_catalog(const Model& model, const Wording& wording) {
   c.loop_word = "counts";
   for (int axis = 0; axis < model.axes(); ++axis)
     c.axes.push_back({axis_letter(model, axis), fmt::format("axis {}", axis_letter(model, axis)), true, true,
-                      true, model.status.alarm != no_bit});
+                      true, model.status.alarm != no_bit,
+                      model.axes() > 1 ? fmt::format("EO{}=1", axis + 1) : std::string("EO=1")});
   c.homing_modes = {{"home", "onto the home switch, high speed"},
                     {"limit", "to the limit switch"},
                     {"home-index", "home switch, then encoder index"},
@@ -162,12 +163,14 @@ ActionField number_field(std::string id, std::string label, std::string unit, st
 }
 
 ActionField position_field(std::string id, std::string label, std::string unit) {
-  return number_field(std::move(id), std::move(label), std::move(unit), position_min, position_max);
+  ActionField f = number_field(std::move(id), std::move(label), std::move(unit), position_min, position_max);
+  f.is_place = true;
+  return f;
 }
 
 ActionField followed(ActionField field, int axis) {
   field.follows_loop = true;
-  field.loop_axis = axis;
+  field.of_axis = axis;
   return field;
 }
 

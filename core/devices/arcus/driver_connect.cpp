@@ -244,7 +244,7 @@ void ArcusDriver::restarted(std::string_view how_it_shows) {
   for (int i = 0; i < axis_count(); ++i) {
     minds_[static_cast<std::size_t>(i)] = AxisMind();
     draft_.axes[i].has_target = false;
-    draft_.axes[i].position_doubtful = true;
+    draft_.axes[i].trust.doubt(Doubt::power_cut, scheduler_.now());
   }
   tell(Notice::Kind::warning,
        fmt::format(

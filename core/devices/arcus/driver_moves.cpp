@@ -247,7 +247,7 @@ Task<Result<>> ArcusDriver::set_position(intent::SetPosition wish) {
             axis_name(axis));
       co_return set;
     }
-    draft_.axes[axis].position_doubtful = false;
+    draft_.axes[axis].trust.settle(Trust::set, scheduler_.now());
     draft_.axes[axis].has_target = false;  // it counts from elsewhere now
   }
   co_return co_await read_motion(Priority::intent);

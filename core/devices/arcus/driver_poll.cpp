@@ -257,7 +257,7 @@ void ArcusDriver::show_ended(int index) {
   const bool was_moving = moving(index);
   if (was_moving) axis.ended_by = how_it_ended(index);
   if (was_moving && mind.wanted == Activity::homing && axis.ended_by == EndedBy::target)
-    axis.position_doubtful = false;
+    axis.trust.settle(Trust::homed, scheduler_.now());
   mind.ours = false;
   mind.with = 0;
   mind.wanted = Activity::idle;

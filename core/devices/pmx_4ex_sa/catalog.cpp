@@ -141,6 +141,8 @@ Result<Catalog> make_catalog(const DeviceOptions& options) {
   c.move_list.columns = {position_field("x", "X", "pulses"), position_field("y", "Y", "pulses"),
                          position_field("z", "Z", "pulses"),
                          number_field("speed", "Speed", "pulses/s", 1, arcus::max_speed, 1000)};
+  for (int axis = 0; axis < buffer_axes; ++axis)
+    c.move_list.columns[static_cast<std::size_t>(axis)].of_axis = axis;
   c.move_list.depth = buffer_places;
   c.move_list.readout_group = arcus::buffer;
   c.analog_readout_group = arcus::analog_inputs;

@@ -45,6 +45,7 @@ std::vector<AxisInfo> axes(const Variant& variant) {
     axis.description =
         fmt::format("{} axis {}", fitting.kind == AxisKind::servo ? "servo" : "step", axis.name);
     axis.switchable = axis.servo = fitting.kind == AxisKind::servo;
+    if (axis.switchable) axis.switch_on = fmt::format("A{} HN", axis.name);
     axis.home_input = true;
     all.push_back(std::move(axis));
   }
@@ -166,7 +167,8 @@ ActionInfo action(std::string id, std::string label, std::string help, std::stri
 std::vector<ActionInfo> actions(const Variant& variant) {
   const auto any = [](const AxisFitting&) { return true; };
   const auto encoder = [](const AxisFitting& f) { return f.encoder; };
-  const auto position = field("position", "Position", "counts", -position_max, position_max, 0);
+  auto position = field("position", "Position", "counts", -position_max, position_max, 0);
+  position.is_place = true;
   std::vector<ActionInfo> all;
   all.push_back(action("clear_flags", "Clear flags",
                        "IC: clears the done, slip and command error flags of the board.", "Flags", {},
@@ -263,7 +265,7 @@ Result<Catalog> make_catalog(const DeviceOptions& options_given) {
   c.axes = axes(variant);
   c.homing_modes = {{"home", "to the home switch, 0 at its edge", "HM"},
                     {"home-return", "to the home switch, then back onto its edge", "HR"},
-                    {"kill", "stop dead at the home switch, count kept", "KM"}};
+                    {"kill", "stop dead at the home switch, count kept", "KM", false}};
   c.inputs = inputs(board->outputs);
   c.outputs = output_infos(board->outputs, variant);
   c.params = param_infos(variant);

@@ -179,7 +179,7 @@ class Vme58Driver final : public Driver {
   Task<Result<>> forget_others_units();
   void tell_other_jumpers();
   Task<Result<>> leave_mark();
-  Task<Result<>> found_reset();
+  Task<Result<>> found_reset(Doubt why);
   Task<Result<>> reset_by_text(std::string text);
   void lose_motions();
   void forget();
@@ -196,6 +196,8 @@ class Vme58Driver final : public Driver {
   void show_still(int axis, Instant at);
   void show_limits(int axis);
   void end_motion(int axis, EndedBy ended_by);
+  void trusted(int axis, Trust how) { draft_.axes[axis].trust.settle(how, scheduler_.now()); }
+  void doubt_killed_positions();
   void show_worst();
   void record_round();
   [[nodiscard]] std::int64_t value(int axis, AxisValue v) const;

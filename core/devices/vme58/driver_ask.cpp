@@ -51,7 +51,7 @@ Task<Result<>> Vme58Driver::ask_in_turn() {
       for (int i = 0; i < axis_count(); ++i) {
         const bool ours = minds_[ix(i)].ours;
         const bool homed = !ours && std::exchange(minds_[ix(i)].homes, false);
-        if (homed && draft_.axes[i].ended_by == EndedBy::nothing) draft_.axes[i].position_doubtful = false;
+        if (homed && draft_.axes[i].ended_by == EndedBy::nothing) trusted(i, Trust::homed);
         minds_[ix(i)].by_text = false;
       }
     }
@@ -141,7 +141,8 @@ void Vme58Driver::take_done(unsigned axes) {
   }
 }
 
-// RL leaves the flags as they are. Of a flag that was seen before nothing more is told.
+// RL leaves the flags as they are. Of a flag that was seen before nothing more is told. A step motor that has
+// slipped is not where its count says; a servo motor is where its encoder is.
 Task<Result<>> Vme58Driver::read_slips() {
   const auto before = slips_;
   auto reply = co_await ask("RL\n", Priority::poll);
@@ -150,6 +151,7 @@ Task<Result<>> Vme58Driver::read_slips() {
     if ((*reply)[ix(i)] != 'S' || bit(slips_, i)) continue;
     slips_ = static_cast<std::uint8_t>(slips_ | 1u << i);
     draft_.axes[i].slipped = true;
+    if (!catalog_.axes[ix(i)].switchable) draft_.axes[i].trust.doubt(Doubt::slipped, scheduler_.now());
     if (const int place = catalog_.find_readout(fmt::format("SLIP{}", axis_name(i))); place >= 0)
       draft_.readouts[ix(place)] = 1;
     tell(Notice::Kind::warning,

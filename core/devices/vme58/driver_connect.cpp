@@ -139,7 +139,7 @@ Task<Result<>> Vme58Driver::connect(Station& station) {
     if (!marked) co_return marked;
   }
   if (was_reset) {
-    auto told = co_await found_reset();
+    auto told = co_await found_reset(Doubt::restarted);
     if (!told) co_return told;
   }
   co_return co_await read_state();
@@ -269,7 +269,7 @@ Task<Result<>> Vme58Driver::leave_mark() {
 }
 
 // Everything that was set is as from the factory again.
-Task<Result<>> Vme58Driver::found_reset() {
+Task<Result<>> Vme58Driver::found_reset(Doubt why) {
   tell(Notice::Kind::warning,
        "The board has been reset, or switched off and on, since the console last read it. Positions, set-up "
        "and "
@@ -281,7 +281,7 @@ Task<Result<>> Vme58Driver::found_reset() {
   context_ = Context();
   selection_lost_ = false;
   factory_params();
-  for (int i = 0; i < axis_count(); ++i) draft_.axes[i].position_doubtful = true;
+  for (int i = 0; i < axis_count(); ++i) draft_.axes[i].trust.doubt(why, scheduler_.now());
   auto taken = co_await take_over_rings();
   if (!taken) co_return taken;
   // Connecting anew has selected what the user's text had, before this was known.
@@ -305,7 +305,7 @@ Task<Result<>> Vme58Driver::reset_by_text(std::string text) {
     seen = seen || !started || registers->mark == 0;
     if (!seen) take_registers(*registers);
     if (seen && started) {
-      auto told = co_await found_reset();
+      auto told = co_await found_reset(Doubt::reset);
       if (!told) co_return told;
       co_return co_await read_state();
     }

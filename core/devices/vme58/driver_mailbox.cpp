@@ -125,6 +125,7 @@ Task<Result<>> Vme58Driver::stop_axis(std::string selector) {
 
 /// SA, SD or KL.
 Task<Result<>> Vme58Driver::stop_all(std::string_view word) {
+  if (word == "KL") doubt_killed_positions();
   // The mail overtakes text that stands in the ring: taken a moment later it would move behind the stop.
   const bool overtakes = on_its_way_;
   auto mailed = co_await mail(word);
@@ -141,6 +142,21 @@ Task<Result<>> Vme58Driver::stop_all(std::string_view word) {
   auto written = co_await write(text, Priority::stop);
   if (written) co_return written;
   co_return mailed;
+}
+
+/// Its pulses end with KL, not its mass: a step motor stays in step only up to the speed at which it may
+/// start without a ramp too.
+void Vme58Driver::doubt_killed_positions() {
+  for (int i = 0; i < axis_count(); ++i) {
+    AxisState& axis = draft_.axes[i];
+    const std::int64_t safe = value(i, AxisValue::base_velocity);
+    if (catalog_.axes[ix(i)].switchable || axis.speed.value <= static_cast<double>(safe)) continue;
+    axis.trust.doubt(Doubt::killed, scheduler_.now());
+    tell(Notice::Kind::warning,
+         fmt::format("Axis {} was stopped without a ramp at {:.0f} counts/s. Above {} (VB) it may have lost "
+                     "steps: its position is doubtful until it is homed or set.",
+                     axis_name(i), axis.speed.value, safe));
+  }
 }
 
 void Vme58Driver::stopping(int axis, bool at_once) {

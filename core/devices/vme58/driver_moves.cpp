@@ -101,10 +101,6 @@ Task<Result<>> Vme58Driver::move(std::vector<AxisTarget> wish, Pps speed_wish, b
                      fmt::format("Position {} of axis {} lies outside the board's range, ±{}.", goal,
                                  axis_name(axis), position_max),
                      "Nothing was sent.");
-    if (!relative && draft_.axes[axis].position_doubtful)
-      tell(Notice::Kind::warning,
-           fmt::format("The position of {} is doubtful: {} may lie elsewhere than before.", axis_name(axis),
-                       t.value.value));
     if (relative && t.value.value == 0) continue;
     operands[ix(axis)] = t.value.value;
     targets[ix(axis)] = Steps(goal);
@@ -210,7 +206,7 @@ Task<Result<>> Vme58Driver::set_position(intent::SetPosition wish) {
   auto loaded = co_await load_positions(wish.axis, wish.value);
   if (!loaded) co_return loaded;
   for (int i = 0; i < axis_count(); ++i)
-    if (wish.axis < 0 || wish.axis == i) draft_.axes[i].position_doubtful = false;
+    if (wish.axis < 0 || wish.axis == i) trusted(i, Trust::set);
   co_return Result<>();
 }
 

@@ -49,7 +49,7 @@ Task<Result<>> Vme58Driver::poll() {
   }
   take_registers(*registers);
   if (registers->mark == 0) {
-    auto told = co_await found_reset();
+    auto told = co_await found_reset(Doubt::restarted);
     if (!told) co_return told;
     co_return co_await read_state();
   }
@@ -318,7 +318,7 @@ void Vme58Driver::end_motion(int i, EndedBy ended_by) {
   AxisState& axis = draft_.axes[i];
   AxisMind& mind = minds_[ix(i)];
   ended_by = judged(i, ended_by);
-  if (std::exchange(mind.homes, false) && ended_by == EndedBy::target) axis.position_doubtful = false;
+  if (std::exchange(mind.homes, false) && ended_by == EndedBy::target) trusted(i, Trust::homed);
   axis.activity = Activity::idle;
   axis.ended_by = ended_by;
   axis.has_target = false;

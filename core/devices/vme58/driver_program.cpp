@@ -194,7 +194,7 @@ Task<Result<>> Vme58Driver::watch_program() {
   bool limit = false;
   for (int i = 0; i < axis_count(); ++i) limit = limit || (minds_[ix(i)].turned && met_limit(minds_[ix(i)]));
   for (int i = 0; i < axis_count(); ++i)
-    if (std::exchange(minds_[ix(i)].homes, false) && !limit) draft_.axes[i].position_doubtful = false;
+    if (std::exchange(minds_[ix(i)].homes, false) && !limit) trusted(i, Trust::homed);
   end_program(limit ? EndedBy::limit : EndedBy::target);
   co_return Result<>();
 }

@@ -258,7 +258,7 @@ void Vme58Driver::note_effects(const TextCommand& command) {
       for (int i = 0; i < axis_count(); ++i) {
         minds_[ix(i)].counted = true;
         const bool listed = ix(i) < command.numbers.size() && command.numbers[ix(i)];
-        if (one ? i == axis : listed) draft_.axes[i].position_doubtful = false;
+        if (one ? i == axis : listed) trusted(i, Trust::set);
       }
       break;
     case Op::AN:

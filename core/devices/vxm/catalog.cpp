@@ -110,7 +110,7 @@ Result<Catalog> make_catalog(const DeviceOptions& options) {
   c.options = {{"motors", {{"2", "2 motors"}, {"4", "4 motors"}}}};
   for (int m = 1; m <= *motors; ++m) c.axes.push_back({fmt::format("{}", m), fmt::format("motor {}", m)});
   c.units = units();
-  c.homing_modes = {{"limit", "to the limit switch"},
+  c.homing_modes = {{"limit", "to the limit switch", "", false},
                     {"limit-zero", "to the limit switch, and zero there"},
                     {"switch", "onto the home switch of a rotary table, and zero there"}};
   c.inputs = inputs();

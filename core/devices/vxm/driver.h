@@ -70,8 +70,8 @@ class VxmDriver final : public Driver {
     Activity activity = Activity::idle;  ///< idle: switches or sets something, moves nothing
     Sign sign = Sign::plus;
     std::optional<Steps> target;
-    int speed = 0;        ///< 0: as the controller is set
-    bool zeroes = false;  ///< ends with its axis called zero
+    int speed = 0;                ///< 0: as the controller is set
+    std::optional<Trust> zeroes;  ///< ends with its axis called zero: for this reason
   };
   /// The legs of one intent; the first is under way.
   struct Job {
@@ -145,7 +145,7 @@ class VxmDriver final : public Driver {
   Task<Result<>> resume_after_loss(char state);
   Task<Result<>> found_reset_on_line();
   void forget_what_ran();
-  void stands_after_restart(bool at_zero);
+  void stands_after_restart(Doubt why);
   void forget_ram();
 
   // ---- driver_poll.cpp
@@ -204,6 +204,7 @@ class VxmDriver final : public Driver {
   Task<Result<>> kill(bool standing);
   void killed(EndedBy ended_by = EndedBy::abort);
   void doubt_positions();
+  void all_are_zero();
   void run_ended(EndedBy ended_by);
 
   // ---- driver_program.cpp

@@ -207,7 +207,7 @@ Task<Result<>> VxmDriver::found_restarted(const char* why) {
   mode_ = Mode::unknown;
   auto on_line = co_await go_on_line(false);
   if (!on_line) co_return on_line;
-  stands_after_restart(zero);
+  stands_after_restart(zero ? Doubt::restarted : Doubt::none);
   if (zero) {
     forget_ram();
     tell(Notice::Kind::warning,
@@ -228,7 +228,7 @@ Task<Result<>> VxmDriver::found_restarted(const char* why) {
 Task<Result<>> VxmDriver::found_reset_on_line() {
   ++draft_.restarts;
   forget_what_ran();
-  stands_after_restart(true);
+  stands_after_restart(Doubt::reset);
   forget_ram();
   tell(Notice::Kind::warning,
        "The controller was reset by res: its positions read zero where the motors stand now, and what was "
@@ -245,14 +245,15 @@ void VxmDriver::forget_what_ran() {
   stopping_ = Stopping::no;
 }
 
-void VxmDriver::stands_after_restart(bool at_zero) {
+/// What reads zero since then stands anywhere: Doubt::none where the positions were kept.
+void VxmDriver::stands_after_restart(Doubt why) {
   for (int i = 0; i < draft_.axis_count; ++i) {
     AxisState& axis = draft_.axes[i];
     if (axis.activity != Activity::idle && axis.activity != Activity::unknown) axis.ended_by = EndedBy::lost;
     axis.activity = Activity::idle;
     axis.direction = 0;
     axis.has_target = false;
-    axis.position_doubtful = at_zero;
+    if (why != Doubt::none) axis.trust.doubt(why, scheduler_.now());
   }
 }
 

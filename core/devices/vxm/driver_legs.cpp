@@ -201,7 +201,7 @@ void VxmDriver::show_leg_ended(const Leg& leg, EndedBy ended_by) {
       axis.has_target = false;
       axis.speed = Pps{};
     }
-    if (leg.zeroes && ended_by == EndedBy::target) axis.position_doubtful = false;
+    if (leg.zeroes && ended_by == EndedBy::target) axis.trust.settle(*leg.zeroes, scheduler_.now());
   }
 }
 

@@ -118,10 +118,6 @@ Result<std::vector<AxisTarget>> VxmDriver::checked_goals(const std::vector<AxisT
                   fmt::format("Position {} of motor {} lies outside the controller's register, {} to {}.",
                               goal.value, axis + 1, position_min, position_max),
                   "Nothing was sent.");
-    if (!relative && state.position_doubtful)
-      tell(Notice::Kind::warning,
-           fmt::format("The position of motor {} is doubtful: {} may lie elsewhere than before.", axis + 1,
-                       t.value.value));
     if (relative && t.value.value == 0) continue;
     warn_of_motor_type(axis);
     goals.push_back({t.axis, goal});
@@ -205,7 +201,7 @@ Task<Result<>> VxmDriver::home(const intent::Home& wish) {
   Leg zero;
   zero.axis = axis;
   zero.text = zero_here(axis + 1);
-  zero.zeroes = true;
+  zero.zeroes = Trust::homed;
   Leg off_switch = to_switch;
   off_switch.sign = -wish.sign;
   off_switch.text = index_by(axis + 1, Steps{factor(off_switch.sign) * off_switch_steps});
@@ -228,12 +224,12 @@ Task<Result<>> VxmDriver::set_position(const intent::SetPosition& wish) {
   if (wish.axis < 0) {
     auto said = co_await say("N", Priority::intent);
     if (!said) co_return said;
-    for (int i = 0; i < draft_.axis_count; ++i) draft_.axes[i].position_doubtful = false;
+    all_are_zero();
   } else {
     Leg leg;
     leg.axis = wish.axis;
     leg.text = zero_here(wish.axis + 1);
-    leg.zeroes = true;
+    leg.zeroes = Trust::set;
     auto done = co_await run_quickly(std::move(leg));
     if (!done) co_return done;
   }
@@ -246,6 +242,11 @@ Task<Result<>> VxmDriver::set_position(const intent::SetPosition& wish) {
                                  draft_.axes[i].position.value),
                      "Its position is as before.", "Try again; look whether the Stop button is held.");
   co_return Result<>();
+}
+
+// What N leaves.
+void VxmDriver::all_are_zero() {
+  for (int i = 0; i < draft_.axis_count; ++i) draft_.axes[i].trust.settle(Trust::set, scheduler_.now());
 }
 
 // U4, U5 and their like are stored commands: they too need a run.

@@ -226,7 +226,7 @@ void VxmDriver::doubt_positions() {
                          : stored_running_ && !hidden ? seen_speed_[static_cast<std::size_t>(i)]
                                                       : default_speed;
     if (speed <= hard_stop_safe_speed) continue;
-    axis.position_doubtful = true;
+    axis.trust.doubt(Doubt::killed, scheduler_.now());
     tell(Notice::Kind::warning, fmt::format("Motor {} was stopped without a ramp at about {:.0f} steps/s. "
                                             "Above {} steps/s it may have lost steps: "
                                             "its position is doubtful until it is homed or set to zero.",

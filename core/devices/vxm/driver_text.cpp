@@ -83,8 +83,7 @@ void VxmDriver::note_taken(const std::vector<TextCommand>& commands) {
     if (c.letter == 'E' || c.letter == 'F' || c.letter == 'G') stay_local_ = false, mode_ = Mode::on_line;
     if (c.letter == 'G' && draft_.program.run != RunState::idle) draft_.program.run = RunState::running;
     if (c.letter == 'R' && !stored_running_) show_running(selected_);
-    if (c.letter == 'N')
-      for (int i = 0; i < draft_.axis_count; ++i) draft_.axes[i].position_doubtful = false;
+    if (c.letter == 'N') all_are_zero();
   }
 }
 

@@ -41,11 +41,12 @@ TEST_F(StopAtAnyTime, AHomingThatWasStoppedLiftsNoDoubt) {
   ASSERT_TRUE(wait_idle());
   ASSERT_TRUE(loop->operate(bench::PowerCycle()));
   run(25);
-  ASSERT_TRUE(latest.axes[0].position_doubtful);
+  ASSERT_TRUE(latest.axes[0].trust.doubtful());
+  switch_on();
   int stopped = 0;
   for (int ms = 2; ms < 260; ms += 4) {
     stopped += stopped_after(intent::Home(AxisId{0}, Sign::plus, 0), ms) ? 1 : 0;
-    ASSERT_TRUE(latest.axes[0].position_doubtful) << ms;
+    ASSERT_TRUE(latest.axes[0].trust.doubtful()) << ms;
   }
   EXPECT_GT(stopped, 5);
 }

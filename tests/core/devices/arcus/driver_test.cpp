@@ -137,7 +137,7 @@ TEST_F(Restart, PositionsThatReadZeroShowIt) {
   ASSERT_TRUE(wait_idle());
   power_cycle();
   EXPECT_TRUE(said()) << all_notices();
-  EXPECT_TRUE(latest.axes[0].position_doubtful);
+  EXPECT_TRUE(latest.axes[0].trust.doubtful());
   EXPECT_EQ(latest.restarts, 1u);
 }
 
@@ -189,7 +189,7 @@ TEST_F(Restart, AtZeroAValueThatWasNotStoredShowsIt) {
   EXPECT_TRUE(told("SLTX read 30 and now reads 20")) << all_notices();
   EXPECT_TRUE(said());
   EXPECT_EQ(param("SLTX"), 20);
-  EXPECT_TRUE(latest.axes[0].position_doubtful);
+  EXPECT_TRUE(latest.axes[0].trust.doubtful());
   EXPECT_FALSE(latest.unsaved_setup) << "what was not stored is gone";
 }
 

@@ -164,7 +164,7 @@ TEST_F(VxmDriverConnect, APowerCycleIsNoticedAndSaid) {
   run(1);
   EXPECT_EQ(latest.link.state, LinkState::good);
   EXPECT_EQ(position(), 0);
-  EXPECT_TRUE(latest.axes[0].position_doubtful);
+  EXPECT_TRUE(latest.axes[0].trust.doubtful());
   EXPECT_EQ(latest.restarts, 1u);
   EXPECT_TRUE(
       told("The controller has gone to Local mode: the controller was switched off and on, or reset. Its "
@@ -260,6 +260,8 @@ TEST_F(VxmDriverConnect, APowerCycleAfterAnErrorIsNoticed) {
   run(5);
   EXPECT_TRUE(told("the controller was switched off and on, or reset.")) << all_notices();
   EXPECT_NE(latest.program.run, RunState::error);
+  EXPECT_EQ(latest.axes[0].trust.cause, Doubt::restarted);
+  EXPECT_EQ(perform(intent::TrustPosition(AxisId{0})), "");
   EXPECT_EQ(move_to(0, 100), "");
 }
 

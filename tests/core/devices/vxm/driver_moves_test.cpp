@@ -98,7 +98,7 @@ TEST_F(VxmDriverMoves, AJogEndsWithItsStop) {
   EXPECT_LT(stopped_at, 2400);
   run(2);
   EXPECT_EQ(position(), stopped_at);
-  EXPECT_FALSE(latest.axes[0].position_doubtful);
+  EXPECT_FALSE(latest.axes[0].trust.doubtful());
   EXPECT_EQ(query("PM"), "0");
 }
 

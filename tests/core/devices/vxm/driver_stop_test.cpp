@@ -32,7 +32,7 @@ TEST_F(VxmDriverStop, AMoveOfTheConsoleIsRampedDownByDAlone) {
   EXPECT_EQ(latest.axes[0].ended_by, EndedBy::stop);
   EXPECT_EQ(sent(), "D");
   EXPECT_TRUE(stands());
-  EXPECT_FALSE(latest.axes[0].position_doubtful);
+  EXPECT_FALSE(latest.axes[0].trust.doubtful());
 }
 
 TEST_F(VxmDriverStop, ADThatDidNotGetThroughIsSaidAgain) {
@@ -143,7 +143,7 @@ TEST_F(VxmDriverStop, AStoredProgramComesToRestAndStaysThere) {
   EXPECT_EQ(latest.program.run, RunState::idle);
   EXPECT_TRUE(stands(0));
   EXPECT_TRUE(stands(1));
-  EXPECT_FALSE(latest.axes[0].position_doubtful);
+  EXPECT_FALSE(latest.axes[0].trust.doubtful());
   EXPECT_EQ(perform(intent::RunProgram(0)), "");
   run(1);
   EXPECT_TRUE(latest.any_axis_moving()) << "no hold is left behind";
@@ -182,7 +182,7 @@ TEST_F(VxmDriverStop, ASecondStopIsKAtOnceAndDoubtsAFastPosition) {
   EXPECT_EQ(perform(intent::Stop()), "");
   EXPECT_EQ(sent(), "DK");
   EXPECT_TRUE(wait_idle());
-  EXPECT_TRUE(latest.axes[0].position_doubtful);
+  EXPECT_TRUE(latest.axes[0].trust.doubtful());
   EXPECT_EQ(latest.axes[0].ended_by, EndedBy::abort);
   EXPECT_TRUE(
       told("Motor 1 was stopped without a ramp at about 2000 steps/s. Above 1000 steps/s it may have lost "
@@ -190,7 +190,7 @@ TEST_F(VxmDriverStop, ASecondStopIsKAtOnceAndDoubtsAFastPosition) {
            "position is doubtful until it is homed or set to zero."))
       << all_notices();
   EXPECT_EQ(perform(intent::SetPosition(0)), "");
-  EXPECT_FALSE(latest.axes[0].position_doubtful);
+  EXPECT_FALSE(latest.axes[0].trust.doubtful());
 }
 
 TEST_F(VxmDriverStop, ASecondStopDuringAProgramNeedsNoRamp) {
@@ -202,7 +202,7 @@ TEST_F(VxmDriverStop, ASecondStopDuringAProgramNeedsNoRamp) {
   run(0.1);
   EXPECT_EQ(perform(intent::Stop()), "");
   EXPECT_TRUE(wait_idle(1));
-  EXPECT_TRUE(latest.axes[0].position_doubtful);
+  EXPECT_TRUE(latest.axes[0].trust.doubtful());
   run(6);
   EXPECT_EQ(query("V"), "R");
 }
@@ -213,7 +213,7 @@ TEST_F(VxmDriverStop, AbortOfASlowMoveLosesNothing) {
   run(2);
   EXPECT_EQ(perform(intent::Abort()), "");
   EXPECT_TRUE(wait_idle());
-  EXPECT_FALSE(latest.axes[0].position_doubtful);
+  EXPECT_FALSE(latest.axes[0].trust.doubtful());
   EXPECT_TRUE(stands());
   sent();
   EXPECT_EQ(move_by(0, 10), "");

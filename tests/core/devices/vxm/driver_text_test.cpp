@@ -185,7 +185,7 @@ TEST_F(VxmDriverText, AStopMayHaveMoreBehindIt) {
   EXPECT_TRUE(wait_idle());
   EXPECT_EQ(latest.program.slot, 0);
   EXPECT_EQ(query("PM,lst"), "0\rPM0 M256");
-  move_to(0, 400000);
+  perform(intent::MoveBy({target_of(0, 400000)}));
   run(2);
   EXPECT_THAT(query("K,Q"), HasSubstr("Q was not sent"));
   EXPECT_TRUE(wait_idle());
@@ -238,7 +238,7 @@ TEST_F(VxmDriverText, AResetThatFHidesIsFound) {
   for (const bool at_once : {true, false}) {
     move_by(0, 1000);
     wait_idle();
-    EXPECT_FALSE(latest.axes[0].position_doubtful && latest.restarts == 0);
+    EXPECT_FALSE(latest.axes[0].trust.doubtful() && latest.restarts == 0);
     const std::uint32_t before = latest.restarts;
     if (at_once) {
       EXPECT_EQ(send("res,F"), "");
@@ -248,7 +248,7 @@ TEST_F(VxmDriverText, AResetThatFHidesIsFound) {
     }
     run(2);
     EXPECT_EQ(latest.restarts, before + 1) << at_once;
-    EXPECT_TRUE(latest.axes[0].position_doubtful);
+    EXPECT_TRUE(latest.axes[0].trust.doubtful());
     EXPECT_TRUE(told("Find home before the next absolute move"));
     notices.clear();
   }

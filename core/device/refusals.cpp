@@ -1,0 +1,200 @@
+#include "core/device/refusals.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "core/base/index.h"
+
+namespace hw {
+namespace {
+
+/// "X", "X and Y", "X, Y and Z"
+std::string listed(const std::vector<std::string>& names) {
+  std::string all;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    all += fmt::format("{}{}", i == 0 ? "" : i + 1 == names.size() ? " and " : ", ", names[i]);
+  return all;
+}
+
+/// Of these columns those that are places, and the axis of each.
+void add_places(std::vector<AxisTarget>& places, const std::vector<ActionField>& fields,
+                const std::vector<std::int64_t>& values) {
+  const std::size_t known = std::min(fields.size(), values.size());  // else its driver refuses it
+  int chosen = 0;
+  for (std::size_t i = 0; i < known; ++i)
+    if (fields[i].id == "axis") chosen = static_cast<int>(values[i]);
+  for (std::size_t i = 0; i < known; ++i) {
+    if (!fields[i].is_place) continue;
+    const int axis = fields[i].of_axis >= 0 ? fields[i].of_axis : chosen;
+    if (axis >= 0 && axis < max_axes)
+      places.push_back({AxisId{static_cast<std::uint8_t>(axis)}, Steps(values[i])});
+  }
+}
+
+template <class Wish>
+bool goes_despite_doubt(const Wish& wish) {
+  if constexpr (requires { wish.despite_doubt; }) return wish.despite_doubt;
+  return false;
+}
+
+/// Those that it would move by themselves, wherever they are sent.
+std::vector<AxisId> axes_moved_by(const IntentBody& body) {
+  std::vector<AxisId> axes;
+  const auto add = [&axes](const std::vector<AxisTarget>& all) {
+    for (const AxisTarget& one : all) axes.push_back(one.axis);
+  };
+  if (const auto* i = std::get_if<intent::MoveTo>(&body)) add(i->targets);
+  if (const auto* i = std::get_if<intent::MoveBy>(&body)) add(i->distances);
+  if (const auto* i = std::get_if<intent::JogStart>(&body)) axes.push_back(i->axis);
+  if (const auto* i = std::get_if<intent::Home>(&body)) axes.push_back(i->axis);
+  return axes;
+}
+
+}  // namespace
+
+std::string spoken_name(const Catalog& catalog, int axis) {
+  const AxisInfo& info = catalog.axes[ix(axis)];
+  const std::string name = info.description.empty() ? "axis " + info.name : info.description;
+  if (!catalog.addressed() || catalog.axes.size() > 1) return name;
+  const std::string device = "device " + catalog.id();
+  return info.name == catalog.id() ? device : name + " of " + device;  // on a bus the console calls it so
+}
+
+// ---- the count
+
+std::vector<AxisTarget> places_of(const Catalog& catalog, const IntentBody& body) {
+  std::vector<AxisTarget> places;
+  if (const auto* i = std::get_if<intent::MoveTo>(&body)) return i->targets;
+  if (const auto* i = std::get_if<intent::RunProgram>(&body)) return i->places;
+  if (const auto* i = std::get_if<intent::Act>(&body);
+      i && i->action >= 0 && i->action < static_cast<int>(catalog.actions.size()))
+    add_places(places, catalog.actions[ix(i->action)].fields, i->values);
+  if (const auto* i = std::get_if<intent::FeedMoves>(&body); i && !i->rows.empty())
+    add_places(places, catalog.move_list.columns, i->rows.front());
+  return places;
+}
+
+std::uint32_t doubtful_axes(const Catalog& catalog, const Snapshot& now, const IntentBody& body) {
+  if (std::visit([](const auto& wish) { return goes_despite_doubt(wish); }, body)) return 0;
+  std::uint32_t doubtful = 0;
+  for (const AxisTarget& place : places_of(catalog, body))
+    if (place.axis.index < catalog.axes.size() && now.axes[place.axis.index].trust.doubtful())
+      doubtful |= 1u << place.axis.index;
+  return doubtful;
+}
+
+DoubtWords words_in_steps(const Catalog& catalog, const Snapshot& now) {
+  return {[&catalog, &now](AxisId axis, Steps place) {
+            const bool counts = now.axes[axis.index].in_counts && !catalog.loop_word.empty();
+            return fmt::format("{} {}", place.value, counts ? catalog.loop_word : catalog.step_word);
+          },
+          nullptr};
+}
+
+std::string_view words_of(Doubt cause, bool several) {
+  switch (cause) {
+    case Doubt::power_cut: return several ? "their power was cut" : "its power was cut";
+    case Doubt::restarted:
+      return several ? "their power was cut, or they were reset" : "its power was cut, or it was reset";
+    case Doubt::reset: return several ? "they were reset" : "it was reset";
+    case Doubt::killed:
+      return several ? "they were stopped without a ramp at speed" : "it was stopped without a ramp at speed";
+    case Doubt::slipped: return several ? "their encoders lay elsewhere" : "its encoder lay elsewhere";
+    case Doubt::none: break;
+  }
+  return "steps may be lost";
+}
+
+std::string_view brief_words_of(Doubt cause) {
+  switch (cause) {
+    case Doubt::power_cut: return "power was cut";
+    case Doubt::restarted: return "was restarted";
+    case Doubt::reset: return "was reset";
+    case Doubt::killed: return "killed at speed";
+    case Doubt::slipped: return "has slipped";
+    case Doubt::none: break;
+  }
+  return "steps may be lost";
+}
+
+namespace {
+
+constexpr std::string_view may_lie_elsewhere = "may lie elsewhere than before. Nothing was sent.";
+
+std::string say_of_one(const Catalog& catalog, const PositionTrust& trust, const AxisTarget& place,
+                       const DoubtWords& words) {
+  return fmt::format(
+      "The position of {} is not to be trusted: {}{}. {} {} Home it, say where it stands, or go on for this "
+      "once.",
+      spoken_name(catalog, place.axis.index), words_of(trust.cause), words.when(trust.since),
+      words.position(place.axis, place.value), may_lie_elsewhere);
+}
+
+std::string say_of_several(const Catalog& catalog, const Snapshot& now, const std::vector<AxisTarget>& places,
+                           const DoubtWords& words) {
+  const auto trust_of = [&now](const AxisTarget& place) { return now.axes[place.axis.index].trust; };
+  const PositionTrust first = trust_of(places.front());
+  const bool one_cause = std::all_of(places.begin(), places.end(), [&](const AxisTarget& place) {
+    return trust_of(place).cause == first.cause;
+  });
+  std::vector<std::string> names;
+  for (const AxisTarget& place : places)
+    names.push_back(one_cause ? spoken_name(catalog, place.axis.index)
+                              : fmt::format("{} ({})", spoken_name(catalog, place.axis.index),
+                                            brief_words_of(trust_of(place).cause)));
+  const std::string why =
+      one_cause ? fmt::format(": {}{}", words_of(first.cause, true), words.when(first.since)) : "";
+  return fmt::format(
+      "The positions of {} are not to be trusted{}. Where they are sent {} Home them, say where they stand, "
+      "or go on for this once.",
+      listed(names), why, may_lie_elsewhere);
+}
+
+}  // namespace
+
+std::string DoubtWords::when(Instant since) const {
+  return time_of_day ? fmt::format(" ({})", time_of_day(since)) : std::string();
+}
+
+std::string say_doubtful(const Catalog& catalog, const Snapshot& now, const IntentBody& body,
+                         std::uint32_t doubtful, const DoubtWords& words) {
+  std::vector<AxisTarget> places = places_of(catalog, body);
+  std::erase_if(places, [&](const AxisTarget& p) { return (doubtful >> p.axis.index & 1u) == 0; });
+  if (places.empty()) return {};
+  return places.size() == 1 ? say_of_one(catalog, now.axes[places[0].axis.index].trust, places[0], words)
+                            : say_of_several(catalog, now, places, words);
+}
+
+void go_despite_doubt(IntentBody& body) {
+  std::visit(
+      [](auto& wish) {
+        if constexpr (requires { wish.despite_doubt; }) wish.despite_doubt = true;
+      },
+      body);
+}
+
+IntentBody stands_at(const Snapshot& now, AxisId axis, Steps place) {
+  const AxisState& state = now.axes[axis.index];
+  if (state.position_known && state.position == place && !now.axis_moves(axis.index))
+    return intent::TrustPosition(axis);
+  return intent::SetPosition(axis.index, place);
+}
+
+// ---- the current
+
+bool powerless(const Catalog& catalog, const Snapshot& now, AxisId axis) {
+  return catalog.axes[axis.index].switchable && !now.axes[axis.index].enabled;
+}
+
+Result<> has_power(const Catalog& catalog, const Snapshot& now, const IntentBody& body) {
+  for (const AxisId axis : axes_moved_by(body))
+    if (axis.index < catalog.axes.size() && powerless(catalog, now, axis))
+      return fail(FaultKind::refused,
+                  fmt::format("The motor power of {} is off.", spoken_name(catalog, axis.index)),
+                  "Nothing was sent.",
+                  fmt::format("Switch it on first: {}.", catalog.axes[axis.index].switch_on));
+  return {};
+}
+
+}  // namespace hw

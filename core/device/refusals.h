@@ -1,0 +1,55 @@
+#pragma once
+// What the pump refuses on any controller, before its driver is asked: to go to a place by a count that is
+// not to be trusted, and to move an axis whose motor has no current.
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/device/catalog.h"
+#include "core/device/intent.h"
+#include "core/device/snapshot.h"
+
+namespace hw {
+
+/// "motor 1", "axis X", "axis X of device 03", on the console's bus "device 03": within a sentence.
+std::string spoken_name(const Catalog& catalog, int axis);
+
+// ---- the count
+
+/// Where it sends which axes by their counts; empty: it takes no count for true. A distance does not, nor
+/// does the user's own text.
+std::vector<AxisTarget> places_of(const Catalog& catalog, const IntentBody& body);
+
+/// Bit per axis that it would send to a place although its position is not to be trusted.
+std::uint32_t doubtful_axes(const Catalog& catalog, const Snapshot& now, const IntentBody& body);
+
+/// How a sentence writes a place and a time.
+struct DoubtWords {
+  std::function<std::string(AxisId, Steps)> position;
+  std::function<std::string(Instant)> time_of_day;  ///< empty: there is no clock
+  [[nodiscard]] std::string when(Instant since) const;  ///< " (12:31:07)"
+};
+/// In the controller's own steps, without a clock.
+DoubtWords words_in_steps(const Catalog& catalog, const Snapshot& now);
+/// Why these refuse it, and the ways out.
+std::string say_doubtful(const Catalog& catalog, const Snapshot& now, const IntentBody& body,
+                         std::uint32_t doubtful, const DoubtWords& words);
+std::string_view words_of(Doubt cause, bool several = false);  ///< "its power was cut", "their ..."
+std::string_view brief_words_of(Doubt cause);                   ///< "power was cut"
+
+/// It is to be done this once, whatever is doubtful.
+void go_despite_doubt(IntentBody& body);
+/// That the axis stands at `place`. Where its count says so already this is only to be trusted: not every
+/// controller can be told any number.
+IntentBody stands_at(const Snapshot& now, AxisId axis, Steps place);
+
+// ---- the current
+
+[[nodiscard]] bool powerless(const Catalog& catalog, const Snapshot& now, AxisId axis);
+/// Whether the axes that it would move have current.
+Result<> has_power(const Catalog& catalog, const Snapshot& now, const IntentBody& body);
+
+}  // namespace hw

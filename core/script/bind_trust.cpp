@@ -1,0 +1,51 @@
+// What a script asks and says of whether an axis stands where its count says.
+#include <fmt/core.h>
+
+#include "core/device/refusals.h"
+#include "core/script/bind.h"
+
+namespace hw::script {
+namespace {
+
+struct Told {
+  const char* word;
+  std::string why;
+};
+
+Told tell_trust(const AxisState& axis) {
+  if (!axis.position_known) return {"untrusted", "its position is not known"};
+  switch (axis.trust.kind) {
+    case Trust::counted: return {"counted", "the controller counts, and nobody has said from where"};
+    case Trust::homed: return {"homed", "its home has set it"};
+    case Trust::set: return {"set", "somebody has said where it stands"};
+    case Trust::untrusted: break;
+  }
+  return {"untrusted", std::string(words_of(axis.trust.cause))};
+}
+
+/// As with all that is read: of a round of status that begins after the call.
+Task<Answer> ask_trust(SessionPtr session, int axis) {
+  co_await session->pump().refresh();
+  const Told told = tell_trust(session->known().axes[axis]);
+  co_return [told](lua_State* L) {
+    lua_pushstring(L, told.word);
+    lua_pushlstring(L, told.why.data(), told.why.size());
+    return 2;
+  };
+}
+
+int trust(Call& call) {
+  const OneAxis one = one_axis(call, 1, "trust");
+  if (one.index < 0) return call.refuse(one.refusal);
+  if (!call.has(2)) return call.wait(ask_trust(one.session, one.index));
+  if (call.text(2, "trust") != "set") throw Misuse("a position can only be \"set\" by a script");
+  return perform(call, one.session, intent::TrustPosition(AxisId{static_cast<std::uint8_t>(one.index)}));
+}
+
+constexpr Function trust_table[] = {{"trust", trust}};
+
+}  // namespace
+
+std::span<const Function> trust_methods() { return trust_table; }
+
+}  // namespace hw::script

@@ -1,0 +1,220 @@
+#include "panels/refusal_card.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+
+#include <imgui_internal.h>
+
+#include "gui/widgets/button.h"
+#include "gui/widgets/text.h"
+#include "panels/path.h"
+
+namespace hw::panels {
+
+using namespace gui;
+
+namespace {
+
+constexpr float card_width = 336, card_side = 16, card_top = 12, action_height = 32, action_gap = 8;
+constexpr float mark = 20, title = 24, cross_size = 32, bar_height = 40, from_border = 8;
+
+float action_width(const Ui& ui, const Action& a) {
+  ButtonOptions o;
+  o.moving = a.moving;
+  return button_width(ui, a.label, o);
+}
+
+/// Places of slot and actions, one after the other, in as many rows as they need. Logical.
+template <class Place>
+float in_rows(const Ui& ui, const Refusal& what, float width, const Place& place) {
+  float x = 0, y = 0;
+  const auto next = [&](int index, float wide) {
+    if (x > 0 && x + wide > width) x = 0, y += action_height + action_gap;
+    place(index, x, y);
+    x += wide + action_gap;
+  };
+  if (what.slot_width > 0) next(-1, what.slot_width);
+  for (std::size_t i = 0; i < what.actions.size(); ++i)
+    next(static_cast<int>(i), action_width(ui, what.actions[i]));
+  return x > 0 ? y + action_height : 0;
+}
+
+float row_of_all(const Ui& ui, const Refusal& what) {
+  float wide = what.slot_width > 0 ? what.slot_width + action_gap : 0;
+  for (const Action& a : what.actions) wide += action_width(ui, a) + action_gap;
+  return wide;
+}
+
+float rows_height(const Ui& ui, const Refusal& what, float width) {
+  return in_rows(ui, what, width, [](int, float, float) {});
+}
+
+float words_width(const Ui& ui) { return ui.px(card_width - 2 * card_side - mark); }
+
+float card_height(const Ui& ui, const Refusal& what) {
+  const float rows = rows_height(ui, what, card_width - 2 * card_side);
+  const float words = wrapped_height(ui, Face::body, what.words, words_width(ui));
+  return words + ui.px(card_top + title + (rows > 0 ? action_gap + rows : 0) + card_top);
+}
+
+bool overlap(const Rect& a, const Rect& b) {
+  return a.min.x < b.max.x && b.min.x < a.max.x && a.min.y < b.max.y && b.min.y < a.max.y;
+}
+
+Rect seen(const Widget& w) {
+  return {ImVec2(std::max(w.rect.min.x, w.clip.min.x), std::max(w.rect.min.y, w.clip.min.y)),
+          ImVec2(std::min(w.rect.max.x, w.clip.max.x), std::min(w.rect.max.y, w.clip.max.y))};
+}
+
+/// What a card may not lie on, as the last frame has drawn it: what moves metal, Stops, and cards of rows
+/// above.
+class Taken {
+ public:
+  Taken(const Ui& ui, std::string_view own) : all_(ui.registry.widgets()), own_(own) {}
+  [[nodiscard]] bool leaves(const Rect& place) const {
+    bool above = true;
+    for (const Widget& w : all_) {
+      above = above && w.id != own_;
+      const bool taken = w.card ? above : (w.moving || w.stops) && !on_a_card(w);
+      const Rect r = seen(w);
+      if (taken && r.width() > 0 && r.height() > 0 && overlap(r, place)) return false;
+    }
+    return true;
+  }
+
+ private:
+  [[nodiscard]] bool on_a_card(const Widget& w) const {
+    return std::any_of(all_.begin(), all_.end(),
+                       [&](const Widget& c) { return c.card && c.rect.contains(w.rect.centre()); });
+  }
+  std::span<const Widget> all_;
+  std::string_view own_;
+};
+
+/// Beside the row, right of the column that it stands in; where that is taken further up or down, then
+/// further to the right.
+std::optional<Rect> free_place(const Ui& ui, const Taken& taken, const Rect& row, ImVec2 size) {
+  const ImRect column = ImGui::GetCurrentWindow()->RootWindow->Rect();
+  const float edge = ui.px(from_border), low = column.Min.y + edge, high = column.Max.y - edge - size.y;
+  const float wanted = std::clamp(std::floor(row.centre().y - size.y / 2), low, std::max(low, high));
+  for (float x = column.Max.x; x + size.x <= ui.size_px.x; x += ui.px(24))
+    for (float away = 0; away <= column.GetHeight(); away += ui.px(4))
+      for (const float y : {wanted - away, wanted + away}) {
+        const Rect place{ImVec2(x, y), ImVec2(x + size.x, y + size.y)};
+        if (y >= low && y <= high && taken.leaves(place)) return place;
+      }
+  return {};
+}
+
+/// Over the panel tabs, where nothing moves metal: beside the column or, in a narrow window, over it.
+Rect bar_place(const Ui& ui, bool narrow) {
+  const ImRect column = ImGui::GetCurrentWindow()->RootWindow->Rect();
+  const float left = narrow ? column.Min.x : column.Max.x;
+  const float right = narrow ? column.Max.x : std::min(ui.size_px.x, left + ui.px(700));
+  return {ImVec2(left, column.Min.y), ImVec2(right, column.Min.y + ui.px(bar_height))};
+}
+
+void begin_window(Ui& ui, std::string_view id, const Rect& place) {
+  char name[96];
+  std::snprintf(name, sizeof name, "##%.*s", static_cast<int>(id.size()), id.data());
+  ImGui::SetNextWindowPos(place.min);
+  ImGui::SetNextWindowSize(ImVec2(place.width(), place.height()));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
+  ImGui::Begin(name, nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoBackground |
+                   ImGuiWindowFlags_NoNav);
+  // A list or a dialog that is open lies over it.
+  if (!ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
+    ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
+  draw_fill(ui, place, ui[Tone::fault_t], 0);
+  draw_outline(ui, place, ui[Tone::fault], 0);
+  ImGui::GetWindowDrawList()->AddRectFilled(place.min, ImVec2(place.min.x + ui.px(3), place.max.y),
+                                            ui[Tone::fault]);
+}
+
+}  // namespace
+
+void RefusalCard::begin(Frame& f, const Refusal& what, const Rect& row) {
+  Ui& ui = f.ui;
+  ui_ = &ui;
+  what_ = what;
+  find_place(f, row);
+  begin_window(ui, what.id, place_);
+  show(ui, {.id = what.id, .kind = Kind::text, .label = "Refused", .value = what.words, .card = true},
+       place_);
+  if (bar_)
+    draw_bar_words();
+  else
+    draw_card_words();
+  in_rows(ui, what_, width_, [&](int index, float x, float y) {
+    if (index < 0) ImGui::SetCursorScreenPos(ImVec2(rows_.x + ui.px(x), rows_.y + ui.px(y)));
+  });
+}
+
+/// It stays where it lies as long as it may: nothing moves under the hand.
+void RefusalCard::find_place(const Frame& f, const Rect& row) {
+  Ui& ui = f.ui;
+  const ImVec2 size(ui.px(card_width), card_height(ui, what_));
+  const Taken taken(ui, what_.id);
+  const bool narrow = f.tier == Tier::narrow;
+  const bool same_row = row_.min.x == row.min.x && row_.min.y == row.min.y && row_.max.x == row.max.x;
+  const bool same_size = place_.width() == size.x && place_.height() == size.y;
+  if (!narrow && !bar_ && same_row && same_size && taken.leaves(place_)) return;
+  row_ = row;
+  const auto found = narrow ? std::nullopt : free_place(ui, taken, row, size);
+  bar_ = !found;
+  place_ = found ? *found : bar_place(ui, narrow);
+  ui.wake_in(0);  // what is drawn where is known for the last frame only
+}
+
+void RefusalCard::draw_card_words() {
+  Ui& ui = *ui_;
+  const float x = place_.min.x + ui.px(card_side), y = place_.min.y + ui.px(card_top);
+  draw_icon(ImGui::GetWindowDrawList(), Icon::cross, ImVec2(x + ui.px(6), y + ui.px(10)), ui.px(12),
+            ui[Tone::fault]);
+  draw_text_line(ui, x + ui.px(mark), place_.max.x - ui.px(cross_size), y + ui.px(10), Face::body_bold,
+                 ui[Tone::ink], what_.about);
+  ImGui::SetCursorScreenPos(ImVec2(x + ui.px(mark), y + ui.px(title)));
+  wrapped(ui, Face::body, Tone::ink, what_.words, words_width(ui) / ui.scale);
+  width_ = card_width - 2 * card_side;
+  rows_ = ImVec2(x, place_.min.y + card_height(ui, what_) - ui.px(card_top + rows_height(ui, what_, width_)));
+}
+
+/// Two lines of small type; the whole of it under the mouse.
+void RefusalCard::draw_bar_words() {
+  Ui& ui = *ui_;
+  width_ = row_of_all(ui, what_);
+  const float right = place_.max.x - ui.px(cross_size + 4 + width_);
+  const float middle = std::floor(place_.centre().y);
+  float left = place_.min.x + ui.px(card_side);
+  draw_text_line(ui, left, right, middle, Face::body_bold, ui[Tone::ink], what_.about);
+  left += std::ceil(text_width(ui, Face::body_bold, what_.about)) + ui.px(12);
+  draw_text_in_two_lines(ui, left, right - ui.px(8), middle, Face::body, ui[Tone::ink], what_.words);
+  rows_ = ImVec2(right, place_.min.y + ui.px((bar_height - action_height) / 2));
+}
+
+RefusalTouch RefusalCard::end() {
+  Ui& ui = *ui_;
+  RefusalTouch done;
+  in_rows(ui, what_, width_, [&](int index, float x, float y) {
+    if (index < 0) return;
+    const Action& a = what_.actions[static_cast<std::size_t>(index)];
+    ButtonOptions o;
+    o.disabled = a.disabled;
+    o.moving = a.moving;
+    ImGui::SetCursorScreenPos(ImVec2(rows_.x + ui.px(x), rows_.y + ui.px(y)));
+    if (button(ui, a.id, a.label, o).clicked) done.action = index;
+  });
+  ButtonOptions cross{.style = ButtonStyle::quiet, .icon = Icon::cross, .tip = "Close", .width = cross_size};
+  ImGui::SetCursorScreenPos(ImVec2(place_.max.x - ui.px(cross_size + 2), place_.min.y + ui.px(bar_ ? 4 : 2)));
+  done.closed = button(ui, Path("{}/close", what_.id), "", cross).clicked;
+  ImGui::End();
+  ImGui::PopStyleVar(2);
+  return done;
+}
+
+}  // namespace hw::panels

@@ -1,0 +1,137 @@
+// What every controller does with an axis of which it is known that it may stand elsewhere than it counts, and
+// with one whose motor has no current.
+#include "tests/contract/rig.h"
+
+namespace hw {
+namespace {
+
+using std::chrono::seconds;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+class TrustContract : public ContractTest {
+ protected:
+  /// It stands at `there` and counts from 0 there.
+  void lose_power_at(Steps there) {
+    ASSERT_EQ(perform(intent::MoveTo({{AxisId{0}, there}})).fate, Fate::done);
+    ASSERT_TRUE(becomes_idle(seconds(60)));
+    perform(intent::Stop());  // which keeps nothing back afterwards
+    operate(bench::PowerCycle());
+    ASSERT_TRUE(run_until(
+        [this] { return now().link.state == LinkState::good && now().restarts == 1; }, seconds(60)));
+    run(seconds(2));
+    switch_on();
+    ASSERT_TRUE(axis().trust.doubtful());
+  }
+  IntentFate go_to(std::int64_t place, bool despite_doubt = false) {
+    intent::MoveTo go({{AxisId{0}, Steps(place)}});
+    go.despite_doubt = despite_doubt;
+    const IntentFate fate = perform(std::move(go));
+    EXPECT_TRUE(becomes_idle(seconds(60)));
+    return fate;
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(Every, TrustContract, testing::ValuesIn(emulated_types()), name_of_type);
+
+TEST_P(TrustContract, AfterAPowerCycleNothingGoesToAPlaceByItsCount) {
+  ASSERT_NO_FATAL_FAILURE(lose_power_at(Steps(500)));
+  EXPECT_EQ(now().axes[0].trust.kind, Trust::untrusted);
+  const Steps stood = load();
+  const IntentFate refused = go_to(240);
+  EXPECT_EQ(refused.fate, Fate::refused);
+  EXPECT_EQ(refused.doubtful, 1u);
+  EXPECT_THAT(std::string(refused.sentence.view()),
+              AllOf(StartsWith("The position of "), HasSubstr(" is not to be trusted: its power was cut"),
+                    HasSubstr(". 240 "), HasSubstr(" may lie elsewhere than before. Nothing was sent. Home it, "
+                                                   "say where it stands, or go on for this once.")));
+  EXPECT_EQ(load(), stood);
+  EXPECT_EQ(axis().position, Steps(0));
+}
+
+TEST_P(TrustContract, WhatTakesNoCountForTrueGoesOn) {
+  ASSERT_NO_FATAL_FAILURE(lose_power_at(Steps(500)));
+  EXPECT_EQ(perform(intent::MoveBy({{AxisId{0}, Steps(100)}})).fate, Fate::done);
+  ASSERT_TRUE(becomes_idle(seconds(20)));
+  EXPECT_EQ(axis().position, Steps(100));
+  EXPECT_EQ(perform(intent::JogStart(AxisId{0}, Sign::plus)).fate, Fate::done);
+  run(Millis(200));
+  EXPECT_EQ(perform(intent::JogStop()).fate, Fate::done);
+  ASSERT_TRUE(becomes_idle(seconds(20)));
+  EXPECT_GT(axis().position, Steps(100));
+  EXPECT_TRUE(axis().trust.doubtful()) << "a distance tells nothing of the place";
+}
+
+TEST_P(TrustContract, OnceIsOnce) {
+  ASSERT_NO_FATAL_FAILURE(lose_power_at(Steps(500)));
+  EXPECT_EQ(go_to(240, true).fate, Fate::done);
+  EXPECT_EQ(axis().position, Steps(240));
+  EXPECT_EQ(go_to(0).fate, Fate::refused);
+  EXPECT_EQ(axis().position, Steps(240));
+}
+
+TEST_P(TrustContract, OnTheUsersWordItIsTrustedAsItReads) {
+  ASSERT_NO_FATAL_FAILURE(lose_power_at(Steps(500)));
+  const auto said = now().link.said;
+  EXPECT_EQ(perform(intent::TrustPosition(AxisId{0})).fate, Fate::done);
+  EXPECT_EQ(now().link.said, said) << "nothing is sent for it";
+  EXPECT_EQ(axis().trust.kind, Trust::set);
+  EXPECT_EQ(go_to(240).fate, Fate::done);
+  EXPECT_EQ(axis().position, Steps(240));
+}
+
+TEST_P(TrustContract, WhereItStandsCanBeSaid) {
+  ASSERT_NO_FATAL_FAILURE(lose_power_at(Steps(500)));
+  EXPECT_EQ(perform(intent::SetPosition(0)).fate, Fate::done);
+  EXPECT_EQ(axis().trust.kind, Trust::set);
+  EXPECT_EQ(go_to(240).fate, Fate::done);
+}
+
+TEST_P(TrustContract, ItsHomeMakesItTrustedWhereThatSetsTheCount) {
+  AxisPlace place;
+  place.minus = Steps(-6000);
+  place.home_from = Steps(-900);
+  place.home_to = Steps(-600);
+  operate(bench::Place(AxisId{0}, place));
+  ASSERT_NO_FATAL_FAILURE(lose_power_at(Steps(500)));
+  const auto& modes = session->catalog().homing_modes;
+  int mode = 0;
+  while (!modes[static_cast<std::size_t>(mode)].sets_position) ++mode;
+  EXPECT_EQ(perform(intent::Home(AxisId{0}, Sign::minus, mode)).fate, Fate::done);
+  EXPECT_TRUE(run_until([this] { return axis().trust.kind == Trust::homed; }, seconds(60)));
+  ASSERT_TRUE(becomes_idle(seconds(60)));
+  EXPECT_EQ(go_to(240).fate, Fate::done);
+}
+
+TEST_P(TrustContract, AFreshConnectionCounts) {
+  EXPECT_EQ(axis().trust.kind, Trust::counted);
+  EXPECT_EQ(go_to(240).fate, Fate::done);
+}
+
+TEST_P(TrustContract, AnAxisWithoutCurrentIsNotMoved) {
+  const AxisInfo& info = session->catalog().axes[0];
+  if (!info.switchable) return;
+  ASSERT_FALSE(info.switch_on.empty());
+  ASSERT_EQ(perform(intent::SetPower(0, false)).fate, Fate::done);
+  const std::vector<IntentBody> moves = {
+      intent::MoveTo({{AxisId{0}, Steps(100)}}), intent::MoveBy({{AxisId{0}, Steps(100)}}),
+      intent::JogStart(AxisId{0}, Sign::plus), intent::Home(AxisId{0}, Sign::minus)};
+  for (const IntentBody& move : moves) {
+    const IntentFate refused = perform(move);
+    EXPECT_EQ(refused.fate, Fate::refused) << move.index();
+    EXPECT_EQ(refused.doubtful, 0u);
+    EXPECT_THAT(std::string(refused.sentence.view()),
+                AllOf(StartsWith("The motor power of "), HasSubstr(" is off. Nothing was sent."),
+                      HasSubstr("Switch it on first: " + info.switch_on + ".")));
+  }
+  EXPECT_EQ(axis().position, Steps(0));
+  EXPECT_EQ(perform(intent::SendText(info.switch_on)).fate, Fate::done) << "the words of the sentence";
+  run(seconds(2));
+  EXPECT_TRUE(axis().enabled);
+  EXPECT_EQ(go_to(100).fate, Fate::done);
+  EXPECT_EQ(axis().position, Steps(100));
+}
+
+}  // namespace
+}  // namespace hw
