@@ -26,6 +26,7 @@ Console::Console(PanelList list, Outside outside)
       pages_(list.pages.size()) {
   tell(recent_.load());
   load_choices();
+  tell_last_ends();
   if (!list_.pages.empty()) show_page(list_.pages[0].id);
 }
 
@@ -182,6 +183,7 @@ void Console::tell(const Result<>& outcome) {
 void Console::draw(Ui& ui) {
   covered_ = ui.registry.top_layer() > 0;
   refresh(ui);
+  close_as_asked();
   if (!wanted_widget_.empty()) {
     ui.registry.scroll_to(wanted_widget_);
     ui.focus.move_to(wanted_widget_);

@@ -99,6 +99,10 @@ class Console {
   /// The window shall close, and nothing is to be asked any more: whoever owns it closes it.
   void end() { ended_ = true; }
   [[nodiscard]] bool ended() const { return ended_; }
+  /// The user's session ends without a question (a signal, a display that has gone): what this console began
+  /// is stopped, and what was done is written where the next start tells it. Waits up to five seconds for it
+  /// to come to rest. `how`: "SIGTERM".
+  void depart(std::string_view how);
   /// Files let fall on the window are opened in the editor of the controller in front; under a dialog or a
   /// menu none is, for what it asks comes first.
   void drop(const std::vector<std::string>& paths);
@@ -129,6 +133,8 @@ class Console {
   [[nodiscard]] std::string free_key(const std::string& wanted) const;
   Tab& make_tab(std::shared_ptr<Session> session, bool on_bus);
   void close_one(Tab& tab);
+  void close_as_asked();
+  void tell_last_ends();
   void tell_news(Tab& tab);
   void tell(const Result<>& outcome);
   void jog_key(Tab& tab, Command key, bool down, double at_s);
@@ -151,7 +157,7 @@ class Console {
   Splitters kept_;  ///< as written last
   bool kept_dark_ = true;
   float kept_size_ = 1;
-  bool ended_ = false, covered_ = false;
+  bool ended_ = false, covered_ = false, close_asked_ = false;
   std::string asked_;  ///< by a dialog, of which no toast need tell
   std::shared_ptr<std::atomic<int>> closing_ = std::make_shared<std::atomic<int>>(0);
   /// What controllers say while they are closed: their tabs have gone by then. Written on the io thread.

@@ -115,6 +115,13 @@ void Console::close(Tab& tab) {
   for (Tab* member : bus->members) close_one(*member);
 }
 
+/// By Ctrl W: the one in front, or the one that is being asked about.
+void Console::close_as_asked() {
+  if (!std::exchange(close_asked_, false)) return;
+  Tab* tab = dialogs.open() ? dialogs.closing() : active();
+  if (tab) dialogs.close_controller(*this, *tab);
+}
+
 void Console::close_one(Tab& tab) {
   tab.jog.let_go();
   tab.desk().keep_now();

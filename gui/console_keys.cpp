@@ -32,6 +32,8 @@ void Console::on_edge(const CommandEdge& edge) {
     if (edge.down) activate_next(edge.command == Command::next_controller ? 1 : -1);
   } else if (edge.command == Command::show_map) {
     if (edge.down) toggle_map();
+  } else if (edge.command == Command::close_controller) {
+    close_asked_ = close_asked_ || edge.down;
   } else if (edge.command == Command::larger || edge.command == Command::smaller) {
     if (edge.down) step_size(edge.command == Command::larger ? 1 : -1);
   } else if (edge.command == Command::normal_size) {

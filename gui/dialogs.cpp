@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include "gui/console.h"
+#include "gui/goes_on.h"
 #include "gui/ui.h"
 #include "gui/widgets/button.h"
 #include "gui/widgets/message.h"
@@ -57,47 +58,24 @@ int draw_choices(Ui& ui, std::span<const Choice> choices) {
   return pressed;
 }
 
-// ---- what a closed tab leaves behind
+// ---- what a closed tab or window leaves behind
 
 /// All that closing it closes.
-std::vector<const Tab*> closed_with(const Tab& tab) {
-  if (!tab.bus) return {&tab};
-  return {tab.bus->members.begin(), tab.bus->members.end()};
+std::vector<Tab*> closed_with(Tab& tab) { return tab.bus ? tab.bus->members : std::vector<Tab*>(1, &tab); }
+
+bool any_goes_on(std::span<Tab* const> tabs) {
+  return std::any_of(tabs.begin(), tabs.end(), [](const Tab* tab) { return goes_on(*tab); });
 }
 
-bool runs_program(const Tab& tab) {
-  const ProgramState& program = tab.now().program;
-  return program.owned && program.run != RunState::idle;
-}
-bool moves(const Tab& tab) { return tab.now().any_axis_moving(); }
-
-bool busy_within_reach(const Tab* tab) {
-  const LinkState link = tab->now().link.state;
-  return (moves(*tab) || runs_program(*tab)) && (link == LinkState::good || link == LinkState::late);
-}
-
-std::string goes_on_alone(const Tab& tab) {
-  if (runs_program(tab))
-    return fmt::format(
-        "{} {} runs in the controller, and goes on there when this window no longer watches it.",
-        tab.catalog().program.slot_word, tab.now().program.slot);
-  return moves(tab) ? "An axis is moving, and nobody would watch it." : "Nothing moves any more.";
-}
-
-/// "A program runs in 02. 01 and 03 move. Nobody would watch them."
-std::string goes_on_on_bus(const Bus& bus) {
-  std::vector<std::string_view> running, moving;
-  for (const Tab* member : bus.members)
-    if (runs_program(*member))
-      running.push_back(member->id());
-    else if (moves(*member))
-      moving.push_back(member->id());
-  if (running.empty() && moving.empty()) return "Nothing moves any more.";
-  std::string said;
-  if (!running.empty()) said += fmt::format("A program runs in {}. ", in_words(running));
-  if (!moving.empty())
-    said += fmt::format("{} {}. ", in_words(moving), moving.size() == 1 ? "moves" : "move");
-  return said + (running.size() + moving.size() > 1 ? "Nobody would watch them." : "Nobody would watch it.");
+/// "VXM stage: Program 2 runs. PMX table: axis X is moving." Each goes on, and nobody would watch it.
+std::string going_on_in(std::span<Tab* const> tabs) {
+  std::string all;
+  for (const Tab* tab : tabs) {
+    if (!goes_on(*tab)) continue;
+    const std::string id = tab->bus ? fmt::format(" {}", tab->id()) : std::string();
+    all += fmt::format("{}{}: {}. ", tab->name(), id, what_goes_on(*tab, Tense::present));
+  }
+  return all.empty() ? "Nothing moves any more." : all + "Nobody would watch it.";
 }
 
 /// What panels hold that is kept nowhere else; whose it is, when it may be of several.
@@ -110,12 +88,6 @@ std::string unkept_of(std::span<Tab* const> tabs) {
     all += tabs.size() > 1 ? fmt::format("{}: {}", tab->name(), what) : what;
   }
   return all;
-}
-
-/// The others of its bus are closed with it.
-std::string unkept_with(Tab& tab) {
-  Tab* const alone[] = {&tab};
-  return unkept_of(tab.bus ? std::span<Tab* const>(tab.bus->members) : alone);
 }
 
 }  // namespace
@@ -133,25 +105,33 @@ void Dialogs::names(Tab& tab) {
   for (std::size_t i = 0; i < tab.catalog().axes.size(); ++i) axis_names_.push_back(tab.profile.axes[i].name);
 }
 
+bool Dialogs::ask_to_close(Kind kind, Tab* tab, std::vector<Tab*> closed) {
+  closed_ = std::move(closed);
+  if (kind_ == kind && tab_ == tab) {  // asked again while the question is open
+    stop_what_goes_on(closed_);
+    close();
+    return false;
+  }
+  goes_on_ = any_goes_on(closed_);
+  unkept_ = unkept_of(closed_);
+  if (!goes_on_ && unkept_.empty()) return false;
+  begin(kind, *tab);
+  words_height_ = 0;
+  return true;
+}
+
 void Dialogs::close_controller(Console& console, Tab& tab) {
-  const std::vector<const Tab*> closed = closed_with(tab);
-  goes_on_ = std::any_of(closed.begin(), closed.end(), busy_within_reach);
-  unkept_ = unkept_with(tab);
-  if (goes_on_ || !unkept_.empty())
-    begin(Kind::close_controller, tab);
-  else
-    console.close(tab);
+  if (!ask_to_close(Kind::close_controller, &tab, closed_with(tab))) console.close(tab);
 }
 
 bool Dialogs::may_end(Console& console) {
   std::vector<Tab*> all;
   for (const auto& tab : console.tabs()) all.push_back(tab.get());
-  unkept_ = unkept_of(all);
-  if (unkept_.empty()) return true;
-  goes_on_ = false;
-  begin(Kind::end, *all.front());
-  return false;
+  Tab* first = all.empty() ? nullptr : all.front();
+  return !ask_to_close(Kind::end, first, std::move(all));
 }
+
+Tab* Dialogs::closing() const { return kind_ == Kind::close_controller ? tab_ : nullptr; }
 
 void Dialogs::reset(Tab& tab) { begin(Kind::reset, tab); }
 
@@ -174,8 +154,8 @@ void Dialogs::draw(Ui& ui, Console& console) {
   if (ui.cancelled() && !just_opened_) close();
   switch (kind_) {
     case Kind::names: draw_names(ui, console); break;
-    case Kind::close_controller: draw_close(ui, console); break;
-    case Kind::end: draw_end(ui, console); break;
+    case Kind::close_controller:
+    case Kind::end: draw_close(ui, console); break;
     case Kind::reset: draw_reset(ui); break;
     case Kind::make_room: draw_make_room(ui, console); break;
     case Kind::closing: draw_closing(ui); break;
@@ -211,49 +191,44 @@ void Dialogs::draw_names(Ui& ui, Console& console) {
   close();
 }
 
+std::string Dialogs::why_asked() const {
+  std::string what;
+  if (goes_on_) what = kind_ == Kind::end ? going_on_in(closed_) : goes_on_unwatched(*tab_);
+  if (unkept_.empty()) return what;
+  return what.empty() ? unkept_ + " Closing loses it." : fmt::format("{} {} That is lost.", what, unkept_);
+}
+
+/// Of a controller or of the window. Staying is what Enter does; what moves may come to rest meanwhile, and
+/// the buttons stay where they are.
 void Dialogs::draw_close(Ui& ui, Console& console) {
-  Tab& tab = *tab_;
-  title(ui, fmt::format("Close {}?", tab.name()));
-  const std::vector<const Tab*> closed = closed_with(tab);
-  goes_on_ = goes_on_ || std::any_of(closed.begin(), closed.end(), busy_within_reach);
-  if (!goes_on_) {
-    if (const int pressed = ask_about_unkept(ui); pressed == 1) console.close(tab);
-    return;
-  }
-  std::string what = tab.bus ? goes_on_on_bus(*tab.bus) : goes_on_alone(tab);
-  if (!unkept_.empty()) what += " " + unkept_ + " That is lost.";
-  wrapped(ui, Face::body, Tone::ink2, what);
-  gap(ui, 12);
-  const Choice choices[] = {{"close/cancel", "Cancel", ButtonStyle::outlined},
-                            {"close/leave", "Close, let it go on"},
-                            {"close/stop", tab.bus ? "Stop all and close" : "Stop it and close"}};
-  const int pressed = draw_choices(ui, choices);
+  title(ui, kind_ == Kind::end ? "Close the window?" : fmt::format("Close {}?", tab_->name()));
+  goes_on_ = goes_on_ || any_goes_on(closed_);
+  const std::string why = why_asked();
+  const float height = wrapped_height(ui, Face::body, why, ImGui::GetContentRegionAvail().x);
+  words_height_ = std::max(words_height_, height);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  wrapped(ui, Face::body, Tone::ink2, why);
+  show(ui, {.id = "close/why", .kind = gui::Kind::text, .label = "Why it is asked", .value = why},
+       {at, ImVec2(at.x + ImGui::GetContentRegionAvail().x, at.y + height)});
+  gap(ui, 12 + (words_height_ - height) / ui.scale);
+  if (just_opened_) ui.focus.move_to("close/cancel");
+  static constexpr Choice stay{"close/cancel", "Stay", ButtonStyle::outlined};
+  const bool several = closed_.size() > 1;
+  const Choice of_motion[] = {stay,
+                              {"close/leave", several ? "Close, let them run" : "Close, let it run"},
+                              {"close/stop", several ? "Stop all and close" : "Stop it and close"}};
+  static constexpr Choice of_texts[] = {stay, {"close/lose", "Close anyway"}};
+  const int pressed =
+      goes_on_ ? draw_choices(ui, std::span<const Choice>(of_motion)) : draw_choices(ui, of_texts);
   if (pressed < 0) return;
+  const bool whole = kind_ == Kind::end;
   close();
   if (pressed == 0) return;
-  if (pressed == 2) {
-    if (tab.bus)
-      tab.bus->stop_all();
-    else
-      tab.stop_all();
-  }
-  console.close(tab);
-}
-
-void Dialogs::draw_end(Ui& ui, Console& console) {
-  title(ui, "Close the window?");
-  if (ask_about_unkept(ui) == 1) console.end();
-}
-
-/// 1: it may be lost.
-int Dialogs::ask_about_unkept(Ui& ui) {
-  wrapped(ui, Face::body, Tone::ink2, unkept_ + " Closing loses it.");
-  gap(ui, 12);
-  static constexpr Choice choices[] = {{"close/cancel", "Cancel", ButtonStyle::outlined},
-                                       {"close/lose", "Close anyway"}};
-  const int pressed = draw_choices(ui, choices);
-  if (pressed >= 0) close();
-  return pressed;
+  if (pressed == 2) stop_what_goes_on(closed_);
+  if (whole)
+    console.end();
+  else
+    console.close(*tab_);
 }
 
 void Dialogs::draw_reset(Ui& ui) {

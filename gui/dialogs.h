@@ -16,10 +16,12 @@ class Dialogs {
   /// Names of the controller and its axes.
   void names(Tab& tab);
   /// Closes it, after asking when something moves or a program runs, or a panel holds what is kept nowhere
-  /// else.
+  /// else. While it is being asked: stops what goes on, and closes it.
   void close_controller(Console& console, Tab& tab);
-  /// Whether the window may close. False: it is asked first, for the same reason; see Console::ended().
+  /// The same for the window. False: it is asked first, and Console::ended() tells of the answer.
   bool may_end(Console& console);
+  /// The controller that is being asked about; null: none.
+  [[nodiscard]] Tab* closing() const;
   void reset(Tab& tab);
   /// A move needs an empty program and there is none: which of `slots` may be emptied? False, and nothing is
   /// asked, while another question is open.
@@ -34,17 +36,19 @@ class Dialogs {
   enum class Kind { none, names, close_controller, end, reset, make_room, closing };
   void begin(Kind kind, Tab& tab);
   void draw_names(Ui& ui, Console& console);
+  bool ask_to_close(Kind kind, Tab* tab, std::vector<Tab*> closed);
+  [[nodiscard]] std::string why_asked() const;
   void draw_close(Ui& ui, Console& console);
-  void draw_end(Ui& ui, Console& console);
-  int ask_about_unkept(Ui& ui);
   void draw_reset(Ui& ui);
   void draw_make_room(Ui& ui, Console& console);
   void draw_closing(Ui& ui);
 
   Kind kind_ = Kind::none;
   bool just_opened_ = false;
-  bool goes_on_ = false;  ///< what closes moves, or its program runs
-  std::string unkept_;    ///< what would be lost
+  bool goes_on_ = false;      ///< what closes moves, or its program runs; or did while it was asked
+  std::string unkept_;        ///< what would be lost
+  std::vector<Tab*> closed_;  ///< by the answer that is waited for
+  float words_height_ = 0;    ///< pixels that the reasons have taken so far
   Tab* tab_ = nullptr;
   std::string name_;
   std::vector<std::string> axis_names_;

@@ -31,6 +31,8 @@ constexpr Shortcut table[] = {
      "Next controller"},
     {Command::previous_controller, GLFW_KEY_TAB, ctrl, shift, Reach::also_typing, false, "Ctrl Shift Tab",
      "Previous controller"},
+    {Command::close_controller, GLFW_KEY_W, ctrl, plain, Reach::always, false, "Ctrl W",
+     "Close the controller"},
     {Command::larger, GLFW_KEY_EQUAL, ctrl, plain, Reach::always, false, "Ctrl +", "Everything larger"},
     {Command::larger, GLFW_KEY_EQUAL, ctrl, shift, Reach::always, false, "", ""},
     {Command::larger, GLFW_KEY_KP_ADD, ctrl, plain, Reach::always, false, "", ""},

@@ -25,6 +25,7 @@ enum class Command : std::uint8_t {
   larger,
   smaller,
   normal_size,
+  close_controller,
   jog_left,  // six jog keys in this order: see jog_keys
   jog_right,
   jog_up,

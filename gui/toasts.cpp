@@ -13,6 +13,12 @@ void Toasts::add(Mood mood, std::string text, const void* about, std::string of)
   if (list_.size() == at_most) list_.erase(list_.begin());
   std::string said = text;
   list_.push_back({next_number_++, mood, std::move(text), -1, about, std::move(of), std::move(said)});
+  list_.back().stays = mood == Mood::fault;
+}
+
+void Toasts::add_staying(Mood mood, std::string text) {
+  add(mood, std::move(text));
+  list_.back().stays = true;
 }
 
 void Toasts::look_at(std::optional<std::string_view> front) {
@@ -33,7 +39,7 @@ void Toasts::dismiss(int number) {
 
 void Toasts::tick(double now_s) {
   for (Toast& toast : list_)
-    if (toast.until_s < 0) toast.until_s = toast.mood == Mood::fault ? 1e18 : now_s + shown_for_s;
+    if (toast.until_s < 0) toast.until_s = toast.stays ? 1e18 : now_s + shown_for_s;
   std::erase_if(list_, [now_s](const Toast& t) { return t.until_s <= now_s; });
 }
 

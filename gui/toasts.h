@@ -21,11 +21,14 @@ class Toasts {
     const void* about = nullptr;
     std::string of{};      ///< the controller that it speaks of; empty: none
     std::string said{};    ///< as it is shown
+    bool stays = false;    ///< until it is dismissed
     float x = -1, y = -1;  ///< where it lies, pixels: it does not wander; negative: nowhere yet
   };
 
   /// `about`: what it speaks of; see withdraw(). `of`: the name of its controller.
   void add(Mood mood, std::string text, const void* about = nullptr, std::string of = {});
+  /// One that stays until it is dismissed, whatever its mood.
+  void add_staying(Mood mood, std::string text);
   /// The controller that is in front: those that speak of another one name it. Nothing: there is but one.
   void look_at(std::optional<std::string_view> front);
   /// That has changed, so what was said about it is not true any more.

@@ -49,7 +49,7 @@ void draw_menu(Ui& ui, Console& console, const Touch& opener) {
   if (popup_row(ui, "menu/names", "Names ...", {}, false, none)) console.dialogs.names(*tab);
   if (popup_row(ui, "menu/reconnect", "Connect again", {}, false, none)) console.reconnect(*tab);
   if (popup_row(ui, "menu/reset", "Reset controller ...", {}, false, no_reset)) console.dialogs.reset(*tab);
-  const bool close = popup_row(ui, "menu/close", "Close controller", {}, false, none);
+  const bool close = popup_row(ui, "menu/close", "Close controller", "Ctrl W", false, none);
   popup_line(ui);
   if (popup_row(ui, "menu/connect", "Connect another", "+")) console.show_page(console.list().pages[0].id);
   if (popup_row(ui, "menu/theme", console.dark() ? "Light theme" : "Dark theme"))

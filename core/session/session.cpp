@@ -52,7 +52,7 @@ IntentId Session::send(IntentBody body) {
   asio::post(scheduler_.executor(),
              [self = shared_from_this(), intent = Intent(id, std::move(body))]() mutable {
                self->posted_ = intent.id;
-               self->pump_.post(std::move(intent));
+               self->take(std::move(intent));
              });
   return id;
 }
@@ -95,8 +95,13 @@ void Session::follow_texts(const Snapshot& snapshot) {
 
 IntentId Session::post(IntentBody body) {
   const IntentId id = ++last_intent_;
-  pump_.post(Intent(id, std::move(body)));
+  take(Intent(id, std::move(body)));
   return id;
+}
+
+void Session::take(Intent intent) {
+  begun_here_.posted(intent.body);
+  pump_.post(std::move(intent));
 }
 
 Task<Result<>> Session::perform(IntentBody body) {
@@ -229,6 +234,7 @@ static bool looks_same(const Snapshot& a, const Snapshot& b) {
 
 void Session::show(const Snapshot& snapshot) {
   if (!texts_sent_.empty()) follow_texts(snapshot);
+  if (begun_here_.any()) begun_here_.seen(snapshot, pump_.busy(), pump_.rounds_ended());
   const bool news = !looks_same(snapshot, shown_);
   latest_.publish(snapshot);
   if (!news) return;

@@ -8,6 +8,7 @@
 
 #include "core/base/latest.h"
 #include "core/device/pump.h"
+#include "core/session/begun_here.h"
 #include "core/session/shared_wire.h"
 
 namespace hw {
@@ -30,6 +31,8 @@ class Session : public std::enable_shared_from_this<Session> {
   [[nodiscard]] const DeviceType& type() const { return type_; }
   [[nodiscard]] const Address& address() const { return address_; }
   [[nodiscard]] Instant now() const { return scheduler_.now(); }
+  /// Whether what moves or runs in the controller was begun through this session.
+  [[nodiscard]] bool begun_here() const { return begun_here_.any(); }
 
   // ---- the one reader thread
   const Snapshot& snapshot() { return latest_.view(); }
@@ -63,6 +66,7 @@ class Session : public std::enable_shared_from_this<Session> {
   Session(Scheduler& scheduler, Address address, const DeviceType& type, Catalog catalog,
           std::shared_ptr<SharedWire> wire, std::size_t place, std::function<void()> wake);
   Task<Result<std::shared_ptr<Link>>> open_wire();
+  void take(Intent intent);
   void follow_texts(const Snapshot& snapshot);
   void show(const Snapshot& snapshot);
   void show_bench();
@@ -76,6 +80,7 @@ class Session : public std::enable_shared_from_this<Session> {
   const std::size_t place_;  ///< among the devices on the wire
   std::function<void()> wake_;
   std::atomic<IntentId> last_intent_{0};
+  BegunHere begun_here_{catalog_};
   IntentId posted_ = 0;               ///< the latest that the pump has been given
   std::vector<IntentId> texts_sent_;  ///< of scripts, whose fate is not known yet
   std::string text_refused_;          ///< why the first of them was, until somebody waits

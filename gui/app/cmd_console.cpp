@@ -1,4 +1,6 @@
 // The window: io thread, console, panels. `demo` adds emulated controllers.
+#include <atomic>
+#include <csignal>
 #include <cstdlib>
 
 #include "core/base/log.h"
@@ -20,6 +22,10 @@ namespace hw::app {
 namespace {
 
 bool has_display() { return std::getenv("DISPLAY") || std::getenv("WAYLAND_DISPLAY"); }
+
+std::string_view name_of_signal(int number) {
+  return number == SIGTERM ? "SIGTERM" : number == SIGHUP ? "SIGHUP" : "SIGINT";
+}
 
 // Everything a console hangs on, in the order in which it must end.
 class ConsoleHouse {
@@ -43,6 +49,9 @@ class ConsoleHouse {
     while (console_.closing() > 0) std::this_thread::sleep_for(Millis(2));
     for (const std::string& sentence : console_.take_last_words()) complain(sentence);
   }
+
+  /// The user's session ends: what was begun here is stopped, held jogs with it.
+  void depart(std::string_view how) { console_.depart(how); }
 
   /// For an end that takes nothing down: what the worker still has to write is written.
   void keep_texts() { worker_.finish(); }
@@ -102,9 +111,10 @@ int run_window(const std::vector<std::string>& addresses, bool demo) {
   };
   const gui::DisplayGuard guard(
       [&house] {
+        house.depart("the display went away");
         house.leave_controllers();
         house.keep_texts();
-        complain("The display has gone away. Held jogs were stopped; other moves go on.");
+        complain("The display has gone away. What this console had begun was told to stop.");
       },
       [&console] {
         console.let_go();
@@ -114,7 +124,9 @@ int run_window(const std::vector<std::string>& addresses, bool demo) {
   for (const std::string& address : addresses)
     if (auto opened = console.open(address); !opened) return complain(opened.error(), usage);
   if (demo) console.start_demo();
-  Interruption interrupted(house.scheduler(), [&] {
+  std::atomic<int> signal{0};
+  Interruption interrupted(house.scheduler(), [&](int number) {
+    signal = number;
     w.close();
     w.wake();
   });
@@ -127,6 +139,7 @@ int run_window(const std::vector<std::string>& addresses, bool demo) {
     }
     if (size != console.size()) w.set_user_scale(size = console.size());
   });
+  if (signal != 0) house.depart(name_of_signal(signal));
   return done;
 }
 

@@ -132,7 +132,7 @@ Task<int> serve(Scheduler& scheduler, const Order& order) {
   if (!host) co_return complain(host.error(), status_of(host.error()));
 
   Event ended(scheduler);
-  Interruption interruption(scheduler, [&ended] { ended.notify(); });
+  Interruption interruption(scheduler, [&ended](int) { ended.notify(); });
   std::vector<std::unique_ptr<TcpEndpoint>> listening;
   for (const auto& [kind, where] : order.endpoints) {
     if (kind == "pty") {

@@ -166,7 +166,7 @@ Task<int> send_all(Scheduler& scheduler, const Address& address, const Given& gi
   }
   if (status == done && !output_is_lost()) {
     const auto connected = co_await session->wait_until_connected();
-    const Interruption interruption(scheduler, [&] { when_interrupted(*session, stopped); });
+    const Interruption interruption(scheduler, [&](int) { when_interrupted(*session, stopped); });
     status = connected ? co_await send_texts(scheduler, session, texts, wait_s, stopped)
                        : complain(connected.error(), status_of(connected.error()));
   }

@@ -44,12 +44,12 @@ int run_here(const std::function<Task<int>(Scheduler&)>& job) {
   return *status;
 }
 
-Interruption::Interruption(Scheduler& scheduler, std::function<void()> act)
+Interruption::Interruption(Scheduler& scheduler, std::function<void(int signal)> act)
     : signals_(scheduler.executor(), SIGINT, SIGTERM, SIGHUP) {
-  signals_.async_wait([this, act = std::move(act)](boost::system::error_code error, int) {
+  signals_.async_wait([this, act = std::move(act)](boost::system::error_code error, int signal) {
     if (error) return;
     signals_.clear();  // back to the system's way of ending a program
-    act();
+    act(signal);
   });
 }
 

@@ -38,7 +38,7 @@ int run_here(const std::function<Task<int>(Scheduler&)>& job);
 /// ends it the hard way.
 class Interruption {
  public:
-  Interruption(Scheduler& scheduler, std::function<void()> act);
+  Interruption(Scheduler& scheduler, std::function<void(int signal)> act);
 
  private:
   asio::basic_signal_set<Executor> signals_;

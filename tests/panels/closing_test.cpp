@@ -5,6 +5,7 @@
 
 #include <gmock/gmock.h>
 
+#include "core/session/last_end.h"
 #include "gui/worker.h"
 #include "tests/core/session/folder.h"
 #include "tests/panels/console_stage.h"
@@ -113,6 +114,129 @@ TEST_F(Closing, TheWindowAsksAboutAListToo) {
   click("close/lose");
   EXPECT_TRUE(s.console.ended());
   EXPECT_EQ(s.console.tabs().size(), 2u) << "they are left in order by whoever ends the window";
+}
+
+// ---- what moves or runs
+
+struct ClosingWhatMoves : Closing {
+  Example& moving = s.add();
+  Example& resting = s.add();
+
+  ClosingWhatMoves() {
+    moving.tab->default_name = "Stage", resting.tab->default_name = "Table";
+    moving.now.axes[0].activity = Activity::moving;
+    s.console.activate(*moving.tab);
+    s.run(0.1);
+  }
+  void key(const char* keys) {
+    EXPECT_TRUE(s.hand.key(keys));
+    s.run(0.1);
+  }
+  bool window_may_close() {
+    const bool may = s.console.dialogs.may_end(s.console);
+    s.run(0.1);
+    return may;
+  }
+};
+
+TEST_F(ClosingWhatMoves, TheWindowNamesEachThatMovesOrRuns) {
+  resting.now.program.owned = true, resting.now.program.run = RunState::running;
+  resting.now.program.slot = 2;
+  s.run(0.1);
+  EXPECT_FALSE(window_may_close());
+  EXPECT_EQ(s.value("close/why"),
+            "Stage: axis 1 is moving. Table: Program 2 is running. Nobody would watch it.");
+  click("close/stop");
+  EXPECT_TRUE(s.console.ended());
+  EXPECT_EQ(moving.count<intent::Stop>(), 1);
+  EXPECT_EQ(resting.count<intent::Stop>(), 1);
+}
+
+TEST_F(ClosingWhatMoves, EnterStays) {
+  EXPECT_FALSE(window_may_close());
+  key("Enter");
+  EXPECT_FALSE(s.console.dialogs.open());
+  EXPECT_FALSE(s.console.ended());
+  EXPECT_EQ(moving.count<intent::Stop>(), 0);
+  EXPECT_FALSE(window_may_close()) << "and it is asked again";
+}
+
+TEST_F(ClosingWhatMoves, AskedAgainWhileItIsAskedStopsAndCloses) {
+  EXPECT_FALSE(window_may_close());
+  EXPECT_TRUE(window_may_close());
+  EXPECT_EQ(moving.count<intent::Stop>(), 1);
+  EXPECT_EQ(resting.count<intent::Stop>(), 0) << "it did nothing";
+}
+
+TEST_F(ClosingWhatMoves, LetItRunStopsNothing) {
+  EXPECT_FALSE(window_may_close());
+  click("close/leave");
+  EXPECT_TRUE(s.console.ended());
+  EXPECT_EQ(moving.count<intent::Stop>(), 0);
+}
+
+TEST_F(ClosingWhatMoves, CtrlWAsksAboutTheTabAndAgainStopsAndClosesIt) {
+  key("Ctrl+W");
+  ASSERT_TRUE(s.stage.find("close/cancel"));
+  EXPECT_EQ(moving.count<intent::Stop>(), 0);
+  key("Ctrl+W");
+  EXPECT_EQ(moving.count<intent::Stop>(), 1);
+  EXPECT_EQ(s.console.tabs().size(), 1u);
+  key("Ctrl+W");
+  EXPECT_TRUE(s.console.tabs().empty()) << "the other does nothing: it is not asked about";
+}
+
+TEST_F(ClosingWhatMoves, WhatComesToRestMeanwhileMovesNoButton) {
+  resting.now.axes[0].activity = Activity::moving;
+  s.run(0.1);
+  EXPECT_FALSE(window_may_close());
+  const auto before = s.stage.find("close/stop")->rect;
+  moving.now.axes[0].activity = resting.now.axes[0].activity = Activity::idle;
+  s.run(0.1);
+  EXPECT_EQ(s.value("close/why"), "Nothing moves any more.");
+  const auto after = s.stage.find("close/stop")->rect;
+  EXPECT_EQ(before.min.x, after.min.x);
+  EXPECT_EQ(before.min.y, after.min.y);
+}
+
+TEST_F(ClosingWhatMoves, WhatWouldBeLostIsSaidInTheSameQuestion) {
+  with_a_list();
+  EXPECT_FALSE(window_may_close());
+  EXPECT_THAT(s.value("close/why"), HasSubstr("Stage: axis 1 is moving."));
+  EXPECT_THAT(s.value("close/why"), HasSubstr("That is lost."));
+}
+
+// ---- a session that ends by itself
+
+TEST(Departing, WhatWasDoneIsToldOnceAtTheNextStart) {
+  test::Folder folder;
+  IoContext io{1};
+  VirtualScheduler scheduler{io};
+  gui::Outside outside(scheduler, WireOpener(), [] {});
+  outside.folders = UserFolders::below(folder.path());
+  ConsoleStage s;
+  Example& moving = s.add();
+  moving.now.axes[0].activity = Activity::moving;
+  s.run(0.1);
+  gui::Console& console = s.console;
+  console.depart("SIGTERM");
+  EXPECT_EQ(moving.count<intent::Stop>(), 1);
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "state" / "last-end.json")) << "headless keeps nothing";
+
+  const LastEnds ends(outside.folders);
+  LastEnd end{date_of_today(), "14:02:11", "SIGTERM", {}};
+  end.controllers = {{"PMX table", "axis X was moving", LastEnd::Fate::at_rest}};
+  ASSERT_TRUE(ends.keep(end));
+  gui::Console next(panel_list(), outside);
+  ASSERT_EQ(next.toasts().list().size(), 1u);
+  EXPECT_EQ(next.toasts().list()[0].text,
+            "At 14:02:11 the session was ended (SIGTERM). PMX table: axis X was moving; it was stopped, and "
+            "confirmed at rest.");
+  next.toasts().tick(0);
+  next.toasts().tick(3600);
+  EXPECT_EQ(next.toasts().list().size(), 1u) << "until it has been read";
+  gui::Console later(panel_list(), outside);
+  EXPECT_TRUE(later.toasts().list().empty());
 }
 
 TEST_F(Closing, AFileDroppedOntoAQuestionIsNotOpened) {
