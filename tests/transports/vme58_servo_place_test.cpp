@@ -118,6 +118,17 @@ TEST_F(Vme58ServoPlace, TheDeadbandIsTheBoardsOwnWhereItIsSet) {
   EXPECT_EQ(axis(Y).loop, Loop::in_place);
 }
 
+TEST_F(Vme58ServoPlace, OneThatComesLateHasCome) {
+  operate(bench::Jam(AxisId{Y}, true));
+  ASSERT_EQ(perform(intent::MoveTo({{AxisId{Y}, Steps(5000)}}, Pps{20000})).fate, Fate::done);
+  EXPECT_FALSE(wait());
+  operate(bench::Jam(AxisId{Y}, false));
+  run(Seconds(1));
+  EXPECT_EQ(axis(Y).position, Steps(5000));
+  EXPECT_EQ(axis(Y).loop, Loop::in_place);
+  EXPECT_TRUE(wait());
+}
+
 TEST_F(Vme58ServoPlace, AStoppedAxisRestsByItsCommandAndShowsItsError) {
   give_motor();
   ASSERT_EQ(perform(intent::MoveTo({{AxisId{Y}, Steps(50000)}}, Pps{5000})).fate, Fate::done);

@@ -65,6 +65,8 @@ void Vme58Driver::show_place(int i, Instant at, bool turns) {
   if (turns) servo.settling = servo.goes_to_place;
   axis.far_off = off > std::max(large_error, band);
   know_loop(i, servo.closed);
+  if (axis.loop == Loop::in_place && axis.ended_by == EndedBy::not_in_place)
+    axis.ended_by = EndedBy::target;  // it came late
 }
 
 /// Its command has ended, and its encoder has yet to show whether it came there.
