@@ -94,7 +94,7 @@ void GotoHome::draw_row(Frame& f, AxisId axis) {
   Row& row = rows_[axis.index];
   const std::string& name = f.catalog.axes[axis.index].name;
   const DisplayUnit& unit = f.tab.unit(axis);
-  const std::string_view why = f.tab.why_not_move();
+  const std::string_view why = f.tab.why_not_move(axis);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float name_width = name_width_of(f);
   draw_name(f, axis, at);
@@ -181,12 +181,18 @@ void GotoHome::go(Frame& f, AxisId axis) {
 }
 
 void GotoHome::go_to(Frame& f, AxisId axis, Steps target) {
-  Row& row = rows_[axis.index];
+  send(f, std::vector<AxisTarget>(1, AxisTarget{axis, target}), by_);
+}
+
+/// The row of the first one tells what became of it.
+void GotoHome::send(Frame& f, std::vector<AxisTarget> targets, bool by) {
+  Row& row = rows_[targets.front().axis.index];
   row.refused.clear();
   row.offers = false;
-  std::vector<AxisTarget> one(1, AxisTarget{axis, target});
-  row.asked = by_ ? f.send_and_watch(intent::MoveBy(std::move(one)))
-                  : f.send_and_watch(intent::MoveTo(std::move(one)));
+  if (by)
+    row.asked = row.doubt.send(f, intent::MoveBy(std::move(targets)));
+  else
+    row.asked = row.doubt.send(f, intent::MoveTo(std::move(targets)));
 }
 
 // ---- several axes
@@ -215,7 +221,7 @@ void GotoHome::draw_together(Frame& f) {
   if (!several(f) && f.catalog.axes.size() != 1) return;
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const std::string_view why = f.tab.why_not_move();
+  const std::string_view why = why_not_together(f);
   const bool none = several(f) && together_ == 0;
   ButtonOptions o;
   o.moving = true;
@@ -241,18 +247,20 @@ void GotoHome::go_together(Frame& f) {
     all = all && target;
     if (target) targets.push_back({AxisId{i}, *target});
   }
-  if (!all || targets.empty()) return;
-  const std::uint8_t first = targets.front().axis.index;  // its row tells what became of it
-  rows_[first].asked = by_ ? f.send_and_watch(intent::MoveBy(std::move(targets)))
-                           : f.send_and_watch(intent::MoveTo(std::move(targets)));
+  if (all && !targets.empty()) send(f, std::move(targets), by_);
 }
 
 void GotoHome::go_to_zero(Frame& f) {
   std::vector<AxisTarget> targets;
   for (std::uint8_t i = 0; i < f.catalog.axes.size(); ++i)
     if (chosen(f, i)) targets.push_back({AxisId{i}, Steps{}});
-  const std::uint8_t first = targets.front().axis.index;
-  rows_[first].asked = f.send_and_watch(intent::MoveTo(std::move(targets)));
+  send(f, std::move(targets), false);
+}
+
+std::string_view GotoHome::why_not_together(const Frame& f) const {
+  for (std::uint8_t i = 0; i < f.catalog.axes.size(); ++i)
+    if (const std::string_view why = f.tab.why_not_move(AxisId{i}); chosen(f, i) && !why.empty()) return why;
+  return f.tab.why_not_move();
 }
 
 void GotoHome::follow(Frame& f, AxisId axis) {
@@ -260,20 +268,24 @@ void GotoHome::follow(Frame& f, AxisId axis) {
   if (f.now.forgotten(row.asked)) row.asked = 0;
   const IntentFate* fate = f.now.fate_of(row.asked);
   if (!fate || fate->fate == Fate::pending) return;
-  if (fate->fate != Fate::done) row.refused = fate->sentence.view();
   row.asked = 0;
+  if (fate->fate != Fate::done && !row.doubt.hear(f, *fate)) row.refused = fate->sentence.view();
 }
 
 void GotoHome::draw_refusal(Frame& f, AxisId axis, const Rect& beside) {
   Row& row = rows_[axis.index];
-  if (row.refused.empty()) return;
   const std::string& name = f.catalog.axes[axis.index].name;
+  const Path about("Go, {}", name);
+  if (row.doubt.open()) {
+    if (const IntentId sent = row.doubt.draw(f, "goto", about, beside, mode_)) row.asked = sent;
+    return;
+  }
+  if (row.refused.empty()) return;
   const DisplayUnit& unit = f.tab.unit(axis);
   const Path id("goto/{}/refused", name), nearest("goto/{}/nearest", name);
   const Path label("Go {} {}", by_ ? "by" : "to", format_with_unit(row.nearest, unit).view());
   const std::array<Action, 1> actions = {
-      Action{.id = nearest, .label = label, .disabled = f.tab.why_not_move(), .moving = true}};
-  const Path about("Go, {}", name);
+      Action{.id = nearest, .label = label, .disabled = f.tab.why_not_move(axis), .moving = true}};
   row.card.begin(
       f, {.id = id, .about = about, .words = row.refused, .actions = {actions.data(), row.offers ? 1u : 0u}},
       beside);

@@ -12,6 +12,7 @@
 #include "panels/jog_units.h"
 #include "panels/measures.h"
 #include "panels/path.h"
+#include "panels/power_switch.h"
 #include "panels/unit_chooser.h"
 
 namespace hw::panels {
@@ -104,7 +105,8 @@ bool Jog::labels_fit(const Frame& f, float width) const {
 void Jog::draw_hint(Frame& f) {
   Ui& ui = f.ui;
   const std::string_view flaw = speed_.flaw();
-  const std::string_view why = flaw.empty() ? f.tab.why_not_move() : flaw;
+  const std::uint32_t off = flaw.empty() && f.tab.why_not_move().empty() ? powerless_axes(f) : 0;
+  const std::string_view why = !flaw.empty() ? flaw : off != 0 ? powerless_words(f, off) : f.tab.why_not_move();
   const bool keeps = f.tier != Tier::narrow;
   if (why.empty() && !keeps) return;
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -113,9 +115,10 @@ void Jog::draw_hint(Frame& f) {
   const std::string_view words = why.empty() ? hint.view() : why;
   draw_icon(ImGui::GetWindowDrawList(), Icon::info, ImVec2(at.x + ui.px(6), at.y + ui.px(8)), ui.px(12),
             ui[why.empty() ? Tone::ink3 : Tone::ink2]);
+  const Rect left = draw_power_switches(f, {at, ImVec2(at.x + ui.px(f.area.width), at.y + ui.px(36))}, off);
   ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(20), at.y));
   const Tone tone = !flaw.empty() ? Tone::fault : why.empty() ? Tone::ink3 : Tone::ink2;
-  wrapped(ui, Face::small, tone, words, f.area.width - 20);
+  wrapped(ui, Face::small, tone, words, left.width() / ui.scale - 20);
   const float lines = f.tier == Tier::wide ? 2 : keeps ? 3 : 0;
   const float end = std::max(ImGui::GetItemRectMax().y, at.y + lines * ui.line(Face::small));
   ImGui::SetCursorScreenPos(ImVec2(at.x, end + ui.px(4)));
