@@ -10,13 +10,14 @@
 #include "gui/console.h"
 #include "gui/tab.h"
 #include "gui/units_format.h"
+#include "gui/widgets/text.h"
 
 namespace hw::panels {
 
 using namespace gui;
 namespace {
 
-constexpr float field_width = 144;
+constexpr float field_label = 80, field_width = 144;
 
 /// In the units and by the clock that the console shows.
 DoubtWords words_shown(const Frame& f) {
@@ -63,6 +64,7 @@ void DoubtWays::tell(const Frame& f, std::uint32_t doubtful) {
   axis_ = AxisId{static_cast<std::uint8_t>(std::countr_zero(doubtful))};
   words_ = say_doubtful(f.catalog, f.now, *sent_, doubtful, words_shown(f));
   field_.reset();
+  filled_.clear(), counted_.reset();
   offered_ = 0;
 }
 
@@ -74,7 +76,7 @@ void DoubtWays::name_ways(const Frame& f, std::string_view prefix) {
   const auto offer = [&](Way way, std::string_view id, std::string label) {
     offers_[offered_++] = {way, path(id), std::move(label)};
   };
-  offer(set, "set", fmt::format("{} stands there", name));
+  offer(set, "set", "Set");
   if (f.catalog.can.homes) {
     offer(home_minus, "home/-", fmt::format("Home {} \u2212", name));
     offer(home_plus, "home/+", fmt::format("Home {} +", name));
@@ -96,17 +98,28 @@ IntentId DoubtWays::draw(Frame& f, std::string_view prefix, std::string_view abo
                   .moving = offers_[i].way != set};
   Refusal refusal{
       .id = refused_id_, .about = about, .words = words_, .actions = {actions.data(), offered_}};
-  refusal.slot_width = field_width;
+  refusal.slot_width = field_label + field_width;
   card_.begin(f, refusal, row);
-  draw_field(f);
+  const bool entered = draw_field(f);
   const RefusalTouch touched = card_.end();
   if (touched.closed) close();
+  if (entered && why_not(f, set).empty()) return go(f, set, mode);
   return touched.action < 0 ? 0 : go(f, offers_[static_cast<std::size_t>(touched.action)].way, mode);
 }
 
 /// "It stands at [      mm]": what it counts, until somebody types.
-void DoubtWays::draw_field(Frame& f) {
+bool DoubtWays::draw_field(Frame& f) {
   const DisplayUnit& unit = f.tab.unit(axis_);
+  const Steps counts = f.now.axes[axis_.index].position;
+  if (field_.text == filled_ && counts != counted_) {
+    field_.set(from_steps(counts, unit), unit.real ? unit.decimals : 0);
+    filled_ = field_.text;
+    counted_ = counts;
+  }
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  draw_text_line(f.ui, at.x, at.x + f.ui.px(field_label), at.y + f.ui.px(16), Face::body, f.ui[Tone::ink],
+                 "It stands at");
+  ImGui::SetCursorScreenPos(ImVec2(at.x + f.ui.px(field_label), at.y));
   NumberOptions o;
   o.range.decimals = unit.real ? unit.decimals : 0;
   o.range.unit = unit.name;
@@ -114,11 +127,11 @@ void DoubtWays::draw_field(Frame& f) {
   o.tip = "Where it stands. As it counts, or what you read at the machine.";
   o.disabled = f.no_link();
   o.sentence_below = false;
-  number_field(f.ui, field_id_, "It stands at", from_steps(f.now.axes[axis_.index].position, unit), field_, o);
+  return number_field(f.ui, field_id_, "It stands at", std::nullopt, field_, o).entered;
 }
 
 std::optional<Steps> DoubtWays::place(const Frame& f) const {
-  if (!field_.dirty()) return f.now.axes[axis_.index].position;
+  if (field_.text == filled_) return f.now.axes[axis_.index].position;
   const auto typed = parse_position(field_.text, f.tab.unit(axis_));
   return typed ? std::optional(*typed) : std::nullopt;
 }

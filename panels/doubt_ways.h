@@ -43,7 +43,8 @@ class DoubtWays {
   void close() { doubtful_ = 0; }
   void tell(const gui::Frame& frame, std::uint32_t doubtful);
   void name_ways(const gui::Frame& frame, std::string_view prefix);
-  void draw_field(gui::Frame& frame);
+  /// True: Enter.
+  bool draw_field(gui::Frame& frame);
   [[nodiscard]] std::string_view why_not(const gui::Frame& frame, Way way) const;
   [[nodiscard]] std::optional<Steps> place(const gui::Frame& frame) const;
   IntentId go(gui::Frame& frame, Way way, int mode);
@@ -55,6 +56,8 @@ class DoubtWays {
   std::array<Offer, 4> offers_;
   std::size_t offered_ = 0;  ///< 0: not named yet
   gui::NumberField field_;
+  std::string filled_;            ///< what stands in it unless somebody has typed ...
+  std::optional<Steps> counted_;  ///< ... and the count that this is
   RefusalCard card_;
 };
 
