@@ -31,7 +31,7 @@ class GotoHome final : public gui::Panel {
   };
   void draw_title(gui::Frame& frame);
   void draw_name(gui::Frame& frame, AxisId axis, ImVec2 at);
-  void draw_together(gui::Frame& frame);
+  void draw_together(gui::Frame& frame, const gui::Box& place, ImVec2 at);
   void draw_all_or_one(gui::Frame& frame);
   void draw_row(gui::Frame& frame, AxisId axis);
   void draw_homes(gui::Frame& frame, AxisId axis, std::string_view why);

@@ -1,6 +1,7 @@
 #include "panels/power_switch.h"
 
 #include <bit>
+#include <cmath>
 
 #include "core/device/refusals.h"
 #include "gui/tab.h"
@@ -35,12 +36,13 @@ Rect draw_power_switches(Frame& f, const Rect& place, std::uint32_t axes) {
   o.height = 28;
   o.tip = "Gives the motor its current. It holds then, and can be moved.";
   o.width = several ? 28 : button_width(ui, "Switch on", o);
+  const float top = std::floor(place.centre().y - ui.px(o.height / 2));
   Rect left = place;
   for (int i = max_axes - 1; i >= 0; --i) {
     if ((axes >> i & 1u) == 0) continue;
     const std::string& name = f.catalog.axes[static_cast<std::size_t>(i)].name;
     left.max.x -= ui.px(o.width);
-    ImGui::SetCursorScreenPos(ImVec2(left.max.x, place.min.y));
+    ImGui::SetCursorScreenPos(ImVec2(left.max.x, top));
     if (button(ui, Path("jog/{}/power", name), several ? std::string_view(name) : "Switch on", o).clicked)
       f.send(intent::SetPower(i, true));
     left.max.x -= ui.px(close_between);
