@@ -49,7 +49,7 @@ void Console::jog_key(Tab& tab, Command command, bool down, double at_s) {
     const AxisId axis{key.axis};
     const JogHold::Control control{JogHold::Hand::keyboard, axis, key.sign};
     if (!down) return tab.jog.release(control, at_s);
-    if (const std::string_view why = tab.why_not_move(); !why.empty())
+    if (const std::string_view why = tab.why_not_move(axis); !why.empty())
       return toast(Mood::warn, std::string(why));
     tab.jog.press(control, {tab.jog_step(), tab.jog_speed()}, at_s);
   }

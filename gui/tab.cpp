@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include "core/device/refusals.h"
 #include "core/session/session.h"
 #include "gui/status_sentence.h"
 
@@ -29,6 +30,13 @@ static Tab::Door door_of(Session& session) {
           [&session](BenchCommand command) { session.operate_bench(std::move(command)); }};
 }
 
+static std::array<std::string, max_axes> power_words(const Catalog& catalog) {
+  std::array<std::string, max_axes> words;
+  for (std::size_t i = 0; i < catalog.axes.size() && i < words.size(); ++i)
+    words[i] = fmt::format("Motor power of {} is off. Switch it on first.", catalog.axes[i].name);
+  return words;
+}
+
 static Catalog catalog_on(const Catalog& catalog, bool bus) {
   Catalog c = catalog;
   if (bus && c.axes.size() == 1 && c.addressed()) c.axes[0].name = c.id();
@@ -44,7 +52,8 @@ Tab::Tab(std::shared_ptr<Session> session, std::string key, bool on_bus)
       id_(catalog_.id()),
       door_(door_of(*session_)),
       desk_(catalog_, session_->type().language ? &session_->type().language() : nullptr,
-            session_->type().explain) {
+            session_->type().explain),
+      power_is_off_(power_words(catalog_)) {
   work_out_units();
   refresh();
 }
@@ -55,7 +64,8 @@ Tab::Tab(Address address, Catalog catalog, Door door, const Language* language, 
       catalog_(std::move(catalog)),
       id_(catalog_.id()),
       door_(std::move(door)),
-      desk_(catalog_, language, explain) {
+      desk_(catalog_, language, explain),
+      power_is_off_(power_words(catalog_)) {
   work_out_units();
 }
 
@@ -160,6 +170,11 @@ void Tab::tell_what_is_watched() {
   if (groups == watched_) return;
   watched_ = groups;
   send(intent::Watch(groups));
+}
+
+std::string_view Tab::why_not_move(AxisId axis) const {
+  if (!why_not_move_.empty() || !powerless(catalog_, *now_, axis)) return why_not_move_;
+  return power_is_off_[axis.index];
 }
 
 void Tab::find_why_not_move() {

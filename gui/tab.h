@@ -59,6 +59,8 @@ class Tab {
   /// Why nothing may be moved now (no link, a program runs), as a sentence that says when it ends; empty: it
   /// may. Valid until the next refresh().
   [[nodiscard]] std::string_view why_not_move() const { return why_not_move_; }
+  /// The same for one axis, whose motor may have no current.
+  [[nodiscard]] std::string_view why_not_move(AxisId axis) const;
   void stop_all();  ///< Stop to this controller; a held jog is forgotten, since the stop ends it
   /// The same for a stop that has gone out with those of others, as this intent.
   void stopped_with(IntentId stop);
@@ -136,6 +138,7 @@ class Tab {
   Instant clock_{};
   std::array<DisplayUnit, max_axes> units_;
   std::string why_not_move_;
+  std::array<std::string, max_axes> power_is_off_;  ///< the words, if it is
   std::uint32_t looked_at_ = 0, watched_ = 0;
   LinkState told_link_ = LinkState::closed;
   ProgramState told_program_;

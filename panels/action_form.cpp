@@ -148,7 +148,9 @@ void ActionForm::draw_button(Frame& f, float width) {
   o.width = width;
   o.tip = info_.help;
   o.disabled = why_not(f);
-  if (button(f.ui, Path("action/{}/go", info_.id), info_.label, o).clicked) send(f);
+  const Touch t = button(f.ui, Path("action/{}/go", info_.id), info_.label, o);
+  button_ = t.rect;
+  if (t.clicked) send(f);
 }
 
 std::optional<std::int64_t> ActionForm::value(const Frame& f, const ActionField& info, Field& field) {
@@ -175,15 +177,19 @@ void ActionForm::send(Frame& f) {
   for (std::size_t i = 0; i < fields_.size(); ++i)
     if (const auto v = value(f, info_.fields[i], fields_[i])) values.push_back(*v);
   if (values.size() != fields_.size()) return;
-  asked_ = f.send_and_watch(intent::Act(action_, std::move(values)));
+  asked_ = doubt_.send(f, intent::Act(action_, std::move(values)));
 }
 
 void ActionForm::draw_refusal(Frame& f, float width) {
   if (const IntentFate* fate = f.now.fate_of(asked_); fate && fate->fate != Fate::pending) {
-    if (fate->fate != Fate::done) refused_ = fate->sentence.view();
     asked_ = 0;
+    if (fate->fate != Fate::done && !doubt_.hear(f, *fate)) refused_ = fate->sentence.view();
   }
   if (f.now.forgotten(asked_)) asked_ = 0;
+  if (doubt_.open()) {
+    const Path prefix("action/{}", info_.id);
+    if (const IntentId sent = doubt_.draw(f, prefix, info_.label, button_)) asked_ = sent;
+  }
   if (refused_.empty()) return;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   wrapped(f.ui, Face::small, Tone::fault, refused_, width);

@@ -7,6 +7,7 @@
 #include "gui/frame.h"
 #include "gui/ui.h"
 #include "gui/widgets/number_field.h"
+#include "panels/doubt_ways.h"
 
 namespace hw::panels {
 
@@ -45,6 +46,8 @@ class ActionForm {
   float least_ = 104;  ///< of a cell, so that no value of its lists is cut
   IntentId asked_ = 0;
   std::string refused_;
+  DoubtWays doubt_;
+  gui::Rect button_{};  ///< where it was drawn
 };
 
 }  // namespace hw::panels

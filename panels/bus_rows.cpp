@@ -1,6 +1,7 @@
 #include "panels/bus_rows.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "gui/area.h"
 #include "gui/axis_look.h"
@@ -63,11 +64,16 @@ void BusRows::draw_summary(Frame& f, float width) {
   constexpr float height = 32;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const Bus& bus = *f.tab.bus;
-  const auto trouble =
-      std::count_if(bus.members.begin(), bus.members.end(), [](const Tab* t) { return in_trouble(*t); });
+  int trouble = 0;
+  const Tab* first = nullptr;
+  for (const Tab* member : bus.members) {
+    if (!in_trouble(*member)) continue;
+    ++trouble;
+    if (!first) first = member;
+  }
   const Path answers("{} of {} answer", bus.connected(), bus.members.size());
   const Path all("{}, trouble: {}", answers.view(), trouble);
-  const std::string_view words = trouble > 0 ? all.view() : answers.view();
+  const std::string_view words = first ? all.view() : answers.view();
   ButtonOptions o;
   o.style = ButtonStyle::quiet;
   o.height = 28;
@@ -75,32 +81,29 @@ void BusRows::draw_summary(Frame& f, float width) {
   const Path label("Set {}", f.tab.id());
   o.width = button_width(ui, label, o);
   const float left = at.x + ui.px(width - o.width);
-  draw_text_line(ui, at.x, left, at.y + ui.px(height / 2 - 2), Face::small,
-                 ui[trouble > 0 ? Tone::warn : Tone::ink2], words);
+  const Path shows("Show {}", first ? first->id() : "");
+  const float end = left - (first ? std::ceil(text_width(ui, Face::small, shows)) + ui.px(12) : 0);
+  draw_text_line(ui, at.x, end, at.y + ui.px(height / 2 - 2), Face::small,
+                 ui[first ? Tone::warn : Tone::ink2], words);
   show(ui, {"bus/summary", Kind::text, "Bus", words, {}, false, words},
-       {at, ImVec2(left, at.y + ui.px(height))});
+       {at, ImVec2(end, at.y + ui.px(height))});
+  ImGui::SetCursorScreenPos(ImVec2(end + ui.px(8), at.y + ui.px(6)));
+  if (first && link(ui, "bus/trouble", shows)) ui.registry.scroll_to(Path("bus/{}", first->id()).view());
   ImGui::SetCursorScreenPos(ImVec2(left, at.y));
   menu_.draw(f, only, button(ui, Path("dro/{}/menu", f.tab.id()), label, o));
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(height)));
 }
 
-// Rows do not move under the hand that is about to press one.
-void BusRows::sort(const Bus& bus, bool may_move) {
-  if (order_.size() == bus.members.size() && !may_move) return;
-  order_ = bus.members;
-  std::stable_partition(order_.begin(), order_.end(), [](const Tab* t) { return in_trouble(*t); });
-}
-
 void BusRows::draw_rows(Frame& f, float height) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const Rect all{at, ImVec2(at.x + f.ui.px(f.area.width), at.y + f.ui.px(height))};
-  sort(*f.tab.bus, !all.contains(ImGui::GetIO().MousePos));
   // From border to border of the column: what is chosen is seen from afar.
   ImGui::SetCursorScreenPos(ImVec2(f.ui.px(f.area.x - margin), at.y));
   begin_part(f.ui, "bus/rows", f.ui.px(f.area.width + 2 * margin) - f.ui.hair(), f.ui.px(height), Tone::panel,
              margin);
   const float width = ImGui::GetContentRegionAvail().x / f.ui.scale;
-  for (Tab* member : order_) draw_row(f, *member, width);
+  // In the order of their ids whoever is in trouble: each row has jog buttons, and they do not change places.
+  for (Tab* member : f.tab.bus->members) draw_row(f, *member, width);
   end_part();
   ImGui::SetCursorScreenPos(ImVec2(at.x, all.max.y));
 }

@@ -1,10 +1,7 @@
 #pragma once
 // All controllers of a bus, a row each: id, state, position and jog. A press chooses the one that the other
-// panels act on. Whoever is in trouble stands first. Ids: `bus/03`, `dro/03/position`, `dro/03/state`,
-// `jog/03/+`.
-#include <string>
-#include <vector>
-
+// panels act on. Whoever is in trouble is counted above, and shown by a press: rows do not change places.
+// Ids: `bus/03`, `bus/trouble`, `dro/03/position`, `dro/03/state`, `jog/03/+`.
 #include "gui/bus.h"
 #include "gui/panel.h"
 #include "gui/tab.h"
@@ -22,9 +19,7 @@ class BusRows final : public gui::Panel {
   void draw_strip(gui::Frame& frame);
   void draw_rows(gui::Frame& frame, float height);
   void draw_row(gui::Frame& frame, gui::Tab& member, float width);
-  void sort(const gui::Bus& bus, bool may_move);
 
-  std::vector<gui::Tab*> order_;
   AxisMenu menu_;
 };
 

@@ -133,12 +133,14 @@ void Contour::work_out(Frame& f) {
     const auto plan = staircase(f);
     if (!plan) return refuse(plan.error());
     draw_staircase_line(*plan);
+    places_ = {{plan->axis, plan->stop_at}};
     written = writer_->write_staircase(*plan, f.catalog);
   } else {
     shape_.reset();
     const auto plan = contour();
     if (!plan) return refuse(plan.error());
     plan_ = *plan;
+    places_ = {{plan->first, plan->x}, {plan->second, plan->y}};
     if (auto shape = draw_contour(*plan, f.catalog)) shape_ = std::move(*shape);
     written = writer_->write_contour(*plan, f.catalog);
     if (shape_)
@@ -209,7 +211,7 @@ void Contour::follow(Frame& f) {
     if (!fate || fate->fate == Fate::pending) return false;
     id = 0;
     if (fate->fate == Fate::done) return true;
-    f.toast(Mood::fault, std::string(fate->sentence.view()));
+    if (&id != &starting_ || !doubt_.hear(f, *fate)) f.toast(Mood::fault, std::string(fate->sentence.view()));
     return false;
   };
   // A stop, or another panel in front meanwhile: what is loaded is not started any more.
@@ -218,7 +220,7 @@ void Contour::follow(Frame& f) {
   if (was_away && loading_ != 0 && f.tab.desk().stops() == stops_)
     f.toast(Mood::warn, "The list was loaded and is not started: another panel came to the front meanwhile.");
   if (was_away || f.ui.cancelled() || f.tab.desk().stops() != stops_) loading_ = starting_ = 0;
-  if (loading_ && ended(loading_)) starting_ = f.send_and_watch(intent::RunProgram(0));
+  if (loading_ && ended(loading_)) starting_ = doubt_.send(f, intent::RunProgram(0, places_));
   if (starting_) ended(starting_);
 }
 
@@ -235,8 +237,11 @@ void Contour::draw_toolbar(Frame& f) {
   go.height = 40;
   go.disabled = why_not_run(f);
   go.tip = "Sends this text to the controller and runs it. A stop ends it.";
-  if (button(ui, "contour/run", "Run", go).clicked) run(f);
-  ImGui::SameLine(0, ui.px(8));
+  const Touch begun = button(ui, "contour/run", "Run", go);
+  if (begun.clicked) run(f);
+  if (doubt_.open())
+    if (const IntentId sent = doubt_.draw(f, "contour", "Run", begun.rect)) starting_ = sent;
+  ImGui::SetCursorScreenPos(ImVec2(begun.rect.max.x + ui.px(8), begun.rect.min.y));
   ButtonOptions put;
   put.height = 40;
   if (!problem_.empty())

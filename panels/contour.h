@@ -12,6 +12,7 @@
 #include "gui/panel.h"
 #include "gui/widgets/number_field.h"
 #include "gui/widgets/plot.h"
+#include "panels/doubt_ways.h"
 
 namespace hw::panels {
 
@@ -76,12 +77,14 @@ class Contour final : public gui::Panel {
   // what it comes to, worked out when something has changed
   ContourPlan plan_;
   std::optional<ContourShape> shape_;
+  std::vector<AxisTarget> places_;  ///< that its text goes to
   std::string text_, problem_, facts_;
   std::vector<float> stair_x_, stair_y_;
   Steps worked_out_from_{};  ///< where the staircase's axis stood
   gui::PlotCursor cursor_;
 
   IntentId loading_ = 0, starting_ = 0;
+  DoubtWays doubt_;
   std::uint64_t stops_ = 0;  ///< that had gone out when Run was pressed
   int drawn_frame_ = 0;
   bool asking_ = false;

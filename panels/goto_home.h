@@ -9,6 +9,7 @@
 
 #include "gui/panel.h"
 #include "gui/widgets/number_field.h"
+#include "panels/doubt_ways.h"
 #include "panels/refusal_card.h"
 
 namespace hw::panels {
@@ -26,10 +27,11 @@ class GotoHome final : public gui::Panel {
     Steps nearest{};      ///< offered instead, when `offers`
     bool offers = false;
     RefusalCard card;
+    DoubtWays doubt;  ///< of the last one, if it was refused for that
   };
   void draw_title(gui::Frame& frame);
   void draw_name(gui::Frame& frame, AxisId axis, ImVec2 at);
-  void draw_together(gui::Frame& frame);
+  void draw_together(gui::Frame& frame, const gui::Box& place, ImVec2 at);
   void draw_all_or_one(gui::Frame& frame);
   void draw_row(gui::Frame& frame, AxisId axis);
   void draw_homes(gui::Frame& frame, AxisId axis, std::string_view why);
@@ -42,6 +44,9 @@ class GotoHome final : public gui::Panel {
   void go_together(gui::Frame& frame);
   void go_to_zero(gui::Frame& frame);
   [[nodiscard]] bool chosen(const gui::Frame& frame, std::size_t axis) const;
+  /// Of those that take part the first that cannot be moved.
+  [[nodiscard]] std::string_view why_not_together(const gui::Frame& frame) const;
+  void send(gui::Frame& frame, std::vector<AxisTarget> targets, bool by);
 
   std::array<Row, max_axes> rows_;
   int mode_ = 0;

@@ -12,6 +12,7 @@
 #include "panels/jog_units.h"
 #include "panels/measures.h"
 #include "panels/path.h"
+#include "panels/power_switch.h"
 #include "panels/unit_chooser.h"
 
 namespace hw::panels {
@@ -20,7 +21,9 @@ using namespace gui;
 
 namespace {
 
-constexpr float least_around_words = 10;
+constexpr float steps_height = 32, stop_height = 40, around_words = 6;
+/// Of the buttons in a row: "1 step" is longer than those between, "10 000" the longest.
+constexpr float first_share = 1.13f, last_share = 1.4f;
 
 struct Cell {
   float column, row;
@@ -40,112 +43,117 @@ bool jogs_in_rows(const Frame& f) {
                                 : f.tab.bus || f.catalog.axes.size() > 4;
 }
 bool in_pairs(const Frame& f) { return f.catalog.axes.size() > 4 && !jogs_in_rows(f); }
-/// Speed in the line of the title, captions in that of the steps: what is done every day needs no scrolling.
-bool close_together(const Frame& f) {
-  return f.tier == Tier::medium || (f.tier == Tier::wide && (f.tab.bus || f.catalog.axes.size() > 2));
-}
-
-float cell_size(const Frame& f, float columns) {
-  const float largest = f.tier == Tier::wide && f.catalog.axes.size() <= 3 ? 56.0f : 48.0f;
-  return std::min(largest, std::floor((f.area.width + close_between) / columns) - close_between);
-}
 
 }  // namespace
 
+// Each part has its place by the column's measures; nothing that is said or chosen in one moves the next.
 void Jog::draw(Frame& f) {
   follow_unit(f);
-  draw_title(f);
-  draw_hint(f);
-  origin_ = ImGui::GetCursorScreenPos();
-  if (jogs_in_rows(f)) {
-    constexpr float stop = 48;
-    draw_stop(f, 0, 0, ImVec2(stop, stop));
-    const float beside = f.area.width - stop - 12;
-    const bool fits = spare_of(f, 0, beside) >= least_around_words;
-    if (fits)
-      draw_steps_row(f, stop + 12, (stop - 32) / 2, beside);
-    else
-      draw_steps_row(f, 0, stop + 8, f.area.width);
-    ImGui::SetCursorScreenPos(ImVec2(origin_.x, origin_.y + f.ui.px(stop + 8 + (fits ? 0 : 40))));
-  } else if (in_pairs(f)) {
-    draw_pairs(f);
-  } else {
-    draw_cross(f);
-  }
-  if (!close_together(f)) speed_.draw(f, f.tier == Tier::wide);
-  if (f.tier != Tier::narrow) group_line(f.ui, close_together(f) ? 4 : 8);
+  const Column column = column_of(f);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  draw_title(f, column);
+  const bool narrow = f.tier == Tier::narrow;
+  const float top = at.y + f.ui.px(column.title);
+  if (!narrow)
+    draw_reason(f, {ImVec2(at.x, top), ImVec2(at.x + f.ui.px(f.area.width), top + f.ui.px(column.reason))});
+  origin_ = ImVec2(at.x, top + f.ui.px(narrow ? 0 : column.reason));
+  const float height = jogs_in_rows(f) ? draw_stop_and_steps(f, column)
+                       : in_pairs(f)   ? draw_pairs(f)
+                                       : draw_cross(f, column);
+  ImGui::SetCursorScreenPos(ImVec2(origin_.x, origin_.y + f.ui.px(height)));
+  if (!column.speed_in_title) speed_.draw(f, column.speed_over_slider);
+  if (!narrow) group_line(f.ui, 0);
 }
 
-/// In a narrow window the strip of positions has no room for the unit: it stands here.
-void Jog::draw_title(Frame& f) {
+/// Each device or axis has its jog buttons in its own row: what is left is for all of them.
+float Jog::draw_stop_and_steps(Frame& f, const Column& column) {
+  draw_stop(f, 0, 0, ImVec2(f.area.width, stop_height));
+  const float steps = stop_height + column.between_steps;
+  draw_steps_row(f, 0, steps, f.area.width);
+  return steps + steps_height + column.below_steps;
+}
+
+/// In a narrow window the strip of positions has no room for the unit: it stands here, and the reason with
+/// it.
+void Jog::draw_title(Frame& f, const Column& column) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float height = close_together(f) ? 36 : 40;
-  section_title(ui, "Jog", {}, height);
-  const ImVec2 after = ImGui::GetCursorScreenPos();
-  if (close_together(f)) {
-    constexpr float title = 40;
+  constexpr float title = 40;
+  draw_text_line(ui, at.x, at.x + ui.px(title), at.y + ui.px(column.title / 2), Face::body_bold,
+                 ui[Tone::ink], "Jog");
+  if (column.speed_in_title) {
     ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(title), at.y + ui.px(2)));
     speed_.draw_line(f, f.area.width - title);
   } else if (f.tier == Tier::narrow) {
-    ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(f.area.width - unit_chooser_width(f)), at.y + ui.px(4)));
+    const float right = at.x + ui.px(f.area.width - unit_chooser_width(f));
+    draw_reason(f, {ImVec2(at.x + ui.px(title), at.y), ImVec2(right - ui.px(8), at.y + ui.px(column.title))});
+    ImGui::SetCursorScreenPos(ImVec2(right, at.y + ui.px(4)));
     draw_unit_chooser(f);
   }
-  ImGui::SetCursorScreenPos(after);
 }
 
-bool Jog::labels_fit(const Frame& f, float width) const {
-  return std::all_of(steps_.begin(), steps_.end(), [&](const JogStep& step) {
-    return text_width(f.ui, Face::body_bold, step.label) + f.ui.px(8) <= f.ui.px(width);
-  });
-}
-
-// The pad does not move under the hand when there is a reason not to jog: its place is kept.
-void Jog::draw_hint(Frame& f) {
+/// Why nothing may be jogged, or how it is done: as many lines as there is place for, said or not.
+void Jog::draw_reason(Frame& f, const Rect& place) {
   Ui& ui = f.ui;
   const std::string_view flaw = speed_.flaw();
-  const std::string_view why = flaw.empty() ? f.tab.why_not_move() : flaw;
-  const bool keeps = f.tier != Tier::narrow;
-  if (why.empty() && !keeps) return;
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const Path hint("Hold a button to move. A tap moves the chosen step{}{}.",
-                  steps_unit_.name.empty() ? "" : ", in ", steps_unit_.name);
-  const std::string_view words = why.empty() ? hint.view() : why;
-  draw_icon(ImGui::GetWindowDrawList(), Icon::info, ImVec2(at.x + ui.px(6), at.y + ui.px(8)), ui.px(12),
+  const std::uint32_t off = flaw.empty() && f.tab.why_not_move().empty() ? powerless_axes(f) : 0;
+  const std::string_view why = !flaw.empty() ? flaw : off != 0 ? powerless_words(f, off) : f.tab.why_not_move();
+  const bool unit_said = f.tier == Tier::narrow || steps_unit_.name.empty();  // it stands beside it
+  const Path hint("Hold a button to move. A tap moves the chosen step{}{}.", unit_said ? "" : ", in ",
+                  unit_said ? std::string_view() : std::string_view(steps_unit_.name));
+  const float line = ui.line(Face::small);
+  const int lines = std::max(1, static_cast<int>(place.height() / line));
+  const float top = f.tier == Tier::narrow
+                        ? std::floor(place.centre().y - line * static_cast<float>(lines) / 2)
+                        : place.min.y;
+  draw_icon(ImGui::GetWindowDrawList(), Icon::info, ImVec2(place.min.x + ui.px(6), top + ui.px(8)), ui.px(12),
             ui[why.empty() ? Tone::ink3 : Tone::ink2]);
-  ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(20), at.y));
+  const Rect left = draw_power_switches(f, place, off);
+  const Rect words{ImVec2(place.min.x + ui.px(20), top), left.max};
   const Tone tone = !flaw.empty() ? Tone::fault : why.empty() ? Tone::ink3 : Tone::ink2;
-  wrapped(ui, Face::small, tone, words, f.area.width - 20);
-  const float lines = f.tier == Tier::wide ? 2 : keeps ? 3 : 0;
-  const float end = std::max(ImGui::GetItemRectMax().y, at.y + lines * ui.line(Face::small));
-  ImGui::SetCursorScreenPos(ImVec2(at.x, end + ui.px(4)));
+  draw_text_in_lines(ui, words, Face::small, ui[tone], why.empty() ? hint.view() : why, lines);
 }
 
-void Jog::draw_cross(Frame& f) {
+/// The most words with which every step has room in its button.
+template <class Width>
+int Jog::words_that_fit(const Frame& f, const Width& width) const {
+  const auto fits = [&](int room) {
+    for (std::size_t i = 0; i < steps_.size(); ++i)
+      if (text_width(f.ui, Face::body_bold, label_of(steps_[i], room)) > f.ui.px(width(i) - around_words))
+        return false;
+    return true;
+  };
+  int room = 3;
+  while (room > 0 && !fits(room)) --room;
+  return room;
+}
+
+float Jog::draw_cross(Frame& f, const Column& column) {
   const std::size_t axes = f.catalog.axes.size();
   const bool flat = axes == 1, beside = axes == 2;
-  const float columns = axes <= 2 ? 3 : static_cast<float>(axes) + 1;
-  const float cell = cell_size(f, columns), pitch = cell + close_between;
+  const float cell = column.cell, pitch = cell + close_between;
+  const float left_over = f.area.width - (static_cast<float>(axes) + 1) * pitch + close_between;
+  const float apart = std::clamp(left_over, 0.0f, 16.0f);  // the columns beside the cross stand apart from it
   for (std::size_t i = 0; i < axes; ++i)
     for (const Sign sign : {Sign::minus, Sign::plus}) {
       const AxisId axis{static_cast<std::uint8_t>(i)};
       const Cell place = cell_of(axis, sign);
-      draw_button(f, axis, sign, place.column * pitch, (flat ? 0 : place.row) * pitch, ImVec2(cell, cell));
+      const float x = place.column * pitch + (place.column < 3 ? 0 : apart);
+      draw_button(f, axis, sign, x, (flat ? 0 : place.row) * pitch, ImVec2(cell, cell));
     }
   draw_stop(f, pitch, flat ? 0 : pitch, ImVec2(cell, cell));
-  const float height = flat ? cell : 3 * cell + 2 * close_between;
-  if (beside) {
-    const float x = columns * pitch + 12;
-    draw_steps_column(f, x, std::min(f.area.width - x, 104.0f), height);
-    ImGui::SetCursorScreenPos(ImVec2(origin_.x, origin_.y + f.ui.px(height + 12)));
-  } else {
-    draw_steps_row(f, 0, height + 8, std::min(f.area.width, 304.0f));
-    ImGui::SetCursorScreenPos(ImVec2(origin_.x, origin_.y + f.ui.px(height + 8 + 40)));
+  const float height = flat ? cell : 3 * cell + 2 * close_between, below = height + column.between_steps;
+  if (!beside) {
+    draw_steps_row(f, 0, below, std::min(f.area.width, 304.0f));
+    return below + steps_height + column.below_steps;
   }
+  const float x = 3 * pitch + 12;
+  draw_steps_column(f, x, std::min(f.area.width - x, 104.0f), height);
+  return below;
 }
 
 /// Many axes where their rows have no room for buttons: two beside each other for each.
-void Jog::draw_pairs(Frame& f) {
+float Jog::draw_pairs(Frame& f) {
   const ImVec2 size(44, 40);
   const float pair = 2 * size.x + close_between + 12, row = size.y + 8;
   const int columns = std::max(1, static_cast<int>((f.area.width + 12) / pair));
@@ -162,7 +170,7 @@ void Jog::draw_pairs(Frame& f) {
   }
   const float below = place(axes).y + row;
   draw_steps_row(f, 0, below, std::min(f.area.width, 304.0f));
-  ImGui::SetCursorScreenPos(ImVec2(origin_.x, origin_.y + f.ui.px(below + 40)));
+  return below + steps_height + 8;
 }
 
 void Jog::draw_button(Frame& f, AxisId axis, Sign sign, float x, float y, ImVec2 size) {
@@ -237,7 +245,7 @@ void Jog::draw_step(Frame& f, const JogStep& step, std::string_view label, float
 
 void Jog::draw_steps_column(Frame& f, float x, float width, float height) {
   const float pitch = (height - 32) / static_cast<float>(steps_.size() - 1);
-  const int room = labels_fit(f, width) ? 3 : 0;
+  const int room = words_that_fit(f, [&](std::size_t) { return width; });
   for (std::size_t i = 0; i < steps_.size(); ++i) {
     ImGui::SetCursorScreenPos(
         ImVec2(origin_.x + f.ui.px(x), origin_.y + f.ui.px(std::floor(pitch * static_cast<float>(i)))));
@@ -245,27 +253,17 @@ void Jog::draw_steps_column(Frame& f, float x, float width, float height) {
   }
 }
 
-/// What the words of all steps leave of a row, for each.
-float Jog::spare_of(const Frame& f, int room, float row) const {
-  float used = 0;
-  for (const JogStep& step : steps_)
-    used += text_width(f.ui, Face::body_bold, label_of(step, room)) / f.ui.scale;
-  const float n = static_cast<float>(steps_.size());
-  return std::floor((row - close_between * (n - 1) - used) / n);
-}
-
-// It is shared out, so that the longest is not cut.
 void Jog::draw_steps_row(Frame& f, float x, float y, float row) {
-  Ui& ui = f.ui;
-  int room = 3;
-  while (room > 0 && spare_of(f, room, row) < least_around_words) --room;
-  const float spare = spare_of(f, room, row);
-  for (const JogStep& step : steps_) {
-    const std::string_view label = label_of(step, room);
-    const float width = std::floor(text_width(ui, Face::body_bold, label) / ui.scale + spare);
-    ImGui::SetCursorScreenPos(ImVec2(origin_.x + ui.px(x), origin_.y + ui.px(y)));
-    draw_step(f, step, label, width);
-    x += width + close_between;
+  const auto n = static_cast<float>(steps_.size());
+  const float share = (row - close_between * (n - 1)) / (n - 2 + first_share + last_share);
+  const auto width = [&](std::size_t i) {
+    return std::floor(share * (i == 0 ? first_share : i + 1 == steps_.size() ? last_share : 1));
+  };
+  const int room = words_that_fit(f, width);
+  for (std::size_t i = 0; i < steps_.size(); ++i) {
+    ImGui::SetCursorScreenPos(ImVec2(origin_.x + f.ui.px(x), origin_.y + f.ui.px(y)));
+    draw_step(f, steps_[i], label_of(steps_[i], room), width(i));
+    x += width(i) + close_between;
   }
 }
 

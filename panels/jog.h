@@ -5,6 +5,7 @@
 
 #include "gui/panel.h"
 #include "gui/units_format.h"
+#include "panels/column.h"
 #include "panels/jog_speed.h"
 
 namespace hw::panels {
@@ -16,17 +17,19 @@ class Jog final : public gui::Panel {
   void draw(gui::Frame& frame) override;
 
  private:
-  void draw_title(gui::Frame& frame);
-  void draw_hint(gui::Frame& frame);
-  void draw_cross(gui::Frame& frame);
-  void draw_pairs(gui::Frame& frame);
+  void draw_title(gui::Frame& frame, const Column& column);
+  void draw_reason(gui::Frame& frame, const gui::Rect& place);
+  // Each leaves how high it is.
+  [[nodiscard]] float draw_cross(gui::Frame& frame, const Column& column);
+  [[nodiscard]] float draw_pairs(gui::Frame& frame);
+  [[nodiscard]] float draw_stop_and_steps(gui::Frame& frame, const Column& column);
   void draw_button(gui::Frame& frame, AxisId axis, Sign sign, float x, float y, ImVec2 size);
   void draw_stop(gui::Frame& frame, float x, float y, ImVec2 size);
   void draw_steps_column(gui::Frame& frame, float x, float width, float height);
   void draw_steps_row(gui::Frame& frame, float x, float y, float width);
-  [[nodiscard]] float spare_of(const gui::Frame& frame, int room, float row) const;
   void draw_step(gui::Frame& frame, const gui::JogStep& step, std::string_view label, float width);
-  [[nodiscard]] bool labels_fit(const gui::Frame& frame, float width) const;
+  template <class Width>
+  [[nodiscard]] int words_that_fit(const gui::Frame& frame, const Width& width) const;
   /// What a step is called where `room` (0: least) words have room.
   [[nodiscard]] std::string_view label_of(const gui::JogStep& step, int room) const;
   void follow_unit(gui::Frame& frame);

@@ -15,7 +15,7 @@ static std::string_view limit_reason(const AxisState& a, Sign sign) {
 
 void draw_jog_button(Ui& ui, Tab& tab, AxisId axis, Sign sign, std::string_view label, HoldOptions o) {
   const std::string& name = tab.catalog().axes[axis.index].name;
-  const std::string_view refused = tab.why_not_move();
+  const std::string_view refused = tab.why_not_move(axis);
   o.disabled = refused.empty() ? limit_reason(tab.now().axes[axis.index], sign) : refused;
   const auto held = tab.jog.control();
   o.lit = held && held->axis == axis && held->sign == sign;

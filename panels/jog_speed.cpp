@@ -6,13 +6,14 @@
 #include "gui/widgets/slider.h"
 #include "gui/widgets/text.h"
 #include "panels/jog_units.h"
+#include "panels/position_words.h"
 
 namespace hw::panels {
 
 using namespace gui;
 namespace {
 
-constexpr float slider_height = 32, number_height = 26, least_number = 84;
+constexpr float slider_height = 32, number_height = 26, number_width = 112;  // whatever it says
 
 /// How fast the axes go where nobody asks for a speed.
 struct OwnSpeed {
@@ -67,6 +68,23 @@ double per_step(const DisplayUnit& unit) { return unit.real ? unit.per_step : 1;
 
 }  // namespace
 
+namespace {
+
+/// At the right; in less room without the name of its unit, which stands beside the positions too.
+void draw_number_words(const Frame& f, const Rect& r, std::string_view words) {
+  const Ui& ui = f.ui;
+  const auto fits = [&](std::string_view s) { return text_width(ui, Face::body_bold, s) <= r.width(); };
+  NumberText brief;
+  if (!fits(words) && !by_itself(f)) brief = format_brief_speed(f.tab.jog_speed(), common_unit(f));
+  if (!fits(words) && by_itself(f) && own_speed(f).speed.value > 0 && own_speed(f).alike)
+    brief = format_brief_speed(own_speed(f).speed, common_unit(f));
+  const std::string_view said = brief.view().empty() ? words : brief.view();
+  const float width = std::min(r.width(), std::ceil(text_width(ui, Face::body_bold, said)));
+  draw_text_line(ui, r.max.x - width, r.max.x + 1, r.centre().y, Face::body_bold, ui[Tone::ink], said);
+}
+
+}  // namespace
+
 void JogSpeed::draw_slider(Frame& f, float width) {
   const NumberText words = speed_in_words(f);
   SliderOptions o;
@@ -112,8 +130,7 @@ void JogSpeed::draw_number(Frame& f, ImVec2 at, float width, float height) {
   const float around = ui.px(4);
   if (t.hovered || t.held)
     draw_fill(ui, {t.rect.min, ImVec2(t.rect.max.x + around, t.rect.max.y)}, ui[Tone::hover]);
-  draw_text_right(ui, ImVec2(t.rect.max.x, std::floor(t.rect.centre().y - ui.line(Face::body_bold) / 2)),
-                  Face::body_bold, ui[Tone::ink], words);
+  draw_number_words(f, t.rect, words);
   draw_ring(ui, t);
   if (t.clicked) begin_typing(f);
 }
@@ -142,11 +159,10 @@ void JogSpeed::draw_field(Frame& f, float width, float height) {
 void JogSpeed::draw_line(Frame& f, float width) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float words = std::ceil(text_width(ui, Face::body_bold, speed_in_words(f)) / ui.scale);
-  const float number = std::max(least_number, words) + 8;
-  draw_slider(f, width - number);
+  draw_slider(f, width - number_width);
   const float down = ui.px((slider_height - number_height) / 2);
-  draw_number(f, ImVec2(at.x + ui.px(width - number + 4), at.y + down), number - 4, number_height);
+  draw_number(f, ImVec2(at.x + ui.px(width - number_width + 4), at.y + down), number_width - 4,
+              number_height);
 }
 
 void JogSpeed::draw(Frame& f, bool roomy) {
@@ -162,7 +178,12 @@ void JogSpeed::draw(Frame& f, bool roomy) {
     ImGui::SetCursorScreenPos(ImVec2(at.x, y));
     draw_slider(f, f.area.width);
   } else {
-    draw_line(f, f.area.width);
+    constexpr float label = 76;
+    draw_text_line(ui, at.x, at.x + ui.px(label), at.y + ui.px(slider_height / 2), Face::body, ui[Tone::ink2],
+                   "Jog speed");
+    ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(label), at.y));
+    draw_line(f, f.area.width - label);
+    y -= ui.px(4);
   }
   ImGui::SetCursorScreenPos(ImVec2(at.x, y + ui.px(36)));
 }

@@ -60,7 +60,7 @@ void Moves::follow(Frame& f) {
   const IntentFate* fate = f.now.fate_of(started_);
   if (!fate || fate->fate == Fate::pending) return;
   started_ = 0;
-  if (fate->fate != Fate::done) f.toast(Mood::fault, std::string(fate->sentence.view()));
+  if (fate->fate != Fate::done && !doubt_.hear(f, *fate)) f.toast(Mood::fault, std::string(fate->sentence.view()));
 }
 
 // ---- toolbar
@@ -82,7 +82,8 @@ void Moves::draw_toolbar(Frame& f) {
   go.height = 40;
   go.disabled = why_not_start(f);
   go.tip = "Feeds the moves into the controller's buffer, in this order, as places become free.";
-  if (button(ui, "list/start", "Start", go).clicked) start(f);
+  const Touch started = button(ui, "list/start", "Start", go);
+  if (started.clicked) start(f);
   ImGui::SameLine(0, ui.px(8));
   ButtonOptions stop;
   stop.icon = Icon::stop;
@@ -93,6 +94,8 @@ void Moves::draw_toolbar(Frame& f) {
   if (button(ui, "list/abort", "Abort", stop).clicked) abort(f);
   const float left = ImGui::GetItemRectMax().x + ui.px(16);
   const float right = ui.px(f.area.right() - 16);
+  if (doubt_.open())
+    if (const IntentId sent = doubt_.draw(f, "list", "Start", started.rect)) started_ = sent;
   draw_progress(f, left, right, at.y + ui.px(toolbar_height / 2));
   line_across(f, at.y + ui.px(toolbar_height) - ui.hair());
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(toolbar_height)));

@@ -10,6 +10,7 @@
 #include "gui/widgets/file_dialog.h"
 #include "gui/widgets/number_field.h"
 #include "panels/action_form.h"
+#include "panels/doubt_ways.h"
 
 namespace hw::panels {
 
@@ -50,6 +51,7 @@ class Moves final : public gui::Panel {
   gui::FileDialog open_, save_;
   bool asking_ = false, asked_to_open_ = false;  ///< before edited rows go
   IntentId started_ = 0;
+  DoubtWays doubt_;
 };
 
 }  // namespace hw::panels

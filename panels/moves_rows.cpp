@@ -65,7 +65,7 @@ void Moves::start(Frame& f) {
   std::string why;
   auto rows = values(f.catalog.move_list, why);
   if (!rows) return f.toast(Mood::fault, why + ". Nothing was sent.");
-  started_ = f.send_and_watch(intent::FeedMoves(std::move(*rows)));
+  started_ = doubt_.send(f, intent::FeedMoves(std::move(*rows)));
 }
 
 void Moves::begin_new(Frame& f) {

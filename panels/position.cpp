@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "gui/area.h"
 #include "gui/axis_look.h"
@@ -13,6 +14,7 @@
 #include "gui/widgets/text.h"
 #include "panels/axis_extras.h"
 #include "panels/axis_line.h"
+#include "panels/column.h"
 #include "panels/path.h"
 #include "panels/position_strip.h"
 #include "panels/position_words.h"
@@ -25,7 +27,7 @@ using namespace gui;
 
 namespace {
 
-constexpr float strip_head_height = 20, between_strip_columns = 24;
+constexpr float between_strip_columns = 24;
 /// Left of a number: room for an encoder position, so that numbers take smaller type before it is cut.
 constexpr float room_beside = 80;
 
@@ -35,7 +37,13 @@ bool in_strip(const Frame& f) { return f.tier == Tier::narrow; }
 /// A row with jog buttons for each axis.
 bool as_lines(const Frame& f) { return f.catalog.axes.size() > 4; }
 /// Captions stand beside the number, not under it.
-bool captions_beside(const Frame& f) { return in_strip(f) || f.catalog.axes.size() > 2; }
+bool captions_beside(const Frame& f) {
+  return in_strip(f) || (f.catalog.axes.size() > 2 && f.tier != Tier::wide);
+}
+/// Power stands beside the name, for there is no line for it.
+bool power_in_head(const Frame& f) { return in_strip(f) || f.catalog.axes.size() > 2; }
+/// Under the number: its encoder at the right, what is to be said of it at the left.
+constexpr float encoder_slot = 112;
 
 /// What they all share stands in the title of the column when it is a word: many numbers need the room.
 std::string_view unit_beside(const Frame& f, AxisId axis) {
@@ -87,14 +95,18 @@ void Position::draw(Frame& f) {
 void Position::draw_column(Frame& f) {
   draw_title(f);
   if (as_lines(f)) return draw_lines(f);
-  const float width = f.area.width, space = captions_beside(f) ? 3 : f.tier == Tier::wide ? 8 : 4;
-  const Face face = face_for_all(f, wanted_face(f), width);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const Column column = column_of(f);
+  const Face face = face_for_all(f, wanted_face(f), f.area.width);
   for (std::size_t i = 0; i < f.catalog.axes.size(); ++i) {
+    const float top = at.y + f.ui.px(column.block() * static_cast<float>(i));
+    ImGui::SetCursorScreenPos(ImVec2(at.x, top));
     group_line(f.ui, 0);
-    gap(f.ui, space);
-    draw_axis(f, axis_id(i), width, face);
-    gap(f.ui, space);
+    ImGui::SetCursorScreenPos(ImVec2(at.x, top + f.ui.px(column.above)));
+    draw_axis(f, axis_id(i), f.area.width, face, column);
   }
+  const float end = at.y + f.ui.px(column.block() * static_cast<float>(f.catalog.axes.size()));
+  ImGui::SetCursorScreenPos(ImVec2(at.x, end));
   group_line(f.ui, 0);
 }
 
@@ -157,6 +169,7 @@ void Position::draw_strip(Frame& f) {
   const float row_height = strip_row_height(axes);
   const float column = std::floor((f.area.width - between_strip_columns) / 2);
   const Face face = as_lines(f) ? Face::digits26 : face_for_all(f, Face::digits32, column);
+  const Column measures = column_of(f);
   const float widest = widest_number(f, face);  // so that what stands beside a number keeps its place
   for (std::size_t i = 0; i < axes; ++i) {
     const float x = (i % 2) * (column + between_strip_columns), y = static_cast<float>(i / 2) * row_height;
@@ -170,7 +183,7 @@ void Position::draw_strip(Frame& f) {
       continue;
     }
     ImGui::SetCursorScreenPos(ImVec2(corner.x, corner.y + ui.px(4)));
-    draw_axis(f, axis_id(i), column, face);
+    draw_axis(f, axis_id(i), column, face, measures);
   }
   const float rows = static_cast<float>((axes + 1) / 2);
   const float middle = at.x + ui.px(column + between_strip_columns / 2);
@@ -183,38 +196,38 @@ void Position::draw_strip(Frame& f) {
   }
 }
 
-void Position::draw_axis(Frame& f, AxisId axis, float width, Face face) {
+void Position::draw_axis(Frame& f, AxisId axis, float width, Face face, const Column& column) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float w = ui.px(width), below_head = at.y + ui.px(strip_head_height);
-  draw_head(f, axis, at, w);
-  ImGui::SetCursorScreenPos(ImVec2(at.x, below_head));
+  const float w = ui.px(width), below_head = at.y + ui.px(column.head);
+  const float slot = captions_beside(f) ? 36 : column.digits, below_digits = below_head + ui.px(slot);
+  draw_head(f, axis, at, w, column.head);
+  const float drop = std::max(0.0f, std::floor((ui.px(slot) - ui.line(face)) / 2));
+  ImGui::SetCursorScreenPos(ImVec2(at.x, below_head + drop));
   draw_digits(f, axis, width, face);
   if (captions_beside(f)) {
     const NumberText number = shown_position(f.now.axes[axis.index], f.tab.unit(axis));
     const float taken = digits_width(ui, face, number, unit_beside(f, axis));
-    draw_captions_beside(f, axis, ImVec2(at.x, below_head), w - taken - ui.px(8));
-    ImGui::SetCursorScreenPos(ImVec2(at.x, below_head + ui.px(36)));
-    return;
+    return draw_captions_beside(f, axis, ImVec2(at.x, below_head), w - taken - ui.px(8));
   }
-  draw_captions(f, axis, ImVec2(at.x, below_head + ui.line(face)), w);
-  ImGui::SetCursorScreenPos(ImVec2(at.x, below_head + ui.line(face) + ui.line(Face::small)));
-  draw_axis_extras(f, axis, ImGui::GetCursorScreenPos(), w);
+  if (power_in_head(f)) return draw_provenance(f, axis, ImVec2(at.x, below_digits), w);
+  draw_captions(f, axis, ImVec2(at.x, below_digits), w);
+  draw_axis_extras(f, axis, ImVec2(at.x, below_digits + ui.line(Face::small)), w);
 }
 
 /// Name, what the user calls it, and its state; where rows are close also its power, in the strip its limits.
 /// The user's name gets what the others leave.
-void Position::draw_head(Frame& f, AxisId axis, ImVec2 at, float w) {
+void Position::draw_head(Frame& f, AxisId axis, ImVec2 at, float w, float height) {
   Ui& ui = f.ui;
   const AxisInfo& info = f.catalog.axes[axis.index];
   const State state = state_of(f.now, axis.index, f.clock);
-  const float middle = at.y + ui.px(strip_head_height / 2);
+  const float middle = at.y + ui.px(height / 2), line = middle - std::floor(ui.line(Face::title_bold) / 2);
   draw_text_line(ui, at.x, at.x + w, middle, Face::title_bold, ui[Tone::ink], info.name);
   float left = at.x + std::ceil(text_width(ui, Face::title_bold, info.name)) + ui.px(8);
   // In less than the smallest window of the look its state says it alone.
   const bool has_room = left + ui.px(strip_limits_width + 16) <= at.x + w;
   const float limits = in_strip(f) && has_room ? ui.px(strip_limits_width) : 0;
-  draw_state_right(ui, Path("dro/{}/state", info.name), ImVec2(at.x + w, at.y), state, Face::title_bold,
+  draw_state_right(ui, Path("dro/{}/state", info.name), ImVec2(at.x + w, line), state, Face::title_bold,
                    at.x + w - left - limits);
   // What a hand presses stands still while the state word changes.
   const State longest = info.servo ? State::not_in_place : State::moving_plus;
@@ -230,11 +243,11 @@ void Position::draw_head(Frame& f, AxisId axis, ImVec2 at, float w) {
       right -= width + ui.px(8);
     }
   }
-  if (captions_beside(f) && info.switchable) {
+  if (power_in_head(f) && info.switchable) {
     const bool brief = power_width(f, axis, false) + limits + ui.px(48) > right - left;
     const float width = power_width(f, axis, brief);
     if (right - width >= left + limits) {
-      draw_power(f, axis, ImVec2(right - width, at.y), strip_head_height, brief);
+      draw_power(f, axis, ImVec2(right - width, at.y), height, brief);
       right -= width + ui.px(4);
     }
   }
@@ -275,25 +288,23 @@ void Position::draw_captions(Frame& f, AxisId axis, ImVec2 at, float width) {
   draw_at_work(f, axis, ImVec2(at.x + width - room, at.y), room, true);
 }
 
-/// Two lines in what the number leaves at its left: what is wrong with it or what the axis does; under it the
-/// encoder, or the steps that a real unit stands for.
-void Position::draw_captions_beside(Frame& f, AxisId axis, ImVec2 at, float room) {
+/// What is wrong with the number, or what its axis does, or (`steps_too`) the steps that a real unit stands
+/// for.
+void Position::draw_about(Frame& f, AxisId axis, ImVec2 at, float room, bool steps_too) {
   Ui& ui = f.ui;
-  const float line = ui.line(Face::small);
-  const ImVec2 upper(at.x, at.y + ui.px(2)), lower(at.x, upper.y + line);
   const Caption about = about_number(f, axis);
   const std::string_view phase = phase_of(f, axis);
-  const bool moving = is_motion(state_of(f.now, axis.index, f.clock));
-  const bool warns = about.tone == Tone::warn, encoder = f.now.axes[axis.index].has_encoder;
-  show_steps(f, axis, {upper, ImVec2(at.x + room, upper.y + line)});
-  if (axis_extras_height(f.catalog, axis) > 0)
-    show_phase(f, axis, {upper, ImVec2(at.x + room, upper.y + line)});
-  if (warns) {
-    draw_text_line(ui, upper.x, upper.x + room, upper.y + line / 2, Face::small, ui[about.tone], about.words);
-  } else if (!moving && !phase.empty()) {
-    draw_text_line(ui, upper.x, upper.x + room, upper.y + line / 2, Face::small, ui[Tone::fault], phase);
-  } else if (moving && !phase.empty()) {
-    draw_what_fits(ui, upper, room, false, [&](int brevity) {
+  const State state = state_of(f.now, axis.index, f.clock);
+  const float line = ui.line(Face::small);
+  const auto say = [&](Tone tone, std::string_view words) {
+    draw_text_line(ui, at.x, at.x + room, at.y + line / 2, Face::small, ui[tone], words);
+  };
+  show_steps(f, axis, {at, ImVec2(at.x + room, at.y + line)});
+  if (axis_extras_height(f.catalog, axis) > 0) show_phase(f, axis, {at, ImVec2(at.x + room, at.y + line)});
+  if (about.tone == Tone::warn) return say(about.tone, about.words);
+  if (!is_motion(state) && !phase.empty()) return say(Tone::fault, phase);
+  if (is_motion(state) && !phase.empty()) {
+    draw_what_fits(ui, at, room, false, [&](int brevity) {
       NumberText words;
       words.append(brevity == 0 ? phase : "");
       words.append(brevity == 0 ? ", " : "");
@@ -302,13 +313,30 @@ void Position::draw_captions_beside(Frame& f, AxisId axis, ImVec2 at, float room
       words.append((brevity < 2 ? format_speed(speed, unit) : format_brief_speed(speed, unit)).view());
       return words;
     });
-  } else {
-    draw_at_work(f, axis, upper, room, false);
+    return;
   }
-  if (encoder && f.catalog.axes[axis.index].encoder)
-    draw_encoder(f, axis, lower, room, false);
-  else if (!warns)
-    draw_text_line(ui, lower.x, lower.x + room, lower.y + line / 2, Face::small, ui[Tone::ink2], about.words);
+  if (draw_at_work(f, axis, at, room, false) == 0 && steps_too) say(about.tone, about.words);
+}
+
+/// One line under the number: at the right the place of its encoder, whatever is said at the left.
+void Position::draw_provenance(Frame& f, AxisId axis, ImVec2 at, float width) {
+  const float slot = f.catalog.axes[axis.index].encoder ? f.ui.px(encoder_slot) : 0;
+  draw_about(f, axis, at, width - slot - (slot > 0 ? f.ui.px(8) : 0), true);
+  if (slot > 0) draw_encoder(f, axis, ImVec2(at.x + width - slot, at.y), slot, true);
+}
+
+/// Two lines in what the number leaves at its left: what is wrong with it or what the axis does; under it the
+/// encoder, or the steps that a real unit stands for.
+void Position::draw_captions_beside(Frame& f, AxisId axis, ImVec2 at, float room) {
+  Ui& ui = f.ui;
+  const float line = ui.line(Face::small);
+  const ImVec2 upper(at.x, at.y + ui.px(2)), lower(at.x, upper.y + line);
+  draw_about(f, axis, upper, room, false);
+  if (f.now.axes[axis.index].has_encoder && f.catalog.axes[axis.index].encoder)
+    return draw_encoder(f, axis, lower, room, false);
+  const Caption about = about_number(f, axis);
+  if (about.tone != Tone::warn)
+    draw_text_line(ui, lower.x, lower.x + room, lower.y + line / 2, Face::small, ui[about.tone], about.words);
 }
 
 }  // namespace hw::panels

@@ -196,7 +196,7 @@ void Tuning::measure_before() {
 std::string_view Tuning::why_not(const Frame& f) {
   if (!f.connected()) return f.no_link();
   if (stage_ == Stage::recording || stage_ == Stage::arming) return "A step is being recorded.";
-  if (!f.tab.why_not_move().empty()) return f.tab.why_not_move();
+  if (!f.tab.why_not_move(axis()).empty()) return f.tab.why_not_move(axis());
   if (f.now.axes[axis().index].activity == Activity::moving)
     return "The axis is moving. Wait until it rests.";
   const auto step = step_.value(), length = length_.value();

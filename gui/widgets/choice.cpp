@@ -167,10 +167,11 @@ int dropdown(Ui& ui, std::string_view id, std::string_view label, std::span<cons
 }
 
 int menu(Ui& ui, std::string_view id, std::string_view label, std::span<const std::string_view> names,
-         std::string_view disabled) {
+         std::string_view disabled, float height) {
   ButtonOptions options;
   options.style = ButtonStyle::quiet;
   options.disabled = disabled;
+  options.height = height;
   const Touch t = button(ui, id, label, options);
   return list_under(ui, id, t, names, -1);
 }

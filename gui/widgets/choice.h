@@ -34,6 +34,6 @@ int dropdown(Ui& ui, std::string_view id, std::string_view label, std::span<cons
 
 /// A button that opens a list of actions. Returns the index just chosen, or -1.
 int menu(Ui& ui, std::string_view id, std::string_view label, std::span<const std::string_view> names,
-         std::string_view disabled = {});
+         std::string_view disabled = {}, float height = 32);
 
 }  // namespace hw::gui

@@ -76,6 +76,25 @@ void draw_text_in_two_lines(const Ui& ui, float left, float right, float centre_
   if (!second.empty()) draw_text_line(ui, left, right, centre_y + half, Face::small, colour, second);
 }
 
+void draw_text_in_lines(const Ui& ui, const Rect& in, Face face, ImU32 colour, std::string_view s,
+                        int lines) {
+  std::string_view rest = s;
+  for (int n = 0; n < lines && !rest.empty(); ++n) {
+    std::string_view line = rest;
+    if (n + 1 < lines) {
+      const char* end =
+          ui.font(face)->CalcWordWrapPositionA(1.0f, rest.data(), rest.data() + rest.size(), in.width());
+      line = rest.substr(0, std::max<std::size_t>(1, static_cast<std::size_t>(end - rest.data())));
+    }
+    const float middle = in.min.y + ui.line(face) * (static_cast<float>(n) + 0.5f);
+    draw_text_line(ui, in.min.x, in.max.x, middle, face, colour, line);
+    rest.remove_prefix(line.size());
+    while (rest.starts_with(' ')) rest.remove_prefix(1);
+    const bool cut = n + 1 == lines && text_width(ui, face, line) > in.width();
+    if (cut && ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(in.min, in.max)) ui.say_cut(s);
+  }
+}
+
 void text(Ui& ui, Face face, Tone tone, std::string_view s) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const ImVec2 size(std::ceil(text_width(ui, face, s)), ui.line(face));

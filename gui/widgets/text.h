@@ -26,6 +26,10 @@ void draw_text_line(const Ui& ui, float left, float right, float centre_y, Face 
 void draw_text_in_two_lines(const Ui& ui, float left, float right, float centre_y, Face face, ImU32 colour,
                             std::string_view s);
 
+/// From the top of `in`, in as many lines as are given; what is longer is cut, and told whole under the
+/// mouse.
+void draw_text_in_lines(const Ui& ui, const Rect& in, Face face, ImU32 colour, std::string_view s, int lines);
+
 /// At ImGui's cursor, in a line of the face's height.
 void text(Ui& ui, Face face, Tone tone, std::string_view s);
 /// A sentence in lines no wider than `width` (logical; fill: the rest).

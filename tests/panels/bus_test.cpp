@@ -102,10 +102,16 @@ TEST_F(BusTest, ThePadStopsTheChosenOne) {
   EXPECT_EQ(b.count<intent::Stop>(), 0);
 }
 
-TEST_F(BusTest, WhoIsInTroubleStandsFirstAndIsNamed) {
+TEST_F(BusTest, WhoIsInTroubleIsNamedAndShownAndKeepsItsPlace) {
+  s.run(0.2);
+  const float was = s.stage.find("bus/03")->rect.min.y;
   c.now.link.state = LinkState::lost;
   s.run(0.2);
-  EXPECT_LT(s.stage.find("bus/03")->rect.min.y, s.stage.find("bus/01")->rect.min.y);
+  EXPECT_EQ(s.stage.find("bus/03")->rect.min.y, was) << "each row has jog buttons";
+  ASSERT_TRUE(s.stage.find("bus/trouble"));
+  EXPECT_EQ(s.stage.find("bus/trouble")->label, "Show 03");
+  MUST(s.hand.click("bus/trouble"));
+  EXPECT_TRUE(s.stage.find("bus/03")->in_view());
   EXPECT_EQ(s.value("bus/summary"), "2 of 3 answer, trouble: 1");
   EXPECT_EQ(s.value("status/text").substr(0, 4), "03: ");
 }

@@ -1,0 +1,77 @@
+#include "panels/column.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "gui/tab.h"
+#include "panels/axis_extras.h"
+#include "panels/measures.h"
+
+namespace hw::panels {
+
+using namespace gui;
+namespace {
+
+constexpr float hairline = 1, position_title = 44, steps_row = 32, speed_row = 32, travel_bar = 20;
+
+bool interpolates(const Frame& f) { return f.catalog.can.interpolates && f.catalog.axes.size() > 1; }
+
+/// Three and four axes in a wide window: as the look draws them, the numbers in lines of one height.
+Column of_many(const Frame& f) {
+  Column c;
+  c.head = 24, c.caption = 17;
+  c.between_steps = 4;
+  c.go_title = 28, c.go_row = 32, c.go_control = 28;
+  c.together_in_title = interpolates(f);
+  return c;
+}
+
+Column of_few(const Frame& f) {
+  const bool wide = f.tier == Tier::wide;
+  Column c;
+  c.below = wide ? 8 : 4;
+  c.above = hairline + c.below;
+  c.digits = wide ? 48 : 36, c.caption = 16;
+  c.extras = axis_extras_height(f.catalog, AxisId{0});
+  c.cell = wide ? 56 : 48;
+  c.between_steps = f.catalog.axes.size() == 2 ? 12 : 8;
+  c.go_title = wide ? 40 : 36;
+  c.speed_over_slider = wide;
+  c.below_steps = wide ? 8 : 0;
+  return c;
+}
+
+/// All of the column without travel bars.
+float height_of(const Frame& f, const Column& c) {
+  const auto axes = static_cast<float>(f.catalog.axes.size());
+  const float pad = axes < 2 ? c.cell : 3 * c.cell + 2 * close_between;
+  const float steps = axes == 2 ? c.between_steps : c.between_steps + steps_row + c.below_steps;
+  const float jog = c.title + c.reason + pad + steps + (c.speed_over_slider ? 58 : speed_row) + hairline;
+  const bool foot = axes < 2 || (interpolates(f) && !c.together_in_title);
+  return position_title + axes * c.block() + jog + c.go_title + (axes + (foot ? 1.0f : 0.0f)) * c.go_row;
+}
+
+}  // namespace
+
+float Column::block() const { return above + head + digits + caption + extras + travel + below; }
+
+Column column_of(const Frame& f) {
+  const std::size_t axes = f.catalog.axes.size();
+  const bool wide = f.tier == Tier::wide, rows = axes > 4 || f.tab.bus;
+  Column c = axes <= 2 ? of_few(f) : wide && !rows ? of_many(f) : Column{.above = 4, .below = 3};
+  if (f.tier == Tier::medium) {
+    c.title = 36, c.reason = 52;  // a line more, for it is narrower
+    c.speed_in_title = true;
+    c.below_steps = 8;
+    if (axes > 2)
+      c.cell = std::min(48.0f, std::floor((f.area.width + 4) / (static_cast<float>(axes) + 1)) - 4);
+  }
+  if (rows) c.speed_over_slider = false, c.between_steps = 8, c.below_steps = wide ? 0 : 8;
+  if (wide && !rows) {
+    const float left_over = f.area.height - height_of(f, c);
+    if (left_over >= travel_bar * static_cast<float>(axes)) c.travel = travel_bar;
+  }
+  return c;
+}
+
+}  // namespace hw::panels

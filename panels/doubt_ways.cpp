@@ -1,0 +1,161 @@
+#include "panels/doubt_ways.h"
+
+#include <algorithm>
+#include <bit>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "core/device/refusals.h"
+#include "gui/console.h"
+#include "gui/tab.h"
+#include "gui/units_format.h"
+#include "gui/widgets/text.h"
+
+namespace hw::panels {
+
+using namespace gui;
+namespace {
+
+constexpr float field_label = 80, field_width = 144;
+
+/// In the units and by the clock that the console shows.
+DoubtWords words_shown(const Frame& f) {
+  return {[&f](AxisId axis, Steps place) {
+            return std::string(format_with_unit(place, f.tab.unit(axis)).view());
+          },
+          [&f](Instant when) { return f.console.time_of_day(when); }};
+}
+
+std::uint32_t still_doubtful(const Snapshot& now, std::uint32_t axes) {
+  for (std::size_t i = 0; i < now.axes.size(); ++i)
+    if (!now.axes[i].trust.doubtful()) axes &= ~(1u << i);
+  return axes;
+}
+
+/// The chosen way of homing, or the first that sets the count: another leaves the doubt.
+int homing_that_sets(const Catalog& catalog, int chosen) {
+  const auto& modes = catalog.homing_modes;
+  if (chosen >= 0 && chosen < static_cast<int>(modes.size()) &&
+      modes[static_cast<std::size_t>(chosen)].sets_position)
+    return chosen;
+  const auto first = std::find_if(modes.begin(), modes.end(), [](const auto& m) { return m.sets_position; });
+  return first == modes.end() ? std::max(chosen, 0) : static_cast<int>(first - modes.begin());
+}
+
+}  // namespace
+
+IntentId DoubtWays::send(Frame& f, IntentBody body) {
+  close();
+  sent_ = body;
+  return f.send_and_watch(std::move(body));
+}
+
+bool DoubtWays::hear(const Frame& f, const IntentFate& fate) {
+  if (fate.doubtful != 0 && sent_)
+    tell(f, fate.doubtful);
+  else if (open())
+    words_ = fate.sentence.view();  // of a place that it was said to stand at
+  return open();
+}
+
+void DoubtWays::tell(const Frame& f, std::uint32_t doubtful) {
+  doubtful_ = doubtful;
+  axis_ = AxisId{static_cast<std::uint8_t>(std::countr_zero(doubtful))};
+  words_ = say_doubtful(f.catalog, f.now, *sent_, doubtful, words_shown(f));
+  field_.reset();
+  filled_.clear(), counted_.reset();
+  offered_ = 0;
+}
+
+void DoubtWays::name_ways(const Frame& f, std::string_view prefix) {
+  const std::string& name = f.catalog.axes[axis_.index].name;
+  const auto path = [&](std::string_view way) { return fmt::format("{}/{}/{}", prefix, name, way); };
+  refused_id_ = path("refused");
+  field_id_ = path("stands_at");
+  const auto offer = [&](Way way, std::string_view id, std::string label) {
+    offers_[offered_++] = {way, path(id), std::move(label)};
+  };
+  offer(set, "set", "Set");
+  if (f.catalog.can.homes) {
+    offer(home_minus, "home/-", fmt::format("Home {} \u2212", name));
+    offer(home_plus, "home/+", fmt::format("Home {} +", name));
+  }
+  offer(once, "once", "Go on for this once");
+}
+
+IntentId DoubtWays::draw(Frame& f, std::string_view prefix, std::string_view about, const Rect& row,
+                         int mode) {
+  const std::uint32_t left = still_doubtful(f.now, doubtful_);
+  if (left == 0) return close(), IntentId{0};
+  if (left != doubtful_) tell(f, left);
+  if (offered_ == 0) name_ways(f, prefix);
+  std::array<Action, 4> actions;
+  for (std::size_t i = 0; i < offered_; ++i)
+    actions[i] = {.id = offers_[i].id,
+                  .label = offers_[i].label,
+                  .disabled = why_not(f, offers_[i].way),
+                  .moving = offers_[i].way != set};
+  Refusal refusal{
+      .id = refused_id_, .about = about, .words = words_, .actions = {actions.data(), offered_}};
+  refusal.slot_width = field_label + field_width;
+  card_.begin(f, refusal, row);
+  const bool entered = draw_field(f);
+  const RefusalTouch touched = card_.end();
+  if (touched.closed) close();
+  if (entered && why_not(f, set).empty()) return go(f, set, mode);
+  return touched.action < 0 ? 0 : go(f, offers_[static_cast<std::size_t>(touched.action)].way, mode);
+}
+
+/// "It stands at [      mm]": what it counts, until somebody types.
+bool DoubtWays::draw_field(Frame& f) {
+  const DisplayUnit& unit = f.tab.unit(axis_);
+  const Steps counts = f.now.axes[axis_.index].position;
+  if (field_.text == filled_ && counts != counted_) {
+    field_.set(from_steps(counts, unit), unit.real ? unit.decimals : 0);
+    filled_ = field_.text;
+    counted_ = counts;
+  }
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  draw_text_line(f.ui, at.x, at.x + f.ui.px(field_label), at.y + f.ui.px(16), Face::body, f.ui[Tone::ink],
+                 "It stands at");
+  ImGui::SetCursorScreenPos(ImVec2(at.x + f.ui.px(field_label), at.y));
+  NumberOptions o;
+  o.range.decimals = unit.real ? unit.decimals : 0;
+  o.range.unit = unit.name;
+  o.width = field_width;
+  o.tip = "Where it stands. As it counts, or what you read at the machine.";
+  o.disabled = f.no_link();
+  o.sentence_below = false;
+  return number_field(f.ui, field_id_, "It stands at", std::nullopt, field_, o).entered;
+}
+
+std::optional<Steps> DoubtWays::place(const Frame& f) const {
+  if (field_.text == filled_) return f.now.axes[axis_.index].position;
+  const auto typed = parse_position(field_.text, f.tab.unit(axis_));
+  return typed ? std::optional(*typed) : std::nullopt;
+}
+
+std::string_view DoubtWays::why_not(const Frame& f, Way way) const {
+  if (way != set) return f.tab.why_not_move(axis_);
+  if (!f.connected()) return f.no_link();
+  if (f.now.axis_moves(axis_.index)) return "It moves.";
+  return place(f) ? "" : "Type where it stands first.";
+}
+
+IntentId DoubtWays::go(Frame& f, Way way, int mode) {
+  if (way == set) return f.send_and_watch(stands_at(f.now, axis_, *place(f)));
+  close();
+  if (way == once) {
+    go_despite_doubt(*sent_);
+    return f.send_and_watch(*std::exchange(sent_, std::nullopt));
+  }
+  const int homing = homing_that_sets(f.catalog, mode);
+  if (homing != mode && mode >= 0)
+    f.toast(Mood::plain, fmt::format("Homing {}: the way that is chosen does not set the count.",
+                                     f.catalog.homing_modes[static_cast<std::size_t>(homing)].label));
+  f.send(intent::Home(axis_, way == home_plus ? Sign::plus : Sign::minus, homing));
+  return 0;
+}
+
+}  // namespace hw::panels
