@@ -49,10 +49,6 @@ std::string left_by(const Tab& tab) {
   return what;
 }
 
-std::string name_of(const Tab& tab) {
-  return tab.bus ? fmt::format("{} {}", tab.name(), tab.id()) : std::string(tab.name());
-}
-
 }  // namespace
 
 void Console::depart(std::string_view how) {
@@ -62,7 +58,7 @@ void Console::depart(std::string_view how) {
     const std::string what = left_by(*tab);
     if (what.empty()) continue;
     LastEnd::Controller& told = end.controllers.emplace_back();
-    told.name = name_of(*tab), told.what = what;
+    told.name = whose(*tab, what), told.what = what;
     told.fate = !begun_here(*tab) ? LastEnd::Fate::left_alone
                 : goes_on(*tab)   ? LastEnd::Fate::told
                                   : LastEnd::Fate::not_told;

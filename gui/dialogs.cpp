@@ -67,15 +67,18 @@ bool any_goes_on(std::span<Tab* const> tabs) {
   return std::any_of(tabs.begin(), tabs.end(), [](const Tab* tab) { return goes_on(*tab); });
 }
 
-/// "VXM stage: Program 2 runs. PMX table: axis X is moving." Each goes on, and nobody would watch it.
+/// "Stage: Program 2 is running. Table: axis X is moving. Nobody would watch it."
 std::string going_on_in(std::span<Tab* const> tabs) {
   std::string all;
+  int count = 0;
   for (const Tab* tab : tabs) {
     if (!goes_on(*tab)) continue;
-    const std::string id = tab->bus ? fmt::format(" {}", tab->id()) : std::string();
-    all += fmt::format("{}{}: {}. ", tab->name(), id, what_goes_on(*tab, Tense::present));
+    const std::string what = what_goes_on(*tab, Tense::present);
+    all += fmt::format("{}: {}. ", whose(*tab, what), what);
+    ++count;
   }
-  return all.empty() ? "Nothing moves any more." : all + "Nobody would watch it.";
+  if (all.empty()) return "Nothing moves any more.";
+  return all + (count > 1 ? "Nobody would watch them." : "Nobody would watch it.");
 }
 
 /// What panels hold that is kept nowhere else; whose it is, when it may be of several.
@@ -210,6 +213,8 @@ void Dialogs::draw_close(Ui& ui, Console& console) {
   wrapped(ui, Face::body, Tone::ink2, why);
   show(ui, {.id = "close/why", .kind = gui::Kind::text, .label = "Why it is asked", .value = why},
        {at, ImVec2(at.x + ImGui::GetContentRegionAvail().x, at.y + height)});
+  if (goes_on_)
+    text(ui, Face::small, Tone::ink3, "Closing once more, as by the same key or button, stops and closes.");
   gap(ui, 12 + (words_height_ - height) / ui.scale);
   if (just_opened_) ui.focus.move_to("close/cancel");
   static constexpr Choice stay{"close/cancel", "Stay", ButtonStyle::outlined};

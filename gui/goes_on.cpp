@@ -26,7 +26,8 @@ bool goes_on(const Tab& tab) {
 
 std::string what_goes_on(const Tab& tab, Tense tense) {
   const Snapshot& now = tab.now();
-  const std::string_view is = tense == Tense::past ? "was" : "is", are = tense == Tense::past ? "were" : "are";
+  const std::string_view is = tense == Tense::past ? "was" : "is",
+                         are = tense == Tense::past ? "were" : "are";
   if (runs_program(tab))
     return fmt::format("{} {} {} {}", tab.catalog().program.slot_word, now.program.slot, is,
                        now.program.run == RunState::held ? "held" : "running");
@@ -36,6 +37,11 @@ std::string what_goes_on(const Tab& tab, Tense tense) {
   if (axes.size() == 1) return fmt::format("axis {} {} moving", axes[0], is);
   if (!axes.empty()) return fmt::format("axes {} {} moving", in_words(axes), are);
   return moves(tab) ? fmt::format("commands {} waiting in its queues", are) : std::string();
+}
+
+std::string whose(const Tab& tab, std::string_view what) {
+  if (!tab.bus || speaks_of(what, tab.id())) return std::string(tab.name());
+  return fmt::format("{}, {}", tab.name(), tab.id());
 }
 
 namespace {

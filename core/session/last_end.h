@@ -16,7 +16,7 @@ struct LastEnd {
     left_alone  ///< somebody else had begun it
   };
   struct Controller {
-    std::string name, what;  ///< "PMX table"; "axis X is moving"
+    std::string name, what;  ///< "Table"; "axis X was moving"
     Fate fate = Fate::told;
     bool operator==(const Controller&) const = default;
   };

@@ -74,6 +74,42 @@ TEST(Rehearsals, ResultComesInALaterFrameWithTheTextItIsOf) {
   EXPECT_EQ(rehearsals.older_than_line(1, "I1\nI2\nI4"), 2);
 }
 
+TEST(Rehearsals, SayWhenTheyDoNotBeginWhereTheAxesStand) {
+  test::ToyLanguage language;  // whose rehearsals begin at 0
+  Worker worker;
+  Rehearsals rehearsals;
+  Catalog catalog;
+  catalog.axes = {{"1", "motor 1"}, {"2", "motor 2"}};
+  Snapshot now;
+  now.axis_count = 2;
+  now.axes[0].position_known = now.axes[1].position_known = true;
+  BenchView bench;
+  bench.present = true;
+  rehearsals.start(language, "I1", {}, now, bench, worker);
+  worker.deliver();
+  const auto stand = [&] {
+    rehearsals.follow(now, bench, catalog);
+    return rehearsals.of(0)->stand;
+  };
+  EXPECT_EQ(stand().footing, Footing::here);
+  now.axes[1].position = Steps(400);
+  EXPECT_EQ(stand(), (Stand{Footing::elsewhere, 1, Steps(0), Steps(400)}));
+  now.axes[0].activity = Activity::moving;
+  EXPECT_EQ(stand().footing, Footing::moving);
+  now.axes[0].activity = Activity::idle, now.axes[1].position = Steps(0);
+  bench.switches[0].plus = Steps(100);
+  EXPECT_EQ(stand().footing, Footing::other_bench);
+  bench.switches[0].plus.reset();
+  now.axes[0].position_known = false;
+  EXPECT_EQ(stand().footing, Footing::unknown);
+  now.axes[0].position_known = true;
+  EXPECT_EQ(stand().footing, Footing::here);
+  now.program.owned = true, now.program.run = RunState::running, now.axes[0].position = Steps(7);
+  EXPECT_EQ(stand().footing, Footing::here) << "it is on its way, and began there";
+  now.program.run = RunState::idle;
+  EXPECT_EQ(stand().footing, Footing::elsewhere);
+}
+
 TEST(Worker, RunsBesideAndHandsOver) {
   std::atomic<int> woken = 0;
   int result = 0;

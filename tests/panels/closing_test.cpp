@@ -145,7 +145,7 @@ TEST_F(ClosingWhatMoves, TheWindowNamesEachThatMovesOrRuns) {
   s.run(0.1);
   EXPECT_FALSE(window_may_close());
   EXPECT_EQ(s.value("close/why"),
-            "Stage: axis 1 is moving. Table: Program 2 is running. Nobody would watch it.");
+            "Stage: axis 1 is moving. Table: Program 2 is running. Nobody would watch them.");
   click("close/stop");
   EXPECT_TRUE(s.console.ended());
   EXPECT_EQ(moving.count<intent::Stop>(), 1);
@@ -221,7 +221,8 @@ TEST(Departing, WhatWasDoneIsToldOnceAtTheNextStart) {
   gui::Console& console = s.console;
   console.depart("SIGTERM");
   EXPECT_EQ(moving.count<intent::Stop>(), 1);
-  EXPECT_FALSE(std::filesystem::exists(folder.path() / "state" / "last-end.json")) << "headless keeps nothing";
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "state" / "last-end.json"))
+      << "headless keeps nothing";
 
   const LastEnds ends(outside.folders);
   LastEnd end{date_of_today(), "14:02:11", "SIGTERM", {}};
