@@ -233,27 +233,29 @@ Said say_slip(const StatusFacts& f) {
   return {};
 }
 
-/// Some of its gains answer a standing error, as far as is known.
-bool is_driven(const StatusFacts& f, int index) {
-  bool any = false;
+/// "KPY and KIY": of the gains that drive it to its command, where all of them are known to be 0; else empty.
+std::string gains_at_zero(const StatusFacts& f, int index) {
+  std::string names;
   for (std::size_t i = 0; i < f.catalog.params.size() && i < f.now.params.size(); ++i) {
-    if (!f.catalog.params[i].drives || f.catalog.params[i].axis != index) continue;
-    if (!f.now.params[i].known || f.now.params[i].value != 0) return true;
-    any = true;
+    const ParamInfo& p = f.catalog.params[i];
+    if (!p.drives || p.axis != index) continue;
+    if (!f.now.params[i].known || f.now.params[i].value != 0) return {};
+    names += (names.empty() ? "" : " and ") + p.mnemonic;
   }
-  return !any;
+  return names;
 }
 
 Said say_servo(const StatusFacts& f) {
   for (int i = 0; i < f.now.axis_count; ++i) {
     const AxisState& a = f.now.axes[i];
     if (a.loop != Loop::off_place) continue;
+    const std::string zero = gains_at_zero(f, i);
+    const std::string why = zero.empty() ? "Look what holds it, and at its gains."
+                                         : fmt::format("Nothing drives it while {} are 0.", zero);
     return say(Mood::warn,
                fmt::format("{} is not in place: it stands {} from its command, {}. {}", name_of(f.catalog, i),
                            f.show_position(axis(i), Steps(std::abs(a.following_error().value))),
-                           f.show_position(axis(i), a.command),
-                           is_driven(f, i) ? "Look what holds it, and at its gains."
-                                           : "Its gains are 0, so nothing drives it."));
+                           f.show_position(axis(i), a.command), why));
   }
   for (int i = 0; i < f.now.axis_count; ++i)
     if (f.now.axes[i].loop == Loop::open)

@@ -68,11 +68,11 @@ TEST_F(StatusSentenceTest, ASlipIsSaidWhileNothingMoves) {
 
 TEST_F(StatusSentenceTest, AServoAxisSaysHowItStandsToItsCommand) {
   ParamInfo gain;
-  gain.mnemonic = "KP2";
   gain.axis = 1;
   gain.drives = true;
-  catalog.params.push_back(gain);
+  for (const char* name : {"KP2", "KI2"}) gain.mnemonic = name, catalog.params.push_back(gain);
   now.params[1] = {200, true, true};
+  now.params[2] = {0, true, true};
   AxisState& a = now.axes[1];
   a.loop = Loop::in_place;
   a.command = a.position = Steps(5000);
@@ -87,7 +87,7 @@ TEST_F(StatusSentenceTest, AServoAxisSaysHowItStandsToItsCommand) {
                                    "Motor 2 is not in place: it stands 5000 steps from its command, "
                                    "5000 steps. Look what holds it, and at its gains."}));
   now.params[1].value = 0;
-  EXPECT_NE(say().text.view().find("Its gains are 0, so nothing drives it."), std::string::npos);
+  EXPECT_NE(say().text.view().find("Nothing drives it while KP2 and KI2 are 0."), std::string::npos);
   a.loop = Loop::open;
   EXPECT_EQ(look_of(state_of(now, 1, clock)).word, "OPEN LOOP");
   EXPECT_EQ(say().text.view().find("The loop of motor 2 is open: its motor is free"), 0u);

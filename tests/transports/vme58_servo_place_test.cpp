@@ -129,6 +129,29 @@ TEST_F(Vme58ServoPlace, OneThatComesLateHasCome) {
   EXPECT_TRUE(wait());
 }
 
+TEST_F(Vme58ServoPlace, OneThatOnlySettlesMayBeSentOn) {
+  give_motor();
+  for (int tap = 1; tap <= 3; ++tap) {
+    EXPECT_EQ(perform(intent::MoveBy({{AxisId{Y}, Steps(20)}})).fate, Fate::done) << tap;
+    run(Millis(100));
+    EXPECT_EQ(axis(Y).activity, Activity::moving);
+    EXPECT_EQ(axis(Y).command, Steps(20 * tap));
+  }
+  EXPECT_EQ(perform(intent::MoveBy({{AxisId{Y}, Steps(50000)}}, Pps{1000})).fate, Fate::done);
+  run(Millis(500));
+  EXPECT_EQ(perform(intent::MoveBy({{AxisId{Y}, Steps(20)}})).fate, Fate::refused) << "its command moves";
+}
+
+TEST_F(Vme58ServoPlace, AnAxisThatTracksGoesNowhereInParticular) {
+  ASSERT_TRUE(query("AY ET"));
+  (void)told();
+  operate(bench::Slip(AxisId{Y}, Steps(3000)));
+  run(Seconds(4));
+  EXPECT_EQ(axis(Y).activity, Activity::idle);
+  EXPECT_NE(axis(Y).ended_by, EndedBy::not_in_place);
+  EXPECT_THAT(told(), IsEmpty());
+}
+
 TEST_F(Vme58ServoPlace, AStoppedAxisRestsByItsCommandAndShowsItsError) {
   give_motor();
   ASSERT_EQ(perform(intent::MoveTo({{AxisId{Y}, Steps(50000)}}, Pps{5000})).fate, Fate::done);

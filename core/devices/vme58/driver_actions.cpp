@@ -60,7 +60,10 @@ Task<Result<>> Vme58Driver::act(intent::Act wish) {
         co_return co_await switch_loop(axis, wish.values[1] != 0, wish.closing);
       text = wish.values[1] != 0 ? "HN" : "HF";
       break;
-    case Action::track: text = "ET"; break;
+    case Action::track:
+      minds_[ix(axis)].servo.goes_to_place = false;
+      text = "ET";
+      break;
     case Action::slip_interrupt: text = "IS"; break;
   }
   const std::string whole = addressed(axis, text);

@@ -28,7 +28,8 @@ Result<> Vme58Driver::may_move(int axis) const {
     return fail(FaultKind::refused, "A program is running.", "Nothing was sent.",
                 "Wait until it ends, or stop it.");
   const AxisMind& mind = minds_[ix(axis)];
-  if (mind.ours && mind.wanted != Activity::jogging)
+  // One that only settles may be sent on: a hand that taps is not made to wait for each of its steps.
+  if (mind.ours && mind.wanted != Activity::jogging && !(settles(axis) && mind.servo.place.settles()))
     return fail(FaultKind::refused, fmt::format("Axis {} is still moving.", axis_name(axis)),
                 "Nothing was sent.", "Wait until it ends, or stop it.");
   return {};

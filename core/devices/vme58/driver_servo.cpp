@@ -72,7 +72,7 @@ void Vme58Driver::show_place(int i, Instant at, bool turns) {
 /// Its command has ended, and its encoder has yet to show whether it came there.
 bool Vme58Driver::settles(int i) const {
   const ServoMind& servo = minds_[ix(i)].servo;
-  return servo.settling && servo.place.settles() && servo.closed != false;
+  return servo.settling && servo.place.undecided() && servo.closed != false;
 }
 
 /// What seems to have come to its target has not while its encoder stands elsewhere. Told once.

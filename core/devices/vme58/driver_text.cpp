@@ -251,6 +251,9 @@ void Vme58Driver::note_effects(const TextCommand& command) {
       if (one) know_loop(axis, command.fact->op == Op::HN);
       break;
     case Op::EN: echo_ = true; break;
+    case Op::ET:
+      if (one) minds_[ix(axis)].servo.goes_to_place = false;  // wherever its encoder input leads
+      break;
     case Op::VL: note_velocity(command); break;
     case Op::FL:
     case Op::FP: forget_put_velocities(one ? axis : -1); break;

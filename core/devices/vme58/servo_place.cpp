@@ -12,6 +12,7 @@ void ServoPlace::begin(Instant at) {
 
 void ServoPlace::look(Instant at, bool turns, std::int64_t error, std::int64_t band) {
   const bool within = std::abs(error) <= band;
+  turns_ = turns;
   if (turns) return begin(at);
   if (place_ == Loop::unknown) {
     place_ = within ? Loop::in_place : Loop::off_place;

@@ -22,10 +22,14 @@ class ServoPlace {
   void begin(Instant at);
   /// following, in_place or off_place; unknown: nothing has been seen yet.
   [[nodiscard]] Loop place() const { return place_; }
-  [[nodiscard]] bool settles() const { return place_ == Loop::following; }
+  /// Nobody can say yet whether it comes there.
+  [[nodiscard]] bool undecided() const { return place_ == Loop::following; }
+  /// So it is, and its command has ended.
+  [[nodiscard]] bool settles() const { return undecided() && !turns_; }
 
  private:
   Loop place_ = Loop::unknown;
+  bool turns_ = false;
   Instant due_since_{};  ///< its command has stood since then, or it has left its place then
   std::optional<Instant> within_since_;
 };
