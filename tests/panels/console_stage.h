@@ -83,10 +83,11 @@ struct Example {
     return operated.empty() ? nullptr : std::get_if<T>(&operated.back());
   }
   /// What became of the newest intent.
-  void fate(Fate what, const char* sentence = "") {
+  void fate(Fate what, const char* sentence = "", std::uint32_t doubtful = 0) {
     now.fates[0].id = sent.size();
     now.fates[0].fate = what;
     now.fates[0].sentence = sentence;
+    now.fates[0].doubtful = doubtful;
   }
 };
 
