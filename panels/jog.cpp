@@ -255,9 +255,10 @@ void Jog::draw_steps_column(Frame& f, float x, float width, float height) {
 
 void Jog::draw_steps_row(Frame& f, float x, float y, float row) {
   const auto n = static_cast<float>(steps_.size());
-  const float share = (row - close_between * (n - 1)) / (n - 2 + first_share + last_share);
+  const float first = row < 260 ? 1 : first_share;
+  const float share = (row - close_between * (n - 1)) / (n - 2 + first + last_share);
   const auto width = [&](std::size_t i) {
-    return std::floor(share * (i == 0 ? first_share : i + 1 == steps_.size() ? last_share : 1));
+    return std::floor(share * (i == 0 ? first : i + 1 == steps_.size() ? last_share : 1));
   };
   const int room = words_that_fit(f, width);
   for (std::size_t i = 0; i < steps_.size(); ++i) {
