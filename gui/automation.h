@@ -55,6 +55,7 @@ class Automation {
   Result<const Widget*> reach(std::string_view id);
   Result<> usable(std::string_view id);
   void point_at(ImVec2 at);
+  void push_button(bool down);
   void push_text(std::string_view text);
   void settle();
   void take_input();
