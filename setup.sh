@@ -6,8 +6,8 @@ build_packages=(g++ cmake ninja-build pkg-config python3 mold
   libtomlplusplus-dev nlohmann-json3-dev liblua5.4-dev libusb-1.0-0-dev libstb-dev libexpected-dev fonts-inter
   fonts-jetbrains-mono
   libgl1-mesa-dri)
-test_packages=(libgtest-dev libgmock-dev libbenchmark-dev xvfb xdotool x11-utils ser2net universal-ctags
-  libumockdev-dev umockdev)
+test_packages=(libgtest-dev libgmock-dev libbenchmark-dev xvfb xdotool x11-utils openbox i3lock ser2net
+  universal-ctags libumockdev-dev umockdev)
 
 say() { printf '\n== %s\n' "$*"; }
 

@@ -98,10 +98,15 @@ void Automation::point_at(ImVec2 at) {
   frame();
 }
 
+void Automation::push_button(bool down) {
+  InputQueue& input = surface_.screen().input();
+  input.push(InputEvent::mouse_button(0, down, input.pointer(), now_s_()));
+}
+
 Result<> Automation::press(std::string_view id) {
   const auto widget = reach(id);
   if (!widget) return fail(widget.error());
-  surface_.screen().input().push(InputEvent::mouse_button(0, true, now_s_()));
+  push_button(true);
   frame();
   pressed_ = id;
   return {};
@@ -110,7 +115,7 @@ Result<> Automation::press(std::string_view id) {
 Result<> Automation::release(std::string_view id) {
   if (pressed_ != id) return refuse(quoted(id) + " is not pressed.", "ui.press() comes first.");
   pressed_.clear();
-  surface_.screen().input().push(InputEvent::mouse_button(0, false, now_s_()));
+  push_button(false);
   settle();
   return {};
 }
@@ -118,10 +123,9 @@ Result<> Automation::release(std::string_view id) {
 Result<> Automation::click(std::string_view id) {
   const auto widget = reach(id);
   if (!widget) return fail(widget.error());
-  InputQueue& input = surface_.screen().input();
-  input.push(InputEvent::mouse_button(0, true, now_s_()));
+  push_button(true);
   frame();
-  input.push(InputEvent::mouse_button(0, false, now_s_()));
+  push_button(false);
   settle();
   return {};
 }

@@ -58,6 +58,7 @@ class Automation {
   Result<> usable(std::string_view id);
   Result<> wait_until_it_stands(std::string_view id);
   void point_at(ImVec2 at);
+  void push_button(bool down);
   void push_text(std::string_view text);
   void settle();
   void take_input();

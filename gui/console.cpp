@@ -205,6 +205,7 @@ void Console::draw(Ui& ui) {
   draw_toasts(ui, toasts_, in_pixels(ui, layout.centre), in_pixels(ui, layout.status));
   tooltip(ui, ui.cut());
   confirm_held_key(ui);
+  list_open_ = ui.takes_arrows();
   for (const auto& tab : tabs_) {
     tab->jog.tick(ui.now_s);
     ui.wake_in(tab->jog.due_in_s(ui.now_s));

@@ -157,7 +157,7 @@ class Console {
   Splitters kept_;  ///< as written last
   bool kept_dark_ = true;
   float kept_size_ = 1;
-  bool ended_ = false, covered_ = false, close_asked_ = false;
+  bool ended_ = false, covered_ = false, close_asked_ = false, list_open_ = false;
   std::string asked_;  ///< by a dialog, of which no toast need tell
   std::shared_ptr<std::atomic<int>> closing_ = std::make_shared<std::atomic<int>>(0);
   /// What controllers say while they are closed: their tabs have gone by then. Written on the io thread.

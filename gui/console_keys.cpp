@@ -1,6 +1,7 @@
 // What keys do wherever the caret stands: stop, jog while held, change the controller, the size, the map.
 #include "gui/console.h"
 #include "gui/keyboard.h"
+#include "gui/stop_words.h"
 #include "gui/ui.h"
 
 namespace hw::gui {
@@ -27,7 +28,9 @@ constexpr JogKey jog_keys[] = {
 
 void Console::on_edge(const CommandEdge& edge) {
   if (edge.command == Command::stop_all) {
-    if (edge.down) stop_all();
+    if (!edge.down) return;
+    stop_all();
+    if (list_open_ && !tabs_.empty()) toast(Mood::plain, words_of_esc(tabs_));
   } else if (edge.command == Command::next_controller || edge.command == Command::previous_controller) {
     if (edge.down) activate_next(edge.command == Command::next_controller ? 1 : -1);
   } else if (edge.command == Command::show_map) {

@@ -8,12 +8,13 @@
 
 namespace hw::gui {
 
-void Focus::begin_frame(Registry& registry, double now_s, bool typing, bool field_takes_tab) {
+void Focus::begin_frame(Registry& registry, double now_s, bool typing, TabTaken taken) {
   started_ = ended_ = false;
   const ImGuiIO& io = ImGui::GetIO();
   if (ImGui::IsMouseClicked(0)) visible_ = false;
   const bool back = io.KeyShift;
-  if (ImGui::IsKeyPressed(GLFW_KEY_TAB, true) && !io.KeyCtrl && (!field_takes_tab || back)) {
+  const bool free = taken == TabTaken::no || (taken == TabTaken::forward && back);
+  if (ImGui::IsKeyPressed(GLFW_KEY_TAB, true) && !io.KeyCtrl && free) {
     step(registry, back ? -1 : 1);
     if (!id_.empty()) registry.scroll_to(id_);
     return;

@@ -2,6 +2,7 @@
 // The order of Tab, from the registry: every enabled widget of the top layer, in drawing order. ImGui's own
 // navigation stays off (it would stop at fields only and take the arrows that jog). The ring shows only after
 // Tab; a click moves the focus without it.
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -11,11 +12,13 @@
 
 namespace hw::gui {
 
+/// What a field that is being typed into keeps for itself.
+enum class TabTaken : std::uint8_t { no, forward, both };
+
 class Focus {
  public:
-  /// Once a frame, after ImGui::NewFrame. `typing`: a field has ImGui's keyboard; `field_takes_tab`: and
-  /// wants Tab for itself.
-  void begin_frame(Registry& registry, double now_s, bool typing, bool field_takes_tab);
+  /// Once a frame, after ImGui::NewFrame. `typing`: a field has ImGui's keyboard; `taken`: and what of Tab.
+  void begin_frame(Registry& registry, double now_s, bool typing, TabTaken taken);
 
   /// At the frame's end. `typing`: a field has the keyboard now.
   void end_frame(bool typing);

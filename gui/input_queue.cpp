@@ -8,19 +8,12 @@
 namespace hw::gui {
 namespace {
 
-bool is_shift(int key) { return key == GLFW_KEY_LEFT_SHIFT || key == GLFW_KEY_RIGHT_SHIFT; }
+bool is_one_of(int key, int left, int right) { return key == left || key == right; }
+bool is_shift(int key) { return is_one_of(key, GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT); }
 bool is_modifier(int key) { return key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER; }
 /// A key that only makes a text event: neither ImGui nor a shortcut asks when it goes down or up.
-bool only_types(int key, const ImGuiIO& io) {
-  return (key > GLFW_KEY_SPACE && key <= GLFW_KEY_WORLD_2) && !io.KeyCtrl && !io.KeyAlt && !io.KeySuper;
-}
-
-void refresh_modifiers(ImGuiIO& io) {
-  const auto either = [&](int left, int right) { return io.KeysDown[left] || io.KeysDown[right]; };
-  io.KeyCtrl = either(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
-  io.KeyShift = either(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
-  io.KeyAlt = either(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT);
-  io.KeySuper = either(GLFW_KEY_LEFT_SUPER, GLFW_KEY_RIGHT_SUPER);
+bool only_types(int key, const Modifiers& m) {
+  return (key > GLFW_KEY_SPACE && key <= GLFW_KEY_WORLD_2) && !m.ctrl && !m.alt && !m.super;
 }
 
 InputEvent event_of(InputKind kind, bool down, int code, float x, float y, double at_s) {
@@ -36,11 +29,27 @@ InputEvent event_of(InputKind kind, bool down, int code, float x, float y, doubl
 
 }  // namespace
 
+void Modifiers::follow(const InputEvent& event) {
+  if (event.modifiers) *this = *event.modifiers;
+  if (event.kind == InputKind::focus_lost) *this = {};
+  if (event.kind != InputKind::key) return;
+  // The window system tells how it was before: the key itself comes on top.
+  if (is_one_of(event.code, GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL)) ctrl = event.down;
+  if (is_one_of(event.code, GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT)) shift = event.down;
+  if (is_one_of(event.code, GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT)) alt = event.down;
+  if (is_one_of(event.code, GLFW_KEY_LEFT_SUPER, GLFW_KEY_RIGHT_SUPER)) super = event.down;
+}
+
+InputEvent InputEvent::with(Modifiers held) const {
+  InputEvent e = *this;
+  e.modifiers = held;
+  return e;
+}
 InputEvent InputEvent::mouse_move(float x, float y, double at_s) {
   return event_of(InputKind::mouse_move, false, 0, x, y, at_s);
 }
-InputEvent InputEvent::mouse_button(int button, bool down, double at_s) {
-  return event_of(InputKind::mouse_button, down, button, 0, 0, at_s);
+InputEvent InputEvent::mouse_button(int button, bool down, ImVec2 at, double at_s) {
+  return event_of(InputKind::mouse_button, down, button, at.x, at.y, at_s);
 }
 InputEvent InputEvent::wheel(float x, float y, double at_s) {
   return event_of(InputKind::wheel, false, 0, x, y, at_s);
@@ -58,6 +67,8 @@ InputEvent InputEvent::focus_lost(double at_s) {
 void InputQueue::push(const InputEvent& event) {
   const bool esc = event.kind == InputKind::key && event.code == GLFW_KEY_ESCAPE && event.down;
   if (esc || event.kind == InputKind::focus_lost) drop_presses();
+  if (event.kind == InputKind::mouse_move || event.kind == InputKind::mouse_button)
+    pointer_ = ImVec2(event.x, event.y);
   if (on_arrival_ && on_arrival_(event)) return;
   // A mouse that only moves needs one place in the queue.
   if (event.kind == InputKind::mouse_move && !waiting_.empty() &&
@@ -74,14 +85,16 @@ void InputQueue::drop_presses() {
   });
 }
 
-bool InputQueue::fits(const InputEvent& event, const Fed& fed, const ImGuiIO& io) {
+bool InputQueue::fits(const InputEvent& event, const Fed& fed) const {
+  Modifiers held = modifiers_;
+  held.follow(event);
   const bool untouched = !fed.edit_key && !fed.button;
   switch (event.kind) {
     case InputKind::mouse_move: return !fed.button;
     case InputKind::mouse_button: return untouched && !fed.text;
     case InputKind::wheel: return true;
     case InputKind::key:
-      if (only_types(event.code, io) || is_shift(event.code)) return untouched;
+      if (only_types(event.code, held) || is_shift(event.code)) return untouched;
       return untouched && !fed.text;
     case InputKind::text: return untouched;
     case InputKind::focus_lost: return untouched && !fed.text;
@@ -94,6 +107,7 @@ void InputQueue::apply(const InputEvent& event, Fed& fed, ImGuiIO& io) {
     case InputKind::mouse_move: io.MousePos = ImVec2(event.x, event.y); break;
     case InputKind::mouse_button:
       if (event.code < 0 || event.code >= 5) break;
+      io.MousePos = ImVec2(event.x, event.y);
       io.MouseDown[event.code] = event.down;
       if (event.code == 0) (event.down ? pressed_at_s_ : released_at_s_) = event.at_s;
       fed.button = true;
@@ -105,8 +119,7 @@ void InputQueue::apply(const InputEvent& event, Fed& fed, ImGuiIO& io) {
     case InputKind::key:
       if (event.code < 0 || event.code >= IM_ARRAYSIZE(io.KeysDown)) break;
       io.KeysDown[event.code] = event.down;
-      refresh_modifiers(io);
-      if (!only_types(event.code, io) && !is_shift(event.code)) fed.edit_key = true;
+      if (!only_types(event.code, modifiers_) && !is_shift(event.code)) fed.edit_key = true;
       break;
     case InputKind::text:
       io.AddInputCharacter(static_cast<unsigned>(event.code));
@@ -115,7 +128,6 @@ void InputQueue::apply(const InputEvent& event, Fed& fed, ImGuiIO& io) {
     case InputKind::focus_lost:
       for (bool& down : io.KeysDown) down = false;
       for (bool& down : io.MouseDown) down = false;
-      refresh_modifiers(io);
       // Away from every widget: letting go must not count as a click on what was pressed.
       io.MousePos = ImVec2(-FLT_MAX, -FLT_MAX);
       released_at_s_ = event.at_s;
@@ -126,12 +138,17 @@ void InputQueue::apply(const InputEvent& event, Fed& fed, ImGuiIO& io) {
 
 bool InputQueue::feed(ImGuiIO& io, bool keys_wait) {
   Fed fed;
-  while (!waiting_.empty() && fits(waiting_.front(), fed, io)) {
+  while (!waiting_.empty() && fits(waiting_.front(), fed)) {
     const InputEvent event = waiting_.front();
     if (keys_wait && (event.kind == InputKind::key || event.kind == InputKind::text)) break;
     waiting_.pop_front();
+    modifiers_.follow(event);
     if (!in_turn_ || !in_turn_(event)) apply(event, fed, io);
   }
+  io.KeyCtrl = modifiers_.ctrl;
+  io.KeyShift = modifiers_.shift;
+  io.KeyAlt = modifiers_.alt;
+  io.KeySuper = modifiers_.super;
   return !waiting_.empty();
 }
 

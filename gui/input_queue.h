@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <optional>
 
 #include <imgui.h>
 
@@ -13,11 +14,20 @@ namespace hw::gui {
 
 enum class InputKind : std::uint8_t {
   mouse_move,    ///< x, y in pixels
-  mouse_button,  ///< code 0 left, 1 right, 2 middle; down
+  mouse_button,  ///< code 0 left, 1 right, 2 middle; down; x, y: where. It counts there, wherever moves have led
   wheel,         ///< x, y in notches
   key,           ///< code: a GLFW key; down. Auto-repeat is not an event
   text,          ///< code: a Unicode code point
   focus_lost,    ///< all that is held is let go
+};
+
+struct InputEvent;
+
+/// Keys that change what another one means.
+struct Modifiers {
+  bool ctrl = false, shift = false, alt = false, super = false;
+  /// As they are once this has happened.
+  void follow(const InputEvent& event);
 };
 
 struct InputEvent {
@@ -26,9 +36,13 @@ struct InputEvent {
   int code = 0;
   float x = 0, y = 0;
   double at_s = 0;  ///< when it happened, on the clock of the frames
+  /// What the window system says is held with it, also what went down or up while another window had the
+  /// keyboard; none: as the keys before it.
+  std::optional<Modifiers> modifiers;
 
+  [[nodiscard]] InputEvent with(Modifiers held) const;
   static InputEvent mouse_move(float x, float y, double at_s);
-  static InputEvent mouse_button(int button, bool down, double at_s);
+  static InputEvent mouse_button(int button, bool down, ImVec2 at, double at_s);
   static InputEvent wheel(float x, float y, double at_s);
   static InputEvent key(int glfw_key, bool down, double at_s);
   static InputEvent text(unsigned code_point, double at_s);
@@ -53,6 +67,8 @@ class InputQueue {
   /// once. `keys_wait`: the keyboard is on its way to a field; keys and text stay until it is there.
   bool feed(ImGuiIO& io, bool keys_wait = false);
   [[nodiscard]] bool empty() const { return waiting_.empty(); }
+  /// Where the pointer is, by the newest event.
+  [[nodiscard]] ImVec2 pointer() const { return pointer_; }
   /// When the newest press and release of the left button that ImGui has seen happened: how long a hand held.
   [[nodiscard]] double pressed_at_s() const { return pressed_at_s_; }
   [[nodiscard]] double released_at_s() const { return released_at_s_; }
@@ -61,12 +77,14 @@ class InputQueue {
   struct Fed {  // what this frame has had so far
     bool button = false, edit_key = false, text = false;
   };
-  [[nodiscard]] static bool fits(const InputEvent& event, const Fed& fed, const ImGuiIO& io);
+  [[nodiscard]] bool fits(const InputEvent& event, const Fed& fed) const;
   void apply(const InputEvent& event, Fed& fed, ImGuiIO& io);
   void drop_presses();
 
   Listener on_arrival_, in_turn_;
   std::deque<InputEvent> waiting_;
+  Modifiers modifiers_;
+  ImVec2 pointer_;
   double pressed_at_s_ = 0, released_at_s_ = 0;
 };
 

@@ -58,9 +58,10 @@ void Keyboard::emit(Command c, bool down, double at_s) {
 // With Alt or Super a key is the window manager's, or another program's habit: Alt+Left goes back there, and
 // must not move an axis here.
 const Shortcut* Keyboard::match(int key) const {
-  if (alt_ || super_) return nullptr;
+  if (modifiers_.alt || modifiers_.super) return nullptr;
   for (const Shortcut& s : table)
-    if (s.key == key && s.ctrl == ctrl_ && s.shift == shift_ && (s.reach != Reach::outside_text || !typing_))
+    if (s.key == key && s.ctrl == modifiers_.ctrl && s.shift == modifiers_.shift &&
+        (s.reach != Reach::outside_text || !typing_))
       return &s;
   return nullptr;
 }
@@ -117,16 +118,13 @@ bool Keyboard::on_arrival(const InputEvent& event) {
 }
 
 bool Keyboard::in_turn(const InputEvent& event) {
+  modifiers_.follow(event);
   if (event.kind == InputKind::text) {
     if (event.code != '?' || typing_) return false;
     emit(Command::show_map, true, event.at_s);
     return true;
   }
   if (!is_key(event, taken_.size())) return false;
-  if (event.code == GLFW_KEY_LEFT_CONTROL || event.code == GLFW_KEY_RIGHT_CONTROL) ctrl_ = event.down;
-  if (event.code == GLFW_KEY_LEFT_SHIFT || event.code == GLFW_KEY_RIGHT_SHIFT) shift_ = event.down;
-  if (event.code == GLFW_KEY_LEFT_ALT || event.code == GLFW_KEY_RIGHT_ALT) alt_ = event.down;
-  if (event.code == GLFW_KEY_LEFT_SUPER || event.code == GLFW_KEY_RIGHT_SUPER) super_ = event.down;
   return event.down ? key_down(event) : key_up(event);
 }
 
@@ -146,7 +144,7 @@ void Keyboard::release_all(double at_s) {
       emit(static_cast<Command>(i), false, at_s);
     }
   taken_.fill(false);
-  ctrl_ = shift_ = alt_ = super_ = false;
+  modifiers_ = {};
 }
 
 void Keyboard::begin_frame() {

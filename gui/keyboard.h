@@ -103,7 +103,7 @@ class Keyboard {
   std::array<bool, n> held_{};
   std::array<bool, 512> taken_{};  // keys whose release belongs to us
   Edges now_, next_;
-  bool ctrl_ = false, shift_ = false, alt_ = false, super_ = false;
+  Modifiers modifiers_;
   bool typing_ = false, covered_ = false;
 };
 

@@ -1,50 +1,56 @@
 #include "gui/physical_keys.h"
 
-#include <optional>
+#include <algorithm>
 #include <utility>
 
-#include <dlfcn.h>
+#include "gui/xlib.h"
 
 namespace hw::gui {
 namespace {
 
-using KeyMap = std::array<char, 32>;  // a bit for each key code of the X server
+using KeyMap = PhysicalKeys::KeyMap;
 
-/// None: the display is no X server. Its headers are not needed to build.
-std::optional<KeyMap> ask_server() {
-  using GetDisplay = void* (*)();
-  using QueryKeymap = int (*)(void*, char*);
-  static const auto get_display = reinterpret_cast<GetDisplay>(dlsym(RTLD_DEFAULT, "glfwGetX11Display"));
-  static const auto query = reinterpret_cast<QueryKeymap>(dlsym(RTLD_DEFAULT, "XQueryKeymap"));
-  void* const display = get_display && query ? get_display() : nullptr;
+bool is_down(const KeyMap& keys, int code) {
+  const auto byte = static_cast<std::size_t>(code / 8);
+  return byte < keys.size() && (static_cast<unsigned char>(keys[byte]) >> (code % 8) & 1) != 0;
+}
+
+void set_up(KeyMap& keys, int code) {
+  const auto byte = static_cast<std::size_t>(code / 8);
+  if (code > 0 && byte < keys.size()) keys[byte] = static_cast<char>(keys[byte] & ~(1 << code % 8));
+}
+
+}  // namespace
+
+std::optional<KeyMap> PhysicalKeys::ask_server() {
+  static const auto query = from_xlib<int (*)(void*, char*)>("XQueryKeymap");
+  void* const display = query ? glfw_x_display() : nullptr;
   if (!display) return std::nullopt;
   KeyMap keys{};
   query(display, keys.data());
   return keys;
 }
 
-bool is_down(const KeyMap& keys, int code) {
-  const auto byte = static_cast<std::size_t>(code / 8);
-  return byte >= keys.size() || (static_cast<unsigned char>(keys[byte]) >> (code % 8) & 1) != 0;
+bool PhysicalKeys::is_any(const KeyMap& keys) {
+  return std::any_of(keys.begin(), keys.end(), [](char byte) { return byte != 0; });
 }
 
-}  // namespace
-
-void PhysicalKeys::press(int key, int code) {
-  if (!is_known(key) || code <= 0) return;
-  if (codes_[static_cast<std::size_t>(key)] == 0) ++down_;
-  codes_[static_cast<std::size_t>(key)] = code;
-}
-
-bool PhysicalKeys::is_press(int key, int code) {
-  if (!is_known(key) || code <= 0 || codes_[static_cast<std::size_t>(key)] != 0) return false;
-  const auto keys = ask_server();  // a repeat that was under way when the key came up is none
-  if (!keys || !is_down(*keys, code)) return false;
-  press(key, code);
+bool PhysicalKeys::is_press(int key, int code, bool repeat) {
+  if (!is_known(key) || code <= 0) return !repeat;
+  if (is_down(held_over_, code)) return false;
+  int& known = codes_[static_cast<std::size_t>(key)];
+  if (repeat) {
+    // A press in truth, of a key whose release was taken away; but not one that was under way when it came up.
+    if (known != 0 || away_) return false;
+    const auto keys = ask_();
+    if (!keys || !is_down(*keys, code)) return false;
+  }
+  if (std::exchange(known, code) == 0) ++down_;
   return true;
 }
 
-void PhysicalKeys::release(int key) {
+void PhysicalKeys::release(int key, int code) {
+  set_up(held_over_, code);
   if (!is_known(key) || codes_[static_cast<std::size_t>(key)] == 0) return;
   codes_[static_cast<std::size_t>(key)] = 0;
   suspects_[static_cast<std::size_t>(key)] = seen_[static_cast<std::size_t>(key)] = false;
@@ -55,21 +61,31 @@ void PhysicalKeys::forget() {
   codes_.fill(0);
   suspects_.fill(false);
   seen_.fill(false);
+  held_over_.fill(0);
   down_ = 0;
+  away_ = true;
+}
+
+void PhysicalKeys::come_back() {
+  forget();
+  away_ = false;
+  if (const auto keys = ask_()) held_over_ = *keys;
 }
 
 std::vector<int> PhysicalKeys::lost() {
   std::vector<int> keys;
-  if (down_ == 0) return keys;
-  const auto map = ask_server();
+  if (!any()) return keys;
+  const auto map = ask_();
   if (!map) return keys;
+  for (std::size_t i = 0; i < held_over_.size(); ++i)
+    held_over_[i] = static_cast<char>(held_over_[i] & (*map)[i]);
   for (int key = 0; key < static_cast<int>(codes_.size()); ++key)
     if (const auto k = static_cast<std::size_t>(key); codes_[k] != 0) {
       const bool up = !is_down(*map, codes_[k]);
       seen_[k] = seen_[k] || !up;
       if (!seen_[k] || !std::exchange(suspects_[k], up) || !up) continue;
       keys.push_back(key);
-      release(key);
+      release(key, codes_[k]);
     }
   return keys;
 }

@@ -47,7 +47,7 @@ void Screen::frame(double now_s, ImVec2 size_px, const Draw& draw) {
   input_.feed(ImGui::GetIO(), focus_.entering());
   keyboard_.begin_frame();
   ImGui::NewFrame();
-  focus_.begin_frame(registry_, now_s, typing_, field_takes_tab_);
+  focus_.begin_frame(registry_, now_s, typing_, tab_taken_);
   registry_.begin_frame();
   Ui ui(*theme_, fonts_, registry_, focus_, standing_, keyboard_, input_, now_s, size_px);
   draw(ui);
@@ -57,7 +57,7 @@ void Screen::frame(double now_s, ImVec2 size_px, const Draw& draw) {
   const ImGuiContext& g = *context_;
   typing_ = ui.typing() || (g.ActiveId != 0 && g.ActiveId == g.InputTextState.ID);
   focus_.end_frame(typing_);
-  field_takes_tab_ = typing_ && ui.takes_tab();
+  tab_taken_ = typing_ ? ui.tab_taken() : TabTaken::no;
   const bool covered = registry_.top_layer() > 0;
   keyboard_.set_typing(typing_ || ui.takes_arrows() || covered);
   keyboard_.set_covered(covered);

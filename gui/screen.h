@@ -57,7 +57,8 @@ class Screen {
   Focus focus_;
   Standing standing_;
   float wanted_scale_;
-  bool style_old_ = true, typing_ = false, field_takes_tab_ = false;
+  bool style_old_ = true, typing_ = false;
+  TabTaken tab_taken_ = TabTaken::no;
   int atlas_generation_ = 1;
   double last_s_ = -1, wake_in_s_ = 1e9;
 };

@@ -24,7 +24,8 @@
 //   - draw_text_line cuts what is too long; the whole of it is told under the mouse, by itself.
 //   - What changes with time only (a toast that goes, "Attempt 5 in 3 s") calls ui.wake_in(seconds), else no
 //     frame is drawn: a console at rest draws nothing. Nothing may call it in every frame at rest.
-//   - A list or panel that wants arrow keys for itself says ui.take_arrows() in the frame, else they jog.
+//   - A list or panel that wants arrow keys for itself says ui.take_arrows() in the frame, else they jog. Esc
+//     closes it, and the console then says what the stop that it also was has reached.
 //   - Esc always stops all controllers before a panel hears of it; ui.cancelled() is true in that frame, to
 //     close a popup or dialog as well.
 //   - Headless: Offscreen gives the same Ui without a display; tests draw a panel, push input through
@@ -95,11 +96,11 @@ class Ui {
 
   /// This frame somebody types into something that is not ImGui's InputText.
   void say_typing() { typing_ = true; }
-  /// The field that is being typed into wants Tab for itself.
-  void take_tab() { takes_tab_ = true; }
+  /// What is being typed into wants Tab for itself, or Shift Tab too.
+  void take_tab(TabTaken taken = TabTaken::forward) { tab_taken_ = taken; }
   void take_arrows() { takes_arrows_ = true; }
   [[nodiscard]] bool typing() const { return typing_; }
-  [[nodiscard]] bool takes_tab() const { return takes_tab_; }
+  [[nodiscard]] TabTaken tab_taken() const { return tab_taken_; }
   [[nodiscard]] bool takes_arrows() const { return takes_arrows_; }
   // A text that had to be cut is told whole under the mouse, unless its widget has a tip of its own.
   void say_cut(std::string_view whole) const { cut_ = whole; }
@@ -109,7 +110,8 @@ class Ui {
 
  private:
   double wake_in_s_ = 1e9;
-  bool typing_ = false, takes_tab_ = false, takes_arrows_ = false, tip_shown_ = false;
+  TabTaken tab_taken_ = TabTaken::no;
+  bool typing_ = false, takes_arrows_ = false, tip_shown_ = false;
   mutable FixedText<640> cut_;
 };
 

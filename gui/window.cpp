@@ -15,8 +15,7 @@
 namespace hw::gui {
 namespace {
 
-constexpr double frame_seconds = 1.0 / 60;
-constexpr int frames_after_input = 3;
+constexpr int frames_after_input = FramePacer::frames_after_input;
 constexpr double look_at_keys_every_s = 0.05;  // while one is down
 enum { cursor_arrow, cursor_text, cursor_ew, cursor_ns };
 
@@ -24,6 +23,11 @@ std::string glfw_says() {
   const char* words = nullptr;
   glfwGetError(&words);
   return words ? std::string(" (") + words + ")" : std::string();
+}
+
+Modifiers modifiers_of(int mods) {
+  return {(mods & GLFW_MOD_CONTROL) != 0, (mods & GLFW_MOD_SHIFT) != 0, (mods & GLFW_MOD_ALT) != 0,
+          (mods & GLFW_MOD_SUPER) != 0};
 }
 
 float monitor_scale() {
@@ -37,40 +41,45 @@ float monitor_scale() {
 struct Window::Callbacks {
   static Window& of(GLFWwindow* w) { return *static_cast<Window*>(glfwGetWindowUserPointer(w)); }
 
-  static void key(GLFWwindow* w, int key, int code, int action, int) {
+  static void key(GLFWwindow* w, int key, int code, int action, int mods) {
     if (key < 0) return;
-    const bool pressed = action == GLFW_PRESS || (action == GLFW_REPEAT && of(w).keys_.is_press(key, code));
-    if (action == GLFW_REPEAT && !pressed)
+    if (of(w).grabs_.is_given_back()) of(w).follow_grabs();
+    const bool down = action != GLFW_RELEASE;
+    if (!down)
+      of(w).keys_.release(key, code);
+    else if (!of(w).keys_.is_press(key, code, action == GLFW_REPEAT))
       return of(w).touched(1);  // ImGui counts its own repeats, but needs frames
-    if (pressed)
-      of(w).keys_.press(key, code);
-    else
-      of(w).keys_.release(key);
-    of(w).push(InputEvent::key(key, pressed, of(w).now_s()));
+    of(w).push(InputEvent::key(key, down, of(w).now_s()).with(modifiers_of(mods)));
   }
   static void character(GLFWwindow* w, unsigned code) { of(w).push(InputEvent::text(code, of(w).now_s())); }
-  static void button(GLFWwindow* w, int button, int action, int) {
-    of(w).push(InputEvent::mouse_button(button, action == GLFW_PRESS, of(w).now_s()));
+  static void button(GLFWwindow* w, int button, int action, int mods) {
+    if (!of(w).pointer_) of(w).find_pointer();
+    of(w).push(InputEvent::mouse_button(button, action == GLFW_PRESS, *of(w).pointer_, of(w).now_s())
+                   .with(modifiers_of(mods)));
   }
   static void cursor(GLFWwindow* w, double x, double y) {
     const ImVec2 at = of(w).to_pixels(x, y);
+    of(w).pointer_ = at;
     of(w).push(InputEvent::mouse_move(at.x, at.y, of(w).now_s()));
   }
   static void enter(GLFWwindow* w, int entered) {
-    const bool held = glfwGetMouseButton(w, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS;
-    if (!entered && !held) of(w).push(InputEvent::mouse_move(-FLT_MAX, -FLT_MAX, of(w).now_s()));
+    if (entered) return of(w).find_pointer();
+    if (glfwGetMouseButton(w, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS) return;
+    of(w).pointer_.reset();
+    of(w).push(InputEvent::mouse_move(-FLT_MAX, -FLT_MAX, of(w).now_s()));
   }
   static void scroll(GLFWwindow* w, double x, double y) {
     of(w).push(InputEvent::wheel(static_cast<float>(x), static_cast<float>(y), of(w).now_s()));
   }
   static void focus(GLFWwindow* w, int focused) {
-    if (!focused) {
-      of(w).keys_.forget();
-      of(w).push(InputEvent::focus_lost(of(w).now_s()));
-    }
-    of(w).touched(1);
+    focused ? of(w).regain_keyboard() : of(w).lose_keyboard();
   }
-  static void size(GLFWwindow* w, int, int) { of(w).touched(2); }
+  // The window goes, and the pointer that rests is over something else: no move tells.
+  static void position(GLFWwindow* w, int, int) { of(w).look_for_pointer(); }
+  static void size(GLFWwindow* w, int, int) {
+    of(w).look_for_pointer();
+    of(w).touched(2);
+  }
   static void refresh(GLFWwindow* w) { of(w).touched(1); }
   static void scale(GLFWwindow* w, float x, float) {
     of(w).screen_->set_scale(x * of(w).options_.scale);
@@ -136,6 +145,7 @@ Result<> Window::create(std::future<Fonts> unscaled) {
   glfwSetWindowSizeLimits(window_, pixels(480), pixels(320), GLFW_DONT_CARE, GLFW_DONT_CARE);
   connect_callbacks();
   connect_clipboard();
+  grabs_.watch(window_);
   return {};
 }
 
@@ -158,6 +168,7 @@ void Window::connect_callbacks() {
   glfwSetCursorEnterCallback(window_, Callbacks::enter);
   glfwSetScrollCallback(window_, Callbacks::scroll);
   glfwSetWindowFocusCallback(window_, Callbacks::focus);
+  glfwSetWindowPosCallback(window_, Callbacks::position);
   glfwSetFramebufferSizeCallback(window_, Callbacks::size);
   glfwSetWindowRefreshCallback(window_, Callbacks::refresh);
   glfwSetWindowContentScaleCallback(window_, Callbacks::scale);
@@ -194,15 +205,39 @@ void Window::push(const InputEvent& event) {
   touched(frames_after_input);
 }
 
+void Window::lose_keyboard() {
+  keys_.forget();
+  pointer_.reset();
+  push(InputEvent::focus_lost(now_s()));
+}
+
+void Window::regain_keyboard() {
+  keys_.come_back();
+  look_for_pointer();
+  touched(1);
+}
+
+void Window::follow_grabs() {
+  for (const bool taken : grabs_.take_news()) taken ? lose_keyboard() : regain_keyboard();
+}
+
 void Window::let_go_of_lost_keys() {
   for (const int key : keys_.lost()) push(InputEvent::key(key, false, now_s()));
 }
 
-void Window::touched(int frames) { frames_wanted_ = std::max(frames_wanted_, frames); }
+void Window::find_pointer() {
+  double x = 0, y = 0;
+  glfwGetCursorPos(window_, &x, &y);
+  Callbacks::cursor(window_, x, y);
+}
+
+void Window::look_for_pointer() {
+  if (glfwGetWindowAttrib(window_, GLFW_HOVERED)) return find_pointer();
+  pointer_.reset();
+}
 
 void Window::wake() {
-  woken_ = true;
-  glfwPostEmptyEvent();
+  if (pacer_.news()) glfwPostEmptyEvent();
 }
 
 void Window::set_title(const std::string& title) { glfwSetWindowTitle(window_, title.c_str()); }
@@ -222,15 +257,10 @@ void Window::set_user_scale(float scale) {
   touched(2);
 }
 
-bool Window::frame_is_due() const {
-  return frames_wanted_ > 0 || woken_ || screen_->more_input() ||
-         now_s() - last_frame_s_ >= screen_->wake_in_s();
-}
+FramePacer::Wishes Window::wishes() const { return {screen_->more_input(), screen_->wake_in_s()}; }
 
 void Window::wait() {
-  const double since = now_s() - last_frame_s_;
-  const bool wants = frames_wanted_ > 0 || woken_ || screen_->more_input();
-  double until = std::max(wants ? 0.0 : screen_->wake_in_s(), frame_seconds) - since;
+  double until = pacer_.wait_s(now_s(), wishes());
   if (keys_.any()) until = std::min(until, look_at_keys_every_s);
   if (until <= 0)
     glfwPollEvents();
@@ -241,16 +271,14 @@ void Window::wait() {
 void Window::run(const Draw& draw) {
   while (!closing_) {
     wait();
+    follow_grabs();
     let_go_of_lost_keys();
     if (glfwGetWindowAttrib(window_, GLFW_ICONIFIED)) {
-      frames_wanted_ = 0;
-      woken_ = false;
       glfwWaitEventsTimeout(0.5);
       touched(1);
     }
-    if (!frame_is_due() || now_s() - last_frame_s_ < frame_seconds * 0.98) continue;
-    woken_ = false;
-    frames_wanted_ = std::max(0, frames_wanted_ - 1);
+    if (!pacer_.is_due(now_s(), wishes())) continue;
+    pacer_.begin_frame(now_s());
     frame(now_s(), draw);
   }
 }
@@ -258,7 +286,6 @@ void Window::run(const Draw& draw) {
 void Window::frame(double now_s, const Draw& draw) {
   int w = 0, h = 0;
   glfwGetFramebufferSize(window_, &w, &h);
-  last_frame_s_ = now_s;
   screen_->frame(now_s, ImVec2(static_cast<float>(std::max(w, 1)), static_cast<float>(std::max(h, 1))), draw);
   if (screen_->atlas_generation() != atlas_generation_) {
     if (atlas_generation_ == 0)

@@ -5,10 +5,13 @@
 #include <functional>
 #include <future>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/base/result.h"
+#include "gui/frame_pacer.h"
+#include "gui/keyboard_grabs.h"
 #include "gui/physical_keys.h"
 #include "gui/screen.h"
 
@@ -59,10 +62,15 @@ class Window : public Surface {
   void connect_callbacks();
   void connect_clipboard();
   void push(const InputEvent& event);
+  void lose_keyboard();
+  void regain_keyboard();
+  void follow_grabs();
   void let_go_of_lost_keys();
-  void touched(int frames);
+  void find_pointer();
+  void look_for_pointer();
+  void touched(int frames) { pacer_.touched(frames); }
   void wait();
-  [[nodiscard]] bool frame_is_due() const;
+  [[nodiscard]] FramePacer::Wishes wishes() const;
   void show_cursor();
   [[nodiscard]] ImVec2 to_pixels(double x, double y) const;
   struct Callbacks;
@@ -74,10 +82,13 @@ class Window : public Surface {
   int cursor_shown_ = -1;
   std::unique_ptr<Screen> screen_;
   PhysicalKeys keys_;
-  std::atomic<bool> woken_{true}, closing_{false};
+  KeyboardGrabs grabs_;
+  std::optional<ImVec2> pointer_;  ///< where the events have brought it; none: they have not told
+  FramePacer pacer_;
+  std::atomic<bool> closing_{false};
   bool gl_ready_ = false;
-  int frames_wanted_ = 3, atlas_generation_ = 0;
-  double last_frame_s_ = -1, opened_at_s_ = 0;
+  int atlas_generation_ = 0;
+  double opened_at_s_ = 0;
   long frames_ = 0;
 };
 

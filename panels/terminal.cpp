@@ -193,6 +193,9 @@ void Terminal::draw_list(Frame& f, float bottom) {
                    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoBringToFrontOnFocus);
   ImGui::PopStyleColor();
   ImGui::PopStyleVar(3);
+  ui.take_arrows();
+  // As with every list: a press outside of it closes it.
+  const bool outside = ImGui::IsMouseClicked(0) && !ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows);
   if (ImGui::IsWindowAppearing()) ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
   // Behind the longest form; one that would leave no room for its help is cut.
   float help_at = ui.px(140);
@@ -230,6 +233,7 @@ void Terminal::draw_list(Frame& f, float bottom) {
     }
   }
   ImGui::End();
+  if (outside) offered_.clear();
 }
 
 void Terminal::draw_command(Frame& f) {

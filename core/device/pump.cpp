@@ -106,6 +106,7 @@ Task<bool> Pump::open_and_connect() {
     co_return false;
   }
   station_ = std::make_unique<Station>(std::move(*opened), ways_.traffic);
+  station_->recorded = ways_.recorded;
   station_->closed = [this](const Fault& why) {
     lose_wire(why);
     wake_.notify();
@@ -273,7 +274,6 @@ void Pump::set_fate(const IntentFate& told) {
 void Pump::publish() {
   ++draft_.sequence;
   draft_.at = scheduler_.now();
-  if (station_) draft_.link.said = station_->statistics().said;
   ways_.publish(draft_);
   published_.notify();
 }

@@ -25,6 +25,8 @@ class Pump {
     std::function<void(const AxisSample&)> sample = nullptr;
     /// The wire as others on it have it open, whether or not this one is on it; null: nobody, or not shared.
     std::function<std::shared_ptr<Link>()> open_link = nullptr;
+    /// Something that is no poll stands in `traffic` now.
+    std::function<void()> recorded = nullptr;
   };
 
   Pump(Scheduler& scheduler, const DeviceType& type, const Catalog& catalog, Ways ways);

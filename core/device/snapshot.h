@@ -175,7 +175,6 @@ struct LinkHealth {
   float polls_per_second = 0;
   std::uint32_t misses_in_a_row = 0;
   std::uint64_t timeouts = 0, unparsed_bytes = 0;
-  std::uint64_t said = 0;  ///< sent and received messages that were no polls
   Instant lost_at{};
   Instant next_attempt{};
   int attempts = 0;

@@ -62,7 +62,6 @@ void Station::let_others_hear(std::string_view text, Hearsay what) const {
 }
 
 void Station::record(Instant at, Way way, TrafficKind kind, std::string_view bytes) {
-  if (kind != TrafficKind::poll) ++statistics_.said;
   if (!traffic_) return;
   traffic_->push_in_place([&](TrafficEntry& entry) {
     entry.at = at;
@@ -70,6 +69,7 @@ void Station::record(Instant at, Way way, TrafficKind kind, std::string_view byt
     entry.kind = kind;
     entry.bytes = bytes;
   });
+  if (kind != TrafficKind::poll && recorded) recorded();
 }
 
 void Station::count(const Result<std::string>& result, bool question, bool poll, Duration round_trip,

@@ -12,7 +12,6 @@ namespace hw {
 
 struct StationStatistics {
   std::uint64_t transactions = 0, timeouts = 0, unparsed_bytes = 0;
-  std::uint64_t said = 0;  ///< what was recorded and is no poll
   Duration last_round_trip{};
   double polls_per_second = 0;
   int misses_in_a_row = 0;
@@ -61,6 +60,8 @@ class Station {
   /// Another station of this wire says something for its user that may be meant for this device.
   std::function<void(std::string_view, Hearsay)> overheard;
   void let_others_hear(std::string_view text, Hearsay what) const;
+  /// Something that is no poll stands in the record now.
+  std::function<void()> recorded;
   /// The wire is gone for everybody on it.
   std::function<void(const Fault&)> closed;
 

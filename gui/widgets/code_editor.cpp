@@ -123,6 +123,8 @@ EditorEvent CodeEditor::draw(Ui& ui, std::string_view id, const EditorLook& look
   ImGui::GetCurrentWindow()->DC.CursorMaxPos = content_end;
   if (t.hovered && mouse.x > m.view.min.x + m.text_x) ImGui::SetMouseCursor(ImGuiMouseCursor_TextInput);
   use_mouse(ui, m, t);
+  // Tab goes on to the next control as everywhere else; lines that are chosen it moves.
+  if (typing_ && model_.has_selection() && look.read_only.empty()) ui.take_tab(TabTaken::both);
   if (ui.focus.take_entry(id)) typing_ = true;
   if (typing_ && !ui.focus.is(id)) typing_ = false;
   if (std::exchange(comment_asked_, false) && look.read_only.empty())
@@ -161,7 +163,6 @@ void CodeEditor::use_mouse(Ui& ui, const Metrics& m, const Touch& t) {
   if (!t.held) dragging_ = false;
   if (typing_) {
     ui.say_typing();
-    ui.take_tab();
   }
 }
 
@@ -197,6 +198,8 @@ bool CodeEditor::use_control_keys(Ui& ui, const EditorLook& look, bool shift) {
     return true;
   }
   if (pressed('Z') && may_edit) return shift ? model_.redo() : model_.undo(), true;
+  if (pressed(']') && may_edit) return model_.indent(1), true;
+  if (pressed('[') && may_edit) return model_.indent(-1), true;
   if (pressed('Y') && may_edit) return model_.redo(), true;
   if (pressed('/') && may_edit) return model_.toggle_comment(look.comment_mark), true;
   if (pressed('F')) return find_.open(ui, std::string(ui.focus.id()), model_), false;
@@ -212,7 +215,7 @@ void CodeEditor::use_keys(Ui& ui, const EditorLook& look, const Metrics& m) {
   if (ctrl) {
     reveal_ |= use_control_keys(ui, look, shift);
   } else {
-    if (ImGui::IsKeyPressed(tab_key, true) && !shift && may_edit) model_.insert("  ");
+    if (ImGui::IsKeyPressed(tab_key, true) && model_.has_selection() && may_edit) model_.indent(shift ? -1 : 1);
     if ((pressed(ImGuiKey_Enter) || pressed(ImGuiKey_KeyPadEnter)) && may_edit) model_.insert("\n");
   }
   if (ImGui::IsKeyPressed(f3_key, true)) reveal_ |= find_.next(model_, !shift);

@@ -126,7 +126,7 @@ NumberEvent number_field(Ui& ui, std::string_view id, std::string_view label, st
   field.unit = o.range.unit;
   field.width = o.width;
   field.height = o.height;
-  field.right = true;
+  field.right = field.whole = true;
   field.error = !state.sentence.empty() || !o.refused.empty();
   field.changed = o.changed || (shown && state.dirty());
   field.stale = o.stale;

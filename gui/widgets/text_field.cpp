@@ -97,9 +97,13 @@ bool edit(Ui& ui, const Rect& r, std::string& text, const FieldOptions& o, const
   ImGui::PushClipRect(r.min, ImVec2(r.max.x - in.right + ui.px(2), r.max.y), true);
   const bool edited =
       ImGui::InputText("", text.data(), text.capacity() + 1, flags_of(o, call.tab), on_input, &call);
+  auto* const state = ImGui::GetInputTextState(ImGui::GetItemID());
+  if (state && o.whole && ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0)) {
+    state->SelectAll();
+    state->SelectedAllMouseLock = true;  // a hand that trembles takes nothing of it away
+  }
   // What fits is not scrolled: the left padding follows a text at the right one frame later.
-  if (auto* state = ImGui::GetInputTextState(ImGui::GetItemID());
-      state && o.right &&
+  if (state && o.right &&
       std::ceil(text_width(ui, value_face(o), text)) + ui.px(20) <= r.width() - in.right + ui.px(10))
     state->ScrollX = 0;
   ImGui::PopClipRect();

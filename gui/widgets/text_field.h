@@ -25,6 +25,7 @@ struct FieldOptions {
   Face face = Face::body;  ///< code_field for what goes to the wire
   float width = fill, height = 32;
   bool right = false;  ///< right aligned: numbers
+  bool whole = false;  ///< a double click chooses all of it, not a word
   bool error = false;
   bool changed = false;  ///< ink outline, value 600
   bool stale = false;

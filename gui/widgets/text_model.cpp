@@ -256,34 +256,61 @@ void TextModel::replace(const Stretch& what, std::string_view by) {
   apply({clamp(what.begin), clamp(what.end)}, with_unix_lines(by), false);
 }
 
-void TextModel::toggle_comment(std::string_view mark) {
+TextModel::Lines TextModel::chosen_lines() const {
   const Stretch chosen = selection();
-  const int first = chosen.begin.line;
   // A selection that ends before the first letter of a line does not mean that line.
-  const int last = chosen.end.byte == 0 && chosen.end.line > first ? chosen.end.line - 1 : chosen.end.line;
+  const bool before_it = chosen.end.byte == 0 && chosen.end.line > chosen.begin.line;
+  return {chosen.begin.line, chosen.end.line - before_it};
+}
+
+template <class Change>
+void TextModel::change_lines(const Lines& which, Change change) {
+  std::string changed;
+  for (int i = which.first; i <= which.last; ++i) {
+    if (i > which.first) changed += '\n';
+    change(changed, std::string_view(line(i)));
+  }
+  const Stretch whole{{which.first, 0}, {which.last, static_cast<int>(line(which.last).size())}};
+  if (changed == text_of(whole)) return;
+  TextPlace caret = caret_, anchor = anchor_;
+  const auto size_of = [this](const TextPlace& p) { return static_cast<int>(line(p.line).size()); };
+  const int caret_line = size_of(caret), anchor_line = size_of(anchor);
+  replace(whole, changed);
+  // Both stay with their letter, but one that stands before the line's first has none.
+  if (caret.byte > 0) caret.byte = std::max(0, caret.byte + size_of(caret) - caret_line);
+  if (anchor.byte > 0) anchor.byte = std::max(0, anchor.byte + size_of(anchor) - anchor_line);
+  caret_ = clamp(caret);
+  anchor_ = clamp(anchor);
+}
+
+void TextModel::toggle_comment(std::string_view mark) {
+  const Lines which = chosen_lines();
   const std::string_view bare = mark.substr(0, mark.find_last_not_of(' ') + 1);
   bool all = true;
-  for (int i = first; i <= last; ++i) all &= is_blank(line(i)) || line(i).starts_with(bare);
-  std::string changed;
-  for (int i = first; i <= last; ++i) {
-    std::string_view l = line(i);
-    if (i > first) changed += '\n';
-    if (is_blank(l)) {
-      changed += l;
-    } else if (all) {
-      l.remove_prefix(l.starts_with(mark) ? mark.size() : bare.size());
-      changed += l;
-    } else {
-      changed.append(mark).append(l);
-    }
-  }
-  const TextPlace caret = caret_, anchor = anchor_;
-  const int size_before = static_cast<int>(line(caret.line).size());
-  replace({{first, 0}, {last, static_cast<int>(line(last).size())}}, changed);
-  const int grown = static_cast<int>(line(caret.line).size()) - size_before;
-  anchor_ = clamp(anchor == caret ? TextPlace{anchor.line, anchor.byte + grown} : anchor);
-  caret_ = clamp({caret.line, caret.byte + (caret.byte > 0 ? grown : 0)});
-  if (anchor == caret) anchor_ = caret_;
+  for (int i = which.first; i <= which.last; ++i) all &= is_blank(line(i)) || line(i).starts_with(bare);
+  change_lines(which, [&](std::string& out, std::string_view l) {
+    if (is_blank(l))
+      out += l;
+    else if (all)
+      out += l.substr(l.starts_with(mark) ? mark.size() : bare.size());
+    else
+      out.append(mark).append(l);
+  });
+}
+
+void TextModel::indent(int direction) {
+  constexpr std::string_view step = "  ";
+  const Lines which = chosen_lines();
+  const bool one = which.first == which.last;
+  change_lines(which, [&](std::string& out, std::string_view l) {
+    if (direction > 0)
+      out.append(is_blank(l) && !one ? std::string_view() : step).append(l);
+    else if (l.starts_with('\t'))
+      out += l.substr(1);
+    else
+      out += l.substr(std::min(l.find_first_not_of(' '), std::min(step.size(), l.size())));
+  });
+  if (one && direction > 0 && !has_selection() && is_blank(line(which.first))) right(Step::line_end, false);
 }
 
 bool TextModel::undo() {

@@ -53,6 +53,8 @@ class TextModel {
   void replace(const Stretch& what, std::string_view by);
   /// Puts `mark` before each chosen line, or takes it away when all have it. Empty lines stay.
   void toggle_comment(std::string_view mark);
+  /// Moves the chosen lines by two columns, to the right or (direction < 0) back.
+  void indent(int direction);
   bool undo();
   bool redo();
 
@@ -74,6 +76,13 @@ class TextModel {
     TextPlace caret_before, anchor_before;
     bool typing = false;  // may be joined by the next typed character
   };
+  struct Lines {
+    int first, last;
+  };
+  [[nodiscard]] Lines chosen_lines() const;
+  /// Puts in place of each of these lines what `change(out, line)` makes of it: one undo step.
+  template <class Change>
+  void change_lines(const Lines& which, Change change);
   TextPlace put(TextPlace at, std::string_view text);
   void cut(const Stretch& s);
   void apply(const Stretch& what, std::string_view by, bool typing);

@@ -31,7 +31,9 @@ class ContractTest : public testing::TestWithParam<const DeviceType*> {
   void SetUp() override {
     auto address = Address::parse(std::string(GetParam()->model) + "@emulator");
     ASSERT_TRUE(address) << address.error().sentence();
-    auto opened = Session::open(time, *address, make_wire_opener(), [] {});
+    auto opened = Session::open(time, *address, make_wire_opener(), [this] {
+      if (on_wake) on_wake();
+    });
     ASSERT_TRUE(opened) << opened.error().sentence();
     session = *opened;
     ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::good; }, std::chrono::seconds(10)))
@@ -82,6 +84,7 @@ class ContractTest : public testing::TestWithParam<const DeviceType*> {
                      patience);
   }
 
+  std::function<void()> on_wake;  ///< what the window would do now: draw
   IoContext io;
   VirtualScheduler time{io};
   std::shared_ptr<Session> session;

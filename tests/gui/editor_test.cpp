@@ -54,8 +54,41 @@ TEST(CodeEditor, KeysEdit) {
   EXPECT_EQ(b.editor.text(), "");
   for (const char* key : {"Ctrl+V", "Ctrl+V"}) ASSERT_TRUE(b.stage.hand.key(key));
   EXPECT_EQ(b.editor.text(), "; two; two");
+  ASSERT_TRUE(b.stage.hand.key("Ctrl+]"));
+  EXPECT_EQ(b.editor.text(), "  ; two; two");
+  ASSERT_TRUE(b.stage.hand.key("Ctrl+["));
+  EXPECT_EQ(b.editor.text(), "; two; two");
+}
+
+TEST(CodeEditor, TabLeavesItAndShiftTabComesBack) {
+  Bench b("one\ntwo");
+  const auto focused = [&](const char* id) { return b.stage.surface.screen().focus().is(id); };
+  ASSERT_TRUE(b.stage.hand.click("program/text"));
   ASSERT_TRUE(b.stage.hand.key("Tab"));
-  EXPECT_EQ(b.editor.text(), "; two; two  ");
+  EXPECT_TRUE(focused("other"));
+  EXPECT_EQ(b.editor.text(), "one\ntwo");
+  ASSERT_TRUE(b.stage.hand.key("Shift+Tab"));
+  EXPECT_TRUE(focused("program/text"));
+  b.stage.push(InputEvent::text('x', b.stage.now_s));
+  b.stage.frames(3);
+  EXPECT_NE(b.editor.text().find('x'), std::string::npos) << "and types on";
+  ASSERT_TRUE(b.stage.hand.key("Shift+Tab"));
+  EXPECT_FALSE(focused("program/text"));
+}
+
+TEST(CodeEditor, TabMovesTheLinesThatAreChosen) {
+  Bench b("one\ntwo");
+  ASSERT_TRUE(b.stage.hand.click("program/text"));
+  for (const char* key : {"Ctrl+A", "Tab"}) ASSERT_TRUE(b.stage.hand.key(key));
+  EXPECT_EQ(b.editor.text(), "  one\n  two");
+  ASSERT_TRUE(b.stage.hand.key("Shift+Tab"));
+  EXPECT_EQ(b.editor.text(), "one\ntwo");
+  EXPECT_TRUE(b.stage.surface.screen().focus().is("program/text"));
+  b.look.read_only = "It runs.";
+  b.stage.frames(1);
+  ASSERT_TRUE(b.stage.hand.key("Tab"));
+  EXPECT_EQ(b.editor.text(), "one\ntwo");
+  EXPECT_TRUE(b.stage.surface.screen().focus().is("other")) << "there is nothing to move";
 }
 
 TEST(CodeEditor, ArrowsMoveTheCaretAndJogNothing) {
@@ -77,13 +110,14 @@ TEST(CodeEditor, MouseSelects) {
   Bench b("I1M400\nI2M800");
   const Rect r = b.stage.find("program/text")->rect;
   const float advance = 8.4f;
-  b.stage.push(InputEvent::mouse_move(r.min.x + 64 + 2 * advance, r.min.y + 14, 0));
+  const ImVec2 begin(r.min.x + 64 + 2 * advance, r.min.y + 14), end(r.min.x + 64 + 4 * advance, r.min.y + 38);
+  b.stage.push(InputEvent::mouse_move(begin.x, begin.y, 0));
   b.stage.frames(2);
-  b.stage.push(InputEvent::mouse_button(0, true, 0));
+  b.stage.push(InputEvent::mouse_button(0, true, begin, 0));
   b.stage.frames(1);
-  b.stage.push(InputEvent::mouse_move(r.min.x + 64 + 4 * advance, r.min.y + 38, 0));
+  b.stage.push(InputEvent::mouse_move(end.x, end.y, 0));
   b.stage.frames(2);
-  b.stage.push(InputEvent::mouse_button(0, false, 0));
+  b.stage.push(InputEvent::mouse_button(0, false, end, 0));
   b.stage.frames(2);
   EXPECT_EQ(b.editor.model().selected(), "M400\nI2M8");
 }

@@ -95,13 +95,42 @@ TEST(InputQueue, AnEarlierPlaceOfTheMouseDoesNotSlipUnderALaterPress) {
   InputQueue queue;
   ImGuiIO io;
   queue.push(InputEvent::mouse_move(10, 10, 0));
-  queue.push(InputEvent::mouse_button(0, true, 0));
+  queue.push(InputEvent::mouse_button(0, true, ImVec2(10, 10), 0));
   queue.push(InputEvent::mouse_move(90, 90, 0));
   EXPECT_TRUE(queue.feed(io));
   EXPECT_EQ(io.MousePos.x, 10);
   EXPECT_TRUE(io.MouseDown[0]);
   queue.feed(io);
   EXPECT_EQ(io.MousePos.x, 90);
+}
+
+TEST(InputQueue, APressCountsWhereItIsThoughNoMoveToldOfThat) {
+  int clicks = 0;
+  Stage stage(in_window([&](Ui& ui) { clicks += button(ui, "go", "Go").clicked; }));
+  ASSERT_TRUE(stage.hand.click("go"));
+  const ImVec2 at = stage.find("go")->rect.centre();
+  for (int n = 0; n < 2; ++n) {
+    stage.hand.lose_focus();  // and it comes back to a pointer that rests
+    stage.push(InputEvent::mouse_button(0, true, at, stage.now_s));
+    stage.push(InputEvent::mouse_button(0, false, at, stage.now_s));
+    stage.frames(4);
+  }
+  EXPECT_EQ(clicks, 3);
+}
+
+TEST(InputQueue, ModifiersCountAsTheyAreWithEachPress) {
+  InputQueue queue;
+  ImGuiIO io;
+  queue.push(InputEvent::key(GLFW_KEY_A, true, 0).with({.ctrl = true}));
+  queue.feed(io);
+  EXPECT_TRUE(io.KeyCtrl) << "it went down in another window";
+  queue.push(InputEvent::mouse_button(0, true, ImVec2(1, 1), 0).with({.shift = true}));
+  queue.feed(io);
+  EXPECT_FALSE(io.KeyCtrl) << "and up in another one";
+  EXPECT_TRUE(io.KeyShift);
+  queue.push(InputEvent::key(GLFW_KEY_LEFT_SHIFT, false, 0).with({.shift = true}));
+  queue.feed(io);
+  EXPECT_FALSE(io.KeyShift) << "told of its release, the window system says how it was before";
 }
 
 TEST(InputQueue, TextKeepsItsOrderWithEditingKeys) {
@@ -121,7 +150,7 @@ TEST(InputQueue, TextKeepsItsOrderWithEditingKeys) {
 TEST(InputQueue, FocusLossLetsGoOfEverything) {
   InputQueue queue;
   ImGuiIO io;
-  queue.push(InputEvent::mouse_button(0, true, 0));
+  queue.push(InputEvent::mouse_button(0, true, ImVec2(10, 10), 0));
   queue.feed(io);
   queue.push(InputEvent::key(GLFW_KEY_HOME, true, 0));
   queue.feed(io);
@@ -237,6 +266,16 @@ TEST(Keyboard, AModifierIsForgottenWithTheFocus) {
   r.key(GLFW_KEY_LEFT_SUPER, true);
   r.see(InputEvent::focus_lost(1));
   EXPECT_TRUE(r.key(GLFW_KEY_RIGHT, true));
+}
+
+TEST(Keyboard, AModifierThatWentDownOrUpElsewhereCountsAsItIs) {
+  Recorder r;
+  EXPECT_FALSE(r.see(InputEvent::key(GLFW_KEY_RIGHT, true, 0).with({.alt = true})));
+  EXPECT_TRUE(r.see(InputEvent::key(GLFW_KEY_ENTER, true, 0).with({.ctrl = true})));
+  EXPECT_EQ(r.edges, (Recorder::Edges{{Command::run, true}}));
+  r.key(GLFW_KEY_LEFT_ALT, true);
+  EXPECT_TRUE(r.see(InputEvent::key(GLFW_KEY_LEFT, true, 0).with({})));
+  EXPECT_EQ(r.edges.back(), (std::pair{Command::jog_left, true}));
 }
 
 TEST(Keyboard, TheMapOpensByTheCharacterOutsideOfText) {

@@ -126,6 +126,30 @@ TEST(TextModel, CommentsComeAndGo) {
   EXPECT_EQ(tight.text(), "x") << "without the space too";
 }
 
+TEST(TextModel, LinesMoveRightAndBack) {
+  TextModel m = model("FOR\n\n I1M400\nlast");
+  m.move_to({0, 1}, false);
+  m.move_to({3, 0}, true);
+  m.indent(1);
+  EXPECT_EQ(m.text(), "  FOR\n\n   I1M400\nlast");
+  EXPECT_EQ(m.selected(), "OR\n\n   I1M400\n") << "chosen is what was, and can be moved on";
+  m.indent(-1);
+  m.indent(-1);
+  EXPECT_EQ(m.text(), "FOR\n\nI1M400\nlast") << "as far as there is room";
+  m.undo();
+  m.undo();
+  EXPECT_EQ(m.text(), "  FOR\n\n   I1M400\nlast") << "each is one step";
+  TextModel one = model("\tR");
+  one.move_to({0, 2}, false);
+  one.indent(-1);
+  EXPECT_EQ(one.text(), "R");
+  EXPECT_EQ(one.caret(), (TextPlace{0, 1}));
+  TextModel empty = model("");
+  empty.indent(1);
+  empty.insert("R");
+  EXPECT_EQ(empty.text(), "  R");
+}
+
 TEST(TextModel, FindGoesRound) {
   const TextModel m = model("abc\nxABCx\nabc");
   auto hit = m.find("abc", {0, 1}, true);

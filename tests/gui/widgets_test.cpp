@@ -161,8 +161,8 @@ TEST(HoldButton, ATapBetweenTwoFramesStartsAndEnds) {
   stage.push(InputEvent::mouse_move(at.x, at.y, 1.0));
   stage.frames(2);
   for (int tap = 0; tap < 5; ++tap) {
-    stage.push(InputEvent::mouse_button(0, true, 1.0));
-    stage.push(InputEvent::mouse_button(0, false, 1.004));
+    stage.push(InputEvent::mouse_button(0, true, at, 1.0));
+    stage.push(InputEvent::mouse_button(0, false, at, 1.004));
   }
   stage.frames(12);
   EXPECT_EQ(count.started, 5);
@@ -247,6 +247,31 @@ TEST(NumberField, WheelChangesNothing) {
   stage.push(InputEvent::wheel(0, -3, stage.now_s));
   stage.frames(3);
   EXPECT_EQ(*stage.hand.value("setup/S"), "10.0");
+}
+
+TEST(NumberField, ADoubleClickChoosesTheNumberWithItsSignAndDecimals) {
+  NumberField field;
+  NumberOptions options;
+  options.range = {-6000, 6000, 1, "mm"};
+  options.width = 104;
+  Stage stage(in_window([&](Ui& ui) { number_field(ui, "goto/1", "to", -1234.5, field, options); }));
+  stage.frames(2);
+  const Rect r = stage.find("goto/1")->rect;
+  for (const float x : {r.min.x + 30, r.min.x + 44, r.max.x - 38}) {
+    stage.now_s += 2;
+    for (int n = 0; n < 2; ++n) {
+      stage.push(InputEvent::mouse_button(0, true, ImVec2(x, r.centre().y), stage.now_s));
+      stage.push(InputEvent::mouse_button(0, false, ImVec2(x, r.centre().y), stage.now_s));
+      stage.frames(3);
+    }
+    ImGui::SetClipboardText("");
+    ASSERT_TRUE(stage.hand.key("Ctrl+C"));
+    EXPECT_EQ(std::string(ImGui::GetClipboardText()), field.text) << "at " << x - r.min.x;
+    EXPECT_NE(field.text.find("234.5"), std::string::npos);
+    stage.push(InputEvent::mouse_button(0, true, ImVec2(r.max.x + 300, r.max.y + 300), stage.now_s));
+    stage.push(InputEvent::mouse_button(0, false, ImVec2(r.max.x + 300, r.max.y + 300), stage.now_s));
+    stage.frames(3);
+  }
 }
 
 TEST(TextField, HistoryAndCompletion) {

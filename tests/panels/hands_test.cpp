@@ -57,7 +57,7 @@ TEST_F(HandsTest, LeavingTheButtonWithTheMouseDoesNotStop) {
   s.stage.push(InputEvent::mouse_move(700, 500, s.stage.now_s));
   s.run(0.2);
   EXPECT_EQ(a.count<intent::JogStop>(), 0);
-  s.stage.push(InputEvent::mouse_button(0, false, s.stage.now_s));
+  s.stage.push(InputEvent::mouse_button(0, false, ImVec2(700, 500), s.stage.now_s));
   s.run(0.1);
   EXPECT_EQ(a.count<intent::JogStop>(), 1);
 }

@@ -65,6 +65,17 @@ TEST_F(TerminalTest, TabCompletesAndShowsTheList) {
   EXPECT_TRUE(s.sent.empty());
 }
 
+TEST_F(TerminalTest, TheListClosesByAClickOutsideOfIt) {
+  s.type("terminal/command", "set");
+  ASSERT_TRUE(s.stage.hand.key("Tab"));
+  s.stage.frames(2);
+  ASSERT_TRUE(s.stage.find("terminal/offer/setDMx"));
+  s.click("terminal/decoded");
+  s.stage.frames(2);
+  EXPECT_FALSE(s.stage.find("terminal/offer/setDMx"));
+  EXPECT_EQ(s.value("terminal/command"), "set");
+}
+
 TEST_F(TerminalTest, LogSaysTheTrafficAndFilters) {
   wire(Way::sent, TrafficKind::intent, "M\r");
   wire(Way::received, TrafficKind::intent, "229\r");
@@ -103,9 +114,9 @@ TEST_F(TerminalTest, ChosenLinesAreCopied) {
   ASSERT_TRUE(log);
   const float x = log->rect.min.x + 60, y = log->rect.min.y + 4 + 10;
   s.stage.push(gui::InputEvent::mouse_move(x, y, s.stage.now_s));
-  s.stage.push(gui::InputEvent::mouse_button(0, true, s.stage.now_s));
+  s.stage.push(gui::InputEvent::mouse_button(0, true, ImVec2(x, y), s.stage.now_s));
   s.stage.frames(2);
-  s.stage.push(gui::InputEvent::mouse_button(0, false, s.stage.now_s));
+  s.stage.push(gui::InputEvent::mouse_button(0, false, ImVec2(x, y), s.stage.now_s));
   s.stage.frames(2);
   ASSERT_TRUE(s.stage.hand.key("Ctrl+C"));
   s.stage.frames(2);

@@ -56,15 +56,23 @@ class Window(unittest.TestCase):
         self.display = self.start(["Xvfb", display, "-screen", "0", f"{WIDTH}x{HEIGHT}x24", "-nolisten", "tcp", "-noreset"])
         self.wait_until(lambda: subprocess.run(["xdotool", "getdisplaygeometry"], env=self.env,
                                                capture_output=True).returncode == 0, "the display is there")
+        self.start_desktop()
         emulator = self.start([PROGRAM, "emulate", "vxm", "--tcp", "127.0.0.1:0"], stdout=subprocess.PIPE, text=True)
         self.port = int(emulator.stdout.readline().rsplit(":", 1)[1])
         self.address = f"vxm@tcp:127.0.0.1:{self.port}"
         subprocess.run([PROGRAM, "send", self.address, "setM1M4", "setM2M4"], check=True, timeout=60)
         self.places = self.layout(WIDTH, HEIGHT)
-        self.console = self.start([PROGRAM, "open", self.address], env=self.env, stderr=subprocess.PIPE, text=True)
+        self.console = self.start([PROGRAM, "open", self.way_to_emulator()], env=self.env, stderr=subprocess.PIPE, text=True)
         self.window = self.wait_for_window()
         self.wire = Wire(self.port)
         self.wait_until(lambda: len(self.wire.positions()) > 4, "the console polls")
+
+    def start_desktop(self):
+        """What else is on the display: nothing, for those that need no window manager."""
+
+    def way_to_emulator(self):
+        """The address that the console opens."""
+        return self.address
 
     def start(self, command, **more):
         process = subprocess.Popen(command, **more)

@@ -1,0 +1,48 @@
+#pragma once
+// When the window draws: after a hand did something, after news of a controller, when it is time for what shows
+// time; at most 60 times a second, and never at rest. ImGui settles a frame late (a list that grew is scrolled
+// to its end in the next, a new dialog is hidden in its first), so nothing is drawn only once.
+#include <algorithm>
+#include <atomic>
+
+namespace hw::gui {
+
+class FramePacer {
+ public:
+  static constexpr double frame_seconds = 1.0 / 60;
+  static constexpr int frames_after_news = 2, frames_after_input = 3;
+
+  /// What the next frame is asked about: see Screen.
+  struct Wishes {
+    bool more_input = false;
+    double wake_in_s = 1e9;  ///< after the last frame
+  };
+
+  /// Window thread.
+  void touched(int frames) { wanted_ = std::max(wanted_, frames); }
+  /// Any thread, behind the publication of what is new. True: the window may sleep, and must be woken.
+  [[nodiscard]] bool news() { return !news_.exchange(true); }
+  /// Window thread: the frame takes what has been published so far; what comes later wants another.
+  void begin_frame(double now_s) {
+    if (news_.exchange(false)) touched(frames_after_news);
+    wanted_ = std::max(0, wanted_ - 1);
+    last_s_ = now_s;
+  }
+  [[nodiscard]] bool is_due(double now_s, const Wishes& wishes) const {
+    const double since = now_s - last_s_;
+    return since >= frame_seconds * 0.98 && (wants(wishes) || since >= wishes.wake_in_s);
+  }
+  /// How long the window may sleep.
+  [[nodiscard]] double wait_s(double now_s, const Wishes& wishes) const {
+    return std::max(wants(wishes) ? 0.0 : wishes.wake_in_s, frame_seconds) - (now_s - last_s_);
+  }
+
+ private:
+  [[nodiscard]] bool wants(const Wishes& wishes) const { return wanted_ > 0 || news_ || wishes.more_input; }
+
+  std::atomic<bool> news_{true};
+  int wanted_ = frames_after_input;
+  double last_s_ = -1;
+};
+
+}  // namespace hw::gui
