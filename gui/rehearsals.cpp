@@ -38,7 +38,7 @@ Footing footing_of(const RehearsedAxis& rehearsed, const AxisState& axis, bool m
   if (axis.trust.doubtful()) return Footing::doubtful;
   if (rehearsed.in_counts != axis.in_counts) return Footing::other_count;
   if (moves) return Footing::moving;
-  return rehearsed.begin == axis.position.value ? Footing::here : Footing::elsewhere;
+  return rehearsed.begin == axis.commanded().value ? Footing::here : Footing::elsewhere;
 }
 
 Stand compare(const Rehearsals::Outcome& outcome, const Rehearsals::Scene& now, const Catalog& catalog) {
@@ -49,7 +49,7 @@ Stand compare(const Rehearsals::Outcome& outcome, const Rehearsals::Scene& now, 
     const Footing footing = footing_of(rehearsed, axis, now.moving >> i & 1u);
     if (footing == Footing::here) continue;
     const bool tells_place = footing == Footing::elsewhere;
-    return {footing, i, Steps(rehearsed.begin), tells_place ? axis.position : Steps()};
+    return {footing, i, Steps(rehearsed.begin), tells_place ? axis.commanded() : Steps()};
   }
   if (outcome.scene.switches != now.switches) return {Footing::other_bench, -1, {}, {}};
   return {};
@@ -71,7 +71,7 @@ void Rehearsals::start(const Language& language, std::string text, RehearseOptio
   options.start_at.clear();
   for (int i = 0; i < now.axis_count; ++i) {
     const AxisState& axis = now.axes[static_cast<std::size_t>(i)];
-    options.start_at.push_back(axis.position_known ? axis.position.value : 0);
+    options.start_at.push_back(axis.position_known ? axis.commanded().value : 0);
   }
   if (bench.present) options.bench = moved_bench(bench, now.axis_count);
   worker.run(

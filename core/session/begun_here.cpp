@@ -10,13 +10,18 @@ static bool is_any_of(const IntentBody& body) {
   return (std::holds_alternative<Intents>(body) || ...);
 }
 
-/// Whole commands only: what is put together of several may be anything.
+/// Whole commands only: what is put together of several may be anything. So may one that means a motion at
+/// other times.
 bool BegunHere::only_asks(const std::string& text) {
   if (harmless_.empty())
     for (const CommandInfo& command : catalog_.commands)
-      if (!command.moves) harmless_.emplace_back(command, catalog_.axes);
-  return std::any_of(harmless_.begin(), harmless_.end(),
-                     [&](const CommandForm& form) { return form.match(text) == CommandForm::Match::whole; });
+      (command.moves ? moving_ : harmless_).emplace_back(command, catalog_.axes);
+  const auto one_of = [&text](const std::vector<CommandForm>& forms) {
+    return std::any_of(forms.begin(), forms.end(), [&text](const CommandForm& form) {
+      return form.match(text) == CommandForm::Match::whole;
+    });
+  };
+  return one_of(harmless_) && !one_of(moving_);
 }
 
 bool BegunHere::may_move(const IntentBody& body) {
