@@ -11,17 +11,7 @@ namespace {
 using std::chrono::seconds;
 using testing::HasSubstr;
 
-std::vector<const DeviceType*> all_types() {
-  std::vector<const DeviceType*> all;
-  for (const DeviceType& type : device_types())
-    if (type.make_emulator) all.push_back(&type);
-  return all;
-}
-INSTANTIATE_TEST_SUITE_P(Every, ContractTest, testing::ValuesIn(all_types()), [](const auto& info) {
-  std::string name(info.param->model);
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Every, ContractTest, testing::ValuesIn(listed_with_emulator()), name_of_case);
 
 /// What a stranger reads of it: a name that is no mnemonic, an explanation in sentences, every value in
 /// words.

@@ -1,6 +1,10 @@
 #pragma once
 // One registered controller as an in-process emulator, opened through the real wire, link, driver and session
 // in virtual time. A fifth controller is tested by being listed.
+#include <algorithm>
+#include <string>
+#include <vector>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -9,6 +13,18 @@
 #include "transports/open.h"
 
 namespace hw {
+
+inline std::vector<const DeviceType*> listed_with_emulator() {
+  std::vector<const DeviceType*> all;
+  for (const DeviceType& type : device_types())
+    if (type.make_emulator) all.push_back(&type);
+  return all;
+}
+inline std::string name_of_case(const testing::TestParamInfo<const DeviceType*>& info) {
+  std::string name(info.param->model);
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
 
 class ContractTest : public testing::TestWithParam<const DeviceType*> {
  protected:
