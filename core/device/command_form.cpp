@@ -20,12 +20,33 @@ CommandForm::CommandForm(const CommandInfo& command, const std::vector<AxisInfo>
   }
 }
 
-// The m of "rsm" stays a letter and the m of "SmMx" does not.
+namespace {
+
+/// "-2", "0.25": how much of `text` is one number; npos: none.
+std::size_t length_of_number(std::string_view text) {
+  std::size_t n = !text.empty() && (text[0] == '-' || text[0] == '+') ? 1 : 0;
+  const std::size_t first = n;
+  while (n < text.size() && is_digit(text[n])) ++n;
+  if (n == first) return text.npos;
+  if (n + 1 < text.size() && text[n] == '.' && is_digit(text[n + 1]))
+    for (++n; n < text.size() && is_digit(text[n]);) ++n;
+  return n;
+}
+
+}  // namespace
+
+// The m of "rsm" stays a letter and the m of "SmMx" does not. A place whose example has a sign takes one.
 void CommandForm::read_letters(const std::string& form, const std::string& example) {
   std::size_t e = 0;
   for (std::size_t i = 0; i < form.size(); ++i) {
     const char c = form[i];
     const bool same = e < example.size() && example[e] == c;
+    const std::string_view rest = std::string_view(example).substr(std::min(e, example.size()));
+    if (!same && rest.size() > 1 && rest[0] == '-' && is_digit(rest[1])) {
+      parts_.push_back({Place::number});
+      e += length_of_number(rest);
+      continue;
+    }
     if (!same && e < example.size() && is_digit(example[e])) {
       const bool letter_follows = i + 1 < form.size() && !is_digit(form[i + 1]);
       const bool one = letter_follows && (e + 1 >= example.size() || !is_digit(example[e + 1]));
@@ -41,7 +62,12 @@ void CommandForm::read_letters(const std::string& form, const std::string& examp
 
 void CommandForm::read_brackets(std::string_view form) {
   bool behind_equals = false;
+  const bool goes_on = form.ends_with("...");
   while (!form.empty()) {
+    if (goes_on && form.front() == '[' && form.find(',') != form.npos) {
+      parts_.push_back({Place::list});
+      return;
+    }
     if (form == "...") {
       parts_.push_back({Place::text});
       return;
@@ -75,9 +101,10 @@ std::size_t CommandForm::taken(const Part& part, std::string_view text) const {
     case Place::axis: return axis_names_.find(text[0]) != axis_names_.npos ? 1 : no;
     case Place::sign: return text[0] == '+' || text[0] == '-' ? 1 : no;
     case Place::text: return text.size();
-    case Place::number:
-      if (text[0] == '-') n = 1;
-      [[fallthrough]];
+    case Place::number: return length_of_number(text);
+    case Place::list:
+      n = text.find_first_not_of("0123456789+-.,; ");
+      return n == no ? text.size() : n > 0 ? n : no;
     case Place::digits:
       while (n < text.size() && is_digit(text[n])) ++n;
       return n > 0 ? n : no;

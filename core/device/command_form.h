@@ -2,7 +2,8 @@
 // One form of a command, as the catalog prints it, compared with what is typed or was sent. Two notations:
 //   SmMx               a letter is a place for a number where the example has digits instead of it
 //   HS[axis]=[value]   a bracket is a place: [axis] the name of an axis, [+/-] a sign, [1-8] a number, any
-//                      other a value (behind an equals sign any text); "..." at the end: and so on
+//                      other a value (behind an equals sign any text); "..." at the end: and so on, and what
+//                      stands between commas may then be left out
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,7 +23,7 @@ class CommandForm {
   [[nodiscard]] const std::string& head() const { return head_; }
 
  private:
-  enum class Place : std::uint8_t { literal, digit, digits, axis, sign, number, text };
+  enum class Place : std::uint8_t { literal, digit, digits, axis, sign, number, list, text };
   struct Part {
     Place place;
     char literal = 0;
