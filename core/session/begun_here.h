@@ -32,7 +32,7 @@ class BegunHere {
 
   const Catalog& catalog_;
   std::vector<CommandForm> harmless_, moving_;  ///< made when the first text comes
-  std::optional<std::uint64_t> rests_in_;  ///< the first round of status that shows what came of it
+  std::optional<std::uint64_t> rests_in_;       ///< the first round of status that shows what came of it
   std::atomic<bool> any_{false};
 };
 
