@@ -260,8 +260,7 @@ Said say_servo(const StatusFacts& f) {
   for (int i = 0; i < f.now.axis_count; ++i)
     if (f.now.axes[i].loop == Loop::open)
       return say(Mood::warn,
-                 fmt::format("The loop of {} is open: its motor is free, and it takes no "
-                             "motion. \"Motor power on\", in the menu of its position, closes it.",
+                 fmt::format("The loop of {} is open, so its motor is free. Motor power closes it.",
                              plain_name(f.catalog, i)));
   return {};
 }

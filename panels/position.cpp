@@ -230,7 +230,7 @@ void Position::draw_head(Frame& f, AxisId axis, ImVec2 at, float w, float height
   draw_state_right(ui, Path("dro/{}/state", info.name), ImVec2(at.x + w, line), state, Face::title_bold,
                    at.x + w - left - limits);
   // What a hand presses stands still while the state word changes.
-  const State longest = info.servo ? State::not_in_place : State::moving_plus;
+  const State longest = info.servo ? State::open_loop : State::moving_plus;
   const float widest = std::max(state_word_width(ui, state, Face::title_bold),
                                 info.switchable ? state_word_width(ui, longest, Face::title_bold) : 0);
   float right = at.x + w - widest - ui.px(12);

@@ -80,17 +80,18 @@ int queued(const Frame& f, AxisId axis) {
 }
 
 /// Of a servo axis that can be seen: how far it is from its command, and in many words where that stands.
-NumberText behind(const Frame& f, AxisId axis, bool whole) {
+NumberText behind(const Frame& f, AxisId axis, int brevity) {
   const AxisState& a = f.now.axes[axis.index];
   const DisplayUnit& unit = f.tab.unit(axis);
+  const bool moves = is_motion(state_of(f.now, axis.index, f.clock));
   NumberText words;
   if (a.loop == Loop::none || !f.connected() || !a.position_known) return words;
-  if (whole && !is_motion(state_of(f.now, axis.index, f.clock))) {
+  if (brevity == 0 && !moves) {
     words.append("sent to ");
     words.append(format_position(a.command, unit).view());
     words.append(", ");
   }
-  words.append("error ");
+  words.append(brevity == least_words && !moves ? "off " : "error ");
   words.append(format_position(a.following_error(), unit).view());
   return words;
 }
@@ -101,7 +102,7 @@ Path at_work(const Frame& f, AxisId axis, int brevity) {
   const Pps speed = f.now.axes[axis.index].speed;
   const bool runs = speed.value > 0 && is_motion(state_of(f.now, axis.index, f.clock));
   const int waiting = queued(f, axis);
-  const NumberText error = behind(f, axis, brevity == 0);
+  const NumberText error = behind(f, axis, brevity);
   const bool has_error = !error.view().empty();
   if (has_error && brevity == least_words) return Path("{}", error.view());
   NumberText does;

@@ -25,7 +25,7 @@ constexpr StateLook looks[] = {
     {Icon::warning, "SLIP", "slip", Tone::warn},
     {Icon::ring_dot, "IN PLACE", "in place", Tone::ink2},
     {Icon::cross, "OPEN LOOP", "open loop", Tone::ink3},
-    {Icon::warning, "NOT IN PLACE", "not in place", Tone::warn},
+    {Icon::warning, "OFF PLACE", "not in place", Tone::warn},
 };
 
 Rect draw_state(Ui& ui, ImVec2 at, const StateLook& look, Face face) {

@@ -81,7 +81,7 @@ TEST_F(StatusSentenceTest, AServoAxisSaysHowItStandsToItsCommand) {
   EXPECT_EQ(say().mood, Mood::plain);
   a.loop = Loop::off_place;
   a.position = Steps(0);
-  EXPECT_EQ(look_of(state_of(now, 1, clock)).word, "NOT IN PLACE");
+  EXPECT_EQ(look_of(state_of(now, 1, clock)).word, "OFF PLACE");
   EXPECT_EQ(worst_state(now, clock), State::not_in_place);
   EXPECT_EQ(say(), (StatusSentence{Mood::warn,
                                    "Motor 2 is not in place: it stands 5000 steps from its command, "
@@ -90,7 +90,7 @@ TEST_F(StatusSentenceTest, AServoAxisSaysHowItStandsToItsCommand) {
   EXPECT_NE(say().text.view().find("Nothing drives it while KP2 and KI2 are 0."), std::string::npos);
   a.loop = Loop::open;
   EXPECT_EQ(look_of(state_of(now, 1, clock)).word, "OPEN LOOP");
-  EXPECT_EQ(say().text.view().find("The loop of motor 2 is open: its motor is free"), 0u);
+  EXPECT_EQ(say().text.view().find("The loop of motor 2 is open, so its motor is free."), 0u);
   a.loop = Loop::unknown;
   EXPECT_EQ(look_of(state_of(now, 1, clock)).word, "IDLE") << "what is not known is not shown as known";
   a.loop = Loop::following;

@@ -47,7 +47,7 @@ TEST_F(ServoAxis, ShowsPlaceCommandAndError) {
     open(axes);
     EXPECT_EQ(s.value("dro/2/state"), "IN PLACE") << axes;
     leave_behind();
-    EXPECT_EQ(s.value("dro/2/state"), "NOT IN PLACE") << axes;
+    EXPECT_EQ(s.value("dro/2/state"), "OFF PLACE") << axes;
     EXPECT_EQ(s.value("dro/2/position"), "0");
     EXPECT_EQ(s.value("dro/2/command"), "5000");
     EXPECT_EQ(s.value("dro/2/error"), "5000");

@@ -19,7 +19,7 @@ end
 hw.sleep(1)
 is("dro/Y/state", "IN PLACE")
 send_to(5000)
-is("dro/Y/state", "NOT IN PLACE")
+is("dro/Y/state", "OFF PLACE")
 is("dro/Y/position", "0")
 is("dro/Y/command", "5000")
 is("dro/Y/error", "5000")
