@@ -7,6 +7,7 @@
 #include "gui/frame.h"
 #include "gui/ui.h"
 #include "gui/widgets/number_field.h"
+#include "panels/refusal_card.h"
 
 namespace hw::panels {
 
@@ -22,7 +23,7 @@ class ActionForm {
   /// The button alone, at the cursor.
   void draw_button(gui::Frame& frame, float width);
   [[nodiscard]] float button_width(const gui::Ui& ui) const;
-  /// What became of it, if it was refused; at the cursor.
+  /// What became of it, if it was refused: on a card under the form that ends at the cursor.
   void draw_refusal(gui::Frame& frame, float width);
   [[nodiscard]] int action() const { return action_; }
 
@@ -45,6 +46,7 @@ class ActionForm {
   float least_ = 104;  ///< of a cell, so that no value of its lists is cut
   IntentId asked_ = 0;
   std::string refused_;
+  RefusalCard card_;
 };
 
 }  // namespace hw::panels
