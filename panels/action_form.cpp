@@ -191,11 +191,13 @@ void ActionForm::draw_refusal(Frame& f, float width) {
     if (const IntentId sent = doubt_.draw(f, prefix, info_.label, button_)) asked_ = sent;
   }
   if (refused_.empty()) return;
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  wrapped(f.ui, Face::small, Tone::fault, refused_, width);
-  show(f.ui, {Path("action/{}/refused", info_.id), Kind::text, "Refused", refused_, {}, false, {}},
-       {at, ImVec2(at.x + f.ui.px(width), ImGui::GetCursorScreenPos().y)});
-  gap(f.ui, 8);
+  const ImVec2 after = ImGui::GetCursorScreenPos();
+  const Path id("action/{}/refused", info_.id);
+  const ImVec2 end(after.x + f.ui.px(width), after.y - f.ui.px(between));
+  card_.begin(f, {.id = id, .about = info_.label, .words = refused_},
+              {ImVec2(after.x, after.y - f.ui.px(height(width))), end});
+  if (card_.end().closed) refused_.clear();
+  ImGui::SetCursorScreenPos(after);
 }
 
 }  // namespace hw::panels

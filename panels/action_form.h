@@ -8,6 +8,7 @@
 #include "gui/ui.h"
 #include "gui/widgets/number_field.h"
 #include "panels/doubt_ways.h"
+#include "panels/refusal_card.h"
 
 namespace hw::panels {
 
@@ -23,7 +24,7 @@ class ActionForm {
   /// The button alone, at the cursor.
   void draw_button(gui::Frame& frame, float width);
   [[nodiscard]] float button_width(const gui::Ui& ui) const;
-  /// What became of it, if it was refused; at the cursor.
+  /// What became of it, if it was refused: on a card under the form that ends at the cursor.
   void draw_refusal(gui::Frame& frame, float width);
   [[nodiscard]] int action() const { return action_; }
 
@@ -48,6 +49,7 @@ class ActionForm {
   std::string refused_;
   DoubtWays doubt_;
   gui::Rect button_{};  ///< where it was drawn
+  RefusalCard card_;
 };
 
 }  // namespace hw::panels
