@@ -66,8 +66,9 @@ class Pump {
 
   Task<> live();
   Task<> serve();
+  Task<> round();
   Task<> perform_next();
-  bool refuse_to_move(const Intent& intent);
+  Task<std::string> why_refused(const Intent& intent, std::uint32_t& doubtful);
   Result<> trust_position(AxisId axis);
   Task<Result<>> stop_as_asked(const IntentBody& body);
   // These two run beside live(); whoever starts one counts it in stops_under_way_ first.
