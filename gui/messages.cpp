@@ -6,6 +6,7 @@
 #include <span>
 
 #include <fmt/format.h>
+#include <imgui_internal.h>
 
 #include "gui/area.h"
 #include "gui/axis_look.h"
@@ -208,7 +209,51 @@ std::string_view next_attempt(Ui& ui, const Console& console, const LinkHealth& 
   return {buffer.data(), std::min(end.size, buffer.size())};
 }
 
-void draw_lost(Ui& ui, Console& console, Tab& tab) {
+/// Over the status line it is a window of its own, above the other regions.
+void begin_over(Ui& ui, std::string_view id, const Rect& r, bool over_status) {
+  if (over_status) {
+    begin_region(ui, "banner", r, Tone::panel, ImVec2(0, 0));
+    if (ImGui::IsWindowAppearing()) ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
+  } else {
+    ImGui::SetCursorScreenPos(r.min);
+    begin_part(ui, std::string(id).c_str(), r.width(), r.height(), Tone::panel, 0, false);
+  }
+}
+void end_over(bool over_status) {
+  if (over_status)
+    end_region();
+  else
+    end_part();
+}
+
+/// The place of a banner: all of it, or one bar.
+struct BannerPlace {
+  Box box;
+  bool bar = false, over_status = false;
+};
+
+/// As high as it needs to be; in what leaves the traffic less than some rows it is a bar.
+BannerPlace place_of(const Ui& ui, const Layout& layout, const Box& below, const Banner& what, bool actions) {
+  constexpr float bar = 48, traffic_at_least = 150;
+  if (below.empty()) return {layout.status, true, true};
+  const float whole = banner_height(ui, what, below.width, actions);
+  if (below.height - whole >= traffic_at_least) return {{below.x, below.y, below.width, whole}, false, false};
+  return {{below.x, below.y, below.width, std::min(bar, below.height)}, true, false};
+}
+
+/// Returns the action pressed, and leaves in `taken` what is taken of the part below.
+int tell(Ui& ui, const Layout& layout, const Box& below, std::string_view id, const Banner& what,
+         std::span<const Action> actions, float& taken) {
+  const BannerPlace place = place_of(ui, layout, below, what, !actions.empty());
+  taken = place.over_status ? 0 : place.box.height;
+  const Rect r = in_pixels(ui, place.box);
+  begin_over(ui, id, r, place.over_status);
+  const int picked = place.bar ? banner_bar(ui, id, what, actions) : banner(ui, id, what, actions);
+  end_over(place.over_status);
+  return picked;
+}
+
+float draw_lost(Ui& ui, Console& console, Tab& tab, const Layout& layout, const Box& below) {
   const LinkHealth& link = tab.now().link;
   const std::string title = fmt::format("{} does not answer since {}.", tab.bus ? tab.id() : tab.name(),
                                         console.time_of_day(link.lost_at));
@@ -222,37 +267,43 @@ void draw_lost(Ui& ui, Console& console, Tab& tab) {
   const Banner what{Mood::fault, Icon::plug, title, sentences, next_attempt(ui, console, link, attempt)};
   const Action actions[] = {{.id = "fault/try_now", .label = "Try now", .main = true},
                             {.id = "fault/report", .label = "Copy this report"}};
-  const int picked = banner(ui, "fault/lost", what, actions);
+  float taken = 0;
+  const int picked = tell(ui, layout, below, "fault/lost", what, actions, taken);
   if (picked == 0) console.reconnect(tab);
-  if (picked != 1) return;
-  ImGui::SetClipboardText(report(console, tab).c_str());
-  console.toast(Mood::ok, "The report is in the clipboard.");
+  if (picked == 1) {
+    ImGui::SetClipboardText(report(console, tab).c_str());
+    console.toast(Mood::ok, "The report is in the clipboard.");
+  }
+  return taken;
 }
 
 /// Something must be chosen in the set-up before the first move.
-void draw_unset(Ui& ui, Console& console, Tab& tab, int param) {
+float draw_unset(Ui& ui, Console& console, Tab& tab, int param, const Layout& layout, const Box& below) {
   const ParamInfo& info = tab.catalog().params[static_cast<std::size_t>(param)];
   const Banner what{Mood::warn, Icon::warning, "Before the first move", info.before_moving};
   const Action actions[] = {{.id = "fault/setup", .label = "Choose it in Setup", .main = true},
                             {.id = "fault/unset_read", .label = "Leave it"}};
-  const int picked = banner(ui, "fault/unset", what, actions);
+  float taken = 0;
+  const int picked = tell(ui, layout, below, "fault/unset", what, actions, taken);
   if (picked == 0) console.show_panel("setup", "setup/" + info.mnemonic);
   if (picked == 1) tab.unset_read = true;
+  return taken;
 }
 
 }  // namespace
 
-void draw_banner(Ui& ui, Console& console, Tab& tab, const Layout& layout) {
+float draw_banner(Ui& ui, Console& console, Tab& tab, const Layout& layout, const Box& below) {
   const Snapshot& now = tab.now();
   // Without room the status line and STOP ALL tell of the others of a bus.
   Tab& worst = tab.bus && layout.tier != Tier::narrow ? tab.bus->worst() : tab;
-  if (worst.now().link.state == LinkState::lost) return draw_lost(ui, console, worst);
+  if (worst.now().link.state == LinkState::lost) return draw_lost(ui, console, worst, layout, below);
   if (layout.tier == Tier::narrow || tab.unset_read || tab.centre_panel == "setup")
-    return;  // the status line says it as well
+    return 0;  // the status line says it as well
   for (int i = 0; i < now.axis_count; ++i)
     if (const int param = unset_before_moving(tab.catalog(), now, AxisId{static_cast<std::uint8_t>(i)});
         param >= 0)
-      return draw_unset(ui, console, tab, param);
+      return draw_unset(ui, console, tab, param, layout, below);
+  return 0;
 }
 
 }  // namespace hw::gui

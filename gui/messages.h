@@ -9,7 +9,9 @@ class Tab;
 class Ui;
 
 void draw_status_line(Ui& ui, Console& console, const Layout& layout);
-/// At the cursor, across the current window; draws nothing when nothing is wrong.
-void draw_banner(Ui& ui, Console& console, Tab& tab, const Layout& layout);
+/// At the top of `below`, the part under the panel tabs, which gives way: what is above keeps its place. In
+/// one bar where that is low, over the status line where there is none. Returns what it takes of it, logical;
+/// 0: nothing is wrong.
+float draw_banner(Ui& ui, Console& console, Tab& tab, const Layout& layout, const Box& below);
 
 }  // namespace hw::gui

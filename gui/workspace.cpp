@@ -153,16 +153,17 @@ void draw_centre(const Work& w) {
       chosen.panel >= 0 ? w.console.list().panels[static_cast<std::size_t>(chosen.panel)].good_height : 0;
   float below = below_height(centre_height, w.console.splitters, w.layout.tier, wish);
   draw_panel_tabs(w, items, chosen);
-  draw_banner(ui, w.console, w.tab, w.layout);
   const float top = ImGui::GetCursorScreenPos().y / ui.scale;
   if (box.bottom() - top - below < 160) below = std::max(0.0f, box.bottom() - top - 160);
   const Box work{box.x, top, box.width, box.bottom() - top - below};
   draw_chosen(w, chosen, work);
+  const Box area{box.x, work.bottom(), box.width, below};
+  const float told = draw_banner(ui, w.console, w.tab, w.layout, area);
   if (below > 0) {
-    const Box area{box.x, work.bottom(), box.width, below};
-    ImGui::SetCursorScreenPos(ui.px(area.x, area.y));
-    begin_part(ui, "below", 0, ui.px(area.height), Tone::panel, 0, false);
-    w.draw_all(Place::below, area);
+    const Box rest{area.x, area.y + told, area.width, area.height - told};
+    ImGui::SetCursorScreenPos(ui.px(rest.x, rest.y));
+    begin_part(ui, "below", 0, ui.px(rest.height), Tone::panel, 0, false);
+    w.draw_all(Place::below, rest);
     end_part();
     const Rect line = in_pixels(ui, area);
     ImGui::GetWindowDrawList()->AddRectFilled(line.min, ImVec2(line.max.x, line.min.y + ui.hair()),

@@ -255,15 +255,18 @@ void Jog::draw_steps_column(Frame& f, float x, float width, float height) {
 
 void Jog::draw_steps_row(Frame& f, float x, float y, float row) {
   const auto n = static_cast<float>(steps_.size());
-  const float share = (row - close_between * (n - 1)) / (n - 2 + first_share + last_share);
+  const bool tight = row < 260;
+  const float first = tight ? 1 : first_share, last = tight ? 1.3f : last_share,
+              between = tight ? 2 : close_between;
+  const float share = (row - between * (n - 1)) / (n - 2 + first + last);
   const auto width = [&](std::size_t i) {
-    return std::floor(share * (i == 0 ? first_share : i + 1 == steps_.size() ? last_share : 1));
+    return std::floor(share * (i == 0 ? first : i + 1 == steps_.size() ? last : 1));
   };
   const int room = words_that_fit(f, width);
   for (std::size_t i = 0; i < steps_.size(); ++i) {
     ImGui::SetCursorScreenPos(ImVec2(origin_.x + f.ui.px(x), origin_.y + f.ui.px(y)));
     draw_step(f, steps_[i], label_of(steps_[i], room), width(i));
-    x += width(i) + close_between;
+    x += width(i) + between;
   }
 }
 

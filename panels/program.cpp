@@ -127,14 +127,14 @@ void Program::draw_toolbar(Frame& f) {
 void Program::draw_run(Frame& f) {
   const ProgramState& p = f.now.program;
   const bool waits = under_way(p) && p.run != RunState::running;
-  if (button(f.ui, "program/run", waits ? "Go on" : "Run",
-             {.icon = Icon::play,
-              .keys = shows_keys(f) && !waits ? "ctrl \n" : "",
-              .disabled = why_not_run_,
-              .height = 40,
-              .moving = true})
-          .clicked)
-    run(f, false);
+  const ButtonOptions to_run{.icon = Icon::play, .keys = shows_keys(f) ? "ctrl \n" : ""},
+      to_go_on{.icon = Icon::play};
+  ButtonOptions o = waits ? to_go_on : to_run;
+  o.disabled = why_not_run_;
+  o.height = 40;
+  o.moving = true;
+  o.width = std::max(button_width(f.ui, "Run", to_run), button_width(f.ui, "Go on", to_go_on));
+  if (button(f.ui, "program/run", waits ? "Go on" : "Run", o).clicked) run(f, false);
 }
 
 void Program::draw_hold(Frame& f) {

@@ -18,7 +18,7 @@ using namespace gui;
 namespace {
 
 constexpr float card_width = 336, card_side = 16, card_top = 12, action_height = 32, action_gap = 8;
-constexpr float mark = 20, title = 24, cross_size = 32, bar_height = 40, from_border = 8;
+constexpr float mark = 20, title = 24, cross_size = 32, in_bar = 28, from_border = 8;
 
 float action_width(const Ui& ui, const Action& a) {
   ButtonOptions o;
@@ -68,16 +68,21 @@ Rect seen(const Widget& w) {
           ImVec2(std::min(w.rect.max.x, w.clip.max.x), std::min(w.rect.max.y, w.clip.max.y))};
 }
 
+bool in_daily_use(const Widget& w) {
+  return w.usable() && w.kind != Kind::editor && w.kind != Kind::link && w.kind != Kind::row;
+}
+
 /// What a card may not lie on, as the last frame has drawn it: what moves metal, Stops, and cards of rows
-/// above.
+/// above; rather nothing at all that is pressed or typed into every day.
 class Taken {
  public:
   Taken(const Ui& ui, std::string_view own) : all_(ui.registry.widgets()), own_(own) {}
-  [[nodiscard]] bool leaves(const Rect& place) const {
+  [[nodiscard]] bool leaves(const Rect& place, bool rather = false) const {
     bool above = true;
     for (const Widget& w : all_) {
       above = above && w.id != own_;
-      const bool taken = w.card ? above : (w.moving || w.stops) && !on_a_card(w);
+      const bool reached_for = w.moving || w.stops || (rather && in_daily_use(w));
+      const bool taken = w.card ? above : reached_for && !on_a_card(w);
       const Rect r = seen(w);
       if (taken && r.width() > 0 && r.height() > 0 && overlap(r, place)) return false;
     }
@@ -99,21 +104,24 @@ std::optional<Rect> free_place(const Ui& ui, const Taken& taken, const Rect& row
   const ImRect column = ImGui::GetCurrentWindow()->RootWindow->Rect();
   const float edge = ui.px(from_border), low = column.Min.y + edge, high = column.Max.y - edge - size.y;
   const float wanted = std::clamp(std::floor(row.centre().y - size.y / 2), low, std::max(low, high));
-  for (float x = column.Max.x; x + size.x <= ui.size_px.x; x += ui.px(24))
-    for (float away = 0; away <= column.GetHeight(); away += ui.px(4))
+  const auto at = [&](float x, float at_most, bool rather) -> std::optional<Rect> {
+    for (float away = 0; away <= at_most; away += ui.px(4))
       for (const float y : {wanted - away, wanted + away}) {
         const Rect place{ImVec2(x, y), ImVec2(x + size.x, y + size.y)};
-        if (y >= low && y <= high && taken.leaves(place)) return place;
+        if (y >= low && y <= high && taken.leaves(place, rather)) return place;
       }
+    return {};
+  };
+  if (const auto place = at(column.Max.x, ui.px(240), true)) return place;
+  for (float x = column.Max.x; x + size.x <= ui.size_px.x; x += ui.px(24))
+    if (const auto place = at(x, column.GetHeight(), false)) return place;
   return {};
 }
 
-/// Over the panel tabs, where nothing moves metal: beside the column or, in a narrow window, over it.
-Rect bar_place(const Ui& ui, bool narrow) {
-  const ImRect column = ImGui::GetCurrentWindow()->RootWindow->Rect();
-  const float left = narrow ? column.Min.x : column.Max.x;
-  const float right = narrow ? column.Max.x : std::min(ui.size_px.x, left + ui.px(700));
-  return {ImVec2(left, column.Min.y), ImVec2(right, column.Min.y + ui.px(bar_height))};
+/// Over the status line, which says no more than the card does.
+Rect bar_place(const Ui& ui) {
+  if (const Widget* status = ui.registry.find("status/text")) return status->rect;
+  return {ImVec2(0, ui.size_px.y - ui.px(32)), ui.size_px};
 }
 
 void begin_window(Ui& ui, std::string_view id, const Rect& place) {
@@ -167,7 +175,7 @@ void RefusalCard::find_place(const Frame& f, const Rect& row) {
   row_ = row;
   const auto found = narrow ? std::nullopt : free_place(ui, taken, row, size);
   bar_ = !found;
-  place_ = found ? *found : bar_place(ui, narrow);
+  place_ = found ? *found : bar_place(ui);
   ui.wake_in(0);  // what is drawn where is known for the last frame only
 }
 
@@ -194,7 +202,7 @@ void RefusalCard::draw_bar_words() {
   draw_text_line(ui, left, right, middle, Face::body_bold, ui[Tone::ink], what_.about);
   left += std::ceil(text_width(ui, Face::body_bold, what_.about)) + ui.px(12);
   draw_text_in_two_lines(ui, left, right - ui.px(8), middle, Face::body, ui[Tone::ink], what_.words);
-  rows_ = ImVec2(right, place_.min.y + ui.px((bar_height - action_height) / 2));
+  rows_ = ImVec2(right, place_.min.y + std::floor((place_.height() - ui.px(in_bar)) / 2));
 }
 
 RefusalTouch RefusalCard::end() {
@@ -206,11 +214,14 @@ RefusalTouch RefusalCard::end() {
     ButtonOptions o;
     o.disabled = a.disabled;
     o.moving = a.moving;
+    o.height = bar_ ? in_bar : action_height;
     ImGui::SetCursorScreenPos(ImVec2(rows_.x + ui.px(x), rows_.y + ui.px(y)));
     if (button(ui, a.id, a.label, o).clicked) done.action = index;
   });
   ButtonOptions cross{.style = ButtonStyle::quiet, .icon = Icon::cross, .tip = "Close", .width = cross_size};
-  ImGui::SetCursorScreenPos(ImVec2(place_.max.x - ui.px(cross_size + 2), place_.min.y + ui.px(bar_ ? 4 : 2)));
+  if (bar_) cross.height = in_bar;
+  ImGui::SetCursorScreenPos(
+      ImVec2(place_.max.x - ui.px(cross_size + 2), bar_ ? rows_.y : place_.min.y + ui.px(2)));
   done.closed = button(ui, Path("{}/close", what_.id), "", cross).clicked;
   ImGui::End();
   ImGui::PopStyleVar(2);

@@ -1,7 +1,7 @@
 #pragma once
 // What was refused, beside the row that asked for it: the words, what may be done instead, a cross. It lies
 // over the centre at the left column's border and pushes nothing; it never lies over what moves metal, nor
-// over a Stop. In a narrow window, or where no such place is free, it is a bar over the panel tabs.
+// over a Stop. In a narrow window, or where no such place is free, it is a bar over the status line.
 //
 // How a panel uses it: one RefusalCard for each row, kept by the panel; drawn in each frame in which it
 // stands.
@@ -35,7 +35,8 @@ struct Refusal {
   std::string_view about;  ///< in bold over them: "Go, X"
   std::string_view words;  ///< what was asked for, by how much it does not go, what was done or not
   std::span<const gui::Action> actions;
-  float slot_width = 0;  ///< logical: of what the panel draws itself before the actions, in a row of 32
+  float slot_width =
+      0;  ///< logical: of what the panel draws itself before the actions, in a row of 32 (28 in the bar)
 };
 
 struct RefusalTouch {

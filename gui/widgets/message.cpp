@@ -103,7 +103,7 @@ int banner(Ui& ui, std::string_view id, const Banner& what, std::span<const Acti
             ui[look.ink]);
   draw_text_line(ui, at.x + indent, at.x + width, at.y + ui.px(22), Face::title_bold, ui[Tone::ink],
                  what.title);
-  show(ui, {id, Kind::text, what.title, what.sentences, {}, false, {}},
+  show(ui, {.id = id, .kind = Kind::text, .label = what.title, .value = what.sentences, .card = true},
        {at, ImVec2(at.x + width, at.y + height)});
   ImGui::SetCursorScreenPos(ImVec2(at.x + indent, at.y + ui.px(18) + ui.line(Face::title_bold)));
   ImGui::BeginGroup();
@@ -115,6 +115,41 @@ int banner(Ui& ui, std::string_view id, const Banner& what, std::span<const Acti
   }
   ImGui::EndGroup();
   ImGui::SetCursorScreenPos(ImVec2(corner.x, at.y + height));
+  return picked;
+}
+
+float banner_height(const Ui& ui, const Banner& what, float width, bool actions) {
+  const float words = wrapped_height(ui, Face::body, what.sentences, ui.px(width - 2 * 16 - 28)) / ui.scale;
+  return std::ceil(12 + ui.line(Face::title_bold) / ui.scale + 6 + words + (actions ? 32 + 8 : 0) + 12);
+}
+
+int banner_bar(Ui& ui, std::string_view id, const Banner& what, std::span<const Action> actions) {
+  const ImVec2 at = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
+  const Rect all{at, ImVec2(at.x + room.x, at.y + room.y)};
+  const Look look = look_of(what.mood);
+  tinted(ui, what.mood, all.height());
+  show(ui, {.id = id, .kind = Kind::text, .label = what.title, .value = what.sentences, .card = true}, all);
+  const float middle = std::floor(all.centre().y), line = ui.line(Face::small), side = ui.px(16);
+  draw_icon(ImGui::GetWindowDrawList(), what.icon, ImVec2(at.x + side, middle), ui.px(14), ui[look.ink]);
+  float width = 0;
+  for (const Action& a : actions) width += ui.px(button_width(ui, a.label)) + ui.px(8);
+  const float left = at.x + 2 * side, right = all.max.x - width - ui.px(8);
+  std::string words(what.sentences);
+  std::replace(words.begin(), words.end(), '\n', ' ');
+  const std::string title = std::string(what.title) + " " + std::string(what.aside);
+  draw_text_line(ui, left, right, middle - line / 2, Face::small_bold, ui[Tone::ink], title);
+  draw_text_line(ui, left, right, middle + line / 2, Face::small, ui[Tone::ink], words);
+  ImGui::SetCursorScreenPos(ImVec2(right + ui.px(8), middle - ui.px(14)));
+  int picked = -1;
+  for (int i = 0; i < static_cast<int>(actions.size()); ++i) {
+    const Action& a = actions[static_cast<std::size_t>(i)];
+    const ButtonOptions o{.style = a.main ? ButtonStyle::normal : ButtonStyle::quiet,
+                          .disabled = a.disabled,
+                          .height = 28,
+                          .moving = a.moving};
+    if (i > 0) ImGui::SameLine(0, ui.px(8));
+    if (button(ui, a.id, a.label, o).clicked) picked = i;
+  }
   return picked;
 }
 

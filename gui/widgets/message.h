@@ -26,6 +26,11 @@ struct Banner {
 };
 /// Across the full width of the window, bar 3. Returns the index of the action just clicked, or -1.
 int banner(Ui& ui, std::string_view id, const Banner& what, std::span<const Action> actions);
+/// Of the same banner, logical, in that width.
+float banner_height(const Ui& ui, const Banner& what, float width, bool actions);
+/// The same in one bar that fills the current window: title and aside over the sentences, in small type; what
+/// is cut is told whole under the mouse.
+int banner_bar(Ui& ui, std::string_view id, const Banner& what, std::span<const Action> actions);
 /// Tint of a row or card with its bar at the left, from the cursor down `height` pixels; draws nothing else.
 void tinted(Ui& ui, Mood mood, float height_px);
 
