@@ -68,8 +68,9 @@ class Pump {
 
   Task<> live();
   Task<> serve();
+  Task<> round();
   Task<> perform_next();
-  bool refuse_to_move(const Intent& intent);
+  Task<std::string> why_refused(const Intent& intent, std::uint32_t& doubtful);
   Result<> trust_position(AxisId axis);
   Task<Result<>> stop_as_asked(const IntentBody& body);
   // These two run beside live(); whoever starts one counts it in stops_under_way_ first.
@@ -110,7 +111,7 @@ class Pump {
   void lose_wire(const Fault& why);
   void set_fate(IntentId id, Fate fate, std::string_view sentence = {});
   void set_fate(const IntentFate& told);
-  void tell_fault(IntentId id, const Fault& fault);
+  void tell_fault(IntentId id, const Fault& fault, std::uint32_t doubtful = 0);
   void publish();
 
   Scheduler& scheduler_;

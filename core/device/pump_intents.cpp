@@ -205,30 +205,30 @@ void Pump::count_program_change(const Intent& intent) {
   draft_.program_changed_by = intent.id;
 }
 
-void Pump::tell_fault(IntentId id, const Fault& fault) {
+void Pump::tell_fault(IntentId id, const Fault& fault, std::uint32_t doubtful) {
   IntentFate told;
   told.id = id;
   told.asks = fault.kind == FaultKind::asks;
   told.fate = told.asks || fault.kind == FaultKind::refused ? Fate::refused : Fate::failed;
   told.sentence = fault.sentence();
+  told.doubtful = doubtful;
   set_fate(told);
 }
 
-/// What no driver is asked for: see refusals.h.
-bool Pump::refuse_to_move(const Intent& intent) {
-  const auto powered = has_power(catalog_, draft_, intent.body);
-  IntentFate told;
-  told.id = intent.id;
-  told.fate = Fate::refused;
-  told.doubtful = powered ? doubtful_axes(catalog_, draft_, intent.body) : 0;
-  if (powered && told.doubtful == 0) return false;
-  told.sentence = powered ? say_doubtful(catalog_, draft_, intent.body, told.doubtful,
-                                         words_in_steps(catalog_, draft_))
-                          : powered.error().sentence();
-  set_fate(told);
-  jog_not_begun(intent);
-  publish();
-  return true;
+/// What no driver is asked for: see refusals.h. Empty: it may go to its driver. A text, a program or another
+/// host may have switched a motor on since the last round, so that is looked at again.
+Task<std::string> Pump::why_refused(const Intent& intent, std::uint32_t& doubtful) {
+  auto powered = has_power(catalog_, draft_, intent.body);
+  if (!powered) {
+    const std::uint64_t stops_before = stops_begun_;
+    co_await round();
+    if (stops_begun_ != stops_before) co_return std::string(stopped_first);
+    if (!connected()) co_return std::string();  // it will say so
+    powered = has_power(catalog_, draft_, intent.body);
+  }
+  if (!powered) co_return powered.error().sentence();
+  doubtful = doubtful_axes(catalog_, draft_, intent.body);
+  co_return say_doubtful(catalog_, draft_, intent.body, doubtful, words_in_steps(catalog_, draft_));
 }
 
 Result<> Pump::trust_position(AxisId axis) {
@@ -262,14 +262,14 @@ Task<> Pump::perform_next() {
     job.release();  // its asker owns it from here
     co_return;
   }
-  if (refuse_to_move(job->intent)) {
-    performing_ = false;
-    co_return;
-  }
   Result<> performed;
+  std::uint32_t doubtful = 0;
   const std::uint64_t stops_before = stops_begun_;
   try {
-    if (const auto* wish = std::get_if<intent::TrustPosition>(&job->intent.body))
+    const std::string refused = co_await why_refused(job->intent, doubtful);
+    if (!refused.empty())
+      performed = fail(FaultKind::refused, refused);
+    else if (const auto* wish = std::get_if<intent::TrustPosition>(&job->intent.body))
       performed = trust_position(wish->axis);
     else
       performed = co_await driver_->perform(job->intent.body);
@@ -283,7 +283,7 @@ Task<> Pump::perform_next() {
   if (performed)
     set_fate(job->intent.id, Fate::done);
   else
-    tell_fault(job->intent.id, performed.error());
+    tell_fault(job->intent.id, performed.error(), doubtful);
   if (!performed) jog_failed(job->intent, performed.error().kind);
   publish();
 }

@@ -291,6 +291,7 @@ class ArcusDriver final : public Driver {
   Instant round_began_{};
   Instant motion_asked_at_{};  ///< the oldest question of the newest round that has been applied
   int round_ = 0;
+  bool io_due_ = false;  ///< the user's own text has switched a motor
   std::uint32_t watched_ = 0;
   bool half_written_ = false;              ///< lines were stored, and not all of a program
   std::optional<StoredCode> stored_code_;  ///< not known: not looked, or foreign code

@@ -1,6 +1,7 @@
 // One round of status, and what it means. While something moves: where it is, as often as the wire bears; at
 // rest everything, five times a second.
 #include <cmath>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -31,7 +32,7 @@ Task<Result<>> ArcusDriver::poll() {
   }
   auto fed = co_await feed();
   if (!fed) co_return fed;
-  if (!any_moving() || round_ % io_every == 0) {
+  if (std::exchange(io_due_, false) || !any_moving() || round_ % io_every == 0) {
     auto io = co_await read_io(Priority::poll);
     if (!io) co_return io;
     auto threads = co_await read_threads(false, Priority::poll);

@@ -162,6 +162,7 @@ void ArcusDriver::note_sent(std::string_view as_typed) {
       if (const auto n = decode_number(name.substr(1)); n && *n >= 0 && *n < variables)
         draft_.variables_known.reset(static_cast<std::size_t>(*n));
   }
+  io_due_ = io_due_ || name.starts_with(forms_.power.substr(0, 2));
   forget_thread(text);
   note_call(text);
   if (text.starts_with("SA") && equals != text.npos) stored_code_.reset();

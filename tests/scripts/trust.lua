@@ -1,0 +1,86 @@
+-- Whether an axis stands where it counts: asked, refused for, and said, on every kind of controller and a bus.
+local function same(got, want, what)
+  hw.check(got == want, string.format("%s: got %s, want %s", what, tostring(got), tostring(want)))
+end
+
+local function refused(ok, why)
+  same(ok, nil, "a move to a place")
+  hw.check(why:find("is not to be trusted: its power was cut", 1, true), why)
+  hw.check(why:find("Nothing was sent. Home it, say where it stands, or go on for this once.", 1, true), why)
+end
+
+for _, kind in ipairs{
+  {"vxm@emulator", 1}, {"pmx-4ex-sa@emulator", "X", "EO=15"}, {"dmx-k-sa@emulator", "X", "EO=1"},
+  {"vme58@emulator", "X"},
+} do
+  local address, axis, power = table.unpack(kind)
+  local c = assert(hw.open(address))
+  if power then assert(c:query(power)) end
+  local word, why = c:trust(axis)
+  same(word, "counted", address)
+  hw.check(#why > 10, why)
+  assert(c:move_to{[axis] = 500})
+  assert(c:wait(30))
+  c.bench:power_cycle()
+  hw.sleep(20)
+  if power then
+    local none, off = c:move_by{[axis] = 10}
+    same(none, nil, "without motor power")
+    hw.check(off:find("The motor power of axis X", 1, true) and off:find("Switch it on first: EO", 1, true), off)
+    assert(c:query(power))
+    assert(c:move_by{[axis] = 10}, "at once: what is known is looked at again")
+  else
+    assert(c:move_by{[axis] = 10})
+  end
+  assert(c:wait(30))
+  word, why = c:trust(axis)
+  same(word, "untrusted", address)
+  hw.check(why:find("its power was cut", 1, true), why)
+  same(c:status(axis).position_doubtful, true, address)
+  local ok, reason = c:move_to{[axis] = 0}
+  refused(ok, reason)
+  same(c:position(axis), 10, "nothing was moved")
+  assert(c:trust(axis, "set"))
+  same(c:trust(axis), "set", address)
+  assert(c:move_to{[axis] = 0})
+  assert(c:wait(30))
+  same(c:position(axis), 0, address)
+  hw.check(not pcall(c.trust, c, axis, "homed"), "that is the controller's to say")
+  local none, no_axis = c:trust(99)
+  same(none, nil, "no such axis")
+  hw.check(no_axis:find("no such axis", 1, true), no_axis)
+end
+
+-- Homed, where that sets the count.
+local c = assert(hw.open("vxm@emulator"))
+c.bench:place(1, {minus = -800})
+assert(c:home(1, "-"))
+assert(c:wait(30))
+same(c:trust(1), "counted", "the switch alone sets nothing")
+assert(c:home(1, "-", "limit-zero"))
+assert(c:wait(30))
+same(c:trust(1), "homed", "its zero does")
+c:jog(2, "+", 3000)
+hw.sleep(2)
+c:abort()
+local word, why = c:trust(2)
+same(word, "untrusted", "killed at speed")
+hw.check(why:find("without a ramp", 1, true), why)
+same(c:trust(1), "homed", "of the other one nothing is doubted")
+
+-- A bus names the device.
+local bus = assert(hw.open("dmx-k-sa@emulator,id=01-02"))
+for _, id in ipairs{"01", "02"} do assert(bus.devices[id]:query("EO=1")) end
+assert(bus:move_to{["01"] = 300, ["02"] = 300})
+assert(bus:wait(30))
+bus.devices["02"].bench:power_cycle()
+hw.sleep(20)
+assert(bus.devices["02"]:query("EO=1"))
+same(bus:trust("01"), "counted", "01")
+same(bus:trust("02"), "untrusted", "02")
+local ok, reason = bus:move_to{["02"] = 0}
+refused(ok, reason)
+hw.check(reason:find("device 02", 1, true), reason)
+assert(bus:trust("02", "set"))
+assert(bus:move_to{["02"] = 0})
+assert(bus:wait(30))
