@@ -242,19 +242,20 @@ void Terminal::draw_command(Frame& f) {
   ImGui::GetWindowDrawList()->AddRectFilled(
       ImVec2(ui.px(f.area.x), ui.px(f.area.bottom() - 48)),
       ImVec2(ui.px(f.area.right()), ui.px(f.area.bottom() - 48) + ui.hair()), ui[Tone::line]);
-  const ButtonOptions send_look{
-      .icon_after = Icon::enter,
-      .disabled = f.connected() ? std::string_view() : "There is no link. What you type stays here."};
-  const float send_width = button_width(ui, "Send", send_look);
-  const float menu_width = with_head_ ? 0 : button_width(ui, "Log", {.style = ButtonStyle::quiet});
   if (hint_of_ != command_) {
     hint_of_ = command_;
-    hint_ = f.tab.desk().help.hint(command_).sentence;
+    hint_ = f.tab.desk().help.hint(command_);
   }
+  ButtonOptions send_look;
+  send_look.icon_after = Icon::enter;
+  send_look.disabled = f.connected() ? "" : "There is no link. What you type stays here.";
+  send_look.moving = hint_.moves;
+  const float send_width = button_width(ui, "Send", send_look);
+  const float menu_width = with_head_ ? 0 : button_width(ui, "Log", {.style = ButtonStyle::quiet});
   const float to_width = draw_to(f, f.area.bottom() - 40);
   ImGui::SetCursorScreenPos(ImVec2(ui.px(f.area.x + 16 + to_width), top));
   const FieldOptions look{.placeholder = "Command, or Tab for the list",
-                          .hint = hint_,
+                          .hint = hint_.sentence,
                           .prompt = Icon::prompt,
                           .face = Face::code_field,
                           .width = f.area.width - 40 - send_width - menu_width - to_width,

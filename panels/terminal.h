@@ -32,7 +32,8 @@ class Terminal final : public gui::Panel {
   std::string command_, filter_;
   bool to_all_ = false;  ///< the line goes to all devices of the wire
   std::vector<std::string_view> to_names_;
-  std::string hint_, hint_of_;  ///< help for the text that it was made of
+  gui::CommandHelp::Hint hint_;  ///< help ...
+  std::string hint_of_;          ///< ... for the text that it was made of
   gui::LineHelp line_help_;
   bool with_head_ = true;
   gui::Desk* desk_ = nullptr;  ///< while drawing: for the two helpers of the line

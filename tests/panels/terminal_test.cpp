@@ -40,6 +40,13 @@ TEST_F(TerminalTest, SendButtonDoesTheSame) {
   EXPECT_EQ(s.last<intent::SendText>()->text, "rsm");
 }
 
+TEST_F(TerminalTest, SendWearsTheEdgeOfMotionWhenItWouldMove) {
+  s.type("terminal/command", "rsm");
+  EXPECT_FALSE(s.stage.find("terminal/send")->moving);
+  s.type("terminal/command", "I1M400,R");
+  EXPECT_TRUE(s.stage.find("terminal/send")->moving) << "and so it takes no press before it has stood still";
+}
+
 TEST_F(TerminalTest, WithoutLinkNothingIsSentAndTheTextStays) {
   s.now.link.state = LinkState::lost;
   s.type("terminal/command", "S1M500\n");
