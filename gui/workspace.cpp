@@ -29,8 +29,10 @@ struct Work {
     if (!panel) panel = entry.make();
     Frame frame{
         {ui, console, area, layout.tier, rail, tab.clock()}, tab, tab.catalog(), tab.now(), tab.bench()};
+    ImGui::PushID(&tab);  // the same button of another controller is another button: standing.h
     ImGui::PushID(entry.id.data(), entry.id.data() + entry.id.size());
     panel->draw(frame);
+    ImGui::PopID();
     ImGui::PopID();
   }
   /// All panels of a place, one under the other.

@@ -8,6 +8,7 @@
 #include "gui/ui.h"
 #include "gui/widgets/number_field.h"
 #include "panels/doubt_ways.h"
+#include "panels/refusal_card.h"
 
 namespace hw::panels {
 
@@ -23,7 +24,7 @@ class ActionForm {
   /// The button alone, at the cursor.
   void draw_button(gui::Frame& frame, float width);
   [[nodiscard]] float button_width(const gui::Ui& ui) const;
-  /// What became of it, if it was refused; at the cursor.
+  /// What became of it, if it was refused: on a card under the form that ends at the cursor.
   void draw_refusal(gui::Frame& frame, float width);
   [[nodiscard]] int action() const { return action_; }
 
@@ -46,8 +47,8 @@ class ActionForm {
   float least_ = 104;  ///< of a cell, so that no value of its lists is cut
   IntentId asked_ = 0;
   std::string refused_;
+  RefusalCard card_;
   DoubtWays doubt_;
-  gui::Rect button_{};  ///< where it was drawn
 };
 
 }  // namespace hw::panels

@@ -98,22 +98,25 @@ class Taken {
   std::string_view own_;
 };
 
-/// Beside the row, right of the column that it stands in; where that is taken further up or down, then
-/// further to the right.
+/// Beside the row, over the centre where it stands in the left column; where that is taken further up or
+/// down, then further to the right.
 std::optional<Rect> free_place(const Ui& ui, const Taken& taken, const Rect& row, ImVec2 size) {
   const ImRect column = ImGui::GetCurrentWindow()->RootWindow->Rect();
+  const bool at_left = column.Min.x < 1 && column.Max.x + size.x <= ui.size_px.x;
   const float edge = ui.px(from_border), low = column.Min.y + edge, high = column.Max.y - edge - size.y;
-  const float wanted = std::clamp(std::floor(row.centre().y - size.y / 2), low, std::max(low, high));
+  const float beside = at_left ? row.centre().y - size.y / 2 : row.max.y + ui.px(4);
+  const float wanted = std::clamp(std::floor(beside), low, std::max(low, high)),
+              from = at_left ? column.Max.x : row.min.x;
   const auto at = [&](float x, float at_most, bool rather) -> std::optional<Rect> {
     for (float away = 0; away <= at_most; away += ui.px(4))
       for (const float y : {wanted - away, wanted + away}) {
         const Rect place{ImVec2(x, y), ImVec2(x + size.x, y + size.y)};
-        if (y >= low && y <= high && taken.leaves(place, rather)) return place;
+        if (y >= low && y <= high && !overlap(place, row) && taken.leaves(place, rather)) return place;
       }
     return {};
   };
-  if (const auto place = at(column.Max.x, ui.px(240), true)) return place;
-  for (float x = column.Max.x; x + size.x <= ui.size_px.x; x += ui.px(24))
+  if (const auto place = at(from, ui.px(240), true)) return place;
+  for (float x = from; x + size.x <= ui.size_px.x; x += ui.px(24))
     if (const auto place = at(x, column.GetHeight(), false)) return place;
   return {};
 }

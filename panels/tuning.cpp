@@ -244,6 +244,8 @@ void Tuning::draw_toolbar(Frame& f) {
   ButtonOptions again;
   again.moving = !repeat_;  // a press that ends it waits for nothing
   again.height = 40;
+  again.on = true;
+  again.width = button_width(ui, "Repeat", again);  // whether it is on or not
   again.on = repeat_;
   again.disabled = repeat_ ? std::string_view() : why_not(f);
   again.tip = "Steps to and fro until it is pressed again, a stop comes, or another panel is chosen.";

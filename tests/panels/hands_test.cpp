@@ -365,5 +365,27 @@ TEST_F(HandsTest, UnitsAreChosenPerAxis) {
   EXPECT_EQ(s.value("dro/2/position"), "0");
 }
 
+// The same button at the same place moves another controller's axis now: it has only just come.
+TEST_F(HandsTest, AnotherControllersButtonUnderTheHandTakesNoPressAtOnce) {
+  Example& b = s.add();
+  s.console.activate(*a.tab);
+  s.run(1);
+  const ImVec2 at = s.stage.find("jog/1/+")->rect.centre();
+  const auto click = [&] {
+    s.stage.push(InputEvent::mouse_move(at.x, at.y, s.stage.now_s));
+    s.stage.push(InputEvent::mouse_button(0, true, s.stage.now_s));
+    s.stage.frames(2);
+    s.stage.push(InputEvent::mouse_button(0, false, s.stage.now_s));
+    s.stage.frames(2);
+  };
+  s.console.activate(*b.tab);
+  s.stage.frame();
+  click();
+  EXPECT_EQ(b.count<intent::MoveBy>() + a.count<intent::MoveBy>(), 0);
+  s.run(0.4);
+  click();
+  EXPECT_EQ(b.count<intent::MoveBy>(), 1);
+}
+
 }  // namespace
 }  // namespace hw::panels

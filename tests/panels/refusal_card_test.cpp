@@ -102,5 +102,24 @@ TEST_F(RefusalCardTest, WhatItOffersTakesNoPressThatWasOnItsWayBefore) {
   EXPECT_EQ(example->count<intent::MoveTo>(), 1);
 }
 
+TEST_F(RefusalCardTest, OfAFormPushesNoOtherForm) {
+  open(1440, 900, "control");
+  const auto places = [&] {
+    std::vector<float> all;
+    for (const Widget& w : s->stage.surface.screen().registry().widgets())
+      if (w.moving) all.push_back(w.rect.min.y);
+    return all;
+  };
+  MUST(s->hand.type("action/change_speed/speed", "0"));
+  MUST(s->hand.click("action/change_speed/go"));
+  s->run(0.2);
+  ASSERT_TRUE(find("action/change_speed/refused"));
+  const auto with_card = places();
+  MUST(s->hand.click("action/change_speed/refused/close"));
+  s->run(0.2);
+  ASSERT_FALSE(find("action/change_speed/refused"));
+  EXPECT_EQ(places(), with_card);
+}
+
 }  // namespace
 }  // namespace hw::panels
