@@ -148,9 +148,7 @@ void ActionForm::draw_button(Frame& f, float width) {
   o.width = width;
   o.tip = info_.help;
   o.disabled = why_not(f);
-  const Touch t = button(f.ui, Path("action/{}/go", info_.id), info_.label, o);
-  button_ = t.rect;
-  if (t.clicked) send(f);
+  if (button(f.ui, Path("action/{}/go", info_.id), info_.label, o).clicked) send(f);
 }
 
 std::optional<std::int64_t> ActionForm::value(const Frame& f, const ActionField& info, Field& field) {
@@ -186,17 +184,17 @@ void ActionForm::draw_refusal(Frame& f, float width) {
     if (fate->fate != Fate::done && !doubt_.hear(f, *fate)) refused_ = fate->sentence.view();
   }
   if (f.now.forgotten(asked_)) asked_ = 0;
-  if (doubt_.open()) {
-    const Path prefix("action/{}", info_.id);
-    if (const IntentId sent = doubt_.draw(f, prefix, info_.label, button_)) asked_ = sent;
-  }
-  if (refused_.empty()) return;
+  if (refused_.empty() && !doubt_.open()) return;
   const ImVec2 after = ImGui::GetCursorScreenPos();
-  const Path id("action/{}/refused", info_.id);
-  const ImVec2 end(after.x + f.ui.px(width), after.y - f.ui.px(between));
-  card_.begin(f, {.id = id, .about = info_.label, .words = refused_},
-              {ImVec2(after.x, after.y - f.ui.px(height(width))), end});
-  if (card_.end().closed) refused_.clear();
+  const Rect form{ImVec2(after.x, after.y - f.ui.px(height(width))),
+                  ImVec2(after.x + f.ui.px(width), after.y - f.ui.px(between))};
+  const Path prefix("action/{}", info_.id), id("action/{}/refused", info_.id);
+  if (doubt_.open()) {
+    if (const IntentId sent = doubt_.draw(f, prefix, info_.label, form)) asked_ = sent;
+  } else {
+    card_.begin(f, {.id = id, .about = info_.label, .words = refused_}, form);
+    if (card_.end().closed) refused_.clear();
+  }
   ImGui::SetCursorScreenPos(after);
 }
 

@@ -47,9 +47,8 @@ class ActionForm {
   float least_ = 104;  ///< of a cell, so that no value of its lists is cut
   IntentId asked_ = 0;
   std::string refused_;
-  DoubtWays doubt_;
-  gui::Rect button_{};  ///< where it was drawn
   RefusalCard card_;
+  DoubtWays doubt_;
 };
 
 }  // namespace hw::panels

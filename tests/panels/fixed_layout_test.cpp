@@ -185,7 +185,7 @@ const std::vector<Said>& all_said() {
        }},
       {"off", [](FixedStage& f) { each_axis(f, [](AxisState& a) { a.enabled = false; }); }},
       {"not known", [](FixedStage& f) { each_axis(f, [](AxisState& a) { a.position_known = false; }); }},
-      {"doubtful", [](FixedStage& f) { each_axis(f, [](AxisState& a) { a.position_doubtful = true; }); }},
+      {"doubtful", [](FixedStage& f) { each_axis(f, [](AxisState& a) { a.trust.doubt(Doubt::power_cut, {}); }); }},
       {"slipped", [](FixedStage& f) { each_axis(f, [](AxisState& a) { a.slipped = true; }); }},
       {"no encoder", [](FixedStage& f) { each_axis(f, [](AxisState& a) { a.has_encoder = false; }); }},
       {"speeds differ",

@@ -549,5 +549,25 @@ TEST_F(Vme58Driver4s4, ItsStepAxesHaveNoEncoderAndNoGains) {
   EXPECT_EQ(perform(intent::SetPower(4, false)).fate, Fate::refused);
 }
 
+// KL ends the pulses; a step motor goes on by its mass, a servo motor's encoder counts that.
+TEST_F(Vme58Driver4s4, KilledAtSpeedAStepAxisMayStandElsewhere) {
+  const auto kill_at = [this](double speed) {
+    for (const std::uint8_t i : {0, 4})
+      perform(intent::JogStart(AxisId{i}, Sign::plus, Pps{speed}, false));
+    run(Millis(500));
+    EXPECT_EQ(perform(intent::Abort()).fate, Fate::done);
+    ASSERT_TRUE(becomes_idle());
+  };
+  ASSERT_EQ(perform(intent::SetParam("VBT", 2000, true)).fate, Fate::done);
+  kill_at(1000);
+  EXPECT_FALSE(axis(4).trust.doubtful()) << "so fast it may start without a ramp, so it may stop";
+  kill_at(5000);
+  EXPECT_EQ(axis(4).trust.cause, Doubt::killed);
+  EXPECT_FALSE(axis(0).trust.doubtful());
+  EXPECT_THAT(told(), HasSubstr("Axis T was stopped without a ramp at 5000 counts/s. Above 2000 (VB)"));
+  EXPECT_EQ(perform(intent::MoveTo({{AxisId{4}, Steps(0)}})).fate, Fate::refused);
+  EXPECT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(0)}})).fate, Fate::done);
+}
+
 }  // namespace
 }  // namespace hw

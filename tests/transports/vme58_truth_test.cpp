@@ -339,6 +339,7 @@ TEST_F(Vme58TruthOfSteps, ASlipIsToldOnceAndStaysForWhoeverAsks) {
   EXPECT_EQ(*query("RL"), "SNNN");
   EXPECT_EQ(now().readouts[static_cast<std::size_t>(session->catalog().find_readout("SLIPX"))], 1);
   EXPECT_TRUE(now().axes[0].slipped);
+  EXPECT_EQ(now().axes[0].trust.cause, Doubt::slipped) << "the motor is not where it was counted to";
   EXPECT_FALSE(now().axes[1].slipped);
   operate(bench::Jam(AxisId{0}, false));
   ASSERT_TRUE(query("IC AX RP"));
