@@ -1,7 +1,7 @@
 #pragma once
-// When the window draws: after a hand did something, after news of a controller, when it is time for what shows
-// time; at most 60 times a second, and never at rest. ImGui settles a frame late (a list that grew is scrolled
-// to its end in the next, a new dialog is hidden in its first), so nothing is drawn only once.
+// When the window draws: after a hand did something, after news of a controller, when it is time for what
+// shows time; at most 60 times a second, and never at rest. ImGui settles a frame late (a list that grew is
+// scrolled to its end in the next, a new dialog is hidden in its first), so nothing is drawn only once.
 #include <algorithm>
 #include <atomic>
 

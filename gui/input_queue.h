@@ -14,7 +14,8 @@ namespace hw::gui {
 
 enum class InputKind : std::uint8_t {
   mouse_move,    ///< x, y in pixels
-  mouse_button,  ///< code 0 left, 1 right, 2 middle; down; x, y: where. It counts there, wherever moves have led
+  mouse_button,  ///< code 0 left, 1 right, 2 middle; down; x, y: where. It counts there, wherever moves have
+                 ///< led
   wheel,         ///< x, y in notches
   key,           ///< code: a GLFW key; down. Auto-repeat is not an event
   text,          ///< code: a Unicode code point

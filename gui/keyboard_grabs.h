@@ -1,7 +1,7 @@
 #pragma once
-// Who shows a menu, switches windows or locks the screen grabs the keyboard: it is lost then as with the focus,
-// but GLFW does not tell. Heard on a connection of its own to the X server; on other displays nothing is.
-// Window thread only.
+// Who shows a menu, switches windows or locks the screen grabs the keyboard: it is lost then as with the
+// focus, but GLFW does not tell. Heard on a connection of its own to the X server; on other displays nothing
+// is. Window thread only.
 #include <vector>
 
 struct GLFWwindow;

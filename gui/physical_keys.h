@@ -1,8 +1,8 @@
 #pragma once
 // Which keys are down, and which of the events that come are presses of a hand. The window is told of presses
-// and releases, but not of those that another window got meanwhile, or a grab took away (Alt+Tab, a screenshot):
-// the X server is asked then. A key that was down already when the keyboard came is no press, however often it
-// repeats, until it has been up. Window thread only.
+// and releases, but not of those that another window got meanwhile, or a grab took away (Alt+Tab, a
+// screenshot): the X server is asked then. A key that was down already when the keyboard came is no press,
+// however often it repeats, until it has been up. Window thread only.
 #include <array>
 #include <functional>
 #include <optional>
@@ -17,8 +17,8 @@ class PhysicalKeys {
   using Ask = std::function<std::optional<KeyMap>()>;
   explicit PhysicalKeys(Ask ask = ask_server) : ask_(std::move(ask)) {}
 
-  /// Told of what the window system calls a press or an auto-repeat; `code` is the platform's own. True: a hand
-  /// has pressed the key just now, and it counts as down.
+  /// Told of what the window system calls a press or an auto-repeat; `code` is the platform's own. True: a
+  /// hand has pressed the key just now, and it counts as down.
   bool is_press(int key, int code, bool repeat);
   void release(int key, int code);
   /// Another window has the keyboard: what happens to the keys is not told.

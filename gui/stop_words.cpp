@@ -14,8 +14,9 @@ namespace {
 bool goes_on(RunState run) { return run != RunState::idle && run != RunState::error; }
 
 bool runs(const Snapshot& now) {
-  return goes_on(now.program.run) || std::any_of(now.threads.begin(), now.threads.end(),
-                                                 [](const ThreadState& thread) { return goes_on(thread.run); });
+  return goes_on(now.program.run) ||
+         std::any_of(now.threads.begin(), now.threads.end(),
+                     [](const ThreadState& thread) { return goes_on(thread.run); });
 }
 
 bool is_reached(const Tab& tab) {
@@ -34,15 +35,16 @@ std::vector<std::string_view> names(std::span<const std::unique_ptr<Tab>> tabs, 
 
 std::string stopped(std::span<const std::string_view> who, std::string_view doing) {
   if (who.empty()) return {};
-  return fmt::format(" It also stopped {}, which {} {}.", in_words(who), who.size() == 1 ? "was" : "were", doing);
+  return fmt::format(" It also stopped {}, which {} {}.", in_words(who), who.size() == 1 ? "was" : "were",
+                     doing);
 }
 
 }  // namespace
 
 std::string words_of_esc(std::span<const std::unique_ptr<Tab>> tabs) {
   const auto moving = names(tabs, [](const Tab& t) { return is_reached(t) && t.now().any_axis_moving(); });
-  const auto running = names(
-      tabs, [](const Tab& t) { return is_reached(t) && !t.now().any_axis_moving() && runs(t.now()); });
+  const auto running =
+      names(tabs, [](const Tab& t) { return is_reached(t) && !t.now().any_axis_moving() && runs(t.now()); });
   const auto lost = names(tabs, [](const Tab& t) { return t.now().link.state == LinkState::lost; });
   std::string words = "Esc closed what was open.";
   words += stopped(moving, "moving");

@@ -71,9 +71,7 @@ struct Window::Callbacks {
   static void scroll(GLFWwindow* w, double x, double y) {
     of(w).push(InputEvent::wheel(static_cast<float>(x), static_cast<float>(y), of(w).now_s()));
   }
-  static void focus(GLFWwindow* w, int focused) {
-    focused ? of(w).regain_keyboard() : of(w).lose_keyboard();
-  }
+  static void focus(GLFWwindow* w, int focused) { focused ? of(w).regain_keyboard() : of(w).lose_keyboard(); }
   // The window goes, and the pointer that rests is over something else: no move tells.
   static void position(GLFWwindow* w, int, int) { of(w).look_for_pointer(); }
   static void size(GLFWwindow* w, int, int) {

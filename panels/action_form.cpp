@@ -192,7 +192,7 @@ void ActionForm::draw_refusal(Frame& f, float width) {
   if (doubt_.open()) {
     if (const IntentId sent = doubt_.draw(f, prefix, info_.label, form)) asked_ = sent;
   } else {
-    card_.begin(f, {.id = id, .about = info_.label, .words = refused_}, form);
+    card_.begin(f, {.id = id, .about = info_.label, .words = refused_, .actions = {}}, form);
     if (card_.end().closed) refused_.clear();
   }
   ImGui::SetCursorScreenPos(after);

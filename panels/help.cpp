@@ -34,7 +34,8 @@ constexpr Key in_editor[] = {
     {"Ctrl A", "Select all"},
     {"Ctrl F", "Find; F3 finds the next"},
     {"Ctrl /", "Make lines comments, or commands again"},
-    {"Ctrl ]  [", "Move the lines right or back, as Tab does with chosen ones"},
+    {"Ctrl ]  [", "Indent the line, and back"},
+    {"Tab", "Indent the lines chosen, Shift Tab back; else leave"},
 };
 constexpr Key in_terminal[] = {
     {"Enter", "Send the line"},
@@ -47,7 +48,8 @@ constexpr std::string_view rules[] = {
     "A jog key held for less than a quarter of a second moves one step; longer, the axis runs until you let "
     "go.",
     "Letting go, losing the window, changing the controller or Esc ends a held jog.",
-    "Tab and Shift Tab go from control to control, out of the program too; a cyan edge marks what moves metal, and by keyboard it "
+    "Tab and Shift Tab go from control to control, out of the program too; a cyan edge marks what moves "
+    "metal, and by keyboard it "
     "needs two presses within two seconds.",
     "While you type, the arrows move the caret and jog nothing. Esc stops everything all the same.",
     "Esc in an open list or dialog closes it and stops everything too; what it has stopped is said.",

@@ -48,6 +48,7 @@ bool TerminalLog::chosen(const TrafficLog::Row& row) const {
 void TerminalLog::draw(Ui& ui, TrafficLog& log, float height) {
   const bool looking = log.update_rows();
   if (looking) ui.wake_in(0);
+  if (!log.view().fold_polls) ui.wake_in(0.25);  // a poll wakes nobody, but here somebody looks at each
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
   ImGui::PushStyleColor(ImGuiCol_ChildBg, ui[Tone::well]);
   ImGui::BeginChild("terminal/log", ImVec2(0, height), false,

@@ -55,7 +55,7 @@ Link::~Link() {
 }
 
 void Link::join(Station& station) {
-  station.second_began_ = scheduler_.now();
+  station.count_began_ = scheduler_.now();
   stations_.push_back(&station);
 }
 

@@ -78,7 +78,7 @@ void Station::count(const Result<std::string>& result, bool question, bool poll,
   if (result && question) {
     statistics_.last_round_trip = round_trip;
     statistics_.misses_in_a_row = 0;
-    if (poll) ++polls_this_second_;
+    if (poll) ++polls_counted_;
   }
   count_polls(now);
 }
@@ -91,7 +91,7 @@ void Station::count_burst(bool done) {
 void Station::count_answer(Duration round_trip, bool poll, Instant now) {
   statistics_.last_round_trip = round_trip;
   statistics_.misses_in_a_row = 0;
-  if (poll) ++polls_this_second_;
+  if (poll) ++polls_counted_;
   count_polls(now);
 }
 
@@ -101,10 +101,11 @@ void Station::count_miss() {
 }
 
 void Station::count_polls(Instant now) {
-  if (now - second_began_ >= std::chrono::seconds(1)) {
-    statistics_.polls_per_second = polls_this_second_ / seconds(now - second_began_);
-    polls_this_second_ = 0;
-    second_began_ = now;
+  constexpr auto long_enough = std::chrono::seconds(2);  // that a round more or less makes little difference
+  if (now - count_began_ >= long_enough) {
+    statistics_.polls_per_second = polls_counted_ / seconds(now - count_began_);
+    polls_counted_ = 0;
+    count_began_ = now;
   }
 }
 

@@ -100,8 +100,8 @@ class Station {
   TrafficRing* traffic_;
   StationStatistics statistics_;
   Instant owes_until_{};
-  Instant second_began_{};
-  int polls_this_second_ = 0;
+  Instant count_began_{};
+  int polls_counted_ = 0;
   bool stopping_ = false;
 };
 

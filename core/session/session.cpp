@@ -216,7 +216,7 @@ Task<> Session::close() {
   if (bench_) bench_->changed = nullptr;
 }
 
-// It is counted anew once a second, and two counts of the same rate are not quite alike.
+// It is counted anew every two seconds, and two counts of the same rate are not quite alike.
 static bool same_rate(const LinkHealth& a, const LinkHealth& b) {
   const float x = a.polls_per_second, y = b.polls_per_second;
   return std::abs(x - y) <= 0.15f * std::max(x, y);

@@ -215,7 +215,8 @@ void CodeEditor::use_keys(Ui& ui, const EditorLook& look, const Metrics& m) {
   if (ctrl) {
     reveal_ |= use_control_keys(ui, look, shift);
   } else {
-    if (ImGui::IsKeyPressed(tab_key, true) && model_.has_selection() && may_edit) model_.indent(shift ? -1 : 1);
+    if (ImGui::IsKeyPressed(tab_key, true) && model_.has_selection() && may_edit)
+      model_.indent(shift ? -1 : 1);
     if ((pressed(ImGuiKey_Enter) || pressed(ImGuiKey_KeyPadEnter)) && may_edit) model_.insert("\n");
   }
   if (ImGui::IsKeyPressed(f3_key, true)) reveal_ |= find_.next(model_, !shift);

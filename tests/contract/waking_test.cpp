@@ -1,4 +1,5 @@
-// Whoever shows a controller is woken for what would look different, behind its publication, and for nothing else.
+// Whoever shows a controller is woken for what would look different, behind its publication, and for nothing
+// else.
 #include "tests/contract/rig.h"
 
 namespace hw {

@@ -50,11 +50,11 @@ class StandingTest : public testing::Test {
   void press(const char* id) {
     const ImVec2 where = stage.find(id)->rect.centre();
     stage.push(InputEvent::mouse_move(where.x, where.y, stage.now_s));
-    stage.push(InputEvent::mouse_button(0, true, stage.now_s));
+    stage.push(InputEvent::mouse_button(0, true, where, stage.now_s));
     stage.frames(2);
   }
   void let_go() {
-    stage.push(InputEvent::mouse_button(0, false, stage.now_s));
+    stage.push(InputEvent::mouse_button(0, false, stage.surface.screen().input().pointer(), stage.now_s));
     stage.frames(2);
   }
   void click(const char* id) {

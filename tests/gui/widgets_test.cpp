@@ -256,6 +256,7 @@ TEST(NumberField, ADoubleClickChoosesTheNumberWithItsSignAndDecimals) {
   options.width = 104;
   Stage stage(in_window([&](Ui& ui) { number_field(ui, "goto/1", "to", -1234.5, field, options); }));
   stage.frames(2);
+  ASSERT_TRUE(stage.hand.type("goto/1", "-1234,5"));
   const Rect r = stage.find("goto/1")->rect;
   for (const float x : {r.min.x + 30, r.min.x + 44, r.max.x - 38}) {
     stage.now_s += 2;
@@ -267,7 +268,6 @@ TEST(NumberField, ADoubleClickChoosesTheNumberWithItsSignAndDecimals) {
     ImGui::SetClipboardText("");
     ASSERT_TRUE(stage.hand.key("Ctrl+C"));
     EXPECT_EQ(std::string(ImGui::GetClipboardText()), field.text) << "at " << x - r.min.x;
-    EXPECT_NE(field.text.find("234.5"), std::string::npos);
     stage.push(InputEvent::mouse_button(0, true, ImVec2(r.max.x + 300, r.max.y + 300), stage.now_s));
     stage.push(InputEvent::mouse_button(0, false, ImVec2(r.max.x + 300, r.max.y + 300), stage.now_s));
     stage.frames(3);

@@ -373,9 +373,9 @@ TEST_F(HandsTest, AnotherControllersButtonUnderTheHandTakesNoPressAtOnce) {
   const ImVec2 at = s.stage.find("jog/1/+")->rect.centre();
   const auto click = [&] {
     s.stage.push(InputEvent::mouse_move(at.x, at.y, s.stage.now_s));
-    s.stage.push(InputEvent::mouse_button(0, true, s.stage.now_s));
+    s.stage.push(InputEvent::mouse_button(0, true, at, s.stage.now_s));
     s.stage.frames(2);
-    s.stage.push(InputEvent::mouse_button(0, false, s.stage.now_s));
+    s.stage.push(InputEvent::mouse_button(0, false, at, s.stage.now_s));
     s.stage.frames(2);
   };
   s.console.activate(*b.tab);

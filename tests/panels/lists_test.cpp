@@ -1,4 +1,5 @@
-// Every kind of open list: Esc closes it and stops everything, and says so; a click outside and choosing close it.
+// Every kind of open list: Esc closes it and stops everything, and says so; a click outside and choosing
+// close it.
 #include <gmock/gmock.h>
 
 #include "tests/panels/console_stage.h"

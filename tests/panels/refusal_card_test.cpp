@@ -91,9 +91,9 @@ TEST_F(RefusalCardTest, WhatItOffersTakesNoPressThatWasOnItsWayBefore) {
   example->sent.clear();
   MUST(s->hand.click("goto/X/go"));  // the card comes, and a second press comes with it
   s->stage.push(InputEvent::mouse_move(at.x, at.y, s->stage.now_s));
-  s->stage.push(InputEvent::mouse_button(0, true, s->stage.now_s));
+  s->stage.push(InputEvent::mouse_button(0, true, at, s->stage.now_s));
   s->stage.frames(2);
-  s->stage.push(InputEvent::mouse_button(0, false, s->stage.now_s));
+  s->stage.push(InputEvent::mouse_button(0, false, at, s->stage.now_s));
   s->stage.frames(2);
   ASSERT_TRUE(find("goto/X/nearest"));
   EXPECT_TRUE(find("goto/X/nearest")->not_taken);

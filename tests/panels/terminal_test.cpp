@@ -98,6 +98,14 @@ TEST_F(TerminalTest, LogSaysTheTrafficAndFilters) {
   EXPECT_EQ(s.value("terminal/log"), "");
 }
 
+TEST_F(TerminalTest, PollsThatAreShownAreDrawnWhileTheyComeAndFoldedOnesAreNot) {
+  s.stage.frames(4);
+  EXPECT_GT(s.stage.surface.screen().wake_in_s(), 10);
+  s.click("terminal/fold");
+  s.stage.frames(4);
+  EXPECT_LE(s.stage.surface.screen().wake_in_s(), 0.25);
+}
+
 TEST_F(TerminalTest, PollsFoldAndOpen) {
   for (int i = 0; i < 3; ++i) {
     wire(Way::sent, TrafficKind::poll, "X");
