@@ -11,6 +11,7 @@
 #include "gui/tab.h"
 #include "gui/units_format.h"
 #include "gui/widgets/text.h"
+#include "panels/path.h"
 
 namespace hw::panels {
 
@@ -116,9 +117,11 @@ bool DoubtWays::draw_field(Frame& f) {
     filled_ = field_.text;
     counted_ = counts;
   }
+  const bool several = !std::has_single_bit(doubtful_);
+  const Path label("{} stands at", f.catalog.axes[axis_.index].name);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   draw_text_line(f.ui, at.x, at.x + f.ui.px(field_label), at.y + f.ui.px(16), Face::body, f.ui[Tone::ink],
-                 "It stands at");
+                 several ? label.view() : "It stands at");
   ImGui::SetCursorScreenPos(ImVec2(at.x + f.ui.px(field_label), at.y));
   NumberOptions o;
   o.range.decimals = unit.real ? unit.decimals : 0;
