@@ -13,7 +13,7 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-constexpr float slider_height = 32, number_height = 26, number_width = 112;  // whatever it says
+constexpr float slider_height = 32, number_height = 26, speed_number_width = 112;  // whatever it says
 
 /// How fast the axes go where nobody asks for a speed.
 struct OwnSpeed {
@@ -159,9 +159,9 @@ void JogSpeed::draw_field(Frame& f, float width, float height) {
 void JogSpeed::draw_line(Frame& f, float width) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  draw_slider(f, width - number_width);
+  draw_slider(f, width - speed_number_width);
   const float down = ui.px((slider_height - number_height) / 2);
-  draw_number(f, ImVec2(at.x + ui.px(width - number_width + 4), at.y + down), number_width - 4,
+  draw_number(f, ImVec2(at.x + ui.px(width - speed_number_width + 4), at.y + down), speed_number_width - 4,
               number_height);
 }
 

@@ -68,20 +68,17 @@ Rect seen(const Widget& w) {
           ImVec2(std::min(w.rect.max.x, w.clip.max.x), std::min(w.rect.max.y, w.clip.max.y))};
 }
 
-bool in_daily_use(const Widget& w) {
-  return w.usable() && w.kind != Kind::editor && w.kind != Kind::link && w.kind != Kind::row;
-}
-
-/// What a card may not lie on, as the last frame has drawn it: what moves metal, Stops, and cards of rows
-/// above; rather nothing at all that is pressed or typed into every day.
+/// What a card may not lie on, as the last frame has drawn it: what moves metal, Stops, whatever else is
+/// pressed or typed into but an editor and rows of text, and the cards of rows above.
 class Taken {
  public:
   Taken(const Ui& ui, std::string_view own) : all_(ui.registry.widgets()), own_(own) {}
-  [[nodiscard]] bool leaves(const Rect& place, bool rather = false) const {
+  [[nodiscard]] bool leaves(const Rect& place) const {
     bool above = true;
     for (const Widget& w : all_) {
       above = above && w.id != own_;
-      const bool reached_for = w.moving || w.stops || (rather && in_daily_use(w));
+      const bool text = w.kind == Kind::editor || w.kind == Kind::link || w.kind == Kind::row;
+      const bool reached_for = w.moving || w.stops || (w.usable() && !text);
       const bool taken = w.card ? above : reached_for && !on_a_card(w);
       const Rect r = seen(w);
       if (taken && r.width() > 0 && r.height() > 0 && overlap(r, place)) return false;
@@ -98,33 +95,28 @@ class Taken {
   std::string_view own_;
 };
 
-/// Beside the row, over the centre where it stands in the left column; where that is taken further up or
-/// down, then further to the right.
+/// Beside a row of the left column, over the centre; where that is taken further up or down, then further to
+/// the right. What stands in the centre itself is too close together for a card.
 std::optional<Rect> free_place(const Ui& ui, const Taken& taken, const Rect& row, ImVec2 size) {
   const ImRect column = ImGui::GetCurrentWindow()->RootWindow->Rect();
-  const bool at_left = column.Min.x < 1 && column.Max.x + size.x <= ui.size_px.x;
   const float edge = ui.px(from_border), low = column.Min.y + edge, high = column.Max.y - edge - size.y;
-  const float beside = at_left ? row.centre().y - size.y / 2 : row.max.y + ui.px(4);
-  const float wanted = std::clamp(std::floor(beside), low, std::max(low, high)),
-              from = at_left ? column.Max.x : row.min.x;
-  const auto at = [&](float x, float at_most, bool rather) -> std::optional<Rect> {
-    for (float away = 0; away <= at_most; away += ui.px(4))
+  const float wanted = std::clamp(std::floor(row.centre().y - size.y / 2), low, std::max(low, high));
+  if (column.Min.x > 0) return {};
+  for (float x = column.Max.x; x + size.x <= ui.size_px.x; x += ui.px(24))
+    for (float away = 0; away <= column.GetHeight(); away += ui.px(4))
       for (const float y : {wanted - away, wanted + away}) {
         const Rect place{ImVec2(x, y), ImVec2(x + size.x, y + size.y)};
-        if (y >= low && y <= high && !overlap(place, row) && taken.leaves(place, rather)) return place;
+        if (y >= low && y <= high && taken.leaves(place)) return place;
       }
-    return {};
-  };
-  if (const auto place = at(from, ui.px(240), true)) return place;
-  for (float x = from; x + size.x <= ui.size_px.x; x += ui.px(24))
-    if (const auto place = at(x, column.GetHeight(), false)) return place;
   return {};
 }
 
-/// Over the status line, which says no more than the card does.
+/// Over the sentence of the status line, which says no more than the card does.
 Rect bar_place(const Ui& ui) {
-  if (const Widget* status = ui.registry.find("status/text")) return status->rect;
-  return {ImVec2(0, ui.size_px.y - ui.px(32)), ui.size_px};
+  const Widget* status = ui.registry.find("status/text");
+  Rect place = status ? status->rect : Rect{ImVec2(0, ui.size_px.y - ui.px(32)), ui.size_px};
+  if (const Widget* button = ui.registry.find("status/unsaved")) place.max.x = button->rect.min.x;
+  return place;
 }
 
 void begin_window(Ui& ui, std::string_view id, const Rect& place) {

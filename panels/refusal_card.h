@@ -1,18 +1,15 @@
 #pragma once
-// What was refused, beside the row that asked for it: the words, what may be done instead, a cross. It lies
-// over the centre at the left column's border and pushes nothing; it never lies over what moves metal, nor
-// over a Stop. In a narrow window, or where no such place is free, it is a bar over the status line.
+// What was refused, beside the row of the left column that asked for it: the words, what may be done instead,
+// a cross. It lies over the centre at the column's border and pushes nothing; it lies over nothing that a
+// hand reaches for. Where no such place is free, in a narrow window, and for what stands in the centre
+// itself, it is a bar over the status line.
 //
-// How a panel uses it: one RefusalCard for each row, kept by the panel; drawn in each frame in which it
-// stands.
+// How a panel uses it: a RefusalCard for each row, kept by the panel, drawn in each frame in which it stands.
 //
-//     const gui::Action actions[] = {
-//         {.id = Path("goto/{}/home", name), .label = "Home", .disabled = f.tab.why_not_move(), .moving =
-//         true},
-//         {.id = Path("goto/{}/once", name), .label = "Go on for this once", .moving = true}};
-//     Refusal refusal{.id = Path("goto/{}/refused", name), .about = Path("Go, {}", name), .words =
-//     row.refused,
-//                     .actions = actions};
+//     const Path home("goto/{}/home", name), once("goto/{}/once", name);   // they must outlive the calls
+//     const gui::Action actions[] = {{.id = home, .label = "Home", .disabled = why, .moving = true},
+//                                    {.id = once, .label = "Go on for this once", .moving = true}};
+//     Refusal refusal{.id = id, .about = "Go, X", .words = row.refused, .actions = actions};
 //     refusal.slot_width = 200;                    // only with a field or the like of the panel's own
 //     card.begin(f, refusal, row_rect);            // row_rect: pixels, of the row that it is about
 //     number_field(...);                           // only with a slot: at the cursor, 32 high
@@ -20,8 +17,8 @@
 //     if (done.action == 0) ...                    // the index in `actions`
 //     if (done.closed) row.refused.clear();        // its cross
 //
-// (A Path must outlive the call: give it a name first.) The words have the id, the cross `<id>/close`. An
-// action that moves waits as every moving button does: a card has only just come where it opens.
+// The words have the id, the cross `<id>/close`. An action that moves waits as every moving button does: a
+// card has only just come where it opens.
 #include <span>
 #include <string_view>
 
