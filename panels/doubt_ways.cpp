@@ -97,8 +97,7 @@ IntentId DoubtWays::draw(Frame& f, std::string_view prefix, std::string_view abo
                   .label = offers_[i].label,
                   .disabled = why_not(f, offers_[i].way),
                   .moving = offers_[i].way != set};
-  Refusal refusal{
-      .id = refused_id_, .about = about, .words = words_, .actions = {actions.data(), offered_}};
+  Refusal refusal{.id = refused_id_, .about = about, .words = words_, .actions = {actions.data(), offered_}};
   refusal.slot_width = field_label + field_width;
   card_.begin(f, refusal, row);
   const bool entered = draw_field(f);

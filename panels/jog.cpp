@@ -97,7 +97,9 @@ void Jog::draw_reason(Frame& f, const Rect& place) {
   Ui& ui = f.ui;
   const std::string_view flaw = speed_.flaw();
   const std::uint32_t off = flaw.empty() && f.tab.why_not_move().empty() ? powerless_axes(f) : 0;
-  const std::string_view why = !flaw.empty() ? flaw : off != 0 ? powerless_words(f, off) : f.tab.why_not_move();
+  const std::string_view why = !flaw.empty() ? flaw
+                               : off != 0    ? powerless_words(f, off)
+                                             : f.tab.why_not_move();
   const bool unit_said = f.tier == Tier::narrow || steps_unit_.name.empty();  // it stands beside it
   const Path hint("Hold a button to move. A tap moves the chosen step{}{}.", unit_said ? "" : ", in ",
                   unit_said ? std::string_view() : std::string_view(steps_unit_.name));

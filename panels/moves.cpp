@@ -60,7 +60,8 @@ void Moves::follow(Frame& f) {
   const IntentFate* fate = f.now.fate_of(started_);
   if (!fate || fate->fate == Fate::pending) return;
   started_ = 0;
-  if (fate->fate != Fate::done && !doubt_.hear(f, *fate)) f.toast(Mood::fault, std::string(fate->sentence.view()));
+  if (fate->fate != Fate::done && !doubt_.hear(f, *fate))
+    f.toast(Mood::fault, std::string(fate->sentence.view()));
 }
 
 // ---- toolbar

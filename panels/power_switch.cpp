@@ -26,8 +26,7 @@ std::uint32_t powerless_axes(const Frame& f) {
 std::string_view powerless_words(const Frame& f, std::uint32_t axes) {
   if (axes == 0) return {};
   if (std::popcount(axes) > 1) return "Motor power is off. Switch on:";
-  const std::string_view why =
-      f.tab.why_not_move(AxisId{static_cast<std::uint8_t>(std::countr_zero(axes))});
+  const std::string_view why = f.tab.why_not_move(AxisId{static_cast<std::uint8_t>(std::countr_zero(axes))});
   return why.substr(0, why.find(". ") + 1);  // what to do stands beside it
 }
 

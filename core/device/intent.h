@@ -31,7 +31,7 @@ enum class Closing : std::uint8_t {
 
 struct MoveTo {
   std::vector<AxisTarget>
-      targets;  ///< absolute; several axes: together where the controller can, else in order
+      targets;                 ///< absolute; several axes: together where the controller can, else in order
   Pps speed;                   ///< 0: as the controller is set
   bool despite_doubt = false;  ///< this once, although a position is not to be trusted; see PositionTrust
   explicit MoveTo(std::vector<AxisTarget> t, Pps s = {}) : targets(std::move(t)), speed(s) {}
@@ -206,13 +206,15 @@ struct ReadAgain {};  ///< read the whole state afresh (after a doubt)
 
 }  // namespace intent
 
-using IntentBody = std::variant<
-    intent::MoveTo, intent::MoveBy, intent::JogStart, intent::JogKeepAlive, intent::JogStop, intent::Home,
-    intent::Stop, intent::Abort, intent::SetPosition, intent::TrustPosition, intent::SetEncoder, intent::SetPower,
-    intent::SetOutput,    intent::SetParam, intent::ReadParams, intent::ReadAnalog, intent::Store, intent::SelectProgram,
-    intent::LoadProgram, intent::UploadProgram, intent::ClearProgram, intent::RunProgram, intent::Pause,
-    intent::Resume, intent::SingleStep, intent::HaltProgram, intent::Act, intent::SetVariable, intent::Watch,
-    intent::Sample, intent::FeedMoves, intent::SendText, intent::Reset, intent::Reconnect, intent::ReadAgain>;
+using IntentBody =
+    std::variant<intent::MoveTo, intent::MoveBy, intent::JogStart, intent::JogKeepAlive, intent::JogStop,
+                 intent::Home, intent::Stop, intent::Abort, intent::SetPosition, intent::TrustPosition,
+                 intent::SetEncoder, intent::SetPower, intent::SetOutput, intent::SetParam,
+                 intent::ReadParams, intent::ReadAnalog, intent::Store, intent::SelectProgram,
+                 intent::LoadProgram, intent::UploadProgram, intent::ClearProgram, intent::RunProgram,
+                 intent::Pause, intent::Resume, intent::SingleStep, intent::HaltProgram, intent::Act,
+                 intent::SetVariable, intent::Watch, intent::Sample, intent::FeedMoves, intent::SendText,
+                 intent::Reset, intent::Reconnect, intent::ReadAgain>;
 
 /// Of an intent that may close a servo loop; null: of no other.
 inline intent::Closing* closing_of(IntentBody& body) {

@@ -190,10 +190,9 @@ bool powerless(const Catalog& catalog, const Snapshot& now, AxisId axis) {
 Result<> has_power(const Catalog& catalog, const Snapshot& now, const IntentBody& body) {
   for (const AxisId axis : axes_moved_by(body))
     if (axis.index < catalog.axes.size() && powerless(catalog, now, axis))
-      return fail(FaultKind::refused,
-                  fmt::format("The motor power of {} is off.", spoken_name(catalog, axis.index)),
-                  "Nothing was sent.",
-                  fmt::format("Switch it on first: {}.", catalog.axes[axis.index].switch_on));
+      return fail(
+          FaultKind::refused, fmt::format("The motor power of {} is off.", spoken_name(catalog, axis.index)),
+          "Nothing was sent.", fmt::format("Switch it on first: {}.", catalog.axes[axis.index].switch_on));
   return {};
 }
 

@@ -29,7 +29,7 @@ std::uint32_t doubtful_axes(const Catalog& catalog, const Snapshot& now, const I
 /// How a sentence writes a place and a time.
 struct DoubtWords {
   std::function<std::string(AxisId, Steps)> position;
-  std::function<std::string(Instant)> time_of_day;  ///< empty: there is no clock
+  std::function<std::string(Instant)> time_of_day;      ///< empty: there is no clock
   [[nodiscard]] std::string when(Instant since) const;  ///< " (12:31:07)"
 };
 /// In the controller's own steps, without a clock.
@@ -38,7 +38,7 @@ DoubtWords words_in_steps(const Catalog& catalog, const Snapshot& now);
 std::string say_doubtful(const Catalog& catalog, const Snapshot& now, const IntentBody& body,
                          std::uint32_t doubtful, const DoubtWords& words);
 std::string_view words_of(Doubt cause, bool several = false);  ///< "its power was cut", "their ..."
-std::string_view brief_words_of(Doubt cause);                   ///< "power was cut"
+std::string_view brief_words_of(Doubt cause);                  ///< "power was cut"
 
 /// It is to be done this once, whatever is doubtful.
 void go_despite_doubt(IntentBody& body);

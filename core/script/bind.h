@@ -12,7 +12,7 @@ void bind_hw(lua_State* L);          ///< `hw`, `print`
 void bind_controller(lua_State* L);  ///< methods of what hw.open() gives
 std::span<const Function> motion_methods(), text_methods(), status_methods(), setup_methods(),
     program_methods(), trust_methods();  ///< of them, by subject
-void bind_bench(lua_State* L);  ///< methods of its `bench`
+void bind_bench(lua_State* L);           ///< methods of its `bench`
 
 inline constexpr const char *controller_type = "controller", *bench_type = "bench";
 // Metamethods of both.

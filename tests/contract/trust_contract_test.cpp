@@ -1,5 +1,5 @@
-// What every controller does with an axis of which it is known that it may stand elsewhere than it counts, and
-// with one whose motor has no current.
+// What every controller does with an axis of which it is known that it may stand elsewhere than it counts,
+// and with one whose motor has no current.
 #include "tests/contract/rig.h"
 
 namespace hw {
@@ -18,8 +18,8 @@ class TrustContract : public ContractTest {
     ASSERT_TRUE(becomes_idle(seconds(60)));
     perform(intent::Stop());  // which keeps nothing back afterwards
     operate(bench::PowerCycle());
-    ASSERT_TRUE(run_until(
-        [this] { return now().link.state == LinkState::good && now().restarts == 1; }, seconds(60)));
+    ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::good && now().restarts == 1; },
+                          seconds(60)));
     run(seconds(2));
     switch_on();
     ASSERT_TRUE(axis().trust.doubtful());
@@ -44,8 +44,9 @@ TEST_P(TrustContract, AfterAPowerCycleNothingGoesToAPlaceByItsCount) {
   EXPECT_EQ(refused.doubtful, 1u);
   EXPECT_THAT(std::string(refused.sentence.view()),
               AllOf(StartsWith("The position of "), HasSubstr(" is not to be trusted: its power was cut"),
-                    HasSubstr(". 240 "), HasSubstr(" may lie elsewhere than before. Nothing was sent. Home it, "
-                                                   "say where it stands, or go on for this once.")));
+                    HasSubstr(". 240 "),
+                    HasSubstr(" may lie elsewhere than before. Nothing was sent. Home it, "
+                              "say where it stands, or go on for this once.")));
   EXPECT_EQ(load(), stood);
   EXPECT_EQ(axis().position, Steps(0));
 }

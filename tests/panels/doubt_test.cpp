@@ -1,5 +1,5 @@
-// A position that is not to be trusted, and a motor without power: what a hand is told, and the ways out beside
-// it.
+// A position that is not to be trusted, and a motor without power: what a hand is told, and the ways out
+// beside it.
 #include <gtest/gtest.h>
 
 #include "tests/panels/console_stage.h"
@@ -57,9 +57,11 @@ TEST_F(DoubtTest, TheRefusalSpeaksTheConsolesUnitsAndClock) {
   s.run(0.1);
   refuse(1);
   const std::string words = s.value("goto/1/refused");
-  EXPECT_TRUE(words.starts_with("The position of motor 1 is not to be trusted: its power was cut (")) << words;
-  EXPECT_TRUE(words.ends_with("). 240.000 mm may lie elsewhere than before. Nothing was sent. Home it, say "
-                              "where it stands, or go on for this once."))
+  EXPECT_TRUE(words.starts_with("The position of motor 1 is not to be trusted: its power was cut ("))
+      << words;
+  EXPECT_TRUE(
+      words.ends_with("). 240.000 mm may lie elsewhere than before. Nothing was sent. Home it, say "
+                      "where it stands, or go on for this once."))
       << words;
   EXPECT_EQ(s.value("goto/1/stands_at"), "0.000") << "as it counts";
 }

@@ -552,8 +552,7 @@ TEST_F(Vme58Driver4s4, ItsStepAxesHaveNoEncoderAndNoGains) {
 // KL ends the pulses; a step motor goes on by its mass, a servo motor's encoder counts that.
 TEST_F(Vme58Driver4s4, KilledAtSpeedAStepAxisMayStandElsewhere) {
   const auto kill_at = [this](double speed) {
-    for (const std::uint8_t i : {0, 4})
-      perform(intent::JogStart(AxisId{i}, Sign::plus, Pps{speed}, false));
+    for (const std::uint8_t i : {0, 4}) perform(intent::JogStart(AxisId{i}, Sign::plus, Pps{speed}, false));
     run(Millis(500));
     EXPECT_EQ(perform(intent::Abort()).fate, Fate::done);
     ASSERT_TRUE(becomes_idle());

@@ -1,7 +1,8 @@
 // What goes to a place by the count of an axis, and the words of its refusal.
+#include "core/device/refusals.h"
+
 #include <gtest/gtest.h>
 
-#include "core/device/refusals.h"
 #include "core/device/registry.h"
 
 namespace hw {
@@ -59,9 +60,9 @@ TEST(Refusals, SoAreTheActionsThatGoToPlaces) {
 TEST(Refusals, OnceGoesWithEveryOneOfThem) {
   const Catalog pmx = catalog_of("pmx-4ex-sa");
   const Snapshot now = doubtful({0, 1});
-  for (IntentBody body : {IntentBody(intent::MoveTo({to(0, 5)})), IntentBody(act(pmx, "circle", {0, 0, 1})),
-                          IntentBody(intent::FeedMoves({{1, 2, 3, 1000}})),
-                          IntentBody(intent::RunProgram(0, {to(0, 0)}))}) {
+  for (IntentBody body :
+       {IntentBody(intent::MoveTo({to(0, 5)})), IntentBody(act(pmx, "circle", {0, 0, 1})),
+        IntentBody(intent::FeedMoves({{1, 2, 3, 1000}})), IntentBody(intent::RunProgram(0, {to(0, 0)}))}) {
     EXPECT_NE(doubtful_axes(pmx, now, body), 0u);
     go_despite_doubt(body);
     EXPECT_EQ(doubtful_axes(pmx, now, body), 0u);
@@ -84,8 +85,7 @@ TEST(Refusals, TheSentenceNamesAxisCauseAndPlace) {
             "The positions of motor 1 and motor 2 are not to be trusted: their power was cut. Where they are "
             "sent may lie elsewhere than before. Nothing was sent. Home them, say where they stand, or go on "
             "for this once.");
-  const DoubtWords clock{[](AxisId, Steps) { return "240.000 mm"; },
-                         [](Instant) { return "12:31:07"; }};
+  const DoubtWords clock{[](AxisId, Steps) { return "240.000 mm"; }, [](Instant) { return "12:31:07"; }};
   EXPECT_EQ(say_doubtful(vxm, now, one, 1, clock),
             "The position of motor 1 is not to be trusted: its power was cut (12:31:07). 240.000 mm may lie "
             "elsewhere than before. Nothing was sent. Home it, say where it stands, or go on for this once.");
