@@ -110,7 +110,7 @@ struct BenchView {
   std::uint32_t outputs = 0;
   std::array<std::int32_t, 8> analog{};
   std::array<Steps, max_axes> load_position{};
-  std::array<SwitchPlaces, max_axes> switches{};  ///< by axis
+  std::array<SwitchPlaces, max_axes> switches{};    ///< by axis
   std::uint32_t limits_minus = 0, limits_plus = 0;  ///< bit per axis: switch operated, by travel or hand
   std::uint32_t limits_minus_by_hand = 0, limits_plus_by_hand = 0;
   std::uint32_t homes_by_hand = 0;

@@ -14,14 +14,13 @@
 namespace hw {
 
 struct AxisInfo {
-  std::string name;            ///< the maker's: "1", "X"
-  std::string description;     ///< "motor 1"
-  bool switchable = false;     ///< its motor current can be switched: intent::SetPower
-  bool encoder = false;        ///< has a counter of its own that can be set: intent::SetEncoder
-  bool home_input = false;     ///< tells whether it stands on its home switch: AxisState::home
-  bool alarm_input = false;    ///< of its motor's driver: AxisState::alarm
-  std::string switch_on = {};  ///< the maker's command that switches its current on: "EO1=1"
-  bool servo = false;          ///< its position is its encoder's: AxisState::loop, AxisState::command
+  std::string name;          ///< the maker's: "1", "X"
+  std::string description;   ///< "motor 1"
+  bool switchable = false;   ///< its motor current can be switched: intent::SetPower
+  bool encoder = false;      ///< has a counter of its own that can be set: intent::SetEncoder
+  bool home_input = false;   ///< tells whether it stands on its home switch: AxisState::home
+  bool alarm_input = false;  ///< of its motor's driver: AxisState::alarm
+  bool servo = false;        ///< its position is its encoder's: AxisState::loop, AxisState::command
 };
 
 /// A ready-made conversion from steps to a real unit (lead screws, rotary tables).

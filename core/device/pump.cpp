@@ -190,15 +190,10 @@ Task<> Pump::serve() {
       co_await wake_.wait_until(next_poll_);
       continue;
     }
-    co_await round();
+    ++rounds_begun_;
+    auto polled = co_await driver_->poll();
+    poll_finished(polled);
   }
-}
-
-/// Of status.
-Task<> Pump::round() {
-  ++rounds_begun_;
-  auto polled = co_await driver_->poll();
-  poll_finished(polled);
 }
 
 void Pump::poll_finished(const Result<>& result) {

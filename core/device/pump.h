@@ -68,9 +68,7 @@ class Pump {
 
   Task<> live();
   Task<> serve();
-  Task<> round();
   Task<> perform_next();
-  Task<std::string> why_refused(const Intent& intent, std::uint32_t& doubtful);
   Result<> trust_position(AxisId axis);
   Task<Result<>> stop_as_asked(const IntentBody& body);
   // These two run beside live(); whoever starts one counts it in stops_under_way_ first.

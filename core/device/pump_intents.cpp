@@ -215,22 +215,6 @@ void Pump::tell_fault(IntentId id, const Fault& fault, std::uint32_t doubtful) {
   set_fate(told);
 }
 
-/// What no driver is asked for: see refusals.h. Empty: it may go to its driver. A text, a program or another
-/// host may have switched a motor on since the last round, so that is looked at again.
-Task<std::string> Pump::why_refused(const Intent& intent, std::uint32_t& doubtful) {
-  auto powered = has_power(catalog_, draft_, intent.body);
-  if (!powered) {
-    const std::uint64_t stops_before = stops_begun_;
-    co_await round();
-    if (stops_begun_ != stops_before) co_return std::string(stopped_first);
-    if (!connected()) co_return std::string();  // it will say so
-    powered = has_power(catalog_, draft_, intent.body);
-  }
-  if (!powered) co_return powered.error().sentence();
-  doubtful = doubtful_axes(catalog_, draft_, intent.body);
-  co_return say_doubtful(catalog_, draft_, intent.body, doubtful, words_in_steps(catalog_, draft_));
-}
-
 Result<> Pump::trust_position(AxisId axis) {
   if (axis.index >= catalog_.axes.size())
     return fail(FaultKind::refused, fmt::format("There is no axis {}.", axis.index + 1));
@@ -263,12 +247,13 @@ Task<> Pump::perform_next() {
     co_return;
   }
   Result<> performed;
-  std::uint32_t doubtful = 0;
+  // What no driver is asked for: see refusals.h.
+  const std::uint32_t doubtful = doubtful_axes(catalog_, draft_, job->intent.body);
   const std::uint64_t stops_before = stops_begun_;
   try {
-    const std::string refused = co_await why_refused(job->intent, doubtful);
-    if (!refused.empty())
-      performed = fail(FaultKind::refused, refused);
+    if (doubtful != 0)
+      performed = fail(FaultKind::refused, say_doubtful(catalog_, draft_, job->intent.body, doubtful,
+                                                        words_in_steps(catalog_, draft_)));
     else if (const auto* wish = std::get_if<intent::TrustPosition>(&job->intent.body))
       performed = trust_position(wish->axis);
     else

@@ -38,19 +38,6 @@ bool goes_despite_doubt(const Wish& wish) {
   return false;
 }
 
-/// Those that it would move by themselves, wherever they are sent.
-std::vector<AxisId> axes_moved_by(const IntentBody& body) {
-  std::vector<AxisId> axes;
-  const auto add = [&axes](const std::vector<AxisTarget>& all) {
-    for (const AxisTarget& one : all) axes.push_back(one.axis);
-  };
-  if (const auto* i = std::get_if<intent::MoveTo>(&body)) add(i->targets);
-  if (const auto* i = std::get_if<intent::MoveBy>(&body)) add(i->distances);
-  if (const auto* i = std::get_if<intent::JogStart>(&body)) axes.push_back(i->axis);
-  if (const auto* i = std::get_if<intent::Home>(&body)) axes.push_back(i->axis);
-  return axes;
-}
-
 }  // namespace
 
 std::string spoken_name(const Catalog& catalog, int axis) {
@@ -185,15 +172,6 @@ IntentBody stands_at(const Snapshot& now, AxisId axis, Steps place) {
 
 bool powerless(const Catalog& catalog, const Snapshot& now, AxisId axis) {
   return catalog.axes[axis.index].switchable && !now.axes[axis.index].enabled;
-}
-
-Result<> has_power(const Catalog& catalog, const Snapshot& now, const IntentBody& body) {
-  for (const AxisId axis : axes_moved_by(body))
-    if (axis.index < catalog.axes.size() && powerless(catalog, now, axis))
-      return fail(
-          FaultKind::refused, fmt::format("The motor power of {} is off.", spoken_name(catalog, axis.index)),
-          "Nothing was sent.", fmt::format("Switch it on first: {}.", catalog.axes[axis.index].switch_on));
-  return {};
 }
 
 }  // namespace hw

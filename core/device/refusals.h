@@ -1,6 +1,7 @@
 #pragma once
 // What the pump refuses on any controller, before its driver is asked: to go to a place by a count that is
-// not to be trusted, and to move an axis whose motor has no current.
+// not to be trusted. And what the console itself does not ask for: to move an axis whose motor has no
+// current. (A controller counts such a move all the same, and programs elsewhere rely on that.)
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -48,8 +49,7 @@ IntentBody stands_at(const Snapshot& now, AxisId axis, Steps place);
 
 // ---- the current
 
+/// Its motor is switched off: the console offers the switch before anything else.
 [[nodiscard]] bool powerless(const Catalog& catalog, const Snapshot& now, AxisId axis);
-/// Whether the axes that it would move have current.
-Result<> has_power(const Catalog& catalog, const Snapshot& now, const IntentBody& body);
 
 }  // namespace hw

@@ -24,8 +24,6 @@ class BusContract : public testing::TestWithParam<const DeviceType*> {
     ASSERT_TRUE(
         run_until([this] { return all([](const Snapshot& s) { return s.link.state == LinkState::good; }); },
                   std::chrono::seconds(60)));
-    for (const auto& member : bus->members())  // the motors have no current after power-up
-      if (member->catalog().axes[0].switchable) member->send(intent::SetPower(-1, true));
     time.run_for(std::chrono::seconds(2));
   }
   void TearDown() override {

@@ -39,7 +39,6 @@ class ContractTest : public testing::TestWithParam<const DeviceType*> {
     ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::good; }, std::chrono::seconds(10)))
         << now().link.sentence.view();
     run(std::chrono::seconds(2));
-    switch_on();
   }
   void TearDown() override {
     if (!session) return;
@@ -69,14 +68,6 @@ class ContractTest : public testing::TestWithParam<const DeviceType*> {
     run_until([&] { return now().fate_of(id) && now().fate_of(id)->fate != Fate::pending; }, patience);
     const IntentFate* fate = now().fate_of(id);
     return fate ? *fate : IntentFate{};
-  }
-  /// The motors whose current can be switched: some have none after power-up.
-  void switch_on() {
-    for (std::size_t i = 0; i < session->catalog().axes.size(); ++i) {
-      if (!session->catalog().axes[i].switchable) continue;
-      EXPECT_EQ(perform(intent::SetPower(static_cast<int>(i), true)).fate, Fate::done);
-    }
-    run(std::chrono::seconds(1));
   }
   bool becomes_idle(Duration patience) {
     run(Millis(300));

@@ -1,5 +1,4 @@
-// What every controller does with an axis of which it is known that it may stand elsewhere than it counts,
-// and with one whose motor has no current.
+// What every controller does with an axis of which it is known that it may stand elsewhere than it counts.
 #include "tests/contract/rig.h"
 
 namespace hw {
@@ -21,7 +20,6 @@ class TrustContract : public ContractTest {
     ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::good && now().restarts == 1; },
                           seconds(60)));
     run(seconds(2));
-    switch_on();
     ASSERT_TRUE(axis().trust.doubtful());
   }
   IntentFate go_to(std::int64_t place, bool despite_doubt = false) {
@@ -77,7 +75,8 @@ TEST_P(TrustContract, OnTheUsersWordItIsTrustedAsItReads) {
   session->traffic().drain([](const TrafficEntry&) {});
   EXPECT_EQ(perform(intent::TrustPosition(AxisId{0})).fate, Fate::done);
   session->traffic().drain([](const TrafficEntry& e) {
-    EXPECT_TRUE(e.way == Way::received || e.kind == TrafficKind::poll) << "nothing is sent for it: " << e.bytes;
+    EXPECT_TRUE(e.way == Way::received || e.kind == TrafficKind::poll)
+        << "nothing is sent for it: " << e.bytes;
   });
   EXPECT_EQ(axis().trust.kind, Trust::set);
   EXPECT_EQ(go_to(240).fate, Fate::done);
@@ -110,30 +109,6 @@ TEST_P(TrustContract, ItsHomeMakesItTrustedWhereThatSetsTheCount) {
 TEST_P(TrustContract, AFreshConnectionCounts) {
   EXPECT_EQ(axis().trust.kind, Trust::counted);
   EXPECT_EQ(go_to(240).fate, Fate::done);
-}
-
-TEST_P(TrustContract, AnAxisWithoutCurrentIsNotMoved) {
-  const AxisInfo& info = session->catalog().axes[0];
-  if (!info.switchable) return;
-  ASSERT_FALSE(info.switch_on.empty());
-  ASSERT_EQ(perform(intent::SetPower(0, false)).fate, Fate::done);
-  const std::vector<IntentBody> moves = {
-      intent::MoveTo({{AxisId{0}, Steps(100)}}), intent::MoveBy({{AxisId{0}, Steps(100)}}),
-      intent::JogStart(AxisId{0}, Sign::plus), intent::Home(AxisId{0}, Sign::minus)};
-  for (const IntentBody& move : moves) {
-    const IntentFate refused = perform(move);
-    EXPECT_EQ(refused.fate, Fate::refused) << move.index();
-    EXPECT_EQ(refused.doubtful, 0u);
-    EXPECT_THAT(std::string(refused.sentence.view()),
-                AllOf(StartsWith("The motor power of "), HasSubstr(" is off. Nothing was sent."),
-                      HasSubstr("Switch it on first: " + info.switch_on + ".")));
-  }
-  EXPECT_EQ(axis().position, Steps(0));
-  EXPECT_EQ(perform(intent::SendText(info.switch_on)).fate, Fate::done) << "the words of the sentence";
-  run(seconds(2));
-  EXPECT_TRUE(axis().enabled);
-  EXPECT_EQ(go_to(100).fate, Fate::done);
-  EXPECT_EQ(axis().position, Steps(100));
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 -- Thirty devices on a slow line: a wait asks all of them at once, not one after the other.
 local c = assert(hw.open("dmx-k-sa@emulator,id=01-30,wire=real"))
-for i = 1, 30 do assert(c.devices[string.format("%02d", i)]:query("EO=1") == "OK") end
 local goals = {}
 for i = 1, 30 do goals[string.format("%02d", i)] = 100 * i end
 hw.check(c:move_to(goals))

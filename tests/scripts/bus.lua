@@ -1,7 +1,6 @@
 -- Four motors on one line: each is a controller like any other, and the bus takes their ids as axes.
 local c = assert(hw.open("dmx-k-sa@emulator,id=01-04"))
 local ids = {"01", "02", "03", "04"}
-for _, id in ipairs(ids) do assert(c.devices[id]:query("EO=1") == "OK") end
 for _, id in ipairs(ids) do
   hw.check(c.devices[id], "device " .. id)
   hw.check(c:position(id) == 0, "position of " .. id)

@@ -2,7 +2,6 @@
 local unsent = 0
 for bytes = 4, 60, 4 do
   local c = assert(hw.open("pmx-4ex-sa@emulator"))
-  assert(c:query("EO=15") == "OK")
   assert(c:move_by {X = 200000})
   hw.sleep(1)
   c.bench:drop(bytes)

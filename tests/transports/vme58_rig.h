@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include "core/device/bus_target.h"
-#include "core/devices/vme58/facts.h"
 #include "core/session/session.h"
 #include "core/time/virtual_scheduler.h"
 #include "transports/serve.h"
@@ -68,16 +67,6 @@ class Vme58Rig : public testing::Test {
   void poke(std::uint8_t bytes, std::uint16_t offset, std::uint32_t value) {
     auto& emulator = const_cast<Emulator&>(host->bench()->emulator());
     bus_cycle(*emulator.bus(), true, bytes, offset, value);
-  }
-  /// Another program at the board, of which the console hears nothing.
-  void stranger_says(std::string_view text) {
-    std::uint32_t put = peek(2, vme58::at::output_put_index);
-    for (const char c : text) {
-      poke(2, static_cast<std::uint16_t>(vme58::at::output_buffer + 2 * put), static_cast<unsigned char>(c));
-      put = (put + 1) % vme58::ring_cells;
-    }
-    poke(2, vme58::at::output_put_index, put);
-    run(Millis(100));
   }
   void operate(BenchCommand command) {
     auto done = host->bench()->operate(command);

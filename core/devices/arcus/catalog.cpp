@@ -63,8 +63,7 @@ Catalog common_catalog(const Model& model, const Wording& wording) {
   c.loop_word = "counts";
   for (int axis = 0; axis < model.axes(); ++axis)
     c.axes.push_back({axis_letter(model, axis), fmt::format("axis {}", axis_letter(model, axis)), true, true,
-                      true, model.status.alarm != no_bit,
-                      model.axes() > 1 ? fmt::format("EO{}=1", axis + 1) : std::string("EO=1")});
+                      true, model.status.alarm != no_bit});
   c.homing_modes = {{"home", "onto the home switch, high speed"},
                     {"limit", "to the limit switch"},
                     {"home-index", "home switch, then encoder index"},

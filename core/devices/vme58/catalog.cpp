@@ -45,7 +45,6 @@ std::vector<AxisInfo> axes(const Variant& variant) {
     axis.description =
         fmt::format("{} axis {}", fitting.kind == AxisKind::servo ? "servo" : "step", axis.name);
     axis.switchable = axis.servo = fitting.kind == AxisKind::servo;
-    if (axis.switchable) axis.switch_on = fmt::format("A{} HN", axis.name);
     axis.home_input = true;
     all.push_back(std::move(axis));
   }

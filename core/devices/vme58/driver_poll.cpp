@@ -19,7 +19,7 @@ constexpr Duration copy_time = std::chrono::microseconds(1000);   // decision M2
 constexpr Duration sample_pause = std::chrono::microseconds(50);  // between two rounds of a recording
 constexpr Duration copy_look = std::chrono::microseconds(300);
 constexpr Duration update_patience = Millis(50);
-constexpr int live_values = 3;               // encoder, position, velocity stand first
+constexpr int live_values = 3;  // encoder, position, velocity stand first
 
 }  // namespace
 

@@ -22,16 +22,7 @@ class DriverTest : public test::DriverStage {
     catalog = type->make_catalog({}).value();
     open();
   }
-  void open() {
-    DriverStage::open(*type);
-    if (latest.link.state == LinkState::good) switch_on();
-  }
-  /// The motors: they have no current after power-up.
-  void switch_on() {
-    ASSERT_EQ(perform(intent::SetPower(-1, true)), "");
-    run(0.3);
-    (void)sent();
-  }
+  void open() { DriverStage::open(*type); }
   bool idle() override { return DriverStage::idle() && latest.program.run != RunState::running; }
   std::string act(std::string_view id, std::vector<std::int64_t> values) {
     return perform(intent::Act(catalog.find_action(id), std::move(values)));

@@ -42,7 +42,6 @@ TEST_F(StopAtAnyTime, AHomingThatWasStoppedLiftsNoDoubt) {
   ASSERT_TRUE(loop->operate(bench::PowerCycle()));
   run(25);
   ASSERT_TRUE(latest.axes[0].trust.doubtful());
-  switch_on();
   int stopped = 0;
   for (int ms = 2; ms < 260; ms += 4) {
     stopped += stopped_after(intent::Home(AxisId{0}, Sign::plus, 0), ms) ? 1 : 0;
