@@ -1,7 +1,7 @@
 -- What is chosen and asked for a bus is chosen and asked for all of it: step, name, and before it is closed.
 local c = assert(hw.open("dmx-k-sa@emulator,id=01-04"))
 hw.sleep(1)
-for i = 1, 4 do c.devices["0" .. i]:set("EO", 1) end
+for i = 1, 4 do c.devices["0" .. i]:send("EO=1") end
 hw.sleep(1)
 
 -- the step that is lit is the one that a tap in any row moves
