@@ -199,6 +199,61 @@ class Managed(Window):
                 self.wait_until(lambda: self.wire.first_motor()[-1] > stopped + 400, "a new press does", 5)
                 self.xdo("keyup", "Right")
 
+    def leave_the_field(self):
+        """The keys jog again."""
+        self.xdo("mousemove", WIDTH // 2, 25, "click", 1)
+        time.sleep(0.3)
+
+    def go_to(self, place):
+        self.click("goto/1")
+        self.xdo("key", "ctrl+a")
+        self.type(place)
+        self.key("Return")
+
+    def test_escape_in_an_open_list_closes_it_and_stops(self):
+        begin = self.at_rest()
+        self.go_to(str(begin + 20000))
+        self.wait_until(lambda: self.wire.first_motor()[-1] > begin + 200, "motor 1 moves", 10)
+        self.click("dro/unit")
+        mark = self.tap.mark()
+        self.key("Escape")
+        self.sent_after(mark, b"D", "the stop")
+        self.assertLess(self.at_rest(), begin + 20000)
+        mark = self.tap.mark()
+        self.click("io/out/1")  # which an open list would have kept for itself
+        self.sent_after(mark, b"U", "the output")
+        self.leave_the_field()
+
+    def test_a_double_click_selects_the_number(self):
+        begin = self.at_rest()
+        self.click("goto/1")
+        self.xdo("key", "ctrl+a")
+        self.xdo("type", "--delay", 40, "--", "-1234")
+        self.xdo("click", "--repeat", 2, "--delay", 60, 1)
+        time.sleep(0.3)
+        mark = self.tap.mark()
+        self.type(str(begin + 200))
+        self.key("Return")
+        self.sent_after(mark, f"IA1M{begin + 200}\r".encode(), "the second number alone")
+        self.at_rest()
+        self.leave_the_field()
+
+    def test_a_press_on_what_has_only_just_come_moves_nothing(self):
+        begin = self.at_rest()
+        self.click("program/text")
+        self.type("I1M400")
+        run = ("mousemove", *self.places["program/run"], "click", 1)
+        self.click("tab/setup")
+        mark = self.tap.mark()
+        self.xdo("mousemove", *self.places["tab/program"], "click", 1, *run)
+        time.sleep(1)
+        self.assertNotIn(b"I1M400", self.tap.sent[mark:])
+        self.assertEqual(self.wire.first_motor()[-1], begin)
+        self.xdo(*run)
+        self.wait_until(lambda: self.wire.first_motor()[-1] == begin + 400, "the next press runs it", 10)
+        self.at_rest()
+        self.leave_the_field()
+
 
 if __name__ == "__main__":
     unittest.main(verbosity=2)
