@@ -228,7 +228,7 @@ class Managed(Window):
         begin = self.at_rest()
         self.click("goto/1")
         self.xdo("key", "ctrl+a")
-        self.xdo("type", "--delay", 40, "--", "-1234")
+        self.xdo("type", "--delay", 40, "--", "-1234,5")
         self.xdo("click", "--repeat", 2, "--delay", 60, 1)
         time.sleep(0.3)
         mark = self.tap.mark()
