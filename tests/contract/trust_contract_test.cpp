@@ -11,16 +11,26 @@ using testing::StartsWith;
 
 class TrustContract : public ContractTest {
  protected:
+  static constexpr Pps slow{1000};
   /// It stands at `there` and counts from 0 there.
   void lose_power_at(Steps there) {
     ASSERT_EQ(perform(intent::MoveTo({{AxisId{0}, there}})).fate, Fate::done);
     ASSERT_TRUE(becomes_idle(seconds(60)));
     perform(intent::Stop());  // which keeps nothing back afterwards
+    lose_power();
+  }
+  void lose_power() {
     operate(bench::PowerCycle());
     ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::good && now().restarts == 1; },
                           seconds(60)));
     run(seconds(2));
     ASSERT_TRUE(axis().trust.doubtful());
+    EXPECT_EQ(now().restarts, 1u) << "it is told once";
+  }
+  /// As a user does before the first move.
+  void switch_motor_on() {
+    if (session->catalog().axes[0].switchable) perform(intent::SetPower(0, true));
+    run(seconds(1));
   }
   IntentFate go_to(std::int64_t place, bool despite_doubt = false) {
     intent::MoveTo go({{AxisId{0}, Steps(place)}});
@@ -47,6 +57,51 @@ TEST_P(TrustContract, AfterAPowerCycleNothingGoesToAPlaceByItsCount) {
                               "say where it stands, or go on for this once.")));
   EXPECT_EQ(load(), stood);
   EXPECT_EQ(axis().position, Steps(0));
+}
+
+TEST_P(TrustContract, APowerCycleWhereItCountsZeroShows) {
+  switch_motor_on();
+  ASSERT_NO_FATAL_FAILURE(lose_power());
+  EXPECT_EQ(go_to(240).fate, Fate::refused);
+}
+
+TEST_P(TrustContract, APowerCycleInTheMiddleOfAMoveShows) {
+  switch_motor_on();
+  EXPECT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(90'000)}}, slow)).fate, Fate::done);
+  run(seconds(1));
+  ASSERT_GT(axis().position, Steps(100));
+  ASSERT_NO_FATAL_FAILURE(lose_power());
+  EXPECT_EQ(axis().ended_by, EndedBy::lost);
+  EXPECT_EQ(go_to(240).fate, Fate::refused);
+}
+
+TEST_P(TrustContract, APowerCycleOnTheWayToZeroShows) {
+  switch_motor_on();
+  EXPECT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(4'000)}})).fate, Fate::done);
+  ASSERT_TRUE(becomes_idle(seconds(60)));
+  EXPECT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(0)}}, slow)).fate, Fate::done);
+  run(seconds(1));
+  ASSERT_TRUE(now().any_axis_moving());
+  ASSERT_NO_FATAL_FAILURE(lose_power());
+  EXPECT_EQ(go_to(240).fate, Fate::refused);
+}
+
+TEST_P(TrustContract, APowerCycleWhileItJogsShows) {
+  switch_motor_on();
+  EXPECT_EQ(perform(intent::JogStart(AxisId{0}, Sign::plus, slow)).fate, Fate::done);
+  ASSERT_TRUE(run_until([this] { return axis().position > Steps(100); }, seconds(60)));
+  ASSERT_NO_FATAL_FAILURE(lose_power());
+  EXPECT_EQ(go_to(240).fate, Fate::refused);
+}
+
+TEST_P(TrustContract, APowerCycleWhileItIsBeingStoppedShows) {
+  switch_motor_on();
+  EXPECT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(90'000)}}, slow)).fate, Fate::done);
+  run(seconds(3));
+  session->send(intent::Stop());
+  run(Millis(30));
+  ASSERT_NO_FATAL_FAILURE(lose_power());
+  EXPECT_EQ(go_to(240).fate, Fate::refused);
 }
 
 TEST_P(TrustContract, WhatTakesNoCountForTrueGoesOn) {

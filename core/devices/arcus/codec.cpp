@@ -202,6 +202,11 @@ bool may_set_counter(std::string_view text) {
   return counter || loop || name == "JE";
 }
 
+bool may_switch_motor(std::string_view text) {
+  const std::string_view name = text.substr(0, text.find('='));
+  return name.size() != text.size() && name.starts_with("EO") && name.size() <= 3;  // not EOBOOT
+}
+
 namespace {
 
 std::string_view trimmed(std::string_view text) {

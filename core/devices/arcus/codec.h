@@ -74,6 +74,8 @@ bool may_move(const Forms& forms, std::string_view text);
 /// A text that sets a position or encoder counter, or may: clearing an error and switching StepNLoop put the
 /// target where the axis stands.
 bool may_set_counter(std::string_view text);
+/// Motor power, by EO; not EOBOOT, which acts at power-up.
+bool may_switch_motor(std::string_view text);
 
 /// As the controllers read it: without blanks at its ends and around '='.
 std::string bare_text(std::string_view text);

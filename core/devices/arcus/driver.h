@@ -2,7 +2,8 @@
 // Both Arcus controllers from the console's side: what differs is in the Forms. One subject per file:
 //   driver_talk.cpp      questions, commands, what comes unasked
 //   driver_text.cpp      the user's own text
-//   driver_connect.cpp   finding the device, saying why not, power-cycles, lost wires
+//   driver_connect.cpp   finding the device, saying why not
+//   driver_restart.cpp   noticing that it was switched off and on; lost wires
 //   driver_poll.cpp      the round of status and what it means
 //   driver_readouts.cpp  readouts, variables, analog inputs, threads: read in turn, watched ones each round
 //   driver_moves.cpp     moves, jogs, homing, positions, power, outputs
@@ -26,6 +27,7 @@
 #include "core/devices/arcus/language/dialect.h"
 #include "core/devices/arcus/language/program.h"
 #include "core/devices/arcus/stored_code.h"
+#include "core/devices/arcus/unexplained.h"
 
 namespace hw::arcus {
 
@@ -76,10 +78,14 @@ class ArcusDriver final : public Driver {
   };
   /// What positions are compared with, to notice that the controller has been switched off and on.
   struct Stood {
-    std::array<Steps, max_axes> position{};
-    std::array<double, max_axes> reach{};  ///< an axis this near to zero may stand there now by itself
-    std::array<bool, max_axes> moving{};
-    bool known = true;
+    struct Axis {
+      Steps position;
+      Pps towards_zero;  ///< by itself it comes to zero at most so fast
+      Steps room;        ///< StepNLoop corrects it by so much
+      bool moved = false;
+    };
+    std::array<Axis, max_axes> axes{};
+    Instant seen_at{};
   };
   /// A setting that is written for one motion, and put back behind it.
   struct Borrowed {
@@ -134,9 +140,16 @@ class ArcusDriver final : public Driver {
   tl::unexpected<Fault> garbled(std::string_view bytes) const;
   tl::unexpected<Fault> echoed() const;
   tl::unexpected<Fault> two_answer() const;
-  [[nodiscard]] Stood where_all_stand() const;
-  void look_for_restart(const Stood& before);
   [[nodiscard]] int factory_id() const;
+
+  // ---- driver_restart.cpp
+  [[nodiscard]] Pps fastest_way_home(int axis) const;
+  [[nodiscard]] Stood where_all_stand() const;
+  void may_set(std::string_view command);
+  void look_at_counters(Unexplained::Mark asked);
+  Task<Result<>> look_at_motors(Unexplained::Mark asked);
+  [[nodiscard]] bool programs_switch_motors() const;
+  Task<Result<>> look_back_over_the_loss();
   void restarted(std::string_view how_it_shows);
 
   // ---- driver_poll.cpp
@@ -153,6 +166,7 @@ class ArcusDriver final : public Driver {
   [[nodiscard]] bool any_moving() const;
   [[nodiscard]] EndedBy how_it_ended(int axis) const;
   [[nodiscard]] bool misses_its_target(int axis) const;
+  [[nodiscard]] std::int64_t loop_tolerance(int axis) const;
   [[nodiscard]] bool loop_error(int axis) const;
   [[nodiscard]] AxisError error_of(int axis) const;
 
@@ -273,8 +287,9 @@ class ArcusDriver final : public Driver {
   Station* station_ = nullptr;
 
   std::array<AxisMind, max_axes> minds_{};
-  int counters_set_ = 0;     ///< texts sent that may set a position or encoder counter
-  int counters_judged_ = 0;  ///< of them, those that the newest round has answered for
+  Unexplained counters_, motors_;     ///< of positions and encoders; of motor power
+  std::optional<Stood> stood_;        ///< when last looked at
+  std::optional<std::int64_t> motors_on_;
   bool incremental_ = false;
   std::optional<Borrowed> borrowed_;
   std::deque<std::vector<std::int64_t>> to_feed_;
@@ -284,14 +299,14 @@ class ArcusDriver final : public Driver {
   std::array<std::uint32_t, max_axes> stops_said_{};  ///< of each axis, by whomever on this wire
   EndedBy latest_stop_ = EndedBy::stop;
 
-  bool connected_before_ = false, lost_while_busy_ = false;
+  bool lost_while_busy_ = false;
   bool name_told_ = false;
   Instant lost_at_{}, heard_at_{};
   int strays_ = 0;  ///< texts that nobody asked for
   Instant round_began_{};
   Instant motion_asked_at_{};  ///< the oldest question of the newest round that has been applied
   int round_ = 0;
-  bool io_due_ = false;  ///< the user's own text has switched a motor
+  bool io_due_ = false;  ///< the user's own text may have switched a motor
   std::uint32_t watched_ = 0;
   bool half_written_ = false;              ///< lines were stored, and not all of a program
   std::optional<StoredCode> stored_code_;  ///< not known: not looked, or foreign code

@@ -1,7 +1,4 @@
-// Finding the device, saying why not, and what is left after a power-cycle or a lost wire.
-#include <cstdlib>
-#include <limits>
-
+// Finding the device, and saying why not.
 #include <fmt/core.h>
 
 #include "core/devices/arcus/driver.h"
@@ -50,21 +47,16 @@ Task<Result<>> ArcusDriver::connect(Station& station) {
   if (!identified) co_return identified;
   auto named = co_await read_name();
   if (!named) co_return named;
-  Stood before = where_all_stand();  // when it was lost
-  counters_judged_ = counters_set_;
-  before.known = connected_before_;
-  before.reach.fill(0);
-  before.moving.fill(false);
   auto read = co_await read_state();
   if (!read) co_return read;
-  look_for_restart(before);
+  auto looked = co_await look_back_over_the_loss();
+  if (!looked) co_return looked;
   if (std::exchange(lost_while_busy_, false))
     tell(Notice::Kind::warning,
          fmt::format(
              "The connection was gone for {:.1f} s while the controller was at work. It {}. Nothing was "
              "sent again.",
              seconds(scheduler_.now() - lost_at_), any_moving() ? "still is" : "has finished meanwhile"));
-  connected_before_ = true;
   co_return Result<>();
 }
 
@@ -190,93 +182,6 @@ int ArcusDriver::factory_id() const {
   for (const SettingFact& fact : model().settings)
     if (fact.id == Setting::device_name) return static_cast<int>(fact.factory);
   return 0;
-}
-
-// ---- power-cycles and lost wires
-
-ArcusDriver::Stood ArcusDriver::where_all_stand() const {
-  Stood stood;
-  for (int i = 0; i < axis_count(); ++i) {
-    const auto n = static_cast<std::size_t>(i);
-    const AxisState& axis = draft_.axes[i];
-    const AxisMind& mind = minds_[n];
-    const bool aims_elsewhere = mind.ours && axis.has_target && axis.target != Steps(0);
-    const bool jogs = mind.ours && mind.wanted == Activity::jogging;
-    constexpr double a_while = 1;  // s: far more than passes between two rounds
-    stood.position[n] = axis.position;
-    stood.moving[n] = moving(i);
-    if (moving(i) && !(aims_elsewhere && !mind.stopping))
-      stood.reach[n] = jogs ? axis.speed.value * a_while : std::numeric_limits<double>::infinity();
-    stood.known = stood.known && axis.position_known;
-  }
-  return stood;
-}
-
-// After power-up every counter reads zero wherever the motors stand. Texts that may set a counter, homing and
-// programs do that too. See also read_what_power_keeps(), for one that stood at zero.
-void ArcusDriver::look_for_restart(const Stood& before) {
-  if (!before.known || counters_set_ != counters_judged_) return;
-  if (draft_.program.run == RunState::running || any_moving()) return;
-  bool jumped = false, all_zero = true;
-  for (int i = 0; i < axis_count(); ++i) {
-    const auto n = static_cast<std::size_t>(i);
-    jumped = jumped || static_cast<double>(std::abs(before.position[n].value)) > before.reach[n];
-    all_zero = all_zero && draft_.axes[i].position == Steps(0) && draft_.axes[i].encoder == Steps(0);
-  }
-  if (!jumped || !all_zero) return;
-  restarted("All positions read zero");
-  for (int i = 0; i < axis_count(); ++i)
-    if (before.moving[static_cast<std::size_t>(i)]) draft_.axes[i].ended_by = EndedBy::lost;
-}
-
-void ArcusDriver::restarted(std::string_view how_it_shows) {
-  ++draft_.restarts;
-  for (ParamState& p : draft_.params) p = ParamState();
-  for (ThreadState& t : draft_.threads) t = ThreadState();
-  nobody_sets_.reset();
-  unsaved_variables_ = draft_.unsaved_setup = false;
-  draft_.variables_known.reset();
-  draft_.readouts_known.reset();
-  borrowed_.reset();
-  stored_code_.reset();
-  called_.reset();
-  end_feed();
-  for (int i = 0; i < axis_count(); ++i) {
-    minds_[static_cast<std::size_t>(i)] = AxisMind();
-    draft_.axes[i].has_target = false;
-    draft_.axes[i].trust.doubt(Doubt::power_cut, scheduler_.now());
-  }
-  tell(Notice::Kind::warning,
-       fmt::format(
-           "{}, and nothing that was sent does that: the controller was switched off and on, or another "
-           "program set it. What was not stored is gone; it is read afresh. Find home before the next "
-           "absolute move.",
-           how_it_shows));
-}
-
-void ArcusDriver::wire_lost() {
-  if (!station_) return;
-  station_ = nullptr;
-  lost_while_busy_ = lost_while_busy_ || any_moving();
-  lost_at_ = scheduler_.now();
-  if (borrowed_) borrowed_->left_alone = true;
-  end_feed();
-  draft_.transfer = TransferState();
-  for (int i = 0; i < axis_count(); ++i) {
-    AxisState& axis = draft_.axes[i];
-    if (moving(i)) axis.ended_by = EndedBy::lost;
-    minds_[static_cast<std::size_t>(i)].stopping = false;
-    axis.activity = Activity::unknown;
-    axis.phase = Phase::unknown;
-    axis.position_known = false;
-    axis.limits_known = false;
-    axis.direction = 0;
-    axis.speed = axis.own_speed = Pps{};
-  }
-  for (ThreadState& t : draft_.threads) t = ThreadState();
-  draft_.inputs_known = draft_.outputs_known = draft_.analog_known = 0;
-  draft_.readouts_known.reset();
-  draft_.variables_known.reset();
 }
 
 }  // namespace hw::arcus

@@ -168,7 +168,7 @@ Task<Result<>> ArcusDriver::home(intent::Home wish) {
                                 Activity::homing);
   if (!started) co_return started;
   draft_.axes[axis].has_target = false;
-  ++counters_set_;
+  counters_.may_be_set();
   co_return Result<>();
 }
 

@@ -18,14 +18,12 @@ constexpr int io_every = 4;  // rounds in motion between two looks at inputs, ou
 Task<Result<>> ArcusDriver::poll() {
   if (!station_) co_return no_connection();
   ++round_;
-  const Stood before = where_all_stand();
-  const int counters_set_before = counters_set_;
+  const Unexplained::Mark counters = counters_.ask(), motors = motors_.ask();
   auto motion = co_await read_motion(Priority::poll);
   if (!motion) co_return motion;
-  look_for_restart(before);
-  counters_judged_ = counters_set_before;
   auto loop = co_await read_loop(Priority::poll);
   if (!loop) co_return loop;
+  look_at_counters(counters);
   if (borrowed_ && !stops_.any()) {
     auto returned = co_await give_back();
     if (!returned) co_return returned;
@@ -37,6 +35,8 @@ Task<Result<>> ArcusDriver::poll() {
     if (!io) co_return io;
     auto threads = co_await read_threads(false, Priority::poll);
     if (!threads) co_return threads;
+    auto looked = co_await look_at_motors(motors);
+    if (!looked) co_return looked;
   }
   auto watched = co_await read_watched();
   if (!watched) co_return watched;
@@ -283,13 +283,14 @@ EndedBy ArcusDriver::how_it_ended(int axis) const {
 bool ArcusDriver::misses_its_target(int index) const {
   const AxisState& axis = draft_.axes[index];
   if (!axis.has_target) return false;
-  std::int64_t room = 0;
-  if (axis.in_counts) {
-    room = setting(Setting::loop_tolerance, index).value_or(0);
-    for (const SettingFact& fact : model().settings)
-      if (fact.id == Setting::loop_tolerance && room == 0) room = fact.factory;  // not read yet
-  }
-  return std::abs((axis.position - axis.target).value) > room;
+  return std::abs((axis.position - axis.target).value) > (axis.in_counts ? loop_tolerance(index) : 0);
+}
+
+std::int64_t ArcusDriver::loop_tolerance(int axis) const {
+  std::int64_t room = setting(Setting::loop_tolerance, axis).value_or(0);
+  for (const SettingFact& fact : model().settings)
+    if (fact.id == Setting::loop_tolerance && room == 0) room = fact.factory;  // not read yet
+  return room;
 }
 
 namespace {

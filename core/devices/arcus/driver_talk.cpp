@@ -49,7 +49,7 @@ Task<Result<Reply>> ArcusDriver::exchange(std::string text, Priority priority, D
   const bool anothers = address_of(text) >= 0 && address_of(text) != catalog_.address;
   const std::string said = anothers ? std::string() : command_in(text);
   if ((said.starts_with("SR") && !ends_program(said)) || said.starts_with("GS")) program_runs();
-  if (may_set_counter(said)) ++counters_set_;
+  may_set(said);
   const bool must_be_sure = own_question || priority != Priority::stop;
   if (must_be_sure && station_->owes_answer()) {
     auto named = co_await hear_its_name(priority);
@@ -201,7 +201,7 @@ Task<Result<>> ArcusDriver::broadcast(std::string text, Priority priority) {
     co_return fail(FaultKind::refused,
                    fmt::format("A {} has no address that speaks to all devices of a line.", model().title),
                    "Nothing was sent.");
-  if (may_set_counter(bare_text(text))) ++counters_set_;
+  may_set(bare_text(text));
   const std::string to_all = fmt::format("@{:02}{}", model().broadcast, text);
   station_->let_others_hear(to_all, Hearsay::said);
   Transaction t(frame(Framing::addressed, model().broadcast, text), ReplyShape::nothing(), priority);

@@ -135,7 +135,7 @@ void ArcusDriver::overhear(std::string_view text, Hearsay what) {
     return;
   }
   if (station_ && is_stop(text)) stop_heard_(stops_all(text));  // nothing that waits here is said behind it
-  if (may_set_counter(command)) ++counters_set_;
+  may_set(command);
   if (changes_programs(text)) {
     ++draft_.program_changes;
     draft_.program_changed_by = 0;
@@ -162,7 +162,7 @@ void ArcusDriver::note_sent(std::string_view as_typed) {
       if (const auto n = decode_number(name.substr(1)); n && *n >= 0 && *n < variables)
         draft_.variables_known.reset(static_cast<std::size_t>(*n));
   }
-  io_due_ = io_due_ || name.starts_with(forms_.power.substr(0, 2));
+  io_due_ = io_due_ || may_switch_motor(text);
   forget_thread(text);
   note_call(text);
   if (text.starts_with("SA") && equals != text.npos) stored_code_.reset();
@@ -170,7 +170,7 @@ void ArcusDriver::note_sent(std::string_view as_typed) {
     draft_.axes[axis].has_target = false;
   if (ends_motion(text)) note_stop(text);
   if (!arcus::may_move(forms_, text)) return;
-  ++counters_set_;  // homing sets them; a short move to zero ends before anybody has seen it move
+  counters_.may_be_set();  // homing sets them; a short move to zero ends before anybody has seen it move
   changed_();
 }
 

@@ -150,8 +150,10 @@ StoredCode read_stored_code(const language::Program& code, const Model& model) {
   SetParams params(model);
   for (const Instruction& i : code.code) {
     if (i.op == Opcode::store) params.add_all();
-    if (i.op == Opcode::set && i.target.kind == language::Operand::Kind::quantity)
-      params.add_written(i.target.quantity, i.target.index);
+    if (i.op != Opcode::set || i.target.kind != language::Operand::Kind::quantity) continue;
+    params.add_written(i.target.quantity, i.target.index);
+    const bool motors = i.target.quantity == Quantity::enables || i.target.quantity == Quantity::enable;
+    stored.switches_motors = stored.switches_motors || motors;
   }
   stored.sets = params.found();
   for (std::size_t n = 0; n < stored.subs.size(); ++n)

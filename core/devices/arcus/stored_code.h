@@ -20,6 +20,7 @@ struct StoredSubroutine {
 struct StoredCode {
   std::bitset<max_threads> programs;  ///< that are there
   std::bitset<max_params> sets;       ///< parameters that it may change when it runs
+  bool switches_motors = false;       ///< EO: when it runs
   std::array<std::optional<StoredSubroutine>, subroutines> subs;
 };
 

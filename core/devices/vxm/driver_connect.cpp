@@ -193,20 +193,23 @@ Task<Result<>> VxmDriver::go_on_line(bool said_before) {
   co_return Result<>();
 }
 
-// Power off and on, or res: positions are zero wherever the motors stand, RAM holds what was stored last.
+// Power off and on, or res: positions are zero wherever the motors stand, RAM holds what was stored last. A
+// stop that is under way is over first: nothing else may be said beside it.
 Task<Result<>> VxmDriver::found_restarted(const char* why) {
-  ++draft_.restarts;
-  const bool was_moving = busy();
+  const bool was_moving = draft_.any_axis_moving() || busy();
+  forget_what_ran();
+  news_.notify();
   auto reply = co_await ask("D", ReplyShape::until_quiet(greeting_quiet_ms), Priority::intent, nullptr);
+  if (!reply && reply.error().kind == FaultKind::stopped) co_return fail(reply.error());  // the next V finds it
   std::optional<Digitized> places;
   if (reply) places = decode_digitized(*reply, max_motors);
   bool zero = true;
   if (places)
     for (const Steps place : places->positions) zero = zero && place.value == 0;
-  forget_what_ran();
   mode_ = Mode::unknown;
   auto on_line = co_await go_on_line(false);
   if (!on_line) co_return on_line;
+  ++draft_.restarts;
   stands_after_restart(zero ? Doubt::restarted : Doubt::none);
   if (zero) {
     forget_ram();
