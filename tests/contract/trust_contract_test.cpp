@@ -88,7 +88,7 @@ TEST_P(TrustContract, APowerCycleOnTheWayToZeroShows) {
 
 TEST_P(TrustContract, APowerCycleWhileItJogsShows) {
   switch_motor_on();
-  EXPECT_EQ(perform(intent::JogStart(AxisId{0}, Sign::plus, slow)).fate, Fate::done);
+  EXPECT_EQ(perform(intent::JogStart(AxisId{0}, Sign::plus, slow, false)).fate, Fate::done);
   ASSERT_TRUE(run_until([this] { return axis().position > Steps(100); }, seconds(60)));
   ASSERT_NO_FATAL_FAILURE(lose_power());
   EXPECT_EQ(go_to(240).fate, Fate::refused);
@@ -159,6 +159,27 @@ TEST_P(TrustContract, ItsHomeMakesItTrustedWhereThatSetsTheCount) {
   EXPECT_TRUE(run_until([this] { return axis().trust.kind == Trust::homed; }, seconds(60)));
   ASSERT_TRUE(becomes_idle(seconds(60)));
   EXPECT_EQ(go_to(240).fate, Fate::done);
+}
+
+// From a speed at which a step motor overshoots.
+TEST_P(TrustContract, AStopWithoutARampFromFullSpeedIsDoubted) {
+  if (session->catalog().axes[0].servo) GTEST_SKIP() << "its encoder tells";
+  if (session->catalog().find_param("SL") >= 0) perform(intent::SetParam("SL", 0));  // else the encoder counts
+  EXPECT_EQ(perform(intent::JogStart(AxisId{0}, Sign::plus, Pps(4000), false)).fate, Fate::done);
+  run(seconds(5));
+  ASSERT_GT(axis().speed.value, 3000);
+  perform(intent::Abort());
+  ASSERT_TRUE(becomes_idle(seconds(60)));
+  EXPECT_EQ(axis().trust.cause, Doubt::killed);
+  EXPECT_EQ(go_to(240).fate, Fate::refused);
+}
+
+TEST_P(TrustContract, AStopWithItsRampIsNot) {
+  EXPECT_EQ(perform(intent::JogStart(AxisId{0}, Sign::plus, Pps(4000), false)).fate, Fate::done);
+  run(seconds(5));
+  perform(intent::Stop());
+  ASSERT_TRUE(becomes_idle(seconds(60)));
+  EXPECT_EQ(axis().trust.kind, Trust::counted);
 }
 
 TEST_P(TrustContract, AFreshConnectionCounts) {

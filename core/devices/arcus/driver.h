@@ -228,6 +228,7 @@ class ArcusDriver final : public Driver {
   void stop_is_said(int axis, EndedBy how);
   void stopping(int axis, bool at_once);
   void ended_by_us(int axis, EndedBy why);
+  void doubt_killed_position(int axis);
   void stands(int axis);
 
   // ---- driver_subroutine.cpp
@@ -269,6 +270,8 @@ class ArcusDriver final : public Driver {
   void changed_param(int index);
   [[nodiscard]] std::optional<std::int64_t> param(std::string_view mnemonic) const;
   [[nodiscard]] std::optional<std::int64_t> setting(Setting id, int axis = 0) const;
+  [[nodiscard]] std::optional<bool> has_own_speeds(int axis) const;
+  [[nodiscard]] std::int64_t start_speed(int axis) const;
   void show_own_speeds();
   [[nodiscard]] const SettingFact* fact_of(int param) const;
 

@@ -83,18 +83,32 @@ std::optional<std::int64_t> ArcusDriver::setting(Setting id, int axis) const {
 }
 
 // An axis has speeds of its own where all three of them are set, else it has the common one (PMX manual,
-// HS[axis]).
+// HS[axis]). None: they are not read yet.
+std::optional<bool> ArcusDriver::has_own_speeds(int axis) const {
+  bool own = forms_.axis_speeds;
+  for (const Setting id : {Setting::axis_high_speed, Setting::axis_low_speed, Setting::axis_accel}) {
+    if (!forms_.axis_speeds) break;
+    const auto value = setting(id, axis);
+    if (!value) return std::nullopt;
+    own = own && *value != 0;
+  }
+  return own;
+}
+
+/// At which it starts and ends without a ramp; 0: not read yet.
+std::int64_t ArcusDriver::start_speed(int axis) const {
+  const auto own = has_own_speeds(axis);
+  if (!own) return 0;
+  return (*own ? setting(Setting::axis_low_speed, axis) : setting(Setting::low_speed)).value_or(0);
+}
+
 void ArcusDriver::show_own_speeds() {
   if (borrowed_) return;
   for (int i = 0; i < axis_count(); ++i) {
-    bool known = true, own = forms_.axis_speeds;
-    for (const Setting id : {Setting::axis_high_speed, Setting::axis_low_speed, Setting::axis_accel}) {
-      const auto value = forms_.axis_speeds ? setting(id, i) : std::optional<std::int64_t>(0);
-      known = known && value;
-      own = own && value.value_or(0) != 0;
-    }
-    const auto speed = own ? setting(Setting::axis_high_speed, i) : setting(Setting::high_speed);
-    draft_.axes[i].own_speed = Pps(known ? static_cast<double>(speed.value_or(0)) : 0);
+    const auto own = has_own_speeds(i);
+    const auto speed =
+        own.value_or(false) ? setting(Setting::axis_high_speed, i) : setting(Setting::high_speed);
+    draft_.axes[i].own_speed = Pps(own ? static_cast<double>(speed.value_or(0)) : 0);
   }
 }
 

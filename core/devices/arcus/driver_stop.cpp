@@ -36,8 +36,24 @@ void ArcusDriver::stopping(int axis, bool at_once) {
 
 // Axes that move together end together.
 void ArcusDriver::ended_by_us(int axis, EndedBy why) {
-  for (int i = 0; i < axis_count(); ++i)
-    if (moving(i) && (i == axis || (minds_[ix(axis)].with >> i & 1u) != 0)) minds_[ix(i)].ended_by = why;
+  for (int i = 0; i < axis_count(); ++i) {
+    if (!moving(i) || (i != axis && (minds_[ix(axis)].with >> i & 1u) == 0)) continue;
+    minds_[ix(i)].ended_by = why;
+    if (why == EndedBy::abort) doubt_killed_position(i);
+  }
+}
+
+// Its pulses end with ABORT, not its mass: a step motor stays in step only up to the speed at which it starts
+// without a ramp too. With StepNLoop the encoder counts what it did.
+void ArcusDriver::doubt_killed_position(int index) {
+  AxisState& axis = draft_.axes[index];
+  const std::int64_t safe = start_speed(index);
+  if (axis.in_counts || axis.trust.doubtful() || axis.speed.value <= static_cast<double>(safe)) return;
+  axis.trust.doubt(Doubt::killed, scheduler_.now());
+  tell(Notice::Kind::warning,
+       fmt::format("Axis {} was stopped without a ramp at {:.0f} pulses/s. Above its low speed, {}, it may "
+                   "have lost steps: its position is doubtful until it is homed or set.",
+                   axis_name(index), axis.speed.value, safe));
 }
 
 Task<Result<>> ArcusDriver::stop(int axis, bool at_once) {
