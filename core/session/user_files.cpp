@@ -33,16 +33,6 @@ class Descriptor {
   int fd_;
 };
 
-int write_all(int fd, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t n = ::write(fd, bytes.data(), bytes.size());
-    if (n < 0 && errno == EINTR) continue;
-    if (n < 0) return errno;
-    bytes.remove_prefix(static_cast<std::size_t>(n));
-  }
-  return 0;
-}
-
 tl::unexpected<Fault> not_written(const fs::path& path, int error) {
   return fail(FaultKind::port, fmt::format("{} was not written: {}.", path.string(), reason_of(error)), {},
               error == ENOSPC || error == EDQUOT || error == EFBIG
@@ -75,6 +65,16 @@ UserFolders UserFolders::standard() {
 }
 
 UserFolders UserFolders::below(const fs::path& folder) { return {folder / "config", folder / "state", true}; }
+
+int write_all(int fd, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t n = ::write(fd, bytes.data(), bytes.size());
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) return errno;
+    bytes.remove_prefix(static_cast<std::size_t>(n));
+  }
+  return 0;
+}
 
 std::string reason_of(int error_number) {
   switch (error_number) {

@@ -36,6 +36,9 @@ std::filesystem::path set_aside(const std::filesystem::path& path);
 /// A file name for any key: "/dev/ttyUSB0" -> "dev-ttyUSB0-5f3a09c2". Different keys give different names.
 std::string file_name_for(std::string_view key);
 
+/// All of it into a file, a pipe or a terminal that is open. 0, or errno.
+int write_all(int fd, std::string_view bytes);
+
 /// "the disk is full", "you may not write there": errno for a person.
 std::string reason_of(int error_number);
 

@@ -1,7 +1,6 @@
 #include "gui/app/output.h"
 
 #include <cerrno>
-#include <cstdio>
 
 #include <unistd.h>
 
@@ -15,16 +14,6 @@ int lost_by = 0;  // errno; 0: all was written
 bool loss_told = false;
 std::function<void()> when_output_is_lost;
 
-int write_all_of(int fd, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t n = ::write(fd, bytes.data(), bytes.size());
-    if (n < 0 && errno == EINTR) continue;
-    if (n < 0) return errno;
-    bytes.remove_prefix(static_cast<std::size_t>(n));
-  }
-  return 0;
-}
-
 std::string why_lost() {
   switch (lost_by) {
     case EPIPE: return "nobody reads the other end of the pipe";
@@ -37,7 +26,7 @@ std::string why_lost() {
 
 bool write_result(std::string_view text) {
   if (lost_by != 0) return false;
-  lost_by = write_all_of(STDOUT_FILENO, text);
+  lost_by = write_all(STDOUT_FILENO, text);
   if (lost_by == 0) return true;
   if (const auto act = std::exchange(when_output_is_lost, nullptr)) act();
   return false;
@@ -61,7 +50,7 @@ OutputWatch::~OutputWatch() { when_output_is_lost = nullptr; }
 
 void write_aside(std::string_view line) {
   const std::string whole = fmt::format("{}\n", line);
-  static_cast<void>(write_all_of(STDERR_FILENO, whole));
+  static_cast<void>(write_all(STDERR_FILENO, whole));
 }
 
 }  // namespace hw::app

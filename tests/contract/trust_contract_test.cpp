@@ -32,6 +32,11 @@ class TrustContract : public ContractTest {
     if (session->catalog().axes[0].switchable) perform(intent::SetPower(0, true));
     run(seconds(1));
   }
+  void jog_at(Pps speed, Duration time_to_run) {
+    EXPECT_EQ(perform(intent::JogStart(AxisId{0}, Sign::plus, speed, false)).fate, Fate::done);
+    run(time_to_run);
+    ASSERT_GT(axis().position, Steps(100));
+  }
   IntentFate go_to(std::int64_t place, bool despite_doubt = false) {
     intent::MoveTo go({{AxisId{0}, Steps(place)}});
     go.despite_doubt = despite_doubt;
@@ -88,8 +93,7 @@ TEST_P(TrustContract, APowerCycleOnTheWayToZeroShows) {
 
 TEST_P(TrustContract, APowerCycleWhileItJogsShows) {
   switch_motor_on();
-  EXPECT_EQ(perform(intent::JogStart(AxisId{0}, Sign::plus, slow, false)).fate, Fate::done);
-  ASSERT_TRUE(run_until([this] { return axis().position > Steps(100); }, seconds(60)));
+  ASSERT_NO_FATAL_FAILURE(jog_at(slow, seconds(3)));
   ASSERT_NO_FATAL_FAILURE(lose_power());
   EXPECT_EQ(go_to(240).fate, Fate::refused);
 }
@@ -165,8 +169,7 @@ TEST_P(TrustContract, ItsHomeMakesItTrustedWhereThatSetsTheCount) {
 TEST_P(TrustContract, AStopWithoutARampFromFullSpeedIsDoubted) {
   if (session->catalog().axes[0].servo) GTEST_SKIP() << "its encoder tells";
   if (session->catalog().find_param("SL") >= 0) perform(intent::SetParam("SL", 0));  // else the encoder counts
-  EXPECT_EQ(perform(intent::JogStart(AxisId{0}, Sign::plus, Pps(4000), false)).fate, Fate::done);
-  run(seconds(5));
+  ASSERT_NO_FATAL_FAILURE(jog_at(Pps(4000), seconds(5)));
   ASSERT_GT(axis().speed.value, 3000);
   perform(intent::Abort());
   ASSERT_TRUE(becomes_idle(seconds(60)));
@@ -175,8 +178,7 @@ TEST_P(TrustContract, AStopWithoutARampFromFullSpeedIsDoubted) {
 }
 
 TEST_P(TrustContract, AStopWithItsRampIsNot) {
-  EXPECT_EQ(perform(intent::JogStart(AxisId{0}, Sign::plus, Pps(4000), false)).fate, Fate::done);
-  run(seconds(5));
+  ASSERT_NO_FATAL_FAILURE(jog_at(Pps(4000), seconds(5)));
   perform(intent::Stop());
   ASSERT_TRUE(becomes_idle(seconds(60)));
   EXPECT_EQ(axis().trust.kind, Trust::counted);

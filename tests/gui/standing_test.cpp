@@ -62,18 +62,21 @@ class StandingTest : public testing::Test {
     let_go();
   }
   void wait(double seconds) { stage.frames(static_cast<int>(seconds * 60 + 0.5)); }
+  void go_is_not_taken_before_it_has_stood() {
+    click("go");
+    EXPECT_EQ(gone, 0);
+    EXPECT_TRUE(says_not_taken("go"));
+    wait(0.3);
+    click("go");
+    EXPECT_EQ(gone, 1);
+    EXPECT_FALSE(says_not_taken("go"));
+  }
   [[nodiscard]] bool says_not_taken(const char* id) { return stage.find(id)->not_taken; }
 };
 
 TEST_F(StandingTest, WhatHasOnlyJustAppearedTakesNoPress) {
   wait(0.1);
-  click("go");
-  EXPECT_EQ(gone, 0);
-  EXPECT_TRUE(says_not_taken("go"));
-  wait(0.3);
-  click("go");
-  EXPECT_EQ(gone, 1);
-  EXPECT_FALSE(says_not_taken("go"));
+  go_is_not_taken_before_it_has_stood();
 }
 
 TEST_F(StandingTest, WhatHasMovedUnderTheHandTakesNoPress) {
@@ -129,12 +132,7 @@ TEST_F(StandingTest, ComingAliveIsAChange) {
   wait(1);
   off = {};
   stage.frame();
-  click("go");
-  EXPECT_EQ(gone, 0);
-  EXPECT_TRUE(says_not_taken("go"));
-  wait(0.3);
-  click("go");
-  EXPECT_EQ(gone, 1);
+  go_is_not_taken_before_it_has_stood();
 }
 
 TEST_F(StandingTest, GoneForAFrameIsForgotten) {

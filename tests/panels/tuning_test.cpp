@@ -38,6 +38,11 @@ struct TuningTest : ::testing::Test {
     }
     s.stage.frames(3);
   }
+  void sends_nothing_more() {
+    const std::size_t sent = s.sent.size();
+    s.stage.frames(60);
+    EXPECT_EQ(s.sent.size(), sent);
+  }
   /// With two runs drawn and compared: plots at least so high, no number out of sight.
   void expect_readable(float plot, float small_plot, int height) {
     output_known = true;
@@ -143,18 +148,15 @@ TEST_F(TuningTest, RepeatGoesToAndFroAndEndsWithTheNextPress) {
   EXPECT_EQ(s.last<intent::MoveBy>()->distances[0].value, Steps(-400));
   EXPECT_EQ(s.value("tuning/measure/overshoot"), "16.2 %") << "turned into the direction of its step";
   s.click("tuning/repeat");
-  const std::size_t sent = s.sent.size();
-  s.stage.frames(60);
-  EXPECT_EQ(s.sent.size(), sent);
+  sends_nothing_more();
 }
 
 TEST_F(TuningTest, RepeatWaitsForAnAxisThatSettles) {
   s.click("tuning/repeat");
   s.now.axes[0].activity = Activity::moving;
   samples(0.5);
+  sends_nothing_more();
   const std::size_t sent = s.sent.size();
-  s.stage.frames(60);
-  EXPECT_EQ(s.sent.size(), sent);
   s.now.axes[0].activity = Activity::idle;
   s.now.axes[0].ended_by = EndedBy::not_in_place;
   s.stage.frames(5);
@@ -165,9 +167,7 @@ TEST_F(TuningTest, RepeatIsNotCarriedOnAfterAStop) {
   s.click("tuning/repeat");
   s.now.axes[0].ended_by = EndedBy::stop;
   samples(0.5);
-  const std::size_t sent = s.sent.size();
-  s.stage.frames(60);
-  EXPECT_EQ(s.sent.size(), sent);
+  sends_nothing_more();
   EXPECT_THAT(s.toast(), HasSubstr("Repeat is off"));
 }
 
@@ -177,9 +177,7 @@ TEST_F(TuningTest, RepeatIsNotCarriedOnAfterAnybodyElseHasSentSomething) {
   IntentFate other;
   other.id = s.sent.size() + 1, other.fate = Fate::done;  // a stop while it stood
   s.now.fates[0] = other;
-  const std::size_t sent = s.sent.size();
-  s.stage.frames(60);
-  EXPECT_EQ(s.sent.size(), sent);
+  sends_nothing_more();
 }
 
 // Whatever comes while the step is recorded, not only between two.

@@ -2,30 +2,11 @@
 #include <fmt/core.h>
 
 #include "core/base/index.h"
+#include "core/device/action_check.h"
 #include "core/devices/arcus/driver.h"
 
 namespace hw::arcus {
 namespace {
-
-Result<> check_fields(const ActionInfo& info, const std::vector<std::int64_t>& values) {
-  if (values.size() != info.fields.size())
-    return fail(FaultKind::refused,
-                fmt::format("{} takes {} values, not {}.", info.label, info.fields.size(), values.size()),
-                "Nothing was sent.");
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const ActionField& f = info.fields[i];
-    bool fits = values[i] >= f.minimum && values[i] <= f.maximum;
-    if (!f.choices.empty()) {
-      fits = false;
-      for (const ParamChoice& c : f.choices) fits = fits || c.value == values[i];
-    }
-    if (!fits)
-      return fail(FaultKind::refused,
-                  fmt::format("{} is not possible as {} of {}.", values[i], f.label, info.label),
-                  "Nothing was sent.");
-  }
-  return {};
-}
 
 /// The value of the field `id`, or `fallback` where the action has none.
 std::int64_t field(const ActionInfo& info, const std::vector<std::int64_t>& values, std::string_view id,
@@ -38,10 +19,8 @@ std::int64_t field(const ActionInfo& info, const std::vector<std::int64_t>& valu
 }  // namespace
 
 Task<Result<>> ArcusDriver::act(intent::Act wish) {
-  if (wish.action < 0 || wish.action >= static_cast<int>(catalog_.actions.size()))
-    co_return fail(FaultKind::refused, "There is no such action.", "Nothing was sent.");
+  if (auto possible = check_action(catalog_, wish); !possible) co_return possible;
   const ActionInfo& info = catalog_.actions[ix(wish.action)];
-  if (auto fits = check_fields(info, wish.values); !fits) co_return fits;
   const auto value = [&](std::string_view id) { return field(info, wish.values, id); };
   const int axis = static_cast<int>(value("axis"));
   const bool on = value("on") != 0;

@@ -4,29 +4,16 @@
 #include <fmt/core.h>
 
 #include "core/base/index.h"
+#include "core/device/action_check.h"
 #include "core/devices/vme58/driver.h"
 
 namespace hw::vme58 {
 
 Task<Result<>> Vme58Driver::act(intent::Act wish) {
   if (auto may = may_talk(); !may) co_return may;
-  if (wish.action < 0 || wish.action >= static_cast<int>(catalog_.actions.size()))
-    co_return fail(FaultKind::refused, "There is no such action.", "Nothing was sent.");
+  if (auto possible = check_action(catalog_, wish); !possible) co_return possible;
   const ActionInfo& info = catalog_.actions[ix(wish.action)];
-  if (wish.values.size() != info.fields.size())
-    co_return fail(FaultKind::refused, fmt::format("{} takes {} values.", info.label, info.fields.size()),
-                   "Nothing was sent.");
   const bool of_axis = !info.fields.empty() && info.fields.front().id == "axis";
-  for (std::size_t i = 0; i < wish.values.size(); ++i) {
-    const ActionField& field = info.fields[i];
-    if (wish.values[i] < field.minimum || wish.values[i] > field.maximum)
-      co_return fail(
-          FaultKind::refused,
-          fmt::format("{} is not possible for {}: {} to {}.", encode_number(wish.values[i], field.decimals),
-                      field.label, encode_number(field.minimum, field.decimals),
-                      encode_number(field.maximum, field.decimals)),
-          "Nothing was sent.");
-  }
   const int axis = of_axis ? static_cast<int>(wish.values[0]) : 0;
   std::string text;
   switch (static_cast<Action>(wish.action)) {

@@ -330,6 +330,8 @@ block("PMX-B11", function()
   is("dro/X/state", "IDLE")  -- a ramp would take two seconds more
   c:wait(10)
   c:set("ACC", 300)
+  assert(c:trust("X") == "untrusted", "stopped without a ramp at speed")
+  c:trust("X", "set")
 end)
 block("PMX-B12", function()
   c:jog("X", "+")
