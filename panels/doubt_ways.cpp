@@ -18,7 +18,7 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-constexpr float field_label = 80, field_width = 144;
+constexpr float field_label = 80, field_width = 144, bar_label = 20, bar_field = 108;
 
 /// In the units and by the clock that the console shows.
 DoubtWords words_shown(const Frame& f) {
@@ -74,15 +74,15 @@ void DoubtWays::name_ways(const Frame& f, std::string_view prefix) {
   const auto path = [&](std::string_view way) { return fmt::format("{}/{}/{}", prefix, name, way); };
   refused_id_ = path("refused");
   field_id_ = path("stands_at");
-  const auto offer = [&](Way way, std::string_view id, std::string label) {
-    offers_[offered_++] = {way, path(id), std::move(label)};
+  const auto offer = [&](Way way, std::string_view id, std::string label, std::string brief) {
+    offers_[offered_++] = {way, path(id), std::move(label), std::move(brief)};
   };
-  offer(set, "set", "Set");
+  offer(set, "set", "Set", "Set");
   if (f.catalog.can.homes) {
-    offer(home_minus, "home/-", fmt::format("Home {} \u2212", name));
-    offer(home_plus, "home/+", fmt::format("Home {} +", name));
+    offer(home_minus, "home/-", fmt::format("Home {} \u2212", name), "Home \u2212");
+    offer(home_plus, "home/+", fmt::format("Home {} +", name), "Home +");
   }
-  offer(once, "once", "Go on for this once");
+  offer(once, "once", "Go on for this once", "Go on once");
 }
 
 IntentId DoubtWays::draw(Frame& f, std::string_view prefix, std::string_view about, const Rect& row,
@@ -95,10 +95,12 @@ IntentId DoubtWays::draw(Frame& f, std::string_view prefix, std::string_view abo
   for (std::size_t i = 0; i < offered_; ++i)
     actions[i] = {.id = offers_[i].id,
                   .label = offers_[i].label,
+                  .brief = offers_[i].brief,
                   .disabled = why_not(f, offers_[i].way),
                   .moving = offers_[i].way != set};
   Refusal refusal{.id = refused_id_, .about = about, .words = words_, .actions = {actions.data(), offered_}};
   refusal.slot_width = field_label + field_width;
+  refusal.slot_in_bar = bar_label + bar_field;
   card_.begin(f, refusal, row);
   const bool entered = draw_field(f);
   const RefusalTouch touched = card_.end();
@@ -116,16 +118,20 @@ bool DoubtWays::draw_field(Frame& f) {
     filled_ = field_.text;
     counted_ = counts;
   }
-  const bool several = !std::has_single_bit(doubtful_);
+  const bool several = !std::has_single_bit(doubtful_), bar = card_.is_bar();
   const Path label("{} stands at", f.catalog.axes[axis_.index].name);
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  draw_text_line(f.ui, at.x, at.x + f.ui.px(field_label), at.y + f.ui.px(16), Face::body, f.ui[Tone::ink],
-                 several ? label.view() : "It stands at");
-  ImGui::SetCursorScreenPos(ImVec2(at.x + f.ui.px(field_label), at.y));
+  const float begin = f.ui.px(bar ? bar_label : field_label);
   NumberOptions o;
+  if (bar) o.height = 28;
+  draw_text_line(f.ui, at.x, at.x + begin, at.y + f.ui.px(o.height / 2), Face::body, f.ui[Tone::ink],
+                 bar       ? "at"
+                 : several ? label.view()
+                           : "It stands at");
+  ImGui::SetCursorScreenPos(ImVec2(at.x + begin, at.y));
   o.range.decimals = unit.real ? unit.decimals : 0;
   o.range.unit = unit.name;
-  o.width = field_width;
+  o.width = bar ? bar_field : field_width;
   o.tip = "Where it stands. As it counts, or what you read at the machine.";
   o.disabled = f.no_link();
   o.sentence_below = false;

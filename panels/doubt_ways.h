@@ -38,7 +38,7 @@ class DoubtWays {
   enum Way : std::uint8_t { set, home_minus, home_plus, once };
   struct Offer {
     Way way;
-    std::string id, label;
+    std::string id, label, brief;
   };
   void close() { doubtful_ = 0; }
   void tell(const gui::Frame& frame, std::uint32_t doubtful);

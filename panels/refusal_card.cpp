@@ -20,35 +20,46 @@ namespace {
 constexpr float card_width = 336, card_side = 16, card_top = 12, action_height = 32, action_gap = 8;
 constexpr float mark = 20, title = 24, cross_size = 32, in_bar = 28, from_border = 8;
 
-float action_width(const Ui& ui, const Action& a) {
+enum class As : bool { card, bar };
+
+std::string_view label(const Action& a, As as) {
+  return as == As::bar && !a.brief.empty() ? a.brief : a.label;
+}
+
+float action_width(const Ui& ui, const Action& a, As as) {
   ButtonOptions o;
   o.moving = a.moving;
-  return button_width(ui, a.label, o);
+  return button_width(ui, label(a, as), o);
+}
+
+float slot_width(const Refusal& what, As as) {
+  return as == As::bar ? what.slot_in_bar : what.slot_width;
 }
 
 /// Places of slot and actions, one after the other, in as many rows as they need. Logical.
 template <class Place>
-float in_rows(const Ui& ui, const Refusal& what, float width, const Place& place) {
+float in_rows(const Ui& ui, const Refusal& what, As as, float width, const Place& place) {
   float x = 0, y = 0;
   const auto next = [&](int index, float wide) {
     if (x > 0 && x + wide > width) x = 0, y += action_height + action_gap;
     place(index, x, y);
     x += wide + action_gap;
   };
-  if (what.slot_width > 0) next(-1, what.slot_width);
+  if (const float slot = slot_width(what, as); slot > 0) next(-1, slot);
   for (std::size_t i = 0; i < what.actions.size(); ++i)
-    next(static_cast<int>(i), action_width(ui, what.actions[i]));
+    next(static_cast<int>(i), action_width(ui, what.actions[i], as));
   return x > 0 ? y + action_height : 0;
 }
 
 float row_of_all(const Ui& ui, const Refusal& what) {
-  float wide = what.slot_width > 0 ? what.slot_width + action_gap : 0;
-  for (const Action& a : what.actions) wide += action_width(ui, a) + action_gap;
+  const float slot = slot_width(what, As::bar);
+  float wide = slot > 0 ? slot + action_gap : 0;
+  for (const Action& a : what.actions) wide += action_width(ui, a, As::bar) + action_gap;
   return wide;
 }
 
 float rows_height(const Ui& ui, const Refusal& what, float width) {
-  return in_rows(ui, what, width, [](int, float, float) {});
+  return in_rows(ui, what, As::card, width, [](int, float, float) {});
 }
 
 float words_width(const Ui& ui) { return ui.px(card_width - 2 * card_side - mark); }
@@ -153,7 +164,7 @@ void RefusalCard::begin(Frame& f, const Refusal& what, const Rect& row) {
     draw_bar_words();
   else
     draw_card_words();
-  in_rows(ui, what_, width_, [&](int index, float x, float y) {
+  in_rows(ui, what_, As{bar_}, width_, [&](int index, float x, float y) {
     if (index < 0) ImGui::SetCursorScreenPos(ImVec2(rows_.x + ui.px(x), rows_.y + ui.px(y)));
   });
 }
@@ -203,7 +214,7 @@ void RefusalCard::draw_bar_words() {
 RefusalTouch RefusalCard::end() {
   Ui& ui = *ui_;
   RefusalTouch done;
-  in_rows(ui, what_, width_, [&](int index, float x, float y) {
+  in_rows(ui, what_, As{bar_}, width_, [&](int index, float x, float y) {
     if (index < 0) return;
     const Action& a = what_.actions[static_cast<std::size_t>(index)];
     ButtonOptions o;
@@ -211,7 +222,7 @@ RefusalTouch RefusalCard::end() {
     o.moving = a.moving;
     o.height = bar_ ? in_bar : action_height;
     ImGui::SetCursorScreenPos(ImVec2(rows_.x + ui.px(x), rows_.y + ui.px(y)));
-    if (button(ui, a.id, a.label, o).clicked) done.action = index;
+    if (button(ui, a.id, label(a, As{bar_}), o).clicked) done.action = index;
   });
   ButtonOptions cross{.style = ButtonStyle::quiet, .icon = Icon::cross, .tip = "Close", .width = cross_size};
   if (bar_) cross.height = in_bar;

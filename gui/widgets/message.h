@@ -13,6 +13,7 @@ namespace hw::gui {
 
 struct Action {
   std::string_view id, label;
+  std::string_view brief = {};  ///< label where there is little room; empty: the same
   std::string_view disabled = {};
   bool main = false;  ///< a raised button; others are quiet
   bool moving = false;

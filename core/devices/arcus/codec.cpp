@@ -192,9 +192,8 @@ bool may_move(const Forms& forms, std::string_view text) {
 }
 
 bool may_set_counter(std::string_view text) {
-  if (text.starts_with("CLR") || text.starts_with("ABORT") || text.starts_with("SR") ||
-      text.starts_with("GS"))
-    return true;
+  if (text.starts_with("CLR") || text.starts_with("ABORT") || text.starts_with("GS")) return true;
+  if (text.starts_with("SR")) return !ends_program(text);
   const std::string_view name = text.substr(0, text.find('='));
   if (name.size() == text.size()) return false;
   const bool counter = name.size() == 2 && (name[0] == 'P' || name[0] == 'E');

@@ -233,6 +233,7 @@ class ArcusDriver final : public Driver {
 
   // ---- driver_subroutine.cpp
   std::optional<Called> note_call(std::string_view text);
+  [[nodiscard]] Duration longest_run(std::string_view call) const;
   [[nodiscard]] bool subroutine_may_run();
   Task<Result<>> outlast_subroutine(std::string word);
 
@@ -263,7 +264,7 @@ class ArcusDriver final : public Driver {
   Task<Result<>> read_what_power_keeps();
   [[nodiscard]] bool in_ram_only(int index) const;
   void compare_with_stored(int index);
-  void program_runs();
+  void program_runs(Duration at_most = std::chrono::seconds(1));
   Task<Result<>> store();
   void is_stored();
   void forget_params(std::string_view head);
@@ -322,7 +323,7 @@ class ArcusDriver final : public Driver {
   std::bitset<max_params> stored_known_;                   ///< of what is stored: after_power_up_ was read
   bool unsaved_variables_ = false;                         ///< some were set and not stored
   std::bitset<max_params> nobody_sets_;  ///< read, and nothing has run since that may have set them
-  Instant program_ran_at_{};             ///< when one was last seen or started
+  Instant programs_run_until_{};         ///< of those that were seen or started
   std::vector<bool> by_status_;          ///< readouts that the status tells
   std::deque<std::string> for_scripts_;
 };

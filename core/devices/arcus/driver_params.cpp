@@ -136,7 +136,7 @@ Task<Result<>> ArcusDriver::read_param(int index, Priority priority) {
       draft_.params[ix(index)].known = true;
       const bool programs_leave_it = stored_code_ && !stored_code_->sets.test(ix(index));
       nobody_sets_.set(ix(index),
-                       programs_leave_it || scheduler_.now() - program_ran_at_ > std::chrono::seconds(1));
+                       programs_leave_it || scheduler_.now() > programs_run_until_);
       if (info.stored) compare_with_stored(index);
       co_return Result<>();
     }
@@ -162,13 +162,13 @@ void ArcusDriver::compare_with_stored(int index) {
                                                            [](const ParamState& p) { return !p.stored; });
 }
 
-// One that is not known may set anything.
-void ArcusDriver::program_runs() {
+// One that is not known may set anything. Whether it still runs shows in the next second.
+void ArcusDriver::program_runs(Duration at_most) {
   if (stored_code_)
     nobody_sets_ &= ~stored_code_->sets;
   else
     nobody_sets_.reset();
-  program_ran_at_ = scheduler_.now();
+  programs_run_until_ = std::max(programs_run_until_, scheduler_.now() + at_most);
 }
 
 // Not in the memory that stays.

@@ -63,8 +63,7 @@ void ArcusDriver::look_at_counters(Unexplained::Mark asked) {
 Task<Result<>> ArcusDriver::look_at_motors(Unexplained::Mark asked) {
   std::int64_t on = 0;
   for (int i = 0; i < axis_count(); ++i) on |= std::int64_t{draft_.axes[i].enabled} << i;
-  const bool a_program_may = programs_switch_motors() &&
-                             (scheduler_.now() - program_ran_at_ <= std::chrono::seconds(1) || called_);
+  const bool a_program_may = programs_switch_motors() && (scheduler_.now() <= programs_run_until_ || called_);
   const bool unexplained = motors_.answered(asked) && !a_program_may;
   const auto before = std::exchange(motors_on_, on);
   if (!before || *before == on || !unexplained) co_return Result<>();
@@ -79,14 +78,13 @@ Task<Result<>> ArcusDriver::look_at_motors(Unexplained::Mark asked) {
 
 bool ArcusDriver::programs_switch_motors() const { return !stored_code_ || stored_code_->switches_motors; }
 
-// What was on its way when the wire was lost had all the time it wanted; what was sent before it has been
-// answered, or never will be.
+// What was on its way when the wire was lost had all the time it wanted. A stop that nobody answered explains
+// no zero; motor power that was to be switched may have been.
 Task<Result<>> ArcusDriver::look_back_over_the_loss() {
   if (stood_)
     for (Stood::Axis& axis : stood_->axes) axis.towards_zero = Pps{}, axis.moved = false;
-  const Unexplained::Mark counters = counters_.settle(), motors = motors_.settle();
-  look_at_counters(counters);
-  co_return co_await look_at_motors(motors);
+  look_at_counters(counters_.settle());
+  co_return co_await look_at_motors(motors_.ask());
 }
 
 void ArcusDriver::restarted(std::string_view how_it_shows) {

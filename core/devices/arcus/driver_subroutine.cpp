@@ -29,6 +29,15 @@ std::optional<ArcusDriver::Called> ArcusDriver::note_call(std::string_view text)
   return before;
 }
 
+/// Of what moves nothing, too: no status shows it.
+Duration ArcusDriver::longest_run(std::string_view call) const {
+  constexpr Duration where_nobody_can_tell = std::chrono::seconds(10);
+  const auto number = decode_number(call.substr(2));
+  if (!stored_code_ || !number || *number < 0 || *number >= subroutines) return where_nobody_can_tell;
+  const auto& sub = stored_code_->subs[static_cast<std::size_t>(*number)];
+  return sub ? sub->rests.value_or(where_nobody_can_tell) : Duration::zero();
+}
+
 /// The one that was called may still be under way.
 bool ArcusDriver::subroutine_may_run() {
   if (called_ && called_->rests && scheduler_.now() - moved_at_ > *called_->rests) called_.reset();

@@ -202,6 +202,79 @@ TEST_F(Restart, AtZeroASpeedThatIsNeverStoredShowsIt) {
   EXPECT_TRUE(told("HSPD read 5000 and now reads 1000")) << all_notices();
 }
 
+TEST_F(Restart, AtZeroMotorPowerThatNobodyHasSwitchedShowsIt) {
+  start(pmx);
+  ASSERT_EQ(perform(intent::SetPower(2, true)), "");
+  run(5);
+  power_cycle();
+  EXPECT_TRUE(told("Motor power went off, and nothing that was sent does that")) << all_notices();
+  EXPECT_EQ(latest.restarts, 1u);
+  EXPECT_TRUE(latest.axes[0].trust.doubtful());
+}
+
+// EOBOOT has it on.
+TEST_F(Restart, AtZeroMotorPowerThatComesOnByItselfShowsItToo) {
+  start(dmx);
+  ASSERT_EQ(perform(intent::SetParam("EOBOOT", 1)), "");
+  ASSERT_EQ(perform(intent::Store()), "");
+  run(5);
+  power_cycle();
+  EXPECT_TRUE(told("Motor power came on")) << all_notices();
+}
+
+TEST_F(Restart, MotorPowerThatIsSwitchedByTextShowsNone) {
+  start(pmx);
+  for (const char* text : {"EO=15", "EO=0", "EO2=1", "EO2=0"}) {
+    EXPECT_EQ(query(text), "OK") << text;
+    run(3);
+  }
+  EXPECT_FALSE(said()) << all_notices();
+  EXPECT_FALSE(latest.axes[1].enabled);
+}
+
+TEST_F(Restart, MotorPowerThatAProgramSwitchesShowsNone) {
+  start(pmx);
+  ASSERT_EQ(perform(intent::SetPower(0, true)), "");
+  ASSERT_EQ(perform(intent::LoadProgram(0, "DELAY=3000\nEO=0\nEND\n")), "");
+  ASSERT_EQ(perform(intent::RunProgram(0)), "");
+  run(60);
+  EXPECT_FALSE(latest.axes[0].enabled);
+  EXPECT_FALSE(said()) << all_notices();
+}
+
+TEST_F(Restart, MotorPowerThatASubroutineSwitchesShowsNone) {
+  start(pmx);
+  ASSERT_EQ(perform(intent::SetPower(0, true)), "");
+  ASSERT_EQ(perform(intent::LoadProgram(0, "END\nSUB 3\nDELAY=3000\nEO=0\nENDSUB\n")), "");
+  EXPECT_EQ(query("GS3"), "OK");
+  run(60);
+  EXPECT_FALSE(latest.axes[0].enabled);
+  EXPECT_FALSE(said()) << all_notices();
+}
+
+// A stop reads positions too: what it has read is no news any more for the round behind it.
+TEST_F(Restart, WhatAStopHasReadFirstShowsItAllTheSame) {
+  start(dmx);
+  perform(intent::MoveTo(targets({500})));
+  ASSERT_TRUE(wait_idle());
+  ASSERT_TRUE(loop->operate(bench::PowerCycle()));
+  perform(intent::Stop());
+  run(40);
+  EXPECT_TRUE(said()) << all_notices();
+}
+
+// The loop corrects by a count or two, at any time.
+TEST_F(Restart, AnAxisThatStepNLoopBringsToZeroShowsNone) {
+  start(dmx);
+  perform(intent::MoveTo(targets({2})));
+  ASSERT_TRUE(wait_idle());
+  run(5);
+  ASSERT_TRUE(loop->operate(bench::Jam(AxisId{0}, true)));
+  EXPECT_EQ(query("X0"), "OK");
+  run(40);
+  EXPECT_FALSE(said()) << all_notices();
+}
+
 // Nothing that the controller tells has changed, and nothing was lost either.
 TEST_F(Restart, AtZeroWithEverythingStoredNothingShowsItAndNothingIsLost) {
   start(dmx);
