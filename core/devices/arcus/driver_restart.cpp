@@ -67,12 +67,15 @@ Task<Result<>> ArcusDriver::look_at_motors(Unexplained::Mark asked) {
   const bool unexplained = motors_.answered(asked) && !a_program_may;
   const auto before = std::exchange(motors_on_, on);
   if (!before || *before == on || !unexplained) co_return Result<>();
+  motors_on_ = before;  // until it is sure: the next round asks again
+  auto again = co_await ask_number("EO", Priority::poll);  // a digit may have been garbled
+  if (!again) co_return fail(again.error());
+  if (*again != on) co_return Result<>();
   auto after_power_up = co_await ask_number("EOBOOT", Priority::poll);
-  if (!after_power_up) {
-    motors_on_ = before;  // the next round asks again
+  if (!after_power_up && after_power_up.error().kind != FaultKind::refused)
     co_return fail(after_power_up.error());
-  }
-  if (*after_power_up == on) restarted(on < *before ? "Motor power went off" : "Motor power came on");
+  motors_on_ = on;
+  if (after_power_up.value_or(0) == on) restarted(on < *before ? "Motor power went off" : "Motor power came on");
   co_return Result<>();
 }
 
