@@ -32,9 +32,7 @@ float action_width(const Ui& ui, const Action& a, As as) {
   return button_width(ui, label(a, as), o);
 }
 
-float slot_width(const Refusal& what, As as) {
-  return as == As::bar ? what.slot_in_bar : what.slot_width;
-}
+float slot_width(const Refusal& what, As as) { return as == As::bar ? what.slot_in_bar : what.slot_width; }
 
 /// Places of slot and actions, one after the other, in as many rows as they need. Logical.
 template <class Place>

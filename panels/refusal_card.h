@@ -10,12 +10,11 @@
 //     const gui::Action actions[] = {{.id = home, .label = "Home", .disabled = why, .moving = true},
 //                                    {.id = once, .label = "Go on for this once", .moving = true}};
 //     Refusal refusal{.id = id, .about = "Go, X", .words = row.refused, .actions = actions};
-//     refusal.slot_width = 200, refusal.slot_in_bar = 120;  // only with a field or the like of the panel's own
-//     card.begin(f, refusal, row_rect);            // row_rect: pixels, of the row that it is about
-//     number_field(...);                           // only with a slot: at the cursor, 32 high, 28 if is_bar()
-//     const RefusalTouch done = card.end();
-//     if (done.action == 0) ...                    // the index in `actions`
-//     if (done.closed) row.refused.clear();        // its cross
+//     refusal.slot_width = 200, refusal.slot_in_bar = 120;  // only with a field or the like of the panel's
+//     own card.begin(f, refusal, row_rect);            // row_rect: pixels, of the row that it is about
+//     number_field(...);                           // only with a slot: at the cursor, 32 high, 28 if
+//     is_bar() const RefusalTouch done = card.end(); if (done.action == 0) ...                    // the
+//     index in `actions` if (done.closed) row.refused.clear();        // its cross
 //
 // The words have the id, the cross `<id>/close`. An action that moves waits as every moving button does: a
 // card has only just come where it opens.
@@ -32,7 +31,8 @@ struct Refusal {
   std::string_view about;  ///< in bold over them: "Go, X"
   std::string_view words;  ///< what was asked for, by how much it does not go, what was done or not
   std::span<const gui::Action> actions;
-  /// Logical: of what the panel draws itself before the actions, in a row of 32, and in the bar, in one of 28.
+  /// Logical: of what the panel draws itself before the actions, in a row of 32, and in the bar, in one
+  /// of 28.
   float slot_width = 0, slot_in_bar = 0;
 };
 

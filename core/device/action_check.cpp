@@ -36,17 +36,18 @@ Result<> check_action(const Catalog& catalog, const intent::Act& wish) {
     return fail(FaultKind::refused, "There is no such action.", "Nothing was sent.");
   const ActionInfo& info = catalog.actions[ix(wish.action)];
   if (wish.values.size() != info.fields.size())
-    return fail(FaultKind::refused,
-                fmt::format("{} takes {} values, not {}.", info.label, info.fields.size(), wish.values.size()),
-                "Nothing was sent.");
+    return fail(
+        FaultKind::refused,
+        fmt::format("{} takes {} values, not {}.", info.label, info.fields.size(), wish.values.size()),
+        "Nothing was sent.");
   for (std::size_t i = 0; i < wish.values.size(); ++i) {
     const ActionField& field = info.fields[i];
     if (takes(field, wish.values[i])) continue;
-    return fail(FaultKind::refused,
-                fmt::format("{} is not possible as {} of {}. It takes {}.",
-                            number(wish.values[i], field.decimals), field.label, info.label,
-                            what_it_takes(field)),
-                "Nothing was sent.");
+    return fail(
+        FaultKind::refused,
+        fmt::format("{} is not possible as {} of {}. It takes {}.", number(wish.values[i], field.decimals),
+                    field.label, info.label, what_it_takes(field)),
+        "Nothing was sent.");
   }
   return {};
 }

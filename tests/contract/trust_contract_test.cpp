@@ -168,7 +168,8 @@ TEST_P(TrustContract, ItsHomeMakesItTrustedWhereThatSetsTheCount) {
 // From a speed at which a step motor overshoots.
 TEST_P(TrustContract, AStopWithoutARampFromFullSpeedIsDoubted) {
   if (session->catalog().axes[0].servo) GTEST_SKIP() << "its encoder tells";
-  if (session->catalog().find_param("SL") >= 0) perform(intent::SetParam("SL", 0));  // else the encoder counts
+  if (session->catalog().find_param("SL") >= 0)
+    perform(intent::SetParam("SL", 0));  // else the encoder counts
   ASSERT_NO_FATAL_FAILURE(jog_at(Pps(4000), seconds(5)));
   ASSERT_GT(axis().speed.value, 3000);
   perform(intent::Abort());

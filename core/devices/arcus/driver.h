@@ -75,6 +75,7 @@ class ArcusDriver final : public Driver {
     unsigned with = 0;        ///< a bit for each axis of the same motion
     std::int8_t turned = 0;   ///< direction of the latest change of position
     Instant begun_at{};       ///< when our last command was sent
+    Pps top_speed{};          ///< of the motion that it began; 0: not known
   };
   /// What positions are compared with, to notice that the controller has been switched off and on.
   struct Stood {
@@ -86,6 +87,8 @@ class ArcusDriver final : public Driver {
     };
     std::array<Axis, max_axes> axes{};
     Instant seen_at{};
+    std::uint64_t misses = 0;  ///< answers that had not come until then
+    bool program_ran = false;
   };
   /// A setting that is written for one motion, and put back behind it.
   struct Borrowed {
@@ -143,14 +146,16 @@ class ArcusDriver final : public Driver {
   [[nodiscard]] int factory_id() const;
 
   // ---- driver_restart.cpp
-  [[nodiscard]] Pps fastest_way_home(int axis) const;
+  [[nodiscard]] Pps fastest_way_to_zero(int axis) const;
   [[nodiscard]] Stood where_all_stand() const;
   void may_set(std::string_view command);
-  void look_at_counters(Unexplained::Mark asked);
+  void look_at_counters(Unexplained::Mark asked, bool was_silent = false);
   Task<Result<>> look_at_motors(Unexplained::Mark asked);
+  Task<Result<bool>> something_is_kept();
+  Task<Result<>> look_at_start(int thread);
   [[nodiscard]] bool programs_switch_motors() const;
   Task<Result<>> look_back_over_the_loss();
-  void restarted(std::string_view how_it_shows);
+  void restarted(std::string_view how_it_shows, const std::optional<Stood>& before);
 
   // ---- driver_poll.cpp
   Task<Result<>> read_motion(Priority priority);
@@ -262,6 +267,7 @@ class ArcusDriver final : public Driver {
   Task<Result<>> read_params(std::string only);
   Task<Result<>> read_again();
   Task<Result<>> read_what_power_keeps();
+  int next_that_would_show();
   [[nodiscard]] bool in_ram_only(int index) const;
   void compare_with_stored(int index);
   void program_runs(Duration at_most = std::chrono::seconds(1));
@@ -291,9 +297,10 @@ class ArcusDriver final : public Driver {
   Station* station_ = nullptr;
 
   std::array<AxisMind, max_axes> minds_{};
-  Unexplained counters_, motors_;     ///< of positions and encoders; of motor power
-  std::optional<Stood> stood_;        ///< when last looked at
+  Unexplained counters_, motors_;  ///< of positions and encoders; of motor power
+  std::optional<Stood> stood_;     ///< when last looked at
   std::optional<std::int64_t> motors_on_;
+  std::optional<Stood> zero_in_doubt_;  ///< since then all counters have come to zero, nobody saw how
   bool incremental_ = false;
   std::optional<Borrowed> borrowed_;
   std::deque<std::vector<std::int64_t>> to_feed_;

@@ -15,6 +15,7 @@ void ArcusDriver::begun(int index, Activity activity, Instant when) {
   mind.stopping = false;
   mind.ended_by = EndedBy::nothing;
   mind.begun_at = when;
+  mind.top_speed = {};
   AxisState& axis = draft_.axes[index];
   axis.activity = activity;
   axis.ended_by = EndedBy::nothing;
@@ -126,6 +127,7 @@ Task<Result<>> ArcusDriver::move(std::vector<AxisTarget> wish, Pps speed, bool r
   for (std::size_t i = 0; started && i < axes.size(); ++i) {
     draft_.axes[axes[i]].has_target = true;
     draft_.axes[axes[i]].target = Steps(goals[i]);
+    minds_[ix(axes[i])].top_speed = speed.value > 0 ? speed : draft_.axes[axes[i]].own_speed;
   }
   auto returned = co_await give_back();
   if (!started) co_return started;

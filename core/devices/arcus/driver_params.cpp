@@ -130,13 +130,13 @@ Task<Result<>> ArcusDriver::read_param(int index, Priority priority) {
       const bool taken_back = before.known && before.value != *value && nobody_sets_.test(ix(index)) &&
                               in_ram_only(index) && *value == after_power_up_[ix(index)];
       if (taken_back)
-        restarted(fmt::format("{} read {} and now reads {}", info.mnemonic, encode_value(info, before.value),
-                              encode_value(info, *value)));
+        restarted(fmt::format("{} read {} and now reads {}, and nothing that was sent does that",
+                              info.mnemonic, encode_value(info, before.value), encode_value(info, *value)),
+                  std::nullopt);
       draft_.params[ix(index)].value = *value;
       draft_.params[ix(index)].known = true;
       const bool programs_leave_it = stored_code_ && !stored_code_->sets.test(ix(index));
-      nobody_sets_.set(ix(index),
-                       programs_leave_it || scheduler_.now() > programs_run_until_);
+      nobody_sets_.set(ix(index), programs_leave_it || scheduler_.now() > programs_run_until_);
       if (info.stored) compare_with_stored(index);
       co_return Result<>();
     }
@@ -179,6 +179,13 @@ bool ArcusDriver::in_ram_only(int index) const {
 // A controller that stood at zero shows by its positions nothing of having been switched off and on. What it
 // then has lost shows it: one value a second of those that a power-up takes back.
 Task<Result<>> ArcusDriver::read_what_power_keeps() {
+  const int index = next_that_would_show();
+  if (index < 0) co_return Result<>();
+  co_return co_await read_param(index, Priority::poll);
+}
+
+/// One after the other; -1: there is none.
+int ArcusDriver::next_that_would_show() {
   const int params = static_cast<int>(catalog_.params.size());
   for (int tried = 0; tried < params; ++tried) {
     const int index = next_kept_;
@@ -186,9 +193,9 @@ Task<Result<>> ArcusDriver::read_what_power_keeps() {
     const ParamInfo& info = catalog_.params[ix(index)];
     const ParamState& state = draft_.params[ix(index)];
     const bool would_show = !state.stored || (!info.stored && state.value != info.fallback);
-    if (state.known && would_show && in_ram_only(index)) co_return co_await read_param(index, Priority::poll);
+    if (state.known && would_show && in_ram_only(index)) return index;
   }
-  co_return Result<>();
+  return -1;
 }
 
 // What depends on what: times are adjusted to the speeds, the joystick switches StepNLoop off.

@@ -30,7 +30,7 @@ Task<Result<>> ArcusDriver::poll() {
   }
   auto fed = co_await feed();
   if (!fed) co_return fed;
-  if (std::exchange(io_due_, false) || !any_moving() || round_ % io_every == 0) {
+  if (std::exchange(io_due_, false) || zero_in_doubt_ || !any_moving() || round_ % io_every == 0) {
     auto io = co_await read_io(Priority::poll);
     if (!io) co_return io;
     auto threads = co_await read_threads(false, Priority::poll);

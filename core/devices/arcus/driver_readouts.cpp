@@ -156,8 +156,14 @@ Task<Result<>> ArcusDriver::read_threads(bool all, Priority priority) {
 Task<Result<>> ArcusDriver::read_thread(int thread, Priority priority) {
   auto state = co_await ask_number(fmt::format("SASTAT{}", thread), priority);
   if (!state) co_return fail(state.error());
+  const RunState run = run_state(*state);
+  const bool nobody_started_it = scheduler_.now() > programs_run_until_ && !called_;
+  if (run == RunState::running && nobody_started_it && stood_ && !stood_->program_ran) {
+    auto looked = co_await look_at_start(thread);
+    if (!looked) co_return looked;
+  }
   ThreadState& known = draft_.threads[ix(thread)];
-  known.run = run_state(*state);
+  known.run = run;
   known.known = true;
   if (known.run == RunState::running) program_runs();
   if (known.run == RunState::idle) {

@@ -10,23 +10,30 @@
 
 namespace hw::arcus {
 
-// How fast a counter may come to zero by itself. An axis on its way elsewhere does not rest there.
-Pps ArcusDriver::fastest_way_home(int index) const {
+// How fast a counter may come to zero by itself. An axis on its way elsewhere, or away from there, does not
+// rest at zero.
+Pps ArcusDriver::fastest_way_to_zero(int index) const {
+  constexpr Pps at_once{std::numeric_limits<double>::infinity()};
   const AxisState& axis = draft_.axes[index];
   const AxisMind& mind = minds_[ix(index)];
   if (!moving(index)) return Pps{};
-  if (mind.ours && (mind.wanted == Activity::jogging || mind.stopping)) return axis.speed;
-  if (mind.ours && axis.has_target && axis.target != Steps(0)) return Pps{};
-  return Pps(std::numeric_limits<double>::infinity());
+  if (!mind.ours || mind.wanted == Activity::homing) return at_once;
+  const bool away = axis.position.value * axis.direction > 0;
+  if (mind.wanted == Activity::jogging) return away ? Pps{} : std::max(axis.speed, mind.top_speed);
+  if (mind.stopping) return axis.speed;
+  if (!axis.has_target) return at_once;
+  if (axis.target != Steps(0)) return Pps{};
+  return mind.top_speed.value > 0 ? std::max(axis.speed, mind.top_speed) : at_once;
 }
 
 ArcusDriver::Stood ArcusDriver::where_all_stand() const {
   Stood stood;
   stood.seen_at = scheduler_.now();
-  for (int i = 0; i < axis_count(); ++i) {
-    stood.axes[ix(i)] = {draft_.axes[i].position, fastest_way_home(i),
+  stood.misses = station_ ? station_->statistics().timeouts : 0;
+  stood.program_ran = draft_.program.run == RunState::running;
+  for (int i = 0; i < axis_count(); ++i)
+    stood.axes[ix(i)] = {draft_.axes[i].position, fastest_way_to_zero(i),
                          draft_.axes[i].in_counts ? Steps(loop_tolerance(i)) : Steps(0), moving(i)};
-  }
   return stood;
 }
 
@@ -34,40 +41,49 @@ ArcusDriver::Stood ArcusDriver::where_all_stand() const {
 void ArcusDriver::may_set(std::string_view command) {
   if (may_set_counter(command)) counters_.may_be_set();
   if (may_switch_motor(command)) motors_.may_be_set();
+  if (command.starts_with("SR") && !ends_program(command)) program_runs();
+  if (command.starts_with("GS")) program_runs(longest_run(command));
 }
 
 // After power-up every counter reads zero wherever the motors stand. Texts that may set a counter, homing and
-// programs do that too. See also look_at_motors() and read_what_power_keeps(), for one that stood at zero.
-void ArcusDriver::look_at_counters(Unexplained::Mark asked) {
+// programs do that too, and a motion may end there. Where the controller was silent in between, that is not
+// taken for granted: look_at_motors() finds out. See also read_what_power_keeps(), for one that stood at
+// zero.
+void ArcusDriver::look_at_counters(Unexplained::Mark asked, bool was_silent) {
   const bool unexplained = counters_.answered(asked);
   const auto before = std::exchange(stood_, where_all_stand());
-  if (!before || !unexplained || draft_.program.run == RunState::running) return;
+  if (!before || !unexplained) return;
+  const bool silent = was_silent || stood_->misses != before->misses;
+  const bool a_program_may = before->program_ran || stood_->program_ran;
   constexpr double between_two_looks = 1;  // s, and more where the wire was slow
   const double elapsed = between_two_looks + seconds(scheduler_.now() - before->seen_at);
-  bool jumped = false;
+  bool jumped = false, came_nearer = false, stands_at_zero = true;
   for (int i = 0; i < axis_count(); ++i) {
     const AxisState& axis = draft_.axes[i];
-    if (runs(i) || axis.position != Steps(0) || axis.encoder != Steps(0)) return;
     const Stood::Axis& then = before->axes[ix(i)];
-    const double reach = static_cast<double>(then.room.value) +
-                         (then.towards_zero.value > 0 ? then.towards_zero.value * elapsed : 0);
-    jumped = jumped || static_cast<double>(std::abs(then.position.value)) > reach;
+    stands_at_zero = stands_at_zero && !runs(i) && axis.position == Steps(0) && axis.encoder == Steps(0);
+    came_nearer = came_nearer || std::abs(axis.position.value) < std::abs(then.position.value);
+    const double way = static_cast<double>(std::abs(then.position.value) - then.room.value);
+    const double reach = then.towards_zero.value > 0 ? then.towards_zero.value * elapsed : 0;
+    jumped = jumped || way > reach;
   }
-  if (!jumped) return;
-  restarted("All positions read zero");
-  for (int i = 0; i < axis_count(); ++i)
-    if (before->axes[ix(i)].moved) draft_.axes[i].ended_by = EndedBy::lost;
+  const bool a_program_did = was_silent && before->program_ran;
+  if (came_nearer && ((silent && stands_at_zero) || a_program_did)) zero_in_doubt_ = before;
+  if (stands_at_zero && jumped && !a_program_may)
+    return restarted("All positions read zero, and nothing that was sent does that", before);
 }
 
-// The motors have power, or none, as after power-up (EOBOOT), and nobody has switched them.
+// The motors have power, or none, as after power-up (EOBOOT), and nobody has switched them. Power that is not
+// as then shows that it was never cut.
 Task<Result<>> ArcusDriver::look_at_motors(Unexplained::Mark asked) {
   std::int64_t on = 0;
   for (int i = 0; i < axis_count(); ++i) on |= std::int64_t{draft_.axes[i].enabled} << i;
   const bool a_program_may = programs_switch_motors() && (scheduler_.now() <= programs_run_until_ || called_);
   const bool unexplained = motors_.answered(asked) && !a_program_may;
   const auto before = std::exchange(motors_on_, on);
-  if (!before || *before == on || !unexplained) co_return Result<>();
-  motors_on_ = before;  // until it is sure: the next round asks again
+  const bool changed = before && *before != on && unexplained;
+  if (!changed && !zero_in_doubt_) co_return Result<>();
+  motors_on_ = before;                                     // until it is sure: the next round asks again
   auto again = co_await ask_number("EO", Priority::poll);  // a digit may have been garbled
   if (!again) co_return fail(again.error());
   if (*again != on) co_return Result<>();
@@ -75,22 +91,52 @@ Task<Result<>> ArcusDriver::look_at_motors(Unexplained::Mark asked) {
   if (!after_power_up && after_power_up.error().kind != FaultKind::refused)
     co_return fail(after_power_up.error());
   motors_on_ = on;
-  if (after_power_up.value_or(0) == on) restarted(on < *before ? "Motor power went off" : "Motor power came on");
+  const bool as_after_power_up = after_power_up.value_or(0) == on;
+  const auto in_doubt = std::exchange(zero_in_doubt_, std::nullopt);
+  if (!as_after_power_up) co_return Result<>();
+  if (changed) {
+    restarted(fmt::format("Motor power {}, and nothing that was sent does that",
+                          on < *before ? "went off" : "came on"),
+              in_doubt);
+    co_return Result<>();
+  }
+  auto kept = co_await something_is_kept();
+  if (!kept) co_return fail(kept.error());
+  if (!*kept) restarted("It did not answer for a while, and then it counted from zero", in_doubt);
+  co_return Result<>();
+}
+
+// A value that a power-cut would have taken back still stands; or it does not, and that has been told.
+Task<Result<bool>> ArcusDriver::something_is_kept() {
+  const int index = next_that_would_show();
+  if (index < 0 || !nobody_sets_.test(ix(index))) co_return false;
+  auto read = co_await read_param(index, Priority::poll);
+  if (!read) co_return fail(read.error());
+  co_return true;
+}
+
+// A program that nobody has started, and that power-up starts.
+Task<Result<>> ArcusDriver::look_at_start(int thread) {
+  auto starts_at_power_up = co_await ask_number("SLOAD", Priority::poll);
+  if (!starts_at_power_up && starts_at_power_up.error().kind != FaultKind::refused)
+    co_return fail(starts_at_power_up.error());
+  if ((starts_at_power_up.value_or(0) >> thread & 1) != 0)
+    restarted(fmt::format("Program {} runs, which power-up starts and nothing that was sent", thread),
+              std::nullopt);
   co_return Result<>();
 }
 
 bool ArcusDriver::programs_switch_motors() const { return !stored_code_ || stored_code_->switches_motors; }
 
-// What was on its way when the wire was lost had all the time it wanted. A stop that nobody answered explains
-// no zero; motor power that was to be switched may have been.
+// A stop that nobody answered when the wire was lost explains no zero; motor power that was to be switched
+// may have been.
 Task<Result<>> ArcusDriver::look_back_over_the_loss() {
-  if (stood_)
-    for (Stood::Axis& axis : stood_->axes) axis.towards_zero = Pps{}, axis.moved = false;
-  look_at_counters(counters_.settle());
+  if (stood_ && stood_->program_ran) program_runs();  // until a moment ago, perhaps
+  look_at_counters(counters_.settle(), true);
   co_return co_await look_at_motors(motors_.ask());
 }
 
-void ArcusDriver::restarted(std::string_view how_it_shows) {
+void ArcusDriver::restarted(std::string_view how_it_shows, const std::optional<Stood>& before) {
   ++draft_.restarts;
   for (ParamState& p : draft_.params) p = ParamState();
   for (ThreadState& t : draft_.threads) t = ThreadState();
@@ -104,16 +150,17 @@ void ArcusDriver::restarted(std::string_view how_it_shows) {
   end_feed();
   stood_.reset();
   motors_on_.reset();
+  zero_in_doubt_.reset();
   for (int i = 0; i < axis_count(); ++i) {
+    if (before && before->axes[ix(i)].moved) draft_.axes[i].ended_by = EndedBy::lost;
     minds_[static_cast<std::size_t>(i)] = AxisMind();
     draft_.axes[i].has_target = false;
     draft_.axes[i].trust.doubt(Doubt::power_cut, scheduler_.now());
   }
   tell(Notice::Kind::warning,
        fmt::format(
-           "{}, and nothing that was sent does that: the controller was switched off and on, or another "
-           "program set it. What was not stored is gone; it is read afresh. Find home before the next "
-           "absolute move.",
+           "{}: the controller was switched off and on, or another program did it. What was not stored is "
+           "gone; it is read afresh. Find home before the next absolute move.",
            how_it_shows));
 }
 

@@ -48,8 +48,6 @@ Task<Result<Reply>> ArcusDriver::exchange(std::string text, Priority priority, D
   if (!station_) co_return no_connection();
   const bool anothers = address_of(text) >= 0 && address_of(text) != catalog_.address;
   const std::string said = anothers ? std::string() : command_in(text);
-  if (said.starts_with("SR") && !ends_program(said)) program_runs();
-  if (said.starts_with("GS")) program_runs(longest_run(said));
   may_set(said);
   const bool must_be_sure = own_question || priority != Priority::stop;
   if (must_be_sure && station_->owes_answer()) {

@@ -78,27 +78,29 @@ class Vme58Driver final : public Driver {
     bool settling = false;       ///< such a motion was seen, and nobody has said yet how it ended
   };
   /// What the console knows of an axis beside the snapshot.
+  /// What a motion to the home switch does there.
+  enum class AtHome : std::uint8_t { nothing, sets_counter, stops_dead };
   struct AxisMind {
     Activity wanted = Activity::idle;     ///< what our last command began
     EndedBy ended_by = EndedBy::nothing;  ///< why we ended it, if we did
     bool ours = false;                    ///< a motion of the console is under way
     unsigned group = 0;                   ///< the axes of its move, when there are several
     bool stopping = false;
-    bool done = false;          ///< its done flag was seen since the motion began
-    bool limit_hit = false;     ///< its limit flag, likewise
-    bool from_limit = false;    ///< it stood on a switch then, and has not come off it
-    bool turned = false;        ///< it has moved since then
-    bool counted = false;       ///< the console has set its counter since the last round
-    std::int8_t way = 0;        ///< direction of the latest change of position
-    std::int8_t limit_end = 0;  ///< of the switch it stands on, once that is known
-    std::int8_t letter = 0;     ///< the board's direction letter when that was last judged
-    bool homes = false;         ///< its motion sets its counter at the home switch
-    bool by_text = false;       ///< a motion of the user's text or program may be under way
-    bool in_group = false;      ///< in the queue of AA or AM something may wait that moves it
-    bool listed = false;        ///< a list of AA or AM may have prepared a motion that their next GO begins
-    bool asks_queue = false;    ///< it rests without a reason: its queue tells whether it has ended
-    Duration jog_gap{};         ///< of a jog: it turns, though so long no count and no velocity may show it
-    Instant creeps_until{};     ///< and so it is taken to turn until then
+    bool done = false;                 ///< its done flag was seen since the motion began
+    bool limit_hit = false;            ///< its limit flag, likewise
+    bool from_limit = false;           ///< it stood on a switch then, and has not come off it
+    bool turned = false;               ///< it has moved since then
+    bool counted = false;              ///< the console has set its counter since the last round
+    std::int8_t way = 0;               ///< direction of the latest change of position
+    std::int8_t limit_end = 0;         ///< of the switch it stands on, once that is known
+    std::int8_t letter = 0;            ///< the board's direction letter when that was last judged
+    AtHome at_home = AtHome::nothing;  ///< of its motion
+    bool by_text = false;              ///< a motion of the user's text or program may be under way
+    bool in_group = false;             ///< in the queue of AA or AM something may wait that moves it
+    bool listed = false;      ///< a list of AA or AM may have prepared a motion that their next GO begins
+    bool asks_queue = false;  ///< it rests without a reason: its queue tells whether it has ended
+    Duration jog_gap{};       ///< of a jog: it turns, though so long no count and no velocity may show it
+    Instant creeps_until{};   ///< and so it is taken to turn until then
     Instant still_since{};
     ServoMind servo;
     std::optional<Borrowed> velocity;  ///< VL, while a move with a speed of its own has another there
@@ -198,6 +200,8 @@ class Vme58Driver final : public Driver {
   void end_motion(int axis, EndedBy ended_by);
   void trusted(int axis, Trust how) { draft_.axes[axis].trust.settle(how, scheduler_.now()); }
   void doubt_killed_positions();
+  void doubt_killed_position(int axis, double speed);
+  void comes_home(int axis);
   void show_worst();
   void record_round();
   [[nodiscard]] std::int64_t value(int axis, AxisValue v) const;

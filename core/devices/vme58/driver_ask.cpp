@@ -49,10 +49,11 @@ Task<Result<>> Vme58Driver::ask_in_turn() {
     if (*worked_off && std::exchange(draft_.working, false)) {
       flags_wanted_ = true;
       for (int i = 0; i < axis_count(); ++i) {
-        const bool ours = minds_[ix(i)].ours;
-        const bool homed = !ours && std::exchange(minds_[ix(i)].homes, false);
-        if (homed && draft_.axes[i].ended_by == EndedBy::nothing) trusted(i, Trust::homed);
-        minds_[ix(i)].by_text = false;
+        AxisMind& mind = minds_[ix(i)];
+        mind.by_text = false;
+        if (mind.ours) continue;
+        if (draft_.axes[i].ended_by == EndedBy::nothing) comes_home(i);
+        mind.at_home = AtHome::nothing;
       }
     }
   }

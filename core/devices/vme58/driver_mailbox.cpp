@@ -147,16 +147,25 @@ Task<Result<>> Vme58Driver::stop_all(std::string_view word) {
 /// Its pulses end with KL, not its mass: a step motor stays in step only up to the speed at which it may
 /// start without a ramp too.
 void Vme58Driver::doubt_killed_positions() {
-  for (int i = 0; i < axis_count(); ++i) {
-    AxisState& axis = draft_.axes[i];
-    const std::int64_t safe = value(i, AxisValue::base_velocity);
-    if (catalog_.axes[ix(i)].switchable || axis.speed.value <= static_cast<double>(safe)) continue;
-    axis.trust.doubt(Doubt::killed, scheduler_.now());
-    tell(Notice::Kind::warning,
-         fmt::format("Axis {} was stopped without a ramp at {:.0f} counts/s. Above {} (VB) it may have lost "
-                     "steps: its position is doubtful until it is homed or set.",
-                     axis_name(i), axis.speed.value, safe));
-  }
+  for (int i = 0; i < axis_count(); ++i) doubt_killed_position(i, draft_.axes[i].speed.value);
+}
+
+void Vme58Driver::doubt_killed_position(int i, double speed) {
+  const std::int64_t safe = value(i, AxisValue::base_velocity);
+  if (catalog_.axes[ix(i)].switchable || speed <= static_cast<double>(safe)) return;
+  draft_.axes[i].trust.doubt(Doubt::killed, scheduler_.now());
+  tell(Notice::Kind::warning,
+       fmt::format("Axis {} was stopped without a ramp at {:.0f} counts/s. Above {} (VB) it may have lost "
+                   "steps: its position is doubtful until it is homed or set.",
+                   axis_name(i), speed, safe));
+}
+
+/// Its motion to the home switch has come there. KM and KR stop dead, from VL.
+void Vme58Driver::comes_home(int i) {
+  const AtHome how = std::exchange(minds_[ix(i)].at_home, AtHome::nothing);
+  if (how == AtHome::sets_counter) trusted(i, Trust::homed);
+  if (how == AtHome::stops_dead)
+    doubt_killed_position(i, static_cast<double>(value(i, AxisValue::maximum_velocity)));
 }
 
 void Vme58Driver::stopping(int axis, bool at_once) {
@@ -165,7 +174,7 @@ void Vme58Driver::stopping(int axis, bool at_once) {
     AxisMind& mind = minds_[ix(i)];
     forget_put_velocities(i);
     begins_to_creep(i, {});
-    mind.homes = false;  // one that waits in a queue goes with it
+    mind.at_home = AtHome::nothing;  // one that waits in a queue goes with it
     mind.servo.goes_to_place = mind.servo.settling = false;
     if (!moving(i) && !mind.ours) continue;
     mind.stopping = true;

@@ -59,7 +59,7 @@ Task<Result<>> Vme58Driver::begin(std::string text, unsigned axes, Activity acti
     AxisMind& mind = minds_[ix(i)];
     before[ix(i)] = std::exchange(mind.wanted, activity);
     mind.ours = true;
-    mind.homes = mind.homes && activity == Activity::homing;
+    if (activity != Activity::homing) mind.at_home = AtHome::nothing;
     mind.group = (axes & (axes - 1)) != 0 ? axes : 0;
     mind.done = mind.limit_hit = mind.turned = mind.stopping = mind.by_text = mind.asks_queue = false;
     if (activity != Activity::jogging) begins_to_creep(i, {});
@@ -79,7 +79,7 @@ Task<Result<>> Vme58Driver::begin(std::string text, unsigned axes, Activity acti
     if ((axes >> i & 1) != 0) {
       minds_[ix(i)].ours = moving(i) && minds_[ix(i)].ours;
       minds_[ix(i)].wanted = before[ix(i)];  // what still moves is what it was
-      minds_[ix(i)].homes = false;
+      minds_[ix(i)].at_home = AtHome::nothing;
       draft_.axes[i].has_target = false;
       show_still(i, scheduler_.now());
     }
@@ -191,7 +191,8 @@ Task<Result<>> Vme58Driver::home(intent::Home wish) {
   auto own = co_await give_speed_back(axis, Priority::intent);
   if (!own) co_return own;
   text = addressed(axis, "CA " + text);
-  minds_[ix(axis)].homes = static_cast<HomeMode>(wish.mode) != HomeMode::stop_dead;  // KM keeps the counter
+  const bool dead = static_cast<HomeMode>(wish.mode) == HomeMode::stop_dead;
+  minds_[ix(axis)].at_home = dead ? AtHome::stops_dead : AtHome::sets_counter;
   const std::array<Steps, max_axes> nowhere{};
   co_return co_await begin(std::move(text), 1u << axis, Activity::homing, nowhere);
 }

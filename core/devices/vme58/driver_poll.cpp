@@ -318,7 +318,8 @@ void Vme58Driver::end_motion(int i, EndedBy ended_by) {
   AxisState& axis = draft_.axes[i];
   AxisMind& mind = minds_[ix(i)];
   ended_by = judged(i, ended_by);
-  if (std::exchange(mind.homes, false) && ended_by == EndedBy::target) trusted(i, Trust::homed);
+  if (ended_by == EndedBy::target) comes_home(i);
+  mind.at_home = AtHome::nothing;
   axis.activity = Activity::idle;
   axis.ended_by = ended_by;
   axis.has_target = false;

@@ -167,7 +167,7 @@ void Vme58Driver::end_program(EndedBy ended_by) {
   draft_.feed.running = false;
   if (std::exchange(context_.recording, false))
     selection_lost_ = true;  // a selector ends it on the board too
-  for (AxisMind& mind : minds_) mind.by_text = mind.in_group = mind.homes = false;
+  for (AxisMind& mind : minds_) mind.by_text = mind.in_group = false, mind.at_home = AtHome::nothing;
   ProgramState& p = draft_.program;
   if (p.run != RunState::running) return;
   p.run = ended_by == EndedBy::error ? RunState::error : RunState::idle;
@@ -194,7 +194,7 @@ Task<Result<>> Vme58Driver::watch_program() {
   bool limit = false;
   for (int i = 0; i < axis_count(); ++i) limit = limit || (minds_[ix(i)].turned && met_limit(minds_[ix(i)]));
   for (int i = 0; i < axis_count(); ++i)
-    if (std::exchange(minds_[ix(i)].homes, false) && !limit) trusted(i, Trust::homed);
+    if (!limit) comes_home(i);
   end_program(limit ? EndedBy::limit : EndedBy::target);
   co_return Result<>();
 }

@@ -80,7 +80,8 @@ Task<Result<>> Vme58Driver::settle_late_rejection(Priority priority) {
 
 // The error came to light in a round of status: what had waited in a queue was rejected when its turn came.
 void Vme58Driver::show_late_rejection() {
-  for (AxisMind& mind : minds_) mind.homes = mind.homes && mind.ours;  // it may have been the homing
+  for (AxisMind& mind : minds_)
+    if (!mind.ours) mind.at_home = AtHome::nothing;  // it may have been the homing
   std::string words = fmt::format(
       "The board reports a command error: of what waited in a queue, or of \"{}\".", without_end(last_said_));
   if (draft_.program.run == RunState::running) {

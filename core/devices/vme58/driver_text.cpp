@@ -310,11 +310,13 @@ void Vme58Driver::note_motion(const TextCommand& command) {
     ServoMind& servo = minds_[ix(i)].servo;
     servo.goes_to_place = !jogs && !stops_here(op);
     servo.settling = servo.settling && servo.goes_to_place;
-    bool& homes = minds_[ix(i)].homes;
+    AtHome& at_home = minds_[ix(i)].at_home;
     if (op == Op::HM || op == Op::HR)
-      homes = one;
+      at_home = one ? AtHome::sets_counter : AtHome::nothing;
+    else if (op == Op::KM || op == Op::KR)
+      at_home = AtHome::stops_dead;
     else if (jogs || stops_here(op))
-      homes = false;
+      at_home = AtHome::nothing;
     const double speed = jogs ? std::abs(*command.numbers[place]) : 0;
     begins_to_creep(i, speed > 0 ? jog_gap(i, speed) : Duration::zero());
   }

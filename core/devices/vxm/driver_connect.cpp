@@ -200,7 +200,8 @@ Task<Result<>> VxmDriver::found_restarted(const char* why) {
   forget_what_ran();
   news_.notify();
   auto reply = co_await ask("D", ReplyShape::until_quiet(greeting_quiet_ms), Priority::intent, nullptr);
-  if (!reply && reply.error().kind == FaultKind::stopped) co_return fail(reply.error());  // the next V finds it
+  if (!reply && reply.error().kind == FaultKind::stopped)
+    co_return fail(reply.error());  // the next V finds it
   std::optional<Digitized> places;
   if (reply) places = decode_digitized(*reply, max_motors);
   bool zero = true;
