@@ -62,10 +62,10 @@ void ArcusDriver::look_at_counters(Unexplained::Mark asked, bool was_silent) {
     const AxisState& axis = draft_.axes[i];
     const Stood::Axis& then = before->axes[ix(i)];
     stands_at_zero = stands_at_zero && !runs(i) && axis.position == Steps(0) && axis.encoder == Steps(0);
-    came_nearer = came_nearer || std::abs(axis.position.value) < std::abs(then.position.value);
-    const double way = static_cast<double>(std::abs(then.position.value) - then.room.value);
+    const std::int64_t way = std::abs(then.position.value) - then.room.value;
     const double reach = then.towards_zero.value > 0 ? then.towards_zero.value * elapsed : 0;
-    jumped = jumped || way > reach;
+    came_nearer = came_nearer || way > std::abs(axis.position.value);
+    jumped = jumped || static_cast<double>(way) > reach;
   }
   const bool a_program_did = was_silent && before->program_ran;
   if (came_nearer && ((silent && stands_at_zero) || a_program_did)) zero_in_doubt_ = before;
