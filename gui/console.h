@@ -4,6 +4,7 @@
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -103,6 +104,8 @@ class Console {
   /// is stopped, and what was done is written where the next start tells it. Waits up to five seconds for it
   /// to come to rest. `how`: "SIGTERM".
   void depart(std::string_view how);
+  /// Closed by the user: what was begun here and no stop reaches is told at the next start too.
+  void note_unreached(std::span<Tab* const> closed, std::string_view how);
   /// Files let fall on the window are opened in the editor of the controller in front; under a dialog or a
   /// menu none is, for what it asks comes first.
   void drop(const std::vector<std::string>& paths);

@@ -37,30 +37,18 @@ Task<> see_at_rest(std::shared_ptr<Session> session, IntentId stop, std::shared_
   watched->over = true;
 }
 
-/// A tab of no session (tests) has begun whatever it does.
-bool begun_here(const Tab& tab) { return !tab.session() || tab.session()->begun_here(); }
-
-/// What its last word shows; a controller that is out of reach may do more than that.
-std::string left_by(const Tab& tab) {
-  std::string what = what_goes_on(tab, Tense::past);
-  const bool lost = tab.now().link.state == LinkState::lost;
-  if (what.empty() && lost && tab.session() && tab.session()->begun_here())
-    what = "what was begun may have been under way";
-  return what;
-}
-
 }  // namespace
 
 void Console::depart(std::string_view how) {
   LastEnd end{date_of_today(), time_of_day(clock()), std::string(how), {}};
   std::vector<std::shared_ptr<Watched>> watched;
   for (const auto& tab : tabs_) {
-    const std::string what = left_by(*tab);
+    const std::string what = what_goes_on(*tab, Tense::past);
     if (what.empty()) continue;
     LastEnd::Controller& told = end.controllers.emplace_back();
     told.name = whose(*tab, what), told.what = what;
     told.fate = !begun_here(*tab) ? LastEnd::Fate::left_alone
-                : goes_on(*tab)   ? LastEnd::Fate::told
+                : reached(*tab)   ? LastEnd::Fate::told
                                   : LastEnd::Fate::not_told;
     if (told.fate == LastEnd::Fate::left_alone) continue;
     tab->jog.forget();  // the stop ends it; two stops would mean: at once, without a ramp
@@ -80,6 +68,16 @@ void Console::depart(std::string_view how) {
   for (const auto& one : watched)
     if (one->rests) end.controllers[one->place].fate = LastEnd::Fate::at_rest;
   if (!watched.empty()) tell(ends.keep(end));
+}
+
+void Console::note_unreached(std::span<Tab* const> closed, std::string_view how) {
+  LastEnd end{date_of_today(), time_of_day(clock()), std::string(how), {}};
+  for (const Tab* tab : closed) {
+    if (reached(*tab) || !goes_on(*tab) || !begun_here(*tab)) continue;
+    const std::string what = what_goes_on(*tab, Tense::past);
+    end.controllers.push_back({whose(*tab, what), what, LastEnd::Fate::not_told});
+  }
+  if (!end.controllers.empty()) tell(LastEnds(outside_->folders).keep(end));
 }
 
 void Console::tell_last_ends() {

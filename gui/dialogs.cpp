@@ -67,20 +67,6 @@ bool any_goes_on(std::span<Tab* const> tabs) {
   return std::any_of(tabs.begin(), tabs.end(), [](const Tab* tab) { return goes_on(*tab); });
 }
 
-/// "Stage: Program 2 is running. Table: axis X is moving. Nobody would watch it."
-std::string going_on_in(std::span<Tab* const> tabs) {
-  std::string all;
-  int count = 0;
-  for (const Tab* tab : tabs) {
-    if (!goes_on(*tab)) continue;
-    const std::string what = what_goes_on(*tab, Tense::present);
-    all += fmt::format("{}: {}. ", whose(*tab, what), what);
-    ++count;
-  }
-  if (all.empty()) return "Nothing moves any more.";
-  return all + (count > 1 ? "Nobody would watch them." : "Nobody would watch it.");
-}
-
 /// What panels hold that is kept nowhere else; whose it is, when it may be of several.
 std::string unkept_of(std::span<Tab* const> tabs) {
   std::string all;
@@ -108,11 +94,10 @@ void Dialogs::names(Tab& tab) {
   for (std::size_t i = 0; i < tab.catalog().axes.size(); ++i) axis_names_.push_back(tab.profile.axes[i].name);
 }
 
-bool Dialogs::ask_to_close(Kind kind, Tab* tab, std::vector<Tab*> closed) {
+bool Dialogs::ask_to_close(Console& console, Kind kind, Tab* tab, std::vector<Tab*> closed) {
   closed_ = std::move(closed);
   if (kind_ == kind && tab_ == tab) {  // asked again while the question is open
-    stop_what_goes_on(closed_);
-    close();
+    leave(console, true);
     return false;
   }
   goes_on_ = any_goes_on(closed_);
@@ -123,15 +108,23 @@ bool Dialogs::ask_to_close(Kind kind, Tab* tab, std::vector<Tab*> closed) {
   return true;
 }
 
+/// As it was answered; closing what is left is up to the caller.
+void Dialogs::leave(Console& console, bool stopped) {
+  if (stopped) stop_what_goes_on(closed_);
+  console.note_unreached(
+      closed_, kind_ == Kind::end ? "the window was closed" : fmt::format("{} was closed", tab_->name()));
+  close();
+}
+
 void Dialogs::close_controller(Console& console, Tab& tab) {
-  if (!ask_to_close(Kind::close_controller, &tab, closed_with(tab))) console.close(tab);
+  if (!ask_to_close(console, Kind::close_controller, &tab, closed_with(tab))) console.close(tab);
 }
 
 bool Dialogs::may_end(Console& console) {
   std::vector<Tab*> all;
   for (const auto& tab : console.tabs()) all.push_back(tab.get());
   Tab* first = all.empty() ? nullptr : all.front();
-  return !ask_to_close(Kind::end, first, std::move(all));
+  return !ask_to_close(console, Kind::end, first, std::move(all));
 }
 
 Tab* Dialogs::closing() const { return kind_ == Kind::close_controller ? tab_ : nullptr; }
@@ -196,7 +189,7 @@ void Dialogs::draw_names(Ui& ui, Console& console) {
 
 std::string Dialogs::why_asked() const {
   std::string what;
-  if (goes_on_) what = kind_ == Kind::end ? going_on_in(closed_) : goes_on_unwatched(*tab_);
+  if (goes_on_) what = kind_ == Kind::end ? goes_on_unwatched(closed_) : goes_on_unwatched(*tab_);
   if (unkept_.empty()) return what;
   return what.empty() ? unkept_ + " Closing loses it." : fmt::format("{} {} That is lost.", what, unkept_);
 }
@@ -226,10 +219,9 @@ void Dialogs::draw_close(Ui& ui, Console& console) {
   const int pressed =
       goes_on_ ? draw_choices(ui, std::span<const Choice>(of_motion)) : draw_choices(ui, of_texts);
   if (pressed < 0) return;
+  if (pressed == 0) return close();
   const bool whole = kind_ == Kind::end;
-  close();
-  if (pressed == 0) return;
-  if (pressed == 2) stop_what_goes_on(closed_);
+  leave(console, pressed == 2);
   if (whole)
     console.end();
   else

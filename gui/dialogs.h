@@ -36,7 +36,8 @@ class Dialogs {
   enum class Kind { none, names, close_controller, end, reset, make_room, closing };
   void begin(Kind kind, Tab& tab);
   void draw_names(Ui& ui, Console& console);
-  bool ask_to_close(Kind kind, Tab* tab, std::vector<Tab*> closed);
+  bool ask_to_close(Console& console, Kind kind, Tab* tab, std::vector<Tab*> closed);
+  void leave(Console& console, bool stopped);
   [[nodiscard]] std::string why_asked() const;
   void draw_close(Ui& ui, Console& console);
   void draw_reset(Ui& ui);

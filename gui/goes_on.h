@@ -8,12 +8,13 @@ namespace hw::gui {
 
 class Tab;
 
-/// A stored program of the user's runs, waits or is held.
-[[nodiscard]] bool runs_program(const Tab& tab);
-/// An axis moves, or commands wait in its queues.
-[[nodiscard]] bool moves(const Tab& tab);
-/// One of both, where a stop reaches it.
+/// A stop would get to it now.
+[[nodiscard]] bool reached(const Tab& tab);
+/// A stored program of the user's runs, waits or is held, an axis moves, or commands wait in its queues. One
+/// whose link was lost goes on with what it did then: nobody has seen that it has stopped.
 [[nodiscard]] bool goes_on(const Tab& tab);
+/// Through this console, since it last rested. A tab of no session (tests) has begun whatever it does.
+[[nodiscard]] bool begun_here(const Tab& tab);
 /// "Program 2 is running", "axes X and Y were moving": what stands behind a name; empty: nothing.
 enum class Tense { present, past };
 [[nodiscard]] std::string what_goes_on(const Tab& tab, Tense tense);
@@ -22,6 +23,8 @@ enum class Tense { present, past };
 
 /// Of a controller, or of all on its bus, as whole sentences.
 [[nodiscard]] std::string goes_on_unwatched(const Tab& tab);
+/// The same of all controllers of a window, each with its name.
+[[nodiscard]] std::string goes_on_unwatched(std::span<Tab* const> tabs);
 
 /// Stops each of them that goes on.
 void stop_what_goes_on(std::span<Tab* const> tabs);

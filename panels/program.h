@@ -42,6 +42,7 @@ class Program final : public gui::Panel {
   void ask_save(const gui::Frame& frame);
   void draw_work(gui::Frame& frame, float bottom);
   float draw_below(gui::Frame& frame);
+  float draw_said(gui::Frame& frame, float top, float bottom);
   void draw_note(gui::Frame& frame, float top, float height);
   float draw_problem_link(gui::Frame& frame, const ProgramReport& report, float right, float middle);
   void draw_ask(gui::Frame& frame, float top, float height);

@@ -17,9 +17,17 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-constexpr float note_height = 40, line_height = 36, rehearsal_width = 272;
+constexpr float note_height = 40, line_height = 36, rehearsal_width = 272, least_editor = 56;
 
 bool column_fits(const Frame& f) { return f.tier == Tier::wide && f.area.width >= 760; }
+
+/// Pixels; 0: nothing is asked.
+float ask_height(const Frame& f) {
+  const ProgramJob& job = f.tab.desk().job;
+  if (job.stage() != ProgramJob::Stage::asking) return 0;
+  return wrapped_height(f.ui, Face::body, job.question(), f.ui.px(f.area.width - 52)) +
+         f.ui.px(12 + 8 + 32 + 12);
+}
 
 }  // namespace
 
@@ -49,40 +57,44 @@ void Program::draw_work(Frame& f, float bottom) {
   if (rehearsal_.draw_column(f, slot, side - 1, height)) simulate(f);
 }
 
-// What stands under the editor, from the bottom up; returns where the editor ends.
+// What stands under the editor, from the bottom up; returns where the editor ends. What starts and stops
+// threads lies lowest, and what comes and goes highest: it takes its place from the editor alone.
 float Program::draw_below(Frame& f) {
   Ui& ui = f.ui;
-  Desk& desk = f.tab.desk();
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const int slot = desk.texts.chosen();
   float y = ui.px(f.area.bottom());
-  if (desk.job.stage() == ProgramJob::Stage::asking) {
-    const float words = wrapped_height(ui, Face::body, desk.job.question(), ui.px(f.area.width - 52));
-    const float height = words + ui.px(12 + 8 + 32 + 12);
-    y -= height;
-    draw_ask(f, y, height);
-  } else {
-    const HeldProgram& held = desk.texts.held(slot);
-    if (held.known) note_time_ = f.console.time_of_day(held.at);
-    note_ = program_note(desk.texts, slot, f.now, f.catalog.program, note_time_);
-    words_ = desk.job.words(f.catalog.program);
-    const bool roomy = y - at.y > ui.px(160);
-    if (roomy && (!words_.empty() || !note_.sentence.empty())) {
-      y -= ui.px(note_height);
-      draw_note(f, y, note_height);
-    }
-  }
   if (const float threads = threads_height(f.catalog, f.area.width); threads > 0) {
     y -= ui.px(threads);
     draw_threads(f, y);
   }
-  if (!column_fits(f) && y - at.y > ui.px(120)) {
+  if (!column_fits(f) && y - at.y - ask_height(f) > ui.px(120)) {
     y -= ui.px(line_height);
     ImGui::SetCursorScreenPos(ImVec2(at.x, y));
+    const int slot = f.tab.desk().texts.chosen();
     if (rehearsal_.draw_line(f, slot, rehearsal_open_)) rehearsal_open_ = !rehearsal_open_;
   }
+  y = draw_said(f, at.y, y);
   ImGui::SetCursorScreenPos(at);
   return y;
+}
+
+/// A question, or the line that says how text and controller agree, above `bottom`; returns its top.
+float Program::draw_said(Frame& f, float top, float bottom) {
+  Ui& ui = f.ui;
+  Desk& desk = f.tab.desk();
+  if (const float height = ask_height(f); height > 0) {
+    draw_ask(f, bottom - height, height);
+    return bottom - height;
+  }
+  const int slot = desk.texts.chosen();
+  const HeldProgram& held = desk.texts.held(slot);
+  if (held.known) note_time_ = f.console.time_of_day(held.at);
+  note_ = program_note(desk.texts, slot, f.now, f.catalog.program, note_time_);
+  words_ = desk.job.words(f.catalog.program);
+  const bool roomy = bottom - top > ui.px(note_height + least_editor);
+  if (!roomy || (words_.empty() && note_.sentence.empty())) return bottom;
+  draw_note(f, bottom - ui.px(note_height), note_height);
+  return bottom - ui.px(note_height);
 }
 
 void Program::draw_note(Frame& f, float top, float height) {

@@ -69,9 +69,7 @@ Task<> Pump::shut_down() {
   refuse_queued("The controller was closed. Nothing was sent.");
 }
 
-bool Pump::connected() const {
-  return draft_.link.state == LinkState::good || draft_.link.state == LinkState::late;
-}
+bool Pump::connected() const { return draft_.link.connected(); }
 
 // ---- the life of the connection
 
@@ -130,6 +128,7 @@ Task<bool> Pump::open_and_connect() {
   down_ = recovering_ = false;
   answer_recovery();
   draft_.link.state = LinkState::good;
+  draft_.link.when_lost = UnderWay();
   draft_.link.attempts = 0;
   draft_.link.misses_in_a_row = 0;
   draft_.link.sentence.clear();
@@ -163,10 +162,14 @@ void Pump::lose_wire(const Fault& why) {
   if (!std::exchange(down_, true)) {  // attempts in between do not count
     draft_.link.lost_at = scheduler_.now();
     ran_when_lost_ = something_runs() || jogs_.any() || performing_;
+    draft_.link.when_lost = draft_.shows_under_way();
     restarts_when_lost_ = draft_.restarts;
   }
   if (std::exchange(unanswered_stop_, std::nullopt)) owed_stop_.add(-1);
-  jogs_.for_each_axis([this](int axis) { owed_stop_.add(axis); });
+  jogs_.for_each_axis([this](int axis) {
+    owed_stop_.add(axis);
+    if (axis >= 0) draft_.link.when_lost.axes |= 1u << axis;  // its motion may not have been seen yet
+  });
   draft_.link.state = LinkState::lost;
   draft_.link.sentence = why.sentence();
   dead_man_.disarm();

@@ -169,6 +169,17 @@ struct Identity {
   bool operator==(const Identity&) const = default;
 };
 
+/// What a controller does by itself, and goes on doing when nobody watches it.
+struct UnderWay {
+  std::uint32_t axes = 0;  ///< bit per axis that moves
+  bool program = false;    ///< a stored one of the user's runs, waits or is held
+  bool held = false;       ///< it, and at present
+  std::int8_t slot = -1;   ///< of it
+  bool queued = false;     ///< commands wait in its queues
+  [[nodiscard]] bool moves() const { return axes != 0 || queued; }
+  [[nodiscard]] bool any() const { return program || moves(); }
+};
+
 struct LinkHealth {
   LinkState state = LinkState::connecting;
   Duration round_trip{};
@@ -179,6 +190,10 @@ struct LinkHealth {
   Instant next_attempt{};
   int attempts = 0;
   FixedText<640> sentence;  ///< why it is late, lost or closed; what is being done
+  /// When the link was lost; nothing any more when it is good again.
+  UnderWay when_lost;
+
+  [[nodiscard]] bool connected() const { return state == LinkState::good || state == LinkState::late; }
 };
 
 inline constexpr int max_inputs = 32, max_outputs = 32, max_analog = 8, max_params = 256, max_slots = 8;
@@ -242,6 +257,18 @@ struct Snapshot {
       if (axis_moves(i)) return true;
     return false;
   }
+  [[nodiscard]] UnderWay shows_under_way() const {
+    UnderWay shown;
+    for (int i = 0; i < axis_count; ++i)
+      if (axis_moves(i)) shown.axes |= 1u << i;
+    shown.program = program.owned && program.run != RunState::idle && program.run != RunState::error;
+    shown.held = program.run == RunState::held;
+    shown.slot = program.slot;
+    shown.queued = working || feed.running;
+    return shown;
+  }
+  /// Without a link what was under way is taken to go on: nobody has seen that it has stopped.
+  [[nodiscard]] UnderWay under_way() const { return link.connected() ? shows_under_way() : link.when_lost; }
 };
 
 /// Older than three poll periods (and at least 0.6 s): shown dimmed and marked.

@@ -18,8 +18,9 @@ using ::testing::HasSubstr;
 
 struct Closing : testing::Test {
   test::Folder folder;
-  Autosave autosave{UserFolders::below(folder.path())};
-  ConsoleStage s;
+  UserFolders folders = UserFolders::below(folder.path());
+  Autosave autosave{folders};
+  ConsoleStage s{1440, 900, 1, true, folders};
 
   void click(const char* id) {
     const auto done = s.hand.click(id);
@@ -36,6 +37,22 @@ struct Closing : testing::Test {
     click("tab/list");
     click("list/add");
     return e;
+  }
+  /// As drivers leave it: what it does now is not known any more.
+  void lose(Example& e) {
+    e.now.link.when_lost = e.now.shows_under_way();
+    e.now.link.state = LinkState::lost;
+    for (AxisState& a : e.now.axes) a.activity = Activity::unknown;
+    e.now.program = ProgramState();
+    s.run(0.1);
+  }
+  /// At the next start.
+  [[nodiscard]] std::string told_at_next_start() const {
+    std::string all;
+    const auto ends = LastEnds(folders).take();
+    for (const LastEnd& end : ends.value_or(std::vector<LastEnd>()))
+      all += end.sentence(date_of_today()).substr(std::string_view("At 14:02:11 ").size());
+    return all;
   }
   [[nodiscard]] std::string kept(const char* key) const {
     const auto texts = autosave.restore(key);
@@ -204,6 +221,88 @@ TEST_F(ClosingWhatMoves, WhatWouldBeLostIsSaidInTheSameQuestion) {
   EXPECT_FALSE(window_may_close());
   EXPECT_THAT(s.value("close/why"), HasSubstr("Stage: axis 1 is moving."));
   EXPECT_THAT(s.value("close/why"), HasSubstr("That is lost."));
+}
+
+// ---- what moved or ran when the link was lost
+
+TEST_F(ClosingWhatMoves, OfWhatWasLostTheTabIsAskedAboutToo) {
+  lose(moving);
+  key("Ctrl+W");
+  EXPECT_EQ(s.value("close/why"),
+            "Axis 1 was moving when the link was lost. A stop cannot reach it now: use its power switch.");
+  key("Enter");
+  EXPECT_EQ(s.console.tabs().size(), 2u) << "Enter stays";
+  EXPECT_EQ(told_at_next_start(), "");
+  key("Ctrl+W");
+  click("close/leave");
+  EXPECT_EQ(s.console.tabs().size(), 1u);
+  EXPECT_EQ(moving.count<intent::Stop>(), 0);
+  EXPECT_EQ(
+      told_at_next_start(),
+      "the session was ended (Stage was closed). Stage: axis 1 was moving; it could not be told to stop, "
+      "for there was no link. It may have gone on: look at it first.");
+}
+
+TEST_F(ClosingWhatMoves, OfWhatWasLostTheWindowAsksToo) {
+  resting.now.program.owned = true, resting.now.program.run = RunState::running;
+  resting.now.program.slot = 2;
+  lose(resting);
+  EXPECT_FALSE(window_may_close());
+  EXPECT_EQ(
+      s.value("close/why"),
+      "Stage: axis 1 is moving. Table: Program 2 was running when the link was lost. Nobody would watch "
+      "it. A stop cannot reach Table now: use its power switch.");
+  EXPECT_TRUE(window_may_close()) << "asked again, it stops what it can and closes";
+  EXPECT_EQ(moving.count<intent::Stop>(), 1);
+  EXPECT_THAT(told_at_next_start(), testing::StartsWith("the session was ended (the window was closed). "
+                                                        "Table: Program 2 was running; it could not"));
+}
+
+TEST_F(ClosingWhatMoves, WhatWasLostIsAskedAboutWhileItIsTriedAgain) {
+  lose(moving);
+  moving.now.link.state = LinkState::connecting;
+  s.run(0.1);
+  EXPECT_FALSE(window_may_close());
+  EXPECT_THAT(s.value("close/why"), HasSubstr("axis 1 was moving when the link was lost"));
+}
+
+TEST_F(ClosingWhatMoves, WhatIsSeenToStandAfterALossIsNotAskedAbout) {
+  lose(moving);
+  moving.now.link.state = LinkState::good;
+  moving.now.link.when_lost = UnderWay();
+  moving.now.axes[0].activity = Activity::idle;
+  s.run(0.1);
+  EXPECT_TRUE(window_may_close());
+  EXPECT_EQ(told_at_next_start(), "");
+}
+
+TEST_F(ClosingWhatMoves, WhatStoodWhenItsLinkWasLostIsNotAskedAbout) {
+  moving.now.axes[0].activity = Activity::idle;
+  lose(moving);
+  EXPECT_TRUE(window_may_close());
+}
+
+TEST_F(ClosingWhatMoves, OfWhatWasLostASignalTellsAtTheNextStart) {
+  lose(moving);
+  s.console.depart("SIGTERM");
+  EXPECT_EQ(told_at_next_start(),
+            "the session was ended (SIGTERM). Stage: axis 1 was moving; it could not be told to stop, for "
+            "there was no link. It may have gone on: look at it first.");
+}
+
+TEST_F(Closing, OfABusItIsSaidWhichMembersWereLost) {
+  for (const char* id : {"01", "02"}) {
+    Catalog c = example_catalog(1);
+    c.axes[0].name = id, c.address = id[1] - '0';
+    s.add(std::move(c)).now.axes[0].activity = Activity::moving;
+  }
+  s.console.join({s.examples[0].tab, s.examples[1].tab}, "Line");
+  lose(s.examples[1]);
+  close_controller();
+  EXPECT_EQ(s.value("close/why"),
+            std::string(s.examples[0].tab->id()) + " moves. " + std::string(s.examples[1].tab->id()) +
+                " was under way when the link was lost. Nobody would watch it. A stop cannot reach " +
+                std::string(s.examples[1].tab->id()) + " now: use its power switch.");
 }
 
 // ---- a session that ends by itself

@@ -95,20 +95,23 @@ class ConsoleStage {
  public:
   IoContext io;
   VirtualScheduler scheduler{io};
-  gui::Console console{panel_list(), gui::Outside(scheduler, WireOpener(), [] {})};
+  gui::Console console;
   std::deque<Example> examples;
   gui::Stage stage;
   gui::Automation& hand;
 
-  explicit ConsoleStage(int width = 1440, int height = 900, float scale = 1, bool dark = true)
-      : stage([this](gui::Ui& ui) { draw(ui); }, width, height, scale, dark), hand(stage.hand) {
+  explicit ConsoleStage(int width = 1440, int height = 900, float scale = 1, bool dark = true,
+                        const UserFolders& folders = UserFolders::none())
+      : console(panel_list(), outside(scheduler, folders)),
+        stage([this](gui::Ui& ui) { draw(ui); }, width, height, scale, dark),
+        hand(stage.hand) {
     console.attach(stage.surface.screen().keyboard());
   }
   ~ConsoleStage() {
     while (!console.tabs().empty()) console.close(*console.tabs().back());
   }
 
-  Example& add(Catalog catalog = example_catalog()) {
+  Example& add(Catalog catalog = example_catalog(), const Language* language = nullptr) {
     Example& e = examples.emplace_back();
     const std::size_t axes = catalog.axes.size();
     Address address;
@@ -120,7 +123,8 @@ class ConsoleStage {
                          e.sent.push_back(std::move(body));
                          return static_cast<IntentId>(e.sent.size());
                        },
-                       [&e](BenchCommand command) { e.operated.push_back(command); }});
+                       [&e](BenchCommand command) { e.operated.push_back(command); }},
+        language);
     e.tab = &console.add(std::move(tab));
     e.now.link.state = LinkState::good;
     e.now.link.round_trip = Millis(23);
@@ -149,6 +153,11 @@ class ConsoleStage {
   std::string value(std::string_view id) { return hand.value(id).value_or("(none)"); }
 
  private:
+  static gui::Outside outside(Scheduler& scheduler, const UserFolders& folders) {
+    gui::Outside o(scheduler, WireOpener(), [] {});
+    o.folders = folders;
+    return o;
+  }
   void draw(gui::Ui& ui) {
     scheduler.run_until(Instant(from_seconds(stage.now_s)));
     for (Example& e : examples) {

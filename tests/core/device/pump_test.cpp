@@ -313,6 +313,27 @@ TEST_F(PumpTest, AStopOfWhatStoodAtTheLossIsOwedToNobody) {
   EXPECT_THAT(commands(), ElementsAre("hello", "hello"));
 }
 
+// A driver knows no more after a loss what its axes do; what they did is told until it is known again.
+TEST_F(PumpTest, WhatMovedAtALossIsTakenToGoOnUntilTheLinkIsGoodAgain) {
+  post(intent::MoveTo({{AxisId{0}, Steps(400)}}));
+  time.run_for(Millis(50));
+  EXPECT_FALSE(latest.link.when_lost.any());
+  silent = true;
+  while (latest.link.state != LinkState::lost) time.run_for(Millis(10));
+  EXPECT_EQ(latest.under_way().axes, 1u);
+  time.run_for(std::chrono::seconds(10));
+  EXPECT_EQ(latest.under_way().axes, 1u) << "attempts in between change nothing";
+  silent = false;
+  while (latest.link.state != LinkState::good) time.run_for(Millis(10));
+  EXPECT_FALSE(latest.link.when_lost.any());
+}
+
+TEST_F(PumpTest, WhatStoodAtALossIsNotTakenToGoOn) {
+  silent = true;
+  while (latest.link.state != LinkState::lost) time.run_for(Millis(10));
+  EXPECT_FALSE(latest.under_way().any());
+}
+
 TEST_F(PumpTest, AStopWithoutAConnectionIsMadeGood) {
   post(intent::MoveTo({{AxisId{0}, Steps(400)}}));
   time.run_for(Millis(50));
