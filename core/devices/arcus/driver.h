@@ -152,7 +152,7 @@ class ArcusDriver final : public Driver {
   void look_at_counters(Unexplained::Mark asked, bool was_silent = false);
   Task<Result<>> look_at_motors(Unexplained::Mark asked);
   Task<Result<bool>> something_is_kept();
-  Task<Result<>> look_at_start(int thread);
+  Task<Result<>> look_at_start(int thread, Priority priority);
   [[nodiscard]] bool programs_switch_motors() const;
   Task<Result<>> look_back_over_the_loss();
   void restarted(std::string_view how_it_shows, const std::optional<Stood>& before);

@@ -159,7 +159,7 @@ Task<Result<>> ArcusDriver::read_thread(int thread, Priority priority) {
   const RunState run = run_state(*state);
   const bool nobody_started_it = scheduler_.now() > programs_run_until_ && !called_;
   if (run == RunState::running && nobody_started_it && stood_ && !stood_->program_ran) {
-    auto looked = co_await look_at_start(thread);
+    auto looked = co_await look_at_start(thread, priority);
     if (!looked) co_return looked;
   }
   ThreadState& known = draft_.threads[ix(thread)];

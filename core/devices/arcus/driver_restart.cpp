@@ -116,8 +116,8 @@ Task<Result<bool>> ArcusDriver::something_is_kept() {
 }
 
 // A program that nobody has started, and that power-up starts.
-Task<Result<>> ArcusDriver::look_at_start(int thread) {
-  auto starts_at_power_up = co_await ask_number("SLOAD", Priority::poll);
+Task<Result<>> ArcusDriver::look_at_start(int thread, Priority priority) {
+  auto starts_at_power_up = co_await ask_number("SLOAD", priority);
   if (!starts_at_power_up && starts_at_power_up.error().kind != FaultKind::refused)
     co_return fail(starts_at_power_up.error());
   if ((starts_at_power_up.value_or(0) >> thread & 1) != 0)

@@ -77,9 +77,9 @@ class Vme58Driver final : public Driver {
     bool goes_to_place = true;   ///< its motion is to end somewhere: no jog, and not cut short by a stop
     bool settling = false;       ///< such a motion was seen, and nobody has said yet how it ended
   };
-  /// What the console knows of an axis beside the snapshot.
   /// What a motion to the home switch does there.
   enum class AtHome : std::uint8_t { nothing, sets_counter, stops_dead };
+  /// What the console knows of an axis beside the snapshot.
   struct AxisMind {
     Activity wanted = Activity::idle;     ///< what our last command began
     EndedBy ended_by = EndedBy::nothing;  ///< why we ended it, if we did
