@@ -24,7 +24,10 @@ Pump::Pump(Scheduler& scheduler, const DeviceType& type, const Catalog& catalog,
       wake_(scheduler),
       published_(scheduler),
       ended_(scheduler),
-      dead_man_(scheduler, [this] { jog_let_go(); }) {
+      dead_man_(scheduler, [this] { jog_let_go(); }),
+      silence_(scheduler, [this] {
+        if (station_ && station_->heard_at() < attempt_at_) station_->preempt();
+      }) {
   draft_.axis_count = static_cast<int>(catalog.axes.size());
   draft_.slot_bytes_used.fill(-1);
   draft_.identity.model = catalog.name;
@@ -33,16 +36,14 @@ Pump::Pump(Scheduler& scheduler, const DeviceType& type, const Catalog& catalog,
     publish();
     wake_.notify();
   };
-  const auto stop_heard = [this](bool all) {
-    drop_what_waits();
-    if (all) unanswered_stop_ = rounds_begun_;  // who says it learns nothing of whether it came here
-    wake_.notify();
-  };
   driver_ = type.make_driver(
-      DriverContext{scheduler, catalog_, draft_, ways_.notify, changed, stop_heard, ways_.sample});
+      DriverContext{scheduler, catalog_, draft_, texts_, ways_.notify, changed, ways_.sample});
+  if (ways_.line) ways_.line->join(*this, catalog_.address);
 }
 
-Pump::~Pump() = default;
+Pump::~Pump() {
+  if (ways_.line) ways_.line->leave(*this);
+}
 
 void Pump::start() {
   running_ = true;
@@ -53,40 +54,52 @@ Task<> Pump::shut_down() {
   if (!running_) co_return;
   leaving_ = true;
   refuse_queued("The controller was closed. Nothing was sent.");
-  if (jogs_.any()) post_stop(Intent(0, intent::Stop()));
+  if (jogs_.any()) post_stop(StopOrder());
   // A stop that was asked for a moment ago may still wait for the answer to a question.
   const Instant give_up = scheduler_.now() + longest_clearing;
-  while (stops_under_way_ > 0 && scheduler_.now() < give_up) co_await ended_.wait_until(give_up);
+  const auto stops = [this] {
+    const bool can_go_out = station_ && station_->is_open() && desk_.due();
+    return can_go_out || (connected() && desk_.any());
+  };
+  while (stops() && scheduler_.now() < give_up) co_await published_.wait_until(give_up);
   while (connected() && driver_->clears_up() && scheduler_.now() < give_up)
     co_await published_.wait_until(give_up);
   if (std::string left = driver_->leaves_behind(); connected() && !left.empty())
     ways_.notify(Notice(Notice::Kind::warning, scheduler_.now(), std::move(left)));
   closing_ = true;
+  if (ways_.line) ways_.line->leave(*this);
   if (station_) station_->close(Fault(FaultKind::lost, "The controller was closed."));
-  if (performing_ || answers_awaited_ > 0) driver_->wire_lost();  // nobody waits for an answer any more
   wake_.notify();
-  while (running_ || stops_under_way_ > 0 || answers_awaited_ > 0) co_await ended_.wait();
+  published_.notify();
+  while (running_) co_await ended_.wait();
+  stops_did_not_arrive(Fault(FaultKind::lost, "The controller was closed."));
+  desk_.clear();
   refuse_queued("The controller was closed. Nothing was sent.");
 }
 
 bool Pump::connected() const { return draft_.link.connected(); }
+
+bool Pump::something_runs() const {
+  const RunState run = draft_.program.run;
+  return draft_.any_axis_moving() || run == RunState::running || run == RunState::waiting;
+}
 
 // ---- the life of the connection
 
 Task<> Pump::live() {
   publish();
   while (!closing_) {
-    bool connected = false;
+    bool made = false;
     try {
-      connected = co_await open_and_connect();
-      if (connected) co_await serve();
+      made = co_await open_and_connect();
+      if (made) co_await serve();
     } catch (const std::exception& defect) {  // from a library; nothing above may see it
       lose_wire(Fault(FaultKind::internal, fmt::format("The connection failed inside: {}.", defect.what())));
     }
     if (!closing_) co_await wait_for_retry();
   }
   draft_.link.state = LinkState::closed;
-  co_await leave_wire();
+  station_.reset();
   publish();
   running_ = false;
   ended_.notify();
@@ -95,8 +108,9 @@ Task<> Pump::live() {
 Task<bool> Pump::open_and_connect() {
   draft_.link.state = LinkState::connecting;
   draft_.link.attempts = ++attempt_;
+  attempt_at_ = scheduler_.now();
   publish();
-  co_await leave_wire();
+  station_.reset();
   auto opened = co_await ways_.open_wire();
   if (closing_) co_return false;
   if (!opened) {
@@ -104,29 +118,48 @@ Task<bool> Pump::open_and_connect() {
     co_return false;
   }
   station_ = std::make_unique<Station>(std::move(*opened), ways_.traffic);
+  station_->address = catalog_.address;
   station_->recorded = ways_.recorded;
   station_->closed = [this](const Fault& why) {
     lose_wire(why);
     wake_.notify();
   };
-  const std::uint64_t stops_before = stops_begun_;
-  auto connected = co_await driver_->connect(*station_);
-  if (!connected && stops_begun_ != stops_before) {
-    // Cut short by a stop, which goes out whole before this wire is left; then it is made again.
-    while (stops_under_way_ > 0 && station_->is_open()) co_await ended_.wait();
-    if (station_->is_open())
-      connected = fail(FaultKind::lost, "A stop came while the connection was made, and went out first.", {},
-                       "The connection is made again.");
-    retry_now_ = true;
-  }
-  if (closing_) co_return false;
-  if (!connected) {
-    lose_wire(connected.error());
+  driver_->attach(*station_);
+  co_return co_await connect();
+}
+
+// What is owed goes out before anything else that connecting needs, and again as long as nothing comes back.
+Task<bool> Pump::connect() {
+  for (;;) {
+    attempt_at_ = scheduler_.now();
+    station_->begin_procedure();
+    if (StopOrder* stop = desk_.due()) {
+      co_await send_stop(*stop);
+      if (closing_ || !station_->is_open()) co_return false;
+      continue;
+    }
+    if (desk_.any()) silence_.arm(attempt_at_ + retry_with_a_stop);
+    auto made = co_await guarded("connection", driver_->connect());
+    silence_.disarm();
+    if (closing_ || !station_->is_open()) co_return false;
+    if (station_->preempted()) {  // by a stop, or because nothing comes
+      if (!desk_.due()) {
+        stops_did_not_arrive(Fault(FaultKind::no_answer, "The controller does not answer."));
+        desk_.send_all_again();
+      }
+      continue;
+    }
+    if (made) break;
+    lose_wire(made.error());
     co_return false;
   }
+  connection_made();
+  co_return true;
+}
+
+void Pump::connection_made() {
   attempt_ = 0;
-  down_ = recovering_ = false;
-  answer_recovery();
+  down_ = false;
   draft_.link.state = LinkState::good;
   draft_.link.when_lost = UnderWay();
   draft_.link.attempts = 0;
@@ -134,26 +167,24 @@ Task<bool> Pump::open_and_connect() {
   draft_.link.sentence.clear();
   next_poll_ = scheduler_.now();
   fast_polls_ = fast_polls_after_a_command;
+  ran_when_lost_ = false;
+  if (draft_.restarts != restarts_when_lost_)  // what runs now is somebody else's
+    desk_.orders().remove_if([](const StopOrder& order) { return order.told; });
+  restarts_when_lost_ = draft_.restarts;
   publish();
-  make_good_the_stop();
-  co_return true;
-}
-
-/// A stop runs beside this life and may still be on its way on the wire that is gone: it ends first.
-Task<> Pump::leave_wire() {
-  while (stops_under_way_ > 0) co_await ended_.wait();
-  station_.reset();
 }
 
 Task<> Pump::wait_for_retry() {
   constexpr std::string_view silent = "The controller does not answer. Nothing was sent.";
-  const bool says_why = std::exchange(recovering_, false) || retry_now_;  // a stop came, or a new attempt
-  refuse_queued(says_why ? draft_.link.sentence.view() : silent);
-  draft_.link.next_attempt = scheduler_.now() + back_off(attempt_);
+  refuse_queued(retry_now_ ? draft_.link.sentence.view() : silent);
+  const auto next = [this] {
+    return desk_.any() ? attempt_at_ + retry_with_a_stop : scheduler_.now() + back_off(attempt_);
+  };
+  draft_.link.next_attempt = next();
   publish();
   while (!closing_ && !retry_now_ && scheduler_.now() < draft_.link.next_attempt) {
     co_await wake_.wait_until(draft_.link.next_attempt);
-    if (!recovering_) refuse_queued(silent);
+    refuse_queued(silent);
   }
   retry_now_ = false;
 }
@@ -161,17 +192,13 @@ Task<> Pump::wait_for_retry() {
 void Pump::lose_wire(const Fault& why) {
   if (!std::exchange(down_, true)) {  // attempts in between do not count
     draft_.link.lost_at = scheduler_.now();
-    ran_when_lost_ = something_runs() || jogs_.any() || performing_;
+    ran_when_lost_ = something_runs() || jogs_.any() || performing_ || (connected() && desk_.any());
     draft_.link.when_lost = draft_.shows_under_way();
     restarts_when_lost_ = draft_.restarts;
   }
-  if (std::exchange(unanswered_stop_, std::nullopt)) owed_stop_.add(-1);
-  jogs_.for_each_axis([this](int axis) {
-    owed_stop_.add(axis);
-    if (axis >= 0) draft_.link.when_lost.axes |= 1u << axis;  // its motion may not have been seen yet
-  });
   draft_.link.state = LinkState::lost;
   draft_.link.sentence = why.sentence();
+  owe_stops_at_loss();
   dead_man_.disarm();
   jogs_.stop(-1);
   if (station_) station_->give_up(why);
@@ -181,26 +208,39 @@ void Pump::lose_wire(const Fault& why) {
 
 Task<> Pump::serve() {
   while (!closing_ && station_->is_open()) {
-    // What the stop has cut short has ended. A round of status may have to set up a restarted controller.
-    if (stops_under_way_ == 0) station_->end_stop();
-    if (stops_under_way_ == 0 && !queue_.empty()) {
+    station_->begin_procedure();
+    if (StopOrder* stop = desk_.due()) {
+      co_await send_stop(*stop);
+      fast_polls_ = fast_polls_after_a_command;
+      next_poll_ = scheduler_.now();
+    } else if (!desk_.any() && !queue_.empty()) {
       co_await perform_next();
       fast_polls_ = fast_polls_after_a_command;
       next_poll_ = scheduler_.now();
-      continue;
-    }
-    if (scheduler_.now() < next_poll_) {
+    } else if (scheduler_.now() < next_poll_) {
       co_await wake_.wait_until(next_poll_);
-      continue;
+    } else {
+      co_await run_round();
     }
-    ++rounds_begun_;
-    auto polled = co_await driver_->poll();
-    poll_finished(polled);
   }
 }
 
+// Nothing but the stop uses the wire of its controller until it stands; somebody who waits for news gets them
+// in between once it has been confirmed.
+Task<> Pump::run_round() {
+  const bool wanted = round_wanted_ > rounds_ended_;
+  const auto& stops = desk_.orders();
+  const bool confirmed = std::all_of(stops.begin(), stops.end(), [](const auto& o) { return o.confirmed; });
+  const Round round = stops.empty() || (wanted && confirmed) ? Round::usual : Round::stopping;
+  if (round == Round::usual) ++rounds_begun_;
+  auto polled = co_await driver_->poll(round);
+  if (!station_->is_open()) co_return;   // lose_wire() has said it all
+  if (station_->preempted()) co_return;  // a stop has cut it short
+  if (round == Round::usual) rounds_ended_ = rounds_begun_;
+  poll_finished(polled);
+}
+
 void Pump::poll_finished(const Result<>& result) {
-  rounds_ended_ = rounds_begun_;
   const StationStatistics& s = station_->statistics();
   LinkHealth& health = draft_.link;
   health.round_trip = s.last_round_trip;
@@ -208,7 +248,6 @@ void Pump::poll_finished(const Result<>& result) {
   health.timeouts = s.timeouts;
   health.unparsed_bytes = s.unparsed_bytes;
   health.misses_in_a_row = static_cast<std::uint32_t>(s.misses_in_a_row);
-  if (!station_->is_open()) return;  // lose_wire() has said it all
   if (!result && result.error().kind == FaultKind::lost) return lose_wire(result.error());
   if (s.misses_in_a_row >= misses_until_lost) {
     lose_wire(Fault(FaultKind::lost,
@@ -218,8 +257,7 @@ void Pump::poll_finished(const Result<>& result) {
     return;
   }
   forget_jogs_that_ended();
-  if (result && !something_runs()) owed_stop_.forget();
-  if (result && unanswered_stop_ && rounds_begun_ > *unanswered_stop_) unanswered_stop_.reset();
+  if (result) look_at_stops();
   const bool understood =
       result || (result.error().kind != FaultKind::garbled && result.error().kind != FaultKind::refused);
   health.state = s.misses_in_a_row > 0 || !understood ? LinkState::late : LinkState::good;
@@ -227,7 +265,8 @@ void Pump::poll_finished(const Result<>& result) {
     health.sentence = result.error().sentence();
   else
     health.sentence.clear();
-  const bool fast = fast_polls_ > 0 || draft_.any_axis_moving() || draft_.program.run == RunState::running;
+  const bool fast =
+      desk_.any() || fast_polls_ > 0 || draft_.any_axis_moving() || draft_.program.run == RunState::running;
   if (fast_polls_ > 0) --fast_polls_;
   draft_.poll_period = fast ? driver_->moving_period() : driver_->idle_period();
   next_poll_ = scheduler_.now();
@@ -272,6 +311,16 @@ void Pump::set_fate(const IntentFate& told) {
     at = fates.begin();
   }
   *at = told;
+}
+
+void Pump::tell_fault(IntentId id, const Fault& fault, std::uint32_t doubtful) {
+  IntentFate told;
+  told.id = id;
+  told.asks = fault.kind == FaultKind::asks;
+  told.fate = told.asks || fault.kind == FaultKind::refused ? Fate::refused : Fate::failed;
+  told.sentence = fault.sentence();
+  told.doubtful = doubtful;
+  set_fate(told);
 }
 
 void Pump::publish() {

@@ -27,77 +27,97 @@ void Pump::post(Intent intent) {
   }
   const bool lets_go = std::holds_alternative<intent::JogStop>(intent.body);
   if (lets_go && (!jogs_.any_guarded() || (withdraw_waiting_jog() && !jogs_.any_guarded()))) {
-    // Released twice, a jog that was refused, or one whose turn had not come. A second stop would mean: at
-    // once, without a ramp.
+    // Released twice, a jog that was refused, or one whose turn had not come.
     set_fate(intent.id, Fate::done);
     return publish();
   }
-  const bool stop = std::holds_alternative<intent::Stop>(intent.body) ||
-                    std::holds_alternative<intent::Abort>(intent.body) ||
-                    std::holds_alternative<intent::JogStop>(intent.body) ||
-                    std::holds_alternative<intent::HaltProgram>(intent.body);
-  if (stop) return post_stop(std::move(intent));
+  if (auto stop = stop_order_of(intent)) return post_stop(std::move(*stop));
   if (std::holds_alternative<intent::Reconnect>(intent.body)) {
     retry_now_ = true;
     set_fate(intent.id, Fate::done);
     wake_.notify();
     return;
   }
+  if (std::holds_alternative<intent::SendText>(intent.body)) return post_text(std::move(intent));
   if (leaving_) {
     set_fate(intent.id, Fate::refused, "The controller was closed. Nothing was sent.");
     return publish();
   }
-  const auto* text = std::get_if<intent::SendText>(&intent.body);
   set_fate(intent.id, Fate::pending);
-  if (text && driver_->is_stop(text->text)) tell_wire_of_stop(driver_->meant_for(*text));
-  if (text && stops_by_text(text->text)) {
-    begin_stop(driver_->meant_for(*text));
-    asio::co_spawn(scheduler_.executor(), perform_stop_text(std::move(intent)), asio::detached);
-    return;
-  }
   if (queue_.size() >= most_queued) {
     set_fate(intent.id, Fate::refused, "Too many commands wait already. This one was not sent.");
     return publish();
   }
   hold_jog(intent);
-  if (text && !connected() && driver_->stops_all(text->text)) owed_stop_.add(-1);
-  const bool recovers = text && try_to_recover(text->text);
+  enqueue(std::make_unique<Job>(std::move(intent)));
+}
+
+// On a wire of several a text goes to the session whose device it names, and waits for its turn there.
+void Pump::post_text(Intent intent) {
+  const auto& text = std::get<intent::SendText>(intent.body);
+  const TextMeaning meaning = driver_->meaning_of(text);
+  set_fate(intent.id, Fate::pending);
+  if (meaning.whom == TextMeaning::For::another && ways_.line) {
+    if (Pump* other = ways_.line->at(meaning.address)) {
+      asio::co_spawn(scheduler_.executor(), pass_on(std::move(intent), *other), asio::detached);
+      return;
+    }
+  }
+  if (meaning.is_stop()) {
+    if (meaning.whom == TextMeaning::For::everybody && ways_.line)
+      ways_.line->for_each_but(*this, [&](Pump& other) { other.hear_text_to_all(text.text, meaning); });
+    StopOrder order;
+    order.what = StopOrder::What::words;
+    order.words = text.text;
+    order.meaning = meaning;
+    order.axis = meaning.axis;
+    order.intent = intent.id;
+    return post_stop(std::move(order));
+  }
+  if (leaving_) {
+    set_fate(intent.id, Fate::refused, "The controller was closed. Nothing was sent.");
+    return publish();
+  }
+  if (queue_.size() >= most_queued) {
+    set_fate(intent.id, Fate::refused, "Too many commands wait already. This one was not sent.");
+    return publish();
+  }
   auto job = std::make_unique<Job>(std::move(intent));
-  job->recovers = recovers;
+  job->meaning = meaning;
   enqueue(std::move(job));
 }
 
+/// To the session of the device that it names; what that answers is shown where it was typed.
+Task<> Pump::pass_on(Intent intent, Pump& other) {
+  constexpr Duration usual_patience = Millis(200);
+  const std::string text = std::get<intent::SendText>(intent.body).text;
+  const auto record = [this](Way way, const std::string& bytes) {
+    if (!ways_.traffic) return;
+    ways_.traffic->push_in_place([&](TrafficEntry& entry) {
+      entry.at = scheduler_.now();
+      entry.way = way;
+      entry.kind = TrafficKind::intent;
+      entry.bytes = bytes;
+    });
+    if (ways_.recorded) ways_.recorded();
+  };
+  record(Way::sent, text);
+  auto reply = co_await other.query(text, usual_patience);
+  if (reply && !reply->empty()) {
+    record(Way::received, *reply);
+    texts_.add(*reply);
+  }
+  if (reply)
+    set_fate(intent.id, Fate::done);
+  else
+    tell_fault(intent.id, reply.error());
+  publish();
+}
+
 void Pump::enqueue(std::unique_ptr<Job> job) {
-  const auto* text = std::get_if<intent::SendText>(&job->intent.body);
-  if (const auto wire = shared_wire(); wire && text)
-    job->stops_before = wire->stops_said(driver_->meant_for(*text));
+  if (ways_.line) job->stops_before = ways_.line->stops();
   queue_.push_back(std::move(job));
   wake_.notify();
-}
-
-/// A text that a silent controller may yet take is said in the attempt to connect: in the one under way, or
-/// in one that is made now.
-bool Pump::try_to_recover(const std::string& text) {
-  const bool lost = draft_.link.state == LinkState::lost;
-  if (!lost && draft_.link.state != LinkState::connecting) return false;
-  if (!driver_->recover_by(text)) return false;
-  recovering_ = true;
-  retry_now_ = retry_now_ || lost;
-  return true;
-}
-
-/// What was said while the connection was made is not said again.
-void Pump::answer_recovery() {
-  auto reply = driver_->take_recovery();
-  if (!reply || queue_.empty() || !queue_.front()->recovers) return;
-  std::unique_ptr<Job> job = std::move(queue_.front());
-  queue_.pop_front();
-  set_fate(job->intent.id, Fate::done);
-  if (!job->is_query) return;
-  job->reply = std::move(*reply);
-  job->answered = true;
-  job->asker.resume(scheduler_.executor());
-  job.release();  // its asker owns it from here
 }
 
 void Pump::hold_jog(const Intent& intent) {
@@ -109,16 +129,10 @@ void Pump::hold_jog(const Intent& intent) {
 
 // Halting one of several threads leaves the motion alone, and a stop of one axis the others: what else is
 // held stays guarded.
-void Pump::release_jogs(const IntentBody& stop) {
-  if (std::holds_alternative<intent::HaltProgram>(stop) && catalog_.program.threads > 0) return;
-  if (const auto* s = std::get_if<intent::Stop>(&stop))
-    jogs_.stop(s->axis);
-  else if (const auto* a = std::get_if<intent::Abort>(&stop))
-    jogs_.stop(a->axis);
-  else if (const auto* j = std::get_if<intent::JogStop>(&stop))
-    jogs_.stop(j->axis);
-  else
-    jogs_.stop(-1);
+void Pump::release_jogs(const StopOrder& order) {
+  if (order.what == StopOrder::What::program && catalog_.program.threads > 0) return;
+  if (order.what == StopOrder::What::words) return;
+  jogs_.stop(order.what == StopOrder::What::program ? -1 : order.axis);
   disarm_if_none_is_held();
 }
 
@@ -165,15 +179,18 @@ void Pump::jog_failed(const Intent& intent, FaultKind kind) {
   if (rejected) return jog_not_begun(intent);
   ways_.notify(Notice(Notice::Kind::warning, scheduler_.now(),
                       "Whether the jog has begun is not known, so the axis was told to stop."));
-  intent::JogStop lets_go;
+  StopOrder lets_go;
+  lets_go.what = StopOrder::What::jog;
   lets_go.axis = jog->axis.index;
-  post_stop(Intent(0, lets_go));
+  post_stop(std::move(lets_go));
 }
 
 void Pump::jog_let_go() {
   ways_.notify(Notice(Notice::Kind::warning, scheduler_.now(),
                       "The console did not hold the jog any more, so the axis was stopped."));
-  post_stop(Intent(0, intent::JogStop()));
+  StopOrder lets_go;
+  lets_go.what = StopOrder::What::jog;
+  post_stop(std::move(lets_go));
 }
 
 void Pump::refuse_queued(std::string_view why) {
@@ -196,7 +213,7 @@ void Pump::refuse(std::unique_ptr<Job> job, std::string_view why) {
 void Pump::count_program_change(const Intent& intent) {
   const IntentBody& body = intent.body;
   const auto* raw = std::get_if<intent::SendText>(&body);  // a question too
-  const bool changes = raw ? driver_->changes_programs(raw->text)
+  const bool changes = raw ? driver_->meaning_of(*raw).changes_programs
                            : std::holds_alternative<intent::LoadProgram>(body) ||
                                  std::holds_alternative<intent::ClearProgram>(body) ||
                                  std::holds_alternative<intent::Reset>(body);
@@ -228,41 +245,53 @@ Result<> Pump::trust_position(AxisId axis) {
   return {};
 }
 
+/// A text to all controllers of a wire that was asked for before a stop of one of them, or while one is being
+/// stopped.
+Result<> Pump::may_go_to_all(const Job& job) const {
+  if (job.meaning.whom != TextMeaning::For::everybody || !ways_.line) return {};
+  if (ways_.line->stops() != job.stops_before) return fail(stop_came_first());
+  bool one_is_stopped = false;
+  ways_.line->for_each_but(*this, [&](Pump& other) { one_is_stopped |= other.desk_.any(); });
+  if (!one_is_stopped) return {};
+  return fail(FaultKind::refused, "A device that this is for is being stopped.", "This was not sent.",
+              "Send it again when that device stands.");
+}
+
 Task<> Pump::perform_next() {
   std::unique_ptr<Job> job = std::move(queue_.front());
   queue_.pop_front();
-  station_->stops_before = job->stops_before;
   performing_ = true;
+  says_to_all_ = job->meaning.whom == TextMeaning::For::everybody;
   count_program_change(job->intent);
+  // What no driver is asked for: see refusals.h.
+  const std::uint32_t doubtful = doubtful_axes(catalog_, draft_, job->intent.body);
+  const std::uint64_t epoch = desk_.epoch();
+  Result<> performed = may_go_to_all(*job);
+  if (performed && says_to_all_ && ways_.line)
+    ways_.line->for_each_but(*this, [&](Pump& other) {
+      other.hear_text_to_all(std::get<intent::SendText>(job->intent.body).text, job->meaning);
+    });
+  if (performed && job->is_query) {
+    job->since = texts_.next();
+    job->reply = co_await guarded("question", driver_->query(job->text, job->patience));
+  } else if (!performed && job->is_query) {
+    job->reply = fail(performed.error());
+  } else if (performed && doubtful != 0) {
+    performed = fail(FaultKind::refused, say_doubtful(catalog_, draft_, job->intent.body, doubtful,
+                                                      words_in_steps(catalog_, draft_)));
+  } else if (const auto* wish = std::get_if<intent::TrustPosition>(&job->intent.body)) {
+    performed = trust_position(wish->axis);
+  } else if (performed) {
+    performed = co_await guarded("command", driver_->perform(job->intent.body));
+  }
+  performing_ = says_to_all_ = false;
   if (job->is_query) {
-    try {
-      job->reply = co_await driver_->query(job->text, job->patience);
-    } catch (const std::exception& defect) {  // whoever asked waits for it
-      job->reply = fail(failed_inside("question", defect));
-    }
     job->answered = true;
-    performing_ = false;
     job->asker.resume(scheduler_.executor());
     job.release();  // its asker owns it from here
     co_return;
   }
-  Result<> performed;
-  // What no driver is asked for: see refusals.h.
-  const std::uint32_t doubtful = doubtful_axes(catalog_, draft_, job->intent.body);
-  const std::uint64_t stops_before = stops_begun_;
-  try {
-    if (doubtful != 0)
-      performed = fail(FaultKind::refused, say_doubtful(catalog_, draft_, job->intent.body, doubtful,
-                                                        words_in_steps(catalog_, draft_)));
-    else if (const auto* wish = std::get_if<intent::TrustPosition>(&job->intent.body))
-      performed = trust_position(wish->axis);
-    else
-      performed = co_await driver_->perform(job->intent.body);
-  } catch (const std::exception& defect) {
-    performed = fail(failed_inside("command", defect));
-  }
-  performing_ = false;
-  if (performed && stops_begun_ != stops_before && leads_to_a_start(job->intent.body))
+  if (performed && desk_.epoch() != epoch && leads_to_a_start(job->intent.body))
     performed = fail(FaultKind::stopped, "A stop came while this was under way.", "It is whole.",
                      "Nothing follows it: ask again for what should.");
   if (performed)
@@ -273,25 +302,51 @@ Task<> Pump::perform_next() {
   publish();
 }
 
+TextMeaning Pump::meaning_of(const std::string& text) const {
+  return driver_->meaning_of(intent::SendText(text));
+}
+
 Task<Result<std::string>> Pump::query(std::string text, Duration patience) {
+  const TextMeaning meaning = meaning_of(text);
+  if (meaning.whom == TextMeaning::For::another && ways_.line)
+    if (Pump* other = ways_.line->at(meaning.address))
+      co_return co_await other->query(std::move(text), patience);
+  if (meaning.is_stop()) {
+    if (meaning.whom == TextMeaning::For::everybody && ways_.line)
+      ways_.line->for_each_but(*this, [&](Pump& other) { other.hear_text_to_all(text, meaning); });
+    co_return co_await query_stop(std::move(text), meaning, patience);
+  }
   if (leaving_) co_return fail(FaultKind::refused, "The controller was closed.", "Nothing was sent.");
-  const bool recovers = try_to_recover(text);
   const bool lost = draft_.link.state == LinkState::lost || draft_.link.state == LinkState::closed;
-  if (!connected() && driver_->stops_all(text)) owed_stop_.add(-1);
-  if (driver_->is_stop(text)) tell_wire_of_stop(driver_->meant_for(intent::SendText(text)));
-  if (!recovers && lost)
-    co_return fail(FaultKind::lost, "There is no connection to the controller.", "Nothing was sent.");
-  if (stops_by_text(text)) co_return co_await query_stop(std::move(text), patience);
+  if (lost) co_return fail(FaultKind::lost, "There is no connection to the controller.", "Nothing was sent.");
   auto owned = std::make_unique<Job>(Intent(0, intent::SendText(text)));
   Job* job = owned.get();
   job->is_query = true;
-  job->recovers = recovers;
+  job->meaning = meaning;
   job->text = std::move(text);
   job->patience = patience;
   enqueue(std::move(owned));
+  const std::uint64_t epoch = desk_.epoch();
   while (!job->answered) co_await job->asker.here();
   std::unique_ptr<Job> mine(job);
-  co_return std::move(mine->reply);
+  const bool comes_later = meaning.answered == TextMeaning::Answered::later;
+  if (!mine->reply || !mine->reply->empty() || !comes_later) co_return std::move(mine->reply);
+  co_return co_await wait_for_text(mine->since, epoch, patience);
+}
+
+/// What the controller says by itself when that which a text began is over.
+Task<Result<std::string>> Pump::wait_for_text(std::uint64_t since, std::uint64_t epoch, Duration patience) {
+  const Instant deadline = scheduler_.now() + patience;
+  for (bool in_time = true;;) {
+    if (desk_.epoch() != epoch)
+      co_return fail(FaultKind::stopped, "A stop has ended what the answer was waited for.", "It was sent.");
+    if (auto text = texts_.answer_since(since)) co_return std::move(*text);
+    if (!connected() || closing_)
+      co_return fail(FaultKind::lost, "The connection was lost before an answer came.");
+    if (!in_time)
+      co_return fail(FaultKind::no_answer, fmt::format("No answer came in {:g} s.", seconds(patience)));
+    in_time = co_await published_.wait_until(deadline);
+  }
 }
 
 }  // namespace hw

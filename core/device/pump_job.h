@@ -14,19 +14,35 @@ constexpr int fast_polls_after_a_command = 3;
 
 constexpr std::string_view stopped_first = "A stop came first. This was not sent.";
 
+/// While a stop is owed, the wire is tried so often.
+constexpr Duration retry_with_a_stop = Millis(250);
+
 inline Fault failed_inside(const char* what, const std::exception& defect) {
   return Fault(FaultKind::internal, fmt::format("The {} failed inside: {}.", what, defect.what()),
                "What the controller did with it is not known.", "Look at its state before the next command.");
 }
 
+/// What a driver's procedure returns, or why it could not.
+template <class T>
+Task<Result<T>> guarded(const char* what, Task<Result<T>> procedure) {
+  Result<T> result = fail(FaultKind::internal, std::string());
+  try {
+    result = co_await std::move(procedure);
+  } catch (const std::exception& defect) {
+    result = fail(failed_inside(what, defect));
+  }
+  co_return result;
+}
+
 struct Pump::Job {
   Intent intent;
+  TextMeaning meaning;             ///< of a text
+  std::uint64_t stops_before = 0;  ///< of all controllers on this wire, for a text to all of them
   bool is_query = false;
-  bool recovers = false;           ///< may be what makes a silent controller answer again
-  std::uint64_t stops_before = 0;  ///< for those whom the text is for, on this wire
   std::string text;
   Duration patience{};
   Result<std::string> reply{std::string()};
+  std::uint64_t since = 0;  ///< what comes unasked from here on may answer it
   Suspended asker;
   bool answered = false;
   explicit Job(Intent i) : intent(std::move(i)) {}

@@ -1,190 +1,211 @@
-// Stops of an open controller, in the console's verbs or the controller's own words. They wait for nothing
-// that is queued, and one that a lost wire may have swallowed is made good.
+// Stops of an open controller, in the console's verbs or the controller's own words: they end the procedure
+// under way and take its place, are sent again until their effect shows, and first of all when a lost wire is
+// back.
 #include <fmt/core.h>
 
 #include "core/device/pump_job.h"
 
 namespace hw {
+namespace {
 
-bool Pump::something_runs() const {
-  const RunState run = draft_.program.run;
-  return draft_.any_axis_moving() || run == RunState::running || run == RunState::waiting;
-}
+constexpr int attempts_in_a_row = 3;
+constexpr std::string_view no_way =
+    "Stop does not reach the controller: there is no connection. Use its power switch.";
 
-void Pump::owe_stop(const IntentBody& stop) {
-  if (const auto* s = std::get_if<intent::Stop>(&stop))
-    owed_stop_.add(s->axis);
-  else if (const auto* a = std::get_if<intent::Abort>(&stop))
-    owed_stop_.add(a->axis);
-  else if (const auto* j = std::get_if<intent::JogStop>(&stop))
-    owed_stop_.add(j->axis);
-  else if (catalog_.program.threads == 0)
-    owed_stop_.add(-1);
-}
+}  // namespace
 
-void Pump::owe_stop_of_all(const Fault& why) {
-  const bool kept_out = why.kind == FaultKind::refused || why.kind == FaultKind::stopped;
-  if (!kept_out) owed_stop_.add(-1);
-}
-
-void Pump::make_good_the_stop() {
-  if (!owed_stop_.any()) return;
-  const int axis = owed_stop_.take();
-  // What began since, after a restart or from rest, is somebody else's.
-  if (!ran_when_lost_ || draft_.restarts != restarts_when_lost_) return;
-  const bool alone = axis >= 0 && catalog_.program.threads > 0;  // else a program is what moves it
-  if (!(alone ? draft_.axis_moves(axis) : something_runs())) return;
-  ways_.notify(
-      Notice(Notice::Kind::warning, scheduler_.now(),
-             "When the link was lost a jog was held, or a stop was on its way, and it still ran. It is "
-             "stopped now."));
-  post_stop(Intent(0, intent::Stop(axis)));
-}
-
-void Pump::post_stop(Intent intent) {
-  auto* lets_go = std::get_if<intent::JogStop>(&intent.body);
-  if (lets_go && lets_go->axis < 0) lets_go->axis = jogs_.in_hand().axis;
-  release_jogs(intent.body);
-  set_fate(intent.id, Fate::pending);
-  tell_wire_of_stop(Addressees::one(catalog_.address));
-  if (!station_ || !station_->is_open()) {
-    set_fate(intent.id, Fate::failed,
-             "Stop does not reach the controller: there is no connection. Use its power switch.");
-    ++stops_begun_;
-    refuse_queued(stopped_first);
-    owe_stop(intent.body);
-    return publish();
-  }
-  begin_stop(Addressees::one(catalog_.address));
-  asio::co_spawn(scheduler_.executor(), stop_and_report(std::move(intent)), asio::detached);
-}
-
-/// A stop in the controller's own words goes as it is, and waits for nothing either.
-bool Pump::stops_by_text(const std::string& text) const {
-  return connected() && station_ && station_->is_open() && driver_->is_stop(text);
-}
-
-/// Also of one that does not get through: nobody's text is to set in motion behind it what it was to stop.
-void Pump::tell_wire_of_stop(Addressees whom) {
-  if (const auto wire = shared_wire()) wire->stop_said(whom);
-}
-
-std::shared_ptr<Link> Pump::shared_wire() const { return ways_.open_link ? ways_.open_link() : nullptr; }
-
-/// What waits here goes on behind a stop of others only.
-void Pump::begin_stop(Addressees whom) {
-  const auto own = Addressees::one(catalog_.address);
-  const bool here = !whom.any() || whom.share(own);
-  if (here) drop_what_waits();
-  if (here && station_) station_->being_stopped = true;
-  ++stops_under_way_;
-}
-
-void Pump::drop_what_waits() {
-  ++stops_begun_;
-  refuse_queued(stopped_first);
-  if (station_) station_->begin_stop();
-}
-
-void Pump::end_stop() {
-  --stops_under_way_;
-  if (stops_under_way_ == 0 && station_) station_->being_stopped = false;
-  next_poll_ = scheduler_.now();
-  fast_polls_ = fast_polls_after_a_command;
+void Pump::post_stop(StopOrder order) {
+  if (order.what == StopOrder::What::jog && order.axis < 0) order.axis = jogs_.in_hand().axis;
+  if (catalog_.axes.size() == 1) order.axis = -1;
+  release_jogs(order);
+  set_fate(order.intent, Fate::pending);
+  const bool another = order.what == StopOrder::What::words && !order.meaning.stops_here();
+  desk_.ask(std::move(order));
+  if (!another) drop_what_waits();
+  if (station_) station_->preempt();
+  if (draft_.link.state == LinkState::lost) retry_now_ = true;
   publish();
   wake_.notify();
-  ended_.notify();
 }
 
-Task<> Pump::perform_stop_text(Intent intent) {
-  count_program_change(intent);
-  const std::string& text = std::get<intent::SendText>(intent.body).text;
-  const bool to_all = std::get<intent::SendText>(intent.body).broadcast;
-  const bool all = driver_->stops_all(text), answered = driver_->answers(text) && !to_all;
-  Result<> performed;
-  try {
-    performed = co_await driver_->perform(intent.body);
-  } catch (const std::exception& defect) {
-    performed = fail(failed_inside("command", defect));
-  }
-  if (performed)
-    set_fate(intent.id, Fate::done);
-  else
-    set_fate(intent.id, Fate::failed, performed.error().sentence());
-  if (!performed && all) owe_stop_of_all(performed.error());
-  if (performed && all && !answered) unanswered_stop_ = rounds_begun_;
-  end_stop();
+/// Nothing that was asked for before a stop goes out behind it, here or to all controllers of the wire.
+void Pump::drop_what_waits() {
+  refuse_queued(stopped_first);
+  if (!ways_.line) return;
+  ways_.line->count_stop();
+  ways_.line->for_each_but(*this, [](Pump& other) {
+    if (other.says_to_all_ && other.station_) other.station_->preempt();
+  });
 }
 
 bool Pump::stop_wire(bool at_once) {
   if (!station_ || !station_->is_open()) return false;
-  ++stops_under_way_;
-  asio::co_spawn(scheduler_.executor(), run_stop_wire(at_once), asio::detached);
+  StopOrder order;
+  order.what = StopOrder::What::broadcast;
+  order.at_once = at_once;
+  desk_.ask(std::move(order));
+  station_->preempt();
+  wake_.notify();
   return true;
 }
 
-Task<> Pump::run_stop_wire(bool at_once) {
-  try {
-    auto stopped = co_await driver_->stop_wire(at_once);
-    if (!stopped) ways_.notify(Notice(Notice::Kind::error, scheduler_.now(), stopped.error().sentence()));
-  } catch (const std::exception& defect) {
-    ways_.notify(Notice(Notice::Kind::error, scheduler_.now(),
-                        fmt::format("The stop of all failed inside: {}.", defect.what())));
+Task<> Pump::send_stop(StopOrder& order) {
+  ++order.times_sent;
+  order.sent_at = scheduler_.now();
+  if (order.times_sent == 1) order.first_sent_at = order.sent_at;
+  if (order.what == StopOrder::What::words)
+    count_program_change(Intent(order.intent, intent::SendText(order.words)));
+  auto sent = co_await guarded("stop", driver_->stop(order));
+  stop_was_sent(order, std::move(sent));
+  publish();
+}
+
+void Pump::stop_was_sent(StopOrder& order, Result<std::string> sent) {
+  using What = StopOrder::What;
+  const bool cut = !sent && sent.error().kind == FaultKind::stopped;
+  if (order.what == What::broadcast) {
+    if (!sent && !cut) ways_.notify(Notice(Notice::Kind::error, scheduler_.now(), sent.error().sentence()));
+    return close_stop(order);
   }
-  --stops_under_way_;
-  wake_.notify();
-  ended_.notify();
-}
-
-Task<Result<>> Pump::stop_as_asked(const IntentBody& body) {
-  if (const auto* s = std::get_if<intent::Stop>(&body)) return driver_->stop(s->axis, false);
-  if (const auto* a = std::get_if<intent::Abort>(&body)) return driver_->stop(a->axis, true);
-  if (const auto* h = std::get_if<intent::HaltProgram>(&body)) return driver_->halt_program(h->thread);
-  const auto* j = std::get_if<intent::JogStop>(&body);
-  return driver_->stop_jog(j ? j->axis : -1);
-}
-
-Task<> Pump::stop_and_report(Intent intent) {
-  const auto* stop = std::get_if<intent::Stop>(&intent.body);
-  const int of_all = stop && stop->axis < 0 ? 1 : 0;
-  stops_of_all_ += of_all;
-  try {
-    auto stopped = co_await stop_as_asked(intent.body);
-    if (stopped)
-      set_fate(intent.id, Fate::done);
+  if (order.what == What::words) {  // as typed, once
+    if (sent && (!order.meaning.stops_here() || order.meaning.stops != TextMeaning::Stops::all ||
+                 order.meaning.answered == TextMeaning::Answered::at_once)) {
+      if (order.answer) std::exchange(order.answer, nullptr)(std::move(sent));
+      set_fate(order.intent, Fate::done);
+      return close_stop(order);
+    }
+    order.sent = order.confirmed = sent.has_value();
+    order.told = true;
+    if (sent)
+      set_fate(order.intent, Fate::done);
     else
-      set_fate(intent.id, Fate::failed, stopped.error().sentence());
-    if (!stopped) owe_stop(intent.body);
-  } catch (const std::exception& defect) {
-    set_fate(intent.id, Fate::failed, fmt::format("The stop failed inside: {}.", defect.what()));
+      set_fate(order.intent, Fate::failed, sent.error().sentence());
+    if (order.answer)
+      std::exchange(order.answer, nullptr)(sent ? std::move(sent) : Result<std::string>(fail(sent.error())));
+    if (sent) return;
+    const bool kept_out = sent.error().kind == FaultKind::refused;
+    if (kept_out || order.meaning.stops != TextMeaning::Stops::all) return close_stop(order);
+    order.what = What::everything;  // the console's own stop follows it, until it shows
+    return;
   }
-  stops_of_all_ -= of_all;
-  end_stop();
+  if (cut) return;  // it is due again behind the one that came
+  order.confirmed = sent.has_value();
+  const bool connected_now = connected();
+  order.sent = sent || order.times_sent >= attempts_in_a_row || !connected_now;
+  if (!sent && (sent.error().kind == FaultKind::refused || (order.sent && connected_now)))
+    stop_failed(order, sent.error());
 }
 
-Task<Result<std::string>> Pump::query_stop(std::string text, Duration patience) {
-  begin_stop(driver_->meant_for(intent::SendText(text)));
-  count_program_change(Intent(0, intent::SendText(text)));
-  const bool all = driver_->stops_all(text), answered = driver_->answers(text);
-  ++answers_awaited_;
-  bool out = false;
-  const auto said = [this, all, &out] {
-    if (std::exchange(out, true)) return;
-    if (all) unanswered_stop_ = rounds_begun_;
-    end_stop();
-  };
-  Result<std::string> reply;
-  try {
-    reply = co_await driver_->query_stop(text, patience, said);
-  } catch (const std::exception& defect) {
-    reply = fail(failed_inside("question", defect));
+void Pump::look_at_stops() {
+  auto& orders = desk_.orders();
+  for (auto at = orders.begin(); at != orders.end();) {
+    StopOrder& order = *at++;
+    if (order.sent) look_at_stop(order);
   }
-  if (!reply && !out && all) owe_stop_of_all(reply.error());
-  if (reply && !out && all && !answered) unanswered_stop_ = rounds_begun_;
-  --answers_awaited_;
-  if (!out) end_stop();
-  ended_.notify();
-  co_return reply;
+}
+
+void Pump::look_at_stop(StopOrder& order) {
+  if (order.what == StopOrder::What::words) return close_stop(order);  // the wire has carried it
+  StopProgress progress = driver_->stop_progress(order);
+  switch (progress.now) {
+    case StopProgress::Now::wait: return;
+    case StopProgress::Now::at_once: order.at_once = true; [[fallthrough]];
+    case StopProgress::Now::again: order.sent = order.confirmed = false; return;
+    case StopProgress::Now::failed:
+      if (progress.why) stop_failed(order, *progress.why);
+      return close_stop(order);
+    case StopProgress::Now::stands:
+      if (!order.told) set_fate(order.intent, Fate::done);
+      return close_stop(order);
+  }
+}
+
+void Pump::stop_failed(StopOrder& order, const Fault& why) {
+  if (order.answer) std::exchange(order.answer, nullptr)(fail(why));
+  if (!std::exchange(order.told, true)) set_fate(order.intent, Fate::failed, why.sentence());
+  if (why.kind == FaultKind::refused) close_stop(order);
+}
+
+void Pump::close_stop(StopOrder& order) {
+  desk_.close(order);
+  next_poll_ = scheduler_.now();
+  fast_polls_ = fast_polls_after_a_command;
+  wake_.notify();
+}
+
+/// Whoever has asked is told; what may still run is stopped as soon as the wire carries it.
+void Pump::stops_did_not_arrive(const Fault& why) {
+  for (StopOrder& order : desk_.orders()) {
+    const Fault told =
+        why.kind == FaultKind::no_answer
+            ? Fault(FaultKind::no_answer, "The controller was told to stop, and does not answer.",
+                    "It is told again until it does.", "Use its power switch if it moves.")
+            : Fault(FaultKind::lost, std::string(no_way));
+    if (order.answer) std::exchange(order.answer, nullptr)(fail(told));
+    if (!std::exchange(order.told, true)) set_fate(order.intent, Fate::failed, told.sentence());
+  }
+  publish();
+}
+
+void Pump::owe_stops_at_loss() {
+  using What = StopOrder::What;
+  stops_did_not_arrive(Fault(FaultKind::lost, "There is no connection."));
+  desk_.orders().remove_if([this](const StopOrder& order) {
+    const bool other =
+        order.what == What::broadcast || (order.what == What::words && !order.meaning.stops_here());
+    return !ran_when_lost_ || other;
+  });
+  for (StopOrder& order : desk_.orders())
+    if (order.what == What::words) order.what = What::everything;
+  jogs_.for_each_axis([this](int axis) {
+    StopOrder lets_go;
+    lets_go.what = StopOrder::What::jog;
+    lets_go.axis = catalog_.axes.size() == 1 ? -1 : axis;
+    lets_go.told = true;
+    desk_.ask(std::move(lets_go));
+    if (axis >= 0) draft_.link.when_lost.axes |= 1u << axis;  // its motion may not have been seen yet
+  });
+  desk_.send_all_again();
+}
+
+/// Another session of the wire says it to all.
+void Pump::hear_text_to_all(const std::string& text, const TextMeaning& meaning) {
+  if (meaning.is_stop()) {
+    desk_.heard_another();
+    refuse_queued(stopped_first);
+    if (station_) station_->preempt();
+  }
+  driver_->overhear(text);
+  if (meaning.changes_programs) {
+    ++draft_.program_changes;
+    draft_.program_changed_by = 0;
+  }
+  wake_.notify();
+}
+
+Task<Result<std::string>> Pump::query_stop(std::string text, TextMeaning meaning, Duration patience) {
+  struct Asked {
+    Suspended asker;
+    std::optional<Result<std::string>> reply;
+  };
+  const auto asked = std::make_shared<Asked>();
+  StopOrder order;
+  order.what = StopOrder::What::words;
+  order.words = std::move(text);
+  order.meaning = meaning;
+  order.axis = meaning.axis;
+  order.patience = patience;
+  order.answer = [this, asked](Result<std::string> reply) {
+    asked->reply = std::move(reply);
+    asked->asker.resume(scheduler_.executor());
+  };
+  const std::uint64_t since = texts_.next();
+  post_stop(std::move(order));
+  const std::uint64_t epoch = desk_.epoch();
+  while (!asked->reply) co_await asked->asker.here();
+  const bool comes_later = meaning.answered == TextMeaning::Answered::later;
+  if (!*asked->reply || !comes_later || !(*asked->reply)->empty()) co_return std::move(*asked->reply);
+  co_return co_await wait_for_text(since, epoch, patience);
 }
 
 }  // namespace hw

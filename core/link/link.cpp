@@ -163,6 +163,7 @@ void Link::finish(Result<std::string> result) {
   Pending* done = std::exchange(in_flight_, nullptr);
   deadline_.disarm();
   const Instant now = scheduler_.now();
+  if (done->its_turn && result) done->station.heard_at_ = now;
   if (done->its_turn)
     done->station.count_burst(result.has_value());
   else
@@ -204,58 +205,21 @@ void Link::on_deadline() {
   finish(fail(std::move(fault)));
 }
 
-template <class Which>
-void Link::drop_waiting(Which which) {
-  for (const Priority priority : {Priority::intent, Priority::transfer})
-    std::erase_if(waiting_[static_cast<std::size_t>(priority)], [&](Pending* p) {
-      if (!which(*p)) return false;
-      end(*p, fail(stop_came_first()));
+void Link::drop_waiting(const Station& station, const Fault& why) {
+  for (auto& queue : waiting_)
+    std::erase_if(queue, [&](Pending* p) {
+      if (&p->station != &station) return false;
+      end(*p, fail(why));
       return true;
     });
-}
-
-void Link::drop_procedures(Station& station) {
-  drop_waiting([&](const Pending& p) { return &p.station == &station; });
-}
-
-// ---- stops, and what is said to others' devices
-
-void Link::stop_said(Addressees to) {
-  if (!to.any()) return;
-  const auto same = std::find_if(stops_said_.begin(), stops_said_.end(),
-                                 [&](const StopsSaid& said) { return said.to == to; });
-  if (same != stops_said_.end())
-    ++same->count;
-  else
-    stops_said_.push_back({to, 1});
-  drop_waiting([&](const Pending& p) { return p.transaction.moves_others.share(to); });
-}
-
-std::uint64_t Link::stops_said(Addressees to) const {
-  std::uint64_t all = 0;
-  for (const StopsSaid& said : stops_said_)
-    if (said.to.share(to)) all += said.count;
-  return all;
-}
-
-Result<> Link::may_be_said(const Station& station, const Transaction& transaction) const {
-  const bool yields = transaction.priority == Priority::intent || transaction.priority == Priority::transfer;
-  if (!yields) return {};
-  if (station.stopping_) return fail(stop_came_first());
-  const Addressees others = transaction.moves_others;
-  if (!others.any()) return {};
-  if (stops_said(others) != station.stops_before) return fail(stop_came_first());
-  for (const Station* other : stations_)
-    if (other->being_stopped && others.share(Addressees::one(other->address)))
-      return fail(FaultKind::refused, "A device that this is for is being stopped.", "This was not sent.",
-                  "Send it again when that device stands.");
-  return {};
 }
 
 // ---- what comes in
 
 void Link::bytes_arrived(std::string_view bytes) {
   const auto keep = shared_from_this();
+  if (Station* station = in_flight_ ? &in_flight_->station : spoke_last_)
+    station->heard_at_ = scheduler_.now();
   received_.append(bytes);
   take_received();
 }
@@ -352,27 +316,17 @@ void Link::give_up_on(std::string_view bytes) {
 
 // ---- the end
 
-void Link::let_others_hear(const Station& speaker, std::string_view text, Hearsay what) const {
-  for (Station* station : stations_)
-    if (station != &speaker && station->overheard) station->overheard(text, what);
-}
-
 void Link::leave(Station& station, const Fault& why, Leaving leaving) {
   std::erase(stations_, &station);
   if (leaving == Leaving::given_up && stations_.empty() && stream_) stream_->discard_unsent();
   if (spoke_last_ == &station) spoke_last_ = nullptr;
-  const auto lost = [&] { return fail(FaultKind::lost, why.what, why.done, why.advice); };
-  for (auto& queue : waiting_)
-    std::erase_if(queue, [&](Pending* p) {
-      if (&p->station != &station) return false;
-      end(*p, lost());
-      return true;
-    });
+  const Fault lost(FaultKind::lost, why.what, why.done, why.advice);
+  drop_waiting(station, lost);
   left_owing_until_ = std::max(left_owing_until_, station.owes_until_);
   if (!in_flight_ || &in_flight_->station != &station) return;
   deadline_.disarm();
   if (window_) window_->abandon();
-  end(*std::exchange(in_flight_, nullptr), lost());
+  end(*std::exchange(in_flight_, nullptr), fail(lost));
   settle_until_ = scheduler_.now() + settle_time;  // its answer may still come
   left_owing_until_ = scheduler_.now() + longest_delay;
   start_next();

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "core/base/asio.h"
-#include "core/link/addressees.h"
 #include "core/link/framing.h"
 #include "core/link/stream.h"
 #include "core/link/traffic.h"
@@ -20,7 +19,6 @@
 namespace hw {
 
 class Station;
-enum class Hearsay : std::uint8_t;
 
 enum class Priority : std::uint8_t { stop, intent, transfer, poll };
 
@@ -39,9 +37,6 @@ struct Transaction {
   bool names_itself = false;
   /// Silence says nothing against the link: the controller is in a state in which it does not answer.
   bool may_be_silent = false;
-  /// The devices of other stations that it may set in motion: it is not sent behind a stop of theirs that
-  /// came after it was asked for (Station::stops_before), nor while one is being stopped.
-  Addressees moves_others = Addressees::none();
   /// What the console asks for itself about the state: recorded as a poll, however urgent it is.
   bool own_question = false;
   /// How many bytes at the front of what came in are messages of their own and no part of the reply (a prompt
@@ -52,7 +47,7 @@ struct Transaction {
   Transaction(std::string b, ReplyShape r, Priority p) : bytes(std::move(b)), reply(r), priority(p) {}
 };
 
-/// What a procedure is told that a stop has overtaken.
+/// What a procedure is told that a stop has ended.
 Fault stop_came_first();
 
 class Link final : public std::enable_shared_from_this<Link>,
@@ -73,11 +68,6 @@ class Link final : public std::enable_shared_from_this<Link>,
   /// Time that `bytes` characters take on this wire (0 when it has no rate).
   [[nodiscard]] Duration wire_time(std::size_t bytes) const;
   [[nodiscard]] std::size_t station_count() const { return stations_.size(); }
-  /// A stop for these devices, by whomever it is said: what others have waiting that would set them in motion
-  /// is not sent.
-  void stop_said(Addressees to);
-  /// How many there were for any of them since the wire was opened.
-  [[nodiscard]] std::uint64_t stops_said(Addressees to) const;
 
   /// A controller was told another rate, and the wire follows it.
   std::function<void(int baud)> rate_set;
@@ -95,13 +85,9 @@ class Link final : public std::enable_shared_from_this<Link>,
   void join(Station& station);
   enum class Leaving : bool { in_order, given_up };
   void leave(Station& station, const Fault& why, Leaving leaving);
-  void let_others_hear(const Station& speaker, std::string_view text, Hearsay what) const;
   Task<Result<std::string>> transact(Station& station, Transaction transaction);
   Task<Result<>> run(Station& station, std::span<BusCycle> cycles, Priority priority);
-  void drop_procedures(Station& station);
-  template <class Which>
-  void drop_waiting(Which which);
-  [[nodiscard]] Result<> may_be_said(const Station& station, const Transaction& transaction) const;
+  void drop_waiting(const Station& station, const Fault& why);
   void hurry_for_a_stop();
   [[nodiscard]] Duration patience_for(const Transaction& transaction) const;
   [[nodiscard]] bool answer_owed() const;
@@ -130,11 +116,6 @@ class Link final : public std::enable_shared_from_this<Link>,
   Station* spoke_last_ =
       nullptr;  ///< whose transaction was last on the wire; what makes no sense is told to it
   std::array<std::vector<Pending*>, 4> waiting_;  ///< by priority; few, and they keep their memory
-  struct StopsSaid {
-    Addressees to;
-    std::uint64_t count;
-  };
-  std::vector<StopsSaid> stops_said_;
   Pending* in_flight_ = nullptr;
   std::string received_;
   Instant sent_at_{}, deadline_at_{};

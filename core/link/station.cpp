@@ -10,12 +10,10 @@ Fault no_connection() {
 Task<Result<std::string>> not_sent(Fault why) { co_return fail(std::move(why)); }
 Task<Result<>> not_run(Fault why) { co_return fail(std::move(why)); }
 
-bool yields_to_stop(Priority p) { return p == Priority::intent || p == Priority::transfer; }
-
 }  // namespace
 
 Station::Station(std::shared_ptr<Link> link, TrafficRing* traffic)
-    : link_(std::move(link)), traffic_(traffic) {
+    : link_(std::move(link)), traffic_(traffic), ended_(link_->scheduler_) {
   link_->join(*this);
 }
 
@@ -23,19 +21,36 @@ Station::~Station() { close(Fault(FaultKind::lost, "The connection was closed.")
 
 Task<Result<std::string>> Station::transact(Transaction transaction) {
   if (!link_) return not_sent(no_connection());
-  if (auto may = link_->may_be_said(*this, transaction); !may) return not_sent(std::move(may.error()));
+  if (preempted_) return not_sent(stop_came_first());
   return link_->transact(*this, std::move(transaction));
 }
 
 Task<Result<>> Station::bus(std::span<BusCycle> cycles, Priority priority) {
   if (!link_) return not_run(no_connection());
-  if (stopping_ && yields_to_stop(priority)) return not_run(stop_came_first());
+  if (preempted_) return not_run(stop_came_first());
   return link_->run(*this, cycles, priority);
 }
 
-void Station::begin_stop() {
-  stopping_ = true;
-  if (link_) link_->drop_procedures(*this);
+void Station::preempt() {
+  if (uncut_ > 0) {
+    preempt_due_ = true;
+    return;
+  }
+  preempted_ = true;
+  if (link_) {
+    link_->drop_waiting(*this, stop_came_first());
+    link_->hurry_for_a_stop();
+  }
+  ended_.notify();
+  if (procedure_ended) procedure_ended();
+}
+
+Task<Result<>> Station::pause(Duration time) {
+  if (!link_) co_return fail(no_connection());
+  if (preempted_) co_return fail(stop_came_first());
+  const bool ended = co_await ended_.wait_until(link_->scheduler_.now() + time);
+  if (!ended) co_return Result<>();
+  co_return fail(preempted_ ? stop_came_first() : no_connection());
 }
 
 bool Station::owes_answer() const { return link_ && link_->scheduler_.now() < owes_until_; }
@@ -49,16 +64,16 @@ Result<> Station::set_rate(int baud) {
   return set;
 }
 
-void Station::close(const Fault& why) {
-  if (const auto link = std::exchange(link_, nullptr)) link->leave(*this, why, Link::Leaving::in_order);
-}
+void Station::close(const Fault& why) { leave(why, Link::Leaving::in_order); }
 
-void Station::give_up(const Fault& why) {
-  if (const auto link = std::exchange(link_, nullptr)) link->leave(*this, why, Link::Leaving::given_up);
-}
+void Station::give_up(const Fault& why) { leave(why, Link::Leaving::given_up); }
 
-void Station::let_others_hear(std::string_view text, Hearsay what) const {
-  if (link_) link_->let_others_hear(*this, text, what);
+void Station::leave(const Fault& why, Link::Leaving how) {
+  const auto link = std::exchange(link_, nullptr);
+  if (!link) return;
+  link->leave(*this, why, how);
+  ended_.notify();
+  if (procedure_ended) procedure_ended();
 }
 
 void Station::record(Instant at, Way way, TrafficKind kind, std::string_view bytes) {

@@ -17,10 +17,6 @@ struct StationStatistics {
   int misses_in_a_row = 0;
 };
 
-/// What another station's user says to this device, as it goes on: before it goes out; when it has been done,
-/// as far as the device tells; when it was refused or never went out.
-enum class Hearsay : std::uint8_t { said, done, refused };
-
 class Station {
  public:
   /// `traffic` may be null. The link stays open as long as a station is on it.
@@ -39,27 +35,45 @@ class Station {
   /// ... and whether what it waited for came in time.
   void count_answer(Duration round_trip, bool poll, Instant now);
   void count_miss();
-  /// From now until end_stop() intents and transfers of this station, waiting or new, end with
-  /// Fault{stopped}, so that no procedure that was under way can send its next step behind the stop. The one
-  /// in flight goes on.
-  void begin_stop();
-  void end_stop() { stopping_ = false; }
+  // ---- one procedure at a time: see Pump
+  /// A stop has come. The procedure under way ends: what it has waiting, its pauses, and whatever it asks for
+  /// from now on end at once with Fault{stopped}. The transaction in flight is heard to its end, which comes
+  /// soon (Link::hurry_for_a_stop).
+  void preempt();
+  /// It has ended; the next one may use the wire.
+  void begin_procedure() { preempted_ = false; }
+  [[nodiscard]] bool preempted() const { return preempted_; }
+  /// Waits, unless a stop comes or the wire is lost.
+  Task<Result<>> pause(Duration time);
 
-  /// Link::stops_said() of those whom the user's text that is under way is for, when it was asked for.
-  std::uint64_t stops_before = 0;
-  /// A stop of this device is under way: nobody else sets it in motion.
-  bool being_stopped = false;
+  /// Steps that must not be cut apart: a stop waits for them. Each use is bounded in time; they are
+  ///   VXM, PMX, DMX: a change of the line rate, until the console's end has followed.
+  class Uncut {
+   public:
+    explicit Uncut(Station& station) : station_(station) { ++station_.uncut_; }
+    ~Uncut() {
+      if (--station_.uncut_ == 0 && std::exchange(station_.preempt_due_, false)) station_.preempt();
+    }
+    Uncut(const Uncut&) = delete;
+    Uncut& operator=(const Uncut&) = delete;
+
+   private:
+    Station& station_;
+  };
+
   /// Of this device on a wire of several; -1: it has none.
   int address = -1;
+  /// When any byte came in for this device last.
+  [[nodiscard]] Instant heard_at() const { return heard_at_; }
+  /// The procedure under way is ended, by a stop or with the wire: whoever waits for something else looks
+  /// again.
+  std::function<void()> procedure_ended;
   /// Bytes that no transaction claimed, at least one. The handler returns how many at the front are its own
   /// and done with; npos: they may be, more must come to tell (they are offered again with what follows).
   /// What no station on the wire understands counts as unparsed.
   std::function<std::size_t(std::string_view)> unsolicited;
   /// On a window: the controller has interrupted its host.
   std::function<void(std::uint8_t vector)> interrupted;
-  /// Another station of this wire says something for its user that may be meant for this device.
-  std::function<void(std::string_view, Hearsay)> overheard;
-  void let_others_hear(std::string_view text, Hearsay what) const;
   /// Something that is no poll stands in the record now.
   std::function<void()> recorded;
   /// The wire is gone for everybody on it.
@@ -92,6 +106,7 @@ class Station {
 
  private:
   friend class Link;
+  void leave(const Fault& why, Link::Leaving how);
   void count(const Result<std::string>& result, bool question, bool poll, Duration round_trip, Instant now);
   void count_burst(bool done);
   void count_polls(Instant now);
@@ -102,7 +117,10 @@ class Station {
   Instant owes_until_{};
   Instant count_began_{};
   int polls_counted_ = 0;
-  bool stopping_ = false;
+  Instant heard_at_{};
+  Event ended_;  ///< notified when a stop, or the end of the wire, ends what waits here
+  bool preempted_ = false, preempt_due_ = false;
+  int uncut_ = 0;
 };
 
 }  // namespace hw

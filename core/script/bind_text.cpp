@@ -46,11 +46,11 @@ Task<Answer> read_text(Runner& runner, SessionPtr session, Duration patience) {
   const Instant deadline = runner.scheduler().now() + patience;
   std::string text;
   for (bool in_time = true; in_time && !runner.over();) {
-    if (session->pump().driver().take_unsolicited(text)) co_return answer_text(std::move(text));
+    if (session->pump().take_unsolicited(text)) co_return answer_text(std::move(text));
     if (session->known().link.state == LinkState::closed) break;
     in_time = co_await session->pump().published().wait_until(deadline);
   }
-  if (session->pump().driver().take_unsolicited(text)) co_return answer_text(std::move(text));
+  if (session->pump().take_unsolicited(text)) co_return answer_text(std::move(text));
   co_return answer_refused("Nothing came.");
 }
 int read(Call& call) { return call.wait(read_text(call.runner(), session_of(call), call.patience(1, 1))); }

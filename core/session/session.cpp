@@ -43,7 +43,7 @@ Session::Session(Scheduler& scheduler, Address address, const DeviceType& type, 
             Pump::Ways{[this] { return open_wire(); }, [this](const Snapshot& s) { show(s); },
                        [this](Notice n) { tell(std::move(n)); }, &traffic_,
                        [this](const AxisSample& sample) { samples_.push(sample); },
-                       [this] { return wire_->open_link(); },
+                       wire_->line(),
                        [this] {
                          if (wake_) wake_();
                        }}) {}

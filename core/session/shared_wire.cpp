@@ -9,11 +9,6 @@ std::shared_ptr<BenchAccess> SharedWire::bench(std::size_t place) const {
   return place < benches_.size() ? benches_[place] : nullptr;
 }
 
-std::shared_ptr<Link> SharedWire::open_link() const {
-  std::shared_ptr<Link> link = link_.lock();
-  return link && link->is_open() ? link : nullptr;
-}
-
 Task<Result<Wire>> SharedWire::open() {
   struct Opening {
     SharedWire& wire;

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/device/line.h"
 #include "core/link/link.h"
 #include "core/session/wire.h"
 
@@ -17,8 +18,8 @@ class SharedWire : public std::enable_shared_from_this<SharedWire> {
 
   /// The open link. All that ask while it is being opened get the one answer.
   Task<Result<std::shared_ptr<Link>>> link();
-  /// The same without opening it; null: nobody has it open.
-  [[nodiscard]] std::shared_ptr<Link> open_link() const;
+  /// The sessions on it.
+  [[nodiscard]] const std::shared_ptr<Line>& line() const { return line_; }
   /// The bench of the device at `place` in the order of the address's ids; null: not an emulator of ours.
   [[nodiscard]] std::shared_ptr<BenchAccess> bench(std::size_t place) const;
 
@@ -31,6 +32,7 @@ class SharedWire : public std::enable_shared_from_this<SharedWire> {
   Scheduler& scheduler_;
   const Address address_;
   const WireOpener opener_;
+  const std::shared_ptr<Line> line_ = std::make_shared<Line>();
   std::weak_ptr<Link> link_;
   std::vector<std::shared_ptr<BenchAccess>> benches_;
   bool opening_ = false;

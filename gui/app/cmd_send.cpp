@@ -48,7 +48,7 @@ bool busy(const Snapshot& s) {
 
 void print_unasked(Session& session) {
   std::string text;
-  while (session.pump().driver().take_unsolicited(text)) print_reply(text);
+  while (session.pump().take_unsolicited(text)) print_reply(text);
 }
 
 // What comes unasked belongs to the text that made the controller busy: it is printed until it rests.
@@ -63,7 +63,7 @@ Task<bool> print_until_idle(std::shared_ptr<Session> session, Instant give_up) {
 }
 
 Task<int> send_one(std::shared_ptr<Session> session, std::string text, double wait_s) {
-  const bool answers = session->pump().driver().answers(text);
+  const bool answers = session->pump().meaning_of(text).answered == TextMeaning::Answered::at_once;
   Duration patience = answers ? for_an_answer : for_a_prompt;
   if (wait_s > 0 && answers) patience = from_seconds(wait_s);
   const auto reply = co_await session->pump().query(text, patience);
@@ -75,8 +75,10 @@ Task<int> send_one(std::shared_ptr<Session> session, std::string text, double wa
 }
 
 // A prompt belongs to the text that brings it, so the next one waits for it; but nothing keeps a stop back.
-bool waits_before(const Driver& driver, const std::string& text, const std::string& next) {
-  return !driver.answers(text) && driver.answers_later(text) && !driver.is_stop(next);
+bool waits_before(const Pump& pump, const std::string& text, const std::string& next) {
+  const TextMeaning meaning = pump.meaning_of(text);
+  return meaning.answered != TextMeaning::Answered::at_once && meaning.end_is_told &&
+         !pump.meaning_of(next).is_stop();
 }
 
 Task<int> wait_for_rest(Scheduler& scheduler, std::shared_ptr<Session> session, std::string text,
@@ -94,16 +96,16 @@ Task<int> wait_for_rest(Scheduler& scheduler, std::shared_ptr<Session> session, 
 /// sent behind a stop of the user's, nor when nobody reads the replies.
 Task<int> send_texts(Scheduler& scheduler, std::shared_ptr<Session> session,
                      std::span<const std::string> texts, double wait_s, Stopped& stopped) {
-  const Driver& driver = session->pump().driver();
+  const Pump& pump = session->pump();
   int status = done;
   bool end_is_told = false;
   for (std::size_t i = 0; i < texts.size() && !stopped.asked && !output_is_lost(); ++i) {
     stopped.unseen = true;
     const int sent = co_await send_one(session, texts[i], wait_s);
     if (sent != done) co_return sent;
-    end_is_told = end_is_told || driver.answers_later(texts[i]);
+    end_is_told = end_is_told || pump.meaning_of(texts[i]).end_is_told;
     const bool last = i + 1 == texts.size();
-    if (last ? end_is_told : waits_before(driver, texts[i], texts[i + 1])) {
+    if (last ? end_is_told : waits_before(pump, texts[i], texts[i + 1])) {
       const int rested = co_await wait_for_rest(scheduler, session, texts[i], wait_s);
       status = std::max(status, rested);
     }
@@ -160,7 +162,7 @@ Task<int> send_all(Scheduler& scheduler, const Address& address, const Given& gi
     if (may_move(*session, stopped)) stop(*session, stopped);
   });
   int status = done;
-  if (session->pump().driver().is_stop(texts[0])) {
+  if (session->pump().meaning_of(texts[0]).is_stop()) {
     status = co_await send_stop_first(session, texts[0]);
     texts = texts.subspan(1);
   }

@@ -1,0 +1,42 @@
+#pragma once
+// The controllers of one wire that this console has open, each with a pump of its own: who gets a text that
+// names another one, and who must know of a text that all of them get. Io thread only.
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace hw {
+
+class Pump;
+
+class Line {
+ public:
+  void join(Pump& pump, int address) { members_.push_back({&pump, address}); }
+  void leave(const Pump& pump) {
+    std::erase_if(members_, [&](const Member& m) { return m.pump == &pump; });
+  }
+  /// Null: none of ours answers there.
+  [[nodiscard]] Pump* at(int address) const {
+    const auto found =
+        std::find_if(members_.begin(), members_.end(), [&](const Member& m) { return m.address == address; });
+    return found == members_.end() ? nullptr : found->pump;
+  }
+  template <class Each>
+  void for_each_but(const Pump& pump, Each each) const {
+    for (const Member& m : std::vector<Member>(members_))
+      if (m.pump != &pump) each(*m.pump);
+  }
+  /// A stop of any of them has been asked for.
+  void count_stop() { ++stops_; }
+  [[nodiscard]] std::uint64_t stops() const { return stops_; }
+
+ private:
+  struct Member {
+    Pump* pump;
+    int address;
+  };
+  std::vector<Member> members_;
+  std::uint64_t stops_ = 0;
+};
+
+}  // namespace hw

@@ -1,0 +1,56 @@
+#include "core/device/stop.h"
+
+#include <algorithm>
+
+namespace hw {
+
+StopOrder& StopDesk::ask(StopOrder order) {
+  order.epoch = ++epoch_;
+  const bool may_escalate = order.what == StopOrder::What::everything;
+  const bool again = std::any_of(orders_.begin(), orders_.end(),
+                                 [&](const StopOrder& open) { return open.same_scope(order); });
+  if (may_escalate && again) order.at_once = true;
+  orders_.push_back(std::move(order));
+  return orders_.back();
+}
+
+bool StopDesk::stops_all() const {
+  return std::any_of(orders_.begin(), orders_.end(), [](const StopOrder& o) { return o.stops_all(); });
+}
+
+StopOrder* StopDesk::due() {
+  StopOrder* next = nullptr;
+  for (StopOrder& order : orders_)
+    if (!order.sent && (!next || next->what != StopOrder::What::broadcast)) next = &order;
+  return next;
+}
+
+void StopDesk::send_all_again() {
+  for (StopOrder& order : orders_) order.sent = order.confirmed = false;
+}
+
+void StopDesk::close(const StopOrder& order) {
+  orders_.remove_if([&](const StopOrder& open) { return &open == &order; });
+}
+
+std::optional<StopOrder> stop_order_of(const Intent& intent) {
+  StopOrder order;
+  order.intent = intent.id;
+  if (const auto* s = std::get_if<intent::Stop>(&intent.body)) {
+    order.axis = s->axis;
+  } else if (const auto* a = std::get_if<intent::Abort>(&intent.body)) {
+    order.axis = a->axis;
+    order.at_once = true;
+  } else if (const auto* j = std::get_if<intent::JogStop>(&intent.body)) {
+    order.what = StopOrder::What::jog;
+    order.axis = j->axis;
+  } else if (const auto* h = std::get_if<intent::HaltProgram>(&intent.body)) {
+    order.what = StopOrder::What::program;
+    order.thread = h->thread;
+  } else {
+    return std::nullopt;
+  }
+  return order;
+}
+
+}  // namespace hw

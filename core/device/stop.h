@@ -1,0 +1,102 @@
+#pragma once
+// Stops of one controller: what each is for, whether it ramps, which have not taken effect yet. The pump asks
+// the desk what to send; nobody else counts stops. Io thread only.
+#include <cstdint>
+#include <functional>
+#include <list>
+#include <optional>
+#include <string>
+
+#include "core/base/result.h"
+#include "core/device/intent.h"
+#include "core/device/text_meaning.h"
+#include "core/time/clock.h"
+
+namespace hw {
+
+/// One stop. The driver sends it as a whole, as often as it is asked to.
+struct StopOrder {
+  enum class What : std::uint8_t {
+    everything,  ///< motion, and the programs that cause it
+    jog,         ///< what a held jog moves; programs, and axes that they move, go on
+    program,     ///< a program; what it has begun to move goes on where the catalog has threads
+    broadcast,   ///< the maker's one message to all controllers of the wire
+    words        ///< the user's own text
+  };
+  What what = What::everything;
+  int axis = -1;         ///< -1: all
+  int thread = -1;       ///< of `program`; -1: all
+  bool at_once = false;  ///< without a ramp
+  std::string words;
+  TextMeaning meaning;                              ///< of `words`
+  Duration patience{};                              ///< with an answer to `words`
+  std::function<void(Result<std::string>)> answer;  ///< called once, with that answer or why there is none
+  IntentId intent = 0;                              ///< 0: the console's own
+  std::uint64_t epoch = 0;
+
+  int times_sent = 0;
+  Instant sent_at{}, first_sent_at{};
+  bool sent = false;       ///< since it was last due
+  bool confirmed = false;  ///< the controller has acknowledged it, or acknowledges none
+  bool told = false;       ///< what became of it is known to whoever asked
+
+  [[nodiscard]] bool same_scope(const StopOrder& other) const {
+    return what == other.what && axis == other.axis && thread == other.thread;
+  }
+  [[nodiscard]] bool stops_all() const {
+    return what == What::words ? meaning.stops == TextMeaning::Stops::all
+                               : axis < 0 && what == What::everything;
+  }
+};
+
+/// What a round of status shows of a stop.
+struct StopProgress {
+  enum class Now : std::uint8_t {
+    stands,   ///< what it was for is at rest
+    wait,     ///< it takes effect
+    again,    ///< its effect does not show: send it again, in the same form
+    at_once,  ///< its ramp does not end
+    failed    ///< it was sent as often as makes sense; `why` says what goes on
+  };
+  Now now = Now::stands;
+  std::optional<Fault> why;
+
+  static StopProgress stands() { return {}; }
+  static StopProgress wait() { return {Now::wait, {}}; }
+  static StopProgress again() { return {Now::again, {}}; }
+  static StopProgress at_once() { return {Now::at_once, {}}; }
+  static StopProgress failed(Fault fault) { return {Now::failed, std::move(fault)}; }
+};
+
+/// The stops that were asked for and have not been seen to take effect.
+class StopDesk {
+ public:
+  /// The same scope, asked again while its stop is under way, means: at once. Another scope, or the first of
+  /// all axes, ramps beside it. Letting go of a jog is never the second stop.
+  StopOrder& ask(StopOrder order);
+  /// How many have been asked for; what was asked for under an older number must not start anything.
+  [[nodiscard]] std::uint64_t epoch() const { return epoch_; }
+  /// A stop that somebody else sends on the same wire: nothing from before may start anything.
+  void heard_another() { ++epoch_; }
+
+  [[nodiscard]] bool any() const { return !orders_.empty(); }
+  /// A stop of all axes is under way: another one would mean at once.
+  [[nodiscard]] bool stops_all() const;
+  /// The next to be sent: what all controllers of the wire hear first, then the latest. Null: all have been.
+  [[nodiscard]] StopOrder* due();
+  /// Each is sent again: nothing shows that any has arrived.
+  void send_all_again();
+  void close(const StopOrder& order);
+  void clear() { orders_.clear(); }
+
+  [[nodiscard]] std::list<StopOrder>& orders() { return orders_; }
+
+ private:
+  std::list<StopOrder> orders_;  ///< oldest first; they keep their place while others come and go
+  std::uint64_t epoch_ = 0;
+};
+
+/// The order that an intent asks for; none: it is no stop.
+std::optional<StopOrder> stop_order_of(const Intent& intent);
+
+}  // namespace hw
