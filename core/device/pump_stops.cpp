@@ -49,14 +49,16 @@ bool Pump::stop_wire(bool at_once) {
   return true;
 }
 
+// The order may be withdrawn meanwhile: with the wire.
 Task<> Pump::send_stop(StopOrder& order) {
   ++order.times_sent;
   order.sent_at = scheduler_.now();
   if (order.times_sent == 1) order.first_sent_at = order.sent_at;
   if (order.what == StopOrder::What::words)
     count_program_change(Intent(order.intent, intent::SendText(order.words)));
-  auto sent = co_await guarded("stop", driver_->stop(order));
-  stop_was_sent(order, std::move(sent));
+  const StopOrder sending = order;
+  auto sent = co_await guarded("stop", driver_->stop(sending));
+  if (StopOrder* still = desk_.find(sending.epoch)) stop_was_sent(*still, std::move(sent));
   publish();
 }
 
