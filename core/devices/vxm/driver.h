@@ -217,7 +217,7 @@ class VxmDriver final : public Driver {
   [[nodiscard]] bool stands_since_ramp() const;
   Task<Result<>> kill(bool standing, Priority priority = Priority::stop);
   Task<Result<>> settle_hold();
-  void kill_not_confirmed();
+  void kill_not_confirmed(EndedBy ended_by);
   void killed(EndedBy ended_by = EndedBy::abort);
   void doubt_positions();
   void all_are_zero();
