@@ -180,6 +180,8 @@ void Pump::connection_made() {
   if (draft_.restarts != restarts_when_lost_)  // what runs now is somebody else's
     desk_.orders().remove_if([](const StopOrder& order) { return order.told; });
   restarts_when_lost_ = draft_.restarts;
+  for (StopOrder& order : desk_.orders())  // what was typed may have gone into a wire that carried nothing
+    if (order.what == StopOrder::What::words) order.what = StopOrder::What::everything;
   const auto& stops = desk_.orders();
   if (something_runs() &&
       std::any_of(stops.begin(), stops.end(), [](const auto& order) { return order.told; }))
