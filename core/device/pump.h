@@ -108,6 +108,8 @@ class Pump {
   void enqueue(std::unique_ptr<Job> job);
   Task<> perform_next();
   Result<> trust_position(AxisId axis);
+  Task<Result<std::string>> add_what_comes_later(std::string reply, std::uint64_t since, std::uint64_t epoch,
+                                                 Duration patience);
   Task<Result<std::string>> wait_for_text(std::uint64_t since, std::uint64_t epoch, Duration patience);
   [[nodiscard]] Result<> may_go_to_all(const Job& job) const;
   void refuse_queued(std::string_view why);

@@ -206,9 +206,9 @@ Task<Result<std::string>> Pump::query_stop(std::string text, TextMeaning meaning
   post_stop(std::move(order));
   const std::uint64_t epoch = desk_.epoch();
   while (!asked->reply) co_await asked->asker.here();
-  const bool comes_later = meaning.answered == TextMeaning::Answered::later;
-  if (!*asked->reply || !comes_later || !(*asked->reply)->empty()) co_return std::move(*asked->reply);
-  co_return co_await wait_for_text(since, epoch, patience);
+  auto& reply = *asked->reply;
+  if (!reply || meaning.answered != TextMeaning::Answered::later) co_return std::move(reply);
+  co_return co_await add_what_comes_later(std::move(*reply), since, epoch, patience);
 }
 
 }  // namespace hw

@@ -269,6 +269,10 @@ Task<Result<std::string>> VxmDriver::stop_by_words(const StopOrder& order) {
     if (!on_line) co_return fail(on_line.error());
     reply = co_await converse(std::move(text), order.patience, Priority::stop);
   }
+  if (!reply && reply.error().kind == FaultKind::no_answer && blind)
+    co_return fail(FaultKind::no_answer,
+                   fmt::format("{} was sent and brought nothing.", printable(order.words)), "",
+                   "Check that the controller is switched on, the cable, and the baud rate.");
   if (!reply) co_return reply;
   if (!rest.empty()) {
     Fault cut = not_behind_stop(rest);

@@ -34,8 +34,10 @@ TextMeaning meaning_of(std::string_view text, const Listening& now, bool own_mov
   TextMeaning meaning;
   meaning.stops = stopped_by(commands, now, own_move);
   meaning.end_is_told = !last || !last->answer;  // by a prompt
-  if (meaning.end_is_told) meaning.answered = TextMeaning::Answered::later;
-  if (!commands.empty() && is_word(commands.back(), "res")) meaning.answered = TextMeaning::Answered::never;
+  const bool nothing_comes =
+      last_is_dropped(commands, now) || (!commands.empty() && is_word(commands.back(), "res"));
+  if (meaning.end_is_told)
+    meaning.answered = nothing_comes ? TextMeaning::Answered::never : TextMeaning::Answered::later;
   meaning.changes_programs = std::any_of(commands.begin(), commands.end(), changes_programs);
   return meaning;
 }
