@@ -25,6 +25,10 @@ Task<Result<>> VxmDriver::poll(Round round) {
   else
     polled = co_await poll_on_line();
   show_worst();
+  if (!polled && halted_ && station_) {  // its error report came in place of an answer
+    station_->count_answer(station_->statistics().last_round_trip, false, scheduler_.now());
+    co_return Result<>();
+  }
   co_return polled;
 }
 
