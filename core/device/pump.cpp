@@ -72,7 +72,7 @@ Task<> Pump::shut_down() {
   wake_.notify();
   published_.notify();
   while (running_) co_await ended_.wait();
-  stops_did_not_arrive(Fault(FaultKind::lost, "The controller was closed."));
+  stops_did_not_arrive();
   desk_.clear();
   refuse_queued("The controller was closed. Nothing was sent.");
 }
@@ -143,10 +143,7 @@ Task<bool> Pump::connect() {
     silence_.disarm();
     if (closing_ || !station_->is_open()) co_return false;
     if (station_->preempted()) {  // by a stop, or because nothing comes
-      if (!desk_.due()) {
-        stops_did_not_arrive(Fault(FaultKind::no_answer, "The controller does not answer."));
-        desk_.send_all_again();
-      }
+      if (!desk_.due()) nothing_comes_back();
       continue;
     }
     if (made) break;
@@ -155,6 +152,18 @@ Task<bool> Pump::connect() {
   }
   connection_made();
   co_return true;
+}
+
+/// To a stop, and to whatever was asked behind it.
+void Pump::nothing_comes_back() {
+  draft_.link.state = LinkState::lost;
+  draft_.link.sentence =
+      "The controller was told to stop, and does not answer. It is told again until it does.";
+  stops_did_not_arrive();
+  desk_.orders().remove_if([this](const StopOrder&) { return !ran_when_lost_; });
+  desk_.send_all_again();
+  refuse_queued("The controller does not answer. Nothing was sent.");
+  publish();
 }
 
 void Pump::connection_made() {
@@ -171,6 +180,13 @@ void Pump::connection_made() {
   if (draft_.restarts != restarts_when_lost_)  // what runs now is somebody else's
     desk_.orders().remove_if([](const StopOrder& order) { return order.told; });
   restarts_when_lost_ = draft_.restarts;
+  const auto& stops = desk_.orders();
+  if (something_runs() &&
+      std::any_of(stops.begin(), stops.end(), [](const auto& order) { return order.told; }))
+    ways_.notify(
+        Notice(Notice::Kind::warning, scheduler_.now(),
+               "When the link was lost a jog was held, or a stop was on its way, and it still ran. It is "
+               "stopped now."));
   publish();
 }
 
@@ -211,8 +227,7 @@ Task<> Pump::serve() {
     station_->begin_procedure();
     if (StopOrder* stop = desk_.due()) {
       co_await send_stop(*stop);
-      fast_polls_ = fast_polls_after_a_command;
-      next_poll_ = scheduler_.now();
+      next_poll_ = scheduler_.now() + driver_->moving_period();
     } else if (!desk_.any() && !queue_.empty()) {
       co_await perform_next();
       fast_polls_ = fast_polls_after_a_command;

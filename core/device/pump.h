@@ -78,6 +78,7 @@ class Pump {
   Task<> run_round();
   Task<> wait_for_retry();
   void poll_finished(const Result<>& result);
+  void nothing_comes_back();
   void connection_made();
   void lose_wire(const Fault& why);
   [[nodiscard]] bool connected() const;
@@ -96,7 +97,7 @@ class Pump {
   void look_at_stop(StopOrder& order);
   void stop_failed(StopOrder& order, const Fault& why);
   void close_stop(StopOrder& order);
-  void stops_did_not_arrive(const Fault& why);
+  void stops_did_not_arrive();
   void owe_stops_at_loss();
   void hear_text_to_all(const std::string& text, const TextMeaning& meaning);
   Task<Result<std::string>> query_stop(std::string text, TextMeaning meaning, Duration patience);

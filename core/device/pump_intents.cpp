@@ -222,16 +222,6 @@ void Pump::count_program_change(const Intent& intent) {
   draft_.program_changed_by = intent.id;
 }
 
-void Pump::tell_fault(IntentId id, const Fault& fault, std::uint32_t doubtful) {
-  IntentFate told;
-  told.id = id;
-  told.asks = fault.kind == FaultKind::asks;
-  told.fate = told.asks || fault.kind == FaultKind::refused ? Fate::refused : Fate::failed;
-  told.sentence = fault.sentence();
-  told.doubtful = doubtful;
-  set_fate(told);
-}
-
 Result<> Pump::trust_position(AxisId axis) {
   if (axis.index >= catalog_.axes.size())
     return fail(FaultKind::refused, fmt::format("There is no axis {}.", axis.index + 1));

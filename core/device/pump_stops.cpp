@@ -12,6 +12,11 @@ constexpr int attempts_in_a_row = 3;
 constexpr std::string_view no_way =
     "Stop does not reach the controller: there is no connection. Use its power switch.";
 
+Fault not_answered() {
+  return Fault(FaultKind::no_answer, "The controller was told to stop, and does not answer.",
+               "It is told again until it does.", "Use its power switch if it moves.");
+}
+
 }  // namespace
 
 void Pump::post_stop(StopOrder order) {
@@ -49,14 +54,16 @@ bool Pump::stop_wire(bool at_once) {
   return true;
 }
 
+// The order may be withdrawn meanwhile: with the wire.
 Task<> Pump::send_stop(StopOrder& order) {
   ++order.times_sent;
   order.sent_at = scheduler_.now();
   if (order.times_sent == 1) order.first_sent_at = order.sent_at;
   if (order.what == StopOrder::What::words)
     count_program_change(Intent(order.intent, intent::SendText(order.words)));
-  auto sent = co_await guarded("stop", driver_->stop(order));
-  stop_was_sent(order, std::move(sent));
+  const StopOrder sending = order;
+  auto sent = co_await guarded("stop", driver_->stop(sending));
+  if (StopOrder* still = desk_.find(sending.epoch)) stop_was_sent(*still, std::move(sent));
   publish();
 }
 
@@ -134,13 +141,9 @@ void Pump::close_stop(StopOrder& order) {
 }
 
 /// Whoever has asked is told; what may still run is stopped as soon as the wire carries it.
-void Pump::stops_did_not_arrive(const Fault& why) {
+void Pump::stops_did_not_arrive() {
   for (StopOrder& order : desk_.orders()) {
-    const Fault told =
-        why.kind == FaultKind::no_answer
-            ? Fault(FaultKind::no_answer, "The controller was told to stop, and does not answer.",
-                    "It is told again until it does.", "Use its power switch if it moves.")
-            : Fault(FaultKind::lost, std::string(no_way));
+    const Fault told = order.times_sent > 0 ? not_answered() : Fault(FaultKind::lost, std::string(no_way));
     if (order.answer) std::exchange(order.answer, nullptr)(fail(told));
     if (!std::exchange(order.told, true)) set_fate(order.intent, Fate::failed, told.sentence());
   }
@@ -149,7 +152,7 @@ void Pump::stops_did_not_arrive(const Fault& why) {
 
 void Pump::owe_stops_at_loss() {
   using What = StopOrder::What;
-  stops_did_not_arrive(Fault(FaultKind::lost, "There is no connection."));
+  stops_did_not_arrive();
   desk_.orders().remove_if([this](const StopOrder& order) {
     const bool other =
         order.what == What::broadcast || (order.what == What::words && !order.meaning.stops_here());

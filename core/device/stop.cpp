@@ -29,6 +29,12 @@ void StopDesk::send_all_again() {
   for (StopOrder& order : orders_) order.sent = order.confirmed = false;
 }
 
+StopOrder* StopDesk::find(std::uint64_t epoch) {
+  for (StopOrder& order : orders_)
+    if (order.epoch == epoch) return &order;
+  return nullptr;
+}
+
 void StopDesk::close(const StopOrder& order) {
   orders_.remove_if([&](const StopOrder& open) { return &open == &order; });
 }

@@ -86,6 +86,8 @@ class StopDesk {
   [[nodiscard]] StopOrder* due();
   /// Each is sent again: nothing shows that any has arrived.
   void send_all_again();
+  /// By its epoch; null: it is closed.
+  [[nodiscard]] StopOrder* find(std::uint64_t epoch);
   void close(const StopOrder& order);
   void clear() { orders_.clear(); }
 

@@ -31,12 +31,13 @@ struct Stack {
     if (wire) {
       auto link = std::make_shared<Link>(time, std::move(wire->stream));
       station = std::make_unique<Station>(std::move(link), &traffic);
-      driver = type.make_driver(DriverContext{time, catalog, draft, [](Notice) {}, [] {}, [](bool) {}});
-      auto ready = co_await driver->connect(*station);
+      driver = type.make_driver(DriverContext{time, catalog, draft, texts, [](Notice) {}, [] {}});
+      driver->attach(*station);
+      auto ready = co_await driver->connect();
       traffic.drain([](TrafficEntry&) {});  // what connecting took is not counted
       connected = ready.has_value();
       while (!over && ready) {
-        ready = co_await driver->poll();
+        ready = co_await driver->poll(Round::usual);
         latest.publish(draft);
         traffic.drain([this](TrafficEntry& entry) { wire_bytes += entry.bytes.size(); });
       }
@@ -51,6 +52,7 @@ struct Stack {
   RealScheduler time;
   Catalog catalog;
   Snapshot draft;
+  ScriptTexts texts;
   Latest<Snapshot> latest;
   TrafficRing traffic{1 << 12};
   std::uint64_t wire_bytes = 0;  ///< both ways

@@ -45,7 +45,7 @@ class BusStage {
     member.catalog = std::move(catalog);
     Pump::Ways ways;
     ways.open_wire = [this] { return wire->link(); };
-    ways.open_link = [this] { return wire->open_link(); };
+    ways.line = wire->line();
     ways.publish = [&member](const Snapshot& s) {
       member.latest = s;
       if (member.published) member.published(s);

@@ -58,30 +58,38 @@ class BusToyDriver final : public Driver {
  public:
   explicit BusToyDriver(DriverContext context) : context_(std::move(context)) {}
 
-  Task<Result<>> connect(Station& station) override {
-    station_ = &station;
-    return poll();
-  }
-  Task<Result<>> poll() override {
+  void attach(Station& station) override { station_ = &station; }
+  Task<Result<>> connect() override { return poll(Round::usual); }
+  Task<Result<>> poll(Round) override {
     auto polled = co_await ask("P", Priority::poll);
     if (polled) context_.draft.axes[0].seen_at = context_.scheduler.now();
     co_return polled;
   }
   Task<Result<>> perform(const IntentBody&) override { return ask("P", Priority::intent); }
-  Task<Result<>> stop(int, bool) override { return ask("S", Priority::stop); }
-  Task<Result<>> stop_wire(bool) override {
+  Task<Result<std::string>> stop(const StopOrder& order) override {
+    const bool to_all = order.what == StopOrder::What::broadcast;
+    Result<> sent;
+    if (to_all)
+      sent = co_await broadcast();
+    else
+      sent = co_await ask("S", Priority::stop);
+    if (!sent) co_return fail(sent.error());
+    co_return std::string();
+  }
+  StopProgress stop_progress(const StopOrder&) override { return StopProgress::stands(); }
+  void wire_lost() override { station_ = nullptr; }
+  Task<Result<std::string>> query(std::string, Duration) override { co_return std::string(); }
+  [[nodiscard]] TextMeaning meaning_of(const intent::SendText&) const override { return {}; }
+  [[nodiscard]] Duration moving_period() const override { return Millis(1); }
+  [[nodiscard]] Duration idle_period() const override { return Millis(1); }
+
+ private:
+  Task<Result<>> broadcast() {
     Transaction t("@00S\r", ReplyShape::nothing(), Priority::stop);
     auto sent = co_await station_->transact(std::move(t));
     if (!sent) co_return fail(sent.error());
     co_return Result<>();
   }
-  void wire_lost() override { station_ = nullptr; }
-  Task<Result<std::string>> query(std::string, Duration) override { co_return std::string(); }
-  bool take_unsolicited(std::string&) override { return false; }
-  [[nodiscard]] Duration moving_period() const override { return Millis(1); }
-  [[nodiscard]] Duration idle_period() const override { return Millis(1); }
-
- private:
   Task<Result<>> ask(std::string what, Priority priority) {
     if (!station_) co_return fail(FaultKind::lost, "There is no connection.");
     Transaction t("@" + context_.catalog.id() + what + "\r", ReplyShape::line(), priority);

@@ -22,11 +22,11 @@
 #include <vector>
 
 #include "core/device/driver.h"
-#include "core/device/stops_under_way.h"
 #include "core/devices/arcus/codec.h"
 #include "core/devices/arcus/language/dialect.h"
 #include "core/devices/arcus/language/program.h"
 #include "core/devices/arcus/stored_code.h"
+#include "core/devices/arcus/text_meaning.h"
 #include "core/devices/arcus/unexplained.h"
 
 namespace hw::arcus {
@@ -40,25 +40,18 @@ class ArcusDriver final : public Driver {
  public:
   ArcusDriver(DriverContext context, const Forms& forms, const language::Dialect& dialect);
 
-  Task<Result<>> connect(Station& station) override;
-  Task<Result<>> poll() override;
+  void attach(Station& station) override;
+  Task<Result<>> connect() override;
+  Task<Result<>> poll(Round round) override;
   Task<Result<>> perform(const IntentBody& intent) override;
-  Task<Result<>> stop(int axis, bool at_once) override;
-  Task<Result<>> stop_jog(int axis) override;
-  Task<Result<>> stop_wire(bool at_once) override;
-  Task<Result<>> halt_program(int thread) override;
+  Task<Result<std::string>> stop(const StopOrder& order) override;
+  StopProgress stop_progress(const StopOrder& order) override;
   [[nodiscard]] bool clears_up() const override { return borrowed_.has_value(); }
   [[nodiscard]] std::string leaves_behind() const override;
   void wire_lost() override;
   Task<Result<std::string>> query(std::string text, Duration patience) override;
-  [[nodiscard]] bool answers(std::string_view text) const override;
-  [[nodiscard]] bool answers_later(std::string_view text) const override;
-  [[nodiscard]] bool changes_programs(std::string_view text) const override;
-  [[nodiscard]] bool is_stop(std::string_view text) const override;
-  [[nodiscard]] bool stops_another(std::string_view text) const;
-  [[nodiscard]] Addressees meant_for(const intent::SendText& wish) const override;
-  [[nodiscard]] bool stops_all(std::string_view text) const override;
-  bool take_unsolicited(std::string& text) override;
+  [[nodiscard]] TextMeaning meaning_of(const intent::SendText& text) const override;
+  void overhear(const std::string& text) override;
   [[nodiscard]] Duration moving_period() const override;
   [[nodiscard]] Duration idle_period() const override { return Millis(200); }
 
@@ -119,7 +112,6 @@ class ArcusDriver final : public Driver {
   Task<Result<>> broadcast(std::string text, Priority priority);
   Task<> wait_for_quiet();
   std::size_t hear(std::string_view bytes);
-  void for_scripts(std::string text);
   tl::unexpected<Fault> refusal(std::string_view sent, std::string_view reply) const;
   tl::unexpected<Fault> no_connection() const;
   void tell(Notice::Kind kind, std::string text);
@@ -127,13 +119,11 @@ class ArcusDriver final : public Driver {
 
   // ---- driver_text.cpp
   Task<Result<>> send_text(const intent::SendText& wish);
-  Task<Result<std::string>> say_command(std::string text, Duration patience);
-  void overhear(std::string_view text, Hearsay what);
+  Task<Result<std::string>> say_text(std::string text, Priority priority, Duration patience);
+  Task<Result<std::string>> stop_by_words(const StopOrder& order);
   void note_done(std::string_view text);
-  [[nodiscard]] int axis_stopped_by(std::string_view text) const;
   void note_sent(std::string_view as_typed);
   void note_stop(std::string_view text);
-  [[nodiscard]] int axis_named_in(std::string_view text) const;
 
   // ---- driver_connect.cpp
   Task<Result<>> identify();
@@ -158,6 +148,7 @@ class ArcusDriver final : public Driver {
   void restarted(std::string_view how_it_shows, const std::optional<Stood>& before);
 
   // ---- driver_poll.cpp
+  Task<Result<>> see_whether_it_stands();
   Task<Result<>> read_motion(Priority priority);
   Task<Result<>> read_loop(Priority priority);
   Task<Result<>> read_io(Priority priority);
@@ -221,16 +212,14 @@ class ArcusDriver final : public Driver {
   void end_feed();
 
   // ---- driver_stop.cpp
-  Task<Result<>> stop_what(int axis, bool at_once, bool motion_only);
-  Task<Result<>> stop_now(int axis, bool at_once, bool motion_only);
-  Task<Result<>> say_stop(std::string text);
-  Task<Result<>> say_stops(std::string word, int axis, bool all);
-  Task<Result<>> say_each_once(std::string word, int axis, bool all);
+  Task<Result<>> stop_line(bool at_once);
+  Task<Result<>> stop_axes(int axis, bool at_once, bool motion_only);
+  Task<Result<>> stop_all(std::string word);
+  Task<Result<>> halt_thread(int thread);
+  Task<Result<>> halt_program(int thread);
   Task<Result<>> release_joystick(int axis, std::string stop);
-  Task<Result<>> halt_threads(int only);
-  Task<Result<>> threads_rest();
-  Task<Result<>> wait_for_standstill(int axis);
-  void stop_is_said(int axis, EndedBy how);
+  [[nodiscard]] bool may_run(int thread) const;
+  [[nodiscard]] StopProgress programs_end(const StopOrder& order) const;
   void stopping(int axis, bool at_once);
   void ended_by_us(int axis, EndedBy why);
   void doubt_killed_position(int axis);
@@ -240,7 +229,7 @@ class ArcusDriver final : public Driver {
   std::optional<Called> note_call(std::string_view text);
   [[nodiscard]] Duration longest_run(std::string_view call) const;
   [[nodiscard]] bool subroutine_may_run();
-  Task<Result<>> outlast_subroutine(std::string word);
+  StopProgress outlast_subroutine(const StopOrder& order, bool turns);
 
   // ---- driver_programs.cpp
   Task<Result<>> perform_program(IntentBody body);
@@ -289,9 +278,9 @@ class ArcusDriver final : public Driver {
   Scheduler& scheduler_;
   const Catalog& catalog_;
   Snapshot& draft_;
+  ScriptTexts& texts_;
   std::function<void(Notice)> notify_;
   std::function<void()> changed_;
-  std::function<void(bool)> stop_heard_;
   const Forms& forms_;
   const language::Dialect& dialect_;
   Station* station_ = nullptr;
@@ -306,9 +295,7 @@ class ArcusDriver final : public Driver {
   std::deque<std::vector<std::int64_t>> to_feed_;
   int buffer_free_ = 0;
   bool buffer_on_ = false;
-  StopsUnderWay stops_;
-  std::array<std::uint32_t, max_axes> stops_said_{};  ///< of each axis, by whomever on this wire
-  EndedBy latest_stop_ = EndedBy::stop;
+  bool halting_ = false;  ///< programs were told to end: whether they have is asked while axes stop
 
   bool lost_while_busy_ = false;
   bool name_told_ = false;
@@ -322,8 +309,9 @@ class ArcusDriver final : public Driver {
   bool half_written_ = false;              ///< lines were stored, and not all of a program
   std::optional<StoredCode> stored_code_;  ///< not known: not looked, or foreign code
   std::optional<Called> called_;
-  std::optional<Called> called_before_hearsay_;
-  Instant moved_at_{};  ///< when an axis was last seen to move, or may have
+  std::uint64_t outlasted_stop_ = 0;  ///< the stop that watches it
+  std::optional<Instant> stood_at_;   ///< since that stop
+  Instant moved_at_{};                ///< when an axis was last seen to move, or may have
   int next_readout_ = 0, next_variable_ = 0, next_analog_ = 0, next_param_ = 0, next_thread_ = 0,
       next_kept_ = 0;
   std::array<std::int64_t, max_params> after_power_up_{};  ///< of what is stored: as it was then
@@ -332,7 +320,6 @@ class ArcusDriver final : public Driver {
   std::bitset<max_params> nobody_sets_;  ///< read, and nothing has run since that may have set them
   Instant programs_run_until_{};         ///< of those that were seen or started
   std::vector<bool> by_status_;          ///< readouts that the status tells
-  std::deque<std::string> for_scripts_;
 };
 
 }  // namespace hw::arcus

@@ -23,7 +23,6 @@ Task<Result<>> ArcusDriver::start_feed(intent::FeedMoves wish) {
                        fmt::format("Move {} of the list cannot be sent: {} goes from {} to {}.", row + 1,
                                    columns[c].label, columns[c].minimum, columns[c].maximum),
                        "Nothing was sent.");
-  const auto stops_before = stops_said_;
   auto read = co_await read_motion(Priority::intent);
   if (!read) co_return read;
   if (!buffer_on_) {
@@ -36,7 +35,6 @@ Task<Result<>> ArcusDriver::start_feed(intent::FeedMoves wish) {
     auto again = co_await read_motion(Priority::intent);
     if (!again) co_return again;
   }
-  if (stops_said_ != stops_before) co_return fail(stop_came_first());  // it found no list to end
   to_feed_.assign(std::make_move_iterator(wish.rows.begin()), std::make_move_iterator(wish.rows.end()));
   draft_.feed.running = !to_feed_.empty();
   draft_.feed.sent = 0;
@@ -58,7 +56,7 @@ Task<Result<>> ArcusDriver::feed() {
     const std::string text = fmt::format("I{}:{}:{}:{}", row[0], row[1], row[2], row[3]);
     auto reply = co_await exchange(text, Priority::intent, Millis(200));
     if (reply && reply->text == model().refusal(Refusal::buffer_full)) {
-      if (draft_.feed.running) to_feed_.push_front(row);  // else a stop has ended the list meanwhile
+      to_feed_.push_front(row);
       buffer_free_ = 0;
       break;
     }

@@ -19,9 +19,9 @@ ArcusDriver::ArcusDriver(DriverContext context, const Forms& forms, const langua
     : scheduler_(context.scheduler),
       catalog_(context.catalog),
       draft_(context.draft),
+      texts_(context.texts),
       notify_(std::move(context.notify)),
       changed_(std::move(context.changed)),
-      stop_heard_(std::move(context.stop_heard)),
       forms_(forms),
       dialect_(dialect) {
   draft_.axis_count = axis_count();
@@ -36,11 +36,12 @@ std::string ArcusDriver::axis_name(int axis) const {
   return catalog_.axes[static_cast<std::size_t>(axis)].name;
 }
 
-Task<Result<>> ArcusDriver::connect(Station& station) {
+void ArcusDriver::attach(Station& station) {
   station_ = &station;
-  station.address = catalog_.address;
   station.unsolicited = [this](std::string_view bytes) { return hear(bytes); };
-  station.overheard = [this](std::string_view text, Hearsay what) { overhear(text, what); };
+}
+
+Task<Result<>> ArcusDriver::connect() {
   strays_ = 0;
   moved_at_ = scheduler_.now();  // unseen
   auto identified = co_await identify();

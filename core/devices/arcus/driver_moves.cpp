@@ -47,7 +47,6 @@ Result<> ArcusDriver::may_move_axis(int axis) const {
 // One command that moves these axes.
 Task<Result<>> ArcusDriver::start(std::string text, std::vector<int> axes, Activity activity) {
   const std::string sent = text;
-  const auto stops_before = stops_said_;
   auto done = co_await command(std::move(text), Priority::intent);
   if (!done) {
     Fault fault = co_await after_doubt(std::move(done.error()), sent);
@@ -59,9 +58,6 @@ Task<Result<>> ArcusDriver::start(std::string text, std::vector<int> axes, Activ
     begun(axis, activity, scheduler_.now());
     minds_[ix(axis)].with = together;
   }
-  // A stop that was said meanwhile has gone out behind the command, or follows it now.
-  for (const int axis : axes)
-    if (stops_said_[ix(axis)] != stops_before[ix(axis)]) ended_by_us(axis, latest_stop_);
   co_return Result<>();
 }
 

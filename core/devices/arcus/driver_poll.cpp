@@ -15,8 +15,9 @@ constexpr int io_every = 4;  // rounds in motion between two looks at inputs, ou
 
 }  // namespace
 
-Task<Result<>> ArcusDriver::poll() {
+Task<Result<>> ArcusDriver::poll(Round round) {
   if (!station_) co_return no_connection();
+  if (round == Round::stopping) co_return co_await see_whether_it_stands();
   ++round_;
   const Unexplained::Mark counters = counters_.ask(), motors = motors_.ask();
   auto motion = co_await read_motion(Priority::poll);
@@ -24,7 +25,7 @@ Task<Result<>> ArcusDriver::poll() {
   auto loop = co_await read_loop(Priority::poll);
   if (!loop) co_return loop;
   look_at_counters(counters);
-  if (borrowed_ && !stops_.any()) {
+  if (borrowed_) {
     auto returned = co_await give_back();
     if (!returned) co_return returned;
   }
@@ -46,6 +47,16 @@ Task<Result<>> ArcusDriver::poll() {
   }
   show_own_speeds();
   show_worst();
+  co_return Result<>();
+}
+
+Task<Result<>> ArcusDriver::see_whether_it_stands() {
+  const Unexplained::Mark counters = counters_.ask();
+  auto seen = co_await read_motion(Priority::stop);
+  if (seen) seen = co_await read_loop(Priority::stop);
+  if (!seen) co_return seen;
+  look_at_counters(counters);
+  if (halting_) co_return co_await read_threads(true, Priority::stop);
   co_return Result<>();
 }
 

@@ -1,6 +1,5 @@
-// Stopping, by decision AMB-128: STOP (or ABORT), every program stopped, the joystick off where it is on,
-// STOP again because a program or the stick may have begun a move in between, then the status until all
-// stand.
+// Stopping, by decision AMB-128: STOP (or ABORT), every program stopped, STOP again because one may have
+// begun a move in between, the joystick off where it is on. Then the status, until all stand.
 #include <fmt/core.h>
 
 #include "core/base/index.h"
@@ -10,19 +9,164 @@ namespace hw::arcus {
 namespace {
 
 constexpr Duration longest_stop = std::chrono::seconds(30);  // of a ramp that the user made long
-constexpr Duration look_again = Millis(40);
 constexpr int stop_attempts = 3;
+
+Fault joystick_not_read(bool switched_off) {
+  return Fault(FaultKind::garbled, "The controller did not tell which axes follow the joystick.",
+               switched_off ? "STOP was sent, and the joystick was switched off for all axes."
+                            : "STOP was sent; the joystick was left as it is.",
+               switched_off ? "" : "Stop all axes if this one goes on.");
+}
 
 }  // namespace
 
-// A stop may be repeated: it moves nothing.
-Task<Result<>> ArcusDriver::say_stop(std::string text) {
-  Result<> said;
-  for (int attempt = 0; attempt < stop_attempts; ++attempt) {
-    said = co_await command(text, Priority::stop);
-    if (said || said.error().kind == FaultKind::lost) break;
+Task<Result<std::string>> ArcusDriver::stop(const StopOrder& order) {
+  using What = StopOrder::What;
+  if (!station_)
+    co_return fail(FaultKind::lost, "Stop does not reach the controller: there is no connection.",
+                   "Nothing was sent.", "Use its power switch.");
+  if (order.what == What::words) co_return co_await stop_by_words(order);
+  Result<> sent;
+  if (order.what == What::broadcast)
+    sent = co_await stop_line(order.at_once);
+  else if (order.what == What::program)
+    sent = co_await halt_program(order.thread);
+  else
+    sent = co_await stop_axes(order.axis, order.at_once, order.what == What::jog);
+  if (!sent) co_return fail(sent.error());
+  co_return std::string();
+}
+
+// A stop for all devices of the line in one message; the stop of each follows.
+Task<Result<>> ArcusDriver::stop_line(bool at_once) {
+  if (model().broadcast < 0) co_return Result<>();
+  co_return co_await broadcast(at_once ? "ABORT" : "STOP", Priority::stop);
+}
+
+// What a jog moves stops alone: programs, and axes that they move, go on.
+Task<Result<>> ArcusDriver::stop_axes(int axis, bool at_once, bool motion_only) {
+  end_feed();
+  const std::string_view form = at_once ? forms_.abort : forms_.stop;
+  const bool all = axis < 0 || axis_count() == 1;
+  const std::string word = all ? std::string(form.substr(0, form.find('a'))) : fill(forms_, form, axis);
+  stopping(all ? -1 : axis, at_once);
+  if (motion_only) co_return co_await command(word, Priority::stop);
+  if (all) co_return co_await stop_all(word);
+  auto said = co_await command(word, Priority::stop);
+  auto released = co_await release_joystick(axis, word);
+  co_return said ? released : said;
+}
+
+// The programs that run end first, and what they have begun in between right behind them; then those that
+// were idle when last asked, which a program, another host or the power-up may have started. Whatever is not
+// confirmed, the next is sent.
+Task<Result<>> ArcusDriver::stop_all(std::string word) {
+  halting_ = true;
+  Result<> all = co_await command(word, Priority::stop);
+  const auto note = [&all](Result<> next) {
+    if (all && !next) all = std::move(next);
+  };
+  for (const bool running : {true, false}) {
+    bool told = false;
+    for (int n = 0; n < model().programs; ++n) {
+      if (may_run(n) != running) continue;
+      told = true;
+      auto halted = co_await halt_thread(n);
+      note(std::move(halted));
+    }
+    if (!told) continue;
+    auto said = co_await command(word, Priority::stop);
+    note(std::move(said));
   }
+  auto released = co_await release_joystick(-1, word);
+  note(std::move(released));
+  co_return all;
+}
+
+/// As far as is known.
+bool ArcusDriver::may_run(int thread) const {
+  const ThreadState& state = draft_.threads[ix(thread)];
+  return state.known && state.run != RunState::idle && state.run != RunState::error;
+}
+
+Task<Result<>> ArcusDriver::halt_thread(int thread) {
+  co_return co_await command(fmt::format("SR{}=0", thread), Priority::stop);
+}
+
+// The program ends; the motion that it has begun goes on.
+Task<Result<>> ArcusDriver::halt_program(int thread) {
+  if (thread >= model().programs)
+    co_return fail(FaultKind::refused, fmt::format("There is no program {}.", thread), "Nothing was sent.");
+  halting_ = true;
+  Result<> all;
+  for (int n = 0; n < model().programs; ++n) {
+    if (thread >= 0 && n != thread) continue;
+    auto halted = co_await halt_thread(n);
+    if (all && !halted) all = std::move(halted);
+  }
+  co_return all;
+}
+
+// Its axes would go on by the stick. It is asked each time: programs, other hosts and a power-up switch it
+// on.
+Task<Result<>> ArcusDriver::release_joystick(int axis, std::string stop) {
+  if (!forms_.joystick) co_return Result<>();
+  const int index = catalog_.find_param("JE");
+  const auto mask = co_await ask_number("JE", Priority::stop);
+  if (!mask && (mask.error().kind == FaultKind::lost || mask.error().kind == FaultKind::stopped))
+    co_return fail(mask.error());
+  const std::int64_t kept = axis < 0 || !mask ? 0 : *mask & ~(std::int64_t{1} << axis);
+  if (mask && kept == *mask) co_return Result<>();
+  if (!mask && axis >= 0) {
+    draft_.params[ix(index)].known = false;
+    co_return fail(joystick_not_read(false));
+  }
+  const auto set = co_await command(set_command("JE", kept), Priority::stop);
+  changed_param(index);
+  auto said = co_await command(stop, Priority::stop);
+  if (!set) co_return set;
+  if (!mask) co_return fail(joystick_not_read(true));
+  draft_.params[ix(index)].value = kept;
+  draft_.params[ix(index)].known = true;
+  tell(Notice::Kind::info, "The joystick was switched off by the stop.");
   co_return said;
+}
+
+// ---- what has become of it
+
+StopProgress ArcusDriver::stop_progress(const StopOrder& order) {
+  const bool all = order.axis < 0 || axis_count() == 1;
+  if (order.what != StopOrder::What::jog && all) {
+    if (auto programs = programs_end(order); programs.now != StopProgress::Now::stands) return programs;
+    halting_ = false;
+  }
+  if (order.what == StopOrder::What::program) return StopProgress::stands();
+  bool turns = false;
+  for (int i = 0; i < axis_count(); ++i) turns = turns || ((all || i == order.axis) && runs(i));
+  if (order.what == StopOrder::What::everything && all && subroutine_may_run())
+    return outlast_subroutine(order, turns);
+  const bool given_up = turns && scheduler_.now() - order.sent_at > longest_stop;
+  if (turns && !given_up) return StopProgress::wait();
+  stands(all ? -1 : order.axis);
+  if (!turns) return StopProgress::stands();
+  return StopProgress::failed(Fault(FaultKind::controller, "The controller was told to stop and still moves.",
+                                    "The stop was sent.",
+                                    "Stop again: it then stops at once, without a ramp."));
+}
+
+// One that was halted is started again by another that is not yet.
+StopProgress ArcusDriver::programs_end(const StopOrder& order) const {
+  for (int n = 0; n < model().programs; ++n) {
+    const RunState run = draft_.threads[ix(n)].run;
+    const bool meant = order.thread < 0 || n == order.thread;
+    if (!meant || (run != RunState::running && run != RunState::held)) continue;
+    if (order.times_sent < stop_attempts) return StopProgress::again();
+    return StopProgress::failed(Fault(FaultKind::controller,
+                                      fmt::format("Program {} still runs: something starts it again.", n),
+                                      fmt::format("It was told to stop {} times.", order.times_sent),
+                                      "Stop again, or switch the power off."));
+  }
+  return StopProgress::stands();
 }
 
 void ArcusDriver::stopping(int axis, bool at_once) {
@@ -56,34 +200,6 @@ void ArcusDriver::doubt_killed_position(int index) {
                    axis_name(index), axis.speed.value, safe));
 }
 
-Task<Result<>> ArcusDriver::stop(int axis, bool at_once) {
-  const bool asked_twice = stops_.ramps(axis);
-  co_return co_await stop_what(axis, at_once || asked_twice, false);
-}
-
-// What the jog moves stops; programs, and axes that they move, go on. Letting go is never the second stop.
-Task<Result<>> ArcusDriver::stop_jog(int axis) { co_return co_await stop_what(axis, false, true); }
-
-Task<Result<>> ArcusDriver::stop_what(int axis, bool at_once, bool motion_only) {
-  if (!station_)
-    co_return fail(FaultKind::lost, "Stop does not reach the controller: there is no connection.",
-                   "Nothing was sent.", "Use its power switch.");
-  stops_.begin(axis, at_once);
-  stop_is_said(axis, at_once ? EndedBy::abort : EndedBy::stop);
-  auto stopped = co_await stop_now(axis, at_once, motion_only);
-  stops_.end(axis, at_once);
-  if (station_) stands(axis);
-  co_return stopped;
-}
-
-// Also what is on its way out just now, and does not move yet, is ended by it.
-void ArcusDriver::stop_is_said(int axis, EndedBy how) {
-  end_feed();
-  latest_stop_ = how;
-  for (int i = 0; i < axis_count(); ++i)
-    if (axis < 0 || i == axis) ++stops_said_[ix(i)];
-}
-
 // What was being stopped is shown as it is again.
 void ArcusDriver::stands(int axis) {
   for (int i = 0; i < axis_count(); ++i) {
@@ -91,147 +207,6 @@ void ArcusDriver::stands(int axis) {
     minds_[ix(i)].stopping = false;
     show_axis(i, scheduler_.now());
   }
-}
-
-Task<Result<>> ArcusDriver::stop_now(int axis, bool at_once, bool motion_only) {
-  const std::string_view form = at_once ? forms_.abort : forms_.stop;
-  const bool all = axis < 0 || axis_count() == 1;
-  const std::string word = all ? std::string(form.substr(0, form.find('a'))) : fill(forms_, form, axis);
-  stopping(axis, at_once);
-  Result<> said;
-  if (motion_only)
-    said = co_await say_stop(word);
-  else
-    said = co_await say_stops(word, axis, all);
-  if (!said) co_return said;
-  if (all && !motion_only && subroutine_may_run()) co_return co_await outlast_subroutine(word);
-  co_return co_await wait_for_standstill(all ? -1 : axis);
-}
-
-Task<Result<>> ArcusDriver::say_stops(std::string word, int axis, bool all) {
-  Result<> said;
-  for (int attempt = 0; attempt < stop_attempts; ++attempt) {
-    said = co_await say_each_once(word, axis, all);
-    if (said) break;
-    if (!station_)
-      co_return fail(FaultKind::lost, "The connection was lost while the controller was told to stop.",
-                     "Whether it has heard all of it is not known.", "Use its power switch if it moves.");
-  }
-  co_return said;
-}
-
-// Whatever is not confirmed, the next is sent: each answer that is waited for keeps back the others.
-Task<Result<>> ArcusDriver::say_each_once(std::string word, int axis, bool all) {
-  auto said = co_await command(word, Priority::stop);
-  Result<> halted, rest;
-  if (all) {
-    halted = co_await halt_threads(-1);
-    said = co_await command(word, Priority::stop);
-  }
-  auto released = co_await release_joystick(all ? -1 : axis, word);
-  if (all) rest = co_await threads_rest();
-  if (!said) co_return said;
-  if (!halted) co_return halted;
-  co_return released ? rest : released;
-}
-
-// A stop for all devices of the line in one message; the stop of each follows.
-Task<Result<>> ArcusDriver::stop_wire(bool at_once) {
-  if (model().broadcast < 0) co_return Result<>();
-  co_return co_await broadcast(at_once ? "ABORT" : "STOP", Priority::stop);
-}
-
-namespace {
-
-Fault joystick_not_read(bool switched_off) {
-  return Fault(FaultKind::garbled, "The controller did not tell which axes follow the joystick.",
-               switched_off ? "STOP was sent, and the joystick was switched off for all axes."
-                            : "STOP was sent; the joystick was left as it is.",
-               switched_off ? "" : "Stop all axes if this one goes on.");
-}
-
-}  // namespace
-
-// Its axes would go on by the stick. It is asked each time: programs, other hosts and a power-up switch it
-// on.
-Task<Result<>> ArcusDriver::release_joystick(int axis, std::string stop) {
-  if (!forms_.joystick) co_return Result<>();
-  const int index = catalog_.find_param("JE");
-  const auto mask = co_await ask_number("JE", Priority::stop);
-  if (!mask && mask.error().kind == FaultKind::lost) co_return fail(mask.error());
-  const std::int64_t kept = axis < 0 || !mask ? 0 : *mask & ~(std::int64_t{1} << axis);
-  if (mask && kept == *mask) co_return Result<>();
-  if (!mask && axis >= 0) {
-    draft_.params[ix(index)].known = false;
-    co_return fail(joystick_not_read(false));
-  }
-  const auto set = co_await command(set_command("JE", kept), Priority::stop);
-  changed_param(index);
-  auto said = co_await command(stop, Priority::stop);
-  if (!set) co_return set;
-  if (!mask) co_return fail(joystick_not_read(true));
-  draft_.params[ix(index)].value = kept;
-  draft_.params[ix(index)].known = true;
-  tell(Notice::Kind::info, "The joystick was switched off by the stop.");
-  co_return said;
-}
-
-// One, or all (-1): also those that were idle when they were last asked. A program, another host or the
-// power-up may have started them.
-Task<Result<>> ArcusDriver::halt_threads(int only) {
-  Result<> halted;
-  for (int n = 0; n < model().programs; ++n) {
-    if (only >= 0 && n != only) continue;
-    auto said = co_await command(fmt::format("SR{}=0", n), Priority::stop);
-    if (!said && halted) halted = std::move(said);
-  }
-  co_return halted;
-}
-
-// One that was halted is started again by another that is not yet.
-Task<Result<>> ArcusDriver::threads_rest() {
-  auto read = co_await read_threads(true, Priority::stop);
-  if (!read) co_return read;
-  for (int n = 0; n < model().programs; ++n) {
-    const RunState run = draft_.threads[ix(n)].run;
-    if (run != RunState::running && run != RunState::held) continue;
-    co_return fail(FaultKind::controller, fmt::format("Program {} still runs: something starts it again.", n),
-                   fmt::format("It was told to stop {} times.", stop_attempts),
-                   "Stop again, or switch the power off.");
-  }
-  co_return Result<>();
-}
-
-Task<Result<>> ArcusDriver::wait_for_standstill(int axis) {
-  const Instant give_up = scheduler_.now() + longest_stop;
-  for (;;) {
-    auto read = co_await read_motion(Priority::stop);
-    if (!read) co_return read;
-    auto loop = co_await read_loop(Priority::stop);
-    if (!loop) co_return loop;
-    bool turns = false;
-    for (int i = 0; i < axis_count(); ++i) turns = turns || ((axis < 0 || i == axis) && runs(i));
-    if (!turns) co_return Result<>();
-    if (scheduler_.now() > give_up)
-      co_return fail(FaultKind::controller, "The controller was told to stop and still moves.",
-                     "The stop was sent.", "Stop again: it then stops at once, without a ramp.");
-    co_await scheduler_.sleep_for(look_again);  // not until the next look: two stops would chase each other
-    if (!station_) co_return fail(FaultKind::lost, "The connection was lost while the axes were stopping.");
-  }
-}
-
-// The program ends; the motion that it has begun goes on.
-Task<Result<>> ArcusDriver::halt_program(int thread) {
-  if (!station_) co_return no_connection();
-  if (thread >= model().programs)
-    co_return fail(FaultKind::refused, fmt::format("There is no program {}.", thread), "Nothing was sent.");
-  Result<> halted;
-  for (int attempt = 0; attempt < stop_attempts; ++attempt) {
-    halted = co_await halt_threads(thread);
-    if (halted || !station_) break;
-  }
-  if (!halted) co_return halted;
-  co_return co_await read_threads(true, Priority::stop);
 }
 
 }  // namespace hw::arcus

@@ -8,7 +8,6 @@
 namespace hw::arcus {
 namespace {
 
-constexpr Duration between_looks = Millis(40);
 constexpr Duration longest_watch = std::chrono::seconds(10);
 constexpr Duration usual_rest = std::chrono::seconds(2);    // where nobody can tell when it is over
 constexpr Duration longest_rest = std::chrono::seconds(5);  // that is waited for
@@ -45,33 +44,28 @@ bool ArcusDriver::subroutine_may_run() {
 }
 
 // Each move that it begins is stopped, until it is over or nobody can tell.
-Task<Result<>> ArcusDriver::outlast_subroutine(std::string word) {
-  const Instant give_up = scheduler_.now() + longest_watch;
-  Instant stood_at = scheduler_.now();
-  bool turns = false;
-  while (subroutine_may_run() && scheduler_.now() < give_up) {
-    const bool is_told = called_->rests && *called_->rests <= longest_rest;
-    if (!is_told && scheduler_.now() - stood_at > usual_rest) break;
-    co_await scheduler_.sleep_for(between_looks);
-    auto read = co_await read_motion(Priority::stop);
-    if (read) read = co_await read_loop(Priority::stop);
-    if (!read) co_return read;
-    turns = false;
-    for (int i = 0; i < axis_count(); ++i) turns = turns || runs(i);
-    if (!turns) continue;
-    stood_at = scheduler_.now();
-    auto said = co_await say_each_once(word, -1, true);
-    if (!said && !station_) co_return said;
+StopProgress ArcusDriver::outlast_subroutine(const StopOrder& order, bool turns) {
+  const Instant now = scheduler_.now();
+  if (std::exchange(outlasted_stop_, order.epoch) != order.epoch) stood_at_.reset();
+  const bool stood_before = stood_at_.has_value();
+  if (turns && !stood_before) return StopProgress::wait();  // the ramp of what it had begun
+  if (!turns && !stood_before) stood_at_ = now;
+  const bool watches = now - order.first_sent_at < longest_watch;
+  if (turns && watches) {
+    stood_at_ = now;
+    return StopProgress::again();
   }
-  if (!subroutine_may_run()) co_return Result<>();
+  const bool is_told = called_->rests && *called_->rests <= longest_rest;
+  if (watches && (is_told || now - *stood_at_ <= usual_rest)) return StopProgress::wait();
+  stands(-1);
   Fault fault(FaultKind::controller,
               fmt::format("Subroutine {}, which GS has started, may go on, and {}.", called_->number,
                           turns ? "an axis still moves" : "its next line may move again what stands now"),
               "STOP ends only the move that it has begun; no command ends a subroutine.",
               "Switch the power off to end it.");
-  if (turns || !std::exchange(called_->told, true)) co_return fail(std::move(fault));
+  if (turns || !std::exchange(called_->told, true)) return StopProgress::failed(std::move(fault));
   tell(Notice::Kind::warning, fault.sentence());  // it stood through two stops: they are not failed for ever
-  co_return Result<>();
+  return StopProgress::stands();
 }
 
 }  // namespace hw::arcus

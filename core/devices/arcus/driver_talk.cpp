@@ -6,7 +6,6 @@
 namespace hw::arcus {
 namespace {
 
-constexpr std::size_t most_for_scripts = 256;
 constexpr Duration usual_patience = Millis(200);
 constexpr Duration quiet_time = Millis(30), longest_noise = Millis(300);
 
@@ -80,8 +79,6 @@ Task<Result<Reply>> ArcusDriver::say(std::string text, Priority priority, Durati
   const bool usb = station_->carries_messages();
   Transaction t(frame(framing(), catalog_.address, text), usb ? ReplyShape::message() : ReplyShape::text(),
                 priority);
-  if (const int to = address_of(text); to != catalog_.address && arcus::may_move(forms_, command_in(text)))
-    t.moves_others = Addressees::one(to);
   t.patience = patience;
   t.prompt = own_question;
   t.own_question = own_question && priority != Priority::transfer;
@@ -201,13 +198,8 @@ Task<Result<>> ArcusDriver::broadcast(std::string text, Priority priority) {
                    fmt::format("A {} has no address that speaks to all devices of a line.", model().title),
                    "Nothing was sent.");
   may_set(bare_text(text));
-  const std::string to_all = fmt::format("@{:02}{}", model().broadcast, text);
-  station_->let_others_hear(to_all, Hearsay::said);
   Transaction t(frame(Framing::addressed, model().broadcast, text), ReplyShape::nothing(), priority);
-  if (arcus::may_move(forms_, bare_text(text))) t.moves_others = Addressees::all();
   auto sent = co_await station_->transact(std::move(t));
-  if (sent && station_) station_->let_others_hear(to_all, Hearsay::done);
-  if (!sent && station_ && was_kept_back(sent.error())) station_->let_others_hear(to_all, Hearsay::refused);
   if (!sent) co_return fail(sent.error());
   co_return Result<>();
 }
@@ -218,7 +210,8 @@ Task<> ArcusDriver::wait_for_quiet() {
   const Instant give_up = scheduler_.now() + longest_noise;
   Instant quiet_at = scheduler_.now() + quiet_time;
   while (station_ && scheduler_.now() < quiet_at) {
-    co_await scheduler_.sleep_until(quiet_at);
+    auto waited = co_await station_->pause(quiet_at - scheduler_.now());
+    if (!waited) co_return;
     quiet_at = std::min(std::max(quiet_at, heard_at_ + quiet_time), give_up);
   }
 }
@@ -231,7 +224,7 @@ std::size_t ArcusDriver::hear(std::string_view bytes) {
   if (const std::size_t length = unasked_at_front(bytes); length != 0) {
     if (length == std::string_view::npos) return length;
     if (in_position(bytes.substr(0, length)) != catalog_.address) return 0;
-    for_scripts(std::string(text_of(bytes.substr(0, length))));
+    texts_.add(std::string(text_of(bytes.substr(0, length))));
     changed_();
     return length;
   }
@@ -244,18 +237,6 @@ bool ArcusDriver::is_anothers_name(std::string_view bytes) const {
   const bool whole = bytes.find_first_of(std::string_view("\r\0", 2)) == bytes.size() - 1;
   const auto number = number_in_name(model(), decode_reply(bytes).text);
   return whole && number && *number != catalog_.address;
-}
-
-void ArcusDriver::for_scripts(std::string text) {
-  if (for_scripts_.size() >= most_for_scripts) for_scripts_.pop_front();
-  for_scripts_.push_back(std::move(text));
-}
-
-bool ArcusDriver::take_unsolicited(std::string& text) {
-  if (for_scripts_.empty()) return false;
-  text = std::move(for_scripts_.front());
-  for_scripts_.pop_front();
-  return true;
 }
 
 void ArcusDriver::tell(Notice::Kind kind, std::string text) {

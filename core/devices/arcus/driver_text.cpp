@@ -33,80 +33,58 @@ EndedBy how_it_ends(std::string_view stop) {
 }  // namespace
 
 Task<Result<std::string>> ArcusDriver::query(std::string text, Duration patience) {
-  if (!cut_to_one_command(text)) co_return co_await say_command(std::move(text), patience);
-  if (!is_stop(text))
+  if (cut_to_one_command(text))
     co_return fail(FaultKind::refused, "This is more than one command: the end of a line ends one.",
                    "Nothing was sent.", "Send them one by one.");
-  auto stopped = co_await say_command(std::move(text), patience);
-  if (!stopped) co_return stopped;
+  auto returned = co_await give_back_first();
+  if (!returned) co_return fail(returned.error());
+  co_return co_await say_text(std::move(text), Priority::intent, patience);
+}
+
+Task<Result<std::string>> ArcusDriver::stop_by_words(const StopOrder& order) {
+  std::string text = order.words;
+  const bool more = cut_to_one_command(text);
+  end_feed();
+  if (order.meaning.whom == TextMeaning::For::everybody && address_of(text) < 0) {
+    auto sent = co_await broadcast(text, Priority::stop);
+    if (!sent) co_return fail(sent.error());
+    note_sent(text);
+    co_return std::string();
+  }
+  const Duration patience = order.patience > Duration::zero() ? order.patience : typed_patience;
+  auto stopped = co_await say_text(std::move(text), Priority::stop, patience);
+  if (!stopped || !more) co_return stopped;
   co_return fail(FaultKind::refused, "There is another command behind the stop.", "The stop was sent alone.",
                  "Send the other by itself.");
 }
 
-// A stop waits for nothing that is to come first.
-Task<Result<std::string>> ArcusDriver::say_command(std::string text, Duration patience) {
-  const Priority priority = is_stop(text) ? Priority::stop : Priority::intent;
-  if (priority != Priority::stop) {
-    if (auto returned = co_await give_back_first(); !returned) co_return fail(returned.error());
-  }
-  if (model().broadcast >= 0 && address_of(text) == model().broadcast) {
+Task<Result<std::string>> ArcusDriver::say_text(std::string text, Priority priority, Duration patience) {
+  const std::string command = command_in(text);
+  const int to = address_of(text);
+  if (model().broadcast >= 0 && to == model().broadcast) {
     auto sent = co_await broadcast(std::string(text_of(text)), priority);
     if (!sent) co_return fail(sent.error());
-    note_sent(text_of(text));
-    note_done(text_of(text));
+    note_sent(command);
+    note_done(command);
     co_return std::string();
   }
-  const int to = address_of(text);
   const bool anothers = to >= 0 && to != catalog_.address;
-  if (station_ && anothers) station_->let_others_hear(text, Hearsay::said);
-  if (const std::string command = command_in(text); !anothers && ends_motion(command))
-    stop_is_said(axis_stopped_by(command), how_it_ends(command));  // whether or not it is confirmed
   auto reply = co_await exchange(text, priority, patience);
-  const bool not_done = reply ? reply->refused() : was_kept_back(reply.error());
-  if (station_ && anothers && (reply || not_done))
-    station_->let_others_hear(text, not_done ? Hearsay::refused : Hearsay::done);
   if (!reply && anothers && reply.error().kind == FaultKind::no_answer)
     co_return fail(FaultKind::no_answer,
                    fmt::format("Device {:02} did not answer {} in time.", to, text_of(text)));
+  if (!anothers && ends_motion(command) && (!reply || !reply->refused()))
+    note_stop(command);  // confirmed or not
   if (!reply) co_return fail(reply.error());
   if (!reply->refused() && !anothers) {
-    note_sent(text_of(text));
-    note_done(text_of(text));
+    note_sent(command);
+    note_done(command);
   }
   co_return std::move(reply->text);
 }
 
-bool ArcusDriver::answers(std::string_view text) const {
-  return model().broadcast < 0 || address_of(text) != model().broadcast;
-}
-
-// The automatic message at the end of a move (DMX manual, AR).
-bool ArcusDriver::answers_later(std::string_view) const { return param("AR") == 1; }
-
-// A line of the program memory: SA[line]=[code].
-bool ArcusDriver::changes_programs(std::string_view text) const {
-  const std::string command = command_in(text);
-  return command.starts_with("SA") && command.find('=') != command.npos;
-}
-
-bool ArcusDriver::is_stop(std::string_view text) const {
-  return ends_motion(text_of(text)) || ends_program(text_of(text));
-}
-
-bool ArcusDriver::stops_another(std::string_view text) const {
-  const int to = address_of(text);
-  return is_stop(text) && to >= 0 && to != catalog_.address && to != model().broadcast;
-}
-
-bool ArcusDriver::stops_all(std::string_view text) const {
-  const std::string word = command_in(text);
-  return is_stop(text) && !stops_another(text) && (word == "STOP" || word == "ABORT");
-}
-
-Addressees ArcusDriver::meant_for(const intent::SendText& wish) const {
-  const int to = address_of(wish.text);
-  if (to < 0) return wish.broadcast ? Addressees::all() : Addressees::one(catalog_.address);
-  return to == model().broadcast ? Addressees::all() : Addressees::one(to);
+TextMeaning ArcusDriver::meaning_of(const intent::SendText& text) const {
+  return arcus::meaning_of(forms_, text, Addressing{catalog_.address, param("AR") == 1});
 }
 
 // To all, unless it says itself to whom: then that one answers, or it is the address of all.
@@ -119,29 +97,18 @@ Task<Result<>> ArcusDriver::send_text(const intent::SendText& wish) {
   }
   auto reply = co_await query(std::move(text), typed_patience);
   if (!reply) co_return fail(reply.error());
-  if (!reply->empty()) for_scripts(std::move(*reply));
+  if (!reply->empty()) texts_.add(std::move(*reply));
   co_return Result<>();
 }
 
-// From a neighbour's terminal to this one, or to all. What it may change is read afresh after it: intents go
-// before polls.
-void ArcusDriver::overhear(std::string_view text, Hearsay what) {
-  const int to = address_of(text);
-  if (to < 0 || (to != catalog_.address && to != model().broadcast)) return;
+// Another session of this line has said it to all. What it may change is read afresh: intents go before
+// polls.
+void ArcusDriver::overhear(const std::string& text) {
   const std::string command = command_in(text);
-  if (what == Hearsay::done) return note_done(command);
-  if (what == Hearsay::refused) {
-    if (command.starts_with("GS")) called_ = called_before_hearsay_;
-    return;
-  }
-  if (station_ && is_stop(text)) stop_heard_(stops_all(text));  // nothing that waits here is said behind it
   may_set(command);
-  if (changes_programs(text)) {
-    ++draft_.program_changes;
-    draft_.program_changed_by = 0;
-  }
-  if (command.starts_with("GS")) called_before_hearsay_ = called_;
+  if (command.starts_with("GS")) note_call(command);
   note_sent(command);
+  note_done(command);
 }
 
 // What is true only when the controller has taken it.
@@ -166,7 +133,7 @@ void ArcusDriver::note_sent(std::string_view as_typed) {
   forget_thread(text);
   note_call(text);
   if (text.starts_with("SA") && equals != text.npos) stored_code_.reset();
-  if (const int axis = axis_named_in(text); axis >= 0 && takes_target_away(text))
+  if (const int axis = axis_named_in(forms_, text); axis >= 0 && takes_target_away(text))
     draft_.axes[axis].has_target = false;
   if (ends_motion(text)) note_stop(text);
   if (!arcus::may_move(forms_, text)) return;
@@ -174,25 +141,12 @@ void ArcusDriver::note_sent(std::string_view as_typed) {
   changed_();
 }
 
-// The user's own stop: what it has ended did not end by itself, and nothing that waits here begins again.
+// The user's own stop: what it has ended did not end by itself.
 void ArcusDriver::note_stop(std::string_view text) {
-  const int only = axis_stopped_by(text);
-  const EndedBy why = how_it_ends(text);
-  stop_is_said(only, why);
+  end_feed();
+  const int only = axis_count() > 1 ? axis_named_in(forms_, text) : -1;
   for (int i = 0; i < axis_count(); ++i)
-    if ((only < 0 || i == only) && moving(i)) ended_by_us(i, why);
-}
-
-int ArcusDriver::axis_stopped_by(std::string_view text) const {
-  return axis_count() > 1 ? axis_named_in(text) : -1;
-}
-
-/// "PX=0", "TX500", "STOPX" -> 0; -1: none. With one axis it need not be named.
-int ArcusDriver::axis_named_in(std::string_view text) const {
-  if (axis_count() == 1) return 0;
-  const std::string_view name = text.substr(0, text.find_first_of("=0123456789-"));
-  const auto axis = name.empty() ? std::string_view::npos : model().axis_letters.find(name.back());
-  return axis == std::string_view::npos ? -1 : static_cast<int>(axis);
+    if ((only < 0 || i == only) && moving(i)) ended_by_us(i, how_it_ends(text));
 }
 
 }  // namespace hw::arcus

@@ -139,21 +139,47 @@ TEST_F(LinkTest, WhatComesBeforeTheReplyIsHandedOver) {
   EXPECT_EQ(unsolicited, "^:+12\r3.^");
 }
 
-TEST_F(LinkTest, NothingOfAProcedureGoesOutBehindAStop) {
+TEST_F(LinkTest, AStopEndsTheProcedureUnderWay) {
   Answer flying, waiting, later, after;
   start("X", ReplyShape::line(), Priority::poll, flying);
   start("S1M400\r", ReplyShape::nothing(), Priority::transfer, waiting);
-  station.begin_stop();
+  std::optional<Result<>> paused;
+  const auto pause = [](Station& on, std::optional<Result<>>& result) -> Task<> {
+    result = co_await on.pause(std::chrono::seconds(10));
+  };
+  asio::co_spawn(io, pause(station, paused), asio::detached);
+  time.run_for(Duration::zero());
+  station.preempt();
+  time.run_for(Duration::zero());
+  ASSERT_TRUE(paused.has_value());
+  EXPECT_EQ(paused->error().kind, FaultKind::stopped);
   start("R", ReplyShape::nothing(), Priority::intent, later);
   for (const Answer* a : {&waiting, &later}) {
     ASSERT_TRUE(a->came);
     EXPECT_EQ(a->result.error().kind, FaultKind::stopped);
   }
   arrive("+0000000\r");
-  EXPECT_TRUE(flying.result.has_value());
-  station.end_stop();
+  EXPECT_TRUE(flying.result.has_value()) << "what is on the wire is heard to its end";
+  station.begin_procedure();
   start("R", ReplyShape::nothing(), Priority::intent, after);
   EXPECT_THAT(wire->sent, ElementsAre("X", "R"));
+}
+
+TEST_F(LinkTest, AStopWaitsForStepsThatMustNotBeCutApart) {
+  Answer first, second, after;
+  {
+    const Station::Uncut whole(station);
+    start("B38400\r", ReplyShape::nothing(), Priority::intent, first);
+    station.preempt();
+    start("V", ReplyShape::bytes(1), Priority::intent, second);
+    arrive("R");
+    EXPECT_TRUE(second.came && second.result.has_value());
+    EXPECT_FALSE(station.preempted());
+  }
+  EXPECT_TRUE(station.preempted());
+  start("X", ReplyShape::line(), Priority::intent, after);
+  ASSERT_TRUE(after.came);
+  EXPECT_EQ(after.result.error().kind, FaultKind::stopped);
 }
 
 TEST_F(LinkTest, AClosedWireEndsEveryTransaction) {
@@ -225,7 +251,9 @@ TEST_F(BusTest, AStopOfOneDeviceOvertakesAllAndDropsOnlyItsOwn) {
   start_on(station, "@01PX\r", ReplyShape::line(), Priority::poll, flying);
   start_on(station, "@01X400\r", ReplyShape::nothing(), Priority::intent, mine);
   start_on(other, "@02X400\r", ReplyShape::nothing(), Priority::intent, others);
-  station.begin_stop();
+  station.preempt();
+  time.run_for(Duration::zero());
+  station.begin_procedure();
   start_on(station, "@01STOP\r", ReplyShape::line(), Priority::stop, stop);
   EXPECT_THAT(wire->sent, ElementsAre("@01PX\r"));
   arrive("0\r");
