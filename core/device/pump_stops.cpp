@@ -64,6 +64,8 @@ Task<> Pump::send_stop(StopOrder& order) {
   const StopOrder sending = order;
   auto sent = co_await guarded("stop", driver_->stop(sending));
   if (StopOrder* still = desk_.find(sending.epoch)) stop_was_sent(*still, std::move(sent));
+  if (connected() && station_->is_open() && station_->statistics().misses_in_a_row >= misses_until_lost)
+    lose_wire(not_answering());
   publish();
 }
 

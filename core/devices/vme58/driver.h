@@ -2,7 +2,8 @@
 // The VME58 from the console's side. One subject per file:
 //   driver_talk.cpp        the rings: commands in, replies out
 //   driver_rejections.cpp  what the board rejects, at once or late
-//   driver_mailbox.cpp     urgent commands past everything that waits (decision M29), and stops
+//   driver_mailbox.cpp     urgent commands past everything that waits (decision M29)
+//   driver_stops.cpp       stops: what is sent, and what shows that it takes effect
 //   driver_connect.cpp     finding the board, saying why not, resets
 //   driver_poll.cpp        registers and data area, and what they mean
 //   driver_servo.cpp       servo axes: places, loops, and what may close one
@@ -25,7 +26,6 @@
 #include <vector>
 
 #include "core/device/driver.h"
-#include "core/device/stops_under_way.h"
 #include "core/devices/vme58/catalog.h"
 #include "core/devices/vme58/codec.h"
 #include "core/devices/vme58/command_text.h"
@@ -37,23 +37,22 @@ namespace hw::vme58 {
 
 std::unique_ptr<Driver> make_driver(DriverContext context);
 
+/// Why a procedure has ended, where its text was put already and may be carried out.
+Fault when_put(Fault why);
+
 class Vme58Driver final : public Driver {
  public:
   explicit Vme58Driver(DriverContext context);
 
-  Task<Result<>> connect(Station& station) override;
-  Task<Result<>> poll() override;
+  void attach(Station& station) override;
+  Task<Result<>> connect() override;
+  Task<Result<>> poll(Round round) override;
   Task<Result<>> perform(const IntentBody& intent) override;
-  Task<Result<>> stop(int axis, bool at_once) override;
-  Task<Result<>> stop_jog(int axis) override;
+  Task<Result<std::string>> stop(const StopOrder& order) override;
+  StopProgress stop_progress(const StopOrder& order) override;
   void wire_lost() override;
   Task<Result<std::string>> query(std::string text, Duration patience) override;
-  [[nodiscard]] bool answers(std::string_view text) const override;
-  /// The board keeps none.
-  [[nodiscard]] bool changes_programs(std::string_view) const override { return false; }
-  [[nodiscard]] bool is_stop(std::string_view text) const override;
-  [[nodiscard]] bool stops_all(std::string_view text) const override;
-  bool take_unsolicited(std::string& text) override;
+  [[nodiscard]] TextMeaning meaning_of(const intent::SendText& text) const override;
   [[nodiscard]] Duration moving_period() const override;
   [[nodiscard]] Duration idle_period() const override;
 
@@ -77,6 +76,12 @@ class Vme58Driver final : public Driver {
     bool goes_to_place = true;   ///< its motion is to end somewhere: no jog, and not cut short by a stop
     bool settling = false;       ///< such a motion was seen, and nobody has said yet how it ended
   };
+  /// What the speed of an axis shows since it was told to stop.
+  struct SlowDown {
+    Instant since{};      ///< first seen turning then
+    Instant slower_at{};  ///< it has lost speed, or was told again
+    std::int64_t first = 0, least = 0;
+  };
   /// What a motion to the home switch does there.
   enum class AtHome : std::uint8_t { nothing, sets_counter, stops_dead };
   /// What the console knows of an axis beside the snapshot.
@@ -86,6 +91,7 @@ class Vme58Driver final : public Driver {
     bool ours = false;                    ///< a motion of the console is under way
     unsigned group = 0;                   ///< the axes of its move, when there are several
     bool stopping = false;
+    std::optional<SlowDown> slow_down;
     bool done = false;                 ///< its done flag was seen since the motion began
     bool limit_hit = false;            ///< its limit flag, likewise
     bool from_limit = false;           ///< it stood on a switch then, and has not come off it
@@ -112,27 +118,13 @@ class Vme58Driver final : public Driver {
     int input_put = 0, output_get = 0;
   };
   enum class WhenStuck : std::uint8_t { withdraw, leave };
-  /// The cycles of one burst, in memory that earlier bursts have left: a round at rest takes none. Bursts of
-  /// a stop may stand beside those of the round that it interrupts.
-  class Burst {
-   public:
-    explicit Burst(Vme58Driver& driver) : driver_(driver) {
-      if (driver.spare_bursts_.empty()) return;
-      cycles.swap(driver.spare_bursts_.back());
-      driver.spare_bursts_.pop_back();
-      cycles.clear();
-    }
-    ~Burst() { driver_.spare_bursts_.push_back(std::move(cycles)); }
-    Burst(const Burst&) = delete;
-    Burst& operator=(const Burst&) = delete;
-    std::vector<BusCycle> cycles;
-
-   private:
-    Vme58Driver& driver_;
-  };
+  /// When the board is told to copy its axis data: with the reading of the registers, or by itself.
+  enum class Copy : std::uint8_t { is_asked_for, ask };
 
   // ---- driver_talk.cpp
+  std::vector<BusCycle>& burst();
   Task<Result<>> run(std::vector<BusCycle>& cycles, Priority priority);
+  Task<Result<>> pause(Duration time);
   Task<Result<int>> read_index(std::uint16_t offset, Priority priority);
   Task<Result<bool>> put_text(std::string text, Priority priority);
   Task<Result<>> write(std::string text, Priority priority, WhenStuck when_stuck = WhenStuck::withdraw);
@@ -143,12 +135,18 @@ class Vme58Driver final : public Driver {
   Task<Result<std::string>> ask(std::string question, Priority priority, Duration patience = Millis(200));
   Task<Result<std::vector<std::string>>> ask_several(std::string text, std::size_t replies, Priority priority,
                                                      Duration patience);
+  Task<Result<>> collect(std::vector<std::string>& replies, std::size_t count, Priority priority,
+                         Instant give_up, std::string_view question);
+  Task<Result<>> let_owed_replies_go(Priority priority);
   Task<Result<>> fetch_replies(int input_put, Priority priority);
   void give_unsolicited();
+  /// It was put, and a stop came before more was known.
+  [[nodiscard]] bool perhaps_done(const Fault& why) const {
+    return why.kind == FaultKind::no_answer && station_ && station_->preempted();
+  }
   [[nodiscard]] std::string addressed(std::string_view selector, std::string_view text) const;
   [[nodiscard]] std::string addressed(int axis, std::string_view text) const;
   void record(Way way, Priority priority, std::string_view text);
-  void for_scripts(std::string text);
   tl::unexpected<Fault> no_connection() const;
   void tell(Notice::Kind kind, std::string text);
 
@@ -165,13 +163,22 @@ class Vme58Driver final : public Driver {
   // ---- driver_mailbox.cpp
   Task<Result<>> mail(std::string_view letters);
   Task<Result<bool>> mail_is_taken();
-  Task<Result<>> stop_what(int axis, bool at_once, bool jog);
-  Task<Result<>> stop_axis(std::string selector);
+  Task<Result<>> mail_past_ring(std::string_view word);
+
+  // ---- driver_stops.cpp
+  Task<Result<>> stop_motion(int axis, bool at_once, bool jog);
+  Task<Result<>> stop_by_text(std::string text);
+  Task<Result<bool>> stop_axis(std::string selector);
   Task<Result<>> stop_all(std::string_view word);
   [[nodiscard]] bool stops_alone(int axis) const;
-  Task<Result<>> wait_for_standstill(int axis);
   void stopping(int axis, bool at_once);
   void stands(int axis);
+  SlowDown& slow_down(int axis);
+  [[nodiscard]] Duration effect_patience(int axis, const SlowDown& slow_down) const;
+  [[nodiscard]] Duration longest_ramp(int axis, const SlowDown& slow_down) const;
+  void stopped_in_vain(int axis);
+  void doubt_killed_positions();
+  void doubt_killed_position(int axis, double speed);
 
   // ---- driver_connect.cpp
   Task<Result<>> find_board();
@@ -187,8 +194,9 @@ class Vme58Driver final : public Driver {
   void forget();
 
   // ---- driver_poll.cpp
+  Task<Result<>> read_more(Registers registers);
   Task<Result<Registers>> read_registers(Priority priority, bool ask_for_data);
-  Task<Result<>> read_axes(Priority priority);
+  Task<Result<>> read_axes(Priority priority, Copy copy = Copy::ask);
   Task<Result<>> read_all_values(Priority priority);
   Task<Result<>> read_rings(Priority priority);
   void take_registers(const Registers& registers);
@@ -199,8 +207,6 @@ class Vme58Driver final : public Driver {
   void show_limits(int axis);
   void end_motion(int axis, EndedBy ended_by);
   void trusted(int axis, Trust how) { draft_.axes[axis].trust.settle(how, scheduler_.now()); }
-  void doubt_killed_positions();
-  void doubt_killed_position(int axis, double speed);
   void comes_home(int axis);
   void show_worst();
   void record_round();
@@ -282,9 +288,9 @@ class Vme58Driver final : public Driver {
   // ---- driver_text.cpp
   Task<Result<>> send_text(std::string text);
   Task<Result<std::string>> send_commands(std::string text, Duration patience);
-  Task<Result<>> put_command(const TextCommand& command, std::string word, std::uint64_t stops_before);
+  Task<Result<>> put_command(const TextCommand& command, std::string word);
+  Result<> cut_short(const TextCommand& command, Fault why);
   Task<Result<>> accepts(const TextCommand& command);
-  Task<Result<>> stop_by_text(std::string text);
   void note_stop_of_program(const TextCommand& command);
   void note_sent(const TextCommand& command);
   void note_effects(const TextCommand& command);
@@ -309,13 +315,14 @@ class Vme58Driver final : public Driver {
   Scheduler& scheduler_;
   const Catalog& catalog_;
   Snapshot& draft_;
+  ScriptTexts& texts_;
   std::function<void(Notice)> notify_;
   std::function<void()> changed_;
   std::function<void(const AxisSample&)> sample_;
   const Variant& variant_;
   const std::vector<Parameter> parameters_;  ///< in the order of the catalog's
   Station* station_ = nullptr;
-  std::vector<std::vector<BusCycle>> spare_bursts_;
+  std::vector<BusCycle> cycles_;  ///< of one burst, in memory that earlier ones have left
 
   std::array<AxisMind, max_axes> minds_{};
   std::array<AxisData, max_axes> data_{};
@@ -325,23 +332,21 @@ class Vme58Driver final : public Driver {
   std::array<double, max_axes> user_unit_{};  ///< UU; 0: off
 
   // rings
-  int put_ = 0, get_ = 0;  ///< the host's two indexes
-  bool writing_ = false;
-  bool on_its_way_ = false;  ///< text was put that the board is not known to have taken
-  bool in_wq_ = false;       ///< WQ was put, and the board was not seen to read on
-  Event written_;
+  int put_ = 0, get_ = 0;              ///< the host's two indexes
+  bool rings_known_ = false;           ///< else nothing may be put
+  bool on_its_way_ = false;            ///< text was put that the board is not known to have taken
+  bool in_wq_ = false;                 ///< WQ was put, and the board was not seen to read on
   std::string received_;               ///< characters that are no whole reply yet
   std::deque<std::string> replies_;    ///< whole ones that nobody has taken
   bool echo_ = false;                  ///< EN was sent: between the frames stands what the board was sent
-  std::size_t replies_wanted_ = 0;     ///< by a question that is under way
+  std::size_t replies_owed_ = 0;       ///< to questions that nobody waits for any more
   std::string last_sent_, last_said_;  ///< the latter by the user or for him: no question of a poll
   bool command_error_ = false;         ///< seen in the status register and not told yet
 
   // mailbox and stops
-  bool mailing_ = false, updating_ = false;
-  std::uint8_t control_ = 0;  ///< interrupts that the console has enabled
-  StopsUnderWay stops_;
-  std::uint64_t stops_by_text_ = 0;  ///< how many have come
+  std::uint8_t control_ = 0;   ///< interrupts that the console has enabled
+  bool widened_ = false;       ///< a stop of one axis has become one of all, and they do not stand yet
+  bool mailbox_deaf_ = false;  ///< it was acknowledged and nothing was done
 
   bool connected_before_ = false;
   int outputs_direction_ = factory_outputs;
@@ -370,7 +375,6 @@ class Vme58Driver final : public Driver {
   bool feeding_waits_ = false;   ///< the board did not take it at once
   bool program_flawed_ = false;  ///< a command of it was rejected when its turn came
   std::string rejection_;        ///< why the latest program has ended, if it was that
-  std::deque<std::string> for_scripts_;
 };
 
 }  // namespace hw::vme58

@@ -27,9 +27,10 @@ Task<Result<>> Vme58Driver::ask_in_turn() {
     auto asked = co_await read_slips();
     if (!asked) co_return asked;
   }
-  if (may_ask && std::exchange(loops_wanted_, false)) {
+  if (may_ask && loops_wanted_) {
     auto asked = co_await read_loops(Priority::poll);
     if (!asked) co_return asked;
+    loops_wanted_ = false;
   }
   // An axis may work at what others have sent; what is not empty is read until it is.
   const bool turning = draft_.any_axis_moving();
@@ -70,7 +71,7 @@ Task<Result<bool>> Vme58Driver::is_worked_off() {
   const auto registers = co_await read_registers(Priority::poll, true);
   if (!registers) co_return fail(registers.error());
   take_registers(*registers);
-  auto read = co_await read_axes(Priority::poll);
+  auto read = co_await read_axes(Priority::poll, Copy::is_asked_for);
   if (!read) co_return fail(read.error());
   co_return !draft_.any_axis_moving();
 }
@@ -93,8 +94,9 @@ void Vme58Driver::show_full_queue() {
 // that of the latest motion, which may have led away from the switch: it counts when the switch is met, and
 // when the axis was sent another way and did not move.
 Task<Result<>> Vme58Driver::read_flags(Priority priority) {
-  flags_wanted_ = false;
   auto reply = co_await ask("QI\n", priority);
+  if (!reply && reply.error().kind == FaultKind::stopped) co_return fail(reply.error());
+  flags_wanted_ = false;
   if (!reply) co_return fail(reply.error());
   const auto flags = decode_all_flags(*reply);
   unsigned done = 0;
@@ -124,11 +126,11 @@ bool Vme58Driver::wants_done() const {
 }
 
 Task<Result<>> Vme58Driver::read_done() {
-  Burst burst(*this);
-  burst.cycles.push_back(BusCycle::read(1, reg::done));
-  auto looked = co_await run(burst.cycles, Priority::poll);
+  std::vector<BusCycle>& cycles = burst();
+  cycles.push_back(BusCycle::read(1, reg::done));
+  auto looked = co_await run(cycles, Priority::poll);
   if (!looked) co_return looked;
-  take_done(burst.cycles.front().value);
+  take_done(cycles.front().value);
   co_return Result<>();
 }
 

@@ -31,12 +31,12 @@ Vme58Driver::Vme58Driver(DriverContext context)
     : scheduler_(context.scheduler),
       catalog_(context.catalog),
       draft_(context.draft),
+      texts_(context.texts),
       notify_(std::move(context.notify)),
       changed_(std::move(context.changed)),
       sample_(std::move(context.sample)),
       variant_(variant_of(catalog_)),
-      parameters_(parameters_of(variant_)),
-      written_(context.scheduler) {
+      parameters_(parameters_of(variant_)) {
   draft_.axis_count = axis_count();
   draft_.identity.model = catalog_.name;
   draft_.slot_bytes_used.fill(0);
@@ -51,7 +51,7 @@ void Vme58Driver::forget() {
   limits_ = homes_ = slips_ = status_ = 0;
   flags_wanted_ = true;
   queues_due_ = queues_empty_ = draft_.working = false;
-  echo_ = false;
+  echo_ = widened_ = false;
   draft_.queue_known = 0;
   draft_.window.rings_known = false;
   draft_.program.run = RunState::idle;
@@ -97,51 +97,48 @@ void Vme58Driver::wire_lost() {
   draft_.window.known = false;
   received_.clear();
   replies_.clear();
-  mailing_ = updating_ = false;
+  replies_owed_ = 0;
+  rings_known_ = false;
   sampled_axis_ = -1;
   station_ = nullptr;
 }
 
-Task<Result<>> Vme58Driver::connect(Station& station) {
+void Vme58Driver::attach(Station& station) {
   station_ = &station;
-  if (!station.is_window())
-    co_return fail(FaultKind::refused, "A VME58 is a board in a memory window, not a device on a line.",
-                   "Nothing was sent.", "Open it through vme or bus.");
+  rings_known_ = false;
   station.interrupted = [this](std::uint8_t) {
     if (changed_) changed_();
   };
   control_ = station.tells_interrupts() ? control::interrupts | control::done_interrupt |
                                               control::limit_interrupt | control::slip_interrupt
                                         : 0;
+}
+
+Task<Result<>> Vme58Driver::connect() {
   auto found = co_await find_board();
   if (!found) co_return found;
   auto taken = co_await take_over_rings();
   if (!taken) co_return taken;
   auto identified = co_await identify();
   if (!identified) co_return identified;
-  Burst burst(*this);
-  std::vector<BusCycle>& cycles = burst.cycles;
+  std::vector<BusCycle>& cycles = burst();
   cycles.push_back(BusCycle::read(2, at::reserved1));
   auto looked = co_await run(cycles, Priority::intent);
   if (!looked) co_return looked;
   const bool unmarked = cycles[0].value == 0;  // another program's mark serves as well
   const bool was_reset = connected_before_ && unmarked;
   const bool others_were_here = !connected_before_ && !unmarked;
+  Result<> known;
+  if (was_reset)
+    known = co_await found_reset(Doubt::restarted);
+  else if (unmarked)
+    known = co_await leave_mark();
+  else if (others_were_here)
+    known = co_await forget_others_units();
+  if (!known) co_return known;
   connected_before_ = true;
-  if (others_were_here) {
-    auto plain = co_await forget_others_units();
-    if (!plain) co_return plain;
-  }
   if (!unmarked)
     for (AxisMind& mind : minds_) mind.in_group = mind.listed = true;  // by whoever spoke before
-  if (unmarked) {
-    auto marked = co_await leave_mark();
-    if (!marked) co_return marked;
-  }
-  if (was_reset) {
-    auto told = co_await found_reset(Doubt::restarted);
-    if (!told) co_return told;
-  }
   co_return co_await read_state();
 }
 
@@ -149,8 +146,7 @@ Task<Result<>> Vme58Driver::connect(Station& station) {
 Task<Result<>> Vme58Driver::find_board() {
   const Instant give_up = scheduler_.now() + start_patience;
   for (;;) {
-    Burst burst(*this);
-    std::vector<BusCycle>& cycles = burst.cycles;
+    std::vector<BusCycle>& cycles = burst();
     for (std::uint16_t offset = 0; offset < reg::control; offset += probe_step)
       cycles.push_back(BusCycle::read(2, offset));
     cycles.push_back(BusCycle::read(1, reg::status));
@@ -177,8 +173,8 @@ Task<Result<>> Vme58Driver::find_board() {
                       "{:02X}, with bit 1 off.",
                       status),
           "Nothing was written.", "Check the board's address. If it is right, reset the crate.");
-    co_await scheduler_.sleep_for(Millis(50));
-    if (!station_) co_return no_connection();
+    auto paused = co_await pause(Millis(50));
+    if (!paused) co_return paused;
   }
 }
 
@@ -191,8 +187,9 @@ Task<Result<>> Vme58Driver::take_over_rings() {
   if (!input_put) co_return fail(input_put.error());
   put_ = *put;
   get_ = *input_put;
-  Burst burst(*this);
-  std::vector<BusCycle>& cycles = burst.cycles;
+  received_.clear();
+  rings_known_ = true;
+  std::vector<BusCycle>& cycles = burst();
   cycles.push_back(BusCycle::store(2, at::input_get_index, static_cast<std::uint32_t>(get_)));
   cycles.push_back(BusCycle::store(1, reg::control, control_));
   co_return co_await run(cycles, Priority::intent);
@@ -262,14 +259,18 @@ Task<Result<>> Vme58Driver::forget_others_units() {
 }
 
 Task<Result<>> Vme58Driver::leave_mark() {
-  Burst burst(*this);
-  std::vector<BusCycle>& cycles = burst.cycles;
+  std::vector<BusCycle>& cycles = burst();
   cycles.push_back(BusCycle::store(2, at::reserved1, our_mark));
   co_return co_await run(cycles, Priority::intent);
 }
 
-// Everything that was set is as from the factory again.
+// Everything that was set is as from the factory again. The mark is left before this is told, and not far
+// behind: a stop in between finds the board unmarked as before, or all told.
 Task<Result<>> Vme58Driver::found_reset(Doubt why) {
+  auto taken = co_await take_over_rings();
+  if (!taken) co_return taken;
+  auto marked = co_await leave_mark();
+  if (!marked) co_return marked;
   tell(Notice::Kind::warning,
        "The board has been reset, or switched off and on, since the console last read it. Positions, set-up "
        "and "
@@ -279,16 +280,13 @@ Task<Result<>> Vme58Driver::found_reset(Doubt why) {
   forget();
   user_unit_ = {};
   context_ = Context();
-  selection_lost_ = false;
+  selection_lost_ = true;  // connecting anew has selected what the user's text had, before this was known
   factory_params();
   for (int i = 0; i < axis_count(); ++i) draft_.axes[i].trust.doubt(why, scheduler_.now());
-  auto taken = co_await take_over_rings();
-  if (!taken) co_return taken;
-  // Connecting anew has selected what the user's text had, before this was known.
   std::string quiet_text = fmt::format("EF {}\n", context_.selector());
   auto quiet = co_await write(std::move(quiet_text), Priority::intent);
-  if (!quiet) co_return quiet;
-  co_return co_await leave_mark();
+  if (quiet) selection_lost_ = false;
+  co_return quiet;
 }
 
 /// RS among a text: it is over when the board has started again, and takes what comes next. It leaves no ring
@@ -309,7 +307,8 @@ Task<Result<>> Vme58Driver::reset_by_text(std::string text) {
       if (!told) co_return told;
       co_return co_await read_state();
     }
-    co_await scheduler_.sleep_for(reset_look);
+    auto paused = co_await pause(reset_look);
+    if (!paused) co_return paused;
   }
   co_return fail(FaultKind::no_answer,
                  seen ? "The board does not start again." : "The board takes no RS now.",
@@ -322,7 +321,7 @@ Task<Result<>> Vme58Driver::read_state() {
   draft_.working = queues_due_ = true;  // another program may have left something in the queues
   auto all = co_await read_all_values(Priority::intent);
   if (!all) co_return all;
-  co_return co_await poll();
+  co_return co_await poll(Round::usual);
 }
 
 }  // namespace hw::vme58

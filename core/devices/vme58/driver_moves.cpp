@@ -75,14 +75,18 @@ Task<Result<>> Vme58Driver::begin(std::string text, unsigned axes, Activity acti
   }
   auto sent = co_await command(std::move(text), Priority::intent);
   if (sent) co_return sent;
+  const bool may_begin = perhaps_done(sent.error());
   for (int i = 0; i < axis_count(); ++i)
     if ((axes >> i & 1) != 0) {
-      minds_[ix(i)].ours = moving(i) && minds_[ix(i)].ours;
-      minds_[ix(i)].wanted = before[ix(i)];  // what still moves is what it was
-      minds_[ix(i)].at_home = AtHome::nothing;
+      AxisMind& mind = minds_[ix(i)];
+      mind.ours = moving(i) && mind.ours;
+      mind.by_text = may_begin;
+      mind.wanted = before[ix(i)];  // what still moves is what it was
+      mind.at_home = AtHome::nothing;
       draft_.axes[i].has_target = false;
       show_still(i, scheduler_.now());
     }
+  if (may_begin) draft_.working = queues_due_ = true;
   co_return sent;
 }
 
@@ -163,8 +167,8 @@ Task<Result<>> Vme58Driver::begin_jog(std::string text, int axis) {
   FaultKind& kind = begun.error().kind;
   if (kind == FaultKind::no_answer) {
     // What the ring did not take was taken back, unless the board was just coming to it.
-    (void)co_await read_axes(Priority::intent);
-    if (!moving(axis)) kind = FaultKind::refused;
+    const auto read = co_await read_axes(Priority::intent);
+    if (read && !moving(axis)) kind = FaultKind::refused;
   } else if (kind == FaultKind::controller) {
     stopping(axis, false);  // also a jog before it
     std::string stop = addressed(axis, "ST");
@@ -244,8 +248,9 @@ Task<Result<>> Vme58Driver::set_output(intent::SetOutput wish) {
   else
     text = fmt::format("{}{}\n", wish.on ? "BL" : "BH", wish.number);
   auto sent = co_await command(std::move(text), Priority::intent);
-  if (!sent) co_return sent;
   const std::uint32_t mask = 1u << place;
+  if (!sent && aux >= 0 && perhaps_done(sent.error())) draft_.outputs_known &= ~mask;
+  if (!sent) co_return sent;
   if (aux >= 0) {
     draft_.outputs = wish.on ? draft_.outputs | mask : draft_.outputs & ~mask;
     draft_.outputs_known |= mask;

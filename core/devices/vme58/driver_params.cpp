@@ -67,7 +67,9 @@ Task<Result<>> Vme58Driver::perform(const IntentBody& body) {
                    "Nothing was sent.", "Save the set-up to a file; restoring the file sets it again.");
   if (std::holds_alternative<Reset>(body)) {
     if (auto may = may_talk(); !may) co_return may;
-    co_return co_await mail("RS");
+    auto reset = co_await mail("RS");
+    if (!reset) co_return fail(when_put(reset.error()));
+    co_return reset;
   }
   co_return co_await perform_program(body);
 }
@@ -93,8 +95,9 @@ Task<Result<>> Vme58Driver::set_param(intent::SetParam wish) {
   const std::string set = set_text(*parameter.fact, wish.value);
   const std::string text = parameter.axis >= 0 ? addressed(parameter.axis, set) : set + "\n";
   auto sent = co_await command(text, Priority::intent);
-  if (!sent) co_return sent;
   ParamState& state = draft_.params[ix(index)];
+  if (!sent && perhaps_done(sent.error())) state.known = false;
+  if (!sent) co_return sent;
   state.value = wish.value;
   state.known = true;
   const bool goes_there = wish.closing == intent::Closing::drive && parameter.fact->drives;

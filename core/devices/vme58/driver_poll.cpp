@@ -35,14 +35,12 @@ bool Vme58Driver::moving(int axis) const {
   return seen_[ix(axis)] && value(axis, AxisValue::command_velocity) != 0;
 }
 
-Task<Result<>> Vme58Driver::poll() {
-  ++round_;
-  while (mailing_) co_await scheduler_.sleep_for(copy_look);
+Task<Result<>> Vme58Driver::poll(Round round) {
+  const Priority priority = round == Round::stopping ? Priority::stop : Priority::poll;
   const Instant began = scheduler_.now();
-  const auto registers = co_await read_registers(Priority::poll, true);
+  const auto registers = co_await read_registers(priority, true);
   if (!registers) co_return fail(registers.error());
   if ((registers->status & status::initialized) == 0) {
-    updating_ = false;
     station_->count_miss();
     co_return fail(FaultKind::garbled, "The board is starting: it has been reset.",
                    "Nothing is known of it yet.");
@@ -53,20 +51,28 @@ Task<Result<>> Vme58Driver::poll() {
     if (!told) co_return told;
     co_return co_await read_state();
   }
-  auto fetched = co_await fetch_replies(registers->input_put, Priority::poll);
-  if (!fetched) co_return fetched;
-  auto read = co_await read_axes(Priority::poll);
+  auto read = co_await read_axes(priority, Copy::is_asked_for);
   if (!read) co_return read;
   station_->count_answer(scheduler_.now() - began, true, scheduler_.now());
   record_round();
+  if (round == Round::stopping) co_return Result<>();
+  co_return co_await read_more(*registers);
+}
+
+/// What else a round tells: replies that nobody waits for, and what the board answers to.
+Task<Result<>> Vme58Driver::read_more(Registers registers) {
+  ++round_;
+  auto fetched = co_await fetch_replies(registers.input_put, Priority::poll);
+  if (!fetched) co_return fetched;
+  give_unsolicited();
   draft_.window.rings_known = bit(watched_, memory_group);
   if (draft_.window.rings_known) {
     auto rings = co_await read_rings(Priority::poll);
     if (!rings) co_return rings;
   }
   // Text that the board has not come to holds questions back too, and is nobody's to take away.
-  if (registers->output_get == put_) {
-    if (!writing_) on_its_way_ = in_wq_ = false;  // else put_ lies behind what is just being put
+  if (registers.output_get == put_) {
+    on_its_way_ = in_wq_ = false;
     auto asked = co_await ask_in_turn();
     if (!asked) co_return asked;
   } else {
@@ -86,12 +92,8 @@ Task<Result<>> Vme58Driver::poll() {
 
 /// With `ask_for_data` the board is told to copy the axis data, in the same burst.
 Task<Result<Vme58Driver::Registers>> Vme58Driver::read_registers(Priority priority, bool ask_for_data) {
-  Burst burst(*this);
-  std::vector<BusCycle>& cycles = burst.cycles;
-  if (ask_for_data) {
-    updating_ = true;
-    cycles.push_back(BusCycle::store(1, reg::control, control_ | control::update_data));
-  }
+  std::vector<BusCycle>& cycles = burst();
+  if (ask_for_data) cycles.push_back(BusCycle::store(1, reg::control, control_ | control::update_data));
   const std::size_t first = cycles.size();
   for (const std::uint16_t offset :
        {reg::control, reg::status, reg::limit, reg::home, reg::io_low, reg::io_high, reg::vector})
@@ -168,21 +170,20 @@ void Vme58Driver::take_registers(const Registers& r) {
 // ---- data area
 
 /// Waits for the board's copy. Three values of each axis, and all of one axis in turn.
-Task<Result<>> Vme58Driver::read_axes(Priority priority) {
-  if (!updating_) {
-    updating_ = true;
-    Burst request(*this);
-    request.cycles.push_back(BusCycle::store(1, reg::control, control_ | control::update_data));
-    auto asked = co_await run(request.cycles, priority);
+Task<Result<>> Vme58Driver::read_axes(Priority priority, Copy copy) {
+  std::vector<BusCycle>& cycles = burst();
+  if (copy == Copy::ask) {
+    cycles.push_back(BusCycle::store(1, reg::control, control_ | control::update_data));
+    auto asked = co_await run(cycles, priority);
     if (!asked) co_return asked;
   }
   const Instant give_up = scheduler_.now() + update_patience;
-  Burst burst(*this);
-  std::vector<BusCycle>& cycles = burst.cycles;
   const int whole = next_axis_;
   next_axis_ = (next_axis_ + 1) % axis_count();
-  co_await scheduler_.sleep_for(sampling() ? copy_time - sample_pause : copy_time);
+  Duration look = sampling() ? copy_time - sample_pause : copy_time;
   for (;;) {
+    auto paused = co_await pause(std::exchange(look, copy_look));
+    if (!paused) co_return paused;
     cycles.clear();
     cycles.push_back(BusCycle::read(1, reg::control));
     for (int i = 0; i < axis_count(); ++i)
@@ -191,15 +192,12 @@ Task<Result<>> Vme58Driver::read_axes(Priority priority) {
     if (!done) co_return done;
     if ((cycles.front().value & control::update_data) == 0) break;
     if (scheduler_.now() > give_up) {
-      updating_ = false;
       station_->count_miss();
       co_return fail(FaultKind::no_answer,
                      "The board did not copy its axis data in time (control register, bit 0).",
                      "Positions are shown as last read.");
     }
-    co_await scheduler_.sleep_for(copy_look);
   }
-  updating_ = false;
   take_cycles(cycles);
   const Instant now = scheduler_.now();
   take_parameters(whole);
@@ -282,10 +280,7 @@ bool Vme58Driver::met_limit(const AxisMind& mind) {
 void Vme58Driver::show_still(int i, Instant at) {
   AxisState& axis = draft_.axes[i];
   AxisMind& mind = minds_[ix(i)];
-  if (mind.stopping) {
-    if (!stops_.any()) end_motion(i, mind.ended_by);
-    return;
-  }
+  if (mind.stopping) return end_motion(i, mind.ended_by);
   if (settles(i)) {  // its command has ended, the axis has not yet
     mind.still_since = at;
     axis.activity = mind.ours ? mind.wanted : Activity::moving;
@@ -335,8 +330,7 @@ void Vme58Driver::end_motion(int i, EndedBy ended_by) {
 }
 
 Task<Result<>> Vme58Driver::read_rings(Priority priority) {
-  Burst burst(*this);
-  std::vector<BusCycle>& cycles = burst.cycles;
+  std::vector<BusCycle>& cycles = burst();
   for (const std::uint16_t index :
        {at::input_put_index, at::output_get_index, at::output_put_index, at::input_get_index})
     cycles.push_back(BusCycle::read(2, index));
@@ -363,7 +357,7 @@ void Vme58Driver::record_round() {
 
 void Vme58Driver::show_worst() {
   draft_.notice.clear();
-  if (std::exchange(command_error_, false) && !stops_.any()) show_late_rejection();
+  if (std::exchange(command_error_, false)) show_late_rejection();
   if (draft_.program.run == RunState::error) draft_.notice = rejection_;
   if (context_.recording)
     draft_.notice = "A contour is being recorded: moves and set-up wait for its end (CE or CK).";

@@ -137,7 +137,6 @@ Task<Result<>> Vme58Driver::feed() {
     if (!late) co_return fail(late.error());
     std::string what = rejected_late();
     if (*late) co_return co_await end_rejected(std::move(what));
-    if (to_feed_.empty()) co_return Result<>();
     auto [line, command] = to_feed_.front();
     Context after = fed_context_;
     for (const TextCommand& read : read_commands(command, after)) note_group(read);
@@ -145,10 +144,6 @@ Task<Result<>> Vme58Driver::feed() {
     const auto put = co_await put_text(std::move(text), Priority::transfer);
     if (!put) co_return fail(put.error());
     if (!*put) co_return Result<>();
-    if (to_feed_.empty()) {  // a stop has come in between, and what was put may have selected
-      selection_lost_ = true;
-      co_return Result<>();
-    }
     to_feed_.pop_front();
     before_feeding_ = std::exchange(fed_context_, after);
     if (!fed_apart_) context_ = after;
@@ -186,7 +181,7 @@ Task<Result<>> Vme58Driver::watch_program() {
   if (draft_.any_axis_moving()) co_return Result<>();
   const auto worked_off = co_await is_worked_off();
   if (!worked_off) co_return fail(worked_off.error());
-  if (!*worked_off || draft_.program.run != RunState::running) co_return Result<>();
+  if (!*worked_off) co_return Result<>();
   if (program_flawed_) {
     end_program(EndedBy::error);
     co_return Result<>();

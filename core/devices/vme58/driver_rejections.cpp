@@ -99,10 +99,14 @@ std::string Vme58Driver::rejected_late() const {
 
 /// It stays said until something else is done.
 Task<Result<>> Vme58Driver::end_rejected(std::string what) {
+  auto stopped = co_await stop_all("SA");
+  if (!stopped && stopped.error().kind == FaultKind::stopped) {
+    command_error_ = true;  // for the next round
+    co_return stopped;
+  }
   rejection_ = what + " The program ends there, and all axes were stopped.";
   end_program(EndedBy::error);
   draft_.notice = rejection_;
-  auto stopped = co_await stop_all("SA");
   tell(Notice::Kind::error, rejection_);
   co_return stopped;
 }

@@ -159,6 +159,7 @@ Task<Result<>> Vme58Driver::switch_loop(int axis, bool on, intent::Closing answe
   std::string text = addressed(axis, on ? "HN" : "HF");
   minds_[ix(axis)].counted = true;  // the board may take the place of the shaft as its command
   auto sent = co_await command(std::move(text), Priority::intent);
+  if (!sent) loops_wanted_ = true;
   if (!sent) co_return sent;
   know_loop(axis, on);
   if (on && was_far) begins_to_settle(axis);
@@ -198,6 +199,7 @@ Task<Result<>> Vme58Driver::take_place(int axis) {
   minds_[ix(axis)].counted = true;
   if (minds_[ix(axis)].ours) end_motion(axis, EndedBy::stop);  // what it was sent to is not wanted any more
   auto sent = co_await command(std::move(text), Priority::intent);
+  if (!sent) loops_wanted_ = true;
   if (!sent) co_return sent;
   auto read = co_await read_axes(Priority::intent);
   if (!read) co_return read;

@@ -9,7 +9,6 @@
 namespace hw::vme58 {
 namespace {
 
-constexpr std::size_t most_for_scripts = 256;
 constexpr Duration ring_look = std::chrono::microseconds(500);
 constexpr Duration taking_patience = Millis(250);  // the board takes text at once unless a queue is full
 constexpr Duration stop_patience = Millis(20);     // then the mailbox stops all
@@ -27,19 +26,38 @@ TrafficKind kind_of(Priority priority) {
 
 }  // namespace
 
+Fault when_put(Fault why) {
+  if (why.kind != FaultKind::stopped) return why;
+  return Fault(FaultKind::no_answer, "A stop came while this was under way.",
+               "Whether the board has carried it out is not known.");
+}
+
 tl::unexpected<Fault> Vme58Driver::no_connection() const {
   return fail(FaultKind::lost, "There is no connection to the board.", "Nothing was sent.");
 }
 
 Task<Result<>> Vme58Driver::run(std::vector<BusCycle>& cycles, Priority priority) {
   if (!station_) co_return no_connection();
+  if (!station_->is_window())
+    co_return fail(FaultKind::refused, "A VME58 is a board in a memory window, not a device on a line.",
+                   "Nothing was sent.", "Open it through vme or bus.");
   co_return co_await station_->bus(cycles, priority);
+}
+
+/// Empty. It is used up when the next one is begun.
+std::vector<BusCycle>& Vme58Driver::burst() {
+  cycles_.clear();
+  return cycles_;
+}
+
+Task<Result<>> Vme58Driver::pause(Duration time) {
+  if (!station_) co_return no_connection();
+  co_return co_await station_->pause(time);
 }
 
 // Read twice: while the board moves it, or when a byte was garbled, the two differ.
 Task<Result<int>> Vme58Driver::read_index(std::uint16_t offset, Priority priority) {
-  Burst burst(*this);
-  std::vector<BusCycle>& cycles = burst.cycles;
+  std::vector<BusCycle>& cycles = burst();
   for (int attempt = 0; attempt < index_attempts; ++attempt) {
     cycles.assign(2, BusCycle::read(2, offset));
     auto done = co_await run(cycles, priority);
@@ -55,27 +73,17 @@ Task<Result<int>> Vme58Driver::read_index(std::uint16_t offset, Priority priorit
 
 // One burst, whole or not at all: nobody else's text gets in between. False: it does not fit now.
 Task<Result<bool>> Vme58Driver::put_text(std::string text, Priority priority) {
-  while (writing_) co_await written_.wait();
-  struct Writing {
-    Vme58Driver& driver;
-    explicit Writing(Vme58Driver& d) : driver(d) { driver.writing_ = true; }
-    ~Writing() {
-      driver.writing_ = false;
-      driver.written_.notify();
-    }
-  } writing(*this);
   const auto get = co_await read_index(at::output_get_index, priority);
   if (!get) co_return fail(get.error());
   if (room(put_, *get) < static_cast<int>(text.size())) co_return false;
-  Burst burst(*this);
-  std::vector<BusCycle>& cycles = burst.cycles;
+  std::vector<BusCycle>& cycles = burst();
   // Where a stranger has spoiled the host's other index the board takes nothing.
   cycles.push_back(BusCycle::store(2, at::input_get_index, static_cast<std::uint32_t>(get_)));
   append_text(cycles, text, put_);
-  on_its_way_ = true;
-  in_wq_ = in_wq_ || text.find("WQ") != text.npos;
   auto done = co_await run(cycles, priority);
   if (!done) co_return fail(done.error());
+  on_its_way_ = true;
+  in_wq_ = in_wq_ || text.find("WQ") != text.npos;
   put_ = advanced(put_, static_cast<int>(text.size()));
   last_sent_ = text;
   if (priority != Priority::poll) last_said_ = text;
@@ -96,8 +104,7 @@ Task<Result<>> Vme58Driver::withdraw_text(Priority priority, int from) {
   const auto get = co_await read_index(at::output_get_index, priority);
   if (!get) co_return fail(get.error());
   const int begin = waiting(put_, *get) < waiting(put_, from) ? *get : from;
-  Burst burst(*this);
-  std::vector<BusCycle>& cycles = burst.cycles;
+  std::vector<BusCycle>& cycles = burst();
   for (int i = begin; i != put_; i = advanced(i, 1))
     cycles.push_back(BusCycle::store(2, static_cast<std::uint16_t>(at::output_buffer + 2 * i), ' '));
   if (cycles.empty()) co_return Result<>();
@@ -108,9 +115,9 @@ Task<Result<>> Vme58Driver::withdraw_text(Priority priority, int from) {
 /// The board stands at the axis that the user's text has selected, also after text was taken back.
 Task<Result<>> Vme58Driver::select_again(Priority priority) {
   if (!selection_lost_ || context_.recording) co_return Result<>();
-  std::string selector = context_.selector() + "\n";
-  auto written = co_await write(selector, priority);
-  if (written && selector == context_.selector() + "\n") selection_lost_ = false;  // else a stop has selected
+  std::string text = context_.selector() + "\n";
+  auto written = co_await write(std::move(text), priority);
+  if (written) selection_lost_ = false;
   co_return written;
 }
 
@@ -120,7 +127,8 @@ Task<Result<>> Vme58Driver::write(std::string text, Priority priority, WhenStuck
   const Instant give_up = scheduler_.now() + (priority == Priority::stop ? stop_patience : taking_patience);
   auto put = co_await put_text(text, priority);
   while (put && !*put && scheduler_.now() < give_up) {
-    co_await scheduler_.sleep_for(ring_look);
+    auto paused = co_await pause(ring_look);
+    if (!paused) co_return paused;
     put = co_await put_text(text, priority);
   }
   if (!put) co_return fail(put.error());
@@ -131,7 +139,8 @@ Task<Result<>> Vme58Driver::write(std::string text, Priority priority, WhenStuck
     if (!looked) co_return fail(looked.error());
     taken = *looked;
     if (taken || scheduler_.now() >= give_up) break;
-    co_await scheduler_.sleep_for(ring_look);
+    auto paused = co_await pause(ring_look);
+    if (!paused) co_return paused;
   }
   if (taken) co_return Result<>();
   const bool waits = *put && when_stuck == WhenStuck::leave;
@@ -149,10 +158,11 @@ Task<Result<>> Vme58Driver::write(std::string text, Priority priority, WhenStuck
 Task<Result<>> Vme58Driver::command(std::string text, Priority priority) {
   auto settled = co_await settle_late_rejection(priority);
   if (!settled) co_return settled;
+  const int put_before = put_;
   auto written = co_await write(text, priority);
-  if (!written) co_return written;
+  if (!written) co_return fail(put_ == put_before ? written.error() : when_put(written.error()));
   const auto bad = co_await was_rejected(priority);
-  if (!bad) co_return fail(bad.error());
+  if (!bad) co_return fail(when_put(bad.error()));
   if (*bad) co_return rejected(text);
   co_return Result<>();
 }
@@ -161,38 +171,69 @@ Task<Result<>> Vme58Driver::command(std::string text, Priority priority) {
 
 Task<Result<std::vector<std::string>>> Vme58Driver::ask_several(std::string text, std::size_t count,
                                                                 Priority priority, Duration patience) {
-  give_unsolicited();
-  struct Wanting {
-    Vme58Driver& driver;
-    Wanting(Vme58Driver& d, std::size_t n) : driver(d) { driver.replies_wanted_ = n; }
-    ~Wanting() { driver.replies_wanted_ = 0; }
-  } wanting(*this, count);
+  auto clear = co_await let_owed_replies_go(priority);
+  if (!clear) co_return fail(clear.error());
   const Instant asked_at = scheduler_.now();
-  auto written = co_await write(text, priority);
-  if (!written) co_return fail(written.error());
+  const int put_before = put_;
   std::vector<std::string> replies;
-  while (true) {
+  auto asked = co_await write(text, priority);
+  const bool comes = asked || (asked.error().kind == FaultKind::stopped && put_ != put_before);
+  if (asked) asked = co_await collect(replies, count, priority, asked_at + patience, text);
+  if (!asked) {
+    if (comes && asked.error().kind != FaultKind::controller) replies_owed_ += count - replies.size();
+    co_return fail(asked.error());
+  }
+  station_->count_answer(scheduler_.now() - asked_at, priority == Priority::poll, scheduler_.now());
+  co_return replies;
+}
+
+Task<Result<>> Vme58Driver::collect(std::vector<std::string>& replies, std::size_t count, Priority priority,
+                                    Instant give_up, std::string_view question) {
+  for (;;) {
     const auto put = co_await read_index(at::input_put_index, priority);
     if (!put) co_return fail(put.error());
     auto fetched = co_await fetch_replies(*put, priority);
-    if (!fetched) co_return fail(fetched.error());
+    if (!fetched) co_return fetched;
     while (!replies_.empty() && replies.size() < count) {
       record(Way::received, priority, replies_.front());
       replies.push_back(std::move(replies_.front()));
       replies_.pop_front();
     }
-    if (replies.size() == count) break;
-    if (scheduler_.now() - asked_at > patience) {
-      const auto bad = co_await was_rejected(priority);
-      if (bad && *bad) co_return rejected(text);
-      if (station_) station_->count_miss();
-      co_return fail(FaultKind::no_answer,
-                     fmt::format("The board did not answer to {} in time.", without_end(text)));
-    }
-    co_await scheduler_.sleep_for(ring_look);
+    if (replies.size() == count) co_return Result<>();
+    if (scheduler_.now() > give_up) break;
+    auto paused = co_await pause(ring_look);
+    if (!paused) co_return paused;
   }
-  station_->count_answer(scheduler_.now() - asked_at, priority == Priority::poll, scheduler_.now());
-  co_return replies;
+  const auto bad = co_await was_rejected(priority);
+  if (bad && *bad) co_return rejected(question);
+  if (station_) station_->count_miss();
+  co_return fail(FaultKind::no_answer,
+                 fmt::format("The board did not answer to {} in time.", without_end(question)));
+}
+
+/// What is asked next must not be answered by a reply to a question that a stop has cut short. The board has
+/// replied to all that it has taken from the ring.
+Task<Result<>> Vme58Driver::let_owed_replies_go(Priority priority) {
+  if (replies_owed_ > 0) {
+    const Instant give_up = scheduler_.now() + taking_patience;
+    auto taken = co_await is_taken(priority);
+    while (taken && !*taken && scheduler_.now() < give_up) {
+      auto paused = co_await pause(ring_look);
+      if (!paused) co_return paused;
+      taken = co_await is_taken(priority);
+    }
+    if (!taken) co_return fail(taken.error());
+    if (!*taken)
+      co_return fail(FaultKind::no_answer, "The board has not come to an earlier question yet.",
+                     "Nothing was sent.");
+    auto put = co_await read_index(at::input_put_index, priority);
+    if (!put) co_return fail(put.error());
+    auto fetched = co_await fetch_replies(*put, priority);
+    if (!fetched) co_return fetched;
+  }
+  give_unsolicited();
+  replies_owed_ = 0;
+  co_return Result<>();
 }
 
 Task<Result<std::string>> Vme58Driver::ask(std::string question, Priority priority, Duration patience) {
@@ -204,8 +245,7 @@ Task<Result<std::string>> Vme58Driver::ask(std::string question, Priority priori
 Task<Result<>> Vme58Driver::fetch_replies(int input_put, Priority priority) {
   const int count = waiting(input_put, get_);
   if (count == 0) co_return Result<>();
-  Burst burst(*this);
-  std::vector<BusCycle>& cycles = burst.cycles;
+  std::vector<BusCycle>& cycles = burst();
   append_reply_reads(cycles, get_, count);
   cycles.push_back(BusCycle::store(2, at::input_get_index, static_cast<std::uint32_t>(input_put)));
   auto done = co_await run(cycles, priority);
@@ -214,17 +254,19 @@ Task<Result<>> Vme58Driver::fetch_replies(int input_put, Priority priority) {
   get_ = input_put;
   received_ += reply_text(cycles);
   while (auto reply = take_reply(received_, echo_)) replies_.push_back(std::move(*reply));
-  if (replies_wanted_ == 0) give_unsolicited();
   co_return Result<>();
 }
 
-// What nobody waits for: replies to raw text.
+// What nobody waits for: replies to raw text, and to questions that were given up.
 void Vme58Driver::give_unsolicited() {
-  while (!replies_.empty()) {
+  for (; !replies_.empty(); replies_.pop_front()) {
+    if (replies_owed_ > 0) {
+      --replies_owed_;
+      continue;
+    }
     if (station_)
       station_->record(scheduler_.now(), Way::received, TrafficKind::unsolicited, replies_.front());
-    for_scripts(std::move(replies_.front()));
-    replies_.pop_front();
+    texts_.add(std::move(replies_.front()));
   }
 }
 
@@ -255,18 +297,6 @@ void Vme58Driver::record(Way way, Priority priority, std::string_view text) {
   if (!station_) return;
   while (!text.empty() && text.back() == '\n') text.remove_suffix(1);
   station_->record(scheduler_.now(), way, kind_of(priority), text);
-}
-
-void Vme58Driver::for_scripts(std::string text) {
-  if (for_scripts_.size() >= most_for_scripts) for_scripts_.pop_front();
-  for_scripts_.push_back(std::move(text));
-}
-
-bool Vme58Driver::take_unsolicited(std::string& text) {
-  if (for_scripts_.empty()) return false;
-  text = std::move(for_scripts_.front());
-  for_scripts_.pop_front();
-  return true;
 }
 
 void Vme58Driver::tell(Notice::Kind kind, std::string text) {

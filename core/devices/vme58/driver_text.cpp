@@ -8,17 +8,13 @@
 
 #include "core/base/index.h"
 #include "core/devices/vme58/driver.h"
+#include "core/devices/vme58/text_meaning.h"
 
 namespace hw::vme58 {
 namespace {
 
 constexpr std::size_t longest_text = 240;  // what the ring takes at once, with room for separators
 
-std::vector<TextCommand> commands_in(std::string_view text, Context context) {
-  return read_commands(text, context);
-}
-
-bool stops_here(Op op) { return op == Op::ST || op == Op::SA || op == Op::SD || op == Op::KL; }
 /// With such a command a motion begins that the queue tells of.
 bool moves_in_queue(Op op) {
   switch (op) {
@@ -35,26 +31,18 @@ bool moves_in_queue(Op op) {
   }
 }
 
-/// What stands behind it speaks to the axis or the mode that it names.
-bool selects(const TextCommand& command) {
-  return command.fact && ((command.fact->op >= Op::AX && command.fact->op <= Op::AS) || command.is(Op::AA) ||
-                          command.is(Op::AM));
-}
-
-bool is_query(const TextCommand& command) { return command.fact && command.fact->when == When::query; }
 bool is_queued(const TextCommand& command) { return command.fact && command.fact->when == When::queued; }
 
 }  // namespace
 
-bool Vme58Driver::answers(std::string_view text) const {
-  const auto commands = commands_in(text, context_);
-  return std::any_of(commands.begin(), commands.end(), is_query);
+TextMeaning Vme58Driver::meaning_of(const intent::SendText& text) const {
+  return vme58::meaning_of(text.text, context_, axis_count());
 }
 
 Task<Result<>> Vme58Driver::send_text(std::string text) {
   auto sent = co_await send_commands(std::move(text), Millis(200));
   if (!sent) co_return fail(sent.error());
-  if (!sent->empty()) for_scripts(std::move(*sent));
+  if (!sent->empty()) texts_.add(std::move(*sent));
   co_return Result<>();
 }
 
@@ -63,69 +51,9 @@ Task<Result<std::string>> Vme58Driver::query(std::string text, Duration patience
   co_return co_await send_commands(std::move(text), patience);
 }
 
-/// Nothing but stops. What a bare ST would stop is not known as long as texts may wait that select an axis:
-/// it takes its turn behind them.
-bool Vme58Driver::is_stop(std::string_view text) const {
-  Context context = context_;
-  bool stops = false, selected = false;
-  for (const TextCommand& command : commands_in(text, context)) {
-    if (!command.fact || !command.flaw.empty()) return false;
-    follow(command, context);
-    if (selects(command))
-      selected = true;
-    else if (!stops_here(command.fact->op) || (command.is(Op::ST) && !selected))
-      return false;
-    else
-      stops = true;
-    if (context.axis >= axis_count()) return false;
-  }
-  return stops;
-}
-
-bool Vme58Driver::stops_all(std::string_view text) const {
-  const auto commands = commands_in(text, context_);
-  return is_stop(text) && std::any_of(commands.begin(), commands.end(), [](const TextCommand& command) {
-           return stops_here(command.fact->op) && !command.is(Op::ST);
-         });
-}
-
-/// Goes like the console's own stops, beside a text of before, and means no more than it says. Which axis it
-/// selects is known from here on, whatever becomes of that text; the board hears it with the next one.
-Task<Result<>> Vme58Driver::stop_by_text(std::string text) {
-  ++stops_by_text_;
-  forget_rejection();
-  const bool recorded = context_.recording;
-  const auto commands = read_commands(text, context_);  // which it follows
-  if (recorded && !context_.recording) draft_.working = queues_due_ = true;
-  for (const TextCommand& command : commands) {
-    selection_lost_ = selection_lost_ || selects(command);
-    note_stop_of_program(command);
-    note_effects(command);
-  }
-  Result<> all;
-  for (const TextCommand& command : commands) {
-    if (!stops_here(command.fact->op)) continue;
-    std::string selector = command.context.selector();
-    Result<> stopped;
-    if (command.is(Op::ST))
-      stopped = co_await stop_axis(std::move(selector));
-    else
-      stopped = co_await stop_all(command.fact->letters);
-    if (all) all = std::move(stopped);
-  }
-  flags_wanted_ = true;
-  co_return all;
-}
-
 /// The replies of its queries, one on a line.
 Task<Result<std::string>> Vme58Driver::send_commands(std::string text, Duration patience) {
-  if (is_stop(text)) {
-    auto stopped = co_await stop_by_text(std::move(text));
-    if (!stopped) co_return fail(stopped.error());
-    co_return std::string();
-  }
   forget_rejection();
-  const std::uint64_t stops_before = stops_by_text_;
   Context context = context_;
   const auto commands = read_commands(text, context);
   if (auto may = may_say_while_feeding(commands); !may) co_return fail(may.error());
@@ -142,7 +70,7 @@ Task<Result<std::string>> Vme58Driver::send_commands(std::string text, Duration 
       co_return fail(FaultKind::refused, "One command of this text is longer than the board's ring.",
                      "It was not sent.");
     word += ";\n";
-    if (is_query(command) && command.flaw.empty()) {
+    if (is_question(command) && command.flaw.empty()) {
       auto reply = co_await ask(std::move(word), Priority::intent, patience);
       if (!reply) co_return fail(reply.error());
       answers += (answers.empty() ? "" : "\n") + *reply;
@@ -150,13 +78,8 @@ Task<Result<std::string>> Vme58Driver::send_commands(std::string text, Duration 
       auto reset = co_await reset_by_text(std::move(word));
       if (!reset) co_return fail(reset.error());
     } else {
-      auto put = co_await put_command(command, std::move(word), stops_before);
+      auto put = co_await put_command(command, std::move(word));
       if (!put) co_return fail(put.error());
-    }
-    if (stops_by_text_ != stops_before) {
-      note_effects(command);
-      selection_lost_ = selection_lost_ || selects(command);  // before the stop, or behind it
-      co_return fail(stop_came_first());
     }
     note_sent(command);
   }
@@ -164,9 +87,8 @@ Task<Result<std::string>> Vme58Driver::send_commands(std::string text, Duration 
   co_return answers;
 }
 
-/// One that is no question. `stops_before`: of those by text, when this text began.
-Task<Result<>> Vme58Driver::put_command(const TextCommand& command, std::string word,
-                                        std::uint64_t stops_before) {
+/// One that is no question.
+Task<Result<>> Vme58Driver::put_command(const TextCommand& command, std::string word) {
   auto settled = co_await settle_late_rejection(Priority::intent);
   if (!settled) co_return settled;
   // Until a round of status has seen all queues empty and no axis turning.
@@ -175,18 +97,24 @@ Task<Result<>> Vme58Driver::put_command(const TextCommand& command, std::string 
   note_group(command);  // before a stop can come in between
   const int put_before = put_;
   auto written = co_await write(std::move(word), Priority::intent, WhenStuck::leave);
+  if (!written && put_ == put_before) co_return written;
+  if (!written && written.error().kind == FaultKind::stopped) co_return cut_short(command, written.error());
   if (!written) {
-    // Left in the ring it acts later: what is sent behind it must know.
-    const bool left_in_ring = put_ != put_before && selects(command);
-    if (left_in_ring && stops_by_text_ == stops_before)
-      note_sent(command);
-    else
-      selection_lost_ = selection_lost_ || left_in_ring;
+    if (selects(command)) note_sent(command);  // in the ring it acts later: what is sent behind it must know
     co_return written;
   }
   auto accepted = co_await accepts(command);
+  if (!accepted && accepted.error().kind == FaultKind::stopped)
+    co_return cut_short(command, accepted.error());
   selection_lost_ = selection_lost_ || (!accepted && selects(command));  // the board may have taken it
   co_return accepted;
+}
+
+/// By a stop that may take it back, or find it carried out.
+Result<> Vme58Driver::cut_short(const TextCommand& command, Fault why) {
+  note_effects(command);
+  selection_lost_ = selection_lost_ || selects(command);
+  return fail(when_put(std::move(why)));
 }
 
 /// It has been taken from the ring, and was no command error.
@@ -207,14 +135,16 @@ Task<Result<>> Vme58Driver::accepts(const TextCommand& command) {
 
 /// Nothing of it is fed behind this.
 void Vme58Driver::note_stop_of_program(const TextCommand& command) {
-  if (draft_.program.run != RunState::running || !command.fact || !stops_here(command.fact->op)) return;
+  if (draft_.program.run != RunState::running || !command.fact || !stops_motion(command.fact->op)) return;
   end_program(command.is(Op::KL) ? EndedBy::abort : EndedBy::stop);
 }
 
 /// Between CD and CE everything becomes part of the contour: of a program's what the user says, and of the
 /// user's what the program says.
 Result<> Vme58Driver::may_say_while_feeding(const std::vector<TextCommand>& commands) const {
-  const auto stops = [](const TextCommand& command) { return command.fact && stops_here(command.fact->op); };
+  const auto stops = [](const TextCommand& command) {
+    return command.fact && stops_motion(command.fact->op);
+  };
   if (!draft_.feed.running || std::all_of(commands.begin(), commands.end(), stops)) return {};
   if (context_.recording)
     return fail(FaultKind::refused,
@@ -293,29 +223,30 @@ void Vme58Driver::note_effects(const TextCommand& command) {
 void Vme58Driver::note_motion(const TextCommand& command) {
   const Op op = command.fact->op;
   const bool jogs = op == Op::JG || op == Op::JF;
-  if (!jogs && !stops_here(op) && !moves_in_queue(op)) return;
-  if (!stops_here(op)) draft_.program.ended_by = EndedBy::nothing;
+  if (!jogs && !stops_motion(op) && !moves_in_queue(op)) return;
+  if (!stops_motion(op)) draft_.program.ended_by = EndedBy::nothing;
   const bool one = command.context.mode == where::single && (jogs || op == Op::ST || moves_in_queue(op));
   for (int i = 0; i < axis_count(); ++i) {
     if (one && i != command.context.axis) continue;
-    if (stops_here(op)) forget_put_velocities(i);
+    if (stops_motion(op)) forget_put_velocities(i);
     const std::size_t place = one ? 0 : ix(i);
     const bool meant = place < command.numbers.size() && command.numbers[place].has_value();
     if (jogs && !meant) continue;
-    if (AxisMind& mind = minds_[ix(i)]; !mind.ours && !stops_here(op) && !std::exchange(mind.by_text, true)) {
+    if (AxisMind& mind = minds_[ix(i)];
+        !mind.ours && !stops_motion(op) && !std::exchange(mind.by_text, true)) {
       mind.limit_hit = mind.turned = false;
       if (!moving(i)) mind.from_limit = (limits_ >> i & 1) != 0;
       draft_.axes[i].ended_by = EndedBy::nothing;
     }
     ServoMind& servo = minds_[ix(i)].servo;
-    servo.goes_to_place = !jogs && !stops_here(op);
+    servo.goes_to_place = !jogs && !stops_motion(op);
     servo.settling = servo.settling && servo.goes_to_place;
     AtHome& at_home = minds_[ix(i)].at_home;
     if (op == Op::HM || op == Op::HR)
       at_home = one ? AtHome::sets_counter : AtHome::nothing;
     else if (op == Op::KM || op == Op::KR)
       at_home = AtHome::stops_dead;
-    else if (jogs || stops_here(op))
+    else if (jogs || stops_motion(op))
       at_home = AtHome::nothing;
     const double speed = jogs ? std::abs(*command.numbers[place]) : 0;
     begins_to_creep(i, speed > 0 ? jog_gap(i, speed) : Duration::zero());

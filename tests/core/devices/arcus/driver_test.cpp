@@ -112,7 +112,7 @@ TEST_F(DriverTest, OnlyCommandsStandBesideThePolls) {
   run(1);
   perform(intent::Stop());
   perform(intent::SetParam("SLTX", 25));
-  EXPECT_EQ(sent(), "X50000 STOP SR0=0 SR1=0 SR2=0 SR3=0 STOP SLTX=25");
+  EXPECT_EQ(sent(), "X50000 STOP SR0=0 STOP SR1=0 SR2=0 SR3=0 STOP SLTX=25");
 }
 
 TEST_F(DriverTest, WhoDidNotAnswerATextForAnotherDeviceIsNamed) {

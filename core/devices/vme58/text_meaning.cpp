@@ -1,0 +1,61 @@
+#include "core/devices/vme58/text_meaning.h"
+
+#include <algorithm>
+#include <set>
+
+namespace hw::vme58 {
+namespace {
+
+constexpr int several = -1;
+
+/// The commands of a text that consists of stops; none: it does not.
+struct Stops {
+  bool all = false;    ///< whatever is selected
+  std::set<int> axes;  ///< that ST names, or `several`
+
+  [[nodiscard]] bool any() const { return all || !axes.empty(); }
+};
+
+Stops stops_in(const std::vector<TextCommand>& commands, int axes) {
+  Stops stops;
+  bool selected = false;
+  for (const TextCommand& command : commands) {
+    if (!command.fact || !command.flaw.empty()) return {};
+    const Op op = command.fact->op;
+    if (selects(command)) {
+      if (op >= Op::AX && op <= Op::AS && static_cast<int>(op) - static_cast<int>(Op::AX) >= axes) return {};
+      selected = true;
+    } else if (!stops_motion(op) || (op == Op::ST && !selected)) {
+      return {};
+    } else if (op == Op::ST) {
+      stops.axes.insert(command.context.mode == where::single ? command.context.axis : several);
+    } else {
+      stops.all = true;
+    }
+  }
+  return stops;
+}
+
+}  // namespace
+
+bool stops_motion(Op op) { return op == Op::ST || op == Op::SA || op == Op::SD || op == Op::KL; }
+
+bool selects(const TextCommand& command) {
+  return command.fact && ((command.fact->op >= Op::AX && command.fact->op <= Op::AS) || command.is(Op::AA) ||
+                          command.is(Op::AM));
+}
+
+bool is_question(const TextCommand& command) { return command.fact && command.fact->when == When::query; }
+
+TextMeaning meaning_of(std::string_view text, Context context, int axes) {
+  const std::vector<TextCommand> commands = read_commands(text, context);
+  TextMeaning meaning;
+  const bool answers = std::any_of(commands.begin(), commands.end(), is_question);
+  meaning.answered = answers ? TextMeaning::Answered::at_once : TextMeaning::Answered::never;
+  const Stops stops = stops_in(commands, axes);
+  if (stops.any()) meaning.stops = stops.all ? TextMeaning::Stops::all : TextMeaning::Stops::some;
+  if (!stops.all && stops.axes.size() == 1) meaning.axis = *stops.axes.begin();
+  return meaning;
+}
+
+}  // namespace hw::vme58
