@@ -84,8 +84,9 @@ class VxmDriver final : public Driver {
   /// What D has told to slow down, as far as it shows.
   struct Ramp {
     Instant began{}, looked_at{};
-    double speed = 0;   ///< when it was looked at; of the fastest motor that can be seen
-    bool over = false;  ///< what it was to stop stands
+    double from = 0, slowest = 0;  ///< steps/s: when the hold was switched on, and since
+    double speed = 0;              ///< when it was looked at; of the fastest motor that can be seen
+    bool over = false;             ///< what it was to stop stands
   };
 
   // ---- driver_talk.cpp
@@ -215,6 +216,7 @@ class VxmDriver final : public Driver {
   StopProgress watch_the_ramp();
   StopProgress watch_the_program();
   [[nodiscard]] bool stands_since_ramp() const;
+  bool has_begun_anew();
   Task<Result<>> kill(bool standing, Priority priority = Priority::stop);
   Task<Result<>> settle_hold();
   void kill_not_confirmed(EndedBy ended_by);

@@ -71,7 +71,7 @@ Result<> VxmDriver::may_switch_hold() const {
   if (!hold_doubtful_) return {};
   return fail(FaultKind::refused,
               "The connection was lost while the hold was switched: whether it is on is not known.",
-              "Nothing was sent.", "Stop the program. It is stopped at once then, without a ramp.");
+              "Nothing was sent.", "Stop the program.");
 }
 
 Task<Result<>> VxmDriver::pause() {

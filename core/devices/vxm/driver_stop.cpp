@@ -87,9 +87,10 @@ Task<Result<>> VxmDriver::stop_program(const StopOrder& order) {
   if (order.what == StopOrder::What::jog) co_return Result<>();
   const auto is_held = [this] { return draft_.program.run == RunState::held; };
   if (is_held() || (ramp_ && ramp_->over)) co_return co_await kill(true);
-  if (order.at_once || hold_doubtful_) co_return co_await kill(false);
+  if (order.at_once) co_return co_await kill(false);
   if (!ramp_) ramp_ = Ramp{scheduler_.now()};
-  if (!hold_on_) {
+  if (!hold_on_ && !hold_doubtful_) {
+    ramp_->from = ramp_->slowest = fastest();
     auto held = co_await switch_hold("H", true, Priority::stop);
     if (!held || !station_) co_return held;
     // Between two commands the hold is told at once, and D into that listing would be an overrun.
@@ -155,11 +156,21 @@ StopProgress VxmDriver::stop_progress(const StopOrder& order) {
 // Held before a command, or nothing has turned since D: what moves slower than a step in that time has no
 // ramp to speak of.
 StopProgress VxmDriver::watch_the_program() {
-  if (ramp_ && (draft_.program.run == RunState::held || stands_since_ramp())) {
+  if (!ramp_) return StopProgress::again();
+  if (draft_.program.run == RunState::held || stands_since_ramp()) {
     ramp_->over = true;
     return StopProgress::again();  // which is K, now
   }
-  return watch_the_ramp();
+  if (!has_begun_anew()) return watch_the_ramp();
+  hold_on_ = hold_doubtful_ = false;
+  return StopProgress::again();
+}
+
+// It has slowed down and turns faster again: that is the next command, so no hold is on.
+bool VxmDriver::has_begun_anew() {
+  constexpr double for_sure = 500;  // steps/s; twice what two readings that follow each other leave open
+  ramp_->slowest = std::min(ramp_->slowest, fastest());
+  return ramp_->slowest < ramp_->from - for_sure && fastest() > ramp_->slowest + for_sure;
 }
 
 // D is not answered. One that did not get through shows by motors that lose no speed; what still turns after

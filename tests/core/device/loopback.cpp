@@ -56,6 +56,11 @@ void Loopback::pull() {
   if (end->listener) end->listener->stream_closed(Fault(FaultKind::lost, "The cable was pulled."));
 }
 
+void Loopback::inject(std::string_view bytes) {
+  for (const char c : bytes) out_.push_back({out_free_ = std::max(out_free_, scheduler_.now()), c});
+  schedule();
+}
+
 Result<> Loopback::operate(const BenchCommand& command) {
   step();
   auto done = emulator_->operate(command);

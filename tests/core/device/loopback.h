@@ -23,6 +23,8 @@ class Loopback {
   void drop(int bytes) { drop_ += bytes; }
   /// The same of those on their way to the controller.
   void lose(int bytes) { lose_ += bytes; }
+  /// What no controller has said comes in.
+  void inject(std::string_view bytes);
   /// Both ways nothing arrives, and nobody is told.
   void silence(bool on) { silent_ = on; }
   /// A program that answers everything in its own way stands in for the controller.

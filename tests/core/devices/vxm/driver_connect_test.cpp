@@ -5,10 +5,7 @@ namespace {
 
 using testing::HasSubstr;
 
-class VxmDriverConnect : public DriverTest {
- protected:
-  std::string health() { return std::string(latest.link.sentence.view()); }
-};
+class VxmDriverConnect : public DriverTest {};
 
 TEST_F(VxmDriverConnect, GoesOnLineAndFindsOutWhatItIs) {
   start();
@@ -236,6 +233,29 @@ TEST_F(VxmDriverConnect, ASlaveThatLosesItsPowerRestartsItsMasterOnce) {
   EXPECT_EQ(position(), 10) << "motors 1 and 2 go on";
 }
 
+// H would switch a hold off as well as on, and K costs steps.
+TEST_F(VxmDriverConnect, AStopThatIsOwedIsDUntilTheStateIsKnown) {
+  start();
+  ASSERT_EQ(perform(intent::LoadProgram(0, "I1M90000\nI1M-90000\nL0\n")), "");
+  ASSERT_EQ(perform(intent::RunProgram(0)), "");
+  run(3);
+  loop->silence(true);
+  ASSERT_TRUE(run_until([&] { return latest.link.state == LinkState::lost; }, 5));
+  loop->to_controller.clear();
+  post(intent::Stop());
+  run(2);
+  EXPECT_THAT(loop->to_controller, testing::MatchesRegex("D[DV\r]+"));
+  EXPECT_GE(times_sent('D'), 4) << "as long as nothing comes back";
+  loop->silence(false);
+  EXPECT_TRUE(wait_idle(5));
+  EXPECT_EQ(times_sent('K'), 1);
+  EXPECT_EQ(latest.program.run, RunState::idle);
+  EXPECT_FALSE(latest.axes[0].trust.doubtful());
+  const auto here = position();
+  run(3);
+  EXPECT_EQ(position(), here);
+}
+
 TEST_F(VxmDriverConnect, PowerOffIsALostLinkUntilItIsBack) {
   start();
   ASSERT_TRUE(loop->operate(bench::Power(false)));
@@ -322,76 +342,6 @@ TEST_F(VxmDriverConnect, PollsFiveTimesASecondAtRestAndAsTheWireBearsInMotion) {
   loop->to_controller.clear();
   run(2);
   EXPECT_GE(count('X'), 83) << "43 rounds a second is all that 9600 baud can carry";
-}
-
-// ---- an error state from before: only K and res are heard
-
-class VxmDriverRecovery : public VxmDriverConnect {
- protected:
-  /// A controller in EM, of which this console has not heard.
-  void open_one_in_error() {
-    loop = std::make_unique<test::Loopback>(time, make_emulator({}).value(), false);
-    loop->emulator().advance_to(time.now());
-    std::string text = "F", report;
-    for (int i = 0; i < 65; ++i) text += "I1M5,";
-    loop->emulator().receive(text);
-    loop->emulator().take_output(report);
-    ASSERT_EQ(report, "EM");
-    open();
-  }
-  bool connects() {
-    return run_until([&] { return latest.link.state == LinkState::good; }, 2);
-  }
-  auto times_sent(char letter) {
-    return std::count(loop->to_controller.begin(), loop->to_controller.end(), letter);
-  }
-};
-
-TEST_F(VxmDriverRecovery, TheUsersKEndsItAndIsSaidOnce) {
-  open_one_in_error();
-  EXPECT_EQ(latest.link.state, LinkState::lost);
-  EXPECT_THAT(health(), HasSubstr("takes only K: send K."));
-  EXPECT_THAT(query("X"), HasSubstr("fault: "));
-  run(20);
-  EXPECT_EQ(times_sent('K'), 0) << "never by itself";
-  EXPECT_EQ(query("K"), "^");
-  EXPECT_TRUE(connects());
-  EXPECT_EQ(times_sent('K'), 1);
-  EXPECT_EQ(query("M"), "0") << "the program stays (V34)";
-  run(2);
-  EXPECT_EQ(query("K"), "^") << "a later K is one of its own";
-  EXPECT_EQ(times_sent('K'), 2);
-}
-
-TEST_F(VxmDriverRecovery, TheTerminalMaySayItToo) {
-  open_one_in_error();
-  EXPECT_EQ(send("K"), "");
-  EXPECT_TRUE(connects());
-  EXPECT_EQ(times_sent('K'), 1);
-}
-
-TEST_F(VxmDriverRecovery, ResEndsItAndForgetsWhatWasNotStored) {
-  open_one_in_error();
-  EXPECT_EQ(query("res"), "");
-  EXPECT_TRUE(connects());
-  EXPECT_EQ(times_sent('K'), 0);
-  EXPECT_EQ(query("M"), "256");
-}
-
-TEST_F(VxmDriverRecovery, WhereNothingIsKBringsNothingAndIsNotRepeated) {
-  loop = std::make_unique<test::Loopback>(time, make_emulator({}).value(), false);
-  ASSERT_TRUE(loop->operate(bench::Power(false)));
-  open();
-  EXPECT_THAT(query("K"), HasSubstr("K was sent and brought nothing."));
-  run(30);
-  EXPECT_EQ(times_sent('K'), 2) << "once as it is, once behind the F that Local mode needs";
-  port_missing = true;
-  loop->pull();
-  run(10);
-  EXPECT_THAT(query("K"), HasSubstr("there is no connection"));
-  port_missing = false;
-  run(30);
-  EXPECT_EQ(times_sent('K'), 2) << "what was said to no wire is not said later";
 }
 
 TEST_F(VxmDriverConnect, ASlaveThatTheAddressLeavesOutIsSaid) {

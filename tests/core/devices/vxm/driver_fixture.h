@@ -1,5 +1,6 @@
 #pragma once
 // A console without its window, and an emulated VXM at the other end.
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -50,6 +51,18 @@ class DriverTest : public test::DriverStage {
       if (e.way == Way::sent && e.kind != TrafficKind::poll) all += e.bytes;
     });
     return all;
+  }
+
+  std::string health() { return std::string(latest.link.sentence.view()); }
+  bool stands(int axis = 0) {
+    run(0.3);
+    const auto here = position(axis);
+    run(2);
+    return position(axis) == here;
+  }
+  /// Polls, too.
+  auto times_sent(char letter) {
+    return std::count(loop->to_controller.begin(), loop->to_controller.end(), letter);
   }
 
   Options catalog_options;

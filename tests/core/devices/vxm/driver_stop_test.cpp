@@ -5,21 +5,7 @@ namespace {
 
 using testing::HasSubstr;
 
-class VxmDriverStop : public DriverTest {
- protected:
-  void run_program(const char* text) {
-    ASSERT_EQ(perform(intent::LoadProgram(0, text)), "");
-    ASSERT_EQ(perform(intent::RunProgram(0)), "");
-    run(0.5);
-    sent();
-  }
-  bool stands(int axis = 0) {
-    run(0.3);
-    const auto here = position(axis);
-    run(2);
-    return position(axis) == here;
-  }
-};
+class VxmDriverStop : public DriverTest {};
 
 TEST_F(VxmDriverStop, AMoveOfTheConsoleIsRampedDownByDAlone) {
   start();
@@ -78,19 +64,6 @@ TEST_F(VxmDriverStop, ATypedKWaitsForNoRamp) {
   EXPECT_EQ(sent(), "DK");
 }
 
-TEST_F(VxmDriverStop, ALongTextIsNotWaitedFor) {
-  start({}, true);
-  run_program("I1M4000\nI1M-4000\nL0\n");
-  sent();
-  std::string text;
-  for (int i = 0; i < 300; ++i) text += "I1M400,";
-  post(intent::SendText(text));
-  run(0.1);
-  post(intent::Stop());
-  run(0.06);
-  EXPECT_THAT(sent(), HasSubstr("H"));
-}
-
 // At each moment of a move's end, also while its last questions are on the wire.
 TEST_F(VxmDriverStop, AtTheVeryEndOfAMoveDoesNoHarm) {
   start({}, true);
@@ -138,43 +111,6 @@ TEST_F(VxmDriverStop, TheOtherAxisOfAMoveNeverStarts) {
   EXPECT_EQ(position(1), 0);
 }
 
-TEST_F(VxmDriverStop, AStoredProgramComesToRestAndStaysThere) {
-  start();
-  run_program("I1M3000\nI2M3000\nI1M-3000\nL0\n");
-  EXPECT_EQ(perform(intent::Stop()), "");
-  EXPECT_EQ(sent(), "HDK") << "hold, ramp down, and K once it stands";
-  EXPECT_EQ(latest.program.run, RunState::idle);
-  EXPECT_TRUE(stands(0));
-  EXPECT_TRUE(stands(1));
-  EXPECT_FALSE(latest.axes[0].trust.doubtful());
-  EXPECT_EQ(perform(intent::RunProgram(0)), "");
-  run(1);
-  EXPECT_TRUE(latest.any_axis_moving()) << "no hold is left behind";
-}
-
-TEST_F(VxmDriverStop, AProgramThatWaitsIsEndedToo) {
-  start();
-  run_program("U0\nI1M400\n");
-  EXPECT_EQ(latest.program.run, RunState::running);
-  EXPECT_EQ(perform(intent::HaltProgram()), "");
-  EXPECT_EQ(latest.program.run, RunState::idle);
-  EXPECT_EQ(query("V"), "R");
-  EXPECT_EQ(position(), 0);
-}
-
-TEST_F(VxmDriverStop, AHeldProgramIsKilledWhereItStands) {
-  start();
-  run_program("I1M100\nI1M100\nI1M100\n");
-  wait_idle();
-  EXPECT_EQ(perform(intent::SingleStep()), "");
-  run(0.2);
-  EXPECT_EQ(latest.program.run, RunState::held);
-  sent();
-  EXPECT_EQ(perform(intent::Stop()), "");
-  EXPECT_EQ(sent(), "K");
-  EXPECT_EQ(latest.program.run, RunState::idle);
-}
-
 TEST_F(VxmDriverStop, ASecondStopIsKAtOnceAndDoubtsAFastPosition) {
   start();
   move_to(0, 50000);
@@ -196,17 +132,54 @@ TEST_F(VxmDriverStop, ASecondStopIsKAtOnceAndDoubtsAFastPosition) {
   EXPECT_FALSE(latest.axes[0].trust.doubtful());
 }
 
-TEST_F(VxmDriverStop, ASecondStopDuringAProgramNeedsNoRamp) {
+TEST_F(VxmDriverStop, AKThatNobodyConfirmsIsSaidAgain) {
   start();
-  run_program("S1M4000\nA1M1\nI1M90000\n");
-  run(5);
+  move_to(0, 50000);
+  run(3);
   sent();
-  pump->post(Intent(++last_id, intent::Stop()));
-  run(0.1);
+  loop->lose(1);
+  const IntentId abort = post(intent::Abort());
+  EXPECT_TRUE(wait_idle(2));
+  EXPECT_EQ(sent(), "KK");
+  EXPECT_EQ(fate(abort), Fate::done);
+  EXPECT_EQ(latest.axes[0].ended_by, EndedBy::abort);
+}
+
+TEST_F(VxmDriverStop, AStrayWOrColonLeavesNothingWaitingOrHeld) {
+  start();
+  for (const char* stray : {"W", ":I1M400\r"}) {
+    loop->inject(stray);
+    run(1);
+    EXPECT_EQ(latest.program.run, RunState::idle) << stray;
+    EXPECT_EQ(move_by(0, 100), "") << stray;
+    EXPECT_TRUE(wait_idle(5)) << stray;
+  }
+  EXPECT_EQ(position(), 200);
+}
+
+// The console has selected another program for its own use.
+TEST_F(VxmDriverStop, TheUsersProgramIsSelectedAgainBehindAStop) {
+  start({}, true);
+  std::string text;
+  for (int i = 0; i < 60; ++i) text += "I1M400\n";
+  for (const auto& long_one : {IntentBody(intent::LoadProgram(3, text)), IntentBody(intent::UploadProgram(3)),
+                               IntentBody(intent::ReadAgain())}) {
+    post(long_one);
+    run(0.05);
+    EXPECT_EQ(perform(intent::Stop()), "");
+    EXPECT_EQ(query("PM"), "0");
+    EXPECT_EQ(latest.program.slot, 0);
+  }
+}
+
+// At the old rate nobody would hear it.
+TEST_F(VxmDriverStop, WaitsForAChangeOfTheLineRate) {
+  start({}, true);
+  const IntentId change = post(intent::SetParam("B", 38, true));
+  run(0.02);
   EXPECT_EQ(perform(intent::Stop()), "");
-  EXPECT_TRUE(wait_idle(1));
-  EXPECT_TRUE(latest.axes[0].trust.doubtful());
-  run(6);
+  EXPECT_EQ(fate(change), Fate::done);
+  EXPECT_EQ(latest.link.state, LinkState::good);
   EXPECT_EQ(query("V"), "R");
 }
 
@@ -221,18 +194,6 @@ TEST_F(VxmDriverStop, AbortOfASlowMoveLosesNothing) {
   sent();
   EXPECT_EQ(move_by(0, 10), "");
   EXPECT_THAT(sent(), HasSubstr("S1M2000\rI1M10\r")) << "the speed of the move that was cut off is put right";
-}
-
-TEST_F(VxmDriverStop, AProgramStartedByTheRunButtonIsStoppedBeforeAnyPollSawIt) {
-  start();
-  ASSERT_EQ(perform(intent::LoadProgram(0, "I1M30000\nI1M-30000\nL0\n")), "");
-  run(0.25);
-  ASSERT_TRUE(loop->operate(bench::Button("Run", true)));
-  run(0.01);
-  ASSERT_TRUE(loop->operate(bench::Button("Run", false)));
-  EXPECT_EQ(perform(intent::Stop()), "");
-  EXPECT_TRUE(stands());
-  EXPECT_EQ(query("V"), "R");
 }
 
 TEST_F(VxmDriverStop, SomebodyWhoJogsAtThePanelIsStopped) {
@@ -267,33 +228,6 @@ TEST_F(VxmDriverStop, StopOvertakesADownload) {
   EXPECT_THAT(std::string(pump->known().fate_of(load)->sentence.view()),
               HasSubstr("Program 1 is incomplete in the controller. Load it again before it is run."));
   EXPECT_EQ(query("V"), "R");
-}
-
-TEST_F(VxmDriverStop, WithTheOverrunHazardNothingLocksTheController) {
-  start({{"quirk", "overrun"}});
-  ASSERT_EQ(perform(intent::LoadProgram(0, "I1M3000\nU4\nP1\nI1M-3000\nL0\n")), "");
-  for (int round = 0; round < 3; ++round) {
-    ASSERT_EQ(perform(intent::RunProgram(0)), "");
-    run(0.7 + 0.1 * round);
-    ASSERT_EQ(perform(intent::Stop()), "");
-    ASSERT_EQ(move_by(0, 500), "");
-    run(0.3);
-    ASSERT_EQ(perform(intent::Stop()), "");
-    wait_idle();
-    ASSERT_EQ(perform(intent::Stop()), "");
-    ASSERT_EQ(perform(intent::SetOutput(1, round % 2 == 0)), "");
-    ASSERT_EQ(perform(intent::ReadParams()), "");
-    ASSERT_EQ(perform(intent::SingleStep()), "");
-    run(0.2);
-    ASSERT_EQ(perform(intent::Stop()), "");
-  }
-  send("Q");
-  run(0.5);
-  perform(intent::Stop());
-  run(0.5);
-  EXPECT_EQ(query("V"), "R");
-  EXPECT_EQ(latest.link.state, LinkState::good);
-  EXPECT_EQ(latest.link.timeouts, 0u);
 }
 
 }  // namespace
