@@ -83,10 +83,11 @@ class VxmDriver final : public Driver {
   };  ///< unknown: it has not been asked since attach()
   /// What D has told to slow down, as far as it shows.
   struct Ramp {
-    Instant began{}, looked_at{};
-    double from = 0, slowest = 0;  ///< steps/s: when the hold was switched on, and since
-    double speed = 0;              ///< when it was looked at; of the fastest motor that can be seen
-    bool over = false;             ///< what it was to stop stands
+    Instant began{};
+    double from = 0, slowest = from;  ///< steps/s: when its program was to be held, and since
+    Instant looked_at{};
+    double speed = 0;   ///< when it was looked at; of the fastest motor that can be seen
+    bool over = false;  ///< what it was to stop stands
   };
 
   // ---- driver_talk.cpp
@@ -206,6 +207,7 @@ class VxmDriver final : public Driver {
   Task<Result<>> stop_blind(const StopOrder& order);
   Task<Result<>> stop_local();
   Task<Result<>> stop_leg(const StopOrder& order);
+  Task<Result<>> ramp_down();
   Task<Result<>> stop_program(const StopOrder& order);
   Task<Result<>> stop_unknown();
   [[nodiscard]] bool moves_for(const StopOrder& order) const;

@@ -76,7 +76,12 @@ Task<Result<>> VxmDriver::stop_leg(const StopOrder& order) {
   note_stop();
   show_stopping();
   if (order.at_once) co_return co_await kill(false);
-  if (!ramp_) ramp_ = Ramp{scheduler_.now()};
+  co_return co_await ramp_down();
+}
+
+// It is looked at from now on, and at the longest until the first D must have worked.
+Task<Result<>> VxmDriver::ramp_down() {
+  if (!ramp_) ramp_ = Ramp{scheduler_.now(), fastest()};
   ramp_->looked_at = scheduler_.now();
   ramp_->speed = fastest();
   co_return co_await say("D", Priority::stop);
@@ -88,9 +93,8 @@ Task<Result<>> VxmDriver::stop_program(const StopOrder& order) {
   const auto is_held = [this] { return draft_.program.run == RunState::held; };
   if (is_held() || (ramp_ && ramp_->over)) co_return co_await kill(true);
   if (order.at_once) co_return co_await kill(false);
-  if (!ramp_) ramp_ = Ramp{scheduler_.now()};
+  if (!ramp_) ramp_ = Ramp{scheduler_.now(), fastest()};
   if (!hold_on_ && !hold_doubtful_) {
-    ramp_->from = ramp_->slowest = fastest();
     auto held = co_await switch_hold("H", true, Priority::stop);
     if (!held || !station_) co_return held;
     // Between two commands the hold is told at once, and D into that listing would be an overrun.
@@ -98,10 +102,8 @@ Task<Result<>> VxmDriver::stop_program(const StopOrder& order) {
     if (!waited) co_return waited;
     if (is_held()) co_return co_await kill(true);
   }
-  if (!stored_running_ || !ramp_) co_return Result<>();  // it has ended by itself
-  ramp_->looked_at = scheduler_.now();
-  ramp_->speed = fastest();
-  co_return co_await say("D", Priority::stop);
+  if (!stored_running_) co_return Result<>();  // it has ended by itself
+  co_return co_await ramp_down();
 }
 
 /// What the console moves is in its scope.
@@ -163,6 +165,7 @@ StopProgress VxmDriver::watch_the_program() {
   }
   if (!has_begun_anew()) return watch_the_ramp();
   hold_on_ = hold_doubtful_ = false;
+  ramp_->from = ramp_->slowest = fastest();
   return StopProgress::again();
 }
 
