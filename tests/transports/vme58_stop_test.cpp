@@ -172,21 +172,6 @@ TEST_F(Vme58Stops, AnAbortRightBehindAStopFindsTheMailboxFree) {
 
 // ---- in the board's own words
 
-TEST_F(Vme58Stops, ATypedOneIsKnownByItsWords) {
-  const Driver& driver = session->pump().driver();
-  for (const char* all : {"SA", "KL", "SD", "AA SA", "AX;KL;\n", "AX ST SA", " SA SA AY"}) {
-    EXPECT_TRUE(driver.is_stop(all)) << all;
-    EXPECT_TRUE(driver.stops_all(all)) << all;
-  }
-  for (const char* some : {"AX ST", "AAST", "AM ST", "AX ST AY ST", "AX AY ST ST"}) {
-    EXPECT_TRUE(driver.is_stop(some)) << some;
-    EXPECT_FALSE(driver.stops_all(some)) << some;
-  }
-  for (const char* none :
-       {"", "AX", "ST", "ST AX", "SA ST", "SA MR100 GO", "AX ST RP", "KL 5", "sa", "S A", "RS"})
-    EXPECT_FALSE(driver.is_stop(none)) << none;
-}
-
 TEST_F(Vme58Stops, ATypedOneGoesPastAFullQueueAndWhatWaits) {
   for (const char* stop : {"SA", "KL", "SD", "AX ST"})
     for (const bool asked : {false, true}) {
