@@ -212,27 +212,10 @@ TEST_F(Vme58Stops, ATypedOneOfOneAxisLeavesTheOthers) {
   EXPECT_THAT(lines(), testing::Contains("> AX ST"));
 }
 
-// A bus that takes its time for each burst.
 class Vme58SlowBusStops : public Vme58Stops {
  protected:
-  class SlowBus final : public Window {
-   public:
-    SlowBus(Scheduler& time, std::unique_ptr<Window> window) : time_(time), window_(std::move(window)) {}
-    void listen(Listener* listener) override { window_->listen(listener); }
-    [[nodiscard]] std::string describe() const override { return window_->describe(); }
-    Task<Result<>> run(std::span<BusCycle> cycles) override {
-      co_await time_.sleep_for(std::chrono::microseconds(130));
-      auto done = co_await window_->run(cycles);
-      co_await time_.sleep_for(std::chrono::microseconds(120));
-      co_return done;
-    }
-
-   private:
-    Scheduler& time_;
-    std::unique_ptr<Window> window_;
-  };
   std::unique_ptr<Window> dressed(std::unique_ptr<Window> window) override {
-    return std::make_unique<SlowBus>(time, std::move(window));
+    return std::make_unique<test::SlowBus>(time, std::move(window));
   }
 };
 
@@ -277,7 +260,8 @@ TEST_F(Vme58SlowBusStops, BehindOneTheBoardAndTheConsoleStandAtTheSameAxis) {
         perform(intent::Stop());
       ASSERT_TRUE(becomes_idle());
       const auto first = moved();
-      perform(intent::MoveBy({{AxisId{2}, Steps(10)}}));  // selects, and goes back to what the user had selected
+      perform(
+          intent::MoveBy({{AxisId{2}, Steps(10)}}));  // selects, and goes back to what the user had selected
       ASSERT_TRUE(becomes_idle());
       ASSERT_EQ(moved(), first) << stop << ' ' << after_us;
     }
