@@ -14,6 +14,24 @@ namespace hw::test {
 
 using Seconds = std::chrono::seconds;  // hw::seconds() is the other way round
 
+/// A bus that takes its time for each burst.
+class SlowBus final : public Window {
+ public:
+  SlowBus(Scheduler& time, std::unique_ptr<Window> window) : time_(time), window_(std::move(window)) {}
+  void listen(Listener* listener) override { window_->listen(listener); }
+  [[nodiscard]] std::string describe() const override { return window_->describe(); }
+  Task<Result<>> run(std::span<BusCycle> cycles) override {
+    co_await time_.sleep_for(std::chrono::microseconds(130));
+    auto done = co_await window_->run(cycles);
+    co_await time_.sleep_for(std::chrono::microseconds(120));
+    co_return done;
+  }
+
+ private:
+  Scheduler& time_;
+  std::unique_ptr<Window> window_;
+};
+
 class Vme58Rig : public testing::Test {
  protected:
   Vme58Rig() : Vme58Rig({}) {}

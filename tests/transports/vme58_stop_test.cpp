@@ -172,21 +172,6 @@ TEST_F(Vme58Stops, AnAbortRightBehindAStopFindsTheMailboxFree) {
 
 // ---- in the board's own words
 
-TEST_F(Vme58Stops, ATypedOneIsKnownByItsWords) {
-  const Driver& driver = session->pump().driver();
-  for (const char* all : {"SA", "KL", "SD", "AA SA", "AX;KL;\n", "AX ST SA", " SA SA AY"}) {
-    EXPECT_TRUE(driver.is_stop(all)) << all;
-    EXPECT_TRUE(driver.stops_all(all)) << all;
-  }
-  for (const char* some : {"AX ST", "AAST", "AM ST", "AX ST AY ST", "AX AY ST ST"}) {
-    EXPECT_TRUE(driver.is_stop(some)) << some;
-    EXPECT_FALSE(driver.stops_all(some)) << some;
-  }
-  for (const char* none :
-       {"", "AX", "ST", "ST AX", "SA ST", "SA MR100 GO", "AX ST RP", "KL 5", "sa", "S A", "RS"})
-    EXPECT_FALSE(driver.is_stop(none)) << none;
-}
-
 TEST_F(Vme58Stops, ATypedOneGoesPastAFullQueueAndWhatWaits) {
   for (const char* stop : {"SA", "KL", "SD", "AX ST"})
     for (const bool asked : {false, true}) {
@@ -227,27 +212,10 @@ TEST_F(Vme58Stops, ATypedOneOfOneAxisLeavesTheOthers) {
   EXPECT_THAT(lines(), testing::Contains("> AX ST"));
 }
 
-// A bus that takes its time for each burst.
 class Vme58SlowBusStops : public Vme58Stops {
  protected:
-  class SlowBus final : public Window {
-   public:
-    SlowBus(Scheduler& time, std::unique_ptr<Window> window) : time_(time), window_(std::move(window)) {}
-    void listen(Listener* listener) override { window_->listen(listener); }
-    [[nodiscard]] std::string describe() const override { return window_->describe(); }
-    Task<Result<>> run(std::span<BusCycle> cycles) override {
-      co_await time_.sleep_for(std::chrono::microseconds(130));
-      auto done = co_await window_->run(cycles);
-      co_await time_.sleep_for(std::chrono::microseconds(120));
-      co_return done;
-    }
-
-   private:
-    Scheduler& time_;
-    std::unique_ptr<Window> window_;
-  };
   std::unique_ptr<Window> dressed(std::unique_ptr<Window> window) override {
-    return std::make_unique<SlowBus>(time, std::move(window));
+    return std::make_unique<test::SlowBus>(time, std::move(window));
   }
 };
 
@@ -292,7 +260,8 @@ TEST_F(Vme58SlowBusStops, BehindOneTheBoardAndTheConsoleStandAtTheSameAxis) {
         perform(intent::Stop());
       ASSERT_TRUE(becomes_idle());
       const auto first = moved();
-      perform(intent::MoveBy({{AxisId{2}, Steps(10)}}));  // selects, and goes back to what the user had selected
+      perform(
+          intent::MoveBy({{AxisId{2}, Steps(10)}}));  // selects, and goes back to what the user had selected
       ASSERT_TRUE(becomes_idle());
       ASSERT_EQ(moved(), first) << stop << ' ' << after_us;
     }

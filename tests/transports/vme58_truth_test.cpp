@@ -371,7 +371,7 @@ TEST_F(Vme58Truth, WithEchoOnRepliesAreWhatTheyAre) {
   EXPECT_EQ(now().link.state, LinkState::good);
   EXPECT_EQ(now().link.timeouts, 0u);
   std::string left;
-  EXPECT_FALSE(session->pump().driver().take_unsolicited(left)) << left;
+  EXPECT_FALSE(session->pump().take_unsolicited(left)) << left;
 }
 
 // Another program has left the board so.

@@ -329,6 +329,14 @@ void Vme58Driver::end_motion(int i, EndedBy ended_by) {
   flags_wanted_ = true;
 }
 
+/// Its motion to the home switch has come there. KM and KR stop dead, from VL.
+void Vme58Driver::comes_home(int i) {
+  const AtHome how = std::exchange(minds_[ix(i)].at_home, AtHome::nothing);
+  if (how == AtHome::sets_counter) trusted(i, Trust::homed);
+  if (how == AtHome::stops_dead)
+    doubt_killed_position(i, static_cast<double>(value(i, AxisValue::maximum_velocity)));
+}
+
 Task<Result<>> Vme58Driver::read_rings(Priority priority) {
   std::vector<BusCycle>& cycles = burst();
   for (const std::uint16_t index :

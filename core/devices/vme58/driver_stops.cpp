@@ -13,7 +13,7 @@ namespace {
 
 constexpr Duration free_look = std::chrono::microseconds(500);
 constexpr Duration ring_patience = Millis(5);  // what a stop has cut short may just have been put there
-constexpr Duration effect_time = Millis(100);
+constexpr Duration effect_time = Millis(60);   // so that what is in vain is seen within 100 ms
 constexpr Duration kill_time = std::chrono::seconds(2);  // KL is sent again for so long
 constexpr double longest_shape = 3;  // a ramp of PN10 against a straight one, and a little
 constexpr Duration ramp_margin = std::chrono::seconds(1);
@@ -179,8 +179,8 @@ StopProgress Vme58Driver::stop_progress(const StopOrder& order) {
     return StopProgress::failed(Fault(FaultKind::controller, "The board was told to stop and still moves.",
                                       "KL was sent, which stops without a ramp.",
                                       "Switch the power of the drives off."));
-  if (overdue) return StopProgress::at_once();
   if (slows) return StopProgress::wait();
+  if (overdue) return StopProgress::at_once();
   stopped_in_vain(axis);
   return StopProgress::again();
 }
