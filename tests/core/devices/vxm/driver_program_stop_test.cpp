@@ -83,7 +83,7 @@ TEST_F(VxmProgramStop, ASecondStopDuringAProgramNeedsNoRamp) {
 // A stop of one axis, and of all a moment later, are two stops and no escalation.
 TEST_F(VxmProgramStop, BesideTheStopOfOneAxisThatOfAllStillRamps) {
   start();
-  run_program("S1M4800\nA1M2\nI1M90000\n");
+  run_program("S1M4800\nA1M2\nI1M90000\nI1M-90000\n");
   run(4);
   sent();
   const IntentId one = post(intent::Stop(0));
@@ -124,6 +124,19 @@ TEST_F(VxmProgramStop, ADForAProgramThatDidNotGetThroughIsSaidAgain) {
   EXPECT_FALSE(latest.axes[0].trust.doubtful());
 }
 
+// D has ended its last index: it has come to its end by itself, and its hold is taken off again.
+TEST_F(VxmProgramStop, InItsLastIndexItEndsByItself) {
+  start();
+  run_program("I1M90000\n");
+  run(2);
+  EXPECT_EQ(perform(intent::Stop()), "");
+  EXPECT_EQ(latest.program.ended_by, EndedBy::stop);
+  EXPECT_EQ(send("R"), "") << "not the console's own run";
+  EXPECT_EQ(sent(), "HDHR");
+  run(1);
+  EXPECT_TRUE(latest.any_axis_moving());
+}
+
 // D ends an index, and the program goes on with the next.
 TEST_F(VxmProgramStop, AnHThatDidNotGetThroughIsSaidAgain) {
   start();
@@ -133,7 +146,7 @@ TEST_F(VxmProgramStop, AnHThatDidNotGetThroughIsSaidAgain) {
   loop->lose(1);
   post(intent::Stop());
   EXPECT_TRUE(wait_idle(5));
-  EXPECT_EQ(sent(), "HDHDK");
+  EXPECT_THAT(sent(), testing::MatchesRegex("HD+HD+K"));
   EXPECT_NEAR(position(), when_asked, 3000);
   EXPECT_FALSE(latest.axes[0].trust.doubtful());
 }
@@ -146,7 +159,7 @@ TEST_F(VxmProgramStop, AKWhoseAnswerIsLostLeavesNoHoldBehind) {
   const IntentId abort = post(intent::Abort());
   for (int attempt = 0; attempt < 3; ++attempt) {
     loop->drop(1);
-    run(0.3);
+    run(attempt == 0 ? 0.15 : 0.3);
   }
   ASSERT_TRUE(run_until([&] { return fate(abort) != Fate::pending; }));
   EXPECT_EQ(fate(abort), Fate::failed);
