@@ -163,7 +163,7 @@ void VxmDriver::show_leg(const Leg& leg) {
 // the next one, and what the console has put into the controller goes when nothing of its own runs.
 Task<Result<>> VxmDriver::settle() {
   if (release_hold_ && hold_on_) {
-    auto released = co_await switch_hold("H", false, Priority::poll);
+    auto released = co_await switch_hold("H", false, Priority::intent);
     if (!released) co_return released;
   }
   release_hold_ = false;

@@ -297,7 +297,8 @@ void VxmDriver::run_ended(EndedBy ended_by) {
   }
   const bool was_running = std::exchange(stored_running_, false);
   if (!was_running) return;
-  if (ramp_ && ended_by == EndedBy::target) ended_by = EndedBy::stop;  // its last index was cut short
+  const bool untold = draft_.program.ended_by == EndedBy::nothing;
+  if (ramp_ && ended_by == EndedBy::target && untold) ended_by = EndedBy::stop;  // its last index was cut
   if (ramp_ && hold_on_) release_hold_ = true;  // that of its stop: it must not keep the next run
   ramp_.reset();
   ProgramState& p = draft_.program;
