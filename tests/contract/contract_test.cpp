@@ -11,7 +11,7 @@ namespace {
 using std::chrono::seconds;
 using testing::HasSubstr;
 
-INSTANTIATE_TEST_SUITE_P(Every, ContractTest, testing::ValuesIn(emulated_types()), name_of_type);
+INSTANTIATE_TEST_SUITE_P(Every, ContractTest, testing::ValuesIn(types_under_test()), name_of_type);
 
 /// What a stranger reads of it: a name that is no mnemonic, an explanation in sentences, every value in
 /// words.

@@ -49,7 +49,7 @@ class TruthTest : public ContractTest {
     operate(bench::Place(id(i), travel));
   }
 };
-INSTANTIATE_TEST_SUITE_P(Every, TruthTest, testing::ValuesIn(emulated_types()), name_of_type);
+INSTANTIATE_TEST_SUITE_P(Every, TruthTest, testing::ValuesIn(types_under_test()), name_of_type);
 
 // ---- moves
 
@@ -290,25 +290,22 @@ TEST_P(TruthTest, ExamplesFitTheirForms) {
 }
 
 TEST_P(TruthTest, AForeignDeviceIsNotTakenForThisOne) {
-  for (const DeviceType* other : emulated_types()) {
+  for (const DeviceType* other : types_under_test()) {
     if (other->model == GetParam()->model) continue;
     const auto catalog = other->make_catalog({});
     ASSERT_TRUE(catalog);
     if (catalog->can.window != session->catalog().can.window) continue;  // no plug fits
-    const auto address = Address::parse(std::string(GetParam()->model) + "@emulator");
-    ASSERT_TRUE(address);
     const WireOpener usual = make_wire_opener();
     const WireOpener foreign = [usual, other](Scheduler& s, Address a, std::shared_ptr<BenchAccess> again) {
       a.model = other->model;
       return usual(s, std::move(a), std::move(again));
     };
-    auto opened = Session::open(time, *address, foreign, [] {});
-    ASSERT_TRUE(opened);
+    const auto opened = open_by(foreign);
     run(seconds(15));
-    EXPECT_NE((*opened)->known().link.state, LinkState::good) << other->model;
-    EXPECT_FALSE((*opened)->known().link.sentence.empty()) << other->model;
-    EXPECT_FALSE((*opened)->known().axes[0].position_known) << other->model;
-    asio::co_spawn(io, (*opened)->close(), asio::detached);
+    EXPECT_NE(opened->known().link.state, LinkState::good) << other->model;
+    EXPECT_FALSE(opened->known().link.sentence.empty()) << other->model;
+    EXPECT_FALSE(opened->known().axes[0].position_known) << other->model;
+    asio::co_spawn(io, opened->close(), asio::detached);
     run(seconds(2));
   }
 }
