@@ -82,6 +82,19 @@ class ContractTest : public testing::TestWithParam<const DeviceType*> {
     const IntentFate* fate = now().fate_of(id);
     return fate ? *fate : IntentFate{};
   }
+  [[nodiscard]] bool axes_jog_at_once() const {
+    return now().axis_count > 1 && !session->catalog().can.one_axis_at_a_time;
+  }
+  /// Where the error of a limit keeps moves back until it is cleared.
+  void clear_errors() {
+    const int action = session->catalog().find_action("clear");
+    if (axis().activity != Activity::error || action < 0) return;
+    std::vector<std::int64_t> values;
+    for (const ActionField& f : session->catalog().actions[static_cast<std::size_t>(action)].fields)
+      values.push_back(f.fallback);
+    EXPECT_EQ(perform(intent::Act(action, std::move(values))).fate, Fate::done);
+    run(std::chrono::seconds(1));
+  }
   bool becomes_idle(Duration patience) {
     run(Millis(300));
     return run_until([this] { return !now().any_axis_moving() && now().program.run == RunState::idle; },

@@ -157,6 +157,10 @@ TEST_P(TruthTest, EveryWayOfHomingEndsAtItsPlaceInItsDirection) {
       EXPECT_LE(homed, there.to.value) << what;
       EXPECT_EQ(axis().ended_by, EndedBy::target) << what;
       EXPECT_NE(axis().activity, Activity::error) << what;
+      run(seconds(1));
+      const bool sets = modes[mode].sets_position;
+      EXPECT_EQ(axis().trust.kind, sets ? Trust::homed : Trust::counted) << what;
+      EXPECT_EQ(std::abs(axis().position.value) < 0.6 * static_cast<double>(homed), sets) << what;
     }
 }
 
