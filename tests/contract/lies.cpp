@@ -23,6 +23,11 @@ bool analog(const Catalog& c) { return !c.analog.empty(); }
 bool step_axes_with_encoder(const Catalog& c) { return c.axes[0].encoder && !c.axes[0].servo; }
 bool home_inputs(const Catalog& c) { return c.axes[0].home_input; }
 bool switchable(const Catalog& c) { return c.axes[0].switchable; }
+bool without_servo(const Catalog& c) { return !c.axes[0].servo; }
+bool several_jogs(const Catalog& c) { return several_axes(c) && !c.can.one_axis_at_a_time; }
+bool pauses(const Catalog& c) { return c.can.single_step || c.program.threads > 0; }
+bool variables(const Catalog& c) { return c.variables.count > 0; }
+bool can_reset(const Catalog& c) { return c.can.reset; }
 
 // ---- what is answered as done, and not sent
 
@@ -50,6 +55,12 @@ bool answered_from_memory(LieMemory& memory, const IntentBody& asked) {
   listing.slot = upload->slot;
   memory.notify(std::move(listing));
   return true;
+}
+
+bool acceptable_param(LieMemory& memory, const IntentBody& asked) {
+  const auto* set = std::get_if<intent::SetParam>(&asked);
+  const int index = set ? memory.catalog.find_param(set->mnemonic) : -1;
+  return index >= 0 && memory.catalog.params[static_cast<std::size_t>(index)].accepts(set->value);
 }
 
 // ---- what is sent in its place
@@ -154,6 +165,12 @@ void never_restarted(LieMemory&, Snapshot& shown) {
     if (a.trust.doubtful()) a.trust = PositionTrust();
 }
 
+void never_killed(LieMemory&, Snapshot& shown) {
+  for (AxisState& a : shown.axes)
+    if (a.trust.cause == Doubt::killed) a.trust = PositionTrust();
+}
+
+using Of = StopOrder::Of;
 constexpr Lie lies[] = {
     {.name = "home-not-sent", .keeps_back = any_of<intent::Home>},
     {.name = "home-said-and-not-sent", .keeps_back = any_of<intent::Home>, .paints = homed},
@@ -171,22 +188,28 @@ constexpr Lie lies[] = {
     {.name = "first-axis-moves-only", .concerns = several_axes, .keeps_back = for_other_axes},
     {.name = "axes-crossed", .concerns = several_axes, .bends = last_axis_for_first},
     {.name = "jog-in-the-other-direction", .bends = jog_back},
-    {.name = "jog-goes-on-when-let-go", .orders = [](StopOrder& stop) { stop.is_sent = !stop.lets_go; }},
-    {.name = "stop-not-sent", .orders = [](StopOrder& stop) { stop.is_sent = stop.lets_go || stop.at_once; }},
-    {.name = "stop-aborts", .orders = [](StopOrder& stop) { stop.at_once = true; }},
-    {.name = "abort-ramps", .orders = [](StopOrder& stop) { stop.at_once = false; }},
+    {.name = "jog-goes-on-when-let-go", .orders = [](StopOrder& o) { o.is_sent = o.of != Of::held_jog; }},
+    {.name = "letting-go-stops-all",
+     .concerns = several_jogs,
+     .orders = [](StopOrder& o) { o.which = o.of == Of::held_jog ? -1 : o.which; }},
+    {.name = "stop-not-sent", .orders = [](StopOrder& o) { o.is_sent = o.of != Of::motion || o.at_once; }},
+    {.name = "stop-aborts", .orders = [](StopOrder& o) { o.at_once = true; }},
+    {.name = "abort-ramps", .orders = [](StopOrder& o) { o.at_once = false; }},
+    {.name = "abort-not-doubted", .concerns = without_servo, .paints = never_killed},
     {.name = "stop-of-one-stops-all",
      .concerns = several_axes,
-     .orders = [](StopOrder& stop) { stop.axis = -1; }},
+     .orders = [](StopOrder& o) { o.which = o.of == Of::motion ? -1 : o.which; }},
     {.name = "stop-of-all-stops-one",
      .concerns = several_axes,
-     .orders = [](StopOrder& stop) { stop.axis = std::max(stop.axis, 0); }},
+     .orders = [](StopOrder& o) { o.which = o.of == Of::motion ? std::max(o.which, 0) : o.which; }},
     {.name = "power-not-switched",
      .concerns = switchable,
      .keeps_back = any_of<intent::SetPower>,
      .paints = power_as_set},
     {.name = "parameter-not-sent", .keeps_back = any_of<intent::SetParam>},
-    {.name = "parameter-read-from-memory", .keeps_back = any_of<intent::SetParam>, .paints = params_as_set},
+    {.name = "parameter-read-from-memory", .keeps_back = acceptable_param, .paints = params_as_set},
+    {.name = "variable-not-sent", .concerns = variables, .keeps_back = any_of<intent::SetVariable>},
+    {.name = "reset-not-sent", .concerns = can_reset, .keeps_back = any_of<intent::Reset>},
     {.name = "set-up-not-stored", .concerns = can_store, .keeps_back = any_of<intent::Store>},
     {.name = "limits-swapped", .paints = limits_swapped},
     {.name = "limits-not-shown", .paints = no_limits},
@@ -213,6 +236,10 @@ constexpr Lie lies[] = {
      .concerns = stored_programs,
      .keeps_back = answered_from_memory},
     {.name = "program-not-run", .concerns = stored_programs, .keeps_back = any_of<intent::RunProgram>},
+    {.name = "program-not-halted",
+     .concerns = stored_programs,
+     .orders = [](StopOrder& o) { o.is_sent = o.of != Of::program; }},
+    {.name = "program-not-paused", .concerns = pauses, .keeps_back = any_of<intent::Pause>},
     {.name = "program-not-cleared", .concerns = stored_programs, .keeps_back = any_of<intent::ClearProgram>},
     {.name = "reply-empty", .replies = [](LieMemory&, std::string& reply) { reply.clear(); }},
     {.name = "reply-of-the-question-before",

@@ -13,7 +13,7 @@ UNNOTICED = {}
 MOST_UNNOTICED = 2  # of a model
 
 # What finds most of them soonest, then the rest of the suite. The bus is opened without lies.
-SUITES = ["*Truth*/{0}", "*/TextTest.*/{0}:*/ForeignTest.*/{0}",
+SUITES = ["*Truth*/{0}", "*/TextTest.*/{0}:*/ForeignTest.*/{0}:*/ProgramStopTest.*/{0}",
           "*/ContractTest.*/{0}:*/TrustContract.*/{0}:-*ForAnHour*"]
 
 

@@ -65,12 +65,14 @@ class LyingDriver final : public Driver {
     if (done && lie_.moves_twice && std::holds_alternative<intent::MoveBy>(bent)) again_ = std::move(bent);
     co_return paint(std::move(done));
   }
-  Task<Result<>> stop(int axis, bool at_once) override { return ordered(StopOrder{axis, at_once}); }
-  Task<Result<>> stop_jog(int axis) override { return ordered(StopOrder{axis, false, true}); }
+  Task<Result<>> stop(int axis, bool at_once) override {
+    return ordered(StopOrder{StopOrder::Of::motion, axis, at_once});
+  }
+  Task<Result<>> stop_jog(int axis) override {
+    return ordered(StopOrder{StopOrder::Of::held_jog, axis, false});
+  }
   Task<Result<>> halt_program(int thread) override {
-    take_over();
-    auto done = co_await honest_->halt_program(thread);
-    co_return paint(std::move(done));
+    return ordered(StopOrder{StopOrder::Of::program, thread, false});
   }
   Task<Result<>> stop_wire(bool at_once) override { return honest_->stop_wire(at_once); }
   bool clears_up() const override { return honest_->clears_up(); }
@@ -125,12 +127,14 @@ class LyingDriver final : public Driver {
     take_over();
     again_.reset();
     if (lie_.orders) lie_.orders(order);
-    Result<> done;
-    if (order.is_sent && order.lets_go)
-      done = co_await honest_->stop_jog(order.axis);
-    else if (order.is_sent)
-      done = co_await honest_->stop(order.axis, order.at_once);
+    if (!order.is_sent) co_return paint(Result<>());
+    auto done = co_await send(order);
     co_return paint(std::move(done));
+  }
+  Task<Result<>> send(const StopOrder& order) {
+    if (order.of == StopOrder::Of::held_jog) return honest_->stop_jog(order.which);
+    if (order.of == StopOrder::Of::program) return honest_->halt_program(order.which);
+    return honest_->stop(order.which, order.at_once);
   }
   Result<std::string> replied(Result<std::string> reply) {
     if (reply && lie_.replies) lie_.replies(memory_, *reply);

@@ -28,9 +28,10 @@ struct LieMemory {
 };
 
 struct StopOrder {
-  int axis;
+  enum class Of : std::uint8_t { motion, held_jog, program };
+  Of of;
+  int which;  ///< axis or thread; -1: all
   bool at_once;
-  bool lets_go = false;  ///< of a held jog
   bool is_sent = true;
 };
 

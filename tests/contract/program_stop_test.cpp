@@ -8,17 +8,19 @@ namespace {
 
 using std::chrono::seconds;
 
-/// One long way of the first axis at 4,800 steps/s, from which a motor overshoots when it is stopped dead. In
-/// the language of the model; the programs of each have nothing else in common.
+/// Ways of the first axis at 4,800 steps/s, from which a motor overshoots when it is stopped dead. In the
+/// language of the model; the programs of each have nothing else in common.
 struct LongWay {
   int slot;
-  const char* text;
+  const char *begin, *there, *back, *end;
 };
 const std::map<std::string_view, LongWay> long_ways = {
-    {"vxm", {1, "PM-1\nS1M4800\nA1M2\nI1M400000\n"}},
-    {"pmx-4ex-sa", {0, "HSPD=4800\nLSPD=400\nACC=300\nEO=15\nABS\nX400000\nWAITX\nEND\n"}},
-    {"dmx-k-sa", {0, "HSPD=4800\nLSPD=400\nACC=300\nEO=1\nABS\nX400000\nWAITX\nEND\n"}},
-    {"vme58", {0, "AX VL4800; AC10000; MR400000; GO ID\n"}},
+    {"vxm", {1, "PM-1\nS1M4800\nA1M2\n", "I1M400000\n", "I1M-400000\n", ""}},
+    {"pmx-4ex-sa",
+     {0, "HSPD=4800\nLSPD=400\nACC=300\nEO=15\nABS\n", "X400000\nWAITX\n", "X0\nWAITX\n", "END\n"}},
+    {"dmx-k-sa",
+     {0, "HSPD=4800\nLSPD=400\nACC=300\nEO=1\nABS\n", "X400000\nWAITX\n", "X0\nWAITX\n", "END\n"}},
+    {"vme58", {0, "AX VL4800; AC10000;\n", "MR400000; GO ID\n", "MR-400000; GO ID\n", ""}},
 };
 
 class ProgramStopTest : public TruthTest {
@@ -27,8 +29,12 @@ class ProgramStopTest : public TruthTest {
     TruthTest::SetUp();
     const auto way = long_ways.find(GetParam()->model);
     if (way == long_ways.end()) GTEST_SKIP() << "write a long way in its language, if it has programs";
-    must(intent::LoadProgram(way->second.slot, way->second.text));
-    must(intent::RunProgram(way->second.slot));
+    way_ = way->second;
+  }
+  void start(bool comes_back) {
+    must(intent::LoadProgram(
+        way_.slot, fmt::format("{}{}{}{}", way_.begin, way_.there, comes_back ? way_.back : "", way_.end)));
+    must(intent::RunProgram(way_.slot));
     run(seconds(3));
     const Steps from = load();
     run(seconds(1));
@@ -53,11 +59,20 @@ class ProgramStopTest : public TruthTest {
   }
 
  private:
+  LongWay way_{};
   Steps began_at_;
 };
 INSTANTIATE_TEST_SUITE_P(Every, ProgramStopTest, testing::ValuesIn(types_under_test()), name_of_type);
 
 TEST_P(ProgramStopTest, AStopOfAllEndsItWithItsRamp) {
+  start(true);
+  session->send(intent::Stop());
+  expect_ramped();
+}
+
+TEST_P(ProgramStopTest, AStopOnItsLastWayIsNoEndOfItsOwn) {
+  if (GetParam()->model == "vxm") GTEST_SKIP() << "it is said to have come to its end";
+  start(false);
   session->send(intent::Stop());
   expect_ramped();
 }
@@ -65,6 +80,7 @@ TEST_P(ProgramStopTest, AStopOfAllEndsItWithItsRamp) {
 TEST_P(ProgramStopTest, TheFirstStopOfAllBehindOneOfAnAxisIsNoSecondOne) {
   if (GetParam()->model == "vxm")
     GTEST_SKIP() << "row 1: the stop of all behind that of an axis kills a stored program at full speed";
+  start(true);
   session->send(intent::Stop(0));
   run(Millis(100));
   session->send(intent::Stop());
@@ -72,6 +88,7 @@ TEST_P(ProgramStopTest, TheFirstStopOfAllBehindOneOfAnAxisIsNoSecondOne) {
 }
 
 TEST_P(ProgramStopTest, TheSameStopAskedAgainIsAtOnce) {
+  start(true);
   session->send(intent::Stop());
   run(Millis(100));
   session->send(intent::Stop());
@@ -79,6 +96,30 @@ TEST_P(ProgramStopTest, TheSameStopAskedAgainIsAtOnce) {
   ASSERT_TRUE(becomes_idle(seconds(30)));
   EXPECT_LT(load(), asked_at + Steps(400)) << "it does not ramp on";
   EXPECT_EQ(ended_by(), EndedBy::abort);
+}
+
+TEST_P(ProgramStopTest, WhatIsHaltedRunsNoMore) {
+  start(true);
+  must(intent::HaltProgram());
+  EXPECT_TRUE(run_until([&] { return now().program.run == RunState::idle; }, seconds(5)));
+  ASSERT_TRUE(becomes_idle(seconds(120))) << "some let the motion under way come to its end";
+  const Steps there = load();
+  run(seconds(5));
+  EXPECT_EQ(load(), there) << "the way back is not begun";
+}
+
+TEST_P(ProgramStopTest, WhatIsPausedBeginsNothingUntilItIsResumed) {
+  start(true);
+  if (perform(intent::Pause()).fate == Fate::refused) GTEST_SKIP() << "it cannot be held";
+  ASSERT_TRUE(run_until([&] { return !now().any_axis_moving(); }, seconds(120)));
+  const Steps there = load();
+  run(seconds(5));
+  EXPECT_EQ(load(), there) << "the way back is not begun";
+  EXPECT_EQ(now().program.run, RunState::held);
+  must(intent::Resume());
+  EXPECT_TRUE(run_until([&] { return load() < there; }, seconds(5)));
+  session->send(intent::Stop());
+  ASSERT_TRUE(becomes_idle(seconds(30)));
 }
 
 }  // namespace

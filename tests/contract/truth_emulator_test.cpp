@@ -47,8 +47,16 @@ class StrideTest : public TruthTest {
 };
 INSTANTIATE_TEST_SUITE_P(Every, StrideTest, testing::ValuesIn(types_under_test()), name_of_type);
 
+TEST_P(StrideTest, TwoMillisecondsShow) {
+  session->send(intent::MoveBy({{id(0), Steps(3000)}}, Pps(1500)));
+  run(Millis(500));
+  const auto now_it_is = session->bench()->emulator().clone(), later = now_it_is->clone();
+  later->advance_to(time.now() + Millis(2));
+  EXPECT_NE(look_of(*now_it_is), look_of(*later)) << "else the tests below would see nothing";
+}
+
 TEST_P(StrideTest, OneStrideOfMovesEqualsMany) {
-  for (int i = 0; i < axes(); ++i) session->send(intent::MoveBy({{id(i), Steps(1500 + 700 * i)}}));
+  for (int i = 0; i < axes(); ++i) session->send(intent::MoveBy({{id(i), Steps(1500 + 700 * i)}}, Pps(1500)));
   run(Millis(150));
   EXPECT_EQ(first_difference(std::chrono::microseconds(700)).value_or(""), "");
   EXPECT_EQ(first_difference(Millis(37)).value_or(""), "");
@@ -56,7 +64,7 @@ TEST_P(StrideTest, OneStrideOfMovesEqualsMany) {
 
 TEST_P(StrideTest, OneStrideIntoALimitEqualsMany) {
   place(0, Steps(-900), Steps(900));
-  session->send(intent::JogStart(id(0), Sign::minus, Pps(), false));
+  session->send(intent::JogStart(id(0), Sign::minus, Pps(1500), false));
   run(Millis(100));
   EXPECT_EQ(first_difference(std::chrono::microseconds(700)).value_or(""), "");
   EXPECT_EQ(first_difference(Millis(37)).value_or(""), "");

@@ -85,6 +85,40 @@ TEST_P(TruthTest, WhatIsStoredOutlivesThePower) {
         << names[i] << (i < 2 ? " was stored" : " was not stored");
 }
 
+TEST_P(TruthTest, AVariableIsSetInTheController) {
+  const VariableFacts facts = session->catalog().variables;
+  if (facts.count == 0) GTEST_SKIP() << "it has no variables";
+  for (const int number : {1, facts.count - 1}) must(intent::SetVariable(number, 1200 + number));
+  open_afresh();
+  must(intent::Watch(1u << facts.readout_group));
+  run(seconds(2));
+  for (const int number : {1, facts.count - 1})
+    EXPECT_EQ(now().variables[static_cast<std::size_t>(number)], 1200 + number) << number;
+}
+
+TEST_P(TruthTest, AResetIsOne) {
+  if (!session->catalog().can.reset) GTEST_SKIP() << "it has none";
+  must(intent::MoveTo({{id(0), Steps(500)}}));
+  ASSERT_TRUE(becomes_idle(seconds(20)));
+  const Steps there = load();
+  must(intent::Reset());
+  run(seconds(10));
+  ASSERT_EQ(now().link.state, LinkState::good);
+  EXPECT_EQ(axis().position, Steps(0)) << "it counts from here";
+  EXPECT_EQ(load(), there);
+}
+
+TEST_P(TruthTest, AfterAResetAPositionIsDoubted) {
+  if (!session->catalog().can.reset) GTEST_SKIP() << "it has none";
+  if (GetParam()->model == "vxm") GTEST_SKIP() << "it goes on to count for true what reads zero anywhere";
+  must(intent::MoveTo({{id(0), Steps(500)}}));
+  ASSERT_TRUE(becomes_idle(seconds(20)));
+  must(intent::Reset());
+  run(seconds(10));
+  EXPECT_EQ(axis().trust.cause, Doubt::reset);
+  EXPECT_EQ(perform(intent::MoveTo({{id(0), Steps(240)}})).fate, Fate::refused);
+}
+
 TEST_P(TruthTest, WhetherAMotorHasPowerIsReadBySomebodyElse) {
   if (!session->catalog().axes[0].switchable) GTEST_SKIP() << "its motors are always powered";
   for (int i = 0; i < axes(); ++i) {
