@@ -15,12 +15,12 @@ struct LongWay {
   const char *begin, *there, *back, *end;
 };
 const std::map<std::string_view, LongWay> long_ways = {
-    {"vxm", {1, "PM-1\nS1M4800\nA1M2\n", "I1M400000\n", "I1M-400000\n", ""}},
+    {"vxm", {1, "PM-1\nS1M4800\nA1M2\n", "I1M100000\n", "I1M-100000\n", ""}},
     {"pmx-4ex-sa",
-     {0, "HSPD=4800\nLSPD=400\nACC=300\nEO=15\nABS\n", "X400000\nWAITX\n", "X0\nWAITX\n", "END\n"}},
+     {0, "HSPD=4800\nLSPD=400\nACC=300\nEO=15\nABS\n", "X100000\nWAITX\n", "X0\nWAITX\n", "END\n"}},
     {"dmx-k-sa",
-     {0, "HSPD=4800\nLSPD=400\nACC=300\nEO=1\nABS\n", "X400000\nWAITX\n", "X0\nWAITX\n", "END\n"}},
-    {"vme58", {0, "AX VL4800; AC10000;\n", "MR400000; GO ID\n", "MR-400000; GO ID\n", ""}},
+     {0, "HSPD=4800\nLSPD=400\nACC=300\nEO=1\nABS\n", "X100000\nWAITX\n", "X0\nWAITX\n", "END\n"}},
+    {"vme58", {0, "AX VL4800; AC10000;\n", "MR100000; GO ID\n", "MR-100000; GO ID\n", ""}},
 };
 
 class ProgramStopTest : public TruthTest {

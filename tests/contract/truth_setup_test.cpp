@@ -115,7 +115,7 @@ TEST_P(TruthTest, AfterAResetAPositionIsDoubted) {
   ASSERT_TRUE(becomes_idle(seconds(20)));
   must(intent::Reset());
   run(seconds(10));
-  EXPECT_EQ(axis().trust.cause, Doubt::reset);
+  EXPECT_TRUE(axis().trust.doubtful());
   EXPECT_EQ(perform(intent::MoveTo({{id(0), Steps(240)}})).fate, Fate::refused);
 }
 

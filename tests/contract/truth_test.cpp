@@ -91,6 +91,16 @@ TEST_P(TruthTest, AbortStopsShorterThanStopAndEachSaysWhichItWas) {
   EXPECT_GT(ran_on[false], ran_on[true]) << "a ramp takes its way";
 }
 
+TEST_P(TruthTest, AStopOfAnAxisAtRestLeavesTheOtherToItsTarget) {
+  if (axes() < 2) GTEST_SKIP() << "it has one axis";
+  must(intent::MoveBy({{id(0), Steps(4000)}}, Pps{1000}));
+  run(seconds(1));
+  must(intent::Stop(axes() - 1));
+  ASSERT_TRUE(becomes_idle(seconds(30)));
+  EXPECT_EQ(axis().position, Steps(4000));
+  EXPECT_EQ(axis().ended_by, EndedBy::target);
+}
+
 // ---- what a position is
 
 TEST_P(TruthTest, ASetPositionIsTheControllersOwnFromThen) {
