@@ -15,6 +15,7 @@ namespace {
 
 bool several_axes(const Catalog& c) { return c.axes.size() > 1; }
 bool stored_programs(const Catalog& c) { return c.program.slots > 0; }
+bool keeps_programs(const Catalog& c) { return stored_programs(c) && c.program.capacity > 0; }
 bool several_homings(const Catalog& c) { return c.homing_modes.size() > 1; }
 bool can_store(const Catalog& c) { return c.can.store; }
 bool inputs(const Catalog& c) { return !c.inputs.empty(); }
@@ -48,6 +49,10 @@ std::uint32_t axes_of(const IntentBody& asked) {
   return axes;
 }
 bool for_other_axes(LieMemory&, const IntentBody& asked) { return axes_of(asked) > 1; }
+bool homes_other_axes(LieMemory&, const IntentBody& asked) {
+  const auto* home = std::get_if<intent::Home>(&asked);
+  return home && home->axis.index > 0;
+}
 bool answered_from_memory(LieMemory& memory, const IntentBody& asked) {
   const auto* upload = std::get_if<intent::UploadProgram>(&asked);
   if (!upload || !memory.texts.contains(upload->slot)) return false;
@@ -83,6 +88,21 @@ void without_speed(LieMemory&, IntentBody& asked) {
 void one_step_short(LieMemory&, IntentBody& asked) {
   if (auto* go = std::get_if<intent::MoveBy>(&asked))
     for (AxisTarget& d : go->distances) d.value = d.value - Steps(d.value.value > 0 ? 1 : -1);
+}
+void place_as_distance(LieMemory&, IntentBody& asked) {
+  if (const auto* go = std::get_if<intent::MoveTo>(&asked)) {
+    intent::MoveBy by(go->targets, go->speed);
+    asked = std::move(by);
+  }
+}
+void one_axis_of_several(LieMemory&, IntentBody& asked) {
+  if (auto* go = std::get_if<intent::MoveTo>(&asked))
+    go->targets.erase(go->targets.begin() + 1, go->targets.end());
+  if (auto* go = std::get_if<intent::MoveBy>(&asked))
+    go->distances.erase(go->distances.begin() + 1, go->distances.end());
+}
+void set_to_zero(LieMemory&, IntentBody& asked) {
+  if (auto* set = std::get_if<intent::SetPosition>(&asked)) set->value = Steps(0);
 }
 void last_axis_for_first(LieMemory& memory, IntentBody& asked) {
   const auto last = static_cast<std::uint8_t>(memory.catalog.axes.size() - 1);
@@ -176,6 +196,8 @@ constexpr Lie lies[] = {
     {.name = "home-said-and-not-sent", .keeps_back = any_of<intent::Home>, .paints = homed},
     {.name = "home-in-the-other-direction", .bends = home_back},
     {.name = "home-in-the-first-way-only", .concerns = several_homings, .bends = home_first_way},
+    {.name = "home-of-the-first-axis-only", .concerns = several_axes, .keeps_back = homes_other_axes},
+    {.name = "position-set-to-zero-always", .bends = set_to_zero},
     {.name = "position-not-set", .keeps_back = any_of<intent::SetPosition>},
     {.name = "position-set-on-the-screen-only",
      .keeps_back = any_of<intent::SetPosition>,
@@ -184,6 +206,8 @@ constexpr Lie lies[] = {
     {.name = "move-not-sent", .keeps_back = any_of<intent::MoveTo, intent::MoveBy>},
     {.name = "move-sent-twice", .moves_twice = true},
     {.name = "move-one-step-short", .bends = one_step_short},
+    {.name = "place-taken-for-a-distance", .bends = place_as_distance},
+    {.name = "one-axis-of-several-moves", .concerns = several_axes, .bends = one_axis_of_several},
     {.name = "speed-ignored", .bends = without_speed},
     {.name = "first-axis-moves-only", .concerns = several_axes, .keeps_back = for_other_axes},
     {.name = "axes-crossed", .concerns = several_axes, .bends = last_axis_for_first},
@@ -196,6 +220,9 @@ constexpr Lie lies[] = {
     {.name = "stop-aborts", .orders = [](StopOrder& o) { o.at_once = true; }},
     {.name = "abort-ramps", .orders = [](StopOrder& o) { o.at_once = false; }},
     {.name = "abort-not-doubted", .concerns = without_servo, .paints = never_killed},
+    {.name = "stop-of-the-first-axis-only",
+     .concerns = several_axes,
+     .orders = [](StopOrder& o) { o.is_sent = o.of != Of::motion || o.which <= 0; }},
     {.name = "stop-of-one-stops-all",
      .concerns = several_axes,
      .orders = [](StopOrder& o) { o.which = o.of == Of::motion ? -1 : o.which; }},
@@ -246,6 +273,7 @@ constexpr Lie lies[] = {
      .replies = [](LieMemory& memory, std::string& reply) { std::swap(reply, memory.reply_before); }},
     {.name = "stop-text-not-known", .knows_no_stop_text = true},
     {.name = "power-cycle-not-told", .paints = never_restarted, .withholds = tells_of_power},
+    {.name = "failures-said-done", .hides_failures = true},
     {.name = "any-device-believed", .believes_anything = true},
 };
 constexpr Lie honest{.name = "honest"};  // by comparison: the same way round, and nothing to notice

@@ -51,7 +51,7 @@ def main(binary, only_lie=None, only_model=None):
         print(f"{model}: {len(told) - told.count(None)} of {len(told)} lies noticed")
         if told.count(None) > MOST_UNNOTICED:
             wrong.append(f"{model}: more than {MOST_UNNOTICED} lies are not noticed")
-    sys.exit("\n".join(wrong))
+    sys.exit("\n".join(wrong) or 0)
 
 
 if __name__ == "__main__":

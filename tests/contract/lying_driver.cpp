@@ -63,6 +63,7 @@ class LyingDriver final : public Driver {
     if (lie_.bends) lie_.bends(memory_, bent);
     auto done = co_await honest_->perform(bent);
     if (done && lie_.moves_twice && std::holds_alternative<intent::MoveBy>(bent)) again_ = std::move(bent);
+    if (lie_.hides_failures) done = Result<>();
     co_return paint(std::move(done));
   }
   Task<Result<>> stop(int axis, bool at_once) override {

@@ -46,7 +46,7 @@ struct Lie {
   void (*paints)(LieMemory&, Snapshot& shown) = nullptr;
   void (*replies)(LieMemory&, std::string& reply) = nullptr;
   bool (*withholds)(const Notice&) = nullptr;
-  bool believes_anything = false, knows_no_stop_text = false, moves_twice = false;
+  bool believes_anything = false, knows_no_stop_text = false, moves_twice = false, hides_failures = false;
 };
 
 std::unique_ptr<Driver> make_lying_driver(const DeviceType& honest, DriverContext context, const Lie& lie);

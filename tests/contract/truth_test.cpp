@@ -35,6 +35,21 @@ TEST_P(TruthTest, EachAxisMovesItsOwnLoadAndNoOther) {
   }
 }
 
+TEST_P(TruthTest, SeveralAxesGoToTheirPlacesAndBack) {
+  const int last = axes() - 1;
+  for (const std::int64_t there : {600, -500, -500}) {
+    std::vector<AxisTarget> targets{{id(0), Steps(there)}};
+    if (last > 0) targets.push_back({id(last), Steps(-2 * there)});
+    must(intent::MoveTo(std::move(targets)));
+    ASSERT_TRUE(becomes_idle(seconds(30)));
+    EXPECT_EQ(axis().position, Steps(there));
+    EXPECT_NEAR(static_cast<double>(load().value), static_cast<double>(there), 0.25 * 600);
+    if (last == 0) continue;
+    EXPECT_EQ(axis_at(last).position, Steps(-2 * there));
+    EXPECT_NEAR(static_cast<double>(load_of(last).value), -2.0 * static_cast<double>(there), 0.25 * 1200);
+  }
+}
+
 TEST_P(TruthTest, ADistanceInMinusGoesInMinus) {
   for (int i = 0; i < axes(); ++i) {
     must(intent::MoveBy({{id(i), Steps(-700)}}));
@@ -119,6 +134,16 @@ TEST_P(TruthTest, ASetPositionIsTheControllersOwnFromThen) {
   }
 }
 
+TEST_P(TruthTest, APositionThatIsNotZeroIsSetOrRefused) {
+  const IntentFate set = perform(intent::SetPosition(0, Steps(1234)));
+  run(seconds(1));
+  const Steps counts_from = set.fate == Fate::refused ? Steps(0) : Steps(1234);
+  EXPECT_EQ(axis().position, counts_from);
+  must(intent::MoveTo({{id(0), counts_from + Steps(400)}}));
+  ASSERT_TRUE(becomes_idle(seconds(20)));
+  EXPECT_NEAR(static_cast<double>(load().value), 400, 100);
+}
+
 // Read again after the link was lost: what the console remembers is not what counts.
 TEST_P(TruthTest, PositionsAreReadAndNotRemembered) {
   must(intent::MoveTo({{id(0), Steps(900)}}));
@@ -172,6 +197,28 @@ TEST_P(TruthTest, EveryWayOfHomingEndsAtItsPlaceInItsDirection) {
       EXPECT_EQ(axis().trust.kind, sets ? Trust::homed : Trust::counted) << what;
       EXPECT_EQ(std::abs(axis().position.value) < 0.6 * static_cast<double>(homed), sets) << what;
     }
+}
+
+TEST_P(TruthTest, EachAxisFindsItsOwnHome) {
+  const auto& modes = session->catalog().homing_modes;
+  std::size_t mode = 0;
+  while (!modes[mode].sets_position) ++mode;
+  const HomedAt there = place_of_mode(modes[mode].id, Sign::minus);
+  for (int i = 0; i < axes(); ++i) {
+    AxisPlace travel;
+    travel.minus = Steps(-5000);
+    travel.home_from = Steps(-1200);
+    travel.home_to = Steps(-1000);
+    operate(bench::Place(id(i), travel));
+    must(intent::Home(id(i), Sign::minus, static_cast<int>(mode)));
+    run(Millis(50));
+    ASSERT_TRUE(becomes_idle(seconds(120))) << i;
+    run(seconds(1));
+    EXPECT_LE(load_of(i), Steps(-there.from.value)) << i;
+    EXPECT_GE(load_of(i), Steps(-there.to.value)) << i;
+    EXPECT_EQ(axis_at(i).trust.kind, Trust::homed) << i;
+    for (int k = i + 1; k < axes(); ++k) EXPECT_EQ(load_of(k), Steps(0)) << k << " moved with " << i;
+  }
 }
 
 // ---- limits
