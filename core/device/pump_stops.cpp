@@ -21,7 +21,6 @@ Fault not_answered() {
 
 void Pump::post_stop(StopOrder order) {
   if (order.what == StopOrder::What::jog && order.axis < 0) order.axis = jogs_.in_hand().axis;
-  if (catalog_.axes.size() == 1) order.axis = -1;
   release_jogs(order);
   set_fate(order.intent, Fate::pending);
   const bool another = order.what == StopOrder::What::words && !order.meaning.stops_here();
@@ -165,7 +164,7 @@ void Pump::owe_stops_at_loss() {
   jogs_.for_each_axis([this](int axis) {
     StopOrder lets_go;
     lets_go.what = StopOrder::What::jog;
-    lets_go.axis = catalog_.axes.size() == 1 ? -1 : axis;
+    lets_go.axis = axis;
     lets_go.told = true;
     desk_.ask(std::move(lets_go));
     if (axis >= 0) draft_.link.when_lost.axes |= 1u << axis;  // its motion may not have been seen yet

@@ -190,7 +190,7 @@ void never_killed(LieMemory&, Snapshot& shown) {
     if (a.trust.cause == Doubt::killed) a.trust = PositionTrust();
 }
 
-using Of = StopOrder::Of;
+using What = StopOrder::What;
 constexpr Lie lies[] = {
     {.name = "home-not-sent", .keeps_back = any_of<intent::Home>},
     {.name = "home-said-and-not-sent", .keeps_back = any_of<intent::Home>, .paints = homed},
@@ -212,23 +212,27 @@ constexpr Lie lies[] = {
     {.name = "first-axis-moves-only", .concerns = several_axes, .keeps_back = for_other_axes},
     {.name = "axes-crossed", .concerns = several_axes, .bends = last_axis_for_first},
     {.name = "jog-in-the-other-direction", .bends = jog_back},
-    {.name = "jog-goes-on-when-let-go", .orders = [](StopOrder& o) { o.is_sent = o.of != Of::held_jog; }},
+    {.name = "jog-goes-on-when-let-go", .orders = [](BentStop& o) { o.is_sent = o.order.what != What::jog; }},
     {.name = "letting-go-stops-all",
      .concerns = several_jogs,
-     .orders = [](StopOrder& o) { o.which = o.of == Of::held_jog ? -1 : o.which; }},
-    {.name = "stop-not-sent", .orders = [](StopOrder& o) { o.is_sent = o.of != Of::motion || o.at_once; }},
-    {.name = "stop-aborts", .orders = [](StopOrder& o) { o.at_once = true; }},
-    {.name = "abort-ramps", .orders = [](StopOrder& o) { o.at_once = false; }},
+     .orders = [](BentStop& o) { o.order.axis = o.order.what == What::jog ? -1 : o.order.axis; }},
+    {.name = "stop-not-sent",
+     .orders = [](BentStop& o) { o.is_sent = o.order.what != What::everything || o.order.at_once; }},
+    {.name = "stop-aborts", .orders = [](BentStop& o) { o.order.at_once = true; }},
+    {.name = "abort-ramps", .orders = [](BentStop& o) { o.order.at_once = false; }},
     {.name = "abort-not-doubted", .concerns = without_servo, .paints = never_killed},
     {.name = "stop-of-the-first-axis-only",
      .concerns = several_axes,
-     .orders = [](StopOrder& o) { o.is_sent = o.of != Of::motion || o.which <= 0; }},
+     .orders = [](BentStop& o) { o.is_sent = o.order.what != What::everything || o.order.axis <= 0; }},
     {.name = "stop-of-one-stops-all",
      .concerns = several_axes,
-     .orders = [](StopOrder& o) { o.which = o.of == Of::motion ? -1 : o.which; }},
+     .orders = [](BentStop& o) { o.order.axis = o.order.what == What::everything ? -1 : o.order.axis; }},
     {.name = "stop-of-all-stops-one",
      .concerns = several_axes,
-     .orders = [](StopOrder& o) { o.which = o.of == Of::motion ? std::max(o.which, 0) : o.which; }},
+     .orders =
+         [](BentStop& o) {
+           o.order.axis = o.order.what == What::everything ? std::max(o.order.axis, 0) : o.order.axis;
+         }},
     {.name = "power-not-switched",
      .concerns = switchable,
      .keeps_back = any_of<intent::SetPower>,
@@ -265,7 +269,7 @@ constexpr Lie lies[] = {
     {.name = "program-not-run", .concerns = stored_programs, .keeps_back = any_of<intent::RunProgram>},
     {.name = "program-not-halted",
      .concerns = stored_programs,
-     .orders = [](StopOrder& o) { o.is_sent = o.of != Of::program; }},
+     .orders = [](BentStop& o) { o.is_sent = o.order.what != What::program; }},
     {.name = "program-not-paused", .concerns = pauses, .keeps_back = any_of<intent::Pause>},
     {.name = "program-not-cleared", .concerns = stored_programs, .keeps_back = any_of<intent::ClearProgram>},
     {.name = "reply-empty", .replies = [](LieMemory&, std::string& reply) { reply.clear(); }},

@@ -39,16 +39,17 @@ class LyingDriver final : public Driver {
     honest_ = honest.make_driver(around(std::move(context)));
   }
 
-  Task<Result<>> connect(Station& station) override {
+  void attach(Station& station) override { honest_->attach(station); }
+  Task<Result<>> connect() override {
     take_over();
-    auto done = co_await honest_->connect(station);
+    auto done = co_await honest_->connect();
     deaf_ = !done && lie_.believes_anything;
     co_return paint(deaf_ ? Result<>() : std::move(done));
   }
-  Task<Result<>> poll() override {
+  Task<Result<>> poll(Round round) override {
     if (deaf_) co_return Result<>();
     take_over();
-    auto done = co_await honest_->poll();
+    auto done = co_await honest_->poll(round);
     if (again_ && !truth_.any_axis_moving()) {
       const IntentBody again = *std::exchange(again_, std::nullopt);
       co_await honest_->perform(again);
@@ -66,16 +67,22 @@ class LyingDriver final : public Driver {
     if (lie_.hides_failures) done = Result<>();
     co_return paint(std::move(done));
   }
-  Task<Result<>> stop(int axis, bool at_once) override {
-    return ordered(StopOrder{StopOrder::Of::motion, axis, at_once});
+  Task<Result<std::string>> stop(const StopOrder& order) override {
+    take_over();
+    again_.reset();
+    const BentStop bent = bend(order);
+    Result<std::string> done{std::string()};
+    if (bent.is_sent) done = co_await honest_->stop(bent.order);
+    co_return replied(std::move(done));
   }
-  Task<Result<>> stop_jog(int axis) override {
-    return ordered(StopOrder{StopOrder::Of::held_jog, axis, false});
+  StopProgress stop_progress(const StopOrder& order) override {
+    const BentStop bent = bend(order);
+    if (!bent.is_sent) return StopProgress::stands();
+    take_over();
+    StopProgress progress = honest_->stop_progress(bent.order);
+    paint(Result<>());
+    return progress;
   }
-  Task<Result<>> halt_program(int thread) override {
-    return ordered(StopOrder{StopOrder::Of::program, thread, false});
-  }
-  Task<Result<>> stop_wire(bool at_once) override { return honest_->stop_wire(at_once); }
   bool clears_up() const override { return honest_->clears_up(); }
   std::string leaves_behind() const override { return honest_->leaves_behind(); }
   void wire_lost() override {
@@ -87,24 +94,12 @@ class LyingDriver final : public Driver {
     auto reply = co_await honest_->query(std::move(text), patience);
     co_return replied(std::move(reply));
   }
-  Task<Result<std::string>> query_stop(std::string text, Duration patience,
-                                       std::function<void()> said) override {
-    auto reply = co_await honest_->query_stop(std::move(text), patience, std::move(said));
-    co_return replied(std::move(reply));
+  TextMeaning meaning_of(const intent::SendText& text) const override {
+    TextMeaning meaning = honest_->meaning_of(text);
+    if (lie_.knows_no_stop_text) meaning.stops = TextMeaning::Stops::nothing;
+    return meaning;
   }
-  bool answers(std::string_view text) const override { return honest_->answers(text); }
-  bool answers_later(std::string_view text) const override { return honest_->answers_later(text); }
-  bool changes_programs(std::string_view text) const override { return honest_->changes_programs(text); }
-  bool is_stop(std::string_view text) const override {
-    return !lie_.knows_no_stop_text && honest_->is_stop(text);
-  }
-  bool stops_all(std::string_view text) const override {
-    return !lie_.knows_no_stop_text && honest_->stops_all(text);
-  }
-  Addressees meant_for(const intent::SendText& text) const override { return honest_->meant_for(text); }
-  bool recover_by(std::string_view text) override { return honest_->recover_by(text); }
-  std::optional<std::string> take_recovery() override { return honest_->take_recovery(); }
-  bool take_unsolicited(std::string& text) override { return honest_->take_unsolicited(text); }
+  void overhear(const std::string& text) override { honest_->overhear(text); }
   Duration moving_period() const override { return honest_->moving_period(); }
   Duration idle_period() const override { return honest_->idle_period(); }
 
@@ -113,6 +108,7 @@ class LyingDriver final : public Driver {
     DriverContext own{context.scheduler,
                       context.catalog,
                       truth_,
+                      context.texts,
                       [this, notify = context.notify](Notice notice) {
                         if (!lie_.withholds || !lie_.withholds(notice)) notify(std::move(notice));
                       },
@@ -120,22 +116,13 @@ class LyingDriver final : public Driver {
                         paint(Result<>());
                         changed();
                       },
-                      context.stop_heard,
                       context.sample};
     return own;
   }
-  Task<Result<>> ordered(StopOrder order) {
-    take_over();
-    again_.reset();
-    if (lie_.orders) lie_.orders(order);
-    if (!order.is_sent) co_return paint(Result<>());
-    auto done = co_await send(order);
-    co_return paint(std::move(done));
-  }
-  Task<Result<>> send(const StopOrder& order) {
-    if (order.of == StopOrder::Of::held_jog) return honest_->stop_jog(order.which);
-    if (order.of == StopOrder::Of::program) return honest_->halt_program(order.which);
-    return honest_->stop(order.which, order.at_once);
+  [[nodiscard]] BentStop bend(const StopOrder& order) const {
+    BentStop bent{order};
+    if (lie_.orders) lie_.orders(bent);
+    return bent;
   }
   Result<std::string> replied(Result<std::string> reply) {
     if (reply && lie_.replies) lie_.replies(memory_, *reply);

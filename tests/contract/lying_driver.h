@@ -27,11 +27,8 @@ struct LieMemory {
   void note(const IntentBody& asked, const Snapshot& now);
 };
 
-struct StopOrder {
-  enum class Of : std::uint8_t { motion, held_jog, program };
-  Of of;
-  int which;  ///< axis or thread; -1: all
-  bool at_once;
+struct BentStop {
+  StopOrder order;
   bool is_sent = true;
 };
 
@@ -42,7 +39,7 @@ struct Lie {
   /// Answered as done, and not sent.
   bool (*keeps_back)(LieMemory&, const IntentBody&) = nullptr;
   void (*bends)(LieMemory&, IntentBody&) = nullptr;
-  void (*orders)(StopOrder&) = nullptr;
+  void (*orders)(BentStop&) = nullptr;
   void (*paints)(LieMemory&, Snapshot& shown) = nullptr;
   void (*replies)(LieMemory&, std::string& reply) = nullptr;
   bool (*withholds)(const Notice&) = nullptr;

@@ -78,8 +78,6 @@ TEST_P(ProgramStopTest, AStopOnItsLastWayIsNoEndOfItsOwn) {
 }
 
 TEST_P(ProgramStopTest, TheFirstStopOfAllBehindOneOfAnAxisIsNoSecondOne) {
-  if (GetParam()->model == "vxm")
-    GTEST_SKIP() << "row 1: the stop of all behind that of an axis kills a stored program at full speed";
   start(true);
   session->send(intent::Stop(0));
   run(Millis(100));

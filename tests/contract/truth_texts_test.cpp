@@ -55,8 +55,8 @@ class TextTest : public TruthTest {
     std::vector<std::string> all;
     for (const CommandInfo& command : session->catalog().commands)
       if (!command.moves && !command.stored && command.example.find('=') == std::string::npos &&
-          session->pump().driver().answers(command.example) &&
-          !session->pump().driver().is_stop(command.example))
+          session->pump().meaning_of(command.example).answered == TextMeaning::Answered::at_once &&
+          !session->pump().meaning_of(command.example).is_stop())
         all.push_back(command.example);
     return all;
   }
