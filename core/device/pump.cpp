@@ -72,9 +72,11 @@ Task<> Pump::shut_down() {
   wake_.notify();
   published_.notify();
   while (running_) co_await ended_.wait();
+  published_.notify();
   stops_did_not_arrive();
   desk_.clear();
   refuse_queued("The controller was closed. Nothing was sent.");
+  while (asking_ > 0) co_await ended_.wait();
 }
 
 bool Pump::connected() const { return draft_.link.connected(); }

@@ -72,6 +72,7 @@ class Pump {
 
  private:
   struct Job;  // an intent, or a query with its waiting coroutine
+  class Asking;
 
   // ---- pump.cpp: the life of the connection
   Task<> live();
@@ -145,6 +146,7 @@ class Pump {
   std::uint64_t rounds_begun_ = 0, rounds_ended_ = 0, round_wanted_ = 0;
   int fast_polls_ = 0;
   int attempt_ = 0;
+  int asking_ = 0;  ///< coroutines that wait here for an answer
   bool performing_ = false;
   bool says_to_all_ = false;  ///< and what it performs is for all devices of the wire
   std::uint32_t restarts_when_lost_ = 0;

@@ -90,6 +90,7 @@ void Pump::post_text(Intent intent) {
 /// To the session of the device that it names; what that answers is shown where it was typed.
 Task<> Pump::pass_on(Intent intent, Pump& other) {
   constexpr Duration usual_patience = Millis(200);
+  const Asking asking(*this);
   const std::string text = std::get<intent::SendText>(intent.body).text;
   const auto record = [this](Way way, const std::string& bytes) {
     if (!ways_.traffic) return;
@@ -297,6 +298,7 @@ TextMeaning Pump::meaning_of(const std::string& text) const {
 }
 
 Task<Result<std::string>> Pump::query(std::string text, Duration patience) {
+  const Asking asking(*this);
   const TextMeaning meaning = meaning_of(text);
   if (meaning.whom == TextMeaning::For::another && ways_.line)
     if (Pump* other = ways_.line->at(meaning.address))

@@ -34,6 +34,21 @@ Task<Result<T>> guarded(const char* what, Task<Result<T>> procedure) {
   co_return result;
 }
 
+/// The pump is not destroyed while somebody waits for an answer here.
+class Pump::Asking {
+ public:
+  explicit Asking(Pump& pump) : pump_(pump) { ++pump_.asking_; }
+  ~Asking() {
+    --pump_.asking_;
+    pump_.ended_.notify();
+  }
+  Asking(const Asking&) = delete;
+  Asking& operator=(const Asking&) = delete;
+
+ private:
+  Pump& pump_;
+};
+
 struct Pump::Job {
   Intent intent;
   TextMeaning meaning;             ///< of a text

@@ -21,7 +21,6 @@ Fault not_answered() {
 
 void Pump::post_stop(StopOrder order) {
   if (order.what == StopOrder::What::jog && order.axis < 0) order.axis = jogs_.in_hand().axis;
-  if (catalog_.axes.size() == 1) order.axis = -1;
   release_jogs(order);
   set_fate(order.intent, Fate::pending);
   const bool another = order.what == StopOrder::What::words && !order.meaning.stops_here();
@@ -116,6 +115,7 @@ void Pump::look_at_stops() {
 void Pump::look_at_stop(StopOrder& order) {
   if (order.what == StopOrder::What::words) return close_stop(order);  // the wire has carried it
   StopProgress progress = driver_->stop_progress(order);
+  if (progress.now == StopProgress::Now::wait && !order.confirmed) progress = StopProgress::again();
   switch (progress.now) {
     case StopProgress::Now::wait: return;
     case StopProgress::Now::at_once: order.at_once = true; [[fallthrough]];
@@ -165,7 +165,7 @@ void Pump::owe_stops_at_loss() {
   jogs_.for_each_axis([this](int axis) {
     StopOrder lets_go;
     lets_go.what = StopOrder::What::jog;
-    lets_go.axis = catalog_.axes.size() == 1 ? -1 : axis;
+    lets_go.axis = axis;
     lets_go.told = true;
     desk_.ask(std::move(lets_go));
     if (axis >= 0) draft_.link.when_lost.axes |= 1u << axis;  // its motion may not have been seen yet
@@ -176,7 +176,15 @@ void Pump::owe_stops_at_loss() {
 /// Another session of the wire says it to all.
 void Pump::hear_text_to_all(const std::string& text, const TextMeaning& meaning) {
   if (meaning.is_stop()) {
-    desk_.heard_another();
+    if (meaning.stops == TextMeaning::Stops::all) {  // whether it has come here, the next rounds show
+      StopOrder order;
+      order.sent = order.told = true;
+      order.times_sent = 1;
+      order.sent_at = order.first_sent_at = scheduler_.now();
+      desk_.ask(std::move(order)).at_once = false;
+    } else {
+      desk_.heard_another();
+    }
     refuse_queued(stopped_first);
     if (station_) station_->preempt();
   }
@@ -189,6 +197,7 @@ void Pump::hear_text_to_all(const std::string& text, const TextMeaning& meaning)
 }
 
 Task<Result<std::string>> Pump::query_stop(std::string text, TextMeaning meaning, Duration patience) {
+  const Asking asking(*this);
   struct Asked {
     Suspended asker;
     std::optional<Result<std::string>> reply;

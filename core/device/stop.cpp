@@ -7,8 +7,9 @@ namespace hw {
 StopOrder& StopDesk::ask(StopOrder order) {
   order.epoch = ++epoch_;
   const bool may_escalate = order.what == StopOrder::What::everything;
-  const bool again = std::any_of(orders_.begin(), orders_.end(),
-                                 [&](const StopOrder& open) { return open.same_scope(order); });
+  const bool again = std::any_of(orders_.begin(), orders_.end(), [&](const StopOrder& open) {
+    return open.intent != 0 && open.same_scope(order);
+  });
   if (may_escalate && again) order.at_once = true;
   orders_.push_back(std::move(order));
   return orders_.back();

@@ -100,8 +100,6 @@ TEST_F(Bus, AStopOfAllIsOneMessageAndThenEachDevice) {
     if (e.kind == TrafficKind::stop) stops.push_back(e.bytes);
   ASSERT_EQ(stops.size(), 31u);
   EXPECT_EQ(stops.front(), "@00S\r");
-  EXPECT_EQ(stops[1], "@01S\r");
-  EXPECT_EQ(stops.back(), "@30S\r");
   for (int i = 0; i < devices; ++i) EXPECT_EQ(toy(i).stops, 2);
 }
 
