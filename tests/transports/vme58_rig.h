@@ -37,6 +37,12 @@ class Vme58Rig : public testing::Test {
   Vme58Rig() : Vme58Rig({}) {}
   explicit Vme58Rig(DeviceOptions o) : options(std::move(o)) {}
   void SetUp() override {
+    open();
+    ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::good; }, std::chrono::seconds(10)))
+        << now().link.sentence.view();
+    run(Millis(500));
+  }
+  void open() {
     std::string text = "vme58@emulator";
     for (const auto& [key, value] : options) text += "," + key + "=" + value;
     const auto address = Address::parse(text);
@@ -51,9 +57,6 @@ class Vme58Rig : public testing::Test {
         [] {});
     ASSERT_TRUE(opened) << opened.error().sentence();
     session = *opened;
-    ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::good; }, std::chrono::seconds(10)))
-        << now().link.sentence.view();
-    run(Millis(500));
   }
   void TearDown() override {
     if (!session) return;
