@@ -66,6 +66,7 @@ class Vme58Rig : public testing::Test {
   /// A bus between driver and board that is not as quick as a test.
   virtual std::unique_ptr<Window> dressed(std::unique_ptr<Window> window) { return window; }
   Task<Result<Wire>> plug_in() {
+    co_await time.sleep_for(opening_takes);
     auto window = host->plug_in_window();
     if (!window) co_return fail(window.error());
     Wire wire;
@@ -131,6 +132,7 @@ class Vme58Rig : public testing::Test {
     return all;
   }
 
+  Duration opening_takes{};
   DeviceOptions options;
   std::optional<DeviceOptions> board_is;  ///< of the board, where it is another than the address says
   IoContext io;

@@ -103,7 +103,10 @@ TEST_F(Vme58Urgent, AJogThatWasHeldWhenTheWireWentIsStoppedFirst) {
 /// Another program has left its ring so.
 class Vme58HeldFromTheStart : public Vme58Urgent {
  protected:
-  void SetUp() override { open(); }
+  void SetUp() override {
+    opening_takes = Millis(1);
+    open();
+  }
   std::unique_ptr<Window> dressed(std::unique_ptr<Window> window) override {
     if (std::exchange(text_put_, true)) return window;
     std::uint32_t cell = 0;
@@ -119,16 +122,23 @@ class Vme58HeldFromTheStart : public Vme58Urgent {
 };
 
 TEST_F(Vme58HeldFromTheStart, NothingOfTheRingActsBehindTheStop) {
-  const auto speed = [this] { return peek(4, vme58::offset_of(0, vme58::AxisValue::command_velocity)); };
+  session->send(intent::SendText("SA"));  // before anything else
+  ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::good; }, Seconds(3)));
+  EXPECT_EQ(lines().front(), "> mailbox SA");
+  run(Seconds(1));
+  expect_stays();
+  EXPECT_LT(axis().position, Steps(10000)) << "MR50000 was not carried out";
+}
+
+TEST_F(Vme58HeldFromTheStart, AStopLaterOpensTheBoard) {
   ASSERT_TRUE(run_until([this] { return !now().link.sentence.empty(); }, Seconds(10)));
   EXPECT_THAT(std::string(now().link.sentence.view()), HasSubstr("waits in WQ"));
   (void)lines();
   session->send(intent::SendText("SA"));
   ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::good; }, Seconds(3)));
+  EXPECT_EQ(lines().front(), "> mailbox SA");
   run(Seconds(1));
   expect_stays();
-  EXPECT_EQ(speed(), 0u);
-  EXPECT_EQ(lines().front(), "> mailbox SA");
 }
 
 // ---- a mailbox that is acknowledged and nothing comes of it
