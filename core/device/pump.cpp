@@ -180,6 +180,8 @@ void Pump::connection_made() {
   if (draft_.restarts != restarts_when_lost_)  // what runs now is somebody else's
     desk_.orders().remove_if([](const StopOrder& order) { return order.told; });
   restarts_when_lost_ = draft_.restarts;
+  for (StopOrder& order : desk_.orders())  // what was typed may have gone into a wire that carried nothing
+    if (order.what == StopOrder::What::words) order.what = StopOrder::What::everything;
   const auto& stops = desk_.orders();
   if (something_runs() &&
       std::any_of(stops.begin(), stops.end(), [](const auto& order) { return order.told; }))
@@ -255,6 +257,14 @@ Task<> Pump::run_round() {
   poll_finished(polled);
 }
 
+Fault Pump::not_answering() const {
+  return Fault(
+      FaultKind::lost,
+      fmt::format("The controller has not answered {} times.", station_->statistics().misses_in_a_row),
+      "No command was repeated and no motion will resume by itself.",
+      "Look at its power, the cable and the baud rate.");
+}
+
 void Pump::poll_finished(const Result<>& result) {
   const StationStatistics& s = station_->statistics();
   LinkHealth& health = draft_.link;
@@ -265,10 +275,7 @@ void Pump::poll_finished(const Result<>& result) {
   health.misses_in_a_row = static_cast<std::uint32_t>(s.misses_in_a_row);
   if (!result && result.error().kind == FaultKind::lost) return lose_wire(result.error());
   if (s.misses_in_a_row >= misses_until_lost) {
-    lose_wire(Fault(FaultKind::lost,
-                    fmt::format("The controller has not answered {} times.", s.misses_in_a_row),
-                    "No command was repeated and no motion will resume by itself.",
-                    "Look at its power, the cable and the baud rate."));
+    lose_wire(not_answering());
     return;
   }
   forget_jogs_that_ended();

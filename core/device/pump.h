@@ -49,6 +49,9 @@ class Pump {
   /// The next text that came unasked, for scripts. False: there is none.
   bool take_unsolicited(std::string& text) { return texts_.take(text); }
 
+  /// See Driver::leaves_behind().
+  [[nodiscard]] std::string leaves_behind() const { return driver_->leaves_behind(); }
+
   /// Resumes after a round of status that began after this call, or at once when there is no connection.
   Task<> refresh();
   /// Hurries the next round of status; its number, which rounds_ended() reaches when it is over.
@@ -79,6 +82,7 @@ class Pump {
   Task<> wait_for_retry();
   void poll_finished(const Result<>& result);
   void nothing_comes_back();
+  [[nodiscard]] Fault not_answering() const;
   void connection_made();
   void lose_wire(const Fault& why);
   [[nodiscard]] bool connected() const;
@@ -108,6 +112,8 @@ class Pump {
   void enqueue(std::unique_ptr<Job> job);
   Task<> perform_next();
   Result<> trust_position(AxisId axis);
+  Task<Result<std::string>> add_what_comes_later(std::string reply, std::uint64_t since, std::uint64_t epoch,
+                                                 Duration patience);
   Task<Result<std::string>> wait_for_text(std::uint64_t since, std::uint64_t epoch, Duration patience);
   [[nodiscard]] Result<> may_go_to_all(const Job& job) const;
   void refuse_queued(std::string_view why);

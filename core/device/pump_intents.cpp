@@ -319,9 +319,17 @@ Task<Result<std::string>> Pump::query(std::string text, Duration patience) {
   const std::uint64_t epoch = desk_.epoch();
   while (!job->answered) co_await job->asker.here();
   std::unique_ptr<Job> mine(job);
-  const bool comes_later = meaning.answered == TextMeaning::Answered::later;
-  if (!mine->reply || !mine->reply->empty() || !comes_later) co_return std::move(mine->reply);
-  co_return co_await wait_for_text(mine->since, epoch, patience);
+  if (!mine->reply || meaning.answered != TextMeaning::Answered::later) co_return std::move(mine->reply);
+  co_return co_await add_what_comes_later(std::move(*mine->reply), mine->since, epoch, patience);
+}
+
+/// Of several commands in one text the first may have been answered already.
+Task<Result<std::string>> Pump::add_what_comes_later(std::string reply, std::uint64_t since,
+                                                     std::uint64_t epoch, Duration patience) {
+  auto text = co_await wait_for_text(since, epoch, patience);
+  if (reply.empty()) co_return text;
+  if (text) (reply += '\r') += *text;
+  co_return std::move(reply);
 }
 
 /// What the controller says by itself when that which a text began is over.

@@ -21,7 +21,6 @@ Fault not_answered() {
 
 void Pump::post_stop(StopOrder order) {
   if (order.what == StopOrder::What::jog && order.axis < 0) order.axis = jogs_.in_hand().axis;
-  if (catalog_.axes.size() == 1) order.axis = -1;
   release_jogs(order);
   set_fate(order.intent, Fate::pending);
   const bool another = order.what == StopOrder::What::words && !order.meaning.stops_here();
@@ -64,6 +63,8 @@ Task<> Pump::send_stop(StopOrder& order) {
   const StopOrder sending = order;
   auto sent = co_await guarded("stop", driver_->stop(sending));
   if (StopOrder* still = desk_.find(sending.epoch)) stop_was_sent(*still, std::move(sent));
+  if (connected() && station_->is_open() && station_->statistics().misses_in_a_row >= misses_until_lost)
+    lose_wire(not_answering());
   publish();
 }
 
@@ -163,7 +164,7 @@ void Pump::owe_stops_at_loss() {
   jogs_.for_each_axis([this](int axis) {
     StopOrder lets_go;
     lets_go.what = StopOrder::What::jog;
-    lets_go.axis = catalog_.axes.size() == 1 ? -1 : axis;
+    lets_go.axis = axis;
     lets_go.told = true;
     desk_.ask(std::move(lets_go));
     if (axis >= 0) draft_.link.when_lost.axes |= 1u << axis;  // its motion may not have been seen yet
@@ -206,9 +207,9 @@ Task<Result<std::string>> Pump::query_stop(std::string text, TextMeaning meaning
   post_stop(std::move(order));
   const std::uint64_t epoch = desk_.epoch();
   while (!asked->reply) co_await asked->asker.here();
-  const bool comes_later = meaning.answered == TextMeaning::Answered::later;
-  if (!*asked->reply || !comes_later || !(*asked->reply)->empty()) co_return std::move(*asked->reply);
-  co_return co_await wait_for_text(since, epoch, patience);
+  auto& reply = *asked->reply;
+  if (!reply || meaning.answered != TextMeaning::Answered::later) co_return std::move(reply);
+  co_return co_await add_what_comes_later(std::move(*reply), since, epoch, patience);
 }
 
 }  // namespace hw

@@ -22,10 +22,16 @@ Result<std::shared_ptr<Session>> Session::open_on(Scheduler& scheduler, const Ad
                                                   std::function<void()> wake) {
   const DeviceType* type = find_device_type(address.model);
   if (!type) return fail(FaultKind::text, fmt::format("There is no controller model \"{}\".", address.model));
-  auto catalog = type->make_catalog(address.options);
+  return open_as(*type, scheduler, address, std::move(wire), place, std::move(wake));
+}
+
+Result<std::shared_ptr<Session>> Session::open_as(const DeviceType& type, Scheduler& scheduler,
+                                                  const Address& address, std::shared_ptr<SharedWire> wire,
+                                                  std::size_t place, std::function<void()> wake) {
+  auto catalog = type.make_catalog(address.options);
   if (!catalog) return fail(catalog.error());
   std::shared_ptr<Session> session(
-      new Session(scheduler, address, *type, std::move(*catalog), std::move(wire), place, std::move(wake)));
+      new Session(scheduler, address, type, std::move(*catalog), std::move(wire), place, std::move(wake)));
   session->pump_.start();
   return session;
 }

@@ -22,6 +22,10 @@ class Session : public std::enable_shared_from_this<Session> {
   static Result<std::shared_ptr<Session>> open_on(Scheduler& scheduler, const Address& address,
                                                   std::shared_ptr<SharedWire> wire, std::size_t place,
                                                   std::function<void()> wake);
+  /// The same as a `type` that need not stand in the list.
+  static Result<std::shared_ptr<Session>> open_as(const DeviceType& type, Scheduler& scheduler,
+                                                  const Address& address, std::shared_ptr<SharedWire> wire,
+                                                  std::size_t place, std::function<void()> wake);
   ~Session();
 
   // ---- any thread

@@ -10,16 +10,11 @@
 
 #include "core/session/session.h"
 #include "core/time/virtual_scheduler.h"
+#include "tests/contract/lies.h"
 #include "transports/open.h"
 
 namespace hw {
 
-inline std::vector<const DeviceType*> emulated_types() {
-  std::vector<const DeviceType*> all;
-  for (const DeviceType& type : device_types())
-    if (type.make_emulator) all.push_back(&type);
-  return all;
-}
 inline std::string name_of_type(const testing::TestParamInfo<const DeviceType*>& info) {
   std::string name(info.param->model);
   std::replace(name.begin(), name.end(), '-', '_');
@@ -28,23 +23,41 @@ inline std::string name_of_type(const testing::TestParamInfo<const DeviceType*>&
 
 class ContractTest : public testing::TestWithParam<const DeviceType*> {
  protected:
-  void SetUp() override {
-    auto address = Address::parse(std::string(GetParam()->model) + "@emulator");
-    ASSERT_TRUE(address) << address.error().sentence();
-    auto opened = Session::open(time, *address, make_wire_opener(), [this] {
+  void SetUp() override { open(); }
+  void TearDown() override {
+    if (session) close();
+  }
+
+  /// A session of its own with what stands behind `opener`.
+  std::shared_ptr<Session> open_by(const WireOpener& opener, const std::string& keys = {}) {
+    auto address = Address::parse(std::string(GetParam()->model) + "@emulator" + keys);
+    EXPECT_TRUE(address) << address.error().sentence();
+    auto wire = std::make_shared<SharedWire>(time, *address, opener);
+    auto opened = Session::open_as(*GetParam(), time, *address, std::move(wire), 0, [this] {
       if (on_wake) on_wake();
     });
-    ASSERT_TRUE(opened) << opened.error().sentence();
-    session = *opened;
+    EXPECT_TRUE(opened) << opened.error().sentence();
+    return *opened;
+  }
+  void open(const WireOpener& opener = make_wire_opener(), const std::string& keys = {}) {
+    session = open_by(opener, keys);
     ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::good; }, std::chrono::seconds(10)))
         << now().link.sentence.view();
     run(std::chrono::seconds(2));
   }
-  void TearDown() override {
-    if (!session) return;
+  void close() {
     asio::co_spawn(io, session->close(), asio::detached);
     run(std::chrono::seconds(2));
     EXPECT_EQ(now().link.state, LinkState::closed);
+  }
+  /// Another session with the same emulated controller: what it knows it has read.
+  void open_afresh() {
+    const auto same = session->bench();
+    close();
+    session.reset();
+    open([usual = make_wire_opener(), same](Scheduler& s, Address a, std::shared_ptr<BenchAccess> again) {
+      return usual(s, std::move(a), again ? std::move(again) : same);
+    });
   }
 
   void run(Duration d) { time.run_for(d); }
@@ -68,6 +81,19 @@ class ContractTest : public testing::TestWithParam<const DeviceType*> {
     run_until([&] { return now().fate_of(id) && now().fate_of(id)->fate != Fate::pending; }, patience);
     const IntentFate* fate = now().fate_of(id);
     return fate ? *fate : IntentFate{};
+  }
+  [[nodiscard]] bool axes_jog_at_once() const {
+    return now().axis_count > 1 && !session->catalog().can.one_axis_at_a_time;
+  }
+  /// Where the error of a limit keeps moves back until it is cleared.
+  void clear_errors() {
+    const int action = session->catalog().find_action("clear");
+    if (axis().activity != Activity::error || action < 0) return;
+    std::vector<std::int64_t> values;
+    for (const ActionField& f : session->catalog().actions[static_cast<std::size_t>(action)].fields)
+      values.push_back(f.fallback);
+    EXPECT_EQ(perform(intent::Act(action, std::move(values))).fate, Fate::done);
+    run(std::chrono::seconds(1));
   }
   bool becomes_idle(Duration patience) {
     run(Millis(300));

@@ -46,7 +46,7 @@ class TrustContract : public ContractTest {
   }
 };
 
-INSTANTIATE_TEST_SUITE_P(Every, TrustContract, testing::ValuesIn(emulated_types()), name_of_type);
+INSTANTIATE_TEST_SUITE_P(Every, TrustContract, testing::ValuesIn(types_under_test()), name_of_type);
 
 TEST_P(TrustContract, AfterAPowerCycleNothingGoesToAPlaceByItsCount) {
   ASSERT_NO_FATAL_FAILURE(lose_power_at(Steps(500)));

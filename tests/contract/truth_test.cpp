@@ -1,55 +1,16 @@
-// A driver that lies is noticed: what it says was done is compared with what the emulated machine did, for
-// every axis, verb and setting of every listed controller.
-#include <algorithm>
+// Moves, positions, homing and limits: what is said of them is what the emulated machine does, for every axis
+// of every listed controller.
+#include "tests/contract/truth.h"
+
 #include <cmath>
 #include <cstdlib>
-
-#include <fmt/format.h>
-
-#include "core/device/command_form.h"
-#include "core/device/emulator.h"
-#include "tests/contract/rig.h"
 
 namespace hw {
 namespace {
 
 using std::chrono::seconds;
 
-class TruthTest : public ContractTest {
- protected:
-  void SetUp() override {
-    ContractTest::SetUp();
-    const auto& infos = session->catalog().axes;
-    if (std::any_of(infos.begin(), infos.end(), [](const AxisInfo& a) { return a.switchable; })) {
-      must(intent::SetPower(-1, true));
-      run(seconds(1));
-    }
-  }
-  void reopen() {
-    TearDown();
-    session.reset();
-    SetUp();
-  }
-  static AxisId id(int i) { return AxisId{static_cast<std::uint8_t>(i)}; }
-  [[nodiscard]] int axes() const { return now().axis_count; }
-  [[nodiscard]] const AxisState& axis_at(int i) const { return now().axes[static_cast<std::size_t>(i)]; }
-  [[nodiscard]] Steps load_of(int i) const {
-    BenchView view;
-    session->bench()->look(view);
-    return view.load_position[static_cast<std::size_t>(i)];
-  }
-  void must(IntentBody body) {
-    const IntentFate fate = perform(std::move(body), seconds(60));
-    ASSERT_EQ(fate.fate, Fate::done) << fate.sentence.view();
-  }
-  void place(int i, Steps minus, Steps plus) {
-    AxisPlace travel;
-    travel.minus = minus;
-    travel.plus = plus;
-    operate(bench::Place(id(i), travel));
-  }
-};
-INSTANTIATE_TEST_SUITE_P(Every, TruthTest, testing::ValuesIn(emulated_types()), name_of_type);
+INSTANTIATE_TEST_SUITE_P(Every, TruthTest, testing::ValuesIn(types_under_test()), name_of_type);
 
 // ---- moves
 
@@ -71,6 +32,21 @@ TEST_P(TruthTest, EachAxisMovesItsOwnLoadAndNoOther) {
     }
     EXPECT_EQ(axis_at(i).position, distance);
     EXPECT_EQ(axis_at(i).ended_by, EndedBy::target);
+  }
+}
+
+TEST_P(TruthTest, SeveralAxesGoToTheirPlacesAndBack) {
+  const int last = axes() - 1;
+  for (const std::int64_t there : {600, -500, -500}) {
+    std::vector<AxisTarget> targets{{id(0), Steps(there)}};
+    if (last > 0) targets.push_back({id(last), Steps(-2 * there)});
+    must(intent::MoveTo(std::move(targets)));
+    ASSERT_TRUE(becomes_idle(seconds(30)));
+    EXPECT_EQ(axis().position, Steps(there));
+    EXPECT_NEAR(static_cast<double>(load().value), static_cast<double>(there), 0.25 * 600);
+    if (last == 0) continue;
+    EXPECT_EQ(axis_at(last).position, Steps(-2 * there));
+    EXPECT_NEAR(static_cast<double>(load_of(last).value), -2.0 * static_cast<double>(there), 0.25 * 1200);
   }
 }
 
@@ -130,6 +106,16 @@ TEST_P(TruthTest, AbortStopsShorterThanStopAndEachSaysWhichItWas) {
   EXPECT_GT(ran_on[false], ran_on[true]) << "a ramp takes its way";
 }
 
+TEST_P(TruthTest, AStopOfAnAxisAtRestLeavesTheOtherToItsTarget) {
+  if (axes() < 2) GTEST_SKIP() << "it has one axis";
+  must(intent::MoveBy({{id(0), Steps(4000)}}, Pps{1000}));
+  run(seconds(1));
+  must(intent::Stop(axes() - 1));
+  ASSERT_TRUE(becomes_idle(seconds(30)));
+  EXPECT_EQ(axis().position, Steps(4000));
+  EXPECT_EQ(axis().ended_by, EndedBy::target);
+}
+
 // ---- what a position is
 
 TEST_P(TruthTest, ASetPositionIsTheControllersOwnFromThen) {
@@ -146,6 +132,16 @@ TEST_P(TruthTest, ASetPositionIsTheControllersOwnFromThen) {
     EXPECT_EQ(axis_at(i).position, Steps(500));
     EXPECT_GT(load_of(i), there + Steps(350)) << "axis " << i << " counts from what was set";
   }
+}
+
+TEST_P(TruthTest, APositionThatIsNotZeroIsSetOrRefused) {
+  const IntentFate set = perform(intent::SetPosition(0, Steps(1234)));
+  run(seconds(1));
+  const Steps counts_from = set.fate == Fate::refused ? Steps(0) : Steps(1234);
+  EXPECT_EQ(axis().position, counts_from);
+  must(intent::MoveTo({{id(0), counts_from + Steps(400)}}));
+  ASSERT_TRUE(becomes_idle(seconds(20)));
+  EXPECT_NEAR(static_cast<double>(load().value), 400, 100);
 }
 
 // Read again after the link was lost: what the console remembers is not what counts.
@@ -196,7 +192,33 @@ TEST_P(TruthTest, EveryWayOfHomingEndsAtItsPlaceInItsDirection) {
       EXPECT_LE(homed, there.to.value) << what;
       EXPECT_EQ(axis().ended_by, EndedBy::target) << what;
       EXPECT_NE(axis().activity, Activity::error) << what;
+      run(seconds(1));
+      const bool sets = modes[mode].sets_position;
+      EXPECT_EQ(axis().trust.kind, sets ? Trust::homed : Trust::counted) << what;
+      EXPECT_EQ(std::abs(axis().position.value) < 0.6 * static_cast<double>(homed), sets) << what;
     }
+}
+
+TEST_P(TruthTest, EachAxisFindsItsOwnHome) {
+  const auto& modes = session->catalog().homing_modes;
+  std::size_t mode = 0;
+  while (!modes[mode].sets_position) ++mode;
+  const HomedAt there = place_of_mode(modes[mode].id, Sign::minus);
+  for (int i = 0; i < axes(); ++i) {
+    AxisPlace travel;
+    travel.minus = Steps(-5000);
+    travel.home_from = Steps(-1200);
+    travel.home_to = Steps(-1000);
+    operate(bench::Place(id(i), travel));
+    must(intent::Home(id(i), Sign::minus, static_cast<int>(mode)));
+    run(Millis(50));
+    ASSERT_TRUE(becomes_idle(seconds(120))) << i;
+    run(seconds(1));
+    EXPECT_LE(load_of(i), Steps(-there.from.value)) << i;
+    EXPECT_GE(load_of(i), Steps(-there.to.value)) << i;
+    EXPECT_EQ(axis_at(i).trust.kind, Trust::homed) << i;
+    for (int k = i + 1; k < axes(); ++k) EXPECT_EQ(load_of(k), Steps(0)) << k << " moved with " << i;
+  }
 }
 
 // ---- limits
@@ -218,120 +240,6 @@ TEST_P(TruthTest, ALimitIsToldOfTheSideThatWasRunInto) {
       for (int k = 0; k < axes(); ++k)
         EXPECT_TRUE(k == i || !(axis_at(k).limit_plus || axis_at(k).limit_minus)) << what << ": at " << k;
     }
-}
-
-// ---- set-up
-
-/// A value that it does not have from the factory and that is harmless to try.
-std::optional<std::int64_t> another_value(const ParamInfo& p) {
-  if (!p.readable || !p.warning.empty() || !p.bits.empty() || !p.prefix.empty()) return std::nullopt;
-  for (const ParamChoice& c : p.choices)
-    if (c.value != p.fallback) return c.value;
-  if (!p.choices.empty()) return std::nullopt;
-  for (const std::int64_t v : {p.fallback + 7, p.fallback - 7, p.fallback + 1, p.fallback - 1})
-    if (v >= p.minimum && v <= p.maximum) return v;
-  return std::nullopt;
-}
-
-TEST_P(TruthTest, AChangedParameterIsReadBackFromTheController) {
-  const Catalog& c = session->catalog();
-  int tried = 0;
-  for (std::size_t i = 0; i < c.params.size(); ++i) {
-    const auto value = another_value(c.params[i]);
-    if (!value) continue;
-    const std::string& name = c.params[i].mnemonic;
-    const IntentFate set = perform(intent::SetParam(name, *value, true), seconds(60));
-    if (set.fate == Fate::refused) continue;  // by another one: in words
-    ASSERT_EQ(set.fate, Fate::done) << name << ": " << set.sentence.view();
-    ++tried;
-    ASSERT_EQ(perform(intent::ReadParams(name), seconds(60)).fate, Fate::done) << name;
-    EXPECT_EQ(now().params[i].value, *value) << name;
-    ASSERT_EQ(perform(intent::SetParam(name, c.params[i].fallback, true), seconds(60)).fate, Fate::done)
-        << name;
-  }
-  EXPECT_GE(tried, static_cast<int>(c.params.size()) / 3);
-}
-
-TEST_P(TruthTest, AnOutputIsSwitchedOnTheMachine) {
-  const Catalog& c = session->catalog();
-  int tried = 0;
-  for (std::size_t place = 0; place < c.outputs.size(); ++place) {
-    if (!c.outputs[place].settable) continue;
-    for (const std::string& duty : c.outputs[place].duty.while_not_zero)
-      if (c.find_param(duty) >= 0) must(intent::SetParam(duty, 0, true));
-    const auto of_machine = [&] {
-      BenchView view;
-      session->bench()->look(view);
-      return (view.outputs >> place & 1u) != 0;
-    };
-    bool seen[2] = {false, false};
-    for (const bool on : {true, false}) {
-      const IntentFate set = perform(intent::SetOutput(c.output_number(place), on));
-      if (set.fate == Fate::refused) break;
-      run(seconds(1));
-      seen[on] = of_machine();
-      EXPECT_EQ((now().outputs >> place & 1u) != 0, on) << c.outputs[place].name;
-      ++tried;
-    }
-    EXPECT_TRUE(tried == 0 || seen[true] != seen[false]) << c.outputs[place].name;
-  }
-  EXPECT_TRUE(c.outputs.empty() || tried > 0);
-}
-
-// ---- raw text, forms, foreign devices
-
-TEST_P(TruthTest, ExamplesFitTheirForms) {
-  const Catalog& c = session->catalog();
-  for (const CommandInfo& command : c.commands) {
-    ASSERT_FALSE(command.example.empty()) << command.form;
-    EXPECT_EQ(CommandForm(command, c.axes).match(command.example), CommandForm::Match::whole)
-        << command.form << ": " << command.example;
-  }
-}
-
-TEST_P(TruthTest, AForeignDeviceIsNotTakenForThisOne) {
-  for (const DeviceType* other : emulated_types()) {
-    if (other->model == GetParam()->model) continue;
-    const auto catalog = other->make_catalog({});
-    ASSERT_TRUE(catalog);
-    if (catalog->can.window != session->catalog().can.window) continue;  // no plug fits
-    const auto address = Address::parse(std::string(GetParam()->model) + "@emulator");
-    ASSERT_TRUE(address);
-    const WireOpener usual = make_wire_opener();
-    const WireOpener foreign = [usual, other](Scheduler& s, Address a, std::shared_ptr<BenchAccess> again) {
-      a.model = other->model;
-      return usual(s, std::move(a), std::move(again));
-    };
-    auto opened = Session::open(time, *address, foreign, [] {});
-    ASSERT_TRUE(opened);
-    run(seconds(15));
-    EXPECT_NE((*opened)->known().link.state, LinkState::good) << other->model;
-    EXPECT_FALSE((*opened)->known().link.sentence.empty()) << other->model;
-    EXPECT_FALSE((*opened)->known().axes[0].position_known) << other->model;
-    asio::co_spawn(io, (*opened)->close(), asio::detached);
-    run(seconds(2));
-  }
-}
-
-// ---- the emulated machine itself
-
-TEST_P(TruthTest, OneStrideOfTimeEqualsMany) {
-  must(intent::MoveBy({{id(0), Steps(3000)}}));
-  session->send(intent::JogStart(id(axes() - 1), Sign::minus, {}, false));
-  run(Millis(100));
-  const auto once = session->bench()->emulator().clone(), often = session->bench()->emulator().clone();
-  const Instant begin = time.now(), end = begin + seconds(8);
-  once->advance_to(end);
-  for (Instant t = begin; t < end; t += std::chrono::microseconds(700)) often->advance_to(t);
-  often->advance_to(end);
-  BenchView a, b;
-  once->look(a);
-  often->look(b);
-  EXPECT_EQ(a, b);
-  std::string said_once, said_often;
-  once->take_output(said_once);
-  often->take_output(said_often);
-  EXPECT_EQ(said_once, said_often);
 }
 
 }  // namespace

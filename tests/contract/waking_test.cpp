@@ -7,19 +7,8 @@ namespace {
 
 using std::chrono::seconds;
 
-std::vector<const DeviceType*> emulated_types() {
-  std::vector<const DeviceType*> all;
-  for (const DeviceType& type : device_types())
-    if (type.make_emulator) all.push_back(&type);
-  return all;
-}
-
 class WakingTest : public ContractTest {};
-INSTANTIATE_TEST_SUITE_P(Every, WakingTest, testing::ValuesIn(emulated_types()), [](const auto& info) {
-  std::string name(info.param->model);
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Every, WakingTest, testing::ValuesIn(types_under_test()), name_of_type);
 
 TEST_P(WakingTest, AfterTheLastByteItIsDrawnOnceMore) {
   const auto take = [this](int* others) {

@@ -295,6 +295,7 @@ class ArcusDriver final : public Driver {
   std::deque<std::vector<std::int64_t>> to_feed_;
   int buffer_free_ = 0;
   bool buffer_on_ = false;
+  bool blind_ = true;     ///< not connected yet: nothing is known
   bool halting_ = false;  ///< programs were told to end: whether they have is asked while axes stop
 
   bool lost_while_busy_ = false;
@@ -310,7 +311,7 @@ class ArcusDriver final : public Driver {
   std::optional<StoredCode> stored_code_;  ///< not known: not looked, or foreign code
   std::optional<Called> called_;
   std::uint64_t outlasted_stop_ = 0;  ///< the stop that watches it
-  std::optional<Instant> stood_at_;   ///< since that stop
+  Instant stood_at_{};                ///< since that stop
   Instant moved_at_{};                ///< when an axis was last seen to move, or may have
   int next_readout_ = 0, next_variable_ = 0, next_analog_ = 0, next_param_ = 0, next_thread_ = 0,
       next_kept_ = 0;

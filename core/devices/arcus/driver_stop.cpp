@@ -62,14 +62,17 @@ Task<Result<>> ArcusDriver::stop_axes(int axis, bool at_once, bool motion_only) 
 // confirmed, the next is sent.
 Task<Result<>> ArcusDriver::stop_all(std::string word) {
   halting_ = true;
+  std::bitset<max_threads> running;
+  for (int n = 0; n < model().programs; ++n) running.set(ix(n), may_run(n));
   Result<> all = co_await command(word, Priority::stop);
+  if (!all && blind_) co_return all;  // nobody hears the rest either
   const auto note = [&all](Result<> next) {
     if (all && !next) all = std::move(next);
   };
-  for (const bool running : {true, false}) {
+  for (const bool those_that_run : {true, false}) {
     bool told = false;
     for (int n = 0; n < model().programs; ++n) {
-      if (may_run(n) != running) continue;
+      if (running.test(ix(n)) != those_that_run) continue;
       told = true;
       auto halted = co_await halt_thread(n);
       note(std::move(halted));

@@ -8,6 +8,7 @@
 namespace hw::arcus {
 namespace {
 
+constexpr Duration between_stops = Millis(100);
 constexpr Duration longest_watch = std::chrono::seconds(10);
 constexpr Duration usual_rest = std::chrono::seconds(2);    // where nobody can tell when it is over
 constexpr Duration longest_rest = std::chrono::seconds(5);  // that is waited for
@@ -46,17 +47,13 @@ bool ArcusDriver::subroutine_may_run() {
 // Each move that it begins is stopped, until it is over or nobody can tell.
 StopProgress ArcusDriver::outlast_subroutine(const StopOrder& order, bool turns) {
   const Instant now = scheduler_.now();
-  if (std::exchange(outlasted_stop_, order.epoch) != order.epoch) stood_at_.reset();
-  const bool stood_before = stood_at_.has_value();
-  if (turns && !stood_before) return StopProgress::wait();  // the ramp of what it had begun
-  if (!turns && !stood_before) stood_at_ = now;
+  if (std::exchange(outlasted_stop_, order.epoch) != order.epoch) stood_at_ = now;
+  if (turns) stood_at_ = now;
   const bool watches = now - order.first_sent_at < longest_watch;
-  if (turns && watches) {
-    stood_at_ = now;
-    return StopProgress::again();
-  }
+  if (turns && watches)  // a ramp, or its next move
+    return now - order.sent_at < between_stops ? StopProgress::wait() : StopProgress::again();
   const bool is_told = called_->rests && *called_->rests <= longest_rest;
-  if (watches && (is_told || now - *stood_at_ <= usual_rest)) return StopProgress::wait();
+  if (watches && (is_told || now - stood_at_ <= usual_rest)) return StopProgress::wait();
   stands(-1);
   Fault fault(FaultKind::controller,
               fmt::format("Subroutine {}, which GS has started, may go on, and {}.", called_->number,

@@ -6,7 +6,7 @@
 //   driver_poll.cpp     the round of status
 //   driver_moves.cpp    moves, jogs, homing, zero, outputs: what they consist of
 //   driver_legs.cpp     how each is carried out: runs of a program that nobody uses
-//   driver_stop.cpp     stops (decision V102)
+//   driver_stop.cpp     stops (decision V102), and what shows of them
 //   driver_program.cpp  load, read, select
 //   driver_run.cpp      run, hold, step
 //   driver_params.cpp   set-up
@@ -22,6 +22,7 @@
 #include "core/devices/vxm/codec.h"
 #include "core/devices/vxm/codec_text.h"
 #include "core/devices/vxm/facts.h"
+#include "core/devices/vxm/text_pieces.h"
 
 namespace hw::vxm {
 
@@ -31,31 +32,21 @@ inline constexpr std::string_view unused_slave =
     "A second controller answers on the VXM bus, and its motors 3 and 4 are not shown. Open it with motors=4 "
     "in its address to use them.";
 
-/// `rsm` answers when it has written its memory.
-inline constexpr Duration store_patience = std::chrono::seconds(10);
-
 class VxmDriver final : public Driver {
  public:
   explicit VxmDriver(DriverContext context);
 
-  Task<Result<>> connect(Station& station) override;
-  Task<Result<>> poll() override;
+  void attach(Station& station) override;
+  Task<Result<>> connect() override;
+  Task<Result<>> poll(Round round) override;
   Task<Result<>> perform(const IntentBody& intent) override;
-  Task<Result<>> stop(int axis, bool at_once) override;
-  [[nodiscard]] bool clears_up() const override;
-  [[nodiscard]] std::string leaves_behind() const override;
+  Task<Result<std::string>> stop(const StopOrder& order) override;
+  StopProgress stop_progress(const StopOrder& order) override;
   void wire_lost() override;
   Task<Result<std::string>> query(std::string text, Duration patience) override;
-  Task<Result<std::string>> query_stop(std::string text, Duration patience,
-                                       std::function<void()> said) override;
-  [[nodiscard]] bool answers(std::string_view text) const override;
-  [[nodiscard]] bool answers_later(std::string_view text) const override;
-  [[nodiscard]] bool is_stop(std::string_view text) const override;
-  [[nodiscard]] bool stops_all(std::string_view text) const override;
-  [[nodiscard]] bool changes_programs(std::string_view text) const override;
-  bool recover_by(std::string_view text) override;
-  std::optional<std::string> take_recovery() override { return std::exchange(recovery_, std::nullopt); }
-  bool take_unsolicited(std::string& text) override;
+  [[nodiscard]] TextMeaning meaning_of(const intent::SendText& text) const override;
+  [[nodiscard]] bool clears_up() const override;
+  [[nodiscard]] std::string leaves_behind() const override;
   [[nodiscard]] Duration moving_period() const override;
   [[nodiscard]] Duration idle_period() const override { return Millis(200); }
 
@@ -80,17 +71,28 @@ class VxmDriver final : public Driver {
     EndedBy ended_by = EndedBy::nothing;  ///< why it was cut short
     bool leg_over = false;                ///< prompt seen or missed; positions still to be read
     bool limit_reported = false;
-    bool cut_whole = false;  ///< the stop has cut off nothing but this leg
+    bool cut_whole = false;     ///< the stop has cut off nothing but this leg
+    bool end_is_asked = false;  ///< somebody who has stopped it in words of his own waits for its prompt
     [[nodiscard]] bool active() const { return !legs.empty(); }
+    [[nodiscard]] bool has_more() const { return jog || legs.size() > 1; }
   };
-  enum class Mode : std::uint8_t { unknown, on_line, local };
-  /// What a stop is doing. A second stop kills.
-  enum class Stopping : std::uint8_t { no, ramp, program };
+  enum class Mode : std::uint8_t {
+    unknown,
+    on_line,
+    local
+  };  ///< unknown: it has not been asked since attach()
+  /// What D has told to slow down, as far as it shows.
+  struct Ramp {
+    Instant began{}, looked_at{};
+    double speed = 0;   ///< when it was looked at; of the fastest motor that can be seen
+    bool over = false;  ///< what it was to stop stands
+  };
 
   // ---- driver_talk.cpp
   using Stranger = std::size_t (*)(std::string_view);
   Task<Result<std::string>> ask(std::string question, ReplyShape shape, Priority priority, Stranger stranger,
-                                Duration patience = Millis(200));
+                                Duration patience = usual_patience);
+  Task<Result<std::string>> ask(Transaction transaction);
   template <class T>
   Task<Result<T>> ask_decoded(std::string question, ReplyShape shape, Priority priority, Stranger stranger,
                               std::optional<T> (*decode)(std::string_view));
@@ -101,7 +103,7 @@ class VxmDriver final : public Driver {
   Task<Result<std::string>> ask_text(std::string question, Priority priority);
   Task<Result<unsigned char>> ask_raw(char question, Priority priority);
   Task<Result<Listing>> ask_listing(Priority priority);
-  Task<> wait_for_quiet();
+  Task<Result<>> wait_for_quiet();
   std::size_t hear(std::string_view bytes);
   void heard(const Message& message);
   void heard_prompt();
@@ -109,34 +111,34 @@ class VxmDriver final : public Driver {
   void heard_error(char letter);
   void lose_slave();
   void heard_limit();
-  void for_scripts(std::string text);
-  void prompt_for_scripts();
   void tell(Notice::Kind kind, std::string text);
   void tell(const Fault& fault);
 
   // ---- driver_text.cpp
   struct RawAnswer {
     std::string text;
-    bool last_is_answered = false;
-    std::optional<Fault> fault;  ///< what ended it; `text` is what was answered before
-    std::string dropped;         ///< a sentence about commands that the controller's state drops
+    std::optional<Fault> fault;    ///< what ended it; `text` is what was answered before
+    std::string dropped;           ///< a sentence about commands that the controller's state drops
+    bool last_is_dropped = false;  ///< no prompt of it will come
   };
   Task<Result<>> send_text(std::string text);
-  Task<RawAnswer> send_pieces(std::string text, Duration patience);
-  Task<Result<std::string>> converse(std::string text, Duration patience, std::function<void()> said);
+  Result<> may_send(const std::vector<TextCommand>& commands) const;
+  Task<RawAnswer> send_pieces(std::string text, Duration patience, Priority priority);
+  Task<Result<std::string>> converse(std::string text, Duration patience, Priority priority);
+  Task<Result<std::string>> stop_by_words(const StopOrder& order);
   void warn_of_flaws(const std::vector<TextCommand>& commands);
-  void warn_of_dropped(const RawAnswer& sent);
-  void note_taken(const std::vector<TextCommand>& commands);
-  void end_waits();
+  void note_taken(const Piece& piece);
+  void note_taken(const TextCommand& command);
+  void note_program_changed();
+  void note_set(const TextCommand& command);
+  void note_letter(char letter);
   std::string cut_behind_stop(std::string& text) const;
-  std::optional<std::string> take_since(std::uint64_t number, char first = 0);
-  Task<Result<std::string>> wait_for_prompt(std::uint64_t since, Duration patience);
+  [[nodiscard]] Listening listening() const;
 
   // ---- driver_connect.cpp
   Task<Result<std::string>> ask_who_listens();
   Task<Result<>> greet();
-  Task<Result<>> recover();
-  Task<Result<>> go_on_line(bool said_before);
+  Task<Result<>> go_on_line();
   Task<Result<>> found_local(char state);
   Task<Result<>> found_restarted(const char* why);
   Task<Result<>> read_identity();
@@ -151,6 +153,7 @@ class VxmDriver final : public Driver {
   // ---- driver_poll.cpp
   Task<Result<>> ask_whether_it_hears_again();
   Task<Result<>> poll_on_line();
+  Task<Result<>> see_whether_it_stands();
   Task<Result<>> poll_local();
   Task<Result<>> read_positions(Priority priority, bool at_rest);
   Task<Result<>> read_io(char which, Priority priority);
@@ -177,14 +180,18 @@ class VxmDriver final : public Driver {
   void warn_of_motor_type(int axis);
 
   // ---- driver_legs.cpp
+  Task<Result<>> settle();
   Task<Result<int>> find_scratch();
+  Task<Result<>> choose(int slot, Priority priority);
+  Task<Result<>> give_back_selection();
   void ask_for_room(std::string sentence);
   bool may_be_scratch(int slot) const;
   Task<Result<>> begin(Job job);
   void forget_how_it_ended();
   Task<Result<>> start_leg();
   Task<Result<>> run_quickly(Leg leg);
-  Task<Result<>> finish_leg();
+  Task<Result<>> end_leg(Priority priority);
+  Result<> cut_short() const;
   Task<Result<>> clean_scratch();
   Task<Result<>> restore_speeds();
   std::string leg_program(const Leg& leg);
@@ -194,14 +201,23 @@ class VxmDriver final : public Driver {
   std::optional<Leg> next_jog_leg(const Leg& last, EndedBy ended_by) const;
 
   // ---- driver_stop.cpp
+  Task<Result<>> send_stop(const StopOrder& order);
+  Task<Result<>> stop_blind(const StopOrder& order);
+  Task<Result<>> stop_local();
+  Task<Result<>> stop_leg(const StopOrder& order);
+  Task<Result<>> stop_program(const StopOrder& order);
   Task<Result<>> stop_unknown();
-  Task<Result<>> watch_the_ramp(int turning);
-  [[nodiscard]] bool ramps_down() const;
+  [[nodiscard]] bool moves_for(const StopOrder& order) const;
+  void show_stopping();
   void drop_later_legs(int axis);
   void note_stop();
-  Task<Result<>> stop_program();
-  Task<bool> wait_for_standstill(Instant give_up);
-  Task<Result<>> kill(bool standing);
+  [[nodiscard]] double fastest() const;
+  StopProgress watch_the_ramp();
+  StopProgress watch_the_program();
+  [[nodiscard]] bool stands_since_ramp() const;
+  Task<Result<>> kill(bool standing, Priority priority = Priority::stop);
+  Task<Result<>> settle_hold();
+  void kill_not_confirmed(EndedBy ended_by);
   void killed(EndedBy ended_by = EndedBy::abort);
   void doubt_positions();
   void all_are_zero();
@@ -244,6 +260,7 @@ class VxmDriver final : public Driver {
   Scheduler& scheduler_;
   const Catalog& catalog_;
   Snapshot& draft_;
+  ScriptTexts& texts_;
   std::function<void(Notice)> notify_;
   std::function<void()> changed_;
   Station* station_ = nullptr;
@@ -251,8 +268,6 @@ class VxmDriver final : public Driver {
 
   Mode mode_ = Mode::unknown;
   bool connected_before_ = false, stay_local_ = false;
-  std::optional<std::string> recover_by_;  ///< to be said when nothing answers at connect
-  std::optional<std::string> recovery_;    ///< what came of it
   bool slave_present_ = false;
   bool lost_while_busy_ = false;
   Instant lost_at_{};
@@ -262,16 +277,14 @@ class VxmDriver final : public Driver {
   int confirmed_scratch_ = -1;  ///< slot that lst has shown empty
   bool stored_running_ = false;
   bool hold_on_ = false;
-  bool hold_doubtful_ = false;  ///< the wire was lost with an H on it: another might let the motors go on
-  bool release_hold_ = false;
-  bool reset_said_ = false;  ///< res by a text of the user's; its restart has not been seen
-  char halted_ = 0;          ///< letter of the error that waits for K
+  bool hold_doubtful_ = false;  ///< the wire was lost with an H on it, or nobody confirmed a K
+  bool release_hold_ = false;   ///< it must not keep what runs, or runs next
+  bool reset_said_ = false;     ///< res by a text of the user's; its restart has not been seen
+  char halted_ = 0;             ///< letter of the error that waits for K
   Instant ask_again_at_{};
-  std::uint64_t stops_said_ = 0;
-  int stop_queries_ = 0;  ///< stops in the user's words whose answer is waited for
-  Stopping stopping_ = Stopping::no;
-  int ramped_ = -1;  ///< the axis that was to stop by a ramp; -1: all were
-  int selected_ = -1;
+  std::optional<Ramp> ramp_;
+  int selected_ = -1;  ///< the user's choice
+  int chosen_ = -1;    ///< what the controller has selected: for a while, another one
   std::array<std::optional<std::vector<std::string>>, program_count> listings_;
   std::array<std::optional<int>, max_motors> known_speed_;  ///< S as the user's commands left it
   std::array<bool, max_motors> our_speed_{};                ///< S of a leg that was cut off may be in force
@@ -289,14 +302,6 @@ class VxmDriver final : public Driver {
   bool raw_asked_ = false;
   std::optional<char> second_raw_;
   Instant killed_at_{};
-  /// What came unasked, until somebody reads it. The numbers tell what is younger than a question.
-  struct Unasked {
-    std::uint64_t number = 0;
-    std::string text;
-  };
-  std::deque<Unasked> for_scripts_;
-  std::uint64_t next_unasked_ = 0;
-  std::uint64_t prompts_until_ = 0;  ///< the number behind the latest prompt
 };
 
 }  // namespace hw::vxm

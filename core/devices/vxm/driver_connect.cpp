@@ -35,18 +35,14 @@ Greeting read_greeting(std::string_view bytes) {
   return g;
 }
 
-/// `said`: what was to end an error state, and did not.
-tl::unexpected<Fault> silent(int rate, const std::optional<std::string>& said) {
+tl::unexpected<Fault> silent(int rate) {
   std::string what = "Nothing answers to V, the VXM's question for its state";
   what += rate > 0 ? fmt::format(", at {} baud.", rate) : ".";
-  std::string effect = "Nothing else was sent but a carriage return.";
-  if (said) effect = fmt::format("{} was sent and brought nothing.", *said);
-  std::string advice =
-      "Check that the controller is switched on (green lamp), the cable, and the baud rate: 9600, 19200 or "
-      "38400. ";
-  if (!said) advice += "If both lamps flash fast it stands in an error state and takes only K: send K. ";
-  advice += "If On-Line flashes alone, switch it off and on.";
-  return fail(FaultKind::no_answer, std::move(what), std::move(effect), std::move(advice));
+  return fail(
+      FaultKind::no_answer, std::move(what), "Nothing else was sent but a carriage return.",
+      "Check that the controller is switched on (green lamp), the cable, and the baud rate: 9600, "
+      "19200 or 38400. If both lamps flash fast it stands in an error state and takes only K: send K. "
+      "If On-Line flashes alone, switch it off and on.");
 }
 
 tl::unexpected<Fault> nonsense(std::string_view bytes, int rate) {
@@ -75,6 +71,7 @@ VxmDriver::VxmDriver(DriverContext context)
     : scheduler_(context.scheduler),
       catalog_(context.catalog),
       draft_(context.draft),
+      texts_(context.texts),
       notify_(std::move(context.notify)),
       changed_(std::move(context.changed)),
       news_(context.scheduler) {
@@ -83,9 +80,14 @@ VxmDriver::VxmDriver(DriverContext context)
   draft_.slot_bytes_used.fill(-1);
 }
 
-Task<Result<>> VxmDriver::connect(Station& station) {
+void VxmDriver::attach(Station& station) {
   station_ = &station;
+  mode_ = Mode::unknown;
   station.unsolicited = [this](std::string_view bytes) { return hear(bytes); };
+  station.procedure_ended = [this] { news_.notify(); };
+}
+
+Task<Result<>> VxmDriver::connect() {
   auto greeted = co_await greet();
   if (!greeted) co_return greeted;
   connected_before_ = true;
@@ -93,7 +95,7 @@ Task<Result<>> VxmDriver::connect(Station& station) {
     auto caught_up = co_await catch_up();
     if (!caught_up) co_return caught_up;
   }
-  co_return co_await poll();
+  co_return co_await poll(Round::usual);
 }
 
 // V alone first: it moves nothing in any mode. A carriage return ends a command that somebody left half said.
@@ -110,45 +112,16 @@ Task<Result<std::string>> VxmDriver::ask_who_listens() {
   co_return bytes;
 }
 
-bool VxmDriver::recover_by(std::string_view text) {
-  if (text != "K" && text != "res") return false;
-  recover_by_ = std::string(text);
-  return true;
-}
-
-// In an error state only K and res are heard (Troubleshooting p.30, V34). Neither starts a motion; both are
-// said only when the user has said them.
-Task<Result<>> VxmDriver::recover() {
-  constexpr Duration patience = std::chrono::seconds(1);
-  const ReplyShape shape =
-      *recover_by_ == "K" ? ReplyShape::until_quiet(greeting_quiet_ms) : ReplyShape::nothing();
-  auto reply = co_await ask(*recover_by_, shape, Priority::intent, nullptr, patience);
-  if (!reply && reply.error().kind != FaultKind::no_answer) co_return fail(reply.error());
-  recovery_ = reply && reply->find(prompt) != std::string::npos ? std::string(1, prompt) : std::string();
-  if (!recovery_->empty()) killed(EndedBy::error);
-  co_return Result<>();
-}
-
 Task<Result<>> VxmDriver::greet() {
   auto bytes = co_await ask_who_listens();
   if (!bytes) co_return fail(bytes.error());
-  Greeting greeting = read_greeting(*bytes);
-  const bool deaf = !greeting.state && greeting.sense;  // nothing came, or an echo of what was said
-  recovery_.reset();
-  if (deaf && recover_by_) {
-    auto recovered = co_await recover();
-    if (!recovered) co_return recovered;
-    bytes = co_await ask_who_listens();
-    if (!bytes) co_return fail(bytes.error());
-    greeting = read_greeting(*bytes);
-  }
-  const auto tried = std::exchange(recover_by_, std::nullopt);
+  const Greeting greeting = read_greeting(*bytes);
   const int rate = station_ ? station_->rate() : 0;
-  if (bytes->empty()) co_return silent(rate, tried);
+  if (bytes->empty()) co_return silent(rate);
   if (!greeting.state || !greeting.sense) co_return nonsense(*bytes, rate);
   if (greeting.state == jog_idle || greeting.state == jog_moving)
     co_return co_await found_local(greeting.state);
-  if (tried && halted_) killed(EndedBy::error);  // it hears again
+  if (halted_) killed(EndedBy::error);  // it hears again
   mode_ = Mode::on_line;
   // F: no echo, no carriage returns behind prompts, whoever asked for them.
   auto said = co_await say("F", Priority::intent);
@@ -169,7 +142,7 @@ Task<Result<>> VxmDriver::greet() {
 Task<Result<>> VxmDriver::found_local(char state) {
   if (connected_before_ && !stay_local_) co_return co_await found_restarted("It answers from Local mode");
   stay_local_ = false;
-  auto on_line = co_await go_on_line(false);
+  auto on_line = co_await go_on_line();
   if (!on_line) co_return on_line;
   tell(Notice::Kind::info,
        state == jog_moving
@@ -178,11 +151,9 @@ Task<Result<>> VxmDriver::found_local(char state) {
   co_return Result<>();
 }
 
-Task<Result<>> VxmDriver::go_on_line(bool said_before) {
-  if (!said_before) {
-    auto said = co_await say("F", Priority::intent);
-    if (!said) co_return said;
-  }
+Task<Result<>> VxmDriver::go_on_line() {
+  auto said = co_await say("F", Priority::intent);
+  if (!said) co_return said;
   auto state = co_await ask_state(Priority::intent);
   if (!state) co_return fail(state.error());
   if (*state == jog_idle || *state == jog_moving)
@@ -193,12 +164,10 @@ Task<Result<>> VxmDriver::go_on_line(bool said_before) {
   co_return Result<>();
 }
 
-// Power off and on, or res: positions are zero wherever the motors stand, RAM holds what was stored last. A
-// stop that is under way is over first: nothing else may be said beside it.
+// Power off and on, or res: positions are zero wherever the motors stand, RAM holds what was stored last.
 Task<Result<>> VxmDriver::found_restarted(const char* why) {
   const bool was_moving = draft_.any_axis_moving() || busy();
   forget_what_ran();
-  news_.notify();
   auto reply = co_await ask("D", ReplyShape::until_quiet(greeting_quiet_ms), Priority::intent, nullptr);
   if (!reply && reply.error().kind == FaultKind::stopped)
     co_return fail(reply.error());  // the next V finds it
@@ -208,7 +177,7 @@ Task<Result<>> VxmDriver::found_restarted(const char* why) {
   if (places)
     for (const Steps place : places->positions) zero = zero && place.value == 0;
   mode_ = Mode::unknown;
-  auto on_line = co_await go_on_line(false);
+  auto on_line = co_await go_on_line();
   if (!on_line) co_return on_line;
   ++draft_.restarts;
   stands_after_restart(zero ? Doubt::restarted : Doubt::none);
@@ -246,7 +215,7 @@ void VxmDriver::forget_what_ran() {
   stored_running_ = false;
   draft_.program.run = RunState::idle;
   draft_.program.owned = false;
-  stopping_ = Stopping::no;
+  ramp_.reset();
 }
 
 /// What reads zero since then stands anywhere: Doubt::none where the positions were kept.
@@ -262,10 +231,10 @@ void VxmDriver::stands_after_restart(Doubt why) {
 }
 
 void VxmDriver::forget_ram() {
-  hold_on_ = hold_doubtful_ = false;
+  hold_on_ = hold_doubtful_ = release_hold_ = false;
   halted_ = 0;
   scratch_ = confirmed_scratch_ = -1;
-  selected_ = 0;
+  selected_ = chosen_ = 0;
   identity_read_ = sizes_read_ = essentials_read_ = false;
   next_param_ = 0;
   for (auto& listing : listings_) listing.reset();
@@ -301,14 +270,13 @@ Task<Result<>> VxmDriver::resume_after_loss(char state) {
 }
 
 void VxmDriver::wire_lost() {
-  recover_by_.reset();  // what the user said was for that attempt
   if (!station_) return;
   station_ = nullptr;
   lost_while_busy_ = lost_while_busy_ || busy();
   lost_at_ = scheduler_.now();
   unasked_.clear();
   raw_asked_ = false;
-  stopping_ = Stopping::no;
+  ramp_.reset();
   if (job_.active() && job_.legs.size() > 1) job_.legs.erase(job_.legs.begin() + 1, job_.legs.end());
   job_.jog = false;  // nothing of ours begins by itself after this
   for (int i = 0; i < draft_.axis_count; ++i) {
@@ -352,29 +320,27 @@ Task<Result<>> VxmDriver::read_identity() {
 
 // M speaks of the selected program, so each must be selected in turn and the user's choice put back.
 Task<Result<>> VxmDriver::read_sizes() {
+  auto given_back = co_await give_back_selection();
+  if (!given_back) co_return given_back;
   auto selected = co_await ask_number("PM\r", Priority::poll);
   if (!selected) co_return fail(selected.error());
   if (*selected < 0 || *selected >= program_count)
     co_return fail(
         FaultKind::garbled,
         fmt::format("The controller says that program {} is selected, but it has 0 to 4.", *selected));
-  selected_ = static_cast<int>(*selected);
-  Result<> outcome;
-  for (int slot = 0; slot < program_count && outcome; ++slot) {
-    if (draft_.slot_bytes_used[static_cast<std::size_t>(slot)] >= 0) continue;
-    outcome = co_await say(select_program(slot), Priority::poll);
-    if (!outcome) break;
-    auto free = co_await ask_number("M", Priority::poll);
-    if (!free) outcome = fail(free.error());
-    if (free)
-      draft_.slot_bytes_used[static_cast<std::size_t>(slot)] =
-          static_cast<std::int16_t>(program_bytes - *free);
-  }
-  auto restored = co_await say(select_program(selected_), Priority::poll);
+  selected_ = chosen_ = static_cast<int>(*selected);
   if (!stored_running_) draft_.program.slot = static_cast<std::int8_t>(selected_);
-  if (!outcome) co_return outcome;
-  sizes_read_ = restored.has_value();
-  co_return restored;
+  for (int slot = 0; slot < program_count; ++slot) {
+    std::int16_t& used = draft_.slot_bytes_used[static_cast<std::size_t>(slot)];
+    if (used >= 0) continue;
+    auto chosen = co_await choose(slot, Priority::poll);
+    if (!chosen) co_return chosen;
+    auto free = co_await ask_number("M", Priority::poll);
+    if (!free) co_return fail(free.error());
+    used = static_cast<std::int16_t>(program_bytes - *free);
+  }
+  sizes_read_ = true;
+  co_return co_await give_back_selection();
 }
 
 // What the driver itself must know before it moves anything.

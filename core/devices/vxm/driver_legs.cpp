@@ -41,11 +41,11 @@ Task<Result<int>> VxmDriver::find_scratch() {
   for (const bool selected_too : {false, true})  // the selected one only when no other is left
     for (int slot = program_count - 1; slot >= 0; --slot) {
       if ((slot == selected_) != selected_too || used[ix(slot)] != 0 || !may_be_scratch(slot)) continue;
-      auto chosen = co_await say(select_program(slot), Priority::intent);
+      auto chosen = co_await choose(slot, Priority::intent);
       if (!chosen) co_return fail(chosen.error());
       auto listing = co_await ask_listing(Priority::intent);
-      auto back = co_await say(select_program(selected_), Priority::poll);  // a stop does not keep it back
       if (!listing) co_return fail(listing.error());
+      auto back = co_await give_back_selection();
       if (!back) co_return fail(back.error());
       if (listing->slot == slot && listing->free_bytes == program_bytes && listing->commands.empty()) {
         confirmed_scratch_ = slot;
@@ -62,6 +62,19 @@ Task<Result<int>> VxmDriver::find_scratch() {
       "controller, and move again.");
   ask_for_room(none.sentence());
   co_return fail(none);
+}
+
+// What the console selects for its own use is given back as soon as it has the wire for it: a stop, or a lost
+// wire, may come in between.
+Task<Result<>> VxmDriver::choose(int slot, Priority priority) {
+  auto said = co_await say(select_program(slot), priority);
+  if (said || said.error().kind != FaultKind::stopped) chosen_ = slot;
+  co_return said;
+}
+
+Task<Result<>> VxmDriver::give_back_selection() {
+  if (chosen_ == selected_ || selected_ < 0) co_return Result<>();
+  co_return co_await choose(selected_, Priority::poll);
 }
 
 void VxmDriver::ask_for_room(std::string sentence) {
@@ -93,10 +106,12 @@ std::string VxmDriver::leg_program(const Leg& leg) {
 }
 
 Task<Result<>> VxmDriver::begin(Job job) {
+  auto held = co_await settle_hold();
+  if (!held) co_return held;
   auto slot = co_await find_scratch();
   if (!slot) co_return fail(slot.error());
   scratch_ = *slot;
-  stopping_ = Stopping::no;  // one that was never confirmed is no first stop of this
+  ramp_.reset();
   forget_how_it_ended();
   job_ = std::move(job);
   co_return co_await start_leg();
@@ -116,6 +131,7 @@ Task<Result<>> VxmDriver::start_leg() {
   const bool held = std::exchange(hold_on_, false);
   show_leg(leg);
   auto sent = co_await say(std::move(program), Priority::intent);
+  if (sent || sent.error().kind != FaultKind::stopped) chosen_ = scratch_;
   if (sent) co_return sent;
   hold_on_ = held;
   hold_doubtful_ = hold_doubtful_ || (held && sent.error().kind == FaultKind::lost);
@@ -143,17 +159,31 @@ void VxmDriver::show_leg(const Leg& leg) {
   }
 }
 
-// Called whenever a leg may have ended: reads where it ended, and goes on to the next one or cleans up.
-Task<Result<>> VxmDriver::finish_leg() {
-  if (!job_.active() || !job_.leg_over) {
-    if (!busy() && scratch_ >= 0) co_return co_await clean_scratch();
-    co_return Result<>();
+// What is due before anything else: a hold that was left on is taken off, a leg that is over is followed by
+// the next one, and what the console has put into the controller goes when nothing of its own runs.
+Task<Result<>> VxmDriver::settle() {
+  if (release_hold_ && hold_on_) {
+    auto released = co_await switch_hold("H", false, Priority::poll);
+    if (!released) co_return released;
   }
+  release_hold_ = false;
+  if (job_.active() && job_.leg_over) {
+    auto ended = co_await end_leg(Priority::poll);
+    if (!ended) co_return ended;
+    if (job_.active()) co_return co_await start_leg();
+  }
+  if (busy() || halted_ || mode_ != Mode::on_line) co_return Result<>();
+  auto cleaned = co_await clean_scratch();
+  if (!cleaned) co_return cleaned;
+  co_return co_await give_back_selection();
+}
+
+// Reads where it ended.
+Task<Result<>> VxmDriver::end_leg(Priority priority) {
   const Leg leg = job_.legs.front();
-  auto read = co_await read_positions(Priority::poll, true);
-  if (read && leg.activity != Activity::idle) read = co_await read_io('?', Priority::poll);
+  auto read = co_await read_positions(priority, true);
+  if (read && leg.activity != Activity::idle) read = co_await read_io('?', priority);
   if (!read) co_return read;
-  if (!job_.active()) co_return Result<>();
   const EndedBy ended_by = how_it_ended(leg);
   const bool cut_off = ended_by == EndedBy::abort || ended_by == EndedBy::error || ended_by == EndedBy::lost;
   for (const int axis : {leg.axis, leg.second_axis})
@@ -163,10 +193,9 @@ Task<Result<>> VxmDriver::finish_leg() {
   if (again) job_.legs.push_back(std::move(*again));
   if (ended_by != EndedBy::target) job_.legs.clear();
   show_leg_ended(leg, ended_by);
-  if (job_.active()) co_return co_await start_leg();
-  job_ = Job();
-  stopping_ = Stopping::no;
-  co_return co_await clean_scratch();
+  ramp_.reset();
+  if (!job_.active()) job_ = Job();
+  co_return Result<>();
 }
 
 EndedBy VxmDriver::how_it_ended(const Leg& leg) const {
@@ -214,9 +243,9 @@ std::optional<VxmDriver::Leg> VxmDriver::next_jog_leg(const Leg& last, EndedBy e
 
 // A move that nobody has stopped keeps its program: it may take as long as it likes.
 bool VxmDriver::clears_up() const {
-  const bool ends =
-      !busy() || stopping_ != Stopping::no || job_.leg_over || job_.ended_by != EndedBy::nothing;
-  return scratch_ >= 0 && !reset_said_ && mode_ == Mode::on_line && !halted_ && ends;
+  const bool ends = !busy() || ramp_ || job_.leg_over || job_.ended_by != EndedBy::nothing;
+  const bool something_left = scratch_ >= 0 || chosen_ != selected_ || (release_hold_ && hold_on_);
+  return something_left && !reset_said_ && mode_ == Mode::on_line && !halted_ && ends;
 }
 
 std::string VxmDriver::leaves_behind() const {
@@ -230,10 +259,11 @@ std::string VxmDriver::leaves_behind() const {
 
 Task<Result<>> VxmDriver::clean_scratch() {
   if (scratch_ < 0) co_return Result<>();
-  auto cleaned =
-      co_await say(empty_program(scratch_) + select_program(std::max(selected_, 0)), Priority::poll);
+  const int selected = std::max(selected_, 0);
+  auto cleaned = co_await say(empty_program(scratch_) + select_program(selected), Priority::poll);
   if (!cleaned) co_return cleaned;
   scratch_ = -1;
+  chosen_ = selected;
   co_return Result<>();
 }
 
@@ -245,15 +275,21 @@ Task<Result<>> VxmDriver::run_quickly(Leg leg) {
   if (!begun) co_return begun;
   const Instant deadline = scheduler_.now() + quick_patience;
   bool in_time = true;
-  while (station_ && job_.active() && !job_.leg_over && in_time)
+  while (station_ && !station_->preempted() && job_.active() && !job_.leg_over && in_time)
     in_time = co_await news_.wait_until(deadline);
+  if (auto cut = cut_short(); !cut) co_return cut;
   if (!in_time) {
     auto state = co_await ask_state(Priority::intent);
     if (!state) co_return fail(state.error());
     auto taken = co_await take_state(*state);
     if (!taken) co_return taken;
   }
-  co_return co_await finish_leg();
+  co_return co_await settle();
+}
+
+Result<> VxmDriver::cut_short() const {
+  if (!station_ || !station_->preempted()) return {};
+  return fail(FaultKind::stopped, "A stop came while this was under way.", "It was sent.");
 }
 
 // A leg that was cut off may have left its own speed behind.

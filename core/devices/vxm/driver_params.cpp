@@ -38,15 +38,15 @@ std::string range_words(const ParamInfo& p) {
 
 Task<Result<>> VxmDriver::perform(const IntentBody& body) {
   using namespace intent;
-  if (const auto* i = std::get_if<SendText>(&body); i && is_stop(i->text))
-    co_return co_await send_text(i->text);
-  auto settled = co_await finish_leg();
-  if (!settled) co_return settled;
-  if (const auto* i = std::get_if<SendText>(&body)) co_return co_await send_text(i->text);
-  if (std::exchange(stay_local_, false)) {  // Q was sent earlier; whatever is wanted now needs on-line mode
-    auto on_line = co_await go_on_line(false);
+  const auto* text = std::get_if<SendText>(&body);
+  if (stay_local_ && !text) {  // Q was sent earlier; whatever is wanted now needs on-line mode
+    auto on_line = co_await go_on_line();
     if (!on_line) co_return on_line;
+    stay_local_ = false;
   }
+  auto settled = co_await settle();
+  if (!settled) co_return settled;
+  if (text) co_return co_await send_text(text->text);
   if (const auto* i = std::get_if<MoveTo>(&body)) co_return co_await move(i->targets, i->speed, false);
   if (const auto* i = std::get_if<MoveBy>(&body)) co_return co_await move(i->distances, i->speed, true);
   if (const auto* i = std::get_if<JogStart>(&body)) co_return co_await jog(*i);
@@ -71,7 +71,6 @@ Task<Result<>> VxmDriver::perform_program(const IntentBody& body) {
   if (std::holds_alternative<Pause>(body)) co_return co_await pause();
   if (std::holds_alternative<Resume>(body)) co_return co_await resume();
   if (std::holds_alternative<SingleStep>(body)) co_return co_await single_step();
-  if (std::holds_alternative<HaltProgram>(body)) co_return co_await stop(-1, false);
   if (slot >= 0) {
     if (std::holds_alternative<RunProgram>(body)) co_return co_await run(slot);
     if (std::holds_alternative<UploadProgram>(body)) co_return co_await upload(slot);
@@ -126,14 +125,14 @@ Task<Result<>> VxmDriver::read_params() {
 }
 
 Task<Result<>> VxmDriver::read_again() {
-  if (busy()) co_return co_await poll();
+  if (busy()) co_return co_await poll(Round::usual);
   identity_read_ = essentials_read_ = sizes_read_ = false;
   draft_.slot_bytes_used.fill(-1);
   confirmed_scratch_ = -1;
   for (auto& listing : listings_) listing.reset();
   auto read = co_await catch_up();
   if (!read) co_return read;
-  co_return co_await poll();
+  co_return co_await poll(Round::usual);
 }
 
 Task<Result<>> VxmDriver::set_param(const intent::SetParam& wish) {
@@ -178,13 +177,16 @@ Task<Result<>> VxmDriver::set_param(const intent::SetParam& wish) {
       "Read the set-up again; the number that the controller says is the one that holds.");
 }
 
-// The controller changes its rate after the command's end; then both sides must agree, or go back.
+// The controller changes its rate after the command's end; then both sides must agree, or go back. A stop in
+// between would go out at a rate that nobody listens at.
 Task<Result<>> VxmDriver::set_baud(std::int64_t number) {
   const int before = station_->rate(), wanted = baud_rate(number);
+  const Station::Uncut uncut(*station_);
   auto sent = co_await say(vxm::set_param("B", number), Priority::intent);
   if (!sent) co_return sent;
-  co_await scheduler_.sleep_for(station_->wire_time(10) + rate_change_pause);
-  if (!station_) co_return fail(FaultKind::lost, "The connection was lost while the baud rate changed.");
+  auto waited = co_await station_->pause(station_->wire_time(10) + rate_change_pause);
+  if (!waited || !station_)
+    co_return fail(FaultKind::lost, "The connection was lost while the baud rate changed.");
   auto changed = station_->set_rate(wanted);
   if (changed) {
     auto state = co_await ask_state(Priority::intent);
@@ -213,8 +215,6 @@ void VxmDriver::all_stored() {
 
 Task<Result<>> VxmDriver::store() {
   if (auto may = may_touch_programs(); !may) co_return may;
-  auto cleaned = co_await clean_scratch();
-  if (!cleaned) co_return cleaned;
   auto reply = co_await ask("rsm", ReplyShape::bytes(1), Priority::intent, before_prompt, store_patience);
   if (!reply && reply.error().kind == FaultKind::no_answer)
     co_return fail(
@@ -242,12 +242,15 @@ Task<Result<>> VxmDriver::reset() {
   if (job_.active()) job_ = Job();
   run_ended(EndedBy::abort);
   forget_ram();
+  reset_said_ = true;  // if this is cut short, the next V finds it
   Result<> on_line = fail(FaultKind::no_answer, "The controller does not answer after its reset.");
   for (int attempt = 0; attempt < restart_attempts && !on_line && station_; ++attempt) {
-    co_await scheduler_.sleep_for(restart_pause);
-    on_line = co_await go_on_line(false);
+    auto waited = co_await station_->pause(restart_pause);
+    if (!waited) co_return waited;
+    on_line = co_await go_on_line();
   }
   if (!on_line) co_return on_line;
+  reset_said_ = false;
   for (int i = 0; i < draft_.axis_count; ++i) draft_.axes[i].activity = Activity::idle;
   tell(Notice::Kind::info,
        "The controller was reset: positions are zero where the motors stand, and what was not stored is "

@@ -14,15 +14,21 @@ constexpr int params_per_round = 4;  // set-up is read in the gaps, a few values
 
 }  // namespace
 
-Task<Result<>> VxmDriver::poll() {
+Task<Result<>> VxmDriver::poll(Round round) {
   if (!station_) co_return fail(FaultKind::lost, "There is no connection to the controller.");
   if (halted_) co_return co_await ask_whether_it_hears_again();
   Result<> polled;
   if (stay_local_)
     polled = co_await poll_local();
+  else if (round == Round::stopping)
+    polled = co_await see_whether_it_stands();
   else
     polled = co_await poll_on_line();
   show_worst();
+  if (!polled && halted_ && station_) {  // its error report came in place of an answer
+    station_->count_answer(station_->statistics().last_round_trip, false, scheduler_.now());
+    co_return Result<>();
+  }
   co_return polled;
 }
 
@@ -55,12 +61,8 @@ Task<Result<>> VxmDriver::ask_whether_it_hears_again() {
 Task<Result<>> VxmDriver::poll_on_line() {
   ++round_;
   round_began_ = scheduler_.now();
-  if (std::exchange(release_hold_, false)) {
-    auto released = co_await switch_hold("H", false, Priority::poll);
-    if (!released) co_return released;
-  }
-  auto finished = co_await finish_leg();
-  if (!finished) co_return finished;
+  auto settled = co_await settle();
+  if (!settled) co_return settled;
   // V first: it is answered in every mode, so a restart shows before X is asked in vain.
   auto state = co_await ask_state(Priority::poll);
   if (!state) co_return fail(state.error());
@@ -76,6 +78,18 @@ Task<Result<>> VxmDriver::poll_on_line() {
   auto io = co_await read_all_io(Priority::poll);
   if (!io) co_return io;
   co_return co_await catch_up();
+}
+
+// While a stop is under way: whether anything runs, and where it is. What comes after that waits for the
+// usual round.
+Task<Result<>> VxmDriver::see_whether_it_stands() {
+  round_began_ = scheduler_.now();
+  auto state = co_await ask_state(Priority::stop);
+  if (!state) co_return fail(state.error());
+  auto taken = co_await take_state(*state);
+  if (!taken || stay_local_) co_return taken;
+  if (job_.active() && job_.leg_over && !job_.has_more()) co_return co_await end_leg(Priority::stop);
+  co_return co_await read_positions(Priority::stop, !busy());
 }
 
 // Q was sent on purpose: only V and D are answered now.
@@ -129,8 +143,7 @@ void VxmDriver::show_position(int index, Steps position) {
     const bool turns = moved || now - moved_at_[i] < seems_moving;
     if (moved) axis.direction = static_cast<std::int8_t>(position > axis.position ? 1 : -1);
     if (!turns) axis.direction = 0;
-    const bool stops = stopping_ == Stopping::program && turns;
-    axis.activity = stops ? Activity::stopping : turns ? Activity::moving : Activity::idle;
+    axis.activity = !turns ? Activity::idle : ramp_ ? Activity::stopping : Activity::moving;
   } else if (!job_.active() && axis.activity != Activity::error) {
     axis.activity = Activity::idle;
     axis.direction = 0;
@@ -154,6 +167,8 @@ Task<Result<>> VxmDriver::take_state(char state) {
     news_.notify();
   } else if (state == ready && stored_running_) {
     run_ended(EndedBy::target);
+  } else if (state == ready && draft_.program.run != RunState::error) {
+    draft_.program.run = RunState::idle;  // whatever a stray message has said
   }
   co_return Result<>();
 }

@@ -198,11 +198,11 @@ Task<Result<>> VxmDriver::load(const intent::LoadProgram& wish) {
     loaded = co_await load_slot(slot, lines, expected);
     if (!loaded) break;
   }
-  auto restored = co_await say(select_program(selected_), Priority::poll);
   if (!loaded) co_return loaded;
   if (!plan->left_out.empty())
     tell(Notice::Kind::info, fmt::format("Not part of a program and so not sent: {}.", plan->left_out));
-  co_return restored;
+  (void)co_await give_back_selection();  // else the next round does
+  co_return loaded;
 }
 
 Task<Result<>> VxmDriver::load_slot(int slot, const std::vector<std::string>& lines,
@@ -213,6 +213,7 @@ Task<Result<>> VxmDriver::load_slot(int slot, const std::vector<std::string>& li
   sizes_read_ = false;
   draft_.unsaved_programs = true;
   auto sent = co_await say(empty_program(slot), Priority::transfer);
+  if (sent || sent.error().kind != FaultKind::stopped) chosen_ = slot;
   for (std::size_t i = 0; i < lines.size() && sent && !halted_; ++i)
     sent = co_await say(lines[i], Priority::transfer);
   if (halted_)
@@ -258,19 +259,17 @@ Task<Result<>> VxmDriver::clear(int slot) {
   if (auto may = may_touch_programs(); !may) co_return may;
   const std::vector<std::string> nothing;
   auto cleared = co_await load_slot(slot, nothing, nothing);
-  auto restored = co_await say(select_program(std::max(selected_, 0)), Priority::poll);
-  if (!cleared) co_return cleared;
-  co_return restored;
+  if (cleared) (void)co_await give_back_selection();
+  co_return cleared;
 }
 
 // ---- reading
 
 Task<Result<>> VxmDriver::upload(int slot) {
   if (auto may = may_touch_programs(); !may) co_return may;
-  auto chosen = co_await say(select_program(slot), Priority::transfer);
+  auto chosen = co_await choose(slot, Priority::transfer);
   if (!chosen) co_return chosen;
   auto listing = co_await ask_listing(Priority::transfer);
-  auto restored = co_await say(select_program(std::max(selected_, 0)), Priority::poll);
   if (!listing) co_return fail(listing.error());
   draft_.slot_bytes_used[ix(slot)] = static_cast<std::int16_t>(program_bytes - listing->free_bytes);
   listings_[ix(slot)] = listing->commands;
@@ -279,16 +278,17 @@ Task<Result<>> VxmDriver::upload(int slot) {
   Notice notice(Notice::Kind::program, scheduler_.now(), std::move(text));
   notice.slot = slot;
   if (notify_) notify_(std::move(notice));
-  co_return restored;
+  (void)co_await give_back_selection();
+  co_return Result<>();
 }
 
 Task<Result<>> VxmDriver::select(int slot) {
   if (auto may = may_touch_programs(); !may) co_return may;
-  auto said = co_await say(select_program(slot), Priority::intent);
+  auto said = co_await choose(slot, Priority::intent);
   if (!said) co_return said;
   auto selected = co_await ask_number("PM\r", Priority::intent);
   if (!selected) co_return fail(selected.error());
-  selected_ = static_cast<int>(*selected);
+  selected_ = chosen_ = static_cast<int>(*selected);
   draft_.program.slot = static_cast<std::int8_t>(selected_);
   if (selected_ == slot) co_return Result<>();
   co_return fail(FaultKind::controller,

@@ -38,16 +38,18 @@ Task<Result<>> VxmDriver::run(int slot) {
   if (draft_.slot_bytes_used[ix(slot)] == 0)
     co_return fail(FaultKind::refused, fmt::format("Program {} of the controller is empty.", slot),
                    "Nothing was run.", "Load it first.");
+  auto held = co_await settle_hold();
+  if (!held) co_return held;
   auto speeds = co_await restore_speeds();
   if (!speeds) co_return speeds;
   for (int i = 0; i < draft_.axis_count; ++i)
     if (may_turn(slot, i + 1)) warn_of_motor_type(i);
   std::string text = hold_on_ ? "H" : "";
   text += select_program(slot) + "R";
-  stopping_ = Stopping::no;
+  ramp_.reset();
   auto sent = co_await switch_hold(std::move(text), false, Priority::intent);
   if (!sent) co_return sent;
-  selected_ = slot;
+  selected_ = chosen_ = slot;
   show_running(slot);
   if (listings_[ix(slot)])
     for (const TextCommand& c : commands_of(*listings_[ix(slot)]))
@@ -104,6 +106,8 @@ Task<Result<>> VxmDriver::single_step() {
   ProgramState& p = draft_.program;
   if (!stored_running_) {  // start it held: nothing moves before the next step
     if (auto may = may_run(); !may) co_return may;
+    auto held = co_await settle_hold();
+    if (!held) co_return held;
     std::string text = hold_on_ ? "R" : "HR";
     auto started = co_await switch_hold(std::move(text), true, Priority::intent);
     if (!started) co_return started;

@@ -1,6 +1,5 @@
 // Stopping, by decision V102: D ends a move of the console. A stored program is held (H), its motor ramped
-// down (D) and ended by K once everything stands. A second stop is K at once. In Local mode: on-line (F),
-// then K.
+// down (D) and ended by K once everything stands. At once is K. In Local mode: on-line (F), then K.
 #include <algorithm>
 
 #include <fmt/core.h>
@@ -13,53 +12,109 @@ namespace {
 
 // At acceleration 1 from the highest speed; nothing takes longer to ramp down.
 constexpr Duration longest_ramp = from_seconds(max_speed / (accel_unit * min_accel));
-constexpr Duration look_again = Millis(60);
+constexpr Duration to_see_standstill = Millis(60);
+constexpr Duration to_see_a_ramp = Millis(300);
 constexpr Duration kill_patience = Millis(300);
 
 }  // namespace
 
-Task<Result<>> VxmDriver::stop(int axis, bool at_once) {
+Task<Result<std::string>> VxmDriver::stop(const StopOrder& order) {
+  using What = StopOrder::What;
   if (!station_)
     co_return fail(FaultKind::lost, "Stop does not reach the controller: there is no connection.",
                    "Nothing was sent.", "Use its power switch.");
-  end_waits();
-  // The first stop of all, or of another motor, is no second one of what ramps down already.
-  const bool other = stopping_ == Stopping::ramp && ramped_ >= 0 && ramped_ != axis;
-  if (at_once || (stopping_ != Stopping::no && !other) || halted_) co_return co_await kill(false);
-  if (other) {
-    if (axis >= 0) co_return Result<>();
-    ramped_ = axis;
-    co_return co_await say("D", Priority::stop);  // the one before may not have come through
-  }
-  if (mode_ == Mode::local) {
-    auto said = co_await say("F", Priority::stop);
-    if (!said) co_return said;
-    stay_local_ = false;
-    mode_ = Mode::on_line;
-    co_return co_await kill(false);
-  }
-  if (job_.active()) {
-    const bool concerned =
-        axis < 0 || job_.legs.front().axis == axis || job_.legs.front().second_axis == axis;
-    const bool later_legs = job_.legs.size() > 1;
-    drop_later_legs(axis);
-    if (!concerned) co_return Result<>();
-    job_.legs.resize(1);
-    job_.jog = false;
-    if (!job_.leg_over) job_.ended_by = EndedBy::stop;
-    stopping_ = Stopping::ramp;
-    ramped_ = axis;
-    for (const int index : {job_.legs.front().axis, job_.legs.front().second_axis})
-      if (index >= 0 && draft_.axes[index].activity != Activity::idle)
-        draft_.axes[index].activity = Activity::stopping;
-    job_.cut_whole = job_.legs.front().second_axis < 0 && !later_legs;
-    const int turning = std::max(job_.legs.front().axis, 0);
-    auto said = co_await say("D", Priority::stop);
-    if (!said) co_return said;
-    co_return co_await watch_the_ramp(turning);
-  }
-  if (stored_running_) co_return co_await stop_program();
+  if (order.what == What::broadcast) co_return std::string();  // a VXM is alone on its wire
+  if (order.what == What::words) co_return co_await stop_by_words(order);
+  auto sent = co_await send_stop(order);
+  if (!sent) co_return fail(sent.error());
+  co_return std::string();
+}
+
+Task<Result<>> VxmDriver::send_stop(const StopOrder& order) {
+  if (mode_ == Mode::unknown) co_return co_await stop_blind(order);
+  if (mode_ == Mode::local) co_return co_await stop_local();
+  if (halted_) co_return co_await kill(false);
+  if (job_.active()) co_return co_await stop_leg(order);
+  if (stored_running_) co_return co_await stop_program(order);
+  if (killed_at_ > order.first_sent_at) co_return Result<>();  // K has ended everything since
+  if (order.at_once) co_return co_await kill(false);
   co_return co_await stop_unknown();
+}
+
+// Nothing is known of what the controller does now: H would switch a hold off as well as on, and K costs
+// steps.
+Task<Result<>> VxmDriver::stop_blind(const StopOrder& order) {
+  if (order.what == StopOrder::What::jog && stored_running_) co_return Result<>();
+  if (moves_for(order)) note_stop();
+  if (order.at_once) co_return co_await kill(false);
+  co_return co_await stop_unknown();
+}
+
+// As far as is known nothing runs. In Local mode D is answered; nothing may be sent into that answer.
+Task<Result<>> VxmDriver::stop_unknown() {
+  const Instant sent_at = scheduler_.now();
+  auto said = co_await say("D", Priority::stop);
+  if (!said || !station_) co_return said;
+  auto waited = co_await station_->pause(station_->wire_time(4) + Millis(2));
+  if (!waited || heard_at_ <= sent_at) co_return waited;
+  co_return co_await wait_for_quiet();
+}
+
+// K is dropped in Local mode. F disables the buttons that jog.
+Task<Result<>> VxmDriver::stop_local() {
+  auto said = co_await say("F", Priority::stop);
+  if (!said) co_return said;
+  stay_local_ = false;
+  mode_ = Mode::on_line;
+  co_return co_await kill(false);
+}
+
+Task<Result<>> VxmDriver::stop_leg(const StopOrder& order) {
+  const bool concerned = moves_for(order);
+  if (!concerned && order.what != StopOrder::What::jog) drop_later_legs(order.axis);
+  if (!concerned) co_return Result<>();
+  note_stop();
+  show_stopping();
+  if (order.at_once) co_return co_await kill(false);
+  if (!ramp_) ramp_ = Ramp{scheduler_.now()};
+  ramp_->looked_at = scheduler_.now();
+  ramp_->speed = fastest();
+  co_return co_await say("D", Priority::stop);
+}
+
+// Held, its motor ramped down; K once that stands.
+Task<Result<>> VxmDriver::stop_program(const StopOrder& order) {
+  if (order.what == StopOrder::What::jog) co_return Result<>();
+  const auto is_held = [this] { return draft_.program.run == RunState::held; };
+  if (is_held() || (ramp_ && ramp_->over)) co_return co_await kill(true);
+  if (order.at_once || hold_doubtful_) co_return co_await kill(false);
+  if (!ramp_) ramp_ = Ramp{scheduler_.now()};
+  if (!hold_on_) {
+    auto held = co_await switch_hold("H", true, Priority::stop);
+    if (!held || !station_) co_return held;
+    // Between two commands the hold is told at once, and D into that listing would be an overrun.
+    auto waited = co_await station_->pause(station_->wire_time(2) + Millis(1));
+    if (!waited) co_return waited;
+    if (is_held()) co_return co_await kill(true);
+  }
+  if (!stored_running_ || !ramp_) co_return Result<>();  // it has ended by itself
+  ramp_->looked_at = scheduler_.now();
+  ramp_->speed = fastest();
+  co_return co_await say("D", Priority::stop);
+}
+
+/// What the console moves is in its scope.
+bool VxmDriver::moves_for(const StopOrder& order) const {
+  if (!job_.active()) return false;
+  const Leg& leg = job_.legs.front();
+  if (order.what == StopOrder::What::jog && leg.activity != Activity::jogging) return false;
+  return order.axis < 0 || leg.axis == order.axis || leg.second_axis == order.axis;
+}
+
+void VxmDriver::show_stopping() {
+  for (const int index : {job_.legs.front().axis, job_.legs.front().second_axis})
+    if (index >= 0 && draft_.axes[index].activity != Activity::idle)
+      draft_.axes[index].activity = Activity::stopping;
 }
 
 void VxmDriver::drop_later_legs(int axis) {
@@ -73,117 +128,80 @@ void VxmDriver::drop_later_legs(int axis) {
   });
 }
 
-bool VxmDriver::ramps_down() const {
-  return station_ && job_.active() && !job_.leg_over && stopping_ == Stopping::ramp;
+// The leg under way ends, and nothing of the move follows it.
+void VxmDriver::note_stop() {
+  if (!job_.active()) return;
+  if (job_.ended_by == EndedBy::nothing)
+    job_.cut_whole = job_.legs.front().second_axis < 0 && job_.legs.size() == 1;
+  job_.legs.resize(1);
+  job_.jog = false;
+  if (!job_.leg_over && job_.ended_by == EndedBy::nothing) job_.ended_by = EndedBy::stop;
 }
 
-// D is not answered. One that did not get through shows by a motor that loses no speed: it is said again, and
-// what still turns after the longest ramp is killed.
-Task<Result<>> VxmDriver::watch_the_ramp(int turning) {
-  constexpr Duration look = Millis(300);
-  constexpr double least_loss = min_accel * accel_unit * seconds(look) / 2;
-  const Instant give_up = scheduler_.now() + longest_ramp + look;
-  const std::size_t axis = ix(turning);
-  const bool can_be_seen =
-      turning < motors_per_controller;  // a Slave's motors cannot be read while they turn
-  bool again = false;
-  double before = seen_speed_[axis];
-  while (ramps_down() && scheduler_.now() < give_up) {
-    const Instant next = scheduler_.now() + look;
-    while (ramps_down() && scheduler_.now() < next) co_await news_.wait_until(next);
-    if (ramps_down() && (can_be_seen ? seen_speed_[axis] > before - least_loss : !again)) {
-      again = true;
-      auto said = co_await say("D", Priority::stop);
-      if (!said) co_return said;
-    }
-    before = seen_speed_[axis];
+// ---- what has become of it
+
+StopProgress VxmDriver::stop_progress(const StopOrder& order) {
+  if (halted_) return StopProgress::stands();  // nothing goes on until K
+  if (job_.active()) {
+    if (!moves_for(order)) return StopProgress::stands();
+    if (job_.leg_over) return StopProgress::wait();  // the next round reads where it ended
+    return order.at_once ? StopProgress::again() : watch_the_ramp();
   }
-  if (!station_) co_return fail(FaultKind::lost, "The connection was lost while the motor was stopping.");
-  if (ramps_down()) co_return co_await kill(false);
-  co_return Result<>();
+  if (stored_running_ && order.what != StopOrder::What::jog)
+    return order.at_once ? StopProgress::again() : watch_the_program();
+  return StopProgress::stands();
 }
 
-// As far as is known nothing runs. That may be a fifth of a second old.
-Task<Result<>> VxmDriver::stop_unknown() {
-  const Instant sent_at = scheduler_.now();
-  auto said = co_await say("D", Priority::stop);
-  if (!said) co_return said;
-  // In Local mode D is answered; nothing may be sent into that answer.
-  if (station_) co_await scheduler_.sleep_for(station_->wire_time(4) + Millis(2));
-  if (heard_at_ > sent_at) co_await wait_for_quiet();
-  auto state = co_await ask_state(Priority::stop);
-  if (!state) co_return fail(state.error());
-  if (*state == ready) co_return Result<>();
-  if (*state == vxm::busy) {
-    show_running(-1);
-    co_return co_await stop_program();
+// Held before a command, or nothing has turned since D: what moves slower than a step in that time has no
+// ramp to speak of.
+StopProgress VxmDriver::watch_the_program() {
+  if (ramp_ && (draft_.program.run == RunState::held || stands_since_ramp())) {
+    ramp_->over = true;
+    return StopProgress::again();  // which is K, now
   }
-  auto on_line = co_await say("F", Priority::stop);
-  if (!on_line) co_return on_line;
-  co_return co_await kill(*state == jog_idle);
+  return watch_the_ramp();
 }
 
-Task<Result<>> VxmDriver::stop_program() {
-  stopping_ = Stopping::program;
-  if (draft_.program.run == RunState::held) co_return co_await kill(true);
-  if (hold_doubtful_) co_return co_await kill(false);
-  if (!hold_on_) {
-    auto held = co_await switch_hold("H", true, Priority::stop);
-    if (!held) co_return held;
-    // Between two commands the hold is told at once, and D into that listing would be an overrun.
-    if (station_) co_await scheduler_.sleep_for(station_->wire_time(2) + Millis(1));
-  }
-  if (stored_running_ && draft_.program.run != RunState::held && stopping_ == Stopping::program) {
-    auto ramped = co_await say("D", Priority::stop);
-    if (!ramped) co_return ramped;
-  }
-  const bool standing = co_await wait_for_standstill(scheduler_.now() + longest_ramp);
-  if (stopping_ != Stopping::program || !station_)
-    co_return Result<>();  // a second stop has killed it, or the wire is gone
-  if (!stored_running_) {
-    // It ended by itself. The hold must not keep the next run.
-    stopping_ = Stopping::no;
-    co_return co_await switch_hold("H", false, Priority::stop);
-  }
-  co_return co_await kill(standing);
+// D is not answered. One that did not get through shows by motors that lose no speed; what still turns after
+// the longest ramp is killed.
+StopProgress VxmDriver::watch_the_ramp() {
+  constexpr double least_loss = min_accel * accel_unit * seconds(to_see_a_ramp) / 2;
+  const Instant now = scheduler_.now();
+  if (!ramp_) return StopProgress::again();
+  if (now - ramp_->began > longest_ramp + to_see_a_ramp) return StopProgress::at_once();
+  if (now - ramp_->looked_at < to_see_a_ramp) return StopProgress::wait();
+  const double before = std::exchange(ramp_->speed, fastest());
+  ramp_->looked_at = now;
+  return ramp_->speed > before - least_loss ? StopProgress::again() : StopProgress::wait();
 }
 
-// Held before a command, ended, or two readings alike after D: what moves slower than a step between them has
-// no ramp to speak of. Motors 3 and 4 cannot be read while they turn, so there only the ramp's longest time
-// tells.
-Task<bool> VxmDriver::wait_for_standstill(Instant give_up) {
-  std::array<Steps, motors_per_controller> before{}, now{};
-  bool first = true;
-  while (station_ && stored_running_ && stopping_ == Stopping::program && scheduler_.now() < give_up) {
-    if (draft_.program.run == RunState::held) co_return true;
-    const int motors = std::min(draft_.axis_count, motors_per_controller);
-    for (int i = 0; i < motors; ++i) {
-      auto position = co_await ask_position(i + 1, Priority::stop);
-      if (!position) co_return false;
-      show_position(i, *position);
-      now[static_cast<std::size_t>(i)] = *position;
-    }
-    if (!first && now == before && !slave_present_) co_return true;
-    before = now;
-    first = false;
-    const Instant next = std::min(scheduler_.now() + look_again, give_up);
-    while (station_ && stored_running_ && draft_.program.run != RunState::held && scheduler_.now() < next)
-      co_await news_.wait_until(next);
-  }
-  co_return scheduler_.now() >= give_up || draft_.program.run == RunState::held;
+// Motors 3 and 4 cannot be read while they turn, so there only the ramp's longest time tells.
+bool VxmDriver::stands_since_ramp() const {
+  const Instant now = scheduler_.now();
+  const int motors = std::min(draft_.axis_count, motors_per_controller);
+  for (int i = 0; i < motors; ++i)
+    if (now - moved_at_[ix(i)] < to_see_standstill) return false;
+  return now - ramp_->began >= (slave_present_ ? longest_ramp : to_see_standstill);
 }
 
-Task<Result<>> VxmDriver::kill(bool standing) {
-  if (!standing) doubt_positions();
+/// Of the motors that can be read while they turn, in steps/s.
+double VxmDriver::fastest() const { return std::max(seen_speed_[0], seen_speed_[1]); }
+
+// ---- K
+
+Task<Result<>> VxmDriver::kill(bool standing, Priority priority) {
   const bool something_ran = busy() || halted_;
+  auto reply = co_await ask("K", ReplyShape::bytes(1), priority, before_prompt, kill_patience);
+  if (!reply && reply.error().kind == FaultKind::stopped) co_return fail(reply.error());  // it was not sent
   killed_at_ = scheduler_.now();
-  auto reply = co_await ask("K", ReplyShape::bytes(1), Priority::stop, before_prompt, kill_patience);
-  killed_at_ = scheduler_.now();
-  if (!reply && reply.error().kind != FaultKind::lost)
+  if (!standing) doubt_positions();
+  if (!reply) {
+    kill_not_confirmed(standing ? EndedBy::stop : EndedBy::abort);
+    if (reply.error().kind == FaultKind::lost) co_return fail(reply.error());
     co_return fail(FaultKind::no_answer,
                    "K was sent to stop everything, but the controller did not confirm it.",
                    "Nothing else was sent.", "Watch the motors. If one still turns, use the power switch.");
-  if (!reply) co_return fail(reply.error());
+  }
   killed(standing ? EndedBy::stop : EndedBy::abort);
   if (something_ran && draft_.outputs_known && draft_.outputs)
     tell(Notice::Kind::info, "K ended the run; it has also switched the outputs off.");
@@ -192,13 +210,31 @@ Task<Result<>> VxmDriver::kill(bool standing) {
   co_return Result<>();
 }
 
+// What it has ended shows by the next V; whether it has ended the hold, by nothing.
+void VxmDriver::kill_not_confirmed(EndedBy ended_by) {
+  hold_doubtful_ = hold_doubtful_ || hold_on_;
+  if (job_.active() && !job_.leg_over) job_.ended_by = ended_by;
+  if (stored_running_) draft_.program.ended_by = ended_by;
+}
+
+// An H more would switch a hold on that has ended. K ends it in either case, and is answered.
+Task<Result<>> VxmDriver::settle_hold() {
+  if (!hold_doubtful_) co_return Result<>();
+  auto settled = co_await kill(true, Priority::intent);
+  if (settled || settled.error().kind != FaultKind::no_answer) co_return settled;
+  co_return fail(
+      FaultKind::no_answer,
+      "Whether the hold (H) is on is not known, and the controller does not confirm the K that ends "
+      "it.",
+      "Nothing else was sent.", "Try again.");
+}
+
 // What K leaves: nothing runs, no hold, no error.
 void VxmDriver::killed(EndedBy ended_by) {
   killed_at_ = scheduler_.now();
   halted_ = 0;
-  ++stops_said_;
-  hold_on_ = hold_doubtful_ = false;
-  stopping_ = Stopping::no;
+  hold_on_ = hold_doubtful_ = release_hold_ = false;
+  ramp_.reset();
   if (job_.active()) {
     job_.legs.resize(1);
     job_.jog = false;
@@ -206,21 +242,26 @@ void VxmDriver::killed(EndedBy ended_by) {
     job_.leg_over = true;
   }
   if (stored_running_) run_ended(ended_by);
-  if (draft_.program.run == RunState::error) draft_.program.run = RunState::idle;
+  draft_.program.run = RunState::idle;
   for (int i = 0; i < draft_.axis_count; ++i)
     if (draft_.axes[i].activity == Activity::error) draft_.axes[i].activity = Activity::idle;
   news_.notify();
 }
 
 // K above 1000 steps/s may cost steps that the controller does not know of (p.23). An unknown speed counts as
-// fast.
+// fast, and what was under way when the wire was lost as still turning.
 void VxmDriver::doubt_positions() {
+  const auto belongs_to_leg = [this](int i) {
+    return job_.active() && (job_.legs.front().axis == i || job_.legs.front().second_axis == i);
+  };
   for (int i = 0; i < draft_.axis_count; ++i) {
     AxisState& axis = draft_.axes[i];
     const bool turns = axis.activity == Activity::moving || axis.activity == Activity::jogging ||
                        axis.activity == Activity::homing || axis.activity == Activity::stopping;
     const bool hidden = stored_running_ && i >= motors_per_controller && slave_present_;
-    if (!turns && !hidden) continue;
+    const bool unseen =
+        axis.activity == Activity::unknown && lost_while_busy_ && (stored_running_ || belongs_to_leg(i));
+    if ((!turns && !hidden && !unseen) || axis.trust.doubtful()) continue;
     const double told = axis.speed.value;
     const double speed = told > 0                     ? told
                          : stored_running_ && !hidden ? seen_speed_[static_cast<std::size_t>(i)]
@@ -241,9 +282,10 @@ void VxmDriver::run_ended(EndedBy ended_by) {
     job_.leg_over = true;
   }
   const bool was_running = std::exchange(stored_running_, false);
-  if (stopping_ != Stopping::program) stopping_ = Stopping::no;
-  ProgramState& p = draft_.program;
   if (!was_running) return;
+  if (ramp_ && hold_on_) release_hold_ = true;  // that of its stop: it must not keep the next run
+  ramp_.reset();
+  ProgramState& p = draft_.program;
   p.run = RunState::idle;
   if (p.ended_by == EndedBy::nothing || ended_by != EndedBy::target) p.ended_by = ended_by;
   p.owned = false;

@@ -8,7 +8,6 @@
 namespace hw::vxm {
 namespace {
 
-constexpr std::size_t most_for_scripts = 256;
 constexpr Duration quiet_time = Millis(30);
 constexpr Duration longest_gap = Millis(40);  // between the bytes of one message
 
@@ -20,18 +19,33 @@ tl::unexpected<Fault> no_such_answer(std::string_view question, std::string_view
               "Look at the cable, the baud rate, and whether another program talks to the controller.");
 }
 
+/// What is asked while a stop is under way is no stop by itself.
+Transaction own_question(std::string text, ReplyShape shape, Priority priority,
+                         std::size_t (*stranger)(std::string_view)) {
+  Transaction t(std::move(text), shape, priority);
+  t.stranger = stranger;
+  t.own_question = priority == Priority::stop;
+  return t;
+}
+
 }  // namespace
 
 Task<Result<std::string>> VxmDriver::ask(std::string question, ReplyShape shape, Priority priority,
                                          Stranger stranger, Duration patience) {
-  // The rest of a message that is coming in would be taken for the answer.
-  while (station_ && !unasked_.empty() && scheduler_.now() - heard_at_ < longest_gap)
-    co_await scheduler_.sleep_for(Millis(2));
-  if (!station_)
-    co_return fail(FaultKind::lost, "There is no connection to the controller.", "Nothing was sent.");
   Transaction t(std::move(question), shape, priority);
   t.stranger = stranger;
   t.patience = patience;
+  co_return co_await ask(std::move(t));
+}
+
+Task<Result<std::string>> VxmDriver::ask(Transaction t) {
+  // The rest of a message that is coming in would be taken for the answer.
+  while (station_ && !unasked_.empty() && scheduler_.now() - heard_at_ < longest_gap) {
+    auto paused = co_await station_->pause(Millis(2));
+    if (!paused) co_return fail(paused.error());
+  }
+  if (!station_)
+    co_return fail(FaultKind::lost, "There is no connection to the controller.", "Nothing was sent.");
   co_return co_await station_->transact(std::move(t));
 }
 
@@ -48,14 +62,15 @@ Task<Result<T>> VxmDriver::ask_decoded(std::string question, ReplyShape shape, P
                                        Stranger stranger, std::optional<T> (*decode)(std::string_view)) {
   Result<std::string> reply{std::string()};
   for (int attempt = 0; attempt < 2; ++attempt) {
-    reply = co_await ask(question, shape, priority, stranger);
+    reply = co_await ask(own_question(question, shape, priority, stranger));
     if (reply) {
       if (auto decoded = decode(*reply)) co_return std::move(*decoded);
     } else if (reply.error().kind != FaultKind::no_answer && reply.error().kind != FaultKind::garbled) {
       break;
     }
     if (halted_) break;  // it answers nothing until K
-    co_await wait_for_quiet();
+    auto quiet = co_await wait_for_quiet();
+    if (!quiet) co_return fail(quiet.error());
   }
   if (!reply) co_return fail(reply.error());
   co_return no_such_answer(question, *reply);
@@ -87,12 +102,14 @@ Task<Result<Listing>> VxmDriver::ask_listing(Priority priority) {
 Task<Result<unsigned char>> VxmDriver::ask_raw(char question, Priority priority) {
   raw_asked_ = true;
   second_raw_.reset();
-  auto reply = co_await ask(std::string(1, question), ReplyShape::bytes(1), priority, nullptr);
+  auto reply = co_await ask(own_question(std::string(1, question), ReplyShape::bytes(1), priority, nullptr));
   const bool doubtful = reply && busy() && could_be_message(reply->front());
-  if (doubtful && !second_raw_)
-    co_await scheduler_.sleep_for(station_ ? 2 * station_->wire_time(2) + Millis(2) : Duration());
+  Result<> waited;
+  if (doubtful && !second_raw_ && station_)
+    waited = co_await station_->pause(2 * station_->wire_time(2) + Millis(2));
   raw_asked_ = false;
   if (!reply) co_return fail(reply.error());
+  if (!waited) co_return fail(waited.error());
   char answer = reply->front();
   if (second_raw_ && doubtful) {
     std::swap(answer, *second_raw_);
@@ -107,12 +124,14 @@ Task<Result<unsigned char>> VxmDriver::ask_raw(char question, Priority priority)
 
 // After an answer that made no sense: whatever still comes must not be taken for the next one, and nothing
 // may be sent while the controller sends (the overrun of the manual's p.30 locks it until power-off).
-Task<> VxmDriver::wait_for_quiet() {
+Task<Result<>> VxmDriver::wait_for_quiet() {
   Instant quiet_at = scheduler_.now() + quiet_time;
   while (station_ && scheduler_.now() < quiet_at) {
-    co_await scheduler_.sleep_until(quiet_at);
+    auto paused = co_await station_->pause(quiet_at - scheduler_.now());
+    if (!paused) co_return paused;
     quiet_at = std::max(quiet_at, heard_at_ + quiet_time);
   }
+  co_return Result<>();
 }
 
 // ---- what comes unasked
@@ -145,10 +164,10 @@ void VxmDriver::heard(const Message& m) {
     case Message::Kind::prompt: heard_prompt(); break;
     case Message::Kind::limit: heard_limit(); break;
     case Message::Kind::waits:
-      draft_.program.run = RunState::waiting;
-      for_scripts("W");
+      if (stored_running_) draft_.program.run = RunState::waiting;
+      texts_.add("W");
       break;
-    case Message::Kind::passed: for_scripts("@"); break;
+    case Message::Kind::passed: texts_.add("@"); break;
     case Message::Kind::held: heard_held(m.text); break;
     case Message::Kind::error: heard_error(m.letter); break;
     case Message::Kind::end:
@@ -163,24 +182,19 @@ void VxmDriver::heard_prompt() {
   const bool of_kill = killed_at_ != Instant{} && scheduler_.now() - killed_at_ < Millis(100);
   if (job_.active()) {
     job_.leg_over = true;  // its end is shown once the positions have been read
-    if (stop_queries_ > 0 && !of_kill) prompt_for_scripts();  // what the user has stopped answers the user
+    if (job_.end_is_asked && !of_kill) texts_.add(std::string(1, prompt));
     return;
   }
   if (stored_running_) run_ended(EndedBy::target);
-  if (!of_kill) prompt_for_scripts();
-}
-
-void VxmDriver::prompt_for_scripts() {
-  for_scripts(std::string(1, prompt));
-  prompts_until_ = next_unasked_;
+  if (!of_kill) texts_.add(std::string(1, prompt));
 }
 
 // The controller lists the command before which it holds (firmware 1.21 on). Which of several equal commands
 // it is follows from the one before.
 void VxmDriver::heard_held(std::string_view command) {
-  for_scripts(fmt::format(":{}", command));
+  texts_.add(fmt::format(":{}", command));
   if (job_.active()) {
-    release_hold_ = true;  // a hold that was left on must not keep a move of ours
+    hold_on_ = release_hold_ = true;  // one that was left on must not keep a move of ours
     return;
   }
   ProgramState& p = draft_.program;
@@ -209,13 +223,13 @@ void VxmDriver::heard_limit() {
   else
     tell(Notice::Kind::warning, "A limit switch was hit. The controller has stopped that motor.");
   if (stored_running_) draft_.program.ended_by = EndedBy::limit;
-  for_scripts("O");
+  texts_.add("O");
 }
 
 void VxmDriver::heard_error(char letter) {
   const ErrorWords words = explain_error(letter);
   tell(Notice::Kind::error, words.what + " " + words.advice);
-  for_scripts(std::string("E") + letter);
+  texts_.add(std::string("E") + letter);
   if (letter == error_stopped) {
     if (job_.active()) job_.ended_by = EndedBy::elsewhere;
     if (stored_running_) draft_.program.ended_by = EndedBy::elsewhere;
@@ -244,29 +258,6 @@ void VxmDriver::lose_slave() {
     axis.position_known = axis.limits_known = axis.enabled = false;
     axis.activity = Activity::unknown;
   }
-}
-
-void VxmDriver::for_scripts(std::string text) {
-  if (for_scripts_.size() >= most_for_scripts) for_scripts_.pop_front();
-  for_scripts_.push_back({next_unasked_++, std::move(text)});
-}
-
-bool VxmDriver::take_unsolicited(std::string& text) {
-  if (for_scripts_.empty()) return false;
-  text = std::move(for_scripts_.front().text);
-  for_scripts_.pop_front();
-  return true;
-}
-
-// What is older belongs to somebody else's reading, and stays.
-std::optional<std::string> VxmDriver::take_since(std::uint64_t number, char first) {
-  const auto found = std::find_if(for_scripts_.begin(), for_scripts_.end(), [&](const Unasked& u) {
-    return u.number >= number && (first == 0 || u.text.starts_with(first));
-  });
-  if (found == for_scripts_.end()) return std::nullopt;
-  std::string text = std::move(found->text);
-  for_scripts_.erase(found);
-  return text;
 }
 
 void VxmDriver::tell(Notice::Kind kind, std::string text) {

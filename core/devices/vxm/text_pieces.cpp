@@ -6,7 +6,6 @@
 #include <fmt/core.h>
 
 #include "core/devices/vxm/codec.h"
-#include "core/devices/vxm/driver.h"
 #include "core/devices/vxm/facts.h"
 
 namespace hw::vxm {
@@ -59,6 +58,10 @@ std::string_view what_listens(const Listening& now) {
 bool may_be_taken(const TextCommand& c) {
   return c.verb == Verb::letter ? c.letter == 'T' || c.letter == 'Z'
                                 : c.verb == Verb::word && c.name == "res";
+}
+
+bool is_dropped(const TextCommand& c, const Listening& now) {
+  return !now.to_slave && c.flaw == Flaw::none && !now.takes(c) && !may_be_taken(c);
 }
 
 }  // namespace
@@ -125,8 +128,7 @@ std::string dropped_of(const std::vector<TextCommand>& commands, Listening now) 
   std::string dropped;
   std::string_view when;
   for (const TextCommand& c : commands) {
-    const bool taken = now.takes(c) || (!now.to_slave && may_be_taken(c));
-    if (!taken && c.flaw == Flaw::none && !now.to_slave) {
+    if (is_dropped(c, now)) {
       if (dropped.empty()) when = what_listens(now);
       dropped += (dropped.empty() ? "" : " ") + canonical(c);
     }
@@ -134,6 +136,15 @@ std::string dropped_of(const std::vector<TextCommand>& commands, Listening now) 
   }
   if (dropped.empty()) return dropped;
   return fmt::format("{} and drops {} without a word.", when, dropped);
+}
+
+bool last_is_dropped(const std::vector<TextCommand>& commands, Listening now) {
+  bool dropped = false;
+  for (const TextCommand& c : commands) {
+    dropped = is_dropped(c, now);
+    now.follow(c);
+  }
+  return dropped;
 }
 
 }  // namespace hw::vxm

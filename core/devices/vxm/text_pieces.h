@@ -13,6 +13,8 @@
 namespace hw::vxm {
 
 inline constexpr Duration usual_patience = Millis(200);
+/// `rsm` answers when it has written its memory.
+inline constexpr Duration store_patience = std::chrono::seconds(10);
 
 /// How the answer to a command ends.
 struct AnswerShape {
@@ -48,5 +50,7 @@ const Piece* last_command_of(const std::vector<Piece>& pieces);
 
 /// A sentence about known commands that the controller's state drops without a word; empty: none.
 std::string dropped_of(const std::vector<TextCommand>& commands, Listening now);
+/// The last known one is among them.
+bool last_is_dropped(const std::vector<TextCommand>& commands, Listening now);
 
 }  // namespace hw::vxm

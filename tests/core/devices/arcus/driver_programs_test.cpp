@@ -86,7 +86,7 @@ TEST_F(Programs, OneThatIsHalfWrittenWhenTheConsoleIsClosedIsNamed) {
   for (const std::string_view model : both)
     for (const bool stopped : {false, true}) {
       start(model, {}, true);
-      EXPECT_EQ(pump->driver().leaves_behind(), "");
+      EXPECT_EQ(pump->leaves_behind(), "");
       post(intent::LoadProgram(0, text + "END\n"));
       ASSERT_TRUE(run_until([&] { return latest.transfer.done > 10; }, 60));
       if (stopped) perform(intent::Stop());
@@ -101,7 +101,7 @@ TEST_F(Programs, OneThatIsWholeIsNothingLeftBehind) {
   for (const std::string_view model : both) {
     start(model);
     ASSERT_EQ(load(0, "X100\nEND\n"), "");
-    EXPECT_EQ(pump->driver().leaves_behind(), "");
+    EXPECT_EQ(pump->leaves_behind(), "");
     next_model();
   }
 }

@@ -498,7 +498,7 @@ TEST_F(DriverTest, StopEndsMotionAndPrograms) {
   ASSERT_EQ(latest.axes[0].activity, Activity::moving);
   sent();
   EXPECT_EQ(perform(intent::Stop()), "");
-  EXPECT_THAT(sent(), HasSubstr("STOP SR0=0 SR1=0 SR2=0 SR3=0 STOP")) << "decision AMB-128";
+  EXPECT_THAT(sent(), HasSubstr("STOP SR0=0 STOP SR1=0 SR2=0 SR3=0 STOP")) << "decision AMB-128";
   EXPECT_EQ(latest.axes[0].activity, Activity::idle);
   const auto there = position();
   run(5);

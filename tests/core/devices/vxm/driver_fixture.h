@@ -32,7 +32,7 @@ class DriverTest : public test::DriverStage {
   bool idle() override { return DriverStage::idle() && latest.program.run == RunState::idle; }
   std::string unsolicited() {
     std::string all, text;
-    while (pump->driver().take_unsolicited(text)) all += (all.empty() ? "" : " ") + text;
+    while (pump->take_unsolicited(text)) all += (all.empty() ? "" : " ") + text;
     return all;
   }
   static std::vector<AxisTarget> target(int axis, std::int64_t value) { return {target_of(axis, value)}; }

@@ -1,0 +1,45 @@
+#include "core/devices/vxm/text_meaning.h"
+
+#include <algorithm>
+
+namespace hw::vxm {
+namespace {
+
+bool is_letter(const TextCommand& c, char letter) { return c.verb == Verb::letter && c.letter == letter; }
+bool is_word(const TextCommand& c, std::string_view word) { return c.verb == Verb::word && c.name == word; }
+
+/// It begins with what stops, and starts nothing behind that. D at rest does nothing, and asks for places in
+/// Local mode.
+TextMeaning::Stops stopped_by(const std::vector<TextCommand>& commands, const Listening& now, bool own_move) {
+  using Stops = TextMeaning::Stops;
+  const bool starts =
+      std::any_of(commands.begin(), commands.end(), [](const TextCommand& c) { return is_letter(c, 'R'); });
+  if (commands.empty() || starts) return Stops::nothing;
+  const TextCommand& first = commands.front();
+  if (is_letter(first, 'K') || is_word(first, "res")) return Stops::all;
+  if (!is_letter(first, 'D') || !now.running) return Stops::nothing;
+  return own_move ? Stops::all : Stops::some;
+}
+
+bool changes_programs(const TextCommand& c) {
+  return c.stored() || c.verb == Verb::empty || is_letter(c, 'C') || is_word(c, "del") || is_word(c, "res");
+}
+
+}  // namespace
+
+TextMeaning meaning_of(std::string_view text, const Listening& now, bool own_move) {
+  const auto commands = read_text(text);
+  const auto pieces = pieces_of(text, commands, now);
+  const Piece* last = last_command_of(pieces);
+  TextMeaning meaning;
+  meaning.stops = stopped_by(commands, now, own_move);
+  meaning.end_is_told = !last || !last->answer;  // by a prompt
+  const bool nothing_comes =
+      last_is_dropped(commands, now) || (!commands.empty() && is_word(commands.back(), "res"));
+  if (meaning.end_is_told)
+    meaning.answered = nothing_comes ? TextMeaning::Answered::never : TextMeaning::Answered::later;
+  meaning.changes_programs = std::any_of(commands.begin(), commands.end(), changes_programs);
+  return meaning;
+}
+
+}  // namespace hw::vxm
