@@ -12,9 +12,7 @@ namespace {
 
 using Push = int (*)(lua_State*, const Snapshot&, const Catalog&, int number);
 
-bool is_gone(const LinkHealth& link) {
-  return link.state == LinkState::lost || link.state == LinkState::closed;
-}
+bool is_gone(const LinkHealth& link) { return !link.connected(); }
 std::string why_gone(const LinkHealth& link) {
   return fmt::format("There is no connection. {}", link.sentence.view());
 }
@@ -162,10 +160,16 @@ int push_axis_status(lua_State* L, const Snapshot& known, const Catalog&, int ax
   return 1;
 }
 
-int push_whole_status(lua_State* L, const Snapshot& known, const Catalog&, int) {
+/// Always a table with `link`, for who asks what is the matter. While the link is not good, `why` says so,
+/// and what could not be read is left out.
+int push_whole_status(lua_State* L, const Snapshot& known) {
   lua_createtable(L, 0, 10);
-  set_flag(L, "moving", known.any_axis_moving());
   set_word(L, "link", name_of(known.link.state));
+  if (known.link.state != LinkState::good) {
+    set_word(L, "why", known.link.sentence.view());
+    return 1;
+  }
+  set_flag(L, "moving", known.any_axis_moving());
   set_word(L, "program", name_of(known.program.run));
   set_whole(L, "program_number", known.program.slot);
   set_whole(L, "program_command", known.program.command);
@@ -207,10 +211,15 @@ int velocity(Call& call) {
   return call.wait(measure_velocity(call.runner(), one.session, one.index));
 }
 
+Task<Answer> read_whole_status(SessionPtr session) {
+  co_await session->pump().refresh();
+  co_return [session](lua_State* L) { return push_whole_status(L, session->known()); };
+}
+
 int position(Call& call) { return of_axis(call, push_position); }
 int encoder(Call& call) { return of_axis(call, push_encoder); }
 int status(Call& call) {
-  if (!call.has(1)) return ask(call, push_whole_status, 0);
+  if (!call.has(1)) return call.wait(read_whole_status(session_of(call)));
   return of_axis(call, push_axis_status);
 }
 
