@@ -162,6 +162,7 @@ void Pump::lose_wire(const Fault& why) {
   if (!std::exchange(down_, true)) {  // attempts in between do not count
     draft_.link.lost_at = scheduler_.now();
     ran_when_lost_ = something_runs() || jogs_.any() || performing_;
+    loss_.lost(draft_, something_runs() || jogs_.any(), performing_, scheduler_.now());
     draft_.link.when_lost = draft_.shows_under_way();
     restarts_when_lost_ = draft_.restarts;
   }
@@ -219,6 +220,7 @@ void Pump::poll_finished(const Result<>& result) {
   }
   forget_jogs_that_ended();
   if (result && !something_runs()) owed_stop_.forget();
+  if (result) tell_what_came_of_the_loss();
   if (result && unanswered_stop_ && rounds_begun_ > *unanswered_stop_) unanswered_stop_.reset();
   const bool understood =
       result || (result.error().kind != FaultKind::garbled && result.error().kind != FaultKind::refused);
@@ -233,6 +235,11 @@ void Pump::poll_finished(const Result<>& result) {
   next_poll_ = scheduler_.now();
   if (rounds_ended_ >= round_wanted_) next_poll_ += draft_.poll_period;
   publish();
+}
+
+void Pump::tell_what_came_of_the_loss() {
+  std::string told = loss_.back(catalog_, draft_, something_runs(), scheduler_.now());
+  if (!told.empty()) ways_.notify(Notice(Notice::Kind::warning, scheduler_.now(), std::move(told)));
 }
 
 std::uint64_t Pump::want_round() {

@@ -8,6 +8,7 @@
 
 #include "core/device/driver.h"
 #include "core/device/held_jogs.h"
+#include "core/device/loss_report.h"
 #include "core/device/owed_stop.h"
 #include "core/device/registry.h"
 #include "core/link/station.h"
@@ -106,6 +107,7 @@ class Pump {
   void count_program_change(const Intent& intent);
   void jog_let_go();
   void poll_finished(const Result<>& result);
+  void tell_what_came_of_the_loss();
   void lose_wire(const Fault& why);
   void set_fate(IntentId id, Fate fate, std::string_view sentence = {});
   void set_fate(const IntentFate& told);
@@ -135,6 +137,7 @@ class Pump {
   /// The round of status in which a stop of all went out that nothing answers, until a later one has ended
   /// well: the wire may have swallowed it.
   std::optional<std::uint64_t> unanswered_stop_;
+  LossReport loss_;
   bool ran_when_lost_ = false;
   std::uint32_t restarts_when_lost_ = 0;
   bool down_ = false;     ///< since the loss of the wire, through all attempts

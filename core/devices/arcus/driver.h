@@ -310,7 +310,6 @@ class ArcusDriver final : public Driver {
   std::array<std::uint32_t, max_axes> stops_said_{};  ///< of each axis, by whomever on this wire
   EndedBy latest_stop_ = EndedBy::stop;
 
-  bool lost_while_busy_ = false;
   bool name_told_ = false;
   Instant lost_at_{}, heard_at_{};
   int strays_ = 0;  ///< texts that nobody asked for

@@ -49,15 +49,7 @@ Task<Result<>> ArcusDriver::connect(Station& station) {
   if (!named) co_return named;
   auto read = co_await read_state();
   if (!read) co_return read;
-  auto looked = co_await look_back_over_the_loss();
-  if (!looked) co_return looked;
-  if (std::exchange(lost_while_busy_, false))
-    tell(Notice::Kind::warning,
-         fmt::format(
-             "The connection was gone for {:.1f} s while the controller was at work. It {}. Nothing was "
-             "sent again.",
-             seconds(scheduler_.now() - lost_at_), any_moving() ? "still is" : "has finished meanwhile"));
-  co_return Result<>();
+  co_return co_await look_back_over_the_loss();
 }
 
 // ID tells the product; where a firmware does not know it, VER shows at least the family. One that was lost

@@ -255,7 +255,6 @@ class VxmDriver final : public Driver {
   std::optional<std::string> recovery_;    ///< what came of it
   bool slave_present_ = false;
   bool lost_while_busy_ = false;
-  Instant lost_at_{};
 
   Job job_;
   int scratch_ = -1;            ///< slot that holds a leg of ours and must be emptied; -1: none

@@ -300,7 +300,8 @@ TEST_F(PumpTest, AStopThatALossCutsShortIsMadeGood) {
   silent = false;
   time.run_for(std::chrono::seconds(10));
   EXPECT_THAT(commands(), ElementsAre("hello", "go", "kill", "hello", "stop"));
-  EXPECT_THAT(notices, ElementsAre(HasSubstr("a stop was on its way")));
+  EXPECT_THAT(notices, ElementsAre(HasSubstr("a stop was on its way"),
+                                   HasSubstr("It still is. Nothing was sent again")));
 }
 
 TEST_F(PumpTest, AStopOfWhatStoodAtTheLossIsOwedToNobody) {
