@@ -32,6 +32,9 @@ class Driver {
   virtual Task<Result<>> connect(Station& station) = 0;
   /// One round of status. Called when no intent waits.
   virtual Task<Result<>> poll() = 0;
+  /// Of the next round: somebody waits for what it reads, so it asks everything that it otherwise asks in
+  /// turn.
+  bool everything_wanted = false;
   /// Everything but Stop and Abort. Returns when the intent is under way (moves) or finished (the rest).
   virtual Task<Result<>> perform(const IntentBody& intent) = 0;
   /// Stop and Abort: runs beside whatever perform() or poll() is under way, which finds its waiting

@@ -194,7 +194,7 @@ Task<> Pump::serve() {
       co_await wake_.wait_until(next_poll_);
       continue;
     }
-    ++rounds_begun_;
+    driver_->everything_wanted = ++rounds_begun_ <= round_wanted_;
     auto polled = co_await driver_->poll();
     poll_finished(polled);
   }

@@ -28,28 +28,34 @@ int push_unknown(lua_State* L, std::string reason) {
   return 2;
 }
 
-Task<Answer> read_fresh(SessionPtr session, Instant asked_at, Push push, int number, bool of_axis) {
+/// When the round read what is asked for.
+using SeenAt = Instant (*)(const Snapshot&, int number);
+Instant axis_seen_at(const Snapshot& known, int axis) { return known.axes[axis].seen_at; }
+Instant io_seen_at(const Snapshot& known, int) { return known.io_seen_at; }
+
+Task<Answer> read_fresh(SessionPtr session, Instant asked_at, Push push, int number, SeenAt seen_at,
+                        std::string what) {
   co_await session->pump().refresh();
-  co_return [session, asked_at, push, number, of_axis](lua_State* L) {
+  co_return [session, asked_at, push, number, seen_at, what = std::move(what)](lua_State* L) {
     const Snapshot& known = session->known();
     const LinkHealth& link = known.link;
     if (is_gone(link)) return push_unknown(L, why_gone(link));
-    if (of_axis && number >= 0 && known.axes[number].seen_at < asked_at)
-      return push_unknown(L, fmt::format("Axis {} cannot be read now. {}",
-                                         session->catalog().axes[number].name, why_unread(link)));
+    if (number >= 0 && seen_at(known, number) < asked_at)
+      return push_unknown(L, fmt::format("{} cannot be read now. {}", what, why_unread(link)));
     return push(L, known, session->catalog(), number);
   };
 }
 
-int ask_of(Call& call, const SessionPtr& session, Push push, int number, bool of_axis) {
-  return call.wait(read_fresh(session, call.runner().scheduler().now(), push, number, of_axis));
+int ask_of(Call& call, const SessionPtr& session, Push push, int number, SeenAt seen_at, std::string what) {
+  return call.wait(
+      read_fresh(session, call.runner().scheduler().now(), push, number, seen_at, std::move(what)));
 }
-int ask(Call& call, Push push, int number) { return ask_of(call, session_of(call), push, number, false); }
 
 int of_axis(Call& call, Push push) {
   const OneAxis one = one_axis(call, 1, "axis");
   if (one.index < 0) return call.refuse(one.refusal);
-  return ask_of(call, one.session, push, one.index, true);
+  return ask_of(call, one.session, push, one.index, axis_seen_at,
+                "Axis " + one.session->catalog().axes[static_cast<std::size_t>(one.index)].name);
 }
 
 int push_position(lua_State* L, const Snapshot& known, const Catalog& catalog, int axis) {
@@ -248,7 +254,8 @@ std::string no_such(const Catalog& catalog, const char* what, std::int64_t numbe
 
 int of_number(Call& call, const char* what, std::int64_t number, const Numbered& there, Push push) {
   if (there.place < 0) return call.refuse(no_such(session_of(call)->catalog(), what, number, there));
-  return ask(call, push, there.place);
+  return ask_of(call, session_of(call), push, there.place, io_seen_at,
+                fmt::format("The {} {}", what, number));
 }
 
 /// Whether it has been; pushes nil and the reason if not.

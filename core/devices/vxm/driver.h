@@ -206,6 +206,8 @@ class VxmDriver final : public Driver {
   void doubt_positions();
   void all_are_zero();
   void run_ended(EndedBy ended_by);
+  void look_what_ended_the_run();
+  [[nodiscard]] bool looks_for_switches(int slot, int motor) const;
 
   // ---- driver_program.cpp
   Task<Result<>> load(const intent::LoadProgram& wish);
@@ -281,6 +283,8 @@ class VxmDriver final : public Driver {
   int round_ = 0;
   Instant round_began_{};
   std::array<Instant, max_motors> moved_at_{};
+  std::array<std::optional<Sign>, max_motors> went_{};  ///< last, since a stored program was begun
+  std::optional<int> ended_run_;  ///< its slot: its end was seen, the switches have not been read since
   std::array<double, max_motors> seen_speed_{};  ///< steps/s between the last two readings
 
   std::string unasked_;  ///< a message that has not come to its end

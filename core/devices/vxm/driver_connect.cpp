@@ -294,6 +294,8 @@ void VxmDriver::wire_lost() {
   station_ = nullptr;
   lost_while_busy_ = lost_while_busy_ || busy();
   unasked_.clear();
+  ended_run_.reset();
+  draft_.working = false;
   raw_asked_ = false;
   stopping_ = Stopping::no;
   if (job_.active() && job_.legs.size() > 1) job_.legs.erase(job_.legs.begin() + 1, job_.legs.end());

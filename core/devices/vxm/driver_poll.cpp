@@ -22,6 +22,7 @@ Task<Result<>> VxmDriver::poll() {
     polled = co_await poll_local();
   else
     polled = co_await poll_on_line();
+  if (polled && !busy()) look_what_ended_the_run();
   show_worst();
   co_return polled;
 }
@@ -70,6 +71,7 @@ Task<Result<>> VxmDriver::poll_on_line() {
   if (!read) co_return read;
   if (busy()) {
     constexpr char in_turn[] = {'?', '~', '$', '@'};
+    if (everything_wanted) co_return co_await read_all_io(Priority::poll);
     if (round_ % io_every) co_return Result<>();
     co_return co_await read_io(in_turn[round_ / io_every % 4], Priority::poll);
   }
@@ -123,7 +125,7 @@ void VxmDriver::show_position(int index, Steps position) {
   if (axis.position_known && now > axis.seen_at)
     seen_speed_[i] =
         std::abs(static_cast<double>((position - axis.position).value)) / seconds(now - axis.seen_at);
-  if (moved) moved_at_[i] = now;
+  if (moved) moved_at_[i] = now, went_[i] = position > axis.position ? Sign::plus : Sign::minus;
   if (stored_running_ && !job_.active()) {  // what a program moves shows by its positions only
     constexpr Duration seems_moving = Millis(150);
     const bool turns = moved || now - moved_at_[i] < seems_moving;
