@@ -254,6 +254,8 @@ Task<> Pump::perform_next() {
     if (doubtful != 0)
       performed = fail(FaultKind::refused, say_doubtful(catalog_, draft_, job->intent.body, doubtful,
                                                         words_in_steps(catalog_, draft_)));
+    else if (const int torn = torn_program(catalog_, draft_, job->intent.body); torn >= 0)
+      performed = fail(FaultKind::refused, say_torn(catalog_, torn));
     else if (const auto* wish = std::get_if<intent::TrustPosition>(&job->intent.body))
       performed = trust_position(wish->axis);
     else
@@ -262,6 +264,8 @@ Task<> Pump::perform_next() {
     performed = fail(failed_inside("command", defect));
   }
   performing_ = false;
+  if (const auto* read = std::get_if<intent::UploadProgram>(&job->intent.body); read && performed)
+    draft_.slots_torn = static_cast<std::uint8_t>(draft_.slots_torn & ~torn_bit(catalog_, read->slot));
   if (performed && stops_begun_ != stops_before && leads_to_a_start(job->intent.body))
     performed = fail(FaultKind::stopped, "A stop came while this was under way.", "It is whole.",
                      "Nothing follows it: ask again for what should.");

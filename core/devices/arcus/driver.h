@@ -318,7 +318,6 @@ class ArcusDriver final : public Driver {
   int round_ = 0;
   bool io_due_ = false;  ///< the user's own text may have switched a motor
   std::uint32_t watched_ = 0;
-  bool half_written_ = false;              ///< lines were stored, and not all of a program
   std::optional<StoredCode> stored_code_;  ///< not known: not looked, or foreign code
   std::optional<Called> called_;
   std::optional<Called> called_before_hearsay_;
