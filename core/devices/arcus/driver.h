@@ -143,6 +143,7 @@ class ArcusDriver final : public Driver {
   tl::unexpected<Fault> garbled(std::string_view bytes) const;
   tl::unexpected<Fault> echoed() const;
   tl::unexpected<Fault> two_answer() const;
+  tl::unexpected<Fault> line_feeds_come() const;
   [[nodiscard]] int factory_id() const;
 
   // ---- driver_restart.cpp
@@ -312,7 +313,8 @@ class ArcusDriver final : public Driver {
 
   bool name_told_ = false;
   Instant lost_at_{}, heard_at_{};
-  int strays_ = 0;  ///< texts that nobody asked for
+  int strays_ = 0;      ///< texts that nobody asked for
+  int line_feeds_ = 0;  ///< behind the ends of answers: something on the way turns CR into CR LF
   Instant round_began_{};
   Instant motion_asked_at_{};  ///< the oldest question of the newest round that has been applied
   int round_ = 0;
