@@ -92,6 +92,7 @@ class StopDesk {
   void clear() { orders_.clear(); }
 
   [[nodiscard]] std::list<StopOrder>& orders() { return orders_; }
+  [[nodiscard]] const std::list<StopOrder>& orders() const { return orders_; }
 
  private:
   std::list<StopOrder> orders_;  ///< oldest first; they keep their place while others come and go

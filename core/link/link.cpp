@@ -220,8 +220,19 @@ void Link::bytes_arrived(std::string_view bytes) {
   const auto keep = shared_from_this();
   if (Station* station = in_flight_ ? &in_flight_->station : spoke_last_)
     station->heard_at_ = scheduler_.now();
-  received_.append(bytes);
-  take_received();
+  while (!bytes.empty()) {
+    const std::string_view part = bytes.substr(0, longest_unfinished);
+    bytes.remove_prefix(part.size());
+    received_.append(part);
+    take_received();
+    if (received_.size() > longest_unfinished) end_babble();
+  }
+}
+
+/// No answer is that long: what came is dealt with as it is, like one that came to no end.
+void Link::end_babble() {
+  if (in_flight_ && in_flight_->is_question()) return on_deadline();
+  give_up_on(std::exchange(received_, {}));
 }
 
 // False: what came in cannot be told from a reply yet.

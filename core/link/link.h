@@ -108,6 +108,10 @@ class Link final : public std::enable_shared_from_this<Link>,
   std::size_t offer(std::string_view bytes, const Station*& took);
   void give_up_on(std::string_view bytes);
   void give_up_waiting();
+  void end_babble();
+
+  /// Of what has come in and is no whole message yet. The longest answer of all, a listing, has some 4,000.
+  static constexpr std::size_t longest_unfinished = 1 << 16;
 
   Scheduler& scheduler_;
   std::unique_ptr<Stream> stream_;  ///< this or the window; both null: the wire is gone

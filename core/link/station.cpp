@@ -78,12 +78,16 @@ void Station::leave(const Fault& why, Link::Leaving how) {
 
 void Station::record(Instant at, Way way, TrafficKind kind, std::string_view bytes) {
   if (!traffic_) return;
-  traffic_->push_in_place([&](TrafficEntry& entry) {
-    entry.at = at;
-    entry.way = way;
-    entry.kind = kind;
-    entry.bytes = bytes;
-  });
+  do {  // a slot of the ring keeps its memory: no piece is longer than this
+    const std::string_view piece = bytes.substr(0, longest_traffic_entry);
+    bytes.remove_prefix(piece.size());
+    traffic_->push_in_place([&](TrafficEntry& entry) {
+      entry.at = at;
+      entry.way = way;
+      entry.kind = kind;
+      entry.bytes = piece;
+    });
+  } while (!bytes.empty());
   if (kind != TrafficKind::poll && recorded) recorded();
 }
 

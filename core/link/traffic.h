@@ -19,6 +19,9 @@ struct TrafficEntry {
   std::string bytes;  ///< as on the wire; a slot of the ring keeps its memory
 };
 
+/// Longer ones are recorded in pieces, so that a ring of them has bounds in bytes too.
+inline constexpr std::size_t longest_traffic_entry = 1024;
+
 using TrafficRing = Ring<TrafficEntry>;
 
 }  // namespace hw

@@ -54,6 +54,24 @@ TEST_F(Threads, WithoutRoomForBothTheSourceLineStays) {
   EXPECT_LE(source->rect.max.x, stop->rect.min.x);
 }
 
+TEST_F(Threads, WhatIsNotWhatWasSentIsRunOnAWordOnly) {
+  PanelStage s(panel, 864, 700, 1, Tier::wide, true, catalog());
+  load(s);
+  s.now.slots_torn = 1;
+  s.stage.frames(30);
+  s.click("thread/1/run");
+  ASSERT_TRUE(s.last<intent::RunProgram>());
+  EXPECT_FALSE(s.last<intent::RunProgram>()->as_it_is);
+  s.settle(Fate::refused, "It is not what was sent.");
+  s.stage.frames(30);
+  EXPECT_EQ(s.value("thread/1/refused"), "It is not what was sent.");
+  s.click("thread/1/as_it_is");
+  EXPECT_TRUE(s.last<intent::RunProgram>()->as_it_is);
+  EXPECT_EQ(s.last<intent::RunProgram>()->slot, 1);
+  s.settle(Fate::done);
+  EXPECT_EQ(s.stage.find("thread/1/refused"), nullptr);
+}
+
 TEST_F(Threads, AChangedTextIsNotTakenForTheOneThatRuns) {
   PanelStage s(panel, 864, 700, 1, Tier::wide, true, catalog());
   load(s);

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -50,6 +52,53 @@ struct LinkTest : testing::Test {
     time.run_for(Duration::zero());
   }
 };
+
+// ---- a device that babbles as fast as the wire bears costs bounded memory, and ends every question
+
+TEST_F(LinkTest, AnAnswerWithoutEndIsGivenUpByItsLength) {
+  for (const ReplyShape shape : {ReplyShape::line(), ReplyShape::text(), ReplyShape::until_quiet(50)}) {
+    Answer answer;
+    start("lst", shape, Priority::intent, answer);
+    for (int kb = 0; kb < 128 && !answer.came; ++kb) arrive(std::string(1024, 'x'));
+    EXPECT_TRUE(answer.came) << "without a pause, at one instant";
+    time.run_for(std::chrono::seconds(2));
+  }
+}
+
+TEST_F(LinkTest, WhatLooksLikeABeginningForEverIsNotKept) {
+  std::size_t longest = 0;
+  station.unsolicited = [&](std::string_view bytes) {
+    longest = std::max(longest, bytes.size());
+    return std::string_view::npos;  // it waits for the rest
+  };
+  for (int kb = 0; kb < 4096; ++kb) arrive(std::string(1024, '$'));
+  arrive(std::string(4 << 20, '$'));
+  EXPECT_LE(longest, 2u << 16);
+  EXPECT_GE(station.statistics().unparsed_bytes, (8u << 20) - (2u << 16)) << "and is counted";
+}
+
+TEST_F(LinkTest, TheRecordIsInPiecesOfBoundedLength) {
+  arrive(std::string(5000, 'x'));
+  std::vector<std::size_t> sizes;
+  std::string all;
+  traffic.drain([&](const TrafficEntry& entry) { sizes.push_back(entry.bytes.size()), all += entry.bytes; });
+  EXPECT_THAT(sizes, ElementsAre(1024, 1024, 1024, 1024, 904));
+  EXPECT_EQ(all, std::string(5000, 'x'));
+}
+
+TEST_F(LinkTest, AStopGoesOutThroughBabble) {
+  Answer list, stop;
+  start("lst", ReplyShape::until_quiet(50), Priority::intent, list);
+  start("D", ReplyShape::nothing(), Priority::stop, stop);
+  for (int ms = 0; ms < 250; ++ms) {
+    arrive(std::string(16'384, 'x'));
+    time.run_for(Millis(1));
+  }
+  EXPECT_THAT(wire->sent, ElementsAre("lst", "D"));
+  EXPECT_TRUE(stop.came);
+}
+
+// ---- order
 
 TEST_F(LinkTest, AStopOvertakesEverythingThatWaits) {
   Answer first, poll, intent, stop;
