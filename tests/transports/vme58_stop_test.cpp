@@ -159,6 +159,22 @@ TEST_F(Vme58Stops, TwoAxesThatAreStoppedOneAfterTheOtherRamp) {
   EXPECT_EQ(axis(2).activity, Activity::moving);
 }
 
+TEST_F(Vme58Stops, WhatBeginsBehindAJogGoesOnWhenThatIsLetGo) {
+  ASSERT_TRUE(query("AX VL20000 AC5000 AY VL10000 AC100000"));
+  session->send(intent::JogStart(AxisId{0}, Sign::plus, Pps{5000}));
+  hold_jog(9);
+  session->send(intent::SendText("AY MR6000 GO AA CV3000 CD0,0; MT3000,3000; CK CX"));  // waits for both axes
+  hold_jog(1);
+  (void)told();
+  EXPECT_EQ(perform(intent::JogStop()).fate, Fate::done);
+  run(Millis(100));
+  EXPECT_EQ(axis(0).activity, Activity::moving) << "and jogs no more";
+  ASSERT_TRUE(becomes_idle());
+  EXPECT_EQ(axis(0).position, Steps(3000));
+  EXPECT_EQ(axis(1).position, Steps(3000));
+  EXPECT_EQ(told(), "");
+}
+
 TEST_F(Vme58Stops, AnAbortRightBehindAStopFindsTheMailboxFree) {
   ASSERT_TRUE(query("AX VL20000 AC2000"));
   perform(intent::MoveBy({{AxisId{0}, Steps(1000000)}}));

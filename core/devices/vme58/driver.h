@@ -173,6 +173,7 @@ class Vme58Driver final : public Driver {
   [[nodiscard]] bool stops_alone(int axis) const;
   void stopping(int axis, bool at_once);
   void stands(int axis);
+  void is_anothers(int axis);
   SlowDown& slow_down(int axis);
   [[nodiscard]] Duration effect_patience(int axis, const SlowDown& slow_down) const;
   [[nodiscard]] Duration longest_ramp(int axis, const SlowDown& slow_down) const;

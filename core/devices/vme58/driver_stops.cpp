@@ -173,6 +173,10 @@ StopProgress Vme58Driver::stop_progress(const StopOrder& order) {
     const Duration extra = order.at_once ? kill_time : Duration::zero();
     overdue = overdue || now - seen.since > longest_ramp(i, seen) + extra;
   }
+  if (turns && !slows && order.what == StopOrder::What::jog && axis >= 0 && !stops_alone(axis)) {
+    is_anothers(axis);
+    turns = false;
+  }
   if (!turns || (overdue && order.at_once)) stands(axis);
   if (!turns) return StopProgress::stands();
   if (overdue && order.at_once)
@@ -183,6 +187,14 @@ StopProgress Vme58Driver::stop_progress(const StopOrder& order) {
   if (overdue) return StopProgress::at_once();
   stopped_in_vain(axis);
   return StopProgress::again();
+}
+
+/// A text or a program has begun to move it behind its jog, and that goes on.
+void Vme58Driver::is_anothers(int axis) {
+  AxisMind& mind = minds_[ix(axis)];
+  mind.ours = mind.stopping = false;
+  mind.by_text = true;
+  mind.wanted = Activity::idle;
 }
 
 /// Of an axis that turns, as the latest round shows it.
