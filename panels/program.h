@@ -12,6 +12,7 @@
 #include "panels/compiled_view.h"
 #include "panels/program_editor.h"
 #include "panels/rehearsal_card.h"
+#include "panels/threads.h"
 
 namespace hw::panels {
 
@@ -64,6 +65,7 @@ class Program final : public gui::Panel {
   CompiledView compiled_;
   bool view_compiled_ = false;
   RehearsalCard rehearsal_;
+  Threads threads_;
   gui::FileDialog open_, save_;
   bool rehearsal_open_ = false;  ///< medium and narrow: the column instead of the line
   bool asking_replace_ = false, asking_clear_ = false;

@@ -65,7 +65,7 @@ float Program::draw_below(Frame& f) {
   float y = ui.px(f.area.bottom());
   if (const float threads = threads_height(f.catalog, f.area.width); threads > 0) {
     y -= ui.px(threads);
-    draw_threads(f, y);
+    threads_.draw(f, y);
   }
   if (!column_fits(f) && y - at.y - ask_height(f) > ui.px(120)) {
     y -= ui.px(line_height);

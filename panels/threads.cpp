@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/device/refusals.h"
 #include "gui/tab.h"
 #include "gui/widgets/button.h"
 #include "gui/widgets/icons.h"
@@ -97,7 +98,10 @@ void draw_place(Frame& f, int n, const ThreadState& t, const Rect& row, float x,
        {ImVec2(x, row.min.y), ImVec2(right, row.max.y)});
 }
 
-void draw_first_button(Frame& f, int n, const ThreadState& t, std::string_view no_link, bool words) {
+}  // namespace
+
+void Threads::draw_first_button(Frame& f, int n, std::string_view no_link, bool words) {
+  const ThreadState& t = f.now.threads[static_cast<std::size_t>(n)];
   ButtonOptions o;
   o.height = 28;
   o.width = words ? button_wide : only_icon;
@@ -117,11 +121,47 @@ void draw_first_button(Frame& f, int n, const ThreadState& t, std::string_view n
     o.moving = true;
     o.icon = Icon::play;
     o.tip = "Runs what the controller holds.";
-    if (press("run", "Run")) f.send(intent::RunProgram(n));
+    if (press("run", "Run")) run(f, n, false);
   }
 }
 
-void draw_row(Frame& f, int n, const Rect& row) {
+void Threads::run(Frame& f, int n, bool as_it_is) {
+  intent::RunProgram wish(n);
+  wish.as_it_is = as_it_is;
+  thread_ = n;
+  refused_.clear();
+  asked_ = f.send_and_watch(std::move(wish));
+}
+
+void Threads::follow(Frame& f) {
+  const IntentFate* fate = f.now.fate_of(asked_);
+  if (f.now.forgotten(asked_)) asked_ = 0;
+  if (!fate || fate->fate == Fate::pending) return;
+  asked_ = 0;
+  if (fate->fate == Fate::done) return;
+  const bool torn = torn_program(f.catalog, f.now, intent::RunProgram(thread_)) >= 0;
+  if (torn)
+    refused_ = fate->sentence.view();
+  else
+    f.toast(Mood::fault, std::string(fate->sentence.view()));
+}
+
+void Threads::draw_refusal(Frame& f, int n, const Rect& row) {
+  if (n != thread_ || refused_.empty()) return;
+  if (torn_program(f.catalog, f.now, intent::RunProgram(n)) < 0) return refused_.clear();  // loaded, or read
+  const Path id("thread/{}/refused", n), once("thread/{}/as_it_is", n), about("Run, program {}", n);
+  const Action actions[] = {{.id = once,
+                             .label = "Run it as it is for this once",
+                             .brief = "Run it once",
+                             .disabled = f.no_link(),
+                             .moving = true}};
+  card_.begin(f, {.id = id, .about = about, .words = refused_, .actions = actions}, row);
+  const RefusalTouch touched = card_.end();
+  if (touched.closed) refused_.clear();
+  if (touched.action == 0) run(f, n, true);
+}
+
+void Threads::draw_row(Frame& f, int n, const Rect& row) {
   Ui& ui = f.ui;
   const ThreadState& t = f.now.threads[static_cast<std::size_t>(n)];
   const float top = row.min.y;
@@ -139,7 +179,7 @@ void draw_row(Frame& f, int n, const Rect& row) {
   draw_place(f, n, t, row, x, buttons - ui.px(12));
   const std::string_view no_link = f.connected() ? std::string_view() : "There is no link.";
   ImGui::SetCursorScreenPos(ImVec2(buttons, top + ui.px(2)));
-  draw_first_button(f, n, t, no_link, words);
+  draw_first_button(f, n, no_link, words);
   ImGui::SetCursorScreenPos(ImVec2(buttons + ui.px(first + 4), top + ui.px(2)));
   ButtonOptions stop;
   stop.height = 28;
@@ -149,9 +189,8 @@ void draw_row(Frame& f, int n, const Rect& row) {
   stop.disabled = is_busy(t) || t.run == RunState::error ? no_link : "It does not run.";
   if (button(ui, Path("thread/{}/stop", n), words ? "Stop" : "", stop).clicked)
     f.send(intent::HaltProgram(n));
+  draw_refusal(f, n, row);
 }
-
-}  // namespace
 
 bool is_busy(const ThreadState& t) {
   return t.run == RunState::running || t.run == RunState::waiting || t.run == RunState::held;
@@ -170,8 +209,9 @@ float threads_height(const Catalog& c, float width) {
 }
 
 // Down the first column, then down the second.
-void draw_threads(Frame& f, float top) {
+void Threads::draw(Frame& f, float top) {
   Ui& ui = f.ui;
+  follow(f);
   const int many = shown_threads(f.catalog), rows = rows_of(many, f.area.width);
   const float half = rows < many ? std::floor(f.area.width / 2) : f.area.width;
   for (int n = 0; n < many; ++n) {

@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include "core/device/bus_target.h"
+#include "transports/gone.h"
 #include "transports/tcp.h"
 
 namespace hw {
@@ -88,10 +89,8 @@ class BusPort final : public Window, private Stream::Listener {
 
   // Which answer a later byte would belong to cannot be told: the connection has to be made afresh.
   void give_up() {
-    end(Fault(FaultKind::lost,
-              fmt::format("The bus port {} has not answered for {:.0f} s.", where_, seconds(longest_silence)),
-              "What was on the way may have been done.",
-              "Look at the program that serves it; it is tried again."));
+    end(gone(fmt::format("The bus port {} has not answered for {:.0f} s.", where_, seconds(longest_silence)),
+             "Look at the program that serves it; it is tried again."));
   }
   void close(Fault why) {
     if (!stream_) return;

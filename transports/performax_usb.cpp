@@ -12,6 +12,7 @@
 #include <libusb-1.0/libusb.h>
 #include <unistd.h>
 
+#include "transports/gone.h"
 #include "transports/sysfs.h"
 #include "transports/usb_loop.h"
 
@@ -172,8 +173,7 @@ struct PerformaxWire : std::enable_shared_from_this<PerformaxWire> {
 
   void end_soon(const char* why) {
     if (std::exchange(over, true)) return;
-    Fault fault(FaultKind::lost, fmt::format("{} is gone: {}.", name, why), "What was under way is lost.",
-                "Look at its USB cable and its power.");
+    Fault fault = gone(fmt::format("{} is gone: {}.", name, why), "Look at its USB cable and its power.");
     asio::post(scheduler.executor(), [self = shared_from_this(), fault = std::move(fault)] {
       if (self->ended) self->ended(fault);
     });

@@ -15,6 +15,7 @@
 #include <unistd.h>
 
 #include "transports/fd_stream.h"
+#include "transports/gone.h"
 #include "transports/port_holder.h"
 #include "transports/tty.h"
 
@@ -159,10 +160,9 @@ class SerialStream final : public FdStream {
  private:
   [[nodiscard]] Fault why_ended(int error) const override {
     const bool pulled = error == 0 || error == EIO || error == ENXIO || error == ENODEV;
-    return Fault(FaultKind::lost,
-                 pulled ? fmt::format("{} is gone: the cable was pulled or the adapter switched off.", path_)
-                        : fmt::format("{} failed: {}.", path_, std::strerror(error)),
-                 "What was on the wire is lost.", "Plug it in again; it is opened again by itself.");
+    return gone(pulled ? fmt::format("{} is gone: the cable was pulled or the adapter switched off.", path_)
+                       : fmt::format("{} failed: {}.", path_, std::strerror(error)),
+                "Plug it in again; it is opened again by itself.");
   }
 
   std::string path_;

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "core/session/user_files.h"
+#include "transports/gone.h"
 #include "transports/memory.h"
 
 namespace hw {
@@ -335,8 +336,7 @@ Result<std::unique_ptr<Stream>> EmulatorHost::plug_in(int baud) {
                 "Nothing was opened.", "Plug it in again on the bench.");
   MemoryWire wire;
   wire.name = options_.name;
-  wire.gone = Fault(FaultKind::lost, fmt::format("The cable of the {} was pulled.", options_.name),
-                    "What was on the wire is lost.", "Plug it in again.");
+  wire.gone = gone(fmt::format("The cable of the {} was pulled.", options_.name), "Plug it in again.");
   if (options_.byte_times) wire.baud = baud != 0 ? baud : line_rate();
   auto [ours, theirs] = make_memory_pair(scheduler_, std::move(wire));
   add_client(std::move(ours), true);

@@ -6,6 +6,7 @@
 
 #include "core/device/bus_target.h"
 #include "transports/bus_port.h"
+#include "transports/gone.h"
 #include "transports/serve.h"
 
 namespace hw {
@@ -34,8 +35,7 @@ class EmulatorHost::HostWindow final : public Window {
     post([vector](Listener& listener) { listener.interrupted(vector); });
   }
   void pull() {
-    gone_ = Fault(FaultKind::lost, fmt::format("The cable of the {} was pulled.", host_->options_.name),
-                  "What was on the way is lost.", "Plug it in again.");
+    gone_ = gone(fmt::format("The cable of the {} was pulled.", host_->options_.name), "Plug it in again.");
     post([why = gone_](Listener& listener) { listener.window_closed(why); });
     host_ = nullptr;
   }

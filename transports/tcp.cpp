@@ -8,6 +8,7 @@
 
 #include "core/session/address.h"
 #include "transports/fd_stream.h"
+#include "transports/gone.h"
 #include "transports/tcp_socket.h"
 
 namespace hw {
@@ -76,8 +77,7 @@ Fault tcp_ended(const std::string& where, int error) {
                              : error == EPIPE
                                  ? "The other side closed the connection"
                                  : fmt::format("The connection failed ({})", std::strerror(error));
-  return Fault(FaultKind::lost, fmt::format("{} ({}).", reason, where), "What was on the way is lost.",
-               "Check the network and the device; it is tried again.");
+  return gone(fmt::format("{} ({}).", reason, where), "Check the network and the device; it is tried again.");
 }
 
 Task<Result<int>> connect_tcp(Scheduler& scheduler, std::string where, Duration patience) {

@@ -14,6 +14,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "transports/gone.h"
 #include "transports/port_holder.h"
 
 namespace hw {
@@ -134,10 +135,9 @@ class VmeDevice final : public Window {
 
   Task<Result<>> run(std::span<BusCycle> cycles) override {
     if (!gone_ && access_all(static_cast<volatile std::uint8_t*>(memory_), cycles)) co_return Result<>();
-    const Fault why(
-        FaultKind::lost, fmt::format("The window {} is gone.", place_),
-        "What was on the way may have been done.",
-        "Look whether the VME bridge and its driver are still there; it is opened again by itself.");
+    const Fault why =
+        gone(fmt::format("The window {} is gone.", place_),
+             "Look whether the VME bridge and its driver are still there; it is opened again by itself.");
     if (!std::exchange(gone_, true))
       asio::post(scheduler_.executor(), [tell = tell_, why] {
         if (tell->listener) tell->listener->window_closed(why);

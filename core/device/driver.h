@@ -29,7 +29,8 @@ struct DriverContext {
 /// How much a round of status asks.
 enum class Round : std::uint8_t {
   stopping,  ///< what shows whether the controller stands, and nothing else
-  usual
+  usual,
+  everything  ///< somebody waits for what it reads: also what is otherwise asked in turn
 };
 
 class Driver {

@@ -145,6 +145,7 @@ struct RunProgram {
   /// Where a text that the console itself has written goes; a text of the user's is his own word.
   std::vector<AxisTarget> places;
   bool despite_doubt = false;
+  bool as_it_is = false;  ///< this once, although it is not what was sent last; see Snapshot::slots_torn
   explicit RunProgram(int s, std::vector<AxisTarget> p = {}) : slot(s), places(std::move(p)) {}
 };
 struct Pause {  ///< hold before the next command

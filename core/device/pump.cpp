@@ -213,6 +213,7 @@ void Pump::lose_wire(const Fault& why) {
   if (!std::exchange(down_, true)) {  // attempts in between do not count
     draft_.link.lost_at = scheduler_.now();
     ran_when_lost_ = something_runs() || jogs_.any() || performing_ || (connected() && desk_.any());
+    loss_.lost(draft_, something_runs() || jogs_.any(), performing_, scheduler_.now());
     draft_.link.when_lost = draft_.shows_under_way();
     restarts_when_lost_ = draft_.restarts;
   }
@@ -246,16 +247,23 @@ Task<> Pump::serve() {
 
 // Nothing but the stop uses the wire of its controller until it stands; somebody who waits for news gets them
 // in between once it has been confirmed.
-Task<> Pump::run_round() {
-  const bool wanted = round_wanted_ > rounds_ended_;
+Round Pump::next_round() const {
   const auto& stops = desk_.orders();
   const bool confirmed = std::all_of(stops.begin(), stops.end(), [](const auto& o) { return o.confirmed; });
-  const Round round = stops.empty() || (wanted && confirmed) ? Round::usual : Round::stopping;
-  if (round == Round::usual) ++rounds_begun_;
+  if (round_wanted_ > rounds_begun_ && confirmed) return Round::everything;
+  return stops.empty() ? Round::usual : Round::stopping;
+}
+
+Task<> Pump::run_round() {
+  const Round round = next_round();
+  if (round != Round::stopping) ++rounds_begun_;
   auto polled = co_await driver_->poll(round);
-  if (!station_->is_open()) co_return;   // lose_wire() has said it all
-  if (station_->preempted()) co_return;  // a stop has cut it short
-  if (round == Round::usual) rounds_ended_ = rounds_begun_;
+  if (!station_->is_open()) co_return;  // lose_wire() has said it all
+  if (station_->preempted()) {          // a stop has cut it short: it is no round
+    if (round != Round::stopping) --rounds_begun_;
+    co_return;
+  }
+  if (round != Round::stopping) rounds_ended_ = rounds_begun_;
   poll_finished(polled);
 }
 
@@ -282,6 +290,7 @@ void Pump::poll_finished(const Result<>& result) {
   }
   forget_jogs_that_ended();
   if (result) look_at_stops();
+  if (result) tell_what_came_of_the_loss();
   const bool understood =
       result || (result.error().kind != FaultKind::garbled && result.error().kind != FaultKind::refused);
   health.state = s.misses_in_a_row > 0 || !understood ? LinkState::late : LinkState::good;
@@ -296,6 +305,11 @@ void Pump::poll_finished(const Result<>& result) {
   next_poll_ = scheduler_.now();
   if (rounds_ended_ >= round_wanted_) next_poll_ += draft_.poll_period;
   publish();
+}
+
+void Pump::tell_what_came_of_the_loss() {
+  std::string told = loss_.back(catalog_, draft_, something_runs(), scheduler_.now());
+  if (!told.empty()) ways_.notify(Notice(Notice::Kind::warning, scheduler_.now(), std::move(told)));
 }
 
 std::uint64_t Pump::want_round() {

@@ -10,6 +10,7 @@
 #include "core/device/driver.h"
 #include "core/device/held_jogs.h"
 #include "core/device/line.h"
+#include "core/device/loss_report.h"
 #include "core/device/registry.h"
 #include "core/device/stop.h"
 #include "core/link/station.h"
@@ -80,6 +81,8 @@ class Pump {
   Task<bool> connect();
   Task<> serve();
   Task<> run_round();
+  [[nodiscard]] Round next_round() const;
+  void tell_what_came_of_the_loss();
   Task<> wait_for_retry();
   void poll_finished(const Result<>& result);
   void nothing_comes_back();
@@ -149,6 +152,7 @@ class Pump {
   int asking_ = 0;  ///< coroutines that wait here for an answer
   bool performing_ = false;
   bool says_to_all_ = false;  ///< and what it performs is for all devices of the wire
+  LossReport loss_;
   std::uint32_t restarts_when_lost_ = 0;
   bool ran_when_lost_ = false;
   bool down_ = false;     ///< since the loss of the wire, through all attempts

@@ -270,6 +270,8 @@ Task<> Pump::perform_next() {
   } else if (performed && doubtful != 0) {
     performed = fail(FaultKind::refused, say_doubtful(catalog_, draft_, job->intent.body, doubtful,
                                                       words_in_steps(catalog_, draft_)));
+  } else if (const int torn = torn_program(catalog_, draft_, job->intent.body); performed && torn >= 0) {
+    performed = fail(FaultKind::refused, say_torn(catalog_, torn));
   } else if (const auto* wish = std::get_if<intent::TrustPosition>(&job->intent.body)) {
     performed = trust_position(wish->axis);
   } else if (performed) {
@@ -282,6 +284,8 @@ Task<> Pump::perform_next() {
     job.release();  // its asker owns it from here
     co_return;
   }
+  if (const auto* read = std::get_if<intent::UploadProgram>(&job->intent.body); read && performed)
+    draft_.slots_torn = static_cast<std::uint8_t>(draft_.slots_torn & ~torn_bit(catalog_, read->slot));
   if (performed && desk_.epoch() != epoch && leads_to_a_start(job->intent.body))
     performed = fail(FaultKind::stopped, "A stop came while this was under way.", "It is whole.",
                      "Nothing follows it: ask again for what should.");

@@ -168,6 +168,28 @@ IntentBody stands_at(const Snapshot& now, AxisId axis, Steps place) {
   return intent::SetPosition(axis.index, place);
 }
 
+// ---- what is stored
+
+std::uint8_t torn_bit(const Catalog& catalog, int n) {
+  const int slot = catalog.program.threads > 0 ? 0 : n;  // they share one stored text
+  return slot < 0 || slot >= max_slots ? 0 : static_cast<std::uint8_t>(1u << slot);
+}
+
+int torn_program(const Catalog& catalog, const Snapshot& now, const IntentBody& body) {
+  int started = -1;
+  if (const auto* run = std::get_if<intent::RunProgram>(&body); run && !run->as_it_is) started = run->slot;
+  if (std::holds_alternative<intent::SingleStep>(body) && now.program.run == RunState::idle)
+    started = now.program.slot;
+  return (now.slots_torn & torn_bit(catalog, started)) != 0 ? started : -1;
+}
+
+std::string say_torn(const Catalog& catalog, int slot) {
+  return fmt::format(
+      "{} {} in the controller is not what was sent last: its transfer was broken off, or it reads back "
+      "otherwise. Nothing was started. Load it again, read it, or run it as it is for this once.",
+      catalog.program.slot_word, slot);
+}
+
 // ---- the current
 
 bool powerless(const Catalog& catalog, const Snapshot& now, AxisId axis) {

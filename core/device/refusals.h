@@ -1,7 +1,8 @@
 #pragma once
 // What the pump refuses on any controller, before its driver is asked: to go to a place by a count that is
-// not to be trusted. And what the console itself does not ask for: to move an axis whose motor has no
-// current. (A controller counts such a move all the same, and programs elsewhere rely on that.)
+// not to be trusted, and to run a program that is not what was sent. And what the console itself does not ask
+// for: to move an axis whose motor has no current. (A controller counts such a move all the same, and
+// programs elsewhere rely on that.)
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -46,6 +47,16 @@ void go_despite_doubt(IntentBody& body);
 /// That the axis stands at `place`. Where its count says so already this is only to be trusted: not every
 /// controller can be told any number.
 IntentBody stands_at(const Snapshot& now, AxisId axis, Steps place);
+
+// ---- what is stored
+
+/// The slot of the program that it would start although what is stored there is not what was sent last; -1:
+/// it does not. The user's own text is his own word.
+int torn_program(const Catalog& catalog, const Snapshot& now, const IntentBody& body);
+/// Why it is refused, and the ways out.
+std::string say_torn(const Catalog& catalog, int slot);
+/// Where what is stored as program `n` is marked in Snapshot::slots_torn.
+std::uint8_t torn_bit(const Catalog& catalog, int n);
 
 // ---- the current
 

@@ -225,8 +225,11 @@ struct Snapshot {
   std::array<std::int32_t, max_variables> variables{};  ///< by number
   std::bitset<max_variables> variables_known;
   std::array<std::int16_t, max_slots> slot_bytes_used{};  ///< -1 unknown
-  std::array<ParamState, max_params> params{};            ///< by index in Catalog::params
-  bool unsaved_setup = false, unsaved_programs = false;   ///< in RAM and not stored
+  /// Bit per slot (where programs run in threads, 0 for all): what it holds is not what was sent last,
+  /// because the transfer was broken off or it reads back otherwise. Until it is loaded again, or read.
+  std::uint8_t slots_torn = 0;
+  std::array<ParamState, max_params> params{};           ///< by index in Catalog::params
+  bool unsaved_setup = false, unsaved_programs = false;  ///< in RAM and not stored
   bool working = false;           ///< at commands that wait in its queues, though no axis may move
   std::uint32_t restarts = 0;     ///< of the controller, as its answers showed while it was connected
   std::int32_t store_count = -1;  ///< writes used of the non-volatile memory; an emulator knows

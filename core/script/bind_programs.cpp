@@ -33,7 +33,12 @@ int load(Call& call) {
 int run(Call& call) {
   const int slot = slot_of(call, 1);
   if (slot < 0) return call.refuse(no_slot(session_of(call)->catalog()));
-  return perform(call, intent::RunProgram(slot));
+  intent::RunProgram wish(slot);
+  if (call.has(2)) {
+    if (call.text(2, "how") != "as it is") throw Misuse("a program can only be run \"as it is\"");
+    wish.as_it_is = true;
+  }
+  return perform(call, std::move(wish));
 }
 
 // With a number: that thread only, where programs run in several.

@@ -12,9 +12,7 @@ namespace {
 
 using Push = int (*)(lua_State*, const Snapshot&, const Catalog&, int number);
 
-bool is_gone(const LinkHealth& link) {
-  return link.state == LinkState::lost || link.state == LinkState::closed;
-}
+bool is_gone(const LinkHealth& link) { return !link.connected(); }
 std::string why_gone(const LinkHealth& link) {
   return fmt::format("There is no connection. {}", link.sentence.view());
 }
@@ -30,28 +28,34 @@ int push_unknown(lua_State* L, std::string reason) {
   return 2;
 }
 
-Task<Answer> read_fresh(SessionPtr session, Instant asked_at, Push push, int number, bool of_axis) {
+/// When the round read what is asked for.
+using SeenAt = Instant (*)(const Snapshot&, int number);
+Instant axis_seen_at(const Snapshot& known, int axis) { return known.axes[axis].seen_at; }
+Instant io_seen_at(const Snapshot& known, int) { return known.io_seen_at; }
+
+Task<Answer> read_fresh(SessionPtr session, Instant asked_at, Push push, int number, SeenAt seen_at,
+                        std::string what) {
   co_await session->pump().refresh();
-  co_return [session, asked_at, push, number, of_axis](lua_State* L) {
+  co_return [session, asked_at, push, number, seen_at, what = std::move(what)](lua_State* L) {
     const Snapshot& known = session->known();
     const LinkHealth& link = known.link;
     if (is_gone(link)) return push_unknown(L, why_gone(link));
-    if (of_axis && number >= 0 && known.axes[number].seen_at < asked_at)
-      return push_unknown(L, fmt::format("Axis {} cannot be read now. {}",
-                                         session->catalog().axes[number].name, why_unread(link)));
+    if (number >= 0 && seen_at(known, number) < asked_at)
+      return push_unknown(L, fmt::format("{} cannot be read now. {}", what, why_unread(link)));
     return push(L, known, session->catalog(), number);
   };
 }
 
-int ask_of(Call& call, const SessionPtr& session, Push push, int number, bool of_axis) {
-  return call.wait(read_fresh(session, call.runner().scheduler().now(), push, number, of_axis));
+int ask_of(Call& call, const SessionPtr& session, Push push, int number, SeenAt seen_at, std::string what) {
+  return call.wait(
+      read_fresh(session, call.runner().scheduler().now(), push, number, seen_at, std::move(what)));
 }
-int ask(Call& call, Push push, int number) { return ask_of(call, session_of(call), push, number, false); }
 
 int of_axis(Call& call, Push push) {
   const OneAxis one = one_axis(call, 1, "axis");
   if (one.index < 0) return call.refuse(one.refusal);
-  return ask_of(call, one.session, push, one.index, true);
+  return ask_of(call, one.session, push, one.index, axis_seen_at,
+                "Axis " + one.session->catalog().axes[static_cast<std::size_t>(one.index)].name);
 }
 
 int push_position(lua_State* L, const Snapshot& known, const Catalog& catalog, int axis) {
@@ -162,10 +166,16 @@ int push_axis_status(lua_State* L, const Snapshot& known, const Catalog&, int ax
   return 1;
 }
 
-int push_whole_status(lua_State* L, const Snapshot& known, const Catalog&, int) {
+/// Always a table with `link`, for who asks what is the matter. While the link is not good, `why` says so,
+/// and what could not be read is left out.
+int push_whole_status(lua_State* L, const Snapshot& known) {
   lua_createtable(L, 0, 10);
-  set_flag(L, "moving", known.any_axis_moving());
   set_word(L, "link", name_of(known.link.state));
+  if (known.link.state != LinkState::good) {
+    set_word(L, "why", known.link.sentence.view());
+    return 1;
+  }
+  set_flag(L, "moving", known.any_axis_moving());
   set_word(L, "program", name_of(known.program.run));
   set_whole(L, "program_number", known.program.slot);
   set_whole(L, "program_command", known.program.command);
@@ -207,10 +217,15 @@ int velocity(Call& call) {
   return call.wait(measure_velocity(call.runner(), one.session, one.index));
 }
 
+Task<Answer> read_whole_status(SessionPtr session) {
+  co_await session->pump().refresh();
+  co_return [session](lua_State* L) { return push_whole_status(L, session->known()); };
+}
+
 int position(Call& call) { return of_axis(call, push_position); }
 int encoder(Call& call) { return of_axis(call, push_encoder); }
 int status(Call& call) {
-  if (!call.has(1)) return ask(call, push_whole_status, 0);
+  if (!call.has(1)) return call.wait(read_whole_status(session_of(call)));
   return of_axis(call, push_axis_status);
 }
 
@@ -239,7 +254,8 @@ std::string no_such(const Catalog& catalog, const char* what, std::int64_t numbe
 
 int of_number(Call& call, const char* what, std::int64_t number, const Numbered& there, Push push) {
   if (there.place < 0) return call.refuse(no_such(session_of(call)->catalog(), what, number, there));
-  return ask(call, push, there.place);
+  return ask_of(call, session_of(call), push, there.place, io_seen_at,
+                fmt::format("The {} {}", what, number));
 }
 
 /// Whether it has been; pushes nil and the reason if not.

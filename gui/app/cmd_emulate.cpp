@@ -169,7 +169,7 @@ const Subcommand emulate_subcommand{
      {"jumpers", "GGG", "its general lines 0-3, 4-7, 8-11 (vme58): I input, O output (default IIO)"},
      {"speed", "X", "so many times faster than real time (default 1)"},
      {"wire", "real|off", "spend the byte times of the baud rate (default: real with a --pty, else off)"},
-     {"quirk", "NAME", "a habit of certain units: overrun, e-bar", true},
+     {"quirk", "NAME", "a habit of certain units, as overrun or e-bar (vxm), padded (vme58)", true},
      {"state", "FILE", "keep the non-volatile memory there; with several --id in FILE.NN of each"},
      {"bench", "FILE.toml",
       "what surrounds the controller (without it a VXM has limit switches at -100000 and 100000 steps)"},

@@ -115,6 +115,26 @@ TEST_P(ContractTest, APulledCableIsSaidAndHealsWithoutMovingAnything) {
   EXPECT_EQ(axis().position, Steps(2000)) << "the controller went on by itself; nothing was repeated";
 }
 
+// Whether what was on its way came there no wire can know: it is not called lost, and the place is told.
+TEST_P(ContractTest, WhatCameOfALostLinkIsToldByTheirPlaces) {
+  session->send(intent::MoveBy({{AxisId{0}, Steps(2000)}}, Pps{500}));
+  run(Millis(500));
+  operate(bench::Unplug(true));
+  ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::lost; }, seconds(10)));
+  EXPECT_THAT(std::string(now().link.sentence.view()), Not(HasSubstr("is lost")));
+  run(seconds(20));
+  operate(bench::Unplug(false));
+  ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::good; }, seconds(20)));
+  run(seconds(2));
+  std::vector<std::string> places;
+  session->notices().drain([&](const Notice& n) {
+    if (n.text.find("The connection was gone") != n.text.npos) places.push_back(n.text);
+  });
+  ASSERT_EQ(places.size(), 1u);
+  EXPECT_THAT(places[0], HasSubstr("It has finished meanwhile; "));
+  EXPECT_THAT(places[0], HasSubstr("stands at 2000 " + session->catalog().step_word));
+}
+
 TEST_P(ContractTest, AJogThatLostItsLinkIsStoppedWhenTheLinkIsBack) {
   session->send(intent::JogStart(AxisId{0}, Sign::plus));
   for (int i = 0; i < 5; ++i) {

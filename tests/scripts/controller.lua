@@ -109,6 +109,20 @@ local all = c:status()
 same(all.link, "good", "link")
 same(all.program, "idle", "program")
 same(all.moving, false, "moving")
+same(all.why, nil, "nothing is amiss")
+
+-- without a link there is a table still, which says so and tells nothing old
+c.bench:unplug(true)
+hw.sleep(3)
+all = c:status()
+hw.check(all.link == "lost" or all.link == "connecting", "link: " .. tostring(all.link))
+hw.check(#all.why > 20, "why: " .. tostring(all.why))
+for _, unknown in ipairs{"moving", "program", "firmware", "unsaved_setup"} do same(all[unknown], nil, unknown) end
+c.bench:unplug(false)
+hw.sleep(6)
+all = c:status()
+same(all.link, "good", "link again")
+same(all.moving, false, "moving again")
 
 -- two axes of targets in the order of the axes, whatever the table says
 c:move_to{[2] = 0, [1] = 0}

@@ -255,6 +255,7 @@ TEST_F(DmxBus, WhatIsTypedForADeviceThatIsBeingStoppedWaitsThere) {
   say(speaker, "@02J+");
   const IntentId jog = last_id;
   ASSERT_TRUE(time.run_until(time.now() + from_seconds(5),
+                             [&] { return other.pump->known().fate_of(stop)->fate == Fate::done; }));
   for (const Sent& s : sent())
     if (s.entry.bytes.ends_with("J+\r")) {
       EXPECT_EQ(s.entry.at, time.now()) << "it stands first";

@@ -77,6 +77,7 @@ TEST_F(TcpTransport, ThePeerLeaving) {
   accepted.clear();
   ASSERT_TRUE(poll_until(io, [&] { return ear.closed.has_value(); }));
   EXPECT_EQ(ear.closed->kind, FaultKind::lost);
+  EXPECT_EQ(ear.closed->done, "What was on the way may have been carried out.");
   EXPECT_NE(ear.closed->what.find(endpoint->address()), std::string::npos);
   near->send("into the void");
 }

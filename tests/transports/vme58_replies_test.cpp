@@ -231,6 +231,21 @@ TEST_F(Vme58Liar, ACommandErrorThatNobodyCausedIsTold) {
   heals();
 }
 
+// The board may stand in the middle of a word then.
+TEST_F(Vme58Liar, ACommandErrorOfWhatAStopHasTakenBackIsNotTold) {
+  ASSERT_TRUE(query("AX VL20000 AC40000 MR1000000 GO"));
+  run(Seconds(1));
+  (void)told();
+  bool once = true;
+  lie = [&once](BusCycle& c) {
+    if (c.offset == vme58::reg::status && std::exchange(once, false)) c.value |= vme58::status::command_error;
+  };
+  EXPECT_EQ(perform(intent::Stop()).fate, Fate::done);
+  EXPECT_FALSE(once);
+  run(Seconds(1));
+  EXPECT_EQ(told(), "");
+}
+
 TEST_F(Vme58Liar, WhatIsNoVme58IsNotTakenForOne) {
   lie = [](BusCycle& c) {
     const bool reply = c.offset >= vme58::at::input_buffer && c.offset < vme58::at::reserved0;

@@ -37,6 +37,12 @@ class Vme58Rig : public testing::Test {
   Vme58Rig() : Vme58Rig({}) {}
   explicit Vme58Rig(DeviceOptions o) : options(std::move(o)) {}
   void SetUp() override {
+    open();
+    ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::good; }, std::chrono::seconds(10)))
+        << now().link.sentence.view();
+    run(Millis(500));
+  }
+  void open() {
     std::string text = "vme58@emulator";
     for (const auto& [key, value] : options) text += "," + key + "=" + value;
     const auto address = Address::parse(text);
@@ -51,9 +57,6 @@ class Vme58Rig : public testing::Test {
         [] {});
     ASSERT_TRUE(opened) << opened.error().sentence();
     session = *opened;
-    ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::good; }, std::chrono::seconds(10)))
-        << now().link.sentence.view();
-    run(Millis(500));
   }
   void TearDown() override {
     if (!session) return;
@@ -63,6 +66,7 @@ class Vme58Rig : public testing::Test {
   /// A bus between driver and board that is not as quick as a test.
   virtual std::unique_ptr<Window> dressed(std::unique_ptr<Window> window) { return window; }
   Task<Result<Wire>> plug_in() {
+    co_await time.sleep_for(opening_takes);
     auto window = host->plug_in_window();
     if (!window) co_return fail(window.error());
     Wire wire;
@@ -128,6 +132,7 @@ class Vme58Rig : public testing::Test {
     return all;
   }
 
+  Duration opening_takes{};
   DeviceOptions options;
   std::optional<DeviceOptions> board_is;  ///< of the board, where it is another than the address says
   IoContext io;

@@ -100,6 +100,47 @@ TEST_F(Vme58Urgent, AJogThatWasHeldWhenTheWireWentIsStoppedFirst) {
   expect_stays();
 }
 
+/// Another program has left its ring so.
+class Vme58HeldFromTheStart : public Vme58Urgent {
+ protected:
+  void SetUp() override {
+    opening_takes = Millis(1);
+    open();
+  }
+  std::unique_ptr<Window> dressed(std::unique_ptr<Window> window) override {
+    if (std::exchange(text_put_, true)) return window;
+    std::uint32_t cell = 0;
+    for (const char c : std::string("AX VL20000 AC40000 MR1000000 GO WQ MR50000 GO "))
+      poke(2, static_cast<std::uint16_t>(vme58::at::output_buffer + 2 * cell++),
+           static_cast<unsigned char>(c));
+    poke(2, vme58::at::output_put_index, cell);
+    return window;
+  }
+
+ private:
+  bool text_put_ = false;
+};
+
+TEST_F(Vme58HeldFromTheStart, NothingOfTheRingActsBehindTheStop) {
+  session->send(intent::SendText("SA"));  // before anything else
+  ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::good; }, Seconds(3)));
+  EXPECT_EQ(lines().front(), "> mailbox SA");
+  run(Seconds(1));
+  expect_stays();
+  EXPECT_LT(axis().position, Steps(10000)) << "MR50000 was not carried out";
+}
+
+TEST_F(Vme58HeldFromTheStart, AStopLaterOpensTheBoard) {
+  ASSERT_TRUE(run_until([this] { return !now().link.sentence.empty(); }, Seconds(10)));
+  EXPECT_THAT(std::string(now().link.sentence.view()), HasSubstr("waits in WQ"));
+  (void)lines();
+  session->send(intent::SendText("SA"));
+  ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::good; }, Seconds(3)));
+  EXPECT_EQ(lines().front(), "> mailbox SA");
+  run(Seconds(1));
+  expect_stays();
+}
+
 // ---- a mailbox that is acknowledged and nothing comes of it
 
 class Vme58DeafMailbox : public Vme58Urgent {
@@ -163,6 +204,15 @@ TEST_F(Vme58DeafMailbox, AStopOfAMoveThatEndsByItselfDoesNotClaimIt) {
   EXPECT_EQ(perform(intent::Stop()).fate, Fate::done);
   expect_stays();
   EXPECT_LT(axis().position, Steps(20000)) << "none of the moves was carried out to its end";
+}
+
+TEST_F(Vme58DeafMailbox, AStopOfOneAxisThatAGroupMovesStaysOneOfAll) {
+  turn("AA VL20000,20000; AC40000,40000; MR1000000,1000000; GO");
+  EXPECT_EQ(perform(intent::Stop(0)).fate, Fate::done);
+  EXPECT_EQ(axis(1).speed.value, 0);
+  expect_stays();
+  const std::string words = told();
+  EXPECT_EQ(words.find("so all axes were stopped"), words.rfind("so all axes were stopped")) << words;
 }
 
 TEST_F(Vme58DeafMailbox, WhereTheRingIsHeldTooItIsSaid) {

@@ -133,6 +133,7 @@ class ArcusDriver final : public Driver {
   tl::unexpected<Fault> garbled(std::string_view bytes) const;
   tl::unexpected<Fault> echoed() const;
   tl::unexpected<Fault> two_answer() const;
+  tl::unexpected<Fault> line_feeds_come() const;
   [[nodiscard]] int factory_id() const;
 
   // ---- driver_restart.cpp
@@ -298,16 +299,15 @@ class ArcusDriver final : public Driver {
   bool blind_ = true;     ///< not connected yet: nothing is known
   bool halting_ = false;  ///< programs were told to end: whether they have is asked while axes stop
 
-  bool lost_while_busy_ = false;
   bool name_told_ = false;
   Instant lost_at_{}, heard_at_{};
-  int strays_ = 0;  ///< texts that nobody asked for
+  int strays_ = 0;      ///< texts that nobody asked for
+  int line_feeds_ = 0;  ///< behind the ends of answers: something on the way turns CR into CR LF
   Instant round_began_{};
   Instant motion_asked_at_{};  ///< the oldest question of the newest round that has been applied
   int round_ = 0;
   bool io_due_ = false;  ///< the user's own text may have switched a motor
   std::uint32_t watched_ = 0;
-  bool half_written_ = false;              ///< lines were stored, and not all of a program
   std::optional<StoredCode> stored_code_;  ///< not known: not looked, or foreign code
   std::optional<Called> called_;
   std::uint64_t outlasted_stop_ = 0;  ///< the stop that watches it

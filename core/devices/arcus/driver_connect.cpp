@@ -43,7 +43,7 @@ void ArcusDriver::attach(Station& station) {
 }
 
 Task<Result<>> ArcusDriver::connect() {
-  strays_ = 0;
+  strays_ = line_feeds_ = 0;
   moved_at_ = scheduler_.now();  // unseen
   auto identified = co_await identify();
   if (!identified) co_return identified;
@@ -54,12 +54,6 @@ Task<Result<>> ArcusDriver::connect() {
   auto looked = co_await look_back_over_the_loss();
   if (!looked) co_return looked;
   blind_ = false;
-  if (std::exchange(lost_while_busy_, false))
-    tell(Notice::Kind::warning,
-         fmt::format(
-             "The connection was gone for {:.1f} s while the controller was at work. It {}. Nothing was "
-             "sent again.",
-             seconds(scheduler_.now() - lost_at_), any_moving() ? "still is" : "has finished meanwhile"));
   co_return Result<>();
 }
 
@@ -94,6 +88,7 @@ Task<Result<>> ArcusDriver::identify() {
   const bool known = reply->text == model().product;
   auto version = co_await exchange("VER", Priority::intent, Millis(200), true);
   if (!version) co_return fail(version.error());
+  if (line_feeds_ > 0) co_return line_feeds_come();
   const bool sense = version->text.size() >= 2 && version->text[0] == 'V' && version->text[1] >= '0' &&
                      version->text[1] <= '9';
   if (!sense) co_return garbled(known ? version->text : reply->text);
@@ -114,6 +109,13 @@ Task<Result<>> ArcusDriver::read_name() {
   draft_.identity.serial = *name;
   const bool usb = framing() == Framing::message;
   const auto number = number_in_name(model(), *name);
+  if (!number && !usb && !std::exchange(name_told_, true))
+    tell(Notice::Kind::warning,
+         fmt::format(
+             "It answers at {:02} and calls itself {}, where a {} calls itself {}{:02}. On a line with "
+             "others its late answers cannot be told from theirs: set its device name (DN), Store, and "
+             "switch it off and on.",
+             catalog_.address, hex_of(*name), model().title, model().name_prefix, catalog_.address));
   if (number && *number != catalog_.address && !usb && !std::exchange(name_told_, true))
     tell(Notice::Kind::info,
          fmt::format("It answers at {:02} and is to be called {}: it will answer at {:02} after Store and "
@@ -168,6 +170,15 @@ tl::unexpected<Fault> ArcusDriver::echoed() const {
   return fail(FaultKind::garbled, "What is sent comes back as it is.",
               "Nothing was sent but the question for its name.",
               "Switch off the echo of the RS-485 adapter; if it has none, its data lines touch each other.");
+}
+
+tl::unexpected<Fault> ArcusDriver::line_feeds_come() const {
+  return fail(FaultKind::garbled,
+              fmt::format("The answers at address {:02} end in CR LF; those of a {} have no LF.",
+                          catalog_.address, model().title),
+              "What came was not used.",
+              "Something on the way adds it: switch the conversion of line ends off in the serial server or "
+              "adapter.");
 }
 
 tl::unexpected<Fault> ArcusDriver::two_answer() const {

@@ -10,7 +10,8 @@
 namespace hw::arcus {
 namespace {
 
-constexpr int empty_lines_end_it = 4;  // in a row
+constexpr int empty_lines_end_it = 4;    // in a row
+constexpr std::uint8_t stored_code = 1;  // one text for all programs: see Snapshot::slots_torn
 constexpr int thread_run = 1, thread_pause = 2, thread_continue = 3;
 
 std::string foreign_lines(const std::vector<language::BadLine>& bad, const std::vector<std::string>& lines) {
@@ -37,7 +38,7 @@ Task<Result<>> ArcusDriver::perform_program(IntentBody body) {
     auto cleared = co_await clear_from(0);
     draft_.transfer.running = false;
     if (!cleared) co_return broken_off(std::move(cleared.error()));
-    half_written_ = false;
+    draft_.slots_torn = 0;
     co_return cleared;
   }
   if (std::holds_alternative<SelectProgram>(body)) co_return Result<>();
@@ -81,11 +82,6 @@ void ArcusDriver::forget_thread(std::string_view text) {
 // SR is answered with OK whether the program is there or not (decision AMB-115). One that runs is; one that
 // does not may have ended already, so the stored code is looked at.
 Task<Result<>> ArcusDriver::run(int program) {
-  if (half_written_)
-    co_return fail(FaultKind::refused,
-                   "What is stored is neither the old program nor the new one: its transfer was broken off.",
-                   "Nothing was started.",
-                   "Download the program again, or upload what is stored, look at it and download that.");
   auto started = co_await control(program, thread_run);
   if (!started || draft_.threads[ix(program)].run != RunState::idle) co_return started;
   if (stored_code_ && stored_code_->programs[ix(program)]) co_return started;
@@ -146,10 +142,11 @@ Task<Result<std::string>> ArcusDriver::read_line(int line, Priority priority) {
 // An unused line is empty.
 Task<Result<>> ArcusDriver::write_line(int line, std::string text) {
   std::string sent = fmt::format("SA{}={}", line, text);
-  const bool half_written_before = std::exchange(half_written_, true);  // should the console be closed now
+  const std::uint8_t before =
+      std::exchange(draft_.slots_torn, stored_code);  // should the console be closed now
   auto written = co_await command(std::move(sent), Priority::transfer, Millis(500));
   // A stop that came first, or a refusal: this line is not stored.
-  if (!written && was_kept_back(written.error())) half_written_ = half_written_before;
+  if (!written && was_kept_back(written.error())) draft_.slots_torn = before;
   co_return written;
 }
 
@@ -202,7 +199,7 @@ Task<Result<>> ArcusDriver::load(int program, std::string text) {
   auto written = co_await write_lines(lines);
   draft_.transfer.running = false;
   if (!written) co_return broken_off(std::move(written.error()));
-  half_written_ = false;
+  draft_.slots_torn = 0;
   note_stored(lines);
   draft_.slot_bytes_used[0] = static_cast<std::int16_t>(lines.size());
   tell(Notice::Kind::info,
@@ -223,7 +220,7 @@ constexpr const char* mend_it = "Download it again before anything runs it.";
 
 /// By a stop, a lost link or a line that is not taken: what is stored then may run, and is no program.
 tl::unexpected<Fault> ArcusDriver::broken_off(Fault why) {
-  if (!half_written_) return fail(std::move(why));
+  if (draft_.slots_torn == 0) return fail(std::move(why));
   draft_.slot_bytes_used[0] = -1;
   why.done = torn;
   why.advice = mend_it;
@@ -232,7 +229,7 @@ tl::unexpected<Fault> ArcusDriver::broken_off(Fault why) {
 
 // The next console to open it does not know.
 std::string ArcusDriver::leaves_behind() const {
-  std::string left = half_written_ ? fmt::format("{} {}", torn, mend_it) : std::string();
+  std::string left = draft_.slots_torn != 0 ? fmt::format("{} {}", torn, mend_it) : std::string();
   if (!borrowed_) return left;
   if (!left.empty()) left += ' ';
   return left + fmt::format("{0} is {1} for one motion; it was {2}. Set {0}={2} before the next one.",

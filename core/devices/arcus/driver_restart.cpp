@@ -167,7 +167,6 @@ void ArcusDriver::restarted(std::string_view how_it_shows, const std::optional<S
 void ArcusDriver::wire_lost() {
   if (!station_) return;
   station_ = nullptr;
-  lost_while_busy_ = lost_while_busy_ || any_moving();
   lost_at_ = scheduler_.now();
   if (borrowed_) borrowed_->left_alone = true;
   end_feed();

@@ -88,6 +88,7 @@ Task<Result<Reply>> ArcusDriver::say(std::string text, Priority priority, Durati
     t.stranger = [&m = model()](std::string_view bytes) { return unasked_or_name_at_front(m, bytes); };
   auto bytes = co_await station_->transact(std::move(t));
   if (!bytes) co_return fail(bytes.error());
+  if (!usb && bytes->starts_with('\n')) ++line_feeds_;  // it stood behind the answer before
   Reply reply = decode_reply(*bytes);
   const int asked = std::max(address_of(text), catalog_.address);
   if (reply.id && address_of(text) < 0 && *reply.id != asked)
@@ -221,6 +222,7 @@ Task<> ArcusDriver::wait_for_quiet() {
 // $NNP of this device; or a whole text that no question waits for.
 std::size_t ArcusDriver::hear(std::string_view bytes) {
   heard_at_ = scheduler_.now();
+  if (bytes.find_first_not_of('\n') == bytes.npos) return ++line_feeds_, 0;
   if (const std::size_t length = unasked_at_front(bytes); length != 0) {
     if (length == std::string_view::npos) return length;
     if (in_position(bytes.substr(0, length)) != catalog_.address) return 0;

@@ -49,6 +49,29 @@ Result<> read_firmware(const std::string& value, BoardOptions& board) {
   return wrong_option(fmt::format("firmware={} is no revision.", value), "A revision is a number like 2.24.");
 }
 
+constexpr struct {
+  std::string_view name;
+  bool BoardOptions::*set;
+} quirks[] = {{"padded", &BoardOptions::padded},
+              {"oms-kk", &BoardOptions::oms_kk},
+              {"deaf-mailbox", &BoardOptions::deaf_mailbox}};
+
+/// Several are joined by +.
+Result<> read_quirks(const std::string& value, BoardOptions& board) {
+  for (std::string_view rest = value; !rest.empty();) {
+    const auto end = std::min(rest.find('+'), rest.size());
+    const std::string_view name = rest.substr(0, end);
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+    const auto found = std::find_if(std::begin(quirks), std::end(quirks),
+                                    [name](const auto& quirk) { return quirk.name == name; });
+    if (found == std::end(quirks))
+      return wrong_option(fmt::format("A VME58 has no quirk \"{}\".", name),
+                          "Its quirks are padded, oms-kk and deaf-mailbox.");
+    board.*found->set = true;
+  }
+  return {};
+}
+
 struct NumberOption {
   std::string_view key;
   std::int64_t least, most;
@@ -68,8 +91,10 @@ struct WordOption {
   std::string_view key;
   Result<> (*read)(const std::string&, BoardOptions&);
 };
-constexpr WordOption word_options[] = {
-    {"variant", read_variant}, {"jumpers", read_jumpers}, {"firmware", read_firmware}};
+constexpr WordOption word_options[] = {{"variant", read_variant},
+                                       {"jumpers", read_jumpers},
+                                       {"firmware", read_firmware},
+                                       {"quirk", read_quirks}};
 
 }  // namespace
 

@@ -18,6 +18,10 @@ struct BoardOptions {
   // What VL, AC and VB are without a command.
   std::int64_t velocity = default_velocity, acceleration = default_acceleration, base_velocity = 0;
   int contour_size = contour_entries;
+  // Quirks: habits that the data sheet does not know and some boards have (decisions M98 to M100).
+  bool padded = false;        ///< numbers in replies have blanks, a sign and leading zeros
+  bool oms_kk = false;        ///< KK is taken on servo axes, without effect
+  bool deaf_mailbox = false;  ///< mail is acknowledged and nothing is done
   Duration servo_update = std::chrono::microseconds(default_servo_update_us);
 };
 

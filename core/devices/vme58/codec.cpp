@@ -71,10 +71,24 @@ std::optional<std::string> take_reply(std::string& received, bool echo) {
   return text;
 }
 
+namespace {
+
+/// What a scanner of the field skips before the digits: blanks and a plus sign (decision M99).
+std::string_view from_its_number(std::string_view text) {
+  const auto digits = text.find_first_not_of(' ');
+  text.remove_prefix(std::min(digits, text.size()));
+  const bool plus = text.size() > 1 && text[0] == '+' && text[1] != '-';
+  if (plus) text.remove_prefix(1);
+  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
+  return text;
+}
+
+}  // namespace
+
 std::optional<std::vector<std::int64_t>> decode_numbers(std::string_view reply) {
   std::vector<std::int64_t> all;
   for (const std::string_view part : split(reply, ',')) {
-    const auto number = whole_number<std::int64_t>(part);
+    const auto number = whole_number<std::int64_t>(from_its_number(part));
     if (!number) return std::nullopt;
     all.push_back(*number);
   }
@@ -82,6 +96,7 @@ std::optional<std::vector<std::int64_t>> decode_numbers(std::string_view reply) 
 }
 
 std::optional<std::uint32_t> decode_hex(std::string_view reply) {
+  reply = from_its_number(reply);
   std::uint32_t value = 0;
   const auto [end, error] = std::from_chars(reply.data(), reply.data() + reply.size(), value, 16);
   if (error != std::errc() || end != reply.data() + reply.size()) return std::nullopt;

@@ -40,7 +40,8 @@ void append_mail(std::vector<BusCycle>& cycles, std::string_view letters, std::u
 /// Takes the first whole reply off the front of `received`, without its frame; nothing while it is
 /// unfinished. With `echo` what stands outside of a frame is what the board was sent, and is let go.
 std::optional<std::string> take_reply(std::string& received, bool echo = false);
-/// "0,-400,12"; nothing when one of them is no number.
+/// "0,-400,12", and as other firmware prints: "+0,  200,-0012" (decision M99); nothing when one of them is no
+/// number.
 std::optional<std::vector<std::int64_t>> decode_numbers(std::string_view reply);
 /// "3F00".
 std::optional<std::uint32_t> decode_hex(std::string_view reply);

@@ -54,6 +54,7 @@ enum class Op : std::uint8_t {
   KP, KI, KD, KV, KA, KO, KN,
   ER, HV, HG, HD, HF, HN, IP, ES, TN, TF, IS, RL, ET, HE, HS, EA, RE,
   MP, MM, MV, SP, FP,
+  KK,
   // clang-format on
 };
 
@@ -164,6 +165,12 @@ inline constexpr auto command_facts = [] {
       // clang-format on
   });
 }();
+
+/// Not in the data sheet. Drivers of the field send KK2 to find out whether an axis has a servo loop; boards
+/// with the quirk `oms-kk` take it (decision M98).
+inline constexpr CommandFact oms_kk{
+    "KK", Op::KK, where::single, When::at_once, Shape::one, Number::real, 0, command_limits::huge,
+    0,    0,      false,         true};
 
 /// The command of these two letters that is understood in one of the modes of `modes`; else one that is not,
 /// else null.

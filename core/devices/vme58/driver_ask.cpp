@@ -206,11 +206,15 @@ Task<Result<>> Vme58Driver::read_queues(Priority priority) {
   unsigned full_room = 0;
   for (std::size_t i = 0; i < replies->size(); ++i) {
     const auto numbers = decode_numbers((*replies)[i]);
+    if (!numbers)
+      co_return fail(FaultKind::garbled,
+                     fmt::format("The board answered \"{}\" to RQ, which means nothing.", (*replies)[i]),
+                     "It is asked again.");
     const auto full = [](std::int64_t free) { return free >= queue_entries; };
-    const bool none_waits = numbers && std::all_of(numbers->begin(), numbers->end(), full);
+    const bool none_waits = std::all_of(numbers->begin(), numbers->end(), full);
     empty = empty && none_waits;
     if (none_waits) full_room |= 1u << i;
-    if (i >= ix(axis_count()) || !numbers || numbers->size() != 1) continue;
+    if (i >= ix(axis_count()) || numbers->size() != 1) continue;
     draft_.queue_free[i] = static_cast<std::int16_t>(numbers->front());
     draft_.queue_known |= 1u << i;
   }

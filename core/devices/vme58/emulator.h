@@ -4,6 +4,7 @@
 //   variant=8S|4S4|8|4E|2S2|2S6|6S2|4S|4   in any case, 8S by default
 //   jumpers=IIO    general lines 0-3, 4-7, 8-11: I input, O output; 12 and 13 are always outputs
 //   firmware=2.24  the revision that WY tells; hosts go by it
+//   quirk=padded|oms-kk|deaf-mailbox   several joined by +: board_options.h
 //
 // The bench as it is built: axes without travel limits, home zones or a motor of their own; inputs open, that
 // is high. Inputs are numbered from 1 as everywhere in this program: number n is the maker's line n-1.

@@ -15,6 +15,7 @@ Board::Board(const BoardOptions& make)
       variant_(make.variant),
       fitted_((1u << make.variant->axes()) - 1),
       io_(make.outputs),
+      parser_(make.oms_kk),
       motion_(*make.variant) {
   set_factory_values();
 }

@@ -10,7 +10,7 @@ void Flags::request(std::uint8_t enable) {
 }
 
 void Flags::set_done(unsigned axes) {
-  done_ |= axes;
+  done_ |= axes, done_letters_ |= axes;
   if (axes != 0) request(control::done_interrupt);
 }
 
@@ -30,7 +30,7 @@ void Flags::hit_limit(unsigned axes) {
 void Flags::input_fell() { request(control::io_interrupt); }
 
 void Flags::clear_all() {
-  done_ = slip_ = slip_interrupts_ = 0;
+  done_ = done_letters_ = slip_ = slip_interrupts_ = 0;
   command_error_ = false;
 }
 

@@ -14,7 +14,7 @@ class Flags {
   void command_error() { command_error_ = true; }
   /// Each time interrupts the host, be it that it has not read the flag of the time before.
   void set_done(unsigned axes);
-  void clear_done(unsigned axes) { done_ &= ~axes; }
+  void clear_done(unsigned axes) { done_ &= ~axes, done_letters_ &= ~axes; }
   /// `interrupts`: the axes among them for which IS is in force (decision M93).
   void set_slip(unsigned axes, unsigned interrupts);
   void hit_limit(unsigned axes);
@@ -23,7 +23,8 @@ class Flags {
   /// User input 0 or 1 went low.
   void input_fell();
   void clear_all();  ///< IC: done, slip and command error
-  [[nodiscard]] unsigned done() const { return done_; }
+  /// The `D` of RA, RI, QA and QI: a latch of its own, which reading the done register leaves (decision M97).
+  [[nodiscard]] unsigned done_letters() const { return done_letters_; }
   [[nodiscard]] unsigned slip() const { return slip_; }
 
   // The control register.
@@ -49,7 +50,7 @@ class Flags {
   [[nodiscard]] std::uint8_t limits() const { return static_cast<std::uint8_t>(limits_live_ | limits_hit_); }
 
   std::uint8_t control_ = 0;
-  unsigned done_ = 0, slip_ = 0, slip_interrupts_ = 0, limits_live_ = 0, limits_hit_ = 0;
+  unsigned done_ = 0, done_letters_ = 0, slip_ = 0, slip_interrupts_ = 0, limits_live_ = 0, limits_hit_ = 0;
   bool command_error_ = false;
   bool interrupted_ = false;  ///< status bit 7, until it is read
   bool requested_ = false;    ///< the line to the host, until the vector is fetched or the status read

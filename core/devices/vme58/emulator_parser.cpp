@@ -70,7 +70,8 @@ Parser::Outcome Parser::second(char c, unsigned modes) {
     if (ends_line(c)) state_ = State::idle;
     return error;
   }
-  const CommandFact* fact = find_command(first_, c, modes);
+  const bool is_kk = knows_kk_ && first_ == oms_kk.letters[0] && c == oms_kk.letters[1];
+  const CommandFact* fact = is_kk ? &oms_kk : find_command(first_, c, modes);
   if (fact == nullptr || (fact->where & modes) == 0) return junk();
   command_ = Command();
   command_.fact = fact;

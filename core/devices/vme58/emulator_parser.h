@@ -31,6 +31,8 @@ struct Command {
 
 class Parser {
  public:
+  explicit Parser(bool knows_kk = false) : knows_kk_(knows_kk) {}
+
   struct Outcome {
     bool error = false;
     std::optional<Command> command;
@@ -39,7 +41,7 @@ class Parser {
   /// of something new can lie in one character; never two commands.
   Outcome push(char c, unsigned modes);
   /// Forgets what has been begun.
-  void clear() { *this = Parser(); }
+  void clear() { *this = Parser(knows_kk_); }
 
  private:
   enum class State : std::uint8_t { idle, second_letter, numbers, skipping };
@@ -55,6 +57,7 @@ class Parser {
   Outcome next_place();
   Outcome finish();
 
+  bool knows_kk_;  ///< quirk oms-kk
   State state_ = State::idle;
   char first_ = 0;
   unsigned modes_ = 0;

@@ -11,6 +11,12 @@ namespace {
 // Decision M01.
 constexpr std::string_view frame = "\n\r", status_frame = "\n\r\r";
 
+/// With the quirk `padded`: blanks, sign and leading zeros, which other firmware prints (decision M99).
+std::string padded(std::string number) {
+  const bool minus = number.front() == '-';
+  return (minus ? "  -000" : "  +000") + number.substr(minus ? 1 : 0);
+}
+
 std::string rounded(double value) { return std::to_string(std::llround(value)); }
 
 std::string lines_in_hex(unsigned lines) {
@@ -30,7 +36,12 @@ void Board::answer(const Command& c) {
     });
     return text;
   };
-  const auto values = [&](auto value_of) { return list(context_axes(), ",", value_of); };
+  const auto number = [this](std::string plain) {
+    return make_.padded ? padded(std::move(plain)) : std::move(plain);
+  };
+  const auto values = [&](auto value_of) {
+    return list(context_axes(), ",", [&](int a) { return number(value_of(a)); });
+  };
   const auto status = [this](int a) { return axis_status(a); };
   std::string text;
   std::string_view around = frame;
@@ -42,11 +53,11 @@ void Board::answer(const Command& c) {
     case Op::RV: text = values([this](int a) { return rounded(motion_.velocity(a)); }); break;
     case Op::RU: text = values([this](int a) { return user_position(a); }); break;
     case Op::RQ:
-      text = std::to_string(recording_ ? make_.contour_size - recorded_entries_
-                                       : tasks_[ix(context_)].queue.room());
+      text = number(std::to_string(recording_ ? make_.contour_size - recorded_entries_
+                                              : tasks_[ix(context_)].queue.room()));
       break;
-    case Op::BX: text = lines_in_hex(io_.levels()); break;
-    case Op::RB: text = lines_in_hex(io_.outputs()); break;
+    case Op::BX: text = number(lines_in_hex(io_.levels())); break;
+    case Op::RB: text = number(lines_in_hex(io_.outputs())); break;
     case Op::RL:
       text = list(fitted_, "", [this](int a) { return (flags_.slip() >> a & 1u) != 0 ? "S" : "N"; });
       break;
@@ -66,8 +77,9 @@ void Board::answer(const Command& c) {
 
 /// Direction, done, limit, home (decision M91).
 std::string Board::axis_status(int axis) const {
-  return {motion_.direction(axis) == Sign::plus ? 'P' : 'M', (flags_.done() >> axis & 1u) != 0 ? 'D' : 'N',
-          motion_.limit_active(axis) ? 'L' : 'N', motion_.home_active(axis) ? 'H' : 'N'};
+  return {motion_.direction(axis) == Sign::plus ? 'P' : 'M',
+          (flags_.done_letters() >> axis & 1u) != 0 ? 'D' : 'N', motion_.limit_active(axis) ? 'L' : 'N',
+          motion_.home_active(axis) ? 'H' : 'N'};
 }
 
 /// Slip detection, holding, slipped, in the band, at home (decision M04).

@@ -151,7 +151,7 @@ class VxmDriver final : public Driver {
 
   // ---- driver_poll.cpp
   Task<Result<>> ask_whether_it_hears_again();
-  Task<Result<>> poll_on_line();
+  Task<Result<>> poll_on_line(Round round);
   Task<Result<>> see_whether_it_stands();
   Task<Result<>> poll_local();
   Task<Result<>> read_positions(Priority priority, bool at_rest);
@@ -223,6 +223,8 @@ class VxmDriver final : public Driver {
   void doubt_positions();
   void all_are_zero();
   void run_ended(EndedBy ended_by);
+  void look_what_ended_the_run();
+  [[nodiscard]] bool looks_for_switches(int slot, int motor) const;
 
   // ---- driver_program.cpp
   Task<Result<>> load(const intent::LoadProgram& wish);
@@ -271,7 +273,6 @@ class VxmDriver final : public Driver {
   bool connected_before_ = false, stay_local_ = false;
   bool slave_present_ = false;
   bool lost_while_busy_ = false;
-  Instant lost_at_{};
 
   Job job_;
   int scratch_ = -1;            ///< slot that holds a leg of ours and must be emptied; -1: none
@@ -296,6 +297,8 @@ class VxmDriver final : public Driver {
   int round_ = 0;
   Instant round_began_{};
   std::array<Instant, max_motors> moved_at_{};
+  std::array<std::optional<Sign>, max_motors> went_{};  ///< last, since a stored program was begun
+  std::optional<int> ended_run_;  ///< its slot: its end was seen, the switches have not been read since
   std::array<double, max_motors> seen_speed_{};  ///< steps/s between the last two readings
 
   std::string unasked_;  ///< a message that has not come to its end

@@ -254,27 +254,16 @@ Task<Result<>> VxmDriver::resume_after_loss(char state) {
   if (state == vxm::busy && !job_.active()) show_running(-1);
   if (state == vxm::busy && job_.active()) show_leg(job_.legs.front());
   if (!std::exchange(lost_while_busy_, false)) co_return Result<>();
-  auto read = co_await read_positions(Priority::intent, state == ready);
-  if (!read) co_return read;
-  std::string where;
-  for (int i = 0; i < draft_.axis_count; ++i)
-    if (draft_.axes[i].position_known)
-      where += fmt::format("{}motor {} stands at {} steps", where.empty() ? "" : ", ", i + 1,
-                           draft_.axes[i].position.value);
-  tell(Notice::Kind::warning, fmt::format("The connection was gone for {:.1f} s while the controller was at "
-                                          "work. It {}; {}. Nothing was sent "
-                                          "again.",
-                                          seconds(scheduler_.now() - lost_at_),
-                                          state == vxm::busy ? "still is" : "has finished meanwhile", where));
-  co_return Result<>();
+  co_return co_await read_positions(Priority::intent, state == ready);
 }
 
 void VxmDriver::wire_lost() {
   if (!station_) return;
   station_ = nullptr;
   lost_while_busy_ = lost_while_busy_ || busy();
-  lost_at_ = scheduler_.now();
   unasked_.clear();
+  ended_run_.reset();
+  draft_.working = false;
   raw_asked_ = false;
   ramp_.reset();
   if (job_.active() && job_.legs.size() > 1) job_.legs.erase(job_.legs.begin() + 1, job_.legs.end());

@@ -23,7 +23,8 @@ Task<Result<>> VxmDriver::poll(Round round) {
   else if (round == Round::stopping)
     polled = co_await see_whether_it_stands();
   else
-    polled = co_await poll_on_line();
+    polled = co_await poll_on_line(round);
+  if (polled && !busy()) look_what_ended_the_run();
   show_worst();
   if (!polled && halted_ && station_) {  // its error report came in place of an answer
     station_->count_answer(station_->statistics().last_round_trip, false, scheduler_.now());
@@ -58,7 +59,7 @@ Task<Result<>> VxmDriver::ask_whether_it_hears_again() {
   co_return co_await take_state(*state);
 }
 
-Task<Result<>> VxmDriver::poll_on_line() {
+Task<Result<>> VxmDriver::poll_on_line(Round round) {
   ++round_;
   round_began_ = scheduler_.now();
   auto settled = co_await settle();
@@ -72,6 +73,7 @@ Task<Result<>> VxmDriver::poll_on_line() {
   if (!read) co_return read;
   if (busy()) {
     constexpr char in_turn[] = {'?', '~', '$', '@'};
+    if (round == Round::everything) co_return co_await read_all_io(Priority::poll);
     if (round_ % io_every) co_return Result<>();
     co_return co_await read_io(in_turn[round_ / io_every % 4], Priority::poll);
   }
@@ -137,7 +139,7 @@ void VxmDriver::show_position(int index, Steps position) {
   if (axis.position_known && now > axis.seen_at)
     seen_speed_[i] =
         std::abs(static_cast<double>((position - axis.position).value)) / seconds(now - axis.seen_at);
-  if (moved) moved_at_[i] = now;
+  if (moved) moved_at_[i] = now, went_[i] = position > axis.position ? Sign::plus : Sign::minus;
   if (stored_running_ && !job_.active()) {  // what a program moves shows by its positions only
     constexpr Duration seems_moving = Millis(150);
     const bool turns = moved || now - moved_at_[i] < seems_moving;

@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include "core/base/index.h"
+#include "core/device/refusals.h"
 #include "core/devices/vxm/driver.h"
 
 namespace hw::vxm {
@@ -207,6 +208,8 @@ Task<Result<>> VxmDriver::load(const intent::LoadProgram& wish) {
 
 Task<Result<>> VxmDriver::load_slot(int slot, const std::vector<std::string>& lines,
                                     const std::vector<std::string>& expected) {
+  const std::uint8_t mark = torn_bit(catalog_, slot);
+  draft_.slots_torn |= mark;
   draft_.slot_bytes_used[ix(slot)] = -1;
   listings_[ix(slot)].reset();
   if (confirmed_scratch_ == slot) confirmed_scratch_ = -1;
@@ -224,7 +227,9 @@ Task<Result<>> VxmDriver::load_slot(int slot, const std::vector<std::string>& li
     co_return fail(sent.error().kind, sent.error().what,
                    fmt::format("Program {} is incomplete in the controller.", slot),
                    "Load it again before it is run.");
-  co_return co_await verify_slot(slot, expected);
+  auto verified = co_await verify_slot(slot, expected);
+  if (verified) draft_.slots_torn = static_cast<std::uint8_t>(draft_.slots_torn & ~mark);
+  co_return verified;
 }
 
 Task<Result<>> VxmDriver::verify_slot(int slot, const std::vector<std::string>& expected) {

@@ -1,5 +1,6 @@
 // Runs of stored programs: starting, holding, going on, single steps.
 #include <algorithm>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -20,6 +21,34 @@ void VxmDriver::show_running(int slot) {
   p.stepping = hold_on_;
   p.started_at = scheduler_.now();
   forget_how_it_ended();
+  went_ = {};
+  ended_run_.reset();
+  draft_.working = false;
+}
+
+// The controller says nothing of a limit unless O tells it to. A motor that stands on the switch that it went
+// towards last, and was not sent to look for it, was stopped by it.
+void VxmDriver::look_what_ended_the_run() {
+  const auto slot = std::exchange(ended_run_, std::nullopt);
+  if (!slot) return;
+  draft_.working = false;
+  for (int i = 0; i < draft_.axis_count; ++i) {
+    AxisState& axis = draft_.axes[i];
+    const std::optional<Sign> way = went_[ix(i)];
+    const bool on_switch =
+        way && axis.limits_known && (*way == Sign::plus ? axis.limit_plus : axis.limit_minus);
+    if (on_switch && axis.ended_by == EndedBy::nothing && !looks_for_switches(*slot, i + 1))
+      axis.ended_by = EndedBy::limit;
+  }
+}
+
+/// The program is known, and its last index of this motor goes to a switch.
+bool VxmDriver::looks_for_switches(int slot, int motor) const {
+  if (slot < 0 || !listings_[ix(slot)]) return false;
+  bool looks = false;
+  for (const TextCommand& c : commands_of(*listings_[ix(slot)]))
+    if (c.verb <= Verb::home && c.verb != Verb::zero_here && c.motor == motor) looks = c.verb == Verb::home;
+  return looks;
 }
 
 /// False: the program is known, goes into no other, and has no index of this motor.

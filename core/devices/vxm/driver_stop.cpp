@@ -304,6 +304,10 @@ void VxmDriver::run_ended(EndedBy ended_by) {
   ProgramState& p = draft_.program;
   p.run = RunState::idle;
   if (p.ended_by == EndedBy::nothing || ended_by != EndedBy::target) p.ended_by = ended_by;
+  if (ended_by == EndedBy::target) {
+    ended_run_ = p.slot;
+    draft_.working = true;  // until the switches have told what ended it
+  }
   p.owned = false;
   p.stepping = false;
   p.command = -1;

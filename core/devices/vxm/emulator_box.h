@@ -33,6 +33,7 @@ class Box {
   std::string out;          ///< sent to the host, to be taken away
   std::size_t replied = 0;  ///< bytes of `out` that a request has brought since it was last set to 0
   char error_first = error_mark;
+  bool mode_while_running = false;  ///< quirk: E, F and G are taken during a run (decision V103)
   [[nodiscard]] int rate() const;
 
   // --- hands on the bench: emulator_bench.cpp

@@ -14,6 +14,7 @@ namespace hw::vxm {
 struct EmulatorOptions {
   int motors = 2;
   bool overrun = false, barred = false;
+  bool mode_while_running = false;  ///< E, F and G are taken while a program runs (V103)
 };
 
 class VxmEmulator final : public Emulator {

@@ -79,6 +79,7 @@ void Box::running_letter(char c) {
       default: status_letter(c); return;
     }
   }
+  if (mode_while_running && is_one_of("EFG", c)) return set_mode_letter(c);
   if ((c == 'Z' || c == 'T') && !motion_.active && (slave() == nullptr || !slave()->motion_.active))
     send_slave_position(c == 'Z' ? 0 : 1);
 }

@@ -68,10 +68,8 @@ TEST_F(Programs, OneWhoseTransferWasBrokenOffDoesNotRun) {
               "again before anything runs it.");
     EXPECT_EQ(latest.slot_bytes_used[0], -1) << "how much it is, is not known";
     EXPECT_THAT(perform(intent::RunProgram(0)),
-                HasSubstr("its transfer was broken off. Nothing was started."));
-    EXPECT_FALSE(held(0).empty());
-    EXPECT_THAT(perform(intent::RunProgram(0)), HasSubstr("Nothing was started."))
-        << "read, and still no program";
+                HasSubstr("its transfer was broken off, or it reads back otherwise. Nothing was started."));
+    EXPECT_THAT(perform(intent::RunProgram(1)), HasSubstr("Nothing was started.")) << "of the same text";
     EXPECT_EQ(position(), 0);
     ASSERT_EQ(load(0, "X100\nEND\n"), "");
     EXPECT_EQ(perform(intent::RunProgram(0)), "");

@@ -1,5 +1,6 @@
 // What the driver makes of replies that are broken, come from somebody else or from another program's code:
 // nothing wrong is shown, no motion is repeated, and a sentence says what came.
+#include <functional>
 #include <map>
 
 #include "tests/core/device/emulator_around.h"
@@ -19,6 +20,7 @@ class Liar final : public test::EmulatorAround {
 
   std::map<std::string, std::string, std::less<>> instead;  ///< by command without address, whole replies
   std::map<std::string, int, std::less<>> heard;
+  bool line_feeds = false;  ///< a serial server on the way writes CR LF
 
   void receive(std::string_view bytes) override {
     for (const char c : bytes) {
@@ -33,6 +35,7 @@ class Liar final : public test::EmulatorAround {
       inner_->take_output(reply);
       const auto lie = instead.find(command);
       said_ += lie == instead.end() ? reply : lie->second;
+      if (line_feeds && !said_.empty()) said_.back() = '\r', said_ += '\n';
     }
   }
   void take_output(std::string& sink) override {
@@ -101,7 +104,42 @@ INSTANTIATE_TEST_SUITE_P(
         BrokenReply{"WithoutEnd", std::string(5000, 'Z'), "stopped in the middle"}),
     [](const auto& info) { return std::string(info.param.name); });
 
-class OneReply : public BrokenReplies {};
+class OneReply : public BrokenReplies {
+ protected:
+  /// Something is wrong from the first question on.
+  void meet(std::string_view model, const std::function<void(Liar&)>& wrong) {
+    type = find_device_type(model);
+    auto owned = std::make_unique<Liar>(type->make_emulator({}).value());
+    wrong(*owned);
+    loop = std::make_unique<test::Loopback>(time, std::move(owned), byte_times);
+    catalog = type->make_catalog({}).value();
+    open();
+  }
+  bool byte_times = false;
+};
+
+TEST_F(OneReply, LineFeedsBehindTheAnswersAreSaidToBeThat) {
+  for (const bool slow : {false, true}) {
+    byte_times = slow;
+    for (const std::string_view model : {"dmx-k-sa", "pmx-4ex-sa"}) {
+      meet(model, [](Liar& device) { device.line_feeds = true; });
+      EXPECT_NE(latest.link.state, LinkState::good);
+      EXPECT_THAT(sentence(), HasSubstr("end in CR LF")) << model << slow;
+      TearDown();
+    }
+  }
+}
+
+TEST_F(OneReply, ANameThatIsNotItsAddressIsSaid) {
+  meet("dmx-k-sa", [](Liar& device) { device.instead["DN"] = ended("DMK07"); });
+  EXPECT_EQ(latest.link.state, LinkState::good);
+  EXPECT_TRUE(told("It answers at 01 and is to be called DMK07: it will answer at 07"));
+  TearDown();
+  meet("dmx-k-sa", [](Liar& device) { device.instead["DN"] = ended("STAGE"); });
+  EXPECT_EQ(latest.link.state, LinkState::good);
+  EXPECT_TRUE(told("It answers at 01 and calls itself "));
+  EXPECT_TRUE(told("where a DMX-K-SA calls itself DMK01"));
+}
 
 TEST_F(OneReply, OnceIsForgiven) {
   start();

@@ -133,6 +133,18 @@ TEST(ArcusStop, AStopAfterASpeedChangeTakesAcc) {
   EXPECT_TRUE(same_time(rig.run_to_rest(), 300ms, 1ms));
 }
 
+TEST(ArcusStop, AStopWhileTheSpeedStillFallsTakesAccFromThere) {
+  for (const auto& [edec, ramp] : {std::pair("EDEC=0", 1s), std::pair("EDEC=1", 2s)}) {
+    Rig rig(Which::pmx);
+    for (const char* c : {"HS=20000", "ACC=1000", "DEC=2000", edec, "SSPDMX=1", "JX+"}) rig.ok(c);
+    rig.run_for(3s);
+    rig.ok("SSPDX=150");
+    rig.run_for(100ms);
+    rig.ok("STOPX");
+    EXPECT_TRUE(same_time(rig.run_to_rest(), ramp, 2ms)) << edec;
+  }
+}
+
 TEST(ArcusStop, HomingRampsAsItBegan) {
   Rig rig(Which::pmx);
   rig.ok("HS=5000"), rig.ok("ACC=1000"), rig.ok("HX+0");

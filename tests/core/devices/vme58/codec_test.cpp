@@ -69,10 +69,14 @@ TEST(Vme58Reply, AnUnfinishedOneWaits) {
 
 TEST(Vme58Reply, Values) {
   EXPECT_THAT(*decode_numbers("0,-400,12"), ElementsAre(0, -400, 12));
-  EXPECT_FALSE(decode_numbers("0,,1"));
+  EXPECT_THAT(*decode_numbers("+0,  200, -0012,  +0007 "), ElementsAre(0, 200, -12, 7)) << "decision M99";
+  for (const char* none : {"0,,1", "", " ", "+", "+-5", "-+5", "1 2", "++1"})
+    EXPECT_FALSE(decode_numbers(none)) << none;
   EXPECT_FALSE(decode_numbers("PNNN"));
   EXPECT_EQ(decode_hex("3F00"), 0x3F00u);
+  EXPECT_EQ(decode_hex("  +3F00"), 0x3F00u);
   EXPECT_FALSE(decode_hex("3F0G"));
+  EXPECT_FALSE(decode_hex(" "));
   const auto greeting = decode_greeting("VME58 ver 2.24-4S4");
   ASSERT_TRUE(greeting);
   EXPECT_EQ(greeting->model, "VME58");

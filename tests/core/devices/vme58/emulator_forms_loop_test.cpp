@@ -17,7 +17,7 @@ VME58_FORM("vme58.loop.LS") {
   EXPECT_TRUE(rig.command_error());
   rig.send("LE LE LE LE ID ");
   EXPECT_FALSE(rig.command_error());
-  rig.done();
+  rig.send("CA ");
   rig.run_until_done("X");
   EXPECT_EQ(rig.position('X'), 300 + 16);
   rig.send("LS0 ");

@@ -183,7 +183,7 @@ VME58_FORM("vme58.exec.GO") {
   rig.send("AX GO ID ");
   EXPECT_EQ(rig.done(), 1) << "nothing prepared: nothing happens (decision M51)";
   EXPECT_FALSE(rig.command_error());
-  rig.send("MR100 GO ID ");
+  rig.send("CA MR100 GO ID ");
   EXPECT_TRUE(rig.moving('X') || rig.room('X') < 200);
   rig.run_until_done("X");
   EXPECT_EQ(rig.position('X'), 100);

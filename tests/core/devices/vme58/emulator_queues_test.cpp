@@ -88,7 +88,7 @@ TEST(Vme58Queues, GoWithNothingPreparedDoesNothing) {
   rig.run_for(1s);
   EXPECT_EQ(rig.value("AA RP"), "0,0,0,0,0,0,0,0");
   // A move is spent by its GO.
-  rig.send("AX MR10 GO GO ID ");
+  rig.send("AX CA MR10 GO GO ID ");
   rig.run_until_done("X");
   EXPECT_EQ(rig.position('X'), 10);
 }

@@ -146,7 +146,7 @@ TEST_F(VxmDriverConnect, ACableThatComesBackDuringTheMoveFollowsIt) {
   loop->pull();
   run(1);
   EXPECT_EQ(latest.link.state, LinkState::good);
-  EXPECT_TRUE(told("It still is; motor 1 stands at "));
+  EXPECT_TRUE(told("It still is; motor 1 moves, and is at "));
   EXPECT_TRUE(wait_idle());
   EXPECT_EQ(position(), 8000);
 }

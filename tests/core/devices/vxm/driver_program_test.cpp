@@ -266,6 +266,45 @@ TEST_F(VxmDriverProgram, LinesThatTheControllerDidNotGetAreFound) {
               HasSubstr("Load it again before it is run."));
 }
 
+// Of a program that is not what was sent nobody knows what it does, until it is sent again or read.
+TEST_F(VxmDriverProgram, OneThatIsNotWhatWasSentIsNotRun) {
+  start({}, true);
+  ASSERT_EQ(perform(intent::LoadProgram(0, "I2M40\n")), "");
+  const auto tear = [&] {
+    const IntentId load = post(intent::LoadProgram(2, "I1M400\nI1M500\n"));
+    ASSERT_TRUE(run_until([&] { return loop->to_controller.ends_with("I1M400\r"); }, 2));
+    loop->lose(7);
+    run(3);
+    ASSERT_EQ(fate(load), Fate::failed);
+    loop->to_controller.clear();
+  };
+  tear();
+  EXPECT_EQ(perform(intent::RunProgram(2)),
+            "Program 2 in the controller is not what was sent last: its transfer was broken off, or it reads "
+            "back otherwise. Nothing was started. Load it again, read it, or run it as it is for this once.");
+  EXPECT_EQ(perform(intent::RunProgram(0)), "") << "another one";
+  EXPECT_TRUE(wait_idle());
+  ASSERT_EQ(perform(intent::SelectProgram(2)), "");
+  EXPECT_THAT(perform(intent::SingleStep()), HasSubstr("Nothing was started."));
+  EXPECT_EQ(position(), 0);
+
+  EXPECT_EQ(perform(intent::UploadProgram(2)), "");
+  EXPECT_EQ(perform(intent::RunProgram(2)), "") << "it was read";
+  EXPECT_TRUE(wait_idle());
+
+  tear();
+  ASSERT_EQ(perform(intent::LoadProgram(2, "I1M40\n")), "");
+  EXPECT_EQ(perform(intent::RunProgram(2)), "") << "it was sent again";
+  EXPECT_TRUE(wait_idle());
+
+  tear();
+  intent::RunProgram wish(2);
+  wish.as_it_is = true;
+  EXPECT_EQ(perform(wish), "") << "on the user's word";
+  EXPECT_TRUE(wait_idle());
+  EXPECT_THAT(perform(intent::RunProgram(2)), HasSubstr("Nothing was started.")) << "once";
+}
+
 TEST_F(VxmDriverProgram, ResumeIsRefusedWhileAProgramWaitsForAnInput) {
   start();
   ASSERT_EQ(perform(intent::LoadProgram(0, "U0\nI1M400\n")), "");

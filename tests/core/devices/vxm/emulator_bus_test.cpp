@@ -172,6 +172,24 @@ TEST(VxmQuirks, BarredErrors) {
   EXPECT_EQ(rig.ask("setD0,"), "\xC5N");
 }
 
+// What is not in the list of V13 is dropped; other firmware takes a mode at once (V103).
+TEST(VxmQuirks, AModeIsTakenWhileAProgramRuns) {
+  const auto run_and_say_e = [](Rig& rig) {
+    rig.send("F");
+    rig.send("PM-0,I1M4000,R");
+    rig.run_for(100ms);
+    rig.output();
+    return rig.ask("EV");
+  };
+  Rig plain;
+  EXPECT_EQ(run_and_say_e(plain), "B") << "E is dropped by default";
+  Rig rig(DeviceOptions{{"quirk", "mode-while-running"}});
+  EXPECT_EQ(run_and_say_e(rig), "EVB") << "both are echoed";
+  rig.send("F");
+  EXPECT_EQ(rig.ask("V"), "B") << "the program runs on, without echo";
+  EXPECT_TRUE(rig.run_until_output("^"));
+}
+
 TEST(VxmErrors, AfterEachErrorTheControllerIsWellAgain) {
   for (const char* bad : {"U7,I1M100,", "I1M1,LA2,LA2,LA2,LA2,LA2,LA2,LA2,LA2,LA2,LA2,LA2,", "JM0,"}) {
     Rig rig = Rig::online();
