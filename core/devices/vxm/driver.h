@@ -76,11 +76,8 @@ class VxmDriver final : public Driver {
     [[nodiscard]] bool active() const { return !legs.empty(); }
     [[nodiscard]] bool has_more() const { return jog || legs.size() > 1; }
   };
-  enum class Mode : std::uint8_t {
-    unknown,
-    on_line,
-    local
-  };  ///< unknown: it has not been asked since attach()
+  /// Unknown until it has been asked on this wire.
+  enum class Mode : std::uint8_t { unknown, on_line, local };
   /// What D has told to slow down, as far as it shows.
   struct Ramp {
     Instant began{};

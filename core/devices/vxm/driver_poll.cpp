@@ -170,7 +170,9 @@ Task<Result<>> VxmDriver::take_state(char state) {
   } else if (state == ready && stored_running_) {
     run_ended(EndedBy::target);
   } else if (state == ready && draft_.program.run != RunState::error) {
-    draft_.program.run = RunState::idle;  // whatever a stray message has said
+    // Whatever a stray message has said.
+    hold_doubtful_ = hold_doubtful_ || draft_.program.run == RunState::held;
+    draft_.program.run = RunState::idle;
   }
   co_return Result<>();
 }

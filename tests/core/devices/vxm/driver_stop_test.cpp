@@ -147,14 +147,15 @@ TEST_F(VxmDriverStop, AKThatNobodyConfirmsIsSaidAgain) {
 
 TEST_F(VxmDriverStop, AStrayWOrColonLeavesNothingWaitingOrHeld) {
   start();
+  ASSERT_EQ(perform(intent::LoadProgram(0, "I1M100\nI1M100\n")), "");
   for (const char* stray : {"W", ":I1M400\r"}) {
     loop->inject(stray);
     run(1);
     EXPECT_EQ(latest.program.run, RunState::idle) << stray;
-    EXPECT_EQ(move_by(0, 100), "") << stray;
+    EXPECT_EQ(perform(intent::RunProgram(0)), "") << stray;
     EXPECT_TRUE(wait_idle(5)) << stray;
   }
-  EXPECT_EQ(position(), 200);
+  EXPECT_EQ(position(), 400) << "no hold was switched on";
 }
 
 // The console has selected another program for its own use.

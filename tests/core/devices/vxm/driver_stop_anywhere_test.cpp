@@ -1,0 +1,122 @@
+// A stop in the middle of whatever the console does, against a VXM that a byte sent into its answer locks
+// until power-off: nothing hangs, nothing is left behind, and the next command is carried out.
+#include "tests/core/devices/vxm/driver_fixture.h"
+
+namespace hw::vxm {
+namespace {
+
+class VxmStopAnywhere : public DriverTest {
+ protected:
+  void SetUp() override {
+    start({{"quirk", "overrun"}}, true);
+    ASSERT_EQ(perform(intent::LoadProgram(1, "I1M400\nI1M-400\nL5\n")), "");
+    ASSERT_EQ(perform(intent::SelectProgram(1)), "");
+    ASSERT_EQ(perform(intent::SetParam("M1M", 4, true)), "");
+  }
+  /// Of the intent, at each of so many moments.
+  void stop_at_each(const IntentBody& body, int moments = 40, double apart = 0.004) {
+    for (int i = 0; i < moments && !HasFailure(); ++i) {
+      SCOPED_TRACE(i);
+      const IntentId id = post(body);
+      run(i * apart);
+      EXPECT_EQ(perform(intent::Stop(), 10), "");
+      EXPECT_NE(fate(id), Fate::pending);
+      EXPECT_TRUE(wait_idle(10));
+      EXPECT_EQ(latest.link.state, LinkState::good);
+      EXPECT_EQ(query("V"), "R");
+      EXPECT_EQ(query("PM"), "1") << "the user's choice";
+      EXPECT_EQ(query("PM4,lst,PM1,"), "PM4 M256") << "where the console's own moves are";
+      const auto here = position();
+      EXPECT_EQ(move_by(0, 20, 800), "");
+      EXPECT_TRUE(wait_idle(10));
+      EXPECT_EQ(position(), here + 20);
+    }
+    EXPECT_FALSE(latest.axes[0].trust.doubtful());
+  }
+};
+
+TEST_F(VxmStopAnywhere, OfAMove) { stop_at_each(intent::MoveBy(target(0, 300), Pps{3000})); }
+TEST_F(VxmStopAnywhere, OfMovesOneAfterTheOther) {
+  std::vector<AxisTarget> both = target(0, 100);
+  both.push_back(target_of(1, 100));
+  stop_at_each(intent::MoveBy(both), 60, 0.017);
+}
+TEST_F(VxmStopAnywhere, OfHoming) {
+  AxisPlace slide;
+  slide.minus = Steps(-300);
+  loop->operate(bench::Place(AxisId{0}, slide));
+  stop_at_each(intent::Home(AxisId{0}, Sign::minus, 2), 40, 0.03);
+}
+TEST_F(VxmStopAnywhere, OfAJog) { stop_at_each(intent::JogStart(AxisId{0}, Sign::plus, Pps{}, false)); }
+TEST_F(VxmStopAnywhere, OfARun) { stop_at_each(intent::RunProgram(1), 60, 0.013); }
+TEST_F(VxmStopAnywhere, OfASingleStep) { stop_at_each(intent::SingleStep()); }
+TEST_F(VxmStopAnywhere, OfWhatIsOverAtOnce) {
+  stop_at_each(intent::SetOutput(1, true), 30);
+  stop_at_each(intent::SetPosition(0), 30);
+  stop_at_each(intent::SetPosition(-1), 20);
+}
+TEST_F(VxmStopAnywhere, OfProgramsOnTheirWay) {
+  std::string text;
+  for (int i = 0; i < 20; ++i) text += "I1M400\n";
+  stop_at_each(intent::LoadProgram(3, text), 50, 0.006);
+  stop_at_each(intent::UploadProgram(3), 30, 0.01);
+  stop_at_each(intent::ClearProgram(3), 30);
+}
+TEST_F(VxmStopAnywhere, OfSetUp) {
+  stop_at_each(intent::SetParam("M2M", 3, true), 30);
+  stop_at_each(intent::ReadParams(), 30, 0.02);
+  stop_at_each(intent::ReadAgain(), 40, 0.02);
+  stop_at_each(intent::SetParam("B", 9, true), 40, 0.003);
+}
+TEST_F(VxmStopAnywhere, OfTexts) {
+  stop_at_each(intent::SendText("X,lst,M,getM1M"), 30, 0.006);
+  stop_at_each(intent::SendText("R"), 40, 0.02);
+}
+
+// ---- one byte that does not arrive, at each moment of a stop
+
+class VxmStopWithLoss : public DriverTest {
+ protected:
+  void SetUp() override {
+    start({}, true);
+    ASSERT_EQ(perform(intent::LoadProgram(0, "A1M4\nS1M3000\nI1M30000\nI1M-30000\nL0\n")), "");
+    ASSERT_EQ(perform(intent::SetParam("M1M", 4, true)), "");
+  }
+  void stop_with_loss_at(int tenth, bool on_its_way) {
+    run(0.003 * (tenth % 7));
+    const IntentId stop = post(intent::Stop());
+    run(tenth * 0.0005);
+    on_its_way ? loop->lose(1) : loop->drop(1);
+    EXPECT_TRUE(run_until([&] { return fate(stop) != Fate::pending; }, 10));
+    EXPECT_TRUE(wait_idle(10));
+    EXPECT_TRUE(stands());
+    EXPECT_EQ(latest.link.state, LinkState::good);
+    EXPECT_FALSE(latest.axes[0].trust.doubtful()) << all_notices();
+    EXPECT_EQ(query("V"), "R");
+  }
+};
+
+TEST_F(VxmStopWithLoss, OfAMove) {
+  for (const bool on_its_way : {true, false})
+    for (int tenth = 0; tenth < 60 && !HasFailure(); ++tenth) {
+      SCOPED_TRACE(testing::Message() << on_its_way << " " << tenth);
+      ASSERT_EQ(perform(intent::MoveBy(target(0, tenth % 2 ? 20000 : -20000))), "");
+      run(1);
+      stop_with_loss_at(tenth, on_its_way);
+      EXPECT_EQ(latest.axes[0].ended_by, EndedBy::stop);
+    }
+}
+
+TEST_F(VxmStopWithLoss, OfAProgram) {
+  for (const bool on_its_way : {true, false})
+    for (int tenth = 0; tenth < 60 && !HasFailure(); ++tenth) {
+      SCOPED_TRACE(testing::Message() << on_its_way << " " << tenth);
+      ASSERT_EQ(perform(intent::RunProgram(0)), "");
+      run(1);
+      EXPECT_TRUE(latest.any_axis_moving()) << "no hold is left from before";
+      stop_with_loss_at(tenth, on_its_way);
+    }
+}
+
+}  // namespace
+}  // namespace hw::vxm
