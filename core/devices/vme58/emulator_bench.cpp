@@ -109,6 +109,20 @@ Result<> Vme58Emulator::operate(const BenchCommand& command) {
 
 /// Outputs: the output lines in their order, then the auxiliary outputs. A line is on while it is low, an
 /// auxiliary output while it is high.
+void Vme58Emulator::tell_truth(MachineTruth& truth) const {
+  const Motion& motion = board_.motion();
+  truth = MachineTruth();
+  truth.powered = board_.powered() && !board_.booting();
+  truth.program = !board_.idle();
+  truth.axis_count = board_.variant().axes();
+  for (int a = 0; a < truth.axis_count; ++a) {
+    const AxisSettings& by = motion.settings(a);
+    // A curved ramp is steepest in its middle: over all it takes up to twice as long.
+    const Duration ramp = 2 * from_seconds(motion.velocity(a) / by.acceleration);
+    truth.axes[ix(a)] = {Steps(motion.position(a)), motion.moving(a), ramp};
+  }
+}
+
 void Vme58Emulator::look(BenchView& view) const {
   view = BenchView();
   board_.motion().look(view);

@@ -1,0 +1,123 @@
+// What is asked, and the book that is kept of it.
+#include "tests/simulation/judge.h"
+
+#include <fmt/core.h>
+
+namespace hw::simulation {
+namespace {
+constexpr Duration look_every = Millis(20);
+}
+
+Judge::Judge(Scheduler& scheduler, const WireFaults& faults, const ModelFacts& facts)
+    : scheduler_(scheduler), faults_(faults), facts_(facts), timer_(scheduler, [this] { tick(); }) {
+  timer_.arm(scheduler.now() + look_every);
+}
+
+void Judge::accuse(std::string law, std::string sentence) {
+  if (finding_) return;
+  finding_ = Finding{std::move(law), scheduler_.now(), std::move(sentence)};
+}
+
+void Judge::tick() {
+  for (int device = 0; device < static_cast<int>(devices_.size()); ++device) {
+    keep_excuses(at(device));
+    judge_stops(device);
+    if (!at(device).session) continue;
+    judge_fates(device);
+    judge_positions(device);
+    judge_trust(device);
+  }
+  for (const auto& [id, call] : calls_)
+    if (scheduler_.now() > call.deadline)
+      accuse("end", fmt::format("A call ({}) has not returned.", call.what));
+  timer_.arm(scheduler_.now() + look_every);
+}
+
+void Judge::opened(std::vector<std::shared_ptr<Session>> sessions) {
+  if (devices_.size() < sessions.size()) devices_.resize(sessions.size());
+  for (std::size_t i = 0; i < sessions.size(); ++i) devices_[i].session = std::move(sessions[i]);
+}
+
+// What becomes of a motion after the tab has gone is what its user was asked then.
+void Judge::closing() {
+  for (DeviceCase& device : devices_) {
+    device.session.reset();
+    device.intents.clear();
+    for (AxisCase& axis : device.axes) axis.stopped.reset();
+  }
+}
+
+void Judge::ended() {
+  for (const auto& [id, call] : calls_)
+    accuse("end", fmt::format("A call ({}) has not returned when all was closed.", call.what));
+}
+
+void Judge::intent_sent(int device, IntentId id) { at(device).intents.push_back({id, scheduler_.now()}); }
+
+void Judge::motion_asked(int device, std::uint32_t axes, IntentId id, Steps distance) {
+  const Instant now = scheduler_.now();
+  at(device).excuses.push_back({id, axes, now, now, distance});
+}
+
+void Judge::stop_asked(int device, std::uint32_t axes, StopKind kind) {
+  DeviceCase& d = at(device);
+  // The maker's own word means what the maker says: beside a stored program it may end one motion only.
+  if (kind == StopKind::typed && d.truth.program && !facts_.typed_stop_ends_programs) return;
+  for (Excuse& excuse : d.excuses) excuse.axes &= ~axes;
+  for (int a = 0; a < max_axes; ++a) {
+    if ((axes >> a & 1u) == 0) continue;
+    AxisCase& axis = d.axes[static_cast<std::size_t>(a)];
+    axis.stopped = Stopped{scheduler_.now(), axis.truth.ramp};
+  }
+}
+
+void Judge::jog_let_go(int device, AxisId axis, Duration after) {
+  DeviceCase& d = at(device);
+  const std::uint32_t bit = 1u << axis.index;
+  // A motion that was asked for beside the jog is none of the hand's business.
+  const auto asks = std::count_if(d.excuses.begin(), d.excuses.end(),
+                                  [bit](const Excuse& e) { return (e.axes & bit) != 0; });
+  if (asks > 1) return;
+  stop_asked(device, bit, StopKind::ramp);
+  d.axes[axis.index].stopped->at += after;
+}
+
+void Judge::position_set(int device, std::uint32_t axes) {
+  for (int a = 0; a < max_axes; ++a)
+    if ((axes >> a & 1u) != 0) at(device).axes[static_cast<std::size_t>(a)].restarted.reset();
+}
+
+void Judge::restarted(int device) {
+  if (device >= static_cast<int>(devices_.size())) return;
+  for (AxisCase& axis : at(device).axes) axis.restarted = scheduler_.now();
+}
+
+int Judge::call_begun(std::string what, Duration longest) {
+  calls_[next_call_] = Call{std::move(what), scheduler_.now() + longest};
+  return next_call_++;
+}
+
+void Judge::call_ended(int call) { calls_.erase(call); }
+
+void Judge::told_idle(int device, Instant begun) {
+  const DeviceCase& d = at(device);
+  if (d.truth.moving() != 0 && d.moved_last > begun && excused(d, 0)) return;  // begun again since
+  if (d.truth.moving() != 0) accuse("true", "A wait has said that nothing moves, and an axis moves.");
+}
+
+void Judge::note(int device, char way, std::string_view bytes) {
+  const auto mix = [this](std::uint64_t value) { fingerprint_ = (fingerprint_ ^ value) * 1099511628211u; };
+  mix(static_cast<std::uint64_t>(scheduler_.now().time_since_epoch().count()));
+  mix(static_cast<std::uint64_t>(device) << 8 | static_cast<unsigned char>(way));
+  for (const char c : bytes) mix(static_cast<unsigned char>(c));
+}
+
+void Judge::controller_received(int device, std::string_view bytes) { note(device, '>', bytes); }
+void Judge::controller_sent(int device, std::string_view bytes) { note(device, '<', bytes); }
+void Judge::register_written(int device, std::uint16_t offset, std::uint16_t value) {
+  const char word[] = {static_cast<char>(offset >> 8), static_cast<char>(offset),
+                       static_cast<char>(value >> 8), static_cast<char>(value)};
+  note(device, 'w', {word, sizeof word});
+}
+
+}  // namespace hw::simulation

@@ -1,0 +1,157 @@
+#pragma once
+// Who sees only what was asked, what the screen would show, and what the machine really does, and knows the
+// laws (README of this folder). The first broken one ends the session.
+//
+// Every bound stands here with its reason. What the wire could not carry is taken off; what a law cannot know
+// it does not judge.
+#include <deque>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/session/session.h"
+#include "tests/simulation/models.h"
+#include "tests/simulation/wire_faults.h"
+#include "tests/simulation/witness.h"
+
+namespace hw::simulation {
+
+struct Finding {
+  std::string law;
+  Instant at{};
+  std::string sentence;
+};
+
+enum class StopKind : std::uint8_t {
+  ramp,     ///< a Stop of the console
+  at_once,  ///< an Abort, or a text that kills
+  typed     ///< the maker's word for a stop with a ramp
+};
+
+class Judge final : public Witness {
+ public:
+  static constexpr std::uint32_t all_axes = ~0u;
+
+  /// A stop waits for the transaction on the wire (0.2 s at most); then its own texts at 9,600 baud, an
+  /// answer and the next step of a stored program that ends in between: 0.1 s each.
+  static constexpr Duration stop_on_good_wire = Millis(500);
+  /// After a hurt wire: tried every 250 ms, a port takes as long to open, a lost answer is waited for (0.2
+  /// s), then as above.
+  static constexpr Duration stop_after_hurt = Millis(1500);
+  /// What was on its way to the controller when the stop was asked for may begin: the transaction on the
+  /// wire, and a program's next step until the texts that end it have come.
+  static constexpr Duration begins_in_flight = Millis(350);
+  /// A motion that was asked for begins: legs of homing, queued commands, an answer awaited in between.
+  static constexpr Duration excuse_lasts = Millis(1500);
+  /// An intent waits for those before it, each of them for its deadlines and their repetitions.
+  static constexpr Duration longest_fate = std::chrono::seconds(30);
+  static constexpr Duration longest_close = std::chrono::seconds(15);
+  /// Between the moment when the controller read its counter and the last byte of the answer, at 9,600 baud
+  /// with a collision or a repetition on the line.
+  static constexpr Duration answer_on_wire = Millis(250);
+  /// A restart shows in the first answers after it; then its positions are read once more.
+  static constexpr Duration restart_shows = std::chrono::seconds(4);
+
+  Judge(Scheduler& scheduler, const WireFaults& faults, const ModelFacts& facts);
+
+  [[nodiscard]] const std::optional<Finding>& finding() const { return finding_; }
+  /// Of all bytes on all wires with their times: the same plan gives the same.
+  [[nodiscard]] std::uint64_t fingerprint() const { return fingerprint_; }
+
+  // ---- what is asked
+  void opened(std::vector<std::shared_ptr<Session>> sessions);
+  void closing();
+  void ended();
+  void intent_sent(int device, IntentId id);
+  void motion_asked(int device, std::uint32_t axes, IntentId id, Steps distance);
+  void motion_asked_elsewhere(int device) { motion_asked(device, all_axes, 0, Steps()); }
+  void stop_asked(int device, std::uint32_t axes, StopKind kind);
+  /// The hand has gone; the console knows it at once, or `after` (the dead-man).
+  void jog_let_go(int device, AxisId axis, Duration after);
+  void position_set(int device, std::uint32_t axes);
+  void restarted(int device);
+  int call_begun(std::string what, Duration longest);
+  void call_ended(int call);
+  /// A wait that was begun then has said that nothing moves or runs.
+  void told_idle(int device, Instant begun);
+
+  // ---- what happens
+  void controller_received(int device, std::string_view bytes) override;
+  void controller_sent(int device, std::string_view bytes) override;
+  void register_written(int device, std::uint16_t offset, std::uint16_t value) override;
+  void machine_is(int device, const MachineTruth& truth) override;
+
+ private:
+  struct Stopped {
+    Instant at{};
+    Duration ramp{};
+  };
+  struct AxisCase {
+    AxisTruth truth;
+    Steps began_at{};
+    std::optional<Stopped> stopped;  ///< the latest stop in whose scope it is
+    struct Stand {
+      Instant at;
+      Steps position;
+    };
+    std::deque<Stand> stands;          ///< where it stood, oldest first; the first reaches back to the start
+    std::optional<Instant> restarted;  ///< since its last reference
+  };
+  /// Somebody wants these axes to move.
+  struct Excuse {
+    IntentId id = 0;
+    std::uint32_t axes = 0;
+    Instant asked{}, alive{};
+    Steps distance{};
+  };
+  struct Intended {
+    IntentId id;
+    Instant at;
+  };
+  struct DeviceCase {
+    std::shared_ptr<Session> session;
+    MachineTruth truth;
+    std::array<AxisCase, max_axes> axes;
+    std::vector<Excuse> excuses;
+    std::deque<Intended> intents;
+    std::map<std::int64_t, int> made;  ///< whole ways of that distance
+    Instant moved_last{};              ///< or ran a program
+  };
+  struct Call {
+    std::string what;
+    Instant deadline;
+  };
+
+  void tick();
+  void accuse(std::string law, std::string sentence);
+  [[nodiscard]] DeviceCase& at(int device) { return devices_.at(static_cast<std::size_t>(device)); }
+  void note(int device, char way, std::string_view bytes);
+
+  // judge_motion.cpp
+  void began(int device, int axis);
+  void rested(int device, int axis);
+  void remember(AxisCase& axis, Steps position) const;
+  void keep_excuses(DeviceCase& device) const;
+  [[nodiscard]] bool excused(const DeviceCase& device, int axis) const;
+  void judge_stops(int device);
+  [[nodiscard]] Duration lateness() const;
+
+  // judge_screen.cpp
+  void judge_fates(int device);
+  void judge_positions(int device);
+  void judge_trust(int device);
+
+  Scheduler& scheduler_;
+  const WireFaults& faults_;
+  const ModelFacts& facts_;
+  Timer timer_;
+  std::vector<DeviceCase> devices_;
+  std::map<int, Call> calls_;
+  int next_call_ = 1;
+  std::optional<Finding> finding_;
+  std::uint64_t fingerprint_ = 1469598103934665603u;
+};
+
+}  // namespace hw::simulation

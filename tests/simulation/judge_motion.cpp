@@ -1,0 +1,118 @@
+// The laws of motion: stop, asked, once.
+#include <algorithm>
+
+#include <fmt/core.h>
+
+#include "core/base/index.h"
+#include "tests/simulation/judge.h"
+
+namespace hw::simulation {
+namespace {
+constexpr Duration remembered = std::chrono::seconds(15);
+}
+
+void Judge::machine_is(int device, const MachineTruth& truth) {
+  if (devices_.size() <= static_cast<std::size_t>(device))
+    devices_.resize(static_cast<std::size_t>(device) + 1);
+  DeviceCase& d = at(device);
+  if (truth.program || truth.moving() != 0) d.moved_last = scheduler_.now();
+  d.truth = truth;
+  for (int a = 0; a < truth.axis_count; ++a) {
+    AxisCase& axis = d.axes[ix(a)];
+    const AxisTruth was = axis.truth;
+    axis.truth = truth.axes[ix(a)];
+    if (axis.stopped && axis.truth.ramp > axis.stopped->ramp &&
+        scheduler_.now() <= axis.stopped->at + stop_after_hurt)
+      axis.stopped->ramp = axis.truth.ramp;
+    if (axis.truth.position != was.position || axis.stands.empty()) remember(axis, axis.truth.position);
+    if (axis.truth.moving && !was.moving) {
+      axis.began_at = was.position;
+      began(device, a);
+    } else if (!axis.truth.moving && was.moving) {
+      rested(device, a);
+    }
+  }
+}
+
+void Judge::remember(AxisCase& axis, Steps position) const {
+  const Instant now = scheduler_.now();
+  while (axis.stands.size() > 1 && axis.stands[1].at < now - remembered) axis.stands.pop_front();
+  if (!axis.stands.empty() && axis.stands.back().at == now)
+    axis.stands.back().position = position;
+  else
+    axis.stands.push_back({now, position});
+}
+
+void Judge::keep_excuses(DeviceCase& d) const {
+  const Instant now = scheduler_.now();
+  std::erase_if(d.excuses, [&](Excuse& e) {
+    const IntentFate* fate = d.session && e.id != 0 ? d.session->known().fate_of(e.id) : nullptr;
+    if (fate != nullptr && fate->fate == Fate::refused) return true;  // nothing was sent
+    const bool waits =
+        e.id != 0 && d.session && (fate ? fate->fate == Fate::pending : !d.session->known().forgotten(e.id));
+    if (waits || (d.truth.moving() & e.axes) != 0 || d.truth.program) e.alive = now;
+    e.alive = std::max(e.alive, std::min(now, faults_.out.hurt(now)));
+    return now - e.alive > excuse_lasts + lateness();
+  });
+}
+
+bool Judge::excused(const DeviceCase& d, int axis) const {
+  return std::any_of(d.excuses.begin(), d.excuses.end(),
+                     [axis](const Excuse& e) { return (e.axes >> axis & 1u) != 0; });
+}
+
+void Judge::began(int device, int a) {
+  const DeviceCase& d = at(device);
+  if (excused(d, a)) return;
+  const AxisCase& axis = d.axes[ix(a)];
+  const Instant now = scheduler_.now();
+  if (!axis.stopped)
+    return accuse("asked",
+                  fmt::format("Device {}: axis {} begins to move, and nobody has asked for it.", device, a));
+  const Instant carried = std::max(axis.stopped->at, faults_.carries_since(now));
+  if (now > carried + begins_in_flight + lateness())
+    accuse("stop", fmt::format("Device {}: axis {} begins to move {:.3f} s after it was stopped.", device, a,
+                               seconds(now - axis.stopped->at)));
+}
+
+void Judge::rested(int device, int a) {
+  DeviceCase& d = at(device);
+  const std::int64_t made = (d.axes[ix(a)].truth.position - d.axes[ix(a)].began_at).value;
+  if (made == 0) return;
+  for (const Excuse& e : d.excuses)
+    if (e.distance.value == made && ++d.made[made] > 1 && faults_.out.hurt(scheduler_.now()) < e.asked)
+      accuse("once", fmt::format("Device {}: axis {} makes a way of {} twice, which was asked for once.",
+                                 device, a, made));
+}
+
+void Judge::judge_stops(int device) {
+  const DeviceCase& d = at(device);
+  const Instant now = scheduler_.now();
+  for (int a = 0; a < d.truth.axis_count; ++a) {
+    const AxisCase& axis = d.axes[ix(a)];
+    if (!axis.stopped || !axis.truth.moving || excused(d, a)) continue;
+    const Instant carries = faults_.carries_since(now);
+    const bool hurt = carries > axis.stopped->at;
+    const Instant deadline = std::max(carries, axis.stopped->at) +
+                             (hurt ? stop_after_hurt : stop_on_good_wire) + axis.stopped->ramp;
+    if (now > deadline)
+      accuse("stop", fmt::format("Device {}: axis {} still moves {:.3f} s after it was stopped{}.", device, a,
+                                 seconds(now - axis.stopped->at),
+                                 hurt ? fmt::format(", {:.3f} s after the wire could carry it",
+                                                    seconds(now - carries))
+                                      : ""));
+  }
+}
+
+/// How late what is on a slow wire may be.
+Duration Judge::lateness() const {
+  const Instant now = scheduler_.now();
+  const auto of = [now](const WayFaults& way) {
+    return now < way.slow_until + 3 * way.delay ? way.delay : Duration{};
+  };
+  Duration late = of(faults_.in) + of(faults_.out);
+  if (now < faults_.slow_until + faults_.slow_by) late += faults_.slow_by;
+  return late;
+}
+
+}  // namespace hw::simulation
