@@ -1,6 +1,8 @@
 // What is asked, and the book that is kept of it.
 #include "tests/simulation/judge.h"
 
+#include <algorithm>
+
 #include <fmt/core.h>
 
 namespace hw::simulation {
@@ -62,7 +64,9 @@ void Judge::motion_asked(int device, std::uint32_t axes, IntentId id, Steps dist
 void Judge::stop_asked(int device, std::uint32_t axes, StopKind kind) {
   DeviceCase& d = at(device);
   // The maker's own word means what the maker says: beside a stored program it may end one motion only.
-  if (kind == StopKind::typed && d.truth.program && !facts_.typed_stop_ends_programs) return;
+  const bool runs =
+      std::any_of(d.excuses.begin(), d.excuses.end(), [](const Excuse& e) { return e.axes == all_axes; });
+  if (kind == StopKind::typed && runs && !facts_.typed_stop_ends_programs) return;
   for (Excuse& excuse : d.excuses) excuse.axes &= ~axes;
   for (int a = 0; a < max_axes; ++a) {
     if ((axes >> a & 1u) == 0) continue;
@@ -71,13 +75,16 @@ void Judge::stop_asked(int device, std::uint32_t axes, StopKind kind) {
   }
 }
 
-void Judge::jog_let_go(int device, AxisId axis, Duration after) {
+void Judge::jog_let_go(int device, AxisId axis, IntentId jog, Duration after) {
   DeviceCase& d = at(device);
   const std::uint32_t bit = 1u << axis.index;
-  // A motion that was asked for beside the jog is none of the hand's business.
-  const auto asks = std::count_if(d.excuses.begin(), d.excuses.end(),
-                                  [bit](const Excuse& e) { return (e.axes & bit) != 0; });
-  if (asks > 1) return;
+  bool alone = false;
+  for (const Excuse& excuse : d.excuses) {
+    if ((excuse.axes & bit) == 0) continue;
+    alone = excuse.id == jog;
+    if (!alone) return;  // a motion that was asked for beside the jog is none of the hand's business
+  }
+  if (!alone) return;  // it was refused
   stop_asked(device, bit, StopKind::ramp);
   d.axes[axis.index].stopped->at += after;
 }

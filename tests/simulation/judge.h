@@ -69,7 +69,7 @@ class Judge final : public Witness {
   void motion_asked_elsewhere(int device) { motion_asked(device, all_axes, 0, Steps()); }
   void stop_asked(int device, std::uint32_t axes, StopKind kind);
   /// The hand has gone; the console knows it at once, or `after` (the dead-man).
-  void jog_let_go(int device, AxisId axis, Duration after);
+  void jog_let_go(int device, AxisId axis, IntentId jog, Duration after);
   void position_set(int device, std::uint32_t axes);
   void restarted(int device);
   int call_begun(std::string what, Duration longest);

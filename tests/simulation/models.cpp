@@ -7,7 +7,7 @@ namespace {
 const std::vector<ModelFacts>& all_models() {
   static const std::vector<ModelFacts> models = {
       {"vxm",
-       {"", "motors=4"}, {}, "wire=real", false, true,
+       {"", "motors=4"}, {}, "wire=real", false, false,
        {{"D"}, {"K", -1, true}},
        {"S1M800\nA1M4\nI1M900\nI1M-900\nL0", "S1M1500\nI1M700\nP5\nI1M-300", "I2M1200\nI2M-1200\nL4"},
        {"V", "X", "Y", "M", "?", "~", "lst", "getmm", "x9", "setzz", "#", "I1M", "getP"},

@@ -32,11 +32,12 @@ const ModelFacts& facts_of(const std::string& model) {
 // A hand on a jog button. The panel says with each frame that it is still there; a stop of this axis takes
 // the hand's jog away, as the panel does.
 struct Stage::Hand {
-  Hand(Stage& s, int d, AxisId a, Instant t, LetGo h)
-      : stage(s), device(d), axis(a), until(t), how(h), timer(s.time_, [this] { frame(); }) {}
+  Hand(Stage& s, int d, AxisId a, IntentId i, Instant t, LetGo h)
+      : stage(s), device(d), axis(a), id(i), until(t), how(h), timer(s.time_, [this] { frame(); }) {}
   Stage& stage;
   int device;
   AxisId axis;
+  IntentId id;  ///< of its jog
   Instant until;
   LetGo how;
   Timer timer;
@@ -50,7 +51,7 @@ struct Stage::Hand {
       return;
     }
     holds = false;
-    stage.judge_.jog_let_go(device, axis, how == LetGo::by_hand ? Duration{} : Pump::dead_man);
+    stage.judge_.jog_let_go(device, axis, id, how == LetGo::by_hand ? Duration{} : Pump::dead_man);
     if (how == LetGo::by_hand) stage.send(device, intent::JogStop());
   }
 };
@@ -140,12 +141,13 @@ void Stage::send(int device, IntentBody body) {
   if (!keep_alive) judge_.intent_sent(device, id);
 }
 
-void Stage::move(int device, std::uint32_t axes, Steps distance, IntentBody body) {
+IntentId Stage::move(int device, std::uint32_t axes, Steps distance, IntentBody body) {
   Session* s = session(device);
-  if (s == nullptr) return;
+  if (s == nullptr) return 0;
   const IntentId id = s->send(std::move(body));
   judge_.intent_sent(device, id);
   judge_.motion_asked(device, axes, id, distance);
+  return id;
 }
 
 void Stage::stop(int device, std::uint32_t axes, StopKind kind, IntentBody body) {
@@ -167,9 +169,9 @@ void Stage::stop_all_devices(bool at_once) {
 }
 
 void Stage::jog(int device, AxisId axis, Sign sign, Duration held, LetGo how) {
-  move(device, 1u << axis.index, Steps(), intent::JogStart(axis, sign));
+  const IntentId id = move(device, 1u << axis.index, Steps(), intent::JogStart(axis, sign));
   std::erase_if(hands_, [](const auto& hand) { return !hand->holds; });
-  hands_.push_back(std::make_unique<Hand>(*this, device, axis, now() + held, how));
+  hands_.push_back(std::make_unique<Hand>(*this, device, axis, id, now() + held, how));
   hands_.back()->timer.arm(now() + std::min(held, frame_period));
 }
 

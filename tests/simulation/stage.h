@@ -31,7 +31,7 @@ class Stage {
   void close();
   void send(int device, IntentBody body);
   /// The same; it may move those axes. `distance`: of one that no other move of the plan has, or 0.
-  void move(int device, std::uint32_t axes, Steps distance, IntentBody body);
+  IntentId move(int device, std::uint32_t axes, Steps distance, IntentBody body);
   void stop(int device, std::uint32_t axes, StopKind kind, IntentBody body);
   void stop_all_devices(bool at_once);
   enum class LetGo : std::uint8_t { by_hand, never };
