@@ -63,10 +63,11 @@ void Judge::motion_asked(int device, std::uint32_t axes, IntentId id, Steps dist
 
 void Judge::stop_asked(int device, std::uint32_t axes, StopKind kind) {
   DeviceCase& d = at(device);
-  // The maker's own word means what the maker says: beside a stored program it may end one motion only.
+  // Beside a stored program a stop of one axis, or the maker's own word, may end one motion only.
   const bool runs =
       std::any_of(d.excuses.begin(), d.excuses.end(), [](const Excuse& e) { return e.axes == all_axes; });
-  if (kind == StopKind::typed && runs && !facts_.typed_stop_ends_programs) return;
+  if (runs && kind == StopKind::typed && !facts_.typed_stop_ends_programs) return;
+  if (runs && axes != all_axes && !facts_.axis_stop_ends_programs) return;
   for (Excuse& excuse : d.excuses) excuse.axes &= ~axes;
   for (int a = 0; a < max_axes; ++a) {
     if ((axes >> a & 1u) == 0) continue;

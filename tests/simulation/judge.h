@@ -26,8 +26,8 @@ struct Finding {
 
 enum class StopKind : std::uint8_t {
   ramp,     ///< a Stop of the console
-  at_once,  ///< an Abort, or a text that kills
-  typed     ///< the maker's word for a stop with a ramp
+  at_once,  ///< an Abort
+  typed     ///< the maker's word
 };
 
 class Judge final : public Witness {

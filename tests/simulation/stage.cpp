@@ -1,6 +1,7 @@
 #include "tests/simulation/stage.h"
 
 #include <stdexcept>
+#include <utility>
 
 #include "core/device/registry.h"
 #include "tests/simulation/faulty_stream.h"
@@ -45,12 +46,12 @@ struct Stage::Hand {
 
   void frame() {
     if (!holds) return;
-    if (stage.now() < until) {
-      stage.send(device, intent::JogKeepAlive());
-      timer.arm(std::min(until, stage.now() + frame_period));
-      return;
-    }
-    holds = false;
+    if (stage.now() >= until) return let_go();
+    stage.send(device, intent::JogKeepAlive());
+    timer.arm(std::min(until, stage.now() + frame_period));
+  }
+  void let_go() {
+    if (!std::exchange(holds, false)) return;
     stage.judge_.jog_let_go(device, axis, id, how == LetGo::by_hand ? Duration{} : Pump::dead_man);
     if (how == LetGo::by_hand) stage.send(device, intent::JogStop());
   }
@@ -169,6 +170,7 @@ void Stage::stop_all_devices(bool at_once) {
 }
 
 void Stage::jog(int device, AxisId axis, Sign sign, Duration held, LetGo how) {
+  for (const auto& hand : hands_) hand->let_go();  // there is one hand
   const IntentId id = move(device, 1u << axis.index, Steps(), intent::JogStart(axis, sign));
   std::erase_if(hands_, [](const auto& hand) { return !hand->holds; });
   hands_.push_back(std::make_unique<Hand>(*this, device, axis, id, now() + held, how));

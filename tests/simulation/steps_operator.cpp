@@ -23,14 +23,12 @@ void stop_wire(Stage& stage, const Step& s) { stage.stop_all_devices(s.number(0)
 void type_stop(Stage& stage, const Step& s) {
   for (const StopText& text : stage.facts().stops)
     if (text.text == s.text)
-      stage.stop(s.device, axes_of(text.axis), text.at_once ? StopKind::at_once : StopKind::typed,
-                 intent::SendText(s.text));
+      stage.stop(s.device, axes_of(text.axis), StopKind::typed, intent::SendText(s.text));
 }
 void query_stop(Stage& stage, const Step& s) {
   for (const StopText& text : stage.facts().stops)
     if (text.text == s.text) {
-      stage.judge().stop_asked(s.device, axes_of(text.axis),
-                               text.at_once ? StopKind::at_once : StopKind::typed);
+      stage.judge().stop_asked(s.device, axes_of(text.axis), StopKind::typed);
       stage.query(s.device, s.text, Millis(s.number(0)));
     }
 }

@@ -117,8 +117,10 @@ void Vme58Emulator::tell_truth(MachineTruth& truth) const {
   truth.axis_count = board_.variant().axes();
   for (int a = 0; a < truth.axis_count; ++a) {
     const AxisSettings& by = motion.settings(a);
-    // A curved ramp is steepest in its middle: over all it takes up to twice as long.
-    const Duration ramp = 2 * from_seconds(motion.velocity(a) / by.acceleration);
+    // A curved ramp is steepest in its middle: over all it takes up to twice as long. It ends on a whole
+    // count, which a slow axis is long in reaching.
+    const double speed = motion.velocity(a);
+    const Duration ramp = speed > 0 ? from_seconds(2 * speed / by.acceleration + 1 / speed) : Duration{};
     truth.axes[ix(a)] = {Steps(motion.position(a)), motion.moving(a), ramp};
   }
 }
