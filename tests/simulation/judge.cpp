@@ -37,7 +37,10 @@ void Judge::tick() {
 
 void Judge::opened(std::vector<std::shared_ptr<Session>> sessions) {
   if (devices_.size() < sessions.size()) devices_.resize(sessions.size());
-  for (std::size_t i = 0; i < sessions.size(); ++i) devices_[i].session = std::move(sessions[i]);
+  for (std::size_t i = 0; i < sessions.size(); ++i) {
+    devices_[i].session = std::move(sessions[i]);
+    for (AxisCase& axis : devices_[i].axes) axis.restarted.reset();  // of what was before it knows nothing
+  }
 }
 
 // What becomes of a motion after the tab has gone is what its user was asked then.

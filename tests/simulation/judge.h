@@ -51,6 +51,8 @@ class Judge final : public Witness {
   /// Between the moment when the controller read its counter and the last byte of the answer, at 9,600 baud
   /// with a collision or a repetition on the line.
   static constexpr Duration answer_on_wire = Millis(250);
+  /// A byte that is lost or doubled may leave a number that looks right; the next rounds of status show it.
+  static constexpr Duration spoilt_number_shows = Millis(1500);
   /// A restart shows in the first answers after it; then its positions are read once more.
   static constexpr Duration restart_shows = std::chrono::seconds(4);
 

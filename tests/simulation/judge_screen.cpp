@@ -30,6 +30,7 @@ void Judge::judge_positions(int device) {
   const Snapshot& shown = d.session->known();
   const Instant now = scheduler_.now();
   if (!shown.link.connected()) return;
+  if (now < std::max(faults_.in.spoilt(), faults_.out.spoilt()) + spoilt_number_shows + lateness()) return;
   for (int a = 0; a < std::min(shown.axis_count, d.truth.axis_count); ++a) {
     const AxisState& s = shown.axes[ix(a)];
     const AxisCase& axis = d.axes[ix(a)];

@@ -42,7 +42,7 @@ struct Stage::Hand {
   Instant until;
   LetGo how;
   Timer timer;
-  bool holds = true;
+  bool holds = true, thaws = false;
 
   void frame() {
     if (!holds) return;
@@ -52,8 +52,16 @@ struct Stage::Hand {
   }
   void let_go() {
     if (!std::exchange(holds, false)) return;
-    stage.judge_.jog_let_go(device, axis, id, how == LetGo::by_hand ? Duration{} : Pump::dead_man);
-    if (how == LetGo::by_hand) stage.send(device, intent::JogStop());
+    const bool frozen = how == LetGo::never;
+    stage.judge_.jog_let_go(device, axis, id, frozen ? Pump::dead_man : Duration{});
+    if (!frozen) stage.send(device, intent::JogStop());
+    thaws = frozen;
+  }
+  /// The hand is needed elsewhere: a screen that had been frozen has thawed, and says first that it let go.
+  void move_on() {
+    how = LetGo::by_hand;
+    let_go();
+    if (std::exchange(thaws, false)) stage.send(device, intent::JogStop());
   }
 };
 
@@ -170,7 +178,7 @@ void Stage::stop_all_devices(bool at_once) {
 }
 
 void Stage::jog(int device, AxisId axis, Sign sign, Duration held, LetGo how) {
-  for (const auto& hand : hands_) hand->let_go();  // there is one hand
+  for (const auto& hand : hands_) hand->move_on();  // there is one
   const IntentId id = move(device, 1u << axis.index, Steps(), intent::JogStart(axis, sign));
   std::erase_if(hands_, [](const auto& hand) { return !hand->holds; });
   hands_.push_back(std::make_unique<Hand>(*this, device, axis, id, now() + held, how));

@@ -33,7 +33,7 @@ class WayFaults {
     std::string out;
     for (const char c : bytes) {
       const bool lost = drop.hits(), wrong = garble.hits(), doubled = twice.hits();
-      if (lost || wrong || doubled || cut(now)) hurt_ = now;
+      if (lost || wrong || doubled || cut(now)) hurt_ = spoilt_ = now;
       if (lost || cut(now)) continue;
       const char sent = wrong ? static_cast<char>(c ^ 0x2A) : c;
       out += sent;
@@ -46,13 +46,16 @@ class WayFaults {
   void held_until(Instant when) { hurt_ = std::max(hurt_, when); }
   /// The latest instant at which something was lost, changed or late, or will be for all that is known now.
   [[nodiscard]] Instant hurt(Instant now) const { return cut(now) ? cut_until : hurt_; }
+  /// When the latest byte was lost, changed or doubled: a number may have come that is another and looks
+  /// right.
+  [[nodiscard]] Instant spoilt() const { return spoilt_; }
   /// Nothing that is there now will harm anything later.
   [[nodiscard]] bool spent(Instant now) const {
     return garble.count + drop.count + twice.count == 0 && now >= cut_until && now >= slow_until;
   }
 
  private:
-  Instant hurt_{};
+  Instant hurt_{}, spoilt_{};
 };
 
 struct WireFaults {
