@@ -45,10 +45,13 @@ void Judge::opened(std::vector<std::shared_ptr<Session>> sessions) {
 
 // What becomes of a motion after the tab has gone is what its user was asked then.
 void Judge::closing() {
-  for (DeviceCase& device : devices_) {
-    device.session.reset();
-    device.intents.clear();
-    for (AxisCase& axis : device.axes) axis.stopped.reset();
+  for (int device = 0; device < static_cast<int>(devices_.size()); ++device) {
+    DeviceCase& d = at(device);
+    d.session.reset();
+    d.intents.clear();
+    d.excuses.clear();
+    for (AxisCase& axis : d.axes) axis.stopped.reset();
+    motion_asked_elsewhere(device);
   }
 }
 

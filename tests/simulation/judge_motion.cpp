@@ -51,7 +51,7 @@ void Judge::keep_excuses(DeviceCase& d) const {
     const bool waits =
         e.id != 0 && d.session && (fate ? fate->fate == Fate::pending : !d.session->known().forgotten(e.id));
     if (waits || (d.truth.moving() & e.axes) != 0 || d.truth.program) e.alive = now;
-    e.alive = std::max(e.alive, std::min(now, faults_.out.hurt(now)));
+    e.alive = std::max(e.alive, std::min(now, faults_.out.hurt()));
     return now - e.alive > excuse_lasts + lateness();
   });
 }
@@ -63,14 +63,16 @@ bool Judge::excused(const DeviceCase& d, int axis) const {
 
 void Judge::began(int device, int a) {
   const DeviceCase& d = at(device);
-  if (excused(d, a)) return;
+  if (!d.session || excused(d, a)) return;
   const AxisCase& axis = d.axes[ix(a)];
   const Instant now = scheduler_.now();
   if (!axis.stopped)
     return accuse("asked",
                   fmt::format("Device {}: axis {} begins to move, and nobody has asked for it.", device, a));
-  const Instant carried = std::max(axis.stopped->at, faults_.carries_since(now));
-  if (now > carried + begins_in_flight + lateness())
+  const Instant carries = faults_.carries_since(now);
+  const bool hurt = carries > axis.stopped->at;
+  const Duration bound = hurt ? stop_after_hurt : begins_in_flight;
+  if (now > std::max(axis.stopped->at, carries) + bound + lateness())
     accuse("stop", fmt::format("Device {}: axis {} begins to move {:.3f} s after it was stopped.", device, a,
                                seconds(now - axis.stopped->at)));
 }
@@ -80,7 +82,7 @@ void Judge::rested(int device, int a) {
   const std::int64_t made = (d.axes[ix(a)].truth.position - d.axes[ix(a)].began_at).value;
   if (made == 0) return;
   for (const Excuse& e : d.excuses)
-    if (e.distance.value == made && ++d.made[made] > 1 && faults_.out.hurt(scheduler_.now()) < e.asked)
+    if (e.distance.value == made && ++d.made[made] > 1 && faults_.out.hurt() < e.asked)
       accuse("once", fmt::format("Device {}: axis {} makes a way of {} twice, which was asked for once.",
                                  device, a, made));
 }

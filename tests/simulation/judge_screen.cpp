@@ -18,7 +18,7 @@ void Judge::judge_fates(int device) {
   });
   if (d.intents.empty()) return;
   const Intended& oldest = d.intents.front();
-  const Instant since = std::max(oldest.at, std::max(faults_.carries_since(now), faults_.in.hurt(now)));
+  const Instant since = std::max(oldest.at, std::max(faults_.carries_since(now), faults_.in.hurt()));
   if (now > since + longest_fate + 5 * lateness())
     accuse("end", fmt::format("Device {}: intent {} has had no fate for {:.1f} s.", device, oldest.id,
                               seconds(now - oldest.at)));
@@ -54,7 +54,7 @@ void Judge::judge_trust(int device) {
   const Snapshot& shown = d.session->known();
   const Instant now = scheduler_.now();
   if (shown.link.state != LinkState::good) return;
-  const Instant quiet = std::max(faults_.carries_since(now), faults_.in.hurt(now));
+  const Instant quiet = std::max(faults_.carries_since(now), faults_.in.hurt());
   for (int a = 0; a < std::min(shown.axis_count, d.truth.axis_count); ++a) {
     const AxisCase& axis = d.axes[ix(a)];
     if (!axis.restarted || now < std::max(quiet, *axis.restarted) + restart_shows) continue;

@@ -45,7 +45,7 @@ class WayFaults {
   /// A byte has been held back until then.
   void held_until(Instant when) { hurt_ = std::max(hurt_, when); }
   /// The latest instant at which something was lost, changed or late, or will be for all that is known now.
-  [[nodiscard]] Instant hurt(Instant now) const { return cut(now) ? cut_until : hurt_; }
+  [[nodiscard]] Instant hurt() const { return std::max({hurt_, cut_until, slow_until}); }
   /// When the latest byte was lost, changed or doubled: a number may have come that is another and looks
   /// right.
   [[nodiscard]] Instant spoilt() const { return spoilt_; }
@@ -72,7 +72,7 @@ struct WireFaults {
   /// does; else the future.
   [[nodiscard]] Instant carries_since(Instant now) const {
     return std::max(
-        {out.hurt(now), unplugged_until, silent_until, now < slow_until ? slow_until : Instant{}});
+        {out.hurt(), unplugged_until, silent_until, slow_until, cycle_faults > 0 ? now : Instant{}});
   }
 };
 
