@@ -120,6 +120,7 @@ void Judge::told_idle(int device, Instant begun) {
 }
 
 void Judge::note(int device, char way, std::string_view bytes) {
+  if (trace_ != nullptr) trace_->bytes(scheduler_.now(), device, way, bytes);
   const auto mix = [this](std::uint64_t value) { fingerprint_ = (fingerprint_ ^ value) * 1099511628211u; };
   mix(static_cast<std::uint64_t>(scheduler_.now().time_since_epoch().count()));
   mix(static_cast<std::uint64_t>(device) << 8 | static_cast<unsigned char>(way));

@@ -13,6 +13,7 @@
 
 #include "core/session/session.h"
 #include "tests/simulation/models.h"
+#include "tests/simulation/trace.h"
 #include "tests/simulation/wire_faults.h"
 #include "tests/simulation/witness.h"
 
@@ -61,6 +62,11 @@ class Judge final : public Witness {
   [[nodiscard]] const std::optional<Finding>& finding() const { return finding_; }
   /// Of all bytes on all wires with their times: the same plan gives the same.
   [[nodiscard]] std::uint64_t fingerprint() const { return fingerprint_; }
+
+  void trace_to(Trace* trace) { trace_ = trace; }
+  void remark(std::string_view what) const {
+    if (trace_ != nullptr) trace_->line(scheduler_.now(), what);
+  }
 
   // ---- what is asked
   void opened(std::vector<std::shared_ptr<Session>> sessions);
@@ -153,6 +159,7 @@ class Judge final : public Witness {
   std::map<int, Call> calls_;
   int next_call_ = 1;
   std::optional<Finding> finding_;
+  Trace* trace_ = nullptr;
   std::uint64_t fingerprint_ = 1469598103934665603u;
 };
 

@@ -27,6 +27,8 @@ void Judge::machine_is(int device, const MachineTruth& truth) {
     if (axis.truth.position != was.position || axis.stands.empty()) remember(axis, axis.truth.position);
     if (axis.truth.moving && !was.moving) {
       axis.began_at = was.position;
+      if (trace_ != nullptr)
+        remark(fmt::format("device {}: axis {} begins at {}", device, a, was.position.value));
       began(device, a);
     } else if (!axis.truth.moving && was.moving) {
       rested(device, a);
@@ -79,6 +81,8 @@ void Judge::began(int device, int a) {
 
 void Judge::rested(int device, int a) {
   DeviceCase& d = at(device);
+  if (trace_ != nullptr)
+    remark(fmt::format("device {}: axis {} rests at {}", device, a, d.axes[ix(a)].truth.position.value));
   const std::int64_t made = (d.axes[ix(a)].truth.position - d.axes[ix(a)].began_at).value;
   if (made == 0) return;
   for (const Excuse& e : d.excuses)

@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include "tests/simulation/draw.h"
+#include "tests/simulation/lua_text.h"
 #include "tests/simulation/random.h"
 #include "tests/simulation/shrink.h"
 #include "tests/simulation/stage.h"
@@ -19,14 +20,14 @@ namespace {
 constexpr const char* usage =
     "hw_simulation --model MODEL --seed N [--seeds COUNT] [--minutes M] [--bus] [--calm]\n"
     "              [--until-failure] [--no-shrink] [--keep FOLDER]\n"
-    "hw_simulation --replay FILE...       exit 1 when one of them breaks a law\n"
+    "hw_simulation [--trace] --replay FILE...     exit 1 when one of them breaks a law\n"
     "hw_simulation --print --model MODEL --seed N       the plan, without running it\n";
 
 struct Options {
   std::string model = "vxm", keep;
   std::uint64_t seed = 1, seeds = 1;
   Drawing drawing;
-  bool until_failure = false, shrinks = true, prints = false;
+  bool until_failure = false, shrinks = true, prints = false, traces = false;
   std::vector<std::string> replays;
 };
 
@@ -35,8 +36,9 @@ struct Outcome {
   std::uint64_t fingerprint = 0;
 };
 
-Outcome play(const Plan& plan) {
+Outcome play(const Plan& plan, Trace* trace = nullptr) {
   Stage stage(plan);
+  stage.judge().trace_to(trace);
   stage.run();
   return {stage.judge().finding(), stage.judge().fingerprint()};
 }
@@ -95,7 +97,7 @@ void examine(Plan plan, const Finding& finding, const Options& options, std::uin
     });
   const auto found = play(plan).finding;
   plan.finding = found ? found->law + ": " + found->sentence : finding.law;
-  std::cout << plan.written();
+  std::cout << plan.written() << "-- as a script:\n" << lua_script(plan);
   if (!options.keep.empty()) keep(plan, options.keep, seed);
 }
 
@@ -126,7 +128,7 @@ int search(const Options& options) {
   return statistics.findings.empty() ? 0 : 1;
 }
 
-int replay(const std::vector<std::string>& files) {
+int replay(const std::vector<std::string>& files, bool traces) {
   int failures = 0;
   for (const std::string& file : files) {
     std::ifstream in(file);
@@ -137,7 +139,8 @@ int replay(const std::vector<std::string>& files) {
       std::cerr << file << ": " << (plan ? "There is no plan in it." : plan.error().sentence()) << "\n";
       return 2;
     }
-    const auto finding = play(*plan).finding;
+    Trace trace(std::cout);
+    const auto finding = play(*plan, traces ? &trace : nullptr).finding;
     failures += finding.has_value();
     std::cout << file << (finding ? ":\n" : ": good\n");
     if (finding) show(*finding);
@@ -170,6 +173,8 @@ int run(const std::vector<std::string>& words) {
       o.keep = value();
     else if (word == "--print")
       o.prints = true;
+    else if (word == "--trace")
+      o.traces = true;
     else if (word == "--replay") {
       while (i + 1 < words.size()) o.replays.push_back(words[++i]);
     } else {
@@ -177,7 +182,7 @@ int run(const std::vector<std::string>& words) {
       return 2;
     }
   }
-  return o.replays.empty() ? search(o) : replay(o.replays);
+  return o.replays.empty() ? search(o) : replay(o.replays, o.traces);
 }
 
 }  // namespace

@@ -238,6 +238,7 @@ void Stage::run() {
   const auto failed = [this] { return judge_.finding().has_value(); };
   for (const Step& step : plan_.steps) {
     if (time_.run_until(Instant(step.at), failed)) return;
+    judge_.remark(step.written());
     find_verb(step.verb)->perform(*this, step);
   }
   if (time_.run_until(Instant(plan_.length), failed)) return;
@@ -247,6 +248,7 @@ void Stage::run() {
 // Whatever came before: a stop, a while, and everything must be closed and answered.
 void Stage::finish() {
   const auto failed = [this] { return judge_.finding().has_value(); };
+  judge_.remark("the end: all is stopped, then closed");
   stop_all_devices(false);
   if (time_.run_until(now() + last_stop, failed)) return;
   close();
