@@ -16,7 +16,7 @@ Judge::Judge(Scheduler& scheduler, const WireFaults& faults, const ModelFacts& f
 }
 
 void Judge::accuse(std::string law, std::string sentence) {
-  if (finding_) return;
+  if (finding_ || law == left_out_) return;
   finding_ = Finding{std::move(law), scheduler_.now(), std::move(sentence)};
 }
 
@@ -69,11 +69,17 @@ void Judge::motion_asked(int device, std::uint32_t axes, IntentId id, Steps dist
 
 void Judge::stop_asked(int device, std::uint32_t axes, StopKind kind) {
   DeviceCase& d = at(device);
-  // Beside a stored program a stop of one axis, or the maker's own word, may end one motion only.
-  const bool runs =
-      std::any_of(d.excuses.begin(), d.excuses.end(), [](const Excuse& e) { return e.axes == all_axes; });
-  if (runs && kind == StopKind::typed && !facts_.typed_stop_ends_programs) return;
-  if (runs && axes != all_axes && !facts_.axis_stop_ends_programs) return;
+  // Beside a stored program a stop of one axis, or the maker's own word, may end one motion only; and the
+  // maker's word for one axis may leave it in a motion that others make too.
+  bool program = false, together = false;
+  for (const Excuse& e : d.excuses) {
+    program |= e.axes == all_axes;
+    together |= (e.axes & axes) != 0 && (e.axes & ~axes) != 0;
+  }
+  const bool typed = kind == StopKind::typed;
+  if (program && typed && !facts_.typed_stop_ends_programs) return;
+  if (program && axes != all_axes && !facts_.axis_stop_ends_programs) return;
+  if (together && typed && axes != all_axes) return;
   for (Excuse& excuse : d.excuses) excuse.axes &= ~axes;
   for (int a = 0; a < max_axes; ++a) {
     if ((axes >> a & 1u) == 0) continue;

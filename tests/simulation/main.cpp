@@ -19,12 +19,12 @@ namespace {
 
 constexpr const char* usage =
     "hw_simulation --model MODEL --seed N [--seeds COUNT] [--minutes M] [--bus] [--calm]\n"
-    "              [--until-failure] [--no-shrink] [--keep FOLDER]\n"
+    "              [--until-failure] [--no-shrink] [--but LAW] [--keep FOLDER]\n"
     "hw_simulation [--trace] --replay FILE...     exit 1 when one of them breaks a law\n"
     "hw_simulation --print --model MODEL --seed N       the plan, without running it\n";
 
 struct Options {
-  std::string model = "vxm", keep;
+  std::string model = "vxm", keep, but;
   std::uint64_t seed = 1, seeds = 1;
   Drawing drawing;
   bool until_failure = false, shrinks = true, prints = false, traces = false;
@@ -36,9 +36,10 @@ struct Outcome {
   std::uint64_t fingerprint = 0;
 };
 
-Outcome play(const Plan& plan, Trace* trace = nullptr) {
+Outcome play(const Plan& plan, const std::string& but = {}, Trace* trace = nullptr) {
   Stage stage(plan);
   stage.judge().trace_to(trace);
+  stage.judge().leave_out(but);
   stage.run();
   return {stage.judge().finding(), stage.judge().fingerprint()};
 }
@@ -92,10 +93,10 @@ void examine(Plan plan, const Finding& finding, const Options& options, std::uin
   const std::string kind = kind_of(finding);
   if (options.shrinks)
     plan = shrink(std::move(plan), [&](const Plan& less) {
-      const auto again = play(less).finding;
+      const auto again = play(less, options.but).finding;
       return again && kind_of(*again) == kind;
     });
-  const auto found = play(plan).finding;
+  const auto found = play(plan, options.but).finding;
   plan.finding = found ? found->law + ": " + found->sentence : finding.law;
   std::cout << plan.written() << "-- as a script:\n" << lua_script(plan);
   if (!options.keep.empty()) keep(plan, options.keep, seed);
@@ -111,9 +112,9 @@ int search(const Options& options) {
       continue;
     }
     statistics.count(plan);
-    auto [finding, fingerprint] = play(plan);
+    auto [finding, fingerprint] = play(plan, options.but);
     constexpr std::uint64_t played_twice = 16;  // each so many sessions are played again: the law "same"
-    if (!finding && seed % played_twice == 0 && play(plan).fingerprint != fingerprint)
+    if (!finding && seed % played_twice == 0 && play(plan, options.but).fingerprint != fingerprint)
       finding = Finding{"same", {}, "The same plan has brought other bytes."};
     if (!finding) continue;
     ++statistics.findings[finding->law];
@@ -140,7 +141,7 @@ int replay(const std::vector<std::string>& files, bool traces) {
       return 2;
     }
     Trace trace(std::cout);
-    const auto finding = play(*plan, traces ? &trace : nullptr).finding;
+    const auto finding = play(*plan, {}, traces ? &trace : nullptr).finding;
     failures += finding.has_value();
     std::cout << file << (finding ? ":\n" : ": good\n");
     if (finding) show(*finding);
@@ -173,6 +174,8 @@ int run(const std::vector<std::string>& words) {
       o.keep = value();
     else if (word == "--print")
       o.prints = true;
+    else if (word == "--but")
+      o.but = value();
     else if (word == "--trace")
       o.traces = true;
     else if (word == "--replay") {

@@ -178,11 +178,18 @@ void Stage::stop_all_devices(bool at_once) {
 }
 
 void Stage::jog(int device, AxisId axis, Sign sign, Duration held, LetGo how) {
+  if (session(device) == nullptr) return;
   for (const auto& hand : hands_) hand->move_on();  // there is one
   const IntentId id = move(device, 1u << axis.index, Steps(), intent::JogStart(axis, sign));
   std::erase_if(hands_, [](const auto& hand) { return !hand->holds; });
   hands_.push_back(std::make_unique<Hand>(*this, device, axis, id, now() + held, how));
   hands_.back()->timer.arm(now() + std::min(held, frame_period));
+}
+
+void Stage::query_stop(int device, std::uint32_t axes, std::string text, Duration patience) {
+  if (session(device) == nullptr) return;
+  judge_.stop_asked(device, axes, StopKind::typed);
+  query(device, std::move(text), patience);
 }
 
 void Stage::query(int device, std::string text, Duration patience) {

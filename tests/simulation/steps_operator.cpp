@@ -27,10 +27,7 @@ void type_stop(Stage& stage, const Step& s) {
 }
 void query_stop(Stage& stage, const Step& s) {
   for (const StopText& text : stage.facts().stops)
-    if (text.text == s.text) {
-      stage.judge().stop_asked(s.device, axes_of(text.axis), StopKind::typed);
-      stage.query(s.device, s.text, Millis(s.number(0)));
-    }
+    if (text.text == s.text) stage.query_stop(s.device, axes_of(text.axis), s.text, Millis(s.number(0)));
 }
 void halt(Stage& stage, const Step& s) { stage.send(s.device, intent::HaltProgram(whole(s, 0))); }
 
