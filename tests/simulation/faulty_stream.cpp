@@ -58,8 +58,13 @@ class FaultyStream final : public Stream, public Stream::Listener {
           if (listener_ != nullptr) listener_->bytes_arrived(bytes);
         }) {
     inner_->listen(this);
+    if (faults_.babbles_until > scheduler.now()) babble();
+    faults_.begin_babble = [this] { babble(); };
   }
-  ~FaultyStream() override { inner_->listen(nullptr); }
+  ~FaultyStream() override {
+    inner_->listen(nullptr);
+    faults_.begin_babble = nullptr;
+  }
 
   void listen(Stream::Listener* listener) override { listener_ = listener; }
   void send(std::string_view bytes) override { pass(bytes, faults_.out, out_); }
@@ -77,6 +82,14 @@ class FaultyStream final : public Stream, public Stream::Listener {
     in_.clear();
     if (listener_ != nullptr) listener_->stream_closed(why);
   }
+  // As many bytes as 9,600 baud let through.
+  void babble() {
+    const Instant now = scheduler_.now();
+    if (now >= faults_.babbles_until) return;
+    faults_.in.held_until(now);
+    babble_.arm(now + Millis(10));
+    if (listener_ != nullptr) listener_->bytes_arrived("U*U*U*U*U*");
+  }
   void pass(std::string_view bytes, WayFaults& way, Late& late) const {
     const Instant now = scheduler_.now();
     const Instant when = std::max(now + way.delay_at(now), std::max(way.merge_until, now));
@@ -89,6 +102,7 @@ class FaultyStream final : public Stream, public Stream::Listener {
   WireFaults& faults_;
   Late out_, in_;
   Stream::Listener* listener_ = nullptr;
+  Timer babble_{scheduler_, [this] { babble(); }};
 };
 
 }  // namespace

@@ -28,6 +28,8 @@ void Judge::tick() {
     judge_fates(device);
     judge_positions(device);
     judge_trust(device);
+    judge_limits(device);
+    judge_link(device);
   }
   for (const auto& [id, call] : calls_)
     if (scheduler_.now() > call.deadline)
@@ -39,6 +41,7 @@ void Judge::opened(std::vector<std::shared_ptr<Session>> sessions) {
   if (devices_.size() < sessions.size()) devices_.resize(sessions.size());
   for (std::size_t i = 0; i < sessions.size(); ++i) {
     devices_[i].session = std::move(sessions[i]);
+    devices_[i].unconnected_since = scheduler_.now();
     for (AxisCase& axis : devices_[i].axes) axis.restarted.reset();  // of what was before it knows nothing
   }
 }
@@ -67,8 +70,15 @@ void Judge::motion_asked(int device, std::uint32_t axes, IntentId id, Steps dist
   at(device).excuses.push_back({id, axes, now, now, distance});
 }
 
-void Judge::stop_asked(int device, std::uint32_t axes, StopKind kind) {
+void Judge::count_stop(int device, std::uint32_t axes, bool at_once) {
   DeviceCase& d = at(device);
+  if (d.truth.moving() == 0 && !d.truth.program) d.stops.clear();
+  d.stops.push_back({axes & ((1u << std::max(1, d.truth.axis_count)) - 1), at_once});
+}
+
+void Judge::stop_asked(int device, std::uint32_t axes, StopKind kind, bool by_hand) {
+  DeviceCase& d = at(device);
+  if (!by_hand) count_stop(device, axes, kind != StopKind::ramp);
   // Beside a stored program a stop of one axis, or the maker's own word, may end one motion only; and the
   // maker's word for one axis may leave it in a motion that others make too.
   bool program = false, together = false;
@@ -84,7 +94,7 @@ void Judge::stop_asked(int device, std::uint32_t axes, StopKind kind) {
   for (int a = 0; a < max_axes; ++a) {
     if ((axes >> a & 1u) == 0) continue;
     AxisCase& axis = d.axes[static_cast<std::size_t>(a)];
-    axis.stopped = Stopped{scheduler_.now(), axis.truth.ramp};
+    axis.stopped = Stopped{scheduler_.now(), axis.truth.ramp, !prompt()};
   }
 }
 
@@ -98,7 +108,7 @@ void Judge::jog_let_go(int device, AxisId axis, IntentId jog, Duration after) {
     if (!alone) return;  // a motion that was asked for beside the jog is none of the hand's business
   }
   if (!alone) return;  // it was refused
-  stop_asked(device, bit, StopKind::ramp);
+  stop_asked(device, bit, StopKind::ramp, true);
   d.axes[axis.index].stopped->at += after;
 }
 
@@ -109,7 +119,9 @@ void Judge::position_set(int device, std::uint32_t axes) {
 
 void Judge::restarted(int device) {
   if (device >= static_cast<int>(devices_.size())) return;
-  for (AxisCase& axis : at(device).axes) axis.restarted = scheduler_.now();
+  DeviceCase& d = at(device);
+  for (AxisCase& axis : d.axes) axis.restarted = scheduler_.now();
+  if (d.truth.moving() != 0 || d.truth.program) d.cut_off = scheduler_.now();
 }
 
 int Judge::call_begun(std::string what, Duration longest) {
@@ -121,6 +133,8 @@ void Judge::call_ended(int call) { calls_.erase(call); }
 
 void Judge::told_idle(int device, Instant begun) {
   const DeviceCase& d = at(device);
+  if (d.cut_off > begun)
+    accuse("end", "A wait has said that all is well, and the controller was switched off and on.");
   if (d.truth.moving() != 0 && d.moved_last > begun && excused(d, 0)) return;  // begun again since
   if (d.truth.moving() != 0) accuse("true", "A wait has said that nothing moves, and an axis moves.");
 }
@@ -133,7 +147,14 @@ void Judge::note(int device, char way, std::string_view bytes) {
   for (const char c : bytes) mix(static_cast<unsigned char>(c));
 }
 
-void Judge::controller_received(int device, std::string_view bytes) { note(device, '>', bytes); }
+void Judge::controller_received(int device, std::string_view bytes) {
+  note(device, '>', bytes);
+  std::string& received = at(device).received;
+  received += bytes;
+  constexpr std::size_t kept = 32;
+  if (received.size() > 2 * kept) received.erase(0, received.size() - kept);
+  judge_kill(device);
+}
 void Judge::controller_sent(int device, std::string_view bytes) { note(device, '<', bytes); }
 void Judge::register_written(int device, std::uint16_t offset, std::uint16_t value) {
   const char word[] = {static_cast<char>(offset >> 8), static_cast<char>(offset),

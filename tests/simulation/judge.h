@@ -35,15 +35,21 @@ class Judge final : public Witness {
  public:
   static constexpr std::uint32_t all_axes = ~0u;
 
-  /// A stop waits for the transaction on the wire (0.2 s at most); then its own texts at 9,600 baud, an
-  /// answer and the next step of a stored program that ends in between: 0.1 s each.
-  static constexpr Duration stop_on_good_wire = Millis(500);
+  /// Where answers come at once, at 9,600 baud: the transaction on the wire (25 ms), STOP, the end of four
+  /// programs, STOP again (14 ms each); a VXM's 20 ms for one letter.
+  static constexpr Duration stop_on_prompt_wire = Millis(150);
+  /// For each neighbour on the line: its transaction, and its own stop where all are stopped.
+  static constexpr Duration neighbour_stops = Millis(150);
+  /// Where an answer may be missing the stop waits 0.2 s for it, and again for that of each of its texts.
+  static constexpr Duration stop_on_doubtful_wire = Millis(500);
+  static constexpr Duration wire_is_prompt_again = std::chrono::seconds(5);
   /// After a hurt wire: tried every 250 ms, a port takes as long to open, a lost answer is waited for (0.2
   /// s), then as above.
   static constexpr Duration stop_after_hurt = Millis(1500);
-  /// What was on its way to the controller when the stop was asked for may begin: the transaction on the
-  /// wire, and a program's next step until the texts that end it have come.
-  static constexpr Duration begins_in_flight = Millis(350);
+  /// After a break the console opens the port again and asks who is there, each answer at 9,600 baud.
+  static constexpr Duration longest_connect = std::chrono::seconds(20);
+  /// A limit switch that has been let go is shown so in the next rounds of status.
+  static constexpr Duration limit_shows = std::chrono::seconds(3);
   /// A motion that was asked for begins: legs of homing, queued commands, an answer awaited in between.
   static constexpr Duration excuse_lasts = Millis(1500);
   /// An intent waits for those before it, each of them for its deadlines and their repetitions.
@@ -77,7 +83,9 @@ class Judge final : public Witness {
   void intent_sent(int device, IntentId id);
   void motion_asked(int device, std::uint32_t axes, IntentId id, Steps distance);
   void motion_asked_elsewhere(int device) { motion_asked(device, all_axes, 0, Steps()); }
-  void stop_asked(int device, std::uint32_t axes, StopKind kind);
+  void stop_asked(int device, std::uint32_t axes, StopKind kind, bool by_hand = false);
+  /// Of its program: a motion may go on, but a second stop is one more.
+  void halt_asked(int device) { count_stop(device, all_axes, false); }
   /// The hand has gone; the console knows it at once, or `after` (the dead-man).
   void jog_let_go(int device, AxisId axis, IntentId jog, Duration after);
   void position_set(int device, std::uint32_t axes);
@@ -97,6 +105,7 @@ class Judge final : public Witness {
   struct Stopped {
     Instant at{};
     Duration ramp{};
+    bool doubtful = false;  ///< the wire was not prompt then
   };
   struct AxisCase {
     AxisTruth truth;
@@ -108,6 +117,7 @@ class Judge final : public Witness {
     };
     std::deque<Stand> stands;          ///< where it stood, oldest first; the first reaches back to the start
     std::optional<Instant> restarted;  ///< since its last reference
+    Instant limit_operated{};          ///< last, either side
   };
   /// Somebody wants these axes to move.
   struct Excuse {
@@ -128,6 +138,14 @@ class Judge final : public Witness {
     std::deque<Intended> intents;
     std::map<std::int64_t, int> made;  ///< whole ways of that distance
     Instant moved_last{};              ///< or ran a program
+    Instant cut_off{};                 ///< last restart while something moved or ran
+    Instant unconnected_since{};
+    struct Asked {
+      std::uint32_t axes;
+      bool at_once;
+    };
+    std::vector<Asked> stops;  ///< since everything stood
+    std::string received;      ///< its end
   };
   struct Call {
     std::string what;
@@ -138,6 +156,7 @@ class Judge final : public Witness {
   void accuse(std::string law, std::string sentence);
   [[nodiscard]] DeviceCase& at(int device) { return devices_.at(static_cast<std::size_t>(device)); }
   void note(int device, char way, std::string_view bytes);
+  void count_stop(int device, std::uint32_t axes, bool at_once);
 
   // judge_motion.cpp
   void began(int device, int axis);
@@ -146,12 +165,17 @@ class Judge final : public Witness {
   void keep_excuses(DeviceCase& device) const;
   [[nodiscard]] bool excused(const DeviceCase& device, int axis) const;
   void judge_stops(int device);
+  void judge_kill(int device);
+  [[nodiscard]] Duration bound(const AxisCase& axis, bool hurt) const;
+  [[nodiscard]] bool prompt() const;
   [[nodiscard]] Duration lateness() const;
 
   // judge_screen.cpp
   void judge_fates(int device);
   void judge_positions(int device);
   void judge_trust(int device);
+  void judge_limits(int device);
+  void judge_link(int device);
 
   Scheduler& scheduler_;
   const WireFaults& faults_;

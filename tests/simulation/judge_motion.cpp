@@ -72,9 +72,7 @@ void Judge::began(int device, int a) {
     return accuse("asked",
                   fmt::format("Device {}: axis {} begins to move, and nobody has asked for it.", device, a));
   const Instant carries = faults_.carries_since(now);
-  const bool hurt = carries > axis.stopped->at;
-  const Duration bound = hurt ? stop_after_hurt : begins_in_flight;
-  if (now > std::max(axis.stopped->at, carries) + bound + lateness())
+  if (now > std::max(axis.stopped->at, carries) + bound(axis, carries > axis.stopped->at) + lateness())
     accuse("stop", fmt::format("Device {}: axis {} begins to move {:.3f} s after it was stopped.", device, a,
                                seconds(now - axis.stopped->at)));
 }
@@ -99,8 +97,7 @@ void Judge::judge_stops(int device) {
     if (!axis.stopped || !axis.truth.moving || excused(d, a)) continue;
     const Instant carries = faults_.carries_since(now);
     const bool hurt = carries > axis.stopped->at;
-    const Instant deadline = std::max(carries, axis.stopped->at) +
-                             (hurt ? stop_after_hurt : stop_on_good_wire) + axis.stopped->ramp;
+    const Instant deadline = std::max(carries, axis.stopped->at) + bound(axis, hurt) + axis.stopped->ramp;
     if (now > deadline)
       accuse("stop", fmt::format("Device {}: axis {} still moves {:.3f} s after it was stopped{}.", device, a,
                                  seconds(now - axis.stopped->at),
@@ -108,6 +105,40 @@ void Judge::judge_stops(int device) {
                                                     seconds(now - carries))
                                       : ""));
   }
+}
+
+/// What the stop of that axis may take, beside its ramp.
+Duration Judge::bound(const AxisCase& axis, bool hurt) const {
+  if (hurt) return stop_after_hurt;
+  if (axis.stopped->doubtful || !prompt()) return stop_on_doubtful_wire;
+  return stop_on_prompt_wire + neighbour_stops * (devices_.size() - 1);
+}
+
+/// Nothing has been wrong with the wire for a while.
+bool Judge::prompt() const {
+  const Instant now = scheduler_.now();
+  return lateness() == Duration{} &&
+         now > std::max(faults_.carries_since(now), faults_.in.hurt()) + wire_is_prompt_again;
+}
+
+// A stop kills only when it was asked for twice, or at once: the console repeats it in the same form.
+void Judge::judge_kill(int device) {
+  DeviceCase& d = at(device);
+  if (!d.session || facts_.kill.empty() || !d.received.ends_with(facts_.kill)) return;
+  if (const std::string id = d.session->catalog().id(); !id.empty()) {  // everybody on the line receives it
+    const std::string_view addressed(d.received.data(), d.received.size() - facts_.kill.size());
+    if (!addressed.ends_with("@" + id) && !addressed.ends_with("@00")) return;
+  }
+  const bool fast = std::any_of(d.axes.begin(), d.axes.end(), [](const AxisCase& axis) {
+    return axis.stopped && axis.truth.moving && axis.truth.ramp > Millis(50);
+  });
+  if (!fast) return;
+  for (std::size_t i = 0; i < d.stops.size(); ++i) {
+    if (d.stops[i].at_once) return;
+    for (std::size_t k = 0; k < i; ++k)
+      if (d.stops[k].axes == d.stops[i].axes) return;
+  }
+  accuse("stop", fmt::format("Device {} is stopped without a ramp, and nobody has asked for that.", device));
 }
 
 /// How late what is on a slow wire may be.

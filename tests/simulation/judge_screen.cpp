@@ -65,4 +65,35 @@ void Judge::judge_trust(int device) {
   }
 }
 
+// A switch that nothing operates is not shown as hit.
+void Judge::judge_limits(int device) {
+  DeviceCase& d = at(device);
+  const Snapshot& shown = d.session->known();
+  const Instant now = scheduler_.now();
+  if (!d.session->bench()) return;
+  BenchView view;
+  d.session->bench()->look(view);
+  const std::uint32_t operated = view.limits_minus | view.limits_plus;
+  for (int a = 0; a < std::min(shown.axis_count, d.truth.axis_count); ++a) {
+    AxisCase& axis = d.axes[ix(a)];
+    if ((operated >> a & 1u) != 0) axis.limit_operated = now;
+    const AxisState& s = shown.axes[ix(a)];
+    if (!shown.link.connected() || !s.limits_known || !(s.limit_minus || s.limit_plus)) continue;
+    const Instant since = std::max({axis.limit_operated, faults_.in.spoilt(), faults_.out.spoilt()});
+    if (now > since + limit_shows + lateness())
+      accuse("true", fmt::format("Device {}: axis {} is shown at a limit that nothing operates.", device, a));
+  }
+}
+
+// Where the wire carries and the controller has power, there is a connection.
+void Judge::judge_link(int device) {
+  DeviceCase& d = at(device);
+  const Instant now = scheduler_.now();
+  if (d.session->known().link.connected() || !d.truth.powered) d.unconnected_since = now;
+  const Instant since = std::max({d.unconnected_since, faults_.carries_since(now), faults_.in.hurt()});
+  if (now > since + longest_connect + 5 * lateness())
+    accuse("end", fmt::format("Device {}: no connection {:.0f} s after the wire was good.", device,
+                              seconds(now - since)));
+}
+
 }  // namespace hw::simulation

@@ -29,7 +29,10 @@ void query_stop(Stage& stage, const Step& s) {
   for (const StopText& text : stage.facts().stops)
     if (text.text == s.text) stage.query_stop(s.device, axes_of(text.axis), s.text, Millis(s.number(0)));
 }
-void halt(Stage& stage, const Step& s) { stage.send(s.device, intent::HaltProgram(whole(s, 0))); }
+void halt(Stage& stage, const Step& s) {
+  stage.judge().halt_asked(s.device);
+  stage.send(s.device, intent::HaltProgram(whole(s, 0)));
+}
 
 // ---- motion
 

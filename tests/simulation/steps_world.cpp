@@ -44,6 +44,10 @@ void delay(Stage& stage, const Step& s) {
   way(stage, s).slow_until = in_future(stage, s, 2);
 }
 void merge(Stage& stage, const Step& s) { way(stage, s).merge_until = in_future(stage, s, 1); }
+void babble(Stage& stage, const Step& s) {
+  stage.faults().babbles_until = in_future(stage, s, 0);
+  if (stage.faults().begin_babble) stage.faults().begin_babble();
+}
 void unplug(Stage& stage, const Step& s) { stage.unplug(Millis(s.number(0))); }
 void silent(Stage& stage, const Step& s) { stage.faults().silent_until = in_future(stage, s, 0); }
 void slow_cycles(Stage& stage, const Step& s) {
@@ -66,6 +70,7 @@ constexpr Verb verbs[] = {
     {"cut", 2, fault, cut},                 // WAY TIME
     {"delay", 3, fault, delay},             // WAY LATE TIME
     {"merge", 2, fault, merge},             // WAY TIME: then all at once
+    {"babble", 1, fault, babble},           // TIME
     {"unplug", 1, fault, unplug},           // TIME
     {"silent", 1, fault, silent},           // TIME
     {"slow_cycles", 2, fault, slow_cycles}, // BY TIME

@@ -3,6 +3,7 @@
 // judge asks about it. What the wire could not carry is nobody's fault.
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <string>
 
 #include "core/time/clock.h"
@@ -62,6 +63,8 @@ struct WireFaults {
   WayFaults out;  ///< to the controller
   WayFaults in;   ///< to the console
   Instant unplugged_until{};
+  Instant babbles_until{};             ///< a device on the line talks without end
+  std::function<void()> begin_babble;  ///< of the stream that is open
   // Of a memory window.
   Instant silent_until{};  ///< nothing answers: reads give ones, writes are lost
   Instant slow_until{};

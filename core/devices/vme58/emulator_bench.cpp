@@ -1,4 +1,5 @@
 // Hands on the bench of a VME58, and what can be seen there.
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -115,14 +116,17 @@ void Vme58Emulator::tell_truth(MachineTruth& truth) const {
   truth.powered = board_.powered() && !board_.booting();
   truth.program = !board_.idle();
   truth.axis_count = board_.variant().axes();
+  Duration longest{};  // on a common way all axes take as long as the longest
   for (int a = 0; a < truth.axis_count; ++a) {
-    const AxisSettings& by = motion.settings(a);
+    const double speed = motion.velocity(a);
+    truth.axes[ix(a)] = {Steps(motion.position(a)), motion.moving(a), Duration{}};
     // A curved ramp is steepest in its middle: over all it takes up to twice as long. It ends on a whole
     // count, which a slow axis is long in reaching.
-    const double speed = motion.velocity(a);
-    const Duration ramp = speed > 0 ? from_seconds(2 * speed / by.acceleration + 1 / speed) : Duration{};
-    truth.axes[ix(a)] = {Steps(motion.position(a)), motion.moving(a), ramp};
+    if (speed > 0)
+      longest = std::max(longest, from_seconds(2 * speed / motion.settings(a).acceleration + 1 / speed));
   }
+  for (int a = 0; a < truth.axis_count; ++a)
+    if (truth.axes[ix(a)].moving) truth.axes[ix(a)].ramp = longest;
 }
 
 void Vme58Emulator::look(BenchView& view) const {
