@@ -42,6 +42,7 @@ void Judge::opened(std::vector<std::shared_ptr<Session>> sessions) {
   for (std::size_t i = 0; i < sessions.size(); ++i) {
     devices_[i].session = std::move(sessions[i]);
     devices_[i].unconnected_since = scheduler_.now();
+    devices_[i].first_connected.reset();
     for (AxisCase& axis : devices_[i].axes) axis.restarted.reset();  // of what was before it knows nothing
   }
 }

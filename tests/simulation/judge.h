@@ -48,8 +48,8 @@ class Judge final : public Witness {
   static constexpr Duration stop_after_hurt = Millis(1500);
   /// After a break the console opens the port again and asks who is there, each answer at 9,600 baud.
   static constexpr Duration longest_connect = std::chrono::seconds(20);
-  /// A limit switch that has been let go is shown so in the next rounds of status.
-  static constexpr Duration limit_shows = std::chrono::seconds(3);
+  /// A switch, an input or an output that has changed is shown so in the next rounds of status.
+  static constexpr Duration line_shows = std::chrono::seconds(3);
   /// A motion that was asked for begins: legs of homing, queued commands, an answer awaited in between.
   static constexpr Duration excuse_lasts = Millis(1500);
   /// An intent waits for those before it, each of them for its deadlines and their repetitions.
@@ -140,6 +140,15 @@ class Judge final : public Witness {
     Instant moved_last{};              ///< or ran a program
     Instant cut_off{};                 ///< last restart while something moved or ran
     Instant unconnected_since{};
+    std::optional<Instant> first_connected;  ///< since it was opened
+    // Inputs and outputs: how the bench stood, and how each stand of it is shown when the wire is good.
+    using Bench = std::pair<std::uint32_t, std::uint32_t>;
+    struct Lines {
+      std::uint32_t values = 0, known = 0;
+    };
+    std::deque<std::pair<Instant, Bench>> benches;
+    std::map<Bench, std::array<Lines, 2>> looks;
+    std::array<Lines, 2> lines;
     struct Asked {
       std::uint32_t axes;
       bool at_once;
@@ -175,6 +184,7 @@ class Judge final : public Witness {
   void judge_positions(int device);
   void judge_trust(int device);
   void judge_limits(int device);
+  void judge_lines(int device, const BenchView& view);
   void judge_link(int device);
 
   Scheduler& scheduler_;

@@ -57,7 +57,8 @@ void Judge::judge_trust(int device) {
   const Instant quiet = std::max(faults_.carries_since(now), faults_.in.hurt());
   for (int a = 0; a < std::min(shown.axis_count, d.truth.axis_count); ++a) {
     const AxisCase& axis = d.axes[ix(a)];
-    if (!axis.restarted || now < std::max(quiet, *axis.restarted) + restart_shows) continue;
+    if (!axis.restarted || !d.first_connected || *axis.restarted < *d.first_connected) continue;
+    if (now < std::max(quiet, *axis.restarted) + restart_shows) continue;
     const AxisState& s = shown.axes[ix(a)];
     if (s.position_known && !s.trust.doubtful() && s.trust.kind != Trust::homed)
       accuse("true", fmt::format("Device {}: the position of axis {} is trusted {:.1f} s after a restart.",
@@ -73,6 +74,7 @@ void Judge::judge_limits(int device) {
   if (!d.session->bench()) return;
   BenchView view;
   d.session->bench()->look(view);
+  judge_lines(device, view);
   const std::uint32_t operated = view.limits_minus | view.limits_plus;
   for (int a = 0; a < std::min(shown.axis_count, d.truth.axis_count); ++a) {
     AxisCase& axis = d.axes[ix(a)];
@@ -80,16 +82,49 @@ void Judge::judge_limits(int device) {
     const AxisState& s = shown.axes[ix(a)];
     if (!shown.link.connected() || !s.limits_known || !(s.limit_minus || s.limit_plus)) continue;
     const Instant since = std::max({axis.limit_operated, faults_.in.spoilt(), faults_.out.spoilt()});
-    if (now > since + limit_shows + lateness())
+    if (now > since + line_shows + lateness())
       accuse("true", fmt::format("Device {}: axis {} is shown at a limit that nothing operates.", device, a));
   }
+}
+
+// What appears of inputs and outputs is how the bench stood lately.
+void Judge::judge_lines(int device, const BenchView& view) {
+  DeviceCase& d = at(device);
+  const Snapshot& shown = d.session->known();
+  const Instant now = scheduler_.now();
+  const DeviceCase::Bench stand{view.inputs_operated | view.buttons << 16, view.outputs};
+  if (d.benches.empty() || d.benches.back().second != stand) d.benches.emplace_back(now, stand);
+  while (d.benches.size() > 1 && d.benches[1].first < now - line_shows - 2 * lateness())
+    d.benches.pop_front();
+  if (!shown.link.connected() || !d.truth.powered) return;
+  const std::array<DeviceCase::Lines, 2> lines{
+      {{shown.inputs, shown.inputs_known}, {shown.outputs, shown.outputs_known}}};
+  const bool spoilt =
+      now < std::max(faults_.in.spoilt(), faults_.out.spoilt()) + spoilt_number_shows + lateness();
+  for (std::size_t kind = 0; kind < lines.size(); ++kind) {
+    const auto differs = [&](const DeviceCase::Lines& a, const DeviceCase::Lines& b) {
+      return ((a.values ^ b.values) & a.known & b.known) != 0;
+    };
+    if (spoilt || !differs(lines[kind], d.lines[kind])) continue;
+    const bool possible = std::any_of(d.benches.begin(), d.benches.end(), [&](const auto& past) {
+      const auto look = d.looks.find(past.second);
+      return look == d.looks.end() || !differs(lines[kind], look->second[kind]);
+    });
+    if (!possible)
+      accuse("true", fmt::format("Device {}: {} are shown otherwise than they are and were.", device,
+                                 kind == 0 ? "inputs" : "outputs"));
+  }
+  d.lines = lines;
+  if (d.benches.size() == 1 && prompt() && !d.looks.contains(stand)) d.looks[stand] = lines;
 }
 
 // Where the wire carries and the controller has power, there is a connection.
 void Judge::judge_link(int device) {
   DeviceCase& d = at(device);
   const Instant now = scheduler_.now();
-  if (d.session->known().link.connected() || !d.truth.powered) d.unconnected_since = now;
+  const bool connected = d.session->known().link.connected();
+  if (connected && !d.first_connected) d.first_connected = now;
+  if (connected || !d.truth.powered) d.unconnected_since = now;
   const Instant since = std::max({d.unconnected_since, faults_.carries_since(now), faults_.in.hurt()});
   if (now > since + longest_connect + 5 * lateness())
     accuse("end", fmt::format("Device {}: no connection {:.0f} s after the wire was good.", device,
