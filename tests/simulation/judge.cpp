@@ -99,6 +99,12 @@ void Judge::stop_asked(int device, std::uint32_t axes, StopKind kind, bool by_ha
   }
 }
 
+void Judge::stop_asked_closing(int device) {
+  if (at(device).session) return;
+  at(device).excuses.clear();
+  stop_asked(device, all_axes, StopKind::at_once);
+}
+
 void Judge::jog_let_go(int device, AxisId axis, IntentId jog, Duration after) {
   DeviceCase& d = at(device);
   const std::uint32_t bit = 1u << axis.index;
@@ -121,7 +127,9 @@ void Judge::position_set(int device, std::uint32_t axes) {
 void Judge::restarted(int device) {
   if (device >= static_cast<int>(devices_.size())) return;
   DeviceCase& d = at(device);
-  for (AxisCase& axis : d.axes) axis.restarted = scheduler_.now();
+  // One whose counters stood at 0 may look as it did before.
+  for (AxisCase& axis : d.axes)
+    if (facts_.restart_always_shows || axis.truth.position.value != 0) axis.restarted = scheduler_.now();
   if (d.truth.moving() != 0 || d.truth.program) d.cut_off = scheduler_.now();
 }
 

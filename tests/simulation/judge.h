@@ -84,6 +84,8 @@ class Judge final : public Witness {
   void motion_asked(int device, std::uint32_t axes, IntentId id, Steps distance);
   void motion_asked_elsewhere(int device) { motion_asked(device, all_axes, 0, Steps()); }
   void stop_asked(int device, std::uint32_t axes, StopKind kind, bool by_hand = false);
+  /// In a tab that closes; nobody opens it again meanwhile.
+  void stop_asked_closing(int device);
   /// Of its program: a motion may go on, but a second stop is one more.
   void halt_asked(int device) { count_stop(device, all_axes, false); }
   /// The hand has gone; the console knows it at once, or `after` (the dead-man).
@@ -100,6 +102,7 @@ class Judge final : public Witness {
   void controller_sent(int device, std::string_view bytes) override;
   void register_written(int device, std::uint16_t offset, std::uint16_t value) override;
   void machine_is(int device, const MachineTruth& truth) override;
+  void bench_is(int device, const BenchView& view) override;
 
  private:
   struct Stopped {
@@ -184,7 +187,7 @@ class Judge final : public Witness {
   void judge_positions(int device);
   void judge_trust(int device);
   void judge_limits(int device);
-  void judge_lines(int device, const BenchView& view);
+  void judge_lines(int device);
   void judge_link(int device);
 
   Scheduler& scheduler_;

@@ -74,7 +74,8 @@ void Judge::judge_limits(int device) {
   if (!d.session->bench()) return;
   BenchView view;
   d.session->bench()->look(view);
-  judge_lines(device, view);
+  bench_is(device, view);
+  judge_lines(device);
   const std::uint32_t operated = view.limits_minus | view.limits_plus;
   for (int a = 0; a < std::min(shown.axis_count, d.truth.axis_count); ++a) {
     AxisCase& axis = d.axes[ix(a)];
@@ -87,15 +88,21 @@ void Judge::judge_limits(int device) {
   }
 }
 
-// What appears of inputs and outputs is how the bench stood lately.
-void Judge::judge_lines(int device, const BenchView& view) {
+void Judge::bench_is(int device, const BenchView& view) {
   DeviceCase& d = at(device);
-  const Snapshot& shown = d.session->known();
   const Instant now = scheduler_.now();
   const DeviceCase::Bench stand{view.inputs_operated | view.buttons << 16, view.outputs};
   if (d.benches.empty() || d.benches.back().second != stand) d.benches.emplace_back(now, stand);
   while (d.benches.size() > 1 && d.benches[1].first < now - line_shows - 2 * lateness())
     d.benches.pop_front();
+}
+
+// What appears of inputs and outputs is how the bench stood lately.
+void Judge::judge_lines(int device) {
+  DeviceCase& d = at(device);
+  const Snapshot& shown = d.session->known();
+  const Instant now = scheduler_.now();
+  if (d.benches.empty()) return;
   if (!shown.link.connected() || !d.truth.powered) return;
   const std::array<DeviceCase::Lines, 2> lines{
       {{shown.inputs, shown.inputs_known}, {shown.outputs, shown.outputs_known}}};
@@ -115,7 +122,9 @@ void Judge::judge_lines(int device, const BenchView& view) {
                                  kind == 0 ? "inputs" : "outputs"));
   }
   d.lines = lines;
-  if (d.benches.size() == 1 && prompt() && !d.looks.contains(stand)) d.looks[stand] = lines;
+  const bool read_since = shown.io_seen_at > d.benches.back().first + line_shows;
+  if (d.benches.size() == 1 && read_since && prompt() && !d.looks.contains(d.benches.back().second))
+    d.looks[d.benches.back().second] = lines;
 }
 
 // Where the wire carries and the controller has power, there is a connection.

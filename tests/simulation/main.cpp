@@ -3,6 +3,7 @@
 #include <fstream>
 #include <iostream>
 #include <map>
+#include <set>
 #include <sstream>
 
 #include <fmt/core.h>
@@ -19,7 +20,7 @@ namespace {
 
 constexpr const char* usage =
     "hw_simulation --model MODEL --seed N [--seeds COUNT] [--minutes M] [--bus] [--calm]\n"
-    "              [--until-failure] [--no-shrink] [--but LAW] [--keep FOLDER]\n"
+    "              [--until-failure] [--no-shrink] [--but LAW] [--skip SEED] [--keep FOLDER]\n"
     "hw_simulation [--trace] --replay FILE...     exit 1 when one of them breaks a law\n"
     "hw_simulation --print --model MODEL --seed N       the plan, without running it\n";
 
@@ -29,6 +30,7 @@ struct Options {
   Drawing drawing;
   bool until_failure = false, shrinks = true, prints = false, traces = false;
   std::vector<std::string> replays;
+  std::set<std::uint64_t> skipped;  ///< seeds that find what is known
 };
 
 struct Outcome {
@@ -106,6 +108,7 @@ int search(const Options& options) {
   Statistics statistics;
   const auto began = std::chrono::steady_clock::now();
   for (std::uint64_t seed = options.seed; seed < options.seed + options.seeds; ++seed) {
+    if (options.skipped.contains(seed)) continue;
     const Plan plan = draw_plan(options.model, seed, options.drawing);
     if (options.prints) {
       std::cout << plan.written();
@@ -174,6 +177,8 @@ int run(const std::vector<std::string>& words) {
       o.keep = value();
     else if (word == "--print")
       o.prints = true;
+    else if (word == "--skip")
+      o.skipped.insert(std::stoull(value()));
     else if (word == "--but")
       o.but = value();
     else if (word == "--trace")

@@ -20,6 +20,7 @@ struct ModelFacts {
   std::string_view wire;                  ///< options of the emulated wire: its byte times
   bool needs_power = false;               ///< motors have none from the factory
   bool typed_stop_ends_programs = false;  ///< by what the maker says
+  bool restart_always_shows = false;      ///< whatever its counters stood at
   bool axis_stop_ends_programs = false;   ///< a Stop of one axis, by what the console promises
   std::vector<StopText> stops;
   std::vector<std::string> programs;  ///< that move something; the first for ever

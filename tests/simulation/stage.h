@@ -37,6 +37,8 @@ class Stage {
   enum class LetGo : std::uint8_t { by_hand, never };
   /// As the panel does it: a keep-alive with each frame while it is held.
   void jog(int device, AxisId axis, Sign sign, Duration held, LetGo how);
+  /// Typed into a tab that is being closed.
+  void stop_closing(int device, std::string text);
   void query_stop(int device, std::uint32_t axes, std::string text, Duration patience);
   void query(int device, std::string text, Duration patience);
   void wait_until_idle(int device, Duration patience);

@@ -29,6 +29,7 @@ void query_stop(Stage& stage, const Step& s) {
   for (const StopText& text : stage.facts().stops)
     if (text.text == s.text) stage.query_stop(s.device, axes_of(text.axis), s.text, Millis(s.number(0)));
 }
+void type_stop_closing(Stage& stage, const Step& s) { stage.stop_closing(s.device, s.text); }
 void halt(Stage& stage, const Step& s) {
   stage.judge().halt_asked(s.device);
   stage.send(s.device, intent::HaltProgram(whole(s, 0)));
@@ -119,6 +120,7 @@ constexpr Verb verbs[] = {
     {"stop_wire", 1, stops, stop_wire},       // AT_ONCE
     {"type_stop", 0, stops, type_stop},       // "TEXT"
     {"query_stop", 1, stops, query_stop},     // PATIENCE "TEXT"
+    {"type_stop_closing", 0, stops, type_stop_closing},  // "TEXT", behind close
     {"halt", 1, stops, halt},                 // THREAD
     {"move_by", 3, action, move_by},          // AXIS DISTANCE SPEED
     {"move_to", 3, action, move_to},          // AXIS TARGET SPEED

@@ -16,6 +16,8 @@ class WatchedEmulator final : public Emulator, public BusTarget {
   void receive(std::string_view bytes) override {
     witness_.controller_received(device_, bytes);
     inner_->receive(bytes);
+    inner_->look(view_);
+    witness_.bench_is(device_, view_);
     look_at_machine();
   }
   void take_output(std::string& sink) override {
@@ -75,6 +77,7 @@ class WatchedEmulator final : public Emulator, public BusTarget {
   Witness& witness_;
   Instant reached_{};
   MachineTruth truth_;
+  BenchView view_;
 };
 
 }  // namespace hw::simulation

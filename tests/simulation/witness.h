@@ -2,6 +2,7 @@
 // Who hears of everything that happens to the controllers, at the moment when it happens.
 #include <string_view>
 
+#include "core/device/bench.h"
 #include "core/device/machine_truth.h"
 
 namespace hw::simulation {
@@ -14,6 +15,8 @@ class Witness {
   /// A board's mailbox or control register was written.
   virtual void register_written(int device, std::uint16_t offset, std::uint16_t value) = 0;
   virtual void controller_sent(int device, std::string_view bytes) = 0;
+  /// How its inputs and outputs stood when it answered.
+  virtual void bench_is(int device, const BenchView& view) = 0;
   /// The machine may have changed.
   virtual void machine_is(int device, const MachineTruth& truth) = 0;
 };
