@@ -167,7 +167,9 @@ class Artist {
     if (draw <= 72) return put(at, "cut", on, {way, random_.mostly_small(50, 5000)});
     if (draw <= 88)
       return put(at, "delay", on, {way, random_.mostly_small(20, 2500), random_.mostly_small(200, 5000)});
-    if (draw <= 90) return put(at, "babble", on, {random_.mostly_small(50, 3000)});
+    if (draw <= 89)
+      return put(at, "gaps", on, {way, random_.between(1, 40), random_.mostly_small(200, 5000)});
+    if (draw <= 91) return put(at, "babble", on, {random_.mostly_small(50, 3000)});
     put(at, "merge", on, {1, random_.mostly_small(50, 1500)});
   }
   void draw_bus_fault(Millis at, std::int64_t draw) {

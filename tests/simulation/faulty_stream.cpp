@@ -92,6 +92,15 @@ class FaultyStream final : public Stream, public Stream::Listener {
   }
   void pass(std::string_view bytes, WayFaults& way, Late& late) const {
     const Instant now = scheduler_.now();
+    if (now < way.gaps_until) {
+      Instant next = std::max(now, late.last() + way.gap);
+      for (const char c : bytes) {
+        late.put(way.treat(std::string_view(&c, 1), now), next);
+        way.held_until(next);
+        next += way.gap;
+      }
+      return;
+    }
     const Instant when = std::max(now + way.delay_at(now), std::max(way.merge_until, now));
     late.put(way.treat(bytes, now), when);
     if (when > now) way.held_until(late.last());

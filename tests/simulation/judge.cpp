@@ -127,6 +127,7 @@ void Judge::position_set(int device, std::uint32_t axes) {
 void Judge::restarted(int device) {
   if (device >= static_cast<int>(devices_.size())) return;
   DeviceCase& d = at(device);
+  d.ever_restarted = true;
   // One whose counters stood at 0 may look as it did before.
   for (AxisCase& axis : d.axes)
     if (facts_.restart_always_shows || axis.truth.position.value != 0) axis.restarted = scheduler_.now();

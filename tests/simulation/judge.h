@@ -94,6 +94,8 @@ class Judge final : public Witness {
   void restarted(int device);
   int call_begun(std::string what, Duration longest);
   void call_ended(int call);
+  /// A call that must succeed has failed, or the other way round.
+  void call_went_wrong(std::string what) { accuse("end", std::move(what)); }
   /// A wait that was begun then has said that nothing moves or runs.
   void told_idle(int device, Instant begun);
 
@@ -142,6 +144,7 @@ class Judge final : public Witness {
     std::map<std::int64_t, int> made;  ///< whole ways of that distance
     Instant moved_last{};              ///< or ran a program
     Instant cut_off{};                 ///< last restart while something moved or ran
+    bool ever_restarted = false;
     Instant unconnected_since{};
     std::optional<Instant> first_connected;  ///< since it was opened
     // Inputs and outputs: how the bench stood, and how each stand of it is shown when the wire is good.

@@ -84,7 +84,8 @@ void Judge::rested(int device, int a) {
   const std::int64_t made = (d.axes[ix(a)].truth.position - d.axes[ix(a)].began_at).value;
   if (made == 0) return;
   for (const Excuse& e : d.excuses)
-    if (e.distance.value == made && ++d.made[made] > 1 && faults_.out.hurt() < e.asked)
+    if ((e.axes >> a & 1u) != 0 && e.distance.value == made && ++d.made[made] > 1 &&
+        faults_.out.hurt() < e.asked)
       accuse("once", fmt::format("Device {}: axis {} makes a way of {} twice, which was asked for once.",
                                  device, a, made));
 }
@@ -145,7 +146,10 @@ void Judge::judge_kill(int device) {
 Duration Judge::lateness() const {
   const Instant now = scheduler_.now();
   const auto of = [now](const WayFaults& way) {
-    return now < way.slow_until + 3 * way.delay ? way.delay : Duration{};
+    constexpr int longest_answer = 20;  // bytes
+    const Duration slow = now < way.slow_until + 3 * way.delay ? way.delay : Duration{};
+    return slow +
+           (now < way.gaps_until + 3 * longest_answer * way.gap ? longest_answer * way.gap : Duration{});
   };
   Duration late = of(faults_.in) + of(faults_.out);
   if (now < faults_.slow_until + faults_.slow_by) late += faults_.slow_by;

@@ -53,10 +53,14 @@ void Judge::judge_trust(int device) {
   const DeviceCase& d = at(device);
   const Snapshot& shown = d.session->known();
   const Instant now = scheduler_.now();
-  if (shown.link.state != LinkState::good) return;
+  if (!shown.link.connected()) return;
   const Instant quiet = std::max(faults_.carries_since(now), faults_.in.hurt());
   for (int a = 0; a < std::min(shown.axis_count, d.truth.axis_count); ++a) {
     const AxisCase& axis = d.axes[ix(a)];
+    const Doubt cause = shown.axes[ix(a)].trust.cause;
+    if (!d.ever_restarted && (cause == Doubt::power_cut || cause == Doubt::restarted))
+      accuse("true",
+             fmt::format("Device {} is said to have been switched off and on, and it was not.", device));
     if (!axis.restarted || !d.first_connected || *axis.restarted < *d.first_connected) continue;
     if (now < std::max(quiet, *axis.restarted) + restart_shows) continue;
     const AxisState& s = shown.axes[ix(a)];

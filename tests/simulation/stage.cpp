@@ -224,6 +224,26 @@ void Stage::wait_until_idle(int device, Duration patience) {
   asio::co_spawn(io_, ask(s->shared_from_this(), patience, judge_, device, call), asio::detached);
 }
 
+void Stage::wait_in_vain(int device, Duration patience) {
+  Session* s = session(device);
+  if (s == nullptr) return;
+  auto ask = [](std::shared_ptr<Session> session, Duration wait, Judge& judge) -> Task<> {
+    const auto idle = co_await session->wait_until_idle(wait);
+    if (idle) judge.call_went_wrong("A wait has said that all is well, and it was not.");
+  };
+  asio::co_spawn(io_, ask(s->shared_from_this(), patience, judge_), asio::detached);
+}
+
+void Stage::must_connect(int device) {
+  Session* s = session(device);
+  if (s == nullptr) return;
+  auto ask = [](std::shared_ptr<Session> session, Judge& judge) -> Task<> {
+    const auto connected = co_await session->wait_until_connected();
+    if (!connected) judge.call_went_wrong("Opening has failed: " + connected.error().sentence());
+  };
+  asio::co_spawn(io_, ask(s->shared_from_this(), judge_), asio::detached);
+}
+
 void Stage::operate(int device, BenchCommand command) {
   if (device < static_cast<int>(host_->device_count()))
     (void)host_->bench(static_cast<std::size_t>(device))->operate(command);

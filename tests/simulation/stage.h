@@ -42,6 +42,10 @@ class Stage {
   void query_stop(int device, std::uint32_t axes, std::string text, Duration patience);
   void query(int device, std::string text, Duration patience);
   void wait_until_idle(int device, Duration patience);
+  /// A wait that has to tell why all is not well.
+  void wait_in_vain(int device, Duration patience);
+  /// The first attempt to connect has to succeed.
+  void must_connect(int device);
   void operate(int device, BenchCommand command);
   void other_host_sends(std::string_view bytes);
   void unplug(Duration how_long);

@@ -84,6 +84,10 @@ void type_motion(Stage& stage, const Step& s) {
 }
 void query(Stage& stage, const Step& s) { stage.query(s.device, s.text, Millis(s.number(0))); }
 void wait_idle(Stage& stage, const Step& s) { stage.wait_until_idle(s.device, Millis(s.number(0))); }
+void wait_in_vain(Stage& stage, const Step& s) { stage.wait_in_vain(s.device, Millis(s.number(0))); }
+void must_connect(Stage& stage, const Step& s) { stage.must_connect(s.device); }
+/// It has to be refused: nobody expects a motion.
+void run_in_vain(Stage& stage, const Step& s) { stage.send(s.device, intent::RunProgram(whole(s, 0))); }
 void set_position(Stage& stage, const Step& s) {
   stage.judge().position_set(s.device, axes_of(whole(s, 0)));
   stage.send(s.device, intent::SetPosition(whole(s, 0), Steps(s.number(1))));
@@ -139,6 +143,9 @@ constexpr Verb verbs[] = {
     {"type_motion", 0, action, type_motion},  // "TEXT"
     {"query", 1, action, query},              // PATIENCE "TEXT"
     {"wait_idle", 1, action, wait_idle},      // PATIENCE
+    {"wait_in_vain", 1, action, wait_in_vain},  // PATIENCE: it must tell why not
+    {"must_connect", 0, action, must_connect},  // at the first attempt
+    {"run_in_vain", 1, action, run_in_vain},    // SLOT: it must be refused
     {"set_position", 2, action, set_position},// AXIS VALUE
     {"trust", 1, action, trust},              // AXIS
     {"set_param", 1, action, set_param},      // VALUE "MNEMONIC"

@@ -43,6 +43,10 @@ void delay(Stage& stage, const Step& s) {
   way(stage, s).delay = Millis(s.number(1));
   way(stage, s).slow_until = in_future(stage, s, 2);
 }
+void gaps(Stage& stage, const Step& s) {
+  way(stage, s).gap = Millis(s.number(1));
+  way(stage, s).gaps_until = in_future(stage, s, 2);
+}
 void merge(Stage& stage, const Step& s) { way(stage, s).merge_until = in_future(stage, s, 1); }
 void babble(Stage& stage, const Step& s) {
   stage.faults().babbles_until = in_future(stage, s, 0);
@@ -69,6 +73,7 @@ constexpr Verb verbs[] = {
     {"twice", 3, fault, twice},             // WAY SKIP COUNT
     {"cut", 2, fault, cut},                 // WAY TIME
     {"delay", 3, fault, delay},             // WAY LATE TIME
+    {"gaps", 3, fault, gaps},               // WAY GAP TIME: between bytes
     {"merge", 2, fault, merge},             // WAY TIME: then all at once
     {"babble", 1, fault, babble},           // TIME
     {"unplug", 1, fault, unplug},           // TIME

@@ -23,7 +23,8 @@ class WayFaults {
     }
   };
   Bytes garble, drop, twice;
-  Instant cut_until{}, slow_until{}, merge_until{};
+  Instant cut_until{}, slow_until{}, merge_until{}, gaps_until{};
+  Duration gap{};    ///< between two bytes while there are gaps
   Duration delay{};  ///< of each byte while it is slow
 
   [[nodiscard]] bool cut(Instant now) const { return now < cut_until; }
