@@ -57,8 +57,10 @@ void Judge::judge_trust(int device) {
   const Instant quiet = std::max(faults_.carries_since(now), faults_.in.hurt());
   for (int a = 0; a < std::min(shown.axis_count, d.truth.axis_count); ++a) {
     const AxisCase& axis = d.axes[ix(a)];
-    const Doubt cause = shown.axes[ix(a)].trust.cause;
-    if (!d.ever_restarted && (cause == Doubt::power_cut || cause == Doubt::restarted))
+    const PositionTrust& trust = shown.axes[ix(a)].trust;
+    const bool spoilt =
+        trust.since <= std::max(faults_.in.spoilt(), faults_.out.spoilt()) + spoilt_number_shows;
+    if (!d.ever_restarted && !spoilt && (trust.cause == Doubt::power_cut || trust.cause == Doubt::restarted))
       accuse("true",
              fmt::format("Device {} is said to have been switched off and on, and it was not.", device));
     if (!axis.restarted || !d.first_connected || *axis.restarted < *d.first_connected) continue;
