@@ -21,7 +21,7 @@ namespace {
 constexpr const char* usage =
     "hw_simulation --model MODEL --seed N [--seeds COUNT] [--minutes M] [--bus] [--calm]\n"
     "              [--until-failure] [--no-shrink] [--but LAW] [--skip SEED] [--keep FOLDER]\n"
-    "hw_simulation [--trace] --replay FILE...     exit 1 when one of them breaks a law\n"
+    "hw_simulation [--trace] [--but LAW] --replay FILE...     exit 1 when one of them breaks a law\n"
     "hw_simulation --print --model MODEL --seed N       the plan, without running it\n";
 
 struct Options {
@@ -132,7 +132,7 @@ int search(const Options& options) {
   return statistics.findings.empty() ? 0 : 1;
 }
 
-int replay(const std::vector<std::string>& files, bool traces) {
+int replay(const std::vector<std::string>& files, const std::string& but, bool traces) {
   int failures = 0;
   for (const std::string& file : files) {
     std::ifstream in(file);
@@ -144,7 +144,7 @@ int replay(const std::vector<std::string>& files, bool traces) {
       return 2;
     }
     Trace trace(std::cout);
-    const auto finding = play(*plan, {}, traces ? &trace : nullptr).finding;
+    const auto finding = play(*plan, but, traces ? &trace : nullptr).finding;
     failures += finding.has_value();
     std::cout << file << (finding ? ":\n" : ": good\n");
     if (finding) show(*finding);
@@ -190,7 +190,7 @@ int run(const std::vector<std::string>& words) {
       return 2;
     }
   }
-  return o.replays.empty() ? search(o) : replay(o.replays, o.traces);
+  return o.replays.empty() ? search(o) : replay(o.replays, o.but, o.traces);
 }
 
 }  // namespace
