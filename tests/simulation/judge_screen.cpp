@@ -14,7 +14,12 @@ void Judge::judge_fates(int device) {
   const Instant now = scheduler_.now();
   std::erase_if(d.intents, [&](const Intended& i) {
     const IntentFate* fate = shown.fate_of(i.id);
-    return fate ? fate->fate != Fate::pending : shown.forgotten(i.id);
+    if (!fate) return shown.forgotten(i.id);
+    if (fate->fate == Fate::pending) return false;
+    if (trace_ != nullptr && fate->fate != Fate::done)
+      remark(fmt::format("device {}: {}: {}", device, fate->fate == Fate::refused ? "refused" : "failed",
+                         fate->sentence.view()));
+    return true;
   });
   if (d.intents.empty()) return;
   const Intended& oldest = d.intents.front();
