@@ -11,6 +11,7 @@
 #include "core/base/result.h"
 #include "core/device/bench.h"
 #include "core/device/bus_target.h"
+#include "core/device/machine_truth.h"
 #include "core/time/clock.h"
 
 namespace hw {
@@ -33,6 +34,8 @@ class Emulator {
   /// The hand on the bench. Refuses what this device does not have, with a sentence.
   virtual Result<> operate(const BenchCommand& command) = 0;
   virtual void look(BenchView& view) const = 0;
+  /// What its axes really do at the time of the last advance_to(). axis_count 0: it does not tell.
+  virtual void tell_truth(MachineTruth&) const {}
   /// Trigger pulses so far, oldest first (kept to the last 100,000).
   [[nodiscard]] virtual const std::vector<TriggerPulse>& pulses() const = 0;
 

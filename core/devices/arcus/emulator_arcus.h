@@ -30,6 +30,7 @@ class ArcusEmulator final : public Emulator {
   void advance_to(Instant now) override;
   Result<> operate(const BenchCommand& command) override;
   void look(BenchView& view) const override;
+  void tell_truth(MachineTruth& truth) const override;
   [[nodiscard]] const std::vector<TriggerPulse>& pulses() const override {
     return controller_.trigger_pulses;
   }

@@ -152,6 +152,20 @@ Result<> ArcusEmulator::operate(const BenchCommand& command) {
   return result;
 }
 
+void ArcusEmulator::tell_truth(MachineTruth& truth) const {
+  truth = MachineTruth();
+  truth.powered = controller_.powered();
+  truth.axis_count = controller_.axes();
+  for (int n = 0; n < controller_.model().programs; ++n) {
+    const auto state = static_cast<language::ThreadState>(controller_.program_state(n));
+    truth.program |= state == language::ThreadState::running || state == language::ThreadState::paused;
+  }
+  truth.program |=
+      controller_.vm().call_state() == language::ThreadState::running || controller_.buffer().running;
+  for (int a = 0; a < controller_.axes(); ++a)
+    truth.axes[ix(a)] = {Steps(controller_.position(a)), controller_.moving(a), controller_.ramp_to_rest(a)};
+}
+
 void ArcusEmulator::look(BenchView& view) const {
   view = BenchView();
   view.present = true;

@@ -134,6 +134,7 @@ class Controller {
   [[nodiscard]] LoopState loop_state(int axis) const;
   [[nodiscard]] std::int64_t current_ma() const;
   [[nodiscard]] bool moving(int axis) const { return axes_[ix(axis)].slot >= 0; }
+  [[nodiscard]] Duration ramp_to_rest(int axis) const;
   /// A bit for each axis of its last motion, itself too.
   [[nodiscard]] unsigned moved_with(int axis) const { return axes_[ix(axis)].moved_with; }
   /// Limit, alarm or StepNLoop error latched.

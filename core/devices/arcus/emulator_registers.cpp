@@ -116,6 +116,11 @@ std::int64_t Controller::speed(int a) const {
   return std::llround(speed / ratio(a));
 }
 
+Duration Controller::ramp_to_rest(int a) const {
+  const Motion* m = motion_of(a);
+  return m == nullptr ? Duration{} : from_seconds(m->profile.speed(now_).value / stop_ramps(*m).ramp.decel);
+}
+
 Refusal Controller::set_position(int a, std::int64_t value) {
   bring_up_to_date();
   if (moving(a)) return Refusal::moving;

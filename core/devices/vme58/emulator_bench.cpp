@@ -1,4 +1,5 @@
 // Hands on the bench of a VME58, and what can be seen there.
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -109,6 +110,25 @@ Result<> Vme58Emulator::operate(const BenchCommand& command) {
 
 /// Outputs: the output lines in their order, then the auxiliary outputs. A line is on while it is low, an
 /// auxiliary output while it is high.
+void Vme58Emulator::tell_truth(MachineTruth& truth) const {
+  const Motion& motion = board_.motion();
+  truth = MachineTruth();
+  truth.powered = board_.powered() && !board_.booting();
+  truth.program = !board_.idle();
+  truth.axis_count = board_.variant().axes();
+  Duration longest{};  // on a common way all axes take as long as the longest
+  for (int a = 0; a < truth.axis_count; ++a) {
+    const double speed = motion.velocity(a);
+    truth.axes[ix(a)] = {Steps(motion.position(a)), motion.moving(a), Duration{}};
+    // A curved ramp is steepest in its middle: over all it takes up to twice as long. It ends on a whole
+    // count, which a slow axis is long in reaching.
+    if (speed > 0)
+      longest = std::max(longest, from_seconds(2 * speed / motion.settings(a).acceleration + 1 / speed));
+  }
+  for (int a = 0; a < truth.axis_count; ++a)
+    if (truth.axes[ix(a)].moving) truth.axes[ix(a)].ramp = longest;
+}
+
 void Vme58Emulator::look(BenchView& view) const {
   view = BenchView();
   board_.motion().look(view);

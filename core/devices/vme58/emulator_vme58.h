@@ -29,6 +29,7 @@ class Vme58Emulator final : public Emulator, public BusTarget {
   void advance_to(Instant now) override;
   Result<> operate(const BenchCommand& command) override;
   void look(BenchView& view) const override;
+  void tell_truth(MachineTruth& truth) const override;
   [[nodiscard]] const std::vector<TriggerPulse>& pulses() const override { return pulses_; }
 
   [[nodiscard]] int rate() const override { return 0; }

@@ -56,6 +56,8 @@ class Box {
   [[nodiscard]] Box* slave() { return linked_.empty() ? nullptr : &linked_.front(); }
   [[nodiscard]] const Box* slave() const { return linked_.empty() ? nullptr : &linked_.front(); }
   [[nodiscard]] std::int32_t counter_at(int axis, Instant t) const;
+  [[nodiscard]] bool turning(int axis) const { return motion_.active && motion_.axis == axis; }
+  [[nodiscard]] Duration ramp_to_rest(int axis) const;
   std::vector<Pulse> pulses;  ///< since they were last taken away
 
   // --- memory: emulator_memory.cpp

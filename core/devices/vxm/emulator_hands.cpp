@@ -180,6 +180,18 @@ Result<> VxmEmulator::operate(const BenchCommand& command) {
   return result;
 }
 
+void VxmEmulator::tell_truth(MachineTruth& truth) const {
+  truth = MachineTruth();
+  truth.powered = box_.powered();
+  truth.program = box_.running();
+  truth.axis_count = options_.motors;
+  for (int a = 0; a < options_.motors; ++a) {
+    const Box& box = box_of(a);
+    const int local = a % motors_per_controller;
+    truth.axes[ix(a)] = {Steps(box.axis(local).counter), box.turning(local), box.ramp_to_rest(local)};
+  }
+}
+
 void VxmEmulator::look(BenchView& view) const {
   view = BenchView();
   view.present = true;

@@ -18,6 +18,10 @@ motion::Ramp Box::ramp(int axis) const {
   return {rate, rate};
 }
 
+Duration Box::ramp_to_rest(int axis) const {
+  return turning(axis) ? from_seconds(motion_.profile.speed(now_).value / ramp(axis).decel) : Duration{};
+}
+
 /// Direction of the load; setDM turns a motor round, and its limit switches with it.
 Sign Box::physical(int axis, Sign sign) const { return rules_.inverted[ix(axis)] ? -sign : sign; }
 

@@ -27,6 +27,7 @@ class VxmEmulator final : public Emulator {
   void advance_to(Instant now) override;
   Result<> operate(const BenchCommand& command) override;
   void look(BenchView& view) const override;
+  void tell_truth(MachineTruth& truth) const override;
   [[nodiscard]] const std::vector<TriggerPulse>& pulses() const override;
   [[nodiscard]] int rate() const override { return box_.rate(); }
   [[nodiscard]] std::string save_memory() const override;

@@ -1,0 +1,199 @@
+#include "tests/simulation/draw.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "core/device/registry.h"
+#include "core/session/address.h"
+#include "tests/simulation/models.h"
+#include "tests/simulation/random.h"
+
+namespace hw::simulation {
+namespace {
+
+class Artist {
+ public:
+  Artist(const ModelFacts& facts, std::uint64_t seed, const Drawing& drawing)
+      : random_(seed * 1000003u + 17), facts_(facts), drawing_(drawing) {
+    plan_.model = facts.model;
+    const bool bus = drawing.bus && !facts.bus.empty();
+    plan_.options = random_.one_of(bus ? facts.bus : facts.options);
+    plan_.length = drawing.length;
+    const auto address = Address::parse(plan_.address());
+    if (!address) throw std::runtime_error(address.error().sentence());
+    devices_ = static_cast<int>(address->devices().size());
+    const auto catalog = find_device_type(address->model)->make_catalog(address->devices().front().options);
+    if (!catalog) throw std::runtime_error(catalog.error().sentence());
+    catalog_ = *catalog;
+  }
+
+  Plan draw() {
+    if (facts_.needs_power)
+      for (int device = 0; device < devices_; ++device) put(Millis(900), "motor_power", device, {-1, 1});
+    for (Millis at(1000 + random_.between(0, 1000)); at < drawing_.length; at += gap()) {
+      if (drawing_.faults && random_.percent(20))
+        draw_fault(at);
+      else
+        draw_action(at);
+    }
+    std::stable_sort(plan_.steps.begin(), plan_.steps.end(),
+                     [](const Step& a, const Step& b) { return a.at < b.at; });
+    return std::move(plan_);
+  }
+
+ private:
+  using Numbers = std::vector<std::int64_t>;
+  void put(Millis at, std::string verb, int device, Numbers numbers = {}, std::string text = {}) {
+    plan_.steps.push_back({at, std::move(verb), device, std::move(numbers), std::move(text)});
+  }
+  // Races live in the gaps of a few milliseconds, motions in those of seconds.
+  Millis gap() {
+    if (random_.percent(35)) return Millis(random_.between(0, 60));
+    return Millis(random_.between(60, 400) + random_.mostly_small(0, 4000));
+  }
+  std::int64_t axis() { return random_.between(0, static_cast<std::int64_t>(catalog_.axes.size()) - 1); }
+  std::int64_t axis_or_all() { return random_.percent(50) ? -1 : axis(); }
+  int device() { return static_cast<int>(random_.between(0, devices_ - 1)); }
+  /// No two moves of a plan go the same way.
+  std::int64_t distance() { return random_.sign() * (random_.between(40, 600) * 10 * scale() + ++moves_); }
+  std::int64_t scale() const { return facts_.model == "vme58" ? 20 : 1; }
+  std::int64_t slot() { return random_.between(0, std::max(1, catalog_.program.slots) - 1); }
+
+  void draw_action(Millis at) {
+    const int on = device();
+    const auto draw = random_.between(1, 100);
+    if (draw <= 24) return draw_stop(at, on);
+    if (draw <= 44) return draw_move(at, on);
+    if (draw <= 58) return draw_jog(at, on);
+    if (draw <= 62 && !catalog_.homing_modes.empty()) {
+      const auto modes = static_cast<std::int64_t>(catalog_.homing_modes.size());
+      return put(at, "home", on, {axis(), random_.sign(), random_.between(0, modes - 1)});
+    }
+    if (draw <= 74) return draw_program(at, on);
+    if (draw <= 84) return draw_text(at, on);
+    if (draw <= 93) return draw_setting(at, on);
+    if (draw <= 95) return put(at, "wait_idle", on, {random_.between(100, 5000)});
+    if (draw <= 97) {
+      put(at, "close", on);
+      return put(at + Millis(random_.mostly_small(20, 4000)), "open", on);
+    }
+    draw_bench(at, on);
+  }
+
+  void draw_stop(Millis at, int on) {
+    const auto draw = random_.between(1, 100);
+    if (draw <= 50) return put(at, "stop", on, {axis_or_all()});
+    if (draw <= 60) return put(at, "abort", on, {axis_or_all()});
+    if (draw <= 70) return put(at, "stop_wire", on, {random_.percent(20)});
+    const StopText& text = random_.one_of(facts_.stops);
+    if (text.axis >= static_cast<int>(catalog_.axes.size())) return put(at, "stop", on, {-1});
+    if (draw <= 85) return put(at, "type_stop", on, {}, text.text);
+    if (draw <= 92) return put(at, "query_stop", on, {random_.between(100, 2000)}, text.text);
+    put(at, "halt", on, {-1});
+  }
+  void draw_move(Millis at, int on) {
+    const auto draw = random_.between(1, 100);
+    const std::int64_t speed = random_.percent(60) ? 0 : random_.between(200, 3000) * scale();
+    if (draw <= 60) return put(at, "move_by", on, {axis(), distance(), speed});
+    if (draw <= 85 || catalog_.axes.size() < 2) return put(at, "move_to", on, {axis(), distance(), speed});
+    put(at, "line", on, {distance(), distance()});
+  }
+  void draw_jog(Millis at, int on) {
+    const std::int64_t held = random_.percent(30) ? random_.between(20, 250) : random_.between(250, 3000);
+    put(at, random_.percent(85) ? "jog" : "jog_frozen", on, {axis(), random_.sign(), held});
+  }
+  void draw_program(Millis at, int on) {
+    const auto draw = random_.between(1, 100);
+    if (draw <= 40) {
+      const std::int64_t where = slot();
+      put(at, "load", on, {where}, random_.one_of(facts_.programs));
+      return put(at + Millis(random_.mostly_small(10, 4000)), "run", on, {where});
+    }
+    if (draw <= 60) return put(at, "run", on, {slot()});
+    if (draw <= 70) return put(at, "pause", on);
+    if (draw <= 80) return put(at, "resume", on);
+    if (draw <= 85) return put(at, "step", on);
+    if (draw <= 92) return put(at, "upload", on, {slot()});
+    put(at, "clear", on, {slot()});
+  }
+  void draw_text(Millis at, int on) {
+    const auto draw = random_.between(1, 100);
+    if (draw <= 50) return put(at, "type", on, {}, random_.one_of(facts_.harmless));
+    if (draw <= 75)
+      return put(at, "query", on, {random_.between(100, 2000)}, random_.one_of(facts_.harmless));
+    std::vector<std::string> moving;
+    for (const CommandInfo& command : catalog_.commands)
+      if (command.moves) moving.push_back(command.example);
+    if (!moving.empty()) put(at, "type_motion", on, {}, random_.one_of(moving));
+  }
+  void draw_setting(Millis at, int on) {
+    const auto draw = random_.between(1, 100);
+    if (draw <= 30) return put(at, "set_position", on, {axis(), random_.between(-500, 500)});
+    if (draw <= 40) return put(at, "trust", on, {axis()});
+    if (draw <= 60 && !facts_.speeds.empty()) {
+      const std::string name = random_.one_of(facts_.speeds);
+      const int place = catalog_.find_param(name);
+      if (place < 0) return;
+      const ParamInfo& info = catalog_.params[static_cast<std::size_t>(place)];
+      return put(at, "set_param", on,
+                 {std::clamp<std::int64_t>(random_.between(300, 3000), info.minimum, info.maximum)}, name);
+    }
+    if (draw <= 68) return put(at, "read_params", on);
+    if (draw <= 74 && catalog_.can.store) return put(at, "store", on);
+    if (draw <= 84 && !catalog_.outputs.empty()) return put(at, "output", on, {1, random_.percent(50)});
+    if (draw <= 92) return put(at, "read_again", on);
+    put(at, "reconnect", on);
+  }
+  void draw_bench(Millis at, int on) {
+    const std::int64_t which = axis(), side = random_.sign();
+    if (random_.percent(60)) {
+      put(at, "limit", on, {which, side, 1});
+      return put(at + Millis(random_.between(100, 3000)), "limit", on, {which, side, 0});
+    }
+    put(at, "input", on, {1, random_.percent(50)});
+  }
+
+  void draw_fault(Millis at) {
+    const int on = device();
+    const auto draw = random_.between(1, 100);
+    if (draw <= 6) return put(at, "power_cycle", on);
+    if (draw <= 16) return put(at, "unplug", on, {random_.mostly_small(50, 6000)});
+    if (catalog_.can.window) return draw_bus_fault(at, draw);
+    const std::int64_t way = random_.percent(40) ? 0 : 1;
+    const Numbers bytes = {way, random_.mostly_small(0, 40), random_.mostly_small(1, 12)};
+    if (draw <= 32) return put(at, "garble", on, bytes);
+    if (draw <= 52) return put(at, "drop", on, bytes);
+    if (draw <= 60) return put(at, "twice", on, bytes);
+    if (draw <= 72) return put(at, "cut", on, {way, random_.mostly_small(50, 5000)});
+    if (draw <= 88)
+      return put(at, "delay", on, {way, random_.mostly_small(20, 2500), random_.mostly_small(200, 5000)});
+    if (draw <= 89)
+      return put(at, "gaps", on, {way, random_.between(1, 40), random_.mostly_small(200, 5000)});
+    if (draw <= 91) return put(at, "babble", on, {random_.mostly_small(50, 3000)});
+    put(at, "merge", on, {1, random_.mostly_small(50, 1500)});
+  }
+  void draw_bus_fault(Millis at, std::int64_t draw) {
+    if (draw <= 45) return put(at, "silent", 0, {random_.mostly_small(20, 3000)});
+    if (draw <= 75)
+      return put(at, "slow_cycles", 0, {random_.mostly_small(1, 200), random_.mostly_small(100, 3000)});
+    put(at, "bus_error", 0, {random_.mostly_small(1, 10)});
+  }
+
+  Random random_;
+  const ModelFacts& facts_;
+  const Drawing& drawing_;
+  Catalog catalog_;
+  Plan plan_;
+  int devices_ = 1;
+  std::int64_t moves_ = 0;
+};
+
+}  // namespace
+
+Plan draw_plan(std::string_view model, std::uint64_t seed, const Drawing& drawing) {
+  const ModelFacts* facts = find_model(model);
+  if (facts == nullptr) throw std::runtime_error("There is no model \"" + std::string(model) + "\".");
+  return Artist(*facts, seed, drawing).draw();
+}
+
+}  // namespace hw::simulation

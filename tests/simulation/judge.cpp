@@ -1,0 +1,175 @@
+// What is asked, and the book that is kept of it.
+#include "tests/simulation/judge.h"
+
+#include <algorithm>
+
+#include <fmt/core.h>
+
+namespace hw::simulation {
+namespace {
+constexpr Duration look_every = Millis(20);
+}
+
+Judge::Judge(Scheduler& scheduler, const WireFaults& faults, const ModelFacts& facts)
+    : scheduler_(scheduler), faults_(faults), facts_(facts), timer_(scheduler, [this] { tick(); }) {
+  timer_.arm(scheduler.now() + look_every);
+}
+
+void Judge::accuse(std::string law, std::string sentence) {
+  if (finding_ || law == left_out_) return;
+  finding_ = Finding{std::move(law), scheduler_.now(), std::move(sentence)};
+}
+
+void Judge::tick() {
+  for (int device = 0; device < static_cast<int>(devices_.size()); ++device) {
+    keep_excuses(at(device));
+    judge_stops(device);
+    if (!at(device).session) continue;
+    judge_fates(device);
+    judge_positions(device);
+    judge_trust(device);
+    judge_limits(device);
+    judge_link(device);
+  }
+  for (const auto& [id, call] : calls_)
+    if (scheduler_.now() > call.deadline)
+      accuse("end", fmt::format("A call ({}) has not returned.", call.what));
+  timer_.arm(scheduler_.now() + look_every);
+}
+
+void Judge::opened(std::vector<std::shared_ptr<Session>> sessions) {
+  if (devices_.size() < sessions.size()) devices_.resize(sessions.size());
+  for (std::size_t i = 0; i < sessions.size(); ++i) {
+    devices_[i].session = std::move(sessions[i]);
+    devices_[i].unconnected_since = scheduler_.now();
+    devices_[i].first_connected.reset();
+    for (AxisCase& axis : devices_[i].axes) axis.restarted.reset();  // of what was before it knows nothing
+  }
+}
+
+// What becomes of a motion after the tab has gone is what its user was asked then.
+void Judge::closing() {
+  for (int device = 0; device < static_cast<int>(devices_.size()); ++device) {
+    DeviceCase& d = at(device);
+    d.session.reset();
+    d.intents.clear();
+    d.excuses.clear();
+    for (AxisCase& axis : d.axes) axis.stopped.reset();
+    motion_asked_elsewhere(device);
+  }
+}
+
+void Judge::ended() {
+  for (const auto& [id, call] : calls_)
+    accuse("end", fmt::format("A call ({}) has not returned when all was closed.", call.what));
+}
+
+void Judge::intent_sent(int device, IntentId id) { at(device).intents.push_back({id, scheduler_.now()}); }
+
+void Judge::motion_asked(int device, std::uint32_t axes, IntentId id, Steps distance) {
+  const Instant now = scheduler_.now();
+  at(device).excuses.push_back({id, axes, now, now, distance});
+}
+
+void Judge::count_stop(int device, std::uint32_t axes, bool at_once) {
+  DeviceCase& d = at(device);
+  if (d.truth.moving() == 0 && !d.truth.program) d.stops.clear();
+  d.stops.push_back({axes & ((1u << std::max(1, d.truth.axis_count)) - 1), at_once});
+}
+
+void Judge::stop_asked(int device, std::uint32_t axes, StopKind kind, bool by_hand) {
+  DeviceCase& d = at(device);
+  if (!by_hand) count_stop(device, axes, kind != StopKind::ramp);
+  // Beside a stored program a stop of one axis, or the maker's own word, may end one motion only; and the
+  // maker's word for one axis may leave it in a motion that others make too.
+  bool program = false, together = false;
+  for (const Excuse& e : d.excuses) {
+    program |= e.axes == all_axes;
+    together |= (e.axes & axes) != 0 && (e.axes & ~axes) != 0;
+  }
+  const bool typed = kind == StopKind::typed;
+  if (program && typed && !facts_.typed_stop_ends_programs) return;
+  if (program && axes != all_axes && !facts_.axis_stop_ends_programs) return;
+  if (together && typed && axes != all_axes) return;
+  for (Excuse& excuse : d.excuses) excuse.axes &= ~axes;
+  for (int a = 0; a < max_axes; ++a) {
+    if ((axes >> a & 1u) == 0) continue;
+    AxisCase& axis = d.axes[static_cast<std::size_t>(a)];
+    axis.stopped = Stopped{scheduler_.now(), axis.truth.ramp, !prompt()};
+  }
+}
+
+void Judge::stop_asked_closing(int device) {
+  if (at(device).session) return;
+  at(device).excuses.clear();
+  stop_asked(device, all_axes, StopKind::at_once);
+}
+
+void Judge::jog_let_go(int device, AxisId axis, IntentId jog, Duration after) {
+  DeviceCase& d = at(device);
+  const std::uint32_t bit = 1u << axis.index;
+  bool alone = false;
+  for (const Excuse& excuse : d.excuses) {
+    if ((excuse.axes & bit) == 0) continue;
+    alone = excuse.id == jog;
+    if (!alone) return;  // a motion that was asked for beside the jog is none of the hand's business
+  }
+  if (!alone) return;  // it was refused
+  stop_asked(device, bit, StopKind::ramp, true);
+  d.axes[axis.index].stopped->at += after;
+}
+
+void Judge::position_set(int device, std::uint32_t axes) {
+  for (int a = 0; a < max_axes; ++a)
+    if ((axes >> a & 1u) != 0) at(device).axes[static_cast<std::size_t>(a)].restarted.reset();
+}
+
+void Judge::restarted(int device) {
+  if (device >= static_cast<int>(devices_.size())) return;
+  DeviceCase& d = at(device);
+  d.ever_restarted = true;
+  // One whose counters stood at 0 may look as it did before.
+  for (AxisCase& axis : d.axes)
+    if (facts_.restart_always_shows || axis.truth.position.value != 0) axis.restarted = scheduler_.now();
+  if (d.truth.moving() != 0 || d.truth.program) d.cut_off = scheduler_.now();
+}
+
+int Judge::call_begun(std::string what, Duration longest) {
+  calls_[next_call_] = Call{std::move(what), scheduler_.now() + longest};
+  return next_call_++;
+}
+
+void Judge::call_ended(int call) { calls_.erase(call); }
+
+void Judge::told_idle(int device, Instant begun) {
+  const DeviceCase& d = at(device);
+  if (d.cut_off > begun)
+    accuse("end", "A wait has said that all is well, and the controller was switched off and on.");
+  if (d.truth.moving() != 0 && d.moved_last > begun && excused(d, 0)) return;  // begun again since
+  if (d.truth.moving() != 0) accuse("true", "A wait has said that nothing moves, and an axis moves.");
+}
+
+void Judge::note(int device, char way, std::string_view bytes) {
+  if (trace_ != nullptr) trace_->bytes(scheduler_.now(), device, way, bytes);
+  const auto mix = [this](std::uint64_t value) { fingerprint_ = (fingerprint_ ^ value) * 1099511628211u; };
+  mix(static_cast<std::uint64_t>(scheduler_.now().time_since_epoch().count()));
+  mix(static_cast<std::uint64_t>(device) << 8 | static_cast<unsigned char>(way));
+  for (const char c : bytes) mix(static_cast<unsigned char>(c));
+}
+
+void Judge::controller_received(int device, std::string_view bytes) {
+  note(device, '>', bytes);
+  std::string& received = at(device).received;
+  received += bytes;
+  constexpr std::size_t kept = 32;
+  if (received.size() > 2 * kept) received.erase(0, received.size() - kept);
+  judge_kill(device);
+}
+void Judge::controller_sent(int device, std::string_view bytes) { note(device, '<', bytes); }
+void Judge::register_written(int device, std::uint16_t offset, std::uint16_t value) {
+  const char word[] = {static_cast<char>(offset >> 8), static_cast<char>(offset),
+                       static_cast<char>(value >> 8), static_cast<char>(value)};
+  note(device, 'w', {word, sizeof word});
+}
+
+}  // namespace hw::simulation

@@ -1,0 +1,209 @@
+#pragma once
+// Who sees only what was asked, what the screen would show, and what the machine really does, and knows the
+// laws (README of this folder). The first broken one ends the session.
+//
+// Every bound stands here with its reason. What the wire could not carry is taken off; what a law cannot know
+// it does not judge.
+#include <deque>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/session/session.h"
+#include "tests/simulation/models.h"
+#include "tests/simulation/trace.h"
+#include "tests/simulation/wire_faults.h"
+#include "tests/simulation/witness.h"
+
+namespace hw::simulation {
+
+struct Finding {
+  std::string law;
+  Instant at{};
+  std::string sentence;
+};
+
+enum class StopKind : std::uint8_t {
+  ramp,     ///< a Stop of the console
+  at_once,  ///< an Abort
+  typed     ///< the maker's word
+};
+
+class Judge final : public Witness {
+ public:
+  static constexpr std::uint32_t all_axes = ~0u;
+
+  /// Where answers come at once, at 9,600 baud: the transaction on the wire (25 ms), STOP, the end of four
+  /// programs, STOP again (14 ms each); a VXM's 20 ms for one letter.
+  static constexpr Duration stop_on_prompt_wire = Millis(150);
+  /// For each neighbour on the line: its transaction, and its own stop where all are stopped.
+  static constexpr Duration neighbour_stops = Millis(150);
+  /// Where an answer may be missing the stop waits 0.2 s for it, and again for that of each of its texts.
+  static constexpr Duration stop_on_doubtful_wire = Millis(500);
+  static constexpr Duration wire_is_prompt_again = std::chrono::seconds(5);
+  /// After a hurt wire: tried every 250 ms, a port takes as long to open, a lost answer is waited for (0.2
+  /// s), then as above.
+  static constexpr Duration stop_after_hurt = Millis(1500);
+  /// After a break the console opens the port again and asks who is there, each answer at 9,600 baud.
+  static constexpr Duration longest_connect = std::chrono::seconds(20);
+  /// A switch, an input or an output that has changed is shown so in the next rounds of status.
+  static constexpr Duration line_shows = std::chrono::seconds(3);
+  /// A motion that was asked for begins: legs of homing, queued commands, an answer awaited in between.
+  static constexpr Duration excuse_lasts = Millis(1500);
+  /// An intent waits for those before it, each of them for its deadlines and their repetitions.
+  static constexpr Duration longest_fate = std::chrono::seconds(30);
+  static constexpr Duration longest_close = std::chrono::seconds(15);
+  /// Between the moment when the controller read its counter and the last byte of the answer, at 9,600 baud
+  /// with a collision or a repetition on the line.
+  static constexpr Duration answer_on_wire = Millis(250);
+  /// A byte that is lost or doubled may leave a number that looks right; the next rounds of status show it.
+  static constexpr Duration spoilt_number_shows = Millis(1500);
+  /// A restart shows in the first answers after it; then its positions are read once more.
+  static constexpr Duration restart_shows = std::chrono::seconds(4);
+
+  Judge(Scheduler& scheduler, const WireFaults& faults, const ModelFacts& facts);
+
+  [[nodiscard]] const std::optional<Finding>& finding() const { return finding_; }
+  /// Of all bytes on all wires with their times: the same plan gives the same.
+  [[nodiscard]] std::uint64_t fingerprint() const { return fingerprint_; }
+
+  /// That law is not judged: its known breaks would hide others.
+  void leave_out(std::string law) { left_out_ = std::move(law); }
+  void trace_to(Trace* trace) { trace_ = trace; }
+  void remark(std::string_view what) const {
+    if (trace_ != nullptr) trace_->line(scheduler_.now(), what);
+  }
+
+  // ---- what is asked
+  void opened(std::vector<std::shared_ptr<Session>> sessions);
+  void closing();
+  void ended();
+  void intent_sent(int device, IntentId id);
+  void motion_asked(int device, std::uint32_t axes, IntentId id, Steps distance);
+  void motion_asked_elsewhere(int device) { motion_asked(device, all_axes, 0, Steps()); }
+  void stop_asked(int device, std::uint32_t axes, StopKind kind, bool by_hand = false);
+  /// In a tab that closes; nobody opens it again meanwhile.
+  void stop_asked_closing(int device);
+  /// Of its program: a motion may go on, but a second stop is one more.
+  void halt_asked(int device) { count_stop(device, all_axes, false); }
+  /// The hand has gone; the console knows it at once, or `after` (the dead-man).
+  void jog_let_go(int device, AxisId axis, IntentId jog, Duration after);
+  void position_set(int device, std::uint32_t axes);
+  void restarted(int device);
+  int call_begun(std::string what, Duration longest);
+  void call_ended(int call);
+  /// A call that must succeed has failed, or the other way round.
+  void call_went_wrong(std::string what) { accuse("end", std::move(what)); }
+  /// A wait that was begun then has said that nothing moves or runs.
+  void told_idle(int device, Instant begun);
+
+  // ---- what happens
+  void controller_received(int device, std::string_view bytes) override;
+  void controller_sent(int device, std::string_view bytes) override;
+  void register_written(int device, std::uint16_t offset, std::uint16_t value) override;
+  void machine_is(int device, const MachineTruth& truth) override;
+  void bench_is(int device, const BenchView& view) override;
+
+ private:
+  struct Stopped {
+    Instant at{};
+    Duration ramp{};
+    bool doubtful = false;  ///< the wire was not prompt then
+  };
+  struct AxisCase {
+    AxisTruth truth;
+    Steps began_at{};
+    std::optional<Stopped> stopped;  ///< the latest stop in whose scope it is
+    struct Stand {
+      Instant at;
+      Steps position;
+    };
+    std::deque<Stand> stands;          ///< where it stood, oldest first; the first reaches back to the start
+    std::optional<Instant> restarted;  ///< since its last reference
+    Instant limit_operated{};          ///< last, either side
+  };
+  /// Somebody wants these axes to move.
+  struct Excuse {
+    IntentId id = 0;
+    std::uint32_t axes = 0;
+    Instant asked{}, alive{};
+    Steps distance{};
+  };
+  struct Intended {
+    IntentId id;
+    Instant at;
+  };
+  struct DeviceCase {
+    std::shared_ptr<Session> session;
+    MachineTruth truth;
+    std::array<AxisCase, max_axes> axes;
+    std::vector<Excuse> excuses;
+    std::deque<Intended> intents;
+    std::map<std::int64_t, int> made;  ///< whole ways of that distance
+    Instant moved_last{};              ///< or ran a program
+    Instant cut_off{};                 ///< last restart while something moved or ran
+    bool ever_restarted = false;
+    Instant unconnected_since{};
+    std::optional<Instant> first_connected;  ///< since it was opened
+    // Inputs and outputs: how the bench stood, and how each stand of it is shown when the wire is good.
+    using Bench = std::pair<std::uint32_t, std::uint32_t>;
+    struct Lines {
+      std::uint32_t values = 0, known = 0;
+    };
+    std::deque<std::pair<Instant, Bench>> benches;
+    std::map<Bench, std::array<Lines, 2>> looks;
+    std::array<Lines, 2> lines;
+    struct Asked {
+      std::uint32_t axes;
+      bool at_once;
+    };
+    std::vector<Asked> stops;  ///< since everything stood
+    std::string received;      ///< its end
+  };
+  struct Call {
+    std::string what;
+    Instant deadline;
+  };
+
+  void tick();
+  void accuse(std::string law, std::string sentence);
+  [[nodiscard]] DeviceCase& at(int device) { return devices_.at(static_cast<std::size_t>(device)); }
+  void note(int device, char way, std::string_view bytes);
+  void count_stop(int device, std::uint32_t axes, bool at_once);
+
+  // judge_motion.cpp
+  void began(int device, int axis);
+  void rested(int device, int axis);
+  void remember(AxisCase& axis, Steps position) const;
+  void keep_excuses(DeviceCase& device) const;
+  [[nodiscard]] bool excused(const DeviceCase& device, int axis) const;
+  void judge_stops(int device);
+  void judge_kill(int device);
+  [[nodiscard]] Duration bound(const AxisCase& axis, bool hurt) const;
+  [[nodiscard]] bool prompt() const;
+  [[nodiscard]] Duration lateness() const;
+
+  // judge_screen.cpp
+  void judge_fates(int device);
+  void judge_positions(int device);
+  void judge_trust(int device);
+  void judge_limits(int device);
+  void judge_lines(int device);
+  void judge_link(int device);
+
+  Scheduler& scheduler_;
+  const WireFaults& faults_;
+  const ModelFacts& facts_;
+  Timer timer_;
+  std::vector<DeviceCase> devices_;
+  std::map<int, Call> calls_;
+  int next_call_ = 1;
+  std::optional<Finding> finding_;
+  Trace* trace_ = nullptr;
+  std::string left_out_;
+  std::uint64_t fingerprint_ = 1469598103934665603u;
+};
+
+}  // namespace hw::simulation

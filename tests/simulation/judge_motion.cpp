@@ -1,0 +1,159 @@
+// The laws of motion: stop, asked, once.
+#include <algorithm>
+
+#include <fmt/core.h>
+
+#include "core/base/index.h"
+#include "tests/simulation/judge.h"
+
+namespace hw::simulation {
+namespace {
+constexpr Duration remembered = std::chrono::seconds(15);
+}
+
+void Judge::machine_is(int device, const MachineTruth& truth) {
+  if (devices_.size() <= static_cast<std::size_t>(device))
+    devices_.resize(static_cast<std::size_t>(device) + 1);
+  DeviceCase& d = at(device);
+  if (truth.program || truth.moving() != 0) d.moved_last = scheduler_.now();
+  d.truth = truth;
+  for (int a = 0; a < truth.axis_count; ++a) {
+    AxisCase& axis = d.axes[ix(a)];
+    const AxisTruth was = axis.truth;
+    axis.truth = truth.axes[ix(a)];
+    if (axis.stopped && axis.truth.ramp > axis.stopped->ramp &&
+        scheduler_.now() <= axis.stopped->at + stop_after_hurt)
+      axis.stopped->ramp = axis.truth.ramp;
+    if (axis.truth.position != was.position || axis.stands.empty()) remember(axis, axis.truth.position);
+    if (axis.truth.moving && !was.moving) {
+      axis.began_at = was.position;
+      if (trace_ != nullptr)
+        remark(fmt::format("device {}: axis {} begins at {}", device, a, was.position.value));
+      began(device, a);
+    } else if (!axis.truth.moving && was.moving) {
+      rested(device, a);
+    }
+  }
+}
+
+void Judge::remember(AxisCase& axis, Steps position) const {
+  const Instant now = scheduler_.now();
+  while (axis.stands.size() > 1 && axis.stands[1].at < now - remembered) axis.stands.pop_front();
+  if (!axis.stands.empty() && axis.stands.back().at == now)
+    axis.stands.back().position = position;
+  else
+    axis.stands.push_back({now, position});
+}
+
+void Judge::keep_excuses(DeviceCase& d) const {
+  const Instant now = scheduler_.now();
+  std::erase_if(d.excuses, [&](Excuse& e) {
+    const IntentFate* fate = d.session && e.id != 0 ? d.session->known().fate_of(e.id) : nullptr;
+    if (fate != nullptr && fate->fate == Fate::refused) return true;  // nothing was sent
+    const bool waits =
+        e.id != 0 && d.session && (fate ? fate->fate == Fate::pending : !d.session->known().forgotten(e.id));
+    if (waits || (d.truth.moving() & e.axes) != 0 || d.truth.program) e.alive = now;
+    e.alive = std::max(e.alive, std::min(now, faults_.out.hurt()));
+    return now - e.alive > excuse_lasts + lateness();
+  });
+}
+
+bool Judge::excused(const DeviceCase& d, int axis) const {
+  return std::any_of(d.excuses.begin(), d.excuses.end(),
+                     [axis](const Excuse& e) { return (e.axes >> axis & 1u) != 0; });
+}
+
+void Judge::began(int device, int a) {
+  const DeviceCase& d = at(device);
+  if (!d.session || excused(d, a)) return;
+  const AxisCase& axis = d.axes[ix(a)];
+  const Instant now = scheduler_.now();
+  if (!axis.stopped)
+    return accuse("asked",
+                  fmt::format("Device {}: axis {} begins to move, and nobody has asked for it.", device, a));
+  const Instant carries = faults_.carries_since(now);
+  if (now > std::max(axis.stopped->at, carries) + bound(axis, carries > axis.stopped->at) + lateness())
+    accuse("stop", fmt::format("Device {}: axis {} begins to move {:.3f} s after it was stopped.", device, a,
+                               seconds(now - axis.stopped->at)));
+}
+
+void Judge::rested(int device, int a) {
+  DeviceCase& d = at(device);
+  if (trace_ != nullptr)
+    remark(fmt::format("device {}: axis {} rests at {}", device, a, d.axes[ix(a)].truth.position.value));
+  const std::int64_t made = (d.axes[ix(a)].truth.position - d.axes[ix(a)].began_at).value;
+  if (made == 0) return;
+  for (const Excuse& e : d.excuses)
+    if ((e.axes >> a & 1u) != 0 && e.distance.value == made && ++d.made[made] > 1 &&
+        faults_.out.hurt() < e.asked)
+      accuse("once", fmt::format("Device {}: axis {} makes a way of {} twice, which was asked for once.",
+                                 device, a, made));
+}
+
+void Judge::judge_stops(int device) {
+  const DeviceCase& d = at(device);
+  const Instant now = scheduler_.now();
+  for (int a = 0; a < d.truth.axis_count; ++a) {
+    const AxisCase& axis = d.axes[ix(a)];
+    if (!axis.stopped || !axis.truth.moving || excused(d, a)) continue;
+    const Instant carries = faults_.carries_since(now);
+    const bool hurt = carries > axis.stopped->at;
+    const Instant deadline = std::max(carries, axis.stopped->at) + bound(axis, hurt) + axis.stopped->ramp;
+    if (now > deadline)
+      accuse("stop", fmt::format("Device {}: axis {} still moves {:.3f} s after it was stopped{}.", device, a,
+                                 seconds(now - axis.stopped->at),
+                                 hurt ? fmt::format(", {:.3f} s after the wire could carry it",
+                                                    seconds(now - carries))
+                                      : ""));
+  }
+}
+
+/// What the stop of that axis may take, beside its ramp.
+Duration Judge::bound(const AxisCase& axis, bool hurt) const {
+  if (hurt) return stop_after_hurt;
+  if (axis.stopped->doubtful || !prompt()) return stop_on_doubtful_wire;
+  return stop_on_prompt_wire + neighbour_stops * (devices_.size() - 1);
+}
+
+/// Nothing has been wrong with the wire for a while.
+bool Judge::prompt() const {
+  const Instant now = scheduler_.now();
+  return lateness() == Duration{} &&
+         now > std::max(faults_.carries_since(now), faults_.in.hurt()) + wire_is_prompt_again;
+}
+
+// A stop kills only when it was asked for twice, or at once: the console repeats it in the same form.
+void Judge::judge_kill(int device) {
+  DeviceCase& d = at(device);
+  if (!d.session || facts_.kill.empty() || !d.received.ends_with(facts_.kill)) return;
+  if (const std::string id = d.session->catalog().id(); !id.empty()) {  // everybody on the line receives it
+    const std::string_view addressed(d.received.data(), d.received.size() - facts_.kill.size());
+    if (!addressed.ends_with("@" + id) && !addressed.ends_with("@00")) return;
+  }
+  const bool fast = std::any_of(d.axes.begin(), d.axes.end(), [](const AxisCase& axis) {
+    return axis.stopped && axis.truth.moving && axis.truth.ramp > Millis(50);
+  });
+  if (!fast) return;
+  for (std::size_t i = 0; i < d.stops.size(); ++i) {
+    if (d.stops[i].at_once) return;
+    for (std::size_t k = 0; k < i; ++k)
+      if (d.stops[k].axes == d.stops[i].axes) return;
+  }
+  accuse("stop", fmt::format("Device {} is stopped without a ramp, and nobody has asked for that.", device));
+}
+
+/// How late what is on a slow wire may be.
+Duration Judge::lateness() const {
+  const Instant now = scheduler_.now();
+  const auto of = [now](const WayFaults& way) {
+    constexpr int longest_answer = 20;  // bytes
+    const Duration slow = now < way.slow_until + 3 * way.delay ? way.delay : Duration{};
+    return slow +
+           (now < way.gaps_until + 3 * longest_answer * way.gap ? longest_answer * way.gap : Duration{});
+  };
+  Duration late = of(faults_.in) + of(faults_.out);
+  if (now < faults_.slow_until + faults_.slow_by) late += faults_.slow_by;
+  return late;
+}
+
+}  // namespace hw::simulation

@@ -1,0 +1,154 @@
+// The laws of what is shown and told: end, true.
+#include <algorithm>
+
+#include <fmt/core.h>
+
+#include "core/base/index.h"
+#include "tests/simulation/judge.h"
+
+namespace hw::simulation {
+
+void Judge::judge_fates(int device) {
+  DeviceCase& d = at(device);
+  const Snapshot& shown = d.session->known();
+  const Instant now = scheduler_.now();
+  std::erase_if(d.intents, [&](const Intended& i) {
+    const IntentFate* fate = shown.fate_of(i.id);
+    if (!fate) return shown.forgotten(i.id);
+    if (fate->fate == Fate::pending) return false;
+    if (trace_ != nullptr && fate->fate != Fate::done)
+      remark(fmt::format("device {}: {}: {}", device, fate->fate == Fate::refused ? "refused" : "failed",
+                         fate->sentence.view()));
+    return true;
+  });
+  if (d.intents.empty()) return;
+  const Intended& oldest = d.intents.front();
+  const Instant since = std::max(oldest.at, std::max(faults_.carries_since(now), faults_.in.hurt()));
+  if (now > since + longest_fate + 5 * lateness())
+    accuse("end", fmt::format("Device {}: intent {} has had no fate for {:.1f} s.", device, oldest.id,
+                              seconds(now - oldest.at)));
+}
+
+// A position that is shown as live was the controller's at some moment of its age and of its way here.
+void Judge::judge_positions(int device) {
+  const DeviceCase& d = at(device);
+  const Snapshot& shown = d.session->known();
+  const Instant now = scheduler_.now();
+  if (!shown.link.connected()) return;
+  if (now < std::max(faults_.in.spoilt(), faults_.out.spoilt()) + spoilt_number_shows + lateness()) return;
+  for (int a = 0; a < std::min(shown.axis_count, d.truth.axis_count); ++a) {
+    const AxisState& s = shown.axes[ix(a)];
+    const AxisCase& axis = d.axes[ix(a)];
+    if (!s.position_known || s.in_counts || is_stale(s.seen_at, now, shown.poll_period)) continue;
+    const Instant from = s.seen_at - answer_on_wire - lateness();
+    Steps low = axis.truth.position, high = low;
+    for (auto stand = axis.stands.rbegin(); stand != axis.stands.rend(); ++stand) {
+      low = std::min(low, stand->position), high = std::max(high, stand->position);
+      if (stand->at <= from) break;
+    }
+    const Steps told = s.commanded();
+    if (told < low || told > high)
+      accuse("true",
+             fmt::format("Device {}: axis {} is shown at {} (seen {:.3f} s ago); it was between {} and {}.",
+                         device, a, told.value, seconds(now - s.seen_at), low.value, high.value));
+  }
+}
+
+void Judge::judge_trust(int device) {
+  const DeviceCase& d = at(device);
+  const Snapshot& shown = d.session->known();
+  const Instant now = scheduler_.now();
+  if (!shown.link.connected()) return;
+  const Instant quiet = std::max(faults_.carries_since(now), faults_.in.hurt());
+  for (int a = 0; a < std::min(shown.axis_count, d.truth.axis_count); ++a) {
+    const AxisCase& axis = d.axes[ix(a)];
+    const PositionTrust& trust = shown.axes[ix(a)].trust;
+    const bool spoilt =
+        trust.since <= std::max(faults_.in.spoilt(), faults_.out.spoilt()) + spoilt_number_shows;
+    if (!d.ever_restarted && !spoilt && (trust.cause == Doubt::power_cut || trust.cause == Doubt::restarted))
+      accuse("true",
+             fmt::format("Device {} is said to have been switched off and on, and it was not.", device));
+    if (!axis.restarted || !d.first_connected || *axis.restarted < *d.first_connected) continue;
+    if (now < std::max(quiet, *axis.restarted) + restart_shows) continue;
+    const AxisState& s = shown.axes[ix(a)];
+    if (s.position_known && !s.trust.doubtful() && s.trust.kind != Trust::homed)
+      accuse("true", fmt::format("Device {}: the position of axis {} is trusted {:.1f} s after a restart.",
+                                 device, a, seconds(now - *axis.restarted)));
+  }
+}
+
+// A switch that nothing operates is not shown as hit.
+void Judge::judge_limits(int device) {
+  DeviceCase& d = at(device);
+  const Snapshot& shown = d.session->known();
+  const Instant now = scheduler_.now();
+  if (!d.session->bench()) return;
+  BenchView view;
+  d.session->bench()->look(view);
+  bench_is(device, view);
+  judge_lines(device);
+  const std::uint32_t operated = view.limits_minus | view.limits_plus;
+  for (int a = 0; a < std::min(shown.axis_count, d.truth.axis_count); ++a) {
+    AxisCase& axis = d.axes[ix(a)];
+    if ((operated >> a & 1u) != 0) axis.limit_operated = now;
+    const AxisState& s = shown.axes[ix(a)];
+    if (!shown.link.connected() || !s.limits_known || !(s.limit_minus || s.limit_plus)) continue;
+    const Instant since = std::max({axis.limit_operated, faults_.in.spoilt(), faults_.out.spoilt()});
+    if (now > since + line_shows + lateness())
+      accuse("true", fmt::format("Device {}: axis {} is shown at a limit that nothing operates.", device, a));
+  }
+}
+
+void Judge::bench_is(int device, const BenchView& view) {
+  DeviceCase& d = at(device);
+  const Instant now = scheduler_.now();
+  const DeviceCase::Bench stand{view.inputs_operated | view.buttons << 16, view.outputs};
+  if (d.benches.empty() || d.benches.back().second != stand) d.benches.emplace_back(now, stand);
+  while (d.benches.size() > 1 && d.benches[1].first < now - line_shows - 2 * lateness())
+    d.benches.pop_front();
+}
+
+// What appears of inputs and outputs is how the bench stood lately.
+void Judge::judge_lines(int device) {
+  DeviceCase& d = at(device);
+  const Snapshot& shown = d.session->known();
+  const Instant now = scheduler_.now();
+  if (d.benches.empty()) return;
+  if (!shown.link.connected() || !d.truth.powered) return;
+  const std::array<DeviceCase::Lines, 2> lines{
+      {{shown.inputs, shown.inputs_known}, {shown.outputs, shown.outputs_known}}};
+  const bool spoilt =
+      now < std::max(faults_.in.spoilt(), faults_.out.spoilt()) + spoilt_number_shows + lateness();
+  for (std::size_t kind = 0; kind < lines.size(); ++kind) {
+    const auto differs = [&](const DeviceCase::Lines& a, const DeviceCase::Lines& b) {
+      return ((a.values ^ b.values) & a.known & b.known) != 0;
+    };
+    if (spoilt || !differs(lines[kind], d.lines[kind])) continue;
+    const bool possible = std::any_of(d.benches.begin(), d.benches.end(), [&](const auto& past) {
+      const auto look = d.looks.find(past.second);
+      return look == d.looks.end() || !differs(lines[kind], look->second[kind]);
+    });
+    if (!possible)
+      accuse("true", fmt::format("Device {}: {} are shown otherwise than they are and were.", device,
+                                 kind == 0 ? "inputs" : "outputs"));
+  }
+  d.lines = lines;
+  const bool read_since = shown.io_seen_at > d.benches.back().first + line_shows;
+  if (d.benches.size() == 1 && read_since && prompt() && !d.looks.contains(d.benches.back().second))
+    d.looks[d.benches.back().second] = lines;
+}
+
+// Where the wire carries and the controller has power, there is a connection.
+void Judge::judge_link(int device) {
+  DeviceCase& d = at(device);
+  const Instant now = scheduler_.now();
+  const bool connected = d.session->known().link.connected();
+  if (connected && !d.first_connected) d.first_connected = now;
+  if (connected || !d.truth.powered) d.unconnected_since = now;
+  const Instant since = std::max({d.unconnected_since, faults_.carries_since(now), faults_.in.hurt()});
+  if (now > since + longest_connect + 5 * lateness())
+    accuse("end", fmt::format("Device {}: no connection {:.0f} s after the wire was good.", device,
+                              seconds(now - since)));
+}
+
+}  // namespace hw::simulation

@@ -1,0 +1,58 @@
+#include "tests/simulation/models.h"
+
+namespace hw::simulation {
+namespace {
+
+// clang-format off
+const std::vector<ModelFacts>& all_models() {
+  static const std::vector<ModelFacts> models = {
+      {"vxm",
+       {"", "motors=4"}, {}, "wire=real", false, false, true, true,
+       {{"D"}, {"K", -1, true}},
+       {"S1M800\nA1M4\nI1M900\nI1M-900\nL0", "S1M1500\nI1M700\nP5\nI1M-300", "I2M1200\nI2M-1200\nL4"},
+       {"V", "X", "Y", "M", "?", "~", "lst", "getmm", "x9", "setzz", "#", "I1M", "getP"},
+       {"j1M", "j2M"},
+       "K"},
+      {"pmx-4ex-sa",
+       {""}, {"id=00-01"}, "wire=real", true, false, false, false,
+       {{"STOP"}, {"ABORT", -1, true}, {"STOPX", 0}, {"STOPY", 1}},
+       {"PRG 0\nINC\nHSPD=2000\nWHILE 1=1\nX1500\nWAITX\nX-1500\nWAITX\nENDWHILE\nEND",
+        "PRG 0\nINC\nHSPD=3000\nY900\nWAITY\nDELAY=300\nY-900\nWAITY\nEND"},
+       {"PX", "MST", "ID", "VER", "DN", "DI", "V5=7", "NOSUCH", "HSPD", "SASTAT0", "PX="},
+       {"HSPD", "ACC", "LSPD"},
+       "ABORT"},
+      {"dmx-k-sa",
+       {"id=01"}, {"id=01-02", "id=01-04"}, "wire=real", true, false, false, false,
+       {{"STOP"}, {"ABORT", -1, true}},
+       {"PRG 0\nINC\nHSPD=2000\nWHILE 1=1\nX1500\nWAITX\nX-1500\nWAITX\nENDWHILE\nEND",
+        "PRG 0\nINC\nHSPD=3000\nX900\nWAITX\nDELAY=300\nX-900\nWAITX\nEND"},
+       {"PX", "MST", "ID", "VER", "DN", "DI", "V5=7", "NOSUCH", "HSPD", "SASTAT0"},
+       {"HSPD", "ACC", "LSPD"},
+       "ABORT"},
+      {"vme58",
+       {"", "variant=4S4"}, {}, "", false, true, true, true,
+       {{"SA"}, {"KL", -1, true}, {"AX ST", 0}, {"AY ST", 1}},
+       {"AX\nVL4000 AC20000\nLS20\nMR3000 GO\nMR-3000 GO\nLE", "AY\nVL3000\nMR1200 GO ID\nMR-1200 GO ID"},
+       {"WY", "RP", "AX RP", "QA", "RA", "AX RE", "ZZ", "AA RP", "AX VL8000"},
+       {},
+       "KL"},
+  };
+  return models;
+}
+// clang-format on
+
+}  // namespace
+
+const ModelFacts* find_model(std::string_view model) {
+  for (const ModelFacts& facts : all_models())
+    if (facts.model == model) return &facts;
+  return nullptr;
+}
+
+std::vector<std::string_view> model_names() {
+  std::vector<std::string_view> names;
+  for (const ModelFacts& facts : all_models()) names.push_back(facts.model);
+  return names;
+}
+
+}  // namespace hw::simulation

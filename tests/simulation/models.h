@@ -1,0 +1,35 @@
+#pragma once
+// What the search has to know about each model that its catalog does not tell: texts that stop it, programs
+// that move it, text that means nothing.
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hw::simulation {
+
+struct StopText {
+  std::string text;
+  int axis = -1;         ///< -1: all
+  bool at_once = false;  ///< without a ramp
+};
+
+struct ModelFacts {
+  std::string_view model;
+  std::vector<std::string> options;       ///< of the address; one is drawn
+  std::vector<std::string> bus;           ///< the same with several devices on the line
+  std::string_view wire;                  ///< options of the emulated wire: its byte times
+  bool needs_power = false;               ///< motors have none from the factory
+  bool typed_stop_ends_programs = false;  ///< by what the maker says
+  bool restart_always_shows = false;      ///< whatever its counters stood at
+  bool axis_stop_ends_programs = false;   ///< a Stop of one axis, by what the console promises
+  std::vector<StopText> stops;
+  std::vector<std::string> programs;  ///< that move something; the first for ever
+  std::vector<std::string> harmless;  ///< typed texts that move nothing, wrong ones among them
+  std::vector<std::string> speeds;    ///< parameters of speed or ramp that may be set
+  std::string_view kill;              ///< text that stops at once, as the controller receives it
+};
+
+const ModelFacts* find_model(std::string_view model);
+std::vector<std::string_view> model_names();
+
+}  // namespace hw::simulation

@@ -1,0 +1,292 @@
+#include "tests/simulation/stage.h"
+
+#include <stdexcept>
+#include <utility>
+
+#include "core/device/registry.h"
+#include "tests/simulation/faulty_stream.h"
+#include "tests/simulation/faulty_window.h"
+#include "tests/simulation/steps.h"
+#include "tests/simulation/watched_emulator.h"
+#include "transports/memory.h"
+
+namespace hw::simulation {
+namespace {
+
+constexpr Duration frame_period = Millis(100);  // of a slow screen; the dead-man waits for 250 ms
+constexpr Duration last_stop = std::chrono::seconds(20), last_close = std::chrono::seconds(20);
+
+template <class T>
+T must(Result<T> result) {
+  if (!result) throw std::runtime_error(result.error().sentence());
+  return std::move(*result);
+}
+
+const ModelFacts& facts_of(const std::string& model) {
+  const ModelFacts* facts = find_model(model);
+  if (facts == nullptr) throw std::runtime_error("There is no model \"" + model + "\".");
+  return *facts;
+}
+
+}  // namespace
+
+// A hand on a jog button. The panel says with each frame that it is still there; a stop of this axis takes
+// the hand's jog away, as the panel does.
+struct Stage::Hand {
+  Hand(Stage& s, int d, AxisId a, IntentId i, Instant t, LetGo h)
+      : stage(s), device(d), axis(a), id(i), until(t), how(h), timer(s.time_, [this] { frame(); }) {}
+  Stage& stage;
+  int device;
+  AxisId axis;
+  IntentId id;  ///< of its jog
+  Instant until;
+  LetGo how;
+  Timer timer;
+  bool holds = true, thaws = false;
+
+  void frame() {
+    if (!holds) return;
+    if (stage.now() >= until) return let_go();
+    stage.send(device, intent::JogKeepAlive());
+    timer.arm(std::min(until, stage.now() + frame_period));
+  }
+  void let_go() {
+    if (!std::exchange(holds, false)) return;
+    const bool frozen = how == LetGo::never;
+    stage.judge_.jog_let_go(device, axis, id, frozen ? Pump::dead_man : Duration{});
+    if (!frozen) stage.send(device, intent::JogStop());
+    thaws = frozen;
+  }
+  /// The hand is needed elsewhere: a screen that had been frozen has thawed, and says first that it let go.
+  void move_on() {
+    how = LetGo::by_hand;
+    let_go();
+    if (std::exchange(thaws, false)) stage.send(device, intent::JogStop());
+  }
+};
+
+Stage::Stage(const Plan& plan)
+    : plan_(plan),
+      facts_(facts_of(plan.model)),
+      address_(must(Address::parse(plan.address()))),
+      judge_(time_, faults_, facts_) {
+  make_machines();
+  open();
+}
+
+// The sessions end before what they are made of.
+Stage::~Stage() {
+  hands_.clear();
+  group_.reset();
+  closing_.clear();
+  io_.restart();
+}
+
+void Stage::make_machines() {
+  const DeviceType* type = find_device_type(address_.model);
+  HostOptions options;
+  options.byte_times = !facts_.wire.empty();
+  options.name = "emulated " + address_.model;
+  std::vector<HostedDevice> devices;
+  for (const Address& one : address_.devices()) {
+    auto inner = must(type->make_emulator(one.options));
+    HostedDevice device;
+    device.id = one.options.contains("id") ? one.options.at("id") : "";
+    const int place = static_cast<int>(devices.size());
+    device.emulator = std::make_unique<WatchedEmulator>(std::move(inner), place, judge_);
+    devices.push_back(std::move(device));
+  }
+  host_ = must(EmulatorHost::make(time_, std::move(devices), options));
+}
+
+WireOpener Stage::opener() {
+  return [this](Scheduler& scheduler, Address, std::shared_ptr<BenchAccess>) -> Task<Result<Wire>> {
+    Wire wire;
+    if (host_->is_board()) {
+      auto window = host_->plug_in_window();
+      if (!window) co_return fail(window.error());
+      wire.window = make_faulty_window(scheduler, std::move(*window), faults_);
+    } else {
+      auto stream = host_->plug_in();
+      if (!stream) co_return fail(stream.error());
+      wire.stream = make_faulty_stream(scheduler, std::move(*stream), faults_);
+    }
+    for (std::size_t i = 0; i < host_->device_count(); ++i) wire.benches.push_back(host_->bench(i));
+    co_return wire;
+  };
+}
+
+Session* Stage::session(int device) const {
+  if (!group_ || device >= static_cast<int>(group_->members().size())) return nullptr;
+  return group_->members()[static_cast<std::size_t>(device)].get();
+}
+
+void Stage::open() {
+  if (group_) return;
+  group_ = must(SessionGroup::open(time_, address_, opener(), [] {}));
+  std::vector<std::shared_ptr<Session>> sessions = group_->members();
+  judge_.opened(std::move(sessions));
+}
+
+void Stage::close() {
+  if (!group_) return;
+  for (const auto& hand : hands_) hand->holds = false;
+  judge_.closing();
+  const auto call = judge_.call_begun("close", Judge::longest_close);
+  auto done = [](std::shared_ptr<SessionGroup> group, Judge& judge, int id) -> Task<> {
+    co_await group->close();
+    judge.call_ended(id);
+  };
+  asio::co_spawn(io_, done(group_, judge_, call), asio::detached);
+  closing_.push_back(std::move(group_));
+  group_.reset();
+}
+
+void Stage::send(int device, IntentBody body) {
+  Session* s = session(device);
+  if (s == nullptr) return;
+  const bool keep_alive = std::holds_alternative<intent::JogKeepAlive>(body);
+  const IntentId id = s->send(std::move(body));
+  if (!keep_alive) judge_.intent_sent(device, id);
+}
+
+IntentId Stage::move(int device, std::uint32_t axes, Steps distance, IntentBody body) {
+  Session* s = session(device);
+  if (s == nullptr) return 0;
+  const IntentId id = s->send(std::move(body));
+  judge_.intent_sent(device, id);
+  judge_.motion_asked(device, axes, id, distance);
+  return id;
+}
+
+void Stage::stop(int device, std::uint32_t axes, StopKind kind, IntentBody body) {
+  if (session(device) == nullptr) return;
+  for (const auto& hand : hands_)
+    if (hand->device == device && (axes >> hand->axis.index & 1u) != 0) hand->holds = false;
+  judge_.stop_asked(device, axes, kind);
+  send(device, std::move(body));
+}
+
+void Stage::stop_all_devices(bool at_once) {
+  if (!group_) return;
+  for (const auto& hand : hands_) hand->holds = false;
+  for (int device = 0; device < static_cast<int>(group_->members().size()); ++device)
+    judge_.stop_asked(device, Judge::all_axes, at_once ? StopKind::at_once : StopKind::ramp);
+  const std::vector<IntentId> ids = group_->stop(at_once);
+  for (std::size_t device = 0; device < ids.size(); ++device)
+    judge_.intent_sent(static_cast<int>(device), ids[device]);
+}
+
+void Stage::jog(int device, AxisId axis, Sign sign, Duration held, LetGo how) {
+  if (session(device) == nullptr) return;
+  for (const auto& hand : hands_) hand->move_on();  // there is one
+  const IntentId id = move(device, 1u << axis.index, Steps(), intent::JogStart(axis, sign));
+  std::erase_if(hands_, [](const auto& hand) { return !hand->holds; });
+  hands_.push_back(std::make_unique<Hand>(*this, device, axis, id, now() + held, how));
+  hands_.back()->timer.arm(now() + std::min(held, frame_period));
+}
+
+void Stage::stop_closing(int device, std::string text) {
+  if (closing_.empty() || device >= static_cast<int>(closing_.back()->members().size())) return;
+  judge_.stop_asked_closing(device);
+  closing_.back()->members()[static_cast<std::size_t>(device)]->send(intent::SendText(std::move(text)));
+}
+
+void Stage::query_stop(int device, std::uint32_t axes, std::string text, Duration patience) {
+  if (session(device) == nullptr) return;
+  judge_.stop_asked(device, axes, StopKind::typed);
+  query(device, std::move(text), patience);
+}
+
+void Stage::query(int device, std::string text, Duration patience) {
+  Session* s = session(device);
+  if (s == nullptr) return;
+  const int call = judge_.call_begun("query", patience + Judge::longest_fate);
+  auto ask = [](std::shared_ptr<Session> session, std::string what, Duration wait, Judge& judge,
+                int id) -> Task<> {
+    co_await session->pump().query(std::move(what), wait);
+    judge.call_ended(id);
+  };
+  asio::co_spawn(io_, ask(s->shared_from_this(), std::move(text), patience, judge_, call), asio::detached);
+}
+
+void Stage::wait_until_idle(int device, Duration patience) {
+  Session* s = session(device);
+  if (s == nullptr) return;
+  const int call = judge_.call_begun("wait", patience + Judge::longest_fate);
+  auto ask = [](std::shared_ptr<Session> session, Duration wait, Judge& judge, int device_,
+                int id) -> Task<> {
+    const Instant begun = session->now();
+    const auto idle = co_await session->wait_until_idle(wait);
+    if (idle) judge.told_idle(device_, begun);
+    judge.call_ended(id);
+  };
+  asio::co_spawn(io_, ask(s->shared_from_this(), patience, judge_, device, call), asio::detached);
+}
+
+void Stage::wait_in_vain(int device, Duration patience) {
+  Session* s = session(device);
+  if (s == nullptr) return;
+  auto ask = [](std::shared_ptr<Session> session, Duration wait, Judge& judge) -> Task<> {
+    const auto idle = co_await session->wait_until_idle(wait);
+    if (idle) judge.call_went_wrong("A wait has said that all is well, and it was not.");
+  };
+  asio::co_spawn(io_, ask(s->shared_from_this(), patience, judge_), asio::detached);
+}
+
+void Stage::must_connect(int device) {
+  Session* s = session(device);
+  if (s == nullptr) return;
+  auto ask = [](std::shared_ptr<Session> session, Judge& judge) -> Task<> {
+    const auto connected = co_await session->wait_until_connected();
+    if (!connected) judge.call_went_wrong("Opening has failed: " + connected.error().sentence());
+  };
+  asio::co_spawn(io_, ask(s->shared_from_this(), judge_), asio::detached);
+}
+
+void Stage::operate(int device, BenchCommand command) {
+  if (device < static_cast<int>(host_->device_count()))
+    (void)host_->bench(static_cast<std::size_t>(device))->operate(command);
+}
+
+void Stage::other_host_sends(std::string_view bytes) {
+  if (host_->is_board()) return;
+  if (!other_host_) {
+    auto [ours, theirs] = make_memory_pair(time_);
+    host_->attach(std::move(theirs));
+    other_host_ = std::move(ours);
+  }
+  other_host_->send(bytes);
+}
+
+void Stage::unplug(Duration how_long) {
+  const Instant again = now() + how_long;
+  faults_.unplugged_until = std::max(faults_.unplugged_until, again);
+  operate(0, bench::Unplug(true));
+  if (!plug_in_) plug_in_ = std::make_unique<Timer>(time_, [this] { operate(0, bench::Unplug(false)); });
+  plug_in_->arm(faults_.unplugged_until);
+}
+
+void Stage::run() {
+  const auto failed = [this] { return judge_.finding().has_value(); };
+  for (const Step& step : plan_.steps) {
+    if (time_.run_until(Instant(step.at), failed)) return;
+    judge_.remark(step.written());
+    find_verb(step.verb)->perform(*this, step);
+  }
+  if (time_.run_until(Instant(plan_.length), failed)) return;
+  finish();
+}
+
+// Whatever came before: a stop, a while, and everything must be closed and answered.
+void Stage::finish() {
+  const auto failed = [this] { return judge_.finding().has_value(); };
+  judge_.remark("the end: all is stopped, then closed");
+  stop_all_devices(false);
+  if (time_.run_until(now() + last_stop, failed)) return;
+  close();
+  if (time_.run_until(now() + last_close, failed)) return;
+  judge_.ended();
+}
+
+}  // namespace hw::simulation

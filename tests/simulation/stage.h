@@ -1,0 +1,75 @@
+#pragma once
+// One plan at work: the real sessions, links and drivers on emulated controllers behind a faulty wire, in
+// virtual time, and a judge who sees it all.
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/session/session_group.h"
+#include "core/time/virtual_scheduler.h"
+#include "tests/simulation/judge.h"
+#include "tests/simulation/models.h"
+#include "tests/simulation/plan.h"
+#include "tests/simulation/wire_faults.h"
+#include "transports/serve.h"
+
+namespace hw::simulation {
+
+class Stage {
+ public:
+  explicit Stage(const Plan& plan);
+  ~Stage();
+  /// To the end of the plan, or to the first thing that breaks a law.
+  void run();
+
+  // ---- for the verbs
+  [[nodiscard]] Instant now() const { return time_.now(); }
+  [[nodiscard]] Judge& judge() { return judge_; }
+  [[nodiscard]] const ModelFacts& facts() const { return facts_; }
+  [[nodiscard]] WireFaults& faults() { return faults_; }
+  void open();
+  void close();
+  void send(int device, IntentBody body);
+  /// The same; it may move those axes. `distance`: of one that no other move of the plan has, or 0.
+  IntentId move(int device, std::uint32_t axes, Steps distance, IntentBody body);
+  void stop(int device, std::uint32_t axes, StopKind kind, IntentBody body);
+  void stop_all_devices(bool at_once);
+  enum class LetGo : std::uint8_t { by_hand, never };
+  /// As the panel does it: a keep-alive with each frame while it is held.
+  void jog(int device, AxisId axis, Sign sign, Duration held, LetGo how);
+  /// Typed into a tab that is being closed.
+  void stop_closing(int device, std::string text);
+  void query_stop(int device, std::uint32_t axes, std::string text, Duration patience);
+  void query(int device, std::string text, Duration patience);
+  void wait_until_idle(int device, Duration patience);
+  /// A wait that has to tell why all is not well.
+  void wait_in_vain(int device, Duration patience);
+  /// The first attempt to connect has to succeed.
+  void must_connect(int device);
+  void operate(int device, BenchCommand command);
+  void other_host_sends(std::string_view bytes);
+  void unplug(Duration how_long);
+
+ private:
+  struct Hand;  // a jog that is held
+  void make_machines();
+  WireOpener opener();
+  [[nodiscard]] Session* session(int device) const;
+  void finish();
+
+  Plan plan_;
+  const ModelFacts& facts_;
+  IoContext io_;
+  VirtualScheduler time_{io_};
+  WireFaults faults_;
+  Address address_;
+  Judge judge_;
+  std::shared_ptr<EmulatorHost> host_;
+  std::unique_ptr<Stream> other_host_;
+  std::shared_ptr<SessionGroup> group_;
+  std::vector<std::shared_ptr<SessionGroup>> closing_;
+  std::vector<std::unique_ptr<Hand>> hands_;
+  std::unique_ptr<Timer> plug_in_;
+};
+
+}  // namespace hw::simulation

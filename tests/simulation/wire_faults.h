@@ -1,0 +1,83 @@
+#pragma once
+// What is wrong with a wire at present, both ways, and since when: the faulty stream and window do it, the
+// judge asks about it. What the wire could not carry is nobody's fault.
+#include <algorithm>
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "core/time/clock.h"
+
+namespace hw::simulation {
+
+/// One direction.
+class WayFaults {
+ public:
+  /// So many bytes from now pass; then `count` are treated.
+  struct Bytes {
+    std::int64_t skip = 0, count = 0;
+    bool hits() {
+      if (count == 0) return false;
+      if (skip > 0) return --skip, false;
+      return --count, true;
+    }
+  };
+  Bytes garble, drop, twice;
+  Instant cut_until{}, slow_until{}, merge_until{}, gaps_until{};
+  Duration gap{};    ///< between two bytes while there are gaps
+  Duration delay{};  ///< of each byte while it is slow
+
+  [[nodiscard]] bool cut(Instant now) const { return now < cut_until; }
+  [[nodiscard]] Duration delay_at(Instant now) const { return now < slow_until ? delay : Duration{}; }
+
+  /// `bytes` as they go on; none while the way is cut.
+  std::string treat(std::string_view bytes, Instant now) {
+    std::string out;
+    for (const char c : bytes) {
+      const bool lost = drop.hits(), wrong = garble.hits(), doubled = twice.hits();
+      if (lost || wrong || doubled || cut(now)) hurt_ = spoilt_ = now;
+      if (lost || cut(now)) continue;
+      const char sent = wrong ? static_cast<char>(c ^ 0x2A) : c;
+      out += sent;
+      if (doubled) out += sent;
+    }
+    if (delay_at(now) > Duration{}) hurt_ = now + delay_at(now);
+    return out;
+  }
+  /// A byte has been held back until then.
+  void held_until(Instant when) { hurt_ = std::max(hurt_, when); }
+  /// The latest instant at which something was lost, changed or late, or will be for all that is known now.
+  [[nodiscard]] Instant hurt() const { return std::max({hurt_, cut_until, slow_until}); }
+  /// When the latest byte was lost, changed or doubled: a number may have come that is another and looks
+  /// right.
+  [[nodiscard]] Instant spoilt() const { return spoilt_; }
+  /// Nothing that is there now will harm anything later.
+  [[nodiscard]] bool spent(Instant now) const {
+    return garble.count + drop.count + twice.count == 0 && now >= cut_until && now >= slow_until;
+  }
+
+ private:
+  Instant hurt_{}, spoilt_{};
+};
+
+struct WireFaults {
+  WayFaults out;  ///< to the controller
+  WayFaults in;   ///< to the console
+  Instant unplugged_until{};
+  Instant babbles_until{};             ///< a device on the line talks without end
+  std::function<void()> begin_babble;  ///< of the stream that is open
+  // Of a memory window.
+  Instant silent_until{};  ///< nothing answers: reads give ones, writes are lost
+  Instant slow_until{};
+  Duration slow_by{};    ///< each visit to the window takes so much longer
+  int cycle_faults = 0;  ///< so many visits fail with a bus error
+
+  /// Since when what the console writes has come to the controller as it was written and in time, if it still
+  /// does; else the future.
+  [[nodiscard]] Instant carries_since(Instant now) const {
+    return std::max(
+        {out.hurt(), unplugged_until, silent_until, slow_until, cycle_faults > 0 ? now : Instant{}});
+  }
+};
+
+}  // namespace hw::simulation
