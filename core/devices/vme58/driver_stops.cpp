@@ -59,7 +59,7 @@ Task<Result<>> Vme58Driver::stop_motion(int axis, bool at_once, bool jog) {
     tell(Notice::Kind::info, "The board's only stop without a ramp, KL, stops every axis.");
   if (!alone) end_program(at_once ? EndedBy::abort : EndedBy::stop);
   stopping(alone ? axis : -1, at_once);
-  widened_ = axis >= 0 && !alone;
+  widened_ = widened_ || (axis >= 0 && !alone);
   if (alone) {
     std::string selector = "A" + axis_name(axis);
     const auto stopped = co_await stop_axis(std::move(selector));
