@@ -24,7 +24,7 @@ Task<Result<>> VxmDriver::poll(Round round) {
     polled = co_await see_whether_it_stands();
   else
     polled = co_await poll_on_line(round);
-  if (polled && !busy()) look_what_ended_the_run();
+  if (polled && !busy() && round != Round::stopping) look_what_ended_the_run();
   show_worst();
   if (!polled && halted_ && station_) {  // its error report came in place of an answer
     station_->count_answer(station_->statistics().last_round_trip, false, scheduler_.now());
