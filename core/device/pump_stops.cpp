@@ -20,6 +20,10 @@ Fault not_answered() {
 }  // namespace
 
 void Pump::post_stop(StopOrder order) {
+  if (order.axis >= static_cast<int>(catalog_.axes.size())) {
+    set_fate(order.intent, Fate::refused, fmt::format("There is no axis {}.", order.axis + 1));
+    return publish();
+  }
   if (order.what == StopOrder::What::jog && order.axis < 0) order.axis = jogs_.in_hand().axis;
   release_jogs(order);
   set_fate(order.intent, Fate::pending);
@@ -100,8 +104,10 @@ void Pump::stop_was_sent(StopOrder& order, Result<std::string> sent) {
   order.confirmed = sent.has_value();
   const bool connected_now = connected();
   order.sent = sent || order.times_sent >= attempts_in_a_row || !connected_now;
-  if (!sent && (sent.error().kind == FaultKind::refused || (order.sent && connected_now)))
-    stop_failed(order, sent.error());
+  if (sent) return;
+  const bool no_such_program = order.what == What::program && sent.error().kind == FaultKind::refused;
+  if (no_such_program || (order.sent && connected_now)) stop_failed(order, sent.error());
+  if (no_such_program) close_stop(order);
 }
 
 void Pump::look_at_stops() {
@@ -132,7 +138,6 @@ void Pump::look_at_stop(StopOrder& order) {
 void Pump::stop_failed(StopOrder& order, const Fault& why) {
   if (order.answer) std::exchange(order.answer, nullptr)(fail(why));
   if (!std::exchange(order.told, true)) set_fate(order.intent, Fate::failed, why.sentence());
-  if (why.kind == FaultKind::refused) close_stop(order);
 }
 
 void Pump::close_stop(StopOrder& order) {
