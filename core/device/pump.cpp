@@ -140,7 +140,7 @@ Task<bool> Pump::connect() {
       if (closing_ || !station_->is_open()) co_return false;
       continue;
     }
-    if (desk_.any()) silence_.arm(attempt_at_ + retry_with_a_stop);
+    if (desk_.any() && ran_when_lost_) silence_.arm(attempt_at_ + retry_with_a_stop);
     auto made = co_await guarded("connection", driver_->connect());
     silence_.disarm();
     if (closing_ || !station_->is_open()) co_return false;
@@ -219,7 +219,7 @@ void Pump::lose_wire(const Fault& why) {
   }
   draft_.link.state = LinkState::lost;
   draft_.link.sentence = why.sentence();
-  owe_stops_at_loss();
+  owe_stops_at_loss(why);
   dead_man_.disarm();
   jogs_.stop(-1);
   if (station_) station_->give_up(why);

@@ -105,8 +105,8 @@ class Pump {
   void look_at_stop(StopOrder& order);
   void stop_failed(StopOrder& order, const Fault& why);
   void close_stop(StopOrder& order);
-  void stops_did_not_arrive();
-  void owe_stops_at_loss();
+  void stops_did_not_arrive(const Fault* why = nullptr);
+  void owe_stops_at_loss(const Fault& why);
   void hear_text_to_all(const std::string& text, const TextMeaning& meaning);
   Task<Result<std::string>> query_stop(std::string text, TextMeaning meaning, Duration patience);
 
@@ -149,7 +149,8 @@ class Pump {
   std::uint64_t rounds_begun_ = 0, rounds_ended_ = 0, round_wanted_ = 0;
   int fast_polls_ = 0;
   int attempt_ = 0;
-  int asking_ = 0;  ///< coroutines that wait here for an answer
+  int urgency_sending_ = -1;  ///< of the stop that is being sent; -1: none is
+  int asking_ = 0;            ///< coroutines that wait here for an answer
   bool performing_ = false;
   bool says_to_all_ = false;  ///< and what it performs is for all devices of the wire
   LossReport loss_;

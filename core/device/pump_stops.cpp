@@ -28,9 +28,9 @@ void Pump::post_stop(StopOrder order) {
   release_jogs(order);
   set_fate(order.intent, Fate::pending);
   const bool another = order.what == StopOrder::What::words && !order.meaning.stops_here();
-  desk_.ask(std::move(order));
+  const StopOrder& asked = desk_.ask(std::move(order));
   if (!another) drop_what_waits();
-  if (station_) station_->preempt();
+  if (station_ && asked.urgency() > urgency_sending_) station_->preempt();
   if (draft_.link.state == LinkState::lost) retry_now_ = true;
   publish();
   wake_.notify();
@@ -65,7 +65,9 @@ Task<> Pump::send_stop(StopOrder& order) {
   if (order.what == StopOrder::What::words)
     count_program_change(Intent(order.intent, intent::SendText(order.words)));
   const StopOrder sending = order;
+  urgency_sending_ = sending.urgency();
   auto sent = co_await guarded("stop", driver_->stop(sending));
+  urgency_sending_ = -1;
   if (StopOrder* still = desk_.find(sending.epoch)) stop_was_sent(*still, std::move(sent));
   if (connected() && station_->is_open() && station_->statistics().misses_in_a_row >= misses_until_lost)
     lose_wire(not_answering());
@@ -147,19 +149,20 @@ void Pump::close_stop(StopOrder& order) {
   wake_.notify();
 }
 
-/// Whoever has asked is told; what may still run is stopped as soon as the wire carries it.
-void Pump::stops_did_not_arrive() {
+/// Whoever has asked is told; what may still run is stopped as soon as the wire carries it. `why` there is no
+/// connection, if that is known.
+void Pump::stops_did_not_arrive(const Fault* why) {
   for (StopOrder& order : desk_.orders()) {
-    const Fault told = order.times_sent > 0 ? not_answered() : Fault(FaultKind::lost, std::string(no_way));
-    if (order.answer) std::exchange(order.answer, nullptr)(fail(told));
-    if (!std::exchange(order.told, true)) set_fate(order.intent, Fate::failed, told.sentence());
+    const bool sent = order.times_sent > 0;
+    const Fault told = !sent ? Fault(FaultKind::lost, std::string(no_way)) : why ? *why : not_answered();
+    stop_failed(order, told);
   }
   publish();
 }
 
-void Pump::owe_stops_at_loss() {
+void Pump::owe_stops_at_loss(const Fault& why) {
   using What = StopOrder::What;
-  stops_did_not_arrive();
+  stops_did_not_arrive(ran_when_lost_ ? nullptr : &why);
   desk_.orders().remove_if([this](const StopOrder& order) {
     const bool other =
         order.what == What::broadcast || (order.what == What::words && !order.meaning.stops_here());

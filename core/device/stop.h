@@ -43,6 +43,12 @@ struct StopOrder {
   [[nodiscard]] bool same_scope(const StopOrder& other) const {
     return what == other.what && axis == other.axis && thread == other.thread;
   }
+  /// One that is being sent makes way for a more urgent one only.
+  [[nodiscard]] int urgency() const {
+    if (what == What::broadcast) return 3;
+    if (at_once || what == What::words) return 2;
+    return stops_all() ? 1 : 0;
+  }
   [[nodiscard]] bool stops_all() const {
     return what == What::words ? meaning.stops == TextMeaning::Stops::all
                                : axis < 0 && what == What::everything;
@@ -82,7 +88,7 @@ class StopDesk {
   [[nodiscard]] bool any() const { return !orders_.empty(); }
   /// A stop of all axes is under way: another one would mean at once.
   [[nodiscard]] bool stops_all() const;
-  /// The next to be sent: what all controllers of the wire hear first, then the latest. Null: all have been.
+  /// The next to be sent: the most urgent, and of those the latest. Null: all have been.
   [[nodiscard]] StopOrder* due();
   /// Each is sent again: nothing shows that any has arrived.
   void send_all_again();

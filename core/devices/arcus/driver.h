@@ -142,6 +142,7 @@ class ArcusDriver final : public Driver {
   void may_set(std::string_view command);
   void look_at_counters(Unexplained::Mark asked, bool was_silent = false);
   Task<Result<>> look_at_motors(Unexplained::Mark asked);
+  Task<Result<bool>> power_up_leads_here();
   Task<Result<bool>> something_is_kept();
   Task<Result<>> look_at_start(int thread, Priority priority);
   [[nodiscard]] bool programs_switch_motors() const;
@@ -220,6 +221,7 @@ class ArcusDriver final : public Driver {
   Task<Result<>> halt_program(int thread);
   Task<Result<>> release_joystick(int axis, std::string stop);
   [[nodiscard]] bool may_run(int thread) const;
+  [[nodiscard]] bool program_runs_on() const;
   [[nodiscard]] StopProgress programs_end(const StopOrder& order) const;
   void stopping(int axis, bool at_once);
   void ended_by_us(int axis, EndedBy why);

@@ -100,10 +100,23 @@ Task<Result<>> ArcusDriver::look_at_motors(Unexplained::Mark asked) {
               in_doubt);
     co_return Result<>();
   }
+  auto may_be = co_await power_up_leads_here();
+  if (!may_be) co_return fail(may_be.error());
+  if (!*may_be) co_return Result<>();
   auto kept = co_await something_is_kept();
   if (!kept) co_return fail(kept.error());
   if (!*kept) restarted("It did not answer for a while, and then it counted from zero", in_doubt);
   co_return Result<>();
+}
+
+// After power-up all counters read zero, unless a program that it starts has moved since.
+Task<Result<bool>> ArcusDriver::power_up_leads_here() {
+  bool at_zero = true;
+  for (int i = 0; i < axis_count(); ++i) at_zero = at_zero && draft_.axes[i].position == Steps(0);
+  if (at_zero) co_return true;
+  auto started = co_await ask_number("SLOAD", Priority::poll);
+  if (!started && started.error().kind != FaultKind::refused) co_return fail(started.error());
+  co_return started.value_or(0) != 0;
 }
 
 // A value that a power-cut would have taken back still stands; or it does not, and that has been told.

@@ -9,6 +9,7 @@ namespace hw::arcus {
 namespace {
 
 constexpr Duration longest_stop = std::chrono::seconds(30);  // of a ramp that the user made long
+constexpr Duration next_move_of_a_program = std::chrono::seconds(1);
 constexpr int stop_attempts = 3;
 
 Fault joystick_not_read(bool switched_off) {
@@ -86,6 +87,12 @@ Task<Result<>> ArcusDriver::stop_all(std::string word) {
   co_return all;
 }
 
+bool ArcusDriver::program_runs_on() const {
+  for (int n = 0; n < model().programs; ++n)
+    if (may_run(n)) return true;
+  return false;
+}
+
 /// As far as is known.
 bool ArcusDriver::may_run(int thread) const {
   const ThreadState& state = draft_.threads[ix(thread)];
@@ -148,6 +155,12 @@ StopProgress ArcusDriver::stop_progress(const StopOrder& order) {
   for (int i = 0; i < axis_count(); ++i) turns = turns || ((all || i == order.axis) && runs(i));
   if (order.what == StopOrder::What::everything && all && subroutine_may_run())
     return outlast_subroutine(order, turns);
+  if (turns && !all && program_runs_on() && scheduler_.now() - order.sent_at > next_move_of_a_program) {
+    tell(Notice::Kind::warning,
+         fmt::format("A program moves {} again. Stop all axes to end it too.", axis_name(order.axis)));
+    stands(order.axis);
+    return StopProgress::stands();
+  }
   const bool given_up = turns && scheduler_.now() - order.sent_at > longest_stop;
   if (turns && !given_up) return StopProgress::wait();
   stands(all ? -1 : order.axis);
