@@ -367,7 +367,7 @@ TEST_F(DmxBus, AStopThatALostWireSwallowsIsOwedByAllWhoHeardIt) {
       say(*members[0], "@03STOP");
       say(*members[0], "STOP");
     }
-    run(3);
+    run(6);
     for (const auto& member : members) EXPECT_FALSE(member->latest.link.connected());
     for (test::LateEmulator* emulator : emulators) emulator->be_deaf(false);
     run(10);
