@@ -267,6 +267,10 @@ Task<> Pump::run_round() {
   poll_finished(polled);
 }
 
+bool Pump::nobody_answers() const {
+  return station_->is_open() && station_->statistics().misses_in_a_row >= misses_until_lost;
+}
+
 Fault Pump::not_answering() const {
   return Fault(
       FaultKind::lost,
@@ -284,10 +288,7 @@ void Pump::poll_finished(const Result<>& result) {
   health.unparsed_bytes = s.unparsed_bytes;
   health.misses_in_a_row = static_cast<std::uint32_t>(s.misses_in_a_row);
   if (!result && result.error().kind == FaultKind::lost) return lose_wire(result.error());
-  if (s.misses_in_a_row >= misses_until_lost) {
-    lose_wire(not_answering());
-    return;
-  }
+  if (nobody_answers()) return lose_wire(not_answering());
   forget_jogs_that_ended();
   if (result) look_at_stops();
   if (result) tell_what_came_of_the_loss();

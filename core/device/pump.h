@@ -86,6 +86,7 @@ class Pump {
   Task<> wait_for_retry();
   void poll_finished(const Result<>& result);
   void nothing_comes_back();
+  [[nodiscard]] bool nobody_answers() const;
   [[nodiscard]] Fault not_answering() const;
   void connection_made();
   void lose_wire(const Fault& why);
@@ -149,8 +150,8 @@ class Pump {
   std::uint64_t rounds_begun_ = 0, rounds_ended_ = 0, round_wanted_ = 0;
   int fast_polls_ = 0;
   int attempt_ = 0;
-  int urgency_sending_ = -1;  ///< of the stop that is being sent; -1: none is
-  int asking_ = 0;            ///< coroutines that wait here for an answer
+  std::uint64_t sending_ = 0;  ///< epoch of the stop that is being sent; 0: none is
+  int asking_ = 0;             ///< coroutines that wait here for an answer
   bool performing_ = false;
   bool says_to_all_ = false;  ///< and what it performs is for all devices of the wire
   LossReport loss_;

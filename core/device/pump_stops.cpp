@@ -30,7 +30,8 @@ void Pump::post_stop(StopOrder order) {
   const bool another = order.what == StopOrder::What::words && !order.meaning.stops_here();
   const StopOrder& asked = desk_.ask(std::move(order));
   if (!another) drop_what_waits();
-  if (station_ && asked.urgency() > urgency_sending_) station_->preempt();
+  const StopOrder* sending = desk_.find(sending_);
+  if (station_ && !(sending && sending->covers(asked))) station_->preempt();
   if (draft_.link.state == LinkState::lost) retry_now_ = true;
   publish();
   wake_.notify();
@@ -65,12 +66,11 @@ Task<> Pump::send_stop(StopOrder& order) {
   if (order.what == StopOrder::What::words)
     count_program_change(Intent(order.intent, intent::SendText(order.words)));
   const StopOrder sending = order;
-  urgency_sending_ = sending.urgency();
+  sending_ = sending.epoch;
   auto sent = co_await guarded("stop", driver_->stop(sending));
-  urgency_sending_ = -1;
+  sending_ = 0;
   if (StopOrder* still = desk_.find(sending.epoch)) stop_was_sent(*still, std::move(sent));
-  if (connected() && station_->is_open() && station_->statistics().misses_in_a_row >= misses_until_lost)
-    lose_wire(not_answering());
+  if (connected() && sending.times_sent >= attempts_in_a_row && nobody_answers()) lose_wire(not_answering());
   publish();
 }
 
@@ -108,7 +108,7 @@ void Pump::stop_was_sent(StopOrder& order, Result<std::string> sent) {
   order.sent = sent || order.times_sent >= attempts_in_a_row || !connected_now;
   if (sent) return;
   const bool no_such_program = order.what == What::program && sent.error().kind == FaultKind::refused;
-  if (no_such_program || (order.sent && connected_now)) stop_failed(order, sent.error());
+  if (no_such_program || (order.sent && connected_now && !nobody_answers())) stop_failed(order, sent.error());
   if (no_such_program) close_stop(order);
 }
 

@@ -22,7 +22,7 @@ bool StopDesk::stops_all() const {
 StopOrder* StopDesk::due() {
   StopOrder* next = nullptr;
   for (StopOrder& order : orders_)
-    if (!order.sent && (!next || order.urgency() >= next->urgency())) next = &order;
+    if (!order.sent && (!next || !next->covers(order))) next = &order;
   return next;
 }
 

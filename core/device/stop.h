@@ -43,11 +43,10 @@ struct StopOrder {
   [[nodiscard]] bool same_scope(const StopOrder& other) const {
     return what == other.what && axis == other.axis && thread == other.thread;
   }
-  /// One that is being sent makes way for a more urgent one only.
-  [[nodiscard]] int urgency() const {
-    if (what == What::broadcast) return 3;
-    if (at_once || what == What::words) return 2;
-    return stops_all() ? 1 : 0;
+  /// Sent first, it does all that `other` is for, and nothing harsher is asked of that.
+  [[nodiscard]] bool covers(const StopOrder& other) const {
+    return what == What::broadcast || (what == What::everything && axis < 0 && other.what != What::words &&
+                                       other.what != What::broadcast && (at_once || !other.at_once));
   }
   [[nodiscard]] bool stops_all() const {
     return what == What::words ? meaning.stops == TextMeaning::Stops::all
@@ -88,7 +87,7 @@ class StopDesk {
   [[nodiscard]] bool any() const { return !orders_.empty(); }
   /// A stop of all axes is under way: another one would mean at once.
   [[nodiscard]] bool stops_all() const;
-  /// The next to be sent: the most urgent, and of those the latest. Null: all have been.
+  /// The next to be sent: the latest, unless an older one covers it. Null: all have been.
   [[nodiscard]] StopOrder* due();
   /// Each is sent again: nothing shows that any has arrived.
   void send_all_again();

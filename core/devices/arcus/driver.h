@@ -217,7 +217,7 @@ class ArcusDriver final : public Driver {
   Task<Result<>> stop_line(bool at_once);
   Task<Result<>> stop_axes(int axis, bool at_once, bool motion_only);
   Task<Result<>> stop_all(std::string word);
-  Task<Result<>> halt_thread(int thread);
+  Task<Result<>> halt_thread(int thread, Duration patience);
   Task<Result<>> halt_program(int thread);
   Task<Result<>> release_joystick(int axis, std::string stop);
   [[nodiscard]] bool may_run(int thread) const;
@@ -298,7 +298,6 @@ class ArcusDriver final : public Driver {
   std::deque<std::vector<std::int64_t>> to_feed_;
   int buffer_free_ = 0;
   bool buffer_on_ = false;
-  bool blind_ = true;     ///< not connected yet: nothing is known
   bool halting_ = false;  ///< programs were told to end: whether they have is asked while axes stop
 
   bool name_told_ = false;

@@ -38,7 +38,6 @@ std::string ArcusDriver::axis_name(int axis) const {
 
 void ArcusDriver::attach(Station& station) {
   station_ = &station;
-  blind_ = true;
   station.unsolicited = [this](std::string_view bytes) { return hear(bytes); };
 }
 
@@ -53,7 +52,6 @@ Task<Result<>> ArcusDriver::connect() {
   if (!read) co_return read;
   auto looked = co_await look_back_over_the_loss();
   if (!looked) co_return looked;
-  blind_ = false;
   co_return Result<>();
 }
 

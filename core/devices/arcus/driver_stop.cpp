@@ -66,7 +66,8 @@ Task<Result<>> ArcusDriver::stop_all(std::string word) {
   std::bitset<max_threads> running;
   for (int n = 0; n < model().programs; ++n) running.set(ix(n), may_run(n));
   Result<> all = co_await command(word, Priority::stop);
-  if (!all && blind_) co_return all;  // nobody hears the rest either
+  // Where nobody answers, what still has to be heard does not wait for long.
+  const auto patience = [&all] { return all ? Millis(200) : Millis(60); };
   const auto note = [&all](Result<> next) {
     if (all && !next) all = std::move(next);
   };
@@ -75,13 +76,16 @@ Task<Result<>> ArcusDriver::stop_all(std::string word) {
     for (int n = 0; n < model().programs; ++n) {
       if (running.test(ix(n)) != those_that_run) continue;
       told = true;
-      auto halted = co_await halt_thread(n);
+      const Duration wait = patience();
+      auto halted = co_await halt_thread(n, wait);
       note(std::move(halted));
     }
     if (!told) continue;
-    auto said = co_await command(word, Priority::stop);
+    const Duration wait = patience();
+    auto said = co_await command(word, Priority::stop, wait);
     note(std::move(said));
   }
+  if (!all && all.error().kind != FaultKind::refused) co_return all;  // the next time asks for the joystick
   auto released = co_await release_joystick(-1, word);
   note(std::move(released));
   co_return all;
@@ -99,8 +103,9 @@ bool ArcusDriver::may_run(int thread) const {
   return state.known && state.run != RunState::idle && state.run != RunState::error;
 }
 
-Task<Result<>> ArcusDriver::halt_thread(int thread) {
-  co_return co_await command(fmt::format("SR{}=0", thread), Priority::stop);
+Task<Result<>> ArcusDriver::halt_thread(int thread, Duration patience) {
+  std::string text = fmt::format("SR{}=0", thread);
+  co_return co_await command(std::move(text), Priority::stop, patience);
 }
 
 // The program ends; the motion that it has begun goes on.
@@ -111,7 +116,7 @@ Task<Result<>> ArcusDriver::halt_program(int thread) {
   Result<> all;
   for (int n = 0; n < model().programs; ++n) {
     if (thread >= 0 && n != thread) continue;
-    auto halted = co_await halt_thread(n);
+    auto halted = co_await halt_thread(n, Millis(200));
     if (all && !halted) all = std::move(halted);
   }
   co_return all;

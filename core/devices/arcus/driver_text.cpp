@@ -52,7 +52,9 @@ Task<Result<std::string>> ArcusDriver::stop_by_words(const StopOrder& order) {
     co_return std::string();
   }
   const Duration patience = order.patience > Duration::zero() ? order.patience : typed_patience;
-  auto stopped = co_await say_text(std::move(text), Priority::stop, patience);
+  auto stopped = co_await say_text(text, Priority::stop, patience);
+  if (stopped && stopped->starts_with('?'))  // it has heard something else
+    co_return fail(FaultKind::controller, fmt::format("The controller answered {} to {}.", *stopped, text));
   if (!stopped || !more) co_return stopped;
   co_return fail(FaultKind::refused, "There is another command behind the stop.", "The stop was sent alone.",
                  "Send the other by itself.");
