@@ -1,0 +1,76 @@
+// Which stop ramps, which is at once, and which goes out first.
+#include "core/device/stop.h"
+
+#include <gtest/gtest.h>
+
+namespace hw {
+namespace {
+
+class StopDeskTest : public testing::Test {
+ protected:
+  StopOrder& ask(IntentBody body) { return desk.ask(*stop_order_of(Intent(++last_id, std::move(body)))); }
+  void send(StopOrder& order) { order.sent = true; }
+
+  StopDesk desk;
+  IntentId last_id = 0;
+};
+
+TEST_F(StopDeskTest, TheSameScopeAskedAgainIsAtOnce) {
+  EXPECT_FALSE(ask(intent::Stop(1)).at_once);
+  EXPECT_TRUE(ask(intent::Stop(1)).at_once);
+  EXPECT_FALSE(ask(intent::Stop(2)).at_once) << "another axis";
+  EXPECT_FALSE(ask(intent::Stop()).at_once) << "the first of all";
+  EXPECT_TRUE(ask(intent::Stop()).at_once);
+  EXPECT_TRUE(ask(intent::Abort(3)).at_once);
+}
+
+TEST_F(StopDeskTest, AStopThatHasTakenEffectIsNoFirstOne) {
+  StopOrder& first = ask(intent::Stop());
+  desk.close(first);
+  EXPECT_FALSE(ask(intent::Stop()).at_once);
+}
+
+TEST_F(StopDeskTest, LettingGoOfAJogIsNoFirstAndNoSecondStop) {
+  intent::JogStop lets_go;
+  lets_go.axis = 0;
+  EXPECT_FALSE(ask(lets_go).at_once);
+  EXPECT_FALSE(ask(lets_go).at_once);
+  EXPECT_FALSE(ask(intent::Stop(0)).at_once);
+}
+
+TEST_F(StopDeskTest, TheLatestGoesFirstUnlessAnOlderOneCoversIt) {
+  StopOrder& x = ask(intent::Stop(0));
+  StopOrder& y = ask(intent::Stop(1));
+  EXPECT_EQ(desk.due(), &y);
+  StopOrder& all = ask(intent::Stop());
+  EXPECT_EQ(desk.due(), &all);
+  StopOrder& z = ask(intent::Stop(2));
+  EXPECT_EQ(desk.due(), &all) << "it stops Z too";
+  StopOrder& kill = ask(intent::Abort(2));
+  EXPECT_EQ(desk.due(), &kill) << "harsher than what is to come";
+  send(kill), send(all), send(z), send(y);
+  EXPECT_EQ(desk.due(), &x);
+  send(x);
+  EXPECT_EQ(desk.due(), nullptr);
+  desk.send_all_again();
+  EXPECT_NE(desk.due(), nullptr);
+}
+
+TEST_F(StopDeskTest, EachIsFoundByItsEpochUntilItIsClosed) {
+  const std::uint64_t x = ask(intent::Stop(0)).epoch, y = ask(intent::Stop(1)).epoch;
+  EXPECT_LT(x, y);
+  EXPECT_EQ(desk.epoch(), y);
+  desk.close(*desk.find(x));
+  EXPECT_EQ(desk.find(x), nullptr);
+  EXPECT_EQ(desk.find(y)->axis, 1);
+  EXPECT_FALSE(desk.stops_all());
+}
+
+TEST_F(StopDeskTest, OnlyStopsAreOrders) {
+  EXPECT_FALSE(stop_order_of(Intent(1, intent::MoveTo({}))).has_value());
+  EXPECT_EQ(stop_order_of(Intent(1, intent::HaltProgram(2)))->thread, 2);
+  EXPECT_EQ(stop_order_of(Intent(1, intent::HaltProgram(2)))->what, StopOrder::What::program);
+}
+
+}  // namespace
+}  // namespace hw
