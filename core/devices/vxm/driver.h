@@ -81,7 +81,9 @@ class VxmDriver final : public Driver {
   /// What D has told to slow down, as far as it shows.
   struct Ramp {
     Instant began{};
-    double from = 0, slowest = from;  ///< steps/s: when its program was to be held, and since
+    double from = 0;        ///< steps/s, the most
+    bool holds = false;     ///< of a program: nothing is to begin in it, as far as is known
+    double slowest = from;  ///< since then
     Instant looked_at{};
     double speed = 0;   ///< when it was looked at; of the fastest motor that can be seen
     bool over = false;  ///< what it was to stop stands
@@ -215,6 +217,9 @@ class VxmDriver final : public Driver {
   StopProgress watch_the_ramp();
   StopProgress watch_the_program();
   [[nodiscard]] bool stands_since_ramp() const;
+  [[nodiscard]] bool seems_to_stand() const;
+  [[nodiscard]] bool some_are_hidden() const;
+  bool goes_on(const StopProgress& progress);
   bool has_begun_anew();
   Task<Result<>> kill(bool standing, Priority priority = Priority::stop);
   Task<Result<>> settle_hold();

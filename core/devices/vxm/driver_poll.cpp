@@ -139,6 +139,7 @@ void VxmDriver::show_position(int index, Steps position) {
   if (axis.position_known && now > axis.seen_at)
     seen_speed_[i] =
         std::abs(static_cast<double>((position - axis.position).value)) / seconds(now - axis.seen_at);
+  if (!axis.position_known) moved_at_[i] = now;  // what was seen once only may turn
   if (moved) moved_at_[i] = now, went_[i] = position > axis.position ? Sign::plus : Sign::minus;
   if (stored_running_ && !job_.active()) {  // what a program moves shows by its positions only
     constexpr Duration seems_moving = Millis(150);

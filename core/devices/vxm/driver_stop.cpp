@@ -87,16 +87,18 @@ Task<Result<>> VxmDriver::ramp_down() {
   co_return co_await say("D", Priority::stop);
 }
 
-// Held, its motor ramped down; K once that stands.
+// Held, its motor ramped down; K once that stands. H would let a program go on that is held: one that stands
+// when its stop comes is not told to hold, unless it goes on after all.
 Task<Result<>> VxmDriver::stop_program(const StopOrder& order) {
   if (order.what == StopOrder::What::jog) co_return Result<>();
   const auto is_held = [this] { return draft_.program.run == RunState::held; };
   if (is_held() || (ramp_ && ramp_->over)) co_return co_await kill(true);
   if (order.at_once) co_return co_await kill(false);
-  if (!ramp_) ramp_ = Ramp{scheduler_.now(), fastest()};
-  if (!hold_on_ && !hold_doubtful_) {
+  if (!ramp_) ramp_ = Ramp{scheduler_.now(), fastest(), hold_on_ || hold_doubtful_ || seems_to_stand()};
+  if (!ramp_->holds) {
     auto held = co_await switch_hold("H", true, Priority::stop);
     if (!held || !station_) co_return held;
+    if (ramp_) ramp_->holds = true;
     // Between two commands the hold is told at once, and D into that listing would be an overrun.
     auto waited = co_await station_->pause(station_->wire_time(2) + Millis(1));
     if (!waited) co_return waited;
@@ -163,15 +165,24 @@ StopProgress VxmDriver::watch_the_program() {
     ramp_->over = true;
     return StopProgress::again();  // which is K, now
   }
-  if (!has_begun_anew()) return watch_the_ramp();
-  hold_on_ = hold_doubtful_ = false;
+  const StopProgress progress = watch_the_ramp();
+  if (!goes_on(progress)) return progress;
+  ramp_->holds = false;
   ramp_->from = ramp_->slowest = fastest();
   return StopProgress::again();
+}
+
+// What stood and was left alone shows by anything that turns, a hold in doubt by a D that has no effect.
+bool VxmDriver::goes_on(const StopProgress& progress) {
+  if (hold_doubtful_ && progress.now == StopProgress::Now::again) return true;
+  if (hold_on_ || hold_doubtful_) return has_begun_anew();
+  return std::any_of(moved_at_.begin(), moved_at_.end(), [this](Instant at) { return at > ramp_->began; });
 }
 
 // It has slowed down and turns faster again: that is the next command, so no hold is on.
 bool VxmDriver::has_begun_anew() {
   constexpr double for_sure = 500;  // steps/s; twice what two readings that follow each other leave open
+  if (fastest() > ramp_->from) ramp_->from = ramp_->slowest = fastest();
   ramp_->slowest = std::min(ramp_->slowest, fastest());
   return ramp_->slowest < ramp_->from - for_sure && fastest() > ramp_->slowest + for_sure;
 }
@@ -183,19 +194,35 @@ StopProgress VxmDriver::watch_the_ramp() {
   const Instant now = scheduler_.now();
   if (!ramp_) return StopProgress::again();
   if (now - ramp_->began > longest_ramp + to_see_a_ramp) return StopProgress::at_once();
+  ramp_->speed = std::max(ramp_->speed, fastest());  // it may not have been seen before
   if (now - ramp_->looked_at < to_see_a_ramp) return StopProgress::wait();
   const double before = std::exchange(ramp_->speed, fastest());
   ramp_->looked_at = now;
   return ramp_->speed > before - least_loss ? StopProgress::again() : StopProgress::wait();
 }
 
-// Motors 3 and 4 cannot be read while they turn, so there only the ramp's longest time tells.
 bool VxmDriver::stands_since_ramp() const {
   const Instant now = scheduler_.now();
   const int motors = std::min(draft_.axis_count, motors_per_controller);
   for (int i = 0; i < motors; ++i)
     if (now - moved_at_[ix(i)] < to_see_standstill) return false;
-  return now - ramp_->began >= (slave_present_ ? longest_ramp : to_see_standstill);
+  return now - ramp_->began >= (some_are_hidden() ? longest_ramp : to_see_standstill);
+}
+
+/// As far as the last readings show.
+bool VxmDriver::seems_to_stand() const {
+  const int motors = std::min(draft_.axis_count, motors_per_controller);
+  for (int i = 0; i < motors; ++i) {
+    const Instant since = std::max(moved_at_[ix(i)], draft_.program.started_at);
+    if (!draft_.axes[i].position_known || draft_.axes[i].seen_at - since < to_see_standstill) return false;
+  }
+  return !some_are_hidden();
+}
+
+/// Motors 3 and 4 cannot be read while something runs, nor whether there are any: that is known once the
+/// controller has been at rest.
+bool VxmDriver::some_are_hidden() const {
+  return slave_present_ || (!identity_read_ && draft_.axis_count > motors_per_controller);
 }
 
 /// Of the motors that can be read while they turn, in steps/s.
