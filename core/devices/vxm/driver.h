@@ -146,6 +146,7 @@ class VxmDriver final : public Driver {
   Task<Result<>> read_sizes();
   Task<Result<>> read_essentials();
   Task<Result<>> resume_after_loss(char state);
+  void count_restart(const char* why, bool was_moving, const std::optional<Digitized>& places);
   Task<Result<>> found_reset_on_line();
   void forget_what_ran();
   void stands_after_restart(Doubt why);
@@ -284,10 +285,11 @@ class VxmDriver final : public Driver {
   int confirmed_scratch_ = -1;  ///< slot that lst has shown empty
   bool stored_running_ = false;
   bool hold_on_ = false;
-  bool hold_doubtful_ = false;  ///< the wire was lost with an H on it, or nobody confirmed a K
-  bool release_hold_ = false;   ///< it must not keep what runs, or runs next
-  bool reset_said_ = false;     ///< res by a text of the user's; its restart has not been seen
-  char halted_ = 0;             ///< letter of the error that waits for K
+  bool hold_doubtful_ = false;    ///< the wire was lost with an H on it, or nobody confirmed a K
+  bool release_hold_ = false;     ///< it must not keep what runs, or runs next
+  bool reset_said_ = false;       ///< res by a text of the user's; its restart has not been seen
+  bool restart_counted_ = false;  ///< it has not been seen on-line since
+  char halted_ = 0;               ///< letter of the error that waits for K
   Instant ask_again_at_{};
   std::optional<Ramp> ramp_;
   int selected_ = -1;  ///< the user's choice

@@ -162,6 +162,7 @@ Task<Result<>> VxmDriver::take_state(char state) {
     co_return co_await found_restarted("The controller has gone to Local mode");
   }
   mode_ = Mode::on_line;
+  restart_counted_ = false;
   if (state == ready && reset_said_) co_return co_await found_reset_on_line();
   if (state == vxm::busy && !busy()) {
     show_running(-1);  // by the Run button, or from before this connection
