@@ -28,6 +28,9 @@ namespace hw::vxm {
 
 std::unique_ptr<Driver> make_driver(DriverContext context);
 
+/// Positions that stay the same for so long.
+inline constexpr Duration to_see_standstill = Millis(60);
+
 inline constexpr std::string_view unused_slave =
     "A second controller answers on the VXM bus, and its motors 3 and 4 are not shown. Open it with motors=4 "
     "in its address to use them.";
@@ -244,6 +247,8 @@ class VxmDriver final : public Driver {
 
   // ---- driver_run.cpp
   Task<Result<>> run(int slot);
+  [[nodiscard]] bool hold_is_known() const { return !hold_doubtful_ && !found_running_; }
+  void program_has_begun_a_way();
   Result<> may_switch_hold() const;
   Task<Result<>> pause();
   Task<Result<>> switch_hold(std::string text, bool on, Priority priority);
@@ -286,6 +291,8 @@ class VxmDriver final : public Driver {
   bool stored_running_ = false;
   bool hold_on_ = false;
   bool hold_doubtful_ = false;    ///< the wire was lost with an H on it, or nobody confirmed a K
+  bool found_running_ = false;    ///< by somebody else, who may have said H: nothing has begun since
+  bool has_begun_ = false;        ///< something, in a program, since its hold was last thought to be on
   bool release_hold_ = false;     ///< it must not keep what runs, or runs next
   bool reset_said_ = false;       ///< res by a text of the user's; its restart has not been seen
   bool restart_counted_ = false;  ///< it has not been seen on-line since

@@ -258,7 +258,11 @@ void VxmDriver::forget_ram() {
 // After a lost wire the state is read afresh. What moved went on without us.
 Task<Result<>> VxmDriver::resume_after_loss(char state) {
   if (state == ready && job_.active()) job_.leg_over = true, job_.ended_by = EndedBy::lost;
-  if (state == vxm::busy && !job_.active()) show_running(-1);
+  if (state == vxm::busy && !job_.active()) {
+    const bool others = !stored_running_;
+    show_running(-1);
+    found_running_ = others;
+  }
   if (state == vxm::busy && job_.active()) show_leg(job_.legs.front());
   if (!std::exchange(lost_while_busy_, false)) co_return Result<>();
   co_return co_await read_positions(Priority::intent, state == ready);

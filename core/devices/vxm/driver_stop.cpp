@@ -12,7 +12,6 @@ namespace {
 
 // At acceleration 1 from the highest speed; nothing takes longer to ramp down.
 constexpr Duration longest_ramp = from_seconds(max_speed / (accel_unit * min_accel));
-constexpr Duration to_see_standstill = Millis(60);
 constexpr Duration to_see_a_ramp = Millis(300);
 constexpr Duration kill_patience = Millis(300);
 
@@ -94,11 +93,15 @@ Task<Result<>> VxmDriver::stop_program(const StopOrder& order) {
   const auto is_held = [this] { return draft_.program.run == RunState::held; };
   if (is_held() || (ramp_ && ramp_->over)) co_return co_await kill(true);
   if (order.at_once) co_return co_await kill(false);
-  if (!ramp_) ramp_ = Ramp{scheduler_.now(), fastest(), hold_on_ || hold_doubtful_ || seems_to_stand()};
+  if (!ramp_) {
+    ramp_ = Ramp{scheduler_.now(), fastest(), (hold_on_ && hold_is_known()) || seems_to_stand()};
+    has_begun_ = false;
+  }
   if (!ramp_->holds) {
     auto held = co_await switch_hold("H", true, Priority::stop);
     if (!held || !station_) co_return held;
     if (ramp_) ramp_->holds = true;
+    has_begun_ = false;
     // Between two commands the hold is told at once, and D into that listing would be an overrun.
     auto waited = co_await station_->pause(station_->wire_time(2) + Millis(1));
     if (!waited) co_return waited;
@@ -172,11 +175,10 @@ StopProgress VxmDriver::watch_the_program() {
   return StopProgress::again();
 }
 
-// What stood and was left alone shows by anything that turns, a hold in doubt by a D that has no effect.
+// Where no hold is known to be on, anything that begins shows that none is, and so does a D without effect.
 bool VxmDriver::goes_on(const StopProgress& progress) {
-  if (hold_doubtful_ && progress.now == StopProgress::Now::again) return true;
-  if (hold_on_ || hold_doubtful_) return has_begun_anew();
-  return std::any_of(moved_at_.begin(), moved_at_.end(), [this](Instant at) { return at > ramp_->began; });
+  if (hold_on_ && hold_is_known()) return has_begun_anew();
+  return has_begun_ || (!hold_is_known() && progress.now == StopProgress::Now::again);
 }
 
 // It has slowed down and turns faster again: that is the next command, so no hold is on.
@@ -274,7 +276,7 @@ Task<Result<>> VxmDriver::settle_hold() {
 void VxmDriver::killed(EndedBy ended_by) {
   killed_at_ = scheduler_.now();
   halted_ = 0;
-  hold_on_ = hold_doubtful_ = release_hold_ = false;
+  hold_on_ = hold_doubtful_ = release_hold_ = found_running_ = false;
   ramp_.reset();
   if (job_.active()) {
     job_.legs.resize(1);
@@ -328,6 +330,7 @@ void VxmDriver::run_ended(EndedBy ended_by) {
   if (ramp_ && ended_by == EndedBy::target && untold) ended_by = EndedBy::stop;  // its last index was cut
   if (ramp_ && hold_on_) release_hold_ = true;  // that of its stop: it must not keep the next run
   ramp_.reset();
+  found_running_ = false;
   ProgramState& p = draft_.program;
   p.run = RunState::idle;
   if (p.ended_by == EndedBy::nothing || ended_by != EndedBy::target) p.ended_by = ended_by;
