@@ -210,6 +210,7 @@ class VxmDriver final : public Driver {
   Task<Result<>> stop_blind(const StopOrder& order);
   Task<Result<>> stop_local();
   Task<Result<>> stop_leg(const StopOrder& order);
+  void expect_ramp();
   Task<Result<>> ramp_down();
   Task<Result<>> stop_program(const StopOrder& order);
   Task<Result<>> stop_unknown();

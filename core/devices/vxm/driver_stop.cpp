@@ -79,10 +79,14 @@ Task<Result<>> VxmDriver::stop_leg(const StopOrder& order) {
 }
 
 // It is looked at from now on, and at the longest until the first D must have worked.
-Task<Result<>> VxmDriver::ramp_down() {
+void VxmDriver::expect_ramp() {
   if (!ramp_) ramp_ = Ramp{scheduler_.now(), fastest()};
   ramp_->looked_at = scheduler_.now();
   ramp_->speed = fastest();
+}
+
+Task<Result<>> VxmDriver::ramp_down() {
+  expect_ramp();
   co_return co_await say("D", Priority::stop);
 }
 
@@ -149,7 +153,9 @@ void VxmDriver::note_stop() {
 // ---- what has become of it
 
 StopProgress VxmDriver::stop_progress(const StopOrder& order) {
-  if (halted_) return StopProgress::stands();  // nothing goes on until K
+  if (halted_) return StopProgress::stands();          // nothing goes on until K
+  const bool ramps_by_words = job_.active() && ramp_;  // what else they stop is told by their answer
+  if (order.what == StopOrder::What::words && !ramps_by_words) return StopProgress::stands();
   if (job_.active()) {
     if (!moves_for(order)) return StopProgress::stands();
     if (job_.leg_over) return StopProgress::wait();  // the next round reads where it ended
