@@ -45,6 +45,10 @@ Task<Result<>> VxmDriver::send_stop(const StopOrder& order) {
 Task<Result<>> VxmDriver::stop_blind(const StopOrder& order) {
   if (order.what == StopOrder::What::jog && stored_running_) co_return Result<>();
   if (moves_for(order)) note_stop();
+  if (order.times_sent > 1) {  // nothing has come back: a command that was left half said swallows it
+    auto ended = co_await say("\r", Priority::stop);
+    if (!ended) co_return ended;
+  }
   if (order.at_once) co_return co_await kill(false);
   co_return co_await stop_unknown();
 }
