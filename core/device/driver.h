@@ -48,7 +48,8 @@ class Driver {
   /// Sends a stop, all of it, and does not wait for its effect. Also before connect(), and whatever is known
   /// of the state. Returns the answer to the user's words, if they have one.
   virtual Task<Result<std::string>> stop(const StopOrder& order) = 0;
-  /// What the round of status that has just ended shows of it.
+  /// What the round of status that has just ended shows of it. The user's own words are followed by the
+  /// console's stop where this asks for them again.
   virtual StopProgress stop_progress(const StopOrder& order) = 0;
   /// The wire is gone: nothing may be believed any more. The station is invalid afterwards.
   virtual void wire_lost() = 0;

@@ -55,15 +55,16 @@ Task<> Pump::shut_down() {
   leaving_ = true;
   refuse_queued("The controller was closed. Nothing was sent.");
   if (jogs_.any()) post_stop(StopOrder());
-  // A stop that was asked for a moment ago may still wait for the answer to a question.
+  // A stop that was asked for a moment ago may still wait for the answer to a question. One that is typed
+  // behind the closing finds the wire until what runs has been looked at once more.
   const Instant give_up = scheduler_.now() + longest_clearing;
-  const auto stops = [this] {
-    const bool can_go_out = station_ && station_->is_open() && desk_.due();
-    return can_go_out || (connected() && desk_.any());
+  const std::uint64_t last_look = something_runs() ? want_round() : 0;
+  const auto under_way = [&] {
+    if (station_ && station_->is_open() && desk_.due()) return true;
+    const bool looks = something_runs() && !performing_ && rounds_ended_ < last_look;
+    return connected() && (desk_.any() || looks || driver_->clears_up());
   };
-  while (stops() && scheduler_.now() < give_up) co_await published_.wait_until(give_up);
-  while (connected() && driver_->clears_up() && scheduler_.now() < give_up)
-    co_await published_.wait_until(give_up);
+  while (under_way() && scheduler_.now() < give_up) co_await published_.wait_until(give_up);
   if (std::string left = driver_->leaves_behind(); connected() && !left.empty())
     ways_.notify(Notice(Notice::Kind::warning, scheduler_.now(), std::move(left)));
   closing_ = true;

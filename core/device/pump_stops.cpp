@@ -121,13 +121,16 @@ void Pump::look_at_stops() {
 }
 
 void Pump::look_at_stop(StopOrder& order) {
-  if (order.what == StopOrder::What::words) return close_stop(order);  // the wire has carried it
   StopProgress progress = driver_->stop_progress(order);
   if (progress.now == StopProgress::Now::wait && !order.confirmed) progress = StopProgress::again();
   switch (progress.now) {
     case StopProgress::Now::wait: return;
     case StopProgress::Now::at_once: order.at_once = true; [[fallthrough]];
-    case StopProgress::Now::again: order.sent = order.confirmed = false; return;
+    case StopProgress::Now::again:
+      order.sent = order.confirmed = false;
+      if (order.what == StopOrder::What::words)
+        order.what = StopOrder::What::everything;  // words go out once
+      return;
     case StopProgress::Now::failed:
       if (progress.why) stop_failed(order, *progress.why);
       return close_stop(order);

@@ -15,7 +15,6 @@ namespace {
 
 bool several_axes(const Catalog& c) { return c.axes.size() > 1; }
 bool stored_programs(const Catalog& c) { return c.program.slots > 0; }
-bool keeps_programs(const Catalog& c) { return stored_programs(c) && c.program.capacity > 0; }
 bool several_homings(const Catalog& c) { return c.homing_modes.size() > 1; }
 bool can_store(const Catalog& c) { return c.can.store; }
 bool inputs(const Catalog& c) { return !c.inputs.empty(); }

@@ -71,7 +71,6 @@ TEST_P(ProgramStopTest, AStopOfAllEndsItWithItsRamp) {
 }
 
 TEST_P(ProgramStopTest, AStopOnItsLastWayIsNoEndOfItsOwn) {
-  if (GetParam()->model == "vxm") GTEST_SKIP() << "it is said to have come to its end";
   start(false);
   session->send(intent::Stop());
   expect_ramped();

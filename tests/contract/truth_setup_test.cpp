@@ -110,7 +110,6 @@ TEST_P(TruthTest, AResetIsOne) {
 
 TEST_P(TruthTest, AfterAResetAPositionIsDoubted) {
   if (!session->catalog().can.reset) GTEST_SKIP() << "it has none";
-  if (GetParam()->model == "vxm") GTEST_SKIP() << "it goes on to count for true what reads zero anywhere";
   must(intent::MoveTo({{id(0), Steps(500)}}));
   ASSERT_TRUE(becomes_idle(seconds(20)));
   must(intent::Reset());

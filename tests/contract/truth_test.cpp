@@ -106,6 +106,16 @@ TEST_P(TruthTest, AbortStopsShorterThanStopAndEachSaysWhichItWas) {
   EXPECT_GT(ran_on[false], ran_on[true]) << "a ramp takes its way";
 }
 
+TEST_P(TruthTest, AStopOfAllStopsWhicheverAxisMoves) {
+  for (int i = 0; i < axes(); ++i) {
+    must(intent::MoveBy({{id(i), Steps(40000)}}, Pps{1000}));
+    run(seconds(1));
+    session->send(intent::Stop());
+    ASSERT_TRUE(becomes_idle(seconds(10))) << "axis " << i;
+    EXPECT_EQ(axis_at(i).ended_by, EndedBy::stop) << "axis " << i;
+  }
+}
+
 TEST_P(TruthTest, AStopOfAnAxisAtRestLeavesTheOtherToItsTarget) {
   if (axes() < 2) GTEST_SKIP() << "it has one axis";
   must(intent::MoveBy({{id(0), Steps(4000)}}, Pps{1000}));

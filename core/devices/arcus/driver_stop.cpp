@@ -150,6 +150,7 @@ Task<Result<>> ArcusDriver::release_joystick(int axis, std::string stop) {
 // ---- what has become of it
 
 StopProgress ArcusDriver::stop_progress(const StopOrder& order) {
+  if (order.what == StopOrder::What::words) return StopProgress::stands();  // the wire has carried them
   const bool all = order.axis < 0 || axis_count() == 1;
   if (order.what != StopOrder::What::jog && all) {
     if (auto programs = programs_end(order); programs.now != StopProgress::Now::stands) return programs;

@@ -162,6 +162,7 @@ void Vme58Driver::stopping(int axis, bool at_once) {
 /// A stop is in vain while no axis of it slows down. An axis that its own motion slows down for a moment is
 /// soon as fast as ever again, and one of several on a line may show its share of the ramp late.
 StopProgress Vme58Driver::stop_progress(const StopOrder& order) {
+  if (order.what == StopOrder::What::words) return StopProgress::stands();  // the wire has carried them
   const Instant now = scheduler_.now();
   const int axis = widened_ ? -1 : order.axis;
   bool turns = false, slows = false, overdue = false;

@@ -28,6 +28,9 @@ namespace hw::vxm {
 
 std::unique_ptr<Driver> make_driver(DriverContext context);
 
+/// Positions that stay the same for so long.
+inline constexpr Duration to_see_standstill = Millis(60);
+
 inline constexpr std::string_view unused_slave =
     "A second controller answers on the VXM bus, and its motors 3 and 4 are not shown. Open it with motors=4 "
     "in its address to use them.";
@@ -81,7 +84,9 @@ class VxmDriver final : public Driver {
   /// What D has told to slow down, as far as it shows.
   struct Ramp {
     Instant began{};
-    double from = 0, slowest = from;  ///< steps/s: when its program was to be held, and since
+    double from = 0;        ///< steps/s, the most
+    bool holds = false;     ///< of a program: nothing is to begin in it, as far as is known
+    double slowest = from;  ///< since then
     Instant looked_at{};
     double speed = 0;   ///< when it was looked at; of the fastest motor that can be seen
     bool over = false;  ///< what it was to stop stands
@@ -144,6 +149,7 @@ class VxmDriver final : public Driver {
   Task<Result<>> read_sizes();
   Task<Result<>> read_essentials();
   Task<Result<>> resume_after_loss(char state);
+  void count_restart(const char* why, bool was_moving, const std::optional<Digitized>& places);
   Task<Result<>> found_reset_on_line();
   void forget_what_ran();
   void stands_after_restart(Doubt why);
@@ -204,6 +210,7 @@ class VxmDriver final : public Driver {
   Task<Result<>> stop_blind(const StopOrder& order);
   Task<Result<>> stop_local();
   Task<Result<>> stop_leg(const StopOrder& order);
+  void expect_ramp();
   Task<Result<>> ramp_down();
   Task<Result<>> stop_program(const StopOrder& order);
   Task<Result<>> stop_unknown();
@@ -215,6 +222,9 @@ class VxmDriver final : public Driver {
   StopProgress watch_the_ramp();
   StopProgress watch_the_program();
   [[nodiscard]] bool stands_since_ramp() const;
+  [[nodiscard]] bool seems_to_stand() const;
+  [[nodiscard]] bool some_are_hidden() const;
+  bool goes_on(const StopProgress& progress);
   bool has_begun_anew();
   Task<Result<>> kill(bool standing, Priority priority = Priority::stop);
   Task<Result<>> settle_hold();
@@ -238,6 +248,8 @@ class VxmDriver final : public Driver {
 
   // ---- driver_run.cpp
   Task<Result<>> run(int slot);
+  [[nodiscard]] bool hold_is_known() const { return !hold_doubtful_ && !found_running_; }
+  void program_has_begun_a_way();
   Result<> may_switch_hold() const;
   Task<Result<>> pause();
   Task<Result<>> switch_hold(std::string text, bool on, Priority priority);
@@ -279,10 +291,13 @@ class VxmDriver final : public Driver {
   int confirmed_scratch_ = -1;  ///< slot that lst has shown empty
   bool stored_running_ = false;
   bool hold_on_ = false;
-  bool hold_doubtful_ = false;  ///< the wire was lost with an H on it, or nobody confirmed a K
-  bool release_hold_ = false;   ///< it must not keep what runs, or runs next
-  bool reset_said_ = false;     ///< res by a text of the user's; its restart has not been seen
-  char halted_ = 0;             ///< letter of the error that waits for K
+  bool hold_doubtful_ = false;    ///< the wire was lost with an H on it, or nobody confirmed a K
+  bool found_running_ = false;    ///< by somebody else, who may have said H: nothing has begun since
+  bool has_begun_ = false;        ///< something, in a program, since its hold was last thought to be on
+  bool release_hold_ = false;     ///< it must not keep what runs, or runs next
+  bool reset_said_ = false;       ///< res by a text of the user's; its restart has not been seen
+  bool restart_counted_ = false;  ///< it has not been seen on-line since
+  char halted_ = 0;               ///< letter of the error that waits for K
   Instant ask_again_at_{};
   std::optional<Ramp> ramp_;
   int selected_ = -1;  ///< the user's choice

@@ -1,4 +1,6 @@
 // Getting a controller to listen and finding out what it is; what is left after a restart or a lost wire.
+#include <algorithm>
+
 #include <fmt/core.h>
 
 #include "core/devices/vxm/driver.h"
@@ -123,6 +125,7 @@ Task<Result<>> VxmDriver::greet() {
     co_return co_await found_local(greeting.state);
   if (halted_) killed(EndedBy::error);  // it hears again
   mode_ = Mode::on_line;
+  restart_counted_ = false;
   // F: no echo, no carriage returns behind prompts, whoever asked for them.
   auto said = co_await say("F", Priority::intent);
   if (!said) co_return said;
@@ -161,40 +164,44 @@ Task<Result<>> VxmDriver::go_on_line() {
         FaultKind::controller, "The controller stays in Local mode although it was asked to go on-line (F).",
         {}, "Let go of all buttons at its front panel; if its green lamp flashes, wait until it is steady.");
   mode_ = Mode::on_line;
+  restart_counted_ = false;
   co_return Result<>();
 }
 
-// Power off and on, or res: positions are zero wherever the motors stand, RAM holds what was stored last.
+// Power off and on, or res: positions are zero wherever the motors stand, RAM holds what was stored last. It
+// is counted before F takes away the only sign of it; the wire may fail in between.
 Task<Result<>> VxmDriver::found_restarted(const char* why) {
-  const bool was_moving = draft_.any_axis_moving() || busy();
-  forget_what_ran();
-  auto reply = co_await ask("D", ReplyShape::until_quiet(greeting_quiet_ms), Priority::intent, nullptr);
-  if (!reply && reply.error().kind == FaultKind::stopped)
-    co_return fail(reply.error());  // the next V finds it
-  std::optional<Digitized> places;
-  if (reply) places = decode_digitized(*reply, max_motors);
-  bool zero = true;
-  if (places)
-    for (const Steps place : places->positions) zero = zero && place.value == 0;
+  if (!restart_counted_) {
+    const bool was_moving = draft_.any_axis_moving() || busy();
+    forget_what_ran();
+    auto reply = co_await ask("D", ReplyShape::until_quiet(greeting_quiet_ms), Priority::intent, nullptr);
+    if (!reply && reply.error().kind != FaultKind::no_answer)
+      co_return fail(reply.error());  // the next V finds it
+    count_restart(why, was_moving, reply ? decode_digitized(*reply, max_motors) : std::nullopt);
+  }
   mode_ = Mode::unknown;
   auto on_line = co_await go_on_line();
   if (!on_line) co_return on_line;
+  co_return co_await read_positions(Priority::intent, true);
+}
+
+void VxmDriver::count_restart(const char* why, bool was_moving, const std::optional<Digitized>& places) {
+  restart_counted_ = true;
+  const bool zero = !places || std::all_of(places->positions.begin(), places->positions.end(),
+                                           [](Steps place) { return place.value == 0; });
   ++draft_.restarts;
   stands_after_restart(zero ? Doubt::restarted : Doubt::none);
-  if (zero) {
-    forget_ram();
-    tell(Notice::Kind::warning,
-         fmt::format(
-             "{}: the controller was switched off and on, or reset. Its positions read zero where the motors "
-             "stand now, and what was not stored is gone. {}Find home before the next absolute move.",
-             why, was_moving ? "The motion that was under way was not taken up again. " : ""));
-  } else {
-    tell(Notice::Kind::warning,
-         fmt::format("{} although it was on-line. It has been put on-line again; its positions "
-                     "are kept. Nothing else was sent.",
-                     why));
-  }
-  co_return co_await read_positions(Priority::intent, true);
+  if (!zero)
+    return tell(Notice::Kind::warning,
+                fmt::format("{} although it was on-line. It is put on-line again; its positions are kept. "
+                            "Nothing else was sent.",
+                            why));
+  forget_ram();
+  tell(Notice::Kind::warning,
+       fmt::format(
+           "{}: the controller was switched off and on, or reset. Its positions read zero where the motors "
+           "stand now, and what was not stored is gone. {}Find home before the next absolute move.",
+           why, was_moving ? "The motion that was under way was not taken up again. " : ""));
 }
 
 // A res that F followed in one go: nothing but that it was said tells of the restart.
@@ -251,7 +258,11 @@ void VxmDriver::forget_ram() {
 // After a lost wire the state is read afresh. What moved went on without us.
 Task<Result<>> VxmDriver::resume_after_loss(char state) {
   if (state == ready && job_.active()) job_.leg_over = true, job_.ended_by = EndedBy::lost;
-  if (state == vxm::busy && !job_.active()) show_running(-1);
+  if (state == vxm::busy && !job_.active()) {
+    const bool others = !stored_running_;
+    show_running(-1);
+    found_running_ = others;
+  }
   if (state == vxm::busy && job_.active()) show_leg(job_.legs.front());
   if (!std::exchange(lost_while_busy_, false)) co_return Result<>();
   co_return co_await read_positions(Priority::intent, state == ready);

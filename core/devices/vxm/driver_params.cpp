@@ -251,10 +251,10 @@ Task<Result<>> VxmDriver::reset() {
   }
   if (!on_line) co_return on_line;
   reset_said_ = false;
-  for (int i = 0; i < draft_.axis_count; ++i) draft_.axes[i].activity = Activity::idle;
+  stands_after_restart(Doubt::reset);
   tell(Notice::Kind::info,
        "The controller was reset: positions are zero where the motors stand, and what was not stored is "
-       "gone.");
+       "gone. Find home before the next absolute move.");
   co_return co_await read_positions(Priority::intent, true);
 }
 

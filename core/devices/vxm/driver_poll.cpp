@@ -139,7 +139,11 @@ void VxmDriver::show_position(int index, Steps position) {
   if (axis.position_known && now > axis.seen_at)
     seen_speed_[i] =
         std::abs(static_cast<double>((position - axis.position).value)) / seconds(now - axis.seen_at);
-  if (moved) moved_at_[i] = now, went_[i] = position > axis.position ? Sign::plus : Sign::minus;
+  const Sign way = position > axis.position ? Sign::plus : Sign::minus;
+  const bool turned = now - moved_at_[i] < to_see_standstill;
+  if (moved && stored_running_ && (!turned || (went_[i] && went_[i] != way))) program_has_begun_a_way();
+  if (!axis.position_known) moved_at_[i] = now;  // what was seen once only may turn
+  if (moved) moved_at_[i] = now, went_[i] = way;
   if (stored_running_ && !job_.active()) {  // what a program moves shows by its positions only
     constexpr Duration seems_moving = Millis(150);
     const bool turns = moved || now - moved_at_[i] < seems_moving;
@@ -161,6 +165,7 @@ Task<Result<>> VxmDriver::take_state(char state) {
     co_return co_await found_restarted("The controller has gone to Local mode");
   }
   mode_ = Mode::on_line;
+  restart_counted_ = false;
   if (state == ready && reset_said_) co_return co_await found_reset_on_line();
   if (state == vxm::busy && !busy()) {
     show_running(-1);  // by the Run button, or from before this connection

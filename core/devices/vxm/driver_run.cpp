@@ -11,6 +11,7 @@ namespace hw::vxm {
 
 void VxmDriver::show_running(int slot) {
   stored_running_ = true;
+  found_running_ = false;
   killed_at_ = {};  // the next prompt is of this run
   ProgramState& p = draft_.program;
   p.run = RunState::running;
@@ -87,6 +88,13 @@ Task<Result<>> VxmDriver::run(int slot) {
   co_return sent;
 }
 
+/// None of what is held does.
+void VxmDriver::program_has_begun_a_way() {
+  has_begun_ = true;
+  if (ramp_ || hold_is_known()) return;
+  hold_on_ = hold_doubtful_ = found_running_ = false;
+}
+
 // H is a switch: it is said only when it changes what is wanted.
 Task<Result<>> VxmDriver::switch_hold(std::string text, bool on, Priority priority) {
   const bool switches = text.starts_with('H');
@@ -97,9 +105,11 @@ Task<Result<>> VxmDriver::switch_hold(std::string text, bool on, Priority priori
 }
 
 Result<> VxmDriver::may_switch_hold() const {
-  if (!hold_doubtful_) return {};
+  if (hold_is_known()) return {};
   return fail(FaultKind::refused,
-              "The connection was lost while the hold was switched: whether it is on is not known.",
+              hold_doubtful_
+                  ? "The connection was lost while the hold was switched: whether it is on is not known."
+                  : "Somebody else has begun this program, and whether it is held shows when a motor starts.",
               "Nothing was sent.", "Stop the program.");
 }
 

@@ -12,7 +12,6 @@ namespace {
 
 // At acceleration 1 from the highest speed; nothing takes longer to ramp down.
 constexpr Duration longest_ramp = from_seconds(max_speed / (accel_unit * min_accel));
-constexpr Duration to_see_standstill = Millis(60);
 constexpr Duration to_see_a_ramp = Millis(300);
 constexpr Duration kill_patience = Millis(300);
 
@@ -46,6 +45,10 @@ Task<Result<>> VxmDriver::send_stop(const StopOrder& order) {
 Task<Result<>> VxmDriver::stop_blind(const StopOrder& order) {
   if (order.what == StopOrder::What::jog && stored_running_) co_return Result<>();
   if (moves_for(order)) note_stop();
+  if (order.times_sent > 1) {  // nothing has come back: a command that was left half said swallows it
+    auto ended = co_await say("\r", Priority::stop);
+    if (!ended) co_return ended;
+  }
   if (order.at_once) co_return co_await kill(false);
   co_return co_await stop_unknown();
 }
@@ -80,23 +83,33 @@ Task<Result<>> VxmDriver::stop_leg(const StopOrder& order) {
 }
 
 // It is looked at from now on, and at the longest until the first D must have worked.
-Task<Result<>> VxmDriver::ramp_down() {
+void VxmDriver::expect_ramp() {
   if (!ramp_) ramp_ = Ramp{scheduler_.now(), fastest()};
   ramp_->looked_at = scheduler_.now();
   ramp_->speed = fastest();
+}
+
+Task<Result<>> VxmDriver::ramp_down() {
+  expect_ramp();
   co_return co_await say("D", Priority::stop);
 }
 
-// Held, its motor ramped down; K once that stands.
+// Held, its motor ramped down; K once that stands. H would let a program go on that is held: one that stands
+// when its stop comes is not told to hold, unless it goes on after all.
 Task<Result<>> VxmDriver::stop_program(const StopOrder& order) {
   if (order.what == StopOrder::What::jog) co_return Result<>();
   const auto is_held = [this] { return draft_.program.run == RunState::held; };
   if (is_held() || (ramp_ && ramp_->over)) co_return co_await kill(true);
   if (order.at_once) co_return co_await kill(false);
-  if (!ramp_) ramp_ = Ramp{scheduler_.now(), fastest()};
-  if (!hold_on_ && !hold_doubtful_) {
+  if (!ramp_) {
+    ramp_ = Ramp{scheduler_.now(), fastest(), (hold_on_ && hold_is_known()) || seems_to_stand()};
+    has_begun_ = false;
+  }
+  if (!ramp_->holds) {
     auto held = co_await switch_hold("H", true, Priority::stop);
     if (!held || !station_) co_return held;
+    if (ramp_) ramp_->holds = true;
+    has_begun_ = false;
     // Between two commands the hold is told at once, and D into that listing would be an overrun.
     auto waited = co_await station_->pause(station_->wire_time(2) + Millis(1));
     if (!waited) co_return waited;
@@ -144,7 +157,9 @@ void VxmDriver::note_stop() {
 // ---- what has become of it
 
 StopProgress VxmDriver::stop_progress(const StopOrder& order) {
-  if (halted_) return StopProgress::stands();  // nothing goes on until K
+  if (halted_) return StopProgress::stands();          // nothing goes on until K
+  const bool ramps_by_words = job_.active() && ramp_;  // what else they stop is told by their answer
+  if (order.what == StopOrder::What::words && !ramps_by_words) return StopProgress::stands();
   if (job_.active()) {
     if (!moves_for(order)) return StopProgress::stands();
     if (job_.leg_over) return StopProgress::wait();  // the next round reads where it ended
@@ -163,15 +178,23 @@ StopProgress VxmDriver::watch_the_program() {
     ramp_->over = true;
     return StopProgress::again();  // which is K, now
   }
-  if (!has_begun_anew()) return watch_the_ramp();
-  hold_on_ = hold_doubtful_ = false;
+  const StopProgress progress = watch_the_ramp();
+  if (!goes_on(progress)) return progress;
+  ramp_->holds = false;
   ramp_->from = ramp_->slowest = fastest();
   return StopProgress::again();
+}
+
+// Where no hold is known to be on, anything that begins shows that none is, and so does a D without effect.
+bool VxmDriver::goes_on(const StopProgress& progress) {
+  if (hold_on_ && hold_is_known()) return has_begun_anew();
+  return has_begun_ || (!hold_is_known() && progress.now == StopProgress::Now::again);
 }
 
 // It has slowed down and turns faster again: that is the next command, so no hold is on.
 bool VxmDriver::has_begun_anew() {
   constexpr double for_sure = 500;  // steps/s; twice what two readings that follow each other leave open
+  if (fastest() > ramp_->from) ramp_->from = ramp_->slowest = fastest();
   ramp_->slowest = std::min(ramp_->slowest, fastest());
   return ramp_->slowest < ramp_->from - for_sure && fastest() > ramp_->slowest + for_sure;
 }
@@ -183,19 +206,35 @@ StopProgress VxmDriver::watch_the_ramp() {
   const Instant now = scheduler_.now();
   if (!ramp_) return StopProgress::again();
   if (now - ramp_->began > longest_ramp + to_see_a_ramp) return StopProgress::at_once();
+  ramp_->speed = std::max(ramp_->speed, fastest());  // it may not have been seen before
   if (now - ramp_->looked_at < to_see_a_ramp) return StopProgress::wait();
   const double before = std::exchange(ramp_->speed, fastest());
   ramp_->looked_at = now;
   return ramp_->speed > before - least_loss ? StopProgress::again() : StopProgress::wait();
 }
 
-// Motors 3 and 4 cannot be read while they turn, so there only the ramp's longest time tells.
 bool VxmDriver::stands_since_ramp() const {
   const Instant now = scheduler_.now();
   const int motors = std::min(draft_.axis_count, motors_per_controller);
   for (int i = 0; i < motors; ++i)
     if (now - moved_at_[ix(i)] < to_see_standstill) return false;
-  return now - ramp_->began >= (slave_present_ ? longest_ramp : to_see_standstill);
+  return now - ramp_->began >= (some_are_hidden() ? longest_ramp : to_see_standstill);
+}
+
+/// As far as the last readings show.
+bool VxmDriver::seems_to_stand() const {
+  const int motors = std::min(draft_.axis_count, motors_per_controller);
+  for (int i = 0; i < motors; ++i) {
+    const Instant since = std::max(moved_at_[ix(i)], draft_.program.started_at);
+    if (!draft_.axes[i].position_known || draft_.axes[i].seen_at - since < to_see_standstill) return false;
+  }
+  return !some_are_hidden();
+}
+
+/// Motors 3 and 4 cannot be read while something runs, nor whether there are any: that is known once the
+/// controller has been at rest.
+bool VxmDriver::some_are_hidden() const {
+  return slave_present_ || (!identity_read_ && draft_.axis_count > motors_per_controller);
 }
 
 /// Of the motors that can be read while they turn, in steps/s.
@@ -247,7 +286,7 @@ Task<Result<>> VxmDriver::settle_hold() {
 void VxmDriver::killed(EndedBy ended_by) {
   killed_at_ = scheduler_.now();
   halted_ = 0;
-  hold_on_ = hold_doubtful_ = release_hold_ = false;
+  hold_on_ = hold_doubtful_ = release_hold_ = found_running_ = false;
   ramp_.reset();
   if (job_.active()) {
     job_.legs.resize(1);
@@ -301,6 +340,7 @@ void VxmDriver::run_ended(EndedBy ended_by) {
   if (ramp_ && ended_by == EndedBy::target && untold) ended_by = EndedBy::stop;  // its last index was cut
   if (ramp_ && hold_on_) release_hold_ = true;  // that of its stop: it must not keep the next run
   ramp_.reset();
+  found_running_ = false;
   ProgramState& p = draft_.program;
   p.run = RunState::idle;
   if (p.ended_by == EndedBy::nothing || ended_by != EndedBy::target) p.ended_by = ended_by;

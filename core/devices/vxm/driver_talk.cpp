@@ -200,7 +200,7 @@ void VxmDriver::heard_held(std::string_view command) {
   ProgramState& p = draft_.program;
   p.run = RunState::held;
   p.stepping = hold_on_ = true;
-  hold_doubtful_ = false;
+  hold_doubtful_ = found_running_ = false;
   p.command_told = false;
   const int before = p.command;
   p.command = -1;

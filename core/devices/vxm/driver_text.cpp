@@ -260,7 +260,10 @@ Task<Result<std::string>> VxmDriver::stop_by_words(const StopOrder& order) {
   const std::string rest = cut_behind_stop(text);
   const auto commands = read_text(text);
   const bool kills = !commands.empty() && commands.front().letter == 'K';
-  if (!commands.empty() && commands.front().letter == 'D') note_stop();
+  if (!commands.empty() && commands.front().letter == 'D') {
+    note_stop();
+    if (job_.active()) expect_ramp();
+  }
   job_.end_is_asked = job_.active() && order.answer;
   const bool blind = mode_ == Mode::unknown;
   auto reply = co_await converse(text, order.patience, Priority::stop);
