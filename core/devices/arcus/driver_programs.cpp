@@ -144,10 +144,14 @@ Task<Result<>> ArcusDriver::write_line(int line, std::string text) {
   std::string sent = fmt::format("SA{}={}", line, text);
   const std::uint8_t before =
       std::exchange(draft_.slots_torn, stored_code);  // should the console be closed now
-  auto written = co_await command(std::move(sent), Priority::transfer, Millis(500));
+  auto written = co_await command(sent, Priority::transfer, Millis(500));
   // A stop that came first, or a refusal: this line is not stored.
   if (!written && was_kept_back(written.error())) draft_.slots_torn = before;
-  co_return written;
+  if (written || !worth_another_try(written.error())) co_return written;
+  // Its answer was lost, or it was: what is stored tells. A line may be written twice.
+  auto there = co_await read_line(line, Priority::transfer);
+  if (!there || *there == text) co_return there ? Result<>() : written;
+  co_return co_await command(std::move(sent), Priority::transfer, Millis(500));
 }
 
 void ArcusDriver::show_transfer(int done, int total) {

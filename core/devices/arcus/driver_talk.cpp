@@ -1,4 +1,6 @@
 // Questions and commands, and what the device says unasked. The user's own text: driver_text.cpp.
+#include <algorithm>
+
 #include <fmt/core.h>
 
 #include "core/devices/arcus/driver.h"
@@ -14,10 +16,6 @@ std::string printable(std::string_view bytes) {
   for (const char c : bytes.substr(0, 40))
     all += c >= ' ' && c < 127 ? std::string(1, c) : fmt::format("<{:02X}>", static_cast<unsigned char>(c));
   return all;
-}
-
-bool worth_another_try(const Fault& fault) {
-  return fault.kind == FaultKind::no_answer || fault.kind == FaultKind::garbled;
 }
 
 tl::unexpected<Fault> means_nothing(std::string_view question, std::string_view reply) {
@@ -79,7 +77,7 @@ Task<Result<Reply>> ArcusDriver::say(std::string text, Priority priority, Durati
   const bool usb = station_->carries_messages();
   Transaction t(frame(framing(), catalog_.address, text), usb ? ReplyShape::message() : ReplyShape::text(),
                 priority);
-  t.patience = patience;
+  t.patience = std::max(patience, least_patience_);
   t.prompt = own_question;
   t.own_question = own_question && priority != Priority::transfer;
   t.names_itself = text_of(text) == "DN";
@@ -107,7 +105,7 @@ Task<Result<>> ArcusDriver::hear_its_name(Priority priority) {
   const bool usb = station_->carries_messages();
   Transaction t(frame(framing(), catalog_.address, "DN"), usb ? ReplyShape::message() : ReplyShape::text(),
                 priority);
-  t.patience = usual_patience;
+  t.patience = std::max(usual_patience, least_patience_);
   t.prompt = true;
   t.own_question = priority != Priority::transfer;
   t.names_itself = true;
