@@ -132,6 +132,7 @@ class ArcusDriver final : public Driver {
   void note_stop(std::string_view text);
 
   // ---- driver_connect.cpp
+  Task<Result<>> find();
   Task<Result<>> identify();
   Task<Result<Reply>> ask_who_it_is(std::string question, std::function<bool(std::string_view)> is_it);
   void note_how_slow();

@@ -52,17 +52,28 @@ void ArcusDriver::attach(Station& station) {
 
 Task<Result<>> ArcusDriver::connect() {
   strays_ = line_feeds_ = 0;
-  moved_at_ = scheduler_.now();  // unseen
-  auto identified = co_await identify();
-  if (!identified) co_return identified;
-  auto named = co_await read_name();
-  if (!named) co_return named;
-  auto read = co_await read_state();
-  if (!read) co_return read;
+  const Instant began = scheduler_.now();
+  moved_at_ = began;  // unseen
+  auto found = co_await find();
+  // Somebody is there, and answers were lost.
+  if (!found && found.error().kind == FaultKind::no_answer && station_ && station_->heard_at() > began) {
+    co_await wait_for_quiet();
+    strays_ = line_feeds_ = 0;
+    found = co_await find();
+  }
+  if (!found) co_return found;
   auto looked = co_await look_back_over_the_loss();
   if (!looked) co_return looked;
   blind_ = false;
   co_return Result<>();
+}
+
+Task<Result<>> ArcusDriver::find() {
+  auto identified = co_await identify();
+  if (!identified) co_return identified;
+  auto named = co_await read_name();
+  if (!named) co_return named;
+  co_return co_await read_state();
 }
 
 // ID tells the product; where a firmware does not know it, VER shows at least the family. One that was lost
