@@ -99,9 +99,9 @@ class VxmDriver final : public Driver {
   Task<Result<std::string>> ask(Transaction transaction);
   template <class T>
   Task<Result<T>> ask_decoded(std::string question, ReplyShape shape, Priority priority, Stranger stranger,
-                              std::optional<T> (*decode)(std::string_view), int attempts = 2);
+                              std::optional<T> (*decode)(std::string_view));
   Task<Result<>> say(std::string text, Priority priority);
-  Task<Result<char>> ask_state(Priority priority, int attempts = 2);
+  Task<Result<char>> ask_state(Priority priority);
   Task<Result<Steps>> ask_position(int motor, Priority priority);
   Task<Result<std::int64_t>> ask_number(std::string question, Priority priority);
   Task<Result<std::string>> ask_text(std::string question, Priority priority);
@@ -141,6 +141,7 @@ class VxmDriver final : public Driver {
 
   // ---- driver_connect.cpp
   Task<Result<std::string>> ask_who_listens();
+  Task<Result<>> find_out_all();
   Task<Result<>> greet();
   Task<Result<>> end_echo(char state);
   Task<Result<>> hear_without_echo();
@@ -278,7 +279,7 @@ class VxmDriver final : public Driver {
   Event news_;
 
   Mode mode_ = Mode::unknown;
-  bool connected_before_ = false, stay_local_ = false;
+  bool connected_before_ = false, connecting_ = false, stay_local_ = false;
   bool slave_present_ = false;
   bool lost_while_busy_ = false;
 

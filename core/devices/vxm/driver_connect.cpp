@@ -10,7 +10,7 @@ constexpr std::uint16_t greeting_quiet_ms = 20;
 constexpr std::uint16_t slow_greeting_quiet_ms = 45;  // bytes come up to 40 ms apart
 constexpr int greetings = 4, silences_until_nobody = 2;
 constexpr Duration longest_noise = Millis(500);
-constexpr int attempts_at_connect = 4;
+constexpr int attempts_to_end_echo = 4;
 
 /// What came back on V when nothing is known of the mode yet.
 struct Greeting {
@@ -94,6 +94,13 @@ void VxmDriver::attach(Station& station) {
 }
 
 Task<Result<>> VxmDriver::connect() {
+  connecting_ = true;
+  auto made = co_await find_out_all();
+  connecting_ = false;
+  co_return made;
+}
+
+Task<Result<>> VxmDriver::find_out_all() {
   auto greeted = co_await greet();
   if (!greeted) co_return greeted;
   connected_before_ = true;
@@ -103,7 +110,7 @@ Task<Result<>> VxmDriver::connect() {
   }
   auto polled = co_await poll(Round::usual);
   if (polled || !worth_another_try(polled.error())) co_return polled;
-  auto quiet = co_await wait_for_quiet(longest_noise);
+  auto quiet = co_await wait_for_quiet(longest_noise);  // a status byte is asked once a round
   if (!quiet) co_return quiet;
   co_return co_await poll(Round::usual);
 }
@@ -145,7 +152,7 @@ Task<Result<>> VxmDriver::greet() {
   // F: no echo, no carriage returns behind prompts, whoever asked for them.
   auto said = co_await say("F", Priority::intent);
   if (!said) co_return said;
-  auto state = co_await ask_state(Priority::intent, attempts_at_connect);
+  auto state = co_await ask_state(Priority::intent);
   if (!state) co_return fail(state.error());
   if (greeting.echo) {
     auto ended = co_await end_echo(*state);
@@ -164,7 +171,7 @@ Task<Result<>> VxmDriver::end_echo(char state) {
            "inputs, outputs and limits are not read, and it takes nothing but stops.");
     co_return Result<>();
   }
-  for (int n = 0; n < attempts_at_connect && echoes_; ++n) {
+  for (int n = 0; n < attempts_to_end_echo && echoes_; ++n) {
     auto said = co_await say("F", Priority::intent);
     if (!said) co_return said;
     auto quiet = co_await wait_for_quiet(longest_noise);
@@ -213,7 +220,7 @@ Task<Result<>> VxmDriver::found_local(char state) {
 Task<Result<>> VxmDriver::go_on_line() {
   auto said = co_await say("F", Priority::intent);
   if (!said) co_return said;
-  auto state = co_await ask_state(Priority::intent, attempts_at_connect);
+  auto state = co_await ask_state(Priority::intent);
   if (!state) co_return fail(state.error());
   if (*state == jog_idle || *state == jog_moving)
     co_return fail(

@@ -15,7 +15,7 @@ tl::unexpected<Fault> no_such_answer(std::string_view question, std::string_view
   return fail(FaultKind::garbled,
               fmt::format("The controller answered {} to {}, which means nothing.", printable(reply),
                           printable(question)),
-              "It was asked twice.",
+              "It was asked again.",
               "Look at the cable, the baud rate, and whether another program talks to the controller.");
 }
 
@@ -56,13 +56,13 @@ Task<Result<>> VxmDriver::say(std::string text, Priority priority) {
   co_return Result<>();
 }
 
-// A question may be asked once more when its answer was garbled or did not come; nothing else is ever
-// repeated.
+// A question may be asked once more when its answer was garbled or did not come, and more often while the
+// controller is being opened; nothing else is ever repeated.
 template <class T>
 Task<Result<T>> VxmDriver::ask_decoded(std::string question, ReplyShape shape, Priority priority,
-                                       Stranger stranger, std::optional<T> (*decode)(std::string_view),
-                                       int attempts) {
+                                       Stranger stranger, std::optional<T> (*decode)(std::string_view)) {
   Result<std::string> reply{std::string()};
+  const int attempts = connecting_ ? 4 : 2;
   for (int attempt = 0; attempt < attempts; ++attempt) {
     reply = co_await ask(own_question(question, shape, priority, stranger));
     if (reply) {
@@ -78,8 +78,8 @@ Task<Result<T>> VxmDriver::ask_decoded(std::string question, ReplyShape shape, P
   co_return no_such_answer(question, *reply);
 }
 
-Task<Result<char>> VxmDriver::ask_state(Priority priority, int attempts) {
-  co_return co_await ask_decoded("V", ReplyShape::bytes(1), priority, before_state, decode_state, attempts);
+Task<Result<char>> VxmDriver::ask_state(Priority priority) {
+  co_return co_await ask_decoded("V", ReplyShape::bytes(1), priority, before_state, decode_state);
 }
 Task<Result<Steps>> VxmDriver::ask_position(int motor, Priority priority) {
   std::string question = vxm::ask_position(motor);
