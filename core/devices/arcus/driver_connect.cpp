@@ -55,8 +55,9 @@ Task<Result<>> ArcusDriver::connect() {
   const Instant began = scheduler_.now();
   moved_at_ = began;  // unseen
   auto found = co_await find();
-  // Somebody is there, and answers were lost.
-  if (!found && found.error().kind == FaultKind::no_answer && station_ && station_->heard_at() > began) {
+  // Somebody is there, and what it was asked or answered was lost or garbled: what is wrong stays wrong.
+  const bool heard = station_ && station_->heard_at() > began;
+  if (!found && heard && (worth_another_try(found.error()) || found.error().kind == FaultKind::refused)) {
     co_await wait_for_quiet();
     strays_ = line_feeds_ = 0;
     found = co_await find();

@@ -150,6 +150,7 @@ class VxmDriver final : public Driver {
   Task<Result<>> found_restarted(const char* why);
   Task<Result<>> read_identity();
   Task<Result<>> read_sizes();
+  Task<Result<std::int64_t>> ask_selected();
   Task<Result<>> read_essentials();
   Task<Result<>> resume_after_loss(char state);
   Task<Result<>> found_reset_on_line();

@@ -218,14 +218,18 @@ Task<Result<>> VxmDriver::found_local(char state) {
 }
 
 Task<Result<>> VxmDriver::go_on_line() {
-  auto said = co_await say("F", Priority::intent);
-  if (!said) co_return said;
-  auto state = co_await ask_state(Priority::intent);
-  if (!state) co_return fail(state.error());
-  if (*state == jog_idle || *state == jog_moving)
-    co_return fail(
-        FaultKind::controller, "The controller stays in Local mode although it was asked to go on-line (F).",
-        {}, "Let go of all buttons at its front panel; if its green lamp flashes, wait until it is steady.");
+  for (const bool again : {false, true}) {
+    auto said = co_await say("F", Priority::intent);
+    if (!said) co_return said;
+    auto state = co_await ask_state(Priority::intent);
+    if (!state) co_return fail(state.error());
+    if (*state == ready || *state == vxm::busy) break;
+    if (again)
+      co_return fail(
+          FaultKind::controller,
+          "The controller stays in Local mode although it was asked to go on-line (F).", {},
+          "Let go of all buttons at its front panel; if its green lamp flashes, wait until it is steady.");
+  }
   mode_ = Mode::on_line;
   co_return Result<>();
 }
@@ -373,16 +377,23 @@ Task<Result<>> VxmDriver::read_identity() {
   co_return Result<>();
 }
 
+// A PM that has lost its P is another question.
+Task<Result<std::int64_t>> VxmDriver::ask_selected() {
+  auto selected = co_await ask_number("PM\r", Priority::poll);
+  const auto is_one = [&] { return *selected >= 0 && *selected < program_count; };
+  if (selected && !is_one()) selected = co_await ask_number("PM\r", Priority::poll);
+  if (!selected || is_one()) co_return selected;
+  co_return fail(
+      FaultKind::garbled,
+      fmt::format("The controller says that program {} is selected, but it has 0 to 4.", *selected));
+}
+
 // M speaks of the selected program, so each must be selected in turn and the user's choice put back.
 Task<Result<>> VxmDriver::read_sizes() {
   auto given_back = co_await give_back_selection();
   if (!given_back) co_return given_back;
-  auto selected = co_await ask_number("PM\r", Priority::poll);
+  auto selected = co_await ask_selected();
   if (!selected) co_return fail(selected.error());
-  if (*selected < 0 || *selected >= program_count)
-    co_return fail(
-        FaultKind::garbled,
-        fmt::format("The controller says that program {} is selected, but it has 0 to 4.", *selected));
   selected_ = chosen_ = static_cast<int>(*selected);
   if (!stored_running_) draft_.program.slot = static_cast<std::int8_t>(selected_);
   for (int slot = 0; slot < program_count; ++slot) {

@@ -73,6 +73,9 @@ Task<Result<T>> VxmDriver::ask_decoded(std::string question, ReplyShape shape, P
     if (halted_) break;  // it answers nothing until K
     auto quiet = co_await wait_for_quiet();
     if (!quiet) co_return fail(quiet.error());
+    if (question.size() == 1 && !connecting_) continue;
+    auto ended = co_await say("\r", priority);  // what was left of it would go before the next
+    if (!ended) co_return fail(ended.error());
   }
   if (!reply) co_return fail(reply.error());
   co_return no_such_answer(question, *reply);
