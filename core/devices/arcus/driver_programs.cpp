@@ -56,6 +56,7 @@ Task<Result<>> ArcusDriver::control(int thread, int what) {
                    fmt::format("There is no program {}: there are 0 to {}.", thread, model().programs - 1),
                    "Nothing was sent.");
   const std::string text = fmt::format("SR{}={}", thread, what);
+  if (what == thread_run) draft_.program.ended_by = EndedBy::nothing;
   auto done = co_await command(text, Priority::intent);
   if (!done) {
     Fault fault = co_await after_doubt(std::move(done.error()), text);
