@@ -249,6 +249,7 @@ class ArcusDriver final : public Driver {
   Task<Result<>> clear_from(int line);
   Task<Result<std::string>> read_line(int line, Priority priority);
   Task<Result<>> write_line(int line, std::string text);
+  Task<Result<>> store_line(int line, std::string text, std::string there);
   Task<Result<std::vector<std::string>>> read_lines();
   void note_stored(const std::vector<std::string>& lines);
   tl::unexpected<Fault> broken_off(Fault why);

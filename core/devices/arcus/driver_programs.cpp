@@ -145,14 +145,27 @@ Task<Result<>> ArcusDriver::write_line(int line, std::string text) {
   std::string sent = fmt::format("SA{}={}", line, text);
   const std::uint8_t before =
       std::exchange(draft_.slots_torn, stored_code);  // should the console be closed now
-  auto written = co_await command(sent, Priority::transfer, Millis(500));
+  auto written = co_await command(std::move(sent), Priority::transfer, Millis(500));
   // A stop that came first, or a refusal: this line is not stored.
   if (!written && was_kept_back(written.error())) draft_.slots_torn = before;
-  if (written || !worth_another_try(written.error())) co_return written;
-  // Its answer was lost, or it was: what is stored tells. A line may be written twice.
-  auto there = co_await read_line(line, Priority::transfer);
-  if (!there || *there == text) co_return there ? Result<>() : written;
-  co_return co_await command(std::move(sent), Priority::transfer, Millis(500));
+  co_return written;
+}
+
+// A line may be written twice: whether an answer was lost, or the line itself garbled on its way or back,
+// reading it tells. `there` is what it was when it was read last.
+Task<Result<>> ArcusDriver::store_line(int line, std::string text, std::string there) {
+  constexpr int most_writes = 3;
+  for (int writes = 0; there != text; ++writes) {
+    if (writes == most_writes)
+      co_return fail(FaultKind::controller,
+                     fmt::format("Line {} reads back as \"{}\" instead of \"{}\".", line, there, text));
+    auto written = co_await write_line(line, text);
+    if (!written && !worth_another_try(written.error())) co_return written;
+    auto back = co_await read_line(line, Priority::transfer);
+    if (!back) co_return fail(back.error());
+    there = std::move(*back);
+  }
+  co_return Result<>();
 }
 
 void ArcusDriver::show_transfer(int done, int total) {
@@ -247,15 +260,8 @@ Task<Result<>> ArcusDriver::write_lines(std::vector<std::string> lines) {
   for (int n = 0; n < total; ++n) {
     auto there = co_await read_line(n, Priority::transfer);
     if (!there) co_return fail(there.error());
-    if (*there != lines[ix(n)]) {
-      auto written = co_await write_line(n, lines[ix(n)]);
-      if (!written) co_return written;
-      auto back = co_await read_line(n, Priority::transfer);
-      if (!back) co_return fail(back.error());
-      if (*back != lines[ix(n)])
-        co_return fail(FaultKind::controller, fmt::format("Line {} reads back as \"{}\" instead of \"{}\".",
-                                                          n, *back, lines[ix(n)]));
-    }
+    auto stored = co_await store_line(n, lines[ix(n)], std::move(*there));
+    if (!stored) co_return stored;
     show_transfer(n + 1, total);
     co_await stay_live();
   }
@@ -274,7 +280,7 @@ Task<Result<>> ArcusDriver::clear_from(int line) {
       continue;
     }
     empty = 0;
-    auto cleared = co_await write_line(n, {});
+    auto cleared = co_await store_line(n, {}, std::move(*there));
     if (!cleared) co_return cleared;
     co_await stay_live();
   }
