@@ -13,7 +13,7 @@ struct Quiet {
   Duration time, longest_noise;
 };
 constexpr Quiet usual_quiet{Millis(30), Millis(300)};
-constexpr Quiet quiet_at_connect{Millis(45), Millis(800)};  // bytes come up to 40 ms apart
+constexpr Quiet quiet_of_a_slow_one{Millis(45), Millis(800)};  // bytes come up to 40 ms apart
 
 std::string printable(std::string_view bytes) {
   std::string all;
@@ -210,7 +210,8 @@ Task<Result<>> ArcusDriver::broadcast(std::string text, Priority priority) {
 // After an answer that made no sense: what still comes must not be taken for the next one. Where another
 // program talks all the time it never is quiet.
 Task<> ArcusDriver::wait_for_quiet() {
-  const auto [quiet_time, longest_noise] = blind_ ? quiet_at_connect : usual_quiet;
+  const auto [quiet_time, longest_noise] =
+      least_patience_ > Duration::zero() ? quiet_of_a_slow_one : usual_quiet;
   const Instant give_up = scheduler_.now() + longest_noise;
   Instant quiet_at = scheduler_.now() + quiet_time;
   while (station_ && scheduler_.now() < quiet_at) {
