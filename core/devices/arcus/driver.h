@@ -16,6 +16,7 @@
 #include <array>
 #include <bitset>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -34,6 +35,11 @@ namespace hw::arcus {
 /// It never went out.
 inline bool was_kept_back(const Fault& fault) {
   return fault.kind == FaultKind::stopped || fault.kind == FaultKind::refused;
+}
+
+/// A question may be asked again.
+inline bool worth_another_try(const Fault& fault) {
+  return fault.kind == FaultKind::no_answer || fault.kind == FaultKind::garbled;
 }
 
 class ArcusDriver final : public Driver {
@@ -126,7 +132,10 @@ class ArcusDriver final : public Driver {
   void note_stop(std::string_view text);
 
   // ---- driver_connect.cpp
+  Task<Result<>> find();
   Task<Result<>> identify();
+  Task<Result<Reply>> ask_who_it_is(std::string question, std::function<bool(std::string_view)> is_it);
+  void note_how_slow();
   Task<Result<>> read_name();
   Task<Result<>> read_state();
   tl::unexpected<Fault> silent() const;
@@ -242,6 +251,7 @@ class ArcusDriver final : public Driver {
   Task<Result<>> clear_from(int line);
   Task<Result<std::string>> read_line(int line, Priority priority);
   Task<Result<>> write_line(int line, std::string text);
+  Task<Result<>> store_line(int line, std::string text, std::string there);
   Task<Result<std::vector<std::string>>> read_lines();
   void note_stored(const std::vector<std::string>& lines);
   tl::unexpected<Fault> broken_off(Fault why);
@@ -300,7 +310,8 @@ class ArcusDriver final : public Driver {
   bool buffer_on_ = false;
   bool halting_ = false;  ///< programs were told to end: whether they have is asked while axes stop
 
-  bool name_told_ = false;
+  bool name_told_ = false, slow_told_ = false;
+  Duration least_patience_{};  ///< with one that answers slowly
   Instant lost_at_{}, heard_at_{};
   int strays_ = 0;      ///< texts that nobody asked for
   int line_feeds_ = 0;  ///< behind the ends of answers: something on the way turns CR into CR LF

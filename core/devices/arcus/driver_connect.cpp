@@ -13,6 +13,14 @@ std::string hex_of(std::string_view bytes) {
   return all + (bytes.size() > 12 ? " ..." : "");
 }
 
+constexpr int attempts_at_connect = 3;
+constexpr Duration first_patience = Millis(300);
+constexpr Duration slow_from = Millis(150), slow_patience = std::chrono::seconds(1);
+
+bool looks_like_a_version(std::string_view text) {
+  return text.size() >= 2 && text[0] == 'V' && text[1] >= '0' && text[1] <= '9';
+}
+
 }  // namespace
 
 ArcusDriver::ArcusDriver(DriverContext context, const Forms& forms, const language::Dialect& dialect)
@@ -43,38 +51,42 @@ void ArcusDriver::attach(Station& station) {
 
 Task<Result<>> ArcusDriver::connect() {
   strays_ = line_feeds_ = 0;
-  moved_at_ = scheduler_.now();  // unseen
-  auto identified = co_await identify();
-  if (!identified) co_return identified;
-  auto named = co_await read_name();
-  if (!named) co_return named;
-  auto read = co_await read_state();
-  if (!read) co_return read;
+  const Instant began = scheduler_.now();
+  moved_at_ = began;  // unseen
+  auto found = co_await find();
+  // Somebody is there, and what it was asked or answered was lost or garbled: what is wrong stays wrong.
+  const bool heard = station_ && station_->heard_at() > began;
+  if (!found && heard && (worth_another_try(found.error()) || found.error().kind == FaultKind::refused)) {
+    co_await wait_for_quiet();
+    strays_ = line_feeds_ = 0;
+    found = co_await find();
+  }
+  if (!found) co_return found;
   auto looked = co_await look_back_over_the_loss();
   if (!looked) co_return looked;
   co_return Result<>();
 }
 
+Task<Result<>> ArcusDriver::find() {
+  auto identified = co_await identify();
+  if (!identified) co_return identified;
+  auto named = co_await read_name();
+  if (!named) co_return named;
+  co_return co_await read_state();
+}
+
 // ID tells the product; where a firmware does not know it, VER shows at least the family. One that was lost
-// is asked again and again: once each time, and by its name first, so that its answer, if it comes too late,
-// is taken for none of the others on its line.
+// is asked by its name first, so that its answer, if it comes too late, is taken for none of the others on
+// its line.
 Task<Result<>> ArcusDriver::identify() {
-  constexpr Duration patience = Millis(300);
-  const bool was_lost = lost_at_ != Instant{};
-  if (was_lost) {
-    const auto anybody = co_await say("DN", Priority::intent, patience, true);
+  if (lost_at_ != Instant{}) {
+    const auto anybody = co_await say("DN", Priority::intent, first_patience, true);
     if (!anybody && anybody.error().kind == FaultKind::no_answer) co_return silent();
     if (!anybody && anybody.error().kind == FaultKind::lost) co_return fail(anybody.error());
   }
-  auto reply = co_await exchange("ID", Priority::intent, patience, true);
-  // What comes first may be the answer to whoever had the line before.
-  const bool foreign =
-      reply && reply->text != model().product && reply->text != forms_.other_product && reply->text != "ID";
-  if (foreign || (!reply && reply.error().kind == FaultKind::no_answer && !was_lost)) {
-    co_await wait_for_quiet();
-    strays_ = 0;
-    reply = co_await exchange("ID", Priority::intent, patience, true);
-  }
+  auto reply = co_await ask_who_it_is("ID", [this](std::string_view text) {
+    return text == model().product || text == forms_.other_product;
+  });
   if (!reply && reply.error().kind == FaultKind::no_answer) co_return silent();
   if (!reply) co_return fail(reply.error());
   if (reply->text == "ID") co_return echoed();
@@ -84,12 +96,10 @@ Task<Result<>> ArcusDriver::identify() {
         fmt::format("Device {:02} is a {}, not a {}.", catalog_.address, reply->text, model().title),
         "Nothing more was sent.", "Open it as the other model.");
   const bool known = reply->text == model().product;
-  auto version = co_await exchange("VER", Priority::intent, Millis(200), true);
+  auto version = co_await ask_who_it_is("VER", looks_like_a_version);
   if (!version) co_return fail(version.error());
   if (line_feeds_ > 0) co_return line_feeds_come();
-  const bool sense = version->text.size() >= 2 && version->text[0] == 'V' && version->text[1] >= '0' &&
-                     version->text[1] <= '9';
-  if (!sense) co_return garbled(known ? version->text : reply->text);
+  if (!looks_like_a_version(version->text)) co_return garbled(known ? version->text : reply->text);
   co_await wait_for_quiet();  // a second device with this address would have spoken by now
   if (strays_ > 0) co_return two_answer();
   draft_.identity.model = known ? reply->text : hex_of(reply->text);
@@ -99,6 +109,41 @@ Task<Result<>> ArcusDriver::identify() {
          fmt::format("It answers {} to ID where a {} says {}. It is used as a {}.", hex_of(reply->text),
                      model().title, model().product, model().title));
   co_return Result<>();
+}
+
+// What comes first may be the answer to whoever had the line before, or half an answer; what comes late is of
+// a slow controller. Asked again it says the same, or is silent again: then that is what it is.
+Task<Result<Reply>> ArcusDriver::ask_who_it_is(std::string question,
+                                               std::function<bool(std::string_view)> is_it) {
+  Result<Reply> reply = fail(FaultKind::no_answer, "");
+  int silences = 0;
+  std::string before;
+  for (int attempt = 0; attempt < attempts_at_connect; ++attempt) {
+    reply = co_await exchange(question, Priority::intent, first_patience, true);
+    if (reply && (is_it(reply->text) || reply->text == before)) break;
+    if (!reply && !worth_another_try(reply.error())) break;
+    if (!reply && reply.error().kind == FaultKind::no_answer && ++silences > 1) break;
+    if (!reply) least_patience_ = slow_patience;  // until it has answered
+    if (reply) before = reply->text;
+    co_await wait_for_quiet();
+    strays_ = line_feeds_ = 0;
+  }
+  if (reply) note_how_slow();
+  co_return reply;
+}
+
+// How long it took to answer, beyond the bytes.
+void ArcusDriver::note_how_slow() {
+  if (!station_) return;
+  constexpr std::size_t usual_bytes = 24;  // of ID and its answer
+  const Duration waited = station_->statistics().last_round_trip - station_->wire_time(usual_bytes);
+  const bool slow = waited > slow_from;
+  least_patience_ = slow ? slow_patience : Duration::zero();
+  if (!slow || std::exchange(slow_told_, true)) return;
+  tell(Notice::Kind::warning,
+       fmt::format("It takes {:.1f} s to answer. It is waited for; what is shown of it is as old, and a stop "
+                   "is confirmed as late.",
+                   seconds(waited)));
 }
 
 Task<Result<>> ArcusDriver::read_name() {

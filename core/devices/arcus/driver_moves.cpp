@@ -19,6 +19,7 @@ void ArcusDriver::begun(int index, Activity activity, Instant when) {
   AxisState& axis = draft_.axes[index];
   axis.activity = activity;
   axis.ended_by = EndedBy::nothing;
+  draft_.program.ended_by = EndedBy::nothing;
 }
 
 // What may have gone wrong when no answer came to something that moves: the state is read, nothing is sent

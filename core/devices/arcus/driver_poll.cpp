@@ -80,6 +80,7 @@ Task<Result<>> ArcusDriver::read_motion(Priority priority) {
   if (!status) co_return fail(status.error());
   auto positions = co_await ask_numbers(std::string(forms_.positions), axes, priority);
   if (!positions) co_return fail(positions.error());
+  const Instant seen_at = scheduler_.now();  // what is asked behind it may come late
   auto encoders = co_await ask_numbers(std::string(forms_.encoders), axes, priority);
   if (!encoders) co_return fail(encoders.error());
   auto speeds = co_await ask_numbers(std::string(forms_.speeds), axes, priority);
@@ -94,7 +95,7 @@ Task<Result<>> ArcusDriver::read_motion(Priority priority) {
     const bool changed = axis.position_known && move != Steps(0);
     axis.position = position;
     axis.position_known = true;
-    axis.seen_at = scheduler_.now();
+    axis.seen_at = seen_at;
     axis.has_encoder = true;
     axis.encoder = Steps((*encoders)[ix(i)]);
     axis.speed = Pps(std::abs(static_cast<double>((*speeds)[ix(i)])));

@@ -56,6 +56,7 @@ Task<Result<>> ArcusDriver::control(int thread, int what) {
                    fmt::format("There is no program {}: there are 0 to {}.", thread, model().programs - 1),
                    "Nothing was sent.");
   const std::string text = fmt::format("SR{}={}", thread, what);
+  if (what == thread_run) draft_.program.ended_by = EndedBy::nothing;
   auto done = co_await command(text, Priority::intent);
   if (!done) {
     Fault fault = co_await after_doubt(std::move(done.error()), text);
@@ -150,6 +151,23 @@ Task<Result<>> ArcusDriver::write_line(int line, std::string text) {
   co_return written;
 }
 
+// A line may be written twice: whether an answer was lost, or the line itself garbled on its way or back,
+// reading it tells. `there` is what it was when it was read last.
+Task<Result<>> ArcusDriver::store_line(int line, std::string text, std::string there) {
+  constexpr int most_writes = 3;
+  for (int writes = 0; there != text; ++writes) {
+    if (writes == most_writes)
+      co_return fail(FaultKind::controller,
+                     fmt::format("Line {} reads back as \"{}\" instead of \"{}\".", line, there, text));
+    auto written = co_await write_line(line, text);
+    if (!written && !worth_another_try(written.error())) co_return written;
+    auto back = co_await read_line(line, Priority::transfer);
+    if (!back) co_return fail(back.error());
+    there = std::move(*back);
+  }
+  co_return Result<>();
+}
+
 void ArcusDriver::show_transfer(int done, int total) {
   draft_.transfer.running = done < total;
   draft_.transfer.done = done;
@@ -242,15 +260,8 @@ Task<Result<>> ArcusDriver::write_lines(std::vector<std::string> lines) {
   for (int n = 0; n < total; ++n) {
     auto there = co_await read_line(n, Priority::transfer);
     if (!there) co_return fail(there.error());
-    if (*there != lines[ix(n)]) {
-      auto written = co_await write_line(n, lines[ix(n)]);
-      if (!written) co_return written;
-      auto back = co_await read_line(n, Priority::transfer);
-      if (!back) co_return fail(back.error());
-      if (*back != lines[ix(n)])
-        co_return fail(FaultKind::controller, fmt::format("Line {} reads back as \"{}\" instead of \"{}\".",
-                                                          n, *back, lines[ix(n)]));
-    }
+    auto stored = co_await store_line(n, lines[ix(n)], std::move(*there));
+    if (!stored) co_return stored;
     show_transfer(n + 1, total);
     co_await stay_live();
   }
@@ -269,7 +280,7 @@ Task<Result<>> ArcusDriver::clear_from(int line) {
       continue;
     }
     empty = 0;
-    auto cleared = co_await write_line(n, {});
+    auto cleared = co_await store_line(n, {}, std::move(*there));
     if (!cleared) co_return cleared;
     co_await stay_live();
   }

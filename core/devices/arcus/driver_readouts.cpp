@@ -165,7 +165,10 @@ Task<Result<>> ArcusDriver::read_thread(int thread, Priority priority) {
   ThreadState& known = draft_.threads[ix(thread)];
   known.run = run;
   known.known = true;
-  if (known.run == RunState::running) program_runs();
+  if (known.run == RunState::running) {
+    draft_.program.ended_by = EndedBy::nothing;
+    program_runs();
+  }
   if (known.run == RunState::idle) {
     known.line = -1;
     co_return Result<>();

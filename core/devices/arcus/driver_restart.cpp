@@ -160,6 +160,7 @@ void ArcusDriver::restarted(std::string_view how_it_shows, const std::optional<S
   borrowed_.reset();
   stored_code_.reset();
   called_.reset();
+  if (scheduler_.now() <= programs_run_until_) draft_.program.ended_by = EndedBy::lost;
   end_feed();
   stood_.reset();
   motors_on_.reset();

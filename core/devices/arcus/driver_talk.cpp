@@ -1,4 +1,6 @@
 // Questions and commands, and what the device says unasked. The user's own text: driver_text.cpp.
+#include <algorithm>
+
 #include <fmt/core.h>
 
 #include "core/devices/arcus/driver.h"
@@ -7,17 +9,17 @@ namespace hw::arcus {
 namespace {
 
 constexpr Duration usual_patience = Millis(200);
-constexpr Duration quiet_time = Millis(30), longest_noise = Millis(300);
+struct Quiet {
+  Duration time, longest_noise;
+};
+constexpr Quiet usual_quiet{Millis(30), Millis(300)};
+constexpr Quiet quiet_of_a_slow_one{Millis(45), Millis(800)};  // bytes come up to 40 ms apart
 
 std::string printable(std::string_view bytes) {
   std::string all;
   for (const char c : bytes.substr(0, 40))
     all += c >= ' ' && c < 127 ? std::string(1, c) : fmt::format("<{:02X}>", static_cast<unsigned char>(c));
   return all;
-}
-
-bool worth_another_try(const Fault& fault) {
-  return fault.kind == FaultKind::no_answer || fault.kind == FaultKind::garbled;
 }
 
 tl::unexpected<Fault> means_nothing(std::string_view question, std::string_view reply) {
@@ -79,7 +81,7 @@ Task<Result<Reply>> ArcusDriver::say(std::string text, Priority priority, Durati
   const bool usb = station_->carries_messages();
   Transaction t(frame(framing(), catalog_.address, text), usb ? ReplyShape::message() : ReplyShape::text(),
                 priority);
-  t.patience = patience;
+  t.patience = std::max(patience, least_patience_);
   t.prompt = own_question;
   t.own_question = own_question && priority != Priority::transfer;
   t.names_itself = text_of(text) == "DN";
@@ -107,7 +109,7 @@ Task<Result<>> ArcusDriver::hear_its_name(Priority priority) {
   const bool usb = station_->carries_messages();
   Transaction t(frame(framing(), catalog_.address, "DN"), usb ? ReplyShape::message() : ReplyShape::text(),
                 priority);
-  t.patience = usual_patience;
+  t.patience = std::max(usual_patience, least_patience_);
   t.prompt = true;
   t.own_question = priority != Priority::transfer;
   t.names_itself = true;
@@ -208,6 +210,8 @@ Task<Result<>> ArcusDriver::broadcast(std::string text, Priority priority) {
 // After an answer that made no sense: what still comes must not be taken for the next one. Where another
 // program talks all the time it never is quiet.
 Task<> ArcusDriver::wait_for_quiet() {
+  const auto [quiet_time, longest_noise] =
+      least_patience_ > Duration::zero() ? quiet_of_a_slow_one : usual_quiet;
   const Instant give_up = scheduler_.now() + longest_noise;
   Instant quiet_at = scheduler_.now() + quiet_time;
   while (station_ && scheduler_.now() < quiet_at) {

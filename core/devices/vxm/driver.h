@@ -35,6 +35,11 @@ inline constexpr std::string_view unused_slave =
     "A second controller answers on the VXM bus, and its motors 3 and 4 are not shown. Open it with motors=4 "
     "in its address to use them.";
 
+/// A question may be asked again.
+inline bool worth_another_try(const Fault& fault) {
+  return fault.kind == FaultKind::no_answer || fault.kind == FaultKind::garbled;
+}
+
 class VxmDriver final : public Driver {
  public:
   explicit VxmDriver(DriverContext context);
@@ -107,7 +112,7 @@ class VxmDriver final : public Driver {
   Task<Result<std::string>> ask_text(std::string question, Priority priority);
   Task<Result<unsigned char>> ask_raw(char question, Priority priority);
   Task<Result<Listing>> ask_listing(Priority priority);
-  Task<Result<>> wait_for_quiet();
+  Task<Result<>> wait_for_quiet(Duration at_most = Duration::max());
   std::size_t hear(std::string_view bytes);
   void heard(const Message& message);
   void heard_prompt();
@@ -141,12 +146,16 @@ class VxmDriver final : public Driver {
 
   // ---- driver_connect.cpp
   Task<Result<std::string>> ask_who_listens();
+  Task<Result<>> find_out_all();
   Task<Result<>> greet();
+  Task<Result<>> end_echo(char state);
+  Task<Result<>> hear_without_echo();
   Task<Result<>> go_on_line();
   Task<Result<>> found_local(char state);
   Task<Result<>> found_restarted(const char* why);
   Task<Result<>> read_identity();
   Task<Result<>> read_sizes();
+  Task<Result<std::int64_t>> ask_selected();
   Task<Result<>> read_essentials();
   Task<Result<>> resume_after_loss(char state);
   void count_restart(const char* why, bool was_moving, const std::optional<Digitized>& places);
@@ -158,6 +167,7 @@ class VxmDriver final : public Driver {
   // ---- driver_poll.cpp
   Task<Result<>> ask_whether_it_hears_again();
   Task<Result<>> poll_on_line(Round round);
+  Task<Result<>> poll_echoing();
   Task<Result<>> see_whether_it_stands();
   Task<Result<>> poll_local();
   Task<Result<>> read_positions(Priority priority, bool at_rest);
@@ -282,7 +292,7 @@ class VxmDriver final : public Driver {
   Event news_;
 
   Mode mode_ = Mode::unknown;
-  bool connected_before_ = false, stay_local_ = false;
+  bool connected_before_ = false, connecting_ = false, stay_local_ = false;
   bool slave_present_ = false;
   bool lost_while_busy_ = false;
 
@@ -318,6 +328,8 @@ class VxmDriver final : public Driver {
 
   std::string unasked_;  ///< a message that has not come to its end
   Instant heard_at_{};
+  std::string asked_;  ///< last: what comes back of it unchanged is an echo
+  bool echoes_ = false, echo_told_ = false;
   bool raw_asked_ = false;
   std::optional<char> second_raw_;
   Instant killed_at_{};

@@ -9,12 +9,17 @@ namespace hw::vxm {
 namespace {
 
 constexpr std::uint16_t greeting_quiet_ms = 20;
+constexpr std::uint16_t slow_greeting_quiet_ms = 45;  // bytes come up to 40 ms apart
+constexpr int greetings = 4, silences_until_nobody = 2;
+constexpr Duration longest_noise = Millis(500);
+constexpr int attempts_to_end_echo = 4;
 
 /// What came back on V when nothing is known of the mode yet.
 struct Greeting {
   char state = 0;
   bool echo = false;
   bool sense = true;  ///< false: bytes that no VXM sends
+  [[nodiscard]] bool is_a_vxm() const { return state && sense; }
 };
 Greeting read_greeting(std::string_view bytes) {
   Greeting g;
@@ -85,31 +90,51 @@ VxmDriver::VxmDriver(DriverContext context)
 void VxmDriver::attach(Station& station) {
   station_ = &station;
   mode_ = Mode::unknown;
+  echoes_ = echo_told_ = false;
   station.unsolicited = [this](std::string_view bytes) { return hear(bytes); };
   station.procedure_ended = [this] { news_.notify(); };
 }
 
 Task<Result<>> VxmDriver::connect() {
+  connecting_ = true;
+  auto made = co_await find_out_all();
+  connecting_ = false;
+  co_return made;
+}
+
+Task<Result<>> VxmDriver::find_out_all() {
   auto greeted = co_await greet();
   if (!greeted) co_return greeted;
   connected_before_ = true;
-  if (!busy()) {
+  if (!busy() && !echoes_) {
     auto caught_up = co_await catch_up();
     if (!caught_up) co_return caught_up;
   }
+  auto polled = co_await poll(Round::usual);
+  if (polled || !worth_another_try(polled.error())) co_return polled;
+  auto quiet = co_await wait_for_quiet(longest_noise);  // a status byte is asked once a round
+  if (!quiet) co_return quiet;
   co_return co_await poll(Round::usual);
 }
 
-// V alone first: it moves nothing in any mode. A carriage return ends a command that somebody left half said.
+// V alone first: it moves nothing in any mode. A carriage return ends a command that somebody left half said,
+// and what came of it, or of a line that was opened amid garbage, is let pass.
 Task<Result<std::string>> VxmDriver::ask_who_listens() {
   std::string bytes;
-  for (const char* question : {"V", "\r", "V"}) {
-    auto reply = co_await ask(
-        question, question[0] == '\r' ? ReplyShape::nothing() : ReplyShape::until_quiet(greeting_quiet_ms),
-        Priority::intent, nullptr, Millis(300));
+  int silences = 0;
+  for (int n = 0; n < greetings && silences < silences_until_nobody; ++n) {
+    if (n > 0) {
+      auto ended = co_await say("\r", Priority::intent);
+      if (!ended) co_return fail(ended.error());
+      auto quiet = co_await wait_for_quiet(longest_noise);
+      if (!quiet) co_return fail(quiet.error());
+    }
+    const auto quiet_ms = n > 0 ? slow_greeting_quiet_ms : greeting_quiet_ms;
+    auto reply = co_await ask("V", ReplyShape::until_quiet(quiet_ms), Priority::intent, nullptr, Millis(300));
     if (!reply && reply.error().kind != FaultKind::no_answer) co_return fail(reply.error());
+    if (!reply) ++silences;
     if (reply) bytes = *reply;
-    if (!bytes.empty()) break;
+    if (reply && read_greeting(bytes).is_a_vxm()) break;
   }
   co_return bytes;
 }
@@ -120,7 +145,8 @@ Task<Result<>> VxmDriver::greet() {
   const Greeting greeting = read_greeting(*bytes);
   const int rate = station_ ? station_->rate() : 0;
   if (bytes->empty()) co_return silent(rate);
-  if (!greeting.state || !greeting.sense) co_return nonsense(*bytes, rate);
+  if (!greeting.is_a_vxm()) co_return nonsense(*bytes, rate);
+  echoes_ = greeting.echo;
   if (greeting.state == jog_idle || greeting.state == jog_moving)
     co_return co_await found_local(greeting.state);
   if (halted_) killed(EndedBy::error);  // it hears again
@@ -129,15 +155,55 @@ Task<Result<>> VxmDriver::greet() {
   // F: no echo, no carriage returns behind prompts, whoever asked for them.
   auto said = co_await say("F", Priority::intent);
   if (!said) co_return said;
-  if (greeting.echo)
-    tell(Notice::Kind::info, "The controller echoed what it was sent. Echo has been switched off.");
   auto state = co_await ask_state(Priority::intent);
-  if (!state && greeting.echo)
-    co_return fail(FaultKind::garbled,
-                   "The controller echoes what it is sent, and does not stop that while its program runs.",
-                   "Nothing else was sent.", "Wait until the program ends, or stop it by the Stop button.");
   if (!state) co_return fail(state.error());
+  if (greeting.echo) {
+    auto ended = co_await end_echo(*state);
+    if (!ended) co_return ended;
+  }
   co_return co_await resume_after_loss(*state);
+}
+
+// While a program runs F is dropped, and nothing tells an echo from a status byte: only the state and the
+// positions are believed until F is taken.
+Task<Result<>> VxmDriver::end_echo(char state) {
+  if (state != ready) {
+    if (!std::exchange(echo_told_, true))
+      tell(Notice::Kind::warning,
+           "The controller echoes what it is sent, and does not end that while its program runs. Until then "
+           "inputs, outputs and limits are not read, and it takes nothing but stops.");
+    co_return Result<>();
+  }
+  for (int n = 0; n < attempts_to_end_echo && echoes_; ++n) {
+    auto said = co_await say("F", Priority::intent);
+    if (!said) co_return said;
+    auto quiet = co_await wait_for_quiet(longest_noise);
+    if (!quiet) co_return quiet;
+    auto reply =
+        co_await ask("V", ReplyShape::until_quiet(slow_greeting_quiet_ms), Priority::intent, nullptr);
+    if (!reply && reply.error().kind != FaultKind::no_answer) co_return fail(reply.error());
+    const Greeting greeting = reply ? read_greeting(*reply) : Greeting();
+    if (greeting.is_a_vxm() && !greeting.echo) echoes_ = false;
+    if (greeting.is_a_vxm() && greeting.state != ready) co_return Result<>();  // something was begun
+  }
+  if (echoes_)
+    co_return fail(FaultKind::garbled, "The controller echoes what it is sent although it was told F.", {},
+                   "Look whether another program talks to it, or something on the way sends bytes back.");
+  echo_told_ = false;
+  tell(Notice::Kind::info, "The controller echoed what it was sent. Echo has been switched off.");
+  co_return Result<>();
+}
+
+// Somebody wants something of it: what it would answer could not be told from the echo.
+Task<Result<>> VxmDriver::hear_without_echo() {
+  if (!echoes_) co_return Result<>();
+  auto state = co_await ask_state(Priority::intent);
+  if (!state) co_return fail(state.error());
+  auto ended = co_await end_echo(*state);
+  if (!ended || !echoes_) co_return ended;
+  co_return fail(FaultKind::refused,
+                 "The controller echoes what it is sent, and does not end that while its program runs.",
+                 "Nothing was sent.", "Wait until the program ends, or stop it by the Stop button.");
 }
 
 // The first time Local mode is the usual state after power-up. Later it means that the controller was
@@ -155,14 +221,18 @@ Task<Result<>> VxmDriver::found_local(char state) {
 }
 
 Task<Result<>> VxmDriver::go_on_line() {
-  auto said = co_await say("F", Priority::intent);
-  if (!said) co_return said;
-  auto state = co_await ask_state(Priority::intent);
-  if (!state) co_return fail(state.error());
-  if (*state == jog_idle || *state == jog_moving)
-    co_return fail(
-        FaultKind::controller, "The controller stays in Local mode although it was asked to go on-line (F).",
-        {}, "Let go of all buttons at its front panel; if its green lamp flashes, wait until it is steady.");
+  for (const bool again : {false, true}) {
+    auto said = co_await say("F", Priority::intent);
+    if (!said) co_return said;
+    auto state = co_await ask_state(Priority::intent);
+    if (!state) co_return fail(state.error());
+    if (*state == ready || *state == vxm::busy) break;
+    if (again)
+      co_return fail(
+          FaultKind::controller,
+          "The controller stays in Local mode although it was asked to go on-line (F).", {},
+          "Let go of all buttons at its front panel; if its green lamp flashes, wait until it is steady.");
+  }
   mode_ = Mode::on_line;
   restart_counted_ = false;
   co_return Result<>();
@@ -318,16 +388,23 @@ Task<Result<>> VxmDriver::read_identity() {
   co_return Result<>();
 }
 
+// A PM that has lost its P is another question.
+Task<Result<std::int64_t>> VxmDriver::ask_selected() {
+  auto selected = co_await ask_number("PM\r", Priority::poll);
+  const auto is_one = [&] { return *selected >= 0 && *selected < program_count; };
+  if (selected && !is_one()) selected = co_await ask_number("PM\r", Priority::poll);
+  if (!selected || is_one()) co_return selected;
+  co_return fail(
+      FaultKind::garbled,
+      fmt::format("The controller says that program {} is selected, but it has 0 to 4.", *selected));
+}
+
 // M speaks of the selected program, so each must be selected in turn and the user's choice put back.
 Task<Result<>> VxmDriver::read_sizes() {
   auto given_back = co_await give_back_selection();
   if (!given_back) co_return given_back;
-  auto selected = co_await ask_number("PM\r", Priority::poll);
+  auto selected = co_await ask_selected();
   if (!selected) co_return fail(selected.error());
-  if (*selected < 0 || *selected >= program_count)
-    co_return fail(
-        FaultKind::garbled,
-        fmt::format("The controller says that program {} is selected, but it has 0 to 4.", *selected));
   selected_ = chosen_ = static_cast<int>(*selected);
   if (!stored_running_) draft_.program.slot = static_cast<std::int8_t>(selected_);
   for (int slot = 0; slot < program_count; ++slot) {

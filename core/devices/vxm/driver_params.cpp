@@ -44,6 +44,8 @@ Task<Result<>> VxmDriver::perform(const IntentBody& body) {
     if (!on_line) co_return on_line;
     stay_local_ = false;
   }
+  auto heard = co_await hear_without_echo();
+  if (!heard) co_return heard;
   auto settled = co_await settle();
   if (!settled) co_return settled;
   if (text) co_return co_await send_text(text->text);

@@ -24,7 +24,7 @@ Task<Result<>> VxmDriver::poll(Round round) {
     polled = co_await see_whether_it_stands();
   else
     polled = co_await poll_on_line(round);
-  if (polled && !busy() && round != Round::stopping) look_what_ended_the_run();
+  if (polled && !busy() && !echoes_ && round != Round::stopping) look_what_ended_the_run();
   show_worst();
   if (!polled && halted_ && station_) {  // its error report came in place of an answer
     station_->count_answer(station_->statistics().last_round_trip, false, scheduler_.now());
@@ -62,13 +62,14 @@ Task<Result<>> VxmDriver::ask_whether_it_hears_again() {
 Task<Result<>> VxmDriver::poll_on_line(Round round) {
   ++round_;
   round_began_ = scheduler_.now();
+  if (echoes_) co_return co_await poll_echoing();
   auto settled = co_await settle();
   if (!settled) co_return settled;
   // V first: it is answered in every mode, so a restart shows before X is asked in vain.
   auto state = co_await ask_state(Priority::poll);
   if (!state) co_return fail(state.error());
   auto taken = co_await take_state(*state);
-  if (!taken || stay_local_) co_return taken;
+  if (!taken || stay_local_ || echoes_) co_return taken;
   auto read = co_await read_positions(Priority::poll, !busy());
   if (!read) co_return read;
   if (busy()) {
@@ -80,6 +81,17 @@ Task<Result<>> VxmDriver::poll_on_line(Round round) {
   auto io = co_await read_all_io(Priority::poll);
   if (!io) co_return io;
   co_return co_await catch_up();
+}
+
+// Answers that no echo can be mistaken for; everything else waits for the next round without one.
+Task<Result<>> VxmDriver::poll_echoing() {
+  auto state = co_await ask_state(Priority::poll);
+  if (!state) co_return fail(state.error());
+  auto taken = co_await take_state(*state);
+  if (!taken || stay_local_) co_return taken;
+  auto read = co_await read_positions(Priority::poll, !busy());
+  if (!read) co_return read;
+  co_return co_await end_echo(*state);
 }
 
 // While a stop is under way: whether anything runs, and where it is. What comes after that waits for the

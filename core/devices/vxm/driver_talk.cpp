@@ -15,7 +15,7 @@ tl::unexpected<Fault> no_such_answer(std::string_view question, std::string_view
   return fail(FaultKind::garbled,
               fmt::format("The controller answered {} to {}, which means nothing.", printable(reply),
                           printable(question)),
-              "It was asked twice.",
+              "It was asked again.",
               "Look at the cable, the baud rate, and whether another program talks to the controller.");
 }
 
@@ -46,6 +46,7 @@ Task<Result<std::string>> VxmDriver::ask(Transaction t) {
   }
   if (!station_)
     co_return fail(FaultKind::lost, "There is no connection to the controller.", "Nothing was sent.");
+  asked_ = t.bytes;
   co_return co_await station_->transact(std::move(t));
 }
 
@@ -55,22 +56,26 @@ Task<Result<>> VxmDriver::say(std::string text, Priority priority) {
   co_return Result<>();
 }
 
-// A question may be asked once more when its answer was garbled or did not come; nothing else is ever
-// repeated.
+// A question may be asked once more when its answer was garbled or did not come, and more often while the
+// controller is being opened; nothing else is ever repeated.
 template <class T>
 Task<Result<T>> VxmDriver::ask_decoded(std::string question, ReplyShape shape, Priority priority,
                                        Stranger stranger, std::optional<T> (*decode)(std::string_view)) {
   Result<std::string> reply{std::string()};
-  for (int attempt = 0; attempt < 2; ++attempt) {
+  const int attempts = connecting_ ? 4 : 2;
+  for (int attempt = 0; attempt < attempts; ++attempt) {
     reply = co_await ask(own_question(question, shape, priority, stranger));
     if (reply) {
       if (auto decoded = decode(*reply)) co_return std::move(*decoded);
-    } else if (reply.error().kind != FaultKind::no_answer && reply.error().kind != FaultKind::garbled) {
+    } else if (!worth_another_try(reply.error())) {
       break;
     }
     if (halted_) break;  // it answers nothing until K
     auto quiet = co_await wait_for_quiet();
     if (!quiet) co_return fail(quiet.error());
+    if (question.size() == 1 && !connecting_) continue;
+    auto ended = co_await say("\r", priority);  // what was left of it would go before the next
+    if (!ended) co_return fail(ended.error());
   }
   if (!reply) co_return fail(reply.error());
   co_return no_such_answer(question, *reply);
@@ -124,9 +129,10 @@ Task<Result<unsigned char>> VxmDriver::ask_raw(char question, Priority priority)
 
 // After an answer that made no sense: whatever still comes must not be taken for the next one, and nothing
 // may be sent while the controller sends (the overrun of the manual's p.30 locks it until power-off).
-Task<Result<>> VxmDriver::wait_for_quiet() {
+Task<Result<>> VxmDriver::wait_for_quiet(Duration at_most) {
+  const Instant began = scheduler_.now();
   Instant quiet_at = scheduler_.now() + quiet_time;
-  while (station_ && scheduler_.now() < quiet_at) {
+  while (station_ && scheduler_.now() < quiet_at && scheduler_.now() - began < at_most) {
     auto paused = co_await station_->pause(quiet_at - scheduler_.now());
     if (!paused) co_return paused;
     quiet_at = std::max(quiet_at, heard_at_ + quiet_time);
@@ -151,6 +157,7 @@ std::size_t VxmDriver::hear(std::string_view bytes) {
     const Message m = next_message(std::string_view(unasked_).substr(taken));
     if (m.kind == Message::Kind::unfinished) break;
     if (m.kind == Message::Kind::unknown && !first_unknown) first_unknown = taken;
+    if (m.kind == Message::Kind::unknown && asked_ == "V" && unasked_[taken] == 'V') echoes_ = true;
     taken += m.length;
     heard(m);
   }

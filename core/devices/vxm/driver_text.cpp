@@ -229,6 +229,8 @@ Task<Result<>> VxmDriver::send_text(std::string text) {
 }
 
 Task<Result<std::string>> VxmDriver::query(std::string text, Duration patience) {
+  auto heard = co_await hear_without_echo();
+  if (!heard) co_return fail(heard.error());
   auto settled = co_await settle();
   if (!settled) co_return fail(settled.error());
   co_return co_await converse(std::move(text), patience, Priority::intent);

@@ -78,6 +78,24 @@ TEST_F(Programs, OneWhoseTransferWasBrokenOffDoesNotRun) {
   }
 }
 
+// Wherever it is lost: that a line is there, what it is, that it was taken.
+TEST_F(Programs, OneLostAnswerBreaksNoTransferOff) {
+  const std::string text = "V1=1\nV2=2\nV3=3\nEND\n";
+  for (const std::string_view model : both)
+    for (int after_ms = 0; after_ms < 200; after_ms += 15) {
+      start(model, {}, true);
+      const IntentId loading = post(intent::LoadProgram(0, text));
+      ASSERT_TRUE(run_until([&] { return latest.transfer.running; }, 10));
+      run(after_ms / 1000.0);
+      loop->drop(1);
+      ASSERT_TRUE(run_until([&] { return fate(loading) != Fate::pending; }, 10));
+      EXPECT_EQ(fate(loading), Fate::done)
+          << model << " after " << after_ms << " ms: " << pump->known().fate_of(loading)->sentence.view();
+      EXPECT_EQ(held(0), text);
+      next_model();
+    }
+}
+
 TEST_F(Programs, OneThatIsHalfWrittenWhenTheConsoleIsClosedIsNamed) {
   std::string text;
   for (int n = 0; n < 100; ++n) text += "V1=" + std::to_string(n) + "\n";

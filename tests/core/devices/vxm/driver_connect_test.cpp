@@ -259,8 +259,8 @@ TEST_F(VxmDriverConnect, AStopThatIsOwedIsDUntilTheStateIsKnown) {
 TEST_F(VxmDriverConnect, PowerOffIsALostLinkUntilItIsBack) {
   start();
   ASSERT_TRUE(loop->operate(bench::Power(false)));
-  run(5);
-  EXPECT_EQ(latest.link.state, LinkState::lost);
+  EXPECT_TRUE(run_until([&] { return latest.link.state == LinkState::lost; }, 5));
+  run(4);
   EXPECT_THAT(health(), testing::AnyOf(HasSubstr("has not answered"), HasSubstr("Nothing answers")));
   ASSERT_TRUE(loop->operate(bench::Power(true)));
   EXPECT_TRUE(run_until([&] { return latest.link.state == LinkState::good; }, 15));
