@@ -442,7 +442,7 @@ TEST_F(DmxBus, OneThatIsStoppedWhileOthersAreBusyIsNeverSaidToHaveArrived) {
 TEST_F(DmxBus, TwoWithOneNameAreNotTakenForADevice) {
   build({"01", "01"});
   Member& member = connect("01");
-  run(2);
+  run(5);
   EXPECT_EQ(member.latest.link.state, LinkState::lost);
   EXPECT_THAT(member.sentence(), AnyOf(HasSubstr("two devices with one address"),
                                        HasSubstr("More than one device answers at address 01")));
