@@ -146,7 +146,8 @@ Task<bool> Pump::connect() {
     silence_.disarm();
     if (closing_ || !station_->is_open()) co_return false;
     if (station_->preempted()) {  // by a stop, or because nothing comes
-      if (!desk_.due()) nothing_comes_back();
+      const bool was_silent = scheduler_.now() - attempt_at_ >= retry_with_a_stop;
+      if (!desk_.due() && was_silent) nothing_comes_back();
       continue;
     }
     if (made) break;

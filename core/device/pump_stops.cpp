@@ -171,8 +171,6 @@ void Pump::owe_stops_at_loss(const Fault& why) {
         order.what == What::broadcast || (order.what == What::words && !order.meaning.stops_here());
     return !ran_when_lost_ || other;
   });
-  for (StopOrder& order : desk_.orders())
-    if (order.what == What::words) order.what = What::everything;
   jogs_.for_each_axis([this](int axis) {
     StopOrder lets_go;
     lets_go.what = StopOrder::What::jog;

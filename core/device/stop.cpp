@@ -27,7 +27,10 @@ StopOrder* StopDesk::due() {
 }
 
 void StopDesk::send_all_again() {
-  for (StopOrder& order : orders_) order.sent = order.confirmed = false;
+  for (StopOrder& order : orders_) {
+    order.sent = order.confirmed = false;
+    if (order.what == StopOrder::What::words) order.what = StopOrder::What::everything;  // words go out once
+  }
 }
 
 StopOrder* StopDesk::find(std::uint64_t epoch) {
