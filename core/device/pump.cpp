@@ -113,6 +113,7 @@ Task<bool> Pump::open_and_connect() {
   draft_.link.attempts = ++attempt_;
   attempt_at_ = scheduler_.now();
   publish();
+  const OwedAnswers owed = station_ ? station_->owed() : OwedAnswers();
   station_.reset();
   auto opened = co_await ways_.open_wire();
   if (closing_) co_return false;
@@ -122,6 +123,7 @@ Task<bool> Pump::open_and_connect() {
   }
   station_ = std::make_unique<Station>(std::move(*opened), ways_.traffic);
   station_->address = catalog_.address;
+  station_->take_over(owed);
   station_->recorded = ways_.recorded;
   station_->closed = [this](const Fault& why) {
     lose_wire(why);
@@ -291,6 +293,7 @@ void Pump::poll_finished(const Result<>& result) {
   health.misses_in_a_row = static_cast<std::uint32_t>(s.misses_in_a_row);
   if (!result && result.error().kind == FaultKind::lost) return lose_wire(result.error());
   if (nobody_answers()) return lose_wire(not_answering());
+  if (s.misses_in_a_row >= misses_until_a_jog_ends && jogs_.any()) jog_out_of_sight();
   forget_jogs_that_ended();
   if (result) look_at_stops();
   if (result) tell_what_came_of_the_loss();

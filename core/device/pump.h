@@ -70,6 +70,7 @@ class Pump {
 
   static constexpr Duration dead_man = Millis(250);
   static constexpr int misses_until_lost = 3;
+  static constexpr int misses_until_a_jog_ends = 2;  ///< the third may take seconds to show
 
  private:
   struct Job;  // an intent, or a query with its waiting coroutine
@@ -132,6 +133,7 @@ class Pump {
   void forget_jogs_that_ended();
   void count_program_change(const Intent& intent);
   void jog_let_go();
+  void jog_out_of_sight();
 
   Scheduler& scheduler_;
   const Catalog& catalog_;

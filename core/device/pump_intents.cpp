@@ -194,6 +194,13 @@ void Pump::jog_let_go() {
   post_stop(std::move(lets_go));
 }
 
+// Nobody sees where a held jog goes.
+void Pump::jog_out_of_sight() {
+  ways_.notify(Notice(Notice::Kind::warning, scheduler_.now(),
+                      "The controller does not answer, so the jog was stopped."));
+  post_stop(StopOrder());
+}
+
 void Pump::refuse_queued(std::string_view why) {
   if (queue_.empty()) return;
   for (auto& job : std::exchange(queue_, {})) refuse(std::move(job), why);

@@ -136,20 +136,22 @@ void Link::start_next() {
     return;
   }
   constexpr std::size_t usual_answer = 16;
-  deadline_.arm(deadline_at_ = sent_at_ + patience_for(t) + wire_time(t.bytes.size() + usual_answer));
+  deadline_.arm(deadline_at_ = sent_at_ + patience_for(*spoke_last_, t) + wire_time(t.bytes.size() + usual_answer));
   if (!waiting_[static_cast<std::size_t>(Priority::stop)].empty()) hurry_for_a_stop();
   stream_->send(t.bytes);
 }
 
-Duration Link::patience_for(const Transaction& t) const {
-  if (!t.prompt || station_count() < 2 || prompt_answers_ < prompt_answers_needed) return t.patience;
-  return std::min(t.patience, std::max(least_patience, 3 * slowest_prompt_));
+Duration Link::patience_for(const Station& station, const Transaction& t) const {
+  if (!t.prompt || station_count() < 2 || prompt_answers_ < prompt_answers_needed)
+    return t.patience + station.lateness();
+  return std::min(t.patience, std::max(least_patience, 3 * slowest_prompt_)) + station.lateness();
 }
 
-bool Link::answer_owed() const {
+bool Link::owed_by_others(const Station& asking, Look look) const {
   const Instant now = scheduler_.now();
-  return now < left_owing_until_ || std::any_of(stations_.begin(), stations_.end(),
-                                                [&](const Station* s) { return now < s->owes_until_; });
+  return left_owed_.may_look(look, now) ||
+         std::any_of(stations_.begin(), stations_.end(),
+                     [&](const Station* s) { return s != &asking && s->owed_.may_look(look, now); });
 }
 
 void Link::learn_from_answer(const Transaction& t, std::size_t answer_bytes) {
@@ -194,7 +196,7 @@ void Link::on_deadline() {
   ++statistics.misses_in_a_row;
   if (!in_flight_->transaction.names_itself) {
     settle_until_ = scheduler_.now() + settle_time;
-    in_flight_->station.owes_until_ = scheduler_.now() + longest_delay;
+    in_flight_->station.owed_.add(in_flight_->transaction.look, scheduler_.now());
   }
   Fault fault(FaultKind::no_answer, "The controller did not answer in time.");
   if (!received_.empty()) {
@@ -333,13 +335,13 @@ void Link::leave(Station& station, const Fault& why, Leaving leaving) {
   if (spoke_last_ == &station) spoke_last_ = nullptr;
   const Fault lost(FaultKind::lost, why.what, why.done, why.advice);
   drop_waiting(station, lost);
-  left_owing_until_ = std::max(left_owing_until_, station.owes_until_);
+  left_owed_.add(station.owed_);
   if (!in_flight_ || &in_flight_->station != &station) return;
   deadline_.disarm();
   if (window_) window_->abandon();
+  left_owed_.add(in_flight_->transaction.look, scheduler_.now());  // its answer may still come
   end(*std::exchange(in_flight_, nullptr), fail(lost));
-  settle_until_ = scheduler_.now() + settle_time;  // its answer may still come
-  left_owing_until_ = scheduler_.now() + longest_delay;
+  settle_until_ = scheduler_.now() + settle_time;
   start_next();
 }
 

@@ -11,6 +11,7 @@
 
 #include "core/base/asio.h"
 #include "core/link/framing.h"
+#include "core/link/owed_answers.h"
 #include "core/link/stream.h"
 #include "core/link/traffic.h"
 #include "core/link/window.h"
@@ -33,6 +34,10 @@ struct Transaction {
   /// the answer as soon as it has lasted three times as long as the slowest such answer of late, so that one
   /// that is switched off does not hold up the others; never before 50 ms, never after `patience`.
   bool prompt = false;
+  /// What its answer looks like: one that comes too late is taken for no other's that looks different.
+  Look look = Look::any;
+  /// Goes out while the line is dirty too: whoever asks sees to late answers, or cleans with it.
+  bool on_dirty_line = false;
   /// The answer shows who gave it, so that it is taken for no other's however late it comes.
   bool names_itself = false;
   /// Silence says nothing against the link: the controller is in a state in which it does not answer.
@@ -76,7 +81,6 @@ class Link final : public std::enable_shared_from_this<Link>,
   friend class Station;
   struct Pending;
   static constexpr Duration settle_time = Millis(50);
-  static constexpr Duration longest_delay = std::chrono::seconds(3);  ///< of an answer that still comes
   static constexpr Duration least_patience = Millis(50);              ///< adapters hand bytes over in pieces
   static constexpr Duration longest_wait_of_a_stop = Millis(200);     ///< for an answer beyond its bytes
   static constexpr int prompt_answers_needed = 16;                    ///< before the wire is known
@@ -89,8 +93,8 @@ class Link final : public std::enable_shared_from_this<Link>,
   Task<Result<>> run(Station& station, std::span<BusCycle> cycles, Priority priority);
   void drop_waiting(const Station& station, const Fault& why);
   void hurry_for_a_stop();
-  [[nodiscard]] Duration patience_for(const Transaction& transaction) const;
-  [[nodiscard]] bool answer_owed() const;
+  [[nodiscard]] Duration patience_for(const Station& station, const Transaction& transaction) const;
+  [[nodiscard]] bool owed_by_others(const Station& asking, Look look) const;
   void learn_from_answer(const Transaction& transaction, std::size_t answer_bytes);
 
   void bytes_arrived(std::string_view bytes) override;
@@ -126,8 +130,8 @@ class Link final : public std::enable_shared_from_this<Link>,
   /// From the end of the question to the answer, beyond its bytes; forgets slowly.
   Duration slowest_prompt_{};
   int prompt_answers_ = 0;
-  Instant settle_until_{};      ///< after a miss: a late reply must not be taken for the next one's
-  Instant left_owing_until_{};  ///< the same of a station that has left
+  Instant settle_until_{};  ///< after a miss: a late reply must not be taken for the next one's
+  OwedAnswers left_owed_;   ///< by stations that have left
   Timer deadline_;
   Timer settled_;
   Timer unfinished_;

@@ -22,7 +22,10 @@ Station::~Station() { close(Fault(FaultKind::lost, "The connection was closed.")
 Task<Result<std::string>> Station::transact(Transaction transaction) {
   if (!link_) return not_sent(no_connection());
   if (preempted_) return not_sent(stop_came_first());
-  return link_->transact(*this, std::move(transaction));
+  const bool is_stop = transaction.priority == Priority::stop && !transaction.own_question;
+  if (is_stop || transaction.on_dirty_line || !unmistakable || !is_dirty())
+    return link_->transact(*this, std::move(transaction));
+  return transact_when_clean(std::move(transaction));
 }
 
 Task<Result<>> Station::bus(std::span<BusCycle> cycles, Priority priority) {
@@ -53,8 +56,82 @@ Task<Result<>> Station::pause(Duration time) {
   co_return fail(preempted_ ? stop_came_first() : no_connection());
 }
 
-bool Station::owes_answer() const { return link_ && link_->scheduler_.now() < owes_until_; }
-bool Station::answer_owed_on_wire() const { return link_ && link_->answer_owed(); }
+// ---- the dirty line
+
+bool Station::is_dirty() const { return link_ && owed_.any(link_->scheduler_.now()); }
+bool Station::others_owe(Look look) const { return link_ && link_->owed_by_others(*this, look); }
+
+void Station::doubt(Look look) {
+  if (link_) owed_.add(look, link_->scheduler_.now());
+}
+
+Task<Result<std::string>> Station::transact_when_clean(Transaction transaction) {
+  const Priority priority = transaction.priority;
+  auto cleaned = co_await clean(priority);
+  if (!cleaned) co_return fail(cleaned.error());
+  if (!link_) co_return fail(no_connection());
+  co_return co_await link_->transact(*this, std::move(transaction));
+}
+
+// Nothing is asked twice on a dirty line: each attempt asks something else, and waits longer for it.
+Task<Result<>> Station::clean(Priority priority) {
+  constexpr Duration first_patience = Millis(600);
+  auto asked = unmistakable(owed_, link_->scheduler_.now());
+  while (!asked) {
+    auto waited = co_await pause(owed_.next_end(link_->scheduler_.now()) - link_->scheduler_.now());
+    if (!waited) co_return waited;
+    if (!is_dirty()) co_return Result<>();
+    asked = unmistakable(owed_, link_->scheduler_.now());
+  }
+  auto silent = co_await wait_for_silence();
+  if (!silent) co_return silent;
+  Transaction question = std::move(asked->question);
+  const Look look = question.look;
+  question.priority = priority;
+  question.own_question = true;
+  question.on_dirty_line = true;
+  question.patience = statistics_.misses_in_a_row < 2 ? first_patience : OwedAnswers::longest_delay;
+  const Instant sent_at = link_->scheduler_.now();
+  auto answer = co_await link_->transact(*this, std::move(question));
+  if (!answer) co_return fail(answer.error());
+  if (!asked->is_answer(*answer)) {
+    doubt(look);
+    count_miss();
+    co_return fail(FaultKind::garbled, "What the controller answers means nothing.", "Nothing of it was used.",
+                   "Look at the cable, the baud rate, and whether another program talks to the controller.");
+  }
+  owed_.clear();
+  ++times_cleaned_;
+  if (link_) learn_lateness(link_->scheduler_.now() - sent_at);
+  co_return Result<>();
+}
+
+Task<Result<>> Station::wait_for_silence() {
+  constexpr Duration long_enough = Millis(50), at_most = std::chrono::seconds(1);
+  const Instant began = link_->scheduler_.now();
+  Duration left = long_enough;
+  while (left > Duration::zero()) {
+    auto waited = co_await pause(left);
+    if (!waited) co_return waited;
+    const Instant now = link_->scheduler_.now();
+    left = std::max(began, heard_at_) + long_enough - now;
+    if (left <= Duration::zero() || now - began < at_most) continue;
+    count_miss();
+    co_return fail(FaultKind::garbled, "The line is never silent.", "Nothing was asked.",
+                   "Look at the cable, the baud rate, and whether another program talks to the controller.");
+  }
+  co_return Result<>();
+}
+
+// An answer that came after the usual patience shows how long it takes here. It is forgotten as the answers
+// come faster.
+void Station::learn_lateness(Duration round_trip) {
+  constexpr Duration usual = Millis(100);
+  if (round_trip >= lateness_)
+    lateness_ = round_trip > usual ? round_trip : Duration::zero();
+  else if (lateness_ = (lateness_ + round_trip) / 2; lateness_ < usual)
+    lateness_ = Duration::zero();
+}
 
 Result<> Station::set_rate(int baud) {
   if (!link_) return fail(no_connection());
@@ -98,6 +175,7 @@ void Station::count(const Result<std::string>& result, bool question, bool poll,
     statistics_.last_round_trip = round_trip;
     statistics_.misses_in_a_row = 0;
     if (poll) ++polls_counted_;
+    if (lateness_ > Duration::zero()) learn_lateness(round_trip);
   }
   count_polls(now);
 }

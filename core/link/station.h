@@ -4,6 +4,7 @@
 // answers, and a stop of one does not touch what the others have waiting. Io thread only.
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "core/link/link.h"
@@ -25,7 +26,8 @@ class Station {
   Station(const Station&) = delete;
   Station& operator=(const Station&) = delete;
 
-  /// Resumes with the reply (terminator included), or with a fault: no_answer, garbled, lost, stopped.
+  /// Resumes with the reply (terminator included), or with a fault: no_answer, garbled, lost, stopped. On a
+  /// dirty line it goes out only once the line is clean again; a stop goes out at once.
   Task<Result<std::string>> transact(Transaction transaction);
   /// On a window: runs the cycles in their order, as one transaction. The span belongs to the caller and
   /// outlives the call.
@@ -81,12 +83,31 @@ class Station {
 
   [[nodiscard]] const StationStatistics& statistics() const { return statistics_; }
   [[nodiscard]] bool is_open() const { return link_ != nullptr; }
-  /// This device was asked and did not answer in time: the answer may still come, and look like another's.
-  [[nodiscard]] bool owes_answer() const;
-  /// The same of any device on this wire: what is heard now may be somebody else's, or of an older question.
-  [[nodiscard]] bool answer_owed_on_wire() const;
+  // ---- the dirty line: see OwedAnswers
+  /// A question, and whether what came is its answer.
+  struct Unmistakable {
+    Transaction question;
+    std::function<bool(std::string_view answer)> is_answer;
+  };
+  /// The driver's: one whose answer cannot be mistaken for any of those; none: only time helps. Null: the
+  /// driver sees to late answers by itself.
+  std::function<std::optional<Unmistakable>(const OwedAnswers& owed, Instant now)> unmistakable;
+  /// This device was asked and has not answered in time: what comes from it now is not believed.
+  [[nodiscard]] bool is_dirty() const;
+  /// What was answered means nothing. What was asked may still be answered, or be answered with what is next.
+  void doubt(Look look);
+  /// What this device owes, for the station that takes this one's place on the same wire.
+  [[nodiscard]] const OwedAnswers& owed() const { return owed_; }
+  void take_over(const OwedAnswers& owed) { owed_.add(owed); }
+  /// How often the line has become clean again: what was read before and what is read now may differ for
+  /// another reason than that it has changed.
+  [[nodiscard]] std::uint32_t times_cleaned() const { return times_cleaned_; }
+  /// What the answers of this device are late by, as far as more patience is needed for it; 0: it is not slow.
+  [[nodiscard]] Duration lateness() const { return lateness_; }
+  /// Another device on this wire owes an answer that may look like this: what is heard may be that.
+  [[nodiscard]] bool others_owe(Look look = Look::any) const;
   /// This device has said what only it could say, now: whatever it owed has come before.
-  void has_caught_up() { owes_until_ = {}; }
+  void has_caught_up() { owed_.clear(); }
   /// Line rate in baud; 0: the wire has none, or is gone.
   [[nodiscard]] int rate() const { return link_ ? link_->rate() : 0; }
   /// The wire carries whole messages to this one device (Stream::carries_messages).
@@ -106,6 +127,10 @@ class Station {
 
  private:
   friend class Link;
+  Task<Result<std::string>> transact_when_clean(Transaction transaction);
+  Task<Result<>> clean(Priority priority);
+  Task<Result<>> wait_for_silence();
+  void learn_lateness(Duration round_trip);
   void leave(const Fault& why, Link::Leaving how);
   void count(const Result<std::string>& result, bool question, bool poll, Duration round_trip, Instant now);
   void count_burst(bool done);
@@ -114,7 +139,9 @@ class Station {
   std::shared_ptr<Link> link_;
   TrafficRing* traffic_;
   StationStatistics statistics_;
-  Instant owes_until_{};
+  OwedAnswers owed_;
+  Duration lateness_{};
+  std::uint32_t times_cleaned_ = 0;
   Instant count_began_{};
   int polls_counted_ = 0;
   Instant heard_at_{};

@@ -51,7 +51,7 @@ Task<Result<Reply>> ArcusDriver::exchange(std::string text, Priority priority, D
   const std::string said = anothers ? std::string() : command_in(text);
   may_set(said);
   const bool must_be_sure = own_question || priority != Priority::stop;
-  if (must_be_sure && station_->owes_answer()) {
+  if (must_be_sure && station_->is_dirty()) {
     auto named = co_await hear_its_name(priority);
     if (!named && !own_question && named.error().kind == FaultKind::no_answer)
       co_return fail(FaultKind::refused, "The controller does not answer, not even with its name.",
@@ -64,7 +64,7 @@ Task<Result<Reply>> ArcusDriver::exchange(std::string text, Priority priority, D
   auto reply = co_await say(text, priority, patience, own_question);
   if (said.starts_with("GS") && (reply ? reply->refused() : was_kept_back(reply.error())))
     called_ = called_before;
-  if (!reply || !must_be_sure || !station_ || !station_->answer_owed_on_wire()) co_return reply;
+  if (!reply || !must_be_sure || !station_ || !(station_->is_dirty() || station_->others_owe())) co_return reply;
   auto named = co_await hear_its_name(priority);
   if (!named) co_return fail(named.error());
   if (strays_ != strays_before)

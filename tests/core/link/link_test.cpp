@@ -3,55 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/link/station.h"
-#include "core/time/virtual_scheduler.h"
+#include "tests/core/link/link_fixture.h"
 
 namespace hw {
 namespace {
 
 using testing::ElementsAre;
-
-/// A wire whose other end is the test.
-class FakeStream : public Stream {
- public:
-  void listen(Listener* l) override { listener = l; }
-  void discard_unsent() override {}
-  void send(std::string_view bytes) override { sent.emplace_back(bytes); }
-  Result<> set_rate(int baud) override { return rate_ = baud, Result<>(); }
-  [[nodiscard]] int rate() const override { return rate_; }
-  [[nodiscard]] std::string describe() const override { return "a test"; }
-
-  Listener* listener = nullptr;
-  std::vector<std::string> sent;
-  int rate_ = 0;
-};
-
-struct LinkTest : testing::Test {
-  IoContext io;
-  VirtualScheduler time{io};
-  TrafficRing traffic{64};
-  FakeStream* wire = new FakeStream;
-  std::shared_ptr<Link> link = std::make_shared<Link>(time, std::unique_ptr<Stream>(wire));
-  Station station{link, &traffic};
-
-  struct Answer {
-    bool came = false;
-    Result<std::string> result{std::string()};
-  };
-  static Task<> ask(Station& station, Transaction t, Answer& answer) {
-    answer.result = co_await station.transact(std::move(t));
-    answer.came = true;
-  }
-  void start(std::string bytes, ReplyShape shape, Priority p, Answer& answer) {
-    Transaction t(std::move(bytes), shape, p);
-    asio::co_spawn(io, ask(station, std::move(t), answer), asio::detached);
-    time.run_for(Duration::zero());
-  }
-  void arrive(std::string_view bytes) {
-    wire->listener->bytes_arrived(bytes);
-    time.run_for(Duration::zero());
-  }
-};
 
 // ---- a device that babbles as fast as the wire bears costs bounded memory, and ends every question
 
@@ -353,18 +310,18 @@ TEST_F(BusTest, AnAnswerThatIsOwedIsKnownToAllOnTheWire) {
     time.run_for(Millis(250));
     EXPECT_TRUE(silent.came);
   };
-  EXPECT_FALSE(other.answer_owed_on_wire());
+  EXPECT_FALSE(other.others_owe());
   miss();
-  EXPECT_TRUE(station.owes_answer() && station.answer_owed_on_wire() && other.answer_owed_on_wire());
-  EXPECT_FALSE(other.owes_answer());
+  EXPECT_TRUE(station.is_dirty() && !station.others_owe() && other.others_owe());
+  EXPECT_FALSE(other.is_dirty());
   station.has_caught_up();
-  EXPECT_FALSE(station.owes_answer() || other.answer_owed_on_wire());
+  EXPECT_FALSE(station.is_dirty() || other.others_owe());
   miss();
   time.run_for(std::chrono::seconds(3));
-  EXPECT_FALSE(other.answer_owed_on_wire()) << "nothing comes that late";
+  EXPECT_FALSE(other.others_owe()) << "nothing comes that late";
   miss();
   station.close(Fault(FaultKind::lost, "It was closed."));
-  EXPECT_TRUE(other.answer_owed_on_wire()) << "it may still answer when nobody listens any more";
+  EXPECT_TRUE(other.others_owe()) << "it may still answer when nobody listens any more";
 }
 
 TEST_F(BusTest, WhatNamesItselfIsOwedByNobodyAndNothingWaitsForIt) {
@@ -375,7 +332,7 @@ TEST_F(BusTest, WhatNamesItselfIsOwedByNobodyAndNothingWaitsForIt) {
   start_on(other, "@02PX\r", ReplyShape::line(), Priority::poll, next);
   time.run_for(Millis(201));
   EXPECT_TRUE(silent.came);
-  EXPECT_FALSE(other.answer_owed_on_wire());
+  EXPECT_FALSE(other.others_owe());
   EXPECT_THAT(wire->sent, ElementsAre("@01DN\r", "@02PX\r"));
 }
 
