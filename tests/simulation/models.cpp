@@ -16,7 +16,7 @@ const std::vector<ModelFacts>& all_models() {
         "getI\r", "getO\r"},
        "K"},
       {"pmx-4ex-sa",
-       {""}, {"id=00-01"}, {"quirk=reply-cr", "quirk=motor-power"}, 0, "wire=real", true, false, false, false,
+       {""}, {"id=00-01"}, {"quirk=motor-power"}, 0, "wire=real", true, false, false, false,
        {{"STOP"}, {"ABORT", -1, true}, {"STOPX", 0}, {"STOPY", 1}},
        {"PRG 0\nINC\nHSPD=2000\nWHILE 1=1\nX1500\nWAITX\nX-1500\nWAITX\nENDWHILE\nEND",
         "PRG 0\nINC\nHSPD=3000\nY900\nWAITY\nDELAY=300\nY-900\nWAITY\nEND"},
