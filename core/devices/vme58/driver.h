@@ -173,6 +173,7 @@ class Vme58Driver final : public Driver {
   [[nodiscard]] bool stops_alone(int axis) const;
   void stopping(int axis, bool at_once);
   void stands(int axis);
+  Task<Result<>> look_at_queues_after_stop();
   void is_anothers(int axis);
   SlowDown& slow_down(int axis);
   [[nodiscard]] Duration effect_patience(int axis, const SlowDown& slow_down) const;
@@ -191,6 +192,8 @@ class Vme58Driver final : public Driver {
   Task<Result<>> leave_mark();
   Task<Result<>> found_reset(Doubt why);
   Task<Result<>> reset_by_text(std::string text);
+  Task<Result<>> reset();
+  Task<Result<>> starts_again(std::string_view how);
   void lose_motions();
   void forget();
 
@@ -285,6 +288,8 @@ class Vme58Driver final : public Driver {
   Task<Result<>> read_params();
   void factory_params();
   void note_param(const TextCommand& command);
+  void know_param(std::size_t place, std::int64_t value);
+  void note_fraction(const ParameterFact& fact, std::int64_t value);
 
   // ---- driver_text.cpp
   Task<Result<>> send_text(std::string text);
@@ -348,8 +353,14 @@ class Vme58Driver final : public Driver {
   std::uint8_t control_ = 0;   ///< interrupts that the console has enabled
   bool widened_ = false;       ///< a stop of one axis has become one of all, and they do not stand yet
   bool mailbox_deaf_ = false;  ///< it was acknowledged and nothing was done
+  /// What waits in the queues behind a stop of all axes.
+  enum class QueuesAfterStop : std::uint8_t { empty, not_known, wait };
+  QueuesAfterStop queues_after_stop_ = QueuesAfterStop::empty;
+  Instant rests_since_{};  ///< no axis was seen turning since then, or since that stop
 
   bool connected_before_ = false;
+  bool gains_are_whole_ = false;  ///< no gain with a fraction was set since the board's start, as its mark says
+  bool mark_due_ = false;         ///< it has to say something else from here on
   int outputs_direction_ = factory_outputs;
   std::uint8_t limits_ = 0, homes_ = 0, slips_ = 0;
   std::uint8_t status_ = 0;  ///< as last read

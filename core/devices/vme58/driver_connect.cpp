@@ -9,7 +9,8 @@
 namespace hw::vme58 {
 namespace {
 
-constexpr std::uint16_t our_mark = 0x4857;  // in a cell that only a reset clears
+// In a cell that only a reset clears.
+constexpr std::uint16_t whole_gains_mark = 0x4857, broken_gains_mark = 0x4846;
 constexpr Duration start_patience = std::chrono::seconds(3);
 constexpr Duration reset_patience = Millis(250);  // as of other text
 constexpr Duration reset_look = Millis(1);
@@ -125,7 +126,9 @@ Task<Result<>> Vme58Driver::connect() {
   cycles.push_back(BusCycle::read(2, at::reserved1));
   auto looked = co_await run(cycles, Priority::intent);
   if (!looked) co_return looked;
-  const bool unmarked = cycles[0].value == 0;  // another program's mark serves as well
+  const std::uint32_t mark = cycles[0].value;
+  const bool unmarked = mark == 0;  // another program's mark serves as well
+  gains_are_whole_ = unmarked || mark == whole_gains_mark;
   const bool was_reset = connected_before_ && unmarked;
   const bool others_were_here = !connected_before_ && !unmarked;
   Result<> known;
@@ -258,9 +261,13 @@ Task<Result<>> Vme58Driver::forget_others_units() {
   co_return co_await write(std::move(text), Priority::intent);
 }
 
+/// A later session reads in it whether the whole numbers that the data area shows of the gains are all of
+/// them.
 Task<Result<>> Vme58Driver::leave_mark() {
   std::vector<BusCycle>& cycles = burst();
-  cycles.push_back(BusCycle::store(2, at::reserved1, our_mark));
+  mark_due_ = false;
+  const std::uint16_t ours = gains_are_whole_ ? whole_gains_mark : broken_gains_mark;
+  cycles.push_back(BusCycle::store(2, at::reserved1, ours));
   co_return co_await run(cycles, Priority::intent);
 }
 
@@ -269,6 +276,7 @@ Task<Result<>> Vme58Driver::leave_mark() {
 Task<Result<>> Vme58Driver::found_reset(Doubt why) {
   auto taken = co_await take_over_rings();
   if (!taken) co_return taken;
+  gains_are_whole_ = true;
   auto marked = co_await leave_mark();
   if (!marked) co_return marked;
   tell(Notice::Kind::warning,
@@ -294,9 +302,25 @@ Task<Result<>> Vme58Driver::found_reset(Doubt why) {
 Task<Result<>> Vme58Driver::reset_by_text(std::string text) {
   const auto put = co_await put_text(std::move(text), Priority::intent);
   if (!put) co_return fail(put.error());
+  if (*put) co_return co_await starts_again("RS was put into its ring.");
+  co_return fail(FaultKind::no_answer, "The board takes no RS now.", "Nothing was sent.",
+                 "The console's own reset goes past the ring.");
+}
+
+/// The console's own reset.
+Task<Result<>> Vme58Driver::reset() {
+  if (auto may = may_talk(); !may) co_return may;
+  auto mailed = co_await mail("RS");
+  if (mailed) mailed = co_await starts_again("RS was put into its mailbox.");
+  if (!mailed) co_return fail(when_put(mailed.error()));
+  co_return mailed;
+}
+
+/// `how` it was told to.
+Task<Result<>> Vme58Driver::starts_again(std::string_view how) {
   const Instant put_at = scheduler_.now();
   bool seen = false;
-  while (*put && station_ && scheduler_.now() < put_at + (seen ? start_patience : reset_patience)) {
+  while (station_ && scheduler_.now() < put_at + (seen ? start_patience : reset_patience)) {
     const auto registers = co_await read_registers(Priority::intent, false);
     if (!registers) co_return fail(registers.error());
     const bool started = (registers->status & status::initialized) != 0;
@@ -311,9 +335,8 @@ Task<Result<>> Vme58Driver::reset_by_text(std::string text) {
     if (!paused) co_return paused;
   }
   co_return fail(FaultKind::no_answer,
-                 seen ? "The board does not start again." : "The board takes no RS now.",
-                 *put ? "RS was put into its ring." : "Nothing was sent.",
-                 "The console's own reset goes past the ring.");
+                 seen ? "The board does not start again." : "The board does not act on RS.", std::string(how),
+                 "Reset the crate, or switch its power off and on.");
 }
 
 Task<Result<>> Vme58Driver::read_state() {

@@ -55,7 +55,7 @@ Task<Result<>> Vme58Driver::poll(Round round) {
   if (!read) co_return read;
   station_->count_answer(scheduler_.now() - began, true, scheduler_.now());
   record_round();
-  if (round == Round::stopping) co_return Result<>();
+  if (round == Round::stopping) co_return co_await look_at_queues_after_stop();
   co_return co_await read_more(*registers);
 }
 
@@ -65,6 +65,10 @@ Task<Result<>> Vme58Driver::read_more(Registers registers) {
   auto fetched = co_await fetch_replies(registers.input_put, Priority::poll);
   if (!fetched) co_return fetched;
   give_unsolicited();
+  if (mark_due_) {
+    auto marked = co_await leave_mark();
+    if (!marked) co_return marked;
+  }
   draft_.window.rings_known = bit(watched_, memory_group);
   if (draft_.window.rings_known) {
     auto rings = co_await read_rings(Priority::poll);

@@ -15,6 +15,7 @@ constexpr Duration free_look = std::chrono::microseconds(500);
 constexpr Duration ring_patience = Millis(5);  // what a stop has cut short may just have been put there
 constexpr Duration effect_time = Millis(60);   // so that what is in vain is seen within 100 ms
 constexpr Duration kill_time = std::chrono::seconds(2);  // KL is sent again for so long
+constexpr Duration longest_rest = Millis(400);  // where the queues do not answer: what waits begins by then
 constexpr double longest_shape = 3;  // a ramp of PN10 against a straight one, and a little
 constexpr Duration ramp_margin = std::chrono::seconds(1);
 
@@ -133,6 +134,8 @@ Task<Result<bool>> Vme58Driver::stop_axis(std::string selector) {
 /// SA, SD or KL. Through the ring too where the mailbox does nothing.
 Task<Result<>> Vme58Driver::stop_all(std::string_view word) {
   if (word == "KL") doubt_killed_positions();
+  queues_after_stop_ = QueuesAfterStop::not_known;
+  rests_since_ = scheduler_.now();
   auto mailed = co_await mail_past_ring(word);
   const bool ring_may_do = mailed ? mailbox_deaf_ : mailed.error().kind == FaultKind::no_answer;
   if (!ring_may_do || !rings_known_) co_return mailed;
@@ -162,7 +165,8 @@ void Vme58Driver::stopping(int axis, bool at_once) {
 /// A stop is in vain while no axis of it slows down. An axis that its own motion slows down for a moment is
 /// soon as fast as ever again, and one of several on a line may show its share of the ramp late.
 StopProgress Vme58Driver::stop_progress(const StopOrder& order) {
-  if (order.what == StopOrder::What::words) return StopProgress::stands();  // the wire has carried them
+  const bool words = order.what == StopOrder::What::words;
+  if (words && !order.stops_all()) return StopProgress::stands();  // the ring has carried them
   const Instant now = scheduler_.now();
   const int axis = widened_ ? -1 : order.axis;
   bool turns = false, slows = false, overdue = false;
@@ -178,6 +182,11 @@ StopProgress Vme58Driver::stop_progress(const StopOrder& order) {
     is_anothers(axis);
     turns = false;
   }
+  if (!turns && axis < 0 && queues_after_stop_ != QueuesAfterStop::empty) {
+    if (queues_after_stop_ == QueuesAfterStop::wait) stopped_in_vain(axis);
+    if (queues_after_stop_ == QueuesAfterStop::wait) return StopProgress::again();
+    if (now - rests_since_ < longest_rest) return StopProgress::wait();
+  }
   if (!turns || (overdue && order.at_once)) stands(axis);
   if (!turns) return StopProgress::stands();
   if (overdue && order.at_once)
@@ -188,6 +197,27 @@ StopProgress Vme58Driver::stop_progress(const StopOrder& order) {
   if (overdue) return StopProgress::at_once();
   stopped_in_vain(axis);
   return StopProgress::again();
+}
+
+/// A stop of all empties the queues, and one that was not obeyed leaves what waits there: between two of its
+/// motions an axis rests for a moment. Asked as soon as none turns.
+Task<Result<>> Vme58Driver::look_at_queues_after_stop() {
+  if (queues_after_stop_ == QueuesAfterStop::empty || context_.recording) co_return Result<>();
+  for (int i = 0; i < axis_count(); ++i)
+    if (moving(i)) {
+      rests_since_ = scheduler_.now();
+      co_return Result<>();
+    }
+  const auto taken = co_await is_taken(Priority::stop);
+  if (!taken) co_return fail(taken.error());
+  if (!*taken) co_return Result<>();
+  auto asked = co_await read_queues(Priority::stop);
+  if (!asked) co_return asked;
+  if (queues_empty_)
+    queues_after_stop_ = QueuesAfterStop::empty;
+  else
+    queues_after_stop_ = draft_.queue_known != 0 ? QueuesAfterStop::wait : QueuesAfterStop::not_known;
+  co_return Result<>();
 }
 
 /// A text or a program has begun to move it behind its jog, and that goes on.
@@ -231,7 +261,7 @@ void Vme58Driver::stopped_in_vain(int axis) {
          fmt::format("Axis {} does not slow down behind ST, so all axes are stopped.", axis_name(axis)));
   } else if (!std::exchange(mailbox_deaf_, true)) {
     tell(Notice::Kind::warning,
-         "The board has acknowledged a stop in its mailbox, and no axis slows down. From here on stops go "
+         "The board has acknowledged a stop in its mailbox, and nothing came of it. From here on stops go "
          "through its command ring too.");
   }
 }
