@@ -81,7 +81,7 @@ class Judge final : public Witness {
   void closing();
   void ended();
   void intent_sent(int device, IntentId id);
-  void motion_asked(int device, std::uint32_t axes, IntentId id, Steps distance);
+  void motion_asked(int device, std::uint32_t axes, IntentId id, Steps distance, bool homes = false);
   void motion_asked_elsewhere(int device) { motion_asked(device, all_axes, 0, Steps()); }
   void stop_asked(int device, std::uint32_t axes, StopKind kind, bool by_hand = false);
   /// In a tab that closes; nobody opens it again meanwhile.
@@ -111,6 +111,7 @@ class Judge final : public Witness {
     Instant at{};
     Duration ramp{};
     bool doubtful = false;  ///< the wire was not prompt then
+    Duration after{};       ///< of a hand that has gone: the console may have known it so much earlier
   };
   struct AxisCase {
     AxisTruth truth;
@@ -130,6 +131,7 @@ class Judge final : public Witness {
     std::uint32_t axes = 0;
     Instant asked{}, alive{};
     Steps distance{};
+    bool homes = false;
   };
   struct Intended {
     IntentId id;

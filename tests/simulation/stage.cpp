@@ -101,6 +101,7 @@ void Stage::make_machines() {
 
 WireOpener Stage::opener() {
   return [this](Scheduler& scheduler, Address, std::shared_ptr<BenchAccess>) -> Task<Result<Wire>> {
+    if (busy_ > 0) co_return fail(FaultKind::lost, "The port is in use.");  // it is opened exclusively
     Wire wire;
     if (host_->is_board()) {
       auto window = host_->plug_in_window();
@@ -133,11 +134,13 @@ void Stage::close() {
   for (const auto& hand : hands_) hand->holds = false;
   judge_.closing();
   const auto call = judge_.call_begun("close", Judge::longest_close);
-  auto done = [](std::shared_ptr<SessionGroup> group, Judge& judge, int id) -> Task<> {
+  ++busy_;
+  auto done = [](std::shared_ptr<SessionGroup> group, Stage& stage, int id) -> Task<> {
     co_await group->close();
-    judge.call_ended(id);
+    --stage.busy_;
+    stage.judge_.call_ended(id);
   };
-  asio::co_spawn(io_, done(group_, judge_, call), asio::detached);
+  asio::co_spawn(io_, done(group_, *this, call), asio::detached);
   closing_.push_back(std::move(group_));
   group_.reset();
 }
@@ -153,9 +156,10 @@ void Stage::send(int device, IntentBody body) {
 IntentId Stage::move(int device, std::uint32_t axes, Steps distance, IntentBody body) {
   Session* s = session(device);
   if (s == nullptr) return 0;
+  const bool homes = std::holds_alternative<intent::Home>(body);
   const IntentId id = s->send(std::move(body));
   judge_.intent_sent(device, id);
-  judge_.motion_asked(device, axes, id, distance);
+  judge_.motion_asked(device, axes, id, distance, homes);
   return id;
 }
 

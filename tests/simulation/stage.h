@@ -68,6 +68,7 @@ class Stage {
   std::unique_ptr<Stream> other_host_;
   std::shared_ptr<SessionGroup> group_;
   std::vector<std::shared_ptr<SessionGroup>> closing_;
+  int busy_ = 0;  ///< of those, they that still hold the port
   std::vector<std::unique_ptr<Hand>> hands_;
   std::unique_ptr<Timer> plug_in_;
 };
