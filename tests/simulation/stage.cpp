@@ -101,7 +101,6 @@ void Stage::make_machines() {
 
 WireOpener Stage::opener() {
   return [this](Scheduler& scheduler, Address, std::shared_ptr<BenchAccess>) -> Task<Result<Wire>> {
-    if (busy_ > 0) co_return fail(FaultKind::lost, "The port is in use.");  // it is opened exclusively
     Wire wire;
     if (host_->is_board()) {
       auto window = host_->plug_in_window();
@@ -123,22 +122,24 @@ Session* Stage::session(int device) const {
 }
 
 void Stage::open() {
-  if (group_) return;
+  opens_later_ = closing_now_ > 0;
+  if (group_ || opens_later_) return;
   group_ = must(SessionGroup::open(time_, address_, opener(), [] {}));
   std::vector<std::shared_ptr<Session>> sessions = group_->members();
   judge_.opened(std::move(sessions));
 }
 
 void Stage::close() {
+  opens_later_ = false;
   if (!group_) return;
   for (const auto& hand : hands_) hand->holds = false;
   judge_.closing();
   const auto call = judge_.call_begun("close", Judge::longest_close);
-  ++busy_;
+  ++closing_now_;
   auto done = [](std::shared_ptr<SessionGroup> group, Stage& stage, int id) -> Task<> {
     co_await group->close();
-    --stage.busy_;
     stage.judge_.call_ended(id);
+    if (--stage.closing_now_ == 0 && stage.opens_later_) stage.open();
   };
   asio::co_spawn(io_, done(group_, *this, call), asio::detached);
   closing_.push_back(std::move(group_));
