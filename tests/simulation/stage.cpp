@@ -153,18 +153,21 @@ Session* Stage::session(int device) const {
 }
 
 void Stage::open() {
-  if (group_) return;
+  opens_later_ = closing_now_ > 0;
+  if (group_ || opens_later_) return;
   group_ = must(SessionGroup::open(time_, address_, opener(), [] {}));
   std::vector<std::shared_ptr<Session>> sessions = group_->members();
   judge_.opened(std::move(sessions));
 }
 
 void Stage::close() {
+  opens_later_ = false;
   if (!group_) return;
   for (const auto& hand : hands_) hand->holds = false;
   judge_.closing();
   const auto call = judge_.call_begun("close", Judge::longest_close);
   for (const auto& member : group_->members()) member->notices().drain([](const Notice&) {});
+  ++closing_now_;
   asio::co_spawn(io_, close_and_look(group_, call), asio::detached);
   closing_.push_back(std::move(group_));
   group_.reset();
@@ -176,6 +179,7 @@ Task<> Stage::close_and_look(std::shared_ptr<SessionGroup> group, int call) {
   for (const auto& member : group->members()) connected = connected && member->known().link.connected();
   co_await group->close();
   judge_.call_ended(call);
+  if (--closing_now_ == 0 && opens_later_) open();
   for (std::size_t i = 0; i < machines_.size(); ++i)
     group->members()[i]->notices().drain([&](const Notice&) { machines_[i].told = true; });
   if (!connected) co_return;
@@ -204,9 +208,10 @@ void Stage::type(int device, std::string text) {
 IntentId Stage::move(int device, std::uint32_t axes, Steps distance, IntentBody body) {
   Session* s = session(device);
   if (s == nullptr) return 0;
+  const bool homes = std::holds_alternative<intent::Home>(body);
   const IntentId id = s->send(std::move(body));
   judge_.intent_sent(device, id);
-  judge_.motion_asked(device, axes, id, distance);
+  judge_.motion_asked(device, axes, id, distance, homes);
   return id;
 }
 

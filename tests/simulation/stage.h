@@ -81,6 +81,8 @@ class Stage {
   std::unique_ptr<Stream> other_host_;
   std::shared_ptr<SessionGroup> group_;
   std::vector<std::shared_ptr<SessionGroup>> closing_;
+  int closing_now_ = 0;       ///< of those, they that still hold the port, which is opened exclusively
+  bool opens_later_ = false;  ///< when it is free
   std::vector<std::unique_ptr<Hand>> hands_;
   std::unique_ptr<Timer> plug_in_;
 };

@@ -89,6 +89,11 @@ class ArcusDriver final : public Driver {
     std::uint64_t misses = 0;  ///< answers that had not come until then
     bool program_ran = false;
   };
+  /// What had gone out, and what had not come back, when a round of status began.
+  struct Look {
+    Unexplained::Mark counters, motors;
+    std::uint64_t misses;
+  };
   /// A setting that is written for one motion, and put back behind it.
   struct Borrowed {
     std::string name;
@@ -149,7 +154,10 @@ class ArcusDriver final : public Driver {
   [[nodiscard]] Pps fastest_way_to_zero(int axis) const;
   [[nodiscard]] Stood where_all_stand() const;
   void may_set(std::string_view command);
-  void look_at_counters(Unexplained::Mark asked, bool was_silent = false);
+  [[nodiscard]] std::uint64_t misses() const;
+  [[nodiscard]] Look begin_look() const;
+  void look_at_counters(const Look& look, bool was_silent = false);
+  Task<Result<>> look_after_silence();
   Task<Result<>> look_at_motors(Unexplained::Mark asked);
   Task<Result<bool>> power_up_leads_here();
   Task<Result<bool>> something_is_kept();

@@ -26,6 +26,7 @@ std::string range_words(const ParamInfo& p) {
 Task<Result<>> ArcusDriver::perform(const IntentBody& body) {
   using namespace intent;
   if (!station_) co_return no_connection();
+  if (auto looked = co_await look_after_silence(); !looked) co_return looked;
   if (auto returned = co_await give_back_first(); !returned) co_return returned;
   if (const auto* i = std::get_if<MoveTo>(&body)) co_return co_await move(i->targets, i->speed, false);
   if (const auto* i = std::get_if<MoveBy>(&body)) co_return co_await move(i->distances, i->speed, true);

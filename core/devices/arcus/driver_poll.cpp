@@ -19,12 +19,12 @@ Task<Result<>> ArcusDriver::poll(Round round) {
   if (!station_) co_return no_connection();
   if (round == Round::stopping) co_return co_await see_whether_it_stands();
   ++round_;
-  const Unexplained::Mark counters = counters_.ask(), motors = motors_.ask();
+  const Look look = begin_look();
   auto motion = co_await read_motion(Priority::poll);
   if (!motion) co_return motion;
   auto loop = co_await read_loop(Priority::poll);
   if (!loop) co_return loop;
-  look_at_counters(counters);
+  look_at_counters(look);
   if (borrowed_) {
     auto returned = co_await give_back();
     if (!returned) co_return returned;
@@ -36,7 +36,7 @@ Task<Result<>> ArcusDriver::poll(Round round) {
     if (!io) co_return io;
     auto threads = co_await read_threads(false, Priority::poll);
     if (!threads) co_return threads;
-    auto looked = co_await look_at_motors(motors);
+    auto looked = co_await look_at_motors(look.motors);
     if (!looked) co_return looked;
   }
   auto watched = co_await read_watched();
@@ -51,11 +51,11 @@ Task<Result<>> ArcusDriver::poll(Round round) {
 }
 
 Task<Result<>> ArcusDriver::see_whether_it_stands() {
-  const Unexplained::Mark counters = counters_.ask();
+  const Look look = begin_look();
   auto seen = co_await read_motion(Priority::stop);
   if (seen) seen = co_await read_loop(Priority::stop);
   if (!seen) co_return seen;
-  look_at_counters(counters);
+  look_at_counters(look);
   if (halting_) co_return co_await read_threads(true, Priority::stop);
   co_return Result<>();
 }

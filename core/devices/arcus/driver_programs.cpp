@@ -77,7 +77,9 @@ Task<Result<>> ArcusDriver::control(int thread, int what) {
 /// What is told to a thread (SR0=1) may change what it does.
 void ArcusDriver::forget_thread(std::string_view text) {
   const auto n = thread_named_in(text);
-  if (n && *n >= 0 && *n < model().programs) draft_.threads[ix(*n)].known = false;
+  if (!n || *n < 0 || *n >= model().programs) return;
+  draft_.threads[ix(*n)].known = false;
+  if (!ends_program(text)) draft_.threads[ix(*n)].run = RunState::running;  // a stop ends it first
 }
 
 // SR is answered with OK whether the program is there or not (decision AMB-115). One that runs is; one that

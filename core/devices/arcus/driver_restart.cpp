@@ -26,10 +26,14 @@ Pps ArcusDriver::fastest_way_to_zero(int index) const {
   return mind.top_speed.value > 0 ? std::max(axis.speed, mind.top_speed) : at_once;
 }
 
+std::uint64_t ArcusDriver::misses() const { return station_ ? station_->statistics().timeouts : 0; }
+
+ArcusDriver::Look ArcusDriver::begin_look() const { return {counters_.ask(), motors_.ask(), misses()}; }
+
 ArcusDriver::Stood ArcusDriver::where_all_stand() const {
   Stood stood;
   stood.seen_at = scheduler_.now();
-  stood.misses = station_ ? station_->statistics().timeouts : 0;
+  stood.misses = misses();
   stood.program_ran = draft_.program.run == RunState::running;
   for (int i = 0; i < axis_count(); ++i)
     stood.axes[ix(i)] = {draft_.axes[i].position, fastest_way_to_zero(i),
@@ -49,8 +53,9 @@ void ArcusDriver::may_set(std::string_view command) {
 // programs do that too, and a motion may end there. Where the controller was silent in between, that is not
 // taken for granted: look_at_motors() finds out. See also read_what_power_keeps(), for one that stood at
 // zero.
-void ArcusDriver::look_at_counters(Unexplained::Mark asked, bool was_silent) {
-  const bool unexplained = counters_.answered(asked);
+void ArcusDriver::look_at_counters(const Look& look, bool was_silent) {
+  if (misses() != look.misses && !was_silent) return;  // some of it may be from before and some from after
+  const bool unexplained = counters_.answered(look.counters);
   const auto before = std::exchange(stood_, where_all_stand());
   if (!before || !unexplained) return;
   const bool silent = was_silent || stood_->misses != before->misses;
@@ -145,8 +150,26 @@ bool ArcusDriver::programs_switch_motors() const { return !stored_code_ || store
 // may have been.
 Task<Result<>> ArcusDriver::look_back_over_the_loss() {
   if (stood_ && stood_->program_ran) program_runs();  // until a moment ago, perhaps
-  look_at_counters(counters_.settle(), true);
+  counters_.settle();
+  look_at_counters(begin_look(), true);
   co_return co_await look_at_motors(motors_.ask());
+}
+
+// Where an answer was missing since the last look, whatever goes out next might hide a restart: an axis that
+// moves does not stand at zero. What was asked for meant the controller as it was before.
+Task<Result<>> ArcusDriver::look_after_silence() {
+  if (!stood_ || stood_->misses == misses()) co_return Result<>();
+  const std::uint32_t restarts = draft_.restarts;
+  const Look look = begin_look();
+  auto seen = co_await read_motion(Priority::intent);
+  if (seen) seen = co_await read_loop(Priority::intent);
+  if (seen) look_at_counters(look);
+  if (seen && zero_in_doubt_) seen = co_await read_io(Priority::intent);
+  if (seen && zero_in_doubt_) seen = co_await look_at_motors(look.motors);
+  if (!seen && seen.error().kind == FaultKind::stopped) co_return seen;
+  if (draft_.restarts == restarts) co_return Result<>();
+  co_return fail(FaultKind::refused, "The controller was switched off and on, and stands otherwise now.",
+                 "Nothing was sent.", "Look at its positions before you ask again.");
 }
 
 void ArcusDriver::restarted(std::string_view how_it_shows, const std::optional<Stood>& before) {
@@ -196,7 +219,7 @@ void ArcusDriver::wire_lost() {
     axis.direction = 0;
     axis.speed = axis.own_speed = Pps{};
   }
-  for (ThreadState& t : draft_.threads) t = ThreadState();
+  for (ThreadState& t : draft_.threads) t.known = false;  // those that ran are stopped first
   draft_.inputs_known = draft_.outputs_known = draft_.analog_known = 0;
   draft_.readouts_known.reset();
   draft_.variables_known.reset();

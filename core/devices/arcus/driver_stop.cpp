@@ -64,7 +64,10 @@ Task<Result<>> ArcusDriver::stop_axes(int axis, bool at_once, bool motion_only) 
 Task<Result<>> ArcusDriver::stop_all(std::string word) {
   halting_ = true;
   std::bitset<max_threads> running;
-  for (int n = 0; n < model().programs; ++n) running.set(ix(n), may_run(n));
+  for (int n = 0; n < model().programs; ++n) {
+    const RunState last = draft_.threads[ix(n)].run;  // also where it is not known any more
+    running.set(ix(n), last == RunState::running || last == RunState::held);
+  }
   Result<> all = co_await command(word, Priority::stop);
   // Where nobody answers, what still has to be heard does not wait for long.
   const auto patience = [&all] { return all ? Millis(200) : Millis(60); };
@@ -182,7 +185,7 @@ StopProgress ArcusDriver::programs_end(const StopOrder& order) const {
     const RunState run = draft_.threads[ix(n)].run;
     const bool meant = order.thread < 0 || n == order.thread;
     if (!meant || (run != RunState::running && run != RunState::held)) continue;
-    if (order.times_sent < stop_attempts) return StopProgress::again();
+    if (!order.confirmed || order.times_sent < stop_attempts) return StopProgress::again();
     return StopProgress::failed(Fault(FaultKind::controller,
                                       fmt::format("Program {} still runs: something starts it again.", n),
                                       fmt::format("It was told to stop {} times.", order.times_sent),

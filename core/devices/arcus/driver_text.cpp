@@ -36,6 +36,8 @@ Task<Result<std::string>> ArcusDriver::query(std::string text, Duration patience
   if (cut_to_one_command(text))
     co_return fail(FaultKind::refused, "This is more than one command: the end of a line ends one.",
                    "Nothing was sent.", "Send them one by one.");
+  auto looked = co_await look_after_silence();
+  if (!looked && looked.error().kind == FaultKind::stopped) co_return fail(looked.error());
   auto returned = co_await give_back_first();
   if (!returned) co_return fail(returned.error());
   co_return co_await say_text(std::move(text), Priority::intent, patience);
