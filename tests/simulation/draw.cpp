@@ -62,7 +62,8 @@ class Artist {
   std::int64_t slot() { return random_.between(0, std::max(1, catalog_.program.slots) - 1); }
 
   void draw_quirk(const std::vector<std::string>& quirks) {
-    if (!quirks.empty() && random_.percent(25))
+    const bool has_one = plan_.options.find("quirk=") != std::string::npos;
+    if (!quirks.empty() && !has_one && random_.percent(25))
       plan_.options += (plan_.options.empty() ? "" : ",") + random_.one_of(quirks);
   }
   // What is so all the time, with this unit or on this wire.
