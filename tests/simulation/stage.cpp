@@ -152,20 +152,25 @@ Session* Stage::session(int device) const {
   return group_->members()[static_cast<std::size_t>(device)].get();
 }
 
+// A port is opened exclusively: not while a tab that closes has something to take away there.
 void Stage::open() {
   if (group_) return;
+  open_once_closed_ = closes_under_way_ > 0;
+  if (open_once_closed_) return;
   group_ = must(SessionGroup::open(time_, address_, opener(), [] {}));
   std::vector<std::shared_ptr<Session>> sessions = group_->members();
   judge_.opened(std::move(sessions));
 }
 
 void Stage::close() {
+  open_once_closed_ = false;
   if (!group_) return;
   for (const auto& hand : hands_) hand->holds = false;
   judge_.closing();
   const auto call = judge_.call_begun("close", Judge::longest_close);
   for (const auto& member : group_->members()) member->notices().drain([](const Notice&) {});
   asio::co_spawn(io_, close_and_look(group_, call), asio::detached);
+  ++closes_under_way_;
   closing_.push_back(std::move(group_));
   group_.reset();
 }
@@ -175,7 +180,7 @@ Task<> Stage::close_and_look(std::shared_ptr<SessionGroup> group, int call) {
   bool connected = true;
   for (const auto& member : group->members()) connected = connected && member->known().link.connected();
   co_await group->close();
-  judge_.call_ended(call);
+  closed(call);
   for (std::size_t i = 0; i < machines_.size(); ++i)
     group->members()[i]->notices().drain([&](const Notice&) { machines_[i].told = true; });
   if (!connected) co_return;
@@ -184,6 +189,11 @@ Task<> Stage::close_and_look(std::shared_ptr<SessionGroup> group, int call) {
   co_await never.wait_until(now() + arrives);
   if (!may_judge_what_is_left(closed_at)) co_return;
   for (std::size_t i = 0; i < machines_.size(); ++i) judge_what_is_left(i);
+}
+
+void Stage::closed(int call) {
+  judge_.call_ended(call);
+  if (--closes_under_way_ == 0 && open_once_closed_) open();
 }
 
 void Stage::send(int device, IntentBody body) {
