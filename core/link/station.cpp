@@ -76,8 +76,13 @@ Task<Result<std::string>> Station::transact_when_clean(Transaction transaction) 
 // Nothing is asked twice on a dirty line: each attempt asks something else, and waits longer for it.
 Task<Result<>> Station::clean(Priority priority) {
   constexpr Duration first_patience = Millis(600);
+  const bool stop_waits = priority == Priority::stop;  // it is said again before anything else is known
   auto asked = unmistakable(owed_, link_->scheduler_.now());
   while (!asked) {
+    if (stop_waits) {
+      count_miss();
+      co_return fail(FaultKind::no_answer, "The controller did not answer in time.");
+    }
     auto waited = co_await pause(owed_.next_end(link_->scheduler_.now()) - link_->scheduler_.now());
     if (!waited) co_return waited;
     if (!is_dirty()) co_return Result<>();
@@ -90,7 +95,8 @@ Task<Result<>> Station::clean(Priority priority) {
   question.priority = priority;
   question.own_question = true;
   question.on_dirty_line = true;
-  question.patience = statistics_.misses_in_a_row < 2 ? first_patience : OwedAnswers::longest_delay;
+  const bool soon = stop_waits || statistics_.misses_in_a_row < 2;
+  question.patience = soon ? first_patience : OwedAnswers::longest_delay;
   const Instant sent_at = link_->scheduler_.now();
   auto answer = co_await link_->transact(*this, std::move(question));
   if (!answer) co_return fail(answer.error());

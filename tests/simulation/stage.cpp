@@ -152,6 +152,7 @@ Session* Stage::session(int device) const {
   return group_->members()[static_cast<std::size_t>(device)].get();
 }
 
+// A port is opened exclusively: not while a tab that closes has something to take away there.
 void Stage::open() {
   opens_later_ = closing_now_ > 0;
   if (group_ || opens_later_) return;
