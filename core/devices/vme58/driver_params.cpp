@@ -34,7 +34,7 @@ std::string range_words(const ParamInfo& p) {
 
 Task<Result<>> Vme58Driver::perform(const IntentBody& body) {
   using namespace intent;
-  if (!station_) co_return no_connection();
+  if (!wire_.is_open()) co_return no_connection();
   if (const auto* i = std::get_if<MoveTo>(&body)) co_return co_await move(i->targets, i->speed, false);
   if (const auto* i = std::get_if<MoveBy>(&body)) co_return co_await move(i->distances, i->speed, true);
   if (const auto* i = std::get_if<JogStart>(&body)) co_return co_await jog(*i);
@@ -55,11 +55,11 @@ Task<Result<>> Vme58Driver::perform(const IntentBody& body) {
   if (const auto* i = std::get_if<Sample>(&body)) {
     const bool on = i->length.count() > 0 && i->axis.index < axis_count();
     sampled_axis_ = on ? i->axis.index : -1;
-    sample_until_ = scheduler_.now() + i->length;
+    sample_until_ = now() + i->length;
     servo_watch_.start();
     co_return Result<>();
   }
-  if (std::holds_alternative<ReadParams>(body)) co_return co_await read_all_values(Priority::intent);
+  if (std::holds_alternative<ReadParams>(body)) co_return co_await readings_.read_all(Priority::intent);
   if (std::holds_alternative<ReadAgain>(body)) co_return co_await read_state();
   if (std::holds_alternative<Store>(body))
     co_return fail(FaultKind::refused,
@@ -70,7 +70,7 @@ Task<Result<>> Vme58Driver::perform(const IntentBody& body) {
 }
 
 Task<Result<>> Vme58Driver::set_param(intent::SetParam wish) {
-  if (auto may = may_talk(); !may) co_return may;
+  if (auto may = commands_.may_talk(); !may) co_return may;
   const int index = catalog_.find_param(wish.mnemonic);
   if (index < 0)
     co_return fail(FaultKind::refused, fmt::format("This board has no parameter {}.", wish.mnemonic),
@@ -90,9 +90,9 @@ Task<Result<>> Vme58Driver::set_param(intent::SetParam wish) {
   const std::string set = set_text(*parameter.fact, wish.value);
   const std::string text = parameter.axis >= 0 ? addressed(parameter.axis, set) : set + "\n";
   note_fraction(*parameter.fact, wish.value);
-  auto sent = co_await command(text, Priority::intent);
+  auto sent = co_await commands_.say(text, Priority::intent);
   ParamState& state = draft_.params[ix(index)];
-  if (!sent && perhaps_done(sent.error())) state.known = false;
+  if (!sent && wire_.perhaps_done(sent.error())) state.known = false;
   if (!sent) co_return sent;
   know_param(ix(index), wish.value);
   const bool goes_there = wish.closing == intent::Closing::drive && parameter.fact->drives;
@@ -101,8 +101,8 @@ Task<Result<>> Vme58Driver::set_param(intent::SetParam wish) {
   auto& borrowed = minds_[ix(parameter.axis)].velocity;
   if (borrowed && parameter.fact->shown == AxisValue::maximum_velocity) borrowed->before = wish.value;
   // AC, VL and VB wait in the axis' queue: what the board shows may come later.
-  next_axis_ = parameter.axis;
-  auto read = co_await read_axes(Priority::intent);
+  readings_.next_is(parameter.axis);
+  auto read = co_await readings_.read_axes(Priority::intent);
   if (!read) co_return read;
   auto& put = minds_[ix(parameter.axis)].put_velocity;
   if (parameter.fact->shown == AxisValue::maximum_velocity && (put || state.value != wish.value))
