@@ -113,7 +113,7 @@ Task<bool> Pump::open_and_connect() {
   draft_.link.attempts = ++attempt_;
   attempt_at_ = scheduler_.now();
   publish();
-  const OwedAnswers owed = station_ ? station_->owed() : OwedAnswers();
+  const Station::Manner manner = station_ ? station_->manner() : Station::Manner();
   station_.reset();
   auto opened = co_await ways_.open_wire();
   if (closing_) co_return false;
@@ -123,7 +123,7 @@ Task<bool> Pump::open_and_connect() {
   }
   station_ = std::make_unique<Station>(std::move(*opened), ways_.traffic);
   station_->address = catalog_.address;
-  station_->take_over(owed);
+  station_->take_over(manner);
   station_->recorded = ways_.recorded;
   station_->closed = [this](const Fault& why) {
     lose_wire(why);
