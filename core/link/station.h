@@ -89,7 +89,8 @@ class Station {
     Transaction question;
     std::function<bool(std::string_view answer)> is_answer;
   };
-  /// The driver's: one whose answer cannot be mistaken for any of those; none: only time helps. Null: the
+  /// The driver's: one whose answer cannot be mistaken for any of those (where it may be silent, the next one
+  /// follows); none: only time helps. Null: the
   /// driver sees to late answers by itself.
   std::function<std::optional<Unmistakable>(const OwedAnswers& owed, Instant now)> unmistakable;
   /// This device was asked and has not answered in time: what comes from it now is not believed.
@@ -138,6 +139,8 @@ class Station {
   friend class Link;
   Task<Result<std::string>> transact_when_clean(Transaction transaction);
   Task<Result<>> clean(Priority priority);
+  Task<Result<>> clean_by(Unmistakable asked, Priority priority);
+  Task<Result<>> outwait(Priority priority);
   Task<Result<>> wait_for_silence();
   void learn_lateness(Duration round_trip);
   void leave(const Fault& why, Link::Leaving how);

@@ -43,6 +43,7 @@ Conversation::Conversation(Scheduler& scheduler, std::function<Listening()> list
 void Conversation::attach(Station& station) {
   station_ = &station;
   echoes_ = false;
+  prompt_greetings_ = 0;
   station.unsolicited = [this](std::string_view bytes) { return hear(bytes); };
   station.unmistakable = [this](const OwedAnswers& owed, Instant now) {
     return unmistakable(owed, now, listening_(), echoes_);
@@ -150,13 +151,22 @@ Task<Result<std::string>> Conversation::places(ReplyShape shape, Priority priori
   co_return co_await exchange(std::move(t));
 }
 
-// Where answers are owed it may be that they are merely late.
+// Where answers are owed it may be that they are merely late. Two that come at once, with silence behind each,
+// are none of those: they were not asked one behind the other.
 Task<Result<std::string>> Conversation::greet(std::uint16_t quiet_ms) {
   auto t =
       own_question("V", ReplyShape::until_quiet(quiet_ms), Priority::intent, nullptr, look::letter);
   t.patience = station_ && station_->is_dirty() ? late_greeting_patience : greeting_patience;
   t.on_dirty_line = true;
-  co_return co_await exchange(std::move(t));
+  const Instant asked_at = scheduler_.now();
+  auto reply = co_await exchange(std::move(t));
+  if (!station_) co_return reply;
+  constexpr Duration at_once = Millis(60);
+  const bool is_prompt = reply && reply->size() == 1 &&
+                         scheduler_.now() - asked_at < Millis(quiet_ms) + at_once + station_->wire_time(4);
+  prompt_greetings_ = is_prompt ? prompt_greetings_ + 1 : 0;
+  if (prompt_greetings_ >= 2) station_->has_caught_up();
+  co_return reply;
 }
 
 Task<Result<std::string>> Conversation::whether_it_hears() {

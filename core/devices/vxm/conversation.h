@@ -77,6 +77,7 @@ class Conversation {
   std::function<void(const Message&)> heard_;
   Station* station_ = nullptr;
   bool patient_ = false;
+  int prompt_greetings_ = 0;  ///< one behind the other
   std::string unasked_;  ///< a message that has not come to its end
   Instant heard_at_{};
   std::string asked_;  ///< last: what comes back of it unchanged is an echo

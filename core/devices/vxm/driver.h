@@ -93,6 +93,7 @@ class VxmDriver final : public Driver {
     Instant looked_at{};
     double speed = 0;   ///< when it was looked at; of the fastest motor that can be seen
     bool over = false;  ///< what it was to stop stands
+    bool reversed = false;  ///< a motor has turned round since: what is held does not
   };
 
   // ---- driver_talk.cpp
@@ -154,6 +155,7 @@ class VxmDriver final : public Driver {
   Task<Result<>> poll_local();
   Task<Result<>> read_positions(Priority priority, bool at_rest, bool and_a_signal = false);
   Task<Result<>> take_state(char state);
+  Task<Result<>> see_to_dirt();
   Task<Result<>> catch_up();
   void show_position(int axis, Steps position);
   void show_worst();
@@ -239,7 +241,7 @@ class VxmDriver final : public Driver {
   // ---- driver_run.cpp
   Task<Result<>> run(int slot);
   [[nodiscard]] bool hold_is_known() const { return !hold_doubtful_ && !found_running_; }
-  void program_has_begun_a_way();
+  void program_has_begun_a_way(bool reversed);
   Result<> may_switch_hold() const;
   Task<Result<>> pause();
   Task<Result<>> switch_hold(std::string text, bool on, Priority priority);

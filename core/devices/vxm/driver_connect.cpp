@@ -158,6 +158,7 @@ Task<Result<>> VxmDriver::greet() {
   // F: no echo, no carriage returns behind prompts, whoever asked for them.
   auto said = co_await talk_.say_anyway("F");
   if (!said) co_return said;
+  if (talk_.station() && talk_.station()->is_dirty()) (void)co_await talk_.greet(greeting_quiet_ms);
   auto state = co_await talk_.state(Priority::intent);
   if (!state) co_return fail(state.error());
   if (greeting.echo) {

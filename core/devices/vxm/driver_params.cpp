@@ -45,6 +45,8 @@ Task<Result<>> VxmDriver::perform(const IntentBody& body) {
     if (!on_line) co_return on_line;
     stay_local_ = false;
   }
+  auto clean = co_await see_to_dirt();
+  if (!clean) co_return clean;
   auto heard = co_await hear_without_echo();
   if (!heard) co_return heard;
   auto settled = co_await settle();

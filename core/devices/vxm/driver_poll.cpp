@@ -24,6 +24,7 @@ Task<Result<>> VxmDriver::poll(Round round) {
     polled = co_await see_whether_it_stands();
   else
     polled = co_await poll_on_line(round);
+  signals_.forget_what_is_doubted();
   if (polled && !busy() && !talk_.echoes() && round != Round::stopping) look_what_ended_the_run();
   show_worst();
   if (!polled && halted_ && talk_.station()) {  // its error report came in place of an answer
@@ -151,7 +152,8 @@ void VxmDriver::show_position(int index, Steps position) {
         std::abs(static_cast<double>((position - axis.position).value)) / seconds(now - axis.seen_at);
   const Sign way = position > axis.position ? Sign::plus : Sign::minus;
   const bool turned = now - moved_at_[i] < to_see_standstill;
-  if (moved && stored_running_ && (!turned || (went_[i] && went_[i] != way))) program_has_begun_a_way();
+  const bool reversed = moved && went_[i] && went_[i] != way;
+  if (moved && stored_running_ && (!turned || reversed)) program_has_begun_a_way(reversed);
   if (!axis.position_known) moved_at_[i] = now;  // what was seen once only may turn
   if (moved) moved_at_[i] = now, went_[i] = way;
   if (stored_running_ && !job_.active()) {  // what a program moves shows by its positions only
@@ -167,6 +169,15 @@ void VxmDriver::show_position(int index, Steps position) {
   axis.position = position;
   axis.position_known = true;
   axis.seen_at = now;
+}
+
+// What is to be done next must not hide a restart that went unseen: what is asked to clean the line tells
+// nobody.
+Task<Result<>> VxmDriver::see_to_dirt() {
+  if (mode_ != Mode::on_line || halted_ || !talk_.station() || !talk_.station()->is_dirty()) co_return Result<>();
+  auto state = co_await talk_.state(Priority::intent);
+  if (!state) co_return fail(state.error());
+  co_return co_await take_state(*state);
 }
 
 Task<Result<>> VxmDriver::take_state(char state) {

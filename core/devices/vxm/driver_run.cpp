@@ -89,8 +89,10 @@ Task<Result<>> VxmDriver::run(int slot) {
 }
 
 /// None of what is held does.
-void VxmDriver::program_has_begun_a_way() {
+void VxmDriver::program_has_begun_a_way(bool reversed) {
+  constexpr Duration shown_by_then = Millis(150);  // what had begun when the hold was told
   has_begun_ = true;
+  if (ramp_ && reversed && scheduler_.now() - ramp_->began > shown_by_then) ramp_->reversed = true;
   if (ramp_ || hold_is_known()) return;
   hold_on_ = hold_doubtful_ = found_running_ = false;
 }

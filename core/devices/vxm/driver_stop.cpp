@@ -180,14 +180,14 @@ StopProgress VxmDriver::watch_the_program() {
   }
   const StopProgress progress = watch_the_ramp();
   if (!goes_on(progress)) return progress;
-  ramp_->holds = false;
+  ramp_->holds = ramp_->reversed = false;
   ramp_->from = ramp_->slowest = fastest();
   return StopProgress::again();
 }
 
 // Where no hold is known to be on, anything that begins shows that none is, and so does a D without effect.
 bool VxmDriver::goes_on(const StopProgress& progress) {
-  if (hold_on_ && hold_is_known()) return has_begun_anew();
+  if (hold_on_ && hold_is_known()) return ramp_->reversed || has_begun_anew();
   return has_begun_ || (!hold_is_known() && progress.now == StopProgress::Now::again);
 }
 

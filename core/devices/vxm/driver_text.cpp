@@ -230,6 +230,8 @@ Task<Result<>> VxmDriver::send_text(std::string text) {
 }
 
 Task<Result<std::string>> VxmDriver::query(std::string text, Duration patience) {
+  auto clean = co_await see_to_dirt();
+  if (!clean) co_return fail(clean.error());
   auto heard = co_await hear_without_echo();
   if (!heard) co_return fail(heard.error());
   auto settled = co_await settle();

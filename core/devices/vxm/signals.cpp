@@ -18,6 +18,12 @@ void Signals::begin() {
   cleaned_ = {};
 }
 
+void Signals::forget_what_is_doubted() {
+  const bool dirty = talk_.station() && talk_.station()->is_dirty();
+  if (!dirty && cleaned_[0] == talk_.times_cleaned()) return;
+  for (int axis = 0; axis < draft_.axis_count; ++axis) draft_.axes[axis].limits_known = false;
+}
+
 // @ stands behind them: its answer is a line.
 Task<Result<>> Signals::read_all(Priority priority) {
   for (int n = 0; n < readings; ++n) {

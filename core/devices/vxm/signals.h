@@ -19,6 +19,8 @@ class Signals {
 
   /// A new wire.
   void begin();
+  /// Limits have no age of their own: those from before the line was dirty are not known.
+  void forget_what_is_doubted();
   void slave_is_present(bool present) { slave_present_ = present; }
 
   /// All of them, more than once where one reading is not enough.
