@@ -63,7 +63,8 @@ class Driver {
   /// What the console has put into the controller for its own use is still there, and the next rounds of
   /// status take it away: a wire that is given up stays open for that.
   [[nodiscard]] virtual bool clears_up() const { return false; }
-  /// What stays in the controller when the connection is closed now and nobody expects there; empty: nothing.
+  /// What stays in the controller, as far as is known, when the connection is closed now, and nobody expects
+  /// there; empty: nothing. Also while the wire is lost.
   [[nodiscard]] virtual std::string leaves_behind() const { return {}; }
 
   /// The poll law: how long to wait between rounds.
