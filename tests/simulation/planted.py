@@ -1,0 +1,131 @@
+#!/usr/bin/env python3
+"""Shows that the judge bites: small faults are planted in the production code, one at a time, in a scratch
+worktree, and the search has to find each of them. By hand; it takes about an hour.
+
+    planted.py [--check] [FAULT...]      --check: only whether each of them still applies
+"""
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+from planted_faults import FAULTS
+
+ROOT = Path(__file__).resolve().parents[2]
+SCRATCH = ROOT / "build-planted"
+SOON, AT_MOST = 2000, 20000  # sessions of a simulated minute
+
+
+def find_function(folder, signature):
+    """Its file, and where its body begins and ends there. A fault that no longer applies fails."""
+    found = []
+    for path in sorted((SCRATCH / "core" / folder).rglob("*.[ch]*")):
+        text = path.read_text()
+        for match in re.finditer(re.escape(signature), text):
+            begin = text.find("{", match.end())
+            semicolon = text.find(";", match.end())
+            if begin < 0 or 0 <= semicolon < begin:
+                continue  # a declaration, or a call
+            depth, end = 0, begin
+            while end == begin or depth:
+                depth += {"{": 1, "}": -1}.get(text[end], 0)
+                end += 1
+            found.append((path, begin, end))
+    if len(found) != 1:
+        sys.exit(f"core/{folder}: {len(found)} functions are called {signature})")
+    return found[0]
+
+
+def plant(fault):
+    for folder, signature, old, new in fault["edits"]:
+        path, begin, end = find_function(folder, signature)
+        text = path.read_text()
+        body = text[begin:end]
+        if old == "{":  # at its beginning
+            body = "{ " + new + body[1:]
+        elif body.count(old) != 1:
+            sys.exit(f"{fault['name']}: {body.count(old)} times in {signature}: {old}")
+        else:
+            body = body.replace(old, new)
+        path.write_text(text[:begin] + body + text[end:])
+
+
+def restore():
+    subprocess.run(["git", "checkout", "-q", "--", "core"], cwd=SCRATCH, check=True)
+
+
+def prepare():
+    if not SCRATCH.exists():
+        subprocess.run(["git", "worktree", "add", "-q", "--detach", str(SCRATCH)], cwd=ROOT, check=True)
+    head = subprocess.run(["git", "rev-parse", "HEAD"], cwd=ROOT, check=True, capture_output=True, text=True)
+    restore()
+    subprocess.run(["git", "checkout", "-q", "--detach", head.stdout.strip()], cwd=SCRATCH, check=True)
+
+
+def build():
+    """hw_simulation of the scratch worktree, built; the fault's own compiler warnings do not matter."""
+    if not (SCRATCH / "build" / "build.ninja").exists():
+        subprocess.run(["cmake", "--preset", "release", "-DHW_TESTS=ON", "-DCMAKE_CXX_FLAGS=-Wno-error"],
+                       cwd=SCRATCH, check=True, stdout=subprocess.DEVNULL)
+    run = subprocess.run(["ninja", "-C", "build", "hw_simulation"], cwd=SCRATCH, capture_output=True, text=True)
+    if run.returncode:
+        sys.exit(run.stdout[-3000:])
+    return SCRATCH / "build" / "tests" / "simulation" / "hw_simulation"
+
+
+def play(binary, model, seed, seeds, until_failure):
+    words = model.split()
+    command = [str(binary), "--model", *words, "--no-shrink", "--seed", str(seed)]
+    command += ["--until-failure"] if until_failure else []
+    run = subprocess.run([*command, "--seeds", str(seeds)], capture_output=True, text=True)
+    if run.returncode not in (0, 1):
+        return seed, "it crashed"
+    found = re.search(r"^\S+ seed (\d+)\n  (.*)", run.stdout, re.M)
+    return (int(found[1]), found[2]) if found else None
+
+
+def search(binary, honest, model):
+    """How many sessions it takes to find something that the honest build does not do, and what."""
+    seed = 1
+    while seed <= AT_MOST:
+        seeds = (SOON if seed <= SOON else AT_MOST) - seed + 1
+        found = play(binary, model, seed, seeds, True)
+        if not found:
+            seed += seeds
+        elif play(honest, model, found[0], 1, False):
+            seed = found[0] + 1
+        else:
+            return found
+    return None
+
+
+def main(words):
+    only_check = "--check" in words
+    names = [word for word in words if not word.startswith("--")]
+    faults = [fault for fault in FAULTS if not names or fault["name"] in names]
+    prepare()
+    for fault in faults:
+        plant(fault)
+        restore()
+    if only_check:
+        print(f"{len(faults)} faults apply.")
+        return
+    honest = SCRATCH / "build" / "honest"
+    honest.write_bytes(build().read_bytes())
+    honest.chmod(0o755)
+    soon = late = 0
+    for fault in faults:
+        plant(fault)
+        binary = build()
+        found = next(filter(None, (search(binary, honest, model) for model in fault["models"])), None)
+        restore()
+        soon += bool(found and found[0] <= SOON)
+        late += bool(found and found[0] > SOON)
+        print(f"{fault['name']:36} " + (f"{found[0]:6} sessions: {found[1]}" if found else "NOT FOUND"), flush=True)
+    print(f"{soon} of {len(faults)} found within {SOON} sessions, {late} more within {AT_MOST}.")
+    sys.exit(soon + late != len(faults))
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])
