@@ -98,7 +98,8 @@ Task<Result<>> Station::clean(Priority priority) {
   question.priority = priority;
   question.own_question = true;
   question.on_dirty_line = true;
-  question.patience = statistics_.misses_in_a_row < 2 ? first_patience : OwedAnswers::longest_delay;
+  const bool first = statistics_.misses_in_a_row < 2 || priority == Priority::stop;  // which is said again
+  question.patience = first ? first_patience : OwedAnswers::longest_delay;
   auto answer = co_await link_->transact(*this, std::move(question));
   if (!answer) co_return fail(answer.error());
   if (!asked->is_answer(*answer)) {

@@ -89,7 +89,7 @@ Task<Result<>> ArcusDriver::read_motion(Priority priority) {
   motion_misses_ = talk_.misses();
   auto positions = co_await talk_.ask_numbers(std::string(forms_.positions), axes, priority);
   if (!positions) co_return fail(positions.error());
-  const Instant seen_at = scheduler_.now();  // what is asked behind it may come late
+  const Instant seen_at = talk_.asked_at();  // the answer, or what is asked behind it, may have come late
   auto encoders = co_await talk_.ask_numbers(std::string(forms_.encoders), axes, priority);
   if (!encoders) co_return fail(encoders.error());
   auto speeds = co_await talk_.ask_numbers(std::string(forms_.speeds), axes, priority);
