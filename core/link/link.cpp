@@ -255,6 +255,14 @@ bool Link::strip_strangers() {
   return next != std::string_view::npos;
 }
 
+// Bytes may come with gaps: an answer that is coming in is waited for, unless a stop waits.
+void Link::hear_it_out() {
+  constexpr Duration longest_gap = Millis(60), longest_answer = std::chrono::seconds(1);
+  if (!waiting_[static_cast<std::size_t>(Priority::stop)].empty()) return;
+  const Instant latest = std::min(scheduler_.now() + longest_gap, sent_at_ + longest_answer);
+  if (latest > deadline_at_) deadline_.arm(deadline_at_ = latest);
+}
+
 void Link::take_received() {
   while (!received_.empty()) {
     if (!in_flight_ || in_flight_->transaction.reply.kind == ReplyShape::Kind::none) {
@@ -271,7 +279,7 @@ void Link::take_received() {
       return;
     }
     const auto length = t.reply.complete(received_);
-    if (!length) return;
+    if (!length) return hear_it_out();
     std::string reply = received_.substr(0, *length);
     received_.erase(0, *length);
     in_flight_->station.record(scheduler_.now(), Way::received, kind_of(t), reply);

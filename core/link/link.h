@@ -105,6 +105,7 @@ class Link final : public std::enable_shared_from_this<Link>,
   void end(Pending& pending, Result<std::string> result);
   void on_deadline();
   void take_received();
+  void hear_it_out();
   bool strip_strangers();
   std::size_t give_unsolicited(std::string_view bytes);
   std::size_t offer(std::string_view bytes, const Station*& took);

@@ -83,26 +83,47 @@ Task<Result<std::string>> Station::transact_when_clean(Transaction transaction) 
 
 // Nothing is asked twice on a dirty line: each attempt asks something else, and waits longer for it.
 Task<Result<>> Station::clean(Priority priority) {
-  constexpr Duration first_patience = Millis(600);
-  auto asked = unmistakable(owed_, link_->scheduler_.now());
-  while (!asked) {
-    auto waited = co_await pause(owed_.next_end(link_->scheduler_.now()) - link_->scheduler_.now());
-    if (!waited) co_return waited;
-    if (!is_dirty()) co_return Result<>();
-    asked = unmistakable(owed_, link_->scheduler_.now());
+  while (is_dirty()) {
+    auto asked = unmistakable(owed_, link_->scheduler_.now());
+    Result<> step;
+    if (asked)
+      step = co_await clean_by(std::move(*asked), priority);
+    else
+      step = co_await outwait(priority);
+    if (!step) co_return step;
   }
+  co_return Result<>();
+}
+
+/// Until one of the owed answers cannot come any more. A stop is said again before anything else is known.
+Task<Result<>> Station::outwait(Priority priority) {
+  if (priority == Priority::stop) {
+    count_miss();
+    co_return fail(FaultKind::no_answer, "The controller did not answer in time.");
+  }
+  co_return co_await pause(owed_.next_end(link_->scheduler_.now()) - link_->scheduler_.now());
+}
+
+Task<Result<>> Station::clean_by(Unmistakable asked, Priority priority) {
+  constexpr Duration first_patience = Millis(600);
   auto silent = co_await wait_for_silence();
   if (!silent) co_return silent;
-  Transaction question = std::move(asked->question);
+  Transaction question = std::move(asked.question);
   const Look look = question.look;
+  const bool may_be_silent = question.may_be_silent && priority != Priority::stop;
+  question.may_be_silent = may_be_silent;
   question.priority = priority;
   question.own_question = true;
   question.on_dirty_line = true;
-  const bool first = statistics_.misses_in_a_row < 2 || priority == Priority::stop;  // which is said again
-  question.patience = first ? first_patience : OwedAnswers::longest_delay;
+  const bool soon = may_be_silent || priority == Priority::stop || statistics_.misses_in_a_row < 2;
+  question.patience = soon ? first_patience : OwedAnswers::longest_delay;
   auto answer = co_await link_->transact(*this, std::move(question));
+  if (!answer && answer.error().kind == FaultKind::no_answer && may_be_silent) {
+    doubt(look);
+    co_return Result<>();
+  }
   if (!answer) co_return fail(answer.error());
-  if (!asked->is_answer(*answer)) {
+  if (!asked.is_answer(*answer)) {
     doubt(look);
     count_miss();
     co_return fail(FaultKind::garbled, "What the controller answers means nothing.", "Nothing of it was used.",

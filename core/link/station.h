@@ -89,13 +89,16 @@ class Station {
     Transaction question;
     std::function<bool(std::string_view answer)> is_answer;
   };
-  /// The driver's: one whose answer cannot be mistaken for any of those; none: only time helps. Null: the
+  /// The driver's: one whose answer cannot be mistaken for any of those (where it may be silent, the next one
+  /// follows); none: only time helps. Null: the
   /// driver sees to late answers by itself.
   std::function<std::optional<Unmistakable>(const OwedAnswers& owed, Instant now)> unmistakable;
   /// This device was asked and has not answered in time: what comes from it now is not believed.
   [[nodiscard]] bool is_dirty() const;
   /// What was answered means nothing. What was asked may still be answered, or be answered with what is next.
   void doubt(Look look);
+  /// What a greeting has shown: whatever was owed has come before.
+  void has_caught_up() { owed_.clear(); }
   /// Asks the unmistakable question now, if the line is dirty: for one whose next text must not be taken for
   /// sent when it was not.
   Task<Result<>> come_clean(Priority priority);
@@ -138,6 +141,8 @@ class Station {
   friend class Link;
   Task<Result<std::string>> transact_when_clean(Transaction transaction);
   Task<Result<>> clean(Priority priority);
+  Task<Result<>> clean_by(Unmistakable asked, Priority priority);
+  Task<Result<>> outwait(Priority priority);
   Task<Result<>> wait_for_silence();
   void learn_lateness(Duration round_trip);
   void leave(const Fault& why, Link::Leaving how);

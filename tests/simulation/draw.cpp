@@ -28,6 +28,8 @@ class Artist {
   }
 
   Plan draw() {
+    draw_quirk(drawing_.faults ? facts_.quirks : facts_.strict);
+    if (drawing_.faults) draw_habits();
     if (facts_.needs_power)
       for (int device = 0; device < devices_; ++device) put(Millis(900), "motor_power", device, {-1, 1});
     for (Millis at(1000 + random_.between(0, 1000)); at < drawing_.length; at += gap()) {
@@ -58,6 +60,24 @@ class Artist {
   std::int64_t distance() { return random_.sign() * (random_.between(40, 600) * 10 * scale() + ++moves_); }
   std::int64_t scale() const { return facts_.model == "vme58" ? 20 : 1; }
   std::int64_t slot() { return random_.between(0, std::max(1, catalog_.program.slots) - 1); }
+
+  void draw_quirk(const std::vector<std::string>& quirks) {
+    const bool has_one = plan_.options.find("quirk=") != std::string::npos;
+    if (!quirks.empty() && !has_one && random_.percent(25))
+      plan_.options += (plan_.options.empty() ? "" : ",") + random_.one_of(quirks);
+  }
+  // What is so all the time, with this unit or on this wire.
+  void draw_habits() {
+    const auto whole = static_cast<std::int64_t>(drawing_.length.count()) + 60'000;
+    if (catalog_.can.window) {
+      if (random_.percent(8)) put(Millis(0), "slow_cycles", 0, {random_.mostly_small(1, 20), whole});
+      return;
+    }
+    if (random_.percent(8)) put(Millis(0), "delay", 0, {1, random_.mostly_small(20, 2500), whole});
+    if (random_.percent(8)) put(Millis(0), "gaps", 0, {1, random_.between(1, 40), whole});
+    if (facts_.prompt != 0 && random_.percent(10))
+      put(Millis(0), "habit", 0, {1, facts_.prompt, random_.between(1, 6), random_.percent(50)});
+  }
 
   void draw_action(Millis at) {
     const int on = device();
@@ -100,7 +120,9 @@ class Artist {
   }
   void draw_jog(Millis at, int on) {
     const std::int64_t held = random_.percent(30) ? random_.between(20, 250) : random_.between(250, 3000);
-    put(at, random_.percent(85) ? "jog" : "jog_frozen", on, {axis(), random_.sign(), held});
+    const auto draw = random_.between(1, 100);
+    if (draw > 95) return put(at, "script_jog", on, {axis(), random_.sign()});
+    put(at, draw <= 82 ? "jog" : "jog_frozen", on, {axis(), random_.sign(), held});
   }
   void draw_program(Millis at, int on) {
     const auto draw = random_.between(1, 100);

@@ -4,14 +4,27 @@
 #include <algorithm>
 
 #include <fmt/core.h>
+#include <malloc.h>
 
 namespace hw::simulation {
 namespace {
+
 constexpr Duration look_every = Millis(20);
+constexpr int memory_every = 50;  // looks
+
+std::size_t memory_in_use() {
+  const auto heap = mallinfo2();
+  return heap.uordblks + heap.hblkhd;
 }
 
+}  // namespace
+
 Judge::Judge(Scheduler& scheduler, const WireFaults& faults, const ModelFacts& facts)
-    : scheduler_(scheduler), faults_(faults), facts_(facts), timer_(scheduler, [this] { tick(); }) {
+    : scheduler_(scheduler),
+      faults_(faults),
+      facts_(facts),
+      timer_(scheduler, [this] { tick(); }),
+      memory_at_start_(memory_in_use()) {
   timer_.arm(scheduler.now() + look_every);
 }
 
@@ -31,10 +44,17 @@ void Judge::tick() {
     judge_limits(device);
     judge_link(device);
   }
+  if (++ticks_ % memory_every == 0) judge_memory();
   for (const auto& [id, call] : calls_)
     if (scheduler_.now() > call.deadline)
       accuse("end", fmt::format("A call ({}) has not returned.", call.what));
   timer_.arm(scheduler_.now() + look_every);
+}
+
+void Judge::judge_memory() {
+  const std::size_t now = memory_in_use();
+  if (now > memory_at_start_ + most_memory * std::max<std::size_t>(1, devices_.size()))
+    accuse("bounded", fmt::format("{} MB are in use.", (now - memory_at_start_) >> 20));
 }
 
 void Judge::opened(std::vector<std::shared_ptr<Session>> sessions) {
@@ -64,7 +84,12 @@ void Judge::ended() {
     accuse("end", fmt::format("A call ({}) has not returned when all was closed.", call.what));
 }
 
-void Judge::intent_sent(int device, IntentId id) { at(device).intents.push_back({id, scheduler_.now()}); }
+void Judge::intent_sent(int device, IntentId id) { text_typed(device, id, {}); }
+
+void Judge::text_typed(int device, IntentId id, std::string text) {
+  DeviceCase& d = at(device);
+  d.intents.push_back({id, scheduler_.now(), std::move(text), d.forgotten + d.received.size()});
+}
 
 void Judge::motion_asked(int device, std::uint32_t axes, IntentId id, Steps distance, bool homes) {
   const Instant now = scheduler_.now();
@@ -156,6 +181,11 @@ void Judge::told_idle(int device, Instant begun) {
   if (d.truth.moving() != 0) accuse("true", "A wait has said that nothing moves, and an axis moves.");
 }
 
+void Judge::left_behind(int device, std::string_view question, std::string_view word) {
+  accuse("clean", fmt::format("Device {}: {} is left in it as an answer to {}, and nobody was told.", device,
+                              word, question.substr(0, question.find('\r'))));
+}
+
 void Judge::note(int device, char way, std::string_view bytes) {
   if (trace_ != nullptr) trace_->bytes(scheduler_.now(), device, way, bytes);
   const auto mix = [this](std::uint64_t value) { fingerprint_ = (fingerprint_ ^ value) * 1099511628211u; };
@@ -168,8 +198,11 @@ void Judge::controller_received(int device, std::string_view bytes) {
   note(device, '>', bytes);
   std::string& received = at(device).received;
   received += bytes;
-  constexpr std::size_t kept = 32;
-  if (received.size() > 2 * kept) received.erase(0, received.size() - kept);
+  constexpr std::size_t kept = 4096;
+  if (received.size() > 2 * kept) {
+    at(device).forgotten += received.size() - kept;
+    received.erase(0, received.size() - kept);
+  }
   judge_kill(device);
 }
 void Judge::controller_sent(int device, std::string_view bytes) { note(device, '<', bytes); }

@@ -63,6 +63,9 @@ class Judge final : public Witness {
   /// A restart shows in the first answers after it; then its positions are read once more.
   static constexpr Duration restart_shows = std::chrono::seconds(4);
 
+  /// What a session may take beside what it began with, its record and its texts included.
+  static constexpr std::size_t most_memory = 64u << 20;
+
   Judge(Scheduler& scheduler, const WireFaults& faults, const ModelFacts& facts);
 
   [[nodiscard]] const std::optional<Finding>& finding() const { return finding_; }
@@ -81,6 +84,8 @@ class Judge final : public Witness {
   void closing();
   void ended();
   void intent_sent(int device, IntentId id);
+  /// It has to reach the controller as it was typed, or to be refused.
+  void text_typed(int device, IntentId id, std::string text);
   void motion_asked(int device, std::uint32_t axes, IntentId id, Steps distance, bool homes = false);
   void motion_asked_elsewhere(int device) { motion_asked(device, all_axes, 0, Steps()); }
   void stop_asked(int device, std::uint32_t axes, StopKind kind, bool by_hand = false);
@@ -96,6 +101,8 @@ class Judge final : public Witness {
   void call_ended(int call);
   /// A call that must succeed has failed, or the other way round.
   void call_went_wrong(std::string what) { accuse("end", std::move(what)); }
+  /// The console has closed without a word, and this stands in the controller's set-up or programs.
+  void left_behind(int device, std::string_view question, std::string_view word);
   /// A wait that was begun then has said that nothing moves or runs.
   void told_idle(int device, Instant begun);
 
@@ -136,6 +143,8 @@ class Judge final : public Witness {
   struct Intended {
     IntentId id;
     Instant at;
+    std::string text;       ///< that was typed
+    std::size_t heard = 0;  ///< bytes that the controller had received then
   };
   struct DeviceCase {
     std::shared_ptr<Session> session;
@@ -162,7 +171,8 @@ class Judge final : public Witness {
       bool at_once;
     };
     std::vector<Asked> stops;  ///< since everything stood
-    std::string received;      ///< its end
+    std::string received;       ///< its end
+    std::size_t forgotten = 0;  ///< bytes before those
   };
   struct Call {
     std::string what;
@@ -188,6 +198,8 @@ class Judge final : public Witness {
   [[nodiscard]] Duration lateness() const;
 
   // judge_screen.cpp
+  void judge_memory();
+  void judge_text(int device, const Intended& typed, Fate fate);
   void judge_fates(int device);
   void judge_positions(int device);
   void judge_trust(int device);
@@ -204,6 +216,8 @@ class Judge final : public Witness {
   int next_call_ = 1;
   std::optional<Finding> finding_;
   Trace* trace_ = nullptr;
+  std::size_t memory_at_start_;
+  int ticks_ = 0;
   std::string left_out_;
   std::uint64_t fingerprint_ = 1469598103934665603u;
 };

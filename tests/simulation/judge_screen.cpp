@@ -1,5 +1,6 @@
 // The laws of what is shown and told: end, true.
 #include <algorithm>
+#include <sstream>
 
 #include <fmt/core.h>
 
@@ -7,6 +8,20 @@
 #include "tests/simulation/judge.h"
 
 namespace hw::simulation {
+
+// What is done was received by the controller as it was typed.
+void Judge::judge_text(int device, const Intended& typed, Fate fate) {
+  const DeviceCase& d = at(device);
+  if (typed.text.empty() || fate != Fate::done || typed.heard < d.forgotten) return;
+  if (faults_.out.hurt() >= typed.at || faults_.carries_since(scheduler_.now()) > typed.at) return;
+  // Word by word: where a driver puts something of its own between them the order stays.
+  std::size_t place = typed.heard - d.forgotten;
+  std::istringstream words(typed.text);
+  for (std::string word; place != d.received.npos && words >> word;) place = d.received.find(word, place);
+  if (place == d.received.npos)
+    accuse("kept", fmt::format("Device {}: \"{}\" was typed and is told to be done, and it was not received.",
+                               device, typed.text));
+}
 
 void Judge::judge_fates(int device) {
   DeviceCase& d = at(device);
@@ -19,6 +34,7 @@ void Judge::judge_fates(int device) {
     if (trace_ != nullptr && fate->fate != Fate::done)
       remark(fmt::format("device {}: {}: {}", device, fate->fate == Fate::refused ? "refused" : "failed",
                          fate->sentence.view()));
+    judge_text(device, i, fate->fate);
     return true;
   });
   if (d.intents.empty()) return;
@@ -130,8 +146,8 @@ void Judge::judge_lines(int device) {
       return look == d.looks.end() || !differs(lines[kind], look->second[kind]);
     });
     if (!possible)
-      accuse("true", fmt::format("Device {}: {} are shown otherwise than they are and were.", device,
-                                 kind == 0 ? "inputs" : "outputs"));
+      accuse("true", fmt::format("Device {}: {} are shown as {:X} (of {:X}), and they are not and were not so.", device,
+                                 kind == 0 ? "inputs" : "outputs", lines[kind].values, lines[kind].known));
   }
   d.lines = lines;
   const bool read_since = shown.io_seen_at > d.benches.back().first + line_shows;

@@ -17,6 +17,9 @@ struct ModelFacts {
   std::string_view model;
   std::vector<std::string> options;       ///< of the address; one is drawn
   std::vector<std::string> bus;           ///< the same with several devices on the line
+  std::vector<std::string> quirks;        ///< that some units have: options too
+  std::vector<std::string> strict;        ///< the same, where a wire that is good is needed to live with it
+  char prompt = 0;                        ///< what it says at the end of what it was told; 0: nothing
   std::string_view wire;                  ///< options of the emulated wire: its byte times
   bool needs_power = false;               ///< motors have none from the factory
   bool typed_stop_ends_programs = false;  ///< by what the maker says
@@ -26,6 +29,8 @@ struct ModelFacts {
   std::vector<std::string> programs;  ///< that move something; the first for ever
   std::vector<std::string> harmless;  ///< typed texts that move nothing, wrong ones among them
   std::vector<std::string> speeds;    ///< parameters of speed or ramp that may be set
+  /// Of its set-up and programs, as the controller receives them; {} stands for the address.
+  std::vector<std::string> questions;
   std::string_view kill;              ///< text that stops at once, as the controller receives it
 };
 

@@ -94,9 +94,40 @@ void Stage::make_machines() {
     device.id = one.options.contains("id") ? one.options.at("id") : "";
     const int place = static_cast<int>(devices.size());
     device.emulator = std::make_unique<WatchedEmulator>(std::move(inner), place, judge_);
+    Machine machine{device.emulator.get(), facts_.questions, {}};
+    for (std::string& question : machine.questions)
+      if (const auto id = question.find("{}"); id != question.npos) question.replace(id, 2, device.id);
+    machines_.push_back(std::move(machine));
     devices.push_back(std::move(device));
   }
   host_ = must(EmulatorHost::make(time_, std::move(devices), options));
+  for (std::size_t i = 0; i < machines_.size(); ++i) {
+    machines_[i].settings = words_of(plan_);
+    for (const std::string& answer : settings(i)) machines_[i].settings.merge(words_of(answer));
+  }
+}
+
+std::vector<std::string> Stage::settings(std::size_t machine) const {
+  const Machine& m = machines_[machine];
+  return settings_of(*m.emulator, time_.now(), m.questions);
+}
+
+// A wire that carries nothing cannot take away what is left; and a controller at work answers nothing.
+bool Stage::may_judge_what_is_left(Instant closed_at) const {
+  constexpr Duration cleared_up = std::chrono::seconds(5);
+  const Instant hurt = std::max(faults_.carries_since(now()), faults_.in.hurt());
+  return !group_ && !host_->is_board() && hurt + cleared_up < closed_at;
+}
+
+void Stage::judge_what_is_left(std::size_t machine) {
+  const Machine& m = machines_[machine];
+  MachineTruth truth;
+  m.emulator->tell_truth(truth);
+  if (m.told || !truth.powered || truth.program || truth.moving() != 0) return;
+  const std::vector<std::string> answers = settings(machine);
+  for (std::size_t i = 0; i < answers.size(); ++i)
+    for (const std::string& word : words_of(answers[i]))
+      if (!m.settings.contains(word)) judge_.left_behind(static_cast<int>(machine), m.questions[i], word);
 }
 
 WireOpener Stage::opener() {
@@ -121,6 +152,7 @@ Session* Stage::session(int device) const {
   return group_->members()[static_cast<std::size_t>(device)].get();
 }
 
+// A port is opened exclusively: not while a tab that closes has something to take away there.
 void Stage::open() {
   opens_later_ = closing_now_ > 0;
   if (group_ || opens_later_) return;
@@ -135,15 +167,28 @@ void Stage::close() {
   for (const auto& hand : hands_) hand->holds = false;
   judge_.closing();
   const auto call = judge_.call_begun("close", Judge::longest_close);
+  for (const auto& member : group_->members()) member->notices().drain([](const Notice&) {});
   ++closing_now_;
-  auto done = [](std::shared_ptr<SessionGroup> group, Stage& stage, int id) -> Task<> {
-    co_await group->close();
-    stage.judge_.call_ended(id);
-    if (--stage.closing_now_ == 0 && stage.opens_later_) stage.open();
-  };
-  asio::co_spawn(io_, done(group_, *this, call), asio::detached);
+  asio::co_spawn(io_, close_and_look(group_, call), asio::detached);
   closing_.push_back(std::move(group_));
   group_.reset();
+}
+
+Task<> Stage::close_and_look(std::shared_ptr<SessionGroup> group, int call) {
+  const Instant closed_at = now();
+  bool connected = true;
+  for (const auto& member : group->members()) connected = connected && member->known().link.connected();
+  co_await group->close();
+  judge_.call_ended(call);
+  if (--closing_now_ == 0 && opens_later_) open();
+  for (std::size_t i = 0; i < machines_.size(); ++i)
+    group->members()[i]->notices().drain([&](const Notice&) { machines_[i].told = true; });
+  if (!connected) co_return;
+  Event never(time_);  // what is on the wire still arrives
+  constexpr Duration arrives = std::chrono::seconds(1);
+  co_await never.wait_until(now() + arrives);
+  if (!may_judge_what_is_left(closed_at)) co_return;
+  for (std::size_t i = 0; i < machines_.size(); ++i) judge_what_is_left(i);
 }
 
 void Stage::send(int device, IntentBody body) {
@@ -152,6 +197,13 @@ void Stage::send(int device, IntentBody body) {
   const bool keep_alive = std::holds_alternative<intent::JogKeepAlive>(body);
   const IntentId id = s->send(std::move(body));
   if (!keep_alive) judge_.intent_sent(device, id);
+}
+
+void Stage::type(int device, std::string text) {
+  Session* s = session(device);
+  if (s == nullptr) return;
+  const IntentId id = s->send(intent::SendText(text));
+  judge_.text_typed(device, id, std::move(text));
 }
 
 IntentId Stage::move(int device, std::uint32_t axes, Steps distance, IntentBody body) {

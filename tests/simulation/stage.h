@@ -8,6 +8,7 @@
 #include "core/session/session_group.h"
 #include "core/time/virtual_scheduler.h"
 #include "tests/simulation/judge.h"
+#include "tests/simulation/keepsake.h"
 #include "tests/simulation/models.h"
 #include "tests/simulation/plan.h"
 #include "tests/simulation/wire_faults.h"
@@ -30,6 +31,7 @@ class Stage {
   void open();
   void close();
   void send(int device, IntentBody body);
+  void type(int device, std::string text);
   /// The same; it may move those axes. `distance`: of one that no other move of the plan has, or 0.
   IntentId move(int device, std::uint32_t axes, Steps distance, IntentBody body);
   void stop(int device, std::uint32_t axes, StopKind kind, IntentBody body);
@@ -53,6 +55,10 @@ class Stage {
  private:
   struct Hand;  // a jog that is held
   void make_machines();
+  [[nodiscard]] std::vector<std::string> settings(std::size_t machine) const;
+  Task<> close_and_look(std::shared_ptr<SessionGroup> group, int call);
+  [[nodiscard]] bool may_judge_what_is_left(Instant closed_at) const;
+  void judge_what_is_left(std::size_t machine);
   WireOpener opener();
   [[nodiscard]] Session* session(int device) const;
   void finish();
@@ -64,6 +70,13 @@ class Stage {
   WireFaults faults_;
   Address address_;
   Judge judge_;
+  struct Machine {
+    const Emulator* emulator;  ///< the host has it
+    std::vector<std::string> questions;
+    Words settings;     ///< before the console has come, and what the plan itself puts in
+    bool told = false;  ///< a closing console has said what it leaves behind
+  };
+  std::vector<Machine> machines_;
   std::shared_ptr<EmulatorHost> host_;
   std::unique_ptr<Stream> other_host_;
   std::shared_ptr<SessionGroup> group_;

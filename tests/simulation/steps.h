@@ -15,6 +15,7 @@ struct Verb {
   std::size_t numbers;  ///< of its step
   Kind kind;
   void (*perform)(Stage& stage, const Step& step);
+  bool moves = false;  ///< once: its numbers are none of the controller's set-up
 };
 
 /// What an operator does: steps_operator.cpp.

@@ -54,6 +54,10 @@ void line(Stage& stage, const Step& s) {
 void jog(Stage& stage, const Step& s) {
   stage.jog(s.device, axis(s, 0), sign(s, 1), Millis(s.number(2)), Stage::LetGo::by_hand);
 }
+/// A script holds it: nobody's hand lets go, and it lasts until a stop.
+void script_jog(Stage& stage, const Step& s) {
+  stage.move(s.device, axes_of(whole(s, 0)), Steps(), intent::JogStart(axis(s, 0), sign(s, 1), {}, false));
+}
 void jog_frozen(Stage& stage, const Step& s) {
   stage.jog(s.device, axis(s, 0), sign(s, 1), Millis(s.number(2)), Stage::LetGo::never);
 }
@@ -77,7 +81,7 @@ void upload(Stage& stage, const Step& s) { stage.send(s.device, intent::UploadPr
 
 // ---- the rest
 
-void type(Stage& stage, const Step& s) { stage.send(s.device, intent::SendText(s.text)); }
+void type(Stage& stage, const Step& s) { stage.type(s.device, s.text); }
 /// A text that may move what it likes.
 void type_motion(Stage& stage, const Step& s) {
   stage.move(s.device, Judge::all_axes, Steps(), intent::SendText(s.text));
@@ -126,12 +130,13 @@ constexpr Verb verbs[] = {
     {"query_stop", 1, stops, query_stop},     // PATIENCE "TEXT"
     {"type_stop_closing", 0, stops, type_stop_closing},  // "TEXT", behind close
     {"halt", 1, stops, halt},                 // THREAD
-    {"move_by", 3, action, move_by},          // AXIS DISTANCE SPEED
-    {"move_to", 3, action, move_to},          // AXIS TARGET SPEED
-    {"line", 2, action, line},                // DISTANCES of the first two axes
-    {"jog", 3, action, jog},                  // AXIS SIGN HELD
-    {"jog_frozen", 3, action, jog_frozen},    // AXIS SIGN SHOWN: then no frame comes any more
-    {"home", 3, action, home},                // AXIS SIGN MODE
+    {"move_by", 3, action, move_by, true},          // AXIS DISTANCE SPEED
+    {"move_to", 3, action, move_to, true},          // AXIS TARGET SPEED
+    {"line", 2, action, line, true},                // DISTANCES of the first two axes
+    {"jog", 3, action, jog, true},                  // AXIS SIGN HELD
+    {"jog_frozen", 3, action, jog_frozen, true},    // AXIS SIGN SHOWN: then no frame comes any more
+    {"script_jog", 2, action, script_jog, true},  // AXIS SIGN
+    {"home", 3, action, home, true},                // AXIS SIGN MODE
     {"load", 1, action, load},                // SLOT "TEXT"
     {"run", 1, action, run},                  // SLOT
     {"pause", 0, action, pause},

@@ -43,6 +43,9 @@ void delay(Stage& stage, const Step& s) {
   way(stage, s).delay = Millis(s.number(1));
   way(stage, s).slow_until = in_future(stage, s, 2);
 }
+void habit(Stage& stage, const Step& s) {
+  way(stage, s).habit = {static_cast<char>(s.number(1)), s.number(2), s.number(3) != 0};
+}
 void gaps(Stage& stage, const Step& s) {
   way(stage, s).gap = Millis(s.number(1));
   way(stage, s).gaps_until = in_future(stage, s, 2);
@@ -73,6 +76,7 @@ constexpr Verb verbs[] = {
     {"twice", 3, fault, twice},             // WAY SKIP COUNT
     {"cut", 2, fault, cut},                 // WAY TIME
     {"delay", 3, fault, delay},             // WAY LATE TIME
+    {"habit", 4, fault, habit},             // WAY BYTE EVERY DOUBLES: of some bytes, all the time
     {"gaps", 3, fault, gaps},               // WAY GAP TIME: between bytes
     {"merge", 2, fault, merge},             // WAY TIME: then all at once
     {"babble", 1, fault, babble},           // TIME

@@ -3,15 +3,16 @@
 #include <memory>
 #include <utility>
 
-#include "core/device/emulator.h"
+#include "core/devices/vme58/facts.h"
+#include "tests/core/device/emulator_around.h"
 #include "tests/simulation/witness.h"
 
 namespace hw::simulation {
 
-class WatchedEmulator final : public Emulator, public BusTarget {
+class WatchedEmulator final : public test::EmulatorAround, public BusTarget {
  public:
   WatchedEmulator(std::unique_ptr<Emulator> inner, int device, Witness& witness)
-      : inner_(std::move(inner)), device_(device), witness_(witness) {}
+      : EmulatorAround(std::move(inner)), device_(device), witness_(witness) {}
 
   void receive(std::string_view bytes) override {
     witness_.controller_received(device_, bytes);
@@ -26,7 +27,6 @@ class WatchedEmulator final : public Emulator, public BusTarget {
     if (sink.size() > before) witness_.controller_sent(device_, std::string_view(sink).substr(before));
   }
   BusTarget* bus() override { return inner_->bus() != nullptr ? this : nullptr; }
-  [[nodiscard]] std::optional<Instant> next_event() const override { return inner_->next_event(); }
   /// From event to event, so that none passes unseen.
   void advance_to(Instant now) override {
     for (auto next = inner_->next_event(); next && *next<now&& * next> reached_;
@@ -42,14 +42,7 @@ class WatchedEmulator final : public Emulator, public BusTarget {
     look_at_machine();
     return done;
   }
-  void look(BenchView& view) const override { inner_->look(view); }
   void tell_truth(MachineTruth& truth) const override { inner_->tell_truth(truth); }
-  [[nodiscard]] const std::vector<TriggerPulse>& pulses() const override { return inner_->pulses(); }
-  [[nodiscard]] int rate() const override { return inner_->rate(); }
-  [[nodiscard]] std::string save_memory() const override { return inner_->save_memory(); }
-  Result<> load_memory(std::string_view text) override { return inner_->load_memory(text); }
-  [[nodiscard]] std::uint64_t memory_version() const override { return inner_->memory_version(); }
-  [[nodiscard]] std::unique_ptr<Emulator> clone() const override { return inner_->clone(); }
 
   std::uint8_t read8(std::uint16_t offset) override { return inner_->bus()->read8(offset); }
   std::uint16_t read16(std::uint16_t offset) override { return inner_->bus()->read16(offset); }
@@ -60,6 +53,10 @@ class WatchedEmulator final : public Emulator, public BusTarget {
   }
   void write16(std::uint16_t offset, std::uint16_t value) override {
     witness_.register_written(device_, offset, value);
+    if (in_ring(offset)) {
+      const char c = static_cast<char>(value);
+      witness_.controller_received(device_, {&c, 1});
+    }
     inner_->bus()->write16(offset, value);
     look_at_machine();
   }
@@ -67,12 +64,16 @@ class WatchedEmulator final : public Emulator, public BusTarget {
   void acknowledge() override { inner_->bus()->acknowledge(); }
 
  private:
+  /// Where the host of a board puts its characters.
+  static constexpr bool in_ring(std::uint16_t offset) {
+    return offset >= vme58::at::output_buffer &&
+           offset < vme58::at::output_buffer + 2 * vme58::ring_cells;
+  }
   void look_at_machine() {
     inner_->tell_truth(truth_);
     witness_.machine_is(device_, truth_);
   }
 
-  std::unique_ptr<Emulator> inner_;
   int device_;
   Witness& witness_;
   Instant reached_{};

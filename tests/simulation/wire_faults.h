@@ -23,6 +23,15 @@ class WayFaults {
     }
   };
   Bytes garble, drop, twice;
+  /// A unit that now and then says a byte not at all, or twice.
+  struct Habit {
+    char byte = 0;
+    std::int64_t every = 0;  ///< so many of them; 0: it has no such habit
+    bool doubles = false;
+    std::int64_t seen = 0;
+    bool hits(char c) { return every > 0 && c == byte && ++seen % every == 0; }
+  };
+  Habit habit;
   Instant cut_until{}, slow_until{}, merge_until{}, gaps_until{};
   Duration gap{};    ///< between two bytes while there are gaps
   Duration delay{};  ///< of each byte while it is slow
@@ -36,10 +45,11 @@ class WayFaults {
     for (const char c : bytes) {
       const bool lost = drop.hits(), wrong = garble.hits(), doubled = twice.hits();
       if (lost || wrong || doubled || cut(now)) hurt_ = spoilt_ = now;
-      if (lost || cut(now)) continue;
+      const bool mannered = habit.hits(c);
+      if (lost || cut(now) || (mannered && !habit.doubles)) continue;
       const char sent = wrong ? static_cast<char>(c ^ 0x2A) : c;
       out += sent;
-      if (doubled) out += sent;
+      if (doubled || mannered) out += sent;
     }
     if (delay_at(now) > Duration{}) hurt_ = now + delay_at(now);
     return out;

@@ -1,6 +1,7 @@
 #pragma once
 // The VXM from the console's side. One subject per file:
-//   driver_talk.cpp     questions, what comes unasked
+//   conversation.h      questions and answers; signals.h: limits, inputs, outputs
+//   driver_talk.cpp     what comes unasked
 //   driver_text.cpp     raw text of users and scripts
 //   driver_connect.cpp  getting it to listen, finding out what it is, power-cycles, lost wires
 //   driver_poll.cpp     the round of status
@@ -21,7 +22,9 @@
 #include "core/device/driver.h"
 #include "core/devices/vxm/codec.h"
 #include "core/devices/vxm/codec_text.h"
+#include "core/devices/vxm/conversation.h"
 #include "core/devices/vxm/facts.h"
+#include "core/devices/vxm/signals.h"
 #include "core/devices/vxm/text_pieces.h"
 
 namespace hw::vxm {
@@ -34,11 +37,6 @@ inline constexpr Duration to_see_standstill = Millis(60);
 inline constexpr std::string_view unused_slave =
     "A second controller answers on the VXM bus, and its motors 3 and 4 are not shown. Open it with motors=4 "
     "in its address to use them.";
-
-/// A question may be asked again.
-inline bool worth_another_try(const Fault& fault) {
-  return fault.kind == FaultKind::no_answer || fault.kind == FaultKind::garbled;
-}
 
 class VxmDriver final : public Driver {
  public:
@@ -95,25 +93,10 @@ class VxmDriver final : public Driver {
     Instant looked_at{};
     double speed = 0;   ///< when it was looked at; of the fastest motor that can be seen
     bool over = false;  ///< what it was to stop stands
+    bool reversed = false;  ///< a motor has turned round since: what is held does not
   };
 
   // ---- driver_talk.cpp
-  using Stranger = std::size_t (*)(std::string_view);
-  Task<Result<std::string>> ask(std::string question, ReplyShape shape, Priority priority, Stranger stranger,
-                                Duration patience = usual_patience);
-  Task<Result<std::string>> ask(Transaction transaction);
-  template <class T>
-  Task<Result<T>> ask_decoded(std::string question, ReplyShape shape, Priority priority, Stranger stranger,
-                              std::optional<T> (*decode)(std::string_view));
-  Task<Result<>> say(std::string text, Priority priority);
-  Task<Result<char>> ask_state(Priority priority);
-  Task<Result<Steps>> ask_position(int motor, Priority priority);
-  Task<Result<std::int64_t>> ask_number(std::string question, Priority priority);
-  Task<Result<std::string>> ask_text(std::string question, Priority priority);
-  Task<Result<unsigned char>> ask_raw(char question, Priority priority);
-  Task<Result<Listing>> ask_listing(Priority priority);
-  Task<Result<>> wait_for_quiet(Duration at_most = Duration::max());
-  std::size_t hear(std::string_view bytes);
   void heard(const Message& message);
   void heard_prompt();
   void heard_held(std::string_view command);
@@ -170,10 +153,9 @@ class VxmDriver final : public Driver {
   Task<Result<>> poll_echoing();
   Task<Result<>> see_whether_it_stands();
   Task<Result<>> poll_local();
-  Task<Result<>> read_positions(Priority priority, bool at_rest);
-  Task<Result<>> read_io(char which, Priority priority);
-  Task<Result<>> read_all_io(Priority priority);
+  Task<Result<>> read_positions(Priority priority, bool at_rest, bool and_a_signal = false);
   Task<Result<>> take_state(char state);
+  Task<Result<>> see_to_dirt();
   Task<Result<>> catch_up();
   void show_position(int axis, Steps position);
   void show_worst();
@@ -259,7 +241,7 @@ class VxmDriver final : public Driver {
   // ---- driver_run.cpp
   Task<Result<>> run(int slot);
   [[nodiscard]] bool hold_is_known() const { return !hold_doubtful_ && !found_running_; }
-  void program_has_begun_a_way();
+  void program_has_begun_a_way(bool reversed);
   Result<> may_switch_hold() const;
   Task<Result<>> pause();
   Task<Result<>> switch_hold(std::string text, bool on, Priority priority);
@@ -288,11 +270,12 @@ class VxmDriver final : public Driver {
   ScriptTexts& texts_;
   std::function<void(Notice)> notify_;
   std::function<void()> changed_;
-  Station* station_ = nullptr;
   Event news_;
+  Conversation talk_;
+  Signals signals_;
 
   Mode mode_ = Mode::unknown;
-  bool connected_before_ = false, connecting_ = false, stay_local_ = false;
+  bool connected_before_ = false, stay_local_ = false;
   bool slave_present_ = false;
   bool lost_while_busy_ = false;
 
@@ -326,12 +309,7 @@ class VxmDriver final : public Driver {
   std::optional<int> ended_run_;  ///< its slot: its end was seen, the switches have not been read since
   std::array<double, max_motors> seen_speed_{};  ///< steps/s between the last two readings
 
-  std::string unasked_;  ///< a message that has not come to its end
-  Instant heard_at_{};
-  std::string asked_;  ///< last: what comes back of it unchanged is an echo
-  bool echoes_ = false, echo_told_ = false;
-  bool raw_asked_ = false;
-  std::optional<char> second_raw_;
+  bool echo_told_ = false;
   Instant killed_at_{};
 };
 

@@ -81,24 +81,27 @@ VxmDriver::VxmDriver(DriverContext context)
       texts_(context.texts),
       notify_(std::move(context.notify)),
       changed_(std::move(context.changed)),
-      news_(context.scheduler) {
+      news_(context.scheduler),
+      talk_(
+          context.scheduler, [this] { return listening(); }, [this](const Message& m) { heard(m); }),
+      signals_(talk_, context.scheduler, context.draft) {
   draft_.axis_count = static_cast<int>(catalog_.axes.size());
   draft_.identity.model = catalog_.name;
   draft_.slot_bytes_used.fill(-1);
 }
 
 void VxmDriver::attach(Station& station) {
-  station_ = &station;
   mode_ = Mode::unknown;
-  echoes_ = echo_told_ = false;
-  station.unsolicited = [this](std::string_view bytes) { return hear(bytes); };
+  echo_told_ = false;
+  talk_.attach(station);
+  signals_.begin();
   station.procedure_ended = [this] { news_.notify(); };
 }
 
 Task<Result<>> VxmDriver::connect() {
-  connecting_ = true;
+  talk_.be_patient(true);
   auto made = co_await find_out_all();
-  connecting_ = false;
+  talk_.be_patient(false);
   co_return made;
 }
 
@@ -106,13 +109,13 @@ Task<Result<>> VxmDriver::find_out_all() {
   auto greeted = co_await greet();
   if (!greeted) co_return greeted;
   connected_before_ = true;
-  if (!busy() && !echoes_) {
+  if (!busy() && !talk_.echoes()) {
     auto caught_up = co_await catch_up();
     if (!caught_up) co_return caught_up;
   }
   auto polled = co_await poll(Round::usual);
   if (polled || !worth_another_try(polled.error())) co_return polled;
-  auto quiet = co_await wait_for_quiet(longest_noise);  // a status byte is asked once a round
+  auto quiet = co_await talk_.wait_for_quiet(longest_noise);  // a status byte is asked once a round
   if (!quiet) co_return quiet;
   co_return co_await poll(Round::usual);
 }
@@ -124,13 +127,13 @@ Task<Result<std::string>> VxmDriver::ask_who_listens() {
   int silences = 0;
   for (int n = 0; n < greetings && silences < silences_until_nobody; ++n) {
     if (n > 0) {
-      auto ended = co_await say("\r", Priority::intent);
+      auto ended = co_await talk_.say_anyway("\r");
       if (!ended) co_return fail(ended.error());
-      auto quiet = co_await wait_for_quiet(longest_noise);
+      auto quiet = co_await talk_.wait_for_quiet(longest_noise);
       if (!quiet) co_return fail(quiet.error());
     }
     const auto quiet_ms = n > 0 ? slow_greeting_quiet_ms : greeting_quiet_ms;
-    auto reply = co_await ask("V", ReplyShape::until_quiet(quiet_ms), Priority::intent, nullptr, Millis(300));
+    auto reply = co_await talk_.greet(quiet_ms);
     if (!reply && reply.error().kind != FaultKind::no_answer) co_return fail(reply.error());
     if (!reply) ++silences;
     if (reply) bytes = *reply;
@@ -143,19 +146,20 @@ Task<Result<>> VxmDriver::greet() {
   auto bytes = co_await ask_who_listens();
   if (!bytes) co_return fail(bytes.error());
   const Greeting greeting = read_greeting(*bytes);
-  const int rate = station_ ? station_->rate() : 0;
+  const int rate = talk_.station() ? talk_.station()->rate() : 0;
   if (bytes->empty()) co_return silent(rate);
   if (!greeting.is_a_vxm()) co_return nonsense(*bytes, rate);
-  echoes_ = greeting.echo;
+  talk_.set_echoes(greeting.echo);
   if (greeting.state == jog_idle || greeting.state == jog_moving)
     co_return co_await found_local(greeting.state);
   if (halted_) killed(EndedBy::error);  // it hears again
   mode_ = Mode::on_line;
   restart_counted_ = false;
   // F: no echo, no carriage returns behind prompts, whoever asked for them.
-  auto said = co_await say("F", Priority::intent);
+  auto said = co_await talk_.say_anyway("F");
   if (!said) co_return said;
-  auto state = co_await ask_state(Priority::intent);
+  if (talk_.station() && talk_.station()->is_dirty()) (void)co_await talk_.greet(greeting_quiet_ms);
+  auto state = co_await talk_.state(Priority::intent);
   if (!state) co_return fail(state.error());
   if (greeting.echo) {
     auto ended = co_await end_echo(*state);
@@ -174,19 +178,18 @@ Task<Result<>> VxmDriver::end_echo(char state) {
            "inputs, outputs and limits are not read, and it takes nothing but stops.");
     co_return Result<>();
   }
-  for (int n = 0; n < attempts_to_end_echo && echoes_; ++n) {
-    auto said = co_await say("F", Priority::intent);
+  for (int n = 0; n < attempts_to_end_echo && talk_.echoes(); ++n) {
+    auto said = co_await talk_.say_anyway("F");
     if (!said) co_return said;
-    auto quiet = co_await wait_for_quiet(longest_noise);
+    auto quiet = co_await talk_.wait_for_quiet(longest_noise);
     if (!quiet) co_return quiet;
-    auto reply =
-        co_await ask("V", ReplyShape::until_quiet(slow_greeting_quiet_ms), Priority::intent, nullptr);
+    auto reply = co_await talk_.greet(slow_greeting_quiet_ms);
     if (!reply && reply.error().kind != FaultKind::no_answer) co_return fail(reply.error());
     const Greeting greeting = reply ? read_greeting(*reply) : Greeting();
-    if (greeting.is_a_vxm() && !greeting.echo) echoes_ = false;
+    if (greeting.is_a_vxm() && !greeting.echo) talk_.set_echoes(false);
     if (greeting.is_a_vxm() && greeting.state != ready) co_return Result<>();  // something was begun
   }
-  if (echoes_)
+  if (talk_.echoes())
     co_return fail(FaultKind::garbled, "The controller echoes what it is sent although it was told F.", {},
                    "Look whether another program talks to it, or something on the way sends bytes back.");
   echo_told_ = false;
@@ -196,11 +199,11 @@ Task<Result<>> VxmDriver::end_echo(char state) {
 
 // Somebody wants something of it: what it would answer could not be told from the echo.
 Task<Result<>> VxmDriver::hear_without_echo() {
-  if (!echoes_) co_return Result<>();
-  auto state = co_await ask_state(Priority::intent);
+  if (!talk_.echoes()) co_return Result<>();
+  auto state = co_await talk_.state(Priority::intent);
   if (!state) co_return fail(state.error());
   auto ended = co_await end_echo(*state);
-  if (!ended || !echoes_) co_return ended;
+  if (!ended || !talk_.echoes()) co_return ended;
   co_return fail(FaultKind::refused,
                  "The controller echoes what it is sent, and does not end that while its program runs.",
                  "Nothing was sent.", "Wait until the program ends, or stop it by the Stop button.");
@@ -222,9 +225,9 @@ Task<Result<>> VxmDriver::found_local(char state) {
 
 Task<Result<>> VxmDriver::go_on_line() {
   for (const bool again : {false, true}) {
-    auto said = co_await say("F", Priority::intent);
+    auto said = co_await talk_.say_anyway("F");
     if (!said) co_return said;
-    auto state = co_await ask_state(Priority::intent);
+    auto state = co_await talk_.state(Priority::intent);
     if (!state) co_return fail(state.error());
     if (*state == ready || *state == vxm::busy) break;
     if (again)
@@ -244,7 +247,7 @@ Task<Result<>> VxmDriver::found_restarted(const char* why) {
   if (!restart_counted_) {
     const bool was_moving = draft_.any_axis_moving() || busy();
     forget_what_ran();
-    auto reply = co_await ask("D", ReplyShape::until_quiet(greeting_quiet_ms), Priority::intent, nullptr);
+    auto reply = co_await talk_.places(ReplyShape::until_quiet(greeting_quiet_ms), Priority::intent);
     if (!reply && reply.error().kind != FaultKind::no_answer)
       co_return fail(reply.error());  // the next V finds it
     count_restart(why, was_moving, reply ? decode_digitized(*reply, max_motors) : std::nullopt);
@@ -339,13 +342,11 @@ Task<Result<>> VxmDriver::resume_after_loss(char state) {
 }
 
 void VxmDriver::wire_lost() {
-  if (!station_) return;
-  station_ = nullptr;
+  if (!talk_.station()) return;
+  talk_.lost();
   lost_while_busy_ = lost_while_busy_ || busy();
-  unasked_.clear();
   ended_run_.reset();
   draft_.working = false;
-  raw_asked_ = false;
   ramp_.reset();
   if (job_.active() && job_.legs.size() > 1) job_.legs.erase(job_.legs.begin() + 1, job_.legs.end());
   job_.jog = false;  // nothing of ours begins by itself after this
@@ -364,14 +365,15 @@ void VxmDriver::wire_lost() {
 // ---- what it is
 
 Task<Result<>> VxmDriver::read_identity() {
-  auto version = co_await ask_text("getD0", Priority::poll);
+  auto version = co_await talk_.text("getD0", Priority::poll);
   if (!version) co_return fail(version.error());
-  auto date = co_await ask_text("getD1", Priority::poll);
+  auto date = co_await talk_.text("getD1", Priority::poll);
   if (!date) co_return fail(date.error());
-  auto motors = co_await ask_number("getD2", Priority::poll);
+  auto motors = co_await talk_.number("getD2", Priority::poll);
   if (!motors) co_return fail(motors.error());
   draft_.identity.firmware = fmt::format("{} ({})", *version, *date);
   slave_present_ = *motors == 4;
+  signals_.slave_is_present(slave_present_);
   const int axes = static_cast<int>(catalog_.axes.size());
   for (int i = 0; i < axes; ++i) {
     draft_.axes[i].enabled = i < motors_per_controller || slave_present_;
@@ -390,9 +392,9 @@ Task<Result<>> VxmDriver::read_identity() {
 
 // A PM that has lost its P is another question.
 Task<Result<std::int64_t>> VxmDriver::ask_selected() {
-  auto selected = co_await ask_number("PM\r", Priority::poll);
+  auto selected = co_await talk_.number("PM\r", Priority::poll);
   const auto is_one = [&] { return *selected >= 0 && *selected < program_count; };
-  if (selected && !is_one()) selected = co_await ask_number("PM\r", Priority::poll);
+  if (selected && !is_one()) selected = co_await talk_.number("PM\r", Priority::poll);
   if (!selected || is_one()) co_return selected;
   co_return fail(
       FaultKind::garbled,
@@ -412,7 +414,7 @@ Task<Result<>> VxmDriver::read_sizes() {
     if (used >= 0) continue;
     auto chosen = co_await choose(slot, Priority::poll);
     if (!chosen) co_return chosen;
-    auto free = co_await ask_number("M", Priority::poll);
+    auto free = co_await talk_.number("M", Priority::poll);
     if (!free) co_return fail(free.error());
     used = static_cast<std::int16_t>(program_bytes - *free);
   }

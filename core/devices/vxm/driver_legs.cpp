@@ -43,7 +43,7 @@ Task<Result<int>> VxmDriver::find_scratch() {
       if ((slot == selected_) != selected_too || used[ix(slot)] != 0 || !may_be_scratch(slot)) continue;
       auto chosen = co_await choose(slot, Priority::intent);
       if (!chosen) co_return fail(chosen.error());
-      auto listing = co_await ask_listing(Priority::intent);
+      auto listing = co_await talk_.listing(Priority::intent);
       if (!listing) co_return fail(listing.error());
       auto back = co_await give_back_selection();
       if (!back) co_return fail(back.error());
@@ -67,7 +67,7 @@ Task<Result<int>> VxmDriver::find_scratch() {
 // What the console selects for its own use is given back as soon as it has the wire for it: a stop, or a lost
 // wire, may come in between.
 Task<Result<>> VxmDriver::choose(int slot, Priority priority) {
-  auto said = co_await say(select_program(slot), priority);
+  auto said = co_await talk_.say(select_program(slot), priority);
   if (said || said.error().kind != FaultKind::stopped) chosen_ = slot;
   co_return said;
 }
@@ -130,7 +130,7 @@ Task<Result<>> VxmDriver::start_leg() {
   std::string program = leg_program(leg);
   const bool held = std::exchange(hold_on_, false);
   show_leg(leg);
-  auto sent = co_await say(std::move(program), Priority::intent);
+  auto sent = co_await talk_.say(std::move(program), Priority::intent);
   if (sent || sent.error().kind != FaultKind::stopped) chosen_ = scratch_;
   if (sent) co_return sent;
   hold_on_ = held;
@@ -181,8 +181,11 @@ Task<Result<>> VxmDriver::settle() {
 // Reads where it ended.
 Task<Result<>> VxmDriver::end_leg(Priority priority) {
   const Leg leg = job_.legs.front();
-  auto read = co_await read_positions(priority, true);
-  if (read && leg.activity != Activity::idle) read = co_await read_io('?', priority);
+  const bool moved = leg.activity != Activity::idle;
+  Result<> read;
+  if (moved) read = co_await signals_.ask('?', priority);
+  if (read) read = co_await read_positions(priority, true);
+  if (read && moved && !signals_.confirm()) read = co_await signals_.read('?', priority);
   if (!read) co_return read;
   const EndedBy ended_by = how_it_ended(leg);
   const bool cut_off = ended_by == EndedBy::abort || ended_by == EndedBy::error || ended_by == EndedBy::lost;
@@ -260,7 +263,7 @@ std::string VxmDriver::leaves_behind() const {
 Task<Result<>> VxmDriver::clean_scratch() {
   if (scratch_ < 0) co_return Result<>();
   const int selected = std::max(selected_, 0);
-  auto cleaned = co_await say(empty_program(scratch_) + select_program(selected), Priority::poll);
+  auto cleaned = co_await talk_.say(empty_program(scratch_) + select_program(selected), Priority::poll);
   if (!cleaned) co_return cleaned;
   scratch_ = -1;
   chosen_ = selected;
@@ -275,11 +278,11 @@ Task<Result<>> VxmDriver::run_quickly(Leg leg) {
   if (!begun) co_return begun;
   const Instant deadline = scheduler_.now() + quick_patience;
   bool in_time = true;
-  while (station_ && !station_->preempted() && job_.active() && !job_.leg_over && in_time)
+  while (talk_.station() && !talk_.station()->preempted() && job_.active() && !job_.leg_over && in_time)
     in_time = co_await news_.wait_until(deadline);
   if (auto cut = cut_short(); !cut) co_return cut;
   if (!in_time) {
-    auto state = co_await ask_state(Priority::intent);
+    auto state = co_await talk_.state(Priority::intent);
     if (!state) co_return fail(state.error());
     auto taken = co_await take_state(*state);
     if (!taken) co_return taken;
@@ -288,7 +291,7 @@ Task<Result<>> VxmDriver::run_quickly(Leg leg) {
 }
 
 Result<> VxmDriver::cut_short() const {
-  if (!station_ || !station_->preempted()) return {};
+  if (!talk_.station() || !talk_.station()->preempted()) return {};
   return fail(FaultKind::stopped, "A stop came while this was under way.", "It was sent.");
 }
 

@@ -222,7 +222,7 @@ Task<Result<>> VxmDriver::set_position(const intent::SetPosition& wish) {
                    "Nothing was sent.", "Set zero here, or move to where zero shall be first.");
   if (auto may = wish.axis < 0 ? may_run() : may_move(wish.axis); !may) co_return may;
   if (wish.axis < 0) {
-    auto said = co_await say("N", Priority::intent);
+    auto said = co_await talk_.say("N", Priority::intent);
     if (!said) co_return said;
     all_are_zero();
   } else {
@@ -260,7 +260,7 @@ Task<Result<>> VxmDriver::set_output(const intent::SetOutput& wish) {
   leg.text = output(wish.number, wish.on);
   auto done = co_await run_quickly(std::move(leg));
   if (!done) co_return done;
-  auto read = co_await read_io('$', Priority::intent);
+  auto read = co_await signals_.read('$', Priority::intent);
   if (!read) co_return read;
   const bool is_on = draft_.outputs >> (wish.number - 1) & 1;
   if (is_on == wish.on) co_return Result<>();

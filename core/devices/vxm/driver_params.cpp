@@ -4,6 +4,7 @@
 
 #include "core/base/index.h"
 #include "core/devices/vxm/driver.h"
+#include "core/devices/vxm/looks.h"
 
 namespace hw::vxm {
 namespace {
@@ -44,6 +45,8 @@ Task<Result<>> VxmDriver::perform(const IntentBody& body) {
     if (!on_line) co_return on_line;
     stay_local_ = false;
   }
+  auto clean = co_await see_to_dirt();
+  if (!clean) co_return clean;
   auto heard = co_await hear_without_echo();
   if (!heard) co_return heard;
   auto settled = co_await settle();
@@ -110,7 +113,7 @@ bool VxmDriver::reachable(const ParamInfo& info) const {
 Task<Result<>> VxmDriver::read_param(int index, Priority priority) {
   const ParamInfo& info = catalog_.params[ix(index)];
   if (!info.readable || !reachable(info)) co_return Result<>();
-  auto value = co_await ask_number(get_param(info.mnemonic), priority);
+  auto value = co_await talk_.number(get_param(info.mnemonic), priority);
   if (!value) co_return fail(value.error());
   draft_.params[ix(index)].value = *value;
   draft_.params[ix(index)].known = true;
@@ -157,7 +160,7 @@ Task<Result<>> VxmDriver::set_param(const intent::SetParam& wish) {
   if (!info.warning.empty() && !wish.confirmed)
     co_return fail(FaultKind::refused, info.warning, "Nothing was sent.", "Confirm it to go on.");
   if (info.mnemonic == "B") co_return co_await set_baud(wish.value);
-  auto sent = co_await say(vxm::set_param(info.mnemonic, wish.value), Priority::intent);
+  auto sent = co_await talk_.say(vxm::set_param(info.mnemonic, wish.value), Priority::intent);
   if (!sent) co_return sent;
   ParamState& state = draft_.params[ix(index)];
   state.stored = !info.stored;
@@ -182,16 +185,16 @@ Task<Result<>> VxmDriver::set_param(const intent::SetParam& wish) {
 // The controller changes its rate after the command's end; then both sides must agree, or go back. A stop in
 // between would go out at a rate that nobody listens at.
 Task<Result<>> VxmDriver::set_baud(std::int64_t number) {
-  const int before = station_->rate(), wanted = baud_rate(number);
-  const Station::Uncut uncut(*station_);
-  auto sent = co_await say(vxm::set_param("B", number), Priority::intent);
+  const int before = talk_.station()->rate(), wanted = baud_rate(number);
+  const Station::Uncut uncut(*talk_.station());
+  auto sent = co_await talk_.say(vxm::set_param("B", number), Priority::intent);
   if (!sent) co_return sent;
-  auto waited = co_await station_->pause(station_->wire_time(10) + rate_change_pause);
-  if (!waited || !station_)
+  auto waited = co_await talk_.station()->pause(talk_.station()->wire_time(10) + rate_change_pause);
+  if (!waited || !talk_.station())
     co_return fail(FaultKind::lost, "The connection was lost while the baud rate changed.");
-  auto changed = station_->set_rate(wanted);
+  auto changed = talk_.station()->set_rate(wanted);
   if (changed) {
-    auto state = co_await ask_state(Priority::intent);
+    auto state = co_await talk_.state(Priority::intent);
     if (state) {
       const int index = catalog_.find_param("B");
       draft_.params[ix(index)].stored = false;
@@ -199,9 +202,9 @@ Task<Result<>> VxmDriver::set_baud(std::int64_t number) {
       co_return Result<>();
     }
   }
-  if (!station_) co_return fail(FaultKind::lost, "The connection was lost while the baud rate changed.");
-  if (before > 0) (void)station_->set_rate(before);
-  auto state = co_await ask_state(Priority::intent);
+  if (!talk_.station()) co_return fail(FaultKind::lost, "The connection was lost while the baud rate changed.");
+  if (before > 0) (void)talk_.station()->set_rate(before);
+  auto state = co_await talk_.state(Priority::intent);
   co_return fail(
       FaultKind::controller,
       fmt::format("The controller was asked to change to {} baud but does not answer there.", wanted),
@@ -217,7 +220,8 @@ void VxmDriver::all_stored() {
 
 Task<Result<>> VxmDriver::store() {
   if (auto may = may_touch_programs(); !may) co_return may;
-  auto reply = co_await ask("rsm", ReplyShape::bytes(1), Priority::intent, before_prompt, store_patience);
+  const AnswerShape prompt{ReplyShape::bytes(1), before_prompt, store_patience, look::prompt};
+  auto reply = co_await talk_.ask("rsm", prompt, Priority::intent);
   if (!reply && reply.error().kind == FaultKind::no_answer)
     co_return fail(
         FaultKind::no_answer,
@@ -239,15 +243,15 @@ Task<Result<>> VxmDriver::store() {
 }
 
 Task<Result<>> VxmDriver::reset() {
-  auto said = co_await say("res", Priority::intent);
+  auto said = co_await talk_.say("res", Priority::intent);
   if (!said) co_return said;
   if (job_.active()) job_ = Job();
   run_ended(EndedBy::abort);
   forget_ram();
   reset_said_ = true;  // if this is cut short, the next V finds it
   Result<> on_line = fail(FaultKind::no_answer, "The controller does not answer after its reset.");
-  for (int attempt = 0; attempt < restart_attempts && !on_line && station_; ++attempt) {
-    auto waited = co_await station_->pause(restart_pause);
+  for (int attempt = 0; attempt < restart_attempts && !on_line && talk_.station(); ++attempt) {
+    auto waited = co_await talk_.station()->pause(restart_pause);
     if (!waited) co_return waited;
     on_line = co_await go_on_line();
   }

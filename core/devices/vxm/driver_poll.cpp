@@ -15,7 +15,7 @@ constexpr int params_per_round = 4;  // set-up is read in the gaps, a few values
 }  // namespace
 
 Task<Result<>> VxmDriver::poll(Round round) {
-  if (!station_) co_return fail(FaultKind::lost, "There is no connection to the controller.");
+  if (!talk_.station()) co_return fail(FaultKind::lost, "There is no connection to the controller.");
   if (halted_) co_return co_await ask_whether_it_hears_again();
   Result<> polled;
   if (stay_local_)
@@ -24,10 +24,11 @@ Task<Result<>> VxmDriver::poll(Round round) {
     polled = co_await see_whether_it_stands();
   else
     polled = co_await poll_on_line(round);
-  if (polled && !busy() && !echoes_ && round != Round::stopping) look_what_ended_the_run();
+  signals_.forget_what_is_doubted();
+  if (polled && !busy() && !talk_.echoes() && round != Round::stopping) look_what_ended_the_run();
   show_worst();
-  if (!polled && halted_ && station_) {  // its error report came in place of an answer
-    station_->count_answer(station_->statistics().last_round_trip, false, scheduler_.now());
+  if (!polled && halted_ && talk_.station()) {  // its error report came in place of an answer
+    talk_.station()->count_answer(talk_.station()->statistics().last_round_trip, false, scheduler_.now());
     co_return Result<>();
   }
   co_return polled;
@@ -38,7 +39,7 @@ Task<Result<>> VxmDriver::poll(Round round) {
 Duration VxmDriver::moving_period() const {
   constexpr std::size_t bytes_of_a_round = 22;  // X, Y and V with their answers
   constexpr Duration without_wire = Millis(5);
-  const Duration round = station_ ? station_->wire_time(bytes_of_a_round) : Duration::zero();
+  const Duration round = talk_.station() ? talk_.station()->wire_time(bytes_of_a_round) : Duration::zero();
   if (round == Duration::zero()) return without_wire;
   return std::max(Duration::zero(), round - (scheduler_.now() - round_began_));
 }
@@ -48,10 +49,7 @@ Duration VxmDriver::moving_period() const {
 Task<Result<>> VxmDriver::ask_whether_it_hears_again() {
   if (scheduler_.now() < ask_again_at_) co_return Result<>();
   ask_again_at_ = scheduler_.now() + std::chrono::seconds(1);
-  Transaction t("V", ReplyShape::bytes(1), Priority::poll);
-  t.stranger = before_state;
-  t.may_be_silent = true;
-  auto reply = co_await station_->transact(std::move(t));
+  auto reply = co_await talk_.whether_it_hears();
   if (!reply) co_return reply.error().kind == FaultKind::lost ? fail(reply.error()) : Result<>();
   const auto state = decode_state(*reply);
   if (!state || !halted_) co_return Result<>();
@@ -62,30 +60,27 @@ Task<Result<>> VxmDriver::ask_whether_it_hears_again() {
 Task<Result<>> VxmDriver::poll_on_line(Round round) {
   ++round_;
   round_began_ = scheduler_.now();
-  if (echoes_) co_return co_await poll_echoing();
+  if (talk_.echoes()) co_return co_await poll_echoing();
   auto settled = co_await settle();
   if (!settled) co_return settled;
   // V first: it is answered in every mode, so a restart shows before X is asked in vain.
-  auto state = co_await ask_state(Priority::poll);
+  auto state = co_await talk_.state(Priority::poll);
   if (!state) co_return fail(state.error());
   auto taken = co_await take_state(*state);
-  if (!taken || stay_local_ || echoes_) co_return taken;
-  auto read = co_await read_positions(Priority::poll, !busy());
+  if (!taken || stay_local_ || talk_.echoes()) co_return taken;
+  const bool one_signal = busy() && round != Round::everything && round_ % io_every == 0;
+  auto read = co_await read_positions(Priority::poll, !busy(), one_signal);
   if (!read) co_return read;
-  if (busy()) {
-    constexpr char in_turn[] = {'?', '~', '$', '@'};
-    if (round == Round::everything) co_return co_await read_all_io(Priority::poll);
-    if (round_ % io_every) co_return Result<>();
-    co_return co_await read_io(in_turn[round_ / io_every % 4], Priority::poll);
-  }
-  auto io = co_await read_all_io(Priority::poll);
+  if (busy() && round != Round::everything) co_return Result<>();
+  if (busy()) co_return co_await signals_.read_all(Priority::poll);
+  auto io = co_await signals_.read_all(Priority::poll);
   if (!io) co_return io;
   co_return co_await catch_up();
 }
 
 // Answers that no echo can be mistaken for; everything else waits for the next round without one.
 Task<Result<>> VxmDriver::poll_echoing() {
-  auto state = co_await ask_state(Priority::poll);
+  auto state = co_await talk_.state(Priority::poll);
   if (!state) co_return fail(state.error());
   auto taken = co_await take_state(*state);
   if (!taken || stay_local_) co_return taken;
@@ -98,7 +93,7 @@ Task<Result<>> VxmDriver::poll_echoing() {
 // usual round.
 Task<Result<>> VxmDriver::see_whether_it_stands() {
   round_began_ = scheduler_.now();
-  auto state = co_await ask_state(Priority::stop);
+  auto state = co_await talk_.state(Priority::stop);
   if (!state) co_return fail(state.error());
   auto taken = co_await take_state(*state);
   if (!taken || stay_local_) co_return taken;
@@ -108,7 +103,7 @@ Task<Result<>> VxmDriver::see_whether_it_stands() {
 
 // Q was sent on purpose: only V and D are answered now.
 Task<Result<>> VxmDriver::poll_local() {
-  auto state = co_await ask_state(Priority::poll);
+  auto state = co_await talk_.state(Priority::poll);
   if (!state) co_return fail(state.error());
   if (*state == ready || *state == vxm::busy) {
     stay_local_ = false;
@@ -116,8 +111,7 @@ Task<Result<>> VxmDriver::poll_local() {
     co_return Result<>();
   }
   const int lines = slave_present_ ? 4 : 2;
-  auto reply = co_await ask("D", ReplyShape::several_lines(static_cast<std::uint16_t>(lines)), Priority::poll,
-                            nullptr);
+  auto reply = co_await talk_.places(ReplyShape::several_lines(static_cast<std::uint16_t>(lines)), Priority::poll);
   if (!reply) co_return fail(reply.error());
   const auto places = decode_digitized(*reply, max_motors);
   if (!places) co_return Result<>();
@@ -133,13 +127,18 @@ Task<Result<>> VxmDriver::poll_local() {
 }
 
 // Z and T are answered at standstill only.
-Task<Result<>> VxmDriver::read_positions(Priority priority, bool at_rest) {
+Task<Result<>> VxmDriver::read_positions(Priority priority, bool at_rest, bool and_a_signal) {
   for (int i = 0; i < draft_.axis_count; ++i) {
     if (i >= motors_per_controller && (!at_rest || !slave_present_)) break;
-    auto position = co_await ask_position(i + 1, priority);
+    if (i == 1 && and_a_signal) {
+      auto asked = co_await signals_.ask_next(priority);
+      if (!asked) co_return asked;
+    }
+    auto position = co_await talk_.position(i + 1, priority);
     if (!position) co_return fail(position.error());
     show_position(i, *position);
   }
+  if (and_a_signal) (void)signals_.confirm();
   co_return Result<>();
 }
 
@@ -153,7 +152,8 @@ void VxmDriver::show_position(int index, Steps position) {
         std::abs(static_cast<double>((position - axis.position).value)) / seconds(now - axis.seen_at);
   const Sign way = position > axis.position ? Sign::plus : Sign::minus;
   const bool turned = now - moved_at_[i] < to_see_standstill;
-  if (moved && stored_running_ && (!turned || (went_[i] && went_[i] != way))) program_has_begun_a_way();
+  const bool reversed = moved && went_[i] && went_[i] != way;
+  if (moved && stored_running_ && (!turned || reversed)) program_has_begun_a_way(reversed);
   if (!axis.position_known) moved_at_[i] = now;  // what was seen once only may turn
   if (moved) moved_at_[i] = now, went_[i] = way;
   if (stored_running_ && !job_.active()) {  // what a program moves shows by its positions only
@@ -169,6 +169,15 @@ void VxmDriver::show_position(int index, Steps position) {
   axis.position = position;
   axis.position_known = true;
   axis.seen_at = now;
+}
+
+// What is to be done next must not hide a restart that went unseen: what is asked to clean the line tells
+// nobody.
+Task<Result<>> VxmDriver::see_to_dirt() {
+  if (mode_ != Mode::on_line || halted_ || !talk_.station() || !talk_.station()->is_dirty()) co_return Result<>();
+  auto state = co_await talk_.state(Priority::intent);
+  if (!state) co_return fail(state.error());
+  co_return co_await take_state(*state);
 }
 
 Task<Result<>> VxmDriver::take_state(char state) {
@@ -190,42 +199,6 @@ Task<Result<>> VxmDriver::take_state(char state) {
     // Whatever a stray message has said.
     hold_doubtful_ = hold_doubtful_ || draft_.program.run == RunState::held;
     draft_.program.run = RunState::idle;
-  }
-  co_return Result<>();
-}
-
-Task<Result<>> VxmDriver::read_io(char which, Priority priority) {
-  if (which == '@') {
-    auto number = co_await ask_number("@", priority);
-    if (!number) co_return fail(number.error());
-    draft_.analog[0] = static_cast<std::int32_t>(*number);
-    draft_.analog_known |= 1;
-    draft_.analog_seen_at[0] = scheduler_.now();
-    co_return Result<>();
-  }
-  auto raw = co_await ask_raw(which, priority);
-  if (!raw) co_return fail(raw.error());
-  draft_.io_seen_at = scheduler_.now();
-  if (which == '~') {
-    draft_.inputs = inputs_of(*raw);
-    draft_.inputs_known = 0xFF;
-  } else if (which == '$') {
-    draft_.outputs = *raw & 0x0Fu;
-    draft_.outputs_known = 0x0F;
-  } else {
-    for (int i = 0; i < draft_.axis_count; ++i) {
-      draft_.axes[i].limit_minus = limit_active(*raw, i, Sign::minus);
-      draft_.axes[i].limit_plus = limit_active(*raw, i, Sign::plus);
-      draft_.axes[i].limits_known = i < motors_per_controller || slave_present_;
-    }
-  }
-  co_return Result<>();
-}
-
-Task<Result<>> VxmDriver::read_all_io(Priority priority) {
-  for (const char which : {'?', '~', '$', '@'}) {
-    auto read = co_await read_io(which, priority);
-    if (!read) co_return read;
   }
   co_return Result<>();
 }

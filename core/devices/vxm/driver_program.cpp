@@ -215,10 +215,10 @@ Task<Result<>> VxmDriver::load_slot(int slot, const std::vector<std::string>& li
   if (confirmed_scratch_ == slot) confirmed_scratch_ = -1;
   sizes_read_ = false;
   draft_.unsaved_programs = true;
-  auto sent = co_await say(empty_program(slot), Priority::transfer);
+  auto sent = co_await talk_.say(empty_program(slot), Priority::transfer);
   if (sent || sent.error().kind != FaultKind::stopped) chosen_ = slot;
   for (std::size_t i = 0; i < lines.size() && sent && !halted_; ++i)
-    sent = co_await say(lines[i], Priority::transfer);
+    sent = co_await talk_.say(lines[i], Priority::transfer);
   if (halted_)
     co_return fail(FaultKind::controller, explain_error(halted_).what,
                    fmt::format("Program {} is incomplete in the controller.", slot),
@@ -233,7 +233,7 @@ Task<Result<>> VxmDriver::load_slot(int slot, const std::vector<std::string>& li
 }
 
 Task<Result<>> VxmDriver::verify_slot(int slot, const std::vector<std::string>& expected) {
-  auto listing = co_await ask_listing(Priority::transfer);
+  auto listing = co_await talk_.listing(Priority::transfer);
   if (!listing)
     co_return fail(
         listing.error().kind,
@@ -274,7 +274,7 @@ Task<Result<>> VxmDriver::upload(int slot) {
   if (auto may = may_touch_programs(); !may) co_return may;
   auto chosen = co_await choose(slot, Priority::transfer);
   if (!chosen) co_return chosen;
-  auto listing = co_await ask_listing(Priority::transfer);
+  auto listing = co_await talk_.listing(Priority::transfer);
   if (!listing) co_return fail(listing.error());
   draft_.slot_bytes_used[ix(slot)] = static_cast<std::int16_t>(program_bytes - listing->free_bytes);
   listings_[ix(slot)] = listing->commands;
@@ -291,7 +291,7 @@ Task<Result<>> VxmDriver::select(int slot) {
   if (auto may = may_touch_programs(); !may) co_return may;
   auto said = co_await choose(slot, Priority::intent);
   if (!said) co_return said;
-  auto selected = co_await ask_number("PM\r", Priority::intent);
+  auto selected = co_await talk_.number("PM\r", Priority::intent);
   if (!selected) co_return fail(selected.error());
   selected_ = chosen_ = static_cast<int>(*selected);
   draft_.program.slot = static_cast<std::int8_t>(selected_);

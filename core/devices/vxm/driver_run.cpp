@@ -89,8 +89,10 @@ Task<Result<>> VxmDriver::run(int slot) {
 }
 
 /// None of what is held does.
-void VxmDriver::program_has_begun_a_way() {
+void VxmDriver::program_has_begun_a_way(bool reversed) {
+  constexpr Duration shown_by_then = Millis(150);  // what had begun when the hold was told
   has_begun_ = true;
+  if (ramp_ && reversed && scheduler_.now() - ramp_->began > shown_by_then) ramp_->reversed = true;
   if (ramp_ || hold_is_known()) return;
   hold_on_ = hold_doubtful_ = found_running_ = false;
 }
@@ -98,7 +100,7 @@ void VxmDriver::program_has_begun_a_way() {
 // H is a switch: it is said only when it changes what is wanted.
 Task<Result<>> VxmDriver::switch_hold(std::string text, bool on, Priority priority) {
   const bool switches = text.starts_with('H');
-  auto said = co_await say(std::move(text), priority);
+  auto said = co_await talk_.say(std::move(text), priority);
   if (said) hold_on_ = on;
   if (!said && switches && said.error().kind == FaultKind::lost) hold_doubtful_ = true;
   co_return said;
@@ -133,7 +135,7 @@ Task<Result<>> VxmDriver::resume() {
                    "If it stands in a wait for an input (U0 and its like), only that input lets it go on.");
   const bool waits = p.run == RunState::waiting;
   auto said =
-      waits ? co_await say("G", Priority::intent) : co_await switch_hold("H", false, Priority::intent);
+      waits ? co_await talk_.say("G", Priority::intent) : co_await switch_hold("H", false, Priority::intent);
   if (!said) co_return said;
   if (!waits) p.stepping = false;
   p.run = RunState::running;
@@ -154,7 +156,7 @@ Task<Result<>> VxmDriver::single_step() {
     co_return started;
   }
   if (p.run != RunState::held) co_return co_await pause();
-  auto said = co_await say("G", Priority::intent);
+  auto said = co_await talk_.say("G", Priority::intent);
   if (said) p.run = RunState::running;
   co_return said;
 }

@@ -19,7 +19,7 @@ constexpr Duration kill_patience = Millis(300);
 
 Task<Result<std::string>> VxmDriver::stop(const StopOrder& order) {
   using What = StopOrder::What;
-  if (!station_)
+  if (!talk_.station())
     co_return fail(FaultKind::lost, "Stop does not reach the controller: there is no connection.",
                    "Nothing was sent.", "Use its power switch.");
   if (order.what == What::broadcast) co_return std::string();  // a VXM is alone on its wire
@@ -46,7 +46,7 @@ Task<Result<>> VxmDriver::stop_blind(const StopOrder& order) {
   if (order.what == StopOrder::What::jog && stored_running_) co_return Result<>();
   if (moves_for(order)) note_stop();
   if (order.times_sent > 1) {  // nothing has come back: a command that was left half said swallows it
-    auto ended = co_await say("\r", Priority::stop);
+    auto ended = co_await talk_.say("\r", Priority::stop);
     if (!ended) co_return ended;
   }
   if (order.at_once) co_return co_await kill(false);
@@ -56,16 +56,16 @@ Task<Result<>> VxmDriver::stop_blind(const StopOrder& order) {
 // As far as is known nothing runs. In Local mode D is answered; nothing may be sent into that answer.
 Task<Result<>> VxmDriver::stop_unknown() {
   const Instant sent_at = scheduler_.now();
-  auto said = co_await say("D", Priority::stop);
-  if (!said || !station_) co_return said;
-  auto waited = co_await station_->pause(station_->wire_time(4) + Millis(2));
-  if (!waited || heard_at_ <= sent_at) co_return waited;
-  co_return co_await wait_for_quiet();
+  auto said = co_await talk_.say("D", Priority::stop);
+  if (!said || !talk_.station()) co_return said;
+  auto waited = co_await talk_.station()->pause(talk_.station()->wire_time(4) + Millis(2));
+  if (!waited || talk_.heard_at() <= sent_at) co_return waited;
+  co_return co_await talk_.wait_for_quiet();
 }
 
 // K is dropped in Local mode. F disables the buttons that jog.
 Task<Result<>> VxmDriver::stop_local() {
-  auto said = co_await say("F", Priority::stop);
+  auto said = co_await talk_.say("F", Priority::stop);
   if (!said) co_return said;
   stay_local_ = false;
   mode_ = Mode::on_line;
@@ -91,7 +91,7 @@ void VxmDriver::expect_ramp() {
 
 Task<Result<>> VxmDriver::ramp_down() {
   expect_ramp();
-  co_return co_await say("D", Priority::stop);
+  co_return co_await talk_.say("D", Priority::stop);
 }
 
 // Held, its motor ramped down; K once that stands. H would let a program go on that is held: one that stands
@@ -107,11 +107,11 @@ Task<Result<>> VxmDriver::stop_program(const StopOrder& order) {
   }
   if (!ramp_->holds) {
     auto held = co_await switch_hold("H", true, Priority::stop);
-    if (!held || !station_) co_return held;
+    if (!held || !talk_.station()) co_return held;
     if (ramp_) ramp_->holds = true;
     has_begun_ = false;
     // Between two commands the hold is told at once, and D into that listing would be an overrun.
-    auto waited = co_await station_->pause(station_->wire_time(2) + Millis(1));
+    auto waited = co_await talk_.station()->pause(talk_.station()->wire_time(2) + Millis(1));
     if (!waited) co_return waited;
     if (is_held()) co_return co_await kill(true);
   }
@@ -180,14 +180,14 @@ StopProgress VxmDriver::watch_the_program() {
   }
   const StopProgress progress = watch_the_ramp();
   if (!goes_on(progress)) return progress;
-  ramp_->holds = false;
+  ramp_->holds = ramp_->reversed = false;
   ramp_->from = ramp_->slowest = fastest();
   return StopProgress::again();
 }
 
 // Where no hold is known to be on, anything that begins shows that none is, and so does a D without effect.
 bool VxmDriver::goes_on(const StopProgress& progress) {
-  if (hold_on_ && hold_is_known()) return has_begun_anew();
+  if (hold_on_ && hold_is_known()) return ramp_->reversed || has_begun_anew();
   return has_begun_ || (!hold_is_known() && progress.now == StopProgress::Now::again);
 }
 
@@ -244,7 +244,7 @@ double VxmDriver::fastest() const { return std::max(seen_speed_[0], seen_speed_[
 
 Task<Result<>> VxmDriver::kill(bool standing, Priority priority) {
   const bool something_ran = busy() || halted_;
-  auto reply = co_await ask("K", ReplyShape::bytes(1), priority, before_prompt, kill_patience);
+  auto reply = co_await talk_.kill(priority, kill_patience);
   if (!reply && reply.error().kind == FaultKind::stopped) co_return fail(reply.error());  // it was not sent
   killed_at_ = scheduler_.now();
   if (!standing) doubt_positions();

@@ -184,10 +184,11 @@ Task<VxmDriver::RawAnswer> VxmDriver::send_pieces(std::string text, Duration pat
   for (const Piece& piece : pieces) {
     Result<std::string> reply;
     if (piece.answer) {
-      const Duration wait = std::max(piece.answer->patience, &piece == last ? patience : usual_patience);
-      reply = co_await ask(piece.text, piece.answer->shape, priority, piece.answer->stranger, wait);
+      AnswerShape answer = *piece.answer;
+      answer.patience = std::max(answer.patience, &piece == last ? patience : usual_patience);
+      reply = co_await talk_.ask(piece.text, answer, priority);
     } else {
-      reply = co_await ask(piece.text, ReplyShape::nothing(), priority, nullptr);
+      reply = co_await talk_.ask(piece.text, {ReplyShape::nothing()}, priority);
     }
     const bool was_sent = reply || reply.error().kind != FaultKind::stopped;
     if (was_sent) note_taken(piece);
@@ -229,6 +230,8 @@ Task<Result<>> VxmDriver::send_text(std::string text) {
 }
 
 Task<Result<std::string>> VxmDriver::query(std::string text, Duration patience) {
+  auto clean = co_await see_to_dirt();
+  if (!clean) co_return fail(clean.error());
   auto heard = co_await hear_without_echo();
   if (!heard) co_return fail(heard.error());
   auto settled = co_await settle();
@@ -270,7 +273,7 @@ Task<Result<std::string>> VxmDriver::stop_by_words(const StopOrder& order) {
   const bool blind = mode_ == Mode::unknown;
   auto reply = co_await converse(text, order.patience, Priority::stop);
   if (!reply && reply.error().kind == FaultKind::no_answer && blind && kills) {  // Local mode drops it
-    auto on_line = co_await say("F", Priority::stop);
+    auto on_line = co_await talk_.say("F", Priority::stop);
     if (!on_line) co_return fail(on_line.error());
     reply = co_await converse(std::move(text), order.patience, Priority::stop);
   }

@@ -8,6 +8,7 @@
 
 #include "core/devices/vxm/codec_text.h"
 #include "core/link/framing.h"
+#include "core/link/owed_answers.h"
 #include "core/time/clock.h"
 
 namespace hw::vxm {
@@ -21,6 +22,7 @@ struct AnswerShape {
   ReplyShape shape;
   std::size_t (*stranger)(std::string_view) = nullptr;
   Duration patience = usual_patience;
+  Look look = Look::any;
 };
 
 /// At most the last command of it is answered, so it may go out at once.

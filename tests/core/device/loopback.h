@@ -2,6 +2,7 @@
 // An emulated controller at the other end of a wire, in virtual time, with the byte times of its rate if
 // wanted.
 #include <deque>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -29,6 +30,13 @@ class Loopback {
   void silence(bool on) { silent_ = on; }
   /// A program that answers everything in its own way stands in for the controller.
   void replace_by(std::string (*other)(std::string_view)) { other_ = other; }
+
+  /// What becomes on its way of what a byte has brought, and how late all is from there on.
+  struct OnItsWay {
+    std::string bytes;
+    Duration late{};
+  };
+  std::function<OnItsWay(char said, std::string answer)> on_its_way;
 
   Emulator& emulator() { return *emulator_; }
   Result<> operate(const BenchCommand& command);

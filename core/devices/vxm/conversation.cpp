@@ -1,0 +1,254 @@
+#include "core/devices/vxm/conversation.h"
+
+#include <algorithm>
+
+#include <fmt/core.h>
+
+#include "core/devices/vxm/looks.h"
+
+namespace hw::vxm {
+namespace {
+
+constexpr Duration quiet_time = Millis(30);
+constexpr Duration longest_gap = Millis(40);  // between the bytes of one message
+constexpr Duration greeting_patience = Millis(300);
+constexpr Duration late_greeting_patience = std::chrono::seconds(3);
+
+tl::unexpected<Fault> no_such_answer(std::string_view question, std::string_view reply) {
+  return fail(FaultKind::garbled,
+              fmt::format("The controller answered {} to {}, which means nothing.", printable(reply),
+                          printable(question)),
+              "It was asked again.",
+              "Look at the cable, the baud rate, and whether another program talks to the controller.");
+}
+
+using Stranger = std::size_t (*)(std::string_view);
+
+/// What is asked while a stop is under way is no stop by itself.
+Transaction own_question(std::string text, ReplyShape shape, Priority priority, Stranger stranger,
+                         Look look) {
+  Transaction t(std::move(text), shape, priority);
+  t.stranger = stranger;
+  t.look = look;
+  t.own_question = priority == Priority::stop;
+  return t;
+}
+
+}  // namespace
+
+Conversation::Conversation(Scheduler& scheduler, std::function<Listening()> listening,
+                           std::function<void(const Message&)> heard)
+    : scheduler_(scheduler), listening_(std::move(listening)), heard_(std::move(heard)) {}
+
+void Conversation::attach(Station& station) {
+  station_ = &station;
+  echoes_ = false;
+  prompt_greetings_ = 0;
+  station.unsolicited = [this](std::string_view bytes) { return hear(bytes); };
+  station.unmistakable = [this](const OwedAnswers& owed, Instant now) {
+    return unmistakable(owed, now, listening_(), echoes_);
+  };
+}
+
+void Conversation::lost() {
+  station_ = nullptr;
+  unasked_.clear();
+  raw_asked_ = false;
+}
+
+// ---- questions
+
+Task<Result<std::string>> Conversation::exchange(Transaction t) {
+  // The rest of a message that is coming in would be taken for the answer.
+  while (station_ && !unasked_.empty() && scheduler_.now() - heard_at_ < longest_gap) {
+    auto paused = co_await station_->pause(Millis(2));
+    if (!paused) co_return fail(paused.error());
+  }
+  if (!station_)
+    co_return fail(FaultKind::lost, "There is no connection to the controller.", "Nothing was sent.");
+  asked_ = t.bytes;
+  co_return co_await station_->transact(std::move(t));
+}
+
+// A question may be asked once more when its answer was garbled or did not come, and more often while the
+// controller is being opened; nothing else is ever repeated. What is owed by then is seen to in between.
+template <class T>
+Task<Result<T>> Conversation::decoded(Transaction question, std::optional<T> (*decode)(std::string_view)) {
+  Result<std::string> reply{std::string()};
+  const int attempts = patient_ ? 4 : 2;
+  for (int attempt = 0; attempt < attempts; ++attempt) {
+    const bool was_dirty = station_ && station_->is_dirty();
+    reply = co_await exchange(question);
+    if (reply) {
+      if (auto decoded = decode(*reply)) co_return std::move(*decoded);
+      if (station_) station_->doubt(question.look);
+    } else if (!worth_another_try(reply.error())) {
+      break;
+    }
+    const bool is_lost = !reply && was_dirty && !patient_;
+    if (is_lost || listening_().halted) break;  // halted it answers nothing until K
+    auto quiet = co_await wait_for_quiet();
+    if (!quiet) co_return fail(quiet.error());
+    if (question.bytes.size() == 1 && !patient_) continue;
+    auto ended = co_await say_anyway("\r");  // what was left of it would go before the next
+    if (!ended) co_return fail(ended.error());
+  }
+  if (!reply) co_return fail(reply.error());
+  co_return no_such_answer(question.bytes, *reply);
+}
+
+Task<Result<char>> Conversation::state(Priority priority) {
+  auto t = own_question("V", ReplyShape::bytes(1), priority, before_state, look::letter);
+  co_return co_await decoded(std::move(t), decode_state);
+}
+
+Task<Result<Steps>> Conversation::position(int motor, Priority priority) {
+  auto t = own_question(ask_position(motor), ReplyShape::line(), priority, before_number, look::position);
+  co_return co_await decoded(std::move(t), decode_position);
+}
+
+Task<Result<std::int64_t>> Conversation::number(std::string question, Priority priority) {
+  auto t = own_question(std::move(question), ReplyShape::line(), priority, before_number, look::number);
+  co_return co_await decoded(std::move(t), decode_number);
+}
+
+Task<Result<std::string>> Conversation::text(std::string question, Priority priority) {
+  auto t = own_question(std::move(question), ReplyShape::line(), priority, before_number, look::text);
+  co_return co_await decoded(std::move(t), decode_text_line);
+}
+
+Task<Result<Listing>> Conversation::listing(Priority priority) {
+  auto t = own_question("lst", ReplyShape::until_quiet(listing_quiet_ms), priority, nullptr, look::lines);
+  co_return co_await decoded(std::move(t), decode_listing);
+}
+
+// It can be any value, also that of a prompt. When it could be one and a second byte follows at once, the two
+// are told apart: the prompt is the one that is a message.
+Task<Result<unsigned char>> Conversation::raw(char question, Priority priority) {
+  raw_asked_ = true;
+  second_raw_.reset();
+  auto t = own_question(std::string(1, question), ReplyShape::bytes(1), priority, nullptr, look::raw);
+  auto reply = co_await exchange(std::move(t));
+  const bool doubtful = reply && listening_().running && could_be_message(reply->front());
+  Result<> waited;
+  if (doubtful && !second_raw_ && station_)
+    waited = co_await station_->pause(2 * station_->wire_time(2) + Millis(2));
+  raw_asked_ = false;
+  if (!reply) co_return fail(reply.error());
+  if (!waited) co_return fail(waited.error());
+  char answer = reply->front();
+  if (second_raw_ && doubtful) std::swap(answer, *second_raw_);
+  if (const auto second = std::exchange(second_raw_, std::nullopt)) {
+    const char other = *second;
+    hear(std::string_view(&other, 1));
+  }
+  co_return static_cast<unsigned char>(answer);
+}
+
+Task<Result<std::string>> Conversation::places(ReplyShape shape, Priority priority) {
+  auto t = own_question("D", shape, priority, nullptr, look::position);
+  t.on_dirty_line = true;
+  co_return co_await exchange(std::move(t));
+}
+
+// Where answers are owed it may be that they are merely late. Two that come at once, with silence behind each,
+// are none of those: they were not asked one behind the other.
+Task<Result<std::string>> Conversation::greet(std::uint16_t quiet_ms) {
+  auto t =
+      own_question("V", ReplyShape::until_quiet(quiet_ms), Priority::intent, nullptr, look::letter);
+  t.patience = station_ && station_->is_dirty() ? late_greeting_patience : greeting_patience;
+  t.on_dirty_line = true;
+  const Instant asked_at = scheduler_.now();
+  auto reply = co_await exchange(std::move(t));
+  if (!station_) co_return reply;
+  constexpr Duration at_once = Millis(60);
+  const bool is_prompt = reply && reply->size() == 1 &&
+                         scheduler_.now() - asked_at < Millis(quiet_ms) + at_once + station_->wire_time(4);
+  prompt_greetings_ = is_prompt ? prompt_greetings_ + 1 : 0;
+  if (prompt_greetings_ >= 2) station_->has_caught_up();
+  co_return reply;
+}
+
+Task<Result<std::string>> Conversation::whether_it_hears() {
+  auto t = own_question("V", ReplyShape::bytes(1), Priority::poll, before_state, look::letter);
+  t.may_be_silent = true;
+  co_return co_await exchange(std::move(t));
+}
+
+Task<Result<std::string>> Conversation::ask(std::string question, AnswerShape answer, Priority priority) {
+  Transaction t(std::move(question), answer.shape, priority);
+  t.stranger = answer.stranger;
+  t.patience = answer.patience;
+  t.look = answer.look;
+  co_return co_await exchange(std::move(t));
+}
+
+Task<Result<std::string>> Conversation::kill(Priority priority, Duration patience) {
+  const AnswerShape prompt{ReplyShape::bytes(1), before_prompt, patience, look::prompt};
+  co_return co_await ask("K", prompt, priority);
+}
+
+// ---- what is not answered
+
+Task<Result<>> Conversation::say(std::string text, Priority priority) {
+  auto sent = co_await exchange(Transaction(std::move(text), ReplyShape::nothing(), priority));
+  if (!sent) co_return fail(sent.error());
+  co_return Result<>();
+}
+
+Task<Result<>> Conversation::say_anyway(std::string text) {
+  Transaction t(std::move(text), ReplyShape::nothing(), Priority::intent);
+  t.on_dirty_line = true;
+  auto sent = co_await exchange(std::move(t));
+  if (!sent) co_return fail(sent.error());
+  co_return Result<>();
+}
+
+Task<Result<>> Conversation::wait_for_quiet(Duration at_most) {
+  const Instant began = scheduler_.now();
+  Instant quiet_at = scheduler_.now() + quiet_time;
+  while (station_ && scheduler_.now() < quiet_at && scheduler_.now() - began < at_most) {
+    auto paused = co_await station_->pause(quiet_at - scheduler_.now());
+    if (!paused) co_return paused;
+    quiet_at = std::max(quiet_at, heard_at_ + quiet_time);
+  }
+  co_return Result<>();
+}
+
+// ---- what comes unasked
+
+std::size_t Conversation::hear(std::string_view bytes) {
+  if (scheduler_.now() - heard_at_ > longest_gap) unasked_.clear();
+  heard_at_ = scheduler_.now();
+  if (raw_asked_ && !second_raw_ && unasked_.empty()) {
+    second_raw_ = bytes.front();
+    return 1 + (bytes.size() > 1 ? hear(bytes.substr(1)) : 0);
+  }
+  const std::size_t kept = unasked_.size();
+  unasked_ += bytes;
+  std::size_t taken = 0;
+  std::optional<std::size_t> first_unknown;
+  while (taken < unasked_.size()) {
+    const Message m = next_message(std::string_view(unasked_).substr(taken));
+    if (m.kind == Message::Kind::unfinished) break;
+    const bool unknown = m.kind == Message::Kind::unknown || !believes(m);
+    if (unknown) ++strays_;
+    if (unknown && !first_unknown) first_unknown = taken;
+    if (unknown && asked_ == "V" && unasked_[taken] == 'V') echoes_ = true;
+    taken += m.length;
+    if (!unknown) heard_(m);
+  }
+  unasked_.erase(0, taken);
+  if (!first_unknown) return bytes.size();
+  return *first_unknown > kept ? *first_unknown - kept : 0;
+}
+
+// A byte that is owed may look like a message of one byte, and a listing like many.
+bool Conversation::believes(const Message& m) const {
+  if (!station_ || !station_->is_dirty()) return true;
+  const OwedAnswers& owed = station_->owed();
+  if (owed.may_look(look::lines, scheduler_.now())) return false;
+  return m.length > 1 || !owed.may_look(look::raw, scheduler_.now());
+}
+
+}  // namespace hw::vxm

@@ -1,0 +1,112 @@
+#include "core/devices/vxm/looks.h"
+
+#include <functional>
+#include <utility>
+
+#include "core/base/number_text.h"
+#include "core/devices/vxm/codec.h"
+#include "core/devices/vxm/facts.h"
+
+namespace hw::vxm {
+namespace {
+
+bool is_state(std::string_view answer) { return decode_state(answer).has_value(); }
+bool is_position(std::string_view answer) { return decode_position(answer).has_value(); }
+bool is_unsigned(std::string_view answer) {  // what @ answers: a position has a sign, a text a point
+  return !answer.empty() && is_digit(answer.front()) && decode_number(answer);
+}
+bool is_version(std::string_view answer) {
+  return answer.find('.') != std::string_view::npos && decode_text_line(answer);
+}
+
+// What is owed comes before the answer: whole lines of another look, and what is no line at all.
+template <bool (*fits)(std::string_view)>
+std::size_t before_line(std::string_view received) {
+  const std::size_t no_number = before_number(received);
+  if (no_number > 0) return no_number;
+  const auto end = received.find('\r');
+  if (end == std::string_view::npos) return end;
+  return fits(received.substr(0, end + 1)) ? 0 : end + 1;
+}
+
+// V once more, behind a V and others that were not answered. In Local mode only V ever is, and the letter tells
+// that. Else they are answered in their order: the letter behind a line, or behind another letter, is the second
+// one's.
+class SecondLetter {
+ public:
+  std::size_t operator()(std::string_view received) {
+    if (before_number(received) == 0) {
+      const auto end = received.find('\r');
+      if (end == std::string_view::npos) return end;
+      const std::string_view line = received.substr(0, end + 1);
+      first_has_come_ = first_has_come_ || is_position(line) || is_unsigned(line);
+      return line.size();
+    }
+    if (const std::size_t others = before_state(received); others > 0) return others;
+    const bool is_local = received.front() == jog_idle || received.front() == jog_moving;
+    return is_local || std::exchange(first_has_come_, true) ? 0 : 1;
+  }
+
+ private:
+  bool first_has_come_ = false;
+};
+
+using Fits = bool (*)(std::string_view);
+Station::Unmistakable question(std::string text, ReplyShape shape, Look look, Fits fits,
+                               std::function<std::size_t(std::string_view)> stranger) {
+  Station::Unmistakable asked;
+  asked.question = Transaction(std::move(text), shape, Priority::poll);
+  asked.question.look = look;
+  asked.question.stranger = std::move(stranger);
+  asked.is_answer = fits;
+  return asked;
+}
+
+}  // namespace
+
+Look look_of(const TextCommand& c) {
+  if (c.verb == Verb::word) return c.name == "lst" ? look::lines : look::prompt;
+  if (c.verb == Verb::get) return c.name == "D0" || c.name == "D1" ? look::text : look::number;
+  if (c.verb == Verb::ask_selected || c.verb == Verb::ask_associate) return look::number;
+  if (c.verb != Verb::letter) return Look::any;
+  switch (c.letter) {
+    case 'V': return look::letter;
+    case 'X':
+    case 'Y':
+    case 'Z':
+    case 'T':
+    case 'D': return look::position;
+    case '@':
+    case 'M': return look::number;
+    case '?':
+    case '~':
+    case '$': return look::raw;
+    case 'K': return look::prompt;
+    default: return Look::any;
+  }
+}
+
+// A raw byte that is owed may be one of the four letters. Then a letter is owed in its place, which the next
+// position lets pass, and no raw byte is believed over it (Signals).
+std::optional<Station::Unmistakable> unmistakable(const OwedAnswers& owed, Instant now,
+                                                  const Listening& listening, bool echoes) {
+  if (listening.halted) return std::nullopt;
+  const auto free = [&](Look look) { return !owed.may_look(look, now); };
+  if (free(look::letter) && free(look::lines))
+    return question("V", ReplyShape::bytes(1), look::letter, is_state, before_state);
+  if (listening.local) return std::nullopt;  // nothing else is answered but D
+  if (free(look::position))
+    return question("X", ReplyShape::line(), look::position, is_position, before_line<is_position>);
+  if (free(look::number) && free(look::lines) && !echoes) {  // the echo of @ is a message
+    auto asked = question("@", ReplyShape::line(), look::number, is_unsigned, before_line<is_unsigned>);
+    asked.question.may_be_silent = true;  // it is not answered in Local mode; the next question tells
+    return asked;
+  }
+  if (free(look::lines))
+    return question("V", ReplyShape::bytes(1), look::letter, is_state, SecondLetter());
+  if (free(look::text) && !listening.running)
+    return question("getD0", ReplyShape::line(), look::text, is_version, before_line<is_version>);
+  return std::nullopt;
+}
+
+}  // namespace hw::vxm

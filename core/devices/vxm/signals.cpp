@@ -1,0 +1,123 @@
+#include "core/devices/vxm/signals.h"
+
+#include <algorithm>
+
+#include "core/devices/vxm/codec.h"
+#include "core/devices/vxm/facts.h"
+#include "core/devices/vxm/looks.h"
+
+namespace hw::vxm {
+namespace {
+
+constexpr int readings = 4;  // one that strays, one behind it, and two that agree
+
+}  // namespace
+
+void Signals::begin() {
+  asked_ = once_ = {};
+  cleaned_ = {};
+}
+
+void Signals::forget_what_is_doubted() {
+  const bool dirty = talk_.station() && talk_.station()->is_dirty();
+  if (!dirty && cleaned_[0] == talk_.times_cleaned()) return;
+  for (int axis = 0; axis < draft_.axis_count; ++axis) draft_.axes[axis].limits_known = false;
+}
+
+// @ stands behind them: its answer is a line.
+Task<Result<>> Signals::read_all(Priority priority) {
+  for (int n = 0; n < readings; ++n) {
+    for (const char which : all) {
+      auto asked = co_await ask(which, priority);
+      if (!asked) co_return asked;
+    }
+    auto analog = co_await read_analog(priority);
+    if (!analog) co_return analog;
+    if (confirm()) break;
+  }
+  co_return Result<>();
+}
+
+Task<Result<>> Signals::read(char which, Priority priority) {
+  for (int n = 0; n < readings; ++n) {
+    auto asked = co_await ask(which, priority);
+    if (!asked) co_return asked;
+    auto state = co_await talk_.state(priority);
+    if (!state) co_return fail(state.error());
+    if (confirm()) break;
+  }
+  co_return Result<>();
+}
+
+Task<Result<>> Signals::ask_next(Priority priority) {
+  const std::size_t turn = turn_++ % (all.size() + 1);
+  if (turn == all.size()) co_return co_await read_analog(priority);
+  co_return co_await ask(all[turn], priority);
+}
+
+Task<Result<>> Signals::ask(char which, Priority priority) {
+  if (std::none_of(asked_.begin(), asked_.end(), [](const auto& byte) { return byte.has_value(); }))
+    strays_ = talk_.strays();
+  auto byte = co_await talk_.raw(which, priority);
+  if (!byte) {
+    asked_ = {};
+    co_return fail(byte.error());
+  }
+  asked_[all.find(which)] = *byte;
+  co_return Result<>();
+}
+
+Task<Result<>> Signals::read_analog(Priority priority) {
+  auto number = co_await talk_.number("@", priority);
+  if (!number) {
+    asked_ = {};
+    co_return fail(number.error());
+  }
+  draft_.analog[0] = static_cast<std::int32_t>(*number);
+  draft_.analog_known |= 1;
+  draft_.analog_seen_at[0] = scheduler_.now();
+  co_return Result<>();
+}
+
+bool Signals::confirm() {
+  const auto asked = std::exchange(asked_, {});
+  bool all_believed = true, any = false;
+  for (const auto& byte : asked) any = any || byte.has_value();
+  if (any && talk_.strays() != strays_) {  // which byte belonged to which question nobody knows
+    if (Station* station = talk_.station()) station->doubt(look::raw);
+    return false;
+  }
+  for (std::size_t i = 0; i < asked.size(); ++i)
+    if (asked[i]) all_believed = believe(i, *asked[i]) && all_believed;
+  return all_believed;
+}
+
+bool Signals::believe(std::size_t i, unsigned char byte) {
+  const bool second = std::exchange(once_[i], byte) == byte;
+  if (cleaned_[i] != talk_.times_cleaned() && !second) return false;
+  cleaned_[i] = talk_.times_cleaned();
+  show(i, byte);
+  return true;
+}
+
+void Signals::show(std::size_t i, unsigned char byte) {
+  draft_.io_seen_at = scheduler_.now();
+  switch (all[i]) {
+    case '~':
+      draft_.inputs = inputs_of(byte);
+      draft_.inputs_known = 0xFF;
+      break;
+    case '$':
+      draft_.outputs = byte & 0x0Fu;
+      draft_.outputs_known = 0x0F;
+      break;
+    default:
+      for (int axis = 0; axis < draft_.axis_count; ++axis) {
+        draft_.axes[axis].limit_minus = limit_active(byte, axis, Sign::minus);
+        draft_.axes[axis].limit_plus = limit_active(byte, axis, Sign::plus);
+        draft_.axes[axis].limits_known = axis < motors_per_controller || slave_present_;
+      }
+  }
+}
+
+}  // namespace hw::vxm

@@ -1,0 +1,54 @@
+#pragma once
+// Limits, inputs, outputs and the analog input: read, and shown once they can be believed. An answer of one
+// byte may be any byte, so it counts when a question of another kind has been answered behind it and nothing
+// strayed in between; after the line was dirty two such readings must agree.
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "core/device/snapshot.h"
+#include "core/devices/vxm/conversation.h"
+
+namespace hw::vxm {
+
+class Signals {
+ public:
+  Signals(Conversation& talk, Scheduler& scheduler, Snapshot& draft)
+      : talk_(talk), scheduler_(scheduler), draft_(draft) {}
+
+  /// A new wire.
+  void begin();
+  /// Limits have no age of their own: those from before the line was dirty are not known.
+  void forget_what_is_doubted();
+  void slave_is_present(bool present) { slave_present_ = present; }
+
+  /// All of them, more than once where one reading is not enough.
+  Task<Result<>> read_all(Priority priority);
+  /// ?, ~ or $, until it is shown as it is now.
+  Task<Result<>> read(char which, Priority priority);
+  /// The next of all in turn; to be followed by another question, and that by confirm().
+  Task<Result<>> ask_next(Priority priority);
+  /// ?, ~ or $, followed in the same way.
+  Task<Result<>> ask(char which, Priority priority);
+  /// Something else has been answered. False: what was asked is not believed yet.
+  bool confirm();
+
+ private:
+  static constexpr std::string_view all = "?~$";
+  Task<Result<>> read_analog(Priority priority);
+  bool believe(std::size_t which, unsigned char byte);
+  void show(std::size_t which, unsigned char byte);
+
+  Conversation& talk_;
+  Scheduler& scheduler_;
+  Snapshot& draft_;
+  bool slave_present_ = false;
+  std::array<std::optional<unsigned char>, 3> asked_{};  ///< answered, to be confirmed
+  std::array<std::optional<unsigned char>, 3> once_{};   ///< read once since the line was cleaned
+  std::array<std::uint32_t, 3> cleaned_{};               ///< how often it had been, when this was believed
+  std::uint32_t strays_ = 0;                             ///< before the first of `asked_`
+  std::uint32_t turn_ = 0;
+};
+
+}  // namespace hw::vxm

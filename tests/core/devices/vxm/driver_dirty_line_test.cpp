@@ -1,0 +1,166 @@
+// Answers that come late, shifted, doubled, merged or behind an echo: what is shown is the truth or not known,
+// never the answer to another question.
+#include <utility>
+
+#include "core/devices/vxm/facts.h"
+#include "core/devices/vxm/looks.h"
+#include "tests/core/devices/vxm/driver_fixture.h"
+
+namespace hw::vxm {
+namespace {
+
+// ---- which question may be asked
+
+struct Owed {
+  const char* of;
+  std::vector<Look> looks;
+  const char* asked;  ///< empty: nothing
+};
+
+TEST(VxmLooks, WhatIsOwedDecidesWhatMayBeAsked) {
+  const Instant now{};
+  const std::vector<Owed> table = {
+      {"X", {look::position}, "V"},
+      {"PM", {look::number}, "V"},
+      {"getD0", {look::text}, "V"},
+      {"?", {look::raw}, "V"},
+      {"K", {look::prompt}, "V"},
+      {"lst", {look::lines}, "X"},
+      {"V", {look::letter}, "X"},
+      {"V X", {look::letter, look::position}, "@"},
+      {"V X @", {look::letter, look::position, look::number}, "V"},
+      {"lst X", {look::lines, look::position}, "getD0"},
+      {"anything", {Look::any}, ""},
+  };
+  for (const Owed& row : table) {
+    OwedAnswers owed;
+    for (const Look one : row.looks) owed.add(one, now);
+    const auto asked = unmistakable(owed, now, Listening(), false);
+    EXPECT_EQ(asked ? asked->question.bytes : "", row.asked) << row.of;
+  }
+}
+
+TEST(VxmLooks, NothingButKIsHeardInAnErrorAndNothingButVInLocalMode) {
+  const Instant now{};
+  OwedAnswers owed;
+  owed.add(look::position, now);
+  Listening listening;
+  listening.halted = true;
+  EXPECT_FALSE(unmistakable(owed, now, listening, false));
+  listening.halted = false;
+  listening.local = true;
+  EXPECT_EQ(unmistakable(owed, now, listening, false)->question.bytes, "V");
+  owed.add(look::letter, now);
+  EXPECT_FALSE(unmistakable(owed, now, listening, false));
+}
+
+TEST(VxmLooks, ALateAnswerOfTheSameQuestionIsLetPass) {
+  const Instant now{};
+  OwedAnswers owed;
+  for (const Look one : {look::letter, look::position, look::number}) owed.add(one, now);
+  const auto accepted_behind = [&](std::string_view received) {
+    const auto asked = unmistakable(owed, now, Listening(), false);
+    std::size_t at = 0;
+    while (at < received.size()) {
+      const std::size_t stranger = asked->question.stranger(received.substr(at));
+      if (stranger == 0) return received.substr(at);
+      if (stranger == std::string_view::npos) break;
+      at += stranger;
+    }
+    return std::string_view();
+  };
+  EXPECT_EQ(accepted_behind("R"), "") << "it may be that of the first";
+  EXPECT_EQ(accepted_behind("BR"), "R");
+  EXPECT_EQ(accepted_behind("+0000400\rR"), "R");
+  EXPECT_EQ(accepted_behind("B+0000400\r512\rR"), "R");
+  EXPECT_EQ(accepted_behind("J"), "J") << "in Local mode nothing else is answered";
+}
+
+// ---- what is shown
+
+/// A controller that answers each question by what only it can be answered by, and a wire between that is bad
+/// for one of them.
+struct BadAnswer {
+  enum class How : std::uint8_t { late, very_late, lost, doubled, merged, echoed } how;
+  char question;
+};
+
+class VxmDirtyLine : public DriverTest, public testing::WithParamInterface<BadAnswer> {
+ protected:
+  static constexpr std::int64_t here = 1200, there = -3400;
+
+  void expect_truth(const char* when) {
+    const AxisState &first = latest.axes[0], &second = latest.axes[1];
+    EXPECT_TRUE(!first.position_known || first.position.value == here) << when << first.position.value;
+    EXPECT_TRUE(!second.position_known || second.position.value == there) << when << second.position.value;
+    for (const AxisState* axis : {&first, &second})
+      EXPECT_FALSE(axis->limits_known && (axis->limit_minus || axis->limit_plus)) << when;
+    EXPECT_TRUE(!latest.inputs_known || latest.inputs == 0xFFu) << when << latest.inputs;
+    EXPECT_TRUE(!latest.outputs_known || latest.outputs == 0b0101u) << when << latest.outputs;
+    EXPECT_TRUE(!latest.analog_known || latest.analog[0] == 512) << when << latest.analog[0];
+    EXPECT_EQ(latest.restarts, 0u) << when;
+  }
+
+  void make_it_bad(const BadAnswer& bad) {
+    using How = BadAnswer::How;
+    struct State {
+      std::string held;
+      bool done = false;
+    };
+    loop->on_its_way = [bad, state = State()](char said, std::string answer) mutable {
+      if (bad.how == How::echoed) return test::Loopback::OnItsWay{said + answer};
+      answer = std::exchange(state.held, {}) + answer;
+      if (state.done || said != bad.question || answer.empty()) return test::Loopback::OnItsWay{answer};
+      state.done = true;
+      switch (bad.how) {
+        case How::late: return test::Loopback::OnItsWay{answer, Millis(350)};
+        case How::very_late: return test::Loopback::OnItsWay{answer, Millis(2000)};
+        case How::lost: return test::Loopback::OnItsWay{};
+        case How::doubled: return test::Loopback::OnItsWay{answer + answer};
+        case How::merged: state.held = std::move(answer); break;
+        case How::echoed: break;
+      }
+      return test::Loopback::OnItsWay{};
+    };
+  }
+};
+
+TEST_P(VxmDirtyLine, ShowsTheTruthOrNothing) {
+  start();
+  ASSERT_EQ(move_to(0, here), "");
+  ASSERT_TRUE(wait_idle());
+  ASSERT_EQ(move_to(1, there), "");
+  ASSERT_TRUE(wait_idle());
+  for (const int output : {1, 3}) ASSERT_EQ(perform(intent::SetOutput(output, true)), "");
+  run(1);
+  expect_truth("before");
+  make_it_bad(GetParam());
+  for (int i = 0; i < 600; ++i) {
+    run(0.01);
+    expect_truth("while it is bad");
+  }
+  if (GetParam().how == BadAnswer::How::echoed) return;
+  EXPECT_EQ(latest.link.state, LinkState::good);
+  EXPECT_TRUE(latest.axes[1].limits_known && latest.inputs_known && latest.outputs_known);
+}
+
+std::vector<BadAnswer> all_bad_answers() {
+  std::vector<BadAnswer> all;
+  for (const auto how : {BadAnswer::How::late, BadAnswer::How::very_late, BadAnswer::How::lost, BadAnswer::How::doubled,
+                         BadAnswer::How::merged})
+    for (const char question : std::string_view("VXY?~$@")) all.push_back({how, question});
+  all.push_back({BadAnswer::How::echoed, 'V'});
+  return all;
+}
+
+std::string name_of(const testing::TestParamInfo<BadAnswer>& info) {
+  constexpr const char* hows[] = {"late", "very_late", "lost", "doubled", "merged", "echoed"};
+  constexpr std::string_view questions = "VXY?~$@";
+  constexpr const char* names[] = {"V", "X", "Y", "limits", "inputs", "outputs", "analog"};
+  return std::string(hows[static_cast<int>(info.param.how)]) + "_" + names[questions.find(info.param.question)];
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, VxmDirtyLine, testing::ValuesIn(all_bad_answers()), name_of);
+
+}  // namespace
+}  // namespace hw::vxm
