@@ -116,6 +116,7 @@ Task<Result<Reply>> Conversation::say(std::string text, Priority priority, Durat
     t.stranger = [&m = *forms_.model](std::string_view bytes) { return unasked_or_name_at_front(m, bytes); };
   auto bytes = co_await station_->transact(std::move(t));
   if (!bytes) co_return fail(bytes.error());
+  if (station_) asked_at_ = scheduler_.now() - station_->statistics().last_round_trip;
   if (!usb && bytes->starts_with('\n')) ++line_feeds_;  // it stood behind the answer before
   Reply reply = decode_reply(*bytes);
   const int asked = std::max(address_of(text), catalog_.address);

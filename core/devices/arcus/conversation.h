@@ -46,6 +46,8 @@ class Conversation {
   /// Answers that have not come in time, ever.
   [[nodiscard]] std::uint64_t misses() const { return station_ ? station_->statistics().timeouts : 0; }
 
+  /// When the question that was answered last had gone out: what it told may be as old.
+  [[nodiscard]] Instant asked_at() const { return asked_at_; }
   /// How often the line has become clean again.
   [[nodiscard]] std::uint32_t times_cleaned() const { return station_ ? station_->times_cleaned() : 0; }
 
@@ -105,7 +107,7 @@ class Conversation {
   ScriptTexts& texts_;
   std::function<void()> changed_;
   Station* station_ = nullptr;
-  Instant heard_at_{};
+  Instant heard_at_{}, asked_at_{};
   int texts_heard_ = 0;  ///< that nobody waited for, be they late
   int strays_ = 0;       ///< of those, what no late answer explains
   int line_feeds_ = 0;

@@ -1,18 +1,21 @@
 #pragma once
-// Both Arcus controllers from the console's side: what differs is in the Forms. One subject per file:
+// Both Arcus controllers from the console's side: what differs is in the Forms. Parts with a state of their own:
 //   conversation.h       questions, commands, what comes unasked
-//   driver_text.cpp      the user's own text
+//   set_up.h             parameters, storing, what a power-up takes back
+//   code_at_work.h       programs and subroutines that may be under way, and what they may do
+//   borrowed_setting.h   a setting that is written for one motion
+//   move_list.h          a list of moves, fed as places become free
+// and here what is said and done with them, one subject per file:
 //   driver_connect.cpp   finding the device, saying why not
+//   driver_perform.cpp   what is asked of it
 //   driver_restart.cpp   noticing that it was switched off and on; lost wires
 //   driver_poll.cpp      the round of status and what it means
 //   driver_readouts.cpp  readouts, variables, analog inputs, threads: read in turn, watched ones each round
 //   driver_moves.cpp     moves, jogs, homing, positions, power, outputs
 //   driver_actions.cpp   the catalog's actions
-//   driver_buffer.cpp    feeding a list of moves
 //   driver_stop.cpp      stops (decision AMB-128)
-//   driver_subroutine.cpp  subroutines called by the host, which no stop ends
 //   driver_programs.cpp  load, read, run, pause, halt
-//   driver_params.cpp    set-up
+//   driver_text.cpp      the user's own text
 #include <array>
 #include <bitset>
 #include <deque>
@@ -23,12 +26,14 @@
 #include <vector>
 
 #include "core/device/driver.h"
-#include "core/devices/arcus/codec.h"
+#include "core/devices/arcus/borrowed_setting.h"
+#include "core/devices/arcus/code_at_work.h"
 #include "core/devices/arcus/conversation.h"
 #include "core/devices/arcus/language/dialect.h"
 #include "core/devices/arcus/language/program.h"
+#include "core/devices/arcus/move_list.h"
 #include "core/devices/arcus/second_look.h"
-#include "core/devices/arcus/stored_code.h"
+#include "core/devices/arcus/set_up.h"
 #include "core/devices/arcus/text_meaning.h"
 #include "core/devices/arcus/unexplained.h"
 
@@ -44,7 +49,7 @@ class ArcusDriver final : public Driver {
   Task<Result<>> perform(const IntentBody& intent) override;
   Task<Result<std::string>> stop(const StopOrder& order) override;
   StopProgress stop_progress(const StopOrder& order) override;
-  [[nodiscard]] bool clears_up() const override { return borrowed_.has_value(); }
+  [[nodiscard]] bool clears_up() const override { return borrowed_.is_out(); }
   [[nodiscard]] std::string leaves_behind() const override;
   void wire_lost() override;
   Task<Result<std::string>> query(std::string text, Duration patience) override;
@@ -85,19 +90,6 @@ class ArcusDriver final : public Driver {
   struct Look {
     Unexplained::Mark counters, targets, motors;
   };
-  /// A setting that is written for one motion, and put back behind it.
-  struct Borrowed {
-    std::string name;
-    std::int64_t before, for_now;
-    bool left_alone = false;  ///< through a lost wire: whoever has set it since is right
-  };
-  /// A subroutine that the host has called, and that moves something or may.
-  struct Called {
-    int number;
-    std::optional<Duration> rests;  ///< it is over when nothing has moved for so long
-    bool told = false;
-  };
-
   void tell(Notice::Kind kind, std::string text);
   void goes_out(std::string_view command);
   void not_done(std::string_view command);
@@ -117,6 +109,7 @@ class ArcusDriver final : public Driver {
   void note_how_slow();
   Task<Result<>> read_name();
   Task<Result<>> read_state();
+  SetUp::Ways ways_of_set_up();
   tl::unexpected<Fault> silent() const;
   tl::unexpected<Fault> garbled(std::string_view bytes) const;
   tl::unexpected<Fault> echoed() const;
@@ -133,9 +126,7 @@ class ArcusDriver final : public Driver {
   Task<Result<>> read_whole_motion(Priority priority);
   Task<Result<>> look_at_motors(Unexplained::Mark asked);
   Task<Result<bool>> power_up_leads_here();
-  Task<Result<bool>> something_is_kept();
   Task<Result<>> look_at_start(int thread, Priority priority);
-  [[nodiscard]] bool programs_switch_motors() const;
   Task<Result<>> look_back_over_the_loss();
   void restarted(std::string_view how_it_shows, const std::optional<Stood>& before);
 
@@ -182,10 +173,9 @@ class ArcusDriver final : public Driver {
   Task<Result<>> set_output(intent::SetOutput wish);
   [[nodiscard]] std::string who_has(int output) const;
   Task<Result<>> start(std::string text, std::vector<int> axes, Activity activity);
-  Task<Result<>> borrow(std::string name, std::int64_t value);
   Task<Result<>> borrow_speed(Pps speed, int axis);
-  Task<Result<>> give_back();
-  Task<Result<>> give_back_first();
+  Task<Result<>> start_feed(intent::FeedMoves wish);
+  Task<Result<>> feed();
   Task<Fault> after_doubt(Fault why, std::string_view sent);
   Result<> may_move_axis(int axis) const;
   void begun(int axis, Activity activity, Instant at);
@@ -197,11 +187,6 @@ class ArcusDriver final : public Driver {
   Task<Result<>> draw(const ActionInfo& info, std::vector<std::int64_t> values);
   Task<Result<>> clear_errors(std::string_view form, int axis);
   Task<Result<>> joystick(int axis, bool on);
-
-  // ---- driver_buffer.cpp
-  Task<Result<>> start_feed(intent::FeedMoves wish);
-  Task<Result<>> feed();
-  void end_feed();
 
   // ---- driver_stop.cpp
   Task<Result<>> send_stop(const StopOrder& order);
@@ -218,12 +203,6 @@ class ArcusDriver final : public Driver {
   void ended_by_us(int axis, EndedBy why);
   void doubt_killed_position(int axis);
   void stands(int axis);
-
-  // ---- driver_subroutine.cpp
-  void note_call(std::string_view text);
-  [[nodiscard]] Duration longest_run(std::string_view call) const;
-  [[nodiscard]] bool subroutine_may_run();
-  StopProgress outlast_subroutine(const StopOrder& order, bool turns);
 
   // ---- driver_programs.cpp
   Task<Result<>> perform_program(IntentBody body);
@@ -245,26 +224,11 @@ class ArcusDriver final : public Driver {
   Result<> no_thread_runs() const;
   void show_transfer(int done, int total);
 
-  // ---- driver_params.cpp
+  // ---- driver_perform.cpp
   Task<Result<>> set_param(intent::SetParam wish);
-  Task<Result<>> read_param(int index, Priority priority);
   Task<Result<>> read_params(std::string only);
   Task<Result<>> read_again();
-  Task<Result<>> read_what_power_keeps();
-  int next_that_would_show();
-  [[nodiscard]] bool in_ram_only(int index) const;
-  void compare_with_stored(int index);
   void program_runs(Duration at_most = std::chrono::seconds(1));
-  Task<Result<>> store();
-  void is_stored();
-  void forget_params(std::string_view head);
-  void changed_param(int index);
-  [[nodiscard]] std::optional<std::int64_t> param(std::string_view mnemonic) const;
-  [[nodiscard]] std::optional<std::int64_t> setting(Setting id, int axis = 0) const;
-  [[nodiscard]] std::optional<bool> has_own_speeds(int axis) const;
-  [[nodiscard]] std::int64_t start_speed(int axis) const;
-  void show_own_speeds();
-  [[nodiscard]] const SettingFact* fact_of(int param) const;
 
   [[nodiscard]] const Model& model() const { return *forms_.model; }
   [[nodiscard]] int axis_count() const { return model().axes(); }
@@ -279,6 +243,10 @@ class ArcusDriver final : public Driver {
   const Forms& forms_;
   const language::Dialect& dialect_;
   Conversation talk_;
+  CodeAtWork code_;
+  BorrowedSetting borrowed_;
+  SetUp setup_;
+  MoveList list_;
 
   std::array<AxisMind, max_axes> minds_{};
   Unexplained counters_, motors_;  ///< of positions and encoders; of motor power
@@ -288,10 +256,6 @@ class ArcusDriver final : public Driver {
   std::optional<std::int64_t> motors_on_;
   std::optional<Stood> zero_in_doubt_;  ///< since then all counters have come to zero, nobody saw how
   bool incremental_ = false;
-  std::optional<Borrowed> borrowed_;
-  std::deque<std::vector<std::int64_t>> to_feed_;
-  int buffer_free_ = 0;
-  bool buffer_on_ = false;
   bool halting_ = false;  ///< programs were told to end: whether they have is asked while axes stop
 
   bool name_told_ = false, slow_told_ = false;
@@ -302,19 +266,7 @@ class ArcusDriver final : public Driver {
   SecondLook limits_look_, io_look_;
   bool io_due_ = false;  ///< the user's own text may have switched a motor
   std::uint32_t watched_ = 0;
-  std::optional<StoredCode> stored_code_;  ///< not known: not looked, or foreign code
-  std::optional<Called> called_;
-  std::optional<Called> called_before_;    ///< the last text that went out, should it be refused
-  std::uint64_t outlasted_stop_ = 0;  ///< the stop that watches it
-  Instant stood_at_{};                ///< since that stop
-  Instant moved_at_{};                ///< when an axis was last seen to move, or may have
-  int next_readout_ = 0, next_variable_ = 0, next_analog_ = 0, next_param_ = 0, next_thread_ = 0,
-      next_kept_ = 0;
-  std::array<std::int64_t, max_params> after_power_up_{};  ///< of what is stored: as it was then
-  std::bitset<max_params> stored_known_;                   ///< of what is stored: after_power_up_ was read
-  bool unsaved_variables_ = false;                         ///< some were set and not stored
-  std::bitset<max_params> nobody_sets_;  ///< read, and nothing has run since that may have set them
-  Instant programs_run_until_{};         ///< of those that were seen or started
+  int next_readout_ = 0, next_variable_ = 0, next_analog_ = 0, next_thread_ = 0;
   std::vector<bool> by_status_;          ///< readouts that the status tells
 };
 

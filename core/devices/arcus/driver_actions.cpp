@@ -52,8 +52,8 @@ Task<Result<>> ArcusDriver::act(intent::Act wish) {
     co_return done;
   }
   if (id == "absolute" || id == "incremental") put_readout("MM", id == "incremental");
-  if (id == "speed_window") forget_params("SSPDM");
-  if (id == "buffer_off") end_feed();
+  if (id == "speed_window") setup_.forget("SSPDM");
+  if (id == "buffer_off") list_.end();
   co_return Result<>();
 }
 
@@ -80,12 +80,12 @@ Task<Result<>> ArcusDriver::change_speed(int axis, std::int64_t speed, std::int6
       if (!own) co_return fail(own.error());
       if (*own != 0) name = fill(forms_, forms_.axis_accel, axis);
     }
-    auto borrowed = co_await borrow(std::move(name), accel_ms);
+    auto borrowed = co_await borrowed_.borrow(std::move(name), accel_ms);
     if (!borrowed) co_return borrowed;
   }
   const std::string text = fill(forms_, forms_.change_speed, axis, Sign::plus, speed);
   auto changed = co_await talk_.command(text, Priority::intent);
-  auto returned = co_await give_back();
+  auto returned = co_await borrowed_.give_back();
   if (changed && !returned) co_return returned;
   if (!changed && changed.error().kind == FaultKind::refused)
     changed.error().advice = "Choose the window before the motion begins; the axis must be moving.";
@@ -135,8 +135,8 @@ Task<Result<>> ArcusDriver::joystick(int axis, bool on) {
   auto set = co_await talk_.command(set_command("JE", on ? *mask | bit : *mask & ~bit), Priority::intent);
   if (!set) co_return set;
   const int index = catalog_.find_param("JE");
-  changed_param(index);
-  co_return co_await read_param(index, Priority::intent);
+  setup_.changed(index);
+  co_return co_await setup_.read(index, Priority::intent);
 }
 
 }  // namespace hw::arcus

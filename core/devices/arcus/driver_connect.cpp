@@ -29,15 +29,26 @@ ArcusDriver::ArcusDriver(DriverContext context, const Forms& forms, const langua
       changed_(std::move(context.changed)),
       forms_(forms),
       dialect_(dialect),
-      talk_(scheduler_, catalog_, forms_, texts_, changed_) {
+      talk_(scheduler_, catalog_, forms_, texts_, changed_),
+      code_(scheduler_, [this](Notice::Kind kind, std::string text) { tell(kind, std::move(text)); }),
+      borrowed_(talk_, [this](std::string_view name) { setup_.was_borrowed(name); }),
+      setup_(catalog_, forms_, draft_, talk_, code_, borrowed_, ways_of_set_up()),
+      list_(catalog_, forms_, draft_, talk_,
+            [this](Notice::Kind kind, std::string text) { tell(kind, std::move(text)); }) {
   talk_.goes_out = [this](std::string_view command) { goes_out(command); };
   talk_.not_done = [this](std::string_view command) { not_done(command); };
   draft_.axis_count = axis_count();
   draft_.identity.model = catalog_.name;
   for (int i = 0; i < axis_count(); ++i) draft_.axes[i].enabled = false;
-  for (std::size_t i = 0; i < catalog_.params.size(); ++i)  // of what is not stored: decision AMB-034
-    after_power_up_[i] = catalog_.params[i].fallback;
   find_readouts_told_by_status();
+}
+
+SetUp::Ways ArcusDriver::ways_of_set_up() {
+  return {[this](Notice::Kind kind, std::string text) { tell(kind, std::move(text)); },
+          [this] {
+            for (AxisMind& mind : minds_) mind.loop_state = -1;
+          },
+          [this](std::string how_it_shows) { restarted(how_it_shows, std::nullopt); }};
 }
 
 std::string ArcusDriver::axis_name(int axis) const {
@@ -49,7 +60,7 @@ void ArcusDriver::attach(Station& station) { talk_.attach(station); }
 Task<Result<>> ArcusDriver::connect() {
   talk_.forget_strays();
   const Instant began = scheduler_.now();
-  moved_at_ = began;  // unseen
+  code_.axis_moves();  // unseen
   auto found = co_await find();
   // Somebody is there, and what it was asked or answered was lost or garbled: what is wrong stays wrong.
   const bool heard = talk_.is_open() && talk_.station()->heard_at() > began;
@@ -174,11 +185,11 @@ Task<Result<>> ArcusDriver::read_name() {
 void ArcusDriver::goes_out(std::string_view command) {
   may_set(command);
   forget_thread(command);
-  note_call(command);
+  code_.goes_out(command);
 }
 
 void ArcusDriver::not_done(std::string_view command) {
-  if (command.starts_with("GS")) called_ = called_before_;
+  code_.was_refused(command);
 }
 
 void ArcusDriver::tell(Notice::Kind kind, std::string text) {

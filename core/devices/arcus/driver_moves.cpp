@@ -126,7 +126,7 @@ Task<Result<>> ArcusDriver::move(std::vector<AxisTarget> wish, Pps speed, bool r
     draft_.axes[axes[i]].target = Steps(goals[i]);
     minds_[ix(axes[i])].top_speed = speed.value > 0 ? speed : draft_.axes[axes[i]].own_speed;
   }
-  auto returned = co_await give_back();
+  auto returned = co_await borrowed_.give_back();
   if (!started) co_return started;
   co_return returned;
 }
@@ -150,7 +150,7 @@ Task<Result<>> ArcusDriver::jog(intent::JogStart wish) {
     draft_.axes[axis].direction = static_cast<std::int8_t>(factor(wish.sign));
     draft_.axes[axis].has_target = false;
   }
-  auto returned = co_await give_back();
+  auto returned = co_await borrowed_.give_back();
   if (!started) co_return started;
   if (!returned) tell(Notice::Kind::warning, returned.error().sentence());  // the jog runs all the same
   co_return Result<>();
@@ -173,8 +173,7 @@ Task<Result<>> ArcusDriver::home(intent::Home wish) {
 
 // ---- the speed of one motion
 
-// The controller takes its speeds when a motion begins, so a speed for one motion is written before it and
-// the user's put back behind it.
+// The controller takes its speeds when a motion begins.
 Task<Result<>> ArcusDriver::borrow_speed(Pps speed, int axis) {
   const auto wanted = static_cast<std::int64_t>(std::llround(speed.value));
   if (wanted <= 0) co_return Result<>();
@@ -192,43 +191,30 @@ Task<Result<>> ArcusDriver::borrow_speed(Pps speed, int axis) {
     }
     if (own) name = fill(forms_, forms_.axis_high_speed, axis);
   }
-  co_return co_await borrow(std::move(name), wanted);
+  co_return co_await borrowed_.borrow(std::move(name), wanted);
 }
 
-Task<Result<>> ArcusDriver::borrow(std::string name, std::int64_t value) {
-  auto before = co_await talk_.ask_number(name, Priority::intent);
-  if (!before) co_return fail(before.error());
-  if (*before == value) co_return Result<>();
-  borrowed_ = Borrowed{name, *before, value};
-  co_return co_await talk_.command(set_command(name, value), Priority::intent);
-}
+// ---- a list of moves
 
-Task<Result<>> ArcusDriver::give_back() {
-  if (!borrowed_) co_return Result<>();
-  if (borrowed_->left_alone) {
-    auto present = co_await talk_.ask_number(borrowed_->name, Priority::intent);
-    if (!present) co_return fail(present.error());
-    if (borrowed_ && *present != borrowed_->for_now) borrowed_.reset();
-    if (!borrowed_) co_return Result<>();
+Task<Result<>> ArcusDriver::start_feed(intent::FeedMoves wish) {
+  if (auto may = list_.accepts(wish); !may) co_return may;
+  auto read = co_await read_motion(Priority::intent);
+  if (!read) co_return read;
+  if (!list_.buffer_is_on()) {
+    auto on = co_await list_.switch_buffer_on();
+    if (!on) co_return on;
+    auto again = co_await read_motion(Priority::intent);
+    if (!again) co_return again;
   }
-  auto set = co_await talk_.command(set_command(borrowed_->name, borrowed_->before), Priority::intent);
-  if (const int index = catalog_.find_param(borrowed_->name); set && index >= 0)
-    nobody_sets_.reset(ix(index));  // it was read with the borrowed value, perhaps
-  if (set) borrowed_.reset();
-  if (!set && set.error().kind == FaultKind::stopped) co_return Result<>();  // the next round does it
-  co_return set;
+  list_.begin(std::move(wish.rows));
+  co_return co_await feed();
 }
 
-// What a stop or a lost wire has kept from being put back: before anything that it would act on, or store.
-Task<Result<>> ArcusDriver::give_back_first() {
-  auto returned = co_await give_back();
-  if (returned ||
-      (returned.error().kind != FaultKind::no_answer && returned.error().kind != FaultKind::garbled))
-    co_return returned;
-  Fault why = std::move(returned.error());
-  why.kind = FaultKind::refused;
-  why.done = "The setting of the last motion is not put back yet; nothing else was sent.";
-  co_return fail(std::move(why));
+Task<Result<>> ArcusDriver::feed() {
+  std::function<void()> moves = [this] {
+    for (int axis = 0; axis < 3 && axis < axis_count(); ++axis) begun(axis, Activity::moving, round_began_);
+  };
+  co_return co_await list_.feed(std::move(moves));
 }
 
 // ---- counters, power, outputs
@@ -296,7 +282,7 @@ Task<Result<>> ArcusDriver::set_output(intent::SetOutput wish) {
 // Decisions AMB-087, AMB-091.
 std::string ArcusDriver::who_has(int output) const {
   constexpr int in_position_output = 1, alarm_output = 3;
-  const bool told_by_outputs = setting(Setting::status_outputs).value_or(0) != 0 && draft_.axes[0].in_counts;
+  const bool told_by_outputs = setup_.setting(Setting::status_outputs).value_or(0) != 0 && draft_.axes[0].in_counts;
   if (told_by_outputs && output == in_position_output)
     return "it shows in-position while EDO=1 and StepNLoop is on";
   if (told_by_outputs && output == alarm_output) return "it shows the alarm while EDO=1 and StepNLoop is on";

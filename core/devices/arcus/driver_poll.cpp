@@ -23,10 +23,8 @@ Task<Result<>> ArcusDriver::poll(Round round) {
   auto motion = co_await read_whole_motion(Priority::poll);
   if (!motion) co_return motion;
   look_at_counters(look);
-  if (borrowed_) {
-    auto returned = co_await give_back();
-    if (!returned) co_return returned;
-  }
+  auto returned = co_await borrowed_.give_back();
+  if (!returned) co_return returned;
   auto fed = co_await feed();
   if (!fed) co_return fed;
   if (std::exchange(io_due_, false) || zero_in_doubt_ || !any_moving() || round_ % io_every == 0) {
@@ -43,7 +41,7 @@ Task<Result<>> ArcusDriver::poll(Round round) {
     auto rest = co_await read_in_turn();
     if (!rest) co_return rest;
   }
-  show_own_speeds();
+  setup_.show_own_speeds();
   show_worst();
   co_return Result<>();
 }
@@ -89,7 +87,7 @@ Task<Result<>> ArcusDriver::read_motion(Priority priority) {
   motion_misses_ = talk_.misses();
   auto positions = co_await talk_.ask_numbers(std::string(forms_.positions), axes, priority);
   if (!positions) co_return fail(positions.error());
-  const Instant seen_at = scheduler_.now();  // what is asked behind it may come late
+  const Instant seen_at = talk_.asked_at();  // the answer, or what is asked behind it, may have come late
   auto encoders = co_await talk_.ask_numbers(std::string(forms_.encoders), axes, priority);
   if (!encoders) co_return fail(encoders.error());
   auto speeds = co_await talk_.ask_numbers(std::string(forms_.speeds), axes, priority);
@@ -109,7 +107,7 @@ Task<Result<>> ArcusDriver::read_motion(Priority priority) {
     axis.encoder = Steps((*encoders)[ix(i)]);
     axis.speed = Pps(std::abs(static_cast<double>((*speeds)[ix(i)])));
     if (changed) minds_[ix(i)].turned = static_cast<std::int8_t>(move > Steps(0) ? 1 : -1);
-    if (runs(i)) moved_at_ = scheduler_.now();
+    if (runs(i)) code_.axis_moves();
     show_axis(i, asked_at);
   }
   co_return Result<>();
@@ -143,8 +141,8 @@ void ArcusDriver::take_status(const std::vector<std::int64_t>& words) {
   for (const std::string_view id : forms_.behind_status) {
     if (id.empty()) continue;
     put_readout(id, words[field]);
-    if (id == "BUF") buffer_on_ = words[field] != 0;
-    if (id == "BUFFREE") buffer_free_ = static_cast<int>(words[field]);
+    if (id == "BUF") list_.buffer_is(words[field] != 0);
+    if (id == "BUFFREE") list_.places_are(static_cast<int>(words[field]));
     ++field;
   }
 }
@@ -323,7 +321,7 @@ bool ArcusDriver::misses_its_target(int index) const {
 }
 
 std::int64_t ArcusDriver::loop_tolerance(int axis) const {
-  std::int64_t room = setting(Setting::loop_tolerance, axis).value_or(0);
+  std::int64_t room = setup_.setting(Setting::loop_tolerance, axis).value_or(0);
   for (const SettingFact& fact : model().settings)
     if (fact.id == Setting::loop_tolerance && room == 0) room = fact.factory;  // not read yet
   return room;

@@ -87,12 +87,12 @@ void ArcusDriver::forget_thread(std::string_view text) {
 Task<Result<>> ArcusDriver::run(int program) {
   auto started = co_await control(program, thread_run);
   if (!started || draft_.threads[ix(program)].run != RunState::idle) co_return started;
-  if (stored_code_ && stored_code_->programs[ix(program)]) co_return started;
+  if (code_.known() && code_.known()->programs[ix(program)]) co_return started;
   auto there = co_await read_lines();
   draft_.transfer.running = false;
   if (!there) co_return fail(there.error());
   note_stored(*there);
-  if (!stored_code_ || stored_code_->programs[ix(program)]) co_return started;
+  if (!code_.known() || code_.known()->programs[ix(program)]) co_return started;
   co_return fail(FaultKind::refused, fmt::format("There is no program {0} in the stored code.", program),
                  "Nothing was started.",
                  program == 0 ? "Load one first." : fmt::format("Its text begins with PRG {}.", program));
@@ -100,9 +100,9 @@ Task<Result<>> ArcusDriver::run(int program) {
 
 // Which programs the stored code has; not known of code that another compiler has made.
 void ArcusDriver::note_stored(const std::vector<std::string>& lines) {
-  stored_code_.reset();
+  code_.forget();
   const language::Program code = language::decode(lines, dialect_);
-  if (code.bad_lines.empty()) stored_code_ = read_stored_code(code, model());
+  if (code.bad_lines.empty()) code_.know(read_stored_code(code, model()));
 }
 
 // All that run, or all that are held; or the one, if it does.
@@ -192,8 +192,8 @@ Task<Result<>> ArcusDriver::may_be_program(int program, const language::Program&
   draft_.transfer.running = false;
   if (!there) co_return fail(there.error());
   note_stored(*there);
-  for (int n = 0; stored_code_ && n < model().programs; ++n)
-    if (stored_code_->programs[ix(n)] && !code.programs[ix(n)])
+  for (int n = 0; code_.known() && n < model().programs; ++n)
+    if (code_.known()->programs[ix(n)] && !code.programs[ix(n)])
       co_return fail(FaultKind::refused,
                      fmt::format("The controller holds program {} too, and a text replaces all programs.", n),
                      "Nothing was written.", fmt::format("Put PRG {} and PRG {} into one text.", n, program));
@@ -215,7 +215,7 @@ Task<Result<>> ArcusDriver::load(int program, std::string text) {
     if (!may) co_return may;
   }
   const std::vector<std::string> lines = made.lines;
-  stored_code_.reset();
+  code_.forget();
   auto written = co_await write_lines(lines);
   draft_.transfer.running = false;
   if (!written) co_return broken_off(std::move(written.error()));
@@ -250,10 +250,8 @@ tl::unexpected<Fault> ArcusDriver::broken_off(Fault why) {
 // The next console to open it does not know.
 std::string ArcusDriver::leaves_behind() const {
   std::string left = draft_.slots_torn != 0 ? fmt::format("{} {}", torn, mend_it) : std::string();
-  if (!borrowed_) return left;
-  if (!left.empty()) left += ' ';
-  return left + fmt::format("{0} is {1} for one motion; it was {2}. Set {0}={2} before the next one.",
-                            borrowed_->name, borrowed_->for_now, borrowed_->before);
+  const std::string borrowed = borrowed_.leaves_behind();
+  return left.empty() || borrowed.empty() ? left + borrowed : left + ' ' + borrowed;
 }
 
 // Each line is read back at once; a line that is equal already is not written.
@@ -273,7 +271,7 @@ Task<Result<>> ArcusDriver::write_lines(std::vector<std::string> lines) {
 // What a longer program has left behind.
 Task<Result<>> ArcusDriver::clear_from(int line) {
   int empty = 0;
-  stored_code_.reset();
+  code_.forget();
   for (int n = line; n < program_lines && empty < empty_lines_end_it; ++n) {
     auto there = co_await read_line(n, Priority::transfer);
     if (!there) co_return fail(there.error());

@@ -8,7 +8,7 @@
 namespace hw::arcus {
 namespace {
 
-constexpr int variables_per_round = 10, params_per_round = 3;
+constexpr int variables_per_round = 10;
 constexpr int kept_every = 5;  // rounds at rest: about a second
 
 RunState run_state(std::int64_t number) {
@@ -90,8 +90,7 @@ Task<Result<>> ArcusDriver::read_watched() {
   co_return Result<>();
 }
 
-// At rest, a little of each a round: readouts nobody looks at, one analog input, some parameters: first those
-// that are not known, then all again, because programs and terminals change them.
+// At rest, a little of each a round: readouts nobody looks at, one analog input, some parameters.
 Task<Result<>> ArcusDriver::read_in_turn() {
   const int readouts = static_cast<int>(catalog_.readouts.size());
   for (int tried = 0; tried < readouts; ++tried) {
@@ -108,23 +107,10 @@ Task<Result<>> ArcusDriver::read_in_turn() {
     next_analog_ = (next_analog_ + 1) % model().analog_inputs;
   }
   if (round_ % kept_every == 0) {
-    auto read = co_await read_what_power_keeps();
+    auto read = co_await setup_.read_what_power_keeps();
     if (!read) co_return read;
   }
-  const int params = static_cast<int>(catalog_.params.size());
-  int read_now = 0;
-  for (int tried = 0; tried < params && read_now < params_per_round; ++tried) {
-    const int index = next_param_;
-    next_param_ = (next_param_ + 1) % params;
-    if (draft_.params[ix(index)].known) continue;
-    auto read = co_await read_param(index, Priority::poll);
-    if (!read) co_return read;
-    ++read_now;
-  }
-  if (read_now > 0) co_return Result<>();
-  auto read = co_await read_param(next_param_, Priority::poll);
-  next_param_ = (next_param_ + 1) % params;
-  co_return read;
+  co_return co_await setup_.read_in_turn();
 }
 
 // ---- threads
@@ -157,7 +143,7 @@ Task<Result<>> ArcusDriver::read_thread(int thread, Priority priority) {
   auto state = co_await talk_.ask_number(fmt::format("SASTAT{}", thread), priority);
   if (!state) co_return fail(state.error());
   const RunState run = run_state(*state);
-  const bool nobody_started_it = scheduler_.now() > programs_run_until_ && !called_;
+  const bool nobody_started_it = !code_.program_may_run() && !code_.was_called();
   if (run == RunState::running && nobody_started_it && stood_ && !stood_->program_ran) {
     auto looked = co_await look_at_start(thread, priority);
     if (!looked) co_return looked;
@@ -189,7 +175,7 @@ Task<Result<>> ArcusDriver::set_variable(const intent::SetVariable& wish) {
                    "Nothing was sent.");
   auto set = co_await talk_.command(set_command(fmt::format("V{}", wish.number), wish.value), Priority::intent);
   if (!set) co_return set;
-  if (wish.number >= facts.stored_from) unsaved_variables_ = draft_.unsaved_setup = true;
+  if (wish.number >= facts.stored_from) setup_.variable_is_unsaved();
   co_return co_await read_variable(wish.number, Priority::intent);
 }
 

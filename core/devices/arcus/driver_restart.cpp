@@ -47,7 +47,7 @@ void ArcusDriver::may_set(std::string_view command) {
   if (may_set_target(command)) targets_.may_be_set();
   if (may_switch_motor(command)) motors_.may_be_set();
   if (command.starts_with("SR") && !ends_program(command)) program_runs();
-  if (command.starts_with("GS")) program_runs(longest_run(command));
+  if (command.starts_with("GS")) program_runs(code_.longest_run(command));
 }
 
 // After power-up every counter reads zero wherever the motors stand. Texts that may set a counter, homing and
@@ -87,7 +87,7 @@ void ArcusDriver::look_at_counters(const Look& look, bool was_silent) {
 Task<Result<>> ArcusDriver::look_at_motors(Unexplained::Mark asked) {
   std::int64_t on = 0;
   for (int i = 0; i < axis_count(); ++i) on |= std::int64_t{draft_.axes[i].enabled} << i;
-  const bool a_program_may = programs_switch_motors() && (scheduler_.now() <= programs_run_until_ || called_);
+  const bool a_program_may = code_.switches_motors() && (code_.program_may_run() || code_.was_called());
   const bool unexplained = motors_.answered(asked) && !a_program_may;
   const auto before = std::exchange(motors_on_, on);
   const bool changed = before && *before != on && unexplained;
@@ -112,7 +112,7 @@ Task<Result<>> ArcusDriver::look_at_motors(Unexplained::Mark asked) {
   auto may_be = co_await power_up_leads_here();
   if (!may_be) co_return fail(may_be.error());
   if (!*may_be) co_return Result<>();
-  auto kept = co_await something_is_kept();
+  auto kept = co_await setup_.something_is_kept();
   if (!kept) co_return fail(kept.error());
   if (!*kept) restarted("It did not answer for a while, and then it counted from zero", in_doubt);
   co_return Result<>();
@@ -128,15 +128,6 @@ Task<Result<bool>> ArcusDriver::power_up_leads_here() {
   co_return started.value_or(0) != 0;
 }
 
-// A value that a power-cut would have taken back still stands; or it does not, and that has been told.
-Task<Result<bool>> ArcusDriver::something_is_kept() {
-  const int index = next_that_would_show();
-  if (index < 0 || !nobody_sets_.test(ix(index))) co_return false;
-  auto read = co_await read_param(index, Priority::poll);
-  if (!read) co_return fail(read.error());
-  co_return true;
-}
-
 // A program that nobody has started, and that power-up starts.
 Task<Result<>> ArcusDriver::look_at_start(int thread, Priority priority) {
   auto starts_at_power_up = co_await talk_.ask_number("SLOAD", priority);
@@ -147,8 +138,6 @@ Task<Result<>> ArcusDriver::look_at_start(int thread, Priority priority) {
               std::nullopt);
   co_return Result<>();
 }
-
-bool ArcusDriver::programs_switch_motors() const { return !stored_code_ || stored_code_->switches_motors; }
 
 // A stop that nobody answered when the wire was lost explains no zero; motor power that was to be switched
 // may have been.
@@ -178,17 +167,14 @@ Task<Result<>> ArcusDriver::look_after_silence() {
 
 void ArcusDriver::restarted(std::string_view how_it_shows, const std::optional<Stood>& before) {
   ++draft_.restarts;
-  for (ParamState& p : draft_.params) p = ParamState();
+  setup_.restarted();
   for (ThreadState& t : draft_.threads) t = ThreadState();
-  nobody_sets_.reset();
-  unsaved_variables_ = draft_.unsaved_setup = false;
   draft_.variables_known.reset();
   draft_.readouts_known.reset();
-  borrowed_.reset();
-  stored_code_.reset();
-  called_.reset();
-  if (scheduler_.now() <= programs_run_until_) draft_.program.ended_by = EndedBy::lost;
-  end_feed();
+  borrowed_.forget();
+  code_.restarted();
+  if (code_.program_may_run()) draft_.program.ended_by = EndedBy::lost;
+  list_.end();
   stood_.reset();
   motors_on_.reset();
   zero_in_doubt_.reset();
@@ -209,8 +195,8 @@ void ArcusDriver::wire_lost() {
   if (!talk_.is_open()) return;
   talk_.wire_lost();
   lost_at_ = scheduler_.now();
-  if (borrowed_) borrowed_->left_alone = true;
-  end_feed();
+  borrowed_.leave_alone();
+  list_.end();
   draft_.transfer = TransferState();
   for (int i = 0; i < axis_count(); ++i) {
     AxisState& axis = draft_.axes[i];

@@ -53,7 +53,7 @@ Task<Result<>> ArcusDriver::stop_line(bool at_once) {
 
 // What a jog moves stops alone: programs, and axes that they move, go on.
 Task<Result<>> ArcusDriver::stop_axes(int axis, bool at_once, bool motion_only) {
-  end_feed();
+  list_.end();
   const std::string_view form = at_once ? forms_.abort : forms_.stop;
   const bool all = axis < 0 || axis_count() == 1;
   const std::string word = all ? std::string(form.substr(0, form.find('a'))) : fill(forms_, form, axis);
@@ -148,7 +148,7 @@ Task<Result<>> ArcusDriver::release_joystick(int axis, std::string stop) {
     co_return fail(joystick_not_read(false));
   }
   const auto set = co_await talk_.command(set_command("JE", kept), Priority::stop);
-  changed_param(index);
+  setup_.changed(index);
   auto said = co_await talk_.command(stop, Priority::stop);
   if (!set) co_return set;
   if (!mask) co_return fail(joystick_not_read(true));
@@ -170,8 +170,12 @@ StopProgress ArcusDriver::stop_progress(const StopOrder& order) {
   if (order.what == StopOrder::What::program) return StopProgress::stands();
   bool turns = false;
   for (int i = 0; i < axis_count(); ++i) turns = turns || ((all || i == order.axis) && runs(i));
-  if (order.what == StopOrder::What::everything && all && subroutine_may_run())
-    return outlast_subroutine(order, turns);
+  if (order.what == StopOrder::What::everything && all && code_.subroutine_may_run()) {
+    StopProgress progress = code_.outlast(order, turns);
+    using Now = StopProgress::Now;
+    if (progress.now == Now::stands || progress.now == Now::failed) stands(-1);
+    return progress;
+  }
   if (turns && !all && program_runs_on() && scheduler_.now() - order.sent_at > next_move_of_a_program) {
     tell(Notice::Kind::warning,
          fmt::format("A program moves {} again. Stop all axes to end it too.", axis_name(order.axis)));
@@ -224,7 +228,7 @@ void ArcusDriver::ended_by_us(int axis, EndedBy why) {
 // without a ramp too. With StepNLoop the encoder counts what it did.
 void ArcusDriver::doubt_killed_position(int index) {
   AxisState& axis = draft_.axes[index];
-  const std::int64_t safe = start_speed(index);
+  const std::int64_t safe = setup_.start_speed(index);
   if (axis.in_counts || axis.trust.doubtful() || axis.speed.value <= static_cast<double>(safe)) return;
   axis.trust.doubt(Doubt::killed, scheduler_.now());
   tell(Notice::Kind::warning,

@@ -38,7 +38,7 @@ Task<Result<std::string>> ArcusDriver::query(std::string text, Duration patience
                    "Nothing was sent.", "Send them one by one.");
   auto looked = co_await look_after_silence();
   if (!looked && looked.error().kind == FaultKind::stopped) co_return fail(looked.error());
-  auto returned = co_await give_back_first();
+  auto returned = co_await borrowed_.give_back_first();
   if (!returned) co_return fail(returned.error());
   co_return co_await say_text(std::move(text), Priority::intent, patience);
 }
@@ -46,7 +46,7 @@ Task<Result<std::string>> ArcusDriver::query(std::string text, Duration patience
 Task<Result<std::string>> ArcusDriver::stop_by_words(const StopOrder& order) {
   std::string text = order.words;
   const bool more = cut_to_one_command(text);
-  end_feed();
+  list_.end();
   if (order.meaning.whom == TextMeaning::For::everybody && address_of(text) < 0) {
     auto sent = co_await talk_.broadcast(text, Priority::stop);
     if (!sent) co_return fail(sent.error());
@@ -88,7 +88,7 @@ Task<Result<std::string>> ArcusDriver::say_text(std::string text, Priority prior
 }
 
 TextMeaning ArcusDriver::meaning_of(const intent::SendText& text) const {
-  return arcus::meaning_of(forms_, text, Addressing{catalog_.address, param("AR") == 1});
+  return arcus::meaning_of(forms_, text, Addressing{catalog_.address, setup_.param("AR") == 1});
 }
 
 // To all, unless it says itself to whom: then that one answers, or it is the address of all.
@@ -110,14 +110,14 @@ Task<Result<>> ArcusDriver::send_text(const intent::SendText& wish) {
 void ArcusDriver::overhear(const std::string& text) {
   const std::string command = command_in(text);
   may_set(command);
-  if (command.starts_with("GS")) note_call(command);
+  code_.goes_out(command);
   note_sent(command);
   note_done(command);
 }
 
 // What is true only when the controller has taken it.
 void ArcusDriver::note_done(std::string_view text) {
-  if (bare_text(text) == "STORE") is_stored();
+  if (bare_text(text) == "STORE") setup_.is_stored();
 }
 
 // What the user's own text changes is read afresh, not guessed.
@@ -128,15 +128,15 @@ void ArcusDriver::note_sent(std::string_view as_typed) {
   const std::string_view name = text.substr(0, equals);
   if (equals != text.npos) {
     const int index = catalog_.find_param(name);
-    if (index >= 0) changed_param(index);
+    if (index >= 0) setup_.changed(index);
     if (name.starts_with('V'))
       if (const auto n = decode_number(name.substr(1)); n && *n >= 0 && *n < variables)
         draft_.variables_known.reset(static_cast<std::size_t>(*n));
   }
   io_due_ = io_due_ || may_switch_motor(text);
   forget_thread(text);
-  note_call(text);
-  if (text.starts_with("SA") && equals != text.npos) stored_code_.reset();
+  code_.goes_out(text);
+  if (text.starts_with("SA") && equals != text.npos) code_.forget();
   if (const int axis = axis_named_in(forms_, text); axis >= 0 && takes_target_away(text))
     draft_.axes[axis].has_target = false;
   if (ends_motion(text)) note_stop(text);
@@ -147,7 +147,7 @@ void ArcusDriver::note_sent(std::string_view as_typed) {
 
 // The user's own stop: what it has ended did not end by itself.
 void ArcusDriver::note_stop(std::string_view text) {
-  end_feed();
+  list_.end();
   const int only = axis_count() > 1 ? axis_named_in(forms_, text) : -1;
   for (int i = 0; i < axis_count(); ++i)
     if ((only < 0 || i == only) && moving(i)) ended_by_us(i, how_it_ends(text));

@@ -1,0 +1,44 @@
+#pragma once
+// A setting that is written for one motion, and put back behind it: at once, or as soon as a stop or a lost
+// wire lets it.
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "core/devices/arcus/conversation.h"
+
+namespace hw::arcus {
+
+class BorrowedSetting {
+ public:
+  /// `given_back` is told the name: it was read with the borrowed value, perhaps.
+  BorrowedSetting(Conversation& talk, std::function<void(std::string_view name)> given_back)
+      : talk_(talk), given_back_(std::move(given_back)) {}
+
+  Task<Result<>> borrow(std::string name, std::int64_t value);
+  Task<Result<>> give_back();
+  /// Before anything that it would act on, or store.
+  Task<Result<>> give_back_first();
+  [[nodiscard]] bool is_out() const { return borrowed_.has_value(); }
+  /// Whoever has set it since the wire was lost is right.
+  void leave_alone() {
+    if (borrowed_) borrowed_->left_alone = true;
+  }
+  /// The controller has forgotten it.
+  void forget() { borrowed_.reset(); }
+  /// What somebody must do when the console goes now; empty: nothing.
+  [[nodiscard]] std::string leaves_behind() const;
+
+ private:
+  struct Borrowed {
+    std::string name;
+    std::int64_t before, for_now;
+    bool left_alone = false;
+  };
+  Conversation& talk_;
+  std::function<void(std::string_view)> given_back_;
+  std::optional<Borrowed> borrowed_;
+};
+
+}  // namespace hw::arcus

@@ -1,0 +1,66 @@
+#pragma once
+// What of the stored code may be under way, and what it may do: programs that were seen or started, and
+// subroutines that the host has called (GS, decision AMB-046). No SR ends the thread that those run in and no
+// SASTAT shows it: STOP ends only the move that one has begun, and its next line may begin another.
+#include <optional>
+#include <string_view>
+
+#include "core/device/stop.h"
+#include "core/devices/arcus/facts.h"
+#include "core/devices/arcus/stored_code.h"
+#include "core/devices/arcus/tell.h"
+#include "core/time/scheduler.h"
+
+namespace hw::arcus {
+
+class CodeAtWork {
+ public:
+  CodeAtWork(Scheduler& scheduler, Tell tell) : scheduler_(scheduler), tell_(std::move(tell)) {}
+
+  // ---- the stored code
+  void know(StoredCode code) { code_ = code; }
+  /// Nobody has looked, or it is another compiler's.
+  void forget() { code_.reset(); }
+  [[nodiscard]] const std::optional<StoredCode>& known() const { return code_; }
+  [[nodiscard]] bool leaves_param(std::size_t index) const { return code_ && !code_->sets.test(index); }
+  [[nodiscard]] bool switches_motors() const { return !code_ || code_->switches_motors; }
+
+  // ---- programs
+  /// Whether it still runs shows in that time.
+  void program_runs(Duration at_most) { runs_until_ = std::max(runs_until_, scheduler_.now() + at_most); }
+  [[nodiscard]] bool program_may_run() const { return scheduler_.now() <= runs_until_; }
+
+  // ---- subroutines
+  /// Before it is sent: whether or not it is confirmed.
+  void goes_out(std::string_view command);
+  void was_refused(std::string_view command);
+  /// Of what moves nothing, too: no status shows it.
+  [[nodiscard]] Duration longest_run(std::string_view call) const;
+  [[nodiscard]] bool was_called() const { return called_.has_value(); }
+  /// The one that was called may still be under way.
+  [[nodiscard]] bool subroutine_may_run();
+  /// An axis was seen to move, or may have.
+  void axis_moves() { moved_at_ = scheduler_.now(); }
+  /// Each move that it begins is stopped, until it is over or nobody can tell.
+  StopProgress outlast(const StopOrder& order, bool turns);
+
+  void restarted();
+
+ private:
+  struct Called {
+    int number;
+    std::optional<Duration> rests;  ///< it is over when nothing has moved for so long
+    bool told = false;
+  };
+
+  Scheduler& scheduler_;
+  Tell tell_;
+  std::optional<StoredCode> code_;
+  Instant runs_until_{};
+  std::optional<Called> called_, called_before_;
+  std::uint64_t outlasted_stop_ = 0;  ///< the stop that watches it
+  Instant stood_at_{};                ///< since that stop
+  Instant moved_at_{};
+};
+
+}  // namespace hw::arcus

@@ -1,0 +1,84 @@
+// What the driver is asked to do, and where it is done; the set-up as far as it concerns other parts too.
+#include <algorithm>
+
+#include <fmt/core.h>
+
+#include "core/base/index.h"
+#include "core/devices/arcus/driver.h"
+
+namespace hw::arcus {
+
+Task<Result<>> ArcusDriver::perform(const IntentBody& body) {
+  using namespace intent;
+  if (!talk_.is_open()) co_return talk_.no_connection();
+  if (auto looked = co_await look_after_silence(); !looked) co_return looked;
+  if (auto returned = co_await borrowed_.give_back_first(); !returned) co_return returned;
+  if (const auto* i = std::get_if<MoveTo>(&body)) co_return co_await move(i->targets, i->speed, false);
+  if (const auto* i = std::get_if<MoveBy>(&body)) co_return co_await move(i->distances, i->speed, true);
+  if (const auto* i = std::get_if<JogStart>(&body)) co_return co_await jog(*i);
+  if (const auto* i = std::get_if<Home>(&body)) co_return co_await home(*i);
+  if (const auto* i = std::get_if<SetPosition>(&body)) co_return co_await set_position(*i);
+  if (const auto* i = std::get_if<SetEncoder>(&body)) co_return co_await set_encoder(*i);
+  if (const auto* i = std::get_if<SetPower>(&body)) co_return co_await set_power(*i);
+  if (const auto* i = std::get_if<SetOutput>(&body)) co_return co_await set_output(*i);
+  if (const auto* i = std::get_if<SetParam>(&body)) co_return co_await set_param(*i);
+  if (const auto* i = std::get_if<Act>(&body)) co_return co_await act(*i);
+  if (const auto* i = std::get_if<SetVariable>(&body)) co_return co_await set_variable(*i);
+  if (const auto* i = std::get_if<FeedMoves>(&body)) co_return co_await start_feed(*i);
+  if (const auto* i = std::get_if<SendText>(&body)) co_return co_await send_text(*i);
+  if (const auto* i = std::get_if<Watch>(&body)) {
+    watched_ = i->groups;
+    co_return Result<>();
+  }
+  if (const auto* i = std::get_if<ReadParams>(&body)) co_return co_await read_params(i->only);
+  if (const auto* i = std::get_if<ReadAnalog>(&body);
+      i && i->number >= 1 && i->number <= model().analog_inputs)
+    co_return co_await read_analog(i->number, Priority::intent);
+  if (std::holds_alternative<Store>(body)) co_return co_await setup_.store();
+  if (std::holds_alternative<ReadAgain>(body)) co_return co_await read_again();
+  if (std::holds_alternative<Reset>(body))
+    co_return fail(FaultKind::refused, fmt::format("A {} has no reset command.", model().title),
+                   "Nothing was sent.", "Switch its power off and on.");
+  co_return co_await perform_program(body);
+}
+
+// What follows from it: whether StepNLoop is on.
+Task<Result<>> ArcusDriver::set_param(intent::SetParam wish) {
+  auto exactly = co_await setup_.set(std::move(wish));
+  if (!exactly) co_return fail(exactly.error());
+  if (!*exactly) co_return Result<>();
+  co_return co_await read_loop(Priority::intent);
+}
+
+// Whether it still runs shows in the next second.
+void ArcusDriver::program_runs(Duration at_most) {
+  setup_.code_may_set();
+  code_.program_runs(at_most);
+}
+
+Task<Result<>> ArcusDriver::read_params(std::string only) {
+  if (!only.empty()) {
+    const int index = catalog_.find_param(only);
+    if (index >= 0) co_return co_await setup_.read(index, Priority::intent);
+  }
+  for (int i = 0; i < static_cast<int>(catalog_.params.size()); ++i) {
+    auto read = co_await setup_.read(i, Priority::transfer);
+    if (!read) co_return read;
+    co_await stay_live();
+  }
+  for (int n = catalog_.variables.stored_from; n < catalog_.variables.count; ++n) {
+    auto read = co_await read_variable(n, Priority::transfer);
+    if (!read) co_return read;
+    co_await stay_live();
+  }
+  co_return Result<>();
+}
+
+Task<Result<>> ArcusDriver::read_again() {
+  setup_.forget_all();
+  draft_.variables_known.reset();
+  for (AxisMind& mind : minds_) mind.loop_state = -1;
+  co_return co_await read_state();
+}
+
+}  // namespace hw::arcus

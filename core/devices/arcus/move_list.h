@@ -1,0 +1,43 @@
+#pragma once
+// A list of moves, fed into the controller's buffer as its places become free.
+#include <deque>
+#include <functional>
+#include <vector>
+
+#include "core/device/intent.h"
+#include "core/devices/arcus/conversation.h"
+#include "core/devices/arcus/tell.h"
+
+namespace hw::arcus {
+
+class MoveList {
+ public:
+  MoveList(const Catalog& catalog, const Forms& forms, Snapshot& draft, Conversation& talk, Tell tell)
+      : catalog_(catalog), forms_(forms), draft_(draft), talk_(talk), tell_(std::move(tell)) {}
+
+  // ---- as the status tells
+  void buffer_is(bool on) { buffer_on_ = on; }
+  void places_are(int free) { buffer_free_ = free; }
+
+  [[nodiscard]] Result<> accepts(const intent::FeedMoves& wish) const;
+  [[nodiscard]] bool buffer_is_on() const { return buffer_on_; }
+  Task<Result<>> switch_buffer_on();
+  void begin(std::vector<std::vector<std::int64_t>> rows);
+  /// As many as there are places for; `moves` is told of each.
+  Task<Result<>> feed(std::function<void()> moves);
+  void end();
+
+ private:
+  void broken_off(Fault why);
+
+  const Catalog& catalog_;
+  const Forms& forms_;
+  Snapshot& draft_;
+  Conversation& talk_;
+  Tell tell_;
+  std::deque<std::vector<std::int64_t>> to_feed_;
+  int buffer_free_ = 0;
+  bool buffer_on_ = false;
+};
+
+}  // namespace hw::arcus

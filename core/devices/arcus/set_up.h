@@ -1,0 +1,78 @@
+#pragma once
+// The set-up: every parameter by the maker's mnemonic; what is stored of it, and what a power-up takes back,
+// which shows that there has been one.
+#include <bitset>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "core/devices/arcus/borrowed_setting.h"
+#include "core/devices/arcus/code_at_work.h"
+#include "core/devices/arcus/conversation.h"
+
+namespace hw::arcus {
+
+class SetUp {
+ public:
+  struct Ways {
+    Tell tell;
+    std::function<void()> loops_unknown;                    ///< StepNLoop was switched, perhaps
+    std::function<void(std::string how_it_shows)> restarted;  ///< a value is as power-up makes it
+  };
+  SetUp(const Catalog& catalog, const Forms& forms, Snapshot& draft, Conversation& talk,
+        const CodeAtWork& code, const BorrowedSetting& borrowed, Ways ways);
+
+  // ---- what is known
+  [[nodiscard]] std::optional<std::int64_t> param(std::string_view mnemonic) const;
+  [[nodiscard]] std::optional<std::int64_t> setting(Setting id, int axis = 0) const;
+  /// None: they are not read yet.
+  [[nodiscard]] std::optional<bool> has_own_speeds(int axis) const;
+  /// At which it starts and ends without a ramp; 0: not read yet.
+  [[nodiscard]] std::int64_t start_speed(int axis) const;
+  void show_own_speeds();
+
+  // ---- reading
+  Task<Result<>> read(int index, Priority priority);
+  /// A few each round at rest.
+  Task<Result<>> read_in_turn();
+  /// One of those that a power-up would take back. False: there is none, or programs may have set it.
+  Task<Result<>> read_what_power_keeps();
+  Task<Result<bool>> something_is_kept();
+
+  // ---- setting
+  /// True: the controller has it exactly so.
+  Task<Result<bool>> set(intent::SetParam wish);
+  Task<Result<>> store();
+  void is_stored();
+  void variable_is_unsaved() { unsaved_variables_ = draft_.unsaved_setup = true; }
+  void changed(int index);
+  void forget(std::string_view head);
+  void forget_all();
+  /// Code runs that may set what it may set.
+  void code_may_set();
+  /// It was read while it was borrowed, perhaps.
+  void was_borrowed(std::string_view name);
+  void restarted();
+
+ private:
+  [[nodiscard]] int next_that_would_show();
+  [[nodiscard]] bool in_ram_only(int index) const;
+  void compare_with_stored(int index);
+  void take(int index, std::int64_t value);
+  [[nodiscard]] const SettingFact* fact_of(int index) const;
+
+  const Catalog& catalog_;
+  const Forms& forms_;
+  Snapshot& draft_;
+  Conversation& talk_;
+  const CodeAtWork& code_;
+  const BorrowedSetting& borrowed_;
+  Ways ways_;
+  std::array<std::int64_t, max_params> after_power_up_{};  ///< of what is stored: as it was then
+  std::bitset<max_params> stored_known_;                   ///< of what is stored: after_power_up_ was read
+  std::bitset<max_params> nobody_sets_;  ///< read, and nothing has run since that may have set them
+  bool unsaved_variables_ = false;       ///< some were set and not stored
+  int next_param_ = 0, next_kept_ = 0;
+};
+
+}  // namespace hw::arcus
