@@ -9,6 +9,16 @@
 
 namespace hw::vxm {
 
+Result<> VxmDriver::may_change() const {
+  if (halted_)
+    return fail(FaultKind::refused, explain_error(halted_).what, "Nothing was sent.",
+                explain_error(halted_).advice);
+  if (busy())
+    return fail(FaultKind::refused, "The controller is at work and takes no program commands meanwhile.",
+                "Nothing was sent.", "Wait until it ends, or stop it.");
+  return {};
+}
+
 void VxmDriver::show_running(int slot) {
   stored_running_ = true;
   found_running_ = false;
@@ -16,7 +26,7 @@ void VxmDriver::show_running(int slot) {
   ProgramState& p = draft_.program;
   p.run = RunState::running;
   p.owned = true;
-  p.slot = static_cast<std::int8_t>(slot >= 0 ? slot : selected_);
+  p.slot = static_cast<std::int8_t>(slot >= 0 ? slot : programs_.selected());
   p.command = -1;
   p.command_told = false;
   p.stepping = hold_on_;
@@ -45,17 +55,17 @@ void VxmDriver::look_what_ended_the_run() {
 
 /// The program is known, and its last index of this motor goes to a switch.
 bool VxmDriver::looks_for_switches(int slot, int motor) const {
-  if (slot < 0 || !listings_[ix(slot)]) return false;
+  if (!programs_.listing(slot)) return false;
   bool looks = false;
-  for (const TextCommand& c : commands_of(*listings_[ix(slot)]))
+  for (const TextCommand& c : commands_of(*programs_.listing(slot)))
     if (c.verb <= Verb::home && c.verb != Verb::zero_here && c.motor == motor) looks = c.verb == Verb::home;
   return looks;
 }
 
 /// False: the program is known, goes into no other, and has no index of this motor.
 bool VxmDriver::may_turn(int slot, int motor) const {
-  if (!listings_[ix(slot)]) return true;
-  const auto commands = commands_of(*listings_[ix(slot)]);
+  if (!programs_.listing(slot)) return true;
+  const auto commands = commands_of(*programs_.listing(slot));
   return std::any_of(commands.begin(), commands.end(), [&](const TextCommand& c) {
     const bool index = c.verb <= Verb::home && c.verb != Verb::zero_here;
     const bool leaves = c.verb >= Verb::jump && c.verb <= Verb::jump_pick;
@@ -79,10 +89,10 @@ Task<Result<>> VxmDriver::run(int slot) {
   ramp_.reset();
   auto sent = co_await switch_hold(std::move(text), false, Priority::intent);
   if (!sent) co_return sent;
-  selected_ = chosen_ = slot;
+  programs_.was_selected(slot);
   show_running(slot);
-  if (listings_[ix(slot)])
-    for (const TextCommand& c : commands_of(*listings_[ix(slot)]))
+  if (programs_.listing(slot))
+    for (const TextCommand& c : commands_of(*programs_.listing(slot)))
       if (c.verb == Verb::speed && c.motor >= 1 && c.motor <= max_motors)
         known_speed_[ix(c.motor - 1)] = static_cast<int>(c.value);
   co_return sent;
@@ -152,7 +162,7 @@ Task<Result<>> VxmDriver::single_step() {
     std::string text = hold_on_ ? "R" : "HR";
     auto started = co_await switch_hold(std::move(text), true, Priority::intent);
     if (!started) co_return started;
-    show_running(selected_);
+    show_running(programs_.selected());
     co_return started;
   }
   if (p.run != RunState::held) co_return co_await pause();

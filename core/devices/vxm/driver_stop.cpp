@@ -138,8 +138,9 @@ void VxmDriver::drop_later_legs(int axis) {
     if (&leg == &job_.legs.front()) return false;
     const bool stops = axis < 0 || leg.axis == axis || leg.second_axis == axis;
     if (stops && axis >= 0 && leg.second_axis >= 0)
-      tell(Notice::Kind::warning, fmt::format("Motors {} and {} were to move together: both stay now.",
-                                              leg.axis + 1, leg.second_axis + 1));
+      console_.tell(Notice::Kind::warning,
+                    fmt::format("Motors {} and {} were to move together: both stay now.", leg.axis + 1,
+                                leg.second_axis + 1));
     return stops;
   });
 }
@@ -234,7 +235,7 @@ bool VxmDriver::seems_to_stand() const {
 /// Motors 3 and 4 cannot be read while something runs, nor whether there are any: that is known once the
 /// controller has been at rest.
 bool VxmDriver::some_are_hidden() const {
-  return slave_present_ || (!identity_read_ && draft_.axis_count > motors_per_controller);
+  return nameplate_.has_slave() || (!nameplate_.is_read() && draft_.axis_count > motors_per_controller);
 }
 
 /// Of the motors that can be read while they turn, in steps/s.
@@ -257,9 +258,9 @@ Task<Result<>> VxmDriver::kill(bool standing, Priority priority) {
   }
   killed(standing ? EndedBy::stop : EndedBy::abort);
   if (something_ran && draft_.outputs_known && draft_.outputs)
-    tell(Notice::Kind::info, "K ended the run; it has also switched the outputs off.");
+    console_.tell(Notice::Kind::info, "K ended the run; it has also switched the outputs off.");
   show_worst();
-  if (changed_) changed_();
+  if (console_.changed) console_.changed();
   co_return Result<>();
 }
 
@@ -311,7 +312,7 @@ void VxmDriver::doubt_positions() {
     AxisState& axis = draft_.axes[i];
     const bool turns = axis.activity == Activity::moving || axis.activity == Activity::jogging ||
                        axis.activity == Activity::homing || axis.activity == Activity::stopping;
-    const bool hidden = stored_running_ && i >= motors_per_controller && slave_present_;
+    const bool hidden = stored_running_ && i >= motors_per_controller && nameplate_.has_slave();
     const bool unseen =
         axis.activity == Activity::unknown && lost_while_busy_ && (stored_running_ || belongs_to_leg(i));
     if ((!turns && !hidden && !unseen) || axis.trust.doubtful()) continue;
@@ -321,10 +322,11 @@ void VxmDriver::doubt_positions() {
                                                       : default_speed;
     if (speed <= hard_stop_safe_speed) continue;
     axis.trust.doubt(Doubt::killed, scheduler_.now());
-    tell(Notice::Kind::warning, fmt::format("Motor {} was stopped without a ramp at about {:.0f} steps/s. "
-                                            "Above {} steps/s it may have lost steps: "
-                                            "its position is doubtful until it is homed or set to zero.",
-                                            i + 1, speed, hard_stop_safe_speed));
+    console_.tell(Notice::Kind::warning,
+                  fmt::format("Motor {} was stopped without a ramp at about {:.0f} steps/s. "
+                              "Above {} steps/s it may have lost steps: "
+                              "its position is doubtful until it is homed or set to zero.",
+                              i + 1, speed, hard_stop_safe_speed));
   }
 }
 
@@ -352,7 +354,7 @@ void VxmDriver::run_ended(EndedBy ended_by) {
   p.stepping = false;
   p.command = -1;
   p.command_told = false;
-  p.slot = static_cast<std::int8_t>(selected_);
+  p.slot = static_cast<std::int8_t>(programs_.selected());
   for (int i = 0; i < draft_.axis_count; ++i) {
     AxisState& axis = draft_.axes[i];
     const bool turned = axis.activity != Activity::idle && axis.activity != Activity::unknown;
