@@ -113,7 +113,7 @@ Task<bool> Pump::open_and_connect() {
   draft_.link.attempts = ++attempt_;
   attempt_at_ = scheduler_.now();
   publish();
-  const OwedAnswers owed = station_ ? station_->owed() : OwedAnswers();
+  const Station::Manner manner = station_ ? station_->manner() : Station::Manner();
   station_.reset();
   auto opened = co_await ways_.open_wire();
   if (closing_) co_return false;
@@ -123,7 +123,7 @@ Task<bool> Pump::open_and_connect() {
   }
   station_ = std::make_unique<Station>(std::move(*opened), ways_.traffic);
   station_->address = catalog_.address;
-  station_->take_over(owed);
+  station_->take_over(manner);
   station_->recorded = ways_.recorded;
   station_->closed = [this](const Fault& why) {
     lose_wire(why);
@@ -216,7 +216,9 @@ Task<> Pump::wait_for_retry() {
 void Pump::lose_wire(const Fault& why) {
   if (!std::exchange(down_, true)) {  // attempts in between do not count
     draft_.link.lost_at = scheduler_.now();
-    ran_when_lost_ = something_runs() || jogs_.any() || performing_ || (connected() && desk_.any());
+    const bool never_seen = rounds_ended_ == 0;  // whoever was here before may have begun something
+    ran_when_lost_ =
+        never_seen || something_runs() || jogs_.any() || performing_ || (connected() && desk_.any());
     loss_.lost(draft_, something_runs() || jogs_.any(), performing_, scheduler_.now());
     draft_.link.when_lost = draft_.shows_under_way();
     restarts_when_lost_ = draft_.restarts;

@@ -98,7 +98,8 @@ void Pump::stop_was_sent(StopOrder& order, Result<std::string> sent) {
       std::exchange(order.answer, nullptr)(sent ? std::move(sent) : Result<std::string>(fail(sent.error())));
     if (sent) return;
     const bool kept_out = sent.error().kind == FaultKind::refused;
-    if (kept_out || order.meaning.stops != TextMeaning::Stops::all) return close_stop(order);
+    const bool of_one = order.meaning.stops == TextMeaning::Stops::some && order.meaning.axis >= 0;
+    if (kept_out || !(of_one || order.meaning.stops == TextMeaning::Stops::all)) return close_stop(order);
     order.what = What::everything;  // the console's own stop follows it, until it shows
     return;
   }

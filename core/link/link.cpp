@@ -143,7 +143,8 @@ void Link::start_next() {
 }
 
 Duration Link::patience_for(const Station& station, const Transaction& t) const {
-  if (!t.prompt || station_count() < 2 || prompt_answers_ < prompt_answers_needed)
+  const bool all_silent = silent_in_a_row_ > 2 * static_cast<int>(station_count());  // it is slow, or dead
+  if (!t.prompt || station_count() < 2 || prompt_answers_ < prompt_answers_needed || all_silent)
     return t.patience + station.lateness();
   return std::min(t.patience, std::max(least_patience, 3 * slowest_prompt_)) + station.lateness();
 }
@@ -195,10 +196,9 @@ void Link::on_deadline() {
   StationStatistics& statistics = in_flight_->station.statistics_;
   ++statistics.timeouts;
   ++statistics.misses_in_a_row;
-  if (!in_flight_->transaction.names_itself) {
-    settle_until_ = scheduler_.now() + settle_time;
-    in_flight_->station.owed_.add(in_flight_->transaction.look, scheduler_.now());
-  }
+  ++silent_in_a_row_;
+  in_flight_->station.owed_.add(in_flight_->transaction.look, scheduler_.now());
+  if (!in_flight_->station.unmistakable) settle_until_ = scheduler_.now() + settle_time;
   Fault fault(FaultKind::no_answer, "The controller did not answer in time.");
   if (!received_.empty()) {
     fault = Fault(FaultKind::garbled, "The controller's answer stopped in the middle.",
@@ -284,6 +284,7 @@ void Link::take_received() {
     std::string reply = received_.substr(0, *length);
     received_.erase(0, *length);
     in_flight_->station.record(scheduler_.now(), Way::received, kind_of(t), reply);
+    silent_in_a_row_ = 0;
     learn_from_answer(t, reply.size());
     finish(std::move(reply));
   }

@@ -38,8 +38,6 @@ struct Transaction {
   Look look = Look::any;
   /// Goes out while the line is dirty too: whoever asks sees to late answers, or cleans with it.
   bool on_dirty_line = false;
-  /// The answer shows who gave it, so that it is taken for no other's however late it comes.
-  bool names_itself = false;
   /// Silence says nothing against the link: the controller is in a state in which it does not answer.
   bool may_be_silent = false;
   /// What the console asks for itself about the state: recorded as a poll, however urgent it is.
@@ -131,6 +129,7 @@ class Link final : public std::enable_shared_from_this<Link>,
   /// From the end of the question to the answer, beyond its bytes; forgets slowly.
   Duration slowest_prompt_{};
   int prompt_answers_ = 0;
+  int silent_in_a_row_ = 0;  ///< questions that nobody on the wire has answered
   Instant settle_until_{};  ///< after a miss: a late reply must not be taken for the next one's
   OwedAnswers left_owed_;   ///< by stations that have left
   Timer deadline_;

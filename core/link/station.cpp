@@ -9,6 +9,7 @@ Fault no_connection() {
 
 Task<Result<std::string>> not_sent(Fault why) { co_return fail(std::move(why)); }
 Task<Result<>> not_run(Fault why) { co_return fail(std::move(why)); }
+Task<Result<>> nothing_to_do() { co_return Result<>(); }
 
 }  // namespace
 
@@ -65,6 +66,13 @@ void Station::doubt(Look look) {
   if (link_) owed_.add(look, link_->scheduler_.now());
 }
 
+Task<Result<>> Station::come_clean(Priority priority) {
+  if (!link_) return not_run(no_connection());
+  if (preempted_) return not_run(stop_came_first());
+  if (!unmistakable || !is_dirty()) return nothing_to_do();
+  return clean(priority);
+}
+
 Task<Result<std::string>> Station::transact_when_clean(Transaction transaction) {
   const Priority priority = transaction.priority;
   auto cleaned = co_await clean(priority);
@@ -109,7 +117,6 @@ Task<Result<>> Station::clean_by(Unmistakable asked, Priority priority) {
   question.on_dirty_line = true;
   const bool soon = may_be_silent || priority == Priority::stop || statistics_.misses_in_a_row < 2;
   question.patience = soon ? first_patience : OwedAnswers::longest_delay;
-  const Instant sent_at = link_->scheduler_.now();
   auto answer = co_await link_->transact(*this, std::move(question));
   if (!answer && answer.error().kind == FaultKind::no_answer && may_be_silent) {
     doubt(look);
@@ -125,7 +132,7 @@ Task<Result<>> Station::clean_by(Unmistakable asked, Priority priority) {
   }
   owed_.clear();
   ++times_cleaned_;
-  if (link_) learn_lateness(link_->scheduler_.now() - sent_at);
+  learn_lateness(statistics_.last_round_trip);
   co_return Result<>();
 }
 

@@ -97,9 +97,20 @@ class Station {
   [[nodiscard]] bool is_dirty() const;
   /// What was answered means nothing. What was asked may still be answered, or be answered with what is next.
   void doubt(Look look);
-  /// What this device owes, for the station that takes this one's place on the same wire.
+  /// Asks the unmistakable question now, if the line is dirty: for one whose next text must not be taken for
+  /// sent when it was not.
+  Task<Result<>> come_clean(Priority priority);
   [[nodiscard]] const OwedAnswers& owed() const { return owed_; }
-  void take_over(const OwedAnswers& owed) { owed_.add(owed); }
+  /// What is known of this device's answers, for the station that takes this one's place on the same wire.
+  struct Manner {
+    OwedAnswers owed;
+    Duration lateness{};
+  };
+  [[nodiscard]] Manner manner() const { return {owed_, lateness_}; }
+  void take_over(const Manner& manner) {
+    owed_.add(manner.owed);
+    lateness_ = manner.lateness;
+  }
   /// How often the line has become clean again: what was read before and what is read now may differ for
   /// another reason than that it has changed.
   [[nodiscard]] std::uint32_t times_cleaned() const { return times_cleaned_; }
@@ -107,8 +118,6 @@ class Station {
   [[nodiscard]] Duration lateness() const { return lateness_; }
   /// Another device on this wire owes an answer that may look like this: what is heard may be that.
   [[nodiscard]] bool others_owe(Look look = Look::any) const;
-  /// This device has said what only it could say, now: whatever it owed has come before.
-  void has_caught_up() { owed_.clear(); }
   /// Line rate in baud; 0: the wire has none, or is gone.
   [[nodiscard]] int rate() const { return link_ ? link_->rate() : 0; }
   /// The wire carries whole messages to this one device (Stream::carries_messages).

@@ -28,6 +28,7 @@ class Artist {
   }
 
   Plan draw() {
+    draw_quirk(drawing_.faults ? facts_.quirks : facts_.strict);
     if (drawing_.faults) draw_habits();
     if (facts_.needs_power)
       for (int device = 0; device < devices_; ++device) put(Millis(900), "motor_power", device, {-1, 1});
@@ -60,11 +61,14 @@ class Artist {
   std::int64_t scale() const { return facts_.model == "vme58" ? 20 : 1; }
   std::int64_t slot() { return random_.between(0, std::max(1, catalog_.program.slots) - 1); }
 
+  void draw_quirk(const std::vector<std::string>& quirks) {
+    const bool has_one = plan_.options.find("quirk=") != std::string::npos;
+    if (!quirks.empty() && !has_one && random_.percent(25))
+      plan_.options += (plan_.options.empty() ? "" : ",") + random_.one_of(quirks);
+  }
   // What is so all the time, with this unit or on this wire.
   void draw_habits() {
     const auto whole = static_cast<std::int64_t>(drawing_.length.count()) + 60'000;
-    if (!facts_.quirks.empty() && random_.percent(25))
-      plan_.options += (plan_.options.empty() ? "" : ",") + random_.one_of(facts_.quirks);
     if (catalog_.can.window) {
       if (random_.percent(8)) put(Millis(0), "slow_cycles", 0, {random_.mostly_small(1, 20), whole});
       return;

@@ -91,9 +91,9 @@ void Judge::text_typed(int device, IntentId id, std::string text) {
   d.intents.push_back({id, scheduler_.now(), std::move(text), d.forgotten + d.received.size()});
 }
 
-void Judge::motion_asked(int device, std::uint32_t axes, IntentId id, Steps distance) {
+void Judge::motion_asked(int device, std::uint32_t axes, IntentId id, Steps distance, bool homes) {
   const Instant now = scheduler_.now();
-  at(device).excuses.push_back({id, axes, now, now, distance});
+  at(device).excuses.push_back({id, axes, now, now, distance, homes});
 }
 
 void Judge::count_stop(int device, std::uint32_t axes, bool at_once) {
@@ -142,6 +142,7 @@ void Judge::jog_let_go(int device, AxisId axis, IntentId jog, Duration after) {
   if (!alone) return;  // it was refused
   stop_asked(device, bit, StopKind::ramp, true);
   d.axes[axis.index].stopped->at += after;
+  d.axes[axis.index].stopped->after = after;
 }
 
 void Judge::position_set(int device, std::uint32_t axes) {
@@ -156,7 +157,11 @@ void Judge::restarted(int device) {
   // One whose counters stood at 0 may look as it did before.
   for (AxisCase& axis : d.axes)
     if (facts_.restart_always_shows || axis.truth.position.value != 0) axis.restarted = scheduler_.now();
-  if (d.truth.moving() != 0 || d.truth.program) d.cut_off = scheduler_.now();
+  // Homing may end at any moment, at 0 and at rest, as a power-up leaves the counters.
+  std::uint32_t homing = 0;
+  for (const Excuse& e : d.excuses)
+    if (e.homes && !facts_.restart_always_shows) homing |= e.axes;
+  if ((d.truth.moving() & ~homing) != 0 || d.truth.program) d.cut_off = scheduler_.now();
 }
 
 int Judge::call_begun(std::string what, Duration longest) {

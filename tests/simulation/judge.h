@@ -86,7 +86,7 @@ class Judge final : public Witness {
   void intent_sent(int device, IntentId id);
   /// It has to reach the controller as it was typed, or to be refused.
   void text_typed(int device, IntentId id, std::string text);
-  void motion_asked(int device, std::uint32_t axes, IntentId id, Steps distance);
+  void motion_asked(int device, std::uint32_t axes, IntentId id, Steps distance, bool homes = false);
   void motion_asked_elsewhere(int device) { motion_asked(device, all_axes, 0, Steps()); }
   void stop_asked(int device, std::uint32_t axes, StopKind kind, bool by_hand = false);
   /// In a tab that closes; nobody opens it again meanwhile.
@@ -118,6 +118,7 @@ class Judge final : public Witness {
     Instant at{};
     Duration ramp{};
     bool doubtful = false;  ///< the wire was not prompt then
+    Duration after{};       ///< of a hand that has gone: the console may have known it so much earlier
   };
   struct AxisCase {
     AxisTruth truth;
@@ -137,6 +138,7 @@ class Judge final : public Witness {
     std::uint32_t axes = 0;
     Instant asked{}, alive{};
     Steps distance{};
+    bool homes = false;
   };
   struct Intended {
     IntentId id;

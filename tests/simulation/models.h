@@ -18,6 +18,7 @@ struct ModelFacts {
   std::vector<std::string> options;       ///< of the address; one is drawn
   std::vector<std::string> bus;           ///< the same with several devices on the line
   std::vector<std::string> quirks;        ///< that some units have: options too
+  std::vector<std::string> strict;        ///< the same, where a wire that is good is needed to live with it
   char prompt = 0;                        ///< what it says at the end of what it was told; 0: nothing
   std::string_view wire;                  ///< options of the emulated wire: its byte times
   bool needs_power = false;               ///< motors have none from the factory

@@ -154,23 +154,22 @@ Session* Stage::session(int device) const {
 
 // A port is opened exclusively: not while a tab that closes has something to take away there.
 void Stage::open() {
-  if (group_) return;
-  open_once_closed_ = closes_under_way_ > 0;
-  if (open_once_closed_) return;
+  opens_later_ = closing_now_ > 0;
+  if (group_ || opens_later_) return;
   group_ = must(SessionGroup::open(time_, address_, opener(), [] {}));
   std::vector<std::shared_ptr<Session>> sessions = group_->members();
   judge_.opened(std::move(sessions));
 }
 
 void Stage::close() {
-  open_once_closed_ = false;
+  opens_later_ = false;
   if (!group_) return;
   for (const auto& hand : hands_) hand->holds = false;
   judge_.closing();
   const auto call = judge_.call_begun("close", Judge::longest_close);
   for (const auto& member : group_->members()) member->notices().drain([](const Notice&) {});
+  ++closing_now_;
   asio::co_spawn(io_, close_and_look(group_, call), asio::detached);
-  ++closes_under_way_;
   closing_.push_back(std::move(group_));
   group_.reset();
 }
@@ -180,7 +179,8 @@ Task<> Stage::close_and_look(std::shared_ptr<SessionGroup> group, int call) {
   bool connected = true;
   for (const auto& member : group->members()) connected = connected && member->known().link.connected();
   co_await group->close();
-  closed(call);
+  judge_.call_ended(call);
+  if (--closing_now_ == 0 && opens_later_) open();
   for (std::size_t i = 0; i < machines_.size(); ++i)
     group->members()[i]->notices().drain([&](const Notice&) { machines_[i].told = true; });
   if (!connected) co_return;
@@ -189,11 +189,6 @@ Task<> Stage::close_and_look(std::shared_ptr<SessionGroup> group, int call) {
   co_await never.wait_until(now() + arrives);
   if (!may_judge_what_is_left(closed_at)) co_return;
   for (std::size_t i = 0; i < machines_.size(); ++i) judge_what_is_left(i);
-}
-
-void Stage::closed(int call) {
-  judge_.call_ended(call);
-  if (--closes_under_way_ == 0 && open_once_closed_) open();
 }
 
 void Stage::send(int device, IntentBody body) {
@@ -214,9 +209,10 @@ void Stage::type(int device, std::string text) {
 IntentId Stage::move(int device, std::uint32_t axes, Steps distance, IntentBody body) {
   Session* s = session(device);
   if (s == nullptr) return 0;
+  const bool homes = std::holds_alternative<intent::Home>(body);
   const IntentId id = s->send(std::move(body));
   judge_.intent_sent(device, id);
-  judge_.motion_asked(device, axes, id, distance);
+  judge_.motion_asked(device, axes, id, distance, homes);
   return id;
 }
 

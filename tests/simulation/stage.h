@@ -55,7 +55,6 @@ class Stage {
  private:
   struct Hand;  // a jog that is held
   void make_machines();
-  void closed(int call);
   [[nodiscard]] std::vector<std::string> settings(std::size_t machine) const;
   Task<> close_and_look(std::shared_ptr<SessionGroup> group, int call);
   [[nodiscard]] bool may_judge_what_is_left(Instant closed_at) const;
@@ -82,8 +81,8 @@ class Stage {
   std::unique_ptr<Stream> other_host_;
   std::shared_ptr<SessionGroup> group_;
   std::vector<std::shared_ptr<SessionGroup>> closing_;
-  int closes_under_way_ = 0;
-  bool open_once_closed_ = false;
+  int closing_now_ = 0;       ///< of those, they that still hold the port, which is opened exclusively
+  bool opens_later_ = false;  ///< when it is free
   std::vector<std::unique_ptr<Hand>> hands_;
   std::unique_ptr<Timer> plug_in_;
 };

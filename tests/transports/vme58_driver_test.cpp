@@ -255,6 +255,35 @@ TEST_F(Vme58Driver, ParametersAreReadFromTheDataArea) {
   EXPECT_EQ(value("KPX"), 350) << "the board keeps the fraction, and shows 3";
 }
 
+TEST_F(Vme58Driver, AFreshSessionDoesNotShowPartOfAGainForAllOfIt) {
+  const auto gain = [&](const char* name) {
+    const auto i = static_cast<std::size_t>(session->catalog().find_param(name));
+    return now().params[i].known ? std::optional(now().params[i].value) : std::nullopt;
+  };
+  const auto come_back = [&] {
+    operate(bench::Unplug(true));
+    ASSERT_TRUE(run_until([&] { return now().link.state == LinkState::lost; }, Seconds(20)));
+    operate(bench::Unplug(false));
+    ASSERT_TRUE(run_until([&] { return now().link.state == LinkState::good; }, Seconds(20)));
+    run(Seconds(3));
+  };
+  ASSERT_EQ(perform(intent::SetParam("KPX", 1200)).fate, Fate::done);
+  come_back();
+  EXPECT_EQ(gain("KPX"), 1200);
+  ASSERT_TRUE(query("AX KP12.5"));
+  run(Seconds(1));
+  EXPECT_EQ(gain("KPX"), 1250);
+  come_back();
+  EXPECT_EQ(gain("KPX"), std::nullopt) << "12 and nobody knows what more";
+  EXPECT_NE(gain("VLX"), std::nullopt);
+  ASSERT_EQ(perform(intent::SetParam("KPX", 300)).fate, Fate::done);
+  run(Seconds(3));
+  EXPECT_EQ(gain("KPX"), 300) << "said by this one";
+  ASSERT_EQ(perform(intent::Reset()).fate, Fate::done);
+  run(Seconds(3));
+  EXPECT_EQ(gain("KDX"), 0) << "as from the factory";
+}
+
 TEST_F(Vme58Driver, OutputsGoByTheMakersNumbers) {
   ASSERT_EQ(perform(intent::SetOutput(8, true)).fate, Fate::done);
   EXPECT_EQ(peek(1, vme58::reg::io_high) & 1, 0u) << "on is low";
@@ -295,7 +324,7 @@ TEST_F(Vme58Driver, AResetOfTheBoardIsNoticed) {
 
 TEST_F(Vme58Driver, PositionsAreDoubtfulAfterAResetUntilTheyAreSetOrHomed) {
   ASSERT_EQ(perform(intent::Reset()).fate, Fate::done);
-  ASSERT_TRUE(run_until([this] { return axis(0).trust.doubtful(); }, Seconds(10)));
+  EXPECT_EQ(axis(0).trust.cause, Doubt::reset) << "the console's own";
   ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::good; }, Seconds(10)));
   ASSERT_EQ(perform(intent::SetPosition(0, Steps(100))).fate, Fate::done);
   EXPECT_FALSE(axis(0).trust.doubtful());

@@ -172,7 +172,7 @@ TEST_F(Vme58DeafMailbox, AStopGoesThroughTheRingToo) {
   run(Millis(130));
   EXPECT_THAT(lines(), testing::IsSupersetOf({"> mailbox SA", "> SA"}));
   EXPECT_LT(axis().speed.value, 20000);
-  EXPECT_THAT(told(), HasSubstr("acknowledged a stop in its mailbox, and no axis slows down"));
+  EXPECT_THAT(told(), HasSubstr("acknowledged a stop in its mailbox, and nothing came of it"));
   run(Seconds(1));
   expect_stays();
   EXPECT_EQ(axis().ended_by, EndedBy::stop);
@@ -184,6 +184,35 @@ TEST_F(Vme58DeafMailbox, AStopGoesThroughTheRingToo) {
   EXPECT_EQ(told(), "");
   run(Seconds(1));
   expect_stays();
+}
+
+TEST_F(Vme58DeafMailbox, ATypedStopIsWatchedToo) {
+  turn();
+  (void)told();
+  (void)lines();
+  session->send(intent::SendText("SA"));
+  run(Millis(130));
+  EXPECT_THAT(lines(), testing::IsSupersetOf({"> mailbox SA", "> SA"}));
+  EXPECT_LT(axis().speed.value, 20000);
+  EXPECT_THAT(told(), HasSubstr("acknowledged a stop in its mailbox, and nothing came of it"));
+  run(Seconds(1));
+  expect_stays();
+}
+
+// Between two motions an axis rests: a look at its speed alone takes that for the stop's doing.
+TEST_F(Vme58DeafMailbox, WhatWaitsInAQueueIsNotTakenForStopped) {
+  for (const char* typed : {"", "SA"}) {
+    ASSERT_TRUE(query("AX AC1000000 LS200 MR1 GO WT30 LE"));
+    run(Millis(300));
+    (void)lines();
+    if (*typed)
+      session->send(intent::SendText(typed));
+    else
+      session->send(intent::Stop());
+    run(Millis(300));
+    EXPECT_THAT(lines(), testing::Contains("> SA")) << typed;
+    expect_stays();
+  }
 }
 
 TEST_F(Vme58DeafMailbox, AnAbortGoesThroughTheRingToo) {

@@ -1,6 +1,6 @@
 #pragma once
 // Both Arcus controllers from the console's side: what differs is in the Forms. One subject per file:
-//   driver_talk.cpp      questions, commands, what comes unasked
+//   conversation.h       questions, commands, what comes unasked
 //   driver_text.cpp      the user's own text
 //   driver_connect.cpp   finding the device, saying why not
 //   driver_restart.cpp   noticing that it was switched off and on; lost wires
@@ -24,6 +24,7 @@
 
 #include "core/device/driver.h"
 #include "core/devices/arcus/codec.h"
+#include "core/devices/arcus/conversation.h"
 #include "core/devices/arcus/language/dialect.h"
 #include "core/devices/arcus/language/program.h"
 #include "core/devices/arcus/stored_code.h"
@@ -31,16 +32,6 @@
 #include "core/devices/arcus/unexplained.h"
 
 namespace hw::arcus {
-
-/// It never went out.
-inline bool was_kept_back(const Fault& fault) {
-  return fault.kind == FaultKind::stopped || fault.kind == FaultKind::refused;
-}
-
-/// A question may be asked again.
-inline bool worth_another_try(const Fault& fault) {
-  return fault.kind == FaultKind::no_answer || fault.kind == FaultKind::garbled;
-}
 
 class ArcusDriver final : public Driver {
  public:
@@ -89,6 +80,11 @@ class ArcusDriver final : public Driver {
     std::uint64_t misses = 0;  ///< answers that had not come until then
     bool program_ran = false;
   };
+  /// What had gone out, and what had not come back, when a round of status began.
+  struct Look {
+    Unexplained::Mark counters, motors;
+    std::uint64_t misses;
+  };
   /// A setting that is written for one motion, and put back behind it.
   struct Borrowed {
     std::string name;
@@ -102,26 +98,9 @@ class ArcusDriver final : public Driver {
     bool told = false;
   };
 
-  // ---- driver_talk.cpp
-  Task<Result<Reply>> exchange(std::string text, Priority priority, Duration patience,
-                               bool own_question = false);
-  Task<Result<Reply>> say(std::string text, Priority priority, Duration patience, bool own_question);
-  Task<Result<>> hear_its_name(Priority priority);
-  [[nodiscard]] bool is_its_name(std::string_view text) const;
-  [[nodiscard]] bool is_anothers_name(std::string_view bytes) const;
-  Task<Result<std::string>> ask(std::string question, Priority priority, bool again = false);
-  Task<Result<Reply>> exchange_question(std::string question, Priority priority, bool again);
-  Task<Result<std::int64_t>> ask_number(std::string question, Priority priority);
-  Task<Result<std::vector<std::int64_t>>> ask_numbers(std::string question, std::size_t count,
-                                                      Priority priority);
-  Task<Result<>> command(std::string text, Priority priority, Duration patience = Millis(200));
-  Task<Result<>> broadcast(std::string text, Priority priority);
-  Task<> wait_for_quiet();
-  std::size_t hear(std::string_view bytes);
-  tl::unexpected<Fault> refusal(std::string_view sent, std::string_view reply) const;
-  tl::unexpected<Fault> no_connection() const;
   void tell(Notice::Kind kind, std::string text);
-  [[nodiscard]] Framing framing() const;
+  void goes_out(std::string_view command);
+  void not_done(std::string_view command);
 
   // ---- driver_text.cpp
   Task<Result<>> send_text(const intent::SendText& wish);
@@ -141,7 +120,6 @@ class ArcusDriver final : public Driver {
   tl::unexpected<Fault> silent() const;
   tl::unexpected<Fault> garbled(std::string_view bytes) const;
   tl::unexpected<Fault> echoed() const;
-  tl::unexpected<Fault> two_answer() const;
   tl::unexpected<Fault> line_feeds_come() const;
   [[nodiscard]] int factory_id() const;
 
@@ -149,7 +127,9 @@ class ArcusDriver final : public Driver {
   [[nodiscard]] Pps fastest_way_to_zero(int axis) const;
   [[nodiscard]] Stood where_all_stand() const;
   void may_set(std::string_view command);
-  void look_at_counters(Unexplained::Mark asked, bool was_silent = false);
+  [[nodiscard]] Look begin_look() const;
+  void look_at_counters(const Look& look, bool was_silent = false);
+  Task<Result<>> look_after_silence();
   Task<Result<>> look_at_motors(Unexplained::Mark asked);
   Task<Result<bool>> power_up_leads_here();
   Task<Result<bool>> something_is_kept();
@@ -223,6 +203,7 @@ class ArcusDriver final : public Driver {
   void end_feed();
 
   // ---- driver_stop.cpp
+  Task<Result<>> send_stop(const StopOrder& order);
   Task<Result<>> stop_line(bool at_once);
   Task<Result<>> stop_axes(int axis, bool at_once, bool motion_only);
   Task<Result<>> stop_all(std::string word);
@@ -238,7 +219,7 @@ class ArcusDriver final : public Driver {
   void stands(int axis);
 
   // ---- driver_subroutine.cpp
-  std::optional<Called> note_call(std::string_view text);
+  void note_call(std::string_view text);
   [[nodiscard]] Duration longest_run(std::string_view call) const;
   [[nodiscard]] bool subroutine_may_run();
   StopProgress outlast_subroutine(const StopOrder& order, bool turns);
@@ -296,7 +277,7 @@ class ArcusDriver final : public Driver {
   std::function<void()> changed_;
   const Forms& forms_;
   const language::Dialect& dialect_;
-  Station* station_ = nullptr;
+  Conversation talk_;
 
   std::array<AxisMind, max_axes> minds_{};
   Unexplained counters_, motors_;  ///< of positions and encoders; of motor power
@@ -311,10 +292,7 @@ class ArcusDriver final : public Driver {
   bool halting_ = false;  ///< programs were told to end: whether they have is asked while axes stop
 
   bool name_told_ = false, slow_told_ = false;
-  Duration least_patience_{};  ///< with one that answers slowly
-  Instant lost_at_{}, heard_at_{};
-  int strays_ = 0;      ///< texts that nobody asked for
-  int line_feeds_ = 0;  ///< behind the ends of answers: something on the way turns CR into CR LF
+  Instant lost_at_{};
   Instant round_began_{};
   Instant motion_asked_at_{};  ///< the oldest question of the newest round that has been applied
   int round_ = 0;
@@ -322,6 +300,7 @@ class ArcusDriver final : public Driver {
   std::uint32_t watched_ = 0;
   std::optional<StoredCode> stored_code_;  ///< not known: not looked, or foreign code
   std::optional<Called> called_;
+  std::optional<Called> called_before_;    ///< the last text that went out, should it be refused
   std::uint64_t outlasted_stop_ = 0;  ///< the stop that watches it
   Instant stood_at_{};                ///< since that stop
   Instant moved_at_{};                ///< when an axis was last seen to move, or may have

@@ -43,7 +43,7 @@ Task<Result<>> ArcusDriver::act(intent::Act wish) {
   if (id == "buffer_on") text = "BO";
   if (id == "buffer_off") text = "BF";
   if (id == "timer") text = set_command("TR", value("time"));
-  auto done = co_await command(text, Priority::intent);
+  auto done = co_await talk_.command(text, Priority::intent);
   if (!done) {
     if (info.moves) {
       Fault fault = co_await after_doubt(std::move(done.error()), text);
@@ -61,7 +61,7 @@ Task<Result<>> ArcusDriver::act(intent::Act wish) {
 Task<Result<>> ArcusDriver::clear_errors(std::string_view form, int axis) {
   const bool all = axis < 0 || axis_count() == 1;
   std::string text = all ? std::string(form.substr(0, form.find('a'))) : fill(forms_, form, axis);
-  auto done = co_await command(std::move(text), Priority::intent);
+  auto done = co_await talk_.command(std::move(text), Priority::intent);
   if (!done) co_return done;
   for (int i = 0; i < axis_count(); ++i)
     if ((all || i == axis) && minds_[ix(i)].loop_state != static_cast<int>(LoopState::off))
@@ -76,7 +76,7 @@ Task<Result<>> ArcusDriver::change_speed(int axis, std::int64_t speed, std::int6
   if (accel_ms > 0) {
     std::string name(forms_.accel);
     if (forms_.axis_speeds) {
-      auto own = co_await ask_number(fill(forms_, forms_.axis_accel, axis), Priority::intent);
+      auto own = co_await talk_.ask_number(fill(forms_, forms_.axis_accel, axis), Priority::intent);
       if (!own) co_return fail(own.error());
       if (*own != 0) name = fill(forms_, forms_.axis_accel, axis);
     }
@@ -84,7 +84,7 @@ Task<Result<>> ArcusDriver::change_speed(int axis, std::int64_t speed, std::int6
     if (!borrowed) co_return borrowed;
   }
   const std::string text = fill(forms_, forms_.change_speed, axis, Sign::plus, speed);
-  auto changed = co_await command(text, Priority::intent);
+  auto changed = co_await talk_.command(text, Priority::intent);
   auto returned = co_await give_back();
   if (changed && !returned) co_return returned;
   if (!changed && changed.error().kind == FaultKind::refused)
@@ -94,7 +94,7 @@ Task<Result<>> ArcusDriver::change_speed(int axis, std::int64_t speed, std::int6
 
 Task<Result<>> ArcusDriver::change_target(int axis, std::int64_t target) {
   const std::string text = fill(forms_, forms_.change_target, axis, Sign::plus, target);
-  auto done = co_await command(text, Priority::intent);
+  auto done = co_await talk_.command(text, Priority::intent);
   if (!done) {
     Fault fault = co_await after_doubt(std::move(done.error()), text);
     co_return fail(std::move(fault));
@@ -129,10 +129,10 @@ Task<Result<>> ArcusDriver::draw(const ActionInfo& info, std::vector<std::int64_
 }
 
 Task<Result<>> ArcusDriver::joystick(int axis, bool on) {
-  auto mask = co_await ask_number("JE", Priority::intent);
+  auto mask = co_await talk_.ask_number("JE", Priority::intent);
   if (!mask) co_return fail(mask.error());
   const std::int64_t bit = std::int64_t{1} << axis;
-  auto set = co_await command(set_command("JE", on ? *mask | bit : *mask & ~bit), Priority::intent);
+  auto set = co_await talk_.command(set_command("JE", on ? *mask | bit : *mask & ~bit), Priority::intent);
   if (!set) co_return set;
   const int index = catalog_.find_param("JE");
   changed_param(index);

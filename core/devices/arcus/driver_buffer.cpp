@@ -26,7 +26,7 @@ Task<Result<>> ArcusDriver::start_feed(intent::FeedMoves wish) {
   auto read = co_await read_motion(Priority::intent);
   if (!read) co_return read;
   if (!buffer_on_) {
-    auto on = co_await command("BO", Priority::intent);
+    auto on = co_await talk_.command("BO", Priority::intent);
     if (!on && on.error().kind == FaultKind::refused)
       on.error().advice = "Buffered moves need StepNLoop of X, Y and Z switched off.";
     if (!on) co_return on;
@@ -54,7 +54,7 @@ Task<Result<>> ArcusDriver::feed() {
     const std::vector<std::int64_t> row = std::move(to_feed_.front());
     to_feed_.pop_front();
     const std::string text = fmt::format("I{}:{}:{}:{}", row[0], row[1], row[2], row[3]);
-    auto reply = co_await exchange(text, Priority::intent, Millis(200));
+    auto reply = co_await talk_.exchange(text, Priority::intent, Millis(200));
     if (reply && reply->text == model().refusal(Refusal::buffer_full)) {
       to_feed_.push_front(row);
       buffer_free_ = 0;
@@ -63,7 +63,7 @@ Task<Result<>> ArcusDriver::feed() {
     if (!reply || reply->text != "OK") {
       const int sent = draft_.feed.sent;
       end_feed();
-      Fault fault = reply ? refusal(text, reply->text).value() : reply.error();
+      Fault fault = reply ? talk_.refusal(text, reply->text).value() : reply.error();
       if (fault.kind == FaultKind::stopped) co_return Result<>();
       fault.done = fmt::format("{} moves of the list were sent; the rest was not.", sent);
       tell(Notice::Kind::error, fault.sentence());

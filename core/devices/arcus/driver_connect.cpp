@@ -13,13 +13,10 @@ std::string hex_of(std::string_view bytes) {
   return all + (bytes.size() > 12 ? " ..." : "");
 }
 
-constexpr int attempts_at_connect = 3;
+constexpr int attempts_at_connect = 4;
 constexpr Duration first_patience = Millis(300);
-constexpr Duration slow_from = Millis(150), slow_patience = std::chrono::seconds(1);
-
-bool looks_like_a_version(std::string_view text) {
-  return text.size() >= 2 && text[0] == 'V' && text[1] >= '0' && text[1] <= '9';
-}
+constexpr Duration long_asked = std::chrono::seconds(3);  // and it goes on making no sense
+constexpr Duration slow_from = Millis(150);
 
 }  // namespace
 
@@ -31,7 +28,10 @@ ArcusDriver::ArcusDriver(DriverContext context, const Forms& forms, const langua
       notify_(std::move(context.notify)),
       changed_(std::move(context.changed)),
       forms_(forms),
-      dialect_(dialect) {
+      dialect_(dialect),
+      talk_(scheduler_, catalog_, forms_, texts_, changed_) {
+  talk_.goes_out = [this](std::string_view command) { goes_out(command); };
+  talk_.not_done = [this](std::string_view command) { not_done(command); };
   draft_.axis_count = axis_count();
   draft_.identity.model = catalog_.name;
   for (int i = 0; i < axis_count(); ++i) draft_.axes[i].enabled = false;
@@ -44,21 +44,19 @@ std::string ArcusDriver::axis_name(int axis) const {
   return catalog_.axes[static_cast<std::size_t>(axis)].name;
 }
 
-void ArcusDriver::attach(Station& station) {
-  station_ = &station;
-  station.unsolicited = [this](std::string_view bytes) { return hear(bytes); };
-}
+void ArcusDriver::attach(Station& station) { talk_.attach(station); }
 
 Task<Result<>> ArcusDriver::connect() {
-  strays_ = line_feeds_ = 0;
+  talk_.forget_strays();
   const Instant began = scheduler_.now();
   moved_at_ = began;  // unseen
   auto found = co_await find();
   // Somebody is there, and what it was asked or answered was lost or garbled: what is wrong stays wrong.
-  const bool heard = station_ && station_->heard_at() > began;
-  if (!found && heard && (worth_another_try(found.error()) || found.error().kind == FaultKind::refused)) {
-    co_await wait_for_quiet();
-    strays_ = line_feeds_ = 0;
+  const bool heard = talk_.is_open() && talk_.station()->heard_at() > began;
+  const bool soon = scheduler_.now() - began < long_asked;
+  if (!found && heard && soon && (worth_another_try(found.error()) || found.error().kind == FaultKind::refused)) {
+    co_await talk_.wait_for_quiet();
+    talk_.forget_strays();
     found = co_await find();
   }
   if (!found) co_return found;
@@ -76,11 +74,11 @@ Task<Result<>> ArcusDriver::find() {
 }
 
 // ID tells the product; where a firmware does not know it, VER shows at least the family. One that was lost
-// is asked by its name first, so that its answer, if it comes too late, is taken for none of the others on
+// is greeted by its name first, so that its answer, if it comes too late, is taken for none of the others on
 // its line.
 Task<Result<>> ArcusDriver::identify() {
   if (lost_at_ != Instant{}) {
-    const auto anybody = co_await say("DN", Priority::intent, first_patience, true);
+    const auto anybody = co_await talk_.greet(first_patience);
     if (!anybody && anybody.error().kind == FaultKind::no_answer) co_return silent();
     if (!anybody && anybody.error().kind == FaultKind::lost) co_return fail(anybody.error());
   }
@@ -96,12 +94,13 @@ Task<Result<>> ArcusDriver::identify() {
         fmt::format("Device {:02} is a {}, not a {}.", catalog_.address, reply->text, model().title),
         "Nothing more was sent.", "Open it as the other model.");
   const bool known = reply->text == model().product;
-  auto version = co_await ask_who_it_is("VER", looks_like_a_version);
+  auto version = co_await ask_who_it_is("VER", looks::is_version);
   if (!version) co_return fail(version.error());
-  if (line_feeds_ > 0) co_return line_feeds_come();
-  if (!looks_like_a_version(version->text)) co_return garbled(known ? version->text : reply->text);
-  co_await wait_for_quiet();  // a second device with this address would have spoken by now
-  if (strays_ > 0) co_return two_answer();
+  if (talk_.line_feeds() > 0) co_return line_feeds_come();
+  if (!looks::is_version(version->text)) co_return garbled(known ? version->text : reply->text);
+  co_await talk_.wait_for_quiet();  // a second device with this address would have spoken by now
+  if (talk_.strays() > 0) co_return talk_.two_answer();
+  talk_.know_product(known);
   draft_.identity.model = known ? reply->text : hex_of(reply->text);
   draft_.identity.firmware = version->text;
   if (!known)
@@ -116,17 +115,19 @@ Task<Result<>> ArcusDriver::identify() {
 Task<Result<Reply>> ArcusDriver::ask_who_it_is(std::string question,
                                                std::function<bool(std::string_view)> is_it) {
   Result<Reply> reply = fail(FaultKind::no_answer, "");
+  const Instant began = scheduler_.now();
   int silences = 0;
   std::string before;
   for (int attempt = 0; attempt < attempts_at_connect; ++attempt) {
-    reply = co_await exchange(question, Priority::intent, first_patience, true);
+    reply = co_await talk_.exchange(question, Priority::intent, first_patience, true);
     if (reply && (is_it(reply->text) || reply->text == before)) break;
     if (!reply && !worth_another_try(reply.error())) break;
-    if (!reply && reply.error().kind == FaultKind::no_answer && ++silences > 1) break;
-    if (!reply) least_patience_ = slow_patience;  // until it has answered
+    silences += !reply && reply.error().kind == FaultKind::no_answer ? 1 : 0;
+    const bool heard = talk_.is_open() && talk_.station()->heard_at() > began;
+    if ((silences > 1 && !heard) || scheduler_.now() - began > long_asked) break;
     if (reply) before = reply->text;
-    co_await wait_for_quiet();
-    strays_ = line_feeds_ = 0;
+    co_await talk_.wait_for_quiet();
+    talk_.forget_strays();
   }
   if (reply) note_how_slow();
   co_return reply;
@@ -134,12 +135,12 @@ Task<Result<Reply>> ArcusDriver::ask_who_it_is(std::string question,
 
 // How long it took to answer, beyond the bytes.
 void ArcusDriver::note_how_slow() {
-  if (!station_) return;
+  if (!talk_.is_open()) return;
   constexpr std::size_t usual_bytes = 24;  // of ID and its answer
-  const Duration waited = station_->statistics().last_round_trip - station_->wire_time(usual_bytes);
-  const bool slow = waited > slow_from;
-  least_patience_ = slow ? slow_patience : Duration::zero();
-  if (!slow || std::exchange(slow_told_, true)) return;
+  const Station& station = *talk_.station();
+  const Duration waited = std::max(station.lateness(), station.statistics().last_round_trip) -
+                          station.wire_time(usual_bytes);
+  if (waited <= slow_from || std::exchange(slow_told_, true)) return;
   tell(Notice::Kind::warning,
        fmt::format("It takes {:.1f} s to answer. It is waited for; what is shown of it is as old, and a stop "
                    "is confirmed as late.",
@@ -147,10 +148,11 @@ void ArcusDriver::note_how_slow() {
 }
 
 Task<Result<>> ArcusDriver::read_name() {
-  auto name = co_await ask("DN", Priority::intent);
+  auto name = co_await talk_.ask("DN", Priority::intent);
   if (!name) co_return fail(name.error());
   draft_.identity.serial = *name;
-  const bool usb = framing() == Framing::message;
+  talk_.know_name(*name);
+  const bool usb = talk_.framing() == Framing::message;
   const auto number = number_in_name(model(), *name);
   if (!number && !usb && !std::exchange(name_told_, true))
     tell(Notice::Kind::warning,
@@ -167,6 +169,22 @@ Task<Result<>> ArcusDriver::read_name() {
   co_return Result<>();
 }
 
+// Whatever goes out, before it does: a change that it explains is no power-cycle, and what it starts or ends
+// is not known any more, whether or not it is confirmed.
+void ArcusDriver::goes_out(std::string_view command) {
+  may_set(command);
+  forget_thread(command);
+  note_call(command);
+}
+
+void ArcusDriver::not_done(std::string_view command) {
+  if (command.starts_with("GS")) called_ = called_before_;
+}
+
+void ArcusDriver::tell(Notice::Kind kind, std::string text) {
+  notify_(Notice(kind, scheduler_.now(), std::move(text)));
+}
+
 Task<Result<>> ArcusDriver::read_state() {
   auto motion = co_await read_motion(Priority::intent);
   if (!motion) co_return motion;
@@ -180,12 +198,12 @@ Task<Result<>> ArcusDriver::read_state() {
 // ---- why not
 
 tl::unexpected<Fault> ArcusDriver::silent() const {
-  if (framing() == Framing::message)
+  if (talk_.framing() == Framing::message)
     return fail(FaultKind::no_answer, fmt::format("The {} does not answer on USB.", model().title),
                 "Nothing was sent but the question for its name.",
                 fmt::format("Check its supply ({}) and the cable, and close other programs that use it.",
                             forms_.supply));
-  const int rate = station_ ? station_->rate() : 0;
+  const int rate = talk_.is_open() ? talk_.station()->rate() : 0;
   return fail(
       FaultKind::no_answer,
       fmt::format("No {} answers at address {:02}{}.", model().title, catalog_.address,
@@ -198,7 +216,7 @@ tl::unexpected<Fault> ArcusDriver::silent() const {
 }
 
 tl::unexpected<Fault> ArcusDriver::garbled(std::string_view bytes) const {
-  const int rate = station_ ? station_->rate() : 0;
+  const int rate = talk_.is_open() ? talk_.station()->rate() : 0;
   return fail(
       FaultKind::garbled,
       fmt::format("What answers at address {:02} is no {}: {} came back.", catalog_.address, model().title,
@@ -222,17 +240,6 @@ tl::unexpected<Fault> ArcusDriver::line_feeds_come() const {
               "What came was not used.",
               "Something on the way adds it: switch the conversion of line ends off in the serial server or "
               "adapter.");
-}
-
-tl::unexpected<Fault> ArcusDriver::two_answer() const {
-  return fail(
-      FaultKind::garbled,
-      fmt::format("More than one device answers at address {:02}, or another program talks on this line.",
-                  catalog_.address),
-      "What came was not used.",
-      fmt::format("Connect one of them alone, give it another device name ({}01 to {}99), Store, switch "
-                  "its power off and on.",
-                  model().name_prefix, model().name_prefix));
 }
 
 int ArcusDriver::factory_id() const {

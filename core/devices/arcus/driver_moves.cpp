@@ -48,7 +48,7 @@ Result<> ArcusDriver::may_move_axis(int axis) const {
 // One command that moves these axes.
 Task<Result<>> ArcusDriver::start(std::string text, std::vector<int> axes, Activity activity) {
   const std::string sent = text;
-  auto done = co_await command(std::move(text), Priority::intent);
+  auto done = co_await talk_.command(std::move(text), Priority::intent);
   if (!done) {
     Fault fault = co_await after_doubt(std::move(done.error()), sent);
     co_return fail(std::move(fault));
@@ -65,7 +65,7 @@ Task<Result<>> ArcusDriver::start(std::string text, std::vector<int> axes, Activ
 // The mode as it is now: a program or another terminal may have changed it since the last round.
 Task<Result<bool>> ArcusDriver::ask_incremental() {
   if (!forms_.mode.empty()) {
-    auto mode = co_await ask_number(std::string(forms_.mode), Priority::intent);
+    auto mode = co_await talk_.ask_number(std::string(forms_.mode), Priority::intent);
     if (!mode) co_return fail(mode.error());
     put_readout("MM", *mode);
   } else {
@@ -81,7 +81,7 @@ Task<Result<std::int64_t>> ArcusDriver::ask_position(int axis) {
   const std::string question = fill(forms_, forms_.position, axis);
   std::int64_t last = draft_.axes[axis].position.value;
   for (int attempt = 0; attempt < 4; ++attempt) {
-    auto position = co_await ask_number(question, Priority::intent);
+    auto position = co_await talk_.ask_number(question, Priority::intent);
     if (!position) co_return fail(position.error());
     if (*position == last) co_return *position;
     last = *position;
@@ -186,7 +186,7 @@ Task<Result<>> ArcusDriver::borrow_speed(Pps speed, int axis) {
   if (axis >= 0 && forms_.axis_speeds) {
     bool own = true;
     for (const std::string_view form : {forms_.axis_high_speed, forms_.axis_low_speed, forms_.axis_accel}) {
-      auto value = co_await ask_number(fill(forms_, form, axis), Priority::intent);
+      auto value = co_await talk_.ask_number(fill(forms_, form, axis), Priority::intent);
       if (!value) co_return fail(value.error());
       own = own && *value != 0;
     }
@@ -196,22 +196,22 @@ Task<Result<>> ArcusDriver::borrow_speed(Pps speed, int axis) {
 }
 
 Task<Result<>> ArcusDriver::borrow(std::string name, std::int64_t value) {
-  auto before = co_await ask_number(name, Priority::intent);
+  auto before = co_await talk_.ask_number(name, Priority::intent);
   if (!before) co_return fail(before.error());
   if (*before == value) co_return Result<>();
   borrowed_ = Borrowed{name, *before, value};
-  co_return co_await command(set_command(name, value), Priority::intent);
+  co_return co_await talk_.command(set_command(name, value), Priority::intent);
 }
 
 Task<Result<>> ArcusDriver::give_back() {
   if (!borrowed_) co_return Result<>();
   if (borrowed_->left_alone) {
-    auto present = co_await ask_number(borrowed_->name, Priority::intent);
+    auto present = co_await talk_.ask_number(borrowed_->name, Priority::intent);
     if (!present) co_return fail(present.error());
     if (borrowed_ && *present != borrowed_->for_now) borrowed_.reset();
     if (!borrowed_) co_return Result<>();
   }
-  auto set = co_await command(set_command(borrowed_->name, borrowed_->before), Priority::intent);
+  auto set = co_await talk_.command(set_command(borrowed_->name, borrowed_->before), Priority::intent);
   if (const int index = catalog_.find_param(borrowed_->name); set && index >= 0)
     nobody_sets_.reset(ix(index));  // it was read with the borrowed value, perhaps
   if (set) borrowed_.reset();
@@ -237,7 +237,7 @@ Task<Result<>> ArcusDriver::set_position(intent::SetPosition wish) {
   const int first = wish.axis < 0 ? 0 : wish.axis, last = wish.axis < 0 ? axis_count() - 1 : wish.axis;
   for (int axis = first; axis <= last; ++axis) {
     if (auto may = may_move_axis(axis); !may) co_return may;
-    auto set = co_await command(set_command(fill(forms_, forms_.position, axis), wish.value.value),
+    auto set = co_await talk_.command(set_command(fill(forms_, forms_.position, axis), wish.value.value),
                                 Priority::intent);
     if (!set) {
       if (draft_.axes[axis].in_counts && set.error().kind == FaultKind::refused)
@@ -257,7 +257,7 @@ Task<Result<>> ArcusDriver::set_encoder(intent::SetEncoder wish) {
   for (int axis = first; axis <= last; ++axis) {
     if (auto may = may_move_axis(axis); !may) co_return may;
     auto set =
-        co_await command(set_command(fill(forms_, forms_.encoder, axis), wish.value.value), Priority::intent);
+        co_await talk_.command(set_command(fill(forms_, forms_.encoder, axis), wish.value.value), Priority::intent);
     if (!set) co_return set;
     draft_.axes[axis].has_target = false;
   }
@@ -268,7 +268,7 @@ Task<Result<>> ArcusDriver::set_power(intent::SetPower wish) {
   const int first = wish.axis < 0 ? 0 : wish.axis, last = wish.axis < 0 ? axis_count() - 1 : wish.axis;
   for (int axis = first; axis <= last; ++axis) {
     if (auto may = may_move_axis(axis); !may) co_return may;
-    auto set = co_await command(set_command(fill(forms_, forms_.power, axis, Sign::plus, axis + 1), wish.on),
+    auto set = co_await talk_.command(set_command(fill(forms_, forms_.power, axis, Sign::plus, axis + 1), wish.on),
                                 Priority::intent);
     if (!set) co_return set;
   }
@@ -280,7 +280,7 @@ Task<Result<>> ArcusDriver::set_output(intent::SetOutput wish) {
     co_return fail(FaultKind::refused,
                    fmt::format("There is no output {}: there are DO1 to DO{}.", wish.number, model().outputs),
                    "Nothing was sent.");
-  auto set = co_await command(set_command(fmt::format("DO{}", wish.number), wish.on), Priority::intent);
+  auto set = co_await talk_.command(set_command(fmt::format("DO{}", wish.number), wish.on), Priority::intent);
   if (!set) co_return set;
   auto read = co_await read_io(Priority::intent);
   if (!read) co_return read;

@@ -25,7 +25,8 @@ std::string range_words(const ParamInfo& p) {
 
 Task<Result<>> ArcusDriver::perform(const IntentBody& body) {
   using namespace intent;
-  if (!station_) co_return no_connection();
+  if (!talk_.is_open()) co_return talk_.no_connection();
+  if (auto looked = co_await look_after_silence(); !looked) co_return looked;
   if (auto returned = co_await give_back_first(); !returned) co_return returned;
   if (const auto* i = std::get_if<MoveTo>(&body)) co_return co_await move(i->targets, i->speed, false);
   if (const auto* i = std::get_if<MoveBy>(&body)) co_return co_await move(i->distances, i->speed, true);
@@ -118,33 +119,25 @@ void ArcusDriver::forget_params(std::string_view head) {
 
 Task<Result<>> ArcusDriver::read_param(int index, Priority priority) {
   const ParamInfo& info = catalog_.params[ix(index)];
-  std::string text;
-  for (const bool again : {false, true}) {
-    auto reply = co_await ask(info.mnemonic, priority, again);
-    if (!reply && (reply.error().kind != FaultKind::refused || again)) co_return fail(reply.error());
-    if (!reply) continue;
-    text = *reply;
-    if (const auto value = decode_value(info, text)) {
-      const ParamState& before = draft_.params[ix(index)];
-      const bool taken_back = before.known && before.value != *value && nobody_sets_.test(ix(index)) &&
-                              in_ram_only(index) && *value == after_power_up_[ix(index)];
-      if (taken_back)
-        restarted(fmt::format("{} read {} and now reads {}, and nothing that was sent does that",
-                              info.mnemonic, encode_value(info, before.value), encode_value(info, *value)),
-                  std::nullopt);
-      draft_.params[ix(index)].value = *value;
-      draft_.params[ix(index)].known = true;
-      const bool programs_leave_it = stored_code_ && !stored_code_->sets.test(ix(index));
-      nobody_sets_.set(ix(index), programs_leave_it || scheduler_.now() > programs_run_until_);
-      if (info.stored) compare_with_stored(index);
-      co_return Result<>();
-    }
-    co_await wait_for_quiet();
-  }
-  co_return fail(
-      FaultKind::garbled,
-      fmt::format("The controller answered \"{}\" to {}, which means nothing.", text, info.mnemonic),
-      "It was asked twice.");
+  std::function<bool(std::string_view)> is_value = [&info](std::string_view text) {
+    return decode_value(info, text).has_value();
+  };
+  auto reply = co_await talk_.ask_for(info.mnemonic, std::move(is_value), priority);
+  if (!reply) co_return fail(reply.error());
+  const std::int64_t value = *decode_value(info, *reply);
+  const ParamState& before = draft_.params[ix(index)];
+  const bool taken_back = before.known && before.value != value && nobody_sets_.test(ix(index)) &&
+                          in_ram_only(index) && value == after_power_up_[ix(index)];
+  if (taken_back)
+    restarted(fmt::format("{} read {} and now reads {}, and nothing that was sent does that", info.mnemonic,
+                          encode_value(info, before.value), encode_value(info, value)),
+              std::nullopt);
+  draft_.params[ix(index)].value = value;
+  draft_.params[ix(index)].known = true;
+  const bool programs_leave_it = stored_code_ && !stored_code_->sets.test(ix(index));
+  nobody_sets_.set(ix(index), programs_leave_it || scheduler_.now() > programs_run_until_);
+  if (info.stored) compare_with_stored(index);
+  co_return Result<>();
 }
 
 // What reads as it is stored needs no Store: it was set back, or the power was off.
@@ -236,7 +229,7 @@ Task<Result<>> ArcusDriver::set_param(intent::SetParam wish) {
                    "Nothing was sent.");
   if (!info.warning.empty() && !wish.confirmed && !(wish.value == 0))
     co_return fail(FaultKind::refused, info.warning, "Nothing was sent.", "Confirm it to go on.");
-  auto set = co_await command(set_command(info, wish.value), Priority::intent);
+  auto set = co_await talk_.command(set_command(info, wish.value), Priority::intent);
   if (!set) co_return set;
   changed_param(index);
   auto read = co_await read_param(index, Priority::intent);
@@ -292,7 +285,7 @@ void ArcusDriver::is_stored() {
 }
 
 Task<Result<>> ArcusDriver::store() {
-  auto done = co_await command("STORE", Priority::intent, store_patience);
+  auto done = co_await talk_.command("STORE", Priority::intent, store_patience);
   if (!done && done.error().kind == FaultKind::no_answer)
     co_return fail(FaultKind::no_answer, "The controller did not confirm in time that it has stored.",
                    "STORE was sent once and is not repeated: the memory bears a limited number of writes.",

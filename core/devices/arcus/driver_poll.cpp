@@ -16,15 +16,15 @@ constexpr int io_every = 4;  // rounds in motion between two looks at inputs, ou
 }  // namespace
 
 Task<Result<>> ArcusDriver::poll(Round round) {
-  if (!station_) co_return no_connection();
+  if (!talk_.is_open()) co_return talk_.no_connection();
   if (round == Round::stopping) co_return co_await see_whether_it_stands();
   ++round_;
-  const Unexplained::Mark counters = counters_.ask(), motors = motors_.ask();
+  const Look look = begin_look();
   auto motion = co_await read_motion(Priority::poll);
   if (!motion) co_return motion;
   auto loop = co_await read_loop(Priority::poll);
   if (!loop) co_return loop;
-  look_at_counters(counters);
+  look_at_counters(look);
   if (borrowed_) {
     auto returned = co_await give_back();
     if (!returned) co_return returned;
@@ -36,7 +36,7 @@ Task<Result<>> ArcusDriver::poll(Round round) {
     if (!io) co_return io;
     auto threads = co_await read_threads(false, Priority::poll);
     if (!threads) co_return threads;
-    auto looked = co_await look_at_motors(motors);
+    auto looked = co_await look_at_motors(look.motors);
     if (!looked) co_return looked;
   }
   auto watched = co_await read_watched();
@@ -51,11 +51,11 @@ Task<Result<>> ArcusDriver::poll(Round round) {
 }
 
 Task<Result<>> ArcusDriver::see_whether_it_stands() {
-  const Unexplained::Mark counters = counters_.ask();
+  const Look look = begin_look();
   auto seen = co_await read_motion(Priority::stop);
   if (seen) seen = co_await read_loop(Priority::stop);
   if (!seen) co_return seen;
-  look_at_counters(counters);
+  look_at_counters(look);
   if (halting_) co_return co_await read_threads(true, Priority::stop);
   co_return Result<>();
 }
@@ -64,7 +64,7 @@ Task<Result<>> ArcusDriver::see_whether_it_stands() {
 Duration ArcusDriver::moving_period() const {
   constexpr std::size_t bytes_of_a_round = 60;
   constexpr Duration without_wire = Millis(10);
-  const Duration round = station_ ? station_->wire_time(bytes_of_a_round) : Duration::zero();
+  const Duration round = talk_.is_open() ? talk_.station()->wire_time(bytes_of_a_round) : Duration::zero();
   if (round == Duration::zero()) return without_wire;
   return std::max(Duration::zero(), round - (scheduler_.now() - round_began_));
 }
@@ -76,14 +76,14 @@ Task<Result<>> ArcusDriver::read_motion(Priority priority) {
   std::size_t fields = axes;
   for (const std::string_view id : forms_.behind_status) fields += id.empty() ? 0 : 1;
   const Instant asked_at = scheduler_.now();
-  auto status = co_await ask_numbers(std::string(forms_.status), fields, priority);
+  auto status = co_await talk_.ask_numbers(std::string(forms_.status), fields, priority);
   if (!status) co_return fail(status.error());
-  auto positions = co_await ask_numbers(std::string(forms_.positions), axes, priority);
+  auto positions = co_await talk_.ask_numbers(std::string(forms_.positions), axes, priority);
   if (!positions) co_return fail(positions.error());
   const Instant seen_at = scheduler_.now();  // what is asked behind it may come late
-  auto encoders = co_await ask_numbers(std::string(forms_.encoders), axes, priority);
+  auto encoders = co_await talk_.ask_numbers(std::string(forms_.encoders), axes, priority);
   if (!encoders) co_return fail(encoders.error());
-  auto speeds = co_await ask_numbers(std::string(forms_.speeds), axes, priority);
+  auto speeds = co_await talk_.ask_numbers(std::string(forms_.speeds), axes, priority);
   if (!speeds) co_return fail(speeds.error());
   if (asked_at < motion_asked_at_) co_return Result<>();  // overtaken: a stop's own round is newer
   motion_asked_at_ = asked_at;
@@ -142,7 +142,7 @@ Task<Result<>> ArcusDriver::read_loop(Priority priority) {
     if (mind.loop_state == static_cast<int>(LoopState::off)) continue;
     const std::string question = fill(forms_, forms_.loop_state, i);
     const Instant asked_at = scheduler_.now();
-    auto state = co_await ask_number(question, priority);
+    auto state = co_await talk_.ask_number(question, priority);
     if (!state) co_return fail(state.error());
     if (asked_at < mind.loop_asked_at) continue;
     mind.loop_asked_at = asked_at;
@@ -155,11 +155,11 @@ Task<Result<>> ArcusDriver::read_loop(Priority priority) {
 }
 
 Task<Result<>> ArcusDriver::read_io(Priority priority) {
-  auto inputs = co_await ask_number("DI", priority);
+  auto inputs = co_await talk_.ask_number("DI", priority);
   if (!inputs) co_return fail(inputs.error());
-  auto outputs = co_await ask_number("DO", priority);
+  auto outputs = co_await talk_.ask_number("DO", priority);
   if (!outputs) co_return fail(outputs.error());
-  auto enables = co_await ask_number("EO", priority);
+  auto enables = co_await talk_.ask_number("EO", priority);
   if (!enables) co_return fail(enables.error());
   draft_.inputs = static_cast<std::uint32_t>(*inputs);
   draft_.inputs_known = (1u << model().inputs) - 1;
@@ -172,7 +172,7 @@ Task<Result<>> ArcusDriver::read_io(Priority priority) {
 
 // In the middle of a long procedure: positions must not grow stale meanwhile.
 Task<> ArcusDriver::stay_live() {
-  if (!station_ || scheduler_.now() - round_began_ < idle_period()) co_return;
+  if (!talk_.is_open() || scheduler_.now() - round_began_ < idle_period()) co_return;
   auto read = co_await read_motion(Priority::poll);
   if (read) read = co_await read_threads(false, Priority::poll);
   changed_();

@@ -57,7 +57,7 @@ Task<Result<>> ArcusDriver::control(int thread, int what) {
                    "Nothing was sent.");
   const std::string text = fmt::format("SR{}={}", thread, what);
   if (what == thread_run) draft_.program.ended_by = EndedBy::nothing;
-  auto done = co_await command(text, Priority::intent);
+  auto done = co_await talk_.command(text, Priority::intent);
   if (!done) {
     Fault fault = co_await after_doubt(std::move(done.error()), text);
     co_return fail(std::move(fault));
@@ -77,7 +77,9 @@ Task<Result<>> ArcusDriver::control(int thread, int what) {
 /// What is told to a thread (SR0=1) may change what it does.
 void ArcusDriver::forget_thread(std::string_view text) {
   const auto n = thread_named_in(text);
-  if (n && *n >= 0 && *n < model().programs) draft_.threads[ix(*n)].known = false;
+  if (!n || *n < 0 || *n >= model().programs) return;
+  draft_.threads[ix(*n)].known = false;
+  if (!ends_program(text)) draft_.threads[ix(*n)].run = RunState::running;  // a stop ends it first
 }
 
 // SR is answered with OK whether the program is there or not (decision AMB-115). One that runs is; one that
@@ -137,7 +139,7 @@ Result<> ArcusDriver::no_thread_runs() const {
 // ---- stored lines
 
 Task<Result<std::string>> ArcusDriver::read_line(int line, Priority priority) {
-  co_return co_await ask(fmt::format("SA{}", line), priority);
+  co_return co_await talk_.ask(fmt::format("SA{}", line), priority);
 }
 
 // An unused line is empty.
@@ -145,7 +147,7 @@ Task<Result<>> ArcusDriver::write_line(int line, std::string text) {
   std::string sent = fmt::format("SA{}={}", line, text);
   const std::uint8_t before =
       std::exchange(draft_.slots_torn, stored_code);  // should the console be closed now
-  auto written = co_await command(std::move(sent), Priority::transfer, Millis(500));
+  auto written = co_await talk_.command(std::move(sent), Priority::transfer, Millis(500));
   // A stop that came first, or a refusal: this line is not stored.
   if (!written && was_kept_back(written.error())) draft_.slots_torn = before;
   co_return written;

@@ -43,7 +43,7 @@ void ArcusDriver::put_readout(std::string_view id, std::int64_t value) {
 
 Task<Result<>> ArcusDriver::read_readout(int index, Priority priority) {
   const ReadoutInfo& info = catalog_.readouts[ix(index)];
-  auto value = co_await ask_number(info.id, priority);
+  auto value = co_await talk_.ask_number(info.id, priority);
   if (!value) co_return fail(value.error());
   put_readout(info.id, *value);
   if (info.group == loop && info.axis >= 0 && info.id == fill(forms_, forms_.loop_state, info.axis)) {
@@ -54,7 +54,7 @@ Task<Result<>> ArcusDriver::read_readout(int index, Priority priority) {
 }
 
 Task<Result<>> ArcusDriver::read_analog(int number, Priority priority) {
-  auto value = co_await ask_number(fmt::format("AI{}", number), priority);
+  auto value = co_await talk_.ask_number(fmt::format("AI{}", number), priority);
   if (!value) co_return fail(value.error());
   draft_.analog[ix(number - 1)] = static_cast<std::int32_t>(*value);
   draft_.analog_known |= 1u << (number - 1);
@@ -63,7 +63,7 @@ Task<Result<>> ArcusDriver::read_analog(int number, Priority priority) {
 }
 
 Task<Result<>> ArcusDriver::read_variable(int number, Priority priority) {
-  auto value = co_await ask_number(fmt::format("V{}", number), priority);
+  auto value = co_await talk_.ask_number(fmt::format("V{}", number), priority);
   if (!value) co_return fail(value.error());
   draft_.variables[ix(number)] = static_cast<std::int32_t>(*value);
   draft_.variables_known.set(ix(number));
@@ -154,7 +154,7 @@ Task<Result<>> ArcusDriver::read_threads(bool all, Priority priority) {
 }
 
 Task<Result<>> ArcusDriver::read_thread(int thread, Priority priority) {
-  auto state = co_await ask_number(fmt::format("SASTAT{}", thread), priority);
+  auto state = co_await talk_.ask_number(fmt::format("SASTAT{}", thread), priority);
   if (!state) co_return fail(state.error());
   const RunState run = run_state(*state);
   const bool nobody_started_it = scheduler_.now() > programs_run_until_ && !called_;
@@ -173,7 +173,7 @@ Task<Result<>> ArcusDriver::read_thread(int thread, Priority priority) {
     known.line = -1;
     co_return Result<>();
   }
-  auto line = co_await ask_number(fmt::format("SPC{}", thread), priority);
+  auto line = co_await talk_.ask_number(fmt::format("SPC{}", thread), priority);
   if (!line) co_return fail(line.error());
   draft_.threads[ix(thread)].line = static_cast<std::int16_t>(*line);
   co_return Result<>();
@@ -187,7 +187,7 @@ Task<Result<>> ArcusDriver::set_variable(const intent::SetVariable& wish) {
                    fmt::format("V{} cannot be set to {}: there are V0 to V{}, of {} to {}.", wish.number,
                                wish.value, facts.count - 1, facts.minimum, facts.maximum),
                    "Nothing was sent.");
-  auto set = co_await command(set_command(fmt::format("V{}", wish.number), wish.value), Priority::intent);
+  auto set = co_await talk_.command(set_command(fmt::format("V{}", wish.number), wish.value), Priority::intent);
   if (!set) co_return set;
   if (wish.number >= facts.stored_from) unsaved_variables_ = draft_.unsaved_setup = true;
   co_return co_await read_variable(wish.number, Priority::intent);

@@ -26,10 +26,12 @@ Pps ArcusDriver::fastest_way_to_zero(int index) const {
   return mind.top_speed.value > 0 ? std::max(axis.speed, mind.top_speed) : at_once;
 }
 
+ArcusDriver::Look ArcusDriver::begin_look() const { return {counters_.ask(), motors_.ask(), talk_.misses()}; }
+
 ArcusDriver::Stood ArcusDriver::where_all_stand() const {
   Stood stood;
   stood.seen_at = scheduler_.now();
-  stood.misses = station_ ? station_->statistics().timeouts : 0;
+  stood.misses = talk_.misses();
   stood.program_ran = draft_.program.run == RunState::running;
   for (int i = 0; i < axis_count(); ++i)
     stood.axes[ix(i)] = {draft_.axes[i].position, fastest_way_to_zero(i),
@@ -49,8 +51,9 @@ void ArcusDriver::may_set(std::string_view command) {
 // programs do that too, and a motion may end there. Where the controller was silent in between, that is not
 // taken for granted: look_at_motors() finds out. See also read_what_power_keeps(), for one that stood at
 // zero.
-void ArcusDriver::look_at_counters(Unexplained::Mark asked, bool was_silent) {
-  const bool unexplained = counters_.answered(asked);
+void ArcusDriver::look_at_counters(const Look& look, bool was_silent) {
+  if (talk_.misses() != look.misses && !was_silent) return;  // some of it may be from before and some from after
+  const bool unexplained = counters_.answered(look.counters);
   const auto before = std::exchange(stood_, where_all_stand());
   if (!before || !unexplained) return;
   const bool silent = was_silent || stood_->misses != before->misses;
@@ -84,10 +87,10 @@ Task<Result<>> ArcusDriver::look_at_motors(Unexplained::Mark asked) {
   const bool changed = before && *before != on && unexplained;
   if (!changed && !zero_in_doubt_) co_return Result<>();
   motors_on_ = before;                                     // until it is sure: the next round asks again
-  auto again = co_await ask_number("EO", Priority::poll);  // a digit may have been garbled
+  auto again = co_await talk_.ask_number("EO", Priority::poll);  // a digit may have been garbled
   if (!again) co_return fail(again.error());
   if (*again != on) co_return Result<>();
-  auto after_power_up = co_await ask_number("EOBOOT", Priority::poll);
+  auto after_power_up = co_await talk_.ask_number("EOBOOT", Priority::poll);
   if (!after_power_up && after_power_up.error().kind != FaultKind::refused)
     co_return fail(after_power_up.error());
   motors_on_ = on;
@@ -114,7 +117,7 @@ Task<Result<bool>> ArcusDriver::power_up_leads_here() {
   bool at_zero = true;
   for (int i = 0; i < axis_count(); ++i) at_zero = at_zero && draft_.axes[i].position == Steps(0);
   if (at_zero) co_return true;
-  auto started = co_await ask_number("SLOAD", Priority::poll);
+  auto started = co_await talk_.ask_number("SLOAD", Priority::poll);
   if (!started && started.error().kind != FaultKind::refused) co_return fail(started.error());
   co_return started.value_or(0) != 0;
 }
@@ -130,7 +133,7 @@ Task<Result<bool>> ArcusDriver::something_is_kept() {
 
 // A program that nobody has started, and that power-up starts.
 Task<Result<>> ArcusDriver::look_at_start(int thread, Priority priority) {
-  auto starts_at_power_up = co_await ask_number("SLOAD", priority);
+  auto starts_at_power_up = co_await talk_.ask_number("SLOAD", priority);
   if (!starts_at_power_up && starts_at_power_up.error().kind != FaultKind::refused)
     co_return fail(starts_at_power_up.error());
   if ((starts_at_power_up.value_or(0) >> thread & 1) != 0)
@@ -145,8 +148,26 @@ bool ArcusDriver::programs_switch_motors() const { return !stored_code_ || store
 // may have been.
 Task<Result<>> ArcusDriver::look_back_over_the_loss() {
   if (stood_ && stood_->program_ran) program_runs();  // until a moment ago, perhaps
-  look_at_counters(counters_.settle(), true);
+  counters_.settle();
+  look_at_counters(begin_look(), true);
   co_return co_await look_at_motors(motors_.ask());
+}
+
+// Where an answer was missing since the last look, whatever goes out next might hide a restart: an axis that
+// moves does not stand at zero. What was asked for meant the controller as it was before.
+Task<Result<>> ArcusDriver::look_after_silence() {
+  if (!stood_ || stood_->misses == talk_.misses()) co_return Result<>();
+  const std::uint32_t restarts = draft_.restarts;
+  const Look look = begin_look();
+  auto seen = co_await read_motion(Priority::intent);
+  if (seen) seen = co_await read_loop(Priority::intent);
+  if (seen) look_at_counters(look);
+  if (seen && zero_in_doubt_) seen = co_await read_io(Priority::intent);
+  if (seen && zero_in_doubt_) seen = co_await look_at_motors(look.motors);
+  if (!seen && seen.error().kind == FaultKind::stopped) co_return seen;
+  if (draft_.restarts == restarts) co_return Result<>();
+  co_return fail(FaultKind::refused, "The controller was switched off and on, and stands otherwise now.",
+                 "Nothing was sent.", "Look at its positions before you ask again.");
 }
 
 void ArcusDriver::restarted(std::string_view how_it_shows, const std::optional<Stood>& before) {
@@ -179,8 +200,8 @@ void ArcusDriver::restarted(std::string_view how_it_shows, const std::optional<S
 }
 
 void ArcusDriver::wire_lost() {
-  if (!station_) return;
-  station_ = nullptr;
+  if (!talk_.is_open()) return;
+  talk_.wire_lost();
   lost_at_ = scheduler_.now();
   if (borrowed_) borrowed_->left_alone = true;
   end_feed();
@@ -196,7 +217,7 @@ void ArcusDriver::wire_lost() {
     axis.direction = 0;
     axis.speed = axis.own_speed = Pps{};
   }
-  for (ThreadState& t : draft_.threads) t = ThreadState();
+  for (ThreadState& t : draft_.threads) t.known = false;  // those that ran are stopped first
   draft_.inputs_known = draft_.outputs_known = draft_.analog_known = 0;
   draft_.readouts_known.reset();
   draft_.variables_known.reset();

@@ -23,25 +23,32 @@ Fault joystick_not_read(bool switched_off) {
 
 Task<Result<std::string>> ArcusDriver::stop(const StopOrder& order) {
   using What = StopOrder::What;
-  if (!station_)
+  if (!talk_.is_open())
     co_return fail(FaultKind::lost, "Stop does not reach the controller: there is no connection.",
                    "Nothing was sent.", "Use its power switch.");
   if (order.what == What::words) co_return co_await stop_by_words(order);
-  Result<> sent;
-  if (order.what == What::broadcast)
-    sent = co_await stop_line(order.at_once);
-  else if (order.what == What::program)
-    sent = co_await halt_program(order.thread);
-  else
-    sent = co_await stop_axes(order.axis, order.at_once, order.what == What::jog);
+  const Instant began = scheduler_.now();
+  auto sent = co_await send_stop(order);
+  const bool heard = talk_.is_open() && talk_.station()->heard_at() >= began;
+  if (!sent && heard && worth_another_try(sent.error())) {  // on a clean line its answers are its own
+    const bool clean = co_await talk_.come_clean(Priority::stop);
+    if (clean) sent = co_await send_stop(order);
+  }
   if (!sent) co_return fail(sent.error());
   co_return std::string();
+}
+
+Task<Result<>> ArcusDriver::send_stop(const StopOrder& order) {
+  using What = StopOrder::What;
+  if (order.what == What::broadcast) co_return co_await stop_line(order.at_once);
+  if (order.what == What::program) co_return co_await halt_program(order.thread);
+  co_return co_await stop_axes(order.axis, order.at_once, order.what == What::jog);
 }
 
 // A stop for all devices of the line in one message; the stop of each follows.
 Task<Result<>> ArcusDriver::stop_line(bool at_once) {
   if (model().broadcast < 0) co_return Result<>();
-  co_return co_await broadcast(at_once ? "ABORT" : "STOP", Priority::stop);
+  co_return co_await talk_.broadcast(at_once ? "ABORT" : "STOP", Priority::stop);
 }
 
 // What a jog moves stops alone: programs, and axes that they move, go on.
@@ -51,9 +58,9 @@ Task<Result<>> ArcusDriver::stop_axes(int axis, bool at_once, bool motion_only) 
   const bool all = axis < 0 || axis_count() == 1;
   const std::string word = all ? std::string(form.substr(0, form.find('a'))) : fill(forms_, form, axis);
   stopping(all ? -1 : axis, at_once);
-  if (motion_only) co_return co_await command(word, Priority::stop);
+  if (motion_only) co_return co_await talk_.command(word, Priority::stop);
   if (all) co_return co_await stop_all(word);
-  auto said = co_await command(word, Priority::stop);
+  auto said = co_await talk_.command(word, Priority::stop);
   auto released = co_await release_joystick(axis, word);
   co_return said ? released : said;
 }
@@ -64,8 +71,11 @@ Task<Result<>> ArcusDriver::stop_axes(int axis, bool at_once, bool motion_only) 
 Task<Result<>> ArcusDriver::stop_all(std::string word) {
   halting_ = true;
   std::bitset<max_threads> running;
-  for (int n = 0; n < model().programs; ++n) running.set(ix(n), may_run(n));
-  Result<> all = co_await command(word, Priority::stop);
+  for (int n = 0; n < model().programs; ++n) {
+    const RunState last = draft_.threads[ix(n)].run;  // also where it is not known any more
+    running.set(ix(n), last == RunState::running || last == RunState::held);
+  }
+  Result<> all = co_await talk_.command(word, Priority::stop);
   // Where nobody answers, what still has to be heard does not wait for long.
   const auto patience = [&all] { return all ? Millis(200) : Millis(60); };
   const auto note = [&all](Result<> next) {
@@ -82,7 +92,7 @@ Task<Result<>> ArcusDriver::stop_all(std::string word) {
     }
     if (!told) continue;
     const Duration wait = patience();
-    auto said = co_await command(word, Priority::stop, wait);
+    auto said = co_await talk_.command(word, Priority::stop, wait);
     note(std::move(said));
   }
   if (!all && all.error().kind != FaultKind::refused) co_return all;  // the next time asks for the joystick
@@ -105,7 +115,7 @@ bool ArcusDriver::may_run(int thread) const {
 
 Task<Result<>> ArcusDriver::halt_thread(int thread, Duration patience) {
   std::string text = fmt::format("SR{}=0", thread);
-  co_return co_await command(std::move(text), Priority::stop, patience);
+  co_return co_await talk_.command(std::move(text), Priority::stop, patience);
 }
 
 // The program ends; the motion that it has begun goes on.
@@ -127,7 +137,7 @@ Task<Result<>> ArcusDriver::halt_program(int thread) {
 Task<Result<>> ArcusDriver::release_joystick(int axis, std::string stop) {
   if (!forms_.joystick) co_return Result<>();
   const int index = catalog_.find_param("JE");
-  const auto mask = co_await ask_number("JE", Priority::stop);
+  const auto mask = co_await talk_.ask_number("JE", Priority::stop);
   if (!mask && (mask.error().kind == FaultKind::lost || mask.error().kind == FaultKind::stopped))
     co_return fail(mask.error());
   const std::int64_t kept = axis < 0 || !mask ? 0 : *mask & ~(std::int64_t{1} << axis);
@@ -136,9 +146,9 @@ Task<Result<>> ArcusDriver::release_joystick(int axis, std::string stop) {
     draft_.params[ix(index)].known = false;
     co_return fail(joystick_not_read(false));
   }
-  const auto set = co_await command(set_command("JE", kept), Priority::stop);
+  const auto set = co_await talk_.command(set_command("JE", kept), Priority::stop);
   changed_param(index);
-  auto said = co_await command(stop, Priority::stop);
+  auto said = co_await talk_.command(stop, Priority::stop);
   if (!set) co_return set;
   if (!mask) co_return fail(joystick_not_read(true));
   draft_.params[ix(index)].value = kept;
@@ -182,7 +192,7 @@ StopProgress ArcusDriver::programs_end(const StopOrder& order) const {
     const RunState run = draft_.threads[ix(n)].run;
     const bool meant = order.thread < 0 || n == order.thread;
     if (!meant || (run != RunState::running && run != RunState::held)) continue;
-    if (order.times_sent < stop_attempts) return StopProgress::again();
+    if (!order.confirmed || order.times_sent < stop_attempts) return StopProgress::again();
     return StopProgress::failed(Fault(FaultKind::controller,
                                       fmt::format("Program {} still runs: something starts it again.", n),
                                       fmt::format("It was told to stop {} times.", order.times_sent),

@@ -15,18 +15,17 @@ constexpr Duration longest_rest = std::chrono::seconds(5);  // that is waited fo
 
 }  // namespace
 
-/// Before it is sent: whether or not it is confirmed. Returns what was known before.
-std::optional<ArcusDriver::Called> ArcusDriver::note_call(std::string_view text) {
-  const auto before = called_;
-  if (!text.starts_with("GS")) return before;
+/// Before it is sent: whether or not it is confirmed.
+void ArcusDriver::note_call(std::string_view text) {
+  if (!text.starts_with("GS")) return;
+  called_before_ = called_;
   const auto number = decode_number(text.substr(2));
-  if (!number || *number < 0 || *number >= subroutines) return before;
+  if (!number || *number < 0 || *number >= subroutines) return;
   const auto n = static_cast<std::size_t>(*number);
   const bool known = stored_code_ && stored_code_->subs[n];
-  if (known && !stored_code_->subs[n]->moves) return before;
+  if (known && !stored_code_->subs[n]->moves) return;
   called_ = Called{static_cast<int>(n), known ? stored_code_->subs[n]->rests : std::nullopt};
   moved_at_ = scheduler_.now();
-  return before;
 }
 
 /// Of what moves nothing, too: no status shows it.

@@ -36,6 +36,8 @@ Task<Result<std::string>> ArcusDriver::query(std::string text, Duration patience
   if (cut_to_one_command(text))
     co_return fail(FaultKind::refused, "This is more than one command: the end of a line ends one.",
                    "Nothing was sent.", "Send them one by one.");
+  auto looked = co_await look_after_silence();
+  if (!looked && looked.error().kind == FaultKind::stopped) co_return fail(looked.error());
   auto returned = co_await give_back_first();
   if (!returned) co_return fail(returned.error());
   co_return co_await say_text(std::move(text), Priority::intent, patience);
@@ -46,7 +48,7 @@ Task<Result<std::string>> ArcusDriver::stop_by_words(const StopOrder& order) {
   const bool more = cut_to_one_command(text);
   end_feed();
   if (order.meaning.whom == TextMeaning::For::everybody && address_of(text) < 0) {
-    auto sent = co_await broadcast(text, Priority::stop);
+    auto sent = co_await talk_.broadcast(text, Priority::stop);
     if (!sent) co_return fail(sent.error());
     note_sent(text);
     co_return std::string();
@@ -64,14 +66,14 @@ Task<Result<std::string>> ArcusDriver::say_text(std::string text, Priority prior
   const std::string command = command_in(text);
   const int to = address_of(text);
   if (model().broadcast >= 0 && to == model().broadcast) {
-    auto sent = co_await broadcast(std::string(text_of(text)), priority);
+    auto sent = co_await talk_.broadcast(std::string(text_of(text)), priority);
     if (!sent) co_return fail(sent.error());
     note_sent(command);
     note_done(command);
     co_return std::string();
   }
   const bool anothers = to >= 0 && to != catalog_.address;
-  auto reply = co_await exchange(text, priority, patience);
+  auto reply = co_await talk_.exchange(text, priority, patience);
   if (!reply && anothers && reply.error().kind == FaultKind::no_answer)
     co_return fail(FaultKind::no_answer,
                    fmt::format("Device {:02} did not answer {} in time.", to, text_of(text)));
@@ -93,8 +95,8 @@ TextMeaning ArcusDriver::meaning_of(const intent::SendText& text) const {
 Task<Result<>> ArcusDriver::send_text(const intent::SendText& wish) {
   std::string text = wish.text;
   if (wish.broadcast && address_of(text) < 0) {
-    if (model().broadcast < 0 || framing() == Framing::message)
-      co_return co_await broadcast(std::move(text), Priority::intent);  // which says why not
+    if (model().broadcast < 0 || talk_.framing() == Framing::message)
+      co_return co_await talk_.broadcast(std::move(text), Priority::intent);  // which says why not
     text.insert(0, fmt::format("@{:02}", model().broadcast));
   }
   auto reply = co_await query(std::move(text), typed_patience);

@@ -135,6 +135,25 @@ std::optional<Greeting> decode_greeting(std::string_view reply) {
   return greeting;
 }
 
+bool fits(ReplyForm form, std::string_view reply) {
+  const auto count = static_cast<std::size_t>(form.count);
+  const auto slip = [](char c) { return c == 'S' || c == 'N'; };
+  switch (form.of) {
+    case ReplyForm::Of::anything: return true;
+    case ReplyForm::Of::numbers: return decode_numbers(reply).has_value();
+    case ReplyForm::Of::hex: return decode_hex(reply).has_value();
+    case ReplyForm::Of::greeting: return decode_greeting(reply).has_value();
+    case ReplyForm::Of::flags: {
+      const auto parts = split(reply, ',');
+      return parts.size() == count && decode_all_flags(reply).size() == count;
+    }
+    case ReplyForm::Of::slips: return reply.size() == count && std::all_of(reply.begin(), reply.end(), slip);
+    case ReplyForm::Of::loop:
+      return reply.size() == 6 && (reply[0] == 'E' || reply[0] == 'D') && (reply[1] == 'E' || reply[1] == 'D');
+  }
+  return true;
+}
+
 void append_axis_reads(std::vector<BusCycle>& cycles, int axis, int count) {
   for (int i = 0; i < count; ++i)
     cycles.push_back(BusCycle::read(4, offset_of(axis, static_cast<AxisValue>(i))));

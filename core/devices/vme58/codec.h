@@ -46,6 +46,14 @@ std::optional<std::vector<std::int64_t>> decode_numbers(std::string_view reply);
 /// "3F00".
 std::optional<std::uint32_t> decode_hex(std::string_view reply);
 
+/// What a reply to some question looks like: one that looks otherwise belongs to another.
+struct ReplyForm {
+  enum class Of : std::uint8_t { anything, numbers, hex, greeting, flags, slips, loop };
+  Of of = Of::anything;
+  int count = 0;  ///< of flags and slips: axes
+};
+bool fits(ReplyForm form, std::string_view reply);
+
 /// Four letters of RA and QA (decision M91).
 struct AxisFlags {
   bool plus = true;  ///< direction

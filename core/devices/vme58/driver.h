@@ -29,6 +29,8 @@
 #include "core/devices/vme58/catalog.h"
 #include "core/devices/vme58/codec.h"
 #include "core/devices/vme58/command_text.h"
+#include "core/devices/vme58/commands.h"
+#include "core/devices/vme58/mailbox.h"
 #include "core/devices/vme58/parameters.h"
 #include "core/devices/vme58/servo_place.h"
 #include "core/motion/servo_watch.h"
@@ -37,10 +39,7 @@ namespace hw::vme58 {
 
 std::unique_ptr<Driver> make_driver(DriverContext context);
 
-/// Why a procedure has ended, where its text was put already and may be carried out.
-Fault when_put(Fault why);
-
-class Vme58Driver final : public Driver {
+class Vme58Driver final : public Driver, private Readings::Listener {
  public:
   explicit Vme58Driver(DriverContext context);
 
@@ -112,58 +111,12 @@ class Vme58Driver final : public Driver {
     std::optional<Borrowed> velocity;  ///< VL, while a move with a speed of its own has another there
     std::optional<PutVelocity> put_velocity;
   };
-  struct Registers {
-    std::uint8_t control = 0, status = 0, limit = 0, home = 0;
-    std::uint16_t io = 0, mark = 0;
-    int input_put = 0, output_get = 0;
-  };
-  enum class WhenStuck : std::uint8_t { withdraw, leave };
-  /// When the board is told to copy its axis data: with the reading of the registers, or by itself.
-  enum class Copy : std::uint8_t { is_asked_for, ask };
-
-  // ---- driver_talk.cpp
-  std::vector<BusCycle>& burst();
-  Task<Result<>> run(std::vector<BusCycle>& cycles, Priority priority);
-  Task<Result<>> pause(Duration time);
-  Task<Result<int>> read_index(std::uint16_t offset, Priority priority);
-  Task<Result<bool>> put_text(std::string text, Priority priority);
-  Task<Result<>> write(std::string text, Priority priority, WhenStuck when_stuck = WhenStuck::withdraw);
-  Task<Result<bool>> is_taken(Priority priority);
-  Task<Result<>> withdraw_text(Priority priority, int from);
-  Task<Result<>> select_again(Priority priority);
-  Task<Result<>> command(std::string text, Priority priority);
-  Task<Result<std::string>> ask(std::string question, Priority priority, Duration patience = Millis(200));
-  Task<Result<std::vector<std::string>>> ask_several(std::string text, std::size_t replies, Priority priority,
-                                                     Duration patience);
-  Task<Result<>> collect(std::vector<std::string>& replies, std::size_t count, Priority priority,
-                         Instant give_up, std::string_view question);
-  Task<Result<>> let_owed_replies_go(Priority priority);
-  Task<Result<>> fetch_replies(int input_put, Priority priority);
-  void give_unsolicited();
-  /// It was put, and a stop came before more was known.
-  [[nodiscard]] bool perhaps_done(const Fault& why) const {
-    return why.kind == FaultKind::no_answer && station_ && station_->preempted();
-  }
-  [[nodiscard]] std::string addressed(std::string_view selector, std::string_view text) const;
-  [[nodiscard]] std::string addressed(int axis, std::string_view text) const;
-  void record(Way way, Priority priority, std::string_view text);
-  tl::unexpected<Fault> no_connection() const;
-  void tell(Notice::Kind kind, std::string text);
-
-  // ---- driver_rejections.cpp
-  tl::unexpected<Fault> rejected(std::string_view text) const;
-  [[nodiscard]] std::string open_loop_words(std::string_view text, Context context) const;
-  Task<Result<bool>> was_rejected(Priority priority);
-  Task<Result<>> settle_late_rejection(Priority priority);
-  void show_late_rejection();
+  void registers_read(const Registers& registers) override;
+  void axes_read(int whole, Instant at) override;
+  void queued_was_rejected(std::string& words);
   [[nodiscard]] std::string rejected_late() const;
   Task<Result<>> end_rejected(std::string what);
   void forget_rejection();
-
-  // ---- driver_mailbox.cpp
-  Task<Result<>> mail(std::string_view letters);
-  Task<Result<bool>> mail_is_taken();
-  Task<Result<>> mail_past_ring(std::string_view word);
 
   // ---- driver_stops.cpp
   Task<Result<>> stop_motion(int axis, bool at_once, bool jog);
@@ -173,6 +126,7 @@ class Vme58Driver final : public Driver {
   [[nodiscard]] bool stops_alone(int axis) const;
   void stopping(int axis, bool at_once);
   void stands(int axis);
+  Task<Result<>> look_at_queues_after_stop();
   void is_anothers(int axis);
   SlowDown& slow_down(int axis);
   [[nodiscard]] Duration effect_patience(int axis, const SlowDown& slow_down) const;
@@ -183,7 +137,6 @@ class Vme58Driver final : public Driver {
 
   // ---- driver_connect.cpp
   Task<Result<>> find_board();
-  Task<Result<>> take_over_rings();
   Task<Result<>> identify();
   Task<Result<>> read_state();
   Task<Result<>> forget_others_units();
@@ -191,28 +144,24 @@ class Vme58Driver final : public Driver {
   Task<Result<>> leave_mark();
   Task<Result<>> found_reset(Doubt why);
   Task<Result<>> reset_by_text(std::string text);
+  Task<Result<>> reset();
+  Task<Result<>> starts_again(std::string_view how);
   void lose_motions();
   void forget();
 
   // ---- driver_poll.cpp
   Task<Result<>> read_more(Registers registers);
-  Task<Result<Registers>> read_registers(Priority priority, bool ask_for_data);
-  Task<Result<>> read_axes(Priority priority, Copy copy = Copy::ask);
-  Task<Result<>> read_all_values(Priority priority);
-  Task<Result<>> read_rings(Priority priority);
-  void take_registers(const Registers& registers);
-  void take_cycles(const std::vector<BusCycle>& cycles);
   void take_parameters(int axis);
   void show_axis(int axis, Instant at);
   void show_still(int axis, Instant at);
   void show_limits(int axis);
   void end_motion(int axis, EndedBy ended_by);
-  void trusted(int axis, Trust how) { draft_.axes[axis].trust.settle(how, scheduler_.now()); }
+  void trusted(int axis, Trust how) { draft_.axes[axis].trust.settle(how, now()); }
   void comes_home(int axis);
   void show_worst();
   void record_round();
-  [[nodiscard]] std::int64_t value(int axis, AxisValue v) const;
-  [[nodiscard]] bool moving(int axis) const;
+  [[nodiscard]] std::int64_t value(int axis, AxisValue v) const { return readings_.value(axis, v); }
+  [[nodiscard]] bool moving(int axis) const { return readings_.moving(axis); }
   [[nodiscard]] static bool met_limit(const AxisMind& mind);
 
   // ---- driver_servo.cpp
@@ -261,7 +210,6 @@ class Vme58Driver final : public Driver {
   Task<Result<>> begin(std::string text, unsigned axes, Activity activity,
                        std::array<Steps, max_axes> targets);
   Result<> may_move(int axis) const;
-  Result<> may_talk() const;
   Result<std::int64_t> checked_speed(Pps speed) const;
 
   // ---- driver_speeds.cpp
@@ -285,6 +233,8 @@ class Vme58Driver final : public Driver {
   Task<Result<>> read_params();
   void factory_params();
   void note_param(const TextCommand& command);
+  void know_param(std::size_t place, std::int64_t value);
+  void note_fraction(const ParameterFact& fact, std::int64_t value);
 
   // ---- driver_text.cpp
   Task<Result<>> send_text(std::string text);
@@ -313,46 +263,42 @@ class Vme58Driver final : public Driver {
     return catalog_.axes[static_cast<std::size_t>(axis)].name;
   }
 
-  Scheduler& scheduler_;
+  [[nodiscard]] Instant now() const { return wire_.now(); }
+  void tell(Notice::Kind kind, std::string text) { wire_.tell(kind, std::move(text)); }
+  [[nodiscard]] std::string addressed(int axis, std::string_view text) const {
+    return selection_.addressed(axis, text);
+  }
+
   const Catalog& catalog_;
   Snapshot& draft_;
   ScriptTexts& texts_;
-  std::function<void(Notice)> notify_;
   std::function<void()> changed_;
   std::function<void(const AxisSample&)> sample_;
   const Variant& variant_;
   const std::vector<Parameter> parameters_;  ///< in the order of the catalog's
-  Station* station_ = nullptr;
-  std::vector<BusCycle> cycles_;  ///< of one burst, in memory that earlier ones have left
+
+  Wire wire_;
+  Selection selection_;
+  Readings readings_;
+  Conversation conversation_;
+  Mailbox mailbox_;
+  Commands commands_;
 
   std::array<AxisMind, max_axes> minds_{};
-  std::array<AxisData, max_axes> data_{};
-  std::array<bool, max_axes> seen_{};         ///< its data has been read since the connection
-  Context context_;                           ///< as the user's text has left it
-  bool selection_lost_ = false;               ///< text was taken back, perhaps half way between two selectors
-  std::array<double, max_axes> user_unit_{};  ///< UU; 0: off
-
-  // rings
-  int put_ = 0, get_ = 0;              ///< the host's two indexes
-  bool rings_known_ = false;           ///< else nothing may be put
-  bool on_its_way_ = false;            ///< text was put that the board is not known to have taken
-  bool in_wq_ = false;                 ///< WQ was put, and the board was not seen to read on
-  std::string received_;               ///< characters that are no whole reply yet
-  std::deque<std::string> replies_;    ///< whole ones that nobody has taken
-  bool echo_ = false;                  ///< EN was sent: between the frames stands what the board was sent
-  std::size_t replies_owed_ = 0;       ///< to questions that nobody waits for any more
-  std::string last_sent_, last_said_;  ///< the latter by the user or for him: no question of a poll
-  bool command_error_ = false;         ///< seen in the status register and not told yet
 
   // mailbox and stops
-  std::uint8_t control_ = 0;   ///< interrupts that the console has enabled
   bool widened_ = false;       ///< a stop of one axis has become one of all, and they do not stand yet
   bool mailbox_deaf_ = false;  ///< it was acknowledged and nothing was done
+  /// What waits in the queues behind a stop of all axes.
+  enum class QueuesAfterStop : std::uint8_t { empty, not_known, wait };
+  QueuesAfterStop queues_after_stop_ = QueuesAfterStop::empty;
+  Instant rests_since_{};  ///< no axis was seen turning since then, or since that stop
 
   bool connected_before_ = false;
+  bool gains_are_whole_ = false;  ///< no gain with a fraction was set since the board's start, as its mark says
+  bool mark_due_ = false;         ///< it has to say something else from here on
   int outputs_direction_ = factory_outputs;
   std::uint8_t limits_ = 0, homes_ = 0, slips_ = 0;
-  std::uint8_t status_ = 0;  ///< as last read
   bool flags_wanted_ = false;
   bool loops_wanted_ = false;  ///< an axis did not come to its place: its loop may have opened
   bool queues_due_ = false;    ///< they are asked for as soon as nothing turns
@@ -360,7 +306,6 @@ class Vme58Driver final : public Driver {
   std::uint32_t watched_ = 0;
   int round_ = 0;
   std::string round_text_;  ///< keeps its memory
-  int next_axis_ = 0;
 
   int sampled_axis_ = -1;
   Instant sample_until_{};

@@ -10,7 +10,7 @@
 namespace hw::vme58 {
 
 Task<Result<>> Vme58Driver::act(intent::Act wish) {
-  if (auto may = may_talk(); !may) co_return may;
+  if (auto may = commands_.may_talk(); !may) co_return may;
   if (auto possible = check_action(catalog_, wish); !possible) co_return possible;
   const ActionInfo& info = catalog_.actions[ix(wish.action)];
   const bool of_axis = !info.fields.empty() && info.fields.front().id == "axis";
@@ -20,7 +20,7 @@ Task<Result<>> Vme58Driver::act(intent::Act wish) {
     case Action::clear_flags:
       for (std::size_t i = 0; i < catalog_.readouts.size(); ++i)
         if (catalog_.readouts[i].group == flag_group) draft_.readouts[i] = 0;
-      co_return co_await command("IC\n", Priority::intent);
+      co_return co_await commands_.say("IC\n", Priority::intent);
     case Action::flush:
       forget_put_velocities(axis);
       text = "FL";
@@ -28,7 +28,7 @@ Task<Result<>> Vme58Driver::act(intent::Act wish) {
     case Action::fraction_jog:
       if (auto may = may_move(axis); !may) co_return may;
       text = addressed(axis, "JF" + encode_number(wish.values[1], 3));
-      if (wish.values[1] == 0) co_return co_await command(std::move(text), Priority::intent);
+      if (wish.values[1] == 0) co_return co_await commands_.say(std::move(text), Priority::intent);
       minds_[ix(axis)].jog_gap = jog_gap(axis, std::abs(static_cast<double>(wish.values[1])) / 1000);
       co_return co_await begin_jog(std::move(text), axis);
     case Action::remainder:
@@ -54,7 +54,7 @@ Task<Result<>> Vme58Driver::act(intent::Act wish) {
     case Action::slip_interrupt: text = "IS"; break;
   }
   const std::string whole = addressed(axis, text);
-  co_return co_await command(whole, Priority::intent);
+  co_return co_await commands_.say(whole, Priority::intent);
 }
 
 }  // namespace hw::vme58

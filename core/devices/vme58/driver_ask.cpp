@@ -15,7 +15,7 @@ constexpr int queue_rounds = 5;
 }  // namespace
 
 Task<Result<>> Vme58Driver::ask_in_turn() {
-  const bool may_ask = !context_.recording;
+  const bool may_ask = !selection_.recording();
   if (may_ask && (flags_wanted_ || wants_done())) {
     auto asked = co_await read_flags(Priority::poll);
     if (!asked) co_return asked;
@@ -23,7 +23,7 @@ Task<Result<>> Vme58Driver::ask_in_turn() {
     auto looked = co_await read_done();
     if (!looked) co_return looked;
   }
-  if (may_ask && (status_ & status::slip) != 0 && (slips_ == 0 || round_ % queue_rounds == 0)) {
+  if (may_ask && (readings_.status() & status::slip) != 0 && (slips_ == 0 || round_ % queue_rounds == 0)) {
     auto asked = co_await read_slips();
     if (!asked) co_return asked;
   }
@@ -68,10 +68,10 @@ Task<Result<bool>> Vme58Driver::is_worked_off() {
   auto queues = co_await read_queues(Priority::poll);
   if (!queues) co_return fail(queues.error());
   if (!queues_empty_ || draft_.any_axis_moving()) co_return false;
-  const auto registers = co_await read_registers(Priority::poll, true);
+  const auto registers = co_await readings_.read_registers(Priority::poll, true);
   if (!registers) co_return fail(registers.error());
-  take_registers(*registers);
-  auto read = co_await read_axes(Priority::poll, Copy::is_asked_for);
+  readings_.take(*registers);
+  auto read = co_await readings_.read_axes(Priority::poll, Readings::Copy::is_asked_for);
   if (!read) co_return fail(read.error());
   co_return !draft_.any_axis_moving();
 }
@@ -80,9 +80,9 @@ Task<Result<bool>> Vme58Driver::is_worked_off() {
 /// (what waits does not fit: fewer entries are free than it takes).
 void Vme58Driver::show_full_queue() {
   draft_.queue_known = 0;
-  Context context = context_;
-  if (in_wq_) return;
-  for (const TextCommand& command : read_commands(last_sent_, context)) {
+  Context context = selection_.context();
+  if (conversation_.waits_in_wq()) return;
+  for (const TextCommand& command : read_commands(conversation_.last_sent(), context)) {
     if (!command.fact || command.fact->when != When::queued || command.context.mode != where::single)
       continue;
     draft_.queue_known = 1u << command.context.axis;
@@ -94,7 +94,8 @@ void Vme58Driver::show_full_queue() {
 // that of the latest motion, which may have led away from the switch: it counts when the switch is met, and
 // when the axis was sent another way and did not move.
 Task<Result<>> Vme58Driver::read_flags(Priority priority) {
-  auto reply = co_await ask("QI\n", priority);
+  const ReplyForm flags_form{ReplyForm::Of::flags, axis_count()};
+  auto reply = co_await conversation_.ask("QI\n", priority, flags_form);
   if (!reply && reply.error().kind == FaultKind::stopped) co_return fail(reply.error());
   flags_wanted_ = false;
   if (!reply) co_return fail(reply.error());
@@ -116,7 +117,7 @@ Task<Result<>> Vme58Driver::read_flags(Priority priority) {
 
 /// An axis of ours stands, and some done flag is set. Or somebody looks at the registers.
 bool Vme58Driver::wants_done() const {
-  if ((status_ & status::done) == 0) return false;
+  if ((readings_.status() & status::done) == 0) return false;
   for (int i = 0; i < axis_count(); ++i) {
     const AxisMind& mind = minds_[ix(i)];
     if (mind.ours && !mind.stopping && !moving(i) && !settles(i) && mind.wanted != Activity::jogging)
@@ -126,9 +127,9 @@ bool Vme58Driver::wants_done() const {
 }
 
 Task<Result<>> Vme58Driver::read_done() {
-  std::vector<BusCycle>& cycles = burst();
+  std::vector<BusCycle>& cycles = wire_.burst();
   cycles.push_back(BusCycle::read(1, reg::done));
-  auto looked = co_await run(cycles, Priority::poll);
+  auto looked = co_await wire_.run(cycles, Priority::poll);
   if (!looked) co_return looked;
   take_done(cycles.front().value);
   co_return Result<>();
@@ -140,7 +141,7 @@ void Vme58Driver::take_done(unsigned axes) {
     AxisMind& mind = minds_[ix(i)];
     if (!bit(axes, i) || !mind.ours || mind.stopping) continue;
     mind.done = true;
-    if (!moving(i)) show_still(i, scheduler_.now());
+    if (!moving(i)) show_still(i, now());
   }
 }
 
@@ -148,13 +149,14 @@ void Vme58Driver::take_done(unsigned axes) {
 // slipped is not where its count says; a servo motor is where its encoder is.
 Task<Result<>> Vme58Driver::read_slips() {
   const auto before = slips_;
-  auto reply = co_await ask("RL\n", Priority::poll);
+  const ReplyForm form{ReplyForm::Of::slips, axis_count()};
+  auto reply = co_await conversation_.ask("RL\n", Priority::poll, form);
   if (!reply) co_return fail(reply.error());
   for (int i = 0; i < axis_count() && ix(i) < reply->size(); ++i) {
     if ((*reply)[ix(i)] != 'S' || bit(slips_, i)) continue;
     slips_ = static_cast<std::uint8_t>(slips_ | 1u << i);
     draft_.axes[i].slipped = true;
-    if (!catalog_.axes[ix(i)].switchable) draft_.axes[i].trust.doubt(Doubt::slipped, scheduler_.now());
+    if (!catalog_.axes[ix(i)].switchable) draft_.axes[i].trust.doubt(Doubt::slipped, now());
     if (const int place = catalog_.find_readout(fmt::format("SLIP{}", axis_name(i))); place >= 0)
       draft_.readouts[ix(place)] = 1;
     tell(Notice::Kind::warning,
@@ -168,7 +170,7 @@ Task<Result<>> Vme58Driver::read_slips() {
 
 /// Which servo loops are closed, by EA (decision M04).
 Task<Result<>> Vme58Driver::read_loops(Priority priority) {
-  if (context_.recording) co_return Result<>();
+  if (selection_.recording()) co_return Result<>();
   std::string text;
   std::vector<int> asked;
   for (int i = 0; i < axis_count(); ++i) {
@@ -177,8 +179,8 @@ Task<Result<>> Vme58Driver::read_loops(Priority priority) {
     asked.push_back(i);
   }
   if (asked.empty()) co_return Result<>();
-  text += context_.selector() + "\n";
-  const auto replies = co_await ask_several(std::move(text), asked.size(), priority, Millis(200));
+  text += selection_.selector() + "\n";
+  const auto replies = co_await conversation_.ask_several(std::move(text), asked.size(), priority, {ReplyForm::Of::loop});
   if (!replies && replies.error().kind == FaultKind::no_answer) co_return Result<>();
   if (!replies) co_return fail(replies.error());
   for (std::size_t n = 0; n < asked.size(); ++n) {
@@ -194,8 +196,8 @@ Task<Result<>> Vme58Driver::read_queues(Priority priority) {
   const bool were_empty = std::exchange(queues_empty_, false);
   std::string text;
   for (int i = 0; i < axis_count(); ++i) text += fmt::format("A{} RQ ", axis_name(i));
-  text += fmt::format("AA RQ AM RQ {}\n", context_.selector());
-  auto replies = co_await ask_several(std::move(text), ix(axis_count()) + 2, priority, Millis(200));
+  text += fmt::format("AA RQ AM RQ {}\n", selection_.selector());
+  auto replies = co_await conversation_.ask_several(std::move(text), ix(axis_count()) + 2, priority, {ReplyForm::Of::numbers});
   // A full ring or a WQ holds questions back: that is an answer too.
   if (!replies && replies.error().kind == FaultKind::no_answer) {
     draft_.queue_known = 0;
@@ -223,7 +225,6 @@ Task<Result<>> Vme58Driver::read_queues(Priority priority) {
   const unsigned all_groups = 3u << axis_count();
   if ((full_room & all_groups) == all_groups)
     for (AxisMind& mind : minds_) mind.in_group = false;
-  const Instant now = scheduler_.now();
   for (int i = 0; i < axis_count(); ++i) {
     AxisMind& mind = minds_[ix(i)];
     const unsigned all_of_it = all_groups | 1u << i;
@@ -232,7 +233,7 @@ Task<Result<>> Vme58Driver::read_queues(Priority priority) {
     const unsigned its = mind.group != 0 ? all_groups : 1u << i;
     const AxisState& axis = draft_.axes[i];
     if ((full_room & its) != its)
-      mind.still_since = now;  // the move stands in the queue: it is under way, or has yet to begin
+      mind.still_since = now();  // the move stands in the queue: it is under way, or has yet to begin
     else
       end_motion(i, axis.has_target && axis.command == axis.target ? EndedBy::target : EndedBy::elsewhere);
   }

@@ -9,7 +9,8 @@
 namespace hw::vme58 {
 namespace {
 
-constexpr std::uint16_t our_mark = 0x4857;  // in a cell that only a reset clears
+// In a cell that only a reset clears.
+constexpr std::uint16_t whole_gains_mark = 0x4857, broken_gains_mark = 0x4846;
 constexpr Duration start_patience = std::chrono::seconds(3);
 constexpr Duration reset_patience = Millis(250);  // as of other text
 constexpr Duration reset_look = Millis(1);
@@ -28,15 +29,20 @@ std::unique_ptr<Driver> make_driver(DriverContext context) {
 }
 
 Vme58Driver::Vme58Driver(DriverContext context)
-    : scheduler_(context.scheduler),
-      catalog_(context.catalog),
+    : catalog_(context.catalog),
       draft_(context.draft),
       texts_(context.texts),
-      notify_(std::move(context.notify)),
       changed_(std::move(context.changed)),
       sample_(std::move(context.sample)),
       variant_(variant_of(catalog_)),
-      parameters_(parameters_of(variant_)) {
+      parameters_(parameters_of(variant_)),
+      wire_(context.scheduler, std::move(context.notify)),
+      selection_(catalog_),
+      readings_(wire_, catalog_, draft_, *this),
+      conversation_(wire_, readings_, selection_, texts_),
+      mailbox_(wire_, conversation_),
+      commands_(wire_, readings_, conversation_, selection_, catalog_, draft_) {
+  commands_.rejected_late = [this](std::string& words) { queued_was_rejected(words); };
   draft_.axis_count = axis_count();
   draft_.identity.model = catalog_.name;
   draft_.slot_bytes_used.fill(0);
@@ -45,13 +51,14 @@ Vme58Driver::Vme58Driver(DriverContext context)
 
 void Vme58Driver::forget() {
   minds_ = {};
-  seen_ = {};
+  readings_.forget();
   to_feed_.clear();
   feeding_.clear();
-  limits_ = homes_ = slips_ = status_ = 0;
+  limits_ = homes_ = slips_ = 0;
   flags_wanted_ = true;
   queues_due_ = queues_empty_ = draft_.working = false;
-  echo_ = widened_ = false;
+  conversation_.echoes(false);
+  widened_ = false;
   draft_.queue_known = 0;
   draft_.window.rings_known = false;
   draft_.program.run = RunState::idle;
@@ -80,7 +87,7 @@ void Vme58Driver::lose_motions() {
 
 void Vme58Driver::wire_lost() {
   // Whoever connects anew selects an axis, which ends a recording on the board too.
-  if (std::exchange(context_.recording, false))
+  if (selection_.end_recording())
     tell(Notice::Kind::warning,
          "The contour that was being recorded is gone with the connection. Record it from its CD on.");
   lose_motions();
@@ -95,37 +102,33 @@ void Vme58Driver::wire_lost() {
   for (ParamState& p : draft_.params) p.known = false;
   draft_.inputs_known = draft_.outputs_known = 0;
   draft_.window.known = false;
-  received_.clear();
-  replies_.clear();
-  replies_owed_ = 0;
-  rings_known_ = false;
+  conversation_.lose();
   sampled_axis_ = -1;
-  station_ = nullptr;
+  wire_.detach();
 }
 
 void Vme58Driver::attach(Station& station) {
-  station_ = &station;
-  rings_known_ = false;
+  wire_.attach(station);
+  conversation_.lose();
   station.interrupted = [this](std::uint8_t) {
     if (changed_) changed_();
   };
-  control_ = station.tells_interrupts() ? control::interrupts | control::done_interrupt |
-                                              control::limit_interrupt | control::slip_interrupt
-                                        : 0;
 }
 
 Task<Result<>> Vme58Driver::connect() {
   auto found = co_await find_board();
   if (!found) co_return found;
-  auto taken = co_await take_over_rings();
+  auto taken = co_await conversation_.take_over();
   if (!taken) co_return taken;
   auto identified = co_await identify();
   if (!identified) co_return identified;
-  std::vector<BusCycle>& cycles = burst();
+  std::vector<BusCycle>& cycles = wire_.burst();
   cycles.push_back(BusCycle::read(2, at::reserved1));
-  auto looked = co_await run(cycles, Priority::intent);
+  auto looked = co_await wire_.run(cycles, Priority::intent);
   if (!looked) co_return looked;
-  const bool unmarked = cycles[0].value == 0;  // another program's mark serves as well
+  const std::uint32_t mark = cycles[0].value;
+  const bool unmarked = mark == 0;  // another program's mark serves as well
+  gains_are_whole_ = unmarked || mark == whole_gains_mark;
   const bool was_reset = connected_before_ && unmarked;
   const bool others_were_here = !connected_before_ && !unmarked;
   Result<> known;
@@ -144,13 +147,13 @@ Task<Result<>> Vme58Driver::connect() {
 
 // Only reads, and none that a board would answer by doing something but clear its flags.
 Task<Result<>> Vme58Driver::find_board() {
-  const Instant give_up = scheduler_.now() + start_patience;
+  const Instant give_up = now() + start_patience;
   for (;;) {
-    std::vector<BusCycle>& cycles = burst();
+    std::vector<BusCycle>& cycles = wire_.burst();
     for (std::uint16_t offset = 0; offset < reg::control; offset += probe_step)
       cycles.push_back(BusCycle::read(2, offset));
     cycles.push_back(BusCycle::read(1, reg::status));
-    auto read = co_await run(cycles, Priority::intent);
+    auto read = co_await wire_.run(cycles, Priority::intent);
     if (!read) co_return read;
     const bool ones = std::all_of(cycles.begin(), cycles.end(), [](const BusCycle& c) {
       return c.value == (c.width == 1 ? 0xFFu : 0xFFFFu);
@@ -163,46 +166,28 @@ Task<Result<>> Vme58Driver::find_board() {
           "the address that was opened agree.");
     const std::uint32_t status = cycles.back().value;
     if ((status & status::initialized) != 0) {
-      command_error_ = false;
+      readings_.forget_command_error();
       co_return Result<>();
     }
-    if (scheduler_.now() > give_up)
+    if (now() > give_up)
       co_return fail(
           FaultKind::no_answer,
           fmt::format("What is there does not report that it has started: its status register reads "
                       "{:02X}, with bit 1 off.",
                       status),
           "Nothing was written.", "Check the board's address. If it is right, reset the crate.");
-    auto paused = co_await pause(Millis(50));
+    auto paused = co_await wire_.pause(Millis(50));
     if (!paused) co_return paused;
   }
 }
 
-// The host's two indexes stand in the window, as whoever spoke last has left them. Replies that nobody has
-// read are let go.
-Task<Result<>> Vme58Driver::take_over_rings() {
-  const auto put = co_await read_index(at::output_put_index, Priority::intent);
-  if (!put) co_return fail(put.error());
-  const auto input_put = co_await read_index(at::input_put_index, Priority::intent);
-  if (!input_put) co_return fail(input_put.error());
-  put_ = *put;
-  get_ = *input_put;
-  received_.clear();
-  rings_known_ = true;
-  std::vector<BusCycle>& cycles = burst();
-  cycles.push_back(BusCycle::store(2, at::input_get_index, static_cast<std::uint32_t>(get_)));
-  cycles.push_back(BusCycle::store(1, reg::control, control_));
-  co_return co_await run(cycles, Priority::intent);
-}
-
 Task<Result<>> Vme58Driver::identify() {
-  auto quiet = co_await write("EF\n", Priority::intent);
+  auto quiet = co_await conversation_.write("EF\n", Priority::intent);
   if (!quiet) co_return quiet;
   // Echoed by a board that another program has left so: no reply to anything.
-  const auto input_put = co_await read_index(at::input_put_index, Priority::intent);
-  if (!input_put) co_return fail(input_put.error());
-  get_ = *input_put;
-  auto name = co_await ask("WY\n", Priority::intent);
+  auto let = co_await conversation_.let_go();
+  if (!let) co_return let;
+  auto name = co_await conversation_.ask("WY\n", Priority::intent);
   if (!name) co_return fail(name.error());
   const auto greeting = decode_greeting(*name);
   if (!greeting)
@@ -211,8 +196,8 @@ Task<Result<>> Vme58Driver::identify() {
   draft_.identity.model =
       greeting->variant.empty() ? greeting->model : greeting->model + "-" + greeting->variant;
   draft_.identity.firmware = greeting->version;
-  std::string axes_question = fmt::format("AA RP {}\n", context_.selector());  // where the user's text stands
-  auto positions = co_await ask(std::move(axes_question), Priority::intent);
+  std::string axes_question = fmt::format("AA RP {}\n", selection_.selector());  // where the user's text stands
+  auto positions = co_await conversation_.ask(std::move(axes_question), Priority::intent, {ReplyForm::Of::numbers});
   if (!positions) co_return fail(positions.error());
   const auto fields = decode_numbers(*positions);
   const int axes = fields ? static_cast<int>(fields->size()) : 0;
@@ -227,7 +212,7 @@ Task<Result<>> Vme58Driver::identify() {
              "The board says that it is a {} with {} axes; it was opened as an {}. Open it with variant={} "
              "in its address.",
              draft_.identity.model.view(), axes, catalog_.name, greeting->variant));
-  auto directions = co_await ask("RB\n", Priority::intent);
+  auto directions = co_await conversation_.ask("RB\n", Priority::intent, {ReplyForm::Of::hex});
   if (!directions) co_return fail(directions.error());
   outputs_direction_ = static_cast<int>(decode_hex(*directions).value_or(factory_outputs));
   tell_other_jumpers();
@@ -254,21 +239,26 @@ void Vme58Driver::tell_other_jumpers() {
 Task<Result<>> Vme58Driver::forget_others_units() {
   std::string text;
   for (int i = 0; i < axis_count(); ++i) text += fmt::format("A{} UF ", axis_name(i));
-  text += context_.selector() + "\n";
-  co_return co_await write(std::move(text), Priority::intent);
+  text += selection_.selector() + "\n";
+  co_return co_await conversation_.write(std::move(text), Priority::intent);
 }
 
+/// A later session reads in it whether the whole numbers that the data area shows of the gains are all of
+/// them.
 Task<Result<>> Vme58Driver::leave_mark() {
-  std::vector<BusCycle>& cycles = burst();
-  cycles.push_back(BusCycle::store(2, at::reserved1, our_mark));
-  co_return co_await run(cycles, Priority::intent);
+  std::vector<BusCycle>& cycles = wire_.burst();
+  mark_due_ = false;
+  const std::uint16_t ours = gains_are_whole_ ? whole_gains_mark : broken_gains_mark;
+  cycles.push_back(BusCycle::store(2, at::reserved1, ours));
+  co_return co_await wire_.run(cycles, Priority::intent);
 }
 
 // Everything that was set is as from the factory again. The mark is left before this is told, and not far
 // behind: a stop in between finds the board unmarked as before, or all told.
 Task<Result<>> Vme58Driver::found_reset(Doubt why) {
-  auto taken = co_await take_over_rings();
+  auto taken = co_await conversation_.take_over();
   if (!taken) co_return taken;
+  gains_are_whole_ = true;
   auto marked = co_await leave_mark();
   if (!marked) co_return marked;
   tell(Notice::Kind::warning,
@@ -278,48 +268,62 @@ Task<Result<>> Vme58Driver::found_reset(Doubt why) {
   ++draft_.restarts;
   lose_motions();
   forget();
-  user_unit_ = {};
-  context_ = Context();
-  selection_lost_ = true;  // connecting anew has selected what the user's text had, before this was known
+  selection_.forget();
+  selection_.lose();  // connecting anew has selected what the user's text had, before this was known
   factory_params();
-  for (int i = 0; i < axis_count(); ++i) draft_.axes[i].trust.doubt(why, scheduler_.now());
-  std::string quiet_text = fmt::format("EF {}\n", context_.selector());
-  auto quiet = co_await write(std::move(quiet_text), Priority::intent);
-  if (quiet) selection_lost_ = false;
+  for (int i = 0; i < axis_count(); ++i) draft_.axes[i].trust.doubt(why, now());
+  std::string quiet_text = fmt::format("EF {}\n", selection_.selector());
+  auto quiet = co_await conversation_.write(std::move(quiet_text), Priority::intent);
+  if (quiet) selection_.is_said();
   co_return quiet;
 }
 
 /// RS among a text: it is over when the board has started again, and takes what comes next. It leaves no ring
 /// that could tell whether it was taken.
 Task<Result<>> Vme58Driver::reset_by_text(std::string text) {
-  const auto put = co_await put_text(std::move(text), Priority::intent);
+  const auto put = co_await conversation_.put(std::move(text), Priority::intent);
   if (!put) co_return fail(put.error());
-  const Instant put_at = scheduler_.now();
+  if (*put) co_return co_await starts_again("RS was put into its ring.");
+  co_return fail(FaultKind::no_answer, "The board takes no RS now.", "Nothing was sent.",
+                 "The console's own reset goes past the ring.");
+}
+
+/// The console's own reset.
+Task<Result<>> Vme58Driver::reset() {
+  if (auto may = commands_.may_talk(); !may) co_return may;
+  auto mailed = co_await mailbox_.mail("RS");
+  if (mailed) mailed = co_await starts_again("RS was put into its mailbox.");
+  if (!mailed) co_return fail(when_put(mailed.error()));
+  co_return mailed;
+}
+
+/// `how` it was told to.
+Task<Result<>> Vme58Driver::starts_again(std::string_view how) {
+  const Instant put_at = now();
   bool seen = false;
-  while (*put && station_ && scheduler_.now() < put_at + (seen ? start_patience : reset_patience)) {
-    const auto registers = co_await read_registers(Priority::intent, false);
+  while (wire_.is_open() && now() < put_at + (seen ? start_patience : reset_patience)) {
+    const auto registers = co_await readings_.read_registers(Priority::intent, false);
     if (!registers) co_return fail(registers.error());
     const bool started = (registers->status & status::initialized) != 0;
     seen = seen || !started || registers->mark == 0;
-    if (!seen) take_registers(*registers);
+    if (!seen) readings_.take(*registers);
     if (seen && started) {
       auto told = co_await found_reset(Doubt::reset);
       if (!told) co_return told;
       co_return co_await read_state();
     }
-    auto paused = co_await pause(reset_look);
+    auto paused = co_await wire_.pause(reset_look);
     if (!paused) co_return paused;
   }
   co_return fail(FaultKind::no_answer,
-                 seen ? "The board does not start again." : "The board takes no RS now.",
-                 *put ? "RS was put into its ring." : "Nothing was sent.",
-                 "The console's own reset goes past the ring.");
+                 seen ? "The board does not start again." : "The board does not act on RS.", std::string(how),
+                 "Reset the crate, or switch its power off and on.");
 }
 
 Task<Result<>> Vme58Driver::read_state() {
   flags_wanted_ = loops_wanted_ = true;
   draft_.working = queues_due_ = true;  // another program may have left something in the queues
-  auto all = co_await read_all_values(Priority::intent);
+  auto all = co_await readings_.read_all(Priority::intent);
   if (!all) co_return all;
   co_return co_await poll(Round::usual);
 }

@@ -11,17 +11,8 @@ namespace hw::vme58 {
 
 // ---- may it
 
-/// Text of the console's own would be recorded with the user's contour.
-Result<> Vme58Driver::may_talk() const {
-  if (!station_) return no_connection();
-  if (!context_.recording) return {};
-  return fail(FaultKind::refused,
-              "A contour is being recorded: whatever is sent now would become part of it.",
-              "Nothing was sent.", "End it with CE or CK in the terminal first.");
-}
-
 Result<> Vme58Driver::may_move(int axis) const {
-  if (auto may = may_talk(); !may) return may;
+  if (auto may = commands_.may_talk(); !may) return may;
   if (axis < 0 || axis >= axis_count())
     return fail(FaultKind::refused, fmt::format("There is no axis {} here.", axis + 1), "Nothing was sent.");
   if (draft_.program.run == RunState::running)
@@ -64,7 +55,7 @@ Task<Result<>> Vme58Driver::begin(std::string text, unsigned axes, Activity acti
     mind.done = mind.limit_hit = mind.turned = mind.stopping = mind.by_text = mind.asks_queue = false;
     if (activity != Activity::jogging) begins_to_creep(i, {});
     if (!moving(i)) mind.from_limit = (limits_ >> i & 1) != 0;
-    mind.still_since = scheduler_.now();
+    mind.still_since = now();
     mind.servo.goes_to_place = activity != Activity::jogging;
     mind.servo.settling = false;
     AxisState& axis = draft_.axes[i];
@@ -73,9 +64,9 @@ Task<Result<>> Vme58Driver::begin(std::string text, unsigned axes, Activity acti
     axis.has_target = activity == Activity::moving;
     axis.target = targets[ix(i)];
   }
-  auto sent = co_await command(std::move(text), Priority::intent);
+  auto sent = co_await commands_.say(std::move(text), Priority::intent);
   if (sent) co_return sent;
-  const bool may_begin = perhaps_done(sent.error());
+  const bool may_begin = wire_.perhaps_done(sent.error());
   for (int i = 0; i < axis_count(); ++i)
     if ((axes >> i & 1) != 0) {
       AxisMind& mind = minds_[ix(i)];
@@ -84,7 +75,7 @@ Task<Result<>> Vme58Driver::begin(std::string text, unsigned axes, Activity acti
       mind.wanted = before[ix(i)];  // what still moves is what it was
       mind.at_home = AtHome::nothing;
       draft_.axes[i].has_target = false;
-      show_still(i, scheduler_.now());
+      show_still(i, now());
     }
   if (may_begin) draft_.working = queues_due_ = true;
   co_return sent;
@@ -138,7 +129,7 @@ Task<Result<>> Vme58Driver::move(std::vector<AxisTarget> wish, Pps speed_wish, b
     text = addressed(only, text);
   } else {
     text += encode_list(letters, operands) + " GD ID";
-    text = addressed("AM", text);
+    text = selection_.addressed("AM", text);
   }
   co_return co_await begin(std::move(text), axes, Activity::moving, targets);
 }
@@ -167,12 +158,12 @@ Task<Result<>> Vme58Driver::begin_jog(std::string text, int axis) {
   FaultKind& kind = begun.error().kind;
   if (kind == FaultKind::no_answer) {
     // What the ring did not take was taken back, unless the board was just coming to it.
-    const auto read = co_await read_axes(Priority::intent);
+    const auto read = co_await readings_.read_axes(Priority::intent);
     if (read && !moving(axis)) kind = FaultKind::refused;
   } else if (kind == FaultKind::controller) {
     stopping(axis, false);  // also a jog before it
     std::string stop = addressed(axis, "ST");
-    const auto stopped = co_await write(std::move(stop), Priority::intent);
+    const auto stopped = co_await conversation_.write(std::move(stop), Priority::intent);
     if (!stopped) kind = stopped.error().kind == FaultKind::lost ? FaultKind::lost : FaultKind::no_answer;
   }
   co_return begun;
@@ -204,7 +195,7 @@ Task<Result<>> Vme58Driver::home(intent::Home wish) {
 // ---- positions, power, outputs
 
 Task<Result<>> Vme58Driver::set_position(intent::SetPosition wish) {
-  if (auto may = may_talk(); !may) co_return may;
+  if (auto may = commands_.may_talk(); !may) co_return may;
   if (std::abs(wish.value.value) > position_max)
     co_return fail(FaultKind::refused,
                    fmt::format("{} lies outside the board's range, ±{}.", wish.value.value, position_max),
@@ -218,7 +209,7 @@ Task<Result<>> Vme58Driver::set_position(intent::SetPosition wish) {
 
 // HN closes the loop of a servo axis, HF opens it: the motor is free then.
 Task<Result<>> Vme58Driver::set_power(intent::SetPower wish) {
-  if (auto may = may_talk(); !may) co_return may;
+  if (auto may = commands_.may_talk(); !may) co_return may;
   for (int i = 0; i < axis_count(); ++i) {
     if (wish.axis >= 0 && wish.axis != i) continue;
     if (!catalog_.axes[ix(i)].switchable) {
@@ -236,7 +227,7 @@ Task<Result<>> Vme58Driver::set_power(intent::SetPower wish) {
 
 // On is low for a general line (BL), and high for an auxiliary one (AN): the maker's own words.
 Task<Result<>> Vme58Driver::set_output(intent::SetOutput wish) {
-  if (auto may = may_talk(); !may) co_return may;
+  if (auto may = commands_.may_talk(); !may) co_return may;
   const int place = catalog_.find_output(wish.number);
   if (place < 0)
     co_return fail(FaultKind::refused, fmt::format("There is no output {} on this board.", wish.number),
@@ -247,18 +238,18 @@ Task<Result<>> Vme58Driver::set_output(intent::SetOutput wish) {
     text = addressed(aux, wish.on ? "AN" : "AF");
   else
     text = fmt::format("{}{}\n", wish.on ? "BL" : "BH", wish.number);
-  auto sent = co_await command(std::move(text), Priority::intent);
+  auto sent = co_await commands_.say(std::move(text), Priority::intent);
   const std::uint32_t mask = 1u << place;
-  if (!sent && aux >= 0 && perhaps_done(sent.error())) draft_.outputs_known &= ~mask;
+  if (!sent && aux >= 0 && wire_.perhaps_done(sent.error())) draft_.outputs_known &= ~mask;
   if (!sent) co_return sent;
   if (aux >= 0) {
     draft_.outputs = wish.on ? draft_.outputs | mask : draft_.outputs & ~mask;
     draft_.outputs_known |= mask;
     co_return Result<>();
   }
-  const auto registers = co_await read_registers(Priority::intent, false);
+  const auto registers = co_await readings_.read_registers(Priority::intent, false);
   if (!registers) co_return fail(registers.error());
-  take_registers(*registers);
+  readings_.take(*registers);
   if ((draft_.outputs_known & mask) == 0 || ((draft_.outputs & mask) != 0) == wish.on) co_return Result<>();
   co_return fail(FaultKind::controller,
                  fmt::format("Output {} was to go {}, but its line still reads {}.", wish.number,

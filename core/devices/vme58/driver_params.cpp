@@ -34,7 +34,7 @@ std::string range_words(const ParamInfo& p) {
 
 Task<Result<>> Vme58Driver::perform(const IntentBody& body) {
   using namespace intent;
-  if (!station_) co_return no_connection();
+  if (!wire_.is_open()) co_return no_connection();
   if (const auto* i = std::get_if<MoveTo>(&body)) co_return co_await move(i->targets, i->speed, false);
   if (const auto* i = std::get_if<MoveBy>(&body)) co_return co_await move(i->distances, i->speed, true);
   if (const auto* i = std::get_if<JogStart>(&body)) co_return co_await jog(*i);
@@ -55,27 +55,22 @@ Task<Result<>> Vme58Driver::perform(const IntentBody& body) {
   if (const auto* i = std::get_if<Sample>(&body)) {
     const bool on = i->length.count() > 0 && i->axis.index < axis_count();
     sampled_axis_ = on ? i->axis.index : -1;
-    sample_until_ = scheduler_.now() + i->length;
+    sample_until_ = now() + i->length;
     servo_watch_.start();
     co_return Result<>();
   }
-  if (std::holds_alternative<ReadParams>(body)) co_return co_await read_all_values(Priority::intent);
+  if (std::holds_alternative<ReadParams>(body)) co_return co_await readings_.read_all(Priority::intent);
   if (std::holds_alternative<ReadAgain>(body)) co_return co_await read_state();
   if (std::holds_alternative<Store>(body))
     co_return fail(FaultKind::refused,
                    "A VME58 has no memory that stays: it starts from factory values each time.",
                    "Nothing was sent.", "Save the set-up to a file; restoring the file sets it again.");
-  if (std::holds_alternative<Reset>(body)) {
-    if (auto may = may_talk(); !may) co_return may;
-    auto reset = co_await mail("RS");
-    if (!reset) co_return fail(when_put(reset.error()));
-    co_return reset;
-  }
+  if (std::holds_alternative<Reset>(body)) co_return co_await reset();
   co_return co_await perform_program(body);
 }
 
 Task<Result<>> Vme58Driver::set_param(intent::SetParam wish) {
-  if (auto may = may_talk(); !may) co_return may;
+  if (auto may = commands_.may_talk(); !may) co_return may;
   const int index = catalog_.find_param(wish.mnemonic);
   if (index < 0)
     co_return fail(FaultKind::refused, fmt::format("This board has no parameter {}.", wish.mnemonic),
@@ -94,20 +89,20 @@ Task<Result<>> Vme58Driver::set_param(intent::SetParam wish) {
   if (!may) co_return may;
   const std::string set = set_text(*parameter.fact, wish.value);
   const std::string text = parameter.axis >= 0 ? addressed(parameter.axis, set) : set + "\n";
-  auto sent = co_await command(text, Priority::intent);
+  note_fraction(*parameter.fact, wish.value);
+  auto sent = co_await commands_.say(text, Priority::intent);
   ParamState& state = draft_.params[ix(index)];
-  if (!sent && perhaps_done(sent.error())) state.known = false;
+  if (!sent && wire_.perhaps_done(sent.error())) state.known = false;
   if (!sent) co_return sent;
-  state.value = wish.value;
-  state.known = true;
+  know_param(ix(index), wish.value);
   const bool goes_there = wish.closing == intent::Closing::drive && parameter.fact->drives;
   if (goes_there && draft_.axes[parameter.axis].far_off) begins_to_settle(parameter.axis);
   if (!parameter.fact->shown) co_return Result<>();
   auto& borrowed = minds_[ix(parameter.axis)].velocity;
   if (borrowed && parameter.fact->shown == AxisValue::maximum_velocity) borrowed->before = wish.value;
   // AC, VL and VB wait in the axis' queue: what the board shows may come later.
-  next_axis_ = parameter.axis;
-  auto read = co_await read_axes(Priority::intent);
+  readings_.next_is(parameter.axis);
+  auto read = co_await readings_.read_axes(Priority::intent);
   if (!read) co_return read;
   auto& put = minds_[ix(parameter.axis)].put_velocity;
   if (parameter.fact->shown == AxisValue::maximum_velocity && (put || state.value != wish.value))
@@ -125,7 +120,21 @@ Task<Result<>> Vme58Driver::set_param(intent::SetParam wish) {
       "It was sent once.", "Its queue may be waiting for something.");
 }
 
-/// From the data area, which has integer parts only: a fraction that the console has set stays beside it.
+void Vme58Driver::know_param(std::size_t place, std::int64_t value) {
+  draft_.params[place].value = value;
+  draft_.params[place].known = true;
+  note_fraction(*parameters_[place].fact, value);
+}
+
+/// From here on the data area does not tell all of the gains.
+void Vme58Driver::note_fraction(const ParameterFact& fact, std::int64_t value) {
+  if (!fact.shown || value % unit_of(fact.decimals) == 0) return;
+  mark_due_ = mark_due_ || gains_are_whole_;
+  gains_are_whole_ = false;
+}
+
+/// From the data area, which has integer parts only: a fraction that the console has set stays beside it, and
+/// one that another session has set, or may have, nobody can tell.
 void Vme58Driver::take_parameters(int axis) {
   auto& put = minds_[ix(axis)].put_velocity;
   if (put && put->carried_out) put.reset();
@@ -135,8 +144,9 @@ void Vme58Driver::take_parameters(int axis) {
     const std::int64_t unit = unit_of(parameter.fact->decimals);
     const std::int64_t shown = value(axis, *parameter.fact->shown);
     ParamState& state = draft_.params[i];
-    if (!state.known || state.value / unit != shown) state.value = shown * unit;
-    state.known = true;
+    if (state.known && state.value / unit == shown) continue;
+    state.value = shown * unit;
+    state.known = unit == 1 || gains_are_whole_;
   }
 }
 
@@ -169,8 +179,7 @@ void Vme58Driver::note_param(const TextCommand& sent) {
       state.known = true;
     } else if (letters == fact.letters && !sent.numbers.empty() && sent.numbers.front() &&
                (!fact.shown || fact.decimals > 0)) {  // of a gain the data area has the whole part only
-      state.value = in_units(*sent.numbers.front(), fact);
-      state.known = true;
+      know_param(i, in_units(*sent.numbers.front(), fact));
     }
   }
 }

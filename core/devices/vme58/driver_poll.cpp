@@ -15,11 +15,7 @@
 namespace hw::vme58 {
 namespace {
 
-constexpr Duration copy_time = std::chrono::microseconds(1000);   // decision M26: about 1 ms
 constexpr Duration sample_pause = std::chrono::microseconds(50);  // between two rounds of a recording
-constexpr Duration copy_look = std::chrono::microseconds(300);
-constexpr Duration update_patience = Millis(50);
-constexpr int live_values = 3;  // encoder, position, velocity stand first
 
 }  // namespace
 
@@ -30,49 +26,47 @@ Duration Vme58Driver::idle_period() const {
   return sampling() ? sample_pause : Duration(Millis(200));
 }
 
-std::int64_t Vme58Driver::value(int axis, AxisValue v) const { return data_[ix(axis)][v]; }
-bool Vme58Driver::moving(int axis) const {
-  return seen_[ix(axis)] && value(axis, AxisValue::command_velocity) != 0;
-}
-
 Task<Result<>> Vme58Driver::poll(Round round) {
+  readings_.look_after(sampling() ? Readings::copy_time - sample_pause : Readings::copy_time);
   const Priority priority = round == Round::stopping ? Priority::stop : Priority::poll;
-  const Instant began = scheduler_.now();
-  const auto registers = co_await read_registers(priority, true);
+  const Instant began = now();
+  const auto registers = co_await readings_.read_registers(priority, true);
   if (!registers) co_return fail(registers.error());
   if ((registers->status & status::initialized) == 0) {
-    station_->count_miss();
+    wire_.count_miss();
     co_return fail(FaultKind::garbled, "The board is starting: it has been reset.",
                    "Nothing is known of it yet.");
   }
-  take_registers(*registers);
+  readings_.take(*registers);
   if (registers->mark == 0) {
     auto told = co_await found_reset(Doubt::restarted);
     if (!told) co_return told;
     co_return co_await read_state();
   }
-  auto read = co_await read_axes(priority, Copy::is_asked_for);
+  auto read = co_await readings_.read_axes(priority, Readings::Copy::is_asked_for);
   if (!read) co_return read;
-  station_->count_answer(scheduler_.now() - began, true, scheduler_.now());
+  wire_.count_answer(began, true);
   record_round();
-  if (round == Round::stopping) co_return Result<>();
+  if (round == Round::stopping) co_return co_await look_at_queues_after_stop();
   co_return co_await read_more(*registers);
 }
 
 /// What else a round tells: replies that nobody waits for, and what the board answers to.
 Task<Result<>> Vme58Driver::read_more(Registers registers) {
   ++round_;
-  auto fetched = co_await fetch_replies(registers.input_put, Priority::poll);
-  if (!fetched) co_return fetched;
-  give_unsolicited();
+  auto heard = co_await conversation_.hear(registers.input_put, Priority::poll);
+  if (!heard) co_return heard;
+  if (mark_due_) {
+    auto marked = co_await leave_mark();
+    if (!marked) co_return marked;
+  }
   draft_.window.rings_known = bit(watched_, memory_group);
   if (draft_.window.rings_known) {
-    auto rings = co_await read_rings(Priority::poll);
+    auto rings = co_await readings_.read_rings(Priority::poll);
     if (!rings) co_return rings;
   }
   // Text that the board has not come to holds questions back too, and is nobody's to take away.
-  if (registers.output_get == put_) {
-    on_its_way_ = in_wq_ = false;
+  if (conversation_.is_taken_up_to(registers.output_get)) {
     auto asked = co_await ask_in_turn();
     if (!asked) co_return asked;
   } else {
@@ -90,47 +84,8 @@ Task<Result<>> Vme58Driver::read_more(Registers registers) {
 
 // ---- registers
 
-/// With `ask_for_data` the board is told to copy the axis data, in the same burst.
-Task<Result<Vme58Driver::Registers>> Vme58Driver::read_registers(Priority priority, bool ask_for_data) {
-  std::vector<BusCycle>& cycles = burst();
-  if (ask_for_data) cycles.push_back(BusCycle::store(1, reg::control, control_ | control::update_data));
-  const std::size_t first = cycles.size();
-  for (const std::uint16_t offset :
-       {reg::control, reg::status, reg::limit, reg::home, reg::io_low, reg::io_high, reg::vector})
-    cycles.push_back(BusCycle::read(1, offset));
-  for (const std::uint16_t offset :
-       {at::reserved1, at::input_put_index, at::input_put_index, at::output_get_index, at::output_get_index})
-    cycles.push_back(BusCycle::read(2, offset));
-  auto done = co_await run(cycles, priority);
-  if (!done) co_return fail(done.error());
-  const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(cycles[first + i].value); };
-  const auto word = [&](std::size_t i) { return cycles[first + 7 + i].value; };
-  const bool ones =
-      std::all_of(cycles.begin() + static_cast<std::ptrdiff_t>(first), cycles.end(),
-                  [](const BusCycle& c) { return c.value == (c.width == 1 ? 0xFFu : 0xFFFFu); });
-  if (ones) {
-    station_->count_miss();
-    co_return fail(FaultKind::garbled, "No board answers any more: every byte of the window reads FF.",
-                   "Nothing was repeated.", "Look at the crate's power and at the board.");
-  }
-  if (word(1) != word(2) || !is_index(word(1)) || word(3) != word(4) || !is_index(word(3)))
-    co_return fail(FaultKind::garbled, "The indexes of the rings make no sense.", "They are read again.");
-  Registers r;
-  r.control = byte(0), r.status = byte(1), r.limit = byte(2), r.home = byte(3);
-  r.io = static_cast<std::uint16_t>(byte(4) | (byte(5) & 0x3F) << 8);
-  r.mark = static_cast<std::uint16_t>(word(0));
-  r.input_put = static_cast<int>(word(1)), r.output_get = static_cast<int>(word(3));
-  for (std::size_t i = first; i < cycles.size(); ++i)
-    draft_.window.put(cycles[i].offset, cycles[i].width, cycles[i].value);
-  draft_.window.known = true;
-  co_return r;
-}
-
-void Vme58Driver::take_registers(const Registers& r) {
-  if ((r.status & status::command_error) != 0) command_error_ = true;
-  status_ = r.status;
-  if ((status_ & status::slip) == 0) slips_ = 0;
-  if ((status_ & status::done) == 0) draft_.window.put(reg::done, 1, 0);
+void Vme58Driver::registers_read(const Registers& r) {
+  if ((r.status & status::slip) == 0) slips_ = 0;
   draft_.window.put(reg::slip, 1, slips_);
   const std::uint8_t before = limits_;
   limits_ = r.limit;
@@ -151,7 +106,7 @@ void Vme58Driver::take_registers(const Registers& r) {
     const int place = catalog_.find_readout(fmt::format("SLIP{}", axis_name(i)));
     if (place >= 0) {
       draft_.readouts_known.set(ix(place));
-      draft_.readouts_seen_at[ix(place)] = scheduler_.now();
+      draft_.readouts_seen_at[ix(place)] = now();
     }
   }
   draft_.inputs = r.io;
@@ -164,64 +119,15 @@ void Vme58Driver::take_registers(const Registers& r) {
     draft_.outputs_known = is_output ? draft_.outputs_known | mask : draft_.outputs_known & ~mask;
     draft_.outputs = bit(r.io, line) ? draft_.outputs & ~mask : draft_.outputs | mask;  // low is on
   }
-  draft_.io_seen_at = scheduler_.now();
+  draft_.io_seen_at = now();
 }
 
 // ---- data area
 
-/// Waits for the board's copy. Three values of each axis, and all of one axis in turn.
-Task<Result<>> Vme58Driver::read_axes(Priority priority, Copy copy) {
-  std::vector<BusCycle>& cycles = burst();
-  if (copy == Copy::ask) {
-    cycles.push_back(BusCycle::store(1, reg::control, control_ | control::update_data));
-    auto asked = co_await run(cycles, priority);
-    if (!asked) co_return asked;
-  }
-  const Instant give_up = scheduler_.now() + update_patience;
-  const int whole = next_axis_;
-  next_axis_ = (next_axis_ + 1) % axis_count();
-  Duration look = sampling() ? copy_time - sample_pause : copy_time;
-  for (;;) {
-    auto paused = co_await pause(std::exchange(look, copy_look));
-    if (!paused) co_return paused;
-    cycles.clear();
-    cycles.push_back(BusCycle::read(1, reg::control));
-    for (int i = 0; i < axis_count(); ++i)
-      append_axis_reads(cycles, i, i == whole ? axis_values : live_values);
-    auto done = co_await run(cycles, priority);
-    if (!done) co_return done;
-    if ((cycles.front().value & control::update_data) == 0) break;
-    if (scheduler_.now() > give_up) {
-      station_->count_miss();
-      co_return fail(FaultKind::no_answer,
-                     "The board did not copy its axis data in time (control register, bit 0).",
-                     "Positions are shown as last read.");
-    }
-  }
-  take_cycles(cycles);
-  const Instant now = scheduler_.now();
+void Vme58Driver::axes_read(int whole, Instant at) {
   take_parameters(whole);
-  for (int i = 0; i < axis_count(); ++i) show_axis(i, now);
-  sample(now);
-  co_return Result<>();
-}
-
-Task<Result<>> Vme58Driver::read_all_values(Priority priority) {
-  for (int i = 0; i < axis_count(); ++i) {
-    auto read = co_await read_axes(priority);
-    if (!read) co_return read;
-  }
-  co_return Result<>();
-}
-
-void Vme58Driver::take_cycles(const std::vector<BusCycle>& cycles) {
-  for (const BusCycle& cycle : cycles) {
-    draft_.window.put(cycle.offset, cycle.width, cycle.value);
-    if (cycle.width != 4) continue;
-    const int axis = (cycle.offset - at::axis_data) / axis_stride;
-    const int place = (cycle.offset - at::axis_data) % axis_stride / 4;
-    data_[ix(axis)].values[ix(place)] = static_cast<std::int32_t>(cycle.value);
-  }
+  for (int i = 0; i < axis_count(); ++i) show_axis(i, at);
+  sample(at);
 }
 
 void Vme58Driver::show_axis(int i, Instant at) {
@@ -229,11 +135,11 @@ void Vme58Driver::show_axis(int i, Instant at) {
   AxisMind& mind = minds_[ix(i)];
   const Steps command(value(i, AxisValue::command_position));
   const Steps change = command - axis.command;
-  const bool fresh = axis.position_known && seen_[ix(i)];
+  const bool fresh = axis.position_known && readings_.seen(i);
   if (fresh && change.value != 0 && !mind.counted) mind.way = change.value > 0 ? 1 : -1;
   const bool crept = fresh && change.value != 0 && !mind.counted;
   mind.counted = false;
-  seen_[ix(i)] = true;
+  readings_.see(i);
   const double speed = std::abs(static_cast<double>(value(i, AxisValue::command_velocity)));
   axis.command = command;
   axis.encoder = Steps(value(i, AxisValue::encoder_position));
@@ -305,7 +211,7 @@ void Vme58Driver::show_still(int i, Instant at) {
     if ((mind.group >> other & 1) != 0 && moving(other)) mind.still_since = at;
   axis.activity = mind.wanted;
   if (at - mind.still_since < rest_patience(i)) return;
-  if (context_.recording) return end_motion(i, there ? EndedBy::target : EndedBy::elsewhere);
+  if (selection_.recording()) return end_motion(i, there ? EndedBy::target : EndedBy::elsewhere);
   mind.asks_queue = true;
 }
 
@@ -337,37 +243,21 @@ void Vme58Driver::comes_home(int i) {
     doubt_killed_position(i, static_cast<double>(value(i, AxisValue::maximum_velocity)));
 }
 
-Task<Result<>> Vme58Driver::read_rings(Priority priority) {
-  std::vector<BusCycle>& cycles = burst();
-  for (const std::uint16_t index :
-       {at::input_put_index, at::output_get_index, at::output_put_index, at::input_get_index})
-    cycles.push_back(BusCycle::read(2, index));
-  cycles.push_back(BusCycle::read(2, at::mailbox));
-  cycles.push_back(BusCycle::read(2, at::mailbox + 2));
-  for (const std::uint16_t buffer : {at::input_buffer, at::output_buffer})
-    for (int i = 0; i < ring_cells; ++i)
-      cycles.push_back(BusCycle::read(2, static_cast<std::uint16_t>(buffer + 2 * i)));
-  auto done = co_await run(cycles, priority);
-  if (!done) co_return done;
-  for (const BusCycle& cycle : cycles) draft_.window.put(cycle.offset, cycle.width, cycle.value);
-  co_return Result<>();
-}
-
 // ---- what is told
 
 void Vme58Driver::record_round() {
   round_text_.clear();
   for (int i = 0; i < axis_count(); ++i)
     fmt::format_to(std::back_inserter(round_text_), "{}{}", i == 0 ? "" : " ", draft_.axes[i].position.value);
-  record(Way::sent, Priority::poll, "data area");
-  record(Way::received, Priority::poll, round_text_);
+  wire_.record(Way::sent, Priority::poll, "data area");
+  wire_.record(Way::received, Priority::poll, round_text_);
 }
 
 void Vme58Driver::show_worst() {
   draft_.notice.clear();
-  if (std::exchange(command_error_, false)) show_late_rejection();
+  commands_.show_late_if_any();
   if (draft_.program.run == RunState::error) draft_.notice = rejection_;
-  if (context_.recording)
+  if (selection_.recording())
     draft_.notice = "A contour is being recorded: moves and set-up wait for its end (CE or CK).";
 }
 

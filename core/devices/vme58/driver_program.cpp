@@ -25,9 +25,9 @@ Task<Result<>> Vme58Driver::perform_program(const IntentBody& body) {
   if (const auto* i = std::get_if<LoadProgram>(&body)) co_return co_await load(i->text);
   if (std::holds_alternative<RunProgram>(body)) co_return co_await run_program();
   if (std::holds_alternative<UploadProgram>(body)) {
-    Notice listing(Notice::Kind::program, scheduler_.now(), program_text_);
+    Notice listing(Notice::Kind::program, now(), program_text_);
     listing.slot = 0;
-    if (notify_) notify_(std::move(listing));
+    wire_.tell(std::move(listing));
     co_return Result<>();
   }
   if (std::holds_alternative<ClearProgram>(body)) co_return co_await load({});
@@ -52,7 +52,7 @@ Task<Result<>> Vme58Driver::load(std::string text) {
 }
 
 Task<Result<>> Vme58Driver::run_program() {
-  if (auto may = may_talk(); !may) co_return may;
+  if (auto may = commands_.may_talk(); !may) co_return may;
   if (draft_.program.run == RunState::running)
     co_return fail(FaultKind::refused, "The program is running already.", "Nothing was sent.");
   if (draft_.any_axis_moving())
@@ -60,10 +60,10 @@ Task<Result<>> Vme58Driver::run_program() {
                    "Wait until it ends, or stop it.");
   auto own = co_await give_speeds_back(Priority::intent);
   if (!own) co_return own;
-  auto selected = co_await select_again(Priority::intent);
+  auto selected = co_await conversation_.select_again(Priority::intent);
   if (!selected) co_return selected;
-  Context context = context_;
-  fed_context_ = before_feeding_ = context_;
+  Context context = selection_.context();
+  fed_context_ = before_feeding_ = selection_.context();
   fed_apart_ = false;
   to_feed_.clear();
   const std::string plain = without_comments(program_text_);
@@ -83,7 +83,7 @@ Task<Result<>> Vme58Driver::run_program() {
   p.owned = true;
   p.slot = 0;
   p.ended_by = EndedBy::nothing;
-  p.started_at = scheduler_.now();
+  p.started_at = now();
   draft_.feed.running = true;
   draft_.feed.sent = 0;
   draft_.feed.total = static_cast<std::int32_t>(to_feed_.size());
@@ -94,9 +94,9 @@ Task<Result<>> Vme58Driver::run_program() {
 /// With the selector that the program means, and back to the user's, where the user's text has selected an
 /// axis meanwhile. Never within a contour: a selector would end it.
 std::string Vme58Driver::fed_text(std::string_view command, const Context& after) const {
-  const std::string users = context_.selector(), own = fed_context_.selector();
+  const std::string users = selection_.selector(), own = fed_context_.selector();
   std::string text;
-  if (!fed_context_.recording && (selection_lost_ || (fed_apart_ && own != users))) text = own + " ";
+  if (!fed_context_.recording && (selection_.is_lost() || (fed_apart_ && own != users))) text = own + " ";
   text += fmt::format("{};", command);
   if (fed_apart_ && !after.recording && after.selector() != users) text += " " + users;
   return text + "\n";
@@ -106,13 +106,13 @@ std::string Vme58Driver::fed_text(std::string_view command, const Context& after
 Task<Result<>> Vme58Driver::feed() {
   for (int n = 0; n < commands_a_round; ++n) {
     if (!feeding_.empty()) {
-      const auto taken = co_await is_taken(Priority::transfer);
+      const auto taken = co_await conversation_.is_taken(Priority::transfer);
       if (!taken) co_return fail(taken.error());
       if (!*taken) {
         feeding_waits_ = true;
         co_return Result<>();
       }
-      const auto bad = co_await was_rejected(Priority::transfer);
+      const auto bad = co_await readings_.was_rejected(Priority::transfer);
       if (!bad) co_return fail(bad.error());
       const std::string sent = std::exchange(feeding_, {});
       ++draft_.feed.sent;
@@ -121,9 +121,9 @@ Task<Result<>> Vme58Driver::feed() {
                              ? rejected_late()  // others had their turn meanwhile
                              : fmt::format("Line {}: the board rejected \"{}\".", feeding_line_ + 1, sent);
       if (*bad) {
-        what += open_loop_words(sent, before_feeding_);
-        selection_lost_ = true;  // it may have been the one that selects
-        if (!fed_apart_) context_ = before_feeding_;
+        what += commands_.open_loop_words(sent, before_feeding_);
+        selection_.lose();  // it may have been the one that selects
+        if (!fed_apart_) selection_.set(before_feeding_);
         co_return co_await end_rejected(std::move(what));
       }
       Context read = before_feeding_;
@@ -133,7 +133,7 @@ Task<Result<>> Vme58Driver::feed() {
       draft_.feed.running = false;
       co_return Result<>();
     }
-    const auto late = co_await was_rejected(Priority::transfer);
+    const auto late = co_await readings_.was_rejected(Priority::transfer);
     if (!late) co_return fail(late.error());
     std::string what = rejected_late();
     if (*late) co_return co_await end_rejected(std::move(what));
@@ -141,14 +141,14 @@ Task<Result<>> Vme58Driver::feed() {
     Context after = fed_context_;
     for (const TextCommand& read : read_commands(command, after)) note_group(read);
     std::string text = fed_text(command, after);
-    const auto put = co_await put_text(std::move(text), Priority::transfer);
+    const auto put = co_await conversation_.put(std::move(text), Priority::transfer);
     if (!put) co_return fail(put.error());
     if (!*put) co_return Result<>();
     to_feed_.pop_front();
     before_feeding_ = std::exchange(fed_context_, after);
-    if (!fed_apart_) context_ = after;
-    context_.recording = after.recording;
-    if (!after.recording) selection_lost_ = false;
+    if (!fed_apart_) selection_.set(after);
+    selection_.set_recording(after.recording);
+    if (!after.recording) selection_.is_said();
     feeding_line_ = line;
     feeding_waits_ = false;
     feeding_ = std::move(command);
@@ -160,8 +160,8 @@ void Vme58Driver::end_program(EndedBy ended_by) {
   to_feed_.clear();
   feeding_.clear();
   draft_.feed.running = false;
-  if (std::exchange(context_.recording, false))
-    selection_lost_ = true;  // a selector ends it on the board too
+  if (selection_.end_recording())
+    selection_.lose();  // a selector ends it on the board too
   for (AxisMind& mind : minds_) mind.by_text = mind.in_group = false, mind.at_home = AtHome::nothing;
   ProgramState& p = draft_.program;
   if (p.run != RunState::running) return;
@@ -192,6 +192,40 @@ Task<Result<>> Vme58Driver::watch_program() {
     if (!limit) comes_home(i);
   end_program(limit ? EndedBy::limit : EndedBy::target);
   co_return Result<>();
+}
+
+void Vme58Driver::queued_was_rejected(std::string& words) {
+  for (AxisMind& mind : minds_)
+    if (!mind.ours) mind.at_home = AtHome::nothing;  // it may have been the homing
+  if (draft_.program.run != RunState::running) return;
+  rejection_ = words + " The program did not do all that it says.";
+  words = rejection_;
+  program_flawed_ = true;
+}
+
+std::string Vme58Driver::rejected_late() const {
+  return fmt::format("The board rejected a command of lines 1 to {} when its turn in a queue came.",
+                     feeding_line_ + 1);
+}
+
+/// It stays said until something else is done.
+Task<Result<>> Vme58Driver::end_rejected(std::string what) {
+  auto stopped = co_await stop_all("SA");
+  if (!stopped && stopped.error().kind == FaultKind::stopped) {
+    readings_.put_back_command_error();  // for the next round
+    co_return stopped;
+  }
+  rejection_ = what + " The program ends there, and all axes were stopped.";
+  end_program(EndedBy::error);
+  draft_.notice = rejection_;
+  tell(Notice::Kind::error, rejection_);
+  co_return stopped;
+}
+
+void Vme58Driver::forget_rejection() {
+  if (draft_.program.run != RunState::error) return;
+  draft_.program.run = RunState::idle;
+  draft_.notice.clear();
 }
 
 }  // namespace hw::vme58

@@ -8,7 +8,7 @@
 
 namespace hw::vme58 {
 
-bool Vme58Driver::sampling() const { return sampled_axis_ >= 0 && scheduler_.now() < sample_until_; }
+bool Vme58Driver::sampling() const { return sampled_axis_ >= 0 && now() < sample_until_; }
 
 void Vme58Driver::sample(Instant at) {
   if (sampled_axis_ < 0 || !sample_) return;

@@ -96,18 +96,18 @@ EndedBy Vme58Driver::judged(int i, EndedBy ended_by) {
 void Vme58Driver::begins_to_settle(int i) {
   if (moving(i)) return;
   ServoMind& servo = minds_[ix(i)].servo;
-  servo.place.begin(scheduler_.now());
+  servo.place.begin(now());
   servo.settling = true;
   draft_.axes[i].ended_by = EndedBy::nothing;
   know_loop(i, servo.closed);
-  show_still(i, scheduler_.now());
+  show_still(i, now());
 }
 
 // LP loads both counters (decision M92). Whether with the same number, or so that a closed loop keeps its
 // error, shows in what is read then. It is the encoder that has to read `wanted`.
 Task<Result<>> Vme58Driver::load_positions(int axis, Steps wanted) {
   for (int attempt = 0; attempt < 2; ++attempt) {
-    auto read = co_await read_axes(Priority::intent);
+    auto read = co_await readings_.read_axes(Priority::intent);
     if (!read) co_return read;
     std::array<std::optional<std::int64_t>, most_axes> loaded{};
     for (int i = 0; i < axis_count(); ++i) {
@@ -117,10 +117,10 @@ Task<Result<>> Vme58Driver::load_positions(int axis, Steps wanted) {
       minds_[ix(i)].counted = true;
     }
     std::string text = axis >= 0 ? addressed(axis, fmt::format("LP{}", *loaded[ix(axis)]))
-                                 : addressed("AA", encode_list("LP", loaded));
-    auto sent = co_await command(std::move(text), Priority::intent);
+                                 : selection_.addressed("AA", encode_list("LP", loaded));
+    auto sent = co_await commands_.say(std::move(text), Priority::intent);
     if (!sent) co_return sent;
-    read = co_await read_axes(Priority::intent);
+    read = co_await readings_.read_axes(Priority::intent);
     if (!read) co_return read;
     bool alike = false;
     for (int i = 0; i < axis_count(); ++i)
@@ -135,7 +135,7 @@ Task<Result<>> Vme58Driver::load_positions(int axis, Steps wanted) {
 
 Task<Result<>> Vme58Driver::may_close(int axis, intent::Closing answer, std::string state,
                                       std::string consequence) {
-  auto read = co_await read_axes(Priority::intent);
+  auto read = co_await readings_.read_axes(Priority::intent);
   if (!read) co_return read;
   if (!draft_.axes[axis].far_off || answer == intent::Closing::drive) co_return Result<>();
   if (answer == intent::Closing::stay) co_return co_await take_place(axis);
@@ -158,7 +158,7 @@ Task<Result<>> Vme58Driver::switch_loop(int axis, bool on, intent::Closing answe
   }
   std::string text = addressed(axis, on ? "HN" : "HF");
   minds_[ix(axis)].counted = true;  // the board may take the place of the shaft as its command
-  auto sent = co_await command(std::move(text), Priority::intent);
+  auto sent = co_await commands_.say(std::move(text), Priority::intent);
   if (!sent) loops_wanted_ = true;
   if (!sent) co_return sent;
   know_loop(axis, on);
@@ -198,10 +198,10 @@ Task<Result<>> Vme58Driver::take_place(int axis) {
   std::string text = addressed(axis, closed ? fmt::format("HF LP{} HN", here) : fmt::format("LP{}", here));
   minds_[ix(axis)].counted = true;
   if (minds_[ix(axis)].ours) end_motion(axis, EndedBy::stop);  // what it was sent to is not wanted any more
-  auto sent = co_await command(std::move(text), Priority::intent);
+  auto sent = co_await commands_.say(std::move(text), Priority::intent);
   if (!sent) loops_wanted_ = true;
   if (!sent) co_return sent;
-  auto read = co_await read_axes(Priority::intent);
+  auto read = co_await readings_.read_axes(Priority::intent);
   if (!read) co_return read;
   begins_to_settle(axis);
   if (!draft_.axes[axis].far_off) co_return Result<>();

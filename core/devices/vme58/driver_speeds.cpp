@@ -29,8 +29,8 @@ Task<Result<>> Vme58Driver::read_velocity(int axis, Priority priority) {
     auto asked = co_await read_queues(Priority::poll);
     if (!asked) co_return asked;
   }
-  next_axis_ = axis;
-  auto read = co_await read_axes(priority);
+  readings_.next_is(axis);
+  auto read = co_await readings_.read_axes(priority);
   if (!read && read.error().kind == FaultKind::no_answer) {
     read.error().kind = FaultKind::refused;
     read.error().done = "Nothing was sent.";
@@ -48,7 +48,7 @@ Task<Result<>> Vme58Driver::borrow_velocity(int axis, std::int64_t speed) {
 }
 
 Task<Result<>> Vme58Driver::give_speed_back(int axis, Priority priority) {
-  if (!minds_[ix(axis)].velocity || context_.recording) co_return Result<>();
+  if (!minds_[ix(axis)].velocity || selection_.recording()) co_return Result<>();
   const Borrowed borrowed = *minds_[ix(axis)].velocity;
   if (borrowed.left_alone) {
     auto read = co_await read_velocity(axis, priority);
@@ -60,14 +60,13 @@ Task<Result<>> Vme58Driver::give_speed_back(int axis, Priority priority) {
     co_return Result<>();
   }
   std::string text = addressed(axis, fmt::format("VL{}", borrowed.before));
-  auto given = co_await command(std::move(text), priority);
+  auto given = co_await commands_.say(std::move(text), priority);
   if (!given && given.error().kind != FaultKind::controller) co_return given;  // it is still to be done
   minds_[ix(axis)].velocity.reset();
   if (draft_.working) minds_[ix(axis)].put_velocity = PutVelocity{borrowed.before};
   // It is shown as the axis' own before it comes to be read in turn.
-  data_[ix(axis)].values[ix(static_cast<int>(AxisValue::maximum_velocity))] =
-      static_cast<std::int32_t>(borrowed.before);
-  next_axis_ = axis;
+  readings_.know(axis, AxisValue::maximum_velocity, borrowed.before);
+  readings_.next_is(axis);
   co_return given;
 }
 
@@ -84,11 +83,11 @@ Task<Result<>> Vme58Driver::give_speeds_back(Priority priority) {
 /// that is given back once more: a stop may take this out of the queue. A move of several axes stands in the
 /// queue of AM, and what is put into theirs may come before it.
 Task<Result<>> Vme58Driver::give_speeds_behind_motions(Priority priority) {
-  for (int i = 0; i < axis_count() && !context_.recording; ++i) {
+  for (int i = 0; i < axis_count() && !selection_.recording(); ++i) {
     const auto& borrowed = minds_[ix(i)].velocity;
     if (!borrowed || borrowed->waits_behind || !minds_[ix(i)].ours || minds_[ix(i)].group != 0) continue;
     std::string text = addressed(i, fmt::format("VL{}", borrowed->before));
-    auto given = co_await command(std::move(text), priority);
+    auto given = co_await commands_.say(std::move(text), priority);
     if (!given) co_return given;
     if (minds_[ix(i)].velocity) minds_[ix(i)].velocity->waits_behind = true;
   }
@@ -102,7 +101,7 @@ void Vme58Driver::note_velocity(const TextCommand& command) {
     const std::size_t place = one ? 0 : ix(i);
     if ((one && i != command.context.axis) || place >= command.numbers.size() || !command.numbers[place])
       continue;
-    const double unit = user_unit_[ix(i)] != 0 ? user_unit_[ix(i)] : 1;
+    const double unit = selection_.user_unit(i) != 0 ? selection_.user_unit(i) : 1;
     AxisMind& mind = minds_[ix(i)];
     mind.put_velocity = PutVelocity{std::llround(*command.numbers[place] * unit)};
     if (mind.velocity) mind.velocity->before = mind.put_velocity->value;
@@ -141,7 +140,7 @@ Duration Vme58Driver::jog_gap(int i, double speed) const {
 void Vme58Driver::begins_to_creep(int i, Duration gap) {
   AxisMind& mind = minds_[ix(i)];
   mind.jog_gap = gap;
-  mind.creeps_until = gap > Duration::zero() ? scheduler_.now() + gap : Instant{};
+  mind.creeps_until = gap > Duration::zero() ? now() + gap : Instant{};
 }
 
 }  // namespace hw::vme58

@@ -15,6 +15,7 @@ constexpr Duration free_look = std::chrono::microseconds(500);
 constexpr Duration ring_patience = Millis(5);  // what a stop has cut short may just have been put there
 constexpr Duration effect_time = Millis(60);   // so that what is in vain is seen within 100 ms
 constexpr Duration kill_time = std::chrono::seconds(2);  // KL is sent again for so long
+constexpr Duration longest_rest = Millis(400);  // where the queues do not answer: what waits begins by then
 constexpr double longest_shape = 3;  // a ramp of PN10 against a straight one, and a little
 constexpr Duration ramp_margin = std::chrono::seconds(1);
 
@@ -25,7 +26,7 @@ constexpr Duration ramp_margin = std::chrono::seconds(1);
 Task<Result<std::string>> Vme58Driver::stop(const StopOrder& order) {
   using What = StopOrder::What;
   if (order.what == What::broadcast) co_return std::string();
-  if (!station_)
+  if (!wire_.is_open())
     co_return fail(FaultKind::lost, "Stop does not reach the board: there is no connection.",
                    "Nothing was sent.", "Switch the power of the drives off.");
   forget_rejection();
@@ -46,13 +47,13 @@ bool Vme58Driver::stops_alone(int axis) const {
 
 // What a jog moves stops; the other axes, and what waits for this one, go on.
 Task<Result<>> Vme58Driver::stop_motion(int axis, bool at_once, bool jog) {
-  const bool recorded = context_.recording;
+  const bool recorded = selection_.recording();
   const bool one = axis >= 0 && !at_once && !widened_ && minds_[ix(axis)].group == 0 && !recorded;
-  const bool alone = one && rings_known_ && (jog || stops_alone(axis));
+  const bool alone = one && conversation_.is_known() && (jog || stops_alone(axis));
   if (one && !alone)
     tell(
         Notice::Kind::info,
-        rings_known_
+        conversation_.is_known()
             ? fmt::format("A program or a text may move {} again, so all axes were stopped.", axis_name(axis))
             : fmt::format("What moves {} is not known yet, so all axes were stopped.", axis_name(axis)));
   if (axis >= 0 && at_once && !widened_)
@@ -68,18 +69,20 @@ Task<Result<>> Vme58Driver::stop_motion(int axis, bool at_once, bool jog) {
     co_return Result<>();
   }
   auto stopped = co_await stop_all(at_once ? "KL" : "SA");
-  if (stopped && recorded) (void)co_await select_again(Priority::stop);  // else with the next text
+  if (stopped && recorded) (void)co_await conversation_.select_again(Priority::stop);  // else with the next text
   co_return stopped;
 }
 
 /// Goes like the console's own stops, and means no more than it says. Which axis it selects is known from
 /// here on; the board hears it with the next text.
 Task<Result<>> Vme58Driver::stop_by_text(std::string text) {
-  const bool recorded = context_.recording;
-  const auto commands = read_commands(text, context_);  // which it follows
-  if (recorded && !context_.recording) draft_.working = queues_due_ = true;
+  const bool recorded = selection_.recording();
+  Context context = selection_.context();
+  const auto commands = read_commands(text, context);
+  selection_.set(context);
+  if (recorded && !selection_.recording()) draft_.working = queues_due_ = true;
   for (const TextCommand& command : commands) {
-    selection_lost_ = selection_lost_ || selects(command);
+    if (selects(command)) selection_.lose();
     note_stop_of_program(command);
     note_effects(command);
   }
@@ -103,18 +106,18 @@ Task<Result<>> Vme58Driver::stop_by_text(std::string text) {
 // The mailbox has no place for an axis: ST goes through the ring, as long as nothing stands there. In AA and
 // AM it stops what their queue moves. False: all axes were stopped.
 Task<Result<bool>> Vme58Driver::stop_axis(std::string selector) {
-  if (rings_known_) {
-    auto free = co_await is_taken(Priority::stop);
-    const Instant give_up = scheduler_.now() + ring_patience;
-    while (free && !*free && scheduler_.now() < give_up) {
-      auto paused = co_await pause(free_look);
+  if (conversation_.is_known()) {
+    auto free = co_await conversation_.is_taken(Priority::stop);
+    const Instant give_up = now() + ring_patience;
+    while (free && !*free && now() < give_up) {
+      auto paused = co_await wire_.pause(free_look);
       if (!paused) co_return fail(paused.error());
-      free = co_await is_taken(Priority::stop);
+      free = co_await conversation_.is_taken(Priority::stop);
     }
     if (!free) co_return fail(free.error());
     if (*free) {
-      std::string text = addressed(selector, "ST");
-      const auto written = co_await write(std::move(text), Priority::stop);
+      std::string text = selection_.addressed(selector, "ST");
+      const auto written = co_await conversation_.write(std::move(text), Priority::stop);
       if (written) co_return true;
       const FaultKind kind = written.error().kind;
       if (kind == FaultKind::lost || kind == FaultKind::stopped) co_return fail(written.error());
@@ -133,11 +136,13 @@ Task<Result<bool>> Vme58Driver::stop_axis(std::string selector) {
 /// SA, SD or KL. Through the ring too where the mailbox does nothing.
 Task<Result<>> Vme58Driver::stop_all(std::string_view word) {
   if (word == "KL") doubt_killed_positions();
-  auto mailed = co_await mail_past_ring(word);
+  queues_after_stop_ = QueuesAfterStop::not_known;
+  rests_since_ = now();
+  auto mailed = co_await mailbox_.mail_past_ring(word);
   const bool ring_may_do = mailed ? mailbox_deaf_ : mailed.error().kind == FaultKind::no_answer;
-  if (!ring_may_do || !rings_known_) co_return mailed;
+  if (!ring_may_do || !conversation_.is_known()) co_return mailed;
   std::string text = std::string(word) + "\n";
-  auto written = co_await write(std::move(text), Priority::stop);
+  auto written = co_await conversation_.write(std::move(text), Priority::stop);
   co_return written ? written : mailed;
 }
 
@@ -149,7 +154,7 @@ void Vme58Driver::stopping(int axis, bool at_once) {
     begins_to_creep(i, {});
     mind.at_home = AtHome::nothing;  // one that waits in a queue goes with it
     mind.servo.goes_to_place = mind.servo.settling = false;
-    if (mind.slow_down) mind.slow_down->slower_at = scheduler_.now();
+    if (mind.slow_down) mind.slow_down->slower_at = now();
     if (!moving(i) && !mind.ours) continue;
     mind.stopping = true;
     mind.ended_by = at_once ? EndedBy::abort : EndedBy::stop;
@@ -162,21 +167,27 @@ void Vme58Driver::stopping(int axis, bool at_once) {
 /// A stop is in vain while no axis of it slows down. An axis that its own motion slows down for a moment is
 /// soon as fast as ever again, and one of several on a line may show its share of the ramp late.
 StopProgress Vme58Driver::stop_progress(const StopOrder& order) {
-  if (order.what == StopOrder::What::words) return StopProgress::stands();  // the wire has carried them
-  const Instant now = scheduler_.now();
+  const bool words = order.what == StopOrder::What::words;
+  if (words && !order.stops_all()) return StopProgress::stands();  // the ring has carried them
+  const Instant at = now();
   const int axis = widened_ ? -1 : order.axis;
   bool turns = false, slows = false, overdue = false;
   for (int i = 0; i < axis_count(); ++i) {
     if ((axis >= 0 && i != axis) || !moving(i)) continue;
     const SlowDown& seen = slow_down(i);
     turns = true;
-    slows = slows || now - seen.slower_at <= effect_patience(i, seen);
+    slows = slows || at - seen.slower_at <= effect_patience(i, seen);
     const Duration extra = order.at_once ? kill_time : Duration::zero();
-    overdue = overdue || now - seen.since > longest_ramp(i, seen) + extra;
+    overdue = overdue || at - seen.since > longest_ramp(i, seen) + extra;
   }
   if (turns && !slows && order.what == StopOrder::What::jog && axis >= 0 && !stops_alone(axis)) {
     is_anothers(axis);
     turns = false;
+  }
+  if (!turns && axis < 0 && queues_after_stop_ != QueuesAfterStop::empty) {
+    if (queues_after_stop_ == QueuesAfterStop::wait) stopped_in_vain(axis);
+    if (queues_after_stop_ == QueuesAfterStop::wait) return StopProgress::again();
+    if (at - rests_since_ < longest_rest) return StopProgress::wait();
   }
   if (!turns || (overdue && order.at_once)) stands(axis);
   if (!turns) return StopProgress::stands();
@@ -188,6 +199,27 @@ StopProgress Vme58Driver::stop_progress(const StopOrder& order) {
   if (overdue) return StopProgress::at_once();
   stopped_in_vain(axis);
   return StopProgress::again();
+}
+
+/// A stop of all empties the queues, and one that was not obeyed leaves what waits there: between two of its
+/// motions an axis rests for a moment. Asked as soon as none turns.
+Task<Result<>> Vme58Driver::look_at_queues_after_stop() {
+  if (queues_after_stop_ == QueuesAfterStop::empty || selection_.recording()) co_return Result<>();
+  for (int i = 0; i < axis_count(); ++i)
+    if (moving(i)) {
+      rests_since_ = now();
+      co_return Result<>();
+    }
+  const auto taken = co_await conversation_.is_taken(Priority::stop);
+  if (!taken) co_return fail(taken.error());
+  if (!*taken) co_return Result<>();
+  auto asked = co_await read_queues(Priority::stop);
+  if (!asked) co_return asked;
+  if (queues_empty_)
+    queues_after_stop_ = QueuesAfterStop::empty;
+  else
+    queues_after_stop_ = draft_.queue_known != 0 ? QueuesAfterStop::wait : QueuesAfterStop::not_known;
+  co_return Result<>();
 }
 
 /// A text or a program has begun to move it behind its jog, and that goes on.
@@ -202,10 +234,10 @@ void Vme58Driver::is_anothers(int axis) {
 Vme58Driver::SlowDown& Vme58Driver::slow_down(int axis) {
   const std::int64_t speed = std::abs(value(axis, AxisValue::command_velocity));
   std::optional<SlowDown>& seen = minds_[ix(axis)].slow_down;
-  if (!seen) seen = SlowDown{scheduler_.now(), scheduler_.now(), speed, speed};
+  if (!seen) seen = SlowDown{now(), now(), speed, speed};
   if (speed < seen->least) {
     seen->least = speed;
-    seen->slower_at = scheduler_.now();
+    seen->slower_at = now();
   }
   return *seen;
 }
@@ -231,7 +263,7 @@ void Vme58Driver::stopped_in_vain(int axis) {
          fmt::format("Axis {} does not slow down behind ST, so all axes are stopped.", axis_name(axis)));
   } else if (!std::exchange(mailbox_deaf_, true)) {
     tell(Notice::Kind::warning,
-         "The board has acknowledged a stop in its mailbox, and no axis slows down. From here on stops go "
+         "The board has acknowledged a stop in its mailbox, and nothing came of it. From here on stops go "
          "through its command ring too.");
   }
 }
@@ -239,7 +271,7 @@ void Vme58Driver::stopped_in_vain(int axis) {
 // What was being stopped is shown as it is again.
 void Vme58Driver::stands(int axis) {
   if (axis < 0) widened_ = false;
-  command_error_ = false;  // of text that was taken back half way
+  readings_.forget_command_error();  // of text that was taken back half way
   for (int i = 0; i < axis_count(); ++i) {
     if (axis >= 0 && i != axis) continue;
     minds_[ix(i)].slow_down.reset();
@@ -261,7 +293,7 @@ void Vme58Driver::doubt_killed_position(int i, double speed) {
   const std::int64_t safe = value(i, AxisValue::base_velocity);
   if (catalog_.axes[ix(i)].switchable || speed <= static_cast<double>(safe)) return;
   if (minds_[ix(i)].slow_down && draft_.axes[i].trust.cause == Doubt::killed) return;  // it is told again
-  draft_.axes[i].trust.doubt(Doubt::killed, scheduler_.now());
+  draft_.axes[i].trust.doubt(Doubt::killed, now());
   tell(Notice::Kind::warning,
        fmt::format("Axis {} was stopped without a ramp at {:.0f} counts/s. Above {} (VB) it may have lost "
                    "steps: its position is doubtful until it is homed or set.",

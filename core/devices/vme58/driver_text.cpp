@@ -36,7 +36,7 @@ bool is_queued(const TextCommand& command) { return command.fact && command.fact
 }  // namespace
 
 TextMeaning Vme58Driver::meaning_of(const intent::SendText& text) const {
-  return vme58::meaning_of(text.text, context_, axis_count());
+  return vme58::meaning_of(text.text, selection_.context(), axis_count());
 }
 
 Task<Result<>> Vme58Driver::send_text(std::string text) {
@@ -47,21 +47,21 @@ Task<Result<>> Vme58Driver::send_text(std::string text) {
 }
 
 Task<Result<std::string>> Vme58Driver::query(std::string text, Duration patience) {
-  if (!station_) co_return no_connection();
+  if (!wire_.is_open()) co_return no_connection();
   co_return co_await send_commands(std::move(text), patience);
 }
 
 /// The replies of its queries, one on a line.
 Task<Result<std::string>> Vme58Driver::send_commands(std::string text, Duration patience) {
   forget_rejection();
-  Context context = context_;
+  Context context = selection_.context();
   const auto commands = read_commands(text, context);
   if (auto may = may_say_while_feeding(commands); !may) co_return fail(may.error());
   auto own = co_await give_speeds_back(Priority::intent);
   if (own && std::any_of(commands.begin(), commands.end(), is_queued))
     own = co_await give_speeds_behind_motions(Priority::intent);
   if (!own) co_return fail(own.error());
-  auto selected = co_await select_again(Priority::intent);
+  auto selected = co_await conversation_.select_again(Priority::intent);
   if (!selected) co_return fail(selected.error());
   std::string answers;
   for (const TextCommand& command : commands) {
@@ -71,7 +71,7 @@ Task<Result<std::string>> Vme58Driver::send_commands(std::string text, Duration 
                      "It was not sent.");
     word += ";\n";
     if (is_question(command) && command.flaw.empty()) {
-      auto reply = co_await ask(std::move(word), Priority::intent, patience);
+      auto reply = co_await conversation_.ask(std::move(word), Priority::intent, {}, patience);
       if (!reply) co_return fail(reply.error());
       answers += (answers.empty() ? "" : "\n") + *reply;
     } else if (command.is(Op::RS) && command.flaw.empty()) {
@@ -89,15 +89,15 @@ Task<Result<std::string>> Vme58Driver::send_commands(std::string text, Duration 
 
 /// One that is no question.
 Task<Result<>> Vme58Driver::put_command(const TextCommand& command, std::string word) {
-  auto settled = co_await settle_late_rejection(Priority::intent);
+  auto settled = co_await commands_.settle_late(Priority::intent);
   if (!settled) co_return settled;
   // Until a round of status has seen all queues empty and no axis turning.
   if (!command.fact || command.fact->when == When::queued) draft_.working = queues_due_ = true;
   note_stop_of_program(command);
   note_group(command);  // before a stop can come in between
-  const int put_before = put_;
-  auto written = co_await write(std::move(word), Priority::intent, WhenStuck::leave);
-  if (!written && put_ == put_before) co_return written;
+  const int put_before = conversation_.end();
+  auto written = co_await conversation_.write(std::move(word), Priority::intent, Conversation::WhenStuck::leave);
+  if (!written && conversation_.end() == put_before) co_return written;
   if (!written && written.error().kind == FaultKind::stopped) co_return cut_short(command, written.error());
   if (!written) {
     if (selects(command)) note_sent(command);  // in the ring it acts later: what is sent behind it must know
@@ -106,31 +106,31 @@ Task<Result<>> Vme58Driver::put_command(const TextCommand& command, std::string 
   auto accepted = co_await accepts(command);
   if (!accepted && accepted.error().kind == FaultKind::stopped)
     co_return cut_short(command, accepted.error());
-  selection_lost_ = selection_lost_ || (!accepted && selects(command));  // the board may have taken it
+  if ((!accepted && selects(command))) selection_.lose();  // the board may have taken it
   co_return accepted;
 }
 
 /// By a stop that may take it back, or find it carried out.
 Result<> Vme58Driver::cut_short(const TextCommand& command, Fault why) {
   note_effects(command);
-  selection_lost_ = selection_lost_ || selects(command);
+  if (selects(command)) selection_.lose();
   return fail(when_put(std::move(why)));
 }
 
 /// It has been taken from the ring, and was no command error.
 Task<Result<>> Vme58Driver::accepts(const TextCommand& command) {
-  const auto bad = co_await was_rejected(Priority::intent);
+  const auto bad = co_await readings_.was_rejected(Priority::intent);
   if (!bad) co_return fail(bad.error());
   if (!*bad) co_return Result<>();
-  if (context_.recording && (command.is(Op::CE) || command.is(Op::CK))) {
-    context_.recording = false;  // there is no other end
-    selection_lost_ = draft_.working = queues_due_ = true;
+  if (selection_.recording() && (command.is(Op::CE) || command.is(Op::CK))) {
+    selection_.set_recording(false);  // there is no other end
+    selection_.lose(), draft_.working = queues_due_ = true;
   }
   if (!command.flaw.empty())
     co_return fail(FaultKind::controller,
                    fmt::format("The board rejected \"{}\": {}", command.text, command.flaw),
                    "What stood before it was carried out, nothing behind it was sent.");
-  co_return rejected(command.text);
+  co_return commands_.rejected(command.text);
 }
 
 /// Nothing of it is fed behind this.
@@ -146,7 +146,7 @@ Result<> Vme58Driver::may_say_while_feeding(const std::vector<TextCommand>& comm
     return command.fact && stops_motion(command.fact->op);
   };
   if (!draft_.feed.running || std::all_of(commands.begin(), commands.end(), stops)) return {};
-  if (context_.recording)
+  if (selection_.recording())
     return fail(FaultKind::refused,
                 "The program that runs is recording a contour: this text would become part of it.",
                 "Nothing was sent.", "Send it again when the contour has ended, or stop the program first.");
@@ -161,9 +161,9 @@ Result<> Vme58Driver::may_say_while_feeding(const std::vector<TextCommand>& comm
 void Vme58Driver::note_sent(const TextCommand& command) {
   if (!command.fact || !command.flaw.empty()) return;
   fed_apart_ = fed_apart_ || (draft_.feed.running && selects(command));
-  const bool recorded = context_.recording;
-  follow(command, context_);
-  if (recorded && !context_.recording) draft_.working = queues_due_ = true;  // meanwhile nobody could ask
+  const bool recorded = selection_.recording();
+  selection_.hear(command);
+  if (recorded && !selection_.recording()) draft_.working = queues_due_ = true;  // meanwhile nobody could ask
   note_effects(command);
 }
 
@@ -180,7 +180,7 @@ void Vme58Driver::note_effects(const TextCommand& command) {
     case Op::HF:
       if (one) know_loop(axis, command.fact->op == Op::HN);
       break;
-    case Op::EN: echo_ = true; break;
+    case Op::EN: conversation_.echoes(true); break;
     case Op::ET:
       if (one) minds_[ix(axis)].servo.goes_to_place = false;  // wherever its encoder input leads
       break;
@@ -203,16 +203,7 @@ void Vme58Driver::note_effects(const TextCommand& command) {
       }
       break;
     case Op::UU:
-    case Op::UF:
-      for (int i = 0; i < axis_count(); ++i) {
-        const std::size_t place = one ? 0 : ix(i);
-        if (one && i != axis) continue;
-        if (command.fact->op == Op::UF)
-          user_unit_[ix(i)] = 0;
-        else if (place < command.numbers.size() && command.numbers[place])
-          user_unit_[ix(i)] = *command.numbers[place];
-      }
-      break;
+    case Op::UF: selection_.note_units(command); break;
     default: break;
   }
   if (drives) begins_to_settle(axis);

@@ -1,0 +1,348 @@
+#include "core/devices/arcus/conversation.h"
+
+#include <algorithm>
+
+#include <fmt/core.h>
+
+namespace hw::arcus {
+namespace {
+
+constexpr Duration usual_patience = Millis(200);
+struct Quiet {
+  Duration time, longest_noise;
+};
+constexpr Quiet usual_quiet{Millis(30), Millis(300)};
+constexpr Quiet quiet_of_a_slow_one{Millis(45), Millis(800)};  // bytes come up to 40 ms apart
+
+tl::unexpected<Fault> means_nothing(std::string_view question, std::string_view reply) {
+  return fail(FaultKind::garbled,
+              fmt::format("The controller answered {} to {}, which means nothing.",
+                          reply.empty() ? "with an empty text" : printable(reply), question),
+              "It was asked twice.",
+              "Look at the cable and the line rate, and whether two devices have one address or another "
+              "program talks on this line.");
+}
+
+}  // namespace
+
+std::string printable(std::string_view bytes) {
+  std::string all;
+  for (const char c : bytes.substr(0, 40))
+    all += c >= ' ' && c < 127 ? std::string(1, c) : fmt::format("<{:02X}>", static_cast<unsigned char>(c));
+  return all;
+}
+
+Conversation::Conversation(Scheduler& scheduler, const Catalog& catalog, const Forms& forms,
+                           ScriptTexts& texts, std::function<void()> changed)
+    : scheduler_(scheduler),
+      catalog_(catalog),
+      forms_(forms),
+      texts_(texts),
+      changed_(std::move(changed)) {}
+
+void Conversation::attach(Station& station) {
+  station_ = &station;
+  station.unsolicited = [this](std::string_view bytes) { return hear(bytes); };
+  station.unmistakable = [this](const OwedAnswers& owed, Instant now) { return unmistakable(owed, now); };
+}
+
+Framing Conversation::framing() const {
+  return station_ && station_->carries_messages() ? Framing::message : Framing::addressed;
+}
+
+// ---- one text and its reply
+
+// A stop waits for nothing, and nothing that follows makes it surer.
+Task<Result<Reply>> Conversation::exchange(std::string text, Priority priority, Duration patience,
+                                           bool own_question) {
+  const bool must_be_sure = own_question || priority != Priority::stop;
+  if (must_be_sure && !own_question) {
+    auto clean = co_await may_go_out(text, priority);
+    if (!clean) co_return fail(clean.error());
+  }
+  if (!station_) co_return no_connection();
+  const bool anothers = address_of(text) >= 0 && address_of(text) != catalog_.address;
+  const std::string command = anothers ? std::string() : command_in(text);
+  const Look look = own_question ? looks::of_question(forms_, text) : looks::of_text(forms_, command);
+  if (command.starts_with("DN=")) also_called_ = number_in_name(*forms_.model, command.substr(3));
+  if (goes_out) goes_out(command);
+  const int heard_before = texts_heard_;
+  auto reply = co_await say(text, priority, patience, own_question, false);
+  if (not_done && (reply ? reply->refused() : was_kept_back(reply.error()))) not_done(command);
+  if (!reply || !must_be_sure || !others_may_say(look)) co_return reply;
+  auto named = co_await hear_its_name(priority);
+  if (!named) co_return fail(named.error());
+  if (texts_heard_ == heard_before) co_return reply;
+  co_return fail(
+      FaultKind::garbled,
+      fmt::format("{} was answered twice: one of the answers came too late and is another's.", text),
+      "Neither was used.");
+}
+
+Task<bool> Conversation::come_clean(Priority priority) {
+  if (!station_) co_return false;
+  auto clean = co_await station_->come_clean(priority);
+  co_return clean.has_value();
+}
+
+// What may move or change something is known to have gone out, or not to have.
+Task<Result<>> Conversation::may_go_out(std::string_view text, Priority priority) {
+  if (!station_) co_return no_connection();
+  const std::string kept(text);
+  auto clean = co_await station_->come_clean(priority);
+  if (clean || !worth_another_try(clean.error())) co_return clean;
+  co_return fail(FaultKind::refused, "The controller does not answer, not even with its name.",
+                 fmt::format("{} was not sent.", kept));
+}
+
+Task<Result<Reply>> Conversation::say(std::string text, Priority priority, Duration patience,
+                                      bool own_question, bool on_dirty_line) {
+  if (!station_) co_return no_connection();
+  const bool usb = station_->carries_messages();
+  Transaction t(frame(framing(), catalog_.address, text), usb ? ReplyShape::message() : ReplyShape::text(),
+                priority);
+  t.patience = patience;
+  t.prompt = own_question;
+  t.own_question = own_question && priority != Priority::transfer;
+  t.on_dirty_line = on_dirty_line;
+  t.look = own_question ? looks::of_question(forms_, text) : looks::of_text(forms_, command_in(text));
+  if (t.look == looks::name && station_->others_owe(looks::name))
+    t.stranger = [this](std::string_view bytes) {
+      return looks::others_at_front(bytes, [this](std::string_view name) { return is_its_name(name); });
+    };
+  else if (!usb && t.look == looks::name)
+    t.stranger = unasked_at_front;
+  else if (!usb)
+    t.stranger = [&m = *forms_.model](std::string_view bytes) { return unasked_or_name_at_front(m, bytes); };
+  auto bytes = co_await station_->transact(std::move(t));
+  if (!bytes) co_return fail(bytes.error());
+  if (!usb && bytes->starts_with('\n')) ++line_feeds_;  // it stood behind the answer before
+  Reply reply = decode_reply(*bytes);
+  const int asked = std::max(address_of(text), catalog_.address);
+  if (reply.id && address_of(text) < 0 && *reply.id != asked)
+    co_return fail(
+        FaultKind::garbled,
+        fmt::format("Device {:02} was asked {}, and device {:02} answered.", asked, text, *reply.id),
+        "Its answer was not used.",
+        "Two programs may be talking on this line, or an answer came too late. Close the other "
+        "program.");
+  co_return reply;
+}
+
+Task<Result<Reply>> Conversation::greet(Duration patience) {
+  co_return co_await say("DN", Priority::intent, patience, true, true);
+}
+
+// ---- whose answer it is
+
+bool Conversation::others_may_say(Look look) const {
+  if (!station_) return false;
+  return look == looks::text ? station_->others_owe()
+                             : station_->others_owe(look) || station_->others_owe(looks::text);
+}
+
+// What comes before its name is a late answer, whoever it is from: it is left to hear().
+Task<Result<>> Conversation::hear_its_name(Priority priority) {
+  if (!station_) co_return no_connection();
+  Transaction t = asks_who("DN", [this](std::string_view text) { return is_its_name(text); }).question;
+  t.priority = priority;
+  t.patience = usual_patience;
+  t.own_question = priority != Priority::transfer;
+  auto bytes = co_await station_->transact(std::move(t));
+  if (!bytes) co_return fail(bytes.error());
+  co_return Result<>();
+}
+
+// Its name, where it has one. On a line of several the others' late answers to ID and VER look like its own.
+std::optional<Station::Unmistakable> Conversation::unmistakable(const OwedAnswers& owed, Instant now) const {
+  const auto may_ask = [&](Look look) { return !owed.may_look(look, now); };
+  if (named_ && may_ask(looks::name))
+    return asks_who("DN", [this](std::string_view text) { return is_its_name(text); });
+  if (product_known_ && may_ask(looks::product) && !station_->others_owe(looks::product))
+    return asks_who("ID", [this](std::string_view text) { return text == forms_.model->product; });
+  if (may_ask(looks::version) && !station_->others_owe(looks::version))
+    return asks_who("VER", looks::is_version);
+  return std::nullopt;
+}
+
+Station::Unmistakable Conversation::asks_who(std::string_view question,
+                                             std::function<bool(std::string_view)> is_it) const {
+  Transaction t(frame(framing(), catalog_.address, question),
+                framing() == Framing::message ? ReplyShape::message() : ReplyShape::text(), Priority::poll);
+  t.look = looks::of_question(forms_, question);
+  t.prompt = true;
+  t.stranger = [is_it](std::string_view bytes) { return looks::others_at_front(bytes, is_it); };
+  const auto is_answer = [is_it](std::string_view answer) { return is_it(decode_reply(answer).text); };
+  return {std::move(t), is_answer};
+}
+
+// Until it is switched off and on it answers at its old address and tells its new name. On USB it is alone.
+bool Conversation::is_its_name(std::string_view text) const {
+  const auto number = number_in_name(*forms_.model, text);
+  return number &&
+         (*number == catalog_.address || number == also_called_ || framing() == Framing::message);
+}
+
+void Conversation::know_name(std::string_view name) {
+  also_called_ = number_in_name(*forms_.model, name);
+  named_ = also_called_.has_value();
+}
+
+// ---- questions
+
+// A question may be asked once more when its answer was garbled or did not come. The second answer is believed
+// only if nothing comes behind it: two that speak at once can sound like one.
+Task<Result<std::string>> Conversation::ask(std::string question, Priority priority, bool again) {
+  auto reply = co_await exchange_question(question, priority, again);
+  if (!reply && !again && worth_another_try(reply.error())) {
+    if (station_ && reply.error().kind == FaultKind::garbled)
+      station_->doubt(looks::of_question(forms_, question));
+    reply = co_await exchange_question(question, priority, true);
+  }
+  if (!reply) co_return fail(reply.error());
+  if (reply->refused()) co_return refusal(question, reply->text);
+  co_return std::move(reply->text);
+}
+
+Task<Result<Reply>> Conversation::exchange_question(std::string question, Priority priority, bool again) {
+  const int strays_before = strays_;
+  auto reply = co_await exchange(std::move(question), priority, usual_patience, true);
+  if (!again || !reply) co_return reply;
+  co_await wait_for_quiet();
+  if (strays_ != strays_before) co_return two_answer();
+  co_return reply;
+}
+
+Task<Result<std::string>> Conversation::ask_for(std::string question,
+                                                std::function<bool(std::string_view)> makes_sense,
+                                                Priority priority) {
+  std::string text;
+  for (const bool again : {false, true}) {
+    auto reply = co_await ask(question, priority, again);
+    if (!reply && (reply.error().kind != FaultKind::refused || again)) co_return fail(reply.error());
+    if (reply && makes_sense(*reply)) co_return reply;
+    if (reply) {
+      text = *reply;
+      if (station_) station_->doubt(looks::of_question(forms_, question));
+    } else {
+      co_await wait_for_quiet();  // the question itself may have been garbled on its way
+    }
+  }
+  co_return means_nothing(question, text);
+}
+
+Task<Result<std::vector<std::int64_t>>> Conversation::ask_numbers(std::string question, std::size_t count,
+                                                                  Priority priority) {
+  std::function<bool(std::string_view)> is_it = [count](std::string_view text) {
+    const auto numbers = decode_numbers(text, count);
+    return numbers && numbers->size() == count;
+  };
+  auto text = co_await ask_for(std::move(question), std::move(is_it), priority);
+  if (!text) co_return fail(text.error());
+  co_return *decode_numbers(*text, count);
+}
+
+Task<Result<std::int64_t>> Conversation::ask_number(std::string question, Priority priority) {
+  auto numbers = co_await ask_numbers(std::move(question), 1, priority);
+  if (!numbers) co_return fail(numbers.error());
+  co_return numbers->front();
+}
+
+// ---- commands
+
+// A stop goes out on a dirty line too: then an OK may be an older one's.
+Task<Result<>> Conversation::command(std::string text, Priority priority, Duration patience) {
+  const Instant now = scheduler_.now();
+  const bool may_be_older = priority == Priority::stop && station_ &&
+                            (station_->owed().may_look(looks::done, now) ||
+                             station_->owed().may_look(looks::text, now));
+  auto reply = co_await exchange(text, priority, patience);
+  if (!reply) co_return fail(reply.error());
+  if (reply->refused()) co_return refusal(text, reply->text);
+  if (reply->text == "OK" && !may_be_older) co_return Result<>();
+  if (reply->text == "OK")
+    co_return fail(FaultKind::no_answer, fmt::format("Whether OK was the answer to {} is not known.", text),
+                   "It was sent.");
+  co_return fail(FaultKind::garbled,
+                 fmt::format("The controller answered {} to {} instead of OK.", printable(reply->text), text),
+                 "It was sent once and is not repeated.", "Look whether it was done before you try again.");
+}
+
+Task<Result<>> Conversation::broadcast(std::string text, Priority priority) {
+  if (!station_) co_return no_connection();
+  const Model& model = *forms_.model;
+  if (model.broadcast < 0 || station_->carries_messages())
+    co_return fail(FaultKind::refused,
+                   fmt::format("A {} has no address that speaks to all devices of a line.", model.title),
+                   "Nothing was sent.");
+  if (goes_out) goes_out(bare_text(text));
+  Transaction t(frame(Framing::addressed, model.broadcast, text), ReplyShape::nothing(), priority);
+  t.on_dirty_line = true;  // nothing comes back
+  auto sent = co_await station_->transact(std::move(t));
+  if (!sent) co_return fail(sent.error());
+  co_return Result<>();
+}
+
+// ---- what comes unasked
+
+// Where another program talks all the time it never is quiet.
+Task<> Conversation::wait_for_quiet() {
+  const bool slow = station_ && station_->lateness() > Duration::zero();
+  const auto [quiet_time, longest_noise] = slow ? quiet_of_a_slow_one : usual_quiet;
+  const Instant give_up = scheduler_.now() + longest_noise;
+  Instant quiet_at = scheduler_.now() + quiet_time;
+  while (station_ && scheduler_.now() < quiet_at) {
+    auto waited = co_await station_->pause(quiet_at - scheduler_.now());
+    if (!waited) co_return;
+    quiet_at = std::min(std::max(quiet_at, heard_at_ + quiet_time), give_up);
+  }
+}
+
+// $NNP of this device; or a whole text that no question waits for. What is late tells nothing.
+std::size_t Conversation::hear(std::string_view bytes) {
+  heard_at_ = scheduler_.now();
+  if (bytes.find_first_not_of('\n') == bytes.npos) return ++line_feeds_, 0;
+  if (const std::size_t length = unasked_at_front(bytes); length != 0) {
+    if (length == std::string_view::npos) return length;
+    if (in_position(bytes.substr(0, length)) != catalog_.address) return 0;
+    texts_.add(std::string(text_of(bytes.substr(0, length))));
+    changed_();
+    return length;
+  }
+  if (is_anothers_name(bytes)) return 0;
+  ++texts_heard_;
+  if (station_ && !station_->is_dirty() && !station_->others_owe()) ++strays_;
+  return 0;
+}
+
+// Late, and taken for no answer of ours.
+bool Conversation::is_anothers_name(std::string_view bytes) const {
+  const bool whole = bytes.find_first_of(std::string_view("\r\0", 2)) == bytes.size() - 1;
+  const auto number = number_in_name(*forms_.model, decode_reply(bytes).text);
+  return whole && number && *number != catalog_.address;
+}
+
+// ---- sentences
+
+tl::unexpected<Fault> Conversation::no_connection() const {
+  return fail(FaultKind::lost, "There is no connection to the controller.", "Nothing was sent.");
+}
+
+tl::unexpected<Fault> Conversation::refusal(std::string_view sent, std::string_view reply) const {
+  return fail(FaultKind::refused, fmt::format("The controller refused {} with {}: {}.", sent,
+                                              printable(reply), explain_refusal(*forms_.model, reply)));
+}
+
+tl::unexpected<Fault> Conversation::two_answer() const {
+  const std::string_view prefix = forms_.model->name_prefix;
+  return fail(
+      FaultKind::garbled,
+      fmt::format("More than one device answers at address {:02}, or another program talks on this line.",
+                  catalog_.address),
+      "What came was not used.",
+      fmt::format("Connect one of them alone, give it another device name ({}01 to {}99), Store, switch "
+                  "its power off and on.",
+                  prefix, prefix));
+}
+
+}  // namespace hw::arcus

@@ -1,0 +1,308 @@
+#include "core/devices/vme58/conversation.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "core/devices/vme58/codec.h"
+
+namespace hw::vme58 {
+namespace {
+
+constexpr Duration ring_look = std::chrono::microseconds(500);
+constexpr Duration taking_patience = Millis(250);  // the board takes text at once unless a queue is full
+constexpr Duration stop_patience = Millis(20);     // then the mailbox stops all
+constexpr Duration greeting_patience = std::chrono::seconds(3);  // then it may have been lost, and is asked anew
+constexpr std::string_view greeting_question = "WY";
+
+bool is_greeting(std::string_view reply) { return decode_greeting(reply).has_value(); }
+
+Fault not_understood(std::string_view reply, std::string_view question) {
+  return Fault(FaultKind::garbled,
+               fmt::format("The board answered \"{}\" to {}, which means nothing.", reply,
+                           without_end(question)),
+               "It is asked again.");
+}
+
+}  // namespace
+
+// ---- whose rings they are
+
+Task<Result<>> Conversation::take_over() {
+  auto found = co_await find_end(Priority::intent);
+  if (!found) co_return found;
+  auto let = co_await let_go();
+  if (!let) co_return let;
+  lose();
+  known_ = true;
+  std::vector<BusCycle>& cycles = wire_.burst();
+  cycles.push_back(BusCycle::store(2, at::input_get_index, static_cast<std::uint32_t>(get_)));
+  cycles.push_back(BusCycle::store(1, reg::control, wire_.enabled()));
+  co_return co_await wire_.run(cycles, Priority::intent);
+}
+
+Task<Result<>> Conversation::let_go() {
+  const auto input_put = co_await wire_.read_index(at::input_put_index, Priority::intent);
+  if (!input_put) co_return fail(input_put.error());
+  get_ = *input_put;
+  co_return Result<>();
+}
+
+void Conversation::lose() {
+  known_ = false;
+  received_.clear();
+  replies_.clear();
+  owed_.reset();
+}
+
+Task<Result<>> Conversation::find_end(Priority priority) {
+  const auto put = co_await wire_.read_index(at::output_put_index, priority);
+  if (!put) co_return fail(put.error());
+  put_ = *put;
+  co_return Result<>();
+}
+
+// ---- commands
+
+Task<Result<bool>> Conversation::put(std::string text, Priority priority) {
+  const auto get = co_await wire_.read_index(at::output_get_index, priority);
+  if (!get) co_return fail(get.error());
+  if (room(put_, *get) < static_cast<int>(text.size())) co_return false;
+  std::vector<BusCycle>& cycles = wire_.burst();
+  // Where a stranger has spoiled the host's other index the board takes nothing.
+  cycles.push_back(BusCycle::store(2, at::input_get_index, static_cast<std::uint32_t>(get_)));
+  append_text(cycles, text, put_);
+  auto done = co_await wire_.run(cycles, priority);
+  if (!done) co_return fail(done.error());
+  on_its_way_ = true;
+  in_wq_ = in_wq_ || text.find("WQ") != text.npos;
+  put_ = advanced(put_, static_cast<int>(text.size()));
+  last_sent_ = text;
+  if (priority != Priority::poll) last_said_ = text;
+  wire_.record(Way::sent, priority, text);
+  co_return true;
+}
+
+Task<Result<bool>> Conversation::is_taken(Priority priority) {
+  const auto get = co_await wire_.read_index(at::output_get_index, priority);
+  if (!get) co_return fail(get.error());
+  if (*get == put_) on_its_way_ = false;
+  co_return *get == put_;
+}
+
+bool Conversation::is_taken_up_to(int output_get) {
+  if (output_get != put_) return false;
+  on_its_way_ = in_wq_ = false;
+  return true;
+}
+
+// Text from `from` on that the board has not come to is made blank: it does nothing then, wherever the board
+// stands in it.
+Task<Result<>> Conversation::withdraw(Priority priority, int from) {
+  const auto get = co_await wire_.read_index(at::output_get_index, priority);
+  if (!get) co_return fail(get.error());
+  const int begin = waiting(put_, *get) < waiting(put_, from) ? *get : from;
+  std::vector<BusCycle>& cycles = wire_.burst();
+  for (int i = begin; i != put_; i = advanced(i, 1))
+    cycles.push_back(BusCycle::store(2, static_cast<std::uint16_t>(at::output_buffer + 2 * i), ' '));
+  if (cycles.empty()) co_return Result<>();
+  selection_.lose();
+  if (owed_) owed_->greeting_asked.reset();  // it may have stood there
+  co_return co_await wire_.run(cycles, priority);
+}
+
+Task<Result<>> Conversation::withdraw_all(Priority priority) {
+  co_return co_await withdraw(priority, advanced(put_, 1 - ring_cells));
+}
+
+Task<Result<>> Conversation::select_again(Priority priority) {
+  if (!selection_.is_lost() || selection_.recording()) co_return Result<>();
+  std::string text = selection_.selector() + "\n";
+  auto written = co_await write(std::move(text), priority);
+  if (written) selection_.is_said();
+  co_return written;
+}
+
+Task<Result<>> Conversation::write(std::string text, Priority priority, WhenStuck when_stuck) {
+  const Instant give_up = wire_.now() + (priority == Priority::stop ? stop_patience : taking_patience);
+  auto is_put = co_await put(text, priority);
+  while (is_put && !*is_put && wire_.now() < give_up) {
+    auto paused = co_await wire_.pause(ring_look);
+    if (!paused) co_return paused;
+    is_put = co_await put(text, priority);
+  }
+  if (!is_put) co_return fail(is_put.error());
+  const int begin = advanced(put_, -static_cast<int>(text.size()));  // of what was put
+  bool taken = false;
+  while (*is_put && !taken) {
+    const auto looked = co_await is_taken(priority);
+    if (!looked) co_return fail(looked.error());
+    taken = *looked;
+    if (taken || wire_.now() >= give_up) break;
+    auto paused = co_await wire_.pause(ring_look);
+    if (!paused) co_return paused;
+  }
+  if (taken) co_return Result<>();
+  const bool waits = *is_put && when_stuck == WhenStuck::leave;
+  if (*is_put && !waits) {
+    auto withdrawn = co_await withdraw(priority, begin);
+    if (!withdrawn) co_return withdrawn;
+  }
+  co_return fail(FaultKind::no_answer,
+                 "The board takes no command now: a command queue is full, or it waits in WQ.",
+                 waits ? "What was sent waits in the ring and will be carried out when there is room."
+                       : "What was sent was taken back.",
+                 "Wait until its queues have room, or stop it.");
+}
+
+// ---- questions
+
+Task<Result<std::string>> Conversation::ask(std::string question, Priority priority, ReplyForm form,
+                                            Duration patience) {
+  auto replies = co_await converse(std::move(question), 1, priority, form, patience, false);
+  if (!replies) co_return fail(replies.error());
+  co_return std::move(replies->front());
+}
+
+Task<Result<std::vector<std::string>>> Conversation::ask_several(std::string text, std::size_t count,
+                                                                 Priority priority, ReplyForm form) {
+  std::string closed = std::string(without_end(text)) + " WY\n";
+  co_return co_await converse(std::move(closed), count, priority, form, Millis(200), true);
+}
+
+/// `closes`: behind the replies comes a greeting.
+Task<Result<std::vector<std::string>>> Conversation::converse(std::string text, std::size_t count,
+                                                              Priority priority, ReplyForm form,
+                                                              Duration patience, bool closes) {
+  auto clear = co_await let_owed_go(priority);
+  if (!clear) co_return fail(clear.error());
+  const Instant asked_at = wire_.now();
+  const int put_before = put_;
+  std::vector<std::string> replies;
+  auto asked = co_await write(text, priority);
+  if (put_ != put_before) owed_ = Owed{};  // whatever ends this before the answer has come
+  if (asked) asked = co_await collect(replies, count, priority, asked_at + patience, text, closes);
+  if (!asked) co_return fail(asked.error());
+  for (const std::string& reply : replies)
+    if (!fits(form, reply)) co_return fail(not_understood(reply, text));
+  owed_.reset();
+  wire_.count_answer(asked_at, priority == Priority::poll);
+  co_return replies;
+}
+
+Task<Result<>> Conversation::collect(std::vector<std::string>& replies, std::size_t count, Priority priority,
+                                     Instant give_up, std::string_view question, bool closes) {
+  const bool greets = question.find(greeting_question) != question.npos;
+  for (;;) {
+    auto fetched = co_await fetch_all(priority);
+    if (!fetched) co_return fetched;
+    bool closed = false;
+    while (!replies_.empty() && !closed && (closes || replies.size() < count)) {
+      std::string reply = std::move(replies_.front());
+      replies_.pop_front();
+      closed = closes && is_greeting(reply);
+      if (!greets && is_greeting(reply)) continue;  // that of an earlier question, late
+      wire_.record(Way::received, priority, reply);
+      if (!closed) replies.push_back(std::move(reply));
+    }
+    if (closed) owed_.reset();
+    if (!closes && replies.size() == count) co_return Result<>();
+    if (closed && replies.size() == count) co_return Result<>();
+    if (closed || wire_.now() > give_up) break;
+    auto paused = co_await wire_.pause(ring_look);
+    if (!paused) co_return paused;
+  }
+  const auto bad = co_await readings_.was_rejected(priority);
+  if (bad && *bad) {
+    owed_.reset();
+    co_return rejected_by_board(question);
+  }
+  if (closes && !owed_) {
+    const std::string lines = fmt::format("{} lines", replies.size());
+    co_return fail(not_understood(lines, question));
+  }
+  wire_.count_miss();
+  co_return fail(FaultKind::no_answer,
+                 fmt::format("The board did not answer to {} in time.", without_end(question)));
+}
+
+/// What is asked next must not be answered by a reply to a question that was given up.
+Task<Result<>> Conversation::let_owed_go(Priority priority) {
+  auto fetched = co_await fetch_all(priority);
+  if (!fetched) co_return fetched;
+  if (owed_ && !owed_->greeting_asked) {
+    give_unasked();
+    const int put_before = put_;
+    auto asked = co_await write(std::string(greeting_question) + "\n", priority);
+    if (put_ != put_before && owed_) owed_->greeting_asked = wire_.now();
+    if (!asked) co_return asked;
+  }
+  const Instant give_up = wire_.now() + (priority == Priority::stop ? stop_patience : taking_patience);
+  while (owed_ && !take_greeting()) {
+    if (wire_.now() >= give_up) {
+      if (wire_.now() > *owed_->greeting_asked + greeting_patience) owed_->greeting_asked.reset();
+      co_return fail(FaultKind::no_answer, "The board has not answered an earlier question yet.",
+                     "Nothing was sent.");
+    }
+    auto paused = co_await wire_.pause(ring_look);
+    if (!paused) co_return paused;
+    fetched = co_await fetch_all(priority);
+    if (!fetched) co_return fetched;
+    if (owed_ && !owed_->greeting_asked) break;  // it was taken back with the ring
+  }
+  give_unasked();
+  co_return Result<>();
+}
+
+/// The greeting that was asked for behind what is owed has come: all of that has come before.
+bool Conversation::take_greeting() {
+  while (!replies_.empty()) {
+    const bool came = owed_->greeting_asked && is_greeting(replies_.front());
+    replies_.pop_front();
+    if (!came) continue;
+    owed_.reset();
+    return true;
+  }
+  return false;
+}
+
+Task<Result<>> Conversation::hear(int input_put, Priority priority) {
+  auto fetched = co_await fetch(input_put, priority);
+  if (!fetched) co_return fetched;
+  if (!owed_ || take_greeting()) give_unasked();
+  co_return Result<>();
+}
+
+Task<Result<>> Conversation::fetch_all(Priority priority) {
+  const auto input_put = co_await wire_.read_index(at::input_put_index, priority);
+  if (!input_put) co_return fail(input_put.error());
+  co_return co_await fetch(*input_put, priority);
+}
+
+Task<Result<>> Conversation::fetch(int input_put, Priority priority) {
+  const int count = waiting(input_put, get_);
+  if (count == 0) co_return Result<>();
+  std::vector<BusCycle>& cycles = wire_.burst();
+  append_reply_reads(cycles, get_, count);
+  cycles.push_back(BusCycle::store(2, at::input_get_index, static_cast<std::uint32_t>(input_put)));
+  auto done = co_await wire_.run(cycles, priority);
+  if (!done) co_return done;
+  cycles.pop_back();
+  get_ = input_put;
+  received_ += reply_text(cycles);
+  while (auto reply = take_reply(received_, echo_)) replies_.push_back(std::move(*reply));
+  co_return Result<>();
+}
+
+/// Replies to raw text that nobody waits for are for scripts; those to questions that were given up are
+/// nobody's.
+void Conversation::give_unasked() {
+  for (; !replies_.empty(); replies_.pop_front()) {
+    if (owed_) continue;
+    wire_.record_unasked(replies_.front());
+    texts_.add(std::move(replies_.front()));
+  }
+}
+
+}  // namespace hw::vme58

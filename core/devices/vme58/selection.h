@@ -1,0 +1,57 @@
+#pragma once
+// Whom the next text speaks to. The board has one addressed axis for everybody: what the console sends begins
+// with the axis that it means and ends with the one that the user's own text has selected.
+#include <array>
+#include <string>
+#include <string_view>
+
+#include "core/device/catalog.h"
+#include "core/devices/vme58/command_text.h"
+#include "core/devices/vme58/facts.h"
+
+namespace hw::vme58 {
+
+class Selection {
+ public:
+  explicit Selection(const Catalog& catalog) : catalog_(catalog) {}
+
+  /// As the user's text has left it.
+  [[nodiscard]] const Context& context() const { return context_; }
+  [[nodiscard]] std::string selector() const { return context_.selector(); }
+  /// Between CD and CE: whatever is put now becomes part of a contour.
+  [[nodiscard]] bool recording() const { return context_.recording; }
+  void set(const Context& context) { context_ = context; }
+  /// The user's text has said this.
+  void hear(const TextCommand& command) { follow(command, context_); }
+  void set_recording(bool on) { context_.recording = on; }
+
+  /// The board may stand elsewhere than the user's text has left it: text was taken back, perhaps half way
+  /// between two selectors.
+  [[nodiscard]] bool is_lost() const { return lost_; }
+  void lose() { lost_ = true; }
+  void is_said() { lost_ = false; }
+  /// A recording has ended, on the board too: by a selector, or because it ends with the connection.
+  bool end_recording();
+  /// The board has been reset.
+  void forget();
+
+  /// `selector` and what it is to hear, then back to the user's. The console counts in counts: user units are
+  /// put aside for its own text (they act when a command is read).
+  [[nodiscard]] std::string addressed(std::string_view selector, std::string_view text) const;
+  [[nodiscard]] std::string addressed(int axis, std::string_view text) const;
+  /// UU of one axis; 0: off.
+  [[nodiscard]] double user_unit(int axis) const { return user_unit_[static_cast<std::size_t>(axis)]; }
+  void note_units(const TextCommand& command);
+
+ private:
+  [[nodiscard]] const std::string& name(int axis) const {
+    return catalog_.axes[static_cast<std::size_t>(axis)].name;
+  }
+
+  const Catalog& catalog_;
+  Context context_;
+  bool lost_ = false;
+  std::array<double, most_axes> user_unit_{};
+};
+
+}  // namespace hw::vme58
