@@ -1,24 +1,40 @@
 #pragma once
-// The jogs that were asked for and not let go yet. Which of them ends is decided by name: what becomes of
-// another command, or a stop of another axis, leaves a held jog guarded. io thread.
+// The jogs that were asked for and not let go yet, and the dead-man that lets go of a hand's when the console
+// does not hold it any more. Which of them ends is decided by name: what becomes of another command, or a
+// stop of another axis, leaves a held jog guarded. Io thread.
 #include <algorithm>
+#include <functional>
 #include <vector>
 
 #include "core/device/intent.h"
+#include "core/time/scheduler.h"
 
 namespace hw {
 
 class HeldJogs {
  public:
+  static constexpr Duration patience = Millis(250);
+
+  HeldJogs(Scheduler& scheduler, std::function<void()> not_held_any_more)
+      : scheduler_(scheduler), dead_man_(scheduler, std::move(not_held_any_more)) {}
+
   /// `guarded`: held by a hand, which must keep it alive.
-  void begin(IntentId id, int axis, bool guarded) { jogs_.push_back({id, axis, guarded}); }
+  void begin(IntentId id, int axis, bool guarded) {
+    jogs_.push_back({id, axis, guarded});
+    if (guarded) dead_man_.arm(scheduler_.now() + patience);
+  }
+  void keep_alive() {
+    if (any() && dead_man_.armed()) dead_man_.arm(scheduler_.now() + patience);
+  }
   /// It has not begun after all.
   void end(IntentId id) {
     std::erase_if(jogs_, [id](const Jog& jog) { return jog.id == id; });
+    disarm_if_none_is_guarded();
   }
   /// -1: all axes.
   void stop(int axis) {
     std::erase_if(jogs_, [axis](const Jog& jog) { return axis < 0 || jog.axis == axis; });
+    disarm_if_none_is_guarded();
   }
   /// Those of scripts that `over(id, axis)` says have ended by themselves: at a limit.
   template <class Over>
@@ -49,7 +65,13 @@ class HeldJogs {
   }
 
  private:
+  void disarm_if_none_is_guarded() {
+    if (!any_guarded()) dead_man_.disarm();
+  }
+
+  Scheduler& scheduler_;
   std::vector<Jog> jogs_;
+  Timer dead_man_;
 };
 
 }  // namespace hw

@@ -10,29 +10,24 @@ namespace {
 
 constexpr Duration longest_clearing = std::chrono::seconds(8);  // the longest ramp, and a little
 
-Duration back_off(int attempt) {
-  constexpr Millis steps[] = {Millis(250), Millis(500), Millis(1000), Millis(2000), Millis(5000)};
-  return steps[std::min<std::size_t>(attempt, std::size(steps) - 1)];
-}
-
 }  // namespace
 
 Pump::Pump(Scheduler& scheduler, const DeviceType& type, const Catalog& catalog, Ways ways)
     : scheduler_(scheduler),
       catalog_(catalog),
       ways_(std::move(ways)),
+      jogs_(scheduler, [this] { jog_let_go(); }),
       wake_(scheduler),
       published_(scheduler),
       ended_(scheduler),
-      dead_man_(scheduler, [this] { jog_let_go(); }),
       silence_(scheduler, [this] {
-        if (station_ && station_->heard_at() < attempt_at_) station_->preempt();
+        if (station_ && station_->heard_at() < outage_.attempt_at()) station_->preempt();
       }) {
   draft_.axis_count = static_cast<int>(catalog.axes.size());
   draft_.slot_bytes_used.fill(-1);
   draft_.identity.model = catalog.name;
   const auto changed = [this] {
-    next_poll_ = scheduler_.now();
+    rounds_.due_at(scheduler_.now());
     publish();
     wake_.notify();
   };
@@ -46,13 +41,13 @@ Pump::~Pump() {
 }
 
 void Pump::start() {
-  running_ = true;
+  life_ = Life::runs;
   asio::co_spawn(scheduler_.executor(), live(), asio::detached);
 }
 
 Task<> Pump::shut_down() {
-  if (!running_) co_return;
-  leaving_ = true;
+  if (!runs()) co_return;
+  life_ = Life::leaves;
   refuse_queued("The controller was closed. Nothing was sent.");
   if (jogs_.any()) post_stop(StopOrder());
   // A stop that was asked for a moment ago may still wait for the answer to a question. One that is typed
@@ -61,18 +56,18 @@ Task<> Pump::shut_down() {
   const std::uint64_t last_look = something_runs() ? want_round() : 0;
   const auto under_way = [&] {
     if (station_ && station_->is_open() && desk_.due()) return true;
-    const bool looks = something_runs() && !performing_ && rounds_ended_ < last_look;
+    const bool looks = something_runs() && !jobs_.performs() && rounds_.ended() < last_look;
     return connected() && (desk_.any() || looks || driver_->clears_up());
   };
   while (under_way() && scheduler_.now() < give_up) co_await published_.wait_until(give_up);
   if (std::string left = driver_->leaves_behind(); connected() && !left.empty())
     ways_.notify(Notice(Notice::Kind::warning, scheduler_.now(), std::move(left)));
-  closing_ = true;
+  life_ = Life::closes;
   if (ways_.line) ways_.line->leave(*this);
   if (station_) station_->close(Fault(FaultKind::lost, "The controller was closed."));
   wake_.notify();
   published_.notify();
-  while (running_) co_await ended_.wait();
+  while (runs()) co_await ended_.wait();
   published_.notify();
   stops_did_not_arrive();
   desk_.clear();
@@ -91,7 +86,7 @@ bool Pump::something_runs() const {
 
 Task<> Pump::live() {
   publish();
-  while (!closing_) {
+  while (!closes()) {
     bool made = false;
     try {
       made = co_await open_and_connect();
@@ -99,24 +94,23 @@ Task<> Pump::live() {
     } catch (const std::exception& defect) {  // from a library; nothing above may see it
       lose_wire(Fault(FaultKind::internal, fmt::format("The connection failed inside: {}.", defect.what())));
     }
-    if (!closing_) co_await wait_for_retry();
+    if (!closes()) co_await wait_for_retry();
   }
   draft_.link.state = LinkState::closed;
   station_.reset();
   publish();
-  running_ = false;
+  life_ = Life::over;
   ended_.notify();
 }
 
 Task<bool> Pump::open_and_connect() {
   draft_.link.state = LinkState::connecting;
-  draft_.link.attempts = ++attempt_;
-  attempt_at_ = scheduler_.now();
+  draft_.link.attempts = outage_.try_again(scheduler_.now());
   publish();
   const Station::Manner manner = station_ ? station_->manner() : Station::Manner();
   station_.reset();
   auto opened = co_await ways_.open_wire();
-  if (closing_) co_return false;
+  if (closes()) co_return false;
   if (!opened) {
     lose_wire(opened.error());
     co_return false;
@@ -136,19 +130,19 @@ Task<bool> Pump::open_and_connect() {
 // What is owed goes out before anything else that connecting needs, and again as long as nothing comes back.
 Task<bool> Pump::connect() {
   for (;;) {
-    attempt_at_ = scheduler_.now();
+    outage_.tried_at(scheduler_.now());
     station_->begin_procedure();
     if (StopOrder* stop = desk_.due()) {
       co_await send_stop(*stop);
-      if (closing_ || !station_->is_open()) co_return false;
+      if (closes() || !station_->is_open()) co_return false;
       continue;
     }
-    if (desk_.any() && ran_when_lost_) silence_.arm(attempt_at_ + retry_with_a_stop);
+    if (desk_.any() && outage_.may_run()) silence_.arm(outage_.attempt_at() + retry_with_a_stop);
     auto made = co_await guarded("connection", driver_->connect());
     silence_.disarm();
-    if (closing_ || !station_->is_open()) co_return false;
+    if (closes() || !station_->is_open()) co_return false;
     if (station_->preempted()) {  // by a stop, or because nothing comes
-      const bool was_silent = scheduler_.now() - attempt_at_ >= retry_with_a_stop;
+      const bool was_silent = scheduler_.now() - outage_.attempt_at() >= retry_with_a_stop;
       if (!desk_.due() && was_silent) nothing_comes_back();
       continue;
     }
@@ -166,26 +160,21 @@ void Pump::nothing_comes_back() {
   draft_.link.sentence =
       "The controller was told to stop, and does not answer. It is told again until it does.";
   stops_did_not_arrive();
-  desk_.orders().remove_if([this](const StopOrder&) { return !ran_when_lost_; });
+  desk_.orders().remove_if([this](const StopOrder&) { return !outage_.may_run(); });
   desk_.send_all_again();
   refuse_queued("The controller does not answer. Nothing was sent.");
   publish();
 }
 
 void Pump::connection_made() {
-  attempt_ = 0;
-  down_ = false;
+  if (outage_.end(draft_))  // what runs now is somebody else's
+    desk_.orders().remove_if([](const StopOrder& order) { return order.told; });
   draft_.link.state = LinkState::good;
   draft_.link.when_lost = UnderWay();
   draft_.link.attempts = 0;
   draft_.link.misses_in_a_row = 0;
   draft_.link.sentence.clear();
-  next_poll_ = scheduler_.now();
-  fast_polls_ = fast_polls_after_a_command;
-  ran_when_lost_ = false;
-  if (draft_.restarts != restarts_when_lost_)  // what runs now is somebody else's
-    desk_.orders().remove_if([](const StopOrder& order) { return order.told; });
-  restarts_when_lost_ = draft_.restarts;
+  rounds_.look_often(scheduler_.now());
   for (StopOrder& order : desk_.orders())  // what was typed may have gone into a wire that carried nothing
     if (order.what == StopOrder::What::words) order.what = StopOrder::What::everything;
   const auto& stops = desk_.orders();
@@ -200,33 +189,31 @@ void Pump::connection_made() {
 
 Task<> Pump::wait_for_retry() {
   constexpr std::string_view silent = "The controller does not answer. Nothing was sent.";
-  refuse_queued(retry_now_ ? draft_.link.sentence.view() : silent);
+  refuse_queued(outage_.hurries() ? draft_.link.sentence.view() : silent);
   const auto next = [this] {
-    return desk_.any() ? attempt_at_ + retry_with_a_stop : scheduler_.now() + back_off(attempt_);
+    return desk_.any() ? outage_.attempt_at() + retry_with_a_stop : scheduler_.now() + outage_.back_off();
   };
   draft_.link.next_attempt = next();
   publish();
-  while (!closing_ && !retry_now_ && scheduler_.now() < draft_.link.next_attempt) {
+  while (!closes() && !outage_.hurries() && scheduler_.now() < draft_.link.next_attempt) {
     co_await wake_.wait_until(draft_.link.next_attempt);
     refuse_queued(silent);
   }
-  retry_now_ = false;
 }
 
 void Pump::lose_wire(const Fault& why) {
-  if (!std::exchange(down_, true)) {  // attempts in between do not count
+  Outage::Loss loss;
+  loss.at_work = something_runs() || jogs_.any();
+  loss.on_the_way = jobs_.performs();
+  const bool never_seen = rounds_.ended() == 0;  // whoever was here before may have begun something
+  loss.may_run = never_seen || loss.at_work || loss.on_the_way || (connected() && desk_.any());
+  if (outage_.begin(draft_, loss, scheduler_.now())) {
     draft_.link.lost_at = scheduler_.now();
-    const bool never_seen = rounds_ended_ == 0;  // whoever was here before may have begun something
-    ran_when_lost_ =
-        never_seen || something_runs() || jogs_.any() || performing_ || (connected() && desk_.any());
-    loss_.lost(draft_, something_runs() || jogs_.any(), performing_, scheduler_.now());
     draft_.link.when_lost = draft_.shows_under_way();
-    restarts_when_lost_ = draft_.restarts;
   }
   draft_.link.state = LinkState::lost;
   draft_.link.sentence = why.sentence();
   owe_stops_at_loss(why);
-  dead_man_.disarm();
   jogs_.stop(-1);
   if (station_) station_->give_up(why);
   driver_->wire_lost();
@@ -234,17 +221,16 @@ void Pump::lose_wire(const Fault& why) {
 }
 
 Task<> Pump::serve() {
-  while (!closing_ && station_->is_open()) {
+  while (!closes() && station_->is_open()) {
     station_->begin_procedure();
     if (StopOrder* stop = desk_.due()) {
       co_await send_stop(*stop);
-      next_poll_ = scheduler_.now() + driver_->moving_period();
-    } else if (!desk_.any() && !queue_.empty()) {
+      rounds_.due_at(scheduler_.now() + driver_->moving_period());
+    } else if (!desk_.any() && !jobs_.empty()) {
       co_await perform_next();
-      fast_polls_ = fast_polls_after_a_command;
-      next_poll_ = scheduler_.now();
-    } else if (scheduler_.now() < next_poll_) {
-      co_await wake_.wait_until(next_poll_);
+      rounds_.look_often(scheduler_.now());
+    } else if (scheduler_.now() < rounds_.next()) {
+      co_await wake_.wait_until(rounds_.next());
     } else {
       co_await run_round();
     }
@@ -256,20 +242,20 @@ Task<> Pump::serve() {
 Round Pump::next_round() const {
   const auto& stops = desk_.orders();
   const bool confirmed = std::all_of(stops.begin(), stops.end(), [](const auto& o) { return o.confirmed; });
-  if (round_wanted_ > rounds_begun_ && confirmed) return Round::everything;
+  if (rounds_.one_is_wanted() && confirmed) return Round::everything;
   return stops.empty() ? Round::usual : Round::stopping;
 }
 
 Task<> Pump::run_round() {
   const Round round = next_round();
-  if (round != Round::stopping) ++rounds_begun_;
+  if (round != Round::stopping) rounds_.begin();
   auto polled = co_await driver_->poll(round);
   if (!station_->is_open()) co_return;  // lose_wire() has said it all
   if (station_->preempted()) {          // a stop has cut it short: it is no round
-    if (round != Round::stopping) --rounds_begun_;
+    if (round != Round::stopping) rounds_.cut();
     co_return;
   }
-  if (round != Round::stopping) rounds_ended_ = rounds_begun_;
+  if (round != Round::stopping) rounds_.end();
   poll_finished(polled);
 }
 
@@ -307,23 +293,19 @@ void Pump::poll_finished(const Result<>& result) {
   else
     health.sentence.clear();
   const bool fast =
-      desk_.any() || fast_polls_ > 0 || draft_.any_axis_moving() || draft_.program.run == RunState::running;
-  if (fast_polls_ > 0) --fast_polls_;
+      desk_.any() || rounds_.often() || draft_.any_axis_moving() || draft_.program.run == RunState::running;
   draft_.poll_period = fast ? driver_->moving_period() : driver_->idle_period();
-  next_poll_ = scheduler_.now();
-  if (rounds_ended_ >= round_wanted_) next_poll_ += draft_.poll_period;
+  rounds_.schedule(scheduler_.now(), draft_.poll_period);
   publish();
 }
 
 void Pump::tell_what_came_of_the_loss() {
-  std::string told = loss_.back(catalog_, draft_, something_runs(), scheduler_.now());
+  std::string told = outage_.told_when_back(catalog_, draft_, something_runs(), scheduler_.now());
   if (!told.empty()) ways_.notify(Notice(Notice::Kind::warning, scheduler_.now(), std::move(told)));
 }
 
 std::uint64_t Pump::want_round() {
-  const std::uint64_t wanted = rounds_begun_ + 1;
-  round_wanted_ = std::max(round_wanted_, wanted);
-  next_poll_ = scheduler_.now();
+  const std::uint64_t wanted = rounds_.want(scheduler_.now());
   wake_.notify();
   return wanted;
 }
@@ -331,11 +313,11 @@ std::uint64_t Pump::want_round() {
 Task<> Pump::refresh() {
   if (!connected()) co_return;
   const std::uint64_t wanted = want_round();
-  while (rounds_ended_ < wanted && connected() && !closing_) co_await published_.wait();
+  while (rounds_.ended() < wanted && connected() && !closes()) co_await published_.wait();
 }
 
 void Pump::know_store_count(std::int32_t writes_used) {
-  if (std::exchange(draft_.store_count, writes_used) != writes_used && running_) publish();
+  if (std::exchange(draft_.store_count, writes_used) != writes_used && runs()) publish();
 }
 
 // ---- what is told

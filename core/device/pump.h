@@ -2,16 +2,17 @@
 // The life of one open controller: connect, perform intents in order, poll in between, publish what is known;
 // when the wire is lost say so, and come back. Exactly one procedure of the driver runs at a time; a stop
 // ends it and takes its place. Io thread only.
-#include <deque>
 #include <functional>
 #include <memory>
 #include <optional>
 
 #include "core/device/driver.h"
 #include "core/device/held_jogs.h"
+#include "core/device/job_queue.h"
 #include "core/device/line.h"
-#include "core/device/loss_report.h"
+#include "core/device/outage.h"
 #include "core/device/registry.h"
+#include "core/device/rounds.h"
 #include "core/device/stop.h"
 #include "core/link/station.h"
 #include "core/time/scheduler.h"
@@ -57,24 +58,31 @@ class Pump {
   Task<> refresh();
   /// Hurries the next round of status; its number, which rounds_ended() reaches when it is over.
   std::uint64_t want_round();
-  [[nodiscard]] std::uint64_t rounds_ended() const { return rounds_ended_; }
+  [[nodiscard]] std::uint64_t rounds_ended() const { return rounds_.ended(); }
 
   /// What the controller itself cannot tell, and its emulator can.
   void know_store_count(std::int32_t writes_used);
   [[nodiscard]] const Snapshot& known() const { return draft_; }
   /// A stop of all axes is under way: another one would mean "at once, without a ramp".
   [[nodiscard]] bool stops_all() const { return desk_.stops_all(); }
-  [[nodiscard]] bool busy() const { return performing_ || !queue_.empty() || desk_.any(); }
+  [[nodiscard]] bool busy() const { return jobs_.performs() || !jobs_.empty() || desk_.any(); }
   /// Notified after each publication.
   [[nodiscard]] Event& published() { return published_; }
 
-  static constexpr Duration dead_man = Millis(250);
+  static constexpr Duration dead_man = HeldJogs::patience;
   static constexpr int misses_until_lost = 3;
   static constexpr int misses_until_a_jog_ends = 2;  ///< the third may take seconds to show
 
  private:
-  struct Job;  // an intent, or a query with its waiting coroutine
   class Asking;
+  /// In this order; what asks for one asks for it or a later one.
+  enum class Life : std::uint8_t {
+    made,
+    runs,
+    leaves,  ///< shut_down() has begun: stops only
+    closes,
+    over
+  };
 
   // ---- pump.cpp: the life of the connection
   Task<> live();
@@ -94,6 +102,9 @@ class Pump {
   [[nodiscard]] bool connected() const;
   [[nodiscard]] bool something_runs() const;
   void publish();
+  [[nodiscard]] bool runs() const { return life_ > Life::made && life_ < Life::over; }
+  [[nodiscard]] bool leaves() const { return life_ >= Life::leaves; }
+  [[nodiscard]] bool closes() const { return life_ >= Life::closes; }
   void set_fate(IntentId id, Fate fate, std::string_view sentence = {});
   void set_fate(const IntentFate& told);
   void tell_fault(IntentId id, const Fault& fault, std::uint32_t doubtful = 0);
@@ -129,7 +140,6 @@ class Pump {
   bool withdraw_waiting_jog();
   void jog_not_begun(const Intent& intent);
   void jog_failed(const Intent& intent, FaultKind kind);
-  void disarm_if_none_is_held();
   void forget_jogs_that_ended();
   void count_program_change(const Intent& intent);
   void jog_let_go();
@@ -142,26 +152,15 @@ class Pump {
   ScriptTexts texts_;
   StopDesk desk_;
   HeldJogs jogs_;
+  JobQueue jobs_;
+  Rounds rounds_;
+  Outage outage_;
   std::unique_ptr<Driver> driver_;
   std::unique_ptr<Station> station_;
-  std::deque<std::unique_ptr<Job>> queue_;
   Event wake_, published_, ended_;
-  Timer dead_man_;
-  Timer silence_;  ///< while a stop is owed: a controller from which nothing comes is told again
-  Instant next_poll_{}, attempt_at_{};
-  std::uint64_t rounds_begun_ = 0, rounds_ended_ = 0, round_wanted_ = 0;
-  int fast_polls_ = 0;
-  int attempt_ = 0;
-  std::uint64_t sending_ = 0;  ///< epoch of the stop that is being sent; 0: none is
-  int asking_ = 0;             ///< coroutines that wait here for an answer
-  bool performing_ = false;
-  bool says_to_all_ = false;  ///< and what it performs is for all devices of the wire
-  LossReport loss_;
-  std::uint32_t restarts_when_lost_ = 0;
-  bool ran_when_lost_ = false;
-  bool down_ = false;     ///< since the loss of the wire, through all attempts
-  bool leaving_ = false;  ///< shut_down() has begun: stops only
-  bool running_ = false, closing_ = false, retry_now_ = false;
+  Timer silence_;   ///< while a stop is owed: a controller from which nothing comes is told again
+  int asking_ = 0;  ///< coroutines that wait here for an answer
+  Life life_ = Life::made;
 };
 
 }  // namespace hw

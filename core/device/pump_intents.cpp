@@ -10,8 +10,6 @@
 namespace hw {
 namespace {
 
-constexpr std::size_t most_queued = 64;
-
 /// What is usually asked for in order to start a program next.
 bool leads_to_a_start(const IntentBody& body) {
   return std::holds_alternative<intent::LoadProgram>(body) ||
@@ -22,7 +20,7 @@ bool leads_to_a_start(const IntentBody& body) {
 
 void Pump::post(Intent intent) {
   if (std::holds_alternative<intent::JogKeepAlive>(intent.body)) {
-    if (jogs_.any() && dead_man_.armed()) dead_man_.arm(scheduler_.now() + dead_man);
+    jogs_.keep_alive();
     return;
   }
   const bool lets_go = std::holds_alternative<intent::JogStop>(intent.body);
@@ -33,18 +31,18 @@ void Pump::post(Intent intent) {
   }
   if (auto stop = stop_order_of(intent)) return post_stop(std::move(*stop));
   if (std::holds_alternative<intent::Reconnect>(intent.body)) {
-    retry_now_ = true;
+    outage_.hurry();
     set_fate(intent.id, Fate::done);
     wake_.notify();
     return;
   }
   if (std::holds_alternative<intent::SendText>(intent.body)) return post_text(std::move(intent));
-  if (leaving_) {
+  if (leaves()) {
     set_fate(intent.id, Fate::refused, "The controller was closed. Nothing was sent.");
     return publish();
   }
   set_fate(intent.id, Fate::pending);
-  if (queue_.size() >= most_queued) {
+  if (jobs_.full()) {
     set_fate(intent.id, Fate::refused, "Too many commands wait already. This one was not sent.");
     return publish();
   }
@@ -74,11 +72,11 @@ void Pump::post_text(Intent intent) {
     order.intent = intent.id;
     return post_stop(std::move(order));
   }
-  if (leaving_) {
+  if (leaves()) {
     set_fate(intent.id, Fate::refused, "The controller was closed. Nothing was sent.");
     return publish();
   }
-  if (queue_.size() >= most_queued) {
+  if (jobs_.full()) {
     set_fate(intent.id, Fate::refused, "Too many commands wait already. This one was not sent.");
     return publish();
   }
@@ -117,15 +115,13 @@ Task<> Pump::pass_on(Intent intent, Pump& other) {
 
 void Pump::enqueue(std::unique_ptr<Job> job) {
   if (ways_.line) job->stops_before = ways_.line->stops();
-  queue_.push_back(std::move(job));
+  jobs_.push(std::move(job));
   wake_.notify();
 }
 
 void Pump::hold_jog(const Intent& intent) {
   const auto* jog = std::get_if<intent::JogStart>(&intent.body);
-  if (!jog) return;
-  jogs_.begin(intent.id, jog->axis.index, jog->dead_man);
-  if (jog->dead_man) dead_man_.arm(scheduler_.now() + dead_man);
+  if (jog) jogs_.begin(intent.id, jog->axis.index, jog->dead_man);
 }
 
 // Halting one of several threads leaves the motion alone, and a stop of one axis the others: what else is
@@ -134,39 +130,26 @@ void Pump::release_jogs(const StopOrder& order) {
   if (order.what == StopOrder::What::program && catalog_.program.threads > 0) return;
   if (order.what == StopOrder::What::words) return;
   jogs_.stop(order.what == StopOrder::What::program ? -1 : order.axis);
-  disarm_if_none_is_held();
-}
-
-void Pump::disarm_if_none_is_held() {
-  if (!jogs_.any_guarded()) dead_man_.disarm();
 }
 
 /// The hand's jog, if it still waits for its turn: it has moved nothing, so nothing is stopped.
 bool Pump::withdraw_waiting_jog() {
-  const auto waits = std::find_if(queue_.begin(), queue_.end(), [this](const auto& job) {
-    return std::holds_alternative<intent::JogStart>(job->intent.body) && job->intent.id == jogs_.in_hand().id;
-  });
-  if (waits == queue_.end()) return false;
-  const Intent jog = (*waits)->intent;
-  queue_.erase(waits);
-  jog_not_begun(jog);
-  set_fate(jog.id, Fate::refused, "It was let go before its turn came. Nothing was sent.");
+  const auto jog = jogs_.any_guarded() ? jobs_.withdraw(jogs_.in_hand().id) : nullptr;
+  if (!jog) return false;
+  jog_not_begun(jog->intent);
+  set_fate(jog->intent.id, Fate::refused, "It was let go before its turn came. Nothing was sent.");
   return true;
 }
 
 void Pump::jog_not_begun(const Intent& intent) {
-  if (!std::holds_alternative<intent::JogStart>(intent.body)) return;
-  jogs_.end(intent.id);
-  disarm_if_none_is_held();
+  if (std::holds_alternative<intent::JogStart>(intent.body)) jogs_.end(intent.id);
 }
 
 /// A script does not let go of what a limit has ended; nothing else is to be stopped in its name.
 void Pump::forget_jogs_that_ended() {
   jogs_.forget_if([this](IntentId id, int axis) {
-    const bool waits =
-        std::any_of(queue_.begin(), queue_.end(), [id](const auto& job) { return job->intent.id == id; });
     const Activity activity = draft_.axes[axis].activity;
-    return !waits && activity != Activity::jogging && activity != Activity::unknown;
+    return !jobs_.has(id) && activity != Activity::jogging && activity != Activity::unknown;
   });
 }
 
@@ -202,8 +185,8 @@ void Pump::jog_out_of_sight() {
 }
 
 void Pump::refuse_queued(std::string_view why) {
-  if (queue_.empty()) return;
-  for (auto& job : std::exchange(queue_, {})) refuse(std::move(job), why);
+  if (jobs_.empty()) return;
+  for (auto& job : jobs_.take_all()) refuse(std::move(job), why);
   publish();
 }
 
@@ -256,16 +239,13 @@ Result<> Pump::may_go_to_all(const Job& job) const {
 }
 
 Task<> Pump::perform_next() {
-  std::unique_ptr<Job> job = std::move(queue_.front());
-  queue_.pop_front();
-  performing_ = true;
-  says_to_all_ = job->meaning.whom == TextMeaning::For::everybody;
+  std::unique_ptr<Job> job = jobs_.begin();
   count_program_change(job->intent);
   // What no driver is asked for: see refusals.h.
   const std::uint32_t doubtful = doubtful_axes(catalog_, draft_, job->intent.body);
   const std::uint64_t epoch = desk_.epoch();
   Result<> performed = may_go_to_all(*job);
-  if (performed && says_to_all_ && ways_.line)
+  if (performed && jobs_.performs_for_all_on_the_wire() && ways_.line)
     ways_.line->for_each_but(*this, [&](Pump& other) {
       other.hear_text_to_all(std::get<intent::SendText>(job->intent.body).text, job->meaning);
     });
@@ -284,7 +264,7 @@ Task<> Pump::perform_next() {
   } else if (performed) {
     performed = co_await guarded("command", driver_->perform(job->intent.body));
   }
-  performing_ = says_to_all_ = false;
+  jobs_.end();
   if (job->is_query) {
     job->answered = true;
     job->asker.resume(scheduler_.executor());
@@ -319,7 +299,7 @@ Task<Result<std::string>> Pump::query(std::string text, Duration patience) {
       ways_.line->for_each_but(*this, [&](Pump& other) { other.hear_text_to_all(text, meaning); });
     co_return co_await query_stop(std::move(text), meaning, patience);
   }
-  if (leaving_) co_return fail(FaultKind::refused, "The controller was closed.", "Nothing was sent.");
+  if (leaves()) co_return fail(FaultKind::refused, "The controller was closed.", "Nothing was sent.");
   const bool lost = draft_.link.state == LinkState::lost || draft_.link.state == LinkState::closed;
   if (lost) co_return fail(FaultKind::lost, "There is no connection to the controller.", "Nothing was sent.");
   auto owned = std::make_unique<Job>(Intent(0, intent::SendText(text)));
@@ -352,7 +332,7 @@ Task<Result<std::string>> Pump::wait_for_text(std::uint64_t since, std::uint64_t
     if (desk_.epoch() != epoch)
       co_return fail(FaultKind::stopped, "A stop has ended what the answer was waited for.", "It was sent.");
     if (auto text = texts_.answer_since(since)) co_return std::move(*text);
-    if (!connected() || closing_)
+    if (!connected() || closes())
       co_return fail(FaultKind::lost, "The connection was lost before an answer came.");
     if (!in_time)
       co_return fail(FaultKind::no_answer, fmt::format("No answer came in {:g} s.", seconds(patience)));

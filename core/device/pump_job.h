@@ -9,9 +9,6 @@
 
 namespace hw {
 
-/// A controller's status may lag behind the command by a round or two.
-constexpr int fast_polls_after_a_command = 3;
-
 constexpr std::string_view stopped_first = "A stop came first. This was not sent.";
 
 /// While a stop is owed, the wire is tried so often.
@@ -47,20 +44,6 @@ class Pump::Asking {
 
  private:
   Pump& pump_;
-};
-
-struct Pump::Job {
-  Intent intent;
-  TextMeaning meaning;             ///< of a text
-  std::uint64_t stops_before = 0;  ///< of all controllers on this wire, for a text to all of them
-  bool is_query = false;
-  std::string text;
-  Duration patience{};
-  Result<std::string> reply{std::string()};
-  std::uint64_t since = 0;  ///< what comes unasked from here on may answer it
-  Suspended asker;
-  bool answered = false;
-  explicit Job(Intent i) : intent(std::move(i)) {}
 };
 
 }  // namespace hw

@@ -30,9 +30,9 @@ void Pump::post_stop(StopOrder order) {
   const bool another = order.what == StopOrder::What::words && !order.meaning.stops_here();
   const StopOrder& asked = desk_.ask(std::move(order));
   if (!another) drop_what_waits();
-  const StopOrder* sending = desk_.find(sending_);
+  const StopOrder* sending = desk_.sending();
   if (station_ && !(sending && sending->covers(asked))) station_->preempt();
-  if (draft_.link.state == LinkState::lost) retry_now_ = true;
+  outage_.hurry();
   publish();
   wake_.notify();
 }
@@ -43,7 +43,7 @@ void Pump::drop_what_waits() {
   if (!ways_.line) return;
   ways_.line->count_stop();
   ways_.line->for_each_but(*this, [](Pump& other) {
-    if (other.says_to_all_ && other.station_) other.station_->preempt();
+    if (other.jobs_.performs_for_all_on_the_wire() && other.station_) other.station_->preempt();
   });
 }
 
@@ -66,9 +66,9 @@ Task<> Pump::send_stop(StopOrder& order) {
   if (order.what == StopOrder::What::words)
     count_program_change(Intent(order.intent, intent::SendText(order.words)));
   const StopOrder sending = order;
-  sending_ = sending.epoch;
+  desk_.begin_sending(sending);
   auto sent = co_await guarded("stop", driver_->stop(sending));
-  sending_ = 0;
+  desk_.end_sending();
   if (StopOrder* still = desk_.find(sending.epoch)) stop_was_sent(*still, std::move(sent));
   if (connected() && sending.times_sent >= attempts_in_a_row && nobody_answers()) lose_wire(not_answering());
   publish();
@@ -148,8 +148,7 @@ void Pump::stop_failed(StopOrder& order, const Fault& why) {
 
 void Pump::close_stop(StopOrder& order) {
   desk_.close(order);
-  next_poll_ = scheduler_.now();
-  fast_polls_ = fast_polls_after_a_command;
+  rounds_.look_often(scheduler_.now());
   wake_.notify();
 }
 
@@ -166,11 +165,11 @@ void Pump::stops_did_not_arrive(const Fault* why) {
 
 void Pump::owe_stops_at_loss(const Fault& why) {
   using What = StopOrder::What;
-  stops_did_not_arrive(ran_when_lost_ ? nullptr : &why);
+  stops_did_not_arrive(outage_.may_run() ? nullptr : &why);
   desk_.orders().remove_if([this](const StopOrder& order) {
     const bool other =
         order.what == What::broadcast || (order.what == What::words && !order.meaning.stops_here());
-    return !ran_when_lost_ || other;
+    return !outage_.may_run() || other;
   });
   jogs_.for_each_axis([this](int axis) {
     StopOrder lets_go;

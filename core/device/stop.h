@@ -95,13 +95,18 @@ class StopDesk {
   [[nodiscard]] StopOrder* find(std::uint64_t epoch);
   void close(const StopOrder& order);
   void clear() { orders_.clear(); }
+  // ---- the one whose words are on their way
+  void begin_sending(const StopOrder& order) { sending_ = order.epoch; }
+  void end_sending() { sending_ = 0; }
+  /// Null: none is, or it has been withdrawn.
+  [[nodiscard]] const StopOrder* sending() { return sending_ == 0 ? nullptr : find(sending_); }
 
   [[nodiscard]] std::list<StopOrder>& orders() { return orders_; }
   [[nodiscard]] const std::list<StopOrder>& orders() const { return orders_; }
 
  private:
   std::list<StopOrder> orders_;  ///< oldest first; they keep their place while others come and go
-  std::uint64_t epoch_ = 0;
+  std::uint64_t epoch_ = 0, sending_ = 0;
 };
 
 /// The order that an intent asks for; none: it is no stop.

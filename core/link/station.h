@@ -97,6 +97,8 @@ class Station {
   [[nodiscard]] bool is_dirty() const;
   /// What was answered means nothing. What was asked may still be answered, or be answered with what is next.
   void doubt(Look look);
+  /// What a greeting has shown: whatever was owed has come before.
+  void has_caught_up() { owed_.clear(); }
   /// Asks the unmistakable question now, if the line is dirty: for one whose next text must not be taken for
   /// sent when it was not.
   Task<Result<>> come_clean(Priority priority);

@@ -154,13 +154,15 @@ void Judge::restarted(int device) {
   if (device >= static_cast<int>(devices_.size())) return;
   DeviceCase& d = at(device);
   d.ever_restarted = true;
-  // One whose counters stood at 0 may look as it did before.
-  for (AxisCase& axis : d.axes)
-    if (facts_.restart_always_shows || axis.truth.position.value != 0) axis.restarted = scheduler_.now();
   // Homing may end at any moment, at 0 and at rest, as a power-up leaves the counters.
   std::uint32_t homing = 0;
   for (const Excuse& e : d.excuses)
     if (e.homes && !facts_.restart_always_shows) homing |= e.axes;
+  homing &= d.truth.moving();
+  // One whose counters stood at 0 may look as it did before.
+  for (std::size_t a = 0; a < d.axes.size(); ++a)
+    if (facts_.restart_always_shows || (d.axes[a].truth.position.value != 0 && (homing >> a & 1u) == 0))
+      d.axes[a].restarted = scheduler_.now();
   if ((d.truth.moving() & ~homing) != 0 || d.truth.program) d.cut_off = scheduler_.now();
 }
 

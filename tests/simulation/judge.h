@@ -138,7 +138,7 @@ class Judge final : public Witness {
     std::uint32_t axes = 0;
     Instant asked{}, alive{};
     Steps distance{};
-    bool homes = false;
+    bool homes = false;  ///< or may, by a text of the user's
   };
   struct Intended {
     IntentId id;

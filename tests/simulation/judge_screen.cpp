@@ -109,6 +109,7 @@ void Judge::judge_limits(int device) {
     if ((operated >> a & 1u) != 0) axis.limit_operated = now;
     const AxisState& s = shown.axes[ix(a)];
     if (!shown.link.connected() || !s.limits_known || !(s.limit_minus || s.limit_plus)) continue;
+    if (is_stale(s.seen_at, now, shown.poll_period)) continue;  // it is shown as old
     const Instant since = std::max({axis.limit_operated, faults_.in.spoilt(), faults_.out.spoilt()});
     if (now > since + line_shows + lateness())
       accuse("true", fmt::format("Device {}: axis {} is shown at a limit that nothing operates.", device, a));

@@ -192,13 +192,18 @@ bool may_move(const Forms& forms, std::string_view text) {
 }
 
 bool may_set_counter(std::string_view text) {
-  if (text.starts_with("CLR") || text.starts_with("ABORT") || text.starts_with("GS")) return true;
+  if (text.starts_with("GS")) return true;
   if (text.starts_with("SR")) return !ends_program(text);
   const std::string_view name = text.substr(0, text.find('='));
   if (name.size() == text.size()) return false;
   const bool counter = name.size() == 2 && (name[0] == 'P' || name[0] == 'E');
-  const bool loop = name == "SL" || (name.size() == 3 && name.starts_with("SL"));
-  return counter || loop || name == "JE";
+  return counter || name == "JE";
+}
+
+bool may_set_target(std::string_view text) {
+  if (text.starts_with("CLR") || text.starts_with("ABORT")) return true;
+  const std::string_view name = text.substr(0, text.find('='));
+  return name.size() != text.size() && name.size() <= 3 && name.starts_with("SL");
 }
 
 bool may_switch_motor(std::string_view text) {

@@ -71,9 +71,10 @@ std::string move_command(const Forms& forms, const std::vector<AxisValue>& targe
 /// Commands that may move something: they are never repeated.
 bool may_move(const Forms& forms, std::string_view text);
 
-/// A text that sets a position or encoder counter, or may: clearing an error and switching StepNLoop put the
-/// target where the axis stands.
+/// A text that sets a position or encoder counter, or may.
 bool may_set_counter(std::string_view text);
+/// One that puts the position where the encoder stands, or may: clearing an error, switching StepNLoop.
+bool may_set_target(std::string_view text);
 /// Motor power, by EO; not EOBOOT, which acts at power-up.
 bool may_switch_motor(std::string_view text);
 

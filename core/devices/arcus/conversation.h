@@ -46,6 +46,9 @@ class Conversation {
   /// Answers that have not come in time, ever.
   [[nodiscard]] std::uint64_t misses() const { return station_ ? station_->statistics().timeouts : 0; }
 
+  /// How often the line has become clean again.
+  [[nodiscard]] std::uint32_t times_cleaned() const { return station_ ? station_->times_cleaned() : 0; }
+
   /// Told of each command of this device just before it goes out; and when it was refused, or did not go out.
   std::function<void(std::string_view command)> goes_out, not_done;
 

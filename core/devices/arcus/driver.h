@@ -27,6 +27,7 @@
 #include "core/devices/arcus/conversation.h"
 #include "core/devices/arcus/language/dialect.h"
 #include "core/devices/arcus/language/program.h"
+#include "core/devices/arcus/second_look.h"
 #include "core/devices/arcus/stored_code.h"
 #include "core/devices/arcus/text_meaning.h"
 #include "core/devices/arcus/unexplained.h"
@@ -70,7 +71,7 @@ class ArcusDriver final : public Driver {
   /// What positions are compared with, to notice that the controller has been switched off and on.
   struct Stood {
     struct Axis {
-      Steps position;
+      Steps position, encoder;
       Pps towards_zero;  ///< by itself it comes to zero at most so fast
       Steps room;        ///< StepNLoop corrects it by so much
       bool moved = false;
@@ -80,10 +81,9 @@ class ArcusDriver final : public Driver {
     std::uint64_t misses = 0;  ///< answers that had not come until then
     bool program_ran = false;
   };
-  /// What had gone out, and what had not come back, when a round of status began.
+  /// What had gone out when a round of status began.
   struct Look {
-    Unexplained::Mark counters, motors;
-    std::uint64_t misses;
+    Unexplained::Mark counters, targets, motors;
   };
   /// A setting that is written for one motion, and put back behind it.
   struct Borrowed {
@@ -130,6 +130,7 @@ class ArcusDriver final : public Driver {
   [[nodiscard]] Look begin_look() const;
   void look_at_counters(const Look& look, bool was_silent = false);
   Task<Result<>> look_after_silence();
+  Task<Result<>> read_whole_motion(Priority priority);
   Task<Result<>> look_at_motors(Unexplained::Mark asked);
   Task<Result<bool>> power_up_leads_here();
   Task<Result<bool>> something_is_kept();
@@ -281,6 +282,8 @@ class ArcusDriver final : public Driver {
 
   std::array<AxisMind, max_axes> minds_{};
   Unexplained counters_, motors_;  ///< of positions and encoders; of motor power
+  Unexplained targets_;            ///< of positions that are put where the encoder stands
+  std::uint64_t motion_misses_ = 0;  ///< when the first of the latest answers about motion had come
   std::optional<Stood> stood_;     ///< when last looked at
   std::optional<std::int64_t> motors_on_;
   std::optional<Stood> zero_in_doubt_;  ///< since then all counters have come to zero, nobody saw how
@@ -296,6 +299,7 @@ class ArcusDriver final : public Driver {
   Instant round_began_{};
   Instant motion_asked_at_{};  ///< the oldest question of the newest round that has been applied
   int round_ = 0;
+  SecondLook limits_look_, io_look_;
   bool io_due_ = false;  ///< the user's own text may have switched a motor
   std::uint32_t watched_ = 0;
   std::optional<StoredCode> stored_code_;  ///< not known: not looked, or foreign code

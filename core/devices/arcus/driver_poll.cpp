@@ -20,10 +20,8 @@ Task<Result<>> ArcusDriver::poll(Round round) {
   if (round == Round::stopping) co_return co_await see_whether_it_stands();
   ++round_;
   const Look look = begin_look();
-  auto motion = co_await read_motion(Priority::poll);
+  auto motion = co_await read_whole_motion(Priority::poll);
   if (!motion) co_return motion;
-  auto loop = co_await read_loop(Priority::poll);
-  if (!loop) co_return loop;
   look_at_counters(look);
   if (borrowed_) {
     auto returned = co_await give_back();
@@ -52,8 +50,7 @@ Task<Result<>> ArcusDriver::poll(Round round) {
 
 Task<Result<>> ArcusDriver::see_whether_it_stands() {
   const Look look = begin_look();
-  auto seen = co_await read_motion(Priority::stop);
-  if (seen) seen = co_await read_loop(Priority::stop);
+  auto seen = co_await read_whole_motion(Priority::stop);
   if (!seen) co_return seen;
   look_at_counters(look);
   if (halting_) co_return co_await read_threads(true, Priority::stop);
@@ -69,6 +66,17 @@ Duration ArcusDriver::moving_period() const {
   return std::max(Duration::zero(), round - (scheduler_.now() - round_began_));
 }
 
+// Where an answer was missing in between, what was read before and behind it may be of two controllers: one
+// before its restart, and one behind it.
+Task<Result<>> ArcusDriver::read_whole_motion(Priority priority) {
+  for (const bool again : {false, true}) {
+    auto read = co_await read_motion(priority);
+    if (read) read = co_await read_loop(priority);
+    if (!read || again || talk_.misses() == motion_misses_) co_return read;
+  }
+  co_return Result<>();
+}
+
 // Four questions, each answered for all axes.
 Task<Result<>> ArcusDriver::read_motion(Priority priority) {
   round_began_ = scheduler_.now();
@@ -78,6 +86,7 @@ Task<Result<>> ArcusDriver::read_motion(Priority priority) {
   const Instant asked_at = scheduler_.now();
   auto status = co_await talk_.ask_numbers(std::string(forms_.status), fields, priority);
   if (!status) co_return fail(status.error());
+  motion_misses_ = talk_.misses();
   auto positions = co_await talk_.ask_numbers(std::string(forms_.positions), axes, priority);
   if (!positions) co_return fail(positions.error());
   const Instant seen_at = scheduler_.now();  // what is asked behind it may come late
@@ -108,6 +117,11 @@ Task<Result<>> ArcusDriver::read_motion(Priority priority) {
 
 void ArcusDriver::take_status(const std::vector<std::int64_t>& words) {
   const StatusBits& bits = model().status;
+  std::uint64_t limits = 0;
+  for (int i = 0; i < axis_count(); ++i)
+    limits = limits << 2 | std::uint64_t{has_bit(words[ix(i)], bits.minus_limit)} << 1 |
+             std::uint64_t{has_bit(words[ix(i)], bits.plus_limit)};
+  const bool limits_agree = limits_look_.agrees(limits, talk_.times_cleaned());
   for (int i = 0; i < axis_count(); ++i) {
     const std::int64_t word = words[ix(i)];
     minds_[ix(i)].status = word;
@@ -116,7 +130,7 @@ void ArcusDriver::take_status(const std::vector<std::int64_t>& words) {
     axis.limit_plus = has_bit(word, bits.plus_limit);
     axis.home = has_bit(word, bits.home);
     axis.alarm = has_bit(word, bits.alarm);
-    axis.limits_known = true;
+    axis.limits_known = limits_agree;
     axis.phase = has_bit(word, bits.accelerating)   ? Phase::accelerating
                  : has_bit(word, bits.decelerating) ? Phase::decelerating
                  : has_bit(word, bits.constant)     ? Phase::constant
@@ -155,18 +169,28 @@ Task<Result<>> ArcusDriver::read_loop(Priority priority) {
 }
 
 Task<Result<>> ArcusDriver::read_io(Priority priority) {
-  auto inputs = co_await talk_.ask_number("DI", priority);
-  if (!inputs) co_return fail(inputs.error());
-  auto outputs = co_await talk_.ask_number("DO", priority);
-  if (!outputs) co_return fail(outputs.error());
-  auto enables = co_await talk_.ask_number("EO", priority);
-  if (!enables) co_return fail(enables.error());
-  draft_.inputs = static_cast<std::uint32_t>(*inputs);
-  draft_.inputs_known = (1u << model().inputs) - 1;
-  draft_.outputs = static_cast<std::uint32_t>(*outputs);
-  draft_.outputs_known = (1u << model().outputs) - 1;
-  draft_.io_seen_at = scheduler_.now();
-  for (int i = 0; i < axis_count(); ++i) draft_.axes[i].enabled = (*enables >> i & 1) != 0;
+  for (const bool again : {false, true}) {
+    auto inputs = co_await talk_.ask_number("DI", priority);
+    if (!inputs) co_return fail(inputs.error());
+    auto outputs = co_await talk_.ask_number("DO", priority);
+    if (!outputs) co_return fail(outputs.error());
+    auto enables = co_await talk_.ask_number("EO", priority);
+    if (!enables) co_return fail(enables.error());
+    const std::uint64_t lines = static_cast<std::uint64_t>(*inputs) << 16 ^
+                                static_cast<std::uint64_t>(*outputs) << 8 ^
+                                static_cast<std::uint64_t>(*enables);
+    if (!io_look_.agrees(lines, talk_.times_cleaned())) {
+      if (!again) continue;
+      break;  // what was shown keeps its age
+    }
+    draft_.inputs = static_cast<std::uint32_t>(*inputs);
+    draft_.inputs_known = (1u << model().inputs) - 1;
+    draft_.outputs = static_cast<std::uint32_t>(*outputs);
+    draft_.outputs_known = (1u << model().outputs) - 1;
+    draft_.io_seen_at = scheduler_.now();
+    for (int i = 0; i < axis_count(); ++i) draft_.axes[i].enabled = (*enables >> i & 1) != 0;
+    break;
+  }
   co_return Result<>();
 }
 

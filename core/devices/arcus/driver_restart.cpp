@@ -26,7 +26,9 @@ Pps ArcusDriver::fastest_way_to_zero(int index) const {
   return mind.top_speed.value > 0 ? std::max(axis.speed, mind.top_speed) : at_once;
 }
 
-ArcusDriver::Look ArcusDriver::begin_look() const { return {counters_.ask(), motors_.ask(), talk_.misses()}; }
+ArcusDriver::Look ArcusDriver::begin_look() const {
+  return {counters_.ask(), targets_.ask(), motors_.ask()};
+}
 
 ArcusDriver::Stood ArcusDriver::where_all_stand() const {
   Stood stood;
@@ -34,7 +36,7 @@ ArcusDriver::Stood ArcusDriver::where_all_stand() const {
   stood.misses = talk_.misses();
   stood.program_ran = draft_.program.run == RunState::running;
   for (int i = 0; i < axis_count(); ++i)
-    stood.axes[ix(i)] = {draft_.axes[i].position, fastest_way_to_zero(i),
+    stood.axes[ix(i)] = {draft_.axes[i].position, draft_.axes[i].encoder, fastest_way_to_zero(i),
                          draft_.axes[i].in_counts ? Steps(loop_tolerance(i)) : Steps(0), moving(i)};
   return stood;
 }
@@ -42,18 +44,21 @@ ArcusDriver::Stood ArcusDriver::where_all_stand() const {
 // Whatever is sent or heard goes through here before it is: a change that it explains is no power-cycle.
 void ArcusDriver::may_set(std::string_view command) {
   if (may_set_counter(command)) counters_.may_be_set();
+  if (may_set_target(command)) targets_.may_be_set();
   if (may_switch_motor(command)) motors_.may_be_set();
   if (command.starts_with("SR") && !ends_program(command)) program_runs();
   if (command.starts_with("GS")) program_runs(longest_run(command));
 }
 
 // After power-up every counter reads zero wherever the motors stand. Texts that may set a counter, homing and
-// programs do that too, and a motion may end there. Where the controller was silent in between, that is not
+// programs do that too, and a motion may end there; what puts a position where the encoder stands explains no
+// more than that. Where the controller was silent in between, that is not
 // taken for granted: look_at_motors() finds out. See also read_what_power_keeps(), for one that stood at
 // zero.
 void ArcusDriver::look_at_counters(const Look& look, bool was_silent) {
-  if (talk_.misses() != look.misses && !was_silent) return;  // some of it may be from before and some from after
+  if (talk_.misses() != motion_misses_ && !was_silent) return;  // some is of before, some of after, perhaps
   const bool unexplained = counters_.answered(look.counters);
+  const bool targets_stay = targets_.answered(look.targets);
   const auto before = std::exchange(stood_, where_all_stand());
   if (!before || !unexplained) return;
   const bool silent = was_silent || stood_->misses != before->misses;
@@ -65,7 +70,8 @@ void ArcusDriver::look_at_counters(const Look& look, bool was_silent) {
     const AxisState& axis = draft_.axes[i];
     const Stood::Axis& then = before->axes[ix(i)];
     stands_at_zero = stands_at_zero && !runs(i) && axis.position == Steps(0) && axis.encoder == Steps(0);
-    const std::int64_t way = std::abs(then.position.value) - then.room.value;
+    std::int64_t way = std::abs(then.position.value) - then.room.value;
+    if (!targets_stay) way = std::min(way, std::abs(then.encoder.value));
     const double reach = then.towards_zero.value > 0 ? then.towards_zero.value * elapsed : 0;
     came_nearer = came_nearer || way > std::abs(axis.position.value);
     jumped = jumped || static_cast<double>(way) > reach;
@@ -149,6 +155,7 @@ bool ArcusDriver::programs_switch_motors() const { return !stored_code_ || store
 Task<Result<>> ArcusDriver::look_back_over_the_loss() {
   if (stood_ && stood_->program_ran) program_runs();  // until a moment ago, perhaps
   counters_.settle();
+  targets_.settle();
   look_at_counters(begin_look(), true);
   co_return co_await look_at_motors(motors_.ask());
 }
@@ -159,8 +166,7 @@ Task<Result<>> ArcusDriver::look_after_silence() {
   if (!stood_ || stood_->misses == talk_.misses()) co_return Result<>();
   const std::uint32_t restarts = draft_.restarts;
   const Look look = begin_look();
-  auto seen = co_await read_motion(Priority::intent);
-  if (seen) seen = co_await read_loop(Priority::intent);
+  auto seen = co_await read_whole_motion(Priority::intent);
   if (seen) look_at_counters(look);
   if (seen && zero_in_doubt_) seen = co_await read_io(Priority::intent);
   if (seen && zero_in_doubt_) seen = co_await look_at_motors(look.motors);

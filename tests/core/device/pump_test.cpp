@@ -345,6 +345,28 @@ TEST_F(PumpClosing, AStopGoesOutBehindAQuestionThatIsNeverAnswered) {
 
 // ---- stops and lost links
 
+// The third miss, which makes a loss of it, may take seconds: a held jog does not wait for that.
+TEST_F(PumpTest, AJogThatNobodySeesIsStoppedAtTheSecondMiss) {
+  const auto hold_until = [&](auto seen) {
+    for (int ms = 0; ms < 5000 && !seen(); ++ms) {
+      if (ms % 100 == 0) post(intent::JogKeepAlive());
+      time.run_for(Millis(1));
+    }
+  };
+  post(intent::JogStart(AxisId{0}, Sign::plus));
+  hold_until([&] { return machine.moves; });
+  silent = true;
+  hold_until([&] { return latest.link.misses_in_a_row == 1; });
+  EXPECT_TRUE(machine.moves);
+  hold_until([&] { return latest.link.misses_in_a_row == 2; });
+  time.run_for(Millis(1));
+  EXPECT_FALSE(machine.moves);
+  EXPECT_NE(latest.link.state, LinkState::lost);
+  EXPECT_THAT(notices, testing::Contains(HasSubstr("the jog was stopped")));
+  silent = false;
+  time.run_for(Millis(300));
+}
+
 // In the silence before a loss nobody knows whether it has got through.
 TEST_F(PumpTest, AStopThatALossCutsShortIsMadeGood) {
   post(intent::MoveTo({{AxisId{0}, Steps(400)}}));

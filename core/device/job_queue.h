@@ -1,0 +1,73 @@
+#pragma once
+// Commands and questions that wait for their turn at an open controller, and the one whose turn it is. Io
+// thread.
+#include <algorithm>
+#include <deque>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "core/base/asio.h"
+#include "core/device/intent.h"
+#include "core/device/text_meaning.h"
+#include "core/time/scheduler.h"
+
+namespace hw {
+
+/// An intent, or a question with its waiting coroutine.
+struct Job {
+  Intent intent;
+  TextMeaning meaning;             ///< of a text
+  std::uint64_t stops_before = 0;  ///< of all controllers on this wire, for a text to all of them
+  bool is_query = false;
+  std::string text;
+  Duration patience{};
+  Result<std::string> reply{std::string()};
+  std::uint64_t since = 0;  ///< what comes unasked from here on may answer it
+  Suspended asker;
+  bool answered = false;
+  explicit Job(Intent i) : intent(std::move(i)) {}
+};
+
+class JobQueue {
+ public:
+  [[nodiscard]] bool empty() const { return waiting_.empty(); }
+  [[nodiscard]] bool full() const {
+    constexpr std::size_t most = 64;
+    return waiting_.size() >= most;
+  }
+  void push(std::unique_ptr<Job> job) { waiting_.push_back(std::move(job)); }
+  [[nodiscard]] bool has(IntentId id) const {
+    return std::any_of(waiting_.begin(), waiting_.end(), [id](const auto& job) { return job->intent.id == id; });
+  }
+  /// Null: it does not wait here.
+  std::unique_ptr<Job> withdraw(IntentId id) {
+    const auto found = std::find_if(waiting_.begin(), waiting_.end(),
+                                    [id](const auto& job) { return job->intent.id == id; });
+    if (found == waiting_.end()) return nullptr;
+    auto job = std::move(*found);
+    waiting_.erase(found);
+    return job;
+  }
+  /// All that wait, for whoever refuses them.
+  [[nodiscard]] std::deque<std::unique_ptr<Job>> take_all() { return std::exchange(waiting_, {}); }
+
+  /// The next one's turn; it lasts until end().
+  std::unique_ptr<Job> begin() {
+    auto job = std::move(waiting_.front());
+    waiting_.pop_front();
+    performed_ = job.get();
+    return job;
+  }
+  void end() { performed_ = nullptr; }
+  [[nodiscard]] bool performs() const { return performed_ != nullptr; }
+  [[nodiscard]] bool performs_for_all_on_the_wire() const {
+    return performed_ != nullptr && performed_->meaning.whom == TextMeaning::For::everybody;
+  }
+
+ private:
+  std::deque<std::unique_ptr<Job>> waiting_;
+  const Job* performed_ = nullptr;
+};
+
+}  // namespace hw

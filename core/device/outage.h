@@ -1,0 +1,66 @@
+#pragma once
+// The time without a connection: from the loss of the wire, through all attempts, to the next connection, and
+// what is told of it then. Io thread.
+#include <algorithm>
+#include <iterator>
+#include <string>
+#include <utility>
+
+#include "core/device/loss_report.h"
+
+namespace hw {
+
+class Outage {
+ public:
+  struct Loss {
+    bool at_work = false;     ///< something moved or ran
+    bool on_the_way = false;  ///< something was being asked of the controller
+    bool may_run = false;     ///< something may still run that somebody has stopped, or holds
+  };
+  /// False: the wire has been lost before; attempts in between do not count.
+  bool begin(const Snapshot& last_known, const Loss& loss, Instant now) {
+    if (std::exchange(on_, true)) return false;
+    may_run_ = loss.may_run;
+    restarts_ = last_known.restarts;
+    report_.lost(last_known, loss.at_work, loss.on_the_way, now);
+    return true;
+  }
+  /// There is a connection. Whether the controller was switched off and on meanwhile.
+  bool end(const Snapshot& known) {
+    on_ = may_run_ = at_once_ = false;
+    attempts_ = 0;
+    return std::exchange(restarts_, known.restarts) != known.restarts;
+  }
+  [[nodiscard]] bool may_run() const { return may_run_; }
+  /// See LossReport::back().
+  std::string told_when_back(const Catalog& catalog, const Snapshot& known, bool at_work, Instant now) {
+    return report_.back(catalog, known, at_work, now);
+  }
+
+  // ---- attempts to connect
+  /// Another one begins; its number.
+  int try_again(Instant now) {
+    at_once_ = false;
+    tried_at(now);
+    return ++attempts_;
+  }
+  /// The same once more, on the same wire.
+  void tried_at(Instant now) { attempt_at_ = now; }
+  [[nodiscard]] Instant attempt_at() const { return attempt_at_; }
+  /// The next one is not waited for.
+  void hurry() { at_once_ = on_; }
+  [[nodiscard]] bool hurries() const { return at_once_; }
+  [[nodiscard]] Duration back_off() const {
+    constexpr Millis steps[] = {Millis(250), Millis(500), Millis(1000), Millis(2000), Millis(5000)};
+    return steps[std::min<std::size_t>(static_cast<std::size_t>(attempts_), std::size(steps) - 1)];
+  }
+
+ private:
+  bool on_ = false, may_run_ = false, at_once_ = false;
+  std::uint32_t restarts_ = 0;
+  int attempts_ = 0;
+  Instant attempt_at_{};
+  LossReport report_;
+};
+
+}  // namespace hw
