@@ -120,8 +120,6 @@ class Station {
   [[nodiscard]] Duration lateness() const { return lateness_; }
   /// Another device on this wire owes an answer that may look like this: what is heard may be that.
   [[nodiscard]] bool others_owe(Look look = Look::any) const;
-  /// What was asked on the dirty line shows that nothing it owed will come.
-  void has_caught_up() { owed_.clear(); }
   /// Line rate in baud; 0: the wire has none, or is gone.
   [[nodiscard]] int rate() const { return link_ ? link_->rate() : 0; }
   /// The wire carries whole messages to this one device (Stream::carries_messages).
