@@ -3,6 +3,8 @@
 //   conversation.h      questions and answers         nameplate.h  what it is
 //   signals.h           limits, inputs, outputs       parameters.h values of set and get, storing
 //   programs.h          what its five programs hold   greeting.h   what answers at first
+//   sight.h             which motors turn             speeds.h     S, and whose it is
+//   hold.h              whether H is on
 // and, with what goes on in the controller as their common state, one subject per file:
 //   driver_talk.cpp     what comes unasked
 //   driver_text.cpp     raw text of users and scripts
@@ -27,18 +29,18 @@
 #include "core/devices/vxm/console.h"
 #include "core/devices/vxm/conversation.h"
 #include "core/devices/vxm/facts.h"
+#include "core/devices/vxm/hold.h"
 #include "core/devices/vxm/nameplate.h"
 #include "core/devices/vxm/parameters.h"
 #include "core/devices/vxm/programs.h"
+#include "core/devices/vxm/sight.h"
 #include "core/devices/vxm/signals.h"
+#include "core/devices/vxm/speeds.h"
 #include "core/devices/vxm/text_pieces.h"
 
 namespace hw::vxm {
 
 std::unique_ptr<Driver> make_driver(DriverContext context);
-
-/// Positions that stay the same for so long.
-inline constexpr Duration to_see_standstill = Millis(60);
 
 class VxmDriver final : public Driver {
  public:
@@ -197,7 +199,6 @@ class VxmDriver final : public Driver {
   void show_stopping();
   void drop_later_legs(int axis);
   void note_stop();
-  [[nodiscard]] double fastest() const;
   StopProgress watch_the_ramp();
   StopProgress watch_the_program();
   [[nodiscard]] bool stands_since_ramp() const;
@@ -218,7 +219,6 @@ class VxmDriver final : public Driver {
   // ---- driver_run.cpp
   Result<> may_change() const;
   Task<Result<>> run(int slot);
-  [[nodiscard]] bool hold_is_known() const { return !hold_doubtful_ && !found_running_; }
   void program_has_begun_a_way(bool reversed);
   Result<> may_switch_hold() const;
   Task<Result<>> pause();
@@ -242,6 +242,9 @@ class VxmDriver final : public Driver {
   Signals signals_;
   Parameters parameters_;
   Programs programs_;
+  Sight sight_;
+  Speeds speeds_;
+  Hold hold_;
 
   Mode mode_ = Mode::unknown;
   bool connected_before_ = false, stay_local_ = false;
@@ -250,26 +253,16 @@ class VxmDriver final : public Driver {
   Job job_;
   int scratch_ = -1;  ///< slot that holds a leg of ours and must be emptied; -1: none
   bool stored_running_ = false;
-  bool hold_on_ = false;
-  bool hold_doubtful_ = false;    ///< the wire was lost with an H on it, or nobody confirmed a K
-  bool found_running_ = false;    ///< by somebody else, who may have said H: nothing has begun since
-  bool has_begun_ = false;        ///< something, in a program, since its hold was last thought to be on
-  bool release_hold_ = false;     ///< it must not keep what runs, or runs next
   bool reset_said_ = false;       ///< res by a text of the user's; its restart has not been seen
   bool restart_counted_ = false;  ///< it has not been seen on-line since
   char halted_ = 0;               ///< letter of the error that waits for K
   Instant ask_again_at_{};
   std::optional<Ramp> ramp_;
-  std::array<std::optional<int>, max_motors> known_speed_;  ///< S as the user's commands left it
-  std::array<bool, max_motors> our_speed_{};                ///< S of a leg that was cut off may be in force
   std::array<bool, max_motors> type_warned_{};
 
   int round_ = 0;
   Instant round_began_{};
-  std::array<Instant, max_motors> moved_at_{};
-  std::array<std::optional<Sign>, max_motors> went_{};  ///< last, since a stored program was begun
   std::optional<int> ended_run_;  ///< its slot: its end was seen, the switches have not been read since
-  std::array<double, max_motors> seen_speed_{};  ///< steps/s between the last two readings
 
   bool echo_told_ = false;
   Instant killed_at_{};

@@ -31,7 +31,8 @@ VxmDriver::VxmDriver(DriverContext context)
       nameplate_(console_, talk_),
       signals_(console_, talk_, nameplate_),
       parameters_(console_, talk_, nameplate_, [this] { return may_change(); }),
-      programs_(console_, talk_, parameters_, [this] { return may_change(); }) {
+      programs_(console_, talk_, parameters_, [this] { return may_change(); }),
+      sight_(scheduler_) {
   draft_.axis_count = static_cast<int>(console_.catalog.axes.size());
   draft_.identity.model = console_.catalog.name;
   draft_.slot_bytes_used.fill(-1);
@@ -262,14 +263,13 @@ void VxmDriver::stands_after_restart(Doubt why) {
 }
 
 void VxmDriver::forget_ram() {
-  hold_on_ = hold_doubtful_ = release_hold_ = false;
+  hold_.ended();
   halted_ = 0;
   scratch_ = -1;
   nameplate_.forget();
   parameters_.forget();
   programs_.forget();
-  for (auto& speed : known_speed_) speed = default_speed;
-  our_speed_.fill(false);
+  speeds_.forget();
   draft_.program.command = -1;
   draft_.program.stepping = false;
 }
@@ -280,7 +280,7 @@ Task<Result<>> VxmDriver::resume_after_loss(char state) {
   if (state == vxm::busy && !job_.active()) {
     const bool others = !stored_running_;
     show_running(-1);
-    found_running_ = others;
+    if (others) hold_.found_running();
   }
   if (state == vxm::busy && job_.active()) show_leg(job_.legs.front());
   if (!std::exchange(lost_while_busy_, false)) co_return Result<>();

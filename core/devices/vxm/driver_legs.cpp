@@ -20,19 +20,19 @@ constexpr Duration quick_patience = std::chrono::seconds(1);
 
 std::string VxmDriver::leg_program(const Leg& leg) {
   std::string text;
-  if (hold_on_) text += "H";  // else it would hold before the first command
+  if (hold_.is_on()) text += "H";  // else it would hold before the first command
   text += empty_program(scratch_);
   for (const int axis : {leg.axis, leg.second_axis}) {
     if (axis < 0) continue;
-    const int usual = known_speed_[ix(axis)].value_or(default_speed);
+    const int usual = speeds_.usual(axis);
     if (leg.speed > 0)
       text += speed(axis + 1, leg.speed);
-    else if (our_speed_[ix(axis)])
+    else if (speeds_.is_ours(axis))
       text += speed(axis + 1, usual);
   }
   text += leg.text;
   for (const int axis : {leg.axis, leg.second_axis})
-    if (axis >= 0 && leg.speed > 0) text += speed(axis + 1, known_speed_[ix(axis)].value_or(default_speed));
+    if (axis >= 0 && leg.speed > 0) text += speed(axis + 1, speeds_.usual(axis));
   return text + "R";
 }
 
@@ -61,15 +61,16 @@ Task<Result<>> VxmDriver::start_leg() {
   const Leg& leg = job_.legs.front();
   job_.leg_over = job_.limit_reported = false;
   for (const int axis : {leg.axis, leg.second_axis})
-    if (axis >= 0) our_speed_[ix(axis)] = our_speed_[ix(axis)] || leg.speed > 0;
+    if (axis >= 0 && leg.speed > 0) speeds_.borrow(axis);
   std::string program = leg_program(leg);
-  const bool held = std::exchange(hold_on_, false);
+  const bool held = hold_.is_on();
+  hold_.was_switched(false);
   show_leg(leg);
   auto sent = co_await talk_.say(std::move(program), Priority::intent);
   if (sent || sent.error().kind != FaultKind::stopped) programs_.was_chosen(scratch_);
   if (sent) co_return sent;
-  hold_on_ = held;
-  hold_doubtful_ = hold_doubtful_ || (held && sent.error().kind == FaultKind::lost);
+  hold_.was_switched(held);
+  if (held && sent.error().kind == FaultKind::lost) hold_.doubt();
   // A stop came first: nothing of it has gone out.
   const std::deque<Leg> never = std::exchange(job_.legs, {});
   if (!never.empty()) show_leg_ended(never.front(), EndedBy::stop);
@@ -90,18 +91,18 @@ void VxmDriver::show_leg(const Leg& leg) {
       if (axis.position_known)
         axis.direction = static_cast<std::int8_t>(axis.target < axis.position ? -1 : 1);
     }
-    axis.speed = Pps{static_cast<double>(leg.speed > 0 ? leg.speed : known_speed_[ix(index)].value_or(0))};
+    axis.speed = Pps{static_cast<double>(leg.speed > 0 ? leg.speed : speeds_.known(index))};
   }
 }
 
 // What is due before anything else: a hold that was left on is taken off, a leg that is over is followed by
 // the next one, and what the console has put into the controller goes when nothing of its own runs.
 Task<Result<>> VxmDriver::settle() {
-  if (release_hold_ && hold_on_) {
+  if (hold_.is_to_be_released()) {
     auto released = co_await switch_hold("H", false, Priority::intent);
     if (!released) co_return released;
   }
-  release_hold_ = false;
+  hold_.was_released();
   if (job_.active() && job_.leg_over) {
     auto ended = co_await end_leg(Priority::poll);
     if (!ended) co_return ended;
@@ -125,7 +126,7 @@ Task<Result<>> VxmDriver::end_leg(Priority priority) {
   const EndedBy ended_by = how_it_ended(leg);
   const bool cut_off = ended_by == EndedBy::abort || ended_by == EndedBy::error || ended_by == EndedBy::lost;
   for (const int axis : {leg.axis, leg.second_axis})
-    if (axis >= 0 && !cut_off) our_speed_[ix(axis)] = false;
+    if (axis >= 0 && !cut_off) speeds_.give_back(axis);
   auto again = next_jog_leg(leg, ended_by);
   job_.legs.pop_front();
   if (again) job_.legs.push_back(std::move(*again));
@@ -183,7 +184,7 @@ std::optional<VxmDriver::Leg> VxmDriver::next_jog_leg(const Leg& last, EndedBy e
 bool VxmDriver::clears_up() const {
   const bool ends = !busy() || ramp_ || job_.leg_over || job_.ended_by != EndedBy::nothing;
   const bool something_left =
-      scratch_ >= 0 || !programs_.selection_is_given_back() || (release_hold_ && hold_on_);
+      scratch_ >= 0 || !programs_.selection_is_given_back() || hold_.is_to_be_released();
   return something_left && !reset_said_ && mode_ == Mode::on_line && !halted_ && ends;
 }
 
@@ -235,10 +236,10 @@ Result<> VxmDriver::cut_short() const {
 Task<Result<>> VxmDriver::restore_speeds() {
   Leg leg;
   for (int axis = 0; axis < draft_.axis_count; ++axis)
-    if (our_speed_[ix(axis)]) leg.text += speed(axis + 1, known_speed_[ix(axis)].value_or(default_speed));
+    if (speeds_.is_ours(axis)) leg.text += speed(axis + 1, speeds_.usual(axis));
   if (leg.text.empty()) co_return Result<>();
   auto restored = co_await run_quickly(std::move(leg));
-  if (restored) our_speed_.fill(false);
+  if (restored) speeds_.give_all_back();
   co_return restored;
 }
 

@@ -199,7 +199,7 @@ Task<Result<>> VxmDriver::home(const intent::Home& wish) {
   to_switch.axis = axis;
   to_switch.activity = Activity::homing;
   to_switch.sign = wish.sign;
-  to_switch.speed = std::min(known_speed_[ix(axis)].value_or(default_speed), homing_speed);
+  to_switch.speed = std::min(speeds_.usual(axis), homing_speed);
   to_switch.text = vxm::home(axis + 1, wish.sign);
   Leg zero;
   zero.axis = axis;

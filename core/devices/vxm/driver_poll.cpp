@@ -144,22 +144,12 @@ Task<Result<>> VxmDriver::read_positions(Priority priority, bool at_rest, bool a
 
 void VxmDriver::show_position(int index, Steps position) {
   AxisState& axis = draft_.axes[index];
-  const auto i = static_cast<std::size_t>(index);
-  const Instant now = scheduler_.now();
-  const bool moved = axis.position_known && axis.position != position;
-  if (axis.position_known && now > axis.seen_at)
-    seen_speed_[i] =
-        std::abs(static_cast<double>((position - axis.position).value)) / seconds(now - axis.seen_at);
-  const Sign way = position > axis.position ? Sign::plus : Sign::minus;
-  const bool turned = now - moved_at_[i] < to_see_standstill;
-  const bool reversed = moved && went_[i] && went_[i] != way;
-  if (moved && stored_running_ && (!turned || reversed)) program_has_begun_a_way(reversed);
-  if (!axis.position_known) moved_at_[i] = now;  // what was seen once only may turn
-  if (moved) moved_at_[i] = now, went_[i] = way;
+  const Sight::Change change = sight_.saw(index, axis, position);
+  if (stored_running_ && (change.begun || change.reversed)) program_has_begun_a_way(change.reversed);
   if (stored_running_ && !job_.active()) {  // what a program moves shows by its positions only
     constexpr Duration seems_moving = Millis(150);
-    const bool turns = moved || now - moved_at_[i] < seems_moving;
-    if (moved) axis.direction = static_cast<std::int8_t>(position > axis.position ? 1 : -1);
+    const bool turns = sight_.has_turned_within(seems_moving, index);
+    if (change.moved) axis.direction = static_cast<std::int8_t>(position > axis.position ? 1 : -1);
     if (!turns) axis.direction = 0;
     axis.activity = !turns ? Activity::idle : ramp_ ? Activity::stopping : Activity::moving;
   } else if (!job_.active() && axis.activity != Activity::error) {
@@ -168,7 +158,7 @@ void VxmDriver::show_position(int index, Steps position) {
   }
   axis.position = position;
   axis.position_known = true;
-  axis.seen_at = now;
+  axis.seen_at = scheduler_.now();
 }
 
 // What is to be done next must not hide a restart that went unseen: what is asked to clean the line tells
@@ -198,7 +188,7 @@ Task<Result<>> VxmDriver::take_state(char state) {
     run_ended(EndedBy::target);
   } else if (state == ready && draft_.program.run != RunState::error) {
     // Whatever a stray message has said.
-    hold_doubtful_ = hold_doubtful_ || draft_.program.run == RunState::held;
+    if (draft_.program.run == RunState::held) hold_.doubt();
     draft_.program.run = RunState::idle;
   }
   co_return Result<>();

@@ -42,13 +42,14 @@ void VxmDriver::heard_prompt() {
 void VxmDriver::heard_held(std::string_view command) {
   console_.texts.add(fmt::format(":{}", command));
   if (job_.active()) {
-    hold_on_ = release_hold_ = true;  // one that was left on must not keep a move of ours
+    hold_.was_switched(true);
+    hold_.release_soon();  // one that was left on must not keep a move of ours
     return;
   }
   ProgramState& p = draft_.program;
   p.run = RunState::held;
-  p.stepping = hold_on_ = true;
-  hold_doubtful_ = found_running_ = false;
+  p.stepping = true;
+  hold_.showed();
   p.command_told = false;
   const int before = p.command;
   p.command = -1;

@@ -52,8 +52,7 @@ void VxmDriver::note_taken(const Piece& piece) {
 
 void VxmDriver::note_taken(const TextCommand& c) {
   if (c.stored()) programs_.selected_was_changed();
-  if (c.verb == Verb::speed && c.motor >= 1 && c.motor <= max_motors)
-    known_speed_[static_cast<std::size_t>(c.motor - 1)] = static_cast<int>(c.value);
+  if (c.verb == Verb::speed) speeds_.was_set(c.motor, static_cast<int>(c.value));
   if (c.verb == Verb::select || c.verb == Verb::empty) {
     programs_.was_selected(static_cast<int>(c.value));
     if (c.verb == Verb::empty) programs_.selected_was_changed();
@@ -75,7 +74,7 @@ void VxmDriver::note_letter(char letter) {
     case 'D':
       if (mode_ != Mode::local) note_stop();
       break;
-    case 'H': hold_on_ = !hold_on_; break;
+    case 'H': hold_.was_toggled(); break;
     case 'Q':
       stay_local_ = true;
       mode_ = Mode::local;
