@@ -14,7 +14,7 @@
 //   driver_legs.cpp     how each is carried out: runs of a program that nobody uses
 //   driver_stop.cpp     stops (decision V102), and what shows of them
 //   driver_run.cpp      run, hold, step
-//   driver_params.cpp   perform(): what can be asked of the driver; reset
+//   driver.cpp          what it is made of; perform(): what can be asked of it
 #include <array>
 #include <deque>
 #include <memory>
@@ -228,11 +228,13 @@ class VxmDriver final : public Driver {
   void show_running(int slot);
   [[nodiscard]] bool may_turn(int slot, int motor) const;
 
-  // ---- driver_params.cpp
+  // ---- driver.cpp
   Task<Result<>> perform_program(const IntentBody& body);
   static int slot_of(const IntentBody& body);
   Task<Result<>> read_again();
   Task<Result<>> reset();
+
+  // ---- its parts
   const Console console_;
   Scheduler& scheduler_;
   Snapshot& draft_;
@@ -246,6 +248,7 @@ class VxmDriver final : public Driver {
   Speeds speeds_;
   Hold hold_;
 
+  // ---- what goes on in the controller
   Mode mode_ = Mode::unknown;
   bool connected_before_ = false, stay_local_ = false;
   bool lost_while_busy_ = false;

@@ -17,42 +17,6 @@ constexpr int attempts_to_end_echo = 4;
 
 }  // namespace
 
-std::unique_ptr<Driver> make_driver(DriverContext context) {
-  return std::make_unique<VxmDriver>(std::move(context));
-}
-
-VxmDriver::VxmDriver(DriverContext context)
-    : console_(std::move(context)),
-      scheduler_(console_.scheduler),
-      draft_(console_.draft),
-      news_(scheduler_),
-      talk_(
-          scheduler_, [this] { return listening(); }, [this](const Message& m) { heard(m); }),
-      nameplate_(console_, talk_),
-      signals_(console_, talk_, nameplate_),
-      parameters_(console_, talk_, nameplate_, [this] { return may_change(); }),
-      programs_(console_, talk_, parameters_, [this] { return may_change(); }),
-      sight_(scheduler_) {
-  draft_.axis_count = static_cast<int>(console_.catalog.axes.size());
-  draft_.identity.model = console_.catalog.name;
-  draft_.slot_bytes_used.fill(-1);
-}
-
-void VxmDriver::attach(Station& station) {
-  mode_ = Mode::unknown;
-  echo_told_ = false;
-  talk_.attach(station);
-  signals_.begin();
-  station.procedure_ended = [this] { news_.notify(); };
-}
-
-Task<Result<>> VxmDriver::connect() {
-  talk_.be_patient(true);
-  auto made = co_await find_out_all();
-  talk_.be_patient(false);
-  co_return made;
-}
-
 Task<Result<>> VxmDriver::find_out_all() {
   auto greeted = co_await greet();
   if (!greeted) co_return greeted;

@@ -1,10 +1,9 @@
-// Set-up: values of set and get, B and O; baud rate; storing; reset. And the list of what can be asked of the
-// driver.
+// What the driver is made of, and what can be asked of it.
+#include "core/devices/vxm/driver.h"
+
 #include <fmt/core.h>
 
 #include "core/base/index.h"
-#include "core/devices/vxm/driver.h"
-#include "core/devices/vxm/looks.h"
 
 namespace hw::vxm {
 namespace {
@@ -13,6 +12,42 @@ constexpr int restart_attempts = 8;
 constexpr Duration restart_pause = Millis(250);
 
 }  // namespace
+
+std::unique_ptr<Driver> make_driver(DriverContext context) {
+  return std::make_unique<VxmDriver>(std::move(context));
+}
+
+VxmDriver::VxmDriver(DriverContext context)
+    : console_(std::move(context)),
+      scheduler_(console_.scheduler),
+      draft_(console_.draft),
+      news_(scheduler_),
+      talk_(
+          scheduler_, [this] { return listening(); }, [this](const Message& m) { heard(m); }),
+      nameplate_(console_, talk_),
+      signals_(console_, talk_, nameplate_),
+      parameters_(console_, talk_, nameplate_, [this] { return may_change(); }),
+      programs_(console_, talk_, parameters_, [this] { return may_change(); }),
+      sight_(scheduler_) {
+  draft_.axis_count = static_cast<int>(console_.catalog.axes.size());
+  draft_.identity.model = console_.catalog.name;
+  draft_.slot_bytes_used.fill(-1);
+}
+
+void VxmDriver::attach(Station& station) {
+  mode_ = Mode::unknown;
+  echo_told_ = false;
+  talk_.attach(station);
+  signals_.begin();
+  station.procedure_ended = [this] { news_.notify(); };
+}
+
+Task<Result<>> VxmDriver::connect() {
+  talk_.be_patient(true);
+  auto made = co_await find_out_all();
+  talk_.be_patient(false);
+  co_return made;
+}
 
 Task<Result<>> VxmDriver::perform(const IntentBody& body) {
   using namespace intent;
