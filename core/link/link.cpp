@@ -136,7 +136,8 @@ void Link::start_next() {
     return;
   }
   constexpr std::size_t usual_answer = 16;
-  deadline_.arm(deadline_at_ = sent_at_ + patience_for(*spoke_last_, t) + wire_time(t.bytes.size() + usual_answer));
+  deadline_.arm(deadline_at_ =
+                    sent_at_ + patience_for(*spoke_last_, t) + wire_time(t.bytes.size() + usual_answer));
   if (!waiting_[static_cast<std::size_t>(Priority::stop)].empty()) hurry_for_a_stop();
   stream_->send(t.bytes);
 }

@@ -126,7 +126,8 @@ Task<Result<>> Station::clean_by(Unmistakable asked, Priority priority) {
   if (!asked.is_answer(*answer)) {
     doubt(look);
     count_miss();
-    co_return fail(FaultKind::garbled, "What the controller answers means nothing.", "Nothing of it was used.",
+    co_return fail(FaultKind::garbled, "What the controller answers means nothing.",
+                   "Nothing of it was used.",
                    "Look at the cable, the baud rate, and whether another program talks to the controller.");
   }
   owed_.clear();

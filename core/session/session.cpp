@@ -193,7 +193,8 @@ Task<Result<>> Session::wait_until_idle(Duration patience) {
   const Instant deadline = scheduler_.now() + patience;
   co_await asio::post(scheduler_.executor(), use_task);  // behind whatever send() has posted
   std::optional<std::uint64_t> round;                    // of status, begun when nothing waited to be sent
-  bool in_time = true;
+  bool in_time = true, at_work = false, cut_off = false;
+  std::uint32_t restarts = known().restarts;
   while (in_time) {
     const Snapshot& s = known();
     const bool gone = s.link.state == LinkState::lost || s.link.state == LinkState::closed;
@@ -203,10 +204,14 @@ Task<Result<>> Session::wait_until_idle(Duration patience) {
       round = pump_.want_round();
     const bool fresh = round && pump_.rounds_ended() >= *round;
     const bool running = s.program.run != RunState::idle && s.program.run != RunState::error;
+    cut_off = cut_off || (std::exchange(restarts, s.restarts) != s.restarts && at_work);
+    at_work = running || s.any_axis_moving();
     if (gone || s.program.run == RunState::error ||
         (fresh && !running && !s.working && !s.any_axis_moving())) {
       std::string reason = why_not_finished(s, catalog_);
       if (reason.empty()) reason = std::exchange(text_refused_, {});
+      if (reason.empty() && cut_off)
+        reason = "The controller was switched off and on, or reset, while something was under way.";
       if (reason.empty()) co_return Result<>();
       co_return fail(gone ? FaultKind::lost : FaultKind::controller, std::move(reason));
     }

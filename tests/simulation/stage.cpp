@@ -180,13 +180,15 @@ Task<> Stage::close_and_look(std::shared_ptr<SessionGroup> group, int call) {
   for (const auto& member : group->members()) connected = connected && member->known().link.connected();
   co_await group->close();
   judge_.call_ended(call);
+  Event never(time_);
+  constexpr Duration opening_takes = Millis(50);  // the last answer comes in meanwhile
+  co_await never.wait_until(now() + opening_takes);
   if (--closing_now_ == 0 && opens_later_) open();
   for (std::size_t i = 0; i < machines_.size(); ++i)
     group->members()[i]->notices().drain([&](const Notice&) { machines_[i].told = true; });
   if (!connected) co_return;
-  Event never(time_);  // what is on the wire still arrives
   constexpr Duration arrives = std::chrono::seconds(1);
-  co_await never.wait_until(now() + arrives);
+  co_await never.wait_until(now() + arrives);  // what is on the wire
   if (!may_judge_what_is_left(closed_at)) co_return;
   for (std::size_t i = 0; i < machines_.size(); ++i) judge_what_is_left(i);
 }

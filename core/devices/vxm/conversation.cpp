@@ -151,11 +151,10 @@ Task<Result<std::string>> Conversation::places(ReplyShape shape, Priority priori
   co_return co_await exchange(std::move(t));
 }
 
-// Where answers are owed it may be that they are merely late. Two that come at once, with silence behind each,
-// are none of those: they were not asked one behind the other.
+// Where answers are owed it may be that they are merely late. Two that come at once, with silence behind
+// each, are none of those: they were not asked one behind the other.
 Task<Result<std::string>> Conversation::greet(std::uint16_t quiet_ms) {
-  auto t =
-      own_question("V", ReplyShape::until_quiet(quiet_ms), Priority::intent, nullptr, look::letter);
+  auto t = own_question("V", ReplyShape::until_quiet(quiet_ms), Priority::intent, nullptr, look::letter);
   t.patience = station_ && station_->is_dirty() ? late_greeting_patience : greeting_patience;
   t.on_dirty_line = true;
   const Instant asked_at = scheduler_.now();

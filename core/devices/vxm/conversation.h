@@ -19,7 +19,7 @@ inline bool worth_another_try(const Fault& fault) {
 
 class Conversation {
  public:
-  /// `listening`: what the controller takes now, as far as is known. `heard`: a message that came unasked.
+  /// `listening`: see listens(). `heard`: a message that came unasked.
   Conversation(Scheduler& scheduler, std::function<Listening()> listening,
                std::function<void(const Message&)> heard);
 
@@ -57,6 +57,8 @@ class Conversation {
   /// may be sent while the controller sends (the overrun of the manual's p.30 locks it until power-off).
   Task<Result<>> wait_for_quiet(Duration at_most = Duration::max());
 
+  /// What the controller takes now, as far as is known.
+  [[nodiscard]] Listening listens() const { return listening_(); }
   [[nodiscard]] Instant heard_at() const { return heard_at_; }
   /// How many bytes have come that belong to no answer and to no message.
   [[nodiscard]] std::uint32_t strays() const { return strays_; }
@@ -78,7 +80,7 @@ class Conversation {
   Station* station_ = nullptr;
   bool patient_ = false;
   int prompt_greetings_ = 0;  ///< one behind the other
-  std::string unasked_;  ///< a message that has not come to its end
+  std::string unasked_;       ///< a message that has not come to its end
   Instant heard_at_{};
   std::string asked_;  ///< last: what comes back of it unchanged is an echo
   bool echoes_ = false;

@@ -1,16 +1,20 @@
 #pragma once
-// The VXM from the console's side. One subject per file:
-//   conversation.h      questions and answers; signals.h: limits, inputs, outputs
+// The VXM from the console's side. Its parts:
+//   conversation.h      questions and answers         nameplate.h  what it is
+//   signals.h           limits, inputs, outputs       parameters.h values of set and get, storing
+//   programs.h          what its five programs hold   greeting.h   what answers at first
+//   sight.h             which motors turn             speeds.h     S, and whose it is
+//   hold.h              whether H is on
+// and, with what goes on in the controller as their common state, one subject per file:
 //   driver_talk.cpp     what comes unasked
 //   driver_text.cpp     raw text of users and scripts
-//   driver_connect.cpp  getting it to listen, finding out what it is, power-cycles, lost wires
+//   driver_connect.cpp  getting it to listen, power-cycles, lost wires
 //   driver_poll.cpp     the round of status
 //   driver_moves.cpp    moves, jogs, homing, zero, outputs: what they consist of
 //   driver_legs.cpp     how each is carried out: runs of a program that nobody uses
 //   driver_stop.cpp     stops (decision V102), and what shows of them
-//   driver_program.cpp  load, read, select
 //   driver_run.cpp      run, hold, step
-//   driver_params.cpp   set-up
+//   driver.cpp          what it is made of; perform(): what can be asked of it
 #include <array>
 #include <deque>
 #include <memory>
@@ -22,21 +26,21 @@
 #include "core/device/driver.h"
 #include "core/devices/vxm/codec.h"
 #include "core/devices/vxm/codec_text.h"
+#include "core/devices/vxm/console.h"
 #include "core/devices/vxm/conversation.h"
 #include "core/devices/vxm/facts.h"
+#include "core/devices/vxm/hold.h"
+#include "core/devices/vxm/nameplate.h"
+#include "core/devices/vxm/parameters.h"
+#include "core/devices/vxm/programs.h"
+#include "core/devices/vxm/sight.h"
 #include "core/devices/vxm/signals.h"
+#include "core/devices/vxm/speeds.h"
 #include "core/devices/vxm/text_pieces.h"
 
 namespace hw::vxm {
 
 std::unique_ptr<Driver> make_driver(DriverContext context);
-
-/// Positions that stay the same for so long.
-inline constexpr Duration to_see_standstill = Millis(60);
-
-inline constexpr std::string_view unused_slave =
-    "A second controller answers on the VXM bus, and its motors 3 and 4 are not shown. Open it with motors=4 "
-    "in its address to use them.";
 
 class VxmDriver final : public Driver {
  public:
@@ -91,8 +95,8 @@ class VxmDriver final : public Driver {
     bool holds = false;     ///< of a program: nothing is to begin in it, as far as is known
     double slowest = from;  ///< since then
     Instant looked_at{};
-    double speed = 0;   ///< when it was looked at; of the fastest motor that can be seen
-    bool over = false;  ///< what it was to stop stands
+    double speed = 0;       ///< when it was looked at; of the fastest motor that can be seen
+    bool over = false;      ///< what it was to stop stands
     bool reversed = false;  ///< a motor has turned round since: what is held does not
   };
 
@@ -101,11 +105,7 @@ class VxmDriver final : public Driver {
   void heard_prompt();
   void heard_held(std::string_view command);
   void heard_error(char letter);
-  void lose_slave();
   void heard_limit();
-  void tell(Notice::Kind kind, std::string text);
-  void tell(const Fault& fault);
-
   // ---- driver_text.cpp
   struct RawAnswer {
     std::string text;
@@ -121,8 +121,6 @@ class VxmDriver final : public Driver {
   void warn_of_flaws(const std::vector<TextCommand>& commands);
   void note_taken(const Piece& piece);
   void note_taken(const TextCommand& command);
-  void note_program_changed();
-  void note_set(const TextCommand& command);
   void note_letter(char letter);
   std::string cut_behind_stop(std::string& text) const;
   [[nodiscard]] Listening listening() const;
@@ -136,10 +134,6 @@ class VxmDriver final : public Driver {
   Task<Result<>> go_on_line();
   Task<Result<>> found_local(char state);
   Task<Result<>> found_restarted(const char* why);
-  Task<Result<>> read_identity();
-  Task<Result<>> read_sizes();
-  Task<Result<std::int64_t>> ask_selected();
-  Task<Result<>> read_essentials();
   Task<Result<>> resume_after_loss(char state);
   void count_restart(const char* why, bool was_moving, const std::optional<Digitized>& places);
   Task<Result<>> found_reset_on_line();
@@ -178,11 +172,6 @@ class VxmDriver final : public Driver {
 
   // ---- driver_legs.cpp
   Task<Result<>> settle();
-  Task<Result<int>> find_scratch();
-  Task<Result<>> choose(int slot, Priority priority);
-  Task<Result<>> give_back_selection();
-  void ask_for_room(std::string sentence);
-  bool may_be_scratch(int slot) const;
   Task<Result<>> begin(Job job);
   void forget_how_it_ended();
   Task<Result<>> start_leg();
@@ -210,7 +199,6 @@ class VxmDriver final : public Driver {
   void show_stopping();
   void drop_later_legs(int axis);
   void note_stop();
-  [[nodiscard]] double fastest() const;
   StopProgress watch_the_ramp();
   StopProgress watch_the_program();
   [[nodiscard]] bool stands_since_ramp() const;
@@ -228,19 +216,9 @@ class VxmDriver final : public Driver {
   void look_what_ended_the_run();
   [[nodiscard]] bool looks_for_switches(int slot, int motor) const;
 
-  // ---- driver_program.cpp
-  Task<Result<>> load(const intent::LoadProgram& wish);
-  Task<Result<>> load_slot(int slot, const std::vector<std::string>& lines,
-                           const std::vector<std::string>& expected);
-  Task<Result<>> verify_slot(int slot, const std::vector<std::string>& expected);
-  Task<Result<>> upload(int slot);
-  Task<Result<>> clear(int slot);
-  Task<Result<>> select(int slot);
-  Result<> may_touch_programs() const;
-
   // ---- driver_run.cpp
+  Result<> may_change() const;
   Task<Result<>> run(int slot);
-  [[nodiscard]] bool hold_is_known() const { return !hold_doubtful_ && !found_running_; }
   void program_has_begun_a_way(bool reversed);
   Result<> may_switch_hold() const;
   Task<Result<>> pause();
@@ -250,64 +228,44 @@ class VxmDriver final : public Driver {
   void show_running(int slot);
   [[nodiscard]] bool may_turn(int slot, int motor) const;
 
-  // ---- driver_params.cpp
+  // ---- driver.cpp
   Task<Result<>> perform_program(const IntentBody& body);
   static int slot_of(const IntentBody& body);
   Task<Result<>> read_again();
-  Task<Result<>> set_param(const intent::SetParam& wish);
-  Task<Result<>> set_baud(std::int64_t number);
-  Task<Result<>> read_param(int index, Priority priority);
-  Task<Result<>> read_params();
-  void all_stored();
-  Task<Result<>> store();
   Task<Result<>> reset();
-  [[nodiscard]] std::optional<std::int64_t> param(std::string_view mnemonic) const;
-  [[nodiscard]] bool reachable(const ParamInfo& info) const;
 
+  // ---- its parts
+  const Console console_;
   Scheduler& scheduler_;
-  const Catalog& catalog_;
   Snapshot& draft_;
-  ScriptTexts& texts_;
-  std::function<void(Notice)> notify_;
-  std::function<void()> changed_;
   Event news_;
   Conversation talk_;
+  Nameplate nameplate_;
   Signals signals_;
+  Parameters parameters_;
+  Programs programs_;
+  Sight sight_;
+  Speeds speeds_;
+  Hold hold_;
 
+  // ---- what goes on in the controller
   Mode mode_ = Mode::unknown;
   bool connected_before_ = false, stay_local_ = false;
-  bool slave_present_ = false;
   bool lost_while_busy_ = false;
 
   Job job_;
-  int scratch_ = -1;            ///< slot that holds a leg of ours and must be emptied; -1: none
-  int confirmed_scratch_ = -1;  ///< slot that lst has shown empty
+  int scratch_ = -1;  ///< slot that holds a leg of ours and must be emptied; -1: none
   bool stored_running_ = false;
-  bool hold_on_ = false;
-  bool hold_doubtful_ = false;    ///< the wire was lost with an H on it, or nobody confirmed a K
-  bool found_running_ = false;    ///< by somebody else, who may have said H: nothing has begun since
-  bool has_begun_ = false;        ///< something, in a program, since its hold was last thought to be on
-  bool release_hold_ = false;     ///< it must not keep what runs, or runs next
   bool reset_said_ = false;       ///< res by a text of the user's; its restart has not been seen
   bool restart_counted_ = false;  ///< it has not been seen on-line since
   char halted_ = 0;               ///< letter of the error that waits for K
   Instant ask_again_at_{};
   std::optional<Ramp> ramp_;
-  int selected_ = -1;  ///< the user's choice
-  int chosen_ = -1;    ///< what the controller has selected: for a while, another one
-  std::array<std::optional<std::vector<std::string>>, program_count> listings_;
-  std::array<std::optional<int>, max_motors> known_speed_;  ///< S as the user's commands left it
-  std::array<bool, max_motors> our_speed_{};                ///< S of a leg that was cut off may be in force
   std::array<bool, max_motors> type_warned_{};
 
-  bool identity_read_ = false, sizes_read_ = false, essentials_read_ = false;
-  int next_param_ = 0;
   int round_ = 0;
   Instant round_began_{};
-  std::array<Instant, max_motors> moved_at_{};
-  std::array<std::optional<Sign>, max_motors> went_{};  ///< last, since a stored program was begun
   std::optional<int> ended_run_;  ///< its slot: its end was seen, the switches have not been read since
-  std::array<double, max_motors> seen_speed_{};  ///< steps/s between the last two readings
 
   bool echo_told_ = false;
   Instant killed_at_{};

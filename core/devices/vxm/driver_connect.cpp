@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include "core/devices/vxm/driver.h"
+#include "core/devices/vxm/greeting.h"
 
 namespace hw::vxm {
 namespace {
@@ -14,96 +15,7 @@ constexpr int greetings = 4, silences_until_nobody = 2;
 constexpr Duration longest_noise = Millis(500);
 constexpr int attempts_to_end_echo = 4;
 
-/// What came back on V when nothing is known of the mode yet.
-struct Greeting {
-  char state = 0;
-  bool echo = false;
-  bool sense = true;  ///< false: bytes that no VXM sends
-  [[nodiscard]] bool is_a_vxm() const { return state && sense; }
-};
-Greeting read_greeting(std::string_view bytes) {
-  Greeting g;
-  // Whatever was echoed before: V and the state behind it are sense enough.
-  if (bytes.size() > 2 && bytes[bytes.size() - 2] == 'V') bytes.remove_prefix(bytes.size() - 2);
-  while (!bytes.empty()) {
-    const char first = bytes.front();
-    if (first == 'V' && !g.echo) {
-      g.echo = true;
-      bytes.remove_prefix(1);
-    } else if (decode_state(bytes.substr(0, 1))) {
-      g.state = first;
-      bytes.remove_prefix(1);
-    } else {
-      const Message m = next_message(bytes);
-      if (m.kind == Message::Kind::unknown) g.sense = false;
-      bytes.remove_prefix(m.length > 0 ? m.length : bytes.size());
-    }
-  }
-  return g;
-}
-
-tl::unexpected<Fault> silent(int rate) {
-  std::string what = "Nothing answers to V, the VXM's question for its state";
-  what += rate > 0 ? fmt::format(", at {} baud.", rate) : ".";
-  return fail(
-      FaultKind::no_answer, std::move(what), "Nothing else was sent but a carriage return.",
-      "Check that the controller is switched on (green lamp), the cable, and the baud rate: 9600, "
-      "19200 or 38400. If both lamps flash fast it stands in an error state and takes only K: send K. "
-      "If On-Line flashes alone, switch it off and on.");
-}
-
-tl::unexpected<Fault> nonsense(std::string_view bytes, int rate) {
-  std::string hex;
-  for (const char c : bytes.substr(0, 8))
-    hex += fmt::format("{}{:02X}", hex.empty() ? "" : " ", static_cast<unsigned char>(c));
-  const bool plain = std::all_of(bytes.begin(), bytes.end(),
-                                 [](char c) { return (c >= ' ' && c < 127) || c == '\r' || c == '\n'; });
-  std::string what = fmt::format("What answers to V is no VXM: {} came back instead of R, B, J or b.", hex);
-  if (plain)
-    return fail(FaultKind::garbled, std::move(what), "Nothing more was sent.",
-                "Another device is on this port. Choose its model, or another port.");
-  std::string advice = "This looks like a wrong baud rate. Try";
-  for (const Baud& b : bauds)
-    if (b.rate != rate) advice += fmt::format(" {}{}", b.rate, &b == &bauds.back() ? "" : ",");
-  return fail(FaultKind::garbled, std::move(what), "Nothing more was sent.", advice + ".");
-}
-
 }  // namespace
-
-std::unique_ptr<Driver> make_driver(DriverContext context) {
-  return std::make_unique<VxmDriver>(std::move(context));
-}
-
-VxmDriver::VxmDriver(DriverContext context)
-    : scheduler_(context.scheduler),
-      catalog_(context.catalog),
-      draft_(context.draft),
-      texts_(context.texts),
-      notify_(std::move(context.notify)),
-      changed_(std::move(context.changed)),
-      news_(context.scheduler),
-      talk_(
-          context.scheduler, [this] { return listening(); }, [this](const Message& m) { heard(m); }),
-      signals_(talk_, context.scheduler, context.draft) {
-  draft_.axis_count = static_cast<int>(catalog_.axes.size());
-  draft_.identity.model = catalog_.name;
-  draft_.slot_bytes_used.fill(-1);
-}
-
-void VxmDriver::attach(Station& station) {
-  mode_ = Mode::unknown;
-  echo_told_ = false;
-  talk_.attach(station);
-  signals_.begin();
-  station.procedure_ended = [this] { news_.notify(); };
-}
-
-Task<Result<>> VxmDriver::connect() {
-  talk_.be_patient(true);
-  auto made = co_await find_out_all();
-  talk_.be_patient(false);
-  co_return made;
-}
 
 Task<Result<>> VxmDriver::find_out_all() {
   auto greeted = co_await greet();
@@ -147,8 +59,8 @@ Task<Result<>> VxmDriver::greet() {
   if (!bytes) co_return fail(bytes.error());
   const Greeting greeting = read_greeting(*bytes);
   const int rate = talk_.station() ? talk_.station()->rate() : 0;
-  if (bytes->empty()) co_return silent(rate);
-  if (!greeting.is_a_vxm()) co_return nonsense(*bytes, rate);
+  if (bytes->empty()) co_return nobody_greets(rate);
+  if (!greeting.is_a_vxm()) co_return no_vxm_greets(*bytes, rate);
   talk_.set_echoes(greeting.echo);
   if (greeting.state == jog_idle || greeting.state == jog_moving)
     co_return co_await found_local(greeting.state);
@@ -173,9 +85,10 @@ Task<Result<>> VxmDriver::greet() {
 Task<Result<>> VxmDriver::end_echo(char state) {
   if (state != ready) {
     if (!std::exchange(echo_told_, true))
-      tell(Notice::Kind::warning,
-           "The controller echoes what it is sent, and does not end that while its program runs. Until then "
-           "inputs, outputs and limits are not read, and it takes nothing but stops.");
+      console_.tell(
+          Notice::Kind::warning,
+          "The controller echoes what it is sent, and does not end that while its program runs. Until then "
+          "inputs, outputs and limits are not read, and it takes nothing but stops.");
     co_return Result<>();
   }
   for (int n = 0; n < attempts_to_end_echo && talk_.echoes(); ++n) {
@@ -193,7 +106,7 @@ Task<Result<>> VxmDriver::end_echo(char state) {
     co_return fail(FaultKind::garbled, "The controller echoes what it is sent although it was told F.", {},
                    "Look whether another program talks to it, or something on the way sends bytes back.");
   echo_told_ = false;
-  tell(Notice::Kind::info, "The controller echoed what it was sent. Echo has been switched off.");
+  console_.tell(Notice::Kind::info, "The controller echoed what it was sent. Echo has been switched off.");
   co_return Result<>();
 }
 
@@ -216,10 +129,10 @@ Task<Result<>> VxmDriver::found_local(char state) {
   stay_local_ = false;
   auto on_line = co_await go_on_line();
   if (!on_line) co_return on_line;
-  tell(Notice::Kind::info,
-       state == jog_moving
-           ? "Somebody was jogging at the controller's buttons. It is on-line now: they are off."
-           : "The controller was in Local mode. It is on-line now: its jog buttons are off.");
+  console_.tell(Notice::Kind::info,
+                state == jog_moving
+                    ? "Somebody was jogging at the controller's buttons. It is on-line now: they are off."
+                    : "The controller was in Local mode. It is on-line now: its jog buttons are off.");
   co_return Result<>();
 }
 
@@ -265,16 +178,18 @@ void VxmDriver::count_restart(const char* why, bool was_moving, const std::optio
   ++draft_.restarts;
   stands_after_restart(zero ? Doubt::restarted : Doubt::none);
   if (!zero)
-    return tell(Notice::Kind::warning,
-                fmt::format("{} although it was on-line. It is put on-line again; its positions are kept. "
-                            "Nothing else was sent.",
-                            why));
+    return console_.tell(
+        Notice::Kind::warning,
+        fmt::format("{} although it was on-line. It is put on-line again; its positions are kept. "
+                    "Nothing else was sent.",
+                    why));
   forget_ram();
-  tell(Notice::Kind::warning,
-       fmt::format(
-           "{}: the controller was switched off and on, or reset. Its positions read zero where the motors "
-           "stand now, and what was not stored is gone. {}Find home before the next absolute move.",
-           why, was_moving ? "The motion that was under way was not taken up again. " : ""));
+  console_.tell(
+      Notice::Kind::warning,
+      fmt::format(
+          "{}: the controller was switched off and on, or reset. Its positions read zero where the motors "
+          "stand now, and what was not stored is gone. {}Find home before the next absolute move.",
+          why, was_moving ? "The motion that was under way was not taken up again. " : ""));
 }
 
 // A res that F followed in one go: nothing but that it was said tells of the restart.
@@ -283,9 +198,10 @@ Task<Result<>> VxmDriver::found_reset_on_line() {
   forget_what_ran();
   stands_after_restart(Doubt::reset);
   forget_ram();
-  tell(Notice::Kind::warning,
-       "The controller was reset by res: its positions read zero where the motors stand now, and what was "
-       "not stored is gone. Find home before the next absolute move.");
+  console_.tell(
+      Notice::Kind::warning,
+      "The controller was reset by res: its positions read zero where the motors stand now, and what was "
+      "not stored is gone. Find home before the next absolute move.");
   co_return co_await read_positions(Priority::intent, true);
 }
 
@@ -311,19 +227,13 @@ void VxmDriver::stands_after_restart(Doubt why) {
 }
 
 void VxmDriver::forget_ram() {
-  hold_on_ = hold_doubtful_ = release_hold_ = false;
+  hold_.ended();
   halted_ = 0;
-  scratch_ = confirmed_scratch_ = -1;
-  selected_ = chosen_ = 0;
-  identity_read_ = sizes_read_ = essentials_read_ = false;
-  next_param_ = 0;
-  for (auto& listing : listings_) listing.reset();
-  for (auto& speed : known_speed_) speed = default_speed;
-  our_speed_.fill(false);
-  draft_.slot_bytes_used.fill(-1);
-  for (ParamState& p : draft_.params) p = ParamState();
-  draft_.unsaved_setup = draft_.unsaved_programs = false;
-  draft_.program.slot = 0;
+  scratch_ = -1;
+  nameplate_.forget();
+  parameters_.forget();
+  programs_.forget();
+  speeds_.forget();
   draft_.program.command = -1;
   draft_.program.stepping = false;
 }
@@ -334,7 +244,7 @@ Task<Result<>> VxmDriver::resume_after_loss(char state) {
   if (state == vxm::busy && !job_.active()) {
     const bool others = !stored_running_;
     show_running(-1);
-    found_running_ = others;
+    if (others) hold_.found_running();
   }
   if (state == vxm::busy && job_.active()) show_leg(job_.legs.front());
   if (!std::exchange(lost_while_busy_, false)) co_return Result<>();
@@ -360,78 +270,6 @@ void VxmDriver::wire_lost() {
   }
   draft_.inputs_known = draft_.outputs_known = draft_.analog_known = 0;
   news_.notify();
-}
-
-// ---- what it is
-
-Task<Result<>> VxmDriver::read_identity() {
-  auto version = co_await talk_.text("getD0", Priority::poll);
-  if (!version) co_return fail(version.error());
-  auto date = co_await talk_.text("getD1", Priority::poll);
-  if (!date) co_return fail(date.error());
-  auto motors = co_await talk_.number("getD2", Priority::poll);
-  if (!motors) co_return fail(motors.error());
-  draft_.identity.firmware = fmt::format("{} ({})", *version, *date);
-  slave_present_ = *motors == 4;
-  signals_.slave_is_present(slave_present_);
-  const int axes = static_cast<int>(catalog_.axes.size());
-  for (int i = 0; i < axes; ++i) {
-    draft_.axes[i].enabled = i < motors_per_controller || slave_present_;
-    draft_.axes[i].own_speed = catalog_.jog_speed;  // it has none: each motion of ours is given one
-  }
-  if (axes > motors_per_controller && !slave_present_)
-    tell(Notice::Kind::warning,
-         "The controller finds no second one on the VXM bus, so motors 3 and 4 cannot be used. Nothing is "
-         "sent to "
-         "them. Check the Slave's power and cable, and that this controller is the Master (DM bit 6); then "
-         "reconnect.");
-  if (axes <= motors_per_controller && slave_present_) tell(Notice::Kind::warning, std::string(unused_slave));
-  identity_read_ = true;
-  co_return Result<>();
-}
-
-// A PM that has lost its P is another question.
-Task<Result<std::int64_t>> VxmDriver::ask_selected() {
-  auto selected = co_await talk_.number("PM\r", Priority::poll);
-  const auto is_one = [&] { return *selected >= 0 && *selected < program_count; };
-  if (selected && !is_one()) selected = co_await talk_.number("PM\r", Priority::poll);
-  if (!selected || is_one()) co_return selected;
-  co_return fail(
-      FaultKind::garbled,
-      fmt::format("The controller says that program {} is selected, but it has 0 to 4.", *selected));
-}
-
-// M speaks of the selected program, so each must be selected in turn and the user's choice put back.
-Task<Result<>> VxmDriver::read_sizes() {
-  auto given_back = co_await give_back_selection();
-  if (!given_back) co_return given_back;
-  auto selected = co_await ask_selected();
-  if (!selected) co_return fail(selected.error());
-  selected_ = chosen_ = static_cast<int>(*selected);
-  if (!stored_running_) draft_.program.slot = static_cast<std::int8_t>(selected_);
-  for (int slot = 0; slot < program_count; ++slot) {
-    std::int16_t& used = draft_.slot_bytes_used[static_cast<std::size_t>(slot)];
-    if (used >= 0) continue;
-    auto chosen = co_await choose(slot, Priority::poll);
-    if (!chosen) co_return chosen;
-    auto free = co_await talk_.number("M", Priority::poll);
-    if (!free) co_return fail(free.error());
-    used = static_cast<std::int16_t>(program_bytes - *free);
-  }
-  sizes_read_ = true;
-  co_return co_await give_back_selection();
-}
-
-// What the driver itself must know before it moves anything.
-Task<Result<>> VxmDriver::read_essentials() {
-  for (const char* mnemonic : {"DM", "I", "O", "PMA", "M1M", "M2M", "M3M", "M4M"}) {
-    const int index = catalog_.find_param(mnemonic);
-    if (index < 0) continue;
-    auto read = co_await read_param(index, Priority::poll);
-    if (!read) co_return read;
-  }
-  essentials_read_ = true;
-  co_return Result<>();
 }
 
 }  // namespace hw::vxm

@@ -18,97 +18,32 @@ constexpr Duration quick_patience = std::chrono::seconds(1);
 
 }  // namespace
 
-// ---- which program
-
-// Not one that starts by itself (4 after power-up or after Stop), nor one that a Slave's program runs with.
-bool VxmDriver::may_be_scratch(int slot) const {
-  const auto mode = param("DM").value_or(0), inputs = param("I").value_or(0);
-  if (slot == 4 && (mode & mode_program_4_first || inputs & inputs_program_4)) return false;
-  const auto coupled = param("PMA").value_or(pma_off);
-  if (coupled == pma_off) return true;
-  const auto excepted = coupled == -5 ? 0 : -coupled;
-  return coupled >= 0 ? slot != coupled : slot == excepted;
-}
-
-Task<Result<int>> VxmDriver::find_scratch() {
-  if (!sizes_read_ || !essentials_read_) {
-    auto read = co_await catch_up();
-    if (!read) co_return fail(read.error());
-  }
-  const auto& used = draft_.slot_bytes_used;
-  if (confirmed_scratch_ >= 0 && used[ix(confirmed_scratch_)] == 0 && may_be_scratch(confirmed_scratch_))
-    co_return confirmed_scratch_;
-  for (const bool selected_too : {false, true})  // the selected one only when no other is left
-    for (int slot = program_count - 1; slot >= 0; --slot) {
-      if ((slot == selected_) != selected_too || used[ix(slot)] != 0 || !may_be_scratch(slot)) continue;
-      auto chosen = co_await choose(slot, Priority::intent);
-      if (!chosen) co_return fail(chosen.error());
-      auto listing = co_await talk_.listing(Priority::intent);
-      if (!listing) co_return fail(listing.error());
-      auto back = co_await give_back_selection();
-      if (!back) co_return fail(back.error());
-      if (listing->slot == slot && listing->free_bytes == program_bytes && listing->commands.empty()) {
-        confirmed_scratch_ = slot;
-        co_return slot;
-      }
-      draft_.slot_bytes_used[ix(slot)] = static_cast<std::int16_t>(program_bytes - listing->free_bytes);
-    }
-  const Fault none(
-      FaultKind::refused,
-      "All five programs of the controller hold commands, and a move of the console needs an empty one for "
-      "its time.",
-      "Nothing was sent and nothing was erased.",
-      "Which may be emptied? Choose it in the program editor, save its text if it is needed, take Empty in "
-      "controller, and move again.");
-  ask_for_room(none.sentence());
-  co_return fail(none);
-}
-
-// What the console selects for its own use is given back as soon as it has the wire for it: a stop, or a lost
-// wire, may come in between.
-Task<Result<>> VxmDriver::choose(int slot, Priority priority) {
-  auto said = co_await talk_.say(select_program(slot), priority);
-  if (said || said.error().kind != FaultKind::stopped) chosen_ = slot;
-  co_return said;
-}
-
-Task<Result<>> VxmDriver::give_back_selection() {
-  if (chosen_ == selected_ || selected_ < 0) co_return Result<>();
-  co_return co_await choose(selected_, Priority::poll);
-}
-
-void VxmDriver::ask_for_room(std::string sentence) {
-  if (!notify_) return;
-  Notice question(Notice::Kind::question, scheduler_.now(), std::move(sentence));
-  for (int slot = 0; slot < program_count; ++slot)
-    if (may_be_scratch(slot)) question.slots.push_back(slot);
-  notify_(std::move(question));
-}
-
-// ---- legs
-
 std::string VxmDriver::leg_program(const Leg& leg) {
   std::string text;
-  if (hold_on_) text += "H";  // else it would hold before the first command
+  if (hold_.is_on()) text += "H";  // else it would hold before the first command
   text += empty_program(scratch_);
   for (const int axis : {leg.axis, leg.second_axis}) {
     if (axis < 0) continue;
-    const int usual = known_speed_[ix(axis)].value_or(default_speed);
+    const int usual = speeds_.usual(axis);
     if (leg.speed > 0)
       text += speed(axis + 1, leg.speed);
-    else if (our_speed_[ix(axis)])
+    else if (speeds_.is_ours(axis))
       text += speed(axis + 1, usual);
   }
   text += leg.text;
   for (const int axis : {leg.axis, leg.second_axis})
-    if (axis >= 0 && leg.speed > 0) text += speed(axis + 1, known_speed_[ix(axis)].value_or(default_speed));
+    if (axis >= 0 && leg.speed > 0) text += speed(axis + 1, speeds_.usual(axis));
   return text + "R";
 }
 
 Task<Result<>> VxmDriver::begin(Job job) {
   auto held = co_await settle_hold();
   if (!held) co_return held;
-  auto slot = co_await find_scratch();
+  if (!programs_.knows_sizes() || !parameters_.knows_essentials()) {
+    auto read = co_await catch_up();
+    if (!read) co_return read;
+  }
+  auto slot = co_await programs_.find_empty();
   if (!slot) co_return fail(slot.error());
   scratch_ = *slot;
   ramp_.reset();
@@ -126,15 +61,16 @@ Task<Result<>> VxmDriver::start_leg() {
   const Leg& leg = job_.legs.front();
   job_.leg_over = job_.limit_reported = false;
   for (const int axis : {leg.axis, leg.second_axis})
-    if (axis >= 0) our_speed_[ix(axis)] = our_speed_[ix(axis)] || leg.speed > 0;
+    if (axis >= 0 && leg.speed > 0) speeds_.borrow(axis);
   std::string program = leg_program(leg);
-  const bool held = std::exchange(hold_on_, false);
+  const bool held = hold_.is_on();
+  hold_.was_switched(false);
   show_leg(leg);
   auto sent = co_await talk_.say(std::move(program), Priority::intent);
-  if (sent || sent.error().kind != FaultKind::stopped) chosen_ = scratch_;
+  if (sent || sent.error().kind != FaultKind::stopped) programs_.was_chosen(scratch_);
   if (sent) co_return sent;
-  hold_on_ = held;
-  hold_doubtful_ = hold_doubtful_ || (held && sent.error().kind == FaultKind::lost);
+  hold_.was_switched(held);
+  if (held && sent.error().kind == FaultKind::lost) hold_.doubt();
   // A stop came first: nothing of it has gone out.
   const std::deque<Leg> never = std::exchange(job_.legs, {});
   if (!never.empty()) show_leg_ended(never.front(), EndedBy::stop);
@@ -155,18 +91,18 @@ void VxmDriver::show_leg(const Leg& leg) {
       if (axis.position_known)
         axis.direction = static_cast<std::int8_t>(axis.target < axis.position ? -1 : 1);
     }
-    axis.speed = Pps{static_cast<double>(leg.speed > 0 ? leg.speed : known_speed_[ix(index)].value_or(0))};
+    axis.speed = Pps{static_cast<double>(leg.speed > 0 ? leg.speed : speeds_.known(index))};
   }
 }
 
 // What is due before anything else: a hold that was left on is taken off, a leg that is over is followed by
 // the next one, and what the console has put into the controller goes when nothing of its own runs.
 Task<Result<>> VxmDriver::settle() {
-  if (release_hold_ && hold_on_) {
+  if (hold_.is_to_be_released()) {
     auto released = co_await switch_hold("H", false, Priority::intent);
     if (!released) co_return released;
   }
-  release_hold_ = false;
+  hold_.was_released();
   if (job_.active() && job_.leg_over) {
     auto ended = co_await end_leg(Priority::poll);
     if (!ended) co_return ended;
@@ -175,7 +111,7 @@ Task<Result<>> VxmDriver::settle() {
   if (busy() || halted_ || mode_ != Mode::on_line) co_return Result<>();
   auto cleaned = co_await clean_scratch();
   if (!cleaned) co_return cleaned;
-  co_return co_await give_back_selection();
+  co_return co_await programs_.give_back_selection();
 }
 
 // Reads where it ended.
@@ -190,7 +126,7 @@ Task<Result<>> VxmDriver::end_leg(Priority priority) {
   const EndedBy ended_by = how_it_ended(leg);
   const bool cut_off = ended_by == EndedBy::abort || ended_by == EndedBy::error || ended_by == EndedBy::lost;
   for (const int axis : {leg.axis, leg.second_axis})
-    if (axis >= 0 && !cut_off) our_speed_[ix(axis)] = false;
+    if (axis >= 0 && !cut_off) speeds_.give_back(axis);
   auto again = next_jog_leg(leg, ended_by);
   job_.legs.pop_front();
   if (again) job_.legs.push_back(std::move(*again));
@@ -221,13 +157,13 @@ void VxmDriver::show_leg_ended(const Leg& leg, EndedBy ended_by) {
     if (leg.activity != Activity::idle) {
       axis.ended_by = ended_by;
       if (ended_by == EndedBy::limit && !job_.jog)
-        tell(Notice::Kind::warning,
-             fmt::format("The {} limit switch ended the move of motor {} at {} steps{}.",
-                         axis.direction > 0 ? '+' : '-', index + 1, axis.position.value,
-                         axis.has_target
-                             ? fmt::format(", {} steps before {}",
-                                           std::abs((axis.target - axis.position).value), axis.target.value)
-                             : ""));
+        console_.tell(Notice::Kind::warning,
+                      fmt::format("The {} limit switch ended the move of motor {} at {} steps{}.",
+                                  axis.direction > 0 ? '+' : '-', index + 1, axis.position.value,
+                                  axis.has_target ? fmt::format(", {} steps before {}",
+                                                                std::abs((axis.target - axis.position).value),
+                                                                axis.target.value)
+                                                  : ""));
       axis.activity = Activity::idle;
       axis.direction = 0;
       axis.has_target = false;
@@ -247,7 +183,8 @@ std::optional<VxmDriver::Leg> VxmDriver::next_jog_leg(const Leg& last, EndedBy e
 // A move that nobody has stopped keeps its program: it may take as long as it likes.
 bool VxmDriver::clears_up() const {
   const bool ends = !busy() || ramp_ || job_.leg_over || job_.ended_by != EndedBy::nothing;
-  const bool something_left = scratch_ >= 0 || chosen_ != selected_ || (release_hold_ && hold_on_);
+  const bool something_left =
+      scratch_ >= 0 || !programs_.selection_is_given_back() || hold_.is_to_be_released();
   return something_left && !reset_said_ && mode_ == Mode::on_line && !halted_ && ends;
 }
 
@@ -262,11 +199,11 @@ std::string VxmDriver::leaves_behind() const {
 
 Task<Result<>> VxmDriver::clean_scratch() {
   if (scratch_ < 0) co_return Result<>();
-  const int selected = std::max(selected_, 0);
+  const int selected = std::max(programs_.selected(), 0);
   auto cleaned = co_await talk_.say(empty_program(scratch_) + select_program(selected), Priority::poll);
   if (!cleaned) co_return cleaned;
   scratch_ = -1;
-  chosen_ = selected;
+  programs_.was_chosen(selected);
   co_return Result<>();
 }
 
@@ -299,10 +236,10 @@ Result<> VxmDriver::cut_short() const {
 Task<Result<>> VxmDriver::restore_speeds() {
   Leg leg;
   for (int axis = 0; axis < draft_.axis_count; ++axis)
-    if (our_speed_[ix(axis)]) leg.text += speed(axis + 1, known_speed_[ix(axis)].value_or(default_speed));
+    if (speeds_.is_ours(axis)) leg.text += speed(axis + 1, speeds_.usual(axis));
   if (leg.text.empty()) co_return Result<>();
   auto restored = co_await run_quickly(std::move(leg));
-  if (restored) our_speed_.fill(false);
+  if (restored) speeds_.give_all_back();
   co_return restored;
 }
 

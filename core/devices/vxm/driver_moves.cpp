@@ -36,7 +36,7 @@ Result<> VxmDriver::may_run() const {
   if (job_.active())
     return fail(FaultKind::refused, "The command before is still under way.", "Nothing was sent.",
                 "Try again.");
-  const auto input_mode = param("I");
+  const auto input_mode = parameters_.value("I");
   constexpr std::uint32_t in_4 = 1u << 3;
   if (input_mode && *input_mode & inputs_stop && draft_.inputs_known & in_4 && !(draft_.inputs & in_4))
     return fail(FaultKind::refused,
@@ -48,7 +48,7 @@ Result<> VxmDriver::may_run() const {
 Result<> VxmDriver::may_move(int axis) const {
   if (axis < 0 || axis >= draft_.axis_count)
     return fail(FaultKind::refused, fmt::format("There is no motor {} here.", axis + 1), "Nothing was sent.");
-  if (on_slave(axis) && !slave_present_)
+  if (on_slave(axis) && !nameplate_.has_slave())
     return fail(
         FaultKind::refused,
         fmt::format("Motor {} belongs to a second controller, and none answers on the VXM bus.", axis + 1),
@@ -68,12 +68,14 @@ Result<int> VxmDriver::checked_speed(Pps speed) const {
 }
 
 void VxmDriver::warn_of_motor_type(int axis) {
-  if (std::exchange(type_warned_[ix(axis)], true) || param(fmt::format("M{}M", axis + 1)) != 0) return;
-  tell(Notice::Kind::warning,
-       fmt::format("Motor {0} is set to type 0, the factory value for the smallest motors: a larger one only "
-                   "buzzes. The "
-                   "move was sent. If motor {0} does not turn, choose its type in Setup, Motors.",
-                   axis + 1));
+  if (std::exchange(type_warned_[ix(axis)], true) || parameters_.value(fmt::format("M{}M", axis + 1)) != 0)
+    return;
+  console_.tell(
+      Notice::Kind::warning,
+      fmt::format("Motor {0} is set to type 0, the factory value for the smallest motors: a larger one only "
+                  "buzzes. The "
+                  "move was sent. If motor {0} does not turn, choose its type in Parameters, Motors.",
+                  axis + 1));
 }
 
 // ---- moves
@@ -113,7 +115,8 @@ Result<std::vector<AxisTarget>> VxmDriver::checked_goals(const std::vector<AxisT
     const int axis = t.axis.index;
     const AxisState& state = draft_.axes[axis];
     const Steps goal = relative ? state.position + t.value : t.value;
-    if ((!relative || state.position_known) && (goal < catalog_.position_min || goal > catalog_.position_max))
+    if ((!relative || state.position_known) &&
+        (goal < console_.catalog.position_min || goal > console_.catalog.position_max))
       return fail(FaultKind::refused,
                   fmt::format("Position {} of motor {} lies outside the controller's register, {} to {}.",
                               goal.value, axis + 1, position_min, position_max),
@@ -151,8 +154,8 @@ void VxmDriver::add_leg(Job& job, const AxisTarget& goal, int speed, bool relati
 
 VxmDriver::Leg VxmDriver::jog_leg(int axis, Sign sign, int speed) const {
   const AxisState& state = draft_.axes[axis];
-  const Steps room =
-      sign == Sign::plus ? catalog_.position_max - state.position : state.position - catalog_.position_min;
+  const Steps room = sign == Sign::plus ? console_.catalog.position_max - state.position
+                                        : state.position - console_.catalog.position_min;
   const std::int64_t distance = std::min<std::int64_t>(std::llround(speed * longest_jog_s), room.value);
   Leg leg;
   leg.axis = axis;
@@ -167,7 +170,7 @@ VxmDriver::Leg VxmDriver::jog_leg(int axis, Sign sign, int speed) const {
 Task<Result<>> VxmDriver::jog(const intent::JogStart& wish) {
   const int axis = wish.axis.index;
   if (auto may = may_move(axis); !may) co_return may;
-  auto speed = checked_speed(wish.speed.value == 0 ? catalog_.jog_speed : wish.speed);
+  auto speed = checked_speed(wish.speed.value == 0 ? console_.catalog.jog_speed : wish.speed);
   if (!speed) co_return fail(speed.error());
   warn_of_motor_type(axis);
   Job job;
@@ -183,20 +186,20 @@ Task<Result<>> VxmDriver::jog(const intent::JogStart& wish) {
 Task<Result<>> VxmDriver::home(const intent::Home& wish) {
   const int axis = wish.axis.index;
   if (auto may = may_move(axis); !may) co_return may;
-  if (wish.mode < 0 || wish.mode >= static_cast<int>(catalog_.homing_modes.size()))
+  if (wish.mode < 0 || wish.mode >= static_cast<int>(console_.catalog.homing_modes.size()))
     co_return fail(FaultKind::refused, fmt::format("There is no way of homing number {}.", wish.mode),
                    "Nothing was sent.");
-  if (param("DM").value_or(0) & mode_nf90 && wish.sign == Sign::plus)
+  if (parameters_.value("DM").value_or(0) & mode_nf90 && wish.sign == Sign::plus)
     co_return fail(FaultKind::refused,
                    fmt::format("In NF90 emulation I{}M0 runs to zero, not to the + limit switch.", axis + 1),
                    "Nothing was sent.",
-                   "Switch NF90 emulation off in Setup (DM), or home to the - limit switch.");
+                   "Switch NF90 emulation off in Parameters (DM), or home to the - limit switch.");
   warn_of_motor_type(axis);
   Leg to_switch;
   to_switch.axis = axis;
   to_switch.activity = Activity::homing;
   to_switch.sign = wish.sign;
-  to_switch.speed = std::min(known_speed_[ix(axis)].value_or(default_speed), homing_speed);
+  to_switch.speed = std::min(speeds_.usual(axis), homing_speed);
   to_switch.text = vxm::home(axis + 1, wish.sign);
   Leg zero;
   zero.axis = axis;

@@ -9,8 +9,7 @@
 namespace hw::vxm {
 namespace {
 
-constexpr int io_every = 8;          // rounds in motion between two looks at one of the inputs and outputs
-constexpr int params_per_round = 4;  // set-up is read in the gaps, a few values a round
+constexpr int io_every = 8;  // rounds in motion between two looks at one of the inputs and outputs
 
 }  // namespace
 
@@ -110,8 +109,9 @@ Task<Result<>> VxmDriver::poll_local() {
     mode_ = Mode::on_line;
     co_return Result<>();
   }
-  const int lines = slave_present_ ? 4 : 2;
-  auto reply = co_await talk_.places(ReplyShape::several_lines(static_cast<std::uint16_t>(lines)), Priority::poll);
+  const int lines = nameplate_.has_slave() ? 4 : 2;
+  auto reply =
+      co_await talk_.places(ReplyShape::several_lines(static_cast<std::uint16_t>(lines)), Priority::poll);
   if (!reply) co_return fail(reply.error());
   const auto places = decode_digitized(*reply, max_motors);
   if (!places) co_return Result<>();
@@ -129,7 +129,7 @@ Task<Result<>> VxmDriver::poll_local() {
 // Z and T are answered at standstill only.
 Task<Result<>> VxmDriver::read_positions(Priority priority, bool at_rest, bool and_a_signal) {
   for (int i = 0; i < draft_.axis_count; ++i) {
-    if (i >= motors_per_controller && (!at_rest || !slave_present_)) break;
+    if (i >= motors_per_controller && (!at_rest || !nameplate_.has_slave())) break;
     if (i == 1 && and_a_signal) {
       auto asked = co_await signals_.ask_next(priority);
       if (!asked) co_return asked;
@@ -144,22 +144,12 @@ Task<Result<>> VxmDriver::read_positions(Priority priority, bool at_rest, bool a
 
 void VxmDriver::show_position(int index, Steps position) {
   AxisState& axis = draft_.axes[index];
-  const auto i = static_cast<std::size_t>(index);
-  const Instant now = scheduler_.now();
-  const bool moved = axis.position_known && axis.position != position;
-  if (axis.position_known && now > axis.seen_at)
-    seen_speed_[i] =
-        std::abs(static_cast<double>((position - axis.position).value)) / seconds(now - axis.seen_at);
-  const Sign way = position > axis.position ? Sign::plus : Sign::minus;
-  const bool turned = now - moved_at_[i] < to_see_standstill;
-  const bool reversed = moved && went_[i] && went_[i] != way;
-  if (moved && stored_running_ && (!turned || reversed)) program_has_begun_a_way(reversed);
-  if (!axis.position_known) moved_at_[i] = now;  // what was seen once only may turn
-  if (moved) moved_at_[i] = now, went_[i] = way;
+  const Sight::Change change = sight_.saw(index, axis, position);
+  if (stored_running_ && (change.begun || change.reversed)) program_has_begun_a_way(change.reversed);
   if (stored_running_ && !job_.active()) {  // what a program moves shows by its positions only
     constexpr Duration seems_moving = Millis(150);
-    const bool turns = moved || now - moved_at_[i] < seems_moving;
-    if (moved) axis.direction = static_cast<std::int8_t>(position > axis.position ? 1 : -1);
+    const bool turns = sight_.has_turned_within(seems_moving, index);
+    if (change.moved) axis.direction = static_cast<std::int8_t>(position > axis.position ? 1 : -1);
     if (!turns) axis.direction = 0;
     axis.activity = !turns ? Activity::idle : ramp_ ? Activity::stopping : Activity::moving;
   } else if (!job_.active() && axis.activity != Activity::error) {
@@ -168,13 +158,14 @@ void VxmDriver::show_position(int index, Steps position) {
   }
   axis.position = position;
   axis.position_known = true;
-  axis.seen_at = now;
+  axis.seen_at = scheduler_.now();
 }
 
 // What is to be done next must not hide a restart that went unseen: what is asked to clean the line tells
 // nobody.
 Task<Result<>> VxmDriver::see_to_dirt() {
-  if (mode_ != Mode::on_line || halted_ || !talk_.station() || !talk_.station()->is_dirty()) co_return Result<>();
+  if (mode_ != Mode::on_line || halted_ || !talk_.station() || !talk_.station()->is_dirty())
+    co_return Result<>();
   auto state = co_await talk_.state(Priority::intent);
   if (!state) co_return fail(state.error());
   co_return co_await take_state(*state);
@@ -197,7 +188,7 @@ Task<Result<>> VxmDriver::take_state(char state) {
     run_ended(EndedBy::target);
   } else if (state == ready && draft_.program.run != RunState::error) {
     // Whatever a stray message has said.
-    hold_doubtful_ = hold_doubtful_ || draft_.program.run == RunState::held;
+    if (draft_.program.run == RunState::held) hold_.doubt();
     draft_.program.run = RunState::idle;
   }
   co_return Result<>();
@@ -205,28 +196,19 @@ Task<Result<>> VxmDriver::take_state(char state) {
 
 // What could not be read while a program ran, or has become uncertain since.
 Task<Result<>> VxmDriver::catch_up() {
-  if (!identity_read_) {
-    auto read = co_await read_identity();
+  if (!nameplate_.is_read()) {
+    auto read = co_await nameplate_.read();
     if (!read) co_return read;
   }
-  if (!essentials_read_) {
-    auto read = co_await read_essentials();
+  if (!parameters_.knows_essentials()) {
+    auto read = co_await parameters_.read_essentials();
     if (!read) co_return read;
   }
-  if (!sizes_read_) {
-    auto read = co_await read_sizes();
+  if (!programs_.knows_sizes()) {
+    auto read = co_await programs_.read_sizes();
     if (!read) co_return read;
   }
-  const int count = static_cast<int>(catalog_.params.size());
-  for (int read = 0; next_param_ < count && read < params_per_round; ++next_param_) {
-    if (draft_.params[static_cast<std::size_t>(next_param_)].known ||
-        !catalog_.params[static_cast<std::size_t>(next_param_)].readable)
-      continue;
-    auto done = co_await read_param(next_param_, Priority::poll);
-    if (!done) co_return done;
-    ++read;
-  }
-  co_return Result<>();
+  co_return co_await parameters_.read_some();
 }
 
 // Called each round: nothing here allocates while all is well.
@@ -245,23 +227,23 @@ void VxmDriver::show_worst() {
   constexpr std::string_view types[] = {"M1M", "M2M", "M3M", "M4M"};
   constexpr std::string_view untold[] = {
       "Motor 1 is set to type 0, the factory value for the smallest motors. Choose the connected motor in "
-      "Setup, Motors, "
+      "Parameters, Motors, "
       "before the first move.",
       "Motor 2 is set to type 0, the factory value for the smallest motors. Choose the connected motor in "
-      "Setup, Motors, "
+      "Parameters, Motors, "
       "before the first move.",
       "Motor 3 is set to type 0, the factory value for the smallest motors. Choose the connected motor in "
-      "Setup, Motors, "
+      "Parameters, Motors, "
       "before the first move.",
       "Motor 4 is set to type 0, the factory value for the smallest motors. Choose the connected motor in "
-      "Setup, Motors, "
+      "Parameters, Motors, "
       "before the first move."};
   for (int i = 0; i < draft_.axis_count; ++i)
-    if (param(types[i]) == 0) {
+    if (parameters_.value(types[i]) == 0) {
       draft_.notice = untold[i];
       return;
     }
-  if (slave_present_ && draft_.axis_count <= motors_per_controller) draft_.notice = unused_slave;
+  if (nameplate_.has_slave() && draft_.axis_count <= motors_per_controller) draft_.notice = unused_slave;
 }
 
 }  // namespace hw::vxm

@@ -9,20 +9,30 @@
 
 namespace hw::vxm {
 
+Result<> VxmDriver::may_change() const {
+  if (halted_)
+    return fail(FaultKind::refused, explain_error(halted_).what, "Nothing was sent.",
+                explain_error(halted_).advice);
+  if (busy())
+    return fail(FaultKind::refused, "The controller is at work and takes no program commands meanwhile.",
+                "Nothing was sent.", "Wait until it ends, or stop it.");
+  return {};
+}
+
 void VxmDriver::show_running(int slot) {
   stored_running_ = true;
-  found_running_ = false;
+  hold_.nothing_runs_from_before();
   killed_at_ = {};  // the next prompt is of this run
   ProgramState& p = draft_.program;
   p.run = RunState::running;
   p.owned = true;
-  p.slot = static_cast<std::int8_t>(slot >= 0 ? slot : selected_);
+  p.slot = static_cast<std::int8_t>(slot >= 0 ? slot : programs_.selected());
   p.command = -1;
   p.command_told = false;
-  p.stepping = hold_on_;
+  p.stepping = hold_.is_on();
   p.started_at = scheduler_.now();
   forget_how_it_ended();
-  went_ = {};
+  sight_.forget_ways();
   ended_run_.reset();
   draft_.working = false;
 }
@@ -35,7 +45,7 @@ void VxmDriver::look_what_ended_the_run() {
   draft_.working = false;
   for (int i = 0; i < draft_.axis_count; ++i) {
     AxisState& axis = draft_.axes[i];
-    const std::optional<Sign> way = went_[ix(i)];
+    const std::optional<Sign> way = sight_.went(i);
     const bool on_switch =
         way && axis.limits_known && (*way == Sign::plus ? axis.limit_plus : axis.limit_minus);
     if (on_switch && axis.ended_by == EndedBy::nothing && !looks_for_switches(*slot, i + 1))
@@ -45,17 +55,17 @@ void VxmDriver::look_what_ended_the_run() {
 
 /// The program is known, and its last index of this motor goes to a switch.
 bool VxmDriver::looks_for_switches(int slot, int motor) const {
-  if (slot < 0 || !listings_[ix(slot)]) return false;
+  if (!programs_.listing(slot)) return false;
   bool looks = false;
-  for (const TextCommand& c : commands_of(*listings_[ix(slot)]))
+  for (const TextCommand& c : commands_of(*programs_.listing(slot)))
     if (c.verb <= Verb::home && c.verb != Verb::zero_here && c.motor == motor) looks = c.verb == Verb::home;
   return looks;
 }
 
 /// False: the program is known, goes into no other, and has no index of this motor.
 bool VxmDriver::may_turn(int slot, int motor) const {
-  if (!listings_[ix(slot)]) return true;
-  const auto commands = commands_of(*listings_[ix(slot)]);
+  if (!programs_.listing(slot)) return true;
+  const auto commands = commands_of(*programs_.listing(slot));
   return std::any_of(commands.begin(), commands.end(), [&](const TextCommand& c) {
     const bool index = c.verb <= Verb::home && c.verb != Verb::zero_here;
     const bool leaves = c.verb >= Verb::jump && c.verb <= Verb::jump_pick;
@@ -74,42 +84,41 @@ Task<Result<>> VxmDriver::run(int slot) {
   if (!speeds) co_return speeds;
   for (int i = 0; i < draft_.axis_count; ++i)
     if (may_turn(slot, i + 1)) warn_of_motor_type(i);
-  std::string text = hold_on_ ? "H" : "";
+  std::string text = hold_.is_on() ? "H" : "";
   text += select_program(slot) + "R";
   ramp_.reset();
   auto sent = co_await switch_hold(std::move(text), false, Priority::intent);
   if (!sent) co_return sent;
-  selected_ = chosen_ = slot;
+  programs_.was_selected(slot);
   show_running(slot);
-  if (listings_[ix(slot)])
-    for (const TextCommand& c : commands_of(*listings_[ix(slot)]))
-      if (c.verb == Verb::speed && c.motor >= 1 && c.motor <= max_motors)
-        known_speed_[ix(c.motor - 1)] = static_cast<int>(c.value);
+  if (programs_.listing(slot))
+    for (const TextCommand& c : commands_of(*programs_.listing(slot)))
+      if (c.verb == Verb::speed) speeds_.was_set(c.motor, static_cast<int>(c.value));
   co_return sent;
 }
 
 /// None of what is held does.
 void VxmDriver::program_has_begun_a_way(bool reversed) {
   constexpr Duration shown_by_then = Millis(150);  // what had begun when the hold was told
-  has_begun_ = true;
+  hold_.something_begins();
   if (ramp_ && reversed && scheduler_.now() - ramp_->began > shown_by_then) ramp_->reversed = true;
-  if (ramp_ || hold_is_known()) return;
-  hold_on_ = hold_doubtful_ = found_running_ = false;
+  if (ramp_ || hold_.is_known()) return;
+  hold_.is_seen_off();
 }
 
 // H is a switch: it is said only when it changes what is wanted.
 Task<Result<>> VxmDriver::switch_hold(std::string text, bool on, Priority priority) {
   const bool switches = text.starts_with('H');
   auto said = co_await talk_.say(std::move(text), priority);
-  if (said) hold_on_ = on;
-  if (!said && switches && said.error().kind == FaultKind::lost) hold_doubtful_ = true;
+  if (said) hold_.was_switched(on);
+  if (!said && switches && said.error().kind == FaultKind::lost) hold_.doubt();
   co_return said;
 }
 
 Result<> VxmDriver::may_switch_hold() const {
-  if (hold_is_known()) return {};
+  if (hold_.is_known()) return {};
   return fail(FaultKind::refused,
-              hold_doubtful_
+              hold_.is_doubtful()
                   ? "The connection was lost while the hold was switched: whether it is on is not known."
                   : "Somebody else has begun this program, and whether it is held shows when a motor starts.",
               "Nothing was sent.", "Stop the program.");
@@ -118,7 +127,7 @@ Result<> VxmDriver::may_switch_hold() const {
 Task<Result<>> VxmDriver::pause() {
   if (!stored_running_) co_return fail(FaultKind::refused, "No program is running.", "Nothing was sent.");
   if (auto may = may_switch_hold(); !may) co_return may;
-  if (hold_on_) co_return Result<>();
+  if (hold_.is_on()) co_return Result<>();
   auto said = co_await switch_hold("H", true, Priority::intent);
   if (said) draft_.program.stepping = true;
   co_return said;
@@ -129,7 +138,7 @@ Task<Result<>> VxmDriver::resume() {
   if (!stored_running_)
     co_return fail(FaultKind::refused, "No program is held or waits.", "Nothing was sent.", "Run it.");
   if (auto may = may_switch_hold(); !may && p.run != RunState::waiting) co_return may;
-  if (!hold_on_ && p.run != RunState::waiting)
+  if (!hold_.is_on() && p.run != RunState::waiting)
     co_return fail(FaultKind::refused, "The program runs: it is not held and does not wait for G.",
                    "Nothing was sent.",
                    "If it stands in a wait for an input (U0 and its like), only that input lets it go on.");
@@ -149,10 +158,10 @@ Task<Result<>> VxmDriver::single_step() {
     if (auto may = may_run(); !may) co_return may;
     auto held = co_await settle_hold();
     if (!held) co_return held;
-    std::string text = hold_on_ ? "R" : "HR";
+    std::string text = hold_.is_on() ? "R" : "HR";
     auto started = co_await switch_hold(std::move(text), true, Priority::intent);
     if (!started) co_return started;
-    show_running(selected_);
+    show_running(programs_.selected());
     co_return started;
   }
   if (p.run != RunState::held) co_return co_await pause();

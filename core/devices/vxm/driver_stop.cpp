@@ -84,9 +84,9 @@ Task<Result<>> VxmDriver::stop_leg(const StopOrder& order) {
 
 // It is looked at from now on, and at the longest until the first D must have worked.
 void VxmDriver::expect_ramp() {
-  if (!ramp_) ramp_ = Ramp{scheduler_.now(), fastest()};
+  if (!ramp_) ramp_ = Ramp{scheduler_.now(), sight_.fastest()};
   ramp_->looked_at = scheduler_.now();
-  ramp_->speed = fastest();
+  ramp_->speed = sight_.fastest();
 }
 
 Task<Result<>> VxmDriver::ramp_down() {
@@ -102,14 +102,14 @@ Task<Result<>> VxmDriver::stop_program(const StopOrder& order) {
   if (is_held() || (ramp_ && ramp_->over)) co_return co_await kill(true);
   if (order.at_once) co_return co_await kill(false);
   if (!ramp_) {
-    ramp_ = Ramp{scheduler_.now(), fastest(), (hold_on_ && hold_is_known()) || seems_to_stand()};
-    has_begun_ = false;
+    ramp_ = Ramp{scheduler_.now(), sight_.fastest(), hold_.is_surely_on() || seems_to_stand()};
+    hold_.expect_nothing_to_begin();
   }
   if (!ramp_->holds) {
     auto held = co_await switch_hold("H", true, Priority::stop);
     if (!held || !talk_.station()) co_return held;
     if (ramp_) ramp_->holds = true;
-    has_begun_ = false;
+    hold_.expect_nothing_to_begin();
     // Between two commands the hold is told at once, and D into that listing would be an overrun.
     auto waited = co_await talk_.station()->pause(talk_.station()->wire_time(2) + Millis(1));
     if (!waited) co_return waited;
@@ -138,8 +138,9 @@ void VxmDriver::drop_later_legs(int axis) {
     if (&leg == &job_.legs.front()) return false;
     const bool stops = axis < 0 || leg.axis == axis || leg.second_axis == axis;
     if (stops && axis >= 0 && leg.second_axis >= 0)
-      tell(Notice::Kind::warning, fmt::format("Motors {} and {} were to move together: both stay now.",
-                                              leg.axis + 1, leg.second_axis + 1));
+      console_.tell(Notice::Kind::warning,
+                    fmt::format("Motors {} and {} were to move together: both stay now.", leg.axis + 1,
+                                leg.second_axis + 1));
     return stops;
   });
 }
@@ -181,22 +182,22 @@ StopProgress VxmDriver::watch_the_program() {
   const StopProgress progress = watch_the_ramp();
   if (!goes_on(progress)) return progress;
   ramp_->holds = ramp_->reversed = false;
-  ramp_->from = ramp_->slowest = fastest();
+  ramp_->from = ramp_->slowest = sight_.fastest();
   return StopProgress::again();
 }
 
 // Where no hold is known to be on, anything that begins shows that none is, and so does a D without effect.
 bool VxmDriver::goes_on(const StopProgress& progress) {
-  if (hold_on_ && hold_is_known()) return ramp_->reversed || has_begun_anew();
-  return has_begun_ || (!hold_is_known() && progress.now == StopProgress::Now::again);
+  if (hold_.is_surely_on()) return ramp_->reversed || has_begun_anew();
+  return hold_.something_has_begun() || (!hold_.is_known() && progress.now == StopProgress::Now::again);
 }
 
 // It has slowed down and turns faster again: that is the next command, so no hold is on.
 bool VxmDriver::has_begun_anew() {
   constexpr double for_sure = 500;  // steps/s; twice what two readings that follow each other leave open
-  if (fastest() > ramp_->from) ramp_->from = ramp_->slowest = fastest();
-  ramp_->slowest = std::min(ramp_->slowest, fastest());
-  return ramp_->slowest < ramp_->from - for_sure && fastest() > ramp_->slowest + for_sure;
+  if (sight_.fastest() > ramp_->from) ramp_->from = ramp_->slowest = sight_.fastest();
+  ramp_->slowest = std::min(ramp_->slowest, sight_.fastest());
+  return ramp_->slowest < ramp_->from - for_sure && sight_.fastest() > ramp_->slowest + for_sure;
 }
 
 // D is not answered. One that did not get through shows by motors that lose no speed; what still turns after
@@ -206,9 +207,9 @@ StopProgress VxmDriver::watch_the_ramp() {
   const Instant now = scheduler_.now();
   if (!ramp_) return StopProgress::again();
   if (now - ramp_->began > longest_ramp + to_see_a_ramp) return StopProgress::at_once();
-  ramp_->speed = std::max(ramp_->speed, fastest());  // it may not have been seen before
+  ramp_->speed = std::max(ramp_->speed, sight_.fastest());  // it may not have been seen before
   if (now - ramp_->looked_at < to_see_a_ramp) return StopProgress::wait();
-  const double before = std::exchange(ramp_->speed, fastest());
+  const double before = std::exchange(ramp_->speed, sight_.fastest());
   ramp_->looked_at = now;
   return ramp_->speed > before - least_loss ? StopProgress::again() : StopProgress::wait();
 }
@@ -217,7 +218,7 @@ bool VxmDriver::stands_since_ramp() const {
   const Instant now = scheduler_.now();
   const int motors = std::min(draft_.axis_count, motors_per_controller);
   for (int i = 0; i < motors; ++i)
-    if (now - moved_at_[ix(i)] < to_see_standstill) return false;
+    if (sight_.has_turned_within(to_see_standstill, i)) return false;
   return now - ramp_->began >= (some_are_hidden() ? longest_ramp : to_see_standstill);
 }
 
@@ -225,7 +226,7 @@ bool VxmDriver::stands_since_ramp() const {
 bool VxmDriver::seems_to_stand() const {
   const int motors = std::min(draft_.axis_count, motors_per_controller);
   for (int i = 0; i < motors; ++i) {
-    const Instant since = std::max(moved_at_[ix(i)], draft_.program.started_at);
+    const Instant since = std::max(sight_.moved_at(i), draft_.program.started_at);
     if (!draft_.axes[i].position_known || draft_.axes[i].seen_at - since < to_see_standstill) return false;
   }
   return !some_are_hidden();
@@ -234,11 +235,8 @@ bool VxmDriver::seems_to_stand() const {
 /// Motors 3 and 4 cannot be read while something runs, nor whether there are any: that is known once the
 /// controller has been at rest.
 bool VxmDriver::some_are_hidden() const {
-  return slave_present_ || (!identity_read_ && draft_.axis_count > motors_per_controller);
+  return nameplate_.has_slave() || (!nameplate_.is_read() && draft_.axis_count > motors_per_controller);
 }
-
-/// Of the motors that can be read while they turn, in steps/s.
-double VxmDriver::fastest() const { return std::max(seen_speed_[0], seen_speed_[1]); }
 
 // ---- K
 
@@ -257,22 +255,22 @@ Task<Result<>> VxmDriver::kill(bool standing, Priority priority) {
   }
   killed(standing ? EndedBy::stop : EndedBy::abort);
   if (something_ran && draft_.outputs_known && draft_.outputs)
-    tell(Notice::Kind::info, "K ended the run; it has also switched the outputs off.");
+    console_.tell(Notice::Kind::info, "K ended the run; it has also switched the outputs off.");
   show_worst();
-  if (changed_) changed_();
+  if (console_.changed) console_.changed();
   co_return Result<>();
 }
 
 // What it has ended shows by the next V; whether it has ended the hold, by nothing.
 void VxmDriver::kill_not_confirmed(EndedBy ended_by) {
-  hold_doubtful_ = hold_doubtful_ || hold_on_;
+  if (hold_.is_on()) hold_.doubt();
   if (job_.active() && !job_.leg_over) job_.ended_by = ended_by;
   if (stored_running_) draft_.program.ended_by = ended_by;
 }
 
 // An H more would switch a hold on that has ended. K ends it in either case, and is answered.
 Task<Result<>> VxmDriver::settle_hold() {
-  if (!hold_doubtful_) co_return Result<>();
+  if (!hold_.is_doubtful()) co_return Result<>();
   auto settled = co_await kill(true, Priority::intent);
   if (settled || settled.error().kind != FaultKind::no_answer) co_return settled;
   co_return fail(
@@ -286,7 +284,7 @@ Task<Result<>> VxmDriver::settle_hold() {
 void VxmDriver::killed(EndedBy ended_by) {
   killed_at_ = scheduler_.now();
   halted_ = 0;
-  hold_on_ = hold_doubtful_ = release_hold_ = found_running_ = false;
+  hold_.ended();
   ramp_.reset();
   if (job_.active()) {
     job_.legs.resize(1);
@@ -311,20 +309,19 @@ void VxmDriver::doubt_positions() {
     AxisState& axis = draft_.axes[i];
     const bool turns = axis.activity == Activity::moving || axis.activity == Activity::jogging ||
                        axis.activity == Activity::homing || axis.activity == Activity::stopping;
-    const bool hidden = stored_running_ && i >= motors_per_controller && slave_present_;
+    const bool hidden = stored_running_ && i >= motors_per_controller && nameplate_.has_slave();
     const bool unseen =
         axis.activity == Activity::unknown && lost_while_busy_ && (stored_running_ || belongs_to_leg(i));
     if ((!turns && !hidden && !unseen) || axis.trust.doubtful()) continue;
     const double told = axis.speed.value;
-    const double speed = told > 0                     ? told
-                         : stored_running_ && !hidden ? seen_speed_[static_cast<std::size_t>(i)]
-                                                      : default_speed;
+    const double speed = told > 0 ? told : stored_running_ && !hidden ? sight_.speed(i) : default_speed;
     if (speed <= hard_stop_safe_speed) continue;
     axis.trust.doubt(Doubt::killed, scheduler_.now());
-    tell(Notice::Kind::warning, fmt::format("Motor {} was stopped without a ramp at about {:.0f} steps/s. "
-                                            "Above {} steps/s it may have lost steps: "
-                                            "its position is doubtful until it is homed or set to zero.",
-                                            i + 1, speed, hard_stop_safe_speed));
+    console_.tell(Notice::Kind::warning,
+                  fmt::format("Motor {} was stopped without a ramp at about {:.0f} steps/s. "
+                              "Above {} steps/s it may have lost steps: "
+                              "its position is doubtful until it is homed or set to zero.",
+                              i + 1, speed, hard_stop_safe_speed));
   }
 }
 
@@ -338,9 +335,9 @@ void VxmDriver::run_ended(EndedBy ended_by) {
   if (!was_running) return;
   const bool untold = draft_.program.ended_by == EndedBy::nothing;
   if (ramp_ && ended_by == EndedBy::target && untold) ended_by = EndedBy::stop;  // its last index was cut
-  if (ramp_ && hold_on_) release_hold_ = true;  // that of its stop: it must not keep the next run
+  if (ramp_ && hold_.is_on()) hold_.release_soon();  // that of its stop: it must not keep the next run
   ramp_.reset();
-  found_running_ = false;
+  hold_.nothing_runs_from_before();
   ProgramState& p = draft_.program;
   p.run = RunState::idle;
   if (p.ended_by == EndedBy::nothing || ended_by != EndedBy::target) p.ended_by = ended_by;
@@ -352,7 +349,7 @@ void VxmDriver::run_ended(EndedBy ended_by) {
   p.stepping = false;
   p.command = -1;
   p.command_told = false;
-  p.slot = static_cast<std::int8_t>(selected_);
+  p.slot = static_cast<std::int8_t>(programs_.selected());
   for (int i = 0; i < draft_.axis_count; ++i) {
     AxisState& axis = draft_.axes[i];
     const bool turned = axis.activity != Activity::idle && axis.activity != Activity::unknown;

@@ -13,9 +13,9 @@ void VxmDriver::heard(const Message& m) {
     case Message::Kind::limit: heard_limit(); break;
     case Message::Kind::waits:
       if (stored_running_) draft_.program.run = RunState::waiting;
-      texts_.add("W");
+      console_.texts.add("W");
       break;
-    case Message::Kind::passed: texts_.add("@"); break;
+    case Message::Kind::passed: console_.texts.add("@"); break;
     case Message::Kind::held: heard_held(m.text); break;
     case Message::Kind::error: heard_error(m.letter); break;
     case Message::Kind::end:
@@ -23,37 +23,38 @@ void VxmDriver::heard(const Message& m) {
     case Message::Kind::unfinished: return;
   }
   news_.notify();
-  if (changed_) changed_();
+  if (console_.changed) console_.changed();
 }
 
 void VxmDriver::heard_prompt() {
   const bool of_kill = killed_at_ != Instant{} && scheduler_.now() - killed_at_ < Millis(100);
   if (job_.active()) {
     job_.leg_over = true;  // its end is shown once the positions have been read
-    if (job_.end_is_asked && !of_kill) texts_.add(std::string(1, prompt));
+    if (job_.end_is_asked && !of_kill) console_.texts.add(std::string(1, prompt));
     return;
   }
   if (stored_running_) run_ended(EndedBy::target);
-  if (!of_kill) texts_.add(std::string(1, prompt));
+  if (!of_kill) console_.texts.add(std::string(1, prompt));
 }
 
 // The controller lists the command before which it holds (firmware 1.21 on). Which of several equal commands
 // it is follows from the one before.
 void VxmDriver::heard_held(std::string_view command) {
-  texts_.add(fmt::format(":{}", command));
+  console_.texts.add(fmt::format(":{}", command));
   if (job_.active()) {
-    hold_on_ = release_hold_ = true;  // one that was left on must not keep a move of ours
+    hold_.was_switched(true);
+    hold_.release_soon();  // one that was left on must not keep a move of ours
     return;
   }
   ProgramState& p = draft_.program;
   p.run = RunState::held;
-  p.stepping = hold_on_ = true;
-  hold_doubtful_ = found_running_ = false;
+  p.stepping = true;
+  hold_.showed();
   p.command_told = false;
   const int before = p.command;
   p.command = -1;
-  if (p.slot < 0 || p.slot >= program_count || !listings_[static_cast<std::size_t>(p.slot)]) return;
-  const auto& listing = *listings_[static_cast<std::size_t>(p.slot)];
+  if (!programs_.listing(p.slot)) return;
+  const auto& listing = *programs_.listing(p.slot);
   int matches = 0, first = -1, next = -1;
   for (int i = 0; i < static_cast<int>(listing.size()); ++i) {
     if (listing[static_cast<std::size_t>(i)] != command) continue;
@@ -69,15 +70,15 @@ void VxmDriver::heard_limit() {
   if (job_.active())
     job_.limit_reported = true;
   else
-    tell(Notice::Kind::warning, "A limit switch was hit. The controller has stopped that motor.");
+    console_.tell(Notice::Kind::warning, "A limit switch was hit. The controller has stopped that motor.");
   if (stored_running_) draft_.program.ended_by = EndedBy::limit;
-  texts_.add("O");
+  console_.texts.add("O");
 }
 
 void VxmDriver::heard_error(char letter) {
   const ErrorWords words = explain_error(letter);
-  tell(Notice::Kind::error, words.what + " " + words.advice);
-  texts_.add(std::string("E") + letter);
+  console_.tell(Notice::Kind::error, words.what + " " + words.advice);
+  console_.texts.add(std::string("E") + letter);
   if (letter == error_stopped) {
     if (job_.active()) job_.ended_by = EndedBy::elsewhere;
     if (stored_running_) draft_.program.ended_by = EndedBy::elsewhere;
@@ -93,25 +94,8 @@ void VxmDriver::heard_error(char letter) {
     for (int i = 0; i < draft_.axis_count; ++i) draft_.axes[i].activity = Activity::error;
     show_worst();
   }
-  if (letter == error_bus) lose_slave();
+  if (letter == error_bus) nameplate_.lose_slave();
   // A restart is found by the next V: it answers J.
 }
-
-// Asked about its motors again, the controller would restart each time. The identity, read afresh after the
-// restart, tells whether a Slave answers.
-void VxmDriver::lose_slave() {
-  slave_present_ = false;
-  signals_.slave_is_present(false);
-  for (int i = motors_per_controller; i < draft_.axis_count; ++i) {
-    AxisState& axis = draft_.axes[i];
-    axis.position_known = axis.limits_known = axis.enabled = false;
-    axis.activity = Activity::unknown;
-  }
-}
-
-void VxmDriver::tell(Notice::Kind kind, std::string text) {
-  if (notify_) notify_(Notice(kind, scheduler_.now(), std::move(text)));
-}
-void VxmDriver::tell(const Fault& fault) { tell(Notice::Kind::error, fault.sentence()); }
 
 }  // namespace hw::vxm

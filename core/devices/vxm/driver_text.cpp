@@ -51,41 +51,22 @@ void VxmDriver::note_taken(const Piece& piece) {
 }
 
 void VxmDriver::note_taken(const TextCommand& c) {
-  if (c.stored()) note_program_changed();
-  if (c.verb == Verb::speed && c.motor >= 1 && c.motor <= max_motors)
-    known_speed_[static_cast<std::size_t>(c.motor - 1)] = static_cast<int>(c.value);
+  if (c.stored()) programs_.selected_was_changed();
+  if (c.verb == Verb::speed) speeds_.was_set(c.motor, static_cast<int>(c.value));
   if (c.verb == Verb::select || c.verb == Verb::empty) {
-    selected_ = chosen_ = static_cast<int>(c.value);
-    if (!stored_running_) draft_.program.slot = static_cast<std::int8_t>(selected_);
-    if (c.verb == Verb::empty) note_program_changed();
+    programs_.was_selected(static_cast<int>(c.value));
+    if (c.verb == Verb::empty) programs_.selected_was_changed();
   }
-  if (c.verb == Verb::set) note_set(c);
-  if (c.verb == Verb::word && c.name == "del") note_program_changed();
-  if (c.verb == Verb::word && c.name == "rsm") all_stored();
+  if (c.verb == Verb::set) parameters_.was_set(c.name);
+  if (c.verb == Verb::word && c.name == "del") programs_.selected_was_changed();
+  if (c.verb == Verb::word && c.name == "rsm") parameters_.was_stored();
   if (c.verb == Verb::word && c.name == "res") halted_ = 0;  // the next V finds it restarted
   if (c.verb == Verb::letter) note_letter(c.letter);
 }
 
-void VxmDriver::note_program_changed() {
-  if (selected_ < 0) return;
-  draft_.slot_bytes_used[static_cast<std::size_t>(selected_)] = -1;
-  listings_[static_cast<std::size_t>(selected_)].reset();
-  if (confirmed_scratch_ == selected_) confirmed_scratch_ = -1;
-  draft_.unsaved_programs = true;
-  sizes_read_ = false;
-}
-
-void VxmDriver::note_set(const TextCommand& c) {
-  next_param_ = 0;
-  for (std::size_t i = 0; i < catalog_.params.size(); ++i)
-    if (catalog_.params[i].mnemonic == c.name) draft_.params[i].known = draft_.params[i].stored = false;
-  draft_.unsaved_setup = true;
-  if (c.name == "DM" || c.name == "I" || c.name == "D") essentials_read_ = false;
-}
-
 void VxmDriver::note_letter(char letter) {
   switch (letter) {
-    case 'C': note_program_changed(); break;
+    case 'C': programs_.selected_was_changed(); break;
     case 'K':
       doubt_positions();
       killed_at_ = scheduler_.now();
@@ -93,7 +74,7 @@ void VxmDriver::note_letter(char letter) {
     case 'D':
       if (mode_ != Mode::local) note_stop();
       break;
-    case 'H': hold_on_ = !hold_on_; break;
+    case 'H': hold_.was_toggled(); break;
     case 'Q':
       stay_local_ = true;
       mode_ = Mode::local;
@@ -106,7 +87,7 @@ void VxmDriver::note_letter(char letter) {
       if (letter == 'G' && draft_.program.run != RunState::idle) draft_.program.run = RunState::running;
       break;
     case 'R':
-      if (!stored_running_) show_running(selected_);
+      if (!stored_running_) show_running(programs_.selected());
       break;
     case 'N': all_are_zero(); break;
     default: break;
@@ -122,29 +103,32 @@ void VxmDriver::warn_of_flaws(const std::vector<TextCommand>& commands) {
   for (const TextCommand& c : commands)
     if (c.flaw == Flaw::unknown) unknown += (unknown_count++ > 0 ? " " : "") + printable(c.name);
   if (unknown_count == 1)
-    tell(Notice::Kind::warning,
-         fmt::format("{} is no command of the VXM: the controller drops it without a word. It was sent as it "
-                     "is. The terminal lists the commands behind ?.",
-                     unknown));
+    console_.tell(
+        Notice::Kind::warning,
+        fmt::format("{} is no command of the VXM: the controller drops it without a word. It was sent as it "
+                    "is. The terminal lists the commands behind ?.",
+                    unknown));
   if (unknown_count > 1)
-    tell(
+    console_.tell(
         Notice::Kind::warning,
         fmt::format("{} are no commands of the VXM: the controller drops them without a word. They were sent "
                     "as they are. The terminal lists the commands behind ?.",
                     unknown));
   for (const TextCommand& c : commands) {
     if (c.flaw == Flaw::range)
-      tell(Notice::Kind::warning,
-           fmt::format(
-               "{} is not possible, it takes {}: the controller drops it without a word. It was sent as "
-               "it is. Send it again with another number.",
-               canonical(c), allowed_values(c)));
+      console_.tell(
+          Notice::Kind::warning,
+          fmt::format(
+              "{} is not possible, it takes {}: the controller drops it without a word. It was sent as "
+              "it is. Send it again with another number.",
+              canonical(c), allowed_values(c)));
     if (c.flaw == Flaw::no_value)
-      tell(Notice::Kind::warning,
-           fmt::format(
-               "{} lacks its number: the controller drops it without a word. It was sent as it is. Send "
-               "it again with its number.",
-               printable(c.name)));
+      console_.tell(
+          Notice::Kind::warning,
+          fmt::format(
+              "{} lacks its number: the controller drops it without a word. It was sent as it is. Send "
+              "it again with its number.",
+              printable(c.name)));
   }
 }
 
@@ -161,7 +145,7 @@ static bool without_echo(std::string& text, const std::vector<TextCommand>& comm
 Listening VxmDriver::listening() const {
   Listening now;
   now.local = mode_ == Mode::local, now.running = busy(), now.halted = halted_ != 0;
-  now.digitized_lines = slave_present_ ? max_motors : motors_per_controller;
+  now.digitized_lines = nameplate_.has_slave() ? max_motors : motors_per_controller;
   return now;
 }
 
@@ -174,7 +158,8 @@ Task<VxmDriver::RawAnswer> VxmDriver::send_pieces(std::string text, Duration pat
   const auto commands = read_text(text);
   warn_of_flaws(commands);
   if (without_echo(text, commands))
-    tell(Notice::Kind::info, "Echo stays off: F was sent for E. The console shows what it sends by itself.");
+    console_.tell(Notice::Kind::info,
+                  "Echo stays off: F was sent for E. The console shows what it sends by itself.");
   const Listening now = listening();
   const auto pieces = pieces_of(text, commands, now);
   RawAnswer all;
@@ -223,8 +208,8 @@ Task<Result<>> VxmDriver::send_text(std::string text) {
   if (ends_open(text)) text += '\r';
   if (auto may = may_send(read_text(text)); !may) co_return may;
   RawAnswer sent = co_await send_pieces(std::move(text), usual_patience, Priority::intent);
-  if (!sent.dropped.empty()) tell(Notice::Kind::warning, sent.dropped + " It was sent as it is.");
-  if (!sent.text.empty()) texts_.add(std::move(sent.text));
+  if (!sent.dropped.empty()) console_.tell(Notice::Kind::warning, sent.dropped + " It was sent as it is.");
+  if (!sent.text.empty()) console_.texts.add(std::move(sent.text));
   if (sent.fault) co_return fail(std::move(*sent.fault));
   co_return Result<>();
 }
@@ -244,13 +229,14 @@ Task<Result<std::string>> VxmDriver::converse(std::string text, Duration patienc
   if (ends_open(text)) text += '\r';
   if (read_text(text).empty())
     co_return fail(FaultKind::refused, "There is no command in that text.", "Nothing was sent.");
-  const std::uint64_t asked = texts_.next();
+  const std::uint64_t asked = console_.texts.next();
   RawAnswer sent = co_await send_pieces(std::move(text), patience, priority);
   if (!sent.fault && sent.last_is_dropped && sent.text.empty())
     co_return fail(FaultKind::controller, sent.dropped, "It was sent as it is.");
-  if (!sent.dropped.empty()) tell(Notice::Kind::warning, sent.dropped + " It was sent as it is.");
+  if (!sent.dropped.empty()) console_.tell(Notice::Kind::warning, sent.dropped + " It was sent as it is.");
   if (!sent.fault) co_return std::move(sent.text);
-  auto report = sent.fault->kind == FaultKind::no_answer ? texts_.take_since(asked, 'E') : std::nullopt;
+  auto report =
+      sent.fault->kind == FaultKind::no_answer ? console_.texts.take_since(asked, 'E') : std::nullopt;
   if (!report && !sent.text.empty()) sent.fault->done = with_answers(sent.text, sent.fault->done);
   if (!report) co_return fail(std::move(*sent.fault));
   add_answer(sent.text, *report);  // it came instead of an answer
@@ -287,7 +273,7 @@ Task<Result<std::string>> VxmDriver::stop_by_words(const StopOrder& order) {
     if (!reply->empty()) cut.done = with_answers(*reply, "");
     co_return fail(std::move(cut));
   }
-  if (!order.answer && !reply->empty()) texts_.add(*reply);
+  if (!order.answer && !reply->empty()) console_.texts.add(*reply);
   co_return reply;
 }
 

@@ -29,9 +29,9 @@ std::size_t before_line(std::string_view received) {
   return fits(received.substr(0, end + 1)) ? 0 : end + 1;
 }
 
-// V once more, behind a V and others that were not answered. In Local mode only V ever is, and the letter tells
-// that. Else they are answered in their order: the letter behind a line, or behind another letter, is the second
-// one's.
+// V once more, behind a V and others that were not answered. In Local mode only V ever is, and the letter
+// tells that. Else they are answered in their order: the letter behind a line, or behind another letter, is
+// the second one's.
 class SecondLetter {
  public:
   std::size_t operator()(std::string_view received) {
@@ -102,8 +102,7 @@ std::optional<Station::Unmistakable> unmistakable(const OwedAnswers& owed, Insta
     asked.question.may_be_silent = true;  // it is not answered in Local mode; the next question tells
     return asked;
   }
-  if (free(look::lines))
-    return question("V", ReplyShape::bytes(1), look::letter, is_state, SecondLetter());
+  if (free(look::lines)) return question("V", ReplyShape::bytes(1), look::letter, is_state, SecondLetter());
   if (free(look::text) && !listening.running)
     return question("getD0", ReplyShape::line(), look::text, is_version, before_line<is_version>);
   return std::nullopt;

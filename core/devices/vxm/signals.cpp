@@ -115,7 +115,7 @@ void Signals::show(std::size_t i, unsigned char byte) {
       for (int axis = 0; axis < draft_.axis_count; ++axis) {
         draft_.axes[axis].limit_minus = limit_active(byte, axis, Sign::minus);
         draft_.axes[axis].limit_plus = limit_active(byte, axis, Sign::plus);
-        draft_.axes[axis].limits_known = axis < motors_per_controller || slave_present_;
+        draft_.axes[axis].limits_known = axis < motors_per_controller || nameplate_.has_slave();
       }
   }
 }

@@ -7,21 +7,21 @@
 #include <optional>
 #include <string_view>
 
-#include "core/device/snapshot.h"
+#include "core/devices/vxm/console.h"
 #include "core/devices/vxm/conversation.h"
+#include "core/devices/vxm/nameplate.h"
 
 namespace hw::vxm {
 
 class Signals {
  public:
-  Signals(Conversation& talk, Scheduler& scheduler, Snapshot& draft)
-      : talk_(talk), scheduler_(scheduler), draft_(draft) {}
+  Signals(const Console& console, Conversation& talk, const Nameplate& nameplate)
+      : scheduler_(console.scheduler), draft_(console.draft), talk_(talk), nameplate_(nameplate) {}
 
   /// A new wire.
   void begin();
   /// Limits have no age of their own: those from before the line was dirty are not known.
   void forget_what_is_doubted();
-  void slave_is_present(bool present) { slave_present_ = present; }
 
   /// All of them, more than once where one reading is not enough.
   Task<Result<>> read_all(Priority priority);
@@ -40,10 +40,10 @@ class Signals {
   bool believe(std::size_t which, unsigned char byte);
   void show(std::size_t which, unsigned char byte);
 
-  Conversation& talk_;
   Scheduler& scheduler_;
   Snapshot& draft_;
-  bool slave_present_ = false;
+  Conversation& talk_;
+  const Nameplate& nameplate_;
   std::array<std::optional<unsigned char>, 3> asked_{};  ///< answered, to be confirmed
   std::array<std::optional<unsigned char>, 3> once_{};   ///< read once since the line was cleaned
   std::array<std::uint32_t, 3> cleaned_{};               ///< how often it had been, when this was believed

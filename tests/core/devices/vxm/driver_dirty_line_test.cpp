@@ -162,5 +162,43 @@ std::string name_of(const testing::TestParamInfo<BadAnswer>& info) {
 
 INSTANTIATE_TEST_SUITE_P(Every, VxmDirtyLine, testing::ValuesIn(all_bad_answers()), name_of);
 
+// ---- a line on which every answer comes late
+
+class VxmSlowLine : public DriverTest {
+ protected:
+  void answer_late_by(Duration late) {
+    loop->on_its_way = [late](char, std::string answer) {
+      return test::Loopback::OnItsWay{answer, answer.empty() ? Duration::zero() : late};
+    };
+  }
+};
+
+TEST_F(VxmSlowLine, WorksSlowlyAndIsNotLost) {
+  start();
+  ASSERT_EQ(move_to(0, 700), "");
+  ASSERT_TRUE(wait_idle());
+  answer_late_by(std::chrono::seconds(2));
+  for (int i = 0; i < 900; ++i) {
+    run(0.1);
+    ASSERT_NE(latest.link.state, LinkState::lost) << "after " << i / 10 << " s: " << health();
+    ASSERT_EQ(latest.axes[0].position.value, 700);
+  }
+  const IntentId move = post(intent::MoveTo(target(0, 1500)));
+  EXPECT_TRUE(run_until([&] { return latest.axes[0].position.value == 1500; }, 120)) << all_notices();
+  EXPECT_EQ(fate(move), Fate::done);
+  EXPECT_EQ(latest.link.state, LinkState::good);
+  answer_late_by(Duration::zero());
+  run(20);
+  EXPECT_TRUE(latest.inputs_known && latest.axes[0].limits_known);
+  EXPECT_GT(latest.link.polls_per_second, 2) << "as fast again as it was";
+}
+
+TEST_F(VxmSlowLine, IsOpened) {
+  loop = std::make_unique<test::Loopback>(time, make_emulator({}).value(), false);
+  answer_late_by(Millis(500));
+  open();
+  EXPECT_TRUE(run_until([&] { return latest.link.state == LinkState::good; }, 60)) << health();
+}
+
 }  // namespace
 }  // namespace hw::vxm

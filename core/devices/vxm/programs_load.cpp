@@ -6,7 +6,9 @@
 
 #include "core/base/index.h"
 #include "core/device/refusals.h"
-#include "core/devices/vxm/driver.h"
+#include "core/devices/vxm/codec.h"
+#include "core/devices/vxm/codec_text.h"
+#include "core/devices/vxm/programs.h"
 
 namespace hw::vxm {
 namespace {
@@ -163,20 +165,10 @@ bool same_command(const std::string& sent, const TextCommand& held) {
 
 }  // namespace
 
-Result<> VxmDriver::may_touch_programs() const {
-  if (halted_)
-    return fail(FaultKind::refused, explain_error(halted_).what, "Nothing was sent.",
-                explain_error(halted_).advice);
-  if (busy())
-    return fail(FaultKind::refused, "The controller is at work and takes no program commands meanwhile.",
-                "Nothing was sent.", "Wait until it ends, or stop it.");
-  return {};
-}
-
 // ---- writing
 
-Task<Result<>> VxmDriver::load(const intent::LoadProgram& wish) {
-  if (auto may = may_touch_programs(); !may) co_return may;
+Task<Result<>> Programs::load(const intent::LoadProgram& wish) {
+  if (auto may = may_touch_(); !may) co_return may;
   const std::string text = with_carriage_returns(wish.text);
   auto plan = plan_of(text, wish.slot);
   if (!plan) co_return fail(plan.error());
@@ -191,7 +183,7 @@ Task<Result<>> VxmDriver::load(const intent::LoadProgram& wish) {
   }
   Result<> loaded;
   for (const auto& [slot, entries] : plan->slots) {
-    std::vector<std::string> lines, expected;
+    Lines lines, expected;
     for (const Entry& e : entries) {
       lines.push_back(e.text);
       expected.insert(expected.end(), e.canonical.begin(), e.canonical.end());
@@ -201,46 +193,42 @@ Task<Result<>> VxmDriver::load(const intent::LoadProgram& wish) {
   }
   if (!loaded) co_return loaded;
   if (!plan->left_out.empty())
-    tell(Notice::Kind::info, fmt::format("Not part of a program and so not sent: {}.", plan->left_out));
+    console_.tell(Notice::Kind::info,
+                  fmt::format("Not part of a program and so not sent: {}.", plan->left_out));
   (void)co_await give_back_selection();  // else the next round does
   co_return loaded;
 }
 
-Task<Result<>> VxmDriver::load_slot(int slot, const std::vector<std::string>& lines,
-                                    const std::vector<std::string>& expected) {
-  const std::uint8_t mark = torn_bit(catalog_, slot);
-  draft_.slots_torn |= mark;
-  draft_.slot_bytes_used[ix(slot)] = -1;
-  listings_[ix(slot)].reset();
-  if (confirmed_scratch_ == slot) confirmed_scratch_ = -1;
-  sizes_read_ = false;
-  draft_.unsaved_programs = true;
+Task<Result<>> Programs::load_slot(int slot, const Lines& lines, const Lines& expected) {
+  const std::uint8_t mark = torn_bit(console_.catalog, slot);
+  console_.draft.slots_torn |= mark;
+  doubt(slot);
+  console_.draft.unsaved_programs = true;
   auto sent = co_await talk_.say(empty_program(slot), Priority::transfer);
   if (sent || sent.error().kind != FaultKind::stopped) chosen_ = slot;
-  for (std::size_t i = 0; i < lines.size() && sent && !halted_; ++i)
+  for (std::size_t i = 0; i < lines.size() && sent && !talk_.listens().halted; ++i)
     sent = co_await talk_.say(lines[i], Priority::transfer);
-  if (halted_)
-    co_return fail(FaultKind::controller, explain_error(halted_).what,
-                   fmt::format("Program {} is incomplete in the controller.", slot),
-                   explain_error(halted_).advice);
+  const auto may = may_touch_();
+  if (talk_.listens().halted && !may)
+    co_return fail(FaultKind::controller, may.error().what,
+                   fmt::format("Program {} is incomplete in the controller.", slot), may.error().advice);
   if (!sent)
     co_return fail(sent.error().kind, sent.error().what,
                    fmt::format("Program {} is incomplete in the controller.", slot),
                    "Load it again before it is run.");
   auto verified = co_await verify_slot(slot, expected);
-  if (verified) draft_.slots_torn = static_cast<std::uint8_t>(draft_.slots_torn & ~mark);
+  if (verified) console_.draft.slots_torn = static_cast<std::uint8_t>(console_.draft.slots_torn & ~mark);
   co_return verified;
 }
 
-Task<Result<>> VxmDriver::verify_slot(int slot, const std::vector<std::string>& expected) {
+Task<Result<>> Programs::verify_slot(int slot, const Lines& expected) {
   auto listing = co_await talk_.listing(Priority::transfer);
   if (!listing)
     co_return fail(
         listing.error().kind,
         fmt::format("Program {} was sent but could not be read back: {}", slot, listing.error().what),
         "It was not run.", "Load it again before it is run.");
-  draft_.slot_bytes_used[ix(slot)] = static_cast<std::int16_t>(program_bytes - listing->free_bytes);
-  listings_[ix(slot)] = listing->commands;
+  holds(slot, *listing);
   const auto held = commands_of(listing->commands);
   for (std::size_t i = 0; i < std::max(held.size(), expected.size()); ++i) {
     if (i < held.size() && i < expected.size() && same_command(expected[i], held[i])) continue;
@@ -260,9 +248,9 @@ Task<Result<>> VxmDriver::verify_slot(int slot, const std::vector<std::string>& 
   co_return Result<>();
 }
 
-Task<Result<>> VxmDriver::clear(int slot) {
-  if (auto may = may_touch_programs(); !may) co_return may;
-  const std::vector<std::string> nothing;
+Task<Result<>> Programs::clear(int slot) {
+  if (auto may = may_touch_(); !may) co_return may;
+  const Lines nothing;
   auto cleared = co_await load_slot(slot, nothing, nothing);
   if (cleared) (void)co_await give_back_selection();
   co_return cleared;
@@ -270,31 +258,30 @@ Task<Result<>> VxmDriver::clear(int slot) {
 
 // ---- reading
 
-Task<Result<>> VxmDriver::upload(int slot) {
-  if (auto may = may_touch_programs(); !may) co_return may;
+Task<Result<>> Programs::upload(int slot) {
+  if (auto may = may_touch_(); !may) co_return may;
   auto chosen = co_await choose(slot, Priority::transfer);
   if (!chosen) co_return chosen;
   auto listing = co_await talk_.listing(Priority::transfer);
   if (!listing) co_return fail(listing.error());
-  draft_.slot_bytes_used[ix(slot)] = static_cast<std::int16_t>(program_bytes - listing->free_bytes);
-  listings_[ix(slot)] = listing->commands;
+  holds(slot, *listing);
   std::string text;
   for (const std::string& command : listing->commands) text += command + "\n";
-  Notice notice(Notice::Kind::program, scheduler_.now(), std::move(text));
+  Notice notice(Notice::Kind::program, console_.scheduler.now(), std::move(text));
   notice.slot = slot;
-  if (notify_) notify_(std::move(notice));
+  if (console_.notify) console_.notify(std::move(notice));
   (void)co_await give_back_selection();
   co_return Result<>();
 }
 
-Task<Result<>> VxmDriver::select(int slot) {
-  if (auto may = may_touch_programs(); !may) co_return may;
+Task<Result<>> Programs::select(int slot) {
+  if (auto may = may_touch_(); !may) co_return may;
   auto said = co_await choose(slot, Priority::intent);
   if (!said) co_return said;
   auto selected = co_await talk_.number("PM\r", Priority::intent);
   if (!selected) co_return fail(selected.error());
   selected_ = chosen_ = static_cast<int>(*selected);
-  draft_.program.slot = static_cast<std::int8_t>(selected_);
+  console_.draft.program.slot = static_cast<std::int8_t>(selected_);
   if (selected_ == slot) co_return Result<>();
   co_return fail(FaultKind::controller,
                  fmt::format("Program {} was to be selected, but the controller says {}.", slot, selected_));

@@ -1,0 +1,17 @@
+#pragma once
+// What every part of the driver shows, tells and counts in: see DriverContext.
+#include <string>
+#include <utility>
+
+#include "core/device/driver.h"
+
+namespace hw::vxm {
+
+struct Console : DriverContext {
+  explicit Console(DriverContext context) : DriverContext(std::move(context)) {}
+  void tell(Notice::Kind kind, std::string text) const {
+    if (notify) notify(Notice(kind, scheduler.now(), std::move(text)));
+  }
+};
+
+}  // namespace hw::vxm

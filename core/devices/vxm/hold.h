@@ -1,0 +1,48 @@
+#pragma once
+// Whether the controller holds before each command of a program (H), as far as is known. H is a switch, and
+// nothing tells which way it stands but what a program does.
+namespace hw::vxm {
+
+class Hold {
+ public:
+  [[nodiscard]] bool is_on() const { return on_; }
+  /// False: an H more might switch it either way.
+  [[nodiscard]] bool is_known() const { return !doubtful_ && !found_running_; }
+  /// The wire was lost with an H on it, or nobody confirmed a K.
+  [[nodiscard]] bool is_doubtful() const { return doubtful_; }
+  [[nodiscard]] bool is_surely_on() const { return on_ && is_known(); }
+
+  // ---- what was said
+  void was_switched(bool on) { on_ = on; }
+  void was_toggled() { on_ = !on_; }
+  void doubt() { doubtful_ = true; }
+  /// By K, or a restart: nothing is held.
+  void ended() { *this = Hold(); }
+
+  // ---- what the controller has said or done
+  /// It lists the command before which it holds.
+  void showed() {
+    on_ = true;
+    doubtful_ = found_running_ = false;
+  }
+  /// A program that somebody else has begun, who may have said H: nothing of it has begun since.
+  void found_running() { found_running_ = true; }
+  void nothing_runs_from_before() { found_running_ = false; }
+  /// None of what is held begins anything.
+  void is_seen_off() { on_ = doubtful_ = found_running_ = false; }
+
+  // ---- it must not keep what runs, or runs next
+  void release_soon() { release_ = true; }
+  [[nodiscard]] bool is_to_be_released() const { return release_ && on_; }
+  void was_released() { release_ = false; }
+
+  // ---- something has begun in a program since the hold was last thought to be on
+  [[nodiscard]] bool something_has_begun() const { return begun_; }
+  void something_begins() { begun_ = true; }
+  void expect_nothing_to_begin() { begun_ = false; }
+
+ private:
+  bool on_ = false, doubtful_ = false, found_running_ = false, release_ = false, begun_ = false;
+};
+
+}  // namespace hw::vxm

@@ -1,0 +1,46 @@
+#include "core/devices/vxm/nameplate.h"
+
+#include <fmt/core.h>
+
+#include "core/devices/vxm/facts.h"
+
+namespace hw::vxm {
+
+Task<Result<>> Nameplate::read() {
+  auto version = co_await talk_.text("getD0", Priority::poll);
+  if (!version) co_return fail(version.error());
+  auto date = co_await talk_.text("getD1", Priority::poll);
+  if (!date) co_return fail(date.error());
+  auto motors = co_await talk_.number("getD2", Priority::poll);
+  if (!motors) co_return fail(motors.error());
+  console_.draft.identity.firmware = fmt::format("{} ({})", *version, *date);
+  has_slave_ = *motors == 4;
+  const int axes = static_cast<int>(console_.catalog.axes.size());
+  for (int i = 0; i < axes; ++i) {
+    console_.draft.axes[i].enabled = i < motors_per_controller || has_slave_;
+    console_.draft.axes[i].own_speed =
+        console_.catalog.jog_speed;  // it has none: each motion of ours is given one
+  }
+  if (axes > motors_per_controller && !has_slave_)
+    console_.tell(
+        Notice::Kind::warning,
+        "The controller finds no second one on the VXM bus, so motors 3 and 4 cannot be used. Nothing is "
+        "sent to "
+        "them. Check the Slave's power and cable, and that this controller is the Master (DM bit 6); then "
+        "reconnect.");
+  if (axes <= motors_per_controller && has_slave_)
+    console_.tell(Notice::Kind::warning, std::string(unused_slave));
+  read_ = true;
+  co_return Result<>();
+}
+
+void Nameplate::lose_slave() {
+  has_slave_ = false;
+  for (int i = motors_per_controller; i < console_.draft.axis_count; ++i) {
+    AxisState& axis = console_.draft.axes[i];
+    axis.position_known = axis.limits_known = axis.enabled = false;
+    axis.activity = Activity::unknown;
+  }
+}
+
+}  // namespace hw::vxm

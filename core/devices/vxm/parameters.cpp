@@ -1,0 +1,216 @@
+// Set-up: what is known of it, what is changed.
+#include "core/devices/vxm/parameters.h"
+
+#include <fmt/core.h>
+
+#include "core/base/index.h"
+#include "core/devices/vxm/codec.h"
+#include "core/devices/vxm/facts.h"
+#include "core/devices/vxm/looks.h"
+
+namespace hw::vxm {
+
+namespace {
+
+constexpr Duration rate_change_pause = Millis(50);
+constexpr int values_at_once = 4;  // read in the gaps
+
+int baud_rate(std::int64_t number) {
+  for (const Baud& b : bauds)
+    if (b.number == number) return b.rate;
+  return 0;
+}
+
+// What the controller makes of a value (App. C p.38, F p.45, O p.68).
+std::int64_t as_kept(std::string_view mnemonic, std::int64_t value) {
+  if (mnemonic == "DM") return value | mode_always;
+  if (mnemonic == "Bx" && value == 1) return backlash_of_one;
+  if (mnemonic == "I" && value & inputs_capture) value &= ~std::int64_t{inputs_stop};
+  if (mnemonic == "I" && value & inputs_select) value &= ~std::int64_t{inputs_branch_3};
+  return value;
+}
+
+std::string range_words(const ParamInfo& p) {
+  if (p.choices.empty()) return fmt::format("{} to {}{}", p.minimum, p.maximum, p.also_zero ? ", or 0" : "");
+  std::string all;
+  for (const ParamChoice& c : p.choices) all += fmt::format("{}{}", all.empty() ? "" : ", ", c.value);
+  return "one of " + all;
+}
+
+}  // namespace
+
+std::optional<std::int64_t> Parameters::value(std::string_view mnemonic) const {
+  const int index = console_.catalog.find_param(mnemonic);
+  if (index < 0 || !console_.draft.params[ix(index)].known) return std::nullopt;
+  return console_.draft.params[ix(index)].value;
+}
+
+// A set or get for motor 3 or 4 without a Slave would make the controller restart (EB).
+bool Parameters::reachable(const ParamInfo& info) const {
+  return nameplate_.has_slave() || (info.axis < motors_per_controller && info.mnemonic != "PMA");
+}
+
+Task<Result<>> Parameters::read_one(int index, Priority priority) {
+  const ParamInfo& info = console_.catalog.params[ix(index)];
+  if (!info.readable || !reachable(info)) co_return Result<>();
+  auto value = co_await talk_.number(get_param(info.mnemonic), priority);
+  if (!value) co_return fail(value.error());
+  console_.draft.params[ix(index)].value = *value;
+  console_.draft.params[ix(index)].known = true;
+  co_return Result<>();
+}
+
+Task<Result<>> Parameters::read_all() {
+  if (auto may = may_change_(); !may) co_return may;
+  for (int i = 0; i < static_cast<int>(console_.catalog.params.size()); ++i) {
+    auto read = co_await read_one(i, Priority::transfer);
+    if (!read) co_return read;
+  }
+  co_return Result<>();
+}
+
+Task<Result<>> Parameters::read_essentials() {
+  for (const char* mnemonic : {"DM", "I", "O", "PMA", "M1M", "M2M", "M3M", "M4M"}) {
+    const int index = console_.catalog.find_param(mnemonic);
+    if (index < 0) continue;
+    auto read = co_await read_one(index, Priority::poll);
+    if (!read) co_return read;
+  }
+  essentials_read_ = true;
+  co_return Result<>();
+}
+
+Task<Result<>> Parameters::read_some() {
+  const int count = static_cast<int>(console_.catalog.params.size());
+  for (int read = 0; next_ < count && read < values_at_once; ++next_) {
+    if (console_.draft.params[static_cast<std::size_t>(next_)].known ||
+        !console_.catalog.params[static_cast<std::size_t>(next_)].readable)
+      continue;
+    auto done = co_await read_one(next_, Priority::poll);
+    if (!done) co_return done;
+    ++read;
+  }
+  co_return Result<>();
+}
+
+void Parameters::was_set(std::string_view mnemonic) {
+  next_ = 0;
+  for (std::size_t i = 0; i < console_.catalog.params.size(); ++i)
+    if (console_.catalog.params[i].mnemonic == mnemonic)
+      console_.draft.params[i].known = console_.draft.params[i].stored = false;
+  console_.draft.unsaved_setup = true;
+  if (mnemonic == "DM" || mnemonic == "I" || mnemonic == "D") essentials_read_ = false;
+}
+
+void Parameters::forget() {
+  essentials_read_ = false;
+  next_ = 0;
+  for (ParamState& p : console_.draft.params) p = ParamState();
+  console_.draft.unsaved_setup = false;
+}
+
+Task<Result<>> Parameters::set(const intent::SetParam& wish) {
+  const int index = console_.catalog.find_param(wish.mnemonic);
+  if (index < 0)
+    co_return fail(FaultKind::refused, fmt::format("A VXM has no parameter {}.", wish.mnemonic),
+                   "Nothing was sent.");
+  const ParamInfo& info = console_.catalog.params[ix(index)];
+  if (!info.accepts(wish.value))
+    co_return fail(FaultKind::refused,
+                   fmt::format("{} is not possible for {} ({}): it takes {}.", wish.value, info.mnemonic,
+                               info.label, range_words(info)),
+                   "Nothing was sent.");
+  if (!reachable(info))
+    co_return fail(
+        FaultKind::refused,
+        fmt::format("{} needs a second controller, and none answers on the VXM bus.", info.mnemonic),
+        "Nothing was sent.", "Check the Slave's power and cable, then reconnect.");
+  if (auto may = may_change_(); !may) co_return may;
+  if (!info.warning.empty() && !wish.confirmed)
+    co_return fail(FaultKind::refused, info.warning, "Nothing was sent.", "Confirm it to go on.");
+  if (info.mnemonic == "B") co_return co_await set_baud(wish.value);
+  auto sent = co_await talk_.say(vxm::set_param(info.mnemonic, wish.value), Priority::intent);
+  if (!sent) co_return sent;
+  ParamState& state = console_.draft.params[ix(index)];
+  state.stored = !info.stored;
+  console_.draft.unsaved_setup = console_.draft.unsaved_setup || info.stored;
+  if (info.mnemonic.starts_with("MA") && info.axis >= 0) {
+    auto read =
+        co_await read_one(console_.catalog.find_param(fmt::format("M{}M", info.axis + 1)), Priority::intent);
+    co_return read;
+  }
+  auto read = co_await read_one(index, Priority::intent);
+  if (!read) co_return read;
+  const auto expected = as_kept(info.mnemonic, wish.value);
+  if (!info.readable || state.value == expected) co_return Result<>();
+  co_return fail(
+      FaultKind::controller,
+      fmt::format("{} was set to {}, but the controller says {}.", info.mnemonic, wish.value, state.value),
+      "It was sent once.",
+      "Read the set-up again; the number that the controller says is the one that holds.");
+}
+
+// The controller changes its rate after the command's end; then both sides must agree, or go back. A stop in
+// between would go out at a rate that nobody listens at.
+Task<Result<>> Parameters::set_baud(std::int64_t number) {
+  const int before = talk_.station()->rate(), wanted = baud_rate(number);
+  const Station::Uncut uncut(*talk_.station());
+  auto sent = co_await talk_.say(vxm::set_param("B", number), Priority::intent);
+  if (!sent) co_return sent;
+  auto waited = co_await talk_.station()->pause(talk_.station()->wire_time(10) + rate_change_pause);
+  if (!waited || !talk_.station())
+    co_return fail(FaultKind::lost, "The connection was lost while the baud rate changed.");
+  auto changed = talk_.station()->set_rate(wanted);
+  if (changed) {
+    auto state = co_await talk_.state(Priority::intent);
+    if (state) {
+      const int index = console_.catalog.find_param("B");
+      console_.draft.params[ix(index)].stored = false;
+      console_.draft.unsaved_setup = true;
+      co_return Result<>();
+    }
+  }
+  if (!talk_.station())
+    co_return fail(FaultKind::lost, "The connection was lost while the baud rate changed.");
+  if (before > 0) (void)talk_.station()->set_rate(before);
+  auto state = co_await talk_.state(Priority::intent);
+  co_return fail(
+      FaultKind::controller,
+      fmt::format("The controller was asked to change to {} baud but does not answer there.", wanted),
+      state ? fmt::format("It still answers at {} baud, and that is used again.", before)
+            : "It does not answer at the old rate either.",
+      state ? "" : "Open it again at each rate, or switch it off and on: the stored rate then holds.");
+}
+
+void Parameters::was_stored() {
+  for (ParamState& p : console_.draft.params) p.stored = true;
+  console_.draft.unsaved_setup = console_.draft.unsaved_programs = false;
+}
+
+Task<Result<>> Parameters::store() {
+  if (auto may = may_change_(); !may) co_return may;
+  const AnswerShape prompt{ReplyShape::bytes(1), before_prompt, store_patience, look::prompt};
+  auto reply = co_await talk_.ask("rsm", prompt, Priority::intent);
+  if (!reply && reply.error().kind == FaultKind::no_answer)
+    co_return fail(
+        FaultKind::no_answer,
+        fmt::format("The controller did not confirm in {:.0f} s that it has stored.",
+                    seconds(store_patience)),
+        "rsm was sent once and is not repeated: the memory bears a limited number of writes.",
+        "Do not switch the controller off now. Ask for its state, and compare before you store again.");
+  if (!reply) co_return fail(reply.error());
+  was_stored();
+  if (console_.draft.store_count >= 0) {
+    console_.tell(Notice::Kind::info,
+                  fmt::format("Set-up and programs are stored. {} of about {} writes are used.",
+                              console_.draft.store_count, store_life));
+  } else {
+    console_.tell(Notice::Kind::info,
+                  fmt::format("Set-up and programs are stored. The memory bears about {} writes; "
+                              "how many were used is not known.",
+                              store_life));
+  }
+  co_return Result<>();
+}
+
+}  // namespace hw::vxm

@@ -1,0 +1,52 @@
+#pragma once
+// The set-up: values of set and get, B and O; the line rate; storing.
+#include <functional>
+#include <optional>
+#include <string_view>
+
+#include "core/devices/vxm/console.h"
+#include "core/devices/vxm/conversation.h"
+#include "core/devices/vxm/nameplate.h"
+
+namespace hw::vxm {
+
+class Parameters {
+ public:
+  /// `may_change`: the controller takes such commands now.
+  Parameters(const Console& console, Conversation& talk, const Nameplate& nameplate,
+             std::function<Result<>()> may_change)
+      : console_(console), talk_(talk), nameplate_(nameplate), may_change_(std::move(may_change)) {}
+
+  /// None: it is not known.
+  [[nodiscard]] std::optional<std::int64_t> value(std::string_view mnemonic) const;
+  /// What the driver itself must know before it moves anything.
+  [[nodiscard]] bool knows_essentials() const { return essentials_read_; }
+  Task<Result<>> read_essentials();
+  /// A few of those that are not known: in the gaps.
+  Task<Result<>> read_some();
+  Task<Result<>> read_all();
+
+  Task<Result<>> set(const intent::SetParam& wish);
+  Task<Result<>> store();
+
+  /// By a text of the user's.
+  void was_set(std::string_view mnemonic);
+  void was_stored();
+  void doubt_essentials() { essentials_read_ = false; }
+  /// What is not stored is gone.
+  void forget();
+
+ private:
+  Task<Result<>> set_baud(std::int64_t number);
+  Task<Result<>> read_one(int index, Priority priority);
+  [[nodiscard]] bool reachable(const ParamInfo& info) const;
+
+  const Console& console_;
+  Conversation& talk_;
+  const Nameplate& nameplate_;
+  std::function<Result<>()> may_change_;
+  bool essentials_read_ = false;
+  int next_ = 0;
+};
+
+}  // namespace hw::vxm

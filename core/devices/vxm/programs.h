@@ -1,0 +1,77 @@
+#pragma once
+// The controller's five programs: which is selected, what each holds; writing, reading, emptying.
+#include <array>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/devices/vxm/console.h"
+#include "core/devices/vxm/conversation.h"
+#include "core/devices/vxm/facts.h"
+#include "core/devices/vxm/parameters.h"
+
+namespace hw::vxm {
+
+class Programs {
+ public:
+  using Lines = std::vector<std::string>;
+  /// `may_touch`: the controller takes such commands now.
+  Programs(const Console& console, Conversation& talk, const Parameters& setup,
+           std::function<Result<>()> may_touch)
+      : console_(console), talk_(talk), parameters_(setup), may_touch_(std::move(may_touch)) {}
+
+  // ---- which
+  /// The user's choice; -1: not known.
+  [[nodiscard]] int selected() const { return selected_; }
+  /// The user has selected it.
+  void was_selected(int slot);
+  /// What the console selects for its own use is given back as soon as it has the wire for it: a stop, or a
+  /// lost wire, may come in between.
+  Task<Result<>> choose(int slot, Priority priority);
+  Task<Result<>> give_back_selection();
+  [[nodiscard]] bool selection_is_given_back() const { return chosen_ == selected_; }
+  /// Among what was sent: for a while, or for the user.
+  void was_chosen(int slot) { chosen_ = slot; }
+
+  // ---- what they hold
+  /// As far as it was read.
+  [[nodiscard]] const std::optional<Lines>& listing(int slot) const;
+  [[nodiscard]] bool knows_sizes() const { return sizes_read_; }
+  Task<Result<>> read_sizes();
+  /// One that lst has shown empty, for a move of the console.
+  Task<Result<int>> find_empty();
+  /// A text of the user's has changed the selected one.
+  void selected_was_changed();
+  /// All are read again.
+  void doubt_all();
+  /// The controller has restarted: it holds what was stored, and 0 is selected.
+  void forget();
+
+  // ---- wishes
+  Task<Result<>> load(const intent::LoadProgram& wish);
+  Task<Result<>> upload(int slot);
+  Task<Result<>> clear(int slot);
+  Task<Result<>> select(int slot);
+
+ private:
+  Task<Result<std::int64_t>> ask_selected();
+  [[nodiscard]] bool may_be_scratch(int slot) const;
+  void ask_for_room(std::string sentence) const;
+  Task<Result<>> load_slot(int slot, const Lines& lines, const Lines& expected);
+  Task<Result<>> verify_slot(int slot, const Lines& expected);
+  void holds(int slot, const Listing& listing);
+  void doubt(int slot);
+
+  const Console& console_;
+  Conversation& talk_;
+  const Parameters& parameters_;
+  std::function<Result<>()> may_touch_;
+  int selected_ = -1;
+  int chosen_ = -1;           ///< what the controller has selected: for a while, another one
+  int confirmed_empty_ = -1;  ///< lst has shown it
+  std::array<std::optional<Lines>, program_count> listings_;
+  bool sizes_read_ = false;
+};
+
+}  // namespace hw::vxm

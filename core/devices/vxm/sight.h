@@ -1,0 +1,71 @@
+#pragma once
+// Which motors turn, and how fast, as far as readings that follow each other show it.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "core/base/index.h"
+#include "core/base/units.h"
+#include "core/device/snapshot.h"
+#include "core/devices/vxm/facts.h"
+#include "core/time/scheduler.h"
+
+namespace hw::vxm {
+
+/// Positions that stay the same for so long.
+inline constexpr Duration to_see_standstill = Millis(60);
+
+class Sight {
+ public:
+  struct Change {
+    bool moved = false;
+    bool begun = false;     ///< from a standstill
+    bool reversed = false;  ///< it went the other way before
+  };
+
+  explicit Sight(const Scheduler& scheduler) : scheduler_(scheduler) {}
+
+  /// Read now; `before` is what was shown until now.
+  Change saw(int motor, const AxisState& before, Steps position) {
+    const Instant now = scheduler_.now();
+    Seen& seen = seen_[ix(motor)];
+    const double way = static_cast<double>((position - before.position).value);
+    if (before.position_known && now > before.seen_at)
+      seen.speed = std::abs(way) / seconds(now - before.seen_at);
+    Change change;
+    change.moved = before.position_known && before.position != position;
+    const Sign sign = way > 0 ? Sign::plus : Sign::minus;
+    change.begun = change.moved && now - seen.moved_at >= to_see_standstill;
+    change.reversed = change.moved && seen.went && seen.went != sign;
+    if (change.moved) seen.went = sign;
+    if (change.moved || !before.position_known) seen.moved_at = now;  // what was seen once only may turn
+    return change;
+  }
+  /// A stored program begins: what went before was not its doing.
+  void forget_ways() {
+    for (Seen& seen : seen_) seen.went.reset();
+  }
+
+  [[nodiscard]] Instant moved_at(int motor) const { return seen_[ix(motor)].moved_at; }
+  [[nodiscard]] bool has_turned_within(Duration time, int motor) const {
+    return scheduler_.now() - moved_at(motor) < time;
+  }
+  /// Last, since the ways were forgotten.
+  [[nodiscard]] std::optional<Sign> went(int motor) const { return seen_[ix(motor)].went; }
+  /// Steps/s between the last two readings.
+  [[nodiscard]] double speed(int motor) const { return seen_[ix(motor)].speed; }
+  /// Of the motors that can be read while they turn.
+  [[nodiscard]] double fastest() const { return std::max(speed(0), speed(1)); }
+
+ private:
+  struct Seen {
+    Instant moved_at{};
+    std::optional<Sign> went;
+    double speed = 0;
+  };
+  const Scheduler& scheduler_;
+  std::array<Seen, max_motors> seen_{};
+};
+
+}  // namespace hw::vxm
