@@ -27,7 +27,7 @@ VxmDriver::VxmDriver(DriverContext context)
       nameplate_(console_, talk_),
       signals_(console_, talk_, nameplate_),
       parameters_(console_, talk_, nameplate_, [this] { return may_change(); }),
-      programs_(console_, talk_, parameters_, [this] { return may_change(); }),
+      slots_(console_, talk_, parameters_, [this] { return may_change(); }),
       sight_(scheduler_) {
   draft_.axis_count = static_cast<int>(console_.catalog.axes.size());
   draft_.identity.model = console_.catalog.name;
@@ -87,17 +87,17 @@ Task<Result<>> VxmDriver::perform_program(const IntentBody& body) {
   if (slot >= program_count || slot < -1)
     co_return fail(FaultKind::refused, fmt::format("There is no program {}: a VXM has 0 to 4.", slot),
                    "Nothing was sent.");
-  if (const auto* i = std::get_if<LoadProgram>(&body)) co_return co_await programs_.load(*i);
+  if (const auto* i = std::get_if<LoadProgram>(&body)) co_return co_await slots_.load(*i);
   if (std::holds_alternative<Pause>(body)) co_return co_await pause();
   if (std::holds_alternative<Resume>(body)) co_return co_await resume();
   if (std::holds_alternative<SingleStep>(body)) co_return co_await single_step();
   if (slot >= 0) {
     if (std::holds_alternative<RunProgram>(body)) co_return co_await run(slot);
-    if (std::holds_alternative<UploadProgram>(body)) co_return co_await programs_.upload(slot);
-    if (std::holds_alternative<ClearProgram>(body)) co_return co_await programs_.clear(slot);
-    if (std::holds_alternative<SelectProgram>(body)) co_return co_await programs_.select(slot);
-  } else if (std::holds_alternative<RunProgram>(body) && programs_.selected() >= 0) {
-    co_return co_await run(programs_.selected());
+    if (std::holds_alternative<UploadProgram>(body)) co_return co_await slots_.upload(slot);
+    if (std::holds_alternative<ClearProgram>(body)) co_return co_await slots_.clear(slot);
+    if (std::holds_alternative<SelectProgram>(body)) co_return co_await slots_.select(slot);
+  } else if (std::holds_alternative<RunProgram>(body) && slots_.selected() >= 0) {
+    co_return co_await run(slots_.selected());
   }
   co_return fail(FaultKind::refused, "A VXM cannot do that.", "Nothing was sent.");
 }
@@ -118,7 +118,7 @@ Task<Result<>> VxmDriver::read_again() {
   if (busy()) co_return co_await poll(Round::usual);
   nameplate_.forget();
   parameters_.doubt_essentials();
-  programs_.doubt_all();
+  slots_.doubt_all();
   auto read = co_await catch_up();
   if (!read) co_return read;
   co_return co_await poll(Round::usual);

@@ -2,7 +2,7 @@
 // The VXM from the console's side. Its parts:
 //   conversation.h      questions and answers         nameplate.h  what it is
 //   signals.h           limits, inputs, outputs       parameters.h values of set and get, storing
-//   programs.h          what its five programs hold   greeting.h   what answers at first
+//   slots.h             what its five programs hold   greeting.h   what answers at first
 //   sight.h             which motors turn             speeds.h     S, and whose it is
 //   hold.h              whether H is on
 // and, with what goes on in the controller as their common state, one subject per file:
@@ -32,9 +32,9 @@
 #include "core/devices/vxm/hold.h"
 #include "core/devices/vxm/nameplate.h"
 #include "core/devices/vxm/parameters.h"
-#include "core/devices/vxm/programs.h"
 #include "core/devices/vxm/sight.h"
 #include "core/devices/vxm/signals.h"
+#include "core/devices/vxm/slots.h"
 #include "core/devices/vxm/speeds.h"
 #include "core/devices/vxm/text_pieces.h"
 
@@ -243,7 +243,7 @@ class VxmDriver final : public Driver {
   Nameplate nameplate_;
   Signals signals_;
   Parameters parameters_;
-  Programs programs_;
+  Slots slots_;
   Sight sight_;
   Speeds speeds_;
   Hold hold_;

@@ -232,7 +232,7 @@ void VxmDriver::forget_ram() {
   scratch_ = -1;
   nameplate_.forget();
   parameters_.forget();
-  programs_.forget();
+  slots_.forget();
   speeds_.forget();
   draft_.program.command = -1;
   draft_.program.stepping = false;

@@ -39,11 +39,11 @@ std::string VxmDriver::leg_program(const Leg& leg) {
 Task<Result<>> VxmDriver::begin(Job job) {
   auto held = co_await settle_hold();
   if (!held) co_return held;
-  if (!programs_.knows_sizes() || !parameters_.knows_essentials()) {
+  if (!slots_.knows_sizes() || !parameters_.knows_essentials()) {
     auto read = co_await catch_up();
     if (!read) co_return read;
   }
-  auto slot = co_await programs_.find_empty();
+  auto slot = co_await slots_.find_empty();
   if (!slot) co_return fail(slot.error());
   scratch_ = *slot;
   ramp_.reset();
@@ -67,7 +67,7 @@ Task<Result<>> VxmDriver::start_leg() {
   hold_.was_switched(false);
   show_leg(leg);
   auto sent = co_await talk_.say(std::move(program), Priority::intent);
-  if (sent || sent.error().kind != FaultKind::stopped) programs_.was_chosen(scratch_);
+  if (sent || sent.error().kind != FaultKind::stopped) slots_.was_chosen(scratch_);
   if (sent) co_return sent;
   hold_.was_switched(held);
   if (held && sent.error().kind == FaultKind::lost) hold_.doubt();
@@ -111,7 +111,7 @@ Task<Result<>> VxmDriver::settle() {
   if (busy() || halted_ || mode_ != Mode::on_line) co_return Result<>();
   auto cleaned = co_await clean_scratch();
   if (!cleaned) co_return cleaned;
-  co_return co_await programs_.give_back_selection();
+  co_return co_await slots_.give_back_selection();
 }
 
 // Reads where it ended.
@@ -183,8 +183,7 @@ std::optional<VxmDriver::Leg> VxmDriver::next_jog_leg(const Leg& last, EndedBy e
 // A move that nobody has stopped keeps its program: it may take as long as it likes.
 bool VxmDriver::clears_up() const {
   const bool ends = !busy() || ramp_ || job_.leg_over || job_.ended_by != EndedBy::nothing;
-  const bool something_left =
-      scratch_ >= 0 || !programs_.selection_is_given_back() || hold_.is_to_be_released();
+  const bool something_left = scratch_ >= 0 || !slots_.selection_is_given_back() || hold_.is_to_be_released();
   return something_left && !reset_said_ && mode_ == Mode::on_line && !halted_ && ends;
 }
 
@@ -199,11 +198,11 @@ std::string VxmDriver::leaves_behind() const {
 
 Task<Result<>> VxmDriver::clean_scratch() {
   if (scratch_ < 0) co_return Result<>();
-  const int selected = std::max(programs_.selected(), 0);
+  const int selected = std::max(slots_.selected(), 0);
   auto cleaned = co_await talk_.say(empty_program(scratch_) + select_program(selected), Priority::poll);
   if (!cleaned) co_return cleaned;
   scratch_ = -1;
-  programs_.was_chosen(selected);
+  slots_.was_chosen(selected);
   co_return Result<>();
 }
 

@@ -204,8 +204,8 @@ Task<Result<>> VxmDriver::catch_up() {
     auto read = co_await parameters_.read_essentials();
     if (!read) co_return read;
   }
-  if (!programs_.knows_sizes()) {
-    auto read = co_await programs_.read_sizes();
+  if (!slots_.knows_sizes()) {
+    auto read = co_await slots_.read_sizes();
     if (!read) co_return read;
   }
   co_return co_await parameters_.read_some();

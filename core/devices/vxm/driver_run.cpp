@@ -26,7 +26,7 @@ void VxmDriver::show_running(int slot) {
   ProgramState& p = draft_.program;
   p.run = RunState::running;
   p.owned = true;
-  p.slot = static_cast<std::int8_t>(slot >= 0 ? slot : programs_.selected());
+  p.slot = static_cast<std::int8_t>(slot >= 0 ? slot : slots_.selected());
   p.command = -1;
   p.command_told = false;
   p.stepping = hold_.is_on();
@@ -55,17 +55,17 @@ void VxmDriver::look_what_ended_the_run() {
 
 /// The program is known, and its last index of this motor goes to a switch.
 bool VxmDriver::looks_for_switches(int slot, int motor) const {
-  if (!programs_.listing(slot)) return false;
+  if (!slots_.listing(slot)) return false;
   bool looks = false;
-  for (const TextCommand& c : commands_of(*programs_.listing(slot)))
+  for (const TextCommand& c : commands_of(*slots_.listing(slot)))
     if (c.verb <= Verb::home && c.verb != Verb::zero_here && c.motor == motor) looks = c.verb == Verb::home;
   return looks;
 }
 
 /// False: the program is known, goes into no other, and has no index of this motor.
 bool VxmDriver::may_turn(int slot, int motor) const {
-  if (!programs_.listing(slot)) return true;
-  const auto commands = commands_of(*programs_.listing(slot));
+  if (!slots_.listing(slot)) return true;
+  const auto commands = commands_of(*slots_.listing(slot));
   return std::any_of(commands.begin(), commands.end(), [&](const TextCommand& c) {
     const bool index = c.verb <= Verb::home && c.verb != Verb::zero_here;
     const bool leaves = c.verb >= Verb::jump && c.verb <= Verb::jump_pick;
@@ -89,10 +89,10 @@ Task<Result<>> VxmDriver::run(int slot) {
   ramp_.reset();
   auto sent = co_await switch_hold(std::move(text), false, Priority::intent);
   if (!sent) co_return sent;
-  programs_.was_selected(slot);
+  slots_.was_selected(slot);
   show_running(slot);
-  if (programs_.listing(slot))
-    for (const TextCommand& c : commands_of(*programs_.listing(slot)))
+  if (slots_.listing(slot))
+    for (const TextCommand& c : commands_of(*slots_.listing(slot)))
       if (c.verb == Verb::speed) speeds_.was_set(c.motor, static_cast<int>(c.value));
   co_return sent;
 }
@@ -161,7 +161,7 @@ Task<Result<>> VxmDriver::single_step() {
     std::string text = hold_.is_on() ? "R" : "HR";
     auto started = co_await switch_hold(std::move(text), true, Priority::intent);
     if (!started) co_return started;
-    show_running(programs_.selected());
+    show_running(slots_.selected());
     co_return started;
   }
   if (p.run != RunState::held) co_return co_await pause();

@@ -349,7 +349,7 @@ void VxmDriver::run_ended(EndedBy ended_by) {
   p.stepping = false;
   p.command = -1;
   p.command_told = false;
-  p.slot = static_cast<std::int8_t>(programs_.selected());
+  p.slot = static_cast<std::int8_t>(slots_.selected());
   for (int i = 0; i < draft_.axis_count; ++i) {
     AxisState& axis = draft_.axes[i];
     const bool turned = axis.activity != Activity::idle && axis.activity != Activity::unknown;

@@ -53,8 +53,8 @@ void VxmDriver::heard_held(std::string_view command) {
   p.command_told = false;
   const int before = p.command;
   p.command = -1;
-  if (!programs_.listing(p.slot)) return;
-  const auto& listing = *programs_.listing(p.slot);
+  if (!slots_.listing(p.slot)) return;
+  const auto& listing = *slots_.listing(p.slot);
   int matches = 0, first = -1, next = -1;
   for (int i = 0; i < static_cast<int>(listing.size()); ++i) {
     if (listing[static_cast<std::size_t>(i)] != command) continue;

@@ -51,14 +51,14 @@ void VxmDriver::note_taken(const Piece& piece) {
 }
 
 void VxmDriver::note_taken(const TextCommand& c) {
-  if (c.stored()) programs_.selected_was_changed();
+  if (c.stored()) slots_.selected_was_changed();
   if (c.verb == Verb::speed) speeds_.was_set(c.motor, static_cast<int>(c.value));
   if (c.verb == Verb::select || c.verb == Verb::empty) {
-    programs_.was_selected(static_cast<int>(c.value));
-    if (c.verb == Verb::empty) programs_.selected_was_changed();
+    slots_.was_selected(static_cast<int>(c.value));
+    if (c.verb == Verb::empty) slots_.selected_was_changed();
   }
   if (c.verb == Verb::set) parameters_.was_set(c.name);
-  if (c.verb == Verb::word && c.name == "del") programs_.selected_was_changed();
+  if (c.verb == Verb::word && c.name == "del") slots_.selected_was_changed();
   if (c.verb == Verb::word && c.name == "rsm") parameters_.was_stored();
   if (c.verb == Verb::word && c.name == "res") halted_ = 0;  // the next V finds it restarted
   if (c.verb == Verb::letter) note_letter(c.letter);
@@ -66,7 +66,7 @@ void VxmDriver::note_taken(const TextCommand& c) {
 
 void VxmDriver::note_letter(char letter) {
   switch (letter) {
-    case 'C': programs_.selected_was_changed(); break;
+    case 'C': slots_.selected_was_changed(); break;
     case 'K':
       doubt_positions();
       killed_at_ = scheduler_.now();
@@ -87,7 +87,7 @@ void VxmDriver::note_letter(char letter) {
       if (letter == 'G' && draft_.program.run != RunState::idle) draft_.program.run = RunState::running;
       break;
     case 'R':
-      if (!stored_running_) show_running(programs_.selected());
+      if (!stored_running_) show_running(slots_.selected());
       break;
     case 'N': all_are_zero(); break;
     default: break;

@@ -1,5 +1,5 @@
-// Answers that come late, shifted, doubled, merged or behind an echo: what is shown is the truth or not known,
-// never the answer to another question.
+// Answers that come late, shifted, doubled, merged or behind an echo: what is shown is the truth or not
+// known, never the answer to another question.
 #include <utility>
 
 #include "core/devices/vxm/facts.h"
@@ -146,8 +146,8 @@ TEST_P(VxmDirtyLine, ShowsTheTruthOrNothing) {
 
 std::vector<BadAnswer> all_bad_answers() {
   std::vector<BadAnswer> all;
-  for (const auto how : {BadAnswer::How::late, BadAnswer::How::very_late, BadAnswer::How::lost, BadAnswer::How::doubled,
-                         BadAnswer::How::merged})
+  for (const auto how : {BadAnswer::How::late, BadAnswer::How::very_late, BadAnswer::How::lost,
+                         BadAnswer::How::doubled, BadAnswer::How::merged})
     for (const char question : std::string_view("VXY?~$@")) all.push_back({how, question});
   all.push_back({BadAnswer::How::echoed, 'V'});
   return all;
@@ -157,7 +157,8 @@ std::string name_of(const testing::TestParamInfo<BadAnswer>& info) {
   constexpr const char* hows[] = {"late", "very_late", "lost", "doubled", "merged", "echoed"};
   constexpr std::string_view questions = "VXY?~$@";
   constexpr const char* names[] = {"V", "X", "Y", "limits", "inputs", "outputs", "analog"};
-  return std::string(hows[static_cast<int>(info.param.how)]) + "_" + names[questions.find(info.param.question)];
+  return std::string(hows[static_cast<int>(info.param.how)]) + "_" +
+         names[questions.find(info.param.question)];
 }
 
 INSTANTIATE_TEST_SUITE_P(Every, VxmDirtyLine, testing::ValuesIn(all_bad_answers()), name_of);

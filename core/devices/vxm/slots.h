@@ -13,12 +13,12 @@
 
 namespace hw::vxm {
 
-class Programs {
+class Slots {
  public:
   using Lines = std::vector<std::string>;
   /// `may_touch`: the controller takes such commands now.
-  Programs(const Console& console, Conversation& talk, const Parameters& setup,
-           std::function<Result<>()> may_touch)
+  Slots(const Console& console, Conversation& talk, const Parameters& setup,
+        std::function<Result<>()> may_touch)
       : console_(console), talk_(talk), parameters_(setup), may_touch_(std::move(may_touch)) {}
 
   // ---- which

@@ -1,5 +1,5 @@
 // Which program is selected, and what is known of each.
-#include "core/devices/vxm/programs.h"
+#include "core/devices/vxm/slots.h"
 
 #include <algorithm>
 
@@ -13,13 +13,13 @@ namespace hw::vxm {
 
 // ---- which
 
-void Programs::was_selected(int slot) {
+void Slots::was_selected(int slot) {
   selected_ = chosen_ = slot;
   if (!talk_.listens().running) console_.draft.program.slot = static_cast<std::int8_t>(slot);
 }
 
 // A PM that has lost its P is another question.
-Task<Result<std::int64_t>> Programs::ask_selected() {
+Task<Result<std::int64_t>> Slots::ask_selected() {
   auto selected = co_await talk_.number("PM\r", Priority::poll);
   const auto is_one = [&] { return *selected >= 0 && *selected < program_count; };
   if (selected && !is_one()) selected = co_await talk_.number("PM\r", Priority::poll);
@@ -30,7 +30,7 @@ Task<Result<std::int64_t>> Programs::ask_selected() {
 }
 
 // M speaks of the selected program, so each must be selected in turn and the user's choice put back.
-Task<Result<>> Programs::read_sizes() {
+Task<Result<>> Slots::read_sizes() {
   auto given_back = co_await give_back_selection();
   if (!given_back) co_return given_back;
   auto selected = co_await ask_selected();
@@ -51,7 +51,7 @@ Task<Result<>> Programs::read_sizes() {
 }
 
 // Not one that starts by itself (4 after power-up or after Stop), nor one that a Slave's program runs with.
-bool Programs::may_be_scratch(int slot) const {
+bool Slots::may_be_scratch(int slot) const {
   const auto mode = parameters_.value("DM").value_or(0), inputs = parameters_.value("I").value_or(0);
   if (slot == 4 && (mode & mode_program_4_first || inputs & inputs_program_4)) return false;
   const auto coupled = parameters_.value("PMA").value_or(pma_off);
@@ -60,7 +60,7 @@ bool Programs::may_be_scratch(int slot) const {
   return coupled >= 0 ? slot != coupled : slot == excepted;
 }
 
-Task<Result<int>> Programs::find_empty() {
+Task<Result<int>> Slots::find_empty() {
   const auto& used = console_.draft.slot_bytes_used;
   if (confirmed_empty_ >= 0 && used[ix(confirmed_empty_)] == 0 && may_be_scratch(confirmed_empty_))
     co_return confirmed_empty_;
@@ -90,18 +90,18 @@ Task<Result<int>> Programs::find_empty() {
   co_return fail(none);
 }
 
-Task<Result<>> Programs::choose(int slot, Priority priority) {
+Task<Result<>> Slots::choose(int slot, Priority priority) {
   auto said = co_await talk_.say(select_program(slot), priority);
   if (said || said.error().kind != FaultKind::stopped) chosen_ = slot;
   co_return said;
 }
 
-Task<Result<>> Programs::give_back_selection() {
+Task<Result<>> Slots::give_back_selection() {
   if (chosen_ == selected_ || selected_ < 0) co_return Result<>();
   co_return co_await choose(selected_, Priority::poll);
 }
 
-void Programs::ask_for_room(std::string sentence) const {
+void Slots::ask_for_room(std::string sentence) const {
   if (!console_.notify) return;
   Notice question(Notice::Kind::question, console_.scheduler.now(), std::move(sentence));
   for (int slot = 0; slot < program_count; ++slot)
@@ -111,34 +111,34 @@ void Programs::ask_for_room(std::string sentence) const {
 
 // ---- what they hold
 
-const std::optional<Programs::Lines>& Programs::listing(int slot) const {
+const std::optional<Slots::Lines>& Slots::listing(int slot) const {
   static const std::optional<Lines> none;
   return slot >= 0 && slot < program_count ? listings_[ix(slot)] : none;
 }
 
-void Programs::holds(int slot, const Listing& listing) {
+void Slots::holds(int slot, const Listing& listing) {
   console_.draft.slot_bytes_used[ix(slot)] = static_cast<std::int16_t>(program_bytes - listing.free_bytes);
   listings_[ix(slot)] = listing.commands;
 }
 
-void Programs::doubt(int slot) {
+void Slots::doubt(int slot) {
   console_.draft.slot_bytes_used[ix(slot)] = -1;
   listings_[ix(slot)].reset();
   if (confirmed_empty_ == slot) confirmed_empty_ = -1;
   sizes_read_ = false;
 }
 
-void Programs::selected_was_changed() {
+void Slots::selected_was_changed() {
   if (selected_ < 0) return;
   doubt(selected_);
   console_.draft.unsaved_programs = true;
 }
 
-void Programs::doubt_all() {
+void Slots::doubt_all() {
   for (int slot = 0; slot < program_count; ++slot) doubt(slot);
 }
 
-void Programs::forget() {
+void Slots::forget() {
   doubt_all();
   selected_ = chosen_ = 0;
   console_.draft.unsaved_programs = false;

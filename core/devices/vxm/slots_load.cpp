@@ -8,7 +8,7 @@
 #include "core/device/refusals.h"
 #include "core/devices/vxm/codec.h"
 #include "core/devices/vxm/codec_text.h"
-#include "core/devices/vxm/programs.h"
+#include "core/devices/vxm/slots.h"
 
 namespace hw::vxm {
 namespace {
@@ -167,7 +167,7 @@ bool same_command(const std::string& sent, const TextCommand& held) {
 
 // ---- writing
 
-Task<Result<>> Programs::load(const intent::LoadProgram& wish) {
+Task<Result<>> Slots::load(const intent::LoadProgram& wish) {
   if (auto may = may_touch_(); !may) co_return may;
   const std::string text = with_carriage_returns(wish.text);
   auto plan = plan_of(text, wish.slot);
@@ -199,7 +199,7 @@ Task<Result<>> Programs::load(const intent::LoadProgram& wish) {
   co_return loaded;
 }
 
-Task<Result<>> Programs::load_slot(int slot, const Lines& lines, const Lines& expected) {
+Task<Result<>> Slots::load_slot(int slot, const Lines& lines, const Lines& expected) {
   const std::uint8_t mark = torn_bit(console_.catalog, slot);
   console_.draft.slots_torn |= mark;
   doubt(slot);
@@ -221,7 +221,7 @@ Task<Result<>> Programs::load_slot(int slot, const Lines& lines, const Lines& ex
   co_return verified;
 }
 
-Task<Result<>> Programs::verify_slot(int slot, const Lines& expected) {
+Task<Result<>> Slots::verify_slot(int slot, const Lines& expected) {
   auto listing = co_await talk_.listing(Priority::transfer);
   if (!listing)
     co_return fail(
@@ -248,7 +248,7 @@ Task<Result<>> Programs::verify_slot(int slot, const Lines& expected) {
   co_return Result<>();
 }
 
-Task<Result<>> Programs::clear(int slot) {
+Task<Result<>> Slots::clear(int slot) {
   if (auto may = may_touch_(); !may) co_return may;
   const Lines nothing;
   auto cleared = co_await load_slot(slot, nothing, nothing);
@@ -258,7 +258,7 @@ Task<Result<>> Programs::clear(int slot) {
 
 // ---- reading
 
-Task<Result<>> Programs::upload(int slot) {
+Task<Result<>> Slots::upload(int slot) {
   if (auto may = may_touch_(); !may) co_return may;
   auto chosen = co_await choose(slot, Priority::transfer);
   if (!chosen) co_return chosen;
@@ -274,7 +274,7 @@ Task<Result<>> Programs::upload(int slot) {
   co_return Result<>();
 }
 
-Task<Result<>> Programs::select(int slot) {
+Task<Result<>> Slots::select(int slot) {
   if (auto may = may_touch_(); !may) co_return may;
   auto said = co_await choose(slot, Priority::intent);
   if (!said) co_return said;
