@@ -60,7 +60,7 @@ Task<> Pump::shut_down() {
     return connected() && (desk_.any() || looks || driver_->clears_up());
   };
   while (under_way() && scheduler_.now() < give_up) co_await published_.wait_until(give_up);
-  if (std::string left = driver_->leaves_behind(); !left.empty())
+  if (std::string left = driver_->leaves_behind(); !left.empty())  // a lost link takes nothing away
     ways_.notify(Notice(Notice::Kind::warning, scheduler_.now(), std::move(left)));
   life_ = Life::closes;
   if (ways_.line) ways_.line->leave(*this);

@@ -188,7 +188,13 @@ bool VxmDriver::clears_up() const {
 }
 
 std::string VxmDriver::leaves_behind() const {
-  if (scratch_ < 0 || reset_said_) return {};
+  if (reset_said_ || (scratch_ < 0 && slots_.selection_is_given_back())) return {};
+  if (scratch_ < 0)
+    return fmt::format(
+        "A program of the console's is still selected in the controller: the Run button would start that. "
+        "Send "
+        "PM{} to select yours.",
+        std::max(slots_.selected(), 0));
   return fmt::format(
       "{}program {} of the controller still holds {}: the Run button would repeat it. Send {} when the move "
       "is over.",
