@@ -67,12 +67,12 @@ Task<Result<bool>> ArcusDriver::ask_incremental() {
   if (!forms_.mode.empty()) {
     auto mode = co_await talk_.ask_number(std::string(forms_.mode), Priority::intent);
     if (!mode) co_return fail(mode.error());
-    put_readout("MM", *mode);
+    readouts_.put("MM", *mode);
   } else {
     auto read = co_await read_motion(Priority::intent);
     if (!read) co_return fail(read.error());
   }
-  co_return incremental_;
+  co_return readouts_.incremental();
 }
 
 // Where the axis stands, or its target with StepNLoop. A digit that was garbled on the wire would become a
@@ -167,7 +167,7 @@ Task<Result<>> ArcusDriver::home(intent::Home wish) {
                                 Activity::homing);
   if (!started) co_return started;
   draft_.axes[axis].has_target = false;
-  counters_.may_be_set();
+  watch_.counters_may_be_set();
   co_return Result<>();
 }
 
