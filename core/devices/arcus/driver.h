@@ -1,5 +1,6 @@
 #pragma once
-// Both Arcus controllers from the console's side: what differs is in the Forms. Parts with a state of their own:
+// Both Arcus controllers from the console's side: what differs is in the Forms. Parts with a state of their
+// own:
 //   conversation.h       questions, commands, what comes unasked
 //   set_up.h             parameters, storing, what a power-up takes back
 //   code_at_work.h       programs and subroutines that may be under way, and what they may do

@@ -73,7 +73,8 @@ Task<Result<>> ArcusDriver::connect() {
   // Somebody is there, and what it was asked or answered was lost or garbled: what is wrong stays wrong.
   const bool heard = talk_.is_open() && talk_.station()->heard_at() > began;
   const bool soon = scheduler_.now() - began < long_asked;
-  if (!found && heard && soon && (worth_another_try(found.error()) || found.error().kind == FaultKind::refused)) {
+  if (!found && heard && soon &&
+      (worth_another_try(found.error()) || found.error().kind == FaultKind::refused)) {
     co_await talk_.wait_for_quiet();
     talk_.forget_strays();
     found = co_await find();
@@ -157,8 +158,8 @@ void ArcusDriver::note_how_slow() {
   if (!talk_.is_open()) return;
   constexpr std::size_t usual_bytes = 24;  // of ID and its answer
   const Station& station = *talk_.station();
-  const Duration waited = std::max(station.lateness(), station.statistics().last_round_trip) -
-                          station.wire_time(usual_bytes);
+  const Duration waited =
+      std::max(station.lateness(), station.statistics().last_round_trip) - station.wire_time(usual_bytes);
   if (waited <= slow_from || std::exchange(slow_told_, true)) return;
   tell(Notice::Kind::warning,
        fmt::format("It takes {:.1f} s to answer. It is waited for; what is shown of it is as old, and a stop "
@@ -196,9 +197,7 @@ void ArcusDriver::goes_out(std::string_view command) {
   code_.goes_out(command);
 }
 
-void ArcusDriver::not_done(std::string_view command) {
-  code_.was_refused(command);
-}
+void ArcusDriver::not_done(std::string_view command) { code_.was_refused(command); }
 
 void ArcusDriver::tell(Notice::Kind kind, std::string text) {
   notify_(Notice(kind, scheduler_.now(), std::move(text)));

@@ -88,7 +88,8 @@ Task<Result<>> ArcusDriver::set_variable(const intent::SetVariable& wish) {
                    fmt::format("V{} cannot be set to {}: there are V0 to V{}, of {} to {}.", wish.number,
                                wish.value, facts.count - 1, facts.minimum, facts.maximum),
                    "Nothing was sent.");
-  auto set = co_await talk_.command(set_command(fmt::format("V{}", wish.number), wish.value), Priority::intent);
+  auto set =
+      co_await talk_.command(set_command(fmt::format("V{}", wish.number), wish.value), Priority::intent);
   if (!set) co_return set;
   if (wish.number >= facts.stored_from) setup_.variable_is_unsaved();
   co_return co_await readouts_.read_variable(wish.number, Priority::intent);

@@ -55,7 +55,8 @@ void RestartWatch::look_at_counters(const Look& look, bool was_silent) {
   for (int i = 0; i < draft_.axis_count; ++i) {
     const AxisState& axis = draft_.axes[i];
     const Stood::Axis& stood = before->axes[ix(i)];
-    stands_at_zero = stands_at_zero && !stood_->axes[ix(i)].then.runs && axis.position == Steps(0) && axis.encoder == Steps(0);
+    stands_at_zero = stands_at_zero && !stood_->axes[ix(i)].then.runs && axis.position == Steps(0) &&
+                     axis.encoder == Steps(0);
     std::int64_t way = std::abs(stood.position.value) - stood.then.room.value;
     if (!targets_stay) way = std::min(way, std::abs(stood.encoder.value));
     const double reach = stood.then.towards_zero.value > 0 ? stood.then.towards_zero.value * elapsed : 0;
@@ -78,7 +79,7 @@ Task<Result<>> RestartWatch::look_at_motors(const Look& look) {
   const auto before = std::exchange(motors_on_, on);
   const bool changed = before && *before != on && unexplained;
   if (!changed && !zero_in_doubt_) co_return Result<>();
-  motors_on_ = before;                                     // until it is sure: the next round asks again
+  motors_on_ = before;  // until it is sure: the next round asks again
   auto again = co_await talk_.ask_number("EO", Priority::poll);  // a digit may have been garbled
   if (!again) co_return fail(again.error());
   if (*again != on) co_return Result<>();

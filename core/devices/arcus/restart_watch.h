@@ -1,6 +1,6 @@
 #pragma once
-// Noticing that the controller was switched off and on: by its counters, its motor power, a program that runs,
-// and what it has lost (set_up.h).
+// Noticing that the controller was switched off and on: by its counters, its motor power, a program that
+// runs, and what it has lost (set_up.h).
 #include <array>
 #include <functional>
 #include <optional>
