@@ -22,7 +22,8 @@ bool StopDesk::stops_all() const {
 StopOrder* StopDesk::due() {
   StopOrder* next = nullptr;
   for (StopOrder& order : orders_)
-    if (!order.sent && (!next || (!next->covers(order) && order.times_sent <= next->times_sent))) next = &order;
+    if (!order.sent && (!next || (!next->covers(order) && order.times_sent <= next->times_sent)))
+      next = &order;
   return next;
 }
 

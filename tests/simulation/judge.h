@@ -170,7 +170,7 @@ class Judge final : public Witness {
       std::uint32_t axes;
       bool at_once;
     };
-    std::vector<Asked> stops;  ///< since everything stood
+    std::vector<Asked> stops;   ///< since everything stood
     std::string received;       ///< its end
     std::size_t forgotten = 0;  ///< bytes before those
   };

@@ -72,7 +72,8 @@ void Judge::began(int device, int a) {
     return accuse("asked",
                   fmt::format("Device {}: axis {} begins to move, and nobody has asked for it.", device, a));
   const Instant carries = faults_.carries_since(now);
-  if (now > std::max(axis.stopped->at, carries) + bound(axis, carries > axis.stopped->at - axis.stopped->after) + lateness())
+  if (now > std::max(axis.stopped->at, carries) +
+                bound(axis, carries > axis.stopped->at - axis.stopped->after) + lateness())
     accuse("stop", fmt::format("Device {}: axis {} begins to move {:.3f} s after it was stopped.", device, a,
                                seconds(now - axis.stopped->at)));
 }

@@ -146,8 +146,9 @@ void Judge::judge_lines(int device) {
       return look == d.looks.end() || !differs(lines[kind], look->second[kind]);
     });
     if (!possible)
-      accuse("true", fmt::format("Device {}: {} are shown as {:X} (of {:X}), and they are not and were not so.", device,
-                                 kind == 0 ? "inputs" : "outputs", lines[kind].values, lines[kind].known));
+      accuse("true",
+             fmt::format("Device {}: {} are shown as {:X} (of {:X}), and they are not and were not so.",
+                         device, kind == 0 ? "inputs" : "outputs", lines[kind].values, lines[kind].known));
   }
   d.lines = lines;
   const bool read_since = shown.io_seen_at > d.benches.back().first + line_shows;

@@ -211,7 +211,8 @@ void Stage::type(int device, std::string text) {
 IntentId Stage::move(int device, std::uint32_t axes, Steps distance, IntentBody body) {
   Session* s = session(device);
   if (s == nullptr) return 0;
-  const bool homes = std::holds_alternative<intent::Home>(body) || std::holds_alternative<intent::SendText>(body);
+  const bool homes =
+      std::holds_alternative<intent::Home>(body) || std::holds_alternative<intent::SendText>(body);
   const IntentId id = s->send(std::move(body));
   judge_.intent_sent(device, id);
   judge_.motion_asked(device, axes, id, distance, homes);

@@ -34,11 +34,7 @@ std::string printable(std::string_view bytes) {
 
 Conversation::Conversation(Scheduler& scheduler, const Catalog& catalog, const Forms& forms,
                            ScriptTexts& texts, std::function<void()> changed)
-    : scheduler_(scheduler),
-      catalog_(catalog),
-      forms_(forms),
-      texts_(texts),
-      changed_(std::move(changed)) {}
+    : scheduler_(scheduler), catalog_(catalog), forms_(forms), texts_(texts), changed_(std::move(changed)) {}
 
 void Conversation::attach(Station& station) {
   station_ = &station;
@@ -180,8 +176,7 @@ Station::Unmistakable Conversation::asks_who(std::string_view question,
 // Until it is switched off and on it answers at its old address and tells its new name. On USB it is alone.
 bool Conversation::is_its_name(std::string_view text) const {
   const auto number = number_in_name(*forms_.model, text);
-  return number &&
-         (*number == catalog_.address || number == also_called_ || framing() == Framing::message);
+  return number && (*number == catalog_.address || number == also_called_ || framing() == Framing::message);
 }
 
 void Conversation::know_name(std::string_view name) {
@@ -191,8 +186,8 @@ void Conversation::know_name(std::string_view name) {
 
 // ---- questions
 
-// A question may be asked once more when its answer was garbled or did not come. The second answer is believed
-// only if nothing comes behind it: two that speak at once can sound like one.
+// A question may be asked once more when its answer was garbled or did not come. The second answer is
+// believed only if nothing comes behind it: two that speak at once can sound like one.
 Task<Result<std::string>> Conversation::ask(std::string question, Priority priority, bool again) {
   auto reply = co_await exchange_question(question, priority, again);
   if (!reply && !again && worth_another_try(reply.error())) {
@@ -254,9 +249,9 @@ Task<Result<std::int64_t>> Conversation::ask_number(std::string question, Priori
 // A stop goes out on a dirty line too: then an OK may be an older one's.
 Task<Result<>> Conversation::command(std::string text, Priority priority, Duration patience) {
   const Instant now = scheduler_.now();
-  const bool may_be_older = priority == Priority::stop && station_ &&
-                            (station_->owed().may_look(looks::done, now) ||
-                             station_->owed().may_look(looks::text, now));
+  const bool may_be_older =
+      priority == Priority::stop && station_ &&
+      (station_->owed().may_look(looks::done, now) || station_->owed().may_look(looks::text, now));
   auto reply = co_await exchange(text, priority, patience);
   if (!reply) co_return fail(reply.error());
   if (reply->refused()) co_return refusal(text, reply->text);

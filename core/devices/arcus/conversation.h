@@ -1,7 +1,7 @@
 #pragma once
-// What is said to one device and what it answers: questions, commands, texts for all, what comes unasked. Only
-// here bytes become texts. Late answers: the station owes them by their looks, and asks for the device's name,
-// product or version before anything else goes out. Replies carry no address (but with RT=1), so while
+// What is said to one device and what it answers: questions, commands, texts for all, what comes unasked.
+// Only here bytes become texts. Late answers: the station owes them by their looks, and asks for the device's
+// name, product or version before anything else goes out. Replies carry no address (but with RT=1), so while
 // another device of the line owes one that looks alike, an answer is believed only with this device's own
 // name behind it.
 #include <functional>

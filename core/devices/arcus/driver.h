@@ -1,16 +1,19 @@
 #pragma once
-// Both Arcus controllers from the console's side: what differs is in the Forms. Parts with a state of their own:
+// Both Arcus controllers from the console's side: what differs is in the Forms. Parts with a state of their
+// own:
 //   conversation.h       questions, commands, what comes unasked
 //   set_up.h             parameters, storing, what a power-up takes back
 //   code_at_work.h       programs and subroutines that may be under way, and what they may do
 //   borrowed_setting.h   a setting that is written for one motion
+//   readouts.h           readouts, variables, analog inputs
+//   restart_watch.h      noticing that it was switched off and on
 //   move_list.h          a list of moves, fed as places become free
 // and here what is said and done with them, one subject per file:
 //   driver_connect.cpp   finding the device, saying why not
 //   driver_perform.cpp   what is asked of it
-//   driver_restart.cpp   noticing that it was switched off and on; lost wires
+//   driver_restart.cpp   what is left when it was switched off and on; lost wires
 //   driver_poll.cpp      the round of status and what it means
-//   driver_readouts.cpp  readouts, variables, analog inputs, threads: read in turn, watched ones each round
+//   driver_threads.cpp   threads, and what is read at rest
 //   driver_moves.cpp     moves, jogs, homing, positions, power, outputs
 //   driver_actions.cpp   the catalog's actions
 //   driver_stop.cpp      stops (decision AMB-128)
@@ -32,10 +35,11 @@
 #include "core/devices/arcus/language/dialect.h"
 #include "core/devices/arcus/language/program.h"
 #include "core/devices/arcus/move_list.h"
+#include "core/devices/arcus/readouts.h"
+#include "core/devices/arcus/restart_watch.h"
 #include "core/devices/arcus/second_look.h"
 #include "core/devices/arcus/set_up.h"
 #include "core/devices/arcus/text_meaning.h"
-#include "core/devices/arcus/unexplained.h"
 
 namespace hw::arcus {
 
@@ -73,23 +77,6 @@ class ArcusDriver final : public Driver {
     Instant begun_at{};       ///< when our last command was sent
     Pps top_speed{};          ///< of the motion that it began; 0: not known
   };
-  /// What positions are compared with, to notice that the controller has been switched off and on.
-  struct Stood {
-    struct Axis {
-      Steps position, encoder;
-      Pps towards_zero;  ///< by itself it comes to zero at most so fast
-      Steps room;        ///< StepNLoop corrects it by so much
-      bool moved = false;
-    };
-    std::array<Axis, max_axes> axes{};
-    Instant seen_at{};
-    std::uint64_t misses = 0;  ///< answers that had not come until then
-    bool program_ran = false;
-  };
-  /// What had gone out when a round of status began.
-  struct Look {
-    Unexplained::Mark counters, targets, motors;
-  };
   void tell(Notice::Kind kind, std::string text);
   void goes_out(std::string_view command);
   void not_done(std::string_view command);
@@ -110,6 +97,7 @@ class ArcusDriver final : public Driver {
   Task<Result<>> read_name();
   Task<Result<>> read_state();
   SetUp::Ways ways_of_set_up();
+  void loop_is(int axis, std::int64_t state);
   tl::unexpected<Fault> silent() const;
   tl::unexpected<Fault> garbled(std::string_view bytes) const;
   tl::unexpected<Fault> echoed() const;
@@ -118,20 +106,15 @@ class ArcusDriver final : public Driver {
 
   // ---- driver_restart.cpp
   [[nodiscard]] Pps fastest_way_to_zero(int axis) const;
-  [[nodiscard]] Stood where_all_stand() const;
+  RestartWatch::Ways ways_of_watch();
   void may_set(std::string_view command);
-  [[nodiscard]] Look begin_look() const;
-  void look_at_counters(const Look& look, bool was_silent = false);
   Task<Result<>> look_after_silence();
-  Task<Result<>> read_whole_motion(Priority priority);
-  Task<Result<>> look_at_motors(Unexplained::Mark asked);
-  Task<Result<bool>> power_up_leads_here();
-  Task<Result<>> look_at_start(int thread, Priority priority);
   Task<Result<>> look_back_over_the_loss();
-  void restarted(std::string_view how_it_shows, const std::optional<Stood>& before);
+  void restarted(std::string_view how_it_shows, unsigned moved);
 
   // ---- driver_poll.cpp
   Task<Result<>> see_whether_it_stands();
+  Task<Result<>> read_whole_motion(Priority priority);
   Task<Result<>> read_motion(Priority priority);
   Task<Result<>> read_loop(Priority priority);
   Task<Result<>> read_io(Priority priority);
@@ -149,17 +132,11 @@ class ArcusDriver final : public Driver {
   [[nodiscard]] bool loop_error(int axis) const;
   [[nodiscard]] AxisError error_of(int axis) const;
 
-  // ---- driver_readouts.cpp
-  Task<Result<>> read_watched();
-  Task<Result<>> read_in_turn();
-  Task<Result<>> read_readout(int index, Priority priority);
-  Task<Result<>> read_variable(int number, Priority priority);
-  Task<Result<>> read_analog(int number, Priority priority);
+  // ---- driver_threads.cpp
+  Task<Result<>> read_at_rest();
   Task<Result<>> read_threads(bool all, Priority priority);
   Task<Result<>> read_thread(int thread, Priority priority);
   Task<Result<>> set_variable(const intent::SetVariable& wish);
-  void put_readout(std::string_view id, std::int64_t value);
-  void find_readouts_told_by_status();
 
   // ---- driver_moves.cpp
   Task<Result<>> move(std::vector<AxisTarget> wish, Pps speed, bool relative);
@@ -247,15 +224,10 @@ class ArcusDriver final : public Driver {
   BorrowedSetting borrowed_;
   SetUp setup_;
   MoveList list_;
+  Readouts readouts_;
+  RestartWatch watch_;
 
   std::array<AxisMind, max_axes> minds_{};
-  Unexplained counters_, motors_;  ///< of positions and encoders; of motor power
-  Unexplained targets_;            ///< of positions that are put where the encoder stands
-  std::uint64_t motion_misses_ = 0;  ///< when the first of the latest answers about motion had come
-  std::optional<Stood> stood_;     ///< when last looked at
-  std::optional<std::int64_t> motors_on_;
-  std::optional<Stood> zero_in_doubt_;  ///< since then all counters have come to zero, nobody saw how
-  bool incremental_ = false;
   bool halting_ = false;  ///< programs were told to end: whether they have is asked while axes stop
 
   bool name_told_ = false, slow_told_ = false;
@@ -265,9 +237,7 @@ class ArcusDriver final : public Driver {
   int round_ = 0;
   SecondLook limits_look_, io_look_;
   bool io_due_ = false;  ///< the user's own text may have switched a motor
-  std::uint32_t watched_ = 0;
-  int next_readout_ = 0, next_variable_ = 0, next_analog_ = 0, next_thread_ = 0;
-  std::vector<bool> by_status_;          ///< readouts that the status tells
+  int next_thread_ = 0;
 };
 
 }  // namespace hw::arcus

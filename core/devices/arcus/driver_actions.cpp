@@ -51,7 +51,7 @@ Task<Result<>> ArcusDriver::act(intent::Act wish) {
     }
     co_return done;
   }
-  if (id == "absolute" || id == "incremental") put_readout("MM", id == "incremental");
+  if (id == "absolute" || id == "incremental") readouts_.put("MM", id == "incremental");
   if (id == "speed_window") setup_.forget("SSPDM");
   if (id == "buffer_off") list_.end();
   co_return Result<>();

@@ -1,6 +1,7 @@
 // Finding the device, and saying why not.
 #include <fmt/core.h>
 
+#include "core/base/index.h"
 #include "core/devices/arcus/driver.h"
 
 namespace hw::arcus {
@@ -34,13 +35,20 @@ ArcusDriver::ArcusDriver(DriverContext context, const Forms& forms, const langua
       borrowed_(talk_, [this](std::string_view name) { setup_.was_borrowed(name); }),
       setup_(catalog_, forms_, draft_, talk_, code_, borrowed_, ways_of_set_up()),
       list_(catalog_, forms_, draft_, talk_,
-            [this](Notice::Kind kind, std::string text) { tell(kind, std::move(text)); }) {
+            [this](Notice::Kind kind, std::string text) { tell(kind, std::move(text)); }),
+      readouts_(scheduler_, catalog_, forms_, draft_, talk_,
+                [this](int axis, std::int64_t state) { loop_is(axis, state); }),
+      watch_(scheduler_, draft_, talk_, code_, setup_, ways_of_watch()) {
   talk_.goes_out = [this](std::string_view command) { goes_out(command); };
   talk_.not_done = [this](std::string_view command) { not_done(command); };
   draft_.axis_count = axis_count();
   draft_.identity.model = catalog_.name;
   for (int i = 0; i < axis_count(); ++i) draft_.axes[i].enabled = false;
-  find_readouts_told_by_status();
+}
+
+void ArcusDriver::loop_is(int axis, std::int64_t state) {
+  minds_[ix(axis)].loop_state = static_cast<int>(state);
+  draft_.axes[axis].in_counts = state != static_cast<std::int64_t>(LoopState::off);
 }
 
 SetUp::Ways ArcusDriver::ways_of_set_up() {
@@ -48,7 +56,7 @@ SetUp::Ways ArcusDriver::ways_of_set_up() {
           [this] {
             for (AxisMind& mind : minds_) mind.loop_state = -1;
           },
-          [this](std::string how_it_shows) { restarted(how_it_shows, std::nullopt); }};
+          [this](std::string how_it_shows) { restarted(how_it_shows, 0); }};
 }
 
 std::string ArcusDriver::axis_name(int axis) const {
@@ -65,7 +73,8 @@ Task<Result<>> ArcusDriver::connect() {
   // Somebody is there, and what it was asked or answered was lost or garbled: what is wrong stays wrong.
   const bool heard = talk_.is_open() && talk_.station()->heard_at() > began;
   const bool soon = scheduler_.now() - began < long_asked;
-  if (!found && heard && soon && (worth_another_try(found.error()) || found.error().kind == FaultKind::refused)) {
+  if (!found && heard && soon &&
+      (worth_another_try(found.error()) || found.error().kind == FaultKind::refused)) {
     co_await talk_.wait_for_quiet();
     talk_.forget_strays();
     found = co_await find();
@@ -149,8 +158,8 @@ void ArcusDriver::note_how_slow() {
   if (!talk_.is_open()) return;
   constexpr std::size_t usual_bytes = 24;  // of ID and its answer
   const Station& station = *talk_.station();
-  const Duration waited = std::max(station.lateness(), station.statistics().last_round_trip) -
-                          station.wire_time(usual_bytes);
+  const Duration waited =
+      std::max(station.lateness(), station.statistics().last_round_trip) - station.wire_time(usual_bytes);
   if (waited <= slow_from || std::exchange(slow_told_, true)) return;
   tell(Notice::Kind::warning,
        fmt::format("It takes {:.1f} s to answer. It is waited for; what is shown of it is as old, and a stop "
@@ -188,9 +197,7 @@ void ArcusDriver::goes_out(std::string_view command) {
   code_.goes_out(command);
 }
 
-void ArcusDriver::not_done(std::string_view command) {
-  code_.was_refused(command);
-}
+void ArcusDriver::not_done(std::string_view command) { code_.was_refused(command); }
 
 void ArcusDriver::tell(Notice::Kind kind, std::string text) {
   notify_(Notice(kind, scheduler_.now(), std::move(text)));

@@ -67,12 +67,12 @@ Task<Result<bool>> ArcusDriver::ask_incremental() {
   if (!forms_.mode.empty()) {
     auto mode = co_await talk_.ask_number(std::string(forms_.mode), Priority::intent);
     if (!mode) co_return fail(mode.error());
-    put_readout("MM", *mode);
+    readouts_.put("MM", *mode);
   } else {
     auto read = co_await read_motion(Priority::intent);
     if (!read) co_return fail(read.error());
   }
-  co_return incremental_;
+  co_return readouts_.incremental();
 }
 
 // Where the axis stands, or its target with StepNLoop. A digit that was garbled on the wire would become a
@@ -167,7 +167,7 @@ Task<Result<>> ArcusDriver::home(intent::Home wish) {
                                 Activity::homing);
   if (!started) co_return started;
   draft_.axes[axis].has_target = false;
-  counters_.may_be_set();
+  watch_.counters_may_be_set();
   co_return Result<>();
 }
 
@@ -224,7 +224,7 @@ Task<Result<>> ArcusDriver::set_position(intent::SetPosition wish) {
   for (int axis = first; axis <= last; ++axis) {
     if (auto may = may_move_axis(axis); !may) co_return may;
     auto set = co_await talk_.command(set_command(fill(forms_, forms_.position, axis), wish.value.value),
-                                Priority::intent);
+                                      Priority::intent);
     if (!set) {
       if (draft_.axes[axis].in_counts && set.error().kind == FaultKind::refused)
         set.error().advice = fmt::format(
@@ -242,8 +242,8 @@ Task<Result<>> ArcusDriver::set_encoder(intent::SetEncoder wish) {
   const int first = wish.axis < 0 ? 0 : wish.axis, last = wish.axis < 0 ? axis_count() - 1 : wish.axis;
   for (int axis = first; axis <= last; ++axis) {
     if (auto may = may_move_axis(axis); !may) co_return may;
-    auto set =
-        co_await talk_.command(set_command(fill(forms_, forms_.encoder, axis), wish.value.value), Priority::intent);
+    auto set = co_await talk_.command(set_command(fill(forms_, forms_.encoder, axis), wish.value.value),
+                                      Priority::intent);
     if (!set) co_return set;
     draft_.axes[axis].has_target = false;
   }
@@ -254,8 +254,8 @@ Task<Result<>> ArcusDriver::set_power(intent::SetPower wish) {
   const int first = wish.axis < 0 ? 0 : wish.axis, last = wish.axis < 0 ? axis_count() - 1 : wish.axis;
   for (int axis = first; axis <= last; ++axis) {
     if (auto may = may_move_axis(axis); !may) co_return may;
-    auto set = co_await talk_.command(set_command(fill(forms_, forms_.power, axis, Sign::plus, axis + 1), wish.on),
-                                Priority::intent);
+    auto set = co_await talk_.command(
+        set_command(fill(forms_, forms_.power, axis, Sign::plus, axis + 1), wish.on), Priority::intent);
     if (!set) co_return set;
   }
   co_return co_await read_io(Priority::intent);
@@ -282,7 +282,8 @@ Task<Result<>> ArcusDriver::set_output(intent::SetOutput wish) {
 // Decisions AMB-087, AMB-091.
 std::string ArcusDriver::who_has(int output) const {
   constexpr int in_position_output = 1, alarm_output = 3;
-  const bool told_by_outputs = setup_.setting(Setting::status_outputs).value_or(0) != 0 && draft_.axes[0].in_counts;
+  const bool told_by_outputs =
+      setup_.setting(Setting::status_outputs).value_or(0) != 0 && draft_.axes[0].in_counts;
   if (told_by_outputs && output == in_position_output)
     return "it shows in-position while EDO=1 and StepNLoop is on";
   if (told_by_outputs && output == alarm_output) return "it shows the alarm while EDO=1 and StepNLoop is on";

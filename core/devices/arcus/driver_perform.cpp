@@ -27,13 +27,13 @@ Task<Result<>> ArcusDriver::perform(const IntentBody& body) {
   if (const auto* i = std::get_if<FeedMoves>(&body)) co_return co_await start_feed(*i);
   if (const auto* i = std::get_if<SendText>(&body)) co_return co_await send_text(*i);
   if (const auto* i = std::get_if<Watch>(&body)) {
-    watched_ = i->groups;
+    readouts_.watch(i->groups);
     co_return Result<>();
   }
   if (const auto* i = std::get_if<ReadParams>(&body)) co_return co_await read_params(i->only);
   if (const auto* i = std::get_if<ReadAnalog>(&body);
       i && i->number >= 1 && i->number <= model().analog_inputs)
-    co_return co_await read_analog(i->number, Priority::intent);
+    co_return co_await readouts_.read_analog(i->number, Priority::intent);
   if (std::holds_alternative<Store>(body)) co_return co_await setup_.store();
   if (std::holds_alternative<ReadAgain>(body)) co_return co_await read_again();
   if (std::holds_alternative<Reset>(body))
@@ -67,7 +67,7 @@ Task<Result<>> ArcusDriver::read_params(std::string only) {
     co_await stay_live();
   }
   for (int n = catalog_.variables.stored_from; n < catalog_.variables.count; ++n) {
-    auto read = co_await read_variable(n, Priority::transfer);
+    auto read = co_await readouts_.read_variable(n, Priority::transfer);
     if (!read) co_return read;
     co_await stay_live();
   }

@@ -19,26 +19,26 @@ Task<Result<>> ArcusDriver::poll(Round round) {
   if (!talk_.is_open()) co_return talk_.no_connection();
   if (round == Round::stopping) co_return co_await see_whether_it_stands();
   ++round_;
-  const Look look = begin_look();
+  const RestartWatch::Look look = watch_.begin_look();
   auto motion = co_await read_whole_motion(Priority::poll);
   if (!motion) co_return motion;
-  look_at_counters(look);
+  watch_.look_at_counters(look);
   auto returned = co_await borrowed_.give_back();
   if (!returned) co_return returned;
   auto fed = co_await feed();
   if (!fed) co_return fed;
-  if (std::exchange(io_due_, false) || zero_in_doubt_ || !any_moving() || round_ % io_every == 0) {
+  if (std::exchange(io_due_, false) || watch_.in_doubt() || !any_moving() || round_ % io_every == 0) {
     auto io = co_await read_io(Priority::poll);
     if (!io) co_return io;
     auto threads = co_await read_threads(false, Priority::poll);
     if (!threads) co_return threads;
-    auto looked = co_await look_at_motors(look.motors);
+    auto looked = co_await watch_.look_at_motors(look);
     if (!looked) co_return looked;
   }
-  auto watched = co_await read_watched();
+  auto watched = co_await readouts_.read_watched();
   if (!watched) co_return watched;
   if (!any_moving()) {
-    auto rest = co_await read_in_turn();
+    auto rest = co_await read_at_rest();
     if (!rest) co_return rest;
   }
   setup_.show_own_speeds();
@@ -47,10 +47,10 @@ Task<Result<>> ArcusDriver::poll(Round round) {
 }
 
 Task<Result<>> ArcusDriver::see_whether_it_stands() {
-  const Look look = begin_look();
+  const RestartWatch::Look look = watch_.begin_look();
   auto seen = co_await read_whole_motion(Priority::stop);
   if (!seen) co_return seen;
-  look_at_counters(look);
+  watch_.look_at_counters(look);
   if (halting_) co_return co_await read_threads(true, Priority::stop);
   co_return Result<>();
 }
@@ -70,7 +70,7 @@ Task<Result<>> ArcusDriver::read_whole_motion(Priority priority) {
   for (const bool again : {false, true}) {
     auto read = co_await read_motion(priority);
     if (read) read = co_await read_loop(priority);
-    if (!read || again || talk_.misses() == motion_misses_) co_return read;
+    if (!read || again || watch_.motion_is_whole()) co_return read;
   }
   co_return Result<>();
 }
@@ -84,7 +84,7 @@ Task<Result<>> ArcusDriver::read_motion(Priority priority) {
   const Instant asked_at = scheduler_.now();
   auto status = co_await talk_.ask_numbers(std::string(forms_.status), fields, priority);
   if (!status) co_return fail(status.error());
-  motion_misses_ = talk_.misses();
+  watch_.first_answer_came();
   auto positions = co_await talk_.ask_numbers(std::string(forms_.positions), axes, priority);
   if (!positions) co_return fail(positions.error());
   const Instant seen_at = talk_.asked_at();  // the answer, or what is asked behind it, may have come late
@@ -133,14 +133,14 @@ void ArcusDriver::take_status(const std::vector<std::int64_t>& words) {
                  : has_bit(word, bits.decelerating) ? Phase::decelerating
                  : has_bit(word, bits.constant)     ? Phase::constant
                                                     : Phase::unknown;
-    put_readout(fill(forms_, axis_count() > 1 ? "MSTa" : "MST", i), word);
+    readouts_.put(fill(forms_, axis_count() > 1 ? "MSTa" : "MST", i), word);
   }
-  if (bits.latch != no_bit) put_readout("LATCHIN", has_bit(words[0], bits.latch));
-  if (bits.index != no_bit) put_readout("INDEX", has_bit(words[0], bits.index));
+  if (bits.latch != no_bit) readouts_.put("LATCHIN", has_bit(words[0], bits.latch));
+  if (bits.index != no_bit) readouts_.put("INDEX", has_bit(words[0], bits.index));
   std::size_t field = ix(axis_count());
   for (const std::string_view id : forms_.behind_status) {
     if (id.empty()) continue;
-    put_readout(id, words[field]);
+    readouts_.put(id, words[field]);
     if (id == "BUF") list_.buffer_is(words[field] != 0);
     if (id == "BUFFREE") list_.places_are(static_cast<int>(words[field]));
     ++field;
@@ -160,7 +160,7 @@ Task<Result<>> ArcusDriver::read_loop(Priority priority) {
     mind.loop_asked_at = asked_at;
     mind.loop_state = static_cast<int>(*state);
     draft_.axes[i].in_counts = *state != static_cast<int>(LoopState::off);
-    put_readout(question, *state);
+    readouts_.put(question, *state);
     show_axis(i, asked_at);
   }
   co_return Result<>();

@@ -61,7 +61,8 @@ Task<Result<>> ArcusDriver::stop_axes(int axis, bool at_once, bool motion_only) 
   if (motion_only) co_return co_await talk_.command(word, Priority::stop);
   if (all) co_return co_await stop_all(word);
   auto said = co_await talk_.command(word, Priority::stop);
-  if (!said && said.error().kind != FaultKind::refused) co_return said;  // the next time asks for the joystick
+  if (!said && said.error().kind != FaultKind::refused)
+    co_return said;  // the next time asks for the joystick
   auto released = co_await release_joystick(axis, word);
   co_return said ? released : said;
 }

@@ -141,7 +141,8 @@ void ArcusDriver::note_sent(std::string_view as_typed) {
     draft_.axes[axis].has_target = false;
   if (ends_motion(text)) note_stop(text);
   if (!arcus::may_move(forms_, text)) return;
-  counters_.may_be_set();  // homing sets them; a short move to zero ends before anybody has seen it move
+  watch_
+      .counters_may_be_set();  // homing sets them; a short move to zero ends before anybody has seen it move
   changed_();
 }
 

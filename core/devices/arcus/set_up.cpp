@@ -223,7 +223,8 @@ void SetUp::changed(int index) {
 Task<Result<bool>> SetUp::set(intent::SetParam wish) {
   const int index = catalog_.find_param(wish.mnemonic);
   if (index < 0)
-    co_return fail(FaultKind::refused, fmt::format("A {} has no parameter {}.", forms_.model->title, wish.mnemonic),
+    co_return fail(FaultKind::refused,
+                   fmt::format("A {} has no parameter {}.", forms_.model->title, wish.mnemonic),
                    "Nothing was sent.");
   const ParamInfo& info = catalog_.params[ix(index)];
   if (!info.accepts(wish.value))
@@ -246,9 +247,10 @@ Task<Result<bool>> SetUp::set(intent::SetParam wish) {
                    fmt::format("{} was set to {}, but the controller says {}.", info.mnemonic,
                                encode_value(info, wish.value), encode_value(info, kept)),
                    "It was sent once.", "The number that the controller says is the one that holds.");
-  ways_.tell(Notice::Kind::info,
-       fmt::format("{} was set to {} ms; with the present speeds the controller uses {} ms (table A.0).",
-                   info.mnemonic, wish.value, kept));
+  ways_.tell(
+      Notice::Kind::info,
+      fmt::format("{} was set to {} ms; with the present speeds the controller uses {} ms (table A.0).",
+                  info.mnemonic, wish.value, kept));
   co_return false;
 }
 
@@ -271,9 +273,10 @@ Task<Result<>> SetUp::store() {
                    "Do not switch the controller off now. Compare the set-up before you store again.");
   if (!done) co_return done;
   is_stored();
-  ways_.tell(Notice::Kind::info,
-       "The set-up and the variables V50 to V99 are stored. Speeds, sync settings and V0 to V49 are never "
-       "kept.");
+  ways_.tell(
+      Notice::Kind::info,
+      "The set-up and the variables V50 to V99 are stored. Speeds, sync settings and V0 to V49 are never "
+      "kept.");
   co_return Result<>();
 }
 

@@ -16,7 +16,7 @@ class SetUp {
  public:
   struct Ways {
     Tell tell;
-    std::function<void()> loops_unknown;                    ///< StepNLoop was switched, perhaps
+    std::function<void()> loops_unknown;                      ///< StepNLoop was switched, perhaps
     std::function<void(std::string how_it_shows)> restarted;  ///< a value is as power-up makes it
   };
   SetUp(const Catalog& catalog, const Forms& forms, Snapshot& draft, Conversation& talk,

@@ -1,5 +1,5 @@
-// Each question of the driver, with its answer late, shifted by one, doubled, merged with the next, echoed: what
-// is shown is the truth or not known, and never another question's answer.
+// Each question of the driver, with its answer late, shifted by one, doubled, merged with the next, echoed:
+// what is shown is the truth or not known, and never another question's answer.
 #include <deque>
 #include <set>
 
@@ -99,8 +99,8 @@ class LateAnswers : public DriverTest, public testing::WithParamInterface<Case> 
     ASSERT_EQ(latest.link.state, LinkState::good);
     std::vector<std::string> texts{"ACC=456", "V1=31", "V2=32", "V3=33", "DO=2"};
     const std::vector<std::string> of_dmx{"SL=0", "HSPD=4321", "LSPD=123", "PX=1111", "EX=2222"};
-    const std::vector<std::string> of_pmx{"HS=4321", "LS=123",  "PX=1111", "PY=1112", "PZ=1113", "PU=1114",
-                                          "EX=2221", "EY=2222", "EZ=2223", "EU=2224"};
+    const std::vector<std::string> of_pmx{"HS=4321", "LS=123",  "PX=1111", "PY=1112", "PZ=1113",
+                                          "PU=1114", "EX=2221", "EY=2222", "EZ=2223", "EU=2224"};
     const auto& more = dmx ? of_dmx : of_pmx;
     texts.insert(texts.end(), more.begin(), more.end());
     for (const std::string& text : texts) ASSERT_EQ(query(text), "OK") << text;
@@ -152,7 +152,8 @@ TEST_P(LateAnswers, AreNeverShownAsAnothers) {
   int met = 0;
   for (const std::string& question : questions) {
     if (question.find('=') != question.npos) continue;
-    if (question.size() > 2 && question[0] == 'V' && question[1] != 'E') continue;  // of a hundred ten are enough
+    if (question.size() > 2 && question[0] == 'V' && question[1] != 'E')
+      continue;  // of a hundred ten are enough
     line->victim = question;
     if (is_param(question)) post(intent::ReadParams(question));
     for (int ms = 0; ms < 4500; ms += 30) {
@@ -170,13 +171,13 @@ TEST_P(LateAnswers, AreNeverShownAsAnothers) {
 std::vector<Case> all_cases() {
   std::vector<Case> cases;
   for (const char* model : {"dmx-k-sa", "pmx-4ex-sa"})
-    for (const auto& [mischief, name] : std::initializer_list<std::pair<Mischief, const char*>>{
-             {Mischief::late, "Late"},
-             {Mischief::very_late, "VeryLate"},
-             {Mischief::shifted, "Shifted"},
-             {Mischief::doubled, "Doubled"},
-             {Mischief::merged, "Merged"},
-             {Mischief::echoed, "Echoed"}})
+    for (const auto& [mischief, name] :
+         std::initializer_list<std::pair<Mischief, const char*>>{{Mischief::late, "Late"},
+                                                                 {Mischief::very_late, "VeryLate"},
+                                                                 {Mischief::shifted, "Shifted"},
+                                                                 {Mischief::doubled, "Doubled"},
+                                                                 {Mischief::merged, "Merged"},
+                                                                 {Mischief::echoed, "Echoed"}})
       cases.push_back({model, mischief, name});
   return cases;
 }

@@ -1,0 +1,45 @@
+#pragma once
+// Readouts, variables and analog inputs: what somebody looks at is asked each round, the rest in turn.
+#include <cstdint>
+#include <functional>
+#include <string_view>
+#include <vector>
+
+#include "core/devices/arcus/conversation.h"
+
+namespace hw::arcus {
+
+class Readouts {
+ public:
+  /// `loop_is`: what StepNLoop of an axis says.
+  Readouts(Scheduler& scheduler, const Catalog& catalog, const Forms& forms, Snapshot& draft,
+           Conversation& talk, std::function<void(int axis, std::int64_t state)> loop_is);
+
+  void watch(std::uint32_t groups) { watched_ = groups; }
+  /// What was told beside another answer.
+  void put(std::string_view id, std::int64_t value);
+  /// The move mode, as it was told last.
+  [[nodiscard]] bool incremental() const { return incremental_; }
+
+  Task<Result<>> read_watched();
+  /// One readout that nobody looks at, one analog input.
+  Task<Result<>> read_in_turn();
+  Task<Result<>> read_variable(int number, Priority priority);
+  Task<Result<>> read_analog(int number, Priority priority);
+
+ private:
+  Task<Result<>> read(int index, Priority priority);
+
+  Scheduler& scheduler_;
+  const Catalog& catalog_;
+  const Forms& forms_;
+  Snapshot& draft_;
+  Conversation& talk_;
+  std::function<void(int, std::int64_t)> loop_is_;
+  std::vector<bool> by_status_;  ///< readouts that the status tells
+  std::uint32_t watched_ = 0;
+  int next_readout_ = 0, next_variable_ = 0, next_analog_ = 0;
+  bool incremental_ = false;
+};
+
+}  // namespace hw::arcus

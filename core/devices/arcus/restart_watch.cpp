@@ -1,0 +1,130 @@
+#include "core/devices/arcus/restart_watch.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include <fmt/core.h>
+
+#include "core/base/index.h"
+
+namespace hw::arcus {
+
+unsigned RestartWatch::Stood::moved() const {
+  unsigned bits = 0;
+  for (std::size_t i = 0; i < axes.size(); ++i) bits |= axes[i].then.moving ? 1u << i : 0u;
+  return bits;
+}
+
+RestartWatch::Stood RestartWatch::where_all_stand() const {
+  Stood stood;
+  stood.seen_at = scheduler_.now();
+  stood.misses = talk_.misses();
+  stood.program_ran = draft_.program.run == RunState::running;
+  for (int i = 0; i < draft_.axis_count; ++i)
+    stood.axes[ix(i)] = {draft_.axes[i].position, draft_.axes[i].encoder, ways_.axis_now(i)};
+  return stood;
+}
+
+void RestartWatch::goes_out(std::string_view command) {
+  if (may_set_counter(command)) counters_.may_be_set();
+  if (may_set_target(command)) targets_.may_be_set();
+  if (may_switch_motor(command)) motors_.may_be_set();
+}
+
+void RestartWatch::forget() {
+  stood_.reset();
+  motors_on_.reset();
+  zero_in_doubt_.reset();
+}
+
+// After power-up every counter reads zero wherever the motors stand. Texts that may set a counter, homing and
+// programs do that too, and a motion may end there; what puts a position where the encoder stands explains no
+// more than that. Where the controller was silent in between, that is not taken for granted: look_at_motors()
+// finds out. See also SetUp::read_what_power_keeps(), for one that stood at zero.
+void RestartWatch::look_at_counters(const Look& look, bool was_silent) {
+  if (!motion_is_whole() && !was_silent) return;  // some is of before, some of after, perhaps
+  const bool unexplained = counters_.answered(look.counters);
+  const bool targets_stay = targets_.answered(look.targets);
+  const auto before = std::exchange(stood_, where_all_stand());
+  if (!before || !unexplained) return;
+  const bool silent = was_silent || stood_->misses != before->misses;
+  const bool a_program_may = before->program_ran || stood_->program_ran;
+  constexpr double between_two_looks = 1;  // s, and more where the wire was slow
+  const double elapsed = between_two_looks + seconds(scheduler_.now() - before->seen_at);
+  bool jumped = false, came_nearer = false, stands_at_zero = true;
+  for (int i = 0; i < draft_.axis_count; ++i) {
+    const AxisState& axis = draft_.axes[i];
+    const Stood::Axis& stood = before->axes[ix(i)];
+    stands_at_zero = stands_at_zero && !stood_->axes[ix(i)].then.runs && axis.position == Steps(0) &&
+                     axis.encoder == Steps(0);
+    std::int64_t way = std::abs(stood.position.value) - stood.then.room.value;
+    if (!targets_stay) way = std::min(way, std::abs(stood.encoder.value));
+    const double reach = stood.then.towards_zero.value > 0 ? stood.then.towards_zero.value * elapsed : 0;
+    came_nearer = came_nearer || way > std::abs(axis.position.value);
+    jumped = jumped || static_cast<double>(way) > reach;
+  }
+  const bool a_program_did = was_silent && before->program_ran;
+  if (came_nearer && ((silent && stands_at_zero) || a_program_did)) zero_in_doubt_ = before;
+  if (stands_at_zero && jumped && !a_program_may)
+    return ways_.restarted("All positions read zero, and nothing that was sent does that", before->moved());
+}
+
+// The motors have power, or none, as after power-up (EOBOOT), and nobody has switched them. Power that is not
+// as then shows that it was never cut.
+Task<Result<>> RestartWatch::look_at_motors(const Look& look) {
+  std::int64_t on = 0;
+  for (int i = 0; i < draft_.axis_count; ++i) on |= std::int64_t{draft_.axes[i].enabled} << i;
+  const bool a_program_may = code_.switches_motors() && (code_.program_may_run() || code_.was_called());
+  const bool unexplained = motors_.answered(look.motors) && !a_program_may;
+  const auto before = std::exchange(motors_on_, on);
+  const bool changed = before && *before != on && unexplained;
+  if (!changed && !zero_in_doubt_) co_return Result<>();
+  motors_on_ = before;  // until it is sure: the next round asks again
+  auto again = co_await talk_.ask_number("EO", Priority::poll);  // a digit may have been garbled
+  if (!again) co_return fail(again.error());
+  if (*again != on) co_return Result<>();
+  auto after_power_up = co_await talk_.ask_number("EOBOOT", Priority::poll);
+  if (!after_power_up && after_power_up.error().kind != FaultKind::refused)
+    co_return fail(after_power_up.error());
+  motors_on_ = on;
+  const bool as_after_power_up = after_power_up.value_or(0) == on;
+  const auto in_doubt = std::exchange(zero_in_doubt_, std::nullopt);
+  const unsigned moved = in_doubt ? in_doubt->moved() : 0;
+  if (!as_after_power_up) co_return Result<>();
+  if (changed) {
+    ways_.restarted(fmt::format("Motor power {}, and nothing that was sent does that",
+                                on < *before ? "went off" : "came on"),
+                    moved);
+    co_return Result<>();
+  }
+  auto may_be = co_await power_up_leads_here();
+  if (!may_be) co_return fail(may_be.error());
+  if (!*may_be) co_return Result<>();
+  auto kept = co_await setup_.something_is_kept();
+  if (!kept) co_return fail(kept.error());
+  if (!*kept) ways_.restarted("It did not answer for a while, and then it counted from zero", moved);
+  co_return Result<>();
+}
+
+// After power-up all counters read zero, unless a program that it starts has moved since.
+Task<Result<bool>> RestartWatch::power_up_leads_here() {
+  bool at_zero = true;
+  for (int i = 0; i < draft_.axis_count; ++i) at_zero = at_zero && draft_.axes[i].position == Steps(0);
+  if (at_zero) co_return true;
+  auto started = co_await talk_.ask_number("SLOAD", Priority::poll);
+  if (!started && started.error().kind != FaultKind::refused) co_return fail(started.error());
+  co_return started.value_or(0) != 0;
+}
+
+// A program that nobody has started, and that power-up starts.
+Task<Result<>> RestartWatch::look_at_start(int thread, Priority priority) {
+  auto starts_at_power_up = co_await talk_.ask_number("SLOAD", priority);
+  if (!starts_at_power_up && starts_at_power_up.error().kind != FaultKind::refused)
+    co_return fail(starts_at_power_up.error());
+  if ((starts_at_power_up.value_or(0) >> thread & 1) != 0)
+    ways_.restarted(fmt::format("Program {} runs, which power-up starts and nothing that was sent", thread),
+                    0);
+  co_return Result<>();
+}
+
+}  // namespace hw::arcus
