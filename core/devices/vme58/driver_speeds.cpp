@@ -25,14 +25,14 @@ std::int64_t Vme58Driver::own_velocity_of(int axis) const {
 /// In turn it would be read once in a second or two, and a text may just have set it. One that may wait in a
 /// queue is believed until the queues are empty.
 Task<Result<>> Vme58Driver::read_velocity(int axis, Priority priority) {
-  if (minds_[ix(axis)].put_velocity) {
-    auto asked = co_await read_queues(Priority::poll);
-    if (!asked) co_return asked;
-  }
+  Result<> read;
+  if (minds_[ix(axis)].put_velocity) read = co_await read_queues(Priority::poll);
   readings_.next_is(axis);
-  auto read = co_await readings_.read_axes(priority);
-  if (!read && read.error().kind == FaultKind::no_answer) {
-    read.error().kind = FaultKind::refused;
+  if (read) read = co_await readings_.read_axes(priority);
+  if (read) co_return read;
+  FaultKind& kind = read.error().kind;
+  if (kind == FaultKind::no_answer || kind == FaultKind::garbled) {
+    kind = FaultKind::refused;
     read.error().done = "Nothing was sent.";
   }
   co_return read;

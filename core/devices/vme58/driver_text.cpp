@@ -71,7 +71,8 @@ Task<Result<std::string>> Vme58Driver::send_commands(std::string text, Duration 
                      "It was not sent.");
     word += ";\n";
     if (is_question(command) && command.flaw.empty()) {
-      auto reply = co_await conversation_.ask(std::move(word), Priority::intent, {}, patience);
+      const ReplyForm form = reply_form(command, axis_count());
+      auto reply = co_await conversation_.ask(std::move(word), Priority::intent, form, patience);
       if (!reply) co_return fail(reply.error());
       answers += (answers.empty() ? "" : "\n") + *reply;
     } else if (command.is(Op::RS) && command.flaw.empty()) {

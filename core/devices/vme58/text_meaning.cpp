@@ -47,6 +47,26 @@ bool selects(const TextCommand& command) {
 
 bool is_question(const TextCommand& command) { return command.fact && command.fact->when == When::query; }
 
+ReplyForm reply_form(const TextCommand& question, int axes) {
+  switch (question.fact->op) {
+    case Op::WY: return {ReplyForm::Of::greeting};
+    case Op::RP:
+    case Op::RE:
+    case Op::RC:
+    case Op::RV:
+    case Op::RQ: return {ReplyForm::Of::numbers};
+    case Op::BX:
+    case Op::RB: return {ReplyForm::Of::hex};
+    case Op::RL: return {ReplyForm::Of::slips, axes};
+    case Op::RI:
+    case Op::QI: return {ReplyForm::Of::flags, axes};
+    case Op::RA:
+    case Op::QA: return {ReplyForm::Of::flags, 1};
+    case Op::EA: return {ReplyForm::Of::loop};
+    default: return {};  // other firmware may know more
+  }
+}
+
 TextMeaning meaning_of(std::string_view text, Context context, int axes) {
   const std::vector<TextCommand> commands = read_commands(text, context);
   TextMeaning meaning;
