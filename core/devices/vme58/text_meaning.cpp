@@ -40,6 +40,21 @@ Stops stops_in(const std::vector<TextCommand>& commands, int axes) {
 
 bool stops_motion(Op op) { return op == Op::ST || op == Op::SA || op == Op::SD || op == Op::KL; }
 
+bool moves_in_queue(Op op) {
+  switch (op) {
+    case Op::GO:
+    case Op::GD:
+    case Op::HM:
+    case Op::HR:
+    case Op::KM:
+    case Op::KR:
+    case Op::MV:
+    case Op::SP:
+    case Op::CX: return true;
+    default: return false;
+  }
+}
+
 bool selects(const TextCommand& command) {
   return command.fact && ((command.fact->op >= Op::AX && command.fact->op <= Op::AS) || command.is(Op::AA) ||
                           command.is(Op::AM));

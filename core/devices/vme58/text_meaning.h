@@ -10,6 +10,8 @@ namespace hw::vme58 {
 
 /// ST, SA, SD, KL.
 bool stops_motion(Op op);
+/// With such a command a motion begins that the queue tells of.
+bool moves_in_queue(Op op);
 /// What stands behind it speaks to the axis or the mode that it names.
 bool selects(const TextCommand& command);
 bool is_question(const TextCommand& command);
