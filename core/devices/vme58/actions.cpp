@@ -37,7 +37,8 @@ Task<Result<>> Actions::act(intent::Act wish) {
       break;
     case Action::encoder_ratio: text = fmt::format("ER{},{}", wish.values[1], wish.values[2]); break;
     case Action::hold:
-      if (loops_.is_servo(axis)) co_return co_await drive_.switch_loop(axis, wish.values[1] != 0, wish.closing);
+      if (loops_.is_servo(axis))
+        co_return co_await drive_.switch_loop(axis, wish.values[1] != 0, wish.closing);
       text = wish.values[1] != 0 ? "HN" : "HF";
       break;
     case Action::track:

@@ -7,8 +7,9 @@ namespace hw::vme58 {
 
 class Actions {
  public:
-  Actions(const Selection& selection, Commands& commands, ServoLoops& loops, ServoDrive& drive, Motions& motions,
-          Moves& moves, Speeds& speeds, NextRound& next, const Catalog& catalog, Snapshot& draft)
+  Actions(const Selection& selection, Commands& commands, ServoLoops& loops, ServoDrive& drive,
+          Motions& motions, Moves& moves, Speeds& speeds, NextRound& next, const Catalog& catalog,
+          Snapshot& draft)
       : selection_(selection),
         commands_(commands),
         loops_(loops),

@@ -14,7 +14,8 @@ Task<Result<>> AllStop::send(std::string_view word) {
   behind_ = Behind::not_known;
   rests_since_ = wire_.now();
   auto mailed = co_await mailbox_.mail_past_ring(word);
-  const bool ring_may_do = mailed ? mailbox_deaf_ : mailed.error().kind == FaultKind::no_answer;
+  const bool may_be_deaf = mailbox_deaf_ || motions_.creeps_unseen(-1);
+  const bool ring_may_do = mailed ? may_be_deaf : mailed.error().kind == FaultKind::no_answer;
   if (!ring_may_do || !conversation_.is_known()) co_return mailed;
   std::string text = std::string(word) + "\n";
   auto written = co_await conversation_.write(std::move(text), Priority::stop);
@@ -52,9 +53,10 @@ AllStop::Behind AllStop::behind() const {
 
 void AllStop::in_vain() {
   if (std::exchange(mailbox_deaf_, true)) return;
-  wire_.tell(Notice::Kind::warning,
-             "The board has acknowledged a stop in its mailbox, and nothing came of it. From here on stops go "
-             "through its command ring too.");
+  wire_.tell(
+      Notice::Kind::warning,
+      "The board has acknowledged a stop in its mailbox, and nothing came of it. From here on stops go "
+      "through its command ring too.");
 }
 
 void AllStop::doubt_positions() {

@@ -9,8 +9,8 @@ namespace hw::vme58 {
 
 class AllStop {
  public:
-  AllStop(Wire& wire, const Selection& selection, Conversation& conversation, Mailbox& mailbox, Queues& queues,
-          Motions& motions, const StopEffect& effect, const Catalog& catalog, Snapshot& draft)
+  AllStop(Wire& wire, const Selection& selection, Conversation& conversation, Mailbox& mailbox,
+          Queues& queues, Motions& motions, const StopEffect& effect, const Catalog& catalog, Snapshot& draft)
       : wire_(wire),
         selection_(selection),
         conversation_(conversation),
@@ -21,7 +21,7 @@ class AllStop {
         catalog_(catalog),
         draft_(draft) {}
 
-  /// Through the ring too where the mailbox does nothing.
+  /// Through the ring too where the mailbox does nothing, or where it would not show that it does nothing.
   Task<Result<>> send(std::string_view word);
   /// A stop of all empties the queues, and one that was not obeyed leaves what waits there: between two of
   /// its motions an axis rests for a moment. Asked as soon as none turns.

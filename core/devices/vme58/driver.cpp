@@ -22,7 +22,8 @@ Task<Result<>> Vme58Driver::perform(const IntentBody& body) {
   using namespace intent;
   if (!wire_.is_open()) co_return no_connection();
   if (const auto* i = std::get_if<MoveTo>(&body)) co_return co_await moves_.move(i->targets, i->speed, false);
-  if (const auto* i = std::get_if<MoveBy>(&body)) co_return co_await moves_.move(i->distances, i->speed, true);
+  if (const auto* i = std::get_if<MoveBy>(&body))
+    co_return co_await moves_.move(i->distances, i->speed, true);
   if (const auto* i = std::get_if<JogStart>(&body)) co_return co_await moves_.jog(*i);
   if (const auto* i = std::get_if<Home>(&body)) co_return co_await moves_.home(*i);
   if (const auto* i = std::get_if<SetPosition>(&body)) co_return co_await drive_.set_position(*i);

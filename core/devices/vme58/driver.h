@@ -1,6 +1,6 @@
 #pragma once
-// The VME58 from the console's side: the parts, and what the pump asks of them all. Each part has state of its
-// own and a file of its name; what it needs of others is given to it when it is made, and nothing more.
+// The VME58 from the console's side: the parts, and what the pump asks of them all. Each part has state of
+// its own and a file of its name; what it needs of others is given to it when it is made, and nothing more.
 //
 //   wire, readings        bursts of bus cycles; registers and data area
 //   selection             whom a text speaks to

@@ -9,7 +9,8 @@ namespace hw::vme58 {
 class Finding {
  public:
   Finding(Wire& wire, Readings& readings, const Selection& selection, Conversation& conversation,
-          ParameterValues& values, Lines& lines, const Catalog& catalog, const Variant& variant, Snapshot& draft)
+          ParameterValues& values, Lines& lines, const Catalog& catalog, const Variant& variant,
+          Snapshot& draft)
       : wire_(wire),
         readings_(readings),
         selection_(selection),

@@ -30,9 +30,7 @@ void LimitEnds::crept(int axis, int way) {
   at(axis).letter = static_cast<std::int8_t>(way);
 }
 
-bool LimitEnds::met(int axis) const {
-  return at(axis).hit && !(at(axis).from_limit && at(axis).turned);
-}
+bool LimitEnds::met(int axis) const { return at(axis).hit && !(at(axis).from_limit && at(axis).turned); }
 
 void LimitEnds::hear_direction(int axis, bool plus, bool rests) {
   const auto letter = static_cast<std::int8_t>(plus ? 1 : -1);

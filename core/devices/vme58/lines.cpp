@@ -15,10 +15,11 @@ void Lines::go_these_ways(unsigned outputs) {
   std::string jumpers;
   for (int line = 0; line < first_fixed_output; line += lines_of_a_group)
     jumpers += bit(directions_, line) ? 'O' : 'I';
-  wire_.tell(Notice::Kind::warning,
-             fmt::format("The general lines of the board do not go the ways that are shown here. Open it with "
-                         "jumpers={} in its address.",
-                         jumpers));
+  wire_.tell(
+      Notice::Kind::warning,
+      fmt::format("The general lines of the board do not go the ways that are shown here. Open it with "
+                  "jumpers={} in its address.",
+                  jumpers));
 }
 
 void Lines::take(std::uint16_t levels) {
@@ -28,7 +29,8 @@ void Lines::take(std::uint16_t levels) {
     const int line = catalog_.outputs[place].number;
     if (line >= io_lines) continue;  // auxiliary
     const std::uint32_t mask = 1u << place;
-    draft_.outputs_known = bit(directions_, line) ? draft_.outputs_known | mask : draft_.outputs_known & ~mask;
+    draft_.outputs_known =
+        bit(directions_, line) ? draft_.outputs_known | mask : draft_.outputs_known & ~mask;
     draft_.outputs = bit(levels, line) ? draft_.outputs & ~mask : draft_.outputs | mask;  // low is on
   }
   draft_.io_seen_at = wire_.now();

@@ -1,6 +1,6 @@
 #pragma once
-// General lines and auxiliary outputs, by the maker's numbers. On is low for a general line (BL), and high for
-// an auxiliary one (AN): the maker's own words.
+// General lines and auxiliary outputs, by the maker's numbers. On is low for a general line (BL), and high
+// for an auxiliary one (AN): the maker's own words.
 #include "core/device/intent.h"
 #include "core/devices/vme58/commands.h"
 
@@ -8,8 +8,8 @@ namespace hw::vme58 {
 
 class Lines {
  public:
-  Lines(Wire& wire, Readings& readings, const Selection& selection, Commands& commands, const Catalog& catalog,
-        Snapshot& draft)
+  Lines(Wire& wire, Readings& readings, const Selection& selection, Commands& commands,
+        const Catalog& catalog, Snapshot& draft)
       : wire_(wire),
         readings_(readings),
         selection_(selection),

@@ -139,12 +139,16 @@ Motions::Before Motions::begin(const Way& way) {
   for (int i = 0; i < count(); ++i) {
     if ((way.axes >> i & 1) == 0) continue;
     Axis& mind = at(i);
-    before[ix(i)] = std::exchange(mind.wanted, way.activity);
+    before[ix(i)] = {mind.wanted, mind.group, mind.ours, mind.by_text};
+    mind.wanted = way.activity;
     mind.ours = true;
     mind.at_home = way.at_home;
     mind.group = (way.axes & (way.axes - 1)) != 0 ? way.axes : 0;
     mind.done = mind.stopping = mind.by_text = mind.asks_queue = false;
-    if (way.activity != Activity::jogging) creeps(i, {});
+    if (way.activity != Activity::jogging) {
+      creeps(i, {});
+      mind.unseen = false;
+    }
     limits_.begins(i, !moving(i));
     mind.still_since = wire_.now();
     loops_.begins(i, way.activity != Activity::jogging);
@@ -161,9 +165,11 @@ void Motions::did_not_begin(const Way& way, const Before& before, bool may_begin
   for (int i = 0; i < count(); ++i) {
     if ((way.axes >> i & 1) == 0) continue;
     Axis& mind = at(i);
-    mind.ours = moving(i) && mind.ours;
-    mind.by_text = may_begin;
-    mind.wanted = before[ix(i)];  // what still moves is what it was
+    const Earlier& earlier = before[ix(i)];  // what still moves is what it was
+    mind.wanted = earlier.wanted;
+    mind.group = earlier.group;
+    mind.ours = moving(i) && earlier.ours;
+    mind.by_text = may_begin || (moving(i) && earlier.by_text);
     mind.at_home = AtHome::nothing;
     draft_.axes[i].has_target = false;
     show_still(i, wire_.now());
@@ -225,7 +231,9 @@ void Motions::stopping(int axis, bool at_once) {
 // What was being stopped is shown as it is again.
 void Motions::stands(int axis) {
   for (int i = 0; i < count(); ++i) {
-    if ((axis >= 0 && i != axis) || !at(i).stopping) continue;
+    if (axis >= 0 && i != axis) continue;
+    at(i).unseen = false;
+    if (!at(i).stopping) continue;
     if (moving(i))
       at(i).stopping = false;
     else
@@ -273,6 +281,7 @@ void Motions::note_of_axis(int i, const TextCommand& command, bool one) {
   else if (jogs || stops)
     mind.at_home = AtHome::nothing;
   const double speed = jogs ? std::abs(*command.numbers[place]) : 0;
+  if (jogs) will_jog(i, speed);
   creeps(i, speed > 0 ? jog_gap(i, speed) : Duration::zero());
 }
 
@@ -339,6 +348,17 @@ Duration Motions::jog_gap(int i, double speed) const {
   return rest_time + from_seconds(ramp_s + count_s);
 }
 
+void Motions::will_jog(int axis, double speed) {
+  at(axis).jog_gap = jog_gap(axis, speed);
+  at(axis).unseen = speed > 0 && speed < 1;
+}
+
+bool Motions::creeps_unseen(int axis) const {
+  for (int i = 0; i < count(); ++i)
+    if ((axis < 0 || i == axis) && at(i).unseen) return true;
+  return false;
+}
+
 void Motions::creeps(int i, Duration gap) {
   at(i).jog_gap = gap;
   at(i).creeps_until = gap > Duration::zero() ? wire_.now() + gap : Instant{};
@@ -353,10 +373,11 @@ void Motions::doubt_killed_position(int i, double speed) {
   const std::int64_t safe = readings_.value(i, AxisValue::base_velocity);
   if (catalog_.axes[ix(i)].switchable || speed <= static_cast<double>(safe)) return;
   draft_.axes[i].trust.doubt(Doubt::killed, wire_.now());
-  wire_.tell(Notice::Kind::warning,
-             fmt::format("Axis {} was stopped without a ramp at {:.0f} counts/s. Above {} (VB) it may have lost "
-                         "steps: its position is doubtful until it is homed or set.",
-                         catalog_.axes[ix(i)].name, speed, safe));
+  wire_.tell(
+      Notice::Kind::warning,
+      fmt::format("Axis {} was stopped without a ramp at {:.0f} counts/s. Above {} (VB) it may have lost "
+                  "steps: its position is doubtful until it is homed or set.",
+                  catalog_.axes[ix(i)].name, speed, safe));
 }
 
 void Motions::lose(bool program_runs) {

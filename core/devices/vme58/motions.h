@@ -1,6 +1,6 @@
 #pragma once
-// What is under way on each axis, who began it, and how it ends: worked out of what was sent and what is read.
-// Sends nothing.
+// What is under way on each axis, who began it, and how it ends: worked out of what was sent and what is
+// read. Sends nothing.
 #include <array>
 
 #include "core/device/catalog.h"
@@ -49,8 +49,13 @@ class Motions {
     std::array<Steps, most_axes> targets{};
     AtHome at_home = AtHome::nothing;
   };
-  /// As they were before.
-  using Before = std::array<Activity, most_axes>;
+  /// What an axis did before.
+  struct Earlier {
+    Activity wanted = Activity::idle;
+    unsigned group = 0;
+    bool ours = false, by_text = false;
+  };
+  using Before = std::array<Earlier, most_axes>;
   Before begin(const Way& way);
   void did_not_begin(const Way& way, const Before& before, bool may_begin);
   void end(int axis, EndedBy ended_by);
@@ -89,7 +94,10 @@ class Motions {
   // ---- for how long a motion may show nothing
   /// A jog's: until its first count, and between two counts when it is slower than one a second.
   [[nodiscard]] Duration jog_gap(int axis, double speed) const;
-  void will_creep(int axis, Duration gap) { at(axis).jog_gap = gap; }
+  /// A jog with that speed is about to begin.
+  void will_jog(int axis, double speed);
+  /// It was told to jog so slowly that its velocity reads 0: that it has stopped does not show. -1: any axis.
+  [[nodiscard]] bool creeps_unseen(int axis) const;
   void creeps(int axis, Duration gap);
   void met_switches(unsigned axes);
 
@@ -107,16 +115,17 @@ class Motions {
     bool ours = false;                    ///< a motion of the console is under way
     unsigned group = 0;                   ///< the axes of its move, when there are several
     bool stopping = false;
-    bool done = false;        ///< its done flag was seen since the motion began
-    bool counted = false;     ///< the console has set its counter since the last round
-    std::int8_t way = 0;      ///< direction of the latest change of position
+    bool done = false;     ///< its done flag was seen since the motion began
+    bool counted = false;  ///< the console has set its counter since the last round
+    std::int8_t way = 0;   ///< direction of the latest change of position
     AtHome at_home = AtHome::nothing;
-    bool by_text = false;     ///< a motion of the user's text or program may be under way
+    bool by_text = false;  ///< a motion of the user's text or program may be under way
     bool in_group = false;
-    bool listed = false;      ///< a list of AA or AM may have prepared a motion that their next GO begins
+    bool listed = false;  ///< a list of AA or AM may have prepared a motion that their next GO begins
     bool asks_queue = false;
-    Duration jog_gap{};       ///< of a jog: it turns, though so long no count and no velocity may show it
-    Instant creeps_until{};   ///< and so it is taken to turn until then
+    Duration jog_gap{};      ///< of a jog: it turns, though so long no count and no velocity may show it
+    Instant creeps_until{};  ///< and so it is taken to turn until then
+    bool unseen = false;     ///< its velocity reads 0 meanwhile; until a stop is known to have come
     Instant still_since{};
   };
   [[nodiscard]] Axis& at(int axis) { return axes_[static_cast<std::size_t>(axis)]; }

@@ -120,7 +120,7 @@ Task<Result<>> Moves::jog(intent::JogStart wish) {
     if (!read) co_return read;
   }
   if (*speed == 0) speed = std::max<std::int64_t>(1, speeds_.own(axis));
-  motions_.will_creep(axis, motions_.jog_gap(axis, static_cast<double>(*speed)));
+  motions_.will_jog(axis, static_cast<double>(*speed));
   std::string text = selection_.addressed(axis, fmt::format("JG{}", factor(wish.sign) * *speed));
   co_return co_await begin_jog(std::move(text), axis);
 }
@@ -129,7 +129,7 @@ Task<Result<>> Moves::jog_slowly(int axis, std::int64_t thousandths) {
   if (auto may = may_move(axis); !may) co_return may;
   std::string text = selection_.addressed(axis, "JF" + encode_number(thousandths, 3));
   if (thousandths == 0) co_return co_await commands_.say(std::move(text), Priority::intent);
-  motions_.will_creep(axis, motions_.jog_gap(axis, std::abs(static_cast<double>(thousandths)) / 1000));
+  motions_.will_jog(axis, std::abs(static_cast<double>(thousandths)) / 1000);
   co_return co_await begin_jog(std::move(text), axis);
 }
 

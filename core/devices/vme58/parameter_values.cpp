@@ -30,7 +30,8 @@ std::optional<std::int64_t> ParameterValues::known(int axis, std::string_view le
 
 bool ParameterValues::drives(int axis) const {
   for (std::size_t i = 0; i < all_.size(); ++i)
-    if (all_[i].axis == axis && all_[i].fact->drives && (!draft_.params[i].known || draft_.params[i].value != 0))
+    if (all_[i].axis == axis && all_[i].fact->drives &&
+        (!draft_.params[i].known || draft_.params[i].value != 0))
       return true;
   return false;
 }

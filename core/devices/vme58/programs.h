@@ -1,6 +1,6 @@
 #pragma once
-// The board keeps no programs: a program is a command string that the console holds and feeds into the ring as
-// the board takes it.
+// The board keeps no programs: a program is a command string that the console holds and feeds into the ring
+// as the board takes it.
 #include <string>
 
 #include "core/devices/vme58/all_stop.h"
@@ -11,8 +11,8 @@ namespace hw::vme58 {
 
 class Programs {
  public:
-  Programs(Wire& wire, Readings& readings, Conversation& conversation, const Commands& commands, Motions& motions,
-           Speeds& speeds, Rounds& rounds, AllStop& all_stop, Feed& feed, Snapshot& draft)
+  Programs(Wire& wire, Readings& readings, Conversation& conversation, const Commands& commands,
+           Motions& motions, Speeds& speeds, Rounds& rounds, AllStop& all_stop, Feed& feed, Snapshot& draft)
       : wire_(wire),
         readings_(readings),
         conversation_(conversation),

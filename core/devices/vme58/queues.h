@@ -10,7 +10,8 @@ namespace hw::vme58 {
 class Queues {
  public:
   struct Room {
-    unsigned all_free = 0;  ///< bit per queue that holds nothing; AA's and AM's stand behind those of the axes
+    unsigned all_free =
+        0;  ///< bit per queue that holds nothing; AA's and AM's stand behind those of the axes
     bool were_empty = false, empty = false;  ///< all of them, before this and now
   };
   Queues(const Catalog& catalog, const Selection& selection, Conversation& conversation, Snapshot& draft)

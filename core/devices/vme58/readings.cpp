@@ -143,9 +143,7 @@ void Readings::know(int axis, AxisValue v, std::int64_t value) {
   data_[ix(axis)].values[ix(static_cast<int>(v))] = static_cast<std::int32_t>(value);
 }
 
-bool Readings::moving(int axis) const {
-  return seen_ && value(axis, AxisValue::command_velocity) != 0;
-}
+bool Readings::moving(int axis) const { return seen_ && value(axis, AxisValue::command_velocity) != 0; }
 
 void Readings::forget() {
   seen_ = false;

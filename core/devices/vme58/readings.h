@@ -1,7 +1,7 @@
 #pragma once
 // What is read in the window: the registers, and the board's copy of its axis data. Reading the done and slip
-// registers clears them, for everybody: they are not read here (decisions M31, M32). Reading the limit register
-// clears only a hit that is over, and is remembered.
+// registers clears them, for everybody: they are not read here (decisions M31, M32). Reading the limit
+// register clears only a hit that is over, and is remembered.
 #include <array>
 #include <vector>
 

@@ -156,7 +156,8 @@ Task<Result<>> Rounds::read_loops() {
   if (asked.empty()) co_return Result<>();
   text += selection_.selector() + "\n";
   const ReplyForm form{ReplyForm::Of::loop};
-  const auto replies = co_await conversation_.ask_several(std::move(text), asked.size(), Priority::poll, form);
+  const auto replies =
+      co_await conversation_.ask_several(std::move(text), asked.size(), Priority::poll, form);
   if (!replies && replies.error().kind == FaultKind::no_answer) co_return Result<>();
   if (!replies) co_return fail(replies.error());
   for (std::size_t n = 0; n < asked.size(); ++n) loops_.know(asked[n], (*replies)[n][1] == 'E');

@@ -6,9 +6,9 @@ namespace hw::vme58 {
 
 class Rounds {
  public:
-  Rounds(Wire& wire, Readings& readings, Conversation& conversation, const Selection& selection, Queues& queues,
-         LimitEnds& limits, ServoLoops& loops, Motions& motions, Speeds& speeds, NextRound& next,
-         const Catalog& catalog, Snapshot& draft)
+  Rounds(Wire& wire, Readings& readings, Conversation& conversation, const Selection& selection,
+         Queues& queues, LimitEnds& limits, ServoLoops& loops, Motions& motions, Speeds& speeds,
+         NextRound& next, const Catalog& catalog, Snapshot& draft)
       : wire_(wire),
         readings_(readings),
         conversation_(conversation),

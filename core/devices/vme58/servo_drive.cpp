@@ -97,10 +97,9 @@ Task<Result<>> ServoDrive::set_power(intent::SetPower wish) {
     if (wish.axis >= 0 && wish.axis != i) continue;
     if (!catalog_.axes[ix(i)].switchable) {
       if (wish.axis < 0) continue;
-      co_return fail(
-          FaultKind::refused,
-          fmt::format("Axis {} is no servo axis: the board does not switch its motor.", name(i)),
-          "Nothing was sent.");
+      co_return fail(FaultKind::refused,
+                     fmt::format("Axis {} is no servo axis: the board does not switch its motor.", name(i)),
+                     "Nothing was sent.");
     }
     auto switched = co_await switch_loop(i, wish.on, wish.closing);
     if (!switched) co_return switched;

@@ -35,7 +35,8 @@ class ServoDrive {
   Task<Result<>> may_close(int axis, intent::Closing answer, std::string state, std::string consequence);
   Task<Result<>> take_place(int axis);
   Task<Result<>> load_positions(int axis, Steps wanted);
-  [[nodiscard]] std::string load_text(int axis, const std::array<std::optional<std::int64_t>, most_axes>& to) const;
+  [[nodiscard]] std::string load_text(int axis,
+                                      const std::array<std::optional<std::int64_t>, most_axes>& to) const;
   [[nodiscard]] int axes() const { return static_cast<int>(catalog_.axes.size()); }
   [[nodiscard]] const std::string& name(int axis) const {
     return catalog_.axes[static_cast<std::size_t>(axis)].name;

@@ -18,7 +18,8 @@ namespace hw::vme58 {
 
 class ServoLoops {
  public:
-  ServoLoops(Wire& wire, const Catalog& catalog, const ParameterValues& values, NextRound& next, Snapshot& draft)
+  ServoLoops(Wire& wire, const Catalog& catalog, const ParameterValues& values, NextRound& next,
+             Snapshot& draft)
       : wire_(wire), catalog_(catalog), values_(values), next_(next), draft_(draft) {}
 
   // ---- loops

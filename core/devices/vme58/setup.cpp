@@ -69,8 +69,8 @@ Task<Result<>> Setup::look_what_came(int place, std::int64_t wanted) {
   if (speed) speeds_.was_put(parameter.axis, wanted, state.value != wanted);
   if (state.value == wanted) co_return Result<>();
   if (motions_.moving(parameter.axis)) {
-    wire_.tell(Notice::Kind::info, fmt::format("{} takes effect when what is in the queue before it has ended.",
-                                               info.mnemonic));
+    wire_.tell(Notice::Kind::info,
+               fmt::format("{} takes effect when what is in the queue before it has ended.", info.mnemonic));
     co_return Result<>();
   }
   co_return fail(FaultKind::controller,

@@ -7,8 +7,9 @@ namespace hw::vme58 {
 
 class Setup {
  public:
-  Setup(Wire& wire, Readings& readings, const Selection& selection, Commands& commands, ParameterValues& values,
-        ServoDrive& drive, Motions& motions, Speeds& speeds, const Catalog& catalog, Snapshot& draft)
+  Setup(Wire& wire, Readings& readings, const Selection& selection, Commands& commands,
+        ParameterValues& values, ServoDrive& drive, Motions& motions, Speeds& speeds, const Catalog& catalog,
+        Snapshot& draft)
       : wire_(wire),
         readings_(readings),
         selection_(selection),

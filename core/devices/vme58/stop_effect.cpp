@@ -11,7 +11,7 @@ namespace {
 
 constexpr Duration effect_time = Millis(60);             // so that what is in vain is seen within 100 ms
 constexpr Duration kill_time = std::chrono::seconds(2);  // KL is sent again for so long
-constexpr double longest_shape = 3;                      // a ramp of PN10 against a straight one, and a little
+constexpr double longest_shape = 3;  // a ramp of PN10 against a straight one, and a little
 constexpr Duration ramp_margin = std::chrono::seconds(1);
 
 }  // namespace

@@ -37,9 +37,10 @@ Task<Result<>> Stops::stop_motion(int axis, bool at_once, bool jog) {
   const bool one = axis >= 0 && !at_once && !widened_ && !motions_.in_company(axis) && !recorded;
   const bool alone = one && known && (jog || stops_alone(axis));
   if (one && !alone)
-    wire_.tell(Notice::Kind::info,
-               known ? fmt::format("A program or a text may move {} again, so all axes were stopped.", name(axis))
-                     : fmt::format("What moves {} is not known yet, so all axes were stopped.", name(axis)));
+    wire_.tell(
+        Notice::Kind::info,
+        known ? fmt::format("A program or a text may move {} again, so all axes were stopped.", name(axis))
+              : fmt::format("What moves {} is not known yet, so all axes were stopped.", name(axis)));
   if (axis >= 0 && at_once && !widened_)
     wire_.tell(Notice::Kind::info, "The board's only stop without a ramp, KL, stops every axis.");
   if (!alone) programs_.end(at_once ? EndedBy::abort : EndedBy::stop);
@@ -54,7 +55,8 @@ Task<Result<>> Stops::stop_motion(int axis, bool at_once, bool jog) {
   }
   const std::string_view word = at_once ? "KL" : "SA";
   auto stopped = co_await all_stop_.send(word);
-  if (stopped && recorded) (void)co_await conversation_.select_again(Priority::stop);  // else with the next text
+  if (stopped && recorded)
+    (void)co_await conversation_.select_again(Priority::stop);  // else with the next text
   co_return stopped;
 }
 
@@ -144,6 +146,7 @@ StopProgress Stops::progress(const StopOrder& order) {
     if (behind == AllStop::Behind::waits) return in_vain(axis);
     if (behind == AllStop::Behind::not_known) return StopProgress::wait();
   }
+  if (!seen.turns && !order.confirmed) return StopProgress::again();  // some motion shows nothing
   if (!seen.turns || (seen.overdue && order.at_once)) stands(axis);
   if (!seen.turns) return StopProgress::stands();
   if (seen.overdue && order.at_once)

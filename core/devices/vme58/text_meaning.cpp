@@ -9,15 +9,15 @@ namespace {
 constexpr int several = -1;
 
 /// The commands of a text that consists of stops; none: it does not.
-struct Stops {
+struct StopsInText {
   bool all = false;    ///< whatever is selected
   std::set<int> axes;  ///< that ST names, or `several`
 
   [[nodiscard]] bool any() const { return all || !axes.empty(); }
 };
 
-Stops stops_in(const std::vector<TextCommand>& commands, int axes) {
-  Stops stops;
+StopsInText stops_in(const std::vector<TextCommand>& commands, int axes) {
+  StopsInText stops;
   bool selected = false;
   for (const TextCommand& command : commands) {
     if (!command.fact || !command.flaw.empty()) return {};
@@ -87,7 +87,7 @@ TextMeaning meaning_of(std::string_view text, Context context, int axes) {
   TextMeaning meaning;
   const bool answers = std::any_of(commands.begin(), commands.end(), is_question);
   meaning.answered = answers ? TextMeaning::Answered::at_once : TextMeaning::Answered::never;
-  const Stops stops = stops_in(commands, axes);
+  const StopsInText stops = stops_in(commands, axes);
   if (stops.any()) meaning.stops = stops.all ? TextMeaning::Stops::all : TextMeaning::Stops::some;
   if (!stops.all && stops.axes.size() == 1) meaning.axis = *stops.axes.begin();
   return meaning;

@@ -1,6 +1,6 @@
 #pragma once
-// Raw text of users and scripts: sent command by command, so that the one that the board rejects can be named;
-// and followed, so that the console knows which axis it has selected and what it has set.
+// Raw text of users and scripts: sent command by command, so that the one that the board rejects can be
+// named; and followed, so that the console knows which axis it has selected and what it has set.
 #include <functional>
 #include <string>
 #include <vector>
