@@ -214,9 +214,7 @@ Task<> Pump::wait_for_retry() {
 void Pump::lose_wire(const Fault& why) {
   if (!std::exchange(down_, true)) {  // attempts in between do not count
     draft_.link.lost_at = scheduler_.now();
-    const bool never_seen = rounds_ended_ == 0;  // whoever was here before may have begun something
-    ran_when_lost_ =
-        never_seen || something_runs() || jogs_.any() || performing_ || (connected() && desk_.any());
+    ran_when_lost_ = something_runs() || jogs_.any() || performing_ || (connected() && desk_.any());
     loss_.lost(draft_, something_runs() || jogs_.any(), performing_, scheduler_.now());
     draft_.link.when_lost = draft_.shows_under_way();
     restarts_when_lost_ = draft_.restarts;
