@@ -205,8 +205,7 @@ void Pump::lose_wire(const Fault& why) {
   Outage::Loss loss;
   loss.at_work = something_runs() || jogs_.any();
   loss.on_the_way = jobs_.performs();
-  // Whoever was here before may have begun something, and so may what was sent a moment ago.
-  const bool not_seen_yet = rounds_.ended() == 0 || rounds_.often();
+  const bool not_seen_yet = rounds_.often();  // what was sent a moment ago may have begun something
   loss.may_run = not_seen_yet || loss.at_work || loss.on_the_way || (connected() && desk_.any());
   if (outage_.begin(draft_, loss, scheduler_.now())) {
     draft_.link.lost_at = scheduler_.now();

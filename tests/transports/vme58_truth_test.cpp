@@ -183,6 +183,18 @@ TEST_F(Vme58Truth, AMoveThatAnotherProgramStopsIsSaidToBeStopped) {
   EXPECT_THAT(wait().reason, HasSubstr("somebody else"));
 }
 
+TEST_F(Vme58Truth, AMoveThatIsRejectedLeavesATypedJogAsItIs) {
+  ASSERT_TRUE(query("AX JG5000"));
+  run(Seconds(1));
+  ASSERT_EQ(axis().activity, Activity::moving);
+  EXPECT_EQ(move_by(1000).fate, Fate::failed);
+  run(Millis(500));
+  EXPECT_EQ(axis().activity, Activity::moving) << "it goes on";
+  EXPECT_EQ(perform(intent::Stop()).fate, Fate::done);
+  EXPECT_EQ(wait().reason, "");
+  EXPECT_EQ(axis().speed.value, 0);
+}
+
 TEST_F(Vme58Truth, AMoveBehindAWaitIsUnderWayAndEndsAtItsTarget) {
   ASSERT_TRUE(query("AX ID WT1500"));
   ASSERT_EQ(move_by(100).fate, Fate::done);

@@ -149,7 +149,8 @@ bool fits(ReplyForm form, std::string_view reply) {
     }
     case ReplyForm::Of::slips: return reply.size() == count && std::all_of(reply.begin(), reply.end(), slip);
     case ReplyForm::Of::loop:
-      return reply.size() == 6 && (reply[0] == 'E' || reply[0] == 'D') && (reply[1] == 'E' || reply[1] == 'D');
+      return reply.size() == 6 && (reply[0] == 'E' || reply[0] == 'D') &&
+             (reply[1] == 'E' || reply[1] == 'D');
   }
   return true;
 }

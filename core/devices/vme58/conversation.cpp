@@ -13,16 +13,17 @@ namespace {
 constexpr Duration ring_look = std::chrono::microseconds(500);
 constexpr Duration taking_patience = Millis(250);  // the board takes text at once unless a queue is full
 constexpr Duration stop_patience = Millis(20);     // then the mailbox stops all
-constexpr Duration greeting_patience = std::chrono::seconds(3);  // then it may have been lost, and is asked anew
+constexpr Duration greeting_patience =
+    std::chrono::seconds(3);  // then it may have been lost, and is asked anew
 constexpr std::string_view greeting_question = "WY";
 
 bool is_greeting(std::string_view reply) { return decode_greeting(reply).has_value(); }
 
 Fault not_understood(std::string_view reply, std::string_view question) {
-  return Fault(FaultKind::garbled,
-               fmt::format("The board answered \"{}\" to {}, which means nothing.", reply,
-                           without_end(question)),
-               "It is asked again.");
+  return Fault(
+      FaultKind::garbled,
+      fmt::format("The board answered \"{}\" to {}, which means nothing.", reply, without_end(question)),
+      "It is asked again.");
 }
 
 }  // namespace

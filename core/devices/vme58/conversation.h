@@ -2,8 +2,8 @@
 // The rings: commands in, replies out. Here alone bytes become messages, and here alone it is decided whose a
 // reply is.
 //
-// The board answers in the order of its ring. A question that was given up (a stop came, or its time) leaves a
-// reply behind that may come at any time, and looks like the next one's. Whether it has come shows by a
+// The board answers in the order of its ring. A question that was given up (a stop came, or its time) leaves
+// a reply behind that may come at any time, and looks like the next one's. Whether it has come shows by a
 // question whose answer cannot be mistaken: WY. Until its greeting comes nothing is asked, and nothing that
 // comes is believed. Several questions in one text end with a WY too: one reply more or less is seen then.
 #include <deque>

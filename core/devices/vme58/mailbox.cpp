@@ -27,17 +27,28 @@ Task<Result<bool>> Mailbox::is_free() {
   }
 }
 
-// A word put over one that the board has not taken would be lost with its request, or instead of it. Behind
-// a request that the board never takes back it is put there all the same: it may be a stop.
+// What a silent bus has swallowed looks like mail that was taken, once it answers again: the letters are read
+// back. A word put over one that the board has not taken would be lost with its request, or instead of it.
+// Behind a request that the board never takes back it is put there all the same: it may be a stop.
 Task<Result<>> Mailbox::mail(std::string_view letters) {
   const std::string word(letters);
   const auto free = co_await is_free();
   if (!free) co_return fail(free.error());
   std::vector<BusCycle>& cycles = wire_.burst();
   append_mail(cycles, word, wire_.enabled());
+  const std::size_t letter = cycles.size();
+  cycles.push_back(BusCycle::read(2, at::mailbox));
+  cycles.push_back(BusCycle::read(2, at::mailbox + 2));
   auto sent = co_await wire_.run(cycles, Priority::stop);
   if (!sent) co_return sent;
+  const std::string holds = reply_text(std::span(cycles).subspan(letter));
   wire_.record(Way::sent, Priority::stop, fmt::format("mailbox {}", word));
+  const bool clears_all = word == "RS";  // the letters too
+  if (holds != word && !clears_all)
+    co_return fail(FaultKind::no_answer,
+                   fmt::format("{} was put into the board's mailbox and does not stand there.", word),
+                   "The bus may have lost it.",
+                   "Watch the machine. If it still moves, switch its power off.");
   const auto taken = co_await is_free();
   if (!taken) co_return fail(taken.error());
   if (*taken) co_return Result<>();

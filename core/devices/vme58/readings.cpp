@@ -115,6 +115,7 @@ Task<Result<>> Readings::read_axes(Priority priority, Copy copy) {
   }
   take_values(cycles);
   listener_.axes_read(whole, wire_.now());
+  seen_ = true;
   co_return Result<>();
 }
 
@@ -142,12 +143,10 @@ void Readings::know(int axis, AxisValue v, std::int64_t value) {
   data_[ix(axis)].values[ix(static_cast<int>(v))] = static_cast<std::int32_t>(value);
 }
 
-bool Readings::moving(int axis) const {
-  return seen(axis) && value(axis, AxisValue::command_velocity) != 0;
-}
+bool Readings::moving(int axis) const { return seen_ && value(axis, AxisValue::command_velocity) != 0; }
 
 void Readings::forget() {
-  seen_ = {};
+  seen_ = false;
   status_ = 0;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 // What is read in the window: the registers, and the board's copy of its axis data. Reading the done and slip
-// registers clears them, for everybody: they are not read here (decisions M31, M32). Reading the limit register
-// clears only a hit that is over, and is remembered.
+// registers clears them, for everybody: they are not read here (decisions M31, M32). Reading the limit
+// register clears only a hit that is over, and is remembered.
 #include <array>
 #include <vector>
 
@@ -64,8 +64,8 @@ class Readings {
   void know(int axis, AxisValue v, std::int64_t value);
   /// By its velocity, and only where that has been read since the connection.
   [[nodiscard]] bool moving(int axis) const;
-  [[nodiscard]] bool seen(int axis) const { return seen_[static_cast<std::size_t>(axis)]; }
-  void see(int axis) { seen_[static_cast<std::size_t>(axis)] = true; }
+  /// Before the reading that is being told of.
+  [[nodiscard]] bool seen() const { return seen_; }
   /// The connection is gone, or the board was reset.
   void forget();
 
@@ -84,7 +84,7 @@ class Readings {
   std::uint8_t status_ = 0;
   bool command_error_ = false;  ///< seen in the status register and not told yet
   std::array<AxisData, max_axes> data_{};
-  std::array<bool, max_axes> seen_{};  ///< its data has been read since the connection
+  bool seen_ = false;  ///< they have been read since the connection
   int next_axis_ = 0;
   Duration first_look_ = copy_time;
 };

@@ -9,15 +9,15 @@ namespace {
 constexpr int several = -1;
 
 /// The commands of a text that consists of stops; none: it does not.
-struct Stops {
+struct StopsInText {
   bool all = false;    ///< whatever is selected
   std::set<int> axes;  ///< that ST names, or `several`
 
   [[nodiscard]] bool any() const { return all || !axes.empty(); }
 };
 
-Stops stops_in(const std::vector<TextCommand>& commands, int axes) {
-  Stops stops;
+StopsInText stops_in(const std::vector<TextCommand>& commands, int axes) {
+  StopsInText stops;
   bool selected = false;
   for (const TextCommand& command : commands) {
     if (!command.fact || !command.flaw.empty()) return {};
@@ -40,6 +40,21 @@ Stops stops_in(const std::vector<TextCommand>& commands, int axes) {
 
 bool stops_motion(Op op) { return op == Op::ST || op == Op::SA || op == Op::SD || op == Op::KL; }
 
+bool moves_in_queue(Op op) {
+  switch (op) {
+    case Op::GO:
+    case Op::GD:
+    case Op::HM:
+    case Op::HR:
+    case Op::KM:
+    case Op::KR:
+    case Op::MV:
+    case Op::SP:
+    case Op::CX: return true;
+    default: return false;
+  }
+}
+
 bool selects(const TextCommand& command) {
   return command.fact && ((command.fact->op >= Op::AX && command.fact->op <= Op::AS) || command.is(Op::AA) ||
                           command.is(Op::AM));
@@ -47,12 +62,32 @@ bool selects(const TextCommand& command) {
 
 bool is_question(const TextCommand& command) { return command.fact && command.fact->when == When::query; }
 
+ReplyForm reply_form(const TextCommand& question, int axes) {
+  switch (question.fact->op) {
+    case Op::WY: return {ReplyForm::Of::greeting};
+    case Op::RP:
+    case Op::RE:
+    case Op::RC:
+    case Op::RV:
+    case Op::RQ: return {ReplyForm::Of::numbers};
+    case Op::BX:
+    case Op::RB: return {ReplyForm::Of::hex};
+    case Op::RL: return {ReplyForm::Of::slips, axes};
+    case Op::RI:
+    case Op::QI: return {ReplyForm::Of::flags, axes};
+    case Op::RA:
+    case Op::QA: return {ReplyForm::Of::flags, 1};
+    case Op::EA: return {ReplyForm::Of::loop};
+    default: return {};  // other firmware may know more
+  }
+}
+
 TextMeaning meaning_of(std::string_view text, Context context, int axes) {
   const std::vector<TextCommand> commands = read_commands(text, context);
   TextMeaning meaning;
   const bool answers = std::any_of(commands.begin(), commands.end(), is_question);
   meaning.answered = answers ? TextMeaning::Answered::at_once : TextMeaning::Answered::never;
-  const Stops stops = stops_in(commands, axes);
+  const StopsInText stops = stops_in(commands, axes);
   if (stops.any()) meaning.stops = stops.all ? TextMeaning::Stops::all : TextMeaning::Stops::some;
   if (!stops.all && stops.axes.size() == 1) meaning.axis = *stops.axes.begin();
   return meaning;

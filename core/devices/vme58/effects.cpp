@@ -1,0 +1,50 @@
+#include "core/devices/vme58/effects.h"
+
+#include "core/base/index.h"
+#include "core/devices/vme58/text_meaning.h"
+
+namespace hw::vme58 {
+
+void Effects::note(const TextCommand& command) {
+  if (!command.fact || !command.flaw.empty()) return;
+  const bool drives = loops_.warn_of_closing(command);
+  values_.note(command);
+  motions_.note(command);
+  const int axis = command.context.axis;
+  const bool one = command.context.mode == where::single;
+  const Op op = command.fact->op;
+  if (stops_motion(op)) speeds_.forget_put(one && op == Op::ST ? axis : -1);
+  switch (op) {
+    case Op::HN:
+    case Op::HF:
+      if (one) loops_.know(axis, op == Op::HN);
+      break;
+    case Op::EN: conversation_.echoes(true); break;
+    case Op::ET:
+      if (one) loops_.leaves_its_place(axis);  // wherever its encoder input leads
+      break;
+    case Op::VL: speeds_.note(command); break;
+    case Op::FL:
+    case Op::FP: speeds_.forget_put(one ? axis : -1); break;
+    case Op::LP: note_counters(command); break;
+    case Op::AN:
+    case Op::AF:
+      if (one) lines_.know_auxiliary(axis, op == Op::AN);
+      break;
+    case Op::UU:
+    case Op::UF: selection_.note_units(command); break;
+    default: break;
+  }
+  if (drives) motions_.begins_to_settle(axis);
+}
+
+void Effects::note_counters(const TextCommand& command) {
+  const bool one = command.context.mode == where::single;
+  for (int i = 0; i < static_cast<int>(catalog_.axes.size()); ++i) {
+    motions_.counts(i);
+    const bool listed = ix(i) < command.numbers.size() && command.numbers[ix(i)];
+    if (one ? i == command.context.axis : listed) motions_.trust(i, Trust::set);
+  }
+}
+
+}  // namespace hw::vme58

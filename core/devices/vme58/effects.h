@@ -1,0 +1,36 @@
+#pragma once
+// What a command of the user's text or program does to what is known of the board, beside the axis that it
+// selects.
+#include "core/devices/vme58/lines.h"
+#include "core/devices/vme58/speeds.h"
+
+namespace hw::vme58 {
+
+class Effects {
+ public:
+  Effects(Selection& selection, Conversation& conversation, Lines& lines, ServoLoops& loops,
+          ParameterValues& values, Motions& motions, Speeds& speeds, const Catalog& catalog)
+      : selection_(selection),
+        conversation_(conversation),
+        lines_(lines),
+        loops_(loops),
+        values_(values),
+        motions_(motions),
+        speeds_(speeds),
+        catalog_(catalog) {}
+  void note(const TextCommand& command);
+
+ private:
+  void note_counters(const TextCommand& command);
+
+  Selection& selection_;
+  Conversation& conversation_;
+  Lines& lines_;
+  ServoLoops& loops_;
+  ParameterValues& values_;
+  Motions& motions_;
+  Speeds& speeds_;
+  const Catalog& catalog_;
+};
+
+}  // namespace hw::vme58

@@ -1,0 +1,85 @@
+#include "core/devices/vme58/lines.h"
+
+#include <algorithm>
+
+#include <fmt/core.h>
+
+namespace hw::vme58 {
+
+void Lines::go_these_ways(unsigned outputs) {
+  directions_ = outputs;
+  const bool same = std::all_of(catalog_.inputs.begin(), catalog_.inputs.end(), [&](const InputInfo& line) {
+    return line.of_output == bit(directions_, line.number);
+  });
+  if (same) return;
+  std::string jumpers;
+  for (int line = 0; line < first_fixed_output; line += lines_of_a_group)
+    jumpers += bit(directions_, line) ? 'O' : 'I';
+  wire_.tell(
+      Notice::Kind::warning,
+      fmt::format("The general lines of the board do not go the ways that are shown here. Open it with "
+                  "jumpers={} in its address.",
+                  jumpers));
+}
+
+void Lines::take(std::uint16_t levels) {
+  draft_.inputs = levels;
+  draft_.inputs_known = (1u << io_lines) - 1;
+  for (std::size_t place = 0; place < catalog_.outputs.size(); ++place) {
+    const int line = catalog_.outputs[place].number;
+    if (line >= io_lines) continue;  // auxiliary
+    const std::uint32_t mask = 1u << place;
+    draft_.outputs_known =
+        bit(directions_, line) ? draft_.outputs_known | mask : draft_.outputs_known & ~mask;
+    draft_.outputs = bit(levels, line) ? draft_.outputs & ~mask : draft_.outputs | mask;  // low is on
+  }
+  draft_.io_seen_at = wire_.now();
+}
+
+Task<Result<>> Lines::set(intent::SetOutput wish) {
+  if (auto may = commands_.may_talk(); !may) co_return may;
+  const int place = catalog_.find_output(wish.number);
+  if (place < 0)
+    co_return fail(FaultKind::refused, fmt::format("There is no output {} on this board.", wish.number),
+                   "Nothing was sent.");
+  const int auxiliary = wish.number - first_auxiliary;
+  if (auxiliary >= 0) co_return co_await set_auxiliary(auxiliary, wish.on, 1u << place);
+  co_return co_await set_line(wish.number, wish.on, 1u << place);
+}
+
+Task<Result<>> Lines::set_auxiliary(int axis, bool on, std::uint32_t mask) {
+  std::string text = selection_.addressed(axis, on ? "AN" : "AF");
+  auto sent = co_await commands_.say(std::move(text), Priority::intent);
+  if (sent) know_auxiliary(axis, on);
+  if (!sent && wire_.perhaps_done(sent.error())) draft_.outputs_known &= ~mask;
+  co_return sent;
+}
+
+Task<Result<>> Lines::set_line(int line, bool on, std::uint32_t mask) {
+  std::string text = fmt::format("{}{}\n", on ? "BL" : "BH", line);
+  auto sent = co_await commands_.say(std::move(text), Priority::intent);
+  if (!sent) co_return sent;
+  auto looked = co_await readings_.look_at_registers(Priority::intent);
+  if (!looked) co_return looked;
+  if ((draft_.outputs_known & mask) == 0 || ((draft_.outputs & mask) != 0) == on) co_return Result<>();
+  co_return fail(FaultKind::controller,
+                 fmt::format("Output {} was to go {}, but its line still reads {}.", line,
+                             on ? "on (low)" : "off (high)", on ? "high" : "low"),
+                 "It was asked for once.",
+                 "A command queue may be busy: it waits there. Or the line is jumpered as an input.");
+}
+
+void Lines::know_auxiliary(int axis, bool on) {
+  const int place = catalog_.find_output(first_auxiliary + axis);
+  if (place < 0) return;
+  const std::uint32_t mask = 1u << place;
+  draft_.outputs = on ? draft_.outputs | mask : draft_.outputs & ~mask;
+  draft_.outputs_known |= mask;
+}
+
+void Lines::as_from_factory() {
+  for (int i = 0; i < static_cast<int>(catalog_.axes.size()); ++i)
+    know_auxiliary(i, true);  // decision M37: high, the transistor is off
+}
+
+}  // namespace hw::vme58

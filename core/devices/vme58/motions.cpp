@@ -1,0 +1,401 @@
+#include "core/devices/vme58/motions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "core/base/index.h"
+#include "core/devices/vme58/text_meaning.h"
+
+namespace hw::vme58 {
+namespace {
+
+constexpr Duration rest_time = Millis(400);  // at rest so long without a done flag: it may have ended
+
+}  // namespace
+
+// ---- what is read
+
+void Motions::show(int i, Instant when) {
+  AxisState& axis = draft_.axes[i];
+  Axis& mind = at(i);
+  const Steps command(readings_.value(i, AxisValue::command_position));
+  const Steps change = command - axis.command;
+  const bool crept = axis.position_known && readings_.seen() && change.value != 0 && !mind.counted;
+  if (crept) mind.way = change.value > 0 ? 1 : -1;
+  mind.counted = false;
+  const double speed = std::abs(static_cast<double>(readings_.value(i, AxisValue::command_velocity)));
+  axis.command = command;
+  axis.encoder = Steps(readings_.value(i, AxisValue::encoder_position));
+  axis.position = loops_.is_servo(i) ? axis.encoder : command;
+  axis.seen_at = when;
+  axis.position_known = true;
+  axis.speed = Pps(speed);
+  if (crept && mind.jog_gap > Duration::zero()) mind.creeps_until = when + mind.jog_gap;
+  const bool turns = speed > 0 || crept || when < mind.creeps_until;
+  axis.direction = turns ? mind.way : std::int8_t{0};
+  loops_.look(i, when, turns);
+  if (crept) limits_.crept(i, mind.way);
+  limits_.show(i);
+  if (!turns) {
+    if (!mind.ours && !mind.stopping && !mind.by_text) limits_.rests(i);
+    return show_still(i, when);
+  }
+  if (speed > 0 || crept) {
+    limits_.turns(i);
+    mind.still_since = when;
+    mind.asks_queue = false;
+  }
+  axis.activity = mind.stopping ? Activity::stopping : mind.ours ? mind.wanted : Activity::moving;
+}
+
+void Motions::show_still(int i, Instant when) {
+  AxisState& axis = draft_.axes[i];
+  Axis& mind = at(i);
+  if (mind.stopping) return end(i, mind.ended_by);
+  if (loops_.settles(i)) {  // its command has ended, the axis has not yet
+    mind.still_since = when;
+    axis.activity = mind.ours ? mind.wanted : Activity::moving;
+    return;
+  }
+  if (!mind.ours) {
+    if (axis.activity != Activity::idle) axis.activity = Activity::idle;
+    if (loops_.judged(i, EndedBy::target) == EndedBy::not_in_place) axis.ended_by = EndedBy::not_in_place;
+    if (mind.by_text && limits_.has_turned(i) && limits_.met(i)) axis.ended_by = EndedBy::limit;
+    return;
+  }
+  const bool there = axis.has_target && axis.command == axis.target;
+  const bool limited = limits_.met(i);
+  // The board goes on with the ID behind a move that a switch has cut short. And a done flag of a motion
+  // before stays until the move's GD is carried out.
+  const bool believed = limits_.has_turned(i) || there || limited || mind.wanted == Activity::homing;
+  if (mind.done && believed && mind.wanted != Activity::jogging)
+    return end(i, limited && !there ? EndedBy::limit : EndedBy::target);
+  if (limited) return end(i, EndedBy::limit);
+  // On a straight line the shortest way shows nothing for long: the axes of a group rest together.
+  for (int other = 0; other < count(); ++other)
+    if ((mind.group >> other & 1) != 0 && moving(other)) mind.still_since = when;
+  axis.activity = mind.wanted;
+  if (when - mind.still_since < rest_patience(i)) return;
+  if (selection_.recording()) return end(i, there ? EndedBy::target : EndedBy::elsewhere);
+  mind.asks_queue = true;
+}
+
+void Motions::take_done(unsigned axes) {
+  for (int i = 0; i < count(); ++i) {
+    Axis& mind = at(i);
+    if (!bit(axes, i) || !mind.ours || mind.stopping) continue;
+    mind.done = true;
+    if (!moving(i)) show_still(i, wire_.now());
+  }
+}
+
+bool Motions::waits_for_done() const {
+  for (int i = 0; i < count(); ++i) {
+    const Axis& mind = at(i);
+    if (mind.ours && !mind.stopping && !moving(i) && !loops_.settles(i) && mind.wanted != Activity::jogging)
+      return true;
+  }
+  return false;
+}
+
+/// What has waited in a queue has begun by now; of a jog that shows a little later.
+void Motions::take_queues(unsigned has_room, bool were_empty, bool empty) {
+  const unsigned groups = 3u << count();
+  for (int i = 0; i < count(); ++i) {
+    Axis& mind = at(i);
+    if (!were_empty && empty && mind.jog_gap > Duration::zero()) {
+      creeps(i, mind.jog_gap);
+      if (draft_.axes[i].activity == Activity::idle) draft_.axes[i].activity = Activity::moving;
+    }
+    if ((has_room & groups) == groups) mind.in_group = false;
+    if (!std::exchange(mind.asks_queue, false) || !mind.ours) continue;
+    const unsigned its = mind.group != 0 ? groups : 1u << i;
+    const AxisState& axis = draft_.axes[i];
+    if ((has_room & its) != its)
+      mind.still_since = wire_.now();  // the move stands in the queue: it is under way, or has yet to begin
+    else
+      end(i, axis.has_target && axis.command == axis.target ? EndedBy::target : EndedBy::elsewhere);
+  }
+}
+
+void Motions::all_worked_off() {
+  for (int i = 0; i < count(); ++i) {
+    Axis& mind = at(i);
+    mind.by_text = false;
+    if (mind.ours) continue;
+    if (draft_.axes[i].ended_by == EndedBy::nothing) comes_home(i);
+    mind.at_home = AtHome::nothing;
+  }
+}
+
+// ---- the console's own
+
+Motions::Before Motions::begin(const Way& way) {
+  Before before{};
+  for (int i = 0; i < count(); ++i) {
+    if ((way.axes >> i & 1) == 0) continue;
+    Axis& mind = at(i);
+    before[ix(i)] = {mind.wanted, mind.group, mind.ours, mind.by_text};
+    mind.wanted = way.activity;
+    mind.ours = true;
+    mind.at_home = way.at_home;
+    mind.group = (way.axes & (way.axes - 1)) != 0 ? way.axes : 0;
+    mind.done = mind.stopping = mind.by_text = mind.asks_queue = false;
+    if (way.activity != Activity::jogging) {
+      creeps(i, {});
+      mind.unseen = false;
+    }
+    limits_.begins(i, !moving(i));
+    mind.still_since = wire_.now();
+    loops_.begins(i, way.activity != Activity::jogging);
+    AxisState& axis = draft_.axes[i];
+    axis.activity = way.activity;
+    axis.ended_by = EndedBy::nothing;
+    axis.has_target = way.activity == Activity::moving;
+    axis.target = way.targets[ix(i)];
+  }
+  return before;
+}
+
+void Motions::did_not_begin(const Way& way, const Before& before, bool may_begin) {
+  for (int i = 0; i < count(); ++i) {
+    if ((way.axes >> i & 1) == 0) continue;
+    Axis& mind = at(i);
+    const Earlier& earlier = before[ix(i)];  // what still moves is what it was
+    mind.wanted = earlier.wanted;
+    mind.group = earlier.group;
+    mind.ours = moving(i) && earlier.ours;
+    mind.by_text = may_begin || (moving(i) && earlier.by_text);
+    mind.at_home = AtHome::nothing;
+    draft_.axes[i].has_target = false;
+    show_still(i, wire_.now());
+  }
+  if (may_begin) next_.awaits_queues();
+}
+
+void Motions::end(int i, EndedBy ended_by) {
+  AxisState& axis = draft_.axes[i];
+  Axis& mind = at(i);
+  ended_by = loops_.judged(i, ended_by);
+  if (ended_by == EndedBy::target) comes_home(i);
+  mind.at_home = AtHome::nothing;
+  axis.activity = Activity::idle;
+  axis.ended_by = ended_by;
+  axis.has_target = false;
+  axis.direction = 0;
+  mind.ours = mind.stopping = mind.done = mind.by_text = mind.asks_queue = false;
+  mind.group = 0;
+  mind.wanted = Activity::idle;
+  creeps(i, {});
+  limits_.rests(i);
+  if (ended_by != EndedBy::limit) return;
+  limits_.ended_there(i);
+  next_.asks_flags();
+}
+
+/// Its motion to the home switch has come there. KM and KR stop dead, from VL.
+void Motions::comes_home(int i) {
+  const AtHome how = std::exchange(at(i).at_home, AtHome::nothing);
+  if (how == AtHome::sets_counter) trust(i, Trust::homed);
+  if (how == AtHome::stops_dead)
+    doubt_killed_position(i, static_cast<double>(readings_.value(i, AxisValue::maximum_velocity)));
+}
+
+void Motions::trust(int axis, Trust how) { draft_.axes[axis].trust.settle(how, wire_.now()); }
+
+/// It is driven to its command, or that is brought to it: what was told of how it ended is over.
+void Motions::begins_to_settle(int i) {
+  if (moving(i)) return;
+  loops_.begins_to_settle(i);
+  show_still(i, wire_.now());
+}
+
+void Motions::stopping(int axis, bool at_once) {
+  for (int i = 0; i < count(); ++i) {
+    if (axis >= 0 && i != axis) continue;
+    Axis& mind = at(i);
+    creeps(i, {});
+    mind.at_home = AtHome::nothing;  // one that waits in a queue goes with it
+    loops_.begins(i, false);
+    if (at_rest(i)) continue;
+    mind.stopping = true;
+    mind.ended_by = at_once ? EndedBy::abort : EndedBy::stop;
+    draft_.axes[i].activity = Activity::stopping;
+  }
+}
+
+// What was being stopped is shown as it is again.
+void Motions::stands(int axis) {
+  for (int i = 0; i < count(); ++i) {
+    if (axis >= 0 && i != axis) continue;
+    at(i).unseen = false;
+    if (!at(i).stopping) continue;
+    if (moving(i))
+      at(i).stopping = false;
+    else
+      end(i, at(i).ended_by);
+  }
+}
+
+void Motions::is_anothers(int axis) {
+  Axis& mind = at(axis);
+  mind.ours = mind.stopping = false;
+  mind.by_text = true;
+  mind.wanted = Activity::idle;
+}
+
+// ---- what others begin
+
+/// What was told of an axis' end was of another motion. And a jog leaves its queue at once, and may be so
+/// slow that it seems to rest.
+void Motions::note(const TextCommand& command) {
+  const Op op = command.fact->op;
+  const bool jogs = op == Op::JG || op == Op::JF;
+  if (!jogs && !stops_motion(op) && !moves_in_queue(op)) return;
+  if (!stops_motion(op)) draft_.program.ended_by = EndedBy::nothing;
+  const bool one = command.context.mode == where::single && (jogs || op == Op::ST || moves_in_queue(op));
+  for (int i = 0; i < count(); ++i)
+    if (!one || i == command.context.axis) note_of_axis(i, command, one);
+}
+
+void Motions::note_of_axis(int i, const TextCommand& command, bool one) {
+  const Op op = command.fact->op;
+  const bool jogs = op == Op::JG || op == Op::JF, stops = stops_motion(op);
+  const std::size_t place = one ? 0 : ix(i);
+  const bool meant = place < command.numbers.size() && command.numbers[place].has_value();
+  if (jogs && !meant) return;
+  Axis& mind = at(i);
+  if (!mind.ours && !stops && !std::exchange(mind.by_text, true)) {
+    limits_.begins(i, !moving(i));
+    draft_.axes[i].ended_by = EndedBy::nothing;
+  }
+  loops_.goes_to_place(i, !jogs && !stops);
+  if (op == Op::HM || op == Op::HR)
+    mind.at_home = one ? AtHome::sets_counter : AtHome::nothing;
+  else if (op == Op::KM || op == Op::KR)
+    mind.at_home = AtHome::stops_dead;
+  else if (jogs || stops)
+    mind.at_home = AtHome::nothing;
+  const double speed = jogs ? std::abs(*command.numbers[place]) : 0;
+  if (jogs) will_jog(i, speed);
+  creeps(i, speed > 0 ? jog_gap(i, speed) : Duration::zero());
+}
+
+void Motions::note_group(const TextCommand& command) {
+  if (!command.fact || command.fact->when != When::queued || command.context.mode == where::single) return;
+  const bool contour = command.is(Op::CX), begins = command.is(Op::GO) || command.is(Op::GD);
+  const bool all = command.is(Op::KM) || command.is(Op::KR) || (contour && command.context.contour_axes == 0);
+  for (int i = 0; i < count(); ++i) {
+    Axis& mind = at(i);
+    const bool named = ix(i) < command.numbers.size() && command.numbers[ix(i)].has_value();
+    const bool listed = command.fact->shape == Shape::list && named;
+    const bool drawn = contour && (command.context.contour_axes >> i & 1) != 0;
+    mind.listed = mind.listed || listed;
+    if (all || drawn || listed || (begins && mind.listed)) mind.in_group = true;
+  }
+}
+
+void Motions::others_may_move_all() {
+  for (Axis& mind : axes_) mind.in_group = mind.listed = true;
+}
+
+void Motions::program_begins() {
+  for (int i = 0; i < count(); ++i) {
+    limits_.begins(i, true);
+    at(i).by_text = false;
+    draft_.axes[i].ended_by = EndedBy::nothing;
+  }
+}
+
+void Motions::program_ends() {
+  for (Axis& mind : axes_) mind.by_text = mind.in_group = false, mind.at_home = AtHome::nothing;
+}
+
+bool Motions::met_limit() const {
+  for (int i = 0; i < count(); ++i)
+    if (limits_.has_turned(i) && limits_.met(i)) return true;
+  return false;
+}
+
+void Motions::come_home() {
+  for (int i = 0; i < count(); ++i) comes_home(i);
+}
+
+void Motions::queued_was_rejected() {
+  for (Axis& mind : axes_)
+    if (!mind.ours) mind.at_home = AtHome::nothing;
+}
+
+// ---- for how long a motion may show nothing
+
+/// For so long an axis that turns may show neither velocity nor count: an axis that is ramped very gently,
+/// which a queue tells of only when it moves by itself.
+Duration Motions::rest_patience(int i) const {
+  const Axis& mind = at(i);
+  if (mind.group == 0 && mind.wanted != Activity::jogging) return rest_time;
+  return std::max(jog_gap(i, 1), mind.jog_gap);
+}
+
+Duration Motions::jog_gap(int i, double speed) const {
+  const auto acceleration =
+      static_cast<double>(std::max<std::int64_t>(1, readings_.value(i, AxisValue::acceleration)));
+  const double ramp_s = 2 * std::sqrt(2 / acceleration);
+  const double count_s = speed > 0 && speed < 1 ? 1.5 / speed : 0;
+  return rest_time + from_seconds(ramp_s + count_s);
+}
+
+void Motions::will_jog(int axis, double speed) {
+  at(axis).jog_gap = jog_gap(axis, speed);
+  at(axis).unseen = speed > 0 && speed < 1;
+}
+
+bool Motions::creeps_unseen(int axis) const {
+  for (int i = 0; i < count(); ++i)
+    if ((axis < 0 || i == axis) && at(i).unseen) return true;
+  return false;
+}
+
+void Motions::creeps(int i, Duration gap) {
+  at(i).jog_gap = gap;
+  at(i).creeps_until = gap > Duration::zero() ? wire_.now() + gap : Instant{};
+}
+
+void Motions::met_switches(unsigned axes) {
+  for (int i = 0; i < count(); ++i)
+    if (bit(axes, i)) creeps(i, {});
+}
+
+void Motions::doubt_killed_position(int i, double speed) {
+  const std::int64_t safe = readings_.value(i, AxisValue::base_velocity);
+  if (catalog_.axes[ix(i)].switchable || speed <= static_cast<double>(safe)) return;
+  draft_.axes[i].trust.doubt(Doubt::killed, wire_.now());
+  wire_.tell(
+      Notice::Kind::warning,
+      fmt::format("Axis {} was stopped without a ramp at {:.0f} counts/s. Above {} (VB) it may have lost "
+                  "steps: its position is doubtful until it is homed or set.",
+                  catalog_.axes[ix(i)].name, speed, safe));
+}
+
+void Motions::lose(bool program_runs) {
+  for (int i = 0; i < count(); ++i) {
+    const bool waits = at(i).by_text && (draft_.working || program_runs);
+    if (!at_rest(i) || waits) draft_.axes[i].ended_by = EndedBy::lost;
+  }
+}
+
+void Motions::forget() {
+  axes_ = {};
+  for (int i = 0; i < count(); ++i) {
+    AxisState& axis = draft_.axes[i];
+    axis.limits_known = false;
+    axis.activity = Activity::unknown;
+    axis.speed = axis.own_speed = {};
+    axis.direction = 0;
+  }
+}
+
+}  // namespace hw::vme58

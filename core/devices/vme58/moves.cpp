@@ -1,0 +1,184 @@
+#include "core/devices/vme58/moves.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/base/index.h"
+#include "core/devices/vme58/catalog.h"
+
+namespace hw::vme58 {
+
+void forget_rejection(Snapshot& draft) {
+  if (draft.program.run != RunState::error) return;
+  draft.program.run = RunState::idle;
+  draft.notice.clear();
+}
+
+// ---- may it
+
+Result<> Moves::may_move(int axis) const {
+  if (auto may = commands_.may_talk(); !may) return may;
+  if (axis < 0 || axis >= axes())
+    return fail(FaultKind::refused, fmt::format("There is no axis {} here.", axis + 1), "Nothing was sent.");
+  if (draft_.program.run == RunState::running)
+    return fail(FaultKind::refused, "A program is running.", "Nothing was sent.",
+                "Wait until it ends, or stop it.");
+  // One that only settles may be sent on: a hand that taps is not made to wait for each of its steps.
+  if (motions_.ours(axis) && !motions_.jogs(axis) && !loops_.only_settles(axis))
+    return fail(FaultKind::refused, fmt::format("Axis {} is still moving.", name(axis)), "Nothing was sent.",
+                "Wait until it ends, or stop it.");
+  return {};
+}
+
+Result<std::int64_t> Moves::checked_speed(Pps speed) const {
+  const auto whole = static_cast<std::int64_t>(std::llround(speed.value));
+  if (whole == 0 && speed.value == 0) return 0;
+  if (whole < 1 || whole > velocity_max)
+    return fail(FaultKind::refused,
+                fmt::format("{:g} counts/s is not possible: a VME58 axis takes 1 to {} counts/s.",
+                            speed.value, velocity_max),
+                "Nothing was sent.");
+  return whole;
+}
+
+Result<Moves::Wish> Moves::checked(const std::vector<AxisTarget>& targets, bool relative) const {
+  Wish wish;
+  for (const AxisTarget& t : targets) {
+    const int axis = t.axis.index;
+    if (auto may = may_move(axis); !may) return fail(may.error());
+    const std::int64_t goal = relative ? draft_.axes[axis].command.value + t.value.value : t.value.value;
+    if (std::abs(goal) > position_max)
+      return fail(FaultKind::refused,
+                  fmt::format("Position {} of axis {} lies outside the board's range, ±{}.", goal, name(axis),
+                              position_max),
+                  "Nothing was sent.");
+    if (relative && t.value.value == 0) continue;
+    wish.operands[ix(axis)] = t.value.value;
+    wish.way.targets[ix(axis)] = Steps(goal);
+    wish.way.axes |= 1u << axis;
+  }
+  return wish;
+}
+
+// ---- moves
+
+/// The text that starts it, and what is known of it until the board says more.
+Task<Result<>> Moves::begin(std::string text, Motions::Way way) {
+  forget_rejection(draft_);
+  draft_.program.ended_by = EndedBy::nothing;  // what is told from here on is how this ends
+  const Motions::Before before = motions_.begin(way);
+  auto sent = co_await commands_.say(std::move(text), Priority::intent);
+  if (!sent) motions_.did_not_begin(way, before, wire_.perhaps_done(sent.error()));
+  co_return sent;
+}
+
+Task<Result<>> Moves::move(std::vector<AxisTarget> targets, Pps speed_wish, bool relative) {
+  const auto speed = checked_speed(speed_wish);
+  if (!speed) co_return fail(speed.error());
+  const auto wish = checked(targets, relative);
+  if (!wish) co_return fail(wish.error());
+  for (int i = 0; i < axes(); ++i) {
+    if ((wish->way.axes >> i & 1) == 0) continue;
+    Result<> set;
+    if (*speed > 0)
+      set = co_await speeds_.borrow(i, *speed);
+    else
+      set = co_await speeds_.give_back(i, Priority::intent);
+    if (!set) co_return set;
+  }
+  if (wish->way.axes == 0) co_return Result<>();
+  std::string text = move_text(*wish, *speed, relative);
+  co_return co_await begin(std::move(text), wish->way);
+}
+
+// VL waits in the queue like the move, so it can be put back behind it: by whoever sees it end.
+std::string Moves::move_text(const Wish& wish, std::int64_t speed, bool relative) const {
+  const std::string_view letters = relative ? "MR" : "MA";
+  const unsigned moved = wish.way.axes;
+  int only = 0;
+  while ((moved >> only & 1) == 0) ++only;
+  if ((moved & (moved - 1)) == 0) {
+    const std::string first = speed > 0 ? fmt::format("VL{} ", speed) : "";
+    return selection_.addressed(only, fmt::format("{}{}{} GD ID", first, letters, *wish.operands[ix(only)]));
+  }
+  Operands speeds{};
+  for (int i = 0; i < axes(); ++i)
+    if ((moved >> i & 1) != 0) speeds[ix(i)] = speed;
+  const std::string first = speed > 0 ? encode_list("VL", speeds) + " " : "";
+  return selection_.addressed("AM", first + encode_list(letters, wish.operands) + " GD ID");
+}
+
+Task<Result<>> Moves::jog(intent::JogStart wish) {
+  const int axis = wish.axis.index;
+  if (auto may = may_move(axis); !may) co_return may;
+  auto speed = checked_speed(wish.speed);
+  if (!speed) co_return fail(speed.error());
+  if (*speed == 0) {
+    auto read = co_await speeds_.read(axis, Priority::intent);
+    if (!read) co_return read;
+  }
+  if (*speed == 0) speed = std::max<std::int64_t>(1, speeds_.own(axis));
+  motions_.will_jog(axis, static_cast<double>(*speed));
+  std::string text = selection_.addressed(axis, fmt::format("JG{}", factor(wish.sign) * *speed));
+  co_return co_await begin_jog(std::move(text), axis);
+}
+
+Task<Result<>> Moves::jog_slowly(int axis, std::int64_t thousandths) {
+  if (auto may = may_move(axis); !may) co_return may;
+  std::string text = selection_.addressed(axis, "JF" + encode_number(thousandths, 3));
+  if (thousandths == 0) co_return co_await commands_.say(std::move(text), Priority::intent);
+  motions_.will_jog(axis, std::abs(static_cast<double>(thousandths)) / 1000);
+  co_return co_await begin_jog(std::move(text), axis);
+}
+
+// Whoever is told that his jog has not begun will not stop it. A command error may be another command's, seen
+// while the jog waited in the ring: the axis is stopped then, by itself, and if it stands nothing happens.
+Task<Result<>> Moves::begin_jog(std::string text, int axis) {
+  Motions::Way way;
+  way.axes = 1u << axis;
+  way.activity = Activity::jogging;
+  auto begun = co_await begin(std::move(text), way);
+  if (begun) co_return begun;
+  FaultKind& kind = begun.error().kind;
+  if (kind == FaultKind::no_answer) {
+    // What the ring did not take was taken back, unless the board was just coming to it.
+    const auto read = co_await readings_.read_axes(Priority::intent);
+    if (read && !motions_.moving(axis)) kind = FaultKind::refused;
+  } else if (kind == FaultKind::controller) {
+    speeds_.forget_put(axis);
+    motions_.stopping(axis, false);  // also a jog before it
+    std::string stop = selection_.addressed(axis, "ST");
+    const auto stopped = co_await conversation_.write(std::move(stop), Priority::intent);
+    if (!stopped) kind = stopped.error().kind == FaultKind::lost ? FaultKind::lost : FaultKind::no_answer;
+  }
+  co_return begun;
+}
+
+// CA first: a done flag of an earlier motion says nothing of this one.
+Task<Result<>> Moves::home(intent::Home wish) {
+  const int axis = wish.axis.index;
+  if (auto may = may_move(axis); !may) co_return may;
+  const bool plus = wish.sign == Sign::plus;
+  std::string text;
+  switch (static_cast<HomeMode>(wish.mode)) {
+    case HomeMode::edge: text = plus ? "HM0 ID" : "HR0 ID"; break;
+    case HomeMode::back_to_edge: text = plus ? "HM0 MA0 GO ID" : "HR0 MA0 GO ID"; break;
+    case HomeMode::stop_dead: text = plus ? "KM ID" : "KR ID"; break;
+    default:
+      co_return fail(FaultKind::refused, fmt::format("There is no way of homing number {}.", wish.mode),
+                     "Nothing was sent.");
+  }
+  auto own = co_await speeds_.give_back(axis, Priority::intent);
+  if (!own) co_return own;
+  Motions::Way way;
+  way.axes = 1u << axis;
+  way.activity = Activity::homing;
+  const bool dead = static_cast<HomeMode>(wish.mode) == HomeMode::stop_dead;
+  way.at_home = dead ? AtHome::stops_dead : AtHome::sets_counter;
+  text = selection_.addressed(axis, "CA " + text);
+  co_return co_await begin(std::move(text), way);
+}
+
+}  // namespace hw::vme58

@@ -1,0 +1,65 @@
+#pragma once
+// Moves, jogs and homing of the console's own.
+#include <vector>
+
+#include "core/device/intent.h"
+#include "core/devices/vme58/speeds.h"
+
+namespace hw::vme58 {
+
+class Moves {
+ public:
+  Moves(Wire& wire, Readings& readings, const Selection& selection, Conversation& conversation,
+        Commands& commands, const ServoLoops& loops, Motions& motions, Speeds& speeds, const Catalog& catalog,
+        Snapshot& draft)
+      : wire_(wire),
+        readings_(readings),
+        selection_(selection),
+        conversation_(conversation),
+        commands_(commands),
+        loops_(loops),
+        motions_(motions),
+        speeds_(speeds),
+        catalog_(catalog),
+        draft_(draft) {}
+
+  /// One axis by itself; several on a straight line, as a group of AM beside which others may run.
+  Task<Result<>> move(std::vector<AxisTarget> wish, Pps speed, bool relative);
+  Task<Result<>> jog(intent::JogStart wish);
+  /// JF, in thousandths of a count a second; 0 ends it.
+  Task<Result<>> jog_slowly(int axis, std::int64_t thousandths);
+  Task<Result<>> home(intent::Home wish);
+
+ private:
+  using Operands = std::array<std::optional<std::int64_t>, most_axes>;
+  struct Wish {
+    Operands operands{};
+    Motions::Way way;
+  };
+  [[nodiscard]] Result<> may_move(int axis) const;
+  [[nodiscard]] Result<std::int64_t> checked_speed(Pps speed) const;
+  [[nodiscard]] Result<Wish> checked(const std::vector<AxisTarget>& targets, bool relative) const;
+  [[nodiscard]] std::string move_text(const Wish& wish, std::int64_t speed, bool relative) const;
+  Task<Result<>> begin(std::string text, Motions::Way way);
+  Task<Result<>> begin_jog(std::string text, int axis);
+  [[nodiscard]] int axes() const { return static_cast<int>(catalog_.axes.size()); }
+  [[nodiscard]] const std::string& name(int axis) const {
+    return catalog_.axes[static_cast<std::size_t>(axis)].name;
+  }
+
+  Wire& wire_;
+  Readings& readings_;
+  const Selection& selection_;
+  Conversation& conversation_;
+  Commands& commands_;
+  const ServoLoops& loops_;
+  Motions& motions_;
+  Speeds& speeds_;
+  const Catalog& catalog_;
+  Snapshot& draft_;
+};
+
+/// How the latest program was rejected stays said until something else is done.
+void forget_rejection(Snapshot& draft);
+
+}  // namespace hw::vme58

@@ -1,0 +1,40 @@
+#pragma once
+// What the next rounds of status are to ask by command, beside what they read.
+#include <utility>
+
+#include "core/device/snapshot.h"
+
+namespace hw::vme58 {
+
+class NextRound {
+ public:
+  explicit NextRound(Snapshot& draft) : draft_(draft) {}
+
+  void asks_flags() { flags_ = true; }
+  [[nodiscard]] bool wants_flags() const { return flags_; }
+  void flags_were_asked() { flags_ = false; }
+  /// A loop may have opened, or closed.
+  void asks_loops() { loops_ = true; }
+  [[nodiscard]] bool wants_loops() const { return loops_; }
+  void loops_were_asked() { loops_ = false; }
+
+  /// Something was put that may wait in a queue: the board works until a round has seen all queues empty and
+  /// no axis turning.
+  void awaits_queues() { draft_.working = queues_ = true; }
+  /// Asked for as soon as nothing turns, and then in their turn.
+  bool takes_queues(bool turning) {
+    const bool due = queues_ && !turning;
+    queues_ = turning && (queues_ || draft_.working);
+    return due;
+  }
+  void forget() {
+    flags_ = true;
+    queues_ = draft_.working = false;
+  }
+
+ private:
+  Snapshot& draft_;
+  bool flags_ = false, loops_ = false, queues_ = false;
+};
+
+}  // namespace hw::vme58

@@ -1,0 +1,63 @@
+#pragma once
+// The board keeps no programs: a program is a command string that the console holds and feeds into the ring
+// as the board takes it.
+#include <string>
+
+#include "core/devices/vme58/all_stop.h"
+#include "core/devices/vme58/feed.h"
+#include "core/devices/vme58/rounds.h"
+
+namespace hw::vme58 {
+
+class Programs {
+ public:
+  Programs(Wire& wire, Readings& readings, Conversation& conversation, const Commands& commands,
+           Motions& motions, Speeds& speeds, Rounds& rounds, AllStop& all_stop, Feed& feed, Snapshot& draft)
+      : wire_(wire),
+        readings_(readings),
+        conversation_(conversation),
+        commands_(commands),
+        motions_(motions),
+        speeds_(speeds),
+        rounds_(rounds),
+        all_stop_(all_stop),
+        feed_(feed),
+        draft_(draft) {}
+
+  Result<> load(std::string text);
+  /// Told as a listing.
+  void show();
+  Task<Result<>> run();
+  [[nodiscard]] bool is_running() const { return draft_.program.run == RunState::running; }
+  /// Once a round: it has ended when all of it has been taken, every queue is empty and nothing moves.
+  Task<Result<>> watch();
+  void end(EndedBy ended_by);
+  /// A stop of the user's own words: nothing of it is fed behind this.
+  void note_stop(const TextCommand& command);
+  /// What had waited in a queue was rejected; `words` say so.
+  void queued_was_rejected(std::string& words);
+  /// Why the latest one has ended, if it was that.
+  [[nodiscard]] const std::string& rejection() const { return rejection_; }
+  void lose();
+  void forget();
+
+ private:
+  Task<Result<>> feed();
+  Task<Result<>> end_rejected(std::string what);
+
+  Wire& wire_;
+  Readings& readings_;
+  Conversation& conversation_;
+  const Commands& commands_;
+  Motions& motions_;
+  Speeds& speeds_;
+  Rounds& rounds_;
+  AllStop& all_stop_;
+  Feed& feed_;
+  Snapshot& draft_;
+  std::string text_;
+  bool flawed_ = false;  ///< a command of it was rejected when its turn came
+  std::string rejection_;
+};
+
+}  // namespace hw::vme58

@@ -1,0 +1,167 @@
+#include "core/devices/vme58/rounds.h"
+
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "core/base/index.h"
+#include "core/devices/vme58/catalog.h"
+
+namespace hw::vme58 {
+
+Task<Result<>> Rounds::ask_in_turn() {
+  const bool may_ask = !selection_.recording();
+  if (may_ask && (next_.wants_flags() || wants_done())) {
+    auto asked = co_await read_flags();
+    if (!asked) co_return asked;
+  } else if (!may_ask) {
+    auto looked = co_await look_at_done();
+    if (!looked) co_return looked;
+  }
+  if (may_ask && (readings_.status() & status::slip) != 0 && (slips_ == 0 || in_turn())) {
+    auto asked = co_await read_slips();
+    if (!asked) co_return asked;
+  }
+  if (may_ask && next_.wants_loops()) {
+    auto asked = co_await read_loops();
+    if (!asked) co_return asked;
+    next_.loops_were_asked();
+  }
+  const bool turning = draft_.any_axis_moving();
+  const bool queues = wants_queues();
+  if (may_ask && queues) {
+    const auto worked_off = co_await is_worked_off();
+    if (!worked_off) co_return fail(worked_off.error());
+    if (*worked_off && std::exchange(draft_.working, false)) {
+      next_.asks_flags();
+      motions_.all_worked_off();
+    }
+  }
+  if (!may_ask && !turning) draft_.working = false;  // nobody can tell
+  co_return co_await speeds_.give_all_back(Priority::poll);
+}
+
+// An axis may work at what others have sent; what is not empty is read until it is.
+bool Rounds::wants_queues() {
+  bool matters = draft_.working || watches(queue_group) || draft_.program.run == RunState::running;
+  bool at_once = next_.takes_queues(draft_.any_axis_moving());
+  for (int i = 0; i < axes(); ++i) {
+    const bool waiting = bit(draft_.queue_known, i) && draft_.queue_free[ix(i)] < queue_entries;
+    const bool anothers = motions_.moving(i) && !motions_.ours(i);
+    matters = matters || waiting || speeds_.may_wait(i) || anothers;
+    at_once = at_once || motions_.asks_queue(i);
+  }
+  return at_once || (matters && in_turn());
+}
+
+Task<Result<bool>> Rounds::is_worked_off() {
+  auto queues = co_await queues_.read(Priority::poll);
+  if (!queues) co_return fail(queues.error());
+  if (!queues_.empty() || draft_.any_axis_moving()) co_return false;
+  auto looked = co_await readings_.look_at_registers(Priority::poll, true);
+  if (!looked) co_return fail(looked.error());
+  auto read = co_await readings_.read_axes(Priority::poll, Readings::Copy::is_asked_for);
+  if (!read) co_return fail(read.error());
+  co_return !draft_.any_axis_moving();
+}
+
+// ---- flags
+
+Task<Result<>> Rounds::read_flags() {
+  const ReplyForm form{ReplyForm::Of::flags, axes()};
+  auto reply = co_await conversation_.ask("QI\n", Priority::poll, form);
+  if (!reply && reply.error().kind == FaultKind::stopped) co_return fail(reply.error());
+  next_.flags_were_asked();
+  if (!reply) co_return fail(reply.error());
+  const auto flags = decode_all_flags(*reply);
+  unsigned done = 0;
+  for (int i = 0; i < axes() && i < static_cast<int>(flags.size()); ++i) {
+    limits_.hear_direction(i, flags[ix(i)].plus, motions_.at_rest(i) && !draft_.working);
+    if (flags[ix(i)].done) done |= 1u << i;
+  }
+  take_done(done);
+  co_return Result<>();
+}
+
+// Or somebody looks at the registers.
+bool Rounds::wants_done() const {
+  if ((readings_.status() & status::done) == 0) return false;
+  return motions_.waits_for_done() || (watches(memory_group) && in_turn());
+}
+
+Task<Result<>> Rounds::look_at_done() {
+  if (!wants_done()) co_return Result<>();
+  std::vector<BusCycle>& cycles = wire_.burst();
+  cycles.push_back(BusCycle::read(1, reg::done));
+  auto looked = co_await wire_.run(cycles, Priority::poll);
+  if (!looked) co_return looked;
+  take_done(cycles.front().value);
+  co_return Result<>();
+}
+
+void Rounds::take_done(unsigned axes) {
+  draft_.window.put(reg::done, 1, axes);
+  motions_.take_done(axes);
+}
+
+// ---- slips and loops
+
+void Rounds::take_slip_flag(bool any) {
+  if (!any) slips_ = 0;
+  draft_.window.put(reg::slip, 1, slips_);
+  for (int i = 0; i < axes(); ++i) {
+    draft_.axes[i].slipped = bit(slips_, i);
+    const int place = catalog_.find_readout(fmt::format("SLIP{}", catalog_.axes[ix(i)].name));
+    if (place < 0) continue;
+    draft_.readouts_known.set(ix(place));
+    draft_.readouts_seen_at[ix(place)] = wire_.now();
+  }
+}
+
+// RL leaves the flags as they are. Of a flag that was seen before nothing more is told.
+Task<Result<>> Rounds::read_slips() {
+  const auto before = slips_;
+  const ReplyForm form{ReplyForm::Of::slips, axes()};
+  auto reply = co_await conversation_.ask("RL\n", Priority::poll, form);
+  if (!reply) co_return fail(reply.error());
+  for (int i = 0; i < axes() && ix(i) < reply->size(); ++i)
+    if ((*reply)[ix(i)] == 'S' && !bit(slips_, i)) slipped(i);
+  draft_.window.put(reg::slip, 1, slips_);
+  if (slips_ != before) co_return co_await read_loops();  // TN opens the loop then
+  co_return Result<>();
+}
+
+// A step motor that has slipped is not where its count says; a servo motor is where its encoder is.
+void Rounds::slipped(int i) {
+  slips_ = static_cast<std::uint8_t>(slips_ | 1u << i);
+  draft_.axes[i].slipped = true;
+  if (!catalog_.axes[ix(i)].switchable) draft_.axes[i].trust.doubt(Doubt::slipped, wire_.now());
+  const std::string& name = catalog_.axes[ix(i)].name;
+  if (const int place = catalog_.find_readout("SLIP" + name); place >= 0) draft_.readouts[ix(place)] = 1;
+  wire_.tell(
+      Notice::Kind::warning,
+      fmt::format("Axis {} has slipped: its encoder and its position differ by more than ES allows.", name));
+}
+
+/// Which servo loops are closed, by EA (decision M04).
+Task<Result<>> Rounds::read_loops() {
+  if (selection_.recording()) co_return Result<>();
+  std::string text;
+  std::vector<int> asked;
+  for (int i = 0; i < axes(); ++i) {
+    if (!catalog_.axes[ix(i)].switchable || !draft_.axes[i].has_encoder) continue;
+    text += fmt::format("A{} EA ", catalog_.axes[ix(i)].name);
+    asked.push_back(i);
+  }
+  if (asked.empty()) co_return Result<>();
+  text += selection_.selector() + "\n";
+  const ReplyForm form{ReplyForm::Of::loop};
+  const auto replies =
+      co_await conversation_.ask_several(std::move(text), asked.size(), Priority::poll, form);
+  if (!replies && replies.error().kind == FaultKind::no_answer) co_return Result<>();
+  if (!replies) co_return fail(replies.error());
+  for (std::size_t n = 0; n < asked.size(); ++n) loops_.know(asked[n], (*replies)[n][1] == 'E');
+  co_return Result<>();
+}
+
+}  // namespace hw::vme58

@@ -1,0 +1,154 @@
+#include "core/devices/vme58/servo_drive.h"
+
+#include <cstdlib>
+
+#include <fmt/core.h>
+
+#include "core/base/index.h"
+
+namespace hw::vme58 {
+
+// ---- positions
+
+Task<Result<>> ServoDrive::set_position(intent::SetPosition wish) {
+  if (auto may = commands_.may_talk(); !may) co_return may;
+  if (std::abs(wish.value.value) > position_max)
+    co_return fail(FaultKind::refused,
+                   fmt::format("{} lies outside the board's range, ±{}.", wish.value.value, position_max),
+                   "Nothing was sent.");
+  auto loaded = co_await load_positions(wish.axis, wish.value);
+  if (!loaded) co_return loaded;
+  for (int i = 0; i < axes(); ++i)
+    if (wish.axis < 0 || wish.axis == i) motions_.trust(i, Trust::set);
+  co_return Result<>();
+}
+
+// LP loads both counters (decision M92). Whether with the same number, or so that a closed loop keeps its
+// error, shows in what is read then. It is the encoder that has to read `wanted`.
+Task<Result<>> ServoDrive::load_positions(int axis, Steps wanted) {
+  for (int attempt = 0; attempt < 2; ++attempt) {
+    auto read = co_await readings_.read_axes(Priority::intent);
+    if (!read) co_return read;
+    std::array<std::optional<std::int64_t>, most_axes> loaded{};
+    for (int i = 0; i < axes(); ++i) {
+      if (axis >= 0 && axis != i) continue;
+      const bool keeps_error = loops_.is_servo(i) && loops_.closed(i) != false;
+      loaded[ix(i)] = wanted.value + (keeps_error ? draft_.axes[i].following_error().value : 0);
+      motions_.counts(i);
+    }
+    std::string text = load_text(axis, loaded);
+    auto sent = co_await commands_.say(std::move(text), Priority::intent);
+    if (!sent) co_return sent;
+    read = co_await readings_.read_axes(Priority::intent);
+    if (!read) co_return read;
+    bool alike = false;
+    for (int i = 0; i < axes(); ++i)
+      alike = alike || (loaded[ix(i)] && *loaded[ix(i)] != wanted.value && !motions_.moving(i) &&
+                        draft_.axes[i].encoder.value == *loaded[ix(i)]);
+    if (!alike) break;
+  }
+  co_return Result<>();
+}
+
+std::string ServoDrive::load_text(int axis,
+                                  const std::array<std::optional<std::int64_t>, most_axes>& to) const {
+  if (axis >= 0) return selection_.addressed(axis, fmt::format("LP{}", *to[ix(axis)]));
+  return selection_.addressed("AA", encode_list("LP", to));
+}
+
+// ---- what closes a loop
+
+Task<Result<>> ServoDrive::may_close(int axis, intent::Closing answer, std::string state,
+                                     std::string consequence) {
+  auto read = co_await readings_.read_axes(Priority::intent);
+  if (!read) co_return read;
+  if (!draft_.axes[axis].far_off || answer == intent::Closing::drive) co_return Result<>();
+  if (answer == intent::Closing::stay) co_return co_await take_place(axis);
+  co_return fail(FaultKind::asks,
+                 fmt::format("{}, and its encoder stands {} counts from its command. {}", state,
+                             std::abs(draft_.axes[axis].following_error().value), consequence),
+                 "Nothing was sent.",
+                 "Take the place where it stands as its command first, or let it be driven there.");
+}
+
+// Of an open loop, or one that the board has not told of. What a board does with the error when HN closes it
+// the data sheet does not say.
+Task<Result<>> ServoDrive::switch_loop(int axis, bool on, intent::Closing answer) {
+  const bool was_far = draft_.axes[axis].far_off;
+  if (on && loops_.closed(axis) != true) {
+    std::string state = fmt::format("The loop of {} is open", name(axis));
+    std::string consequence = "Closing it may drive the motor there at once.";
+    auto may = co_await may_close(axis, answer, std::move(state), std::move(consequence));
+    if (!may) co_return may;
+  }
+  std::string text = selection_.addressed(axis, on ? "HN" : "HF");
+  motions_.counts(axis);  // the board may take the place of the shaft as its command
+  auto sent = co_await commands_.say(std::move(text), Priority::intent);
+  if (!sent) next_.asks_loops();
+  if (!sent) co_return sent;
+  loops_.know(axis, on);
+  if (on && was_far) motions_.begins_to_settle(axis);
+  co_return sent;
+}
+
+Task<Result<>> ServoDrive::set_power(intent::SetPower wish) {
+  if (auto may = commands_.may_talk(); !may) co_return may;
+  for (int i = 0; i < axes(); ++i) {
+    if (wish.axis >= 0 && wish.axis != i) continue;
+    if (!catalog_.axes[ix(i)].switchable) {
+      if (wish.axis < 0) continue;
+      co_return fail(FaultKind::refused,
+                     fmt::format("Axis {} is no servo axis: the board does not switch its motor.", name(i)),
+                     "Nothing was sent.");
+    }
+    auto switched = co_await switch_loop(i, wish.on, wish.closing);
+    if (!switched) co_return switched;
+  }
+  co_return Result<>();
+}
+
+Task<Result<>> ServoDrive::may_drive(const Parameter& parameter, std::int64_t value, intent::Closing answer) {
+  const int axis = parameter.axis;
+  if (!parameter.fact->drives || loops_.closed(axis) == false) co_return Result<>();
+  const auto before = values_.known(axis, parameter.fact->letters);
+  const bool harder = before ? value > *before : value != 0;
+  const bool at_work = values_.drives(axis) && draft_.axes[axis].loop == Loop::following;
+  if (!harder || at_work) co_return Result<>();
+  const std::string set =
+      fmt::format("{} = {}", parameter.mnemonic, encode_number(value, parameter.fact->decimals));
+  std::string state = fmt::format("The gains KP and KI of {} are 0", name(axis));
+  std::string consequence = fmt::format("{} drives the motor there at once.", set);
+  if (values_.drives(axis)) {
+    state = fmt::format("{} does not come where it was sent", name(axis));
+    consequence = fmt::format("{} drives it harder: when it comes free it goes there at once.", set);
+  }
+  co_return co_await may_close(axis, answer, std::move(state), std::move(consequence));
+}
+
+// With the loop open LP loads both counters with the same number on any reading of the data sheet: that of
+// the encoder, which stays true. HN stands in the same text, so the motor is free for no longer than the
+// board takes to read it.
+Task<Result<>> ServoDrive::take_place(int axis) {
+  if (motions_.moving(axis))
+    co_return fail(FaultKind::refused, fmt::format("Axis {} is still moving.", name(axis)),
+                   "Nothing was sent.", "Wait until it ends, or stop it.");
+  const bool closed = loops_.closed(axis) != false;
+  const std::int64_t here = draft_.axes[axis].encoder.value;
+  std::string text =
+      selection_.addressed(axis, closed ? fmt::format("HF LP{} HN", here) : fmt::format("LP{}", here));
+  motions_.counts(axis);
+  if (motions_.ours(axis)) motions_.end(axis, EndedBy::stop);  // what it was sent to is not wanted any more
+  auto sent = co_await commands_.say(std::move(text), Priority::intent);
+  if (!sent) next_.asks_loops();
+  if (!sent) co_return sent;
+  auto read = co_await readings_.read_axes(Priority::intent);
+  if (!read) co_return read;
+  motions_.begins_to_settle(axis);
+  if (!draft_.axes[axis].far_off) co_return Result<>();
+  co_return fail(FaultKind::controller,
+                 fmt::format("The place of {} was to become its command, which stands {} counts from there.",
+                             name(axis), std::abs(draft_.axes[axis].following_error().value)),
+                 "Nothing else was sent.", "Look whether it moves.");
+}
+
+}  // namespace hw::vme58

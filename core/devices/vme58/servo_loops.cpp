@@ -1,0 +1,107 @@
+#include "core/devices/vme58/servo_loops.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "core/base/index.h"
+
+namespace hw::vme58 {
+namespace {
+
+/// Errors up to this are what loops at work have: a few degrees of the usual encoders. A motor that is driven
+/// over more moves its stage visibly, and at full output. A greater deadband says that more is usual here.
+constexpr std::int64_t large_error = 100;
+
+}  // namespace
+
+/// HD shows nowhere: it is known while the console has set it.
+std::int64_t ServoLoops::deadband(int axis) const {
+  const auto set = values_.known(axis, "HD");
+  return set && *set > 0 ? *set : usual_deadband;
+}
+
+void ServoLoops::know(int axis, std::optional<bool> closed) {
+  if (!is_servo(axis)) return;
+  at(axis).closed = closed;
+  AxisState& state = draft_.axes[axis];
+  state.enabled = closed.value_or(true);
+  const Loop place = at(axis).place.place();
+  state.loop = !closed ? Loop::unknown : *closed ? place : Loop::open;
+}
+
+void ServoLoops::look(int i, Instant when, bool turns) {
+  if (!is_servo(i)) return;
+  Axis& servo = at(i);
+  AxisState& axis = draft_.axes[i];
+  const std::int64_t off = std::abs((axis.command - axis.encoder).value), band = deadband(i);
+  servo.place.look(when, turns, off, band);
+  if (turns) servo.settling = servo.goes_to_place;
+  axis.far_off = off > std::max(large_error, band);
+  know(i, servo.closed);
+  if (axis.loop == Loop::in_place && axis.ended_by == EndedBy::not_in_place)
+    axis.ended_by = EndedBy::target;  // it came late
+}
+
+void ServoLoops::goes_to_place(int axis, bool it_does) {
+  at(axis).goes_to_place = it_does;
+  at(axis).settling = at(axis).settling && it_does;
+}
+
+void ServoLoops::begins(int axis, bool to_a_place) {
+  at(axis).goes_to_place = to_a_place;
+  at(axis).settling = false;
+}
+
+void ServoLoops::begins_to_settle(int axis) {
+  at(axis).place.begin(wire_.now());
+  at(axis).settling = true;
+  draft_.axes[axis].ended_by = EndedBy::nothing;
+  know(axis, at(axis).closed);
+}
+
+bool ServoLoops::settles(int axis) const {
+  return at(axis).settling && at(axis).place.undecided() && at(axis).closed != false;
+}
+
+EndedBy ServoLoops::judged(int i, EndedBy ended_by) {
+  Axis& servo = at(i);
+  const bool came = std::exchange(servo.settling, false) && ended_by == EndedBy::target;
+  if (!came || servo.closed == false || servo.place.place() != Loop::off_place) return ended_by;
+  next_.asks_loops();
+  const AxisState& axis = draft_.axes[i];
+  wire_.tell(Notice::Kind::warning,
+             fmt::format(
+                 "{0} has not come where it was sent: 2 s after its command has ended its encoder stands at "
+                 "{1}, {2} counts from there. {3}",
+                 catalog_.axes[ix(i)].name, axis.encoder.value, std::abs((axis.command - axis.encoder).value),
+                 values_.drives(i) ? "Look what holds it, and at its gains."
+                                   : "Nothing drives it: its gains KP and KI read 0."));
+  return EndedBy::not_in_place;
+}
+
+bool ServoLoops::warn_of_closing(const TextCommand& command) {
+  const int axis = command.context.axis;
+  if (command.context.mode != where::single || !draft_.axes[axis].far_off) return false;
+  const auto closed = at(axis).closed;
+  const bool gain = command.is(Op::KP) || command.is(Op::KI);
+  const bool above_zero = !command.numbers.empty() && command.numbers.front().value_or(0) > 0;
+  const bool drives = gain && above_zero && closed != false && !values_.drives(axis);
+  if (!drives && !(command.is(Op::HN) && closed != true)) return false;
+  wire_.tell(
+      Notice::Kind::warning,
+      fmt::format("{} was sent while the encoder of {} stood {} counts from its command: the motor may "
+                  "be driven there at once.",
+                  command.text, catalog_.axes[ix(axis)].name,
+                  std::abs(draft_.axes[axis].following_error().value)));
+  return true;
+}
+
+void ServoLoops::forget() {
+  axes_ = {};
+  for (int i = 0; i < static_cast<int>(catalog_.axes.size()); ++i) know(i, std::nullopt);
+}
+
+}  // namespace hw::vme58

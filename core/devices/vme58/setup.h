@@ -1,0 +1,42 @@
+#pragma once
+// Set-up: one parameter at a time.
+#include "core/devices/vme58/servo_drive.h"
+#include "core/devices/vme58/speeds.h"
+
+namespace hw::vme58 {
+
+class Setup {
+ public:
+  Setup(Wire& wire, Readings& readings, const Selection& selection, Commands& commands,
+        ParameterValues& values, ServoDrive& drive, Motions& motions, Speeds& speeds, const Catalog& catalog,
+        Snapshot& draft)
+      : wire_(wire),
+        readings_(readings),
+        selection_(selection),
+        commands_(commands),
+        values_(values),
+        drive_(drive),
+        motions_(motions),
+        speeds_(speeds),
+        catalog_(catalog),
+        draft_(draft) {}
+
+  Task<Result<>> set(intent::SetParam wish);
+
+ private:
+  [[nodiscard]] Result<int> checked(const intent::SetParam& wish) const;
+  Task<Result<>> look_what_came(int place, std::int64_t wanted);
+
+  Wire& wire_;
+  Readings& readings_;
+  const Selection& selection_;
+  Commands& commands_;
+  ParameterValues& values_;
+  ServoDrive& drive_;
+  Motions& motions_;
+  Speeds& speeds_;
+  const Catalog& catalog_;
+  Snapshot& draft_;
+};
+
+}  // namespace hw::vme58

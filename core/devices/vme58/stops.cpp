@@ -1,0 +1,184 @@
+#include "core/devices/vme58/stops.h"
+
+#include <fmt/core.h>
+
+#include "core/devices/vme58/moves.h"
+#include "core/devices/vme58/text_meaning.h"
+
+namespace hw::vme58 {
+namespace {
+
+constexpr Duration free_look = std::chrono::microseconds(500);
+constexpr Duration ring_patience = Millis(5);  // what a stop has cut short may just have been put there
+
+}  // namespace
+
+// ---- what is sent
+
+Task<Result<>> Stops::send(StopOrder order) {
+  using What = StopOrder::What;
+  if (!wire_.is_open())
+    co_return fail(FaultKind::lost, "Stop does not reach the board: there is no connection.",
+                   "Nothing was sent.", "Switch the power of the drives off.");
+  forget_rejection(draft_);
+  if (order.what == What::words) co_return co_await stop_by_text(std::move(order.words));
+  co_return co_await stop_motion(order.axis, order.at_once, order.what == What::jog);
+}
+
+/// ST of one axis empties its own queue only: what a program still says, or what waits in those of AA and AM,
+/// would move it again.
+bool Stops::stops_alone(int axis) const {
+  return !motions_.in_group(axis) && !programs_.is_running() && !draft_.feed.running;
+}
+
+// What a jog moves stops; the other axes, and what waits for this one, go on.
+Task<Result<>> Stops::stop_motion(int axis, bool at_once, bool jog) {
+  const bool recorded = selection_.recording(), known = conversation_.is_known();
+  const bool one = axis >= 0 && !at_once && !widened_ && !motions_.in_company(axis) && !recorded;
+  const bool alone = one && known && (jog || stops_alone(axis));
+  if (one && !alone)
+    wire_.tell(
+        Notice::Kind::info,
+        known ? fmt::format("A program or a text may move {} again, so all axes were stopped.", name(axis))
+              : fmt::format("What moves {} is not known yet, so all axes were stopped.", name(axis)));
+  if (axis >= 0 && at_once && !widened_)
+    wire_.tell(Notice::Kind::info, "The board's only stop without a ramp, KL, stops every axis.");
+  if (!alone) programs_.end(at_once ? EndedBy::abort : EndedBy::stop);
+  stopping(alone ? axis : -1, at_once);
+  widened_ = widened_ || (axis >= 0 && !alone);
+  if (alone) {
+    std::string selector = "A" + name(axis);
+    const auto stopped = co_await stop_axis(std::move(selector));
+    if (!stopped) co_return fail(stopped.error());
+    widened_ = !*stopped;
+    co_return Result<>();
+  }
+  const std::string_view word = at_once ? "KL" : "SA";
+  auto stopped = co_await all_stop_.send(word);
+  if (stopped && recorded)
+    (void)co_await conversation_.select_again(Priority::stop);  // else with the next text
+  co_return stopped;
+}
+
+/// Goes like the console's own stops, and means no more than it says. Which axis it selects is known from
+/// here on; the board hears it with the next text.
+Task<Result<>> Stops::stop_by_text(std::string text) {
+  const bool recorded = selection_.recording();
+  Context context = selection_.context();
+  const auto commands = read_commands(text, context);
+  selection_.set(context);
+  if (recorded && !selection_.recording()) next_.awaits_queues();
+  for (const TextCommand& command : commands) {
+    if (selects(command)) selection_.lose();
+    programs_.note_stop(command);
+    effects_.note(command);
+  }
+  next_.asks_flags();
+  Result<> all;
+  for (const TextCommand& command : commands) {
+    if (!stops_motion(command.fact->op)) continue;
+    Result<> stopped;
+    if (command.is(Op::ST)) {
+      std::string selector = command.context.selector();
+      const auto sent = co_await stop_axis(std::move(selector));
+      if (!sent) stopped = fail(sent.error());
+    } else {
+      stopped = co_await all_stop_.send(command.fact->letters);
+    }
+    if (all) all = std::move(stopped);
+  }
+  co_return all;
+}
+
+// The mailbox has no place for an axis: ST goes through the ring, as long as nothing stands there. In AA and
+// AM it stops what their queue moves. False: all axes were stopped.
+Task<Result<bool>> Stops::stop_axis(std::string selector) {
+  if (conversation_.is_known()) {
+    auto free = co_await conversation_.is_taken(Priority::stop);
+    const Instant give_up = wire_.now() + ring_patience;
+    while (free && !*free && wire_.now() < give_up) {
+      auto paused = co_await wire_.pause(free_look);
+      if (!paused) co_return fail(paused.error());
+      free = co_await conversation_.is_taken(Priority::stop);
+    }
+    if (!free) co_return fail(free.error());
+    if (*free) {
+      std::string text = selection_.addressed(selector, "ST");
+      const auto written = co_await conversation_.write(std::move(text), Priority::stop);
+      if (written) co_return true;
+      const FaultKind kind = written.error().kind;
+      if (kind == FaultKind::lost || kind == FaultKind::stopped) co_return fail(written.error());
+    }
+  }
+  const bool group = selector == "AA" || selector == "AM";
+  wire_.tell(Notice::Kind::warning,
+             fmt::format("The board takes no command for {} alone now, so all axes were stopped.",
+                         group ? "the axes of " + selector : "axis " + selector.substr(1)));
+  stopping(-1, false);
+  auto stopped = co_await all_stop_.send("SA");
+  if (!stopped) co_return fail(stopped.error());
+  co_return false;
+}
+
+void Stops::stopping(int axis, bool at_once) {
+  for (int i = 0; i < static_cast<int>(catalog_.axes.size()); ++i)
+    if (axis < 0 || i == axis) effect_.told(i);
+  speeds_.forget_put(axis);
+  motions_.stopping(axis, at_once);
+}
+
+// ---- what shows of it
+
+/// A stop is in vain while no axis of it slows down. An axis that its own motion slows down for a moment is
+/// soon as fast as ever again, and one of several on a line may show its share of the ramp late.
+StopProgress Stops::progress(const StopOrder& order) {
+  const bool words = order.what == StopOrder::What::words;
+  if (words && !order.stops_all()) return StopProgress::stands();  // the ring has carried them
+  const int axis = widened_ ? -1 : order.axis;
+  StopEffect::Seen seen = effect_.look(axis, order.at_once);
+  const bool jog = order.what == StopOrder::What::jog && axis >= 0;
+  if (seen.turns && !seen.slows && jog && !stops_alone(axis)) {
+    motions_.is_anothers(axis);
+    seen.turns = false;
+  }
+  if (!seen.turns && axis < 0) {
+    const AllStop::Behind behind = all_stop_.behind();
+    if (behind == AllStop::Behind::waits) return in_vain(axis);
+    if (behind == AllStop::Behind::not_known) return StopProgress::wait();
+  }
+  if (!seen.turns && !order.confirmed) return StopProgress::again();  // some motion shows nothing
+  if (!seen.turns || (seen.overdue && order.at_once)) stands(axis);
+  if (!seen.turns) return StopProgress::stands();
+  if (seen.overdue && order.at_once)
+    return StopProgress::failed(Fault(FaultKind::controller, "The board was told to stop and still moves.",
+                                      "KL was sent, which stops without a ramp.",
+                                      "Switch the power of the drives off."));
+  if (seen.slows) return StopProgress::wait();
+  if (seen.overdue) return StopProgress::at_once();
+  return in_vain(axis);
+}
+
+StopProgress Stops::in_vain(int axis) {
+  if (axis < 0) {
+    all_stop_.in_vain();
+    return StopProgress::again();
+  }
+  widened_ = true;
+  wire_.tell(Notice::Kind::warning,
+             fmt::format("Axis {} does not slow down behind ST, so all axes are stopped.", name(axis)));
+  return StopProgress::again();
+}
+
+void Stops::stands(int axis) {
+  if (axis < 0) widened_ = false;
+  readings_.forget_command_error();  // of text that was taken back half way
+  effect_.forget(axis);
+  motions_.stands(axis);
+}
+
+void Stops::forget() {
+  widened_ = false;
+  effect_.forget(-1);
+}
+
+}  // namespace hw::vme58

@@ -1,0 +1,61 @@
+#pragma once
+// Stops: what is sent, and what shows that it takes effect. A stop of all axes goes through the mailbox and
+// empties the queues too; one of one axis through the ring, where that is free.
+#include "core/device/stop.h"
+#include "core/devices/vme58/programs.h"
+
+namespace hw::vme58 {
+
+class Stops {
+ public:
+  Stops(Wire& wire, Readings& readings, Selection& selection, Conversation& conversation, Motions& motions,
+        Speeds& speeds, Programs& programs, Effects& effects, StopEffect& effect, AllStop& all_stop,
+        NextRound& next, const Catalog& catalog, Snapshot& draft)
+      : wire_(wire),
+        readings_(readings),
+        selection_(selection),
+        conversation_(conversation),
+        motions_(motions),
+        speeds_(speeds),
+        programs_(programs),
+        effects_(effects),
+        effect_(effect),
+        all_stop_(all_stop),
+        next_(next),
+        catalog_(catalog),
+        draft_(draft) {}
+
+  Task<Result<>> send(StopOrder order);
+  /// By the latest round.
+  StopProgress progress(const StopOrder& order);
+  void forget();
+
+ private:
+  Task<Result<>> stop_motion(int axis, bool at_once, bool jog);
+  Task<Result<>> stop_by_text(std::string text);
+  Task<Result<bool>> stop_axis(std::string selector);
+  [[nodiscard]] bool stops_alone(int axis) const;
+  void stopping(int axis, bool at_once);
+  void stands(int axis);
+  StopProgress in_vain(int axis);
+  [[nodiscard]] const std::string& name(int axis) const {
+    return catalog_.axes[static_cast<std::size_t>(axis)].name;
+  }
+
+  Wire& wire_;
+  Readings& readings_;
+  Selection& selection_;
+  Conversation& conversation_;
+  Motions& motions_;
+  Speeds& speeds_;
+  Programs& programs_;
+  Effects& effects_;
+  StopEffect& effect_;
+  AllStop& all_stop_;
+  NextRound& next_;
+  const Catalog& catalog_;
+  Snapshot& draft_;
+  bool widened_ = false;  ///< a stop of one axis has become one of all, and they do not stand yet
+};
+
+}  // namespace hw::vme58

@@ -1,0 +1,142 @@
+#include "core/devices/vme58/texts.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "core/devices/vme58/moves.h"
+#include "core/devices/vme58/text_meaning.h"
+
+namespace hw::vme58 {
+namespace {
+
+constexpr std::size_t longest_text = 240;  // what the ring takes at once, with room for separators
+
+bool is_queued(const TextCommand& command) { return command.fact && command.fact->when == When::queued; }
+
+}  // namespace
+
+Task<Result<std::string>> Texts::send(std::string text, Duration patience) {
+  forget_rejection(draft_);
+  Context context = selection_.context();
+  const auto commands = read_commands(text, context);
+  if (auto may = may_say_while_feeding(commands); !may) co_return fail(may.error());
+  auto prepared = co_await prepare(commands);
+  if (!prepared) co_return fail(prepared.error());
+  std::string answers;
+  for (const TextCommand& command : commands) {
+    auto said = co_await say(command, patience);
+    if (!said) co_return fail(said.error());
+    if (!said->empty()) answers += (answers.empty() ? "" : "\n") + *said;
+    note_sent(command);
+  }
+  next_.asks_flags();
+  co_return answers;
+}
+
+/// The axes have the user's own speeds, and the board stands at the axis that he has selected.
+Task<Result<>> Texts::prepare(const std::vector<TextCommand>& commands) {
+  auto own = co_await speeds_.give_all_back(Priority::intent);
+  if (own && std::any_of(commands.begin(), commands.end(), is_queued))
+    own = co_await speeds_.give_back_behind_motions(Priority::intent);
+  if (!own) co_return own;
+  co_return co_await conversation_.select_again(Priority::intent);
+}
+
+/// Returns its answer, if it has one.
+Task<Result<std::string>> Texts::say(const TextCommand& command, Duration patience) {
+  std::string word(command.text);
+  if (word.size() > longest_text)
+    co_return fail(FaultKind::refused, "One command of this text is longer than the board's ring.",
+                   "It was not sent.");
+  word += ";\n";
+  if (is_question(command) && command.flaw.empty()) {
+    const ReplyForm form = reply_form(command, static_cast<int>(catalog_.axes.size()));
+    co_return co_await conversation_.ask(std::move(word), Priority::intent, form, patience);
+  }
+  Result<> done;
+  if (command.is(Op::RS) && command.flaw.empty())
+    done = co_await reset(std::move(word));
+  else
+    done = co_await put(command, std::move(word));
+  if (!done) co_return fail(done.error());
+  co_return std::string();
+}
+
+/// One that is no question.
+Task<Result<>> Texts::put(const TextCommand& command, std::string word) {
+  auto settled = co_await commands_.settle_late(Priority::intent);
+  if (!settled) co_return settled;
+  if (!command.fact || command.fact->when == When::queued) next_.awaits_queues();
+  programs_.note_stop(command);
+  motions_.note_group(command);  // before a stop can come in between
+  const int end_before = conversation_.end();
+  auto written =
+      co_await conversation_.write(std::move(word), Priority::intent, Conversation::WhenStuck::leave);
+  if (!written && conversation_.end() == end_before) co_return written;
+  if (!written && written.error().kind == FaultKind::stopped) co_return cut_short(command, written.error());
+  if (!written) {
+    if (selects(command)) note_sent(command);  // in the ring it acts later: what is sent behind it must know
+    co_return written;
+  }
+  auto accepted = co_await accepts(command);
+  if (!accepted && accepted.error().kind == FaultKind::stopped)
+    co_return cut_short(command, accepted.error());
+  if (!accepted && selects(command)) selection_.lose();  // the board may have taken it
+  co_return accepted;
+}
+
+/// By a stop that may take it back, or find it carried out.
+Result<> Texts::cut_short(const TextCommand& command, Fault why) {
+  effects_.note(command);
+  if (selects(command)) selection_.lose();
+  return fail(when_put(std::move(why)));
+}
+
+/// It has been taken from the ring, and was no command error.
+Task<Result<>> Texts::accepts(const TextCommand& command) {
+  const auto bad = co_await readings_.was_rejected(Priority::intent);
+  if (!bad) co_return fail(bad.error());
+  if (!*bad) co_return Result<>();
+  if (selection_.recording() && (command.is(Op::CE) || command.is(Op::CK))) {
+    selection_.set_recording(false);  // there is no other end
+    selection_.lose();
+    next_.awaits_queues();
+  }
+  if (!command.flaw.empty())
+    co_return fail(FaultKind::controller,
+                   fmt::format("The board rejected \"{}\": {}", command.text, command.flaw),
+                   "What stood before it was carried out, nothing behind it was sent.");
+  co_return commands_.rejected(command.text);
+}
+
+/// Between CD and CE everything becomes part of the contour: of a program's what the user says, and of the
+/// user's what the program says.
+Result<> Texts::may_say_while_feeding(const std::vector<TextCommand>& commands) const {
+  const auto stops = [](const TextCommand& command) {
+    return command.fact && stops_motion(command.fact->op);
+  };
+  if (!feed_.is_under_way() || std::all_of(commands.begin(), commands.end(), stops)) return {};
+  if (selection_.recording())
+    return fail(FaultKind::refused,
+                "The program that runs is recording a contour: this text would become part of it.",
+                "Nothing was sent.", "Send it again when the contour has ended, or stop the program first.");
+  const auto records = [](const TextCommand& command) { return command.is(Op::CD); };
+  if (std::any_of(commands.begin(), commands.end(), records))
+    return fail(FaultKind::refused,
+                "A program is being sent to the board: its commands would become part of this contour.",
+                "Nothing was sent.", "Wait until the program ends, or stop it.");
+  return {};
+}
+
+void Texts::note_sent(const TextCommand& command) {
+  if (!command.fact || !command.flaw.empty()) return;
+  if (selects(command)) feed_.user_selects();
+  const bool recorded = selection_.recording();
+  selection_.hear(command);
+  if (recorded && !selection_.recording()) next_.awaits_queues();  // meanwhile nobody could ask
+  effects_.note(command);
+}
+
+}  // namespace hw::vme58

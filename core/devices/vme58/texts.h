@@ -1,0 +1,58 @@
+#pragma once
+// Raw text of users and scripts: sent command by command, so that the one that the board rejects can be
+// named; and followed, so that the console knows which axis it has selected and what it has set.
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/devices/vme58/programs.h"
+
+namespace hw::vme58 {
+
+class Texts {
+ public:
+  Texts(Readings& readings, Selection& selection, Conversation& conversation, Commands& commands,
+        Motions& motions, Speeds& speeds, Feed& feed, Programs& programs, Effects& effects, NextRound& next,
+        const Catalog& catalog, Snapshot& draft)
+      : readings_(readings),
+        selection_(selection),
+        conversation_(conversation),
+        commands_(commands),
+        motions_(motions),
+        speeds_(speeds),
+        feed_(feed),
+        programs_(programs),
+        effects_(effects),
+        next_(next),
+        catalog_(catalog),
+        draft_(draft) {}
+
+  /// The replies of its queries, one on a line.
+  Task<Result<std::string>> send(std::string text, Duration patience);
+  /// RS among it concerns everybody.
+  std::function<Task<Result<>>(std::string text)> reset;
+
+ private:
+  Result<> may_say_while_feeding(const std::vector<TextCommand>& commands) const;
+  Task<Result<>> prepare(const std::vector<TextCommand>& commands);
+  Task<Result<std::string>> say(const TextCommand& command, Duration patience);
+  Task<Result<>> put(const TextCommand& command, std::string word);
+  Result<> cut_short(const TextCommand& command, Fault why);
+  Task<Result<>> accepts(const TextCommand& command);
+  void note_sent(const TextCommand& command);
+
+  Readings& readings_;
+  Selection& selection_;
+  Conversation& conversation_;
+  Commands& commands_;
+  Motions& motions_;
+  Speeds& speeds_;
+  Feed& feed_;
+  Programs& programs_;
+  Effects& effects_;
+  NextRound& next_;
+  const Catalog& catalog_;
+  Snapshot& draft_;
+};
+
+}  // namespace hw::vme58
