@@ -45,6 +45,14 @@ class HeldJogs {
   void for_each_axis(Each each) const {
     for (const Jog& jog : jogs_) each(jog.axis);
   }
+  /// Of those that `has_begun(id)`.
+  template <class Begun>
+  [[nodiscard]] std::vector<int> axes_if(Begun has_begun) const {
+    std::vector<int> axes;
+    for (const Jog& jog : jogs_)
+      if (has_begun(jog.id)) axes.push_back(jog.axis);
+    return axes;
+  }
   [[nodiscard]] bool any() const { return !jogs_.empty(); }
   [[nodiscard]] bool has(IntentId id) const {
     return std::any_of(jogs_.begin(), jogs_.end(), [id](const Jog& jog) { return jog.id == id; });

@@ -143,7 +143,7 @@ class Pump {
   void forget_jogs_that_ended();
   void count_program_change(const Intent& intent);
   void jog_let_go();
-  void jog_out_of_sight();
+  void stop_jogs_out_of_sight();
 
   Scheduler& scheduler_;
   const Catalog& catalog_;

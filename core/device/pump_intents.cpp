@@ -177,11 +177,16 @@ void Pump::jog_let_go() {
   post_stop(std::move(lets_go));
 }
 
-// Nobody sees where a held jog goes.
-void Pump::jog_out_of_sight() {
-  ways_.notify(Notice(Notice::Kind::warning, scheduler_.now(),
-                      "The controller does not answer, so the jog was stopped."));
-  post_stop(StopOrder());
+// Nobody sees where a held jog goes. One that still waits for its turn moves nothing.
+void Pump::stop_jogs_out_of_sight() {
+  for (const int axis : jogs_.axes_if([this](IntentId id) { return !jobs_.has(id); })) {
+    ways_.notify(Notice(Notice::Kind::warning, scheduler_.now(),
+                        "The controller does not answer, so the jog was stopped."));
+    StopOrder lets_go;
+    lets_go.what = StopOrder::What::jog;
+    lets_go.axis = axis;
+    post_stop(std::move(lets_go));
+  }
 }
 
 void Pump::refuse_queued(std::string_view why) {

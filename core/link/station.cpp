@@ -123,12 +123,11 @@ Task<Result<>> Station::clean_by(Unmistakable asked, Priority priority) {
     co_return Result<>();
   }
   if (!answer) co_return fail(answer.error());
-  if (!asked.is_answer(*answer)) {
+  if (!asked.is_answer(*answer)) {  // no miss: somebody is there
     doubt(look);
-    count_miss();
-    co_return fail(FaultKind::garbled, "What the controller answers means nothing.",
-                   "Nothing of it was used.",
-                   "Look at the cable, the baud rate, and whether another program talks to the controller.");
+    co_return fail(FaultKind::garbled, "What the controller answers means nothing.", "Nothing of it was used.",
+                   "Look at the cable and the line rate, and whether two devices have one address or another "
+                   "program talks on this line.");
   }
   owed_.clear();
   ++times_cleaned_;

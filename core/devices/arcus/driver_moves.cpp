@@ -128,7 +128,8 @@ Task<Result<>> ArcusDriver::move(std::vector<AxisTarget> wish, Pps speed, bool r
   }
   auto returned = co_await borrowed_.give_back();
   if (!started) co_return started;
-  co_return returned;
+  if (!returned) tell(Notice::Kind::warning, returned.error().sentence());  // the move runs all the same
+  co_return Result<>();
 }
 
 Task<Result<>> ArcusDriver::jog(intent::JogStart wish) {

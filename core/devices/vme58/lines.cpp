@@ -4,6 +4,8 @@
 
 #include <fmt/core.h>
 
+#include "core/devices/vme58/catalog.h"
+
 namespace hw::vme58 {
 
 void Lines::go_these_ways(unsigned outputs) {
