@@ -98,9 +98,12 @@ Task<Result<>> ArcusDriver::find() {
 // its line.
 Task<Result<>> ArcusDriver::identify() {
   if (lost_at_ != Instant{}) {
+    const Instant began = scheduler_.now();
     const auto anybody = co_await talk_.greet(first_patience);
-    if (!anybody && anybody.error().kind == FaultKind::no_answer) co_return silent();
     if (!anybody && anybody.error().kind == FaultKind::lost) co_return fail(anybody.error());
+    const bool heard = talk_.is_open() && talk_.station()->heard_at() > began;
+    if (!anybody && heard) co_return talk_.two_answer();
+    if (!anybody && anybody.error().kind == FaultKind::no_answer) co_return silent();
   }
   auto reply = co_await ask_who_it_is("ID", [this](std::string_view text) {
     return text == model().product || text == forms_.other_product;
