@@ -60,8 +60,9 @@ class Judge final : public Witness {
   static constexpr Duration answer_on_wire = Millis(250);
   /// A byte that is lost or doubled may leave a number that looks right; the next rounds of status show it.
   static constexpr Duration spoilt_number_shows = Millis(1500);
-  /// A restart shows in the first answers after it; then its positions are read once more.
-  static constexpr Duration restart_shows = std::chrono::seconds(4);
+  /// A controller without power leaves answers owed: the questions that clean its line take 0.6 s and 3 s,
+  /// then its positions are read, and once more.
+  static constexpr Duration restart_shows = std::chrono::seconds(8);
 
   /// What a session may take beside what it began with, its record and its texts included.
   static constexpr std::size_t most_memory = 64u << 20;

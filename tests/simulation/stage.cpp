@@ -319,6 +319,13 @@ void Stage::other_host_sends(std::string_view bytes) {
   other_host_->send(bytes);
 }
 
+void Stage::cut_power(int device) {
+  constexpr Duration fast_hand = Millis(300);
+  operate(device, bench::Power(false));
+  power_.push_back(std::make_unique<Timer>(time_, [this, device] { operate(device, bench::Power(true)); }));
+  power_.back()->arm(now() + fast_hand);
+}
+
 void Stage::unplug(Duration how_long) {
   const Instant again = now() + how_long;
   faults_.unplugged_until = std::max(faults_.unplugged_until, again);

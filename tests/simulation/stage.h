@@ -51,6 +51,8 @@ class Stage {
   void operate(int device, BenchCommand command);
   void other_host_sends(std::string_view bytes);
   void unplug(Duration how_long);
+  /// And gives it back as soon as a supply can.
+  void cut_power(int device);
 
  private:
   struct Hand;  // a jog that is held
@@ -85,6 +87,7 @@ class Stage {
   bool opens_later_ = false;  ///< when it is free
   std::vector<std::unique_ptr<Hand>> hands_;
   std::unique_ptr<Timer> plug_in_;
+  std::vector<std::unique_ptr<Timer>> power_;
 };
 
 }  // namespace hw::simulation

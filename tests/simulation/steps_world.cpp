@@ -19,7 +19,7 @@ void input(Stage& stage, const Step& s) {
 }
 void power_cycle(Stage& stage, const Step& s) {
   stage.judge().restarted(s.device);
-  stage.operate(s.device, bench::PowerCycle());
+  stage.cut_power(s.device);
 }
 /// Another program on the same line says this to the controller.
 void other_host(Stage& stage, const Step& s) {
