@@ -38,7 +38,8 @@ class JobQueue {
   }
   void push(std::unique_ptr<Job> job) { waiting_.push_back(std::move(job)); }
   [[nodiscard]] bool has(IntentId id) const {
-    return std::any_of(waiting_.begin(), waiting_.end(), [id](const auto& job) { return job->intent.id == id; });
+    return std::any_of(waiting_.begin(), waiting_.end(),
+                       [id](const auto& job) { return job->intent.id == id; });
   }
   /// Null: it does not wait here.
   std::unique_ptr<Job> withdraw(IntentId id) {

@@ -281,7 +281,7 @@ void Pump::poll_finished(const Result<>& result) {
   health.misses_in_a_row = static_cast<std::uint32_t>(s.misses_in_a_row);
   if (!result && result.error().kind == FaultKind::lost) return lose_wire(result.error());
   if (nobody_answers()) return lose_wire(not_answering());
-  if (s.misses_in_a_row >= misses_until_a_jog_ends ) stop_jogs_out_of_sight();
+  if (s.misses_in_a_row >= misses_until_a_jog_ends) stop_jogs_out_of_sight();
   forget_jogs_that_ended();
   if (result) look_at_stops();
   if (result) tell_what_came_of_the_loss();

@@ -87,8 +87,8 @@ class StopDesk {
   [[nodiscard]] bool any() const { return !orders_.empty(); }
   /// A stop of all axes is under way: another one would mean at once.
   [[nodiscard]] bool stops_all() const;
-  /// The next to be sent: of those that were sent least often the latest, unless an older one covers it. Null:
-  /// all have been.
+  /// The next to be sent: of those that were sent least often the latest, unless an older one covers it.
+  /// Null: all have been.
   [[nodiscard]] StopOrder* due();
   /// Each is sent again: nothing shows that any has arrived.
   void send_all_again();

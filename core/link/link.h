@@ -79,9 +79,9 @@ class Link final : public std::enable_shared_from_this<Link>,
   friend class Station;
   struct Pending;
   static constexpr Duration settle_time = Millis(50);
-  static constexpr Duration least_patience = Millis(50);              ///< adapters hand bytes over in pieces
-  static constexpr Duration longest_wait_of_a_stop = Millis(200);     ///< for an answer beyond its bytes
-  static constexpr int prompt_answers_needed = 16;                    ///< before the wire is known
+  static constexpr Duration least_patience = Millis(50);           ///< adapters hand bytes over in pieces
+  static constexpr Duration longest_wait_of_a_stop = Millis(200);  ///< for an answer beyond its bytes
+  static constexpr int prompt_answers_needed = 16;                 ///< before the wire is known
 
   // for stations
   void join(Station& station);
@@ -130,8 +130,8 @@ class Link final : public std::enable_shared_from_this<Link>,
   Duration slowest_prompt_{};
   int prompt_answers_ = 0;
   int silent_in_a_row_ = 0;  ///< questions that nobody on the wire has answered
-  Instant settle_until_{};  ///< after a miss: a late reply must not be taken for the next one's
-  OwedAnswers left_owed_;   ///< by stations that have left
+  Instant settle_until_{};   ///< after a miss: a late reply must not be taken for the next one's
+  OwedAnswers left_owed_;    ///< by stations that have left
   Timer deadline_;
   Timer settled_;
   Timer unfinished_;

@@ -125,7 +125,8 @@ Task<Result<>> Station::clean_by(Unmistakable asked, Priority priority) {
   if (!answer) co_return fail(answer.error());
   if (!asked.is_answer(*answer)) {  // no miss: somebody is there
     doubt(look);
-    co_return fail(FaultKind::garbled, "What the controller answers means nothing.", "Nothing of it was used.",
+    co_return fail(FaultKind::garbled, "What the controller answers means nothing.",
+                   "Nothing of it was used.",
                    "Look at the cable and the line rate, and whether two devices have one address or another "
                    "program talks on this line.");
   }

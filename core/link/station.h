@@ -116,7 +116,8 @@ class Station {
   /// How often the line has become clean again: what was read before and what is read now may differ for
   /// another reason than that it has changed.
   [[nodiscard]] std::uint32_t times_cleaned() const { return times_cleaned_; }
-  /// What the answers of this device are late by, as far as more patience is needed for it; 0: it is not slow.
+  /// What the answers of this device are late by, as far as more patience is needed for it; 0: it is not
+  /// slow.
   [[nodiscard]] Duration lateness() const { return lateness_; }
   /// Another device on this wire owes an answer that may look like this: what is heard may be that.
   [[nodiscard]] bool others_owe(Look look = Look::any) const;

@@ -48,8 +48,7 @@ Session::Session(Scheduler& scheduler, Address address, const DeviceType& type, 
       pump_(scheduler, type, catalog_,
             Pump::Ways{[this] { return open_wire(); }, [this](const Snapshot& s) { show(s); },
                        [this](Notice n) { tell(std::move(n)); }, &traffic_,
-                       [this](const AxisSample& sample) { samples_.push(sample); },
-                       wire_->line(),
+                       [this](const AxisSample& sample) { samples_.push(sample); }, wire_->line(),
                        [this] {
                          if (wake_) wake_();
                        }}) {}
@@ -249,8 +248,8 @@ static bool looks_same(const Snapshot& a, const Snapshot& b) {
          a.queue_free == b.queue_free && a.queue_known == b.queue_known &&
          (!(a.window.rings_known || b.window.rings_known) || a.window == b.window) && a.feed == b.feed &&
          a.readouts == b.readouts && a.readouts_known == b.readouts_known && a.variables == b.variables &&
-         a.variables_known == b.variables_known && a.slot_bytes_used == b.slot_bytes_used && a.slots_torn == b.slots_torn &&
-         a.params == b.params && a.unsaved_setup == b.unsaved_setup &&
+         a.variables_known == b.variables_known && a.slot_bytes_used == b.slot_bytes_used &&
+         a.slots_torn == b.slots_torn && a.params == b.params && a.unsaved_setup == b.unsaved_setup &&
          a.unsaved_programs == b.unsaved_programs && a.store_count == b.store_count &&
          a.program_changes == b.program_changes && a.fates == b.fates && a.notice == b.notice;
 }

@@ -10,7 +10,8 @@ Words words_of(std::string_view text) {
   Words words;
   std::string word;
   const auto end = [&] {
-    const bool room = word.size() > 1 && word[0] == 'M' && std::isdigit(static_cast<unsigned char>(word[1])) != 0;
+    const bool room =
+        word.size() > 1 && word[0] == 'M' && std::isdigit(static_cast<unsigned char>(word[1])) != 0;
     if (!word.empty() && word != "-" && !room) words.insert(word);  // M242: what a listing says is free
     word.clear();
   };

@@ -17,6 +17,7 @@ Words words_of(std::string_view text);
 Words words_of(const Plan& plan);
 
 /// The answer to each; `questions` as the controller receives them.
-std::vector<std::string> settings_of(const Emulator& controller, Instant now, const std::vector<std::string>& questions);
+std::vector<std::string> settings_of(const Emulator& controller, Instant now,
+                                     const std::vector<std::string>& questions);
 
 }  // namespace hw::simulation

@@ -66,8 +66,7 @@ class WatchedEmulator final : public test::EmulatorAround, public BusTarget {
  private:
   /// Where the host of a board puts its characters.
   static constexpr bool in_ring(std::uint16_t offset) {
-    return offset >= vme58::at::output_buffer &&
-           offset < vme58::at::output_buffer + 2 * vme58::ring_cells;
+    return offset >= vme58::at::output_buffer && offset < vme58::at::output_buffer + 2 * vme58::ring_cells;
   }
   void look_at_machine() {
     inner_->tell_truth(truth_);
