@@ -21,12 +21,17 @@ Station::Station(std::shared_ptr<Link> link, TrafficRing* traffic)
 Station::~Station() { close(Fault(FaultKind::lost, "The connection was closed.")); }
 
 Task<Result<std::string>> Station::transact(Transaction transaction) {
+  const bool is_stop = transaction.priority == Priority::stop && !transaction.own_question;
+  if (preempted_ || is_stop || transaction.on_dirty_line || !unmistakable || !is_dirty())
+    return send(std::move(transaction));
+  return transact_when_clean(std::move(transaction));
+}
+
+// Whatever was waited for before: a stop, or the end of the wire, may have come since.
+Task<Result<std::string>> Station::send(Transaction transaction) {
   if (!link_) return not_sent(no_connection());
   if (preempted_) return not_sent(stop_came_first());
-  const bool is_stop = transaction.priority == Priority::stop && !transaction.own_question;
-  if (is_stop || transaction.on_dirty_line || !unmistakable || !is_dirty())
-    return link_->transact(*this, std::move(transaction));
-  return transact_when_clean(std::move(transaction));
+  return link_->transact(*this, std::move(transaction));
 }
 
 Task<Result<>> Station::bus(std::span<BusCycle> cycles, Priority priority) {
@@ -52,9 +57,10 @@ void Station::preempt() {
 Task<Result<>> Station::pause(Duration time) {
   if (!link_) co_return fail(no_connection());
   if (preempted_) co_return fail(stop_came_first());
-  const bool ended = co_await ended_.wait_until(link_->scheduler_.now() + time);
-  if (!ended) co_return Result<>();
-  co_return fail(preempted_ ? stop_came_first() : no_connection());
+  co_await ended_.wait_until(link_->scheduler_.now() + time);
+  if (preempted_) co_return fail(stop_came_first());
+  if (!link_) co_return fail(no_connection());
+  co_return Result<>();
 }
 
 // ---- the dirty line
@@ -77,8 +83,7 @@ Task<Result<std::string>> Station::transact_when_clean(Transaction transaction) 
   const Priority priority = transaction.priority;
   auto cleaned = co_await clean(priority);
   if (!cleaned) co_return fail(cleaned.error());
-  if (!link_) co_return fail(no_connection());
-  co_return co_await link_->transact(*this, std::move(transaction));
+  co_return co_await send(std::move(transaction));
 }
 
 // Nothing is asked twice on a dirty line: each attempt asks something else, and waits longer for it.
@@ -117,7 +122,7 @@ Task<Result<>> Station::clean_by(Unmistakable asked, Priority priority) {
   question.on_dirty_line = true;
   const bool soon = may_be_silent || priority == Priority::stop || statistics_.misses_in_a_row < 2;
   question.patience = soon ? first_patience : OwedAnswers::longest_delay;
-  auto answer = co_await link_->transact(*this, std::move(question));
+  auto answer = co_await send(std::move(question));
   if (!answer && answer.error().kind == FaultKind::no_answer && may_be_silent) {
     doubt(look);
     co_return Result<>();

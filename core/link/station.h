@@ -90,8 +90,7 @@ class Station {
     std::function<bool(std::string_view answer)> is_answer;
   };
   /// The driver's: one whose answer cannot be mistaken for any of those (where it may be silent, the next one
-  /// follows); none: only time helps. Null: the
-  /// driver sees to late answers by itself.
+  /// follows); none: only time helps. Null: the driver sees to late answers by itself.
   std::function<std::optional<Unmistakable>(const OwedAnswers& owed, Instant now)> unmistakable;
   /// This device was asked and has not answered in time: what comes from it now is not believed.
   [[nodiscard]] bool is_dirty() const;
@@ -140,6 +139,7 @@ class Station {
 
  private:
   friend class Link;
+  Task<Result<std::string>> send(Transaction transaction);
   Task<Result<std::string>> transact_when_clean(Transaction transaction);
   Task<Result<>> clean(Priority priority);
   Task<Result<>> clean_by(Unmistakable asked, Priority priority);

@@ -103,6 +103,32 @@ TEST_F(DirtyLineTest, AStopEndsTheCleaning) {
   EXPECT_THAT(wire->sent, ElementsAre("X"));
 }
 
+TEST_F(DirtyLineTest, AStopThatComesWithTheCleaningAnswerEndsWhatWaitedForIt) {
+  miss();
+  Answer move;
+  ask_number(move, "I1M400,R");
+  time.run_for(Millis(60));
+  ASSERT_THAT(wire->sent, ElementsAre("X", "V"));
+  wire->listener->bytes_arrived("R");
+  station.preempt();
+  time.run_for(Duration::zero());
+  ASSERT_TRUE(move.came);
+  EXPECT_EQ(move.result.error().kind, FaultKind::stopped);
+  EXPECT_THAT(wire->sent, ElementsAre("X", "V"));
+}
+
+TEST_F(DirtyLineTest, AWireThatClosesAtTheEndOfTheSilenceIsLost) {
+  miss();
+  Answer next;
+  ask_number(next);
+  Timer closing(time, [this] { station.close(Fault(FaultKind::lost, "The connection was closed.")); });
+  closing.arm(time.now() + Millis(50));
+  time.run_for(Millis(60));
+  ASSERT_TRUE(next.came);
+  EXPECT_EQ(next.result.error().kind, FaultKind::lost);
+  EXPECT_THAT(wire->sent, ElementsAre("X"));
+}
+
 TEST_F(DirtyLineTest, EachAttemptAsksSomethingElseAndWaitsLonger) {
   miss();
   Answer first, second;
