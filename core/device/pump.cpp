@@ -9,6 +9,7 @@ namespace hw {
 namespace {
 
 constexpr Duration longest_clearing = std::chrono::seconds(8);  // the longest ramp, and a little
+constexpr Duration longest_end_of_a_command = std::chrono::seconds(1);
 
 }  // namespace
 
@@ -50,16 +51,7 @@ Task<> Pump::shut_down() {
   life_ = Life::leaves;
   refuse_queued("The controller was closed. Nothing was sent.");
   if (jogs_.any()) post_stop(StopOrder());
-  // A stop that was asked for a moment ago may still wait for the answer to a question. One that is typed
-  // behind the closing finds the wire until what runs has been looked at once more.
-  const Instant give_up = scheduler_.now() + longest_clearing;
-  const std::uint64_t last_look = something_runs() ? want_round() : 0;
-  const auto under_way = [&] {
-    if (station_ && station_->is_open() && desk_.due()) return true;
-    const bool looks = something_runs() && !jobs_.performs() && rounds_.ended() < last_look;
-    return connected() && (desk_.any() || looks || driver_->clears_up());
-  };
-  while (under_way() && scheduler_.now() < give_up) co_await published_.wait_until(give_up);
+  co_await let_end();
   if (std::string left = driver_->leaves_behind(); !left.empty())  // a lost link takes nothing away
     ways_.notify(Notice(Notice::Kind::warning, scheduler_.now(), std::move(left)));
   life_ = Life::closes;
@@ -73,6 +65,23 @@ Task<> Pump::shut_down() {
   desk_.clear();
   refuse_queued("The controller was closed. Nothing was sent.");
   while (asking_ > 0) co_await ended_.wait();
+}
+
+// What is on its way is let to its end, if that is near. A stop that was asked for a moment ago may still
+// wait for the answer to a question, or for a wire that is out; one that is typed behind the closing finds
+// the wire until what runs, or has just been begun, has been looked at once more.
+Task<> Pump::let_end() {
+  const Instant began = scheduler_.now(), given_up = began + longest_clearing;
+  const Instant cut_off = began + longest_end_of_a_command;
+  while (connected() && jobs_.performs() && scheduler_.now() < cut_off)
+    co_await published_.wait_until(cut_off);
+  const bool may_run = something_runs() || rounds_.often();
+  const std::uint64_t last_look = may_run && !jobs_.performs() ? want_round() : 0;
+  const auto under_way = [&] {
+    const bool seen = rounds_.ended() >= last_look && draft_.link.state == LinkState::good;
+    return desk_.any() || (connected() && ((last_look > 0 && !seen) || driver_->clears_up()));
+  };
+  while (under_way() && scheduler_.now() < given_up) co_await published_.wait_until(given_up);
 }
 
 bool Pump::connected() const { return draft_.link.connected(); }

@@ -85,6 +85,7 @@ class Pump {
   };
 
   // ---- pump.cpp: the life of the connection
+  Task<> let_end();
   Task<> live();
   Task<bool> open_and_connect();
   Task<bool> connect();
