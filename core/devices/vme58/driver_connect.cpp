@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include "core/device/nothing_known.h"
 #include "core/devices/vme58/catalog.h"
 #include "core/devices/vme58/driver.h"
 
@@ -112,12 +113,10 @@ void Vme58Driver::wire_lost() {
     wire_.tell(Notice::Kind::warning,
                "The contour that was being recorded is gone with the connection. Record it from its CD on.");
   lose_motions();
-  for (int i = 0; i < axes(); ++i) draft_.axes[i].position_known = false;
   speeds_.wire_lost();
   forget();
-  values_.forget();
-  lines_.forget();
-  draft_.window.known = false;
+  set_up_is_unknown(draft_);
+  nothing_is_known(draft_);
   conversation_.lose();
   samples_.end();
   wire_.detach();
