@@ -75,17 +75,15 @@ Task<Result<bool>> ArcusDriver::ask_incremental() {
   co_return readouts_.incremental();
 }
 
-// Where the axis stands, or its target with StepNLoop. A digit that was garbled on the wire would become a
-// wrong move, so a number that is not the one shown is asked for until two agree.
+// Where the axis stands, or its target with StepNLoop. A digit that was lost on the wire would become a wrong
+// move.
 Task<Result<std::int64_t>> ArcusDriver::ask_position(int axis) {
-  const std::string question = fill(forms_, forms_.position, axis);
-  std::int64_t last = draft_.axes[axis].position.value;
-  for (int attempt = 0; attempt < 4; ++attempt) {
-    auto position = co_await talk_.ask_number(question, Priority::intent);
-    if (!position) co_return fail(position.error());
-    if (*position == last) co_return *position;
-    last = *position;
-  }
+  std::string question = fill(forms_, forms_.position, axis);
+  Conversation::Decode decode = decode_number;
+  auto position = co_await talk_.ask_surely(std::move(question), std::move(decode),
+                                            draft_.axes[axis].position.value, Priority::intent);
+  if (position || !draft_.axes[axis].position_known || position.error().kind != FaultKind::garbled)
+    co_return position;
   co_return fail(
       FaultKind::garbled,
       fmt::format("Axis {} does not stand still, so it cannot be moved by a distance.", axis_name(axis)),
@@ -192,7 +190,8 @@ Task<Result<>> ArcusDriver::borrow_speed(Pps speed, int axis) {
     }
     if (own) name = fill(forms_, forms_.axis_high_speed, axis);
   }
-  co_return co_await borrowed_.borrow(std::move(name), wanted);
+  const auto shown = setup_.param(name);
+  co_return co_await borrowed_.borrow(std::move(name), wanted, shown);
 }
 
 // ---- a list of moves
