@@ -20,7 +20,7 @@ Pps ArcusDriver::fastest_way_to_zero(int index) const {
   if (!mind.ours || mind.wanted == Activity::homing) return at_once;
   const bool away = axis.position.value * axis.direction > 0;
   if (mind.wanted == Activity::jogging) return away ? Pps{} : std::max(axis.speed, mind.top_speed);
-  if (mind.stopping) return axis.speed;
+  if (mind.stopping) return away ? Pps{} : axis.speed;
   if (!axis.has_target) return at_once;
   if (axis.target != Steps(0)) return Pps{};
   return mind.top_speed.value > 0 ? std::max(axis.speed, mind.top_speed) : at_once;

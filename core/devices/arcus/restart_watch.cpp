@@ -58,9 +58,9 @@ void RestartWatch::look_at_counters(const Look& look, bool was_silent) {
     stands_at_zero = stands_at_zero && !stood_->axes[ix(i)].then.runs && axis.position == Steps(0) &&
                      axis.encoder == Steps(0);
     std::int64_t way = std::abs(stood.position.value) - stood.then.room.value;
+    came_nearer = came_nearer || way > std::abs(axis.position.value);
     if (!targets_stay) way = std::min(way, std::abs(stood.encoder.value));
     const double reach = stood.then.towards_zero.value > 0 ? stood.then.towards_zero.value * elapsed : 0;
-    came_nearer = came_nearer || way > std::abs(axis.position.value);
     jumped = jumped || static_cast<double>(way) > reach;
   }
   const bool a_program_did = was_silent && before->program_ran;
