@@ -116,6 +116,7 @@ class ArcusDriver final : public Driver {
   Task<Result<>> see_whether_it_stands();
   Task<Result<>> read_whole_motion(Priority priority);
   Task<Result<>> read_motion(Priority priority);
+  Task<Result<>> read_counters(Priority priority);
   Task<Result<>> read_loop(Priority priority);
   Task<Result<>> read_io(Priority priority);
   Task<> stay_live();

@@ -232,6 +232,7 @@ Task<Result<>> ArcusDriver::set_position(intent::SetPosition wish) {
             axis_name(axis));
       co_return set;
     }
+    watch_.position_was_set(axis, wish.value);
     draft_.axes[axis].trust.settle(Trust::set, scheduler_.now());
     draft_.axes[axis].has_target = false;  // it counts from elsewhere now
   }
@@ -245,6 +246,7 @@ Task<Result<>> ArcusDriver::set_encoder(intent::SetEncoder wish) {
     auto set = co_await talk_.command(set_command(fill(forms_, forms_.encoder, axis), wish.value.value),
                                       Priority::intent);
     if (!set) co_return set;
+    watch_.encoder_was_set(axis, wish.value);
     draft_.axes[axis].has_target = false;
   }
   co_return co_await read_motion(Priority::intent);

@@ -57,12 +57,15 @@ Task<Result<>> ArcusDriver::look_after_silence() {
   if (!watch_.was_silent()) co_return Result<>();
   const std::uint32_t restarts = draft_.restarts;
   const RestartWatch::Look look = watch_.begin_look();
-  auto seen = co_await read_whole_motion(Priority::intent);
-  if (seen) watch_.look_at_counters(look);
+  auto seen = co_await read_motion(Priority::intent);
   if (seen && watch_.in_doubt()) seen = co_await read_io(Priority::intent);
   if (seen && watch_.in_doubt()) seen = co_await watch_.look_at_motors(look);
-  if (!seen && seen.error().kind == FaultKind::stopped) co_return seen;
-  if (draft_.restarts == restarts) co_return Result<>();
+  if (seen && draft_.restarts == restarts) co_return seen;
+  if (!seen && worth_another_try(seen.error())) {
+    seen.error().kind = FaultKind::refused;
+    seen.error().done = "Nothing was sent.";
+  }
+  if (!seen) co_return seen;
   co_return fail(FaultKind::refused, "The controller was switched off and on, and stands otherwise now.",
                  "Nothing was sent.", "Look at its positions before you ask again.");
 }

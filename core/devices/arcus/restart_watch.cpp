@@ -31,6 +31,14 @@ void RestartWatch::goes_out(std::string_view command) {
   if (may_switch_motor(command)) motors_.may_be_set();
 }
 
+// No reading shows it yet, and the power may go before the next.
+void RestartWatch::position_was_set(int axis, Steps position) {
+  if (stood_) stood_->axes[ix(axis)].position = position;
+}
+void RestartWatch::encoder_was_set(int axis, Steps position) {
+  if (stood_) stood_->axes[ix(axis)].encoder = position;
+}
+
 void RestartWatch::forget() {
   stood_.reset();
   motors_on_.reset();
@@ -58,7 +66,8 @@ void RestartWatch::look_at_counters(const Look& look, bool was_silent) {
     stands_at_zero = stands_at_zero && !stood_->axes[ix(i)].then.runs && axis.position == Steps(0) &&
                      axis.encoder == Steps(0);
     std::int64_t way = std::abs(stood.position.value) - stood.then.room.value;
-    came_nearer = came_nearer || way > std::abs(axis.position.value);
+    const std::int64_t at_rest = stood.then.moving ? way : std::abs(stood.position.value);
+    came_nearer = came_nearer || at_rest > std::abs(axis.position.value);
     if (!targets_stay) way = std::min(way, std::abs(stood.encoder.value));
     const double reach = stood.then.towards_zero.value > 0 ? stood.then.towards_zero.value * elapsed : 0;
     jumped = jumped || static_cast<double>(way) > reach;

@@ -42,6 +42,9 @@ class RestartWatch {
   /// Whatever goes out, before it does: a change that it explains is no power-cycle.
   void goes_out(std::string_view command);
   void counters_may_be_set() { counters_.may_be_set(); }
+  /// It has confirmed that.
+  void position_was_set(int axis, Steps position);
+  void encoder_was_set(int axis, Steps position);
   /// What has gone out explains nothing any more.
   void settle() { counters_.settle(), targets_.settle(); }
 
