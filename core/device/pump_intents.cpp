@@ -286,7 +286,7 @@ Task<> Pump::perform_next() {
     performed = co_await guarded("command", driver_->perform(job->intent.body));
   }
   jobs_.end();
-  if (may_restart(job->intent.body)) jobs_.restart_was_asked(draft_.restarts);
+  if (performed && may_restart(job->intent.body)) jobs_.restart_was_asked(draft_.restarts);
   if (job->is_query) {
     job->answered = true;
     job->asker.resume(scheduler_.executor());
