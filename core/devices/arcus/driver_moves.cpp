@@ -122,6 +122,7 @@ Task<Result<>> ArcusDriver::move(std::vector<AxisTarget> wish, Pps speed, bool r
   for (std::size_t i = 0; started && i < axes.size(); ++i) {
     draft_.axes[axes[i]].has_target = true;
     draft_.axes[axes[i]].target = Steps(goals[i]);
+    watch_.was_sent_to(axes[i], Steps(goals[i]));
     minds_[ix(axes[i])].top_speed = speed.value > 0 ? speed : draft_.axes[axes[i]].own_speed;
   }
   auto returned = co_await borrowed_.give_back();

@@ -42,7 +42,8 @@ class RestartWatch {
   /// Whatever goes out, before it does: a change that it explains is no power-cycle.
   void goes_out(std::string_view command);
   void counters_may_be_set() { counters_.may_be_set(); }
-  /// It has confirmed that.
+  /// It has confirmed these.
+  void was_sent_to(int axis, Steps target);
   void position_was_set(int axis, Steps position);
   void encoder_was_set(int axis, Steps position);
   /// What has gone out explains nothing any more.
@@ -70,6 +71,7 @@ class RestartWatch {
     struct Axis {
       Steps position, encoder;
       AxisNow then;
+      bool sent_away = false;  ///< from zero, and not stopped since
     };
     std::array<Axis, max_axes> axes{};
     Instant seen_at{};
