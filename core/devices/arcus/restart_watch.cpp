@@ -74,7 +74,7 @@ void RestartWatch::look_at_counters(const Look& look, bool was_silent) {
     const std::int64_t at_rest = stood.then.moving ? way : std::abs(stood.position.value);
     const bool never_left = stood.sent_away && axis.error == AxisError::none;
     came_nearer = came_nearer || never_left || at_rest > std::abs(axis.position.value);
-    if (!targets_stay) way = std::min(way, std::abs(stood.encoder.value));
+    if (!targets_stay || stood.then.to_encoder) way = std::min(way, std::abs(stood.encoder.value));
     const double reach = stood.then.towards_zero.value > 0 ? stood.then.towards_zero.value * elapsed : 0;
     jumped = jumped || static_cast<double>(way) > reach;
   }

@@ -18,6 +18,7 @@ class RestartWatch {
   /// What is known of an axis beside the snapshot.
   struct AxisNow {
     bool runs = false, moving = false;
+    bool to_encoder = false;  ///< its stop under StepNLoop ends where the encoder stands, by its count too
     Pps towards_zero;  ///< by itself it comes to zero at most so fast
     Steps room;        ///< StepNLoop corrects it by so much
   };
