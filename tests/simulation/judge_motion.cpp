@@ -73,7 +73,7 @@ void Judge::began(int device, int a) {
                   fmt::format("Device {}: axis {} begins to move, and nobody has asked for it.", device, a));
   const Instant carries = faults_.carries_since(now);
   if (now > std::max(axis.stopped->at, carries) +
-                bound(axis, carries > axis.stopped->at - axis.stopped->after) + lateness())
+                bound(axis, carries >= axis.stopped->at - axis.stopped->after) + lateness())
     accuse("stop", fmt::format("Device {}: axis {} begins to move {:.3f} s after it was stopped.", device, a,
                                seconds(now - axis.stopped->at)));
 }
@@ -98,7 +98,7 @@ void Judge::judge_stops(int device) {
     const AxisCase& axis = d.axes[ix(a)];
     if (!axis.stopped || !axis.truth.moving || excused(d, a)) continue;
     const Instant carries = faults_.carries_since(now);
-    const bool hurt = carries > axis.stopped->at - axis.stopped->after;
+    const bool hurt = carries >= axis.stopped->at - axis.stopped->after;
     const Instant deadline = std::max(carries, axis.stopped->at) + bound(axis, hurt) + axis.stopped->ramp;
     if (now > deadline)
       accuse("stop", fmt::format("Device {}: axis {} still moves {:.3f} s after it was stopped{}.", device, a,
