@@ -347,8 +347,11 @@ void Pump::set_fate(const IntentFate& told) {
   if (told.id == 0) return;
   auto& fates = draft_.fates;
   auto at = std::find_if(fates.begin(), fates.end(), [&](const IntentFate& f) { return f.id == told.id; });
-  if (at == fates.end()) {
-    std::move_backward(fates.begin(), fates.end() - 1, fates.end());
+  if (at == fates.end()) {  // what still waits is not forgotten for what is over
+    const auto over = std::find_if(fates.rbegin(), fates.rend(),
+                                   [](const IntentFate& f) { return f.id == 0 || f.fate != Fate::pending; });
+    const auto room = over == fates.rend() ? fates.end() - 1 : over.base() - 1;
+    std::move_backward(fates.begin(), room, room + 1);
     at = fates.begin();
   }
   *at = told;

@@ -31,7 +31,7 @@ void Pump::post_stop(StopOrder order) {
   const StopOrder& asked = desk_.ask(std::move(order));
   if (!another) drop_what_waits();
   const StopOrder* sending = desk_.sending();
-  if (station_ && !(sending && sending->covers(asked))) station_->preempt();
+  if (station_ && !(sending && sending->outlasts(asked))) station_->preempt();
   outage_.hurry();
   publish();
   wake_.notify();

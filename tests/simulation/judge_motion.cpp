@@ -73,7 +73,7 @@ void Judge::began(int device, int a) {
                   fmt::format("Device {}: axis {} begins to move, and nobody has asked for it.", device, a));
   const Instant carries = faults_.carries_since(now);
   if (now > std::max(axis.stopped->at, carries) +
-                bound(axis, carries > axis.stopped->at - axis.stopped->after) + lateness())
+                bound(axis, carries >= axis.stopped->at - axis.stopped->after) + lateness())
     accuse("stop", fmt::format("Device {}: axis {} begins to move {:.3f} s after it was stopped.", device, a,
                                seconds(now - axis.stopped->at)));
 }
@@ -98,7 +98,7 @@ void Judge::judge_stops(int device) {
     const AxisCase& axis = d.axes[ix(a)];
     if (!axis.stopped || !axis.truth.moving || excused(d, a)) continue;
     const Instant carries = faults_.carries_since(now);
-    const bool hurt = carries > axis.stopped->at - axis.stopped->after;
+    const bool hurt = carries >= axis.stopped->at - axis.stopped->after;
     const Instant deadline = std::max(carries, axis.stopped->at) + bound(axis, hurt) + axis.stopped->ramp;
     if (now > deadline)
       accuse("stop", fmt::format("Device {}: axis {} still moves {:.3f} s after it was stopped{}.", device, a,
@@ -112,8 +112,9 @@ void Judge::judge_stops(int device) {
 /// What the stop of that axis may take, beside its ramp.
 Duration Judge::bound(const AxisCase& axis, bool hurt) const {
   if (hurt) return stop_after_hurt;
-  if (axis.stopped->doubtful || !prompt()) return stop_on_doubtful_wire;
-  return stop_on_prompt_wire + neighbour_stops * (devices_.size() - 1);
+  const Duration neighbours = neighbour_stops * (devices_.size() - 1);
+  if (axis.stopped->doubtful || !prompt()) return stop_on_doubtful_wire + neighbours;
+  return stop_on_prompt_wire + neighbours;
 }
 
 /// Nothing has been wrong with the wire for a while.
