@@ -272,8 +272,7 @@ Task<> Pump::perform_next() {
     job->reply = co_await guarded("question", driver_->query(job->text, job->patience));
   } else if (!performed && job->is_query) {
     job->reply = fail(performed.error());
-  } else if (performed && says_where_it_stands(job->intent.body) &&
-             job->restarts_before != draft_.restarts) {
+  } else if (performed && says_where_it_stands(job->intent.body) && job->restarts_before != draft_.restarts) {
     performed = fail(FaultKind::refused, "The controller was switched off and on after this was asked for.",
                      "Nothing was sent.", "Look where it stands, and ask again.");
   } else if (performed && doubtful != 0) {
