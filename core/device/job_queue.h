@@ -17,8 +17,8 @@ namespace hw {
 /// An intent, or a question with its waiting coroutine.
 struct Job {
   Intent intent;
-  TextMeaning meaning;             ///< of a text
-  std::uint64_t stops_before = 0;  ///< of all controllers on this wire, for a text to all of them
+  TextMeaning meaning;                ///< of a text
+  std::uint64_t stops_before = 0;     ///< of all controllers on this wire, for a text to all of them
   std::uint32_t restarts_before = 0;  ///< of the controller, as far as was known
   bool is_query = false;
   std::string text;

@@ -261,6 +261,7 @@ Task<> Pump::perform_next() {
   // What no driver is asked for: see refusals.h.
   const std::uint32_t doubtful = doubtful_axes(catalog_, draft_, job->intent.body);
   const std::uint64_t epoch = desk_.epoch();
+  const std::uint32_t restarts = draft_.restarts;
   Result<> performed = may_go_to_all(*job);
   if (performed && jobs_.performs_for_all_on_the_wire() && ways_.line)
     ways_.line->for_each_but(*this, [&](Pump& other) {
@@ -271,8 +272,7 @@ Task<> Pump::perform_next() {
     job->reply = co_await guarded("question", driver_->query(job->text, job->patience));
   } else if (!performed && job->is_query) {
     job->reply = fail(performed.error());
-  } else if (performed && says_where_it_stands(job->intent.body) &&
-             job->restarts_before != draft_.restarts) {
+  } else if (performed && says_where_it_stands(job->intent.body) && job->restarts_before != draft_.restarts) {
     performed = fail(FaultKind::refused, "The controller was switched off and on after this was asked for.",
                      "Nothing was sent.", "Look where it stands, and ask again.");
   } else if (performed && doubtful != 0) {
@@ -286,7 +286,8 @@ Task<> Pump::perform_next() {
     performed = co_await guarded("command", driver_->perform(job->intent.body));
   }
   jobs_.end();
-  if (performed && may_restart(job->intent.body)) jobs_.restart_was_asked(draft_.restarts);
+  if (performed && draft_.restarts != restarts && may_restart(job->intent.body))
+    jobs_.restart_was_asked(draft_.restarts);
   if (job->is_query) {
     job->answered = true;
     job->asker.resume(scheduler_.executor());

@@ -266,8 +266,7 @@ void Link::hear_it_out() {
   const Transaction& t = in_flight_->transaction;
   const bool is_stop = t.priority == Priority::stop && !t.own_question;  // it is to be said again
   if (is_stop || !waiting_[static_cast<std::size_t>(Priority::stop)].empty()) return;
-  const Instant latest =
-      std::min({scheduler_.now() + longest_gap, sent_at_ + longest_answer, latest_end_});
+  const Instant latest = std::min({scheduler_.now() + longest_gap, sent_at_ + longest_answer, latest_end_});
   if (latest > deadline_at_) deadline_.arm(deadline_at_ = latest);
 }
 

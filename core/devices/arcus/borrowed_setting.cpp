@@ -18,8 +18,8 @@ Task<Result<>> BorrowedSetting::give_back() {
   if (!borrowed_) co_return Result<>();
   if (borrowed_->left_alone) {
     Conversation::Decode decode = decode_number;
-    auto present = co_await talk_.ask_surely(borrowed_->name, std::move(decode), borrowed_->for_now,
-                                             Priority::intent);
+    auto present =
+        co_await talk_.ask_surely(borrowed_->name, std::move(decode), borrowed_->for_now, Priority::intent);
     if (!present) co_return fail(present.error());
     if (borrowed_ && *present != borrowed_->for_now) borrowed_.reset();
     if (!borrowed_) co_return Result<>();

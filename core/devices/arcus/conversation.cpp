@@ -172,8 +172,8 @@ std::optional<Station::Unmistakable> Conversation::unmistakable(const OwedAnswer
 
 Station::Unmistakable Conversation::asks_who(std::string_view question,
                                              std::function<bool(std::string_view)> is_it) const {
-  Transaction t(framed(question),
-                framing() == Framing::message ? ReplyShape::message() : ReplyShape::text(), Priority::poll);
+  Transaction t(framed(question), framing() == Framing::message ? ReplyShape::message() : ReplyShape::text(),
+                Priority::poll);
   t.look = looks::of_question(forms_, question);
   t.prompt = true;
   t.stranger = [is_it](std::string_view bytes) { return looks::others_at_front(bytes, is_it); };
@@ -253,8 +253,7 @@ Task<Result<std::int64_t>> Conversation::ask_number(std::string question, Priori
 }
 
 Task<Result<std::int64_t>> Conversation::ask_surely(std::string question, Decode decode,
-                                                    std::optional<std::int64_t> expected,
-                                                    Priority priority) {
+                                                    std::optional<std::int64_t> expected, Priority priority) {
   constexpr int attempts = 4;
   std::function<bool(std::string_view)> makes_sense = [&decode](std::string_view text) {
     return decode(text).has_value();

@@ -27,13 +27,13 @@ Pps ArcusDriver::fastest_way_to_zero(int index) const {
 }
 
 RestartWatch::Ways ArcusDriver::ways_of_watch() {
-  return {[this](int axis) {
-            const Steps room = draft_.axes[axis].in_counts ? Steps(loop_tolerance(axis)) : Steps(0);
-            const bool to_encoder = minds_[ix(axis)].stopping && draft_.axes[axis].in_counts;
-            return RestartWatch::AxisNow{runs(axis), moving(axis), to_encoder, fastest_way_to_zero(axis),
-                                         room};
-          },
-          [this](std::string_view how_it_shows, unsigned moved) { restarted(how_it_shows, moved); }};
+  return {
+      [this](int axis) {
+        const Steps room = draft_.axes[axis].in_counts ? Steps(loop_tolerance(axis)) : Steps(0);
+        const bool to_encoder = minds_[ix(axis)].stopping && draft_.axes[axis].in_counts;
+        return RestartWatch::AxisNow{runs(axis), moving(axis), to_encoder, fastest_way_to_zero(axis), room};
+      },
+      [this](std::string_view how_it_shows, unsigned moved) { restarted(how_it_shows, moved); }};
 }
 
 // Whatever is sent or heard goes through here before it is.

@@ -58,7 +58,8 @@ Task<Result<std::string>> ArcusDriver::stop_by_words(const StopOrder& order) {
   if (stopped && stopped->starts_with('?'))  // it has heard something else
     co_return fail(FaultKind::controller, fmt::format("The controller answered {} to {}.", *stopped, text));
   const bool its_own = address_of(text) < 0 || address_of(text) == catalog_.address;
-  if (stopped && its_own && ends_motion(command_in(text)) && *stopped != "OK")  // the answer to what was before
+  if (stopped && its_own && ends_motion(command_in(text)) &&
+      *stopped != "OK")  // the answer to what was before
     co_return fail(FaultKind::garbled, fmt::format("The controller answered {} to {}.", *stopped, text),
                    "It was sent, and the console's own stop behind it.");
   if (!stopped || !more) co_return stopped;

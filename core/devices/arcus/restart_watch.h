@@ -19,8 +19,8 @@ class RestartWatch {
   struct AxisNow {
     bool runs = false, moving = false;
     bool to_encoder = false;  ///< its stop under StepNLoop ends where the encoder stands, by its count too
-    Pps towards_zero;  ///< by itself it comes to zero at most so fast
-    Steps room;        ///< StepNLoop corrects it by so much
+    Pps towards_zero;         ///< by itself it comes to zero at most so fast
+    Steps room;               ///< StepNLoop corrects it by so much
   };
   struct Ways {
     std::function<AxisNow(int axis)> axis_now;
