@@ -55,7 +55,8 @@ Task<> Pump::shut_down() {
   const Instant give_up = scheduler_.now() + longest_clearing;
   const std::uint64_t last_look = something_runs() ? want_round() : 0;
   const auto under_way = [&] {
-    if (station_ && station_->is_open() && desk_.due()) return true;
+    const StopOrder* due = station_ && station_->is_open() ? desk_.due() : nullptr;
+    if (due && (rounds_.ended() > 0 || due->times_sent == 0)) return true;  // one whom nobody has seen: once
     const bool looks = something_runs() && !jobs_.performs() && rounds_.ended() < last_look;
     return connected() && (desk_.any() || looks || driver_->clears_up());
   };

@@ -89,7 +89,9 @@ TextMeaning meaning_of(std::string_view text, Context context, int axes) {
   meaning.answered = answers ? TextMeaning::Answered::at_once : TextMeaning::Answered::never;
   const StopsInText stops = stops_in(commands, axes);
   if (stops.any()) meaning.stops = stops.all ? TextMeaning::Stops::all : TextMeaning::Stops::some;
-  if (!stops.all && stops.axes.size() == 1) meaning.axis = *stops.axes.begin();
+  if (stops.all) return meaning;
+  if (stops.axes.size() == 1) meaning.axis = *stops.axes.begin();
+  for (const int axis : stops.axes) meaning.axes |= axis == several ? (1u << axes) - 1 : 1u << axis;
   return meaning;
 }
 
