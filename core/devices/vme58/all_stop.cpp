@@ -14,7 +14,7 @@ Task<Result<>> AllStop::send(std::string_view word) {
   behind_ = Behind::not_known;
   rests_since_ = wire_.now();
   auto mailed = co_await mailbox_.mail_past_ring(word);
-  const bool may_be_deaf = mailbox_deaf_ || motions_.creeps_unseen(-1);
+  const bool may_be_deaf = mailbox_deaf_ || !any_moves();
   const bool ring_may_do = mailed ? may_be_deaf : mailed.error().kind == FaultKind::no_answer;
   if (!ring_may_do || !conversation_.is_known()) co_return mailed;
   std::string text = std::string(word) + "\n";

@@ -21,7 +21,8 @@ class AllStop {
         catalog_(catalog),
         draft_(draft) {}
 
-  /// Through the ring too where the mailbox does nothing, or where it would not show that it does nothing.
+  /// Through the ring too where the mailbox does nothing, or where it would not show that it does nothing: no
+  /// axis turns fast enough to be seen slowing down, and one may creep all the same.
   Task<Result<>> send(std::string_view word);
   /// A stop of all empties the queues, and one that was not obeyed leaves what waits there: between two of
   /// its motions an axis rests for a moment. Asked as soon as none turns.
