@@ -55,11 +55,6 @@ bool moves_in_queue(Op op) {
   }
 }
 
-bool selects(const TextCommand& command) {
-  return command.fact && ((command.fact->op >= Op::AX && command.fact->op <= Op::AS) || command.is(Op::AA) ||
-                          command.is(Op::AM));
-}
-
 bool is_question(const TextCommand& command) { return command.fact && command.fact->when == When::query; }
 
 ReplyForm reply_form(const TextCommand& question, int axes) {
