@@ -78,6 +78,8 @@ Task<> Pump::let_end() {
   const bool may_run = something_runs() || rounds_.often();
   const std::uint64_t last_look = may_run && !jobs_.performs() ? want_round() : 0;
   const auto under_way = [&] {
+    const StopOrder* due = station_ && station_->is_open() ? desk_.due() : nullptr;
+    if (rounds_.ended() == 0 && !connected()) return due && due->times_sent == 0;  // nobody was ever seen: once
     const bool seen = rounds_.ended() >= last_look && draft_.link.state == LinkState::good;
     return desk_.any() || (connected() && ((last_look > 0 && !seen) || driver_->clears_up()));
   };
