@@ -257,7 +257,8 @@ Task<> Pump::serve() {
 Round Pump::next_round() const {
   const auto& stops = desk_.orders();
   const bool confirmed = std::all_of(stops.begin(), stops.end(), [](const auto& o) { return o.confirmed; });
-  if (rounds_.one_is_wanted() && confirmed) return Round::everything;
+  const bool prompt = stops.empty() || !station_->is_dirty();  // else its questions take seconds
+  if (rounds_.one_is_wanted() && confirmed && prompt) return Round::everything;
   return stops.empty() ? Round::usual : Round::stopping;
 }
 
@@ -298,7 +299,10 @@ void Pump::poll_finished(const Result<>& result) {
   if (nobody_answers()) return lose_wire(not_answering());
   if (s.misses_in_a_row >= misses_until_a_jog_ends) stop_jogs_out_of_sight();
   forget_jogs_that_ended();
-  if (result) look_at_stops();
+  if (result)
+    look_at_stops();
+  else
+    desk_.send_all_again();  // nothing shows that they have arrived
   if (result) tell_what_came_of_the_loss();
   const bool understood =
       result || (result.error().kind != FaultKind::garbled && result.error().kind != FaultKind::refused);

@@ -53,6 +53,8 @@ class Judge final : public Witness {
   static constexpr Duration line_shows = std::chrono::seconds(3);
   /// A motion that was asked for begins: legs of homing, queued commands, an answer awaited in between.
   static constexpr Duration excuse_lasts = Millis(1500);
+  /// Each of them may be as late as the wire: where the leg before has ended, what is written for the next.
+  static constexpr int questions_between_motions = 8;
   /// An intent waits for those before it, each of them for its deadlines and their repetitions.
   static constexpr Duration longest_fate = std::chrono::seconds(30);
   static constexpr Duration longest_close = std::chrono::seconds(15);
@@ -184,6 +186,9 @@ class Judge final : public Witness {
   void tick();
   void accuse(std::string law, std::string sentence);
   [[nodiscard]] DeviceCase& at(int device) { return devices_.at(static_cast<std::size_t>(device)); }
+  [[nodiscard]] const DeviceCase& at(int device) const {
+    return devices_.at(static_cast<std::size_t>(device));
+  }
   void note(int device, char way, std::string_view bytes);
   void count_stop(int device, std::uint32_t axes, bool at_once);
 
@@ -196,6 +201,7 @@ class Judge final : public Witness {
   void judge_stops(int device);
   void judge_kill(int device);
   [[nodiscard]] Duration bound(const AxisCase& axis, bool hurt) const;
+  [[nodiscard]] Instant carries_a_stop(int device) const;
   [[nodiscard]] bool prompt() const;
   [[nodiscard]] Duration lateness() const;
 

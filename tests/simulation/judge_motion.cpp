@@ -54,7 +54,7 @@ void Judge::keep_excuses(DeviceCase& d) const {
         e.id != 0 && d.session && (fate ? fate->fate == Fate::pending : !d.session->known().forgotten(e.id));
     if (waits || (d.truth.moving() & e.axes) != 0 || d.truth.program) e.alive = now;
     e.alive = std::max(e.alive, std::min(now, faults_.out.hurt()));
-    return now - e.alive > excuse_lasts + lateness();
+    return now - e.alive > excuse_lasts + questions_between_motions * lateness();
   });
 }
 
@@ -71,7 +71,7 @@ void Judge::began(int device, int a) {
   if (!axis.stopped)
     return accuse("asked",
                   fmt::format("Device {}: axis {} begins to move, and nobody has asked for it.", device, a));
-  const Instant carries = faults_.carries_since(now);
+  const Instant carries = carries_a_stop(device);
   if (now > std::max(axis.stopped->at, carries) +
                 bound(axis, carries >= axis.stopped->at - axis.stopped->after) + lateness())
     accuse("stop", fmt::format("Device {}: axis {} begins to move {:.3f} s after it was stopped.", device, a,
@@ -91,13 +91,19 @@ void Judge::rested(int device, int a) {
                                  device, a, made));
 }
 
+// What ends a stored program takes steps (hold, ramp, end), each behind what was seen of the one before.
+Instant Judge::carries_a_stop(int device) const {
+  const Instant out = faults_.carries_since(scheduler_.now());
+  return at(device).truth.program ? std::max(out, faults_.in.hurt()) : out;
+}
+
 void Judge::judge_stops(int device) {
   const DeviceCase& d = at(device);
   const Instant now = scheduler_.now();
   for (int a = 0; a < d.truth.axis_count; ++a) {
     const AxisCase& axis = d.axes[ix(a)];
     if (!axis.stopped || !axis.truth.moving || excused(d, a)) continue;
-    const Instant carries = faults_.carries_since(now);
+    const Instant carries = carries_a_stop(device);
     const bool hurt = carries >= axis.stopped->at - axis.stopped->after;
     const Instant deadline = std::max(carries, axis.stopped->at) + bound(axis, hurt) + axis.stopped->ramp;
     if (now > deadline)

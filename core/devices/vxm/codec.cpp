@@ -179,6 +179,7 @@ static std::size_t before(std::string_view received, std::string_view reply_star
 std::size_t before_number(std::string_view received) { return before(received, "+-0123456789"); }
 std::size_t before_state(std::string_view received) { return before(received, "BRJb"); }
 std::size_t before_prompt(std::string_view received) { return before(received, "^"); }
+std::size_t before_listing(std::string_view received) { return before(received, "P"); }
 
 bool could_be_message(char byte) {
   return next_message(std::string_view(&byte, 1)).kind != Message::Kind::unknown;

@@ -81,9 +81,10 @@ struct Message {
 Message next_message(std::string_view bytes);
 
 // How much at the front of what came in is no part of the reply: Transaction::stranger.
-std::size_t before_number(std::string_view received);  ///< replies that begin with a digit or sign
-std::size_t before_state(std::string_view received);   ///< V
-std::size_t before_prompt(std::string_view received);  ///< K, rsm
+std::size_t before_number(std::string_view received);   ///< replies that begin with a digit or sign
+std::size_t before_state(std::string_view received);    ///< V
+std::size_t before_prompt(std::string_view received);   ///< K, rsm
+std::size_t before_listing(std::string_view received);  ///< lst
 
 /// Bytes as a sentence shows them: "<cr>", "<FF>".
 std::string printable(std::string_view bytes);

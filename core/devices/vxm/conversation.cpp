@@ -73,7 +73,8 @@ Task<Result<std::string>> Conversation::exchange(Transaction t) {
 // A question may be asked once more when its answer was garbled or did not come, and more often while the
 // controller is being opened; nothing else is ever repeated. What is owed by then is seen to in between.
 template <class T>
-Task<Result<T>> Conversation::decoded(Transaction question, std::optional<T> (*decode)(std::string_view)) {
+Task<Result<T>> Conversation::decoded(Transaction question,
+                                      std::function<std::optional<T>(std::string_view)> decode) {
   Result<std::string> reply{std::string()};
   const int attempts = patient_ ? 4 : 2;
   for (int attempt = 0; attempt < attempts; ++attempt) {
@@ -85,6 +86,7 @@ Task<Result<T>> Conversation::decoded(Transaction question, std::optional<T> (*d
     } else if (!worth_another_try(reply.error())) {
       break;
     }
+    ++repeats_;
     const bool is_lost = !reply && was_dirty && !patient_;
     if (is_lost || listening_().halted) break;  // halted it answers nothing until K
     auto quiet = co_await wait_for_quiet();
@@ -99,27 +101,44 @@ Task<Result<T>> Conversation::decoded(Transaction question, std::optional<T> (*d
 
 Task<Result<char>> Conversation::state(Priority priority) {
   auto t = own_question("V", ReplyShape::bytes(1), priority, before_state, look::letter);
-  co_return co_await decoded(std::move(t), decode_state);
+  co_return co_await decoded<char>(std::move(t), decode_state);
 }
 
 Task<Result<Steps>> Conversation::position(int motor, Priority priority) {
   auto t = own_question(ask_position(motor), ReplyShape::line(), priority, before_number, look::position);
-  co_return co_await decoded(std::move(t), decode_position);
+  co_return co_await decoded<Steps>(std::move(t), decode_position);
 }
 
 Task<Result<std::int64_t>> Conversation::number(std::string question, Priority priority) {
   auto t = own_question(std::move(question), ReplyShape::line(), priority, before_number, look::number);
-  co_return co_await decoded(std::move(t), decode_number);
+  co_return co_await decoded<std::int64_t>(std::move(t), decode_number);
+}
+
+Task<Result<>> Conversation::confirm(std::string text, std::int64_t number, Priority priority) {
+  auto t = own_question(std::move(text), ReplyShape::line(), priority, before_number, look::number);
+  const auto decode = [number](std::string_view reply) {
+    const auto told = decode_number(reply);
+    return told == number ? told : std::nullopt;
+  };
+  auto told = co_await decoded<std::int64_t>(std::move(t), decode);
+  if (!told) co_return fail(told.error());
+  co_return Result<>();
 }
 
 Task<Result<std::string>> Conversation::text(std::string question, Priority priority) {
   auto t = own_question(std::move(question), ReplyShape::line(), priority, before_number, look::text);
-  co_return co_await decoded(std::move(t), decode_text_line);
+  co_return co_await decoded<std::string>(std::move(t), decode_text_line);
 }
 
 Task<Result<Listing>> Conversation::listing(Priority priority) {
   auto t = own_question("lst", ReplyShape::until_quiet(listing_quiet_ms), priority, nullptr, look::lines);
-  co_return co_await decoded(std::move(t), decode_listing);
+  co_return co_await decoded<Listing>(std::move(t), decode_listing);
+}
+
+Task<Result<Listing>> Conversation::listing_of(std::size_t commands, Priority priority) {
+  const auto lines = ReplyShape::several_lines(static_cast<std::uint16_t>(commands + 1));
+  auto t = own_question("lst", lines, priority, before_listing, look::lines);
+  co_return co_await decoded<Listing>(std::move(t), decode_listing);
 }
 
 // It can be any value, also that of a prompt. When it could be one and a second byte follows at once, the two

@@ -34,8 +34,13 @@ class Conversation {
   Task<Result<char>> state(Priority priority);
   Task<Result<Steps>> position(int motor, Priority priority);
   Task<Result<std::int64_t>> number(std::string question, Priority priority);
+  /// What is sent has had its effect when its last question is answered by this number; else it is sent once
+  /// more, and so must do no harm when it comes twice.
+  Task<Result<>> confirm(std::string text, std::int64_t number, Priority priority);
   Task<Result<std::string>> text(std::string question, Priority priority);
   Task<Result<Listing>> listing(Priority priority);
+  /// One of so many commands, without the silence that ends it else.
+  Task<Result<Listing>> listing_of(std::size_t commands, Priority priority);
   /// ?, ~ or $. Its answer may be any byte: it is to be believed when what was asked after it was answered,
   /// and no stray() has come meanwhile.
   Task<Result<unsigned char>> raw(char question, Priority priority);
@@ -62,6 +67,8 @@ class Conversation {
   [[nodiscard]] Instant heard_at() const { return heard_at_; }
   /// How many bytes have come that belong to no answer and to no message.
   [[nodiscard]] std::uint32_t strays() const { return strays_; }
+  /// How often a question was asked once more: what went with it may have arrived as something else.
+  [[nodiscard]] std::uint32_t repeats() const { return repeats_; }
   /// How often the line was cleaned.
   [[nodiscard]] std::uint32_t times_cleaned() const { return station_ ? station_->times_cleaned() : 0; }
   [[nodiscard]] bool echoes() const { return echoes_; }
@@ -70,7 +77,7 @@ class Conversation {
  private:
   Task<Result<std::string>> exchange(Transaction transaction);
   template <class T>
-  Task<Result<T>> decoded(Transaction question, std::optional<T> (*decode)(std::string_view));
+  Task<Result<T>> decoded(Transaction question, std::function<std::optional<T>(std::string_view)> decode);
   std::size_t hear(std::string_view bytes);
   [[nodiscard]] bool believes(const Message& message) const;
 
@@ -84,7 +91,7 @@ class Conversation {
   Instant heard_at_{};
   std::string asked_;  ///< last: what comes back of it unchanged is an echo
   bool echoes_ = false;
-  std::uint32_t strays_ = 0;
+  std::uint32_t strays_ = 0, repeats_ = 0;
   bool raw_asked_ = false;
   std::optional<char> second_raw_;
 };

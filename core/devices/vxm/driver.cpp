@@ -28,6 +28,7 @@ VxmDriver::VxmDriver(DriverContext context)
       signals_(console_, talk_, nameplate_),
       parameters_(console_, talk_, nameplate_, [this] { return may_change(); }),
       slots_(console_, talk_, parameters_, [this] { return may_change(); }),
+      scratch_(talk_, slots_),
       sight_(scheduler_) {
   draft_.axis_count = static_cast<int>(console_.catalog.axes.size());
   draft_.identity.model = console_.catalog.name;

@@ -3,8 +3,8 @@
 //   conversation.h      questions and answers         nameplate.h  what it is
 //   signals.h           limits, inputs, outputs       parameters.h values of set and get, storing
 //   slots.h             what its five programs hold   greeting.h   what answers at first
+//   scratch.h           the one of its own moves      hold.h       whether H is on
 //   sight.h             which motors turn             speeds.h     S, and whose it is
-//   hold.h              whether H is on
 // and, with what goes on in the controller as their common state, one subject per file:
 //   driver_talk.cpp     what comes unasked
 //   driver_text.cpp     raw text of users and scripts
@@ -32,6 +32,7 @@
 #include "core/devices/vxm/hold.h"
 #include "core/devices/vxm/nameplate.h"
 #include "core/devices/vxm/parameters.h"
+#include "core/devices/vxm/scratch.h"
 #include "core/devices/vxm/sight.h"
 #include "core/devices/vxm/signals.h"
 #include "core/devices/vxm/slots.h"
@@ -175,10 +176,10 @@ class VxmDriver final : public Driver {
   Task<Result<>> begin(Job job);
   void forget_how_it_ended();
   Task<Result<>> start_leg();
+  Result<> never_begun(const Result<>& why);
   Task<Result<>> run_quickly(Leg leg);
   Task<Result<>> end_leg(Priority priority);
   Result<> cut_short() const;
-  Task<Result<>> clean_scratch();
   Task<Result<>> restore_speeds();
   std::string leg_program(const Leg& leg);
   EndedBy how_it_ended(const Leg& leg) const;
@@ -244,6 +245,7 @@ class VxmDriver final : public Driver {
   Signals signals_;
   Parameters parameters_;
   Slots slots_;
+  Scratch scratch_;
   Sight sight_;
   Speeds speeds_;
   Hold hold_;
@@ -254,7 +256,6 @@ class VxmDriver final : public Driver {
   bool lost_while_busy_ = false;
 
   Job job_;
-  int scratch_ = -1;  ///< slot that holds a leg of ours and must be emptied; -1: none
   bool stored_running_ = false;
   bool reset_said_ = false;       ///< res by a text of the user's; its restart has not been seen
   bool restart_counted_ = false;  ///< it has not been seen on-line since

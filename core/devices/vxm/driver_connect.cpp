@@ -229,7 +229,7 @@ void VxmDriver::stands_after_restart(Doubt why) {
 void VxmDriver::forget_ram() {
   hold_.ended();
   halted_ = 0;
-  scratch_ = -1;
+  scratch_.forget();
   nameplate_.forget();
   parameters_.forget();
   slots_.forget();
@@ -258,6 +258,7 @@ void VxmDriver::wire_lost() {
   ended_run_.reset();
   draft_.working = false;
   ramp_.reset();
+  hold_.wire_lost();
   if (job_.active() && job_.legs.size() > 1) job_.legs.erase(job_.legs.begin() + 1, job_.legs.end());
   job_.jog = false;  // nothing of ours begins by itself after this
   for (int i = 0; i < draft_.axis_count; ++i) {

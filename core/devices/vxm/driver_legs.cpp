@@ -1,6 +1,4 @@
-// How a move of the console is carried out: a run of a program that lst has shown empty. The program is
-// emptied and the user's selection put back afterwards, so that the Run button never repeats a move of the
-// console.
+// How a move of the console is carried out: a run of the scratch program.
 //
 // S lasts beyond a run and cannot be read. A move with a speed of its own therefore ends by putting back what
 // the user's last S said, or 2000 steps/s, the power-up value, if none was seen.
@@ -20,8 +18,6 @@ constexpr Duration quick_patience = std::chrono::seconds(1);
 
 std::string VxmDriver::leg_program(const Leg& leg) {
   std::string text;
-  if (hold_.is_on()) text += "H";  // else it would hold before the first command
-  text += empty_program(scratch_);
   for (const int axis : {leg.axis, leg.second_axis}) {
     if (axis < 0) continue;
     const int usual = speeds_.usual(axis);
@@ -33,7 +29,7 @@ std::string VxmDriver::leg_program(const Leg& leg) {
   text += leg.text;
   for (const int axis : {leg.axis, leg.second_axis})
     if (axis >= 0 && leg.speed > 0) text += speed(axis + 1, speeds_.usual(axis));
-  return text + "R";
+  return text;
 }
 
 Task<Result<>> VxmDriver::begin(Job job) {
@@ -43,9 +39,8 @@ Task<Result<>> VxmDriver::begin(Job job) {
     auto read = co_await catch_up();
     if (!read) co_return read;
   }
-  auto slot = co_await slots_.find_empty();
-  if (!slot) co_return fail(slot.error());
-  scratch_ = *slot;
+  auto found = co_await scratch_.take();
+  if (!found) co_return found;
   ramp_.reset();
   forget_how_it_ended();
   job_ = std::move(job);
@@ -57,25 +52,31 @@ void VxmDriver::forget_how_it_ended() {
   for (int i = 0; i < draft_.axis_count; ++i) draft_.axes[i].ended_by = EndedBy::nothing;
 }
 
+// R alone begins a motion: it goes out once, behind what lst has shown.
 Task<Result<>> VxmDriver::start_leg() {
   const Leg& leg = job_.legs.front();
+  auto filled = co_await scratch_.fill(leg_program(leg));
+  if (!filled) co_return never_begun(filled);
   job_.leg_over = job_.limit_reported = false;
   for (const int axis : {leg.axis, leg.second_axis})
     if (axis >= 0 && leg.speed > 0) speeds_.borrow(axis);
-  std::string program = leg_program(leg);
-  const bool held = hold_.is_on();
+  const bool held = hold_.is_on();  // it would hold before the first command
   hold_.was_switched(false);
   show_leg(leg);
-  auto sent = co_await talk_.say(std::move(program), Priority::intent);
-  if (sent || sent.error().kind != FaultKind::stopped) slots_.was_chosen(scratch_);
+  auto sent = co_await talk_.say(held ? "HR" : "R", Priority::intent);
   if (sent) co_return sent;
   hold_.was_switched(held);
   if (held && sent.error().kind == FaultKind::lost) hold_.doubt();
-  // A stop came first: nothing of it has gone out.
+  co_return never_begun(sent);
+}
+
+/// A stop came first, or the program did not get there.
+Result<> VxmDriver::never_begun(const Result<>& why) {
   const std::deque<Leg> never = std::exchange(job_.legs, {});
-  if (!never.empty()) show_leg_ended(never.front(), EndedBy::stop);
+  const bool stopped = why.error().kind == FaultKind::stopped;
+  if (!never.empty()) show_leg_ended(never.front(), stopped ? EndedBy::stop : EndedBy::elsewhere);
   job_ = Job();
-  co_return sent;
+  return why;
 }
 
 void VxmDriver::show_leg(const Leg& leg) {
@@ -109,7 +110,7 @@ Task<Result<>> VxmDriver::settle() {
     if (job_.active()) co_return co_await start_leg();
   }
   if (busy() || halted_ || mode_ != Mode::on_line) co_return Result<>();
-  auto cleaned = co_await clean_scratch();
+  auto cleaned = co_await scratch_.clear(Priority::poll);
   if (!cleaned) co_return cleaned;
   co_return co_await slots_.give_back_selection();
 }
@@ -183,13 +184,14 @@ std::optional<VxmDriver::Leg> VxmDriver::next_jog_leg(const Leg& last, EndedBy e
 // A move that nobody has stopped keeps its program: it may take as long as it likes.
 bool VxmDriver::clears_up() const {
   const bool ends = !busy() || ramp_ || job_.leg_over || job_.ended_by != EndedBy::nothing;
-  const bool something_left = scratch_ >= 0 || !slots_.selection_is_given_back() || hold_.is_to_be_released();
+  const bool something_left =
+      scratch_.in_use() || !slots_.selection_is_given_back() || hold_.is_to_be_released();
   return something_left && !reset_said_ && mode_ == Mode::on_line && !halted_ && ends;
 }
 
 std::string VxmDriver::leaves_behind() const {
-  if (reset_said_ || (scratch_ < 0 && slots_.selection_is_given_back())) return {};
-  if (scratch_ < 0)
+  if (reset_said_ || (!scratch_.in_use() && slots_.selection_is_given_back())) return {};
+  if (!scratch_.in_use())
     return fmt::format(
         "A program of the console's is still selected in the controller: the Run button would start that. "
         "Send "
@@ -198,18 +200,8 @@ std::string VxmDriver::leaves_behind() const {
   return fmt::format(
       "{}program {} of the controller still holds {}: the Run button would repeat it. Send {} when the move "
       "is over.",
-      job_.leg_over ? "The " : "The move goes on without the console, and ", scratch_,
-      job_.leg_over ? "a move of the console" : "it", empty_program(scratch_));
-}
-
-Task<Result<>> VxmDriver::clean_scratch() {
-  if (scratch_ < 0) co_return Result<>();
-  const int selected = std::max(slots_.selected(), 0);
-  auto cleaned = co_await talk_.say(empty_program(scratch_) + select_program(selected), Priority::poll);
-  if (!cleaned) co_return cleaned;
-  scratch_ = -1;
-  slots_.was_chosen(selected);
-  co_return Result<>();
+      job_.leg_over ? "The " : "The move goes on without the console, and ", scratch_.slot(),
+      job_.leg_over ? "a move of the console" : "it", empty_program(scratch_.slot()));
 }
 
 // Something that is over at once: its end is waited for.

@@ -84,8 +84,9 @@ Task<Result<>> VxmDriver::run(int slot) {
   if (!speeds) co_return speeds;
   for (int i = 0; i < draft_.axis_count; ++i)
     if (may_turn(slot, i + 1)) warn_of_motor_type(i);
-  std::string text = hold_.is_on() ? "H" : "";
-  text += select_program(slot) + "R";
+  auto chosen = co_await slots_.choose(slot, Priority::intent);
+  if (!chosen) co_return chosen;
+  std::string text = hold_.is_on() ? "HR" : "R";
   ramp_.reset();
   auto sent = co_await switch_hold(std::move(text), false, Priority::intent);
   if (!sent) co_return sent;

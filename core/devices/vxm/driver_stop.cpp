@@ -218,16 +218,15 @@ bool VxmDriver::stands_since_ramp() const {
   const Instant now = scheduler_.now();
   const int motors = std::min(draft_.axis_count, motors_per_controller);
   for (int i = 0; i < motors; ++i)
-    if (sight_.has_turned_within(to_see_standstill, i)) return false;
-  return now - ramp_->began >= (some_are_hidden() ? longest_ramp : to_see_standstill);
+    if (!sight_.has_stood_since(ramp_->began, i)) return false;
+  return !some_are_hidden() || now - ramp_->began >= longest_ramp;
 }
 
 /// As far as the last readings show.
 bool VxmDriver::seems_to_stand() const {
   const int motors = std::min(draft_.axis_count, motors_per_controller);
   for (int i = 0; i < motors; ++i) {
-    const Instant since = std::max(sight_.moved_at(i), draft_.program.started_at);
-    if (!draft_.axes[i].position_known || draft_.axes[i].seen_at - since < to_see_standstill) return false;
+    if (!draft_.axes[i].position_known || !sight_.has_stood_since(draft_.program.started_at, i)) return false;
   }
   return !some_are_hidden();
 }

@@ -13,23 +13,28 @@ class Hold {
   [[nodiscard]] bool is_surely_on() const { return on_ && is_known(); }
 
   // ---- what was said
-  void was_switched(bool on) { on_ = on; }
-  void was_toggled() { on_ = !on_; }
+  void was_switched(bool on) {
+    if (on != on_) shown_ = false;
+    on_ = on;
+  }
+  void was_toggled() { was_switched(!on_); }
   void doubt() { doubtful_ = true; }
+  /// What was said may not have arrived.
+  void wire_lost() { doubtful_ = doubtful_ || (on_ && !shown_); }
   /// By K, or a restart: nothing is held.
   void ended() { *this = Hold(); }
 
   // ---- what the controller has said or done
   /// It lists the command before which it holds.
   void showed() {
-    on_ = true;
+    on_ = shown_ = true;
     doubtful_ = found_running_ = false;
   }
   /// A program that somebody else has begun, who may have said H: nothing of it has begun since.
   void found_running() { found_running_ = true; }
   void nothing_runs_from_before() { found_running_ = false; }
   /// None of what is held begins anything.
-  void is_seen_off() { on_ = doubtful_ = found_running_ = false; }
+  void is_seen_off() { on_ = shown_ = doubtful_ = found_running_ = false; }
 
   // ---- it must not keep what runs, or runs next
   void release_soon() { release_ = true; }
@@ -42,7 +47,8 @@ class Hold {
   void expect_nothing_to_begin() { begun_ = false; }
 
  private:
-  bool on_ = false, doubtful_ = false, found_running_ = false, release_ = false, begun_ = false;
+  bool on_ = false, shown_ = false, doubtful_ = false, found_running_ = false, release_ = false,
+       begun_ = false;
 };
 
 }  // namespace hw::vxm

@@ -33,6 +33,7 @@ class Sight {
     const double way = static_cast<double>((position - before.position).value);
     if (before.position_known && now > before.seen_at)
       seen.speed = std::abs(way) / seconds(now - before.seen_at);
+    seen.read_at = now;
     Change change;
     change.moved = before.position_known && before.position != position;
     const Sign sign = way > 0 ? Sign::plus : Sign::minus;
@@ -51,6 +52,11 @@ class Sight {
   [[nodiscard]] bool has_turned_within(Duration time, int motor) const {
     return scheduler_.now() - moved_at(motor) < time;
   }
+  /// Read, and at the same place all that time since then.
+  [[nodiscard]] bool has_stood_since(Instant then, int motor) const {
+    const Seen& seen = seen_[ix(motor)];
+    return seen.read_at - std::max(seen.moved_at, then) >= to_see_standstill;
+  }
   /// Last, since the ways were forgotten.
   [[nodiscard]] std::optional<Sign> went(int motor) const { return seen_[ix(motor)].went; }
   /// Steps/s between the last two readings.
@@ -60,7 +66,7 @@ class Sight {
 
  private:
   struct Seen {
-    Instant moved_at{};
+    Instant read_at{}, moved_at{};
     std::optional<Sign> went;
     double speed = 0;
   };

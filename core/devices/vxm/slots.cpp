@@ -15,6 +15,7 @@ namespace hw::vxm {
 
 void Slots::was_selected(int slot) {
   selected_ = chosen_ = slot;
+  may_be_selected_ = only(slot);
   if (!talk_.listens().running) console_.draft.program.slot = static_cast<std::int8_t>(slot);
 }
 
@@ -29,25 +30,34 @@ Task<Result<std::int64_t>> Slots::ask_selected() {
       fmt::format("The controller says that program {} is selected, but it has 0 to 4.", *selected));
 }
 
-// M speaks of the selected program, so each must be selected in turn and the user's choice put back.
+// M speaks of the selected program, so each must be selected in turn and the user's choice put back. That
+// comes first: what a PM does to it that has lost a byte must be seen.
 Task<Result<>> Slots::read_sizes() {
   auto given_back = co_await give_back_selection();
   if (!given_back) co_return given_back;
   auto selected = co_await ask_selected();
   if (!selected) co_return fail(selected.error());
-  selected_ = chosen_ = static_cast<int>(*selected);
-  if (!talk_.listens().running) console_.draft.program.slot = static_cast<std::int8_t>(selected_);
+  was_selected(static_cast<int>(*selected));
+  auto read = co_await read_size();
+  if (!read) co_return read;
   for (int slot = 0; slot < program_count; ++slot) {
-    std::int16_t& used = console_.draft.slot_bytes_used[static_cast<std::size_t>(slot)];
-    if (used >= 0) continue;
+    if (console_.draft.slot_bytes_used[ix(slot)] >= 0) continue;
     auto chosen = co_await choose(slot, Priority::poll);
     if (!chosen) co_return chosen;
-    auto free = co_await talk_.number("M", Priority::poll);
-    if (!free) co_return fail(free.error());
-    used = static_cast<std::int16_t>(program_bytes - *free);
+    read = co_await read_size();
+    if (!read) co_return read;
   }
   sizes_read_ = true;
   co_return co_await give_back_selection();
+}
+
+Task<Result<>> Slots::read_size() {
+  std::int16_t& used = console_.draft.slot_bytes_used[ix(chosen_)];
+  if (used >= 0) co_return Result<>();
+  auto free = co_await talk_.number("M", Priority::poll);
+  if (!free) co_return fail(free.error());
+  used = static_cast<std::int16_t>(program_bytes - *free);
+  co_return Result<>();
 }
 
 // Not one that starts by itself (4 after power-up or after Stop), nor one that a Slave's program runs with.
@@ -69,15 +79,14 @@ Task<Result<int>> Slots::find_empty() {
       if ((slot == selected_) != selected_too || used[ix(slot)] != 0 || !may_be_scratch(slot)) continue;
       auto chosen = co_await choose(slot, Priority::intent);
       if (!chosen) co_return fail(chosen.error());
-      auto listing = co_await talk_.listing(Priority::intent);
-      if (!listing) co_return fail(listing.error());
-      auto back = co_await give_back_selection();
-      if (!back) co_return fail(back.error());
-      if (listing->slot == slot && listing->free_bytes == program_bytes && listing->commands.empty()) {
+      auto free = co_await talk_.number("M", Priority::intent);
+      if (!free) co_return fail(free.error());
+      if (*free == program_bytes) {
         confirmed_empty_ = slot;
         co_return slot;
       }
-      holds(slot, *listing);
+      doubt(slot);
+      console_.draft.slot_bytes_used[ix(slot)] = static_cast<std::int16_t>(program_bytes - *free);
     }
   const Fault none(
       FaultKind::refused,
@@ -90,15 +99,61 @@ Task<Result<int>> Slots::find_empty() {
   co_return fail(none);
 }
 
+// A byte that is lost or doubled may have selected another one, or none; and PM4 that has lost its M is a
+// pause, and is stored.
 Task<Result<>> Slots::choose(int slot, Priority priority) {
-  auto said = co_await talk_.say(select_program(slot), priority);
-  if (said || said.error().kind != FaultKind::stopped) chosen_ = slot;
-  co_return said;
+  const std::uint32_t repeats = talk_.repeats();
+  chosen_ = -1;
+  const Set before = may_be_selected_;
+  may_be_selected_ = static_cast<Set>(before | only(slot));
+  auto chosen = co_await talk_.confirm(select_program(slot) + "PM\r", slot, priority);
+  const bool at_once = chosen && talk_.repeats() == repeats;
+  const bool not_sent = !chosen && chosen.error().kind == FaultKind::stopped && talk_.repeats() == repeats;
+  if (!at_once && !not_sent) may_have_grown_ = static_cast<Set>(may_have_grown_ | before | only(slot));
+  if (!chosen) co_return chosen;
+  chosen_ = slot;
+  may_be_selected_ = only(slot);
+  co_return chosen;
 }
 
 Task<Result<>> Slots::give_back_selection() {
-  if (chosen_ == selected_ || selected_ < 0) co_return Result<>();
+  if (selection_is_given_back() || selected_ < 0) co_return Result<>();
+  auto taken_back = co_await take_back_pauses(Priority::poll);
+  if (!taken_back) co_return taken_back;
   co_return co_await choose(selected_, Priority::poll);
+}
+
+Task<Result<>> Slots::take_back_pauses(Priority priority) {
+  for (int slot = 0; slot < program_count; ++slot) {
+    if ((may_have_grown_ & only(slot)) == 0) continue;
+    auto taken_back = co_await take_back_pauses_of(slot, priority);
+    if (!taken_back) co_return taken_back;
+    may_have_grown_ = static_cast<Set>(may_have_grown_ & ~only(slot));
+  }
+  co_return Result<>();
+}
+
+// As long as it holds more than it did, and ends with a pause, that is ours.
+Task<Result<>> Slots::take_back_pauses_of(int slot, Priority priority) {
+  const std::int16_t used = console_.draft.slot_bytes_used[ix(slot)];
+  for (int attempt = 0; attempt <= program_count; ++attempt) {
+    auto chosen = co_await choose(slot, priority);
+    if (!chosen) co_return chosen;
+    auto listing = co_await talk_.listing(priority);
+    if (!listing) co_return fail(listing.error());
+    if (used < 0 || listing->free_bytes >= program_bytes - used) co_return Result<>();
+    const auto commands = commands_of(listing->commands);
+    if (listing->slot != slot || commands.empty() || commands.back().verb != Verb::pause) break;
+    auto said = co_await talk_.say("del", priority);
+    if (!said) co_return said;
+  }
+  doubt(slot);
+  console_.tell(
+      Notice::Kind::warning,
+      fmt::format("Program {} of the controller holds more than it did: a byte of what was sent was "
+                  "lost or came twice. Look at it before it is run.",
+                  slot));
+  co_return Result<>();
 }
 
 void Slots::ask_for_room(std::string sentence) const {
@@ -141,6 +196,8 @@ void Slots::doubt_all() {
 void Slots::forget() {
   doubt_all();
   selected_ = chosen_ = 0;
+  may_be_selected_ = only(0);
+  may_have_grown_ = 0;
   console_.draft.unsaved_programs = false;
   console_.draft.program.slot = 0;
 }

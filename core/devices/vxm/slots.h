@@ -26,20 +26,18 @@ class Slots {
   [[nodiscard]] int selected() const { return selected_; }
   /// The user has selected it.
   void was_selected(int slot);
-  /// What the console selects for its own use is given back as soon as it has the wire for it: a stop, or a
-  /// lost wire, may come in between.
+  /// The controller has told that it is selected. What the console selects for its own use is given back as
+  /// soon as it has the wire for it: a stop, or a lost wire, may come in between.
   Task<Result<>> choose(int slot, Priority priority);
   Task<Result<>> give_back_selection();
-  [[nodiscard]] bool selection_is_given_back() const { return chosen_ == selected_; }
-  /// Among what was sent: for a while, or for the user.
-  void was_chosen(int slot) { chosen_ = slot; }
+  [[nodiscard]] bool selection_is_given_back() const { return chosen_ == selected_ && !may_have_grown_; }
 
   // ---- what they hold
   /// As far as it was read.
   [[nodiscard]] const std::optional<Lines>& listing(int slot) const;
   [[nodiscard]] bool knows_sizes() const { return sizes_read_; }
   Task<Result<>> read_sizes();
-  /// One that lst has shown empty, for a move of the console.
+  /// One that M has shown empty, for a move of the console.
   Task<Result<int>> find_empty();
   /// A text of the user's has changed the selected one.
   void selected_was_changed();
@@ -55,10 +53,16 @@ class Slots {
   Task<Result<>> select(int slot);
 
  private:
+  using Set = std::uint8_t;  ///< of slots, a bit each
+  static Set only(int slot) { return slot < 0 ? Set{0} : static_cast<Set>(1u << slot); }
   Task<Result<std::int64_t>> ask_selected();
+  Task<Result<>> read_size();
+  Task<Result<>> take_back_pauses(Priority priority);
+  Task<Result<>> take_back_pauses_of(int slot, Priority priority);
   [[nodiscard]] bool may_be_scratch(int slot) const;
   void ask_for_room(std::string sentence) const;
   Task<Result<>> load_slot(int slot, const Lines& lines, const Lines& expected);
+  Task<Result<>> write_slot(int slot, const Lines& lines, const Lines& expected);
   Task<Result<>> verify_slot(int slot, const Lines& expected);
   void holds(int slot, const Listing& listing);
   void doubt(int slot);
@@ -68,8 +72,9 @@ class Slots {
   const Parameters& parameters_;
   std::function<Result<>()> may_touch_;
   int selected_ = -1;
-  int chosen_ = -1;           ///< what the controller has selected: for a while, another one
-  int confirmed_empty_ = -1;  ///< lst has shown it
+  int chosen_ = -1;  ///< what the controller has selected: for a while, another one; -1: not known
+  Set may_be_selected_ = 0, may_have_grown_ = 0;
+  int confirmed_empty_ = -1;  ///< M has shown it
   std::array<std::optional<Lines>, program_count> listings_;
   bool sizes_read_ = false;
 };

@@ -199,13 +199,25 @@ Task<Result<>> Slots::load(const intent::LoadProgram& wish) {
   co_return loaded;
 }
 
+// Lines may be written twice without harm.
 Task<Result<>> Slots::load_slot(int slot, const Lines& lines, const Lines& expected) {
+  auto chosen = co_await choose(slot, Priority::transfer);
+  if (!chosen) co_return chosen;
   const std::uint8_t mark = torn_bit(console_.catalog, slot);
   console_.draft.slots_torn |= mark;
   doubt(slot);
   console_.draft.unsaved_programs = true;
-  auto sent = co_await talk_.say(empty_program(slot), Priority::transfer);
-  if (sent || sent.error().kind != FaultKind::stopped) chosen_ = slot;
+  auto loaded = co_await write_slot(slot, lines, expected);
+  if (!loaded && loaded.error().kind == FaultKind::garbled && !talk_.listens().halted) {
+    chosen = co_await choose(slot, Priority::transfer);
+    if (chosen) loaded = co_await write_slot(slot, lines, expected);
+  }
+  if (loaded) console_.draft.slots_torn = static_cast<std::uint8_t>(console_.draft.slots_torn & ~mark);
+  co_return loaded;
+}
+
+Task<Result<>> Slots::write_slot(int slot, const Lines& lines, const Lines& expected) {
+  auto sent = co_await talk_.say("C", Priority::transfer);
   for (std::size_t i = 0; i < lines.size() && sent && !talk_.listens().halted; ++i)
     sent = co_await talk_.say(lines[i], Priority::transfer);
   const auto may = may_touch_();
@@ -216,9 +228,7 @@ Task<Result<>> Slots::load_slot(int slot, const Lines& lines, const Lines& expec
     co_return fail(sent.error().kind, sent.error().what,
                    fmt::format("Program {} is incomplete in the controller.", slot),
                    "Load it again before it is run.");
-  auto verified = co_await verify_slot(slot, expected);
-  if (verified) console_.draft.slots_torn = static_cast<std::uint8_t>(console_.draft.slots_torn & ~mark);
-  co_return verified;
+  co_return co_await verify_slot(slot, expected);
 }
 
 Task<Result<>> Slots::verify_slot(int slot, const Lines& expected) {
@@ -264,6 +274,11 @@ Task<Result<>> Slots::upload(int slot) {
   if (!chosen) co_return chosen;
   auto listing = co_await talk_.listing(Priority::transfer);
   if (!listing) co_return fail(listing.error());
+  if (listing->slot != slot)
+    co_return fail(
+        FaultKind::garbled,
+        fmt::format("Program {} was asked for, but the controller shows program {}.", slot, listing->slot),
+        "Nothing was changed.", "Read it again.");
   holds(slot, *listing);
   std::string text;
   for (const std::string& command : listing->commands) text += command + "\n";
@@ -276,15 +291,9 @@ Task<Result<>> Slots::upload(int slot) {
 
 Task<Result<>> Slots::select(int slot) {
   if (auto may = may_touch_(); !may) co_return may;
-  auto said = co_await choose(slot, Priority::intent);
-  if (!said) co_return said;
-  auto selected = co_await talk_.number("PM\r", Priority::intent);
-  if (!selected) co_return fail(selected.error());
-  selected_ = chosen_ = static_cast<int>(*selected);
-  console_.draft.program.slot = static_cast<std::int8_t>(selected_);
-  if (selected_ == slot) co_return Result<>();
-  co_return fail(FaultKind::controller,
-                 fmt::format("Program {} was to be selected, but the controller says {}.", slot, selected_));
+  auto chosen = co_await choose(slot, Priority::intent);
+  if (chosen) was_selected(slot);
+  co_return chosen;
 }
 
 }  // namespace hw::vxm

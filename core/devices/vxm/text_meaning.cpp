@@ -8,8 +8,8 @@ namespace {
 bool is_letter(const TextCommand& c, char letter) { return c.verb == Verb::letter && c.letter == letter; }
 bool is_word(const TextCommand& c, std::string_view word) { return c.verb == Verb::word && c.name == word; }
 
-/// It begins with what stops, and starts nothing behind that. D at rest does nothing, and asks for places in
-/// Local mode.
+/// It begins with what stops, and starts nothing behind that. D at rest ends what is only on its way to the
+/// controller; in Local mode it asks for places.
 TextMeaning::Stops stopped_by(const std::vector<TextCommand>& commands, const Listening& now, bool own_move) {
   using Stops = TextMeaning::Stops;
   const bool starts =
@@ -17,8 +17,8 @@ TextMeaning::Stops stopped_by(const std::vector<TextCommand>& commands, const Li
   if (commands.empty() || starts) return Stops::nothing;
   const TextCommand& first = commands.front();
   if (is_letter(first, 'K') || is_word(first, "res")) return Stops::all;
-  if (!is_letter(first, 'D') || !now.running) return Stops::nothing;
-  return own_move ? Stops::all : Stops::some;
+  if (!is_letter(first, 'D') || now.local || now.halted) return Stops::nothing;
+  return own_move || !now.running ? Stops::all : Stops::some;
 }
 
 bool changes_programs(const TextCommand& c) {
@@ -34,6 +34,8 @@ TextMeaning meaning_of(std::string_view text, const Listening& now, bool own_mov
   TextMeaning meaning;
   meaning.stops = stopped_by(commands, now, own_move);
   meaning.end_is_told = !last || !last->answer;  // by a prompt
+  const bool at_rest = !now.running && !commands.empty() && is_letter(commands.back(), 'D');
+  if (at_rest && meaning.is_stop()) meaning.end_is_told = false;
   const bool nothing_comes =
       last_is_dropped(commands, now) || (!commands.empty() && is_word(commands.back(), "res"));
   if (meaning.end_is_told)

@@ -3,6 +3,7 @@
 namespace hw::vxm {
 namespace {
 
+using testing::ContainsRegex;
 using testing::HasSubstr;
 
 class VxmDriverMoves : public DriverTest {};
@@ -17,7 +18,7 @@ TEST_F(VxmDriverMoves, MovesToAPositionAndSaysSo) {
   EXPECT_TRUE(wait_idle());
   EXPECT_EQ(position(), 400);
   EXPECT_EQ(latest.axes[0].ended_by, EndedBy::target);
-  EXPECT_THAT(sent(), HasSubstr("IA1M400\rR"));
+  EXPECT_THAT(sent(), HasSubstr("IA1M400\rlstR"));
 }
 
 TEST_F(VxmDriverMoves, UsesAnEmptyProgramAndLeavesNothingForTheRunButton) {
@@ -69,7 +70,7 @@ TEST_F(VxmDriverMoves, AxesOfTwoControllersRunTogether) {
   EXPECT_TRUE(wait_idle());
   EXPECT_EQ(position(0), 400);
   EXPECT_EQ(position(2), 800);
-  EXPECT_THAT(sent(), HasSubstr("(I3M800,I1M400,)R"));
+  EXPECT_THAT(sent(), HasSubstr("(I3M800,I1M400,)lstR"));
 }
 
 TEST_F(VxmDriverMoves, ASpeedOfItsOwnIsPutBack) {
@@ -81,7 +82,7 @@ TEST_F(VxmDriverMoves, ASpeedOfItsOwnIsPutBack) {
   sent();
   EXPECT_EQ(move_by(0, 100, 500), "");
   EXPECT_TRUE(wait_idle());
-  EXPECT_THAT(sent(), HasSubstr("S1M500\rI1M100\rS1M700\rR"));
+  EXPECT_THAT(sent(), HasSubstr("S1M500\rI1M100\rS1M700\rlstR"));
 }
 
 TEST_F(VxmDriverMoves, AJogEndsWithItsStop) {
@@ -144,9 +145,10 @@ TEST_F(VxmDriverMoves, ClosingDuringAJogLeavesNothingForTheRunButton) {
   run(5);
   EXPECT_EQ(latest.link.state, LinkState::closed);
   const std::string said = conversation();
-  EXPECT_THAT(said, HasSubstr("PM-4<0D>PM0"))
+  EXPECT_THAT(said,
+              ContainsRegex("PM4<0D>PM<0D>\n[^>]*4<0D>\n[^>]*> CM\n[^>]*256<0D>\n[^>]*> PM0<0D>PM<0D>\n"))
       << "the scratch program is emptied, the selection is the user's";
-  EXPECT_LT(said.find('D'), said.find("PM-4"));
+  EXPECT_LT(said.find('D'), said.find("PM4"));
 }
 
 TEST_F(VxmDriverMoves, ClosingDuringAMoveSaysThatItsProgramStays) {
@@ -271,7 +273,7 @@ TEST_F(VxmDriverMoves, NeverUsesAProgramThatStartsByItself) {
   EXPECT_EQ(perform(intent::SetParam("DM", 129, true)), "");
   sent();
   EXPECT_EQ(move_by(0, 10), "");
-  EXPECT_THAT(sent(), HasSubstr("PM-3\rI1M10\rR"));
+  EXPECT_THAT(sent(), HasSubstr("PM3\rPM\rCI1M10\rlstR"));
 }
 
 TEST_F(VxmDriverMoves, SaysBeforeTheFirstMoveThatTheMotorTypeIsTheFactorys) {

@@ -163,7 +163,7 @@ TEST_F(VxmProgramStop, AKWhoseAnswerIsLostIsSaidAgain) {
   EXPECT_EQ(latest.program.run, RunState::idle);
   EXPECT_EQ(latest.program.ended_by, EndedBy::abort);
   EXPECT_EQ(perform(intent::RunProgram(0)), "");
-  EXPECT_EQ(sent(), "PM0\rR") << "no hold is left";
+  EXPECT_EQ(sent(), "PM0\rPM\rR") << "no hold is left";
   run(1);
   EXPECT_TRUE(latest.any_axis_moving());
 }
@@ -181,7 +181,7 @@ TEST_F(VxmProgramStop, ATypedKWhoseAnswerIsLostLeavesNoHoldBehind) {
   EXPECT_EQ(latest.program.ended_by, EndedBy::abort);
   sent();
   EXPECT_EQ(perform(intent::RunProgram(0)), "");
-  EXPECT_EQ(sent(), "KPM0\rR") << "an H would switch the hold on";
+  EXPECT_EQ(sent(), "KPM0\rPM\rR") << "an H would switch the hold on";
   run(1);
   EXPECT_TRUE(latest.any_axis_moving());
   EXPECT_EQ(latest.program.run, RunState::running);

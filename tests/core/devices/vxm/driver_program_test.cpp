@@ -273,7 +273,7 @@ TEST_F(VxmDriverProgram, OneThatIsNotWhatWasSentIsNotRun) {
   const auto tear = [&] {
     const IntentId load = post(intent::LoadProgram(2, "I1M400\nI1M500\n"));
     ASSERT_TRUE(run_until([&] { return loop->to_controller.ends_with("I1M400\r"); }, 2));
-    loop->lose(7);
+    EXPECT_EQ(perform(intent::Stop()), "");
     run(3);
     ASSERT_EQ(fate(load), Fate::failed);
     loop->to_controller.clear();
