@@ -168,8 +168,9 @@ Task<bool> Pump::connect() {
 /// To a stop, and to whatever was asked behind it.
 void Pump::nothing_comes_back() {
   draft_.link.state = LinkState::lost;
-  draft_.link.sentence =
-      "The controller was told to stop, and does not answer. It is told again until it does.";
+  if (rounds_.ended() > 0)  // else it says already why nobody has answered yet
+    draft_.link.sentence =
+        "The controller was told to stop, and does not answer. It is told again until it does.";
   stops_did_not_arrive();
   desk_.orders().remove_if([this](const StopOrder&) { return !outage_.may_run(); });
   desk_.send_all_again();
