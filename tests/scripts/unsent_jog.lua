@@ -6,7 +6,9 @@ for bytes = 40, 80, 20 do
   hw.sleep(1)
   c.bench:drop(bytes)
   local begun, why = c:jog("Y", "+", 500)
-  if not begun and why:find("The jog was not sent", 1, true) then unsent = unsent + 1 end
+  if not begun and (why:find("not sent", 1, true) or why:find("Nothing was sent", 1, true)) then
+    unsent = unsent + 1
+  end
   hw.sleep(20)
   hw.check(c:status("X").moving, "X goes on")
 end
