@@ -4,6 +4,7 @@
 // immutable afterwards, read by any thread.
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -88,9 +89,10 @@ struct ParamInfo {
   bool stored = true;      ///< kept by Store
   bool readable = true;
   int axis = -1;
-  bool of_move_buffer = false;  ///< shown beside the list of moves too
-  std::string warning;          ///< not empty: asked before it is written, naming the axis
-  std::string manual;           ///< "Appendix H"
+  bool of_move_buffer = false;                ///< shown beside the list of moves too
+  std::string warning;                        ///< not empty: asked before it is written, naming the axis ...
+  std::optional<std::int64_t> harmless = {};  ///< ... but for this value
+  std::string manual;                         ///< "Appendix H"
   /// Not empty: said before the first move of its axis while the value is `unset_value`: why, and what to do.
   std::string before_moving;
   std::int64_t unset_value = 0;

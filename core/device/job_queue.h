@@ -17,8 +17,9 @@ namespace hw {
 /// An intent, or a question with its waiting coroutine.
 struct Job {
   Intent intent;
-  TextMeaning meaning;             ///< of a text
-  std::uint64_t stops_before = 0;  ///< of all controllers on this wire, for a text to all of them
+  TextMeaning meaning;                ///< of a text
+  std::uint64_t stops_before = 0;     ///< of all controllers on this wire, for a text to all of them
+  std::uint32_t restarts_before = 0;  ///< of the controller, as far as was known
   bool is_query = false;
   std::string text;
   Duration patience{};
@@ -61,6 +62,10 @@ class JobQueue {
     return job;
   }
   void end() { performed_ = nullptr; }
+  /// What has just been performed restarts it, perhaps: what waits behind it was meant for that.
+  void restart_was_asked(std::uint32_t restarts) {
+    for (const auto& job : waiting_) job->restarts_before = restarts;
+  }
   [[nodiscard]] bool performs() const { return performed_ != nullptr; }
   [[nodiscard]] bool performs_for_all_on_the_wire() const {
     return performed_ != nullptr && performed_->meaning.whom == TextMeaning::For::everybody;

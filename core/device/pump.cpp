@@ -9,6 +9,7 @@ namespace hw {
 namespace {
 
 constexpr Duration longest_clearing = std::chrono::seconds(8);  // the longest ramp, and a little
+constexpr Duration longest_end_of_a_command = std::chrono::seconds(1);
 
 }  // namespace
 
@@ -50,16 +51,7 @@ Task<> Pump::shut_down() {
   life_ = Life::leaves;
   refuse_queued("The controller was closed. Nothing was sent.");
   if (jogs_.any()) post_stop(StopOrder());
-  // A stop that was asked for a moment ago may still wait for the answer to a question. One that is typed
-  // behind the closing finds the wire until what runs has been looked at once more.
-  const Instant give_up = scheduler_.now() + longest_clearing;
-  const std::uint64_t last_look = something_runs() ? want_round() : 0;
-  const auto under_way = [&] {
-    if (station_ && station_->is_open() && desk_.due()) return true;
-    const bool looks = something_runs() && !jobs_.performs() && rounds_.ended() < last_look;
-    return connected() && (desk_.any() || looks || driver_->clears_up());
-  };
-  while (under_way() && scheduler_.now() < give_up) co_await published_.wait_until(give_up);
+  co_await let_end();
   if (std::string left = driver_->leaves_behind(); !left.empty())  // a lost link takes nothing away
     ways_.notify(Notice(Notice::Kind::warning, scheduler_.now(), std::move(left)));
   life_ = Life::closes;
@@ -73,6 +65,25 @@ Task<> Pump::shut_down() {
   desk_.clear();
   refuse_queued("The controller was closed. Nothing was sent.");
   while (asking_ > 0) co_await ended_.wait();
+}
+
+// What is on its way is let to its end, if that is near. A stop that was asked for a moment ago may still
+// wait for the answer to a question, or for a wire that is out; one that is typed behind the closing finds
+// the wire until what runs, or has just been begun, has been looked at once more.
+Task<> Pump::let_end() {
+  const Instant began = scheduler_.now(), given_up = began + longest_clearing;
+  const Instant cut_off = began + longest_end_of_a_command;
+  while (connected() && jobs_.performs() && scheduler_.now() < cut_off)
+    co_await published_.wait_until(cut_off);
+  const bool may_run = something_runs() || rounds_.often();
+  const std::uint64_t last_look = may_run && !jobs_.performs() ? want_round() : 0;
+  const auto under_way = [&] {
+    const StopOrder* due = station_ && station_->is_open() ? desk_.due() : nullptr;
+    if (rounds_.ended() == 0 && !connected()) return due && due->times_sent == 0;  // nobody was ever seen: once
+    const bool seen = rounds_.ended() >= last_look && draft_.link.state == LinkState::good;
+    return desk_.any() || (connected() && ((last_look > 0 && !seen) || driver_->clears_up()));
+  };
+  while (under_way() && scheduler_.now() < given_up) co_await published_.wait_until(given_up);
 }
 
 bool Pump::connected() const { return draft_.link.connected(); }
@@ -157,8 +168,9 @@ Task<bool> Pump::connect() {
 /// To a stop, and to whatever was asked behind it.
 void Pump::nothing_comes_back() {
   draft_.link.state = LinkState::lost;
-  draft_.link.sentence =
-      "The controller was told to stop, and does not answer. It is told again until it does.";
+  if (rounds_.ended() > 0)  // else it says already why nobody has answered yet
+    draft_.link.sentence =
+        "The controller was told to stop, and does not answer. It is told again until it does.";
   stops_did_not_arrive();
   desk_.orders().remove_if([this](const StopOrder&) { return !outage_.may_run(); });
   desk_.send_all_again();
@@ -206,7 +218,11 @@ void Pump::lose_wire(const Fault& why) {
   loss.at_work = something_runs() || jogs_.any();
   loss.on_the_way = jobs_.performs();
   const bool not_seen_yet = rounds_.often();  // what was sent a moment ago may have begun something
-  loss.may_run = not_seen_yet || loss.at_work || loss.on_the_way || (connected() && desk_.any());
+  // Of one that nobody has ever seen nothing is known, so that a stop stays owed. Its first attempt runs to
+  // its end: that tells who is there.
+  const bool never_seen = rounds_.ended() == 0;
+  loss.may_run =
+      never_seen || not_seen_yet || loss.at_work || loss.on_the_way || (connected() && desk_.any());
   if (outage_.begin(draft_, loss, scheduler_.now())) {
     draft_.link.lost_at = scheduler_.now();
     draft_.link.when_lost = draft_.shows_under_way();
@@ -338,8 +354,11 @@ void Pump::set_fate(const IntentFate& told) {
   if (told.id == 0) return;
   auto& fates = draft_.fates;
   auto at = std::find_if(fates.begin(), fates.end(), [&](const IntentFate& f) { return f.id == told.id; });
-  if (at == fates.end()) {
-    std::move_backward(fates.begin(), fates.end() - 1, fates.end());
+  if (at == fates.end()) {  // what still waits is not forgotten for what is over
+    const auto over = std::find_if(fates.rbegin(), fates.rend(),
+                                   [](const IntentFate& f) { return f.id == 0 || f.fate != Fate::pending; });
+    const auto room = over == fates.rend() ? fates.end() - 1 : over.base() - 1;
+    std::move_backward(fates.begin(), room, room + 1);
     at = fates.begin();
   }
   *at = told;

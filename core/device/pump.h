@@ -85,6 +85,7 @@ class Pump {
   };
 
   // ---- pump.cpp: the life of the connection
+  Task<> let_end();
   Task<> live();
   Task<bool> open_and_connect();
   Task<bool> connect();
@@ -114,6 +115,7 @@ class Pump {
   void drop_what_waits();
   Task<> send_stop(StopOrder& order);
   void stop_was_sent(StopOrder& order, Result<std::string> sent);
+  void follow_words(const StopOrder& words);
   void look_at_stops();
   void look_at_stop(StopOrder& order);
   void stop_failed(StopOrder& order, const Fault& why);

@@ -16,6 +16,17 @@ bool leads_to_a_start(const IntentBody& body) {
          std::holds_alternative<intent::UploadProgram>(body);
 }
 
+/// Meant for the controller as it was when it was asked.
+bool says_where_it_stands(const IntentBody& body) {
+  return std::holds_alternative<intent::SetPosition>(body) ||
+         std::holds_alternative<intent::SetEncoder>(body) ||
+         std::holds_alternative<intent::TrustPosition>(body);
+}
+
+bool may_restart(const IntentBody& body) {
+  return std::holds_alternative<intent::Reset>(body) || std::holds_alternative<intent::SendText>(body);
+}
+
 }  // namespace
 
 void Pump::post(Intent intent) {
@@ -115,6 +126,7 @@ Task<> Pump::pass_on(Intent intent, Pump& other) {
 
 void Pump::enqueue(std::unique_ptr<Job> job) {
   if (ways_.line) job->stops_before = ways_.line->stops();
+  job->restarts_before = draft_.restarts;
   jobs_.push(std::move(job));
   wake_.notify();
 }
@@ -249,6 +261,7 @@ Task<> Pump::perform_next() {
   // What no driver is asked for: see refusals.h.
   const std::uint32_t doubtful = doubtful_axes(catalog_, draft_, job->intent.body);
   const std::uint64_t epoch = desk_.epoch();
+  const std::uint32_t restarts = draft_.restarts;
   Result<> performed = may_go_to_all(*job);
   if (performed && jobs_.performs_for_all_on_the_wire() && ways_.line)
     ways_.line->for_each_but(*this, [&](Pump& other) {
@@ -259,6 +272,9 @@ Task<> Pump::perform_next() {
     job->reply = co_await guarded("question", driver_->query(job->text, job->patience));
   } else if (!performed && job->is_query) {
     job->reply = fail(performed.error());
+  } else if (performed && says_where_it_stands(job->intent.body) && job->restarts_before != draft_.restarts) {
+    performed = fail(FaultKind::refused, "The controller was switched off and on after this was asked for.",
+                     "Nothing was sent.", "Look where it stands, and ask again.");
   } else if (performed && doubtful != 0) {
     performed = fail(FaultKind::refused, say_doubtful(catalog_, draft_, job->intent.body, doubtful,
                                                       words_in_steps(catalog_, draft_)));
@@ -270,6 +286,8 @@ Task<> Pump::perform_next() {
     performed = co_await guarded("command", driver_->perform(job->intent.body));
   }
   jobs_.end();
+  if (performed && draft_.restarts != restarts && may_restart(job->intent.body))
+    jobs_.restart_was_asked(draft_.restarts);
   if (job->is_query) {
     job->answered = true;
     job->asker.resume(scheduler_.executor());

@@ -31,7 +31,7 @@ void Pump::post_stop(StopOrder order) {
   const StopOrder& asked = desk_.ask(std::move(order));
   if (!another) drop_what_waits();
   const StopOrder* sending = desk_.sending();
-  if (station_ && !(sending && sending->covers(asked))) station_->preempt();
+  if (station_ && !(sending && sending->outlasts(asked))) station_->preempt();
   outage_.hurry();
   publish();
   wake_.notify();
@@ -97,11 +97,8 @@ void Pump::stop_was_sent(StopOrder& order, Result<std::string> sent) {
     if (order.answer)
       std::exchange(order.answer, nullptr)(sent ? std::move(sent) : Result<std::string>(fail(sent.error())));
     if (sent) return;
-    const bool kept_out = sent.error().kind == FaultKind::refused;
-    const bool of_one = order.meaning.stops == TextMeaning::Stops::some && order.meaning.axis >= 0;
-    if (kept_out || !(of_one || order.meaning.stops == TextMeaning::Stops::all)) return close_stop(order);
-    order.what = What::everything;  // the console's own stop follows it, until it shows
-    return;
+    if (sent.error().kind != FaultKind::refused) follow_words(order);  // kept out
+    return close_stop(order);
   }
   if (cut) return;  // it is due again behind the one that came
   order.confirmed = sent.has_value();
@@ -111,6 +108,22 @@ void Pump::stop_was_sent(StopOrder& order, Result<std::string> sent) {
   const bool no_such_program = order.what == What::program && sent.error().kind == FaultKind::refused;
   if (no_such_program || (order.sent && connected_now && !nobody_answers())) stop_failed(order, sent.error());
   if (no_such_program) close_stop(order);
+}
+
+/// The console's own stop of the same follows words that may not have arrived, until it shows.
+void Pump::follow_words(const StopOrder& words) {
+  StopOrder own;
+  own.intent = words.intent;
+  own.told = true;
+  own.times_sent = words.times_sent;
+  own.sent_at = words.sent_at, own.first_sent_at = words.first_sent_at;
+  const TextMeaning& meaning = words.meaning;
+  if (meaning.stops == TextMeaning::Stops::all) desk_.ask(own).at_once = false;
+  for (int axis = 0; axis < draft_.axis_count; ++axis) {
+    if (meaning.axis != axis && (meaning.axes >> axis & 1u) == 0) continue;
+    own.axis = axis;
+    desk_.ask(own).at_once = false;  // what the console says again is as it was asked for
+  }
 }
 
 void Pump::look_at_stops() {

@@ -238,7 +238,7 @@ struct Snapshot {
   std::uint32_t program_changes = 0;
   IntentId program_changed_by = 0;
   Duration poll_period{};             ///< what the poll law asks for now
-  std::array<IntentFate, 8> fates{};  ///< newest first
+  std::array<IntentFate, 8> fates{};  ///< newest first; what is settled makes room
   FixedText<320> notice;  ///< the worst thing that is true now and is not in the fields above; empty: nothing
 
   [[nodiscard]] const IntentFate* fate_of(IntentId id) const {
@@ -246,9 +246,10 @@ struct Snapshot {
       if (f.id == id && id != 0) return &f;
     return nullptr;
   }
-  /// It was taken up, and so many newer ones have been since that what became of it stands here no more.
+  /// It was taken up, and so many others have been since that what became of it stands here no more.
   [[nodiscard]] bool forgotten(IntentId id) const {
-    return id != 0 && !fate_of(id) && fates[0].id > id + fates.size();
+    if (id == 0 || fate_of(id)) return false;
+    return std::any_of(fates.begin(), fates.end(), [id](const IntentFate& f) { return f.id > id; });
   }
   [[nodiscard]] bool axis_moves(int axis) const {
     const Activity now = axes[axis].activity;

@@ -22,7 +22,7 @@ bool StopDesk::stops_all() const {
 StopOrder* StopDesk::due() {
   StopOrder* next = nullptr;
   for (StopOrder& order : orders_)
-    if (!order.sent && (!next || (!next->covers(order) && order.times_sent <= next->times_sent)))
+    if (!order.sent && (!next || (!next->outlasts(order) && order.times_sent <= next->times_sent)))
       next = &order;
   return next;
 }

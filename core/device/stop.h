@@ -48,6 +48,10 @@ struct StopOrder {
     return what == What::broadcast || (what == What::everything && axis < 0 && other.what != What::words &&
                                        other.what != What::broadcast && (at_once || !other.at_once));
   }
+  /// `other` waits until it is sent as a whole: it would leave alone what this one stops.
+  [[nodiscard]] bool outlasts(const StopOrder& other) const {
+    return covers(other) || (other.what == What::program && what != What::program && what != What::words);
+  }
   [[nodiscard]] bool stops_all() const {
     return what == What::words ? meaning.stops == TextMeaning::Stops::all
                                : axis < 0 && what == What::everything;
@@ -87,7 +91,7 @@ class StopDesk {
   [[nodiscard]] bool any() const { return !orders_.empty(); }
   /// A stop of all axes is under way: another one would mean at once.
   [[nodiscard]] bool stops_all() const;
-  /// The next to be sent: of those that were sent least often the latest, unless an older one covers it.
+  /// The next to be sent: of those that were sent least often the latest, unless an older one outlasts it.
   /// Null: all have been.
   [[nodiscard]] StopOrder* due();
   /// Each is sent again: nothing shows that any has arrived.

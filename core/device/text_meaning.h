@@ -20,7 +20,8 @@ struct TextMeaning {
   };
 
   Stops stops = Stops::nothing;
-  int axis = -1;  ///< that it stops; -1: several, or none
+  int axis = -1;           ///< that it stops; -1: several, or none
+  std::uint32_t axes = 0;  ///< bit per axis that it may stop, where it does not stop all; of a program none
   Answered answered = Answered::at_once;
   bool end_is_told = false;  ///< the controller tells by itself when what it began is over
   bool changes_programs = false;

@@ -83,7 +83,8 @@ void Link::hurry_for_a_stop() {
   if (in_flight_->transaction.reply.kind == ReplyShape::Kind::quiet_end && !received_.empty()) return;
   const Duration on_wire = wire_time(in_flight_->transaction.bytes.size() + usual_answer);
   const Instant latest = std::max(scheduler_.now(), sent_at_ + on_wire) + longest_wait_of_a_stop;
-  if (latest < deadline_at_) deadline_.arm(deadline_at_ = latest);
+  latest_end_ = std::min(latest_end_, latest);
+  if (latest_end_ < deadline_at_) deadline_.arm(deadline_at_ = latest_end_);
 }
 
 // A window has its own deadline, so that a burst that is under way always ends.
@@ -119,6 +120,7 @@ void Link::start_next() {
   if (!in_flight_) return;
   const Transaction& t = in_flight_->transaction;
   sent_at_ = scheduler_.now();
+  latest_end_ = Instant::max();
   spoke_last_ = &in_flight_->station;
   if (window_) {
     in_flight_->its_turn = true;
@@ -143,10 +145,11 @@ void Link::start_next() {
 }
 
 Duration Link::patience_for(const Station& station, const Transaction& t) const {
+  const Duration late = t.impatient ? Duration::zero() : station.lateness();
   const bool all_silent = silent_in_a_row_ > 2 * static_cast<int>(station_count());  // it is slow, or dead
   if (!t.prompt || station_count() < 2 || prompt_answers_ < prompt_answers_needed || all_silent)
-    return t.patience + station.lateness();
-  return std::min(t.patience, std::max(least_patience, 3 * slowest_prompt_)) + station.lateness();
+    return t.patience + late;
+  return std::min(t.patience, std::max(least_patience, 3 * slowest_prompt_)) + late;
 }
 
 bool Link::owed_by_others(const Station& asking, Look look) const {
@@ -257,11 +260,14 @@ bool Link::strip_strangers() {
   return next != std::string_view::npos;
 }
 
-// Bytes may come with gaps: an answer that is coming in is waited for, unless a stop waits.
+// Bytes may come with gaps: an answer that is coming in is waited for, unless a stop waits. What babbles goes
+// on for ever.
 void Link::hear_it_out() {
   constexpr Duration longest_gap = Millis(60), longest_answer = std::chrono::seconds(1);
-  if (!waiting_[static_cast<std::size_t>(Priority::stop)].empty()) return;
-  const Instant latest = std::min(scheduler_.now() + longest_gap, sent_at_ + longest_answer);
+  const Transaction& t = in_flight_->transaction;
+  const bool is_stop = t.priority == Priority::stop && !t.own_question;  // it is to be said again
+  if (is_stop || !waiting_[static_cast<std::size_t>(Priority::stop)].empty()) return;
+  const Instant latest = std::min({scheduler_.now() + longest_gap, sent_at_ + longest_answer, latest_end_});
   if (latest > deadline_at_) deadline_.arm(deadline_at_ = latest);
 }
 

@@ -40,6 +40,8 @@ struct Transaction {
   bool on_dirty_line = false;
   /// Silence says nothing against the link: the controller is in a state in which it does not answer.
   bool may_be_silent = false;
+  /// The next text is more urgent than its answer: not waited for longer where answers are late.
+  bool impatient = false;
   /// What the console asks for itself about the state: recorded as a poll, however urgent it is.
   bool own_question = false;
   /// How many bytes at the front of what came in are messages of their own and no part of the reply (a prompt
@@ -126,6 +128,7 @@ class Link final : public std::enable_shared_from_this<Link>,
   Pending* in_flight_ = nullptr;
   std::string received_;
   Instant sent_at_{}, deadline_at_{};
+  Instant latest_end_ = Instant::max();  ///< of what is in flight: a stop has come
   /// From the end of the question to the answer, beyond its bytes; forgets slowly.
   Duration slowest_prompt_{};
   int prompt_answers_ = 0;

@@ -70,31 +70,44 @@ Task<Result<>> SessionGroup::perform_stop(bool at_once) {
 
 namespace {
 
-struct Waiting {
-  explicit Waiting(Scheduler& scheduler, std::size_t members)
-      : results(members), left(members), ended(scheduler) {}
-  std::vector<Result<>> results;
+struct Together {
+  Together(Scheduler& scheduler, std::size_t parts) : left(parts), ended(scheduler) {}
   std::size_t left;
   Event ended;
 };
 
-Task<> wait_for_one(std::shared_ptr<Session> member, Duration patience, std::shared_ptr<Waiting> waiting,
+Task<> take_part(Task<> work, std::shared_ptr<Together> together) {
+  co_await std::move(work);
+  --together->left;
+  together->ended.notify();
+}
+
+// One that waits does not hold up the others.
+Task<> all_together(Scheduler& scheduler, std::vector<Task<>> works) {
+  const auto together = std::make_shared<Together>(scheduler, works.size());
+  for (Task<>& work : works)
+    asio::co_spawn(scheduler.executor(), take_part(std::move(work), together), asio::detached);
+  while (together->left > 0) co_await together->ended.wait();
+}
+
+using Results = std::vector<Result<>>;
+
+Task<> wait_for_one(std::shared_ptr<Session> member, Duration patience, std::shared_ptr<Results> results,
                     std::size_t place) {
-  waiting->results[place] = co_await member->wait_until_idle(patience);
-  --waiting->left;
-  waiting->ended.notify();
+  (*results)[place] = co_await member->wait_until_idle(patience);
 }
 
 }  // namespace
 
-// All at once: each needs a round of status of its own, and thirty on a slow wire take their time for that.
+// Each needs a round of status of its own, and thirty on a slow wire take their time for that.
 Task<Result<>> SessionGroup::wait_until_idle(Duration patience) {
   const auto self = shared_from_this();
-  const auto waiting = std::make_shared<Waiting>(scheduler_, members_.size());
+  const auto results = std::make_shared<Results>(members_.size());
+  std::vector<Task<>> waits;
   for (std::size_t i = 0; i < members_.size(); ++i)
-    asio::co_spawn(scheduler_.executor(), wait_for_one(members_[i], patience, waiting, i), asio::detached);
-  while (waiting->left > 0) co_await waiting->ended.wait();
-  for (Result<>& result : waiting->results)
+    waits.push_back(wait_for_one(members_[i], patience, results, i));
+  co_await all_together(scheduler_, std::move(waits));
+  for (Result<>& result : *results)
     if (!result) co_return std::move(result);
   co_return Result<>();
 }
@@ -108,7 +121,10 @@ Task<Result<>> SessionGroup::wait_until_connected() {
 }
 
 Task<> SessionGroup::close() {
-  for (const auto& member : members_) co_await member->close();
+  const auto self = shared_from_this();
+  std::vector<Task<>> closings;
+  for (const auto& member : members_) closings.push_back(member->close());
+  co_await all_together(scheduler_, std::move(closings));
 }
 
 }  // namespace hw

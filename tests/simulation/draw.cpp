@@ -14,7 +14,7 @@ namespace {
 class Artist {
  public:
   Artist(const ModelFacts& facts, std::uint64_t seed, const Drawing& drawing)
-      : random_(seed * 1000003u + 17), facts_(facts), drawing_(drawing) {
+      : random_(seed * 1000003u + 17), beside_(seed * 2000003u + 31), facts_(facts), drawing_(drawing) {
     plan_.model = facts.model;
     const bool bus = drawing.bus && !facts.bus.empty();
     plan_.options = random_.one_of(bus ? facts.bus : facts.options);
@@ -59,6 +59,12 @@ class Artist {
   /// No two moves of a plan go the same way.
   std::int64_t distance() { return random_.sign() * (random_.between(40, 600) * 10 * scale() + ++moves_); }
   std::int64_t scale() const { return facts_.model == "vme58" ? 20 : 1; }
+  std::string stop_of_all() {
+    std::vector<std::string> texts;
+    for (const StopText& text : facts_.stops)
+      if (text.axis < 0) texts.push_back(text.text);
+    return beside_.one_of(texts);
+  }
   std::int64_t slot() { return random_.between(0, std::max(1, catalog_.program.slots) - 1); }
 
   void draw_quirk(const std::vector<std::string>& quirks) {
@@ -95,6 +101,7 @@ class Artist {
     if (draw <= 95) return put(at, "wait_idle", on, {random_.between(100, 5000)});
     if (draw <= 97) {
       put(at, "close", on);
+      if (beside_.percent(50)) put(at, "type_stop_closing", on, {}, stop_of_all());
       return put(at + Millis(random_.mostly_small(20, 4000)), "open", on);
     }
     draw_bench(at, on);
@@ -202,6 +209,7 @@ class Artist {
   }
 
   Random random_;
+  Random beside_;  ///< what was added later: the plans of a seed stay as they were beside it
   const ModelFacts& facts_;
   const Drawing& drawing_;
   Catalog catalog_;

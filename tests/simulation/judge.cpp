@@ -126,8 +126,7 @@ void Judge::stop_asked(int device, std::uint32_t axes, StopKind kind, bool by_ha
 
 void Judge::stop_asked_closing(int device) {
   if (at(device).session) return;
-  at(device).excuses.clear();
-  stop_asked(device, all_axes, StopKind::at_once);
+  stop_asked(device, all_axes, StopKind::typed);
 }
 
 void Judge::jog_let_go(int device, AxisId axis, IntentId jog, Duration after) {

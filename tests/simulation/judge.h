@@ -38,9 +38,10 @@ class Judge final : public Witness {
   /// Where answers come at once, at 9,600 baud: the transaction on the wire (25 ms), STOP, the end of four
   /// programs, STOP again (14 ms each); a VXM's 20 ms for one letter.
   static constexpr Duration stop_on_prompt_wire = Millis(150);
-  /// For each neighbour on the line: its transaction, and its own stop where all are stopped.
+  /// For each neighbour on the line: its transaction, and its own stop where all are stopped (on a doubtful
+  /// wire 60 ms of silence behind each of the first two texts of it).
   static constexpr Duration neighbour_stops = Millis(150);
-  /// Where an answer may be missing the stop waits 0.2 s for it, and again for that of each of its texts.
+  /// Where an answer may be missing the stop waits 0.2 s for it, and 60 ms for that of each of its texts.
   static constexpr Duration stop_on_doubtful_wire = Millis(500);
   static constexpr Duration wire_is_prompt_again = std::chrono::seconds(5);
   /// After a hurt wire: tried every 250 ms, a port takes as long to open, a lost answer is waited for (0.2

@@ -121,8 +121,9 @@ void Judge::judge_stops(int device) {
 /// What the stop of that axis may take, beside its ramp.
 Duration Judge::bound(const AxisCase& axis, bool hurt) const {
   if (hurt) return stop_after_hurt;
-  if (axis.stopped->doubtful || !prompt()) return stop_on_doubtful_wire;
-  return stop_on_prompt_wire + neighbour_stops * (devices_.size() - 1);
+  const Duration neighbours = neighbour_stops * (devices_.size() - 1);
+  if (axis.stopped->doubtful || !prompt()) return stop_on_doubtful_wire + neighbours;
+  return stop_on_prompt_wire + neighbours;
 }
 
 /// Nothing has been wrong with the wire for a while.

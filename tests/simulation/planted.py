@@ -2,7 +2,8 @@
 """Shows that the judge bites: small faults are planted in the production code, one at a time, in a scratch
 worktree, and the search has to find each of them. By hand; it takes about an hour.
 
-    planted.py [--check] [FAULT...]      --check: only whether each of them still applies
+    planted.py [--check] [--soon] [FAULT...]
+        --check: only whether each of them still applies; --soon: 2,000 sessions of each model at most
 """
 import os
 import re
@@ -85,11 +86,11 @@ def play(binary, model, seed, seeds, until_failure):
     return (int(found[1]), found[2]) if found else None
 
 
-def search(binary, honest, model):
+def search(binary, honest, model, at_most):
     """How many sessions it takes to find something that the honest build does not do, and what."""
     seed = 1
-    while seed <= AT_MOST:
-        seeds = (SOON if seed <= SOON else AT_MOST) - seed + 1
+    while seed <= at_most:
+        seeds = (SOON if seed <= SOON else at_most) - seed + 1
         found = play(binary, model, seed, seeds, True)
         if not found:
             seed += seeds
@@ -102,6 +103,7 @@ def search(binary, honest, model):
 
 def main(words):
     only_check = "--check" in words
+    at_most = SOON if "--soon" in words else AT_MOST
     names = [word for word in words if not word.startswith("--")]
     faults = [fault for fault in FAULTS if not names or fault["name"] in names]
     prepare()
@@ -118,7 +120,7 @@ def main(words):
     for fault in faults:
         plant(fault)
         binary = build()
-        found = next(filter(None, (search(binary, honest, model) for model in fault["models"])), None)
+        found = next(filter(None, (search(binary, honest, model, at_most) for model in fault["models"])), None)
         restore()
         soon += bool(found and found[0] <= SOON)
         late += bool(found and found[0] > SOON)

@@ -248,8 +248,10 @@ void Stage::jog(int device, AxisId axis, Sign sign, Duration held, LetGo how) {
 
 void Stage::stop_closing(int device, std::string text) {
   if (closing_.empty() || device >= static_cast<int>(closing_.back()->members().size())) return;
+  Session& leaving = *closing_.back()->members()[static_cast<std::size_t>(device)];
+  if (leaving.snapshot().link.state == LinkState::closed) return;
   judge_.stop_asked_closing(device);
-  closing_.back()->members()[static_cast<std::size_t>(device)]->send(intent::SendText(std::move(text)));
+  leaving.send(intent::SendText(std::move(text)));
 }
 
 void Stage::query_stop(int device, std::uint32_t axes, std::string text, Duration patience) {

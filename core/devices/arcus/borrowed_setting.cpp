@@ -4,8 +4,10 @@
 
 namespace hw::arcus {
 
-Task<Result<>> BorrowedSetting::borrow(std::string name, std::int64_t value) {
-  auto before = co_await talk_.ask_number(name, Priority::intent);
+Task<Result<>> BorrowedSetting::borrow(std::string name, std::int64_t value,
+                                       std::optional<std::int64_t> shown) {
+  Conversation::Decode decode = decode_number;
+  auto before = co_await talk_.ask_surely(name, std::move(decode), shown, Priority::intent);
   if (!before) co_return fail(before.error());
   if (*before == value) co_return Result<>();
   borrowed_ = Borrowed{name, *before, value};
@@ -15,7 +17,9 @@ Task<Result<>> BorrowedSetting::borrow(std::string name, std::int64_t value) {
 Task<Result<>> BorrowedSetting::give_back() {
   if (!borrowed_) co_return Result<>();
   if (borrowed_->left_alone) {
-    auto present = co_await talk_.ask_number(borrowed_->name, Priority::intent);
+    Conversation::Decode decode = decode_number;
+    auto present =
+        co_await talk_.ask_surely(borrowed_->name, std::move(decode), borrowed_->for_now, Priority::intent);
     if (!present) co_return fail(present.error());
     if (borrowed_ && *present != borrowed_->for_now) borrowed_.reset();
     if (!borrowed_) co_return Result<>();

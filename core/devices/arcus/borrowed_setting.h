@@ -16,7 +16,8 @@ class BorrowedSetting {
   BorrowedSetting(Conversation& talk, std::function<void(std::string_view name)> given_back)
       : talk_(talk), given_back_(std::move(given_back)) {}
 
-  Task<Result<>> borrow(std::string name, std::int64_t value);
+  /// `shown`: what it is, as far as is known. What it is read as is what is put back.
+  Task<Result<>> borrow(std::string name, std::int64_t value, std::optional<std::int64_t> shown);
   Task<Result<>> give_back();
   /// Before anything that it would act on, or store.
   Task<Result<>> give_back_first();

@@ -306,6 +306,7 @@ std::vector<ParamInfo> params(const Model& model, const Wording& wording) {
         p.warning =
             "These axes follow their analog inputs at once and may begin to move. Take your hands off the "
             "machine and the stick before you confirm.";
+      if (!p.warning.empty()) p.harmless = 0;
       if (p.unit == "ms" && fact.max > max_number) p.maximum = longest_ramp_ms(model);
       all.push_back(std::move(p));
     }

@@ -197,7 +197,7 @@ bool may_set_counter(std::string_view text) {
   const std::string_view name = text.substr(0, text.find('='));
   if (name.size() == text.size()) return false;
   const bool counter = name.size() == 2 && (name[0] == 'P' || name[0] == 'E');
-  return counter || name == "JE";
+  return (counter && decode_number(text.substr(name.size() + 1)).value_or(0) == 0) || name == "JE";
 }
 
 bool may_set_target(std::string_view text) {

@@ -71,7 +71,7 @@ std::string move_command(const Forms& forms, const std::vector<AxisValue>& targe
 /// Commands that may move something: they are never repeated.
 bool may_move(const Forms& forms, std::string_view text);
 
-/// A text that sets a position or encoder counter, or may.
+/// A text that sets a position or encoder counter to zero, or may.
 bool may_set_counter(std::string_view text);
 /// One that puts the position where the encoder stands, or may: clearing an error, switching StepNLoop.
 bool may_set_target(std::string_view text);

@@ -46,6 +46,14 @@ Framing Conversation::framing() const {
   return station_ && station_->carries_messages() ? Framing::message : Framing::addressed;
 }
 
+// What was not answered may have lost its end on the way, and would swallow what follows: CR ends it.
+std::string Conversation::framed(std::string_view text) const {
+  std::string bytes = frame(framing(), catalog_.address, text);
+  const bool answered = !station_ || !(station_->is_dirty() || station_->others_owe());
+  if (framing() != Framing::message && !answered) bytes.insert(0, 1, '\r');
+  return bytes;
+}
+
 // ---- one text and its reply
 
 // A stop waits for nothing, and nothing that follows makes it surer.
@@ -95,9 +103,9 @@ Task<Result<Reply>> Conversation::say(std::string text, Priority priority, Durat
                                       bool own_question, bool on_dirty_line) {
   if (!station_) co_return no_connection();
   const bool usb = station_->carries_messages();
-  Transaction t(frame(framing(), catalog_.address, text), usb ? ReplyShape::message() : ReplyShape::text(),
-                priority);
+  Transaction t(framed(text), usb ? ReplyShape::message() : ReplyShape::text(), priority);
   t.patience = patience;
+  t.impatient = priority == Priority::stop && !own_question && patience <= until_next_of_stop;
   t.prompt = own_question;
   t.own_question = own_question && priority != Priority::transfer;
   t.on_dirty_line = on_dirty_line;
@@ -164,8 +172,8 @@ std::optional<Station::Unmistakable> Conversation::unmistakable(const OwedAnswer
 
 Station::Unmistakable Conversation::asks_who(std::string_view question,
                                              std::function<bool(std::string_view)> is_it) const {
-  Transaction t(frame(framing(), catalog_.address, question),
-                framing() == Framing::message ? ReplyShape::message() : ReplyShape::text(), Priority::poll);
+  Transaction t(framed(question), framing() == Framing::message ? ReplyShape::message() : ReplyShape::text(),
+                Priority::poll);
   t.look = looks::of_question(forms_, question);
   t.prompt = true;
   t.stranger = [is_it](std::string_view bytes) { return looks::others_at_front(bytes, is_it); };
@@ -244,6 +252,24 @@ Task<Result<std::int64_t>> Conversation::ask_number(std::string question, Priori
   co_return numbers->front();
 }
 
+Task<Result<std::int64_t>> Conversation::ask_surely(std::string question, Decode decode,
+                                                    std::optional<std::int64_t> expected, Priority priority) {
+  constexpr int attempts = 4;
+  std::function<bool(std::string_view)> makes_sense = [&decode](std::string_view text) {
+    return decode(text).has_value();
+  };
+  for (int attempt = 0; attempt < attempts; ++attempt) {
+    auto text = co_await ask_for(question, makes_sense, priority);
+    if (!text) co_return fail(text.error());
+    const std::int64_t value = *decode(*text);
+    if (value == expected) co_return value;
+    expected = value;
+  }
+  co_return fail(FaultKind::garbled, fmt::format("The answers to {} differ each time.", question),
+                 fmt::format("It was asked {} times.", attempts),
+                 "Look at the cable, and whether something changes it all the time.");
+}
+
 // ---- commands
 
 // A stop goes out on a dirty line too: then an OK may be an older one's.
@@ -254,11 +280,12 @@ Task<Result<>> Conversation::command(std::string text, Priority priority, Durati
       (station_->owed().may_look(looks::done, now) || station_->owed().may_look(looks::text, now));
   auto reply = co_await exchange(text, priority, patience);
   if (!reply) co_return fail(reply.error());
-  if (reply->refused()) co_return refusal(text, reply->text);
-  if (reply->text == "OK" && !may_be_older) co_return Result<>();
-  if (reply->text == "OK")
-    co_return fail(FaultKind::no_answer, fmt::format("Whether OK was the answer to {} is not known.", text),
+  if (may_be_older && (reply->text == "OK" || reply->refused()))
+    co_return fail(FaultKind::no_answer,
+                   fmt::format("Whether {} was the answer to {} is not known.", printable(reply->text), text),
                    "It was sent.");
+  if (reply->refused()) co_return refusal(text, reply->text);
+  if (reply->text == "OK") co_return Result<>();
   co_return fail(FaultKind::garbled,
                  fmt::format("The controller answered {} to {} instead of OK.", printable(reply->text), text),
                  "It was sent once and is not repeated.", "Look whether it was done before you try again.");

@@ -28,6 +28,9 @@ inline bool worth_another_try(const Fault& fault) {
   return fault.kind == FaultKind::no_answer || fault.kind == FaultKind::garbled;
 }
 
+/// Of each text of a stop: then the next goes out, whether or not the answers of this controller are late.
+inline constexpr Duration until_next_of_stop = Millis(60);
+
 /// Bytes as a sentence can show them.
 std::string printable(std::string_view bytes);
 
@@ -61,6 +64,11 @@ class Conversation {
   Task<Result<std::int64_t>> ask_number(std::string question, Priority priority);
   Task<Result<std::vector<std::int64_t>>> ask_numbers(std::string question, std::size_t count,
                                                       Priority priority);
+  /// A digit that is lost or doubled on the way leaves another number that looks right: what differs from
+  /// `expected` is asked for until two answers agree.
+  using Decode = std::function<std::optional<std::int64_t>(std::string_view)>;
+  Task<Result<std::int64_t>> ask_surely(std::string question, Decode decode,
+                                        std::optional<std::int64_t> expected, Priority priority);
   // ---- commands: sent once
   Task<Result<>> command(std::string text, Priority priority, Duration patience = Millis(200));
   /// One command or question and its reply, whatever it says.
@@ -96,6 +104,7 @@ class Conversation {
   [[nodiscard]] std::optional<Station::Unmistakable> unmistakable(const OwedAnswers& owed, Instant now) const;
   [[nodiscard]] Station::Unmistakable asks_who(std::string_view question,
                                                std::function<bool(std::string_view)> is_it) const;
+  [[nodiscard]] std::string framed(std::string_view text) const;
   [[nodiscard]] bool others_may_say(Look look) const;
   [[nodiscard]] bool is_its_name(std::string_view text) const;
   [[nodiscard]] bool is_anothers_name(std::string_view bytes) const;

@@ -116,6 +116,7 @@ class ArcusDriver final : public Driver {
   Task<Result<>> see_whether_it_stands();
   Task<Result<>> read_whole_motion(Priority priority);
   Task<Result<>> read_motion(Priority priority);
+  Task<Result<>> read_counters(Priority priority);
   Task<Result<>> read_loop(Priority priority);
   Task<Result<>> read_io(Priority priority);
   Task<> stay_live();
@@ -166,12 +167,12 @@ class ArcusDriver final : public Driver {
   Task<Result<>> joystick(int axis, bool on);
 
   // ---- driver_stop.cpp
-  Task<Result<>> send_stop(const StopOrder& order);
+  Task<Result<>> send_stop(const StopOrder& order, Duration patience);
   Task<Result<>> stop_line(bool at_once);
-  Task<Result<>> stop_axes(int axis, bool at_once, bool motion_only);
-  Task<Result<>> stop_all(std::string word);
+  Task<Result<>> stop_axes(int axis, bool at_once, bool motion_only, Duration patience);
+  Task<Result<>> stop_all(std::string word, Duration patience);
   Task<Result<>> halt_thread(int thread, Duration patience);
-  Task<Result<>> halt_program(int thread);
+  Task<Result<>> halt_program(int thread, Duration patience);
   Task<Result<>> release_joystick(int axis, std::string stop);
   [[nodiscard]] bool may_run(int thread) const;
   [[nodiscard]] bool program_runs_on() const;

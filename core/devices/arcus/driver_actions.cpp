@@ -80,7 +80,8 @@ Task<Result<>> ArcusDriver::change_speed(int axis, std::int64_t speed, std::int6
       if (!own) co_return fail(own.error());
       if (*own != 0) name = fill(forms_, forms_.axis_accel, axis);
     }
-    auto borrowed = co_await borrowed_.borrow(std::move(name), accel_ms);
+    const auto shown = setup_.param(name);
+    auto borrowed = co_await borrowed_.borrow(std::move(name), accel_ms, shown);
     if (!borrowed) co_return borrowed;
   }
   const std::string text = fill(forms_, forms_.change_speed, axis, Sign::plus, speed);

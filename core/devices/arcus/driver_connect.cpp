@@ -207,10 +207,8 @@ void ArcusDriver::tell(Notice::Kind kind, std::string text) {
 }
 
 Task<Result<>> ArcusDriver::read_state() {
-  auto motion = co_await read_motion(Priority::intent);
+  auto motion = co_await read_whole_motion(Priority::intent);
   if (!motion) co_return motion;
-  auto loop = co_await read_loop(Priority::intent);
-  if (!loop) co_return loop;
   auto io = co_await read_io(Priority::intent);
   if (!io) co_return io;
   co_return co_await read_threads(true, Priority::intent);

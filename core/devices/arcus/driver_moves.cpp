@@ -75,17 +75,15 @@ Task<Result<bool>> ArcusDriver::ask_incremental() {
   co_return readouts_.incremental();
 }
 
-// Where the axis stands, or its target with StepNLoop. A digit that was garbled on the wire would become a
-// wrong move, so a number that is not the one shown is asked for until two agree.
+// Where the axis stands, or its target with StepNLoop. A digit that was lost on the wire would become a wrong
+// move.
 Task<Result<std::int64_t>> ArcusDriver::ask_position(int axis) {
-  const std::string question = fill(forms_, forms_.position, axis);
-  std::int64_t last = draft_.axes[axis].position.value;
-  for (int attempt = 0; attempt < 4; ++attempt) {
-    auto position = co_await talk_.ask_number(question, Priority::intent);
-    if (!position) co_return fail(position.error());
-    if (*position == last) co_return *position;
-    last = *position;
-  }
+  std::string question = fill(forms_, forms_.position, axis);
+  Conversation::Decode decode = decode_number;
+  auto position = co_await talk_.ask_surely(std::move(question), std::move(decode),
+                                            draft_.axes[axis].position.value, Priority::intent);
+  if (position || !draft_.axes[axis].position_known || position.error().kind != FaultKind::garbled)
+    co_return position;
   co_return fail(
       FaultKind::garbled,
       fmt::format("Axis {} does not stand still, so it cannot be moved by a distance.", axis_name(axis)),
@@ -124,6 +122,7 @@ Task<Result<>> ArcusDriver::move(std::vector<AxisTarget> wish, Pps speed, bool r
   for (std::size_t i = 0; started && i < axes.size(); ++i) {
     draft_.axes[axes[i]].has_target = true;
     draft_.axes[axes[i]].target = Steps(goals[i]);
+    watch_.was_sent_to(axes[i], Steps(goals[i]));
     minds_[ix(axes[i])].top_speed = speed.value > 0 ? speed : draft_.axes[axes[i]].own_speed;
   }
   auto returned = co_await borrowed_.give_back();
@@ -192,7 +191,8 @@ Task<Result<>> ArcusDriver::borrow_speed(Pps speed, int axis) {
     }
     if (own) name = fill(forms_, forms_.axis_high_speed, axis);
   }
-  co_return co_await borrowed_.borrow(std::move(name), wanted);
+  const auto shown = setup_.param(name);
+  co_return co_await borrowed_.borrow(std::move(name), wanted, shown);
 }
 
 // ---- a list of moves
@@ -233,6 +233,7 @@ Task<Result<>> ArcusDriver::set_position(intent::SetPosition wish) {
             axis_name(axis));
       co_return set;
     }
+    watch_.position_was_set(axis, wish.value);
     draft_.axes[axis].trust.settle(Trust::set, scheduler_.now());
     draft_.axes[axis].has_target = false;  // it counts from elsewhere now
   }
@@ -246,6 +247,7 @@ Task<Result<>> ArcusDriver::set_encoder(intent::SetEncoder wish) {
     auto set = co_await talk_.command(set_command(fill(forms_, forms_.encoder, axis), wish.value.value),
                                       Priority::intent);
     if (!set) co_return set;
+    watch_.encoder_was_set(axis, wish.value);
     draft_.axes[axis].has_target = false;
   }
   co_return co_await read_motion(Priority::intent);

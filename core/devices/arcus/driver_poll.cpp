@@ -20,9 +20,8 @@ Task<Result<>> ArcusDriver::poll(Round round) {
   if (round == Round::stopping) co_return co_await see_whether_it_stands();
   ++round_;
   const RestartWatch::Look look = watch_.begin_look();
-  auto motion = co_await read_whole_motion(Priority::poll);
+  auto motion = co_await read_motion(Priority::poll);
   if (!motion) co_return motion;
-  watch_.look_at_counters(look);
   auto returned = co_await borrowed_.give_back();
   if (!returned) co_return returned;
   auto fed = co_await feed();
@@ -47,10 +46,8 @@ Task<Result<>> ArcusDriver::poll(Round round) {
 }
 
 Task<Result<>> ArcusDriver::see_whether_it_stands() {
-  const RestartWatch::Look look = watch_.begin_look();
-  auto seen = co_await read_whole_motion(Priority::stop);
+  auto seen = co_await read_motion(Priority::stop);
   if (!seen) co_return seen;
-  watch_.look_at_counters(look);
   if (halting_) co_return co_await read_threads(true, Priority::stop);
   co_return Result<>();
 }
@@ -64,11 +61,19 @@ Duration ArcusDriver::moving_period() const {
   return std::max(Duration::zero(), round - (scheduler_.now() - round_began_));
 }
 
+// Each of them is looked at for a restart: one that was not would hide it from the next.
+Task<Result<>> ArcusDriver::read_motion(Priority priority) {
+  const RestartWatch::Look look = watch_.begin_look();
+  auto read = co_await read_whole_motion(priority);
+  if (read) watch_.look_at_counters(look);
+  co_return read;
+}
+
 // Where an answer was missing in between, what was read before and behind it may be of two controllers: one
 // before its restart, and one behind it.
 Task<Result<>> ArcusDriver::read_whole_motion(Priority priority) {
   for (const bool again : {false, true}) {
-    auto read = co_await read_motion(priority);
+    auto read = co_await read_counters(priority);
     if (read) read = co_await read_loop(priority);
     if (!read || again || watch_.motion_is_whole()) co_return read;
   }
@@ -76,7 +81,7 @@ Task<Result<>> ArcusDriver::read_whole_motion(Priority priority) {
 }
 
 // Four questions, each answered for all axes.
-Task<Result<>> ArcusDriver::read_motion(Priority priority) {
+Task<Result<>> ArcusDriver::read_counters(Priority priority) {
   round_began_ = scheduler_.now();
   const auto axes = ix(axis_count());
   std::size_t fields = axes;

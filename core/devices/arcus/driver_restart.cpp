@@ -20,18 +20,20 @@ Pps ArcusDriver::fastest_way_to_zero(int index) const {
   if (!mind.ours || mind.wanted == Activity::homing) return at_once;
   const bool away = axis.position.value * axis.direction > 0;
   if (mind.wanted == Activity::jogging) return away ? Pps{} : std::max(axis.speed, mind.top_speed);
-  if (mind.stopping) return axis.speed;
+  if (mind.stopping) return away ? Pps{} : axis.speed;
   if (!axis.has_target) return at_once;
   if (axis.target != Steps(0)) return Pps{};
   return mind.top_speed.value > 0 ? std::max(axis.speed, mind.top_speed) : at_once;
 }
 
 RestartWatch::Ways ArcusDriver::ways_of_watch() {
-  return {[this](int axis) {
-            const Steps room = draft_.axes[axis].in_counts ? Steps(loop_tolerance(axis)) : Steps(0);
-            return RestartWatch::AxisNow{runs(axis), moving(axis), fastest_way_to_zero(axis), room};
-          },
-          [this](std::string_view how_it_shows, unsigned moved) { restarted(how_it_shows, moved); }};
+  return {
+      [this](int axis) {
+        const Steps room = draft_.axes[axis].in_counts ? Steps(loop_tolerance(axis)) : Steps(0);
+        const bool to_encoder = minds_[ix(axis)].stopping && draft_.axes[axis].in_counts;
+        return RestartWatch::AxisNow{runs(axis), moving(axis), to_encoder, fastest_way_to_zero(axis), room};
+      },
+      [this](std::string_view how_it_shows, unsigned moved) { restarted(how_it_shows, moved); }};
 }
 
 // Whatever is sent or heard goes through here before it is.
@@ -57,12 +59,15 @@ Task<Result<>> ArcusDriver::look_after_silence() {
   if (!watch_.was_silent()) co_return Result<>();
   const std::uint32_t restarts = draft_.restarts;
   const RestartWatch::Look look = watch_.begin_look();
-  auto seen = co_await read_whole_motion(Priority::intent);
-  if (seen) watch_.look_at_counters(look);
+  auto seen = co_await read_motion(Priority::intent);
   if (seen && watch_.in_doubt()) seen = co_await read_io(Priority::intent);
   if (seen && watch_.in_doubt()) seen = co_await watch_.look_at_motors(look);
-  if (!seen && seen.error().kind == FaultKind::stopped) co_return seen;
-  if (draft_.restarts == restarts) co_return Result<>();
+  if (seen && draft_.restarts == restarts) co_return seen;
+  if (!seen && worth_another_try(seen.error())) {
+    seen.error().kind = FaultKind::refused;
+    seen.error().done = "Nothing was sent.";
+  }
+  if (!seen) co_return seen;
   co_return fail(FaultKind::refused, "The controller was switched off and on, and stands otherwise now.",
                  "Nothing was sent.", "Look at its positions before you ask again.");
 }

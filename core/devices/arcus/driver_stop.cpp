@@ -11,6 +11,7 @@ namespace {
 constexpr Duration longest_stop = std::chrono::seconds(30);  // of a ramp that the user made long
 constexpr Duration next_move_of_a_program = std::chrono::seconds(1);
 constexpr int stop_attempts = 3;
+constexpr Duration until_confirmed = Millis(200);
 
 Fault joystick_not_read(bool switched_off) {
   return Fault(FaultKind::garbled, "The controller did not tell which axes follow the joystick.",
@@ -28,21 +29,21 @@ Task<Result<std::string>> ArcusDriver::stop(const StopOrder& order) {
                    "Nothing was sent.", "Use its power switch.");
   if (order.what == What::words) co_return co_await stop_by_words(order);
   const Instant began = scheduler_.now();
-  auto sent = co_await send_stop(order);
+  auto sent = co_await send_stop(order, until_next_of_stop);
   const bool heard = talk_.is_open() && talk_.station()->heard_at() >= began;
   if (!sent && heard && worth_another_try(sent.error())) {  // on a clean line its answers are its own
     const bool clean = co_await talk_.come_clean(Priority::stop);
-    if (clean) sent = co_await send_stop(order);
+    if (clean) sent = co_await send_stop(order, until_confirmed);
   }
   if (!sent) co_return fail(sent.error());
   co_return std::string();
 }
 
-Task<Result<>> ArcusDriver::send_stop(const StopOrder& order) {
+Task<Result<>> ArcusDriver::send_stop(const StopOrder& order, Duration patience) {
   using What = StopOrder::What;
   if (order.what == What::broadcast) co_return co_await stop_line(order.at_once);
-  if (order.what == What::program) co_return co_await halt_program(order.thread);
-  co_return co_await stop_axes(order.axis, order.at_once, order.what == What::jog);
+  if (order.what == What::program) co_return co_await halt_program(order.thread, patience);
+  co_return co_await stop_axes(order.axis, order.at_once, order.what == What::jog, patience);
 }
 
 // A stop for all devices of the line in one message; the stop of each follows.
@@ -52,15 +53,15 @@ Task<Result<>> ArcusDriver::stop_line(bool at_once) {
 }
 
 // What a jog moves stops alone: programs, and axes that they move, go on.
-Task<Result<>> ArcusDriver::stop_axes(int axis, bool at_once, bool motion_only) {
+Task<Result<>> ArcusDriver::stop_axes(int axis, bool at_once, bool motion_only, Duration patience) {
   list_.end();
   const std::string_view form = at_once ? forms_.abort : forms_.stop;
   const bool all = axis < 0 || axis_count() == 1;
   const std::string word = all ? std::string(form.substr(0, form.find('a'))) : fill(forms_, form, axis);
   stopping(all ? -1 : axis, at_once);
-  if (motion_only) co_return co_await talk_.command(word, Priority::stop);
-  if (all) co_return co_await stop_all(word);
-  auto said = co_await talk_.command(word, Priority::stop);
+  if (motion_only) co_return co_await talk_.command(word, Priority::stop, patience);
+  if (all) co_return co_await stop_all(word, patience);
+  auto said = co_await talk_.command(word, Priority::stop, patience);
   if (!said && said.error().kind != FaultKind::refused)
     co_return said;  // the next time asks for the joystick
   auto released = co_await release_joystick(axis, word);
@@ -70,16 +71,14 @@ Task<Result<>> ArcusDriver::stop_axes(int axis, bool at_once, bool motion_only) 
 // The programs that run end first, and what they have begun in between right behind them; then those that
 // were idle when last asked, which a program, another host or the power-up may have started. Whatever is not
 // confirmed, the next is sent.
-Task<Result<>> ArcusDriver::stop_all(std::string word) {
+Task<Result<>> ArcusDriver::stop_all(std::string word, Duration patience) {
   halting_ = true;
   std::bitset<max_threads> running;
   for (int n = 0; n < model().programs; ++n) {
     const RunState last = draft_.threads[ix(n)].run;  // also where it is not known any more
     running.set(ix(n), last == RunState::running || last == RunState::held);
   }
-  Result<> all = co_await talk_.command(word, Priority::stop);
-  // Where nobody answers, what still has to be heard does not wait for long.
-  const auto patience = [&all] { return all ? Millis(200) : Millis(60); };
+  Result<> all = co_await talk_.command(word, Priority::stop, patience);
   const auto note = [&all](Result<> next) {
     if (all && !next) all = std::move(next);
   };
@@ -88,13 +87,11 @@ Task<Result<>> ArcusDriver::stop_all(std::string word) {
     for (int n = 0; n < model().programs; ++n) {
       if (running.test(ix(n)) != those_that_run) continue;
       told = true;
-      const Duration wait = patience();
-      auto halted = co_await halt_thread(n, wait);
+      auto halted = co_await halt_thread(n, patience);
       note(std::move(halted));
     }
     if (!told) continue;
-    const Duration wait = patience();
-    auto said = co_await talk_.command(word, Priority::stop, wait);
+    auto said = co_await talk_.command(word, Priority::stop, patience);
     note(std::move(said));
   }
   if (!all && all.error().kind != FaultKind::refused) co_return all;  // the next time asks for the joystick
@@ -121,14 +118,14 @@ Task<Result<>> ArcusDriver::halt_thread(int thread, Duration patience) {
 }
 
 // The program ends; the motion that it has begun goes on.
-Task<Result<>> ArcusDriver::halt_program(int thread) {
+Task<Result<>> ArcusDriver::halt_program(int thread, Duration patience) {
   if (thread >= model().programs)
     co_return fail(FaultKind::refused, fmt::format("There is no program {}.", thread), "Nothing was sent.");
   halting_ = true;
   Result<> all;
   for (int n = 0; n < model().programs; ++n) {
     if (thread >= 0 && n != thread) continue;
-    auto halted = co_await halt_thread(n, Millis(200));
+    auto halted = co_await halt_thread(n, patience);
     if (all && !halted) all = std::move(halted);
   }
   co_return all;

@@ -57,6 +57,11 @@ Task<Result<std::string>> ArcusDriver::stop_by_words(const StopOrder& order) {
   auto stopped = co_await say_text(text, Priority::stop, patience);
   if (stopped && stopped->starts_with('?'))  // it has heard something else
     co_return fail(FaultKind::controller, fmt::format("The controller answered {} to {}.", *stopped, text));
+  const bool its_own = address_of(text) < 0 || address_of(text) == catalog_.address;
+  if (stopped && its_own && ends_motion(command_in(text)) &&
+      *stopped != "OK")  // the answer to what was before
+    co_return fail(FaultKind::garbled, fmt::format("The controller answered {} to {}.", *stopped, text),
+                   "It was sent, and the console's own stop behind it.");
   if (!stopped || !more) co_return stopped;
   co_return fail(FaultKind::refused, "There is another command behind the stop.", "The stop was sent alone.",
                  "Send the other by itself.");

@@ -120,7 +120,7 @@ void Controller::look(Motion& m) {
     const MotionKind kind = m.kind;
     const HomeStep step = axis.homing.step;
     if (hit_switch(m, a)) return;
-    if (kind == MotionKind::homing) {
+    if (kind == MotionKind::homing && !m.stopping) {  // STOP ends homing
       home_looks(m, a);
       if (!m.active || axis.homing.step != step) return;
     }
@@ -179,7 +179,8 @@ bool Controller::hit_switch(Motion& m, int a) {
   const int ahead = m.path.direction(ix(a), m.applied);
   for (const int way : {axis.arrived_by, ahead}) {
     if (way == 0 || !limit_active(a, sign_of(way))) continue;
-    if (axis.homing.step == HomeStep::seek_switch && axis.homing.mode == HomeMode::limit) return false;
+    if (!m.stopping && axis.homing.step == HomeStep::seek_switch && axis.homing.mode == HomeMode::limit)
+      return false;
     tell("axis " + letter(a) + " ran into its " + (way > 0 ? "plus" : "minus") + " limit switch");
     if (!forgives) {
       (way > 0 ? axis.plus_error : axis.minus_error) = true;

@@ -21,7 +21,7 @@ RestartWatch::Stood RestartWatch::where_all_stand() const {
   stood.misses = talk_.misses();
   stood.program_ran = draft_.program.run == RunState::running;
   for (int i = 0; i < draft_.axis_count; ++i)
-    stood.axes[ix(i)] = {draft_.axes[i].position, draft_.axes[i].encoder, ways_.axis_now(i)};
+    stood.axes[ix(i)] = {draft_.axes[i].position, draft_.axes[i].encoder, ways_.axis_now(i), false};
   return stood;
 }
 
@@ -29,6 +29,19 @@ void RestartWatch::goes_out(std::string_view command) {
   if (may_set_counter(command)) counters_.may_be_set();
   if (may_set_target(command)) targets_.may_be_set();
   if (may_switch_motor(command)) motors_.may_be_set();
+  if (stood_ && ends_motion(command))
+    for (Stood::Axis& axis : stood_->axes) axis.sent_away = false;
+}
+
+// No reading shows it yet, and the power may go before the next.
+void RestartWatch::was_sent_to(int axis, Steps target) {
+  if (stood_) stood_->axes[ix(axis)].sent_away = target != Steps(0);
+}
+void RestartWatch::position_was_set(int axis, Steps position) {
+  if (stood_) stood_->axes[ix(axis)].position = position;
+}
+void RestartWatch::encoder_was_set(int axis, Steps position) {
+  if (stood_) stood_->axes[ix(axis)].encoder = position;
 }
 
 void RestartWatch::forget() {
@@ -58,9 +71,11 @@ void RestartWatch::look_at_counters(const Look& look, bool was_silent) {
     stands_at_zero = stands_at_zero && !stood_->axes[ix(i)].then.runs && axis.position == Steps(0) &&
                      axis.encoder == Steps(0);
     std::int64_t way = std::abs(stood.position.value) - stood.then.room.value;
-    if (!targets_stay) way = std::min(way, std::abs(stood.encoder.value));
+    const std::int64_t at_rest = stood.then.moving ? way : std::abs(stood.position.value);
+    const bool never_left = stood.sent_away && axis.error == AxisError::none;
+    came_nearer = came_nearer || never_left || at_rest > std::abs(axis.position.value);
+    if (!targets_stay || stood.then.to_encoder) way = std::min(way, std::abs(stood.encoder.value));
     const double reach = stood.then.towards_zero.value > 0 ? stood.then.towards_zero.value * elapsed : 0;
-    came_nearer = came_nearer || way > std::abs(axis.position.value);
     jumped = jumped || static_cast<double>(way) > reach;
   }
   const bool a_program_did = was_silent && before->program_ran;

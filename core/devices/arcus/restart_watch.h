@@ -18,8 +18,9 @@ class RestartWatch {
   /// What is known of an axis beside the snapshot.
   struct AxisNow {
     bool runs = false, moving = false;
-    Pps towards_zero;  ///< by itself it comes to zero at most so fast
-    Steps room;        ///< StepNLoop corrects it by so much
+    bool to_encoder = false;  ///< its stop under StepNLoop ends where the encoder stands, by its count too
+    Pps towards_zero;         ///< by itself it comes to zero at most so fast
+    Steps room;               ///< StepNLoop corrects it by so much
   };
   struct Ways {
     std::function<AxisNow(int axis)> axis_now;
@@ -42,6 +43,10 @@ class RestartWatch {
   /// Whatever goes out, before it does: a change that it explains is no power-cycle.
   void goes_out(std::string_view command);
   void counters_may_be_set() { counters_.may_be_set(); }
+  /// It has confirmed these.
+  void was_sent_to(int axis, Steps target);
+  void position_was_set(int axis, Steps position);
+  void encoder_was_set(int axis, Steps position);
   /// What has gone out explains nothing any more.
   void settle() { counters_.settle(), targets_.settle(); }
 
@@ -67,6 +72,7 @@ class RestartWatch {
     struct Axis {
       Steps position, encoder;
       AxisNow then;
+      bool sent_away = false;  ///< from zero, and not stopped since
     };
     std::array<Axis, max_axes> axes{};
     Instant seen_at{};

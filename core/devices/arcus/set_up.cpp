@@ -99,13 +99,12 @@ void SetUp::forget(std::string_view head) {
 
 Task<Result<>> SetUp::read(int index, Priority priority) {
   const ParamInfo& info = catalog_.params[ix(index)];
-  std::function<bool(std::string_view)> is_value = [&info](std::string_view text) {
-    return decode_value(info, text).has_value();
-  };
-  auto reply = co_await talk_.ask_for(info.mnemonic, std::move(is_value), priority);
-  if (!reply) co_return fail(reply.error());
-  const std::int64_t value = *decode_value(info, *reply);
+  Conversation::Decode decode = [&info](std::string_view text) { return decode_value(info, text); };
   const ParamState& before = draft_.params[ix(index)];
+  const std::int64_t expected = before.known ? before.value : after_power_up_[ix(index)];
+  auto reply = co_await talk_.ask_surely(info.mnemonic, std::move(decode), expected, priority);
+  if (!reply) co_return fail(reply.error());
+  const std::int64_t value = *reply;
   const bool taken_back = before.known && before.value != value && nobody_sets_.test(ix(index)) &&
                           in_ram_only(index) && value == after_power_up_[ix(index)];
   if (taken_back)

@@ -14,9 +14,10 @@ Task<Result<>> AllStop::send(std::string_view word) {
   behind_ = Behind::not_known;
   rests_since_ = wire_.now();
   auto mailed = co_await mailbox_.mail_past_ring(word);
-  const bool may_be_deaf = mailbox_deaf_ || motions_.creeps_unseen(-1);
+  const bool may_be_deaf = mailbox_deaf_ || !any_moves();
   const bool ring_may_do = mailed ? may_be_deaf : mailed.error().kind == FaultKind::no_answer;
-  if (!ring_may_do || !conversation_.is_known()) co_return mailed;
+  by_mail_alone_ = ring_may_do && !conversation_.is_known();
+  if (!ring_may_do || by_mail_alone_) co_return mailed;
   std::string text = std::string(word) + "\n";
   auto written = co_await conversation_.write(std::move(text), Priority::stop);
   co_return written ? written : mailed;
@@ -45,6 +46,8 @@ Task<Result<>> AllStop::look_at_queues() {
     behind_ = queues_.known() ? Behind::waits : Behind::not_known;
   co_return Result<>();
 }
+
+bool AllStop::owes_ring() const { return by_mail_alone_ && conversation_.is_known(); }
 
 AllStop::Behind AllStop::behind() const {
   const bool rests = wire_.now() - rests_since_ >= longest_rest;

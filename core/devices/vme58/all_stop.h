@@ -21,7 +21,8 @@ class AllStop {
         catalog_(catalog),
         draft_(draft) {}
 
-  /// Through the ring too where the mailbox does nothing, or where it would not show that it does nothing.
+  /// Through the ring too where the mailbox does nothing, or where it would not show that it does nothing: no
+  /// axis turns fast enough to be seen slowing down, and one may creep all the same.
   Task<Result<>> send(std::string_view word);
   /// A stop of all empties the queues, and one that was not obeyed leaves what waits there: between two of
   /// its motions an axis rests for a moment. Asked as soon as none turns.
@@ -29,6 +30,8 @@ class AllStop {
   enum class Behind : std::uint8_t { nothing, not_known, waits };
   /// It. Queues that do not answer are not waited for longer than an axis may rest between two motions.
   [[nodiscard]] Behind behind() const;
+  /// It went out before the ring was known, and nothing has shown that the mail was acted on.
+  [[nodiscard]] bool owes_ring() const;
   void in_vain();
   /// The connection is gone, or the board was reset.
   void forget() { behind_ = Behind::nothing; }
@@ -47,6 +50,7 @@ class AllStop {
   const Catalog& catalog_;
   Snapshot& draft_;
   bool mailbox_deaf_ = false;  ///< it was acknowledged and nothing was done
+  bool by_mail_alone_ = false;
   Behind behind_ = Behind::nothing;
   Instant rests_since_{};  ///< no axis was seen turning since then, or since that stop
 };

@@ -44,9 +44,11 @@ std::vector<ParamInfo> param_infos(const Variant& variant) {
     p.readable = fact.shown.has_value();
     if (!fact.on.empty()) p.choices = {{0, fact.off_words}, {1, fact.on_words}};
     if (fact.letters == "PN") add_ramp_forms(p);
-    if (fact.letters == "LN")
+    if (fact.letters == "LN") {
       p.warning = fmt::format(
           "Without its limit switches {} runs into the end of its travel. Keep a hand at the stop.", letter);
+      p.harmless = p.fallback;
+    }
     all.push_back(std::move(p));
   }
   return all;

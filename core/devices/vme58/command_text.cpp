@@ -190,6 +190,25 @@ std::vector<TextCommand> read_commands(std::string_view text, Context& context) 
   return Reader(text, context).all();
 }
 
+bool begins_motion(Op op) {
+  switch (op) {
+    case Op::GO:
+    case Op::GD:
+    case Op::JG:
+    case Op::JF:
+    case Op::HM:
+    case Op::HR:
+    case Op::KM:
+    case Op::KR: return true;
+    default: return false;
+  }
+}
+
+bool selects(const TextCommand& command) {
+  return command.fact && ((command.fact->op >= Op::AX && command.fact->op <= Op::AS) || command.is(Op::AA) ||
+                          command.is(Op::AM));
+}
+
 std::string without_comments(std::string_view text) {
   std::string plain(text);
   bool comment = false;

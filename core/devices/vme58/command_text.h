@@ -40,6 +40,10 @@ struct TextCommand {
 std::vector<TextCommand> read_commands(std::string_view text, Context& context);
 /// The text with its comments (# to the end of the line) and its tabs made blank: the board knows neither.
 std::string without_comments(std::string_view text);
+/// It sends an axis on its way: now, or when its turn comes in the queue.
+bool begins_motion(Op op);
+/// It says whom those behind it are for: AX to AS, AA, AM.
+bool selects(const TextCommand& command);
 /// What the command does to the context of those behind it.
 void follow(const TextCommand& command, Context& context);
 

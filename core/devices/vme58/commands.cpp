@@ -8,21 +8,7 @@ namespace hw::vme58 {
 namespace {
 
 bool wants_closed_loop(Op op) {
-  switch (op) {
-    case Op::MA:
-    case Op::MR:
-    case Op::MT:
-    case Op::ML:
-    case Op::GO:
-    case Op::GD:
-    case Op::JG:
-    case Op::JF:
-    case Op::HM:
-    case Op::HR:
-    case Op::KM:
-    case Op::KR: return true;
-    default: return false;
-  }
+  return begins_motion(op) || op == Op::MA || op == Op::MR || op == Op::MT || op == Op::ML;
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Rounds of status, intents, stops and texts. Connecting and resets: driver_connect.cpp.
+// StatusQuestions of status, intents, stops and texts. Connecting and resets: driver_connect.cpp.
 #include "core/devices/vme58/driver.h"
 
 #include <iterator>
@@ -41,7 +41,7 @@ Task<Result<>> Vme58Driver::perform(const IntentBody& body) {
     co_return Result<>();
   }
   if (const auto* i = std::get_if<Watch>(&body)) {
-    rounds_.watch(i->groups);
+    questions_.watch(i->groups);
     co_return Result<>();
   }
   if (const auto* i = std::get_if<Sample>(&body)) {
@@ -126,14 +126,14 @@ Task<Result<>> Vme58Driver::poll(Round round) {
 
 /// What else a round tells: replies that nobody waits for, and what the board answers to.
 Task<Result<>> Vme58Driver::read_more(Registers registers) {
-  rounds_.begins();
+  questions_.begins();
   auto heard = co_await conversation_.hear(registers.input_put, Priority::poll);
   if (!heard) co_return heard;
   if (values_.mark_is_due()) {
     auto marked = co_await finding_.leave_mark();
     if (!marked) co_return marked;
   }
-  draft_.window.rings_known = rounds_.watches(memory_group);
+  draft_.window.rings_known = questions_.watches(memory_group);
   if (draft_.window.rings_known) {
     auto rings = co_await readings_.read_rings(Priority::poll);
     if (!rings) co_return rings;
@@ -141,10 +141,10 @@ Task<Result<>> Vme58Driver::read_more(Registers registers) {
   // Text that the board has not come to holds questions back too, and is nobody's to take away.
   Result<> asked;
   if (conversation_.is_taken_up_to(registers.output_get)) {
-    asked = co_await rounds_.ask_in_turn();
+    asked = co_await questions_.ask_in_turn();
   } else {
     queues_.show_full();
-    asked = co_await rounds_.look_at_done();
+    asked = co_await questions_.look_at_done();
   }
   if (!asked) co_return asked;
   auto watched = co_await programs_.watch();
@@ -153,7 +153,7 @@ Task<Result<>> Vme58Driver::read_more(Registers registers) {
 }
 
 void Vme58Driver::registers_read(const Registers& registers) {
-  rounds_.take_slip_flag((registers.status & status::slip) != 0);
+  questions_.take_slip_flag((registers.status & status::slip) != 0);
   const LimitEnds::Change change = limits_.take(registers.limit);
   if (change.any) next_.asks_flags();
   motions_.met_switches(change.met);

@@ -13,7 +13,7 @@
 //   servo_loops           servo axes: places and loops
 //   motions               what is under way on each axis
 //   speeds                VL, which a move with a speed of its own borrows
-//   rounds                what a round of status asks by command
+//   status_questions      what a round of status asks by command
 //   lines                 inputs and outputs
 //   servo_drive, moves, actions, setup
 //                         what the console is asked to do
@@ -93,7 +93,7 @@ class Vme58Driver final : public Driver, private Readings::Listener {
   ServoLoops loops_;
   Motions motions_;
   Speeds speeds_;
-  Rounds rounds_;
+  StatusQuestions questions_;
   Lines lines_;
   ServoDrive drive_;
   Moves moves_;

@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include "core/device/nothing_known.h"
 #include "core/devices/vme58/catalog.h"
 #include "core/devices/vme58/driver.h"
 
@@ -44,8 +45,8 @@ Vme58Driver::Vme58Driver(DriverContext context)
       loops_(wire_, catalog_, values_, next_, draft_),
       motions_(wire_, catalog_, readings_, selection_, limits_, loops_, next_, draft_),
       speeds_(readings_, selection_, commands_, queues_, motions_, catalog_, draft_),
-      rounds_(wire_, readings_, conversation_, selection_, queues_, limits_, loops_, motions_, speeds_, next_,
-              catalog_, draft_),
+      questions_(wire_, readings_, conversation_, selection_, queues_, limits_, loops_, motions_, speeds_,
+                 next_, catalog_, draft_),
       lines_(wire_, readings_, selection_, commands_, catalog_, draft_),
       drive_(wire_, readings_, selection_, commands_, values_, loops_, motions_, next_, catalog_, draft_),
       moves_(wire_, readings_, selection_, conversation_, commands_, loops_, motions_, speeds_, catalog_,
@@ -57,7 +58,7 @@ Vme58Driver::Vme58Driver(DriverContext context)
                 draft_),
       effects_(selection_, conversation_, lines_, loops_, values_, motions_, speeds_, catalog_),
       feed_(readings_, selection_, conversation_, commands_, motions_, effects_, draft_),
-      programs_(wire_, readings_, conversation_, commands_, motions_, speeds_, rounds_, all_stop_, feed_,
+      programs_(wire_, readings_, conversation_, commands_, motions_, speeds_, questions_, all_stop_, feed_,
                 draft_),
       stops_(wire_, readings_, selection_, conversation_, motions_, speeds_, programs_, effects_,
              stop_effect_, all_stop_, next_, catalog_, draft_),
@@ -94,7 +95,7 @@ void Vme58Driver::forget() {
   limits_.forget();
   loops_.forget();
   motions_.forget();
-  rounds_.forget();
+  questions_.forget();
   programs_.forget();
   all_stop_.forget();
   stops_.forget();
@@ -112,12 +113,10 @@ void Vme58Driver::wire_lost() {
     wire_.tell(Notice::Kind::warning,
                "The contour that was being recorded is gone with the connection. Record it from its CD on.");
   lose_motions();
-  for (int i = 0; i < axes(); ++i) draft_.axes[i].position_known = false;
   speeds_.wire_lost();
   forget();
-  values_.forget();
-  lines_.forget();
-  draft_.window.known = false;
+  set_up_is_unknown(draft_);
+  nothing_is_known(draft_);
   conversation_.lose();
   samples_.end();
   wire_.detach();

@@ -121,8 +121,8 @@ void Vme58Emulator::tell_truth(MachineTruth& truth) const {
     const double speed = motion.velocity(a);
     truth.axes[ix(a)] = {Steps(motion.position(a)), motion.moving(a), Duration{}};
     // A curved ramp is steepest in its middle: over all it takes up to twice as long. It ends on a whole
-    // count, which a slow axis is long in reaching.
-    if (speed > 0)
+    // count; slower than one a second there is no ramp.
+    if (speed >= 1)
       longest = std::max(longest, from_seconds(2 * speed / motion.settings(a).acceleration + 1 / speed));
   }
   for (int a = 0; a < truth.axis_count; ++a)

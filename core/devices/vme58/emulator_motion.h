@@ -171,8 +171,8 @@ class Motion {
   void plan(Run& run);
   void plan_axis(Run& run, int axis);
   void mark(Run& run, int axis, int way, std::optional<std::int64_t> counts);
-  /// `reached`: the profile has come to its end; `cut`: it stands where it is.
-  enum class End : std::uint8_t { reached, cut };
+  /// `reached`: the profile has come to its end; `rests`: no further count comes; `cut`: nor anything behind.
+  enum class End : std::uint8_t { reached, rests, cut };
   void finish(Run& run, End end);
   void rest(int axis);
   void replan(int axis);

@@ -225,6 +225,8 @@ void Motion::stop_run(Run& r) {
   const Ramp ramp = ramp_of(r);
   const double from = r.profile.distance(now_);
   const Pps speed = r.profile.speed(now_);
+  // Between two pulses that come more slowly than one a second an axis stands: none follows a stop.
+  if (speed.value < 1) return finish(r, End::rests);
   Profile down = Profile::ramp_down(now_, from, speed, ramp);
   if (down.length() > r.track.steps() && r.kind != RunKind::contour)  // the way is shorter: steeper
     down = Profile::approach(now_, from, speed, speed, ramp.decel, ramp, r.track.steps());

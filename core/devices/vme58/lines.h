@@ -26,7 +26,6 @@ class Lines {
   /// The auxiliary output of an axis: nothing in the window tells of it.
   void know_auxiliary(int axis, bool on);
   void as_from_factory();
-  void forget() { draft_.inputs_known = draft_.outputs_known = 0; }
 
  private:
   Task<Result<>> set_auxiliary(int axis, bool on, std::uint32_t mask);

@@ -145,10 +145,7 @@ Motions::Before Motions::begin(const Way& way) {
     mind.at_home = way.at_home;
     mind.group = (way.axes & (way.axes - 1)) != 0 ? way.axes : 0;
     mind.done = mind.stopping = mind.by_text = mind.asks_queue = false;
-    if (way.activity != Activity::jogging) {
-      creeps(i, {});
-      mind.unseen = false;
-    }
+    if (way.activity != Activity::jogging) creeps(i, {});
     limits_.begins(i, !moving(i));
     mind.still_since = wire_.now();
     loops_.begins(i, way.activity != Activity::jogging);
@@ -232,7 +229,6 @@ void Motions::stopping(int axis, bool at_once) {
 void Motions::stands(int axis) {
   for (int i = 0; i < count(); ++i) {
     if (axis >= 0 && i != axis) continue;
-    at(i).unseen = false;
     if (!at(i).stopping) continue;
     if (moving(i))
       at(i).stopping = false;
@@ -350,13 +346,6 @@ Duration Motions::jog_gap(int i, double speed) const {
 
 void Motions::will_jog(int axis, double speed) {
   at(axis).jog_gap = jog_gap(axis, speed);
-  at(axis).unseen = speed > 0 && speed < 1;
-}
-
-bool Motions::creeps_unseen(int axis) const {
-  for (int i = 0; i < count(); ++i)
-    if ((axis < 0 || i == axis) && at(i).unseen) return true;
-  return false;
 }
 
 void Motions::creeps(int i, Duration gap) {

@@ -96,8 +96,6 @@ class Motions {
   [[nodiscard]] Duration jog_gap(int axis, double speed) const;
   /// A jog with that speed is about to begin.
   void will_jog(int axis, double speed);
-  /// It was told to jog so slowly that its velocity reads 0: that it has stopped does not show. -1: any axis.
-  [[nodiscard]] bool creeps_unseen(int axis) const;
   void creeps(int axis, Duration gap);
   void met_switches(unsigned axes);
 
@@ -125,7 +123,6 @@ class Motions {
     bool asks_queue = false;
     Duration jog_gap{};      ///< of a jog: it turns, though so long no count and no velocity may show it
     Instant creeps_until{};  ///< and so it is taken to turn until then
-    bool unseen = false;     ///< its velocity reads 0 meanwhile; until a stop is known to have come
     Instant still_since{};
   };
   [[nodiscard]] Axis& at(int axis) { return axes_[static_cast<std::size_t>(axis)]; }

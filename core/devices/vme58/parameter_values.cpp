@@ -110,8 +110,4 @@ void ParameterValues::as_from_factory() {
   }
 }
 
-void ParameterValues::forget() {
-  for (ParamState& p : draft_.params) p.known = false;
-}
-
 }  // namespace hw::vme58

@@ -35,7 +35,6 @@ class ParameterValues {
   /// What the user's own text has set.
   void note(const TextCommand& command);
   void as_from_factory();
-  void forget();
 
   /// No gain with a fraction was set since the board's start. A mark on the board keeps that for others.
   [[nodiscard]] bool gains_are_whole() const { return gains_are_whole_; }

@@ -17,15 +17,8 @@ namespace {
 
 TokenKind kind_of(const TextCommand& command) {
   if (!command.fact || !command.flaw.empty()) return TokenKind::bad;
+  if (begins_motion(command.fact->op)) return TokenKind::moves;
   switch (command.fact->op) {
-    case Op::GO:
-    case Op::GD:
-    case Op::JG:
-    case Op::JF:
-    case Op::HM:
-    case Op::HR:
-    case Op::KM:
-    case Op::KR:
     case Op::CX:
     case Op::MV:
     case Op::SP:
@@ -145,9 +138,6 @@ class Check {
       look_at(commands[i]);
     }
     return context;
-  }
-  static bool selects(const TextCommand& c) {
-    return c.fact && ((c.fact->op >= Op::AX && c.fact->op <= Op::AS) || c.is(Op::AA) || c.is(Op::AM));
   }
   /// It is meant for lists, and one axis is addressed.
   static bool lacks_mode(const TextCommand& command) {

@@ -98,7 +98,7 @@ Task<Result<>> Programs::watch() {
     if (!fed || feed_.is_under_way()) co_return fed;
   }
   if (draft_.any_axis_moving()) co_return Result<>();
-  const auto worked_off = co_await rounds_.is_worked_off();
+  const auto worked_off = co_await questions_.is_worked_off();
   if (!worked_off) co_return fail(worked_off.error());
   if (!*worked_off) co_return Result<>();
   if (flawed_) {

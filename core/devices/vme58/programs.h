@@ -5,21 +5,22 @@
 
 #include "core/devices/vme58/all_stop.h"
 #include "core/devices/vme58/feed.h"
-#include "core/devices/vme58/rounds.h"
+#include "core/devices/vme58/status_questions.h"
 
 namespace hw::vme58 {
 
 class Programs {
  public:
   Programs(Wire& wire, Readings& readings, Conversation& conversation, const Commands& commands,
-           Motions& motions, Speeds& speeds, Rounds& rounds, AllStop& all_stop, Feed& feed, Snapshot& draft)
+           Motions& motions, Speeds& speeds, StatusQuestions& questions, AllStop& all_stop, Feed& feed,
+           Snapshot& draft)
       : wire_(wire),
         readings_(readings),
         conversation_(conversation),
         commands_(commands),
         motions_(motions),
         speeds_(speeds),
-        rounds_(rounds),
+        questions_(questions),
         all_stop_(all_stop),
         feed_(feed),
         draft_(draft) {}
@@ -51,7 +52,7 @@ class Programs {
   const Commands& commands_;
   Motions& motions_;
   Speeds& speeds_;
-  Rounds& rounds_;
+  StatusQuestions& questions_;
   AllStop& all_stop_;
   Feed& feed_;
   Snapshot& draft_;

@@ -94,8 +94,7 @@ Task<Result<>> Readings::read_axes(Priority priority, Copy copy) {
     if (!asked) co_return asked;
   }
   const Instant give_up = wire_.now() + update_patience;
-  const int whole = next_axis_;
-  next_axis_ = (next_axis_ + 1) % axes();
+  const int whole = whole_.next(axes());
   Duration look = first_look_;
   for (;;) {
     auto paused = co_await wire_.pause(std::exchange(look, copy_look));

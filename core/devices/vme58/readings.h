@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/device/catalog.h"
+#include "core/device/in_turn.h"
 #include "core/devices/vme58/codec.h"
 #include "core/devices/vme58/wire.h"
 
@@ -56,7 +57,7 @@ class Readings {
   Task<Result<>> read_axes(Priority priority, Copy copy = Copy::ask);
   Task<Result<>> read_all(Priority priority);
   /// All of this axis comes next.
-  void next_is(int axis) { next_axis_ = axis; }
+  void next_is(int axis) { whole_.jump_to(axis); }
   /// How soon a copy is looked for: a recording wants each one.
   void look_after(Duration time) { first_look_ = time; }
   [[nodiscard]] std::int64_t value(int axis, AxisValue v) const;
@@ -85,7 +86,7 @@ class Readings {
   bool command_error_ = false;  ///< seen in the status register and not told yet
   std::array<AxisData, max_axes> data_{};
   bool seen_ = false;  ///< they have been read since the connection
-  int next_axis_ = 0;
+  InTurn whole_;       ///< the axis that is read whole
   Duration first_look_ = copy_time;
 };
 

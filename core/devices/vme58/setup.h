@@ -24,8 +24,7 @@ class Setup {
   Task<Result<>> set(intent::SetParam wish);
 
  private:
-  [[nodiscard]] Result<int> checked(const intent::SetParam& wish) const;
-  Task<Result<>> look_what_came(int place, std::int64_t wanted);
+  Task<Result<>> look_what_came(std::size_t place, std::int64_t wanted);
 
   Wire& wire_;
   Readings& readings_;

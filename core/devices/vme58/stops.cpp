@@ -146,6 +146,7 @@ StopProgress Stops::progress(const StopOrder& order) {
     if (behind == AllStop::Behind::waits) return in_vain(axis);
     if (behind == AllStop::Behind::not_known) return StopProgress::wait();
   }
+  if (!seen.turns && axis < 0 && all_stop_.owes_ring()) return StopProgress::again();
   if (!seen.turns && !order.confirmed) return StopProgress::again();  // some motion shows nothing
   if (!seen.turns || (seen.overdue && order.at_once)) stands(axis);
   if (!seen.turns) return StopProgress::stands();

@@ -55,11 +55,6 @@ bool moves_in_queue(Op op) {
   }
 }
 
-bool selects(const TextCommand& command) {
-  return command.fact && ((command.fact->op >= Op::AX && command.fact->op <= Op::AS) || command.is(Op::AA) ||
-                          command.is(Op::AM));
-}
-
 bool is_question(const TextCommand& command) { return command.fact && command.fact->when == When::query; }
 
 ReplyForm reply_form(const TextCommand& question, int axes) {
@@ -89,7 +84,9 @@ TextMeaning meaning_of(std::string_view text, Context context, int axes) {
   meaning.answered = answers ? TextMeaning::Answered::at_once : TextMeaning::Answered::never;
   const StopsInText stops = stops_in(commands, axes);
   if (stops.any()) meaning.stops = stops.all ? TextMeaning::Stops::all : TextMeaning::Stops::some;
-  if (!stops.all && stops.axes.size() == 1) meaning.axis = *stops.axes.begin();
+  if (stops.all) return meaning;
+  if (stops.axes.size() == 1) meaning.axis = *stops.axes.begin();
+  for (const int axis : stops.axes) meaning.axes |= axis == several ? (1u << axes) - 1 : 1u << axis;
   return meaning;
 }
 

@@ -12,8 +12,6 @@ namespace hw::vme58 {
 bool stops_motion(Op op);
 /// With such a command a motion begins that the queue tells of.
 bool moves_in_queue(Op op);
-/// What stands behind it speaks to the axis or the mode that it names.
-bool selects(const TextCommand& command);
 bool is_question(const TextCommand& command);
 /// What its reply looks like, on a board with so many axes.
 ReplyForm reply_form(const TextCommand& question, int axes);

@@ -33,7 +33,7 @@ class DriverStage : public testing::Test {
     if (!pump) return;
     if (HasFailure()) std::cerr << conversation();
     asio::co_spawn(io, pump->shut_down(), asio::detached);
-    run(2);
+    run(9);  // a stop that is owed
     pump.reset();
     loop.reset();
   }

@@ -29,6 +29,7 @@ class Liar final : public test::EmulatorAround {
         line_ += c;
         continue;
       }
+      if (line_.empty()) continue;
       const std::string command = std::exchange(line_, {}).substr(3);
       ++heard[command];
       std::string reply;

@@ -91,6 +91,7 @@ TEST_F(DriverTest, WhateverTheDriverAsksTheHelpKnows) {
     perform(intent::RunProgram(0));
     run(20);
     perform(intent::Stop());
+    TearDown();
     std::set<std::string> unknown;
     traffic.drain([&](const TrafficEntry& e) {
       if (e.way != Way::sent) return;
@@ -98,7 +99,6 @@ TEST_F(DriverTest, WhateverTheDriverAsksTheHelpKnows) {
       if (words.find("no command of the manual") != words.npos) unknown.insert(e.bytes);
     });
     EXPECT_THAT(unknown, testing::IsEmpty()) << model;
-    TearDown();
     latest = Snapshot();
   }
 }

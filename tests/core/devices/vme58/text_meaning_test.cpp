@@ -54,6 +54,9 @@ TEST(Vme58TextMeaning, STStopsWhatStandsBeforeIt) {
   EXPECT_EQ(read("AX ST").stops, Stops::some);
   EXPECT_EQ(read("AX ST").axis, 0);
   EXPECT_EQ(read("AX AY ST ST").axis, 1);
+  EXPECT_EQ(read("AX ST AY ST").axes, 0b11u);
+  EXPECT_EQ(read("AZ ST").axes, 0b100u);
+  EXPECT_EQ(read("AA ST", {}, 4).axes, 0b1111u);
   for (const char* several : {"AAST", "AM ST", "AX ST AY ST"}) {
     EXPECT_EQ(read(several).stops, Stops::some) << several;
     EXPECT_EQ(read(several).axis, -1) << several;

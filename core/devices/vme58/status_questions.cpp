@@ -1,4 +1,4 @@
-#include "core/devices/vme58/rounds.h"
+#include "core/devices/vme58/status_questions.h"
 
 #include <utility>
 
@@ -9,7 +9,7 @@
 
 namespace hw::vme58 {
 
-Task<Result<>> Rounds::ask_in_turn() {
+Task<Result<>> StatusQuestions::ask_in_turn() {
   const bool may_ask = !selection_.recording();
   if (may_ask && (next_.wants_flags() || wants_done())) {
     auto asked = co_await read_flags();
@@ -42,7 +42,7 @@ Task<Result<>> Rounds::ask_in_turn() {
 }
 
 // An axis may work at what others have sent; what is not empty is read until it is.
-bool Rounds::wants_queues() {
+bool StatusQuestions::wants_queues() {
   bool matters = draft_.working || watches(queue_group) || draft_.program.run == RunState::running;
   bool at_once = next_.takes_queues(draft_.any_axis_moving());
   for (int i = 0; i < axes(); ++i) {
@@ -54,7 +54,7 @@ bool Rounds::wants_queues() {
   return at_once || (matters && in_turn());
 }
 
-Task<Result<bool>> Rounds::is_worked_off() {
+Task<Result<bool>> StatusQuestions::is_worked_off() {
   auto queues = co_await queues_.read(Priority::poll);
   if (!queues) co_return fail(queues.error());
   if (!queues_.empty() || draft_.any_axis_moving()) co_return false;
@@ -67,7 +67,7 @@ Task<Result<bool>> Rounds::is_worked_off() {
 
 // ---- flags
 
-Task<Result<>> Rounds::read_flags() {
+Task<Result<>> StatusQuestions::read_flags() {
   const ReplyForm form{ReplyForm::Of::flags, axes()};
   auto reply = co_await conversation_.ask("QI\n", Priority::poll, form);
   if (!reply && reply.error().kind == FaultKind::stopped) co_return fail(reply.error());
@@ -84,12 +84,12 @@ Task<Result<>> Rounds::read_flags() {
 }
 
 // Or somebody looks at the registers.
-bool Rounds::wants_done() const {
+bool StatusQuestions::wants_done() const {
   if ((readings_.status() & status::done) == 0) return false;
   return motions_.waits_for_done() || (watches(memory_group) && in_turn());
 }
 
-Task<Result<>> Rounds::look_at_done() {
+Task<Result<>> StatusQuestions::look_at_done() {
   if (!wants_done()) co_return Result<>();
   std::vector<BusCycle>& cycles = wire_.burst();
   cycles.push_back(BusCycle::read(1, reg::done));
@@ -99,14 +99,14 @@ Task<Result<>> Rounds::look_at_done() {
   co_return Result<>();
 }
 
-void Rounds::take_done(unsigned axes) {
+void StatusQuestions::take_done(unsigned axes) {
   draft_.window.put(reg::done, 1, axes);
   motions_.take_done(axes);
 }
 
 // ---- slips and loops
 
-void Rounds::take_slip_flag(bool any) {
+void StatusQuestions::take_slip_flag(bool any) {
   if (!any) slips_ = 0;
   draft_.window.put(reg::slip, 1, slips_);
   for (int i = 0; i < axes(); ++i) {
@@ -119,7 +119,7 @@ void Rounds::take_slip_flag(bool any) {
 }
 
 // RL leaves the flags as they are. Of a flag that was seen before nothing more is told.
-Task<Result<>> Rounds::read_slips() {
+Task<Result<>> StatusQuestions::read_slips() {
   const auto before = slips_;
   const ReplyForm form{ReplyForm::Of::slips, axes()};
   auto reply = co_await conversation_.ask("RL\n", Priority::poll, form);
@@ -132,7 +132,7 @@ Task<Result<>> Rounds::read_slips() {
 }
 
 // A step motor that has slipped is not where its count says; a servo motor is where its encoder is.
-void Rounds::slipped(int i) {
+void StatusQuestions::slipped(int i) {
   slips_ = static_cast<std::uint8_t>(slips_ | 1u << i);
   draft_.axes[i].slipped = true;
   if (!catalog_.axes[ix(i)].switchable) draft_.axes[i].trust.doubt(Doubt::slipped, wire_.now());
@@ -144,7 +144,7 @@ void Rounds::slipped(int i) {
 }
 
 /// Which servo loops are closed, by EA (decision M04).
-Task<Result<>> Rounds::read_loops() {
+Task<Result<>> StatusQuestions::read_loops() {
   if (selection_.recording()) co_return Result<>();
   std::string text;
   std::vector<int> asked;

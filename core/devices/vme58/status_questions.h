@@ -4,11 +4,11 @@
 
 namespace hw::vme58 {
 
-class Rounds {
+class StatusQuestions {
  public:
-  Rounds(Wire& wire, Readings& readings, Conversation& conversation, const Selection& selection,
-         Queues& queues, LimitEnds& limits, ServoLoops& loops, Motions& motions, Speeds& speeds,
-         NextRound& next, const Catalog& catalog, Snapshot& draft)
+  StatusQuestions(Wire& wire, Readings& readings, Conversation& conversation, const Selection& selection,
+                  Queues& queues, LimitEnds& limits, ServoLoops& loops, Motions& motions, Speeds& speeds,
+                  NextRound& next, const Catalog& catalog, Snapshot& draft)
       : wire_(wire),
         readings_(readings),
         conversation_(conversation),
