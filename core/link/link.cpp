@@ -201,6 +201,7 @@ void Link::on_deadline() {
   ++statistics.misses_in_a_row;
   ++silent_in_a_row_;
   in_flight_->station.owed_.add(in_flight_->transaction.look, scheduler_.now());
+  if (!received_.empty()) in_flight_->station.owed_.tear(scheduler_.now());
   if (!in_flight_->station.unmistakable) settle_until_ = scheduler_.now() + settle_time;
   Fault fault(FaultKind::no_answer, "The controller did not answer in time.");
   if (!received_.empty()) {

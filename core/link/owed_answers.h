@@ -22,10 +22,22 @@ class OwedAnswers {
   static constexpr Duration longest_delay = std::chrono::seconds(3);
 
   void add(Look look, Instant now) { until_[static_cast<std::size_t>(look)] = now + longest_delay; }
+  /// The beginning of one has come: its end does not look like it.
+  void tear(Instant now) { torn_until_ = now + longest_delay; }
   void add(const OwedAnswers& more) {
     for (std::size_t i = 0; i < look_count; ++i) until_[i] = std::max(until_[i], more.until_[i]);
+    torn_until_ = std::max(torn_until_, more.torn_until_);
   }
-  void clear() { until_.fill({}); }
+  void clear() {
+    until_.fill({});
+    torn_until_ = {};
+  }
+  [[nodiscard]] bool torn(Instant now) const { return now < torn_until_; }
+  /// That one is owed, and was given up after the other: it comes behind it.
+  [[nodiscard]] bool comes_behind(Look look, Look other, Instant now) const {
+    const Instant until = until_[static_cast<std::size_t>(look)];
+    return now < until && until > until_[static_cast<std::size_t>(other)];
+  }
   [[nodiscard]] bool any(Instant now) const {
     return std::any_of(until_.begin(), until_.end(), [now](Instant until) { return now < until; });
   }
@@ -44,6 +56,7 @@ class OwedAnswers {
 
  private:
   std::array<Instant, look_count> until_{};
+  Instant torn_until_{};
 };
 
 }  // namespace hw

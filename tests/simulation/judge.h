@@ -55,6 +55,8 @@ class Judge final : public Witness {
   static constexpr Duration excuse_lasts = Millis(1500);
   /// Each of them may be as late as the wire: where the leg before has ended, what is written for the next.
   static constexpr int questions_between_motions = 8;
+  /// Nothing goes out on a dirty line: its questions take 0.6 s three times, and 3 s.
+  static constexpr Duration line_is_cleaned = std::chrono::seconds(5);
   /// An intent waits for those before it, each of them for its deadlines and their repetitions.
   static constexpr Duration longest_fate = std::chrono::seconds(30);
   static constexpr Duration longest_close = std::chrono::seconds(15);
@@ -170,6 +172,7 @@ class Judge final : public Witness {
     std::deque<std::pair<Instant, Bench>> benches;
     std::map<Bench, std::array<Lines, 2>> looks;
     std::array<Lines, 2> lines;
+    Instant lines_unread{};
     struct Asked {
       std::uint32_t axes;
       bool at_once;

@@ -53,7 +53,8 @@ void Judge::keep_excuses(DeviceCase& d) const {
     const bool waits =
         e.id != 0 && d.session && (fate ? fate->fate == Fate::pending : !d.session->known().forgotten(e.id));
     if (waits || (d.truth.moving() & e.axes) != 0 || d.truth.program) e.alive = now;
-    e.alive = std::max(e.alive, std::min(now, faults_.out.hurt()));
+    const Instant hurt = std::max(faults_.out.hurt(), faults_.in.hurt());
+    if (hurt != Instant{}) e.alive = std::max(e.alive, std::min(now, hurt + line_is_cleaned));
     return now - e.alive > excuse_lasts + questions_between_motions * lateness();
   });
 }
@@ -84,6 +85,8 @@ void Judge::rested(int device, int a) {
     remark(fmt::format("device {}: axis {} rests at {}", device, a, d.axes[ix(a)].truth.position.value));
   const std::int64_t made = (d.axes[ix(a)].truth.position - d.axes[ix(a)].began_at).value;
   if (made == 0) return;
+  const auto is_program = [](const Excuse& e) { return e.axes == all_axes; };  // its ways are its own
+  if (std::any_of(d.excuses.begin(), d.excuses.end(), is_program)) return;
   for (const Excuse& e : d.excuses)
     if ((e.axes >> a & 1u) != 0 && e.distance.value == made && ++d.made[made] > 1 &&
         faults_.out.hurt() < e.asked)

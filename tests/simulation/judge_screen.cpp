@@ -79,8 +79,9 @@ void Judge::judge_trust(int device) {
   for (int a = 0; a < std::min(shown.axis_count, d.truth.axis_count); ++a) {
     const AxisCase& axis = d.axes[ix(a)];
     const PositionTrust& trust = shown.axes[ix(a)].trust;
-    const bool spoilt =
-        trust.since <= std::max(faults_.in.spoilt(), faults_.out.spoilt()) + spoilt_number_shows;
+    // A letter that comes as another one may restart it: T where there is no second controller.
+    const bool spoilt = trust.since <= faults_.in.spoilt() + spoilt_number_shows ||
+                        trust.since <= faults_.out.spoilt() + restart_shows;
     if (!d.ever_restarted && !spoilt && (trust.cause == Doubt::power_cut || trust.cause == Doubt::restarted))
       accuse("true",
              fmt::format("Device {} is said to have been switched off and on, and it was not.", device));
@@ -151,7 +152,9 @@ void Judge::judge_lines(int device) {
                          device, kind == 0 ? "inputs" : "outputs", lines[kind].values, lines[kind].known));
   }
   d.lines = lines;
-  const bool read_since = shown.io_seen_at > d.benches.back().first + line_shows;
+  // Each of them has its own question; all have been asked when one has been for a while.
+  if (now - shown.io_seen_at > line_shows) d.lines_unread = now;
+  const bool read_since = shown.io_seen_at > std::max(d.benches.back().first, d.lines_unread) + line_shows;
   if (d.benches.size() == 1 && read_since && prompt() && !d.looks.contains(d.benches.back().second))
     d.looks[d.benches.back().second] = lines;
 }

@@ -41,6 +41,9 @@
 
 namespace hw::vxm {
 
+/// The answer to K, or to what is asked in a hurry beside it.
+inline constexpr Duration kill_patience = Millis(300);
+
 std::unique_ptr<Driver> make_driver(DriverContext context);
 
 class VxmDriver final : public Driver {
@@ -134,6 +137,7 @@ class VxmDriver final : public Driver {
   Task<Result<>> hear_without_echo();
   Task<Result<>> go_on_line();
   Task<Result<>> found_local(char state);
+  Task<Result<>> found_left_local();
   Task<Result<>> found_restarted(const char* why);
   Task<Result<>> resume_after_loss(char state);
   void count_restart(const char* why, bool was_moving, const std::optional<Digitized>& places);
@@ -259,6 +263,7 @@ class VxmDriver final : public Driver {
   bool stored_running_ = false;
   bool reset_said_ = false;       ///< res by a text of the user's; its restart has not been seen
   bool restart_counted_ = false;  ///< it has not been seen on-line since
+  bool left_local_ = false;       ///< a stop has put it on-line; nobody has counted that yet
   char halted_ = 0;               ///< letter of the error that waits for K
   Instant ask_again_at_{};
   std::optional<Ramp> ramp_;

@@ -57,10 +57,16 @@ Task<Result<std::string>> VxmDriver::ask_who_listens() {
 Task<Result<>> VxmDriver::greet() {
   auto bytes = co_await ask_who_listens();
   if (!bytes) co_return fail(bytes.error());
-  const Greeting greeting = read_greeting(*bytes);
+  Greeting greeting = read_greeting(*bytes);
   const int rate = talk_.station() ? talk_.station()->rate() : 0;
   if (bytes->empty()) co_return nobody_greets(rate);
   if (!greeting.is_a_vxm()) co_return no_vxm_greets(*bytes, rate);
+  // It may be the answer to a V before a restart, and F takes away the only sign of that.
+  for (int n = 0; n < greetings && talk_.station() && talk_.station()->is_dirty(); ++n) {
+    auto again = co_await talk_.greet(greeting_quiet_ms);
+    if (!again && again.error().kind != FaultKind::no_answer) co_return fail(again.error());
+    if (again && read_greeting(*again).is_a_vxm()) greeting = read_greeting(*again);
+  }
   talk_.set_echoes(greeting.echo);
   if (greeting.state == jog_idle || greeting.state == jog_moving)
     co_return co_await found_local(greeting.state);
@@ -70,14 +76,28 @@ Task<Result<>> VxmDriver::greet() {
   // F: no echo, no carriage returns behind prompts, whoever asked for them.
   auto said = co_await talk_.say_anyway("F");
   if (!said) co_return said;
-  if (talk_.station() && talk_.station()->is_dirty()) (void)co_await talk_.greet(greeting_quiet_ms);
   auto state = co_await talk_.state(Priority::intent);
   if (!state) co_return fail(state.error());
   if (greeting.echo) {
     auto ended = co_await end_echo(*state);
     if (!ended) co_return ended;
   }
-  co_return co_await resume_after_loss(*state);
+  auto resumed = co_await resume_after_loss(*state);
+  if (resumed && std::exchange(left_local_, false) && connected_before_)
+    co_return co_await found_left_local();
+  co_return resumed;
+}
+
+// What was Local mode was left for the sake of a stop, before anybody could ask for the places.
+Task<Result<>> VxmDriver::found_left_local() {
+  const bool was_moving = draft_.any_axis_moving() || busy();
+  forget_what_ran();
+  auto read = co_await read_positions(Priority::intent, true);
+  if (!read) co_return read;
+  Digitized places;
+  for (int i = 0; i < draft_.axis_count; ++i) places.positions.push_back(draft_.axes[i].position);
+  count_restart("It answered from Local mode", was_moving, places);
+  co_return Result<>();
 }
 
 // While a program runs F is dropped, and nothing tells an echo from a status byte: only the state and the

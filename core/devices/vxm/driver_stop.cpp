@@ -13,7 +13,6 @@ namespace {
 // At acceleration 1 from the highest speed; nothing takes longer to ramp down.
 constexpr Duration longest_ramp = from_seconds(max_speed / (accel_unit * min_accel));
 constexpr Duration to_see_a_ramp = Millis(300);
-constexpr Duration kill_patience = Millis(300);
 
 }  // namespace
 
@@ -30,6 +29,11 @@ Task<Result<std::string>> VxmDriver::stop(const StopOrder& order) {
 }
 
 Task<Result<>> VxmDriver::send_stop(const StopOrder& order) {
+  const bool deaf = mode_ == Mode::unknown || talk_.station()->statistics().misses_in_a_row > 1;
+  if (order.times_sent > 1 && deaf) {  // nothing has come back: a command that was left half said swallows it
+    auto ended = co_await talk_.say("\r", Priority::stop);
+    if (!ended) co_return ended;
+  }
   if (mode_ == Mode::unknown) co_return co_await stop_blind(order);
   if (mode_ == Mode::local) co_return co_await stop_local();
   if (halted_) co_return co_await kill(false);
@@ -45,10 +49,6 @@ Task<Result<>> VxmDriver::send_stop(const StopOrder& order) {
 Task<Result<>> VxmDriver::stop_blind(const StopOrder& order) {
   if (order.what == StopOrder::What::jog && stored_running_) co_return Result<>();
   if (moves_for(order)) note_stop();
-  if (order.times_sent > 1) {  // nothing has come back: a command that was left half said swallows it
-    auto ended = co_await talk_.say("\r", Priority::stop);
-    if (!ended) co_return ended;
-  }
   if (order.at_once) co_return co_await kill(false);
   co_return co_await stop_unknown();
 }

@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include "core/devices/vxm/driver.h"
+#include "core/devices/vxm/looks.h"
 #include "core/devices/vxm/text_meaning.h"
 #include "core/devices/vxm/text_pieces.h"
 
@@ -259,8 +260,11 @@ Task<Result<std::string>> VxmDriver::stop_by_words(const StopOrder& order) {
   const bool blind = mode_ == Mode::unknown;
   auto reply = co_await converse(text, order.patience, Priority::stop);
   if (!reply && reply.error().kind == FaultKind::no_answer && blind && kills) {  // Local mode drops it
-    auto on_line = co_await talk_.say("F", Priority::stop);
-    if (!on_line) co_return fail(on_line.error());
+    // F takes away the only sign of a restart.
+    const AnswerShape state{ReplyShape::bytes(1), before_state, kill_patience, look::letter};
+    auto was = co_await talk_.ask("VF", state, Priority::stop);
+    if (!was && was.error().kind != FaultKind::no_answer) co_return fail(was.error());
+    left_local_ = was && (*was == std::string(1, jog_idle) || *was == std::string(1, jog_moving));
     reply = co_await converse(std::move(text), order.patience, Priority::stop);
   }
   if (!reply && reply.error().kind == FaultKind::no_answer && blind)

@@ -30,16 +30,20 @@ std::size_t before_line(std::string_view received) {
 }
 
 // V once more, behind a V and others that were not answered. In Local mode only V ever is, and the letter
-// tells that. Else they are answered in their order: the letter behind a line, or behind another letter, is
-// the second one's.
+// tells that. Else they are answered in their order: the letter behind a line that was asked for after the
+// first V, or behind another letter, is the second one's.
 class SecondLetter {
  public:
+  SecondLetter(const OwedAnswers& owed, Instant now)
+      : position_tells_(owed.comes_behind(look::position, look::letter, now)),
+        number_tells_(owed.comes_behind(look::number, look::letter, now) && !owed.torn(now)) {}
   std::size_t operator()(std::string_view received) {
     if (before_number(received) == 0) {
       const auto end = received.find('\r');
       if (end == std::string_view::npos) return end;
       const std::string_view line = received.substr(0, end + 1);
-      first_has_come_ = first_has_come_ || is_position(line) || is_unsigned(line);
+      first_has_come_ =
+          first_has_come_ || (position_tells_ && is_position(line)) || (number_tells_ && is_unsigned(line));
       return line.size();
     }
     if (const std::size_t others = before_state(received); others > 0) return others;
@@ -48,6 +52,7 @@ class SecondLetter {
   }
 
  private:
+  bool position_tells_, number_tells_;
   bool first_has_come_ = false;
 };
 
@@ -97,13 +102,15 @@ std::optional<Station::Unmistakable> unmistakable(const OwedAnswers& owed, Insta
   if (listening.local) return std::nullopt;  // nothing else is answered but D
   if (free(look::position))
     return question("X", ReplyShape::line(), look::position, is_position, before_line<is_position>);
-  if (free(look::number) && free(look::lines) && !echoes) {  // the echo of @ is a message
+  const bool whole = !owed.torn(now);  // the end of a position looks like a number
+  if (free(look::number) && free(look::lines) && whole && !echoes) {  // the echo of @ is a message
     auto asked = question("@", ReplyShape::line(), look::number, is_unsigned, before_line<is_unsigned>);
     asked.question.may_be_silent = true;  // it is not answered in Local mode; the next question tells
     return asked;
   }
-  if (free(look::lines)) return question("V", ReplyShape::bytes(1), look::letter, is_state, SecondLetter());
-  if (free(look::text) && !listening.running)
+  if (free(look::lines))
+    return question("V", ReplyShape::bytes(1), look::letter, is_state, SecondLetter(owed, now));
+  if (free(look::text) && whole && !listening.running)
     return question("getD0", ReplyShape::line(), look::text, is_version, before_line<is_version>);
   return std::nullopt;
 }

@@ -18,7 +18,10 @@ void Signals::begin() {
   cleaned_ = {};
 }
 
+// Their age is that of the latest of them all.
 void Signals::forget_what_is_doubted() {
+  if (cleaned_[all.find('~')] != talk_.times_cleaned()) draft_.inputs_known = 0;
+  if (cleaned_[all.find('$')] != talk_.times_cleaned()) draft_.outputs_known = 0;
   const bool dirty = talk_.station() && talk_.station()->is_dirty();
   if (!dirty && cleaned_[0] == talk_.times_cleaned()) return;
   for (int axis = 0; axis < draft_.axis_count; ++axis) draft_.axes[axis].limits_known = false;

@@ -20,7 +20,7 @@ class Signals {
 
   /// A new wire.
   void begin();
-  /// Limits have no age of their own: those from before the line was dirty are not known.
+  /// What was read before the line was dirty, and not since, is not known.
   void forget_what_is_doubted();
 
   /// All of them, more than once where one reading is not enough.

@@ -55,9 +55,12 @@ TEST(VxmLooks, NothingButKIsHeardInAnErrorAndNothingButVInLocalMode) {
 }
 
 TEST(VxmLooks, ALateAnswerOfTheSameQuestionIsLetPass) {
-  const Instant now{};
+  Instant now{};
   OwedAnswers owed;
-  for (const Look one : {look::letter, look::position, look::number}) owed.add(one, now);
+  const auto given_up = [&](std::initializer_list<Look> looks) {
+    owed.clear();
+    for (const Look one : looks) owed.add(one, now += Millis(200));
+  };
   const auto accepted_behind = [&](std::string_view received) {
     const auto asked = unmistakable(owed, now, Listening(), false);
     std::size_t at = 0;
@@ -69,11 +72,26 @@ TEST(VxmLooks, ALateAnswerOfTheSameQuestionIsLetPass) {
     }
     return std::string_view();
   };
+  given_up({look::letter, look::position, look::number});
   EXPECT_EQ(accepted_behind("R"), "") << "it may be that of the first";
   EXPECT_EQ(accepted_behind("BR"), "R");
   EXPECT_EQ(accepted_behind("+0000400\rR"), "R");
   EXPECT_EQ(accepted_behind("B+0000400\r512\rR"), "R");
   EXPECT_EQ(accepted_behind("J"), "J") << "in Local mode nothing else is answered";
+  given_up({look::position, look::letter, look::number});
+  EXPECT_EQ(accepted_behind("+0000400\rR"), "") << "that line was asked for before";
+  EXPECT_EQ(accepted_behind("+0000400\rR512\rB"), "B");
+  owed.tear(now);
+  EXPECT_EQ(accepted_behind("400\rR"), "") << "the end of a position";
+}
+
+TEST(VxmLooks, TheEndOfATornAnswerIsNoNumber) {
+  const Instant now{};
+  OwedAnswers owed;
+  for (const Look one : {look::letter, look::position}) owed.add(one, now);
+  EXPECT_EQ(unmistakable(owed, now, Listening(), false)->question.bytes, "@");
+  owed.tear(now);
+  EXPECT_EQ(unmistakable(owed, now, Listening(), false)->question.bytes, "V");
 }
 
 // ---- what is shown
