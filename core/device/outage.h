@@ -20,7 +20,7 @@ class Outage {
   /// False: the wire has been lost before; attempts in between do not count.
   bool begin(const Snapshot& last_known, const Loss& loss, Instant now) {
     if (std::exchange(on_, true)) return false;
-    may_run_ = may_run_ || loss.may_run;
+    may_run_ = loss.may_run;
     restarts_ = last_known.restarts;
     report_.lost(last_known, loss.at_work, loss.on_the_way, now);
     return true;
@@ -56,8 +56,7 @@ class Outage {
   }
 
  private:
-  bool on_ = false, at_once_ = false;
-  bool may_run_ = true;  ///< nobody knows before the first connection
+  bool on_ = false, may_run_ = false, at_once_ = false;
   std::uint32_t restarts_ = 0;
   int attempts_ = 0;
   Instant attempt_at_{};
