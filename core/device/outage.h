@@ -28,6 +28,7 @@ class Outage {
   /// There is a connection. Whether the controller was switched off and on meanwhile.
   bool end(const Snapshot& known) {
     on_ = may_run_ = at_once_ = false;
+    may_take_ = first_attempt;
     attempts_ = 0;
     return std::exchange(restarts_, known.restarts) != known.restarts;
   }
@@ -47,6 +48,14 @@ class Outage {
   /// The same once more, on the same wire.
   void tried_at(Instant now) { attempt_at_ = now; }
   [[nodiscard]] Instant attempt_at() const { return attempt_at_; }
+  /// While a stop is owed it is sent again when an attempt takes so long. Each may take twice as long as the
+  /// one before: a slow controller connects, too.
+  [[nodiscard]] Instant latest() const { return attempt_at_ + may_take_; }
+  bool takes_too_long(Instant now) {
+    if (now < latest()) return false;
+    may_take_ *= 2;
+    return true;
+  }
   /// The next one is not waited for.
   void hurry() { at_once_ = on_; }
   [[nodiscard]] bool hurries() const { return at_once_; }
@@ -56,10 +65,17 @@ class Outage {
   }
 
  private:
+<<<<<<< HEAD
   bool on_ = false, may_run_ = false, at_once_ = false;
+=======
+  static constexpr Duration first_attempt = std::chrono::seconds(1);
+  bool on_ = false, at_once_ = false;
+  bool may_run_ = true;  ///< nobody knows before the first connection
+>>>>>>> c75d6890d7997ebb3ccc65d88a438b30da41ad16
   std::uint32_t restarts_ = 0;
   int attempts_ = 0;
   Instant attempt_at_{};
+  Duration may_take_ = first_attempt;
   LossReport report_;
 };
 

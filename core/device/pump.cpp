@@ -22,7 +22,10 @@ Pump::Pump(Scheduler& scheduler, const DeviceType& type, const Catalog& catalog,
       published_(scheduler),
       ended_(scheduler),
       silence_(scheduler, [this] {
-        if (station_ && station_->heard_at() < outage_.attempt_at()) station_->preempt();
+        if (!station_) return;
+        const bool silent = station_->heard_at() < outage_.attempt_at();
+        if (!silent && !outage_.takes_too_long(scheduler_.now())) return silence_.arm(outage_.latest());
+        station_->preempt();
       }) {
   draft_.axis_count = static_cast<int>(catalog.axes.size());
   draft_.slot_bytes_used.fill(-1);
@@ -79,7 +82,8 @@ Task<> Pump::let_end() {
   const std::uint64_t last_look = may_run && !jobs_.performs() ? want_round() : 0;
   const auto under_way = [&] {
     const StopOrder* due = station_ && station_->is_open() ? desk_.due() : nullptr;
-    if (rounds_.ended() == 0 && !connected()) return due && due->times_sent == 0;  // nobody was ever seen: once
+    if (rounds_.ended() == 0 && !connected())
+      return due && due->times_sent == 0;  // nobody was ever seen: once
     const bool seen = rounds_.ended() >= last_look && draft_.link.state == LinkState::good;
     return desk_.any() || (connected() && ((last_look > 0 && !seen) || driver_->clears_up()));
   };

@@ -158,7 +158,8 @@ Duration Judge::lateness() const {
   const Instant now = scheduler_.now();
   const auto of = [now](const WayFaults& way) {
     constexpr int longest_answer = 20;  // bytes
-    const Duration slow = now < way.slow_until + 3 * way.delay ? way.delay : Duration{};
+    const Duration slow =
+        std::max(now < way.slow_until + 3 * way.delay ? way.delay : Duration{}, way.late_by(now));
     return slow +
            (now < way.gaps_until + 3 * longest_answer * way.gap ? longest_answer * way.gap : Duration{});
   };

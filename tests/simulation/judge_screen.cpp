@@ -87,6 +87,9 @@ void Judge::judge_trust(int device) {
              fmt::format("Device {} is said to have been switched off and on, and it was not.", device));
     if (!axis.restarted || !d.first_connected || *axis.restarted < *d.first_connected) continue;
     if (now < std::max(quiet, *axis.restarted) + restart_shows) continue;
+    // The one answer that tells it may be lost where a stop must not wait for another one.
+    const bool hidden = axis.stopped && axis.stopped->at > *axis.restarted;
+    if (hidden && faults_.in.spoilt() > *axis.restarted) continue;
     const AxisState& s = shown.axes[ix(a)];
     if (s.position_known && !s.trust.doubtful() && s.trust.kind != Trust::homed)
       accuse("true", fmt::format("Device {}: the position of axis {} is trusted {:.1f} s after a restart.",

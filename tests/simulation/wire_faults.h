@@ -51,13 +51,19 @@ class WayFaults {
       out += sent;
       if (doubled || mannered) out += sent;
     }
-    if (delay_at(now) > Duration{}) hurt_ = now + delay_at(now);
+    if (const Duration late = delay_at(now); late > Duration{}) {
+      held_until(now + late);
+      late_by_ = now < late_until_ ? std::max(late_by_, late) : late;
+      late_until_ = now + 3 * late_by_;
+    }
     return out;
   }
   /// A byte has been held back until then.
   void held_until(Instant when) { hurt_ = std::max(hurt_, when); }
   /// The latest instant at which something was lost, changed or late, or will be for all that is known now.
   [[nodiscard]] Instant hurt() const { return std::max({hurt_, cut_until, slow_until}); }
+  /// What comes now may be as late as that: nothing overtakes what was said before it.
+  [[nodiscard]] Duration late_by(Instant now) const { return now < late_until_ ? late_by_ : Duration{}; }
   /// When the latest byte was lost, changed or doubled: a number may have come that is another and looks
   /// right.
   [[nodiscard]] Instant spoilt() const { return spoilt_; }
@@ -67,7 +73,8 @@ class WayFaults {
   }
 
  private:
-  Instant hurt_{}, spoilt_{};
+  Instant hurt_{}, spoilt_{}, late_until_{};
+  Duration late_by_{};
 };
 
 struct WireFaults {

@@ -344,9 +344,7 @@ Duration Motions::jog_gap(int i, double speed) const {
   return rest_time + from_seconds(ramp_s + count_s);
 }
 
-void Motions::will_jog(int axis, double speed) {
-  at(axis).jog_gap = jog_gap(axis, speed);
-}
+void Motions::will_jog(int axis, double speed) { at(axis).jog_gap = jog_gap(axis, speed); }
 
 void Motions::creeps(int i, Duration gap) {
   at(i).jog_gap = gap;

@@ -10,6 +10,7 @@ namespace hw::vxm {
 namespace {
 
 constexpr int io_every = 8;  // rounds in motion between two looks at one of the inputs and outputs
+constexpr Duration io_at_least_every = Millis(250);  // where rounds are slow
 
 }  // namespace
 
@@ -67,7 +68,8 @@ Task<Result<>> VxmDriver::poll_on_line(Round round) {
   if (!state) co_return fail(state.error());
   auto taken = co_await take_state(*state);
   if (!taken || stay_local_ || talk_.echoes()) co_return taken;
-  const bool one_signal = busy() && round != Round::everything && round_ % io_every == 0;
+  const bool is_turn = round_ % io_every == 0 || round_began_ - signals_.asked_at() >= io_at_least_every;
+  const bool one_signal = busy() && round != Round::everything && is_turn;
   auto read = co_await read_positions(Priority::poll, !busy(), one_signal);
   if (!read) co_return read;
   if (busy() && round != Round::everything) co_return Result<>();

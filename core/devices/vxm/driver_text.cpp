@@ -12,6 +12,8 @@
 namespace hw::vxm {
 namespace {
 
+constexpr Duration longest_confirmation = Millis(500);
+
 std::string without_end(std::string reply) {
   if (reply.ends_with('\r')) reply.pop_back();
   return reply;
@@ -171,7 +173,9 @@ Task<VxmDriver::RawAnswer> VxmDriver::send_pieces(std::string text, Duration pat
     Result<std::string> reply;
     if (piece.answer) {
       AnswerShape answer = *piece.answer;
-      answer.patience = std::max(answer.patience, &piece == last ? patience : usual_patience);
+      const Duration wanted = &piece == last ? patience : usual_patience;
+      const bool is_stop = priority == Priority::stop;  // it is sent again when it is not confirmed
+      answer.patience = std::max(answer.patience, is_stop ? std::min(wanted, longest_confirmation) : wanted);
       reply = co_await talk_.ask(piece.text, answer, priority);
     } else {
       reply = co_await talk_.ask(piece.text, {ReplyShape::nothing()}, priority);

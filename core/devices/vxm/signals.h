@@ -31,6 +31,8 @@ class Signals {
   Task<Result<>> ask_next(Priority priority);
   /// ?, ~ or $, followed in the same way.
   Task<Result<>> ask(char which, Priority priority);
+  /// The latest question of these.
+  [[nodiscard]] Instant asked_at() const { return asked_at_; }
   /// Something else has been answered. False: what was asked is not believed yet.
   bool confirm();
 
@@ -49,6 +51,7 @@ class Signals {
   std::array<std::uint32_t, 3> cleaned_{};               ///< how often it had been, when this was believed
   std::uint32_t strays_ = 0;                             ///< before the first of `asked_`
   std::uint32_t turn_ = 0;
+  Instant asked_at_{};
 };
 
 }  // namespace hw::vxm
