@@ -65,13 +65,8 @@ class Outage {
   }
 
  private:
-<<<<<<< HEAD
-  bool on_ = false, may_run_ = false, at_once_ = false;
-=======
   static constexpr Duration first_attempt = std::chrono::seconds(1);
-  bool on_ = false, at_once_ = false;
-  bool may_run_ = true;  ///< nobody knows before the first connection
->>>>>>> c75d6890d7997ebb3ccc65d88a438b30da41ad16
+  bool on_ = false, may_run_ = false, at_once_ = false;
   std::uint32_t restarts_ = 0;
   int attempts_ = 0;
   Instant attempt_at_{};
