@@ -87,7 +87,7 @@ FAULTS = [
     fault("VXM: a program is killed at full speed (row 1)", "vxm",
           ("devices/vxm", "::stop_program(", "if (order.at_once)", "if (order.at_once || order.axis < 0)")),
     fault("VXM: a leg of the console's stays in the program", "vxm",
-          ("devices/vxm", "::clean_scratch(", "{", NOTHING_DONE)),
+          ("devices/vxm", "Scratch::clear(", "{", NOTHING_DONE)),
     fault("VXM: later legs outlive a stop", "vxm",
           ("devices/vxm", "::note_stop(", "job_.legs.resize(1);", ";")),
     fault("VXM: a jog goes on in its next leg", "vxm",
