@@ -95,7 +95,7 @@ FAULTS = [
     fault("VXM: a restart leaves positions trusted", "vxm",
           ("devices/vxm", "::stands_after_restart(", "if (why != Doubt::none)", "if (false)")),
     fault("VXM: an unfinished line swallows a stop", "vxm",
-          ("devices/vxm", "::stop_blind(", "order.times_sent > 1", "false")),
+          ("devices/vxm", "VxmDriver::send_stop(", "order.times_sent > 1", "false")),
     # ---- Arcus
     fault("Arcus: the second STOP is left out (row 19)", ("pmx-4ex-sa", "dmx-k-sa"),
           ("devices/arcus", "::programs_end(", "{", "if (true) return StopProgress::stands();")),
