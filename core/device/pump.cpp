@@ -9,7 +9,7 @@ namespace hw {
 namespace {
 
 constexpr Duration longest_clearing = std::chrono::seconds(8);  // the longest ramp, and a little
-constexpr Duration longest_end_of_a_command = std::chrono::seconds(1);
+constexpr Duration longest_end_of_a_command = std::chrono::seconds(1), longest_last_look = Millis(500);
 
 }  // namespace
 
@@ -80,14 +80,19 @@ Task<> Pump::let_end() {
     co_await published_.wait_until(cut_off);
   const bool may_run = something_runs() || rounds_.often();
   const std::uint64_t last_look = may_run && !jobs_.performs() ? want_round() : 0;
-  const auto under_way = [&] {
+  const Instant looked_by =
+      scheduler_.now() + longest_last_look;  // whoever opens it again waits for the port
+  for (;;) {
+    const Instant now = scheduler_.now();
     const StopOrder* due = station_ && station_->is_open() ? desk_.due() : nullptr;
-    if (rounds_.ended() == 0 && !connected())
-      return due && due->times_sent == 0;  // nobody was ever seen: once
+    const bool never_seen = rounds_.ended() == 0 && !connected();
+    const bool owes = never_seen ? due && due->times_sent == 0 : desk_.any();
     const bool seen = rounds_.ended() >= last_look && draft_.link.state == LinkState::good;
-    return desk_.any() || (connected() && ((last_look > 0 && !seen) || driver_->clears_up()));
-  };
-  while (under_way() && scheduler_.now() < given_up) co_await published_.wait_until(given_up);
+    const bool looks = connected() && last_look > 0 && !seen && now < looked_by;
+    const bool clears = connected() && driver_->clears_up();
+    if (!(owes || looks || clears) || now >= given_up) co_return;
+    co_await published_.wait_until(looks ? looked_by : given_up);
+  }
 }
 
 bool Pump::connected() const { return draft_.link.connected(); }

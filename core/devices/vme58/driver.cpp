@@ -1,4 +1,4 @@
-// StatusQuestions of status, intents, stops and texts. Connecting and resets: driver_connect.cpp.
+// Rounds of status, intents, stops and texts. Connecting and resets: driver_connect.cpp.
 #include "core/devices/vme58/driver.h"
 
 #include <iterator>

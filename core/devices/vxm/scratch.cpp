@@ -57,8 +57,8 @@ Task<Result<bool>> Scratch::holds(const std::string& commands) {
   if (!listing) co_return fail(listing.error());
   int cost = 0;
   for (const TextCommand& c : wanted) cost += program_cost(c);
-  co_return listing->slot == slot_ &&
-      listing->free_bytes == program_bytes - cost&& same(commands_of(listing->commands), wanted);
+  const bool as_long = listing->free_bytes == program_bytes - cost;
+  co_return listing->slot == slot_&& as_long&& same(commands_of(listing->commands), wanted);
 }
 
 Task<Result<>> Scratch::clear(Priority priority) {
