@@ -47,9 +47,17 @@ HybridScheduler::Turn HybridScheduler::virtual_turns(Instant until, const std::f
   return Turn::time;
 }
 
+/// What is ready, until an alarm is due: a device that babbles always has something ready.
+void HybridScheduler::work_until_alarm(Instant until) {
+  while (io().poll_one() > 0) {
+    const Instant due = has_alarms() ? std::min(until, first_alarm()) : until;
+    if (now() >= due) return;
+  }
+}
+
 HybridScheduler::Turn HybridScheduler::real_turns(Instant until, const std::function<bool()>& done) {
   for (;;) {
-    settle();
+    work_until_alarm(until);
     if (done()) return Turn::done;
     fire_due(now());
     if (done()) return Turn::done;

@@ -27,6 +27,7 @@ class HybridScheduler final : public Scheduler {
  private:
   void first_alarm_moved() override {}  // looked at in every turn
   void settle();
+  void work_until_alarm(Instant until);
   Turn virtual_turns(Instant until, const std::function<bool()>& done);
   Turn real_turns(Instant until, const std::function<bool()>& done);
 

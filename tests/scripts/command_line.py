@@ -13,6 +13,7 @@ import subprocess
 import sys
 import tempfile
 import termios
+import threading
 import time
 import unittest
 
@@ -602,6 +603,90 @@ class Line:
 
     def __exit__(self, *_):
         os.close(self.port)
+
+
+class Babbler:
+    """Stands between a client and an emulated controller, and from begin() on sends what it likes, at full speed."""
+    def __init__(self, port, babble):
+        self.babble = (babble * 65536)[:65536]
+        self.door = socket.create_server(("127.0.0.1", 0))
+        self.address = "tcp:127.0.0.1:%d" % self.door.getsockname()[1]
+        self.controller = socket.create_connection(("127.0.0.1", int(port)))
+        self.begun, self.over = threading.Event(), threading.Event()
+        self.heard = []  # when, what
+        self.thread = threading.Thread(target=self.work)
+        self.thread.start()
+
+    def begin(self):
+        self.begun.set()
+
+    def work(self):
+        client = self.door.accept()[0]
+        while not self.over.is_set():
+            babbles = self.begun.is_set()
+            ready, free, _ = select.select([self.door, client, self.controller], [client] if babbles else [], [], 0.05)
+            if self.door in ready:  # it was lost, and tries again
+                client.close()
+                client = self.door.accept()[0]
+                continue
+            client.setblocking(False)
+            with contextlib.suppress(BlockingIOError, ConnectionError):
+                if client in ready and (heard := client.recv(4096)):
+                    self.heard.append((time.monotonic(), heard))
+                    self.controller.sendall(heard)
+                if self.controller in ready and (said := self.controller.recv(4096)) and not babbles:
+                    client.sendall(said)
+                if free:
+                    client.send(self.babble)
+        client.close()
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.over.set()
+        self.thread.join()
+        self.door.close()
+        self.controller.close()
+
+
+class Babbling(Case):
+    """A device that never falls silent: no bytes, messages, answers."""
+    SCRIPT = """
+        local c = assert(hw.open(hw.args[1]))
+        c:jog(1, "+")
+        hw.log("babble")
+        hw.sleep(0.3)
+        hw.log("stop")
+        c:stop()
+        c:status()
+        hw.log("stopped")
+    """
+
+    def stop_amid(self, babble):
+        script, at = self.file("babble.lua", self.SCRIPT), {}
+        with emulator("vxm", "--tcp", "127.0.0.1:0") as (ready, _), \
+                Babbler(port_of(ready[0]).rsplit(":")[-1], babble) as device, \
+                subprocess.Popen([PROGRAM, "run", script, f"vxm@{device.address}"], stderr=subprocess.PIPE,
+                                 text=True) as process:
+            while "stopped" not in at and (line := process.stderr.readline()):
+                at[line.split()[-1]] = time.monotonic()
+                if "babble" in at:
+                    device.begin()
+            process.kill()
+            _, _, used = os.wait4(process.pid, 0)
+            process.returncode = -signal.SIGKILL
+        self.assertIn("stopped", at)
+        stops = [when for when, what in device.heard if what == b"D" and when >= at["stop"] - 0.1]
+        self.assertTrue(stops, device.heard)
+        return stops[0] - at["stop"], used.ru_maxrss // 1024
+
+    def test_a_stop_goes_out_at_once_and_memory_is_bounded(self):
+        for babble in (b"x", b"O", b"VR"):
+            with self.subTest(babble=babble):
+                late, megabytes = self.stop_amid(babble)
+                self.assertLess(late, 1)
+                self.assertLess(megabytes, 128)
 
 
 class Bus(Case):

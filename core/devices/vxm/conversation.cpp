@@ -9,7 +9,7 @@
 namespace hw::vxm {
 namespace {
 
-constexpr Duration quiet_time = Millis(30);
+constexpr Duration quiet_time = Millis(30), longest_noise = Millis(500);
 constexpr Duration longest_gap = Millis(40);  // between the bytes of one message
 constexpr Duration greeting_patience = Millis(300);
 constexpr Duration late_greeting_patience = std::chrono::seconds(3);
@@ -222,10 +222,10 @@ Task<Result<>> Conversation::say_anyway(std::string text) {
   co_return Result<>();
 }
 
-Task<Result<>> Conversation::wait_for_quiet(Duration at_most) {
+Task<Result<>> Conversation::wait_for_quiet() {
   const Instant began = scheduler_.now();
   Instant quiet_at = scheduler_.now() + quiet_time;
-  while (station_ && scheduler_.now() < quiet_at && scheduler_.now() - began < at_most) {
+  while (station_ && scheduler_.now() < quiet_at && scheduler_.now() - began < longest_noise) {
     auto paused = co_await station_->pause(quiet_at - scheduler_.now());
     if (!paused) co_return paused;
     quiet_at = std::max(quiet_at, heard_at_ + quiet_time);

@@ -59,8 +59,9 @@ class Conversation {
   /// Whatever the line owes: it begins the conversation anew.
   Task<Result<>> say_anyway(std::string text);
   /// After an answer that made no sense: whatever still comes must not be taken for the next one, and nothing
-  /// may be sent while the controller sends (the overrun of the manual's p.30 locks it until power-off).
-  Task<Result<>> wait_for_quiet(Duration at_most = Duration::max());
+  /// may be sent while the controller sends (the overrun of the manual's p.30 locks it until power-off). What
+  /// babbles on is no VXM: it is not waited for.
+  Task<Result<>> wait_for_quiet();
 
   /// What the controller takes now, as far as is known.
   [[nodiscard]] Listening listens() const { return listening_(); }

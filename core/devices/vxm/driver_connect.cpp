@@ -12,7 +12,6 @@ namespace {
 constexpr std::uint16_t greeting_quiet_ms = 20;
 constexpr std::uint16_t slow_greeting_quiet_ms = 45;  // bytes come up to 40 ms apart
 constexpr int greetings = 4, silences_until_nobody = 2;
-constexpr Duration longest_noise = Millis(500);
 constexpr int attempts_to_end_echo = 4;
 
 }  // namespace
@@ -27,7 +26,7 @@ Task<Result<>> VxmDriver::find_out_all() {
   }
   auto polled = co_await poll(Round::usual);
   if (polled || !worth_another_try(polled.error())) co_return polled;
-  auto quiet = co_await talk_.wait_for_quiet(longest_noise);  // a status byte is asked once a round
+  auto quiet = co_await talk_.wait_for_quiet();  // a status byte is asked once a round
   if (!quiet) co_return quiet;
   co_return co_await poll(Round::usual);
 }
@@ -41,7 +40,7 @@ Task<Result<std::string>> VxmDriver::ask_who_listens() {
     if (n > 0) {
       auto ended = co_await talk_.say_anyway("\r");
       if (!ended) co_return fail(ended.error());
-      auto quiet = co_await talk_.wait_for_quiet(longest_noise);
+      auto quiet = co_await talk_.wait_for_quiet();
       if (!quiet) co_return fail(quiet.error());
     }
     const auto quiet_ms = n > 0 ? slow_greeting_quiet_ms : greeting_quiet_ms;
@@ -114,7 +113,7 @@ Task<Result<>> VxmDriver::end_echo(char state) {
   for (int n = 0; n < attempts_to_end_echo && talk_.echoes(); ++n) {
     auto said = co_await talk_.say_anyway("F");
     if (!said) co_return said;
-    auto quiet = co_await talk_.wait_for_quiet(longest_noise);
+    auto quiet = co_await talk_.wait_for_quiet();
     if (!quiet) co_return quiet;
     auto reply = co_await talk_.greet(slow_greeting_quiet_ms);
     if (!reply && reply.error().kind != FaultKind::no_answer) co_return fail(reply.error());

@@ -57,5 +57,18 @@ TEST(HybridScheduler, RealTimeFiresAlarms) {
   EXPECT_EQ(time.run_until(time.now() + Millis(60'000), [&] { return rung; }), Turn::done);
 }
 
+// A port that babbles has bytes ready whenever it is asked.
+TEST(HybridScheduler, WorkWithoutEndHoldsBackNoAlarm) {
+  IoContext io{1};
+  HybridScheduler time(io, true);
+  std::function<void()> babble = [&] { asio::post(io, babble); };
+  babble();
+  bool rung = false;
+  Timer timer(time, [&] { rung = true; });
+  timer.arm(time.now() + Millis(5));
+  EXPECT_EQ(time.run_until(Instant::max(), [&] { return rung; }), Turn::done);
+  EXPECT_EQ(time.run_until(time.now() + Millis(1), never), Turn::time);
+}
+
 }  // namespace
 }  // namespace hw
