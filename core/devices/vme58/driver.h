@@ -28,12 +28,9 @@
 #include <string>
 
 #include "core/device/driver.h"
-#include "core/devices/vme58/actions.h"
+#include "core/devices/vme58/driver_parts.h"
 #include "core/devices/vme58/finding.h"
 #include "core/devices/vme58/samples.h"
-#include "core/devices/vme58/setup.h"
-#include "core/devices/vme58/stops.h"
-#include "core/devices/vme58/texts.h"
 
 namespace hw::vme58 {
 
@@ -80,32 +77,10 @@ class Vme58Driver final : public Driver, private Readings::Listener {
   ScriptTexts& texts_heard_;
   std::function<void()> changed_;
 
-  Wire wire_;
-  Selection selection_;
-  Readings readings_;
-  Conversation conversation_;
-  Mailbox mailbox_;
-  Commands commands_;
-  NextRound next_;
-  Queues queues_;
-  ParameterValues values_;
-  LimitEnds limits_;
-  ServoLoops loops_;
-  Motions motions_;
-  Speeds speeds_;
-  StatusQuestions questions_;
-  Lines lines_;
-  ServoDrive drive_;
-  Moves moves_;
-  Actions actions_;
-  Setup setup_;
-  StopEffect stop_effect_;
-  AllStop all_stop_;
-  Effects effects_;
-  Feed feed_;
-  Programs programs_;
-  Stops stops_;
-  Texts texts_;
+  Talk talk_;
+  Known known_;
+  Work work_;
+  Strings strings_;
   Samples samples_;
   Finding finding_;
 
