@@ -249,8 +249,9 @@ void Stage::jog(int device, AxisId axis, Sign sign, Duration held, LetGo how) {
 void Stage::stop_closing(int device, std::string text) {
   if (closing_.empty() || device >= static_cast<int>(closing_.back()->members().size())) return;
   Session& leaving = *closing_.back()->members()[static_cast<std::size_t>(device)];
-  if (leaving.snapshot().link.state == LinkState::closed) return;
-  judge_.stop_asked_closing(device);
+  const LinkHealth& link = leaving.snapshot().link;
+  if (link.state == LinkState::closed) return;
+  if (link.connected()) judge_.stop_asked_closing(device);  // else it is told that it does not arrive
   leaving.send(intent::SendText(std::move(text)));
 }
 

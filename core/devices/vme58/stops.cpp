@@ -11,6 +11,12 @@ namespace {
 constexpr Duration free_look = std::chrono::microseconds(500);
 constexpr Duration ring_patience = Millis(5);  // what a stop has cut short may just have been put there
 
+/// The console's own stop follows until it shows: the mailbox may be deaf.
+Fault not_as_typed() {
+  return Fault(FaultKind::no_answer, "The board took no command for single axes.",
+               "All axes were told to stop instead.", "Look where they stand.");
+}
+
 }  // namespace
 
 // ---- what is sent
@@ -81,7 +87,10 @@ Task<Result<>> Stops::stop_by_text(std::string text) {
     if (command.is(Op::ST)) {
       std::string selector = command.context.selector();
       const auto sent = co_await stop_axis(std::move(selector));
-      if (!sent) stopped = fail(sent.error());
+      if (!sent)
+        stopped = fail(sent.error());
+      else if (!*sent)
+        stopped = fail(not_as_typed());
     } else {
       stopped = co_await all_stop_.send(command.fact->letters);
     }
