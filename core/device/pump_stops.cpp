@@ -82,8 +82,7 @@ void Pump::stop_was_sent(StopOrder& order, Result<std::string> sent) {
     return close_stop(order);
   }
   if (order.what == What::words) {  // as typed, once
-    if (sent && (!order.meaning.stops_here() || order.meaning.stops != TextMeaning::Stops::all ||
-                 order.meaning.answered == TextMeaning::Answered::at_once)) {
+    if (sent && (!order.meaning.stops_here() || order.meaning.answered == TextMeaning::Answered::at_once)) {
       if (order.answer) std::exchange(order.answer, nullptr)(std::move(sent));
       set_fate(order.intent, Fate::done);
       return close_stop(order);

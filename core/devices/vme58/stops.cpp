@@ -11,12 +11,6 @@ namespace {
 constexpr Duration free_look = std::chrono::microseconds(500);
 constexpr Duration ring_patience = Millis(5);  // what a stop has cut short may just have been put there
 
-/// The console's own stop follows until it shows: the mailbox may be deaf.
-Fault not_as_typed() {
-  return Fault(FaultKind::no_answer, "The board took no command for single axes.",
-               "All axes were told to stop instead.", "Look where they stand.");
-}
-
 }  // namespace
 
 // ---- what is sent
@@ -87,10 +81,8 @@ Task<Result<>> Stops::stop_by_text(std::string text) {
     if (command.is(Op::ST)) {
       std::string selector = command.context.selector();
       const auto sent = co_await stop_axis(std::move(selector));
-      if (!sent)
-        stopped = fail(sent.error());
-      else if (!*sent)
-        stopped = fail(not_as_typed());
+      if (!sent) stopped = fail(sent.error());
+      widened_ = widened_ || (sent && !*sent);
     } else {
       stopped = co_await all_stop_.send(command.fact->letters);
     }
@@ -142,7 +134,7 @@ void Stops::stopping(int axis, bool at_once) {
 /// soon as fast as ever again, and one of several on a line may show its share of the ramp late.
 StopProgress Stops::progress(const StopOrder& order) {
   const bool words = order.what == StopOrder::What::words;
-  if (words && !order.stops_all()) return StopProgress::stands();  // the ring has carried them
+  if (words && !order.stops_all() && !widened_) return StopProgress::stands();  // the ring has carried them
   const int axis = widened_ ? -1 : order.axis;
   StopEffect::Seen seen = effect_.look(axis, order.at_once);
   const bool jog = order.what == StopOrder::What::jog && axis >= 0;
