@@ -1198,7 +1198,7 @@ class BadInput(Case):
                 (("emulate", "vxm", "--tcp", "127.0.0.1:0", "--motors", "5"), "1 to 4 motors"),
                 (("emulate", "vxm", "--tcp", "127.0.0.1:0", "--speed", "0"), "speed=0"),
                 (("emulate", "vxm", "--tcp", "127.0.0.1:0", "--wire", "maybe"), "wire=maybe"),
-                (("emulate", "vxm", "--tcp", "127.0.0.1:0", "--quirk", "none"), "overrun, e-bar and mode-while-running"),
+                (("emulate", "vxm", "--tcp", "127.0.0.1:0", "--quirk", "none"), "mode-while-running and old-firmware"),
                 (("emulate", "vxm", "--tcp", "127.0.0.1:0", "--id", "01"), "has no --id"),
                 (("emulate", "dmx-k-sa", "--tcp", "127.0.0.1:0", "--id", "1"), "two digits")):
             self.says(2, words, *arguments)

@@ -29,6 +29,8 @@ class Artist {
 
   Plan draw() {
     draw_quirk(drawing_.faults ? facts_.quirks : facts_.strict);
+    if (facts_.model == "vxm" && plan_.options.find("quirk=") == std::string::npos && beside_.percent(5))
+      plan_.options += plan_.options.empty() ? "quirk=old-firmware" : ",quirk=old-firmware";
     if (drawing_.faults) draw_habits();
     if (facts_.needs_power)
       for (int device = 0; device < devices_; ++device) put(Millis(900), "motor_power", device, {-1, 1});
@@ -81,6 +83,8 @@ class Artist {
     }
     if (random_.percent(8)) put(Millis(0), "delay", 0, {1, random_.mostly_small(20, 2500), whole});
     if (random_.percent(8)) put(Millis(0), "gaps", 0, {1, random_.between(1, 40), whole});
+    if (!facts_.newer.empty() && beside_.percent(5))
+      put(Millis(0), "unknown", 0, {}, beside_.one_of(facts_.newer));
     if (facts_.prompt != 0 && random_.percent(10))
       put(Millis(0), "habit", 0, {1, facts_.prompt, random_.between(1, 6), random_.percent(50)});
   }

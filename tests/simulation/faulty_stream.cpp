@@ -67,7 +67,9 @@ class FaultyStream final : public Stream, public Stream::Listener {
   }
 
   void listen(Stream::Listener* listener) override { listener_ = listener; }
-  void send(std::string_view bytes) override { pass(bytes, faults_.out, out_); }
+  void send(std::string_view bytes) override {
+    pass(faults_.unknown.to_controller(bytes), faults_.out, out_);
+  }
   void discard_unsent() override {
     out_.clear();
     inner_->discard_unsent();
@@ -77,7 +79,9 @@ class FaultyStream final : public Stream, public Stream::Listener {
   [[nodiscard]] std::string describe() const override { return inner_->describe(); }
 
  private:
-  void bytes_arrived(std::string_view bytes) override { pass(bytes, faults_.in, in_); }
+  void bytes_arrived(std::string_view bytes) override {
+    pass(faults_.unknown.to_console(bytes), faults_.in, in_);
+  }
   void stream_closed(const Fault& why) override {
     in_.clear();
     if (listener_ != nullptr) listener_->stream_closed(why);

@@ -31,7 +31,8 @@ struct ModelFacts {
   std::vector<std::string> speeds;    ///< parameters of speed or ramp that may be set
   /// Of its set-up and programs, as the controller receives them; {} stands for the address.
   std::vector<std::string> questions;
-  std::string_view kill;  ///< text that stops at once, as the controller receives it
+  std::vector<std::string> newer;  ///< commands that a firmware may have yet to learn
+  std::string_view kill;           ///< text that stops at once, as the controller receives it
 };
 
 const ModelFacts* find_model(std::string_view model);

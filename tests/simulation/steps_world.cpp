@@ -46,6 +46,7 @@ void delay(Stage& stage, const Step& s) {
 void habit(Stage& stage, const Step& s) {
   way(stage, s).habit = {static_cast<char>(s.number(1)), s.number(2), s.number(3) != 0};
 }
+void unknown(Stage& stage, const Step& s) { stage.faults().unknown.name = s.text; }
 void gaps(Stage& stage, const Step& s) {
   way(stage, s).gap = Millis(s.number(1));
   way(stage, s).gaps_until = in_future(stage, s, 2);
@@ -77,6 +78,7 @@ constexpr Verb verbs[] = {
     {"cut", 2, fault, cut},                 // WAY TIME
     {"delay", 3, fault, delay},             // WAY LATE TIME
     {"habit", 4, fault, habit},             // WAY BYTE EVERY DOUBLES: of some bytes, all the time
+    {"unknown", 0, fault, unknown},         // "COMMAND"
     {"gaps", 3, fault, gaps},               // WAY GAP TIME: between bytes
     {"merge", 2, fault, merge},             // WAY TIME: then all at once
     {"babble", 1, fault, babble},           // TIME

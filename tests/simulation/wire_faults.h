@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <string_view>
 
 #include "core/time/clock.h"
 
@@ -77,12 +78,29 @@ class WayFaults {
   Duration late_by_{};
 };
 
+/// A firmware that has yet to learn a command: it sees as many letters that mean nothing, and where it tells
+/// which command it did not know, it tells that one.
+struct UnknownCommand {
+  std::string name;
+  [[nodiscard]] std::string to_controller(std::string_view bytes) const { return put(bytes, name, letters()); }
+  [[nodiscard]] std::string to_console(std::string_view bytes) const { return put(bytes, letters(), name); }
+
+ private:
+  [[nodiscard]] std::string letters() const { return std::string(name.size(), '_'); }
+  static std::string put(std::string_view bytes, const std::string& one, const std::string& other) {
+    std::string out(bytes);
+    const auto at = one.empty() ? out.npos : out.find(one);
+    return at == out.npos ? out : out.replace(at, one.size(), other);
+  }
+};
+
 struct WireFaults {
   WayFaults out;  ///< to the controller
   WayFaults in;   ///< to the console
   Instant unplugged_until{};
   Instant babbles_until{};             ///< a device on the line talks without end
   std::function<void()> begin_babble;  ///< of the stream that is open
+  UnknownCommand unknown;
   // Of a memory window.
   Instant silent_until{};  ///< nothing answers: reads give ones, writes are lost
   Instant slow_until{};

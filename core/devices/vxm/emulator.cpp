@@ -17,6 +17,7 @@ VxmEmulator::VxmEmulator(const EmulatorOptions& options) : options_(options) {
   if (options.motors > motors_per_controller) box_.link(Box());
   if (options.barred) box_.error_first = error_mark_barred;
   box_.mode_while_running = options.mode_while_running;
+  if (options.old_firmware) box_.firmware = old_firmware;
   AxisPlace slide;
   slide.minus = Steps(-default_travel), slide.plus = Steps(default_travel);
   for (int axis = 0; axis < boxes() * motors_per_controller; ++axis) {
@@ -195,9 +196,11 @@ Result<EmulatorOptions> read_options(const std::map<std::string, std::string>& g
           options.barred = true;
         else if (name == "mode-while-running")
           options.mode_while_running = true;
+        else if (name == "old-firmware")
+          options.old_firmware = true;
         else
           return fail(FaultKind::text, "A VXM has no quirk \"" + std::string(name) + "\".", "",
-                      "Its quirks are overrun, e-bar and mode-while-running.");
+                      "Its quirks are overrun, e-bar, mode-while-running and old-firmware.");
       }
     } else if (key == "baud") {
       const bool known = std::any_of(bauds.begin(), bauds.end(), [&rate = value](const Baud& b) {

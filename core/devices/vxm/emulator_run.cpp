@@ -107,7 +107,7 @@ bool Box::execute_next() {
   }
   const Command command = program[frame.next];
   if (hold_ && !run_.step_allowed && !run_.nonstop.moving && !is_slave_) {
-    out += held + shown(command, analog_) + '\r';
+    out += held + (firmware < firmware_of_listing ? "" : shown(command, analog_)) + '\r';
     run_.doing = Doing::held;
     return true;
   }

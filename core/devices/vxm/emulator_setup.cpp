@@ -1,6 +1,8 @@
 // Program entry, set and get, rsm, setD0 (Program Management, Setup Commands, App. C to J, N, O).
 #include <algorithm>
 
+#include <fmt/core.h>
+
 #include "core/base/index.h"
 #include "core/devices/vxm/emulator_box.h"
 #include "core/devices/vxm/report.h"
@@ -151,11 +153,13 @@ void Box::get_value(const Reading& w) {
   const Setup& mine = memory_.setup;
   switch (w.head) {
     case Head::get_DM: return reply(number_reply(mine.mode));
-    case Head::get_D0: return reply(std::string(firmware_version) + '\r');
+    case Head::get_D0: return reply(fmt::format("{}.{:02}\r", firmware / 100, firmware % 100));
     case Head::get_D1: return reply(std::string(firmware_date) + '\r');
     case Head::get_D2: return reply(number_reply(slave_found() ? 4 : 2));
     case Head::get_DA: return reply(number_reply(mine.dead_zone));
-    case Head::get_PA: return reply(number_reply(mine.pulse_width));
+    case Head::get_PA:
+      if (firmware >= firmware_of_pulses) reply(number_reply(mine.pulse_width));
+      return;
     case Head::get_I: return reply(number_reply(mine.inputs));
     default: break;
   }

@@ -15,6 +15,7 @@ struct EmulatorOptions {
   int motors = 2;
   bool overrun = false, barred = false;
   bool mode_while_running = false;  ///< E, F and G are taken while a program runs (V103)
+  bool old_firmware = false;        ///< 1.19: it knows neither $ nor PA, and lists nothing while it holds
 };
 
 class VxmEmulator final : public Emulator {

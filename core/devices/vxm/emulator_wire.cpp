@@ -94,7 +94,10 @@ bool Box::status_letter(char c) {
     case '*': reply(position_reply(last_slowed_at())); return true;
     case '?': reply(std::string(1, static_cast<char>(limits_byte()))); return true;
     case '~': reply(std::string(1, static_cast<char>(inputs_byte()))); return true;
-    case '$': reply(std::string(1, static_cast<char>(outputs() & 0x0F))); return true;
+    case '$':
+      if (firmware < firmware_of_outputs) return false;
+      reply(std::string(1, static_cast<char>(outputs() & 0x0F)));
+      return true;
     case '@': reply(number_reply(analog_)); return true;
     default: return false;
   }

@@ -159,7 +159,12 @@ inline constexpr std::string_view accepted_while_running = "KDHGVXY!*?~$@";  ///
 /// What ends a number or a command (p.26): carriage return, comma, period.
 constexpr bool is_ender(char c) { return c == '\r' || c == ',' || c == '.'; }
 
-inline constexpr std::string_view firmware_version = "1.30", firmware_date = "12-29-04";
+// Of the firmware, in hundredths.
+inline constexpr int newest_firmware = 130, old_firmware = 119;
+inline constexpr int firmware_of_listing = 121;  // of the command before which it holds (App. A p.32)
+inline constexpr int firmware_of_outputs = 122;  // $ (App. A p.33)
+inline constexpr int firmware_of_pulses = 124;   // setPA, getPA (App. D p.43)
+inline constexpr std::string_view firmware_date = "12-29-04";
 
 // --- front panel, in the order of BenchView's bits ------------------------------------------------------
 inline constexpr std::array<std::string_view, 12> panel_buttons{

@@ -5,6 +5,20 @@
 #include "core/devices/vxm/facts.h"
 
 namespace hw::vxm {
+namespace {
+
+/// Of a version like 1.30; one that is printed otherwise is none of the old ones.
+int hundredths(std::string_view version) {
+  if (version.size() != 4 || version[1] != '.') return newest_firmware;
+  int sum = 0;
+  for (const char digit : {version[0], version[2], version[3]}) {
+    if (digit < '0' || digit > '9') return newest_firmware;
+    sum = 10 * sum + (digit - '0');
+  }
+  return sum;
+}
+
+}  // namespace
 
 Task<Result<>> Nameplate::read() {
   auto version = co_await talk_.text("getD0", Priority::poll);
@@ -15,6 +29,7 @@ Task<Result<>> Nameplate::read() {
   if (!motors) co_return fail(motors.error());
   console_.draft.identity.firmware = fmt::format("{} ({})", *version, *date);
   has_slave_ = *motors == 4;
+  tells_outputs_ = hundredths(*version) >= firmware_of_outputs;
   const int axes = static_cast<int>(console_.catalog.axes.size());
   for (int i = 0; i < axes; ++i) {
     console_.draft.axes[i].enabled = i < motors_per_controller || has_slave_;

@@ -19,6 +19,8 @@ class Nameplate {
   [[nodiscard]] bool is_read() const { return read_; }
   void forget() { read_ = false; }
   [[nodiscard]] bool has_slave() const { return has_slave_; }
+  /// $ came with version 1.22: until that is known it is not asked, and nobody knows the outputs.
+  [[nodiscard]] bool tells_outputs() const { return tells_outputs_; }
   /// Asked about its motors again, the controller would restart each time. The identity, read afresh after
   /// the restart, tells whether a Slave answers.
   void lose_slave();
@@ -26,7 +28,7 @@ class Nameplate {
  private:
   const Console& console_;
   Conversation& talk_;
-  bool read_ = false, has_slave_ = false;
+  bool read_ = false, has_slave_ = false, tells_outputs_ = false;
 };
 
 }  // namespace hw::vxm

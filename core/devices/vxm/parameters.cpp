@@ -14,6 +14,7 @@ namespace {
 
 constexpr Duration rate_change_pause = Millis(50);
 constexpr int values_at_once = 4;  // read in the gaps
+constexpr int tries_at_one = 3;       // of one of them that is not answered
 
 int baud_rate(std::int64_t number) {
   for (const Baud& b : bauds)
@@ -87,7 +88,8 @@ Task<Result<>> Parameters::read_some() {
         !console_.catalog.params[static_cast<std::size_t>(next_)].readable)
       continue;
     auto done = co_await read_one(next_, Priority::poll);
-    if (!done) co_return done;
+    if (!done && ++in_vain_ < tries_at_one) co_return done;  // else its firmware does not know it
+    in_vain_ = 0;
     ++read;
   }
   co_return Result<>();

@@ -47,6 +47,7 @@ class Parameters {
   std::function<Result<>()> may_change_;
   bool essentials_read_ = false;
   int next_ = 0;
+  int in_vain_ = 0;  ///< so often has that one not been answered
 };
 
 }  // namespace hw::vxm

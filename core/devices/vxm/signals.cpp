@@ -47,7 +47,7 @@ Task<Result<>> Signals::read(char which, Priority priority) {
     if (!asked) co_return asked;
     auto state = co_await talk_.state(priority);
     if (!state) co_return fail(state.error());
-    if (confirm()) break;
+    if (confirm() || !is_told(which)) break;
   }
   co_return Result<>();
 }
@@ -60,11 +60,13 @@ Task<Result<>> Signals::ask_next(Priority priority) {
 }
 
 Task<Result<>> Signals::ask(char which, Priority priority) {
+  if (!is_told(which)) co_return Result<>();
   if (std::none_of(asked_.begin(), asked_.end(), [](const auto& byte) { return byte.has_value(); }))
     strays_ = talk_.strays();
   auto byte = co_await talk_.raw(which, priority);
   if (!byte) {
     asked_ = {};
+    if (which == '$') nameplate_.forget();  // its version may have been misread
     co_return fail(byte.error());
   }
   asked_[all.find(which)] = *byte;

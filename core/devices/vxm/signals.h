@@ -15,7 +15,7 @@ namespace hw::vxm {
 
 class Signals {
  public:
-  Signals(const Console& console, Conversation& talk, const Nameplate& nameplate)
+  Signals(const Console& console, Conversation& talk, Nameplate& nameplate)
       : scheduler_(console.scheduler), draft_(console.draft), talk_(talk), nameplate_(nameplate) {}
 
   /// A new wire.
@@ -25,7 +25,7 @@ class Signals {
 
   /// All of them, more than once where one reading is not enough.
   Task<Result<>> read_all(Priority priority);
-  /// ?, ~ or $, until it is shown as it is now.
+  /// ?, ~ or $, until it is shown as it is now; nothing where it tells none.
   Task<Result<>> read(char which, Priority priority);
   /// The next of all in turn; to be followed by another question, and that by confirm().
   Task<Result<>> ask_next(Priority priority);
@@ -39,13 +39,14 @@ class Signals {
  private:
   static constexpr std::string_view all = "?~$";
   Task<Result<>> read_analog(Priority priority);
+  [[nodiscard]] bool is_told(char which) const { return which != '$' || nameplate_.tells_outputs(); }
   bool believe(std::size_t which, unsigned char byte);
   void show(std::size_t which, unsigned char byte);
 
   Scheduler& scheduler_;
   Snapshot& draft_;
   Conversation& talk_;
-  const Nameplate& nameplate_;
+  Nameplate& nameplate_;
   std::array<std::optional<unsigned char>, 3> asked_{};  ///< answered, to be confirmed
   std::array<std::optional<unsigned char>, 3> once_{};   ///< read once since the line was cleaned
   std::array<std::uint32_t, 3> cleaned_{};               ///< how often it had been, when this was believed
