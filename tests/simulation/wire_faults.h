@@ -82,7 +82,9 @@ class WayFaults {
 /// which command it did not know, it tells that one.
 struct UnknownCommand {
   std::string name;
-  [[nodiscard]] std::string to_controller(std::string_view bytes) const { return put(bytes, name, letters()); }
+  [[nodiscard]] std::string to_controller(std::string_view bytes) const {
+    return put(bytes, name, letters());
+  }
   [[nodiscard]] std::string to_console(std::string_view bytes) const { return put(bytes, letters(), name); }
 
  private:

@@ -1,7 +1,7 @@
 #pragma once
 // The VXM in miniature. Options of the address: motors=1..4 (3 and 4: a Master with its Slave linked),
-// quirk=overrun, quirk=e-bar, quirk=mode-while-running, quirk=old-firmware (several joined by +); baud= is the
-// line's and is only checked.
+// quirk=overrun, quirk=e-bar, quirk=mode-while-running, quirk=old-firmware (several joined by +); baud= is
+// the line's and is only checked.
 //
 // The bench as it is built: on each motor a slide with a normally closed switch 100,000 steps to either side
 // of where it stands, no play, and a motor small enough to turn with motor type 0 (App. M). Inputs 1-4, Run,

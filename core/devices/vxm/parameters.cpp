@@ -14,7 +14,7 @@ namespace {
 
 constexpr Duration rate_change_pause = Millis(50);
 constexpr int values_at_once = 4;  // read in the gaps
-constexpr int tries_at_one = 3;       // of one of them that is not answered
+constexpr int tries_at_one = 3;    // of one of them that is not answered
 
 int baud_rate(std::int64_t number) {
   for (const Baud& b : bauds)

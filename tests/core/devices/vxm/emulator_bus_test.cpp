@@ -190,6 +190,19 @@ TEST(VxmQuirks, AModeIsTakenWhileAProgramRuns) {
   EXPECT_TRUE(rig.run_until_output("^"));
 }
 
+// App. A p.32 and 33, App. D p.43: the versions from which these are known.
+TEST(VxmQuirks, AnOldFirmwareKnowsNeitherOutputsNorPulses) {
+  Rig rig(DeviceOptions{{"quirk", "old-firmware"}});
+  rig.send("F");
+  EXPECT_EQ(rig.ask("getD0"), "1.19\r");
+  EXPECT_EQ(rig.ask("$"), "");
+  EXPECT_EQ(rig.ask("getPA"), "");
+  EXPECT_EQ(rig.ask("V"), "R") << "nothing has come of that";
+  rig.send("HPM-0,I1M400,R");
+  rig.run_for(100ms);
+  EXPECT_EQ(rig.output(), ":\r") << "it holds, and does not tell before what";
+}
+
 TEST(VxmErrors, AfterEachErrorTheControllerIsWellAgain) {
   for (const char* bad : {"U7,I1M100,", "I1M1,LA2,LA2,LA2,LA2,LA2,LA2,LA2,LA2,LA2,LA2,LA2,", "JM0,"}) {
     Rig rig = Rig::online();
