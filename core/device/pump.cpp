@@ -147,6 +147,9 @@ Task<bool> Pump::open_and_connect() {
   co_return co_await connect();
 }
 
+/// Behind a wire that was lost, or in a controller that has been heard and not yet been seen.
+bool Pump::something_may_run() const { return outage_.may_run() || (station_ && station_->was_heard()); }
+
 // What is owed goes out before anything else that connecting needs, and again as long as nothing comes back.
 Task<bool> Pump::connect() {
   for (;;) {
@@ -157,7 +160,7 @@ Task<bool> Pump::connect() {
       if (closes() || !station_->is_open()) co_return false;
       continue;
     }
-    if (desk_.any() && outage_.may_run()) silence_.arm(outage_.attempt_at() + retry_with_a_stop);
+    if (desk_.any() && something_may_run()) silence_.arm(outage_.attempt_at() + retry_with_a_stop);
     auto made = co_await guarded("connection", driver_->connect());
     silence_.disarm();
     if (closes() || !station_->is_open()) co_return false;
@@ -181,7 +184,7 @@ void Pump::nothing_comes_back() {
     draft_.link.sentence =
         "The controller was told to stop, and does not answer. It is told again until it does.";
   stops_did_not_arrive();
-  desk_.orders().remove_if([this](const StopOrder&) { return !outage_.may_run(); });
+  if (!something_may_run()) desk_.clear();
   desk_.send_all_again();
   refuse_queued("The controller does not answer. Nothing was sent.");
   publish();

@@ -101,6 +101,7 @@ class Pump {
   void connection_made();
   void lose_wire(const Fault& why);
   [[nodiscard]] bool connected() const;
+  [[nodiscard]] bool something_may_run() const;
   [[nodiscard]] bool something_runs() const;
   void publish();
   [[nodiscard]] bool runs() const { return life_ > Life::made && life_ < Life::over; }

@@ -67,6 +67,7 @@ class Station {
   int address = -1;
   /// When any byte came in for this device last.
   [[nodiscard]] Instant heard_at() const { return heard_at_; }
+  [[nodiscard]] bool was_heard() const { return heard_at_ > Instant{}; }
   /// The procedure under way is ended, by a stop or with the wire: whoever waits for something else looks
   /// again.
   std::function<void()> procedure_ended;
