@@ -265,7 +265,7 @@ Task<Result<>> VxmDriver::set_output(const intent::SetOutput& wish) {
   if (!done) co_return done;
   auto read = co_await signals_.read('$', Priority::intent);
   if (!read) co_return read;
-  if (draft_.outputs_known == 0) co_return Result<>();  // nobody can tell
+  if (!nameplate_.tells_outputs()) co_return Result<>();  // nobody can tell
   const bool is_on = draft_.outputs >> (wish.number - 1) & 1;
   if (is_on == wish.on) co_return Result<>();
   co_return fail(FaultKind::controller,

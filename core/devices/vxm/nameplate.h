@@ -1,6 +1,7 @@
 #pragma once
 // What the controller is: its version, and whether a second one answers on the VXM bus.
 #include <string_view>
+#include <utility>
 
 #include "core/devices/vxm/console.h"
 #include "core/devices/vxm/conversation.h"
@@ -19,8 +20,10 @@ class Nameplate {
   [[nodiscard]] bool is_read() const { return read_; }
   void forget() { read_ = false; }
   [[nodiscard]] bool has_slave() const { return has_slave_; }
-  /// $ came with version 1.22: until that is known it is not asked, and nobody knows the outputs.
+  /// $ came with version 1.22: of an older one nobody knows the outputs.
   [[nodiscard]] bool tells_outputs() const { return tells_outputs_; }
+  /// $ was not answered: its version, if that has been read, was misread perhaps; else it may be an old one.
+  void doubt_outputs() { tells_outputs_ = std::exchange(read_, false); }
   /// Asked about its motors again, the controller would restart each time. The identity, read afresh after
   /// the restart, tells whether a Slave answers.
   void lose_slave();
@@ -28,7 +31,7 @@ class Nameplate {
  private:
   const Console& console_;
   Conversation& talk_;
-  bool read_ = false, has_slave_ = false, tells_outputs_ = false;
+  bool read_ = false, has_slave_ = false, tells_outputs_ = true;
 };
 
 }  // namespace hw::vxm

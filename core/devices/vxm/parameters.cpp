@@ -106,7 +106,7 @@ void Parameters::was_set(std::string_view mnemonic) {
 
 void Parameters::forget() {
   essentials_read_ = false;
-  next_ = 0;
+  next_ = in_vain_ = 0;
   for (ParamState& p : console_.draft.params) p = ParamState();
   console_.draft.unsaved_setup = false;
 }

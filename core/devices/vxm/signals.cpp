@@ -66,7 +66,7 @@ Task<Result<>> Signals::ask(char which, Priority priority) {
   auto byte = co_await talk_.raw(which, priority);
   if (!byte) {
     asked_ = {};
-    if (which == '$') nameplate_.forget();  // its version may have been misread
+    if (which == '$') nameplate_.doubt_outputs();
     co_return fail(byte.error());
   }
   asked_[all.find(which)] = *byte;
