@@ -58,6 +58,30 @@ TEST_F(VxmDriverConnect, ARunningProgramIsShownAndLeftAlone) {
   EXPECT_EQ(latest.slot_bytes_used[0], 8);
 }
 
+// getD0 is dropped while a program runs, so whether it knows $ shows by asking.
+TEST_F(VxmDriverConnect, OutputsAreReadWhileAProgramHidesTheVersion) {
+  loop = std::make_unique<test::Loopback>(time, make_emulator({}).value(), false);
+  loop->emulator().advance_to(time.now());
+  loop->emulator().receive("FI1M9000,R");
+  open();
+  run(2);
+  EXPECT_EQ(latest.program.run, RunState::running);
+  EXPECT_EQ(latest.outputs_known, 0x0Fu);
+}
+
+TEST_F(VxmDriverConnect, AnOldFirmwareWhoseProgramRunsIsNotLost) {
+  loop = std::make_unique<test::Loopback>(time, make_emulator({{"quirk", "old-firmware"}}).value(), false);
+  loop->emulator().advance_to(time.now());
+  loop->emulator().receive("FI1M9000,R");
+  open();
+  run(2);
+  EXPECT_EQ(latest.link.state, LinkState::good);
+  EXPECT_EQ(latest.program.run, RunState::running);
+  EXPECT_EQ(latest.outputs_known, 0u) << "nobody can tell";
+  EXPECT_TRUE(wait_idle());
+  EXPECT_EQ(latest.identity.firmware.view(), "1.19 (12-29-04)");
+}
+
 TEST_F(VxmDriverConnect, AHoldThatAnotherProgramLeftOnIsReleased) {
   loop = std::make_unique<test::Loopback>(time, make_emulator({}).value(), false);
   loop->emulator().advance_to(time.now());
