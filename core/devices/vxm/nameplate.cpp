@@ -30,6 +30,7 @@ Task<Result<>> Nameplate::read() {
   console_.draft.identity.firmware = fmt::format("{} ({})", *version, *date);
   has_slave_ = *motors == 4;
   tells_outputs_ = hundredths(*version) >= firmware_of_outputs;
+  tells_pulses_ = hundredths(*version) >= firmware_of_pulses;
   const int axes = static_cast<int>(console_.catalog.axes.size());
   for (int i = 0; i < axes; ++i) {
     console_.draft.axes[i].enabled = i < motors_per_controller || has_slave_;

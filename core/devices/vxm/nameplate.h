@@ -22,6 +22,8 @@ class Nameplate {
   [[nodiscard]] bool has_slave() const { return has_slave_; }
   /// $ came with version 1.22: of an older one nobody knows the outputs.
   [[nodiscard]] bool tells_outputs() const { return tells_outputs_; }
+  /// getPA came with version 1.24.
+  [[nodiscard]] bool tells_pulses() const { return tells_pulses_; }
   /// $ was not answered: its version, if that has been read, was misread perhaps; else it may be an old one.
   void doubt_outputs() { tells_outputs_ = std::exchange(read_, false); }
   /// Asked about its motors again, the controller would restart each time. The identity, read afresh after
@@ -31,7 +33,7 @@ class Nameplate {
  private:
   const Console& console_;
   Conversation& talk_;
-  bool read_ = false, has_slave_ = false, tells_outputs_ = true;
+  bool read_ = false, has_slave_ = false, tells_outputs_ = true, tells_pulses_ = true;
 };
 
 }  // namespace hw::vxm

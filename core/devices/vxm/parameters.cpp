@@ -54,6 +54,7 @@ bool Parameters::reachable(const ParamInfo& info) const {
 Task<Result<>> Parameters::read_one(int index, Priority priority) {
   const ParamInfo& info = console_.catalog.params[ix(index)];
   if (!info.readable || !reachable(info)) co_return Result<>();
+  if (info.mnemonic == "PA" && !nameplate_.tells_pulses()) co_return Result<>();
   auto value = co_await talk_.number(get_param(info.mnemonic), priority);
   if (!value) co_return fail(value.error());
   console_.draft.params[ix(index)].value = *value;
