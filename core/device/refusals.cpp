@@ -84,6 +84,8 @@ std::string_view words_of(Doubt cause, bool several) {
     case Doubt::power_cut: return several ? "their power was cut" : "its power was cut";
     case Doubt::restarted:
       return several ? "their power was cut, or they were reset" : "its power was cut, or it was reset";
+    case Doubt::unheard:
+      return several ? "they read zero after answers were missing" : "it reads zero after answers were missing";
     case Doubt::reset: return several ? "they were reset" : "it was reset";
     case Doubt::killed:
       return several ? "they were stopped without a ramp at speed" : "it was stopped without a ramp at speed";
@@ -97,6 +99,7 @@ std::string_view brief_words_of(Doubt cause) {
   switch (cause) {
     case Doubt::power_cut: return "power was cut";
     case Doubt::restarted: return "was restarted";
+    case Doubt::unheard: return "answers were missing";
     case Doubt::reset: return "was reset";
     case Doubt::killed: return "killed at speed";
     case Doubt::slipped: return "has slipped";

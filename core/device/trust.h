@@ -18,6 +18,7 @@ enum class Doubt : std::uint8_t {
   none,
   power_cut,  ///< it was switched off and on
   restarted,  ///< that, or somebody else's reset: it does not show which
+  unheard,    ///< it did not answer, and then it read zero: that, or what was sent has set it
   reset,      ///< by a command
   killed,     ///< stopped without a ramp from a speed at which a motor overshoots
   slipped     ///< a step motor whose encoder lay elsewhere than its count

@@ -111,6 +111,7 @@ class ArcusDriver final : public Driver {
   Task<Result<>> look_after_silence();
   Task<Result<>> look_back_over_the_loss();
   void restarted(std::string_view how_it_shows, unsigned moved);
+  void may_have_restarted();
 
   // ---- driver_poll.cpp
   Task<Result<>> see_whether_it_stands();

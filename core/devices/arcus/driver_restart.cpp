@@ -33,7 +33,8 @@ RestartWatch::Ways ArcusDriver::ways_of_watch() {
         const bool to_encoder = minds_[ix(axis)].stopping && draft_.axes[axis].in_counts;
         return RestartWatch::AxisNow{runs(axis), moving(axis), to_encoder, fastest_way_to_zero(axis), room};
       },
-      [this](std::string_view how_it_shows, unsigned moved) { restarted(how_it_shows, moved); }};
+      [this](std::string_view how_it_shows, unsigned moved) { restarted(how_it_shows, moved); },
+      [this] { may_have_restarted(); }};
 }
 
 // Whatever is sent or heard goes through here before it is.
@@ -56,7 +57,7 @@ Task<Result<>> ArcusDriver::look_back_over_the_loss() {
 // Where an answer was missing since the last look, whatever goes out next might hide a restart: an axis that
 // moves does not stand at zero. What was asked for meant the controller as it was before.
 Task<Result<>> ArcusDriver::look_after_silence() {
-  if (!watch_.was_silent()) co_return Result<>();
+  if (!watch_.was_silent() && !watch_.in_doubt()) co_return Result<>();
   const std::uint32_t restarts = draft_.restarts;
   const RestartWatch::Look look = watch_.begin_look();
   auto seen = co_await read_motion(Priority::intent);
@@ -94,6 +95,16 @@ void ArcusDriver::restarted(std::string_view how_it_shows, unsigned moved) {
            "{}: the controller was switched off and on, or another program did it. What was not stored is "
            "gone; it is read afresh. Find home before the next absolute move.",
            how_it_shows));
+}
+
+void ArcusDriver::may_have_restarted() {
+  for (int i = 0; i < axis_count(); ++i)
+    if (draft_.axes[i].position == Steps(0))
+      draft_.axes[i].trust.doubt(Doubt::unheard, scheduler_.now());
+  tell(Notice::Kind::warning,
+       "Answers were missing, and then all positions read zero: what was sent has done that, or the "
+       "controller was switched off and on. Look where the axes stand, and find home before the next "
+       "absolute move.");
 }
 
 void ArcusDriver::wire_lost() {

@@ -59,7 +59,7 @@ void RestartWatch::look_at_counters(const Look& look, bool was_silent) {
   const bool unexplained = counters_.answered(look.counters);
   const bool targets_stay = targets_.answered(look.targets);
   const auto before = std::exchange(stood_, where_all_stand());
-  if (!before || !unexplained) return;
+  if (!before) return;
   const bool silent = was_silent || stood_->misses != before->misses;
   const bool a_program_may = before->program_ran || stood_->program_ran;
   constexpr double between_two_looks = 1;  // s, and more where the wire was slow
@@ -79,8 +79,9 @@ void RestartWatch::look_at_counters(const Look& look, bool was_silent) {
     jumped = jumped || static_cast<double>(way) > reach;
   }
   const bool a_program_did = was_silent && before->program_ran;
-  if (came_nearer && ((silent && stands_at_zero) || a_program_did)) zero_in_doubt_ = before;
-  if (stands_at_zero && jumped && !a_program_may)
+  if (came_nearer && ((silent && stands_at_zero) || a_program_did))
+    zero_in_doubt_ = InDoubt{*before, stands_at_zero, !unexplained};
+  if (unexplained && stands_at_zero && jumped && !a_program_may)
     return ways_.restarted("All positions read zero, and nothing that was sent does that", before->moved());
 }
 
@@ -104,7 +105,7 @@ Task<Result<>> RestartWatch::look_at_motors(const Look& look) {
   motors_on_ = on;
   const bool as_after_power_up = after_power_up.value_or(0) == on;
   const auto in_doubt = std::exchange(zero_in_doubt_, std::nullopt);
-  const unsigned moved = in_doubt ? in_doubt->moved() : 0;
+  const unsigned moved = in_doubt ? in_doubt->before.moved() : 0;
   if (!as_after_power_up) co_return Result<>();
   if (changed) {
     ways_.restarted(fmt::format("Motor power {}, and nothing that was sent does that",
@@ -112,20 +113,22 @@ Task<Result<>> RestartWatch::look_at_motors(const Look& look) {
                     moved);
     co_return Result<>();
   }
-  auto may_be = co_await power_up_leads_here();
-  if (!may_be) co_return fail(may_be.error());
-  if (!*may_be) co_return Result<>();
+  if (!in_doubt->at_zero) {
+    auto started = co_await power_up_starts_a_program();
+    if (!started) co_return fail(started.error());
+    if (!*started) co_return Result<>();
+  }
   auto kept = co_await setup_.something_is_kept();
   if (!kept) co_return fail(kept.error());
-  if (!*kept) ways_.restarted("It did not answer for a while, and then it counted from zero", moved);
+  if (*kept) co_return Result<>();
+  if (in_doubt->may_be_set)
+    ways_.may_have_restarted();
+  else
+    ways_.restarted("It did not answer for a while, and then it counted from zero", moved);
   co_return Result<>();
 }
 
-// After power-up all counters read zero, unless a program that it starts has moved since.
-Task<Result<bool>> RestartWatch::power_up_leads_here() {
-  bool at_zero = true;
-  for (int i = 0; i < draft_.axis_count; ++i) at_zero = at_zero && draft_.axes[i].position == Steps(0);
-  if (at_zero) co_return true;
+Task<Result<bool>> RestartWatch::power_up_starts_a_program() {
   auto started = co_await talk_.ask_number("SLOAD", Priority::poll);
   if (!started && started.error().kind != FaultKind::refused) co_return fail(started.error());
   co_return started.value_or(0) != 0;

@@ -26,6 +26,8 @@ class RestartWatch {
     std::function<AxisNow(int axis)> axis_now;
     /// `moved`: a bit for each axis that was on its way.
     std::function<void(std::string_view how_it_shows, unsigned moved)> restarted;
+    /// That, or what was sent has set the counters: nobody can tell.
+    std::function<void()> may_have_restarted;
   };
   /// What had gone out when a round of status began.
   struct Look {
@@ -80,8 +82,14 @@ class RestartWatch {
     bool program_ran = false;
     [[nodiscard]] unsigned moved() const;
   };
+  /// All counters have come to zero, and nobody saw how.
+  struct InDoubt {
+    Stood before;
+    bool at_zero;     ///< all of them, at rest; or a program that power-up starts has moved since
+    bool may_be_set;  ///< by what was sent
+  };
   [[nodiscard]] Stood where_all_stand() const;
-  Task<Result<bool>> power_up_leads_here();
+  Task<Result<bool>> power_up_starts_a_program();
 
   Scheduler& scheduler_;
   Snapshot& draft_;
@@ -94,7 +102,7 @@ class RestartWatch {
   std::uint64_t motion_misses_ = 0;  ///< when the first of the latest answers about motion had come
   std::optional<Stood> stood_;       ///< when last looked at
   std::optional<std::int64_t> motors_on_;
-  std::optional<Stood> zero_in_doubt_;  ///< since then all counters have come to zero, nobody saw how
+  std::optional<InDoubt> zero_in_doubt_;
 };
 
 }  // namespace hw::arcus

@@ -169,10 +169,23 @@ int SetUp::next_that_would_show() {
 // A value that a power-cut would have taken back still stands; or it does not, and that has been told.
 Task<Result<bool>> SetUp::something_is_kept() {
   const int index = next_that_would_show();
-  if (index < 0 || !nobody_sets_.test(ix(index))) co_return false;
+  if (index < 0 || !nobody_sets_.test(ix(index))) co_return co_await code_has_left_something();
   auto read_again = co_await read(index, Priority::poll);
   if (!read_again) co_return fail(read_again.error());
   co_return true;
+}
+
+// What a program has set it can have set before a power-cut only, if power-up starts none.
+Task<Result<bool>> SetUp::code_has_left_something() {
+  if (!code_.known() || setting(Setting::boot_programs) != 0) co_return false;
+  const auto sets = code_.known()->sets;
+  for (std::size_t i = 0; i < catalog_.params.size(); ++i) {
+    if (catalog_.params[i].stored || !sets.test(i)) continue;
+    auto read_again = co_await read(static_cast<int>(i), Priority::poll);
+    if (!read_again) co_return fail(read_again.error());
+    if (draft_.params[i].value != catalog_.params[i].fallback) co_return true;
+  }
+  co_return false;
 }
 
 // First those that are not known, then all again, because programs and terminals change them.

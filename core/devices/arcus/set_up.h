@@ -56,6 +56,7 @@ class SetUp {
 
  private:
   [[nodiscard]] int next_that_would_show();
+  Task<Result<bool>> code_has_left_something();
   [[nodiscard]] bool in_ram_only(int index) const;
   void compare_with_stored(int index);
   void take(int index, std::int64_t value);
