@@ -9,6 +9,7 @@ namespace hw {
 namespace {
 
 constexpr Duration longest_clearing = std::chrono::seconds(8);  // the longest ramp, and a little
+constexpr int times_blind = 3;  // a stop goes out to a controller that has not been seen
 constexpr Duration longest_end_of_a_command = std::chrono::seconds(1), longest_last_look = Millis(500);
 
 }  // namespace
@@ -55,8 +56,9 @@ Task<> Pump::shut_down() {
   refuse_queued("The controller was closed. Nothing was sent.");
   if (jogs_.any()) post_stop(StopOrder());
   co_await let_end();
-  if (std::string left = driver_->leaves_behind(); !left.empty())  // a lost link takes nothing away
-    ways_.notify(Notice(Notice::Kind::warning, scheduler_.now(), std::move(left)));
+  for (std::string left : {driver_->leaves_behind(), say_torn_is_left(catalog_, draft_)})
+    if (!left.empty())  // a lost link takes nothing away
+      ways_.notify(Notice(Notice::Kind::warning, scheduler_.now(), std::move(left)));
   life_ = Life::closes;
   if (ways_.line) ways_.line->leave(*this);
   if (station_) station_->close(Fault(FaultKind::lost, "The controller was closed."));
@@ -84,9 +86,9 @@ Task<> Pump::let_end() {
       scheduler_.now() + longest_last_look;  // whoever opens it again waits for the port
   for (;;) {
     const Instant now = scheduler_.now();
-    const StopOrder* due = station_ && station_->is_open() ? desk_.due() : nullptr;
+    const bool has_wire = station_ && station_->is_open();
     const bool never_seen = rounds_.ended() == 0 && !connected();
-    const bool owes = never_seen ? due && due->times_sent == 0 : desk_.any();
+    const bool owes = never_seen ? has_wire && !desk_.all_were_sent(times_blind) : desk_.any();
     const bool seen = rounds_.ended() >= last_look && draft_.link.state == LinkState::good;
     const bool looks = connected() && last_look > 0 && !seen && now < looked_by;
     const bool clears = connected() && driver_->clears_up();
@@ -150,6 +152,11 @@ Task<bool> Pump::open_and_connect() {
 /// Behind a wire that was lost, or in a controller that has been heard and not yet been seen.
 bool Pump::something_may_run() const { return outage_.may_run() || (station_ && station_->was_heard()); }
 
+/// Where nobody has ever been heard, a few times: there may be nobody.
+bool Pump::stop_goes_out_again() const {
+  return desk_.any() && (something_may_run() || !desk_.all_were_sent(times_blind));
+}
+
 // What is owed goes out before anything else that connecting needs, and again as long as nothing comes back.
 Task<bool> Pump::connect() {
   for (;;) {
@@ -160,7 +167,8 @@ Task<bool> Pump::connect() {
       if (closes() || !station_->is_open()) co_return false;
       continue;
     }
-    if (desk_.any() && something_may_run()) silence_.arm(outage_.attempt_at() + retry_with_a_stop);
+    if (stop_goes_out_again())
+      silence_.arm(something_may_run() ? outage_.attempt_at() + retry_with_a_stop : outage_.latest());
     auto made = co_await guarded("connection", driver_->connect());
     silence_.disarm();
     if (closes() || !station_->is_open()) co_return false;
@@ -184,7 +192,7 @@ void Pump::nothing_comes_back() {
     draft_.link.sentence =
         "The controller was told to stop, and does not answer. It is told again until it does.";
   stops_did_not_arrive();
-  if (!something_may_run()) desk_.clear();
+  if (!stop_goes_out_again()) desk_.clear();
   desk_.send_all_again();
   refuse_queued("The controller does not answer. Nothing was sent.");
   publish();

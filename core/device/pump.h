@@ -102,6 +102,7 @@ class Pump {
   void lose_wire(const Fault& why);
   [[nodiscard]] bool connected() const;
   [[nodiscard]] bool something_may_run() const;
+  [[nodiscard]] bool stop_goes_out_again() const;
   [[nodiscard]] bool something_runs() const;
   void publish();
   [[nodiscard]] bool runs() const { return life_ > Life::made && life_ < Life::over; }

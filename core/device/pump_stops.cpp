@@ -65,6 +65,7 @@ Task<> Pump::send_stop(StopOrder& order) {
   if (order.times_sent == 1) order.first_sent_at = order.sent_at;
   if (order.what == StopOrder::What::words)
     count_program_change(Intent(order.intent, intent::SendText(order.words)));
+  order.in_haste = desk_.another_waits(order);
   const StopOrder sending = order;
   desk_.begin_sending(sending);
   auto sent = co_await guarded("stop", driver_->stop(sending));

@@ -85,7 +85,8 @@ std::string_view words_of(Doubt cause, bool several) {
     case Doubt::restarted:
       return several ? "their power was cut, or they were reset" : "its power was cut, or it was reset";
     case Doubt::unheard:
-      return several ? "they read zero after answers were missing" : "it reads zero after answers were missing";
+      return several ? "they read zero after answers were missing"
+                     : "it reads zero after answers were missing";
     case Doubt::reset: return several ? "they were reset" : "it was reset";
     case Doubt::killed:
       return several ? "they were stopped without a ramp at speed" : "it was stopped without a ramp at speed";
@@ -191,6 +192,18 @@ std::string say_torn(const Catalog& catalog, int slot) {
       "{} {} in the controller is not what was sent last: its transfer was broken off, or it reads back "
       "otherwise. Nothing was started. Load it again, read it, or run it as it is for this once.",
       catalog.program.slot_word, slot);
+}
+
+std::string say_torn_is_left(const Catalog& catalog, const Snapshot& now) {
+  std::string which;
+  const int last = catalog.program.threads > 0 ? 1 : max_slots;
+  for (int n = 0; n < last; ++n)
+    if ((now.slots_torn >> n & 1) != 0) which += fmt::format("{}{}", which.empty() ? "" : ", ", n);
+  if (which.empty()) return {};
+  if (catalog.program.threads > 0)
+    return "What is stored in the controller is not what was sent last. Load it again before it is run.";
+  return fmt::format("{} {} in the controller is not what was sent last. Load it again before it is run.",
+                     catalog.program.slot_word, which);
 }
 
 // ---- the current

@@ -55,6 +55,8 @@ IntentBody stands_at(const Snapshot& now, AxisId axis, Steps place);
 int torn_program(const Catalog& catalog, const Snapshot& now, const IntentBody& body);
 /// Why it is refused, and the ways out.
 std::string say_torn(const Catalog& catalog, int slot);
+/// For whoever closes it; empty: all is as it was sent.
+std::string say_torn_is_left(const Catalog& catalog, const Snapshot& now);
 /// Where what is stored as program `n` is marked in Snapshot::slots_torn.
 std::uint8_t torn_bit(const Catalog& catalog, int n);
 

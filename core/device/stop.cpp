@@ -27,6 +27,17 @@ StopOrder* StopDesk::due() {
   return next;
 }
 
+bool StopDesk::another_waits(const StopOrder& order) const {
+  return std::any_of(orders_.begin(), orders_.end(), [&](const StopOrder& other) {
+    return &other != &order && !other.sent && other.times_sent == 0 && !order.covers(other);
+  });
+}
+
+bool StopDesk::all_were_sent(int times) const {
+  return std::all_of(orders_.begin(), orders_.end(),
+                     [times](const StopOrder& order) { return order.times_sent >= times; });
+}
+
 void StopDesk::send_all_again() {
   for (StopOrder& order : orders_) {
     order.sent = order.confirmed = false;

@@ -180,6 +180,7 @@ class Judge final : public Witness {
     std::vector<Asked> stops;   ///< since everything stood
     std::string received;       ///< its end
     std::size_t forgotten = 0;  ///< bytes before those
+    std::string told;           ///< what was said of all that failed
   };
   struct Call {
     std::string what;

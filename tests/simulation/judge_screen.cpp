@@ -34,6 +34,7 @@ void Judge::judge_fates(int device) {
     if (trace_ != nullptr && fate->fate != Fate::done)
       remark(fmt::format("device {}: {}: {}", device, fate->fate == Fate::refused ? "refused" : "failed",
                          fate->sentence.view()));
+    if (fate->fate == Fate::failed) d.told += fate->sentence.view();
     judge_text(device, i, fate->fate);
     return true;
   });

@@ -1,5 +1,6 @@
 #include "tests/simulation/keepsake.h"
 
+#include <algorithm>
 #include <cctype>
 
 #include "tests/simulation/steps.h"
@@ -34,6 +35,17 @@ Words words_of(const Plan& plan) {
       if (!moves) words.insert(std::to_string(number));
   }
   return words;
+}
+
+bool is_typed_in_part(const Plan& plan, std::string_view word) {
+  constexpr std::size_t enough = 2;
+  const auto begins_alike = [word](const std::string& typed) {
+    return typed.size() >= enough && word.substr(0, enough) == std::string_view(typed).substr(0, enough);
+  };
+  return std::any_of(plan.steps.begin(), plan.steps.end(), [&](const Step& step) {
+    const Words words = words_of(step.text);
+    return step.verb.starts_with("type") && std::any_of(words.begin(), words.end(), begins_alike);
+  });
 }
 
 std::vector<std::string> settings_of(const Emulator& controller, Instant now,

@@ -127,7 +127,8 @@ void Stage::judge_what_is_left(std::size_t machine) {
   const std::vector<std::string> answers = settings(machine);
   for (std::size_t i = 0; i < answers.size(); ++i)
     for (const std::string& word : words_of(answers[i]))
-      if (!m.settings.contains(word)) judge_.left_behind(static_cast<int>(machine), m.questions[i], word);
+      if (!m.settings.contains(word) && !is_typed_in_part(plan_, word))
+        judge_.left_behind(static_cast<int>(machine), m.questions[i], word);
 }
 
 WireOpener Stage::opener() {

@@ -46,11 +46,13 @@ Framing Conversation::framing() const {
   return station_ && station_->carries_messages() ? Framing::message : Framing::addressed;
 }
 
-// What was not answered may have lost its end on the way, and would swallow what follows: CR ends it.
-std::string Conversation::framed(std::string_view text) const {
-  std::string bytes = frame(framing(), catalog_.address, text);
-  const bool answered = !station_ || !(station_->is_dirty() || station_->others_owe());
-  if (framing() != Framing::message && !answered) bytes.insert(0, 1, '\r');
+// What was not answered may have lost its end on the way, and would swallow what follows: CR ends it. So may
+// what went out before the wire was opened, and a stop is not asked for twice.
+std::string Conversation::framed(std::string_view text, Priority priority, int address) const {
+  std::string bytes = frame(framing(), address, text);
+  if (framing() == Framing::message || !station_) return bytes;
+  const bool first_of_all = priority == Priority::stop && !station_->was_heard();
+  if (first_of_all || station_->is_dirty() || station_->others_owe()) bytes.insert(0, 1, '\r');
   return bytes;
 }
 
@@ -103,7 +105,8 @@ Task<Result<Reply>> Conversation::say(std::string text, Priority priority, Durat
                                       bool own_question, bool on_dirty_line) {
   if (!station_) co_return no_connection();
   const bool usb = station_->carries_messages();
-  Transaction t(framed(text), usb ? ReplyShape::message() : ReplyShape::text(), priority);
+  Transaction t(framed(text, priority, catalog_.address), usb ? ReplyShape::message() : ReplyShape::text(),
+                priority);
   t.patience = patience;
   t.impatient = priority == Priority::stop && !own_question && patience <= until_next_of_stop;
   t.prompt = own_question;
@@ -172,8 +175,8 @@ std::optional<Station::Unmistakable> Conversation::unmistakable(const OwedAnswer
 
 Station::Unmistakable Conversation::asks_who(std::string_view question,
                                              std::function<bool(std::string_view)> is_it) const {
-  Transaction t(framed(question), framing() == Framing::message ? ReplyShape::message() : ReplyShape::text(),
-                Priority::poll);
+  Transaction t(framed(question, Priority::poll, catalog_.address),
+                framing() == Framing::message ? ReplyShape::message() : ReplyShape::text(), Priority::poll);
   t.look = looks::of_question(forms_, question);
   t.prompt = true;
   t.stranger = [is_it](std::string_view bytes) { return looks::others_at_front(bytes, is_it); };
@@ -299,7 +302,7 @@ Task<Result<>> Conversation::broadcast(std::string text, Priority priority) {
                    fmt::format("A {} has no address that speaks to all devices of a line.", model.title),
                    "Nothing was sent.");
   if (goes_out) goes_out(bare_text(text));
-  Transaction t(frame(Framing::addressed, model.broadcast, text), ReplyShape::nothing(), priority);
+  Transaction t(framed(text, priority, model.broadcast), ReplyShape::nothing(), priority);
   t.on_dirty_line = true;  // nothing comes back
   auto sent = co_await station_->transact(std::move(t));
   if (!sent) co_return fail(sent.error());

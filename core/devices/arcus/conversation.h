@@ -104,7 +104,7 @@ class Conversation {
   [[nodiscard]] std::optional<Station::Unmistakable> unmistakable(const OwedAnswers& owed, Instant now) const;
   [[nodiscard]] Station::Unmistakable asks_who(std::string_view question,
                                                std::function<bool(std::string_view)> is_it) const;
-  [[nodiscard]] std::string framed(std::string_view text) const;
+  [[nodiscard]] std::string framed(std::string_view text, Priority priority, int address) const;
   [[nodiscard]] bool others_may_say(Look look) const;
   [[nodiscard]] bool is_its_name(std::string_view text) const;
   [[nodiscard]] bool is_anothers_name(std::string_view bytes) const;

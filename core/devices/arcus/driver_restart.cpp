@@ -99,8 +99,7 @@ void ArcusDriver::restarted(std::string_view how_it_shows, unsigned moved) {
 
 void ArcusDriver::may_have_restarted() {
   for (int i = 0; i < axis_count(); ++i)
-    if (draft_.axes[i].position == Steps(0))
-      draft_.axes[i].trust.doubt(Doubt::unheard, scheduler_.now());
+    if (draft_.axes[i].position == Steps(0)) draft_.axes[i].trust.doubt(Doubt::unheard, scheduler_.now());
   tell(Notice::Kind::warning,
        "Answers were missing, and then all positions read zero: what was sent has done that, or the "
        "controller was switched off and on. Look where the axes stand, and find home before the next "

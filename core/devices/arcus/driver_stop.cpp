@@ -31,7 +31,8 @@ Task<Result<std::string>> ArcusDriver::stop(const StopOrder& order) {
   const Instant began = scheduler_.now();
   auto sent = co_await send_stop(order, until_next_of_stop);
   const bool heard = talk_.is_open() && talk_.station()->heard_at() >= began;
-  if (!sent && heard && worth_another_try(sent.error())) {  // on a clean line its answers are its own
+  const bool may_ask = heard && !order.in_haste;
+  if (!sent && may_ask && worth_another_try(sent.error())) {  // on a clean line its answers are its own
     const bool clean = co_await talk_.come_clean(Priority::stop);
     if (clean) sent = co_await send_stop(order, until_confirmed);
   }
@@ -46,10 +47,16 @@ Task<Result<>> ArcusDriver::send_stop(const StopOrder& order, Duration patience)
   co_return co_await stop_axes(order.axis, order.at_once, order.what == What::jog, patience);
 }
 
-// A stop for all devices of the line in one message; the stop of each follows.
+// A stop for all devices of the line, by the same words as the stop of each, which follows: on a line that
+// nobody answers those wait for one another.
 Task<Result<>> ArcusDriver::stop_line(bool at_once) {
   if (model().broadcast < 0) co_return Result<>();
-  co_return co_await talk_.broadcast(at_once ? "ABORT" : "STOP", Priority::stop);
+  const std::string word = at_once ? "ABORT" : "STOP";
+  auto all = co_await talk_.broadcast(word, Priority::stop);
+  for (int n = 0; all && n < model().programs; ++n)
+    all = co_await talk_.broadcast(fmt::format("SR{}=0", n), Priority::stop);
+  if (all) all = co_await talk_.broadcast(word, Priority::stop);
+  co_return all;
 }
 
 // What a jog moves stops alone: programs, and axes that they move, go on.

@@ -177,8 +177,10 @@ Task<Result<bool>> SetUp::something_is_kept() {
 
 // What a program has set it can have set before a power-cut only, if power-up starts none.
 Task<Result<bool>> SetUp::code_has_left_something() {
-  if (!code_.known() || setting(Setting::boot_programs) != 0) co_return false;
+  if (!code_.known()) co_return false;
   const auto sets = code_.known()->sets;
+  auto started = co_await talk_.ask_number("SLOAD", Priority::poll);
+  if (!started || *started != 0) co_return false;
   for (std::size_t i = 0; i < catalog_.params.size(); ++i) {
     if (catalog_.params[i].stored || !sets.test(i)) continue;
     auto read_again = co_await read(static_cast<int>(i), Priority::poll);

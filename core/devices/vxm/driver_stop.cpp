@@ -102,7 +102,7 @@ Task<Result<>> VxmDriver::stop_program(const StopOrder& order) {
   if (is_held() || (ramp_ && ramp_->over)) co_return co_await kill(true);
   if (order.at_once) co_return co_await kill(false);
   if (!ramp_) {
-    ramp_ = Ramp{scheduler_.now(), sight_.fastest(), hold_.is_surely_on() || seems_to_stand()};
+    ramp_ = Ramp{scheduler_.now(), sight_.fastest(), hold_.is_on() || seems_to_stand()};
     hold_.expect_nothing_to_begin();
   }
   if (!ramp_->holds) {
