@@ -186,10 +186,13 @@ StopProgress VxmDriver::watch_the_program() {
   return StopProgress::again();
 }
 
-// Where no hold is known to be on, anything that begins shows that none is, and so does a D without effect.
+// Where no hold is known to be on, anything that begins shows that none is, and so does a D without effect;
+// unless all seem to stand, as one does that holds.
 bool VxmDriver::goes_on(const StopProgress& progress) {
   if (hold_.is_surely_on()) return ramp_->reversed || has_begun_anew();
-  return hold_.something_has_begun() || (!hold_.is_known() && progress.now == StopProgress::Now::again);
+  if (hold_.something_has_begun()) return true;
+  const bool stands_as_held = hold_.is_on() && sight_.fastest() <= 0;
+  return !hold_.is_known() && !stands_as_held && progress.now == StopProgress::Now::again;
 }
 
 // It has slowed down and turns faster again: that is the next command, so no hold is on.
