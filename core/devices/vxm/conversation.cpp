@@ -67,7 +67,9 @@ Task<Result<std::string>> Conversation::exchange(Transaction t) {
   if (!station_)
     co_return fail(FaultKind::lost, "There is no connection to the controller.", "Nothing was sent.");
   asked_ = t.bytes;
-  co_return co_await station_->transact(std::move(t));
+  auto reply = co_await station_->transact(std::move(t));
+  if (reply && station_) asked_at_ = scheduler_.now() - station_->statistics().last_round_trip;
+  co_return reply;
 }
 
 // A question may be asked once more when its answer was garbled or did not come, and more often while the

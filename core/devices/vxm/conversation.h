@@ -66,6 +66,8 @@ class Conversation {
   /// What the controller takes now, as far as is known.
   [[nodiscard]] Listening listens() const { return listening_(); }
   [[nodiscard]] Instant heard_at() const { return heard_at_; }
+  /// When the question that was answered last had gone out: what it told may be as old.
+  [[nodiscard]] Instant asked_at() const { return asked_at_; }
   /// How many bytes have come that belong to no answer and to no message.
   [[nodiscard]] std::uint32_t strays() const { return strays_; }
   /// How often a question was asked once more: what went with it may have arrived as something else.
@@ -89,7 +91,7 @@ class Conversation {
   bool patient_ = false;
   int prompt_greetings_ = 0;  ///< one behind the other
   std::string unasked_;       ///< a message that has not come to its end
-  Instant heard_at_{};
+  Instant heard_at_{}, asked_at_{};
   std::string asked_;  ///< last: what comes back of it unchanged is an echo
   bool echoes_ = false;
   std::uint32_t strays_ = 0, repeats_ = 0;

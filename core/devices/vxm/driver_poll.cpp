@@ -146,7 +146,7 @@ Task<Result<>> VxmDriver::read_positions(Priority priority, bool at_rest, bool a
 
 void VxmDriver::show_position(int index, Steps position) {
   AxisState& axis = draft_.axes[index];
-  const Sight::Change change = sight_.saw(index, axis, position);
+  const Sight::Change change = sight_.saw(index, axis, position, talk_.asked_at());
   if (stored_running_ && (change.begun || change.reversed)) program_has_begun_a_way(change.reversed);
   if (stored_running_ && !job_.active()) {  // what a program moves shows by its positions only
     constexpr Duration seems_moving = Millis(150);
@@ -160,7 +160,7 @@ void VxmDriver::show_position(int index, Steps position) {
   }
   axis.position = position;
   axis.position_known = true;
-  axis.seen_at = scheduler_.now();
+  axis.seen_at = talk_.asked_at();  // the answer may have come late
 }
 
 // What is to be done next must not hide a restart that went unseen: what is asked to clean the line tells

@@ -26,21 +26,20 @@ class Sight {
 
   explicit Sight(const Scheduler& scheduler) : scheduler_(scheduler) {}
 
-  /// Read now; `before` is what was shown until now.
-  Change saw(int motor, const AxisState& before, Steps position) {
-    const Instant now = scheduler_.now();
+  /// Asked for at that time; `before` is what was shown until now.
+  Change saw(int motor, const AxisState& before, Steps position, Instant at) {
     Seen& seen = seen_[ix(motor)];
     const double way = static_cast<double>((position - before.position).value);
-    if (before.position_known && now > before.seen_at)
-      seen.speed = std::abs(way) / seconds(now - before.seen_at);
-    seen.read_at = now;
+    if (before.position_known && at > before.seen_at)
+      seen.speed = std::abs(way) / seconds(at - before.seen_at);
+    seen.read_at = at;
     Change change;
     change.moved = before.position_known && before.position != position;
     const Sign sign = way > 0 ? Sign::plus : Sign::minus;
-    change.begun = change.moved && now - seen.moved_at >= to_see_standstill;
+    change.begun = change.moved && at - seen.moved_at >= to_see_standstill;
     change.reversed = change.moved && seen.went && seen.went != sign;
     if (change.moved) seen.went = sign;
-    if (change.moved || !before.position_known) seen.moved_at = now;  // what was seen once only may turn
+    if (change.moved || !before.position_known) seen.moved_at = at;  // what was seen once only may turn
     return change;
   }
   /// A stored program begins: what went before was not its doing.
