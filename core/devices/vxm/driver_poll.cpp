@@ -161,6 +161,7 @@ void VxmDriver::show_position(int index, Steps position) {
   axis.position = position;
   axis.position_known = true;
   axis.seen_at = talk_.asked_at();  // the answer may have come late
+  signals_.forget_what_is_doubted();
 }
 
 // What is to be done next must not hide a restart that went unseen: what is asked to clean the line tells
