@@ -51,6 +51,7 @@ struct Statistics {
   std::map<std::string, int> findings;
   int sessions = 0;
   double simulated_s = 0;
+  std::uint64_t bytes = 0;  ///< of all wires and their times: two builds that do the same print the same
 
   void count(const Plan& plan) {
     ++sessions;
@@ -60,10 +61,9 @@ struct Statistics {
   void print(double wall_s) const {
     std::cout << fmt::format(
         "{} sessions, {:.0f} simulated seconds in {:.1f} s ({:.0f} times real time): {} actions, {} stops, "
-        "{} "
-        "hands on the bench, {} faults.\n",
+        "{} hands on the bench, {} faults. All bytes: {:016x}.\n",
         sessions, simulated_s, wall_s, simulated_s / wall_s, of(Verb::Kind::action), of(Verb::Kind::stop),
-        of(Verb::Kind::bench), of(Verb::Kind::fault));
+        of(Verb::Kind::bench), of(Verb::Kind::fault), bytes);
     for (const auto& [law, count] : findings) std::cout << fmt::format("  {}: {}\n", law, count);
   }
   [[nodiscard]] int of(Verb::Kind kind) const {
@@ -116,6 +116,7 @@ int search(const Options& options) {
     }
     statistics.count(plan);
     auto [finding, fingerprint] = play(plan, options.but);
+    statistics.bytes = statistics.bytes * 31 + fingerprint;
     constexpr std::uint64_t played_twice = 16;  // each so many sessions are played again: the law "same"
     if (!finding && seed % played_twice == 0 && play(plan, options.but).fingerprint != fingerprint)
       finding = Finding{"same", {}, "The same plan has brought other bytes."};
