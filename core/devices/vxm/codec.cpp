@@ -105,10 +105,13 @@ std::optional<std::string> decode_text_line(std::string_view reply) {
 
 std::optional<Listing> decode_listing(std::string_view reply) {
   if (!reply.ends_with('\r')) return std::nullopt;
+  const auto is_head = [](std::string_view line) {
+    return line.starts_with("PM") && line.find(" M") != line.npos;
+  };
   const auto lines = lines_of(reply);
-  const std::string_view head = lines.empty() ? std::string_view{} : lines.front();
+  if (std::count_if(lines.begin(), lines.end(), is_head) != 1 || !is_head(lines.front())) return std::nullopt;
+  const std::string_view head = lines.front();
   const auto gap = head.find(" M");
-  if (!head.starts_with("PM") || gap == head.npos) return std::nullopt;
   const auto slot = signed_number(head.substr(2, gap - 2));
   const auto free = signed_number(head.substr(gap + 2));
   if (!slot || *slot < 0 || *slot >= program_count || !free || *free < 0 || *free > program_bytes)
