@@ -43,6 +43,7 @@ void Judge::tick() {
     judge_trust(device);
     judge_limits(device);
     judge_link(device);
+    judge_reasons(device);
   }
   if (++ticks_ % memory_every == 0) judge_memory();
   for (const auto& [id, call] : calls_)
@@ -88,22 +89,26 @@ void Judge::intent_sent(int device, IntentId id) { text_typed(device, id, {}); }
 
 void Judge::text_typed(int device, IntentId id, std::string text) {
   DeviceCase& d = at(device);
+  if (!text.empty()) d.stop_drawn = scheduler_.now();
   d.intents.push_back({id, scheduler_.now(), std::move(text), d.forgotten + d.received.size()});
 }
 
 void Judge::motion_asked(int device, std::uint32_t axes, IntentId id, Steps distance, bool homes) {
   const Instant now = scheduler_.now();
   at(device).excuses.push_back({id, axes, now, now, distance, homes});
+  if (axes == all_axes) at(device).stop_drawn = now;  // a program, or a text of the user's
 }
 
 void Judge::count_stop(int device, std::uint32_t axes, bool at_once) {
   DeviceCase& d = at(device);
+  d.stop_drawn = scheduler_.now();
   if (d.truth.moving() == 0 && !d.truth.program) d.stops.clear();
   d.stops.push_back({axes & ((1u << std::max(1, d.truth.axis_count)) - 1), at_once});
 }
 
 void Judge::stop_asked(int device, std::uint32_t axes, StopKind kind, bool by_hand) {
   DeviceCase& d = at(device);
+  d.stop_drawn = scheduler_.now();
   if (!by_hand) count_stop(device, axes, kind != StopKind::ramp);
   // Beside a stored program a stop of one axis, or the maker's own word, may end one motion only; and the
   // maker's word for one axis may leave it in a motion that others make too.
@@ -131,6 +136,7 @@ void Judge::stop_asked_closing(int device) {
 
 void Judge::jog_let_go(int device, AxisId axis, IntentId jog, Duration after) {
   DeviceCase& d = at(device);
+  d.stop_drawn = scheduler_.now() + after;
   const std::uint32_t bit = 1u << axis.index;
   bool alone = false;
   for (const Excuse& excuse : d.excuses) {

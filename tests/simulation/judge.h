@@ -99,6 +99,8 @@ class Judge final : public Witness {
   void stop_asked_closing(int device);
   /// Of its program: a motion may go on, but a second stop is one more.
   void halt_asked(int device) { count_stop(device, all_axes, false); }
+  /// By a text that may do anything, or another host.
+  void anything_asked(int device) { at(device).stop_drawn = scheduler_.now(); }
   /// The hand has gone; the console knows it at once, or `after` (the dead-man).
   void jog_let_go(int device, AxisId axis, IntentId jog, Duration after);
   void position_set(int device, std::uint32_t axes);
@@ -137,6 +139,9 @@ class Judge final : public Witness {
     std::deque<Stand> stands;          ///< where it stood, oldest first; the first reaches back to the start
     std::optional<Instant> restarted;  ///< since its last reference
     Instant limit_operated{};          ///< last, either side
+    Instant began_moving{};            ///< last
+    std::optional<bool> whole;         ///< what it did last was what one command asked for, to its end
+    EndedBy told = EndedBy::nothing;   ///< why it had ended, when last looked at
   };
   /// Somebody wants these axes to move.
   struct Excuse {
@@ -161,6 +166,7 @@ class Judge final : public Witness {
     std::map<std::int64_t, int> made;  ///< whole ways of that distance
     Instant moved_last{};              ///< or ran a program
     Instant cut_off{};                 ///< last restart while something moved or ran
+    Instant stop_drawn{};              ///< last, by anybody; a text of the user's may be one
     bool ever_restarted = false;
     Instant unconnected_since{};
     std::optional<Instant> first_connected;  ///< since it was opened
@@ -199,6 +205,7 @@ class Judge final : public Witness {
   // judge_motion.cpp
   void began(int device, int axis);
   void rested(int device, int axis);
+  [[nodiscard]] std::optional<bool> was_whole(const DeviceCase& device, int axis, std::int64_t made) const;
   void remember(AxisCase& axis, Steps position) const;
   void keep_excuses(DeviceCase& device) const;
   [[nodiscard]] bool excused(const DeviceCase& device, int axis) const;
@@ -218,6 +225,7 @@ class Judge final : public Witness {
   void judge_limits(int device);
   void judge_lines(int device);
   void judge_link(int device);
+  void judge_reasons(int device);
 
   Scheduler& scheduler_;
   const WireFaults& faults_;

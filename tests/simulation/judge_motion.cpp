@@ -27,6 +27,7 @@ void Judge::machine_is(int device, const MachineTruth& truth) {
     if (axis.truth.position != was.position || axis.stands.empty()) remember(axis, axis.truth.position);
     if (axis.truth.moving && !was.moving) {
       axis.began_at = was.position;
+      axis.began_moving = scheduler_.now();
       if (trace_ != nullptr)
         remark(fmt::format("device {}: axis {} begins at {}", device, a, was.position.value));
       began(device, a);
@@ -84,6 +85,7 @@ void Judge::rested(int device, int a) {
   if (trace_ != nullptr)
     remark(fmt::format("device {}: axis {} rests at {}", device, a, d.axes[ix(a)].truth.position.value));
   const std::int64_t made = (d.axes[ix(a)].truth.position - d.axes[ix(a)].began_at).value;
+  d.axes[ix(a)].whole = was_whole(d, a, made);
   if (made == 0) return;
   const auto is_program = [](const Excuse& e) { return e.axes == all_axes; };  // its ways are its own
   if (std::any_of(d.excuses.begin(), d.excuses.end(), is_program)) return;
@@ -92,6 +94,19 @@ void Judge::rested(int device, int a) {
         faults_.out.hurt() < e.asked)
       accuse("once", fmt::format("Device {}: axis {} makes a way of {} twice, which was asked for once.",
                                  device, a, made));
+}
+
+/// None: that may be anybody's motion.
+std::optional<bool> Judge::was_whole(const DeviceCase& d, int a, std::int64_t made) const {
+  const Excuse* only = nullptr;
+  for (const Excuse& e : d.excuses) {
+    if (e.axes == all_axes || e.homes) return std::nullopt;
+    if ((e.axes >> a & 1u) == 0) continue;
+    if (only) return std::nullopt;
+    only = &e;
+  }
+  if (!only || only->distance.value == 0) return std::nullopt;
+  return made == only->distance.value;
 }
 
 // What ends a stored program takes steps (hold, ramp, end), each behind what was seen of the one before.

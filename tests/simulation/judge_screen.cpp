@@ -1,6 +1,7 @@
 // The laws of what is shown and told: end, true.
 #include <algorithm>
 #include <sstream>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -161,6 +162,33 @@ void Judge::judge_lines(int device) {
   const bool read_since = shown.io_seen_at > std::max(d.benches.back().first, d.lines_unread) + line_shows;
   if (d.benches.size() == 1 && read_since && prompt() && !d.looks.contains(d.benches.back().second))
     d.looks[d.benches.back().second] = lines;
+}
+
+// The reason told is one that was drawn.
+void Judge::judge_reasons(int device) {
+  DeviceCase& d = at(device);
+  const Snapshot& shown = d.session->known();
+  const Instant now = scheduler_.now();
+  constexpr Instant never{};
+  const Instant hurt = std::max({faults_.in.hurt(), faults_.out.hurt(), faults_.carries_since(now)});
+  const Instant spoilt = std::max(faults_.in.spoilt(), faults_.out.spoilt());
+  for (int a = 0; a < std::min(shown.axis_count, d.truth.axis_count); ++a) {
+    AxisCase& axis = d.axes[ix(a)];
+    const EndedBy why = shown.axes[ix(a)].ended_by;
+    if (std::exchange(axis.told, why) == why || why == EndedBy::nothing) continue;
+    const Instant drawn = std::max({d.stop_drawn, hurt, d.ever_restarted ? now : never});
+    const bool stop = why == EndedBy::stop || why == EndedBy::abort;
+    const char* what = nullptr;
+    if (stop && drawn + excuse_lasts + lateness() < axis.began_moving) what = "a stop";
+    if (why == EndedBy::limit && axis.limit_operated == never && spoilt == never) what = "a limit";
+    if (why == EndedBy::lost && hurt == never && lateness() == Duration{} && !d.ever_restarted)
+      what = "a lost connection";
+    if (why == EndedBy::target && axis.whole == false && spoilt == never && !d.ever_restarted)
+      what = "its target";
+    if (what != nullptr)
+      accuse("end", fmt::format("Device {}: axis {} is said to have ended by {}, and it was not so.", device,
+                                a, what));
+  }
 }
 
 // Where the wire carries and the controller has power, there is a connection.
