@@ -195,15 +195,16 @@ std::string say_torn(const Catalog& catalog, int slot) {
 }
 
 std::string say_torn_is_left(const Catalog& catalog, const Snapshot& now) {
-  std::string which;
-  const int last = catalog.program.threads > 0 ? 1 : max_slots;
-  for (int n = 0; n < last; ++n)
-    if ((now.slots_torn >> n & 1) != 0) which += fmt::format("{}{}", which.empty() ? "" : ", ", n);
-  if (which.empty()) return {};
+  if (now.slots_torn == 0) return {};
   if (catalog.program.threads > 0)
     return "What is stored in the controller is not what was sent last. Load it again before it is run.";
-  return fmt::format("{} {} in the controller is not what was sent last. Load it again before it is run.",
-                     catalog.program.slot_word, which);
+  std::string which;
+  int count = 0;
+  for (int n = 0; n < max_slots; ++n)
+    if ((now.slots_torn >> n & 1) != 0) which += fmt::format("{}{}", count++ > 0 ? ", " : "", n);
+  return fmt::format("{}{} {} in the controller {} not what was sent last. Load {} again before {} run.",
+                     catalog.program.slot_word, count > 1 ? "s" : "", which, count > 1 ? "are" : "is",
+                     count > 1 ? "them" : "it", count > 1 ? "they are" : "it is");
 }
 
 // ---- the current

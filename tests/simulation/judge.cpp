@@ -151,8 +151,12 @@ void Judge::jog_let_go(int device, AxisId axis, IntentId jog, Duration after) {
 }
 
 void Judge::position_set(int device, std::uint32_t axes) {
-  for (int a = 0; a < max_axes; ++a)
-    if ((axes >> a & 1u) != 0) at(device).axes[static_cast<std::size_t>(a)].restarted.reset();
+  for (int a = 0; a < max_axes; ++a) {
+    if ((axes >> a & 1u) == 0) continue;
+    AxisCase& axis = at(device).axes[static_cast<std::size_t>(a)];
+    axis.restarted.reset();
+    axis.counts_anew = scheduler_.now();
+  }
 }
 
 void Judge::restarted(int device) {

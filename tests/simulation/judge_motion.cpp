@@ -99,6 +99,7 @@ void Judge::rested(int device, int a) {
 /// None: that may be anybody's motion.
 std::optional<bool> Judge::was_whole(const DeviceCase& d, int a, std::int64_t made) const {
   const Excuse* only = nullptr;
+  if (d.axes[ix(a)].counts_anew >= d.axes[ix(a)].began_moving) return std::nullopt;
   for (const Excuse& e : d.excuses) {
     if (e.axes == all_axes || e.homes) return std::nullopt;
     if ((e.axes >> a & 1u) == 0) continue;

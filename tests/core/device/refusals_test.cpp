@@ -113,5 +113,21 @@ TEST(Refusals, WhereItStandsByItsCountIsOnlyTrusted) {
   EXPECT_TRUE(std::holds_alternative<intent::SetPosition>(stands_at(now, AxisId{0}, Steps(240))));
 }
 
+TEST(Refusals, WhatIsNotAsItWasSentIsNamedAtClosing) {
+  Snapshot now;
+  Catalog slots, threads;
+  slots.program.slot_word = "Program";
+  threads.program.threads = 2;
+  EXPECT_EQ(say_torn_is_left(slots, now), "");
+  EXPECT_EQ(say_torn_is_left(threads, now), "");
+  now.slots_torn = 0b1010;
+  EXPECT_EQ(
+      say_torn_is_left(slots, now),
+      "Programs 1, 3 in the controller are not what was sent last. Load them again before they are run.");
+  now.slots_torn = 1;
+  EXPECT_EQ(say_torn_is_left(threads, now),
+            "What is stored in the controller is not what was sent last. Load it again before it is run.");
+}
+
 }  // namespace
 }  // namespace hw

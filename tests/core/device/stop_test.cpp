@@ -66,6 +66,18 @@ TEST_F(StopDeskTest, EachIsFoundByItsEpochUntilItIsClosed) {
   EXPECT_FALSE(desk.stops_all());
 }
 
+TEST_F(StopDeskTest, TellsWhichHasNotGoneOutAtAll) {
+  StopOrder& first = ask(intent::Stop(1));
+  EXPECT_FALSE(desk.another_waits(first)) << "it is alone";
+  StopOrder& second = ask(intent::Stop(2));
+  EXPECT_TRUE(desk.another_waits(first));
+  second.times_sent = 2;
+  EXPECT_FALSE(desk.another_waits(first)) << "it is said again";
+  EXPECT_FALSE(desk.all_were_sent(2));
+  first.times_sent = 3;
+  EXPECT_TRUE(desk.all_were_sent(2));
+}
+
 TEST_F(StopDeskTest, OnlyStopsAreOrders) {
   EXPECT_FALSE(stop_order_of(Intent(1, intent::MoveTo({}))).has_value());
   EXPECT_EQ(stop_order_of(Intent(1, intent::HaltProgram(2)))->thread, 2);

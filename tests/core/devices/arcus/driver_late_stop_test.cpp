@@ -20,21 +20,6 @@ class StopAtAnyTime : public DriverTest {
   }
 };
 
-TEST_F(StopAtAnyTime, AMoveAndAJogAreShownAsStopped) {
-  start(dmx, {}, true);
-  int stopped = 0;
-  for (int ms = 20; ms < 340; ms += 4) {
-    if (stopped_after(intent::MoveTo(targets({400000 + ms})), ms)) {
-      ++stopped;
-      EXPECT_EQ(latest.axes[0].ended_by, EndedBy::stop) << "move, " << ms;
-    }
-    if (stopped_after(intent::JogStart(AxisId{0}, Sign::minus, Pps{}, false), ms)) {
-      EXPECT_EQ(latest.axes[0].ended_by, EndedBy::stop) << "jog, " << ms;
-    }
-  }
-  EXPECT_GT(stopped, 5);
-}
-
 TEST_F(StopAtAnyTime, AHomingThatWasStoppedLiftsNoDoubt) {
   start(dmx, {}, true);
   ASSERT_EQ(perform(intent::MoveTo(targets({500}))), "");

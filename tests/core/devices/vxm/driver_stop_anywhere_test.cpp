@@ -73,50 +73,5 @@ TEST_F(VxmStopAnywhere, OfTexts) {
   stop_at_each(intent::SendText("R"), 40, 0.02);
 }
 
-// ---- one byte that does not arrive, at each moment of a stop
-
-class VxmStopWithLoss : public DriverTest {
- protected:
-  void SetUp() override {
-    start({}, true);
-    ASSERT_EQ(perform(intent::LoadProgram(0, "A1M4\nS1M3000\nI1M30000\nI1M-30000\nL0\n")), "");
-    ASSERT_EQ(perform(intent::SetParam("M1M", 4, true)), "");
-  }
-  void stop_with_loss_at(int tenth, bool on_its_way) {
-    run(0.003 * (tenth % 7));
-    const IntentId stop = post(intent::Stop());
-    run(tenth * 0.0005);
-    on_its_way ? loop->lose(1) : loop->drop(1);
-    EXPECT_TRUE(run_until([&] { return fate(stop) != Fate::pending; }, 10));
-    EXPECT_TRUE(wait_idle(10));
-    EXPECT_TRUE(stands());
-    EXPECT_EQ(latest.link.state, LinkState::good);
-    EXPECT_FALSE(latest.axes[0].trust.doubtful()) << all_notices();
-    EXPECT_EQ(query("V"), "R");
-  }
-};
-
-TEST_F(VxmStopWithLoss, OfAMove) {
-  for (const bool on_its_way : {true, false})
-    for (int tenth = 0; tenth < 60 && !HasFailure(); ++tenth) {
-      SCOPED_TRACE(testing::Message() << on_its_way << " " << tenth);
-      ASSERT_EQ(perform(intent::MoveBy(target(0, tenth % 2 ? 20000 : -20000))), "");
-      run(1);
-      stop_with_loss_at(tenth, on_its_way);
-      EXPECT_EQ(latest.axes[0].ended_by, EndedBy::stop);
-    }
-}
-
-TEST_F(VxmStopWithLoss, OfAProgram) {
-  for (const bool on_its_way : {true, false})
-    for (int tenth = 0; tenth < 60 && !HasFailure(); ++tenth) {
-      SCOPED_TRACE(testing::Message() << on_its_way << " " << tenth);
-      ASSERT_EQ(perform(intent::RunProgram(0)), "");
-      run(1);
-      EXPECT_TRUE(latest.any_axis_moving()) << "no hold is left from before";
-      stop_with_loss_at(tenth, on_its_way);
-    }
-}
-
 }  // namespace
 }  // namespace hw::vxm
