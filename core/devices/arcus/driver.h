@@ -28,9 +28,9 @@
 #include <string>
 #include <vector>
 
-#include "core/device/driver.h"
 #include "core/devices/arcus/borrowed_setting.h"
 #include "core/devices/arcus/code_at_work.h"
+#include "core/devices/arcus/console.h"
 #include "core/devices/arcus/conversation.h"
 #include "core/devices/arcus/language/dialect.h"
 #include "core/devices/arcus/language/program.h"
@@ -77,7 +77,6 @@ class ArcusDriver final : public Driver {
     Instant begun_at{};       ///< when our last command was sent
     Pps top_speed{};          ///< of the motion that it began; 0: not known
   };
-  void tell(Notice::Kind kind, std::string text);
   void goes_out(std::string_view command);
   void not_done(std::string_view command);
 
@@ -111,7 +110,6 @@ class ArcusDriver final : public Driver {
   Task<Result<>> look_after_silence();
   Task<Result<>> look_back_over_the_loss();
   void restarted(std::string_view how_it_shows, unsigned moved);
-  void may_have_restarted();
 
   // ---- driver_poll.cpp
   Task<Result<>> see_whether_it_stands();
@@ -156,7 +154,6 @@ class ArcusDriver final : public Driver {
   Task<Result<>> start_feed(intent::FeedMoves wish);
   Task<Result<>> feed();
   Task<Fault> after_doubt(Fault why, std::string_view sent);
-  Result<> may_move_axis(int axis) const;
   void begun(int axis, Activity activity, Instant at);
 
   // ---- driver_actions.cpp
@@ -209,17 +206,7 @@ class ArcusDriver final : public Driver {
   Task<Result<>> read_again();
   void program_runs(Duration at_most = std::chrono::seconds(1));
 
-  [[nodiscard]] const Model& model() const { return *forms_.model; }
-  [[nodiscard]] int axis_count() const { return model().axes(); }
-  [[nodiscard]] std::string axis_name(int axis) const;
-
-  Scheduler& scheduler_;
-  const Catalog& catalog_;
-  Snapshot& draft_;
-  ScriptTexts& texts_;
-  std::function<void(Notice)> notify_;
-  std::function<void()> changed_;
-  const Forms& forms_;
+  const Console console_;
   const language::Dialect& dialect_;
   Conversation talk_;
   CodeAtWork code_;

@@ -22,57 +22,44 @@ constexpr Duration slow_from = Millis(150);
 }  // namespace
 
 ArcusDriver::ArcusDriver(DriverContext context, const Forms& forms, const language::Dialect& dialect)
-    : scheduler_(context.scheduler),
-      catalog_(context.catalog),
-      draft_(context.draft),
-      texts_(context.texts),
-      notify_(std::move(context.notify)),
-      changed_(std::move(context.changed)),
-      forms_(forms),
+    : console_(std::move(context), forms),
       dialect_(dialect),
-      talk_(scheduler_, catalog_, forms_, texts_, changed_),
-      code_(scheduler_, [this](Notice::Kind kind, std::string text) { tell(kind, std::move(text)); }),
+      talk_(console_),
+      code_(console_),
       borrowed_(talk_, [this](std::string_view name) { setup_.was_borrowed(name); }),
-      setup_(catalog_, forms_, draft_, talk_, code_, borrowed_, ways_of_set_up()),
-      list_(catalog_, forms_, draft_, talk_,
-            [this](Notice::Kind kind, std::string text) { tell(kind, std::move(text)); }),
-      readouts_(scheduler_, catalog_, forms_, draft_, talk_,
-                [this](int axis, std::int64_t state) { loop_is(axis, state); }),
-      watch_(scheduler_, draft_, talk_, code_, setup_, ways_of_watch()) {
+      setup_(console_, talk_, code_, borrowed_, ways_of_set_up()),
+      list_(console_, talk_),
+      readouts_(console_, talk_, [this](int axis, std::int64_t state) { loop_is(axis, state); }),
+      watch_(console_, talk_, code_, setup_, ways_of_watch()) {
   talk_.goes_out = [this](std::string_view command) { goes_out(command); };
   talk_.not_done = [this](std::string_view command) { not_done(command); };
-  draft_.axis_count = axis_count();
-  draft_.identity.model = catalog_.name;
-  for (int i = 0; i < axis_count(); ++i) draft_.axes[i].enabled = false;
+  console_.draft.axis_count = console_.axes();
+  console_.draft.identity.model = console_.catalog.name;
+  for (int i = 0; i < console_.axes(); ++i) console_.draft.axes[i].enabled = false;
 }
 
 void ArcusDriver::loop_is(int axis, std::int64_t state) {
   minds_[ix(axis)].loop_state = static_cast<int>(state);
-  draft_.axes[axis].in_counts = state != static_cast<std::int64_t>(LoopState::off);
+  console_.draft.axes[axis].in_counts = state != static_cast<std::int64_t>(LoopState::off);
 }
 
 SetUp::Ways ArcusDriver::ways_of_set_up() {
-  return {[this](Notice::Kind kind, std::string text) { tell(kind, std::move(text)); },
-          [this] {
+  return {[this] {
             for (AxisMind& mind : minds_) mind.loop_state = -1;
           },
           [this](std::string how_it_shows) { restarted(how_it_shows, 0); }};
-}
-
-std::string ArcusDriver::axis_name(int axis) const {
-  return catalog_.axes[static_cast<std::size_t>(axis)].name;
 }
 
 void ArcusDriver::attach(Station& station) { talk_.attach(station); }
 
 Task<Result<>> ArcusDriver::connect() {
   talk_.forget_strays();
-  const Instant began = scheduler_.now();
+  const Instant began = console_.scheduler.now();
   code_.axis_moves();  // unseen
   auto found = co_await find();
   // Somebody is there, and what it was asked or answered was lost or garbled: what is wrong stays wrong.
   const bool heard = talk_.is_open() && talk_.station()->heard_at() > began;
-  const bool soon = scheduler_.now() - began < long_asked;
+  const bool soon = console_.scheduler.now() - began < long_asked;
   if (!found && heard && soon &&
       (worth_another_try(found.error()) || found.error().kind == FaultKind::refused)) {
     co_await talk_.wait_for_quiet();
@@ -98,7 +85,7 @@ Task<Result<>> ArcusDriver::find() {
 // its line.
 Task<Result<>> ArcusDriver::identify() {
   if (lost_at_ != Instant{}) {
-    const Instant began = scheduler_.now();
+    const Instant began = console_.scheduler.now();
     const auto anybody = co_await talk_.greet(first_patience);
     if (!anybody && anybody.error().kind == FaultKind::lost) co_return fail(anybody.error());
     const bool heard = talk_.is_open() && talk_.station()->heard_at() > began;
@@ -106,17 +93,17 @@ Task<Result<>> ArcusDriver::identify() {
     if (!anybody && anybody.error().kind == FaultKind::no_answer) co_return silent();
   }
   auto reply = co_await ask_who_it_is("ID", [this](std::string_view text) {
-    return text == model().product || text == forms_.other_product;
+    return text == console_.model().product || text == console_.forms.other_product;
   });
   if (!reply && reply.error().kind == FaultKind::no_answer) co_return silent();
   if (!reply) co_return fail(reply.error());
   if (reply->text == "ID") co_return echoed();
-  if (reply->text == forms_.other_product)
-    co_return fail(
-        FaultKind::garbled,
-        fmt::format("Device {:02} is a {}, not a {}.", catalog_.address, reply->text, model().title),
-        "Nothing more was sent.", "Open it as the other model.");
-  const bool known = reply->text == model().product;
+  if (reply->text == console_.forms.other_product)
+    co_return fail(FaultKind::garbled,
+                   fmt::format("Device {:02} is a {}, not a {}.", console_.catalog.address, reply->text,
+                               console_.model().title),
+                   "Nothing more was sent.", "Open it as the other model.");
+  const bool known = reply->text == console_.model().product;
   auto version = co_await ask_who_it_is("VER", looks::is_version);
   if (!version) co_return fail(version.error());
   if (talk_.line_feeds() > 0) co_return line_feeds_come();
@@ -124,12 +111,13 @@ Task<Result<>> ArcusDriver::identify() {
   co_await talk_.wait_for_quiet();  // a second device with this address would have spoken by now
   if (talk_.strays() > 0) co_return talk_.two_answer();
   talk_.know_product(known);
-  draft_.identity.model = known ? reply->text : hex_of(reply->text);
-  draft_.identity.firmware = version->text;
+  console_.draft.identity.model = known ? reply->text : hex_of(reply->text);
+  console_.draft.identity.firmware = version->text;
   if (!known)
-    tell(Notice::Kind::warning,
-         fmt::format("It answers {} to ID where a {} says {}. It is used as a {}.", hex_of(reply->text),
-                     model().title, model().product, model().title));
+    console_.tell(
+        Notice::Kind::warning,
+        fmt::format("It answers {} to ID where a {} says {}. It is used as a {}.", hex_of(reply->text),
+                    console_.model().title, console_.model().product, console_.model().title));
   co_return Result<>();
 }
 
@@ -138,7 +126,7 @@ Task<Result<>> ArcusDriver::identify() {
 Task<Result<Reply>> ArcusDriver::ask_who_it_is(std::string question,
                                                std::function<bool(std::string_view)> is_it) {
   Result<Reply> reply = fail(FaultKind::no_answer, "");
-  const Instant began = scheduler_.now();
+  const Instant began = console_.scheduler.now();
   int silences = 0;
   std::string before;
   for (int attempt = 0; attempt < attempts_at_connect; ++attempt) {
@@ -147,7 +135,7 @@ Task<Result<Reply>> ArcusDriver::ask_who_it_is(std::string question,
     if (!reply && !worth_another_try(reply.error())) break;
     silences += !reply && reply.error().kind == FaultKind::no_answer ? 1 : 0;
     const bool heard = talk_.is_open() && talk_.station()->heard_at() > began;
-    if ((silences > 1 && !heard) || scheduler_.now() - began > long_asked) break;
+    if ((silences > 1 && !heard) || console_.scheduler.now() - began > long_asked) break;
     if (reply) before = reply->text;
     co_await talk_.wait_for_quiet();
     talk_.forget_strays();
@@ -164,31 +152,35 @@ void ArcusDriver::note_how_slow() {
   const Duration waited =
       std::max(station.lateness(), station.statistics().last_round_trip) - station.wire_time(usual_bytes);
   if (waited <= slow_from || std::exchange(slow_told_, true)) return;
-  tell(Notice::Kind::warning,
-       fmt::format("It takes {:.1f} s to answer. It is waited for; what is shown of it is as old, and a stop "
-                   "is confirmed as late.",
-                   seconds(waited)));
+  console_.tell(
+      Notice::Kind::warning,
+      fmt::format("It takes {:.1f} s to answer. It is waited for; what is shown of it is as old, and a stop "
+                  "is confirmed as late.",
+                  seconds(waited)));
 }
 
 Task<Result<>> ArcusDriver::read_name() {
   auto name = co_await talk_.ask("DN", Priority::intent);
   if (!name) co_return fail(name.error());
-  draft_.identity.serial = *name;
+  console_.draft.identity.serial = *name;
   talk_.know_name(*name);
   const bool usb = talk_.framing() == Framing::message;
-  const auto number = number_in_name(model(), *name);
+  const auto number = number_in_name(console_.model(), *name);
   if (!number && !usb && !std::exchange(name_told_, true))
-    tell(Notice::Kind::warning,
-         fmt::format(
-             "It answers at {:02} and calls itself {}, where a {} calls itself {}{:02}. On a line with "
-             "others its late answers cannot be told from theirs: set its device name (DN), Store, and "
-             "switch it off and on.",
-             catalog_.address, hex_of(*name), model().title, model().name_prefix, catalog_.address));
-  if (number && *number != catalog_.address && !usb && !std::exchange(name_told_, true))
-    tell(Notice::Kind::info,
-         fmt::format("It answers at {:02} and is to be called {}: it will answer at {:02} after Store and "
-                     "switching its power off and on.",
-                     catalog_.address, *name, *number));
+    console_.tell(
+        Notice::Kind::warning,
+        fmt::format(
+            "It answers at {:02} and calls itself {}, where a {} calls itself {}{:02}. On a line with "
+            "others its late answers cannot be told from theirs: set its device name (DN), Store, and "
+            "switch it off and on.",
+            console_.catalog.address, hex_of(*name), console_.model().title, console_.model().name_prefix,
+            console_.catalog.address));
+  if (number && *number != console_.catalog.address && !usb && !std::exchange(name_told_, true))
+    console_.tell(
+        Notice::Kind::info,
+        fmt::format("It answers at {:02} and is to be called {}: it will answer at {:02} after Store and "
+                    "switching its power off and on.",
+                    console_.catalog.address, *name, *number));
   co_return Result<>();
 }
 
@@ -202,10 +194,6 @@ void ArcusDriver::goes_out(std::string_view command) {
 
 void ArcusDriver::not_done(std::string_view command) { code_.was_refused(command); }
 
-void ArcusDriver::tell(Notice::Kind kind, std::string text) {
-  notify_(Notice(kind, scheduler_.now(), std::move(text)));
-}
-
 Task<Result<>> ArcusDriver::read_state() {
   auto motion = co_await read_whole_motion(Priority::intent);
   if (!motion) co_return motion;
@@ -218,28 +206,28 @@ Task<Result<>> ArcusDriver::read_state() {
 
 tl::unexpected<Fault> ArcusDriver::silent() const {
   if (talk_.framing() == Framing::message)
-    return fail(FaultKind::no_answer, fmt::format("The {} does not answer on USB.", model().title),
+    return fail(FaultKind::no_answer, fmt::format("The {} does not answer on USB.", console_.model().title),
                 "Nothing was sent but the question for its name.",
                 fmt::format("Check its supply ({}) and the cable, and close other programs that use it.",
-                            forms_.supply));
+                            console_.forms.supply));
   const int rate = talk_.is_open() ? talk_.station()->rate() : 0;
   return fail(
       FaultKind::no_answer,
-      fmt::format("No {} answers at address {:02}{}.", model().title, catalog_.address,
+      fmt::format("No {} answers at address {:02}{}.", console_.model().title, console_.catalog.address,
                   rate > 0 ? fmt::format(", at {} baud", rate) : ""),
       "Nothing was sent but the question for its name.",
       fmt::format(
           "Check its supply ({}), {}, the line rate (9600 from the factory), and its device name: the "
           "last two digits are its address ({}{:02} from the factory).",
-          forms_.supply, forms_.wires, model().name_prefix, factory_id()));
+          console_.forms.supply, console_.forms.wires, console_.model().name_prefix, factory_id()));
 }
 
 tl::unexpected<Fault> ArcusDriver::garbled(std::string_view bytes) const {
   const int rate = talk_.is_open() ? talk_.station()->rate() : 0;
   return fail(
       FaultKind::garbled,
-      fmt::format("What answers at address {:02} is no {}: {} came back.", catalog_.address, model().title,
-                  hex_of(bytes)),
+      fmt::format("What answers at address {:02} is no {}: {} came back.", console_.catalog.address,
+                  console_.model().title, hex_of(bytes)),
       "Nothing more was sent.",
       fmt::format("Another device, another rate{}, or two devices with one address. Connect one alone "
                   "and look.",
@@ -255,14 +243,14 @@ tl::unexpected<Fault> ArcusDriver::echoed() const {
 tl::unexpected<Fault> ArcusDriver::line_feeds_come() const {
   return fail(FaultKind::garbled,
               fmt::format("The answers at address {:02} end in CR LF; those of a {} have no LF.",
-                          catalog_.address, model().title),
+                          console_.catalog.address, console_.model().title),
               "What came was not used.",
               "Something on the way adds it: switch the conversion of line ends off in the serial server or "
               "adapter.");
 }
 
 int ArcusDriver::factory_id() const {
-  for (const SettingFact& fact : model().settings)
+  for (const SettingFact& fact : console_.model().settings)
     if (fact.id == Setting::device_name) return static_cast<int>(fact.factory);
   return 0;
 }

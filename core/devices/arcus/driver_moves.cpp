@@ -16,10 +16,10 @@ void ArcusDriver::begun(int index, Activity activity, Instant when) {
   mind.ended_by = EndedBy::nothing;
   mind.begun_at = when;
   mind.top_speed = {};
-  AxisState& axis = draft_.axes[index];
+  AxisState& axis = console_.draft.axes[index];
   axis.activity = activity;
   axis.ended_by = EndedBy::nothing;
-  draft_.program.ended_by = EndedBy::nothing;
+  console_.draft.program.ended_by = EndedBy::nothing;
 }
 
 // What may have gone wrong when no answer came to something that moves: the state is read, nothing is sent
@@ -29,20 +29,15 @@ Task<Fault> ArcusDriver::after_doubt(Fault why, std::string_view sent) {
   if (fault.kind != FaultKind::no_answer && fault.kind != FaultKind::garbled) co_return fault;
   auto read = co_await read_motion(Priority::intent);
   std::string where;
-  for (int i = 0; read && i < axis_count(); ++i)
-    where +=
-        fmt::format("{}{} {} at {}", i ? ", " : "", axis_name(i),
-                    says_moving(minds_[ix(i)].status) ? "moves" : "stands", draft_.axes[i].position.value);
+  for (int i = 0; read && i < console_.axes(); ++i)
+    where += fmt::format("{}{} {} at {}", i ? ", " : "", console_.axis_name(i),
+                         says_moving(minds_[ix(i)].status) ? "moves" : "stands",
+                         console_.draft.axes[i].position.value);
   fault.what = fmt::format("No clear answer came to {}.", sent);
   fault.done = "It was sent once and is not repeated.";
   fault.advice = read ? fmt::format("The state was read afresh: {}.", where)
                       : "The state could not be read either. Look at the axis before you go on.";
   co_return fault;
-}
-
-Result<> ArcusDriver::may_move_axis(int axis) const {
-  if (axis >= 0 && axis < axis_count()) return {};
-  return fail(FaultKind::refused, fmt::format("There is no axis {}.", axis + 1), "Nothing was sent.");
 }
 
 // One command that moves these axes.
@@ -56,7 +51,7 @@ Task<Result<>> ArcusDriver::start(std::string text, std::vector<int> axes, Activ
   unsigned together = 0;
   for (const int axis : axes) together |= 1u << axis;
   for (const int axis : axes) {
-    begun(axis, activity, scheduler_.now());
+    begun(axis, activity, console_.scheduler.now());
     minds_[ix(axis)].with = together;
   }
   co_return Result<>();
@@ -64,8 +59,8 @@ Task<Result<>> ArcusDriver::start(std::string text, std::vector<int> axes, Activ
 
 // The mode as it is now: a program or another terminal may have changed it since the last round.
 Task<Result<bool>> ArcusDriver::ask_incremental() {
-  if (!forms_.mode.empty()) {
-    auto mode = co_await talk_.ask_number(std::string(forms_.mode), Priority::intent);
+  if (!console_.forms.mode.empty()) {
+    auto mode = co_await talk_.ask_number(std::string(console_.forms.mode), Priority::intent);
     if (!mode) co_return fail(mode.error());
     readouts_.put("MM", *mode);
   } else {
@@ -78,16 +73,16 @@ Task<Result<bool>> ArcusDriver::ask_incremental() {
 // Where the axis stands, or its target with StepNLoop. A digit that was lost on the wire would become a wrong
 // move.
 Task<Result<std::int64_t>> ArcusDriver::ask_position(int axis) {
-  std::string question = fill(forms_, forms_.position, axis);
+  std::string question = fill(console_.forms, console_.forms.position, axis);
   Conversation::Decode decode = decode_number;
   auto position = co_await talk_.ask_surely(std::move(question), std::move(decode),
-                                            draft_.axes[axis].position.value, Priority::intent);
-  if (position || !draft_.axes[axis].position_known || position.error().kind != FaultKind::garbled)
+                                            console_.draft.axes[axis].position.value, Priority::intent);
+  if (position || !console_.draft.axes[axis].position_known || position.error().kind != FaultKind::garbled)
     co_return position;
-  co_return fail(
-      FaultKind::garbled,
-      fmt::format("Axis {} does not stand still, so it cannot be moved by a distance.", axis_name(axis)),
-      "Nothing was moved.", "Wait until it stands, or stop it.");
+  co_return fail(FaultKind::garbled,
+                 fmt::format("Axis {} does not stand still, so it cannot be moved by a distance.",
+                             console_.axis_name(axis)),
+                 "Nothing was moved.", "Wait until it stands, or stop it.");
 }
 
 Task<Result<>> ArcusDriver::move(std::vector<AxisTarget> wish, Pps speed, bool relative) {
@@ -99,8 +94,8 @@ Task<Result<>> ArcusDriver::move(std::vector<AxisTarget> wish, Pps speed, bool r
   std::vector<std::int64_t> goals;
   for (const AxisTarget& t : wish) {
     const int axis = t.axis.index;
-    if (auto may = may_move_axis(axis); !may) co_return may;
-    std::int64_t here = draft_.axes[axis].position.value;
+    if (auto may = console_.has_axis(axis); !may) co_return may;
+    std::int64_t here = console_.draft.axes[axis].position.value;
     if (relative != *incremental) {  // else the mode takes the number as it is
       auto read = co_await ask_position(axis);
       if (!read) co_return fail(read.error());
@@ -110,7 +105,7 @@ Task<Result<>> ArcusDriver::move(std::vector<AxisTarget> wish, Pps speed, bool r
     if (target < position_min || target > position_max)
       co_return fail(FaultKind::refused,
                      fmt::format("{} is no position for axis {}: positions go from {} to {}.", target,
-                                 axis_name(axis), position_min, position_max),
+                                 console_.axis_name(axis), position_min, position_max),
                      "Nothing was sent.");
     values.push_back({axis, *incremental ? target - here : target});
     axes.push_back(axis);
@@ -118,22 +113,23 @@ Task<Result<>> ArcusDriver::move(std::vector<AxisTarget> wish, Pps speed, bool r
   }
   auto borrowed = co_await borrow_speed(speed, axes.size() == 1 ? axes.front() : -1);
   if (!borrowed) co_return borrowed;
-  auto started = co_await start(move_command(forms_, values), axes, Activity::moving);
+  auto started = co_await start(move_command(console_.forms, values), axes, Activity::moving);
   for (std::size_t i = 0; started && i < axes.size(); ++i) {
-    draft_.axes[axes[i]].has_target = true;
-    draft_.axes[axes[i]].target = Steps(goals[i]);
+    console_.draft.axes[axes[i]].has_target = true;
+    console_.draft.axes[axes[i]].target = Steps(goals[i]);
     watch_.was_sent_to(axes[i], Steps(goals[i]));
-    minds_[ix(axes[i])].top_speed = speed.value > 0 ? speed : draft_.axes[axes[i]].own_speed;
+    minds_[ix(axes[i])].top_speed = speed.value > 0 ? speed : console_.draft.axes[axes[i]].own_speed;
   }
   auto returned = co_await borrowed_.give_back();
   if (!started) co_return started;
-  if (!returned) tell(Notice::Kind::warning, returned.error().sentence());  // the move runs all the same
+  if (!returned)
+    console_.tell(Notice::Kind::warning, returned.error().sentence());  // the move runs all the same
   co_return Result<>();
 }
 
 Task<Result<>> ArcusDriver::jog(intent::JogStart wish) {
   const int axis = wish.axis.index;
-  if (auto may = may_move_axis(axis); !may) co_return may;
+  if (auto may = console_.has_axis(axis); !may) co_return may;
   auto borrowed = co_await borrow_speed(wish.speed, axis);
   if (!borrowed) {
     Fault why = borrowed.error();
@@ -144,29 +140,30 @@ Task<Result<>> ArcusDriver::jog(intent::JogStart wish) {
     co_return fail(std::move(why));
   }
   std::vector<int> axes{axis};
-  auto started =
-      co_await start(fill(forms_, forms_.jog, axis, wish.sign), std::move(axes), Activity::jogging);
+  auto started = co_await start(fill(console_.forms, console_.forms.jog, axis, wish.sign), std::move(axes),
+                                Activity::jogging);
   if (started) {
-    draft_.axes[axis].direction = static_cast<std::int8_t>(factor(wish.sign));
-    draft_.axes[axis].has_target = false;
+    console_.draft.axes[axis].direction = static_cast<std::int8_t>(factor(wish.sign));
+    console_.draft.axes[axis].has_target = false;
   }
   auto returned = co_await borrowed_.give_back();
   if (!started) co_return started;
-  if (!returned) tell(Notice::Kind::warning, returned.error().sentence());  // the jog runs all the same
+  if (!returned)
+    console_.tell(Notice::Kind::warning, returned.error().sentence());  // the jog runs all the same
   co_return Result<>();
 }
 
 Task<Result<>> ArcusDriver::home(intent::Home wish) {
   const int axis = wish.axis.index;
-  if (auto may = may_move_axis(axis); !may) co_return may;
-  if (wish.mode < 0 || wish.mode >= static_cast<int>(forms_.homes.size()))
+  if (auto may = console_.has_axis(axis); !may) co_return may;
+  if (wish.mode < 0 || wish.mode >= static_cast<int>(console_.forms.homes.size()))
     co_return fail(FaultKind::refused, fmt::format("There is no way of homing {}.", wish.mode),
                    "Nothing was sent.");
   std::vector<int> axes{axis};
-  auto started = co_await start(fill(forms_, forms_.homes[ix(wish.mode)], axis, wish.sign), std::move(axes),
-                                Activity::homing);
+  auto started = co_await start(fill(console_.forms, console_.forms.homes[ix(wish.mode)], axis, wish.sign),
+                                std::move(axes), Activity::homing);
   if (!started) co_return started;
-  draft_.axes[axis].has_target = false;
+  console_.draft.axes[axis].has_target = false;
   watch_.counters_may_be_set();
   co_return Result<>();
 }
@@ -181,15 +178,16 @@ Task<Result<>> ArcusDriver::borrow_speed(Pps speed, int axis) {
     co_return fail(FaultKind::refused,
                    fmt::format("{} is no speed: it goes from 1 to {}.", wanted, max_speed),
                    "Nothing was sent.");
-  std::string name(forms_.high_speed);
-  if (axis >= 0 && forms_.axis_speeds) {
+  std::string name(console_.forms.high_speed);
+  if (axis >= 0 && console_.forms.axis_speeds) {
     bool own = true;
-    for (const std::string_view form : {forms_.axis_high_speed, forms_.axis_low_speed, forms_.axis_accel}) {
-      auto value = co_await talk_.ask_number(fill(forms_, form, axis), Priority::intent);
+    for (const std::string_view form :
+         {console_.forms.axis_high_speed, console_.forms.axis_low_speed, console_.forms.axis_accel}) {
+      auto value = co_await talk_.ask_number(fill(console_.forms, form, axis), Priority::intent);
       if (!value) co_return fail(value.error());
       own = own && *value != 0;
     }
-    if (own) name = fill(forms_, forms_.axis_high_speed, axis);
+    if (own) name = fill(console_.forms, console_.forms.axis_high_speed, axis);
   }
   const auto shown = setup_.param(name);
   co_return co_await borrowed_.borrow(std::move(name), wanted, shown);
@@ -213,7 +211,8 @@ Task<Result<>> ArcusDriver::start_feed(intent::FeedMoves wish) {
 
 Task<Result<>> ArcusDriver::feed() {
   std::function<void()> moves = [this] {
-    for (int axis = 0; axis < 3 && axis < axis_count(); ++axis) begun(axis, Activity::moving, round_began_);
+    for (int axis = 0; axis < 3 && axis < console_.axes(); ++axis)
+      begun(axis, Activity::moving, round_began_);
   };
   co_return co_await list_.feed(std::move(moves));
 }
@@ -221,59 +220,61 @@ Task<Result<>> ArcusDriver::feed() {
 // ---- counters, power, outputs
 
 Task<Result<>> ArcusDriver::set_position(intent::SetPosition wish) {
-  const int first = wish.axis < 0 ? 0 : wish.axis, last = wish.axis < 0 ? axis_count() - 1 : wish.axis;
+  const int first = wish.axis < 0 ? 0 : wish.axis, last = wish.axis < 0 ? console_.axes() - 1 : wish.axis;
   for (int axis = first; axis <= last; ++axis) {
-    if (auto may = may_move_axis(axis); !may) co_return may;
-    auto set = co_await talk_.command(set_command(fill(forms_, forms_.position, axis), wish.value.value),
-                                      Priority::intent);
+    if (auto may = console_.has_axis(axis); !may) co_return may;
+    auto set = co_await talk_.command(
+        set_command(fill(console_.forms, console_.forms.position, axis), wish.value.value), Priority::intent);
     if (!set) {
-      if (draft_.axes[axis].in_counts && set.error().kind == FaultKind::refused)
+      if (console_.draft.axes[axis].in_counts && set.error().kind == FaultKind::refused)
         set.error().advice = fmt::format(
             "While StepNLoop of {} is on its position follows the encoder: set the encoder counter instead.",
-            axis_name(axis));
+            console_.axis_name(axis));
       co_return set;
     }
     watch_.position_was_set(axis, wish.value);
-    draft_.axes[axis].trust.settle(Trust::set, scheduler_.now());
-    draft_.axes[axis].has_target = false;  // it counts from elsewhere now
+    console_.draft.axes[axis].trust.settle(Trust::set, console_.scheduler.now());
+    console_.draft.axes[axis].has_target = false;  // it counts from elsewhere now
   }
   co_return co_await read_motion(Priority::intent);
 }
 
 Task<Result<>> ArcusDriver::set_encoder(intent::SetEncoder wish) {
-  const int first = wish.axis < 0 ? 0 : wish.axis, last = wish.axis < 0 ? axis_count() - 1 : wish.axis;
+  const int first = wish.axis < 0 ? 0 : wish.axis, last = wish.axis < 0 ? console_.axes() - 1 : wish.axis;
   for (int axis = first; axis <= last; ++axis) {
-    if (auto may = may_move_axis(axis); !may) co_return may;
-    auto set = co_await talk_.command(set_command(fill(forms_, forms_.encoder, axis), wish.value.value),
-                                      Priority::intent);
+    if (auto may = console_.has_axis(axis); !may) co_return may;
+    auto set = co_await talk_.command(
+        set_command(fill(console_.forms, console_.forms.encoder, axis), wish.value.value), Priority::intent);
     if (!set) co_return set;
     watch_.encoder_was_set(axis, wish.value);
-    draft_.axes[axis].has_target = false;
+    console_.draft.axes[axis].has_target = false;
   }
   co_return co_await read_motion(Priority::intent);
 }
 
 Task<Result<>> ArcusDriver::set_power(intent::SetPower wish) {
-  const int first = wish.axis < 0 ? 0 : wish.axis, last = wish.axis < 0 ? axis_count() - 1 : wish.axis;
+  const int first = wish.axis < 0 ? 0 : wish.axis, last = wish.axis < 0 ? console_.axes() - 1 : wish.axis;
   for (int axis = first; axis <= last; ++axis) {
-    if (auto may = may_move_axis(axis); !may) co_return may;
+    if (auto may = console_.has_axis(axis); !may) co_return may;
     auto set = co_await talk_.command(
-        set_command(fill(forms_, forms_.power, axis, Sign::plus, axis + 1), wish.on), Priority::intent);
+        set_command(fill(console_.forms, console_.forms.power, axis, Sign::plus, axis + 1), wish.on),
+        Priority::intent);
     if (!set) co_return set;
   }
   co_return co_await read_io(Priority::intent);
 }
 
 Task<Result<>> ArcusDriver::set_output(intent::SetOutput wish) {
-  if (wish.number < 1 || wish.number > model().outputs)
-    co_return fail(FaultKind::refused,
-                   fmt::format("There is no output {}: there are DO1 to DO{}.", wish.number, model().outputs),
-                   "Nothing was sent.");
+  if (wish.number < 1 || wish.number > console_.model().outputs)
+    co_return fail(
+        FaultKind::refused,
+        fmt::format("There is no output {}: there are DO1 to DO{}.", wish.number, console_.model().outputs),
+        "Nothing was sent.");
   auto set = co_await talk_.command(set_command(fmt::format("DO{}", wish.number), wish.on), Priority::intent);
   if (!set) co_return set;
   auto read = co_await read_io(Priority::intent);
   if (!read) co_return read;
-  const bool shows = (draft_.outputs >> (wish.number - 1) & 1) != 0;
+  const bool shows = (console_.draft.outputs >> (wish.number - 1) & 1) != 0;
   if (shows == wish.on) co_return Result<>();
   co_return fail(
       FaultKind::controller,
@@ -286,7 +287,7 @@ Task<Result<>> ArcusDriver::set_output(intent::SetOutput wish) {
 std::string ArcusDriver::who_has(int output) const {
   constexpr int in_position_output = 1, alarm_output = 3;
   const bool told_by_outputs =
-      setup_.setting(Setting::status_outputs).value_or(0) != 0 && draft_.axes[0].in_counts;
+      setup_.setting(Setting::status_outputs).value_or(0) != 0 && console_.draft.axes[0].in_counts;
   if (told_by_outputs && output == in_position_output)
     return "it shows in-position while EDO=1 and StepNLoop is on";
   if (told_by_outputs && output == alarm_output) return "it shows the alarm while EDO=1 and StepNLoop is on";

@@ -32,12 +32,12 @@ Task<Result<>> ArcusDriver::perform(const IntentBody& body) {
   }
   if (const auto* i = std::get_if<ReadParams>(&body)) co_return co_await read_params(i->only);
   if (const auto* i = std::get_if<ReadAnalog>(&body);
-      i && i->number >= 1 && i->number <= model().analog_inputs)
+      i && i->number >= 1 && i->number <= console_.model().analog_inputs)
     co_return co_await readouts_.read_analog(i->number, Priority::intent);
   if (std::holds_alternative<Store>(body)) co_return co_await setup_.store();
   if (std::holds_alternative<ReadAgain>(body)) co_return co_await read_again();
   if (std::holds_alternative<Reset>(body))
-    co_return fail(FaultKind::refused, fmt::format("A {} has no reset command.", model().title),
+    co_return fail(FaultKind::refused, fmt::format("A {} has no reset command.", console_.model().title),
                    "Nothing was sent.", "Switch its power off and on.");
   co_return co_await perform_program(body);
 }
@@ -58,15 +58,15 @@ void ArcusDriver::program_runs(Duration at_most) {
 
 Task<Result<>> ArcusDriver::read_params(std::string only) {
   if (!only.empty()) {
-    const int index = catalog_.find_param(only);
+    const int index = console_.catalog.find_param(only);
     if (index >= 0) co_return co_await setup_.read(index, Priority::intent);
   }
-  for (int i = 0; i < static_cast<int>(catalog_.params.size()); ++i) {
+  for (int i = 0; i < static_cast<int>(console_.catalog.params.size()); ++i) {
     auto read = co_await setup_.read(i, Priority::transfer);
     if (!read) co_return read;
     co_await stay_live();
   }
-  for (int n = catalog_.variables.stored_from; n < catalog_.variables.count; ++n) {
+  for (int n = console_.catalog.variables.stored_from; n < console_.catalog.variables.count; ++n) {
     auto read = co_await readouts_.read_variable(n, Priority::transfer);
     if (!read) co_return read;
     co_await stay_live();
@@ -76,7 +76,7 @@ Task<Result<>> ArcusDriver::read_params(std::string only) {
 
 Task<Result<>> ArcusDriver::read_again() {
   setup_.forget_all();
-  draft_.variables_known.reset();
+  console_.draft.variables_known.reset();
   for (AxisMind& mind : minds_) mind.loop_state = -1;
   co_return co_await read_state();
 }

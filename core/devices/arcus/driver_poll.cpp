@@ -58,7 +58,7 @@ Duration ArcusDriver::moving_period() const {
   constexpr Duration without_wire = Millis(10);
   const Duration round = talk_.is_open() ? talk_.station()->wire_time(bytes_of_a_round) : Duration::zero();
   if (round == Duration::zero()) return without_wire;
-  return std::max(Duration::zero(), round - (scheduler_.now() - round_began_));
+  return std::max(Duration::zero(), round - (console_.scheduler.now() - round_began_));
 }
 
 // Each of them is looked at for a restart: one that was not would hide it from the next.
@@ -82,26 +82,26 @@ Task<Result<>> ArcusDriver::read_whole_motion(Priority priority) {
 
 // Four questions, each answered for all axes.
 Task<Result<>> ArcusDriver::read_counters(Priority priority) {
-  round_began_ = scheduler_.now();
-  const auto axes = ix(axis_count());
+  round_began_ = console_.scheduler.now();
+  const auto axes = ix(console_.axes());
   std::size_t fields = axes;
-  for (const std::string_view id : forms_.behind_status) fields += id.empty() ? 0 : 1;
-  const Instant asked_at = scheduler_.now();
-  auto status = co_await talk_.ask_numbers(std::string(forms_.status), fields, priority);
+  for (const std::string_view id : console_.forms.behind_status) fields += id.empty() ? 0 : 1;
+  const Instant asked_at = console_.scheduler.now();
+  auto status = co_await talk_.ask_numbers(std::string(console_.forms.status), fields, priority);
   if (!status) co_return fail(status.error());
   watch_.first_answer_came();
-  auto positions = co_await talk_.ask_numbers(std::string(forms_.positions), axes, priority);
+  auto positions = co_await talk_.ask_numbers(std::string(console_.forms.positions), axes, priority);
   if (!positions) co_return fail(positions.error());
   const Instant seen_at = talk_.asked_at();  // the answer, or what is asked behind it, may have come late
-  auto encoders = co_await talk_.ask_numbers(std::string(forms_.encoders), axes, priority);
+  auto encoders = co_await talk_.ask_numbers(std::string(console_.forms.encoders), axes, priority);
   if (!encoders) co_return fail(encoders.error());
-  auto speeds = co_await talk_.ask_numbers(std::string(forms_.speeds), axes, priority);
+  auto speeds = co_await talk_.ask_numbers(std::string(console_.forms.speeds), axes, priority);
   if (!speeds) co_return fail(speeds.error());
   if (asked_at < motion_asked_at_) co_return Result<>();  // overtaken: a stop's own round is newer
   motion_asked_at_ = asked_at;
   take_status(*status);
-  for (int i = 0; i < axis_count(); ++i) {
-    AxisState& axis = draft_.axes[i];
+  for (int i = 0; i < console_.axes(); ++i) {
+    AxisState& axis = console_.draft.axes[i];
     const Steps position((*positions)[ix(i)]);
     const Steps move = position - axis.position;
     const bool changed = axis.position_known && move != Steps(0);
@@ -119,16 +119,16 @@ Task<Result<>> ArcusDriver::read_counters(Priority priority) {
 }
 
 void ArcusDriver::take_status(const std::vector<std::int64_t>& words) {
-  const StatusBits& bits = model().status;
+  const StatusBits& bits = console_.model().status;
   std::uint64_t limits = 0;
-  for (int i = 0; i < axis_count(); ++i)
+  for (int i = 0; i < console_.axes(); ++i)
     limits = limits << 2 | std::uint64_t{has_bit(words[ix(i)], bits.minus_limit)} << 1 |
              std::uint64_t{has_bit(words[ix(i)], bits.plus_limit)};
   const bool limits_agree = limits_look_.agrees(limits, talk_.times_cleaned());
-  for (int i = 0; i < axis_count(); ++i) {
+  for (int i = 0; i < console_.axes(); ++i) {
     const std::int64_t word = words[ix(i)];
     minds_[ix(i)].status = word;
-    AxisState& axis = draft_.axes[i];
+    AxisState& axis = console_.draft.axes[i];
     axis.limit_minus = has_bit(word, bits.minus_limit);
     axis.limit_plus = has_bit(word, bits.plus_limit);
     axis.home = has_bit(word, bits.home);
@@ -138,12 +138,12 @@ void ArcusDriver::take_status(const std::vector<std::int64_t>& words) {
                  : has_bit(word, bits.decelerating) ? Phase::decelerating
                  : has_bit(word, bits.constant)     ? Phase::constant
                                                     : Phase::unknown;
-    readouts_.put(fill(forms_, axis_count() > 1 ? "MSTa" : "MST", i), word);
+    readouts_.put(fill(console_.forms, console_.axes() > 1 ? "MSTa" : "MST", i), word);
   }
   if (bits.latch != no_bit) readouts_.put("LATCHIN", has_bit(words[0], bits.latch));
   if (bits.index != no_bit) readouts_.put("INDEX", has_bit(words[0], bits.index));
-  std::size_t field = ix(axis_count());
-  for (const std::string_view id : forms_.behind_status) {
+  std::size_t field = ix(console_.axes());
+  for (const std::string_view id : console_.forms.behind_status) {
     if (id.empty()) continue;
     readouts_.put(id, words[field]);
     if (id == "BUF") list_.buffer_is(words[field] != 0);
@@ -154,17 +154,17 @@ void ArcusDriver::take_status(const std::vector<std::int64_t>& words) {
 
 // The state of StepNLoop, of axes that have it on, or where that is not known.
 Task<Result<>> ArcusDriver::read_loop(Priority priority) {
-  for (int i = 0; i < axis_count(); ++i) {
+  for (int i = 0; i < console_.axes(); ++i) {
     AxisMind& mind = minds_[ix(i)];
     if (mind.loop_state == static_cast<int>(LoopState::off)) continue;
-    const std::string question = fill(forms_, forms_.loop_state, i);
-    const Instant asked_at = scheduler_.now();
+    const std::string question = fill(console_.forms, console_.forms.loop_state, i);
+    const Instant asked_at = console_.scheduler.now();
     auto state = co_await talk_.ask_number(question, priority);
     if (!state) co_return fail(state.error());
     if (asked_at < mind.loop_asked_at) continue;
     mind.loop_asked_at = asked_at;
     mind.loop_state = static_cast<int>(*state);
-    draft_.axes[i].in_counts = *state != static_cast<int>(LoopState::off);
+    console_.draft.axes[i].in_counts = *state != static_cast<int>(LoopState::off);
     readouts_.put(question, *state);
     show_axis(i, asked_at);
   }
@@ -186,12 +186,12 @@ Task<Result<>> ArcusDriver::read_io(Priority priority) {
       if (!again) continue;
       break;  // what was shown keeps its age
     }
-    draft_.inputs = static_cast<std::uint32_t>(*inputs);
-    draft_.inputs_known = (1u << model().inputs) - 1;
-    draft_.outputs = static_cast<std::uint32_t>(*outputs);
-    draft_.outputs_known = (1u << model().outputs) - 1;
-    draft_.io_seen_at = scheduler_.now();
-    for (int i = 0; i < axis_count(); ++i) draft_.axes[i].enabled = (*enables >> i & 1) != 0;
+    console_.draft.inputs = static_cast<std::uint32_t>(*inputs);
+    console_.draft.inputs_known = (1u << console_.model().inputs) - 1;
+    console_.draft.outputs = static_cast<std::uint32_t>(*outputs);
+    console_.draft.outputs_known = (1u << console_.model().outputs) - 1;
+    console_.draft.io_seen_at = console_.scheduler.now();
+    for (int i = 0; i < console_.axes(); ++i) console_.draft.axes[i].enabled = (*enables >> i & 1) != 0;
     break;
   }
   co_return Result<>();
@@ -199,19 +199,19 @@ Task<Result<>> ArcusDriver::read_io(Priority priority) {
 
 // In the middle of a long procedure: positions must not grow stale meanwhile.
 Task<> ArcusDriver::stay_live() {
-  if (!talk_.is_open() || scheduler_.now() - round_began_ < idle_period()) co_return;
+  if (!talk_.is_open() || console_.scheduler.now() - round_began_ < idle_period()) co_return;
   auto read = co_await read_motion(Priority::poll);
   if (read) read = co_await read_threads(false, Priority::poll);
-  changed_();
+  console_.changed();
 }
 
 // ---- what it means
 
 bool ArcusDriver::moving(int axis) const {
-  const Activity a = draft_.axes[axis].activity;
+  const Activity a = console_.draft.axes[axis].activity;
   return a == Activity::moving || a == Activity::jogging || a == Activity::homing || a == Activity::stopping;
 }
-bool ArcusDriver::any_moving() const { return draft_.any_axis_moving(); }
+bool ArcusDriver::any_moving() const { return console_.draft.any_axis_moving(); }
 
 bool ArcusDriver::loop_error(int axis) const {
   const int state = minds_[ix(axis)].loop_state;
@@ -250,7 +250,7 @@ bool ArcusDriver::runs(int axis) const {
 // after the question was asked is not judged by the answer.
 void ArcusDriver::show_axis(int index, Instant asked_at) {
   AxisMind& mind = minds_[ix(index)];
-  AxisState& axis = draft_.axes[index];
+  AxisState& axis = console_.draft.axes[index];
   if (mind.begun_at > asked_at) return;
   if (mind.stopping) {  // until whoever stops it has seen it stand
     axis.activity = Activity::stopping;
@@ -277,7 +277,7 @@ void ArcusDriver::show_axis(int index, Instant asked_at) {
 }
 
 AxisError ArcusDriver::error_of(int axis) const {
-  const StatusBits& bits = model().status;
+  const StatusBits& bits = console_.model().status;
   const std::int64_t word = minds_[ix(axis)].status;
   switch (static_cast<LoopState>(minds_[ix(axis)].loop_state)) {
     case LoopState::stall_error: return AxisError::stalled;
@@ -293,11 +293,11 @@ AxisError ArcusDriver::error_of(int axis) const {
 
 void ArcusDriver::show_ended(int index) {
   AxisMind& mind = minds_[ix(index)];
-  AxisState& axis = draft_.axes[index];
+  AxisState& axis = console_.draft.axes[index];
   const bool was_moving = moving(index);
   if (was_moving) axis.ended_by = how_it_ended(index);
   if (was_moving && mind.wanted == Activity::homing && axis.ended_by == EndedBy::target)
-    axis.trust.settle(Trust::homed, scheduler_.now());
+    axis.trust.settle(Trust::homed, console_.scheduler.now());
   mind.ours = false;
   mind.with = 0;
   mind.wanted = Activity::idle;
@@ -306,28 +306,28 @@ void ArcusDriver::show_ended(int index) {
 }
 
 EndedBy ArcusDriver::how_it_ended(int axis) const {
-  const StatusBits& bits = model().status;
+  const StatusBits& bits = console_.model().status;
   const std::int64_t word = minds_[ix(axis)].status;
   if (has_bit(word, bits.plus_error) || has_bit(word, bits.minus_error)) return EndedBy::limit;
   if (has_bit(word, bits.alarm_error) || loop_error(axis)) return EndedBy::error;
   if (minds_[ix(axis)].ended_by != EndedBy::nothing) return minds_[ix(axis)].ended_by;
   if (!misses_its_target(axis)) return EndedBy::target;
   const unsigned with = minds_[ix(axis)].with;
-  for (int i = 0; i < axis_count(); ++i)  // on a straight line all end with the one that cannot go on
+  for (int i = 0; i < console_.axes(); ++i)  // on a straight line all end with the one that cannot go on
     if (i != axis && (with >> i & 1u) != 0 && error_of(i) != AxisError::none) return EndedBy::nothing;
   return EndedBy::elsewhere;
 }
 
 // With StepNLoop it may stand a little beside it (SLT).
 bool ArcusDriver::misses_its_target(int index) const {
-  const AxisState& axis = draft_.axes[index];
+  const AxisState& axis = console_.draft.axes[index];
   if (!axis.has_target) return false;
   return std::abs((axis.position - axis.target).value) > (axis.in_counts ? loop_tolerance(index) : 0);
 }
 
 std::int64_t ArcusDriver::loop_tolerance(int axis) const {
   std::int64_t room = setup_.setting(Setting::loop_tolerance, axis).value_or(0);
-  for (const SettingFact& fact : model().settings)
+  for (const SettingFact& fact : console_.model().settings)
     if (fact.id == Setting::loop_tolerance && room == 0) room = fact.factory;  // not read yet
   return room;
 }
@@ -352,18 +352,18 @@ const char* what_happened(AxisError error) {
 
 // Called each round: nothing here allocates while all is well.
 void ArcusDriver::show_worst() {
-  draft_.notice.clear();
-  for (int i = 0; i < axis_count(); ++i) {
+  console_.draft.notice.clear();
+  for (int i = 0; i < console_.axes(); ++i) {
     const AxisError error = error_of(i);
     if (error == AxisError::none) continue;
-    draft_.notice =
-        fmt::format("Axis {} {}. Clear the errors before the next move.", axis_name(i), what_happened(error));
+    console_.draft.notice = fmt::format("Axis {} {}. Clear the errors before the next move.",
+                                        console_.axis_name(i), what_happened(error));
     return;
   }
-  for (int i = 0; i < model().programs; ++i)
-    if (draft_.threads[ix(i)].known && draft_.threads[ix(i)].run == RunState::error) {
-      draft_.notice = fmt::format("Program {} has stopped in error at line {} of its stored code.", i,
-                                  draft_.threads[ix(i)].line);
+  for (int i = 0; i < console_.model().programs; ++i)
+    if (console_.draft.threads[ix(i)].known && console_.draft.threads[ix(i)].run == RunState::error) {
+      console_.draft.notice = fmt::format("Program {} has stopped in error at line {} of its stored code.", i,
+                                          console_.draft.threads[ix(i)].line);
       return;
     }
 }

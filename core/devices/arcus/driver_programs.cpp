@@ -36,40 +36,42 @@ Task<Result<>> ArcusDriver::perform_program(IntentBody body) {
     if (!read) co_return read;
     if (auto may = no_thread_runs(); !may) co_return may;
     auto cleared = co_await clear_from(0);
-    draft_.transfer.running = false;
+    console_.draft.transfer.running = false;
     if (!cleared) co_return broken_off(std::move(cleared.error()));
-    draft_.slots_torn = 0;
+    console_.draft.slots_torn = 0;
     co_return cleared;
   }
   if (std::holds_alternative<SelectProgram>(body)) co_return Result<>();
   if (const auto* i = std::get_if<RunProgram>(&body)) co_return co_await run(i->slot);
   if (const auto* i = std::get_if<Pause>(&body)) co_return co_await control_all(i->thread, thread_pause);
   if (const auto* i = std::get_if<Resume>(&body)) co_return co_await control_all(i->thread, thread_continue);
-  co_return fail(FaultKind::refused, fmt::format("A {} cannot do that.", model().title), "Nothing was sent.");
+  co_return fail(FaultKind::refused, fmt::format("A {} cannot do that.", console_.model().title),
+                 "Nothing was sent.");
 }
 
 // ---- threads
 
 Task<Result<>> ArcusDriver::control(int thread, int what) {
-  if (thread < 0 || thread >= model().programs)
-    co_return fail(FaultKind::refused,
-                   fmt::format("There is no program {}: there are 0 to {}.", thread, model().programs - 1),
-                   "Nothing was sent.");
+  if (thread < 0 || thread >= console_.model().programs)
+    co_return fail(
+        FaultKind::refused,
+        fmt::format("There is no program {}: there are 0 to {}.", thread, console_.model().programs - 1),
+        "Nothing was sent.");
   const std::string text = fmt::format("SR{}={}", thread, what);
-  if (what == thread_run) draft_.program.ended_by = EndedBy::nothing;
+  if (what == thread_run) console_.draft.program.ended_by = EndedBy::nothing;
   auto done = co_await talk_.command(text, Priority::intent);
   if (!done) {
     Fault fault = co_await after_doubt(std::move(done.error()), text);
     co_return fail(std::move(fault));
   }
-  if (what == thread_run) draft_.program.started_at = scheduler_.now();
+  if (what == thread_run) console_.draft.program.started_at = console_.scheduler.now();
   auto read = co_await read_threads(false, Priority::intent);
   if (!read) co_return read;
-  const RunState now = draft_.threads[ix(thread)].run;
+  const RunState now = console_.draft.threads[ix(thread)].run;
   if (what == thread_run && now == RunState::error)
     co_return fail(FaultKind::controller,
                    fmt::format("Program {} stopped in error at line {} of its stored code.", thread,
-                               draft_.threads[ix(thread)].line),
+                               console_.draft.threads[ix(thread)].line),
                    {}, "Look at the program, and whether an axis has an error.");
   co_return Result<>();
 }
@@ -77,19 +79,19 @@ Task<Result<>> ArcusDriver::control(int thread, int what) {
 /// What is told to a thread (SR0=1) may change what it does.
 void ArcusDriver::forget_thread(std::string_view text) {
   const auto n = thread_named_in(text);
-  if (!n || *n < 0 || *n >= model().programs) return;
-  draft_.threads[ix(*n)].known = false;
-  if (!ends_program(text)) draft_.threads[ix(*n)].run = RunState::running;  // a stop ends it first
+  if (!n || *n < 0 || *n >= console_.model().programs) return;
+  console_.draft.threads[ix(*n)].known = false;
+  if (!ends_program(text)) console_.draft.threads[ix(*n)].run = RunState::running;  // a stop ends it first
 }
 
 // SR is answered with OK whether the program is there or not (decision AMB-115). One that runs is; one that
 // does not may have ended already, so the stored code is looked at.
 Task<Result<>> ArcusDriver::run(int program) {
   auto started = co_await control(program, thread_run);
-  if (!started || draft_.threads[ix(program)].run != RunState::idle) co_return started;
+  if (!started || console_.draft.threads[ix(program)].run != RunState::idle) co_return started;
   if (code_.known() && code_.known()->programs[ix(program)]) co_return started;
   auto there = co_await read_lines();
-  draft_.transfer.running = false;
+  console_.draft.transfer.running = false;
   if (!there) co_return fail(there.error());
   note_stored(*there);
   if (!code_.known() || code_.known()->programs[ix(program)]) co_return started;
@@ -102,18 +104,18 @@ Task<Result<>> ArcusDriver::run(int program) {
 void ArcusDriver::note_stored(const std::vector<std::string>& lines) {
   code_.forget();
   const language::Program code = language::decode(lines, dialect_);
-  if (code.bad_lines.empty()) code_.know(read_stored_code(code, model()));
+  if (code.bad_lines.empty()) code_.know(read_stored_code(code, console_.model()));
 }
 
 // All that run, or all that are held; or the one, if it does.
 Task<Result<>> ArcusDriver::control_all(int thread, int what) {
-  if (thread >= model().programs) co_return co_await control(thread, what);  // which refuses
+  if (thread >= console_.model().programs) co_return co_await control(thread, what);  // which refuses
   auto read = co_await read_threads(true, Priority::intent);
   if (!read) co_return read;
   const bool pauses = what == thread_pause;
   bool any = false;
-  for (int n = 0; n < model().programs; ++n) {
-    const bool concerned = draft_.threads[ix(n)].run == (pauses ? RunState::running : RunState::held);
+  for (int n = 0; n < console_.model().programs; ++n) {
+    const bool concerned = console_.draft.threads[ix(n)].run == (pauses ? RunState::running : RunState::held);
     if (!concerned || (thread >= 0 && n != thread)) continue;
     any = true;
     auto done = co_await control(n, what);
@@ -126,8 +128,8 @@ Task<Result<>> ArcusDriver::control_all(int thread, int what) {
 }
 
 Result<> ArcusDriver::no_thread_runs() const {
-  for (int n = 0; n < model().programs; ++n) {
-    const RunState run = draft_.threads[ix(n)].run;
+  for (int n = 0; n < console_.model().programs; ++n) {
+    const RunState run = console_.draft.threads[ix(n)].run;
     if (run == RunState::running || run == RunState::held)
       return fail(FaultKind::refused,
                   fmt::format("Program {} runs, and all programs share the stored code.", n),
@@ -146,10 +148,10 @@ Task<Result<std::string>> ArcusDriver::read_line(int line, Priority priority) {
 Task<Result<>> ArcusDriver::write_line(int line, std::string text) {
   std::string sent = fmt::format("SA{}={}", line, text);
   const std::uint8_t before =
-      std::exchange(draft_.slots_torn, stored_code);  // should the console be closed now
+      std::exchange(console_.draft.slots_torn, stored_code);  // should the console be closed now
   auto written = co_await talk_.command(std::move(sent), Priority::transfer, Millis(500));
   // A stop that came first, or a refusal: this line is not stored.
-  if (!written && was_kept_back(written.error())) draft_.slots_torn = before;
+  if (!written && was_kept_back(written.error())) console_.draft.slots_torn = before;
   co_return written;
 }
 
@@ -171,28 +173,29 @@ Task<Result<>> ArcusDriver::store_line(int line, std::string text, std::string t
 }
 
 void ArcusDriver::show_transfer(int done, int total) {
-  draft_.transfer.running = done < total;
-  draft_.transfer.done = done;
-  draft_.transfer.total = total;
+  console_.draft.transfer.running = done < total;
+  console_.draft.transfer.done = done;
+  console_.draft.transfer.total = total;
 }
 
 // The stored code is one text for all programs, and a new one replaces all of it. Sent as one of the further
 // programs it must be that one, and must not take others away.
 Task<Result<>> ArcusDriver::may_be_program(int program, const language::Program& code) {
-  if (program >= model().programs)
-    co_return fail(FaultKind::refused,
-                   fmt::format("There is no program {}: there are 0 to {}.", program, model().programs - 1),
-                   "Nothing was written.");
+  if (program >= console_.model().programs)
+    co_return fail(
+        FaultKind::refused,
+        fmt::format("There is no program {}: there are 0 to {}.", program, console_.model().programs - 1),
+        "Nothing was written.");
   if (!code.programs[ix(program)])
     co_return fail(FaultKind::refused,
                    fmt::format("This text is {}; begin it with PRG {}.",
                                code.programs[0] ? "program 0" : "another program", program),
                    "Nothing was written.");
   auto there = co_await read_lines();
-  draft_.transfer.running = false;
+  console_.draft.transfer.running = false;
   if (!there) co_return fail(there.error());
   note_stored(*there);
-  for (int n = 0; code_.known() && n < model().programs; ++n)
+  for (int n = 0; code_.known() && n < console_.model().programs; ++n)
     if (code_.known()->programs[ix(n)] && !code.programs[ix(n)])
       co_return fail(FaultKind::refused,
                      fmt::format("The controller holds program {} too, and a text replaces all programs.", n),
@@ -217,17 +220,18 @@ Task<Result<>> ArcusDriver::load(int program, std::string text) {
   const std::vector<std::string> lines = made.lines;
   code_.forget();
   auto written = co_await write_lines(lines);
-  draft_.transfer.running = false;
+  console_.draft.transfer.running = false;
   if (!written) co_return broken_off(std::move(written.error()));
-  draft_.slots_torn = 0;
+  console_.draft.slots_torn = 0;
   note_stored(lines);
-  draft_.slot_bytes_used[0] = static_cast<std::int16_t>(lines.size());
-  tell(Notice::Kind::info,
-       lines.size() == 1
-           ? fmt::format("1 of {} lines is stored and was compared. It stays when the power goes.",
-                         program_lines)
-           : fmt::format("{} of {} lines are stored and were compared. They stay when the power goes.",
-                         lines.size(), program_lines));
+  console_.draft.slot_bytes_used[0] = static_cast<std::int16_t>(lines.size());
+  console_.tell(
+      Notice::Kind::info,
+      lines.size() == 1
+          ? fmt::format("1 of {} lines is stored and was compared. It stays when the power goes.",
+                        program_lines)
+          : fmt::format("{} of {} lines are stored and were compared. They stay when the power goes.",
+                        lines.size(), program_lines));
   co_return Result<>();
 }
 
@@ -240,8 +244,8 @@ constexpr const char* mend_it = "Download it again before anything runs it.";
 
 /// By a stop, a lost link or a line that is not taken: what is stored then may run, and is no program.
 tl::unexpected<Fault> ArcusDriver::broken_off(Fault why) {
-  if (draft_.slots_torn == 0) return fail(std::move(why));
-  draft_.slot_bytes_used[0] = -1;
+  if (console_.draft.slots_torn == 0) return fail(std::move(why));
+  console_.draft.slot_bytes_used[0] = -1;
   why.done = torn;
   why.advice = mend_it;
   return fail(std::move(why));
@@ -249,7 +253,7 @@ tl::unexpected<Fault> ArcusDriver::broken_off(Fault why) {
 
 // The next console to open it does not know.
 std::string ArcusDriver::leaves_behind() const {
-  std::string left = draft_.slots_torn != 0 ? fmt::format("{} {}", torn, mend_it) : std::string();
+  std::string left = console_.draft.slots_torn != 0 ? fmt::format("{} {}", torn, mend_it) : std::string();
   const std::string borrowed = borrowed_.leaves_behind();
   return left.empty() || borrowed.empty() ? left + borrowed : left + ' ' + borrowed;
 }
@@ -284,7 +288,7 @@ Task<Result<>> ArcusDriver::clear_from(int line) {
     if (!cleared) co_return cleared;
     co_await stay_live();
   }
-  draft_.slot_bytes_used[0] = static_cast<std::int16_t>(line);
+  console_.draft.slot_bytes_used[0] = static_cast<std::int16_t>(line);
   co_return Result<>();
 }
 
@@ -305,21 +309,22 @@ Task<Result<std::vector<std::string>>> ArcusDriver::read_lines() {
 
 // As number 0 the whole text goes to the console, as a further one that program alone.
 Task<Result<>> ArcusDriver::upload(int program) {
-  if (program >= model().programs)
+  if (program >= console_.model().programs)
     co_return fail(FaultKind::refused, fmt::format("There is no program {}.", program), "Nothing was sent.");
   auto lines = co_await read_lines();
-  draft_.transfer.running = false;
+  console_.draft.transfer.running = false;
   if (!lines) co_return fail(lines.error());
   note_stored(*lines);
-  draft_.slot_bytes_used[0] = static_cast<std::int16_t>(lines->size());
+  console_.draft.slot_bytes_used[0] = static_cast<std::int16_t>(lines->size());
   const language::Decompiled source = language::decompile(*lines, dialect_);
   const bool whole = program <= 0;
-  Notice notice(Notice::Kind::program, scheduler_.now(),
+  Notice notice(Notice::Kind::program, console_.scheduler.now(),
                 whole ? source.text : language::program_alone(*lines, dialect_, program));
   notice.slot = whole ? 0 : program;
   notice.whole = source.bad_lines.empty();
-  notify_(std::move(notice));
-  if (!source.bad_lines.empty()) tell(Notice::Kind::warning, foreign_lines(source.bad_lines, *lines));
+  console_.notify(std::move(notice));
+  if (!source.bad_lines.empty())
+    console_.tell(Notice::Kind::warning, foreign_lines(source.bad_lines, *lines));
   co_return Result<>();
 }
 

@@ -14,7 +14,7 @@ namespace hw::arcus {
 // rest at zero.
 Pps ArcusDriver::fastest_way_to_zero(int index) const {
   constexpr Pps at_once{std::numeric_limits<double>::infinity()};
-  const AxisState& axis = draft_.axes[index];
+  const AxisState& axis = console_.draft.axes[index];
   const AxisMind& mind = minds_[ix(index)];
   if (!moving(index)) return Pps{};
   if (!mind.ours || mind.wanted == Activity::homing) return at_once;
@@ -29,12 +29,11 @@ Pps ArcusDriver::fastest_way_to_zero(int index) const {
 RestartWatch::Ways ArcusDriver::ways_of_watch() {
   return {
       [this](int axis) {
-        const Steps room = draft_.axes[axis].in_counts ? Steps(loop_tolerance(axis)) : Steps(0);
-        const bool to_encoder = minds_[ix(axis)].stopping && draft_.axes[axis].in_counts;
+        const Steps room = console_.draft.axes[axis].in_counts ? Steps(loop_tolerance(axis)) : Steps(0);
+        const bool to_encoder = minds_[ix(axis)].stopping && console_.draft.axes[axis].in_counts;
         return RestartWatch::AxisNow{runs(axis), moving(axis), to_encoder, fastest_way_to_zero(axis), room};
       },
-      [this](std::string_view how_it_shows, unsigned moved) { restarted(how_it_shows, moved); },
-      [this] { may_have_restarted(); }};
+      [this](std::string_view how_it_shows, unsigned moved) { restarted(how_it_shows, moved); }};
 }
 
 // Whatever is sent or heard goes through here before it is.
@@ -58,12 +57,12 @@ Task<Result<>> ArcusDriver::look_back_over_the_loss() {
 // moves does not stand at zero. What was asked for meant the controller as it was before.
 Task<Result<>> ArcusDriver::look_after_silence() {
   if (!watch_.was_silent() && !watch_.in_doubt()) co_return Result<>();
-  const std::uint32_t restarts = draft_.restarts;
+  const std::uint32_t restarts = console_.draft.restarts;
   const RestartWatch::Look look = watch_.begin_look();
   auto seen = co_await read_motion(Priority::intent);
   if (seen && watch_.in_doubt()) seen = co_await read_io(Priority::intent);
   if (seen && watch_.in_doubt()) seen = co_await watch_.look_at_motors(look);
-  if (seen && draft_.restarts == restarts) co_return seen;
+  if (seen && console_.draft.restarts == restarts) co_return seen;
   if (!seen && worth_another_try(seen.error())) {
     seen.error().kind = FaultKind::refused;
     seen.error().done = "Nothing was sent.";
@@ -74,47 +73,39 @@ Task<Result<>> ArcusDriver::look_after_silence() {
 }
 
 void ArcusDriver::restarted(std::string_view how_it_shows, unsigned moved) {
-  ++draft_.restarts;
+  ++console_.draft.restarts;
   setup_.restarted();
-  for (ThreadState& t : draft_.threads) t = ThreadState();
-  draft_.variables_known.reset();
-  draft_.readouts_known.reset();
+  for (ThreadState& t : console_.draft.threads) t = ThreadState();
+  console_.draft.variables_known.reset();
+  console_.draft.readouts_known.reset();
   borrowed_.forget();
   code_.restarted();
-  if (code_.program_may_run()) draft_.program.ended_by = EndedBy::lost;
+  if (code_.program_may_run()) console_.draft.program.ended_by = EndedBy::lost;
   list_.end();
   watch_.forget();
-  for (int i = 0; i < axis_count(); ++i) {
-    if ((moved >> i & 1u) != 0) draft_.axes[i].ended_by = EndedBy::lost;
+  for (int i = 0; i < console_.axes(); ++i) {
+    if ((moved >> i & 1u) != 0) console_.draft.axes[i].ended_by = EndedBy::lost;
     minds_[static_cast<std::size_t>(i)] = AxisMind();
-    draft_.axes[i].has_target = false;
-    draft_.axes[i].trust.doubt(Doubt::power_cut, scheduler_.now());
+    console_.draft.axes[i].has_target = false;
+    console_.draft.axes[i].trust.doubt(Doubt::power_cut, console_.scheduler.now());
   }
-  tell(Notice::Kind::warning,
-       fmt::format(
-           "{}: the controller was switched off and on, or another program did it. What was not stored is "
-           "gone; it is read afresh. Find home before the next absolute move.",
-           how_it_shows));
-}
-
-void ArcusDriver::may_have_restarted() {
-  for (int i = 0; i < axis_count(); ++i)
-    if (draft_.axes[i].position == Steps(0)) draft_.axes[i].trust.doubt(Doubt::unheard, scheduler_.now());
-  tell(Notice::Kind::warning,
-       "Answers were missing, and then all positions read zero: what was sent has done that, or the "
-       "controller was switched off and on. Look where the axes stand, and find home before the next "
-       "absolute move.");
+  console_.tell(
+      Notice::Kind::warning,
+      fmt::format(
+          "{}: the controller was switched off and on, or another program did it. What was not stored is "
+          "gone; it is read afresh. Find home before the next absolute move.",
+          how_it_shows));
 }
 
 void ArcusDriver::wire_lost() {
   if (!talk_.is_open()) return;
   talk_.wire_lost();
-  lost_at_ = scheduler_.now();
+  lost_at_ = console_.scheduler.now();
   borrowed_.leave_alone();
   list_.end();
-  draft_.transfer = TransferState();
-  for (int i = 0; i < axis_count(); ++i) {
-    AxisState& axis = draft_.axes[i];
+  console_.draft.transfer = TransferState();
+  for (int i = 0; i < console_.axes(); ++i) {
+    AxisState& axis = console_.draft.axes[i];
     if (moving(i)) axis.ended_by = EndedBy::lost;
     minds_[static_cast<std::size_t>(i)].stopping = false;
     axis.activity = Activity::unknown;
@@ -124,10 +115,10 @@ void ArcusDriver::wire_lost() {
     axis.direction = 0;
     axis.speed = axis.own_speed = Pps{};
   }
-  for (ThreadState& t : draft_.threads) t.known = false;  // those that ran are stopped first
-  draft_.inputs_known = draft_.outputs_known = draft_.analog_known = 0;
-  draft_.readouts_known.reset();
-  draft_.variables_known.reset();
+  for (ThreadState& t : console_.draft.threads) t.known = false;  // those that ran are stopped first
+  console_.draft.inputs_known = console_.draft.outputs_known = console_.draft.analog_known = 0;
+  console_.draft.readouts_known.reset();
+  console_.draft.variables_known.reset();
 }
 
 }  // namespace hw::arcus

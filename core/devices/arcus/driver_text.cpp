@@ -57,7 +57,7 @@ Task<Result<std::string>> ArcusDriver::stop_by_words(const StopOrder& order) {
   auto stopped = co_await say_text(text, Priority::stop, patience);
   if (stopped && stopped->starts_with('?'))  // it has heard something else
     co_return fail(FaultKind::controller, fmt::format("The controller answered {} to {}.", *stopped, text));
-  const bool its_own = address_of(text) < 0 || address_of(text) == catalog_.address;
+  const bool its_own = address_of(text) < 0 || address_of(text) == console_.catalog.address;
   if (stopped && its_own && ends_motion(command_in(text)) &&
       *stopped != "OK")  // the answer to what was before
     co_return fail(FaultKind::garbled, fmt::format("The controller answered {} to {}.", *stopped, text),
@@ -70,14 +70,14 @@ Task<Result<std::string>> ArcusDriver::stop_by_words(const StopOrder& order) {
 Task<Result<std::string>> ArcusDriver::say_text(std::string text, Priority priority, Duration patience) {
   const std::string command = command_in(text);
   const int to = address_of(text);
-  if (model().broadcast >= 0 && to == model().broadcast) {
+  if (console_.model().broadcast >= 0 && to == console_.model().broadcast) {
     auto sent = co_await talk_.broadcast(std::string(text_of(text)), priority);
     if (!sent) co_return fail(sent.error());
     note_sent(command);
     note_done(command);
     co_return std::string();
   }
-  const bool anothers = to >= 0 && to != catalog_.address;
+  const bool anothers = to >= 0 && to != console_.catalog.address;
   auto reply = co_await talk_.exchange(text, priority, patience);
   if (!reply && anothers && reply.error().kind == FaultKind::no_answer)
     co_return fail(FaultKind::no_answer,
@@ -93,20 +93,21 @@ Task<Result<std::string>> ArcusDriver::say_text(std::string text, Priority prior
 }
 
 TextMeaning ArcusDriver::meaning_of(const intent::SendText& text) const {
-  return arcus::meaning_of(forms_, text, Addressing{catalog_.address, setup_.param("AR") == 1});
+  return arcus::meaning_of(console_.forms, text,
+                           Addressing{console_.catalog.address, setup_.param("AR") == 1});
 }
 
 // To all, unless it says itself to whom: then that one answers, or it is the address of all.
 Task<Result<>> ArcusDriver::send_text(const intent::SendText& wish) {
   std::string text = wish.text;
   if (wish.broadcast && address_of(text) < 0) {
-    if (model().broadcast < 0 || talk_.framing() == Framing::message)
+    if (console_.model().broadcast < 0 || talk_.framing() == Framing::message)
       co_return co_await talk_.broadcast(std::move(text), Priority::intent);  // which says why not
-    text.insert(0, fmt::format("@{:02}", model().broadcast));
+    text.insert(0, fmt::format("@{:02}", console_.model().broadcast));
   }
   auto reply = co_await query(std::move(text), typed_patience);
   if (!reply) co_return fail(reply.error());
-  if (!reply->empty()) texts_.add(std::move(*reply));
+  if (!reply->empty()) console_.texts.add(std::move(*reply));
   co_return Result<>();
 }
 
@@ -132,30 +133,30 @@ void ArcusDriver::note_sent(std::string_view as_typed) {
   const auto equals = text.find('=');
   const std::string_view name = text.substr(0, equals);
   if (equals != text.npos) {
-    const int index = catalog_.find_param(name);
+    const int index = console_.catalog.find_param(name);
     if (index >= 0) setup_.changed(index);
     if (name.starts_with('V'))
       if (const auto n = decode_number(name.substr(1)); n && *n >= 0 && *n < variables)
-        draft_.variables_known.reset(static_cast<std::size_t>(*n));
+        console_.draft.variables_known.reset(static_cast<std::size_t>(*n));
   }
   io_due_ = io_due_ || may_switch_motor(text);
   forget_thread(text);
   code_.goes_out(text);
   if (text.starts_with("SA") && equals != text.npos) code_.forget();
-  if (const int axis = axis_named_in(forms_, text); axis >= 0 && takes_target_away(text))
-    draft_.axes[axis].has_target = false;
+  if (const int axis = axis_named_in(console_.forms, text); axis >= 0 && takes_target_away(text))
+    console_.draft.axes[axis].has_target = false;
   if (ends_motion(text)) note_stop(text);
-  if (!arcus::may_move(forms_, text)) return;
+  if (!arcus::may_move(console_.forms, text)) return;
   watch_
       .counters_may_be_set();  // homing sets them; a short move to zero ends before anybody has seen it move
-  changed_();
+  console_.changed();
 }
 
 // The user's own stop: what it has ended did not end by itself.
 void ArcusDriver::note_stop(std::string_view text) {
   list_.end();
-  const int only = axis_count() > 1 ? axis_named_in(forms_, text) : -1;
-  for (int i = 0; i < axis_count(); ++i)
+  const int only = console_.axes() > 1 ? axis_named_in(console_.forms, text) : -1;
+  for (int i = 0; i < console_.axes(); ++i)
     if ((only < 0 || i == only) && moving(i)) ended_by_us(i, how_it_ends(text));
 }
 

@@ -32,24 +32,26 @@ Task<Result<>> ArcusDriver::read_at_rest() {
 
 Task<Result<>> ArcusDriver::read_threads(bool all, Priority priority) {
   bool one_idle_read = false;
-  for (int n = 0; n < model().programs; ++n) {
-    const int thread = (next_thread_ + n) % model().programs;
-    const ThreadState& known = draft_.threads[ix(thread)];
+  for (int n = 0; n < console_.model().programs; ++n) {
+    const int thread = (next_thread_ + n) % console_.model().programs;
+    const ThreadState& known = console_.draft.threads[ix(thread)];
     const bool quiet = known.known && known.run != RunState::running;
     if (quiet && one_idle_read && !all) continue;
     one_idle_read = one_idle_read || quiet;
     auto read = co_await read_thread(thread, priority);
     if (!read) co_return read;
   }
-  next_thread_ = (next_thread_ + 1) % model().programs;
-  draft_.program.run = RunState::idle;
-  draft_.program.owned = false;
-  draft_.program.slot = 0;
-  for (int n = model().programs - 1; n >= 0; --n) {
-    const RunState run = draft_.threads[ix(n)].run;
-    if (run == RunState::running || (run == RunState::held && draft_.program.run != RunState::running))
-      draft_.program.run = run;
-    draft_.program.owned = draft_.program.owned || run == RunState::running || run == RunState::held;
+  next_thread_ = (next_thread_ + 1) % console_.model().programs;
+  console_.draft.program.run = RunState::idle;
+  console_.draft.program.owned = false;
+  console_.draft.program.slot = 0;
+  for (int n = console_.model().programs - 1; n >= 0; --n) {
+    const RunState run = console_.draft.threads[ix(n)].run;
+    if (run == RunState::running ||
+        (run == RunState::held && console_.draft.program.run != RunState::running))
+      console_.draft.program.run = run;
+    console_.draft.program.owned =
+        console_.draft.program.owned || run == RunState::running || run == RunState::held;
   }
   co_return Result<>();
 }
@@ -63,11 +65,11 @@ Task<Result<>> ArcusDriver::read_thread(int thread, Priority priority) {
     auto looked = co_await watch_.look_at_start(thread, priority);
     if (!looked) co_return looked;
   }
-  ThreadState& known = draft_.threads[ix(thread)];
+  ThreadState& known = console_.draft.threads[ix(thread)];
   known.run = run;
   known.known = true;
   if (known.run == RunState::running) {
-    draft_.program.ended_by = EndedBy::nothing;
+    console_.draft.program.ended_by = EndedBy::nothing;
     program_runs();
   }
   if (known.run == RunState::idle) {
@@ -76,12 +78,12 @@ Task<Result<>> ArcusDriver::read_thread(int thread, Priority priority) {
   }
   auto line = co_await talk_.ask_number(fmt::format("SPC{}", thread), priority);
   if (!line) co_return fail(line.error());
-  draft_.threads[ix(thread)].line = static_cast<std::int16_t>(*line);
+  console_.draft.threads[ix(thread)].line = static_cast<std::int16_t>(*line);
   co_return Result<>();
 }
 
 Task<Result<>> ArcusDriver::set_variable(const intent::SetVariable& wish) {
-  const VariableFacts& facts = catalog_.variables;
+  const VariableFacts& facts = console_.catalog.variables;
   if (wish.number < 0 || wish.number >= facts.count || wish.value < facts.minimum ||
       wish.value > facts.maximum)
     co_return fail(FaultKind::refused,
