@@ -29,8 +29,15 @@ ArcusDriver::ArcusDriver(DriverContext context, const Forms& forms, const langua
       borrowed_(talk_, [this](std::string_view name) { setup_.was_borrowed(name); }),
       setup_(console_, talk_, code_, borrowed_, ways_of_set_up()),
       list_(console_, talk_),
-      readouts_(console_, talk_, [this](int axis, std::int64_t state) { loop_is(axis, state); }),
-      watch_(console_, talk_, code_, setup_, ways_of_watch()) {
+      readouts_(console_, talk_, [this](int axis, std::int64_t state) { motions_.loop_is(axis, state); }),
+      watch_(console_, talk_, code_, setup_, ways_of_watch()),
+      motions_(console_, setup_),
+      status_(console_, talk_, code_, list_, readouts_, watch_, motions_),
+      threads_(console_, talk_, code_, setup_, watch_),
+      lines_(console_, talk_, setup_),
+      moves_(console_, talk_, setup_, borrowed_, readouts_, watch_, motions_, status_),
+      feed_(console_, list_, motions_, status_),
+      actions_(console_, talk_, setup_, borrowed_, list_, readouts_, motions_, status_, moves_) {
   talk_.goes_out = [this](std::string_view command) { goes_out(command); };
   talk_.not_done = [this](std::string_view command) { not_done(command); };
   console_.draft.axis_count = console_.axes();
@@ -38,15 +45,8 @@ ArcusDriver::ArcusDriver(DriverContext context, const Forms& forms, const langua
   for (int i = 0; i < console_.axes(); ++i) console_.draft.axes[i].enabled = false;
 }
 
-void ArcusDriver::loop_is(int axis, std::int64_t state) {
-  minds_[ix(axis)].loop_state = static_cast<int>(state);
-  console_.draft.axes[axis].in_counts = state != static_cast<std::int64_t>(LoopState::off);
-}
-
 SetUp::Ways ArcusDriver::ways_of_set_up() {
-  return {[this] {
-            for (AxisMind& mind : minds_) mind.loop_state = -1;
-          },
+  return {[this] { motions_.loops_are_unknown(); },
           [this](std::string how_it_shows) { restarted(how_it_shows, 0); }};
 }
 
@@ -188,18 +188,18 @@ Task<Result<>> ArcusDriver::read_name() {
 // is not known any more, whether or not it is confirmed.
 void ArcusDriver::goes_out(std::string_view command) {
   may_set(command);
-  forget_thread(command);
+  threads_.are_told(command);
   code_.goes_out(command);
 }
 
 void ArcusDriver::not_done(std::string_view command) { code_.was_refused(command); }
 
 Task<Result<>> ArcusDriver::read_state() {
-  auto motion = co_await read_whole_motion(Priority::intent);
+  auto motion = co_await status_.read_whole(Priority::intent);
   if (!motion) co_return motion;
-  auto io = co_await read_io(Priority::intent);
+  auto io = co_await lines_.read(Priority::intent);
   if (!io) co_return io;
-  co_return co_await read_threads(true, Priority::intent);
+  co_return co_await threads_.read(true, Priority::intent);
 }
 
 // ---- why not

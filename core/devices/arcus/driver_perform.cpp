@@ -13,18 +13,19 @@ Task<Result<>> ArcusDriver::perform(const IntentBody& body) {
   if (!talk_.is_open()) co_return talk_.no_connection();
   if (auto looked = co_await look_after_silence(); !looked) co_return looked;
   if (auto returned = co_await borrowed_.give_back_first(); !returned) co_return returned;
-  if (const auto* i = std::get_if<MoveTo>(&body)) co_return co_await move(i->targets, i->speed, false);
-  if (const auto* i = std::get_if<MoveBy>(&body)) co_return co_await move(i->distances, i->speed, true);
-  if (const auto* i = std::get_if<JogStart>(&body)) co_return co_await jog(*i);
-  if (const auto* i = std::get_if<Home>(&body)) co_return co_await home(*i);
-  if (const auto* i = std::get_if<SetPosition>(&body)) co_return co_await set_position(*i);
-  if (const auto* i = std::get_if<SetEncoder>(&body)) co_return co_await set_encoder(*i);
-  if (const auto* i = std::get_if<SetPower>(&body)) co_return co_await set_power(*i);
-  if (const auto* i = std::get_if<SetOutput>(&body)) co_return co_await set_output(*i);
+  if (const auto* i = std::get_if<MoveTo>(&body)) co_return co_await moves_.move(i->targets, i->speed, false);
+  if (const auto* i = std::get_if<MoveBy>(&body))
+    co_return co_await moves_.move(i->distances, i->speed, true);
+  if (const auto* i = std::get_if<JogStart>(&body)) co_return co_await moves_.jog(*i);
+  if (const auto* i = std::get_if<Home>(&body)) co_return co_await moves_.home(*i);
+  if (const auto* i = std::get_if<SetPosition>(&body)) co_return co_await moves_.set_position(*i);
+  if (const auto* i = std::get_if<SetEncoder>(&body)) co_return co_await moves_.set_encoder(*i);
+  if (const auto* i = std::get_if<SetPower>(&body)) co_return co_await lines_.set_power(*i);
+  if (const auto* i = std::get_if<SetOutput>(&body)) co_return co_await lines_.set_output(*i);
   if (const auto* i = std::get_if<SetParam>(&body)) co_return co_await set_param(*i);
-  if (const auto* i = std::get_if<Act>(&body)) co_return co_await act(*i);
+  if (const auto* i = std::get_if<Act>(&body)) co_return co_await actions_.act(*i);
   if (const auto* i = std::get_if<SetVariable>(&body)) co_return co_await set_variable(*i);
-  if (const auto* i = std::get_if<FeedMoves>(&body)) co_return co_await start_feed(*i);
+  if (const auto* i = std::get_if<FeedMoves>(&body)) co_return co_await feed_.start(*i);
   if (const auto* i = std::get_if<SendText>(&body)) co_return co_await send_text(*i);
   if (const auto* i = std::get_if<Watch>(&body)) {
     readouts_.watch(i->groups);
@@ -47,13 +48,7 @@ Task<Result<>> ArcusDriver::set_param(intent::SetParam wish) {
   auto exactly = co_await setup_.set(std::move(wish));
   if (!exactly) co_return fail(exactly.error());
   if (!*exactly) co_return Result<>();
-  co_return co_await read_loop(Priority::intent);
-}
-
-// Whether it still runs shows in the next second.
-void ArcusDriver::program_runs(Duration at_most) {
-  setup_.code_may_set();
-  code_.program_runs(at_most);
+  co_return co_await status_.read_loops(Priority::intent);
 }
 
 Task<Result<>> ArcusDriver::read_params(std::string only) {
@@ -77,7 +72,7 @@ Task<Result<>> ArcusDriver::read_params(std::string only) {
 Task<Result<>> ArcusDriver::read_again() {
   setup_.forget_all();
   console_.draft.variables_known.reset();
-  for (AxisMind& mind : minds_) mind.loop_state = -1;
+  motions_.loops_are_unknown();
   co_return co_await read_state();
 }
 

@@ -32,9 +32,9 @@ Task<Result<>> ArcusDriver::perform_program(IntentBody body) {
   if (const auto* i = std::get_if<LoadProgram>(&body)) co_return co_await load(i->slot, i->text);
   if (const auto* i = std::get_if<UploadProgram>(&body)) co_return co_await upload(i->slot);
   if (std::holds_alternative<ClearProgram>(body)) {
-    auto read = co_await read_threads(true, Priority::intent);
+    auto read = co_await threads_.read(true, Priority::intent);
     if (!read) co_return read;
-    if (auto may = no_thread_runs(); !may) co_return may;
+    if (auto may = threads_.none_runs(); !may) co_return may;
     auto cleared = co_await clear_from(0);
     console_.draft.transfer.running = false;
     if (!cleared) co_return broken_off(std::move(cleared.error()));
@@ -61,11 +61,11 @@ Task<Result<>> ArcusDriver::control(int thread, int what) {
   if (what == thread_run) console_.draft.program.ended_by = EndedBy::nothing;
   auto done = co_await talk_.command(text, Priority::intent);
   if (!done) {
-    Fault fault = co_await after_doubt(std::move(done.error()), text);
+    Fault fault = co_await status_.after_doubt(std::move(done.error()), text);
     co_return fail(std::move(fault));
   }
   if (what == thread_run) console_.draft.program.started_at = console_.scheduler.now();
-  auto read = co_await read_threads(false, Priority::intent);
+  auto read = co_await threads_.read(false, Priority::intent);
   if (!read) co_return read;
   const RunState now = console_.draft.threads[ix(thread)].run;
   if (what == thread_run && now == RunState::error)
@@ -74,14 +74,6 @@ Task<Result<>> ArcusDriver::control(int thread, int what) {
                                console_.draft.threads[ix(thread)].line),
                    {}, "Look at the program, and whether an axis has an error.");
   co_return Result<>();
-}
-
-/// What is told to a thread (SR0=1) may change what it does.
-void ArcusDriver::forget_thread(std::string_view text) {
-  const auto n = thread_named_in(text);
-  if (!n || *n < 0 || *n >= console_.model().programs) return;
-  console_.draft.threads[ix(*n)].known = false;
-  if (!ends_program(text)) console_.draft.threads[ix(*n)].run = RunState::running;  // a stop ends it first
 }
 
 // SR is answered with OK whether the program is there or not (decision AMB-115). One that runs is; one that
@@ -110,7 +102,7 @@ void ArcusDriver::note_stored(const std::vector<std::string>& lines) {
 // All that run, or all that are held; or the one, if it does.
 Task<Result<>> ArcusDriver::control_all(int thread, int what) {
   if (thread >= console_.model().programs) co_return co_await control(thread, what);  // which refuses
-  auto read = co_await read_threads(true, Priority::intent);
+  auto read = co_await threads_.read(true, Priority::intent);
   if (!read) co_return read;
   const bool pauses = what == thread_pause;
   bool any = false;
@@ -125,17 +117,6 @@ Task<Result<>> ArcusDriver::control_all(int thread, int what) {
   const std::string which = thread < 0 ? "No program" : fmt::format("Program {}", thread);
   const char* not_so = thread < 0 ? (pauses ? "runs" : "is held") : (pauses ? "does not run" : "is not held");
   co_return fail(FaultKind::refused, fmt::format("{} {}.", which, not_so), "Nothing was sent.");
-}
-
-Result<> ArcusDriver::no_thread_runs() const {
-  for (int n = 0; n < console_.model().programs; ++n) {
-    const RunState run = console_.draft.threads[ix(n)].run;
-    if (run == RunState::running || run == RunState::held)
-      return fail(FaultKind::refused,
-                  fmt::format("Program {} runs, and all programs share the stored code.", n),
-                  "Nothing was written.", "Stop it first.");
-  }
-  return {};
 }
 
 // ---- stored lines
@@ -204,9 +185,9 @@ Task<Result<>> ArcusDriver::may_be_program(int program, const language::Program&
 }
 
 Task<Result<>> ArcusDriver::load(int program, std::string text) {
-  auto read = co_await read_threads(true, Priority::intent);  // others may have started one
+  auto read = co_await threads_.read(true, Priority::intent);  // others may have started one
   if (!read) co_return read;
-  if (auto may = no_thread_runs(); !may) co_return may;
+  if (auto may = threads_.none_runs(); !may) co_return may;
   const language::Compilation made = language::compile(text, dialect_);
   for (const Problem& p : made.problems)
     if (p.error)

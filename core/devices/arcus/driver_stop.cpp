@@ -66,7 +66,7 @@ Task<Result<>> ArcusDriver::stop_axes(int axis, bool at_once, bool motion_only, 
   const bool all = axis < 0 || console_.axes() == 1;
   const std::string word =
       all ? std::string(form.substr(0, form.find('a'))) : fill(console_.forms, form, axis);
-  stopping(all ? -1 : axis, at_once);
+  motions_.stopping(all ? -1 : axis, at_once);
   if (motion_only) co_return co_await talk_.command(word, Priority::stop, patience);
   if (all) co_return co_await stop_all(word, patience);
   auto said = co_await talk_.command(word, Priority::stop, patience);
@@ -106,18 +106,6 @@ Task<Result<>> ArcusDriver::stop_all(std::string word, Duration patience) {
   auto released = co_await release_joystick(-1, word);
   note(std::move(released));
   co_return all;
-}
-
-bool ArcusDriver::program_runs_on() const {
-  for (int n = 0; n < console_.model().programs; ++n)
-    if (may_run(n)) return true;
-  return false;
-}
-
-/// As far as is known.
-bool ArcusDriver::may_run(int thread) const {
-  const ThreadState& state = console_.draft.threads[ix(thread)];
-  return state.known && state.run != RunState::idle && state.run != RunState::error;
 }
 
 Task<Result<>> ArcusDriver::halt_thread(int thread, Duration patience) {
@@ -175,23 +163,23 @@ StopProgress ArcusDriver::stop_progress(const StopOrder& order) {
   }
   if (order.what == StopOrder::What::program) return StopProgress::stands();
   bool turns = false;
-  for (int i = 0; i < console_.axes(); ++i) turns = turns || ((all || i == order.axis) && runs(i));
+  for (int i = 0; i < console_.axes(); ++i) turns = turns || ((all || i == order.axis) && motions_.runs(i));
   if (order.what == StopOrder::What::everything && all && code_.subroutine_may_run()) {
     StopProgress progress = code_.outlast(order, turns);
     using Now = StopProgress::Now;
-    if (progress.now == Now::stands || progress.now == Now::failed) stands(-1);
+    if (progress.now == Now::stands || progress.now == Now::failed) motions_.stands(-1);
     return progress;
   }
-  if (turns && !all && program_runs_on() &&
+  if (turns && !all && threads_.any_may_run() &&
       console_.scheduler.now() - order.sent_at > next_move_of_a_program) {
     console_.tell(Notice::Kind::warning, fmt::format("A program moves {} again. Stop all axes to end it too.",
                                                      console_.axis_name(order.axis)));
-    stands(order.axis);
+    motions_.stands(order.axis);
     return StopProgress::stands();
   }
   const bool given_up = turns && console_.scheduler.now() - order.sent_at > longest_stop;
   if (turns && !given_up) return StopProgress::wait();
-  stands(all ? -1 : order.axis);
+  motions_.stands(all ? -1 : order.axis);
   if (!turns) return StopProgress::stands();
   return StopProgress::failed(Fault(FaultKind::controller, "The controller was told to stop and still moves.",
                                     "The stop was sent.",
@@ -211,47 +199,6 @@ StopProgress ArcusDriver::programs_end(const StopOrder& order) const {
                                       "Stop again, or switch the power off."));
   }
   return StopProgress::stands();
-}
-
-void ArcusDriver::stopping(int axis, bool at_once) {
-  for (int i = 0; i < console_.axes(); ++i) {
-    if ((axis >= 0 && i != axis) || !moving(i)) continue;
-    ended_by_us(i, at_once ? EndedBy::abort : EndedBy::stop);
-    console_.draft.axes[i].activity = Activity::stopping;
-    minds_[ix(i)].stopping = true;
-  }
-}
-
-// Axes that move together end together.
-void ArcusDriver::ended_by_us(int axis, EndedBy why) {
-  for (int i = 0; i < console_.axes(); ++i) {
-    if (!moving(i) || (i != axis && (minds_[ix(axis)].with >> i & 1u) == 0)) continue;
-    minds_[ix(i)].ended_by = why;
-    if (why == EndedBy::abort) doubt_killed_position(i);
-  }
-}
-
-// Its pulses end with ABORT, not its mass: a step motor stays in step only up to the speed at which it starts
-// without a ramp too. With StepNLoop the encoder counts what it did.
-void ArcusDriver::doubt_killed_position(int index) {
-  AxisState& axis = console_.draft.axes[index];
-  const std::int64_t safe = setup_.start_speed(index);
-  if (axis.in_counts || axis.trust.doubtful() || axis.speed.value <= static_cast<double>(safe)) return;
-  axis.trust.doubt(Doubt::killed, console_.scheduler.now());
-  console_.tell(
-      Notice::Kind::warning,
-      fmt::format("Axis {} was stopped without a ramp at {:.0f} pulses/s. Above its low speed, {}, it may "
-                  "have lost steps: its position is doubtful until it is homed or set.",
-                  console_.axis_name(index), axis.speed.value, safe));
-}
-
-// What was being stopped is shown as it is again.
-void ArcusDriver::stands(int axis) {
-  for (int i = 0; i < console_.axes(); ++i) {
-    if (axis >= 0 && i != axis) continue;
-    minds_[ix(i)].stopping = false;
-    show_axis(i, console_.scheduler.now());
-  }
 }
 
 }  // namespace hw::arcus

@@ -139,8 +139,8 @@ void ArcusDriver::note_sent(std::string_view as_typed) {
       if (const auto n = decode_number(name.substr(1)); n && *n >= 0 && *n < variables)
         console_.draft.variables_known.reset(static_cast<std::size_t>(*n));
   }
-  io_due_ = io_due_ || may_switch_motor(text);
-  forget_thread(text);
+  if (may_switch_motor(text)) lines_.look_soon();
+  threads_.are_told(text);
   code_.goes_out(text);
   if (text.starts_with("SA") && equals != text.npos) code_.forget();
   if (const int axis = axis_named_in(console_.forms, text); axis >= 0 && takes_target_away(text))
@@ -157,7 +157,7 @@ void ArcusDriver::note_stop(std::string_view text) {
   list_.end();
   const int only = console_.axes() > 1 ? axis_named_in(console_.forms, text) : -1;
   for (int i = 0; i < console_.axes(); ++i)
-    if ((only < 0 || i == only) && moving(i)) ended_by_us(i, how_it_ends(text));
+    if ((only < 0 || i == only) && console_.draft.axis_moves(i)) motions_.ended_by_us(i, how_it_ends(text));
 }
 
 }  // namespace hw::arcus

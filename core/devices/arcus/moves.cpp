@@ -1,70 +1,31 @@
-// Moves, jogs, homing, positions, power, outputs. The user's move mode (ABS, INC) is never changed: what is
-// wanted is put the way the present mode takes it.
+#include "core/devices/arcus/moves.h"
+
 #include <cmath>
 
 #include <fmt/core.h>
 
 #include "core/base/index.h"
-#include "core/devices/arcus/driver.h"
 
 namespace hw::arcus {
-void ArcusDriver::begun(int index, Activity activity, Instant when) {
-  AxisMind& mind = minds_[ix(index)];
-  mind.wanted = activity;
-  mind.ours = true;
-  mind.stopping = false;
-  mind.ended_by = EndedBy::nothing;
-  mind.begun_at = when;
-  mind.top_speed = {};
-  AxisState& axis = console_.draft.axes[index];
-  axis.activity = activity;
-  axis.ended_by = EndedBy::nothing;
-  console_.draft.program.ended_by = EndedBy::nothing;
-}
 
-// What may have gone wrong when no answer came to something that moves: the state is read, nothing is sent
-// again.
-Task<Fault> ArcusDriver::after_doubt(Fault why, std::string_view sent) {
-  Fault fault = std::move(why);
-  if (fault.kind != FaultKind::no_answer && fault.kind != FaultKind::garbled) co_return fault;
-  auto read = co_await read_motion(Priority::intent);
-  std::string where;
-  for (int i = 0; read && i < console_.axes(); ++i)
-    where += fmt::format("{}{} {} at {}", i ? ", " : "", console_.axis_name(i),
-                         says_moving(minds_[ix(i)].status) ? "moves" : "stands",
-                         console_.draft.axes[i].position.value);
-  fault.what = fmt::format("No clear answer came to {}.", sent);
-  fault.done = "It was sent once and is not repeated.";
-  fault.advice = read ? fmt::format("The state was read afresh: {}.", where)
-                      : "The state could not be read either. Look at the axis before you go on.";
-  co_return fault;
-}
-
-// One command that moves these axes.
-Task<Result<>> ArcusDriver::start(std::string text, std::vector<int> axes, Activity activity) {
+Task<Result<>> Moves::start(std::string text, std::vector<int> axes, Activity activity) {
   const std::string sent = text;
   auto done = co_await talk_.command(std::move(text), Priority::intent);
   if (!done) {
-    Fault fault = co_await after_doubt(std::move(done.error()), sent);
+    Fault fault = co_await status_.after_doubt(std::move(done.error()), sent);
     co_return fail(std::move(fault));
   }
-  unsigned together = 0;
-  for (const int axis : axes) together |= 1u << axis;
-  for (const int axis : axes) {
-    begun(axis, activity, console_.scheduler.now());
-    minds_[ix(axis)].with = together;
-  }
+  motions_.begun_together(axes, activity);
   co_return Result<>();
 }
 
-// The mode as it is now: a program or another terminal may have changed it since the last round.
-Task<Result<bool>> ArcusDriver::ask_incremental() {
+Task<Result<bool>> Moves::ask_incremental() {
   if (!console_.forms.mode.empty()) {
     auto mode = co_await talk_.ask_number(std::string(console_.forms.mode), Priority::intent);
     if (!mode) co_return fail(mode.error());
     readouts_.put("MM", *mode);
   } else {
-    auto read = co_await read_motion(Priority::intent);
+    auto read = co_await status_.read(Priority::intent);
     if (!read) co_return fail(read.error());
   }
   co_return readouts_.incremental();
@@ -72,7 +33,7 @@ Task<Result<bool>> ArcusDriver::ask_incremental() {
 
 // Where the axis stands, or its target with StepNLoop. A digit that was lost on the wire would become a wrong
 // move.
-Task<Result<std::int64_t>> ArcusDriver::ask_position(int axis) {
+Task<Result<std::int64_t>> Moves::ask_position(int axis) {
   std::string question = fill(console_.forms, console_.forms.position, axis);
   Conversation::Decode decode = decode_number;
   auto position = co_await talk_.ask_surely(std::move(question), std::move(decode),
@@ -85,7 +46,7 @@ Task<Result<std::int64_t>> ArcusDriver::ask_position(int axis) {
                  "Nothing was moved.", "Wait until it stands, or stop it.");
 }
 
-Task<Result<>> ArcusDriver::move(std::vector<AxisTarget> wish, Pps speed, bool relative) {
+Task<Result<>> Moves::move(std::vector<AxisTarget> wish, Pps speed, bool relative) {
   if (wish.empty()) co_return Result<>();
   auto incremental = co_await ask_incremental();
   if (!incremental) co_return fail(incremental.error());
@@ -115,10 +76,8 @@ Task<Result<>> ArcusDriver::move(std::vector<AxisTarget> wish, Pps speed, bool r
   if (!borrowed) co_return borrowed;
   auto started = co_await start(move_command(console_.forms, values), axes, Activity::moving);
   for (std::size_t i = 0; started && i < axes.size(); ++i) {
-    console_.draft.axes[axes[i]].has_target = true;
-    console_.draft.axes[axes[i]].target = Steps(goals[i]);
+    motions_.goes_to(axes[i], Steps(goals[i]), speed);
     watch_.was_sent_to(axes[i], Steps(goals[i]));
-    minds_[ix(axes[i])].top_speed = speed.value > 0 ? speed : console_.draft.axes[axes[i]].own_speed;
   }
   auto returned = co_await borrowed_.give_back();
   if (!started) co_return started;
@@ -127,7 +86,7 @@ Task<Result<>> ArcusDriver::move(std::vector<AxisTarget> wish, Pps speed, bool r
   co_return Result<>();
 }
 
-Task<Result<>> ArcusDriver::jog(intent::JogStart wish) {
+Task<Result<>> Moves::jog(intent::JogStart wish) {
   const int axis = wish.axis.index;
   if (auto may = console_.has_axis(axis); !may) co_return may;
   auto borrowed = co_await borrow_speed(wish.speed, axis);
@@ -153,7 +112,7 @@ Task<Result<>> ArcusDriver::jog(intent::JogStart wish) {
   co_return Result<>();
 }
 
-Task<Result<>> ArcusDriver::home(intent::Home wish) {
+Task<Result<>> Moves::home(intent::Home wish) {
   const int axis = wish.axis.index;
   if (auto may = console_.has_axis(axis); !may) co_return may;
   if (wish.mode < 0 || wish.mode >= static_cast<int>(console_.forms.homes.size()))
@@ -171,7 +130,7 @@ Task<Result<>> ArcusDriver::home(intent::Home wish) {
 // ---- the speed of one motion
 
 // The controller takes its speeds when a motion begins.
-Task<Result<>> ArcusDriver::borrow_speed(Pps speed, int axis) {
+Task<Result<>> Moves::borrow_speed(Pps speed, int axis) {
   const auto wanted = static_cast<std::int64_t>(std::llround(speed.value));
   if (wanted <= 0) co_return Result<>();
   if (wanted > max_speed)
@@ -193,33 +152,9 @@ Task<Result<>> ArcusDriver::borrow_speed(Pps speed, int axis) {
   co_return co_await borrowed_.borrow(std::move(name), wanted, shown);
 }
 
-// ---- a list of moves
+// ---- counters
 
-Task<Result<>> ArcusDriver::start_feed(intent::FeedMoves wish) {
-  if (auto may = list_.accepts(wish); !may) co_return may;
-  auto read = co_await read_motion(Priority::intent);
-  if (!read) co_return read;
-  if (!list_.buffer_is_on()) {
-    auto on = co_await list_.switch_buffer_on();
-    if (!on) co_return on;
-    auto again = co_await read_motion(Priority::intent);
-    if (!again) co_return again;
-  }
-  list_.begin(std::move(wish.rows));
-  co_return co_await feed();
-}
-
-Task<Result<>> ArcusDriver::feed() {
-  std::function<void()> moves = [this] {
-    for (int axis = 0; axis < 3 && axis < console_.axes(); ++axis)
-      begun(axis, Activity::moving, round_began_);
-  };
-  co_return co_await list_.feed(std::move(moves));
-}
-
-// ---- counters, power, outputs
-
-Task<Result<>> ArcusDriver::set_position(intent::SetPosition wish) {
+Task<Result<>> Moves::set_position(intent::SetPosition wish) {
   const int first = wish.axis < 0 ? 0 : wish.axis, last = wish.axis < 0 ? console_.axes() - 1 : wish.axis;
   for (int axis = first; axis <= last; ++axis) {
     if (auto may = console_.has_axis(axis); !may) co_return may;
@@ -236,10 +171,10 @@ Task<Result<>> ArcusDriver::set_position(intent::SetPosition wish) {
     console_.draft.axes[axis].trust.settle(Trust::set, console_.scheduler.now());
     console_.draft.axes[axis].has_target = false;  // it counts from elsewhere now
   }
-  co_return co_await read_motion(Priority::intent);
+  co_return co_await status_.read(Priority::intent);
 }
 
-Task<Result<>> ArcusDriver::set_encoder(intent::SetEncoder wish) {
+Task<Result<>> Moves::set_encoder(intent::SetEncoder wish) {
   const int first = wish.axis < 0 ? 0 : wish.axis, last = wish.axis < 0 ? console_.axes() - 1 : wish.axis;
   for (int axis = first; axis <= last; ++axis) {
     if (auto may = console_.has_axis(axis); !may) co_return may;
@@ -249,49 +184,7 @@ Task<Result<>> ArcusDriver::set_encoder(intent::SetEncoder wish) {
     watch_.encoder_was_set(axis, wish.value);
     console_.draft.axes[axis].has_target = false;
   }
-  co_return co_await read_motion(Priority::intent);
-}
-
-Task<Result<>> ArcusDriver::set_power(intent::SetPower wish) {
-  const int first = wish.axis < 0 ? 0 : wish.axis, last = wish.axis < 0 ? console_.axes() - 1 : wish.axis;
-  for (int axis = first; axis <= last; ++axis) {
-    if (auto may = console_.has_axis(axis); !may) co_return may;
-    auto set = co_await talk_.command(
-        set_command(fill(console_.forms, console_.forms.power, axis, Sign::plus, axis + 1), wish.on),
-        Priority::intent);
-    if (!set) co_return set;
-  }
-  co_return co_await read_io(Priority::intent);
-}
-
-Task<Result<>> ArcusDriver::set_output(intent::SetOutput wish) {
-  if (wish.number < 1 || wish.number > console_.model().outputs)
-    co_return fail(
-        FaultKind::refused,
-        fmt::format("There is no output {}: there are DO1 to DO{}.", wish.number, console_.model().outputs),
-        "Nothing was sent.");
-  auto set = co_await talk_.command(set_command(fmt::format("DO{}", wish.number), wish.on), Priority::intent);
-  if (!set) co_return set;
-  auto read = co_await read_io(Priority::intent);
-  if (!read) co_return read;
-  const bool shows = (console_.draft.outputs >> (wish.number - 1) & 1) != 0;
-  if (shows == wish.on) co_return Result<>();
-  co_return fail(
-      FaultKind::controller,
-      fmt::format("DO{} stays {}: {}.", wish.number, shows ? "on" : "off", who_has(wish.number)),
-      fmt::format("The controller has taken DO{}={} and remembers it.", wish.number, wish.on ? 1 : 0),
-      "It shows as soon as the output is free.");
-}
-
-// Decisions AMB-087, AMB-091.
-std::string ArcusDriver::who_has(int output) const {
-  constexpr int in_position_output = 1, alarm_output = 3;
-  const bool told_by_outputs =
-      setup_.setting(Setting::status_outputs).value_or(0) != 0 && console_.draft.axes[0].in_counts;
-  if (told_by_outputs && output == in_position_output)
-    return "it shows in-position while EDO=1 and StepNLoop is on";
-  if (told_by_outputs && output == alarm_output) return "it shows the alarm while EDO=1 and StepNLoop is on";
-  return "the controller itself uses it now, as a sync output or to show its state";
+  co_return co_await status_.read(Priority::intent);
 }
 
 }  // namespace hw::arcus

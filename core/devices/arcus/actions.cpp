@@ -1,9 +1,9 @@
-// The catalog's actions: what these controllers can be told beside the verbs of all controllers.
+#include "core/devices/arcus/actions.h"
+
 #include <fmt/core.h>
 
 #include "core/base/index.h"
 #include "core/device/action_check.h"
-#include "core/devices/arcus/driver.h"
 
 namespace hw::arcus {
 namespace {
@@ -18,7 +18,7 @@ std::int64_t field(const ActionInfo& info, const std::vector<std::int64_t>& valu
 
 }  // namespace
 
-Task<Result<>> ArcusDriver::act(intent::Act wish) {
+Task<Result<>> Actions::act(intent::Act wish) {
   if (auto possible = check_action(console_.catalog, wish); !possible) co_return possible;
   const ActionInfo& info = console_.catalog.actions[ix(wish.action)];
   const auto value = [&](std::string_view id) { return field(info, wish.values, id); };
@@ -47,7 +47,7 @@ Task<Result<>> ArcusDriver::act(intent::Act wish) {
   auto done = co_await talk_.command(text, Priority::intent);
   if (!done) {
     if (info.moves) {
-      Fault fault = co_await after_doubt(std::move(done.error()), text);
+      Fault fault = co_await status_.after_doubt(std::move(done.error()), text);
       co_return fail(std::move(fault));
     }
     co_return done;
@@ -59,21 +59,20 @@ Task<Result<>> ArcusDriver::act(intent::Act wish) {
 }
 
 // Positions stay as they are; the target of StepNLoop becomes the place where the axis stands.
-Task<Result<>> ArcusDriver::clear_errors(std::string_view form, int axis) {
+Task<Result<>> Actions::clear_errors(std::string_view form, int axis) {
   const bool all = axis < 0 || console_.axes() == 1;
   std::string text = all ? std::string(form.substr(0, form.find('a'))) : fill(console_.forms, form, axis);
   auto done = co_await talk_.command(std::move(text), Priority::intent);
   if (!done) co_return done;
   for (int i = 0; i < console_.axes(); ++i)
-    if ((all || i == axis) && minds_[ix(i)].loop_state != static_cast<int>(LoopState::off))
-      minds_[ix(i)].loop_state = -1;
-  auto read = co_await read_motion(Priority::intent);
+    if (all || i == axis) motions_.loop_is_unknown(i);
+  auto read = co_await status_.read(Priority::intent);
   if (!read) co_return read;
-  co_return co_await read_loop(Priority::intent);
+  co_return co_await status_.read_loops(Priority::intent);
 }
 
 // The ramp takes the acceleration time: one that is given is written for this change and put back.
-Task<Result<>> ArcusDriver::change_speed(int axis, std::int64_t speed, std::int64_t accel_ms) {
+Task<Result<>> Actions::change_speed(int axis, std::int64_t speed, std::int64_t accel_ms) {
   if (accel_ms > 0) {
     std::string name(console_.forms.accel);
     if (console_.forms.axis_speeds) {
@@ -95,22 +94,19 @@ Task<Result<>> ArcusDriver::change_speed(int axis, std::int64_t speed, std::int6
   co_return changed;
 }
 
-Task<Result<>> ArcusDriver::change_target(int axis, std::int64_t target) {
+Task<Result<>> Actions::change_target(int axis, std::int64_t target) {
   const std::string text = fill(console_.forms, console_.forms.change_target, axis, Sign::plus, target);
   auto done = co_await talk_.command(text, Priority::intent);
   if (!done) {
-    Fault fault = co_await after_doubt(std::move(done.error()), text);
+    Fault fault = co_await status_.after_doubt(std::move(done.error()), text);
     co_return fail(std::move(fault));
   }
-  console_.draft.axes[axis].target = Steps(target);
-  console_.draft.axes[axis].has_target = true;
-  minds_[ix(axis)].ours = true;
-  minds_[ix(axis)].wanted = Activity::moving;
+  motions_.goes_elsewhere(axis, Steps(target));
   co_return Result<>();
 }
 
-Task<Result<>> ArcusDriver::draw(const ActionInfo& info, std::vector<std::int64_t> values) {
-  auto incremental = co_await ask_incremental();
+Task<Result<>> Actions::draw(const ActionInfo& info, std::vector<std::int64_t> values) {
+  auto incremental = co_await moves_.ask_incremental();
   if (!incremental) co_return fail(incremental.error());
   if (*incremental)
     co_return fail(FaultKind::refused,
@@ -122,7 +118,7 @@ Task<Result<>> ArcusDriver::draw(const ActionInfo& info, std::vector<std::int64_
       fmt::format("{}{}{}:{}", info.id == "arc" ? "ARC" : "CIR", way, value("centre_x"), value("centre_y"));
   if (info.id == "arc") text += fmt::format(":{}:{}", value("end_angle"), value("sweep"));
   std::vector<int> axes{0, 1};
-  auto started = co_await start(std::move(text), std::move(axes), Activity::moving);
+  auto started = co_await moves_.start(std::move(text), std::move(axes), Activity::moving);
   if (!started && started.error().kind == FaultKind::refused && started.error().advice.empty())
     started.error().advice = fmt::format(
         "The radius must be from 1 to {} pulses, and StepNLoop of X and Y off, or on for both with one "
@@ -131,7 +127,7 @@ Task<Result<>> ArcusDriver::draw(const ActionInfo& info, std::vector<std::int64_
   co_return started;
 }
 
-Task<Result<>> ArcusDriver::joystick(int axis, bool on) {
+Task<Result<>> Actions::joystick(int axis, bool on) {
   auto mask = co_await talk_.ask_number("JE", Priority::intent);
   if (!mask) co_return fail(mask.error());
   const std::int64_t bit = std::int64_t{1} << axis;
