@@ -15,6 +15,9 @@
 //   moves.h              moves, jogs, homing, positions
 //   feed.h               a list of moves that runs
 //   actions.h            the catalog\'s actions
+//   live_status.h        status in the middle of a long procedure
+//   stored_lines.h       the lines of the stored code
+//   programs.h           load, read, run, pause
 // and here what is said and done with them, one subject per file:
 //   driver_connect.cpp   finding the device, saying why not
 //   driver_perform.cpp   what is asked of it
@@ -22,7 +25,6 @@
 //   driver_poll.cpp      the round of status
 //   driver_threads.cpp   what is read at rest; variables
 //   driver_stop.cpp      stops (decision AMB-128)
-//   driver_programs.cpp  load, read, run, pause, halt
 //   driver_text.cpp      the user's own text
 #include <array>
 #include <bitset>
@@ -35,11 +37,9 @@
 
 #include "core/devices/arcus/actions.h"
 #include "core/devices/arcus/feed.h"
-#include "core/devices/arcus/language/dialect.h"
-#include "core/devices/arcus/language/program.h"
 #include "core/devices/arcus/lines.h"
+#include "core/devices/arcus/programs.h"
 #include "core/devices/arcus/text_meaning.h"
-#include "core/devices/arcus/threads.h"
 
 namespace hw::arcus {
 
@@ -60,7 +60,7 @@ class ArcusDriver final : public Driver {
   [[nodiscard]] TextMeaning meaning_of(const intent::SendText& text) const override;
   void overhear(const std::string& text) override;
   [[nodiscard]] Duration moving_period() const override;
-  [[nodiscard]] Duration idle_period() const override { return Millis(200); }
+  [[nodiscard]] Duration idle_period() const override { return period_at_rest; }
 
  private:
   void goes_out(std::string_view command);
@@ -97,7 +97,6 @@ class ArcusDriver final : public Driver {
 
   // ---- driver_poll.cpp
   Task<Result<>> see_whether_it_stands();
-  Task<> stay_live();
   void show_worst();
 
   // ---- driver_threads.cpp
@@ -114,31 +113,12 @@ class ArcusDriver final : public Driver {
   Task<Result<>> release_joystick(int axis, std::string stop);
   [[nodiscard]] StopProgress programs_end(const StopOrder& order) const;
 
-  // ---- driver_programs.cpp
-  Task<Result<>> perform_program(IntentBody body);
-  Task<Result<>> load(int program, std::string text);
-  Task<Result<>> may_be_program(int program, const language::Program& code);
-  Task<Result<>> write_lines(std::vector<std::string> lines);
-  Task<Result<>> clear_from(int line);
-  Task<Result<std::string>> read_line(int line, Priority priority);
-  Task<Result<>> write_line(int line, std::string text);
-  Task<Result<>> store_line(int line, std::string text, std::string there);
-  Task<Result<std::vector<std::string>>> read_lines();
-  void note_stored(const std::vector<std::string>& lines);
-  tl::unexpected<Fault> broken_off(Fault why);
-  Task<Result<>> upload(int program);
-  Task<Result<>> run(int program);
-  Task<Result<>> control(int thread, int what);
-  Task<Result<>> control_all(int thread, int what);
-  void show_transfer(int done, int total);
-
   // ---- driver_perform.cpp
   Task<Result<>> set_param(intent::SetParam wish);
   Task<Result<>> read_params(std::string only);
   Task<Result<>> read_again();
 
   const Console console_;
-  const language::Dialect& dialect_;
   Conversation talk_;
   CodeAtWork code_;
   BorrowedSetting borrowed_;
@@ -153,6 +133,9 @@ class ArcusDriver final : public Driver {
   Moves moves_;
   Feed feed_;
   Actions actions_;
+  LiveStatus live_;
+  StoredLines stored_;
+  Programs programs_;
 
   bool halting_ = false;  ///< programs were told to end: whether they have is asked while axes stop
   bool name_told_ = false, slow_told_ = false;

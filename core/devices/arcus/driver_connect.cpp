@@ -23,7 +23,6 @@ constexpr Duration slow_from = Millis(150);
 
 ArcusDriver::ArcusDriver(DriverContext context, const Forms& forms, const language::Dialect& dialect)
     : console_(std::move(context), forms),
-      dialect_(dialect),
       talk_(console_),
       code_(console_),
       borrowed_(talk_, [this](std::string_view name) { setup_.was_borrowed(name); }),
@@ -37,7 +36,10 @@ ArcusDriver::ArcusDriver(DriverContext context, const Forms& forms, const langua
       lines_(console_, talk_, setup_),
       moves_(console_, talk_, setup_, borrowed_, readouts_, watch_, motions_, status_),
       feed_(console_, list_, motions_, status_),
-      actions_(console_, talk_, setup_, borrowed_, list_, readouts_, motions_, status_, moves_) {
+      actions_(console_, talk_, setup_, borrowed_, list_, readouts_, motions_, status_, moves_),
+      live_(console_, talk_, status_, threads_),
+      stored_(console_, talk_, code_, live_),
+      programs_(console_, dialect, talk_, code_, status_, threads_, stored_) {
   talk_.goes_out = [this](std::string_view command) { goes_out(command); };
   talk_.not_done = [this](std::string_view command) { not_done(command); };
   console_.draft.axis_count = console_.axes();

@@ -40,7 +40,7 @@ Task<Result<>> ArcusDriver::perform(const IntentBody& body) {
   if (std::holds_alternative<Reset>(body))
     co_return fail(FaultKind::refused, fmt::format("A {} has no reset command.", console_.model().title),
                    "Nothing was sent.", "Switch its power off and on.");
-  co_return co_await perform_program(body);
+  co_return co_await programs_.perform(body);
 }
 
 // What follows from it: whether StepNLoop is on.
@@ -59,12 +59,12 @@ Task<Result<>> ArcusDriver::read_params(std::string only) {
   for (int i = 0; i < static_cast<int>(console_.catalog.params.size()); ++i) {
     auto read = co_await setup_.read(i, Priority::transfer);
     if (!read) co_return read;
-    co_await stay_live();
+    co_await live_.read();
   }
   for (int n = console_.catalog.variables.stored_from; n < console_.catalog.variables.count; ++n) {
     auto read = co_await readouts_.read_variable(n, Priority::transfer);
     if (!read) co_return read;
-    co_await stay_live();
+    co_await live_.read();
   }
   co_return Result<>();
 }

@@ -61,14 +61,6 @@ Duration ArcusDriver::moving_period() const {
   return std::max(Duration::zero(), round - (console_.scheduler.now() - status_.round_began()));
 }
 
-// In the middle of a long procedure: positions must not grow stale meanwhile.
-Task<> ArcusDriver::stay_live() {
-  if (!talk_.is_open() || console_.scheduler.now() - status_.round_began() < idle_period()) co_return;
-  auto read = co_await status_.read(Priority::poll);
-  if (read) read = co_await threads_.read(false, Priority::poll);
-  console_.changed();
-}
-
 namespace {
 
 const char* what_happened(AxisError error) {

@@ -67,6 +67,11 @@ void ArcusDriver::restarted(std::string_view how_it_shows, unsigned moved) {
           how_it_shows));
 }
 
+std::string ArcusDriver::leaves_behind() const {
+  const std::string left = stored_.leaves_behind(), borrowed = borrowed_.leaves_behind();
+  return left.empty() || borrowed.empty() ? left + borrowed : left + ' ' + borrowed;
+}
+
 void ArcusDriver::wire_lost() {
   if (!talk_.is_open()) return;
   talk_.wire_lost();

@@ -1,17 +1,14 @@
-// Stored programs: compiled here, written line by line, read back and compared; run, paused, halted by
-// thread.
+#include "core/devices/arcus/programs.h"
+
 #include <fmt/core.h>
 
 #include "core/base/index.h"
-#include "core/devices/arcus/driver.h"
 #include "core/devices/arcus/language/compiler.h"
 #include "core/devices/arcus/language/decompiler.h"
 
 namespace hw::arcus {
 namespace {
 
-constexpr int empty_lines_end_it = 4;    // in a row
-constexpr std::uint8_t stored_code = 1;  // one text for all programs: see Snapshot::slots_torn
 constexpr int thread_run = 1, thread_pause = 2, thread_continue = 3;
 
 std::string foreign_lines(const std::vector<language::BadLine>& bad, const std::vector<std::string>& lines) {
@@ -27,7 +24,7 @@ std::string foreign_lines(const std::vector<language::BadLine>& bad, const std::
 
 }  // namespace
 
-Task<Result<>> ArcusDriver::perform_program(IntentBody body) {
+Task<Result<>> Programs::perform(IntentBody body) {
   using namespace intent;
   if (const auto* i = std::get_if<LoadProgram>(&body)) co_return co_await load(i->slot, i->text);
   if (const auto* i = std::get_if<UploadProgram>(&body)) co_return co_await upload(i->slot);
@@ -35,9 +32,9 @@ Task<Result<>> ArcusDriver::perform_program(IntentBody body) {
     auto read = co_await threads_.read(true, Priority::intent);
     if (!read) co_return read;
     if (auto may = threads_.none_runs(); !may) co_return may;
-    auto cleared = co_await clear_from(0);
+    auto cleared = co_await stored_.clear_from(0);
     console_.draft.transfer.running = false;
-    if (!cleared) co_return broken_off(std::move(cleared.error()));
+    if (!cleared) co_return stored_.broken_off(std::move(cleared.error()));
     console_.draft.slots_torn = 0;
     co_return cleared;
   }
@@ -51,7 +48,7 @@ Task<Result<>> ArcusDriver::perform_program(IntentBody body) {
 
 // ---- threads
 
-Task<Result<>> ArcusDriver::control(int thread, int what) {
+Task<Result<>> Programs::control(int thread, int what) {
   if (thread < 0 || thread >= console_.model().programs)
     co_return fail(
         FaultKind::refused,
@@ -78,11 +75,11 @@ Task<Result<>> ArcusDriver::control(int thread, int what) {
 
 // SR is answered with OK whether the program is there or not (decision AMB-115). One that runs is; one that
 // does not may have ended already, so the stored code is looked at.
-Task<Result<>> ArcusDriver::run(int program) {
+Task<Result<>> Programs::run(int program) {
   auto started = co_await control(program, thread_run);
   if (!started || console_.draft.threads[ix(program)].run != RunState::idle) co_return started;
   if (code_.known() && code_.known()->programs[ix(program)]) co_return started;
-  auto there = co_await read_lines();
+  auto there = co_await stored_.read();
   console_.draft.transfer.running = false;
   if (!there) co_return fail(there.error());
   note_stored(*there);
@@ -93,14 +90,14 @@ Task<Result<>> ArcusDriver::run(int program) {
 }
 
 // Which programs the stored code has; not known of code that another compiler has made.
-void ArcusDriver::note_stored(const std::vector<std::string>& lines) {
+void Programs::note_stored(const std::vector<std::string>& lines) {
   code_.forget();
   const language::Program code = language::decode(lines, dialect_);
   if (code.bad_lines.empty()) code_.know(read_stored_code(code, console_.model()));
 }
 
 // All that run, or all that are held; or the one, if it does.
-Task<Result<>> ArcusDriver::control_all(int thread, int what) {
+Task<Result<>> Programs::control_all(int thread, int what) {
   if (thread >= console_.model().programs) co_return co_await control(thread, what);  // which refuses
   auto read = co_await threads_.read(true, Priority::intent);
   if (!read) co_return read;
@@ -119,49 +116,9 @@ Task<Result<>> ArcusDriver::control_all(int thread, int what) {
   co_return fail(FaultKind::refused, fmt::format("{} {}.", which, not_so), "Nothing was sent.");
 }
 
-// ---- stored lines
-
-Task<Result<std::string>> ArcusDriver::read_line(int line, Priority priority) {
-  co_return co_await talk_.ask(fmt::format("SA{}", line), priority);
-}
-
-// An unused line is empty.
-Task<Result<>> ArcusDriver::write_line(int line, std::string text) {
-  std::string sent = fmt::format("SA{}={}", line, text);
-  const std::uint8_t before =
-      std::exchange(console_.draft.slots_torn, stored_code);  // should the console be closed now
-  auto written = co_await talk_.command(std::move(sent), Priority::transfer, Millis(500));
-  // A stop that came first, or a refusal: this line is not stored.
-  if (!written && was_kept_back(written.error())) console_.draft.slots_torn = before;
-  co_return written;
-}
-
-// A line may be written twice: whether an answer was lost, or the line itself garbled on its way or back,
-// reading it tells. `there` is what it was when it was read last.
-Task<Result<>> ArcusDriver::store_line(int line, std::string text, std::string there) {
-  constexpr int most_writes = 3;
-  for (int writes = 0; there != text; ++writes) {
-    if (writes == most_writes)
-      co_return fail(FaultKind::controller,
-                     fmt::format("Line {} reads back as \"{}\" instead of \"{}\".", line, there, text));
-    auto written = co_await write_line(line, text);
-    if (!written && !worth_another_try(written.error())) co_return written;
-    auto back = co_await read_line(line, Priority::transfer);
-    if (!back) co_return fail(back.error());
-    there = std::move(*back);
-  }
-  co_return Result<>();
-}
-
-void ArcusDriver::show_transfer(int done, int total) {
-  console_.draft.transfer.running = done < total;
-  console_.draft.transfer.done = done;
-  console_.draft.transfer.total = total;
-}
-
 // The stored code is one text for all programs, and a new one replaces all of it. Sent as one of the further
 // programs it must be that one, and must not take others away.
-Task<Result<>> ArcusDriver::may_be_program(int program, const language::Program& code) {
+Task<Result<>> Programs::may_be_program(int program, const language::Program& code) {
   if (program >= console_.model().programs)
     co_return fail(
         FaultKind::refused,
@@ -172,7 +129,7 @@ Task<Result<>> ArcusDriver::may_be_program(int program, const language::Program&
                    fmt::format("This text is {}; begin it with PRG {}.",
                                code.programs[0] ? "program 0" : "another program", program),
                    "Nothing was written.");
-  auto there = co_await read_lines();
+  auto there = co_await stored_.read();
   console_.draft.transfer.running = false;
   if (!there) co_return fail(there.error());
   note_stored(*there);
@@ -184,7 +141,7 @@ Task<Result<>> ArcusDriver::may_be_program(int program, const language::Program&
   co_return Result<>();
 }
 
-Task<Result<>> ArcusDriver::load(int program, std::string text) {
+Task<Result<>> Programs::load(int program, std::string text) {
   auto read = co_await threads_.read(true, Priority::intent);  // others may have started one
   if (!read) co_return read;
   if (auto may = threads_.none_runs(); !may) co_return may;
@@ -200,9 +157,9 @@ Task<Result<>> ArcusDriver::load(int program, std::string text) {
   }
   const std::vector<std::string> lines = made.lines;
   code_.forget();
-  auto written = co_await write_lines(lines);
+  auto written = co_await stored_.write(lines);
   console_.draft.transfer.running = false;
-  if (!written) co_return broken_off(std::move(written.error()));
+  if (!written) co_return stored_.broken_off(std::move(written.error()));
   console_.draft.slots_torn = 0;
   note_stored(lines);
   console_.draft.slot_bytes_used[0] = static_cast<std::int16_t>(lines.size());
@@ -216,83 +173,11 @@ Task<Result<>> ArcusDriver::load(int program, std::string text) {
   co_return Result<>();
 }
 
-namespace {
-
-constexpr const char* torn = "What is stored now is neither the old program nor the new one.";
-constexpr const char* mend_it = "Download it again before anything runs it.";
-
-}  // namespace
-
-/// By a stop, a lost link or a line that is not taken: what is stored then may run, and is no program.
-tl::unexpected<Fault> ArcusDriver::broken_off(Fault why) {
-  if (console_.draft.slots_torn == 0) return fail(std::move(why));
-  console_.draft.slot_bytes_used[0] = -1;
-  why.done = torn;
-  why.advice = mend_it;
-  return fail(std::move(why));
-}
-
-// The next console to open it does not know.
-std::string ArcusDriver::leaves_behind() const {
-  std::string left = console_.draft.slots_torn != 0 ? fmt::format("{} {}", torn, mend_it) : std::string();
-  const std::string borrowed = borrowed_.leaves_behind();
-  return left.empty() || borrowed.empty() ? left + borrowed : left + ' ' + borrowed;
-}
-
-// Each line is read back at once; a line that is equal already is not written.
-Task<Result<>> ArcusDriver::write_lines(std::vector<std::string> lines) {
-  const int total = static_cast<int>(lines.size());
-  for (int n = 0; n < total; ++n) {
-    auto there = co_await read_line(n, Priority::transfer);
-    if (!there) co_return fail(there.error());
-    auto stored = co_await store_line(n, lines[ix(n)], std::move(*there));
-    if (!stored) co_return stored;
-    show_transfer(n + 1, total);
-    co_await stay_live();
-  }
-  co_return co_await clear_from(total);
-}
-
-// What a longer program has left behind.
-Task<Result<>> ArcusDriver::clear_from(int line) {
-  int empty = 0;
-  code_.forget();
-  for (int n = line; n < program_lines && empty < empty_lines_end_it; ++n) {
-    auto there = co_await read_line(n, Priority::transfer);
-    if (!there) co_return fail(there.error());
-    if (there->empty()) {
-      ++empty;
-      continue;
-    }
-    empty = 0;
-    auto cleared = co_await store_line(n, {}, std::move(*there));
-    if (!cleared) co_return cleared;
-    co_await stay_live();
-  }
-  console_.draft.slot_bytes_used[0] = static_cast<std::int16_t>(line);
-  co_return Result<>();
-}
-
-Task<Result<std::vector<std::string>>> ArcusDriver::read_lines() {
-  std::vector<std::string> lines;
-  int empty = 0;
-  for (int n = 0; n < program_lines && empty < empty_lines_end_it; ++n) {
-    auto text = co_await read_line(n, Priority::transfer);
-    if (!text) co_return fail(text.error());
-    empty = text->empty() ? empty + 1 : 0;
-    lines.push_back(std::move(*text));
-    show_transfer(n, program_lines);
-    co_await stay_live();
-  }
-  while (!lines.empty() && lines.back().empty()) lines.pop_back();
-  co_return lines;
-}
-
 // As number 0 the whole text goes to the console, as a further one that program alone.
-Task<Result<>> ArcusDriver::upload(int program) {
+Task<Result<>> Programs::upload(int program) {
   if (program >= console_.model().programs)
     co_return fail(FaultKind::refused, fmt::format("There is no program {}.", program), "Nothing was sent.");
-  auto lines = co_await read_lines();
+  auto lines = co_await stored_.read();
   console_.draft.transfer.running = false;
   if (!lines) co_return fail(lines.error());
   note_stored(*lines);
