@@ -18,14 +18,15 @@
 //   live_status.h        status in the middle of a long procedure
 //   stored_lines.h       the lines of the stored code
 //   programs.h           load, read, run, pause
+//   after_silence.h      what is looked at where an answer was missing
+//   stops.h              stops (decision AMB-128)
+//   texts.h              the user's own text
 // and here what is said and done with them, one subject per file:
 //   driver_connect.cpp   finding the device, saying why not
 //   driver_perform.cpp   what is asked of it
 //   driver_restart.cpp   what is left when it was switched off and on; lost wires
 //   driver_poll.cpp      the round of status
 //   driver_threads.cpp   what is read at rest; variables
-//   driver_stop.cpp      stops (decision AMB-128)
-//   driver_text.cpp      the user's own text
 #include <array>
 #include <bitset>
 #include <deque>
@@ -39,7 +40,8 @@
 #include "core/devices/arcus/feed.h"
 #include "core/devices/arcus/lines.h"
 #include "core/devices/arcus/programs.h"
-#include "core/devices/arcus/text_meaning.h"
+#include "core/devices/arcus/stops.h"
+#include "core/devices/arcus/texts.h"
 
 namespace hw::arcus {
 
@@ -66,14 +68,6 @@ class ArcusDriver final : public Driver {
   void goes_out(std::string_view command);
   void not_done(std::string_view command);
 
-  // ---- driver_text.cpp
-  Task<Result<>> send_text(const intent::SendText& wish);
-  Task<Result<std::string>> say_text(std::string text, Priority priority, Duration patience);
-  Task<Result<std::string>> stop_by_words(const StopOrder& order);
-  void note_done(std::string_view text);
-  void note_sent(std::string_view as_typed);
-  void note_stop(std::string_view text);
-
   // ---- driver_connect.cpp
   Task<Result<>> find();
   Task<Result<>> identify();
@@ -90,28 +84,14 @@ class ArcusDriver final : public Driver {
 
   // ---- driver_restart.cpp
   RestartWatch::Ways ways_of_watch();
-  void may_set(std::string_view command);
-  Task<Result<>> look_after_silence();
-  Task<Result<>> look_back_over_the_loss();
   void restarted(std::string_view how_it_shows, unsigned moved);
 
   // ---- driver_poll.cpp
-  Task<Result<>> see_whether_it_stands();
   void show_worst();
 
   // ---- driver_threads.cpp
   Task<Result<>> read_at_rest();
   Task<Result<>> set_variable(const intent::SetVariable& wish);
-
-  // ---- driver_stop.cpp
-  Task<Result<>> send_stop(const StopOrder& order, Duration patience);
-  Task<Result<>> stop_line(bool at_once);
-  Task<Result<>> stop_axes(int axis, bool at_once, bool motion_only, Duration patience);
-  Task<Result<>> stop_all(std::string word, Duration patience);
-  Task<Result<>> halt_thread(int thread, Duration patience);
-  Task<Result<>> halt_program(int thread, Duration patience);
-  Task<Result<>> release_joystick(int axis, std::string stop);
-  [[nodiscard]] StopProgress programs_end(const StopOrder& order) const;
 
   // ---- driver_perform.cpp
   Task<Result<>> set_param(intent::SetParam wish);
@@ -136,8 +116,10 @@ class ArcusDriver final : public Driver {
   LiveStatus live_;
   StoredLines stored_;
   Programs programs_;
+  AfterSilence silence_;
+  Stops stops_;
+  Texts texts_;
 
-  bool halting_ = false;  ///< programs were told to end: whether they have is asked while axes stop
   bool name_told_ = false, slow_told_ = false;
   Instant lost_at_{};
   int round_ = 0;

@@ -39,7 +39,10 @@ ArcusDriver::ArcusDriver(DriverContext context, const Forms& forms, const langua
       actions_(console_, talk_, setup_, borrowed_, list_, readouts_, motions_, status_, moves_),
       live_(console_, talk_, status_, threads_),
       stored_(console_, talk_, code_, live_),
-      programs_(console_, dialect, talk_, code_, status_, threads_, stored_) {
+      programs_(console_, dialect, talk_, code_, status_, threads_, stored_),
+      silence_(console_, watch_, status_, threads_, lines_),
+      stops_(console_, talk_, code_, setup_, list_, motions_, status_, threads_),
+      texts_(console_, talk_, code_, borrowed_, setup_, list_, watch_, motions_, threads_, lines_, silence_) {
   talk_.goes_out = [this](std::string_view command) { goes_out(command); };
   talk_.not_done = [this](std::string_view command) { not_done(command); };
   console_.draft.axis_count = console_.axes();
@@ -69,7 +72,7 @@ Task<Result<>> ArcusDriver::connect() {
     found = co_await find();
   }
   if (!found) co_return found;
-  auto looked = co_await look_back_over_the_loss();
+  auto looked = co_await silence_.look_back_over_the_loss();
   if (!looked) co_return looked;
   co_return Result<>();
 }
@@ -189,7 +192,8 @@ Task<Result<>> ArcusDriver::read_name() {
 // Whatever goes out, before it does: a change that it explains is no power-cycle, and what it starts or ends
 // is not known any more, whether or not it is confirmed.
 void ArcusDriver::goes_out(std::string_view command) {
-  may_set(command);
+  watch_.goes_out(command);
+  threads_.may_start(command);
   threads_.are_told(command);
   code_.goes_out(command);
 }

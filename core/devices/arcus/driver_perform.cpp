@@ -5,13 +5,14 @@
 
 #include "core/base/index.h"
 #include "core/devices/arcus/driver.h"
+#include "core/devices/arcus/text_meaning.h"
 
 namespace hw::arcus {
 
 Task<Result<>> ArcusDriver::perform(const IntentBody& body) {
   using namespace intent;
   if (!talk_.is_open()) co_return talk_.no_connection();
-  if (auto looked = co_await look_after_silence(); !looked) co_return looked;
+  if (auto looked = co_await silence_.look(); !looked) co_return looked;
   if (auto returned = co_await borrowed_.give_back_first(); !returned) co_return returned;
   if (const auto* i = std::get_if<MoveTo>(&body)) co_return co_await moves_.move(i->targets, i->speed, false);
   if (const auto* i = std::get_if<MoveBy>(&body))
@@ -26,7 +27,7 @@ Task<Result<>> ArcusDriver::perform(const IntentBody& body) {
   if (const auto* i = std::get_if<Act>(&body)) co_return co_await actions_.act(*i);
   if (const auto* i = std::get_if<SetVariable>(&body)) co_return co_await set_variable(*i);
   if (const auto* i = std::get_if<FeedMoves>(&body)) co_return co_await feed_.start(*i);
-  if (const auto* i = std::get_if<SendText>(&body)) co_return co_await send_text(*i);
+  if (const auto* i = std::get_if<SendText>(&body)) co_return co_await texts_.send(*i);
   if (const auto* i = std::get_if<Watch>(&body)) {
     readouts_.watch(i->groups);
     co_return Result<>();
@@ -41,6 +42,29 @@ Task<Result<>> ArcusDriver::perform(const IntentBody& body) {
     co_return fail(FaultKind::refused, fmt::format("A {} has no reset command.", console_.model().title),
                    "Nothing was sent.", "Switch its power off and on.");
   co_return co_await programs_.perform(body);
+}
+
+Task<Result<std::string>> ArcusDriver::stop(const StopOrder& order) {
+  if (!talk_.is_open())
+    co_return fail(FaultKind::lost, "Stop does not reach the controller: there is no connection.",
+                   "Nothing was sent.", "Use its power switch.");
+  if (order.what == StopOrder::What::words) co_return co_await texts_.stop(order);
+  auto sent = co_await stops_.stop(order);
+  if (!sent) co_return fail(sent.error());
+  co_return std::string();
+}
+
+StopProgress ArcusDriver::stop_progress(const StopOrder& order) { return stops_.progress(order); }
+
+Task<Result<std::string>> ArcusDriver::query(std::string text, Duration patience) {
+  return texts_.query(std::move(text), patience);
+}
+
+void ArcusDriver::overhear(const std::string& text) { texts_.overhear(text); }
+
+TextMeaning ArcusDriver::meaning_of(const intent::SendText& text) const {
+  return arcus::meaning_of(console_.forms, text,
+                           Addressing{console_.catalog.address, setup_.param("AR") == 1});
 }
 
 // What follows from it: whether StepNLoop is on.

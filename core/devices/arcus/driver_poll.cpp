@@ -17,7 +17,7 @@ constexpr int io_every = 4;  // rounds in motion between two looks at inputs, ou
 
 Task<Result<>> ArcusDriver::poll(Round round) {
   if (!talk_.is_open()) co_return talk_.no_connection();
-  if (round == Round::stopping) co_return co_await see_whether_it_stands();
+  if (round == Round::stopping) co_return co_await stops_.look();
   ++round_;
   const RestartWatch::Look look = watch_.begin_look();
   auto motion = co_await status_.read(Priority::poll);
@@ -42,13 +42,6 @@ Task<Result<>> ArcusDriver::poll(Round round) {
   }
   setup_.show_own_speeds();
   show_worst();
-  co_return Result<>();
-}
-
-Task<Result<>> ArcusDriver::see_whether_it_stands() {
-  auto seen = co_await status_.read(Priority::stop);
-  if (!seen) co_return seen;
-  if (halting_) co_return co_await threads_.read(true, Priority::stop);
   co_return Result<>();
 }
 

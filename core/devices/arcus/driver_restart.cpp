@@ -12,41 +12,6 @@ RestartWatch::Ways ArcusDriver::ways_of_watch() {
           [this](std::string_view how_it_shows, unsigned moved) { restarted(how_it_shows, moved); }};
 }
 
-// Whatever is sent or heard goes through here before it is.
-void ArcusDriver::may_set(std::string_view command) {
-  watch_.goes_out(command);
-  threads_.may_start(command);
-}
-
-// A stop that nobody answered when the wire was lost explains no zero; motor power that was to be switched
-// may have been.
-Task<Result<>> ArcusDriver::look_back_over_the_loss() {
-  if (watch_.program_ran()) threads_.program_runs();  // until a moment ago, perhaps
-  watch_.settle();
-  const RestartWatch::Look look = watch_.begin_look();
-  watch_.look_at_counters(look, true);
-  co_return co_await watch_.look_at_motors(look);
-}
-
-// Where an answer was missing since the last look, whatever goes out next might hide a restart: an axis that
-// moves does not stand at zero. What was asked for meant the controller as it was before.
-Task<Result<>> ArcusDriver::look_after_silence() {
-  if (!watch_.was_silent() && !watch_.in_doubt()) co_return Result<>();
-  const std::uint32_t restarts = console_.draft.restarts;
-  const RestartWatch::Look look = watch_.begin_look();
-  auto seen = co_await status_.read(Priority::intent);
-  if (seen && watch_.in_doubt()) seen = co_await lines_.read(Priority::intent);
-  if (seen && watch_.in_doubt()) seen = co_await watch_.look_at_motors(look);
-  if (seen && console_.draft.restarts == restarts) co_return seen;
-  if (!seen && worth_another_try(seen.error())) {
-    seen.error().kind = FaultKind::refused;
-    seen.error().done = "Nothing was sent.";
-  }
-  if (!seen) co_return seen;
-  co_return fail(FaultKind::refused, "The controller was switched off and on, and stands otherwise now.",
-                 "Nothing was sent.", "Look at its positions before you ask again.");
-}
-
 void ArcusDriver::restarted(std::string_view how_it_shows, unsigned moved) {
   ++console_.draft.restarts;
   setup_.restarted();

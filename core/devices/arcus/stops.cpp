@@ -1,9 +1,10 @@
-// Stopping, by decision AMB-128: STOP (or ABORT), every program stopped, STOP again because one may have
-// begun a move in between, the joystick off where it is on. Then the status, until all stand.
+#include "core/devices/arcus/stops.h"
+
+#include <bitset>
+
 #include <fmt/core.h>
 
 #include "core/base/index.h"
-#include "core/devices/arcus/driver.h"
 
 namespace hw::arcus {
 namespace {
@@ -22,25 +23,19 @@ Fault joystick_not_read(bool switched_off) {
 
 }  // namespace
 
-Task<Result<std::string>> ArcusDriver::stop(const StopOrder& order) {
-  using What = StopOrder::What;
-  if (!talk_.is_open())
-    co_return fail(FaultKind::lost, "Stop does not reach the controller: there is no connection.",
-                   "Nothing was sent.", "Use its power switch.");
-  if (order.what == What::words) co_return co_await stop_by_words(order);
+Task<Result<>> Stops::stop(const StopOrder& order) {
   const Instant began = console_.scheduler.now();
-  auto sent = co_await send_stop(order, until_next_of_stop);
+  auto sent = co_await send(order, until_next_of_stop);
   const bool heard = talk_.is_open() && talk_.station()->heard_at() >= began;
   const bool may_ask = heard && !order.in_haste;
   if (!sent && may_ask && worth_another_try(sent.error())) {  // on a clean line its answers are its own
     const bool clean = co_await talk_.come_clean(Priority::stop);
-    if (clean) sent = co_await send_stop(order, until_confirmed);
+    if (clean) sent = co_await send(order, until_confirmed);
   }
-  if (!sent) co_return fail(sent.error());
-  co_return std::string();
+  co_return sent;
 }
 
-Task<Result<>> ArcusDriver::send_stop(const StopOrder& order, Duration patience) {
+Task<Result<>> Stops::send(const StopOrder& order, Duration patience) {
   using What = StopOrder::What;
   if (order.what == What::broadcast) co_return co_await stop_line(order.at_once);
   if (order.what == What::program) co_return co_await halt_program(order.thread, patience);
@@ -49,7 +44,7 @@ Task<Result<>> ArcusDriver::send_stop(const StopOrder& order, Duration patience)
 
 // A stop for all devices of the line, by the same words as the stop of each, which follows: on a line that
 // nobody answers those wait for one another.
-Task<Result<>> ArcusDriver::stop_line(bool at_once) {
+Task<Result<>> Stops::stop_line(bool at_once) {
   if (console_.model().broadcast < 0) co_return Result<>();
   const std::string word = at_once ? "ABORT" : "STOP";
   auto all = co_await talk_.broadcast(word, Priority::stop);
@@ -60,7 +55,7 @@ Task<Result<>> ArcusDriver::stop_line(bool at_once) {
 }
 
 // What a jog moves stops alone: programs, and axes that they move, go on.
-Task<Result<>> ArcusDriver::stop_axes(int axis, bool at_once, bool motion_only, Duration patience) {
+Task<Result<>> Stops::stop_axes(int axis, bool at_once, bool motion_only, Duration patience) {
   list_.end();
   const std::string_view form = at_once ? console_.forms.abort : console_.forms.stop;
   const bool all = axis < 0 || console_.axes() == 1;
@@ -79,7 +74,7 @@ Task<Result<>> ArcusDriver::stop_axes(int axis, bool at_once, bool motion_only, 
 // The programs that run end first, and what they have begun in between right behind them; then those that
 // were idle when last asked, which a program, another host or the power-up may have started. Whatever is not
 // confirmed, the next is sent.
-Task<Result<>> ArcusDriver::stop_all(std::string word, Duration patience) {
+Task<Result<>> Stops::stop_all(std::string word, Duration patience) {
   halting_ = true;
   std::bitset<max_threads> running;
   for (int n = 0; n < console_.model().programs; ++n) {
@@ -108,13 +103,13 @@ Task<Result<>> ArcusDriver::stop_all(std::string word, Duration patience) {
   co_return all;
 }
 
-Task<Result<>> ArcusDriver::halt_thread(int thread, Duration patience) {
+Task<Result<>> Stops::halt_thread(int thread, Duration patience) {
   std::string text = fmt::format("SR{}=0", thread);
   co_return co_await talk_.command(std::move(text), Priority::stop, patience);
 }
 
 // The program ends; the motion that it has begun goes on.
-Task<Result<>> ArcusDriver::halt_program(int thread, Duration patience) {
+Task<Result<>> Stops::halt_program(int thread, Duration patience) {
   if (thread >= console_.model().programs)
     co_return fail(FaultKind::refused, fmt::format("There is no program {}.", thread), "Nothing was sent.");
   halting_ = true;
@@ -129,7 +124,7 @@ Task<Result<>> ArcusDriver::halt_program(int thread, Duration patience) {
 
 // Its axes would go on by the stick. It is asked each time: programs, other hosts and a power-up switch it
 // on.
-Task<Result<>> ArcusDriver::release_joystick(int axis, std::string stop) {
+Task<Result<>> Stops::release_joystick(int axis, std::string stop) {
   if (!console_.forms.joystick) co_return Result<>();
   const int index = console_.catalog.find_param("JE");
   const auto mask = co_await talk_.ask_number("JE", Priority::stop);
@@ -154,7 +149,14 @@ Task<Result<>> ArcusDriver::release_joystick(int axis, std::string stop) {
 
 // ---- what has become of it
 
-StopProgress ArcusDriver::stop_progress(const StopOrder& order) {
+Task<Result<>> Stops::look() {
+  auto seen = co_await status_.read(Priority::stop);
+  if (!seen) co_return seen;
+  if (halting_) co_return co_await threads_.read(true, Priority::stop);
+  co_return Result<>();
+}
+
+StopProgress Stops::progress(const StopOrder& order) {
   if (order.what == StopOrder::What::words) return StopProgress::stands();  // the wire has carried them
   const bool all = order.axis < 0 || console_.axes() == 1;
   if (order.what != StopOrder::What::jog && all) {
@@ -187,7 +189,7 @@ StopProgress ArcusDriver::stop_progress(const StopOrder& order) {
 }
 
 // One that was halted is started again by another that is not yet.
-StopProgress ArcusDriver::programs_end(const StopOrder& order) const {
+StopProgress Stops::programs_end(const StopOrder& order) const {
   for (int n = 0; n < console_.model().programs; ++n) {
     const RunState run = console_.draft.threads[ix(n)].run;
     const bool meant = order.thread < 0 || n == order.thread;

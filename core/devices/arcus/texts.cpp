@@ -1,7 +1,8 @@
-// The user's own text: sent, asked, stopped by, and heard from a neighbour's terminal on the same line.
+#include "core/devices/arcus/texts.h"
+
 #include <fmt/core.h>
 
-#include "core/devices/arcus/driver.h"
+#include "core/devices/arcus/text_meaning.h"
 
 namespace hw::arcus {
 namespace {
@@ -32,18 +33,18 @@ EndedBy how_it_ends(std::string_view stop) {
 
 }  // namespace
 
-Task<Result<std::string>> ArcusDriver::query(std::string text, Duration patience) {
+Task<Result<std::string>> Texts::query(std::string text, Duration patience) {
   if (cut_to_one_command(text))
     co_return fail(FaultKind::refused, "This is more than one command: the end of a line ends one.",
                    "Nothing was sent.", "Send them one by one.");
-  auto looked = co_await look_after_silence();
+  auto looked = co_await silence_.look();
   if (!looked && looked.error().kind == FaultKind::stopped) co_return fail(looked.error());
   auto returned = co_await borrowed_.give_back_first();
   if (!returned) co_return fail(returned.error());
-  co_return co_await say_text(std::move(text), Priority::intent, patience);
+  co_return co_await say(std::move(text), Priority::intent, patience);
 }
 
-Task<Result<std::string>> ArcusDriver::stop_by_words(const StopOrder& order) {
+Task<Result<std::string>> Texts::stop(const StopOrder& order) {
   std::string text = order.words;
   const bool more = cut_to_one_command(text);
   list_.end();
@@ -54,7 +55,7 @@ Task<Result<std::string>> ArcusDriver::stop_by_words(const StopOrder& order) {
     co_return std::string();
   }
   const Duration patience = order.patience > Duration::zero() ? order.patience : typed_patience;
-  auto stopped = co_await say_text(text, Priority::stop, patience);
+  auto stopped = co_await say(text, Priority::stop, patience);
   if (stopped && stopped->starts_with('?'))  // it has heard something else
     co_return fail(FaultKind::controller, fmt::format("The controller answered {} to {}.", *stopped, text));
   const bool its_own = address_of(text) < 0 || address_of(text) == console_.catalog.address;
@@ -67,7 +68,7 @@ Task<Result<std::string>> ArcusDriver::stop_by_words(const StopOrder& order) {
                  "Send the other by itself.");
 }
 
-Task<Result<std::string>> ArcusDriver::say_text(std::string text, Priority priority, Duration patience) {
+Task<Result<std::string>> Texts::say(std::string text, Priority priority, Duration patience) {
   const std::string command = command_in(text);
   const int to = address_of(text);
   if (console_.model().broadcast >= 0 && to == console_.model().broadcast) {
@@ -92,13 +93,8 @@ Task<Result<std::string>> ArcusDriver::say_text(std::string text, Priority prior
   co_return std::move(reply->text);
 }
 
-TextMeaning ArcusDriver::meaning_of(const intent::SendText& text) const {
-  return arcus::meaning_of(console_.forms, text,
-                           Addressing{console_.catalog.address, setup_.param("AR") == 1});
-}
-
 // To all, unless it says itself to whom: then that one answers, or it is the address of all.
-Task<Result<>> ArcusDriver::send_text(const intent::SendText& wish) {
+Task<Result<>> Texts::send(const intent::SendText& wish) {
   std::string text = wish.text;
   if (wish.broadcast && address_of(text) < 0) {
     if (console_.model().broadcast < 0 || talk_.framing() == Framing::message)
@@ -111,23 +107,23 @@ Task<Result<>> ArcusDriver::send_text(const intent::SendText& wish) {
   co_return Result<>();
 }
 
-// Another session of this line has said it to all. What it may change is read afresh: intents go before
-// polls.
-void ArcusDriver::overhear(const std::string& text) {
+// What it may change is read afresh: intents go before polls.
+void Texts::overhear(const std::string& text) {
   const std::string command = command_in(text);
-  may_set(command);
+  watch_.goes_out(command);
+  threads_.may_start(command);
   code_.goes_out(command);
   note_sent(command);
   note_done(command);
 }
 
 // What is true only when the controller has taken it.
-void ArcusDriver::note_done(std::string_view text) {
+void Texts::note_done(std::string_view text) {
   if (bare_text(text) == "STORE") setup_.is_stored();
 }
 
 // What the user's own text changes is read afresh, not guessed.
-void ArcusDriver::note_sent(std::string_view as_typed) {
+void Texts::note_sent(std::string_view as_typed) {
   const std::string clean = bare_text(as_typed);
   const std::string_view text = clean;
   const auto equals = text.find('=');
@@ -147,13 +143,13 @@ void ArcusDriver::note_sent(std::string_view as_typed) {
     console_.draft.axes[axis].has_target = false;
   if (ends_motion(text)) note_stop(text);
   if (!arcus::may_move(console_.forms, text)) return;
-  watch_
-      .counters_may_be_set();  // homing sets them; a short move to zero ends before anybody has seen it move
+  // Homing sets them; a short move to zero ends before anybody has seen it move.
+  watch_.counters_may_be_set();
   console_.changed();
 }
 
 // The user's own stop: what it has ended did not end by itself.
-void ArcusDriver::note_stop(std::string_view text) {
+void Texts::note_stop(std::string_view text) {
   list_.end();
   const int only = console_.axes() > 1 ? axis_named_in(console_.forms, text) : -1;
   for (int i = 0; i < console_.axes(); ++i)
