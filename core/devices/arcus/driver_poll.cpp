@@ -1,7 +1,6 @@
 // One round of status. While something moves: where it is, as often as the wire bears; at rest everything,
 // five times a second.
-#include <cmath>
-#include <utility>
+#include <algorithm>
 
 #include <fmt/core.h>
 
@@ -11,7 +10,8 @@
 namespace hw::arcus {
 namespace {
 
-constexpr int io_every = 4;  // rounds in motion between two looks at inputs, outputs and threads
+constexpr int kept_every = 5;  // rounds at rest: about a second
+constexpr int io_every = 4;    // rounds in motion between two looks at inputs, outputs and threads
 
 }  // namespace
 
@@ -19,30 +19,39 @@ Task<Result<>> ArcusDriver::poll(Round round) {
   if (!talk_.is_open()) co_return talk_.no_connection();
   if (round == Round::stopping) co_return co_await stops_.look();
   ++round_;
-  const RestartWatch::Look look = watch_.begin_look();
-  auto motion = co_await status_.read(Priority::poll);
+  const RestartWatch::Look look = known_.watch.begin_look();
+  auto motion = co_await known_.status.read(Priority::poll);
   if (!motion) co_return motion;
-  auto returned = co_await borrowed_.give_back();
+  auto returned = co_await known_.borrowed.give_back();
   if (!returned) co_return returned;
-  auto fed = co_await feed_.go_on();
+  auto fed = co_await work_.feed.go_on();
   if (!fed) co_return fed;
-  if (lines_.are_due() || watch_.in_doubt() || !console_.draft.any_axis_moving() || round_ % io_every == 0) {
-    auto io = co_await lines_.read(Priority::poll);
+  if (known_.lines.are_due() || known_.watch.in_doubt() || !console_.draft.any_axis_moving() ||
+      round_ % io_every == 0) {
+    auto io = co_await known_.lines.read(Priority::poll);
     if (!io) co_return io;
-    auto threads = co_await threads_.read(false, Priority::poll);
+    auto threads = co_await known_.threads.read(false, Priority::poll);
     if (!threads) co_return threads;
-    auto looked = co_await watch_.look_at_motors(look);
+    auto looked = co_await known_.watch.look_at_motors(look);
     if (!looked) co_return looked;
   }
-  auto watched = co_await readouts_.read_watched();
+  auto watched = co_await known_.readouts.read_watched();
   if (!watched) co_return watched;
   if (!console_.draft.any_axis_moving()) {
     auto rest = co_await read_at_rest();
     if (!rest) co_return rest;
   }
-  setup_.show_own_speeds();
+  known_.setup.show_own_speeds();
   show_worst();
   co_return Result<>();
+}
+
+// A little of each a round: readouts nobody looks at, one analog input, some parameters.
+Task<Result<>> ArcusDriver::read_at_rest() {
+  auto read = co_await known_.readouts.read_in_turn();
+  if (read && round_ % kept_every == 0) read = co_await known_.setup.read_what_power_keeps();
+  if (!read) co_return read;
+  co_return co_await known_.setup.read_in_turn();
 }
 
 // As often as the wire bears; where bytes take no time (TCP, USB, in process) a hundred rounds a second.
@@ -51,7 +60,7 @@ Duration ArcusDriver::moving_period() const {
   constexpr Duration without_wire = Millis(10);
   const Duration round = talk_.is_open() ? talk_.station()->wire_time(bytes_of_a_round) : Duration::zero();
   if (round == Duration::zero()) return without_wire;
-  return std::max(Duration::zero(), round - (console_.scheduler.now() - status_.round_began()));
+  return std::max(Duration::zero(), round - (console_.scheduler.now() - known_.status.round_began()));
 }
 
 namespace {
@@ -76,7 +85,7 @@ const char* what_happened(AxisError error) {
 void ArcusDriver::show_worst() {
   console_.draft.notice.clear();
   for (int i = 0; i < console_.axes(); ++i) {
-    const AxisError error = motions_.error_of(i);
+    const AxisError error = known_.motions.error_of(i);
     if (error == AxisError::none) continue;
     console_.draft.notice = fmt::format("Axis {} {}. Clear the errors before the next move.",
                                         console_.axis_name(i), what_happened(error));
