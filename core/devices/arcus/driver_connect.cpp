@@ -1,6 +1,7 @@
 // Finding it, losing it, and what is left when it was switched off and on.
 #include <fmt/core.h>
 
+#include "core/device/nothing_known.h"
 #include "core/devices/arcus/driver.h"
 
 namespace hw::arcus {
@@ -69,20 +70,8 @@ void ArcusDriver::wire_lost() {
   known_.list.end();
   known_.motions.wire_lost();
   console_.draft.transfer = TransferState();
-  for (int i = 0; i < console_.axes(); ++i) {
-    AxisState& axis = console_.draft.axes[i];
-    if (console_.draft.axis_moves(i)) axis.ended_by = EndedBy::lost;
-    axis.activity = Activity::unknown;
-    axis.phase = Phase::unknown;
-    axis.position_known = false;
-    axis.limits_known = false;
-    axis.direction = 0;
-    axis.speed = axis.own_speed = Pps{};
-  }
-  for (ThreadState& t : console_.draft.threads) t.known = false;  // those that ran are stopped first
-  console_.draft.inputs_known = console_.draft.outputs_known = console_.draft.analog_known = 0;
-  console_.draft.readouts_known.reset();
-  console_.draft.variables_known.reset();
+  nothing_is_known(console_.draft);  // of the threads: those that ran are stopped first
+  for (int i = 0; i < console_.axes(); ++i) console_.draft.axes[i].own_speed = Pps{};
 }
 
 }  // namespace hw::arcus

@@ -70,9 +70,10 @@ Task<Result<>> Readouts::read_watched() {
   }
   if (watched_ >> variable_values & 1)
     for (int i = 0; i < variables_per_round; ++i) {
-      auto read = co_await read_variable(next_variable_, Priority::poll);
+      const int count = console_.catalog.variables.count;
+      auto read = co_await read_variable(variables_.peek(count), Priority::poll);
       if (!read) co_return read;
-      next_variable_ = (next_variable_ + 1) % console_.catalog.variables.count;
+      variables_.next(count);
     }
   const bool all_analog = (watched_ >> analog_inputs & 1) != 0;
   for (int n = 1; all_analog && n <= console_.model().analog_inputs; ++n) {
@@ -83,19 +84,16 @@ Task<Result<>> Readouts::read_watched() {
 }
 
 Task<Result<>> Readouts::read_in_turn() {
-  const int readouts = static_cast<int>(console_.catalog.readouts.size());
-  for (int tried = 0; tried < readouts; ++tried) {
-    const int index = next_readout_;
-    next_readout_ = (next_readout_ + 1) % readouts;
-    if (by_status_[ix(index)]) continue;
+  const int index = readouts_.next(static_cast<int>(console_.catalog.readouts.size()),
+                                   [this](int i) { return !by_status_[ix(i)]; });
+  if (index >= 0) {
     auto done = co_await read(index, Priority::poll);
     if (!done) co_return done;
-    break;
   }
-  if (console_.model().analog_inputs > 0) {
-    auto done = co_await read_analog(next_analog_ + 1, Priority::poll);
+  if (const int inputs = console_.model().analog_inputs; inputs > 0) {
+    auto done = co_await read_analog(analog_.peek(inputs) + 1, Priority::poll);
     if (!done) co_return done;
-    next_analog_ = (next_analog_ + 1) % console_.model().analog_inputs;
+    analog_.next(inputs);
   }
   co_return Result<>();
 }

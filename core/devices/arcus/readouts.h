@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/device/in_turn.h"
 #include "core/devices/arcus/conversation.h"
 
 namespace hw::arcus {
@@ -35,7 +36,7 @@ class Readouts {
   std::function<void(int, std::int64_t)> loop_is_;
   std::vector<bool> by_status_;  ///< readouts that the status tells
   std::uint32_t watched_ = 0;
-  int next_readout_ = 0, next_variable_ = 0, next_analog_ = 0;
+  InTurn readouts_, variables_, analog_;
   bool incremental_ = false;
 };
 

@@ -5,22 +5,14 @@
 #include <fmt/core.h>
 
 #include "core/base/index.h"
+#include "core/device/nothing_known.h"
+#include "core/device/param_check.h"
 
 namespace hw::arcus {
 namespace {
 
 constexpr int params_per_round = 3;
 constexpr Duration store_patience = std::chrono::seconds(3);
-
-std::string range_words(const ParamInfo& p) {
-  if (!p.choices.empty()) {
-    std::string all;
-    for (const ParamChoice& c : p.choices) all += fmt::format("{}{}", all.empty() ? "" : ", ", c.value);
-    return "one of " + all;
-  }
-  return fmt::format("{} to {}{}", encode_value(p, p.minimum), encode_value(p, p.maximum),
-                     p.also_zero ? ", or 0" : "");
-}
 
 }  // namespace
 
@@ -150,16 +142,12 @@ Task<Result<>> SetUp::read_what_power_keeps() {
 
 /// One after the other; -1: there is none.
 int SetUp::next_that_would_show() {
-  const int params = static_cast<int>(console_.catalog.params.size());
-  for (int tried = 0; tried < params; ++tried) {
-    const int index = next_kept_;
-    next_kept_ = (next_kept_ + 1) % params;
+  return kept_.next(static_cast<int>(console_.catalog.params.size()), [this](int index) {
     const ParamInfo& info = console_.catalog.params[ix(index)];
     const ParamState& state = console_.draft.params[ix(index)];
     const bool would_show = !state.stored || (!info.stored && state.value != info.fallback);
-    if (state.known && would_show && in_ram_only(index)) return index;
-  }
-  return -1;
+    return state.known && would_show && in_ram_only(index);
+  });
 }
 
 // A value that a power-cut would have taken back still stands; or it does not, and that has been told.
@@ -191,16 +179,15 @@ Task<Result<>> SetUp::read_in_turn() {
   const int params = static_cast<int>(console_.catalog.params.size());
   int read_now = 0;
   for (int tried = 0; tried < params && read_now < params_per_round; ++tried) {
-    const int index = next_param_;
-    next_param_ = (next_param_ + 1) % params;
+    const int index = params_.next(params);
     if (console_.draft.params[ix(index)].known) continue;
     auto done = co_await read(index, Priority::poll);
     if (!done) co_return done;
     ++read_now;
   }
   if (read_now > 0) co_return Result<>();
-  auto done = co_await read(next_param_, Priority::poll);
-  next_param_ = (next_param_ + 1) % params;
+  auto done = co_await read(params_.peek(params), Priority::poll);
+  params_.next(params);
   co_return done;
 }
 
@@ -231,19 +218,11 @@ void SetUp::changed(int index) {
 }
 
 Task<Result<bool>> SetUp::set(intent::SetParam wish) {
-  const int index = console_.catalog.find_param(wish.mnemonic);
-  if (index < 0)
-    co_return fail(FaultKind::refused,
-                   fmt::format("A {} has no parameter {}.", console_.model().title, wish.mnemonic),
-                   "Nothing was sent.");
-  const ParamInfo& info = console_.catalog.params[ix(index)];
-  if (!info.accepts(wish.value))
-    co_return fail(FaultKind::refused,
-                   fmt::format("{} is not possible for {} ({}): it takes {}.", encode_value(info, wish.value),
-                               info.mnemonic, info.label, range_words(info)),
-                   "Nothing was sent.");
-  if (!info.warning.empty() && !wish.confirmed && !(wish.value == 0))
-    co_return fail(FaultKind::refused, info.warning, "Nothing was sent.", "Confirm it to go on.");
+  const std::string who = fmt::format("A {}", console_.model().title);
+  const auto place = check_param(console_.catalog, wish, {who, encode_value});
+  if (!place) co_return fail(place.error());
+  const int index = static_cast<int>(*place);
+  const ParamInfo& info = console_.catalog.params[*place];
   auto sent = co_await talk_.command(set_command(info, wish.value), Priority::intent);
   if (!sent) co_return fail(sent.error());
   changed(index);
@@ -299,9 +278,9 @@ void SetUp::was_borrowed(std::string_view name) {
 }
 
 void SetUp::restarted() {
-  for (ParamState& p : console_.draft.params) p = ParamState();
+  set_up_is_unknown(console_.draft);
   nobody_sets_.reset();
-  unsaved_variables_ = console_.draft.unsaved_setup = false;
+  unsaved_variables_ = false;
 }
 
 }  // namespace hw::arcus

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "core/device/in_turn.h"
 #include "core/devices/arcus/borrowed_setting.h"
 #include "core/devices/arcus/code_at_work.h"
 #include "core/devices/arcus/conversation.h"
@@ -70,7 +71,7 @@ class SetUp {
   std::bitset<max_params> stored_known_;                   ///< of what is stored: after_power_up_ was read
   std::bitset<max_params> nobody_sets_;  ///< read, and nothing has run since that may have set them
   bool unsaved_variables_ = false;       ///< some were set and not stored
-  int next_param_ = 0, next_kept_ = 0;
+  InTurn params_, kept_;
 };
 
 }  // namespace hw::arcus
