@@ -23,7 +23,7 @@ void CodeAtWork::goes_out(std::string_view command) {
   const bool known = code_ && code_->subs[n];
   if (known && !code_->subs[n]->moves) return;
   called_ = Called{static_cast<int>(n), known ? code_->subs[n]->rests : std::nullopt};
-  moved_at_ = scheduler_.now();
+  moved_at_ = console_.scheduler.now();
 }
 
 Duration CodeAtWork::longest_run(std::string_view call) const {
@@ -35,12 +35,12 @@ Duration CodeAtWork::longest_run(std::string_view call) const {
 }
 
 bool CodeAtWork::subroutine_may_run() {
-  if (called_ && called_->rests && scheduler_.now() - moved_at_ > *called_->rests) called_.reset();
+  if (called_ && called_->rests && console_.scheduler.now() - moved_at_ > *called_->rests) called_.reset();
   return called_.has_value();
 }
 
 StopProgress CodeAtWork::outlast(const StopOrder& order, bool turns) {
-  const Instant now = scheduler_.now();
+  const Instant now = console_.scheduler.now();
   if (std::exchange(outlasted_stop_, order.epoch) != order.epoch) stood_at_ = now;
   if (turns) stood_at_ = now;
   const bool watches = now - order.first_sent_at < longest_watch;
@@ -54,7 +54,8 @@ StopProgress CodeAtWork::outlast(const StopOrder& order, bool turns) {
               "STOP ends only the move that it has begun; no command ends a subroutine.",
               "Switch the power off to end it.");
   if (turns || !std::exchange(called_->told, true)) return StopProgress::failed(std::move(fault));
-  tell_(Notice::Kind::warning, fault.sentence());  // it stood through two stops: they are not failed for ever
+  console_.tell(Notice::Kind::warning,
+                fault.sentence());  // it stood through two stops: they are not failed for ever
   return StopProgress::stands();
 }
 

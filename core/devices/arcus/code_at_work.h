@@ -6,16 +6,15 @@
 #include <string_view>
 
 #include "core/device/stop.h"
+#include "core/devices/arcus/console.h"
 #include "core/devices/arcus/facts.h"
 #include "core/devices/arcus/stored_code.h"
-#include "core/devices/arcus/tell.h"
-#include "core/time/scheduler.h"
 
 namespace hw::arcus {
 
 class CodeAtWork {
  public:
-  CodeAtWork(Scheduler& scheduler, Tell tell) : scheduler_(scheduler), tell_(std::move(tell)) {}
+  explicit CodeAtWork(const Console& console) : console_(console) {}
 
   // ---- the stored code
   void know(StoredCode code) { code_ = code; }
@@ -27,8 +26,10 @@ class CodeAtWork {
 
   // ---- programs
   /// Whether it still runs shows in that time.
-  void program_runs(Duration at_most) { runs_until_ = std::max(runs_until_, scheduler_.now() + at_most); }
-  [[nodiscard]] bool program_may_run() const { return scheduler_.now() <= runs_until_; }
+  void program_runs(Duration at_most) {
+    runs_until_ = std::max(runs_until_, console_.scheduler.now() + at_most);
+  }
+  [[nodiscard]] bool program_may_run() const { return console_.scheduler.now() <= runs_until_; }
 
   // ---- subroutines
   /// Before it is sent: whether or not it is confirmed.
@@ -40,7 +41,7 @@ class CodeAtWork {
   /// The one that was called may still be under way.
   [[nodiscard]] bool subroutine_may_run();
   /// An axis was seen to move, or may have.
-  void axis_moves() { moved_at_ = scheduler_.now(); }
+  void axis_moves() { moved_at_ = console_.scheduler.now(); }
   /// Each move that it begins is stopped, until it is over or nobody can tell.
   StopProgress outlast(const StopOrder& order, bool turns);
 
@@ -53,8 +54,7 @@ class CodeAtWork {
     bool told = false;
   };
 
-  Scheduler& scheduler_;
-  Tell tell_;
+  const Console& console_;
   std::optional<StoredCode> code_;
   Instant runs_until_{};
   std::optional<Called> called_, called_before_;

@@ -32,10 +32,6 @@ std::string printable(std::string_view bytes) {
   return all;
 }
 
-Conversation::Conversation(Scheduler& scheduler, const Catalog& catalog, const Forms& forms,
-                           ScriptTexts& texts, std::function<void()> changed)
-    : scheduler_(scheduler), catalog_(catalog), forms_(forms), texts_(texts), changed_(std::move(changed)) {}
-
 void Conversation::attach(Station& station) {
   station_ = &station;
   station.unsolicited = [this](std::string_view bytes) { return hear(bytes); };
@@ -67,10 +63,11 @@ Task<Result<Reply>> Conversation::exchange(std::string text, Priority priority, 
     if (!clean) co_return fail(clean.error());
   }
   if (!station_) co_return no_connection();
-  const bool anothers = address_of(text) >= 0 && address_of(text) != catalog_.address;
+  const bool anothers = address_of(text) >= 0 && address_of(text) != console_.catalog.address;
   const std::string command = anothers ? std::string() : command_in(text);
-  const Look look = own_question ? looks::of_question(forms_, text) : looks::of_text(forms_, command);
-  if (command.starts_with("DN=")) also_called_ = number_in_name(*forms_.model, command.substr(3));
+  const Look look =
+      own_question ? looks::of_question(console_.forms, text) : looks::of_text(console_.forms, command);
+  if (command.starts_with("DN=")) also_called_ = number_in_name(console_.model(), command.substr(3));
   if (goes_out) goes_out(command);
   const int heard_before = texts_heard_;
   auto reply = co_await say(text, priority, patience, own_question, false);
@@ -105,14 +102,15 @@ Task<Result<Reply>> Conversation::say(std::string text, Priority priority, Durat
                                       bool own_question, bool on_dirty_line) {
   if (!station_) co_return no_connection();
   const bool usb = station_->carries_messages();
-  Transaction t(framed(text, priority, catalog_.address), usb ? ReplyShape::message() : ReplyShape::text(),
-                priority);
+  Transaction t(framed(text, priority, console_.catalog.address),
+                usb ? ReplyShape::message() : ReplyShape::text(), priority);
   t.patience = patience;
   t.impatient = priority == Priority::stop && !own_question && patience <= until_next_of_stop;
   t.prompt = own_question;
   t.own_question = own_question && priority != Priority::transfer;
   t.on_dirty_line = on_dirty_line;
-  t.look = own_question ? looks::of_question(forms_, text) : looks::of_text(forms_, command_in(text));
+  t.look = own_question ? looks::of_question(console_.forms, text)
+                        : looks::of_text(console_.forms, command_in(text));
   if (t.look == looks::name && station_->others_owe(looks::name))
     t.stranger = [this](std::string_view bytes) {
       return looks::others_at_front(bytes, [this](std::string_view name) { return is_its_name(name); });
@@ -120,13 +118,15 @@ Task<Result<Reply>> Conversation::say(std::string text, Priority priority, Durat
   else if (!usb && t.look == looks::name)
     t.stranger = unasked_at_front;
   else if (!usb)
-    t.stranger = [&m = *forms_.model](std::string_view bytes) { return unasked_or_name_at_front(m, bytes); };
+    t.stranger = [&m = console_.model()](std::string_view bytes) {
+      return unasked_or_name_at_front(m, bytes);
+    };
   auto bytes = co_await station_->transact(std::move(t));
   if (!bytes) co_return fail(bytes.error());
-  if (station_) asked_at_ = scheduler_.now() - station_->statistics().last_round_trip;
+  if (station_) asked_at_ = console_.scheduler.now() - station_->statistics().last_round_trip;
   if (!usb && bytes->starts_with('\n')) ++line_feeds_;  // it stood behind the answer before
   Reply reply = decode_reply(*bytes);
-  const int asked = std::max(address_of(text), catalog_.address);
+  const int asked = std::max(address_of(text), console_.catalog.address);
   if (reply.id && address_of(text) < 0 && *reply.id != asked)
     co_return fail(
         FaultKind::garbled,
@@ -167,7 +167,7 @@ std::optional<Station::Unmistakable> Conversation::unmistakable(const OwedAnswer
   if (named_ && may_ask(looks::name))
     return asks_who("DN", [this](std::string_view text) { return is_its_name(text); });
   if (product_known_ && may_ask(looks::product) && !station_->others_owe(looks::product))
-    return asks_who("ID", [this](std::string_view text) { return text == forms_.model->product; });
+    return asks_who("ID", [this](std::string_view text) { return text == console_.model().product; });
   if (may_ask(looks::version) && !station_->others_owe(looks::version))
     return asks_who("VER", looks::is_version);
   return std::nullopt;
@@ -175,9 +175,9 @@ std::optional<Station::Unmistakable> Conversation::unmistakable(const OwedAnswer
 
 Station::Unmistakable Conversation::asks_who(std::string_view question,
                                              std::function<bool(std::string_view)> is_it) const {
-  Transaction t(framed(question, Priority::poll, catalog_.address),
+  Transaction t(framed(question, Priority::poll, console_.catalog.address),
                 framing() == Framing::message ? ReplyShape::message() : ReplyShape::text(), Priority::poll);
-  t.look = looks::of_question(forms_, question);
+  t.look = looks::of_question(console_.forms, question);
   t.prompt = true;
   t.stranger = [is_it](std::string_view bytes) { return looks::others_at_front(bytes, is_it); };
   const auto is_answer = [is_it](std::string_view answer) { return is_it(decode_reply(answer).text); };
@@ -186,12 +186,13 @@ Station::Unmistakable Conversation::asks_who(std::string_view question,
 
 // Until it is switched off and on it answers at its old address and tells its new name. On USB it is alone.
 bool Conversation::is_its_name(std::string_view text) const {
-  const auto number = number_in_name(*forms_.model, text);
-  return number && (*number == catalog_.address || number == also_called_ || framing() == Framing::message);
+  const auto number = number_in_name(console_.model(), text);
+  return number &&
+         (*number == console_.catalog.address || number == also_called_ || framing() == Framing::message);
 }
 
 void Conversation::know_name(std::string_view name) {
-  also_called_ = number_in_name(*forms_.model, name);
+  also_called_ = number_in_name(console_.model(), name);
   named_ = also_called_.has_value();
 }
 
@@ -203,7 +204,7 @@ Task<Result<std::string>> Conversation::ask(std::string question, Priority prior
   auto reply = co_await exchange_question(question, priority, again);
   if (!reply && !again && worth_another_try(reply.error())) {
     if (station_ && reply.error().kind == FaultKind::garbled)
-      station_->doubt(looks::of_question(forms_, question));
+      station_->doubt(looks::of_question(console_.forms, question));
     reply = co_await exchange_question(question, priority, true);
   }
   if (!reply) co_return fail(reply.error());
@@ -230,7 +231,7 @@ Task<Result<std::string>> Conversation::ask_for(std::string question,
     if (reply && makes_sense(*reply)) co_return reply;
     if (reply) {
       text = *reply;
-      if (station_) station_->doubt(looks::of_question(forms_, question));
+      if (station_) station_->doubt(looks::of_question(console_.forms, question));
     } else {
       co_await wait_for_quiet();  // the question itself may have been garbled on its way
     }
@@ -277,7 +278,7 @@ Task<Result<std::int64_t>> Conversation::ask_surely(std::string question, Decode
 
 // A stop goes out on a dirty line too: then an OK may be an older one's.
 Task<Result<>> Conversation::command(std::string text, Priority priority, Duration patience) {
-  const Instant now = scheduler_.now();
+  const Instant now = console_.scheduler.now();
   const bool may_be_older =
       priority == Priority::stop && station_ &&
       (station_->owed().may_look(looks::done, now) || station_->owed().may_look(looks::text, now));
@@ -296,7 +297,7 @@ Task<Result<>> Conversation::command(std::string text, Priority priority, Durati
 
 Task<Result<>> Conversation::broadcast(std::string text, Priority priority) {
   if (!station_) co_return no_connection();
-  const Model& model = *forms_.model;
+  const Model& model = console_.model();
   if (model.broadcast < 0 || station_->carries_messages())
     co_return fail(FaultKind::refused,
                    fmt::format("A {} has no address that speaks to all devices of a line.", model.title),
@@ -315,10 +316,10 @@ Task<Result<>> Conversation::broadcast(std::string text, Priority priority) {
 Task<> Conversation::wait_for_quiet() {
   const bool slow = station_ && station_->lateness() > Duration::zero();
   const auto [quiet_time, longest_noise] = slow ? quiet_of_a_slow_one : usual_quiet;
-  const Instant give_up = scheduler_.now() + longest_noise;
-  Instant quiet_at = scheduler_.now() + quiet_time;
-  while (station_ && scheduler_.now() < quiet_at) {
-    auto waited = co_await station_->pause(quiet_at - scheduler_.now());
+  const Instant give_up = console_.scheduler.now() + longest_noise;
+  Instant quiet_at = console_.scheduler.now() + quiet_time;
+  while (station_ && console_.scheduler.now() < quiet_at) {
+    auto waited = co_await station_->pause(quiet_at - console_.scheduler.now());
     if (!waited) co_return;
     quiet_at = std::min(std::max(quiet_at, heard_at_ + quiet_time), give_up);
   }
@@ -326,13 +327,13 @@ Task<> Conversation::wait_for_quiet() {
 
 // $NNP of this device; or a whole text that no question waits for. What is late tells nothing.
 std::size_t Conversation::hear(std::string_view bytes) {
-  heard_at_ = scheduler_.now();
+  heard_at_ = console_.scheduler.now();
   if (bytes.find_first_not_of('\n') == bytes.npos) return ++line_feeds_, 0;
   if (const std::size_t length = unasked_at_front(bytes); length != 0) {
     if (length == std::string_view::npos) return length;
-    if (in_position(bytes.substr(0, length)) != catalog_.address) return 0;
-    texts_.add(std::string(text_of(bytes.substr(0, length))));
-    changed_();
+    if (in_position(bytes.substr(0, length)) != console_.catalog.address) return 0;
+    console_.texts.add(std::string(text_of(bytes.substr(0, length))));
+    console_.changed();
     return length;
   }
   if (is_anothers_name(bytes)) return 0;
@@ -344,8 +345,8 @@ std::size_t Conversation::hear(std::string_view bytes) {
 // Late, and taken for no answer of ours.
 bool Conversation::is_anothers_name(std::string_view bytes) const {
   const bool whole = bytes.find_first_of(std::string_view("\r\0", 2)) == bytes.size() - 1;
-  const auto number = number_in_name(*forms_.model, decode_reply(bytes).text);
-  return whole && number && *number != catalog_.address;
+  const auto number = number_in_name(console_.model(), decode_reply(bytes).text);
+  return whole && number && *number != console_.catalog.address;
 }
 
 // ---- sentences
@@ -356,15 +357,15 @@ tl::unexpected<Fault> Conversation::no_connection() const {
 
 tl::unexpected<Fault> Conversation::refusal(std::string_view sent, std::string_view reply) const {
   return fail(FaultKind::refused, fmt::format("The controller refused {} with {}: {}.", sent,
-                                              printable(reply), explain_refusal(*forms_.model, reply)));
+                                              printable(reply), explain_refusal(console_.model(), reply)));
 }
 
 tl::unexpected<Fault> Conversation::two_answer() const {
-  const std::string_view prefix = forms_.model->name_prefix;
+  const std::string_view prefix = console_.model().name_prefix;
   return fail(
       FaultKind::garbled,
       fmt::format("More than one device answers at address {:02}, or another program talks on this line.",
-                  catalog_.address),
+                  console_.catalog.address),
       "What came was not used.",
       fmt::format("Connect one of them alone, give it another device name ({}01 to {}99), Store, switch "
                   "its power off and on.",

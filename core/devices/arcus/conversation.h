@@ -10,9 +10,8 @@
 #include <vector>
 
 #include "core/base/asio.h"
-#include "core/device/catalog.h"
-#include "core/device/script_texts.h"
 #include "core/devices/arcus/codec.h"
+#include "core/devices/arcus/console.h"
 #include "core/devices/arcus/looks.h"
 #include "core/link/station.h"
 
@@ -36,9 +35,7 @@ std::string printable(std::string_view bytes);
 
 class Conversation {
  public:
-  /// `changed`: something came unasked that scripts may read.
-  Conversation(Scheduler& scheduler, const Catalog& catalog, const Forms& forms, ScriptTexts& texts,
-               std::function<void()> changed);
+  explicit Conversation(const Console& console) : console_(console) {}
 
   void attach(Station& station);
   void wire_lost() { station_ = nullptr; }
@@ -110,11 +107,7 @@ class Conversation {
   [[nodiscard]] bool is_anothers_name(std::string_view bytes) const;
   std::size_t hear(std::string_view bytes);
 
-  Scheduler& scheduler_;
-  const Catalog& catalog_;
-  const Forms& forms_;
-  ScriptTexts& texts_;
-  std::function<void()> changed_;
+  const Console& console_;
   Station* station_ = nullptr;
   Instant heard_at_{}, asked_at_{};
   int texts_heard_ = 0;  ///< that nobody waited for, be they late

@@ -1,78 +1,19 @@
-// Finding the device, and saying why not.
+// Finding it, losing it, and what is left when it was switched off and on.
 #include <fmt/core.h>
 
-#include "core/base/index.h"
+#include "core/device/nothing_known.h"
 #include "core/devices/arcus/driver.h"
 
 namespace hw::arcus {
-namespace {
-
-std::string hex_of(std::string_view bytes) {
-  std::string all;
-  for (const char c : bytes.substr(0, 12))
-    all += c > ' ' && c < 127 ? std::string(1, c) : fmt::format("<{:02X}>", static_cast<unsigned char>(c));
-  return all + (bytes.size() > 12 ? " ..." : "");
-}
-
-constexpr int attempts_at_connect = 4;
-constexpr Duration first_patience = Millis(300);
-constexpr Duration long_asked = std::chrono::seconds(3);  // and it goes on making no sense
-constexpr Duration slow_from = Millis(150);
-
-}  // namespace
-
-ArcusDriver::ArcusDriver(DriverContext context, const Forms& forms, const language::Dialect& dialect)
-    : scheduler_(context.scheduler),
-      catalog_(context.catalog),
-      draft_(context.draft),
-      texts_(context.texts),
-      notify_(std::move(context.notify)),
-      changed_(std::move(context.changed)),
-      forms_(forms),
-      dialect_(dialect),
-      talk_(scheduler_, catalog_, forms_, texts_, changed_),
-      code_(scheduler_, [this](Notice::Kind kind, std::string text) { tell(kind, std::move(text)); }),
-      borrowed_(talk_, [this](std::string_view name) { setup_.was_borrowed(name); }),
-      setup_(catalog_, forms_, draft_, talk_, code_, borrowed_, ways_of_set_up()),
-      list_(catalog_, forms_, draft_, talk_,
-            [this](Notice::Kind kind, std::string text) { tell(kind, std::move(text)); }),
-      readouts_(scheduler_, catalog_, forms_, draft_, talk_,
-                [this](int axis, std::int64_t state) { loop_is(axis, state); }),
-      watch_(scheduler_, draft_, talk_, code_, setup_, ways_of_watch()) {
-  talk_.goes_out = [this](std::string_view command) { goes_out(command); };
-  talk_.not_done = [this](std::string_view command) { not_done(command); };
-  draft_.axis_count = axis_count();
-  draft_.identity.model = catalog_.name;
-  for (int i = 0; i < axis_count(); ++i) draft_.axes[i].enabled = false;
-}
-
-void ArcusDriver::loop_is(int axis, std::int64_t state) {
-  minds_[ix(axis)].loop_state = static_cast<int>(state);
-  draft_.axes[axis].in_counts = state != static_cast<std::int64_t>(LoopState::off);
-}
-
-SetUp::Ways ArcusDriver::ways_of_set_up() {
-  return {[this](Notice::Kind kind, std::string text) { tell(kind, std::move(text)); },
-          [this] {
-            for (AxisMind& mind : minds_) mind.loop_state = -1;
-          },
-          [this](std::string how_it_shows) { restarted(how_it_shows, 0); }};
-}
-
-std::string ArcusDriver::axis_name(int axis) const {
-  return catalog_.axes[static_cast<std::size_t>(axis)].name;
-}
-
-void ArcusDriver::attach(Station& station) { talk_.attach(station); }
 
 Task<Result<>> ArcusDriver::connect() {
   talk_.forget_strays();
-  const Instant began = scheduler_.now();
-  code_.axis_moves();  // unseen
+  const Instant began = console_.scheduler.now();
+  known_.code.axis_moves();  // unseen
   auto found = co_await find();
   // Somebody is there, and what it was asked or answered was lost or garbled: what is wrong stays wrong.
   const bool heard = talk_.is_open() && talk_.station()->heard_at() > began;
-  const bool soon = scheduler_.now() - began < long_asked;
+  const bool soon = console_.scheduler.now() - began < Finding::long_asked;
   if (!found && heard && soon &&
       (worth_another_try(found.error()) || found.error().kind == FaultKind::refused)) {
     co_await talk_.wait_for_quiet();
@@ -80,191 +21,57 @@ Task<Result<>> ArcusDriver::connect() {
     found = co_await find();
   }
   if (!found) co_return found;
-  auto looked = co_await look_back_over_the_loss();
+  auto looked = co_await silence_.look_back_over_the_loss();
   if (!looked) co_return looked;
   co_return Result<>();
 }
 
 Task<Result<>> ArcusDriver::find() {
-  auto identified = co_await identify();
+  auto identified = co_await finding_.identify();
   if (!identified) co_return identified;
-  auto named = co_await read_name();
+  auto named = co_await finding_.read_name();
   if (!named) co_return named;
   co_return co_await read_state();
 }
 
-// ID tells the product; where a firmware does not know it, VER shows at least the family. One that was lost
-// is greeted by its name first, so that its answer, if it comes too late, is taken for none of the others on
-// its line.
-Task<Result<>> ArcusDriver::identify() {
-  if (lost_at_ != Instant{}) {
-    const Instant began = scheduler_.now();
-    const auto anybody = co_await talk_.greet(first_patience);
-    if (!anybody && anybody.error().kind == FaultKind::lost) co_return fail(anybody.error());
-    const bool heard = talk_.is_open() && talk_.station()->heard_at() > began;
-    if (!anybody && heard) co_return talk_.two_answer();
-    if (!anybody && anybody.error().kind == FaultKind::no_answer) co_return silent();
-  }
-  auto reply = co_await ask_who_it_is("ID", [this](std::string_view text) {
-    return text == model().product || text == forms_.other_product;
-  });
-  if (!reply && reply.error().kind == FaultKind::no_answer) co_return silent();
-  if (!reply) co_return fail(reply.error());
-  if (reply->text == "ID") co_return echoed();
-  if (reply->text == forms_.other_product)
-    co_return fail(
-        FaultKind::garbled,
-        fmt::format("Device {:02} is a {}, not a {}.", catalog_.address, reply->text, model().title),
-        "Nothing more was sent.", "Open it as the other model.");
-  const bool known = reply->text == model().product;
-  auto version = co_await ask_who_it_is("VER", looks::is_version);
-  if (!version) co_return fail(version.error());
-  if (talk_.line_feeds() > 0) co_return line_feeds_come();
-  if (!looks::is_version(version->text)) co_return garbled(known ? version->text : reply->text);
-  co_await talk_.wait_for_quiet();  // a second device with this address would have spoken by now
-  if (talk_.strays() > 0) co_return talk_.two_answer();
-  talk_.know_product(known);
-  draft_.identity.model = known ? reply->text : hex_of(reply->text);
-  draft_.identity.firmware = version->text;
-  if (!known)
-    tell(Notice::Kind::warning,
-         fmt::format("It answers {} to ID where a {} says {}. It is used as a {}.", hex_of(reply->text),
-                     model().title, model().product, model().title));
-  co_return Result<>();
-}
-
-// What comes first may be the answer to whoever had the line before, or half an answer; what comes late is of
-// a slow controller. Asked again it says the same, or is silent again: then that is what it is.
-Task<Result<Reply>> ArcusDriver::ask_who_it_is(std::string question,
-                                               std::function<bool(std::string_view)> is_it) {
-  Result<Reply> reply = fail(FaultKind::no_answer, "");
-  const Instant began = scheduler_.now();
-  int silences = 0;
-  std::string before;
-  for (int attempt = 0; attempt < attempts_at_connect; ++attempt) {
-    reply = co_await talk_.exchange(question, Priority::intent, first_patience, true);
-    if (reply && (is_it(reply->text) || reply->text == before)) break;
-    if (!reply && !worth_another_try(reply.error())) break;
-    silences += !reply && reply.error().kind == FaultKind::no_answer ? 1 : 0;
-    const bool heard = talk_.is_open() && talk_.station()->heard_at() > began;
-    if ((silences > 1 && !heard) || scheduler_.now() - began > long_asked) break;
-    if (reply) before = reply->text;
-    co_await talk_.wait_for_quiet();
-    talk_.forget_strays();
-  }
-  if (reply) note_how_slow();
-  co_return reply;
-}
-
-// How long it took to answer, beyond the bytes.
-void ArcusDriver::note_how_slow() {
-  if (!talk_.is_open()) return;
-  constexpr std::size_t usual_bytes = 24;  // of ID and its answer
-  const Station& station = *talk_.station();
-  const Duration waited =
-      std::max(station.lateness(), station.statistics().last_round_trip) - station.wire_time(usual_bytes);
-  if (waited <= slow_from || std::exchange(slow_told_, true)) return;
-  tell(Notice::Kind::warning,
-       fmt::format("It takes {:.1f} s to answer. It is waited for; what is shown of it is as old, and a stop "
-                   "is confirmed as late.",
-                   seconds(waited)));
-}
-
-Task<Result<>> ArcusDriver::read_name() {
-  auto name = co_await talk_.ask("DN", Priority::intent);
-  if (!name) co_return fail(name.error());
-  draft_.identity.serial = *name;
-  talk_.know_name(*name);
-  const bool usb = talk_.framing() == Framing::message;
-  const auto number = number_in_name(model(), *name);
-  if (!number && !usb && !std::exchange(name_told_, true))
-    tell(Notice::Kind::warning,
-         fmt::format(
-             "It answers at {:02} and calls itself {}, where a {} calls itself {}{:02}. On a line with "
-             "others its late answers cannot be told from theirs: set its device name (DN), Store, and "
-             "switch it off and on.",
-             catalog_.address, hex_of(*name), model().title, model().name_prefix, catalog_.address));
-  if (number && *number != catalog_.address && !usb && !std::exchange(name_told_, true))
-    tell(Notice::Kind::info,
-         fmt::format("It answers at {:02} and is to be called {}: it will answer at {:02} after Store and "
-                     "switching its power off and on.",
-                     catalog_.address, *name, *number));
-  co_return Result<>();
-}
-
-// Whatever goes out, before it does: a change that it explains is no power-cycle, and what it starts or ends
-// is not known any more, whether or not it is confirmed.
-void ArcusDriver::goes_out(std::string_view command) {
-  may_set(command);
-  forget_thread(command);
-  code_.goes_out(command);
-}
-
-void ArcusDriver::not_done(std::string_view command) { code_.was_refused(command); }
-
-void ArcusDriver::tell(Notice::Kind kind, std::string text) {
-  notify_(Notice(kind, scheduler_.now(), std::move(text)));
-}
-
 Task<Result<>> ArcusDriver::read_state() {
-  auto motion = co_await read_whole_motion(Priority::intent);
+  auto motion = co_await known_.status.read_whole(Priority::intent);
   if (!motion) co_return motion;
-  auto io = co_await read_io(Priority::intent);
+  auto io = co_await known_.lines.read(Priority::intent);
   if (!io) co_return io;
-  co_return co_await read_threads(true, Priority::intent);
+  co_return co_await known_.threads.read(true, Priority::intent);
 }
 
-// ---- why not
-
-tl::unexpected<Fault> ArcusDriver::silent() const {
-  if (talk_.framing() == Framing::message)
-    return fail(FaultKind::no_answer, fmt::format("The {} does not answer on USB.", model().title),
-                "Nothing was sent but the question for its name.",
-                fmt::format("Check its supply ({}) and the cable, and close other programs that use it.",
-                            forms_.supply));
-  const int rate = talk_.is_open() ? talk_.station()->rate() : 0;
-  return fail(
-      FaultKind::no_answer,
-      fmt::format("No {} answers at address {:02}{}.", model().title, catalog_.address,
-                  rate > 0 ? fmt::format(", at {} baud", rate) : ""),
-      "Nothing was sent but the question for its name.",
+void ArcusDriver::restarted(std::string_view how_it_shows, unsigned moved) {
+  ++console_.draft.restarts;
+  known_.setup.restarted();
+  for (ThreadState& t : console_.draft.threads) t = ThreadState();
+  console_.draft.variables_known.reset();
+  console_.draft.readouts_known.reset();
+  known_.borrowed.forget();
+  known_.code.restarted();
+  if (known_.code.program_may_run()) console_.draft.program.ended_by = EndedBy::lost;
+  known_.list.end();
+  known_.watch.forget();
+  known_.motions.restarted(moved);
+  console_.tell(
+      Notice::Kind::warning,
       fmt::format(
-          "Check its supply ({}), {}, the line rate (9600 from the factory), and its device name: the "
-          "last two digits are its address ({}{:02} from the factory).",
-          forms_.supply, forms_.wires, model().name_prefix, factory_id()));
+          "{}: the controller was switched off and on, or another program did it. What was not stored is "
+          "gone; it is read afresh. Find home before the next absolute move.",
+          how_it_shows));
 }
 
-tl::unexpected<Fault> ArcusDriver::garbled(std::string_view bytes) const {
-  const int rate = talk_.is_open() ? talk_.station()->rate() : 0;
-  return fail(
-      FaultKind::garbled,
-      fmt::format("What answers at address {:02} is no {}: {} came back.", catalog_.address, model().title,
-                  hex_of(bytes)),
-      "Nothing more was sent.",
-      fmt::format("Another device, another rate{}, or two devices with one address. Connect one alone "
-                  "and look.",
-                  rate > 0 ? fmt::format(" than {} baud", rate) : ""));
-}
-
-tl::unexpected<Fault> ArcusDriver::echoed() const {
-  return fail(FaultKind::garbled, "What is sent comes back as it is.",
-              "Nothing was sent but the question for its name.",
-              "Switch off the echo of the RS-485 adapter; if it has none, its data lines touch each other.");
-}
-
-tl::unexpected<Fault> ArcusDriver::line_feeds_come() const {
-  return fail(FaultKind::garbled,
-              fmt::format("The answers at address {:02} end in CR LF; those of a {} have no LF.",
-                          catalog_.address, model().title),
-              "What came was not used.",
-              "Something on the way adds it: switch the conversion of line ends off in the serial server or "
-              "adapter.");
-}
-
-int ArcusDriver::factory_id() const {
-  for (const SettingFact& fact : model().settings)
-    if (fact.id == Setting::device_name) return static_cast<int>(fact.factory);
-  return 0;
+void ArcusDriver::wire_lost() {
+  if (!talk_.is_open()) return;
+  talk_.wire_lost();
+  finding_.wire_lost();
+  known_.borrowed.leave_alone();
+  known_.list.end();
+  known_.motions.wire_lost();
+  console_.draft.transfer = TransferState();
+  nothing_is_known(console_.draft);  // of the threads: those that ran are stopped first
+  for (int i = 0; i < console_.axes(); ++i) console_.draft.axes[i].own_speed = Pps{};
 }
 
 }  // namespace hw::arcus

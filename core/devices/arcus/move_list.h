@@ -6,14 +6,12 @@
 
 #include "core/device/intent.h"
 #include "core/devices/arcus/conversation.h"
-#include "core/devices/arcus/tell.h"
 
 namespace hw::arcus {
 
 class MoveList {
  public:
-  MoveList(const Catalog& catalog, const Forms& forms, Snapshot& draft, Conversation& talk, Tell tell)
-      : catalog_(catalog), forms_(forms), draft_(draft), talk_(talk), tell_(std::move(tell)) {}
+  MoveList(const Console& console, Conversation& talk) : console_(console), talk_(talk) {}
 
   // ---- as the status tells
   void buffer_is(bool on) { buffer_on_ = on; }
@@ -30,11 +28,8 @@ class MoveList {
  private:
   void broken_off(Fault why);
 
-  const Catalog& catalog_;
-  const Forms& forms_;
-  Snapshot& draft_;
+  const Console& console_;
   Conversation& talk_;
-  Tell tell_;
   std::deque<std::vector<std::int64_t>> to_feed_;
   int buffer_free_ = 0;
   bool buffer_on_ = false;

@@ -13,37 +13,34 @@ constexpr int variables_per_round = 10;
 }  // namespace
 
 // Those of the status are no questions: their values stand in it.
-Readouts::Readouts(Scheduler& scheduler, const Catalog& catalog, const Forms& forms, Snapshot& draft,
-                   Conversation& talk, std::function<void(int axis, std::int64_t state)> loop_is)
-    : scheduler_(scheduler),
-      catalog_(catalog),
-      forms_(forms),
-      draft_(draft),
-      talk_(talk),
-      loop_is_(std::move(loop_is)) {
-  by_status_.assign(catalog_.readouts.size(), false);
+Readouts::Readouts(const Console& console, Conversation& talk,
+                   std::function<void(int axis, std::int64_t state)> loop_is)
+    : console_(console), talk_(talk), loop_is_(std::move(loop_is)) {
+  by_status_.assign(console_.catalog.readouts.size(), false);
   for (std::size_t i = 0; i < by_status_.size(); ++i) {
-    const std::string& id = catalog_.readouts[i].id;
+    const std::string& id = console_.catalog.readouts[i].id;
     by_status_[i] = id.starts_with("MST") || id == "LATCHIN" || id == "INDEX";
-    for (const std::string_view told : forms_.behind_status) by_status_[i] = by_status_[i] || id == told;
+    for (const std::string_view told : console_.forms.behind_status)
+      by_status_[i] = by_status_[i] || id == told;
   }
 }
 
 void Readouts::put(std::string_view id, std::int64_t value) {
-  const int index = catalog_.find_readout(id);
+  const int index = console_.catalog.find_readout(id);
   if (index < 0) return;
-  draft_.readouts[ix(index)] = value;
-  draft_.readouts_known.set(ix(index));
-  draft_.readouts_seen_at[ix(index)] = scheduler_.now();
+  console_.draft.readouts[ix(index)] = value;
+  console_.draft.readouts_known.set(ix(index));
+  console_.draft.readouts_seen_at[ix(index)] = console_.scheduler.now();
   if (id == "MM") incremental_ = value != 0;
 }
 
 Task<Result<>> Readouts::read(int index, Priority priority) {
-  const ReadoutInfo& info = catalog_.readouts[ix(index)];
+  const ReadoutInfo& info = console_.catalog.readouts[ix(index)];
   auto value = co_await talk_.ask_number(info.id, priority);
   if (!value) co_return fail(value.error());
   put(info.id, *value);
-  if (info.group == loop && info.axis >= 0 && info.id == fill(forms_, forms_.loop_state, info.axis))
+  if (info.group == loop && info.axis >= 0 &&
+      info.id == fill(console_.forms, console_.forms.loop_state, info.axis))
     loop_is_(info.axis, *value);
   co_return Result<>();
 }
@@ -51,34 +48,35 @@ Task<Result<>> Readouts::read(int index, Priority priority) {
 Task<Result<>> Readouts::read_analog(int number, Priority priority) {
   auto value = co_await talk_.ask_number(fmt::format("AI{}", number), priority);
   if (!value) co_return fail(value.error());
-  draft_.analog[ix(number - 1)] = static_cast<std::int32_t>(*value);
-  draft_.analog_known |= 1u << (number - 1);
-  draft_.analog_seen_at[ix(number - 1)] = scheduler_.now();
+  console_.draft.analog[ix(number - 1)] = static_cast<std::int32_t>(*value);
+  console_.draft.analog_known |= 1u << (number - 1);
+  console_.draft.analog_seen_at[ix(number - 1)] = console_.scheduler.now();
   co_return Result<>();
 }
 
 Task<Result<>> Readouts::read_variable(int number, Priority priority) {
   auto value = co_await talk_.ask_number(fmt::format("V{}", number), priority);
   if (!value) co_return fail(value.error());
-  draft_.variables[ix(number)] = static_cast<std::int32_t>(*value);
-  draft_.variables_known.set(ix(number));
+  console_.draft.variables[ix(number)] = static_cast<std::int32_t>(*value);
+  console_.draft.variables_known.set(ix(number));
   co_return Result<>();
 }
 
 Task<Result<>> Readouts::read_watched() {
-  for (int i = 0; i < static_cast<int>(catalog_.readouts.size()); ++i) {
-    if (by_status_[ix(i)] || !(watched_ >> catalog_.readouts[ix(i)].group & 1)) continue;
+  for (int i = 0; i < static_cast<int>(console_.catalog.readouts.size()); ++i) {
+    if (by_status_[ix(i)] || !(watched_ >> console_.catalog.readouts[ix(i)].group & 1)) continue;
     auto done = co_await read(i, Priority::poll);
     if (!done) co_return done;
   }
   if (watched_ >> variable_values & 1)
     for (int i = 0; i < variables_per_round; ++i) {
-      auto read = co_await read_variable(next_variable_, Priority::poll);
+      const int count = console_.catalog.variables.count;
+      auto read = co_await read_variable(variables_.peek(count), Priority::poll);
       if (!read) co_return read;
-      next_variable_ = (next_variable_ + 1) % catalog_.variables.count;
+      variables_.next(count);
     }
   const bool all_analog = (watched_ >> analog_inputs & 1) != 0;
-  for (int n = 1; all_analog && n <= forms_.model->analog_inputs; ++n) {
+  for (int n = 1; all_analog && n <= console_.model().analog_inputs; ++n) {
     auto read = co_await read_analog(n, Priority::poll);
     if (!read) co_return read;
   }
@@ -86,19 +84,16 @@ Task<Result<>> Readouts::read_watched() {
 }
 
 Task<Result<>> Readouts::read_in_turn() {
-  const int readouts = static_cast<int>(catalog_.readouts.size());
-  for (int tried = 0; tried < readouts; ++tried) {
-    const int index = next_readout_;
-    next_readout_ = (next_readout_ + 1) % readouts;
-    if (by_status_[ix(index)]) continue;
+  const int index = readouts_.next(static_cast<int>(console_.catalog.readouts.size()),
+                                   [this](int i) { return !by_status_[ix(i)]; });
+  if (index >= 0) {
     auto done = co_await read(index, Priority::poll);
     if (!done) co_return done;
-    break;
   }
-  if (forms_.model->analog_inputs > 0) {
-    auto done = co_await read_analog(next_analog_ + 1, Priority::poll);
+  if (const int inputs = console_.model().analog_inputs; inputs > 0) {
+    auto done = co_await read_analog(analog_.peek(inputs) + 1, Priority::poll);
     if (!done) co_return done;
-    next_analog_ = (next_analog_ + 1) % forms_.model->analog_inputs;
+    analog_.next(inputs);
   }
   co_return Result<>();
 }

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/device/in_turn.h"
 #include "core/devices/arcus/conversation.h"
 
 namespace hw::arcus {
@@ -12,8 +13,8 @@ namespace hw::arcus {
 class Readouts {
  public:
   /// `loop_is`: what StepNLoop of an axis says.
-  Readouts(Scheduler& scheduler, const Catalog& catalog, const Forms& forms, Snapshot& draft,
-           Conversation& talk, std::function<void(int axis, std::int64_t state)> loop_is);
+  Readouts(const Console& console, Conversation& talk,
+           std::function<void(int axis, std::int64_t state)> loop_is);
 
   void watch(std::uint32_t groups) { watched_ = groups; }
   /// What was told beside another answer.
@@ -30,15 +31,12 @@ class Readouts {
  private:
   Task<Result<>> read(int index, Priority priority);
 
-  Scheduler& scheduler_;
-  const Catalog& catalog_;
-  const Forms& forms_;
-  Snapshot& draft_;
+  const Console& console_;
   Conversation& talk_;
   std::function<void(int, std::int64_t)> loop_is_;
   std::vector<bool> by_status_;  ///< readouts that the status tells
   std::uint32_t watched_ = 0;
-  int next_readout_ = 0, next_variable_ = 0, next_analog_ = 0;
+  InTurn readouts_, variables_, analog_;
   bool incremental_ = false;
 };
 

@@ -17,11 +17,12 @@ unsigned RestartWatch::Stood::moved() const {
 
 RestartWatch::Stood RestartWatch::where_all_stand() const {
   Stood stood;
-  stood.seen_at = scheduler_.now();
+  stood.seen_at = console_.scheduler.now();
   stood.misses = talk_.misses();
-  stood.program_ran = draft_.program.run == RunState::running;
-  for (int i = 0; i < draft_.axis_count; ++i)
-    stood.axes[ix(i)] = {draft_.axes[i].position, draft_.axes[i].encoder, ways_.axis_now(i), false};
+  stood.program_ran = console_.draft.program.run == RunState::running;
+  for (int i = 0; i < console_.draft.axis_count; ++i)
+    stood.axes[ix(i)] = {console_.draft.axes[i].position, console_.draft.axes[i].encoder, ways_.axis_now(i),
+                         false};
   return stood;
 }
 
@@ -63,10 +64,10 @@ void RestartWatch::look_at_counters(const Look& look, bool was_silent) {
   const bool silent = was_silent || stood_->misses != before->misses;
   const bool a_program_may = before->program_ran || stood_->program_ran;
   constexpr double between_two_looks = 1;  // s, and more where the wire was slow
-  const double elapsed = between_two_looks + seconds(scheduler_.now() - before->seen_at);
+  const double elapsed = between_two_looks + seconds(console_.scheduler.now() - before->seen_at);
   bool jumped = false, came_nearer = false, stands_at_zero = true;
-  for (int i = 0; i < draft_.axis_count; ++i) {
-    const AxisState& axis = draft_.axes[i];
+  for (int i = 0; i < console_.draft.axis_count; ++i) {
+    const AxisState& axis = console_.draft.axes[i];
     const Stood::Axis& stood = before->axes[ix(i)];
     stands_at_zero = stands_at_zero && !stood_->axes[ix(i)].then.runs && axis.position == Steps(0) &&
                      axis.encoder == Steps(0);
@@ -89,7 +90,7 @@ void RestartWatch::look_at_counters(const Look& look, bool was_silent) {
 // as then shows that it was never cut.
 Task<Result<>> RestartWatch::look_at_motors(const Look& look) {
   std::int64_t on = 0;
-  for (int i = 0; i < draft_.axis_count; ++i) on |= std::int64_t{draft_.axes[i].enabled} << i;
+  for (int i = 0; i < console_.draft.axis_count; ++i) on |= std::int64_t{console_.draft.axes[i].enabled} << i;
   const bool a_program_may = code_.switches_motors() && (code_.program_may_run() || code_.was_called());
   const bool unexplained = motors_.answered(look.motors) && !a_program_may;
   const auto before = std::exchange(motors_on_, on);
@@ -122,10 +123,22 @@ Task<Result<>> RestartWatch::look_at_motors(const Look& look) {
   if (!kept) co_return fail(kept.error());
   if (*kept) co_return Result<>();
   if (in_doubt->may_be_set)
-    ways_.may_have_restarted();
+    tell_of_doubt();
   else
     ways_.restarted("It did not answer for a while, and then it counted from zero", moved);
   co_return Result<>();
+}
+
+// It was switched off and on, or what was sent has set the counters: nobody can tell.
+void RestartWatch::tell_of_doubt() {
+  for (int i = 0; i < console_.axes(); ++i)
+    if (console_.draft.axes[i].position == Steps(0))
+      console_.draft.axes[i].trust.doubt(Doubt::unheard, console_.scheduler.now());
+  console_.tell(
+      Notice::Kind::warning,
+      "Answers were missing, and then all positions read zero: what was sent has done that, or the "
+      "controller was switched off and on. Look where the axes stand, and find home before the next "
+      "absolute move.");
 }
 
 Task<Result<bool>> RestartWatch::power_up_starts_a_program() {

@@ -26,21 +26,13 @@ class RestartWatch {
     std::function<AxisNow(int axis)> axis_now;
     /// `moved`: a bit for each axis that was on its way.
     std::function<void(std::string_view how_it_shows, unsigned moved)> restarted;
-    /// That, or what was sent has set the counters: nobody can tell.
-    std::function<void()> may_have_restarted;
   };
   /// What had gone out when a round of status began.
   struct Look {
     Unexplained::Mark counters, targets, motors;
   };
-  RestartWatch(Scheduler& scheduler, Snapshot& draft, Conversation& talk, const CodeAtWork& code,
-               SetUp& setup, Ways ways)
-      : scheduler_(scheduler),
-        draft_(draft),
-        talk_(talk),
-        code_(code),
-        setup_(setup),
-        ways_(std::move(ways)) {}
+  RestartWatch(const Console& console, Conversation& talk, const CodeAtWork& code, SetUp& setup, Ways ways)
+      : console_(console), talk_(talk), code_(code), setup_(setup), ways_(std::move(ways)) {}
 
   /// Whatever goes out, before it does: a change that it explains is no power-cycle.
   void goes_out(std::string_view command);
@@ -90,9 +82,9 @@ class RestartWatch {
   };
   [[nodiscard]] Stood where_all_stand() const;
   Task<Result<bool>> power_up_starts_a_program();
+  void tell_of_doubt();
 
-  Scheduler& scheduler_;
-  Snapshot& draft_;
+  const Console& console_;
   Conversation& talk_;
   const CodeAtWork& code_;
   SetUp& setup_;

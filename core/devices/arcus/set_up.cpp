@@ -5,6 +5,8 @@
 #include <fmt/core.h>
 
 #include "core/base/index.h"
+#include "core/device/nothing_known.h"
+#include "core/device/param_check.h"
 
 namespace hw::arcus {
 namespace {
@@ -12,34 +14,18 @@ namespace {
 constexpr int params_per_round = 3;
 constexpr Duration store_patience = std::chrono::seconds(3);
 
-std::string range_words(const ParamInfo& p) {
-  if (!p.choices.empty()) {
-    std::string all;
-    for (const ParamChoice& c : p.choices) all += fmt::format("{}{}", all.empty() ? "" : ", ", c.value);
-    return "one of " + all;
-  }
-  return fmt::format("{} to {}{}", encode_value(p, p.minimum), encode_value(p, p.maximum),
-                     p.also_zero ? ", or 0" : "");
-}
-
 }  // namespace
 
-SetUp::SetUp(const Catalog& catalog, const Forms& forms, Snapshot& draft, Conversation& talk,
-             const CodeAtWork& code, const BorrowedSetting& borrowed, Ways ways)
-    : catalog_(catalog),
-      forms_(forms),
-      draft_(draft),
-      talk_(talk),
-      code_(code),
-      borrowed_(borrowed),
-      ways_(std::move(ways)) {
-  for (std::size_t i = 0; i < catalog_.params.size(); ++i)  // of what is not stored: decision AMB-034
-    after_power_up_[i] = catalog_.params[i].fallback;
+SetUp::SetUp(const Console& console, Conversation& talk, const CodeAtWork& code,
+             const BorrowedSetting& borrowed, Ways ways)
+    : console_(console), talk_(talk), code_(code), borrowed_(borrowed), ways_(std::move(ways)) {
+  for (std::size_t i = 0; i < console_.catalog.params.size(); ++i)  // of what is not stored: decision AMB-034
+    after_power_up_[i] = console_.catalog.params[i].fallback;
 }
 
 const SettingFact* SetUp::fact_of(int index) const {
   int first = 0;
-  for (const SettingFact& fact : forms_.model->settings) {
+  for (const SettingFact& fact : console_.model().settings) {
     if (index < first + fact.count) return &fact;
     first += fact.count;
   }
@@ -47,15 +33,15 @@ const SettingFact* SetUp::fact_of(int index) const {
 }
 
 std::optional<std::int64_t> SetUp::param(std::string_view mnemonic) const {
-  const int index = catalog_.find_param(mnemonic);
-  if (index < 0 || !draft_.params[ix(index)].known) return std::nullopt;
-  return draft_.params[ix(index)].value;
+  const int index = console_.catalog.find_param(mnemonic);
+  if (index < 0 || !console_.draft.params[ix(index)].known) return std::nullopt;
+  return console_.draft.params[ix(index)].value;
 }
 
 std::optional<std::int64_t> SetUp::setting(Setting id, int axis) const {
   int first = 0;
-  for (const SettingFact& fact : forms_.model->settings) {
-    const ParamState& state = draft_.params[ix(first + axis)];
+  for (const SettingFact& fact : console_.model().settings) {
+    const ParamState& state = console_.draft.params[ix(first + axis)];
     if (fact.id == id) return state.known ? std::optional(state.value) : std::nullopt;
     first += fact.count;
   }
@@ -65,9 +51,9 @@ std::optional<std::int64_t> SetUp::setting(Setting id, int axis) const {
 // An axis has speeds of its own where all three of them are set, else it has the common one (PMX manual,
 // HS[axis]). None: they are not read yet.
 std::optional<bool> SetUp::has_own_speeds(int axis) const {
-  bool own = forms_.axis_speeds;
+  bool own = console_.forms.axis_speeds;
   for (const Setting id : {Setting::axis_high_speed, Setting::axis_low_speed, Setting::axis_accel}) {
-    if (!forms_.axis_speeds) break;
+    if (!console_.forms.axis_speeds) break;
     const auto value = setting(id, axis);
     if (!value) return std::nullopt;
     own = own && *value != 0;
@@ -84,23 +70,23 @@ std::int64_t SetUp::start_speed(int axis) const {
 
 void SetUp::show_own_speeds() {
   if (borrowed_.is_out()) return;
-  for (int i = 0; i < forms_.model->axes(); ++i) {
+  for (int i = 0; i < console_.model().axes(); ++i) {
     const auto own = has_own_speeds(i);
     const auto speed =
         own.value_or(false) ? setting(Setting::axis_high_speed, i) : setting(Setting::high_speed);
-    draft_.axes[i].own_speed = Pps(own ? static_cast<double>(speed.value_or(0)) : 0);
+    console_.draft.axes[i].own_speed = Pps(own ? static_cast<double>(speed.value_or(0)) : 0);
   }
 }
 
 void SetUp::forget(std::string_view head) {
-  for (std::size_t i = 0; i < catalog_.params.size(); ++i)
-    if (catalog_.params[i].mnemonic.starts_with(head)) draft_.params[i].known = false;
+  for (std::size_t i = 0; i < console_.catalog.params.size(); ++i)
+    if (console_.catalog.params[i].mnemonic.starts_with(head)) console_.draft.params[i].known = false;
 }
 
 Task<Result<>> SetUp::read(int index, Priority priority) {
-  const ParamInfo& info = catalog_.params[ix(index)];
+  const ParamInfo& info = console_.catalog.params[ix(index)];
   Conversation::Decode decode = [&info](std::string_view text) { return decode_value(info, text); };
-  const ParamState& before = draft_.params[ix(index)];
+  const ParamState& before = console_.draft.params[ix(index)];
   const std::int64_t expected = before.known ? before.value : after_power_up_[ix(index)];
   auto reply = co_await talk_.ask_surely(info.mnemonic, std::move(decode), expected, priority);
   if (!reply) co_return fail(reply.error());
@@ -110,8 +96,8 @@ Task<Result<>> SetUp::read(int index, Priority priority) {
   if (taken_back)
     ways_.restarted(fmt::format("{} read {} and now reads {}, and nothing that was sent does that",
                                 info.mnemonic, encode_value(info, before.value), encode_value(info, value)));
-  draft_.params[ix(index)].value = value;
-  draft_.params[ix(index)].known = true;
+  console_.draft.params[ix(index)].value = value;
+  console_.draft.params[ix(index)].known = true;
   nobody_sets_.set(ix(index), code_.leaves_param(ix(index)) || !code_.program_may_run());
   if (info.stored) compare_with_stored(index);
   co_return Result<>();
@@ -119,7 +105,7 @@ Task<Result<>> SetUp::read(int index, Priority priority) {
 
 // What reads as it is stored needs no Store: it was set back, or the power was off.
 void SetUp::compare_with_stored(int index) {
-  ParamState& read = draft_.params[ix(index)];
+  ParamState& read = console_.draft.params[ix(index)];
   if (read.stored) {
     after_power_up_[ix(index)] = read.value;
     stored_known_.set(ix(index));
@@ -127,8 +113,9 @@ void SetUp::compare_with_stored(int index) {
   }
   if (!stored_known_.test(ix(index)) || read.value != after_power_up_[ix(index)]) return;
   read.stored = true;
-  draft_.unsaved_setup = unsaved_variables_ || std::any_of(draft_.params.begin(), draft_.params.end(),
-                                                           [](const ParamState& p) { return !p.stored; });
+  console_.draft.unsaved_setup =
+      unsaved_variables_ || std::any_of(console_.draft.params.begin(), console_.draft.params.end(),
+                                        [](const ParamState& p) { return !p.stored; });
 }
 
 // One that is not known may set anything.
@@ -141,7 +128,8 @@ void SetUp::code_may_set() {
 
 // Not in the memory that stays.
 bool SetUp::in_ram_only(int index) const {
-  return (!catalog_.params[ix(index)].stored || !draft_.params[ix(index)].stored) && !borrowed_.is_out();
+  return (!console_.catalog.params[ix(index)].stored || !console_.draft.params[ix(index)].stored) &&
+         !borrowed_.is_out();
 }
 
 // A controller that stood at zero shows by its positions nothing of having been switched off and on. What it
@@ -154,16 +142,12 @@ Task<Result<>> SetUp::read_what_power_keeps() {
 
 /// One after the other; -1: there is none.
 int SetUp::next_that_would_show() {
-  const int params = static_cast<int>(catalog_.params.size());
-  for (int tried = 0; tried < params; ++tried) {
-    const int index = next_kept_;
-    next_kept_ = (next_kept_ + 1) % params;
-    const ParamInfo& info = catalog_.params[ix(index)];
-    const ParamState& state = draft_.params[ix(index)];
+  return kept_.next(static_cast<int>(console_.catalog.params.size()), [this](int index) {
+    const ParamInfo& info = console_.catalog.params[ix(index)];
+    const ParamState& state = console_.draft.params[ix(index)];
     const bool would_show = !state.stored || (!info.stored && state.value != info.fallback);
-    if (state.known && would_show && in_ram_only(index)) return index;
-  }
-  return -1;
+    return state.known && would_show && in_ram_only(index);
+  });
 }
 
 // A value that a power-cut would have taken back still stands; or it does not, and that has been told.
@@ -181,40 +165,39 @@ Task<Result<bool>> SetUp::code_has_left_something() {
   const auto sets = code_.known()->sets;
   auto started = co_await talk_.ask_number("SLOAD", Priority::poll);
   if (!started || *started != 0) co_return false;
-  for (std::size_t i = 0; i < catalog_.params.size(); ++i) {
-    if (catalog_.params[i].stored || !sets.test(i)) continue;
+  for (std::size_t i = 0; i < console_.catalog.params.size(); ++i) {
+    if (console_.catalog.params[i].stored || !sets.test(i)) continue;
     auto read_again = co_await read(static_cast<int>(i), Priority::poll);
     if (!read_again) co_return fail(read_again.error());
-    if (draft_.params[i].value != catalog_.params[i].fallback) co_return true;
+    if (console_.draft.params[i].value != console_.catalog.params[i].fallback) co_return true;
   }
   co_return false;
 }
 
 // First those that are not known, then all again, because programs and terminals change them.
 Task<Result<>> SetUp::read_in_turn() {
-  const int params = static_cast<int>(catalog_.params.size());
+  const int params = static_cast<int>(console_.catalog.params.size());
   int read_now = 0;
   for (int tried = 0; tried < params && read_now < params_per_round; ++tried) {
-    const int index = next_param_;
-    next_param_ = (next_param_ + 1) % params;
-    if (draft_.params[ix(index)].known) continue;
+    const int index = params_.next(params);
+    if (console_.draft.params[ix(index)].known) continue;
     auto done = co_await read(index, Priority::poll);
     if (!done) co_return done;
     ++read_now;
   }
   if (read_now > 0) co_return Result<>();
-  auto done = co_await read(next_param_, Priority::poll);
-  next_param_ = (next_param_ + 1) % params;
+  auto done = co_await read(params_.peek(params), Priority::poll);
+  params_.next(params);
   co_return done;
 }
 
 // What depends on what: times are adjusted to the speeds, the joystick switches StepNLoop off.
 void SetUp::changed(int index) {
-  const ParamInfo& info = catalog_.params[ix(index)];
-  ParamState& state = draft_.params[ix(index)];
+  const ParamInfo& info = console_.catalog.params[ix(index)];
+  ParamState& state = console_.draft.params[ix(index)];
   state.known = false;
   state.stored = !info.stored;
-  draft_.unsaved_setup = draft_.unsaved_setup || info.stored;
+  console_.draft.unsaved_setup = console_.draft.unsaved_setup || info.stored;
   const SettingFact* fact = fact_of(index);
   if (!fact) return;
   switch (fact->id) {
@@ -235,25 +218,17 @@ void SetUp::changed(int index) {
 }
 
 Task<Result<bool>> SetUp::set(intent::SetParam wish) {
-  const int index = catalog_.find_param(wish.mnemonic);
-  if (index < 0)
-    co_return fail(FaultKind::refused,
-                   fmt::format("A {} has no parameter {}.", forms_.model->title, wish.mnemonic),
-                   "Nothing was sent.");
-  const ParamInfo& info = catalog_.params[ix(index)];
-  if (!info.accepts(wish.value))
-    co_return fail(FaultKind::refused,
-                   fmt::format("{} is not possible for {} ({}): it takes {}.", encode_value(info, wish.value),
-                               info.mnemonic, info.label, range_words(info)),
-                   "Nothing was sent.");
-  if (!info.warning.empty() && !wish.confirmed && !(wish.value == 0))
-    co_return fail(FaultKind::refused, info.warning, "Nothing was sent.", "Confirm it to go on.");
+  const std::string who = fmt::format("A {}", console_.model().title);
+  const auto place = check_param(console_.catalog, wish, {who, encode_value});
+  if (!place) co_return fail(place.error());
+  const int index = static_cast<int>(*place);
+  const ParamInfo& info = console_.catalog.params[*place];
   auto sent = co_await talk_.command(set_command(info, wish.value), Priority::intent);
   if (!sent) co_return fail(sent.error());
   changed(index);
   auto read_back = co_await read(index, Priority::intent);
   if (!read_back) co_return fail(read_back.error());
-  const std::int64_t kept = draft_.params[ix(index)].value;
+  const std::int64_t kept = console_.draft.params[ix(index)].value;
   if (kept == wish.value) co_return true;
   const bool ramp = info.unit == "ms" && !info.stored;
   if (!ramp)
@@ -261,7 +236,7 @@ Task<Result<bool>> SetUp::set(intent::SetParam wish) {
                    fmt::format("{} was set to {}, but the controller says {}.", info.mnemonic,
                                encode_value(info, wish.value), encode_value(info, kept)),
                    "It was sent once.", "The number that the controller says is the one that holds.");
-  ways_.tell(
+  console_.tell(
       Notice::Kind::info,
       fmt::format("{} was set to {} ms; with the present speeds the controller uses {} ms (table A.0).",
                   info.mnemonic, wish.value, kept));
@@ -269,14 +244,14 @@ Task<Result<bool>> SetUp::set(intent::SetParam wish) {
 }
 
 void SetUp::is_stored() {
-  for (std::size_t i = 0; i < catalog_.params.size(); ++i) {
-    ParamState& p = draft_.params[i];
-    if (catalog_.params[i].stored) stored_known_.set(i, p.known);
-    if (catalog_.params[i].stored && p.known) after_power_up_[i] = p.value;
+  for (std::size_t i = 0; i < console_.catalog.params.size(); ++i) {
+    ParamState& p = console_.draft.params[i];
+    if (console_.catalog.params[i].stored) stored_known_.set(i, p.known);
+    if (console_.catalog.params[i].stored && p.known) after_power_up_[i] = p.value;
     p.stored = true;
   }
   unsaved_variables_ = false;
-  draft_.unsaved_setup = false;
+  console_.draft.unsaved_setup = false;
 }
 
 Task<Result<>> SetUp::store() {
@@ -287,7 +262,7 @@ Task<Result<>> SetUp::store() {
                    "Do not switch the controller off now. Compare the set-up before you store again.");
   if (!done) co_return done;
   is_stored();
-  ways_.tell(
+  console_.tell(
       Notice::Kind::info,
       "The set-up and the variables V50 to V99 are stored. Speeds, sync settings and V0 to V49 are never "
       "kept.");
@@ -295,17 +270,17 @@ Task<Result<>> SetUp::store() {
 }
 
 void SetUp::forget_all() {
-  for (ParamState& p : draft_.params) p.known = false;
+  for (ParamState& p : console_.draft.params) p.known = false;
 }
 
 void SetUp::was_borrowed(std::string_view name) {
-  if (const int index = catalog_.find_param(name); index >= 0) nobody_sets_.reset(ix(index));
+  if (const int index = console_.catalog.find_param(name); index >= 0) nobody_sets_.reset(ix(index));
 }
 
 void SetUp::restarted() {
-  for (ParamState& p : draft_.params) p = ParamState();
+  set_up_is_unknown(console_.draft);
   nobody_sets_.reset();
-  unsaved_variables_ = draft_.unsaved_setup = false;
+  unsaved_variables_ = false;
 }
 
 }  // namespace hw::arcus

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "core/device/in_turn.h"
 #include "core/devices/arcus/borrowed_setting.h"
 #include "core/devices/arcus/code_at_work.h"
 #include "core/devices/arcus/conversation.h"
@@ -15,12 +16,11 @@ namespace hw::arcus {
 class SetUp {
  public:
   struct Ways {
-    Tell tell;
     std::function<void()> loops_unknown;                      ///< StepNLoop was switched, perhaps
     std::function<void(std::string how_it_shows)> restarted;  ///< a value is as power-up makes it
   };
-  SetUp(const Catalog& catalog, const Forms& forms, Snapshot& draft, Conversation& talk,
-        const CodeAtWork& code, const BorrowedSetting& borrowed, Ways ways);
+  SetUp(const Console& console, Conversation& talk, const CodeAtWork& code, const BorrowedSetting& borrowed,
+        Ways ways);
 
   // ---- what is known
   [[nodiscard]] std::optional<std::int64_t> param(std::string_view mnemonic) const;
@@ -44,7 +44,7 @@ class SetUp {
   Task<Result<bool>> set(intent::SetParam wish);
   Task<Result<>> store();
   void is_stored();
-  void variable_is_unsaved() { unsaved_variables_ = draft_.unsaved_setup = true; }
+  void variable_is_unsaved() { unsaved_variables_ = console_.draft.unsaved_setup = true; }
   void changed(int index);
   void forget(std::string_view head);
   void forget_all();
@@ -62,9 +62,7 @@ class SetUp {
   void take(int index, std::int64_t value);
   [[nodiscard]] const SettingFact* fact_of(int index) const;
 
-  const Catalog& catalog_;
-  const Forms& forms_;
-  Snapshot& draft_;
+  const Console& console_;
   Conversation& talk_;
   const CodeAtWork& code_;
   const BorrowedSetting& borrowed_;
@@ -73,7 +71,7 @@ class SetUp {
   std::bitset<max_params> stored_known_;                   ///< of what is stored: after_power_up_ was read
   std::bitset<max_params> nobody_sets_;  ///< read, and nothing has run since that may have set them
   bool unsaved_variables_ = false;       ///< some were set and not stored
-  int next_param_ = 0, next_kept_ = 0;
+  InTurn params_, kept_;
 };
 
 }  // namespace hw::arcus

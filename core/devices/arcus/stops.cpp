@@ -1,9 +1,10 @@
-// Stopping, by decision AMB-128: STOP (or ABORT), every program stopped, STOP again because one may have
-// begun a move in between, the joystick off where it is on. Then the status, until all stand.
+#include "core/devices/arcus/stops.h"
+
+#include <bitset>
+
 #include <fmt/core.h>
 
 #include "core/base/index.h"
-#include "core/devices/arcus/driver.h"
 
 namespace hw::arcus {
 namespace {
@@ -22,25 +23,19 @@ Fault joystick_not_read(bool switched_off) {
 
 }  // namespace
 
-Task<Result<std::string>> ArcusDriver::stop(const StopOrder& order) {
-  using What = StopOrder::What;
-  if (!talk_.is_open())
-    co_return fail(FaultKind::lost, "Stop does not reach the controller: there is no connection.",
-                   "Nothing was sent.", "Use its power switch.");
-  if (order.what == What::words) co_return co_await stop_by_words(order);
-  const Instant began = scheduler_.now();
-  auto sent = co_await send_stop(order, until_next_of_stop);
+Task<Result<>> Stops::stop(const StopOrder& order) {
+  const Instant began = console_.scheduler.now();
+  auto sent = co_await send(order, until_next_of_stop);
   const bool heard = talk_.is_open() && talk_.station()->heard_at() >= began;
   const bool may_ask = heard && !order.in_haste;
   if (!sent && may_ask && worth_another_try(sent.error())) {  // on a clean line its answers are its own
     const bool clean = co_await talk_.come_clean(Priority::stop);
-    if (clean) sent = co_await send_stop(order, until_confirmed);
+    if (clean) sent = co_await send(order, until_confirmed);
   }
-  if (!sent) co_return fail(sent.error());
-  co_return std::string();
+  co_return sent;
 }
 
-Task<Result<>> ArcusDriver::send_stop(const StopOrder& order, Duration patience) {
+Task<Result<>> Stops::send(const StopOrder& order, Duration patience) {
   using What = StopOrder::What;
   if (order.what == What::broadcast) co_return co_await stop_line(order.at_once);
   if (order.what == What::program) co_return co_await halt_program(order.thread, patience);
@@ -49,23 +44,24 @@ Task<Result<>> ArcusDriver::send_stop(const StopOrder& order, Duration patience)
 
 // A stop for all devices of the line, by the same words as the stop of each, which follows: on a line that
 // nobody answers those wait for one another.
-Task<Result<>> ArcusDriver::stop_line(bool at_once) {
-  if (model().broadcast < 0) co_return Result<>();
+Task<Result<>> Stops::stop_line(bool at_once) {
+  if (console_.model().broadcast < 0) co_return Result<>();
   const std::string word = at_once ? "ABORT" : "STOP";
   auto all = co_await talk_.broadcast(word, Priority::stop);
-  for (int n = 0; all && n < model().programs; ++n)
+  for (int n = 0; all && n < console_.model().programs; ++n)
     all = co_await talk_.broadcast(fmt::format("SR{}=0", n), Priority::stop);
   if (all) all = co_await talk_.broadcast(word, Priority::stop);
   co_return all;
 }
 
 // What a jog moves stops alone: programs, and axes that they move, go on.
-Task<Result<>> ArcusDriver::stop_axes(int axis, bool at_once, bool motion_only, Duration patience) {
+Task<Result<>> Stops::stop_axes(int axis, bool at_once, bool motion_only, Duration patience) {
   list_.end();
-  const std::string_view form = at_once ? forms_.abort : forms_.stop;
-  const bool all = axis < 0 || axis_count() == 1;
-  const std::string word = all ? std::string(form.substr(0, form.find('a'))) : fill(forms_, form, axis);
-  stopping(all ? -1 : axis, at_once);
+  const std::string_view form = at_once ? console_.forms.abort : console_.forms.stop;
+  const bool all = axis < 0 || console_.axes() == 1;
+  const std::string word =
+      all ? std::string(form.substr(0, form.find('a'))) : fill(console_.forms, form, axis);
+  motions_.stopping(all ? -1 : axis, at_once);
   if (motion_only) co_return co_await talk_.command(word, Priority::stop, patience);
   if (all) co_return co_await stop_all(word, patience);
   auto said = co_await talk_.command(word, Priority::stop, patience);
@@ -78,11 +74,11 @@ Task<Result<>> ArcusDriver::stop_axes(int axis, bool at_once, bool motion_only, 
 // The programs that run end first, and what they have begun in between right behind them; then those that
 // were idle when last asked, which a program, another host or the power-up may have started. Whatever is not
 // confirmed, the next is sent.
-Task<Result<>> ArcusDriver::stop_all(std::string word, Duration patience) {
+Task<Result<>> Stops::stop_all(std::string word, Duration patience) {
   halting_ = true;
   std::bitset<max_threads> running;
-  for (int n = 0; n < model().programs; ++n) {
-    const RunState last = draft_.threads[ix(n)].run;  // also where it is not known any more
+  for (int n = 0; n < console_.model().programs; ++n) {
+    const RunState last = console_.draft.threads[ix(n)].run;  // also where it is not known any more
     running.set(ix(n), last == RunState::running || last == RunState::held);
   }
   Result<> all = co_await talk_.command(word, Priority::stop, patience);
@@ -91,7 +87,7 @@ Task<Result<>> ArcusDriver::stop_all(std::string word, Duration patience) {
   };
   for (const bool those_that_run : {true, false}) {
     bool told = false;
-    for (int n = 0; n < model().programs; ++n) {
+    for (int n = 0; n < console_.model().programs; ++n) {
       if (running.test(ix(n)) != those_that_run) continue;
       told = true;
       auto halted = co_await halt_thread(n, patience);
@@ -107,30 +103,18 @@ Task<Result<>> ArcusDriver::stop_all(std::string word, Duration patience) {
   co_return all;
 }
 
-bool ArcusDriver::program_runs_on() const {
-  for (int n = 0; n < model().programs; ++n)
-    if (may_run(n)) return true;
-  return false;
-}
-
-/// As far as is known.
-bool ArcusDriver::may_run(int thread) const {
-  const ThreadState& state = draft_.threads[ix(thread)];
-  return state.known && state.run != RunState::idle && state.run != RunState::error;
-}
-
-Task<Result<>> ArcusDriver::halt_thread(int thread, Duration patience) {
+Task<Result<>> Stops::halt_thread(int thread, Duration patience) {
   std::string text = fmt::format("SR{}=0", thread);
   co_return co_await talk_.command(std::move(text), Priority::stop, patience);
 }
 
 // The program ends; the motion that it has begun goes on.
-Task<Result<>> ArcusDriver::halt_program(int thread, Duration patience) {
-  if (thread >= model().programs)
+Task<Result<>> Stops::halt_program(int thread, Duration patience) {
+  if (thread >= console_.model().programs)
     co_return fail(FaultKind::refused, fmt::format("There is no program {}.", thread), "Nothing was sent.");
   halting_ = true;
   Result<> all;
-  for (int n = 0; n < model().programs; ++n) {
+  for (int n = 0; n < console_.model().programs; ++n) {
     if (thread >= 0 && n != thread) continue;
     auto halted = co_await halt_thread(n, patience);
     if (all && !halted) all = std::move(halted);
@@ -140,16 +124,16 @@ Task<Result<>> ArcusDriver::halt_program(int thread, Duration patience) {
 
 // Its axes would go on by the stick. It is asked each time: programs, other hosts and a power-up switch it
 // on.
-Task<Result<>> ArcusDriver::release_joystick(int axis, std::string stop) {
-  if (!forms_.joystick) co_return Result<>();
-  const int index = catalog_.find_param("JE");
+Task<Result<>> Stops::release_joystick(int axis, std::string stop) {
+  if (!console_.forms.joystick) co_return Result<>();
+  const int index = console_.catalog.find_param("JE");
   const auto mask = co_await talk_.ask_number("JE", Priority::stop);
   if (!mask && (mask.error().kind == FaultKind::lost || mask.error().kind == FaultKind::stopped))
     co_return fail(mask.error());
   const std::int64_t kept = axis < 0 || !mask ? 0 : *mask & ~(std::int64_t{1} << axis);
   if (mask && kept == *mask) co_return Result<>();
   if (!mask && axis >= 0) {
-    draft_.params[ix(index)].known = false;
+    console_.draft.params[ix(index)].known = false;
     co_return fail(joystick_not_read(false));
   }
   const auto set = co_await talk_.command(set_command("JE", kept), Priority::stop);
@@ -157,39 +141,47 @@ Task<Result<>> ArcusDriver::release_joystick(int axis, std::string stop) {
   auto said = co_await talk_.command(stop, Priority::stop);
   if (!set) co_return set;
   if (!mask) co_return fail(joystick_not_read(true));
-  draft_.params[ix(index)].value = kept;
-  draft_.params[ix(index)].known = true;
-  tell(Notice::Kind::info, "The joystick was switched off by the stop.");
+  console_.draft.params[ix(index)].value = kept;
+  console_.draft.params[ix(index)].known = true;
+  console_.tell(Notice::Kind::info, "The joystick was switched off by the stop.");
   co_return said;
 }
 
 // ---- what has become of it
 
-StopProgress ArcusDriver::stop_progress(const StopOrder& order) {
+Task<Result<>> Stops::look() {
+  auto seen = co_await status_.read(Priority::stop);
+  if (!seen) co_return seen;
+  if (halting_) co_return co_await threads_.read(true, Priority::stop);
+  co_return Result<>();
+}
+
+StopProgress Stops::progress(const StopOrder& order) {
   if (order.what == StopOrder::What::words) return StopProgress::stands();  // the wire has carried them
-  const bool all = order.axis < 0 || axis_count() == 1;
+  const bool all = order.axis < 0 || console_.axes() == 1;
   if (order.what != StopOrder::What::jog && all) {
     if (auto programs = programs_end(order); programs.now != StopProgress::Now::stands) return programs;
     halting_ = false;
   }
   if (order.what == StopOrder::What::program) return StopProgress::stands();
   bool turns = false;
-  for (int i = 0; i < axis_count(); ++i) turns = turns || ((all || i == order.axis) && runs(i));
+  for (int i = 0; i < console_.axes(); ++i) turns = turns || ((all || i == order.axis) && motions_.runs(i));
   if (order.what == StopOrder::What::everything && all && code_.subroutine_may_run()) {
     StopProgress progress = code_.outlast(order, turns);
     using Now = StopProgress::Now;
-    if (progress.now == Now::stands || progress.now == Now::failed) stands(-1);
+    if (progress.now == Now::stands || progress.now == Now::failed) motions_.stands(-1);
     return progress;
   }
-  if (turns && !all && program_runs_on() && scheduler_.now() - order.sent_at > next_move_of_a_program) {
-    tell(Notice::Kind::warning,
-         fmt::format("A program moves {} again. Stop all axes to end it too.", axis_name(order.axis)));
-    stands(order.axis);
+  if (turns && !all && threads_.any_may_run() &&
+      console_.scheduler.now() - order.sent_at > next_move_of_a_program) {
+    console_.tell(Notice::Kind::warning, fmt::format("A program moves {} again. Stop all axes to end it too.",
+                                                     console_.axis_name(order.axis)));
+    motions_.stands(order.axis);
     return StopProgress::stands();
   }
-  const bool given_up = turns && scheduler_.now() - order.sent_at > longest_stop;
+  const bool given_up = turns && console_.scheduler.now() - order.sent_at > longest_stop;
   if (turns && !given_up) return StopProgress::wait();
-  stands(all ? -1 : order.axis);
+  motions_.stands(all ? -1 : order.axis);
   if (!turns) return StopProgress::stands();
   return StopProgress::failed(Fault(FaultKind::controller, "The controller was told to stop and still moves.",
                                     "The stop was sent.",
@@ -197,9 +189,9 @@ StopProgress ArcusDriver::stop_progress(const StopOrder& order) {
 }
 
 // One that was halted is started again by another that is not yet.
-StopProgress ArcusDriver::programs_end(const StopOrder& order) const {
-  for (int n = 0; n < model().programs; ++n) {
-    const RunState run = draft_.threads[ix(n)].run;
+StopProgress Stops::programs_end(const StopOrder& order) const {
+  for (int n = 0; n < console_.model().programs; ++n) {
+    const RunState run = console_.draft.threads[ix(n)].run;
     const bool meant = order.thread < 0 || n == order.thread;
     if (!meant || (run != RunState::running && run != RunState::held)) continue;
     if (!order.confirmed || order.times_sent < stop_attempts) return StopProgress::again();
@@ -209,46 +201,6 @@ StopProgress ArcusDriver::programs_end(const StopOrder& order) const {
                                       "Stop again, or switch the power off."));
   }
   return StopProgress::stands();
-}
-
-void ArcusDriver::stopping(int axis, bool at_once) {
-  for (int i = 0; i < axis_count(); ++i) {
-    if ((axis >= 0 && i != axis) || !moving(i)) continue;
-    ended_by_us(i, at_once ? EndedBy::abort : EndedBy::stop);
-    draft_.axes[i].activity = Activity::stopping;
-    minds_[ix(i)].stopping = true;
-  }
-}
-
-// Axes that move together end together.
-void ArcusDriver::ended_by_us(int axis, EndedBy why) {
-  for (int i = 0; i < axis_count(); ++i) {
-    if (!moving(i) || (i != axis && (minds_[ix(axis)].with >> i & 1u) == 0)) continue;
-    minds_[ix(i)].ended_by = why;
-    if (why == EndedBy::abort) doubt_killed_position(i);
-  }
-}
-
-// Its pulses end with ABORT, not its mass: a step motor stays in step only up to the speed at which it starts
-// without a ramp too. With StepNLoop the encoder counts what it did.
-void ArcusDriver::doubt_killed_position(int index) {
-  AxisState& axis = draft_.axes[index];
-  const std::int64_t safe = setup_.start_speed(index);
-  if (axis.in_counts || axis.trust.doubtful() || axis.speed.value <= static_cast<double>(safe)) return;
-  axis.trust.doubt(Doubt::killed, scheduler_.now());
-  tell(Notice::Kind::warning,
-       fmt::format("Axis {} was stopped without a ramp at {:.0f} pulses/s. Above its low speed, {}, it may "
-                   "have lost steps: its position is doubtful until it is homed or set.",
-                   axis_name(index), axis.speed.value, safe));
-}
-
-// What was being stopped is shown as it is again.
-void ArcusDriver::stands(int axis) {
-  for (int i = 0; i < axis_count(); ++i) {
-    if (axis >= 0 && i != axis) continue;
-    minds_[ix(i)].stopping = false;
-    show_axis(i, scheduler_.now());
-  }
 }
 
 }  // namespace hw::arcus

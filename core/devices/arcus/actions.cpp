@@ -1,9 +1,9 @@
-// The catalog's actions: what these controllers can be told beside the verbs of all controllers.
+#include "core/devices/arcus/actions.h"
+
 #include <fmt/core.h>
 
 #include "core/base/index.h"
 #include "core/device/action_check.h"
-#include "core/devices/arcus/driver.h"
 
 namespace hw::arcus {
 namespace {
@@ -18,16 +18,16 @@ std::int64_t field(const ActionInfo& info, const std::vector<std::int64_t>& valu
 
 }  // namespace
 
-Task<Result<>> ArcusDriver::act(intent::Act wish) {
-  if (auto possible = check_action(catalog_, wish); !possible) co_return possible;
-  const ActionInfo& info = catalog_.actions[ix(wish.action)];
+Task<Result<>> Actions::act(intent::Act wish) {
+  if (auto possible = check_action(console_.catalog, wish); !possible) co_return possible;
+  const ActionInfo& info = console_.catalog.actions[ix(wish.action)];
   const auto value = [&](std::string_view id) { return field(info, wish.values, id); };
   const int axis = static_cast<int>(value("axis"));
   const bool on = value("on") != 0;
   const std::string& id = info.id;
 
-  if (id == "clear") co_return co_await clear_errors(forms_.clear, axis);
-  if (id == "clear_loop") co_return co_await clear_errors(forms_.clear_loop, axis);
+  if (id == "clear") co_return co_await clear_errors(console_.forms.clear, axis);
+  if (id == "clear_loop") co_return co_await clear_errors(console_.forms.clear_loop, axis);
   if (id == "change_speed") co_return co_await change_speed(axis, value("speed"), value("accel"));
   if (id == "arc" || id == "circle") co_return co_await draw(info, wish.values);
   if (id == "joystick") co_return co_await joystick(axis, on);
@@ -36,9 +36,10 @@ Task<Result<>> ArcusDriver::act(intent::Act wish) {
   std::string text;
   if (id == "absolute") text = "ABS";
   if (id == "incremental") text = "INC";
-  if (id == "speed_window") text = set_command(fill(forms_, forms_.speed_window, axis), value("window"));
-  if (id == "latch") text = set_command(fill(forms_, forms_.latch, axis), on);
-  if (id == "sync") text = fill(forms_, on ? forms_.sync_on : forms_.sync_off, axis);
+  if (id == "speed_window")
+    text = set_command(fill(console_.forms, console_.forms.speed_window, axis), value("window"));
+  if (id == "latch") text = set_command(fill(console_.forms, console_.forms.latch, axis), on);
+  if (id == "sync") text = fill(console_.forms, on ? console_.forms.sync_on : console_.forms.sync_off, axis);
   if (id == "subroutine") text = fmt::format("GS{}", value("number"));
   if (id == "buffer_on") text = "BO";
   if (id == "buffer_off") text = "BF";
@@ -46,7 +47,7 @@ Task<Result<>> ArcusDriver::act(intent::Act wish) {
   auto done = co_await talk_.command(text, Priority::intent);
   if (!done) {
     if (info.moves) {
-      Fault fault = co_await after_doubt(std::move(done.error()), text);
+      Fault fault = co_await status_.after_doubt(std::move(done.error()), text);
       co_return fail(std::move(fault));
     }
     co_return done;
@@ -58,33 +59,33 @@ Task<Result<>> ArcusDriver::act(intent::Act wish) {
 }
 
 // Positions stay as they are; the target of StepNLoop becomes the place where the axis stands.
-Task<Result<>> ArcusDriver::clear_errors(std::string_view form, int axis) {
-  const bool all = axis < 0 || axis_count() == 1;
-  std::string text = all ? std::string(form.substr(0, form.find('a'))) : fill(forms_, form, axis);
+Task<Result<>> Actions::clear_errors(std::string_view form, int axis) {
+  const bool all = axis < 0 || console_.axes() == 1;
+  std::string text = all ? std::string(form.substr(0, form.find('a'))) : fill(console_.forms, form, axis);
   auto done = co_await talk_.command(std::move(text), Priority::intent);
   if (!done) co_return done;
-  for (int i = 0; i < axis_count(); ++i)
-    if ((all || i == axis) && minds_[ix(i)].loop_state != static_cast<int>(LoopState::off))
-      minds_[ix(i)].loop_state = -1;
-  auto read = co_await read_motion(Priority::intent);
+  for (int i = 0; i < console_.axes(); ++i)
+    if (all || i == axis) motions_.loop_is_unknown(i);
+  auto read = co_await status_.read(Priority::intent);
   if (!read) co_return read;
-  co_return co_await read_loop(Priority::intent);
+  co_return co_await status_.read_loops(Priority::intent);
 }
 
 // The ramp takes the acceleration time: one that is given is written for this change and put back.
-Task<Result<>> ArcusDriver::change_speed(int axis, std::int64_t speed, std::int64_t accel_ms) {
+Task<Result<>> Actions::change_speed(int axis, std::int64_t speed, std::int64_t accel_ms) {
   if (accel_ms > 0) {
-    std::string name(forms_.accel);
-    if (forms_.axis_speeds) {
-      auto own = co_await talk_.ask_number(fill(forms_, forms_.axis_accel, axis), Priority::intent);
+    std::string name(console_.forms.accel);
+    if (console_.forms.axis_speeds) {
+      auto own =
+          co_await talk_.ask_number(fill(console_.forms, console_.forms.axis_accel, axis), Priority::intent);
       if (!own) co_return fail(own.error());
-      if (*own != 0) name = fill(forms_, forms_.axis_accel, axis);
+      if (*own != 0) name = fill(console_.forms, console_.forms.axis_accel, axis);
     }
     const auto shown = setup_.param(name);
     auto borrowed = co_await borrowed_.borrow(std::move(name), accel_ms, shown);
     if (!borrowed) co_return borrowed;
   }
-  const std::string text = fill(forms_, forms_.change_speed, axis, Sign::plus, speed);
+  const std::string text = fill(console_.forms, console_.forms.change_speed, axis, Sign::plus, speed);
   auto changed = co_await talk_.command(text, Priority::intent);
   auto returned = co_await borrowed_.give_back();
   if (changed && !returned) co_return returned;
@@ -93,22 +94,19 @@ Task<Result<>> ArcusDriver::change_speed(int axis, std::int64_t speed, std::int6
   co_return changed;
 }
 
-Task<Result<>> ArcusDriver::change_target(int axis, std::int64_t target) {
-  const std::string text = fill(forms_, forms_.change_target, axis, Sign::plus, target);
+Task<Result<>> Actions::change_target(int axis, std::int64_t target) {
+  const std::string text = fill(console_.forms, console_.forms.change_target, axis, Sign::plus, target);
   auto done = co_await talk_.command(text, Priority::intent);
   if (!done) {
-    Fault fault = co_await after_doubt(std::move(done.error()), text);
+    Fault fault = co_await status_.after_doubt(std::move(done.error()), text);
     co_return fail(std::move(fault));
   }
-  draft_.axes[axis].target = Steps(target);
-  draft_.axes[axis].has_target = true;
-  minds_[ix(axis)].ours = true;
-  minds_[ix(axis)].wanted = Activity::moving;
+  motions_.goes_elsewhere(axis, Steps(target));
   co_return Result<>();
 }
 
-Task<Result<>> ArcusDriver::draw(const ActionInfo& info, std::vector<std::int64_t> values) {
-  auto incremental = co_await ask_incremental();
+Task<Result<>> Actions::draw(const ActionInfo& info, std::vector<std::int64_t> values) {
+  auto incremental = co_await moves_.ask_incremental();
   if (!incremental) co_return fail(incremental.error());
   if (*incremental)
     co_return fail(FaultKind::refused,
@@ -120,7 +118,7 @@ Task<Result<>> ArcusDriver::draw(const ActionInfo& info, std::vector<std::int64_
       fmt::format("{}{}{}:{}", info.id == "arc" ? "ARC" : "CIR", way, value("centre_x"), value("centre_y"));
   if (info.id == "arc") text += fmt::format(":{}:{}", value("end_angle"), value("sweep"));
   std::vector<int> axes{0, 1};
-  auto started = co_await start(std::move(text), std::move(axes), Activity::moving);
+  auto started = co_await moves_.start(std::move(text), std::move(axes), Activity::moving);
   if (!started && started.error().kind == FaultKind::refused && started.error().advice.empty())
     started.error().advice = fmt::format(
         "The radius must be from 1 to {} pulses, and StepNLoop of X and Y off, or on for both with one "
@@ -129,13 +127,13 @@ Task<Result<>> ArcusDriver::draw(const ActionInfo& info, std::vector<std::int64_
   co_return started;
 }
 
-Task<Result<>> ArcusDriver::joystick(int axis, bool on) {
+Task<Result<>> Actions::joystick(int axis, bool on) {
   auto mask = co_await talk_.ask_number("JE", Priority::intent);
   if (!mask) co_return fail(mask.error());
   const std::int64_t bit = std::int64_t{1} << axis;
   auto set = co_await talk_.command(set_command("JE", on ? *mask | bit : *mask & ~bit), Priority::intent);
   if (!set) co_return set;
-  const int index = catalog_.find_param("JE");
+  const int index = console_.catalog.find_param("JE");
   setup_.changed(index);
   co_return co_await setup_.read(index, Priority::intent);
 }

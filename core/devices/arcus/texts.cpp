@@ -1,7 +1,8 @@
-// The user's own text: sent, asked, stopped by, and heard from a neighbour's terminal on the same line.
+#include "core/devices/arcus/texts.h"
+
 #include <fmt/core.h>
 
-#include "core/devices/arcus/driver.h"
+#include "core/devices/arcus/text_meaning.h"
 
 namespace hw::arcus {
 namespace {
@@ -32,18 +33,18 @@ EndedBy how_it_ends(std::string_view stop) {
 
 }  // namespace
 
-Task<Result<std::string>> ArcusDriver::query(std::string text, Duration patience) {
+Task<Result<std::string>> Texts::query(std::string text, Duration patience) {
   if (cut_to_one_command(text))
     co_return fail(FaultKind::refused, "This is more than one command: the end of a line ends one.",
                    "Nothing was sent.", "Send them one by one.");
-  auto looked = co_await look_after_silence();
+  auto looked = co_await silence_.look();
   if (!looked && looked.error().kind == FaultKind::stopped) co_return fail(looked.error());
   auto returned = co_await borrowed_.give_back_first();
   if (!returned) co_return fail(returned.error());
-  co_return co_await say_text(std::move(text), Priority::intent, patience);
+  co_return co_await say(std::move(text), Priority::intent, patience);
 }
 
-Task<Result<std::string>> ArcusDriver::stop_by_words(const StopOrder& order) {
+Task<Result<std::string>> Texts::stop(const StopOrder& order) {
   std::string text = order.words;
   const bool more = cut_to_one_command(text);
   list_.end();
@@ -54,10 +55,10 @@ Task<Result<std::string>> ArcusDriver::stop_by_words(const StopOrder& order) {
     co_return std::string();
   }
   const Duration patience = order.patience > Duration::zero() ? order.patience : typed_patience;
-  auto stopped = co_await say_text(text, Priority::stop, patience);
+  auto stopped = co_await say(text, Priority::stop, patience);
   if (stopped && stopped->starts_with('?'))  // it has heard something else
     co_return fail(FaultKind::controller, fmt::format("The controller answered {} to {}.", *stopped, text));
-  const bool its_own = address_of(text) < 0 || address_of(text) == catalog_.address;
+  const bool its_own = address_of(text) < 0 || address_of(text) == console_.catalog.address;
   if (stopped && its_own && ends_motion(command_in(text)) &&
       *stopped != "OK")  // the answer to what was before
     co_return fail(FaultKind::garbled, fmt::format("The controller answered {} to {}.", *stopped, text),
@@ -67,17 +68,17 @@ Task<Result<std::string>> ArcusDriver::stop_by_words(const StopOrder& order) {
                  "Send the other by itself.");
 }
 
-Task<Result<std::string>> ArcusDriver::say_text(std::string text, Priority priority, Duration patience) {
+Task<Result<std::string>> Texts::say(std::string text, Priority priority, Duration patience) {
   const std::string command = command_in(text);
   const int to = address_of(text);
-  if (model().broadcast >= 0 && to == model().broadcast) {
+  if (console_.model().broadcast >= 0 && to == console_.model().broadcast) {
     auto sent = co_await talk_.broadcast(std::string(text_of(text)), priority);
     if (!sent) co_return fail(sent.error());
     note_sent(command);
     note_done(command);
     co_return std::string();
   }
-  const bool anothers = to >= 0 && to != catalog_.address;
+  const bool anothers = to >= 0 && to != console_.catalog.address;
   auto reply = co_await talk_.exchange(text, priority, patience);
   if (!reply && anothers && reply.error().kind == FaultKind::no_answer)
     co_return fail(FaultKind::no_answer,
@@ -92,71 +93,67 @@ Task<Result<std::string>> ArcusDriver::say_text(std::string text, Priority prior
   co_return std::move(reply->text);
 }
 
-TextMeaning ArcusDriver::meaning_of(const intent::SendText& text) const {
-  return arcus::meaning_of(forms_, text, Addressing{catalog_.address, setup_.param("AR") == 1});
-}
-
 // To all, unless it says itself to whom: then that one answers, or it is the address of all.
-Task<Result<>> ArcusDriver::send_text(const intent::SendText& wish) {
+Task<Result<>> Texts::send(const intent::SendText& wish) {
   std::string text = wish.text;
   if (wish.broadcast && address_of(text) < 0) {
-    if (model().broadcast < 0 || talk_.framing() == Framing::message)
+    if (console_.model().broadcast < 0 || talk_.framing() == Framing::message)
       co_return co_await talk_.broadcast(std::move(text), Priority::intent);  // which says why not
-    text.insert(0, fmt::format("@{:02}", model().broadcast));
+    text.insert(0, fmt::format("@{:02}", console_.model().broadcast));
   }
   auto reply = co_await query(std::move(text), typed_patience);
   if (!reply) co_return fail(reply.error());
-  if (!reply->empty()) texts_.add(std::move(*reply));
+  if (!reply->empty()) console_.texts.add(std::move(*reply));
   co_return Result<>();
 }
 
-// Another session of this line has said it to all. What it may change is read afresh: intents go before
-// polls.
-void ArcusDriver::overhear(const std::string& text) {
+// What it may change is read afresh: intents go before polls.
+void Texts::overhear(const std::string& text) {
   const std::string command = command_in(text);
-  may_set(command);
+  watch_.goes_out(command);
+  threads_.may_start(command);
   code_.goes_out(command);
   note_sent(command);
   note_done(command);
 }
 
 // What is true only when the controller has taken it.
-void ArcusDriver::note_done(std::string_view text) {
+void Texts::note_done(std::string_view text) {
   if (bare_text(text) == "STORE") setup_.is_stored();
 }
 
 // What the user's own text changes is read afresh, not guessed.
-void ArcusDriver::note_sent(std::string_view as_typed) {
+void Texts::note_sent(std::string_view as_typed) {
   const std::string clean = bare_text(as_typed);
   const std::string_view text = clean;
   const auto equals = text.find('=');
   const std::string_view name = text.substr(0, equals);
   if (equals != text.npos) {
-    const int index = catalog_.find_param(name);
+    const int index = console_.catalog.find_param(name);
     if (index >= 0) setup_.changed(index);
     if (name.starts_with('V'))
       if (const auto n = decode_number(name.substr(1)); n && *n >= 0 && *n < variables)
-        draft_.variables_known.reset(static_cast<std::size_t>(*n));
+        console_.draft.variables_known.reset(static_cast<std::size_t>(*n));
   }
-  io_due_ = io_due_ || may_switch_motor(text);
-  forget_thread(text);
+  if (may_switch_motor(text)) lines_.look_soon();
+  threads_.are_told(text);
   code_.goes_out(text);
   if (text.starts_with("SA") && equals != text.npos) code_.forget();
-  if (const int axis = axis_named_in(forms_, text); axis >= 0 && takes_target_away(text))
-    draft_.axes[axis].has_target = false;
+  if (const int axis = axis_named_in(console_.forms, text); axis >= 0 && takes_target_away(text))
+    console_.draft.axes[axis].has_target = false;
   if (ends_motion(text)) note_stop(text);
-  if (!arcus::may_move(forms_, text)) return;
-  watch_
-      .counters_may_be_set();  // homing sets them; a short move to zero ends before anybody has seen it move
-  changed_();
+  if (!arcus::may_move(console_.forms, text)) return;
+  // Homing sets them; a short move to zero ends before anybody has seen it move.
+  watch_.counters_may_be_set();
+  console_.changed();
 }
 
 // The user's own stop: what it has ended did not end by itself.
-void ArcusDriver::note_stop(std::string_view text) {
+void Texts::note_stop(std::string_view text) {
   list_.end();
-  const int only = axis_count() > 1 ? axis_named_in(forms_, text) : -1;
-  for (int i = 0; i < axis_count(); ++i)
-    if ((only < 0 || i == only) && moving(i)) ended_by_us(i, how_it_ends(text));
+  const int only = console_.axes() > 1 ? axis_named_in(console_.forms, text) : -1;
+  for (int i = 0; i < console_.axes(); ++i)
+    if ((only < 0 || i == only) && console_.draft.axis_moves(i)) motions_.ended_by_us(i, how_it_ends(text));
 }
 
 }  // namespace hw::arcus

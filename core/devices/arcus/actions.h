@@ -1,0 +1,45 @@
+#pragma once
+// The catalog's actions: what these controllers can be told beside the verbs of all controllers.
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "core/devices/arcus/moves.h"
+
+namespace hw::arcus {
+
+class Actions {
+ public:
+  Actions(const Console& console, Conversation& talk, SetUp& setup, BorrowedSetting& borrowed, MoveList& list,
+          Readouts& readouts, Motions& motions, MotionStatus& status, Moves& moves)
+      : console_(console),
+        talk_(talk),
+        setup_(setup),
+        borrowed_(borrowed),
+        list_(list),
+        readouts_(readouts),
+        motions_(motions),
+        status_(status),
+        moves_(moves) {}
+
+  Task<Result<>> act(intent::Act wish);
+
+ private:
+  Task<Result<>> change_speed(int axis, std::int64_t speed, std::int64_t accel_ms);
+  Task<Result<>> change_target(int axis, std::int64_t target);
+  Task<Result<>> draw(const ActionInfo& info, std::vector<std::int64_t> values);
+  Task<Result<>> clear_errors(std::string_view form, int axis);
+  Task<Result<>> joystick(int axis, bool on);
+
+  const Console& console_;
+  Conversation& talk_;
+  SetUp& setup_;
+  BorrowedSetting& borrowed_;
+  MoveList& list_;
+  Readouts& readouts_;
+  Motions& motions_;
+  MotionStatus& status_;
+  Moves& moves_;
+};
+
+}  // namespace hw::arcus

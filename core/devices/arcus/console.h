@@ -1,0 +1,33 @@
+#pragma once
+// What every part of the driver shows, tells and counts in (see DriverContext), and how its model spells it.
+#include <string>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "core/device/driver.h"
+#include "core/devices/arcus/forms.h"
+
+namespace hw::arcus {
+
+struct Console : DriverContext {
+  Console(DriverContext context, const Forms& model_forms)
+      : DriverContext(std::move(context)), forms(model_forms) {}
+
+  void tell(Notice::Kind kind, std::string text) const {
+    notify(Notice(kind, scheduler.now(), std::move(text)));
+  }
+  [[nodiscard]] const Model& model() const { return *forms.model; }
+  [[nodiscard]] int axes() const { return model().axes(); }
+  [[nodiscard]] const std::string& axis_name(int axis) const {
+    return catalog.axes[static_cast<std::size_t>(axis)].name;
+  }
+  [[nodiscard]] Result<> has_axis(int axis) const {
+    if (axis >= 0 && axis < axes()) return {};
+    return fail(FaultKind::refused, fmt::format("There is no axis {}.", axis + 1), "Nothing was sent.");
+  }
+
+  const Forms& forms;
+};
+
+}  // namespace hw::arcus

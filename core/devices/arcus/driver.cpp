@@ -1,0 +1,141 @@
+// What is asked of the driver, and which part does it; the set-up as far as it concerns several.
+#include "core/devices/arcus/driver.h"
+
+#include <fmt/core.h>
+
+#include "core/devices/arcus/text_meaning.h"
+
+namespace hw::arcus {
+
+ArcusDriver::ArcusDriver(DriverContext context, const Forms& forms, const language::Dialect& dialect)
+    : console_(std::move(context), forms),
+      talk_(console_),
+      known_(console_, talk_,
+             [this](std::string_view how_it_shows, unsigned moved) { restarted(how_it_shows, moved); }),
+      work_(console_, talk_, known_, dialect),
+      silence_(console_, known_.watch, known_.status, known_.threads, known_.lines),
+      stops_(console_, talk_, known_.code, known_.setup, known_.list, known_.motions, known_.status,
+             known_.threads),
+      texts_(console_, talk_, known_.code, known_.borrowed, known_.setup, known_.list, known_.watch,
+             known_.motions, known_.threads, known_.lines, silence_),
+      finding_(console_, talk_) {
+  console_.draft.axis_count = console_.axes();
+  console_.draft.identity.model = console_.catalog.name;
+  for (int i = 0; i < console_.axes(); ++i) console_.draft.axes[i].enabled = false;
+}
+
+void ArcusDriver::attach(Station& station) { talk_.attach(station); }
+
+Task<Result<>> ArcusDriver::perform(const IntentBody& body) {
+  using namespace intent;
+  if (!talk_.is_open()) co_return talk_.no_connection();
+  if (auto looked = co_await silence_.look(); !looked) co_return looked;
+  if (auto returned = co_await known_.borrowed.give_back_first(); !returned) co_return returned;
+  if (const auto* i = std::get_if<MoveTo>(&body))
+    co_return co_await work_.moves.move(i->targets, i->speed, false);
+  if (const auto* i = std::get_if<MoveBy>(&body))
+    co_return co_await work_.moves.move(i->distances, i->speed, true);
+  if (const auto* i = std::get_if<JogStart>(&body)) co_return co_await work_.moves.jog(*i);
+  if (const auto* i = std::get_if<Home>(&body)) co_return co_await work_.moves.home(*i);
+  if (const auto* i = std::get_if<SetPosition>(&body)) co_return co_await work_.moves.set_position(*i);
+  if (const auto* i = std::get_if<SetEncoder>(&body)) co_return co_await work_.moves.set_encoder(*i);
+  if (const auto* i = std::get_if<SetPower>(&body)) co_return co_await known_.lines.set_power(*i);
+  if (const auto* i = std::get_if<SetOutput>(&body)) co_return co_await known_.lines.set_output(*i);
+  if (const auto* i = std::get_if<SetParam>(&body)) co_return co_await set_param(*i);
+  if (const auto* i = std::get_if<Act>(&body)) co_return co_await work_.actions.act(*i);
+  if (const auto* i = std::get_if<SetVariable>(&body)) co_return co_await set_variable(*i);
+  if (const auto* i = std::get_if<FeedMoves>(&body)) co_return co_await work_.feed.start(*i);
+  if (const auto* i = std::get_if<SendText>(&body)) co_return co_await texts_.send(*i);
+  if (const auto* i = std::get_if<Watch>(&body)) {
+    known_.readouts.watch(i->groups);
+    co_return Result<>();
+  }
+  if (const auto* i = std::get_if<ReadParams>(&body)) co_return co_await read_params(i->only);
+  if (const auto* i = std::get_if<ReadAnalog>(&body);
+      i && i->number >= 1 && i->number <= console_.model().analog_inputs)
+    co_return co_await known_.readouts.read_analog(i->number, Priority::intent);
+  if (std::holds_alternative<Store>(body)) co_return co_await known_.setup.store();
+  if (std::holds_alternative<ReadAgain>(body)) co_return co_await read_again();
+  if (std::holds_alternative<Reset>(body))
+    co_return fail(FaultKind::refused, fmt::format("A {} has no reset command.", console_.model().title),
+                   "Nothing was sent.", "Switch its power off and on.");
+  co_return co_await work_.programs.perform(body);
+}
+
+Task<Result<std::string>> ArcusDriver::stop(const StopOrder& order) {
+  if (!talk_.is_open())
+    co_return fail(FaultKind::lost, "Stop does not reach the controller: there is no connection.",
+                   "Nothing was sent.", "Use its power switch.");
+  if (order.what == StopOrder::What::words) co_return co_await texts_.stop(order);
+  auto sent = co_await stops_.stop(order);
+  if (!sent) co_return fail(sent.error());
+  co_return std::string();
+}
+
+StopProgress ArcusDriver::stop_progress(const StopOrder& order) { return stops_.progress(order); }
+
+Task<Result<std::string>> ArcusDriver::query(std::string text, Duration patience) {
+  return texts_.query(std::move(text), patience);
+}
+
+void ArcusDriver::overhear(const std::string& text) { texts_.overhear(text); }
+
+TextMeaning ArcusDriver::meaning_of(const intent::SendText& text) const {
+  return arcus::meaning_of(console_.forms, text,
+                           Addressing{console_.catalog.address, known_.setup.param("AR") == 1});
+}
+
+std::string ArcusDriver::leaves_behind() const {
+  const std::string left = work_.stored.leaves_behind(), borrowed = known_.borrowed.leaves_behind();
+  return left.empty() || borrowed.empty() ? left + borrowed : left + ' ' + borrowed;
+}
+
+// What follows from it: whether StepNLoop is on.
+Task<Result<>> ArcusDriver::set_param(intent::SetParam wish) {
+  auto exactly = co_await known_.setup.set(std::move(wish));
+  if (!exactly) co_return fail(exactly.error());
+  if (!*exactly) co_return Result<>();
+  co_return co_await known_.status.read_loops(Priority::intent);
+}
+
+Task<Result<>> ArcusDriver::set_variable(const intent::SetVariable& wish) {
+  const VariableFacts& facts = console_.catalog.variables;
+  if (wish.number < 0 || wish.number >= facts.count || wish.value < facts.minimum ||
+      wish.value > facts.maximum)
+    co_return fail(FaultKind::refused,
+                   fmt::format("V{} cannot be set to {}: there are V0 to V{}, of {} to {}.", wish.number,
+                               wish.value, facts.count - 1, facts.minimum, facts.maximum),
+                   "Nothing was sent.");
+  auto set =
+      co_await talk_.command(set_command(fmt::format("V{}", wish.number), wish.value), Priority::intent);
+  if (!set) co_return set;
+  if (wish.number >= facts.stored_from) known_.setup.variable_is_unsaved();
+  co_return co_await known_.readouts.read_variable(wish.number, Priority::intent);
+}
+
+Task<Result<>> ArcusDriver::read_params(std::string only) {
+  if (!only.empty()) {
+    const int index = console_.catalog.find_param(only);
+    if (index >= 0) co_return co_await known_.setup.read(index, Priority::intent);
+  }
+  for (int i = 0; i < static_cast<int>(console_.catalog.params.size()); ++i) {
+    auto read = co_await known_.setup.read(i, Priority::transfer);
+    if (!read) co_return read;
+    co_await work_.live.read();
+  }
+  for (int n = console_.catalog.variables.stored_from; n < console_.catalog.variables.count; ++n) {
+    auto read = co_await known_.readouts.read_variable(n, Priority::transfer);
+    if (!read) co_return read;
+    co_await work_.live.read();
+  }
+  co_return Result<>();
+}
+
+Task<Result<>> ArcusDriver::read_again() {
+  known_.setup.forget_all();
+  console_.draft.variables_known.reset();
+  known_.motions.loops_are_unknown();
+  co_return co_await read_state();
+}
+
+}  // namespace hw::arcus

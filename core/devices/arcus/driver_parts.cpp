@@ -1,0 +1,38 @@
+#include "core/devices/arcus/driver_parts.h"
+
+namespace hw::arcus {
+
+Known::Known(const Console& console, Conversation& talk,
+             std::function<void(std::string_view how_it_shows, unsigned moved)> restarted)
+    : code(console),
+      borrowed(talk, [this](std::string_view name) { setup.was_borrowed(name); }),
+      setup(console, talk, code, borrowed,
+            {[this] { motions.loops_are_unknown(); },
+             [restarted](std::string how_it_shows) { restarted(how_it_shows, 0); }}),
+      list(console, talk),
+      readouts(console, talk, [this](int axis, std::int64_t state) { motions.loop_is(axis, state); }),
+      watch(console, talk, code, setup, {[this](int axis) { return motions.now(axis); }, restarted}),
+      motions(console, setup),
+      status(console, talk, code, list, readouts, watch, motions),
+      threads(console, talk, code, setup, watch),
+      lines(console, talk, setup) {
+  // Before it does: a change that it explains is no power-cycle, and what it starts or ends is not known any
+  // more, whether or not it is confirmed.
+  talk.goes_out = [this](std::string_view command) {
+    watch.goes_out(command);
+    threads.may_start(command);
+    threads.are_told(command);
+    code.goes_out(command);
+  };
+  talk.not_done = [this](std::string_view command) { code.was_refused(command); };
+}
+
+Work::Work(const Console& console, Conversation& talk, Known& k, const language::Dialect& dialect)
+    : moves(console, talk, k.setup, k.borrowed, k.readouts, k.watch, k.motions, k.status),
+      feed(console, k.list, k.motions, k.status),
+      actions(console, talk, k.setup, k.borrowed, k.list, k.readouts, k.motions, k.status, moves),
+      live(console, talk, k.status, k.threads),
+      stored(console, talk, k.code, live),
+      programs(console, dialect, talk, k.code, k.status, k.threads, stored) {}
+
+}  // namespace hw::arcus

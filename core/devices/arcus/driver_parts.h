@@ -1,0 +1,44 @@
+#pragma once
+// The parts of the driver in two groups, the second made of the first. A part names what it needs of others
+// where it is made: driver_parts.cpp.
+#include <functional>
+#include <string_view>
+
+#include "core/devices/arcus/actions.h"
+#include "core/devices/arcus/feed.h"
+#include "core/devices/arcus/lines.h"
+#include "core/devices/arcus/programs.h"
+
+namespace hw::arcus {
+
+/// What is known of the controller, and what is asked for it in rounds of status.
+struct Known {
+  /// `restarted`: how it shows, and a bit for each axis that was on its way.
+  Known(const Console& console, Conversation& talk,
+        std::function<void(std::string_view how_it_shows, unsigned moved)> restarted);
+
+  CodeAtWork code;
+  BorrowedSetting borrowed;
+  SetUp setup;
+  MoveList list;
+  Readouts readouts;
+  RestartWatch watch;
+  Motions motions;
+  MotionStatus status;
+  Threads threads;
+  Lines lines;
+};
+
+/// What the console is asked to do by its controls.
+struct Work {
+  Work(const Console& console, Conversation& talk, Known& known, const language::Dialect& dialect);
+
+  Moves moves;
+  Feed feed;
+  Actions actions;
+  LiveStatus live;
+  StoredLines stored;
+  Programs programs;
+};
+
+}  // namespace hw::arcus

@@ -1,0 +1,180 @@
+#include "core/devices/arcus/finding.h"
+
+#include <fmt/core.h>
+
+#include "core/base/index.h"
+
+namespace hw::arcus {
+namespace {
+
+std::string hex_of(std::string_view bytes) {
+  std::string all;
+  for (const char c : bytes.substr(0, 12))
+    all += c > ' ' && c < 127 ? std::string(1, c) : fmt::format("<{:02X}>", static_cast<unsigned char>(c));
+  return all + (bytes.size() > 12 ? " ..." : "");
+}
+
+constexpr int attempts_at_connect = 4;
+constexpr Duration first_patience = Millis(300);
+constexpr Duration slow_from = Millis(150);
+
+}  // namespace
+
+// ID tells the product; where a firmware does not know it, VER shows at least the family. One that was lost
+// is greeted by its name first, so that its answer, if it comes too late, is taken for none of the others on
+// its line.
+Task<Result<>> Finding::identify() {
+  if (was_lost_) {
+    const Instant began = console_.scheduler.now();
+    const auto anybody = co_await talk_.greet(first_patience);
+    if (!anybody && anybody.error().kind == FaultKind::lost) co_return fail(anybody.error());
+    const bool heard = talk_.is_open() && talk_.station()->heard_at() > began;
+    if (!anybody && heard) co_return talk_.two_answer();
+    if (!anybody && anybody.error().kind == FaultKind::no_answer) co_return silent();
+  }
+  auto reply = co_await ask_who_it_is("ID", [this](std::string_view text) {
+    return text == console_.model().product || text == console_.forms.other_product;
+  });
+  if (!reply && reply.error().kind == FaultKind::no_answer) co_return silent();
+  if (!reply) co_return fail(reply.error());
+  if (reply->text == "ID") co_return echoed();
+  if (reply->text == console_.forms.other_product)
+    co_return fail(FaultKind::garbled,
+                   fmt::format("Device {:02} is a {}, not a {}.", console_.catalog.address, reply->text,
+                               console_.model().title),
+                   "Nothing more was sent.", "Open it as the other model.");
+  const bool known = reply->text == console_.model().product;
+  auto version = co_await ask_who_it_is("VER", looks::is_version);
+  if (!version) co_return fail(version.error());
+  if (talk_.line_feeds() > 0) co_return line_feeds_come();
+  if (!looks::is_version(version->text)) co_return garbled(known ? version->text : reply->text);
+  co_await talk_.wait_for_quiet();  // a second device with this address would have spoken by now
+  if (talk_.strays() > 0) co_return talk_.two_answer();
+  talk_.know_product(known);
+  console_.draft.identity.model = known ? reply->text : hex_of(reply->text);
+  console_.draft.identity.firmware = version->text;
+  if (!known)
+    console_.tell(
+        Notice::Kind::warning,
+        fmt::format("It answers {} to ID where a {} says {}. It is used as a {}.", hex_of(reply->text),
+                    console_.model().title, console_.model().product, console_.model().title));
+  co_return Result<>();
+}
+
+// What comes first may be the answer to whoever had the line before, or half an answer; what comes late is of
+// a slow controller. Asked again it says the same, or is silent again: then that is what it is.
+Task<Result<Reply>> Finding::ask_who_it_is(std::string question,
+                                           std::function<bool(std::string_view)> is_it) {
+  Result<Reply> reply = fail(FaultKind::no_answer, "");
+  const Instant began = console_.scheduler.now();
+  int silences = 0;
+  std::string before;
+  for (int attempt = 0; attempt < attempts_at_connect; ++attempt) {
+    reply = co_await talk_.exchange(question, Priority::intent, first_patience, true);
+    if (reply && (is_it(reply->text) || reply->text == before)) break;
+    if (!reply && !worth_another_try(reply.error())) break;
+    silences += !reply && reply.error().kind == FaultKind::no_answer ? 1 : 0;
+    const bool heard = talk_.is_open() && talk_.station()->heard_at() > began;
+    if ((silences > 1 && !heard) || console_.scheduler.now() - began > long_asked) break;
+    if (reply) before = reply->text;
+    co_await talk_.wait_for_quiet();
+    talk_.forget_strays();
+  }
+  if (reply) note_how_slow();
+  co_return reply;
+}
+
+// How long it took to answer, beyond the bytes.
+void Finding::note_how_slow() {
+  if (!talk_.is_open()) return;
+  constexpr std::size_t usual_bytes = 24;  // of ID and its answer
+  const Station& station = *talk_.station();
+  const Duration waited =
+      std::max(station.lateness(), station.statistics().last_round_trip) - station.wire_time(usual_bytes);
+  if (waited <= slow_from || std::exchange(slow_told_, true)) return;
+  console_.tell(
+      Notice::Kind::warning,
+      fmt::format("It takes {:.1f} s to answer. It is waited for; what is shown of it is as old, and a stop "
+                  "is confirmed as late.",
+                  seconds(waited)));
+}
+
+Task<Result<>> Finding::read_name() {
+  auto name = co_await talk_.ask("DN", Priority::intent);
+  if (!name) co_return fail(name.error());
+  console_.draft.identity.serial = *name;
+  talk_.know_name(*name);
+  const bool usb = talk_.framing() == Framing::message;
+  const auto number = number_in_name(console_.model(), *name);
+  if (!number && !usb && !std::exchange(name_told_, true))
+    console_.tell(
+        Notice::Kind::warning,
+        fmt::format(
+            "It answers at {:02} and calls itself {}, where a {} calls itself {}{:02}. On a line with "
+            "others its late answers cannot be told from theirs: set its device name (DN), Store, and "
+            "switch it off and on.",
+            console_.catalog.address, hex_of(*name), console_.model().title, console_.model().name_prefix,
+            console_.catalog.address));
+  if (number && *number != console_.catalog.address && !usb && !std::exchange(name_told_, true))
+    console_.tell(
+        Notice::Kind::info,
+        fmt::format("It answers at {:02} and is to be called {}: it will answer at {:02} after Store and "
+                    "switching its power off and on.",
+                    console_.catalog.address, *name, *number));
+  co_return Result<>();
+}
+
+// ---- why not
+
+tl::unexpected<Fault> Finding::silent() const {
+  if (talk_.framing() == Framing::message)
+    return fail(FaultKind::no_answer, fmt::format("The {} does not answer on USB.", console_.model().title),
+                "Nothing was sent but the question for its name.",
+                fmt::format("Check its supply ({}) and the cable, and close other programs that use it.",
+                            console_.forms.supply));
+  const int rate = talk_.is_open() ? talk_.station()->rate() : 0;
+  return fail(
+      FaultKind::no_answer,
+      fmt::format("No {} answers at address {:02}{}.", console_.model().title, console_.catalog.address,
+                  rate > 0 ? fmt::format(", at {} baud", rate) : ""),
+      "Nothing was sent but the question for its name.",
+      fmt::format(
+          "Check its supply ({}), {}, the line rate (9600 from the factory), and its device name: the "
+          "last two digits are its address ({}{:02} from the factory).",
+          console_.forms.supply, console_.forms.wires, console_.model().name_prefix, factory_id()));
+}
+
+tl::unexpected<Fault> Finding::garbled(std::string_view bytes) const {
+  const int rate = talk_.is_open() ? talk_.station()->rate() : 0;
+  return fail(
+      FaultKind::garbled,
+      fmt::format("What answers at address {:02} is no {}: {} came back.", console_.catalog.address,
+                  console_.model().title, hex_of(bytes)),
+      "Nothing more was sent.",
+      fmt::format("Another device, another rate{}, or two devices with one address. Connect one alone "
+                  "and look.",
+                  rate > 0 ? fmt::format(" than {} baud", rate) : ""));
+}
+
+tl::unexpected<Fault> Finding::echoed() const {
+  return fail(FaultKind::garbled, "What is sent comes back as it is.",
+              "Nothing was sent but the question for its name.",
+              "Switch off the echo of the RS-485 adapter; if it has none, its data lines touch each other.");
+}
+
+tl::unexpected<Fault> Finding::line_feeds_come() const {
+  return fail(FaultKind::garbled,
+              fmt::format("The answers at address {:02} end in CR LF; those of a {} have no LF.",
+                          console_.catalog.address, console_.model().title),
+              "What came was not used.",
+              "Something on the way adds it: switch the conversion of line ends off in the serial server or "
+              "adapter.");
+}
+
+int Finding::factory_id() const {
+  for (const SettingFact& fact : console_.model().settings)
+    if (fact.id == Setting::device_name) return static_cast<int>(fact.factory);
+  return 0;
+}
+
+}  // namespace hw::arcus

@@ -1,0 +1,38 @@
+#pragma once
+// Which controller answers, and what it calls itself; or why none does.
+#include <chrono>
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "core/devices/arcus/conversation.h"
+
+namespace hw::arcus {
+
+class Finding {
+ public:
+  Finding(const Console& console, Conversation& talk) : console_(console), talk_(talk) {}
+
+  Task<Result<>> identify();
+  Task<Result<>> read_name();
+  void wire_lost() { was_lost_ = true; }
+
+  /// It was asked for so long, and goes on making no sense.
+  static constexpr Duration long_asked = std::chrono::seconds(3);
+
+ private:
+  Task<Result<Reply>> ask_who_it_is(std::string question, std::function<bool(std::string_view)> is_it);
+  void note_how_slow();
+  tl::unexpected<Fault> silent() const;
+  tl::unexpected<Fault> garbled(std::string_view bytes) const;
+  tl::unexpected<Fault> echoed() const;
+  tl::unexpected<Fault> line_feeds_come() const;
+  [[nodiscard]] int factory_id() const;
+
+  const Console& console_;
+  Conversation& talk_;
+  bool was_lost_ = false;
+  bool name_told_ = false, slow_told_ = false;
+};
+
+}  // namespace hw::arcus

@@ -1,0 +1,77 @@
+#include "core/devices/arcus/lines.h"
+
+#include <fmt/core.h>
+
+#include "core/base/index.h"
+
+namespace hw::arcus {
+
+Task<Result<>> Lines::read(Priority priority) {
+  for (const bool again : {false, true}) {
+    auto inputs = co_await talk_.ask_number("DI", priority);
+    if (!inputs) co_return fail(inputs.error());
+    auto outputs = co_await talk_.ask_number("DO", priority);
+    if (!outputs) co_return fail(outputs.error());
+    auto enables = co_await talk_.ask_number("EO", priority);
+    if (!enables) co_return fail(enables.error());
+    const std::uint64_t lines = static_cast<std::uint64_t>(*inputs) << 16 ^
+                                static_cast<std::uint64_t>(*outputs) << 8 ^
+                                static_cast<std::uint64_t>(*enables);
+    if (!look_.agrees(lines, talk_.times_cleaned())) {
+      if (!again) continue;
+      break;  // what was shown keeps its age
+    }
+    console_.draft.inputs = static_cast<std::uint32_t>(*inputs);
+    console_.draft.inputs_known = (1u << console_.model().inputs) - 1;
+    console_.draft.outputs = static_cast<std::uint32_t>(*outputs);
+    console_.draft.outputs_known = (1u << console_.model().outputs) - 1;
+    console_.draft.io_seen_at = console_.scheduler.now();
+    for (int i = 0; i < console_.axes(); ++i) console_.draft.axes[i].enabled = (*enables >> i & 1) != 0;
+    break;
+  }
+  co_return Result<>();
+}
+
+Task<Result<>> Lines::set_power(intent::SetPower wish) {
+  const int first = wish.axis < 0 ? 0 : wish.axis, last = wish.axis < 0 ? console_.axes() - 1 : wish.axis;
+  for (int axis = first; axis <= last; ++axis) {
+    if (auto may = console_.has_axis(axis); !may) co_return may;
+    auto set = co_await talk_.command(
+        set_command(fill(console_.forms, console_.forms.power, axis, Sign::plus, axis + 1), wish.on),
+        Priority::intent);
+    if (!set) co_return set;
+  }
+  co_return co_await read(Priority::intent);
+}
+
+Task<Result<>> Lines::set_output(intent::SetOutput wish) {
+  if (wish.number < 1 || wish.number > console_.model().outputs)
+    co_return fail(
+        FaultKind::refused,
+        fmt::format("There is no output {}: there are DO1 to DO{}.", wish.number, console_.model().outputs),
+        "Nothing was sent.");
+  auto set = co_await talk_.command(set_command(fmt::format("DO{}", wish.number), wish.on), Priority::intent);
+  if (!set) co_return set;
+  auto seen = co_await read(Priority::intent);
+  if (!seen) co_return seen;
+  const bool shows = (console_.draft.outputs >> (wish.number - 1) & 1) != 0;
+  if (shows == wish.on) co_return Result<>();
+  co_return fail(
+      FaultKind::controller,
+      fmt::format("DO{} stays {}: {}.", wish.number, shows ? "on" : "off", who_has(wish.number)),
+      fmt::format("The controller has taken DO{}={} and remembers it.", wish.number, wish.on ? 1 : 0),
+      "It shows as soon as the output is free.");
+}
+
+// Decisions AMB-087, AMB-091.
+std::string Lines::who_has(int output) const {
+  constexpr int in_position_output = 1, alarm_output = 3;
+  const bool told_by_outputs =
+      setup_.setting(Setting::status_outputs).value_or(0) != 0 && console_.draft.axes[0].in_counts;
+  if (told_by_outputs && output == in_position_output)
+    return "it shows in-position while EDO=1 and StepNLoop is on";
+  if (told_by_outputs && output == alarm_output) return "it shows the alarm while EDO=1 and StepNLoop is on";
+  return "the controller itself uses it now, as a sync output or to show its state";
+}
+
+}  // namespace hw::arcus

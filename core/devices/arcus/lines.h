@@ -1,0 +1,34 @@
+#pragma once
+// Inputs, outputs and motor power.
+#include <string>
+
+#include "core/devices/arcus/second_look.h"
+#include "core/devices/arcus/set_up.h"
+
+namespace hw::arcus {
+
+class Lines {
+ public:
+  Lines(const Console& console, Conversation& talk, const SetUp& setup)
+      : console_(console), talk_(talk), setup_(setup) {}
+
+  Task<Result<>> read(Priority priority);
+  Task<Result<>> set_output(intent::SetOutput wish);
+  Task<Result<>> set_power(intent::SetPower wish);
+
+  /// The user's own text may have switched a motor: the next round looks.
+  void look_soon() { due_ = true; }
+  /// Once.
+  [[nodiscard]] bool are_due() { return std::exchange(due_, false); }
+
+ private:
+  [[nodiscard]] std::string who_has(int output) const;
+
+  const Console& console_;
+  Conversation& talk_;
+  const SetUp& setup_;
+  SecondLook look_;
+  bool due_ = false;
+};
+
+}  // namespace hw::arcus

@@ -1,0 +1,133 @@
+#include "core/devices/arcus/motion_status.h"
+
+#include <cmath>
+
+#include <fmt/core.h>
+
+#include "core/base/index.h"
+
+namespace hw::arcus {
+
+Task<Result<>> MotionStatus::read(Priority priority) {
+  const RestartWatch::Look look = watch_.begin_look();
+  auto read = co_await read_whole(priority);
+  if (read) watch_.look_at_counters(look);
+  co_return read;
+}
+
+// Where an answer was missing in between, what was read before and behind it may be of two controllers: one
+// before its restart, and one behind it.
+Task<Result<>> MotionStatus::read_whole(Priority priority) {
+  for (const bool again : {false, true}) {
+    auto read = co_await read_counters(priority);
+    if (read) read = co_await read_loops(priority);
+    if (!read || again || watch_.motion_is_whole()) co_return read;
+  }
+  co_return Result<>();
+}
+
+// Four questions, each answered for all axes.
+Task<Result<>> MotionStatus::read_counters(Priority priority) {
+  round_began_ = console_.scheduler.now();
+  const auto axes = ix(console_.axes());
+  std::size_t fields = axes;
+  for (const std::string_view id : console_.forms.behind_status) fields += id.empty() ? 0 : 1;
+  const Instant asked_at = console_.scheduler.now();
+  auto status = co_await talk_.ask_numbers(std::string(console_.forms.status), fields, priority);
+  if (!status) co_return fail(status.error());
+  watch_.first_answer_came();
+  auto positions = co_await talk_.ask_numbers(std::string(console_.forms.positions), axes, priority);
+  if (!positions) co_return fail(positions.error());
+  const Instant seen_at = talk_.asked_at();  // the answer, or what is asked behind it, may have come late
+  auto encoders = co_await talk_.ask_numbers(std::string(console_.forms.encoders), axes, priority);
+  if (!encoders) co_return fail(encoders.error());
+  auto speeds = co_await talk_.ask_numbers(std::string(console_.forms.speeds), axes, priority);
+  if (!speeds) co_return fail(speeds.error());
+  if (asked_at < asked_at_) co_return Result<>();  // overtaken: a stop's own round is newer
+  asked_at_ = asked_at;
+  take_status(*status);
+  for (int i = 0; i < console_.axes(); ++i) {
+    AxisState& axis = console_.draft.axes[i];
+    const Steps position((*positions)[ix(i)]);
+    const Steps move = position - axis.position;
+    const bool was_known = axis.position_known;
+    axis.position = position;
+    axis.position_known = true;
+    axis.seen_at = seen_at;
+    axis.has_encoder = true;
+    axis.encoder = Steps((*encoders)[ix(i)]);
+    axis.speed = Pps(std::abs(static_cast<double>((*speeds)[ix(i)])));
+    if (was_known) motions_.turned(i, move);
+    if (motions_.runs(i)) code_.axis_moves();
+    motions_.show(i, asked_at);
+  }
+  co_return Result<>();
+}
+
+void MotionStatus::take_status(const std::vector<std::int64_t>& words) {
+  const StatusBits& bits = console_.model().status;
+  std::uint64_t limits = 0;
+  for (int i = 0; i < console_.axes(); ++i)
+    limits = limits << 2 | std::uint64_t{has_bit(words[ix(i)], bits.minus_limit)} << 1 |
+             std::uint64_t{has_bit(words[ix(i)], bits.plus_limit)};
+  const bool limits_agree = limits_look_.agrees(limits, talk_.times_cleaned());
+  for (int i = 0; i < console_.axes(); ++i) {
+    const std::int64_t word = words[ix(i)];
+    motions_.status_is(i, word);
+    AxisState& axis = console_.draft.axes[i];
+    axis.limit_minus = has_bit(word, bits.minus_limit);
+    axis.limit_plus = has_bit(word, bits.plus_limit);
+    axis.home = has_bit(word, bits.home);
+    axis.alarm = has_bit(word, bits.alarm);
+    axis.limits_known = limits_agree;
+    axis.phase = has_bit(word, bits.accelerating)   ? Phase::accelerating
+                 : has_bit(word, bits.decelerating) ? Phase::decelerating
+                 : has_bit(word, bits.constant)     ? Phase::constant
+                                                    : Phase::unknown;
+    readouts_.put(fill(console_.forms, console_.axes() > 1 ? "MSTa" : "MST", i), word);
+  }
+  if (bits.latch != no_bit) readouts_.put("LATCHIN", has_bit(words[0], bits.latch));
+  if (bits.index != no_bit) readouts_.put("INDEX", has_bit(words[0], bits.index));
+  std::size_t field = ix(console_.axes());
+  for (const std::string_view id : console_.forms.behind_status) {
+    if (id.empty()) continue;
+    readouts_.put(id, words[field]);
+    if (id == "BUF") list_.buffer_is(words[field] != 0);
+    if (id == "BUFFREE") list_.places_are(static_cast<int>(words[field]));
+    ++field;
+  }
+}
+
+// The state of StepNLoop, of axes that have it on, or where that is not known.
+Task<Result<>> MotionStatus::read_loops(Priority priority) {
+  for (int i = 0; i < console_.axes(); ++i) {
+    if (motions_.loop_is_off(i)) continue;
+    const std::string question = fill(console_.forms, console_.forms.loop_state, i);
+    const Instant asked_at = console_.scheduler.now();
+    auto state = co_await talk_.ask_number(question, priority);
+    if (!state) co_return fail(state.error());
+    if (!motions_.take_loop(i, *state, asked_at)) continue;
+    readouts_.put(question, *state);
+    motions_.show(i, asked_at);
+  }
+  co_return Result<>();
+}
+
+// What may have gone wrong when no answer came to something that moves: the state is read, nothing is sent
+// again.
+Task<Fault> MotionStatus::after_doubt(Fault why, std::string_view sent) {
+  Fault fault = std::move(why);
+  if (fault.kind != FaultKind::no_answer && fault.kind != FaultKind::garbled) co_return fault;
+  auto seen = co_await read(Priority::intent);
+  std::string where;
+  for (int i = 0; seen && i < console_.axes(); ++i)
+    where += fmt::format("{}{} {} at {}", i ? ", " : "", console_.axis_name(i),
+                         motions_.says_moving(i) ? "moves" : "stands", console_.draft.axes[i].position.value);
+  fault.what = fmt::format("No clear answer came to {}.", sent);
+  fault.done = "It was sent once and is not repeated.";
+  fault.advice = seen ? fmt::format("The state was read afresh: {}.", where)
+                      : "The state could not be read either. Look at the axis before you go on.";
+  co_return fault;
+}
+
+}  // namespace hw::arcus

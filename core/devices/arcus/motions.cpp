@@ -1,0 +1,281 @@
+#include "core/devices/arcus/motions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+#include <fmt/core.h>
+
+#include "core/base/index.h"
+
+namespace hw::arcus {
+namespace {
+
+bool loop_works(int state) {
+  return (state >= static_cast<int>(LoopState::moving) &&
+          state <= static_cast<int>(LoopState::index_homing)) ||
+         state == static_cast<int>(LoopState::limit_homing);
+}
+
+Activity activity_of(int loop_state) {
+  switch (static_cast<LoopState>(loop_state)) {
+    case LoopState::jogging: return Activity::jogging;
+    case LoopState::homing:
+    case LoopState::index_homing:
+    case LoopState::limit_homing: return Activity::homing;
+    case LoopState::stopping:
+    case LoopState::aborting: return Activity::stopping;
+    default: return Activity::moving;
+  }
+}
+
+}  // namespace
+
+// ---- what the console does
+
+void Motions::begun(int index, Activity activity, Instant when) {
+  AxisMind& mind = minds_[ix(index)];
+  mind.wanted = activity;
+  mind.ours = true;
+  mind.stopping = false;
+  mind.ended_by = EndedBy::nothing;
+  mind.begun_at = when;
+  mind.top_speed = {};
+  AxisState& axis = console_.draft.axes[index];
+  axis.activity = activity;
+  axis.ended_by = EndedBy::nothing;
+  console_.draft.program.ended_by = EndedBy::nothing;
+}
+
+void Motions::begun_together(const std::vector<int>& axes, Activity activity) {
+  unsigned together = 0;
+  for (const int axis : axes) together |= 1u << axis;
+  for (const int axis : axes) {
+    begun(axis, activity, console_.scheduler.now());
+    minds_[ix(axis)].with = together;
+  }
+}
+
+void Motions::goes_to(int index, Steps target, Pps speed) {
+  AxisState& axis = console_.draft.axes[index];
+  axis.has_target = true;
+  axis.target = target;
+  minds_[ix(index)].top_speed = speed.value > 0 ? speed : axis.own_speed;
+}
+
+void Motions::goes_elsewhere(int axis, Steps target) {
+  console_.draft.axes[axis].target = target;
+  console_.draft.axes[axis].has_target = true;
+  minds_[ix(axis)].ours = true;
+  minds_[ix(axis)].wanted = Activity::moving;
+}
+
+void Motions::stopping(int axis, bool at_once) {
+  for (int i = 0; i < console_.axes(); ++i) {
+    if ((axis >= 0 && i != axis) || !console_.draft.axis_moves(i)) continue;
+    ended_by_us(i, at_once ? EndedBy::abort : EndedBy::stop);
+    console_.draft.axes[i].activity = Activity::stopping;
+    minds_[ix(i)].stopping = true;
+  }
+}
+
+void Motions::ended_by_us(int axis, EndedBy why) {
+  for (int i = 0; i < console_.axes(); ++i) {
+    if (!console_.draft.axis_moves(i) || (i != axis && (minds_[ix(axis)].with >> i & 1u) == 0)) continue;
+    minds_[ix(i)].ended_by = why;
+    if (why == EndedBy::abort) doubt_killed_position(i);
+  }
+}
+
+// Its pulses end with ABORT, not its mass: a step motor stays in step only up to the speed at which it starts
+// without a ramp too. With StepNLoop the encoder counts what it did.
+void Motions::doubt_killed_position(int index) {
+  AxisState& axis = console_.draft.axes[index];
+  const std::int64_t safe = setup_.start_speed(index);
+  if (axis.in_counts || axis.trust.doubtful() || axis.speed.value <= static_cast<double>(safe)) return;
+  axis.trust.doubt(Doubt::killed, console_.scheduler.now());
+  console_.tell(
+      Notice::Kind::warning,
+      fmt::format("Axis {} was stopped without a ramp at {:.0f} pulses/s. Above its low speed, {}, it may "
+                  "have lost steps: its position is doubtful until it is homed or set.",
+                  console_.axis_name(index), axis.speed.value, safe));
+}
+
+void Motions::stands(int axis) {
+  for (int i = 0; i < console_.axes(); ++i) {
+    if (axis >= 0 && i != axis) continue;
+    minds_[ix(i)].stopping = false;
+    show(i, console_.scheduler.now());
+  }
+}
+
+// ---- what the controller says
+
+void Motions::turned(int axis, Steps way) {
+  if (way != Steps(0)) minds_[ix(axis)].turned = static_cast<std::int8_t>(way > Steps(0) ? 1 : -1);
+}
+
+void Motions::loop_is(int axis, std::int64_t state) {
+  minds_[ix(axis)].loop_state = static_cast<int>(state);
+  console_.draft.axes[axis].in_counts = state != static_cast<std::int64_t>(LoopState::off);
+}
+
+bool Motions::take_loop(int axis, std::int64_t state, Instant asked_at) {
+  if (asked_at < minds_[ix(axis)].loop_asked_at) return false;
+  minds_[ix(axis)].loop_asked_at = asked_at;
+  loop_is(axis, state);
+  return true;
+}
+
+void Motions::loops_are_unknown() {
+  for (AxisMind& mind : minds_) mind.loop_state = -1;
+}
+
+void Motions::loop_is_unknown(int axis) {
+  if (!loop_is_off(axis)) minds_[ix(axis)].loop_state = -1;
+}
+
+// What the axis does, from its status word, StepNLoop and what the console began. A command that was sent
+// after the question was asked is not judged by the answer.
+void Motions::show(int index, Instant asked_at) {
+  AxisMind& mind = minds_[ix(index)];
+  AxisState& axis = console_.draft.axes[index];
+  if (mind.begun_at > asked_at) return;
+  if (mind.stopping) {  // until whoever stops it has seen it stand
+    axis.activity = Activity::stopping;
+    return;
+  }
+  if (runs(index)) {
+    if (mind.ours && mind.wanted != Activity::idle)
+      axis.activity = mind.wanted;
+    else
+      axis.activity = activity_of(mind.loop_state);
+    if (axis.has_target && mind.ours)
+      axis.direction = static_cast<std::int8_t>(axis.target < axis.position ? -1 : 1);
+    else if (!mind.ours || mind.wanted != Activity::jogging)
+      axis.direction = mind.turned;
+    axis.ended_by = EndedBy::nothing;
+    axis.error = AxisError::none;
+    return;
+  }
+  if (console_.draft.axis_moves(index) || axis.activity == Activity::unknown) show_ended(index);
+  axis.error = error_of(index);
+  axis.activity = axis.error == AxisError::none ? Activity::idle : Activity::error;
+  axis.phase = Phase::unknown;
+  axis.direction = 0;
+}
+
+void Motions::show_ended(int index) {
+  AxisMind& mind = minds_[ix(index)];
+  AxisState& axis = console_.draft.axes[index];
+  const bool was_moving = console_.draft.axis_moves(index);
+  if (was_moving) axis.ended_by = how_it_ended(index);
+  if (was_moving && mind.wanted == Activity::homing && axis.ended_by == EndedBy::target)
+    axis.trust.settle(Trust::homed, console_.scheduler.now());
+  mind.ours = false;
+  mind.with = 0;
+  mind.wanted = Activity::idle;
+  mind.ended_by = EndedBy::nothing;
+  axis.has_target = false;
+}
+
+void Motions::restarted(unsigned moved) {
+  for (int i = 0; i < console_.axes(); ++i) {
+    AxisState& axis = console_.draft.axes[i];
+    if ((moved >> i & 1u) != 0) axis.ended_by = EndedBy::lost;
+    minds_[ix(i)] = AxisMind();
+    axis.has_target = false;
+    axis.trust.doubt(Doubt::power_cut, console_.scheduler.now());
+  }
+}
+
+void Motions::wire_lost() {
+  for (AxisMind& mind : minds_) mind.stopping = false;
+}
+
+// ---- what it means
+
+bool Motions::runs(int axis) const {
+  const AxisMind& mind = minds_[ix(axis)];
+  return arcus::says_moving(mind.status) || loop_works(mind.loop_state);
+}
+
+bool Motions::says_moving(int axis) const { return arcus::says_moving(minds_[ix(axis)].status); }
+
+bool Motions::loop_is_off(int axis) const {
+  return minds_[ix(axis)].loop_state == static_cast<int>(LoopState::off);
+}
+
+bool Motions::loop_error(int axis) const {
+  const int state = minds_[ix(axis)].loop_state;
+  return state >= static_cast<int>(LoopState::range_error) &&
+         state <= static_cast<int>(LoopState::limit_error);
+}
+
+AxisError Motions::error_of(int axis) const {
+  const StatusBits& bits = console_.model().status;
+  const std::int64_t word = minds_[ix(axis)].status;
+  switch (static_cast<LoopState>(minds_[ix(axis)].loop_state)) {
+    case LoopState::stall_error: return AxisError::stalled;
+    case LoopState::range_error: return AxisError::too_far;
+    case LoopState::attempt_error: return AxisError::not_corrected;
+    default: break;
+  }
+  if (has_bit(word, bits.minus_error)) return AxisError::limit_minus;
+  if (has_bit(word, bits.plus_error)) return AxisError::limit_plus;
+  if (has_bit(word, bits.alarm_error)) return AxisError::alarm;
+  return loop_error(axis) ? AxisError::limit : AxisError::none;
+}
+
+EndedBy Motions::how_it_ended(int axis) const {
+  const StatusBits& bits = console_.model().status;
+  const std::int64_t word = minds_[ix(axis)].status;
+  if (has_bit(word, bits.plus_error) || has_bit(word, bits.minus_error)) return EndedBy::limit;
+  if (has_bit(word, bits.alarm_error) || loop_error(axis)) return EndedBy::error;
+  if (minds_[ix(axis)].ended_by != EndedBy::nothing) return minds_[ix(axis)].ended_by;
+  if (!misses_its_target(axis)) return EndedBy::target;
+  const unsigned with = minds_[ix(axis)].with;
+  for (int i = 0; i < console_.axes(); ++i)  // on a straight line all end with the one that cannot go on
+    if (i != axis && (with >> i & 1u) != 0 && error_of(i) != AxisError::none) return EndedBy::nothing;
+  return EndedBy::elsewhere;
+}
+
+// With StepNLoop it may stand a little beside it (SLT).
+bool Motions::misses_its_target(int index) const {
+  const AxisState& axis = console_.draft.axes[index];
+  if (!axis.has_target) return false;
+  return std::abs((axis.position - axis.target).value) > (axis.in_counts ? loop_tolerance(index) : 0);
+}
+
+std::int64_t Motions::loop_tolerance(int axis) const {
+  std::int64_t room = setup_.setting(Setting::loop_tolerance, axis).value_or(0);
+  for (const SettingFact& fact : console_.model().settings)
+    if (fact.id == Setting::loop_tolerance && room == 0) room = fact.factory;  // not read yet
+  return room;
+}
+
+// How fast a counter may come to zero by itself. An axis on its way elsewhere, or away from there, does not
+// rest at zero.
+Pps Motions::fastest_way_to_zero(int index) const {
+  constexpr Pps at_once{std::numeric_limits<double>::infinity()};
+  const AxisState& axis = console_.draft.axes[index];
+  const AxisMind& mind = minds_[ix(index)];
+  if (!console_.draft.axis_moves(index)) return Pps{};
+  if (!mind.ours || mind.wanted == Activity::homing) return at_once;
+  const bool away = axis.position.value * axis.direction > 0;
+  if (mind.wanted == Activity::jogging) return away ? Pps{} : std::max(axis.speed, mind.top_speed);
+  if (mind.stopping) return away ? Pps{} : axis.speed;
+  if (!axis.has_target) return at_once;
+  if (axis.target != Steps(0)) return Pps{};
+  return mind.top_speed.value > 0 ? std::max(axis.speed, mind.top_speed) : at_once;
+}
+
+RestartWatch::AxisNow Motions::now(int axis) const {
+  const AxisState& state = console_.draft.axes[axis];
+  const Steps room = state.in_counts ? Steps(loop_tolerance(axis)) : Steps(0);
+  const bool to_encoder = minds_[ix(axis)].stopping && state.in_counts;
+  return {runs(axis), console_.draft.axis_moves(axis), to_encoder, fastest_way_to_zero(axis), room};
+}
+
+}  // namespace hw::arcus

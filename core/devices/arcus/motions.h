@@ -1,0 +1,82 @@
+#pragma once
+// What is under way on each axis: what the console has begun and stopped there, what the status words and
+// StepNLoop say, and what that means.
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/devices/arcus/restart_watch.h"
+
+namespace hw::arcus {
+
+class Motions {
+ public:
+  Motions(const Console& console, const SetUp& setup) : console_(console), setup_(setup) {}
+
+  // ---- what the console does
+  void begun(int axis, Activity activity, Instant at);
+  /// One command moves all of these.
+  void begun_together(const std::vector<int>& axes, Activity activity);
+  /// The motion that has begun ends there; no speed: it has the axis's own.
+  void goes_to(int axis, Steps target, Pps speed);
+  /// The target was changed on the way.
+  void goes_elsewhere(int axis, Steps target);
+  /// Those that move are being stopped; -1: all axes.
+  void stopping(int axis, bool at_once);
+  /// Axes that move together end together.
+  void ended_by_us(int axis, EndedBy why);
+  /// What was being stopped is shown as it is again; -1: all axes.
+  void stands(int axis);
+
+  // ---- what the controller says
+  void status_is(int axis, std::int64_t word) { minds_[static_cast<std::size_t>(axis)].status = word; }
+  /// Its position has changed by so much.
+  void turned(int axis, Steps way);
+  void loop_is(int axis, std::int64_t state);
+  /// False: a newer question has told it already.
+  bool take_loop(int axis, std::int64_t state, Instant asked_at);
+  void loops_are_unknown();
+  /// Unless it is off.
+  void loop_is_unknown(int axis);
+  /// By what was answered to questions of that time or later.
+  void show(int axis, Instant asked_at);
+  /// `moved`: a bit for each axis that was on its way.
+  void restarted(unsigned moved);
+  void wire_lost();
+
+  // ---- what it means
+  [[nodiscard]] bool runs(int axis) const;  ///< as last read, whatever is shown
+  [[nodiscard]] bool says_moving(int axis) const;
+  [[nodiscard]] bool loop_is_off(int axis) const;
+  [[nodiscard]] AxisError error_of(int axis) const;
+  [[nodiscard]] RestartWatch::AxisNow now(int axis) const;
+
+ private:
+  /// What the console knows of an axis beside the snapshot.
+  struct AxisMind {
+    Activity wanted = Activity::idle;     ///< what our last command began
+    EndedBy ended_by = EndedBy::nothing;  ///< why we ended it, if we did
+    std::int64_t status = 0;
+    int loop_state = -1;      ///< -1: not read yet
+    Instant loop_asked_at{};  ///< the question that told it
+    bool ours = false;        ///< a motion of the console is under way
+    bool stopping = false;    ///< a stop was sent
+    unsigned with = 0;        ///< a bit for each axis of the same motion
+    std::int8_t turned = 0;   ///< direction of the latest change of position
+    Instant begun_at{};       ///< when our last command was sent
+    Pps top_speed{};          ///< of the motion that it began; 0: not known
+  };
+  void show_ended(int axis);
+  void doubt_killed_position(int axis);
+  [[nodiscard]] EndedBy how_it_ended(int axis) const;
+  [[nodiscard]] bool misses_its_target(int axis) const;
+  [[nodiscard]] std::int64_t loop_tolerance(int axis) const;
+  [[nodiscard]] bool loop_error(int axis) const;
+  [[nodiscard]] Pps fastest_way_to_zero(int axis) const;
+
+  const Console& console_;
+  const SetUp& setup_;
+  std::array<AxisMind, max_axes> minds_{};
+};
+
+}  // namespace hw::arcus

@@ -1,0 +1,190 @@
+#include "core/devices/arcus/moves.h"
+
+#include <cmath>
+
+#include <fmt/core.h>
+
+#include "core/base/index.h"
+
+namespace hw::arcus {
+
+Task<Result<>> Moves::start(std::string text, std::vector<int> axes, Activity activity) {
+  const std::string sent = text;
+  auto done = co_await talk_.command(std::move(text), Priority::intent);
+  if (!done) {
+    Fault fault = co_await status_.after_doubt(std::move(done.error()), sent);
+    co_return fail(std::move(fault));
+  }
+  motions_.begun_together(axes, activity);
+  co_return Result<>();
+}
+
+Task<Result<bool>> Moves::ask_incremental() {
+  if (!console_.forms.mode.empty()) {
+    auto mode = co_await talk_.ask_number(std::string(console_.forms.mode), Priority::intent);
+    if (!mode) co_return fail(mode.error());
+    readouts_.put("MM", *mode);
+  } else {
+    auto read = co_await status_.read(Priority::intent);
+    if (!read) co_return fail(read.error());
+  }
+  co_return readouts_.incremental();
+}
+
+// Where the axis stands, or its target with StepNLoop. A digit that was lost on the wire would become a wrong
+// move.
+Task<Result<std::int64_t>> Moves::ask_position(int axis) {
+  std::string question = fill(console_.forms, console_.forms.position, axis);
+  Conversation::Decode decode = decode_number;
+  auto position = co_await talk_.ask_surely(std::move(question), std::move(decode),
+                                            console_.draft.axes[axis].position.value, Priority::intent);
+  if (position || !console_.draft.axes[axis].position_known || position.error().kind != FaultKind::garbled)
+    co_return position;
+  co_return fail(FaultKind::garbled,
+                 fmt::format("Axis {} does not stand still, so it cannot be moved by a distance.",
+                             console_.axis_name(axis)),
+                 "Nothing was moved.", "Wait until it stands, or stop it.");
+}
+
+Task<Result<>> Moves::move(std::vector<AxisTarget> wish, Pps speed, bool relative) {
+  if (wish.empty()) co_return Result<>();
+  auto incremental = co_await ask_incremental();
+  if (!incremental) co_return fail(incremental.error());
+  std::vector<AxisValue> values;
+  std::vector<int> axes;
+  std::vector<std::int64_t> goals;
+  for (const AxisTarget& t : wish) {
+    const int axis = t.axis.index;
+    if (auto may = console_.has_axis(axis); !may) co_return may;
+    std::int64_t here = console_.draft.axes[axis].position.value;
+    if (relative != *incremental) {  // else the mode takes the number as it is
+      auto read = co_await ask_position(axis);
+      if (!read) co_return fail(read.error());
+      here = *read;
+    }
+    const std::int64_t target = relative ? here + t.value.value : t.value.value;
+    if (target < position_min || target > position_max)
+      co_return fail(FaultKind::refused,
+                     fmt::format("{} is no position for axis {}: positions go from {} to {}.", target,
+                                 console_.axis_name(axis), position_min, position_max),
+                     "Nothing was sent.");
+    values.push_back({axis, *incremental ? target - here : target});
+    axes.push_back(axis);
+    goals.push_back(target);
+  }
+  auto borrowed = co_await borrow_speed(speed, axes.size() == 1 ? axes.front() : -1);
+  if (!borrowed) co_return borrowed;
+  auto started = co_await start(move_command(console_.forms, values), axes, Activity::moving);
+  for (std::size_t i = 0; started && i < axes.size(); ++i) {
+    motions_.goes_to(axes[i], Steps(goals[i]), speed);
+    watch_.was_sent_to(axes[i], Steps(goals[i]));
+  }
+  auto returned = co_await borrowed_.give_back();
+  if (!started) co_return started;
+  if (!returned)
+    console_.tell(Notice::Kind::warning, returned.error().sentence());  // the move runs all the same
+  co_return Result<>();
+}
+
+Task<Result<>> Moves::jog(intent::JogStart wish) {
+  const int axis = wish.axis.index;
+  if (auto may = console_.has_axis(axis); !may) co_return may;
+  auto borrowed = co_await borrow_speed(wish.speed, axis);
+  if (!borrowed) {
+    Fault why = borrowed.error();
+    if (why.kind == FaultKind::no_answer || why.kind == FaultKind::garbled) {
+      why.kind = FaultKind::refused;  // nothing that moves went out
+      why.done = "The jog was not sent.";
+    }
+    co_return fail(std::move(why));
+  }
+  std::vector<int> axes{axis};
+  auto started = co_await start(fill(console_.forms, console_.forms.jog, axis, wish.sign), std::move(axes),
+                                Activity::jogging);
+  if (started) {
+    console_.draft.axes[axis].direction = static_cast<std::int8_t>(factor(wish.sign));
+    console_.draft.axes[axis].has_target = false;
+  }
+  auto returned = co_await borrowed_.give_back();
+  if (!started) co_return started;
+  if (!returned)
+    console_.tell(Notice::Kind::warning, returned.error().sentence());  // the jog runs all the same
+  co_return Result<>();
+}
+
+Task<Result<>> Moves::home(intent::Home wish) {
+  const int axis = wish.axis.index;
+  if (auto may = console_.has_axis(axis); !may) co_return may;
+  if (wish.mode < 0 || wish.mode >= static_cast<int>(console_.forms.homes.size()))
+    co_return fail(FaultKind::refused, fmt::format("There is no way of homing {}.", wish.mode),
+                   "Nothing was sent.");
+  std::vector<int> axes{axis};
+  auto started = co_await start(fill(console_.forms, console_.forms.homes[ix(wish.mode)], axis, wish.sign),
+                                std::move(axes), Activity::homing);
+  if (!started) co_return started;
+  console_.draft.axes[axis].has_target = false;
+  watch_.counters_may_be_set();
+  co_return Result<>();
+}
+
+// ---- the speed of one motion
+
+// The controller takes its speeds when a motion begins.
+Task<Result<>> Moves::borrow_speed(Pps speed, int axis) {
+  const auto wanted = static_cast<std::int64_t>(std::llround(speed.value));
+  if (wanted <= 0) co_return Result<>();
+  if (wanted > max_speed)
+    co_return fail(FaultKind::refused,
+                   fmt::format("{} is no speed: it goes from 1 to {}.", wanted, max_speed),
+                   "Nothing was sent.");
+  std::string name(console_.forms.high_speed);
+  if (axis >= 0 && console_.forms.axis_speeds) {
+    bool own = true;
+    for (const std::string_view form :
+         {console_.forms.axis_high_speed, console_.forms.axis_low_speed, console_.forms.axis_accel}) {
+      auto value = co_await talk_.ask_number(fill(console_.forms, form, axis), Priority::intent);
+      if (!value) co_return fail(value.error());
+      own = own && *value != 0;
+    }
+    if (own) name = fill(console_.forms, console_.forms.axis_high_speed, axis);
+  }
+  const auto shown = setup_.param(name);
+  co_return co_await borrowed_.borrow(std::move(name), wanted, shown);
+}
+
+// ---- counters
+
+Task<Result<>> Moves::set_position(intent::SetPosition wish) {
+  const int first = wish.axis < 0 ? 0 : wish.axis, last = wish.axis < 0 ? console_.axes() - 1 : wish.axis;
+  for (int axis = first; axis <= last; ++axis) {
+    if (auto may = console_.has_axis(axis); !may) co_return may;
+    auto set = co_await talk_.command(
+        set_command(fill(console_.forms, console_.forms.position, axis), wish.value.value), Priority::intent);
+    if (!set) {
+      if (console_.draft.axes[axis].in_counts && set.error().kind == FaultKind::refused)
+        set.error().advice = fmt::format(
+            "While StepNLoop of {} is on its position follows the encoder: set the encoder counter instead.",
+            console_.axis_name(axis));
+      co_return set;
+    }
+    watch_.position_was_set(axis, wish.value);
+    console_.draft.axes[axis].trust.settle(Trust::set, console_.scheduler.now());
+    console_.draft.axes[axis].has_target = false;  // it counts from elsewhere now
+  }
+  co_return co_await status_.read(Priority::intent);
+}
+
+Task<Result<>> Moves::set_encoder(intent::SetEncoder wish) {
+  const int first = wish.axis < 0 ? 0 : wish.axis, last = wish.axis < 0 ? console_.axes() - 1 : wish.axis;
+  for (int axis = first; axis <= last; ++axis) {
+    if (auto may = console_.has_axis(axis); !may) co_return may;
+    auto set = co_await talk_.command(
+        set_command(fill(console_.forms, console_.forms.encoder, axis), wish.value.value), Priority::intent);
+    if (!set) co_return set;
+    watch_.encoder_was_set(axis, wish.value);
+    console_.draft.axes[axis].has_target = false;
+  }
+  co_return co_await status_.read(Priority::intent);
+}
+
+}  // namespace hw::arcus

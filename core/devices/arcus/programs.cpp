@@ -1,0 +1,197 @@
+#include "core/devices/arcus/programs.h"
+
+#include <fmt/core.h>
+
+#include "core/base/index.h"
+#include "core/devices/arcus/language/compiler.h"
+#include "core/devices/arcus/language/decompiler.h"
+
+namespace hw::arcus {
+namespace {
+
+constexpr int thread_run = 1, thread_pause = 2, thread_continue = 3;
+
+std::string foreign_lines(const std::vector<language::BadLine>& bad, const std::vector<std::string>& lines) {
+  const bool one = bad.size() == 1;
+  const int first = bad.front().line;
+  return fmt::format(
+      "{} line{} of the stored code mean{} nothing here: {}line {} ({}). {} in the text as {}. The "
+      "code may come from another program than this console. Sent back as it is, the text leaves "
+      "{} out.",
+      bad.size(), one ? "" : "s", one ? "s" : "", one ? "" : "the first is ", first, lines[ix(first)],
+      one ? "It stands" : "They stand", one ? "a comment" : "comments", one ? "it" : "them");
+}
+
+}  // namespace
+
+Task<Result<>> Programs::perform(IntentBody body) {
+  using namespace intent;
+  if (const auto* i = std::get_if<LoadProgram>(&body)) co_return co_await load(i->slot, i->text);
+  if (const auto* i = std::get_if<UploadProgram>(&body)) co_return co_await upload(i->slot);
+  if (std::holds_alternative<ClearProgram>(body)) {
+    auto read = co_await threads_.read(true, Priority::intent);
+    if (!read) co_return read;
+    if (auto may = threads_.none_runs(); !may) co_return may;
+    auto cleared = co_await stored_.clear_from(0);
+    console_.draft.transfer.running = false;
+    if (!cleared) co_return stored_.broken_off(std::move(cleared.error()));
+    console_.draft.slots_torn = 0;
+    co_return cleared;
+  }
+  if (std::holds_alternative<SelectProgram>(body)) co_return Result<>();
+  if (const auto* i = std::get_if<RunProgram>(&body)) co_return co_await run(i->slot);
+  if (const auto* i = std::get_if<Pause>(&body)) co_return co_await control_all(i->thread, thread_pause);
+  if (const auto* i = std::get_if<Resume>(&body)) co_return co_await control_all(i->thread, thread_continue);
+  co_return fail(FaultKind::refused, fmt::format("A {} cannot do that.", console_.model().title),
+                 "Nothing was sent.");
+}
+
+// ---- threads
+
+Task<Result<>> Programs::control(int thread, int what) {
+  if (thread < 0 || thread >= console_.model().programs)
+    co_return fail(
+        FaultKind::refused,
+        fmt::format("There is no program {}: there are 0 to {}.", thread, console_.model().programs - 1),
+        "Nothing was sent.");
+  const std::string text = fmt::format("SR{}={}", thread, what);
+  if (what == thread_run) console_.draft.program.ended_by = EndedBy::nothing;
+  auto done = co_await talk_.command(text, Priority::intent);
+  if (!done) {
+    Fault fault = co_await status_.after_doubt(std::move(done.error()), text);
+    co_return fail(std::move(fault));
+  }
+  if (what == thread_run) console_.draft.program.started_at = console_.scheduler.now();
+  auto read = co_await threads_.read(false, Priority::intent);
+  if (!read) co_return read;
+  const RunState now = console_.draft.threads[ix(thread)].run;
+  if (what == thread_run && now == RunState::error)
+    co_return fail(FaultKind::controller,
+                   fmt::format("Program {} stopped in error at line {} of its stored code.", thread,
+                               console_.draft.threads[ix(thread)].line),
+                   {}, "Look at the program, and whether an axis has an error.");
+  co_return Result<>();
+}
+
+// SR is answered with OK whether the program is there or not (decision AMB-115). One that runs is; one that
+// does not may have ended already, so the stored code is looked at.
+Task<Result<>> Programs::run(int program) {
+  auto started = co_await control(program, thread_run);
+  if (!started || console_.draft.threads[ix(program)].run != RunState::idle) co_return started;
+  if (code_.known() && code_.known()->programs[ix(program)]) co_return started;
+  auto there = co_await stored_.read();
+  console_.draft.transfer.running = false;
+  if (!there) co_return fail(there.error());
+  note_stored(*there);
+  if (!code_.known() || code_.known()->programs[ix(program)]) co_return started;
+  co_return fail(FaultKind::refused, fmt::format("There is no program {0} in the stored code.", program),
+                 "Nothing was started.",
+                 program == 0 ? "Load one first." : fmt::format("Its text begins with PRG {}.", program));
+}
+
+// Which programs the stored code has; not known of code that another compiler has made.
+void Programs::note_stored(const std::vector<std::string>& lines) {
+  code_.forget();
+  const language::Program code = language::decode(lines, dialect_);
+  if (code.bad_lines.empty()) code_.know(read_stored_code(code, console_.model()));
+}
+
+// All that run, or all that are held; or the one, if it does.
+Task<Result<>> Programs::control_all(int thread, int what) {
+  if (thread >= console_.model().programs) co_return co_await control(thread, what);  // which refuses
+  auto read = co_await threads_.read(true, Priority::intent);
+  if (!read) co_return read;
+  const bool pauses = what == thread_pause;
+  bool any = false;
+  for (int n = 0; n < console_.model().programs; ++n) {
+    const bool concerned = console_.draft.threads[ix(n)].run == (pauses ? RunState::running : RunState::held);
+    if (!concerned || (thread >= 0 && n != thread)) continue;
+    any = true;
+    auto done = co_await control(n, what);
+    if (!done) co_return done;
+  }
+  if (any) co_return Result<>();
+  const std::string which = thread < 0 ? "No program" : fmt::format("Program {}", thread);
+  const char* not_so = thread < 0 ? (pauses ? "runs" : "is held") : (pauses ? "does not run" : "is not held");
+  co_return fail(FaultKind::refused, fmt::format("{} {}.", which, not_so), "Nothing was sent.");
+}
+
+// The stored code is one text for all programs, and a new one replaces all of it. Sent as one of the further
+// programs it must be that one, and must not take others away.
+Task<Result<>> Programs::may_be_program(int program, const language::Program& code) {
+  if (program >= console_.model().programs)
+    co_return fail(
+        FaultKind::refused,
+        fmt::format("There is no program {}: there are 0 to {}.", program, console_.model().programs - 1),
+        "Nothing was written.");
+  if (!code.programs[ix(program)])
+    co_return fail(FaultKind::refused,
+                   fmt::format("This text is {}; begin it with PRG {}.",
+                               code.programs[0] ? "program 0" : "another program", program),
+                   "Nothing was written.");
+  auto there = co_await stored_.read();
+  console_.draft.transfer.running = false;
+  if (!there) co_return fail(there.error());
+  note_stored(*there);
+  for (int n = 0; code_.known() && n < console_.model().programs; ++n)
+    if (code_.known()->programs[ix(n)] && !code.programs[ix(n)])
+      co_return fail(FaultKind::refused,
+                     fmt::format("The controller holds program {} too, and a text replaces all programs.", n),
+                     "Nothing was written.", fmt::format("Put PRG {} and PRG {} into one text.", n, program));
+  co_return Result<>();
+}
+
+Task<Result<>> Programs::load(int program, std::string text) {
+  auto read = co_await threads_.read(true, Priority::intent);  // others may have started one
+  if (!read) co_return read;
+  if (auto may = threads_.none_runs(); !may) co_return may;
+  const language::Compilation made = language::compile(text, dialect_);
+  for (const Problem& p : made.problems)
+    if (p.error)
+      co_return fail(FaultKind::refused,
+                     fmt::format("The program has an error in line {}: {}", p.line + 1, p.sentence),
+                     "Nothing was written.");
+  if (program > 0) {
+    auto may = co_await may_be_program(program, made.program);
+    if (!may) co_return may;
+  }
+  const std::vector<std::string> lines = made.lines;
+  code_.forget();
+  auto written = co_await stored_.write(lines);
+  console_.draft.transfer.running = false;
+  if (!written) co_return stored_.broken_off(std::move(written.error()));
+  console_.draft.slots_torn = 0;
+  note_stored(lines);
+  console_.draft.slot_bytes_used[0] = static_cast<std::int16_t>(lines.size());
+  console_.tell(
+      Notice::Kind::info,
+      lines.size() == 1
+          ? fmt::format("1 of {} lines is stored and was compared. It stays when the power goes.",
+                        program_lines)
+          : fmt::format("{} of {} lines are stored and were compared. They stay when the power goes.",
+                        lines.size(), program_lines));
+  co_return Result<>();
+}
+
+// As number 0 the whole text goes to the console, as a further one that program alone.
+Task<Result<>> Programs::upload(int program) {
+  if (program >= console_.model().programs)
+    co_return fail(FaultKind::refused, fmt::format("There is no program {}.", program), "Nothing was sent.");
+  auto lines = co_await stored_.read();
+  console_.draft.transfer.running = false;
+  if (!lines) co_return fail(lines.error());
+  note_stored(*lines);
+  console_.draft.slot_bytes_used[0] = static_cast<std::int16_t>(lines->size());
+  const language::Decompiled source = language::decompile(*lines, dialect_);
+  const bool whole = program <= 0;
+  Notice notice(Notice::Kind::program, console_.scheduler.now(),
+                whole ? source.text : language::program_alone(*lines, dialect_, program));
+  notice.slot = whole ? 0 : program;
+  notice.whole = source.bad_lines.empty();
+  console_.notify(std::move(notice));
+  if (!source.bad_lines.empty())
+    console_.tell(Notice::Kind::warning, foreign_lines(source.bad_lines, *lines));
+  co_return Result<>();
+}
+
+}  // namespace hw::arcus

@@ -1,0 +1,51 @@
+#pragma once
+// Stopping, by decision AMB-128: STOP (or ABORT), every program stopped, STOP again because one may have
+// begun a move in between, the joystick off where it is on. Then the status, until all stand.
+#include <string>
+
+#include "core/devices/arcus/motion_status.h"
+#include "core/devices/arcus/threads.h"
+
+namespace hw::arcus {
+
+class Stops {
+ public:
+  Stops(const Console& console, Conversation& talk, CodeAtWork& code, SetUp& setup, MoveList& list,
+        Motions& motions, MotionStatus& status, Threads& threads)
+      : console_(console),
+        talk_(talk),
+        code_(code),
+        setup_(setup),
+        list_(list),
+        motions_(motions),
+        status_(status),
+        threads_(threads) {}
+
+  /// All but the user's own words.
+  Task<Result<>> stop(const StopOrder& order);
+  /// What shows whether the controller stands.
+  Task<Result<>> look();
+  StopProgress progress(const StopOrder& order);
+
+ private:
+  Task<Result<>> send(const StopOrder& order, Duration patience);
+  Task<Result<>> stop_line(bool at_once);
+  Task<Result<>> stop_axes(int axis, bool at_once, bool motion_only, Duration patience);
+  Task<Result<>> stop_all(std::string word, Duration patience);
+  Task<Result<>> halt_thread(int thread, Duration patience);
+  Task<Result<>> halt_program(int thread, Duration patience);
+  Task<Result<>> release_joystick(int axis, std::string stop);
+  [[nodiscard]] StopProgress programs_end(const StopOrder& order) const;
+
+  const Console& console_;
+  Conversation& talk_;
+  CodeAtWork& code_;
+  SetUp& setup_;
+  MoveList& list_;
+  Motions& motions_;
+  MotionStatus& status_;
+  Threads& threads_;
+  bool halting_ = false;  ///< programs were told to end: whether they have is asked while axes stop
+};
+
+}  // namespace hw::arcus

@@ -1,0 +1,53 @@
+#pragma once
+// The user's own text: sent, asked, stopped by, and heard from a neighbour's terminal on the same line.
+#include <string>
+#include <string_view>
+
+#include "core/devices/arcus/after_silence.h"
+#include "core/devices/arcus/move_list.h"
+
+namespace hw::arcus {
+
+class Texts {
+ public:
+  Texts(const Console& console, Conversation& talk, CodeAtWork& code, BorrowedSetting& borrowed, SetUp& setup,
+        MoveList& list, RestartWatch& watch, Motions& motions, Threads& threads, Lines& lines,
+        AfterSilence& silence)
+      : console_(console),
+        talk_(talk),
+        code_(code),
+        borrowed_(borrowed),
+        setup_(setup),
+        list_(list),
+        watch_(watch),
+        motions_(motions),
+        threads_(threads),
+        lines_(lines),
+        silence_(silence) {}
+
+  Task<Result<std::string>> query(std::string text, Duration patience);
+  Task<Result<>> send(const intent::SendText& wish);
+  Task<Result<std::string>> stop(const StopOrder& order);
+  /// Another session of this line has said it to all.
+  void overhear(const std::string& text);
+
+ private:
+  Task<Result<std::string>> say(std::string text, Priority priority, Duration patience);
+  void note_done(std::string_view text);
+  void note_sent(std::string_view as_typed);
+  void note_stop(std::string_view text);
+
+  const Console& console_;
+  Conversation& talk_;
+  CodeAtWork& code_;
+  BorrowedSetting& borrowed_;
+  SetUp& setup_;
+  MoveList& list_;
+  RestartWatch& watch_;
+  Motions& motions_;
+  Threads& threads_;
+  Lines& lines_;
+  AfterSilence& silence_;
+};
+
+}  // namespace hw::arcus
