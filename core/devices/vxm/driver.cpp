@@ -6,12 +6,6 @@
 #include "core/base/index.h"
 
 namespace hw::vxm {
-namespace {
-
-constexpr int restart_attempts = 8;
-constexpr Duration restart_pause = Millis(250);
-
-}  // namespace
 
 std::unique_ptr<Driver> make_driver(DriverContext context) {
   return std::make_unique<VxmDriver>(std::move(context));
@@ -19,28 +13,37 @@ std::unique_ptr<Driver> make_driver(DriverContext context) {
 
 VxmDriver::VxmDriver(DriverContext context)
     : console_(std::move(context)),
-      scheduler_(console_.scheduler),
-      draft_(console_.draft),
-      news_(scheduler_),
       talk_(
-          scheduler_, [this] { return listening(); }, [this](const Message& m) { heard(m); }),
+          console_.scheduler, [this] { return listening(); }, [this](const Message& m) { heard(m); }),
       nameplate_(console_, talk_),
       signals_(console_, talk_, nameplate_),
-      parameters_(console_, talk_, nameplate_, [this] { return may_change(); }),
-      slots_(console_, talk_, parameters_, [this] { return may_change(); }),
+      parameters_(console_, talk_, nameplate_, [this] { return admission_.may_change(); }),
+      slots_(console_, talk_, parameters_, [this] { return admission_.may_change(); }),
       scratch_(talk_, slots_),
-      sight_(scheduler_) {
-  draft_.axis_count = static_cast<int>(console_.catalog.axes.size());
-  draft_.identity.model = console_.catalog.name;
-  draft_.slot_bytes_used.fill(-1);
+      sight_(console_.scheduler),
+      knowledge_(nameplate_, parameters_, slots_),
+      presence_(console_.scheduler, talk_),
+      ramp_(console_, nameplate_, sight_, hold_),
+      under_way_(console_, presence_, slots_, sight_, hold_, ramp_),
+      positions_(console_, talk_, nameplate_, signals_, sight_, hold_, ramp_, under_way_),
+      headline_(console_, presence_, nameplate_, parameters_),
+      kills_(console_, talk_, presence_, nameplate_, sight_, under_way_, headline_),
+      hold_switch_(talk_, hold_, kills_),
+      admission_(console_, presence_, nameplate_, parameters_, under_way_),
+      restarts_(console_, talk_, presence_, knowledge_, scratch_, speeds_, hold_, under_way_, positions_),
+      status_(console_, talk_, presence_, hold_, under_way_, restarts_),
+      echo_(console_, talk_) {
+  console_.draft.axis_count = static_cast<int>(console_.catalog.axes.size());
+  console_.draft.identity.model = console_.catalog.name;
+  console_.draft.slot_bytes_used.fill(-1);
 }
 
 void VxmDriver::attach(Station& station) {
-  mode_ = Mode::unknown;
-  echo_told_ = false;
+  presence_.forget_mode();
+  echo_.begin();
   talk_.attach(station);
   signals_.begin();
-  station.procedure_ended = [this] { news_.notify(); };
+  station.procedure_ended = [this] { under_way_.news().notify(); };
 }
 
 Task<Result<>> VxmDriver::connect() {
@@ -53,14 +56,14 @@ Task<Result<>> VxmDriver::connect() {
 Task<Result<>> VxmDriver::perform(const IntentBody& body) {
   using namespace intent;
   const auto* text = std::get_if<SendText>(&body);
-  if (stay_local_ && !text) {  // Q was sent earlier; whatever is wanted now needs on-line mode
-    auto on_line = co_await go_on_line();
+  if (presence_.stays_local() && !text) {  // Q was sent earlier; whatever is wanted now needs on-line mode
+    auto on_line = co_await presence_.go_on_line();
     if (!on_line) co_return on_line;
-    stay_local_ = false;
+    presence_.wants_on_line();
   }
-  auto clean = co_await see_to_dirt();
+  auto clean = co_await status_.see_to_dirt();
   if (!clean) co_return clean;
-  auto heard = co_await hear_without_echo();
+  auto heard = co_await echo_.hear_without();
   if (!heard) co_return heard;
   auto settled = co_await settle();
   if (!settled) co_return settled;
@@ -77,7 +80,7 @@ Task<Result<>> VxmDriver::perform(const IntentBody& body) {
   }
   if (std::holds_alternative<ReadParams>(body)) co_return co_await parameters_.read_all();
   if (std::holds_alternative<Store>(body)) co_return co_await parameters_.store();
-  if (std::holds_alternative<Reset>(body)) co_return co_await reset();
+  if (std::holds_alternative<Reset>(body)) co_return co_await restarts_.reset();
   if (std::holds_alternative<ReadAgain>(body)) co_return co_await read_again();
   co_return co_await perform_program(body);
 }
@@ -116,36 +119,11 @@ int VxmDriver::slot_of(const IntentBody& body) {
 // ---- values
 
 Task<Result<>> VxmDriver::read_again() {
-  if (busy()) co_return co_await poll(Round::usual);
-  nameplate_.forget();
-  parameters_.doubt_essentials();
-  slots_.doubt_all();
-  auto read = co_await catch_up();
+  if (under_way_.busy()) co_return co_await poll(Round::usual);
+  knowledge_.doubt();
+  auto read = co_await knowledge_.catch_up();
   if (!read) co_return read;
   co_return co_await poll(Round::usual);
-}
-
-Task<Result<>> VxmDriver::reset() {
-  auto said = co_await talk_.say("res", Priority::intent);
-  if (!said) co_return said;
-  if (job_.active()) job_ = Job();
-  run_ended(EndedBy::abort);
-  forget_ram();
-  reset_said_ = true;  // if this is cut short, the next V finds it
-  Result<> on_line = fail(FaultKind::no_answer, "The controller does not answer after its reset.");
-  for (int attempt = 0; attempt < restart_attempts && !on_line && talk_.station(); ++attempt) {
-    auto waited = co_await talk_.station()->pause(restart_pause);
-    if (!waited) co_return waited;
-    on_line = co_await go_on_line();
-  }
-  if (!on_line) co_return on_line;
-  reset_said_ = false;
-  stands_after_restart(Doubt::reset);
-  console_.tell(
-      Notice::Kind::info,
-      "The controller was reset: positions are zero where the motors stand, and what was not stored is "
-      "gone. Find home before the next absolute move.");
-  co_return co_await read_positions(Priority::intent, true);
 }
 
 }  // namespace hw::vxm

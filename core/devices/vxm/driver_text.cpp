@@ -50,7 +50,7 @@ std::string with_answers(std::string_view answers, std::string_view done) {
 void VxmDriver::note_taken(const Piece& piece) {
   for (const TextCommand& c : piece.taken)
     if (c.flaw == Flaw::none) note_taken(c);
-  reset_said_ = reset_said_ || piece.resets;
+  if (piece.resets) presence_.say_reset();
 }
 
 void VxmDriver::note_taken(const TextCommand& c) {
@@ -63,7 +63,7 @@ void VxmDriver::note_taken(const TextCommand& c) {
   if (c.verb == Verb::set) parameters_.was_set(c.name);
   if (c.verb == Verb::word && c.name == "del") slots_.selected_was_changed();
   if (c.verb == Verb::word && c.name == "rsm") parameters_.was_stored();
-  if (c.verb == Verb::word && c.name == "res") halted_ = 0;  // the next V finds it restarted
+  if (c.verb == Verb::word && c.name == "res") presence_.hears_again();  // the next V finds it restarted
   if (c.verb == Verb::letter) note_letter(c.letter);
 }
 
@@ -71,28 +71,25 @@ void VxmDriver::note_letter(char letter) {
   switch (letter) {
     case 'C': slots_.selected_was_changed(); break;
     case 'K':
-      doubt_positions();
-      killed_at_ = scheduler_.now();
+      kills_.doubt_positions();
+      under_way_.kill_was_said();
       break;
     case 'D':
-      if (mode_ != Mode::local) note_stop();
+      if (!presence_.is_local()) under_way_.job().note_stop();
       break;
     case 'H': hold_.was_toggled(); break;
-    case 'Q':
-      stay_local_ = true;
-      mode_ = Mode::local;
-      break;
+    case 'Q': presence_.was_sent_to_local(); break;
     case 'E':
     case 'F':
     case 'G':
-      stay_local_ = false;
-      mode_ = Mode::on_line;
-      if (letter == 'G' && draft_.program.run != RunState::idle) draft_.program.run = RunState::running;
+      presence_.was_sent_on_line();
+      if (letter == 'G' && console_.draft.program.run != RunState::idle)
+        console_.draft.program.run = RunState::running;
       break;
     case 'R':
-      if (!stored_running_) show_running(slots_.selected());
+      if (!under_way_.program_runs()) under_way_.program_begins(slots_.selected());
       break;
-    case 'N': all_are_zero(); break;
+    case 'N': positions_.are_zero(); break;
     default: break;
   }
 }
@@ -147,13 +144,13 @@ static bool without_echo(std::string& text, const std::vector<TextCommand>& comm
 
 Listening VxmDriver::listening() const {
   Listening now;
-  now.local = mode_ == Mode::local, now.running = busy(), now.halted = halted_ != 0;
+  now.local = presence_.is_local(), now.running = under_way_.busy(), now.halted = presence_.is_halted();
   now.digitized_lines = nameplate_.has_slave() ? max_motors : motors_per_controller;
   return now;
 }
 
 TextMeaning VxmDriver::meaning_of(const intent::SendText& text) const {
-  return vxm::meaning_of(text.text, listening(), job_.active());
+  return vxm::meaning_of(text.text, listening(), under_way_.job().active());
 }
 
 // Sends it piece by piece and gives back the answers, each without its end, joined by carriage returns.
@@ -183,12 +180,12 @@ Task<VxmDriver::RawAnswer> VxmDriver::send_pieces(std::string text, Duration pat
     const bool was_sent = reply || reply.error().kind != FaultKind::stopped;
     if (was_sent) note_taken(piece);
     if (!reply) {
-      if (was_sent && piece.kills) kill_not_confirmed(EndedBy::abort);
-      if (was_sent && piece.stores) draft_.unsaved_setup = draft_.unsaved_programs = true;
+      if (was_sent && piece.kills) under_way_.kill_not_confirmed(EndedBy::abort);
+      if (was_sent && piece.stores) console_.draft.unsaved_setup = console_.draft.unsaved_programs = true;
       all.fault = std::move(reply.error());
       co_return all;
     }
-    if (piece.kills) killed();
+    if (piece.kills) under_way_.killed();
     if (piece.answer) add_answer(all.text, without_end(std::move(*reply)));
   }
   co_return all;
@@ -200,7 +197,7 @@ Result<> VxmDriver::may_send(const std::vector<TextCommand>& commands) const {
   for (const TextCommand& c : commands) {
     const bool taken_while_running =
         c.verb == Verb::letter && accepted_while_running.find(c.letter) != std::string_view::npos;
-    if (job_.active() && !taken_while_running && !(c.verb == Verb::word && c.name == "res"))
+    if (under_way_.job().active() && !taken_while_running && !(c.verb == Verb::word && c.name == "res"))
       return fail(FaultKind::refused,
                   fmt::format("A move of the console is under way, and the controller does not take {} then.",
                               canonical(c)),
@@ -220,9 +217,9 @@ Task<Result<>> VxmDriver::send_text(std::string text) {
 }
 
 Task<Result<std::string>> VxmDriver::query(std::string text, Duration patience) {
-  auto clean = co_await see_to_dirt();
+  auto clean = co_await status_.see_to_dirt();
   if (!clean) co_return fail(clean.error());
-  auto heard = co_await hear_without_echo();
+  auto heard = co_await echo_.hear_without();
   if (!heard) co_return fail(heard.error());
   auto settled = co_await settle();
   if (!settled) co_return fail(settled.error());
@@ -257,18 +254,18 @@ Task<Result<std::string>> VxmDriver::stop_by_words(const StopOrder& order) {
   const auto commands = read_text(text);
   const bool kills = !commands.empty() && commands.front().letter == 'K';
   if (!commands.empty() && commands.front().letter == 'D') {
-    note_stop();
-    if (job_.active()) expect_ramp();
+    under_way_.job().note_stop();
+    if (under_way_.job().active()) ramp_.expect();
   }
-  job_.end_is_asked = job_.active() && order.answer;
-  const bool blind = mode_ == Mode::unknown;
+  under_way_.job().ask_for_end(order.answer != nullptr);
+  const bool blind = presence_.is_unknown();
   auto reply = co_await converse(text, order.patience, Priority::stop);
   if (!reply && reply.error().kind == FaultKind::no_answer && blind && kills) {  // Local mode drops it
     // F takes away the only sign of a restart.
     const AnswerShape state{ReplyShape::bytes(1), before_state, kill_patience, look::letter};
     auto was = co_await talk_.ask("VF", state, Priority::stop);
     if (!was && was.error().kind != FaultKind::no_answer) co_return fail(was.error());
-    left_local_ = was && (*was == std::string(1, jog_idle) || *was == std::string(1, jog_moving));
+    presence_.left_local(was && (*was == std::string(1, jog_idle) || *was == std::string(1, jog_moving)));
     reply = co_await converse(std::move(text), order.patience, Priority::stop);
   }
   if (!reply && reply.error().kind == FaultKind::no_answer && blind)
@@ -290,7 +287,7 @@ Task<Result<std::string>> VxmDriver::stop_by_words(const StopOrder& order) {
 std::string VxmDriver::cut_behind_stop(std::string& text) const {
   const auto commands = read_text(text);
   const auto first = std::find_if_not(commands.begin(), commands.end(), goes_with_a_stop);
-  if (!job_.active() || first == commands.end()) return {};
+  if (!under_way_.job().active() || first == commands.end()) return {};
   std::string rest = text.substr(first->begin);
   text.resize(first->begin);
   return rest;
