@@ -1,24 +1,10 @@
-// Stopping, by decision V102: D ends a move of the console. A stored program is held (H), its motor ramped
-// down (D) and ended by K once everything stands. At once is K. In Local mode: on-line (F), then K.
-#include <fmt/core.h>
+#include "core/devices/vxm/stops.h"
 
-#include "core/devices/vxm/driver.h"
+#include <fmt/core.h>
 
 namespace hw::vxm {
 
-Task<Result<std::string>> VxmDriver::stop(const StopOrder& order) {
-  using What = StopOrder::What;
-  if (!talk_.station())
-    co_return fail(FaultKind::lost, "Stop does not reach the controller: there is no connection.",
-                   "Nothing was sent.", "Use its power switch.");
-  if (order.what == What::broadcast) co_return std::string();  // a VXM is alone on its wire
-  if (order.what == What::words) co_return co_await stop_by_words(order);
-  auto sent = co_await send_stop(order);
-  if (!sent) co_return fail(sent.error());
-  co_return std::string();
-}
-
-Task<Result<>> VxmDriver::send_stop(const StopOrder& order) {
+Task<Result<>> Stops::send(const StopOrder& order) {
   const bool deaf = presence_.is_unknown() || talk_.station()->statistics().misses_in_a_row > 1;
   if (order.times_sent > 1 && deaf) {  // nothing has come back: a command that was left half said swallows it
     auto ended = co_await talk_.say("\r", Priority::stop);
@@ -36,7 +22,7 @@ Task<Result<>> VxmDriver::send_stop(const StopOrder& order) {
 
 // Nothing is known of what the controller does now: H would switch a hold off as well as on, and K costs
 // steps.
-Task<Result<>> VxmDriver::stop_blind(const StopOrder& order) {
+Task<Result<>> Stops::stop_blind(const StopOrder& order) {
   if (order.what == StopOrder::What::jog && under_way_.program_runs()) co_return Result<>();
   if (under_way_.job().concerns(order)) under_way_.job().note_stop();
   if (order.at_once) co_return co_await kills_.kill(false);
@@ -44,7 +30,7 @@ Task<Result<>> VxmDriver::stop_blind(const StopOrder& order) {
 }
 
 // As far as is known nothing runs. In Local mode D is answered; nothing may be sent into that answer.
-Task<Result<>> VxmDriver::stop_unknown() {
+Task<Result<>> Stops::stop_unknown() {
   const Instant sent_at = console_.scheduler.now();
   auto said = co_await talk_.say("D", Priority::stop);
   if (!said || !talk_.station()) co_return said;
@@ -54,14 +40,14 @@ Task<Result<>> VxmDriver::stop_unknown() {
 }
 
 // K is dropped in Local mode. F disables the buttons that jog.
-Task<Result<>> VxmDriver::stop_local() {
+Task<Result<>> Stops::stop_local() {
   auto said = co_await talk_.say("F", Priority::stop);
   if (!said) co_return said;
   presence_.was_sent_on_line();
   co_return co_await kills_.kill(false);
 }
 
-Task<Result<>> VxmDriver::stop_leg(const StopOrder& order) {
+Task<Result<>> Stops::stop_leg(const StopOrder& order) {
   const bool concerned = under_way_.job().concerns(order);
   if (!concerned && order.what != StopOrder::What::jog) {
     for (const Leg& leg : under_way_.job().drop_later_legs(order.axis))
@@ -77,14 +63,14 @@ Task<Result<>> VxmDriver::stop_leg(const StopOrder& order) {
   co_return co_await ramp_down();
 }
 
-Task<Result<>> VxmDriver::ramp_down() {
+Task<Result<>> Stops::ramp_down() {
   ramp_.expect();
   co_return co_await talk_.say("D", Priority::stop);
 }
 
 // Held, its motor ramped down; K once that stands. H would let a program go on that is held: one that stands
 // when its stop comes is not told to hold, unless it goes on after all.
-Task<Result<>> VxmDriver::stop_program(const StopOrder& order) {
+Task<Result<>> Stops::stop_program(const StopOrder& order) {
   if (order.what == StopOrder::What::jog) co_return Result<>();
   const auto is_held = [this] { return console_.draft.program.run == RunState::held; };
   if (is_held() || ramp_.is_over()) co_return co_await kills_.kill(true);
@@ -103,15 +89,13 @@ Task<Result<>> VxmDriver::stop_program(const StopOrder& order) {
   co_return co_await ramp_down();
 }
 
-void VxmDriver::show_stopping() {
+void Stops::show_stopping() {
   for (const int index : {under_way_.job().leg().axis, under_way_.job().leg().second_axis})
     if (index >= 0 && console_.draft.axes[index].activity != Activity::idle)
       console_.draft.axes[index].activity = Activity::stopping;
 }
 
-// ---- what has become of it
-
-StopProgress VxmDriver::stop_progress(const StopOrder& order) {
+StopProgress Stops::progress(const StopOrder& order) {
   if (presence_.is_halted()) return StopProgress::stands();  // nothing goes on until K
   const bool ramps_by_words =
       under_way_.job().active() && ramp_.is_expected();  // what else they stop is told by their answer

@@ -1,22 +1,25 @@
-// How a move of the console is carried out: a run of the scratch program.
-//
 // S lasts beyond a run and cannot be read. A move with a speed of its own therefore ends by putting back what
 // the user's last S said, or 2000 steps/s, the power-up value, if none was seen.
+#include "core/devices/vxm/legs.h"
+
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/core.h>
 
 #include "core/base/index.h"
-#include "core/devices/vxm/driver.h"
+#include "core/devices/vxm/codec.h"
+#include "core/devices/vxm/facts.h"
 
 namespace hw::vxm {
 namespace {
 
+constexpr double longest_jog_s = 30;  // a jog that nobody ends (a pulled cable) stops after this
 constexpr Duration quick_patience = std::chrono::seconds(1);
 
 }  // namespace
 
-std::string VxmDriver::leg_program(const Leg& leg) {
+std::string Legs::leg_program(const Leg& leg) const {
   std::string text;
   for (const int axis : {leg.axis, leg.second_axis}) {
     if (axis < 0) continue;
@@ -32,7 +35,7 @@ std::string VxmDriver::leg_program(const Leg& leg) {
   return text;
 }
 
-Task<Result<>> VxmDriver::begin(Job job) {
+Task<Result<>> Legs::begin(Job job) {
   auto held = co_await hold_switch_.settle();
   if (!held) co_return held;
   if (!knowledge_.suffices_for_a_move()) {
@@ -46,7 +49,7 @@ Task<Result<>> VxmDriver::begin(Job job) {
 }
 
 // R alone begins a motion: it goes out once, behind what lst has shown.
-Task<Result<>> VxmDriver::start_leg() {
+Task<Result<>> Legs::start_leg() {
   const Leg& leg = under_way_.job().leg();
   auto filled = co_await scratch_.fill(leg_program(leg));
   if (!filled) co_return never_begun(filled);
@@ -64,14 +67,14 @@ Task<Result<>> VxmDriver::start_leg() {
 }
 
 /// A stop came first, or the program did not get there.
-Result<> VxmDriver::never_begun(const Result<>& why) {
+Result<> Legs::never_begun(const Result<>& why) {
   const Job never = std::exchange(under_way_.job(), Job());
   const bool stopped = why.error().kind == FaultKind::stopped;
   if (never.active()) show_leg_ended(never.leg(), stopped ? EndedBy::stop : EndedBy::elsewhere);
   return why;
 }
 
-void VxmDriver::show_leg(const Leg& leg) {
+void Legs::show_leg(const Leg& leg) {
   if (leg.activity == Activity::idle) return;
   for (const int index : {leg.axis, leg.second_axis}) {
     if (index < 0) continue;
@@ -88,9 +91,7 @@ void VxmDriver::show_leg(const Leg& leg) {
   }
 }
 
-// What is due before anything else: a hold that was left on is taken off, a leg that is over is followed by
-// the next one, and what the console has put into the controller goes when nothing of its own runs.
-Task<Result<>> VxmDriver::settle() {
+Task<Result<>> Legs::settle() {
   if (hold_.is_to_be_released()) {
     auto released = co_await hold_switch_.say("H", false, Priority::intent);
     if (!released) co_return released;
@@ -107,8 +108,7 @@ Task<Result<>> VxmDriver::settle() {
   co_return co_await slots_.give_back_selection();
 }
 
-// Reads where it ended.
-Task<Result<>> VxmDriver::end_leg(Priority priority) {
+Task<Result<>> Legs::end_leg(Priority priority) {
   const Leg leg = under_way_.job().leg();
   const bool moved = leg.activity != Activity::idle;
   Result<> read;
@@ -128,7 +128,7 @@ Task<Result<>> VxmDriver::end_leg(Priority priority) {
   co_return Result<>();
 }
 
-EndedBy VxmDriver::how_it_ended(const Leg& leg) const {
+EndedBy Legs::how_it_ended(const Leg& leg) const {
   const bool arrived = leg.axis >= 0 && leg.target && console_.draft.axes[leg.axis].position == *leg.target;
   if (under_way_.job().ended_by() == EndedBy::stop && under_way_.job().was_cut_whole() && arrived)
     return EndedBy::target;  // the stop came too late
@@ -141,7 +141,7 @@ EndedBy VxmDriver::how_it_ended(const Leg& leg) const {
   return at_limit || under_way_.job().limit_was_reported() ? EndedBy::limit : EndedBy::elsewhere;
 }
 
-void VxmDriver::show_leg_ended(const Leg& leg, EndedBy ended_by) {
+void Legs::show_leg_ended(const Leg& leg, EndedBy ended_by) {
   for (const int index : {leg.axis, leg.second_axis}) {
     if (index < 0) continue;
     AxisState& axis = console_.draft.axes[index];
@@ -164,7 +164,22 @@ void VxmDriver::show_leg_ended(const Leg& leg, EndedBy ended_by) {
   }
 }
 
-std::optional<Leg> VxmDriver::next_jog_leg(const Leg& last, EndedBy ended_by) const {
+Leg Legs::jog_leg(int axis, Sign sign, int speed) const {
+  const AxisState& state = console_.draft.axes[axis];
+  const Steps room = sign == Sign::plus ? console_.catalog.position_max - state.position
+                                        : state.position - console_.catalog.position_min;
+  const std::int64_t distance = std::min<std::int64_t>(std::llround(speed * longest_jog_s), room.value);
+  Leg leg;
+  leg.axis = axis;
+  leg.activity = Activity::jogging;
+  leg.sign = sign;
+  leg.speed = speed;
+  leg.target = state.position + Steps{factor(sign) * distance};
+  leg.text = index_by(axis + 1, Steps{factor(sign) * distance});
+  return leg;
+}
+
+std::optional<Leg> Legs::next_jog_leg(const Leg& last, EndedBy ended_by) const {
   if (!under_way_.job().is_jog() || ended_by != EndedBy::target) return std::nullopt;
   Leg leg = jog_leg(last.axis, last.sign, last.speed);
   if (*leg.target == console_.draft.axes[last.axis].position) return std::nullopt;
@@ -172,7 +187,7 @@ std::optional<Leg> VxmDriver::next_jog_leg(const Leg& last, EndedBy ended_by) co
 }
 
 // A move that nobody has stopped keeps its program: it may take as long as it likes.
-bool VxmDriver::clears_up() const {
+bool Legs::clears_up() const {
   const bool ends = !under_way_.busy() || ramp_.is_expected() || under_way_.job().is_leg_over() ||
                     under_way_.job().ended_by() != EndedBy::nothing;
   const bool something_left =
@@ -181,7 +196,7 @@ bool VxmDriver::clears_up() const {
          ends;
 }
 
-std::string VxmDriver::leaves_behind() const {
+std::string Legs::leaves_behind() const {
   if (presence_.reset_was_said() || (!scratch_.in_use() && slots_.selection_is_given_back())) return {};
   if (!scratch_.in_use())
     return fmt::format(
@@ -196,8 +211,7 @@ std::string VxmDriver::leaves_behind() const {
       under_way_.job().is_leg_over() ? "a move of the console" : "it", empty_program(scratch_.slot()));
 }
 
-// Something that is over at once: its end is waited for.
-Task<Result<>> VxmDriver::run_quickly(Leg leg) {
+Task<Result<>> Legs::run_quickly(Leg leg) {
   Job job;
   job.add(std::move(leg));
   auto begun = co_await begin(std::move(job));
@@ -217,13 +231,12 @@ Task<Result<>> VxmDriver::run_quickly(Leg leg) {
   co_return co_await settle();
 }
 
-Result<> VxmDriver::cut_short() const {
+Result<> Legs::cut_short() const {
   if (!talk_.station() || !talk_.station()->preempted()) return {};
   return fail(FaultKind::stopped, "A stop came while this was under way.", "It was sent.");
 }
 
-// A leg that was cut off may have left its own speed behind.
-Task<Result<>> VxmDriver::restore_speeds() {
+Task<Result<>> Legs::restore_speeds() {
   Leg leg;
   for (int axis = 0; axis < console_.draft.axis_count; ++axis)
     if (speeds_.is_ours(axis)) leg.text += speed(axis + 1, speeds_.usual(axis));

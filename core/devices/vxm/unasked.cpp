@@ -1,13 +1,12 @@
-// What the controller says unasked, and what it changes.
-#include <algorithm>
+#include "core/devices/vxm/unasked.h"
 
 #include <fmt/core.h>
 
-#include "core/devices/vxm/driver.h"
+#include "core/devices/vxm/facts.h"
 
 namespace hw::vxm {
 
-void VxmDriver::heard(const Message& m) {
+void Unasked::heard(const Message& m) {
   switch (m.kind) {
     case Message::Kind::prompt: heard_prompt(); break;
     case Message::Kind::limit: heard_limit(); break;
@@ -26,7 +25,7 @@ void VxmDriver::heard(const Message& m) {
   if (console_.changed) console_.changed();
 }
 
-void VxmDriver::heard_prompt() {
+void Unasked::heard_prompt() {
   const bool of_kill =
       under_way_.killed_at() != Instant{} && console_.scheduler.now() - under_way_.killed_at() < Millis(100);
   if (under_way_.job().active()) {
@@ -40,7 +39,7 @@ void VxmDriver::heard_prompt() {
 
 // The controller lists the command before which it holds (firmware 1.21 on). Which of several equal commands
 // it is follows from the one before.
-void VxmDriver::heard_held(std::string_view command) {
+void Unasked::heard_held(std::string_view command) {
   console_.texts.add(fmt::format(":{}", command));
   if (under_way_.job().active()) {
     hold_.was_switched(true);
@@ -67,7 +66,7 @@ void VxmDriver::heard_held(std::string_view command) {
   p.command_told = matches == 1;
 }
 
-void VxmDriver::heard_limit() {
+void Unasked::heard_limit() {
   if (under_way_.job().active())
     under_way_.job().report_limit();
   else
@@ -76,7 +75,7 @@ void VxmDriver::heard_limit() {
   console_.texts.add("O");
 }
 
-void VxmDriver::heard_error(char letter) {
+void Unasked::heard_error(char letter) {
   const ErrorWords words = explain_error(letter);
   console_.tell(Notice::Kind::error, words.what + " " + words.advice);
   console_.texts.add(std::string("E") + letter);

@@ -1,9 +1,7 @@
-// Getting a controller to listen and finding out what it is; what is left after a restart or a lost wire.
-#include <algorithm>
+#include "core/devices/vxm/opening.h"
 
-#include <fmt/core.h>
-
-#include "core/devices/vxm/driver.h"
+#include "core/devices/vxm/codec.h"
+#include "core/devices/vxm/facts.h"
 #include "core/devices/vxm/greeting.h"
 
 namespace hw::vxm {
@@ -13,24 +11,9 @@ constexpr int greetings = 4, silences_until_nobody = 2;
 
 }  // namespace
 
-Task<Result<>> VxmDriver::find_out_all() {
-  auto greeted = co_await greet();
-  if (!greeted) co_return greeted;
-  presence_.is_found();
-  if (!under_way_.busy() && !talk_.echoes()) {
-    auto caught_up = co_await knowledge_.catch_up();
-    if (!caught_up) co_return caught_up;
-  }
-  auto polled = co_await poll(Round::usual);
-  if (polled || !worth_another_try(polled.error())) co_return polled;
-  auto quiet = co_await talk_.wait_for_quiet();  // a status byte is asked once a round
-  if (!quiet) co_return quiet;
-  co_return co_await poll(Round::usual);
-}
-
 // V alone first: it moves nothing in any mode. A carriage return ends a command that somebody left half said,
 // and what came of it, or of a line that was opened amid garbage, is let pass.
-Task<Result<std::string>> VxmDriver::ask_who_listens() {
+Task<Result<std::string>> Opening::ask_who_listens() {
   std::string bytes;
   int silences = 0;
   for (int n = 0; n < greetings && silences < silences_until_nobody; ++n) {
@@ -50,7 +33,7 @@ Task<Result<std::string>> VxmDriver::ask_who_listens() {
   co_return bytes;
 }
 
-Task<Result<>> VxmDriver::greet() {
+Task<Result<>> Opening::greet() {
   auto bytes = co_await ask_who_listens();
   if (!bytes) co_return fail(bytes.error());
   Greeting greeting = read_greeting(*bytes);
@@ -85,7 +68,7 @@ Task<Result<>> VxmDriver::greet() {
 
 // The first time Local mode is the usual state after power-up. Later it means that the controller was
 // restarted.
-Task<Result<>> VxmDriver::found_local(char state) {
+Task<Result<>> Opening::found_local(char state) {
   if (presence_.was_found_before() && !presence_.stays_local())
     co_return co_await restarts_.found("It answers from Local mode");
   presence_.wants_on_line();
@@ -99,7 +82,7 @@ Task<Result<>> VxmDriver::found_local(char state) {
 }
 
 // After a lost wire the state is read afresh. What moved went on without us.
-Task<Result<>> VxmDriver::resume_after_loss(char state) {
+Task<Result<>> Opening::resume_after_loss(char state) {
   if (state == ready && under_way_.job().active())
     under_way_.job().leg_is_over(), under_way_.job().ends_by(EndedBy::lost);
   if (state == vxm::busy && !under_way_.job().active()) {
@@ -107,15 +90,9 @@ Task<Result<>> VxmDriver::resume_after_loss(char state) {
     under_way_.program_begins(-1);
     if (others) hold_.found_running();
   }
-  if (state == vxm::busy && under_way_.job().active()) show_leg(under_way_.job().leg());
+  if (state == vxm::busy && under_way_.job().active()) legs_.show_leg(under_way_.job().leg());
   if (!under_way_.take_lost_while_busy()) co_return Result<>();
   co_return co_await positions_.read(Priority::intent, state == ready);
-}
-
-void VxmDriver::wire_lost() {
-  if (!talk_.station()) return;
-  talk_.lost();
-  under_way_.wire_lost();
 }
 
 }  // namespace hw::vxm

@@ -1,23 +1,22 @@
-// What the console wants to move, as legs: moves, jogs, homing, zero, outputs; and whether it may now.
+#include "core/devices/vxm/moves.h"
+
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/core.h>
 
-#include "core/base/index.h"
-#include "core/devices/vxm/driver.h"
+#include "core/devices/vxm/codec.h"
+#include "core/devices/vxm/facts.h"
 
 namespace hw::vxm {
 namespace {
 
-constexpr double longest_jog_s = 30;    // a jog that nobody ends (a pulled cable) stops after this
 constexpr int off_switch_steps = 4000;  // back off a home switch before the second approach (App. N p.67)
 constexpr int homing_speed = hard_stop_safe_speed;  // the manual's limit for reliable homing (p.27)
 
 bool on_slave(int axis) { return axis >= motors_per_controller; }
 
-}  // namespace
-
-Result<int> VxmDriver::checked_speed(Pps speed) const {
+Result<int> checked_speed(Pps speed) {
   const double value = std::round(speed.value);
   if (value == 0) return 0;
   if (value < min_speed || value > max_speed)
@@ -28,9 +27,9 @@ Result<int> VxmDriver::checked_speed(Pps speed) const {
   return static_cast<int>(value);
 }
 
-// ---- moves
+}  // namespace
 
-Task<Result<>> VxmDriver::move(const std::vector<AxisTarget>& targets, Pps wish, bool relative) {
+Task<Result<>> Moves::move(const std::vector<AxisTarget>& targets, Pps wish, bool relative) {
   auto speed = checked_speed(wish);
   if (!speed) co_return fail(speed.error());
   // Where the axes stand is read first: the last round may have asked before a program came to its end.
@@ -42,10 +41,10 @@ Task<Result<>> VxmDriver::move(const std::vector<AxisTarget>& targets, Pps wish,
   if (goals->empty()) co_return Result<>();
   Job job;
   for (const AxisTarget& goal : *goals) add_leg(job, goal, *speed, relative);
-  co_return co_await begin(std::move(job));
+  co_return co_await legs_.begin(std::move(job));
 }
 
-Result<> VxmDriver::may_move_all(const std::vector<AxisTarget>& targets, bool relative) const {
+Result<> Moves::may_move_all(const std::vector<AxisTarget>& targets, bool relative) const {
   for (const AxisTarget& t : targets) {
     if (auto may = admission_.may_move(t.axis.index); !may) return may;
     if (relative && (t.value.value < -max_index || t.value.value > max_index))
@@ -58,8 +57,7 @@ Result<> VxmDriver::may_move_all(const std::vector<AxisTarget>& targets, bool re
 }
 
 /// Where each axis is to go, as far as positions are known. Axes that stay are left out.
-Result<std::vector<AxisTarget>> VxmDriver::checked_goals(const std::vector<AxisTarget>& targets,
-                                                         bool relative) {
+Result<std::vector<AxisTarget>> Moves::checked_goals(const std::vector<AxisTarget>& targets, bool relative) {
   std::vector<AxisTarget> goals;
   for (const AxisTarget& t : targets) {
     const int axis = t.axis.index;
@@ -80,7 +78,7 @@ Result<std::vector<AxisTarget>> VxmDriver::checked_goals(const std::vector<AxisT
 
 /// One leg after the other, but moves on the two controllers can run together; the Slave's must stand first
 /// (App. G p.47).
-void VxmDriver::add_leg(Job& job, const AxisTarget& goal, int speed, bool relative) const {
+void Moves::add_leg(Job& job, const AxisTarget& goal, int speed, bool relative) const {
   const int axis = goal.axis.index;
   const Steps distance = goal.value - console_.draft.axes[axis].position;
   Leg* partner = job.last();
@@ -102,36 +100,21 @@ void VxmDriver::add_leg(Job& job, const AxisTarget& goal, int speed, bool relati
   job.add(std::move(leg));
 }
 
-Leg VxmDriver::jog_leg(int axis, Sign sign, int speed) const {
-  const AxisState& state = console_.draft.axes[axis];
-  const Steps room = sign == Sign::plus ? console_.catalog.position_max - state.position
-                                        : state.position - console_.catalog.position_min;
-  const std::int64_t distance = std::min<std::int64_t>(std::llround(speed * longest_jog_s), room.value);
-  Leg leg;
-  leg.axis = axis;
-  leg.activity = Activity::jogging;
-  leg.sign = sign;
-  leg.speed = speed;
-  leg.target = state.position + Steps{factor(sign) * distance};
-  leg.text = index_by(axis + 1, Steps{factor(sign) * distance});
-  return leg;
-}
-
-Task<Result<>> VxmDriver::jog(const intent::JogStart& wish) {
+Task<Result<>> Moves::jog(const intent::JogStart& wish) {
   const int axis = wish.axis.index;
   if (auto may = admission_.may_move(axis); !may) co_return may;
   auto speed = checked_speed(wish.speed.value == 0 ? console_.catalog.jog_speed : wish.speed);
   if (!speed) co_return fail(speed.error());
   admission_.warn_of_motor_type(axis);
-  Job job = Job::jog(jog_leg(axis, wish.sign, *speed));
+  Job job = Job::jog(legs_.jog_leg(axis, wish.sign, *speed));
   if (*job.leg().target == console_.draft.axes[axis].position)
     co_return fail(FaultKind::refused,
                    fmt::format("Motor {} stands at the end of the controller's position register.", axis + 1),
                    "Nothing was sent.", "Set its position to zero first.");
-  co_return co_await begin(std::move(job));
+  co_return co_await legs_.begin(std::move(job));
 }
 
-Task<Result<>> VxmDriver::home(const intent::Home& wish) {
+Task<Result<>> Moves::home(const intent::Home& wish) {
   const int axis = wish.axis.index;
   if (auto may = admission_.may_move(axis); !may) co_return may;
   if (wish.mode < 0 || wish.mode >= static_cast<int>(console_.catalog.homing_modes.size()))
@@ -163,10 +146,10 @@ Task<Result<>> VxmDriver::home(const intent::Home& wish) {
     job.add(to_switch);
   }
   if (wish.mode != 0) job.add(zero);
-  co_return co_await begin(std::move(job));
+  co_return co_await legs_.begin(std::move(job));
 }
 
-Task<Result<>> VxmDriver::set_position(const intent::SetPosition& wish) {
+Task<Result<>> Moves::set_position(const intent::SetPosition& wish) {
   if (wish.value.value != 0)
     co_return fail(FaultKind::refused,
                    fmt::format("A VXM can only call the present position zero, not {}.", wish.value.value),
@@ -181,7 +164,7 @@ Task<Result<>> VxmDriver::set_position(const intent::SetPosition& wish) {
     leg.axis = wish.axis;
     leg.text = zero_here(wish.axis + 1);
     leg.zeroes = Trust::set;
-    auto done = co_await run_quickly(std::move(leg));
+    auto done = co_await legs_.run_quickly(std::move(leg));
     if (!done) co_return done;
   }
   auto read = co_await positions_.read(Priority::intent, true);
@@ -197,7 +180,7 @@ Task<Result<>> VxmDriver::set_position(const intent::SetPosition& wish) {
 }
 
 // U4, U5 and their like are stored commands: they too need a run.
-Task<Result<>> VxmDriver::set_output(const intent::SetOutput& wish) {
+Task<Result<>> Moves::set_output(const intent::SetOutput& wish) {
   if (wish.number < 1 || wish.number > outputs_per_controller)
     co_return fail(FaultKind::refused,
                    fmt::format("There is no output {}: a VXM has outputs 1 to 4.", wish.number),
@@ -205,7 +188,7 @@ Task<Result<>> VxmDriver::set_output(const intent::SetOutput& wish) {
   if (auto may = admission_.may_run(); !may) co_return may;
   Leg leg;
   leg.text = output(wish.number, wish.on);
-  auto done = co_await run_quickly(std::move(leg));
+  auto done = co_await legs_.run_quickly(std::move(leg));
   if (!done) co_return done;
   auto read = co_await signals_.read('$', Priority::intent);
   if (!read) co_return read;

@@ -1,17 +1,18 @@
-// Runs of stored programs: starting, holding, going on, single steps.
+#include "core/devices/vxm/runs.h"
+
 #include <algorithm>
-#include <utility>
 
 #include <fmt/core.h>
 
 #include "core/base/index.h"
-#include "core/devices/vxm/driver.h"
+#include "core/devices/vxm/codec_text.h"
+#include "core/devices/vxm/facts.h"
 
 namespace hw::vxm {
 
 // The controller says nothing of a limit unless O tells it to. A motor that stands on the switch that it went
 // towards last, and was not sent to look for it, was stopped by it.
-void VxmDriver::look_what_ended_the_run() {
+void Runs::look_what_ended_the_run() {
   const auto slot = under_way_.take_ended_run();
   if (!slot) return;
   console_.draft.working = false;
@@ -26,7 +27,7 @@ void VxmDriver::look_what_ended_the_run() {
 }
 
 /// The program is known, and its last index of this motor goes to a switch.
-bool VxmDriver::looks_for_switches(int slot, int motor) const {
+bool Runs::looks_for_switches(int slot, int motor) const {
   if (!slots_.listing(slot)) return false;
   bool looks = false;
   for (const TextCommand& c : commands_of(*slots_.listing(slot)))
@@ -35,7 +36,7 @@ bool VxmDriver::looks_for_switches(int slot, int motor) const {
 }
 
 /// False: the program is known, goes into no other, and has no index of this motor.
-bool VxmDriver::may_turn(int slot, int motor) const {
+bool Runs::may_turn(int slot, int motor) const {
   if (!slots_.listing(slot)) return true;
   const auto commands = commands_of(*slots_.listing(slot));
   return std::any_of(commands.begin(), commands.end(), [&](const TextCommand& c) {
@@ -45,14 +46,14 @@ bool VxmDriver::may_turn(int slot, int motor) const {
   });
 }
 
-Task<Result<>> VxmDriver::run(int slot) {
+Task<Result<>> Runs::run(int slot) {
   if (auto may = admission_.may_run(); !may) co_return may;
   if (console_.draft.slot_bytes_used[ix(slot)] == 0)
     co_return fail(FaultKind::refused, fmt::format("Program {} of the controller is empty.", slot),
                    "Nothing was run.", "Load it first.");
   auto held = co_await hold_switch_.settle();
   if (!held) co_return held;
-  auto speeds = co_await restore_speeds();
+  auto speeds = co_await legs_.restore_speeds();
   if (!speeds) co_return speeds;
   for (int i = 0; i < console_.draft.axis_count; ++i)
     if (may_turn(slot, i + 1)) admission_.warn_of_motor_type(i);
@@ -70,7 +71,7 @@ Task<Result<>> VxmDriver::run(int slot) {
   co_return sent;
 }
 
-Task<Result<>> VxmDriver::pause() {
+Task<Result<>> Runs::pause() {
   if (!under_way_.program_runs())
     co_return fail(FaultKind::refused, "No program is running.", "Nothing was sent.");
   if (auto may = hold_switch_.may_switch(); !may) co_return may;
@@ -80,7 +81,7 @@ Task<Result<>> VxmDriver::pause() {
   co_return said;
 }
 
-Task<Result<>> VxmDriver::resume() {
+Task<Result<>> Runs::resume() {
   ProgramState& p = console_.draft.program;
   if (!under_way_.program_runs())
     co_return fail(FaultKind::refused, "No program is held or waits.", "Nothing was sent.", "Run it.");
@@ -99,7 +100,7 @@ Task<Result<>> VxmDriver::resume() {
   co_return said;
 }
 
-Task<Result<>> VxmDriver::single_step() {
+Task<Result<>> Runs::single_step() {
   ProgramState& p = console_.draft.program;
   if (!under_way_.program_runs()) {  // start it held: nothing moves before the next step
     if (auto may = admission_.may_run(); !may) co_return may;

@@ -1,10 +1,9 @@
-// One round of status. While something moves: where it is and whether it still runs, as often as the wire
-// bears; at rest everything, five times a second.
-#include <cmath>
+#include "core/devices/vxm/status_rounds.h"
 
-#include <fmt/core.h>
+#include <algorithm>
 
-#include "core/devices/vxm/driver.h"
+#include "core/devices/vxm/codec.h"
+#include "core/devices/vxm/facts.h"
 
 namespace hw::vxm {
 namespace {
@@ -14,7 +13,7 @@ constexpr Duration io_at_least_every = Millis(250);  // where rounds are slow
 
 }  // namespace
 
-Task<Result<>> VxmDriver::poll(Round round) {
+Task<Result<>> StatusRounds::poll(Round round) {
   if (!talk_.station()) co_return fail(FaultKind::lost, "There is no connection to the controller.");
   if (presence_.is_halted()) co_return co_await status_.ask_whether_it_hears_again();
   Result<> polled;
@@ -25,7 +24,8 @@ Task<Result<>> VxmDriver::poll(Round round) {
   else
     polled = co_await poll_on_line(round);
   signals_.forget_what_is_doubted();
-  if (polled && !under_way_.busy() && !talk_.echoes() && round != Round::stopping) look_what_ended_the_run();
+  if (polled && !under_way_.busy() && !talk_.echoes() && round != Round::stopping)
+    runs_.look_what_ended_the_run();
   headline_.show();
   if (!polled && presence_.is_halted() && talk_.station()) {  // its error report came in place of an answer
     talk_.station()->count_answer(talk_.station()->statistics().last_round_trip, false,
@@ -37,7 +37,7 @@ Task<Result<>> VxmDriver::poll(Round round) {
 
 // As often as the wire bears: a round that took its time on the wire is followed by the next at once. Where
 // bytes take no time (TCP, in process) two hundred rounds a second are enough.
-Duration VxmDriver::moving_period() const {
+Duration StatusRounds::moving_period() const {
   constexpr std::size_t bytes_of_a_round = 22;  // X, Y and V with their answers
   constexpr Duration without_wire = Millis(5);
   const Duration round = talk_.station() ? talk_.station()->wire_time(bytes_of_a_round) : Duration::zero();
@@ -45,11 +45,11 @@ Duration VxmDriver::moving_period() const {
   return std::max(Duration::zero(), round - (console_.scheduler.now() - round_began_));
 }
 
-Task<Result<>> VxmDriver::poll_on_line(Round round) {
+Task<Result<>> StatusRounds::poll_on_line(Round round) {
   ++round_;
   round_began_ = console_.scheduler.now();
   if (talk_.echoes()) co_return co_await poll_echoing();
-  auto settled = co_await settle();
+  auto settled = co_await legs_.settle();
   if (!settled) co_return settled;
   // V first: it is answered in every mode, so a restart shows before X is asked in vain.
   auto state = co_await talk_.state(Priority::poll);
@@ -68,7 +68,7 @@ Task<Result<>> VxmDriver::poll_on_line(Round round) {
 }
 
 // Answers that no echo can be mistaken for; everything else waits for the next round without one.
-Task<Result<>> VxmDriver::poll_echoing() {
+Task<Result<>> StatusRounds::poll_echoing() {
   auto state = co_await talk_.state(Priority::poll);
   if (!state) co_return fail(state.error());
   auto taken = co_await status_.take(*state);
@@ -80,19 +80,19 @@ Task<Result<>> VxmDriver::poll_echoing() {
 
 // While a stop is under way: whether anything runs, and where it is. What comes after that waits for the
 // usual round.
-Task<Result<>> VxmDriver::see_whether_it_stands() {
+Task<Result<>> StatusRounds::see_whether_it_stands() {
   round_began_ = console_.scheduler.now();
   auto state = co_await talk_.state(Priority::stop);
   if (!state) co_return fail(state.error());
   auto taken = co_await status_.take(*state);
   if (!taken || presence_.stays_local()) co_return taken;
   if (under_way_.job().active() && under_way_.job().is_leg_over() && !under_way_.job().has_more())
-    co_return co_await end_leg(Priority::stop);
+    co_return co_await legs_.end_leg(Priority::stop);
   co_return co_await positions_.read(Priority::stop, !under_way_.busy());
 }
 
 // Q was sent on purpose: only V and D are answered now.
-Task<Result<>> VxmDriver::poll_local() {
+Task<Result<>> StatusRounds::poll_local() {
   auto state = co_await talk_.state(Priority::poll);
   if (!state) co_return fail(state.error());
   if (*state == ready || *state == vxm::busy) {

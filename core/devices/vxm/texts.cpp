@@ -1,13 +1,12 @@
-// Raw text of the user's or a script's: sent in pieces, and followed, so that the driver knows what it
-// changed.
+#include "core/devices/vxm/texts.h"
+
 #include <algorithm>
 
 #include <fmt/core.h>
 
-#include "core/devices/vxm/driver.h"
+#include "core/devices/vxm/codec.h"
+#include "core/devices/vxm/facts.h"
 #include "core/devices/vxm/looks.h"
-#include "core/devices/vxm/text_meaning.h"
-#include "core/devices/vxm/text_pieces.h"
 
 namespace hw::vxm {
 namespace {
@@ -47,13 +46,13 @@ std::string with_answers(std::string_view answers, std::string_view done) {
 
 // ---- what the text changes of which the driver keeps a record
 
-void VxmDriver::note_taken(const Piece& piece) {
+void Texts::note_taken(const Piece& piece) {
   for (const TextCommand& c : piece.taken)
     if (c.flaw == Flaw::none) note_taken(c);
   if (piece.resets) presence_.say_reset();
 }
 
-void VxmDriver::note_taken(const TextCommand& c) {
+void Texts::note_taken(const TextCommand& c) {
   if (c.stored()) slots_.selected_was_changed();
   if (c.verb == Verb::speed) speeds_.was_set(c.motor, static_cast<int>(c.value));
   if (c.verb == Verb::select || c.verb == Verb::empty) {
@@ -67,7 +66,7 @@ void VxmDriver::note_taken(const TextCommand& c) {
   if (c.verb == Verb::letter) note_letter(c.letter);
 }
 
-void VxmDriver::note_letter(char letter) {
+void Texts::note_letter(char letter) {
   switch (letter) {
     case 'C': slots_.selected_was_changed(); break;
     case 'K':
@@ -97,7 +96,7 @@ void VxmDriver::note_letter(char letter) {
 // ---- what is told of it
 
 // The controller drops what it does not know without a word.
-void VxmDriver::warn_of_flaws(const std::vector<TextCommand>& commands) {
+void Texts::warn_of_flaws(const std::vector<TextCommand>& commands) const {
   std::string unknown;
   int unknown_count = 0;
   for (const TextCommand& c : commands)
@@ -142,25 +141,14 @@ static bool without_echo(std::string& text, const std::vector<TextCommand>& comm
   return asked;
 }
 
-Listening VxmDriver::listening() const {
-  Listening now;
-  now.local = presence_.is_local(), now.running = under_way_.busy(), now.halted = presence_.is_halted();
-  now.digitized_lines = nameplate_.has_slave() ? max_motors : motors_per_controller;
-  return now;
-}
-
-TextMeaning VxmDriver::meaning_of(const intent::SendText& text) const {
-  return vxm::meaning_of(text.text, listening(), under_way_.job().active());
-}
-
 // Sends it piece by piece and gives back the answers, each without its end, joined by carriage returns.
-Task<VxmDriver::RawAnswer> VxmDriver::send_pieces(std::string text, Duration patience, Priority priority) {
+Task<Texts::RawAnswer> Texts::send_pieces(std::string text, Duration patience, Priority priority) {
   const auto commands = read_text(text);
   warn_of_flaws(commands);
   if (without_echo(text, commands))
     console_.tell(Notice::Kind::info,
                   "Echo stays off: F was sent for E. The console shows what it sends by itself.");
-  const Listening now = listening();
+  const Listening now = talk_.listens();
   const auto pieces = pieces_of(text, commands, now);
   RawAnswer all;
   all.dropped = dropped_of(commands, now);
@@ -193,7 +181,7 @@ Task<VxmDriver::RawAnswer> VxmDriver::send_pieces(std::string text, Duration pat
 
 // Not while a move of the console is under way: its program is selected, and what the controller does not
 // take then is dropped without a word.
-Result<> VxmDriver::may_send(const std::vector<TextCommand>& commands) const {
+Result<> Texts::may_send(const std::vector<TextCommand>& commands) const {
   for (const TextCommand& c : commands) {
     const bool taken_while_running =
         c.verb == Verb::letter && accepted_while_running.find(c.letter) != std::string_view::npos;
@@ -206,7 +194,7 @@ Result<> VxmDriver::may_send(const std::vector<TextCommand>& commands) const {
   return {};
 }
 
-Task<Result<>> VxmDriver::send_text(std::string text) {
+Task<Result<>> Texts::send(std::string text) {
   if (ends_open(text)) text += '\r';
   if (auto may = may_send(read_text(text)); !may) co_return may;
   RawAnswer sent = co_await send_pieces(std::move(text), usual_patience, Priority::intent);
@@ -216,18 +204,7 @@ Task<Result<>> VxmDriver::send_text(std::string text) {
   co_return Result<>();
 }
 
-Task<Result<std::string>> VxmDriver::query(std::string text, Duration patience) {
-  auto clean = co_await status_.see_to_dirt();
-  if (!clean) co_return fail(clean.error());
-  auto heard = co_await echo_.hear_without();
-  if (!heard) co_return fail(heard.error());
-  auto settled = co_await settle();
-  if (!settled) co_return fail(settled.error());
-  co_return co_await converse(std::move(text), patience, Priority::intent);
-}
-
-/// What was answered; nothing, if the answer is a prompt that comes some time.
-Task<Result<std::string>> VxmDriver::converse(std::string text, Duration patience, Priority priority) {
+Task<Result<std::string>> Texts::converse(std::string text, Duration patience, Priority priority) {
   if (ends_open(text)) text += '\r';
   if (read_text(text).empty())
     co_return fail(FaultKind::refused, "There is no command in that text.", "Nothing was sent.");
@@ -245,10 +222,7 @@ Task<Result<std::string>> VxmDriver::converse(std::string text, Duration patienc
   co_return std::move(sent.text);
 }
 
-// ---- stops in the user's words
-
-// Whoever waits for the answer is told the end of the move, too.
-Task<Result<std::string>> VxmDriver::stop_by_words(const StopOrder& order) {
+Task<Result<std::string>> Texts::stop_by_words(const StopOrder& order) {
   std::string text = order.words;
   const std::string rest = cut_behind_stop(text);
   const auto commands = read_text(text);
@@ -284,7 +258,7 @@ Task<Result<std::string>> VxmDriver::stop_by_words(const StopOrder& order) {
 
 // A move of the console ends in steps that the rest of the text would come between: its program is still
 // selected.
-std::string VxmDriver::cut_behind_stop(std::string& text) const {
+std::string Texts::cut_behind_stop(std::string& text) const {
   const auto commands = read_text(text);
   const auto first = std::find_if_not(commands.begin(), commands.end(), goes_with_a_stop);
   if (!under_way_.job().active() || first == commands.end()) return {};
