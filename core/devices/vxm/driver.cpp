@@ -3,15 +3,10 @@
 
 #include <fmt/core.h>
 
-#include "core/base/index.h"
+#include "core/devices/vxm/facts.h"
+#include "core/devices/vxm/text_meaning.h"
 
 namespace hw::vxm {
-namespace {
-
-constexpr int restart_attempts = 8;
-constexpr Duration restart_pause = Millis(250);
-
-}  // namespace
 
 std::unique_ptr<Driver> make_driver(DriverContext context) {
   return std::make_unique<VxmDriver>(std::move(context));
@@ -19,28 +14,32 @@ std::unique_ptr<Driver> make_driver(DriverContext context) {
 
 VxmDriver::VxmDriver(DriverContext context)
     : console_(std::move(context)),
-      scheduler_(console_.scheduler),
-      draft_(console_.draft),
-      news_(scheduler_),
       talk_(
-          scheduler_, [this] { return listening(); }, [this](const Message& m) { heard(m); }),
-      nameplate_(console_, talk_),
-      signals_(console_, talk_, nameplate_),
-      parameters_(console_, talk_, nameplate_, [this] { return may_change(); }),
-      slots_(console_, talk_, parameters_, [this] { return may_change(); }),
-      scratch_(talk_, slots_),
-      sight_(scheduler_) {
-  draft_.axis_count = static_cast<int>(console_.catalog.axes.size());
-  draft_.identity.model = console_.catalog.name;
-  draft_.slot_bytes_used.fill(-1);
+          console_.scheduler, [this] { return listening(); },
+          [this](const Message& m) { watch_.unasked.heard(m); }),
+      known_(console_, talk_, [this] { return course_.admission.may_change(); }),
+      course_(console_, talk_, known_),
+      work_(console_, talk_, known_, course_),
+      watch_(console_, talk_, known_, course_, work_) {
+  console_.draft.axis_count = static_cast<int>(console_.catalog.axes.size());
+  console_.draft.identity.model = console_.catalog.name;
+  console_.draft.slot_bytes_used.fill(-1);
 }
 
+// ---- the wire
+
 void VxmDriver::attach(Station& station) {
-  mode_ = Mode::unknown;
-  echo_told_ = false;
+  course_.presence.forget_mode();
+  watch_.echo.begin();
   talk_.attach(station);
-  signals_.begin();
-  station.procedure_ended = [this] { news_.notify(); };
+  known_.signals.begin();
+  station.procedure_ended = [this] { course_.under_way.news().notify(); };
+}
+
+void VxmDriver::wire_lost() {
+  if (!talk_.station()) return;
+  talk_.lost();
+  course_.under_way.wire_lost();
 }
 
 Task<Result<>> VxmDriver::connect() {
@@ -50,34 +49,102 @@ Task<Result<>> VxmDriver::connect() {
   co_return made;
 }
 
+Task<Result<>> VxmDriver::find_out_all() {
+  auto greeted = co_await watch_.opening.greet();
+  if (!greeted) co_return greeted;
+  course_.presence.is_found();
+  if (!course_.under_way.busy() && !talk_.echoes()) {
+    auto caught_up = co_await known_.knowledge.catch_up();
+    if (!caught_up) co_return caught_up;
+  }
+  auto polled = co_await poll(Round::usual);
+  if (polled || !worth_another_try(polled.error())) co_return polled;
+  auto quiet = co_await talk_.wait_for_quiet();  // a status byte is asked once a round
+  if (!quiet) co_return quiet;
+  co_return co_await poll(Round::usual);
+}
+
+Listening VxmDriver::listening() const {
+  Listening now;
+  now.local = course_.presence.is_local(), now.running = course_.under_way.busy();
+  now.halted = course_.presence.is_halted();
+  now.digitized_lines = known_.nameplate.has_slave() ? max_motors : motors_per_controller;
+  return now;
+}
+
+Task<Result<>> VxmDriver::poll(Round round) { return watch_.rounds.poll(round); }
+
+Duration VxmDriver::moving_period() const { return watch_.rounds.moving_period(); }
+
+bool VxmDriver::clears_up() const { return work_.legs.clears_up(); }
+
+std::string VxmDriver::leaves_behind() const { return work_.legs.leaves_behind(); }
+
+// ---- stops
+
+Task<Result<std::string>> VxmDriver::stop(const StopOrder& order) {
+  using What = StopOrder::What;
+  if (!talk_.station())
+    co_return fail(FaultKind::lost, "Stop does not reach the controller: there is no connection.",
+                   "Nothing was sent.", "Use its power switch.");
+  if (order.what == What::broadcast) co_return std::string();  // a VXM is alone on its wire
+  if (order.what == What::words) co_return co_await work_.texts.stop_by_words(order);
+  auto sent = co_await work_.stops.send(order);
+  if (!sent) co_return fail(sent.error());
+  co_return std::string();
+}
+
+StopProgress VxmDriver::stop_progress(const StopOrder& order) { return work_.stops.progress(order); }
+
+// ---- texts
+
+Task<Result<std::string>> VxmDriver::query(std::string text, Duration patience) {
+  auto is_ready = co_await make_ready();
+  if (!is_ready) co_return fail(is_ready.error());
+  co_return co_await work_.texts.converse(std::move(text), patience, Priority::intent);
+}
+
+TextMeaning VxmDriver::meaning_of(const intent::SendText& text) const {
+  return vxm::meaning_of(text.text, listening(), course_.under_way.job().active());
+}
+
+// ---- what the console is asked to do
+
+// Whatever comes next, it finds a controller that is known and hears.
+Task<Result<>> VxmDriver::make_ready() {
+  auto clean = co_await course_.status.see_to_dirt();
+  if (!clean) co_return clean;
+  auto heard = co_await watch_.echo.hear_without();
+  if (!heard) co_return heard;
+  co_return co_await work_.legs.settle();
+}
+
 Task<Result<>> VxmDriver::perform(const IntentBody& body) {
   using namespace intent;
   const auto* text = std::get_if<SendText>(&body);
-  if (stay_local_ && !text) {  // Q was sent earlier; whatever is wanted now needs on-line mode
-    auto on_line = co_await go_on_line();
+  if (course_.presence.stays_local() && !text) {  // Q was sent earlier; this needs on-line mode
+    auto on_line = co_await course_.presence.go_on_line();
     if (!on_line) co_return on_line;
-    stay_local_ = false;
+    course_.presence.wants_on_line();
   }
-  auto clean = co_await see_to_dirt();
-  if (!clean) co_return clean;
-  auto heard = co_await hear_without_echo();
-  if (!heard) co_return heard;
-  auto settled = co_await settle();
-  if (!settled) co_return settled;
-  if (text) co_return co_await send_text(text->text);
-  if (const auto* i = std::get_if<MoveTo>(&body)) co_return co_await move(i->targets, i->speed, false);
-  if (const auto* i = std::get_if<MoveBy>(&body)) co_return co_await move(i->distances, i->speed, true);
-  if (const auto* i = std::get_if<JogStart>(&body)) co_return co_await jog(*i);
-  if (const auto* i = std::get_if<Home>(&body)) co_return co_await home(*i);
-  if (const auto* i = std::get_if<SetPosition>(&body)) co_return co_await set_position(*i);
-  if (const auto* i = std::get_if<SetOutput>(&body)) co_return co_await set_output(*i);
+  auto is_ready = co_await make_ready();
+  if (!is_ready) co_return is_ready;
+  if (text) co_return co_await work_.texts.send(text->text);
+  if (const auto* i = std::get_if<MoveTo>(&body))
+    co_return co_await work_.moves.move(i->targets, i->speed, false);
+  if (const auto* i = std::get_if<MoveBy>(&body))
+    co_return co_await work_.moves.move(i->distances, i->speed, true);
+  if (const auto* i = std::get_if<JogStart>(&body)) co_return co_await work_.moves.jog(*i);
+  if (const auto* i = std::get_if<Home>(&body)) co_return co_await work_.moves.home(*i);
+  if (const auto* i = std::get_if<SetPosition>(&body)) co_return co_await work_.moves.set_position(*i);
+  if (const auto* i = std::get_if<SetOutput>(&body)) co_return co_await work_.moves.set_output(*i);
   if (const auto* i = std::get_if<SetParam>(&body)) {
-    if (i->mnemonic == "DM") nameplate_.forget();  // it may become the Master
-    co_return co_await parameters_.set(*i);
+    if (i->mnemonic == "DM") known_.nameplate.forget();  // it may become the Master
+    co_return co_await known_.parameters.set(*i);
   }
-  if (std::holds_alternative<ReadParams>(body)) co_return co_await parameters_.read_all();
-  if (std::holds_alternative<Store>(body)) co_return co_await parameters_.store();
-  if (std::holds_alternative<Reset>(body)) co_return co_await reset();
+  if (std::holds_alternative<ReadParams>(body)) co_return co_await known_.parameters.read_all();
+  if (std::holds_alternative<Store>(body)) co_return co_await known_.parameters.store();
+  if (std::holds_alternative<Reset>(body)) co_return co_await course_.restarts.reset();
   if (std::holds_alternative<ReadAgain>(body)) co_return co_await read_again();
   co_return co_await perform_program(body);
 }
@@ -88,17 +155,17 @@ Task<Result<>> VxmDriver::perform_program(const IntentBody& body) {
   if (slot >= program_count || slot < -1)
     co_return fail(FaultKind::refused, fmt::format("There is no program {}: a VXM has 0 to 4.", slot),
                    "Nothing was sent.");
-  if (const auto* i = std::get_if<LoadProgram>(&body)) co_return co_await slots_.load(*i);
-  if (std::holds_alternative<Pause>(body)) co_return co_await pause();
-  if (std::holds_alternative<Resume>(body)) co_return co_await resume();
-  if (std::holds_alternative<SingleStep>(body)) co_return co_await single_step();
+  if (const auto* i = std::get_if<LoadProgram>(&body)) co_return co_await known_.slots.load(*i);
+  if (std::holds_alternative<Pause>(body)) co_return co_await work_.runs.pause();
+  if (std::holds_alternative<Resume>(body)) co_return co_await work_.runs.resume();
+  if (std::holds_alternative<SingleStep>(body)) co_return co_await work_.runs.single_step();
   if (slot >= 0) {
-    if (std::holds_alternative<RunProgram>(body)) co_return co_await run(slot);
-    if (std::holds_alternative<UploadProgram>(body)) co_return co_await slots_.upload(slot);
-    if (std::holds_alternative<ClearProgram>(body)) co_return co_await slots_.clear(slot);
-    if (std::holds_alternative<SelectProgram>(body)) co_return co_await slots_.select(slot);
-  } else if (std::holds_alternative<RunProgram>(body) && slots_.selected() >= 0) {
-    co_return co_await run(slots_.selected());
+    if (std::holds_alternative<RunProgram>(body)) co_return co_await work_.runs.run(slot);
+    if (std::holds_alternative<UploadProgram>(body)) co_return co_await known_.slots.upload(slot);
+    if (std::holds_alternative<ClearProgram>(body)) co_return co_await known_.slots.clear(slot);
+    if (std::holds_alternative<SelectProgram>(body)) co_return co_await known_.slots.select(slot);
+  } else if (std::holds_alternative<RunProgram>(body) && known_.slots.selected() >= 0) {
+    co_return co_await work_.runs.run(known_.slots.selected());
   }
   co_return fail(FaultKind::refused, "A VXM cannot do that.", "Nothing was sent.");
 }
@@ -113,39 +180,12 @@ int VxmDriver::slot_of(const IntentBody& body) {
   return -1;
 }
 
-// ---- values
-
 Task<Result<>> VxmDriver::read_again() {
-  if (busy()) co_return co_await poll(Round::usual);
-  nameplate_.forget();
-  parameters_.doubt_essentials();
-  slots_.doubt_all();
-  auto read = co_await catch_up();
+  if (course_.under_way.busy()) co_return co_await poll(Round::usual);
+  known_.knowledge.doubt();
+  auto read = co_await known_.knowledge.catch_up();
   if (!read) co_return read;
   co_return co_await poll(Round::usual);
-}
-
-Task<Result<>> VxmDriver::reset() {
-  auto said = co_await talk_.say("res", Priority::intent);
-  if (!said) co_return said;
-  if (job_.active()) job_ = Job();
-  run_ended(EndedBy::abort);
-  forget_ram();
-  reset_said_ = true;  // if this is cut short, the next V finds it
-  Result<> on_line = fail(FaultKind::no_answer, "The controller does not answer after its reset.");
-  for (int attempt = 0; attempt < restart_attempts && !on_line && talk_.station(); ++attempt) {
-    auto waited = co_await talk_.station()->pause(restart_pause);
-    if (!waited) co_return waited;
-    on_line = co_await go_on_line();
-  }
-  if (!on_line) co_return on_line;
-  reset_said_ = false;
-  stands_after_restart(Doubt::reset);
-  console_.tell(
-      Notice::Kind::info,
-      "The controller was reset: positions are zero where the motors stand, and what was not stored is "
-      "gone. Find home before the next absolute move.");
-  co_return co_await read_positions(Priority::intent, true);
 }
 
 }  // namespace hw::vxm

@@ -1,10 +1,15 @@
 #pragma once
 // What comes back on V when nothing is known of the controller yet. Pure.
+#include <cstdint>
 #include <string_view>
 
 #include "core/base/result.h"
 
 namespace hw::vxm {
+
+/// So long is waited for more of an answer.
+inline constexpr std::uint16_t greeting_quiet_ms = 20;
+inline constexpr std::uint16_t slow_greeting_quiet_ms = 45;  // bytes come up to 40 ms apart
 
 struct Greeting {
   char state = 0;

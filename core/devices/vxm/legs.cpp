@@ -1,22 +1,25 @@
-// How a move of the console is carried out: a run of the scratch program.
-//
 // S lasts beyond a run and cannot be read. A move with a speed of its own therefore ends by putting back what
 // the user's last S said, or 2000 steps/s, the power-up value, if none was seen.
+#include "core/devices/vxm/legs.h"
+
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/core.h>
 
 #include "core/base/index.h"
-#include "core/devices/vxm/driver.h"
+#include "core/devices/vxm/codec.h"
+#include "core/devices/vxm/facts.h"
 
 namespace hw::vxm {
 namespace {
 
+constexpr double longest_jog_s = 30;  // a jog that nobody ends (a pulled cable) stops after this
 constexpr Duration quick_patience = std::chrono::seconds(1);
 
 }  // namespace
 
-std::string VxmDriver::leg_program(const Leg& leg) {
+std::string Legs::leg_program(const Leg& leg) const {
   std::string text;
   for (const int axis : {leg.axis, leg.second_axis}) {
     if (axis < 0) continue;
@@ -32,32 +35,25 @@ std::string VxmDriver::leg_program(const Leg& leg) {
   return text;
 }
 
-Task<Result<>> VxmDriver::begin(Job job) {
-  auto held = co_await settle_hold();
+Task<Result<>> Legs::begin(Job job) {
+  auto held = co_await hold_switch_.settle();
   if (!held) co_return held;
-  if (!slots_.knows_sizes() || !parameters_.knows_essentials()) {
-    auto read = co_await catch_up();
+  if (!knowledge_.suffices_for_a_move()) {
+    auto read = co_await knowledge_.catch_up();
     if (!read) co_return read;
   }
   auto found = co_await scratch_.take();
   if (!found) co_return found;
-  ramp_.reset();
-  forget_how_it_ended();
-  job_ = std::move(job);
+  under_way_.begin(std::move(job));
   co_return co_await start_leg();
 }
 
-void VxmDriver::forget_how_it_ended() {
-  draft_.program.ended_by = EndedBy::nothing;
-  for (int i = 0; i < draft_.axis_count; ++i) draft_.axes[i].ended_by = EndedBy::nothing;
-}
-
 // R alone begins a motion: it goes out once, behind what lst has shown.
-Task<Result<>> VxmDriver::start_leg() {
-  const Leg& leg = job_.legs.front();
+Task<Result<>> Legs::start_leg() {
+  const Leg& leg = under_way_.job().leg();
   auto filled = co_await scratch_.fill(leg_program(leg));
   if (!filled) co_return never_begun(filled);
-  job_.leg_over = job_.limit_reported = false;
+  under_way_.job().leg_begins();
   for (const int axis : {leg.axis, leg.second_axis})
     if (axis >= 0 && leg.speed > 0) speeds_.borrow(axis);
   const bool held = hold_.is_on();  // it would hold before the first command
@@ -71,19 +67,18 @@ Task<Result<>> VxmDriver::start_leg() {
 }
 
 /// A stop came first, or the program did not get there.
-Result<> VxmDriver::never_begun(const Result<>& why) {
-  const std::deque<Leg> never = std::exchange(job_.legs, {});
+Result<> Legs::never_begun(const Result<>& why) {
+  const Job never = std::exchange(under_way_.job(), Job());
   const bool stopped = why.error().kind == FaultKind::stopped;
-  if (!never.empty()) show_leg_ended(never.front(), stopped ? EndedBy::stop : EndedBy::elsewhere);
-  job_ = Job();
+  if (never.active()) show_leg_ended(never.leg(), stopped ? EndedBy::stop : EndedBy::elsewhere);
   return why;
 }
 
-void VxmDriver::show_leg(const Leg& leg) {
+void Legs::show_leg(const Leg& leg) {
   if (leg.activity == Activity::idle) return;
   for (const int index : {leg.axis, leg.second_axis}) {
     if (index < 0) continue;
-    AxisState& axis = draft_.axes[index];
+    AxisState& axis = console_.draft.axes[index];
     axis.activity = leg.activity;
     axis.direction = static_cast<std::int8_t>(factor(leg.sign));
     axis.has_target = leg.target.has_value() && index == leg.axis;
@@ -96,32 +91,29 @@ void VxmDriver::show_leg(const Leg& leg) {
   }
 }
 
-// What is due before anything else: a hold that was left on is taken off, a leg that is over is followed by
-// the next one, and what the console has put into the controller goes when nothing of its own runs.
-Task<Result<>> VxmDriver::settle() {
+Task<Result<>> Legs::settle() {
   if (hold_.is_to_be_released()) {
-    auto released = co_await switch_hold("H", false, Priority::intent);
+    auto released = co_await hold_switch_.say("H", false, Priority::intent);
     if (!released) co_return released;
   }
   hold_.was_released();
-  if (job_.active() && job_.leg_over) {
+  if (under_way_.job().active() && under_way_.job().is_leg_over()) {
     auto ended = co_await end_leg(Priority::poll);
     if (!ended) co_return ended;
-    if (job_.active()) co_return co_await start_leg();
+    if (under_way_.job().active()) co_return co_await start_leg();
   }
-  if (busy() || halted_ || mode_ != Mode::on_line) co_return Result<>();
+  if (under_way_.busy() || presence_.is_halted() || !presence_.is_on_line()) co_return Result<>();
   auto cleaned = co_await scratch_.clear(Priority::poll);
   if (!cleaned) co_return cleaned;
   co_return co_await slots_.give_back_selection();
 }
 
-// Reads where it ended.
-Task<Result<>> VxmDriver::end_leg(Priority priority) {
-  const Leg leg = job_.legs.front();
+Task<Result<>> Legs::end_leg(Priority priority) {
+  const Leg leg = under_way_.job().leg();
   const bool moved = leg.activity != Activity::idle;
   Result<> read;
   if (moved) read = co_await signals_.ask('?', priority);
-  if (read) read = co_await read_positions(priority, true);
+  if (read) read = co_await positions_.read(priority, true);
   if (read && moved && !signals_.confirm()) read = co_await signals_.read('?', priority);
   if (!read) co_return read;
   const EndedBy ended_by = how_it_ended(leg);
@@ -129,35 +121,33 @@ Task<Result<>> VxmDriver::end_leg(Priority priority) {
   for (const int axis : {leg.axis, leg.second_axis})
     if (axis >= 0 && !cut_off) speeds_.give_back(axis);
   auto again = next_jog_leg(leg, ended_by);
-  job_.legs.pop_front();
-  if (again) job_.legs.push_back(std::move(*again));
-  if (ended_by != EndedBy::target) job_.legs.clear();
+  under_way_.job().go_on(ended_by, std::move(again));
   show_leg_ended(leg, ended_by);
-  ramp_.reset();
-  if (!job_.active()) job_ = Job();
+  ramp_.forget();
+  if (!under_way_.job().active()) under_way_.drop_job();
   co_return Result<>();
 }
 
-EndedBy VxmDriver::how_it_ended(const Leg& leg) const {
-  const bool arrived = leg.axis >= 0 && leg.target && draft_.axes[leg.axis].position == *leg.target;
-  if (job_.ended_by == EndedBy::stop && job_.cut_whole && arrived)
+EndedBy Legs::how_it_ended(const Leg& leg) const {
+  const bool arrived = leg.axis >= 0 && leg.target && console_.draft.axes[leg.axis].position == *leg.target;
+  if (under_way_.job().ended_by() == EndedBy::stop && under_way_.job().was_cut_whole() && arrived)
     return EndedBy::target;  // the stop came too late
-  if (job_.ended_by != EndedBy::nothing) return job_.ended_by;
+  if (under_way_.job().ended_by() != EndedBy::nothing) return under_way_.job().ended_by();
   if (leg.axis < 0 || leg.activity == Activity::idle || leg.activity == Activity::homing)
     return EndedBy::target;
-  const AxisState& axis = draft_.axes[leg.axis];
+  const AxisState& axis = console_.draft.axes[leg.axis];
   if (!leg.target || axis.position == *leg.target) return EndedBy::target;
   const bool at_limit = axis.direction > 0 ? axis.limit_plus : axis.limit_minus;
-  return at_limit || job_.limit_reported ? EndedBy::limit : EndedBy::elsewhere;
+  return at_limit || under_way_.job().limit_was_reported() ? EndedBy::limit : EndedBy::elsewhere;
 }
 
-void VxmDriver::show_leg_ended(const Leg& leg, EndedBy ended_by) {
+void Legs::show_leg_ended(const Leg& leg, EndedBy ended_by) {
   for (const int index : {leg.axis, leg.second_axis}) {
     if (index < 0) continue;
-    AxisState& axis = draft_.axes[index];
+    AxisState& axis = console_.draft.axes[index];
     if (leg.activity != Activity::idle) {
       axis.ended_by = ended_by;
-      if (ended_by == EndedBy::limit && !job_.jog)
+      if (ended_by == EndedBy::limit && !under_way_.job().is_jog())
         console_.tell(Notice::Kind::warning,
                       fmt::format("The {} limit switch ended the move of motor {} at {} steps{}.",
                                   axis.direction > 0 ? '+' : '-', index + 1, axis.position.value,
@@ -170,27 +160,44 @@ void VxmDriver::show_leg_ended(const Leg& leg, EndedBy ended_by) {
       axis.has_target = false;
       axis.speed = Pps{};
     }
-    if (leg.zeroes && ended_by == EndedBy::target) axis.trust.settle(*leg.zeroes, scheduler_.now());
+    if (leg.zeroes && ended_by == EndedBy::target) axis.trust.settle(*leg.zeroes, console_.scheduler.now());
   }
 }
 
-std::optional<VxmDriver::Leg> VxmDriver::next_jog_leg(const Leg& last, EndedBy ended_by) const {
-  if (!job_.jog || ended_by != EndedBy::target) return std::nullopt;
+Leg Legs::jog_leg(int axis, Sign sign, int speed) const {
+  const AxisState& state = console_.draft.axes[axis];
+  const Steps room = sign == Sign::plus ? console_.catalog.position_max - state.position
+                                        : state.position - console_.catalog.position_min;
+  const std::int64_t distance = std::min<std::int64_t>(std::llround(speed * longest_jog_s), room.value);
+  Leg leg;
+  leg.axis = axis;
+  leg.activity = Activity::jogging;
+  leg.sign = sign;
+  leg.speed = speed;
+  leg.target = state.position + Steps{factor(sign) * distance};
+  leg.text = index_by(axis + 1, Steps{factor(sign) * distance});
+  return leg;
+}
+
+std::optional<Leg> Legs::next_jog_leg(const Leg& last, EndedBy ended_by) const {
+  if (!under_way_.job().is_jog() || ended_by != EndedBy::target) return std::nullopt;
   Leg leg = jog_leg(last.axis, last.sign, last.speed);
-  if (*leg.target == draft_.axes[last.axis].position) return std::nullopt;
+  if (*leg.target == console_.draft.axes[last.axis].position) return std::nullopt;
   return leg;
 }
 
 // A move that nobody has stopped keeps its program: it may take as long as it likes.
-bool VxmDriver::clears_up() const {
-  const bool ends = !busy() || ramp_ || job_.leg_over || job_.ended_by != EndedBy::nothing;
+bool Legs::clears_up() const {
+  const bool ends = !under_way_.busy() || ramp_.is_expected() || under_way_.job().is_leg_over() ||
+                    under_way_.job().ended_by() != EndedBy::nothing;
   const bool something_left =
       scratch_.in_use() || !slots_.selection_is_given_back() || hold_.is_to_be_released();
-  return something_left && !reset_said_ && mode_ == Mode::on_line && !halted_ && ends;
+  return something_left && !presence_.reset_was_said() && presence_.is_on_line() && !presence_.is_halted() &&
+         ends;
 }
 
-std::string VxmDriver::leaves_behind() const {
-  if (reset_said_ || (!scratch_.in_use() && slots_.selection_is_given_back())) return {};
+std::string Legs::leaves_behind() const {
+  if (presence_.reset_was_said() || (!scratch_.in_use() && slots_.selection_is_given_back())) return {};
   if (!scratch_.in_use())
     return fmt::format(
         "A program of the console's is still selected in the controller: the Run button would start that. "
@@ -200,39 +207,38 @@ std::string VxmDriver::leaves_behind() const {
   return fmt::format(
       "{}program {} of the controller still holds {}: the Run button would repeat it. Send {} when the move "
       "is over.",
-      job_.leg_over ? "The " : "The move goes on without the console, and ", scratch_.slot(),
-      job_.leg_over ? "a move of the console" : "it", empty_program(scratch_.slot()));
+      under_way_.job().is_leg_over() ? "The " : "The move goes on without the console, and ", scratch_.slot(),
+      under_way_.job().is_leg_over() ? "a move of the console" : "it", empty_program(scratch_.slot()));
 }
 
-// Something that is over at once: its end is waited for.
-Task<Result<>> VxmDriver::run_quickly(Leg leg) {
+Task<Result<>> Legs::run_quickly(Leg leg) {
   Job job;
-  job.legs.push_back(std::move(leg));
+  job.add(std::move(leg));
   auto begun = co_await begin(std::move(job));
   if (!begun) co_return begun;
-  const Instant deadline = scheduler_.now() + quick_patience;
+  const Instant deadline = console_.scheduler.now() + quick_patience;
   bool in_time = true;
-  while (talk_.station() && !talk_.station()->preempted() && job_.active() && !job_.leg_over && in_time)
-    in_time = co_await news_.wait_until(deadline);
+  while (talk_.station() && !talk_.station()->preempted() && under_way_.job().active() &&
+         !under_way_.job().is_leg_over() && in_time)
+    in_time = co_await under_way_.news().wait_until(deadline);
   if (auto cut = cut_short(); !cut) co_return cut;
   if (!in_time) {
     auto state = co_await talk_.state(Priority::intent);
     if (!state) co_return fail(state.error());
-    auto taken = co_await take_state(*state);
+    auto taken = co_await status_.take(*state);
     if (!taken) co_return taken;
   }
   co_return co_await settle();
 }
 
-Result<> VxmDriver::cut_short() const {
+Result<> Legs::cut_short() const {
   if (!talk_.station() || !talk_.station()->preempted()) return {};
   return fail(FaultKind::stopped, "A stop came while this was under way.", "It was sent.");
 }
 
-// A leg that was cut off may have left its own speed behind.
-Task<Result<>> VxmDriver::restore_speeds() {
+Task<Result<>> Legs::restore_speeds() {
   Leg leg;
-  for (int axis = 0; axis < draft_.axis_count; ++axis)
+  for (int axis = 0; axis < console_.draft.axis_count; ++axis)
     if (speeds_.is_ours(axis)) leg.text += speed(axis + 1, speeds_.usual(axis));
   if (leg.text.empty()) co_return Result<>();
   auto restored = co_await run_quickly(std::move(leg));

@@ -1,18 +1,17 @@
-// What the controller says unasked, and what it changes.
-#include <algorithm>
+#include "core/devices/vxm/unasked.h"
 
 #include <fmt/core.h>
 
-#include "core/devices/vxm/driver.h"
+#include "core/devices/vxm/facts.h"
 
 namespace hw::vxm {
 
-void VxmDriver::heard(const Message& m) {
+void Unasked::heard(const Message& m) {
   switch (m.kind) {
     case Message::Kind::prompt: heard_prompt(); break;
     case Message::Kind::limit: heard_limit(); break;
     case Message::Kind::waits:
-      if (stored_running_) draft_.program.run = RunState::waiting;
+      if (under_way_.program_runs()) console_.draft.program.run = RunState::waiting;
       console_.texts.add("W");
       break;
     case Message::Kind::passed: console_.texts.add("@"); break;
@@ -22,31 +21,32 @@ void VxmDriver::heard(const Message& m) {
     case Message::Kind::unknown:
     case Message::Kind::unfinished: return;
   }
-  news_.notify();
+  under_way_.news().notify();
   if (console_.changed) console_.changed();
 }
 
-void VxmDriver::heard_prompt() {
-  const bool of_kill = killed_at_ != Instant{} && scheduler_.now() - killed_at_ < Millis(100);
-  if (job_.active()) {
-    job_.leg_over = true;  // its end is shown once the positions have been read
-    if (job_.end_is_asked && !of_kill) console_.texts.add(std::string(1, prompt));
+void Unasked::heard_prompt() {
+  const bool of_kill =
+      under_way_.killed_at() != Instant{} && console_.scheduler.now() - under_way_.killed_at() < Millis(100);
+  if (under_way_.job().active()) {
+    under_way_.job().leg_is_over();  // its end is shown once the positions have been read
+    if (under_way_.job().end_is_asked() && !of_kill) console_.texts.add(std::string(1, prompt));
     return;
   }
-  if (stored_running_) run_ended(EndedBy::target);
+  if (under_way_.program_runs()) under_way_.run_ended(EndedBy::target);
   if (!of_kill) console_.texts.add(std::string(1, prompt));
 }
 
 // The controller lists the command before which it holds (firmware 1.21 on). Which of several equal commands
 // it is follows from the one before.
-void VxmDriver::heard_held(std::string_view command) {
+void Unasked::heard_held(std::string_view command) {
   console_.texts.add(fmt::format(":{}", command));
-  if (job_.active()) {
+  if (under_way_.job().active()) {
     hold_.was_switched(true);
     hold_.release_soon();  // one that was left on must not keep a move of ours
     return;
   }
-  ProgramState& p = draft_.program;
+  ProgramState& p = console_.draft.program;
   p.run = RunState::held;
   p.stepping = true;
   hold_.showed();
@@ -66,33 +66,33 @@ void VxmDriver::heard_held(std::string_view command) {
   p.command_told = matches == 1;
 }
 
-void VxmDriver::heard_limit() {
-  if (job_.active())
-    job_.limit_reported = true;
+void Unasked::heard_limit() {
+  if (under_way_.job().active())
+    under_way_.job().report_limit();
   else
     console_.tell(Notice::Kind::warning, "A limit switch was hit. The controller has stopped that motor.");
-  if (stored_running_) draft_.program.ended_by = EndedBy::limit;
+  if (under_way_.program_runs()) console_.draft.program.ended_by = EndedBy::limit;
   console_.texts.add("O");
 }
 
-void VxmDriver::heard_error(char letter) {
+void Unasked::heard_error(char letter) {
   const ErrorWords words = explain_error(letter);
   console_.tell(Notice::Kind::error, words.what + " " + words.advice);
   console_.texts.add(std::string("E") + letter);
   if (letter == error_stopped) {
-    if (job_.active()) job_.ended_by = EndedBy::elsewhere;
-    if (stored_running_) draft_.program.ended_by = EndedBy::elsewhere;
-    draft_.program.command = -1;
+    if (under_way_.job().active()) under_way_.job().ends_by(EndedBy::elsewhere);
+    if (under_way_.program_runs()) console_.draft.program.ended_by = EndedBy::elsewhere;
+    console_.draft.program.command = -1;
     return;
   }
   if (words.halts) {
-    halted_ = letter;
-    ask_again_at_ = scheduler_.now() + std::chrono::seconds(1);
-    draft_.inputs_known = draft_.outputs_known = draft_.analog_known = 0;  // nobody tells them now
-    run_ended(EndedBy::error);
-    draft_.program.run = RunState::error;
-    for (int i = 0; i < draft_.axis_count; ++i) draft_.axes[i].activity = Activity::error;
-    show_worst();
+    presence_.halted_by(letter);
+    console_.draft.inputs_known = console_.draft.outputs_known = console_.draft.analog_known =
+        0;  // nobody tells them now
+    under_way_.run_ended(EndedBy::error);
+    console_.draft.program.run = RunState::error;
+    for (int i = 0; i < console_.draft.axis_count; ++i) console_.draft.axes[i].activity = Activity::error;
+    headline_.show();
   }
   if (letter == error_bus) nameplate_.lose_slave();
   // A restart is found by the next V: it answers J.

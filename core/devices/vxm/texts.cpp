@@ -1,13 +1,12 @@
-// Raw text of the user's or a script's: sent in pieces, and followed, so that the driver knows what it
-// changed.
+#include "core/devices/vxm/texts.h"
+
 #include <algorithm>
 
 #include <fmt/core.h>
 
-#include "core/devices/vxm/driver.h"
+#include "core/devices/vxm/codec.h"
+#include "core/devices/vxm/facts.h"
 #include "core/devices/vxm/looks.h"
-#include "core/devices/vxm/text_meaning.h"
-#include "core/devices/vxm/text_pieces.h"
 
 namespace hw::vxm {
 namespace {
@@ -47,13 +46,13 @@ std::string with_answers(std::string_view answers, std::string_view done) {
 
 // ---- what the text changes of which the driver keeps a record
 
-void VxmDriver::note_taken(const Piece& piece) {
+void Texts::note_taken(const Piece& piece) {
   for (const TextCommand& c : piece.taken)
     if (c.flaw == Flaw::none) note_taken(c);
-  reset_said_ = reset_said_ || piece.resets;
+  if (piece.resets) presence_.say_reset();
 }
 
-void VxmDriver::note_taken(const TextCommand& c) {
+void Texts::note_taken(const TextCommand& c) {
   if (c.stored()) slots_.selected_was_changed();
   if (c.verb == Verb::speed) speeds_.was_set(c.motor, static_cast<int>(c.value));
   if (c.verb == Verb::select || c.verb == Verb::empty) {
@@ -63,36 +62,33 @@ void VxmDriver::note_taken(const TextCommand& c) {
   if (c.verb == Verb::set) parameters_.was_set(c.name);
   if (c.verb == Verb::word && c.name == "del") slots_.selected_was_changed();
   if (c.verb == Verb::word && c.name == "rsm") parameters_.was_stored();
-  if (c.verb == Verb::word && c.name == "res") halted_ = 0;  // the next V finds it restarted
+  if (c.verb == Verb::word && c.name == "res") presence_.hears_again();  // the next V finds it restarted
   if (c.verb == Verb::letter) note_letter(c.letter);
 }
 
-void VxmDriver::note_letter(char letter) {
+void Texts::note_letter(char letter) {
   switch (letter) {
     case 'C': slots_.selected_was_changed(); break;
     case 'K':
-      doubt_positions();
-      killed_at_ = scheduler_.now();
+      kills_.doubt_positions();
+      under_way_.kill_was_said();
       break;
     case 'D':
-      if (mode_ != Mode::local) note_stop();
+      if (!presence_.is_local()) under_way_.job().note_stop();
       break;
     case 'H': hold_.was_toggled(); break;
-    case 'Q':
-      stay_local_ = true;
-      mode_ = Mode::local;
-      break;
+    case 'Q': presence_.was_sent_to_local(); break;
     case 'E':
     case 'F':
     case 'G':
-      stay_local_ = false;
-      mode_ = Mode::on_line;
-      if (letter == 'G' && draft_.program.run != RunState::idle) draft_.program.run = RunState::running;
+      presence_.was_sent_on_line();
+      if (letter == 'G' && console_.draft.program.run != RunState::idle)
+        console_.draft.program.run = RunState::running;
       break;
     case 'R':
-      if (!stored_running_) show_running(slots_.selected());
+      if (!under_way_.program_runs()) under_way_.program_begins(slots_.selected());
       break;
-    case 'N': all_are_zero(); break;
+    case 'N': positions_.are_zero(); break;
     default: break;
   }
 }
@@ -100,7 +96,7 @@ void VxmDriver::note_letter(char letter) {
 // ---- what is told of it
 
 // The controller drops what it does not know without a word.
-void VxmDriver::warn_of_flaws(const std::vector<TextCommand>& commands) {
+void Texts::warn_of_flaws(const std::vector<TextCommand>& commands) const {
   std::string unknown;
   int unknown_count = 0;
   for (const TextCommand& c : commands)
@@ -145,25 +141,14 @@ static bool without_echo(std::string& text, const std::vector<TextCommand>& comm
   return asked;
 }
 
-Listening VxmDriver::listening() const {
-  Listening now;
-  now.local = mode_ == Mode::local, now.running = busy(), now.halted = halted_ != 0;
-  now.digitized_lines = nameplate_.has_slave() ? max_motors : motors_per_controller;
-  return now;
-}
-
-TextMeaning VxmDriver::meaning_of(const intent::SendText& text) const {
-  return vxm::meaning_of(text.text, listening(), job_.active());
-}
-
 // Sends it piece by piece and gives back the answers, each without its end, joined by carriage returns.
-Task<VxmDriver::RawAnswer> VxmDriver::send_pieces(std::string text, Duration patience, Priority priority) {
+Task<Texts::RawAnswer> Texts::send_pieces(std::string text, Duration patience, Priority priority) {
   const auto commands = read_text(text);
   warn_of_flaws(commands);
   if (without_echo(text, commands))
     console_.tell(Notice::Kind::info,
                   "Echo stays off: F was sent for E. The console shows what it sends by itself.");
-  const Listening now = listening();
+  const Listening now = talk_.listens();
   const auto pieces = pieces_of(text, commands, now);
   RawAnswer all;
   all.dropped = dropped_of(commands, now);
@@ -183,12 +168,12 @@ Task<VxmDriver::RawAnswer> VxmDriver::send_pieces(std::string text, Duration pat
     const bool was_sent = reply || reply.error().kind != FaultKind::stopped;
     if (was_sent) note_taken(piece);
     if (!reply) {
-      if (was_sent && piece.kills) kill_not_confirmed(EndedBy::abort);
-      if (was_sent && piece.stores) draft_.unsaved_setup = draft_.unsaved_programs = true;
+      if (was_sent && piece.kills) under_way_.kill_not_confirmed(EndedBy::abort);
+      if (was_sent && piece.stores) console_.draft.unsaved_setup = console_.draft.unsaved_programs = true;
       all.fault = std::move(reply.error());
       co_return all;
     }
-    if (piece.kills) killed();
+    if (piece.kills) under_way_.killed();
     if (piece.answer) add_answer(all.text, without_end(std::move(*reply)));
   }
   co_return all;
@@ -196,11 +181,11 @@ Task<VxmDriver::RawAnswer> VxmDriver::send_pieces(std::string text, Duration pat
 
 // Not while a move of the console is under way: its program is selected, and what the controller does not
 // take then is dropped without a word.
-Result<> VxmDriver::may_send(const std::vector<TextCommand>& commands) const {
+Result<> Texts::may_send(const std::vector<TextCommand>& commands) const {
   for (const TextCommand& c : commands) {
     const bool taken_while_running =
         c.verb == Verb::letter && accepted_while_running.find(c.letter) != std::string_view::npos;
-    if (job_.active() && !taken_while_running && !(c.verb == Verb::word && c.name == "res"))
+    if (under_way_.job().active() && !taken_while_running && !(c.verb == Verb::word && c.name == "res"))
       return fail(FaultKind::refused,
                   fmt::format("A move of the console is under way, and the controller does not take {} then.",
                               canonical(c)),
@@ -209,7 +194,7 @@ Result<> VxmDriver::may_send(const std::vector<TextCommand>& commands) const {
   return {};
 }
 
-Task<Result<>> VxmDriver::send_text(std::string text) {
+Task<Result<>> Texts::send(std::string text) {
   if (ends_open(text)) text += '\r';
   if (auto may = may_send(read_text(text)); !may) co_return may;
   RawAnswer sent = co_await send_pieces(std::move(text), usual_patience, Priority::intent);
@@ -219,18 +204,7 @@ Task<Result<>> VxmDriver::send_text(std::string text) {
   co_return Result<>();
 }
 
-Task<Result<std::string>> VxmDriver::query(std::string text, Duration patience) {
-  auto clean = co_await see_to_dirt();
-  if (!clean) co_return fail(clean.error());
-  auto heard = co_await hear_without_echo();
-  if (!heard) co_return fail(heard.error());
-  auto settled = co_await settle();
-  if (!settled) co_return fail(settled.error());
-  co_return co_await converse(std::move(text), patience, Priority::intent);
-}
-
-/// What was answered; nothing, if the answer is a prompt that comes some time.
-Task<Result<std::string>> VxmDriver::converse(std::string text, Duration patience, Priority priority) {
+Task<Result<std::string>> Texts::converse(std::string text, Duration patience, Priority priority) {
   if (ends_open(text)) text += '\r';
   if (read_text(text).empty())
     co_return fail(FaultKind::refused, "There is no command in that text.", "Nothing was sent.");
@@ -248,27 +222,24 @@ Task<Result<std::string>> VxmDriver::converse(std::string text, Duration patienc
   co_return std::move(sent.text);
 }
 
-// ---- stops in the user's words
-
-// Whoever waits for the answer is told the end of the move, too.
-Task<Result<std::string>> VxmDriver::stop_by_words(const StopOrder& order) {
+Task<Result<std::string>> Texts::stop_by_words(const StopOrder& order) {
   std::string text = order.words;
   const std::string rest = cut_behind_stop(text);
   const auto commands = read_text(text);
   const bool kills = !commands.empty() && commands.front().letter == 'K';
   if (!commands.empty() && commands.front().letter == 'D') {
-    note_stop();
-    if (job_.active()) expect_ramp();
+    under_way_.job().note_stop();
+    if (under_way_.job().active()) ramp_.expect();
   }
-  job_.end_is_asked = job_.active() && order.answer;
-  const bool blind = mode_ == Mode::unknown;
+  under_way_.job().ask_for_end(order.answer != nullptr);
+  const bool blind = presence_.is_unknown();
   auto reply = co_await converse(text, order.patience, Priority::stop);
   if (!reply && reply.error().kind == FaultKind::no_answer && blind && kills) {  // Local mode drops it
     // F takes away the only sign of a restart.
     const AnswerShape state{ReplyShape::bytes(1), before_state, kill_patience, look::letter};
     auto was = co_await talk_.ask("VF", state, Priority::stop);
     if (!was && was.error().kind != FaultKind::no_answer) co_return fail(was.error());
-    left_local_ = was && (*was == std::string(1, jog_idle) || *was == std::string(1, jog_moving));
+    presence_.left_local(was && (*was == std::string(1, jog_idle) || *was == std::string(1, jog_moving)));
     reply = co_await converse(std::move(text), order.patience, Priority::stop);
   }
   if (!reply && reply.error().kind == FaultKind::no_answer && blind)
@@ -287,10 +258,10 @@ Task<Result<std::string>> VxmDriver::stop_by_words(const StopOrder& order) {
 
 // A move of the console ends in steps that the rest of the text would come between: its program is still
 // selected.
-std::string VxmDriver::cut_behind_stop(std::string& text) const {
+std::string Texts::cut_behind_stop(std::string& text) const {
   const auto commands = read_text(text);
   const auto first = std::find_if_not(commands.begin(), commands.end(), goes_with_a_stop);
-  if (!job_.active() || first == commands.end()) return {};
+  if (!under_way_.job().active() || first == commands.end()) return {};
   std::string rest = text.substr(first->begin);
   text.resize(first->begin);
   return rest;

@@ -1,0 +1,73 @@
+#include "core/devices/vxm/admission.h"
+
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "core/base/index.h"
+#include "core/devices/vxm/codec.h"
+
+namespace hw::vxm {
+
+Result<> Admission::may_run() const {
+  if (presence_.is_halted())
+    return fail(FaultKind::refused, explain_error(presence_.error()).what, "Nothing was sent.",
+                explain_error(presence_.error()).advice);
+  const int slot = console_.draft.program.slot;
+  if (under_way_.program_runs())
+    return fail(
+        FaultKind::refused,
+        slot >= 0 ? fmt::format("Program {} is running.", slot) : std::string("A program is running."),
+        "Nothing was sent.", "Wait until it ends, or stop it.");
+  const Job& job = under_way_.job();
+  if (job.active() && job.leg().axis >= 0)
+    return fail(
+        FaultKind::refused,
+        fmt::format("Motor {} is still moving, and a VXM does one thing at a time.", job.leg().axis + 1),
+        "Nothing was sent.", "Wait until it ends, or stop it.");
+  if (job.active())
+    return fail(FaultKind::refused, "The command before is still under way.", "Nothing was sent.",
+                "Try again.");
+  const auto input_mode = parameters_.value("I");
+  constexpr std::uint32_t in_4 = 1u << 3;
+  const Snapshot& draft = console_.draft;
+  if (input_mode && *input_mode & inputs_stop && draft.inputs_known & in_4 && !(draft.inputs & in_4))
+    return fail(FaultKind::refused,
+                "The Stop button or input 4 is held: the controller starts nothing while it is low.",
+                "Nothing was sent.", "Release it, then try again.");
+  return {};
+}
+
+Result<> Admission::may_move(int axis) const {
+  if (axis < 0 || axis >= console_.draft.axis_count)
+    return fail(FaultKind::refused, fmt::format("There is no motor {} here.", axis + 1), "Nothing was sent.");
+  if (axis >= motors_per_controller && !nameplate_.has_slave())
+    return fail(
+        FaultKind::refused,
+        fmt::format("Motor {} belongs to a second controller, and none answers on the VXM bus.", axis + 1),
+        "Nothing was sent.", "Check the Slave's power and cable, then reconnect.");
+  return may_run();
+}
+
+Result<> Admission::may_change() const {
+  if (presence_.is_halted())
+    return fail(FaultKind::refused, explain_error(presence_.error()).what, "Nothing was sent.",
+                explain_error(presence_.error()).advice);
+  if (under_way_.busy())
+    return fail(FaultKind::refused, "The controller is at work and takes no program commands meanwhile.",
+                "Nothing was sent.", "Wait until it ends, or stop it.");
+  return {};
+}
+
+void Admission::warn_of_motor_type(int axis) {
+  if (std::exchange(type_warned_[ix(axis)], true) || parameters_.value(fmt::format("M{}M", axis + 1)) != 0)
+    return;
+  console_.tell(
+      Notice::Kind::warning,
+      fmt::format("Motor {0} is set to type 0, the factory value for the smallest motors: a larger one only "
+                  "buzzes. The "
+                  "move was sent. If motor {0} does not turn, choose its type in Parameters, Motors.",
+                  axis + 1));
+}
+
+}  // namespace hw::vxm

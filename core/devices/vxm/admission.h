@@ -1,0 +1,40 @@
+#pragma once
+// Whether something may be begun or changed now, and what is warned of before a motor moves.
+#include <array>
+
+#include "core/devices/vxm/console.h"
+#include "core/devices/vxm/facts.h"
+#include "core/devices/vxm/nameplate.h"
+#include "core/devices/vxm/parameters.h"
+#include "core/devices/vxm/presence.h"
+#include "core/devices/vxm/under_way.h"
+
+namespace hw::vxm {
+
+class Admission {
+ public:
+  Admission(const Console& console, const Presence& presence, const Nameplate& nameplate,
+            const Parameters& setup, const UnderWay& under_way)
+      : console_(console),
+        presence_(presence),
+        nameplate_(nameplate),
+        parameters_(setup),
+        under_way_(under_way) {}
+
+  [[nodiscard]] Result<> may_run() const;
+  [[nodiscard]] Result<> may_move(int axis) const;
+  /// Set-up or programs.
+  [[nodiscard]] Result<> may_change() const;
+  /// Once for each motor.
+  void warn_of_motor_type(int axis);
+
+ private:
+  const Console& console_;
+  const Presence& presence_;
+  const Nameplate& nameplate_;
+  const Parameters& parameters_;
+  const UnderWay& under_way_;
+  std::array<bool, max_motors> type_warned_{};
+};
+
+}  // namespace hw::vxm

@@ -1,0 +1,34 @@
+#include "core/devices/vxm/hold_switch.h"
+
+namespace hw::vxm {
+
+Result<> HoldSwitch::may_switch() const {
+  if (hold_.is_known()) return {};
+  return fail(FaultKind::refused,
+              hold_.is_doubtful()
+                  ? "The connection was lost while the hold was switched: whether it is on is not known."
+                  : "Somebody else has begun this program, and whether it is held shows when a motor starts.",
+              "Nothing was sent.", "Stop the program.");
+}
+
+Task<Result<>> HoldSwitch::say(std::string text, bool on, Priority priority) {
+  const bool switches = text.starts_with('H');
+  auto said = co_await talk_.say(std::move(text), priority);
+  if (said) hold_.was_switched(on);
+  if (!said && switches && said.error().kind == FaultKind::lost) hold_.doubt();
+  co_return said;
+}
+
+// An H more would switch a hold on that has ended. K ends it in either case, and is answered.
+Task<Result<>> HoldSwitch::settle() {
+  if (!hold_.is_doubtful()) co_return Result<>();
+  auto settled = co_await kills_.kill(true, Priority::intent);
+  if (settled || settled.error().kind != FaultKind::no_answer) co_return settled;
+  co_return fail(
+      FaultKind::no_answer,
+      "Whether the hold (H) is on is not known, and the controller does not confirm the K that ends "
+      "it.",
+      "Nothing else was sent.", "Try again.");
+}
+
+}  // namespace hw::vxm

@@ -1,0 +1,79 @@
+#pragma once
+// A move of the console: its legs, of which the first is under way, and how that comes to its end.
+#include <deque>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/device/snapshot.h"
+#include "core/device/stop.h"
+
+namespace hw::vxm {
+
+/// One run of the console's own: at most one index (or a pair on two controllers), so that D always ends it.
+struct Leg {
+  std::string text;  ///< stored commands, each with its end
+  int axis = -1, second_axis = -1;
+  Activity activity = Activity::idle;  ///< idle: switches or sets something, moves nothing
+  Sign sign = Sign::plus;
+  std::optional<Steps> target;
+  int speed = 0;                ///< 0: as the controller is set
+  std::optional<Trust> zeroes;  ///< ends with its axis called zero: for this reason
+
+  [[nodiscard]] bool is_of(int an_axis) const { return axis == an_axis || second_axis == an_axis; }
+};
+
+class Job {
+ public:
+  Job() = default;
+  /// One that starts again at the end of its bounded index.
+  static Job jog(Leg leg);
+  void add(Leg leg) { legs_.push_back(std::move(leg)); }
+  /// Null: there is none.
+  Leg* last() { return legs_.empty() ? nullptr : &legs_.back(); }
+
+  [[nodiscard]] bool active() const { return !legs_.empty(); }
+  /// Under way.
+  [[nodiscard]] const Leg& leg() const { return legs_.front(); }
+  [[nodiscard]] bool moves(int axis) const { return active() && leg().is_of(axis); }
+  /// What it moves is in its scope.
+  [[nodiscard]] bool concerns(const StopOrder& order) const;
+  [[nodiscard]] bool is_jog() const { return jog_; }
+  [[nodiscard]] bool has_more() const { return jog_ || legs_.size() > 1; }
+
+  // ---- the leg under way
+  void leg_begins() { leg_over_ = limit_reported_ = false; }
+  /// Prompt seen or missed; positions still to be read.
+  void leg_is_over() { leg_over_ = true; }
+  [[nodiscard]] bool is_leg_over() const { return leg_over_; }
+  void report_limit() { limit_reported_ = true; }
+  [[nodiscard]] bool limit_was_reported() const { return limit_reported_; }
+  /// Somebody who has stopped it in words of his own waits for its prompt.
+  void ask_for_end(bool asked) { end_is_asked_ = active() && asked; }
+  [[nodiscard]] bool end_is_asked() const { return end_is_asked_; }
+
+  // ---- why it is cut short
+  void ends_by(EndedBy why) { ended_by_ = why; }
+  [[nodiscard]] EndedBy ended_by() const { return ended_by_; }
+  /// The leg under way ends, and nothing of the move follows it.
+  void note_stop();
+  /// The stop has cut off nothing but this leg.
+  [[nodiscard]] bool was_cut_whole() const { return cut_whole_; }
+
+  // ---- what follows
+  /// Nothing.
+  void drop_rest();
+  /// Nothing of this axis; -1: of any. Gives back what that was.
+  std::vector<Leg> drop_later_legs(int axis);
+  /// The next leg, if this one has arrived: `again` where it is the last.
+  void go_on(EndedBy ended_by, std::optional<Leg> again);
+
+ private:
+  std::deque<Leg> legs_;
+  bool jog_ = false;
+  EndedBy ended_by_ = EndedBy::nothing;
+  bool leg_over_ = false, limit_reported_ = false, cut_whole_ = false, end_is_asked_ = false;
+};
+
+}  // namespace hw::vxm

@@ -1,0 +1,54 @@
+#pragma once
+// What the console is asked to move, as legs: moves, jogs, homing, zero, outputs.
+#include <vector>
+
+#include "core/devices/vxm/admission.h"
+#include "core/devices/vxm/console.h"
+#include "core/devices/vxm/conversation.h"
+#include "core/devices/vxm/job.h"
+#include "core/devices/vxm/legs.h"
+#include "core/devices/vxm/nameplate.h"
+#include "core/devices/vxm/parameters.h"
+#include "core/devices/vxm/positions.h"
+#include "core/devices/vxm/signals.h"
+#include "core/devices/vxm/speeds.h"
+
+namespace hw::vxm {
+
+class Moves {
+ public:
+  Moves(const Console& console, Conversation& talk, const Nameplate& nameplate, Signals& signals,
+        const Parameters& setup, const Speeds& speeds, Admission& admission, Positions& positions, Legs& legs)
+      : console_(console),
+        talk_(talk),
+        nameplate_(nameplate),
+        signals_(signals),
+        parameters_(setup),
+        speeds_(speeds),
+        admission_(admission),
+        positions_(positions),
+        legs_(legs) {}
+
+  Task<Result<>> move(const std::vector<AxisTarget>& targets, Pps speed, bool relative);
+  Task<Result<>> jog(const intent::JogStart& wish);
+  Task<Result<>> home(const intent::Home& wish);
+  Task<Result<>> set_position(const intent::SetPosition& wish);
+  Task<Result<>> set_output(const intent::SetOutput& wish);
+
+ private:
+  [[nodiscard]] Result<> may_move_all(const std::vector<AxisTarget>& targets, bool relative) const;
+  Result<std::vector<AxisTarget>> checked_goals(const std::vector<AxisTarget>& targets, bool relative);
+  void add_leg(Job& job, const AxisTarget& goal, int speed, bool relative) const;
+
+  const Console& console_;
+  Conversation& talk_;
+  const Nameplate& nameplate_;
+  Signals& signals_;
+  const Parameters& parameters_;
+  const Speeds& speeds_;
+  Admission& admission_;
+  Positions& positions_;
+  Legs& legs_;
+};
+
+}  // namespace hw::vxm

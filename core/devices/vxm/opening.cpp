@@ -1,0 +1,98 @@
+#include "core/devices/vxm/opening.h"
+
+#include "core/devices/vxm/codec.h"
+#include "core/devices/vxm/facts.h"
+#include "core/devices/vxm/greeting.h"
+
+namespace hw::vxm {
+namespace {
+
+constexpr int greetings = 4, silences_until_nobody = 2;
+
+}  // namespace
+
+// V alone first: it moves nothing in any mode. A carriage return ends a command that somebody left half said,
+// and what came of it, or of a line that was opened amid garbage, is let pass.
+Task<Result<std::string>> Opening::ask_who_listens() {
+  std::string bytes;
+  int silences = 0;
+  for (int n = 0; n < greetings && silences < silences_until_nobody; ++n) {
+    if (n > 0) {
+      auto ended = co_await talk_.say_anyway("\r");
+      if (!ended) co_return fail(ended.error());
+      auto quiet = co_await talk_.wait_for_quiet();
+      if (!quiet) co_return fail(quiet.error());
+    }
+    const auto quiet_ms = n > 0 ? slow_greeting_quiet_ms : greeting_quiet_ms;
+    auto reply = co_await talk_.greet(quiet_ms);
+    if (!reply && reply.error().kind != FaultKind::no_answer) co_return fail(reply.error());
+    if (!reply) ++silences;
+    if (reply) bytes = *reply;
+    if (reply && read_greeting(bytes).is_a_vxm()) break;
+  }
+  co_return bytes;
+}
+
+Task<Result<>> Opening::greet() {
+  auto bytes = co_await ask_who_listens();
+  if (!bytes) co_return fail(bytes.error());
+  Greeting greeting = read_greeting(*bytes);
+  const int rate = talk_.station() ? talk_.station()->rate() : 0;
+  if (bytes->empty()) co_return nobody_greets(rate);
+  if (!greeting.is_a_vxm()) co_return no_vxm_greets(*bytes, rate);
+  // It may be the answer to a V before a restart, and F takes away the only sign of that.
+  for (int n = 0; n < greetings && talk_.station() && talk_.station()->is_dirty(); ++n) {
+    auto again = co_await talk_.greet(greeting_quiet_ms);
+    if (!again && again.error().kind != FaultKind::no_answer) co_return fail(again.error());
+    if (again && read_greeting(*again).is_a_vxm()) greeting = read_greeting(*again);
+  }
+  talk_.set_echoes(greeting.echo);
+  if (greeting.state == jog_idle || greeting.state == jog_moving)
+    co_return co_await found_local(greeting.state);
+  if (presence_.is_halted()) under_way_.killed(EndedBy::error);  // it hears again
+  presence_.seen_on_line();
+  // F: no echo, no carriage returns behind prompts, whoever asked for them.
+  auto said = co_await talk_.say_anyway("F");
+  if (!said) co_return said;
+  auto state = co_await talk_.state(Priority::intent);
+  if (!state) co_return fail(state.error());
+  if (greeting.echo) {
+    auto ended = co_await echo_.end(*state);
+    if (!ended) co_return ended;
+  }
+  auto resumed = co_await resume_after_loss(*state);
+  if (resumed && presence_.take_left_local() && presence_.was_found_before())
+    co_return co_await restarts_.found_left_local();
+  co_return resumed;
+}
+
+// The first time Local mode is the usual state after power-up. Later it means that the controller was
+// restarted.
+Task<Result<>> Opening::found_local(char state) {
+  if (presence_.was_found_before() && !presence_.stays_local())
+    co_return co_await restarts_.found("It answers from Local mode");
+  presence_.wants_on_line();
+  auto on_line = co_await presence_.go_on_line();
+  if (!on_line) co_return on_line;
+  console_.tell(Notice::Kind::info,
+                state == jog_moving
+                    ? "Somebody was jogging at the controller's buttons. It is on-line now: they are off."
+                    : "The controller was in Local mode. It is on-line now: its jog buttons are off.");
+  co_return Result<>();
+}
+
+// After a lost wire the state is read afresh. What moved went on without us.
+Task<Result<>> Opening::resume_after_loss(char state) {
+  if (state == ready && under_way_.job().active())
+    under_way_.job().leg_is_over(), under_way_.job().ends_by(EndedBy::lost);
+  if (state == vxm::busy && !under_way_.job().active()) {
+    const bool others = !under_way_.program_runs();
+    under_way_.program_begins(-1);
+    if (others) hold_.found_running();
+  }
+  if (state == vxm::busy && under_way_.job().active()) legs_.show_leg(under_way_.job().leg());
+  if (!under_way_.take_lost_while_busy()) co_return Result<>();
+  co_return co_await positions_.read(Priority::intent, state == ready);
+}
+
+}  // namespace hw::vxm

@@ -1,0 +1,49 @@
+#pragma once
+// Getting a controller to listen that was found on a new wire.
+#include <string>
+
+#include "core/devices/vxm/console.h"
+#include "core/devices/vxm/conversation.h"
+#include "core/devices/vxm/echo.h"
+#include "core/devices/vxm/hold.h"
+#include "core/devices/vxm/legs.h"
+#include "core/devices/vxm/positions.h"
+#include "core/devices/vxm/presence.h"
+#include "core/devices/vxm/restarts.h"
+#include "core/devices/vxm/under_way.h"
+
+namespace hw::vxm {
+
+class Opening {
+ public:
+  Opening(const Console& console, Conversation& talk, Presence& presence, Hold& hold, UnderWay& under_way,
+          Positions& positions, Restarts& restarts, Echo& echo, Legs& legs)
+      : console_(console),
+        talk_(talk),
+        presence_(presence),
+        hold_(hold),
+        under_way_(under_way),
+        positions_(positions),
+        restarts_(restarts),
+        echo_(echo),
+        legs_(legs) {}
+
+  Task<Result<>> greet();
+
+ private:
+  Task<Result<std::string>> ask_who_listens();
+  Task<Result<>> found_local(char state);
+  Task<Result<>> resume_after_loss(char state);
+
+  const Console& console_;
+  Conversation& talk_;
+  Presence& presence_;
+  Hold& hold_;
+  UnderWay& under_way_;
+  Positions& positions_;
+  Restarts& restarts_;
+  Echo& echo_;
+  Legs& legs_;
+};
+
+}  // namespace hw::vxm

@@ -1,0 +1,77 @@
+#pragma once
+// Whether and how the controller listens, as far as is known: on-line or in Local mode, halted by an error,
+// restarted.
+#include <cstdint>
+#include <utility>
+
+#include "core/devices/vxm/conversation.h"
+
+namespace hw::vxm {
+
+class Presence {
+ public:
+  Presence(const Scheduler& scheduler, Conversation& talk) : scheduler_(scheduler), talk_(talk) {}
+
+  /// F, until it is on-line.
+  Task<Result<>> go_on_line();
+
+  // ---- its mode: unknown until it has been asked on this wire
+  [[nodiscard]] bool is_unknown() const { return mode_ == Mode::unknown; }
+  [[nodiscard]] bool is_on_line() const { return mode_ == Mode::on_line; }
+  [[nodiscard]] bool is_local() const { return mode_ == Mode::local; }
+  void forget_mode() { mode_ = Mode::unknown; }
+  /// It has told so.
+  void seen_on_line() {
+    mode_ = Mode::on_line;
+    restart_counted_ = false;
+  }
+
+  // ---- Local mode on purpose: Q was sent
+  [[nodiscard]] bool stays_local() const { return stay_local_; }
+  void was_sent_to_local() {
+    stay_local_ = true;
+    mode_ = Mode::local;
+  }
+  void was_sent_on_line() {
+    stay_local_ = false;
+    mode_ = Mode::on_line;
+  }
+  /// Whatever mode it is in, on-line is wanted.
+  void wants_on_line() { stay_local_ = false; }
+  /// A stop has put it on-line before anybody could count that as a restart.
+  void left_local(bool it_was_local) { left_local_ = it_was_local; }
+  bool take_left_local() { return std::exchange(left_local_, false); }
+
+  // ---- found before, and restarted since
+  [[nodiscard]] bool was_found_before() const { return found_before_; }
+  void is_found() { found_before_ = true; }
+  /// It has not been seen on-line since.
+  [[nodiscard]] bool restart_is_counted() const { return restart_counted_; }
+  void count_restart() { restart_counted_ = true; }
+  /// By res; its restart has not been seen.
+  [[nodiscard]] bool reset_was_said() const { return reset_said_; }
+  void say_reset() { reset_said_ = true; }
+  void reset_is_over() { reset_said_ = false; }
+
+  // ---- after an error that halts it, it hears nothing but K
+  [[nodiscard]] bool is_halted() const { return halted_ != 0; }
+  /// Of that error.
+  [[nodiscard]] char error() const { return halted_; }
+  void halted_by(char letter);
+  void hears_again() { halted_ = 0; }
+  /// Once a second.
+  bool is_to_be_asked_again();
+
+ private:
+  enum class Mode : std::uint8_t { unknown, on_line, local };
+
+  const Scheduler& scheduler_;
+  Conversation& talk_;
+  Mode mode_ = Mode::unknown;
+  bool found_before_ = false, stay_local_ = false, left_local_ = false;
+  bool restart_counted_ = false, reset_said_ = false;
+  char halted_ = 0;
+  Instant ask_again_at_{};
+};
+
+}  // namespace hw::vxm

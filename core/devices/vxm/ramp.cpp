@@ -1,0 +1,112 @@
+#include "core/devices/vxm/ramp.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/devices/vxm/facts.h"
+
+namespace hw::vxm {
+namespace {
+
+// At acceleration 1 from the highest speed; nothing takes longer to ramp down.
+constexpr Duration longest_ramp = from_seconds(max_speed / (accel_unit * min_accel));
+constexpr Duration to_see_a_ramp = Millis(300);
+
+}  // namespace
+
+void Ramp::expect() {
+  if (!state_) state_ = State{console_.scheduler.now(), sight_.fastest()};
+  state_->looked_at = console_.scheduler.now();
+  state_->speed = sight_.fastest();
+}
+
+// One that did not get through shows by motors that lose no speed; what still turns after the longest ramp is
+// killed.
+StopProgress Ramp::watch() {
+  constexpr double least_loss = min_accel * accel_unit * seconds(to_see_a_ramp) / 2;
+  const Instant now = console_.scheduler.now();
+  if (!state_) return StopProgress::again();
+  if (now - state_->began > longest_ramp + to_see_a_ramp) return StopProgress::at_once();
+  state_->speed = std::max(state_->speed, sight_.fastest());  // it may not have been seen before
+  if (now - state_->looked_at < to_see_a_ramp) return StopProgress::wait();
+  const double before = std::exchange(state_->speed, sight_.fastest());
+  state_->looked_at = now;
+  return state_->speed > before - least_loss ? StopProgress::again() : StopProgress::wait();
+}
+
+// ---- of a program
+
+void Ramp::expect_of_program() {
+  if (state_) return;
+  state_ = State{console_.scheduler.now(), sight_.fastest(), hold_.is_on() || seems_to_stand()};
+  hold_.expect_nothing_to_begin();
+}
+
+void Ramp::was_held() {
+  if (state_) state_->holds = true;
+  hold_.expect_nothing_to_begin();
+}
+
+void Ramp::saw_one_turn_round() {
+  constexpr Duration shown_by_then = Millis(150);  // what had begun when the hold was told
+  if (state_ && console_.scheduler.now() - state_->began > shown_by_then) state_->reversed = true;
+}
+
+// Held before a command, or nothing has turned since D: what moves slower than a step in that time has no
+// ramp to speak of.
+StopProgress Ramp::watch_program() {
+  if (!state_) return StopProgress::again();
+  if (console_.draft.program.run == RunState::held || stands_since()) {
+    state_->over = true;
+    return StopProgress::again();  // which is K, now
+  }
+  const StopProgress progress = watch();
+  if (!goes_on(progress)) return progress;
+  state_->holds = state_->reversed = false;
+  state_->from = state_->slowest = sight_.fastest();
+  return StopProgress::again();
+}
+
+// Where no hold is known to be on, anything that begins shows that none is, and so does a D without effect;
+// unless all seem to stand, as one does that holds.
+bool Ramp::goes_on(const StopProgress& progress) {
+  if (hold_.is_surely_on()) return state_->reversed || has_begun_anew();
+  if (hold_.something_has_begun()) return true;
+  const bool stands_as_held = hold_.is_on() && sight_.fastest() <= 0;
+  return !hold_.is_known() && !stands_as_held && progress.now == StopProgress::Now::again;
+}
+
+// It has slowed down and turns faster again: that is the next command, so no hold is on.
+bool Ramp::has_begun_anew() {
+  constexpr double for_sure = 500;  // steps/s; twice what two readings that follow each other leave open
+  if (sight_.fastest() > state_->from) state_->from = state_->slowest = sight_.fastest();
+  state_->slowest = std::min(state_->slowest, sight_.fastest());
+  return state_->slowest < state_->from - for_sure && sight_.fastest() > state_->slowest + for_sure;
+}
+
+bool Ramp::stands_since() const {
+  const Instant now = console_.scheduler.now();
+  const int motors = std::min(console_.draft.axis_count, motors_per_controller);
+  for (int i = 0; i < motors; ++i)
+    if (!sight_.has_stood_since(state_->began, i)) return false;
+  return !some_are_hidden() || now - state_->began >= longest_ramp;
+}
+
+/// As far as the last readings show.
+bool Ramp::seems_to_stand() const {
+  const Snapshot& draft = console_.draft;
+  const int motors = std::min(draft.axis_count, motors_per_controller);
+  for (int i = 0; i < motors; ++i) {
+    if (!draft.axes[i].position_known || !sight_.has_stood_since(draft.program.started_at, i)) return false;
+  }
+  return !some_are_hidden();
+}
+
+/// Motors 3 and 4 cannot be read while something runs, nor whether there are any: that is known once the
+/// controller has been at rest.
+bool Ramp::some_are_hidden() const {
+  return nameplate_.has_slave() ||
+         (!nameplate_.is_read() && console_.draft.axis_count > motors_per_controller);
+}
+
+}  // namespace hw::vxm

@@ -1,0 +1,124 @@
+#include "core/devices/vxm/restarts.h"
+
+#include <algorithm>
+
+#include <fmt/core.h>
+
+#include "core/devices/vxm/facts.h"
+#include "core/devices/vxm/greeting.h"
+
+namespace hw::vxm {
+namespace {
+
+constexpr int restart_attempts = 8;
+constexpr Duration restart_pause = Millis(250);
+
+}  // namespace
+
+// It is counted before F takes away the only sign of it; the wire may fail in between.
+Task<Result<>> Restarts::found(const char* why) {
+  if (!presence_.restart_is_counted()) {
+    const bool was_moving = console_.draft.any_axis_moving() || under_way_.busy();
+    under_way_.forget();
+    auto reply = co_await talk_.places(ReplyShape::until_quiet(greeting_quiet_ms), Priority::intent);
+    if (!reply && reply.error().kind != FaultKind::no_answer)
+      co_return fail(reply.error());  // the next V finds it
+    count(why, was_moving, reply ? decode_digitized(*reply, max_motors) : std::nullopt);
+  }
+  presence_.forget_mode();
+  auto on_line = co_await presence_.go_on_line();
+  if (!on_line) co_return on_line;
+  co_return co_await positions_.read(Priority::intent, true);
+}
+
+Task<Result<>> Restarts::found_left_local() {
+  const bool was_moving = console_.draft.any_axis_moving() || under_way_.busy();
+  under_way_.forget();
+  auto read = co_await positions_.read(Priority::intent, true);
+  if (!read) co_return read;
+  Digitized places;
+  for (int i = 0; i < console_.draft.axis_count; ++i)
+    places.positions.push_back(console_.draft.axes[i].position);
+  count("It answered from Local mode", was_moving, places);
+  co_return Result<>();
+}
+
+void Restarts::count(const char* why, bool was_moving, const std::optional<Digitized>& places) {
+  presence_.count_restart();
+  const bool zero = !places || std::all_of(places->positions.begin(), places->positions.end(),
+                                           [](Steps place) { return place.value == 0; });
+  ++console_.draft.restarts;
+  stands_since(zero ? Doubt::restarted : Doubt::none);
+  if (!zero)
+    return console_.tell(
+        Notice::Kind::warning,
+        fmt::format("{} although it was on-line. It is put on-line again; its positions are kept. "
+                    "Nothing else was sent.",
+                    why));
+  forget_ram();
+  console_.tell(
+      Notice::Kind::warning,
+      fmt::format(
+          "{}: the controller was switched off and on, or reset. Its positions read zero where the motors "
+          "stand now, and what was not stored is gone. {}Find home before the next absolute move.",
+          why, was_moving ? "The motion that was under way was not taken up again. " : ""));
+}
+
+Task<Result<>> Restarts::found_reset_on_line() {
+  ++console_.draft.restarts;
+  under_way_.forget();
+  stands_since(Doubt::reset);
+  forget_ram();
+  console_.tell(
+      Notice::Kind::warning,
+      "The controller was reset by res: its positions read zero where the motors stand now, and what was "
+      "not stored is gone. Find home before the next absolute move.");
+  co_return co_await positions_.read(Priority::intent, true);
+}
+
+Task<Result<>> Restarts::reset() {
+  auto said = co_await talk_.say("res", Priority::intent);
+  if (!said) co_return said;
+  under_way_.drop_job();
+  under_way_.run_ended(EndedBy::abort);
+  forget_ram();
+  presence_.say_reset();  // if this is cut short, the next V finds it
+  Result<> on_line = fail(FaultKind::no_answer, "The controller does not answer after its reset.");
+  for (int attempt = 0; attempt < restart_attempts && !on_line && talk_.station(); ++attempt) {
+    auto waited = co_await talk_.station()->pause(restart_pause);
+    if (!waited) co_return waited;
+    on_line = co_await presence_.go_on_line();
+  }
+  if (!on_line) co_return on_line;
+  presence_.reset_is_over();
+  stands_since(Doubt::reset);
+  console_.tell(
+      Notice::Kind::info,
+      "The controller was reset: positions are zero where the motors stand, and what was not stored is "
+      "gone. Find home before the next absolute move.");
+  co_return co_await positions_.read(Priority::intent, true);
+}
+
+/// What reads zero since then stands anywhere: Doubt::none where the positions were kept.
+void Restarts::stands_since(Doubt why) {
+  for (int i = 0; i < console_.draft.axis_count; ++i) {
+    AxisState& axis = console_.draft.axes[i];
+    if (axis.activity != Activity::idle && axis.activity != Activity::unknown) axis.ended_by = EndedBy::lost;
+    axis.activity = Activity::idle;
+    axis.direction = 0;
+    axis.has_target = false;
+    if (why != Doubt::none) axis.trust.doubt(why, console_.scheduler.now());
+  }
+}
+
+void Restarts::forget_ram() {
+  hold_.ended();
+  presence_.hears_again();
+  scratch_.forget();
+  knowledge_.forget();
+  speeds_.forget();
+  console_.draft.program.command = -1;
+  console_.draft.program.stepping = false;
+}
+
+}  // namespace hw::vxm

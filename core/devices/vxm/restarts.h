@@ -1,0 +1,58 @@
+#pragma once
+// What a restart leaves, by power off and on or by res: positions are zero wherever the motors stand, RAM
+// holds what was stored last, and nothing runs.
+#include <optional>
+
+#include "core/devices/vxm/codec.h"
+#include "core/devices/vxm/console.h"
+#include "core/devices/vxm/conversation.h"
+#include "core/devices/vxm/hold.h"
+#include "core/devices/vxm/knowledge.h"
+#include "core/devices/vxm/positions.h"
+#include "core/devices/vxm/presence.h"
+#include "core/devices/vxm/scratch.h"
+#include "core/devices/vxm/speeds.h"
+#include "core/devices/vxm/under_way.h"
+
+namespace hw::vxm {
+
+class Restarts {
+ public:
+  Restarts(const Console& console, Conversation& talk, Presence& presence, Knowledge& knowledge,
+           Scratch& scratch, Speeds& speeds, Hold& hold, UnderWay& under_way, Positions& positions)
+      : console_(console),
+        talk_(talk),
+        presence_(presence),
+        knowledge_(knowledge),
+        scratch_(scratch),
+        speeds_(speeds),
+        hold_(hold),
+        under_way_(under_way),
+        positions_(positions) {}
+
+  /// It is in Local mode, although it was on-line.
+  Task<Result<>> found(const char* why);
+  /// What was Local mode was left for the sake of a stop, before anybody could ask for the places.
+  Task<Result<>> found_left_local();
+  /// A res that F followed in one go: nothing but that it was said tells of the restart.
+  Task<Result<>> found_reset_on_line();
+  /// By the user.
+  Task<Result<>> reset();
+
+ private:
+  void count(const char* why, bool was_moving, const std::optional<Digitized>& places);
+  void stands_since(Doubt why);
+  void forget_ram();
+
+  const Console& console_;
+  Conversation& talk_;
+  Presence& presence_;
+  Knowledge& knowledge_;
+  Scratch& scratch_;
+  Speeds& speeds_;
+  Hold& hold_;
+  UnderWay& under_way_;
+  Positions& positions_;
+};
+
+}  // namespace hw::vxm

@@ -1,0 +1,65 @@
+#pragma once
+// One round of status. While something moves: where it is and whether it still runs, as often as the wire
+// bears; at rest everything, five times a second.
+#include "core/devices/vxm/console.h"
+#include "core/devices/vxm/conversation.h"
+#include "core/devices/vxm/echo.h"
+#include "core/devices/vxm/headline.h"
+#include "core/devices/vxm/knowledge.h"
+#include "core/devices/vxm/legs.h"
+#include "core/devices/vxm/nameplate.h"
+#include "core/devices/vxm/positions.h"
+#include "core/devices/vxm/presence.h"
+#include "core/devices/vxm/runs.h"
+#include "core/devices/vxm/signals.h"
+#include "core/devices/vxm/status.h"
+#include "core/devices/vxm/under_way.h"
+
+namespace hw::vxm {
+
+class StatusRounds {
+ public:
+  StatusRounds(const Console& console, Conversation& talk, const Nameplate& nameplate, Signals& signals,
+               Knowledge& knowledge, Presence& presence, const UnderWay& under_way, Positions& positions,
+               const Headline& headline, Status& status, Echo& echo, Legs& legs, Runs& runs)
+      : console_(console),
+        talk_(talk),
+        nameplate_(nameplate),
+        signals_(signals),
+        knowledge_(knowledge),
+        presence_(presence),
+        under_way_(under_way),
+        positions_(positions),
+        headline_(headline),
+        status_(status),
+        echo_(echo),
+        legs_(legs),
+        runs_(runs) {}
+
+  Task<Result<>> poll(Round round);
+  [[nodiscard]] Duration moving_period() const;
+
+ private:
+  Task<Result<>> poll_on_line(Round round);
+  Task<Result<>> poll_echoing();
+  Task<Result<>> see_whether_it_stands();
+  Task<Result<>> poll_local();
+
+  const Console& console_;
+  Conversation& talk_;
+  const Nameplate& nameplate_;
+  Signals& signals_;
+  Knowledge& knowledge_;
+  Presence& presence_;
+  const UnderWay& under_way_;
+  Positions& positions_;
+  const Headline& headline_;
+  Status& status_;
+  Echo& echo_;
+  Legs& legs_;
+  Runs& runs_;
+  int round_ = 0;
+  Instant round_began_{};
+};
+
+}  // namespace hw::vxm

@@ -1,0 +1,113 @@
+#include "core/devices/vxm/stops.h"
+
+#include <fmt/core.h>
+
+namespace hw::vxm {
+
+Task<Result<>> Stops::send(const StopOrder& order) {
+  const bool deaf = presence_.is_unknown() || talk_.station()->statistics().misses_in_a_row > 1;
+  if (order.times_sent > 1 && deaf) {  // nothing has come back: a command that was left half said swallows it
+    auto ended = co_await talk_.say("\r", Priority::stop);
+    if (!ended) co_return ended;
+  }
+  if (presence_.is_unknown()) co_return co_await stop_blind(order);
+  if (presence_.is_local()) co_return co_await stop_local();
+  if (presence_.is_halted()) co_return co_await kills_.kill(false);
+  if (under_way_.job().active()) co_return co_await stop_leg(order);
+  if (under_way_.program_runs()) co_return co_await stop_program(order);
+  if (under_way_.killed_at() > order.first_sent_at) co_return Result<>();  // K has ended everything since
+  if (order.at_once) co_return co_await kills_.kill(false);
+  co_return co_await stop_unknown();
+}
+
+// Nothing is known of what the controller does now: H would switch a hold off as well as on, and K costs
+// steps.
+Task<Result<>> Stops::stop_blind(const StopOrder& order) {
+  if (order.what == StopOrder::What::jog && under_way_.program_runs()) co_return Result<>();
+  if (under_way_.job().concerns(order)) under_way_.job().note_stop();
+  if (order.at_once) co_return co_await kills_.kill(false);
+  co_return co_await stop_unknown();
+}
+
+// As far as is known nothing runs. In Local mode D is answered; nothing may be sent into that answer.
+Task<Result<>> Stops::stop_unknown() {
+  const Instant sent_at = console_.scheduler.now();
+  auto said = co_await talk_.say("D", Priority::stop);
+  if (!said || !talk_.station()) co_return said;
+  auto waited = co_await talk_.station()->pause(talk_.station()->wire_time(4) + Millis(2));
+  if (!waited || talk_.heard_at() <= sent_at) co_return waited;
+  co_return co_await talk_.wait_for_quiet();
+}
+
+// K is dropped in Local mode. F disables the buttons that jog.
+Task<Result<>> Stops::stop_local() {
+  auto said = co_await talk_.say("F", Priority::stop);
+  if (!said) co_return said;
+  presence_.was_sent_on_line();
+  co_return co_await kills_.kill(false);
+}
+
+Task<Result<>> Stops::stop_leg(const StopOrder& order) {
+  const bool concerned = under_way_.job().concerns(order);
+  if (!concerned && order.what != StopOrder::What::jog) {
+    for (const Leg& leg : under_way_.job().drop_later_legs(order.axis))
+      if (order.axis >= 0 && leg.second_axis >= 0)
+        console_.tell(Notice::Kind::warning,
+                      fmt::format("Motors {} and {} were to move together: both stay now.", leg.axis + 1,
+                                  leg.second_axis + 1));
+  }
+  if (!concerned) co_return Result<>();
+  under_way_.job().note_stop();
+  show_stopping();
+  if (order.at_once) co_return co_await kills_.kill(false);
+  co_return co_await ramp_down();
+}
+
+Task<Result<>> Stops::ramp_down() {
+  ramp_.expect();
+  co_return co_await talk_.say("D", Priority::stop);
+}
+
+// Held, its motor ramped down; K once that stands. H would let a program go on that is held: one that stands
+// when its stop comes is not told to hold, unless it goes on after all.
+Task<Result<>> Stops::stop_program(const StopOrder& order) {
+  if (order.what == StopOrder::What::jog) co_return Result<>();
+  const auto is_held = [this] { return console_.draft.program.run == RunState::held; };
+  if (is_held() || ramp_.is_over()) co_return co_await kills_.kill(true);
+  if (order.at_once) co_return co_await kills_.kill(false);
+  ramp_.expect_of_program();
+  if (!ramp_.holds()) {
+    auto held = co_await hold_switch_.say("H", true, Priority::stop);
+    if (!held || !talk_.station()) co_return held;
+    ramp_.was_held();
+    // Between two commands the hold is told at once, and D into that listing would be an overrun.
+    auto waited = co_await talk_.station()->pause(talk_.station()->wire_time(2) + Millis(1));
+    if (!waited) co_return waited;
+    if (is_held()) co_return co_await kills_.kill(true);
+  }
+  if (!under_way_.program_runs()) co_return Result<>();  // it has ended by itself
+  co_return co_await ramp_down();
+}
+
+void Stops::show_stopping() {
+  for (const int index : {under_way_.job().leg().axis, under_way_.job().leg().second_axis})
+    if (index >= 0 && console_.draft.axes[index].activity != Activity::idle)
+      console_.draft.axes[index].activity = Activity::stopping;
+}
+
+StopProgress Stops::progress(const StopOrder& order) {
+  if (presence_.is_halted()) return StopProgress::stands();  // nothing goes on until K
+  const bool ramps_by_words =
+      under_way_.job().active() && ramp_.is_expected();  // what else they stop is told by their answer
+  if (order.what == StopOrder::What::words && !ramps_by_words) return StopProgress::stands();
+  if (under_way_.job().active()) {
+    if (!under_way_.job().concerns(order)) return StopProgress::stands();
+    if (under_way_.job().is_leg_over()) return StopProgress::wait();  // the next round reads where it ended
+    return order.at_once ? StopProgress::again() : ramp_.watch();
+  }
+  if (under_way_.program_runs() && order.what != StopOrder::What::jog)
+    return order.at_once ? StopProgress::again() : ramp_.watch_program();
+  return StopProgress::stands();
+}
+
+}  // namespace hw::vxm

@@ -1,0 +1,126 @@
+#include "core/devices/vxm/under_way.h"
+
+namespace hw::vxm {
+
+void UnderWay::begin(Job job) {
+  ramp_.forget();
+  forget_how_it_ended();
+  job_ = std::move(job);
+}
+
+void UnderWay::program_begins(int slot) {
+  program_runs_ = true;
+  hold_.nothing_runs_from_before();
+  killed_at_ = {};  // the next prompt is of this run
+  ProgramState& p = console_.draft.program;
+  p.run = RunState::running;
+  p.owned = true;
+  p.slot = static_cast<std::int8_t>(slot >= 0 ? slot : slots_.selected());
+  p.command = -1;
+  p.command_told = false;
+  p.stepping = hold_.is_on();
+  p.started_at = console_.scheduler.now();
+  forget_how_it_ended();
+  sight_.forget_ways();
+  ended_run_.reset();
+  console_.draft.working = false;
+}
+
+void UnderWay::forget_how_it_ended() {
+  Snapshot& draft = console_.draft;
+  draft.program.ended_by = EndedBy::nothing;
+  for (int i = 0; i < draft.axis_count; ++i) draft.axes[i].ended_by = EndedBy::nothing;
+}
+
+// ---- what runs has come to its end
+
+void UnderWay::run_ended(EndedBy ended_by) {
+  if (job_.active()) {
+    job_.ends_by(ended_by);
+    job_.leg_is_over();
+  }
+  const bool was_running = std::exchange(program_runs_, false);
+  if (!was_running) return;
+  ProgramState& p = console_.draft.program;
+  const bool untold = p.ended_by == EndedBy::nothing;
+  const bool was_stopped = ramp_.is_expected();
+  if (was_stopped && ended_by == EndedBy::target && untold)
+    ended_by = EndedBy::stop;                              // its last index was cut
+  if (was_stopped && hold_.is_on()) hold_.release_soon();  // that of its stop: it must not keep the next run
+  ramp_.forget();
+  hold_.nothing_runs_from_before();
+  p.run = RunState::idle;
+  if (p.ended_by == EndedBy::nothing || ended_by != EndedBy::target) p.ended_by = ended_by;
+  if (ended_by == EndedBy::target) {
+    ended_run_ = p.slot;
+    console_.draft.working = true;  // until the switches have told what ended it
+  }
+  p.owned = false;
+  p.stepping = false;
+  p.command = -1;
+  p.command_told = false;
+  p.slot = static_cast<std::int8_t>(slots_.selected());
+  for (int i = 0; i < console_.draft.axis_count; ++i) {
+    AxisState& axis = console_.draft.axes[i];
+    const bool turned = axis.activity != Activity::idle && axis.activity != Activity::unknown;
+    if (turned && ended_by != EndedBy::target) axis.ended_by = ended_by;
+    if (turned) axis.activity = Activity::idle;
+    axis.direction = 0;
+  }
+}
+
+void UnderWay::killed(EndedBy ended_by) {
+  kill_was_said();
+  presence_.hears_again();
+  hold_.ended();
+  ramp_.forget();
+  if (job_.active()) {
+    job_.drop_rest();
+    job_.ends_by(EndedBy::abort);
+    job_.leg_is_over();
+  }
+  if (program_runs_) run_ended(ended_by);
+  Snapshot& draft = console_.draft;
+  draft.program.run = RunState::idle;
+  for (int i = 0; i < draft.axis_count; ++i)
+    if (draft.axes[i].activity == Activity::error) draft.axes[i].activity = Activity::idle;
+  news_.notify();
+}
+
+void UnderWay::kill_not_confirmed(EndedBy ended_by) {
+  if (hold_.is_on()) hold_.doubt();
+  if (job_.active() && !job_.is_leg_over()) job_.ends_by(ended_by);
+  if (program_runs_) console_.draft.program.ended_by = ended_by;
+}
+
+void UnderWay::forget() {
+  lost_while_busy_ = false;
+  presence_.reset_is_over();
+  job_ = Job();
+  program_runs_ = false;
+  console_.draft.program.run = RunState::idle;
+  console_.draft.program.owned = false;
+  ramp_.forget();
+}
+
+void UnderWay::wire_lost() {
+  Snapshot& draft = console_.draft;
+  lost_while_busy_ = lost_while_busy_ || busy();
+  ended_run_.reset();
+  draft.working = false;
+  ramp_.forget();
+  hold_.wire_lost();
+  job_.drop_rest();  // nothing of ours begins by itself after this
+  for (int i = 0; i < draft.axis_count; ++i) {
+    AxisState& axis = draft.axes[i];
+    if (axis.activity != Activity::idle && axis.activity != Activity::unknown) axis.ended_by = EndedBy::lost;
+    axis.activity = Activity::unknown;
+    axis.position_known = false;
+    axis.limits_known = false;
+    axis.direction = 0;
+  }
+  draft.inputs_known = draft.outputs_known = draft.analog_known = 0;
+  news_.notify();
+}
+
+}  // namespace hw::vxm

@@ -1,0 +1,80 @@
+#pragma once
+// What goes on in the controller: a move of the console, or a stored program; how each comes to its end, and
+// what shows of that.
+#include <optional>
+#include <utility>
+
+#include "core/devices/vxm/console.h"
+#include "core/devices/vxm/hold.h"
+#include "core/devices/vxm/job.h"
+#include "core/devices/vxm/presence.h"
+#include "core/devices/vxm/ramp.h"
+#include "core/devices/vxm/sight.h"
+#include "core/devices/vxm/slots.h"
+
+namespace hw::vxm {
+
+class UnderWay {
+ public:
+  UnderWay(const Console& console, Presence& presence, const Slots& slots, Sight& sight, Hold& hold,
+           Ramp& ramp)
+      : console_(console),
+        presence_(presence),
+        slots_(slots),
+        sight_(sight),
+        hold_(hold),
+        ramp_(ramp),
+        news_(console.scheduler) {}
+
+  [[nodiscard]] bool busy() const { return job_.active() || program_runs_; }
+  /// Something has been heard or found out.
+  Event& news() { return news_; }
+
+  // ---- moves of the console
+  Job& job() { return job_; }
+  [[nodiscard]] const Job& job() const { return job_; }
+  void begin(Job job);
+  void drop_job() { job_ = Job(); }
+
+  // ---- stored programs
+  [[nodiscard]] bool program_runs() const { return program_runs_; }
+  /// -1: the selected one, as far as is known.
+  void program_begins(int slot);
+  /// Its slot: its end was seen, the switches have not been read since.
+  std::optional<int> take_ended_run() { return std::exchange(ended_run_, std::nullopt); }
+
+  // ---- what runs has come to its end
+  /// By itself or by force.
+  void run_ended(EndedBy ended_by);
+  /// K has been confirmed: nothing runs, no hold, no error.
+  void killed(EndedBy ended_by = EndedBy::abort);
+  /// What it has ended shows by the next V; whether it has ended the hold, by nothing.
+  void kill_not_confirmed(EndedBy ended_by);
+  void kill_was_said() { killed_at_ = console_.scheduler.now(); }
+  [[nodiscard]] Instant killed_at() const { return killed_at_; }
+  /// The controller has restarted.
+  void forget();
+
+  // ---- the wire is lost: what moved goes on without us
+  void wire_lost();
+  [[nodiscard]] bool was_lost_while_busy() const { return lost_while_busy_; }
+  bool take_lost_while_busy() { return std::exchange(lost_while_busy_, false); }
+
+ private:
+  void forget_how_it_ended();
+
+  const Console& console_;
+  Presence& presence_;
+  const Slots& slots_;
+  Sight& sight_;
+  Hold& hold_;
+  Ramp& ramp_;
+  Event news_;
+  Job job_;
+  bool program_runs_ = false;
+  std::optional<int> ended_run_;
+  bool lost_while_busy_ = false;
+  Instant killed_at_{};
+};
+
+}  // namespace hw::vxm
