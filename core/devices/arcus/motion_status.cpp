@@ -105,6 +105,8 @@ Task<Result<>> MotionStatus::read_loops(Priority priority) {
     const std::string question = fill(console_.forms, console_.forms.loop_state, i);
     const Instant asked_at = console_.scheduler.now();
     auto state = co_await talk_.ask_number(question, priority);
+    const bool has_none = !state && state.error().kind == FaultKind::refused;  // a firmware without StepNLoop
+    if (has_none) state = static_cast<std::int64_t>(LoopState::off);
     if (!state) co_return fail(state.error());
     if (!motions_.take_loop(i, *state, asked_at)) continue;
     readouts_.put(question, *state);
