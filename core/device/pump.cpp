@@ -238,8 +238,7 @@ void Pump::lose_wire(const Fault& why) {
   loss.at_work = something_runs() || jogs_.any();
   loss.on_the_way = jobs_.performs();
   const bool not_seen_yet = rounds_.often();  // what was sent a moment ago may have begun something
-  // Of one that nobody has ever seen nothing is known, so that a stop stays owed. Its first attempt runs to
-  // its end: that tells who is there.
+  // Of one that nobody has ever seen nothing is known, so that a stop stays owed.
   const bool never_seen = rounds_.ended() == 0;
   loss.may_run =
       never_seen || not_seen_yet || loss.at_work || loss.on_the_way || (connected() && desk_.any());
