@@ -185,15 +185,16 @@ Task<bool> Pump::connect() {
   co_return true;
 }
 
-/// To a stop, and to whatever was asked behind it.
+/// To a stop, and to whatever was asked behind it. Where nobody has been heard yet the end of an attempt says
+/// why.
 void Pump::nothing_comes_back() {
+  desk_.send_all_again();
+  if (!something_may_run()) return;
   draft_.link.state = LinkState::lost;
   if (rounds_.ended() > 0)  // else it says already why nobody has answered yet
     draft_.link.sentence =
         "The controller was told to stop, and does not answer. It is told again until it does.";
   stops_did_not_arrive();
-  if (!stop_goes_out_again()) desk_.clear();
-  desk_.send_all_again();
   refuse_queued("The controller does not answer. Nothing was sent.");
   publish();
 }

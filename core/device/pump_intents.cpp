@@ -23,8 +23,8 @@ bool says_where_it_stands(const IntentBody& body) {
          std::holds_alternative<intent::TrustPosition>(body);
 }
 
-bool may_restart(const IntentBody& body) {
-  return std::holds_alternative<intent::Reset>(body) || std::holds_alternative<intent::SendText>(body);
+bool restarts_it(const Job& job) {
+  return std::holds_alternative<intent::Reset>(job.intent.body) || job.meaning.restarts;
 }
 
 }  // namespace
@@ -286,8 +286,7 @@ Task<> Pump::perform_next() {
     performed = co_await guarded("command", driver_->perform(job->intent.body));
   }
   jobs_.end();
-  if (performed && draft_.restarts != restarts && may_restart(job->intent.body))
-    jobs_.restart_was_asked(draft_.restarts);
+  if (performed && draft_.restarts != restarts && restarts_it(*job)) jobs_.restart_was_asked(draft_.restarts);
   if (job->is_query) {
     job->answered = true;
     job->asker.resume(scheduler_.executor());

@@ -25,6 +25,7 @@ struct TextMeaning {
   Answered answered = Answered::at_once;
   bool end_is_told = false;  ///< the controller tells by itself when what it began is over
   bool changes_programs = false;
+  bool restarts = false;  ///< the controller begins anew
   For whom = For::this_one;
   int address = -1;
 

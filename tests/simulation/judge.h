@@ -140,6 +140,7 @@ class Judge final : public Witness {
     std::optional<Instant> restarted;  ///< since its last reference
     Instant limit_operated{};          ///< last, either side
     Instant began_moving{};            ///< last
+    Instant ended_motion_began{};      ///< of the last that has ended
     Instant counts_anew{};             ///< since its position was set last
     std::optional<bool> whole;         ///< what it did last was what one command asked for, to its end
     EndedBy told = EndedBy::nothing;   ///< why it had ended, when last looked at

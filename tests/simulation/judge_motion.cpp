@@ -86,6 +86,7 @@ void Judge::rested(int device, int a) {
     remark(fmt::format("device {}: axis {} rests at {}", device, a, d.axes[ix(a)].truth.position.value));
   const std::int64_t made = (d.axes[ix(a)].truth.position - d.axes[ix(a)].began_at).value;
   d.axes[ix(a)].whole = was_whole(d, a, made);
+  d.axes[ix(a)].ended_motion_began = d.axes[ix(a)].began_moving;
   if (made == 0) return;
   const auto is_program = [](const Excuse& e) { return e.axes == all_axes; };  // its ways are its own
   if (std::any_of(d.excuses.begin(), d.excuses.end(), is_program)) return;

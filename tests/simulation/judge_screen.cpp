@@ -179,7 +179,7 @@ void Judge::judge_reasons(int device) {
     const Instant drawn = std::max({d.stop_drawn, hurt, d.ever_restarted ? now : never});
     const bool stop = why == EndedBy::stop || why == EndedBy::abort;
     const char* what = nullptr;
-    if (stop && drawn + excuse_lasts + lateness() < axis.began_moving) what = "a stop";
+    if (stop && drawn + excuse_lasts + lateness() < axis.ended_motion_began) what = "a stop";
     if (why == EndedBy::limit && axis.limit_operated == never && spoilt == never) what = "a limit";
     if (why == EndedBy::lost && hurt == never && lateness() == Duration{} && !d.ever_restarted)
       what = "a lost connection";

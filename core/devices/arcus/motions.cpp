@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -112,8 +113,13 @@ void Motions::stands(int axis) {
 
 // ---- what the controller says
 
+// What a stop slows down does not turn round, unless StepNLoop corrects it: that is the next move of a
+// program.
 void Motions::turned(int axis, Steps way) {
-  if (way != Steps(0)) minds_[ix(axis)].turned = static_cast<std::int8_t>(way > Steps(0) ? 1 : -1);
+  if (way == Steps(0)) return;
+  AxisMind& mind = minds_[ix(axis)];
+  const auto before = std::exchange(mind.turned, static_cast<std::int8_t>(way > Steps(0) ? 1 : -1));
+  if (before == -mind.turned && !console_.draft.axes[axis].in_counts) mind.ended_by = EndedBy::nothing;
 }
 
 void Motions::loop_is(int axis, std::int64_t state) {

@@ -82,6 +82,9 @@ TextMeaning meaning_of(std::string_view text, Context context, int axes) {
   TextMeaning meaning;
   const bool answers = std::any_of(commands.begin(), commands.end(), is_question);
   meaning.answered = answers ? TextMeaning::Answered::at_once : TextMeaning::Answered::never;
+  meaning.restarts = std::any_of(commands.begin(), commands.end(), [](const TextCommand& command) {
+    return command.fact && command.fact->op == Op::RS && command.flaw.empty();
+  });
   const StopsInText stops = stops_in(commands, axes);
   if (stops.any()) meaning.stops = stops.all ? TextMeaning::Stops::all : TextMeaning::Stops::some;
   if (stops.all) return meaning;
