@@ -4,6 +4,8 @@
 #include <fmt/core.h>
 
 #include "core/base/index.h"
+#include "core/device/nothing_known.h"
+#include "core/device/param_check.h"
 #include "core/devices/vxm/codec.h"
 #include "core/devices/vxm/facts.h"
 #include "core/devices/vxm/looks.h"
@@ -29,13 +31,6 @@ std::int64_t as_kept(std::string_view mnemonic, std::int64_t value) {
   if (mnemonic == "I" && value & inputs_capture) value &= ~std::int64_t{inputs_stop};
   if (mnemonic == "I" && value & inputs_select) value &= ~std::int64_t{inputs_branch_3};
   return value;
-}
-
-std::string range_words(const ParamInfo& p) {
-  if (p.choices.empty()) return fmt::format("{} to {}{}", p.minimum, p.maximum, p.also_zero ? ", or 0" : "");
-  std::string all;
-  for (const ParamChoice& c : p.choices) all += fmt::format("{}{}", all.empty() ? "" : ", ", c.value);
-  return "one of " + all;
 }
 
 }  // namespace
@@ -108,29 +103,25 @@ void Parameters::was_set(std::string_view mnemonic) {
 void Parameters::forget() {
   essentials_read_ = false;
   next_ = in_vain_ = 0;
-  for (ParamState& p : console_.draft.params) p = ParamState();
-  console_.draft.unsaved_setup = false;
+  set_up_is_unknown(console_.draft);
+}
+
+Result<> Parameters::may_set(const ParamInfo& info) const {
+  if (!reachable(info))
+    return fail(FaultKind::refused,
+                fmt::format("{} needs a second controller, and none answers on the VXM bus.", info.mnemonic),
+                "Nothing was sent.", "Check the Slave's power and cable, then reconnect.");
+  return may_change_();
 }
 
 Task<Result<>> Parameters::set(const intent::SetParam& wish) {
-  const int index = console_.catalog.find_param(wish.mnemonic);
-  if (index < 0)
-    co_return fail(FaultKind::refused, fmt::format("A VXM has no parameter {}.", wish.mnemonic),
-                   "Nothing was sent.");
-  const ParamInfo& info = console_.catalog.params[ix(index)];
-  if (!info.accepts(wish.value))
-    co_return fail(FaultKind::refused,
-                   fmt::format("{} is not possible for {} ({}): it takes {}.", wish.value, info.mnemonic,
-                               info.label, range_words(info)),
-                   "Nothing was sent.");
-  if (!reachable(info))
-    co_return fail(
-        FaultKind::refused,
-        fmt::format("{} needs a second controller, and none answers on the VXM bus.", info.mnemonic),
-        "Nothing was sent.", "Check the Slave's power and cable, then reconnect.");
-  if (auto may = may_change_(); !may) co_return may;
-  if (!info.warning.empty() && !wish.confirmed)
-    co_return fail(FaultKind::refused, info.warning, "Nothing was sent.", "Confirm it to go on.");
+  ParamRules rules;
+  rules.who = "A VXM";
+  rules.may_now = [this](const ParamInfo& info) { return may_set(info); };
+  const auto place = check_param(console_.catalog, wish, rules);
+  if (!place) co_return fail(place.error());
+  const int index = static_cast<int>(*place);
+  const ParamInfo& info = console_.catalog.params[*place];
   if (info.mnemonic == "B") co_return co_await set_baud(wish.value);
   auto sent = co_await talk_.say(vxm::set_param(info.mnemonic, wish.value), Priority::intent);
   if (!sent) co_return sent;

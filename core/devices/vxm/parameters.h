@@ -37,6 +37,7 @@ class Parameters {
   void forget();
 
  private:
+  [[nodiscard]] Result<> may_set(const ParamInfo& info) const;
   Task<Result<>> set_baud(std::int64_t number);
   Task<Result<>> read_one(int index, Priority priority);
   [[nodiscard]] bool reachable(const ParamInfo& info) const;

@@ -54,7 +54,7 @@ Task<Result<>> Signals::read(char which, Priority priority) {
 
 Task<Result<>> Signals::ask_next(Priority priority) {
   asked_at_ = scheduler_.now();
-  const std::size_t turn = turn_++ % (all.size() + 1);
+  const auto turn = static_cast<std::size_t>(turn_.next(static_cast<int>(all.size()) + 1));
   if (turn == all.size()) co_return co_await read_analog(priority);
   co_return co_await ask(all[turn], priority);
 }

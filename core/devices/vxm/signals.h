@@ -7,6 +7,7 @@
 #include <optional>
 #include <string_view>
 
+#include "core/device/in_turn.h"
 #include "core/devices/vxm/console.h"
 #include "core/devices/vxm/conversation.h"
 #include "core/devices/vxm/nameplate.h"
@@ -51,7 +52,7 @@ class Signals {
   std::array<std::optional<unsigned char>, 3> once_{};   ///< read once since the line was cleaned
   std::array<std::uint32_t, 3> cleaned_{};               ///< how often it had been, when this was believed
   std::uint32_t strays_ = 0;                             ///< before the first of `asked_`
-  std::uint32_t turn_ = 0;
+  InTurn turn_;
   Instant asked_at_{};
 };
 
