@@ -28,6 +28,7 @@ void Judge::machine_is(int device, const MachineTruth& truth) {
     if (axis.truth.moving && !was.moving) {
       axis.began_at = was.position;
       axis.began_moving = scheduler_.now();
+      axis.whole.reset();
       if (trace_ != nullptr)
         remark(fmt::format("device {}: axis {} begins at {}", device, a, was.position.value));
       began(device, a);
@@ -107,7 +108,7 @@ std::optional<bool> Judge::was_whole(const DeviceCase& d, int a, std::int64_t ma
     if (only) return std::nullopt;
     only = &e;
   }
-  if (!only || only->distance.value == 0) return std::nullopt;
+  if (!only || only->distance.value == 0 || only->asked > d.axes[ix(a)].began_moving) return std::nullopt;
   return made == only->distance.value;
 }
 
