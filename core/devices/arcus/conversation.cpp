@@ -1,6 +1,7 @@
 #include "core/devices/arcus/conversation.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -259,6 +260,7 @@ Task<Result<std::int64_t>> Conversation::ask_number(std::string question, Priori
 Task<Result<std::int64_t>> Conversation::ask_surely(std::string question, Decode decode,
                                                     std::optional<std::int64_t> expected, Priority priority) {
   constexpr int attempts = 4;
+  int strays_before = strays_;  // where more comes than an answer, each may be doubled in the same way
   std::function<bool(std::string_view)> makes_sense = [&decode](std::string_view text) {
     return decode(text).has_value();
   };
@@ -266,7 +268,8 @@ Task<Result<std::int64_t>> Conversation::ask_surely(std::string question, Decode
     auto text = co_await ask_for(question, makes_sense, priority);
     if (!text) co_return fail(text.error());
     const std::int64_t value = *decode(*text);
-    if (value == expected) co_return value;
+    const int strays_now = std::exchange(strays_before, strays_);
+    if (value == expected && (attempt == 0 || strays_now == strays_)) co_return value;
     expected = value;
   }
   co_return fail(FaultKind::garbled, fmt::format("The answers to {} differ each time.", question),

@@ -19,6 +19,15 @@ bool loop_works(int state) {
          state == static_cast<int>(LoopState::limit_homing);
 }
 
+bool loop_stops(int state) {
+  return state == static_cast<int>(LoopState::stopping) || state == static_cast<int>(LoopState::aborting);
+}
+
+/// Neither slows down nor corrects: seen behind a stop it is the next motion.
+bool loop_sets_out(int state) {
+  return loop_works(state) && !loop_stops(state) && state != static_cast<int>(LoopState::correcting);
+}
+
 Activity activity_of(int loop_state) {
   switch (static_cast<LoopState>(loop_state)) {
     case LoopState::jogging: return Activity::jogging;
@@ -123,7 +132,9 @@ void Motions::turned(int axis, Steps way) {
 }
 
 void Motions::loop_is(int axis, std::int64_t state) {
-  minds_[ix(axis)].loop_state = static_cast<int>(state);
+  AxisMind& mind = minds_[ix(axis)];
+  const int before = std::exchange(mind.loop_state, static_cast<int>(state));
+  if (loop_stops(before) && loop_sets_out(mind.loop_state)) mind.ended_by = EndedBy::nothing;
   console_.draft.axes[axis].in_counts = state != static_cast<std::int64_t>(LoopState::off);
 }
 
@@ -281,7 +292,16 @@ RestartWatch::AxisNow Motions::now(int axis) const {
   const AxisState& state = console_.draft.axes[axis];
   const Steps room = state.in_counts ? Steps(loop_tolerance(axis)) : Steps(0);
   const bool to_encoder = minds_[ix(axis)].stopping && state.in_counts;
-  return {runs(axis), console_.draft.axis_moves(axis), to_encoder, fastest_way_to_zero(axis), room};
+  return {runs(axis),       console_.draft.axis_moves(axis), to_encoder, fastest_way_to_zero(axis), room,
+          leaves_zero(axis)};
+}
+
+bool Motions::leaves_zero(int index) const {
+  const AxisState& axis = console_.draft.axes[index];
+  const AxisMind& mind = minds_[ix(index)];
+  if (!runs(index) || !mind.ours || mind.stopping) return false;
+  if (mind.wanted == Activity::jogging) return axis.position.value * axis.direction > 0;
+  return axis.has_target && std::abs(axis.target.value) > loop_tolerance(index);
 }
 
 }  // namespace hw::arcus

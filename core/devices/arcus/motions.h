@@ -73,6 +73,7 @@ class Motions {
   [[nodiscard]] std::int64_t loop_tolerance(int axis) const;
   [[nodiscard]] bool loop_error(int axis) const;
   [[nodiscard]] Pps fastest_way_to_zero(int axis) const;
+  [[nodiscard]] bool leaves_zero(int axis) const;
 
   const Console& console_;
   const SetUp& setup_;

@@ -104,6 +104,7 @@ Task<Result<>> Moves::jog(intent::JogStart wish) {
   if (started) {
     console_.draft.axes[axis].direction = static_cast<std::int8_t>(factor(wish.sign));
     console_.draft.axes[axis].has_target = false;
+    watch_.jogs(axis, wish.sign);
   }
   auto returned = co_await borrowed_.give_back();
   if (!started) co_return started;

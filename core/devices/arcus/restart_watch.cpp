@@ -20,9 +20,11 @@ RestartWatch::Stood RestartWatch::where_all_stand() const {
   stood.seen_at = console_.scheduler.now();
   stood.misses = talk_.misses();
   stood.program_ran = console_.draft.program.run == RunState::running;
-  for (int i = 0; i < console_.draft.axis_count; ++i)
-    stood.axes[ix(i)] = {console_.draft.axes[i].position, console_.draft.axes[i].encoder, ways_.axis_now(i),
-                         false};
+  for (int i = 0; i < console_.draft.axis_count; ++i) {
+    const AxisNow now = ways_.axis_now(i);
+    stood.axes[ix(i)] = {console_.draft.axes[i].position, console_.draft.axes[i].encoder, now,
+                         now.leaves_zero, false};
+  }
   return stood;
 }
 
@@ -30,13 +32,18 @@ void RestartWatch::goes_out(std::string_view command) {
   if (may_set_counter(command)) counters_.may_be_set();
   if (may_set_target(command)) targets_.may_be_set();
   if (may_switch_motor(command)) motors_.may_be_set();
-  if (stood_ && ends_motion(command))
-    for (Stood::Axis& axis : stood_->axes) axis.sent_away = false;
+  if (!stood_ || !ends_motion(command)) return;
+  for (Stood::Axis& axis : stood_->axes)
+    if (std::exchange(axis.sent_away, false)) axis.may_have_left = true;
 }
 
 // No reading shows it yet, and the power may go before the next.
 void RestartWatch::was_sent_to(int axis, Steps target) {
   if (stood_) stood_->axes[ix(axis)].sent_away = target != Steps(0);
+}
+void RestartWatch::jogs(int axis, Sign way) {
+  if (stood_ && stood_->axes[ix(axis)].position.value * factor(way) >= 0)
+    stood_->axes[ix(axis)].sent_away = true;
 }
 void RestartWatch::position_was_set(int axis, Steps position) {
   if (stood_) stood_->axes[ix(axis)].position = position;
@@ -65,7 +72,7 @@ void RestartWatch::look_at_counters(const Look& look, bool was_silent) {
   const bool a_program_may = before->program_ran || stood_->program_ran;
   constexpr double between_two_looks = 1;  // s, and more where the wire was slow
   const double elapsed = between_two_looks + seconds(console_.scheduler.now() - before->seen_at);
-  bool jumped = false, came_nearer = false, stands_at_zero = true;
+  bool jumped = false, came_nearer = false, may_have_left = false, stands_at_zero = true;
   for (int i = 0; i < console_.draft.axis_count; ++i) {
     const AxisState& axis = console_.draft.axes[i];
     const Stood::Axis& stood = before->axes[ix(i)];
@@ -74,14 +81,15 @@ void RestartWatch::look_at_counters(const Look& look, bool was_silent) {
     std::int64_t way = std::abs(stood.position.value) - stood.then.room.value;
     const std::int64_t at_rest = stood.then.moving ? way : std::abs(stood.position.value);
     const bool never_left = stood.sent_away && axis.error == AxisError::none;
+    may_have_left = may_have_left || (stood.may_have_left && axis.error == AxisError::none);
     came_nearer = came_nearer || never_left || at_rest > std::abs(axis.position.value);
     if (!targets_stay || stood.then.to_encoder) way = std::min(way, std::abs(stood.encoder.value));
     const double reach = stood.then.towards_zero.value > 0 ? stood.then.towards_zero.value * elapsed : 0;
     jumped = jumped || static_cast<double>(way) > reach;
   }
   const bool a_program_did = was_silent && before->program_ran;
-  if (came_nearer && ((silent && stands_at_zero) || a_program_did))
-    zero_in_doubt_ = InDoubt{*before, stands_at_zero, !unexplained};
+  if ((came_nearer || may_have_left) && ((silent && stands_at_zero) || a_program_did))
+    zero_in_doubt_ = InDoubt{*before, stands_at_zero, !unexplained || !came_nearer};
   if (unexplained && stands_at_zero && jumped && !a_program_may)
     return ways_.restarted("All positions read zero, and nothing that was sent does that", before->moved());
 }
@@ -122,7 +130,7 @@ Task<Result<>> RestartWatch::look_at_motors(const Look& look) {
   auto kept = co_await setup_.something_is_kept();
   if (!kept) co_return fail(kept.error());
   if (*kept) co_return Result<>();
-  if (in_doubt->may_be_set)
+  if (in_doubt->may_be_so)
     tell_of_doubt();
   else
     ways_.restarted("It did not answer for a while, and then it counted from zero", moved);

@@ -18,9 +18,10 @@ class RestartWatch {
   /// What is known of an axis beside the snapshot.
   struct AxisNow {
     bool runs = false, moving = false;
-    bool to_encoder = false;  ///< its stop under StepNLoop ends where the encoder stands, by its count too
-    Pps towards_zero;         ///< by itself it comes to zero at most so fast
-    Steps room;               ///< StepNLoop corrects it by so much
+    bool to_encoder = false;   ///< its stop under StepNLoop ends where the encoder stands, by its count too
+    Pps towards_zero;          ///< by itself it comes to zero at most so fast
+    Steps room;                ///< StepNLoop corrects it by so much
+    bool leaves_zero = false;  ///< it comes to rest elsewhere, unless it is stopped
   };
   struct Ways {
     std::function<AxisNow(int axis)> axis_now;
@@ -39,6 +40,7 @@ class RestartWatch {
   void counters_may_be_set() { counters_.may_be_set(); }
   /// It has confirmed these.
   void was_sent_to(int axis, Steps target);
+  void jogs(int axis, Sign way);
   void position_was_set(int axis, Steps position);
   void encoder_was_set(int axis, Steps position);
   /// What has gone out explains nothing any more.
@@ -66,7 +68,8 @@ class RestartWatch {
     struct Axis {
       Steps position, encoder;
       AxisNow then;
-      bool sent_away = false;  ///< from zero, and not stopped since
+      bool sent_away = false;      ///< from zero, and not stopped since
+      bool may_have_left = false;  ///< or was stopped on its way, wherever it was then
     };
     std::array<Axis, max_axes> axes{};
     Instant seen_at{};
@@ -77,8 +80,8 @@ class RestartWatch {
   /// All counters have come to zero, and nobody saw how.
   struct InDoubt {
     Stood before;
-    bool at_zero;     ///< all of them, at rest; or a program that power-up starts has moved since
-    bool may_be_set;  ///< by what was sent
+    bool at_zero;    ///< all of them, at rest; or a program that power-up starts has moved since
+    bool may_be_so;  ///< what was sent may have done it
   };
   [[nodiscard]] Stood where_all_stand() const;
   Task<Result<bool>> power_up_starts_a_program();

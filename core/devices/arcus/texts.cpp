@@ -54,7 +54,9 @@ Task<Result<std::string>> Texts::stop(const StopOrder& order) {
     note_sent(text);
     co_return std::string();
   }
-  const Duration patience = order.patience > Duration::zero() ? order.patience : typed_patience;
+  // However long its asker would wait: where no answer comes in time, the console says it again.
+  const bool asks_less = order.patience > Duration::zero() && order.patience < typed_patience;
+  const Duration patience = asks_less ? order.patience : typed_patience;
   auto stopped = co_await say(text, Priority::stop, patience);
   if (stopped && stopped->starts_with('?'))  // it has heard something else
     co_return fail(FaultKind::controller, fmt::format("The controller answered {} to {}.", *stopped, text));
