@@ -64,6 +64,9 @@ void Judge::opened(std::vector<std::shared_ptr<Session>> sessions) {
     devices_[i].session = std::move(sessions[i]);
     devices_[i].unconnected_since = scheduler_.now();
     devices_[i].first_connected.reset();
+    const MachineTruth& truth = devices_[i].truth;
+    devices_[i].stands_unseen =
+        truth.program && truth.moving() == 0 && truth.axis_count > facts_.axes_seen_at_work;
     for (AxisCase& axis : devices_[i].axes) axis.restarted.reset();  // of what was before it knows nothing
   }
 }

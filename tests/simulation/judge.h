@@ -170,6 +170,7 @@ class Judge final : public Witness {
     Instant cut_off{};                 ///< last restart while something moved or ran
     Instant stop_drawn{};              ///< last, by anybody; a text of the user's may be one
     bool ever_restarted = false;
+    bool stands_unseen = false;  ///< a program that a tab has found at rest, where not all axes can be seen
     Instant unconnected_since{};
     std::optional<Instant> first_connected;  ///< since it was opened
     // Inputs and outputs: how the bench stood, and how each stand of it is shown when the wire is good.

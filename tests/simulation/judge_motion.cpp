@@ -1,5 +1,6 @@
 // The laws of motion: stop, asked, once.
 #include <algorithm>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -17,6 +18,7 @@ void Judge::machine_is(int device, const MachineTruth& truth) {
   DeviceCase& d = at(device);
   if (truth.program || truth.moving() != 0) d.moved_last = scheduler_.now();
   d.truth = truth;
+  if (!truth.program) d.stands_unseen = false;
   for (int a = 0; a < truth.axis_count; ++a) {
     AxisCase& axis = d.axes[ix(a)];
     const AxisTruth was = axis.truth;
@@ -67,10 +69,15 @@ bool Judge::excused(const DeviceCase& d, int axis) const {
 }
 
 void Judge::began(int device, int a) {
-  const DeviceCase& d = at(device);
+  DeviceCase& d = at(device);
   if (!d.session || excused(d, a)) return;
   const AxisCase& axis = d.axes[ix(a)];
   const Instant now = scheduler_.now();
+  if (std::exchange(d.stands_unseen, false)) {  // what was to hold it may let it go on
+    for (AxisCase& each : d.axes)
+      if (each.stopped) each.stopped->at = now;
+    return;
+  }
   if (!axis.stopped)
     return accuse("asked",
                   fmt::format("Device {}: axis {} begins to move, and nobody has asked for it.", device, a));
@@ -101,7 +108,9 @@ void Judge::rested(int device, int a) {
 /// None: that may be anybody's motion.
 std::optional<bool> Judge::was_whole(const DeviceCase& d, int a, std::int64_t made) const {
   const Excuse* only = nullptr;
-  if (d.axes[ix(a)].counts_anew >= d.axes[ix(a)].began_moving) return std::nullopt;
+  const Instant may_be_set =
+      d.axes[ix(a)].counts_anew + excuse_lasts + questions_between_motions * lateness();
+  if (may_be_set >= d.axes[ix(a)].began_moving) return std::nullopt;
   for (const Excuse& e : d.excuses) {
     if (e.axes == all_axes || e.homes) return std::nullopt;
     if ((e.axes >> a & 1u) == 0) continue;

@@ -15,7 +15,7 @@ const std::vector<ModelFacts>& all_models() {
        {"F", "PM\r", "PM0\r", "lst", "PM1\r", "lst", "PM2\r", "lst", "PM3\r", "lst", "PM4\r", "lst", "getj1M\r",
         "getI\r", "getO\r"},
        {"getDA", "getjA"},
-       "K"},
+       "K", 2},
       {"pmx-4ex-sa",
        {""}, {"id=00-01"}, {"quirk=motor-power"}, {}, 0, "wire=real", true, false, false, false,
        {{"STOP"}, {"ABORT", -1, true}, {"STOPX", 0}, {"STOPY", 1}},

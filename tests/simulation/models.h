@@ -33,6 +33,7 @@ struct ModelFacts {
   std::vector<std::string> questions;
   std::vector<std::string> newer;  ///< commands that a firmware may have yet to learn
   std::string_view kill;           ///< text that stops at once, as the controller receives it
+  int axes_seen_at_work = 8;  ///< of more than those nobody can tell whether they turn while a program runs
 };
 
 const ModelFacts* find_model(std::string_view model);

@@ -9,7 +9,8 @@ namespace hw::vxm {
 namespace {
 
 constexpr int io_every = 8;  // rounds in motion between two looks at one of the inputs and outputs
-constexpr Duration io_at_least_every = Millis(250);  // where rounds are slow
+constexpr Duration io_at_least_every = Millis(250);   // where rounds are slow
+constexpr Duration io_in_a_stop_every = Millis(500);  // a long ramp must not leave them old
 
 }  // namespace
 
@@ -79,7 +80,7 @@ Task<Result<>> StatusRounds::poll_echoing() {
 }
 
 // While a stop is under way: whether anything runs, and where it is. What comes after that waits for the
-// usual round.
+// usual round, unless it is a long one.
 Task<Result<>> StatusRounds::see_whether_it_stands() {
   round_began_ = console_.scheduler.now();
   auto state = co_await talk_.state(Priority::stop);
@@ -88,7 +89,8 @@ Task<Result<>> StatusRounds::see_whether_it_stands() {
   if (!taken || presence_.stays_local()) co_return taken;
   if (under_way_.job().active() && under_way_.job().is_leg_over() && !under_way_.job().has_more())
     co_return co_await legs_.end_leg(Priority::stop);
-  co_return co_await positions_.read(Priority::stop, !under_way_.busy());
+  const bool one_signal = under_way_.busy() && round_began_ - signals_.asked_at() >= io_in_a_stop_every;
+  co_return co_await positions_.read(Priority::stop, !under_way_.busy(), one_signal);
 }
 
 // Q was sent on purpose: only V and D are answered now.

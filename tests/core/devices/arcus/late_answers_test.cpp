@@ -1,9 +1,8 @@
 // Each question of the driver, with its answer late, shifted by one, doubled, merged with the next, echoed:
 // what is shown is the truth or not known, and never another question's answer.
-#include <deque>
 #include <set>
 
-#include "tests/core/device/emulator_around.h"
+#include "tests/core/device/late_line.h"
 #include "tests/core/devices/arcus/driver_fixture.h"
 
 namespace hw::arcus {
@@ -12,9 +11,9 @@ namespace {
 enum class Mischief { late, very_late, shifted, doubled, merged, echoed };
 
 /// A line on which the answer to one question goes wrong, once.
-class BadLine final : public test::EmulatorAround {
+class BadLine final : public test::LateLine {
  public:
-  using EmulatorAround::EmulatorAround;
+  using LateLine::LateLine;
 
   std::set<std::string> asked;
   std::string victim;  ///< without its address; empty: nothing goes wrong any more
@@ -27,25 +26,8 @@ class BadLine final : public test::EmulatorAround {
       if (c == '\r') answer();
     }
   }
-  void take_output(std::string& sink) override {
-    for (; !on_its_way_.empty() && on_its_way_.front().at <= now_; on_its_way_.pop_front())
-      sink += on_its_way_.front().bytes;
-  }
-  [[nodiscard]] std::optional<Instant> next_event() const override {
-    auto next = inner_->next_event();
-    if (!on_its_way_.empty()) next = next ? std::min(*next, on_its_way_.front().at) : on_its_way_.front().at;
-    return next;
-  }
-  void advance_to(Instant now) override {
-    now_ = now;
-    inner_->advance_to(now);
-  }
 
  private:
-  struct Piece {
-    Instant at;
-    std::string bytes;
-  };
   void answer() {
     const std::string question = std::exchange(line_, {});
     if (question == "\r") return;
@@ -67,16 +49,9 @@ class BadLine final : public test::EmulatorAround {
     }
     held_ = std::move(reply);
   }
-  // Nothing overtakes on a line.
-  void send(std::string bytes, Duration delay = {}) {
-    const Instant at = std::max(now_ + delay, on_its_way_.empty() ? now_ : on_its_way_.back().at);
-    if (!bytes.empty()) on_its_way_.push_back({at, std::move(bytes)});
-  }
 
   std::string line_, held_;
   int kept_ = 0;
-  std::deque<Piece> on_its_way_;
-  Instant now_{};
 };
 
 struct Case {

@@ -1,9 +1,7 @@
 // Questions of more than one letter (set-up, programs, which of them is selected), with the answer to one of
 // them late, lost, doubled or merged with the next: what is shown, and what is read for the user, is what the
 // controller holds, or not known, or told to have failed.
-#include <deque>
-
-#include "tests/core/device/emulator_around.h"
+#include "tests/core/device/late_line.h"
 #include "tests/core/devices/vxm/driver_fixture.h"
 
 namespace hw::vxm {
@@ -12,9 +10,9 @@ namespace {
 enum class Trouble { late, very_late, lost, doubled, merged };
 
 /// A line on which the answer to one question goes wrong, once.
-class OneBadAnswer final : public test::EmulatorAround {
+class OneBadAnswer final : public test::LateLine {
  public:
-  using EmulatorAround::EmulatorAround;
+  using LateLine::LateLine;
   std::string question;  ///< its end; empty: nothing goes wrong any more
   Trouble how{};
 
@@ -29,24 +27,10 @@ class OneBadAnswer final : public test::EmulatorAround {
     std::string answer;
     inner_->take_output(answer);
     if (!answer.empty()) pass(std::move(answer));
-    for (; !on_its_way_.empty() && on_its_way_.front().at <= now_; on_its_way_.pop_front())
-      sink += on_its_way_.front().bytes;
-  }
-  [[nodiscard]] std::optional<Instant> next_event() const override {
-    auto next = inner_->next_event();
-    if (!on_its_way_.empty()) next = next ? std::min(*next, on_its_way_.front().at) : on_its_way_.front().at;
-    return next;
-  }
-  void advance_to(Instant now) override {
-    now_ = now;
-    inner_->advance_to(now);
+    LateLine::take_output(sink);
   }
 
  private:
-  struct Piece {
-    Instant at;
-    std::string bytes;
-  };
   void pass(std::string answer) {
     answer = std::exchange(held_, {}) + answer;
     if (!std::exchange(awaited_, false)) return send(std::move(answer));
@@ -59,16 +43,9 @@ class OneBadAnswer final : public test::EmulatorAround {
       case Trouble::merged: held_ = std::move(answer);
     }
   }
-  // Nothing overtakes on a line.
-  void send(std::string bytes, Duration delay = {}) {
-    const Instant at = std::max(now_ + delay, on_its_way_.empty() ? now_ : on_its_way_.back().at);
-    on_its_way_.push_back({at, std::move(bytes)});
-  }
 
   std::string received_, held_;
   bool awaited_ = false;
-  std::deque<Piece> on_its_way_;
-  Instant now_{};
 };
 
 struct LateText {
