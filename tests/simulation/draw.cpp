@@ -39,6 +39,7 @@ class Artist {
         draw_fault(at);
       else
         draw_action(at);
+      if (beside_.percent(4)) draw_scripts(at);
     }
     std::stable_sort(plan_.steps.begin(), plan_.steps.end(),
                      [](const Step& a, const Step& b) { return a.at < b.at; });
@@ -176,6 +177,33 @@ class Artist {
     if (draw <= 84 && !catalog_.outputs.empty()) return put(at, "output", on, {1, random_.percent(50)});
     if (draw <= 92) return put(at, "read_again", on);
     put(at, "reconnect", on);
+  }
+  // One, or two at once.
+  void draw_scripts(Millis at) {
+    const auto on = static_cast<int>(beside_.between(0, devices_ - 1));
+    for (int scripts = beside_.percent(30) ? 2 : 1; scripts > 0; --scripts) {
+      std::vector<Step> calls;
+      for (auto n = beside_.between(2, 6); n > 0; --n) calls.push_back(draw_call(on));
+      put(at, "script", on, {}, script_of(calls));
+      at += Millis(beside_.between(0, 300));
+    }
+  }
+  Step draw_call(int on) {
+    const std::int64_t which = beside_.between(0, static_cast<std::int64_t>(catalog_.axes.size()) - 1);
+    const std::int64_t way = beside_.sign() * (beside_.between(10, 300) * 10 * scale() + ++moves_);
+    const auto draw = beside_.between(1, 100);
+    if (draw <= 30) return call("move_by", on, {which, way, 0});
+    if (draw <= 40) return call("move_to", on, {which, way, 0});
+    if (draw <= 60) return call("wait_idle", on, {beside_.between(500, 8000)});
+    if (draw <= 70) return call("query", on, {beside_.between(200, 2000)}, beside_.one_of(facts_.harmless));
+    if (draw <= 78) return call("type", on, {}, beside_.one_of(facts_.harmless));
+    if (draw <= 84 && !catalog_.outputs.empty()) return call("output", on, {1, beside_.percent(50)});
+    if (draw <= 90) return call("run", on, {beside_.between(0, std::max(1, catalog_.program.slots) - 1)});
+    if (draw <= 94) return call("set_position", on, {which, beside_.between(-500, 500)});
+    return call("stop", on, {-1});
+  }
+  static Step call(std::string verb, int on, Numbers numbers, std::string text = {}) {
+    return {Millis(0), std::move(verb), on, std::move(numbers), std::move(text)};
   }
   void draw_bench(Millis at, int on) {
     const std::int64_t which = axis(), side = random_.sign();

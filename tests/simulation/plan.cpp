@@ -44,7 +44,9 @@ std::string out_of_quotes(std::string_view text) {
   return out;
 }
 
-Result<Step> read_step(const std::string& line) {
+}  // namespace
+
+Result<Step> Step::read(const std::string& line) {
   const auto wrong = [&](const char* why) {
     return fail(FaultKind::text, fmt::format("\"{}\": {}.", line, why));
   };
@@ -62,13 +64,31 @@ Result<Step> read_step(const std::string& line) {
   return step;
 }
 
-}  // namespace
-
 std::string Step::written() const {
   std::string line = fmt::format("{}.{:03} {} {}", at.count() / 1000, at.count() % 1000, verb, device);
   for (const std::int64_t number : numbers) line += fmt::format(" {}", number);
   if (!text.empty()) line += " " + in_quotes(text);
   return line;
+}
+
+std::string script_of(const std::vector<Step>& calls) {
+  std::string script;
+  for (const Step& call : calls) {
+    const std::string line = call.written();
+    script += line.substr(line.find(' ') + 1) + "\n";
+  }
+  return script;
+}
+
+Result<std::vector<Step>> calls_of(std::string_view script) {
+  std::vector<Step> calls;
+  std::istringstream lines{std::string(script)};
+  for (std::string line; std::getline(lines, line);) {
+    auto call = Step::read("0 " + line);
+    if (!call) return fail(call.error());
+    calls.push_back(std::move(*call));
+  }
+  return calls;
 }
 
 std::string Plan::address() const { return model + "@emulator" + (options.empty() ? "" : "," + options); }
@@ -101,7 +121,7 @@ Result<Plan> Plan::read(std::string_view text) {
       words >> length;
       plan.length = Millis(static_cast<std::int64_t>(length * 1000 + 0.5));
     } else {
-      auto step = read_step(line);
+      auto step = Step::read(line);
       if (!step) return fail(step.error());
       plan.steps.push_back(std::move(*step));
     }

@@ -28,7 +28,12 @@ struct Step {
 
   [[nodiscard]] std::int64_t number(std::size_t place) const { return numbers.at(place); }
   [[nodiscard]] std::string written() const;
+  static Result<Step> read(const std::string& line);
 };
+
+/// The calls of a script, one a line: steps without their times.
+std::string script_of(const std::vector<Step>& calls);
+Result<std::vector<Step>> calls_of(std::string_view script);
 
 struct Plan {
   std::string model;

@@ -199,14 +199,16 @@ void Stage::send(int device, IntentBody body) {
   if (s == nullptr) return;
   const bool keep_alive = std::holds_alternative<intent::JogKeepAlive>(body);
   const IntentId id = s->send(std::move(body));
-  if (!keep_alive) judge_.intent_sent(device, id);
+  if (keep_alive) return;
+  judge_.intent_sent(device, id);
+  sent_ = id;
 }
 
 void Stage::type(int device, std::string text) {
   Session* s = session(device);
   if (s == nullptr) return;
-  const IntentId id = s->send(intent::SendText(text));
-  judge_.text_typed(device, id, std::move(text));
+  sent_ = s->send(intent::SendText(text));
+  judge_.text_typed(device, sent_, std::move(text));
 }
 
 IntentId Stage::move(int device, std::uint32_t axes, Steps distance, IntentBody body) {
@@ -217,7 +219,7 @@ IntentId Stage::move(int device, std::uint32_t axes, Steps distance, IntentBody 
   const IntentId id = s->send(std::move(body));
   judge_.intent_sent(device, id);
   judge_.motion_asked(device, axes, id, distance, homes);
-  return id;
+  return sent_ = id;
 }
 
 void Stage::stop(int device, std::uint32_t axes, StopKind kind, IntentBody body) {
@@ -263,29 +265,53 @@ void Stage::query_stop(int device, std::uint32_t axes, std::string text, Duratio
 }
 
 void Stage::query(int device, std::string text, Duration patience) {
-  Session* s = session(device);
-  if (s == nullptr) return;
+  if (Session* s = session(device))
+    asio::co_spawn(io_, answers(s->shared_from_this(), std::move(text), patience), asio::detached);
+}
+
+Task<bool> Stage::answers(std::shared_ptr<Session> session, std::string text, Duration patience) {
   const int call = judge_.call_begun("query", patience + Judge::longest_fate);
-  auto ask = [](std::shared_ptr<Session> session, std::string what, Duration wait, Judge& judge,
-                int id) -> Task<> {
-    co_await session->pump().query(std::move(what), wait);
-    judge.call_ended(id);
-  };
-  asio::co_spawn(io_, ask(s->shared_from_this(), std::move(text), patience, judge_, call), asio::detached);
+  const auto answer = co_await session->pump().query(std::move(text), patience);
+  judge_.call_ended(call);
+  co_return answer.has_value();
 }
 
 void Stage::wait_until_idle(int device, Duration patience) {
-  Session* s = session(device);
-  if (s == nullptr) return;
+  if (Session* s = session(device))
+    asio::co_spawn(io_, is_idle(s->shared_from_this(), device, patience), asio::detached);
+}
+
+Task<bool> Stage::is_idle(std::shared_ptr<Session> session, int device, Duration patience) {
   const int call = judge_.call_begun("wait", patience + Judge::longest_fate);
-  auto ask = [](std::shared_ptr<Session> session, Duration wait, Judge& judge, int device_,
-                int id) -> Task<> {
-    const Instant begun = session->now();
-    const auto idle = co_await session->wait_until_idle(wait);
-    if (idle) judge.told_idle(device_, begun);
-    judge.call_ended(id);
-  };
-  asio::co_spawn(io_, ask(s->shared_from_this(), patience, judge_, device, call), asio::detached);
+  const Instant begun = now();
+  const auto idle = co_await session->wait_until_idle(patience);
+  if (idle) judge_.told_idle(device, begun);
+  judge_.call_ended(call);
+  co_return idle.has_value();
+}
+
+void Stage::script(int device, std::string_view calls) {
+  Session* s = session(device);
+  if (s != nullptr) asio::co_spawn(io_, play(s->shared_from_this(), must(calls_of(calls))), asio::detached);
+}
+
+Task<> Stage::play(std::shared_ptr<Session> session, std::vector<Step> calls) {
+  for (Step& call : calls) {
+    if (this->session(call.device) != session.get()) co_return;  // its tab is closed
+    judge_.remark("script: " + call.written());
+    if (!co_await returns(session, std::move(call))) co_return;
+  }
+}
+
+Task<bool> Stage::returns(std::shared_ptr<Session> session, Step call) {
+  const auto patience = [&call] { return Millis(call.number(0)); };
+  if (call.verb == "wait_idle") co_return co_await is_idle(session, call.device, patience());
+  if (call.verb == "query") co_return co_await answers(session, std::move(call.text), patience());
+  sent_ = 0;
+  find_verb(call.verb)->perform(*this, call);
+  if (sent_ == 0) co_return true;
+  const auto done = co_await session->outcome(sent_);
+  co_return done.has_value();
 }
 
 void Stage::wait_in_vain(int device, Duration patience) {

@@ -44,6 +44,8 @@ class Stage {
   void query_stop(int device, std::uint32_t axes, std::string text, Duration patience);
   void query(int device, std::string text, Duration patience);
   void wait_until_idle(int device, Duration patience);
+  /// Its calls one after the other, each when the one before has returned, until one fails.
+  void script(int device, std::string_view calls);
   /// A wait that has to tell why all is not well.
   void wait_in_vain(int device, Duration patience);
   /// The first attempt to connect has to succeed.
@@ -58,6 +60,10 @@ class Stage {
   struct Hand;  // a jog that is held
   void make_machines();
   [[nodiscard]] std::vector<std::string> settings(std::size_t machine) const;
+  Task<bool> answers(std::shared_ptr<Session> session, std::string text, Duration patience);
+  Task<bool> is_idle(std::shared_ptr<Session> session, int device, Duration patience);
+  Task<> play(std::shared_ptr<Session> session, std::vector<Step> calls);
+  Task<bool> returns(std::shared_ptr<Session> session, Step call);
   Task<> close_and_look(std::shared_ptr<SessionGroup> group, int call);
   [[nodiscard]] bool may_judge_what_is_left(Instant closed_at) const;
   void judge_what_is_left(std::size_t machine);
@@ -83,6 +89,7 @@ class Stage {
   std::unique_ptr<Stream> other_host_;
   std::shared_ptr<SessionGroup> group_;
   std::vector<std::shared_ptr<SessionGroup>> closing_;
+  IntentId sent_ = 0;         ///< last
   int closing_now_ = 0;       ///< of those, they that still hold the port, which is opened exclusively
   bool opens_later_ = false;  ///< when it is free
   std::vector<std::unique_ptr<Hand>> hands_;

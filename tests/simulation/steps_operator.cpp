@@ -92,6 +92,7 @@ void wait_in_vain(Stage& stage, const Step& s) { stage.wait_in_vain(s.device, Mi
 void must_connect(Stage& stage, const Step& s) { stage.must_connect(s.device); }
 /// It has to be refused: nobody expects a motion.
 void run_in_vain(Stage& stage, const Step& s) { stage.send(s.device, intent::RunProgram(whole(s, 0))); }
+void script(Stage& stage, const Step& s) { stage.script(s.device, s.text); }
 void set_position(Stage& stage, const Step& s) {
   stage.judge().position_set(s.device, axes_of(whole(s, 0)));
   stage.send(s.device, intent::SetPosition(whole(s, 0), Steps(s.number(1))));
@@ -148,6 +149,7 @@ constexpr Verb verbs[] = {
     {"type_motion", 0, action, type_motion},  // "TEXT"
     {"query", 1, action, query},              // PATIENCE "TEXT"
     {"wait_idle", 1, action, wait_idle},      // PATIENCE
+    {"script", 0, action, script, true},        // "CALLS": steps without their times, one a line
     {"wait_in_vain", 1, action, wait_in_vain},  // PATIENCE: it must tell why not
     {"must_connect", 0, action, must_connect},  // at the first attempt
     {"run_in_vain", 1, action, run_in_vain},    // SLOT: it must be refused
