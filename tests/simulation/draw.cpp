@@ -207,6 +207,11 @@ class Artist {
   }
   void draw_bench(Millis at, int on) {
     const std::int64_t which = axis(), side = random_.sign();
+    if (beside_.percent(25)) {
+      const std::int64_t stuck = beside_.between(0, static_cast<std::int64_t>(catalog_.axes.size()) - 1);
+      put(at, "jam", on, {stuck, 1});
+      put(at + Millis(beside_.between(200, 5000)), "jam", on, {stuck, 0});
+    }
     if (random_.percent(60)) {
       put(at, "limit", on, {which, side, 1});
       return put(at + Millis(random_.between(100, 3000)), "limit", on, {which, side, 0});
@@ -216,6 +221,8 @@ class Artist {
 
   void draw_fault(Millis at) {
     const int on = device();
+    if (!facts_.others.empty() && beside_.percent(4))
+      put(at, "other_host", on, {}, beside_.one_of(facts_.others));
     const auto draw = random_.between(1, 100);
     if (draw <= 6) return put(at, "power_cycle", on);
     if (draw <= 16) return put(at, "unplug", on, {random_.mostly_small(50, 6000)});

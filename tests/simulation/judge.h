@@ -139,6 +139,7 @@ class Judge final : public Witness {
     std::deque<Stand> stands;          ///< where it stood, oldest first; the first reaches back to the start
     std::optional<Instant> restarted;  ///< since its last reference
     Instant limit_operated{};          ///< last, either side
+    Instant jammed{};                  ///< last
     Instant began_moving{};            ///< last
     Instant ended_motion_began{};      ///< of the last that has ended
     Instant counts_anew{};             ///< since its position was set last

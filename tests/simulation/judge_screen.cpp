@@ -113,6 +113,7 @@ void Judge::judge_limits(int device) {
   for (int a = 0; a < std::min(shown.axis_count, d.truth.axis_count); ++a) {
     AxisCase& axis = d.axes[ix(a)];
     if ((operated >> a & 1u) != 0) axis.limit_operated = now;
+    if ((view.jammed >> a & 1u) != 0) axis.jammed = now;
     const AxisState& s = shown.axes[ix(a)];
     if (!shown.link.connected() || !s.limits_known || !(s.limit_minus || s.limit_plus)) continue;
     if (is_stale(s.seen_at, now, shown.poll_period)) continue;  // it is shown as old
@@ -185,6 +186,12 @@ void Judge::judge_reasons(int device) {
       what = "a lost connection";
     if (why == EndedBy::target && axis.whole == false && spoilt == never && !d.ever_restarted)
       what = "its target";
+    if (why == EndedBy::elsewhere && axis.whole == true && spoilt == never && !d.ever_restarted)
+      what = "somebody else";
+    const bool turns = shown.axes[ix(a)].enabled;
+    if (why == EndedBy::error && turns && axis.jammed == never && axis.limit_operated == never &&
+        spoilt == never)
+      what = "an error";
     if (what != nullptr)
       accuse("end", fmt::format("Device {}: axis {} is said to have ended by {}, and it was not so.", device,
                                 a, what));

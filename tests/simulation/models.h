@@ -32,7 +32,9 @@ struct ModelFacts {
   /// Of its set-up and programs, as the controller receives them; {} stands for the address.
   std::vector<std::string> questions;
   std::vector<std::string> newer;  ///< commands that a firmware may have yet to learn
-  std::string_view kill;           ///< text that stops at once, as the controller receives it
+  std::vector<std::string>
+      others;                 ///< of another program on the line: their answers look like none of numbers
+  std::string_view kill;      ///< text that stops at once, as the controller receives it
   int axes_seen_at_work = 8;  ///< of more than those nobody can tell whether they turn while a program runs
 };
 

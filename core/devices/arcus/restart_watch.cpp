@@ -72,26 +72,35 @@ void RestartWatch::look_at_counters(const Look& look, bool was_silent) {
   const bool a_program_may = before->program_ran || stood_->program_ran;
   constexpr double between_two_looks = 1;  // s, and more where the wire was slow
   const double elapsed = between_two_looks + seconds(console_.scheduler.now() - before->seen_at);
-  bool jumped = false, came_nearer = false, may_have_left = false, stands_at_zero = true;
+  Change all;
+  bool stands_at_zero = true;
   for (int i = 0; i < console_.draft.axis_count; ++i) {
     const AxisState& axis = console_.draft.axes[i];
-    const Stood::Axis& stood = before->axes[ix(i)];
     stands_at_zero = stands_at_zero && !stood_->axes[ix(i)].then.runs && axis.position == Steps(0) &&
                      axis.encoder == Steps(0);
-    std::int64_t way = std::abs(stood.position.value) - stood.then.room.value;
-    const std::int64_t at_rest = stood.then.moving ? way : std::abs(stood.position.value);
-    const bool never_left = stood.sent_away && axis.error == AxisError::none;
-    may_have_left = may_have_left || (stood.may_have_left && axis.error == AxisError::none);
-    came_nearer = came_nearer || never_left || at_rest > std::abs(axis.position.value);
-    if (!targets_stay || stood.then.to_encoder) way = std::min(way, std::abs(stood.encoder.value));
-    const double reach = stood.then.towards_zero.value > 0 ? stood.then.towards_zero.value * elapsed : 0;
-    jumped = jumped || static_cast<double>(way) > reach;
+    all.add(change_of(axis, before->axes[ix(i)], elapsed, targets_stay));
   }
   const bool a_program_did = was_silent && before->program_ran;
-  if ((came_nearer || may_have_left) && ((silent && stands_at_zero) || a_program_did))
-    zero_in_doubt_ = InDoubt{*before, stands_at_zero, !unexplained || !came_nearer};
-  if (unexplained && stands_at_zero && jumped && !a_program_may)
+  if ((all.nearer || all.may_be_nearer) && ((silent && stands_at_zero) || a_program_did))
+    zero_in_doubt_ = InDoubt{*before, stands_at_zero, !unexplained || !all.nearer};
+  if (unexplained && stands_at_zero && all.jumped && !a_program_may)
     return ways_.restarted("All positions read zero, and nothing that was sent does that", before->moved());
+}
+
+RestartWatch::Change RestartWatch::change_of(const AxisState& now, const Stood::Axis& before,
+                                             double elapsed_s, bool targets_stay) {
+  const std::int64_t stood = std::abs(before.position.value), left = stood - before.then.room.value;
+  const bool never_left = before.sent_away && now.error == AxisError::none;
+  const bool nearer = (before.then.moving ? left : stood) > std::abs(now.position.value);
+  const bool by_encoder = !targets_stay || before.then.to_encoder;
+  const std::int64_t way = by_encoder ? std::min(left, std::abs(before.encoder.value)) : left;
+  const double speed = before.then.towards_zero.value, reach = speed > 0 ? speed * elapsed_s : 0;
+  const bool by_itself = speed > 0 && static_cast<double>(way) <= reach;
+  Change change;
+  change.nearer = never_left || (nearer && !by_itself);
+  change.may_be_nearer = nearer || (before.may_have_left && now.error == AxisError::none);
+  change.jumped = static_cast<double>(way) > reach;
+  return change;
 }
 
 // The motors have power, or none, as after power-up (EOBOOT), and nobody has switched them. Power that is not

@@ -77,6 +77,19 @@ class RestartWatch {
     bool program_ran = false;
     [[nodiscard]] unsigned moved() const;
   };
+  /// Between two looks, of one axis or of any.
+  struct Change {
+    bool nearer = false;         ///< to zero than it comes by what is known of it
+    bool may_be_nearer = false;  ///< it was on its way there, or was stopped on its way from there
+    bool jumped = false;         ///< farther than it goes in the time
+    void add(const Change& other) {
+      nearer = nearer || other.nearer;
+      may_be_nearer = may_be_nearer || other.may_be_nearer;
+      jumped = jumped || other.jumped;
+    }
+  };
+  static Change change_of(const AxisState& now, const Stood::Axis& before, double elapsed_s,
+                          bool targets_stay);
   /// All counters have come to zero, and nobody saw how.
   struct InDoubt {
     Stood before;
