@@ -61,6 +61,8 @@ class WayFaults {
   }
   /// A byte has been held back until then.
   void held_until(Instant when) { hurt_ = std::max(hurt_, when); }
+  /// Somebody else talks: what is said may be cut, and an answer more may come.
+  void talked_into(Instant now) { hurt_ = std::max(hurt_, now), spoilt_ = now; }
   /// The latest instant at which something was lost, changed or late, or will be for all that is known now.
   [[nodiscard]] Instant hurt() const { return std::max({hurt_, cut_until, slow_until}); }
   /// What comes now may be as late as that: nothing overtakes what was said before it.

@@ -21,6 +21,7 @@ Task<Result<>> MotionStatus::read_whole(Priority priority) {
   for (const bool again : {false, true}) {
     auto read = co_await read_counters(priority);
     if (read) read = co_await read_loops(priority);
+    for (int i = 0; read && i < console_.axes(); ++i) motions_.show(i, asked_at_);
     if (!read || again || watch_.motion_is_whole()) co_return read;
   }
   co_return Result<>();
@@ -59,7 +60,6 @@ Task<Result<>> MotionStatus::read_counters(Priority priority) {
     axis.speed = Pps(std::abs(static_cast<double>((*speeds)[ix(i)])));
     if (was_known) motions_.turned(i, move);
     if (motions_.runs(i)) code_.axis_moves();
-    motions_.show(i, asked_at);
   }
   co_return Result<>();
 }
@@ -98,7 +98,8 @@ void MotionStatus::take_status(const std::vector<std::int64_t>& words) {
   }
 }
 
-// The state of StepNLoop, of axes that have it on, or where that is not known.
+// The state of StepNLoop, of axes that have it on, or where that is not known. Whether one has come to rest is
+// told by the whole round: where it stands must be of the same.
 Task<Result<>> MotionStatus::read_loops(Priority priority) {
   for (int i = 0; i < console_.axes(); ++i) {
     if (motions_.loop_is_off(i)) continue;
@@ -108,9 +109,7 @@ Task<Result<>> MotionStatus::read_loops(Priority priority) {
     const bool has_none = !state && state.error().kind == FaultKind::refused;  // a firmware without StepNLoop
     if (has_none) state = static_cast<std::int64_t>(LoopState::off);
     if (!state) co_return fail(state.error());
-    if (!motions_.take_loop(i, *state, asked_at)) continue;
-    readouts_.put(question, *state);
-    motions_.show(i, asked_at);
+    if (motions_.take_loop(i, *state, asked_at)) readouts_.put(question, *state);
   }
   co_return Result<>();
 }
