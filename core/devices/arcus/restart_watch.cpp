@@ -80,6 +80,8 @@ void RestartWatch::look_at_counters(const Look& look, bool was_silent) {
                      axis.encoder == Steps(0);
     all.add(change_of(axis, before->axes[ix(i)], elapsed, targets_stay));
   }
+  // A program that has come to zero and to its end, all unseen, is less likely than the other.
+  all.nearer = all.nearer || (all.may_be_nearer && before->program_ran);
   const bool a_program_did = was_silent && before->program_ran;
   if ((all.nearer || all.may_be_nearer) && ((silent && stands_at_zero) || a_program_did))
     zero_in_doubt_ = InDoubt{*before, stands_at_zero, !unexplained || !all.nearer};
@@ -140,17 +142,21 @@ Task<Result<>> RestartWatch::look_at_motors(const Look& look) {
   if (!kept) co_return fail(kept.error());
   if (*kept) co_return Result<>();
   if (in_doubt->may_be_so)
-    tell_of_doubt();
+    tell_of_doubt(in_doubt->before);
   else
     ways_.restarted("It did not answer for a while, and then it counted from zero", moved);
   co_return Result<>();
 }
 
-// It was switched off and on, or what was sent has set the counters: nobody can tell.
-void RestartWatch::tell_of_doubt() {
-  for (int i = 0; i < console_.axes(); ++i)
-    if (console_.draft.axes[i].position == Steps(0))
-      console_.draft.axes[i].trust.doubt(Doubt::unheard, console_.scheduler.now());
+// It was switched off and on, or what was sent has set the counters: nobody can tell, nor how what was under
+// way has ended.
+void RestartWatch::tell_of_doubt(const Stood& before) {
+  for (int i = 0; i < console_.axes(); ++i) {
+    AxisState& axis = console_.draft.axes[i];
+    if (before.axes[ix(i)].then.moving) axis.ended_by = EndedBy::lost;
+    if (axis.position == Steps(0)) axis.trust.doubt(Doubt::unheard, console_.scheduler.now());
+  }
+  if (before.program_ran) console_.draft.program.ended_by = EndedBy::lost;
   console_.tell(
       Notice::Kind::warning,
       "Answers were missing, and then all positions read zero: what was sent has done that, or the "

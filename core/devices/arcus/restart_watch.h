@@ -98,7 +98,7 @@ class RestartWatch {
   };
   [[nodiscard]] Stood where_all_stand() const;
   Task<Result<bool>> power_up_starts_a_program();
-  void tell_of_doubt();
+  void tell_of_doubt(const Stood& before);
 
   const Console& console_;
   Conversation& talk_;
