@@ -1,5 +1,7 @@
 #include "core/devices/arcus/codec.h"
 
+#include <algorithm>
+
 #include <fmt/core.h>
 
 #include "core/base/number_text.h"
@@ -62,6 +64,16 @@ std::size_t fit_at_front(std::string_view bytes, std::string_view pattern) {
 }  // namespace
 
 std::size_t unasked_at_front(std::string_view bytes) { return fit_at_front(bytes, "$ddP\r"); }
+
+std::size_t refusal_of_cut_at_front(std::string_view bytes) {
+  constexpr std::size_t id = 3;  // #NN
+  const std::string_view text = bytes.starts_with('#') ? bytes.substr(std::min(id, bytes.size())) : bytes;
+  if (text.empty()) return bytes.empty() ? 0 : std::string_view::npos;
+  if (!text.starts_with('?')) return 0;
+  const auto end = bytes.find_first_of(std::string_view("\r\0", 2));
+  if (end == bytes.npos) return bytes.npos;
+  return bytes[end - 1] == cut_off.front() ? end + 1 : 0;
+}
 
 std::size_t unasked_or_name_at_front(const Model& model, std::string_view bytes) {
   const std::string name = std::string(model.name_prefix) + "dd|";

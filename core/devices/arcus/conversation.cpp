@@ -43,13 +43,13 @@ Framing Conversation::framing() const {
   return station_ && station_->carries_messages() ? Framing::message : Framing::addressed;
 }
 
-// What was not answered may have lost its end on the way, and would swallow what follows: CR ends it. So may
-// what went out before the wire was opened, and a stop is not asked for twice.
+// What was not answered may have lost its end on the way, and would swallow what follows: it is ended first.
+// So may be what went out before the wire was opened, and a stop is not asked for twice.
 std::string Conversation::framed(std::string_view text, Priority priority, int address) const {
   std::string bytes = frame(framing(), address, text);
   if (framing() == Framing::message || !station_) return bytes;
   const bool first_of_all = priority == Priority::stop && !station_->was_heard();
-  if (first_of_all || station_->is_dirty() || station_->others_owe()) bytes.insert(0, 1, '\r');
+  if (first_of_all || station_->is_dirty() || station_->others_owe()) bytes.insert(0, cut_off);
   return bytes;
 }
 
@@ -113,14 +113,13 @@ Task<Result<Reply>> Conversation::say(std::string text, Priority priority, Durat
   t.look = own_question ? looks::of_question(console_.forms, text)
                         : looks::of_text(console_.forms, command_in(text));
   if (t.look == looks::name && station_->others_owe(looks::name))
-    t.stranger = [this](std::string_view bytes) {
-      return looks::others_at_front(bytes, [this](std::string_view name) { return is_its_name(name); });
+    t.stranger = [this](std::string_view received) {
+      return looks::others_at_front(received, [this](std::string_view name) { return is_its_name(name); });
     };
-  else if (!usb && t.look == looks::name)
-    t.stranger = unasked_at_front;
   else if (!usb)
-    t.stranger = [&m = console_.model()](std::string_view bytes) {
-      return unasked_or_name_at_front(m, bytes);
+    t.stranger = [this, names = t.look != looks::name](std::string_view received) {
+      if (const std::size_t refusal = refusal_of_cut_at_front(received); refusal != 0) return refusal;
+      return names ? unasked_or_name_at_front(console_.model(), received) : unasked_at_front(received);
     };
   auto bytes = co_await station_->transact(std::move(t));
   if (!bytes) co_return fail(bytes.error());
@@ -339,6 +338,7 @@ std::size_t Conversation::hear(std::string_view bytes) {
     console_.changed();
     return length;
   }
+  if (const std::size_t refusal = refusal_of_cut_at_front(bytes); refusal != 0) return refusal;
   if (is_anothers_name(bytes)) return 0;
   ++texts_heard_;
   if (station_ && !station_->is_dirty() && !station_->others_owe()) ++strays_;

@@ -98,8 +98,8 @@ void MotionStatus::take_status(const std::vector<std::int64_t>& words) {
   }
 }
 
-// The state of StepNLoop, of axes that have it on, or where that is not known. Whether one has come to rest is
-// told by the whole round: where it stands must be of the same.
+// The state of StepNLoop, of axes that have it on, or where that is not known. Whether one has come to rest
+// is told by the whole round: where it stands must be of the same.
 Task<Result<>> MotionStatus::read_loops(Priority priority) {
   for (int i = 0; i < console_.axes(); ++i) {
     if (motions_.loop_is_off(i)) continue;

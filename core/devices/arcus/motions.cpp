@@ -291,9 +291,15 @@ Pps Motions::fastest_way_to_zero(int index) const {
 RestartWatch::AxisNow Motions::now(int axis) const {
   const AxisState& state = console_.draft.axes[axis];
   const Steps room = state.in_counts ? Steps(loop_tolerance(axis)) : Steps(0);
-  const bool to_encoder = minds_[ix(axis)].stopping && state.in_counts;
-  return {runs(axis),       console_.draft.axis_moves(axis), to_encoder, fastest_way_to_zero(axis), room,
-          leaves_zero(axis)};
+  RestartWatch::AxisNow now;
+  now.runs = runs(axis);
+  now.moving = console_.draft.axis_moves(axis);
+  now.in_counts = state.in_counts;
+  now.to_encoder = minds_[ix(axis)].stopping && state.in_counts;
+  now.towards_zero = fastest_way_to_zero(axis);
+  now.room = room;
+  now.leaves_zero = leaves_zero(axis);
+  return now;
 }
 
 bool Motions::leaves_zero(int index) const {

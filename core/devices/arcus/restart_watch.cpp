@@ -32,9 +32,10 @@ void RestartWatch::goes_out(std::string_view command) {
   if (may_set_counter(command)) counters_.may_be_set();
   if (may_set_target(command)) targets_.may_be_set();
   if (may_switch_motor(command)) motors_.may_be_set();
-  if (!stood_ || !ends_motion(command)) return;
+  if (!stood_) return;
+  const bool stops = ends_motion(command), moves = may_move(console_.forms, command);
   for (Stood::Axis& axis : stood_->axes)
-    if (std::exchange(axis.sent_away, false)) axis.may_have_left = true;
+    if (moves || (stops && std::exchange(axis.sent_away, false))) axis.may_have_left = true;
 }
 
 // No reading shows it yet, and the power may go before the next.
@@ -83,7 +84,9 @@ void RestartWatch::look_at_counters(const Look& look, bool was_silent) {
   // A program that has come to zero and to its end, all unseen, is less likely than the other.
   all.nearer = all.nearer || (all.may_be_nearer && before->program_ran);
   const bool a_program_did = was_silent && before->program_ran;
-  if ((all.nearer || all.may_be_nearer) && ((silent && stands_at_zero) || a_program_did))
+  const bool unseen_at_zero = silent && stands_at_zero;
+  const bool came_there = (all.nearer || all.may_be_nearer) && (unseen_at_zero || a_program_did);
+  if (came_there || (unseen_at_zero && before->program_ran))
     zero_in_doubt_ = InDoubt{*before, stands_at_zero, !unexplained || !all.nearer};
   if (unexplained && stands_at_zero && all.jumped && !a_program_may)
     return ways_.restarted("All positions read zero, and nothing that was sent does that", before->moved());
@@ -92,15 +95,18 @@ void RestartWatch::look_at_counters(const Look& look, bool was_silent) {
 RestartWatch::Change RestartWatch::change_of(const AxisState& now, const Stood::Axis& before,
                                              double elapsed_s, bool targets_stay) {
   const std::int64_t stood = std::abs(before.position.value), left = stood - before.then.room.value;
-  const bool never_left = before.sent_away && now.error == AxisError::none;
-  const bool nearer = (before.then.moving ? left : stood) > std::abs(now.position.value);
+  const bool never_left = before.sent_away && now.error == AxisError::none && !now.in_counts;
+  const bool may_never_have_left = (before.sent_away || before.may_have_left) && now.error == AxisError::none;
+  const std::int64_t encoder = std::abs(before.encoder.value), here = std::abs(now.position.value);
+  const bool nearer =
+      (before.then.moving ? left : stood) > here && (!before.then.in_counts || encoder > here);
   const bool by_encoder = !targets_stay || before.then.to_encoder;
-  const std::int64_t way = by_encoder ? std::min(left, std::abs(before.encoder.value)) : left;
+  const std::int64_t way = by_encoder ? std::min(left, encoder) : left;
   const double speed = before.then.towards_zero.value, reach = speed > 0 ? speed * elapsed_s : 0;
   const bool by_itself = speed > 0 && static_cast<double>(way) <= reach;
   Change change;
   change.nearer = never_left || (nearer && !by_itself);
-  change.may_be_nearer = nearer || (before.may_have_left && now.error == AxisError::none);
+  change.may_be_nearer = nearer || may_never_have_left;  // a load that is jammed does not, by its encoder
   change.jumped = static_cast<double>(way) > reach;
   return change;
 }
@@ -133,6 +139,11 @@ Task<Result<>> RestartWatch::look_at_motors(const Look& look) {
                     moved);
     co_return Result<>();
   }
+  if (in_doubt->before.program_ran) {
+    auto goes_on = co_await a_program_runs();
+    if (!goes_on) co_return fail(goes_on.error());
+    if (*goes_on && in_doubt->at_zero) co_return Result<>();
+  }
   if (!in_doubt->at_zero) {
     auto started = co_await power_up_starts_a_program();
     if (!started) co_return fail(started.error());
@@ -162,6 +173,15 @@ void RestartWatch::tell_of_doubt(const Stood& before) {
       "Answers were missing, and then all positions read zero: what was sent has done that, or the "
       "controller was switched off and on. Look where the axes stand, and find home before the next "
       "absolute move.");
+}
+
+Task<Result<bool>> RestartWatch::a_program_runs() {
+  for (int n = 0; n < console_.model().programs; ++n) {
+    auto state = co_await talk_.ask_number(fmt::format("SASTAT{}", n), Priority::poll);
+    if (!state) co_return fail(state.error());
+    if (*state != 0) co_return true;
+  }
+  co_return false;
 }
 
 Task<Result<bool>> RestartWatch::power_up_starts_a_program() {

@@ -19,6 +19,7 @@ class RestartWatch {
   struct AxisNow {
     bool runs = false, moving = false;
     bool to_encoder = false;   ///< its stop under StepNLoop ends where the encoder stands, by its count too
+    bool in_counts = false;    ///< what clears an error puts its position where the encoder stands
     Pps towards_zero;          ///< by itself it comes to zero at most so fast
     Steps room;                ///< StepNLoop corrects it by so much
     bool leaves_zero = false;  ///< it comes to rest elsewhere, unless it is stopped
@@ -43,8 +44,9 @@ class RestartWatch {
   void jogs(int axis, Sign way);
   void position_was_set(int axis, Steps position);
   void encoder_was_set(int axis, Steps position);
-  /// What has gone out explains nothing any more.
-  void settle() { counters_.settle(), targets_.settle(); }
+  /// What has gone out explains no zero any more; a position that is put where the encoder stands is another
+  /// matter.
+  void settle() { counters_.settle(); }
 
   [[nodiscard]] Look begin_look() const { return {counters_.ask(), targets_.ask(), motors_.ask()}; }
   /// The first of the answers about motion; and whether all that was asked behind it has been answered.
@@ -69,7 +71,7 @@ class RestartWatch {
       Steps position, encoder;
       AxisNow then;
       bool sent_away = false;      ///< from zero, and not stopped since
-      bool may_have_left = false;  ///< or was stopped on its way, wherever it was then
+      bool may_have_left = false;  ///< something was sent that may move it, or it was stopped on its way
     };
     std::array<Axis, max_axes> axes{};
     Instant seen_at{};
@@ -97,6 +99,7 @@ class RestartWatch {
     bool may_be_so;  ///< what was sent may have done it
   };
   [[nodiscard]] Stood where_all_stand() const;
+  Task<Result<bool>> a_program_runs();
   Task<Result<bool>> power_up_starts_a_program();
   void tell_of_doubt(const Stood& before);
 

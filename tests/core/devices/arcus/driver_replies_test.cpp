@@ -29,8 +29,9 @@ class Liar final : public test::EmulatorAround {
         line_ += c;
         continue;
       }
-      if (line_.empty()) continue;
-      const std::string command = std::exchange(line_, {}).substr(3);
+      const std::string line = std::exchange(line_, {});
+      if (!line.starts_with('@')) continue;  // it ends what may have been cut off
+      const std::string command = line.substr(3);
       ++heard[command];
       std::string reply;
       inner_->take_output(reply);

@@ -1,4 +1,6 @@
 // The line: addresses, ends, blanks, broadcast, options (decisions AMB-001 to AMB-015).
+#include "core/device/registry.h"
+#include "core/devices/arcus/codec.h"
 #include "core/devices/dmx_k_sa/emulator.h"
 #include "core/devices/pmx_4ex_sa/emulator.h"
 #include "tests/core/devices/arcus/rig.h"
@@ -32,6 +34,29 @@ TEST(ArcusWire, ATextThatIsTooLongIsRefused) {
   EXPECT_EQ(rig.raw("@00HS=2" + std::string(300, ' ') + "5\r").substr(0, 6), "?HS=2 ");
   EXPECT_EQ(rig.ask("HS"), "1000");
   EXPECT_EQ(rig.raw("@01" + std::string(300, 'A') + "\r"), "") << "another's";
+}
+
+// What was on the wire when it went is the beginning of a command: X38 of X3822. What the console ends it
+// with makes that mean nothing.
+TEST(ArcusWire, TheBeginningOfACommandIsNotObeyed) {
+  for (const Which which : {Which::pmx, Which::dmx}) {
+    const DeviceType* type = find_device_type(which == Which::pmx ? "pmx-4ex-sa" : "dmx-k-sa");
+    const Catalog catalog = type->make_catalog({}).value();
+    for (const CommandInfo& command : catalog.commands) {
+      if (command.example.starts_with("SA")) continue;  // any code is taken, and read back by who has sent it
+      for (std::size_t length = 0; length <= command.example.size(); ++length) {
+        Rig rig(which);
+        const std::string memory = rig.emulator().save_memory();
+        const std::string begun(command.example.substr(0, length));
+        const std::string answer = rig.raw("@" + rig.address() + begun + std::string(cut_off));
+        EXPECT_TRUE(answer.starts_with("?")) << begun << ": " << answer;
+        MachineTruth truth;
+        rig.emulator().tell_truth(truth);
+        EXPECT_EQ(truth.moving(), 0u) << begun;
+        EXPECT_EQ(rig.emulator().save_memory(), memory) << begun;
+      }
+    }
+  }
 }
 
 TEST(ArcusWire, BroadcastIsObeyedInSilenceByTheDmxOnly) {
