@@ -105,8 +105,7 @@ void Judge::motion_asked(int device, std::uint32_t axes, IntentId id, Steps dist
 void Judge::count_stop(int device, std::uint32_t axes, bool at_once) {
   DeviceCase& d = at(device);
   d.stop_drawn = scheduler_.now();
-  if (d.truth.moving() == 0 && !d.truth.program && d.excuses.empty() && d.intents.empty())
-    d.stops.clear();
+  if (d.truth.moving() == 0 && !d.truth.program && d.excuses.empty() && d.intents.empty()) d.stops.clear();
   d.stops.push_back({axes & ((1u << std::max(1, d.truth.axis_count)) - 1), at_once});
 }
 
@@ -151,7 +150,6 @@ void Judge::jog_let_go(int device, AxisId axis, IntentId jog, Duration after) {
   if (!alone) return;  // it was refused
   stop_asked(device, bit, StopKind::ramp, true);
   d.axes[axis.index].stopped->at += after;
-  d.axes[axis.index].stopped->after = after;
 }
 
 void Judge::position_set(int device, std::uint32_t axes) {

@@ -126,7 +126,6 @@ class Judge final : public Witness {
     Instant at{};
     Duration ramp{};
     bool doubtful = false;  ///< the wire was not prompt then
-    Duration after{};       ///< of a hand that has gone: the console may have known it so much earlier
   };
   struct AxisCase {
     AxisTruth truth;
@@ -215,7 +214,7 @@ class Judge final : public Witness {
   [[nodiscard]] bool excused(const DeviceCase& device, int axis) const;
   void judge_stops(int device);
   void judge_kill(int device);
-  [[nodiscard]] Duration bound(const AxisCase& axis, bool hurt) const;
+  [[nodiscard]] Instant latest_stop(int device, const AxisCase& axis) const;
   [[nodiscard]] Instant carries_a_stop(int device) const;
   [[nodiscard]] bool prompt() const;
   [[nodiscard]] Duration lateness() const;

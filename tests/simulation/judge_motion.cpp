@@ -81,9 +81,7 @@ void Judge::began(int device, int a) {
   if (!axis.stopped)
     return accuse("asked",
                   fmt::format("Device {}: axis {} begins to move, and nobody has asked for it.", device, a));
-  const Instant carries = carries_a_stop(device);
-  if (now > std::max(axis.stopped->at, carries) +
-                bound(axis, carries >= axis.stopped->at - axis.stopped->after) + lateness())
+  if (now > latest_stop(device, axis) + lateness())
     accuse("stop", fmt::format("Device {}: axis {} begins to move {:.3f} s after it was stopped.", device, a,
                                seconds(now - axis.stopped->at)));
 }
@@ -133,24 +131,23 @@ void Judge::judge_stops(int device) {
   for (int a = 0; a < d.truth.axis_count; ++a) {
     const AxisCase& axis = d.axes[ix(a)];
     if (!axis.stopped || !axis.truth.moving || excused(d, a)) continue;
+    if (now <= latest_stop(device, axis) + axis.stopped->ramp) continue;
     const Instant carries = carries_a_stop(device);
-    const bool hurt = carries >= axis.stopped->at - axis.stopped->after;
-    const Instant deadline = std::max(carries, axis.stopped->at) + bound(axis, hurt) + axis.stopped->ramp;
-    if (now > deadline)
-      accuse("stop", fmt::format("Device {}: axis {} still moves {:.3f} s after it was stopped{}.", device, a,
-                                 seconds(now - axis.stopped->at),
-                                 hurt ? fmt::format(", {:.3f} s after the wire could carry it",
-                                                    seconds(now - carries))
-                                      : ""));
+    const bool hurt = carries >= axis.stopped->at;
+    accuse("stop",
+           fmt::format(
+               "Device {}: axis {} still moves {:.3f} s after it was stopped{}.", device, a,
+               seconds(now - axis.stopped->at),
+               hurt ? fmt::format(", {:.3f} s after the wire could carry it", seconds(now - carries)) : ""));
   }
 }
 
-/// What the stop of that axis may take, beside its ramp.
-Duration Judge::bound(const AxisCase& axis, bool hurt) const {
-  if (hurt) return stop_after_hurt;
+/// When the stop of that axis has taken effect, but for its ramp.
+Instant Judge::latest_stop(int device, const AxisCase& axis) const {
   const Duration neighbours = neighbour_stops * (devices_.size() - 1);
-  if (axis.stopped->doubtful || !prompt()) return stop_on_doubtful_wire + neighbours;
-  return stop_on_prompt_wire + neighbours;
+  const bool doubtful = axis.stopped->doubtful || !prompt();
+  const Duration bound = (doubtful ? stop_on_doubtful_wire : stop_on_prompt_wire) + neighbours;
+  return std::max(axis.stopped->at + bound, carries_a_stop(device) + stop_after_hurt);
 }
 
 /// Nothing has been wrong with the wire for a while.

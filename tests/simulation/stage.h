@@ -27,6 +27,7 @@ class Stage {
   [[nodiscard]] Instant now() const { return time_.now(); }
   [[nodiscard]] Judge& judge() { return judge_; }
   [[nodiscard]] const ModelFacts& facts() const { return facts_; }
+  [[nodiscard]] int devices() const { return static_cast<int>(machines_.size()); }
   [[nodiscard]] WireFaults& faults() { return faults_; }
   void open();
   void close();

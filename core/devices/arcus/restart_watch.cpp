@@ -130,21 +130,28 @@ Task<Result<>> RestartWatch::look_at_motors(const Look& look) {
     co_return fail(after_power_up.error());
   motors_on_ = on;
   const bool as_after_power_up = after_power_up.value_or(0) == on;
-  const auto in_doubt = std::exchange(zero_in_doubt_, std::nullopt);
-  const unsigned moved = in_doubt ? in_doubt->before.moved() : 0;
-  if (!as_after_power_up) co_return Result<>();
-  if (changed) {
+  if (changed && as_after_power_up) {
     ways_.restarted(fmt::format("Motor power {}, and nothing that was sent does that",
                                 on < *before ? "went off" : "came on"),
-                    moved);
+                    zero_in_doubt_ ? zero_in_doubt_->before.moved() : 0);
     co_return Result<>();
   }
-  if (in_doubt->before.program_ran) {
+  if (!zero_in_doubt_) co_return Result<>();
+  if (as_after_power_up) {
+    auto decided = co_await decide(*zero_in_doubt_);  // a stop may come first: the next round asks again
+    if (!decided) co_return decided;
+  }
+  zero_in_doubt_.reset();
+  co_return Result<>();
+}
+
+Task<Result<>> RestartWatch::decide(InDoubt in_doubt) {
+  if (in_doubt.before.program_ran) {
     auto goes_on = co_await a_program_runs();
     if (!goes_on) co_return fail(goes_on.error());
-    if (*goes_on && in_doubt->at_zero) co_return Result<>();
+    if (*goes_on && in_doubt.at_zero) co_return Result<>();
   }
-  if (!in_doubt->at_zero) {
+  if (!in_doubt.at_zero) {
     auto started = co_await power_up_starts_a_program();
     if (!started) co_return fail(started.error());
     if (!*started) co_return Result<>();
@@ -152,10 +159,10 @@ Task<Result<>> RestartWatch::look_at_motors(const Look& look) {
   auto kept = co_await setup_.something_is_kept();
   if (!kept) co_return fail(kept.error());
   if (*kept) co_return Result<>();
-  if (in_doubt->may_be_so)
-    tell_of_doubt(in_doubt->before);
+  if (in_doubt.may_be_so)
+    tell_of_doubt(in_doubt.before);
   else
-    ways_.restarted("It did not answer for a while, and then it counted from zero", moved);
+    ways_.restarted("It did not answer for a while, and then it counted from zero", in_doubt.before.moved());
   co_return Result<>();
 }
 

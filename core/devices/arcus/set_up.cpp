@@ -145,8 +145,8 @@ int SetUp::next_that_would_show() {
   return kept_.next(static_cast<int>(console_.catalog.params.size()), [this](int index) {
     const ParamInfo& info = console_.catalog.params[ix(index)];
     const ParamState& state = console_.draft.params[ix(index)];
-    const bool would_show = !state.stored || (!info.stored && state.value != info.fallback);
-    return state.known && would_show && in_ram_only(index);
+    const bool told = !info.stored || stored_known_.test(ix(index));
+    return state.known && told && state.value != after_power_up_[ix(index)] && in_ram_only(index);
   });
 }
 
