@@ -24,11 +24,29 @@ Task<Result<>> BorrowedSetting::give_back() {
     if (borrowed_ && *present != borrowed_->for_now) borrowed_.reset();
     if (!borrowed_) co_return Result<>();
   }
-  auto set = co_await talk_.command(set_command(borrowed_->name, borrowed_->before), Priority::intent);
+  auto set = co_await put_back(*borrowed_);
   if (set && borrowed_) given_back_(borrowed_->name);
   if (set) borrowed_.reset();
   if (!set && set.error().kind == FaultKind::stopped) co_return Result<>();  // the next round does it
   co_return set;
+}
+
+// A digit that is doubled on its way is no less a number, and nobody looks at this one before the next
+// motion.
+Task<Result<>> BorrowedSetting::put_back(Borrowed setting) {
+  constexpr int attempts = 3;
+  for (int attempt = 0; attempt < attempts; ++attempt) {
+    auto set = co_await talk_.command(set_command(setting.name, setting.before), Priority::intent);
+    if (!set) co_return set;
+    Conversation::Decode decode = decode_number;
+    auto present =
+        co_await talk_.ask_surely(setting.name, std::move(decode), setting.before, Priority::intent);
+    if (!present) co_return fail(present.error());
+    if (*present == setting.before) co_return Result<>();
+  }
+  co_return fail(FaultKind::garbled,
+                 fmt::format("{} does not become {} again.", setting.name, setting.before),
+                 fmt::format("It was set {} times.", attempts), "Look at the cable.");
 }
 
 Task<Result<>> BorrowedSetting::give_back_first() {

@@ -37,6 +37,7 @@ class BorrowedSetting {
     std::int64_t before, for_now;
     bool left_alone = false;
   };
+  Task<Result<>> put_back(Borrowed setting);
   Conversation& talk_;
   std::function<void(std::string_view)> given_back_;
   std::optional<Borrowed> borrowed_;
