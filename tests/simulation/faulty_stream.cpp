@@ -107,7 +107,7 @@ class FaultyStream final : public Stream, public Stream::Listener {
     }
     const Instant when = std::max(now + way.delay_at(now), std::max(way.merge_until, now));
     late.put(way.treat(bytes, now), when);
-    if (when > now) way.held_until(late.last());
+    if (late.last() > now) way.held_until(late.last());
   }
 
   Scheduler& scheduler_;

@@ -45,7 +45,7 @@ class WayFaults {
     std::string out;
     for (const char c : bytes) {
       const bool lost = drop.hits(), wrong = garble.hits(), doubled = twice.hits();
-      if (lost || wrong || doubled || cut(now)) hurt_ = spoilt_ = now;
+      if (lost || wrong || doubled || cut(now)) hurt_ = std::max(hurt_, now), spoilt_ = now;
       const bool mannered = habit.hits(c);
       if (lost || cut(now) || (mannered && !habit.doubles)) continue;
       const char sent = wrong ? static_cast<char>(c ^ 0x2A) : c;

@@ -61,8 +61,12 @@ Task<Result<>> Opening::greet() {
     if (!ended) co_return ended;
   }
   auto resumed = co_await resume_after_loss(*state);
-  if (resumed && presence_.take_left_local() && presence_.was_found_before())
-    co_return co_await restarts_.found_left_local();
+  if (!resumed || !presence_.was_found_before()) co_return resumed;
+  switch (presence_.take_left_local()) {
+    case Presence::LeftLocal::no: break;
+    case Presence::LeftLocal::perhaps: co_return co_await restarts_.may_have_left_local();
+    case Presence::LeftLocal::yes: co_return co_await restarts_.found_left_local();
+  }
   co_return resumed;
 }
 

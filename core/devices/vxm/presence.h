@@ -38,9 +38,10 @@ class Presence {
   }
   /// Whatever mode it is in, on-line is wanted.
   void wants_on_line() { stay_local_ = false; }
-  /// A stop has put it on-line before anybody could count that as a restart.
-  void left_local(bool it_was_local) { left_local_ = it_was_local; }
-  bool take_left_local() { return std::exchange(left_local_, false); }
+  /// A stop has put it on-line before anybody could count that as a restart; or nobody heard where it was.
+  enum class LeftLocal : std::uint8_t { no, perhaps, yes };
+  void left_local(LeftLocal left) { left_local_ = left; }
+  LeftLocal take_left_local() { return std::exchange(left_local_, LeftLocal::no); }
 
   // ---- found before, and restarted since
   [[nodiscard]] bool was_found_before() const { return found_before_; }
@@ -68,7 +69,8 @@ class Presence {
   const Scheduler& scheduler_;
   Conversation& talk_;
   Mode mode_ = Mode::unknown;
-  bool found_before_ = false, stay_local_ = false, left_local_ = false;
+  LeftLocal left_local_ = LeftLocal::no;
+  bool found_before_ = false, stay_local_ = false;
   bool restart_counted_ = false, reset_said_ = false;
   char halted_ = 0;
   Instant ask_again_at_{};

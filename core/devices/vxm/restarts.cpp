@@ -43,6 +43,23 @@ Task<Result<>> Restarts::found_left_local() {
   co_return Result<>();
 }
 
+Task<Result<>> Restarts::may_have_left_local() {
+  auto read = co_await positions_.read(Priority::intent, !under_way_.busy());
+  if (!read) co_return read;
+  bool zero = true;
+  for (int i = 0; i < console_.draft.axis_count; ++i)
+    zero = zero && console_.draft.axes[i].position == Steps(0);
+  if (!zero) co_return Result<>();
+  stands_since(Doubt::unheard);
+  knowledge_.forget();
+  console_.tell(
+      Notice::Kind::warning,
+      "The stop put the controller on-line (F), and its answers were missing: whether it was switched "
+      "off and on is not known. All positions read zero. Look where the axes stand, and find home "
+      "before the next absolute move.");
+  co_return Result<>();
+}
+
 void Restarts::count(const char* why, bool was_moving, const std::optional<Digitized>& places) {
   presence_.count_restart();
   const bool zero = !places || std::all_of(places->positions.begin(), places->positions.end(),

@@ -34,6 +34,8 @@ class Restarts {
   Task<Result<>> found(const char* why);
   /// What was Local mode was left for the sake of a stop, before anybody could ask for the places.
   Task<Result<>> found_left_local();
+  /// It may have been; nobody heard where it was.
+  Task<Result<>> may_have_left_local();
   /// A res that F followed in one go: nothing but that it was said tells of the restart.
   Task<Result<>> found_reset_on_line();
   /// By the user.

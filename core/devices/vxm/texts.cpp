@@ -239,7 +239,9 @@ Task<Result<std::string>> Texts::stop_by_words(const StopOrder& order) {
     const AnswerShape state{ReplyShape::bytes(1), before_state, kill_patience, look::letter};
     auto was = co_await talk_.ask("VF", state, Priority::stop);
     if (!was && was.error().kind != FaultKind::no_answer) co_return fail(was.error());
-    presence_.left_local(was && (*was == std::string(1, jog_idle) || *was == std::string(1, jog_moving)));
+    const bool was_local = was && (was->front() == jog_idle || was->front() == jog_moving);
+    using Left = Presence::LeftLocal;
+    presence_.left_local(!was ? Left::perhaps : was_local ? Left::yes : Left::no);
     reply = co_await converse(std::move(text), order.patience, Priority::stop);
   }
   if (!reply && reply.error().kind == FaultKind::no_answer && blind)
