@@ -99,6 +99,8 @@ void Judge::text_typed(int device, IntentId id, std::string text) {
 void Judge::motion_asked(int device, std::uint32_t axes, IntentId id, Steps distance, bool homes) {
   const Instant now = scheduler_.now();
   at(device).excuses.push_back({id, axes, now, now, distance, homes});
+  for (std::size_t a = 0; a < at(device).axes.size(); ++a)
+    if ((axes >> a & 1u) != 0) at(device).axes[a].whole.reset();
   if (axes == all_axes) at(device).stop_drawn = now;  // a program, or a text of the user's
 }
 
@@ -170,6 +172,11 @@ void Judge::restarted(int device) {
   for (const Excuse& e : d.excuses)
     if (e.homes && !facts_.restart_always_shows) homing |= e.axes;
   homing &= d.truth.moving();
+  // So may a program, where a round of status takes longer than the motions in it.
+  const auto is_program = [](const Excuse& e) { return e.axes == all_axes; };
+  if (!facts_.restart_always_shows && lateness() > Duration{} &&
+      std::any_of(d.excuses.begin(), d.excuses.end(), is_program))
+    homing = all_axes;
   // One whose counters stood at 0 may look as it did before.
   for (std::size_t a = 0; a < d.axes.size(); ++a)
     if (facts_.restart_always_shows || (d.axes[a].truth.position.value != 0 && (homing >> a & 1u) == 0))

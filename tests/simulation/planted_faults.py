@@ -97,6 +97,9 @@ FAULTS = [
           ("devices/vxm", "Restarts::stands_since(", "if (why != Doubt::none)", "if (false)")),
     fault("VXM: an unfinished line swallows a stop", "vxm",
           ("devices/vxm", "Stops::send(", "order.times_sent > 1", "false")),
+    fault("VXM: D goes into the listing of a hold", "vxm --calm",
+          ("devices/vxm", "::stop_program(", "co_await talk_.station()->pause(talk_.station()->wire_time(2) + Millis(1));",
+           "Result<>();")),
     # ---- Arcus
     fault("Arcus: the second STOP is left out (row 19)", ("pmx-4ex-sa", "dmx-k-sa"),
           ("devices/arcus", "::programs_end(", "{", "if (true) return StopProgress::stands();")),

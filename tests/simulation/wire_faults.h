@@ -40,6 +40,11 @@ class WayFaults {
   [[nodiscard]] bool cut(Instant now) const { return now < cut_until; }
   [[nodiscard]] Duration delay_at(Instant now) const { return now < slow_until ? delay : Duration{}; }
 
+  /// x comes as no R: to a VXM that is a whole command, which runs a program that nobody has asked for.
+  static char wrong_for(char c) {
+    const char wrong = static_cast<char>(c ^ 0x2A);
+    return wrong == 'R' ? '_' : wrong;
+  }
   /// `bytes` as they go on; none while the way is cut.
   std::string treat(std::string_view bytes, Instant now) {
     std::string out;
@@ -48,7 +53,7 @@ class WayFaults {
       if (lost || wrong || doubled || cut(now)) hurt_ = std::max(hurt_, now), spoilt_ = now;
       const bool mannered = habit.hits(c);
       if (lost || cut(now) || (mannered && !habit.doubles)) continue;
-      const char sent = wrong ? static_cast<char>(c ^ 0x2A) : c;
+      const char sent = wrong ? wrong_for(c) : c;
       out += sent;
       if (doubled || mannered) out += sent;
     }

@@ -69,8 +69,11 @@ Task<Result<>> Legs::start_leg() {
 /// A stop came first, or the program did not get there.
 Result<> Legs::never_begun(const Result<>& why) {
   const Job never = std::exchange(under_way_.job(), Job());
-  const bool stopped = why.error().kind == FaultKind::stopped;
-  if (never.active()) show_leg_ended(never.leg(), stopped ? EndedBy::stop : EndedBy::elsewhere);
+  const FaultKind kind = why.error().kind;
+  const EndedBy ended_by = kind == FaultKind::stopped   ? EndedBy::stop
+                           : kind == FaultKind::refused ? EndedBy::nothing
+                                                        : EndedBy::lost;
+  if (never.active()) show_leg_ended(never.leg(), ended_by);
   return why;
 }
 

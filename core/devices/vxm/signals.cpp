@@ -10,6 +10,8 @@ namespace hw::vxm {
 namespace {
 
 constexpr int readings = 4;  // one that strays, one behind it, and two that agree
+constexpr Duration limits_hold = std::chrono::seconds(3);
+constexpr int questions_between = 20;  // each as late as the line
 
 }  // namespace
 
@@ -22,8 +24,11 @@ void Signals::begin() {
 void Signals::forget_what_is_doubted() {
   if (cleaned_[all.find('~')] != talk_.times_cleaned()) draft_.inputs_known = 0;
   if (cleaned_[all.find('$')] != talk_.times_cleaned()) draft_.outputs_known = 0;
-  const bool dirty = talk_.station() && talk_.station()->is_dirty();
-  if (!dirty && cleaned_[0] == talk_.times_cleaned()) return;
+  const Station* station = talk_.station();
+  const Duration late = station ? questions_between * station->lateness() : Duration{};
+  const bool old = scheduler_.now() - limits_at_ > limits_hold + late;
+  const bool dirty = station && station->is_dirty();
+  if (!dirty && !old && cleaned_[0] == talk_.times_cleaned()) return;
   for (int axis = 0; axis < draft_.axis_count; ++axis) draft_.axes[axis].limits_known = false;
 }
 
@@ -118,6 +123,7 @@ void Signals::show(std::size_t i, unsigned char byte) {
       draft_.outputs_known = 0x0F;
       break;
     default:
+      limits_at_ = scheduler_.now();
       for (int axis = 0; axis < draft_.axis_count; ++axis) {
         draft_.axes[axis].limit_minus = limit_active(byte, axis, Sign::minus);
         draft_.axes[axis].limit_plus = limit_active(byte, axis, Sign::plus);

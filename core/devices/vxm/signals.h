@@ -54,6 +54,7 @@ class Signals {
   std::uint32_t strays_ = 0;                             ///< before the first of `asked_`
   InTurn turn_;
   Instant asked_at_{};
+  Instant limits_at_{};  ///< read last
 };
 
 }  // namespace hw::vxm
