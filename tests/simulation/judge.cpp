@@ -107,7 +107,8 @@ void Judge::motion_asked(int device, std::uint32_t axes, IntentId id, Steps dist
 void Judge::count_stop(int device, std::uint32_t axes, bool at_once) {
   DeviceCase& d = at(device);
   d.stop_drawn = scheduler_.now();
-  if (d.truth.moving() == 0 && !d.truth.program && d.excuses.empty() && d.intents.empty()) d.stops.clear();
+  if (d.truth.moving() == 0 && !d.truth.program && d.excuses.empty() && d.intents.empty() && prompt())
+    d.stops.clear();
   d.stops.push_back({axes & ((1u << std::max(1, d.truth.axis_count)) - 1), at_once});
 }
 

@@ -56,7 +56,7 @@ void RestartWatch::encoder_was_set(int axis, Steps position) {
 void RestartWatch::forget() {
   stood_.reset();
   motors_on_.reset();
-  zero_in_doubt_.reset();
+  be_in_doubt(std::nullopt);
 }
 
 // After power-up every counter reads zero wherever the motors stand. Texts that may set a counter, homing and
@@ -87,7 +87,7 @@ void RestartWatch::look_at_counters(const Look& look, bool was_silent) {
   const bool unseen_at_zero = silent && stands_at_zero;
   const bool came_there = (all.nearer || all.may_be_nearer) && (unseen_at_zero || a_program_did);
   if (came_there || (unseen_at_zero && before->program_ran))
-    zero_in_doubt_ = InDoubt{*before, stands_at_zero, !unexplained || !all.nearer};
+    be_in_doubt(InDoubt{*before, stands_at_zero, !unexplained || !all.nearer});
   if (unexplained && stands_at_zero && all.jumped && !a_program_may)
     return ways_.restarted("All positions read zero, and nothing that was sent does that", before->moved());
 }
@@ -141,8 +141,14 @@ Task<Result<>> RestartWatch::look_at_motors(const Look& look) {
     auto decided = co_await decide(*zero_in_doubt_);  // a stop may come first: the next round asks again
     if (!decided) co_return decided;
   }
-  zero_in_doubt_.reset();
+  be_in_doubt(std::nullopt);
   co_return Result<>();
+}
+
+/// Nobody who waits is told that all is well meanwhile.
+void RestartWatch::be_in_doubt(std::optional<InDoubt> doubt) {
+  zero_in_doubt_ = std::move(doubt);
+  console_.draft.working = zero_in_doubt_.has_value();
 }
 
 Task<Result<>> RestartWatch::decide(InDoubt in_doubt) {

@@ -101,6 +101,7 @@ class RestartWatch {
   [[nodiscard]] Stood where_all_stand() const;
   Task<Result<bool>> a_program_runs();
   Task<Result<bool>> power_up_starts_a_program();
+  void be_in_doubt(std::optional<InDoubt> doubt);
   Task<Result<>> decide(InDoubt in_doubt);
   void tell_of_doubt(const Stood& before);
 
