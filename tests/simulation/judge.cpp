@@ -185,6 +185,12 @@ void Judge::restarted(int device) {
   if ((d.truth.moving() & ~homing) != 0 || d.truth.program) d.cut_off = scheduler_.now();
 }
 
+/// And may have set whatever it likes.
+void Judge::others_talk(int device) {
+  motion_asked_elsewhere(device);
+  for (AxisCase& axis : at(device).axes) axis.restarted.reset();
+}
+
 int Judge::call_begun(std::string what, Duration longest) {
   calls_[next_call_] = Call{std::move(what), scheduler_.now() + longest};
   return next_call_++;
@@ -194,7 +200,9 @@ void Judge::call_ended(int call) { calls_.erase(call); }
 
 void Judge::told_idle(int device, Instant begun) {
   const DeviceCase& d = at(device);
-  if (d.cut_off > begun)
+  // Where a restart may be in doubt, what has been made since is what the wait is about.
+  const bool made_since = !facts_.restart_always_shows && d.moved_last > d.cut_off;
+  if (d.cut_off > begun && !made_since)
     accuse("end", "A wait has said that all is well, and the controller was switched off and on.");
   if (d.truth.moving() != 0 && d.moved_last > begun && excused(d, 0)) return;  // begun again since
   if (d.truth.moving() != 0) accuse("true", "A wait has said that nothing moves, and an axis moves.");

@@ -105,6 +105,7 @@ class Judge final : public Witness {
   void jog_let_go(int device, AxisId axis, IntentId jog, Duration after);
   void position_set(int device, std::uint32_t axes);
   void restarted(int device);
+  void others_talk(int device);
   int call_begun(std::string what, Duration longest);
   void call_ended(int call);
   /// A call that must succeed has failed, or the other way round.

@@ -189,8 +189,8 @@ void Judge::judge_reasons(int device) {
     if (why == EndedBy::elsewhere && axis.whole == true && spoilt == never && !d.ever_restarted)
       what = "somebody else";
     const bool turns = shown.axes[ix(a)].enabled;
-    if (why == EndedBy::error && turns && axis.jammed == never && axis.limit_operated == never &&
-        spoilt == never)
+    if (why == EndedBy::error && turns && !d.ever_restarted && axis.jammed == never &&
+        axis.limit_operated == never && spoilt == never)
       what = "an error";
     if (what != nullptr)
       accuse("end", fmt::format("Device {}: axis {} is said to have ended by {}, and it was not so.", device,

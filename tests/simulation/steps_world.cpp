@@ -23,7 +23,7 @@ void power_cycle(Stage& stage, const Step& s) {
 }
 /// Another program on the same line says this to the controller.
 void other_host(Stage& stage, const Step& s) {
-  for (int device = 0; device < stage.devices(); ++device) stage.judge().motion_asked_elsewhere(device);
+  for (int device = 0; device < stage.devices(); ++device) stage.judge().others_talk(device);
   stage.faults().out.talked_into(stage.now());
   stage.faults().in.talked_into(stage.now());
   stage.other_host_sends(s.text);
