@@ -68,6 +68,8 @@ class Station {
   /// When any byte came in for this device last.
   [[nodiscard]] Instant heard_at() const { return heard_at_; }
   [[nodiscard]] bool was_heard() const { return heard_at_ > Instant{}; }
+  /// What has just come tells nothing of this device: whoever listens has said it.
+  void has_not_heard_it() { heard_at_ = answered_at_; }
   /// The procedure under way is ended, by a stop or with the wire: whoever waits for something else looks
   /// again.
   std::function<void()> procedure_ended;
@@ -160,7 +162,7 @@ class Station {
   std::uint32_t times_cleaned_ = 0;
   Instant count_began_{};
   int polls_counted_ = 0;
-  Instant heard_at_{};
+  Instant heard_at_{}, answered_at_{};
   Event ended_;  ///< notified when a stop, or the end of the wire, ends what waits here
   bool preempted_ = false, preempt_due_ = false;
   int uncut_ = 0;

@@ -338,7 +338,10 @@ std::size_t Conversation::hear(std::string_view bytes) {
     console_.changed();
     return length;
   }
-  if (const std::size_t refusal = refusal_of_cut_at_front(bytes); refusal != 0) return refusal;
+  if (const std::size_t refusal = refusal_of_cut_at_front(bytes); refusal != 0) {
+    if (station_) station_->has_not_heard_it();
+    return refusal;
+  }
   if (is_anothers_name(bytes)) return 0;
   ++texts_heard_;
   if (station_ && !station_->is_dirty() && !station_->others_owe()) ++strays_;

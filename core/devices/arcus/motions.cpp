@@ -294,7 +294,6 @@ RestartWatch::AxisNow Motions::now(int axis) const {
   RestartWatch::AxisNow now;
   now.runs = runs(axis);
   now.moving = console_.draft.axis_moves(axis);
-  now.in_counts = state.in_counts;
   now.to_encoder = state.in_counts && (minds_[ix(axis)].stopping || loop_stops(minds_[ix(axis)].loop_state));
   now.towards_zero = fastest_way_to_zero(axis);
   now.room = room;

@@ -95,18 +95,18 @@ void RestartWatch::look_at_counters(const Look& look, bool was_silent) {
 RestartWatch::Change RestartWatch::change_of(const AxisState& now, const Stood::Axis& before,
                                              double elapsed_s, bool targets_stay) {
   const std::int64_t stood = std::abs(before.position.value), left = stood - before.then.room.value;
-  const bool never_left = before.sent_away && now.error == AxisError::none && !now.in_counts;
-  const bool may_never_have_left = (before.sent_away || before.may_have_left) && now.error == AxisError::none;
   const std::int64_t encoder = std::abs(before.encoder.value), here = std::abs(now.position.value);
-  const bool nearer =
-      (before.then.moving ? left : stood) > here && (!before.then.in_counts || encoder > here);
+  const bool unmoved = now.error == AxisError::none;  // and no switch, nor its loop, has kept it there
+  const bool never_left = before.sent_away && unmoved && !now.in_counts;
+  const bool nearer = (before.then.moving ? left : stood) > here;
   const bool by_encoder = !targets_stay || before.then.to_encoder;
   const std::int64_t way = by_encoder ? std::min(left, encoder) : left;
   const double speed = before.then.towards_zero.value, reach = speed > 0 ? speed * elapsed_s : 0;
   const bool by_itself = speed > 0 && static_cast<double>(way) <= reach;
   Change change;
-  change.nearer = never_left || (nearer && !by_itself);
-  change.may_be_nearer = nearer || may_never_have_left;  // a load that is jammed does not, by its encoder
+  change.nearer = never_left || (nearer && !by_itself && (!by_encoder || encoder > here));
+  // The load of one that follows its encoder may be jammed.
+  change.may_be_nearer = nearer || ((before.sent_away || before.may_have_left) && unmoved);
   change.jumped = static_cast<double>(way) > reach;
   return change;
 }

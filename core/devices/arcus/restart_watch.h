@@ -19,7 +19,6 @@ class RestartWatch {
   struct AxisNow {
     bool runs = false, moving = false;
     bool to_encoder = false;   ///< its stop under StepNLoop ends where the encoder stands, by its count too
-    bool in_counts = false;    ///< what clears an error puts its position where the encoder stands
     Pps towards_zero;          ///< by itself it comes to zero at most so fast
     Steps room;                ///< StepNLoop corrects it by so much
     bool leaves_zero = false;  ///< it comes to rest elsewhere, unless it is stopped

@@ -1,5 +1,7 @@
 #include "core/devices/arcus/texts.h"
 
+#include <algorithm>
+
 #include <fmt/core.h>
 
 #include "core/devices/arcus/text_meaning.h"
@@ -54,9 +56,11 @@ Task<Result<std::string>> Texts::stop(const StopOrder& order) {
     note_sent(text);
     co_return std::string();
   }
-  // However long its asker would wait: where no answer comes in time, the console says it again.
-  const bool asks_less = order.patience > Duration::zero() && order.patience < typed_patience;
-  const Duration patience = asks_less ? order.patience : typed_patience;
+  // However long its asker would wait: where one that has answered before does not, the console says it
+  // again.
+  const bool was_heard = talk_.is_open() && talk_.station()->was_heard();
+  const Duration asked = order.patience > Duration::zero() ? order.patience : typed_patience;
+  const Duration patience = was_heard ? std::min(asked, typed_patience) : asked;
   auto stopped = co_await say(text, Priority::stop, patience);
   if (stopped && stopped->starts_with('?'))  // it has heard something else
     co_return fail(FaultKind::controller, fmt::format("The controller answered {} to {}.", *stopped, text));
