@@ -76,7 +76,10 @@ void Texts::note_letter(char letter) {
     case 'D':
       if (!presence_.is_local()) under_way_.job().note_stop();
       break;
-    case 'H': hold_.was_toggled(); break;
+    case 'H':
+      hold_.was_toggled();
+      if (console_.draft.program.run == RunState::held) console_.draft.program.run = RunState::running;
+      break;
     case 'Q': presence_.was_sent_to_local(); break;
     case 'E':
     case 'F':
