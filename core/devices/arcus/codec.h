@@ -35,12 +35,13 @@ struct Reply {
 };
 Reply decode_reply(std::string_view bytes);
 
-/// How many bytes at the front are a message that nobody asked for ($NNP CR). npos: they may be one, more
-/// must come. 0: they are none.
-std::size_t unasked_at_front(std::string_view bytes);
 /// Ends whatever was left half said on the line, as no command: by a CR alone the beginning of one would be
 /// carried out, X38 of X3822.
 inline constexpr std::string_view cut_off = "~\r";
+
+/// How many bytes at the front are a message that nobody asked for ($NNP CR). npos: they may be one, more
+/// must come. 0: they are none.
+std::size_t unasked_at_front(std::string_view bytes);
 /// The same of the refusal of what was cut off so.
 std::size_t refusal_of_cut_at_front(std::string_view bytes);
 /// The same of such a message, or of a whole device name, which answers no other question than DN.

@@ -202,8 +202,7 @@ bool Legs::clears_up() const {
 std::string Legs::leaves_behind() const {
   if (under_way_.program_runs() && hold_.is_on())
     return "The program is left held (H) in the controller, before its next command: another H lets it go "
-           "on, "
-           "K ends it.";
+           "on, K ends it.";
   if (presence_.reset_was_said() || (!scratch_.in_use() && slots_.selection_is_given_back())) return {};
   if (!scratch_.in_use())
     return fmt::format(
