@@ -1,6 +1,7 @@
 #include "tests/simulation/draw.h"
 
 #include <algorithm>
+#include <set>
 #include <stdexcept>
 
 #include "core/device/registry.h"
@@ -59,8 +60,16 @@ class Artist {
   std::int64_t axis() { return random_.between(0, static_cast<std::int64_t>(catalog_.axes.size()) - 1); }
   std::int64_t axis_or_all() { return random_.percent(50) ? -1 : axis(); }
   int device() { return static_cast<int>(random_.between(0, devices_ - 1)); }
+  std::int64_t distance() {
+    const std::int64_t sign = random_.sign();
+    return one_more_way(sign, random_.between(40, 600) * 10 * scale());
+  }
   /// No two moves of a plan go the same way.
-  std::int64_t distance() { return random_.sign() * (random_.between(40, 600) * 10 * scale() + ++moves_); }
+  std::int64_t one_more_way(std::int64_t sign, std::int64_t about) {
+    std::int64_t way = sign * (about + ++moves_);
+    while (!ways_.insert(way).second) way += sign;
+    return way;
+  }
   std::int64_t scale() const { return facts_.model == "vme58" ? 20 : 1; }
   std::string stop_of_all() {
     std::vector<std::string> texts;
@@ -191,7 +200,8 @@ class Artist {
   }
   Step draw_call(int on) {
     const std::int64_t which = beside_.between(0, static_cast<std::int64_t>(catalog_.axes.size()) - 1);
-    const std::int64_t way = beside_.sign() * (beside_.between(10, 300) * 10 * scale() + ++moves_);
+    const std::int64_t sign = beside_.sign();
+    const std::int64_t way = one_more_way(sign, beside_.between(10, 300) * 10 * scale());
     const auto draw = beside_.between(1, 100);
     if (draw <= 30) return call("move_by", on, {which, way, 0});
     if (draw <= 40) return call("move_to", on, {which, way, 0});
@@ -256,6 +266,7 @@ class Artist {
   Plan plan_;
   int devices_ = 1;
   std::int64_t moves_ = 0;
+  std::set<std::int64_t> ways_;
 };
 
 }  // namespace

@@ -122,13 +122,12 @@ void Motions::stands(int axis) {
 
 // ---- what the controller says
 
-// What a stop slows down does not turn round, unless StepNLoop corrects it: that is the next move of a
-// program.
 void Motions::turned(int axis, Steps way) {
-  if (way == Steps(0)) return;
   AxisMind& mind = minds_[ix(axis)];
+  mind.turned_back = false;
+  if (way == Steps(0)) return;
   const auto before = std::exchange(mind.turned, static_cast<std::int8_t>(way > Steps(0) ? 1 : -1));
-  if (before == -mind.turned && !console_.draft.axes[axis].in_counts) mind.ended_by = EndedBy::nothing;
+  mind.turned_back = before == -mind.turned;
 }
 
 void Motions::loop_is(int axis, std::int64_t state) {
@@ -163,6 +162,10 @@ void Motions::show(int index, Instant asked_at) {
     axis.activity = Activity::stopping;
     return;
   }
+  // What a stop slows down does not turn round, unless StepNLoop corrects it: that is the next move of a
+  // program.
+  if (mind.turned_back && (!axis.in_counts || loop_sets_out(mind.loop_state)))
+    mind.ended_by = EndedBy::nothing;
   if (runs(index)) {
     if (mind.ours && mind.wanted != Activity::idle)
       axis.activity = mind.wanted;

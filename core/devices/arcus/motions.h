@@ -57,14 +57,15 @@ class Motions {
     Activity wanted = Activity::idle;     ///< what our last command began
     EndedBy ended_by = EndedBy::nothing;  ///< why we ended it, if we did
     std::int64_t status = 0;
-    int loop_state = -1;      ///< -1: not read yet
-    Instant loop_asked_at{};  ///< the question that told it
-    bool ours = false;        ///< a motion of the console is under way
-    bool stopping = false;    ///< a stop was sent
-    unsigned with = 0;        ///< a bit for each axis of the same motion
-    std::int8_t turned = 0;   ///< direction of the latest change of position
-    Instant begun_at{};       ///< when our last command was sent
-    Pps top_speed{};          ///< of the motion that it began; 0: not known
+    int loop_state = -1;       ///< -1: not read yet
+    Instant loop_asked_at{};   ///< the question that told it
+    bool ours = false;         ///< a motion of the console is under way
+    bool stopping = false;     ///< a stop was sent
+    unsigned with = 0;         ///< a bit for each axis of the same motion
+    std::int8_t turned = 0;    ///< direction of the latest change of position
+    bool turned_back = false;  ///< it was another one than before
+    Instant begun_at{};        ///< when our last command was sent
+    Pps top_speed{};           ///< of the motion that it began; 0: not known
   };
   void show_ended(int axis);
   void doubt_killed_position(int axis);

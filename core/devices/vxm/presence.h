@@ -38,9 +38,10 @@ class Presence {
   }
   /// Whatever mode it is in, on-line is wanted.
   void wants_on_line() { stay_local_ = false; }
-  /// A stop has put it on-line before anybody could count that as a restart; or nobody heard where it was.
+  /// A stop has put it on-line before anybody could count that as a restart; or nobody heard where it was. Of
+  /// one that was never found before, Local mode is no sign of any.
   enum class LeftLocal : std::uint8_t { no, perhaps, yes };
-  void left_local(LeftLocal left) { left_local_ = left; }
+  void left_local(LeftLocal left) { left_local_ = found_before_ ? left : LeftLocal::no; }
   LeftLocal take_left_local() { return std::exchange(left_local_, LeftLocal::no); }
 
   // ---- found before, and restarted since
@@ -48,7 +49,10 @@ class Presence {
   void is_found() { found_before_ = true; }
   /// It has not been seen on-line since.
   [[nodiscard]] bool restart_is_counted() const { return restart_counted_; }
-  void count_restart() { restart_counted_ = true; }
+  void count_restart() {
+    restart_counted_ = true;
+    left_local_ = LeftLocal::no;
+  }
   /// By res; its restart has not been seen.
   [[nodiscard]] bool reset_was_said() const { return reset_said_; }
   void say_reset() { reset_said_ = true; }
