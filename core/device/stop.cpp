@@ -29,7 +29,8 @@ StopOrder* StopDesk::due() {
 
 bool StopDesk::another_waits(const StopOrder& order) const {
   return std::any_of(orders_.begin(), orders_.end(), [&](const StopOrder& other) {
-    return &other != &order && !other.sent && other.times_sent == 0 && !order.covers(other);
+    const bool goes_first = other.times_sent == 0 ? !order.covers(other) : other.outlasts(order);
+    return &other != &order && !other.sent && goes_first;
   });
 }
 

@@ -39,7 +39,7 @@ struct StopOrder {
   bool sent = false;       ///< since it was last due
   bool confirmed = false;  ///< the controller has acknowledged it, or acknowledges none
   bool told = false;       ///< what became of it is known to whoever asked
-  bool in_haste = false;   ///< another one that has not gone out yet waits behind it
+  bool in_haste = false;   ///< another one that goes first waits behind it
 
   [[nodiscard]] bool same_scope(const StopOrder& other) const {
     return what == other.what && axis == other.axis && thread == other.thread;
@@ -95,7 +95,7 @@ class StopDesk {
   /// The next to be sent: of those that were sent least often the latest, unless an older one outlasts it.
   /// Null: all have been.
   [[nodiscard]] StopOrder* due();
-  /// One of the others has not gone out at all.
+  /// One of the others has not gone out at all, or goes first as often as it is sent again.
   [[nodiscard]] bool another_waits(const StopOrder& order) const;
   [[nodiscard]] bool all_were_sent(int times) const;
   /// Each is sent again: nothing shows that any has arrived.

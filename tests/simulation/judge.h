@@ -110,6 +110,8 @@ class Judge final : public Witness {
   void call_ended(int call);
   /// A call that must succeed has failed, or the other way round.
   void call_went_wrong(std::string what) { accuse("end", std::move(what)); }
+  /// A warning of its session.
+  void told(int device, std::string_view sentence) { at(device).told += sentence; }
   /// The console has closed without a word, and this stands in the controller's set-up or programs.
   void left_behind(int device, std::string_view question, std::string_view word);
   /// A wait that was begun then has said that nothing moves or runs.
@@ -190,7 +192,7 @@ class Judge final : public Witness {
     std::vector<Asked> stops;   ///< since everything stood
     std::string received;       ///< its end
     std::size_t forgotten = 0;  ///< bytes before those
-    std::string told;           ///< what was said of all that failed
+    std::string told;           ///< what was said: of all that failed, and in warnings
   };
   struct Call {
     std::string what;

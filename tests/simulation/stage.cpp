@@ -168,7 +168,11 @@ void Stage::close() {
   for (const auto& hand : hands_) hand->holds = false;
   judge_.closing();
   const auto call = judge_.call_begun("close", Judge::longest_close);
-  for (const auto& member : group_->members()) member->notices().drain([](const Notice&) {});
+  for (std::size_t i = 0; i < group_->members().size(); ++i)
+    group_->members()[i]->notices().drain([&](const Notice& n) {
+      if (n.kind == Notice::Kind::warning || n.kind == Notice::Kind::error)
+        judge_.told(static_cast<int>(i), n.text);
+    });
   ++closing_now_;
   asio::co_spawn(io_, close_and_look(group_, call), asio::detached);
   closing_.push_back(std::move(group_));

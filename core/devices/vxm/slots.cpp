@@ -10,6 +10,14 @@
 #include "core/devices/vxm/codec_text.h"
 
 namespace hw::vxm {
+namespace {
+
+/// PM4 that has lost its M.
+bool may_be_select_without_m(const TextCommand& c) {
+  return c.verb == Verb::pause && !c.minus && c.value < program_count;
+}
+
+}  // namespace
 
 // ---- which
 
@@ -141,8 +149,13 @@ Task<Result<>> Slots::take_back_pauses_of(int slot, Priority priority) {
     if (!chosen) co_return chosen;
     auto listing = co_await talk_.listing(priority);
     if (!listing) co_return fail(listing.error());
-    if (used < 0 || listing->free_bytes >= program_bytes - used) co_return Result<>();
     const auto commands = commands_of(listing->commands);
+    if (used < 0) {  // after a restart: nobody knows what it held
+      if (!commands.empty() && may_be_select_without_m(commands.back()))
+        tell_pause_at_end(slot, commands.back());
+      co_return Result<>();
+    }
+    if (listing->free_bytes >= program_bytes - used) co_return Result<>();
     if (listing->slot != slot || commands.empty() || commands.back().verb != Verb::pause) break;
     auto said = co_await talk_.say("del", priority);
     if (!said) co_return said;
@@ -154,6 +167,14 @@ Task<Result<>> Slots::take_back_pauses_of(int slot, Priority priority) {
                   "lost or came twice. Look at it before it is run.",
                   slot));
   co_return Result<>();
+}
+
+void Slots::tell_pause_at_end(int slot, const TextCommand& pause) const {
+  console_.tell(
+      Notice::Kind::warning,
+      fmt::format("Program {} of the controller ends with P{}. That may be what the console selects a "
+                  "program with, and a byte of it was lost. Look at it before it is run.",
+                  slot, pause.value));
 }
 
 void Slots::ask_for_room(std::string sentence) const {

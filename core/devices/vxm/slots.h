@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/devices/vxm/codec_text.h"
 #include "core/devices/vxm/console.h"
 #include "core/devices/vxm/conversation.h"
 #include "core/devices/vxm/facts.h"
@@ -60,6 +61,7 @@ class Slots {
   Task<Result<>> take_back_pauses(Priority priority);
   Task<Result<>> take_back_pauses_of(int slot, Priority priority);
   [[nodiscard]] bool may_be_scratch(int slot) const;
+  void tell_pause_at_end(int slot, const TextCommand& pause) const;
   void ask_for_room(std::string sentence) const;
   Task<Result<>> load_slot(int slot, const Lines& lines, const Lines& expected);
   Task<Result<>> write_slot(int slot, const Lines& lines, const Lines& expected);
