@@ -141,6 +141,7 @@ Task<bool> Pump::open_and_connect() {
   station_->address = catalog_.address;
   station_->take_over(manner);
   station_->recorded = ways_.recorded;
+  station_->stops = [this] { return desk_.uses_the_wire(); };
   station_->closed = [this](const Fault& why) {
     lose_wire(why);
     wake_.notify();

@@ -70,6 +70,7 @@ Task<> Pump::send_stop(StopOrder& order) {
   desk_.begin_sending(sending);
   auto sent = co_await guarded("stop", driver_->stop(sending));
   desk_.end_sending();
+  if (station_) station_->stop_was_sent();
   if (StopOrder* still = desk_.find(sending.epoch)) stop_was_sent(*still, std::move(sent));
   if (connected() && sending.times_sent >= attempts_in_a_row && nobody_answers()) lose_wire(not_answering());
   publish();

@@ -39,6 +39,12 @@ bool StopDesk::all_were_sent(int times) const {
                      [times](const StopOrder& order) { return order.times_sent >= times; });
 }
 
+bool StopDesk::uses_the_wire() const {
+  return sending_ != 0 || std::any_of(orders_.begin(), orders_.end(), [](const StopOrder& order) {
+           return !order.sent && order.times_sent == 0;
+         });
+}
+
 void StopDesk::send_all_again() {
   for (StopOrder& order : orders_) {
     order.sent = order.confirmed = false;

@@ -98,6 +98,8 @@ class StopDesk {
   /// One of the others has not gone out at all, or goes first as often as it is sent again.
   [[nodiscard]] bool another_waits(const StopOrder& order) const;
   [[nodiscard]] bool all_were_sent(int times) const;
+  /// One is being sent, or is about to be for the first time.
+  [[nodiscard]] bool uses_the_wire() const;
   /// Each is sent again: nothing shows that any has arrived.
   void send_all_again();
   /// By its epoch; null: it is closed.

@@ -104,17 +104,26 @@ Task<Result<>> Link::run(Station& station, std::span<BusCycle> cycles, Priority 
   co_return Result<>();
 }
 
+/// While a station stops its device, what the others ask waits; their stops do not.
+bool Link::may_go_out(const Pending& pending) const {
+  const auto stops = [](const Station* s) { return s->stops && s->stops(); };
+  return pending.transaction.priority == Priority::stop || stops(&pending.station) ||
+         std::none_of(stations_.begin(), stations_.end(), stops);
+}
+
 void Link::start_next() {
   if (in_flight_ || !is_open()) return;
   const bool settling = stream_ && scheduler_.now() < settle_until_;
   for (auto& queue : waiting_) {
-    if (queue.empty()) continue;
-    if (settling && queue.front()->transaction.priority != Priority::stop) {
+    const auto next =
+        std::find_if(queue.begin(), queue.end(), [this](const Pending* p) { return may_go_out(*p); });
+    if (next == queue.end()) continue;
+    if (settling && (*next)->transaction.priority != Priority::stop) {
       settled_.arm(settle_until_);
       return;
     }
-    in_flight_ = queue.front();
-    queue.erase(queue.begin());
+    in_flight_ = *next;
+    queue.erase(next);
     break;
   }
   if (!in_flight_) return;
@@ -354,7 +363,7 @@ void Link::leave(Station& station, const Fault& why, Leaving leaving) {
   const Fault lost(FaultKind::lost, why.what, why.done, why.advice);
   drop_waiting(station, lost);
   left_owed_.add(station.owed_);
-  if (!in_flight_ || &in_flight_->station != &station) return;
+  if (!in_flight_ || &in_flight_->station != &station) return start_next();
   deadline_.disarm();
   if (window_) window_->abandon();
   left_owed_.add(in_flight_->transaction.look, scheduler_.now());  // its answer may still come

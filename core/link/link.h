@@ -102,6 +102,7 @@ class Link final : public std::enable_shared_from_this<Link>,
   void window_closed(const Fault& why) override;
   void interrupted(std::uint8_t vector) override;
   void close_all(const Fault& why);
+  [[nodiscard]] bool may_go_out(const Pending& pending) const;
   void start_next();
   void finish(Result<std::string> result);
   void end(Pending& pending, Result<std::string> result);

@@ -54,6 +54,10 @@ void Station::preempt() {
   if (procedure_ended) procedure_ended();
 }
 
+void Station::stop_was_sent() {
+  if (link_) link_->start_next();
+}
+
 Task<Result<>> Station::pause(Duration time) {
   if (!link_) co_return fail(no_connection());
   if (preempted_) co_return fail(stop_came_first());

@@ -45,6 +45,8 @@ class Station {
   /// It has ended; the next one may use the wire.
   void begin_procedure() { preempted_ = false; }
   [[nodiscard]] bool preempted() const { return preempted_; }
+  /// The others may use the wire again.
+  void stop_was_sent();
   /// Waits, unless a stop comes or the wire is lost.
   Task<Result<>> pause(Duration time);
 
@@ -73,6 +75,9 @@ class Station {
   /// The procedure under way is ended, by a stop or with the wire: whoever waits for something else looks
   /// again.
   std::function<void()> procedure_ended;
+  /// Its device is being stopped: what the others on the wire ask waits meanwhile. stop_was_sent() when it is
+  /// over.
+  std::function<bool()> stops;
   /// Bytes that no transaction claimed, at least one. The handler returns how many at the front are its own
   /// and done with; npos: they may be, more must come to tell (they are offered again with what follows).
   /// What no station on the wire understands counts as unparsed.

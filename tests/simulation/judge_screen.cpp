@@ -182,7 +182,8 @@ void Judge::judge_reasons(int device) {
     const char* what = nullptr;
     if (stop && drawn + excuse_lasts + lateness() < axis.ended_motion_began) what = "a stop";
     if (why == EndedBy::limit && axis.limit_operated == never && spoilt == never) what = "a limit";
-    if (why == EndedBy::lost && hurt == never && lateness() == Duration{} && !d.ever_restarted)
+    if (why == EndedBy::lost && hurt == never && lateness() == Duration{} && !faults_.in.swallows() &&
+        !d.ever_restarted)
       what = "a lost connection";
     if (why == EndedBy::target && axis.whole == false && spoilt == never && !d.ever_restarted)
       what = "its target";

@@ -72,6 +72,8 @@ class WayFaults {
   [[nodiscard]] Instant hurt() const { return std::max({hurt_, cut_until, slow_until}); }
   /// What comes now may be as late as that: nothing overtakes what was said before it.
   [[nodiscard]] Duration late_by(Instant now) const { return now < late_until_ ? late_by_ : Duration{}; }
+  /// A unit that does not say all that it should may count as lost.
+  [[nodiscard]] bool swallows() const { return habit.every > 0 && !habit.doubles; }
   /// When the latest byte was lost, changed or doubled: a number may have come that is another and looks
   /// right.
   [[nodiscard]] Instant spoilt() const { return spoilt_; }

@@ -96,9 +96,10 @@ Task<Result<>> SetUp::read(int index, Priority priority) {
   if (taken_back)
     ways_.restarted(fmt::format("{} read {} and now reads {}, and nothing that was sent does that",
                                 info.mnemonic, encode_value(info, before.value), encode_value(info, value)));
+  const bool read_twice = before.known && before.value == value;  // not only spoilt twice in the same way
+  nobody_sets_.set(ix(index), read_twice && (code_.leaves_param(ix(index)) || !code_.program_may_run()));
   console_.draft.params[ix(index)].value = value;
   console_.draft.params[ix(index)].known = true;
-  nobody_sets_.set(ix(index), code_.leaves_param(ix(index)) || !code_.program_may_run());
   if (info.stored) compare_with_stored(index);
   co_return Result<>();
 }

@@ -69,7 +69,7 @@ class SetUp {
   Ways ways_;
   std::array<std::int64_t, max_params> after_power_up_{};  ///< of what is stored: as it was then
   std::bitset<max_params> stored_known_;                   ///< of what is stored: after_power_up_ was read
-  std::bitset<max_params> nobody_sets_;  ///< read, and nothing has run since that may have set them
+  std::bitset<max_params> nobody_sets_;  ///< read twice, and nothing has run since that may have set them
   bool unsaved_variables_ = false;       ///< some were set and not stored
   InTurn params_, kept_;
 };

@@ -270,6 +270,24 @@ TEST_F(BusTest, AStopOfOneDeviceOvertakesAllAndDropsOnlyItsOwn) {
   EXPECT_TRUE(stop.result.has_value() && others.result.has_value());
 }
 
+TEST_F(BusTest, BetweenTheWordsOfAStopNobodyElseIsAsked) {
+  Answer poll, first, second, neighbour;
+  bool stops = true;
+  station.stops = [&] { return stops; };
+  start_on(other, "@02PX\r", ReplyShape::line(), Priority::poll, poll);
+  start_on(station, "@01SR0=0\r", ReplyShape::line(), Priority::stop, first);
+  arrive("OK\r");
+  EXPECT_THAT(wire->sent, ElementsAre("@01SR0=0\r"));
+  start_on(other, "@02STOP\r", ReplyShape::line(), Priority::stop, neighbour);
+  arrive("OK\r");
+  start_on(station, "@01STOP\r", ReplyShape::line(), Priority::stop, second);
+  arrive("OK\r");
+  EXPECT_THAT(wire->sent, ElementsAre("@01SR0=0\r", "@02STOP\r", "@01STOP\r"));
+  stops = false;
+  station.stop_was_sent();
+  EXPECT_EQ(wire->sent.back(), "@02PX\r");
+}
+
 Task<> poll_for_ever(Station& station, std::string question, int& rounds) {
   for (;;) {
     Transaction t(question, ReplyShape::line(), Priority::poll);
