@@ -47,6 +47,9 @@ class Judge final : public Witness {
   /// After a hurt wire: tried every 250 ms, a port takes as long to open, a lost answer is waited for (0.2
   /// s), then as above.
   static constexpr Duration stop_after_hurt = Millis(1500);
+  /// The same where the controller had not answered yet since it was opened: a stop goes out three times,
+  /// then with each attempt to connect, the second of which may take 2 s and the third 4 s.
+  static constexpr Duration stop_of_the_unseen = std::chrono::seconds(5);
   /// After a break the console opens the port again and asks who is there, each answer at 9,600 baud.
   static constexpr Duration longest_connect = std::chrono::seconds(20);
   /// A switch, an input or an output that has changed is shown so in the next rounds of status.
