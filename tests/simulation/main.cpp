@@ -1,5 +1,6 @@
 // hw_simulation: plays an operator against the real sessions, links and drivers, with a judge. Usage: below.
 #include <chrono>
+#include <csignal>
 #include <fstream>
 #include <iostream>
 #include <map>
@@ -7,6 +8,7 @@
 #include <sstream>
 
 #include <fmt/core.h>
+#include <unistd.h>
 
 #include "tests/simulation/draw.h"
 #include "tests/simulation/lua_text.h"
@@ -38,7 +40,31 @@ struct Outcome {
   std::uint64_t fingerprint = 0;
 };
 
+/// A console that spins at one instant never comes back, and no law can tell: the plan that makes it do so is
+/// printed.
+class SpinWatch {
+ public:
+  explicit SpinWatch(const Plan& plan) {
+    text() = "It spins: it has not come back after a minute of real time.\n" + plan.written();
+    std::signal(SIGALRM, [](int) {
+      [[maybe_unused]] const auto written = ::write(STDOUT_FILENO, text().data(), text().size());
+      ::_exit(3);
+    });
+    ::alarm(60);
+  }
+  ~SpinWatch() { ::alarm(0); }
+  SpinWatch(const SpinWatch&) = delete;
+  SpinWatch& operator=(const SpinWatch&) = delete;
+
+ private:
+  static std::string& text() {
+    static std::string of_this_plan;
+    return of_this_plan;
+  }
+};
+
 Outcome play(const Plan& plan, const std::string& but = {}, Trace* trace = nullptr) {
+  const SpinWatch watch(plan);
   Stage stage(plan);
   stage.judge().trace_to(trace);
   stage.judge().leave_out(but);

@@ -81,7 +81,7 @@ def play(binary, model, seed, seeds, until_failure):
     command += ["--until-failure"] if until_failure else []
     run = subprocess.run([*command, "--seeds", str(seeds)], capture_output=True, text=True)
     if run.returncode not in (0, 1):
-        return seed, "it crashed"
+        return seed, "it spins" if run.returncode == 3 else "it crashed"
     found = re.search(r"^\S+ seed (\d+)\n  (.*)", run.stdout, re.M)
     return (int(found[1]), found[2]) if found else None
 
