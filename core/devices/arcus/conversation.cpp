@@ -117,8 +117,10 @@ Task<Result<Reply>> Conversation::say(std::string text, Priority priority, Durat
       return looks::others_at_front(received, [this](std::string_view name) { return is_its_name(name); });
     };
   else if (!usb)
-    t.stranger = [this, names = t.look != looks::name](std::string_view received) {
-      if (const std::size_t refusal = refusal_of_cut_at_front(received); refusal != 0) return refusal;
+    t.stranger = [this, names = t.look != looks::name,
+                  its_own = text.ends_with(cut_off.front())](std::string_view received) {
+      const std::size_t refusal = its_own ? 0 : refusal_of_cut_at_front(received);
+      if (refusal != 0) return refusal;
       return names ? unasked_or_name_at_front(console_.model(), received) : unasked_at_front(received);
     };
   auto bytes = co_await station_->transact(std::move(t));

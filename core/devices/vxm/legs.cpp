@@ -200,9 +200,15 @@ bool Legs::clears_up() const {
 }
 
 std::string Legs::leaves_behind() const {
-  if (under_way_.program_runs() && hold_.is_on())
-    return "The program is left held (H) in the controller, before its next command: another H lets it go "
-           "on, K ends it.";
+  std::string left = program_left_behind();
+  if (!under_way_.program_runs() || !hold_.is_on()) return left;
+  if (!left.empty()) left.insert(0, 1, ' ');
+  return "The program is left held (H) in the controller, before its next command: another H lets it go "
+         "on, K ends it." +
+         left;
+}
+
+std::string Legs::program_left_behind() const {
   if (presence_.reset_was_said() || (!scratch_.in_use() && slots_.selection_is_given_back())) return {};
   if (!scratch_.in_use())
     return fmt::format(

@@ -64,6 +64,7 @@ class Legs {
   [[nodiscard]] Result<> cut_short() const;
   [[nodiscard]] std::string leg_program(const Leg& leg) const;
   [[nodiscard]] EndedBy how_it_ended(const Leg& leg) const;
+  [[nodiscard]] std::string program_left_behind() const;
   void show_leg_ended(const Leg& leg, EndedBy ended_by);
   [[nodiscard]] std::optional<Leg> next_jog_leg(const Leg& last, EndedBy ended_by) const;
 

@@ -120,6 +120,11 @@ TEST_F(DriverTest, WhoDidNotAnswerATextForAnotherDeviceIsNamed) {
   EXPECT_EQ(query("@44PX=0"), "fault: Device 44 did not answer PX=0 in time.");
 }
 
+TEST_F(DriverTest, ARefusalOfATextThatLooksCutOffIsItsAnswer) {
+  start(pmx);
+  EXPECT_EQ(query("HS~"), "?HS~");
+}
+
 // ---- power cycles
 
 class Restart : public DriverTest {
