@@ -3,4 +3,18 @@
 // each carried the whole parser took 20 s of every build).
 #define TOML_EXCEPTIONS 0
 #define TOML_HEADER_ONLY 0
+#include <string>
+#include <string_view>
+
 #include <toml++/toml.h>
+
+namespace hw {
+
+/// As a value in quotation marks, on one line.
+std::string toml_quoted(std::string_view text);
+/// The same over several lines, as it stands.
+std::string toml_lines(std::string_view text);
+/// As a key: in quotation marks where it needs them.
+std::string toml_key(std::string_view name);
+
+}  // namespace hw

@@ -10,28 +10,6 @@
 namespace hw {
 namespace {
 
-std::string quoted(std::string_view text, bool many_lines) {
-  std::string out = many_lines ? "\"\"\"\n" : "\"";
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\')
-      (out += '\\') += c;
-    else if (c == '\n' && many_lines)
-      out += c;
-    else if (byte < 0x20 || byte == 0x7F)
-      out += fmt::format("\\u{:04X}", byte);
-    else
-      out += c;
-  }
-  return out + (many_lines ? "\"\"\"" : "\"");
-}
-
-std::string key_of(std::string_view name) {
-  for (const char c : name)
-    if (!std::isalnum(static_cast<unsigned char>(c)) && c != '_' && c != '-') return quoted(name, false);
-  return name.empty() ? "\"\"" : std::string(name);
-}
-
 int line_of(const toml::node& node) { return static_cast<int>(node.source().begin.line); }
 
 tl::unexpected<Fault> bad_file(const std::string& name, int line, std::string_view what) {
@@ -105,7 +83,7 @@ static std::string unit_behind(const ParamInfo& p, const Catalog& catalog) {
 std::string write_backup(const Backup& b, const Catalog& catalog) {
   std::string out = fmt::format("# {}{}{}\n", catalog.name, b.saved_at.empty() ? "" : ", saved ", b.saved_at);
   const auto line = [&](const char* key, const std::string& value) {
-    if (!value.empty()) out += fmt::format("{} = {}\n", key, quoted(value, false));
+    if (!value.empty()) out += fmt::format("{} = {}\n", key, toml_quoted(value));
   };
   line("model", b.model);
   line("name", b.name);
@@ -115,7 +93,7 @@ std::string write_backup(const Backup& b, const Catalog& catalog) {
   std::string group;
   for (const ParameterEntry& entry : b.parameters) {
     const int i = catalog.find_param(entry.mnemonic);
-    const std::string assignment = fmt::format("{} = {}", key_of(entry.mnemonic), entry.value);
+    const std::string assignment = fmt::format("{} = {}", toml_key(entry.mnemonic), entry.value);
     if (i < 0) {
       out += assignment + "\n";
       continue;
@@ -129,7 +107,7 @@ std::string write_backup(const Backup& b, const Catalog& catalog) {
   for (const auto& [number, value] : b.variables) out += fmt::format("{} = {}\n", number, value);
   if (b.programs.empty()) return out;
   out += "\n[programs]\n";
-  for (const auto& [slot, text] : b.programs) out += fmt::format("{} = {}\n", slot, quoted(text, true));
+  for (const auto& [slot, text] : b.programs) out += fmt::format("{} = {}\n", slot, toml_lines(text));
   return out;
 }
 

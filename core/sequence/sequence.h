@@ -1,0 +1,149 @@
+#pragma once
+// What a machine is to do, one step after the other, before it is any controller's text: what a drawing
+// becomes, and what is clicked together. Positions are in the sequence's own unit; `Axis::per_unit` says how
+// many steps of the controller (pulses, counts) that is.
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/base/units.h"
+
+namespace hw::sequence {
+
+/// Of a motion, in units per second. 0: as the controller has it.
+struct Speeds {
+  double high = 0, low = 0;
+  double ramp_ms = 0;
+  bool operator==(const Speeds&) const = default;
+};
+/// None: those of the latest Speed step.
+using OwnSpeeds = std::optional<Speeds>;
+/// By place in Sequence::axes.
+using Places = std::array<std::optional<double>, max_axes>;
+
+struct Step;
+using StepList = std::vector<Step>;
+
+/// Of all motions behind it that have none of their own.
+struct Speed {
+  Speeds speeds;
+  bool operator==(const Speed&) const = default;
+};
+/// Several axes go in a straight line, where the controller can.
+struct Move {
+  Places to;
+  bool relative = false;
+  OwnSpeeds own;
+  bool operator==(const Move&) const = default;
+};
+/// In the first two axes, around a centre.
+struct Arc {
+  double x = 0, y = 0;
+  double degrees = 360;  ///< counterclockwise; 360 and -360 are circles
+  OwnSpeeds own;
+  bool operator==(const Arc&) const = default;
+};
+struct Jog {
+  int axis = 0;
+  Sign direction = Sign::plus;
+  OwnSpeeds own;
+  bool operator==(const Jog&) const = default;
+};
+struct Home {
+  int axis = 0;
+  Sign direction = Sign::minus;
+  OwnSpeeds own;
+  bool operator==(const Home&) const = default;
+};
+struct Stop {
+  int axis = -1;  ///< -1: all
+  bool at_once = false;
+  bool operator==(const Stop&) const = default;
+};
+/// Until the motion has ended.
+struct WaitMotion {
+  int axis = -1;  ///< -1: all
+  bool operator==(const WaitMotion&) const = default;
+};
+struct Delay {
+  double ms = 0;
+  bool operator==(const Delay&) const = default;
+};
+struct WaitInput {
+  int input = 1;
+  bool on = true;
+  bool operator==(const WaitInput&) const = default;
+};
+/// A motion of one axis if the input is so.
+struct MoveOnInput {
+  enum class Kind : std::uint8_t { move, jog, home };
+  int input = 1;
+  bool on = true;
+  Kind kind = Kind::move;
+  int axis = 0;
+  double to = 0;                ///< of a move
+  Sign direction = Sign::plus;  ///< of a jog or homing
+  bool stops_first = false;     ///< what moves there is stopped before
+  OwnSpeeds own;
+  bool operator==(const MoveOnInput&) const = default;
+};
+struct Output {
+  int output = 1;  ///< 0: `value` is that of all
+  bool on = true;
+  std::uint32_t value = 0;
+  bool operator==(const Output&) const = default;
+};
+/// Motor power.
+struct Enable {
+  int axis = 0;
+  bool on = true;
+  bool operator==(const Enable&) const = default;
+};
+/// Pen, laser or whatever the tool is; what it takes stands in Sequence::pen_up and pen_down.
+struct Pen {
+  bool down = false;
+  bool operator==(const Pen&) const = default;
+};
+struct Comment {
+  std::string text;
+  bool operator==(const Comment&) const = default;
+};
+struct Loop {
+  int times = 0;  ///< 0: for ever
+  StepList steps;
+  bool operator==(const Loop&) const;
+};
+/// Text of one controller's language, as it is.
+struct Custom {
+  std::string about;
+  std::string text;
+  bool operator==(const Custom&) const = default;
+};
+
+struct Step {
+  using Body = std::variant<Speed, Move, Arc, Jog, Home, Stop, WaitMotion, Delay, WaitInput, MoveOnInput,
+                            Output, Enable, Pen, Comment, Loop, Custom>;
+  Body body;
+  bool skipped = false;  ///< stays in the list and does nothing
+  bool operator==(const Step&) const = default;
+};
+inline bool Loop::operator==(const Loop&) const = default;
+
+struct Axis {
+  std::string name;     ///< as its controller names it
+  double per_unit = 1;  ///< steps in a unit
+  bool operator==(const Axis&) const = default;
+};
+
+struct Sequence {
+  std::string unit = "steps";
+  std::vector<Axis> axes;
+  StepList pen_up, pen_down;
+  StepList steps;
+  bool operator==(const Sequence&) const = default;
+};
+
+}  // namespace hw::sequence
