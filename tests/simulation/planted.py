@@ -9,6 +9,7 @@ import os
 import re
 import subprocess
 import sys
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from planted_faults import FAULTS
@@ -101,6 +102,19 @@ def search(binary, honest, model, at_most):
     return None
 
 
+def search_models(binary, honest, models, at_most):
+    found = next(filter(None, (search(binary, honest, model, at_most) for model in models)), None)
+    binary.unlink()
+    return found
+
+
+def keep(binary, name):
+    kept = SCRATCH / "build" / name
+    kept.write_bytes(binary.read_bytes())
+    kept.chmod(0o755)
+    return kept
+
+
 def main(words):
     only_check = "--check" in words
     at_most = SOON if "--soon" in words else AT_MOST
@@ -113,18 +127,20 @@ def main(words):
     if only_check:
         print(f"{len(faults)} faults apply.")
         return
-    honest = SCRATCH / "build" / "honest"
-    honest.write_bytes(build().read_bytes())
-    honest.chmod(0o755)
+    honest = keep(build(), "honest")
     soon = late = 0
-    for fault in faults:
-        plant(fault)
-        binary = build()
-        found = next(filter(None, (search(binary, honest, model, at_most) for model in fault["models"])), None)
-        restore()
-        soon += bool(found and found[0] <= SOON)
-        late += bool(found and found[0] > SOON)
-        print(f"{fault['name']:36} " + (f"{found[0]:6} sessions: {found[1]}" if found else "NOT FOUND"), flush=True)
+    with ThreadPoolExecutor(max_workers=os.cpu_count()) as players:
+        played = []
+        for number, fault in enumerate(faults):  # the next is built while those before are played
+            plant(fault)
+            binary = keep(build(), f"planted-{number}")
+            restore()
+            played.append(players.submit(search_models, binary, honest, fault["models"], at_most))
+        for fault, result in zip(faults, played):
+            found = result.result()
+            soon += bool(found and found[0] <= SOON)
+            late += bool(found and found[0] > SOON)
+            print(f"{fault['name']:36} " + (f"{found[0]:6} sessions: {found[1]}" if found else "NOT FOUND"), flush=True)
     print(f"{soon} of {len(faults)} found within {SOON} sessions, {late} more within {AT_MOST}.")
     sys.exit(soon + late != len(faults))
 
