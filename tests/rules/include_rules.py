@@ -11,7 +11,7 @@ FORBIDDEN_FOLDERS = {
     "gui": ("panels/", "transports/"),
     "panels": ("transports/",),
 }
-CORE_ORDER = ["base", "time", "motion", "sequence", "link", "device", "devices", "session", "script"]
+CORE_ORDER = ["base", "time", "motion", "sequence", "drawing", "link", "device", "devices", "session", "script"]
 DEVICE_NAME = re.compile(r"\b(vxm|arcus|pmx|dmx|vme58|velmex)", re.IGNORECASE)
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
 OUTPUT = re.compile(r"\bfmt::print\(|\bstd::(cout|cerr|printf|puts)\b|\b(stdout|stderr)\b")
@@ -38,7 +38,7 @@ def check(path):
         if top == "core" and header.startswith("core/"):
             here, there = parts[1], header.split("/")[1]
             if here in CORE_ORDER and there in CORE_ORDER and CORE_ORDER.index(there) > CORE_ORDER.index(here):
-                say("core: base <- time <- motion <- sequence <- link <- device <- devices <- session <- script")
+                say("core: base <- time <- motion <- sequence <- drawing <- link <- device <- devices <- session <- script")
         if name.startswith("core/devices/") and header.startswith("core/devices/"):
             mine, other = parts[2], header.split("/")[2]
             if mine != other and "." not in mine and other != "arcus":

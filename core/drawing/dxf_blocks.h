@@ -1,0 +1,43 @@
+#pragma once
+// A DXF file as it stands: blocks of shapes and inserts of blocks, before they are put where they are seen.
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/drawing/dxf_scan.h"
+#include "core/drawing/shape.h"
+
+namespace hw::drawing {
+
+struct DxfInsert {
+  std::string block;
+  Affine place;  ///< of the first copy
+  int columns = 1, rows = 1;
+  Point column, row;  ///< from one copy to the next
+};
+struct DxfEntity {
+  std::vector<Shape> shapes;  ///< connected
+  std::vector<DxfInsert> inserts;
+  std::string layer;
+  std::string_view name;  ///< "LINE"
+  int number = 0, line = 0;
+};
+struct DxfBlock {
+  Point base;
+  std::vector<DxfEntity> entities;
+};
+struct DxfFile {
+  std::vector<Layer> layers;
+  std::map<std::string, DxfBlock, std::less<>> blocks;
+  DxfBlock model;
+  std::vector<LeftOut> left_out;
+  int unit = 0;  ///< $INSUNITS
+  std::string version;
+};
+
+/// `scanned` is of the same text.
+Result<DxfFile> read_blocks(std::string_view text, const std::vector<ScannedEntity>& scanned,
+                            const std::string& name);
+
+}  // namespace hw::drawing

@@ -1,0 +1,139 @@
+#include "core/drawing/dxf_reader.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/core.h>
+
+#include "core/drawing/dxf_blocks.h"
+
+namespace hw::drawing {
+namespace {
+
+constexpr std::size_t most_curves = 5'000'000;
+constexpr int deepest_insert = 16;
+
+std::string unit_of(int insunits) {
+  switch (insunits) {
+    case 1: return "in";
+    case 2: return "ft";
+    case 4: return "mm";
+    case 5: return "cm";
+    case 6: return "m";
+    case 8: return "uin";
+    case 9: return "mil";
+    case 13: return "um";
+    default: return {};
+  }
+}
+
+bool is_finite(const std::vector<Curve>& curves) {
+  return std::all_of(curves.begin(), curves.end(), [](const Curve& c) {
+    return std::isfinite(c.from.x) && std::isfinite(c.from.y) && std::isfinite(c.to.x) &&
+           std::isfinite(c.to.y) && std::isfinite(c.centre.x) && std::isfinite(c.centre.y) &&
+           std::isfinite(c.degrees);
+  });
+}
+
+/// Puts every block where it is inserted.
+class Placing {
+ public:
+  Placing(DxfFile& file, const Tolerance& tolerance, Drawing& drawing)
+      : file_(file), tolerance_(tolerance), drawing_(drawing) {
+    for (std::size_t i = 0; i < file.layers.size(); ++i)
+      layers_.emplace(file.layers[i].name, static_cast<int>(i));
+  }
+
+  Result<> run(const std::string& name) {
+    place(file_.model, Affine(), "0", nullptr, 0);
+    if (curves_ <= most_curves) return {};
+    return fail(FaultKind::text, fmt::format("{} draws more than {} lines and arcs.", name, most_curves),
+                "Nothing was taken from it.",
+                "A block that is inserted many times in others can make so many.");
+  }
+
+ private:
+  /// `outermost`: the insert of the model that all of this belongs to.
+  void place(const DxfBlock& block, const Affine& affine, const std::string& layer,
+             const DxfEntity* outermost, int depth) {
+    for (const DxfEntity& entity : block.entities) {
+      if (curves_ > most_curves) return;
+      const std::string& own =
+          entity.layer == "0" ? layer : entity.layer;  // what lies on 0 goes with its insert
+      const DxfEntity& told = outermost ? *outermost : entity;
+      if (!entity.shapes.empty()) draw_path(entity, affine, own, told);
+      for (const DxfInsert& insert : entity.inserts) place_insert(insert, affine, own, told, depth);
+    }
+  }
+
+  void draw_path(const DxfEntity& entity, const Affine& affine, const std::string& layer,
+                 const DxfEntity& told) {
+    Path path;
+    path.entity = told.number, path.line = told.line;
+    for (const Shape& shape : entity.shapes) draw(moved(shape, affine), tolerance_, path.curves);
+    for (std::size_t i = 1; i < path.curves.size(); ++i) path.curves[i].from = path.curves[i - 1].to;
+    if (!is_finite(path.curves)) return leave_out(told, "a coordinate is no number");
+    path.layer = layer_of(layer);
+    curves_ += path.curves.size();
+    drawing_.paths.push_back(std::move(path));
+  }
+
+  void place_insert(const DxfInsert& insert, const Affine& affine, const std::string& layer,
+                    const DxfEntity& told, int depth) {
+    const auto block = file_.blocks.find(insert.block);
+    if (block == file_.blocks.end())
+      return leave_out(told, fmt::format("there is no block {}", insert.block));
+    const bool inside_itself = std::find(open_.begin(), open_.end(), &block->second) != open_.end();
+    if (inside_itself) return leave_out(told, fmt::format("block {} contains itself", insert.block));
+    if (depth >= deepest_insert) return leave_out(told, fmt::format("blocks stand in blocks {} deep", depth));
+    open_.push_back(&block->second);
+    const Affine to_base{1, 0, 0, 1, -block->second.base.x, -block->second.base.y};
+    for (int r = 0; r < insert.rows && curves_ <= most_curves; ++r)
+      for (int c = 0; c < insert.columns && curves_ <= most_curves; ++c) {
+        Affine copy = insert.place;
+        copy.e += c * insert.column.x + r * insert.row.x;
+        copy.f += c * insert.column.y + r * insert.row.y;
+        if (block->second.entities.empty()) return open_.pop_back();
+        place(block->second, affine.after(copy).after(to_base), layer, &told, depth + 1);
+      }
+    open_.pop_back();
+  }
+
+  int layer_of(const std::string& name) {
+    const auto [at, is_new] = layers_.emplace(name, static_cast<int>(drawing_.layers.size()));
+    if (is_new) drawing_.layers.push_back({name, true});
+    return at->second;
+  }
+  void leave_out(const DxfEntity& entity, std::string why) {
+    const auto& told = drawing_.left_out;
+    if (!told.empty() && told.back().entity == entity.number && told.back().why == why) return;
+    drawing_.left_out.push_back({std::string(entity.name), std::move(why), entity.number, entity.line});
+  }
+
+  DxfFile& file_;
+  const Tolerance& tolerance_;
+  Drawing& drawing_;
+  std::map<std::string, int, std::less<>> layers_;
+  std::vector<const DxfBlock*> open_;  ///< from the model to here
+  std::size_t curves_ = 0;
+};
+
+}  // namespace
+
+Result<Drawing> read_dxf(std::string_view text, const std::string& name, const Tolerance& tolerance) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  auto scanned = scan_dxf(text, name);
+  if (!scanned) return fail(scanned.error());
+  auto file = read_blocks(text, *scanned, name);
+  if (!file) return fail(file.error());
+  Drawing drawing;
+  drawing.layers = file->layers;
+  drawing.left_out = std::move(file->left_out);
+  drawing.unit = unit_of(file->unit);
+  drawing.version = std::move(file->version);
+  auto placed = Placing(*file, tolerance, drawing).run(name);
+  if (!placed) return fail(placed.error());
+  return drawing;
+}
+
+}  // namespace hw::drawing

@@ -1,0 +1,24 @@
+#pragma once
+// What stands in a DXF file, found without understanding it: which entities, and where. It tells what the
+// parser passes over, and keeps from it what it would not survive.
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.h"
+
+namespace hw::drawing {
+
+struct ScannedEntity {
+  std::string_view name;  ///< "LINE"; a part of the file's text
+  int line = 0;           ///< from 1
+  bool on_sheet = false;  ///< in paper space
+};
+
+/// Those of the sections BLOCKS and ENTITIES, in their order. The fault says what is wrong with the file as a
+/// whole: binary, no DXF at all, cut off, too large, counts that do not fit.
+Result<std::vector<ScannedEntity>> scan_dxf(std::string_view text, const std::string& name);
+
+inline constexpr std::size_t largest_dxf = 256'000'000;  // bytes
+
+}  // namespace hw::drawing
