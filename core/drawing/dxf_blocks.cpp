@@ -85,7 +85,7 @@ class Collector : public DL_CreationAdapter {
   }
 
   void addPolyline(const DL_PolylineData& p) override {
-    begin(scanned_name() == "LWPOLYLINE" ? "LWPOLYLINE" : "POLYLINE");
+    begin(next_polyline());
     constexpr int closed = 1, smoothed = 4, in_space = 8, mesh = 16, faces = 64;
     polyline_ = Polyline{(p.flags & closed) != 0, (p.flags & in_space) != 0, is_mirrored(), {}};
     if ((p.flags & (mesh | faces)) != 0) leave_out("it is a mesh");
@@ -159,8 +159,11 @@ class Collector : public DL_CreationAdapter {
     std::vector<DL_VertexData> vertices;
   };
 
-  [[nodiscard]] std::string_view scanned_name() const {
-    return next_ < scanned_.size() ? scanned_[next_].name : std::string_view();
+  /// The parser does not tell the old kind from the new one.
+  [[nodiscard]] std::string_view next_polyline() const {
+    for (std::size_t i = next_; i < scanned_.size(); ++i)
+      if (scanned_[i].name.ends_with("POLYLINE")) return scanned_[i].name;
+    return "POLYLINE";
   }
   /// A part of another entity, or none.
   static bool is_part(std::string_view name) {
