@@ -1,0 +1,274 @@
+#include "core/drawing/chains.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+#include "core/base/index.h"
+#include "core/drawing/near_points.h"
+
+namespace hw::drawing {
+namespace {
+
+Chain chain_of(const Path& path) { return {path.curves, path.layer, path.entity, path.line}; }
+
+void begin_at(Chain& closed, std::size_t curve) {
+  std::rotate(closed.curves.begin(), closed.curves.begin() + static_cast<std::ptrdiff_t>(curve),
+              closed.curves.end());
+}
+
+/// A whole ring of its own: it is joined to nothing.
+bool is_ring(const Path& path) { return path.closed() || path.curves.front().from == path.curves.back().to; }
+
+/// Ends that nothing is joined to yet.
+class Joining {
+ public:
+  Joining(const std::vector<const Path*>& open, double touching)
+      : open_(open), touching_(touching), ends_(entries(open)), used_(open.size(), false) {}
+
+  Chain grow(std::size_t first) {
+    Chain chain = chain_of(*open_[first]);
+    use(first);
+    while (extend(chain)) {
+    }
+    turn_round(chain);
+    while (extend(chain)) {
+    }
+    turn_round(chain);
+    if (chain.curves.size() > 1 && distance(chain.begin(), chain.end()) <= touching_)
+      chain.curves.back().to = chain.begin();
+    return chain;
+  }
+  [[nodiscard]] bool used(std::size_t i) const { return used_[i]; }
+
+ private:
+  static std::vector<NearPoints::Entry> entries(const std::vector<const Path*>& open) {
+    std::vector<NearPoints::Entry> all;
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      all.push_back({open[i]->curves.front().from, static_cast<int>(i), 0});
+      all.push_back({open[i]->curves.back().to, static_cast<int>(i), 1});
+    }
+    return all;
+  }
+  bool extend(Chain& chain) {
+    const NearPoints::Entry* next = ends_.nearest(chain.end());
+    if (!next || distance(next->at, chain.end()) > touching_) return false;
+    const auto owner = static_cast<std::size_t>(next->owner);
+    const bool from_its_end = next->place == 1;
+    Chain more = chain_of(*open_[owner]);
+    if (from_its_end) turn_round(more);
+    use(owner);
+    more.curves.front().from = chain.end();
+    chain.curves.insert(chain.curves.end(), more.curves.begin(), more.curves.end());
+    return true;
+  }
+  void use(std::size_t i) {
+    used_[i] = true;
+    ends_.remove(open_[i]->curves.front().from, static_cast<int>(i));
+    ends_.remove(open_[i]->curves.back().to, static_cast<int>(i));
+  }
+
+  const std::vector<const Path*>& open_;
+  double touching_;
+  NearPoints ends_;
+  std::vector<bool> used_;
+};
+
+/// One after the other, always the nearest.
+std::vector<Chain> nearest_first(std::vector<Chain> chains, Point here, const Progress& progress) {
+  std::vector<NearPoints::Entry> entries;
+  for (std::size_t i = 0; i < chains.size(); ++i) {
+    const int owner = static_cast<int>(i);
+    if (chains[i].closed())
+      for (std::size_t k = 0; k < chains[i].curves.size(); ++k)
+        entries.push_back({chains[i].curves[k].from, owner, static_cast<int>(k)});
+    else
+      entries.push_back({chains[i].begin(), owner, 0}), entries.push_back({chains[i].end(), owner, -1});
+  }
+  NearPoints near(entries);
+  std::vector<Chain> ordered;
+  ordered.reserve(chains.size());
+  while (const NearPoints::Entry* next = near.nearest(here)) {
+    const int owner = next->owner, place = next->place;
+    Chain& chain = chains[ix(owner)];
+    if (chain.closed())
+      for (const Curve& c : chain.curves) near.remove(c.from, owner);
+    else
+      near.remove(chain.begin(), owner), near.remove(chain.end(), owner);
+    if (place < 0)
+      turn_round(chain);
+    else if (place > 0)
+      begin_at(chain, ix(place));
+    here = chain.end();
+    ordered.push_back(std::move(chain));
+    if (progress && ordered.size() % 1024 == 0 &&
+        !progress(0.5 * static_cast<double>(ordered.size()) / static_cast<double>(chains.size()))) {
+      for (Chain& c : chains)
+        if (!c.curves.empty()) ordered.push_back(std::move(c));
+      break;
+    }
+  }
+  return ordered;
+}
+
+/// Parts of the order are turned round as long as that makes the way shorter (2-opt, with the ends nearby).
+class Turning {
+ public:
+  Turning(std::vector<Chain>& chains, Point begin) : chains_(chains), begin_(begin), ends_(entries(chains)) {
+    for (std::size_t i = 0; i < chains.size(); ++i)
+      order_.push_back(static_cast<int>(i)), place_.push_back(static_cast<int>(i));
+    turned_.resize(chains.size(), 0);
+  }
+
+  void run(const Progress& progress) {
+    bool better = true;
+    for (int pass = 0; better && pass < most_passes; ++pass) {
+      better = false;
+      for (int i = -1; i + 1 < size(); ++i) {
+        better = improve(i) || better;
+        if (progress && i % 1024 == 0 && !progress(0.5 + 0.5 * (pass + double(i) / size()) / most_passes))
+          return;
+      }
+    }
+  }
+
+  void apply() {
+    std::vector<Chain> ordered;
+    ordered.reserve(chains_.size());
+    for (const int i : order_) {
+      ordered.push_back(std::move(chains_[ix(i)]));
+      if (turned_[ix(i)]) turn_round(ordered.back());
+    }
+    chains_ = std::move(ordered);
+  }
+
+ private:
+  static constexpr int most_passes = 12;
+  static constexpr std::size_t neighbours = 10;
+
+  static std::vector<NearPoints::Entry> entries(const std::vector<Chain>& chains) {
+    std::vector<NearPoints::Entry> all;
+    for (std::size_t i = 0; i < chains.size(); ++i) {
+      all.push_back({chains[i].begin(), static_cast<int>(i), 0});
+      all.push_back({chains[i].end(), static_cast<int>(i), 1});
+    }
+    return all;
+  }
+  [[nodiscard]] int size() const { return static_cast<int>(order_.size()); }
+  /// Where the tool leaves what stands at that place; -1: where it all begins.
+  [[nodiscard]] Point leaves(int place) const {
+    if (place < 0) return begin_;
+    const int i = order_[ix(place)];
+    return turned_[ix(i)] ? chains_[ix(i)].begin() : chains_[ix(i)].end();
+  }
+  [[nodiscard]] Point enters(int place) const {
+    const int i = order_[ix(place)];
+    return turned_[ix(i)] ? chains_[ix(i)].end() : chains_[ix(i)].begin();
+  }
+  /// The way into that place; behind the last one there is none.
+  [[nodiscard]] double way_into(int place, Point from) const {
+    return place < size() ? distance(from, enters(place)) : 0;
+  }
+
+  bool improve(int i) {
+    const double now = distance(leaves(i), enters(i + 1));
+    double most = least_gain;
+    int best = i;
+    std::size_t seen = 0;
+    ends_.around(
+        leaves(i),
+        [&](const NearPoints::Entry& e) {
+          ++seen;
+          const int j = place_[ix(e.owner)];
+          if (j <= i + 1) return;
+          const double before = now + way_into(j + 1, leaves(j));
+          const double after = distance(leaves(i), leaves(j)) + way_into(j + 1, enters(i + 1));
+          if (before - after > most) most = before - after, best = j;
+        },
+        [&](double closest) { return closest >= now || seen > neighbours; });
+    if (best == i) return false;
+    turn(i + 1, best);
+    return true;
+  }
+  void turn(int first, int last) {
+    std::reverse(order_.begin() + first, order_.begin() + last + 1);
+    for (int p = first; p <= last; ++p) {
+      const int i = order_[ix(p)];
+      place_[ix(i)] = p;
+      turned_[ix(i)] ^= 1;
+    }
+  }
+
+  static constexpr double least_gain = 1e-9;
+  std::vector<Chain>& chains_;
+  Point begin_;
+  NearPoints ends_;
+  std::vector<int> order_, place_;
+  std::vector<std::uint8_t> turned_;
+};
+
+/// A closed chain is begun where the ways to and from it are shortest.
+void choose_begins(std::vector<Chain>& chains, Point here) {
+  for (std::size_t i = 0; i < chains.size(); ++i) {
+    Chain& chain = chains[i];
+    if (chain.closed()) {
+      std::size_t best = 0;
+      double least = std::numeric_limits<double>::infinity();
+      for (std::size_t k = 0; k < chain.curves.size(); ++k) {
+        const Point at = chain.curves[k].from;
+        const double way =
+            distance(here, at) + (i + 1 < chains.size() ? distance(at, chains[i + 1].begin()) : 0);
+        if (way < least) least = way, best = k;
+      }
+      begin_at(chain, best);
+    }
+    here = chain.end();
+  }
+}
+
+}  // namespace
+
+void turn_round(Chain& chain) {
+  std::reverse(chain.curves.begin(), chain.curves.end());
+  for (Curve& c : chain.curves) {
+    std::swap(c.from, c.to);
+    c.degrees = -c.degrees;
+  }
+}
+
+std::vector<Chain> join(const Drawing& drawing, double touching) {
+  std::vector<const Path*> open;
+  std::vector<Chain> chains;
+  for (const Path& path : drawing.paths) {
+    if (path.curves.empty() || !drawing.layers[ix(path.layer)].shown) continue;
+    if (is_ring(path))
+      chains.push_back(chain_of(path));
+    else
+      open.push_back(&path);
+  }
+  Joining joining(open, touching);
+  for (std::size_t i = 0; i < open.size(); ++i)
+    if (!joining.used(i)) chains.push_back(joining.grow(i));
+  std::stable_sort(chains.begin(), chains.end(),
+                   [](const Chain& a, const Chain& b) { return a.entity < b.entity; });
+  return chains;
+}
+
+double way_between(const std::vector<Chain>& chains, Point begin) {
+  double way = 0;
+  for (const Chain& chain : chains) {
+    way += distance(begin, chain.begin());
+    begin = chain.end();
+  }
+  return way;
+}
+
+void order(std::vector<Chain>& chains, Point begin, const Progress& progress) {
+  chains = nearest_first(std::move(chains), begin, progress);
+  Turning turning(chains, begin);
+  turning.run(progress);
+  turning.apply();
+  choose_begins(chains, begin);
+}
+
+}  // namespace hw::drawing

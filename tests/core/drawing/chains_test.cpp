@@ -1,0 +1,124 @@
+// What touches is drawn in one go, and the ways in between are short.
+#include "core/drawing/chains.h"
+
+#include <cmath>
+#include <random>
+
+#include <gmock/gmock.h>
+
+namespace hw::drawing {
+namespace {
+
+Path line(Point from, Point to, int layer = 0) {
+  Path path;
+  path.curves = {{Curve::Kind::line, from, to, {}, 0}};
+  path.layer = layer;
+  return path;
+}
+Drawing drawing_of(std::vector<Path> paths) {
+  Drawing d;
+  d.layers = {{"0", true}, {"frozen", false}};
+  d.paths = std::move(paths);
+  for (std::size_t i = 0; i < d.paths.size(); ++i) d.paths[i].entity = static_cast<int>(i) + 1;
+  return d;
+}
+double length_of(const std::vector<Chain>& chains) {
+  double length = 0;
+  for (const Chain& chain : chains)
+    for (const Curve& c : chain.curves) length += c.length();
+  return length;
+}
+/// Each curve begins where the one before ends.
+void expect_connected(const std::vector<Chain>& chains) {
+  for (const Chain& chain : chains)
+    for (std::size_t i = 1; i < chain.curves.size(); ++i)
+      EXPECT_EQ(chain.curves[i].from, chain.curves[i - 1].to);
+}
+
+TEST(Chains, EndsThatTouchAreJoinedWhicheverWayTheyAreDrawn) {
+  const auto chains = join(drawing_of({line({0, 0}, {1, 0}), line({5, 5}, {6, 6}), line({1, 1}, {1.0005, 0}),
+                                       line({1, 1}, {0, 1}), line({0, 0}, {0, 1})}),
+                           0.001);
+  ASSERT_EQ(chains.size(), 2u);
+  EXPECT_EQ(chains[0].curves.size(), 4u);
+  EXPECT_TRUE(chains[0].closed());
+  EXPECT_EQ(chains[1].curves.size(), 1u);
+  expect_connected(chains);
+}
+
+TEST(Chains, AnArcThatIsTurnedRoundGoesTheOtherWay) {
+  Path arc;
+  arc.curves = {{Curve::Kind::arc, {2, 0}, {0, 0}, {1, 0}, 180}};
+  const auto chains = join(drawing_of({line({-1, 0}, {0, 0}), arc}), 0.001);
+  ASSERT_EQ(chains.size(), 1u);
+  EXPECT_EQ(chains[0].curves[1].from, (Point{0, 0}));
+  EXPECT_EQ(chains[0].curves[1].degrees, -180);
+}
+
+TEST(Chains, WhatLiesFurtherApartOrOnAHiddenLayerIsNotJoined) {
+  const auto chains =
+      join(drawing_of({line({0, 0}, {1, 0}), line({1.01, 0}, {2, 0}), line({1, 0}, {1, 5}, 1)}), 0.001);
+  EXPECT_EQ(chains.size(), 2u);
+}
+
+TEST(Chains, RingsAreBegunWhereTheToolComesBy) {
+  Path square = line({10, 10}, {12, 10});
+  square.curves.push_back({Curve::Kind::line, {12, 10}, {12, 12}, {}, 0});
+  square.curves.push_back({Curve::Kind::line, {12, 12}, {10, 12}, {}, 0});
+  square.curves.push_back({Curve::Kind::line, {10, 12}, {10, 10}, {}, 0});
+  auto chains = join(drawing_of({square}), 0.001);
+  order(chains, {13, 13});
+  ASSERT_EQ(chains.size(), 1u);
+  EXPECT_EQ(chains[0].begin(), (Point{12, 12}));
+  EXPECT_NEAR(way_between(chains, {13, 13}), std::sqrt(2.0), 1e-12);
+}
+
+TEST(Chains, TheOrderOfARowIsTheRow) {
+  std::vector<Path> paths;
+  for (const int i : {7, 2, 9, 0, 4, 1, 8, 3, 6, 5})
+    paths.push_back(line({i * 10.0, 0}, {i * 10.0, i % 2 ? 5.0 : -5.0}));
+  auto chains = join(drawing_of(paths), 0.001);
+  order(chains, {0, 0});
+  for (std::size_t i = 0; i < chains.size(); ++i) EXPECT_EQ(chains[i].begin().x, static_cast<double>(i) * 10);
+}
+
+TEST(Chains, NothingIsLostAndTheWayIsShort) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> place(0, 1000), way(-5, 5);
+  std::vector<Path> paths;
+  for (int i = 0; i < 2000; ++i) {
+    const Point from{place(random), place(random)};
+    paths.push_back(line(from, {from.x + way(random), from.y + way(random)}));
+  }
+  auto chains = join(drawing_of(paths), 1e-6);
+  ASSERT_EQ(chains.size(), 2000u);
+  const double as_drawn = way_between(chains, {}), length = length_of(chains);
+  double done = 0;
+  order(chains, {}, [&](double now) {
+    EXPECT_GE(now, done);
+    done = now;
+    return true;
+  });
+  EXPECT_EQ(chains.size(), 2000u);
+  EXPECT_NEAR(length_of(chains), length, 1e-6);
+  const double way_now = way_between(chains, {});
+  EXPECT_LT(way_now, as_drawn / 15);
+  // A random tour through n points of a square is at best some 0.7124 sqrt(n area); with a nearest neighbour
+  // 25 % more.
+  EXPECT_LT(way_now, 1.15 * 0.7124 * std::sqrt(2000.0 * 1e6));
+}
+
+TEST(Chains, OrderingEndsWhenItIsTold) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> place(0, 1000);
+  std::vector<Path> paths;
+  for (int i = 0; i < 5000; ++i)
+    paths.push_back(line({place(random), place(random)}, {place(random), place(random)}));
+  auto chains = join(drawing_of(paths), 1e-9);
+  int asked = 0;
+  order(chains, {}, [&](double) { return ++asked < 2; });
+  EXPECT_EQ(chains.size(), 5000u);
+}
+
+}  // namespace
+}  // namespace hw::drawing
