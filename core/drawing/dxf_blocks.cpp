@@ -170,10 +170,13 @@ class Collector : public DL_CreationAdapter {
     return name == "VERTEX" || name == "SEQEND" || name == "BLOCK" || name == "ENDBLK" || name == "VIEWPORT";
   }
   void pass_over(std::size_t until) {
-    for (; next_ < until; ++next_)
-      if (const ScannedEntity& e = scanned_[next_]; !is_part(e.name))
-        file_.left_out.push_back(
-            {std::string(e.name), why_passed_over(e.name), static_cast<int>(next_) + 1, e.line});
+    for (; next_ < until; ++next_) {
+      const ScannedEntity& e = scanned_[next_];
+      if (is_part(e.name)) continue;
+      std::string what(e.name.empty() ? "an entity without a name" : e.name);
+      file_.left_out.push_back(
+          {std::move(what), why_passed_over(e.name), static_cast<int>(next_) + 1, e.line});
+    }
   }
   static std::string why_passed_over(std::string_view name) {
     if (name == "ATTRIB" || name == "ATTDEF") return std::string(text);

@@ -130,7 +130,8 @@ struct Step {
   bool skipped = false;  ///< stays in the list and does nothing
   bool operator==(const Step&) const = default;
 };
-inline bool Loop::operator==(const Loop&) const = default;
+// Not defaulted: clang 14 gives up on one that is defaulted behind its class.
+inline bool Loop::operator==(const Loop& other) const { return times == other.times && steps == other.steps; }
 
 struct Axis {
   std::string name;     ///< as its controller names it

@@ -1,3 +1,5 @@
+#include <span>
+
 #include <fmt/core.h>
 
 #include "core/base/index.h"
