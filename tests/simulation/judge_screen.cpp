@@ -93,6 +93,8 @@ void Judge::judge_trust(int device) {
     const bool hidden = axis.stopped && axis.stopped->at > *axis.restarted;
     if (hidden && faults_.in.spoilt() > *axis.restarted) continue;
     const AxisState& s = shown.axes[ix(a)];
+    if (s.seen_at < *axis.restarted)
+      continue;  // shown with its age: a set-up is being stored, which takes 10 s
     if (s.position_known && !s.trust.doubtful() && s.trust.kind != Trust::homed)
       accuse("true", fmt::format("Device {}: the position of axis {} is trusted {:.1f} s after a restart.",
                                  device, a, seconds(now - *axis.restarted)));
