@@ -71,13 +71,11 @@ FAULTS = [
     # ---- the link
     fault("a dirty line is believed", ("vxm", "dmx-k-sa"),
           ("link", "Station::is_dirty(", "{", "if (true) return false;")),
-    fault("one answer cleans a line, whatever it says", ("vxm", "pmx-4ex-sa"),
-          ("link", "Station::clean_by(", "!asked.is_answer(*answer)", "false")),
     fault("what stopped waiting still waits", ALL,
           ("link", "Station::preempt(", "ended_.notify();", ";")),
     fault("a stop waits for a patient question", ("vxm", "pmx-4ex-sa"),
           ("link", "Link::hurry_for_a_stop(", "{", "if (true) return;")),
-    fault("what waits outlives a stop", ALL,
+    fault("what waits outlives a stop", "dmx-k-sa --bus",  # alone on its wire a station waits for nobody
           ("link", "Station::preempt(", "link_->drop_waiting(*this, stop_came_first());", ";")),
     # ---- VXM
     fault("VXM: a stop of a program is not sent", "vxm",

@@ -90,7 +90,7 @@ Task<Result<>> Opening::resume_after_loss(char state) {
   if (state == ready && under_way_.job().active())
     under_way_.job().leg_is_over(), under_way_.job().ends_by(EndedBy::lost);
   if (state == vxm::busy && !under_way_.job().active()) {
-    const bool others = !under_way_.program_runs();
+    const bool others = !under_way_.program_runs() || !hold_.is_known();  // also when it is lost once more
     under_way_.program_begins(-1);
     if (others) hold_.found_running();
   }

@@ -42,6 +42,10 @@ void Ramp::expect_of_program() {
   hold_.expect_nothing_to_begin();
 }
 
+bool Ramp::must_be_seen_first() const {
+  return !hold_.is_known() && !some_are_hidden() && sight_.fastest() <= 0;
+}
+
 void Ramp::was_held() {
   if (state_) state_->holds = true;
   hold_.expect_nothing_to_begin();

@@ -28,6 +28,9 @@ class Ramp {
   /// Nothing is to begin in it, as far as is known.
   [[nodiscard]] bool holds() const { return state_ && state_->holds; }
   void was_held();
+  /// It may be held already, by somebody else: an H more would let it go on. Nothing is seen to turn; the
+  /// next readings show whether that is so.
+  [[nodiscard]] bool must_be_seen_first() const;
   /// What it was to stop stands.
   [[nodiscard]] bool is_over() const { return state_ && state_->over; }
   /// A motor goes the other way: what is held does not.

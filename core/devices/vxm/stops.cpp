@@ -76,6 +76,7 @@ Task<Result<>> Stops::stop_program(const StopOrder& order) {
   if (is_held() || ramp_.is_over()) co_return co_await kills_.kill(true);
   if (order.at_once) co_return co_await kills_.kill(false);
   ramp_.expect_of_program();
+  if (!ramp_.holds() && ramp_.must_be_seen_first()) co_return co_await ramp_down();
   if (!ramp_.holds()) {
     auto held = co_await hold_switch_.say("H", true, Priority::stop);
     if (!held || !talk_.station()) co_return held;
