@@ -14,7 +14,7 @@ Task<Result<>> AllStop::send(std::string_view word) {
   behind_ = Behind::not_known;
   rests_since_ = wire_.now();
   auto mailed = co_await mailbox_.mail_past_ring(word);
-  const bool may_be_deaf = mailbox_deaf_ || !any_moves();
+  const bool may_be_deaf = mailbox_deaf_ || by_mail_alone_ || !any_moves();
   const bool ring_may_do = mailed ? may_be_deaf : mailed.error().kind == FaultKind::no_answer;
   by_mail_alone_ = ring_may_do && !conversation_.is_known();
   if (!ring_may_do || by_mail_alone_) co_return mailed;
@@ -52,6 +52,10 @@ bool AllStop::owes_ring() const { return by_mail_alone_ && conversation_.is_know
 AllStop::Behind AllStop::behind() const {
   const bool rests = wire_.now() - rests_since_ >= longest_rest;
   return behind_ == Behind::not_known && rests ? Behind::nothing : behind_;
+}
+
+void AllStop::another_was_sent() {
+  if (behind_ != Behind::nothing) by_mail_alone_ = true;
 }
 
 void AllStop::in_vain() {

@@ -30,8 +30,11 @@ class AllStop {
   enum class Behind : std::uint8_t { nothing, not_known, waits };
   /// It. Queues that do not answer are not waited for longer than an axis may rest between two motions.
   [[nodiscard]] Behind behind() const;
-  /// It went out before the ring was known, and nothing has shown that the mail was acted on.
+  /// It went out before the ring was known, or another stop hides what comes of it: nothing has shown that
+  /// the mail was acted on.
   [[nodiscard]] bool owes_ring() const;
+  /// ST of one axis: what slows down now may do so by that.
+  void another_was_sent();
   void in_vain();
   /// The connection is gone, or the board was reset.
   void forget() { behind_ = Behind::nothing; }

@@ -83,6 +83,7 @@ Task<Result<>> Stops::stop_by_text(std::string text) {
       const auto sent = co_await stop_axis(std::move(selector));
       if (!sent) stopped = fail(sent.error());
       widened_ = widened_ || (sent && !*sent);
+      all_stop_.another_was_sent();
     } else {
       stopped = co_await all_stop_.send(command.fact->letters);
     }
@@ -136,6 +137,7 @@ StopProgress Stops::progress(const StopOrder& order) {
   const bool words = order.what == StopOrder::What::words;
   if (words && !order.stops_all() && !widened_) return StopProgress::stands();  // the ring has carried them
   const int axis = widened_ ? -1 : order.axis;
+  if (axis < 0 && all_stop_.owes_ring()) return StopProgress::again();
   StopEffect::Seen seen = effect_.look(axis, order.at_once);
   const bool jog = order.what == StopOrder::What::jog && axis >= 0;
   if (seen.turns && !seen.slows && jog && !stops_alone(axis)) {
@@ -147,7 +149,6 @@ StopProgress Stops::progress(const StopOrder& order) {
     if (behind == AllStop::Behind::waits) return in_vain(axis);
     if (behind == AllStop::Behind::not_known) return StopProgress::wait();
   }
-  if (!seen.turns && axis < 0 && all_stop_.owes_ring()) return StopProgress::again();
   if (!seen.turns && !order.confirmed) return StopProgress::again();  // some motion shows nothing
   if (!seen.turns || (seen.overdue && order.at_once)) stands(axis);
   if (!seen.turns) return StopProgress::stands();
