@@ -39,11 +39,15 @@ class Collector : public DL_CreationAdapter {
     file_.layers.push_back({layer.name, (layer.flags & frozen) == 0 && !off});
   }
   void addBlock(const DL_BlockData& block) override {
+    end_of_pieces();
     find_scanned({"BLOCK"});
     into_ = &file_.blocks[block.name];
     into_->base = {block.bpx, block.bpy};
   }
-  void endBlock() override { into_ = &file_.model; }
+  void endBlock() override {
+    end_of_pieces();
+    into_ = &file_.model;
+  }
   void setVariableInt(const std::string& key, int value, int) override {
     if (key == "$INSUNITS") file_.unit = value;
   }
@@ -148,7 +152,10 @@ class Collector : public DL_CreationAdapter {
   void addLeader(const DL_LeaderData&) override { not_drawn("LEADER", dimension); }
 
   /// Behind the last one: what is left in the scan was passed over.
-  void end() { pass_over(scanned_.size()); }
+  void end() {
+    end_of_pieces();
+    pass_over(scanned_.size());
+  }
 
  private:
   static constexpr std::string_view text = "it is a text", dimension = "it belongs to a dimension";
