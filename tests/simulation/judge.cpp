@@ -19,11 +19,12 @@ std::size_t memory_in_use() {
 
 }  // namespace
 
-Judge::Judge(Scheduler& scheduler, const WireFaults& faults, const ModelFacts& facts)
+Judge::Judge(Scheduler& scheduler, const WireFaults& faults, const ModelFacts& facts, bool obeys_mailbox)
     : scheduler_(scheduler),
       faults_(faults),
       facts_(facts),
       timer_(scheduler, [this] { tick(); }),
+      stop_when_prompt_(obeys_mailbox ? stop_in_window : stop_on_prompt_wire),
       memory_at_start_(memory_in_use()) {
   timer_.arm(scheduler.now() + look_every);
 }

@@ -38,6 +38,9 @@ class Judge final : public Witness {
   /// Where answers come at once, at 9,600 baud: the transaction on the wire (25 ms), STOP, the end of four
   /// programs, STOP again (14 ms each); a VXM's 20 ms for one letter.
   static constexpr Duration stop_on_prompt_wire = Millis(150);
+  /// Where a memory window is written at once, and the board obeys its mailbox: that does not wait for the
+  /// ring, which is used when nothing has come of a mailed stop within 100 ms.
+  static constexpr Duration stop_in_window = Millis(60);
   /// For each neighbour on the line: its transaction, and its own stop where all are stopped (on a doubtful
   /// wire 60 ms of silence behind each of the first two texts of it).
   static constexpr Duration neighbour_stops = Millis(150);
@@ -75,7 +78,7 @@ class Judge final : public Witness {
   /// What a session may take beside what it began with, its record and its texts included.
   static constexpr std::size_t most_memory = 64u << 20;
 
-  Judge(Scheduler& scheduler, const WireFaults& faults, const ModelFacts& facts);
+  Judge(Scheduler& scheduler, const WireFaults& faults, const ModelFacts& facts, bool obeys_mailbox);
 
   [[nodiscard]] const std::optional<Finding>& finding() const { return finding_; }
   /// Of all bytes on all wires with their times: the same plan gives the same.
@@ -245,6 +248,7 @@ class Judge final : public Witness {
   int next_call_ = 1;
   std::optional<Finding> finding_;
   Trace* trace_ = nullptr;
+  const Duration stop_when_prompt_;
   std::size_t memory_at_start_;
   int ticks_ = 0;
   std::string left_out_;

@@ -69,7 +69,7 @@ Stage::Stage(const Plan& plan)
     : plan_(plan),
       facts_(facts_of(plan.model)),
       address_(must(Address::parse(plan.address()))),
-      judge_(time_, faults_, facts_) {
+      judge_(time_, faults_, facts_, facts_.wire.empty() && plan.options.find("deaf") == std::string::npos) {
   make_machines();
   open();
 }
