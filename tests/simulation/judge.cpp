@@ -91,6 +91,11 @@ void Judge::ended() {
 
 void Judge::intent_sent(int device, IntentId id) { text_typed(device, id, {}); }
 
+void Judge::stop_sent(int device, IntentId id) {
+  intent_sent(device, id);
+  at(device).intents.back().stands_since = scheduler_.now();
+}
+
 void Judge::text_typed(int device, IntentId id, std::string text) {
   DeviceCase& d = at(device);
   if (!text.empty()) d.stop_drawn = scheduler_.now();

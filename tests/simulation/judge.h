@@ -65,6 +65,8 @@ class Judge final : public Witness {
   static constexpr Duration line_is_cleaned = std::chrono::seconds(5);
   /// An intent waits for those before it, each of them for its deadlines and their repetitions.
   static constexpr Duration longest_fate = std::chrono::seconds(30);
+  /// A stop is over when all stands: it takes a few rounds of status to see that.
+  static constexpr Duration stop_is_over = std::chrono::seconds(3);
   static constexpr Duration longest_close = std::chrono::seconds(15);
   /// Between the moment when the controller read its counter and the last byte of the answer, at 9,600 baud
   /// with a collision or a repetition on the line.
@@ -96,6 +98,7 @@ class Judge final : public Witness {
   void closing();
   void ended();
   void intent_sent(int device, IntentId id);
+  void stop_sent(int device, IntentId id);
   /// It has to reach the controller as it was typed, or to be refused.
   void text_typed(int device, IntentId id, std::string text);
   void motion_asked(int device, std::uint32_t axes, IntentId id, Steps distance, bool homes = false);
@@ -165,8 +168,9 @@ class Judge final : public Witness {
   struct Intended {
     IntentId id;
     Instant at;
-    std::string text;       ///< that was typed
-    std::size_t heard = 0;  ///< bytes that the controller had received then
+    std::string text;                          ///< that was typed
+    std::size_t heard = 0;                     ///< bytes that the controller had received then
+    std::optional<Instant> stands_since = {};  ///< of a stop: nothing moves or runs, and the wire carries
   };
   struct DeviceCase {
     std::shared_ptr<Session> session;
@@ -232,6 +236,7 @@ class Judge final : public Witness {
   void judge_memory();
   void judge_text(int device, const Intended& typed, Fate fate);
   void judge_fates(int device);
+  void judge_open_stops(int device);
   void judge_positions(int device);
   void judge_trust(int device);
   void judge_limits(int device);

@@ -40,11 +40,26 @@ void Judge::judge_fates(int device) {
     return true;
   });
   if (d.intents.empty()) return;
+  judge_open_stops(device);
   const Intended& oldest = d.intents.front();
   const Instant since = std::max(oldest.at, std::max(faults_.carries_since(now), faults_.in.hurt()));
   if (now > since + longest_fate + 5 * lateness())
     accuse("end", fmt::format("Device {}: intent {} has had no fate for {:.1f} s.", device, oldest.id,
                               seconds(now - oldest.at)));
+}
+
+void Judge::judge_open_stops(int device) {
+  DeviceCase& d = at(device);
+  const Instant now = scheduler_.now();
+  const Instant hurt = std::max(faults_.carries_since(now), faults_.in.hurt());
+  const bool stands = d.truth.moving() == 0 && !d.truth.program && d.session->known().link.connected();
+  for (Intended& i : d.intents) {
+    if (!i.stands_since) continue;
+    i.stands_since = stands ? std::max(*i.stands_since, hurt) : now;
+    if (now > *i.stands_since + stop_is_over + questions_between_motions * lateness())
+      accuse("end", fmt::format("Device {}: the stop {} is not over {:.1f} s after all stands.", device, i.id,
+                                seconds(now - *i.stands_since)));
+  }
 }
 
 // A position that is shown as live was the controller's at some moment of its age and of its way here.

@@ -231,7 +231,7 @@ void Stage::stop(int device, std::uint32_t axes, StopKind kind, IntentBody body)
   for (const auto& hand : hands_)
     if (hand->device == device && (axes >> hand->axis.index & 1u) != 0) hand->holds = false;
   judge_.stop_asked(device, axes, kind);
-  send(device, std::move(body));
+  judge_.stop_sent(device, sent_ = session(device)->send(std::move(body)));
 }
 
 void Stage::stop_all_devices(bool at_once) {
@@ -241,7 +241,7 @@ void Stage::stop_all_devices(bool at_once) {
     judge_.stop_asked(device, Judge::all_axes, at_once ? StopKind::at_once : StopKind::ramp);
   const std::vector<IntentId> ids = group_->stop(at_once);
   for (std::size_t device = 0; device < ids.size(); ++device)
-    judge_.intent_sent(static_cast<int>(device), ids[device]);
+    judge_.stop_sent(static_cast<int>(device), ids[device]);
 }
 
 void Stage::jog(int device, AxisId axis, Sign sign, Duration held, LetGo how) {
