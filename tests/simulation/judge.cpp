@@ -208,7 +208,9 @@ void Judge::told_idle(int device, Instant begun) {
   const DeviceCase& d = at(device);
   // Where a restart may be in doubt, what has been made since is what the wait is about.
   const bool made_since = !facts_.restart_always_shows && d.moved_last > d.cut_off;
-  if (d.cut_off > begun && !made_since)
+  // A tab that saw the controller for the first time after its restart cannot know of it.
+  const bool seen_before = d.first_connected && *d.first_connected < d.cut_off;
+  if (d.cut_off > begun && !made_since && seen_before)
     accuse("end", "A wait has said that all is well, and the controller was switched off and on.");
   if (d.truth.moving() != 0 && d.moved_last > begun && excused(d, 0)) return;  // begun again since
   if (d.truth.moving() != 0) accuse("true", "A wait has said that nothing moves, and an axis moves.");

@@ -51,11 +51,11 @@ void Judge::judge_fates(int device) {
 void Judge::judge_open_stops(int device) {
   DeviceCase& d = at(device);
   const Instant now = scheduler_.now();
-  const Instant hurt = std::max(faults_.carries_since(now), faults_.in.hurt());
+  const Instant clean = std::max(faults_.carries_since(now), faults_.in.hurt()) + line_is_cleaned;
   const bool stands = d.truth.moving() == 0 && !d.truth.program && d.session->known().link.connected();
   for (Intended& i : d.intents) {
     if (!i.stands_since) continue;
-    i.stands_since = stands ? std::max(*i.stands_since, hurt) : now;
+    i.stands_since = stands ? std::max(*i.stands_since, clean) : now;
     if (now > *i.stands_since + stop_is_over + questions_between_motions * lateness())
       accuse("end", fmt::format("Device {}: the stop {} is not over {:.1f} s after all stands.", device, i.id,
                                 seconds(now - *i.stands_since)));
