@@ -159,11 +159,16 @@ class Artist {
     if (draw <= 92) return put(at, "upload", on, {slot()});
     put(at, "clear", on, {slot()});
   }
+  /// Nothing reaches a board that neither obeys its mailbox nor reads its ring.
+  std::string harmless(Random& random) {
+    std::string text = random.one_of(facts_.harmless);
+    const bool holds_ring = text == "WQ" && plan_.options.find("deaf") != std::string::npos;
+    return holds_ring ? facts_.harmless.front() : text;
+  }
   void draw_text(Millis at, int on) {
     const auto draw = random_.between(1, 100);
-    if (draw <= 50) return put(at, "type", on, {}, random_.one_of(facts_.harmless));
-    if (draw <= 75)
-      return put(at, "query", on, {random_.between(100, 2000)}, random_.one_of(facts_.harmless));
+    if (draw <= 50) return put(at, "type", on, {}, harmless(random_));
+    if (draw <= 75) return put(at, "query", on, {random_.between(100, 2000)}, harmless(random_));
     std::vector<std::string> moving;
     constexpr std::string_view too_slow_to_see = "JF0.25";  // a step in four seconds looks like rest
     for (const CommandInfo& command : catalog_.commands)
@@ -206,8 +211,8 @@ class Artist {
     if (draw <= 30) return call("move_by", on, {which, way, 0});
     if (draw <= 40) return call("move_to", on, {which, way, 0});
     if (draw <= 60) return call("wait_idle", on, {beside_.between(500, 8000)});
-    if (draw <= 70) return call("query", on, {beside_.between(200, 2000)}, beside_.one_of(facts_.harmless));
-    if (draw <= 78) return call("type", on, {}, beside_.one_of(facts_.harmless));
+    if (draw <= 70) return call("query", on, {beside_.between(200, 2000)}, harmless(beside_));
+    if (draw <= 78) return call("type", on, {}, harmless(beside_));
     if (draw <= 84 && !catalog_.outputs.empty()) return call("output", on, {1, beside_.percent(50)});
     if (draw <= 90) return call("run", on, {beside_.between(0, std::max(1, catalog_.program.slots) - 1)});
     if (draw <= 94) return call("set_position", on, {which, beside_.between(-500, 500)});

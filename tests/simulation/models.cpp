@@ -44,7 +44,7 @@ const std::vector<ModelFacts>& all_models() {
        false, true, true, true,
        {{"SA"}, {"KL", -1, true}, {"AX ST", 0}, {"AY ST", 1}},
        {"AX\nVL4000 AC20000\nLS20\nMR3000 GO\nMR-3000 GO\nLE", "AY\nVL3000\nMR1200 GO ID\nMR-1200 GO ID"},
-       {"WY", "RP", "AX RP", "QA", "RA", "AX RE", "ZZ", "AA RP", "AX VL8000"},
+       {"WY", "RP", "AX RP", "QA", "RA", "AX RE", "ZZ", "AA RP", "AX VL8000", "WQ"},
        {},
        {},
        {},
