@@ -57,6 +57,8 @@ class Judge final : public Witness {
   static constexpr Duration longest_connect = std::chrono::seconds(20);
   /// A switch, an input or an output that has changed is shown so in the next rounds of status.
   static constexpr Duration line_shows = std::chrono::seconds(3);
+  /// Each of them may be as late as the wire: set-up is read, a jog's leg is written.
+  static constexpr int questions_between_rounds = 20;
   /// A motion that was asked for begins: legs of homing, queued commands, an answer awaited in between.
   static constexpr Duration excuse_lasts = Millis(1500);
   /// Each of them may be as late as the wire: where the leg before has ended, what is written for the next.
@@ -99,6 +101,8 @@ class Judge final : public Witness {
   void ended();
   void intent_sent(int device, IntentId id);
   void stop_sent(int device, IntentId id);
+  /// What a question was told to be answered by.
+  void answered(std::string_view question, std::string_view answer);
   /// It has to reach the controller as it was typed, or to be refused.
   void text_typed(int device, IntentId id, std::string text);
   void motion_asked(int device, std::uint32_t axes, IntentId id, Steps distance, bool homes = false);

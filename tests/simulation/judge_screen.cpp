@@ -48,6 +48,14 @@ void Judge::judge_fates(int device) {
                               seconds(now - oldest.at)));
 }
 
+// Bytes that were spoilt may look like anything; those of another question may not.
+void Judge::answered(std::string_view question, std::string_view answer) {
+  const Instant spoilt = std::max(faults_.in.spoilt(), faults_.out.spoilt());
+  if (question != facts_.question || answer.find(facts_.answer) != answer.npos) return;
+  if (spoilt != Instant{} && scheduler_.now() < spoilt + line_is_cleaned) return;
+  accuse("true", fmt::format("{} was answered by \"{}\".", question, answer));
+}
+
 void Judge::judge_open_stops(int device) {
   DeviceCase& d = at(device);
   const Instant now = scheduler_.now();
@@ -135,7 +143,7 @@ void Judge::judge_limits(int device) {
     if (!shown.link.connected() || !s.limits_known || !(s.limit_minus || s.limit_plus)) continue;
     if (is_stale(s.seen_at, now, shown.poll_period)) continue;  // it is shown as old
     const Instant since = std::max({axis.limit_operated, faults_.in.spoilt(), faults_.out.spoilt()});
-    if (now > since + line_shows + lateness())
+    if (now > since + line_shows + questions_between_rounds * lateness())
       accuse("true", fmt::format("Device {}: axis {} is shown at a limit that nothing operates.", device, a));
   }
 }

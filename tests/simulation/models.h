@@ -28,6 +28,7 @@ struct ModelFacts {
   std::vector<StopText> stops;
   std::vector<std::string> programs;  ///< that move something; the first for ever
   std::vector<std::string> harmless;  ///< typed texts that move nothing, wrong ones among them
+  std::string_view question, answer;  ///< one of those, and a word that is in its answer and in no other
   std::vector<std::string> speeds;    ///< parameters of speed or ramp that may be set
   /// Of its set-up and programs, as the controller receives them; {} stands for the address.
   std::vector<std::string> questions;

@@ -119,5 +119,6 @@ FAULTS = [
     fault("VME58: a late reply is the next one's", "vme58",
           ("devices/vme58", "Conversation::let_owed_go(", "{", NOTHING_DONE)),
     fault("VME58: what waits in the ring outlives a stop", "vme58",
-          ("devices/vme58", "Conversation::withdraw_all(", "{", NOTHING_DONE)),
+          ("devices/vme58", "Conversation::withdraw_all(", "{", NOTHING_DONE),
+          ("devices/vme58", "Mailbox::mail_past_ring(", "if (mailed) mailed = co_await mail(word);", ";")),
 ]

@@ -275,7 +275,9 @@ void Stage::query(int device, std::string text, Duration patience) {
 
 Task<bool> Stage::answers(std::shared_ptr<Session> session, std::string text, Duration patience) {
   const int call = judge_.call_begun("query", patience + Judge::longest_fate);
+  const std::string question = text;
   const auto answer = co_await session->pump().query(std::move(text), patience);
+  if (answer) judge_.answered(question, *answer);
   judge_.call_ended(call);
   co_return answer.has_value();
 }
