@@ -165,9 +165,19 @@ class Artist {
     const bool holds_ring = text == "WQ" && plan_.options.find("deaf") != std::string::npos;
     return holds_ring ? facts_.harmless.front() : text;
   }
+  /// What is sent meanwhile waits in the ring, for a quarter of a second at most; and then a stop.
+  void draw_into_held_ring(Millis at, int on) {
+    const Millis moved = at + Millis(beside_.between(20, 400));
+    put(moved, "move_by", on, {axis(), distance(), 0});
+    put(moved + Millis(beside_.between(20, 400)), "stop", on, {-1});
+  }
   void draw_text(Millis at, int on) {
     const auto draw = random_.between(1, 100);
-    if (draw <= 50) return put(at, "type", on, {}, harmless(random_));
+    if (draw <= 50) {
+      const std::string text = harmless(random_);
+      put(at, "type", on, {}, text);
+      return text == "WQ" ? draw_into_held_ring(at, on) : void();
+    }
     if (draw <= 75) return put(at, "query", on, {random_.between(100, 2000)}, harmless(random_));
     std::vector<std::string> moving;
     constexpr std::string_view too_slow_to_see = "JF0.25";  // a step in four seconds looks like rest

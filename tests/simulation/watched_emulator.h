@@ -17,8 +17,7 @@ class WatchedEmulator final : public test::EmulatorAround, public BusTarget {
   void receive(std::string_view bytes) override {
     witness_.controller_received(device_, bytes);
     inner_->receive(bytes);
-    inner_->look(view_);
-    witness_.bench_is(device_, view_);
+    look_at_bench();
     look_at_machine();
   }
   void take_output(std::string& sink) override {
@@ -39,6 +38,7 @@ class WatchedEmulator final : public test::EmulatorAround, public BusTarget {
   }
   Result<> operate(const BenchCommand& command) override {
     auto done = inner_->operate(command);
+    look_at_bench();
     look_at_machine();
     return done;
   }
@@ -67,6 +67,10 @@ class WatchedEmulator final : public test::EmulatorAround, public BusTarget {
   /// Where the host of a board puts its characters.
   static constexpr bool in_ring(std::uint16_t offset) {
     return offset >= vme58::at::output_buffer && offset < vme58::at::output_buffer + 2 * vme58::ring_cells;
+  }
+  void look_at_bench() {
+    inner_->look(view_);
+    witness_.bench_is(device_, view_);
   }
   void look_at_machine() {
     inner_->tell_truth(truth_);
