@@ -30,16 +30,29 @@ tl::unexpected<Fault> no_number(std::string what) {
   return fail(FaultKind::text, what + " is no number.", "Nothing was sent.");
 }
 
+/// What is said of the steps of a sequence, said of the rows of this list.
+std::string in_rows(std::string_view what) {
+  constexpr std::string_view of_step = "Step 1.", of_all = "Step 1 (contour): ";
+  if (what.starts_with(of_step)) return fmt::format("Piece {}", what.substr(of_step.size()));
+  if (!what.starts_with(of_all)) return std::string(what);
+  std::string rest(what.substr(of_all.size()));
+  if (!rest.empty()) rest[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(rest[0])));
+  return rest;
+}
+
 }  // namespace
 
 void Contour::make(const Frame& f) {
   if (std::exchange(made_, true)) return;
-  writer_ = dynamic_cast<const ContourWriter*>(f.tab.desk().language());
+  language_ = f.tab.desk().language();
+  stairs_writer_ = dynamic_cast<const StaircaseWriter*>(language_);
   for (const AxisInfo& a : f.catalog.axes) axis_names_.push_back(a.name);
   second_ = f.catalog.axes.size() > 1 ? 1 : 0;
-  if (writer_) outputs_ = writer_->contour_outputs(f.catalog);
-  for (const int place : outputs_)
-    output_names_.push_back(f.catalog.outputs[static_cast<std::size_t>(place)].name);
+  for (std::size_t i = 0; i < f.catalog.outputs.size(); ++i)
+    if (f.catalog.outputs[i].on_the_way) {
+      outputs_.push_back(f.catalog.output_number(i));
+      output_names_.push_back(f.catalog.outputs[i].name);
+    }
   speed_.set(1000, 0);
   for (NumberField* n : {&x_, &y_}) n->set(0, 0);
   lead_in_.set(0, 0);
@@ -71,36 +84,42 @@ void Contour::draw(Frame& f) {
 
 // ---- what the fields say
 
-Result<ContourPlan> Contour::contour() const {
-  ContourPlan plan;
-  plan.first = AxisId{static_cast<std::uint8_t>(first_)},
-  plan.second = AxisId{static_cast<std::uint8_t>(second_)};
+Result<sequence::Sequence> Contour::contour() const {
   const auto speed = whole(speed_), x = whole(x_), y = whole(y_), lead = whole(lead_in_);
-  if (!speed) return no_number("The speed");
+  if (!speed || *speed < 1) return no_number("The speed");
   if (!x || !y) return no_number("The begin");
   if (!lead || *lead < 0) return no_number("The lead-in");
-  plan.speed = Pps(static_cast<double>(*speed));
-  plan.x = Steps(*x), plan.y = Steps(*y), plan.lead_in = Steps(*lead), plan.ramp = ramp_;
+  if (first_ == second_)
+    return fail(FaultKind::text, "A contour needs two different axes.", "Nothing was sent.");
+  sequence::Contour c;
+  c.x = static_cast<double>(*x), c.y = static_cast<double>(*y);
+  c.lead_in = static_cast<double>(*lead), c.ends_ramped = ramp_;
+  c.own = sequence::Speeds{static_cast<double>(*speed)};
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const Piece& p = pieces_[i];
-    ContourPiece piece;
-    piece.kind = p.kind;
-    if (p.kind == ContourPiece::Kind::output) {
-      piece.output = outputs_.empty() ? -1 : outputs_[static_cast<std::size_t>(p.output)];
-      piece.on = p.on;
-    } else {
-      const auto px = whole(p.x), py = whole(p.y);
-      if (!px || !py) return no_number(fmt::format("A position of piece {}", i + 1));
-      piece.x = Steps(*px), piece.y = Steps(*py);
+    if (p.kind == PieceKind::output) {
+      if (outputs_.empty()) return no_number("An output");
+      c.steps.push_back({sequence::Output{outputs_[static_cast<std::size_t>(p.output)], p.on}});
+      continue;
     }
-    if (p.kind == ContourPiece::Kind::arc) {
+    const auto px = whole(p.x), py = whole(p.y);
+    if (!px || !py) return no_number(fmt::format("A position of piece {}", i + 1));
+    const auto to_x = static_cast<double>(*px), to_y = static_cast<double>(*py);
+    if (p.kind == PieceKind::arc) {
       const auto degrees = p.degrees.value();
       if (!degrees) return no_number(fmt::format("The angle of piece {}", i + 1));
-      piece.degrees = *degrees;
+      c.steps.push_back({sequence::Arc{to_x, to_y, *degrees, {}}});
+    } else {
+      sequence::Move line;
+      line.to[0] = to_x, line.to[1] = to_y;
+      c.steps.push_back({line});
     }
-    plan.pieces.push_back(piece);
   }
-  return plan;
+  sequence::Sequence s;
+  for (const int axis : {first_, second_})
+    s.axes.push_back({std::string(axis_names_[static_cast<std::size_t>(axis)])});
+  s.steps = {{std::move(c)}};
+  return s;
 }
 
 Result<StaircasePlan> Contour::staircase(const Frame& f) const {
@@ -125,8 +144,9 @@ void Contour::work_out(Frame& f) {
   if (!std::exchange(changed_, false)) return;
   worked_out_from_ = stands;
   problem_.clear(), text_.clear(), facts_.clear();
-  if (!writer_) return problem_.assign("The language of this controller cannot write contours."), void();
-  const auto refuse = [this](const Fault& fault) { problem_ = fault.what; };
+  if (!stairs_writer_)
+    return problem_.assign("The language of this controller cannot write contours."), void();
+  const auto refuse = [this](const Fault& fault) { problem_ = in_rows(fault.what); };
   Result<std::string> written = std::string();
   if (stairs_shown_) {
     stair_x_.clear(), stair_y_.clear();
@@ -134,18 +154,21 @@ void Contour::work_out(Frame& f) {
     if (!plan) return refuse(plan.error());
     draw_staircase_line(*plan);
     places_ = {{plan->axis, plan->stop_at}};
-    written = writer_->write_staircase(*plan, f.catalog);
+    written = stairs_writer_->write_staircase(*plan, f.catalog);
   } else {
-    shape_.reset();
+    path_.reset();
     const auto plan = contour();
     if (!plan) return refuse(plan.error());
-    plan_ = *plan;
-    places_ = {{plan->first, plan->x}, {plan->second, plan->y}};
-    if (auto shape = draw_contour(*plan, f.catalog)) shape_ = std::move(*shape);
-    written = writer_->write_contour(*plan, f.catalog);
-    if (shape_)
-      facts_ = fmt::format("{:.0f} {} long, {:.1f} s at this speed", shape_->length, f.catalog.step_word,
-                           shape_->length / plan->speed.value);
+    const auto& drawn = std::get<sequence::Contour>(plan->steps.front().body);
+    places_.clear();
+    for (const auto [axis, to] : {std::pair{first_, drawn.x}, std::pair{second_, drawn.y}})
+      places_.push_back({AxisId{static_cast<std::uint8_t>(axis)}, Steps(std::llround(to))});
+    path_ = sequence::contour_path(drawn);
+    if (!path_->legs.empty())
+      facts_ = fmt::format("{:.0f} {} long, {:.1f} s at this speed", path_->length, f.catalog.step_word,
+                           path_->length / drawn.own->high);
+    written =
+        language_->write(*plan, f.catalog).map([](SequenceText&& text) { return std::move(text.text); });
   }
   if (!written) return refuse(written.error());
   text_ = std::move(*written);
@@ -283,7 +306,9 @@ void Contour::draw_work(Frame& f, float left, float height) {
 
 void Contour::draw_preview(Frame& f, float width, float height) {
   if (!stairs_shown_)
-    return draw_contour_preview(f, plan_, shape_ ? &*shape_ : nullptr, facts_, width, height);
+    return draw_contour_preview(f, AxisId{static_cast<std::uint8_t>(first_)},
+                                AxisId{static_cast<std::uint8_t>(second_)}, path_ ? &*path_ : nullptr, facts_,
+                                width, height);
   PlotOptions o;
   const Path title("speed, {}/s, over position", f.catalog.step_word);
   o.title = title;

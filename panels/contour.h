@@ -8,7 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/device/contour_plan.h"
+#include "core/device/staircase_plan.h"
+#include "core/sequence/contour_path.h"
 #include "gui/panel.h"
 #include "gui/widgets/number_field.h"
 #include "gui/widgets/plot.h"
@@ -22,8 +23,9 @@ class Contour final : public gui::Panel {
   [[nodiscard]] std::string_view unkept() const override;
 
  private:
+  enum class PieceKind : std::uint8_t { line, arc, output };
   struct Piece {
-    ContourPiece::Kind kind = ContourPiece::Kind::line;
+    PieceKind kind = PieceKind::line;
     gui::NumberField x, y, degrees;
     int output = 0;  ///< among `outputs_`
     bool on = true;
@@ -33,7 +35,8 @@ class Contour final : public gui::Panel {
   };
   void make(const gui::Frame& frame);
   void work_out(gui::Frame& frame);
-  Result<ContourPlan> contour() const;
+  /// A sequence of one step, a contour, in steps of its two axes.
+  Result<sequence::Sequence> contour() const;
   Result<StaircasePlan> staircase(const gui::Frame& frame) const;
   void draw_staircase_line(const StaircasePlan& plan);
   void follow(gui::Frame& frame);
@@ -53,7 +56,7 @@ class Contour final : public gui::Panel {
   void draw_contour_head(gui::Frame& frame, float width);
   bool draw_piece(gui::Frame& frame, std::size_t row, float width);
   void draw_adders(gui::Frame& frame);
-  void add(ContourPiece::Kind kind);
+  void add(PieceKind kind);
   void draw_stairs_list(gui::Frame& frame, float width);
   bool draw_stair(gui::Frame& frame, std::size_t row, float width);
   void number(gui::Frame& frame, std::string_view id, std::string_view label, gui::NumberField& field,
@@ -61,12 +64,13 @@ class Contour final : public gui::Panel {
   int axis_choice(gui::Frame& frame, std::string_view id, std::string_view label, int chosen, ImVec2 at,
                   std::string_view words);
 
-  const ContourWriter* writer_ = nullptr;  ///< the tab's language, or null
+  const Language* language_ = nullptr;              ///< the tab's, or null
+  const StaircaseWriter* stairs_writer_ = nullptr;  ///< the same, where it writes them
   bool made_ = false, changed_ = true;
   bool stairs_shown_ = false;
   bool contour_unkept_ = false, stairs_unkept_ = false;  ///< edited since it was put into the program
   std::vector<std::string_view> axis_names_, output_names_;
-  std::vector<int> outputs_;  ///< places in the catalog
+  std::vector<int> outputs_;  ///< the maker's numbers
 
   int first_ = 0, second_ = 1, stair_axis_ = 0;
   bool ramp_ = true;
@@ -75,8 +79,7 @@ class Contour final : public gui::Panel {
   std::vector<Stair> stairs_;
 
   // what it comes to, worked out when something has changed
-  ContourPlan plan_;
-  std::optional<ContourShape> shape_;
+  std::optional<sequence::ContourPath> path_;
   std::vector<AxisTarget> places_;  ///< that its text goes to
   std::string text_, problem_, facts_;
   std::vector<float> stair_x_, stair_y_;

@@ -123,8 +123,8 @@ bool Contour::draw_piece(Frame& f, std::size_t row, float width) {
   Piece& p = pieces_[row];
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const std::size_t n = row + 1;
-  const bool arc = p.kind == ContourPiece::Kind::arc;
-  const std::string_view word = arc ? "arc about" : p.kind == ContourPiece::Kind::line ? "line to" : "output";
+  const bool arc = p.kind == PieceKind::arc;
+  const std::string_view word = arc ? "arc about" : p.kind == PieceKind::line ? "line to" : "output";
   draw_text_line(ui, at.x, at.x + ui.px(24), at.y + ui.px(16), Face::code_field, ui[Tone::ink3],
                  Path("{}", n));
   words_at(ui, ImVec2(at.x + ui.px(24), at.y), head_width - 24, word, Tone::ink);
@@ -132,7 +132,7 @@ bool Contour::draw_piece(Frame& f, std::size_t row, float width) {
   const auto place = [&](int column) {
     return ImVec2(at.x + ui.px(head_width + static_cast<float>(column) * (cell + between)), at.y);
   };
-  if (p.kind == ContourPiece::Kind::output) {
+  if (p.kind == PieceKind::output) {
     ImGui::SetCursorScreenPos(place(0));
     if (const int picked = dropdown(ui, Path("contour/{}/output", n), "Output", output_names_, p.output,
                                     {.width = 2 * cell + between - 40});
@@ -159,25 +159,25 @@ bool Contour::draw_piece(Frame& f, std::size_t row, float width) {
 
 void Contour::draw_adders(Frame& f) {
   Ui& ui = f.ui;
-  if (button(ui, "contour/add/line", "Add line", {.icon = Icon::plus}).clicked) add(ContourPiece::Kind::line);
+  if (button(ui, "contour/add/line", "Add line", {.icon = Icon::plus}).clicked) add(PieceKind::line);
   ImGui::SameLine(0, ui.px(8));
-  if (button(ui, "contour/add/arc", "Add arc", {.icon = Icon::plus}).clicked) add(ContourPiece::Kind::arc);
+  if (button(ui, "contour/add/arc", "Add arc", {.icon = Icon::plus}).clicked) add(PieceKind::arc);
   ImGui::SameLine(0, ui.px(8));
   ButtonOptions o;
   o.icon = Icon::plus;
   o.disabled = outputs_.empty() ? "No output can be switched on a contour." : "";
-  if (button(ui, "contour/add/output", "Add output", o).clicked) add(ContourPiece::Kind::output);
+  if (button(ui, "contour/add/output", "Add output", o).clicked) add(PieceKind::output);
 }
 
 /// A new row goes on from the one before.
-void Contour::add(ContourPiece::Kind kind) {
+void Contour::add(PieceKind kind) {
   Piece p;
   p.kind = kind;
   p.x.set(0, 0), p.y.set(0, 0), p.degrees.set(90, 0);
   for (const Piece& old : pieces_)
-    if (old.kind == ContourPiece::Kind::line && kind == old.kind)
+    if (old.kind == PieceKind::line && kind == old.kind)
       p.x.set(old.x.value().value_or(0), 0), p.y.set(old.y.value().value_or(0), 0);
-    else if (old.kind == ContourPiece::Kind::output && kind == old.kind)
+    else if (old.kind == PieceKind::output && kind == old.kind)
       p.output = old.output, p.on = !old.on;
   pieces_.push_back(std::move(p));
   edited();

@@ -10,6 +10,8 @@
 namespace hw::panels {
 
 using namespace gui;
+using sequence::ContourPath;
+using sequence::PathPoint;
 namespace {
 
 constexpr float left_margin = 62, bottom_margin = 24, top_margin = 12, right_margin = 16;
@@ -17,25 +19,25 @@ constexpr float left_margin = 62, bottom_margin = 24, top_margin = 12, right_mar
 /// From counts to pixels, the same scale both ways.
 class Map {
  public:
-  Map(const Rect& in, const ContourShape& shape, ContourPoint here) {
-    ContourPoint low = shape.park, high = shape.park;
-    const auto take = [&](ContourPoint p) {
+  Map(const Rect& in, const ContourPath& path, PathPoint here) {
+    PathPoint low = path.park, high = path.park;
+    const auto take = [&](PathPoint p) {
       low = {std::min(low.x, p.x), std::min(low.y, p.y)};
       high = {std::max(high.x, p.x), std::max(high.y, p.y)};
     };
-    for (const ContourPoint& p : shape.points) take(p);
+    for (const PathPoint& p : path.points) take(p);
     const double size = std::max({high.x - low.x, high.y - low.y, 1.0});
     // The axes are shown where they stand unless that would make the path small.
     if (std::fabs(here.x - low.x) < 3 * size && std::fabs(here.y - low.y) < 3 * size) take(here);
     const double air = 0.06 * std::max(high.x - low.x, high.y - low.y) + 1;
     low = {low.x - air, low.y - air}, high = {high.x + air, high.y + air};
     counts_a_pixel_ = std::max((high.x - low.x) / in.width(), (high.y - low.y) / in.height());
-    const ContourPoint middle{(low.x + high.x) / 2, (low.y + high.y) / 2};
+    const PathPoint middle{(low.x + high.x) / 2, (low.y + high.y) / 2};
     left_ = middle.x - counts_a_pixel_ * in.width() / 2;
     bottom_ = middle.y - counts_a_pixel_ * in.height() / 2;
     in_ = in;
   }
-  [[nodiscard]] ImVec2 at(ContourPoint p) const {
+  [[nodiscard]] ImVec2 at(PathPoint p) const {
     return ImVec2(in_.min.x + static_cast<float>((p.x - left_) / counts_a_pixel_),
                   in_.max.y - static_cast<float>((p.y - bottom_) / counts_a_pixel_));
   }
@@ -78,16 +80,16 @@ void draw_lead_in(Ui& ui, ImVec2 from, ImVec2 to) {
   }
 }
 
-void draw_path(Ui& ui, const Map& map, const ContourShape& shape) {
+void draw_path(Ui& ui, const Map& map, const ContourPath& path) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   const bool any_on =
-      std::any_of(shape.legs.begin(), shape.legs.end(), [](auto& l) { return l.outputs_on > 0; });
-  for (const ContourShape::Leg& leg : shape.legs) {
-    for (std::size_t i = leg.first; i < leg.first + leg.size; ++i) list->PathLineTo(map.at(shape.points[i]));
+      std::any_of(path.legs.begin(), path.legs.end(), [](auto& l) { return l.outputs_on > 0; });
+  for (const ContourPath::Leg& leg : path.legs) {
+    for (std::size_t i = leg.first; i < leg.first + leg.size; ++i) list->PathLineTo(map.at(path.points[i]));
     const bool strong = leg.outputs_on > 0 || !any_on;
     list->PathStroke(ui[strong ? Tone::ink : Tone::ink3], 0, (strong ? 2.0f : 1.0f) * ui.hair());
   }
-  const ImVec2 begin = map.at(shape.points.front());
+  const ImVec2 begin = map.at(path.points.front());
   list->AddRectFilled(ImVec2(begin.x - ui.px(5), begin.y), ImVec2(begin.x + ui.px(6), begin.y + ui.hair()),
                       ui[Tone::ink]);
   list->AddRectFilled(ImVec2(begin.x, begin.y - ui.px(5)), ImVec2(begin.x + ui.hair(), begin.y + ui.px(6)),
@@ -106,8 +108,8 @@ void draw_here(Ui& ui, const Rect& in, ImVec2 at) {
 
 }  // namespace
 
-void draw_contour_preview(Frame& f, const ContourPlan& plan, const ContourShape* shape,
-                          std::string_view words, float width, float height) {
+void draw_contour_preview(Frame& f, AxisId right, AxisId up, const ContourPath* path, std::string_view words,
+                          float width, float height) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const Rect whole{at, ImVec2(at.x + ui.px(width), at.y + ui.px(height))};
@@ -119,15 +121,16 @@ void draw_contour_preview(Frame& f, const ContourPlan& plan, const ContourShape*
   const Rect in{ImVec2(at.x + ui.px(left_margin), at.y + ui.px(top_margin)),
                 ImVec2(whole.max.x - ui.px(right_margin), whole.max.y - ui.px(bottom_margin))};
   if (in.width() < ui.px(40) || in.height() < ui.px(40)) return;
-  if (!shape) return draw_text_centred(ui, in, Face::body, ui[Tone::ink2], "Nothing to draw yet.");
-  const AxisState& a = f.now.axes[plan.first.index];
-  const AxisState& b = f.now.axes[plan.second.index];
-  const ContourPoint here{static_cast<double>(a.position.value), static_cast<double>(b.position.value)};
-  const Map map(in, *shape, here);
+  if (!path || path->legs.empty())
+    return draw_text_centred(ui, in, Face::body, ui[Tone::ink2], "Nothing to draw yet.");
+  const AxisState& a = f.now.axes[right.index];
+  const AxisState& b = f.now.axes[up.index];
+  const PathPoint here{static_cast<double>(a.position.value), static_cast<double>(b.position.value)};
+  const Map map(in, *path, here);
   draw_grid(ui, in, map);
   list->PushClipRect(in.min, in.max, true);
-  draw_lead_in(ui, map.at(shape->park), map.at(shape->points.front()));
-  draw_path(ui, map, *shape);
+  draw_lead_in(ui, map.at(path->park), map.at(path->points.front()));
+  draw_path(ui, map, *path);
   if (a.position_known && b.position_known && f.connected()) draw_here(ui, in, map.at(here));
   list->PopClipRect();
 }

@@ -57,8 +57,9 @@ struct OutputInfo {
   std::string help;
   bool settable = true;
   OutputDuty duty = {};
-  int number = -1;         ///< the maker's; -1: its place, from 1 (see Catalog::output_number)
-  std::string group = {};  ///< as InputInfo::group
+  int number = -1;          ///< the maker's; -1: its place, from 1 (see Catalog::output_number)
+  std::string group = {};   ///< as InputInfo::group
+  bool on_the_way = false;  ///< can be switched within a contour
 };
 struct AnalogInfo {
   std::string name, unit;  ///< "Analog", "counts"
@@ -253,6 +254,7 @@ struct Capabilities {
   bool homes = true;
   bool reset = false;
   bool interpolates = false;  ///< moves several axes together on a straight line
+  bool arcs = false;          ///< moves its first two axes along an arc, from rest to rest
   bool broadcast = false;     ///< takes text meant for all devices of a wire, without replies
   bool usb = false;           ///< has a USB wire of its own, beside any serial line
   bool window = false;        ///< a board in a memory window on a bus: no serial line at all

@@ -1,5 +1,6 @@
 #pragma once
 // What a console wants to know of a program text while it is typed, and before metal moves.
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -9,6 +10,9 @@
 
 #include "core/base/result.h"
 #include "core/device/bench.h"
+#include "core/device/catalog.h"
+#include "core/device/sequence_text.h"
+#include "core/sequence/sequence.h"
 #include "core/time/clock.h"
 
 namespace hw {
@@ -56,6 +60,12 @@ struct RehearsedEvent {
   std::string what;
   int slot = -1, command = -1;
 };
+/// Where all axes are at a time, as the controller counts.
+struct RehearsedPlace {
+  double t = 0;
+  std::array<std::int64_t, max_axes> position{};  ///< by place in the catalog
+  std::uint32_t outputs = 0;                      ///< as BenchView::outputs
+};
 struct Rehearsal {
   double duration_s = 0;
   bool finished = false;
@@ -68,9 +78,11 @@ struct Rehearsal {
   std::vector<RehearsedEvent> events;
   int moves = 0;
   bool limit_touched = false;
+  std::vector<RehearsedPlace> track;  ///< in order of time, where it was asked for
 };
 struct RehearseOptions {
   double for_seconds = 3600;
+  double track_every_s = 0;                   ///< how often Rehearsal::track looks while axes move; 0: not
   int slot = 0;                               ///< the program that is started
   std::string bench_toml;                     ///< a bench file's text, or empty
   int axes = 0;                               ///< 0: as few as the text needs
@@ -92,6 +104,9 @@ class Language {
   /// thread.
   [[nodiscard]] virtual Result<Rehearsal> rehearse(std::string_view text,
                                                    const RehearseOptions& options) const = 0;
+  /// The fault names the step that the controller cannot do, and why.
+  [[nodiscard]] virtual Result<SequenceText> write(const sequence::Sequence& sequence,
+                                                   const Catalog& catalog) const = 0;
 };
 
 }  // namespace hw

@@ -10,8 +10,8 @@
 namespace hw::sequence {
 
 inline constexpr std::array<std::string_view, std::variant_size_v<Step::Body>> kind_names{
-    "speed",      "move",          "arc",    "jog",    "home", "stop",    "wait_motion", "delay",
-    "wait_input", "move_on_input", "output", "enable", "pen",  "comment", "loop",        "custom"};
+    "speed",         "move",   "arc",    "jog", "home",    "stop", "wait_motion", "delay",  "wait_input",
+    "move_on_input", "output", "enable", "pen", "comment", "loop", "custom",      "contour"};
 inline constexpr std::array<std::string_view, 3> input_moves{"move", "jog", "home"};
 
 /// To be read into or written from.
@@ -101,7 +101,7 @@ template <class Io, Of<Comment> S>
 void fields(Io& io, S& c) {
   io.text("text", c.text);
 }
-template <class Io, Of<Loop> S>
+template <class Io, Of<Repeat> S>
 void fields(Io& io, S& l) {
   io.count("times", l.times);
   io.steps("steps", l.steps);
@@ -110,6 +110,16 @@ template <class Io, Of<Custom> S>
 void fields(Io& io, S& c) {
   io.text("about", c.about);
   io.text("text", c.text);
+}
+
+template <class Io, Of<Contour> S>
+void fields(Io& io, S& c) {
+  io.needed("x", c.x);
+  io.needed("y", c.y);
+  io.positive("lead_in", c.lead_in);
+  io.flag("ends_ramped", c.ends_ramped);
+  io.own(c.own);
+  io.steps("steps", c.steps);
 }
 
 }  // namespace hw::sequence

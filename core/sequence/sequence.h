@@ -73,7 +73,7 @@ struct Delay {
   bool operator==(const Delay&) const = default;
 };
 struct WaitInput {
-  int input = 1;
+  int input = 1;  ///< the maker's number
   bool on = true;
   bool operator==(const WaitInput&) const = default;
 };
@@ -91,7 +91,7 @@ struct MoveOnInput {
   bool operator==(const MoveOnInput&) const = default;
 };
 struct Output {
-  int output = 1;  ///< 0: `value` is that of all
+  int output = 1;  ///< the maker's number; -1: `value` is that of all
   bool on = true;
   std::uint32_t value = 0;
   bool operator==(const Output&) const = default;
@@ -111,10 +111,19 @@ struct Comment {
   std::string text;
   bool operator==(const Comment&) const = default;
 };
-struct Loop {
+struct Repeat {
   int times = 0;  ///< 0: for ever
   StepList steps;
-  bool operator==(const Loop&) const;
+  bool operator==(const Repeat&) const;
+};
+/// Moves, arcs and outputs in the first two axes, in one go at one speed, through corners as well.
+struct Contour {
+  double x = 0, y = 0;      ///< where it begins
+  double lead_in = 0;       ///< so far before that, in its first direction, it sets off
+  bool ends_ramped = true;  ///< on along its last direction; false: at once
+  OwnSpeeds own;
+  StepList steps;
+  bool operator==(const Contour&) const;
 };
 /// Text of one controller's language, as it is.
 struct Custom {
@@ -125,13 +134,19 @@ struct Custom {
 
 struct Step {
   using Body = std::variant<Speed, Move, Arc, Jog, Home, Stop, WaitMotion, Delay, WaitInput, MoveOnInput,
-                            Output, Enable, Pen, Comment, Loop, Custom>;
+                            Output, Enable, Pen, Comment, Repeat, Custom, Contour>;
   Body body;
   bool skipped = false;  ///< stays in the list and does nothing
   bool operator==(const Step&) const = default;
 };
 // Not defaulted: clang 14 gives up on one that is defaulted behind its class.
-inline bool Loop::operator==(const Loop& other) const { return times == other.times && steps == other.steps; }
+inline bool Repeat::operator==(const Repeat& other) const {
+  return times == other.times && steps == other.steps;
+}
+inline bool Contour::operator==(const Contour& other) const {
+  return x == other.x && y == other.y && lead_in == other.lead_in && ends_ramped == other.ends_ramped &&
+         own == other.own && steps == other.steps;
+}
 
 struct Axis {
   std::string name;     ///< as its controller names it

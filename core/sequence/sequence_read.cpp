@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::string_view version_key = "handwheel_sequence";
 constexpr std::int64_t version = 1;
-constexpr std::int64_t most_lines = 64;  // inputs or outputs of a controller
+constexpr std::int64_t last_line = 64;  // of the inputs or outputs of a controller
 
 /// Where a sequence is read from, and what is wrong there: the first of all is told.
 struct File {
@@ -67,12 +67,12 @@ class FieldReader {
   }
   void count(std::string_view key, int& value) { whole(key, value, 0, 1'000'000); }
   void line(std::string_view key, int& value) {
-    whole(key, value, 1, most_lines);
+    whole(key, value, 0, last_line);
     if (!has_read_) missing(key);
   }
   void line_or_all(std::string_view key, int& value) {
-    value = 0;
-    whole(key, value, 1, most_lines);
+    value = -1;
+    whole(key, value, 0, last_line);
     if (!has_read_ && !table_.contains("value")) missing("output, or the value of all");
   }
   void word(std::string_view key, std::uint32_t& value) { whole(key, value, 0, 0xFFFF'FFFF); }

@@ -27,7 +27,7 @@ class FieldWriter {
   void count(std::string_view key, int value) { put(key, fmt::format("{}", value)); }
   void line(std::string_view key, int value) { count(key, value); }
   void line_or_all(std::string_view key, int value) {
-    all_lines_ = value == 0;
+    all_lines_ = value < 0;
     if (!all_lines_) line(key, value);
   }
   void word(std::string_view key, std::uint32_t value) {

@@ -28,6 +28,9 @@ class Clockwork final : public Language {
     r.finished = true;
     return r;
   }
+  [[nodiscard]] Result<SequenceText> write(const sequence::Sequence&, const Catalog&) const override {
+    return SequenceText();
+  }
 };
 
 struct RunFollowerTest : testing::Test {

@@ -41,6 +41,9 @@ class ToyLanguage final : public Language {
     r.program_size[std::to_string(options.slot)] = 27;
     return r;
   }
+  [[nodiscard]] Result<SequenceText> write(const sequence::Sequence&, const Catalog&) const override {
+    return SequenceText();
+  }
 
  private:
   static void read_line(std::string_view s, int line, int& slot, ProgramReport& report) {

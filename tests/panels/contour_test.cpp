@@ -60,7 +60,7 @@ TEST_F(ContourTest, WhatCannotBeDrawnIsNamedByItsRowAndNotRun) {
   line(1, "1000", "0");
   s.click("contour/add/arc");
   s.type("contour/2/x", "1000");
-  EXPECT_THAT(s.value("contour/problem"), HasSubstr("Piece 2: the centre of the arc is the point"));
+  EXPECT_THAT(s.value("contour/problem"), HasSubstr("Piece 2 (arc): the centre of the arc is the point"));
   EXPECT_THAT(s.reason("contour/run"), HasSubstr("Piece 2"));
   s.type("contour/2/x", "2000");
   EXPECT_FALSE(s.stage.find("contour/problem"));

@@ -3,8 +3,10 @@
 // memory, tuning and contours ask of a catalog.
 #include <fmt/format.h>
 
-#include "core/device/contour_plan.h"
+#include "core/device/language.h"
 #include "core/device/servo_tuning.h"
+#include "core/device/staircase_plan.h"
+#include "core/sequence/contour_path.h"
 #include "tests/gui/toy_language.h"
 
 namespace hw::test {
@@ -40,6 +42,7 @@ inline Catalog window_catalog() {
   c.params = {window_gain("KPX", "Proportional gain of X", 0), window_gain("KDX", "Derivative gain of X", 0),
               window_gain("KPY", "Proportional gain of Y", 1)};
   c.outputs = {{"Out 8", "general line"}, {"Aux X", "auxiliary"}, {"Aux Y", "auxiliary"}};
+  c.outputs[1].on_the_way = c.outputs[2].on_the_way = true;
   c.program.slots = 1, c.program.slot_word = "Program";
   c.can.memory_map = c.can.servo_tuning = c.can.contours = true;
   c.jog_speed_max = Pps{1'000'000};
@@ -48,28 +51,34 @@ inline Catalog window_catalog() {
 }
 
 /// Writes plans as words that a test can read.
-class WindowLanguage final : public Language, public ContourWriter {
+class WindowLanguage final : public Language, public StaircaseWriter {
  public:
   [[nodiscard]] ProgramReport analyse(std::string_view, int) const override { return {}; }
   [[nodiscard]] Result<Rehearsal> rehearse(std::string_view, const RehearseOptions&) const override {
     return Rehearsal();
   }
-  [[nodiscard]] Result<std::string> write_contour(const ContourPlan& plan,
-                                                  const Catalog& catalog) const override {
-    const auto shape = draw_contour(plan, catalog);
-    if (!shape) return fail(shape.error());
-    std::string text = fmt::format("contour {} {} at {:.0f}\n", catalog.axes[plan.first.index].name,
-                                   catalog.axes[plan.second.index].name, plan.speed.value);
-    for (const ContourPiece& p : plan.pieces) {
-      if (p.kind == ContourPiece::Kind::output)
-        text += fmt::format("{} {}\n", catalog.outputs[static_cast<std::size_t>(p.output)].name,
-                            p.on ? "on" : "off");
-      else if (p.kind == ContourPiece::Kind::arc)
-        text += fmt::format("arc {} {} {}\n", p.x.value, p.y.value, p.degrees);
-      else
-        text += fmt::format("line {} {}\n", p.x.value, p.y.value);
+  [[nodiscard]] Result<SequenceText> write(const sequence::Sequence& s,
+                                           const Catalog& catalog) const override {
+    const auto& c = std::get<sequence::Contour>(s.steps.front().body);
+    if (sequence::contour_path(c).legs.empty())
+      return fail(FaultKind::text, "Step 1 (contour): the contour has no line and no arc.");
+    SequenceText made;
+    made.text = fmt::format("contour {} {} at {:.0f}\n", s.axes[0].name, s.axes[1].name, c.own->high);
+    for (std::size_t i = 0; i < c.steps.size(); ++i) {
+      if (const auto* output = std::get_if<sequence::Output>(&c.steps[i].body))
+        made.text +=
+            fmt::format("{} {}\n", catalog.outputs[static_cast<std::size_t>(output->output - 1)].name,
+                        output->on ? "on" : "off");
+      if (const auto* line = std::get_if<sequence::Move>(&c.steps[i].body))
+        made.text += fmt::format("line {} {}\n", *line->to[0], *line->to[1]);
+      const auto* arc = std::get_if<sequence::Arc>(&c.steps[i].body);
+      if (arc && arc->x == 1000 && arc->y == 0)
+        return fail(
+            FaultKind::text,
+            fmt::format("Step 1.{} (arc): the centre of the arc is the point where it begins.", i + 1));
+      if (arc) made.text += fmt::format("arc {} {} {}\n", arc->x, arc->y, arc->degrees);
     }
-    return text;
+    return made;
   }
   [[nodiscard]] Result<std::string> write_staircase(const StaircasePlan& plan,
                                                     const Catalog& catalog) const override {
@@ -79,7 +88,6 @@ class WindowLanguage final : public Language, public ContourWriter {
       text += fmt::format(" {} at {:.0f}", s.until.value, s.speed.value);
     return text + fmt::format(" stop {}\n", plan.stop_at.value);
   }
-  [[nodiscard]] std::vector<int> contour_outputs(const Catalog&) const override { return {1, 2}; }
 };
 
 }  // namespace hw::test

@@ -7,8 +7,10 @@
 #include "core/base/index.h"
 #include "core/device/bench_file.h"
 #include "core/device/planned_hands.h"
+#include "core/device/track_keeper.h"
 #include "core/devices/arcus/language/compiler.h"
 #include "core/devices/arcus/program_language.h"
+#include "core/devices/arcus/sequence_writer.h"
 
 namespace hw::arcus {
 namespace {
@@ -57,7 +59,8 @@ class Rehearsing {
         controller_(emulator.controller()),
         made_(made),
         options_(options),
-        dialect_(dialect) {
+        dialect_(dialect),
+        track_(emulator, options) {
     result_.program_size["0"] = static_cast<int>(made.lines.size());
     for (int i = 0; i < std::min(controller_.axes(), static_cast<int>(options.start_at.size())); ++i)
       (void)controller_.set_position(i, options.start_at[static_cast<std::size_t>(i)]);
@@ -79,6 +82,7 @@ class Rehearsing {
     controller_.trace = &trace;
     const int program = std::clamp(options_.slot, 0, controller_.model().programs - 1);
     controller_.control_program(program, run_it);
+    track_.look(now_);
     go_through(trace);
     controller_.trace = nullptr;
     return finish();
@@ -102,11 +106,13 @@ class Rehearsing {
     while (program_in(state_running) >= 0 || moves()) {
       std::optional<Instant> next =
           emulator_.next_event();  // each turn of an axis is one: extremes are exact
-      if (const auto hand = hands_.next()) next = std::min(next.value_or(last), *hand);
+      for (const auto& other : {hands_.next(), track_.next()})
+        if (other) next = std::min(next.value_or(last), *other);
       if (!next || *next > last) return out_of_time(last, trace);
       now_ = std::max(now_, *next);
       emulator_.advance_to(now_);
       hands_.act_until(now_, emulator_);
+      track_.look(now_);
       collect(trace);
     }
     if (const int failed = program_in(state_error); failed >= 0)
@@ -185,6 +191,7 @@ class Rehearsing {
 
   Rehearsal finish() {
     result_.duration_s = seconds(now_);
+    result_.track = track_.take();
     result_.moves = controller_.moves_begun;
     for (int i = 0; i < controller_.axes(); ++i)
       result_.axes[ix(i)].in_counts = controller_.settings().on(Setting::loop, i);
@@ -199,6 +206,7 @@ class Rehearsing {
   const RehearseOptions& options_;
   const language::Dialect& dialect_;
   PlannedHands hands_;
+  TrackKeeper track_;
   Instant now_{};
   std::array<std::int64_t, max_axes> turned_{};  ///< pulses made until the last look
   std::array<double, max_axes> way_{};           ///< in the unit of positions
@@ -256,6 +264,11 @@ Result<Rehearsal> ProgramLanguage::rehearse(std::string_view text, const Rehears
   auto emulator = make_emulator_({{"unaddressed", "yes"}});
   if (!emulator) return fail(emulator.error());
   return rehearse_program(text, options, **emulator, *catalog, dialect_);
+}
+
+Result<SequenceText> ProgramLanguage::write(const sequence::Sequence& sequence,
+                                            const Catalog& catalog) const {
+  return write_sequence(sequence, catalog, dialect_);
 }
 
 }  // namespace hw::arcus

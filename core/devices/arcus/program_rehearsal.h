@@ -23,6 +23,8 @@ class ProgramLanguage final : public Language {
   [[nodiscard]] ProgramReport analyse(std::string_view text, int slot) const override;
   [[nodiscard]] Result<Rehearsal> rehearse(std::string_view text,
                                            const RehearseOptions& options) const override;
+  [[nodiscard]] Result<SequenceText> write(const sequence::Sequence& sequence,
+                                           const Catalog& catalog) const override;
 
  private:
   const language::Dialect& dialect_;

@@ -104,6 +104,7 @@ Result<Catalog> make_catalog(const DeviceOptions& options) {
   Catalog c = arcus::common_catalog(model, wording());
   c.address = *id;
   c.can.usb = true;
+  c.can.arcs = true;
   c.name = "Arcus PMX-4EX-SA";
   c.short_name = "PMX";
   c.summary = "four stepping axes, X to U";

@@ -110,6 +110,7 @@ std::vector<OutputInfo> output_infos(std::uint16_t outputs, const Variant& varia
         letter);
     output.number = first_auxiliary + i;
     output.group = "Auxiliary: outputs";
+    output.on_the_way = true;
     all.push_back(std::move(output));
   }
   return all;

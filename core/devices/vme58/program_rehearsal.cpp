@@ -10,6 +10,7 @@
 
 #include "core/device/bench_file.h"
 #include "core/device/planned_hands.h"
+#include "core/device/track_keeper.h"
 #include "core/devices/vme58/catalog.h"
 #include "core/devices/vme58/command_text.h"
 #include "core/devices/vme58/emulator.h"
@@ -33,7 +34,8 @@ class Rehearsing {
       : emulator_(emulator),
         board_(emulator.board()),
         options_(options),
-        last_(from_seconds(std::clamp(options.for_seconds, 0.0, 1e9))) {
+        last_(from_seconds(std::clamp(options.for_seconds, 0.0, 1e9))),
+        track_(emulator, options) {
     for (const TextCommand& command : commands)
       text_.push_back({line_of(plain, command.begin), std::string(command.text)});
   }
@@ -80,6 +82,7 @@ class Rehearsing {
     board_.motion().measure_from_here();
     for (int i = 0; i < axes(); ++i) begin_[ix(i)] = board_.motion().position(i);
     result_.outputs_at_first = outputs();
+    track_.look(now_);
   }
   [[nodiscard]] int axes() const { return board_.variant().axes(); }
 
@@ -89,12 +92,14 @@ class Rehearsing {
   /// rehearsal ends.
   bool step() {
     std::optional<Instant> next = emulator_.next_event();
-    if (const auto hand = hands_.next()) next = std::min(next.value_or(*hand), *hand);
+    for (const auto& other : {hands_.next(), track_.next()})
+      if (other) next = std::min(next.value_or(*other), *other);
     const Instant end(last_);
     const bool some = next && *next <= end;
     const Instant before = std::exchange(now_, some ? std::max(now_, *next) : std::max(now_, end));
     emulator_.advance_to(now_);
     hands_.act_until(now_, emulator_);
+    track_.look(now_);
     // A board that finds no end at one moment is taken on by force.
     const auto due = emulator_.next_event();
     if (some && now_ == before && due && *due <= now_) now_ += std::chrono::microseconds(1);
@@ -190,6 +195,7 @@ class Rehearsing {
       result_.axes.push_back(std::move(a));
     }
     result_.outputs = outputs();
+    result_.track = track_.take();
     return std::move(result_);
   }
 
@@ -210,6 +216,7 @@ class Rehearsing {
   std::vector<Line> text_;
   std::size_t next_ = 0;  ///< of the text: what is to be sent
   PlannedHands hands_;
+  TrackKeeper track_;
   Notes notes_;
   std::uint32_t put_ = 0, get_ = 0;
   Instant now_{};

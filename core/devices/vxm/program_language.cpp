@@ -2,6 +2,7 @@
 
 #include "core/devices/vxm/program_analysis.h"
 #include "core/devices/vxm/program_rehearsal.h"
+#include "core/devices/vxm/sequence_writer.h"
 
 namespace hw::vxm {
 namespace {
@@ -16,6 +17,10 @@ class VxmLanguage final : public Language {
   [[nodiscard]] Result<Rehearsal> rehearse(std::string_view text,
                                            const RehearseOptions& options) const override {
     return rehearse_program(text, options);
+  }
+  [[nodiscard]] Result<SequenceText> write(const sequence::Sequence& sequence,
+                                           const Catalog& catalog) const override {
+    return write_sequence(sequence, catalog);
   }
 };
 

@@ -7,6 +7,7 @@
 #include "core/base/index.h"
 #include "core/device/bench_file.h"
 #include "core/device/planned_hands.h"
+#include "core/device/track_keeper.h"
 #include "core/devices/vxm/catalog.h"
 #include "core/devices/vxm/emulator_vxm.h"
 #include "core/devices/vxm/program_analysis.h"
@@ -46,7 +47,11 @@ std::string waited_for(const Wait& wait) {
 class Rehearsing {
  public:
   Rehearsing(const Analysis& analysis, const RehearseOptions& options, int motors)
-      : analysis_(analysis), options_(options), emulator_(emulator_options(motors)), motors_(motors) {}
+      : analysis_(analysis),
+        options_(options),
+        emulator_(emulator_options(motors)),
+        motors_(motors),
+        track_(emulator_, options) {}
 
   Result<> set_bench() { return PlannedHands::act(options_.bench, emulator_); }
   Result<> set_bench(const BenchFile& bench) { return hands_.begin(bench, emulator_); }
@@ -71,6 +76,7 @@ class Rehearsing {
     for (int i = 0; i < motors_; ++i) begin_[ix(i)] = axis(i).counter;
     box.trace = &trace_;
     emulator_.receive("R");
+    track_.look(now_);
     go_through();
     box.trace = nullptr;
     return finish();
@@ -106,7 +112,8 @@ class Rehearsing {
       }
       std::optional<Instant> next = emulator_.next_event();
       const auto hand = hands_.next();
-      if (hand && (!next || *hand < *next)) next = hand;
+      for (const auto& other : {hand, track_.next()})
+        if (other && (!next || *other < *next)) next = other;
       // What loops without ever taking time would only burn the rest of it.
       const bool empty_loop = box.run().doing == Doing::breathing && !hand;
       breaths = empty_loop ? breaths + 1 : 0;
@@ -114,6 +121,7 @@ class Rehearsing {
       now_ = std::max(now_, *next);
       emulator_.advance_to(now_);
       hands_.act_until(now_, emulator_);
+      track_.look(now_);
       collect();
     }
     result_.finished = box.error() == 0;
@@ -161,6 +169,7 @@ class Rehearsing {
   Rehearsal finish() {
     Box& box = emulator_.box();
     result_.duration_s = seconds(now_);
+    result_.track = track_.take();
     for (int i = 0; i < motors_; ++i) {
       const Axis& now = axis(i);
       RehearsedAxis a;
@@ -182,6 +191,7 @@ class Rehearsing {
   VxmEmulator emulator_;
   int motors_;
   PlannedHands hands_;
+  TrackKeeper track_;
   std::vector<Trace> trace_;
   std::array<std::int64_t, max_motors> begin_{};
   Instant now_{};

@@ -25,27 +25,29 @@ Sequence one_of_each() {
   s.pen_up = {{Output{2, false}}, {Delay{150}}};
   s.pen_down = {{Output{2, true}}};
   const Speeds own{120.25, 1, 300};
-  Loop loop;
+  Repeat loop;
   loop.times = 5;
   loop.steps = {{Pen{true}}, {Move{{1.5, -2}, true, own}, true}, {Pen{false}}};
-  s.steps = {{Speed{own}},
-             {Move{{std::nullopt, 1e-7}, false, {}}},
-             {Arc{1, 2, -90.125, Speeds{}}},
-             {Jog{1, Sign::minus, own}},
-             {Home{0, Sign::minus, {}}},
-             {Stop{}},
-             {Stop{1, true}},
-             {WaitMotion{}},
-             {WaitMotion{0}},
-             {Delay{0.5}},
-             {WaitInput{3, false}},
-             {MoveOnInput{2, true, MoveOnInput::Kind::home, 1, 0, Sign::minus, true, own}},
-             {Output{1, true}},
-             {Output{0, true, 0xA5}},
-             {Enable{1, false}},
-             {Comment{"a \"quoted\" \\ remark\nof two lines"}},
-             {loop},
-             {Custom{"own text", "X1000\nWAITX"}, true}};
+  s.steps = {
+      {Speed{own}},
+      {Move{{std::nullopt, 1e-7}, false, {}}},
+      {Arc{1, 2, -90.125, Speeds{}}},
+      {Jog{1, Sign::minus, own}},
+      {Home{0, Sign::minus, {}}},
+      {Stop{}},
+      {Stop{1, true}},
+      {WaitMotion{}},
+      {WaitMotion{0}},
+      {Delay{0.5}},
+      {WaitInput{3, false}},
+      {MoveOnInput{2, true, MoveOnInput::Kind::home, 1, 0, Sign::minus, true, own}},
+      {Output{1, true}},
+      {Output{-1, true, 0xA5}},
+      {Enable{1, false}},
+      {Comment{"a \"quoted\" \\ remark\nof two lines"}},
+      {loop},
+      {Contour{1.5, -2, 0.25, false, Speeds{20}, {{Move{{3, 4}}}, {Output{1, true}}, {Arc{5, 4, 180}}}}},
+      {Custom{"own text", "X1000\nWAITX"}, true}};
   return s;
 }
 
@@ -69,7 +71,7 @@ TEST(SequenceFile, IsWrittenByHandInAFewWords) {
   ASSERT_EQ(read->steps.size(), 2u);
   EXPECT_EQ(std::get<Move>(read->steps[0].body).to[1], 2.0);
   EXPECT_FALSE(std::get<Move>(read->steps[0].body).to[0]);
-  const Loop& loop = std::get<Loop>(read->steps[1].body);
+  const Repeat& loop = std::get<Repeat>(read->steps[1].body);
   EXPECT_EQ(loop.times, 3);
   EXPECT_EQ(std::get<Jog>(loop.steps[0].body).direction, Sign::plus);
 }

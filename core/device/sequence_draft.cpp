@@ -1,0 +1,220 @@
+#include "core/device/sequence_draft.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/device/told_speeds.h"
+#include "core/sequence/fields.h"
+
+namespace hw {
+
+using namespace sequence;
+namespace {
+
+template <class Body>
+bool has_speeds(const Body& body) {
+  if constexpr (requires { body.own; }) return body.own.has_value();
+  return std::is_same_v<Body, Speed>;
+}
+
+}  // namespace
+
+int count_steps(const StepList& steps) {
+  int count = 0;
+  for (const Step& step : steps) {
+    const StepList* inner = steps_in(step);
+    count += 1 + (inner ? count_steps(*inner) : 0);
+  }
+  return count;
+}
+
+std::string_view kind_of(const Step& step) { return kind_names[step.body.index()]; }
+
+const StepList* steps_in(const Step& step) {
+  if (const auto* loop = std::get_if<Repeat>(&step.body)) return &loop->steps;
+  if (const auto* contour = std::get_if<Contour>(&step.body)) return &contour->steps;
+  return nullptr;
+}
+
+bool says_speeds(const StepList& steps) {
+  return std::any_of(steps.begin(), steps.end(), [](const Step& step) {
+    const StepList* inner = steps_in(step);
+    return !step.skipped && (std::visit([](const auto& body) { return has_speeds(body); }, step.body) ||
+                             (inner && says_speeds(*inner)));
+  });
+}
+
+Result<> SequenceDraft::find_axes() {
+  for (std::size_t i = 0; i < sequence.axes.size(); ++i) {
+    const int found = catalog.find_axis(sequence.axes[i].name);
+    if (found < 0)
+      return fail(FaultKind::text,
+                  fmt::format("A {} has no axis \"{}\".", catalog.short_name, sequence.axes[i].name),
+                  "Nothing was written.", "Choose one of its axes for it.");
+    axes_[i] = AxisId{static_cast<std::uint8_t>(found)};
+  }
+  return {};
+}
+
+// ---- the step at hand
+
+void SequenceDraft::enter(const Step& step, std::size_t place) {
+  path_.push_back({&step, place, routine_.empty() ? next_index_++ : -1});
+}
+
+void SequenceDraft::leave() {
+  const Entered left = path_.back();
+  path_.pop_back();
+  const StepList* inner = steps_in(*left.step);
+  if (routine_.empty()) next_index_ = left.index + 1 + (inner ? count_steps(*inner) : 0);
+}
+
+void SequenceDraft::begin_routine(std::string_view name) {
+  path_outside_ = std::exchange(path_, {});
+  routine_ = name;
+}
+
+void SequenceDraft::end_routine() {
+  path_ = std::exchange(path_outside_, {});
+  routine_ = {};
+}
+
+int SequenceDraft::index() const {
+  const std::vector<Entered>& path = routine_.empty() ? path_ : path_outside_;
+  return path.empty() ? -1 : path.back().index;
+}
+
+tl::unexpected<Fault> SequenceDraft::refuse(std::string_view why) const {
+  std::string where;
+  for (const Entered& e : path_) where += fmt::format("{}{}", where.empty() ? "" : ".", e.place + 1);
+  return fail(FaultKind::text,
+              fmt::format("{}{} {} ({}): {}", routine_, routine_.empty() ? "Step" : ", step", where,
+                          kind_of(*path_.back().step), why),
+              "Nothing was written.");
+}
+
+void SequenceDraft::remark(std::string_view what) {
+  std::string said = refuse(what).value().what;
+  if (std::find(remarks_.begin(), remarks_.end(), said) == remarks_.end())
+    remarks_.push_back(std::move(said));
+}
+
+// ---- the text
+
+void SequenceDraft::line(std::string_view text) {
+  lines_.push_back({part_, index(), std::string(static_cast<std::size_t>(indent_), ' ').append(text)});
+}
+
+void SequenceDraft::lines(std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    line(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+}
+
+SequenceText SequenceDraft::finish() && {
+  std::stable_sort(lines_.begin(), lines_.end(),
+                   [](const Line& a, const Line& b) { return a.part < b.part; });
+  SequenceText all;
+  all.remarks = std::move(remarks_);
+  for (const Line& l : lines_) {
+    all.text.append(l.text).append("\n");
+    all.step_of_line.push_back(l.index);
+  }
+  return all;
+}
+
+// ---- axes
+
+Result<std::int64_t> SequenceDraft::steps_of(int place, double units, double low, double high) const {
+  const double steps = std::round(units * sequence.axes[ix(place)].per_unit);
+  if (!(steps >= low && steps <= high))
+    return refuse(fmt::format("{} {} of {} are {:.0f} {}; a {} goes from {:.0f} to {:.0f}.", units,
+                              sequence.unit, name(place), steps, catalog.step_word, catalog.short_name, low,
+                              high));
+  return static_cast<std::int64_t>(steps);
+}
+
+Result<std::int64_t> SequenceDraft::position(int place, double units) const {
+  return steps_of(place, units, static_cast<double>(catalog.position_min.value),
+                  static_cast<double>(catalog.position_max.value));
+}
+
+Result<std::int64_t> SequenceDraft::distance(int place, double units) const {
+  const auto most = static_cast<double>(catalog.move_max.value);
+  return steps_of(place, units, -most, most);
+}
+
+Result<StepSpeeds> SequenceDraft::speeds(int place, const Speeds& units) const {
+  const double per_unit = sequence.axes[ix(place)].per_unit;
+  StepSpeeds s;
+  for (auto [from, to, word] : {std::tuple{units.high, &s.high, "speed"}, {units.low, &s.low, "low speed"}}) {
+    if (from == 0) continue;
+    const double pps = std::round(from * per_unit);
+    if (!(pps >= 1 && pps <= catalog.jog_speed_max.value))
+      return refuse(fmt::format("a {} of {} {}/s is {:.0f} {}/s on {}; a {} goes from 1 to {:.0f}.", word,
+                                from, sequence.unit, pps, catalog.step_word, name(place), catalog.short_name,
+                                catalog.jog_speed_max.value));
+    *to = static_cast<std::int64_t>(pps);
+  }
+  if (s.high != 0 && s.low > s.high) return refuse("the low speed is above the high speed.");
+  s.ramp_ms = units.ramp_ms;
+  return s;
+}
+
+Result<StepSpeeds> SequenceDraft::speeds_of(int place, const OwnSpeeds& own) const {
+  return speeds(place, own ? over(speeds_now_, *own) : speeds_now_);
+}
+
+Speeds SequenceDraft::over(Speeds below, const Speeds& above) {
+  if (above.high != 0) below.high = above.high;
+  if (above.low != 0) below.low = above.low;
+  if (above.ramp_ms != 0) below.ramp_ms = above.ramp_ms;
+  return below;
+}
+
+bool SequenceDraft::all_alike() const {
+  return std::all_of(sequence.axes.begin(), sequence.axes.end(),
+                     [this](const Axis& a) { return a.per_unit == sequence.axes[0].per_unit; });
+}
+
+void SequenceDraft::forget_what_moves(const StepList& steps) {
+  for (const Step& step : steps) {
+    if (step.skipped) continue;
+    if (const StepList* inner = steps_in(step)) forget_what_moves(*inner);
+    if (const auto* move = std::get_if<Move>(&step.body)) {
+      for (int a = 0; a < axis_count(); ++a)
+        if (move->to[ix(a)]) stands(a, std::nullopt);
+    } else if (const auto* some = std::get_if<MoveOnInput>(&step.body)) {
+      stands(some->axis, std::nullopt);
+    } else if (const auto* jog = std::get_if<Jog>(&step.body)) {
+      stands(jog->axis, std::nullopt);
+    } else if (const auto* home = std::get_if<Home>(&step.body)) {
+      stands(home->axis, std::nullopt);
+    } else if (std::holds_alternative<Arc>(step.body) || std::holds_alternative<Contour>(step.body)) {
+      stands(0, std::nullopt), stands(1, std::nullopt);
+    } else if (std::holds_alternative<Custom>(step.body)) {
+      nothing_known();
+    }
+  }
+}
+
+// ---- inputs and outputs
+
+Result<int> SequenceDraft::input(int number) const {
+  const int place = catalog.find_input(number);
+  if (place < 0) return refuse(fmt::format("a {} has no input {}.", catalog.short_name, number));
+  return place;
+}
+
+Result<int> SequenceDraft::output(int number) const {
+  const int place = catalog.find_output(number);
+  if (place < 0) return refuse(fmt::format("a {} has no output {}.", catalog.short_name, number));
+  return place;
+}
+
+}  // namespace hw

@@ -1,0 +1,136 @@
+#pragma once
+// What the writers of all languages share while they make text of a sequence: which step is at hand, which
+// axis of the controller is meant and how many of its steps, and where its axes stand by then.
+//
+// A writer has a function write(const X&) for each kind of step; write_steps() calls them in turn.
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "core/base/index.h"
+#include "core/base/result.h"
+#include "core/device/catalog.h"
+#include "core/device/sequence_text.h"
+#include "core/sequence/sequence.h"
+
+namespace hw {
+
+/// In steps of one axis. 0: as the controller has it.
+struct StepSpeeds {
+  std::int64_t high = 0, low = 0;
+  double ramp_ms = 0;
+  bool operator==(const StepSpeeds&) const = default;
+};
+
+class SequenceDraft {
+ public:
+  SequenceDraft(const sequence::Sequence& sequence, const Catalog& catalog)
+      : sequence(sequence), catalog(catalog) {}
+  /// Before anything else. The fault names an axis that the controller does not have.
+  [[nodiscard]] Result<> find_axes();
+
+  const sequence::Sequence& sequence;
+  const Catalog& catalog;
+
+  // ---- the step at hand
+  void enter(const sequence::Step& step, std::size_t place);
+  void leave();
+  /// From here on the steps of a routine ("Pen up") are entered; its lines are of the step at hand.
+  void begin_routine(std::string_view name);
+  void end_routine();
+  /// "Step 3.2 (arc): a VXM draws no arcs."
+  [[nodiscard]] tl::unexpected<Fault> refuse(std::string_view why) const;
+  void remark(std::string_view what);
+
+  // ---- the text
+  void line(std::string_view text);
+  /// Each line of it.
+  void lines(std::string_view text);
+  void indent(int by) { indent_ += by; }
+  /// Lines go into this part from now on; parts stand one behind the other. Returns the part so far.
+  int change_part(int part) { return std::exchange(part_, part); }
+  [[nodiscard]] int part() const { return part_; }
+  [[nodiscard]] SequenceText finish() &&;
+
+  // ---- axes, from a place in Sequence::axes
+  [[nodiscard]] AxisId axis(int place) const { return axes_[ix(place)]; }
+  [[nodiscard]] const std::string& name(int place) const { return catalog.axes[axis(place).index].name; }
+  [[nodiscard]] int axis_count() const { return static_cast<int>(sequence.axes.size()); }
+  /// A position; a distance may be twice as long.
+  [[nodiscard]] Result<std::int64_t> position(int place, double units) const;
+  [[nodiscard]] Result<std::int64_t> distance(int place, double units) const;
+  [[nodiscard]] Result<StepSpeeds> speeds(int place, const sequence::Speeds& units) const;
+  /// Of a motion of this axis: what is its own, else what speed steps have said.
+  [[nodiscard]] Result<StepSpeeds> speeds_of(int place, const sequence::OwnSpeeds& own) const;
+  void say_speeds(const sequence::Speeds& units) { speeds_now_ = over(speeds_now_, units); }
+  /// Where steps are written that are carried out elsewhere: nothing is said there that they do not say
+  /// themselves. Returns those so far.
+  sequence::Speeds change_speeds(const sequence::Speeds& units) { return std::exchange(speeds_now_, units); }
+  /// Whether all axes have equally many steps in a unit.
+  [[nodiscard]] bool all_alike() const;
+
+  // ---- where the axes stand, in steps, once the motions so far have ended
+  [[nodiscard]] std::optional<std::int64_t> at(int place) const { return at_[ix(place)]; }
+  void stands(int place, std::optional<std::int64_t> position) { at_[ix(place)] = position; }
+  void nothing_known() { at_ = {}; }
+  /// What the steps of a loop move stands elsewhere when it begins anew.
+  void forget_what_moves(const sequence::StepList& steps);
+
+  /// Of the maker's number: its place in the catalog.
+  [[nodiscard]] Result<int> input(int number) const;
+  [[nodiscard]] Result<int> output(int number) const;
+
+ private:
+  [[nodiscard]] Result<std::int64_t> steps_of(int place, double units, double low, double high) const;
+
+  [[nodiscard]] int index() const;
+  static sequence::Speeds over(sequence::Speeds below, const sequence::Speeds& above);
+
+  sequence::Speeds speeds_now_;
+  std::array<AxisId, max_axes> axes_{};
+  std::array<std::optional<std::int64_t>, max_axes> at_{};
+  struct Entered {
+    const sequence::Step* step;
+    std::size_t place;
+    int index;  ///< as SequenceText counts them
+  };
+  std::vector<Entered> path_, path_outside_;
+  std::string_view routine_;  ///< empty: none
+  int next_index_ = 0;
+  int indent_ = 0, part_ = 0;
+  struct Line {
+    int part;
+    int index;
+    std::string text;
+  };
+  std::vector<Line> lines_;
+  std::vector<std::string> remarks_;
+};
+
+/// How many steps a list holds, those of its loops included.
+int count_steps(const sequence::StepList& steps);
+/// "arc", as files call it.
+std::string_view kind_of(const sequence::Step& step);
+/// The steps of a step that has some, or null.
+const sequence::StepList* steps_in(const sequence::Step& step);
+
+/// `writer` writes each step that is not skipped.
+template <class Writer>
+Result<> write_steps(Writer& writer, SequenceDraft& draft, const sequence::StepList& steps) {
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    draft.enter(steps[i], i);
+    Result<> written;
+    if (!steps[i].skipped)
+      written = std::visit([&writer](const auto& body) { return writer.write(body); }, steps[i].body);
+    if (!written) return written;
+    draft.leave();
+  }
+  return {};
+}
+
+}  // namespace hw

@@ -1,0 +1,17 @@
+#pragma once
+// A sequence as the program text of one controller: what Language::write makes of it.
+#include <string>
+#include <vector>
+
+namespace hw {
+
+struct SequenceText {
+  std::string text;
+  /// Which step each line of the text is of, counted through the whole list, loops entered, from 0; -1: of
+  /// none.
+  std::vector<int> step_of_line;
+  /// What the controller does in another way than the sequence says, each with its step.
+  std::vector<std::string> remarks;
+};
+
+}  // namespace hw

@@ -1,0 +1,324 @@
+#include "core/devices/arcus/sequence_writer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "core/device/sequence_draft.h"
+#include "core/device/told_speeds.h"
+
+namespace hw::arcus {
+namespace {
+
+namespace seq = sequence;  // its names are those of commands too
+
+constexpr double largest_radius = 134'216'773;  // PMX manual ch. 5, DXF converter
+constexpr int pen_up_sub = 1, pen_down_sub = 2;
+constexpr int first_counter = 49;  // those from V50 on are kept in flash
+constexpr int indent = 2;
+
+/// Whether ABS or INC may be said in them.
+bool chooses_mode(const seq::StepList& steps) {
+  return std::any_of(steps.begin(), steps.end(), [](const seq::Step& step) {
+    const seq::StepList* inner = steps_in(step);
+    return !step.skipped &&
+           (std::holds_alternative<seq::Move>(step.body) || std::holds_alternative<seq::Arc>(step.body) ||
+            std::holds_alternative<seq::MoveOnInput>(step.body) ||
+            std::holds_alternative<seq::Custom>(step.body) || (inner && chooses_mode(*inner)));
+  });
+}
+
+class Writer {
+ public:
+  Writer(const seq::Sequence& sequence, const Catalog& catalog, const language::Dialect& dialect)
+      : draft_(sequence, catalog), dialect_(dialect) {}
+
+  Result<SequenceText> run() {
+    if (auto found = draft_.find_axes(); !found) return fail(found.error());
+    if (auto written = write_steps(*this, draft_, draft_.sequence.steps); !written)
+      return fail(written.error());
+    draft_.line("END");
+    for (const bool down : {false, true})
+      if (auto written = write_routine(down); !written) return fail(written.error());
+    return std::move(draft_).finish();
+  }
+
+  Result<> write(const seq::Speed& s) {
+    draft_.say_speeds(s.speeds);
+    if (!draft_.all_alike()) return {};  // said before each motion, in pulses of its axis
+    return say_speeds(0, {});
+  }
+  Result<> write(const seq::Move& m) {
+    int first = -1;
+    std::string text;
+    for (int a = 0; a < draft_.axis_count(); ++a) {
+      if (!m.to[ix(a)]) continue;
+      const auto to = m.relative ? draft_.distance(a, *m.to[ix(a)]) : draft_.position(a, *m.to[ix(a)]);
+      if (!to) return fail(to.error());
+      text += fmt::format("{}{}", draft_.name(a), *to);
+      const auto at = draft_.at(a);
+      draft_.stands(a, !m.relative ? std::optional(*to) : at ? std::optional(*at + *to) : at);
+      if (first < 0) first = a;
+    }
+    if (first < 0) return draft_.refuse("it moves no axis.");
+    if (auto said = say_speeds(first, m.own); !said) return said;
+    choose(m.relative ? Mode::inc : Mode::abs);
+    draft_.line(text);
+    return {};
+  }
+  Result<> write(const seq::Arc& a);
+  Result<> write(const seq::Jog& j) {
+    if (auto said = say_speeds(j.axis, j.own); !said) return said;
+    draft_.line(fmt::format("JOG{}{}", draft_.name(j.axis), letter(j.direction)));
+    draft_.stands(j.axis, std::nullopt);
+    return {};
+  }
+  Result<> write(const seq::Home& h) {
+    if (auto said = say_speeds(h.axis, h.own); !said) return said;
+    draft_.line(fmt::format("HOME{}{}", draft_.name(h.axis), letter(h.direction)));
+    draft_.stands(h.axis, std::nullopt);
+    return {};
+  }
+  Result<> write(const seq::Stop& s) {
+    const char* word = s.at_once ? "ABORT" : "STOP";
+    if (s.axis < 0 && dialect_.axes.size() > 1)
+      draft_.line(word);
+    else
+      draft_.line(fmt::format("{}{}", word, draft_.name(std::max(s.axis, 0))));
+    draft_.nothing_known();
+    return {};
+  }
+  Result<> write(const seq::WaitMotion& w) {
+    for (int a = 0; a < draft_.axis_count(); ++a)
+      if (w.axis < 0 || w.axis == a) draft_.line("WAIT" + draft_.name(a));
+    return {};
+  }
+  Result<> write(const seq::Delay& d) {
+    if (!(d.ms <= 2'147'483'647)) return draft_.refuse("a delay is at most 2147483647 ms.");
+    draft_.line(fmt::format("DELAY={}", std::max<std::int64_t>(std::llround(d.ms), 1)));
+    return {};
+  }
+  Result<> write(const seq::WaitInput& w) {
+    if (auto input = draft_.input(w.input); !input) return fail(input.error());
+    draft_.line(fmt::format("WHILE DI{}={}", w.input, w.on ? 0 : 1));
+    draft_.line("ENDWHILE");
+    return {};
+  }
+  Result<> write(const seq::MoveOnInput& m);
+  Result<> write(const seq::Output& o) {
+    if (o.output < 0) {
+      if (o.value >> draft_.catalog.outputs.size() != 0)
+        return draft_.refuse(fmt::format("it has {} outputs; {} is too much for them.",
+                                         draft_.catalog.outputs.size(), o.value));
+      draft_.line(fmt::format("DO={}", o.value));
+      return {};
+    }
+    if (auto output = draft_.output(o.output); !output) return fail(output.error());
+    draft_.line(fmt::format("DO{}={}", o.output, o.on ? 1 : 0));
+    return {};
+  }
+  Result<> write(const seq::Enable& e) {
+    const std::string number =
+        dialect_.axes.size() > 1 ? std::to_string(draft_.axis(e.axis).index + 1) : std::string();
+    draft_.line(fmt::format("EO{}={}", number, e.on ? 1 : 0));
+    return {};
+  }
+  Result<> write(const seq::Pen& p) {
+    const seq::StepList& steps = p.down ? draft_.sequence.pen_down : draft_.sequence.pen_up;
+    if (steps.empty()) return {};
+    draft_.line(fmt::format("GOSUB {}", p.down ? pen_down_sub : pen_up_sub));
+    (p.down ? calls_down_ : calls_up_) = true;
+    behind_foreign(steps);
+    return {};
+  }
+  Result<> write(const seq::Comment& c) {
+    std::string_view rest = c.text;
+    do {
+      const std::size_t end = std::min(rest.find('\n'), rest.size());
+      draft_.line(fmt::format("; {}", rest.substr(0, end)));
+      rest.remove_prefix(std::min(end + 1, rest.size()));
+    } while (!rest.empty());
+    return {};
+  }
+  Result<> write(const seq::Repeat& l);
+  Result<> write(const seq::Custom& c) {
+    draft_.lines(c.text);
+    draft_.nothing_known();
+    told_.doubt();
+    mode_ = Mode::unknown;
+    return {};
+  }
+  Result<> write(const seq::Contour& c);
+
+ private:
+  enum class Mode : std::uint8_t { unknown, abs, inc };
+
+  void choose(Mode mode) {
+    if (std::exchange(mode_, mode) != mode) draft_.line(mode == Mode::abs ? "ABS" : "INC");
+  }
+  Result<> say_speeds(int axis, const seq::OwnSpeeds& own) {
+    const auto wanted = draft_.speeds_of(axis, own);
+    if (!wanted) return fail(wanted.error());
+    const auto say = told_.towards(*wanted);
+    if (!say)
+      return draft_.refuse(
+          "a step before it has changed the speed, and none says what it is otherwise. Put a speed step in "
+          "front.");
+    if (say->high != 0) draft_.line(fmt::format("HSPD={}", say->high));
+    if (say->low != 0) draft_.line(fmt::format("LSPD={}", say->low));
+    if (say->ramp_ms != 0) draft_.line(fmt::format("ACC={}", std::max(std::llround(say->ramp_ms), 1LL)));
+    return {};
+  }
+  /// Steps that are written elsewhere, or more than once, have been carried out.
+  void behind_foreign(const seq::StepList& steps) {
+    draft_.forget_what_moves(steps);
+    if (says_speeds(steps)) told_.begin_repeated();
+    if (chooses_mode(steps)) mode_ = Mode::unknown;
+  }
+  Result<> write_routine(bool down) {
+    if (!(down ? calls_down_ : calls_up_)) return {};
+    draft_.begin_routine(down ? "Pen down" : "Pen up");
+    draft_.nothing_known();
+    draft_.change_speeds({});
+    told_ = {};
+    mode_ = Mode::unknown;
+    draft_.line(fmt::format("SUB {}", down ? pen_down_sub : pen_up_sub));
+    const seq::StepList& steps = down ? draft_.sequence.pen_down : draft_.sequence.pen_up;
+    auto written = write_steps(*this, draft_, steps);
+    draft_.line("ENDSUB");
+    draft_.end_routine();
+    return written;
+  }
+
+  SequenceDraft draft_;
+  const language::Dialect& dialect_;
+  ToldSpeeds told_;
+  Mode mode_ = Mode::unknown;
+  int depth_ = 0;
+  bool calls_up_ = false, calls_down_ = false;
+};
+
+// 0 degrees lies on the minus side of X and angles grow clockwise (decision AMB-063); the angle of the end
+// decides where it ends (AMB-066).
+Result<> Writer::write(const seq::Arc& a) {
+  if (!dialect_.arcs) return draft_.refuse(fmt::format("a {} draws no arcs.", draft_.catalog.short_name));
+  if (draft_.axis_count() < 2 || draft_.name(0) != "X" || draft_.name(1) != "Y")
+    return draft_.refuse("arcs are drawn by X and Y, which have to be the first two axes.");
+  if (draft_.sequence.axes[0].per_unit != draft_.sequence.axes[1].per_unit)
+    return draft_.refuse("X and Y differ in their pulses per unit: the arc would be an ellipse.");
+  const auto x = draft_.at(0), y = draft_.at(1);
+  if (!x || !y)
+    return draft_.refuse("it is not known where it begins. Put an absolute move of both axes in front.");
+  const auto cx = draft_.position(0, a.x), cy = draft_.position(1, a.y);
+  if (!cx || !cy) return fail(!cx ? cx.error() : cy.error());
+  const auto dx = static_cast<double>(*x - *cx), dy = static_cast<double>(*y - *cy);
+  const double radius = std::hypot(dx, dy);
+  if (radius == 0) return draft_.refuse("its centre is the point where it begins.");
+  if (radius > largest_radius)
+    return draft_.refuse(
+        fmt::format("its radius is {:.0f} pulses; {:.0f} is the largest. Fewer pulses per "
+                    "unit make it smaller.",
+                    radius, largest_radius));
+  if (!(std::fabs(a.degrees) > 0 && std::fabs(a.degrees) <= 360))
+    return draft_.refuse("it goes round by more than 0 and at most 360 degrees.");
+  if (auto said = say_speeds(0, a.own); !said) return said;
+  choose(Mode::abs);
+  const char way = a.degrees > 0 ? 'N' : 'P';
+  if (std::fabs(a.degrees) == 360) {
+    draft_.line(fmt::format("CIR{}{}:{}", way, *cx, *cy));
+    return {};
+  }
+  const double end = std::atan2(dy, dx) + a.degrees / 180 * std::numbers::pi;
+  const std::int64_t end_x = *cx + std::llround(radius * std::cos(end));
+  const std::int64_t end_y = *cy + std::llround(radius * std::sin(end));
+  const auto thousandths = [](double radians) { return std::llround(radians / std::numbers::pi * 180'000); };
+  const std::int64_t angle = (thousandths(std::atan2(std::sin(end), -std::cos(end))) + 360'000) % 360'000;
+  draft_.line(
+      fmt::format("ARC{}{}:{}:{}:{}", way, *cx, *cy, angle, std::llround(std::fabs(a.degrees) * 1000)));
+  // A thousandth of a degree is more than a pulse on a large arc.
+  const double told = static_cast<double>(angle) / 180'000 * std::numbers::pi;
+  if (*cx + std::llround(-radius * std::cos(told)) != end_x ||
+      *cy + std::llround(radius * std::sin(told)) != end_y)
+    draft_.line(fmt::format("X{}Y{}", end_x, end_y));
+  draft_.stands(0, end_x), draft_.stands(1, end_y);
+  return {};
+}
+
+Result<> Writer::write(const seq::MoveOnInput& m) {
+  if (auto input = draft_.input(m.input); !input) return fail(input.error());
+  if (auto said = say_speeds(m.axis, m.own); !said) return said;
+  const std::string& axis = draft_.name(m.axis);
+  std::string motion;
+  if (m.kind == seq::MoveOnInput::Kind::move) {
+    const auto to = draft_.position(m.axis, m.to);
+    if (!to) return fail(to.error());
+    choose(Mode::abs);
+    motion = fmt::format("{}{}", axis, *to);
+  } else {
+    motion = fmt::format("{}{}{}", m.kind == seq::MoveOnInput::Kind::jog ? "JOG" : "HOME", axis,
+                         letter(m.direction));
+  }
+  draft_.line(fmt::format("IF DI{}={}", m.input, m.on ? 1 : 0));
+  draft_.indent(indent);
+  if (m.stops_first) draft_.lines(fmt::format("STOP{0}\nWAIT{0}", axis));
+  draft_.line(motion);
+  draft_.indent(-indent);
+  draft_.line("ENDIF");
+  draft_.stands(m.axis, std::nullopt);
+  return {};
+}
+
+Result<> Writer::write(const seq::Repeat& l) {
+  behind_foreign(l.steps);
+  const int counter = first_counter - depth_;
+  if (l.times == 0)
+    draft_.line("WHILE 1=1");
+  else
+    draft_.lines(fmt::format("V{0}=0\nWHILE V{0}<{1}", counter, l.times));
+  draft_.indent(indent);
+  ++depth_;
+  auto written = write_steps(*this, draft_, l.steps);
+  --depth_;
+  if (l.times != 0) draft_.line(fmt::format("V{0}=V{0}+1", counter));
+  draft_.indent(-indent);
+  draft_.line("ENDWHILE");
+  return written;
+}
+
+// A motion waits for the one before it (decision AMB-113); an output does not.
+Result<> Writer::write(const seq::Contour& c) {
+  if (draft_.axis_count() < 2) return draft_.refuse("a contour needs two axes.");
+  seq::Move begin;
+  begin.to[0] = c.x, begin.to[1] = c.y, begin.own = c.own;
+  if (auto written = write(begin); !written) return written;
+  if (c.steps.size() > 1) draft_.remark("it stops at each corner.");
+  for (const seq::Step& step : c.steps) {
+    if (step.skipped) continue;
+    Result<> written = draft_.refuse("it holds moves, arcs and outputs only.");
+    if (const auto* move = std::get_if<seq::Move>(&step.body)) {
+      seq::Move own = *move;
+      own.own = c.own;
+      written = write(own);
+    } else if (const auto* arc = std::get_if<seq::Arc>(&step.body)) {
+      seq::Arc own = *arc;
+      own.own = c.own;
+      written = write(own);
+    } else if (const auto* output = std::get_if<seq::Output>(&step.body)) {
+      draft_.line("WAIT" + draft_.name(0));
+      written = write(*output);
+    }
+    if (!written) return written;
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<SequenceText> write_sequence(const seq::Sequence& sequence, const Catalog& catalog,
+                                    const language::Dialect& dialect) {
+  return Writer(sequence, catalog, dialect).run();
+}
+
+}  // namespace hw::arcus

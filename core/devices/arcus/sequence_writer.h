@@ -1,0 +1,15 @@
+#pragma once
+// Sequences as standalone programs (PMX manual ch. 10, DMX manual ch. 10). The tool's routines become SUB 1
+// and SUB 2, as the maker's own converter has them; loops count in V49 downwards.
+#include "core/base/result.h"
+#include "core/device/catalog.h"
+#include "core/device/sequence_text.h"
+#include "core/devices/arcus/language/dialect.h"
+#include "core/sequence/sequence.h"
+
+namespace hw::arcus {
+
+[[nodiscard]] Result<SequenceText> write_sequence(const sequence::Sequence& sequence, const Catalog& catalog,
+                                                  const language::Dialect& dialect);
+
+}  // namespace hw::arcus

@@ -1,0 +1,298 @@
+#include "core/devices/vxm/sequence_writer.h"
+
+#include <cmath>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "core/device/sequence_draft.h"
+#include "core/device/told_speeds.h"
+#include "core/devices/vxm/facts.h"
+
+namespace hw::vxm {
+namespace {
+
+namespace seq = sequence;  // its names are those of commands too
+
+constexpr std::array<int, 4> output_on{5, 15, 17, 19}, output_off{4, 14, 16, 18};  // U commands (App. B)
+constexpr double longest_delay_ms = 24.0 * 3600 * 1000;
+
+class Writer {
+ public:
+  Writer(const seq::Sequence& sequence, const Catalog& catalog) : draft_(sequence, catalog) {}
+
+  Result<SequenceText> run() {
+    if (auto found = draft_.find_axes(); !found) return fail(found.error());
+    draft_.change_part(main_part);
+    if (auto written = write_steps(*this, draft_, draft_.sequence.steps); !written)
+      return fail(written.error());
+    if (programs_ > 0) {
+      draft_.change_part(heading_part);
+      draft_.line("PM-0");
+    }
+    return std::move(draft_).finish();
+  }
+
+  Result<> write(const seq::Speed& s) {
+    draft_.say_speeds(s.speeds);
+    for (int a = 0; a < draft_.axis_count(); ++a)
+      if (auto said = say_speeds(a, {}); !said) return said;
+    return {};
+  }
+  Result<> write(const seq::Move& m) {
+    int moved = 0;
+    for (int a = 0; a < draft_.axis_count(); ++a) {
+      if (!m.to[ix(a)]) continue;
+      if (auto written = move(a, *m.to[ix(a)], m.relative, m.own); !written) return written;
+      ++moved;
+    }
+    if (moved == 0) return draft_.refuse("it moves no axis.");
+    if (moved > 1) draft_.remark("its motors go one after the other, not on a straight line.");
+    return {};
+  }
+  Result<> write(const seq::Arc&) {
+    return draft_.refuse("a VXM moves one motor at a time and draws no arcs.");
+  }
+  Result<> write(const seq::Jog&) {
+    return draft_.refuse("a stored program of a VXM has no jog. A home step goes to the limit switch.");
+  }
+  /// To the limit switch, and zero there.
+  Result<> write(const seq::Home& h) {
+    if (auto said = say_speeds(h.axis, h.own); !said) return said;
+    for (const std::string& command : homing(h.axis, h.direction)) draft_.line(command);
+    return {};
+  }
+  Result<> write(const seq::Stop&) {
+    return draft_.refuse("a VXM ends each motion before the next step: nothing is left to be stopped.");
+  }
+  Result<> write(const seq::WaitMotion&) { return {}; }  // each motion ends before the next step
+  Result<> write(const seq::Delay& d) {
+    if (!(d.ms <= longest_delay_ms)) return draft_.refuse("a delay of more than a day is not written.");
+    std::int64_t left = std::llround(d.ms * 10);  // in tenths of a millisecond
+    for (; left > max_pause; left -= 1000 * std::min<std::int64_t>(left / 1000, max_pause))
+      draft_.line(fmt::format("P{}", std::min<std::int64_t>(left / 1000, max_pause)));
+    if (left > 0) draft_.line(left % 1000 == 0 ? fmt::format("P{}", left / 1000) : fmt::format("P-{}", left));
+    return {};
+  }
+  Result<> write(const seq::WaitInput& w);
+  Result<> write(const seq::MoveOnInput& m);
+  Result<> write(const seq::Output& o) {
+    if (o.output >= 0) {
+      const auto place = draft_.output(o.output);
+      if (!place) return fail(place.error());
+      switch_output(*place, o.on);
+      return {};
+    }
+    if (o.value >> output_on.size() != 0)
+      return draft_.refuse(
+          fmt::format("it has {} outputs; {} is too much for them.", output_on.size(), o.value));
+    for (std::size_t i = 0; i < output_on.size(); ++i)
+      switch_output(static_cast<int>(i), (o.value >> i & 1) != 0);
+    return {};
+  }
+  Result<> write(const seq::Enable&) {
+    return draft_.refuse("the motor power of a VXM cannot be switched by a program.");
+  }
+  Result<> write(const seq::Pen& p);
+  Result<> write(const seq::Comment& c) {
+    std::string_view rest = c.text;
+    do {
+      const std::size_t end = std::min(rest.find('\n'), rest.size());
+      draft_.line(fmt::format("; {}", rest.substr(0, end)));
+      rest.remove_prefix(std::min(end + 1, rest.size()));
+    } while (!rest.empty());
+    return {};
+  }
+  Result<> write(const seq::Repeat& l);
+  Result<> write(const seq::Custom& c) {
+    draft_.lines(c.text);
+    for (ToldSpeeds& told : told_) told.doubt();
+    return {};
+  }
+  Result<> write(const seq::Contour& c);
+
+ private:
+  static constexpr int heading_part = 0, main_part = 1;  // programs 1 to 4 stand in the parts 2 to 5
+
+  [[nodiscard]] int motor(int axis) const { return draft_.axis(axis).index + 1; }
+  Result<> move(int axis, double units, bool relative, const seq::OwnSpeeds& own) {
+    const auto to = relative ? draft_.distance(axis, units) : draft_.position(axis, units);
+    if (!to) return fail(to.error());
+    if (auto said = say_speeds(axis, own); !said) return said;
+    if (relative && *to == 0) return {};  // I1M0 would go to the limit switch
+    draft_.line(fmt::format("I{}{}M{}", relative ? "" : "A", motor(axis), *to));
+    return {};
+  }
+  [[nodiscard]] std::vector<std::string> homing(int axis, Sign direction) const {
+    return {fmt::format("I{}M{}0", motor(axis), direction == Sign::minus ? "-" : ""),
+            fmt::format("IA{}M-0", motor(axis))};
+  }
+  Result<> say_speeds(int axis, const seq::OwnSpeeds& own);
+  void switch_output(int place, bool on) {
+    draft_.line(fmt::format("U{}", (on ? output_on : output_off)[ix(place)]));
+  }
+  /// U11 to U22: leaves the next command out unless the input is so (low is on).
+  Result<std::string> skip_unless(int input, bool on) {
+    if (auto place = draft_.input(input); !place) return fail(place.error());
+    if (input > 2) return draft_.refuse("programs of a VXM ask the inputs 1 and 2 only.");
+    return fmt::format("U{}{}", on ? 1 : 2, input);
+  }
+  /// Writes a program of its own and calls it.
+  template <class Body>
+  Result<> call(std::string_view what, Body&& body);
+  void repeated(const seq::StepList& steps) {
+    if (!says_speeds(steps)) return;
+    for (ToldSpeeds& told : told_) told.begin_repeated();
+  }
+
+  SequenceDraft draft_;
+  std::array<ToldSpeeds, max_axes> told_;
+  int programs_ = 0;                     ///< written beside the main one
+  bool in_loop_ = false;                 ///< the present program has a loop that is open
+  std::map<std::string, int> callable_;  ///< program numbers by what they do
+};
+
+Result<> Writer::say_speeds(int axis, const seq::OwnSpeeds& own) {
+  const auto wanted = draft_.speeds_of(axis, own);
+  if (!wanted) return fail(wanted.error());
+  if (wanted->low != 0) return draft_.refuse("a VXM has no low speed: its ramps begin at rest.");
+  if (wanted->ramp_ms != 0 && wanted->high == 0)
+    return draft_.refuse("a ramp time needs a speed beside it: a VXM is told steps/s².");
+  const auto say = told_[ix(axis)].towards(*wanted);
+  if (!say)
+    return draft_.refuse(
+        "a step before it has changed the speed, and none says what it is otherwise. Put a speed step in "
+        "front.");
+  if (say->high != 0) draft_.line(fmt::format("S{}M{}", motor(axis), say->high));
+  if (wanted->ramp_ms == 0 || (say->ramp_ms == 0 && say->high == 0)) return {};
+  const double rate = static_cast<double>(wanted->high) / (wanted->ramp_ms / 1000) / accel_unit;
+  const auto a = std::clamp<std::int64_t>(std::llround(rate), min_accel, max_accel);
+  if (rate < 0.5 || rate > max_accel + 0.5)
+    draft_.remark(
+        fmt::format("a ramp of {} ms cannot be had: it takes {:.0f} ms.", wanted->ramp_ms,
+                    static_cast<double>(wanted->high) / (static_cast<double>(a) * accel_unit) * 1000));
+  draft_.line(fmt::format("A{}M{}", motor(axis), a));
+  return {};
+}
+
+template <class Body>
+Result<> Writer::call(std::string_view what, Body&& body) {
+  if (programs_ + 1 >= program_count)
+    return draft_.refuse(
+        fmt::format("a VXM has {} programs that can be called, and all are taken.", program_count - 1));
+  const int number = ++programs_;
+  draft_.line(fmt::format("JM{}", number));
+  const int part = draft_.change_part(main_part + number);
+  const bool in_loop = std::exchange(in_loop_, false);
+  draft_.line(fmt::format("PM-{} ; {}", number, what));
+  auto written = body();
+  draft_.change_part(part);
+  in_loop_ = in_loop;
+  return written;
+}
+
+Result<> Writer::write(const seq::WaitInput& w) {
+  if (w.input == 1 && w.on) return draft_.line("U0"), Result<>();
+  const auto skip = skip_unless(w.input, !w.on);
+  if (!skip) return fail(skip.error());
+  const auto known = callable_.find(*skip);
+  if (known != callable_.end()) return draft_.line(fmt::format("JM{}", known->second)), Result<>();
+  auto called = call(fmt::format("waits until input {} is {}", w.input, w.on ? "on" : "off"), [&] {
+    draft_.line("P-10");
+    draft_.line(*skip);
+    draft_.line("L0");
+    return Result<>();
+  });
+  if (called) callable_[*skip] = programs_;
+  return called;
+}
+
+Result<> Writer::write(const seq::MoveOnInput& m) {
+  const auto skip = skip_unless(m.input, m.on);
+  if (!skip) return fail(skip.error());
+  if (m.kind == seq::MoveOnInput::Kind::jog)
+    return draft_.refuse("a stored program of a VXM has no jog. A home step goes to the limit switch.");
+  if (auto said = say_speeds(m.axis, m.own); !said) return said;
+  if (m.kind == seq::MoveOnInput::Kind::move) {
+    draft_.line(*skip);
+    return move(m.axis, m.to, false, m.own);
+  }
+  for (const std::string& command : homing(m.axis, m.direction)) {
+    draft_.line(*skip);
+    draft_.line(command);
+  }
+  return {};
+}
+
+Result<> Writer::write(const seq::Pen& p) {
+  const seq::StepList& steps = p.down ? draft_.sequence.pen_down : draft_.sequence.pen_up;
+  const std::string name = p.down ? "Pen down" : "Pen up";
+  const auto write_them = [&] {
+    draft_.begin_routine(name);
+    auto written = write_steps(*this, draft_, steps);
+    draft_.end_routine();
+    return written;
+  };
+  if (steps.empty()) return {};
+  if (steps.size() == 1) return write_them();
+  if (const auto known = callable_.find(name); known != callable_.end()) {
+    draft_.line(fmt::format("JM{}", known->second));
+    repeated(steps);
+    return {};
+  }
+  const auto speeds = draft_.change_speeds({});
+  const auto told = std::exchange(told_, {});
+  auto called = call(name, write_them);
+  if (called) callable_[name] = programs_;
+  draft_.change_speeds(speeds);
+  told_ = told;
+  repeated(steps);
+  return called;
+}
+
+// A loop goes back to the nearest marker above it (decision V45), so of two that stand in one another one
+// needs a program of its own.
+Result<> Writer::write(const seq::Repeat& l) {
+  if (l.times > max_loop) return draft_.refuse(fmt::format("a VXM loops {} times at most.", max_loop));
+  if (l.times == 1) return write_steps(*this, draft_, l.steps);
+  repeated(l.steps);
+  const auto body = [&] {
+    auto written = write_steps(*this, draft_, l.steps);
+    if (written) draft_.line(l.times == 0 ? "L0" : fmt::format("LA{}", l.times));
+    return written;
+  };
+  if (in_loop_ || draft_.part() != main_part) return call("a loop", body);
+  in_loop_ = true;
+  draft_.line("LM0");
+  auto written = body();
+  in_loop_ = false;
+  return written;
+}
+
+Result<> Writer::write(const seq::Contour& c) {
+  seq::Move begin;
+  begin.to[0] = c.x, begin.to[1] = c.y, begin.own = c.own;
+  if (draft_.axis_count() < 2) return draft_.refuse("a contour needs two axes.");
+  if (auto written = write(begin); !written) return written;
+  for (const seq::Step& step : c.steps) {
+    if (step.skipped) continue;
+    Result<> written = draft_.refuse("it holds moves and outputs only: a VXM draws no arcs.");
+    if (const auto* move = std::get_if<seq::Move>(&step.body)) {
+      seq::Move own = *move;
+      own.own = c.own;
+      written = write(own);
+    } else if (const auto* output = std::get_if<seq::Output>(&step.body)) {
+      written = write(*output);
+    }
+    if (!written) return written;
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<SequenceText> write_sequence(const seq::Sequence& sequence, const Catalog& catalog) {
+  return Writer(sequence, catalog).run();
+}
+
+}  // namespace hw::vxm
