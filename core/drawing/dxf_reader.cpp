@@ -36,9 +36,9 @@ bool is_finite(const std::vector<Curve>& curves) {
 }
 
 /// Puts every block where it is inserted.
-class Placing {
+class InsertPlacing {
  public:
-  Placing(DxfFile& file, const Tolerance& tolerance, Drawing& drawing)
+  InsertPlacing(DxfFile& file, const Tolerance& tolerance, Drawing& drawing)
       : file_(file), tolerance_(tolerance), drawing_(drawing) {
     for (std::size_t i = 0; i < file.layers.size(); ++i)
       layers_.emplace(file.layers[i].name, static_cast<int>(i));
@@ -131,7 +131,7 @@ Result<Drawing> read_dxf(std::string_view text, const std::string& name, const T
   drawing.left_out = std::move(file->left_out);
   drawing.unit = unit_of(file->unit);
   drawing.version = std::move(file->version);
-  auto placed = Placing(*file, tolerance, drawing).run(name);
+  auto placed = InsertPlacing(*file, tolerance, drawing).run(name);
   if (!placed) return fail(placed.error());
   return drawing;
 }

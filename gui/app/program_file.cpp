@@ -3,8 +3,10 @@
 #include <fmt/core.h>
 
 #include "core/device/registry.h"
+#include "core/sequence/sequence_file.h"
 #include "core/session/address.h"
 #include "core/session/text_file.h"
+#include "gui/app/output.h"
 
 namespace hw::app {
 
@@ -19,7 +21,7 @@ static Result<Catalog> catalog_for(const DeviceType& type, const Given& given) {
   return catalog;
 }
 
-Result<ProgramFile> read_program(const Given& given) {
+Result<MeantFor> read_for(const Given& given) {
   if (!given.has("for"))
     return fail(FaultKind::text, "It is not said which controller the program is for.", {},
                 fmt::format("Add --for MODEL ({}).", known_models()));
@@ -31,17 +33,32 @@ Result<ProgramFile> read_program(const Given& given) {
     return fail(FaultKind::port, fmt::format("Programs for the {} are not understood yet.", type->model));
   auto catalog = catalog_for(*type, given);
   if (!catalog) return fail(catalog.error());
+  return MeantFor{&type->language(), std::move(*catalog)};
+}
+
+// A file that is no program is no wrong usage: the command was right, the job failed.
+static Fault of_the_file(Fault fault) {
+  fault.kind = FaultKind::port;
+  return fault;
+}
+
+Result<ProgramFile> read_program(const Given& given) {
+  auto meant = read_for(given);
+  if (!meant) return fail(meant.error());
   auto file = load_text(given.words[0]);
-  if (!file) {
-    Fault fault = file.error();
-    fault.kind = FaultKind::port;  // the job failed: the command was right
-    return fail(std::move(fault));
-  }
+  if (!file) return fail(of_the_file(file.error()));
   ProgramFile program;
   program.path = given.words[0];
   program.text = std::move(file->text);
-  program.language = &type->language();
-  program.catalog = std::move(*catalog);
+  program.language = meant->language;
+  program.catalog = std::move(meant->catalog);
+  if (!sequence::looks_like_sequence(program.text)) return program;
+  const auto sequence = sequence::read_sequence(program.text, program.path);
+  if (!sequence) return fail(of_the_file(sequence.error()));
+  auto written = program.language->write(*sequence, program.catalog);
+  if (!written) return fail(of_the_file(written.error()));
+  for (const std::string& remark : written->remarks) write_aside(fmt::format("{}: {}", program.path, remark));
+  program.text = std::move(written->text);
   return program;
 }
 

@@ -86,7 +86,7 @@ class Usage(Case):
         self.expect(run("--version"), 0, "handwheel ")
         result = run("--help")
         self.expect(result, 0)
-        for name in "open demo run emulate send check simulate scan backup restore".split():
+        for name in "open demo run emulate send check simulate convert scan backup restore".split():
             self.assertIn(name, result.stdout)
             self.expect(run(name, "--help"), 0, "handwheel " + name)
 
@@ -103,15 +103,16 @@ class Usage(Case):
         self.expect(run("simulate", "x.vxm"), 2, "--for")
         self.expect(run("simulate", "x.vxm", "--for", "vxm", "--for-seconds", "soon"), 2, "--for-seconds soon")
         self.expect(run("backup", "vxm@emulator"), 2, "-o FILE.toml")
+        self.expect(run("convert", "a.dxf", "--for", "vxm"), 2, "-o OUT")
+        self.expect(run("convert", "a.dxf", "-o", "a.vxm"), 2, "--for")
+        self.expect(run("convert", "a.dxf", "--for", "vxm", "-o", "a.vxm", "--origin", "there"), 2, "--origin there")
+        self.expect(run("convert", "a.dxf", "--for", "vxm", "-o", "a.vxm", "--per-unit", "0"), 2, "more than 0")
 
     def test_a_failed_job_is_1(self):
         self.expect(run("run", self.folder / "none.lua"), 1, "There is no file", "none.lua")
         self.expect(run("check", self.folder / "none.vxm", "--for", "vxm"), 1, "none.vxm")
         self.expect(run("send", "vxm@serial:/dev/none", "V"), 1, "/dev/none")
         self.expect(run("send", "vxm@tcp:127.0.0.1:1", "V"), 1, "127.0.0.1:1")
-
-    def test_not_yet_there_is_said(self):
-        self.expect(run("convert", "a.dxf"), 2, "convert")
 
 
 class Scripts(Case):
@@ -997,6 +998,75 @@ class Examples(Case):
     def test_every_file_is_tried(self):
         tried = {"raster.vxm", "slide.toml", "plate.prg", "shuttle.prg", "circle.vme", "servo.toml"}
         self.assertEqual({f.name for f in self.FOLDER.iterdir()}, tried)
+
+
+class Convert(Case):
+    """A drawing becomes a program; a sequence is taken wherever a program is."""
+
+    def drawing(self, *entities, header="9\n$INSUNITS\n70\n4\n"):
+        text = "0\nSECTION\n2\nHEADER\n" + header + "0\nENDSEC\n0\nSECTION\n2\nENTITIES\n"
+        for entity in entities:
+            text += "".join(f"{code}\n{value}\n" for code, value in entity)
+        return self.file("a.dxf", text + "0\nENDSEC\n0\nEOF\n")
+
+    def line(self, x, y, to_x, to_y, layer="0"):
+        return ((0, "LINE"), (8, layer), (10, x), (20, y), (11, to_x), (21, to_y))
+
+    def convert(self, file, model, *more, out="out.prg"):
+        return run("convert", file, "--for", model, "-o", self.folder / out, "--json", *more)
+
+    def test_for_each_controller(self):
+        file = self.drawing(self.line(1, 2, 5, 2), self.line(5, 2, 5, 4), ((0, "CIRCLE"), (8, "0"), (10, 9), (20, 9), (40, 1)))
+        for model, more in (("vxm", ("--tolerance", "0.3")), ("pmx-4ex-sa", ()), ("vme58", ())):
+            result = self.convert(file, model, "--per-unit", "100", "--cut-speed", "5", "--travel-speed", "10",
+                                  "--pen-output", "8" if model == "vme58" else "1", *more)
+            self.expect(result, 0)
+            report = json.loads(result.stdout)
+            self.assertEqual(report["chains"], 2)
+            self.assertAlmostEqual(report["drawn"], 6 + 2 * 3.141592653589793, places=6)
+            self.assertEqual(report["box"], [1, 2, 10, 10])
+            self.assertEqual(report["problems"], [])
+            self.assertGreater(report["duration_s"], 2)
+            self.expect(run("check", self.folder / "out.prg", "--for", model), 0)
+            dry = json.loads(run("simulate", self.folder / "out.prg", "--for", model, "--json").stdout)
+            self.assertTrue(dry["finished"], dry)
+            for axis in list(dry["axes"].values())[:2]:
+                self.assertAlmostEqual(axis["max"], 1000, delta=30 if model == "vxm" else 1)
+
+    def test_a_sequence_is_taken_like_a_program(self):
+        file = self.drawing(self.line(1, 2, 5, 2))
+        self.expect(self.convert(file, "pmx-4ex-sa", "--per-unit", "100", out="out.toml"), 0)
+        sequence = self.folder / "out.toml"
+        self.assertIn("handwheel_sequence = 1", sequence.read_text())
+        self.expect(run("check", sequence, "--for", "pmx-4ex-sa"), 0, "of 1275 lines")
+        self.expect(run("simulate", sequence, "--for", "pmx-4ex-sa"), 0, "axis X: ends at 500", "axis Y: ends at 200")
+        self.expect(run("compile", sequence, "--for", "pmx-4ex-sa", "--listing"), 0, "MOVE,X,500")
+        self.expect(run("check", sequence, "--for", "vxm"), 1, 'no axis "X"')
+        broken = self.file("b.toml", sequence.read_text().replace("move", "fly", 1))
+        self.expect(run("check", broken, "--for", "pmx-4ex-sa"), 1, 'there is no step "fly"')
+
+    def test_a_program_that_does_not_fit_is_told(self):
+        result = self.convert(self.drawing(self.line(0, 0, 5, 5)), "vxm", "--per-unit", "1000", "--tolerance", "0.01")
+        self.expect(result, 0)
+        self.assertIn("has 256", result.stderr)
+        self.assertIn("has 256", json.loads(result.stdout)["problems"][0])
+
+    def test_what_is_left_out_is_named(self):
+        file = self.drawing(self.line(0, 0, 5, 5), ((0, "TEXT"), (8, "0"), (10, 1), (20, 1), (40, 2), (1, "word")))
+        result = self.convert(file, "pmx-4ex-sa")
+        self.expect(result, 0)
+        self.assertIn("TEXT 2 was left out", result.stderr)
+        self.assertEqual(json.loads(result.stdout)["left_out"][0]["what"], "TEXT")
+
+    def test_what_cannot_be_converted_is_1(self):
+        file = self.drawing(self.line(0, 0, 5, 5), header="")
+        self.expect(self.convert(file, "pmx-4ex-sa"), 1, "does not say in which unit")
+        self.expect(self.convert(file, "pmx-4ex-sa", "--unit", "in"), 0)
+        self.expect(self.convert(file, "vxm", "--unit", "mm"), 1, "how far its corners may lie beside the line")
+        self.expect(self.convert(file, "dmx-k-sa", "--unit", "mm"), 1, "A drawing needs two axes")
+        self.expect(self.convert(file, "pmx-4ex-sa", "--unit", "mm", "--layer", "cut"), 1, 'no layer "cut"')
+        self.expect(self.convert(self.folder / "none.dxf", "vxm"), 1, "none.dxf")
+        self.expect(self.convert(self.file("b.dxf", "AutoCAD Binary DXF\r\n"), "vxm"), 1, "b.dxf")
 
 
 class Simulate(Case):

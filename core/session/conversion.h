@@ -1,0 +1,49 @@
+#pragma once
+// From a drawing to the sequence that a controller can carry out: layers chosen, ends joined, placed on the
+// table, put into order, and made into what its machine can do. Pure and long: for a worker thread.
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/device/catalog.h"
+#include "core/drawing/chains.h"
+#include "core/drawing/placing.h"
+#include "core/sequence/sequence.h"
+
+namespace hw {
+
+struct ConversionOptions {
+  std::string unit = "mm";           ///< in which the sequence is to be
+  std::string drawing_unit;          ///< where the file does not say it; else empty
+  std::vector<sequence::Axis> axes;  ///< the first goes along the drawing's X
+  std::vector<std::string> layers;   ///< none: those that are shown
+  drawing::Placing placing;          ///< its scale comes from the units
+  double touching = 0.001;           ///< ends so near are joined, in `unit`
+  std::optional<double> tolerance;   ///< of chords and stairs, in `unit`; none: half a step
+  bool keep_order = false;           ///< of the file
+  sequence::Speeds cutting, travel;
+  sequence::StepList pen_up, pen_down;
+  std::optional<drawing::Box> table;  ///< where the tool gets, in `unit`
+};
+
+struct Conversion {
+  sequence::Sequence sequence;
+  std::vector<drawing::Chain> chains;  ///< as they are drawn, in `unit`
+  drawing::Box box;
+  drawing::Going going = drawing::Going::lines;
+  double tolerance = 0;
+  double drawn = 0;                        ///< length of all chains
+  double way_as_drawn = 0, way = 0;        ///< with the tool up: in the order of the file, and as ordered
+  std::vector<std::size_t> off_the_table;  ///< places in `chains`
+};
+
+/// How the controller gets along a chain.
+drawing::Going going_of(const Catalog& catalog);
+/// "mm", "in" ... in millimetres; none: it is no unit.
+std::optional<double> millimetres(const std::string& unit);
+
+Result<Conversion> convert(const drawing::Drawing& drawing, const Catalog& catalog,
+                           const ConversionOptions& options, const drawing::Progress& progress = {});
+
+}  // namespace hw
