@@ -22,22 +22,7 @@ bool has_speeds(const Body& body) {
 
 }  // namespace
 
-int count_steps(const StepList& steps) {
-  int count = 0;
-  for (const Step& step : steps) {
-    const StepList* inner = steps_in(step);
-    count += 1 + (inner ? count_steps(*inner) : 0);
-  }
-  return count;
-}
-
 std::string_view kind_of(const Step& step) { return kind_names[step.body.index()]; }
-
-const StepList* steps_in(const Step& step) {
-  if (const auto* loop = std::get_if<Repeat>(&step.body)) return &loop->steps;
-  if (const auto* contour = std::get_if<Contour>(&step.body)) return &contour->steps;
-  return nullptr;
-}
 
 bool says_speeds(const StepList& steps) {
   return std::any_of(steps.begin(), steps.end(), [](const Step& step) {

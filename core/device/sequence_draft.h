@@ -16,7 +16,7 @@
 #include "core/base/result.h"
 #include "core/device/catalog.h"
 #include "core/device/sequence_text.h"
-#include "core/sequence/sequence.h"
+#include "core/sequence/steps_in.h"
 
 namespace hw {
 
@@ -112,12 +112,8 @@ class SequenceDraft {
   std::vector<std::string> remarks_;
 };
 
-/// How many steps a list holds, those of its loops included.
-int count_steps(const sequence::StepList& steps);
 /// "arc", as files call it.
 std::string_view kind_of(const sequence::Step& step);
-/// The steps of a step that has some, or null.
-const sequence::StepList* steps_in(const sequence::Step& step);
 
 /// `writer` writes each step that is not skipped.
 template <class Writer>

@@ -1,0 +1,199 @@
+#include "core/sequence/editor.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/sequence/steps_in.h"
+
+namespace hw::sequence {
+namespace {
+
+constexpr std::size_t most_kept = 500;
+
+/// The list that a path ends in; null: there is none.
+StepList* list_of(Sequence& s, const StepPath& path) {
+  if (path.empty()) return nullptr;
+  StepList* list = &s.steps;
+  for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+    if (path[i] >= list->size()) return nullptr;
+    list = steps_in((*list)[path[i]]);
+    if (!list) return nullptr;
+  }
+  return list;
+}
+
+std::ptrdiff_t offset(std::size_t place) { return static_cast<std::ptrdiff_t>(place); }
+
+/// Whether `inner` is `outer` or stands in it.
+bool within(const StepPath& inner, const StepPath& outer) {
+  return inner.size() >= outer.size() && std::equal(outer.begin(), outer.end(), inner.begin());
+}
+
+void collect(const StepList& steps, StepPath& path, std::vector<StepRow>& rows) {
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    path.push_back(i);
+    rows.push_back({path, &steps[i]});
+    if (const StepList* inner = steps_in(steps[i])) collect(*inner, path, rows);
+    path.pop_back();
+  }
+}
+
+}  // namespace
+
+void Editor::load(Sequence sequence) {
+  undone_from_.clear(), redone_from_.clear();
+  typed_at_.reset();
+  now_ = std::make_shared<const Sequence>(std::move(sequence));
+  ++version_;
+}
+
+void Editor::keep(Sequence changed, const StepPath* typed_at) {
+  if (!typed_at || typed_at_ != *typed_at) {
+    if (undone_from_.size() == most_kept) undone_from_.erase(undone_from_.begin());
+    undone_from_.push_back(std::move(now_));
+  }
+  typed_at_ = typed_at ? std::optional(*typed_at) : std::nullopt;
+  redone_from_.clear();
+  now_ = std::make_shared<const Sequence>(std::move(changed));
+  ++version_;
+}
+
+std::vector<StepRow> Editor::rows() const {
+  std::vector<StepRow> rows;
+  StepPath path;
+  collect(now_->steps, path, rows);
+  return rows;
+}
+
+const Step* Editor::at(const StepPath& path) const {
+  const StepList* list = &now_->steps;
+  const Step* step = nullptr;
+  for (const std::size_t place : path) {
+    if (!list || place >= list->size()) return nullptr;
+    step = &(*list)[place];
+    list = steps_in(*step);
+  }
+  return step;
+}
+
+std::optional<StepPath> Editor::insert(const StepPath& at, Step step) {
+  Sequence s = *now_;
+  StepList* list = list_of(s, at);
+  if (!list || at.back() > list->size()) return std::nullopt;
+  list->insert(list->begin() + offset(at.back()), std::move(step));
+  keep(std::move(s));
+  return at;
+}
+
+std::optional<StepPath> Editor::remove(const StepPath& at) {
+  if (!this->at(at)) return std::nullopt;
+  Sequence s = *now_;
+  StepList* list = list_of(s, at);
+  list->erase(list->begin() + offset(at.back()));
+  StepPath next = at;
+  if (at.back() >= list->size()) {
+    if (list->empty())
+      next.pop_back();
+    else
+      next.back() = list->size() - 1;
+  }
+  keep(std::move(s));
+  return next;
+}
+
+std::optional<StepPath> Editor::move(const StepPath& from, const StepPath& to) {
+  const Step* step = at(from);
+  if (!step || to.empty() || within(to, from)) return std::nullopt;
+  Sequence s = *now_;
+  StepList* target = list_of(s, to);
+  if (!target || to.back() > target->size()) return std::nullopt;
+  Step moved = *step;
+  StepList* source = list_of(s, from);
+  source->erase(source->begin() + offset(from.back()));
+  // What stood behind it in its list has come nearer by one.
+  StepPath place = to;
+  const std::size_t level = from.size() - 1;
+  if (place.size() > level && std::equal(from.begin(), from.end() - 1, place.begin()) &&
+      place[level] > from[level])
+    --place[level];
+  target = list_of(s, place);
+  target->insert(target->begin() + offset(place.back()), std::move(moved));
+  if (s == *now_) return std::nullopt;  // it stands there
+  keep(std::move(s));
+  return place;
+}
+
+std::optional<StepPath> Editor::duplicate(const StepPath& at) {
+  const Step* step = this->at(at);
+  if (!step) return std::nullopt;
+  StepPath behind = at;
+  ++behind.back();
+  return insert(behind, *step);
+}
+
+std::optional<StepPath> Editor::put_into_loop(const StepPath& at) {
+  if (!this->at(at)) return std::nullopt;
+  Sequence s = *now_;
+  Step& step = (*list_of(s, at))[at.back()];
+  Repeat loop;
+  loop.times = 2;
+  loop.steps.push_back(std::move(step));
+  step = Step{std::move(loop)};
+  keep(std::move(s));
+  return at;
+}
+
+std::optional<StepPath> Editor::take_out_of_loop(const StepPath& at) {
+  const Step* step = this->at(at);
+  if (!step || !std::holds_alternative<Repeat>(step->body)) return std::nullopt;
+  const StepList inner = std::get<Repeat>(step->body).steps;
+  Sequence s = *now_;
+  StepList* list = list_of(s, at);
+  const auto place = list->erase(list->begin() + offset(at.back()));
+  list->insert(place, inner.begin(), inner.end());
+  keep(std::move(s));
+  return at;
+}
+
+std::optional<StepPath> Editor::skip(const StepPath& at, bool skipped) {
+  const Step* step = this->at(at);
+  if (!step || step->skipped == skipped) return std::nullopt;
+  Sequence s = *now_;
+  (*list_of(s, at))[at.back()].skipped = skipped;
+  keep(std::move(s));
+  return at;
+}
+
+std::optional<StepPath> Editor::replace(const StepPath& at, Step::Body body) {
+  const Step* step = this->at(at);
+  if (!step || step->body == body) return std::nullopt;
+  Sequence s = *now_;
+  (*list_of(s, at))[at.back()].body = std::move(body);
+  keep(std::move(s), &at);
+  return at;
+}
+
+void Editor::set_frame(std::string unit, std::vector<Axis> axes, StepList pen_up, StepList pen_down) {
+  Sequence s = *now_;
+  s.unit = std::move(unit), s.axes = std::move(axes);
+  s.pen_up = std::move(pen_up), s.pen_down = std::move(pen_down);
+  if (s != *now_) keep(std::move(s));
+}
+
+void Editor::undo() {
+  if (undone_from_.empty()) return;
+  redone_from_.push_back(std::exchange(now_, std::move(undone_from_.back())));
+  undone_from_.pop_back();
+  typed_at_.reset();
+  ++version_;
+}
+
+void Editor::redo() {
+  if (redone_from_.empty()) return;
+  undone_from_.push_back(std::exchange(now_, std::move(redone_from_.back())));
+  redone_from_.pop_back();
+  typed_at_.reset();
+  ++version_;
+}
+
+}  // namespace hw::sequence

@@ -1,0 +1,66 @@
+#pragma once
+// A sequence under a hand: each change of its list is one that can be taken back. Pure; for the GUI thread.
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/sequence/sequence.h"
+
+namespace hw::sequence {
+
+/// Its place in the list; for a step within another, the place of that one before it.
+using StepPath = std::vector<std::size_t>;
+
+/// A step as a row of the whole list, loops entered.
+struct StepRow {
+  StepPath path;
+  const Step* step = nullptr;
+};
+
+class Editor {
+ public:
+  Editor() : now_(std::make_shared<const Sequence>()) {}
+
+  [[nodiscard]] const Sequence& sequence() const { return *now_; }
+  /// Another one, with nothing to be taken back.
+  void load(Sequence sequence);
+  /// Changes whenever the sequence does.
+  [[nodiscard]] std::uint64_t version() const { return version_; }
+  /// In the order of the list; valid until the next change.
+  [[nodiscard]] std::vector<StepRow> rows() const;
+  /// Null: nothing stands there.
+  [[nodiscard]] const Step* at(const StepPath& path) const;
+
+  // Each of these answers where the step stands then; nothing when there is no such place.
+  std::optional<StepPath> insert(const StepPath& at, Step step);
+  std::optional<StepPath> remove(const StepPath& at);  ///< where the next one stands, or the last
+  /// In front of what stands at `to` before the move; never into itself.
+  std::optional<StepPath> move(const StepPath& from, const StepPath& to);
+  std::optional<StepPath> duplicate(const StepPath& at);
+  /// Becomes a loop with itself in it.
+  std::optional<StepPath> put_into_loop(const StepPath& at);
+  /// The steps of a loop take its place.
+  std::optional<StepPath> take_out_of_loop(const StepPath& at);
+  std::optional<StepPath> skip(const StepPath& at, bool skipped);
+  /// Changes of one step that follow each other are one to be taken back, as a word that is typed.
+  std::optional<StepPath> replace(const StepPath& at, Step::Body body);
+  /// All that is no step: unit, axes, the tool's routines.
+  void set_frame(std::string unit, std::vector<Axis> axes, StepList pen_up, StepList pen_down);
+
+  [[nodiscard]] bool can_undo() const { return !undone_from_.empty(); }
+  [[nodiscard]] bool can_redo() const { return !redone_from_.empty(); }
+  void undo();
+  void redo();
+
+ private:
+  using Kept = std::shared_ptr<const Sequence>;
+  void keep(Sequence changed, const StepPath* typed_at = nullptr);
+
+  Kept now_;
+  std::vector<Kept> undone_from_, redone_from_;
+  std::optional<StepPath> typed_at_;  ///< of the latest change, where it was a replacement
+  std::uint64_t version_ = 0;
+};
+
+}  // namespace hw::sequence

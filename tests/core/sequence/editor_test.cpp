@@ -1,0 +1,155 @@
+// A sequence under a hand: each change does what it says and can be taken back.
+#include "core/sequence/editor.h"
+
+#include <random>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace hw::sequence {
+namespace {
+
+Step delay(double ms) { return {Delay{ms}}; }
+Step loop(StepList steps) {
+  Repeat r;
+  r.times = 3;
+  r.steps = std::move(steps);
+  return {std::move(r)};
+}
+std::string words(const StepList& steps) {
+  std::string all;
+  for (const Step& step : steps) {
+    if (!all.empty()) all += " ";
+    if (step.skipped) all += "-";
+    if (const auto* d = std::get_if<Delay>(&step.body)) all += std::to_string(static_cast<int>(d->ms));
+    if (const auto* r = std::get_if<Repeat>(&step.body)) all += "(" + words(r->steps) + ")";
+  }
+  return all;
+}
+
+struct EditorTest : testing::Test {
+  EditorTest() {
+    Sequence s;
+    s.axes = {{"X"}};
+    s.steps = {delay(1), loop({delay(2), delay(3)}), delay(4)};
+    editor.load(std::move(s));
+  }
+  std::string now() const { return words(editor.sequence().steps); }
+  std::string after_undo() {
+    editor.undo();
+    return now();
+  }
+  Editor editor;
+};
+
+TEST_F(EditorTest, StepsComeAndGo) {
+  EXPECT_EQ(editor.insert({0}, delay(9)), StepPath{0});
+  EXPECT_EQ(now(), "9 1 (2 3) 4");
+  EXPECT_EQ(editor.insert({2, 2}, delay(8)), (StepPath{2, 2}));
+  EXPECT_EQ(now(), "9 1 (2 3 8) 4");
+  EXPECT_EQ(editor.remove({2, 2}), (StepPath{2, 1})) << "the one before, where it was the last";
+  EXPECT_EQ(editor.remove({0}), StepPath{0});
+  EXPECT_EQ(now(), "1 (2 3) 4");
+  EXPECT_FALSE(editor.insert({7}, delay(9)));
+  EXPECT_FALSE(editor.insert({0, 0}, delay(9))) << "nothing stands within a delay";
+  EXPECT_FALSE(editor.remove({3}));
+  EXPECT_FALSE(editor.at({1, 2}));
+  EXPECT_TRUE(editor.at({1, 1}));
+}
+
+TEST_F(EditorTest, AStepMovesInAndOutOfLoops) {
+  EXPECT_EQ(editor.move({0}, {1, 1}), (StepPath{0, 1})) << "the loop has come nearer";
+  EXPECT_EQ(now(), "(2 1 3) 4");
+  EXPECT_EQ(editor.move({0, 1}, {2}), StepPath{2});
+  EXPECT_EQ(now(), "(2 3) 4 1");
+  EXPECT_EQ(editor.move({2}, {0}), StepPath{0});
+  EXPECT_EQ(now(), "1 (2 3) 4");
+  EXPECT_EQ(editor.move({0}, {3}), StepPath{2});
+  EXPECT_EQ(now(), "(2 3) 4 1");
+  EXPECT_FALSE(editor.move({0}, {0, 1})) << "not into itself";
+  EXPECT_FALSE(editor.move({1}, {2})) << "it stands there";
+  EXPECT_FALSE(editor.move({1}, {9}));
+}
+
+TEST_F(EditorTest, LoopsAreMadeAndUnmade) {
+  EXPECT_EQ(editor.put_into_loop({1, 0}), (StepPath{1, 0}));
+  EXPECT_EQ(now(), "1 ((2) 3) 4");
+  EXPECT_EQ(editor.take_out_of_loop({1}), StepPath{1});
+  EXPECT_EQ(now(), "1 (2) 3 4");
+  EXPECT_FALSE(editor.take_out_of_loop({0}));
+  EXPECT_EQ(editor.duplicate({1}), StepPath{2});
+  EXPECT_EQ(now(), "1 (2) (2) 3 4");
+  EXPECT_EQ(editor.skip({2}, true), StepPath{2});
+  EXPECT_EQ(now(), "1 (2) -(2) 3 4");
+  EXPECT_FALSE(editor.skip({2}, true));
+}
+
+TEST_F(EditorTest, EachChangeIsTakenBackAndMadeAgain) {
+  editor.remove({0});
+  editor.duplicate({0});
+  EXPECT_EQ(now(), "(2 3) (2 3) 4");
+  EXPECT_EQ(after_undo(), "(2 3) 4");
+  EXPECT_EQ(after_undo(), "1 (2 3) 4");
+  EXPECT_FALSE(editor.can_undo());
+  editor.redo(), editor.redo();
+  EXPECT_EQ(now(), "(2 3) (2 3) 4");
+  EXPECT_FALSE(editor.can_redo());
+  editor.undo();
+  editor.skip({0}, true);
+  EXPECT_FALSE(editor.can_redo()) << "it goes on from there";
+}
+
+TEST_F(EditorTest, AWordThatIsTypedIsOneChange) {
+  for (const double ms : {10.0, 100.0, 1000.0}) editor.replace({0}, Delay{ms});
+  editor.replace({2}, Delay{7});
+  EXPECT_EQ(now(), "1000 (2 3) 7");
+  EXPECT_EQ(after_undo(), "1000 (2 3) 4");
+  EXPECT_EQ(after_undo(), "1 (2 3) 4");
+  EXPECT_FALSE(editor.can_undo());
+  EXPECT_FALSE(editor.replace({0}, Delay{1})) << "nothing has changed";
+}
+
+TEST_F(EditorTest, RowsAreTheWholeList) {
+  const auto rows = editor.rows();
+  ASSERT_EQ(rows.size(), 5u);
+  EXPECT_EQ(rows[3].path, (StepPath{1, 1}));
+  EXPECT_EQ(rows[3].step, editor.at({1, 1}));
+  EXPECT_EQ(rows[4].path, StepPath{2});
+}
+
+// Whatever is done in whatever order: all of it can be taken back.
+TEST_F(EditorTest, AnyOrderOfChangesCanBeTakenBack) {
+  std::mt19937 random(7);
+  const auto any = [&random](std::size_t below) { return random() % std::max<std::size_t>(below, 1); };
+  for (int round = 0; round < 200; ++round) {
+    std::vector<std::string> states{now()};
+    for (int n = 0; n < 20; ++n) {
+      const auto rows = editor.rows();
+      const StepPath at = rows.empty() ? StepPath{0} : rows[any(rows.size())].path;
+      StepPath to = rows.empty() ? StepPath{0} : rows[any(rows.size())].path;
+      if (any(2) == 1) ++to.back();
+      const std::uint64_t before = editor.version();
+      switch (any(7)) {
+        case 0: editor.insert(to, delay(static_cast<double>(any(100)))); break;
+        case 1: editor.remove(at); break;
+        case 2: editor.move(at, to); break;
+        case 3: editor.duplicate(at); break;
+        case 4:
+          if (rows.size() < 40) editor.put_into_loop(at);
+          break;
+        case 5: editor.take_out_of_loop(at); break;
+        default: editor.skip(at, any(2) == 1); break;
+      }
+      if (editor.version() != before) states.push_back(now());
+    }
+    for (std::size_t n = states.size() - 1; n > 0; --n) {
+      ASSERT_EQ(now(), states[n]);
+      editor.undo();
+    }
+    ASSERT_EQ(now(), states[0]);
+    if (round % 3 == 0) editor.redo();
+  }
+}
+
+}  // namespace
+}  // namespace hw::sequence
