@@ -100,8 +100,14 @@ static int simulate(const Given& given) {
   const auto program = read_program(given);
   if (!program) return complain(program.error(), status_of(program.error()));
 
+  const ProgramFacts& facts = program->catalog.program;
+  const int programs = facts.threads > 0 ? facts.threads : facts.slots;
+  const auto number = given.number("program", 0, 0, std::max(programs - 1, 0));
+  if (!number) return complain(number.error(), usage);
+
   RehearseOptions options;
   options.for_seconds = *for_seconds;
+  options.slot = static_cast<int>(*number);
   options.device = program->catalog.made_from;
   if (given.has("bench")) {
     auto bench = read_bench(given.one("bench"), program->catalog);
@@ -131,6 +137,7 @@ const Subcommand simulate_subcommand{
      {"variant", "V", "model of the board (vme58): 8S, 4S4, 8, 4E, 2S2, 2S6, 6S2, 4S or 4"},
      {"jumpers", "GGG", "its general lines 0-3, 4-7, 8-11 (vme58): I input, O output (default IIO)"},
      {"json", "", "one JSON object instead of words"},
+     {"program", "N", "the one that is started (default 0); it may start others"},
      bench_option,
      {"for-seconds", "N", "stop a program that does not end by then (default 3600, simulated)"}},
     simulate,

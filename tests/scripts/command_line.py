@@ -1134,6 +1134,21 @@ class Simulate(Case):
         result = run("simulate", self.file("a.vxm", "I1M400\n"), "--for", "vxm")
         self.expect(result, 0, "ends after", "axis 1: ends at 400")
 
+    def test_the_program_that_is_started(self):
+        text = "PRG 0\nHSPD=1000\nLSPD=100\nACC=100\nX500\nWAITX\nEND\nPRG 1\nSR0=1\nDELAY=10\nEND\n"
+        file = self.file("a.prg", text)
+        for number in (0, 1):
+            result = run("simulate", file, "--for", "pmx-4ex-sa", "--program", number)
+            self.expect(result, 0, "axis X: ends at 500")
+        self.expect(run("simulate", file, "--for", "pmx-4ex-sa", "--program", 2), 1, "There is no program 2 to start")
+        self.expect(run("simulate", file, "--for", "pmx-4ex-sa", "--program", 4), 2, "--program 4")
+        vxm = self.file("a.vxm", "I1M400\n")
+        self.expect(run("simulate", vxm, "--for", "vxm", "--program", 3), 0, "Program 3: 4 bytes", "axis 1: ends at 400")
+
+    def test_the_reason_of_a_stop(self):
+        file = self.file("a.prg", "HSPD=1000\nLSPD=100\nACC=100\nSLX=1\nX4000Y4000\nEND\n")
+        self.expect(run("simulate", file, "--for", "pmx-4ex-sa"), 1, "line 5", "StepNLoop is on for some of its axes")
+
     def test_a_text_with_errors(self):
         result, got = self.simulate("PM1,P5\nPM0,S1M9000\n")
         self.expect(result, 1, "Line 2", "9000")

@@ -145,7 +145,15 @@ class Rehearsing {
     const auto line = static_cast<std::size_t>(controller_.program_place(program));
     if (line >= made_.program.code.size()) return "the code ends here.";
     const language::Instruction& i = made_.program.code[line];
+    if (has_mixed_loops(i)) return "StepNLoop is on for some of its axes and off for others.";
     return why_it_fails(i, made_.program, error_among(i), dialect_);
+  }
+  /// Axes that count pulses and axes that count their encoders do not move together (decision AMB-101).
+  [[nodiscard]] bool has_mixed_loops(const language::Instruction& i) const {
+    int with = 0, without = 0;
+    for (int axis = 0; axis < controller_.axes(); ++axis)
+      if (i.axes.has(axis)) ++(controller_.settings().on(Setting::loop, axis) ? with : without);
+    return with > 0 && without > 0;
   }
   /// What holds one of the axes that the statement needs.
   [[nodiscard]] Refusal error_among(const language::Instruction& i) const {
