@@ -2,6 +2,7 @@
 
 #include "gui/tab.h"
 #include "panels/bench.h"
+#include "panels/blocks.h"
 #include "panels/bus_rows.h"
 #include "panels/connect.h"
 #include "panels/contour.h"
@@ -56,6 +57,7 @@ constexpr gui::PanelEntry panels[] = {
     {"jog", "Jog", Place::left, make<Jog>, nullptr},
     {"goto_home", "Go to, home", Place::left, make<GotoHome>, nullptr},
     {"program", "Program", Place::centre, make<Program>, has_programs, 240},
+    {"blocks", "Blocks", Place::centre, make<Blocks>, has_programs, 240, 560},
     {"control", "Control", Place::centre, make<Control>, controls},
     {"variables", "Variables", Place::centre, make<Variables>, has_variables},
     {"list", "Moves", Place::centre, make<Moves>, has_move_list, 240},

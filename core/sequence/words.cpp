@@ -1,0 +1,147 @@
+#include "core/sequence/words.h"
+
+#include <array>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "core/base/index.h"
+
+namespace hw::sequence {
+namespace {
+
+constexpr std::string_view minus = "\u2212";
+
+std::string_view sign_of(Sign sign) { return sign == Sign::plus ? std::string_view("+") : minus; }
+
+std::string number(double value) {
+  const std::string text = fmt::format("{}", value);
+  return value < 0 ? std::string(minus) + text.substr(1) : text;
+}
+
+std::string axis_of(int axis, const Sequence& of) {
+  return axis < 0 ? "all" : axis < static_cast<int>(of.axes.size()) ? of.axes[ix(axis)].name : "?";
+}
+
+std::string speeds_of(const Speeds& s, const Sequence& of) {
+  std::string all;
+  if (s.high != 0 && s.low != 0)
+    all = fmt::format("{} from {} {}/s", number(s.high), number(s.low), of.unit);
+  else if (s.high != 0 || s.low != 0)
+    all = fmt::format("{}{} {}/s", s.low != 0 ? "from " : "", number(s.high + s.low), of.unit);
+  if (s.ramp_ms != 0) all += fmt::format("{}{} ms", all.empty() ? "" : ", ", number(s.ramp_ms));
+  return all.empty() ? "as the controller has it" : all;
+}
+
+std::string state(bool on) { return on ? "on" : "off"; }
+
+struct Summary {
+  const Sequence& of;
+
+  std::string operator()(const Speed& s) const { return speeds_of(s.speeds, of); }
+  std::string operator()(const Move& m) const {
+    std::string all;
+    for (std::size_t a = 0; a < of.axes.size(); ++a)
+      if (m.to[a]) all += fmt::format("{}{} {}", all.empty() ? "" : ", ", of.axes[a].name, number(*m.to[a]));
+    return all.empty() ? "no axis yet" : all;
+  }
+  std::string operator()(const Arc& a) const {
+    const std::string round = a.degrees == 360 ? "" : fmt::format(", {}\u00b0", number(a.degrees));
+    return fmt::format("about {}, {}{}", number(a.x), number(a.y), round);
+  }
+  std::string operator()(const Jog& j) const {
+    return axis_of(j.axis, of) + " " + std::string(sign_of(j.direction));
+  }
+  std::string operator()(const Home& h) const {
+    return fmt::format("{}, to {}", axis_of(h.axis, of), sign_of(h.direction));
+  }
+  std::string operator()(const Stop& s) const {
+    return axis_of(s.axis, of) + (s.at_once ? ", at once" : ", with a ramp");
+  }
+  std::string operator()(const WaitMotion& w) const { return axis_of(w.axis, of); }
+  std::string operator()(const Delay& d) const { return number(d.ms) + " ms"; }
+  std::string operator()(const WaitInput& w) const {
+    return fmt::format("until input {} is {}", w.input, state(w.on));
+  }
+  std::string operator()(const MoveOnInput& m) const {
+    const std::string what =
+        m.kind == MoveOnInput::Kind::move
+            ? fmt::format("to {}", number(m.to))
+            : fmt::format("{} {}", m.kind == MoveOnInput::Kind::jog ? "jog" : "home", sign_of(m.direction));
+    return fmt::format("{} {} if input {} is {}", axis_of(m.axis, of), what, m.input, state(m.on));
+  }
+  std::string operator()(const Output& o) const {
+    return o.output < 0 ? fmt::format("all: {}", o.value) : fmt::format("{} {}", o.output, state(o.on));
+  }
+  std::string operator()(const Enable& e) const { return axis_of(e.axis, of) + " " + state(e.on); }
+  std::string operator()(const Pen& p) const { return p.down ? "down" : "up"; }
+  std::string operator()(const Comment& c) const { return c.text.substr(0, c.text.find('\n')); }
+  std::string operator()(const Repeat& r) const {
+    return r.times == 0 ? "for ever" : fmt::format("{} times", r.times);
+  }
+  std::string operator()(const Custom& c) const {
+    return !c.about.empty() ? c.about : c.text.substr(0, c.text.find('\n'));
+  }
+  std::string operator()(const Contour& c) const {
+    return fmt::format("from {}, {}", number(c.x), number(c.y));
+  }
+};
+
+}  // namespace
+
+std::string_view title_of(const Step::Body& body) {
+  static constexpr std::array<std::string_view, std::variant_size_v<Step::Body>> titles{
+      "Speed", "Move to",        "Arc",           "Jog",    "Home",        "Stop", "Until still",
+      "Delay", "Wait for input", "Move on input", "Output", "Motor power", "Tool", "Comment",
+      "Loop",  "Own text",       "Contour"};
+  if (const auto* move = std::get_if<Move>(&body); move && move->relative) return "Move by";
+  if (const auto* arc = std::get_if<Arc>(&body); arc && (arc->degrees == 360 || arc->degrees == -360))
+    return "Circle";
+  return titles[body.index()];
+}
+
+std::string summary_of(const Step::Body& body, const Sequence& of) { return std::visit(Summary{of}, body); }
+
+std::string label_of_field(std::string_view key, const Sequence& of) {
+  struct Label {
+    std::string_view key, label;
+    enum class Unit : std::uint8_t { none, length, speed, ms } unit = Unit::none;
+  };
+  using Unit = Label::Unit;
+  static constexpr std::array<Label, 24> labels{{{"high", "Speed", Unit::speed},
+                                                 {"low", "Low speed", Unit::speed},
+                                                 {"ramp_ms", "Ramp", Unit::ms},
+                                                 {"ms", "Time", Unit::ms},
+                                                 {"x", "Centre right", Unit::length},
+                                                 {"y", "Centre up", Unit::length},
+                                                 {"degrees", "Degrees"},
+                                                 {"to", "Target", Unit::length},
+                                                 {"relative", "By, not to"},
+                                                 {"axis", "Axis"},
+                                                 {"direction", "Direction"},
+                                                 {"at_once", "At once"},
+                                                 {"input", "Input"},
+                                                 {"output", "Output"},
+                                                 {"on", "On"},
+                                                 {"kind", "Motion"},
+                                                 {"stops_first", "Stop before"},
+                                                 {"value", "Value of all"},
+                                                 {"down", "Down"},
+                                                 {"text", "Text"},
+                                                 {"times", "Times"},
+                                                 {"about", "Name"},
+                                                 {"lead_in", "Lead-in", Unit::length},
+                                                 {"ends_ramped", "Ends with a ramp"}}};
+  for (const Label& l : labels) {
+    if (l.key != key) continue;
+    switch (l.unit) {
+      case Unit::none: return std::string(l.label);
+      case Unit::length: return fmt::format("{}, {}", l.label, of.unit);
+      case Unit::speed: return fmt::format("{}, {}/s", l.label, of.unit);
+      case Unit::ms: return fmt::format("{}, ms", l.label);
+    }
+  }
+  return std::string(key);
+}
+
+}  // namespace hw::sequence

@@ -1,0 +1,266 @@
+#include "panels/blocks.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/base/index.h"
+#include "core/sequence/sequence_file.h"
+#include "core/sequence/words.h"
+#include "core/session/text_file.h"
+#include "core/session/user_files.h"
+#include "gui/area.h"
+#include "gui/console.h"
+#include "gui/tab.h"
+#include "gui/widgets/button.h"
+#include "gui/widgets/message.h"
+#include "gui/widgets/text.h"
+#include "panels/measures.h"
+#include "panels/path.h"
+
+namespace hw::panels {
+
+using namespace gui;
+namespace {
+
+constexpr float palette_width = 148, text_width_wide = 264;
+
+/// "Step 3.2 (arc): why" is about the second step within the third.
+std::optional<sequence::StepPath> path_in(std::string_view what) {
+  constexpr std::string_view step = "Step ";
+  if (!what.starts_with(step)) return std::nullopt;
+  what.remove_prefix(step.size());
+  sequence::StepPath path;
+  for (;;) {
+    std::size_t number = 0;
+    const auto [end, error] = std::from_chars(what.data(), what.data() + what.size(), number);
+    if (error != std::errc() || number == 0) return std::nullopt;
+    path.push_back(number - 1);
+    what.remove_prefix(static_cast<std::size_t>(end - what.data()));
+    if (!what.starts_with('.')) return path;
+    what.remove_prefix(1);
+  }
+}
+
+std::string number_of(const sequence::StepPath& path) {
+  std::string text;
+  for (const std::size_t place : path) text += fmt::format("{}{}", text.empty() ? "" : ".", place + 1);
+  return text;
+}
+
+}  // namespace
+
+void Blocks::make(const Frame& f) {
+  if (std::exchange(made_, true)) return;
+  sequence::Sequence s;
+  s.unit = f.catalog.step_word;
+  for (const AxisInfo& axis : f.catalog.axes)
+    if (s.axes.size() < max_axes) s.axes.push_back({axis.name});
+  editor_.load(std::move(s));
+  kept_ = editor_.version();
+}
+
+void Blocks::draw(Frame& f) {
+  make(f);
+  work_out(f);
+  draw_toolbar(f);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float height = (f.ui.px(f.area.bottom()) - at.y) / f.ui.scale;
+  const bool palette = f.area.width >= 560, side = f.area.width >= 760;
+  const float left = palette ? palette_width : 0, right = side ? text_width_wide : 0;
+  if (palette) draw_palette(f, height);
+  ImGui::SetCursorScreenPos(ImVec2(f.ui.px(f.area.x + left), at.y));
+  draw_list(f, left, f.area.width - left - right, height);
+  if (side) {
+    ImGui::SetCursorScreenPos(ImVec2(f.ui.px(f.area.x + f.area.width - right), at.y));
+    draw_text_side(f, height);
+  }
+  draw_dialogs(f);
+}
+
+/// Only when something has changed: a panel at rest works nothing out.
+void Blocks::work_out(Frame& f) {
+  if (std::exchange(worked_out_, editor_.version()) == editor_.version()) return;
+  const Language* language = f.tab.desk().language();
+  problem_.clear(), facts_.clear();
+  text_ = SequenceText();
+  rows_.clear();
+  for (const sequence::StepRow& r : editor_.rows())
+    rows_.push_back({r.path, number_of(r.path), std::string(sequence::title_of(r.step->body)),
+                     sequence::summary_of(r.step->body, editor_.sequence()), "", r.step->skipped, false});
+  if (!language)
+    return problem_.assign("This controller has no language that blocks could be written in."), void();
+  auto written = language->write(editor_.sequence(), f.catalog);
+  if (!written) {
+    problem_ = written.error().what;
+    return find_refused();
+  }
+  text_ = std::move(*written);
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const auto lines = std::count(text_.step_of_line.begin(), text_.step_of_line.end(), static_cast<int>(i));
+    if (lines > 0) rows_[i].lines = std::to_string(lines);
+  }
+  const ProgramReport report = language->analyse(text_.text, 0);
+  for (const Problem& p : report.problems)
+    if (p.error && problem_.empty()) problem_ = p.sentence;
+  if (!text_.remarks.empty()) facts_ = text_.remarks.front();
+}
+
+void Blocks::find_refused() {
+  const auto refused = path_in(problem_);
+  for (Row& row : rows_) row.refused = refused && row.path == *refused;
+}
+
+// ---- what is done with all of it
+
+void Blocks::put_into_program(Frame& f) {
+  ProgramTexts& texts = f.tab.desk().texts;
+  texts.set_text(texts.chosen(), text_.text);
+  kept_ = editor_.version();
+  f.show_panel("program");
+}
+
+void Blocks::open(Frame& f, const std::filesystem::path& path) {
+  constexpr std::uintmax_t largest = 64u << 20;
+  const auto text = read_file(path, largest);
+  if (!text) return f.toast(Mood::fault, text.error().sentence());
+  auto sequence = sequence::read_sequence(*text, path.filename().string());
+  if (!sequence) return f.toast(Mood::fault, sequence.error().sentence());
+  editor_.load(std::move(*sequence));
+  kept_ = editor_.version();
+  file_ = path;
+  choose(std::nullopt);
+}
+
+void Blocks::save(Frame& f, const std::filesystem::path& path) {
+  if (auto written = write_file(path, sequence::write_sequence(editor_.sequence())); !written)
+    return f.toast(Mood::fault, written.error().sentence());
+  kept_ = editor_.version();
+  file_ = path;
+  f.toast(Mood::ok, fmt::format("Saved as {}.", path.string()));
+}
+
+std::string_view Blocks::unkept() const {
+  if (kept_ == editor_.version() || editor_.sequence().steps.empty()) return {};
+  return "The blocks are in no file and not in the program.";
+}
+
+// ---- drawing
+
+void Blocks::draw_toolbar(Frame& f) {
+  Ui& ui = f.ui;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::SetCursorScreenPos(ImVec2(ui.px(f.area.x + 16), at.y + ui.px(8)));
+  ButtonOptions put;
+  put.height = 40;
+  put.tip = "Puts the text into the program editor, where it is run.";
+  if (editor_.sequence().steps.empty())
+    put.disabled = "There are no blocks yet.";
+  else if (!problem_.empty())
+    put.disabled = problem_;
+  if (button(ui, "blocks/to_program", "To the program", put).clicked) {
+    ProgramTexts& texts = f.tab.desk().texts;
+    asking_ = texts.edited(texts.chosen()) && texts.text(texts.chosen()) != text_.text;
+    if (!asking_) put_into_program(f);
+  }
+  const auto next = [&ui](float gap) { ImGui::SameLine(0, ui.px(gap)); };
+  next(16);
+  if (button(ui, "blocks/undo", "Undo",
+             {.style = ButtonStyle::quiet,
+              .disabled = editor_.can_undo() ? "" : "Nothing to take back.",
+              .height = 40})
+          .clicked)
+    editor_.undo(), choose(chosen_);
+  next(0);
+  if (button(ui, "blocks/redo", "Redo",
+             {.style = ButtonStyle::quiet,
+              .disabled = editor_.can_redo() ? "" : "Nothing was taken back.",
+              .height = 40})
+          .clicked)
+    editor_.redo(), choose(chosen_);
+  next(0);
+  draw_files(f);
+  const float y = at.y + ui.px(toolbar_height);
+  ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(ui.px(f.area.x), y - ui.hair()),
+                                            ImVec2(ui.px(f.area.right()), y), ui[Tone::line]);
+  ImGui::SetCursorScreenPos(ImVec2(at.x, y));
+}
+
+void Blocks::draw_files(Frame& f) {
+  Ui& ui = f.ui;
+  const float y = ImGui::GetCursorScreenPos().y;
+  const ButtonOptions look{.style = ButtonStyle::quiet, .height = 40};
+  const float width = ui.px(button_width(ui, "Open", look)) + ui.px(button_width(ui, "Save", look));
+  const float x = ui.px(f.area.right() - 8) - width;
+  const std::string name = file_.filename().string();
+  if (!name.empty())
+    draw_text_line(ui, ImGui::GetCursorScreenPos().x + ui.px(8), x - ui.px(8), y + ui.px(20), Face::body_bold,
+                   ui[kept_ == editor_.version() ? Tone::ink : Tone::warn], name);
+  ImGui::SetCursorScreenPos(ImVec2(x, y));
+  if (button(ui, "blocks/open", "Open", look).clicked)
+    open_.ask_open("Open a sequence", open_.folder(), {".toml"});
+  ImGui::SameLine(0, 0);
+  if (button(ui, "blocks/save", "Save", look).clicked)
+    save_.ask_save("Save the sequence", file_.empty() ? save_.folder() / "sequence.toml" : file_, {".toml"});
+}
+
+void Blocks::draw_text_side(Frame& f, float height) {
+  Ui& ui = f.ui;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::GetWindowDrawList()->AddRectFilled(at, ImVec2(at.x + ui.hair(), ui.px(f.area.bottom())),
+                                            ui[Tone::line]);
+  ImGui::SetCursorScreenPos(ImVec2(at.x + ui.hair(), at.y));
+  begin_part(ui, "blocks/side", 0, ui.px(height), Tone::panel, 16);
+  const float width = ImGui::GetContentRegionAvail().x / ui.scale;
+  section_title(ui, "Text it writes", facts_.empty() ? "" : "with a remark");
+  if (!problem_.empty()) {
+    const ImVec2 from = ImGui::GetCursorScreenPos();
+    wrapped(ui, Face::body, Tone::fault, problem_, width);
+    show(ui, {"blocks/problem", Kind::text, "Problem", problem_},
+         {from, ImVec2(from.x + ui.px(width), ImGui::GetCursorScreenPos().y)});
+    gap(ui, 8);
+  }
+  if (!facts_.empty()) {
+    wrapped(ui, Face::small, Tone::ink2, facts_, width);
+    gap(ui, 8);
+  }
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  const float line = ui.px(20);
+  int chosen = -1;
+  for (std::size_t i = 0; chosen_ && i < rows_.size(); ++i)
+    if (rows_[i].path == *chosen_) chosen = static_cast<int>(i);
+  std::string_view rest = text_.text;
+  for (std::size_t n = 0; n < text_.step_of_line.size(); ++n) {
+    const std::size_t end = std::min(rest.find('\n'), rest.size());
+    const float y = from.y + static_cast<float>(n) * line;
+    if (chosen >= 0 && text_.step_of_line[n] == chosen)
+      draw_across(ui, y, y + line, ui[Tone::sel], ui[Tone::ink]);
+    draw_text_line(ui, from.x, from.x + ui.px(28), y + line / 2, Face::code_time, ui[Tone::ink3],
+                   Path("{}", n + 1));
+    draw_text_line(ui, from.x + ui.px(32), from.x + ui.px(width), y + line / 2, Face::code_field,
+                   ui[Tone::ink], rest.substr(0, end));
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
+  ImGui::Dummy(ImVec2(1, line * static_cast<float>(text_.step_of_line.size())));
+  show(ui, {"blocks/text", Kind::text, "Text it writes", text_.text},
+       {from, ImVec2(from.x + ui.px(width), ImGui::GetCursorScreenPos().y)});
+  end_part();
+}
+
+void Blocks::draw_dialogs(Frame& f) {
+  if (asking_) {
+    const Dialog what{.title = "Replace the text?",
+                      .sentences =
+                          "The program has changes that are in no file. The text of the blocks would take "
+                          "its place.",
+                      .yes = "Replace",
+                      .no = "Keep the text"};
+    if (dialog(f.ui, "blocks/replace", asking_, what) == Answer::yes) put_into_program(f);
+  }
+  if (const auto path = open_.draw(f.ui)) open(f, *path);
+  if (const auto path = save_.draw(f.ui)) save(f, *path);
+}
+
+}  // namespace hw::panels

@@ -1,0 +1,68 @@
+#pragma once
+// The graphical programmer: a sequence as blocks in a column, and the text that the controller's language
+// makes of it. Ids: `blocks/add/move`, `blocks/ROW` (from 1), its fields `blocks/ROW/KEY`, `blocks/end`,
+// `blocks/up`, `blocks/remove`, `blocks/undo`, `blocks/open`, `blocks/save`, `blocks/to_program`,
+// `blocks/text`, `blocks/problem`.
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/device/language.h"
+#include "core/sequence/editor.h"
+#include "gui/panel.h"
+#include "gui/widgets/file_dialog.h"
+#include "panels/step_form.h"
+
+namespace hw::panels {
+
+class Blocks final : public gui::Panel {
+ public:
+  void draw(gui::Frame& frame) override;
+  [[nodiscard]] std::string_view unkept() const override;
+
+ private:
+  struct Row {
+    sequence::StepPath path;
+    std::string number, title, summary, lines;
+    bool skipped = false, refused = false;
+  };
+  void make(const gui::Frame& frame);
+  void work_out(gui::Frame& frame);
+  void find_refused();
+  void draw_toolbar(gui::Frame& frame);
+  void draw_files(gui::Frame& frame);
+  void draw_text_side(gui::Frame& frame, float height);
+  void draw_dialogs(gui::Frame& frame);
+  void put_into_program(gui::Frame& frame);
+  void open(gui::Frame& frame, const std::filesystem::path& path);
+  void save(gui::Frame& frame, const std::filesystem::path& path);
+
+  // ---- blocks_list.cpp
+  void draw_palette(gui::Frame& frame, float height);
+  void draw_list(gui::Frame& frame, float left, float width, float height);
+  void draw_row(gui::Frame& frame, std::size_t row, float width);
+  void draw_chosen(gui::Frame& frame, std::size_t row, float left, float width);
+  void draw_tools(gui::Frame& frame, const sequence::Step& step);
+  void draw_end(gui::Frame& frame, float width);
+  void add(sequence::Step::Body body);
+  void choose(std::optional<sequence::StepPath> path);
+  void move(int rows);
+  void take_here(const gui::Frame& frame, sequence::Move move);
+
+  bool made_ = false;
+  sequence::Editor editor_;
+  std::uint64_t worked_out_ = ~std::uint64_t{0};  ///< Editor::version() then
+  std::uint64_t kept_ = 0;                        ///< the same, when it was put into the program or a file
+  std::vector<Row> rows_;
+  std::optional<sequence::StepPath> chosen_;  ///< none: the end of the list
+  StepForm form_;
+  SequenceText text_;
+  std::string problem_, facts_;
+  std::filesystem::path file_;
+  gui::FileDialog open_, save_;
+  bool asking_ = false;
+};
+
+}  // namespace hw::panels
