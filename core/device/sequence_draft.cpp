@@ -11,22 +11,22 @@
 
 namespace hw {
 
-using namespace sequence;
+namespace seq = sequence;  // files of this folder are compiled together
 namespace {
 
 template <class Body>
 bool has_speeds(const Body& body) {
   if constexpr (requires { body.own; }) return body.own.has_value();
-  return std::is_same_v<Body, Speed>;
+  return std::is_same_v<Body, seq::Speed>;
 }
 
 }  // namespace
 
-std::string_view kind_of(const Step& step) { return kind_names[step.body.index()]; }
+std::string_view kind_of(const seq::Step& step) { return seq::kind_names[step.body.index()]; }
 
-bool says_speeds(const StepList& steps) {
-  return std::any_of(steps.begin(), steps.end(), [](const Step& step) {
-    const StepList* inner = steps_in(step);
+bool says_speeds(const seq::StepList& steps) {
+  return std::any_of(steps.begin(), steps.end(), [](const seq::Step& step) {
+    const seq::StepList* inner = steps_in(step);
     return !step.skipped && (std::visit([](const auto& body) { return has_speeds(body); }, step.body) ||
                              (inner && says_speeds(*inner)));
   });
@@ -46,20 +46,22 @@ Result<> SequenceDraft::find_axes() {
 
 // ---- the step at hand
 
-void SequenceDraft::enter(const Step& step, std::size_t place) {
+void SequenceDraft::enter(const seq::Step& step, std::size_t place) {
   path_.push_back({&step, place, routine_.empty() ? next_index_++ : -1});
 }
 
 void SequenceDraft::leave() {
   const Entered left = path_.back();
   path_.pop_back();
-  const StepList* inner = steps_in(*left.step);
-  if (routine_.empty()) next_index_ = left.index + 1 + (inner ? count_steps(*inner) : 0);
+  const seq::StepList* inner = steps_in(*left.step);
+  if (routine_.empty()) next_index_ = left.index + 1 + (inner ? seq::count_steps(*inner) : 0);
 }
 
-void SequenceDraft::begin_routine(std::string_view name) {
+Result<> SequenceDraft::begin_routine(std::string_view name) {
+  if (in_routine()) return refuse_tool();
   path_outside_ = std::exchange(path_, {});
   routine_ = name;
+  return {};
 }
 
 void SequenceDraft::end_routine() {
@@ -81,6 +83,12 @@ tl::unexpected<Fault> SequenceDraft::refuse(std::string_view why) const {
               "Nothing was written.");
 }
 
+tl::unexpected<Fault> SequenceDraft::refuse_own_speed() const {
+  return refuse(
+      "a step before it has changed the speed, and none says what it is otherwise. Put a speed step in "
+      "front.");
+}
+
 void SequenceDraft::remark(std::string_view what) {
   std::string said = refuse(what).value().what;
   if (std::find(remarks_.begin(), remarks_.end(), said) == remarks_.end())
@@ -93,10 +101,10 @@ void SequenceDraft::line(std::string_view text) {
   lines_.push_back({part_, index(), std::string(static_cast<std::size_t>(indent_), ' ').append(text)});
 }
 
-void SequenceDraft::lines(std::string_view text) {
+void SequenceDraft::lines(std::string_view text, std::string_view mark) {
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
-    line(text.substr(0, end));
+    line(std::string(mark).append(text.substr(0, end)));
     text.remove_prefix(std::min(end + 1, text.size()));
   }
 }
@@ -134,7 +142,7 @@ Result<std::int64_t> SequenceDraft::distance(int place, double units) const {
   return steps_of(place, units, -most, most);
 }
 
-Result<StepSpeeds> SequenceDraft::speeds(int place, const Speeds& units) const {
+Result<StepSpeeds> SequenceDraft::speeds(int place, const seq::Speeds& units) const {
   const double per_unit = sequence.axes[ix(place)].per_unit;
   StepSpeeds s;
   for (auto [from, to, word] : {std::tuple{units.high, &s.high, "speed"}, {units.low, &s.low, "low speed"}}) {
@@ -151,11 +159,11 @@ Result<StepSpeeds> SequenceDraft::speeds(int place, const Speeds& units) const {
   return s;
 }
 
-Result<StepSpeeds> SequenceDraft::speeds_of(int place, const OwnSpeeds& own) const {
+Result<StepSpeeds> SequenceDraft::speeds_of(int place, const seq::OwnSpeeds& own) const {
   return speeds(place, own ? over(speeds_now_, *own) : speeds_now_);
 }
 
-Speeds SequenceDraft::over(Speeds below, const Speeds& above) {
+seq::Speeds SequenceDraft::over(seq::Speeds below, const seq::Speeds& above) {
   if (above.high != 0) below.high = above.high;
   if (above.low != 0) below.low = above.low;
   if (above.ramp_ms != 0) below.ramp_ms = above.ramp_ms;
@@ -164,25 +172,26 @@ Speeds SequenceDraft::over(Speeds below, const Speeds& above) {
 
 bool SequenceDraft::all_alike() const {
   return std::all_of(sequence.axes.begin(), sequence.axes.end(),
-                     [this](const Axis& a) { return a.per_unit == sequence.axes[0].per_unit; });
+                     [this](const seq::Axis& a) { return a.per_unit == sequence.axes[0].per_unit; });
 }
 
-void SequenceDraft::forget_what_moves(const StepList& steps) {
-  for (const Step& step : steps) {
+void SequenceDraft::forget_what_moves(const seq::StepList& steps) {
+  for (const seq::Step& step : steps) {
     if (step.skipped) continue;
-    if (const StepList* inner = steps_in(step)) forget_what_moves(*inner);
-    if (const auto* move = std::get_if<Move>(&step.body)) {
+    if (const seq::StepList* inner = steps_in(step)) forget_what_moves(*inner);
+    if (const auto* move = std::get_if<seq::Move>(&step.body)) {
       for (int a = 0; a < axis_count(); ++a)
         if (move->to[ix(a)]) stands(a, std::nullopt);
-    } else if (const auto* some = std::get_if<MoveOnInput>(&step.body)) {
+    } else if (const auto* some = std::get_if<seq::MoveOnInput>(&step.body)) {
       stands(some->axis, std::nullopt);
-    } else if (const auto* jog = std::get_if<Jog>(&step.body)) {
+    } else if (const auto* jog = std::get_if<seq::Jog>(&step.body)) {
       stands(jog->axis, std::nullopt);
-    } else if (const auto* home = std::get_if<Home>(&step.body)) {
+    } else if (const auto* home = std::get_if<seq::Home>(&step.body)) {
       stands(home->axis, std::nullopt);
-    } else if (std::holds_alternative<Arc>(step.body) || std::holds_alternative<Contour>(step.body)) {
+    } else if (std::holds_alternative<seq::Arc>(step.body) ||
+               std::holds_alternative<seq::Contour>(step.body)) {
       stands(0, std::nullopt), stands(1, std::nullopt);
-    } else if (std::holds_alternative<Custom>(step.body)) {
+    } else if (std::holds_alternative<seq::Custom>(step.body)) {
       nothing_known();
     }
   }

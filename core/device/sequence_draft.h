@@ -40,17 +40,24 @@ class SequenceDraft {
   // ---- the step at hand
   void enter(const sequence::Step& step, std::size_t place);
   void leave();
-  /// From here on the steps of a routine ("Pen up") are entered; its lines are of the step at hand.
-  void begin_routine(std::string_view name);
+  /// From here on the steps of a routine ("Pen up") are entered; its lines are of the step at hand. Refused
+  /// within a routine: the tool is no part of its own routines.
+  [[nodiscard]] Result<> begin_routine(std::string_view name);
   void end_routine();
+  [[nodiscard]] bool in_routine() const { return !routine_.empty(); }
+  [[nodiscard]] tl::unexpected<Fault> refuse_tool() const {
+    return refuse("the tool is no part of its own routines.");
+  }
   /// "Step 3.2 (arc): a VXM draws no arcs."
   [[nodiscard]] tl::unexpected<Fault> refuse(std::string_view why) const;
+  /// A motion that goes at the controller's own speed, behind one that has changed it.
+  [[nodiscard]] tl::unexpected<Fault> refuse_own_speed() const;
   void remark(std::string_view what);
 
   // ---- the text
   void line(std::string_view text);
-  /// Each line of it.
-  void lines(std::string_view text);
+  /// Each line of it, behind `mark`.
+  void lines(std::string_view text, std::string_view mark = {});
   void indent(int by) { indent_ += by; }
   /// Lines go into this part from now on; parts stand one behind the other. Returns the part so far.
   int change_part(int part) { return std::exchange(part_, part); }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/sequence/sequence_file.h"
 #include "core/sequence/steps_in.h"
 
 namespace hw::sequence {
@@ -29,6 +30,13 @@ bool within(const StepPath& inner, const StepPath& outer) {
   return inner.size() >= outer.size() && std::equal(outer.begin(), outer.end(), inner.begin());
 }
 
+int depth_of(const StepList& steps) {
+  int deepest = 0;
+  for (const Step& step : steps)
+    if (const StepList* inner = steps_in(step)) deepest = std::max(deepest, depth_of(*inner));
+  return deepest + 1;
+}
+
 void collect(const StepList& steps, StepPath& path, std::vector<StepRow>& rows) {
   for (std::size_t i = 0; i < steps.size(); ++i) {
     path.push_back(i);
@@ -47,7 +55,8 @@ void Editor::load(Sequence sequence) {
   ++version_;
 }
 
-void Editor::keep(Sequence changed, const StepPath* typed_at) {
+bool Editor::keep(Sequence changed, const StepPath* typed_at) {
+  if (depth_of(changed.steps) > deepest_loop) return false;
   if (!typed_at || typed_at_ != *typed_at) {
     if (undone_from_.size() == most_kept) undone_from_.erase(undone_from_.begin());
     undone_from_.push_back(std::move(now_));
@@ -56,6 +65,7 @@ void Editor::keep(Sequence changed, const StepPath* typed_at) {
   redone_from_.clear();
   now_ = std::make_shared<const Sequence>(std::move(changed));
   ++version_;
+  return true;
 }
 
 std::vector<StepRow> Editor::rows() const {
@@ -81,8 +91,7 @@ std::optional<StepPath> Editor::insert(const StepPath& at, Step step) {
   StepList* list = list_of(s, at);
   if (!list || at.back() > list->size()) return std::nullopt;
   list->insert(list->begin() + offset(at.back()), std::move(step));
-  keep(std::move(s));
-  return at;
+  return keep(std::move(s)) ? std::optional(at) : std::nullopt;
 }
 
 std::optional<StepPath> Editor::remove(const StepPath& at) {
@@ -97,8 +106,7 @@ std::optional<StepPath> Editor::remove(const StepPath& at) {
     else
       next.back() = list->size() - 1;
   }
-  keep(std::move(s));
-  return next;
+  return keep(std::move(s)) ? std::optional(next) : std::nullopt;
 }
 
 std::optional<StepPath> Editor::move(const StepPath& from, const StepPath& to) {
@@ -119,8 +127,7 @@ std::optional<StepPath> Editor::move(const StepPath& from, const StepPath& to) {
   target = list_of(s, place);
   target->insert(target->begin() + offset(place.back()), std::move(moved));
   if (s == *now_) return std::nullopt;  // it stands there
-  keep(std::move(s));
-  return place;
+  return keep(std::move(s)) ? std::optional(place) : std::nullopt;
 }
 
 std::optional<StepPath> Editor::duplicate(const StepPath& at) {
@@ -139,8 +146,7 @@ std::optional<StepPath> Editor::put_into_loop(const StepPath& at) {
   loop.times = 2;
   loop.steps.push_back(std::move(step));
   step = Step{std::move(loop)};
-  keep(std::move(s));
-  return at;
+  return keep(std::move(s)) ? std::optional(at) : std::nullopt;
 }
 
 std::optional<StepPath> Editor::take_out_of_loop(const StepPath& at) {
@@ -151,8 +157,7 @@ std::optional<StepPath> Editor::take_out_of_loop(const StepPath& at) {
   StepList* list = list_of(s, at);
   const auto place = list->erase(list->begin() + offset(at.back()));
   list->insert(place, inner.begin(), inner.end());
-  keep(std::move(s));
-  return at;
+  return keep(std::move(s)) ? std::optional(at) : std::nullopt;
 }
 
 std::optional<StepPath> Editor::skip(const StepPath& at, bool skipped) {
@@ -160,8 +165,7 @@ std::optional<StepPath> Editor::skip(const StepPath& at, bool skipped) {
   if (!step || step->skipped == skipped) return std::nullopt;
   Sequence s = *now_;
   (*list_of(s, at))[at.back()].skipped = skipped;
-  keep(std::move(s));
-  return at;
+  return keep(std::move(s)) ? std::optional(at) : std::nullopt;
 }
 
 std::optional<StepPath> Editor::replace(const StepPath& at, Step::Body body) {
@@ -169,8 +173,7 @@ std::optional<StepPath> Editor::replace(const StepPath& at, Step::Body body) {
   if (!step || step->body == body) return std::nullopt;
   Sequence s = *now_;
   (*list_of(s, at))[at.back()].body = std::move(body);
-  keep(std::move(s), &at);
-  return at;
+  return keep(std::move(s), &at) ? std::optional(at) : std::nullopt;
 }
 
 void Editor::set_frame(std::string unit, std::vector<Axis> axes, StepList pen_up, StepList pen_down) {

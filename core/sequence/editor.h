@@ -32,7 +32,8 @@ class Editor {
   /// Null: nothing stands there.
   [[nodiscard]] const Step* at(const StepPath& path) const;
 
-  // Each of these answers where the step stands then; nothing when there is no such place.
+  // Each of these answers where the step stands then; nothing when there is no such place, or when loops
+  // would stand in loops deeper than a file may hold (deepest_loop).
   std::optional<StepPath> insert(const StepPath& at, Step step);
   std::optional<StepPath> remove(const StepPath& at);  ///< where the next one stands, or the last
   /// In front of what stands at `to` before the move; never into itself.
@@ -55,7 +56,8 @@ class Editor {
 
  private:
   using Kept = std::shared_ptr<const Sequence>;
-  void keep(Sequence changed, const StepPath* typed_at = nullptr);
+  /// False: nothing has changed.
+  bool keep(Sequence changed, const StepPath* typed_at = nullptr);
 
   Kept now_;
   std::vector<Kept> undone_from_, redone_from_;

@@ -128,20 +128,13 @@ class Writer {
   Result<> write(const seq::Pen& p) {
     const seq::StepList& steps = p.down ? draft_.sequence.pen_down : draft_.sequence.pen_up;
     if (steps.empty()) return {};
+    if (draft_.in_routine()) return draft_.refuse_tool();
     draft_.line(fmt::format("GOSUB {}", p.down ? pen_down_sub : pen_up_sub));
     (p.down ? calls_down_ : calls_up_) = true;
     behind_foreign(steps);
     return {};
   }
-  Result<> write(const seq::Comment& c) {
-    std::string_view rest = c.text;
-    do {
-      const std::size_t end = std::min(rest.find('\n'), rest.size());
-      draft_.line(fmt::format("; {}", rest.substr(0, end)));
-      rest.remove_prefix(std::min(end + 1, rest.size()));
-    } while (!rest.empty());
-    return {};
-  }
+  Result<> write(const seq::Comment& c) { return draft_.lines(c.text, "; "), Result<>(); }
   Result<> write(const seq::Repeat& l);
   Result<> write(const seq::Custom& c) {
     draft_.lines(c.text);
@@ -162,10 +155,7 @@ class Writer {
     const auto wanted = draft_.speeds_of(axis, own);
     if (!wanted) return fail(wanted.error());
     const auto say = told_.towards(*wanted);
-    if (!say)
-      return draft_.refuse(
-          "a step before it has changed the speed, and none says what it is otherwise. Put a speed step in "
-          "front.");
+    if (!say) return draft_.refuse_own_speed();
     if (say->high != 0) draft_.line(fmt::format("HSPD={}", say->high));
     if (say->low != 0) draft_.line(fmt::format("LSPD={}", say->low));
     if (say->ramp_ms != 0) draft_.line(fmt::format("ACC={}", std::max(std::llround(say->ramp_ms), 1LL)));
@@ -179,7 +169,7 @@ class Writer {
   }
   Result<> write_routine(bool down) {
     if (!(down ? calls_down_ : calls_up_)) return {};
-    draft_.begin_routine(down ? "Pen down" : "Pen up");
+    if (auto begun = draft_.begin_routine(down ? "Pen down" : "Pen up"); !begun) return begun;
     draft_.nothing_known();
     draft_.change_speeds({});
     told_ = {};

@@ -88,20 +88,12 @@ class Writer {
   }
   Result<> write(const seq::Pen& p) {
     const seq::StepList& steps = p.down ? draft_.sequence.pen_down : draft_.sequence.pen_up;
-    draft_.begin_routine(p.down ? "Pen down" : "Pen up");
+    if (auto begun = draft_.begin_routine(p.down ? "Pen down" : "Pen up"); !begun) return begun;
     auto written = write_steps(*this, draft_, steps);
     draft_.end_routine();
     return written;
   }
-  Result<> write(const seq::Comment& c) {
-    std::string_view rest = c.text;
-    do {
-      const std::size_t end = std::min(rest.find('\n'), rest.size());
-      draft_.line(fmt::format("# {}", rest.substr(0, end)));
-      rest.remove_prefix(std::min(end + 1, rest.size()));
-    } while (!rest.empty());
-    return {};
-  }
+  Result<> write(const seq::Comment& c) { return draft_.lines(c.text, "# "), Result<>(); }
   Result<> write(const seq::Repeat& l);
   Result<> write(const seq::Custom& c) {
     draft_.lines(c.text);
@@ -147,10 +139,7 @@ Result<> Writer::say_speeds(std::span<const int> axes, const seq::OwnSpeeds& own
     if (wanted->ramp_ms != 0 && wanted->high == 0)
       return draft_.refuse("a ramp time needs a speed beside it: a VME58 is told counts/s².");
     const auto say = told_[ix(a)].towards(*wanted);
-    if (!say)
-      return draft_.refuse(
-          "a step before it has changed the speed, and none says what it is otherwise. Put a speed step in "
-          "front.");
+    if (!say) return draft_.refuse_own_speed();
     const std::size_t place = draft_.axis(a).index;
     if (say->high != 0) high[place] = say->high, any_high = true;
     if (say->low != 0) low[place] = say->low, any_low = true;

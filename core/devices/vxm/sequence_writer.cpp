@@ -94,15 +94,7 @@ class Writer {
     return draft_.refuse("the motor power of a VXM cannot be switched by a program.");
   }
   Result<> write(const seq::Pen& p);
-  Result<> write(const seq::Comment& c) {
-    std::string_view rest = c.text;
-    do {
-      const std::size_t end = std::min(rest.find('\n'), rest.size());
-      draft_.line(fmt::format("; {}", rest.substr(0, end)));
-      rest.remove_prefix(std::min(end + 1, rest.size()));
-    } while (!rest.empty());
-    return {};
-  }
+  Result<> write(const seq::Comment& c) { return draft_.lines(c.text, "; "), Result<>(); }
   Result<> write(const seq::Repeat& l);
   Result<> write(const seq::Custom& c) {
     draft_.lines(c.text);
@@ -137,9 +129,9 @@ class Writer {
     if (input > 2) return draft_.refuse("programs of a VXM ask the inputs 1 and 2 only.");
     return fmt::format("U{}{}", on ? 1 : 2, input);
   }
-  /// Writes a program of its own and calls it.
+  /// Writes a program of its own and calls it; its number.
   template <class Body>
-  Result<> call(std::string_view what, Body&& body);
+  Result<int> call(std::string_view what, Body&& body);
   void repeated(const seq::StepList& steps) {
     if (!says_speeds(steps)) return;
     for (ToldSpeeds& told : told_) told.begin_repeated();
@@ -159,10 +151,7 @@ Result<> Writer::say_speeds(int axis, const seq::OwnSpeeds& own) {
   if (wanted->ramp_ms != 0 && wanted->high == 0)
     return draft_.refuse("a ramp time needs a speed beside it: a VXM is told steps/s².");
   const auto say = told_[ix(axis)].towards(*wanted);
-  if (!say)
-    return draft_.refuse(
-        "a step before it has changed the speed, and none says what it is otherwise. Put a speed step in "
-        "front.");
+  if (!say) return draft_.refuse_own_speed();
   if (say->high != 0) draft_.line(fmt::format("S{}M{}", motor(axis), say->high));
   if (wanted->ramp_ms == 0 || (say->ramp_ms == 0 && say->high == 0)) return {};
   const double rate = static_cast<double>(wanted->high) / (wanted->ramp_ms / 1000) / accel_unit;
@@ -176,7 +165,7 @@ Result<> Writer::say_speeds(int axis, const seq::OwnSpeeds& own) {
 }
 
 template <class Body>
-Result<> Writer::call(std::string_view what, Body&& body) {
+Result<int> Writer::call(std::string_view what, Body&& body) {
   if (programs_ + 1 >= program_count)
     return draft_.refuse(
         fmt::format("a VXM has {} programs that can be called, and all are taken.", program_count - 1));
@@ -188,7 +177,8 @@ Result<> Writer::call(std::string_view what, Body&& body) {
   auto written = body();
   draft_.change_part(part);
   in_loop_ = in_loop;
-  return written;
+  if (!written) return fail(written.error());
+  return number;
 }
 
 Result<> Writer::write(const seq::WaitInput& w) {
@@ -203,8 +193,9 @@ Result<> Writer::write(const seq::WaitInput& w) {
     draft_.line("L0");
     return Result<>();
   });
-  if (called) callable_[*skip] = programs_;
-  return called;
+  if (!called) return fail(called.error());
+  callable_[*skip] = *called;
+  return {};
 }
 
 Result<> Writer::write(const seq::MoveOnInput& m) {
@@ -228,7 +219,7 @@ Result<> Writer::write(const seq::Pen& p) {
   const seq::StepList& steps = p.down ? draft_.sequence.pen_down : draft_.sequence.pen_up;
   const std::string name = p.down ? "Pen down" : "Pen up";
   const auto write_them = [&] {
-    draft_.begin_routine(name);
+    if (auto begun = draft_.begin_routine(name); !begun) return begun;
     auto written = write_steps(*this, draft_, steps);
     draft_.end_routine();
     return written;
@@ -243,11 +234,12 @@ Result<> Writer::write(const seq::Pen& p) {
   const auto speeds = draft_.change_speeds({});
   const auto told = std::exchange(told_, {});
   auto called = call(name, write_them);
-  if (called) callable_[name] = programs_;
+  if (called) callable_[name] = *called;
   draft_.change_speeds(speeds);
   told_ = told;
   repeated(steps);
-  return called;
+  if (!called) return fail(called.error());
+  return {};
 }
 
 // A loop goes back to the nearest marker above it (decision V45), so of two that stand in one another one
@@ -261,7 +253,10 @@ Result<> Writer::write(const seq::Repeat& l) {
     if (written) draft_.line(l.times == 0 ? "L0" : fmt::format("LA{}", l.times));
     return written;
   };
-  if (in_loop_ || draft_.part() != main_part) return call("a loop", body);
+  if (in_loop_ || draft_.part() != main_part) {
+    const auto called = call("a loop", body);
+    return called ? Result<>() : Result<>(fail(called.error()));
+  }
   in_loop_ = true;
   draft_.line("LM0");
   auto written = body();

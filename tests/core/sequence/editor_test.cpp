@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/sequence/sequence_file.h"
+
 namespace hw::sequence {
 namespace {
 
@@ -107,6 +109,19 @@ TEST_F(EditorTest, AWordThatIsTypedIsOneChange) {
   EXPECT_EQ(after_undo(), "1 (2 3) 4");
   EXPECT_FALSE(editor.can_undo());
   EXPECT_FALSE(editor.replace({0}, Delay{1})) << "nothing has changed";
+}
+
+// Its file could not be opened again.
+TEST_F(EditorTest, LoopsStandNoDeeperThanAFileMayHold) {
+  int loops = 0;
+  while (editor.put_into_loop({0})) ++loops;
+  EXPECT_EQ(loops, 7);
+  const std::string before = now();
+  EXPECT_FALSE(editor.put_into_loop({0}));
+  EXPECT_EQ(now(), before);
+  const auto read = read_sequence(write_sequence(editor.sequence()), "a.toml");
+  ASSERT_TRUE(read) << read.error().sentence();
+  EXPECT_TRUE(*read == editor.sequence());
 }
 
 TEST_F(EditorTest, RowsAreTheWholeList) {

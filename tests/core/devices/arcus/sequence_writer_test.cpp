@@ -135,5 +135,10 @@ TEST_F(ArcusSequence, AContourStopsAtItsCornersAndSaysSo) {
   EXPECT_THAT(remarks, ElementsAre("Step 1 (contour): it stops at each corner."));
 }
 
+TEST_F(ArcusSequence, TheToolIsNoPartOfItsOwnRoutines) {
+  s.pen_down = {{seq::Pen{true}}};
+  EXPECT_THAT(write({{seq::Pen{true}}}), HasSubstr("Pen down, step 1 (pen): the tool is no part of its own"));
+}
+
 }  // namespace
 }  // namespace hw::arcus

@@ -119,5 +119,10 @@ TEST_F(Vme58Sequence, WhatItCannotDoIsRefused) {
   EXPECT_THAT(write({{loop}}), HasSubstr("cannot stand in a loop"));
 }
 
+TEST_F(Vme58Sequence, TheToolIsNoPartOfItsOwnRoutines) {
+  s.pen_down = {{seq::Pen{true}}};
+  EXPECT_THAT(write({{seq::Pen{true}}}), HasSubstr("Pen down, step 1 (pen): the tool is no part of its own"));
+}
+
 }  // namespace
 }  // namespace hw::vme58

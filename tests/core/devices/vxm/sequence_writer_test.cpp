@@ -101,5 +101,18 @@ TEST_F(VxmSequence, WhatItCannotDoIsRefused) {
   EXPECT_THAT(write({{seq::Pen{true}}}), HasSubstr("Pen down, step 2 (arc): "));
 }
 
+TEST_F(VxmSequence, ARoutineWithALoopIsCalledByItsOwnNumber) {
+  seq::Repeat loop;
+  loop.times = 2, loop.steps = {{seq::Delay{100}}};
+  s.pen_down = {{seq::Output{1, true}}, {loop}};
+  EXPECT_EQ(write({{seq::Pen{true}}, {seq::Pen{true}}}),
+            "PM-0\nJM1\nJM1\nPM-1 ; Pen down\nU5\nJM2\nPM-2 ; a loop\nP1\nLA2\n");
+}
+
+TEST_F(VxmSequence, TheToolIsNoPartOfItsOwnRoutines) {
+  s.pen_down = {{seq::Pen{true}}};
+  EXPECT_THAT(write({{seq::Pen{true}}}), HasSubstr("Pen down, step 1 (pen): the tool is no part of its own"));
+}
+
 }  // namespace
 }  // namespace hw::vxm
