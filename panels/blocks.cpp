@@ -259,7 +259,18 @@ void Blocks::draw_dialogs(Frame& f) {
                       .no = "Keep the text"};
     if (dialog(f.ui, "blocks/replace", asking_, what) == Answer::yes) put_into_program(f);
   }
-  if (const auto path = open_.draw(f.ui)) open(f, *path);
+  if (const auto path = open_.draw(f.ui)) {
+    to_open_ = *path;
+    asking_open_ = !unkept().empty();
+    if (!asking_open_) open(f, to_open_);
+  }
+  if (asking_open_) {
+    const Dialog what{.title = "Replace the blocks?",
+                      .sentences = "They are in no file and not in the program.",
+                      .yes = "Replace",
+                      .no = "Keep them"};
+    if (dialog(f.ui, "blocks/discard", asking_open_, what) == Answer::yes) open(f, to_open_);
+  }
   if (const auto path = save_.draw(f.ui)) save(f, *path);
 }
 

@@ -60,9 +60,9 @@ class Blocks final : public gui::Panel {
   StepForm form_;
   SequenceText text_;
   std::string problem_, facts_;
-  std::filesystem::path file_;
+  std::filesystem::path file_, to_open_;
   gui::FileDialog open_, save_;
-  bool asking_ = false;
+  bool asking_ = false, asking_open_ = false;
 };
 
 }  // namespace hw::panels

@@ -79,6 +79,11 @@ constexpr std::array<PaletteEntry, 18> palette{{
      [](const seq::Sequence&) -> seq::Step::Body { return seq::Custom{}; }},
 }};
 
+/// What is old or not known is no place to be taught.
+bool is_seen_now(const Frame& f, const AxisState& axis) {
+  return f.connected() && axis.position_known && !is_stale(axis.seen_at, f.clock, f.now.poll_period);
+}
+
 }  // namespace
 
 void Blocks::draw_palette(Frame& f, float height) {
@@ -154,7 +159,7 @@ void Blocks::take_here(const Frame& f, seq::Move m) {
   const seq::Sequence& s = editor_.sequence();
   for (std::size_t a = 0; a < s.axes.size(); ++a) {
     const int axis = f.catalog.find_axis(s.axes[a].name);
-    if (!m.to[a] || axis < 0 || !f.now.axes[ix(axis)].position_known) continue;
+    if (!m.to[a] || axis < 0 || !is_seen_now(f, f.now.axes[ix(axis)])) continue;
     m.to[a] = static_cast<double>(f.now.axes[ix(axis)].commanded().value) / s.axes[a].per_unit;
   }
   editor_.replace(*chosen_, m);

@@ -80,10 +80,15 @@ TEST_F(BlocksTest, ABlockIsLeftOutDuplicatedAndRemoved) {
 }
 
 TEST_F(BlocksTest, ATargetIsTaughtWhereTheAxesAre) {
+  s.now.poll_period = std::chrono::hours(1);
   s.now.axes[0].position = Steps(4321);
   s.click("blocks/add/move");
   s.click("blocks/here");
   EXPECT_THAT(text(), HasSubstr("X4321\n"));
+  s.now.axes[0].position = Steps(99);
+  s.now.link.state = LinkState::lost;
+  s.click("blocks/here");
+  EXPECT_THAT(text(), HasSubstr("X4321\n")) << "what was seen last is no place to be taught";
 }
 
 TEST_F(VxmBlocksTest, WhatCannotBeDoneIsSaidAtItsBlock) {
