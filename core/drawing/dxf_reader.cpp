@@ -121,10 +121,9 @@ class InsertPlacing {
 }  // namespace
 
 Result<Drawing> read_dxf(std::string_view text, const std::string& name, const Tolerance& tolerance) {
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   auto scanned = scan_dxf(text, name);
   if (!scanned) return fail(scanned.error());
-  auto file = read_blocks(text, *scanned, name);
+  auto file = read_blocks(scanned->text, scanned->entities, name);
   if (!file) return fail(file.error());
   Drawing drawing;
   drawing.layers = file->layers;

@@ -28,6 +28,7 @@ class Pairs {
     pair.line = line_;
     return true;
   }
+  [[nodiscard]] std::string_view rest() const { return rest_; }
 
  private:
   std::string_view take_line() {
@@ -56,7 +57,7 @@ class Scan {
  public:
   explicit Scan(const std::string& name) : name_(name) {}
 
-  Result<std::vector<ScannedEntity>> run(std::string_view text) {
+  Result<ScannedDxf> run(std::string_view text) {
     Pairs pairs(text);
     Pairs::Pair pair;
     bool ends = false;
@@ -77,7 +78,7 @@ class Scan {
     if (!ends)
       return fail(FaultKind::text, fmt::format("{} is cut off: it does not end with EOF.", name_),
                   std::string(nothing_taken), "Save or copy it again.");
-    return std::move(found_);
+    return ScannedDxf{std::move(found_), text.substr(0, text.size() - pairs.rest().size())};
   }
 
  private:
@@ -122,7 +123,7 @@ class Scan {
 
 }  // namespace
 
-Result<std::vector<ScannedEntity>> scan_dxf(std::string_view text, const std::string& name) {
+Result<ScannedDxf> scan_dxf(std::string_view text, const std::string& name) {
   if (text.size() > largest_dxf)
     return fail(FaultKind::text,
                 fmt::format("{} has {} MB; more than {} are not read.", name, text.size() / 1'000'000,

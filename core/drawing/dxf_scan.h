@@ -15,9 +15,13 @@ struct ScannedEntity {
   bool on_sheet = false;  ///< in paper space
 };
 
-/// Those of the sections BLOCKS and ENTITIES, in their order. The fault says what is wrong with the file as a
+struct ScannedDxf {
+  std::vector<ScannedEntity> entities;  ///< of the sections BLOCKS and ENTITIES, in their order
+  std::string_view text;  ///< as far as its EOF: nobody has looked at what follows, and nobody is to
+};
+/// The fault says what is wrong with the file as a
 /// whole: binary, no DXF at all, cut off, too large, counts that do not fit.
-Result<std::vector<ScannedEntity>> scan_dxf(std::string_view text, const std::string& name);
+Result<ScannedDxf> scan_dxf(std::string_view text, const std::string& name);
 
 inline constexpr std::size_t largest_dxf = 256'000'000;  // bytes
 

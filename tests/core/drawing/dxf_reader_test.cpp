@@ -282,6 +282,15 @@ TEST(DxfReader, ABlockThatContainsItselfEnds) {
   EXPECT_EQ(d.left_out[0].why, "block a contains itself");
 }
 
+// A LEADER behind the end once made the parser ask for four gigabytes.
+TEST(DxfReader, WhatFollowsTheEndOfAFileIsNotRead) {
+  const Drawing d = read(file(line(0, 0, 1, 1)) + groups({{0, "LEADER"}, {8, "0"}, {76, "99999999"}}) +
+                         line(0, 0, 500, 500));
+  EXPECT_EQ(d.paths.size(), 1u);
+  EXPECT_TRUE(d.left_out.empty());
+  expect_box(d, 0, 0, 1, 1);
+}
+
 struct BadFile {
   const char* name;
   std::string text;
