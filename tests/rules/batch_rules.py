@@ -47,7 +47,8 @@ def clashes(folder, without):
         if (space, name) in headers:
             yield f"{space}::{name} is hidden in {', '.join(sorted(places))} and a type in {headers[space, name]}."
         kinds = [what for each in places.values() for what in each]
-        overloads = len(kinds) == len(set(kinds)) and all(k.startswith("function") for k in kinds)
+        # One with a default argument may be meant by the same call as another without.
+        overloads = len(kinds) == len(set(kinds)) and all(k.startswith("function") and "=" not in k for k in kinds)
         if len(places) > 1 and not overloads:
             yield f"{space}::{name} is hidden in {', '.join(sorted(places))}: give one another name, or share it."
 

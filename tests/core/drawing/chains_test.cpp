@@ -9,7 +9,7 @@
 namespace hw::drawing {
 namespace {
 
-Path line(Point from, Point to, int layer = 0) {
+Path path_from(Point from, Point to, int layer = 0) {
   Path path;
   path.curves = {{Curve::Kind::line, from, to, {}, 0}};
   path.layer = layer;
@@ -36,9 +36,10 @@ void expect_connected(const std::vector<Chain>& chains) {
 }
 
 TEST(Chains, EndsThatTouchAreJoinedWhicheverWayTheyAreDrawn) {
-  const auto chains = join(drawing_of({line({0, 0}, {1, 0}), line({5, 5}, {6, 6}), line({1, 1}, {1.0005, 0}),
-                                       line({1, 1}, {0, 1}), line({0, 0}, {0, 1})}),
-                           0.001);
+  const auto chains =
+      join(drawing_of({path_from({0, 0}, {1, 0}), path_from({5, 5}, {6, 6}), path_from({1, 1}, {1.0005, 0}),
+                       path_from({1, 1}, {0, 1}), path_from({0, 0}, {0, 1})}),
+           0.001);
   ASSERT_EQ(chains.size(), 2u);
   EXPECT_EQ(chains[0].curves.size(), 4u);
   EXPECT_TRUE(chains[0].closed());
@@ -49,20 +50,21 @@ TEST(Chains, EndsThatTouchAreJoinedWhicheverWayTheyAreDrawn) {
 TEST(Chains, AnArcThatIsTurnedRoundGoesTheOtherWay) {
   Path arc;
   arc.curves = {{Curve::Kind::arc, {2, 0}, {0, 0}, {1, 0}, 180}};
-  const auto chains = join(drawing_of({line({-1, 0}, {0, 0}), arc}), 0.001);
+  const auto chains = join(drawing_of({path_from({-1, 0}, {0, 0}), arc}), 0.001);
   ASSERT_EQ(chains.size(), 1u);
   EXPECT_EQ(chains[0].curves[1].from, (Point{0, 0}));
   EXPECT_EQ(chains[0].curves[1].degrees, -180);
 }
 
 TEST(Chains, WhatLiesFurtherApartOrOnAHiddenLayerIsNotJoined) {
-  const auto chains =
-      join(drawing_of({line({0, 0}, {1, 0}), line({1.01, 0}, {2, 0}), line({1, 0}, {1, 5}, 1)}), 0.001);
+  const auto chains = join(
+      drawing_of({path_from({0, 0}, {1, 0}), path_from({1.01, 0}, {2, 0}), path_from({1, 0}, {1, 5}, 1)}),
+      0.001);
   EXPECT_EQ(chains.size(), 2u);
 }
 
 TEST(Chains, RingsAreBegunWhereTheToolComesBy) {
-  Path square = line({10, 10}, {12, 10});
+  Path square = path_from({10, 10}, {12, 10});
   square.curves.push_back({Curve::Kind::line, {12, 10}, {12, 12}, {}, 0});
   square.curves.push_back({Curve::Kind::line, {12, 12}, {10, 12}, {}, 0});
   square.curves.push_back({Curve::Kind::line, {10, 12}, {10, 10}, {}, 0});
@@ -76,7 +78,7 @@ TEST(Chains, RingsAreBegunWhereTheToolComesBy) {
 TEST(Chains, TheOrderOfARowIsTheRow) {
   std::vector<Path> paths;
   for (const int i : {7, 2, 9, 0, 4, 1, 8, 3, 6, 5})
-    paths.push_back(line({i * 10.0, 0}, {i * 10.0, i % 2 ? 5.0 : -5.0}));
+    paths.push_back(path_from({i * 10.0, 0}, {i * 10.0, i % 2 ? 5.0 : -5.0}));
   auto chains = join(drawing_of(paths), 0.001);
   order(chains, {0, 0});
   for (std::size_t i = 0; i < chains.size(); ++i) EXPECT_EQ(chains[i].begin().x, static_cast<double>(i) * 10);
@@ -88,7 +90,7 @@ TEST(Chains, NothingIsLostAndTheWayIsShort) {
   std::vector<Path> paths;
   for (int i = 0; i < 2000; ++i) {
     const Point from{place(random), place(random)};
-    paths.push_back(line(from, {from.x + way(random), from.y + way(random)}));
+    paths.push_back(path_from(from, {from.x + way(random), from.y + way(random)}));
   }
   auto chains = join(drawing_of(paths), 1e-6);
   ASSERT_EQ(chains.size(), 2000u);
@@ -113,7 +115,7 @@ TEST(Chains, OrderingEndsWhenItIsTold) {
   std::uniform_real_distribution<double> place(0, 1000);
   std::vector<Path> paths;
   for (int i = 0; i < 5000; ++i)
-    paths.push_back(line({place(random), place(random)}, {place(random), place(random)}));
+    paths.push_back(path_from({place(random), place(random)}, {place(random), place(random)}));
   auto chains = join(drawing_of(paths), 1e-9);
   int asked = 0;
   order(chains, {}, [&](double) { return ++asked < 2; });

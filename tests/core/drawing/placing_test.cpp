@@ -10,7 +10,7 @@ namespace {
 
 using namespace sequence;
 
-Curve line(Point from, Point to) { return {Curve::Kind::line, from, to, {}, 0}; }
+Curve straight(Point from, Point to) { return {Curve::Kind::line, from, to, {}, 0}; }
 Curve quarter(Point from, Point to, Point centre, double degrees) {
   return {Curve::Kind::arc, from, to, centre, degrees};
 }
@@ -21,8 +21,8 @@ Chain chain(std::vector<Curve> curves) {
 }
 /// An L with a rounded corner.
 std::vector<Chain> corner() {
-  return {
-      chain({line({10, 20}, {14, 20}), quarter({14, 20}, {16, 22}, {14, 22}, 90), line({16, 22}, {16, 30})})};
+  return {chain({straight({10, 20}, {14, 20}), quarter({14, 20}, {16, 22}, {14, 22}, 90),
+                 straight({16, 22}, {16, 30})})};
 }
 std::string words(const Sequence& s) {
   std::string all;
@@ -101,7 +101,7 @@ TEST(Placing, StairsLieWithinTheToleranceAndMoveOneAxisAtATime) {
   Tool tool;
   tool.going = Going::stairs, tool.tolerance = 0.1;
   Sequence s;
-  draw_chains({chain({line({0, 0}, {30, -40})})}, tool, s);
+  draw_chains({chain({straight({0, 0}, {30, -40})})}, tool, s);
   double x = 0, y = 0, farthest = 0;
   int moves = 0;
   for (const Step& step : s.steps)
@@ -116,19 +116,19 @@ TEST(Placing, StairsLieWithinTheToleranceAndMoveOneAxisAtATime) {
   EXPECT_LE(farthest, 0.1);
   EXPECT_GT(farthest, 0.04);
   EXPECT_EQ(moves, 2 + 2 * 240 + 1) << "24 by the tolerance of 0.1, half of which is kept for chords";
-  EXPECT_EQ(drawn({chain({line({1, 1}, {9, 1}), line({9, 1}, {9, 4})})}, tool),
+  EXPECT_EQ(drawn({chain({straight({1, 1}, {9, 1}), straight({9, 1}, {9, 4})})}, tool),
             "up to x1 to y1 wait down to x9 to y4 wait up");
 }
 
 TEST(Placing, ADotLowersTheTool) {
-  EXPECT_EQ(drawn({chain({line({5, 5}, {5, 5})})}, Tool()), "up to x5 y5 wait down up");
+  EXPECT_EQ(drawn({chain({straight({5, 5}, {5, 5})})}, Tool()), "up to x5 y5 wait down up");
 }
 
 TEST(Placing, SpeedsOfTravelAndOfCutting) {
   Tool tool;
   tool.travel = {100, 0, 0}, tool.cutting = {10, 0, 0};
   Sequence s;
-  draw_chains({chain({line({0, 0}, {30, -40})})}, tool, s);
+  draw_chains({chain({straight({0, 0}, {30, -40})})}, tool, s);
   EXPECT_EQ(words(s), "speed up to x0 y0 wait down to x30 y-40 wait up");
   EXPECT_EQ(std::get<Move>(s.steps[2].body).own, Speeds{100});
   EXPECT_EQ(std::get<Move>(s.steps[5].body).own, Speeds{10});
@@ -155,7 +155,7 @@ TEST(Placing, AContourLeadsInWhereItsToolIsSwitchedOnTheWay) {
 
 TEST(Placing, ALongChainIsSeveralContours) {
   std::vector<Curve> curves;
-  for (int n = 0; n < 100; ++n) curves.push_back(line({double(n), 0}, {double(n + 1), double(n % 2)}));
+  for (int n = 0; n < 100; ++n) curves.push_back(straight({double(n), 0}, {double(n + 1), double(n % 2)}));
   for (std::size_t n = 1; n < curves.size(); ++n) curves[n].from = curves[n - 1].to;
   Tool tool;
   tool.going = Going::contours;
