@@ -38,8 +38,7 @@ void Known::forget() {
 }
 
 Work::Work(Talk& t, Known& k, DriverContext& c)
-    : drive(t.wire, t.readings, t.selection, t.commands, k.values, k.loops, k.motions, k.next, c.catalog,
-            c.draft),
+    : drive(t.readings, t.selection, t.commands, k.values, k.loops, k.motions, k.next, c.catalog, c.draft),
       moves(t.wire, t.readings, t.selection, t.conversation, t.commands, k.loops, k.motions, k.speeds,
             c.catalog, c.draft),
       actions(t.selection, t.commands, k.loops, drive, k.motions, moves, k.speeds, k.next, c.catalog,

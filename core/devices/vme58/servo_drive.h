@@ -9,11 +9,10 @@ namespace hw::vme58 {
 
 class ServoDrive {
  public:
-  ServoDrive(Wire& wire, Readings& readings, const Selection& selection, Commands& commands,
+  ServoDrive(Readings& readings, const Selection& selection, Commands& commands,
              const ParameterValues& values, ServoLoops& loops, Motions& motions, NextRound& next,
              const Catalog& catalog, Snapshot& draft)
-      : wire_(wire),
-        readings_(readings),
+      : readings_(readings),
         selection_(selection),
         commands_(commands),
         values_(values),
@@ -42,7 +41,6 @@ class ServoDrive {
     return catalog_.axes[static_cast<std::size_t>(axis)].name;
   }
 
-  Wire& wire_;
   Readings& readings_;
   const Selection& selection_;
   Commands& commands_;
