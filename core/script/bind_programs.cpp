@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include "core/script/bind.h"
+#include "core/sequence/sequence_file.h"
 
 namespace hw::script {
 namespace {
@@ -24,11 +25,24 @@ std::string no_slot(const Catalog& catalog) {
                      programs_of(catalog) - 1);
 }
 
+/// A sequence as the language of its controller writes it; any other text as it is.
+Result<std::string> program_of(std::string text, const Session& session) {
+  if (!session.type().language || !sequence::looks_like_sequence(text)) return text;
+  const auto sequence = sequence::read_sequence(text, "The sequence");
+  if (!sequence) return fail(sequence.error());
+  return session.type()
+      .language()
+      .write(*sequence, session.catalog())
+      .map([](SequenceText&& written) { return std::move(written.text); });
+}
+
 int load(Call& call) {
-  std::string text = call.text(1, "text");
+  const SessionPtr& session = session_of(call);
   const int slot = slot_of(call, 2);
-  if (slot < 0) return call.refuse(no_slot(session_of(call)->catalog()));
-  return perform(call, intent::LoadProgram(slot, std::move(text)));
+  if (slot < 0) return call.refuse(no_slot(session->catalog()));
+  auto text = program_of(call.text(1, "text"), *session);
+  if (!text) return call.refuse(text.error().sentence());
+  return perform(call, intent::LoadProgram(slot, std::move(*text)));
 }
 int run(Call& call) {
   const int slot = slot_of(call, 1);

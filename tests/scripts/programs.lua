@@ -41,3 +41,20 @@ hw.check(ok == nil, "260 bytes do not fit")
 hw.check(why:find("256"), why)
 ok, why = c:run(5)
 hw.check(ok == nil and why:find("There is no such program. VXM has 0 to 4.", 1, true), why)
+
+-- a sequence is loaded as the controller's own text; what it cannot do is refused
+local sequence = [[
+handwheel_sequence = 1
+unit = "steps"
+axes = [ { name = "1" }, { name = "2" } ]
+steps = [
+  %s,
+]
+]]
+hw.check(c:load(sequence:format('{ do = "move", relative = true, to = { "1" = 250 } }'), 0))
+local from = c:position(1)
+hw.check(c:run(0))
+hw.check(c:wait(20))
+hw.check(c:position(1) == from + 250, "the sequence was run: " .. c:position(1))
+ok, why = c:load(sequence:format('{ do = "arc", x = 1, y = 2, degrees = 90 }'), 0)
+hw.check(ok == nil and why:find("arc", 1, true), "a VXM draws no arcs: " .. tostring(why))
