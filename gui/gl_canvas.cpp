@@ -21,11 +21,6 @@ bool has(const char* list, const char* word) { return list && std::strstr(list, 
 
 }  // namespace
 
-void use_new_font_texture(ImDrawData& data) {
-  for (int n = 0; n < data.CmdListsCount; ++n)
-    for (ImDrawCmd& command : data.CmdLists[n]->CmdBuffer) command.TextureId = ImGui::GetIO().Fonts->TexID;
-}
-
 struct GlCanvas::Egl {
   EGLDisplay display = EGL_NO_DISPLAY;
   EGLContext context = EGL_NO_CONTEXT;
@@ -84,6 +79,7 @@ std::unique_ptr<GlCanvas> GlCanvas::open() {
 
 GlCanvas::~GlCanvas() {
   if (!egl_->make_current()) return;
+  textures_.forget();
   if (egl_->backend && ImGui::GetCurrentContext()) ImGui_ImplOpenGL3_Shutdown();
   if (frame_buffer_) egl_->delete_frame_buffers(1, &frame_buffer_);
   if (colour_) glDeleteTextures(1, &colour_);
@@ -105,7 +101,7 @@ bool GlCanvas::size_to(int width, int height) {
   return egl_->status(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
 }
 
-bool GlCanvas::render(ImDrawData& data, int atlas_generation, ImU32 ground,
+bool GlCanvas::render(ImDrawData& data, const Pictures& pictures, int atlas_generation, ImU32 ground,
                       std::vector<std::uint32_t>& pixels) {
   const int width = static_cast<int>(data.DisplaySize.x), height = static_cast<int>(data.DisplaySize.y);
   if (!egl_->make_current()) return false;
@@ -118,13 +114,12 @@ bool GlCanvas::render(ImDrawData& data, int atlas_generation, ImU32 ground,
     ImGui_ImplOpenGL3_CreateFontsTexture();
     atlas_generation_ = atlas_generation;
   }
-  use_new_font_texture(data);
   const ImVec4 c = ImGui::ColorConvertU32ToFloat4(ground);
   glViewport(0, 0, width, height);
   glDisable(GL_SCISSOR_TEST);
   glClearColor(c.x, c.y, c.z, 1);
   glClear(GL_COLOR_BUFFER_BIT);
-  ImGui_ImplOpenGL3_RenderDrawData(&data);
+  textures_.render(data, pictures);
   pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   glPixelStorei(GL_PACK_ALIGNMENT, 4);
   glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());

@@ -6,10 +6,9 @@
 
 #include <imgui.h>
 
-namespace hw::gui {
+#include "gui/gl_textures.h"
 
-/// Draw lists remember the texture of the atlas as it was while they were made; a new atlas has another one.
-void use_new_font_texture(ImDrawData& data);
+namespace hw::gui {
 
 class GlCanvas {
  public:
@@ -20,7 +19,8 @@ class GlCanvas {
   GlCanvas& operator=(const GlCanvas&) = delete;
 
   /// Draws through ImGui's GL3 backend and reads the pixels back, rows from the top. False when GL failed.
-  bool render(ImDrawData& data, int atlas_generation, ImU32 ground, std::vector<std::uint32_t>& pixels);
+  bool render(ImDrawData& data, const Pictures& pictures, int atlas_generation, ImU32 ground,
+              std::vector<std::uint32_t>& pixels);
 
  private:
   struct Egl;
@@ -28,6 +28,7 @@ class GlCanvas {
   bool size_to(int width, int height);
 
   std::unique_ptr<Egl> egl_;
+  GlTextures textures_;
   unsigned frame_buffer_ = 0, colour_ = 0;
   int width_ = 0, height_ = 0, atlas_generation_ = 0;
 };

@@ -41,7 +41,7 @@ void Offscreen::render_software() {
   ImGui::GetIO().Fonts->GetTexDataAsAlpha8(&alpha, &texture.width, &texture.height);
   texture.alpha = alpha;
   raster_.clear(width_px(), height_px(), screen_.theme()[Tone::ground]);
-  raster_.draw(*screen_.draw_data(), texture);
+  raster_.draw(*screen_.draw_data(), texture, screen_.pictures());
   pixels_.assign(raster_.pixels().begin(), raster_.pixels().end());
 }
 
@@ -50,7 +50,7 @@ std::span<const std::uint32_t> Offscreen::render() {
   if (!data) return {};
   if (wanted_ != Renderer::software && !gl_tried_) gl_ = GlCanvas::open();
   gl_tried_ = true;
-  if (gl_ && gl_->render(*data, screen_.atlas_generation(), screen_.theme()[Tone::ground], pixels_))
+  if (gl_ && gl_->render(*data, screen_.pictures(), screen_.atlas_generation(), screen_.theme()[Tone::ground], pixels_))
     return pixels_;
   gl_.reset();
   render_software();

@@ -23,6 +23,30 @@ void blend(std::uint32_t& ground, ImU32 colour, unsigned alpha) {
   ground = out;
 }
 
+/// Bilinear between the centres of its pixels, clamped at its border, as GL does.
+void blend_sample(std::uint32_t& ground, const Picture& picture, float u, float v) {
+  const float x = u * static_cast<float>(picture.width) - 0.5f,
+              y = v * static_cast<float>(picture.height) - 0.5f;
+  const int x0 = static_cast<int>(std::floor(x)), y0 = static_cast<int>(std::floor(y));
+  const float fx = x - static_cast<float>(x0), fy = y - static_cast<float>(y0);
+  const auto texel = [&picture](int tx, int ty) {
+    tx = std::clamp(tx, 0, picture.width - 1), ty = std::clamp(ty, 0, picture.height - 1);
+    return picture.pixels[static_cast<std::size_t>(ty) * static_cast<std::size_t>(picture.width) +
+                          static_cast<std::size_t>(tx)];
+  };
+  const std::array<ImU32, 4> near{texel(x0, y0), texel(x0 + 1, y0), texel(x0, y0 + 1), texel(x0 + 1, y0 + 1)};
+  if (near[0] == near[1] && near[0] == near[2] && near[0] == near[3])
+    return blend(ground, near[0], channel(near[0], IM_COL32_A_SHIFT));
+  const std::array<float, 4> weight{(1 - fx) * (1 - fy), fx * (1 - fy), (1 - fx) * fy, fx * fy};
+  ImU32 mixed = 0;
+  for (const int shift : {IM_COL32_R_SHIFT, IM_COL32_G_SHIFT, IM_COL32_B_SHIFT, IM_COL32_A_SHIFT}) {
+    float sum = 0;
+    for (std::size_t i = 0; i < 4; ++i) sum += weight[i] * static_cast<float>(channel(near[i], shift));
+    mixed |= static_cast<ImU32>(sum + 0.5f) << shift;
+  }
+  blend(ground, mixed, channel(mixed, IM_COL32_A_SHIFT));
+}
+
 /// First pixel whose centre lies at or right of (below) `v`. The same for both neighbours of an edge, so that
 /// triangles that share it leave no gap and draw no pixel twice.
 int first_pixel(float v) { return static_cast<int>(std::ceil(v - 0.5f)); }
@@ -56,7 +80,7 @@ void Raster::clear(int width, int height, ImU32 colour) {
                  colour | IM_COL32_A_MASK);
 }
 
-void Raster::draw(const ImDrawData& data, const AlphaTexture& texture) {
+void Raster::draw(const ImDrawData& data, const AlphaTexture& texture, const Pictures& pictures) {
   texture_ = texture;
   for (int n = 0; n < data.CmdListsCount; ++n) {
     const ImDrawList& list = *data.CmdLists[n];
@@ -65,7 +89,11 @@ void Raster::draw(const ImDrawData& data, const AlphaTexture& texture) {
       const ImVec4& r = command.ClipRect;
       const Clip clip{std::max(0, static_cast<int>(r.x)), std::max(0, static_cast<int>(r.y)),
                       std::min(width_, static_cast<int>(r.z)), std::min(height_, static_cast<int>(r.w))};
-      if (clip.x0 < clip.x1 && clip.y0 < clip.y1) draw_command(list, command, clip);
+      if (clip.x0 >= clip.x1 || clip.y0 >= clip.y1) continue;
+      if (const Picture* picture = pictures.find(command.TextureId))
+        draw_picture(*picture, list, command, clip);
+      else
+        draw_command(list, command, clip);
     }
   }
 }
@@ -83,6 +111,27 @@ void Raster::draw_command(const ImDrawList& list, const ImDrawCmd& command, cons
     }
     triangle(a, b, c, clip);
     i += 3;
+  }
+}
+
+/// A picture stands upright: ImDrawList::AddImage writes it as (0 1 2) (0 2 3).
+void Raster::draw_picture(const Picture& picture, const ImDrawList& list, const ImDrawCmd& command,
+                          const Clip& clip) {
+  const ImDrawIdx* index = list.IdxBuffer.Data + command.IdxOffset;
+  const ImDrawVert* vertex = list.VtxBuffer.Data + command.VtxOffset;
+  for (unsigned i = 0; i + 5 < command.ElemCount; i += 6) {
+    const ImDrawVert &min = vertex[index[i]], &max = vertex[index[i + 2]];
+    const float w = max.pos.x - min.pos.x, h = max.pos.y - min.pos.y;
+    if (w <= 0 || h <= 0) continue;
+    const Clip r{std::max(clip.x0, first_pixel(min.pos.x)), std::max(clip.y0, first_pixel(min.pos.y)),
+                 std::min(clip.x1, first_pixel(max.pos.x)), std::min(clip.y1, first_pixel(max.pos.y))};
+    const float du = (max.uv.x - min.uv.x) / w, dv = (max.uv.y - min.uv.y) / h;
+    for (int y = r.y0; y < r.y1; ++y) {
+      const float v = min.uv.y + (static_cast<float>(y) + 0.5f - min.pos.y) * dv;
+      std::uint32_t* line = row(y);
+      for (int x = r.x0; x < r.x1; ++x)
+        blend_sample(line[x], picture, min.uv.x + (static_cast<float>(x) + 0.5f - min.pos.x) * du, v);
+    }
   }
 }
 

@@ -8,6 +8,8 @@
 
 #include <imgui.h>
 
+#include "gui/pictures.h"
+
 namespace hw::gui {
 
 /// 8 bit coverage, as ImFontAtlas::GetTexDataAsAlpha8 gives it.
@@ -20,7 +22,7 @@ class Raster {
  public:
   /// Sets the size in pixels and fills with an opaque colour.
   void clear(int width, int height, ImU32 colour);
-  void draw(const ImDrawData& data, const AlphaTexture& texture);
+  void draw(const ImDrawData& data, const AlphaTexture& texture, const Pictures& pictures);
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }
   /// Rows from the top, R G B A in memory.
@@ -35,6 +37,8 @@ class Raster {
     int x0, y0, x1, y1;
   };
   void draw_command(const ImDrawList& list, const ImDrawCmd& command, const Clip& clip);
+  void draw_picture(const Picture& picture, const ImDrawList& list, const ImDrawCmd& command,
+                    const Clip& clip);
   bool draw_as_rect(const ImDrawVert* a, const ImDrawVert* b, const ImDrawVert* c, const ImDrawVert* d,
                     const Clip& clip);
   void fill_rect(const Clip& r, ImU32 colour);

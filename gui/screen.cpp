@@ -49,7 +49,8 @@ void Screen::frame(double now_s, ImVec2 size_px, const Draw& draw) {
   ImGui::NewFrame();
   focus_.begin_frame(registry_, now_s, typing_, tab_taken_);
   registry_.begin_frame();
-  Ui ui(*theme_, fonts_, registry_, focus_, standing_, keyboard_, input_, now_s, size_px);
+  pictures_.begin_frame();
+  Ui ui(*theme_, fonts_, registry_, focus_, standing_, keyboard_, input_, pictures_, now_s, size_px);
   draw(ui);
   ImGui::Render();
   registry_.end_frame();

@@ -43,6 +43,8 @@ class Screen {
   Keyboard& keyboard() { return keyboard_; }
   Registry& registry() { return registry_; }
   Focus& focus() { return focus_; }
+  /// Of the frame in draw_data().
+  [[nodiscard]] const Pictures& pictures() const { return pictures_; }
   const Theme& theme() const { return *theme_; }
 
  private:
@@ -56,6 +58,7 @@ class Screen {
   Registry registry_;
   Focus focus_;
   Standing standing_;
+  Pictures pictures_;
   float wanted_scale_;
   bool style_old_ = true, typing_ = false;
   TabTaken tab_taken_ = TabTaken::no;

@@ -41,6 +41,7 @@
 #include "gui/fonts.h"
 #include "gui/input_queue.h"
 #include "gui/keyboard.h"
+#include "gui/pictures.h"
 #include "gui/registry.h"
 #include "gui/standing.h"
 #include "gui/theme.h"
@@ -53,7 +54,7 @@ inline constexpr float fill = -1;
 class Ui {
  public:
   Ui(const Theme& t, const Fonts& f, Registry& r, Focus& fo, Standing& st, Keyboard& k, InputQueue& in,
-     double now, ImVec2 size)
+     Pictures& p, double now, ImVec2 size)
       : theme(t),
         fonts(f),
         registry(r),
@@ -61,6 +62,7 @@ class Ui {
         standing(st),
         keyboard(k),
         input(in),
+        pictures(p),
         scale(f.scale()),
         now_s(now),
         size_px(size) {}
@@ -72,6 +74,7 @@ class Ui {
   Standing& standing;
   Keyboard& keyboard;
   InputQueue& input;
+  Pictures& pictures;
   const float scale;     ///< physical over logical pixels
   const double now_s;    ///< clock of the frames; virtual in headless runs
   const ImVec2 size_px;  ///< of the window

@@ -9,7 +9,6 @@
 #include <GLFW/glfw3.h>
 #include <backends/imgui_impl_opengl3.h>
 
-#include "gui/gl_canvas.h"
 #include "gui/offscreen.h"
 
 namespace hw::gui {
@@ -149,7 +148,7 @@ Result<> Window::create(std::future<Fonts> unscaled) {
 
 Window::~Window() {
   if (screen_) screen_->make_current();
-  if (gl_ready_) ImGui_ImplOpenGL3_Shutdown();
+  if (gl_ready_) textures_.forget(), ImGui_ImplOpenGL3_Shutdown();
   screen_.reset();
   for (GLFWcursor* cursor : cursors_)
     if (cursor) glfwDestroyCursor(cursor);
@@ -291,14 +290,13 @@ void Window::frame(double now_s, const Draw& draw) {
     else
       ImGui_ImplOpenGL3_DestroyFontsTexture(), ImGui_ImplOpenGL3_CreateFontsTexture();
     atlas_generation_ = screen_->atlas_generation();
-    use_new_font_texture(*screen_->draw_data());
   }
   const ImVec4 ground = ImGui::ColorConvertU32ToFloat4(screen_->theme()[Tone::ground]);
   glViewport(0, 0, w, h);
   glDisable(GL_SCISSOR_TEST);
   glClearColor(ground.x, ground.y, ground.z, 1);
   glClear(GL_COLOR_BUFFER_BIT);
-  ImGui_ImplOpenGL3_RenderDrawData(screen_->draw_data());
+  textures_.render(*screen_->draw_data(), screen_->pictures());
   glfwSwapBuffers(window_);
   show_cursor();
   if (++frames_ == 1 && on_first_frame) on_first_frame();
@@ -328,7 +326,7 @@ Result<> Window::screenshot(const std::string& path) {
   const ImVec4 ground = ImGui::ColorConvertU32ToFloat4(screen_->theme()[Tone::ground]);
   glClearColor(ground.x, ground.y, ground.z, 1);
   glClear(GL_COLOR_BUFFER_BIT);
-  ImGui_ImplOpenGL3_RenderDrawData(data);
+  textures_.render(*data, screen_->pictures());
   std::vector<std::uint32_t> pixels(static_cast<std::size_t>(w) * static_cast<std::size_t>(h));
   glReadPixels(0, 0, w, h, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
   const auto row = [&](int y) { return pixels.begin() + static_cast<std::ptrdiff_t>(y) * w; };

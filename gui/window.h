@@ -11,6 +11,7 @@
 
 #include "core/base/result.h"
 #include "gui/frame_pacer.h"
+#include "gui/gl_textures.h"
 #include "gui/keyboard_grabs.h"
 #include "gui/physical_keys.h"
 #include "gui/screen.h"
@@ -81,6 +82,7 @@ class Window : public Surface {
   GLFWcursor* cursors_[4] = {};
   int cursor_shown_ = -1;
   std::unique_ptr<Screen> screen_;
+  GlTextures textures_;
   PhysicalKeys keys_;
   KeyboardGrabs grabs_;
   std::optional<ImVec2> pointer_;  ///< where the events have brought it; none: they have not told
