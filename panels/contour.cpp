@@ -10,7 +10,6 @@
 #include "gui/widgets/choice.h"
 #include "gui/widgets/message.h"
 #include "gui/widgets/text.h"
-#include "panels/contour_preview.h"
 #include "panels/measures.h"
 #include "panels/path.h"
 
@@ -141,6 +140,11 @@ Result<StaircasePlan> Contour::staircase(const Frame& f) const {
 void Contour::work_out(Frame& f) {
   const Steps stands = f.now.axes[static_cast<std::size_t>(stair_axis_)].commanded();
   if (stairs_shown_ && stands != worked_out_from_ && !f.now.any_axis_moving()) changed_ = true;
+  const auto shown = [&](int axis) {
+    return from_steps(Steps(1), f.tab.unit(AxisId{static_cast<std::uint8_t>(axis)}));
+  };
+  const drawing::Point scale{shown(first_), shown(second_)};
+  if (std::exchange(scale_, scale) != scale) changed_ = true;
   if (!std::exchange(changed_, false)) return;
   worked_out_from_ = stands;
   problem_.clear(), text_.clear(), facts_.clear();
@@ -156,17 +160,21 @@ void Contour::work_out(Frame& f) {
     places_ = {{plan->axis, plan->stop_at}};
     written = stairs_writer_->write_staircase(*plan, f.catalog);
   } else {
-    path_.reset();
+    path_ = nullptr;
     const auto plan = contour();
     if (!plan) return refuse(plan.error());
     const auto& drawn = std::get<sequence::Contour>(plan->steps.front().body);
     places_.clear();
-    for (const auto [axis, to] : {std::pair{first_, drawn.x}, std::pair{second_, drawn.y}})
+    for (const auto& [axis, to] : {std::pair{first_, drawn.x}, std::pair{second_, drawn.y}})
       places_.push_back({AxisId{static_cast<std::uint8_t>(axis)}, Steps(std::llround(to))});
-    path_ = sequence::contour_path(drawn);
-    if (!path_->legs.empty())
-      facts_ = fmt::format("{:.0f} {} long, {:.1f} s at this speed", path_->length, f.catalog.step_word,
-                           path_->length / drawn.own->high);
+    const drawing::ToolPath in_steps = drawing::contour_path(drawn, {1, 1});
+    double length = in_steps.way_on + in_steps.way_off;
+    if (!in_steps.runs.empty() && in_steps.runs.front().source < 0) length -= drawn.lead_in;
+    if (!in_steps.runs.empty()) {
+      facts_ = fmt::format("{:.0f} {} long, {:.1f} s at this speed", length, f.catalog.step_word,
+                           length / drawn.own->high);
+      path_ = std::make_shared<const drawing::ToolPath>(drawing::contour_path(drawn, scale_));
+    }
     written =
         language_->write(*plan, f.catalog).map([](SequenceText&& text) { return std::move(text.text); });
   }
@@ -305,10 +313,15 @@ void Contour::draw_work(Frame& f, float left, float height) {
 }
 
 void Contour::draw_preview(Frame& f, float width, float height) {
-  if (!stairs_shown_)
-    return draw_contour_preview(f, AxisId{static_cast<std::uint8_t>(first_)},
-                                AxisId{static_cast<std::uint8_t>(second_)}, path_ ? &*path_ : nullptr, facts_,
-                                width, height);
+  if (!stairs_shown_) {
+    PathSubject subject;
+    subject.path = path_;
+    subject.none = "Nothing to draw yet.";
+    subject.right = AxisId{static_cast<std::uint8_t>(first_)};
+    subject.up = AxisId{static_cast<std::uint8_t>(second_)};
+    subject.words = facts_;
+    return canvas_.draw(f, "contour/view", subject, width, height);
+  }
   PlotOptions o;
   const Path title("speed, {}/s, over position", f.catalog.step_word);
   o.title = title;

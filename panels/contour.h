@@ -8,12 +8,14 @@
 #include <string_view>
 #include <vector>
 
+#include "core/device/language.h"
 #include "core/device/staircase_plan.h"
-#include "core/sequence/contour_path.h"
+#include "core/drawing/contour_path.h"
 #include "gui/panel.h"
 #include "gui/widgets/number_field.h"
 #include "gui/widgets/plot.h"
 #include "panels/doubt_ways.h"
+#include "panels/path_canvas.h"
 
 namespace hw::panels {
 
@@ -79,7 +81,9 @@ class Contour final : public gui::Panel {
   std::vector<Stair> stairs_;
 
   // what it comes to, worked out when something has changed
-  std::optional<sequence::ContourPath> path_;
+  std::shared_ptr<const drawing::ToolPath> path_;
+  drawing::Point scale_;  ///< units of the view in a step
+  PathCanvas canvas_;
   std::vector<AxisTarget> places_;  ///< that its text goes to
   std::string text_, problem_, facts_;
   std::vector<float> stair_x_, stair_y_;

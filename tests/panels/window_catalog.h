@@ -6,7 +6,7 @@
 #include "core/device/language.h"
 #include "core/device/servo_tuning.h"
 #include "core/device/staircase_plan.h"
-#include "core/sequence/contour_path.h"
+#include "core/drawing/contour_path.h"
 #include "tests/gui/toy_language.h"
 
 namespace hw::test {
@@ -60,7 +60,7 @@ class WindowLanguage final : public Language, public StaircaseWriter {
   [[nodiscard]] Result<SequenceText> write(const sequence::Sequence& s,
                                            const Catalog& catalog) const override {
     const auto& c = std::get<sequence::Contour>(s.steps.front().body);
-    if (sequence::contour_path(c).legs.empty())
+    if (drawing::contour_path(c, {1, 1}).runs.empty())
       return fail(FaultKind::text, "Step 1 (contour): the contour has no line and no arc.");
     SequenceText made;
     made.text = fmt::format("contour {} {} at {:.0f}\n", s.axes[0].name, s.axes[1].name, c.own->high);
