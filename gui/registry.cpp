@@ -41,6 +41,10 @@ void append_ascii(std::string& out, std::string_view text) {
       out += "deg";
     else if (d.code == 0xB5)
       out += 'u';
+    else if (d.code == 0xB7)
+      out += '-';
+    else if (d.code == 0xD7)
+      out += 'x';
     else if (d.code == 0x2026)
       out += "...";
     else if (d.code == 0x2264)

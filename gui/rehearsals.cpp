@@ -81,8 +81,8 @@ void Rehearsals::start(const Language& language, std::string text, RehearseOptio
       },
       [this, slot](Outcome outcome) {
         running_.erase(slot);
+        outcome.number = ++version_;
         outcomes_.insert_or_assign(slot, std::move(outcome));
-        ++version_;
       },
       alive_);
 }

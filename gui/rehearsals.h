@@ -49,6 +49,7 @@ class Rehearsals {
     std::string text;  ///< what was rehearsed
     Result<Rehearsal> result;
     Scene scene;
+    int number = 0;  ///< Rehearsals::version() when it came; no two have the same
     Stand stand = {};
     bool compared = false;  ///< `stand` is known
   };

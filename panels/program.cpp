@@ -67,7 +67,9 @@ void Program::follow(Frame& f) {
   Desk& desk = f.tab.desk();
   auto told = desk.job.take_told();
   if (!told.sentence.empty()) f.toast(told.mood, std::move(told.sentence), &desk.texts);
-  for (const auto& path : std::exchange(desk.dropped, {})) ask_or_open(f, path);
+  for (const auto& path : desk.take_dropped("program")) ask_or_open(f, path);
+  if (const int line = std::exchange(desk.wanted_line, -1); line >= 0)
+    editor_.go_to(desk.texts.chosen(), line, 0);
   if (const double due = desk.autosave_due_in(f.clock); due >= 0) f.ui.wake_in(due + 0.01);
   find_why_not_run(f);
 }
@@ -80,7 +82,7 @@ void Program::shortcuts(Frame& f) {
     else
       f.toast(Mood::warn, std::string(why_not_run_.view()), &f.tab.desk().texts);
   }
-  if (keys.pressed(Command::simulate)) simulate(f);
+  if (keys.pressed(Command::simulate)) f.tab.desk().rehearse(f.now, f.bench);
   if (keys.pressed(Command::save)) save(f);
   if (keys.pressed(Command::open)) ask_open(f);
 }
@@ -189,7 +191,7 @@ void Program::draw_simulate(Frame& f) {
               .tip = "Tries the text without moving anything.",
               .height = 40})
           .clicked)
-    simulate(f);
+    desk.rehearse(f.now, f.bench);
 }
 
 // Follows the typing: what the text costs of what there is. Without room the words become fewer, then go.
@@ -252,22 +254,11 @@ void Program::run(Frame& f, bool stepping) {
     return;
   }
   start(f, stepping ? ProgramJob::Goal::run_stepping : ProgramJob::Goal::run);
-  const Desk& desk = f.tab.desk();
+  Desk& desk = f.tab.desk();
   const int slot = desk.texts.chosen();
   const Rehearsals::Outcome* tried = desk.rehearsals.of(slot);
   const bool holds = tried && tried->text == desk.texts.text(slot) && tried->stand.footing == Footing::here;
-  if (desk.job.busy() && !holds) simulate(f);
-}
-
-void Program::simulate(Frame& f) {
-  Desk& desk = f.tab.desk();
-  const int slot = desk.texts.chosen();
-  if (!desk.language() || desk.texts.text(slot).empty()) return;
-  RehearseOptions options;
-  options.slot = slot;
-  options.axes = static_cast<int>(f.catalog.axes.size());
-  options.device = f.catalog.made_from;
-  desk.rehearsals.start(*desk.language(), desk.texts.text(slot), options, f.now, f.bench, desk.worker());
+  if (desk.job.busy() && !holds) desk.rehearse(f.now, f.bench);
 }
 
 void Program::check(Frame& f) {

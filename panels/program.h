@@ -51,7 +51,6 @@ class Program final : public gui::Panel {
   void shortcuts(gui::Frame& frame);
 
   void run(gui::Frame& frame, bool stepping);
-  void simulate(gui::Frame& frame);
   void check(gui::Frame& frame);
   void start(gui::Frame& frame, gui::ProgramJob::Goal goal);
   void save(gui::Frame& frame);

@@ -76,6 +76,7 @@ void ProgramEditor::draw(Frame& f, int slot, float width, float height) {
     s.version = texts.version(slot);
     ui.wake_in(0);  // colours and costs of what was just typed
   }
+  f.tab.desk().caret_line = s.editor.model().caret().line;
   ImGui::EndChild();
 }
 

@@ -54,7 +54,7 @@ void Program::draw_work(Frame& f, float bottom) {
   const float x = ui.px(f.area.right() - side);
   ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(x, at.y), ImVec2(x + ui.hair(), bottom), ui[Tone::line]);
   ImGui::SetCursorScreenPos(ImVec2(x + ui.hair(), at.y));
-  if (rehearsal_.draw_column(f, slot, side - 1, height)) simulate(f);
+  if (rehearsal_.draw_column(f, slot, side - 1, height)) f.tab.desk().rehearse(f.now, f.bench);
 }
 
 // What stands under the editor, from the bottom up; returns where the editor ends. What starts and stops
