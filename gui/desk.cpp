@@ -11,6 +11,7 @@ static constexpr Duration autosave_after = Millis(1000);
 Desk::Desk(const Catalog& catalog, const Language* language, TrafficLog::Explain explain)
     : traffic(explain),
       texts(catalog.program, language),
+      blocks(catalog),
       setup(catalog),
       help(catalog),
       catalog_(catalog),
@@ -24,8 +25,26 @@ Result<> Desk::keep_texts(Autosave autosave, std::string key) {
   const auto restored = autosave_.restore(autosave_key_);
   if (!restored) return fail(restored.error());
   texts.restore(*restored);
-  autosaved_ = texts.changes();
-  return {};
+  const Result<> blocks_restored = blocks.restore(*restored);
+  autosaved_ = typed();
+  return blocks_restored;
+}
+
+std::vector<std::filesystem::path> Desk::take_dropped(std::string_view panel) {
+  const auto found = dropped.find(panel);
+  return found == dropped.end() ? std::vector<std::filesystem::path>() : std::exchange(found->second, {});
+}
+
+void Desk::rehearse(const Snapshot& now, const BenchView& bench) {
+  const int slot = texts.chosen();
+  if (!language_ || texts.text(slot).empty()) return;
+  constexpr double seen_every_s = 0.02;
+  RehearseOptions options;
+  options.slot = slot;
+  options.axes = static_cast<int>(catalog_.axes.size());
+  options.device = catalog_.made_from;
+  options.track_every_s = seen_every_s;
+  rehearsals.start(*language_, texts.text(slot), options, now, bench, worker());
 }
 
 void Desk::sent(const IntentBody& body) {
@@ -44,6 +63,7 @@ void Desk::refresh(const Snapshot& now, const BenchView& bench, Instant clock, c
   if (!worker_) own_worker_.deliver();
   doubt_texts(now);
   job.update(texts, now, catalog_, clock, send);
+  trace.follow(now);
   notice_program_changes(now);
   rehearsals.follow(now, bench, catalog_);
   follower.follow(now, clock, texts, language_, worker());
@@ -74,7 +94,7 @@ void Desk::notice_program_changes(const Snapshot& now) {
 }
 
 void Desk::autosave(Instant clock) {
-  if (!autosave_.enabled() || texts.changes() == autosaved_) return;
+  if (!autosave_.enabled() || typed() == autosaved_) return;
   if (!dirty_) {
     dirty_ = true;
     changed_at_ = clock;
@@ -83,11 +103,13 @@ void Desk::autosave(Instant clock) {
 }
 
 void Desk::keep_now() {
-  if (!autosave_.enabled() || texts.changes() == autosaved_) return;
+  if (!autosave_.enabled() || typed() == autosaved_) return;
   dirty_ = false;
-  autosaved_ = texts.changes();
+  autosaved_ = typed();
+  std::vector<UnsavedText> unsaved = texts.unsaved();
+  if (auto of_blocks = blocks.unsaved()) unsaved.push_back(std::move(*of_blocks));
   worker().run(
-      [autosave = autosave_, key = autosave_key_, unsaved = texts.unsaved()] {
+      [autosave = autosave_, key = autosave_key_, unsaved = std::move(unsaved)] {
         return autosave.keep(key,
                              unsaved);  // a full disk is told when the user saves; here it would only nag
       },

@@ -3,12 +3,16 @@
 // what is done with them, edited set-up, typed commands. One per tab, whichever panels are in front. GUI
 // thread.
 #include <filesystem>
+#include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/device/registry.h"
 #include "core/session/autosave.h"
+#include "gui/block_list.h"
 #include "gui/command_help.h"
+#include "gui/position_trace.h"
 #include "gui/program_job.h"
 #include "gui/program_texts.h"
 #include "gui/rehearsals.h"
@@ -27,14 +31,20 @@ class Desk {
 
   TrafficLog traffic;
   ProgramTexts texts;
+  BlockList blocks;
   ProgramJob job;
   Rehearsals rehearsals;
   RunFollower follower;
+  PositionTrace trace;
   SetupEdits setup;
   SetupWrite setup_write;
   const CommandHelp help;
-  std::vector<std::string> history;            ///< typed commands, oldest first
-  std::vector<std::filesystem::path> dropped;  ///< files let fall on the window, to be opened
+  std::vector<std::string> history;  ///< typed commands, oldest first
+  int wanted_line = -1;              ///< of the chosen text, from 0: the editor is to show it
+  int caret_line = -1;               ///< and where it stands there; -1: it has not been shown
+  /// Files let fall on the window, by the panel that is to open them (PanelEntry::opens).
+  std::map<std::string, std::vector<std::filesystem::path>, std::less<>> dropped;
+  [[nodiscard]] std::vector<std::filesystem::path> take_dropped(std::string_view panel);
 
   /// Null: this model has no program language.
   [[nodiscard]] const Language* language() const { return language_; }
@@ -43,8 +53,8 @@ class Desk {
   [[nodiscard]] Worker& worker() { return worker_ ? *worker_ : own_worker_; }
   /// For Worker::run: results are dropped when this desk is gone.
   [[nodiscard]] std::weak_ptr<void> alive() const { return alive_; }
-  /// Unsaved texts are kept under `key` from now on; those of last time come back. A fault: their file was
-  /// damaged, nothing came back.
+  /// Unsaved texts and blocks are kept under `key` from now on; those of last time come back. A fault: their
+  /// file was damaged, nothing came back.
   Result<> keep_texts(Autosave autosave, std::string key);
   /// The desk is about to go: what was typed since the last time is kept without waiting. The worker may
   /// still have to write it.
@@ -54,6 +64,9 @@ class Desk {
   /// Seconds until the autosave wants a frame; negative: it does not.
   [[nodiscard]] double autosave_due_in(Instant clock) const;
 
+  /// Dry run of the chosen text, from where the axes stand. Nothing where there is no text, or one is under
+  /// way.
+  void rehearse(const Snapshot& now, const BenchView& bench);
   /// A listing came up from the controller.
   void listed(const Notice& notice) { texts.listed(notice.slot, notice.text, notice.at, notice.whole); }
   /// Something went down that may change what the controller holds.
@@ -67,6 +80,7 @@ class Desk {
 
  private:
   void autosave(Instant clock);
+  [[nodiscard]] std::uint64_t typed() const { return texts.changes() + blocks.changes(); }
   void doubt_texts(const Snapshot& now);
   void notice_program_changes(const Snapshot& now);
 

@@ -4,6 +4,8 @@
 #include <charconv>
 #include <cmath>
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
 #include <fmt/format.h>
 
 #include "core/base/index.h"
@@ -25,7 +27,7 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-constexpr float palette_width = 148, text_width_wide = 264;
+constexpr float palette_width = 148, text_width_wide = 264, path_height = 240;
 
 /// "Step 3.2 (arc): why" is about the second step within the third.
 std::optional<sequence::StepPath> path_in(std::string_view what) {
@@ -52,19 +54,13 @@ std::string number_of(const sequence::StepPath& path) {
 
 }  // namespace
 
-void Blocks::make(const Frame& f) {
-  if (std::exchange(made_, true)) return;
-  sequence::Sequence s;
-  s.unit = f.catalog.step_word;
-  for (const AxisInfo& axis : f.catalog.axes)
-    if (s.axes.size() < max_axes) s.axes.push_back({axis.name});
-  editor_.load(std::move(s));
-  kept_ = editor_.version();
-}
-
 void Blocks::draw(Frame& f) {
-  make(f);
+  editor_ = &f.tab.desk().blocks.editor;
+  if (std::exchange(loads_, editor_->loads()) != editor_->loads()) choose(std::nullopt);
+  for (const auto& path : f.tab.desk().take_dropped("blocks")) ask_or_open(f, path);
+  use_keys(f);
   work_out(f);
+  trial_.follow(f, problem_.empty() ? text_ : SequenceText());
   draw_toolbar(f);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float height = (f.ui.px(f.area.bottom()) - at.y) / f.ui.scale;
@@ -75,33 +71,31 @@ void Blocks::draw(Frame& f) {
   draw_list(f, left, f.area.width - left - right, height);
   if (side) {
     ImGui::SetCursorScreenPos(ImVec2(f.ui.px(f.area.x + f.area.width - right), at.y));
-    draw_text_side(f, height);
+    const float path = f.catalog.axes.size() > 1 && height >= 420 ? path_height : 0;
+    draw_text_side(f, height - path);
+    if (path > 0) draw_path_side(f, path);
   }
   draw_dialogs(f);
 }
 
 /// Only when something has changed: a panel at rest works nothing out.
 void Blocks::work_out(Frame& f) {
-  if (std::exchange(worked_out_, editor_.version()) == editor_.version()) return;
+  if (std::exchange(worked_out_, editor_->version()) == editor_->version()) return;
   const Language* language = f.tab.desk().language();
   problem_.clear(), facts_.clear();
   text_ = SequenceText();
   rows_.clear();
-  for (const sequence::StepRow& r : editor_.rows())
+  for (const sequence::StepRow& r : editor_->rows())
     rows_.push_back({r.path, number_of(r.path), std::string(sequence::title_of(r.step->body)),
-                     sequence::summary_of(r.step->body, editor_.sequence()), "", r.step->skipped, false});
+                     sequence::summary_of(r.step->body, editor_->sequence()), r.step->skipped, false});
   if (!language)
     return problem_.assign("This controller has no language that blocks could be written in."), void();
-  auto written = language->write(editor_.sequence(), f.catalog);
+  auto written = language->write(editor_->sequence(), f.catalog);
   if (!written) {
     problem_ = written.error().what;
     return find_refused();
   }
   text_ = std::move(*written);
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    const auto lines = std::count(text_.step_of_line.begin(), text_.step_of_line.end(), static_cast<int>(i));
-    if (lines > 0) rows_[i].lines = std::to_string(lines);
-  }
   const ProgramReport report = language->analyse(text_.text, 0);
   for (const Problem& p : report.problems)
     if (p.error && problem_.empty()) problem_ = p.sentence;
@@ -118,33 +112,44 @@ void Blocks::find_refused() {
 void Blocks::put_into_program(Frame& f) {
   ProgramTexts& texts = f.tab.desk().texts;
   texts.set_text(texts.chosen(), text_.text);
-  kept_ = editor_.version();
   f.show_panel("program");
 }
 
+void Blocks::ask_or_open(Frame& f, const std::filesystem::path& path) {
+  to_open_ = path;
+  asking_open_ = f.tab.desk().blocks.edited();
+  if (!asking_open_) open(f, to_open_);
+}
+
 void Blocks::open(Frame& f, const std::filesystem::path& path) {
-  constexpr std::uintmax_t largest = 64u << 20;
-  const auto text = read_file(path, largest);
-  if (!text) return f.toast(Mood::fault, text.error().sentence());
-  auto sequence = sequence::read_sequence(*text, path.filename().string());
-  if (!sequence) return f.toast(Mood::fault, sequence.error().sentence());
-  editor_.load(std::move(*sequence));
-  kept_ = editor_.version();
-  file_ = path;
-  choose(std::nullopt);
+  Desk& desk = f.tab.desk();
+  desk.worker().run(
+      [path]() -> Result<sequence::Sequence> {
+        constexpr std::uintmax_t largest = 64u << 20;
+        const auto text = read_file(path, largest);
+        if (!text) return fail(text.error());
+        return sequence::read_sequence(*text, path.filename().string());
+      },
+      [&console = f.console, &blocks = desk.blocks, path](Result<sequence::Sequence> sequence) {
+        if (!sequence) return console.toast(Mood::fault, sequence.error().sentence());
+        blocks.opened(path, std::move(*sequence));
+      },
+      desk.alive());
 }
 
 void Blocks::save(Frame& f, const std::filesystem::path& path) {
-  if (auto written = write_file(path, sequence::write_sequence(editor_.sequence())); !written)
-    return f.toast(Mood::fault, written.error().sentence());
-  kept_ = editor_.version();
-  file_ = path;
-  f.toast(Mood::ok, fmt::format("Saved as {}.", path.string()));
-}
-
-std::string_view Blocks::unkept() const {
-  if (kept_ == editor_.version() || editor_.sequence().steps.empty()) return {};
-  return "The blocks are in no file and not in the program.";
+  Desk& desk = f.tab.desk();
+  desk.worker().run(
+      [path, sequence = desk.blocks.editor.sequence()] {
+        return write_file(path, sequence::write_sequence(sequence));
+      },
+      [&console = f.console, &blocks = desk.blocks, version = desk.blocks.editor.version(),
+       path](Result<> written) {
+        if (!written) return console.toast(Mood::fault, written.error().sentence());
+        blocks.saved(path, version);
+        console.toast(Mood::ok, fmt::format("Saved as {}.", path.string()));
+      },
+      desk.alive());
 }
 
 // ---- drawing
@@ -156,7 +161,7 @@ void Blocks::draw_toolbar(Frame& f) {
   ButtonOptions put;
   put.height = 40;
   put.tip = "Puts the text into the program editor, where it is run.";
-  if (editor_.sequence().steps.empty())
+  if (editor_->sequence().steps.empty())
     put.disabled = "There are no blocks yet.";
   else if (!problem_.empty())
     put.disabled = problem_;
@@ -169,17 +174,17 @@ void Blocks::draw_toolbar(Frame& f) {
   next(16);
   if (button(ui, "blocks/undo", "Undo",
              {.style = ButtonStyle::quiet,
-              .disabled = editor_.can_undo() ? "" : "Nothing to take back.",
+              .disabled = editor_->can_undo() ? "" : "Nothing to take back.",
               .height = 40})
           .clicked)
-    editor_.undo(), choose(chosen_);
+    editor_->undo(), choose(chosen_);
   next(0);
   if (button(ui, "blocks/redo", "Redo",
              {.style = ButtonStyle::quiet,
-              .disabled = editor_.can_redo() ? "" : "Nothing was taken back.",
+              .disabled = editor_->can_redo() ? "" : "Nothing was taken back.",
               .height = 40})
           .clicked)
-    editor_.redo(), choose(chosen_);
+    editor_->redo(), choose(chosen_);
   next(0);
   draw_files(f);
   const float y = at.y + ui.px(toolbar_height);
@@ -190,20 +195,19 @@ void Blocks::draw_toolbar(Frame& f) {
 
 void Blocks::draw_files(Frame& f) {
   Ui& ui = f.ui;
+  const BlockList& blocks = f.tab.desk().blocks;
   const float y = ImGui::GetCursorScreenPos().y;
   const ButtonOptions look{.style = ButtonStyle::quiet, .height = 40};
   const float width = ui.px(button_width(ui, "Open", look)) + ui.px(button_width(ui, "Save", look));
   const float x = ui.px(f.area.right() - 8) - width;
-  const std::string name = file_.filename().string();
+  const std::string name = blocks.file().filename().string();
   if (!name.empty())
     draw_text_line(ui, ImGui::GetCursorScreenPos().x + ui.px(8), x - ui.px(8), y + ui.px(20), Face::body_bold,
-                   ui[kept_ == editor_.version() ? Tone::ink : Tone::warn], name);
+                   ui[blocks.edited() ? Tone::warn : Tone::ink], name);
   ImGui::SetCursorScreenPos(ImVec2(x, y));
-  if (button(ui, "blocks/open", "Open", look).clicked)
-    open_.ask_open("Open a sequence", open_.folder(), {".toml"});
+  if (button(ui, "blocks/open", "Open", look).clicked) ask_open();
   ImGui::SameLine(0, 0);
-  if (button(ui, "blocks/save", "Save", look).clicked)
-    save_.ask_save("Save the sequence", file_.empty() ? save_.folder() / "sequence.toml" : file_, {".toml"});
+  if (button(ui, "blocks/save", "Save", look).clicked) ask_save(f);
 }
 
 void Blocks::draw_text_side(Frame& f, float height) {
@@ -228,9 +232,7 @@ void Blocks::draw_text_side(Frame& f, float height) {
   }
   const ImVec2 from = ImGui::GetCursorScreenPos();
   const float line = ui.px(20);
-  int chosen = -1;
-  for (std::size_t i = 0; chosen_ && i < rows_.size(); ++i)
-    if (rows_[i].path == *chosen_) chosen = static_cast<int>(i);
+  const int chosen = chosen_row();
   std::string_view rest = text_.text;
   for (std::size_t n = 0; n < text_.step_of_line.size(); ++n) {
     const std::size_t end = std::min(rest.find('\n'), rest.size());
@@ -249,6 +251,48 @@ void Blocks::draw_text_side(Frame& f, float height) {
   end_part();
 }
 
+void Blocks::draw_path_side(Frame& f, float height) {
+  Ui& ui = f.ui;
+  const float x = ui.px(f.area.right() - text_width_wide) + ui.hair(), y = ui.px(f.area.bottom() - height);
+  ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(x, y), ImVec2(ui.px(f.area.right()), y + ui.hair()),
+                                            ui[Tone::line]);
+  ImGui::SetCursorScreenPos(ImVec2(x, y + ui.hair()));
+  trial_.draw_path(f, chosen_row(), text_width_wide - 1, height - 1);
+  if (const int step = trial_.clicked_step(); step >= 0 && step < static_cast<int>(rows_.size()))
+    choose(rows_[ix(step)].path);
+}
+
+int Blocks::chosen_row() const {
+  for (std::size_t i = 0; chosen_ && i < rows_.size(); ++i)
+    if (rows_[i].path == *chosen_) return static_cast<int>(i);
+  return -1;
+}
+
+void Blocks::ask_open() { open_.ask_open("Open a sequence", open_.folder(), {".toml"}); }
+
+void Blocks::ask_save(const Frame& f) {
+  const auto& path = f.tab.desk().blocks.file();
+  save_.ask_save("Save the sequence", path.empty() ? save_.folder() / "sequence.toml" : path, {".toml"});
+}
+
+/// As the buttons; arrows alone jog, so a block is moved with Alt.
+void Blocks::use_keys(Frame& f) {
+  const Keyboard& keys = f.ui.keyboard;
+  if (keys.pressed(Command::save)) ask_save(f);
+  if (keys.pressed(Command::open)) ask_open();
+  if (keys.typing() || f.ui.registry.top_layer() > 0) return;
+  const ImGuiIO& io = ImGui::GetIO();
+  const auto pressed = [](int key) { return ImGui::IsKeyPressed(key, true); };
+  if (io.KeyCtrl && pressed('Z')) io.KeyShift ? editor_->redo() : editor_->undo(), choose(chosen_);
+  if (io.KeyCtrl && pressed('Y')) editor_->redo(), choose(chosen_);
+  if (!chosen_) return;
+  if (io.KeyAlt && pressed(GLFW_KEY_UP)) move(-1);
+  if (io.KeyAlt && pressed(GLFW_KEY_DOWN)) move(1);
+  if (io.KeyCtrl && pressed('D')) change_chosen(&sequence::Editor::duplicate);
+  if (io.KeyCtrl && pressed('G')) change_chosen(&sequence::Editor::put_into_loop);
+  if (pressed(GLFW_KEY_DELETE)) change_chosen(&sequence::Editor::remove);
+}
+
 void Blocks::draw_dialogs(Frame& f) {
   if (asking_) {
     const Dialog what{.title = "Replace the text?",
@@ -259,14 +303,10 @@ void Blocks::draw_dialogs(Frame& f) {
                       .no = "Keep the text"};
     if (dialog(f.ui, "blocks/replace", asking_, what) == Answer::yes) put_into_program(f);
   }
-  if (const auto path = open_.draw(f.ui)) {
-    to_open_ = *path;
-    asking_open_ = !unkept().empty();
-    if (!asking_open_) open(f, to_open_);
-  }
+  if (const auto path = open_.draw(f.ui)) ask_or_open(f, *path);
   if (asking_open_) {
     const Dialog what{.title = "Replace the blocks?",
-                      .sentences = "They are in no file and not in the program.",
+                      .sentences = "They have changes that are in no file.",
                       .yes = "Replace",
                       .no = "Keep them"};
     if (dialog(f.ui, "blocks/discard", asking_open_, what) == Answer::yes) open(f, to_open_);

@@ -1,8 +1,8 @@
 #pragma once
 // The graphical programmer: a sequence as blocks in a column, and the text that the controller's language
-// makes of it. Ids: `blocks/add/move`, `blocks/ROW` (from 1), its fields `blocks/ROW/KEY`, `blocks/end`,
-// `blocks/up`, `blocks/remove`, `blocks/undo`, `blocks/open`, `blocks/save`, `blocks/to_program`,
-// `blocks/text`, `blocks/problem`.
+// makes of it, tried as it grows. Ids: `blocks/add_by_name`, `blocks/add/move`, `blocks/ROW` (from 1), its
+// fields `blocks/ROW/KEY`, `blocks/ROW/time`, `blocks/end`, `blocks/up`, `blocks/remove`, `blocks/undo`,
+// `blocks/open`, `blocks/save`, `blocks/to_program`, `blocks/text`, `blocks/path`, `blocks/problem`.
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -13,6 +13,8 @@
 #include "core/sequence/editor.h"
 #include "gui/panel.h"
 #include "gui/widgets/file_dialog.h"
+#include "panels/block_trial.h"
+#include "panels/row_drag.h"
 #include "panels/step_form.h"
 
 namespace hw::panels {
@@ -20,22 +22,26 @@ namespace hw::panels {
 class Blocks final : public gui::Panel {
  public:
   void draw(gui::Frame& frame) override;
-  [[nodiscard]] std::string_view unkept() const override;
 
  private:
   struct Row {
     sequence::StepPath path;
-    std::string number, title, summary, lines;
+    std::string number, title, summary;
     bool skipped = false, refused = false;
   };
-  void make(const gui::Frame& frame);
   void work_out(gui::Frame& frame);
   void find_refused();
   void draw_toolbar(gui::Frame& frame);
   void draw_files(gui::Frame& frame);
   void draw_text_side(gui::Frame& frame, float height);
+  void draw_path_side(gui::Frame& frame, float height);
   void draw_dialogs(gui::Frame& frame);
+  void use_keys(gui::Frame& frame);
+  [[nodiscard]] int chosen_row() const;
+  void ask_open();
+  void ask_save(const gui::Frame& frame);
   void put_into_program(gui::Frame& frame);
+  void ask_or_open(gui::Frame& frame, const std::filesystem::path& path);
   void open(gui::Frame& frame, const std::filesystem::path& path);
   void save(gui::Frame& frame, const std::filesystem::path& path);
 
@@ -46,21 +52,27 @@ class Blocks final : public gui::Panel {
   void draw_chosen(gui::Frame& frame, std::size_t row, float left, float width);
   void draw_tools(gui::Frame& frame, const sequence::Step& step);
   void draw_end(gui::Frame& frame, float width);
+  void draw_total(gui::Frame& frame, float width);
   void add(sequence::Step::Body body);
   void choose(std::optional<sequence::StepPath> path);
   void move(int rows);
+  void drop(const RowDrag::Drop& drop);
+  void change_chosen(
+      std::optional<sequence::StepPath> (sequence::Editor::*change)(const sequence::StepPath&));
   void take_here(const gui::Frame& frame, sequence::Move move);
 
-  bool made_ = false;
-  sequence::Editor editor_;
+  sequence::Editor* editor_ = nullptr;            ///< the desk's, in this frame
+  std::uint64_t loads_ = 0;                       ///< Editor::loads() then
   std::uint64_t worked_out_ = ~std::uint64_t{0};  ///< Editor::version() then
-  std::uint64_t kept_ = 0;                        ///< the same, when it was put into the program or a file
   std::vector<Row> rows_;
   std::optional<sequence::StepPath> chosen_;  ///< none: the end of the list
   StepForm form_;
+  BlockTrial trial_;
+  RowDrag drag_;
+  std::string wanted_;  ///< typed to find a block by its name
   SequenceText text_;
   std::string problem_, facts_;
-  std::filesystem::path file_, to_open_;
+  std::filesystem::path to_open_;
   gui::FileDialog open_, save_;
   bool asking_ = false, asking_open_ = false;
 };

@@ -1,6 +1,7 @@
 // The column of blocks, and the palette that they come from.
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 
 #include "core/base/index.h"
@@ -9,6 +10,7 @@
 #include "gui/widgets/button.h"
 #include "gui/widgets/message.h"
 #include "gui/widgets/text.h"
+#include "gui/widgets/text_field.h"
 #include "panels/blocks.h"
 #include "panels/measures.h"
 #include "panels/path.h"
@@ -79,6 +81,20 @@ constexpr std::array<PaletteEntry, 18> palette{{
      [](const seq::Sequence&) -> seq::Step::Body { return seq::Custom{}; }},
 }};
 
+/// Typed so far: the beginning of one of its words, however it is written.
+bool is_named(const PaletteEntry& entry, std::string_view typed) {
+  const std::string_view label = entry.label;
+  const auto same = [](char a, char b) {
+    return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
+  };
+  for (std::size_t at = 0; at <= label.size(); ++at) {
+    if (at > 0 && label[at - 1] != ' ') continue;
+    const std::string_view rest = label.substr(at, typed.size());
+    if (std::equal(rest.begin(), rest.end(), typed.begin(), typed.end(), same)) return true;
+  }
+  return false;
+}
+
 /// What is old or not known is no place to be taught.
 bool is_seen_now(const Frame& f, const AxisState& axis) {
   return f.connected() && axis.position_known && !is_stale(axis.seen_at, f.clock, f.now.poll_period);
@@ -91,8 +107,16 @@ void Blocks::draw_palette(Frame& f, float height) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::SetCursorScreenPos(ImVec2(ui.px(f.area.x), at.y));
   begin_part(ui, "blocks/palette", ui.px(148), ui.px(height), Tone::panel, 8);
+  gap(ui, 8);
+  FieldOptions field;
+  field.width = fill;
+  field.placeholder = "Add by name";
+  const Field typed = text_field(ui, "blocks/add_by_name", "Add by name", wanted_, field);
+  const PaletteEntry* first = nullptr;
   std::string_view group;
   for (const PaletteEntry& entry : palette) {
+    if (!is_named(entry, wanted_)) continue;
+    if (!first) first = &entry;
     if (group != entry.group) {
       group = entry.group;
       gap(ui, 8);
@@ -101,7 +125,12 @@ void Blocks::draw_palette(Frame& f, float height) {
     ButtonOptions look;
     look.style = ButtonStyle::quiet;
     look.width = fill;
-    if (button(ui, entry.id, entry.label, look).clicked) add(entry.make(editor_.sequence()));
+    if (button(ui, entry.id, entry.label, look).clicked) add(entry.make(editor_->sequence()));
+  }
+  if (!first) wrapped(ui, Face::small, Tone::ink2, "No block has such a name.");
+  if (typed.entered && first && !wanted_.empty()) {
+    add(first->make(editor_->sequence()));
+    wanted_.clear();
   }
   gap(ui, 8);
   end_part();
@@ -109,20 +138,20 @@ void Blocks::draw_palette(Frame& f, float height) {
 
 /// Behind the chosen block, into a chosen loop, or at the end.
 void Blocks::add(seq::Step::Body body) {
-  seq::StepPath at{editor_.sequence().steps.size()};
+  seq::StepPath at{editor_->sequence().steps.size()};
   if (chosen_) {
     at = *chosen_;
-    const seq::Step* step = editor_.at(at);
+    const seq::Step* step = editor_->at(at);
     if (const auto* loop = step ? std::get_if<seq::Repeat>(&step->body) : nullptr)
       at.push_back(loop->steps.size());
     else
       ++at.back();
   }
-  choose(editor_.insert(at, seq::Step{std::move(body)}));
+  choose(editor_->insert(at, seq::Step{std::move(body)}));
 }
 
 void Blocks::choose(std::optional<seq::StepPath> path) {
-  if (path && (path->empty() || !editor_.at(*path))) path.reset();
+  if (path && (path->empty() || !editor_->at(*path))) path.reset();
   chosen_ = std::move(path);
   form_.forget();
 }
@@ -133,14 +162,14 @@ void Blocks::move(int rows) {
   seq::StepPath to = *chosen_;
   if (rows < 0 && to.back() > 0) {
     --to.back();
-    const seq::Step* above = editor_.at(to);
+    const seq::Step* above = editor_->at(to);
     if (const auto* loop = above ? std::get_if<seq::Repeat>(&above->body) : nullptr)
       to.push_back(loop->steps.size());
   } else if (rows < 0) {
     to.pop_back();  // out of its loop, in front of it
   } else {
     ++to.back();
-    const seq::Step* below = editor_.at(to);
+    const seq::Step* below = editor_->at(to);
     if (below && std::holds_alternative<seq::Repeat>(below->body)) {
       to.push_back(0);
     } else if (below) {
@@ -151,18 +180,35 @@ void Blocks::move(int rows) {
     }
   }
   if (to.empty()) return;
-  if (const auto moved = editor_.move(*chosen_, to)) choose(moved);
+  if (const auto moved = editor_->move(*chosen_, to)) choose(moved);
+}
+
+/// What was carried comes there; behind a loop is within it.
+void Blocks::drop(const RowDrag::Drop& d) {
+  if (d.from >= rows_.size() || d.to >= rows_.size()) return;
+  seq::StepPath to = rows_[d.to].path;
+  const seq::Step* there = editor_->at(to);
+  if (d.behind && there && std::holds_alternative<seq::Repeat>(there->body))
+    to.push_back(0);
+  else if (d.behind)
+    ++to.back();
+  if (const auto moved = editor_->move(rows_[d.from].path, to)) choose(moved);
+}
+
+void Blocks::change_chosen(std::optional<seq::StepPath> (seq::Editor::*change)(const seq::StepPath&)) {
+  const seq::StepPath at = *chosen_;
+  choose((editor_->*change)(at));
 }
 
 /// The target becomes where the axes are now.
 void Blocks::take_here(const Frame& f, seq::Move m) {
-  const seq::Sequence& s = editor_.sequence();
+  const seq::Sequence& s = editor_->sequence();
   for (std::size_t a = 0; a < s.axes.size(); ++a) {
     const int axis = f.catalog.find_axis(s.axes[a].name);
     if (!m.to[a] || axis < 0 || !is_seen_now(f, f.now.axes[ix(axis)])) continue;
     m.to[a] = static_cast<double>(f.now.axes[ix(axis)].commanded().value) / s.axes[a].per_unit;
   }
-  editor_.replace(*chosen_, m);
+  editor_->replace(*chosen_, m);
   form_.forget();
 }
 
@@ -174,7 +220,7 @@ void Blocks::draw_list(Frame& f, float left, float width, float height) {
                                               ui[Tone::line]);
   begin_part(ui, "blocks/list", ui.px(width), ui.px(height), Tone::panel, 12);
   const float inner = ImGui::GetContentRegionAvail().x / ui.scale;
-  section_title(ui, "Blocks", "lines");
+  section_title(ui, "Blocks", "rehearsed");
   const bool problem_here = f.area.width < 760 && !problem_.empty();
   if (problem_here) {
     const ImVec2 from = ImGui::GetCursorScreenPos();
@@ -184,7 +230,9 @@ void Blocks::draw_list(Frame& f, float left, float width, float height) {
     gap(ui, 8);
   }
   for (std::size_t row = 0; row < rows_.size(); ++row) draw_row(f, row, inner);
+  if (const auto dropped = drag_.finish(ui)) drop(*dropped);
   draw_end(f, inner);
+  draw_total(f, inner);
   gap(ui, 16);
   end_part();
 }
@@ -208,23 +256,24 @@ void Blocks::draw_row(Frame& f, std::size_t row, float width) {
   const Tone ink = r.skipped ? Tone::ink3 : Tone::ink, ink2 = r.skipped ? Tone::ink3 : Tone::ink2;
   draw_text_line(ui, x + ui.px(12), x + ui.px(48), middle, Face::small, ui[Tone::ink3], r.number);
   draw_text_line(ui, x + ui.px(48), x + ui.px(152), middle, Face::body_bold, ui[ink], r.title);
-  draw_text_line(ui, x + ui.px(152), right - ui.px(32), middle, Face::body, ui[ink2], r.summary);
-  if (r.skipped)
-    draw_text_right(ui, ImVec2(right, middle - ui.line(Face::small) / 2), Face::small, ui[Tone::ink3],
-                    "left out");
-  else if (!r.lines.empty())
-    draw_text_right(ui, ImVec2(right, middle - ui.line(Face::small) / 2), Face::small, ui[Tone::ink3],
-                    r.lines);
+  const std::string_view at_right = r.skipped ? "left out" : r.refused ? "not written" : trial_.time_of(row);
+  const float said = at_right.empty() ? 0 : std::ceil(text_width(ui, Face::small, at_right)) + ui.px(8);
+  draw_text_line(ui, x + ui.px(152), right - said, middle, Face::body, ui[ink2], r.summary);
+  draw_text_right(ui, ImVec2(right, middle - ui.line(Face::small) / 2), Face::small, ui[Tone::ink3],
+                  at_right);
+  show(ui, {Path("blocks/{}/time", row + 1), Kind::text, "Rehearsed", at_right},
+       {ImVec2(right - said, t.rect.min.y), ImVec2(right, t.rect.max.y)});
+  drag_.see(ui, row, t);
   draw_ring(ui, t);
   ImGui::SetCursorScreenPos(ImVec2(at.x, t.rect.max.y + ui.px(4)));
-  if (t.clicked) choose(chosen ? std::nullopt : std::optional(r.path));
+  if (t.clicked && !drag_.carries()) choose(chosen ? std::nullopt : std::optional(r.path));
   if (chosen) draw_chosen(f, row, left, width);
 }
 
 void Blocks::draw_chosen(Frame& f, std::size_t row, float left, float width) {
   Ui& ui = f.ui;
   const seq::StepPath path = rows_[row].path;
-  const seq::Step* step = editor_.at(path);
+  const seq::Step* step = editor_->at(path);
   if (!step) return;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float inner = width - left - 24;
@@ -239,8 +288,8 @@ void Blocks::draw_chosen(Frame& f, std::size_t row, float left, float width) {
   draw_tools(f, *step);
   gap(ui, 4);
   seq::Step::Body body = step->body;
-  if (form_.draw(f, Path("blocks/{}", row + 1), body, editor_.sequence(), inner))
-    editor_.replace(path, std::move(body));
+  if (form_.draw(f, Path("blocks/{}", row + 1), body, editor_->sequence(), inner))
+    editor_->replace(path, std::move(body));
   ImGui::Unindent(ui.px(left + 12));
   ImGui::SetCursorScreenPos(ImVec2(at.x, ImGui::GetCursorScreenPos().y + ui.px(8)));
 }
@@ -266,16 +315,25 @@ void Blocks::draw_tools(Frame& f, const seq::Step& step) {
   if (move && !move->relative && tool("blocks/here", "Take here")) return take_here(f, *move);
   if (tool("blocks/up", "", Icon::chevron_up)) return this->move(-1);
   if (tool("blocks/down", "", Icon::chevron_down)) return this->move(1);
-  if (tool("blocks/remove", "", Icon::cross)) return choose(editor_.remove(at));
-  if (tool("blocks/duplicate", "Duplicate")) return choose(editor_.duplicate(at));
+  if (tool("blocks/remove", "", Icon::cross)) return choose(editor_->remove(at));
+  if (tool("blocks/duplicate", "Duplicate")) return choose(editor_->duplicate(at));
   if (tool("blocks/skip", step.skipped ? "Take in" : "Leave out"))
-    return choose(editor_.skip(at, !step.skipped));
+    return choose(editor_->skip(at, !step.skipped));
   if (std::holds_alternative<seq::Repeat>(step.body)) {
-    if (tool("blocks/unloop", "Take out of loop")) return choose(editor_.take_out_of_loop(at));
+    if (tool("blocks/unloop", "Take out of loop")) return choose(editor_->take_out_of_loop(at));
   } else if (tool("blocks/loop", "Into a loop")) {
-    return choose(editor_.put_into_loop(at));
+    return choose(editor_->put_into_loop(at));
   }
   ImGui::NewLine();
+}
+
+/// How long all of it takes, or why nobody can say.
+void Blocks::draw_total(Frame& f, float width) {
+  if (trial_.total().empty()) return;
+  Ui& ui = f.ui;
+  gap(ui, 8);
+  if (!trial_.ends()) return wrapped(ui, Face::body, Tone::ink2, trial_.total(), width);
+  key_value(ui, "blocks/total", "Rehearsed", trial_.total());
 }
 
 /// Where the next block goes when none is chosen.

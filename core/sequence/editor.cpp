@@ -52,7 +52,7 @@ void Editor::load(Sequence sequence) {
   undone_from_.clear(), redone_from_.clear();
   typed_at_.reset();
   now_ = std::make_shared<const Sequence>(std::move(sequence));
-  ++version_;
+  ++version_, ++loads_;
 }
 
 bool Editor::keep(Sequence changed, const StepPath* typed_at) {

@@ -27,6 +27,8 @@ class Editor {
   void load(Sequence sequence);
   /// Changes whenever the sequence does.
   [[nodiscard]] std::uint64_t version() const { return version_; }
+  /// Grows with each load(): what is remembered of places in the list does not hold any more.
+  [[nodiscard]] std::uint64_t loads() const { return loads_; }
   /// In the order of the list; valid until the next change.
   [[nodiscard]] std::vector<StepRow> rows() const;
   /// Null: nothing stands there.
@@ -62,7 +64,7 @@ class Editor {
   Kept now_;
   std::vector<Kept> undone_from_, redone_from_;
   std::optional<StepPath> typed_at_;  ///< of the latest change, where it was a replacement
-  std::uint64_t version_ = 0;
+  std::uint64_t version_ = 0, loads_ = 0;
 };
 
 }  // namespace hw::sequence

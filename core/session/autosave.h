@@ -1,5 +1,5 @@
 #pragma once
-// Program texts that are in no file yet survive a crash: written by atomic rename into the state folder while
+// Program texts and blocks that are in no file yet survive a crash: written by atomic rename into the state folder while
 // they are edited, offered again when the same controller is opened, forgotten when they are saved.
 #include <string>
 #include <vector>
@@ -9,7 +9,8 @@
 namespace hw {
 
 struct UnsavedText {
-  int slot = 0;
+  static constexpr int of_blocks = -1;
+  int slot = 0;  ///< of a program text, or of_blocks: a sequence as its file would hold it
   std::string text;
   std::string path;  ///< the file it came from; empty: none
   bool operator==(const UnsavedText&) const = default;

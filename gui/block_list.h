@@ -1,0 +1,40 @@
+#pragma once
+// The blocks of one controller: a sequence under the hand, and the file that it belongs to. GUI thread.
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "core/device/catalog.h"
+#include "core/sequence/editor.h"
+#include "core/session/autosave.h"
+
+namespace hw::gui {
+
+class BlockList {
+ public:
+  /// Empty, with the axes of the controller.
+  explicit BlockList(const Catalog& catalog);
+
+  sequence::Editor editor;
+
+  [[nodiscard]] const std::filesystem::path& file() const { return file_; }
+  /// Differs from its file, or is in none.
+  [[nodiscard]] bool edited() const;
+  void opened(std::filesystem::path path, sequence::Sequence sequence);
+  /// `version`: of the editor, when what was written was taken. It may have been edited meanwhile.
+  void saved(std::filesystem::path path, std::uint64_t version);
+
+  // ---- for the autosave
+  [[nodiscard]] std::uint64_t changes() const { return editor.version() + files_; }
+  /// None: all of it is in a file.
+  [[nodiscard]] std::optional<UnsavedText> unsaved() const;
+  /// Takes its own out of what was kept. A fault: it could not be read, the list is as before.
+  Result<> restore(const std::vector<UnsavedText>& texts);
+
+ private:
+  std::filesystem::path file_;
+  std::uint64_t in_file_ = 0;  ///< Editor::version() that the file holds
+  std::uint64_t files_ = 0;    ///< how often it was opened or saved
+};
+
+}  // namespace hw::gui

@@ -1,0 +1,110 @@
+#include "panels/block_trial.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "core/base/index.h"
+#include "core/device/track_path.h"
+#include "gui/tab.h"
+#include "gui/units_format.h"
+
+namespace hw::panels {
+
+using namespace gui;
+namespace {
+
+constexpr double tried_for_s = 600, block_seen_every_s = 0.02;
+
+/// By step: how long the program was at it, from the event of one command to that of the next.
+std::vector<double> seconds_of(const Rehearsal& r, const std::vector<int>& step_of_command) {
+  std::vector<double> all;
+  int step = -1;
+  double since = 0;
+  const auto until = [&](double t) {
+    if (step >= 0) all[ix(step)] += t - since;
+    since = t;
+  };
+  for (const RehearsedEvent& e : r.events) {
+    if (e.slot != 0 || e.command < 0 || ix(e.command) >= step_of_command.size()) continue;
+    until(e.t);
+    step = step_of_command[ix(e.command)];
+    if (step >= 0 && all.size() <= ix(step)) all.resize(ix(step) + 1, 0);
+  }
+  until(r.duration_s);
+  return all;
+}
+
+}  // namespace
+
+void BlockTrial::forget() {
+  times_.clear(), total_.clear();
+  path_ = nullptr;
+  ends_ = false;
+}
+
+void BlockTrial::follow(Frame& f, const SequenceText& written) {
+  const Rehearsals::Outcome* outcome = rehearsals_.of(0);
+  if (outcome && outcome->number != taken_ && outcome->text == text_) {
+    taken_ = outcome->number;
+    take(f, *outcome);
+  }
+  if (written.text == text_ || rehearsals_.under_way(0)) return;
+  text_ = written.text;
+  step_of_line_ = written.step_of_line;
+  if (text_.empty()) return forget();
+  RehearseOptions options;
+  options.axes = static_cast<int>(f.catalog.axes.size());
+  options.device = f.catalog.made_from;
+  options.track_every_s = block_seen_every_s;
+  options.for_seconds = tried_for_s;
+  rehearsals_.start(*f.tab.desk().language(), text_, options, f.now, f.bench, f.tab.desk().worker());
+  f.ui.wake_in(0);
+}
+
+/// The output that the tool's own routine switches on; -1: none.
+static int tool_output_of(const sequence::Sequence& sequence, const Catalog& catalog) {
+  for (const sequence::Step& step : sequence.pen_down)
+    if (const auto* output = std::get_if<sequence::Output>(&step.body); output && output->on && !step.skipped)
+      return catalog.find_output(output->output);
+  return -1;
+}
+
+void BlockTrial::take(Frame& f, const Rehearsals::Outcome& outcome) {
+  forget();
+  if (!outcome.result) return;
+  const Rehearsal& r = *outcome.result;
+  std::vector<int> steps = lines_of_commands(f.tab.desk().language()->analyse(outcome.text, 0), 0);
+  for (int& line : steps) line = line >= 0 && ix(line) < step_of_line_.size() ? step_of_line_[ix(line)] : -1;
+  for (const double s : seconds_of(r, steps)) times_.push_back(s > 0 ? fmt::format("{:.1f} s", s) : "");
+  ends_ = r.finished;
+  total_ = r.finished         ? std::string(format_duration(r.duration_s).view())
+           : !r.error.empty() ? r.error
+                              : fmt::format("no end within {}", format_duration(r.duration_s).view());
+  if (f.catalog.axes.size() < 2) return;
+  TrackAxes axes;
+  axes.right = {0, from_steps(Steps(1), f.tab.unit(AxisId{0}))};
+  axes.up = {1, from_steps(Steps(1), f.tab.unit(AxisId{1}))};
+  axes.tool_output = tool_output_of(f.tab.desk().blocks.editor.sequence(), f.catalog);
+  auto path = std::make_shared<const drawing::ToolPath>(track_path(r, axes, 0, steps));
+  if (!path->runs.empty()) path_ = std::move(path);
+}
+
+std::string_view BlockTrial::time_of(std::size_t step) const {
+  return step < times_.size() ? std::string_view(times_[step]) : std::string_view();
+}
+
+void BlockTrial::draw_path(Frame& f, int lit_step, float width, float height) {
+  PathSubject subject;
+  subject.path = path_;
+  subject.none = "Nothing moves in these two axes yet.";
+  subject.lit = lit_step;
+  canvas_.draw(f, "blocks/path", subject, width, height);
+}
+
+int BlockTrial::clicked_step() const {
+  const auto& hit = canvas_.clicked();
+  return hit && path_ ? path_->runs[hit->run].source : -1;
+}
+
+}  // namespace hw::panels
