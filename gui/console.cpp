@@ -9,6 +9,7 @@
 #include "core/session/json_file.h"
 #include "core/session/session_group.h"
 #include "gui/area.h"
+#include "gui/lower_case.h"
 #include "gui/messages.h"
 #include "gui/outside.h"
 #include "gui/top_bar.h"
@@ -120,12 +121,24 @@ void Console::let_go() {
   for (const auto& tab : tabs_) tab->jog.let_go();
 }
 
+/// The panel that says so of such a name; else the program editor, which says what it is if it is no text.
+static std::string_view opener_of(const PanelList& list, const Tab& tab, const std::string& path) {
+  const std::string name = lower_case(path);
+  for (const PanelEntry& entry : list.panels)
+    if (!entry.opens.empty() && name.ends_with(entry.opens) && (!entry.wanted || entry.wanted(tab)))
+      return entry.id;
+  return "program";
+}
+
 void Console::drop(const std::vector<std::string>& paths) {
   if (covered_)
     return toast(Mood::warn, "Nothing was opened: answer what is asked first, then drop it again.");
   if (!active()) return toast(Mood::plain, "Connect a controller first: files are opened in its editor.");
-  for (const std::string& path : paths) active()->desk().dropped.emplace_back(path);
-  show_panel("program");
+  for (const std::string& path : paths) {
+    const std::string panel(opener_of(list_, *active(), path));
+    active()->desk().dropped[panel].emplace_back(path);
+    show_panel(panel);
+  }
 }
 
 // ---- frame

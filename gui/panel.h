@@ -45,6 +45,8 @@ struct PanelEntry {
   bool (*wanted)(const Tab&) = nullptr;
   /// Logical. In less (a narrow window) it scrolls as a whole; 0: it manages with any.
   float least_height = 0;
+  /// Files let fall on the window whose names end so are this panel's: see Desk::take_dropped. Empty: none.
+  std::string_view opens = {};
   /// Logical, of a panel tab. While it is in front the part below gives way, down to its least, unless
   /// somebody has given that a height of his own; 0: it does not.
   float good_height = 0;

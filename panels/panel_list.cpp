@@ -7,6 +7,7 @@
 #include "panels/connect.h"
 #include "panels/contour.h"
 #include "panels/control.h"
+#include "panels/drawing_tab.h"
 #include "panels/goto_home.h"
 #include "panels/help.h"
 #include "panels/inputs_outputs.h"
@@ -18,6 +19,7 @@
 #include "panels/program.h"
 #include "panels/setup.h"
 #include "panels/terminal.h"
+#include "panels/tool_path.h"
 #include "panels/tuning.h"
 #include "panels/variables.h"
 
@@ -40,6 +42,8 @@ bool has_signals(const Tab& t) {
   return !t.catalog().inputs.empty() || !t.catalog().outputs.empty() || !t.catalog().analog.empty();
 }
 bool has_programs(const Tab& t) { return t.catalog().program.slots > 0; }
+bool goes_in_a_plane(const Tab& t) { return t.catalog().axes.size() > 1; }
+bool cuts_drawings(const Tab& t) { return has_programs(t) && goes_in_a_plane(t); }
 bool has_parameters(const Tab& t) { return !t.catalog().params.empty(); }
 bool controls(const Tab& t) { return has_control(t.catalog()); }
 bool has_variables(const Tab& t) { return t.catalog().variables.count > 0; }
@@ -57,12 +61,14 @@ constexpr gui::PanelEntry panels[] = {
     {"jog", "Jog", Place::left, make<Jog>, nullptr},
     {"goto_home", "Go to, home", Place::left, make<GotoHome>, nullptr},
     {"program", "Program", Place::centre, make<Program>, has_programs, 240},
-    {"blocks", "Blocks", Place::centre, make<Blocks>, has_programs, 240, 560},
+    {"blocks", "Blocks", Place::centre, make<Blocks>, has_programs, 240, ".toml", 560},
+    {"drawing", "Drawing", Place::centre, make<DrawingTab>, cuts_drawings, 240, ".dxf", 560},
+    {"path", "Path", Place::centre, make<ToolPath>, goes_in_a_plane, 240, "", 560},
     {"control", "Control", Place::centre, make<Control>, controls},
     {"variables", "Variables", Place::centre, make<Variables>, has_variables},
     {"list", "Moves", Place::centre, make<Moves>, has_move_list, 240},
     {"setup", "Setup", Place::centre, make<Setup>, has_parameters, 240},
-    {"tuning", "Tuning", Place::centre, make<Tuning>, tunes, 420, 616},
+    {"tuning", "Tuning", Place::centre, make<Tuning>, tunes, 420, "", 616},
     {"contour", "Contour", Place::centre, make<Contour>, has_contours, 300},
     {"memory", "Memory", Place::centre, make<MemoryMap>, has_memory_map, 240},
     {"terminal", "Terminal", Place::below, make<Terminal>, nullptr},

@@ -6,6 +6,9 @@
 
 #include <fmt/format.h>
 
+#include "core/drawing/dxf_reader.h"
+#include "core/session/user_files.h"
+
 namespace hw {
 namespace {
 
@@ -86,6 +89,22 @@ std::optional<double> millimetres(const std::string& unit) {
   for (const auto& [name, length] : units)
     if (name == unit) return length;
   return std::nullopt;
+}
+
+// Splines and ellipses are flattened as they are read: again, finer, where the file's unit asks for that.
+Result<drawing::Drawing> read_drawing(const std::filesystem::path& path, const ConversionOptions& o) {
+  constexpr std::uintmax_t largest = std::uintmax_t{400} << 20;
+  const auto file = read_file(path, largest);
+  if (!file) return fail(file.error());
+  double finest = o.tolerance.value_or(1);
+  if (!o.tolerance)
+    for (const sequence::Axis& axis : o.axes) finest = std::min(finest, 0.5 / axis.per_unit);
+  drawing::Tolerance tolerance{finest};
+  auto drawing = drawing::read_dxf(*file, path.string(), tolerance);
+  if (!drawing) return drawing;
+  const auto its = millimetres(drawing->unit.empty() ? o.drawing_unit : drawing->unit);
+  tolerance.chord = finest * millimetres(o.unit).value_or(1) / its.value_or(1);
+  return tolerance.chord < finest ? drawing::read_dxf(*file, path.string(), tolerance) : drawing;
 }
 
 Going going_of(const Catalog& catalog) {

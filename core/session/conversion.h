@@ -1,6 +1,7 @@
 #pragma once
 // From a drawing to the sequence that a controller can carry out: layers chosen, ends joined, placed on the
 // table, put into order, and made into what its machine can do. Pure and long: for a worker thread.
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -38,6 +39,8 @@ struct Conversion {
   std::vector<std::size_t> off_the_table;  ///< places in `chains`
 };
 
+/// The file, its splines and ellipses as fine as the options ask. May block: for a worker.
+Result<drawing::Drawing> read_drawing(const std::filesystem::path& file, const ConversionOptions& options);
 /// How the controller gets along a chain.
 drawing::Going going_of(const Catalog& catalog);
 /// "mm", "in" ... in millimetres; none: it is no unit.

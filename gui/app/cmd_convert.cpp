@@ -16,7 +16,6 @@
 namespace hw::app {
 namespace {
 
-constexpr std::uintmax_t largest_drawing = std::uintmax_t{400} << 20;
 std::vector<std::string> split(std::string_view text, char at) {
   std::vector<std::string> parts;
   for (;;) {
@@ -161,21 +160,6 @@ Result<ConversionOptions> read_options(const Given& given, const Catalog& catalo
     o.tolerance = *tolerance;
   }
   return o;
-}
-
-// Splines and ellipses are flattened as they are read: again, finer, where the file's unit asks for that.
-Result<drawing::Drawing> read_drawing(const std::string& path, const ConversionOptions& o) {
-  const auto file = read_file(path, largest_drawing);
-  if (!file) return fail(file.error());
-  double finest = o.tolerance.value_or(1);
-  if (!o.tolerance)
-    for (const sequence::Axis& axis : o.axes) finest = std::min(finest, 0.5 / axis.per_unit);
-  drawing::Tolerance tolerance{finest};
-  auto drawing = drawing::read_dxf(*file, path, tolerance);
-  if (!drawing) return drawing;
-  const auto its = millimetres(drawing->unit.empty() ? o.drawing_unit : drawing->unit);
-  tolerance.chord = finest * *millimetres(o.unit) / its.value_or(1);
-  return tolerance.chord < finest ? drawing::read_dxf(*file, path, tolerance) : drawing;
 }
 
 struct Made {

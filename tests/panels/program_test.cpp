@@ -199,11 +199,11 @@ TEST_F(ProgramTest, DroppedFileThatIsNoTextLeavesTheProgram) {
   test::Folder folder;
   write("I1M400");
   texts().saved(0, folder.path() / "a.toy", "I1M400");
-  s.tab.desk().dropped.push_back(folder.put("photo.png", std::string("\x89PNG\0\0", 6)));
+  s.tab.desk().dropped["program"].push_back(folder.put("photo.png", std::string("\x89PNG\0\0", 6)));
   s.stage.frames(3);
   EXPECT_THAT(s.toast(), HasSubstr("photo.png is not a text"));
   EXPECT_EQ(texts().text(0), "I1M400");
-  s.tab.desk().dropped.push_back(folder.put("b.toy", "L0\n"));
+  s.tab.desk().dropped["program"].push_back(folder.put("b.toy", "L0\n"));
   s.stage.frames(3);
   EXPECT_EQ(texts().text(0), "L0\n");
   EXPECT_EQ(s.value("program/file"), "b.toy");
@@ -212,7 +212,7 @@ TEST_F(ProgramTest, DroppedFileThatIsNoTextLeavesTheProgram) {
 TEST_F(ProgramTest, OpeningOverUnsavedTextAsks) {
   test::Folder folder;
   write("I1M400");
-  s.tab.desk().dropped.push_back(folder.put("b.toy", "L0\n"));
+  s.tab.desk().dropped["program"].push_back(folder.put("b.toy", "L0\n"));
   s.stage.frames(3);
   ASSERT_TRUE(s.stage.find("program/replace/no"));
   s.click("program/replace/no");

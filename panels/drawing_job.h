@@ -1,0 +1,56 @@
+#pragma once
+// A drawing file on its way to a program: read, converted, written and rehearsed by the worker, anew whenever
+// what is wanted of it has changed.
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/device/language.h"
+#include "core/drawing/tool_path.h"
+#include "core/session/conversion.h"
+#include "gui/frame.h"
+
+namespace hw::panels {
+
+class DrawingJob {
+ public:
+  struct Made {
+    Conversion conversion;
+    SequenceText written;
+    std::string problem;  ///< of the text: it does not fit; empty: none
+    std::optional<double> duration_s;
+    std::shared_ptr<const drawing::ToolPath> path;  ///< in the units of the axes
+  };
+
+  /// The file is read, and converted as is wanted then.
+  void open(gui::Frame& frame, const std::filesystem::path& file, const ConversionOptions& wanted);
+  /// Once a frame; `version` changes with `wanted`.
+  void follow(gui::Frame& frame, const ConversionOptions& wanted, std::uint64_t version);
+
+  [[nodiscard]] const std::filesystem::path& file() const { return file_; }
+  /// Null: none has been opened.
+  [[nodiscard]] const drawing::Drawing* drawing() const { return drawing_.get(); }
+  /// Null: not made, or what is wanted cannot be done; see fault().
+  [[nodiscard]] const Made* made() const { return made_ ? &*made_ : nullptr; }
+  [[nodiscard]] const std::string& fault() const { return fault_; }
+  [[nodiscard]] bool busy() const { return reading_ || converting_; }
+  /// Grows with each result.
+  [[nodiscard]] std::uint64_t version() const { return version_; }
+
+ private:
+  using Drawing = std::shared_ptr<const drawing::Drawing>;
+  void take(Result<Drawing> read, const std::filesystem::path& file, gui::Console& console);
+
+  std::filesystem::path file_;
+  Drawing drawing_;
+  std::optional<Made> made_;
+  std::string fault_;
+  bool reading_ = false, converting_ = false, old_ = false;  ///< old: what was converted is of another file
+  drawing::Point scale_;                                     ///< units of the axes in a mm
+  std::uint64_t wanted_ = 0, version_ = 0;
+  std::shared_ptr<int> alive_ = std::make_shared<int>(0);
+};
+
+}  // namespace hw::panels

@@ -1,0 +1,179 @@
+#include "panels/drawing_options.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/index.h"
+#include "gui/area.h"
+#include "gui/tab.h"
+#include "gui/widgets/button.h"
+#include "gui/widgets/choice.h"
+#include "gui/widgets/lamp.h"
+#include "gui/widgets/text.h"
+#include "panels/path.h"
+
+namespace hw::panels {
+
+using namespace gui;
+namespace {
+
+constexpr std::array<std::string_view, 4> file_units{"mm", "in", "cm", "m"};
+constexpr float option_label = 116;
+
+}  // namespace
+
+void DrawingOptions::begin(const Frame& f) {
+  if (std::exchange(begun_, true)) return;
+  tool_names_.push_back("none");
+  for (const OutputInfo& output : f.catalog.outputs) tool_names_.push_back(output.name);
+  for (const auto& [field, place] : {std::pair{per_unit_x, 0}, std::pair{per_unit_y, 1}}) {
+    const DisplayUnit& unit = f.tab.unit(AxisId{static_cast<std::uint8_t>(place)});
+    const bool known = unit.real && unit.name == "mm" && unit.per_step > 0;
+    fields_[field].set(known ? 1 / unit.per_step : 100, 3);
+  }
+  fields_[wait_on].set(0, 0), fields_[wait_off].set(0, 0);
+  fields_[cut_speed].set(5, 1), fields_[travel_speed].set(10, 1);
+  if (going_of(f.catalog) == drawing::Going::stairs) fields_[tolerance].set(0.1, 3);
+}
+
+void DrawingOptions::draw(Frame& f, const drawing::Drawing* drawing) {
+  draw_place(f, drawing);
+  draw_tool(f);
+  if (drawing) draw_layers(f, *drawing);
+}
+
+void DrawingOptions::settle(const Frame& f, const drawing::Drawing* drawing) {
+  if (std::exchange(changed_, false)) build(f, drawing);
+}
+
+void DrawingOptions::build(const Frame& f, const drawing::Drawing* drawing) {
+  ConversionOptions o;
+  const std::array per_unit{value(per_unit_x), value(per_unit_y)};
+  for (std::size_t i = 0; i < std::min<std::size_t>(2, f.catalog.axes.size()); ++i)
+    o.axes.push_back({f.catalog.axes[i].name, per_unit[i] > 0 ? per_unit[i] : 1});
+  o.drawing_unit = file_units[ix(unit_)];
+  o.placing.origin = origin_ == 1 ? drawing::Placing::Origin::lower_left : drawing::Placing::Origin::as_drawn;
+  o.placing.swapped = swap_, o.placing.mirrored_x = flip_x_, o.placing.mirrored_y = flip_y_;
+  if (const auto t = fields_[tolerance].value(); t && *t > 0) o.tolerance = *t;
+  o.keep_order = keep_order_;
+  o.cutting.high = value(cut_speed), o.travel.high = value(travel_speed);
+  if (tool_ > 0) {
+    const int output = f.catalog.output_number(ix(tool_ - 1));
+    o.pen_down.push_back({sequence::Output{output, true}});
+    o.pen_up.push_back({sequence::Output{output, false}});
+    if (value(wait_on) > 0) o.pen_down.push_back({sequence::Delay{value(wait_on)}});
+    if (value(wait_off) > 0) o.pen_up.push_back({sequence::Delay{value(wait_off)}});
+  }
+  if (drawing && !left_out_.empty())
+    for (const drawing::Layer& layer : drawing->layers)
+      if (layer.shown && std::find(left_out_.begin(), left_out_.end(), layer.name) == left_out_.end())
+        o.layers.push_back(layer.name);
+  wanted_ = std::move(o);
+  ++version_;
+}
+
+// ---- drawing
+
+void DrawingOptions::number(Frame& f, Number which, std::string_view id, std::string_view label, double least,
+                            std::string_view unit) {
+  Ui& ui = f.ui;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  draw_text_line(ui, at.x, at.x + ui.px(option_label - 4), at.y + ui.px(16), Face::body, ui[Tone::ink2],
+                 label);
+  ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(option_label), at.y));
+  NumberOptions o;
+  o.range = {least, 1e9, 6, unit};
+  o.sentence_below = false;
+  const NumberEvent event = number_field(ui, id, label, std::nullopt, fields_[which], o);
+  if (event.field.entered || event.field.left) changed_ = true;
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(36)));
+}
+
+void DrawingOptions::toggle(Frame& f, const char* id, const char* label, bool& value) {
+  ToggleOptions o;
+  o.state = value ? ToggleState::on : ToggleState::off;
+  if (toggle_lamp(f.ui, id, label, o).clicked) value = !value, changed_ = true;
+  gap(f.ui, 4);
+}
+
+void DrawingOptions::draw_place(Frame& f, const drawing::Drawing* drawing) {
+  Ui& ui = f.ui;
+  section_title(ui, "Scale and place");
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  draw_text_line(ui, at.x, at.x + ui.px(option_label - 4), at.y + ui.px(16), Face::body, ui[Tone::ink2],
+                 "File is in");
+  ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(option_label), at.y));
+  if (drawing && !drawing->unit.empty()) {
+    ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(option_label), at.y + ui.px(6)));
+    named_text(ui, "drawing/file_unit", Face::body_bold, Tone::ink, drawing->unit);
+  } else if (const int picked = segment(ui, "drawing/unit", file_units, unit_, {.cell_width = 32});
+             picked >= 0) {
+    unit_ = picked, changed_ = true;
+  }
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(36)));
+  for (const auto& [field, place] :
+       {std::pair{per_unit_x, std::size_t{0}}, std::pair{per_unit_y, std::size_t{1}}}) {
+    if (place >= f.catalog.axes.size()) continue;
+    const Path id("drawing/per_unit/{}", f.catalog.axes[place].name),
+        label("{}/mm, {}", f.catalog.step_word, f.catalog.axes[place].name);
+    number(f, field, id, label, 1e-6, {});
+  }
+  static constexpr std::array<std::string_view, 2> origins{"As drawn", "Corner"};
+  if (const int picked = segment(ui, "drawing/origin", origins, origin_, {.cell_width = 96}); picked >= 0)
+    origin_ = picked, changed_ = true;
+  gap(ui, 4);
+  toggle(f, "drawing/swap", "Swap the axes", swap_);
+  toggle(f, "drawing/flip_x", "Flip left and right", flip_x_);
+  toggle(f, "drawing/flip_y", "Flip up and down", flip_y_);
+  number(f, tolerance, "drawing/tolerance", "Tolerance", 0, "mm");
+  const bool stairs = going_of(f.catalog) == drawing::Going::stairs;
+  wrapped(ui, Face::small, Tone::ink3,
+          stairs ? "One axis moves at a time: how far the corners of the stairs may lie beside the line."
+                 : "Of chords and curves; empty: half a step.");
+  group_line(ui);
+}
+
+void DrawingOptions::draw_tool(Frame& f) {
+  Ui& ui = f.ui;
+  section_title(ui, "Tool and speeds");
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  draw_text_line(ui, at.x, at.x + ui.px(option_label - 4), at.y + ui.px(16), Face::body, ui[Tone::ink2],
+                 "Output");
+  ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(option_label), at.y));
+  if (const int picked = dropdown(ui, "drawing/tool", "Output", tool_names_, tool_, {.width = fill});
+      picked >= 0)
+    tool_ = picked, changed_ = true;
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(36)));
+  if (tool_ > 0) {
+    number(f, wait_on, "drawing/wait_on", "Wait when on", 0, "ms");
+    number(f, wait_off, "drawing/wait_off", "Wait when off", 0, "ms");
+  }
+  number(f, cut_speed, "drawing/cut_speed", "Tool on", 0, "mm/s");
+  number(f, travel_speed, "drawing/travel_speed", "Tool off", 0, "mm/s");
+  toggle(f, "drawing/keep_order", "Keep the order of the file", keep_order_);
+  group_line(ui);
+}
+
+void DrawingOptions::draw_layers(Frame& f, const drawing::Drawing& drawing) {
+  section_title(f.ui, "Layers");
+  for (const drawing::Layer& layer : drawing.layers) {
+    const auto found = std::find(left_out_.begin(), left_out_.end(), layer.name);
+    ToggleOptions o;
+    o.state = layer.shown && found == left_out_.end() ? ToggleState::on : ToggleState::off;
+    o.word = o.state == ToggleState::on ? "drawn" : "left out";
+    if (!layer.shown) o.disabled = "It is frozen or off in the file.";
+    const Path id("drawing/layer/{}", layer.name);
+    if (toggle_lamp(f.ui, id, layer.name.empty() ? std::string_view("without a name") : layer.name, o)
+            .clicked) {
+      if (found == left_out_.end())
+        left_out_.push_back(layer.name);
+      else
+        left_out_.erase(found);
+      changed_ = true;
+    }
+    gap(f.ui, 4);
+  }
+  group_line(f.ui);
+}
+
+}  // namespace hw::panels

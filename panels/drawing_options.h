@@ -1,0 +1,62 @@
+#pragma once
+// What is wanted of a drawing: its unit, place and layers, the tool and its speeds. Ids: `drawing/unit`,
+// `drawing/per_unit/AXIS`, `drawing/origin/...`, `drawing/swap`, `drawing/flip_x`, `drawing/flip_y`,
+// `drawing/tolerance`, `drawing/tool`, `drawing/wait_on`, `drawing/wait_off`, `drawing/cut_speed`,
+// `drawing/travel_speed`, `drawing/keep_order`, `drawing/layer/NAME`.
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/session/conversion.h"
+#include "gui/frame.h"
+#include "gui/widgets/number_field.h"
+
+namespace hw::panels {
+
+class DrawingOptions {
+ public:
+  /// At ImGui's cursor; `drawing` null: there is none yet, so no layers.
+  void draw(gui::Frame& frame, const drawing::Drawing* drawing);
+  /// Once a frame: what was chosen since becomes what is wanted.
+  void settle(const gui::Frame& frame, const drawing::Drawing* drawing);
+  /// As the controller and the units of its axes suggest, before anybody has chosen.
+  void begin(const gui::Frame& frame);
+  /// Of another file.
+  void forget_layers() { left_out_.clear(), changed_ = true; }
+  [[nodiscard]] const ConversionOptions& wanted() const { return wanted_; }
+  /// Changes with wanted().
+  [[nodiscard]] std::uint64_t version() const { return version_; }
+
+ private:
+  enum Number : std::size_t {
+    per_unit_x,
+    per_unit_y,
+    tolerance,
+    wait_on,
+    wait_off,
+    cut_speed,
+    travel_speed,
+    numbers
+  };
+  void draw_place(gui::Frame& frame, const drawing::Drawing* drawing);
+  void draw_tool(gui::Frame& frame);
+  void draw_layers(gui::Frame& frame, const drawing::Drawing& drawing);
+  void number(gui::Frame& frame, Number which, std::string_view id, std::string_view label, double least,
+              std::string_view unit);
+  void toggle(gui::Frame& frame, const char* id, const char* label, bool& value);
+  void build(const gui::Frame& frame, const drawing::Drawing* drawing);
+  [[nodiscard]] double value(Number which) const { return fields_[which].value().value_or(0); }
+
+  bool begun_ = false, changed_ = true;
+  std::array<gui::NumberField, numbers> fields_;
+  int unit_ = 0, origin_ = 0, tool_ = 0;
+  bool swap_ = false, flip_x_ = false, flip_y_ = false, keep_order_ = false;
+  std::vector<std::string> left_out_;  ///< layers
+  std::vector<std::string_view> tool_names_;
+  ConversionOptions wanted_;
+  std::uint64_t version_ = 1;
+};
+
+}  // namespace hw::panels

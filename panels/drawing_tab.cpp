@@ -1,0 +1,214 @@
+#include "panels/drawing_tab.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "gui/area.h"
+#include "gui/tab.h"
+#include "gui/units_format.h"
+#include "gui/widgets/button.h"
+#include "gui/widgets/message.h"
+#include "gui/widgets/text.h"
+#include "panels/measures.h"
+
+namespace hw::panels {
+
+using namespace gui;
+namespace {
+
+constexpr float drawing_side = 288, both_width = 620;
+constexpr std::size_t most_left_out = 40;
+
+std::string in_mm(double v) { return fmt::format("{} mm", format_number(v, 1).view()); }
+
+}  // namespace
+
+void DrawingTab::draw(Frame& f) {
+  options_.begin(f);
+  for (const auto& path : f.tab.desk().take_dropped("drawing")) open(f, path);
+  options_.settle(f, job_.drawing());
+  job_.follow(f, options_.wanted(), options_.version());
+  say();
+  draw_toolbar(f);
+  const ImVec2 top = ImGui::GetCursorScreenPos();
+  const float height = (f.ui.px(f.area.bottom()) - top.y) / f.ui.scale;
+  const bool side = f.area.width >= both_width;
+  const float width = f.area.width - (side ? drawing_side : 0);
+  PathSubject subject;
+  if (const DrawingJob::Made* made = job_.made()) subject.path = made->path;
+  subject.none = job_.busy()      ? "It is being worked out."
+                 : job_.drawing() ? "Nothing of it can be drawn as it is wanted."
+                                  : "Open a DXF file, or let one fall on the window.";
+  settings_ = settings_ && !side;
+  if (!settings_) canvas_.draw(f, "drawing/view", subject, width, height);
+  if (side || settings_) {
+    ImGui::SetCursorScreenPos(ImVec2(f.ui.px(f.area.x + (side ? width : 0)), top.y));
+    draw_side(f, height);
+  }
+  draw_dialogs(f);
+}
+
+void DrawingTab::open(Frame& f, const std::filesystem::path& path) {
+  options_.forget_layers();
+  options_.settle(f, nullptr);
+  job_.open(f, path, options_.wanted());
+}
+
+void DrawingTab::say() {
+  if (std::exchange(said_, job_.version()) == job_.version()) return;
+  time_.clear(), drawn_.clear(), travel_.clear(), saved_.clear(), size_.clear(), chains_.clear();
+  left_out_.clear(), left_out_title_.clear();
+  if (const drawing::Drawing* d = job_.drawing(); d && !d->left_out.empty()) {
+    left_out_title_ = fmt::format("{} in the file", d->left_out.size());
+    for (std::size_t i = 0; i < std::min(most_left_out, d->left_out.size()); ++i) {
+      const drawing::LeftOut& l = d->left_out[i];
+      left_out_.push_back(fmt::format("{} {}, line {}: {}", l.what, l.entity, l.line, l.why));
+    }
+  }
+  const DrawingJob::Made* made = job_.made();
+  if (!made) return;
+  const Conversion& c = made->conversion;
+  time_ = made->duration_s ? std::string(format_duration(*made->duration_s).view()) : "";
+  drawn_ = in_mm(c.drawn), travel_ = in_mm(c.way);
+  if (c.way_as_drawn > c.way) saved_ = in_mm(c.way_as_drawn - c.way);
+  size_ = fmt::format("{} \u00d7 {} mm", format_number(c.box.high.x - c.box.low.x, 3).view(),
+                      format_number(c.box.high.y - c.box.low.y, 3).view());
+  chains_ = fmt::format("{}, {} lines", c.chains.size(), made->written.step_of_line.size());
+}
+
+std::string_view DrawingTab::why_not() const {
+  if (!job_.drawing()) return "No drawing has been opened.";
+  if (job_.busy()) return "It is being worked out.";
+  if (!job_.made()) return job_.fault();
+  return {};
+}
+
+void DrawingTab::to_blocks(Frame& f) {
+  f.tab.desk().blocks.editor.load(job_.made()->conversion.sequence);
+  f.show_panel("blocks");
+}
+
+void DrawingTab::to_program(Frame& f) {
+  ProgramTexts& texts = f.tab.desk().texts;
+  texts.set_text(texts.chosen(), job_.made()->written.text);
+  f.show_panel("program");
+}
+
+// ---- drawing
+
+void DrawingTab::draw_toolbar(Frame& f) {
+  Ui& ui = f.ui;
+  Desk& desk = f.tab.desk();
+  const ImVec2 top = ImGui::GetCursorScreenPos();
+  ImGui::SetCursorScreenPos(ImVec2(ui.px(f.area.x + 16), top.y + ui.px(8)));
+  ButtonOptions look;
+  look.height = 40;
+  if (button(ui, "drawing/open", "Open DXF", look).clicked)
+    open_.ask_open("Open a drawing", open_.folder(), {".dxf"});
+  look.disabled = why_not();
+  ImGui::SameLine(0, ui.px(8));
+  if (button(ui, "drawing/to_blocks", "To the blocks", look).clicked) {
+    asking_blocks_ = desk.blocks.edited();
+    if (!asking_blocks_) to_blocks(f);
+  }
+  if (look.disabled.empty() && job_.made() && !job_.made()->problem.empty())
+    look.disabled = job_.made()->problem;
+  ImGui::SameLine(0, ui.px(8));
+  if (button(ui, "drawing/to_program", "To the program", look).clicked) {
+    asking_program_ = desk.texts.edited(desk.texts.chosen());
+    if (!asking_program_) to_program(f);
+  }
+  ImGui::SameLine(0, ui.px(8));
+  if (button(ui, "drawing/fit", "Fit", {.style = ButtonStyle::quiet, .height = 40}).clicked) canvas_.fit();
+  if (f.area.width < both_width) {
+    ImGui::SameLine(0, 0);
+    if (button(ui, "drawing/settings", settings_ ? "Drawing" : "Settings",
+               {.style = ButtonStyle::quiet, .height = 40})
+            .clicked)
+      settings_ = !settings_;
+  }
+  const std::string name = job_.file().filename().string();
+  draw_text_line(ui, ImGui::GetItemRectMax().x + ui.px(16), ui.px(f.area.right() - 16), top.y + ui.px(28),
+                 Face::body_bold, ui[Tone::ink], name);
+  const float y = top.y + ui.px(toolbar_height);
+  ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(ui.px(f.area.x), y - ui.hair()),
+                                            ImVec2(ui.px(f.area.right()), y), ui[Tone::line]);
+  ImGui::SetCursorScreenPos(ImVec2(ui.px(f.area.x), y));
+}
+
+void DrawingTab::draw_side(Frame& f, float height) {
+  Ui& ui = f.ui;
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  ImGui::GetWindowDrawList()->AddRectFilled(corner, ImVec2(corner.x + ui.hair(), ui.px(f.area.bottom())),
+                                            ui[Tone::line]);
+  ImGui::SetCursorScreenPos(ImVec2(corner.x + ui.hair(), corner.y));
+  begin_part(ui, "drawing/side", 0, ui.px(height), Tone::panel, 16);
+  draw_facts(f);
+  options_.draw(f, job_.drawing());
+  draw_left_out(f);
+  gap(ui, 16);
+  end_part();
+}
+
+void DrawingTab::draw_facts(Frame& f) {
+  Ui& ui = f.ui;
+  section_title(ui, "Time", job_.busy() ? "working it out" : "");
+  const DrawingJob::Made* made = job_.made();
+  const std::string& wrong = made ? made->problem : job_.fault();
+  if (!wrong.empty()) {
+    const ImVec2 from = ImGui::GetCursorScreenPos();
+    wrapped(ui, Face::body, Tone::fault, wrong);
+    show(ui, {"drawing/problem", Kind::text, "Problem", wrong}, {from, ImGui::GetCursorScreenPos()});
+    gap(ui, 8);
+  }
+  if (made) {
+    if (!time_.empty()) key_value(ui, "drawing/time", "Rehearsed", time_);
+    key_value(ui, "drawing/drawn", "Tool on", drawn_);
+    key_value(ui, "drawing/travel", "Tool off", travel_);
+    if (!saved_.empty()) key_value(ui, "drawing/saved", "Saved by the order", saved_, Tone::ok);
+    key_value(ui, "drawing/size", "Size", size_);
+    key_value(ui, "drawing/chains", "Chains", chains_);
+    if (!made->written.remarks.empty()) wrapped(ui, Face::small, Tone::ink2, made->written.remarks.front());
+  } else if (!job_.drawing()) {
+    wrapped(ui, Face::body, Tone::ink2, "Lines, arcs, circles, polylines, ellipses and splines are cut.");
+  }
+  group_line(ui);
+}
+
+void DrawingTab::draw_left_out(Frame& f) {
+  if (left_out_.empty()) return;
+  Ui& ui = f.ui;
+  section_title(ui, "Left out", left_out_title_);
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  for (const std::string& what : left_out_) {
+    wrapped(ui, Face::small, Tone::ink2, what);
+    gap(ui, 4);
+  }
+  show(ui, {"drawing/left_out", Kind::text, "Left out", left_out_.front()},
+       {from, ImGui::GetCursorScreenPos()});
+}
+
+void DrawingTab::draw_dialogs(Frame& f) {
+  if (asking_blocks_) {
+    const Dialog what{.title = "Replace the blocks?",
+                      .sentences = "They have changes that are in no file.",
+                      .yes = "Replace",
+                      .no = "Keep them"};
+    if (dialog(f.ui, "drawing/replace_blocks", asking_blocks_, what) == Answer::yes && why_not().empty())
+      to_blocks(f);
+  }
+  if (asking_program_) {
+    const Dialog what{
+        .title = "Replace the text?",
+        .sentences = "The program has changes that are in no file. The drawing would take its place.",
+        .yes = "Replace",
+        .no = "Keep the text"};
+    if (dialog(f.ui, "drawing/replace_text", asking_program_, what) == Answer::yes && why_not().empty())
+      to_program(f);
+  }
+  if (const auto path = open_.draw(f.ui)) open(f, *path);
+}
+
+}  // namespace hw::panels

@@ -1,0 +1,44 @@
+#pragma once
+// A drawing file: what it shows, where it comes to lie, what the tool does along it, and the program that
+// comes of it. Ids: `drawing/open`, `drawing/to_blocks`, `drawing/to_program`, `drawing/fit`,
+// `drawing/settings`, `drawing/view`, `drawing/problem`, `drawing/time`, `drawing/left_out`; the settings:
+// see DrawingOptions.
+#include <filesystem>
+#include <string>
+
+#include "gui/panel.h"
+#include "gui/widgets/file_dialog.h"
+#include "panels/drawing_job.h"
+#include "panels/drawing_options.h"
+#include "panels/path_canvas.h"
+
+namespace hw::panels {
+
+class DrawingTab final : public gui::Panel {
+ public:
+  void draw(gui::Frame& frame) override;
+
+ private:
+  void open(gui::Frame& frame, const std::filesystem::path& path);
+  void say();
+  void draw_toolbar(gui::Frame& frame);
+  void draw_side(gui::Frame& frame, float height);
+  void draw_facts(gui::Frame& frame);
+  void draw_left_out(gui::Frame& frame);
+  void draw_dialogs(gui::Frame& frame);
+  void to_blocks(gui::Frame& frame);
+  void to_program(gui::Frame& frame);
+  [[nodiscard]] std::string_view why_not() const;
+
+  DrawingJob job_;
+  DrawingOptions options_;
+  PathCanvas canvas_;
+  gui::FileDialog open_;
+  std::uint64_t said_ = ~std::uint64_t{0};  ///< DrawingJob::version() that the words are of
+  std::string time_, drawn_, travel_, saved_, size_, chains_, left_out_title_;
+  std::vector<std::string> left_out_;
+  bool asking_blocks_ = false, asking_program_ = false;
+  bool settings_ = false;  ///< without room for both: they take the picture's place
+};
+
+}  // namespace hw::panels

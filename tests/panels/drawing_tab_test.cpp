@@ -1,0 +1,105 @@
+// A drawing file is opened, placed, and becomes blocks or a program.
+#include "panels/drawing_tab.h"
+
+#include "core/device/registry.h"
+#include "core/session/user_files.h"
+#include "tests/panels/panel_stage.h"
+
+namespace hw::panels {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr std::string_view square_and_text =
+    "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n4\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n"
+    "0\nLINE\n8\ncut\n10\n10\n20\n10\n11\n30\n21\n10\n"
+    "0\nLINE\n8\ncut\n10\n30\n20\n10\n11\n30\n21\n20\n"
+    "0\nCIRCLE\n8\nholes\n10\n20\n20\n15\n40\n2\n"
+    "0\nTEXT\n8\ncut\n10\n0\n20\n0\n40\n1\n1\nhello\n"
+    "0\nENDSEC\n0\nEOF\n";
+
+struct DrawingTabTest : ::testing::Test {
+  explicit DrawingTabTest(const char* model = "pmx-4ex-sa")
+      : type(*find_device_type(model)),
+        s(panel, 864, 1400, 1, gui::Tier::wide, true, *type.make_catalog({}), &type.language()) {
+    s.now.axis_count = 4;
+    for (AxisState& a : s.now.axes) a.position_known = true, a.activity = Activity::idle;
+    s.stage.frames(2);
+    file = std::filesystem::temp_directory_path() / (std::string("hw_drawing_") + model + ".dxf");
+    EXPECT_TRUE(write_file(file, square_and_text));
+  }
+  ~DrawingTabTest() override { std::filesystem::remove(file); }
+  void drop() {
+    s.tab.desk().dropped["drawing"].push_back(file);
+    s.stage.frames(6);
+  }
+  const DeviceType& type;
+  DrawingTab panel;
+  std::filesystem::path file;
+  test::PanelStage s;
+};
+struct VxmDrawingTabTest : DrawingTabTest {
+  VxmDrawingTabTest() : DrawingTabTest("vxm") { s.now.axis_count = 2; }
+};
+
+TEST_F(DrawingTabTest, ADroppedFileIsMeasuredAndWhatIsLeftOutNamed) {
+  EXPECT_THAT(s.reason("drawing/to_program"), HasSubstr("No drawing"));
+  drop();
+  EXPECT_EQ(s.value("drawing/file_unit"), "mm");
+  EXPECT_EQ(s.value("drawing/size"), "20.000 x 10.000 mm");
+  EXPECT_EQ(s.value("drawing/drawn"), "42.6 mm") << "30 and a circle of radius 2";
+  EXPECT_THAT(s.value("drawing/left_out"), HasSubstr("TEXT"));
+  EXPECT_THAT(s.value("drawing/time"), HasSubstr(" s"));
+  EXPECT_FALSE(s.stage.find("drawing/problem"));
+}
+
+TEST_F(DrawingTabTest, LayersScaleAndToolChangeTheProgram) {
+  drop();
+  s.click("drawing/layer/holes");
+  s.stage.frames(6);
+  EXPECT_EQ(s.value("drawing/drawn"), "30.0 mm");
+  s.type("drawing/per_unit/X", "200");
+  s.type("drawing/per_unit/Y", "200");
+  s.click("drawing/tool");
+  s.click("drawing/tool/DO2");
+  s.click("drawing/origin/Corner");
+  s.stage.frames(6);
+  s.click("drawing/to_program");
+  const std::string& text = s.tab.desk().texts.text(0);
+  EXPECT_THAT(text, HasSubstr("DO2=1"));
+  EXPECT_THAT(text, HasSubstr("X4000Y0")) << "20 mm of 200 pulses, from the corner";
+  EXPECT_THAT(text, HasSubstr("X4000Y2000"));
+}
+
+TEST_F(DrawingTabTest, ItBecomesBlocks) {
+  drop();
+  s.click("drawing/to_blocks");
+  const auto& steps = s.tab.desk().blocks.editor.sequence().steps;
+  EXPECT_GT(steps.size(), 5u);
+  EXPECT_TRUE(s.tab.desk().blocks.edited());
+  s.click("drawing/to_blocks");
+  ASSERT_TRUE(s.stage.find("drawing/replace_blocks/no")) << "they are in no file";
+  s.click("drawing/replace_blocks/no");
+}
+
+TEST_F(VxmDrawingTabTest, StairsWithinTheTolerance) {
+  drop();
+  s.type("drawing/per_unit/1", "10");
+  s.type("drawing/per_unit/2", "10");
+  s.type("drawing/tolerance", "0.5");
+  s.click("drawing/flip_x");
+  s.stage.frames(6);
+  ASSERT_TRUE(s.stage.find("drawing/view"));
+  EXPECT_EQ(s.value("drawing/size"), "20.000 x 10.000 mm");
+}
+
+TEST_F(DrawingTabTest, AFileThatIsNoDrawingIsToldAndLosesNothing) {
+  drop();
+  ASSERT_TRUE(write_file(file, "this is no DXF"));
+  drop();
+  EXPECT_NE(s.toast(), "");
+  EXPECT_EQ(s.value("drawing/size"), "20.000 x 10.000 mm");
+}
+
+}  // namespace
+}  // namespace hw::panels
