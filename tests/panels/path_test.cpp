@@ -48,8 +48,8 @@ TEST_F(PathTest, ASquareIsDrawnAndMeasured) {
   EXPECT_EQ(s.value("path/size"), "400 x 400 steps");
   EXPECT_EQ(s.value("path/way_on"), "1600 steps");
   s.stage.surface.render();
-  // Its left side stands half a square left of the middle.
-  const ImVec2 side = in_view(static_cast<float>(-200 / per_px()), 0);
+  // Its right side stands half a square right of the middle.
+  const ImVec2 side = in_view(static_cast<float>(200 / per_px()), 0);
   const ImU32 ink = s.stage.surface.screen().theme()[gui::Tone::ink];
   int inked = 0;
   for (int x = -3; x <= 3; ++x)
