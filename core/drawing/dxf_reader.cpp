@@ -120,9 +120,27 @@ class InsertPlacing {
 
 }  // namespace
 
+/// The parser reads the same line for ever when it is longer than its buffer. No number and no name is: what
+/// is cut is a text.
+static constexpr std::size_t longest_parsed_line = 1000;
+
+static std::string with_short_lines(std::string_view text) {
+  std::string out;
+  out.reserve(text.size());
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    out.append(text.substr(0, std::min(end, longest_parsed_line))) += '\n';
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return out;
+}
+
 Result<Drawing> read_dxf(std::string_view text, const std::string& name, const Tolerance& tolerance) {
   auto scanned = scan_dxf(text, name);
   if (!scanned) return fail(scanned.error());
+  std::string shortened;
+  if (scanned->longest_line > longest_parsed_line)
+    scanned->text = shortened = with_short_lines(scanned->text);
   auto file = read_blocks(scanned->text, scanned->entities, name);
   if (!file) return fail(file.error());
   Drawing drawing;

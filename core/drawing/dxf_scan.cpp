@@ -29,11 +29,13 @@ class Pairs {
     return true;
   }
   [[nodiscard]] std::string_view rest() const { return rest_; }
+  [[nodiscard]] std::size_t longest_line() const { return longest_line_; }
 
  private:
   std::string_view take_line() {
     const std::size_t end = std::min(rest_.find('\n'), rest_.size());
     std::string_view line = rest_.substr(0, end);
+    longest_line_ = std::max(longest_line_, end);
     rest_.remove_prefix(std::min(end + 1, rest_.size()));
     ++line_;
     const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
@@ -42,6 +44,7 @@ class Pairs {
     return line;
   }
   std::string_view rest_;
+  std::size_t longest_line_ = 0;
   int line_ = 0;
 };
 
@@ -78,7 +81,8 @@ class Scan {
     if (!ends)
       return fail(FaultKind::text, fmt::format("{} is cut off: it does not end with EOF.", name_),
                   std::string(nothing_taken), "Save or copy it again.");
-    return ScannedDxf{std::move(found_), text.substr(0, text.size() - pairs.rest().size())};
+    return ScannedDxf{std::move(found_), pairs.longest_line(),
+                      text.substr(0, text.size() - pairs.rest().size())};
   }
 
  private:
@@ -135,6 +139,13 @@ Result<ScannedDxf> scan_dxf(std::string_view text, const std::string& name) {
   if (text.starts_with("AC10") && text.find('\n') == text.npos)
     return fail(FaultKind::text, fmt::format("{} is a DWG file.", name), std::string(nothing_taken),
                 "Save it as DXF.");
+  // For the parser a line ends there: it would see other names than are seen here.
+  if (const std::size_t zero = text.find('\0'); zero != text.npos)
+    return fail(
+        FaultKind::text,
+        fmt::format("{}, line {}: there is a zero byte, which no text has.", name,
+                    std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(zero), '\n') + 1),
+        std::string(nothing_taken), "Is it a DXF file? Save or copy it again.");
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   return Scan(name).run(text);
 }

@@ -17,6 +17,7 @@ struct ScannedEntity {
 
 struct ScannedDxf {
   std::vector<ScannedEntity> entities;  ///< of the sections BLOCKS and ENTITIES, in their order
+  std::size_t longest_line = 0;         ///< bytes
   std::string_view text;  ///< as far as its EOF: nobody has looked at what follows, and nobody is to
 };
 /// The fault says what is wrong with the file as a

@@ -291,6 +291,14 @@ TEST(DxfReader, WhatFollowsTheEndOfAFileIsNotRead) {
   expect_box(d, 0, 0, 1, 1);
 }
 
+// The parser would read it for ever.
+TEST(DxfReader, ALineOfThousandsOfBytesIsOnlyALongText) {
+  const std::string words(5000, 'x');
+  const Drawing d = read(file(line(0, 0, 1, 1) + groups({{999, words.c_str()}}) + line(0, 0, 500, 500)));
+  EXPECT_EQ(d.paths.size(), 2u);
+  expect_box(d, 0, 0, 500, 500);
+}
+
 struct BadFile {
   const char* name;
   std::string text;
@@ -312,6 +320,9 @@ INSTANTIATE_TEST_SUITE_P(
                     BadFile{"Empty", "", "cut off"},
                     BadFile{"Binary", std::string("AutoCAD Binary DXF\r\n\x1a\0", 22), "binary DXF"},
                     BadFile{"Picture", "\x89PNG\r\n\x1a\n....", "line 1: a group code was expected here"},
+                    BadFile{"ZeroByte",
+                            file(groups({{0, "LEADER"}, {8, "0"}}) + std::string("  0\nA\0B\n", 9)),
+                            "line 10: there is a zero byte"},
                     BadFile{"TooManyPoints",
                             file(groups({{0, "LWPOLYLINE"}, {8, "0"}, {90, 2e9}, {70, 0}, {10, 0}, {20, 0}})),
                             "line 6: LWPOLYLINE says that it has more parts than there are"},
