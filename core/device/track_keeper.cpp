@@ -19,12 +19,13 @@ void TrackKeeper::look(Instant now) {
   emulator_.tell_truth(truth);
   BenchView view;
   emulator_.look(view);
-  last_ = now;
-  moves_ = truth.moving() != 0;
   RehearsedPlace place;
   place.t = seconds(now.time_since_epoch());
   for (int i = 0; i < truth.axis_count; ++i) place.position[ix(i)] = truth.axes[ix(i)].position.value;
   place.outputs = view.outputs;
+  // At an event nothing may have moved yet that begins with it: that is seen a little later.
+  const bool by_itself = due_ == now, rests = !track_.empty() && same_stand(track_.back(), place);
+  due_ = by_itself && rests && truth.moving() == 0 ? std::nullopt : std::optional(now + every_);
   // Of a rest its begin and its end are enough.
   const std::size_t size = track_.size();
   if (size >= 2 && same_stand(track_[size - 1], place) && same_stand(track_[size - 2], place))

@@ -16,9 +16,7 @@ class TrackKeeper {
       : emulator_(emulator), every_(from_seconds(options.track_every_s)) {}
 
   /// When it wants to look next. None: not before the next event.
-  [[nodiscard]] std::optional<Instant> next() const {
-    return every_ > Duration{} && moves_ ? std::optional(last_ + every_) : std::nullopt;
-  }
+  [[nodiscard]] std::optional<Instant> next() const { return due_; }
   /// The emulator has come to this time.
   void look(Instant now);
   [[nodiscard]] std::vector<RehearsedPlace> take() { return std::move(track_); }
@@ -28,8 +26,7 @@ class TrackKeeper {
 
   const Emulator& emulator_;
   Duration every_;
-  Instant last_{};
-  bool moves_ = false;
+  std::optional<Instant> due_;
   std::vector<RehearsedPlace> track_;
 };
 

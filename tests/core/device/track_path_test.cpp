@@ -59,6 +59,18 @@ TEST(TrackPath, APmxGoesStraightWithTheToolThatItsOutputSwitches) {
   }
 }
 
+TEST(TrackPath, AContourOfABoardIsRoundFromItsBeginOn) {
+  const auto path = path_of(
+      "vme58", "AA\nVL1000,1000;\nMT1000,0; GO\nWA\nCV500;\nCD1000,0;\nCR0,0,6.283185307;\nCK\nCX\nWA\n",
+      first_two());
+  for (const drawing::Point& p : path.points)
+    EXPECT_TRUE(p.y == 0 || std::fabs(std::hypot(p.x, p.y) - 1000) < 3) << p.x << "," << p.y;
+  for (std::size_t i = 1; i < path.points.size(); ++i) {
+    const drawing::Point a = path.points[i - 1], b = path.points[i];
+    if (a.y != 0 || b.y != 0) EXPECT_LT(std::hypot(b.x - a.x, b.y - a.y), 120) << a.x << "," << a.y;
+  }
+}
+
 TEST(TrackPath, CountsThatGoAgainstTheStepsAreMirrored) {
   TrackAxes axes = first_two();
   axes.right.units_per_step = -0.5;
