@@ -53,7 +53,12 @@ drawing::Box all_of(const Frame& f, const PathSubject& s, const drawing::ToolPat
   drawing::Box box;
   if (!trace.bounds.empty) box.add(trace.bounds.low), box.add(trace.bounds.high);
   if (s.path && !s.path->bounds.empty) box.add(s.path->bounds.low), box.add(s.path->bounds.high);
-  if (const auto here = where_now(f, s)) box.add(*here);
+  const drawing::Point here = where_now(f, s).value_or(drawing::Point());
+  box.add(here);
+  const bool a_point = box.low == box.high;
+  const Steps around(a_point ? 1000 : 0);
+  for (const Steps way : {Steps(0) - around, around})
+    box.add({here.x + from_steps(way, f.tab.unit(s.right)), here.y + from_steps(way, f.tab.unit(s.up))});
   return box;
 }
 
@@ -100,7 +105,8 @@ void PathCanvas::place(Frame& f, const PathSubject& s, const Rect& in) {
   const DisplayUnit &right = f.tab.unit(s.right), &up = f.tab.unit(s.up);
   const bool equal = right.name == up.name;
   const bool another = s.path && s.path != fitted_to_;
-  if (!fitted_ || (another && !moved_)) {
+  const bool resized = view_.width_px() != in.width() || view_.height_px() != in.height();
+  if (!fitted_ || ((another || resized) && !moved_)) {
     view_ = drawing::PathView(all_of(f, s, trace_.path), in.width(), in.height(), equal);
     fitted_ = true;
     fitted_to_ = s.path;

@@ -69,7 +69,9 @@ void PathView::zoom(Point about_px, double factor) {
 }
 
 void PathView::resize(double width_px, double height_px) {
+  const double smaller = std::min(std::max(width_px, 1.0) / width_px_, std::max(height_px, 1.0) / height_px_);
   width_px_ = std::max(width_px, 1.0), height_px_ = std::max(height_px, 1.0);
+  per_px_ = {per_px_.x / smaller, per_px_.y / smaller};
 }
 
 std::optional<PathHit> nearest(const ToolPath& path, const PathView& view, Point px, double within_px) {

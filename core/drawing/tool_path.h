@@ -45,7 +45,7 @@ class PathView {
   void pan(double right_px, double down_px);
   /// What lies at `about` stays there. `factor` > 1: nearer. Not beyond what can be told apart in a double.
   void zoom(Point about_px, double factor);
-  /// The same part, in the middle of another size.
+  /// The same part, in another size.
   void resize(double width_px, double height_px);
   bool operator==(const PathView&) const = default;
 

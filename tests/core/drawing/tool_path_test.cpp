@@ -81,6 +81,14 @@ TEST(PathView, ZoomingEndsWhereNumbersDo) {
   EXPECT_GT(view.per_px().x, 0);
 }
 
+TEST(PathView, TheSamePartIsShownInAnotherSize) {
+  PathView view(box_of({0, 0}, {100, 50}), 500, 300, true);
+  view.resize(1000, 600);
+  const PathView fresh(box_of({0, 0}, {100, 50}), 1000, 600, true);
+  EXPECT_NEAR(view.to_px({100, 50}).x, fresh.to_px({100, 50}).x, 1e-9);
+  EXPECT_NEAR(view.to_px({0, 0}).y, fresh.to_px({0, 0}).y, 1e-9);
+}
+
 TEST(PathView, APointHasAViewToo) {
   const PathView view(box_of({5, 5}, {5, 5}), 500, 300, false);
   EXPECT_NEAR(view.to_px({5, 5}).x, 250, 1e-6);
