@@ -30,9 +30,13 @@ void BlockList::saved(std::filesystem::path path, std::uint64_t version) {
   ++files_;
 }
 
-std::optional<UnsavedText> BlockList::unsaved() const {
+std::optional<BlockList::Unsaved> BlockList::unsaved() const {
   if (!edited()) return std::nullopt;
-  return UnsavedText{UnsavedText::of_blocks, sequence::write_sequence(editor.sequence()), file_.string()};
+  return Unsaved{editor.shared(), file_.string()};
+}
+
+UnsavedText BlockList::Unsaved::text() const {
+  return {UnsavedText::of_blocks, sequence::write_sequence(*sequence), path};
 }
 
 Result<> BlockList::restore(const std::vector<UnsavedText>& texts) {

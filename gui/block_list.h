@@ -1,6 +1,7 @@
 #pragma once
 // The blocks of one controller: a sequence under the hand, and the file that it belongs to. GUI thread.
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -26,8 +27,13 @@ class BlockList {
 
   // ---- for the autosave
   [[nodiscard]] std::uint64_t changes() const { return editor.version() + files_; }
+  struct Unsaved {
+    std::shared_ptr<const sequence::Sequence> sequence;
+    std::string path;
+    [[nodiscard]] UnsavedText text() const;  ///< long, for the worker
+  };
   /// None: all of it is in a file.
-  [[nodiscard]] std::optional<UnsavedText> unsaved() const;
+  [[nodiscard]] std::optional<Unsaved> unsaved() const;
   /// Takes its own out of what was kept. A fault: it could not be read, the list is as before.
   Result<> restore(const std::vector<UnsavedText>& texts);
 

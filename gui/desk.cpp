@@ -106,12 +106,12 @@ void Desk::keep_now() {
   if (!autosave_.enabled() || typed() == autosaved_) return;
   dirty_ = false;
   autosaved_ = typed();
-  std::vector<UnsavedText> unsaved = texts.unsaved();
-  if (auto of_blocks = blocks.unsaved()) unsaved.push_back(std::move(*of_blocks));
   worker().run(
-      [autosave = autosave_, key = autosave_key_, unsaved = std::move(unsaved)] {
-        return autosave.keep(key,
-                             unsaved);  // a full disk is told when the user saves; here it would only nag
+      [autosave = autosave_, key = autosave_key_, unsaved = texts.unsaved(),
+       of_blocks = blocks.unsaved()]() mutable {
+        if (of_blocks) unsaved.push_back(of_blocks->text());
+        // a full disk is told when the user saves; here it would only nag
+        return autosave.keep(key, unsaved);
       },
       [](Result<>) {}, alive_);
 }

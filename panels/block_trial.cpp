@@ -97,7 +97,7 @@ std::string_view BlockTrial::time_of(std::size_t step) const {
 void BlockTrial::draw_path(Frame& f, int lit_step, float width, float height) {
   PathSubject subject;
   subject.path = path_;
-  subject.none = "Nothing moves in these two axes yet.";
+  subject.none = "Nothing moves yet.";
   subject.lit = lit_step;
   canvas_.draw(f, "blocks/path", subject, width, height);
 }

@@ -140,8 +140,8 @@ void Blocks::open(Frame& f, const std::filesystem::path& path) {
 void Blocks::save(Frame& f, const std::filesystem::path& path) {
   Desk& desk = f.tab.desk();
   desk.worker().run(
-      [path, sequence = desk.blocks.editor.sequence()] {
-        return write_file(path, sequence::write_sequence(sequence));
+      [path, sequence = desk.blocks.editor.shared()] {
+        return write_file(path, sequence::write_sequence(*sequence));
       },
       [&console = f.console, &blocks = desk.blocks, version = desk.blocks.editor.version(),
        path](Result<> written) {

@@ -48,6 +48,7 @@ class Blocks final : public gui::Panel {
   // ---- blocks_list.cpp
   void draw_palette(gui::Frame& frame, float height);
   void draw_list(gui::Frame& frame, float left, float width, float height);
+  bool pass_over(gui::Ui& ui, std::size_t row);
   void draw_row(gui::Frame& frame, std::size_t row, float width);
   void draw_chosen(gui::Frame& frame, std::size_t row, float left, float width);
   void draw_tools(gui::Frame& frame, const sequence::Step& step);

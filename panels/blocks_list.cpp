@@ -229,12 +229,25 @@ void Blocks::draw_list(Frame& f, float left, float width, float height) {
          {from, ImVec2(from.x + ui.px(inner), ImGui::GetCursorScreenPos().y)});
     gap(ui, 8);
   }
-  for (std::size_t row = 0; row < rows_.size(); ++row) draw_row(f, row, inner);
+  for (std::size_t row = 0; row < rows_.size(); ++row)
+    if (!pass_over(ui, row)) draw_row(f, row, inner);
   if (const auto dropped = drag_.finish(ui)) drop(*dropped);
   draw_end(f, inner);
   draw_total(f, inner);
   gap(ui, 16);
   end_part();
+}
+
+/// Of very many rows those out of sight only take their place: then not even scripts find them.
+bool Blocks::pass_over(Ui& ui, std::size_t row) {
+  constexpr std::size_t very_many = 500;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float bottom = at.y + ui.px(row_height) + ui.px(4);
+  const bool in_sight = bottom >= ImGui::GetWindowPos().y - ui.px(100) &&
+                        at.y <= ImGui::GetWindowPos().y + ImGui::GetWindowHeight() + ui.px(100);
+  if (rows_.size() < very_many || in_sight || (chosen_ && rows_[row].path == *chosen_)) return false;
+  ImGui::SetCursorScreenPos(ImVec2(at.x, bottom));
+  return true;
 }
 
 void Blocks::draw_row(Frame& f, std::size_t row, float width) {

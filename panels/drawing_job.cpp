@@ -38,8 +38,10 @@ Result<DrawingJob::Made> make(const drawing::Drawing& drawing, const Catalog& ca
 }  // namespace
 
 void DrawingJob::open(Frame& f, const std::filesystem::path& file, const ConversionOptions& wanted) {
-  if (reading_) return;
+  if (reading_)
+    return f.toast(Mood::plain, "Another drawing is being read. Open this one again when it is there.");
   reading_ = true;
+  read_chord_ = finest_chord(wanted);
   f.tab.desk().worker().run(
       [file, wanted]() -> Result<Drawing> {
         return read_drawing(file, wanted).map([](drawing::Drawing&& d) {
@@ -69,6 +71,8 @@ void DrawingJob::follow(Frame& f, const ConversionOptions& wanted, std::uint64_t
   };
   const drawing::Point scale{units(0), units(1)};
   if (std::exchange(scale_, scale) != scale) old_ = true;
+  // What was flattened more coarsely than is wanted now is read again.
+  if (drawing_ && !reading_ && finest_chord(wanted) < read_chord_) return open(f, file_, wanted);
   if (!drawing_ || !language || converting_ || (wanted_ == version && !old_)) return;
   wanted_ = version;
   old_ = false;

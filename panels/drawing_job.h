@@ -49,6 +49,7 @@ class DrawingJob {
   std::string fault_;
   bool reading_ = false, converting_ = false, old_ = false;  ///< old: what was converted is of another file
   drawing::Point scale_;                                     ///< units of the axes in a mm
+  double read_chord_ = 0;                                    ///< finest_chord() with which the file was read
   std::uint64_t wanted_ = 0, version_ = 0;
   std::shared_ptr<int> alive_ = std::make_shared<int>(0);
 };

@@ -23,6 +23,8 @@ class Editor {
   Editor() : now_(std::make_shared<const Sequence>()) {}
 
   [[nodiscard]] const Sequence& sequence() const { return *now_; }
+  /// The same, for whoever needs it as it is now: another thread.
+  [[nodiscard]] std::shared_ptr<const Sequence> shared() const { return now_; }
   /// Another one, with nothing to be taken back.
   void load(Sequence sequence);
   /// Changes whenever the sequence does.

@@ -91,14 +91,19 @@ std::optional<double> millimetres(const std::string& unit) {
   return std::nullopt;
 }
 
+double finest_chord(const ConversionOptions& o) {
+  if (o.tolerance) return *o.tolerance;
+  double finest = 1;
+  for (const sequence::Axis& axis : o.axes) finest = std::min(finest, 0.5 / axis.per_unit);
+  return finest;
+}
+
 // Splines and ellipses are flattened as they are read: again, finer, where the file's unit asks for that.
 Result<drawing::Drawing> read_drawing(const std::filesystem::path& path, const ConversionOptions& o) {
   constexpr std::uintmax_t largest = std::uintmax_t{400} << 20;
   const auto file = read_file(path, largest);
   if (!file) return fail(file.error());
-  double finest = o.tolerance.value_or(1);
-  if (!o.tolerance)
-    for (const sequence::Axis& axis : o.axes) finest = std::min(finest, 0.5 / axis.per_unit);
+  const double finest = finest_chord(o);
   drawing::Tolerance tolerance{finest};
   auto drawing = drawing::read_dxf(*file, path.string(), tolerance);
   if (!drawing) return drawing;

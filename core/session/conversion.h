@@ -39,7 +39,9 @@ struct Conversion {
   std::vector<std::size_t> off_the_table;  ///< places in `chains`
 };
 
-/// The file, its splines and ellipses as fine as the options ask. May block: for a worker.
+/// How far splines and ellipses may lie beside their chords, in the unit of the options.
+double finest_chord(const ConversionOptions& options);
+/// The file, its splines and ellipses as fine as that. May block: for a worker.
 Result<drawing::Drawing> read_drawing(const std::filesystem::path& file, const ConversionOptions& options);
 /// How the controller gets along a chain.
 drawing::Going going_of(const Catalog& catalog);
