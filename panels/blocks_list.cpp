@@ -111,6 +111,7 @@ void Blocks::draw_palette(Frame& f, float height) {
   FieldOptions field;
   field.width = fill;
   field.placeholder = "Add by name";
+  field.keep_focus = true;  // for the next one
   const Field typed = text_field(ui, "blocks/add_by_name", "Add by name", wanted_, field);
   const PaletteEntry* first = nullptr;
   std::string_view group;

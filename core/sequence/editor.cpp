@@ -126,7 +126,8 @@ std::optional<StepPath> Editor::move(const StepPath& from, const StepPath& to) {
     --place[level];
   target = list_of(s, place);
   target->insert(target->begin() + offset(place.back()), std::move(moved));
-  if (s == *now_) return std::nullopt;  // it stands there
+  if (place == from) return std::nullopt;  // it stands there
+  if (s == *now_) return place;            // its like stood there, and nothing has changed
   return keep(std::move(s)) ? std::optional(place) : std::nullopt;
 }
 

@@ -114,6 +114,15 @@ def frame():
             line["real_time"] / demo <= 0.4 / 0.17 and (what == "moving" or line["allocations_per_frame"] == 0))
 
 
+def path():
+    lines = bench("million_lines_picture|frame_with", 3)
+    sharp = max(line["real_time"] for name, line in lines.items() if name.startswith("million"))
+    plain, moved = (lines[n]["real_time"] for n in ("frame_without", "frame_with_picture"))
+    row("a path of a million lines, moved under the hand", f"{moved:.1f} ms a frame in {lines['frame_with_picture']['label']}, {moved - plain:.1f} of them for it",
+        "under 8 ms", moved < 8)
+    row("a path of a million lines, sharp again", f"{sharp:.0f} ms", "within 150 ms", sharp < 150)
+
+
 def terminal():
     for name, line in sorted(bench("traffic_into").items(), key=lambda i: int(i[0].split("/")[1])):
         rate = line["bytes_per_second"] / 1e6
@@ -194,7 +203,7 @@ def window():
 
 
 FIGURES = {"wire": wire, "poll": poll, "stop": stop, "emulation": emulation, "language": language, "bus": bus, "board": board,
-           "frame": frame, "terminal": terminal, "window": window}
+           "frame": frame, "path": path, "terminal": terminal, "window": window}
 
 if __name__ == "__main__":
     wanted = sys.argv[1:]

@@ -73,6 +73,16 @@ TEST_F(EditorTest, AStepMovesInAndOutOfLoops) {
   EXPECT_FALSE(editor.move({1}, {9}));
 }
 
+TEST(SequenceEditor, OneThatPassesItsLikeStandsBehindIt) {
+  Editor editor;
+  Sequence s;
+  s.steps = {{Delay{5}}, {Delay{5}}, {Delay{7}}};
+  editor.load(s);
+  EXPECT_EQ(editor.move({1}, {0}), StepPath{0});
+  EXPECT_FALSE(editor.can_undo()) << "nothing has changed by it";
+  EXPECT_FALSE(editor.move({1}, {1}));
+}
+
 TEST_F(EditorTest, LoopsAreMadeAndUnmade) {
   EXPECT_EQ(editor.put_into_loop({1, 0}), (StepPath{1, 0}));
   EXPECT_EQ(now(), "1 ((2) 3) 4");
