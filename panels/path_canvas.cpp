@@ -96,7 +96,8 @@ void PathCanvas::draw(Frame& f, std::string_view id, const PathSubject& subject,
     draw_here(f, id, in, subject);
     list->PopClipRect();
     if (!subject.path && trace_.path.runs.empty())
-      draw_text_centred(ui, in, Face::body, ui[Tone::ink2], subject.none);
+      draw_text_in_lines(ui, {ImVec2(in.min.x + ui.px(16), in.min.y + ui.px(8)), in.max}, Face::body,
+                         ui[Tone::ink2], subject.none, 4);
   }
   ImGui::SetCursorScreenPos(ImVec2(corner.x, whole.max.y));
 }
