@@ -106,7 +106,7 @@ void DrawingOptions::draw_place(Frame& f, const drawing::Drawing* drawing) {
   if (drawing && !drawing->unit.empty()) {
     ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(option_label), at.y + ui.px(6)));
     named_text(ui, "drawing/file_unit", Face::body_bold, Tone::ink, drawing->unit);
-  } else if (const int picked = segment(ui, "drawing/unit", file_units, unit_, {.cell_width = 32});
+  } else if (const int picked = dropdown(ui, "drawing/unit", "Unit", file_units, unit_, {.width = fill});
              picked >= 0) {
     unit_ = picked, changed_ = true;
   }
