@@ -112,11 +112,12 @@ std::vector<std::string> Stage::settings(std::size_t machine) const {
   return settings_of(*m.emulator, time_.now(), m.questions);
 }
 
-// A wire that carries nothing cannot take away what is left; and a controller at work answers nothing.
+// A wire that carries nothing cannot take away what is left; a controller at work answers nothing, and one
+// that a later session is still taking its leave of would hear the question in the middle of a text.
 bool Stage::may_judge_what_is_left(Instant closed_at) const {
   constexpr Duration cleared_up = std::chrono::seconds(5);
   const Instant hurt = std::max(faults_.carries_since(now()), faults_.in.hurt());
-  return !group_ && !host_->is_board() && hurt + cleared_up < closed_at;
+  return !group_ && closing_now_ == 0 && !host_->is_board() && hurt + cleared_up < closed_at;
 }
 
 void Stage::judge_what_is_left(std::size_t machine) {
