@@ -234,6 +234,10 @@ void Judge::controller_received(int device, std::string_view bytes) {
   note(device, '>', bytes);
   std::string& received = at(device).received;
   received += bytes;
+  constexpr std::string_view call = "GS";  // with the byte before, should it have come by itself
+  const std::size_t news = std::min(received.size(), bytes.size() + 1);
+  at(device).subroutine_called |=
+      std::string_view(received).substr(received.size() - news).find(call) != received.npos;
   constexpr std::size_t kept = 4096;
   if (received.size() > 2 * kept) {
     at(device).forgotten += received.size() - kept;

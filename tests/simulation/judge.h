@@ -69,6 +69,8 @@ class Judge final : public Witness {
   static constexpr Duration longest_fate = std::chrono::seconds(30);
   /// A stop is over when all stands: it takes a few rounds of status to see that.
   static constexpr Duration stop_is_over = std::chrono::seconds(3);
+  /// Longer where a subroutine was called: no command ends it, and its next line may move again (AMB-046).
+  static constexpr Duration subroutine_rests = std::chrono::seconds(5);
   static constexpr Duration longest_close = std::chrono::seconds(15);
   /// Between the moment when the controller read its counter and the last byte of the answer, at 9,600 baud
   /// with a collision or a repetition on the line.
@@ -187,6 +189,7 @@ class Judge final : public Witness {
     Instant cut_off{};                 ///< last restart while something moved or ran
     Instant stop_drawn{};              ///< last, by anybody; a text of the user's may be one
     bool ever_restarted = false;
+    bool subroutine_called = false;
     bool stands_unseen = false;  ///< a program that a tab has found at rest, where not all axes can be seen
     Instant unconnected_since{};
     std::optional<Instant> first_connected;  ///< since it was opened

@@ -64,7 +64,8 @@ void Judge::judge_open_stops(int device) {
   for (Intended& i : d.intents) {
     if (!i.stands_since) continue;
     i.stands_since = stands ? std::max(*i.stands_since, clean) : now;
-    if (now > *i.stands_since + stop_is_over + questions_between_motions * lateness())
+    const Duration over = stop_is_over + (d.subroutine_called ? subroutine_rests : Duration{});
+    if (now > *i.stands_since + over + questions_between_motions * lateness())
       accuse("end", fmt::format("Device {}: the stop {} is not over {:.1f} s after all stands.", device, i.id,
                                 seconds(now - *i.stands_since)));
   }
