@@ -1,5 +1,7 @@
 #include "core/devices/arcus/code_at_work.h"
 
+#include <algorithm>
+
 #include <fmt/core.h>
 
 #include "core/devices/arcus/codec.h"
@@ -41,13 +43,12 @@ bool CodeAtWork::subroutine_may_run() {
 
 StopProgress CodeAtWork::outlast(const StopOrder& order, bool turns) {
   const Instant now = console_.scheduler.now();
-  if (std::exchange(outlasted_stop_, order.epoch) != order.epoch) stood_at_ = now;
-  if (turns) stood_at_ = now;
   const bool watches = now - order.first_sent_at < longest_watch;
   if (turns && watches)  // a ramp, or its next move
     return now - order.sent_at < between_stops ? StopProgress::wait() : StopProgress::again();
   const bool is_told = called_->rests && *called_->rests <= longest_rest;
-  if (watches && (is_told || now - stood_at_ <= usual_rest)) return StopProgress::wait();
+  const Instant stands_since = std::max(moved_at_, order.first_sent_at);
+  if (watches && (is_told || now - stands_since <= usual_rest)) return StopProgress::wait();
   Fault fault(FaultKind::controller,
               fmt::format("Subroutine {}, which GS has started, may go on, and {}.", called_->number,
                           turns ? "an axis still moves" : "its next line may move again what stands now"),

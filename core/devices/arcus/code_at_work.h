@@ -58,8 +58,6 @@ class CodeAtWork {
   std::optional<StoredCode> code_;
   Instant runs_until_{};
   std::optional<Called> called_, called_before_;
-  std::uint64_t outlasted_stop_ = 0;  ///< the stop that watches it
-  Instant stood_at_{};                ///< since that stop
   Instant moved_at_{};
 };
 
