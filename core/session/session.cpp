@@ -204,7 +204,7 @@ Task<Result<>> Session::wait_until_idle(Duration patience) {
     const bool fresh = round && pump_.rounds_ended() >= *round;
     const bool running = s.program.run != RunState::idle && s.program.run != RunState::error;
     cut_off = cut_off || (std::exchange(restarts, s.restarts) != s.restarts && at_work);
-    at_work = at_work || running || s.any_axis_moving();  // since the wait began
+    at_work = at_work || running || s.any_axis_moving() || pump_.busy();  // since the wait began
     if (gone || s.program.run == RunState::error ||
         (fresh && !running && !s.working && !s.any_axis_moving())) {
       std::string reason = why_not_finished(s, catalog_);
