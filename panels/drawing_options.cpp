@@ -20,6 +20,15 @@ namespace {
 constexpr std::array<std::string_view, 4> file_units{"mm", "in", "cm", "m"};
 constexpr float option_label = 116;
 
+/// What an option is called; the cursor then stands where it is chosen. Returns where its row begins.
+ImVec2 begin_option(Ui& ui, std::string_view label) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  draw_text_line(ui, at.x, at.x + ui.px(option_label - 4), at.y + ui.px(16), Face::body, ui[Tone::ink2],
+                 label);
+  ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(option_label), at.y));
+  return at;
+}
+
 }  // namespace
 
 void DrawingOptions::begin(const Frame& f) {
@@ -29,11 +38,16 @@ void DrawingOptions::begin(const Frame& f) {
   for (const auto& [field, place] : {std::pair{per_unit_x, 0}, std::pair{per_unit_y, 1}}) {
     const DisplayUnit& unit = f.tab.unit(AxisId{static_cast<std::uint8_t>(place)});
     const bool known = unit.real && unit.name == "mm" && unit.per_step > 0;
-    fields_[field].set(known ? 1 / unit.per_step : 100, 3);
+    set(field, known ? 1 / unit.per_step : 100, 3);
   }
-  fields_[wait_on].set(0, 0), fields_[wait_off].set(0, 0);
-  fields_[cut_speed].set(5, 1), fields_[travel_speed].set(10, 1);
-  if (going_of(f.catalog) == drawing::Going::stairs) fields_[tolerance].set(0.1, 3);
+  set(wait_on, 0, 0), set(wait_off, 0, 0);
+  set(cut_speed, 5, 1), set(travel_speed, 10, 1);
+  if (going_of(f.catalog) == drawing::Going::stairs) set(tolerance, 0.1, 3);
+}
+
+void DrawingOptions::set(Number which, double value, int decimals) {
+  fields_[which].set(value, decimals);
+  values_[which] = value;
 }
 
 void DrawingOptions::draw(Frame& f, const drawing::Drawing* drawing) {
@@ -48,21 +62,21 @@ void DrawingOptions::settle(const Frame& f, const drawing::Drawing* drawing) {
 
 void DrawingOptions::build(const Frame& f, const drawing::Drawing* drawing) {
   ConversionOptions o;
-  const std::array per_unit{value(per_unit_x), value(per_unit_y)};
+  const std::array per_unit{values_[per_unit_x], values_[per_unit_y]};
   for (std::size_t i = 0; i < std::min<std::size_t>(2, f.catalog.axes.size()); ++i)
-    o.axes.push_back({f.catalog.axes[i].name, per_unit[i] > 0 ? per_unit[i] : 1});
+    o.axes.push_back({f.catalog.axes[i].name, per_unit[i]});
   o.drawing_unit = file_units[ix(unit_)];
   o.placing.origin = origin_ == 1 ? drawing::Placing::Origin::lower_left : drawing::Placing::Origin::as_drawn;
   o.placing.swapped = swap_, o.placing.mirrored_x = flip_x_, o.placing.mirrored_y = flip_y_;
-  if (const auto t = fields_[tolerance].value(); t && *t > 0) o.tolerance = *t;
+  if (values_[tolerance] > 0) o.tolerance = values_[tolerance];
   o.keep_order = keep_order_;
-  o.cutting.high = value(cut_speed), o.travel.high = value(travel_speed);
+  o.cutting.high = values_[cut_speed], o.travel.high = values_[travel_speed];
   if (tool_ > 0) {
     const int output = f.catalog.output_number(ix(tool_ - 1));
     o.pen_down.push_back({sequence::Output{output, true}});
     o.pen_up.push_back({sequence::Output{output, false}});
-    if (value(wait_on) > 0) o.pen_down.push_back({sequence::Delay{value(wait_on)}});
-    if (value(wait_off) > 0) o.pen_up.push_back({sequence::Delay{value(wait_off)}});
+    if (values_[wait_on] > 0) o.pen_down.push_back({sequence::Delay{values_[wait_on]}});
+    if (values_[wait_off] > 0) o.pen_up.push_back({sequence::Delay{values_[wait_off]}});
   }
   if (drawing && !left_out_.empty())
     for (const drawing::Layer& layer : drawing->layers)
@@ -77,15 +91,19 @@ void DrawingOptions::build(const Frame& f, const drawing::Drawing* drawing) {
 void DrawingOptions::number(Frame& f, Number which, std::string_view id, std::string_view label, double least,
                             std::string_view unit) {
   Ui& ui = f.ui;
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  draw_text_line(ui, at.x, at.x + ui.px(option_label - 4), at.y + ui.px(16), Face::body, ui[Tone::ink2],
-                 label);
-  ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(option_label), at.y));
+  const ImVec2 at = begin_option(ui, label);
+  NumberField& field = fields_[which];
   NumberOptions o;
   o.range = {least, 1e9, 6, unit};
   o.sentence_below = false;
-  const NumberEvent event = number_field(ui, id, label, std::nullopt, fields_[which], o);
-  if (event.field.entered || event.field.left) changed_ = true;
+  if (!field.sentence.empty()) o.tip = field.sentence;
+  const NumberEvent event = number_field(ui, id, label, std::nullopt, field, o);
+  if (event.field.entered || event.field.left) {
+    const auto typed = field.value();
+    const bool emptied = field.text.empty() && least == 0;
+    // What is no number leaves the one before: nothing is converted by a scale that nobody has meant.
+    if (emptied || (typed && *typed >= least)) values_[which] = emptied ? 0 : *typed, changed_ = true;
+  }
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(36)));
 }
 
@@ -99,10 +117,7 @@ void DrawingOptions::toggle(Frame& f, const char* id, const char* label, bool& v
 void DrawingOptions::draw_place(Frame& f, const drawing::Drawing* drawing) {
   Ui& ui = f.ui;
   section_title(ui, "Scale and place");
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  draw_text_line(ui, at.x, at.x + ui.px(option_label - 4), at.y + ui.px(16), Face::body, ui[Tone::ink2],
-                 "File is in");
-  ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(option_label), at.y));
+  const ImVec2 at = begin_option(ui, "File is in");
   if (drawing && !drawing->unit.empty()) {
     ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(option_label), at.y + ui.px(6)));
     named_text(ui, "drawing/file_unit", Face::body_bold, Tone::ink, drawing->unit);
@@ -136,10 +151,7 @@ void DrawingOptions::draw_place(Frame& f, const drawing::Drawing* drawing) {
 void DrawingOptions::draw_tool(Frame& f) {
   Ui& ui = f.ui;
   section_title(ui, "Tool and speeds");
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  draw_text_line(ui, at.x, at.x + ui.px(option_label - 4), at.y + ui.px(16), Face::body, ui[Tone::ink2],
-                 "Output");
-  ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(option_label), at.y));
+  const ImVec2 at = begin_option(ui, "Output");
   if (const int picked = dropdown(ui, "drawing/tool", "Output", tool_names_, tool_, {.width = fill});
       picked >= 0)
     tool_ = picked, changed_ = true;
@@ -147,6 +159,9 @@ void DrawingOptions::draw_tool(Frame& f) {
   if (tool_ > 0) {
     number(f, wait_on, "drawing/wait_on", "Wait when on", 0, "ms");
     number(f, wait_off, "drawing/wait_off", "Wait when off", 0, "ms");
+    wrapped(ui, Face::small, Tone::warn,
+            "A stop ends the motion and leaves the output as it is: switch it off by hand.");
+    gap(ui, 4);
   }
   number(f, cut_speed, "drawing/cut_speed", "Tool on", 0, "mm/s");
   number(f, travel_speed, "drawing/travel_speed", "Tool off", 0, "mm/s");

@@ -47,10 +47,12 @@ class DrawingOptions {
               std::string_view unit);
   void toggle(gui::Frame& frame, const char* id, const char* label, bool& value);
   void build(const gui::Frame& frame, const drawing::Drawing* drawing);
-  [[nodiscard]] double value(Number which) const { return fields_[which].value().value_or(0); }
+  void set(Number which, double value, int decimals);
 
   bool begun_ = false, changed_ = true;
   std::array<gui::NumberField, numbers> fields_;
+  std::array<double, numbers>
+      values_{};  ///< the last of each that was a number; 0: none, or the controller's own
   int unit_ = 0, origin_ = 0, tool_ = 0;
   bool swap_ = false, flip_x_ = false, flip_y_ = false, keep_order_ = false;
   std::vector<std::string> left_out_;  ///< layers

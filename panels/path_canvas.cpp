@@ -295,8 +295,9 @@ void PathCanvas::draw_here(Frame& f, std::string_view id, const Rect& in, const 
   list->AddRectFilled(ImVec2(x, in.min.y), ImVec2(x + ui.hair(), in.max.y), faint);
   list->AddRectFilled(ImVec2(in.min.x, y), ImVec2(in.max.x, y + ui.hair()), faint);
   list->AddCircle(p, ui.px(6), colour, 0, 2 * ui.hair());
-  const Path value("{}, {}", format_with_unit(f.now.axes[s.right.index].position, f.tab.unit(s.right)).view(),
-                   format_with_unit(f.now.axes[s.up.index].position, f.tab.unit(s.up)).view());
+  const Path value(
+      "{}, {}{}", format_with_unit(f.now.axes[s.right.index].position, f.tab.unit(s.right)).view(),
+      format_with_unit(f.now.axes[s.up.index].position, f.tab.unit(s.up)).view(), doubtful ? "?" : "");
   show(ui, {Path("{}/here", id), Kind::text, "The tool is here", value},
        {ImVec2(p.x - ui.px(6), p.y - ui.px(6)), ImVec2(p.x + ui.px(6), p.y + ui.px(6))});
 }

@@ -131,7 +131,7 @@ int ToolPath::lit_line(const Frame& f) const {
   Desk& desk = f.tab.desk();
   const RunFollower::Place at = desk.follower.place();
   const Rehearsals::Outcome* outcome = desk.rehearsals.of(made_.slot);
-  if (!path_ || !outcome || at.slot != made_.slot || at.command < 0) return hit_line_;
+  if (!path_ || !outcome || !f.connected() || at.slot != made_.slot || at.command < 0) return hit_line_;
   if (desk.texts.held(at.slot).text != outcome->text || ix(at.command) >= line_of_command_.size())
     return hit_line_;
   return line_of_command_[ix(at.command)];

@@ -71,6 +71,17 @@ TEST_F(DrawingTabTest, LayersScaleAndToolChangeTheProgram) {
   EXPECT_THAT(text, HasSubstr("X4000Y2000"));
 }
 
+TEST_F(DrawingTabTest, WhatIsNoNumberIsNoScale) {
+  drop();
+  s.type("drawing/per_unit/X", "200");
+  s.type("drawing/per_unit/Y", "200");
+  s.type("drawing/per_unit/X", "-3");
+  s.click("drawing/origin/Corner");
+  s.stage.frames(6);
+  s.click("drawing/to_program");
+  EXPECT_THAT(s.tab.desk().texts.text(0), HasSubstr("X4000Y0")) << "the last that was one";
+}
+
 TEST_F(DrawingTabTest, ItBecomesBlocks) {
   drop();
   s.click("drawing/to_blocks");

@@ -109,6 +109,7 @@ TEST_F(PathTest, AtRestNothingIsDrawnAnew) {
 }
 
 TEST_F(PathTest, WhereItHasBeenIsShownWithoutARehearsal) {
+  s.now.poll_period = std::chrono::hours(1);
   for (int x = 0; x <= 300; x += 10) {
     s.now.axes[0].position = Steps(x);
     s.stage.frames(1);
@@ -117,6 +118,9 @@ TEST_F(PathTest, WhereItHasBeenIsShownWithoutARehearsal) {
   s.click("path/fit");
   s.stage.frames(2);
   EXPECT_EQ(s.value("path/view/here"), "300 steps, 0 steps");
+  s.now.poll_period = Duration{};
+  s.stage.frames(2);
+  EXPECT_EQ(s.value("path/view/here"), "300 steps, 0 steps?") << "it is old";
   s.click("path/forget");
   EXPECT_LE(s.tab.desk().trace.places().size(), 1u);
 }
