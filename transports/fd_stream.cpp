@@ -34,6 +34,16 @@ struct FdStream::Io : std::enable_shared_from_this<Io> {
       if (!self->owner) return;
       if (error) return self->owner->read_failed(error == asio::error::eof ? 0 : error.value());
       self->owner->received(std::string_view(self->buffer.data(), n));
+      if (self->owner) self->read_soon();
+    });
+  }
+
+  // Behind whatever these bytes have set going: what is said next goes out before the kernel is asked for
+  // more.
+  void read_soon() {
+    if (std::exchange(reading, true)) return;
+    asio::post(descriptor.get_executor(), [self = shared_from_this()] {
+      self->reading = false;
       if (self->owner && self->descriptor.is_open()) self->read();
     });
   }

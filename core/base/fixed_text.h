@@ -1,5 +1,5 @@
 #pragma once
-// Text of bounded length that lives inside a snapshot: copying it never allocates.
+// Text of bounded length that lives inside a snapshot: copying it never allocates, and costs what it is long.
 #include <algorithm>
 #include <array>
 #include <cstring>
@@ -12,6 +12,12 @@ template <std::size_t N>
 class FixedText {
  public:
   constexpr FixedText() = default;
+  FixedText(const FixedText& text) : size_(text.size_) { copy(text.bytes_.data()); }
+  FixedText& operator=(const FixedText& text) {
+    size_ = text.size_;
+    copy(text.bytes_.data());
+    return *this;
+  }
   FixedText(std::string_view text) { assign(text); }    // NOLINT: converts on purpose
   FixedText(const char* text) { assign(text); }         // NOLINT
   FixedText(const std::string& text) { assign(text); }  // NOLINT
@@ -40,8 +46,11 @@ class FixedText {
 
  private:
   void take(std::string_view text) {
-    if (!text.empty()) std::memcpy(bytes_.data(), text.data(), text.size());
     size_ = text.size();
+    copy(text.data());
+  }
+  void copy(const char* from) {
+    if (size_ > 0) std::memmove(bytes_.data(), from, size_);
   }
 
   std::array<char, N> bytes_{};

@@ -142,12 +142,20 @@ struct ParamState {
 };
 
 /// The memory window of a controller as the console has last read it (Catalog::memory says what lies where).
-/// A register that reading clears shows what the last reading brought.
+/// A register that reading clears shows what the last reading brought. What is not known is not copied.
 struct WindowImage {
   static constexpr std::size_t bytes = 4096;
   bool known = false;
   bool rings_known = false;  ///< somebody looks: the rings are read too
   std::array<std::uint8_t, bytes> memory{};
+
+  WindowImage() = default;
+  WindowImage(const WindowImage& image) { *this = image; }
+  WindowImage& operator=(const WindowImage& image) {
+    known = image.known, rings_known = image.rings_known;
+    if (known) memory = image.memory;
+    return *this;
+  }
 
   [[nodiscard]] std::uint32_t value(std::size_t offset, int width) const {
     std::uint32_t v = 0;
@@ -158,7 +166,9 @@ struct WindowImage {
     for (int i = width; i-- > 0; v >>= 8)
       memory[(offset + static_cast<std::size_t>(i)) % bytes] = static_cast<std::uint8_t>(v);
   }
-  bool operator==(const WindowImage&) const = default;
+  bool operator==(const WindowImage& other) const {
+    return known == other.known && rings_known == other.rings_known && (!known || memory == other.memory);
+  }
 };
 
 /// What the controller has said of itself.

@@ -111,9 +111,14 @@ bool Link::may_go_out(const Pending& pending) const {
          std::none_of(stations_.begin(), stations_.end(), stops);
 }
 
+bool Link::nothing_waits() const {
+  return std::all_of(waiting_.begin(), waiting_.end(), [](const auto& queue) { return queue.empty(); });
+}
+
 void Link::start_next() {
-  if (in_flight_ || !is_open()) return;
-  const bool settling = stream_ && scheduler_.now() < settle_until_;
+  if (in_flight_ || !is_open() || nothing_waits()) return;
+  const Instant now = scheduler_.now();
+  const bool settling = stream_ && now < settle_until_;
   for (auto& queue : waiting_) {
     const auto next =
         std::find_if(queue.begin(), queue.end(), [this](const Pending* p) { return may_go_out(*p); });
@@ -128,7 +133,7 @@ void Link::start_next() {
   }
   if (!in_flight_) return;
   const Transaction& t = in_flight_->transaction;
-  sent_at_ = scheduler_.now();
+  sent_at_ = now;
   latest_end_ = Instant::max();
   spoke_last_ = &in_flight_->station;
   if (window_) {
@@ -168,10 +173,10 @@ bool Link::owed_by_others(const Station& asking, Look look) const {
                      [&](const Station* s) { return s != &asking && s->owed_.may_look(look, now); });
 }
 
-void Link::learn_from_answer(const Transaction& t, std::size_t answer_bytes) {
+void Link::learn_from_answer(const Transaction& t, std::size_t answer_bytes, Instant now) {
   if (!t.prompt) return;
   prompt_answers_ = std::min(prompt_answers_ + 1, prompt_answers_needed);
-  const Duration waited = scheduler_.now() - sent_at_ - wire_time(t.bytes.size() + answer_bytes);
+  const Duration waited = now - sent_at_ - wire_time(t.bytes.size() + answer_bytes);
   slowest_prompt_ = std::max(waited, slowest_prompt_ - slowest_prompt_ / 256);
 }
 
@@ -300,9 +305,10 @@ void Link::take_received() {
     if (!length) return hear_it_out();
     std::string reply = received_.substr(0, *length);
     received_.erase(0, *length);
-    in_flight_->station.record(scheduler_.now(), Way::received, kind_of(t), reply);
+    const Instant now = scheduler_.now();
+    in_flight_->station.record(now, Way::received, kind_of(t), reply);
     silent_in_a_row_ = 0;
-    learn_from_answer(t, reply.size());
+    learn_from_answer(t, reply.size(), now);
     finish(std::move(reply));
   }
 }

@@ -95,7 +95,7 @@ class Link final : public std::enable_shared_from_this<Link>,
   void hurry_for_a_stop();
   [[nodiscard]] Duration patience_for(const Station& station, const Transaction& transaction) const;
   [[nodiscard]] bool owed_by_others(const Station& asking, Look look) const;
-  void learn_from_answer(const Transaction& transaction, std::size_t answer_bytes);
+  void learn_from_answer(const Transaction& transaction, std::size_t answer_bytes, Instant now);
 
   void bytes_arrived(std::string_view bytes) override;
   void stream_closed(const Fault& why) override;
@@ -103,6 +103,7 @@ class Link final : public std::enable_shared_from_this<Link>,
   void interrupted(std::uint8_t vector) override;
   void close_all(const Fault& why);
   [[nodiscard]] bool may_go_out(const Pending& pending) const;
+  [[nodiscard]] bool nothing_waits() const;
   void start_next();
   void finish(Result<std::string> result);
   void end(Pending& pending, Result<std::string> result);

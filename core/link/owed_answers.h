@@ -32,6 +32,10 @@ class OwedAnswers {
     until_.fill({});
     torn_until_ = {};
   }
+  /// Since the last time that everything had been answered or outwaited, none was ever owed.
+  [[nodiscard]] bool never() const {
+    return std::all_of(until_.begin(), until_.end(), [](Instant until) { return until == Instant{}; });
+  }
   [[nodiscard]] bool torn(Instant now) const { return now < torn_until_; }
   /// That one is owed, and was given up after the other: it comes behind it.
   [[nodiscard]] bool comes_behind(Look look, Look other, Instant now) const {

@@ -69,7 +69,7 @@ Task<Result<>> Station::pause(Duration time) {
 
 // ---- the dirty line
 
-bool Station::is_dirty() const { return link_ && owed_.any(link_->scheduler_.now()); }
+bool Station::is_dirty() const { return link_ && !owed_.never() && owed_.any(link_->scheduler_.now()); }
 bool Station::others_owe(Look look) const { return link_ && link_->owed_by_others(*this, look); }
 
 void Station::doubt(Look look) {
