@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace hw::gui {
 namespace {
@@ -19,21 +20,37 @@ class Coverage {
         of_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0) {}
   void set_pen(float width, float dash, float dash_gap) {
     half_ = width / 2, dash_ = dash, period_ = dash + dash_gap;
+    nothing_ = half_ + 0.5f;
   }
   /// Round ends, soft edges. `walked`: how far its dashes have come before it, pixels.
   void line(Point a, Point b, double walked);
   [[nodiscard]] const std::vector<std::uint8_t>& values() const { return of_; }
 
  private:
+  /// From a pixel's centre, in single precision: it lies within the picture.
   struct Line {
-    Point a, unit;
-    double length;
+    float x, y, unit_x, unit_y, length, walked;
   };
   bool clip(Point& a, Point& b, double& cut) const;
-  void cover(int x, int y, const Line& line, double walked);
+  void cover(int x, int y, const Line& line) {
+    std::uint8_t& there =
+        of_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)];
+    if (there == 255) return;
+    const float px = static_cast<float>(x) - line.x, py = static_cast<float>(y) - line.y;
+    const float on = std::clamp(px * line.unit_x + py * line.unit_y, 0.0f, line.length);
+    const float off_x = px - on * line.unit_x, off_y = py - on * line.unit_y;
+    const float squared = off_x * off_x + off_y * off_y;
+    if (squared >= nothing_ * nothing_ || in_a_gap(line.walked + on)) return;
+    const float covered = std::min(nothing_ - std::sqrt(squared), 1.0f);
+    there = std::max(there, static_cast<std::uint8_t>(covered * 255 + 0.5f));
+  }
+  [[nodiscard]] bool in_a_gap(float way) const {
+    return period_ > 0 && way - period_ * std::floor(way / period_) > dash_;
+  }
 
   int width_, height_;
   float half_ = 0.5f, dash_ = 0, period_ = 0;
+  float nothing_ = 1;  ///< of a pixel whose centre lies so far off its middle
   std::vector<std::uint8_t> of_;
 };
 
@@ -53,71 +70,84 @@ bool Coverage::clip(Point& a, Point& b, double& cut) const {
   if (!narrow(-dx, a.x + edge) || !narrow(dx, width_ + edge - a.x) || !narrow(-dy, a.y + edge) ||
       !narrow(dy, height_ + edge - a.y) || enter > leave)
     return false;
-  cut = enter * std::hypot(dx, dy);
+  cut = enter > 0 ? enter * std::sqrt(dx * dx + dy * dy) : 0;
   const Point from = a;
   a = {from.x + enter * dx, from.y + enter * dy}, b = {from.x + leave * dx, from.y + leave * dy};
   return true;
 }
 
-void Coverage::cover(int x, int y, const Line& l, double walked) {
-  const double px = x + 0.5 - l.a.x, py = y + 0.5 - l.a.y;
-  const double along = px * l.unit.x + py * l.unit.y, on = std::clamp(along, 0.0, l.length);
-  const double distance = std::hypot(px - on * l.unit.x, py - on * l.unit.y);
-  const double covered = half_ + 0.5 - distance;
-  if (covered <= 0) return;
-  if (period_ > 0 && std::fmod(walked + on, period_) > dash_) return;
-  const auto value = static_cast<std::uint8_t>(std::min(covered, 1.0) * 255 + 0.5);
-  std::uint8_t& there =
-      of_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)];
-  there = std::max(there, value);
-}
-
 void Coverage::line(Point a, Point b, double walked) {
   double cut = 0;
   if (!clip(a, b, cut)) return;
-  const double dx = b.x - a.x, dy = b.y - a.y, length = std::hypot(dx, dy);
-  const Line l{a, length > 0 ? Point{dx / length, dy / length} : Point{1, 0}, length};
+  const double dx = b.x - a.x, dy = b.y - a.y, length = std::sqrt(dx * dx + dy * dy);
+  const auto single = [](double value) { return static_cast<float>(value); };
+  const Line l{single(a.x - 0.5),
+               single(a.y - 0.5),
+               length > 0 ? single(dx / length) : 1,
+               length > 0 ? single(dy / length) : 0,
+               single(length),
+               period_ > 0 ? single(std::fmod(walked + cut, static_cast<double>(period_))) : 0};
   // Along the longer of its two directions, and at each step across as far as the line is wide there.
   const bool flat = std::fabs(dx) >= std::fabs(dy);
   const double slope = flat ? (dx == 0 ? 0 : dy / dx) : dx / dy;
-  const double reach = (half_ + 1) * std::sqrt(1 + slope * slope);
-  const double from = flat ? std::min(a.x, b.x) : std::min(a.y, b.y),
-               to = flat ? std::max(a.x, b.x) : std::max(a.y, b.y);
-  const int steps = flat ? width_ : height_, across = flat ? height_ : width_;
-  const int first = std::max(0, static_cast<int>(std::floor(from - half_ - 1)));
-  const int last = std::min(steps - 1, static_cast<int>(std::ceil(to + half_ + 1)));
+  const double along = (flat ? a.x : a.y) - 0.5, side = (flat ? a.y : a.x) - 0.5;
+  const double off = static_cast<double>(nothing_), reach = off * std::sqrt(1 + slope * slope);
+  const auto [from, to] = std::minmax({along, (flat ? b.x : b.y) - 0.5});
+  const auto [low_end, high_end] = std::minmax({side, (flat ? b.y : b.x) - 0.5});
+  const int first = std::max(0, static_cast<int>(std::ceil(from - off)));
+  const int last = std::min((flat ? width_ : height_) - 1, static_cast<int>(std::floor(to + off)));
   for (int i = first; i <= last; ++i) {
-    const double centre = (flat ? a.y : a.x) + (i + 0.5 - (flat ? a.x : a.y)) * slope;
-    const int low = std::max(0, static_cast<int>(std::floor(centre - reach)));
-    const int high = std::min(across - 1, static_cast<int>(std::ceil(centre + reach)));
-    for (int j = low; j <= high; ++j) flat ? cover(i, j, l, walked + cut) : cover(j, i, l, walked + cut);
+    const double centre = side + (i - along) * slope;
+    const int low = std::max(0, static_cast<int>(std::ceil(std::max(centre - reach, low_end - off))));
+    const int high = std::min((flat ? height_ : width_) - 1,
+                              static_cast<int>(std::floor(std::min(centre + reach, high_end + off))));
+    for (int j = low; j <= high; ++j) flat ? cover(i, j, l) : cover(j, i, l);
   }
 }
 
-/// The runs with the tool on, or those with it off. Points that no pixel tells apart are passed over.
-void draw_runs(const ToolPath& path, const PathView& view, bool tool_on, Coverage& coverage) {
-  constexpr double apart = 0.35;
-  double walked = 0;
-  for (const ToolPath::Run& run : path.runs) {
-    if (run.tool_on != tool_on) continue;
-    Point from = view.to_px(path.points[run.first]);
-    const std::size_t last = run.first + run.size - 1;
-    for (std::size_t i = run.first + 1; i <= last; ++i) {
-      const Point to = view.to_px(path.points[i]);
-      const double dx = std::fabs(to.x - from.x), dy = std::fabs(to.y - from.y);
-      if (dx < apart && dy < apart && i != last) continue;
-      coverage.line(from, to, walked);
-      walked += std::hypot(dx, dy);
-      from = to;
+/// Draws what follows on itself; points that no pixel tells apart are passed over.
+class Pen {
+ public:
+  Pen(const PathView& view, Coverage& coverage) : view_(view), coverage_(coverage) {}
+  /// `points`: of the path; a run that goes on where the one before ended draws on.
+  void run(const std::vector<Point>& points, const ToolPath::Run& run) {
+    constexpr double apart = 0.35;
+    if (run.first != end_) {
+      lift();
+      from_ = latest_ = view_.to_px(points[run.first]);
+    }
+    end_ = run.first + run.size - 1;
+    for (std::size_t i = run.first + 1; i <= end_; ++i) {
+      latest_ = view_.to_px(points[i]);
+      if (std::fabs(latest_.x - from_.x) >= apart || std::fabs(latest_.y - from_.y) >= apart) lift();
     }
   }
-}
+  /// Draws as far as it has come.
+  void lift() {
+    if (latest_ == from_) return;
+    coverage_.line(from_, latest_, walked_);
+    const double dx = latest_.x - from_.x, dy = latest_.y - from_.y;
+    walked_ += std::sqrt(dx * dx + dy * dy);
+    from_ = latest_;
+  }
+
+ private:
+  const PathView& view_;
+  Coverage& coverage_;
+  Point from_, latest_;
+  double walked_ = 0;
+  std::size_t end_ = std::numeric_limits<std::size_t>::max();  ///< index of `latest_`; of none yet
+};
 
 /// Straight alpha over what is there, which may let the ground through too.
 void lay_over(std::uint32_t& there, ImU32 colour, unsigned coverage) {
   const unsigned above = (colour >> IM_COL32_A_SHIFT & 255u) * coverage / 255,
                  below = there >> IM_COL32_A_SHIFT & 255u;
   if (above == 0) return;
+  if (below == 0) {
+    there = (colour & ~IM_COL32_A_MASK) | above << IM_COL32_A_SHIFT;
+    return;
+  }
   const unsigned kept = below * (255 - above) / 255, alpha = above + kept;
   std::uint32_t out = alpha << IM_COL32_A_SHIFT;
   for (const int shift : {IM_COL32_R_SHIFT, IM_COL32_G_SHIFT, IM_COL32_B_SHIFT})
@@ -135,20 +165,19 @@ void lay_over(Picture& picture, const Coverage& coverage, ImU32 colour) {
 Picture path_picture(std::span<const PathLayer> layers, const PathView& view) {
   Picture picture;
   picture.width = static_cast<int>(view.width_px()), picture.height = static_cast<int>(view.height_px());
-  // What lets the ground through has a colour all the same: where pixels are mixed it must not darken a line.
-  const ImU32 clear = layers.empty() ? 0 : layers.front().look.tool_on & ~IM_COL32_A_MASK;
   picture.pixels.assign(static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height),
-                        clear);
-  for (const PathLayer& layer : layers)
-    for (const bool tool_on : {false, true}) {
-      Coverage coverage(picture.width, picture.height);
-      if (tool_on)
-        coverage.set_pen(layer.look.on_width, 0, 0);
-      else
-        coverage.set_pen(layer.look.off_width, layer.look.dash, layer.look.dash_gap);
-      draw_runs(*layer.path, view, tool_on, coverage);
-      lay_over(picture, coverage, tool_on ? layer.look.tool_on : layer.look.tool_off);
-    }
+                        0);
+  for (const PathLayer& layer : layers) {
+    Coverage off(picture.width, picture.height), on(picture.width, picture.height);
+    off.set_pen(layer.look.off_width, layer.look.dash, layer.look.dash_gap);
+    on.set_pen(layer.look.on_width, 0, 0);
+    Pen pen_off(view, off), pen_on(view, on);
+    for (const ToolPath::Run& run : layer.path->runs)
+      (run.tool_on ? pen_on : pen_off).run(layer.path->points, run);
+    pen_off.lift(), pen_on.lift();
+    lay_over(picture, off, layer.look.tool_off);
+    lay_over(picture, on, layer.look.tool_on);
+  }
   return picture;
 }
 

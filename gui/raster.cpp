@@ -23,28 +23,13 @@ void blend(std::uint32_t& ground, ImU32 colour, unsigned alpha) {
   ground = out;
 }
 
-/// Bilinear between the centres of its pixels, clamped at its border, as GL does.
+/// The pixel of the picture that lies there, as GL takes it (gui/gl_textures.cpp).
 void blend_sample(std::uint32_t& ground, const Picture& picture, float u, float v) {
-  const float x = u * static_cast<float>(picture.width) - 0.5f,
-              y = v * static_cast<float>(picture.height) - 0.5f;
-  const int x0 = static_cast<int>(std::floor(x)), y0 = static_cast<int>(std::floor(y));
-  const float fx = x - static_cast<float>(x0), fy = y - static_cast<float>(y0);
-  const auto texel = [&picture](int tx, int ty) {
-    tx = std::clamp(tx, 0, picture.width - 1), ty = std::clamp(ty, 0, picture.height - 1);
-    return picture.pixels[static_cast<std::size_t>(ty) * static_cast<std::size_t>(picture.width) +
-                          static_cast<std::size_t>(tx)];
-  };
-  const std::array<ImU32, 4> near{texel(x0, y0), texel(x0 + 1, y0), texel(x0, y0 + 1), texel(x0 + 1, y0 + 1)};
-  if (near[0] == near[1] && near[0] == near[2] && near[0] == near[3])
-    return blend(ground, near[0], channel(near[0], IM_COL32_A_SHIFT));
-  const std::array<float, 4> weight{(1 - fx) * (1 - fy), fx * (1 - fy), (1 - fx) * fy, fx * fy};
-  ImU32 mixed = 0;
-  for (const int shift : {IM_COL32_R_SHIFT, IM_COL32_G_SHIFT, IM_COL32_B_SHIFT, IM_COL32_A_SHIFT}) {
-    float sum = 0;
-    for (std::size_t i = 0; i < 4; ++i) sum += weight[i] * static_cast<float>(channel(near[i], shift));
-    mixed |= static_cast<ImU32>(sum + 0.5f) << shift;
-  }
-  blend(ground, mixed, channel(mixed, IM_COL32_A_SHIFT));
+  const int x = std::clamp(static_cast<int>(u * static_cast<float>(picture.width)), 0, picture.width - 1);
+  const int y = std::clamp(static_cast<int>(v * static_cast<float>(picture.height)), 0, picture.height - 1);
+  const ImU32 there = picture.pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
+                                     static_cast<std::size_t>(x)];
+  blend(ground, there, channel(there, IM_COL32_A_SHIFT));
 }
 
 /// First pixel whose centre lies at or right of (below) `v`. The same for both neighbours of an edge, so that
