@@ -20,6 +20,7 @@
 #include "gui/widgets/message.h"
 #include "gui/widgets/text.h"
 #include "panels/measures.h"
+#include "panels/overwrite_question.h"
 #include "panels/path.h"
 
 namespace hw::panels {
@@ -63,7 +64,8 @@ void Blocks::draw(Frame& f) {
   trial_.follow(f, problem_.empty() ? text_ : SequenceText());
   draw_toolbar(f);
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float height = (f.ui.px(f.area.bottom()) - at.y) / f.ui.scale;
+  const float asked = overwrite_question_height(f), bottom = f.ui.px(f.area.bottom());
+  const float height = (bottom - asked - at.y) / f.ui.scale;
   const bool palette = f.area.width >= 560, side = f.area.width >= 760;
   const float left = palette ? palette_width : 0, right = side ? text_width_wide : 0;
   if (palette) draw_palette(f, height);
@@ -73,8 +75,9 @@ void Blocks::draw(Frame& f) {
     ImGui::SetCursorScreenPos(ImVec2(f.ui.px(f.area.x + f.area.width - right), at.y));
     const float path = f.catalog.axes.size() > 1 && height >= 420 ? path_height : 0;
     draw_text_side(f, height - path);
-    if (path > 0) draw_path_side(f, path);
+    if (path > 0) draw_path_side(f, at.y + f.ui.px(height - path), path);
   }
+  if (asked > 0) draw_overwrite_question(f, bottom - asked, asked);
   draw_dialogs(f);
 }
 
@@ -108,12 +111,6 @@ void Blocks::find_refused() {
 }
 
 // ---- what is done with all of it
-
-void Blocks::put_into_program(Frame& f) {
-  ProgramTexts& texts = f.tab.desk().texts;
-  texts.set_text(texts.chosen(), text_.text);
-  f.show_panel("program");
-}
 
 void Blocks::ask_or_open(Frame& f, const std::filesystem::path& path) {
   to_open_ = path;
@@ -158,18 +155,8 @@ void Blocks::draw_toolbar(Frame& f) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::SetCursorScreenPos(ImVec2(ui.px(f.area.x + 16), at.y + ui.px(8)));
-  ButtonOptions put;
-  put.height = 40;
-  put.tip = "Puts the text into the program editor, where it is run.";
-  if (editor_->sequence().steps.empty())
-    put.disabled = "There are no blocks yet.";
-  else if (!problem_.empty())
-    put.disabled = problem_;
-  if (button(ui, "blocks/to_program", "To the program", put).clicked) {
-    ProgramTexts& texts = f.tab.desk().texts;
-    asking_ = texts.edited(texts.chosen()) && texts.text(texts.chosen()) != text_.text;
-    if (!asking_) put_into_program(f);
-  }
+  run_.draw(f, text_,
+            editor_->sequence().steps.empty() ? "There are no blocks yet." : std::string_view(problem_));
   const auto next = [&ui](float gap) { ImGui::SameLine(0, ui.px(gap)); };
   next(16);
   if (button(ui, "blocks/undo", "Undo",
@@ -251,9 +238,9 @@ void Blocks::draw_text_side(Frame& f, float height) {
   end_part();
 }
 
-void Blocks::draw_path_side(Frame& f, float height) {
+void Blocks::draw_path_side(Frame& f, float y, float height) {
   Ui& ui = f.ui;
-  const float x = ui.px(f.area.right() - text_width_wide) + ui.hair(), y = ui.px(f.area.bottom() - height);
+  const float x = ui.px(f.area.right() - text_width_wide) + ui.hair();
   ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(x, y), ImVec2(ui.px(f.area.right()), y + ui.hair()),
                                             ui[Tone::line]);
   ImGui::SetCursorScreenPos(ImVec2(x, y + ui.hair()));
@@ -294,15 +281,7 @@ void Blocks::use_keys(Frame& f) {
 }
 
 void Blocks::draw_dialogs(Frame& f) {
-  if (asking_) {
-    const Dialog what{.title = "Replace the text?",
-                      .sentences =
-                          "The program has changes that are in no file. The text of the blocks would take "
-                          "its place.",
-                      .yes = "Replace",
-                      .no = "Keep the text"};
-    if (dialog(f.ui, "blocks/replace", asking_, what) == Answer::yes) put_into_program(f);
-  }
+  run_.draw_dialog(f, text_);
   if (const auto path = open_.draw(f.ui)) ask_or_open(f, *path);
   if (asking_open_) {
     const Dialog what{.title = "Replace the blocks?",

@@ -2,7 +2,7 @@
 // The graphical programmer: a sequence as blocks in a column, and the text that the controller's language
 // makes of it, tried as it grows. Ids: `blocks/add_by_name`, `blocks/add/move`, `blocks/ROW` (from 1), its
 // fields `blocks/ROW/KEY`, `blocks/ROW/time`, `blocks/end`, `blocks/up`, `blocks/remove`, `blocks/undo`,
-// `blocks/open`, `blocks/save`, `blocks/to_program`, `blocks/text`, `blocks/path`, `blocks/problem`.
+// `blocks/open`, `blocks/save`, `blocks/text`, `blocks/path`, `blocks/problem`, and those of BlockRun.
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -13,6 +13,7 @@
 #include "core/sequence/editor.h"
 #include "gui/panel.h"
 #include "gui/widgets/file_dialog.h"
+#include "panels/block_run.h"
 #include "panels/block_trial.h"
 #include "panels/row_drag.h"
 #include "panels/step_form.h"
@@ -34,13 +35,12 @@ class Blocks final : public gui::Panel {
   void draw_toolbar(gui::Frame& frame);
   void draw_files(gui::Frame& frame);
   void draw_text_side(gui::Frame& frame, float height);
-  void draw_path_side(gui::Frame& frame, float height);
+  void draw_path_side(gui::Frame& frame, float top_px, float height);
   void draw_dialogs(gui::Frame& frame);
   void use_keys(gui::Frame& frame);
   [[nodiscard]] int chosen_row() const;
   void ask_open();
   void ask_save(const gui::Frame& frame);
-  void put_into_program(gui::Frame& frame);
   void ask_or_open(gui::Frame& frame, const std::filesystem::path& path);
   void open(gui::Frame& frame, const std::filesystem::path& path);
   void save(gui::Frame& frame, const std::filesystem::path& path);
@@ -69,13 +69,14 @@ class Blocks final : public gui::Panel {
   std::optional<sequence::StepPath> chosen_;  ///< none: the end of the list
   StepForm form_;
   BlockTrial trial_;
+  BlockRun run_;
   RowDrag drag_;
   std::string wanted_;  ///< typed to find a block by its name
   SequenceText text_;
   std::string problem_, facts_;
   std::filesystem::path to_open_;
   gui::FileDialog open_, save_;
-  bool asking_ = false, asking_open_ = false;
+  bool asking_open_ = false;
 };
 
 }  // namespace hw::panels

@@ -260,7 +260,12 @@ void Blocks::draw_row(Frame& f, std::size_t row, float width) {
   ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(left), at.y));
   const Touch t = touch(ui, {Path("blocks/{}", row + 1), Kind::button, r.title, r.summary},
                         ImVec2(ui.px(width - left), ui.px(row_height)));
-  const Tone ground = r.refused ? Tone::fault_t : chosen ? Tone::sel : t.hovered ? Tone::hover : Tone::raised;
+  const bool live = run_.live_step() == static_cast<int>(row);
+  const Tone ground = r.refused   ? Tone::fault_t
+                      : live      ? Tone::motion_t
+                      : chosen    ? Tone::sel
+                      : t.hovered ? Tone::hover
+                                  : Tone::raised;
   if (!r.skipped || chosen) draw_fill(ui, t.rect, ui[ground]);
   if (r.skipped) draw_dashed_outline(ui, t.rect, ui[Tone::edge]);
   if (chosen)
@@ -270,12 +275,16 @@ void Blocks::draw_row(Frame& f, std::size_t row, float width) {
   const Tone ink = r.skipped ? Tone::ink3 : Tone::ink, ink2 = r.skipped ? Tone::ink3 : Tone::ink2;
   draw_text_line(ui, x + ui.px(12), x + ui.px(48), middle, Face::small, ui[Tone::ink3], r.number);
   draw_text_line(ui, x + ui.px(48), x + ui.px(152), middle, Face::body_bold, ui[ink], r.title);
-  const std::string_view at_right = r.skipped ? "left out" : r.refused ? "not written" : trial_.time_of(row);
-  const float said = at_right.empty() ? 0 : std::ceil(text_width(ui, Face::small, at_right)) + ui.px(8);
+  const std::string_view at_right = r.skipped   ? "left out"
+                                    : r.refused ? "not written"
+                                    : live      ? run_.live_words()
+                                                : trial_.time_of(row);
+  const Face face = live ? Face::small_bold : Face::small;
+  const float said = at_right.empty() ? 0 : std::ceil(text_width(ui, face, at_right)) + ui.px(8);
   draw_text_line(ui, x + ui.px(152), right - said, middle, Face::body, ui[ink2], r.summary);
-  draw_text_right(ui, ImVec2(right, middle - ui.line(Face::small) / 2), Face::small, ui[Tone::ink3],
+  draw_text_right(ui, ImVec2(right, middle - ui.line(face) / 2), face, ui[live ? Tone::motion : Tone::ink3],
                   at_right);
-  show(ui, {Path("blocks/{}/time", row + 1), Kind::text, "Rehearsed", at_right},
+  show(ui, {Path("blocks/{}/time", row + 1), Kind::text, live ? "State" : "Rehearsed", at_right},
        {ImVec2(right - said, t.rect.min.y), ImVec2(right, t.rect.max.y)});
   drag_.see(ui, row, t);
   draw_ring(ui, t);

@@ -15,13 +15,12 @@
 #include "gui/widgets/text.h"
 #include "panels/measures.h"
 #include "panels/path.h"
+#include "panels/run_bar.h"
 
 namespace hw::panels {
 
 using namespace gui;
 namespace {
-
-constexpr std::string_view no_program = "No program runs.";
 
 bool shows_keys(const Frame& f) { return f.area.width >= 700; }
 
@@ -43,13 +42,6 @@ FixedText<240> why_not_fit_to_run(ProgramTexts& texts, int slot, const ProgramFa
                                cost, facts.capacity_unit, facts.capacity, too_many));
 }
 
-bool under_way(const ProgramState& p) {
-  return p.owned && (p.run == RunState::running || p.run == RunState::waiting || p.run == RunState::held);
-}
-
-/// What runs can be held where the controller steps through programs, or where threads are controlled.
-bool can_hold(const Catalog& c) { return c.can.single_step || c.program.threads > 0; }
-
 }  // namespace
 
 void Program::draw(Frame& f) {
@@ -65,8 +57,7 @@ void Program::draw(Frame& f) {
 
 void Program::follow(Frame& f) {
   Desk& desk = f.tab.desk();
-  auto told = desk.job.take_told();
-  if (!told.sentence.empty()) f.toast(told.mood, std::move(told.sentence), &desk.texts);
+  say_what_came(f);
   for (const auto& path : desk.take_dropped("program")) ask_or_open(f, path);
   if (const int line = std::exchange(desk.wanted_line, -1); line >= 0)
     editor_.go_to(desk.texts.chosen(), line, 0);
@@ -78,7 +69,7 @@ void Program::shortcuts(Frame& f) {
   const Keyboard& keys = f.ui.keyboard;
   if (keys.pressed(Command::run)) {
     if (why_not_run_.empty())
-      run(f, false);
+      begin_run(f, go_on_or(f, RunWish::run));
     else
       f.toast(Mood::warn, std::string(why_not_run_.view()), &f.tab.desk().texts);
   }
@@ -90,18 +81,13 @@ void Program::shortcuts(Frame& f) {
 // ---- toolbar
 
 void Program::find_why_not_run(const Frame& f) {
-  const auto say = [&](std::string_view why) { why_not_run_ = why; };
-  Desk& desk = f.tab.desk();
-  const ProgramState& p = f.now.program;
-  if (!f.connected()) return say("There is no link. Run comes back when the controller answers.");
-  if (desk.job.busy()) return say("A program is being transferred.");
-  if (under_way(p))
-    return say(p.run == RunState::running ? "A program is running. Run comes back when it ends or is stopped."
-                                          : "");
-  if (f.now.any_axis_moving()) return say("An axis moves. Run comes back when it stands.");
-  const int slot = desk.texts.chosen();
-  if (desk.texts.text(slot).empty()) return say("The program is empty.");
-  say(why_not_fit_to_run(desk.texts, slot, f.catalog.program));
+  ProgramTexts& texts = f.tab.desk().texts;
+  why_not_run_ = why_none_runs(f);
+  if (!why_not_run_.empty() || is_under_way(f.now.program)) return;
+  if (texts.text(texts.chosen()).empty())
+    why_not_run_ = "The program is empty.";
+  else
+    why_not_run_ = why_not_fit_to_run(texts, texts.chosen(), f.catalog.program);
 }
 
 void Program::draw_toolbar(Frame& f) {
@@ -109,72 +95,13 @@ void Program::draw_toolbar(Frame& f) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::SetCursorScreenPos(ImVec2(ui.px(f.area.x + 16), at.y + ui.px(8)));
   const auto next = [&] { ImGui::SameLine(0, ui.px(8)); };
-  draw_run(f);
-  next();
-  draw_hold(f);
-  next();
-  if (f.catalog.can.single_step) {
-    draw_step(f);
-    next();
-  }
-  draw_stop(f);
+  begin_run(f, run_bar(f, "program", {.why_not = why_not_run_, .keys = shows_keys(f)}));
   next();
   draw_simulate(f);
   next();
   draw_memory(f, ImGui::GetCursorScreenPos().x);
   draw_line_across(f, at.y + ui.px(toolbar_height) - ui.hair());
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(toolbar_height)));
-}
-
-void Program::draw_run(Frame& f) {
-  const ProgramState& p = f.now.program;
-  const bool waits = under_way(p) && p.run != RunState::running;
-  const ButtonOptions to_run{.icon = Icon::play, .keys = shows_keys(f) ? "ctrl \n" : ""},
-      to_go_on{.icon = Icon::play};
-  ButtonOptions o = waits ? to_go_on : to_run;
-  o.disabled = why_not_run_;
-  o.height = 40;
-  o.moving = true;
-  o.width = std::max(button_width(f.ui, "Run", to_run), button_width(f.ui, "Go on", to_go_on));
-  if (button(f.ui, "program/run", waits ? "Go on" : "Run", o).clicked) run(f, false);
-}
-
-void Program::draw_hold(Frame& f) {
-  const ProgramState& p = f.now.program;
-  const std::string_view why = !f.connected()         ? "There is no link."
-                               : !can_hold(f.catalog) ? "This controller cannot hold a program. Stop ends it."
-                               : under_way(p) && p.run == RunState::running ? ""
-                                                                            : no_program;
-  if (button(f.ui, "program/hold", "Hold",
-             {.icon = Icon::pause, .disabled = why, .tip = "Stops before the next command.", .height = 40})
-          .clicked)
-    f.send(intent::Pause());
-}
-
-void Program::draw_step(Frame& f) {
-  const ProgramState& p = f.now.program;
-  const bool held = under_way(p) && p.run == RunState::held;
-  const std::string_view why = !held           ? why_not_run_.view()
-                               : f.connected() ? std::string_view()
-                                               : std::string_view("There is no link.");
-  if (button(f.ui, "program/step", "Step",
-             {.icon = Icon::step,
-              .disabled = why,
-              .tip = "One command at a time.",
-              .height = 40,
-              .moving = true})
-          .clicked)
-    run(f, true);
-}
-
-void Program::draw_stop(Frame& f) {
-  Desk& desk = f.tab.desk();
-  const bool busy = under_way(f.now.program) || desk.job.busy();
-  if (!button(f.ui, "program/stop", "Stop",
-              {.icon = Icon::stop, .disabled = busy ? "" : no_program, .height = 40, .stops = true})
-           .clicked)
-    return;
-  f.send(intent::HaltProgram());
 }
 
 void Program::draw_simulate(Frame& f) {
@@ -242,23 +169,6 @@ void Program::start(Frame& f, ProgramJob::Goal goal) {
   Desk& desk = f.tab.desk();
   const auto send = [&](IntentBody body) { return f.send_and_watch(std::move(body)); };
   desk.job.begin(goal, desk.texts.chosen(), desk.texts, f.now, f.catalog, send);
-}
-
-void Program::run(Frame& f, bool stepping) {
-  const ProgramState& p = f.now.program;
-  if (under_way(p) && p.run != RunState::running) {
-    if (stepping && p.run == RunState::held)
-      f.send(intent::SingleStep());
-    else
-      f.send(intent::Resume());
-    return;
-  }
-  start(f, stepping ? ProgramJob::Goal::run_stepping : ProgramJob::Goal::run);
-  Desk& desk = f.tab.desk();
-  const int slot = desk.texts.chosen();
-  const Rehearsals::Outcome* tried = desk.rehearsals.of(slot);
-  const bool holds = tried && tried->text == desk.texts.text(slot) && tried->stand.footing == Footing::here;
-  if (desk.job.busy() && !holds) desk.rehearse(f.now, f.bench);
 }
 
 void Program::check(Frame& f) {

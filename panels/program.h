@@ -26,10 +26,6 @@ class Program final : public gui::Panel {
  private:
   void follow(gui::Frame& frame);
   void draw_toolbar(gui::Frame& frame);
-  void draw_run(gui::Frame& frame);
-  void draw_hold(gui::Frame& frame);
-  void draw_step(gui::Frame& frame);
-  void draw_stop(gui::Frame& frame);
   void draw_simulate(gui::Frame& frame);
   void draw_memory(gui::Frame& frame, float left);
   void draw_slots(gui::Frame& frame);
@@ -46,11 +42,9 @@ class Program final : public gui::Panel {
   float draw_said(gui::Frame& frame, float top, float bottom);
   void draw_note(gui::Frame& frame, float top, float height);
   float draw_problem_link(gui::Frame& frame, const ProgramReport& report, float right, float middle);
-  void draw_ask(gui::Frame& frame, float top, float height);
   void draw_dialogs(gui::Frame& frame);
   void shortcuts(gui::Frame& frame);
 
-  void run(gui::Frame& frame, bool stepping);
   void check(gui::Frame& frame);
   void start(gui::Frame& frame, gui::ProgramJob::Goal goal);
   void save(gui::Frame& frame);

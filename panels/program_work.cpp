@@ -9,6 +9,7 @@
 #include "gui/widgets/button.h"
 #include "gui/widgets/message.h"
 #include "gui/widgets/text.h"
+#include "panels/overwrite_question.h"
 #include "panels/program.h"
 #include "panels/threads.h"
 
@@ -20,14 +21,6 @@ namespace {
 constexpr float note_height = 40, line_height = 36, rehearsal_width = 272, least_editor = 56;
 
 bool column_fits(const Frame& f) { return f.tier == Tier::wide && f.area.width >= 760; }
-
-/// Pixels; 0: nothing is asked.
-float ask_height(const Frame& f) {
-  const ProgramJob& job = f.tab.desk().job;
-  if (job.stage() != ProgramJob::Stage::asking) return 0;
-  return wrapped_height(f.ui, Face::body, job.question(), f.ui.px(f.area.width - 52)) +
-         f.ui.px(12 + 8 + 32 + 12);
-}
 
 }  // namespace
 
@@ -67,7 +60,7 @@ float Program::draw_below(Frame& f) {
     y -= ui.px(threads);
     threads_.draw(f, y);
   }
-  if (!column_fits(f) && y - at.y - ask_height(f) > ui.px(120)) {
+  if (!column_fits(f) && y - at.y - overwrite_question_height(f) > ui.px(120)) {
     y -= ui.px(line_height);
     ImGui::SetCursorScreenPos(ImVec2(at.x, y));
     const int slot = f.tab.desk().texts.chosen();
@@ -82,8 +75,8 @@ float Program::draw_below(Frame& f) {
 float Program::draw_said(Frame& f, float top, float bottom) {
   Ui& ui = f.ui;
   Desk& desk = f.tab.desk();
-  if (const float height = ask_height(f); height > 0) {
-    draw_ask(f, bottom - height, height);
+  if (const float height = overwrite_question_height(f); height > 0) {
+    draw_overwrite_question(f, bottom - height, height);
     return bottom - height;
   }
   const int slot = desk.texts.chosen();
@@ -141,28 +134,6 @@ float Program::draw_problem_link(Frame& f, const ProgramReport& report, float ri
     editor_.go_to(f.tab.desk().texts.chosen(), p.line, p.column);
   }
   return left - ui.px(12);
-}
-
-void Program::draw_ask(Frame& f, float top, float height) {
-  Ui& ui = f.ui;
-  Desk& desk = f.tab.desk();
-  ImGui::SetCursorScreenPos(ImVec2(ui.px(f.area.x), top));
-  tinted(ui, Mood::warn, height);
-  const float left = ui.px(f.area.x + 16);
-  draw_icon(ImGui::GetWindowDrawList(), Icon::warning, ImVec2(left + ui.px(6), top + ui.px(22)), ui.px(12),
-            ui[Tone::warn]);
-  ImGui::SetCursorScreenPos(ImVec2(left + ui.px(20), top + ui.px(12)));
-  wrapped(ui, Face::body, Tone::ink, desk.job.question(), f.area.width - 52);
-  ImGui::SetCursorScreenPos(ImVec2(left + ui.px(20), top + height - ui.px(44)));
-  const auto send = [&](IntentBody body) { return f.send_and_watch(std::move(body)); };
-  const auto choice = [&](const char* id, const char* label, ButtonStyle style, ProgramJob::Answer answer) {
-    if (button(ui, id, label, {.style = style}).clicked) desk.job.answer(answer, desk.texts, send);
-    ImGui::SameLine(0, ui.px(8));
-  };
-  choice("program/ask/overwrite", "Overwrite it", ButtonStyle::outlined, ProgramJob::Answer::overwrite);
-  choice("program/ask/fetch", "Bring it here instead", ButtonStyle::outlined,
-         ProgramJob::Answer::fetch_instead);
-  choice("program/ask/leave", "Leave it", ButtonStyle::outlined, ProgramJob::Answer::leave);
 }
 
 }  // namespace hw::panels

@@ -128,6 +128,50 @@ TEST_F(BlocksTest, ATextWithChangesIsNotReplacedWithoutBeingAsked) {
   EXPECT_EQ(s.tab.desk().texts.text(0), "DELAY=500\nEND\n");
 }
 
+TEST_F(VxmBlocksTest, BlocksRunWhereTheyStand) {
+  EXPECT_THAT(s.reason("blocks/run"), HasSubstr("There are no blocks yet"));
+  s.now.slot_bytes_used[0] = 0;
+  s.click("blocks/add/move_by");
+  s.type("blocks/1/to/1", "400");
+  s.click("blocks/add/delay");
+  s.click("blocks/run");
+  EXPECT_EQ(s.tab.desk().texts.text(0), text());
+  ASSERT_TRUE(s.last<intent::LoadProgram>());
+  EXPECT_EQ(s.last<intent::LoadProgram>()->text, text());
+  EXPECT_THAT(s.reason("blocks/run"), HasSubstr("transferred"));
+  s.settle(Fate::done);
+  ASSERT_TRUE(s.last<intent::RunProgram>());
+  s.settle(Fate::done);
+
+  s.now.program = {.run = RunState::running, .owned = true, .slot = 0, .command = 1, .command_told = true};
+  s.stage.frames(3);
+  EXPECT_EQ(s.value("blocks/2/time"), "runs") << "the second line of the text is of the second block";
+  EXPECT_NE(s.value("blocks/1/time"), "runs");
+  EXPECT_THAT(s.reason("blocks/run"), HasSubstr("A program is running"));
+  s.click("blocks/stop");
+  EXPECT_TRUE(s.last<intent::HaltProgram>());
+
+  s.now.program.run = RunState::held;
+  s.stage.frames(2);
+  EXPECT_EQ(s.value("blocks/2/time"), "held here");
+  s.click("blocks/run");
+  EXPECT_TRUE(s.last<intent::Resume>());
+}
+
+TEST_F(VxmBlocksTest, ABlockOfAnotherTextIsNotLit) {
+  s.now.slot_bytes_used[0] = 0;
+  s.click("blocks/add/delay");
+  key("ctrl+enter");
+  ASSERT_TRUE(s.last<intent::LoadProgram>());
+  s.settle(Fate::done);
+  s.settle(Fate::done);
+  s.now.program = {.run = RunState::running, .owned = true, .slot = 0, .command = 0, .command_told = true};
+  s.stage.frames(3);
+  EXPECT_EQ(s.value("blocks/1/time"), "runs");
+  s.click("blocks/add/comment");
+  EXPECT_NE(s.value("blocks/1/time"), "runs") << "what runs is not what these blocks are now";
+}
+
 TEST_F(BlocksTest, ABlockIsFoundByItsName) {
   s.type("blocks/add_by_name", "inp");
   EXPECT_FALSE(s.stage.find("blocks/add/delay"));
