@@ -18,7 +18,7 @@ class Coverage {
       : width_(width),
         height_(height),
         of_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0) {}
-  void set_pen(float width, float dash, float dash_gap) {
+  void set_width(float width, float dash, float dash_gap) {
     half_ = width / 2, dash_ = dash, period_ = dash + dash_gap;
     nothing_ = half_ + 0.5f;
   }
@@ -106,9 +106,9 @@ void Coverage::line(Point a, Point b, double walked) {
 }
 
 /// Draws what follows on itself; points that no pixel tells apart are passed over.
-class Pen {
+class Stroke {
  public:
-  Pen(const PathView& view, Coverage& coverage) : view_(view), coverage_(coverage) {}
+  Stroke(const PathView& view, Coverage& coverage) : view_(view), coverage_(coverage) {}
   /// `points`: of the path; a run that goes on where the one before ended draws on.
   void run(const std::vector<Point>& points, const ToolPath::Run& run) {
     constexpr double apart = 0.35;
@@ -169,12 +169,12 @@ Picture path_picture(std::span<const PathLayer> layers, const PathView& view) {
                         0);
   for (const PathLayer& layer : layers) {
     Coverage off(picture.width, picture.height), on(picture.width, picture.height);
-    off.set_pen(layer.look.off_width, layer.look.dash, layer.look.dash_gap);
-    on.set_pen(layer.look.on_width, 0, 0);
-    Pen pen_off(view, off), pen_on(view, on);
+    off.set_width(layer.look.off_width, layer.look.dash, layer.look.dash_gap);
+    on.set_width(layer.look.on_width, 0, 0);
+    Stroke stroke_off(view, off), stroke_on(view, on);
     for (const ToolPath::Run& run : layer.path->runs)
-      (run.tool_on ? pen_on : pen_off).run(layer.path->points, run);
-    pen_off.lift(), pen_on.lift();
+      (run.tool_on ? stroke_on : stroke_off).run(layer.path->points, run);
+    stroke_off.lift(), stroke_on.lift();
     lay_over(picture, off, layer.look.tool_off);
     lay_over(picture, on, layer.look.tool_on);
   }
