@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace hw::gui {
 namespace {
@@ -24,6 +25,12 @@ class Coverage {
   }
   /// Round ends, soft edges. `walked`: how far its dashes have come before it, pixels.
   void line(Point a, Point b, double walked);
+  /// Of what of it lies in the picture; none: nothing.
+  [[nodiscard]] std::optional<Point> middle(Point a, Point b) const {
+    double cut = 0;
+    if (!clip(a, b, cut)) return std::nullopt;
+    return Point{(a.x + b.x) / 2, (a.y + b.y) / 2};
+  }
   [[nodiscard]] const std::vector<std::uint8_t>& values() const { return of_; }
 
  private:
@@ -108,7 +115,8 @@ void Coverage::line(Point a, Point b, double walked) {
 /// Draws what follows on itself; points that no pixel tells apart are passed over.
 class Stroke {
  public:
-  Stroke(const PathView& view, Coverage& coverage) : view_(view), coverage_(coverage) {}
+  Stroke(const PathView& view, Coverage& coverage, double arrow_every, double arrow)
+      : view_(view), coverage_(coverage), arrow_every_(arrow_every), arrow_(arrow) {}
   /// `points`: of the path; a run that goes on where the one before ended draws on.
   void run(const std::vector<Point>& points, const ToolPath::Run& run) {
     constexpr double apart = 0.35;
@@ -126,14 +134,29 @@ class Stroke {
   void lift() {
     if (latest_ == from_) return;
     coverage_.line(from_, latest_, walked_);
-    const double dx = latest_.x - from_.x, dy = latest_.y - from_.y;
-    walked_ += std::sqrt(dx * dx + dy * dy);
+    const double dx = latest_.x - from_.x, dy = latest_.y - from_.y, length = std::sqrt(dx * dx + dy * dy);
+    walked_ += length, since_arrow_ += length;
+    if (arrow_every_ > 0 && since_arrow_ >= arrow_every_)
+      if (const auto middle = coverage_.middle(from_, latest_))
+        point_along({dx / length, dy / length}, *middle);
     from_ = latest_;
   }
 
  private:
   const PathView& view_;
   Coverage& coverage_;
+  void point_along(Point unit, Point tip) {
+    constexpr double back = 0.87, aside = 0.5;
+    since_arrow_ = 0;
+    tip = {tip.x + unit.x * arrow_ / 2, tip.y + unit.y * arrow_ / 2};
+    for (const double side : {-aside, aside})
+      coverage_.line(tip,
+                     {tip.x - arrow_ * (back * unit.x + side * unit.y),
+                      tip.y - arrow_ * (back * unit.y - side * unit.x)},
+                     0);
+  }
+
+  double arrow_every_, arrow_, since_arrow_ = 0;
   Point from_, latest_;
   double walked_ = 0;
   std::size_t end_ = std::numeric_limits<std::size_t>::max();  ///< index of `latest_`; of none yet
@@ -160,6 +183,12 @@ void lay_over(Picture& picture, const Coverage& coverage, ImU32 colour) {
     lay_over(picture.pixels[i], colour, coverage.values()[i]);
 }
 
+double arrows_apart(const ToolPath& path, const PathLook& look, const PathView& view) {
+  constexpr double most = 300;
+  const double all = (path.way_on + path.way_off) / std::max(view.per_px().x, view.per_px().y);
+  return look.arrow_every > 0 ? std::max(static_cast<double>(look.arrow_every), all / most) : 0;
+}
+
 }  // namespace
 
 Picture path_picture(std::span<const PathLayer> layers, const PathView& view) {
@@ -171,7 +200,8 @@ Picture path_picture(std::span<const PathLayer> layers, const PathView& view) {
     Coverage off(picture.width, picture.height), on(picture.width, picture.height);
     off.set_width(layer.look.off_width, layer.look.dash, layer.look.dash_gap);
     on.set_width(layer.look.on_width, 0, 0);
-    Stroke stroke_off(view, off), stroke_on(view, on);
+    const double every = arrows_apart(*layer.path, layer.look, view);
+    Stroke stroke_off(view, off, every, layer.look.arrow), stroke_on(view, on, every, layer.look.arrow);
     for (const ToolPath::Run& run : layer.path->runs)
       (run.tool_on ? stroke_on : stroke_off).run(layer.path->points, run);
     stroke_off.lift(), stroke_on.lift();

@@ -11,6 +11,9 @@ struct PathLook {
   ImU32 tool_on = 0, tool_off = 0;
   float on_width = 2, off_width = 1;  ///< pixels
   float dash = 0, dash_gap = 0;       ///< of the ways with the tool off; 0: no dashes
+  /// Of the signs of direction, pixels of way from one to the next, and their length; where the way is very
+  /// long they are rarer. 0: none.
+  float arrow_every = 0, arrow = 0;
   bool operator==(const PathLook&) const = default;
 };
 

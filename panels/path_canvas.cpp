@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
 
 #include "core/base/index.h"
 #include "gui/axis_look.h"
@@ -33,6 +37,7 @@ PathLook look_of(const Ui& ui) {
   look.tool_on = ui[Tone::ink], look.tool_off = ui[Tone::ink3];
   look.on_width = 2 * ui.hair(), look.off_width = ui.hair();
   look.dash = ui.px(5), look.dash_gap = ui.px(4);
+  look.arrow_every = ui.px(110), look.arrow = ui.px(9);
   return look;
 }
 
@@ -75,7 +80,7 @@ void PathCanvas::zoom(double factor) { view_.zoom({view_.width_px() / 2, view_.h
 
 void PathCanvas::draw(Frame& f, std::string_view id, const PathSubject& subject, float width, float height) {
   Ui& ui = f.ui;
-  clicked_.reset();
+  clicked_.reset(), passed_.reset();
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const Rect whole{corner, ImVec2(corner.x + ui.px(width), corner.y + ui.px(height))};
   ImDrawList* list = ImGui::GetWindowDrawList();
@@ -94,6 +99,7 @@ void PathCanvas::draw(Frame& f, std::string_view id, const PathSubject& subject,
     draw_lit(f, in, subject);
     draw_trace(f, in);
     draw_here(f, id, in, subject);
+    draw_measure(f, in);
     list->PopClipRect();
     if (!subject.path && trace_.path.runs.empty())
       draw_text_in_lines(ui, {ImVec2(in.min.x + ui.px(16), in.min.y + ui.px(8)), in.max}, Face::body,
@@ -132,14 +138,46 @@ void PathCanvas::touch(Frame& f, std::string_view id, const PathSubject& s, cons
   if (t.double_clicked) fit();
   const bool stood = std::fabs(io.MousePos.x - pressed_at_.x) < a_click_within_px &&
                      std::fabs(io.MousePos.y - pressed_at_.y) < a_click_within_px;
-  if (t.clicked && stood && s.path) clicked_ = nearest(*s.path, view_, mouse, ui.px(points_within_px));
-  if (t.ring)
-    for (const ImWchar c : io.InputQueueCharacters) {
-      if (c == '+') zoom(zoom_step);
-      if (c == '-') zoom(1 / zoom_step);
-      if (c == '0') fit();
-    }
+  pointer_ = view_.from_px(mouse);
+  if (t.clicked && stood) take_click(s, mouse, ui.px(points_within_px));
+  if (t.ring) use_keys();
   draw_ring(ui, t);
+}
+
+void PathCanvas::use_keys() {
+  constexpr double pan_px = 40;
+  const ImGuiIO& io = ImGui::GetIO();
+  for (const ImWchar c : io.InputQueueCharacters) {
+    if (c == '+') zoom(zoom_step);
+    if (c == '-') zoom(1 / zoom_step);
+    if (c == '0') fit();
+  }
+  if (!io.KeyAlt) return;
+  const auto pan = [this](int key, double right, double down) {
+    if (ImGui::IsKeyPressed(key, true)) view_.pan(right * pan_px, down * pan_px), moved_ = true;
+  };
+  pan(GLFW_KEY_LEFT, 1, 0), pan(GLFW_KEY_RIGHT, -1, 0), pan(GLFW_KEY_UP, 0, 1), pan(GLFW_KEY_DOWN, 0, -1);
+}
+
+void PathCanvas::take_click(const PathSubject& s, drawing::Point mouse, float within) {
+  const auto on_path = s.path ? nearest(*s.path, view_, mouse, within) : std::nullopt;
+  if (measure_.on) return set_end(on_path ? on_path->at : pointer_);
+  clicked_ = on_path;
+  if (const auto on_trace = nearest(trace_.path, view_, mouse, within))
+    passed_ = {on_trace->at, trace_.first + std::chrono::seconds(trace_.path.runs[on_trace->run].source)};
+}
+
+void PathCanvas::set_end(drawing::Point end) {
+  if (!measure_.from || measure_.to)
+    measure_.from = end, measure_.to.reset();
+  else
+    measure_.to = end;
+}
+
+std::optional<drawing::Point> PathCanvas::measured() const {
+  if (!measure_.from) return std::nullopt;
+  const drawing::Point to = measure_.to.value_or(pointer_);
+  return drawing::Point{to.x - measure_.from->x, to.y - measure_.from->y};
 }
 
 void PathCanvas::follow_trace(Frame& f, const PathSubject& s) {
@@ -149,11 +187,19 @@ void PathCanvas::follow_trace(Frame& f, const PathSubject& s) {
   const bool same = trace_.begun == trace.begun() && trace_.right == s.right && trace_.up == s.up &&
                     trace_.scale == scale && trace.count() - trace_.count <= trace.places().size() &&
                     trace_.path.points.size() < most_traced;
-  if (!same) trace_ = {trace.begun(), trace.count() - trace.places().size(), s.right, s.up, scale, {}};
   const auto& places = trace.places();
+  if (!same)
+    trace_ = {trace.begun(),
+              trace.count() - places.size(),
+              s.right,
+              s.up,
+              scale,
+              places.empty() ? Instant{} : places.front().at,
+              {}};
   for (std::size_t i = places.size() - (trace.count() - trace_.count); i < places.size(); ++i)
     if (places[i].goes_on && i > 0)
-      trace_.path.go(where(f.tab, places[i - 1].position, s), where(f.tab, places[i].position, s), true, -1);
+      trace_.path.go(where(f.tab, places[i - 1].position, s), where(f.tab, places[i].position, s), true,
+                     static_cast<int>(seconds(places[i].at - trace_.first)));
   trace_.count = trace.count();
 }
 
@@ -164,7 +210,7 @@ void PathCanvas::draw_again(Frame& f, const PathSubject& s) {
                      traced >= shown_.traced && traced < shown_.traced + drawn_after;
   if (there || under_way_) return;
   PathLook of_trace = look;
-  of_trace.tool_on = f.ui[Tone::motion], of_trace.on_width = f.ui.hair();
+  of_trace.tool_on = f.ui[Tone::motion], of_trace.on_width = f.ui.hair(), of_trace.arrow_every = 0;
   under_way_ = true;
   Shown next{nullptr, s.path, view_, look, traced};
   f.tab.desk().worker().run(
@@ -277,6 +323,19 @@ void PathCanvas::draw_switches(Frame& f, const Rect& in, const PathSubject& s) {
     const AxisId axis = upright ? s.right : s.up;
     line(axis, f.bench.switches[axis.index].minus, upright);
     line(axis, f.bench.switches[axis.index].plus, upright);
+  }
+}
+
+void PathCanvas::draw_measure(Frame& f, const Rect& in) {
+  if (!measure_.on || !measure_.from) return;
+  Ui& ui = f.ui;
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const ImVec2 from = at(in, *measure_.from), to = at(in, measure_.to.value_or(pointer_));
+  list->AddLine(from, to, ui[Tone::warn], ui.hair());
+  for (const ImVec2 end : {from, to}) {
+    const float arm = ui.px(5);
+    list->AddLine(ImVec2(end.x - arm, end.y), ImVec2(end.x + arm, end.y), ui[Tone::warn], ui.hair());
+    list->AddLine(ImVec2(end.x, end.y - arm), ImVec2(end.x, end.y + arm), ui[Tone::warn], ui.hair());
   }
 }
 

@@ -22,16 +22,29 @@ struct PathSubject {
   std::string_view words = {};  ///< what it comes to, for scripts; empty: how much of a unit a pixel is
 };
 
+/// Where the axes have really been.
+struct TraceHit {
+  drawing::Point at;
+  Instant when{};  ///< to the second
+};
+
 class PathCanvas {
  public:
-  /// At ImGui's cursor, logical size. Ids: `id` (the view, drag and wheel, and + - 0 with the focus),
-  /// `id/here`.
+  /// At ImGui's cursor, logical size. Ids: `id` (the view, drag and wheel; with the focus + - 0, and arrows
+  /// with Alt, for arrows alone jog), `id/here`.
   void draw(gui::Frame& frame, std::string_view id, const PathSubject& subject, float width, float height);
   /// All of it, with the next frame.
   void fit() { fitted_ = moved_ = false; }
   void zoom(double factor);
   /// What was clicked in this frame.
   [[nodiscard]] const std::optional<drawing::PathHit>& clicked() const { return clicked_; }
+  [[nodiscard]] const std::optional<TraceHit>& passed() const { return passed_; }
+
+  /// Clicks set the two ends of a measured way, on the path where it is near.
+  void measure(bool on) { measure_ = Measure{on, {}, {}}; }
+  [[nodiscard]] bool measures() const { return measure_.on; }
+  /// From its first end to the second, or to the pointer until that is set; none: it has no first end.
+  [[nodiscard]] std::optional<drawing::Point> measured() const;
 
  private:
   struct Shown {
@@ -46,8 +59,17 @@ class PathCanvas {
     std::uint64_t begun = 0, count = 0;  ///< of gui::PositionTrace
     AxisId right, up;
     drawing::Point scale;
+    Instant first{};  ///< each run of the path is of one second since then
     drawing::ToolPath path;
   };
+  struct Measure {
+    bool on = false;
+    std::optional<drawing::Point> from, to;
+  };
+  void take_click(const PathSubject& subject, drawing::Point mouse_px, float within_px);
+  void set_end(drawing::Point end);
+  void use_keys();
+  void draw_measure(gui::Frame& frame, const gui::Rect& in);
   void follow_trace(gui::Frame& frame, const PathSubject& subject);
   void place(gui::Frame& frame, const PathSubject& subject, const gui::Rect& in);
   void touch(gui::Frame& frame, std::string_view id, const PathSubject& subject, const gui::Rect& in);
@@ -64,6 +86,9 @@ class PathCanvas {
   bool fitted_ = false, moved_ = false;  ///< moved: by hand, another path does not take its view away
   std::shared_ptr<const drawing::ToolPath> fitted_to_;
   std::optional<drawing::PathHit> clicked_;
+  std::optional<TraceHit> passed_;
+  Measure measure_;
+  drawing::Point pointer_;  ///< in the units of the axes
   ImVec2 pressed_at_{};
   Trace trace_;
   Shown shown_;

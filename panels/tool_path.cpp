@@ -68,7 +68,8 @@ void ToolPath::draw(Frame& f) {
                                  : "Simulate shows where the program goes. What moves leaves a trace.",
                             axis_at(right_), axis_at(up_), lit_line(f)};
   canvas_.draw(f, "path/view", subject, width, height - hit_height);
-  if (canvas_.clicked()) say_hit(f);
+  if (canvas_.clicked() || canvas_.passed()) say_hit(f);
+  if (canvas_.measures()) say_measure(f);
   draw_hit(f, width);
   if (side) {
     ImGui::SetCursorScreenPos(ImVec2(f.ui.px(f.area.x + width), top.y));
@@ -137,17 +138,38 @@ int ToolPath::lit_line(const Frame& f) const {
   return line_of_command_[ix(at.command)];
 }
 
-void ToolPath::say_hit(Frame& f) {
-  const drawing::PathHit& hit = *canvas_.clicked();
+std::string ToolPath::place_text(const Frame& f, drawing::Point p) const {
   const DisplayUnit &right = f.tab.unit(axis_at(right_)), &up = f.tab.unit(axis_at(up_));
-  const std::string place = fmt::format(
-      "{} {}, {} {}", axis_names_[ix(right_)], format_with_unit(to_steps(hit.at.x, right), right).view(),
-      axis_names_[ix(up_)], format_with_unit(to_steps(hit.at.y, up), up).view());
-  hit_line_ = path_->runs[hit.run].source;
-  if (hit_line_ < 0) return hit_.assign(place), void();
+  return fmt::format("{} {}, {} {}", axis_names_[ix(right_)],
+                     format_with_unit(to_steps(p.x, right), right).view(), axis_names_[ix(up_)],
+                     format_with_unit(to_steps(p.y, up), up).view());
+}
+
+/// The line that draws it, the place, and when the axes were really there.
+void ToolPath::say_hit(Frame& f) {
+  const auto& hit = canvas_.clicked();
+  const auto& passed = canvas_.passed();
+  hit_line_ = hit ? path_->runs[hit->run].source : -1;
+  hit_ = place_text(f, hit ? hit->at : passed->at);
   const Rehearsals::Outcome* outcome = f.tab.desk().rehearsals.of(made_.slot);
-  hit_ = fmt::format("Line {}: {} \u00b7 {}", hit_line_ + 1, outcome ? line_of(outcome->text, hit_line_) : "",
-                     place);
+  if (hit_line_ >= 0)
+    hit_ = fmt::format("Line {}: {} \u00b7 {}", hit_line_ + 1,
+                       outcome ? line_of(outcome->text, hit_line_) : "", hit_);
+  if (passed)
+    hit_ += fmt::format(" \u00b7 was there {} ago",
+                        format_duration(std::max(0.0, std::floor(seconds(f.clock - passed->when)))).view());
+}
+
+/// The way between two clicks, in its parts and straight.
+void ToolPath::say_measure(const Frame& f) {
+  const auto way = canvas_.measured();
+  if (!way) return hit_.assign("Click where to measure from."), void();
+  const DisplayUnit &right = f.tab.unit(axis_at(right_)), &up = f.tab.unit(axis_at(up_));
+  hit_ = place_text(f, *way);
+  if (right.name == up.name)
+    hit_ += fmt::format(" \u00b7 {} straight \u00b7 {:.1f}\u00b0",
+                        length_text(std::hypot(way->x, way->y), right, up),
+                        std::atan2(way->y, way->x) * 180 / M_PI);
 }
 
 /// What the caret has come to in the editor since is lit here.
@@ -296,7 +318,12 @@ void ToolPath::draw_hit(Frame& f, float width) {
                                             ui[Tone::line]);
   const float middle = std::floor(row.centre().y);
   float right = row.max.x - ui.px(16);
-  if (hit_line_ >= 0 && made_.slot >= 0) {
+  const std::string_view measure = canvas_.measures() ? "End measuring" : "Measure";
+  right -= std::ceil(text_width(ui, Face::small, measure));
+  ImGui::SetCursorScreenPos(ImVec2(right, std::floor(middle - ui.line(Face::small) / 2)));
+  if (link(ui, "path/measure", measure)) canvas_.measure(!canvas_.measures()), hit_.clear(), hit_line_ = -1;
+  right -= ui.px(12);
+  if (hit_line_ >= 0 && made_.slot >= 0 && !canvas_.measures()) {
     Desk& desk = f.tab.desk();
     const bool old = desk.rehearsals.older_than_line(made_.slot, desk.texts.text(made_.slot)) >= 0;
     right -= std::ceil(text_width(ui, Face::small, "Show line"));

@@ -1,7 +1,7 @@
 #pragma once
 // The path: where the rehearsed program goes in two axes, and where they have really been. Ids:
 // `path/simulate`, `path/right`, `path/up`, `path/tool`, `path/fit`, `path/nearer`, `path/further`,
-// `path/forget`, `path/save`, `path/view`, `path/hit`, `path/show_line`.
+// `path/forget`, `path/save`, `path/view`, `path/hit`, `path/measure`, `path/show_line`.
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -32,7 +32,9 @@ class ToolPath final : public gui::Panel {
   void work_out(gui::Frame& frame);
   void take(std::shared_ptr<const drawing::ToolPath> path, const gui::DisplayUnit& right,
             const gui::DisplayUnit& up);
+  [[nodiscard]] std::string place_text(const gui::Frame& frame, drawing::Point place) const;
   void say_hit(gui::Frame& frame);
+  void say_measure(const gui::Frame& frame);
   void follow_caret(const gui::Frame& frame);
   [[nodiscard]] int lit_line(const gui::Frame& frame) const;
   void draw_toolbar(gui::Frame& frame);

@@ -53,6 +53,20 @@ TEST(PathPicture, DashesHaveGaps) {
   EXPECT_NEAR(static_cast<double>(on) / (on + off), 5.0 / 9, 0.08);
 }
 
+TEST(PathPicture, ArrowsTellTheDirection) {
+  drawing::ToolPath path;
+  path.go({10, 50}, {90, 50}, true, 0);
+  PathLook look{crimson, grey, 2, 1, 0, 0};
+  look.arrow_every = 60, look.arrow = 12;
+  const Drawn d(path, look);
+  // 200 pixels for 100 units and some air: its arms lie behind the tip, which points on to the right.
+  int behind = 0, before = 0;
+  for (double x = 40; x < 60; x += 0.25)
+    for (const double y : {48.5, 51.5}) (x < 53.5 ? behind : before) += d.alpha({x, y}) > 128;
+  EXPECT_GT(behind, 4);
+  EXPECT_EQ(before, 0);
+}
+
 TEST(PathPicture, WhatReachesFarBeyondIsCutAtTheEdge) {
   drawing::ToolPath path;
   path.go({-1e12, 50}, {1e12, 50}, true, 0);

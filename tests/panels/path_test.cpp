@@ -85,6 +85,48 @@ TEST_F(PathTest, WheelKeysAndDragMoveTheView) {
   EXPECT_NEAR(per_px(), before, before * 0.01);
 }
 
+TEST_F(PathTest, ArrowsWithAltMoveTheViewAndJogNothing) {
+  rehearse("I1M400,\nI2M400,\n");
+  const auto half = static_cast<float>(200 / per_px());
+  click_at(in_view(half, 0));
+  ASSERT_THAT(s.value("path/hit"), HasSubstr("Line 2"));
+  ASSERT_TRUE(s.stage.hand.key("Tab"));
+  ASSERT_TRUE(s.stage.hand.key("shift+Tab"));  // the ring shows where keys go
+  ASSERT_TRUE(s.stage.hand.key("alt+right"));
+  s.stage.frames(2);
+  click_at(in_view(half - 40, 0));
+  EXPECT_THAT(s.value("path/hit"), HasSubstr("Line 2"));
+  EXPECT_TRUE(s.sent.empty());
+}
+
+TEST_F(PathTest, TwoClicksMeasure) {
+  rehearse("I1M400,\nI2M300,\n");
+  const auto right = static_cast<float>(200 / per_px()), up = static_cast<float>(150 / per_px());
+  s.click("path/measure");
+  EXPECT_THAT(s.value("path/hit"), HasSubstr("Click where"));
+  click_at(in_view(-right, up));
+  click_at(in_view(right, -up));
+  EXPECT_EQ(s.value("path/hit"), "1 400 steps, 2 300 steps - 500 steps straight - 36.9deg");
+  s.click("path/measure");
+  EXPECT_EQ(s.value("path/hit"), "");
+}
+
+TEST_F(PathTest, AClickOnTheTraceTellsWhenItWasThere) {
+  s.now.poll_period = std::chrono::hours(1);
+  s.now.at = s.tab.clock();
+  for (int x = 0; x <= 300; x += 10) {
+    s.now.axes[0].position = Steps(x);
+    s.stage.frames(1);
+  }
+  s.click("path/fit");
+  s.stage.frames(2);
+  s.stage.now_s += 20;
+  s.stage.frames(2);
+  click_at(in_view(0, 0));
+  EXPECT_THAT(s.value("path/hit"),
+              testing::MatchesRegex("1 1[0-9]+ steps, 2 0 steps . was there 2[0-9] s ago"));
+}
+
 TEST_F(PathTest, ItIsSavedAsLinesOrAsPixels) {
   EXPECT_THAT(s.reason("path/save"), HasSubstr("no path yet"));
   rehearse("I1M400,\nI2M400,\n");
