@@ -95,7 +95,9 @@ void Program::draw_toolbar(Frame& f) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::SetCursorScreenPos(ImVec2(ui.px(f.area.x + 16), at.y + ui.px(8)));
   const auto next = [&] { ImGui::SameLine(0, ui.px(8)); };
-  begin_run(f, run_bar(f, "program", {.why_not = why_not_run_, .keys = shows_keys(f)}));
+  RunBarLook look{.why_not = why_not_run_, .keys = shows_keys(f)};
+  if (f.tab.desk().language()) look.rehearsed = rehearsed(f, f.tab.desk().texts.chosen());
+  begin_run(f, run_bar(f, "program", look));
   next();
   draw_simulate(f);
   next();

@@ -39,13 +39,24 @@ struct Bar {
   [[nodiscard]] const ProgramState& program() const { return frame.now.program; }
 
   bool run() {
-    const ButtonOptions to_run{.icon = Icon::play, .keys = look.keys ? "ctrl \n" : ""},
+    const Rehearsed& tried = look.rehearsed;
+    const bool waiting = waits(program());
+    // Its place is the same with the tick and without, and for both words.
+    ButtonOptions widest{.icon = Icon::play, .keys = look.keys ? "ctrl \n" : ""},
         to_go_on{.icon = Icon::play};
-    ButtonOptions o = waits(program()) ? to_go_on : to_run;
+    if (!tried.words.empty()) widest.icon_after = Icon::check;
+    ButtonOptions o = waiting ? to_go_on : widest;
+    o.width = std::max(button_width(frame.ui, "Run", widest), button_width(frame.ui, "Go on", to_go_on));
+    if (!tried.holds) o.icon_after = Icon::none;
     o.disabled = look.why_not;
     o.moving = true;
-    o.width = std::max(button_width(frame.ui, "Run", to_run), button_width(frame.ui, "Go on", to_go_on));
-    return press("run", waits(program()) ? "Go on" : "Run", o);
+    if (!waiting) o.tip = tried.words;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const bool pressed = press("run", waiting ? "Go on" : "Run", o);
+    if (!tried.words.empty())
+      show(frame.ui, {Path("{}/rehearsed", where), Kind::text, "Rehearsed", tried.words},
+           {at, ImVec2(at.x + frame.ui.px(o.width), at.y + frame.ui.px(40))});
+    return pressed;
   }
   bool hold() {
     const std::string_view why =

@@ -1,10 +1,11 @@
 #pragma once
 // What begins, holds and ends a program in the controller: alike wherever there is something to run. Ids:
-// `WHERE/run`, `WHERE/hold`, `WHERE/step` (where the controller has it), `WHERE/stop`.
+// `WHERE/run`, `WHERE/rehearsed`, `WHERE/hold`, `WHERE/step` (where the controller has it), `WHERE/stop`.
 #include <cstdint>
 #include <string_view>
 
 #include "gui/frame.h"
+#include "panels/rehearsed.h"
 
 namespace hw::panels {
 
@@ -17,6 +18,7 @@ enum class RunWish : std::uint8_t { none, run, run_stepping };
 
 struct RunBarLook {
   std::string_view why_not = {};  ///< run: why nothing can be begun
+  Rehearsed rehearsed = {};       ///< what Run says of that; its words are empty where nothing is known of it
   bool keys = false;              ///< with the chord on Run
   bool brief = false;             ///< all but Run by their signs alone
 };

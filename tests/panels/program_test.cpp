@@ -53,6 +53,21 @@ TEST_F(ProgramTest, KeysDoTheSame) {
   EXPECT_THAT(s.value("rehearsal/result"), HasSubstr("1 min"));
 }
 
+TEST_F(ProgramTest, RunSaysWhetherItHasBeenRehearsed) {
+  s.now.poll_period = std::chrono::hours(1);
+  for (AxisState& a : s.now.axes) a.position_known = true, a.activity = Activity::idle;
+  write("I1M400");
+  EXPECT_THAT(s.value("program/rehearsed"), HasSubstr("Not rehearsed"));
+  s.click("program/simulate");
+  s.stage.frames(4);
+  EXPECT_THAT(s.value("program/rehearsed"), HasSubstr("this text, from where the axes stand"));
+  s.now.axes[0].position = Steps(77);
+  s.stage.frames(2);
+  EXPECT_THAT(s.value("program/rehearsed"), HasSubstr("from elsewhere"));
+  write("I1M400\nI1M400");
+  EXPECT_THAT(s.value("program/rehearsed"), HasSubstr("before the text was changed"));
+}
+
 TEST_F(ProgramTest, SlotInUseByAnotherProgramIsAskedAbout) {
   s.now.slot_bytes_used[0] = 12;
   write("I1M400");
