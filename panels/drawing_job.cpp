@@ -1,5 +1,6 @@
 #include "panels/drawing_job.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/drawing/sequence_path.h"
@@ -22,7 +23,9 @@ Result<DrawingJob::Made> make(const drawing::Drawing& drawing, const Catalog& ca
   if (!converted) return fail(converted.error());
   auto written = language.write(converted->sequence, catalog);
   if (!written) return fail(written.error());
-  DrawingJob::Made made{std::move(*converted), std::move(*written), {}, {}, {}};
+  auto frame = language.write(converted->frame, catalog);
+  if (!frame) return fail(frame.error());
+  DrawingJob::Made made{std::move(*converted), std::move(*written), std::move(frame->text), {}, {}, {}};
   made.path = std::make_shared<const drawing::ToolPath>(sequence_path(made.conversion.sequence, scale));
   for (const Problem& p : language.analyse(made.written.text, 0).problems)
     if (p.error && made.problem.empty()) made.problem = p.sentence;
@@ -67,7 +70,8 @@ void DrawingJob::follow(Frame& f, const ConversionOptions& wanted, std::uint64_t
   const Language* language = f.tab.desk().language();
   const auto units = [&](std::size_t axis) {
     const double steps = axis < wanted.axes.size() ? wanted.axes[axis].per_unit : 1;
-    return steps * from_steps(Steps(1), f.tab.unit(AxisId{static_cast<std::uint8_t>(axis)}));
+    const int place = axis < wanted.axes.size() ? f.catalog.find_axis(wanted.axes[axis].name) : -1;
+    return steps * from_steps(Steps(1), f.tab.unit(AxisId{static_cast<std::uint8_t>(std::max(0, place))}));
   };
   const drawing::Point scale{units(0), units(1)};
   if (std::exchange(scale_, scale) != scale) old_ = true;

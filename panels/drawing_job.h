@@ -19,6 +19,7 @@ class DrawingJob {
   struct Made {
     Conversion conversion;
     SequenceText written;
+    std::string frame;    ///< text that goes once around it with the tool off
     std::string problem;  ///< of the text: it does not fit; empty: none
     std::optional<double> duration_s;
     std::shared_ptr<const drawing::ToolPath> path;  ///< in the units of the axes
@@ -36,6 +37,8 @@ class DrawingJob {
   [[nodiscard]] const Made* made() const { return made_ ? &*made_ : nullptr; }
   [[nodiscard]] const std::string& fault() const { return fault_; }
   [[nodiscard]] bool busy() const { return reading_ || converting_; }
+  /// Units of the axes in a mm.
+  [[nodiscard]] drawing::Point scale() const { return scale_; }
   /// Grows with each result.
   [[nodiscard]] std::uint64_t version() const { return version_; }
 
@@ -48,8 +51,8 @@ class DrawingJob {
   std::optional<Made> made_;
   std::string fault_;
   bool reading_ = false, converting_ = false, old_ = false;  ///< old: what was converted is of another file
-  drawing::Point scale_;                                     ///< units of the axes in a mm
-  double read_chord_ = 0;                                    ///< finest_chord() with which the file was read
+  drawing::Point scale_;
+  double read_chord_ = 0;  ///< finest_chord() with which the file was read
   std::uint64_t wanted_ = 0, version_ = 0;
   std::shared_ptr<int> alive_ = std::make_shared<int>(0);
 };

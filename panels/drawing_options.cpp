@@ -35,14 +35,19 @@ void DrawingOptions::begin(const Frame& f) {
   if (std::exchange(begun_, true)) return;
   tool_names_.push_back("none");
   for (const OutputInfo& output : f.catalog.outputs) tool_names_.push_back(output.name);
-  for (const auto& [field, place] : {std::pair{per_unit_x, 0}, std::pair{per_unit_y, 1}}) {
-    const DisplayUnit& unit = f.tab.unit(AxisId{static_cast<std::uint8_t>(place)});
-    const bool known = unit.real && unit.name == "mm" && unit.per_step > 0;
-    set(field, known ? 1 / unit.per_step : 100, 3);
-  }
+  for (const AxisInfo& axis : f.catalog.axes) axis_names_.push_back(axis.name);
+  for (const std::size_t direction : {0, 1}) take_scale(f, direction);
   set(wait_on, 0, 0), set(wait_off, 0, 0);
   set(cut_speed, 5, 1), set(travel_speed, 10, 1);
   if (going_of(f.catalog) == drawing::Going::stairs) set(tolerance, 0.1, 3);
+}
+
+/// Of the axis that goes this way, as the units of the console have it.
+void DrawingOptions::take_scale(const Frame& f, std::size_t direction) {
+  const DisplayUnit& unit = f.tab.unit(AxisId{static_cast<std::uint8_t>(axes_[direction])});
+  const bool known = unit.real && unit.name == "mm" && unit.per_step > 0;
+  set(direction == 0 ? per_unit_x : per_unit_y, known ? 1 / unit.per_step : 100, 3);
+  changed_ = true;
 }
 
 void DrawingOptions::set(Number which, double value, int decimals) {
@@ -64,9 +69,16 @@ void DrawingOptions::build(const Frame& f, const drawing::Drawing* drawing) {
   ConversionOptions o;
   const std::array per_unit{values_[per_unit_x], values_[per_unit_y]};
   for (std::size_t i = 0; i < std::min<std::size_t>(2, f.catalog.axes.size()); ++i)
-    o.axes.push_back({f.catalog.axes[i].name, per_unit[i]});
+    o.axes.push_back({f.catalog.axes[ix(axes_[i])].name, per_unit[i]});
   o.drawing_unit = file_units[ix(unit_)];
-  o.placing.origin = origin_ == 1 ? drawing::Placing::Origin::lower_left : drawing::Placing::Origin::as_drawn;
+  using Origin = drawing::Placing::Origin;
+  o.placing.origin = std::array{Origin::as_drawn, Origin::lower_left, Origin::point}[ix(origin_)];
+  o.placing.point = point_;
+  if (values_[table_right] > values_[table_left] && values_[table_top] > values_[table_bottom]) {
+    o.table.emplace();
+    o.table->add({values_[table_left], values_[table_bottom]});
+    o.table->add({values_[table_right], values_[table_top]});
+  }
   o.placing.swapped = swap_, o.placing.mirrored_x = flip_x_, o.placing.mirrored_y = flip_y_;
   if (values_[tolerance] > 0) o.tolerance = values_[tolerance];
   o.keep_order = keep_order_;
@@ -100,7 +112,7 @@ void DrawingOptions::number(Frame& f, Number which, std::string_view id, std::st
   const NumberEvent event = number_field(ui, id, label, std::nullopt, field, o);
   if (event.field.entered || event.field.left) {
     const auto typed = field.value();
-    const bool emptied = field.text.empty() && least == 0;
+    const bool emptied = field.text.empty() && least <= 0;
     // What is no number leaves the one before: nothing is converted by a scale that nobody has meant.
     if (emptied || (typed && *typed >= least)) values_[which] = emptied ? 0 : *typed, changed_ = true;
   }
@@ -126,16 +138,11 @@ void DrawingOptions::draw_place(Frame& f, const drawing::Drawing* drawing) {
     unit_ = picked, changed_ = true;
   }
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(36)));
-  for (const auto& [field, place] :
-       {std::pair{per_unit_x, std::size_t{0}}, std::pair{per_unit_y, std::size_t{1}}}) {
-    if (place >= f.catalog.axes.size()) continue;
-    const Path id("drawing/per_unit/{}", f.catalog.axes[place].name),
-        label("{}/mm, {}", f.catalog.step_word, f.catalog.axes[place].name);
-    number(f, field, id, label, 1e-6, {});
-  }
-  static constexpr std::array<std::string_view, 2> origins{"As drawn", "Corner"};
-  if (const int picked = segment(ui, "drawing/origin", origins, origin_, {.cell_width = 96}); picked >= 0)
+  draw_axes(f);
+  static constexpr std::array<std::string_view, 3> origins{"As drawn", "Corner", "By click"};
+  if (const int picked = segment(ui, "drawing/origin", origins, origin_, {.cell_width = 80}); picked >= 0)
     origin_ = picked, changed_ = true;
+  if (wants_origin()) wrapped(ui, Face::small, Tone::ink3, "Click the picture: that place comes to 0, 0.");
   gap(ui, 4);
   toggle(f, "drawing/swap", "Swap the axes", swap_);
   toggle(f, "drawing/flip_x", "Flip left and right", flip_x_);
@@ -145,7 +152,41 @@ void DrawingOptions::draw_place(Frame& f, const drawing::Drawing* drawing) {
   wrapped(ui, Face::small, Tone::ink3,
           stairs ? "One axis moves at a time: how far the corners of the stairs may lie beside the line."
                  : "Of chords and curves; empty: half a step.");
+  draw_table(f);
   group_line(ui);
+}
+
+void DrawingOptions::draw_axes(Frame& f) {
+  Ui& ui = f.ui;
+  struct Direction {
+    const char *id, *label;
+    Number field;
+  };
+  static constexpr std::array<Direction, 2> directions{{{"drawing/along_x", "Its X goes along", per_unit_x},
+                                                        {"drawing/along_y", "Its Y goes along", per_unit_y}}};
+  for (std::size_t d = 0; d < std::min(directions.size(), f.catalog.axes.size()); ++d) {
+    const ImVec2 at = begin_option(ui, directions[d].label);
+    const int picked =
+        dropdown(ui, directions[d].id, directions[d].label, axis_names_, axes_[d], {.width = fill});
+    if (picked >= 0 && picked != axes_[d]) {
+      const int other = axes_[1 - d];
+      if (picked == other) axes_[1 - d] = axes_[d], take_scale(f, 1 - d);
+      axes_[d] = picked, take_scale(f, d);
+    }
+    ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(36)));
+    const std::string_view name = f.catalog.axes[ix(axes_[d])].name;
+    number(f, directions[d].field, Path("drawing/per_unit/{}", name),
+           Path("{}/mm, {}", f.catalog.step_word, name), 1e-6, {});
+  }
+}
+
+void DrawingOptions::draw_table(Frame& f) {
+  constexpr double furthest = -1e6;
+  number(f, table_left, "drawing/table/left", "Table from X", furthest, "mm");
+  number(f, table_right, "drawing/table/right", "to X", furthest, "mm");
+  number(f, table_bottom, "drawing/table/bottom", "from Y", furthest, "mm");
+  number(f, table_top, "drawing/table/top", "to Y", furthest, "mm");
+  wrapped(f.ui, Face::small, Tone::ink3, "What leaves the table is named above. Empty: not checked.");
 }
 
 void DrawingOptions::draw_tool(Frame& f) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -41,8 +42,18 @@ void DrawingTab::draw(Frame& f) {
   subject.none = job_.busy()      ? "It is being worked out."
                  : job_.drawing() ? "Nothing of it can be drawn as it is wanted."
                                   : "Open a DXF file, or let one fall on the window.";
+  const auto axis = [&](std::size_t direction) {
+    return AxisId{static_cast<std::uint8_t>(options_.axes()[direction])};
+  };
+  if (f.catalog.axes.size() > 1) subject.right = axis(0), subject.up = axis(1);
+  if (const auto& table = options_.wanted().table) {
+    const drawing::Point scale = job_.scale();
+    subject.table.add({table->low.x * scale.x, table->low.y * scale.y});
+    subject.table.add({table->high.x * scale.x, table->high.y * scale.y});
+  }
   settings_ = settings_ && !side;
   if (!settings_) canvas_.draw(f, "drawing/view", subject, width, height);
+  take_origin();
   if (side || settings_) {
     ImGui::SetCursorScreenPos(ImVec2(f.ui.px(f.area.x + (side ? width : 0)), top.y));
     draw_side(f, height);
@@ -59,7 +70,7 @@ void DrawingTab::open(Frame& f, const std::filesystem::path& path) {
 void DrawingTab::say() {
   if (std::exchange(said_, job_.version()) == job_.version()) return;
   time_.clear(), drawn_.clear(), travel_.clear(), saved_.clear(), size_.clear(), chains_.clear();
-  left_out_.clear(), left_out_title_.clear();
+  left_out_.clear(), left_out_title_.clear(), off_.clear();
   if (const drawing::Drawing* d = job_.drawing(); d && !d->left_out.empty()) {
     left_out_title_ = fmt::format("{} in the file", d->left_out.size());
     for (std::size_t i = 0; i < std::min(most_left_out, d->left_out.size()); ++i) {
@@ -75,6 +86,8 @@ void DrawingTab::say() {
   if (c.way_as_drawn > c.way) saved_ = in_mm(c.way_as_drawn - c.way);
   size_ = fmt::format("{} \u00d7 {} mm", format_number(c.box.high.x - c.box.low.x, 3).view(),
                       format_number(c.box.high.y - c.box.low.y, 3).view());
+  if (!c.off_the_table.empty())
+    off_ = fmt::format("{} of {} chains leave the table.", c.off_the_table.size(), c.chains.size());
   chains_ = fmt::format("{}, {} lines", c.chains.size(), made->written.step_of_line.size());
 }
 
@@ -90,9 +103,24 @@ void DrawingTab::to_blocks(Frame& f) {
   f.show_panel("blocks");
 }
 
-void DrawingTab::to_program(Frame& f) {
+/// What was clicked lies at 0, 0 from now on.
+void DrawingTab::take_origin() {
+  const auto& place = canvas_.clicked_place();
+  const DrawingJob::Made* made = job_.made();
+  if (!place || !made || job_.busy() || !options_.wants_origin()) return;
+  const drawing::Point scale = job_.scale();
+  options_.set_origin(made->conversion.placed.undone({place->x / scale.x, place->y / scale.y}));
+}
+
+void DrawingTab::ask_or_put(Frame& f, std::string text) {
+  to_put_ = std::move(text);
+  asking_program_ = f.tab.desk().texts.edited(f.tab.desk().texts.chosen());
+  if (!asking_program_) put(f);
+}
+
+void DrawingTab::put(Frame& f) {
   ProgramTexts& texts = f.tab.desk().texts;
-  texts.set_text(texts.chosen(), job_.made()->written.text);
+  texts.set_text(texts.chosen(), std::exchange(to_put_, {}));
   f.show_panel("program");
 }
 
@@ -116,11 +144,17 @@ void DrawingTab::draw_toolbar(Frame& f) {
   if (look.disabled.empty() && job_.made() && !job_.made()->problem.empty())
     look.disabled = job_.made()->problem;
   ImGui::SameLine(0, ui.px(8));
-  if (button(ui, "drawing/to_program", "To the program", look).clicked) {
-    asking_program_ = desk.texts.edited(desk.texts.chosen());
-    if (!asking_program_) to_program(f);
-  }
-  ImGui::SameLine(0, ui.px(8));
+  if (button(ui, "drawing/to_program", "To the program", look).clicked)
+    ask_or_put(f, job_.made()->written.text);
+  ImGui::SameLine(0, 0);
+  if (button(ui, "drawing/frame", "Frame",
+             {.style = ButtonStyle::quiet,
+              .disabled = why_not(),
+              .tip = "A program that goes once around it with the tool off.",
+              .height = 40})
+          .clicked)
+    ask_or_put(f, job_.made()->frame);
+  ImGui::SameLine(0, 0);
   if (button(ui, "drawing/fit", "Fit", {.style = ButtonStyle::quiet, .height = 40}).clicked) canvas_.fit();
   if (f.area.width < both_width) {
     ImGui::SameLine(0, 0);
@@ -161,6 +195,12 @@ void DrawingTab::draw_facts(Frame& f) {
     const ImVec2 from = ImGui::GetCursorScreenPos();
     wrapped(ui, Face::body, Tone::fault, wrong);
     show(ui, {"drawing/problem", Kind::text, "Problem", wrong}, {from, ImGui::GetCursorScreenPos()});
+    gap(ui, 8);
+  }
+  if (!off_.empty()) {
+    const ImVec2 from = ImGui::GetCursorScreenPos();
+    wrapped(ui, Face::body, Tone::warn, off_);
+    show(ui, {"drawing/off", Kind::text, "Off the table", off_}, {from, ImGui::GetCursorScreenPos()});
     gap(ui, 8);
   }
   if (made) {
@@ -205,8 +245,7 @@ void DrawingTab::draw_dialogs(Frame& f) {
         .sentences = "The program has changes that are in no file. The drawing would take its place.",
         .yes = "Replace",
         .no = "Keep the text"};
-    if (dialog(f.ui, "drawing/replace_text", asking_program_, what) == Answer::yes && why_not().empty())
-      to_program(f);
+    if (dialog(f.ui, "drawing/replace_text", asking_program_, what) == Answer::yes) put(f);
   }
   if (const auto path = open_.draw(f.ui)) open(f, *path);
 }

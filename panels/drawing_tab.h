@@ -1,8 +1,8 @@
 #pragma once
 // A drawing file: what it shows, where it comes to lie, what the tool does along it, and the program that
-// comes of it. Ids: `drawing/open`, `drawing/to_blocks`, `drawing/to_program`, `drawing/fit`,
-// `drawing/settings`, `drawing/view`, `drawing/problem`, `drawing/time`, `drawing/left_out`; the settings:
-// see DrawingOptions.
+// comes of it. Ids: `drawing/open`, `drawing/to_blocks`, `drawing/to_program`, `drawing/frame`,
+// `drawing/off`, `drawing/fit`, `drawing/settings`, `drawing/view`, `drawing/problem`, `drawing/time`,
+// `drawing/left_out`; the settings: see DrawingOptions.
 #include <filesystem>
 #include <string>
 
@@ -27,7 +27,9 @@ class DrawingTab final : public gui::Panel {
   void draw_left_out(gui::Frame& frame);
   void draw_dialogs(gui::Frame& frame);
   void to_blocks(gui::Frame& frame);
-  void to_program(gui::Frame& frame);
+  void ask_or_put(gui::Frame& frame, std::string text);
+  void put(gui::Frame& frame);
+  void take_origin();
   [[nodiscard]] std::string_view why_not() const;
 
   DrawingJob job_;
@@ -37,6 +39,7 @@ class DrawingTab final : public gui::Panel {
   std::uint64_t said_ = ~std::uint64_t{0};  ///< DrawingJob::version() that the words are of
   std::string time_, drawn_, travel_, saved_, size_, chains_, left_out_title_;
   std::vector<std::string> left_out_;
+  std::string off_, to_put_;
   bool asking_blocks_ = false, asking_program_ = false;
   bool settings_ = false;  ///< without room for both: they take the picture's place
 };

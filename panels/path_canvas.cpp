@@ -58,6 +58,7 @@ drawing::Box all_of(const Frame& f, const PathSubject& s, const drawing::ToolPat
   drawing::Box box;
   if (!trace.bounds.empty) box.add(trace.bounds.low), box.add(trace.bounds.high);
   if (s.path && !s.path->bounds.empty) box.add(s.path->bounds.low), box.add(s.path->bounds.high);
+  if (!s.table.empty) box.add(s.table.low), box.add(s.table.high);
   const drawing::Point here = where_now(f, s).value_or(drawing::Point());
   box.add(here);
   const bool a_point = box.low == box.high;
@@ -80,7 +81,7 @@ void PathCanvas::zoom(double factor) { view_.zoom({view_.width_px() / 2, view_.h
 
 void PathCanvas::draw(Frame& f, std::string_view id, const PathSubject& subject, float width, float height) {
   Ui& ui = f.ui;
-  clicked_.reset(), passed_.reset();
+  clicked_.reset(), passed_.reset(), clicked_place_.reset();
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const Rect whole{corner, ImVec2(corner.x + ui.px(width), corner.y + ui.px(height))};
   ImDrawList* list = ImGui::GetWindowDrawList();
@@ -94,6 +95,7 @@ void PathCanvas::draw(Frame& f, std::string_view id, const PathSubject& subject,
     draw_again(f, subject);
     draw_grid(f, whole, in, subject);
     list->PushClipRect(in.min, in.max, true);
+    draw_table(f, in, subject.table);
     draw_switches(f, in, subject);
     draw_picture(f, in);
     draw_lit(f, in, subject);
@@ -159,10 +161,22 @@ void PathCanvas::use_keys() {
   pan(GLFW_KEY_LEFT, 1, 0), pan(GLFW_KEY_RIGHT, -1, 0), pan(GLFW_KEY_UP, 0, 1), pan(GLFW_KEY_DOWN, 0, -1);
 }
 
+/// The end of a line where it is near, else the place on the path.
+static drawing::Point snapped(const drawing::ToolPath& path, const drawing::PathHit& hit,
+                              const drawing::PathView& view, drawing::Point px, double within) {
+  const drawing::ToolPath::Run& run = path.runs[hit.run];
+  for (const std::size_t end : {run.first, run.first + run.size - 1}) {
+    const drawing::Point at = view.to_px(path.points[end]);
+    if (std::hypot(at.x - px.x, at.y - px.y) <= within) return path.points[end];
+  }
+  return hit.at;
+}
+
 void PathCanvas::take_click(const PathSubject& s, drawing::Point mouse, float within) {
   const auto on_path = s.path ? nearest(*s.path, view_, mouse, within) : std::nullopt;
-  if (measure_.on) return set_end(on_path ? on_path->at : pointer_);
-  clicked_ = on_path;
+  const drawing::Point place = on_path ? snapped(*s.path, *on_path, view_, mouse, within) : pointer_;
+  if (measure_.on) return set_end(place);
+  clicked_ = on_path, clicked_place_ = place;
   if (const auto on_trace = nearest(trace_.path, view_, mouse, within))
     passed_ = {on_trace->at, trace_.first + std::chrono::seconds(trace_.path.runs[on_trace->run].source)};
 }
@@ -263,6 +277,14 @@ void PathCanvas::draw_grid(Frame& f, const Rect& whole, const Rect& in, const Pa
   draw_text_right(ui, ImVec2(in.max.x + ui.px(8), in.max.y + ui.px(4)), Face::small, ui[Tone::ink2], right);
   draw_text_line(ui, whole.min.x + ui.px(8), in.min.x - ui.px(4), in.min.y + ui.px(4), Face::small,
                  ui[Tone::ink2], upwards);
+}
+
+void PathCanvas::draw_table(Frame& f, const Rect& in, const drawing::Box& table) {
+  if (table.empty) return;
+  const ImVec2 low = at(in, table.low), high = at(in, table.high);
+  ImGui::GetWindowDrawList()->AddRect(ImVec2(std::floor(low.x), std::floor(high.y)),
+                                      ImVec2(std::floor(high.x), std::floor(low.y)), f.ui[Tone::warn], 0, 0,
+                                      f.ui.hair());
 }
 
 /// Where the picture lies now: it may be of another view.

@@ -19,6 +19,7 @@ struct PathSubject {
   std::string_view none;                          ///< said then
   AxisId right{0}, up{1};
   int lit = -1;                 ///< runs of this source stand out
+  drawing::Box table = {};      ///< where the tool gets; empty: not known
   std::string_view words = {};  ///< what it comes to, for scripts; empty: how much of a unit a pixel is
 };
 
@@ -39,6 +40,9 @@ class PathCanvas {
   /// What was clicked in this frame.
   [[nodiscard]] const std::optional<drawing::PathHit>& clicked() const { return clicked_; }
   [[nodiscard]] const std::optional<TraceHit>& passed() const { return passed_; }
+
+  /// Wherever it was, in the units of the axes; the path or the end of a line where that is near.
+  [[nodiscard]] const std::optional<drawing::Point>& clicked_place() const { return clicked_place_; }
 
   /// Clicks set the two ends of a measured way, on the path where it is near.
   void measure(bool on) { measure_ = Measure{on, {}, {}}; }
@@ -75,6 +79,7 @@ class PathCanvas {
   void touch(gui::Frame& frame, std::string_view id, const PathSubject& subject, const gui::Rect& in);
   void draw_again(gui::Frame& frame, const PathSubject& subject);
   void draw_grid(gui::Frame& frame, const gui::Rect& whole, const gui::Rect& in, const PathSubject& subject);
+  void draw_table(gui::Frame& frame, const gui::Rect& in, const drawing::Box& table);
   void draw_picture(gui::Frame& frame, const gui::Rect& in);
   void draw_lit(gui::Frame& frame, const gui::Rect& in, const PathSubject& subject);
   void draw_trace(gui::Frame& frame, const gui::Rect& in);
@@ -87,6 +92,7 @@ class PathCanvas {
   std::shared_ptr<const drawing::ToolPath> fitted_to_;
   std::optional<drawing::PathHit> clicked_;
   std::optional<TraceHit> passed_;
+  std::optional<drawing::Point> clicked_place_;
   Measure measure_;
   drawing::Point pointer_;  ///< in the units of the axes
   ImVec2 pressed_at_{};

@@ -51,6 +51,11 @@ class Draw {
     if (tool_.travel != Speeds{}) add(Speed{tool_.travel});
     add(Pen{false});
   }
+  void frame(const Box& box) {
+    for (const Point corner :
+         {box.low, Point{box.high.x, box.low.y}, box.high, Point{box.low.x, box.high.y}, box.low})
+      travel(corner);
+  }
   void chain(const Chain& c) {
     if (on_the_way_ && is_long(c)) return contours(c);
     travel(c.begin());
@@ -158,7 +163,7 @@ class Draw {
 
 }  // namespace
 
-void place(std::vector<Chain>& chains, const Placing& placing) {
+Affine place(std::vector<Chain>& chains, const Placing& placing) {
   const Affine to = affine_of(placing, box_of(chains));
   const bool turned = to.a * to.d - to.b * to.c < 0;
   for (Chain& chain : chains)
@@ -166,6 +171,7 @@ void place(std::vector<Chain>& chains, const Placing& placing) {
       c.from = to(c.from), c.to = to(c.to), c.centre = to(c.centre);
       if (turned) c.degrees = -c.degrees;
     }
+  return to;
 }
 
 Box box_of(const std::vector<Chain>& chains) {
@@ -193,6 +199,12 @@ void draw_chains(const std::vector<Chain>& chains, const Tool& tool, Sequence& s
   Draw draw(tool, sequence);
   draw.begin();
   for (const Chain& chain : chains) draw.chain(chain);
+}
+
+void draw_frame(const Box& box, const Tool& tool, Sequence& sequence) {
+  Draw draw(tool, sequence);
+  draw.begin();
+  draw.frame(box);
 }
 
 }  // namespace hw::drawing

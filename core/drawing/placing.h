@@ -18,7 +18,8 @@ struct Placing {
   bool swapped = false;  ///< the drawing's X goes along the second axis
   bool mirrored_x = false, mirrored_y = false;
 };
-void place(std::vector<Chain>& chains, const Placing& placing);
+/// Returns how: from the drawing to the sequence.
+Affine place(std::vector<Chain>& chains, const Placing& placing);
 Box box_of(const std::vector<Chain>& chains);
 
 /// How the machine gets along a chain.
@@ -40,5 +41,7 @@ void chords(const Curve& curve, double tolerance, const std::function<void(Point
 /// The first two axes go along the chains in their order; the tool is lowered and raised by the sequence's
 /// own routines, which stay as they are.
 void draw_chains(const std::vector<Chain>& chains, const Tool& tool, sequence::Sequence& sequence);
+/// Once around it with the tool up, from its lower left corner back to there.
+void draw_frame(const Box& box, const Tool& tool, sequence::Sequence& sequence);
 
 }  // namespace hw::drawing

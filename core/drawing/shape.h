@@ -17,6 +17,11 @@ struct Affine {
   [[nodiscard]] Point turned(Point p) const { return {a * p.x + c * p.y, b * p.x + d * p.y}; }
   /// First `inner`, then this.
   [[nodiscard]] Affine after(const Affine& inner) const;
+  /// What comes to lie at `p`. Not of one that flattens.
+  [[nodiscard]] Point undone(Point p) const {
+    const double x = p.x - e, y = p.y - f, area = a * d - b * c;
+    return {(d * x - c * y) / area, (a * y - b * x) / area};
+  }
   static Affine mirror_x() { return {-1, 0, 0, 1, 0, 0}; }
 };
 

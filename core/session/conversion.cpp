@@ -125,8 +125,12 @@ Result<Conversion> convert(const drawing::Drawing& whole, const Catalog& catalog
                               o.axes.size() == 1 ? "is" : "are"));
   Conversion made;
   made.going = going_of(catalog);
-  // Where the axes differ in their steps a circle is none of the controller's any more.
-  if (o.axes[0].per_unit != o.axes[1].per_unit && made.going != Going::stairs)
+  // Arcs are of the first two axes; and where the axes differ in their steps a circle is none of the
+  // controller's any more.
+  const bool first_two = catalog.axes.size() > 1 && o.axes[0].name == catalog.axes[0].name &&
+                         o.axes[1].name == catalog.axes[1].name;
+  const bool no_arcs = o.axes[0].per_unit != o.axes[1].per_unit || (made.going == Going::arcs && !first_two);
+  if (no_arcs && made.going != Going::stairs)
     made.going = catalog.can.interpolates ? Going::lines : Going::stairs;
   const auto scale = scale_of(whole, o);
   if (!scale) return fail(scale.error());
@@ -140,7 +144,7 @@ Result<Conversion> convert(const drawing::Drawing& whole, const Catalog& catalog
   if (made.chains.empty()) return refuse("There is nothing in the drawing that could be drawn.");
   drawing::Placing placing = o.placing;
   placing.scale = *scale;
-  drawing::place(made.chains, placing);
+  made.placed = drawing::place(made.chains, placing);
   made.way_as_drawn = made.way = drawing::way_between(made.chains, {});
   if (!o.keep_order) {
     drawing::order(made.chains, {}, progress);
@@ -159,6 +163,8 @@ Result<Conversion> convert(const drawing::Drawing& whole, const Catalog& catalog
   for (std::size_t i = 0; i < catalog.outputs.size(); ++i)
     if (catalog.outputs[i].on_the_way) tool.contour_outputs.push_back(catalog.output_number(i));
   tool.contour_pieces = std::max(1, catalog.contour_size / entries_of_a_piece - 2);
+  made.frame = made.sequence;
+  drawing::draw_frame(made.box, tool, made.frame);
   drawing::draw_chains(made.chains, tool, made.sequence);
   return made;
 }

@@ -30,6 +30,8 @@ struct ConversionOptions {
 
 struct Conversion {
   sequence::Sequence sequence;
+  sequence::Sequence frame;            ///< once around it with the tool up
+  drawing::Affine placed;              ///< from the drawing to the sequence
   std::vector<drawing::Chain> chains;  ///< as they are drawn, in `unit`
   drawing::Box box;
   drawing::Going going = drawing::Going::lines;

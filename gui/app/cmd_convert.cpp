@@ -219,6 +219,7 @@ static int convert_drawing(const Given& given) {
     write_aside(fmt::format("{}:{}: {} {} was left out: {}", path, l.line, l.what, l.entity, l.why));
   auto converted = convert(*drawing, meant->catalog, *options);
   if (!converted) return complain(converted.error());
+  if (given.has("frame")) converted->sequence = converted->frame;
   auto written = meant->language->write(converted->sequence, meant->catalog);
   if (!written) return complain(written.error());
   for (const std::string& remark : written->remarks) write_aside(remark);
@@ -259,6 +260,7 @@ const Subcommand convert_subcommand{
      {"swap", "", "the drawing's X goes along the second axis"},
      {"mirror", "x|y|xy", "which ways it is turned round"},
      {"table", "X0,Y0,X1,Y1", "where the tool gets, to be checked"},
+     {"frame", "", "only once around it, with the tool up"},
      {"join", "D", "ends so near are joined"},
      {"tolerance", "D", "of chords and staircases"},
      {"keep-order", "", "draw in the order of the file"},

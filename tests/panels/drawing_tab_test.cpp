@@ -93,6 +93,80 @@ TEST_F(DrawingTabTest, ItBecomesBlocks) {
   s.click("drawing/replace_blocks/no");
 }
 
+TEST_F(DrawingTabTest, AnyTwoAxesDraw) {
+  drop();
+  s.click("drawing/along_x");
+  s.click("drawing/along_x/Y");
+  s.stage.frames(6);
+  EXPECT_TRUE(s.stage.find("drawing/per_unit/X")) << "they have changed places";
+  s.click("drawing/along_y");
+  s.click("drawing/along_y/Z");
+  s.type("drawing/per_unit/Y", "200");
+  s.type("drawing/per_unit/Z", "200");
+  s.click("drawing/origin/Corner");
+  s.stage.frames(6);
+  s.click("drawing/to_program");
+  EXPECT_THAT(s.tab.desk().texts.text(0), HasSubstr("Y4000Z2000"));
+}
+
+TEST_F(DrawingTabTest, TheFrameGoesOnceAroundWithTheToolOff) {
+  drop();
+  s.type("drawing/per_unit/X", "200");
+  s.type("drawing/per_unit/Y", "200");
+  s.click("drawing/tool");
+  s.click("drawing/tool/DO2");
+  s.click("drawing/origin/Corner");
+  s.stage.frames(6);
+  s.click("drawing/frame");
+  const std::string text = s.tab.desk().texts.text(0);
+  EXPECT_THAT(text, testing::Not(HasSubstr("DO2=1")));
+  std::size_t at = 0;
+  for (const char* corner : {"X0Y0", "X4000Y0", "X4000Y2000", "X0Y2000", "X0Y0"}) {
+    at = text.find(corner, at);
+    ASSERT_NE(at, std::string::npos) << corner << " in " << text;
+    ++at;
+  }
+}
+
+TEST_F(DrawingTabTest, AClickSaysWhatLiesAtTheOrigin) {
+  drop();
+  s.type("drawing/per_unit/X", "200");
+  s.type("drawing/per_unit/Y", "200");
+  s.click("drawing/origin/By click");
+  s.stage.frames(6);
+  s.click("drawing/fit");
+  s.stage.frames(3);
+  // From where the axes stand to the end of the second line, 30 and 20 mm: its beginning is at 30, 10.
+  const gui::Rect view = s.stage.find("drawing/view")->rect;
+  const double per_px = std::stod(s.value("drawing/view"));
+  const ImVec2 at(view.centre().x + static_cast<float>(15 * 200 / per_px) + 2, view.centre().y + 2);
+  s.stage.push(gui::InputEvent::mouse_move(at.x, at.y, s.stage.now_s));
+  s.stage.frames(1);
+  s.stage.push(gui::InputEvent::mouse_button(0, true, at, s.stage.now_s));
+  s.stage.frames(1);
+  s.stage.push(gui::InputEvent::mouse_button(0, false, at, s.stage.now_s));
+  s.stage.frames(8);
+  s.click("drawing/to_program");
+  const std::string& text = s.tab.desk().texts.text(0);
+  EXPECT_THAT(text, HasSubstr("X0Y0\n"));
+  EXPECT_THAT(text, HasSubstr("X-4000Y0\n")) << "the beginning of the first line, 20 mm to the left";
+  EXPECT_THAT(text, HasSubstr("X0Y2000\n"));
+}
+
+TEST_F(DrawingTabTest, WhatLeavesTheTableIsNamed) {
+  drop();
+  EXPECT_FALSE(s.stage.find("drawing/off"));
+  s.type("drawing/table/right", "25");
+  s.type("drawing/table/top", "100");
+  s.click("drawing/fit");
+  s.stage.frames(6);
+  EXPECT_EQ(s.value("drawing/off"), "1 of 2 chains leave the table.");
+  s.type("drawing/table/right", "");
+  s.click("drawing/fit");
+  s.stage.frames(6);
+  EXPECT_FALSE(s.stage.find("drawing/off"));
+}
+
 TEST_F(VxmDrawingTabTest, StairsWithinTheTolerance) {
   drop();
   s.type("drawing/per_unit/1", "10");

@@ -1045,6 +1045,14 @@ class Convert(Case):
         broken = self.file("b.toml", sequence.read_text().replace("move", "fly", 1))
         self.expect(run("check", broken, "--for", "pmx-4ex-sa"), 1, 'there is no step "fly"')
 
+    def test_a_frame_goes_once_around(self):
+        file = self.drawing(self.line(1, 2, 5, 2), self.line(5, 2, 5, 4))
+        self.expect(self.convert(file, "pmx-4ex-sa", "--per-unit", "100", "--pen-output", "1", "--frame"), 0)
+        text = (self.folder / "out.prg").read_text()
+        self.assertNotIn("DO1=1", text)
+        dry = json.loads(run("simulate", self.folder / "out.prg", "--for", "pmx-4ex-sa", "--json").stdout)
+        self.assertEqual([dry["axes"][a]["max"] for a in "XY"], [500, 400])
+
     def test_a_program_that_does_not_fit_is_told(self):
         result = self.convert(self.drawing(self.line(0, 0, 5, 5)), "vxm", "--per-unit", "1000", "--tolerance", "0.01")
         self.expect(result, 0)

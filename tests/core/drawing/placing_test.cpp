@@ -76,6 +76,28 @@ TEST(Placing, AsDrawnScaledMirroredAndSwapped) {
   EXPECT_EQ(c[0].curves[1].degrees, -90);
 }
 
+TEST(Placing, ThePlaceOfTheDrawingIsFoundAgain) {
+  for (const bool swapped : {false, true}) {
+    auto c = corner();
+    const Point was = c[0].curves[1].from;
+    Placing p;
+    p.scale = 25.4, p.swapped = swapped, p.mirrored_y = true;
+    p.origin = Placing::Origin::lower_left;
+    const Affine placed = place(c, p);
+    const Point back = placed.undone(c[0].curves[1].from);
+    EXPECT_NEAR(back.x, was.x, 1e-12);
+    EXPECT_NEAR(back.y, was.y, 1e-12);
+  }
+}
+
+TEST(Placing, AFrameGoesOnceAroundWithTheToolUp) {
+  Box box;
+  box.add({1, 2}), box.add({5, 8});
+  Sequence s;
+  draw_frame(box, {}, s);
+  EXPECT_EQ(words(s), "up to x1 y2 wait to x5 y2 wait to x5 y8 wait to x1 y8 wait to x1 y2 wait");
+}
+
 TEST(Placing, AnArcStaysOneWhereTheMachineHasIt) {
   Tool tool;
   tool.going = Going::arcs;
