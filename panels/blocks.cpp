@@ -19,6 +19,7 @@
 #include "gui/widgets/button.h"
 #include "gui/widgets/message.h"
 #include "gui/widgets/text.h"
+#include "panels/lines.h"
 #include "panels/measures.h"
 #include "panels/overwrite_question.h"
 #include "panels/path.h"
@@ -153,8 +154,7 @@ void Blocks::save(Frame& f, const std::filesystem::path& path) {
 
 void Blocks::draw_toolbar(Frame& f) {
   Ui& ui = f.ui;
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  ImGui::SetCursorScreenPos(ImVec2(ui.px(f.area.x + 16), at.y + ui.px(8)));
+  const ImVec2 at = begin_toolbar(f);
   run_.draw(f, text_,
             editor_->sequence().steps.empty() ? "There are no blocks yet." : std::string_view(problem_));
   const auto next = [&ui](float gap) { ImGui::SameLine(0, ui.px(gap)); };
@@ -174,10 +174,7 @@ void Blocks::draw_toolbar(Frame& f) {
     editor_->redo(), choose(chosen_);
   next(0);
   draw_files(f);
-  const float y = at.y + ui.px(toolbar_height);
-  ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(ui.px(f.area.x), y - ui.hair()),
-                                            ImVec2(ui.px(f.area.right()), y), ui[Tone::line]);
-  ImGui::SetCursorScreenPos(ImVec2(at.x, y));
+  end_toolbar(f, at);
 }
 
 void Blocks::draw_files(Frame& f) {
@@ -199,10 +196,7 @@ void Blocks::draw_files(Frame& f) {
 
 void Blocks::draw_text_side(Frame& f, float height) {
   Ui& ui = f.ui;
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  ImGui::GetWindowDrawList()->AddRectFilled(at, ImVec2(at.x + ui.hair(), ui.px(f.area.bottom())),
-                                            ui[Tone::line]);
-  ImGui::SetCursorScreenPos(ImVec2(at.x + ui.hair(), at.y));
+  draw_line_down(f);
   begin_part(ui, "blocks/side", 0, ui.px(height), Tone::panel, 16);
   const float width = ImGui::GetContentRegionAvail().x / ui.scale;
   section_title(ui, "Text it writes", facts_.empty() ? "" : "with a remark");

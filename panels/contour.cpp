@@ -10,6 +10,7 @@
 #include "gui/widgets/choice.h"
 #include "gui/widgets/message.h"
 #include "gui/widgets/text.h"
+#include "panels/lines.h"
 #include "panels/measures.h"
 #include "panels/path.h"
 
@@ -259,9 +260,8 @@ void Contour::follow(Frame& f) {
 
 void Contour::draw_toolbar(Frame& f) {
   Ui& ui = f.ui;
-  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const ImVec2 at = begin_toolbar(f);
   static constexpr std::array<std::string_view, 2> kinds = {"Contour", "Staircase"};
-  ImGui::SetCursorScreenPos(ImVec2(ui.px(f.area.x + 16), at.y + ui.px(8)));
   ButtonOptions go;
   go.icon = Icon::play;
   go.moving = true;
@@ -291,10 +291,7 @@ void Contour::draw_toolbar(Frame& f) {
     stairs_shown_ = kind == 1;
     changed_ = true;
   }
-  const float y = at.y + ui.px(toolbar_height);
-  ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(ui.px(f.area.x), y - ui.hair()),
-                                            ImVec2(ui.px(f.area.right()), y), ui[Tone::line]);
-  ImGui::SetCursorScreenPos(ImVec2(at.x, y));
+  end_toolbar(f, at);
 }
 
 void Contour::draw_work(Frame& f, float left, float height) {

@@ -12,6 +12,7 @@
 #include "gui/widgets/button.h"
 #include "gui/widgets/message.h"
 #include "gui/widgets/text.h"
+#include "panels/lines.h"
 #include "panels/measures.h"
 
 namespace hw::panels {
@@ -129,8 +130,7 @@ void DrawingTab::put(Frame& f) {
 void DrawingTab::draw_toolbar(Frame& f) {
   Ui& ui = f.ui;
   Desk& desk = f.tab.desk();
-  const ImVec2 top = ImGui::GetCursorScreenPos();
-  ImGui::SetCursorScreenPos(ImVec2(ui.px(f.area.x + 16), top.y + ui.px(8)));
+  const ImVec2 top = begin_toolbar(f);
   ButtonOptions look;
   look.height = 40;
   if (button(ui, "drawing/open", "Open DXF", look).clicked)
@@ -166,18 +166,12 @@ void DrawingTab::draw_toolbar(Frame& f) {
   const std::string name = job_.file().filename().string();
   draw_text_line(ui, ImGui::GetItemRectMax().x + ui.px(16), ui.px(f.area.right() - 16), top.y + ui.px(28),
                  Face::body_bold, ui[Tone::ink], name);
-  const float y = top.y + ui.px(toolbar_height);
-  ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(ui.px(f.area.x), y - ui.hair()),
-                                            ImVec2(ui.px(f.area.right()), y), ui[Tone::line]);
-  ImGui::SetCursorScreenPos(ImVec2(ui.px(f.area.x), y));
+  end_toolbar(f, top);
 }
 
 void DrawingTab::draw_side(Frame& f, float height) {
   Ui& ui = f.ui;
-  const ImVec2 corner = ImGui::GetCursorScreenPos();
-  ImGui::GetWindowDrawList()->AddRectFilled(corner, ImVec2(corner.x + ui.hair(), ui.px(f.area.bottom())),
-                                            ui[Tone::line]);
-  ImGui::SetCursorScreenPos(ImVec2(corner.x + ui.hair(), corner.y));
+  draw_line_down(f);
   begin_part(ui, "drawing/side", 0, ui.px(height), Tone::panel, 16);
   draw_facts(f);
   options_.draw(f, job_.drawing());

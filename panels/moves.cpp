@@ -9,6 +9,7 @@
 #include "gui/widgets/lamp.h"
 #include "gui/widgets/slider.h"
 #include "gui/widgets/text.h"
+#include "panels/lines.h"
 #include "panels/measures.h"
 #include "panels/path.h"
 #include "panels/readouts.h"
@@ -19,11 +20,6 @@ using namespace gui;
 namespace {
 
 constexpr float file_height = 40, number_width = 44;
-
-void line_across(Frame& f, float y) {
-  ImGui::GetWindowDrawList()->AddRectFilled(
-      ImVec2(f.ui.px(f.area.x), y), ImVec2(f.ui.px(f.area.right()), y + f.ui.hair()), f.ui[Tone::line]);
-}
 
 float cell_width(const Catalog& c, float width) {
   const auto n = static_cast<float>(c.move_list.columns.size());
@@ -75,8 +71,7 @@ std::string_view Moves::why_not_start(const Frame& f) const {
 
 void Moves::draw_toolbar(Frame& f) {
   Ui& ui = f.ui;
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  ImGui::SetCursorScreenPos(ImVec2(ui.px(f.area.x + 16), at.y + ui.px(8)));
+  const ImVec2 at = begin_toolbar(f);
   ButtonOptions go;
   go.icon = Icon::play;
   go.moving = true;
@@ -98,8 +93,7 @@ void Moves::draw_toolbar(Frame& f) {
   if (doubt_.open())
     if (const IntentId sent = doubt_.draw(f, "list", "Start", started.rect)) started_ = sent;
   draw_progress(f, left, right, at.y + ui.px(toolbar_height / 2));
-  line_across(f, at.y + ui.px(toolbar_height) - ui.hair());
-  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(toolbar_height)));
+  end_toolbar(f, at);
 }
 
 /// The axes first; then the buffer, whose switch off is the one of its actions that makes sense while it is
@@ -170,7 +164,7 @@ void Moves::draw_file_line(Frame& f) {
     save_.ask_save("Save the moves",
                    file_.empty() ? save_.folder() / ("list" + f.catalog.move_list.file_suffix) : file_,
                    {f.catalog.move_list.file_suffix});
-  line_across(f, at.y + ui.px(file_height) - ui.hair());
+  draw_line_across(f, at.y + ui.px(file_height) - ui.hair());
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(file_height)));
 }
 

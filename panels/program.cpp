@@ -13,6 +13,7 @@
 #include "gui/widgets/message.h"
 #include "gui/widgets/slider.h"
 #include "gui/widgets/text.h"
+#include "panels/lines.h"
 #include "panels/measures.h"
 #include "panels/path.h"
 #include "panels/run_bar.h"
@@ -92,8 +93,7 @@ void Program::find_why_not_run(const Frame& f) {
 
 void Program::draw_toolbar(Frame& f) {
   Ui& ui = f.ui;
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  ImGui::SetCursorScreenPos(ImVec2(ui.px(f.area.x + 16), at.y + ui.px(8)));
+  const ImVec2 at = begin_toolbar(f);
   const auto next = [&] { ImGui::SameLine(0, ui.px(8)); };
   RunBarLook look{.why_not = why_not_run_, .keys = shows_keys(f)};
   if (f.tab.desk().language()) look.rehearsed = rehearsed(f, f.tab.desk().texts.chosen());
@@ -102,8 +102,7 @@ void Program::draw_toolbar(Frame& f) {
   draw_simulate(f);
   next();
   draw_memory(f, ImGui::GetCursorScreenPos().x);
-  draw_line_across(f, at.y + ui.px(toolbar_height) - ui.hair());
-  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(toolbar_height)));
+  end_toolbar(f, at);
 }
 
 void Program::draw_simulate(Frame& f) {

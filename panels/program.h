@@ -16,9 +16,6 @@
 
 namespace hw::panels {
 
-/// Hairline over the whole width of the panel.
-void draw_line_across(const gui::Frame& frame, float y_px);
-
 class Program final : public gui::Panel {
  public:
   void draw(gui::Frame& frame) override;

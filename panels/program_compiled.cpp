@@ -3,6 +3,7 @@
 #include "gui/tab.h"
 #include "gui/widgets/button.h"
 #include "gui/widgets/text.h"
+#include "panels/lines.h"
 #include "panels/program.h"
 
 namespace hw::panels {

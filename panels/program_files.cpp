@@ -10,6 +10,7 @@
 #include "gui/widgets/choice.h"
 #include "gui/widgets/message.h"
 #include "gui/widgets/text.h"
+#include "panels/lines.h"
 #include "panels/program.h"
 
 namespace hw::panels {

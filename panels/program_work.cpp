@@ -9,6 +9,7 @@
 #include "gui/widgets/button.h"
 #include "gui/widgets/message.h"
 #include "gui/widgets/text.h"
+#include "panels/lines.h"
 #include "panels/overwrite_question.h"
 #include "panels/program.h"
 #include "panels/threads.h"
@@ -23,12 +24,6 @@ constexpr float note_height = 40, line_height = 36, rehearsal_width = 272, least
 bool column_fits(const Frame& f) { return f.tier == Tier::wide && f.area.width >= 760; }
 
 }  // namespace
-
-void draw_line_across(const Frame& f, float y) {
-  Ui& ui = f.ui;
-  ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(ui.px(f.area.x), y),
-                                            ImVec2(ui.px(f.area.right()), y + ui.hair()), ui[Tone::line]);
-}
 
 void Program::draw_work(Frame& f, float bottom) {
   Ui& ui = f.ui;

@@ -17,6 +17,7 @@
 #include "gui/widgets/button.h"
 #include "gui/widgets/choice.h"
 #include "gui/widgets/text.h"
+#include "panels/lines.h"
 #include "panels/measures.h"
 #include "panels/path.h"
 
@@ -211,8 +212,7 @@ void ToolPath::save(Frame& f, const std::filesystem::path& file) {
 void ToolPath::draw_toolbar(Frame& f) {
   Ui& ui = f.ui;
   Desk& desk = f.tab.desk();
-  const ImVec2 top = ImGui::GetCursorScreenPos();
-  ImGui::SetCursorScreenPos(ImVec2(ui.px(f.area.x + 16), top.y + ui.px(8)));
+  const ImVec2 top = begin_toolbar(f);
   const int slot = desk.texts.chosen();
   const std::string_view why = !desk.language()                  ? "This model has no rehearsal."
                                : desk.texts.text(slot).empty()   ? "The program is empty."
@@ -246,10 +246,7 @@ void ToolPath::draw_toolbar(Frame& f) {
               .height = 40})
           .clicked)
     save_.ask_save("Save the path", save_.folder() / "path.svg", {".svg", ".png"});
-  const float y = top.y + ui.px(toolbar_height);
-  ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(ui.px(f.area.x), y - ui.hair()),
-                                            ImVec2(ui.px(f.area.right()), y), ui[Tone::line]);
-  ImGui::SetCursorScreenPos(ImVec2(ui.px(f.area.x), y));
+  end_toolbar(f, top);
 }
 
 void ToolPath::draw_choices(Frame& f, float top) {
@@ -268,10 +265,7 @@ void ToolPath::draw_choices(Frame& f, float top) {
 
 void ToolPath::draw_legend(Frame& f, float height) {
   Ui& ui = f.ui;
-  const ImVec2 corner = ImGui::GetCursorScreenPos();
-  ImGui::GetWindowDrawList()->AddRectFilled(corner, ImVec2(corner.x + ui.hair(), ui.px(f.area.bottom())),
-                                            ui[Tone::line]);
-  ImGui::SetCursorScreenPos(ImVec2(corner.x + ui.hair(), corner.y));
+  draw_line_down(f);
   begin_part(ui, "path/legend", 0, ui.px(height), Tone::panel, 16);
   section_title(ui, "Legend");
   const auto entry = [&](Tone tone, float width, bool dashed, std::string_view words) {

@@ -12,6 +12,7 @@
 #include "gui/widgets/button.h"
 #include "gui/widgets/choice.h"
 #include "gui/widgets/text.h"
+#include "panels/lines.h"
 #include "panels/measures.h"
 #include "panels/path.h"
 
@@ -234,8 +235,7 @@ void Tuning::make_step(Frame& f) {
 
 void Tuning::draw_toolbar(Frame& f) {
   Ui& ui = f.ui;
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  ImGui::SetCursorScreenPos(ImVec2(ui.px(f.area.x + 16), at.y + ui.px(8)));
+  const ImVec2 at = begin_toolbar(f);
   ButtonOptions go;
   go.icon = Icon::play;
   go.moving = true;
@@ -264,10 +264,7 @@ void Tuning::draw_toolbar(Frame& f) {
   ImGui::SetCursorScreenPos(ImVec2(after + ui.px(16), at.y + ui.px(12)));
   draw_fields(f);
   draw_compare(f, ui.px(f.area.right() - 16), at.y + ui.px(12));
-  const float y = at.y + ui.px(toolbar_height);
-  ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(ui.px(f.area.x), y - ui.hair()),
-                                            ImVec2(ui.px(f.area.right()), y), ui[Tone::line]);
-  ImGui::SetCursorScreenPos(ImVec2(at.x, y));
+  end_toolbar(f, at);
 }
 
 void Tuning::draw_fields(Frame& f) {

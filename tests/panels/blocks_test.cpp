@@ -252,12 +252,7 @@ TEST_F(VxmBlocksTest, BlocksTellHowLongTheyTakeAndWhereTheyGo) {
   const gui::Rect view = s.stage.find("blocks/path")->rect;
   const double per_px = std::stod(s.value("blocks/path"));
   const ImVec2 leg(view.centre().x + static_cast<float>(200 / per_px), view.centre().y);
-  s.stage.push(gui::InputEvent::mouse_move(leg.x, leg.y, s.stage.now_s));
-  s.stage.frames(2);
-  s.stage.push(gui::InputEvent::mouse_button(0, true, leg, s.stage.now_s));
-  s.stage.frames(2);
-  s.stage.push(gui::InputEvent::mouse_button(0, false, leg, s.stage.now_s));
-  s.stage.frames(3);
+  s.click_at(leg);
   EXPECT_TRUE(s.stage.find("blocks/3/to/2")) << "its fields are open";
 }
 

@@ -140,11 +140,7 @@ TEST_F(DrawingTabTest, AClickSaysWhatLiesAtTheOrigin) {
   const gui::Rect view = s.stage.find("drawing/view")->rect;
   const double per_px = std::stod(s.value("drawing/view"));
   const ImVec2 at(view.centre().x + static_cast<float>(15 * 200 / per_px) + 2, view.centre().y + 2);
-  s.stage.push(gui::InputEvent::mouse_move(at.x, at.y, s.stage.now_s));
-  s.stage.frames(1);
-  s.stage.push(gui::InputEvent::mouse_button(0, true, at, s.stage.now_s));
-  s.stage.frames(1);
-  s.stage.push(gui::InputEvent::mouse_button(0, false, at, s.stage.now_s));
+  s.click_at(at);
   s.stage.frames(8);
   s.click("drawing/to_program");
   const std::string& text = s.tab.desk().texts.text(0);

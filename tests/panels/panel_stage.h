@@ -80,6 +80,15 @@ struct PanelStage {
     EXPECT_TRUE(done) << id << ": " << done.error().sentence();
     stage.frames(2);
   }
+  /// With the mouse, wherever that is.
+  void click_at(ImVec2 p) {
+    stage.push(gui::InputEvent::mouse_move(p.x, p.y, stage.now_s));
+    stage.frames(1);
+    stage.push(gui::InputEvent::mouse_button(0, true, p, stage.now_s));
+    stage.frames(1);
+    stage.push(gui::InputEvent::mouse_button(0, false, p, stage.now_s));
+    stage.frames(2);
+  }
   void type(const char* id, const char* text) {
     const auto done = stage.hand.type(id, text);
     EXPECT_TRUE(done) << id << ": " << done.error().sentence();

@@ -29,14 +29,6 @@ struct PathTest : ::testing::Test {
     return ImVec2(r.centre().x + right, r.centre().y + down);
   }
   double per_px() { return std::stod(s.value("path/view")); }
-  void click_at(ImVec2 p) {
-    s.stage.push(gui::InputEvent::mouse_move(p.x, p.y, s.stage.now_s));
-    s.stage.frames(1);
-    s.stage.push(gui::InputEvent::mouse_button(0, true, p, s.stage.now_s));
-    s.stage.frames(1);
-    s.stage.push(gui::InputEvent::mouse_button(0, false, p, s.stage.now_s));
-    s.stage.frames(2);
-  }
   const DeviceType& type = *find_device_type("vxm");
   ToolPath panel;
   test::PanelStage s{panel, 864, 620, 1, gui::Tier::wide, true, *type.make_catalog({}), &type.language()};
@@ -60,7 +52,7 @@ TEST_F(PathTest, ASquareIsDrawnAndMeasured) {
 TEST_F(PathTest, AClickTellsTheLineAndTheEditorGoesThere) {
   rehearse("; first a remark\nI1M400,\nI2M400,\n");
   const auto half = static_cast<float>(200 / per_px());
-  click_at(in_view(half, 0));  // the second leg goes up at the right
+  s.click_at(in_view(half, 0));  // the second leg goes up at the right
   EXPECT_THAT(s.value("path/hit"), HasSubstr("Line 3: I2M400,"));
   EXPECT_THAT(s.value("path/hit"), HasSubstr("1 400 steps, 2 "));
   s.click("path/show_line");
@@ -88,13 +80,13 @@ TEST_F(PathTest, WheelKeysAndDragMoveTheView) {
 TEST_F(PathTest, ArrowsWithAltMoveTheViewAndJogNothing) {
   rehearse("I1M400,\nI2M400,\n");
   const auto half = static_cast<float>(200 / per_px());
-  click_at(in_view(half, 0));
+  s.click_at(in_view(half, 0));
   ASSERT_THAT(s.value("path/hit"), HasSubstr("Line 2"));
   ASSERT_TRUE(s.stage.hand.key("Tab"));
   ASSERT_TRUE(s.stage.hand.key("shift+Tab"));  // the ring shows where keys go
   ASSERT_TRUE(s.stage.hand.key("alt+right"));
   s.stage.frames(2);
-  click_at(in_view(half - 40, 0));
+  s.click_at(in_view(half - 40, 0));
   EXPECT_THAT(s.value("path/hit"), HasSubstr("Line 2"));
   EXPECT_TRUE(s.sent.empty());
 }
@@ -104,8 +96,8 @@ TEST_F(PathTest, TwoClicksMeasure) {
   const auto right = static_cast<float>(200 / per_px()), up = static_cast<float>(150 / per_px());
   s.click("path/measure");
   EXPECT_THAT(s.value("path/hit"), HasSubstr("Click where"));
-  click_at(in_view(-right, up));
-  click_at(in_view(right, -up));
+  s.click_at(in_view(-right, up));
+  s.click_at(in_view(right, -up));
   EXPECT_EQ(s.value("path/hit"), "1 400 steps, 2 300 steps - 500 steps straight - 36.9deg");
   s.click("path/measure");
   EXPECT_EQ(s.value("path/hit"), "");
@@ -122,7 +114,7 @@ TEST_F(PathTest, AClickOnTheTraceTellsWhenItWasThere) {
   s.stage.frames(2);
   s.stage.now_s += 20;
   s.stage.frames(2);
-  click_at(in_view(0, 0));
+  s.click_at(in_view(0, 0));
   EXPECT_THAT(s.value("path/hit"),
               testing::MatchesRegex("1 1[0-9]+ steps, 2 0 steps . was there 2[0-9] s ago"));
 }

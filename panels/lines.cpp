@@ -1,0 +1,36 @@
+#include "panels/lines.h"
+
+#include "gui/tab.h"
+#include "panels/measures.h"
+
+namespace hw::panels {
+
+using namespace gui;
+
+void draw_line_across(const Frame& f, float y) {
+  Ui& ui = f.ui;
+  ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(ui.px(f.area.x), y),
+                                            ImVec2(ui.px(f.area.right()), y + ui.hair()), ui[Tone::line]);
+}
+
+void draw_line_down(const Frame& f) {
+  Ui& ui = f.ui;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::GetWindowDrawList()->AddRectFilled(at, ImVec2(at.x + ui.hair(), ui.px(f.area.bottom())),
+                                            ui[Tone::line]);
+  ImGui::SetCursorScreenPos(ImVec2(at.x + ui.hair(), at.y));
+}
+
+ImVec2 begin_toolbar(const Frame& f) {
+  const ImVec2 corner(f.ui.px(f.area.x), ImGui::GetCursorScreenPos().y);
+  ImGui::SetCursorScreenPos(ImVec2(f.ui.px(f.area.x + 16), corner.y + f.ui.px(8)));
+  return corner;
+}
+
+void end_toolbar(const Frame& f, ImVec2 corner) {
+  const float bottom = corner.y + f.ui.px(toolbar_height);
+  draw_line_across(f, bottom - f.ui.hair());
+  ImGui::SetCursorScreenPos(ImVec2(corner.x, bottom));
+}
+
+}  // namespace hw::panels

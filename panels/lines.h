@@ -1,0 +1,18 @@
+#pragma once
+// Hairlines that part a panel, and the row of buttons at its top.
+#include <imgui.h>
+
+#include "gui/frame.h"
+
+namespace hw::panels {
+
+/// Over the whole width of the panel.
+void draw_line_across(const gui::Frame& frame, float y_px);
+/// From ImGui's cursor down to the panel's lower edge; the cursor goes behind it.
+void draw_line_down(const gui::Frame& frame);
+/// The cursor comes where the first button of the row goes; returns the corner of the row.
+ImVec2 begin_toolbar(const gui::Frame& frame);
+/// A line under it; the cursor comes below.
+void end_toolbar(const gui::Frame& frame, ImVec2 corner);
+
+}  // namespace hw::panels
