@@ -101,8 +101,7 @@ bool GlCanvas::size_to(int width, int height) {
   return egl_->status(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
 }
 
-bool GlCanvas::render(ImDrawData& data, const Pictures& pictures, int atlas_generation, ImU32 ground,
-                      std::vector<std::uint32_t>& pixels) {
+bool GlCanvas::draw(ImDrawData& data, const Pictures& pictures, int atlas_generation, ImU32 ground) {
   const int width = static_cast<int>(data.DisplaySize.x), height = static_cast<int>(data.DisplaySize.y);
   if (!egl_->make_current()) return false;
   if (!egl_->backend) egl_->backend = ImGui_ImplOpenGL3_Init("#version 150");
@@ -120,11 +119,17 @@ bool GlCanvas::render(ImDrawData& data, const Pictures& pictures, int atlas_gene
   glClearColor(c.x, c.y, c.z, 1);
   glClear(GL_COLOR_BUFFER_BIT);
   textures_.render(data, pictures);
-  pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  glFinish();
+  return glGetError() == GL_NO_ERROR;
+}
+
+bool GlCanvas::read(std::vector<std::uint32_t>& pixels) {
+  if (!egl_->make_current()) return false;
+  pixels.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
   glPixelStorei(GL_PACK_ALIGNMENT, 4);
-  glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
-  const auto row = [&](int y) { return pixels.begin() + static_cast<std::ptrdiff_t>(y) * width; };
-  for (int y = 0; y < height / 2; ++y) std::swap_ranges(row(y), row(y) + width, row(height - 1 - y));
+  glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+  const auto row = [&](int y) { return pixels.begin() + static_cast<std::ptrdiff_t>(y) * width_; };
+  for (int y = 0; y < height_ / 2; ++y) std::swap_ranges(row(y), row(y) + width_, row(height_ - 1 - y));
   return glGetError() == GL_NO_ERROR;
 }
 

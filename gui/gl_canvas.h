@@ -18,9 +18,10 @@ class GlCanvas {
   GlCanvas(const GlCanvas&) = delete;
   GlCanvas& operator=(const GlCanvas&) = delete;
 
-  /// Draws through ImGui's GL3 backend and reads the pixels back, rows from the top. False when GL failed.
-  bool render(ImDrawData& data, const Pictures& pictures, int atlas_generation, ImU32 ground,
-              std::vector<std::uint32_t>& pixels);
+  /// Draws through ImGui's GL3 backend, to the end. False when GL failed.
+  bool draw(ImDrawData& data, const Pictures& pictures, int atlas_generation, ImU32 ground);
+  /// What was drawn last, rows from the top. False when GL failed.
+  bool read(std::vector<std::uint32_t>& pixels);
 
  private:
   struct Egl;

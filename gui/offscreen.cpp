@@ -45,13 +45,20 @@ void Offscreen::render_software() {
   pixels_.assign(raster_.pixels().begin(), raster_.pixels().end());
 }
 
-std::span<const std::uint32_t> Offscreen::render() {
+bool Offscreen::draw_with_gl() {
   ImDrawData* data = screen_.draw_data();
-  if (!data) return {};
+  if (!data) return false;
   if (wanted_ != Renderer::software && !gl_tried_) gl_ = GlCanvas::open();
   gl_tried_ = true;
-  if (gl_ && gl_->render(*data, screen_.pictures(), screen_.atlas_generation(), screen_.theme()[Tone::ground], pixels_))
-    return pixels_;
+  if (gl_ && gl_->draw(*data, screen_.pictures(), screen_.atlas_generation(), screen_.theme()[Tone::ground]))
+    return true;
+  gl_.reset();
+  return false;
+}
+
+std::span<const std::uint32_t> Offscreen::render() {
+  if (!screen_.draw_data()) return {};
+  if (draw_with_gl() && gl_->read(pixels_)) return pixels_;
   gl_.reset();
   render_software();
   return pixels_;

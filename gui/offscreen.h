@@ -30,6 +30,8 @@ class Offscreen : public Surface {
   void frame(double now_s, const Draw& draw) override;
   Result<> screenshot(const std::string& path) override;
 
+  /// The last frame as a window draws it; its pixels stay where they are. False: this machine has no GL.
+  bool draw_with_gl();
   /// Renders the last frame and gives its pixels, rows from the top.
   std::span<const std::uint32_t> render();
   [[nodiscard]] ImU32 pixel(int x, int y) const;
