@@ -56,7 +56,7 @@ void Desk::sent(const IntentBody& body) {
 
 void Desk::stopped() {
   job.give_up();
-  ++stops_;
+  until_stopped_ = std::make_shared<int>(0);
 }
 
 void Desk::refresh(const Snapshot& now, const BenchView& bench, Instant clock, const Send& send) {

@@ -4,6 +4,7 @@
 // thread.
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -73,8 +74,8 @@ class Desk {
   void sent(const IntentBody& body);
   /// A stop goes out: nothing that was begun before is carried on.
   void stopped();
-  /// Grows with each stop.
-  [[nodiscard]] std::uint64_t stops() const { return stops_; }
+  /// Expires with the next stop: whoever carries something on takes one when it begins.
+  [[nodiscard]] std::weak_ptr<void> until_stopped() const { return until_stopped_; }
   /// Once a frame, after the snapshot and its notices were taken.
   void refresh(const Snapshot& now, const BenchView& bench, Instant clock, const Send& send);
 
@@ -92,10 +93,10 @@ class Desk {
   std::string autosave_key_;
   std::uint64_t autosaved_ = 0;
   std::uint32_t program_changes_ = 0;
-  std::uint64_t starts_ = 0, stops_ = 0;
+  std::uint64_t starts_ = 0;
   Instant changed_at_{}, started_at_{};
   bool dirty_ = false;
-  std::shared_ptr<int> alive_ = std::make_shared<int>(0);
+  std::shared_ptr<int> alive_ = std::make_shared<int>(0), until_stopped_ = std::make_shared<int>(0);
 };
 
 }  // namespace hw::gui

@@ -220,7 +220,7 @@ std::string_view Contour::why_not_run(const Frame& f) const {
 
 void Contour::run(Frame& f) {
   loading_ = f.send_and_watch(intent::LoadProgram(0, text_));
-  stops_ = f.tab.desk().stops();
+  go_ahead_ = f.tab.desk().until_stopped();
 }
 
 /// Its text is kept with the others from then on.
@@ -249,9 +249,9 @@ void Contour::follow(Frame& f) {
   // A stop, or another panel in front meanwhile: what is loaded is not started any more.
   const int frame = ImGui::GetFrameCount();
   const bool was_away = frame - std::exchange(drawn_frame_, frame) > 1;
-  if (was_away && loading_ != 0 && f.tab.desk().stops() == stops_)
+  if (was_away && loading_ != 0 && !go_ahead_.expired())
     f.toast(Mood::warn, "The list was loaded and is not started: another panel came to the front meanwhile.");
-  if (was_away || f.ui.cancelled() || f.tab.desk().stops() != stops_) loading_ = starting_ = 0;
+  if (was_away || f.ui.cancelled() || go_ahead_.expired()) loading_ = starting_ = 0;
   if (loading_ && ended(loading_)) starting_ = doubt_.send(f, intent::RunProgram(0, places_));
   if (starting_) ended(starting_);
 }

@@ -3,6 +3,7 @@
 // controller's own text. Ids: `contour/kind`, `contour/first`, `contour/speed`, `contour/ROW/x` (rows from
 // 1), `contour/add/line`, `contour/run`, `contour/to_program`, `contour/text`, `contour/problem`,
 // `contour/view`; `stairs/...` alike.
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -92,7 +93,7 @@ class Contour final : public gui::Panel {
 
   IntentId loading_ = 0, starting_ = 0;
   DoubtWays doubt_;
-  std::uint64_t stops_ = 0;  ///< that had gone out when Run was pressed
+  std::weak_ptr<void> go_ahead_;  ///< of the latest Run: a stop takes it away
   int drawn_frame_ = 0;
   bool asking_ = false;
 };

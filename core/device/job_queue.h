@@ -18,7 +18,7 @@ namespace hw {
 struct Job {
   Intent intent;
   TextMeaning meaning;                ///< of a text
-  std::uint64_t stops_before = 0;     ///< of all controllers on this wire, for a text to all of them
+  std::uint64_t line_epoch = 0;       ///< Line::epoch() when it was asked for, of a text to all of them
   std::uint32_t restarts_before = 0;  ///< of the controller, as far as was known
   bool is_query = false;
   std::string text;

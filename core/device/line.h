@@ -26,9 +26,9 @@ class Line {
     for (const Member& m : std::vector<Member>(members_))
       if (m.pump != &pump) each(*m.pump);
   }
-  /// A stop of any of them has been asked for.
-  void count_stop() { ++stops_; }
-  [[nodiscard]] std::uint64_t stops() const { return stops_; }
+  /// A stop of any of them has been asked for: no text to all that was asked for before goes out.
+  void begin_epoch() { ++epoch_; }
+  [[nodiscard]] std::uint64_t epoch() const { return epoch_; }
 
  private:
   struct Member {
@@ -36,7 +36,7 @@ class Line {
     int address;
   };
   std::vector<Member> members_;
-  std::uint64_t stops_ = 0;
+  std::uint64_t epoch_ = 0;
 };
 
 }  // namespace hw

@@ -125,7 +125,7 @@ Task<> Pump::pass_on(Intent intent, Pump& other) {
 }
 
 void Pump::enqueue(std::unique_ptr<Job> job) {
-  if (ways_.line) job->stops_before = ways_.line->stops();
+  if (ways_.line) job->line_epoch = ways_.line->epoch();
   job->restarts_before = draft_.restarts;
   jobs_.push(std::move(job));
   wake_.notify();
@@ -247,7 +247,7 @@ Result<> Pump::trust_position(AxisId axis) {
 /// stopped.
 Result<> Pump::may_go_to_all(const Job& job) const {
   if (job.meaning.whom != TextMeaning::For::everybody || !ways_.line) return {};
-  if (ways_.line->stops() != job.stops_before) return fail(stop_came_first());
+  if (ways_.line->epoch() != job.line_epoch) return fail(stop_came_first());
   bool one_is_stopped = false;
   ways_.line->for_each_but(*this, [&](Pump& other) { one_is_stopped |= other.desk_.any(); });
   if (!one_is_stopped) return {};

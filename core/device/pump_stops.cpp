@@ -41,7 +41,7 @@ void Pump::post_stop(StopOrder order) {
 void Pump::drop_what_waits() {
   refuse_queued(stopped_first);
   if (!ways_.line) return;
-  ways_.line->count_stop();
+  ways_.line->begin_epoch();
   ways_.line->for_each_but(*this, [](Pump& other) {
     if (other.jobs_.performs_for_all_on_the_wire() && other.station_) other.station_->preempt();
   });

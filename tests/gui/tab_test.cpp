@@ -42,17 +42,18 @@ TEST_F(TabTest, EveryStopEndsWhatIsBeingPrepared) {
   const auto begin = [this] {
     tab.desk().job.begin(ProgramJob::Goal::clear, 0, tab.desk().texts, now, tab.catalog(),
                          [this](IntentBody body) { return tab.send(std::move(body)); });
-    return tab.desk().stops();
+    return tab.desk().until_stopped();
   };
-  std::uint64_t before = begin();
+  std::weak_ptr<void> go_ahead = begin();
+  EXPECT_FALSE(go_ahead.expired());
   tab.stop_all();
-  EXPECT_GT(tab.desk().stops(), before);
-  before = begin();
+  EXPECT_TRUE(go_ahead.expired());
+  go_ahead = begin();
   tab.stopped_with(99);
-  EXPECT_GT(tab.desk().stops(), before);
-  before = begin();
+  EXPECT_TRUE(go_ahead.expired());
+  go_ahead = begin();
   tab.send(intent::HaltProgram());
-  EXPECT_GT(tab.desk().stops(), before);
+  EXPECT_TRUE(go_ahead.expired());
 }
 
 TEST_F(TabTest, UnitsComeFromTheProfile) {
