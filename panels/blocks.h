@@ -47,12 +47,13 @@ class Blocks final : public gui::Panel {
 
   // ---- blocks_list.cpp
   void draw_palette(gui::Frame& frame, float height);
+  void draw_finder(gui::Frame& frame, bool all);
   void draw_list(gui::Frame& frame, float left, float width, float height);
   bool pass_over(gui::Ui& ui, std::size_t row);
   void draw_row(gui::Frame& frame, std::size_t row, float width);
   void draw_chosen(gui::Frame& frame, std::size_t row, float left, float width);
   void draw_tools(gui::Frame& frame, const sequence::Step& step);
-  void draw_end(gui::Frame& frame, float width);
+  void draw_end(gui::Frame& frame, float width, bool palette_aside);
   void draw_total(gui::Frame& frame, float width);
   void add(sequence::Step::Body body);
   void choose(std::optional<sequence::StepPath> path);

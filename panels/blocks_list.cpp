@@ -108,17 +108,26 @@ void Blocks::draw_palette(Frame& f, float height) {
   ImGui::SetCursorScreenPos(ImVec2(ui.px(f.area.x), at.y));
   begin_part(ui, "blocks/palette", ui.px(148), ui.px(height), Tone::panel, 8);
   gap(ui, 8);
+  draw_finder(f, true);
+  gap(ui, 8);
+  end_part();
+}
+
+/// A name is typed, and those that have it are there; `all`: before anything is typed, too.
+void Blocks::draw_finder(Frame& f, bool all) {
+  Ui& ui = f.ui;
   FieldOptions field;
   field.width = fill;
   field.placeholder = "Add by name";
   field.keep_focus = true;  // for the next one
   const Field typed = text_field(ui, "blocks/add_by_name", "Add by name", wanted_, field);
+  if (!all && wanted_.empty()) return;
   const PaletteEntry* first = nullptr;
   std::string_view group;
   for (const PaletteEntry& entry : palette) {
     if (!is_named(entry, wanted_)) continue;
     if (!first) first = &entry;
-    if (group != entry.group) {
+    if (all && group != entry.group) {
       group = entry.group;
       gap(ui, 8);
       text(ui, Face::small, Tone::ink2, group);
@@ -126,15 +135,15 @@ void Blocks::draw_palette(Frame& f, float height) {
     ButtonOptions look;
     look.style = ButtonStyle::quiet;
     look.width = fill;
-    if (button(ui, entry.id, entry.label, look).clicked) add(entry.make(editor_->sequence()));
+    if (!button(ui, entry.id, entry.label, look).clicked) continue;
+    add(entry.make(editor_->sequence()));
+    if (!all) return wanted_.clear();
   }
   if (!first) wrapped(ui, Face::small, Tone::ink2, "No block has such a name.");
   if (typed.entered && first && !wanted_.empty()) {
     add(first->make(editor_->sequence()));
     wanted_.clear();
   }
-  gap(ui, 8);
-  end_part();
 }
 
 /// Behind the chosen block, into a chosen loop, or at the end.
@@ -222,6 +231,11 @@ void Blocks::draw_list(Frame& f, float left, float width, float height) {
   begin_part(ui, "blocks/list", ui.px(width), ui.px(height), Tone::panel, 12);
   const float inner = ImGui::GetContentRegionAvail().x / ui.scale;
   section_title(ui, "Blocks", "rehearsed");
+  const bool palette_aside = left > 0;
+  if (!palette_aside) {
+    draw_finder(f, false);
+    gap(ui, 8);
+  }
   const bool problem_here = f.area.width < 760 && !problem_.empty();
   if (problem_here) {
     const ImVec2 from = ImGui::GetCursorScreenPos();
@@ -233,7 +247,7 @@ void Blocks::draw_list(Frame& f, float left, float width, float height) {
   for (std::size_t row = 0; row < rows_.size(); ++row)
     if (!pass_over(ui, row)) draw_row(f, row, inner);
   if (const auto dropped = drag_.finish(ui)) drop(*dropped);
-  draw_end(f, inner);
+  draw_end(f, inner, palette_aside);
   draw_total(f, inner);
   gap(ui, 16);
   end_part();
@@ -360,13 +374,15 @@ void Blocks::draw_total(Frame& f, float width) {
 }
 
 /// Where the next block goes when none is chosen.
-void Blocks::draw_end(Frame& f, float width) {
+void Blocks::draw_end(Frame& f, float width, bool palette_aside) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const Touch t = touch(ui, {"blocks/end", Kind::button, "Next block here"}, ImVec2(ui.px(width), ui.px(32)));
   draw_dashed_outline(ui, t.rect, ui[chosen_ ? Tone::edge : Tone::ink2]);
   draw_text_centred(ui, t.rect, Face::body, ui[chosen_ ? Tone::ink3 : Tone::ink2],
-                    rows_.empty() ? "Choose a block at the left: it comes here" : "Next block here");
+                    !rows_.empty()  ? "Next block here"
+                    : palette_aside ? "Choose a block at the left: it comes here"
+                                    : "Type the name of a block above: it comes here");
   draw_ring(ui, t);
   if (t.clicked) choose(std::nullopt);
   ImGui::SetCursorScreenPos(ImVec2(at.x, t.rect.max.y));

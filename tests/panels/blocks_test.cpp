@@ -182,6 +182,18 @@ TEST_F(BlocksTest, ABlockIsFoundByItsName) {
   EXPECT_TRUE(s.stage.find("blocks/add/delay")) << "all of them are there again";
 }
 
+TEST(NarrowBlocks, AreAddedByTheirNames) {
+  const DeviceType& type = *find_device_type("vxm");
+  Blocks panel;
+  test::PanelStage s(panel, 480, 700, 1, gui::Tier::narrow, true, *type.make_catalog({}), &type.language());
+  s.stage.frames(2);
+  EXPECT_FALSE(s.stage.find("blocks/add/delay"));
+  s.type("blocks/add_by_name", "del");
+  s.click("blocks/add/delay");
+  EXPECT_EQ(s.value("blocks/1"), "500 ms");
+  EXPECT_FALSE(s.stage.find("blocks/add/delay")) << "the name has been used";
+}
+
 TEST_F(BlocksTest, ABlockIsCarriedWithTheMouse) {
   for (const char* words : {"first", "second", "third"}) {
     s.click("blocks/end");
