@@ -143,8 +143,6 @@ class Stroke {
   }
 
  private:
-  const PathView& view_;
-  Coverage& coverage_;
   void point_along(Point unit, Point tip) {
     constexpr double back = 0.87, aside = 0.5;
     since_arrow_ = 0;
@@ -156,6 +154,8 @@ class Stroke {
                      0);
   }
 
+  const PathView& view_;
+  Coverage& coverage_;
   double arrow_every_, arrow_, since_arrow_ = 0;
   Point from_, latest_;
   double walked_ = 0;

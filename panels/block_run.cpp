@@ -61,6 +61,7 @@ void BlockRun::follow(Frame& f, const SequenceText& text) {
 void BlockRun::ask_or_put(Frame& f, const SequenceText& text, Wanted wanted) {
   const ProgramTexts& texts = f.tab.desk().texts;
   wanted_ = wanted;
+  go_ahead_ = f.tab.desk().until_stopped();
   asking_ = texts.edited(texts.chosen()) && texts.text(texts.chosen()) != text.text;
   if (!asking_) put(f, text);
 }
@@ -71,9 +72,19 @@ void BlockRun::put(Frame& f, const SequenceText& text) {
   switch (std::exchange(wanted_, Wanted::nothing)) {
     case Wanted::nothing: return;
     case Wanted::to_program: return f.show_panel("program");
-    case Wanted::run: return begin_run(f, RunWish::run);
-    case Wanted::run_stepping: return begin_run(f, RunWish::run_stepping);
+    case Wanted::run: return run(f, RunWish::run);
+    case Wanted::run_stepping: return run(f, RunWish::run_stepping);
   }
+}
+
+/// While the question stood a stop may have come, or something else have begun: then the text is only there.
+void BlockRun::run(Frame& f, RunWish wish) {
+  if (go_ahead_.expired())
+    return f.toast(Mood::warn, "A stop came first. The text was put into the program and not run.");
+  std::string_view why = why_none_runs(f);
+  if (why.empty() && is_under_way(f.now.program)) why = "Another program waits. Stop it first.";
+  if (why.empty()) return begin_run(f, wish);
+  f.toast(Mood::warn, std::string(why), &f.tab.desk().texts);
 }
 
 void BlockRun::draw_dialog(Frame& f, const SequenceText& text) {
@@ -82,7 +93,7 @@ void BlockRun::draw_dialog(Frame& f, const SequenceText& text) {
                     .sentences =
                         "The program has changes that are in no file. The text of the blocks would "
                         "take its place.",
-                    .yes = "Replace",
+                    .yes = wanted_ == Wanted::to_program ? "Replace" : "Replace and run",
                     .no = "Keep the text"};
   if (dialog(f.ui, "blocks/replace", asking_, what) == Answer::yes) put(f, text);
 }

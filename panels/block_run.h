@@ -3,7 +3,7 @@
 // and the block that the controller is at is known. Ids: `blocks/run` and the rest of the run bar,
 // `blocks/to_program`, `blocks/replace`.
 #include <cstdint>
-#include <string>
+#include <memory>
 #include <string_view>
 
 #include "core/device/sequence_text.h"
@@ -27,8 +27,10 @@ class BlockRun {
   void follow(gui::Frame& frame, const SequenceText& text);
   void ask_or_put(gui::Frame& frame, const SequenceText& text, Wanted wanted);
   void put(gui::Frame& frame, const SequenceText& text);
+  void run(gui::Frame& frame, RunWish wish);
 
   Wanted wanted_ = Wanted::nothing;  ///< behind the question
+  std::weak_ptr<void> go_ahead_;     ///< a stop while it stands takes it away
   bool asking_ = false;
   int live_step_ = -1;
   std::string_view live_words_;

@@ -25,7 +25,7 @@ class DrawingOptions {
   /// As the controller and the units of its axes suggest, before anybody has chosen.
   void begin(const gui::Frame& frame);
   /// Of another file.
-  void forget_layers() { left_out_.clear(), changed_ = true; }
+  void forget_file() { left_out_.clear(), point_ = {}, changed_ = true; }
   /// A click shall say what lies at 0, 0.
   [[nodiscard]] bool wants_origin() const { return origin_ == 2; }
   /// A place of the drawing.

@@ -63,7 +63,7 @@ void DrawingTab::draw(Frame& f) {
 }
 
 void DrawingTab::open(Frame& f, const std::filesystem::path& path) {
-  options_.forget_layers();
+  options_.forget_file();
   options_.settle(f, nullptr);
   job_.open(f, path, options_.wanted());
 }

@@ -134,7 +134,8 @@ void PathCanvas::touch(Frame& f, std::string_view id, const PathSubject& s, cons
   const ImGuiIO& io = ImGui::GetIO();
   const drawing::Point mouse{io.MousePos.x - in.min.x, io.MousePos.y - in.min.y};
   if (t.started) pressed_at_ = io.MousePos;
-  if (t.held && ImGui::IsMouseDown(0) && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0))
+  // How the pointer came to where it was pressed is no drag.
+  if (t.held && !t.started && ImGui::IsMouseDown(0) && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0))
     view_.pan(io.MouseDelta.x, io.MouseDelta.y), moved_ = true;
   if (t.hovered && io.MouseWheel != 0) view_.zoom(mouse, std::pow(zoom_step, io.MouseWheel)), moved_ = true;
   if (t.double_clicked) fit();

@@ -96,6 +96,7 @@ void ToolPath::work_out(Frame& f) {
   made_ = wanted;
   path_ = nullptr;
   hit_.clear(), hit_line_ = -1;
+  canvas_.measure(canvas_.measures());  // its ends were in the axes and units of before
   canvas_.fit();
   if (wanted.rehearsal == 0) return;
   line_of_command_ = lines_of_commands(desk.language()->analyse(outcome->text, slot), slot);

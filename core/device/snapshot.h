@@ -142,7 +142,8 @@ struct ParamState {
 };
 
 /// The memory window of a controller as the console has last read it (Catalog::memory says what lies where).
-/// A register that reading clears shows what the last reading brought. What is not known is not copied.
+/// A register that reading clears shows what the last reading brought. A copy of what is not known is
+/// empty: nothing of before is there when something is known again.
 struct WindowImage {
   static constexpr std::size_t bytes = 4096;
   bool known = false;
@@ -152,8 +153,11 @@ struct WindowImage {
   WindowImage() = default;
   WindowImage(const WindowImage& image) { *this = image; }
   WindowImage& operator=(const WindowImage& image) {
+    if (image.known)
+      memory = image.memory;
+    else if (known)
+      memory.fill(0);
     known = image.known, rings_known = image.rings_known;
-    if (known) memory = image.memory;
     return *this;
   }
 

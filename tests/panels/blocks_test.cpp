@@ -158,6 +158,21 @@ TEST_F(VxmBlocksTest, BlocksRunWhereTheyStand) {
   EXPECT_TRUE(s.last<intent::Resume>());
 }
 
+TEST_F(VxmBlocksTest, AStopWhileRunIsAskedAboutIsTheLastWord) {
+  s.now.slot_bytes_used[0] = 0;
+  s.tab.desk().texts.set_text(0, "I2M1\n");
+  s.click("blocks/add/delay");
+  s.click("blocks/run");
+  ASSERT_TRUE(s.stage.find("blocks/replace/yes"));
+  s.tab.desk().stopped();
+  s.click("blocks/replace/yes");
+  EXPECT_FALSE(s.last<intent::LoadProgram>());
+  EXPECT_EQ(s.tab.desk().texts.text(0), text()) << "it is only there";
+  EXPECT_THAT(s.toast(), HasSubstr("A stop came first"));
+  s.click("blocks/run");
+  EXPECT_TRUE(s.last<intent::LoadProgram>());
+}
+
 TEST_F(VxmBlocksTest, ABlockOfAnotherTextIsNotLit) {
   s.now.slot_bytes_used[0] = 0;
   s.click("blocks/add/delay");

@@ -33,6 +33,10 @@ struct DrawingTabTest : ::testing::Test {
     s.tab.desk().dropped["drawing"].push_back(file);
     s.stage.frames(6);
   }
+  void two_hundred_pulses_in_a_mm() {
+    s.type("drawing/per_unit/X", "200");
+    s.type("drawing/per_unit/Y", "200");
+  }
   const DeviceType& type;
   DrawingTab panel;
   std::filesystem::path file;
@@ -58,8 +62,7 @@ TEST_F(DrawingTabTest, LayersScaleAndToolChangeTheProgram) {
   s.click("drawing/layer/holes");
   s.stage.frames(6);
   EXPECT_EQ(s.value("drawing/drawn"), "30.0 mm");
-  s.type("drawing/per_unit/X", "200");
-  s.type("drawing/per_unit/Y", "200");
+  two_hundred_pulses_in_a_mm();
   s.click("drawing/tool");
   s.click("drawing/tool/DO2");
   s.click("drawing/origin/Corner");
@@ -73,8 +76,7 @@ TEST_F(DrawingTabTest, LayersScaleAndToolChangeTheProgram) {
 
 TEST_F(DrawingTabTest, WhatIsNoNumberIsNoScale) {
   drop();
-  s.type("drawing/per_unit/X", "200");
-  s.type("drawing/per_unit/Y", "200");
+  two_hundred_pulses_in_a_mm();
   s.type("drawing/per_unit/X", "-3");
   s.click("drawing/origin/Corner");
   s.stage.frames(6);
@@ -111,8 +113,7 @@ TEST_F(DrawingTabTest, AnyTwoAxesDraw) {
 
 TEST_F(DrawingTabTest, TheFrameGoesOnceAroundWithTheToolOff) {
   drop();
-  s.type("drawing/per_unit/X", "200");
-  s.type("drawing/per_unit/Y", "200");
+  two_hundred_pulses_in_a_mm();
   s.click("drawing/tool");
   s.click("drawing/tool/DO2");
   s.click("drawing/origin/Corner");
@@ -130,8 +131,7 @@ TEST_F(DrawingTabTest, TheFrameGoesOnceAroundWithTheToolOff) {
 
 TEST_F(DrawingTabTest, AClickSaysWhatLiesAtTheOrigin) {
   drop();
-  s.type("drawing/per_unit/X", "200");
-  s.type("drawing/per_unit/Y", "200");
+  two_hundred_pulses_in_a_mm();
   s.click("drawing/origin/By click");
   s.stage.frames(6);
   s.click("drawing/fit");

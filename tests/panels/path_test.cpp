@@ -77,6 +77,24 @@ TEST_F(PathTest, WheelKeysAndDragMoveTheView) {
   EXPECT_NEAR(per_px(), before, before * 0.01);
 }
 
+TEST_F(PathTest, WhatComesWithThePressIsNoDrag) {
+  rehearse("I1M400,\nI2M400,\n");
+  const auto half = static_cast<float>(200 / per_px());
+  const ImVec2 side = in_view(half, 0);
+  s.stage.push(gui::InputEvent::mouse_move(20, 20, s.stage.now_s));
+  s.stage.frames(1);
+  s.stage.push(gui::InputEvent::mouse_move(side.x, side.y, s.stage.now_s));
+  s.stage.push(gui::InputEvent::mouse_button(0, true, side, s.stage.now_s));
+  s.stage.frames(1);
+  s.stage.push(gui::InputEvent::mouse_button(0, false, side, s.stage.now_s));
+  s.stage.frames(2);
+  EXPECT_THAT(s.value("path/hit"), HasSubstr("Line 2")) << "the view stands where it stood";
+  s.stage.push(gui::InputEvent::mouse_move(20, 20, s.stage.now_s));
+  s.stage.frames(1);
+  s.click_at(side);
+  EXPECT_THAT(s.value("path/hit"), HasSubstr("Line 2"));
+}
+
 TEST_F(PathTest, ArrowsWithAltMoveTheViewAndJogNothing) {
   rehearse("I1M400,\nI2M400,\n");
   const auto half = static_cast<float>(200 / per_px());
