@@ -21,6 +21,7 @@ void BlockRun::draw(Frame& f, const SequenceText& text, std::string_view why_not
   look.why_not = why_none_runs(f);
   if (look.why_not.empty() && !is_under_way(f.now.program)) look.why_not = why_not;
   look.brief = f.area.width < 860;
+  look.tip = text.tool;
   RunWish wish = run_bar(f, "blocks", look);
   if (f.ui.keyboard.pressed(Command::run)) {
     if (look.why_not.empty())

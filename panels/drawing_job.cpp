@@ -25,7 +25,13 @@ Result<DrawingJob::Made> make(const drawing::Drawing& drawing, const Catalog& ca
   if (!written) return fail(written.error());
   auto frame = language.write(converted->frame, catalog);
   if (!frame) return fail(frame.error());
-  DrawingJob::Made made{std::move(*converted), std::move(*written), std::move(frame->text), {}, {}, {}};
+  DrawingJob::Made made;
+  made.conversion = std::move(*converted), made.written = std::move(*written);
+  made.frame = std::move(frame->text);
+  if (auto pieces = language.in_pieces(made.conversion.sequence, catalog))
+    made.pieces = std::make_shared<const Pieces>(std::move(*pieces));
+  else
+    made.no_pieces = pieces.error().sentence();
   made.path = std::make_shared<const drawing::ToolPath>(sequence_path(made.conversion.sequence, scale));
   for (const Problem& p : language.analyse(made.written.text, 0).problems)
     if (p.error && made.problem.empty()) made.problem = p.sentence;

@@ -22,6 +22,8 @@ class DrawingJob {
     std::string frame;    ///< text that goes once around it with the tool off
     std::string problem;  ///< of the text: it does not fit; empty: none
     std::optional<double> duration_s;
+    std::shared_ptr<const Pieces> pieces;
+    std::string no_pieces;                          ///< why there are none
     std::shared_ptr<const drawing::ToolPath> path;  ///< in the units of the axes
   };
 

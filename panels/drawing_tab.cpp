@@ -174,6 +174,7 @@ void DrawingTab::draw_side(Frame& f, float height) {
   draw_line_down(f);
   begin_part(ui, "drawing/side", 0, ui.px(height), Tone::panel, 16);
   draw_facts(f);
+  draw_run(f);
   options_.draw(f, job_.drawing());
   draw_left_out(f);
   gap(ui, 16);
@@ -205,10 +206,20 @@ void DrawingTab::draw_facts(Frame& f) {
     key_value(ui, "drawing/size", "Size", size_);
     key_value(ui, "drawing/chains", "Chains", chains_);
     if (!made->written.remarks.empty()) wrapped(ui, Face::small, Tone::ink2, made->written.remarks.front());
+    if (!made->written.tool.empty()) wrapped(ui, Face::small, Tone::ink2, made->written.tool);
   } else if (!job_.drawing()) {
     wrapped(ui, Face::body, Tone::ink2, "Lines, arcs, circles, polylines, ellipses and splines are cut.");
   }
   group_line(ui);
+}
+
+void DrawingTab::draw_run(Frame& f) {
+  const DrawingJob::Made* made = job_.busy() ? nullptr : job_.made();
+  DrawingRun::Wanted wanted{made ? made->pieces : nullptr, why_not(), time_, {}};
+  if (made) wanted.tool = made->written.tool;
+  if (made && !made->pieces) wanted.why_not = made->no_pieces;
+  run_.draw(f, wanted);
+  group_line(f.ui);
 }
 
 void DrawingTab::draw_left_out(Frame& f) {
@@ -241,6 +252,7 @@ void DrawingTab::draw_dialogs(Frame& f) {
         .no = "Keep the text"};
     if (dialog(f.ui, "drawing/replace_text", asking_program_, what) == Answer::yes) put(f);
   }
+  run_.draw_dialog(f);
   if (const auto path = open_.draw(f.ui)) open(f, *path);
 }
 

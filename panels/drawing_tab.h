@@ -2,7 +2,7 @@
 // A drawing file: what it shows, where it comes to lie, what the tool does along it, and the program that
 // comes of it. Ids: `drawing/open`, `drawing/to_blocks`, `drawing/to_program`, `drawing/frame`,
 // `drawing/off`, `drawing/fit`, `drawing/settings`, `drawing/view`, `drawing/problem`, `drawing/time`,
-// `drawing/left_out`; the settings: see DrawingOptions.
+// `drawing/left_out`; the settings: see DrawingOptions; cutting it: see DrawingRun.
 #include <filesystem>
 #include <string>
 
@@ -10,6 +10,7 @@
 #include "gui/widgets/file_dialog.h"
 #include "panels/drawing_job.h"
 #include "panels/drawing_options.h"
+#include "panels/drawing_run.h"
 #include "panels/path_canvas.h"
 
 namespace hw::panels {
@@ -24,6 +25,7 @@ class DrawingTab final : public gui::Panel {
   void draw_toolbar(gui::Frame& frame);
   void draw_side(gui::Frame& frame, float height);
   void draw_facts(gui::Frame& frame);
+  void draw_run(gui::Frame& frame);
   void draw_left_out(gui::Frame& frame);
   void draw_dialogs(gui::Frame& frame);
   void to_blocks(gui::Frame& frame);
@@ -34,6 +36,7 @@ class DrawingTab final : public gui::Panel {
 
   DrawingJob job_;
   DrawingOptions options_;
+  DrawingRun run_;
   PathCanvas canvas_;
   gui::FileDialog open_;
   std::uint64_t said_ = ~std::uint64_t{0};  ///< DrawingJob::version() that the words are of

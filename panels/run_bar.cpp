@@ -50,7 +50,7 @@ struct Bar {
     if (!tried.holds) o.icon_after = Icon::none;
     o.disabled = look.why_not;
     o.moving = true;
-    if (!waiting) o.tip = tried.words;
+    if (!waiting) o.tip = tried.words.empty() ? look.tip : tried.words;
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const bool pressed = press("run", waiting ? "Go on" : "Run", o);
     if (!tried.words.empty())

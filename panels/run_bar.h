@@ -19,6 +19,7 @@ enum class RunWish : std::uint8_t { none, run, run_stepping };
 struct RunBarLook {
   std::string_view why_not = {};  ///< run: why nothing can be begun
   Rehearsed rehearsed = {};       ///< what Run says of that; its words are empty where nothing is known of it
+  std::string_view tip = {};      ///< run: what is to be known of it first
   bool keys = false;              ///< with the chord on Run
   bool brief = false;             ///< all but Run by their signs alone
 };

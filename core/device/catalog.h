@@ -247,7 +247,9 @@ struct BenchFacts {
 };
 
 struct Capabilities {
-  bool single_step = false;     ///< Pause, Resume, SingleStep
+  bool single_step = false;        ///< Pause, Resume, SingleStep
+  bool outputs_while_held = true;  ///< they can be switched while a program is held
+  bool stop_clears_outputs = false;
   bool store = false;           ///< non-volatile memory with a limited write life
   std::int32_t store_life = 0;  ///< writes
   bool one_axis_at_a_time = false;

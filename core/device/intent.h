@@ -3,6 +3,7 @@
 // refuses with a sentence.
 #include <chrono>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <utility>
 #include <variant>
@@ -11,6 +12,8 @@
 #include "core/base/units.h"
 
 namespace hw {
+
+struct Pieces;
 
 using IntentId = std::uint64_t;
 
@@ -195,6 +198,14 @@ struct FeedMoves {
   bool despite_doubt = false;
   explicit FeedMoves(std::vector<std::vector<std::int64_t>> r) : rows(std::move(r)) {}
 };
+/// What does not fit into the controller at once, from one of its pieces on; see Pieces. A stop ends it, a
+/// hold keeps the next piece back, and another one takes the place of what is left.
+struct RunInPieces {
+  std::shared_ptr<const Pieces> pieces;
+  int first;
+  bool despite_doubt = false;
+  explicit RunInPieces(std::shared_ptr<const Pieces> p, int f = 0) : pieces(std::move(p)), first(f) {}
+};
 /// The maker's own text, framing added by the driver, no waiting.
 struct SendText {
   std::string text;
@@ -214,8 +225,8 @@ using IntentBody =
                  intent::ReadParams, intent::ReadAnalog, intent::Store, intent::SelectProgram,
                  intent::LoadProgram, intent::UploadProgram, intent::ClearProgram, intent::RunProgram,
                  intent::Pause, intent::Resume, intent::SingleStep, intent::HaltProgram, intent::Act,
-                 intent::SetVariable, intent::Watch, intent::Sample, intent::FeedMoves, intent::SendText,
-                 intent::Reset, intent::Reconnect, intent::ReadAgain>;
+                 intent::SetVariable, intent::Watch, intent::Sample, intent::FeedMoves, intent::RunInPieces,
+                 intent::SendText, intent::Reset, intent::Reconnect, intent::ReadAgain>;
 
 /// Of an intent that may close a servo loop; null: of no other.
 inline intent::Closing* closing_of(IntentBody& body) {

@@ -11,6 +11,7 @@
 #include "core/base/result.h"
 #include "core/device/bench.h"
 #include "core/device/catalog.h"
+#include "core/device/pieces.h"
 #include "core/device/sequence_text.h"
 #include "core/sequence/sequence.h"
 #include "core/time/clock.h"
@@ -107,6 +108,10 @@ class Language {
   /// The fault names the step that the controller cannot do, and why.
   [[nodiscard]] virtual Result<SequenceText> write(const sequence::Sequence& sequence,
                                                    const Catalog& catalog) const = 0;
+  /// The same for any length: in pieces where it does not fit into the controller at once. Long: for a worker
+  /// thread.
+  [[nodiscard]] virtual Result<Pieces> in_pieces(const sequence::Sequence& sequence,
+                                                 const Catalog& catalog) const;
 };
 
 }  // namespace hw

@@ -18,7 +18,9 @@ Pump::Pump(Scheduler& scheduler, const DeviceType& type, const Catalog& catalog,
     : scheduler_(scheduler),
       catalog_(catalog),
       ways_(std::move(ways)),
+      tool_(catalog),
       jogs_(scheduler, [this] { jog_let_go(); }),
+      pieces_(catalog, draft_),
       wake_(scheduler),
       published_(scheduler),
       ended_(scheduler),
@@ -202,7 +204,8 @@ void Pump::nothing_comes_back() {
 
 void Pump::connection_made() {
   if (outage_.end(draft_))  // what runs now is somebody else's
-    desk_.orders().remove_if([](const StopOrder& order) { return order.told; });
+    desk_.orders().remove_if(
+        [](const StopOrder& order) { return order.told && order.what != StopOrder::What::tool; });
   draft_.link.state = LinkState::good;
   draft_.link.when_lost = UnderWay();
   draft_.link.attempts = 0;
@@ -250,6 +253,7 @@ void Pump::lose_wire(const Fault& why) {
   }
   draft_.link.state = LinkState::lost;
   draft_.link.sentence = why.sentence();
+  pieces_.end();
   owe_stops_at_loss(why);
   jogs_.stop(-1);
   if (station_) station_->give_up(why);
@@ -266,6 +270,9 @@ Task<> Pump::serve() {
     } else if (!desk_.any() && !jobs_.empty()) {
       co_await perform_next();
       rounds_.look_often(scheduler_.now());
+    } else if (const IntentBody* piece = pieces_.due(rounds_.ended()); piece && !desk_.any() && !leaves()) {
+      co_await perform_piece(*piece);
+      rounds_.look_often(scheduler_.now());
     } else if (scheduler_.now() < rounds_.next()) {
       co_await wake_.wait_until(rounds_.next());
     } else {
@@ -280,8 +287,8 @@ Round Pump::next_round() const {
   const auto& stops = desk_.orders();
   const bool confirmed = std::all_of(stops.begin(), stops.end(), [](const auto& o) { return o.confirmed; });
   const bool prompt = stops.empty() || !station_->is_dirty();  // else its questions take seconds
-  if (rounds_.one_is_wanted() && confirmed && prompt) return Round::everything;
-  return stops.empty() ? Round::usual : Round::stopping;
+  if (rounds_.one_is_wanted() && confirmed && (prompt || tool_.looks())) return Round::everything;
+  return stops.empty() ? Round::usual : desk_.only_tool() ? Round::everything : Round::stopping;
 }
 
 Task<> Pump::run_round() {
@@ -295,6 +302,9 @@ Task<> Pump::run_round() {
   }
   if (round != Round::stopping) rounds_.end();
   poll_finished(polled);
+  if (!polled || !station_->is_open()) co_return;
+  watch_tool();
+  if (std::string why = pieces_.watch(rounds_.ended()); !why.empty()) pieces_end(std::move(why));
 }
 
 bool Pump::nobody_answers() const {

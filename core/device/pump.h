@@ -11,9 +11,11 @@
 #include "core/device/job_queue.h"
 #include "core/device/line.h"
 #include "core/device/outage.h"
+#include "core/device/piece_run.h"
 #include "core/device/registry.h"
 #include "core/device/rounds.h"
 #include "core/device/stop.h"
+#include "core/device/tool_guard.h"
 #include "core/link/station.h"
 #include "core/time/scheduler.h"
 
@@ -114,6 +116,10 @@ class Pump {
 
   // ---- pump_stops.cpp
   void post_stop(StopOrder order);
+  StopOrder& ask(StopOrder order);
+  void watch_tool();
+  void switch_tool_off();
+  Task<Result<>> bring_tool_back();
   void drop_what_waits();
   Task<> send_stop(StopOrder& order);
   void stop_was_sent(StopOrder& order, Result<std::string> sent);
@@ -132,6 +138,10 @@ class Pump {
   Task<> pass_on(Intent intent, Pump& other);
   void enqueue(std::unique_ptr<Job> job);
   Task<> perform_next();
+  Task<Result<>> perform_guarding_tool(const IntentBody& body);
+  Task<Result<>> perform_beside_pieces(const IntentBody& body);
+  Task<> perform_piece(const IntentBody& body);
+  void pieces_end(std::string why);
   Result<> trust_position(AxisId axis);
   Task<Result<std::string>> add_what_comes_later(std::string reply, std::uint64_t since, std::uint64_t epoch,
                                                  Duration patience);
@@ -155,8 +165,10 @@ class Pump {
   Snapshot draft_;
   ScriptTexts texts_;
   StopDesk desk_;
+  ToolGuard tool_;
   HeldJogs jogs_;
   JobQueue jobs_;
+  PieceRun pieces_;
   Rounds rounds_;
   Outage outage_;
   std::unique_ptr<Driver> driver_;

@@ -28,13 +28,66 @@ void Pump::post_stop(StopOrder order) {
   release_jogs(order);
   set_fate(order.intent, Fate::pending);
   const bool another = order.what == StopOrder::What::words && !order.meaning.stops_here();
-  const StopOrder& asked = desk_.ask(std::move(order));
+  const StopOrder& asked = ask(std::move(order));
   if (!another) drop_what_waits();
   const StopOrder* sending = desk_.sending();
   if (station_ && !(sending && sending->outlasts(asked))) station_->preempt();
   outage_.hurry();
   publish();
   wake_.notify();
+}
+
+/// Whatever ends what the tool cuts switches the tool off too, right behind it.
+StopOrder& Pump::ask(StopOrder order) {
+  using What = StopOrder::What;
+  const bool leaves_tool =
+      order.what == What::jog || (order.what == What::words && !order.meaning.stops_here());
+  StopOrder& asked = desk_.ask(std::move(order));
+  if (!leaves_tool) pieces_.end();
+  if (leaves_tool || !tool_.may_be_on(draft_)) return asked;
+  tool_.forget_hold();
+  desk_.ask_tool(tool_.outputs());
+  return asked;
+}
+
+/// After a round: what ends by itself, by its error, by a hold or by somebody else's stop leaves the tool off
+/// too.
+void Pump::watch_tool() {
+  if (desk_.any()) return;
+  switch (tool_.watch(draft_, rounds_.ended())) {
+    case ToolGuard::Wish::nothing: return;
+    case ToolGuard::Wish::look: return tool_.looks_by(rounds_.want(scheduler_.now()), scheduler_.now());
+    case ToolGuard::Wish::switch_off: return switch_tool_off();
+    case ToolGuard::Wish::stop:
+      ways_.notify(Notice(Notice::Kind::warning, scheduler_.now(),
+                          "A limit switch was met with the tool on, so everything was stopped and the tool "
+                          "switched off."));
+      return post_stop(StopOrder());
+  }
+}
+
+void Pump::switch_tool_off() {
+  const bool held = draft_.program.run == RunState::held;
+  if (held) tool_.note_hold(draft_);
+  ways_.notify(Notice(
+      Notice::Kind::warning, scheduler_.now(),
+      fmt::format("{} with the tool on: {} was switched off.{}",
+                  held ? "The program is held" : "The program has ended", tool_outputs_words(tool_.outputs()),
+                  held ? " It comes on again when it goes on." : "")));
+  desk_.ask_tool(tool_.outputs());
+  wake_.notify();
+}
+
+/// What a hold has switched off, before what was cut goes on.
+Task<Result<>> Pump::bring_tool_back() {
+  const ToolOff held = tool_.of_hold();
+  for (const ToolOutput& o : held) {
+    const IntentBody on = intent::SetOutput(o.number, o.on);
+    auto set = co_await guarded("tool", driver_->perform(on));
+    if (!set) co_return set;
+  }
+  tool_.forget_hold();
+  co_return Result<>();
 }
 
 /// Nothing that was asked for before a stop goes out behind it, here or to all controllers of the wire.
@@ -52,7 +105,7 @@ bool Pump::stop_wire(bool at_once) {
   StopOrder order;
   order.what = StopOrder::What::broadcast;
   order.at_once = at_once;
-  desk_.ask(std::move(order));
+  ask(std::move(order));
   station_->preempt();
   wake_.notify();
   return true;
@@ -71,7 +124,7 @@ Task<> Pump::send_stop(StopOrder& order) {
   auto sent = co_await guarded("stop", driver_->stop(sending));
   desk_.end_sending();
   if (station_) station_->stop_was_sent();
-  if (StopOrder* still = desk_.find(sending.epoch)) stop_was_sent(*still, std::move(sent));
+  if (StopOrder* still = desk_.find(sending.number)) stop_was_sent(*still, std::move(sent));
   if (connected() && sending.times_sent >= attempts_in_a_row && nobody_answers()) lose_wire(not_answering());
   publish();
 }
@@ -119,24 +172,27 @@ void Pump::follow_words(const StopOrder& words) {
   own.times_sent = words.times_sent;
   own.sent_at = words.sent_at, own.first_sent_at = words.first_sent_at;
   const TextMeaning& meaning = words.meaning;
-  if (meaning.stops == TextMeaning::Stops::all) desk_.ask(own).at_once = false;
+  if (meaning.stops == TextMeaning::Stops::all) ask(own).at_once = false;
   for (int axis = 0; axis < draft_.axis_count; ++axis) {
     if (meaning.axis != axis && (meaning.axes >> axis & 1u) == 0) continue;
     own.axis = axis;
-    desk_.ask(own).at_once = false;  // what the console says again is as it was asked for
+    ask(own).at_once = false;  // what the console says again is as it was asked for
   }
 }
 
+/// The tool waits until all that was to stop stands, and for the round that is asked for then.
 void Pump::look_at_stops() {
   auto& orders = desk_.orders();
+  const bool tool_shows = desk_.only_tool();
   for (auto at = orders.begin(); at != orders.end();) {
     StopOrder& order = *at++;
-    if (order.sent) look_at_stop(order);
+    if (order.sent && (order.what != StopOrder::What::tool || tool_shows)) look_at_stop(order);
   }
 }
 
 void Pump::look_at_stop(StopOrder& order) {
-  StopProgress progress = driver_->stop_progress(order);
+  const bool tool = order.what == StopOrder::What::tool;
+  StopProgress progress = tool ? tool_.progress(order, draft_) : driver_->stop_progress(order);
   if (progress.now == StopProgress::Now::wait && !order.confirmed) progress = StopProgress::again();
   switch (progress.now) {
     case StopProgress::Now::wait: return;
@@ -148,6 +204,8 @@ void Pump::look_at_stop(StopOrder& order) {
       return;
     case StopProgress::Now::failed:
       if (progress.why) stop_failed(order, *progress.why);
+      if (progress.why && tool)
+        ways_.notify(Notice(Notice::Kind::error, scheduler_.now(), progress.why->sentence()));
       return close_stop(order);
     case StopProgress::Now::stands:
       if (!order.told) set_fate(order.intent, Fate::done);
@@ -185,6 +243,14 @@ void Pump::owe_stops_at_loss(const Fault& why) {
         order.what == What::broadcast || (order.what == What::words && !order.meaning.stops_here());
     return !outage_.may_run() || other;
   });
+  if (tool_.at_work()) {
+    StopOrder ends;
+    ends.told = true;
+    ask(std::move(ends)).at_once = false;
+    ways_.notify(Notice(Notice::Kind::warning, scheduler_.now(),
+                        "The link was lost with a program of the tool at work. When it is back, everything "
+                        "is stopped and the tool switched off; until then nothing can be done."));
+  }
   jogs_.for_each_axis([this](int axis) {
     StopOrder lets_go;
     lets_go.what = StopOrder::What::jog;
@@ -204,7 +270,7 @@ void Pump::hear_text_to_all(const std::string& text, const TextMeaning& meaning)
       order.sent = order.told = true;
       order.times_sent = 1;
       order.sent_at = order.first_sent_at = scheduler_.now();
-      desk_.ask(std::move(order)).at_once = false;
+      ask(std::move(order)).at_once = false;
     } else {
       desk_.heard_another();
     }

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "core/base/index.h"
+#include "core/device/pieces.h"
 
 namespace hw {
 namespace {
@@ -59,6 +60,8 @@ std::vector<AxisTarget> places_of(const Catalog& catalog, const IntentBody& body
     add_places(places, catalog.actions[ix(i->action)].fields, i->values);
   if (const auto* i = std::get_if<intent::FeedMoves>(&body); i && !i->rows.empty())
     add_places(places, catalog.move_list.columns, i->rows.front());
+  if (const auto* i = std::get_if<intent::RunInPieces>(&body); i && i->pieces && !i->pieces->all.empty())
+    return i->pieces->all.front().ends_at;
   return places;
 }
 

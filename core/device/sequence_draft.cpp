@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/device/told_speeds.h"
+#include "core/device/tool_off.h"
 #include "core/sequence/fields.h"
 
 namespace hw {
@@ -18,6 +19,13 @@ template <class Body>
 bool has_speeds(const Body& body) {
   if constexpr (requires { body.own; }) return body.own.has_value();
   return std::is_same_v<Body, seq::Speed>;
+}
+
+bool uses_tool(const seq::StepList& steps) {
+  return std::any_of(steps.begin(), steps.end(), [](const seq::Step& step) {
+    const seq::StepList* inner = steps_in(step);
+    return !step.skipped && (std::holds_alternative<seq::Pen>(step.body) || (inner && uses_tool(*inner)));
+  });
 }
 
 }  // namespace
@@ -109,11 +117,35 @@ void SequenceDraft::lines(std::string_view text, std::string_view mark) {
   }
 }
 
+Result<> SequenceDraft::tool_line(std::string_view mark, std::string_view aside) {
+  if (!uses_tool(sequence.steps)) return {};
+  const ToolOff tool = tool_off_of(sequence, static_cast<int>(catalog.outputs.size()));
+  for (const ToolOutput& o : tool)
+    if (o.on && catalog.can.stop_clears_outputs)
+      return fail(FaultKind::text,
+                  fmt::format("The tool is off while output {} is on: a {} switches its outputs off when it "
+                              "is stopped, and the tool on with that.",
+                              o.number, catalog.short_name),
+                  "Nothing was written.", "Wire it so that it is off while the output is off.");
+  if (!tool.empty()) {
+    line(std::string(mark) + tool_off_line(tool));
+    tool_ = fmt::format(
+        "Each stop, hold, limit and end switches the tool ({}) off. While the link is lost nothing can: it "
+        "is switched off when the link is back.",
+        tool_outputs_words(tool));
+    if (!aside.empty()) tool_ += fmt::format(" {}", aside);
+  } else {
+    tool_ = "No output switches the tool: a stop leaves it as it is.";
+  }
+  return {};
+}
+
 SequenceText SequenceDraft::finish() && {
   std::stable_sort(lines_.begin(), lines_.end(),
                    [](const Line& a, const Line& b) { return a.part < b.part; });
   SequenceText all;
   all.remarks = std::move(remarks_);
+  all.tool = std::move(tool_);
   for (const Line& l : lines_) {
     all.text.append(l.text).append("\n");
     all.step_of_line.push_back(l.index);

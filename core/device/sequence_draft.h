@@ -58,6 +58,10 @@ class SequenceDraft {
   void line(std::string_view text);
   /// Each line of it, behind `mark`.
   void lines(std::string_view text, std::string_view mark = {});
+  /// Ahead of all: a comment behind `mark` that names the outputs which switch its tool off, where it has
+  /// any. Refused where a stop would switch it on.
+  /// `aside`: what else is to be known of a tool on this controller.
+  [[nodiscard]] Result<> tool_line(std::string_view mark, std::string_view aside = {});
   void indent(int by) { indent_ += by; }
   /// Lines go into this part from now on; parts stand one behind the other. Returns the part so far.
   int change_part(int part) { return std::exchange(part_, part); }
@@ -117,6 +121,7 @@ class SequenceDraft {
   };
   std::vector<Line> lines_;
   std::vector<std::string> remarks_;
+  std::string tool_;
 };
 
 /// "arc", as files call it.

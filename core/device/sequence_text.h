@@ -12,6 +12,8 @@ struct SequenceText {
   std::vector<int> step_of_line;
   /// What the controller does in another way than the sequence says, each with its step.
   std::vector<std::string> remarks;
+  /// What is to be known before it is run of the tool that it switches; empty: it has none.
+  std::string tool;
 };
 
 }  // namespace hw

@@ -116,6 +116,14 @@ struct FeedState {
   bool operator==(const FeedState&) const = default;
 };
 
+/// What is done in pieces (intent::RunInPieces), as far as it has come.
+struct PiecesState {
+  bool running = false;
+  bool held = false;  ///< the next piece waits until it is resumed
+  std::int32_t done = 0, total = 0;
+  bool operator==(const PiecesState&) const = default;
+};
+
 /// A stored program on its way to or from the controller, in the catalog's capacity unit.
 struct TransferState {
   bool running = false;
@@ -232,6 +240,7 @@ struct Snapshot {
   std::uint32_t queue_known = 0;                    ///< bit per axis
   WindowImage window;
   FeedState feed;
+  PiecesState pieces;
   TransferState transfer;
   std::array<std::int64_t, max_readouts> readouts{};  ///< by index in Catalog::readouts
   std::bitset<max_readouts> readouts_known;

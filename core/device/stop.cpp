@@ -5,7 +5,8 @@
 namespace hw {
 
 StopOrder& StopDesk::ask(StopOrder order) {
-  order.epoch = ++epoch_;
+  ++epoch_;
+  order.number = ++asked_;
   const bool may_escalate = order.what == StopOrder::What::everything;
   const bool again = std::any_of(orders_.begin(), orders_.end(), [&](const StopOrder& open) {
     return open.intent != 0 && open.same_scope(order);
@@ -14,6 +15,25 @@ StopOrder& StopDesk::ask(StopOrder order) {
   orders_.push_back(std::move(order));
   return orders_.back();
 }
+
+StopOrder& StopDesk::ask_tool(const ToolOff& tool) {
+  const auto is_tool = [](const StopOrder& o) { return o.what == StopOrder::What::tool; };
+  const auto open = std::find_if(orders_.begin(), orders_.end(), is_tool);
+  StopOrder& order = open == orders_.end() ? orders_.emplace_back() : *open;
+  order.what = StopOrder::What::tool;
+  order.tool = tool;
+  order.sent = order.confirmed = false;
+  order.times_sent = 0;
+  order.number = ++asked_;
+  return order;
+}
+
+bool StopDesk::has_tool() const {
+  return std::any_of(orders_.begin(), orders_.end(),
+                     [](const StopOrder& o) { return o.what == StopOrder::What::tool; });
+}
+
+bool StopDesk::only_tool() const { return orders_.size() == 1 && has_tool(); }
 
 bool StopDesk::stops_all() const {
   return std::any_of(orders_.begin(), orders_.end(), [](const StopOrder& o) { return o.stops_all(); });
@@ -29,7 +49,9 @@ StopOrder* StopDesk::due() {
 
 bool StopDesk::another_waits(const StopOrder& order) const {
   return std::any_of(orders_.begin(), orders_.end(), [&](const StopOrder& other) {
-    const bool goes_first = other.times_sent == 0 ? !order.covers(other) : other.outlasts(order);
+    const bool waits_for_this = order.outlasts(other) && other.what == StopOrder::What::tool;
+    const bool goes_first =
+        !waits_for_this && (other.times_sent == 0 ? !order.covers(other) : other.outlasts(order));
     return &other != &order && !other.sent && goes_first;
   });
 }
@@ -52,9 +74,9 @@ void StopDesk::send_all_again() {
   }
 }
 
-StopOrder* StopDesk::find(std::uint64_t epoch) {
+StopOrder* StopDesk::find(std::uint64_t number) {
   for (StopOrder& order : orders_)
-    if (order.epoch == epoch) return &order;
+    if (order.number == number) return &order;
   return nullptr;
 }
 

@@ -30,10 +30,9 @@ Result<std::string> program_of(std::string text, const Session& session) {
   if (!session.type().language || !sequence::looks_like_sequence(text)) return text;
   const auto sequence = sequence::read_sequence(text, "The sequence");
   if (!sequence) return fail(sequence.error());
-  return session.type()
-      .language()
-      .write(*sequence, session.catalog())
-      .map([](SequenceText&& written) { return std::move(written.text); });
+  return session.type().language().write(*sequence, session.catalog()).map([](SequenceText&& written) {
+    return std::move(written.text);
+  });
 }
 
 int load(Call& call) {
@@ -53,6 +52,22 @@ int run(Call& call) {
     wish.as_it_is = true;
   }
   return perform(call, std::move(wish));
+}
+
+/// A sequence of any length. Returns when the first piece is to begin; wait() tells of the end.
+int run_in_pieces(Call& call) {
+  const SessionPtr& session = session_of(call);
+  const std::string text = call.text(1, "sequence");
+  if (!session->type().language) return call.refuse("This controller has no language for programs.");
+  const auto sequence = sequence::read_sequence(text, "The sequence");
+  if (!sequence) return call.refuse(sequence.error().sentence());
+  auto pieces = session->type().language().in_pieces(*sequence, session->catalog());
+  if (!pieces) return call.refuse(pieces.error().sentence());
+  const std::int64_t first = call.has(2) ? call.whole(2, "piece") : 1;
+  if (first < 1 || first > static_cast<std::int64_t>(pieces->all.size()))
+    return call.refuse(fmt::format("There is no piece {}; there are {}.", first, pieces->all.size()));
+  return perform(call, intent::RunInPieces(std::make_shared<const Pieces>(std::move(*pieces)),
+                                           static_cast<int>(first) - 1));
 }
 
 // With a number: that thread only, where programs run in several.
@@ -83,6 +98,7 @@ int program(Call& call) {
 constexpr Function program_table[] = {
     {"load", load},
     {"run", run},
+    {"run_in_pieces", run_in_pieces},
     {"pause", of_thread<intent::Pause>},
     {"resume", of_thread<intent::Resume>},
     {"halt", of_thread<intent::HaltProgram>},

@@ -31,7 +31,8 @@ bool BegunHere::may_move(const IntentBody& body) {
     return at >= catalog_.actions.size() || catalog_.actions[at].moves;
   }
   return is_any_of<intent::MoveTo, intent::MoveBy, intent::JogStart, intent::Home, intent::RunProgram,
-                   intent::Resume, intent::SingleStep, intent::FeedMoves, intent::Sample>(body);
+                   intent::Resume, intent::SingleStep, intent::FeedMoves, intent::RunInPieces,
+                   intent::Sample>(body);
 }
 
 void BegunHere::posted(const IntentBody& body) {
@@ -43,7 +44,8 @@ void BegunHere::posted(const IntentBody& body) {
 void BegunHere::seen(const Snapshot& now, bool busy, std::uint64_t rounds_ended) {
   if (!any_) return;
   const bool runs = now.program.run != RunState::idle && now.program.run != RunState::error;
-  if (busy || runs || now.working || now.feed.running || now.any_axis_moving()) return rests_in_.reset();
+  if (busy || runs || now.working || now.feed.running || now.pieces.running || now.any_axis_moving())
+    return rests_in_.reset();
   // One round may be under way that began before; the next tells the truth.
   if (!rests_in_) rests_in_ = rounds_ended + 2;
   if (rounds_ended >= *rests_in_) any_ = false;

@@ -192,7 +192,7 @@ Task<Result<>> Session::wait_until_idle(Duration patience) {
   const Instant deadline = scheduler_.now() + patience;
   co_await asio::post(scheduler_.executor(), use_task);  // behind whatever send() has posted
   std::optional<std::uint64_t> round;                    // of status, begun when nothing waited to be sent
-  bool in_time = true, at_work = false, cut_off = false;
+  bool in_time = true, at_work = false, cut_off = false, in_pieces = false;
   std::uint32_t restarts = known().restarts;
   while (in_time) {
     const Snapshot& s = known();
@@ -202,13 +202,17 @@ Task<Result<>> Session::wait_until_idle(Duration patience) {
     else if (!round)
       round = pump_.want_round();
     const bool fresh = round && pump_.rounds_ended() >= *round;
-    const bool running = s.program.run != RunState::idle && s.program.run != RunState::error;
+    const bool running =
+        (s.program.run != RunState::idle && s.program.run != RunState::error) || s.pieces.running;
+    in_pieces = in_pieces || s.pieces.running;
     cut_off = cut_off || (std::exchange(restarts, s.restarts) != s.restarts && at_work);
     at_work = at_work || running || s.any_axis_moving() || pump_.busy();  // since the wait began
     if (gone || s.program.run == RunState::error ||
         (fresh && !running && !s.working && !s.any_axis_moving())) {
       std::string reason = why_not_finished(s, catalog_);
       if (reason.empty()) reason = std::exchange(text_refused_, {});
+      if (reason.empty() && in_pieces && s.pieces.done < s.pieces.total)
+        reason = fmt::format("It has ended in piece {} of {}.", s.pieces.done + 1, s.pieces.total);
       if (reason.empty() && cut_off)
         reason = "The controller was switched off and on, or reset, while something was under way.";
       if (reason.empty()) co_return Result<>();
@@ -247,11 +251,12 @@ static bool looks_same(const Snapshot& a, const Snapshot& b) {
          a.analog_known == b.analog_known && a.program == b.program && a.threads == b.threads &&
          a.queue_free == b.queue_free && a.queue_known == b.queue_known &&
          (!(a.window.rings_known || b.window.rings_known) || a.window == b.window) && a.feed == b.feed &&
-         a.readouts == b.readouts && a.readouts_known == b.readouts_known && a.variables == b.variables &&
-         a.variables_known == b.variables_known && a.slot_bytes_used == b.slot_bytes_used &&
-         a.slots_torn == b.slots_torn && a.params == b.params && a.unsaved_setup == b.unsaved_setup &&
-         a.unsaved_programs == b.unsaved_programs && a.store_count == b.store_count &&
-         a.program_changes == b.program_changes && a.fates == b.fates && a.notice == b.notice;
+         a.pieces == b.pieces && a.readouts == b.readouts && a.readouts_known == b.readouts_known &&
+         a.variables == b.variables && a.variables_known == b.variables_known &&
+         a.slot_bytes_used == b.slot_bytes_used && a.slots_torn == b.slots_torn && a.params == b.params &&
+         a.unsaved_setup == b.unsaved_setup && a.unsaved_programs == b.unsaved_programs &&
+         a.store_count == b.store_count && a.program_changes == b.program_changes && a.fates == b.fates &&
+         a.notice == b.notice;
 }
 
 void Session::show(const Snapshot& snapshot) {

@@ -185,6 +185,7 @@ void print_json(const Made& m, const Catalog& catalog) {
   out["duration_s"] = m.rehearsal.finished ? nlohmann::ordered_json(m.rehearsal.duration_s) : nullptr;
   out["off_the_table"] = c.off_the_table.size();
   out["remarks"] = m.written.remarks;
+  out["tool"] = m.written.tool;
   out["problems"] = m.problems;
   out["left_out"] = nlohmann::ordered_json::array();
   for (const drawing::LeftOut& l : m.drawing.left_out)
@@ -223,6 +224,7 @@ static int convert_drawing(const Given& given) {
   auto written = meant->language->write(converted->sequence, meant->catalog);
   if (!written) return complain(written.error());
   for (const std::string& remark : written->remarks) write_aside(remark);
+  if (!written->tool.empty()) write_aside(written->tool);
   if (!converted->off_the_table.empty())
     write_aside(fmt::format("{} of {} chains leave the table.", converted->off_the_table.size(),
                             converted->chains.size()));

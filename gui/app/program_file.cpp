@@ -58,6 +58,7 @@ Result<ProgramFile> read_program(const Given& given) {
   auto written = program.language->write(*sequence, program.catalog);
   if (!written) return fail(of_the_file(written.error()));
   for (const std::string& remark : written->remarks) write_aside(fmt::format("{}: {}", program.path, remark));
+  if (!written->tool.empty()) write_aside(fmt::format("{}: {}", program.path, written->tool));
   program.text = std::move(written->text);
   return program;
 }

@@ -21,6 +21,19 @@ inline std::string name_of_type(const testing::TestParamInfo<const DeviceType*>&
   return name;
 }
 
+/// One that the controller does not use itself, as the factory has set it; -1: there is none.
+inline int free_output(const Catalog& catalog) {
+  for (std::size_t place = 0; place < catalog.outputs.size(); ++place) {
+    const auto& unless = catalog.outputs[place].duty.while_not_zero;
+    const bool free = std::none_of(unless.begin(), unless.end(), [&catalog](const std::string& name) {
+      const int param = catalog.find_param(name);
+      return param >= 0 && catalog.params[static_cast<std::size_t>(param)].fallback != 0;
+    });
+    if (free) return catalog.output_number(place);
+  }
+  return -1;
+}
+
 class ContractTest : public testing::TestWithParam<const DeviceType*> {
  protected:
   void SetUp() override { open(); }

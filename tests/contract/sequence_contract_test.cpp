@@ -36,18 +36,7 @@ class SequenceContractTest : public testing::TestWithParam<const DeviceType*> {
     return m;
   }
   int last() const { return axes - 1; }
-  /// One that the controller does not use itself, as the factory has set it.
-  int free_output() const {
-    for (std::size_t place = 0; place < catalog.outputs.size(); ++place) {
-      const auto& unless = catalog.outputs[place].duty.while_not_zero;
-      const bool free = std::none_of(unless.begin(), unless.end(), [this](const std::string& name) {
-        const int param = catalog.find_param(name);
-        return param >= 0 && catalog.params[ix(param)].fallback != 0;
-      });
-      if (free) return catalog.output_number(place);
-    }
-    return -1;
-  }
+  int free_output() const { return hw::free_output(catalog); }
   SequenceText written() {
     auto text = language.write(s, catalog);
     EXPECT_TRUE(text) << text.error().sentence();

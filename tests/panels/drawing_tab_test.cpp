@@ -163,6 +163,51 @@ TEST_F(DrawingTabTest, WhatLeavesTheTableIsNamed) {
   EXPECT_FALSE(s.stage.find("drawing/off"));
 }
 
+TEST_F(DrawingTabTest, CuttingIsAskedAboutFirst) {
+  EXPECT_THAT(s.reason("drawing/cut"), HasSubstr("No drawing"));
+  drop();
+  two_hundred_pulses_in_a_mm();
+  s.click("drawing/tool");
+  s.click("drawing/tool/DO2");
+  s.stage.frames(6);
+  s.click("drawing/cut");
+  s.click("drawing/ask_cut/no");
+  EXPECT_FALSE(s.last<intent::RunInPieces>());
+  s.click("drawing/cut");
+  s.click("drawing/ask_cut/yes");
+  const auto* asked = s.last<intent::RunInPieces>();
+  ASSERT_TRUE(asked);
+  EXPECT_EQ(asked->first, 0);
+  ASSERT_EQ(asked->pieces->all.size(), 1u);
+  EXPECT_THAT(std::get<intent::LoadProgram>(asked->pieces->all[0].does[0]).text,
+              HasSubstr("Tool off: output 2 off"));
+}
+
+TEST_F(DrawingTabTest, WhatWasStoppedGoesOnFromItsPiece) {
+  drop();
+  s.click("drawing/cut");
+  s.click("drawing/ask_cut/yes");
+  s.settle(Fate::done);
+  s.now.pieces = {true, false, 3, 7};
+  s.stage.frames(3);
+  EXPECT_FALSE(s.stage.find("drawing/cut"));
+  s.click("drawing/hold");
+  EXPECT_TRUE(s.last<intent::Pause>());
+  s.now.pieces.held = true;
+  s.stage.frames(3);
+  s.click("drawing/hold");
+  EXPECT_TRUE(s.last<intent::Resume>());
+  s.click("drawing/stop");
+  EXPECT_TRUE(s.last<intent::Stop>());
+  s.now.pieces.running = s.now.pieces.held = false;
+  s.stage.frames(3);
+  s.click("drawing/cut_on");
+  s.click("drawing/ask_cut/yes");
+  const auto* asked = s.last<intent::RunInPieces>();
+  ASSERT_TRUE(asked);
+  EXPECT_EQ(asked->first, 3);
+}
+
 TEST_F(VxmDrawingTabTest, StairsWithinTheTolerance) {
   drop();
   s.type("drawing/per_unit/1", "10");

@@ -15,7 +15,11 @@ namespace {
 class Artist {
  public:
   Artist(const ModelFacts& facts, std::uint64_t seed, const Drawing& drawing)
-      : random_(seed * 1000003u + 17), beside_(seed * 2000003u + 31), facts_(facts), drawing_(drawing) {
+      : random_(seed * 1000003u + 17),
+        beside_(seed * 2000003u + 31),
+        tool_(seed * 3000017u + 43),
+        facts_(facts),
+        drawing_(drawing) {
     plan_.model = facts.model;
     const bool bus = drawing.bus && !facts.bus.empty();
     plan_.options = random_.one_of(bus ? facts.bus : facts.options);
@@ -149,7 +153,9 @@ class Artist {
     const auto draw = random_.between(1, 100);
     if (draw <= 40) {
       const std::int64_t where = slot();
-      put(at, "load", on, {where}, random_.one_of(facts_.programs));
+      std::string text = random_.one_of(facts_.programs);
+      if (tool_.percent(30)) text = tool_.one_of(facts_.tool_programs);
+      put(at, "load", on, {where}, std::move(text));
       return put(at + Millis(random_.mostly_small(10, 4000)), "run", on, {where});
     }
     if (draw <= 60) return put(at, "run", on, {slot()});
@@ -274,7 +280,7 @@ class Artist {
   }
 
   Random random_;
-  Random beside_;  ///< what was added later: the plans of a seed stay as they were beside it
+  Random beside_, tool_;  ///< what was added later: the plans of a seed stay as they were beside it
   const ModelFacts& facts_;
   const Drawing& drawing_;
   Catalog catalog_;

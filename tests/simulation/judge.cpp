@@ -45,6 +45,7 @@ void Judge::tick() {
     judge_limits(device);
     judge_link(device);
     judge_reasons(device);
+    judge_tool(device);
   }
   if (++ticks_ % memory_every == 0) judge_memory();
   for (const auto& [id, call] : calls_)
@@ -78,6 +79,7 @@ void Judge::closing() {
     DeviceCase& d = at(device);
     d.session.reset();
     d.intents.clear();
+    d.tool.clouded = d.tool.clouded || d.tool.guarded || !d.tool.loading.empty();
     d.excuses.clear();
     for (AxisCase& axis : d.axes) axis.stopped.reset();
     motion_asked_elsewhere(device);

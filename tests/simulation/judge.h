@@ -69,6 +69,8 @@ class Judge final : public Witness {
   static constexpr Duration longest_fate = std::chrono::seconds(30);
   /// A stop is over when all stands: it takes a few rounds of status to see that.
   static constexpr Duration stop_is_over = std::chrono::seconds(3);
+  /// What stands with its tool on is seen to do so by a whole round, and switched off by the next text.
+  static constexpr Duration tool_is_off = std::chrono::seconds(4);
   /// Longer where a subroutine was called: no command ends it, and its next line may move again (AMB-046).
   static constexpr Duration subroutine_rests = std::chrono::seconds(5);
   static constexpr Duration longest_close = std::chrono::seconds(15);
@@ -119,6 +121,9 @@ class Judge final : public Witness {
   /// The hand has gone; the console knows it at once, or `after` (the dead-man).
   void jog_let_go(int device, AxisId axis, IntentId jog, Duration after);
   void position_set(int device, std::uint32_t axes);
+  /// A program of a tool is being loaded: from its end on the console minds that tool.
+  void tool_loaded(int device, IntentId id) { at(device).tool.loading.push_back(id); }
+  void output_set(int device) { at(device).tool.by_hand = true; }
   void restarted(int device);
   void others_talk(int device);
   int call_begun(std::string what, Duration longest);
@@ -184,6 +189,13 @@ class Judge final : public Witness {
     std::array<AxisCase, max_axes> axes;
     std::vector<Excuse> excuses;
     std::deque<Intended> intents;
+    struct Tool {
+      std::vector<IntentId> loading;
+      bool guarded = false;  ///< a program of it was loaded, and not by an earlier session
+      bool clouded = false;  ///< nobody knows which programs are its own
+      bool by_hand = true;   ///< since the latest run its output was switched by something else
+      Instant rests_since{};
+    } tool;
     std::map<std::int64_t, int> made;  ///< whole ways of that distance
     Instant moved_last{};              ///< or ran a program
     Instant cut_off{};                 ///< last restart while something moved or ran
@@ -250,6 +262,7 @@ class Judge final : public Witness {
   void judge_lines(int device);
   void judge_link(int device);
   void judge_reasons(int device);
+  void judge_tool(int device);
 
   Scheduler& scheduler_;
   const WireFaults& faults_;

@@ -36,6 +36,7 @@ void Judge::judge_fates(int device) {
       remark(fmt::format("device {}: {}: {}", device, fate->fate == Fate::refused ? "refused" : "failed",
                          fate->sentence.view()));
     if (fate->fate == Fate::failed) d.told += fate->sentence.view();
+    if (fate->fate == Fate::done && std::erase(d.tool.loading, i.id) > 0) d.tool.guarded = true;
     judge_text(device, i, fate->fate);
     return true;
   });
@@ -136,6 +137,7 @@ void Judge::judge_limits(int device) {
   bench_is(device, view);
   judge_lines(device);
   const std::uint32_t operated = view.limits_minus | view.limits_plus;
+  if (operated != 0 && d.tool.guarded) d.stop_drawn = now;  // with the tool on, the console stops all
   for (int a = 0; a < std::min(shown.axis_count, d.truth.axis_count); ++a) {
     AxisCase& axis = d.axes[ix(a)];
     if ((operated >> a & 1u) != 0) axis.limit_operated = now;
@@ -223,6 +225,24 @@ void Judge::judge_reasons(int device) {
       accuse("end", fmt::format("Device {}: axis {} is said to have ended by {}, and it was not so.", device,
                                 a, what));
   }
+}
+
+// What a program of its own has switched on is off when nothing runs.
+void Judge::judge_tool(int device) {
+  DeviceCase& d = at(device);
+  DeviceCase::Tool& tool = d.tool;
+  const Instant now = scheduler_.now();
+  const bool on = !d.benches.empty() && (d.benches.back().second.second >> facts_.tool_output & 1u) != 0;
+  const bool rests = !d.truth.program && d.truth.moving() == 0;
+  if (d.truth.program) tool.by_hand = false;
+  if (!d.truth.powered) tool.by_hand = true;
+  const Instant carries = std::max({faults_.carries_since(now), faults_.in.hurt(), faults_.out.hurt()});
+  if (!on || !rests || !d.session->known().link.connected()) tool.rests_since = now;
+  if (!tool.guarded || tool.clouded || tool.by_hand) return;
+  const Duration bound = tool_is_off + line_is_cleaned * (carries == Instant{} ? 0 : 1);
+  if (now > std::max(tool.rests_since, carries) + bound + questions_between_rounds * lateness())
+    accuse("tool", fmt::format("Device {}: nothing runs, and its tool is on for {:.1f} s.", device,
+                               seconds(now - tool.rests_since)));
 }
 
 // Where the wire carries and the controller has power, there is a connection.

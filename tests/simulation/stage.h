@@ -32,6 +32,8 @@ class Stage {
   void open();
   void close();
   void send(int device, IntentBody body);
+  /// The latest that was.
+  [[nodiscard]] IntentId sent() const { return sent_; }
   void type(int device, std::string text);
   /// The same; it may move those axes. `distance`: of one that no other move of the plan has, or 0.
   IntentId move(int device, std::uint32_t axes, Steps distance, IntentBody body);

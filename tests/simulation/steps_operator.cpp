@@ -67,7 +67,10 @@ void home(Stage& stage, const Step& s) {
 
 // ---- programs
 
-void load(Stage& stage, const Step& s) { stage.send(s.device, intent::LoadProgram(whole(s, 0), s.text)); }
+void load(Stage& stage, const Step& s) {
+  stage.send(s.device, intent::LoadProgram(whole(s, 0), s.text));
+  if (s.text.find("Tool off:") != s.text.npos) stage.judge().tool_loaded(s.device, stage.sent());
+}
 void run(Stage& stage, const Step& s) {
   stage.move(s.device, Judge::all_axes, Steps(), intent::RunProgram(whole(s, 0)));
 }
@@ -110,6 +113,7 @@ void motor_power(Stage& stage, const Step& s) {
   stage.send(s.device, intent::SetPower(whole(s, 0), s.number(1) != 0));
 }
 void output(Stage& stage, const Step& s) {
+  stage.judge().output_set(s.device);
   stage.send(s.device, intent::SetOutput(whole(s, 0), s.number(1) != 0));
 }
 void reconnect(Stage& stage, const Step& s) { stage.send(s.device, intent::Reconnect()); }

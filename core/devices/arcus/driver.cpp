@@ -67,7 +67,11 @@ Task<Result<std::string>> ArcusDriver::stop(const StopOrder& order) {
     co_return fail(FaultKind::lost, "Stop does not reach the controller: there is no connection.",
                    "Nothing was sent.", "Use its power switch.");
   if (order.what == StopOrder::What::words) co_return co_await texts_.stop(order);
-  auto sent = co_await stops_.stop(order);
+  Result<> sent;
+  if (order.what == StopOrder::What::tool)
+    sent = co_await known_.lines.switch_tool_off(order.tool);
+  else
+    sent = co_await stops_.stop(order);
   if (!sent) co_return fail(sent.error());
   co_return std::string();
 }

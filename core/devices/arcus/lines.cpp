@@ -63,6 +63,15 @@ Task<Result<>> Lines::set_output(intent::SetOutput wish) {
       "It shows as soon as the output is free.");
 }
 
+Task<Result<>> Lines::switch_tool_off(ToolOff tool) {
+  Result<> all;
+  for (const ToolOutput& o : tool) {
+    auto set = co_await talk_.command(set_command(fmt::format("DO{}", o.number), o.on), Priority::stop);
+    if (all && !set) all = std::move(set);
+  }
+  co_return all;
+}
+
 // Decisions AMB-087, AMB-091.
 std::string Lines::who_has(int output) const {
   constexpr int in_position_output = 1, alarm_output = 3;

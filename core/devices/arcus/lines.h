@@ -2,6 +2,7 @@
 // Inputs, outputs and motor power.
 #include <string>
 
+#include "core/device/tool_off.h"
 #include "core/devices/arcus/second_look.h"
 #include "core/devices/arcus/set_up.h"
 
@@ -15,6 +16,8 @@ class Lines {
   Task<Result<>> read(Priority priority);
   Task<Result<>> set_output(intent::SetOutput wish);
   Task<Result<>> set_power(intent::SetPower wish);
+  /// Each, whatever comes of the others. What they are then, the next round tells.
+  Task<Result<>> switch_tool_off(ToolOff tool);
 
   /// The user's own text may have switched a motor: the next round looks.
   void look_soon() { due_ = true; }

@@ -82,7 +82,15 @@ TextMeaning Vme58Driver::meaning_of(const intent::SendText& text) const {
 
 Task<Result<std::string>> Vme58Driver::stop(const StopOrder& order) {
   if (order.what == StopOrder::What::broadcast) co_return std::string();
-  auto sent = co_await strings_.stops.send(order);
+  const bool tool = order.what == StopOrder::What::tool;
+  if (tool && !talk_.conversation.is_known())
+    co_return fail(FaultKind::no_answer, "The board's command ring is not known yet.",
+                   "The tool is as it was.");
+  Result<> sent;
+  if (tool)
+    sent = co_await known_.lines.switch_tool_off(order.tool);
+  else
+    sent = co_await strings_.stops.send(order);
   if (!sent) co_return fail(sent.error());
   co_return std::string();
 }

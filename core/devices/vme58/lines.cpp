@@ -71,6 +71,21 @@ Task<Result<>> Lines::set_line(int line, bool on, std::uint32_t mask) {
                  "A command queue may be busy: it waits there. Or the line is jumpered as an input.");
 }
 
+Task<Result<>> Lines::switch_tool_off(ToolOff tool) {
+  if (auto may = commands_.may_talk(); !may) co_return may;
+  std::string text;
+  for (const ToolOutput& o : tool) {
+    const int auxiliary = o.number - first_auxiliary;
+    text += auxiliary >= 0 ? selection_.addressed(auxiliary, o.on ? "AN" : "AF")
+                           : fmt::format("{}{}\n", o.on ? "BL" : "BH", o.number);
+  }
+  auto sent = co_await commands_.say(std::move(text), Priority::stop);
+  if (!sent) co_return sent;
+  for (const ToolOutput& o : tool)
+    if (o.number >= first_auxiliary) know_auxiliary(o.number - first_auxiliary, o.on);
+  co_return sent;
+}
+
 void Lines::know_auxiliary(int axis, bool on) {
   const int place = catalog_.find_output(first_auxiliary + axis);
   if (place < 0) return;

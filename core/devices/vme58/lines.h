@@ -2,6 +2,7 @@
 // General lines and auxiliary outputs, by the maker's numbers. On is low for a general line (BL), and high
 // for an auxiliary one (AN): the maker's own words.
 #include "core/device/intent.h"
+#include "core/device/tool_off.h"
 #include "core/devices/vme58/commands.h"
 
 namespace hw::vme58 {
@@ -23,6 +24,8 @@ class Lines {
   /// Bit per line that is high.
   void take(std::uint16_t levels);
   Task<Result<>> set(intent::SetOutput wish);
+  /// Into queues that a stop has emptied.
+  Task<Result<>> switch_tool_off(ToolOff tool);
   /// The auxiliary output of an axis: nothing in the window tells of it.
   void know_auxiliary(int axis, bool on);
   void as_from_factory();

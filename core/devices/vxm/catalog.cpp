@@ -78,6 +78,8 @@ BenchFacts bench(int motors) {
 Capabilities capabilities() {
   Capabilities can;
   can.single_step = true;
+  can.outputs_while_held = false;  // a run of a command needs K first, ...
+  can.stop_clears_outputs = true;  // ... which switches them off
   can.store = true;
   can.store_life = store_life;
   can.one_axis_at_a_time = true;

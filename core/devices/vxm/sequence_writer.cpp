@@ -15,6 +15,8 @@ namespace {
 namespace seq = sequence;  // its names are those of commands too
 
 constexpr std::array<int, 4> output_on{5, 15, 17, 19}, output_off{4, 14, 16, 18};  // U commands (App. B)
+constexpr std::string_view limits_are_told =
+    "A limit that is met for a moment only is told with limit switches (O) set to 1 or 3.";
 constexpr double longest_delay_ms = 24.0 * 3600 * 1000;
 
 class Writer {
@@ -23,6 +25,8 @@ class Writer {
 
   Result<SequenceText> run() {
     if (auto found = draft_.find_axes(); !found) return fail(found.error());
+    draft_.change_part(heading_part);
+    if (auto said = draft_.tool_line("; ", limits_are_told); !said) return fail(said.error());
     draft_.change_part(main_part);
     if (auto written = write_steps(*this, draft_, draft_.sequence.steps); !written)
       return fail(written.error());

@@ -10,6 +10,7 @@ Task<Result<>> Stops::send(const StopOrder& order) {
     auto ended = co_await talk_.say("\r", Priority::stop);
     if (!ended) co_return ended;
   }
+  if (order.what == StopOrder::What::tool) co_return co_await switch_tool_off();
   if (presence_.is_unknown()) co_return co_await stop_blind(order);
   if (presence_.is_local()) co_return co_await stop_local();
   if (presence_.is_halted()) co_return co_await kills_.kill(false);
@@ -18,6 +19,13 @@ Task<Result<>> Stops::send(const StopOrder& order) {
   if (under_way_.killed_at() > order.first_sent_at) co_return Result<>();  // K has ended everything since
   if (order.at_once) co_return co_await kills_.kill(false);
   co_return co_await stop_unknown();
+}
+
+// K switches the outputs off with all that runs; what stops that ends with it, and goes first.
+Task<Result<>> Stops::switch_tool_off() {
+  if (presence_.is_local()) co_return co_await stop_local();
+  if (presence_.is_unknown() || under_way_.busy()) co_return Result<>();
+  co_return co_await kills_.kill(true);
 }
 
 // Nothing is known of what the controller does now: H would switch a hold off as well as on, and K costs

@@ -30,6 +30,7 @@ class Stops {
  private:
   Task<Result<>> stop_blind(const StopOrder& order);
   Task<Result<>> stop_local();
+  Task<Result<>> switch_tool_off();
   Task<Result<>> stop_leg(const StopOrder& order);
   Task<Result<>> ramp_down();
   Task<Result<>> stop_program(const StopOrder& order);

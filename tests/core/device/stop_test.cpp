@@ -56,8 +56,8 @@ TEST_F(StopDeskTest, TheLatestGoesFirstUnlessAnOlderOneCoversIt) {
   EXPECT_NE(desk.due(), nullptr);
 }
 
-TEST_F(StopDeskTest, EachIsFoundByItsEpochUntilItIsClosed) {
-  const std::uint64_t x = ask(intent::Stop(0)).epoch, y = ask(intent::Stop(1)).epoch;
+TEST_F(StopDeskTest, EachIsFoundByItsNumberUntilItIsClosed) {
+  const std::uint64_t x = ask(intent::Stop(0)).number, y = ask(intent::Stop(1)).number;
   EXPECT_LT(x, y);
   EXPECT_EQ(desk.epoch(), y);
   desk.close(*desk.find(x));
@@ -76,6 +76,45 @@ TEST_F(StopDeskTest, TellsWhichHasNotGoneOutAtAll) {
   EXPECT_FALSE(desk.all_were_sent(2));
   first.times_sent = 3;
   EXPECT_TRUE(desk.all_were_sent(2));
+}
+
+TEST_F(StopDeskTest, TheToolIsSwitchedOffBehindWhateverStops) {
+  const ToolOff laser{{1, false}};
+  StopOrder& tool = desk.ask_tool(laser);
+  EXPECT_EQ(desk.due(), &tool);
+  EXPECT_TRUE(desk.only_tool());
+  StopOrder& x = ask(intent::Stop(0));
+  EXPECT_EQ(desk.due(), &x);
+  EXPECT_FALSE(desk.only_tool());
+  EXPECT_FALSE(desk.another_waits(x)) << "its stop is given the time that it needs";
+  EXPECT_TRUE(desk.another_waits(tool));
+  send(x);
+  x.times_sent = 1;
+  EXPECT_EQ(desk.due(), &tool);
+  x.sent = false;
+  EXPECT_EQ(desk.due(), &tool) << "it has not gone out at all";
+  send(tool);
+  tool.times_sent = 1;
+  EXPECT_EQ(desk.due(), &x);
+  tool.sent = false;
+  EXPECT_EQ(desk.due(), &x) << "sent again, it goes first again";
+  EXPECT_EQ(x.tool, ToolOff());
+  EXPECT_EQ(tool.tool, laser);
+}
+
+TEST_F(StopDeskTest, TheToolIsOneOrderHoweverOftenItIsAskedFor) {
+  StopOrder& tool = desk.ask_tool({{1, false}});
+  tool.sent = true;
+  tool.times_sent = 3;
+  const std::uint64_t epoch = desk.epoch();
+  const std::uint64_t number = tool.number;
+  StopOrder& again = desk.ask_tool({{1, false}, {2, true}});
+  EXPECT_EQ(&again, &tool);
+  EXPECT_EQ(desk.orders().size(), 1u);
+  EXPECT_EQ(desk.due(), &tool);
+  EXPECT_EQ(tool.times_sent, 0);
+  EXPECT_NE(tool.number, number) << "what is on its way is not taken for it";
+  EXPECT_EQ(desk.epoch(), epoch) << "nothing that waits to be started is dropped for it";
 }
 
 TEST_F(StopDeskTest, OnlyStopsAreOrders) {

@@ -48,6 +48,7 @@ TEST_F(ArcusSequence, ADrawingIsWhatTheMakersConverterMakesOfIt) {
                    {seq::WaitMotion{}},
                    {seq::Pen{true}},
                    {to(27023, 41834)}}),
+            "; Tool off: output 1 off\n"
             "HSPD=10000\nLSPD=100\nACC=100\nGOSUB 1\nABS\nX0Y0\nX26164Y34325\nWAITX\nWAITY\nGOSUB 2\n"
             "X27023Y41834\nEND\nSUB 1\nDO1=0\nENDSUB\nSUB 2\nDO1=1\nENDSUB\n");
 }

@@ -1,0 +1,45 @@
+#pragma once
+// Pieces at work, one after the other: which is due, and why none is. Io thread only.
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "core/device/pieces.h"
+#include "core/device/snapshot.h"
+
+namespace hw {
+
+class PieceRun {
+ public:
+  /// `draft`: shows how far it has come.
+  PieceRun(const Catalog& catalog, Snapshot& draft) : catalog_(catalog), draft_(draft) {}
+
+  /// Takes the place of what is left of another one, behind the piece that is at work.
+  [[nodiscard]] Result<> begin(const intent::RunInPieces& wish);
+  [[nodiscard]] bool running() const { return pieces_ != nullptr; }
+  /// What the controller is to do now; null: nothing, or it is not known to be at rest. `rounds`: that have
+  /// ended.
+  [[nodiscard]] const IntentBody* due(std::uint64_t rounds) const;
+  /// It was asked for; what has come of it shows in that round and those behind it.
+  void done(std::uint64_t shows_in);
+  /// After a round: a piece that has not come to its own end is followed by nothing. The sentence that says
+  /// so; empty: all is well.
+  [[nodiscard]] std::string watch(std::uint64_t rounds);
+
+  /// The next piece waits.
+  void hold(bool on) { draft_.pieces.held = on && running(); }
+  /// Nothing follows any more.
+  void end();
+
+ private:
+  [[nodiscard]] bool at_rest() const;
+  [[nodiscard]] std::string why_not_whole(const Piece& piece) const;
+
+  const Catalog& catalog_;
+  Snapshot& draft_;
+  std::shared_ptr<const Pieces> pieces_;
+  std::size_t piece_ = 0, step_ = 0;  ///< of its `does`
+  std::uint64_t shows_in_ = 0;
+};
+
+}  // namespace hw

@@ -1,0 +1,174 @@
+#include "core/device/pieces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "core/base/index.h"
+#include "core/device/language.h"
+
+namespace hw {
+namespace {
+
+namespace seq = sequence;  // its names are those of commands too
+
+/// What the steps so far have brought about.
+struct Standing {
+  seq::Speeds speeds;
+  bool tool_down = false;
+  seq::Places at;  ///< of absolute places
+
+  void behind(const seq::Step& step) {
+    if (step.skipped) return;
+    if (const auto* s = std::get_if<seq::Speed>(&step.body)) {
+      if (s->speeds.high != 0) speeds.high = s->speeds.high;
+      if (s->speeds.low != 0) speeds.low = s->speeds.low;
+      if (s->speeds.ramp_ms != 0) speeds.ramp_ms = s->speeds.ramp_ms;
+    } else if (const auto* pen = std::get_if<seq::Pen>(&step.body)) {
+      tool_down = pen->down;
+    } else if (const auto* move = std::get_if<seq::Move>(&step.body)) {
+      for (std::size_t a = 0; a < at.size(); ++a) {
+        if (!move->to[a]) continue;
+        at[a] = move->relative ? std::nullopt : move->to[a];  // each distance is rounded by itself
+      }
+    } else if (const auto* arc = std::get_if<seq::Arc>(&step.body)) {
+      behind_arc(*arc);
+    } else if (moves_elsewhere(step)) {
+      at = {};
+    }
+  }
+  [[nodiscard]] bool knows_place() const {
+    return std::any_of(at.begin(), at.end(), [](const auto& place) { return place.has_value(); });
+  }
+
+ private:
+  void behind_arc(const seq::Arc& arc) {
+    if (!at[0] || !at[1] || std::fabs(arc.degrees) == 360) return;
+    const double turn = arc.degrees / 180 * std::numbers::pi, dx = *at[0] - arc.x, dy = *at[1] - arc.y;
+    at[0] = arc.x + dx * std::cos(turn) - dy * std::sin(turn);
+    at[1] = arc.y + dx * std::sin(turn) + dy * std::cos(turn);
+  }
+  static bool moves_elsewhere(const seq::Step& step) {
+    const auto is = [&step](auto kind) { return std::holds_alternative<decltype(kind)>(step.body); };
+    return is(seq::Jog{}) || is(seq::Home{}) || is(seq::Stop{}) || is(seq::MoveOnInput{}) ||
+           is(seq::Repeat{}) || is(seq::Custom{}) || is(seq::Contour{});
+  }
+};
+
+class Cutter {
+ public:
+  Cutter(const Language& language, const seq::Sequence& sequence, const Catalog& catalog)
+      : language_(language), sequence_(sequence), catalog_(catalog) {
+    before_.reserve(sequence.steps.size() + 1);
+    before_.emplace_back();
+    for (const seq::Step& step : sequence.steps) {
+      before_.push_back(before_.back());
+      before_.back().behind(step);
+    }
+    frame_ = sequence;
+    frame_.steps.clear();
+  }
+
+  Result<Pieces> run() {
+    // All of it, so that a fault names the step that the user sees.
+    if (auto whole = language_.write(sequence_, catalog_); !whole) return fail(whole.error());
+    for (std::size_t begin = 0; begin < size();) {
+      const auto end = end_of_piece(begin);
+      if (!end) return fail(end.error());
+      auto text = language_.write(piece(begin, *end), catalog_);
+      if (!text) return fail(text.error());
+      add(begin, *end, std::move(*text));
+      begin = *end;
+    }
+    return std::move(pieces_);
+  }
+
+ private:
+  [[nodiscard]] std::size_t size() const { return sequence_.steps.size(); }
+
+  [[nodiscard]] seq::Sequence piece(std::size_t begin, std::size_t end) const {
+    seq::Sequence p = frame_;
+    const Standing& standing = before_[begin];
+    if (begin > 0) {
+      p.steps.push_back({seq::Pen{false}});
+      if (standing.speeds != seq::Speeds()) p.steps.push_back({seq::Speed{standing.speeds}});
+      if (standing.knows_place()) p.steps.push_back({seq::Move{standing.at, false, {}}});
+      if (standing.knows_place()) p.steps.push_back({seq::WaitMotion{}});
+      if (standing.tool_down) p.steps.push_back({seq::Pen{true}});
+    }
+    p.steps.insert(p.steps.end(), sequence_.steps.begin() + static_cast<std::ptrdiff_t>(begin),
+                   sequence_.steps.begin() + static_cast<std::ptrdiff_t>(end));
+    if (end < size() && before_[end].tool_down) {
+      p.steps.push_back({seq::WaitMotion{}});
+      p.steps.push_back({seq::Pen{false}});
+    }
+    return p;
+  }
+
+  [[nodiscard]] bool fits(std::size_t begin, std::size_t end) const {
+    const auto text = language_.write(piece(begin, end), catalog_);
+    if (!text) return false;
+    const ProgramReport report = language_.analyse(text->text, 0);
+    const int capacity = catalog_.program.capacity;
+    return !report.has_errors() &&
+           (capacity == 0 || std::all_of(report.cost.begin(), report.cost.end(),
+                                         [&](const auto& c) { return c.second <= capacity; }));
+  }
+
+  /// As far as fits; back to where the tool is up, if it is so anywhere in between.
+  Result<std::size_t> end_of_piece(std::size_t begin) {
+    std::size_t good = begin, ahead = std::max<std::size_t>(latest_size_, 1);
+    while (good + ahead < size() && fits(begin, good + ahead)) good += ahead, ahead *= 2;
+    if (good + ahead >= size() && fits(begin, size())) return size();
+    for (ahead = std::min(ahead, size() - good); ahead > 1;) {
+      ahead = (ahead + 1) / 2;
+      if (good + ahead < size() && fits(begin, good + ahead)) good += ahead;
+    }
+    if (good == begin)
+      return fail(FaultKind::text,
+                  fmt::format("Step {} alone needs more than the {} {} of a {}.", begin + 1,
+                              catalog_.program.capacity, catalog_.program.capacity_unit, catalog_.short_name),
+                  "Nothing was written.");
+    latest_size_ = good - begin;
+    for (std::size_t end = good; end > begin; --end)
+      if (!before_[end].tool_down) return end;
+    ++pieces_.lifts;
+    return good;
+  }
+
+  void add(std::size_t begin, std::size_t end, SequenceText text) {
+    Piece made;
+    made.first_step = static_cast<int>(begin);
+    made.lines = static_cast<int>(text.step_of_line.size());
+    made.does = {intent::LoadProgram(0, std::move(text.text)), intent::RunProgram(0)};
+    for (std::size_t a = 0; a < sequence_.axes.size(); ++a)
+      if (const auto place = before_[end].at[a]; place)
+        if (const int axis = catalog_.find_axis(sequence_.axes[a].name); axis >= 0)
+          made.ends_at.push_back({AxisId{static_cast<std::uint8_t>(axis)},
+                                  Steps(std::llround(*place * sequence_.axes[a].per_unit))});
+    pieces_.all.push_back(std::move(made));
+  }
+
+  const Language& language_;
+  const seq::Sequence& sequence_;
+  const Catalog& catalog_;
+  std::vector<Standing> before_;  ///< each step, and behind the last
+  seq::Sequence frame_;           ///< without steps
+  std::size_t latest_size_ = 0;
+  Pieces pieces_;
+};
+
+}  // namespace
+
+Result<Pieces> cut_by_text(const Language& language, const seq::Sequence& sequence, const Catalog& catalog) {
+  if (sequence.steps.empty()) return fail(FaultKind::text, "It has no steps.", "Nothing was written.");
+  return Cutter(language, sequence, catalog).run();
+}
+
+Result<Pieces> Language::in_pieces(const seq::Sequence& sequence, const Catalog& catalog) const {
+  return cut_by_text(*this, sequence, catalog);
+}
+
+}  // namespace hw

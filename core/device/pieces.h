@@ -1,0 +1,31 @@
+#pragma once
+// A sequence that is too long for its controller, cut where the tool is up, or can be lifted: each piece is
+// whole by itself, begins and ends with the tool off, and waits for the one before.
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/device/catalog.h"
+#include "core/device/intent.h"
+#include "core/sequence/sequence.h"
+
+namespace hw {
+
+class Language;
+
+struct Piece {
+  std::vector<IntentBody> does;     ///< one after the other, each once the controller is at rest
+  std::vector<AxisTarget> ends_at;  ///< where that is known
+  int first_step = 0;               ///< place of its first step in the sequence's own list
+  int lines = 0;                    ///< of its text
+};
+
+struct Pieces {
+  std::vector<Piece> all;
+  int lifts = 0;  ///< so often the tool is lifted within what it draws in one go
+};
+
+/// By the language's own texts: as many steps in a piece as fit into its program memory.
+Result<Pieces> cut_by_text(const Language& language, const sequence::Sequence& sequence,
+                           const Catalog& catalog);
+
+}  // namespace hw

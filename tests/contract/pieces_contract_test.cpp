@@ -1,0 +1,180 @@
+// A sequence of any length, in pieces that fit into each listed controller: all of it is done, what ends one
+// piece ends all, and it goes on from where it was stopped.
+#include <fmt/format.h>
+
+#include "core/base/index.h"
+#include "core/device/language.h"
+#include "core/device/pieces.h"
+#include "tests/contract/truth.h"
+
+namespace hw {
+namespace {
+
+namespace seq = sequence;  // its names are those of commands too
+using std::chrono::seconds;
+using testing::HasSubstr;
+
+class PiecesContractTest : public TruthTest {
+ protected:
+  void SetUp() override {
+    TruthTest::SetUp();
+    output_ = free_output(session->catalog());
+    if (output_ < 0) GTEST_SKIP() << "it has no output for a tool";
+    s_.axes = {{session->catalog().axes[0].name, 1}};
+    s_.pen_up = {{seq::Output{output_, false}}};
+    s_.pen_down = {{seq::Output{output_, true}}};
+    s_.steps = {{seq::Pen{false}}, {seq::Speed{{4000, 0, 50}}}};
+  }
+  /// Each goes `points` times 20 steps on, with the tool.
+  void add_chains(int chains, int points) {
+    for (int c = 0; c < chains; ++c) {
+      at_ += 100;
+      add_way(at_);
+      s_.steps.push_back({seq::Pen{true}});
+      for (int p = 0; p < points; ++p) add_way(at_ += 20);
+      s_.steps.push_back({seq::WaitMotion{}});
+      s_.steps.push_back({seq::Pen{false}});
+    }
+  }
+  void add_way(int to) {
+    seq::Move m;
+    m.to[0] = to;
+    s_.steps.push_back({m});
+    s_.steps.push_back({seq::WaitMotion{}});
+  }
+  std::shared_ptr<const Pieces> cut() {
+    auto pieces = GetParam()->language().in_pieces(s_, session->catalog());
+    EXPECT_TRUE(pieces) << pieces.error().sentence();
+    return pieces ? std::make_shared<Pieces>(std::move(*pieces)) : nullptr;
+  }
+  /// More than fits, where memory is short.
+  std::shared_ptr<const Pieces> long_one() {
+    add_chains(12, session->catalog().program.capacity > 1000 ? 100 : 8);
+    return cut();
+  }
+  [[nodiscard]] bool is_on() const {
+    return (seen_on_bench().outputs >> session->catalog().find_output(output_) & 1u) != 0;
+  }
+  bool ends(Duration patience = seconds(600)) {
+    return run_until([this] { return !now().pieces.running && !now().any_axis_moving(); }, patience);
+  }
+  [[nodiscard]] std::string told() {
+    std::string all;
+    session->notices().drain([&](const Notice& n) { all += n.text + "\n"; });
+    return all;
+  }
+
+  seq::Sequence s_;
+  int at_ = 0, output_ = -1;
+};
+INSTANTIATE_TEST_SUITE_P(Every, PiecesContractTest, testing::ValuesIn(types_under_test()), name_of_type);
+
+TEST_P(PiecesContractTest, EachPieceFitsAndBeginsWhereTheOneBeforeEnds) {
+  const auto pieces = long_one();
+  ASSERT_TRUE(pieces);
+  const int capacity = session->catalog().program.capacity;
+  EXPECT_EQ(pieces->all.size() > 1, capacity > 0) << "what is fed needs no pieces";
+  EXPECT_EQ(pieces->lifts, 0) << "each chain fits";
+  int step = -1;
+  for (const Piece& piece : pieces->all) {
+    EXPECT_GT(piece.first_step, step);
+    step = piece.first_step;
+    const auto& text = std::get<intent::LoadProgram>(piece.does.front()).text;
+    const ProgramReport report = GetParam()->language().analyse(text, 0);
+    EXPECT_FALSE(report.has_errors()) << text;
+    for (const auto& [slot, cost] : report.cost) EXPECT_TRUE(capacity == 0 || cost <= capacity) << cost;
+  }
+}
+
+TEST_P(PiecesContractTest, AllOfItIsDoneWithTheToolOffInBetween) {
+  const auto pieces = long_one();
+  must(intent::RunInPieces(pieces));
+  int seen_on = 0;
+  bool was_on = is_on();
+  ASSERT_TRUE(run_until(
+      [&] {
+        seen_on += is_on() && !was_on;
+        was_on = is_on();
+        return !now().pieces.running;
+      },
+      seconds(900)));
+  EXPECT_EQ(seen_on, 12);
+  EXPECT_FALSE(is_on());
+  EXPECT_EQ(axis().position, Steps(at_));
+  EXPECT_EQ(now().pieces.done, now().pieces.total);
+  const std::string said = told();
+  EXPECT_EQ(said.find("iece"), std::string::npos) << said;
+  EXPECT_EQ(said.find("tool"), std::string::npos) << said;
+}
+
+TEST_P(PiecesContractTest, AStopEndsAllAndItGoesOnFromAPiece) {
+  const auto pieces = long_one();
+  must(intent::RunInPieces(pieces));
+  const int into = std::min<int>(1, static_cast<int>(pieces->all.size()) - 1);
+  ASSERT_TRUE(run_until([&] { return now().pieces.done == into && is_on(); }, seconds(600)));
+  session->send(intent::Stop());
+  ASSERT_TRUE(ends());
+  run(seconds(3));
+  EXPECT_FALSE(is_on());
+  const Steps there = axis().position;
+  run(seconds(20));
+  EXPECT_EQ(axis().position, there) << "nothing follows a stop";
+  EXPECT_LT(there, Steps(at_));
+  must(intent::RunInPieces(pieces, now().pieces.done));
+  ASSERT_TRUE(ends());
+  EXPECT_EQ(axis().position, Steps(at_));
+  EXPECT_EQ(now().pieces.done, now().pieces.total);
+}
+
+TEST_P(PiecesContractTest, AHoldKeepsTheNextPieceBack) {
+  const auto pieces = long_one();
+  if (pieces->all.size() < 2) GTEST_SKIP() << "it is one piece";
+  must(intent::RunInPieces(pieces));
+  ASSERT_TRUE(run_until([&] { return is_on(); }, seconds(60)));
+  must(intent::Pause());
+  run(seconds(120));
+  const Steps there = axis().position;
+  EXPECT_FALSE(is_on());
+  EXPECT_TRUE(now().pieces.held);
+  EXPECT_LT(there, Steps(at_));
+  run(seconds(10));
+  EXPECT_EQ(axis().position, there);
+  must(intent::Resume());
+  ASSERT_TRUE(ends());
+  EXPECT_EQ(axis().position, Steps(at_));
+}
+
+TEST_P(PiecesContractTest, APieceThatDoesNotEndWhereItShouldIsTheLast) {
+  const auto pieces = long_one();
+  if (pieces->all.size() < 2) GTEST_SKIP() << "it is one piece";
+  place(0, Steps(-50'000), Steps(150));
+  must(intent::RunInPieces(pieces));
+  ASSERT_TRUE(ends());
+  run(seconds(5));
+  EXPECT_LT(now().pieces.done, now().pieces.total);
+  EXPECT_FALSE(is_on());
+  EXPECT_FALSE(told().empty());
+}
+
+TEST_P(PiecesContractTest, AChainThatFitsNowhereIsLiftedOnItsWay) {
+  if (session->catalog().program.capacity == 0) GTEST_SKIP() << "it keeps no program";
+  add_chains(1, session->catalog().program.capacity > 1000 ? 1500 : 120);
+  const auto pieces = cut();
+  ASSERT_TRUE(pieces);
+  ASSERT_GT(pieces->all.size(), 1u);
+  EXPECT_GT(pieces->lifts, 0);
+  must(intent::RunInPieces(pieces));
+  ASSERT_TRUE(ends(seconds(1800)));
+  EXPECT_EQ(axis().position, Steps(at_));
+}
+
+TEST_P(PiecesContractTest, AFaultNamesTheStepOfTheWholeSequence) {
+  add_chains(3, 2);
+  s_.steps.push_back({seq::Output{99, true}});
+  const auto pieces = GetParam()->language().in_pieces(s_, session->catalog());
+  ASSERT_FALSE(pieces);
+  EXPECT_THAT(pieces.error().what, HasSubstr(fmt::format("Step {}", s_.steps.size())));
+}
+
+}  // namespace
+}  // namespace hw
