@@ -121,8 +121,10 @@ class Judge final : public Witness {
   /// The hand has gone; the console knows it at once, or `after` (the dead-man).
   void jog_let_go(int device, AxisId axis, IntentId jog, Duration after);
   void position_set(int device, std::uint32_t axes);
-  /// A program of a tool is being loaded: from its end on the console minds that tool.
-  void tool_loaded(int device, IntentId id) { at(device).tool.loading.push_back(id); }
+  /// A program is being loaded, of a tool or not: from its end on the console minds that tool.
+  void program_loaded(int device, IntentId id, bool of_tool) {
+    at(device).tool.loading.emplace_back(id, of_tool);
+  }
   void output_set(int device) { at(device).tool.by_hand = true; }
   void restarted(int device);
   void others_talk(int device);
@@ -190,8 +192,8 @@ class Judge final : public Witness {
     std::vector<Excuse> excuses;
     std::deque<Intended> intents;
     struct Tool {
-      std::vector<IntentId> loading;
-      bool guarded = false;  ///< a program of it was loaded, and not by an earlier session
+      std::vector<std::pair<IntentId, bool>> loading;  ///< whether it is a program of it
+      bool guarded = false;  ///< a program of it was loaded last, and not by an earlier session
       bool clouded = false;  ///< nobody knows which programs are its own
       bool by_hand = true;   ///< since the latest run its output was switched by something else
       Instant rests_since{};

@@ -36,7 +36,9 @@ void Judge::judge_fates(int device) {
       remark(fmt::format("device {}: {}: {}", device, fate->fate == Fate::refused ? "refused" : "failed",
                          fate->sentence.view()));
     if (fate->fate == Fate::failed) d.told += fate->sentence.view();
-    if (fate->fate == Fate::done && std::erase(d.tool.loading, i.id) > 0) d.tool.guarded = true;
+    for (const auto& [id, of_tool] : d.tool.loading)
+      if (id == i.id && fate->fate == Fate::done) d.tool.guarded = of_tool;
+    std::erase_if(d.tool.loading, [&](const auto& load) { return load.first == i.id; });
     judge_text(device, i, fate->fate);
     return true;
   });
@@ -234,7 +236,7 @@ void Judge::judge_tool(int device) {
   const Instant now = scheduler_.now();
   const bool on = !d.benches.empty() && (d.benches.back().second.second >> facts_.tool_output & 1u) != 0;
   const bool rests = !d.truth.program && d.truth.moving() == 0;
-  if (d.truth.program) tool.by_hand = false;
+  if (d.truth.program && tool.guarded) tool.by_hand = false;
   if (!d.truth.powered) tool.by_hand = true;
   const Instant carries = std::max({faults_.carries_since(now), faults_.in.hurt(), faults_.out.hurt()});
   if (!on || !rests || !d.session->known().link.connected()) tool.rests_since = now;

@@ -10,7 +10,7 @@ const std::vector<ModelFacts>& all_models() {
        {"", "motors=4"}, {}, {"quirk=e-bar", "quirk=mode-while-running"}, {"quirk=overrun"}, '^', "wire=real", false, false, true, true,
        {{"D"}, {"K", -1, true}},
        {"S1M800\nA1M4\nI1M900\nI1M-900\nL0", "S1M1500\nI1M700\nP5\nI1M-300", "I2M1200\nI2M-1200\nL4"},
-       {"; Tool off: output 1 off\nS1M800\nI1M1\nU5\nI1M900\nU4\nI1M-900\nL0", "; Tool off: output 1 off\nU5\nS1M1500\nI1M700\nP5\nI1M-300"}, 0,
+       {"; Tool off: output 1 off\nS1M800\nA1M4\nU5\nI1M900\nU4\nI1M-900\nL0", "; Tool off: output 1 off\nU5\nS1M1500\nA1M4\nI1M700\nP5\nI1M-300"}, 0,
        {"V", "X", "Y", "M", "?", "~", "lst", "getmm", "x9", "setzz", "#", "I1M", "getP"},
        "lst", "PM",
        {"j1M", "j2M"},

@@ -26,12 +26,12 @@ struct ModelFacts {
   bool restart_always_shows = false;      ///< whatever its counters stood at
   bool axis_stop_ends_programs = false;   ///< a Stop of one axis, by what the console promises
   std::vector<StopText> stops;
-  std::vector<std::string> programs;  ///< that move something; the first for ever
+  std::vector<std::string> programs;       ///< that move something; the first for ever
   std::vector<std::string> tool_programs;  ///< the same with a tool, which some leave on at their end
   int tool_output;                         ///< its place in the catalog
-  std::vector<std::string> harmless;  ///< typed texts that move nothing, wrong ones among them
-  std::string_view question, answer;  ///< one of those, and a word that is in its answer and in no other
-  std::vector<std::string> speeds;    ///< parameters of speed or ramp that may be set
+  std::vector<std::string> harmless;       ///< typed texts that move nothing, wrong ones among them
+  std::string_view question, answer;       ///< one of those, and a word that is in its answer and in no other
+  std::vector<std::string> speeds;         ///< parameters of speed or ramp that may be set
   /// Of its set-up and programs, as the controller receives them; {} stands for the address.
   std::vector<std::string> questions;
   std::vector<std::string> newer;  ///< commands that a firmware may have yet to learn

@@ -69,7 +69,7 @@ void home(Stage& stage, const Step& s) {
 
 void load(Stage& stage, const Step& s) {
   stage.send(s.device, intent::LoadProgram(whole(s, 0), s.text));
-  if (s.text.find("Tool off:") != s.text.npos) stage.judge().tool_loaded(s.device, stage.sent());
+  stage.judge().program_loaded(s.device, stage.sent(), s.text.find("Tool off:") != s.text.npos);
 }
 void run(Stage& stage, const Step& s) {
   stage.move(s.device, Judge::all_axes, Steps(), intent::RunProgram(whole(s, 0)));
