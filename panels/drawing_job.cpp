@@ -95,7 +95,7 @@ void DrawingJob::follow(Frame& f, const ConversionOptions& wanted, std::uint64_t
                               if (old_) return;  // of the drawing before
                               made_.reset(), fault_.clear();
                               if (made)
-                                made_ = std::move(*made);
+                                made_ = std::make_shared<const Made>(std::move(*made));
                               else
                                 fault_ = made.error().sentence();
                             },

@@ -36,7 +36,8 @@ class DrawingJob {
   /// Null: none has been opened.
   [[nodiscard]] const drawing::Drawing* drawing() const { return drawing_.get(); }
   /// Null: not made, or what is wanted cannot be done; see fault().
-  [[nodiscard]] const Made* made() const { return made_ ? &*made_ : nullptr; }
+  [[nodiscard]] const Made* made() const { return made_.get(); }
+  [[nodiscard]] std::shared_ptr<const Made> shared_made() const { return made_; }
   [[nodiscard]] const std::string& fault() const { return fault_; }
   [[nodiscard]] bool busy() const { return reading_ || converting_; }
   /// Units of the axes in a mm.
@@ -50,7 +51,7 @@ class DrawingJob {
 
   std::filesystem::path file_;
   Drawing drawing_;
-  std::optional<Made> made_;
+  std::shared_ptr<const Made> made_;
   std::string fault_;
   bool reading_ = false, converting_ = false, old_ = false;  ///< old: what was converted is of another file
   drawing::Point scale_;

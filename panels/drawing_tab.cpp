@@ -214,10 +214,8 @@ void DrawingTab::draw_facts(Frame& f) {
 }
 
 void DrawingTab::draw_run(Frame& f) {
-  const DrawingJob::Made* made = job_.busy() ? nullptr : job_.made();
-  DrawingRun::Wanted wanted{made ? made->pieces : nullptr, why_not(), time_, {}};
-  if (made) wanted.tool = made->written.tool;
-  if (made && !made->pieces) wanted.why_not = made->no_pieces;
+  DrawingRun::Wanted wanted{job_.busy() ? nullptr : job_.shared_made(), why_not(), time_};
+  if (wanted.made && !wanted.made->pieces) wanted.why_not = wanted.made->no_pieces;
   run_.draw(f, wanted);
   group_line(f.ui);
 }

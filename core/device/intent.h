@@ -198,13 +198,12 @@ struct FeedMoves {
   bool despite_doubt = false;
   explicit FeedMoves(std::vector<std::vector<std::int64_t>> r) : rows(std::move(r)) {}
 };
-/// What does not fit into the controller at once, from one of its pieces on; see Pieces. A stop ends it, a
-/// hold keeps the next piece back, and another one takes the place of what is left.
+/// A sequence in pieces; see Pieces. A stop ends it, a hold keeps the next piece back, and another one takes
+/// the place of what is left.
 struct RunInPieces {
   std::shared_ptr<const Pieces> pieces;
-  int first;
   bool despite_doubt = false;
-  explicit RunInPieces(std::shared_ptr<const Pieces> p, int f = 0) : pieces(std::move(p)), first(f) {}
+  explicit RunInPieces(std::shared_ptr<const Pieces> p) : pieces(std::move(p)) {}
 };
 /// The maker's own text, framing added by the driver, no waiting.
 struct SendText {

@@ -108,10 +108,10 @@ class Language {
   /// The fault names the step that the controller cannot do, and why.
   [[nodiscard]] virtual Result<SequenceText> write(const sequence::Sequence& sequence,
                                                    const Catalog& catalog) const = 0;
-  /// The same for any length: in pieces where it does not fit into the controller at once. Long: for a worker
-  /// thread.
-  [[nodiscard]] virtual Result<Pieces> in_pieces(const sequence::Sequence& sequence,
-                                                 const Catalog& catalog) const;
+  /// The same for any length, in pieces; from the place on where the tool was up last before `from_step`, a
+  /// place in the sequence's own list. Long: for a worker thread.
+  [[nodiscard]] virtual Result<Pieces> in_pieces(const sequence::Sequence& sequence, const Catalog& catalog,
+                                                 int from_step = 0) const;
 };
 
 }  // namespace hw

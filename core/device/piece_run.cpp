@@ -7,18 +7,15 @@
 namespace hw {
 
 Result<> PieceRun::begin(const intent::RunInPieces& wish) {
-  const std::size_t count = wish.pieces ? wish.pieces->all.size() : 0;
-  if (wish.first < 0 || ix(wish.first) >= count)
-    return fail(FaultKind::refused, fmt::format("There is no piece {} of {}.", wish.first + 1, count),
-                "Nothing was sent.");
+  if (!wish.pieces || wish.pieces->all.empty())
+    return fail(FaultKind::refused, "There are no pieces.", "Nothing was sent.");
   if (!running() && !at_rest())
     return fail(FaultKind::refused, "Something runs or moves.", "Nothing was sent.", "Stop it first.");
   pieces_ = wish.pieces;
-  piece_ = ix(wish.first), step_ = 0;
+  piece_ = step_ = 0;
   draft_.pieces = PiecesState();
   draft_.pieces.running = true;
-  draft_.pieces.done = wish.first;
-  draft_.pieces.total = static_cast<std::int32_t>(count);
+  draft_.pieces.total = static_cast<std::int32_t>(pieces_->all.size());
   return {};
 }
 
@@ -39,8 +36,20 @@ void PieceRun::done(std::uint64_t shows_in) {
   ++step_;
 }
 
+/// As far as the controller tells; else the piece's first.
+void PieceRun::show_step() {
+  const Piece& piece = pieces_->all[piece_];
+  const bool threads = catalog_.program.threads > 0;
+  const int command = threads ? draft_.threads.front().line : draft_.program.command;
+  const bool told = draft_.program.owned && command >= 0 && ix(command) < piece.step_of_command.size();
+  const int step = told ? piece.step_of_command[ix(command)] : -1;
+  draft_.pieces.step = std::max({draft_.pieces.step, piece.first_step, step});
+}
+
 std::string PieceRun::watch(std::uint64_t rounds) {
-  if (!running() || step_ < pieces_->all[piece_].does.size()) return {};
+  if (!running() || step_ == 0) return {};
+  show_step();
+  if (step_ < pieces_->all[piece_].does.size()) return {};
   if (rounds < shows_in_ || !at_rest()) return {};
   std::string why = why_not_whole(pieces_->all[piece_]);
   if (!why.empty()) {

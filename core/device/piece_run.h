@@ -33,6 +33,7 @@ class PieceRun {
 
  private:
   [[nodiscard]] bool at_rest() const;
+  void show_step();
   [[nodiscard]] std::string why_not_whole(const Piece& piece) const;
 
   const Catalog& catalog_;

@@ -8,6 +8,7 @@
 
 #include "core/base/index.h"
 #include "core/device/language.h"
+#include "core/sequence/steps_in.h"
 
 namespace hw {
 namespace {
@@ -71,10 +72,11 @@ class Cutter {
     frame_.steps.clear();
   }
 
-  Result<Pieces> run() {
+  Result<Pieces> run(std::size_t from) {
     // All of it, so that a fault names the step that the user sees.
     if (auto whole = language_.write(sequence_, catalog_); !whole) return fail(whole.error());
-    for (std::size_t begin = 0; begin < size();) {
+    while (from > 0 && before_[from].tool_down) --from;
+    for (std::size_t begin = from; begin < size();) {
       const auto end = end_of_piece(begin);
       if (!end) return fail(end.error());
       auto text = language_.write(piece(begin, *end), catalog_);
@@ -119,13 +121,15 @@ class Cutter {
 
   /// As far as fits; back to where the tool is up, if it is so anywhere in between.
   Result<std::size_t> end_of_piece(std::size_t begin) {
+    const std::size_t last = catalog_.program.capacity > 0 ? size() : std::min(size(), begin + longest_fed);
     std::size_t good = begin, ahead = std::max<std::size_t>(latest_size_, 1);
-    while (good + ahead < size() && fits(begin, good + ahead)) good += ahead, ahead *= 2;
-    if (good + ahead >= size() && fits(begin, size())) return size();
-    for (ahead = std::min(ahead, size() - good); ahead > 1;) {
+    while (good + ahead < last && fits(begin, good + ahead)) good += ahead, ahead *= 2;
+    if (good + ahead >= last && fits(begin, last)) good = last;
+    for (ahead = std::min(ahead, last - good); ahead > 1;) {
       ahead = (ahead + 1) / 2;
-      if (good + ahead < size() && fits(begin, good + ahead)) good += ahead;
+      if (good + ahead < last && fits(begin, good + ahead)) good += ahead;
     }
+    if (good == size()) return good;
     if (good == begin)
       return fail(FaultKind::text,
                   fmt::format("Step {} alone needs more than the {} {} of a {}.", begin + 1,
@@ -141,7 +145,7 @@ class Cutter {
   void add(std::size_t begin, std::size_t end, SequenceText text) {
     Piece made;
     made.first_step = static_cast<int>(begin);
-    made.lines = static_cast<int>(text.step_of_line.size());
+    made.step_of_command = steps_of_commands(text, begin, end);
     made.does = {intent::LoadProgram(0, std::move(text.text)), intent::RunProgram(0)};
     for (std::size_t a = 0; a < sequence_.axes.size(); ++a)
       if (const auto place = before_[end].at[a]; place)
@@ -151,6 +155,38 @@ class Cutter {
     pieces_.all.push_back(std::move(made));
   }
 
+  /// Counted through, as the text has it, back to places in the whole list.
+  [[nodiscard]] std::vector<int> steps_of_commands(const SequenceText& text, std::size_t begin,
+                                                   std::size_t end) const {
+    const seq::Sequence p = piece(begin, end);
+    std::vector<int> place_of;  // by how SequenceText counts
+    const std::size_t ahead = lead_in(begin);
+    for (std::size_t i = 0; i < p.steps.size(); ++i) {
+      const bool own = i >= ahead && i < ahead + (end - begin);
+      const seq::StepList* inner = seq::steps_in(p.steps[i]);
+      place_of.insert(place_of.end(), 1 + (inner ? seq::count_steps(*inner) : 0),
+                      own ? static_cast<int>(begin + i - ahead) : -1);
+    }
+    const ProgramReport report = language_.analyse(text.text, 0);
+    std::vector<int> steps;
+    for (std::size_t n = 0; n < std::min(report.lines.size(), text.step_of_line.size()); ++n) {
+      const LineReport& line = report.lines[n];
+      const int step = text.step_of_line[n];
+      if (line.slot > 0 || line.first_command < 0 || line.command_count == 0) continue;
+      steps.resize(std::max(steps.size(), ix(line.first_command + line.command_count)), -1);
+      if (step >= 0 && ix(step) < place_of.size())
+        std::fill_n(steps.begin() + line.first_command, line.command_count, place_of[ix(step)]);
+    }
+    return steps;
+  }
+  /// So many steps of piece() stand before those of the sequence.
+  [[nodiscard]] std::size_t lead_in(std::size_t begin) const {
+    if (begin == 0) return 0;
+    const Standing& standing = before_[begin];
+    return 1u + (standing.speeds != seq::Speeds()) + (standing.knows_place() ? 2u : 0u) + standing.tool_down;
+  }
+
+  static constexpr std::size_t longest_fed = 250;  ///< steps: as far as a stop throws it back
   const Language& language_;
   const seq::Sequence& sequence_;
   const Catalog& catalog_;
@@ -162,13 +198,19 @@ class Cutter {
 
 }  // namespace
 
-Result<Pieces> cut_by_text(const Language& language, const seq::Sequence& sequence, const Catalog& catalog) {
+Result<Pieces> cut_by_text(const Language& language, const seq::Sequence& sequence, const Catalog& catalog,
+                           int from_step) {
   if (sequence.steps.empty()) return fail(FaultKind::text, "It has no steps.", "Nothing was written.");
-  return Cutter(language, sequence, catalog).run();
+  if (from_step < 0 || ix(from_step) >= sequence.steps.size())
+    return fail(FaultKind::text,
+                fmt::format("There is no step {}: it has {}.", from_step + 1, sequence.steps.size()),
+                "Nothing was written.");
+  return Cutter(language, sequence, catalog).run(ix(from_step));
 }
 
-Result<Pieces> Language::in_pieces(const seq::Sequence& sequence, const Catalog& catalog) const {
-  return cut_by_text(*this, sequence, catalog);
+Result<Pieces> Language::in_pieces(const seq::Sequence& sequence, const Catalog& catalog,
+                                   int from_step) const {
+  return cut_by_text(*this, sequence, catalog, from_step);
 }
 
 }  // namespace hw

@@ -1,5 +1,5 @@
 #pragma once
-// A sequence that is too long for its controller, cut where the tool is up, or can be lifted: each piece is
+// A sequence cut where its tool is up, or can be lifted, into pieces that its controller can hold: each is
 // whole by itself, begins and ends with the tool off, and waits for the one before.
 #include <vector>
 
@@ -16,7 +16,8 @@ struct Piece {
   std::vector<IntentBody> does;     ///< one after the other, each once the controller is at rest
   std::vector<AxisTarget> ends_at;  ///< where that is known
   int first_step = 0;               ///< place of its first step in the sequence's own list
-  int lines = 0;                    ///< of its text
+  /// The same of each command that the controller stores, where it runs one program; -1: of none of them.
+  std::vector<int> step_of_command;
 };
 
 struct Pieces {
@@ -24,8 +25,9 @@ struct Pieces {
   int lifts = 0;  ///< so often the tool is lifted within what it draws in one go
 };
 
-/// By the language's own texts: as many steps in a piece as fit into its program memory.
+/// By the language's own texts: as many steps in a piece as fit into its program memory. `from_step`: see
+/// Language::in_pieces().
 Result<Pieces> cut_by_text(const Language& language, const sequence::Sequence& sequence,
-                           const Catalog& catalog);
+                           const Catalog& catalog, int from_step = 0);
 
 }  // namespace hw

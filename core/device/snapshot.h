@@ -119,8 +119,9 @@ struct FeedState {
 /// What is done in pieces (intent::RunInPieces), as far as it has come.
 struct PiecesState {
   bool running = false;
-  bool held = false;  ///< the next piece waits until it is resumed
-  std::int32_t done = 0, total = 0;
+  bool held = false;                 ///< the next piece waits until it is resumed
+  std::int32_t done = 0, total = 0;  ///< pieces
+  std::int32_t step = -1;            ///< of the sequence's own list: that is at work, or was last; -1: none
   bool operator==(const PiecesState&) const = default;
 };
 

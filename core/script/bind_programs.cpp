@@ -61,13 +61,11 @@ int run_in_pieces(Call& call) {
   if (!session->type().language) return call.refuse("This controller has no language for programs.");
   const auto sequence = sequence::read_sequence(text, "The sequence");
   if (!sequence) return call.refuse(sequence.error().sentence());
-  auto pieces = session->type().language().in_pieces(*sequence, session->catalog());
+  const std::int64_t step = call.has(2) ? call.whole(2, "step") : 1;
+  const int from = static_cast<int>(std::clamp<std::int64_t>(step - 1, -1, 1'000'000'000));
+  auto pieces = session->type().language().in_pieces(*sequence, session->catalog(), from);
   if (!pieces) return call.refuse(pieces.error().sentence());
-  const std::int64_t first = call.has(2) ? call.whole(2, "piece") : 1;
-  if (first < 1 || first > static_cast<std::int64_t>(pieces->all.size()))
-    return call.refuse(fmt::format("There is no piece {}; there are {}.", first, pieces->all.size()));
-  return perform(call, intent::RunInPieces(std::make_shared<const Pieces>(std::move(*pieces)),
-                                           static_cast<int>(first) - 1));
+  return perform(call, intent::RunInPieces(std::make_shared<const Pieces>(std::move(*pieces))));
 }
 
 // With a number: that thread only, where programs run in several.

@@ -179,6 +179,11 @@ int push_whole_status(lua_State* L, const Snapshot& known) {
   set_word(L, "program", name_of(known.program.run));
   set_whole(L, "program_number", known.program.slot);
   set_whole(L, "program_command", known.program.command);
+  if (known.pieces.total > 0) {
+    set_whole(L, "pieces", known.pieces.total);
+    set_whole(L, "pieces_done", known.pieces.done);
+    set_whole(L, "step", known.pieces.step + 1);
+  }
   set_flag(L, "unsaved_setup", known.unsaved_setup);
   set_flag(L, "unsaved_programs", known.unsaved_programs);
   set_word(L, "notice", known.notice.view());

@@ -42,10 +42,14 @@ class PiecesContractTest : public TruthTest {
     s_.steps.push_back({m});
     s_.steps.push_back({seq::WaitMotion{}});
   }
-  std::shared_ptr<const Pieces> cut() {
-    auto pieces = GetParam()->language().in_pieces(s_, session->catalog());
+  std::shared_ptr<const Pieces> cut(int from_step = 0) {
+    auto pieces = GetParam()->language().in_pieces(s_, session->catalog(), from_step);
     EXPECT_TRUE(pieces) << pieces.error().sentence();
     return pieces ? std::make_shared<Pieces>(std::move(*pieces)) : nullptr;
+  }
+  bool cut_from_nowhere() {
+    const int behind = static_cast<int>(s_.steps.size());
+    return GetParam()->language().in_pieces(s_, session->catalog(), behind).has_value();
   }
   /// More than fits, where memory is short.
   std::shared_ptr<const Pieces> long_one() {
@@ -65,6 +69,7 @@ class PiecesContractTest : public TruthTest {
   }
 
   seq::Sequence s_;
+  static constexpr int longest_chain = 100 * 20 + 100;
   int at_ = 0, output_ = -1;
 };
 INSTANTIATE_TEST_SUITE_P(Every, PiecesContractTest, testing::ValuesIn(types_under_test()), name_of_type);
@@ -73,7 +78,7 @@ TEST_P(PiecesContractTest, EachPieceFitsAndBeginsWhereTheOneBeforeEnds) {
   const auto pieces = long_one();
   ASSERT_TRUE(pieces);
   const int capacity = session->catalog().program.capacity;
-  EXPECT_EQ(pieces->all.size() > 1, capacity > 0) << "what is fed needs no pieces";
+  EXPECT_GT(pieces->all.size(), 1u);
   EXPECT_EQ(pieces->lifts, 0) << "each chain fits";
   int step = -1;
   for (const Piece& piece : pieces->all) {
@@ -120,8 +125,19 @@ TEST_P(PiecesContractTest, AStopEndsAllAndItGoesOnFromAPiece) {
   run(seconds(20));
   EXPECT_EQ(axis().position, there) << "nothing follows a stop";
   EXPECT_LT(there, Steps(at_));
-  must(intent::RunInPieces(pieces, now().pieces.done));
-  ASSERT_TRUE(ends());
+  const auto rest = cut(now().pieces.step);
+  ASSERT_TRUE(rest);
+  EXPECT_LE(rest->all.size(), pieces->all.size());
+  must(intent::RunInPieces(rest));
+  bool backwards = false;
+  ASSERT_TRUE(run_until(
+      [&] {
+        if (!is_on()) return !now().pieces.running && !now().any_axis_moving();
+        backwards = backwards || axis().position < there - Steps(longest_chain);
+        return false;
+      },
+      seconds(900)));
+  EXPECT_FALSE(backwards) << "chains that were whole are not drawn again";
   EXPECT_EQ(axis().position, Steps(at_));
   EXPECT_EQ(now().pieces.done, now().pieces.total);
 }
@@ -165,6 +181,20 @@ TEST_P(PiecesContractTest, AChainThatFitsNowhereIsLiftedOnItsWay) {
   EXPECT_GT(pieces->lifts, 0);
   must(intent::RunInPieces(pieces));
   ASSERT_TRUE(ends(seconds(1800)));
+  EXPECT_EQ(axis().position, Steps(at_));
+}
+
+TEST_P(PiecesContractTest, WhatIsLeftBeginsWhereTheToolWasUp) {
+  add_chains(3, 4);
+  int down = 0;
+  for (int i = 0; ix(i) < s_.steps.size(); ++i)
+    if (const auto* pen = std::get_if<seq::Pen>(&s_.steps[ix(i)].body); pen && pen->down) down = i;
+  const auto rest = cut(down + 3);
+  ASSERT_TRUE(rest);
+  EXPECT_EQ(rest->all.front().first_step, down);
+  EXPECT_FALSE(cut_from_nowhere());
+  must(intent::RunInPieces(rest));
+  ASSERT_TRUE(ends());
   EXPECT_EQ(axis().position, Steps(at_));
 }
 

@@ -177,18 +177,17 @@ TEST_F(DrawingTabTest, CuttingIsAskedAboutFirst) {
   s.click("drawing/ask_cut/yes");
   const auto* asked = s.last<intent::RunInPieces>();
   ASSERT_TRUE(asked);
-  EXPECT_EQ(asked->first, 0);
   ASSERT_EQ(asked->pieces->all.size(), 1u);
   EXPECT_THAT(std::get<intent::LoadProgram>(asked->pieces->all[0].does[0]).text,
               HasSubstr("Tool off: output 2 off"));
 }
 
-TEST_F(DrawingTabTest, WhatWasStoppedGoesOnFromItsPiece) {
+TEST_F(DrawingTabTest, WhatWasStoppedGoesOnFromItsChain) {
   drop();
   s.click("drawing/cut");
   s.click("drawing/ask_cut/yes");
   s.settle(Fate::done);
-  s.now.pieces = {true, false, 3, 7};
+  s.now.pieces = {true, false, 3, 7, 6};
   s.stage.frames(3);
   EXPECT_FALSE(s.stage.find("drawing/cut"));
   s.click("drawing/hold");
@@ -202,10 +201,12 @@ TEST_F(DrawingTabTest, WhatWasStoppedGoesOnFromItsPiece) {
   s.now.pieces.running = s.now.pieces.held = false;
   s.stage.frames(3);
   s.click("drawing/cut_on");
+  s.stage.frames(6);
   s.click("drawing/ask_cut/yes");
   const auto* asked = s.last<intent::RunInPieces>();
   ASSERT_TRUE(asked);
-  EXPECT_EQ(asked->first, 3);
+  EXPECT_GT(asked->pieces->all.front().first_step, 0);
+  EXPECT_LE(asked->pieces->all.front().first_step, 6);
 }
 
 TEST_F(VxmDrawingTabTest, StairsWithinTheTolerance) {
