@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -61,6 +62,19 @@ struct RehearsedEvent {
   std::string what;
   int slot = -1, command = -1;
 };
+/// A value that the rehearsal had to take from somewhere because nobody has told it.
+struct RehearsedAssumption {
+  std::string name;   ///< the maker's, or in words: "HSPD", "V5", "speed of motor 1"
+  std::string value;  ///< what it was taken to be
+};
+/// Something stopped before the text said so: at a limit switch, by a refusal, an error, or the end of time.
+struct RehearsedStop {
+  double t = 0;
+  int line = -1;       ///< of the text, from 0, that was at work; -1: none, or not known
+  std::string axis;    ///< of a limit switch: the one that ran into it ...
+  int direction = 0;   ///< ... to -1 or +1; 0: something else
+  std::string reason;  ///< a sentence, without line and time
+};
 /// Where all axes are at a time, as the controller counts.
 struct RehearsedPlace {
   double t = 0;
@@ -79,8 +93,12 @@ struct Rehearsal {
   std::vector<RehearsedEvent> events;
   int moves = 0;
   bool limit_touched = false;
+  bool endless = false;              ///< it goes round in a loop that nothing leaves; `error` names its line
+  std::vector<RehearsedStop> stops;  ///< in order of time; at most 200
+  std::vector<RehearsedAssumption> assumptions;
   std::vector<RehearsedPlace> track;  ///< in order of time, where it was asked for
 };
+struct ControllerState;
 struct RehearseOptions {
   double for_seconds = 3600;
   double track_every_s = 0;                   ///< how often Rehearsal::track looks while axes move; 0: not
@@ -94,6 +112,10 @@ struct RehearseOptions {
   /// Done on the emulated controller's bench before the start and before what `bench_toml` says. Its loads
   /// stand at 0 then.
   std::vector<BenchCommand> bench;
+  /// What is known of the controller at the start; what it does not tell is taken as after power-up, and
+  /// named (Rehearsal::assumptions). Null: all is, and only `start_at` differs. See
+  /// core/device/controller_state.h.
+  std::shared_ptr<const ControllerState> from;
 };
 
 class Language {
@@ -101,8 +123,7 @@ class Language {
   virtual ~Language() = default;
   /// `slot`: where text before the first program heading belongs.
   [[nodiscard]] virtual ProgramReport analyse(std::string_view text, int slot) const = 0;
-  /// Dry run from the power-up state (but for `start_at`), in virtual time. Pure and long: for a worker
-  /// thread.
+  /// Dry run from the state that the options tell, in virtual time. Pure and long: for a worker thread.
   [[nodiscard]] virtual Result<Rehearsal> rehearse(std::string_view text,
                                                    const RehearseOptions& options) const = 0;
   /// The fault names the step that the controller cannot do, and why.

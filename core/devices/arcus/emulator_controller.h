@@ -196,15 +196,22 @@ class Controller {
   struct Trace {
     Instant at;
     std::string what;
-    int line;  ///< of the stored program, whose statement it comes of; -1: of none
+    int line;            ///< of the stored program, whose statement it comes of; -1: of none
+    unsigned axes = 0;   ///< that it sends on their way, or that ran into a switch: a bit for each
+    int limit = 0;       ///< a limit switch, to -1 or +1
+    bool reads = false;  ///< a statement looked at an input
   };
   std::vector<Trace>* trace = nullptr;
   /// While there is a trace: positions that stood in a counter until it was written, with their axis.
   std::vector<std::pair<int, std::int64_t>> overwritten;
   int moves_begun = 0;
+  /// A host talks to it all the time: no time-out ever comes.
+  bool host_talks = false;
+  /// Told while there is a trace.
+  void note_read(std::string what);
 
  private:
-  void tell(std::string what);
+  void tell(std::string what, unsigned axes = 0, int limit = 0);
   void counter_is_written(int axis) {
     if (trace != nullptr) overwritten.emplace_back(axis, position(axis));
   }

@@ -12,7 +12,7 @@ using motion::Profile;
 Refusal Controller::home(int a, HomeMode mode, Sign way) {
   bring_up_to_date();
   if (const Refusal r = refuses_motion(1u << a); r != Refusal::none) return r;
-  tell("homes " + letter(a) + " " + hw::letter(way));
+  tell("homes " + letter(a) + " " + hw::letter(way), 1u << a);
   Axis& axis = axes_[ix(a)];
   axis.announces = false, axis.attempts = 0, axis.extra_done = false;
   axis.homing.mode = mode, axis.homing.way = way, axis.homing.seen = false;

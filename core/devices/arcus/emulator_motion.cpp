@@ -181,7 +181,8 @@ bool Controller::hit_switch(Motion& m, int a) {
     if (way == 0 || !limit_active(a, sign_of(way))) continue;
     if (!m.stopping && axis.homing.step == HomeStep::seek_switch && axis.homing.mode == HomeMode::limit)
       return false;
-    tell("axis " + letter(a) + " ran into its " + (way > 0 ? "plus" : "minus") + " limit switch");
+    tell("axis " + letter(a) + " ran into its " + (way > 0 ? "plus" : "minus") + " limit switch", 1u << a,
+         way);
     if (!forgives) {
       (way > 0 ? axis.plus_error : axis.minus_error) = true;
       loop_fails(a, LoopState::limit_error);

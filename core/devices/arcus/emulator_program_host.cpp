@@ -78,13 +78,14 @@ std::int32_t ProgramHost::read(Quantity quantity, int index) const {
     case Quantity::speed: return narrow(seen_.speed(index));
     case Quantity::motor_status: return narrow(seen_.status(index));
     case Quantity::loop_state: return static_cast<std::int32_t>(seen_.loop_state(index));
-    case Quantity::inputs: return narrow(seen_.inputs());
-    case Quantity::input: return narrow(seen_.inputs() >> (index - 1) & 1);
+    case Quantity::inputs: return noted("DI", narrow(seen_.inputs()));
+    case Quantity::input:
+      return noted("DI" + std::to_string(index), narrow(seen_.inputs() >> (index - 1) & 1));
     case Quantity::outputs: return narrow(seen_.outputs());
     case Quantity::output: return narrow(seen_.outputs() >> (index - 1) & 1);
     case Quantity::enables: return narrow(seen_.enables());
     case Quantity::enable: return narrow(seen_.enables() >> (index - 1) & 1);
-    case Quantity::analog: return narrow(seen_.analog(index));
+    case Quantity::analog: return noted("AI" + std::to_string(index), narrow(seen_.analog(index)));
     case Quantity::timer: return narrow(seen_.timer_ms());
     case Quantity::sync_state: return seen_.sync_state(index);
     case Quantity::latch_state: return seen_.latch(index).state;
@@ -92,6 +93,13 @@ std::int32_t ProgramHost::read(Quantity quantity, int index) const {
     case Quantity::latch_pulse: return narrow(seen_.latch(index).pulses);
     default: return 0;
   }
+}
+
+std::int32_t ProgramHost::noted(std::string input, std::int32_t value) const {
+  const bool statement_reads = seen_.trace != nullptr && seen_.vm().line_at_work() >= 0;
+  if (statement_reads && controller_ != nullptr)
+    controller_->note_read("reads " + std::move(input) + ": " + std::to_string(value));
+  return value;
 }
 
 Outcome ProgramHost::write(Quantity quantity, int index, std::int32_t value) {

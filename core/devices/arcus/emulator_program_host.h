@@ -1,5 +1,7 @@
 #pragma once
 // The controller as its stored programs see it: what a statement of the language means here.
+#include <string>
+
 #include "core/devices/arcus/emulator_controller.h"
 #include "core/devices/arcus/language/vm_host.h"
 
@@ -29,6 +31,9 @@ class ProgramHost final : public language::VmHost {
   [[nodiscard]] bool error_returns_to_start() const override { return seen_.error_returns_to_start(); }
 
  private:
+  /// An input that a statement looks at is told to whoever follows the program.
+  [[nodiscard]] std::int32_t noted(std::string input, std::int32_t value) const;
+
   const Controller& seen_;
   Controller* controller_ = nullptr;
 };

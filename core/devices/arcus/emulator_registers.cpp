@@ -48,7 +48,7 @@ Refusal Controller::write_setting(Setting id, std::int64_t value, int which) {
     case Setting::comm_timeout:
       timed_out_ = false;
       timeout_at_.reset();
-      if (value > 0) timeout_at_ = now_ + std::chrono::milliseconds(value);
+      if (value > 0 && !host_talks) timeout_at_ = now_ + std::chrono::milliseconds(value);
       break;
     case Setting::joystick:
     case Setting::joystick_limits:
@@ -172,11 +172,16 @@ void Controller::set_timer(std::int64_t ms) { timer_end_ = now_ + std::chrono::m
 void Controller::heard_from_host(bool timeout_was_shown) {
   if (timeout_was_shown) timed_out_ = false;
   const std::int64_t ms = settings_.get(Setting::comm_timeout);
-  if (ms > 0) timeout_at_ = now_ + std::chrono::milliseconds(ms);
+  if (ms > 0 && !host_talks) timeout_at_ = now_ + std::chrono::milliseconds(ms);
 }
 
-void Controller::tell(std::string what) {
-  if (trace != nullptr) trace->push_back({now_, std::move(what), vm_.line_at_work()});
+void Controller::tell(std::string what, unsigned axes, int limit) {
+  if (trace != nullptr) trace->push_back({now_, std::move(what), vm_.line_at_work(), axes, limit});
+}
+
+void Controller::note_read(std::string what) {
+  tell(std::move(what));
+  if (trace != nullptr) trace->back().reads = true;
 }
 
 }  // namespace hw::arcus

@@ -10,57 +10,28 @@
 #include "core/device/track_keeper.h"
 #include "core/devices/arcus/language/compiler.h"
 #include "core/devices/arcus/program_language.h"
+#include "core/devices/arcus/program_start.h"
+#include "core/devices/arcus/program_watch.h"
 #include "core/devices/arcus/sequence_writer.h"
 
 namespace hw::arcus {
 namespace {
 
 constexpr std::size_t most_events = 10'000;
-constexpr int run_it = 1, state_running = 1, state_error = 4;
-
-std::string why_a_value_fails(const language::Instruction& i, const language::Dialect& dialect) {
-  const std::string name = spell(dialect, i.target), value = spell(dialect, i.values[0]);
-  return name + " cannot be given " + (value.front() == 'V' ? "the value of " + value : value) + " here.";
-}
-
-std::string why_an_axis_fails(Refusal held_by) {
-  switch (held_by) {
-    case Refusal::limit_error:
-      return "a limit switch has stopped an axis of it, and nothing cleared the error.";
-    case Refusal::alarm: return "an axis of it has an alarm.";
-    case Refusal::loop_error: return "an axis of it has a StepNLoop error.";
-    default: return "the controller refuses this motion.";
-  }
-}
-
-/// `held_by`: what holds an axis of the statement.
-std::string why_it_fails(const language::Instruction& i, const language::Program& program, Refusal held_by,
-                         const language::Dialect& dialect) {
-  using language::Opcode;
-  switch (i.op) {
-    case Opcode::compute: return "a division by zero.";
-    case Opcode::set: return why_a_value_fails(i, dialect);
-    case Opcode::gosub:
-      return program.subs[ix(i.values[0].number)] ? "it calls deeper than eight subroutines."
-                                                  : "there is no such subroutine.";
-    case Opcode::endsub: return "nothing has called this subroutine.";
-    case Opcode::empty:
-    case Opcode::continued:
-    case Opcode::bad: return "there is no program here.";
-    default: return why_an_axis_fails(held_by);
-  }
-}
+constexpr int run_it = 1;
 
 class Rehearsing {
  public:
   Rehearsing(ArcusEmulator& emulator, const language::Compilation& made, const RehearseOptions& options,
-             const language::Dialect& dialect)
+             const Catalog& catalog, const language::Dialect& dialect)
       : emulator_(emulator),
         controller_(emulator.controller()),
         made_(made),
         options_(options),
-        dialect_(dialect),
+        catalog_(catalog),
+        watch_(controller_, made, dialect),
         track_(emulator, options) {
+    if (options.from) begin_like(emulator, *options.from, catalog);
     result_.program_size["0"] = static_cast<int>(made.lines.size());
     for (int i = 0; i < std::min(controller_.axes(), static_cast<int>(options.start_at.size())); ++i)
       (void)controller_.set_position(i, options.start_at[static_cast<std::size_t>(i)]);
@@ -68,8 +39,10 @@ class Rehearsing {
       RehearsedAxis axis;
       axis.name = std::string(1, controller_.model().axis_letters[static_cast<std::size_t>(i)]);
       axis.begin = axis.position = axis.minimum = axis.maximum = controller_.position(i);
+      turned_[ix(i)] = controller_.axis(i).turned;
       result_.axes.push_back(std::move(axis));
     }
+    result_.outputs_at_first = outputs();
   }
 
   Result<> set_bench() { return PlannedHands::act(options_.bench, emulator_); }
@@ -94,16 +67,16 @@ class Rehearsing {
       if (controller_.moving(i)) return true;
     return false;
   }
-  [[nodiscard]] int program_in(int state) const {
+  [[nodiscard]] bool any_program_runs() const {
     for (int n = 0; n < controller_.model().programs; ++n)
-      if (controller_.program_state(n) == state) return n;
-    return -1;
+      if (controller_.program_state(n) == static_cast<int>(language::ThreadState::running)) return true;
+    return false;
   }
 
   /// Until no program runs and nothing moves, or the time is over.
   void go_through(std::vector<Controller::Trace>& trace) {
     const Instant last = Instant(from_seconds(std::clamp(options_.for_seconds, 0.0, 1e9)));
-    while (program_in(state_running) >= 0 || moves()) {
+    while (any_program_runs() || moves()) {
       std::optional<Instant> next =
           emulator_.next_event();  // each turn of an axis is one: extremes are exact
       for (const auto& other : {hands_.next(), track_.next()})
@@ -115,60 +88,24 @@ class Rehearsing {
       track_.look(now_);
       collect(trace);
     }
-    if (const int failed = program_in(state_error); failed >= 0)
-      result_.error = place_of(failed) + " stopped in error: " + reason_of(failed);
+    result_.error = watch_.errors();
     result_.finished = result_.error.empty();
   }
 
   void out_of_time(Instant last, std::vector<Controller::Trace>& trace) {
-    const int program = program_in(state_running);
-    if (program >= 0)
-      result_.error = place_of(program) + " was still running when the rehearsal ended.";
-    else
-      result_.error = "An axis was still moving when the rehearsal ended.";
+    const bool nothing_comes = !emulator_.next_event() && !hands_.next();
     now_ = std::max(now_, last);
     emulator_.advance_to(now_);
     collect(trace);
-  }
-
-  /// "Program 0, line 7"
-  [[nodiscard]] std::string place_of(int program) const {
-    const int line = controller_.program_place(program);
-    std::string place = "Program " + std::to_string(program);
-    if (line >= 0 && line < static_cast<int>(made_.source_line.size()))
-      place += ", line " + std::to_string(made_.source_line[static_cast<std::size_t>(line)] + 1) + ",";
-    return place;
-  }
-
-  /// Why the statement that the program stopped at cannot be done.
-  [[nodiscard]] std::string reason_of(int program) const {
-    const auto line = static_cast<std::size_t>(controller_.program_place(program));
-    if (line >= made_.program.code.size()) return "the code ends here.";
-    const language::Instruction& i = made_.program.code[line];
-    if (has_mixed_loops(i)) return "StepNLoop is on for some of its axes and off for others.";
-    return why_it_fails(i, made_.program, error_among(i), dialect_);
-  }
-  /// Axes that count pulses and axes that count their encoders do not move together (decision AMB-101).
-  [[nodiscard]] bool has_mixed_loops(const language::Instruction& i) const {
-    int with = 0, without = 0;
-    for (int axis = 0; axis < controller_.axes(); ++axis)
-      if (i.axes.has(axis)) ++(controller_.settings().on(Setting::loop, axis) ? with : without);
-    return with > 0 && without > 0;
-  }
-  /// What holds one of the axes that the statement needs.
-  [[nodiscard]] Refusal error_among(const language::Instruction& i) const {
-    const bool arc = shape_of(i.op) == language::Shape::centre || shape_of(i.op) == language::Shape::arc;
-    for (int axis = 0; axis < controller_.axes(); ++axis) {
-      if (!(arc ? axis < 2 : i.axes.has(axis) || i.op == language::Opcode::wait)) continue;
-      const Refusal r = controller_.refuses_motion(1U << static_cast<unsigned>(axis));
-      if (r == Refusal::limit_error || r == Refusal::alarm || r == Refusal::loop_error) return r;
-    }
-    return Refusal::none;
+    const ProgramWatch::Unfinished what = watch_.unfinished(nothing_comes);
+    result_.error = what.sentence, result_.endless = what.endless;
   }
 
   void collect(std::vector<Controller::Trace>& trace) {
-    for (Controller::Trace& t : trace) event(t);
+    for (Controller::Trace& t : trace)
+      if (watch_.hear(t)) event(t);
     trace.clear();
+    watch_.look_at_programs();
     for (const auto& [axis, position] : controller_.overwritten) stretch(result_.axes[ix(axis)], position);
     controller_.overwritten.clear();
     for (int i = 0; i < controller_.axes(); ++i) {
@@ -203,16 +140,31 @@ class Rehearsing {
     result_.moves = controller_.moves_begun;
     for (int i = 0; i < controller_.axes(); ++i)
       result_.axes[ix(i)].in_counts = controller_.settings().on(Setting::loop, i);
-    for (int n = 1; n <= controller_.model().outputs; ++n)
-      result_.outputs[std::to_string(n)] = static_cast<int>(controller_.outputs() >> (n - 1) & 1);
+    result_.outputs = outputs();
+    result_.stops = watch_.stops();
+    if (options_.from) result_.assumptions = assumptions(*options_.from, catalog_, moved(), made_.program);
     return std::move(result_);
+  }
+
+  [[nodiscard]] std::map<std::string, int> outputs() const {
+    std::map<std::string, int> all;
+    for (int n = 1; n <= controller_.model().outputs; ++n)
+      all[std::to_string(n)] = static_cast<int>(controller_.outputs() >> (n - 1) & 1);
+    return all;
+  }
+  [[nodiscard]] std::uint32_t moved() const {
+    std::uint32_t bits = 0;
+    for (std::size_t i = 0; i < result_.axes.size(); ++i)
+      bits |= std::uint32_t{result_.axes[i].travel > 0} << i;
+    return bits;
   }
 
   ArcusEmulator& emulator_;
   Controller& controller_;
   const language::Compilation& made_;
   const RehearseOptions& options_;
-  const language::Dialect& dialect_;
+  const Catalog& catalog_;
+  ProgramWatch watch_;
   PlannedHands hands_;
   TrackKeeper track_;
   Instant now_{};
@@ -252,7 +204,7 @@ Result<Rehearsal> rehearse_program(std::string_view text, const RehearseOptions&
   const language::Compilation made = language::compile(text, dialect);
   if (auto good = without_errors(made, "Nothing was rehearsed."); !good) return fail(good.error());
   if (auto there = with_program(made, options.slot); !there) return fail(there.error());
-  Rehearsing rehearsing(*arcus, made, options, dialect);
+  Rehearsing rehearsing(*arcus, made, options, catalog, dialect);
   if (auto done = rehearsing.set_bench(); !done) return fail(done.error());
   if (!options.bench_toml.empty()) {
     const auto bench = parse_bench_file(options.bench_toml, catalog);

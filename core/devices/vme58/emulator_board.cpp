@@ -176,7 +176,7 @@ void Board::take_event(const MotionEvent& e) {
       if (settings.power_automatic) power_drops_at_[ix(e.axis)] = now() + settings.settling;
       break;
     case MotionEvent::What::limit_hit:
-      note(Note::What::limit, e.axis);
+      note(Note::What::limit, e.axis, e.on);
       flags_.hit_limit(axis);
       if (!settings.soft_limits) empty_queues_of(e.axis);
       break;

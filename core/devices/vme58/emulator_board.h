@@ -187,6 +187,11 @@ class Board {
 
   // What is told (emulator_notes.h).
   void note(Note::What what, int number = 0, bool on = false);
+  /// For a command that waits or goes on by it.
+  [[nodiscard]] bool line_is_true(int line) {
+    note(Note::What::looks, line, io_.is_true(line));
+    return io_.is_true(line);
+  }
   void set_done(unsigned axes);
   void switch_aux(unsigned axes, bool high);
   void drive_line(int line, bool low);

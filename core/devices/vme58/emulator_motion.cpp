@@ -157,7 +157,7 @@ bool Motion::met_limit(Run& r, int a) {
   for (const int way : {x.arrived_by, r.track.direction(a, r.applied)}) {
     if (way == 0 || !x.plant.limit_operated(side_of(way))) continue;
     r.over_limit |= 1u << a;
-    tell(What::limit_hit, a);
+    tell(What::limit_hit, a, way > 0);
     const bool moves = r.applied > 0;  // one that begins at the switch does not begin
     if (x.settings.soft_limits && moves) {
       for (MotionAxis& each : axes_)

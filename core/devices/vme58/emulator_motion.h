@@ -55,8 +55,9 @@ struct MotionEvent {
   enum class What : std::uint8_t {
     began,      ///< the axis leaves rest for a move of any kind (PA switches power on)
     rested,     ///< it has come to rest after a move of any kind (PA counts the settling time)
-    limit_hit,  ///< a limit switch ended or ends its move. The motion ramps or cuts as SL says; the firmware
-                ///< latches the limit bit and, unless SL is in force, empties the queues that drive the axis
+    limit_hit,  ///< a limit switch, `on`: the plus one, ended or ends its move. The motion ramps or cuts as
+                ///< SL says; the firmware latches the limit bit and, unless SL is in force, empties the
+                ///< queues that drive the axis
     slipped,    ///< the error went beyond ES. With TN the motion has stopped the axis and ended holding; the
                 ///< firmware sets the slip flag and, with TN, empties the queues
     nearly_done,  ///< so many counts are left as notify_at() asked for

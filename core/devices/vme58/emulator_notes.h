@@ -12,7 +12,8 @@ struct Note {
     moves,     ///< the axis leaves rest
     rests,     ///< it has come to rest
     done,      ///< its done flag was set
-    limit,     ///< it met a limit switch
+    limit,     ///< it met a limit switch, `on`: the plus one
+    looks,     ///< a command waits or goes on by what a line says: `on` is low
     line,      ///< a general line was switched: `on` is low
     aux,       ///< the auxiliary output of the axis was switched: `on` is high
     rejected,  ///< a command error
@@ -23,7 +24,7 @@ struct Note {
   int number = 0;             ///< of the axis or the line
   std::int64_t position = 0;  ///< of the axis
   bool on = false;
-  int source = 0;  ///< rejected: of the command
+  int source = 0;  ///< of the command that was done last
 };
 
 struct Notes {

@@ -47,6 +47,10 @@ class CommandQueue {
   [[nodiscard]] int block_operand() const {
     return blocks_.empty() ? 0 : static_cast<int>(commands_[blocks_.back().begin - 1].first());
   }
+  /// What opened the innermost block; null: none is open.
+  [[nodiscard]] const Command* block_head() const {
+    return blocks_.empty() ? nullptr : &commands_[blocks_.back().begin - 1];
+  }
   /// A WH stands in it, waiting or being run: CW means something.
   [[nodiscard]] bool has_while() const;
 

@@ -57,6 +57,7 @@ bool Board::run_task(int context) {
 
 Board::Step Board::step(int context, const Command& c) {
   Task& t = tasks_[ix(context)];
+  source_ = c.source;
   if (t.waiting) return wait_time(t, c);
   if (t.wait_until) {
     if (now() < *t.wait_until) return Step::waits;
@@ -65,7 +66,7 @@ Board::Step Board::step(int context, const Command& c) {
   if (any_occupied(waits_for(context, c))) return Step::waits;
   switch (c.op()) {
     case Op::WT: return wait_time(t, c);
-    case Op::SW: return io_.is_true(static_cast<int>(c.first())) ? Step::waits : Step::done;
+    case Op::SW: return line_is_true(static_cast<int>(c.first())) ? Step::waits : Step::done;
     case Op::WA: {
       bool moving = false;
       each_axis(fitted_, [&](int a) { moving = moving || motion_.moving(a); });
@@ -75,7 +76,7 @@ Board::Step Board::step(int context, const Command& c) {
     case Op::WS:
     case Op::WH: return open_block(t, c);
     case Op::LE: t.queue.count_turn(); return end_block(t, t.queue.turns_left() > 0);
-    case Op::WD: return end_block(t, io_.is_true(t.queue.block_operand()));
+    case Op::WD: return end_block(t, line_is_true(t.queue.block_operand()));
     case Op::WG: return end_block(t, !std::exchange(t.leave_while, false));
     default: return execute(context, c);
   }

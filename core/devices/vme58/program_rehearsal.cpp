@@ -16,6 +16,8 @@
 #include "core/devices/vme58/emulator.h"
 #include "core/devices/vme58/emulator_vme58.h"
 #include "core/devices/vme58/program_check.h"
+#include "core/devices/vme58/program_start.h"
+#include "core/devices/vme58/program_watch.h"
 
 namespace hw::vme58 {
 namespace {
@@ -27,18 +29,36 @@ int line_of(std::string_view text, std::size_t at) {
   return static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
 }
 
+struct Line {
+  int line;
+  std::string command;
+};
+
+std::vector<Line> lines_of(const std::vector<TextCommand>& commands, std::string_view plain) {
+  std::vector<Line> all;
+  for (const TextCommand& command : commands)
+    all.push_back({line_of(plain, command.begin), std::string(command.text)});
+  return all;
+}
+
+std::vector<int> numbers_of(const std::vector<Line>& lines) {
+  std::vector<int> all;
+  for (const Line& line : lines) all.push_back(line.line);
+  return all;
+}
+
 class Rehearsing {
  public:
-  Rehearsing(Vme58Emulator& emulator, const std::vector<TextCommand>& commands, std::string_view plain,
+  Rehearsing(Vme58Emulator& emulator, std::vector<Line> text, const Catalog& catalog,
              const RehearseOptions& options)
       : emulator_(emulator),
         board_(emulator.board()),
         options_(options),
+        catalog_(catalog),
         last_(from_seconds(std::clamp(options.for_seconds, 0.0, 1e9))),
-        track_(emulator, options) {
-    for (const TextCommand& command : commands)
-      text_.push_back({line_of(plain, command.begin), std::string(command.text)});
-  }
+        text_(std::move(text)),
+        track_(emulator, options),
+        watch_(board_, numbers_of(text_)) {}
 
   Result<> set_bench() { return PlannedHands::act(options_.bench, emulator_); }
   Result<> set_bench(const BenchFile& bench) { return hands_.begin(bench, emulator_); }
@@ -55,7 +75,7 @@ class Rehearsing {
       }
       if (!step()) {
         listen();
-        if (result_.error.empty()) result_.error = "The text was still at work when the rehearsal ended.";
+        if (result_.error.empty()) tell_unfinished();
         break;
       }
       listen();
@@ -65,13 +85,17 @@ class Rehearsing {
   }
 
  private:
-  struct Line {
-    int line;
-    std::string command;
-  };
+  void begin_like(const ControllerState& from) {
+    for (const std::string& command : text_to_begin_like(from, catalog_, board_.variant())) {
+      put(command + "\n");
+      (void)take_replies();
+    }
+    hold_lines(emulator_, from);
+  }
 
   void begin() {
     hands_.count_from(now_);
+    if (options_.from) begin_like(*options_.from);
     board_.tell(&notes_);
     notes_.source = from_nowhere;
     for (int i = 0; i < std::min(axes(), static_cast<int>(options_.start_at.size())); ++i)
@@ -83,6 +107,13 @@ class Rehearsing {
     for (int i = 0; i < axes(); ++i) begin_[ix(i)] = board_.motion().position(i);
     result_.outputs_at_first = outputs();
     track_.look(now_);
+  }
+  void tell_unfinished() {
+    const ProgramWatch::Unfinished what = watch_.unfinished();
+    result_.endless = what.endless;
+    result_.error = "The text was still at work when the rehearsal ended" +
+                    (what.why.empty() ? std::string() : ": " + what.why) + ".";
+    watch_.stopped(now_, what.source, result_.error);
   }
   [[nodiscard]] int axes() const { return board_.variant().axes(); }
 
@@ -153,6 +184,7 @@ class Rehearsing {
   }
   void hear(const Note& note) {
     const char* state = note.on ? "on" : "off";
+    watch_.hear(note);
     switch (note.what) {
       case Note::What::moves:
         ++result_.moves;
@@ -163,7 +195,11 @@ class Rehearsing {
         return event(note, fmt::format("{} done at {}", axis_letters[ix(note.number)], note.position));
       case Note::What::limit:
         result_.limit_touched = true;
-        return event(note, fmt::format("{} met a limit switch", axis_letters[ix(note.number)]));
+        return event(note, fmt::format("{} met its {} limit switch", axis_letters[ix(note.number)],
+                                       note.on ? "plus" : "minus"));
+      case Note::What::looks:
+        if (watch_.is_repeated(note)) return;
+        return event(note, fmt::format("reads line {}: {}", note.number, note.on ? "low" : "high"));
       case Note::What::line: return event(note, fmt::format("Out {} {}", note.number, state));
       case Note::What::aux:
         return event(note, fmt::format("Aux {} {}", axis_letters[ix(note.number)], state));
@@ -171,6 +207,7 @@ class Rehearsing {
         if (note.source == from_nowhere) return;
         result_.error = fmt::format("Line {}: the board rejects \"{}\".", text_[ix(note.source)].line + 1,
                                     text_[ix(note.source)].command);
+        watch_.stopped(note.at, note.source, result_.error);
         return event(note, result_.error);
       case Note::What::restarts:
         put_ = get_ = 0;  // both rings begin anew
@@ -196,7 +233,15 @@ class Rehearsing {
     }
     result_.outputs = outputs();
     result_.track = track_.take();
+    result_.stops = watch_.stops();
+    if (options_.from) result_.assumptions = assumptions(*options_.from, catalog_, moved());
     return std::move(result_);
+  }
+
+  [[nodiscard]] std::uint32_t moved() const {
+    std::uint32_t bits = 0;
+    for (int i = 0; i < axes(); ++i) bits |= std::uint32_t{board_.motion().span(i).travel > 0} << i;
+    return bits;
   }
 
   [[nodiscard]] std::map<std::string, int> outputs() const {
@@ -212,11 +257,13 @@ class Rehearsing {
   Vme58Emulator& emulator_;
   Board& board_;
   const RehearseOptions& options_;
+  const Catalog& catalog_;
   const Duration last_;
   std::vector<Line> text_;
   std::size_t next_ = 0;  ///< of the text: what is to be sent
   PlannedHands hands_;
   TrackKeeper track_;
+  ProgramWatch watch_;
   Notes notes_;
   std::uint32_t put_ = 0, get_ = 0;
   Instant now_{};
@@ -239,11 +286,11 @@ Result<Rehearsal> rehearse_program(std::string_view text, const RehearseOptions&
   if (!made) return fail(made.error());
   auto* emulator = dynamic_cast<Vme58Emulator*>(made->get());
   if (!emulator) return fail(FaultKind::internal, "The rehearsal has no board.");
-  Rehearsing rehearsing(*emulator, commands, plain, options);
+  const auto catalog = make_catalog(options.device);
+  if (!catalog) return fail(catalog.error());
+  Rehearsing rehearsing(*emulator, lines_of(commands, plain), *catalog, options);
   if (auto done = rehearsing.set_bench(); !done) return fail(done.error());
   if (!options.bench_toml.empty()) {
-    auto catalog = make_catalog(options.device);
-    if (!catalog) return fail(catalog.error());
     const auto bench = parse_bench_file(options.bench_toml, *catalog);
     if (!bench) return fail(bench.error());
     if (auto done = rehearsing.set_bench(*bench); !done) return fail(done.error());

@@ -84,6 +84,8 @@ class Box {
     a.counter = value;
     a.unwrapped = a.lowest = a.highest = value;
   }
+  void set_outputs(int bits) { outputs_ = bits; }
+  void has_run_before() { first_run_ = false; }
 
  private:
   // emulator_box.cpp

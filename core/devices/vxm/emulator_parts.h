@@ -161,6 +161,7 @@ struct Trace {
   Instant at{};
   int program = -1, command = -1;  ///< -1: no command, an event
   std::string what;
+  int motor = 0, limit = 0;  ///< a limit switch stopped this motor on its way to -1 or +1; 0: none did
 };
 
 /// A pulse before the other controller's positions are known.

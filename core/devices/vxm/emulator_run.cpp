@@ -246,6 +246,8 @@ void Box::take_motion_end(Box& box) {
     const std::int32_t at = box.axes_[ix(box.motion_.axis)].counter;
     note("motor " + std::to_string(motor) + (homing ? " reaches its" : " hits a") + " limit switch at " +
          std::to_string(at));
+    if (!homing)
+      trace->back().motor = motor, trace->back().limit = static_cast<int>(factor(box.motion_.sign));
   }
 
   if (memory_.setup.limit_report & 1) prompt(over_travel);

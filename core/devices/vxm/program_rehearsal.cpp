@@ -11,6 +11,8 @@
 #include "core/devices/vxm/catalog.h"
 #include "core/devices/vxm/emulator_vxm.h"
 #include "core/devices/vxm/program_analysis.h"
+#include "core/devices/vxm/program_start.h"
+#include "core/devices/vxm/program_watch.h"
 #include "core/devices/vxm/report.h"
 
 namespace hw::vxm {
@@ -46,19 +48,25 @@ std::string waited_for(const Wait& wait) {
 
 class Rehearsing {
  public:
-  Rehearsing(const Analysis& analysis, const RehearseOptions& options, int motors)
+  Rehearsing(const Analysis& analysis, const RehearseOptions& options, const Catalog& catalog)
       : analysis_(analysis),
         options_(options),
-        emulator_(emulator_options(motors)),
-        motors_(motors),
-        track_(emulator_, options) {}
+        catalog_(catalog),
+        motors_(static_cast<int>(catalog.axes.size())),
+        emulator_(emulator_options(motors_)),
+        track_(emulator_, options),
+        watch_(analysis) {}
 
   Result<> set_bench() { return PlannedHands::act(options_.bench, emulator_); }
   Result<> set_bench(const BenchFile& bench) { return hands_.begin(bench, emulator_); }
 
   Rehearsal run() {
     Box& box = emulator_.box();
-    emulator_.receive("F" + selecting(options_.slot) + analysis_.script);
+    emulator_.receive("F");
+    if (options_.from)
+      begin_like(emulator_, *options_.from, catalog_,
+                 [this](int slot) { return slot == options_.slot || analysis_.programs.contains(slot); });
+    emulator_.receive(selecting(options_.slot) + analysis_.script);
     emulator_.receive(selecting(slot_to_run()));
     for (int i = 0; i < program_count; ++i)
       if (box.program(i).used() > 0) result_.program_size[std::to_string(i)] = box.program(i).used();
@@ -68,12 +76,14 @@ class Rehearsing {
     }
     std::string before;
     emulator_.take_output(before);
-    for (int i = 0; i < std::min(motors_, static_cast<int>(options_.start_at.size())); ++i) {
+    for (int i = 0; i < motors_; ++i) {
       Box& owner = i < motors_per_controller ? box : *box.slave();
-      owner.set_counter(i % motors_per_controller,
-                        wrap_position(options_.start_at[static_cast<std::size_t>(i)]));
+      if (const auto begin = begins_at(i))
+        owner.set_counter(i % motors_per_controller, wrap_position(*begin));
+      begin_[ix(i)] = axis(i).counter;
     }
-    for (int i = 0; i < motors_; ++i) begin_[ix(i)] = axis(i).counter;
+    outputs_seen_ = output_bits();
+    result_.outputs_at_first = outputs();
     box.trace = &trace_;
     emulator_.receive("R");
     track_.look(now_);
@@ -94,6 +104,13 @@ class Rehearsing {
     EmulatorOptions options;
     options.motors = motors;
     return options;
+  }
+
+  [[nodiscard]] std::optional<std::int64_t> begins_at(int motor) const {
+    if (ix(motor) < options_.start_at.size()) return options_.start_at[ix(motor)];
+    if (!options_.from || motor >= options_.from->now.axis_count) return std::nullopt;
+    const AxisState& axis = options_.from->now.axes[ix(motor)];
+    return axis.position_known ? std::optional(axis.commanded().value) : std::nullopt;
   }
 
   /// Until the program ends, stops for good, or its time is over.
@@ -125,7 +142,9 @@ class Rehearsing {
       collect();
     }
     result_.finished = box.error() == 0;
-    if (box.error() != 0) result_.error = error_sentence(box.error());
+    if (box.error() == 0) return;
+    result_.error = error_sentence(box.error());
+    result_.stops.push_back(watch_.stop(now_, result_.error));
   }
 
   void out_of_time(Instant last) {
@@ -136,29 +155,49 @@ class Rehearsing {
       result_.error = program + " waits in U" + std::to_string(run.wait.u + (run.wait.on_slave ? 100 : 0)) +
                       " for " + waited_for(run.wait) + ", and nobody operates it.";
     else
-      result_.error = program + " was still running when the rehearsal ended.";
+      result_.error = still_running(program);
     now_ = std::max(now_, last);
+    result_.stops.push_back(watch_.stop(now_, result_.error));
     if (run.doing != Doing::breathing) emulator_.advance_to(now_);
     collect();
   }
 
+  [[nodiscard]] std::string still_running(const std::string& program) {
+    const std::string loop = watch_.loop_words(emulator_.box());
+    result_.endless = watch_.endless(emulator_.box());
+    return program + " was still running when the rehearsal ended" + (loop.empty() ? "." : ": " + loop + ".");
+  }
+
   void event(Instant t, std::string what, int slot, int command) {
-    if (result_.events.size() == most_events) {
-      result_.events.push_back({seconds(t), "more events, not listed", -1, -1});
-      return;
-    }
-    if (result_.events.size() < most_events)
+    if (result_.events.size() == most_events) what = "more events, not listed", slot = command = -1;
+    if (result_.events.size() <= most_events)
       result_.events.push_back({seconds(t), std::move(what), slot, command});
   }
 
   void collect() {
     Box& box = emulator_.box();
-    for (Trace& t : trace_) event(t.at, std::move(t.what), t.program, t.command);
+    for (Trace& t : trace_) {
+      watch_.hear(t, box);
+      event(t.at, std::move(t.what), t.program, t.command);
+    }
     trace_.clear();
+    note_lines();
     if (result_.events.size() > most_events) box.trace = nullptr;
     result_.moves = box.moves_begun();
     emulator_.take_output(result_.sent_to_host);
     if (box.limit_was_hit()) result_.limit_touched = true;
+  }
+
+  /// Outputs that have been switched, and waits for inputs.
+  void note_lines() {
+    const unsigned now = output_bits(), before = std::exchange(outputs_seen_, now);
+    for (int i = 0; now != before && i < outputs_count(); ++i)
+      if (((now ^ before) >> i & 1u) != 0)
+        event(now_, "output " + std::to_string(i + 1) + ((now >> i & 1u) != 0 ? " on" : " off"), -1, -1);
+    const Run& run = emulator_.box().run();
+    const bool waits = run.doing == Doing::waiting;
+    if (waits == std::exchange(waits_, waits) || !emulator_.box().running()) return;
+    event(now_, waits ? "waits for " + waited_for(run.wait) : "goes on", -1, -1);
   }
 
   [[nodiscard]] const Axis& axis(int motor) {
@@ -167,7 +206,6 @@ class Rehearsing {
   }
 
   Rehearsal finish() {
-    Box& box = emulator_.box();
     result_.duration_s = seconds(now_);
     result_.track = track_.take();
     for (int i = 0; i < motors_; ++i) {
@@ -178,21 +216,48 @@ class Rehearsing {
       a.begin = begin_[ix(i)];
       result_.axes.push_back(std::move(a));
     }
-    const int boxes = motors_ > motors_per_controller ? 2 : 1;
-    for (int i = 0; i < boxes * outputs_per_controller; ++i) {
-      const Box& owner = i < outputs_per_controller ? box : *box.slave();
-      result_.outputs[std::to_string(i + 1)] = owner.outputs() >> (i % outputs_per_controller) & 1;
-    }
+    result_.outputs = outputs();
+    result_.stops.insert(result_.stops.begin(), watch_.stops().begin(), watch_.stops().end());
+    if (options_.from) assume(*options_.from);
     return std::move(result_);
+  }
+
+  [[nodiscard]] int outputs_count() const {
+    return motors_ > motors_per_controller ? 2 * outputs_per_controller : outputs_per_controller;
+  }
+  /// Bit n: output n+1 is on; those of the Slave behind the controller's own.
+  [[nodiscard]] unsigned output_bits() {
+    const Box& box = emulator_.box();
+    const auto bits = static_cast<unsigned>(box.outputs());
+    return box.slave() == nullptr
+               ? bits
+               : bits | static_cast<unsigned>(box.slave()->outputs()) << outputs_per_controller;
+  }
+  [[nodiscard]] std::map<std::string, int> outputs() {
+    std::map<std::string, int> all;
+    for (int i = 0; i < outputs_count(); ++i) all[std::to_string(i + 1)] = output_bits() >> i & 1;
+    return all;
+  }
+
+  void assume(const ControllerState& from) {
+    std::uint32_t moved = 0;
+    for (int i = 0; i < motors_; ++i) moved |= std::uint32_t{axis(i).travelled > 0} << i;
+    result_.assumptions = watch_.assumptions();
+    for (RehearsedAssumption& a : assumptions(from, catalog_, moved))
+      result_.assumptions.push_back(std::move(a));
   }
 
   const Analysis& analysis_;
   const RehearseOptions& options_;
-  VxmEmulator emulator_;
+  const Catalog& catalog_;
   int motors_;
+  VxmEmulator emulator_;
   PlannedHands hands_;
   TrackKeeper track_;
+  ProgramWatch watch_;
   std::vector<Trace> trace_;
+  unsigned outputs_seen_ = 0;
+  bool waits_ = false;
   std::array<std::int64_t, max_motors> begin_{};
   Instant now_{};
   Rehearsal result_;
@@ -214,11 +279,11 @@ Result<Rehearsal> rehearse_program(std::string_view text, const RehearseOptions&
   if (auto good = refuse_errors(analysis.report); !good) return fail(good.error());
   const int needed = analysis.motors > motors_per_controller ? max_motors : motors_per_controller;
   const int motors = std::clamp(options.axes == 0 ? needed : options.axes, 1, max_motors);
-  Rehearsing rehearsing(analysis, options, motors);
+  const auto catalog = make_catalog({{"motors", std::to_string(motors)}});
+  if (!catalog) return fail(catalog.error());
+  Rehearsing rehearsing(analysis, options, *catalog);
   if (auto done = rehearsing.set_bench(); !done) return fail(done.error());
   if (!options.bench_toml.empty()) {
-    auto catalog = make_catalog({{"motors", std::to_string(motors)}});
-    if (!catalog) return fail(catalog.error());
     const auto bench = parse_bench_file(options.bench_toml, *catalog);
     if (!bench) return fail(bench.error());
     if (auto done = rehearsing.set_bench(*bench); !done) return fail(done.error());

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "core/device/controller_state.h"
 #include "core/device/registry.h"
 
 namespace hw::arcus {
@@ -160,6 +161,136 @@ TEST_P(ArcusRehearsal, ATextWithoutProgram0HasNothingToStart) {
   ASSERT_FALSE(sub);
   EXPECT_NE(sub.error().sentence().find("subroutines only"), std::string::npos) << sub.error().sentence();
   EXPECT_TRUE(rehearse(""));
+}
+
+// ---- from a controller that is known
+
+std::shared_ptr<ControllerState> known_at_rest(const Catalog& catalog) {
+  auto state = std::make_shared<ControllerState>();
+  Snapshot& now = state->now;
+  now.axis_count = static_cast<int>(catalog.axes.size());
+  for (int i = 0; i < now.axis_count; ++i)
+    now.axes[i].position_known = now.axes[i].has_encoder = now.axes[i].enabled = true;
+  now.inputs_known = now.outputs_known = 0xFF;
+  now.readouts_known.set();
+  for (std::size_t i = 0; i < catalog.params.size(); ++i)
+    now.params[i].known = true, now.params[i].value = catalog.params[i].fallback;
+  return state;
+}
+
+TEST_P(ArcusRehearsal, BeginsFromTheControllerAsItIs) {
+  const DeviceType& type = *find_device_type(GetParam());
+  const Catalog catalog = type.make_catalog({}).value();
+  auto state = known_at_rest(catalog);
+  const bool one_axis = catalog.axes.size() == 1;
+  const auto param = [&](const char* name) -> ParamState& {
+    return state->now.params[static_cast<std::size_t>(catalog.find_param(name))];
+  };
+  param(one_axis ? "HSPD" : "HS").value = 400;
+  param(one_axis ? "LSPD" : "LS").value = 400;
+  if (one_axis) param("SL").value = 0;
+  state->now.axes[0].position = Steps(250), state->now.axes[0].encoder = Steps(77);
+  state->now.variables[3] = 650, state->now.variables_known.set(3);
+  state->now.outputs = 0b10;
+  state->now.inputs = 0b01;
+  RehearseOptions options;
+  options.from = state;
+  const auto r = type.language().rehearse("XV3\nWAITX\nV4=EX\nIF DI1=1\nX600\nENDIF\nEND\n", options);
+  ASSERT_TRUE(r) << r.error().sentence();
+  EXPECT_EQ(r->error, "");
+  EXPECT_EQ(r->axes[0].begin, 250);
+  EXPECT_EQ(r->axes[0].maximum, 650);
+  EXPECT_EQ(r->axes[0].position, 600) << "input 1 is on";
+  EXPECT_EQ(r->axes[0].travel, 450);
+  EXPECT_NEAR(r->duration_s, 450 / 400.0, 0.01);
+  EXPECT_EQ(r->outputs.at("2"), 1);
+  EXPECT_TRUE(r->assumptions.empty()) << r->assumptions[0].name;
+}
+
+TEST_P(ArcusRehearsal, NamesWhatNobodyCouldTell) {
+  const DeviceType& type = *find_device_type(GetParam());
+  const Catalog catalog = type.make_catalog({}).value();
+  auto state = known_at_rest(catalog);
+  const std::string ramp = "ACC";
+  state->now.params[static_cast<std::size_t>(catalog.find_param(ramp))].known = false;
+  RehearseOptions options;
+  options.from = state;
+  const auto r = type.language().rehearse("V2=7\nX100\nWAITX\nIF V1=V2\nDO1=1\nENDIF\nEND\n", options);
+  ASSERT_TRUE(r) << r.error().sentence();
+  ASSERT_EQ(r->assumptions.size(), 2u);
+  EXPECT_EQ(r->assumptions[0].name, ramp);
+  EXPECT_EQ(r->assumptions[0].value, "300 ms");
+  EXPECT_EQ(r->assumptions[1].name, "V1");
+  EXPECT_EQ(r->assumptions[1].value, "0");
+}
+
+TEST_P(ArcusRehearsal, AnAxisThatIsInErrorHoldsItsProgram) {
+  const DeviceType& type = *find_device_type(GetParam());
+  auto state = known_at_rest(type.make_catalog({}).value());
+  state->now.axes[0].error = AxisError::limit_plus;
+  RehearseOptions options;
+  options.from = state;
+  const auto r = type.language().rehearse("DO1=1\nX100\nEND\n", options);
+  ASSERT_TRUE(r) << r.error().sentence();
+  EXPECT_EQ(r->error,
+            "Program 0, line 2, stopped in error: a limit switch has stopped an axis of it, and nothing "
+            "cleared the error.");
+}
+
+TEST_P(ArcusRehearsal, ALimitIsToldWithAxisDirectionLineAndTime) {
+  RehearseOptions options;
+  options.bench_toml = "[axis.X]\nplus = 500\n";
+  const auto r = find_device_type(GetParam())
+                     ->language()
+                     .rehearse("HSPD=1000\nLSPD=1000\nEO=1\nX4000\nDELAY=3000\nEND\n", options);
+  ASSERT_TRUE(r) << r.error().sentence();
+  ASSERT_EQ(r->stops.size(), 1u);
+  EXPECT_EQ(r->stops[0].axis, "X");
+  EXPECT_EQ(r->stops[0].direction, 1);
+  EXPECT_EQ(r->stops[0].line, 3);
+  EXPECT_EQ(r->stops[0].reason, "Axis X runs into its plus limit switch.");
+  EXPECT_NEAR(r->stops[0].t, 0.5, 0.2);
+}
+
+TEST(PmxRehearsal, SaysWhyEachProgramStopped) {
+  RehearseOptions options;
+  const auto r = find_device_type("pmx-4ex-sa")
+                     ->language()
+                     .rehearse(
+                         "PRG 0\nSR1=1\nDELAY=50\nV1=1/V9\nEND\nPRG 1\nDELAY=10\nDO=V8\nV8=99999\nDO=V8\n"
+                         "END\n",
+                         options);
+  ASSERT_TRUE(r) << r.error().sentence();
+  EXPECT_EQ(
+      r->error,
+      "Program 1, line 10, stopped in error: DO cannot be given the value of V8 here. Program 0, line 4, "
+      "stopped in error: a division by zero.");
+  ASSERT_EQ(r->stops.size(), 2u);
+  EXPECT_EQ(r->stops[0].line, 9);
+  EXPECT_EQ(r->stops[1].line, 3);
+  EXPECT_LT(r->stops[0].t, r->stops[1].t);
+}
+
+TEST_P(ArcusRehearsal, ALoopWithoutEndIsToldWithItsLines) {
+  const auto for_ever =
+      rehearse("V1=1\nWHILE 1=1\nDELAY=100\nGOSUB 2\nENDWHILE\nEND\nSUB 2\nDELAY=7\nENDSUB\n", 5);
+  ASSERT_TRUE(for_ever);
+  EXPECT_TRUE(for_ever->endless);
+  EXPECT_NE(for_ever->error.find("the loop of lines 2 to 5 has no end"), std::string::npos)
+      << for_ever->error;
+  const auto waits = rehearse("V1=1\nWHILE DI1=0\nENDWHILE\nEND\n", 5);
+  ASSERT_TRUE(waits);
+  EXPECT_TRUE(waits->endless);
+  EXPECT_NE(waits->error.find("the loop of lines 2 to 3 waits, and nothing changes what it looks at"),
+            std::string::npos)
+      << waits->error;
+  ASSERT_FALSE(waits->events.empty());
+  EXPECT_EQ(waits->events.back().what, "reads DI1: 0");
+  const auto long_one = rehearse("V1=1\nWHILE V1<999\nV1=V1+1\nDELAY=100\nENDWHILE\nEND\n", 5);
+  ASSERT_TRUE(long_one);
+  EXPECT_FALSE(long_one->endless);
+  EXPECT_NE(long_one->error.find("the loop of lines 2 to 5 was going round"), std::string::npos)
+      << long_one->error;
 }
 
 }  // namespace

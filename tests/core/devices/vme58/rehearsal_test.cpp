@@ -7,6 +7,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/device/controller_state.h"
+#include "core/devices/vme58/catalog.h"
 #include "core/devices/vme58/program_language.h"
 
 namespace hw::vme58 {
@@ -128,8 +130,11 @@ TEST(Vme58Rehearsal, AHandComesAtItsTime) {
   RehearseOptions options;
   options.bench_toml = "[input]\n0 = true\n[[at]]\nt = 1.234\ninput = [0, false]\n";
   const Rehearsal r = rehearse("AX SW0 MR10 GO ID", options);
-  EXPECT_EQ(events_of(r),
-            (Events{{1.234, "X moves"}, {1.238472, "X rests at 10"}, {1.238472, "X done at 10"}}));
+  EXPECT_EQ(events_of(r), (Events{{0, "reads line 0: low"},
+                                  {1.234, "reads line 0: high"},
+                                  {1.234, "X moves"},
+                                  {1.238472, "X rests at 10"},
+                                  {1.238472, "X done at 10"}}));
   EXPECT_NEAR(r.duration_s, 1.238472, 1e-6);
 }
 
@@ -222,6 +227,79 @@ TEST(Vme58Rehearsal, RunsOnTheModelThatItIsMeantFor) {
 
 TEST(Vme58Rehearsal, RepliesAreSentToTheHost) {
   EXPECT_THAT(rehearse("AX LP55 RP").sent_to_host, HasSubstr("55"));
+}
+
+// ---- from a board that is known
+
+std::shared_ptr<ControllerState> known_board(const Catalog& catalog) {
+  auto state = std::make_shared<ControllerState>();
+  Snapshot& now = state->now;
+  now.axis_count = static_cast<int>(catalog.axes.size());
+  for (int i = 0; i < now.axis_count; ++i) now.axes[i].position_known = true;
+  now.inputs = now.inputs_known = 0x3FFF;
+  now.outputs_known = (1u << catalog.outputs.size()) - 1;
+  for (std::size_t i = 0; i < catalog.params.size(); ++i)
+    now.params[i].known = true, now.params[i].value = catalog.params[i].fallback;
+  return state;
+}
+
+TEST(Vme58Rehearsal, BeginsFromTheBoardAsItIs) {
+  const Catalog catalog = make_catalog({}).value();
+  auto state = known_board(catalog);
+  const auto param = [&](const char* name) -> ParamState& {
+    return state->now.params[static_cast<std::size_t>(catalog.find_param(name))];
+  };
+  param("VLX").value = 1000, param("ACX").value = 100'000, param("KPX").value = 250;
+  param("LNY").value = 0;
+  state->now.axes[0].position = state->now.axes[0].command = Steps(-300);
+  state->now.outputs = 1u << static_cast<unsigned>(catalog.find_output(9));
+  state->now.inputs &= ~(1u << 1);  // line 1 is low
+  RehearseOptions options;
+  options.from = state;
+  options.for_seconds = 5;
+  const Rehearsal r = rehearse("AX MA200 GO ID\nSW1 MA0 GO", options);
+  EXPECT_EQ(r.axes.at(0).begin, -300);
+  EXPECT_EQ(r.axes.at(0).position, 200) << "line 1 holds what is behind it";
+  EXPECT_EQ(r.axes.at(0).maximum, 200);
+  EXPECT_EQ(r.outputs_at_first.at("9"), 1);
+  EXPECT_THAT(r.error, HasSubstr("line 2 waits until line 1 is high"));
+  EXPECT_THAT(events_of(r), testing::Contains(testing::Pair(testing::_, "reads line 1: low")));
+  ASSERT_EQ(r.assumptions.size(), 1u);
+  EXPECT_EQ(r.assumptions[0].name, "UUX") << "no board tells its user units";
+}
+
+TEST(Vme58Rehearsal, NamesWhatNobodyCouldTell) {
+  const Catalog catalog = make_catalog({}).value();
+  auto state = known_board(catalog);
+  for (const char* name : {"HDX", "KPX", "HDY"})
+    state->now.params[static_cast<std::size_t>(catalog.find_param(name))].known = false;
+  RehearseOptions options;
+  options.from = state;
+  std::vector<std::string> names;
+  for (const auto& a : rehearse("AX MR20 GO", options).assumptions) names.push_back(a.name + "=" + a.value);
+  EXPECT_THAT(names, testing::ElementsAre("KPX=0.00", "HDX=0 counts", "UUX=off: positions in counts"));
+}
+
+TEST(Vme58Rehearsal, ALimitIsToldWithAxisDirectionLineAndTime) {
+  RehearseOptions options;
+  options.bench_toml = "[axis.Y]\nminus = -500\n";
+  const Rehearsal r = rehearse("AX VL1000 AC1000000 MR10 GO\nAY VL1000 AC1000000\nMR-900 GO\n", options);
+  ASSERT_EQ(r.stops.size(), 1u);
+  EXPECT_EQ(r.stops[0].axis, "Y");
+  EXPECT_EQ(r.stops[0].direction, -1);
+  EXPECT_EQ(r.stops[0].line, 2);
+  EXPECT_NEAR(r.stops[0].t, 0.5, 0.01);
+}
+
+TEST(Vme58Rehearsal, WhatNeverEndsIsToldWithItsLine) {
+  RehearseOptions options;
+  options.for_seconds = 3;
+  const Rehearsal loop = rehearse("AX VL1000 AC10000\nWH\nMR10 GO\nMR-10 GO\nWG\n", options);
+  EXPECT_TRUE(loop.endless);
+  EXPECT_THAT(loop.error, HasSubstr("the loop that begins in line 2 (WH) has no end"));
+  const Rehearsal jog = rehearse("AX VL1000 AC10000\nJG100\n", options);
+  EXPECT_TRUE(jog.endless);
+  EXPECT_THAT(jog.error, HasSubstr("axis X moves on, sent by line 2"));
 }
 
 }  // namespace

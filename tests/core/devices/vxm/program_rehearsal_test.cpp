@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/device/controller_state.h"
+#include "core/devices/vxm/catalog.h"
 #include "core/devices/vxm/program_language.h"
 
 using namespace hw;
@@ -200,6 +202,109 @@ TEST(VxmRehearsal, AFractionIsDropped) {
   const Rehearsal r = rehearse("I1M400.0\nP10.0,I1M5.75,\n");
   EXPECT_EQ(r.axes[0].position, 405);
   EXPECT_EQ(r.program_size.at("0"), 11);
+}
+
+// ---- from a controller that is known
+
+std::shared_ptr<ControllerState> vxm_at_rest() {
+  auto state = std::make_shared<ControllerState>();
+  const Catalog catalog = vxm::make_catalog({}).value();
+  state->now.axis_count = 2;
+  state->now.axes[0].position_known = state->now.axes[1].position_known = true;
+  state->now.inputs = 0xFF, state->now.inputs_known = 0xFF;
+  state->now.outputs_known = 0xF;
+  for (std::size_t i = 0; i < catalog.params.size(); ++i) {
+    state->now.params[i].known = catalog.params[i].readable;
+    state->now.params[i].value = catalog.params[i].fallback;
+  }
+  return state;
+}
+std::vector<std::string> assumed_in(const Rehearsal& r) {
+  std::vector<std::string> all;
+  for (const RehearsedAssumption& a : r.assumptions) all.push_back(a.name + "=" + a.value);
+  return all;
+}
+
+TEST(VxmRehearsal, BeginsFromTheControllerAsItIs) {
+  const Catalog catalog = vxm::make_catalog({}).value();
+  auto state = vxm_at_rest();
+  state->now.axes[0].position = Steps(432), state->now.axes[1].position = Steps(-50);
+  const auto backlash = static_cast<std::size_t>(catalog.find_param("Bx"));
+  state->now.params[backlash].value = 7;
+  state->now.outputs = 0b0100;
+  state->now.inputs = 0xFF & ~1u;  // input 1 is operated
+  state->programs[2] = "I2M77";
+  RehearseOptions options;
+  options.from = state;
+  const Rehearsal r = rehearse("S1M2000,A1M2,S2M2000,A2M2,IA1M400,U0,JM2", options);
+  EXPECT_EQ(r.error, "");
+  EXPECT_EQ(r.axes[0].begin, 432);
+  EXPECT_EQ(r.axes[0].position, 400);
+  EXPECT_EQ(r.axes[0].minimum, 393) << "backlash overruns";
+  EXPECT_EQ(r.axes[1].position, 27) << "program 2 is the controller's";
+  EXPECT_EQ(r.outputs.at("3"), 1);
+  EXPECT_EQ(r.outputs_at_first.at("3"), 1);
+  EXPECT_TRUE(r.finished) << "the wait for input 1 ends";
+  EXPECT_THAT(assumed_in(r), testing::IsEmpty());
+}
+
+TEST(VxmRehearsal, NamesWhatNobodyCouldTell) {
+  const Catalog catalog = vxm::make_catalog({}).value();
+  auto state = vxm_at_rest();
+  state->now.axes[1].position_known = false;
+  state->now.params[static_cast<std::size_t>(catalog.find_param("Bx"))].known = false;
+  state->now.params[static_cast<std::size_t>(catalog.find_param("L2M"))].known = false;
+  RehearseOptions options;
+  options.from = state;
+  EXPECT_THAT(assumed_in(rehearse("A1M3,I1M400", options)),
+              testing::ElementsAre("S1M=2000 steps/s, as after power-up", "Bx=0 steps"))
+      << "of motor 2, which does not move, nothing is taken for granted";
+  EXPECT_THAT(assumed_in(rehearse("S2M900,A2M3,I2M400,A2M4", options)),
+              testing::ElementsAre("L2M=0", "Bx=0 steps", "position of 2=0"));
+}
+
+TEST(VxmRehearsal, ALimitIsToldWithMotorDirectionLineAndTime) {
+  RehearseOptions options;
+  options.bench_toml = "[axis.1]\nminus = -500\nplus = 1000\n";
+  const Rehearsal r = rehearse("I1M400\nP10\nI1M4000\nI2M10\n", options);
+  ASSERT_EQ(r.stops.size(), 1u);
+  EXPECT_EQ(r.stops[0].axis, "1");
+  EXPECT_EQ(r.stops[0].direction, 1);
+  EXPECT_EQ(r.stops[0].line, 2);
+  EXPECT_EQ(r.stops[0].reason, "Motor 1 runs into its plus limit switch.");
+  const double first = 2 * std::sqrt(400 / 2000.0);
+  EXPECT_NEAR(r.stops[0].t, first + 1 + std::sqrt(2 * 600 / 2000.0), 1e-3);
+  EXPECT_TRUE(r.finished) << "O=0: the program goes on";
+  EXPECT_THAT(rehearse("S1M600,I1M0", options).stops, testing::IsEmpty()) << "it was to go there";
+}
+
+TEST(VxmRehearsal, ALoopWithoutEndIsToldWithItsLines) {
+  RehearseOptions options;
+  options.for_seconds = 30;
+  const Rehearsal r = rehearse("S1M2000\nLM0\nI1M400\nI1M-400\nL0\n", options);
+  EXPECT_TRUE(r.endless);
+  EXPECT_EQ(
+      r.error,
+      "Program 0 was still running when the rehearsal ended: the loop of lines 3 to 5 (L0) has no end.");
+  ASSERT_EQ(r.stops.size(), 1u);
+  EXPECT_EQ(r.stops[0].reason, r.error);
+  EXPECT_EQ(r.stops[0].t, 30);
+  EXPECT_FALSE(rehearse("LM0\nI1M4\nU21\nL0\nI1M9\n", options).endless) << "an input may lead out of it";
+  const Rehearsal again = rehearse("P5\nJ0\n", options);
+  EXPECT_TRUE(again.endless);
+  EXPECT_THAT(again.error, HasSubstr("the loop of lines 1 to 2 (J0) has no end"));
+  EXPECT_FALSE(rehearse("P10\nL65535\n", options).endless) << "it only takes long";
+}
+
+TEST(VxmRehearsal, OutputsAndWaitsStandOnTheTimeLine) {
+  RehearseOptions options;
+  options.bench_toml = "[[at]]\nt = 2.0\ninput = [1, true]\n";
+  const Rehearsal r = rehearse("U5,U0,U4,P5", options);
+  std::vector<std::string> seen;
+  for (const RehearsedEvent& e : r.events)
+    if (e.command < 0) seen.push_back(e.what);
+  EXPECT_THAT(seen, testing::ElementsAre("output 1 on", "waits for input 1", "output 1 off", "goes on",
+                                         "the program ends"));
 }
 
 }  // namespace

@@ -1,0 +1,134 @@
+#include "core/devices/arcus/program_start.h"
+
+#include <algorithm>
+#include <bitset>
+#include <cmath>
+
+#include "core/base/index.h"
+
+namespace hw::arcus {
+namespace {
+
+/// How it is talked to changes no program.
+bool changes_programs(const ParamInfo& info) {
+  return info.group != "Communication" || info.mnemonic == "TOC";
+}
+
+/// The parameters of the catalog are the settings of the model, in their order.
+template <class Visit>
+void each_setting(const Model& model, Visit visit) {
+  std::size_t param = 0;
+  for (const SettingFact& fact : model.settings)
+    for (int place = 0; place < fact.count; ++place) visit(fact.id, place, param++);
+}
+
+/// Loops last: what they count in is set up by then.
+void set_up(Controller& controller, const ControllerState& state, const Catalog& catalog) {
+  for (const bool loops : {false, true})
+    each_setting(controller.model(), [&](Setting id, int place, std::size_t param) {
+      const auto value = state.param(param);
+      if (value && loops == (id == Setting::loop) && changes_programs(catalog.params[param]))
+        (void)controller.write_setting(id, *value, place);
+    });
+}
+
+void set_errors(Axis& axis, bool closed, AxisError error) {
+  axis.minus_error = error == AxisError::limit_minus;
+  axis.plus_error = error == AxisError::limit_plus;
+  axis.alarm_error = error == AxisError::alarm;
+  if (!closed) return;
+  switch (error) {
+    case AxisError::none: return;
+    case AxisError::stalled: axis.loop_error = LoopState::stall_error; return;
+    case AxisError::too_far: axis.loop_error = LoopState::range_error; return;
+    case AxisError::not_corrected: axis.loop_error = LoopState::attempt_error; return;
+    default: axis.loop_error = LoopState::limit_error;
+  }
+}
+
+void stand(Controller& controller, int i, const AxisState& now) {
+  Axis& axis = controller.axis(i);
+  const bool closed = controller.settings().on(Setting::loop, i);
+  if (now.position_known) {
+    axis.pulses = now.position.value;
+    if (now.has_encoder) axis.set_encoder(now.encoder.value);
+    if (closed) {
+      axis.target = now.position.value;
+      axis.pulses = std::llround(static_cast<double>(now.encoder.value) * controller.pulses_per_unit(i));
+    }
+  }
+  set_errors(axis, closed, now.error);
+  controller.bench_changed(i);
+  const int alarm = controller.model().status.alarm;
+  if (alarm != no_bit && ((controller.status(i) >> alarm & 1) != 0) != now.alarm)
+    controller.operate_alarm(i, !axis.alarm_operated);
+}
+
+/// DI tells levels behind the polarity that is set up.
+void hold_inputs(Controller& controller, const Snapshot& now) {
+  for (int n = 1; n <= controller.model().inputs; ++n) {
+    const std::uint32_t bit = 1u << (n - 1);
+    if ((now.inputs_known & bit) == 0) continue;
+    const auto shown = static_cast<std::uint32_t>(controller.inputs()) & bit;
+    if (shown != (now.inputs & bit)) controller.operate_input(n, (controller.inputs_operated() & bit) == 0);
+  }
+  for (int n = 1; n <= controller.model().analog_inputs; ++n)
+    if (now.analog_known >> (n - 1) & 1u) controller.operate_analog(n, now.analog[ix(n - 1)]);
+}
+
+bool incremental(const ControllerState& state, const Catalog& catalog) {
+  const int mode = catalog.find_readout("MM");
+  return mode >= 0 && state.now.readouts_known.test(ix(mode)) && state.now.readouts[ix(mode)] != 0;
+}
+
+/// Variables whose first mention is that they are looked at.
+std::bitset<language::variables> read_first(const language::Program& program) {
+  std::bitset<language::variables> looked_at, written;
+  const auto look = [&](const language::Operand& o) {
+    if (o.kind == language::Operand::Kind::variable && !written.test(ix(o.number)))
+      looked_at.set(ix(o.number));
+  };
+  for (const language::Instruction& i : program.code) {
+    for (const language::Operand& value : i.values) look(value);
+    const bool puts = i.op == language::Opcode::set || i.op == language::Opcode::compute;
+    if (puts && i.target.kind == language::Operand::Kind::variable) written.set(ix(i.target.number));
+  }
+  return looked_at;
+}
+
+}  // namespace
+
+void begin_like(ArcusEmulator& emulator, const ControllerState& state, const Catalog& catalog) {
+  Controller& controller = emulator.controller();
+  const Snapshot& now = state.now;
+  controller.host_talks = true;  // the console does
+  set_up(controller, state, catalog);
+  controller.set_incremental(incremental(state, catalog));
+  for (int n = 0; n < variables; ++n)
+    if (now.variables_known.test(ix(n))) controller.set_variable(n, now.variables[ix(n)]);
+  std::int64_t enables = 0;
+  for (int i = 0; i < std::min(controller.axes(), now.axis_count); ++i) {
+    enables |= std::int64_t{now.axes[ix(i)].enabled} << i;
+    stand(controller, i, now.axes[ix(i)]);
+  }
+  if (now.outputs_known != 0) {  // both are read together
+    controller.set_enables(enables);
+    controller.set_outputs(now.outputs & now.outputs_known);
+  }
+  hold_inputs(controller, now);
+}
+
+std::vector<RehearsedAssumption> assumptions(const ControllerState& state, const Catalog& catalog,
+                                             std::uint32_t moved, const language::Program& program) {
+  std::vector<RehearsedAssumption> all = unknown_params(state, catalog, moved, changes_programs);
+  for (RehearsedAssumption& a : unknown_surroundings(state, catalog, moved)) all.push_back(std::move(a));
+  const int mode = catalog.find_readout("MM");
+  if (mode >= 0 && !state.now.readouts_known.test(ix(mode))) all.push_back({"MM", "absolute"});
+  const auto looked_at = read_first(program);
+  for (int n = 0; n < language::variables; ++n)
+    if (looked_at.test(ix(n)) && !state.now.variables_known.test(ix(n)))
+      all.push_back({"V" + std::to_string(n), "0"});
+  return all;
+}
+
+}  // namespace hw::arcus

@@ -1,0 +1,60 @@
+#pragma once
+// What a rehearsal finds out while programs run: why each of them stopped, which switches were run into,
+// which loop nothing leaves.
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/device/language.h"
+#include "core/devices/arcus/emulator_controller.h"
+#include "core/devices/arcus/language/compiler.h"
+#include "core/devices/arcus/language/dialect.h"
+
+namespace hw::arcus {
+
+class ProgramWatch {
+ public:
+  ProgramWatch(const Controller& controller, const language::Compilation& made,
+               const language::Dialect& dialect)
+      : controller_(controller), made_(made), dialect_(dialect) {}
+
+  /// In the order of time. False: a look at an input that showed what it had shown there before.
+  bool hear(const Controller::Trace& trace);
+  /// After each event: programs that have stopped in error since.
+  void look_at_programs();
+  [[nodiscard]] const std::vector<RehearsedStop>& stops() const { return stops_; }
+  /// Of all programs that have stopped in error; empty: none has.
+  [[nodiscard]] std::string errors() const;
+
+  struct Unfinished {
+    std::string sentence;
+    bool endless = false;
+  };
+  /// What went on until the time was over. `nothing_comes`: nor would anything have happened any more.
+  [[nodiscard]] Unfinished unfinished(bool nothing_comes);
+
+ private:
+  struct Loop {
+    int head = -1, end = -1;  ///< low-level lines
+  };
+  [[nodiscard]] bool is_in(int program, language::ThreadState state) const;
+  [[nodiscard]] std::string place_of(int program) const;
+  [[nodiscard]] std::string reason_of(int program) const;
+  [[nodiscard]] int source_line(int line) const;
+  [[nodiscard]] Loop loop_around(int line) const;
+  [[nodiscard]] Unfinished still_running(int program, bool nothing_comes) const;
+  [[nodiscard]] bool has_mixed_loops(const language::Instruction& i) const;
+  [[nodiscard]] Refusal error_among(const language::Instruction& i) const;
+  void stopped(int line, std::string reason, std::string axis = {}, int direction = 0);
+
+  const Controller& controller_;
+  const language::Compilation& made_;
+  const language::Dialect& dialect_;
+  std::array<int, most_axes> sent_by_{-1, -1, -1, -1};  ///< line of the latest motion of each axis
+  std::map<int, std::string> last_read_;                ///< by line
+  std::array<bool, language::max_programs> failed_{};
+  std::vector<RehearsedStop> stops_;
+};
+
+}  // namespace hw::arcus

@@ -1,0 +1,46 @@
+#pragma once
+// What a rehearsal finds out while a board is at work: which switches were run into, what nothing brings to
+// an end.
+#include <array>
+#include <string>
+#include <vector>
+
+#include "core/device/language.h"
+#include "core/devices/vme58/emulator_board.h"
+
+namespace hw::vme58 {
+
+class ProgramWatch {
+ public:
+  /// `line_of`: of the text, by what Note::source counts.
+  ProgramWatch(const Board& board, std::vector<int> line_of) : board_(board), line_of_(std::move(line_of)) {}
+
+  void hear(const Note& note);
+  /// A look at a line that showed what it had shown the same command before.
+  [[nodiscard]] bool is_repeated(const Note& look);
+  void stopped(Instant at, int source, std::string reason, int axis = -1, int direction = 0);
+  [[nodiscard]] const std::vector<RehearsedStop>& stops() const { return stops_; }
+
+  struct Unfinished {
+    int source = -1;  ///< as Note::source; -1: the text has not been taken to its end
+    std::string why;  ///< a part of a sentence; empty: no more is known
+    bool endless = false;
+  };
+  /// What goes on at the end of the time.
+  [[nodiscard]] Unfinished unfinished() const;
+
+ private:
+  [[nodiscard]] Unfinished of_queue(const CommandQueue& queue) const;
+  [[nodiscard]] std::string line_words(int source) const;
+  [[nodiscard]] int line_of(int source) const {
+    return source >= 0 && ix(source) < line_of_.size() ? line_of_[ix(source)] : -1;
+  }
+
+  const Board& board_;
+  const std::vector<int> line_of_;
+  std::array<int, most_axes> sent_by_{-1, -1, -1, -1, -1, -1, -1, -1};  ///< source of its latest motion
+  std::vector<signed char> last_look_;                                  ///< by source: -1 none yet
+  std::vector<RehearsedStop> stops_;
+};
+
+}  // namespace hw::vme58
