@@ -12,12 +12,11 @@ Desk::Desk(const Catalog& catalog, const Language* language, TrafficLog::Explain
     : traffic(explain),
       texts(catalog.program, language),
       blocks(catalog),
+      follower(catalog),
       setup(catalog),
       help(catalog),
       catalog_(catalog),
-      language_(language) {
-  follower.rehearse_as(catalog.made_from);
-}
+      language_(language) {}
 
 Result<> Desk::keep_texts(Autosave autosave, std::string key) {
   autosave_ = std::move(autosave);
@@ -39,12 +38,17 @@ void Desk::rehearse(const Snapshot& now, const BenchView& bench) {
   const int slot = texts.chosen();
   if (!language_ || texts.text(slot).empty()) return;
   constexpr double seen_every_s = 0.02;
-  RehearseOptions options;
-  options.slot = slot;
-  options.axes = static_cast<int>(catalog_.axes.size());
-  options.device = catalog_.made_from;
-  options.track_every_s = seen_every_s;
-  rehearsals.start(*language_, texts.text(slot), options, now, bench, worker());
+  RehearseOptions wish;
+  wish.slot = slot;
+  wish.track_every_s = seen_every_s;
+  rehearsals.start(*language_, texts.text(slot), wish, state_of(now), bench, catalog_, worker());
+}
+
+ControllerState Desk::state_of(const Snapshot& now) const {
+  ControllerState state{now, {}};
+  for (int slot = 0; slot < texts.count(); ++slot)
+    if (texts.held(slot).known) state.programs[slot] = texts.held(slot).text;
+  return state;
 }
 
 void Desk::sent(const IntentBody& body) {
@@ -65,8 +69,11 @@ void Desk::refresh(const Snapshot& now, const BenchView& bench, Instant clock, c
   job.update(texts, now, catalog_, clock, send);
   trace.follow(now);
   notice_program_changes(now);
-  rehearsals.follow(now, bench, catalog_);
-  follower.follow(now, clock, texts, language_, worker());
+  rehearsals.follow(now, bench, catalog_, [this](int slot) {
+    const HeldProgram& held = texts.held(slot);
+    return held.known ? &held.text : nullptr;
+  });
+  follower.follow(now, bench, clock, texts, language_, worker());
   if (std::exchange(started_at_, now.program.started_at) != now.program.started_at) ++starts_;
   setup_write.update(now, catalog_, send);
   setup.settle(now);

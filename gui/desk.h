@@ -68,6 +68,8 @@ class Desk {
   /// Dry run of the chosen text, from where the axes stand. Nothing where there is no text, or one is under
   /// way.
   void rehearse(const Snapshot& now, const BenchView& bench);
+  /// What is known of the controller, with the programs that it is known to hold.
+  [[nodiscard]] ControllerState state_of(const Snapshot& now) const;
   /// A listing came up from the controller.
   void listed(const Notice& notice) { texts.listed(notice.slot, notice.text, notice.at, notice.whole); }
   /// Something went down that may change what the controller holds.

@@ -1,37 +1,15 @@
 #include "gui/rehearsals.h"
 
+#include <bit>
 #include <utility>
 
+#include "core/base/index.h"
 #include "gui/text_diff.h"
 
 namespace hw::gui {
 namespace {
 
 bool runs(const ProgramState& p) { return p.owned && p.run != RunState::idle && p.run != RunState::error; }
-
-std::optional<Steps> seen_from(const std::optional<Steps>& place, Steps from) {
-  return place ? std::optional(*place - from) : std::nullopt;
-}
-
-/// The emulated controller of a rehearsal begins with its loads at 0: the switches come nearer instead.
-std::vector<BenchCommand> moved_bench(const BenchView& bench, int axes) {
-  std::vector<BenchCommand> all;
-  for (int i = 0; i < axes; ++i) {
-    const AxisId axis{static_cast<std::uint8_t>(i)};
-    const std::uint32_t bit = 1u << i;
-    const SwitchPlaces& switches = bench.switches[axis.index];
-    const Steps load = bench.load_position[axis.index];
-    AxisPlace place;
-    all.emplace_back(bench::Place(axis, place));  // without those that an emulator is made with
-    place.minus = seen_from(switches.minus, load), place.plus = seen_from(switches.plus, load);
-    place.home_from = seen_from(switches.home_from, load), place.home_to = seen_from(switches.home_to, load);
-    if (switches != SwitchPlaces()) all.emplace_back(bench::Place(axis, place));
-    if (bench.limits_minus_by_hand & bit) all.emplace_back(bench::Limit(axis, Sign::minus, true));
-    if (bench.limits_plus_by_hand & bit) all.emplace_back(bench::Limit(axis, Sign::plus, true));
-    if (bench.homes_by_hand & bit) all.emplace_back(bench::HomeSwitch(axis, true));
-  }
-  return all;
-}
 
 Footing footing_of(const RehearsedAxis& rehearsed, const AxisState& axis, bool moves) {
   if (!axis.position_known) return Footing::unknown;
@@ -41,43 +19,95 @@ Footing footing_of(const RehearsedAxis& rehearsed, const AxisState& axis, bool m
   return rehearsed.begin == axis.commanded().value ? Footing::here : Footing::elsewhere;
 }
 
-Stand compare(const Rehearsals::Outcome& outcome, const Rehearsals::Scene& now, const Catalog& catalog) {
-  for (const RehearsedAxis& rehearsed : outcome.result->axes) {
+Stand compare_axes(const Rehearsal& rehearsal, const Snapshot& began, const Snapshot& now, bool left,
+                   const Catalog& catalog) {
+  for (const RehearsedAxis& rehearsed : rehearsal.axes) {
     const int i = catalog.find_axis(rehearsed.name);
     if (i < 0 || i >= now.axis_count) continue;
-    const AxisState& axis = now.axes[static_cast<std::size_t>(i)];
-    const Footing footing = footing_of(rehearsed, axis, now.moving >> i & 1u);
-    if (footing == Footing::here) continue;
+    const AxisState &then = began.axes[ix(i)], &axis = left ? then : now.axes[ix(i)];
+    const Footing footing = footing_of(rehearsed, axis, (left ? began : now).axis_moves(i));
     const bool tells_place = footing == Footing::elsewhere;
-    return {footing, i, Steps(rehearsed.begin), tells_place ? axis.commanded() : Steps()};
+    if (footing != Footing::here)
+      return {footing, i, Steps(rehearsed.begin), tells_place ? axis.commanded() : Steps()};
+    if (axis.enabled != then.enabled || axis.error != then.error) return {Footing::other_power, i, {}, {}};
   }
-  if (outcome.scene.switches != now.switches) return {Footing::other_bench, -1, {}, {}};
   return {};
+}
+
+/// What was not known was taken as from the factory.
+Stand compare_params(const Snapshot& began, const Snapshot& now, const Catalog& catalog) {
+  for (std::size_t i = 0; i < catalog.params.size(); ++i) {
+    const ParamState &then = began.params[i], &is = now.params[i];
+    const std::int64_t taken = then.known ? then.value : catalog.params[i].fallback;
+    if (is.known && is.value != taken)
+      return {Footing::other_setup, static_cast<int>(i), Steps(taken), Steps(is.value)};
+  }
+  return {};
+}
+
+Stand compare_bits(Footing footing, std::uint32_t then, std::uint32_t now, std::uint32_t known) {
+  const std::uint32_t other = (then ^ now) & known;
+  if (other == 0) return {};
+  const int which = std::countr_zero(other);
+  return {footing, which, Steps(then >> which & 1u), Steps(now >> which & 1u)};
+}
+
+Stand compare_variables(const Snapshot& began, const Snapshot& now) {
+  if ((began.variables_known | now.variables_known).none()) return {};
+  for (int n = 0; n < max_variables; ++n) {
+    const std::int32_t taken = began.variables_known.test(ix(n)) ? began.variables[ix(n)] : 0;
+    if (now.variables_known.test(ix(n)) && now.variables[ix(n)] != taken)
+      return {Footing::other_variable, n, Steps(taken), Steps(now.variables[ix(n)])};
+  }
+  return {};
+}
+
+Stand compare_programs(const ControllerState& began, int slot, const Rehearsals::Held& held) {
+  for (const auto& [other, text] : began.programs) {
+    const std::string* now = other == slot || !held ? nullptr : held(other);
+    if (now && *now != text) return {Footing::other_program, other, {}, {}};
+  }
+  return {};
+}
+
+/// What is asked first is told first.
+Stand compare(int slot, const Rehearsals::Outcome& outcome, const Snapshot& now, const BenchView& bench,
+              bool left, const Catalog& catalog, const Rehearsals::Held& held) {
+  const ControllerState& from = *outcome.scene.state;
+  const Snapshot& began = from.now;
+  if (const Stand s = compare_axes(*outcome.result, began, now, left, catalog); s != Stand()) return s;
+  if (left) return {};
+  const bool known = outcome.scene.switches.has_value();
+  if (known != bench.present || (known && *outcome.scene.switches != bench.switches))
+    return {Footing::other_bench, -1, {}, {}};
+  if (const Stand s = compare_params(began, now, catalog); s != Stand()) return s;
+  if (const Stand s = compare_bits(Footing::other_output, began.outputs, now.outputs,
+                                   began.outputs_known & now.outputs_known);
+      s != Stand())
+    return s;
+  if (const Stand s =
+          compare_bits(Footing::other_input, began.inputs, now.inputs, began.inputs_known & now.inputs_known);
+      s != Stand())
+    return s;
+  if (const Stand s = compare_variables(began, now); s != Stand()) return s;
+  return compare_programs(from, slot, held);
 }
 
 }  // namespace
 
-Rehearsals::Scene::Scene(const Snapshot& now, const BenchView& bench)
-    : axes(now.axes), axis_count(now.axis_count) {
-  for (int i = 0; i < axis_count; ++i) moving |= std::uint32_t{now.axis_moves(i)} << i;
-  if (bench.present) switches = bench.switches;
-}
-
-void Rehearsals::start(const Language& language, std::string text, RehearseOptions options,
-                       const Snapshot& now, const BenchView& bench, Worker& worker) {
-  const int slot = options.slot;
+void Rehearsals::start(const Language& language, std::string text, const RehearseOptions& wish,
+                       ControllerState from, const BenchView& bench, const Catalog& catalog, Worker& worker) {
+  const int slot = wish.slot;
   if (under_way(slot)) return;
   running_[slot] = true;
-  options.start_at.clear();
-  for (int i = 0; i < now.axis_count; ++i) {
-    const AxisState& axis = now.axes[static_cast<std::size_t>(i)];
-    options.start_at.push_back(axis.position_known ? axis.commanded().value : 0);
-  }
-  if (bench.present) options.bench = moved_bench(bench, now.axis_count);
+  Scene scene{std::make_shared<const ControllerState>(std::move(from)), std::nullopt};
+  if (bench.present) scene.switches = bench.switches;
+  RehearseOptions options = rehearse_from(scene.state, bench, catalog);
+  options.slot = slot, options.for_seconds = wish.for_seconds, options.track_every_s = wish.track_every_s;
   worker.run(
-      [&language, text = std::move(text), options = std::move(options), scene = Scene(now, bench)]() mutable {
+      [&language, text = std::move(text), options = std::move(options), scene = std::move(scene)]() mutable {
         auto result = language.rehearse(text, options);
-        return Outcome{std::move(text), std::move(result), scene};
+        return Outcome{std::move(text), std::move(result), std::move(scene)};
       },
       [this, slot](Outcome outcome) {
         running_.erase(slot);
@@ -97,12 +127,13 @@ int Rehearsals::older_than_line(int slot, std::string_view text) const {
   return outcome ? TextDiff(outcome->text, text).first_changed() : -1;
 }
 
-void Rehearsals::follow(const Snapshot& now, const BenchView& bench, const Catalog& catalog) {
+void Rehearsals::follow(const Snapshot& now, const BenchView& bench, const Catalog& catalog,
+                        const Held& held) {
   const bool left = runs(now.program);
   for (auto& [slot, outcome] : outcomes_) {
     const bool first = !std::exchange(outcome.compared, true);
     if (!outcome.result || (left && !first)) continue;
-    const Stand stand = compare(outcome, left ? outcome.scene : Scene(now, bench), catalog);
+    const Stand stand = compare(slot, outcome, now, bench, left, catalog, held);
     if (stand == outcome.stand) continue;
     outcome.stand = stand;
     ++version_;

@@ -9,11 +9,12 @@ static bool under_way(const ProgramState& p) {
   return p.owned && p.slot >= 0 && p.run != RunState::idle && p.run != RunState::error;
 }
 
-void RunFollower::follow(const Snapshot& now, Instant clock, const ProgramTexts& texts,
-                         const Language* language, Worker& worker) {
+void RunFollower::follow(const Snapshot& now, const BenchView& bench, Instant clock,
+                         const ProgramTexts& texts, const Language* language, Worker& worker) {
   told_ = now.program;
   if (!under_way(told_)) {
     following_ = false;
+    at_rest_ = now;
     return;
   }
   if (!following_ || started_at_ != told_.started_at) {
@@ -23,7 +24,7 @@ void RunFollower::follow(const Snapshot& now, Instant clock, const ProgramTexts&
     run_s_ = 0;
     of_run_.reset();
     ++run_number_;
-    if (language) begin(now, texts, *language, worker);
+    if (language) begin(now, bench, texts, *language, worker);
   }
   if (!texts.lines_known(told_.slot)) of_run_.reset();  // it is of another program
   if (seen_run_ == RunState::running) run_s_ += std::max(0.0, seconds(clock - seen_at_));
@@ -32,15 +33,15 @@ void RunFollower::follow(const Snapshot& now, Instant clock, const ProgramTexts&
   if (told_.run == RunState::held && told_.command >= 0) put_right(told_);
 }
 
-void RunFollower::begin(const Snapshot& now, const ProgramTexts& texts, const Language& language,
-                        Worker& worker) {
+void RunFollower::begin(const Snapshot& now, const BenchView& bench, const ProgramTexts& texts,
+                        const Language& language, Worker& worker) {
   const HeldProgram& held = texts.held(now.program.slot);
   if (!held.known || held.text.empty()) return;
-  RehearseOptions options;
+  auto state = std::make_shared<ControllerState>(ControllerState{at_rest_.value_or(now), {}});
+  for (int slot = 0; slot < texts.count(); ++slot)
+    if (texts.held(slot).known) state->programs[slot] = texts.held(slot).text;
+  RehearseOptions options = rehearse_from(std::move(state), bench, catalog_);
   options.slot = now.program.slot;
-  options.axes = now.axis_count;
-  options.device = device_;
-  for (int i = 0; i < now.axis_count; ++i) options.start_at.push_back(now.axes[i].commanded().value);
   worker.run([&language, text = held.text,
               options = std::move(options)] { return language.rehearse(text, options); },
              [this, run = run_number_](Result<Rehearsal> result) {

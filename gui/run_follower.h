@@ -1,13 +1,12 @@
 #pragma once
 // Where a running program is, when the controller does not say: worked out from a rehearsal of the text that
-// it holds, begun where the axes stood, and the time that it has run. What it says of a held program puts it
-// right. GUI thread.
+// it holds, begun from the controller as it was then, and the time that it has run. What it says of a held
+// program puts it right. GUI thread.
 #include <memory>
 #include <optional>
 #include <string>
 
-#include "core/device/language.h"
-#include "core/device/snapshot.h"
+#include "core/device/controller_state.h"
 #include "gui/program_texts.h"
 #include "gui/worker.h"
 
@@ -21,11 +20,11 @@ class RunFollower {
     double next_in_s = 0;         ///< until the next command; 0: not known
   };
 
-  /// What the controller is, for rehearsals: Catalog::made_from.
-  void rehearse_as(std::map<std::string, std::string> device) { device_ = std::move(device); }
+  /// `catalog` outlives it.
+  explicit RunFollower(const Catalog& catalog) : catalog_(catalog) {}
   /// Once a frame.
-  void follow(const Snapshot& now, Instant clock, const ProgramTexts& texts, const Language* language,
-              Worker& worker);
+  void follow(const Snapshot& now, const BenchView& bench, Instant clock, const ProgramTexts& texts,
+              const Language* language, Worker& worker);
   /// What the controller has told, else what was worked out.
   [[nodiscard]] Place place() const;
   /// Running, without the times in which it was held or waited.
@@ -34,11 +33,12 @@ class RunFollower {
   [[nodiscard]] std::optional<double> left_s() const;
 
  private:
-  void begin(const Snapshot& now, const ProgramTexts& texts, const Language& language, Worker& worker);
+  void begin(const Snapshot& now, const BenchView& bench, const ProgramTexts& texts, const Language& language,
+             Worker& worker);
   void put_right(const ProgramState& told);
   [[nodiscard]] const Rehearsal* rehearsal() const { return of_run_ ? &*of_run_ : nullptr; }
 
-  std::map<std::string, std::string> device_;
+  const Catalog& catalog_;
   bool following_ = false;
   Instant started_at_{}, seen_at_{};
   RunState seen_run_ = RunState::idle;
@@ -46,6 +46,7 @@ class RunFollower {
   double run_s_ = 0;
   int run_number_ = 0;  ///< so that the rehearsal of an earlier run is not taken for this one's
   std::optional<Rehearsal> of_run_;
+  std::optional<Snapshot> at_rest_;  ///< the latest before the run
   std::shared_ptr<int> alive_ = std::make_shared<int>(0);
 };
 

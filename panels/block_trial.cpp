@@ -53,12 +53,11 @@ void BlockTrial::follow(Frame& f, const SequenceText& written) {
   text_ = written.text;
   step_of_line_ = written.step_of_line;
   if (text_.empty()) return forget();
-  RehearseOptions options;
-  options.axes = static_cast<int>(f.catalog.axes.size());
-  options.device = f.catalog.made_from;
-  options.track_every_s = block_seen_every_s;
-  options.for_seconds = tried_for_s;
-  rehearsals_.start(*f.tab.desk().language(), text_, options, f.now, f.bench, f.tab.desk().worker());
+  RehearseOptions wish;
+  wish.track_every_s = block_seen_every_s;
+  wish.for_seconds = tried_for_s;
+  Desk& desk = f.tab.desk();
+  rehearsals_.start(*desk.language(), text_, wish, desk.state_of(f.now), f.bench, f.catalog, desk.worker());
   f.ui.wake_in(0);
 }
 

@@ -11,19 +11,11 @@
 #include "gui/widgets/icons.h"
 #include "gui/widgets/slider.h"
 #include "gui/widgets/text.h"
+#include "panels/rehearsal_words.h"
 
 namespace hw::panels {
 
 using namespace gui;
-
-// To a tenth of a second, as a person compares two runs: "1 min 08.6 s".
-static std::string exact_time(double s) {
-  const auto tenths = static_cast<long long>(s * 10 + 0.5);
-  if (tenths >= 36000)
-    return fmt::format("{} h {:02} min {:02} s", tenths / 36000, tenths / 600 % 60, tenths / 10 % 60);
-  if (tenths >= 600) return fmt::format("{} min {:02}.{} s", tenths / 600, tenths / 10 % 60, tenths % 10);
-  return fmt::format("{}.{} s", tenths / 10, tenths % 10);
-}
 
 // The words of the outcome in the user's units; the caption says which text they are of.
 void RehearsalCard::refresh(Frame& f, int slot) {
@@ -66,7 +58,8 @@ void RehearsalCard::refresh_caption(const Frame& f, int slot) {
 void RehearsalCard::refresh_words(const Frame& f) {
   axes_.clear();
   event_times_.clear();
-  time_.clear(), fault_.clear(), sends_.clear(), spans_.clear(), stand_.clear();
+  stops_.clear();
+  time_.clear(), fault_.clear(), sends_.clear(), spans_.clear(), stand_.clear(), assumed_.clear();
   if (!outcome_) return;
   if (!outcome_->result) {
     fault_ = outcome_->result.error().sentence();
@@ -79,7 +72,9 @@ void RehearsalCard::refresh_words(const Frame& f) {
     fault_ =
         fmt::format("It has not ended after {}; it may never end.", format_duration(r.duration_s).view());
   for (const RehearsedAxis& axis : r.axes) say_span(f, axis);
-  say_stand(f);
+  stand_ = stand_words(f, *outcome_);
+  stops_ = stop_words(r);
+  assumed_ = assumption_words(r);
   sends_ = r.sent_to_host;
   std::replace(sends_.begin(), sends_.end(), '\r', ' ');
   constexpr std::size_t most_events = 200;
@@ -96,34 +91,6 @@ void RehearsalCard::say_span(const Frame& f, const RehearsedAxis& axis) {
                                  format_with_unit(Steps(axis.maximum), unit).view());
   spans_ += fmt::format("{}{}: {}", spans_.empty() ? "" : ", ", axis.name, span);
   axes_.push_back({axis.name, std::move(span)});
-}
-
-// Why nothing is said of limits; empty: something is.
-void RehearsalCard::say_stand(const Frame& f) {
-  const Stand& stand = outcome_->stand;
-  const int i = std::max(0, stand.axis);
-  const std::string axis = fmt::format("axis {}", f.catalog.axes[static_cast<std::size_t>(i)].name);
-  const DisplayUnit& unit = f.tab.unit(AxisId{static_cast<std::uint8_t>(i)});
-  const NumberText began = format_position(stand.began, unit);
-  switch (stand.footing) {
-    case Footing::here:
-      if (!outcome_->scene.switches) stand_ = "Where the limit switches are is not known here";
-      break;
-    case Footing::elsewhere:
-      stand_ = fmt::format("Rehearsed from {}; {} stands at {}", began.view(), axis,
-                           format_with_unit(stand.stands, unit).view());
-      break;
-    case Footing::moving: stand_ = fmt::format("Rehearsed from {}; {} is moving", began.view(), axis); break;
-    case Footing::other_count:
-      stand_ = fmt::format("Rehearsed as after power-up; {} counts in another unit now", axis);
-      break;
-    case Footing::unknown:
-      stand_ = fmt::format("Rehearsed from {}; where {} stands is not known", began.view(), axis);
-      break;
-    case Footing::doubtful: stand_ = fmt::format("The position of {} may not be true", axis); break;
-    case Footing::other_bench: stand_ = "Switches on the bench have been moved since"; break;
-  }
-  if (!stand_.empty()) stand_ += ": limits are not judged.";
 }
 
 bool RehearsalCard::draw_column(Frame& f, int slot, float width, float height) {
@@ -193,6 +160,7 @@ bool RehearsalCard::draw_verdict(Frame& f) {
     gap(ui, 8);
   }
   const bool again = draw_limits(f);
+  draw_sentences(f);
   char words[32];
   auto end = fmt::format_to_n(words, sizeof words, "{}", r.moves);
   key_value(ui, "rehearsal/moves", "Moves", {words, std::min(end.size, sizeof words)});
@@ -238,6 +206,25 @@ bool RehearsalCard::draw_limits(Frame& f) {
   const bool again = button(ui, "rehearsal/again", "Rehearse from here", {.disabled = why}).clicked;
   gap(ui, 8);
   return again;
+}
+
+void RehearsalCard::draw_sentences(Frame& f) {
+  Ui& ui = f.ui;
+  const auto sentence = [&](std::string_view id, std::string_view label, Tone tone,
+                            const std::string& words) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x;
+    wrapped(ui, Face::small, tone, words);
+    show(ui, {.id = id, .kind = Kind::text, .label = label, .value = words},
+         {at, ImVec2(at.x + width, ImGui::GetCursorScreenPos().y)});
+    gap(ui, 6);
+  };
+  char id[32];
+  for (std::size_t i = 0; i < stops_.size(); ++i) {
+    const auto end = fmt::format_to_n(id, sizeof id, "rehearsal/stop/{}", i + 1);
+    sentence({id, std::min(end.size, sizeof id)}, "Stop", Tone::warn, stops_[i]);
+  }
+  if (!assumed_.empty()) sentence("rehearsal/assumed", "Taken for granted", Tone::ink2, assumed_);
 }
 
 void RehearsalCard::draw_events(Frame& f) {

@@ -18,7 +18,6 @@ class RehearsalCard {
   void refresh_caption(const gui::Frame& frame, int slot);
   void refresh_words(const gui::Frame& frame);
   void say_span(const gui::Frame& frame, const RehearsedAxis& axis);
-  void say_stand(const gui::Frame& frame);
   [[nodiscard]] bool begins_here() const { return outcome_->stand.footing == gui::Footing::here; }
   /// What it says of limits holds for the axes as they stand.
   [[nodiscard]] bool judges_limits() const { return begins_here() && outcome_->scene.switches; }
@@ -26,13 +25,15 @@ class RehearsalCard {
   void draw_axes(gui::Frame& frame);
   bool draw_verdict(gui::Frame& frame);
   bool draw_limits(gui::Frame& frame);
+  void draw_sentences(gui::Frame& frame);
   void draw_events(gui::Frame& frame);
 
   // What is shown, made anew only when it changes.
   int version_ = -1, slot_ = -1;
   std::string text_of_units_, units_now_;
   const gui::Rehearsals::Outcome* outcome_ = nullptr;
-  std::string time_, fault_, sends_, spans_, stand_;
+  std::string time_, fault_, sends_, spans_, stand_, assumed_;
+  std::vector<std::string> stops_;
   struct Axis {
     std::string name, span;
   };

@@ -27,6 +27,12 @@ std::string_view changed(const Stand& stand) {
     case Footing::unknown: return "Rehearsed from 0: where the axes stand is not known.";
     case Footing::doubtful: return "Rehearsed, but the position of an axis may not be true.";
     case Footing::other_bench: return "Rehearsed before the switches on the bench were moved.";
+    case Footing::other_power: return "Rehearsed before an axis was switched, or its error came or went.";
+    case Footing::other_setup: return "Rehearsed before a parameter was changed.";
+    case Footing::other_output: return "Rehearsed before an output was switched.";
+    case Footing::other_input: return "Rehearsed before an input changed.";
+    case Footing::other_variable: return "Rehearsed before a variable was changed.";
+    case Footing::other_program: return "Rehearsed before another program was changed.";
   }
   return {};
 }
@@ -41,6 +47,8 @@ Rehearsed rehearsed(const Frame& f, int slot) {
   if (outcome->text != desk.texts.text(slot)) return {false, "Rehearsed before the text was changed."};
   for (const std::string_view why : {found(*outcome), changed(outcome->stand)})
     if (!why.empty()) return {false, why};
+  if (!outcome->result->assumptions.empty())
+    return {true, "Rehearsed: this text, from here, with what the card says it takes for granted."};
   return {true, "Rehearsed: this text, from where the axes stand."};
 }
 

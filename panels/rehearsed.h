@@ -1,5 +1,5 @@
 #pragma once
-// Whether what Run would run is what has been rehearsed, from where the axes stand now.
+// Whether what Run would run is what has been rehearsed, from the controller as it is now.
 #include <string_view>
 
 #include "gui/frame.h"

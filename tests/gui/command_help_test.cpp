@@ -61,8 +61,9 @@ TEST(Rehearsals, ResultComesInALaterFrameWithTheTextItIsOf) {
   Rehearsals rehearsals;
   RehearseOptions options;
   options.slot = 1;
-  rehearsals.start(language, "I1\nI2\nI3", options, {}, {}, worker);
-  rehearsals.start(language, "I1", options, {}, {}, worker);
+  const Catalog catalog;
+  rehearsals.start(language, "I1\nI2\nI3", options, {}, {}, catalog, worker);
+  rehearsals.start(language, "I1", options, {}, {}, catalog, worker);
   EXPECT_TRUE(rehearsals.under_way(1));
   EXPECT_EQ(rehearsals.of(1), nullptr);
   worker.deliver();
@@ -85,7 +86,7 @@ TEST(Rehearsals, SayWhenTheyDoNotBeginWhereTheAxesStand) {
   now.axes[0].position_known = now.axes[1].position_known = true;
   BenchView bench;
   bench.present = true;
-  rehearsals.start(language, "I1", {}, now, bench, worker);
+  rehearsals.start(language, "I1", {}, {now, {}}, bench, catalog, worker);
   worker.deliver();
   const auto stand = [&] {
     rehearsals.follow(now, bench, catalog);
@@ -108,6 +109,52 @@ TEST(Rehearsals, SayWhenTheyDoNotBeginWhereTheAxesStand) {
   EXPECT_EQ(stand().footing, Footing::here) << "it is on its way, and began there";
   now.program.run = RunState::idle;
   EXPECT_EQ(stand().footing, Footing::elsewhere);
+}
+
+// What has changed is told by its kind and its place, whatever it is of all that the rehearsal began from.
+TEST(Rehearsals, SayWhatHasChangedOfTheWholeController) {
+  test::ToyLanguage language;
+  Worker worker;
+  Rehearsals rehearsals;
+  Catalog catalog;
+  catalog.axes = {{"1", "motor 1"}};
+  catalog.params.resize(3);
+  catalog.params[2].fallback = 40;
+  Snapshot now;
+  now.axis_count = 1;
+  now.axes[0].position_known = true;
+  now.params[1].known = true, now.params[1].value = 7;
+  now.outputs_known = now.inputs_known = 0xF;
+  now.variables_known.set(5);
+  std::string other_program = "I1M5";
+  rehearsals.start(language, "I1", {}, {now, {{0, "old"}, {2, "I1M5"}}}, {}, catalog, worker);
+  worker.deliver();
+  const auto stand = [&] {
+    rehearsals.follow(now, {}, catalog, [&](int slot) { return slot == 1 ? nullptr : &other_program; });
+    return rehearsals.of(0)->stand;
+  };
+  EXPECT_EQ(stand(), Stand());
+  const auto told = [&](auto change) {
+    const Snapshot before = now;
+    change();
+    const Stand stood = stand();
+    now = before;
+    other_program = "I1M5";
+    EXPECT_EQ(stand(), Stand()) << "as before";
+    return stood;
+  };
+  EXPECT_EQ(told([&] { now.params[1].value = 8; }), (Stand{Footing::other_setup, 1, Steps(7), Steps(8)}));
+  EXPECT_EQ(told([&] { now.params[2].known = true, now.params[2].value = 41; }),
+            (Stand{Footing::other_setup, 2, Steps(40), Steps(41)}))
+      << "it was taken to be 40";
+  EXPECT_EQ(told([&] { now.params[2].known = true, now.params[2].value = 40; }), Stand());
+  EXPECT_EQ(told([&] { now.outputs = 4; }), (Stand{Footing::other_output, 2, Steps(0), Steps(1)}));
+  EXPECT_EQ(told([&] { now.inputs = 8; }), (Stand{Footing::other_input, 3, Steps(0), Steps(1)}));
+  EXPECT_EQ(told([&] { now.variables[5] = -9; }), (Stand{Footing::other_variable, 5, Steps(0), Steps(-9)}));
+  EXPECT_EQ(told([&] { now.axes[0].enabled = false; }).footing, Footing::other_power);
+  EXPECT_EQ(told([&] { now.axes[0].error = AxisError::limit_plus; }).footing, Footing::other_power);
+  EXPECT_EQ(told([&] { other_program = "I1M6"; }), (Stand{Footing::other_program, 2, {}, {}}));
+  EXPECT_EQ(told([&] { now.inputs_known = 0, now.inputs = 1; }), Stand()) << "nobody knows it any more";
 }
 
 TEST(Worker, RunsBesideAndHandsOver) {

@@ -20,7 +20,9 @@ class Clockwork final : public Language {
     return report;
   }
   [[nodiscard]] Result<Rehearsal> rehearse(std::string_view, const RehearseOptions& options) const override {
-    begun_at = options.start_at;
+    begun_at.clear();
+    for (int i = 0; i < options.from->now.axis_count; ++i)
+      begun_at.push_back(options.from->now.axes[i].commanded().value);
     Rehearsal r;
     constexpr std::pair<double, int> run[] = {{0, 0}, {1, 1}, {2, 2}, {3, 1}, {4, 2}};
     for (const auto& [t, command] : run) r.events.push_back({t, "a command", options.slot, command});
@@ -39,7 +41,8 @@ struct RunFollowerTest : testing::Test {
   Worker worker;
   Snapshot now;
   ProgramTexts texts{slots(), &language};
-  RunFollower follower;
+  Catalog catalog;
+  RunFollower follower{catalog};
   static ProgramFacts slots() {
     ProgramFacts f;
     f.slots = 2;
@@ -55,11 +58,11 @@ struct RunFollowerTest : testing::Test {
     now.program.command = -1;
     now.program.run = RunState::running;
     now.program.started_at = at(10);
-    follower.follow(now, at(10), texts, &language, worker);
+    follower.follow(now, {}, at(10), texts, &language, worker);
     worker.deliver();
   }
   RunFollower::Place when(double s) {
-    follower.follow(now, at(s), texts, &language, worker);
+    follower.follow(now, {}, at(s), texts, &language, worker);
     return follower.place();
   }
 };
@@ -117,7 +120,7 @@ TEST_F(RunFollowerTest, SaysNothingItCannotKnow) {
   now.program.run = RunState::running;
   now.program.slot = 0;  // nobody knows what it holds
   now.program.started_at = at(32);
-  follower.follow(now, at(32), texts, &language, worker);
+  follower.follow(now, {}, at(32), texts, &language, worker);
   worker.deliver();
   EXPECT_EQ(when(33).command, -1);
 }

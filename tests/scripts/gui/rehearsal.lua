@@ -47,6 +47,8 @@ for _, language in ipairs(languages) do
   expect("rehearsal/limits", "touched")
   hw.check(not value("rehearsal/limits"):find("none", 1, true))
   expect("rehearsal/begins", "where the axes stand")
+  expect("rehearsal/stop/1", "Line ")
+  expect("rehearsal/stop/1", "runs into its plus limit switch.")
   hw.check(not ui.exists("rehearsal/again"))
 
   rehearse(near)
@@ -68,3 +70,21 @@ for _, language in ipairs(languages) do
   ui.click("menu") ui.click("menu/close")
   hw.sleep(0.2)
 end
+
+-- It begins from all that is known of the controller: what has changed since is named.
+local c = hw.check(hw.open("vxm@emulator"))
+c:set("M1M", 4)
+hw.sleep(5)
+rehearse("I1M100")
+expect("program/rehearsed", "Rehearsed: this text")
+expect("rehearsal/assumed", "S1M: 2000 steps/s")
+hw.check(c:set("Bx", 9))
+hw.sleep(0.5)
+expect("rehearsal/stand", "Rehearsed with Bx 0 steps; it is 9 steps now")
+expect("program/rehearsed", "Rehearsed before a parameter was changed.")
+ui.click("rehearsal/again")
+hw.sleep(0.5)
+expect("program/rehearsed", "Rehearsed: this text")
+c.bench:input(1, true)
+hw.sleep(1)
+expect("rehearsal/stand", "Rehearsed with In 1 high; it is low now")
