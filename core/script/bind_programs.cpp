@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include "core/script/bind.h"
+#include "core/script/rehearse_here.h"
 #include "core/sequence/sequence_file.h"
 
 namespace hw::script {
@@ -93,8 +94,19 @@ int program(Call& call) {
   return call.wait(upload(session_of(call), slot));
 }
 
+/// Without a number: as c:load would place it.
+int rehearse(Call& call) {
+  const SessionPtr& session = session_of(call);
+  const int slot = slot_of(call, 2);
+  if (slot < 0) return call.refuse(no_slot(session->catalog()));
+  auto text = program_of(call.text(1, "text"), *session);
+  if (!text) return call.refuse(text.error().sentence());
+  return call.wait(rehearse_here(session, std::move(*text), slot));
+}
+
 constexpr Function program_table[] = {
     {"load", load},
+    {"rehearse", rehearse},
     {"run", run},
     {"run_in_pieces", run_in_pieces},
     {"pause", of_thread<intent::Pause>},

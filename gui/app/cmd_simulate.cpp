@@ -7,6 +7,8 @@
 #include <fmt/core.h>
 
 #include "core/device/bench_file.h"
+#include "core/device/controller_state.h"
+#include "core/session/parameter_file.h"
 #include "core/session/text_file.h"
 #include "core/session/user_files.h"
 #include "gui/app/cli.h"
@@ -24,9 +26,24 @@ std::vector<std::pair<std::string, int>> in_order(const std::map<std::string, in
   return all;
 }
 
+using Json = nlohmann::ordered_json;
+
+// Beyond the contract, and only where there is something to tell.
+void add_findings(Json& out, const Rehearsal& r) {
+  if (r.endless) out["endless"] = true;
+  for (const RehearsedStop& stop : r.stops) {
+    Json s;
+    s["t"] = stop.t;
+    s["line"] = stop.line < 0 ? Json(nullptr) : Json(stop.line + 1);
+    if (stop.direction != 0) s["axis"] = stop.axis, s["direction"] = stop.direction;
+    s["reason"] = stop.reason;
+    out["stops"].push_back(std::move(s));
+  }
+  for (const RehearsedAssumption& a : r.assumptions) out["assumptions"][a.name] = a.value;
+}
+
 // The object of the contract, with its keys in the contract's order.
 void print_json(const Rehearsal& r, const Catalog& catalog) {
-  using Json = nlohmann::ordered_json;
   Json out;
   out["model"] = catalog.model;
   out["duration_s"] = r.duration_s;
@@ -52,6 +69,7 @@ void print_json(const Rehearsal& r, const Catalog& catalog) {
     e["what"] = event.what;
     out["events"].push_back(std::move(e));
   }
+  add_findings(out, r);
   print_result("{}\n", out.dump(-1, ' ', true, Json::error_handler_t::replace));
 }
 
@@ -64,7 +82,13 @@ void print_words(const Rehearsal& r, const Catalog& catalog) {
   for (const RehearsedAxis& a : r.axes)
     print_result("axis {}: ends at {}, between {} and {}, travel {} {}\n", a.name, a.position, a.minimum,
                  a.maximum, a.travel, a.in_counts ? catalog.loop_word : catalog.step_word);
+  if (r.assumptions.empty()) print_result("begins as after power-up, with factory settings\n");
   print_result("limits, beginning at 0: {}\n", r.limit_touched ? "touched" : "none touched");
+  for (const RehearsedStop& stop : r.stops)
+    if (stop.reason != r.error)
+      print_result("{:.3f} s{}: {}\n", stop.t, stop.line < 0 ? "" : fmt::format(", line {}", stop.line + 1),
+                   stop.reason);
+  for (const RehearsedAssumption& a : r.assumptions) print_result("assumed: {} {}\n", a.name, a.value);
   for (const auto& [name, on] : in_order(r.outputs)) print_result("output {}: {}\n", name, on ? "on" : "off");
   for (const auto& [slot, size] : r.program_size)
     print_result("{} {}: {} {}\n", catalog.program.slot_word, slot, size, catalog.program.capacity_unit);
@@ -77,6 +101,28 @@ Result<std::string> read_bench(const std::string& path, const Catalog& catalog) 
   if (!text) return text;
   if (auto parsed = parse_bench_file(*text, catalog, path); !parsed) return fail(parsed.error());
   return text;
+}
+
+// What a backup knows of its controller: neither positions nor lines.
+Result<std::shared_ptr<const ControllerState>> read_like(const std::string& path, const Catalog& catalog) {
+  const auto backup = load_backup(path);
+  if (!backup) return fail(backup.error());
+  const auto checked = check_backup(*backup, catalog, path);
+  if (!checked) return fail(checked.error());
+  if (!checked->problems.empty())
+    return fail(FaultKind::text, checked->problems.front(), "Nothing was rehearsed.");
+  auto state = std::make_shared<ControllerState>();
+  state->now.axis_count = static_cast<int>(catalog.axes.size());
+  for (const ParameterEntry& entry : checked->parameters) {
+    ParamState& param = state->now.params[static_cast<std::size_t>(catalog.find_param(entry.mnemonic))];
+    param.value = entry.value, param.known = true;
+  }
+  for (const auto& [number, value] : checked->variables) {
+    state->now.variables[static_cast<std::size_t>(number)] = static_cast<std::int32_t>(value);
+    state->now.variables_known.set(static_cast<std::size_t>(number));
+  }
+  state->programs = checked->programs;
+  return state;
 }
 
 // Of a text that cannot be run: the same object, with the reason in it. Axes and outputs are those of the
@@ -114,6 +160,11 @@ static int simulate(const Given& given) {
     if (!bench) return complain(bench.error());
     options.bench_toml = std::move(*bench);
   }
+  if (given.has("like")) {
+    auto like = read_like(given.one("like"), program->catalog);
+    if (!like) return complain(like.error());
+    options.from = std::move(*like);
+  }
   const auto rehearsed = program->language->rehearse(program->text, options);
   if (!rehearsed) {
     if (given.has("json")) print_json(nothing_rehearsed(*program, rehearsed.error()), program->catalog);
@@ -139,6 +190,7 @@ const Subcommand simulate_subcommand{
      {"json", "", "one JSON object instead of words"},
      {"program", "N", "the one that is started (default 0); it may start others"},
      bench_option,
+     {"like", "FILE.toml", "begin with the parameters, variables and other programs of this backup"},
      {"for-seconds", "N", "stop a program that does not end by then (default 3600, simulated)"}},
     simulate,
 };

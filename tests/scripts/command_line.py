@@ -1157,6 +1157,29 @@ class Simulate(Case):
         file = self.file("a.prg", "HSPD=1000\nLSPD=100\nACC=100\nSLX=1\nX4000Y4000\nEND\n")
         self.expect(run("simulate", file, "--for", "pmx-4ex-sa"), 1, "line 5", "StepNLoop is on for some of its axes")
 
+    def test_limits_loops_and_what_is_assumed(self):
+        bench = self.file("bench.toml", "[axis.1]\nplus = 500\n")
+        result, got = self.simulate("I1M4000\nI2M5\n", "--bench", bench)
+        self.expect(result, 0)
+        (stop,) = got["stops"]
+        self.assertEqual((stop["axis"], stop["direction"], stop["line"]), ("1", 1, 1))
+        self.assertAlmostEqual(stop["t"], 0.707, delta=0.001)
+        self.assertNotIn("endless", got)
+        result, got = self.simulate("P5\nL0\n", "--for-seconds", 10)
+        self.assertTrue(got["endless"])
+        self.assertIn("the loop of lines 1 to 2 (L0) has no end", got["error"])
+        like = self.file("like.toml", 'model = "vxm"\n[parameters]\nBx = 9\n[programs]\n2 = """I2M44"""\n')
+        result, got = self.simulate("I1M-100\nJM2\n", "--like", like)
+        self.expect(result, 0)
+        self.assertEqual((got["axes"]["1"]["min"], got["axes"]["2"]["position"]), (-109, 44))
+        self.assertEqual(got["assumptions"]["position of 1"], "0")
+        self.assertIn("S1M", got["assumptions"])
+        self.assertNotIn("Bx", got["assumptions"])
+        file = self.file("a.vxm", "I1M-100\n")
+        self.expect(run("simulate", file, "--for", "vxm", "--like", like), 0, "assumed: S1M 2000 steps/s")
+        wrong = self.file("wrong.toml", 'model = "dmx-k-sa"\n')
+        self.expect(run("simulate", file, "--for", "vxm", "--like", wrong), 1, 'a controller "dmx-k-sa"')
+
     def test_a_text_with_errors(self):
         result, got = self.simulate("PM1,P5\nPM0,S1M9000\n")
         self.expect(result, 1, "Line 2", "9000")
