@@ -1,6 +1,7 @@
 #include "core/sequence/editor.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "core/sequence/sequence_file.h"
@@ -37,6 +38,13 @@ int depth_of(const StepList& steps) {
   return deepest + 1;
 }
 
+/// All that is no step.
+Sequence frame_of(const Sequence& s) {
+  Sequence frame;
+  frame.unit = s.unit, frame.axes = s.axes, frame.pen_up = s.pen_up, frame.pen_down = s.pen_down;
+  return frame;
+}
+
 void collect(const StepList& steps, StepPath& path, std::vector<StepRow>& rows) {
   for (std::size_t i = 0; i < steps.size(); ++i) {
     path.push_back(i);
@@ -49,20 +57,42 @@ void collect(const StepList& steps, StepPath& path, std::vector<StepRow>& rows) 
 }  // namespace
 
 void Editor::load(Sequence sequence) {
-  undone_from_.clear(), redone_from_.clear();
+  done_.clear(), undone_.clear();
   typed_at_.reset();
   now_ = std::make_shared<const Sequence>(std::move(sequence));
   ++version_, ++loads_;
 }
 
+void Editor::exchange(Sequence sequence) {
+  if (keep(std::move(sequence))) ++loads_;
+}
+
+Editor::Change Editor::between(const Sequence& was, const Sequence& is) {
+  const StepList &a = was.steps, &b = is.steps;
+  const auto [first_a, first_b] = std::mismatch(a.begin(), a.end(), b.begin(), b.end());
+  const auto [last_a, last_b] = std::mismatch(a.rbegin(), std::make_reverse_iterator(first_a), b.rbegin(),
+                                              std::make_reverse_iterator(first_b));
+  Change change;
+  change.at = static_cast<std::size_t>(first_a - a.begin());
+  change.was.assign(first_a, last_a.base());
+  change.is.assign(first_b, last_b.base());
+  Sequence frame_was = frame_of(was), frame_is = frame_of(is);
+  if (frame_was != frame_is) change.frame_was = std::move(frame_was), change.frame_is = std::move(frame_is);
+  return change;
+}
+
 bool Editor::keep(Sequence changed, const StepPath* typed_at) {
   if (depth_of(changed.steps) > deepest_loop) return false;
-  if (!typed_at || typed_at_ != *typed_at) {
-    if (undone_from_.size() == most_kept) undone_from_.erase(undone_from_.begin());
-    undone_from_.push_back(std::move(now_));
+  Change change = between(*now_, changed);
+  const bool goes_on = typed_at && typed_at_ == *typed_at;
+  if (goes_on && done_.back().at == change.at && done_.back().is == change.was) {
+    done_.back().is = std::move(change.is);
+  } else {
+    if (done_.size() == most_kept) done_.erase(done_.begin());
+    done_.push_back(std::move(change));
   }
   typed_at_ = typed_at ? std::optional(*typed_at) : std::nullopt;
-  redone_from_.clear();
+  undone_.clear();
   now_ = std::make_shared<const Sequence>(std::move(changed));
   ++version_;
   return true;
@@ -184,20 +214,28 @@ void Editor::set_frame(std::string unit, std::vector<Axis> axes, StepList pen_up
   if (s != *now_) keep(std::move(s));
 }
 
-void Editor::undo() {
-  if (undone_from_.empty()) return;
-  redone_from_.push_back(std::exchange(now_, std::move(undone_from_.back())));
-  undone_from_.pop_back();
+void Editor::go(std::vector<Change>& from, std::vector<Change>& to, bool back) {
+  if (from.empty()) return;
+  Change change = std::move(from.back());
+  from.pop_back();
+  const StepList &goes = back ? change.is : change.was, &comes = back ? change.was : change.is;
+  const auto& frame = back ? change.frame_was : change.frame_is;
+  Sequence s = *now_;
+  if (frame) {
+    StepList steps = std::move(s.steps);
+    s = *frame;
+    s.steps = std::move(steps);
+  }
+  const auto place = s.steps.begin() + offset(change.at);
+  s.steps.insert(s.steps.erase(place, place + offset(goes.size())), comes.begin(), comes.end());
+  to.push_back(std::move(change));
+  now_ = std::make_shared<const Sequence>(std::move(s));
   typed_at_.reset();
   ++version_;
 }
 
-void Editor::redo() {
-  if (redone_from_.empty()) return;
-  undone_from_.push_back(std::exchange(now_, std::move(redone_from_.back())));
-  redone_from_.pop_back();
-  typed_at_.reset();
-  ++version_;
-}
+void Editor::undo() { go(done_, undone_, true); }
+
+void Editor::redo() { go(undone_, done_, false); }
 
 }  // namespace hw::sequence

@@ -27,9 +27,11 @@ class Editor {
   [[nodiscard]] std::shared_ptr<const Sequence> shared() const { return now_; }
   /// Another one, with nothing to be taken back.
   void load(Sequence sequence);
+  /// Another one, in a change that can be taken back.
+  void exchange(Sequence sequence);
   /// Changes whenever the sequence does.
   [[nodiscard]] std::uint64_t version() const { return version_; }
-  /// Grows with each load(): what is remembered of places in the list does not hold any more.
+  /// Grows with each load() and exchange(): what is remembered of places in the list does not hold any more.
   [[nodiscard]] std::uint64_t loads() const { return loads_; }
   /// In the order of the list; valid until the next change.
   [[nodiscard]] std::vector<StepRow> rows() const;
@@ -53,18 +55,26 @@ class Editor {
   /// All that is no step: unit, axes, the tool's routines.
   void set_frame(std::string unit, std::vector<Axis> axes, StepList pen_up, StepList pen_down);
 
-  [[nodiscard]] bool can_undo() const { return !undone_from_.empty(); }
-  [[nodiscard]] bool can_redo() const { return !redone_from_.empty(); }
+  [[nodiscard]] bool can_undo() const { return !done_.empty(); }
+  [[nodiscard]] bool can_redo() const { return !undone_.empty(); }
   void undo();
   void redo();
 
  private:
-  using Kept = std::shared_ptr<const Sequence>;
+  /// What differs between two that follow each other: of many steps a change keeps those that it is about.
+  struct Change {
+    std::size_t at = 0;  ///< in the outermost list
+    StepList was, is;
+    std::optional<Sequence> frame_was, frame_is;  ///< without steps; none: it is the same
+  };
+  static Change between(const Sequence& was, const Sequence& is);
   /// False: nothing has changed.
   bool keep(Sequence changed, const StepPath* typed_at = nullptr);
+  /// Takes the newest change of one list back, or makes it again, and puts it into the other.
+  void go(std::vector<Change>& from, std::vector<Change>& to, bool back);
 
-  Kept now_;
-  std::vector<Kept> undone_from_, redone_from_;
+  std::shared_ptr<const Sequence> now_;
+  std::vector<Change> done_, undone_;
   std::optional<StepPath> typed_at_;  ///< of the latest change, where it was a replacement
   std::uint64_t version_ = 0, loads_ = 0;
 };

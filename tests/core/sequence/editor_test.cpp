@@ -142,6 +142,22 @@ TEST_F(EditorTest, RowsAreTheWholeList) {
   EXPECT_EQ(rows[4].path, StepPath{2});
 }
 
+TEST_F(EditorTest, AnotherSequenceIsAChangeThatCanBeTakenBack) {
+  editor.insert({0}, delay(1));
+  const Sequence before = editor.sequence();
+  const std::uint64_t loads = editor.loads();
+  Sequence other;
+  other.unit = "mm", other.axes = {{"X", 400}};
+  other.steps = {delay(2), delay(3), delay(4)};
+  editor.exchange(other);
+  EXPECT_EQ(editor.sequence(), other);
+  EXPECT_GT(editor.loads(), loads) << "places in the list do not hold any more";
+  editor.undo();
+  EXPECT_EQ(editor.sequence(), before);
+  editor.redo();
+  EXPECT_EQ(editor.sequence(), other);
+}
+
 // Whatever is done in whatever order: all of it can be taken back.
 TEST_F(EditorTest, AnyOrderOfChangesCanBeTakenBack) {
   std::mt19937 random(7);
