@@ -1,6 +1,7 @@
 #include "core/device/sequence_draft.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <utility>
 
@@ -95,6 +96,22 @@ tl::unexpected<Fault> SequenceDraft::refuse_own_speed() const {
   return refuse(
       "a step before it has changed the speed, and none says what it is otherwise. Put a speed step in "
       "front.");
+}
+
+std::optional<std::vector<std::size_t>> refused_step(std::string_view what) {
+  constexpr std::string_view step = "Step ";
+  if (!what.starts_with(step)) return std::nullopt;
+  what.remove_prefix(step.size());
+  std::vector<std::size_t> path;
+  for (;;) {
+    std::size_t number = 0;
+    const auto [end, error] = std::from_chars(what.data(), what.data() + what.size(), number);
+    if (error != std::errc() || number == 0) return std::nullopt;
+    path.push_back(number - 1);
+    what.remove_prefix(static_cast<std::size_t>(end - what.data()));
+    if (!what.starts_with('.')) return path;
+    what.remove_prefix(1);
+  }
 }
 
 void SequenceDraft::remark(std::string_view what) {

@@ -124,8 +124,13 @@ class SequenceDraft {
   std::string tool_;
 };
 
+/// What texts call them, too, so that they are known again.
+constexpr std::string_view routine_name(bool down) { return down ? "Pen down" : "Pen up"; }
+
 /// "arc", as files call it.
 std::string_view kind_of(const sequence::Step& step);
+/// Whose refusal it is, by the places of the lists that it stands in; none: that of no step of the list.
+std::optional<std::vector<std::size_t>> refused_step(std::string_view what);
 
 /// `writer` writes each step that is not skipped.
 template <class Writer>

@@ -1,7 +1,10 @@
 #pragma once
-// A sequence as the program text of one controller: what Language::write makes of it.
+// A sequence as the program text of one controller: what Language::write makes of it, and Language::read of
+// the text.
 #include <string>
 #include <vector>
+
+#include "core/sequence/sequence.h"
 
 namespace hw {
 
@@ -14,6 +17,12 @@ struct SequenceText {
   std::vector<std::string> remarks;
   /// What is to be known before it is run of the tool that it switches; empty: it has none.
   std::string tool;
+};
+
+struct SequenceRead {
+  sequence::Sequence sequence;
+  /// What the text has that the steps do not show, in sentences.
+  std::vector<std::string> remarks;
 };
 
 }  // namespace hw

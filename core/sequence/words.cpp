@@ -1,5 +1,6 @@
 #include "core/sequence/words.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -102,7 +103,7 @@ std::string_view title_of(const Step::Body& body) {
 
 std::string summary_of(const Step::Body& body, const Sequence& of) { return std::visit(Summary{of}, body); }
 
-std::string label_of_field(std::string_view key, const Sequence& of) {
+FixedText<64> label_of_field(std::string_view key, const Sequence& of) {
   struct Label {
     std::string_view key, label;
     enum class Unit : std::uint8_t { none, length, speed, ms } unit = Unit::none;
@@ -134,14 +135,14 @@ std::string label_of_field(std::string_view key, const Sequence& of) {
                                                  {"ends_ramped", "Ends with a ramp"}}};
   for (const Label& l : labels) {
     if (l.key != key) continue;
-    switch (l.unit) {
-      case Unit::none: return std::string(l.label);
-      case Unit::length: return fmt::format("{}, {}", l.label, of.unit);
-      case Unit::speed: return fmt::format("{}, {}/s", l.label, of.unit);
-      case Unit::ms: return fmt::format("{}, ms", l.label);
-    }
+    if (l.unit == Unit::none) return l.label;
+    std::array<char, 96> words{};
+    const std::string_view unit = l.unit == Unit::ms ? "ms" : std::string_view(of.unit).substr(0, 40);
+    const auto end = fmt::format_to_n(words.data(), words.size(), "{}, {}{}", l.label, unit,
+                                      l.unit == Unit::speed ? "/s" : "");
+    return std::string_view(words.data(), std::min(end.size, words.size()));
   }
-  return std::string(key);
+  return key;
 }
 
 }  // namespace hw::sequence

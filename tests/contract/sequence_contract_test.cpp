@@ -7,6 +7,7 @@
 #include "core/device/language.h"
 #include "core/device/sequence_draft.h"
 #include "tests/contract/rig.h"
+#include "tests/core/device/read_back.h"
 
 namespace hw {
 namespace {
@@ -45,6 +46,7 @@ class SequenceContractTest : public testing::TestWithParam<const DeviceType*> {
               text->step_of_line.size());
     for (const Problem& p : language.analyse(text->text, 0).problems)
       EXPECT_FALSE(p.error) << "line " << p.line + 1 << ": " << p.sentence << "\n" << text->text;
+    expect_reads_back(language, text->text, s, catalog);
     return std::move(*text);
   }
   Rehearsal rehearsed() {

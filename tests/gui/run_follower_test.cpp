@@ -33,6 +33,10 @@ class Clockwork final : public Language {
   [[nodiscard]] Result<SequenceText> write(const sequence::Sequence&, const Catalog&) const override {
     return SequenceText();
   }
+  [[nodiscard]] Result<SequenceRead> read(std::string_view, const sequence::Sequence&,
+                                          const Catalog&) const override {
+    return fail(FaultKind::text, "Line 1: no block can hold this.");
+  }
 };
 
 struct RunFollowerTest : testing::Test {

@@ -44,6 +44,10 @@ class ToyLanguage final : public Language {
   [[nodiscard]] Result<SequenceText> write(const sequence::Sequence&, const Catalog&) const override {
     return SequenceText();
   }
+  [[nodiscard]] Result<SequenceRead> read(std::string_view, const sequence::Sequence&,
+                                          const Catalog&) const override {
+    return fail(FaultKind::text, "Line 1: no block can hold this.");
+  }
 
  private:
   static void read_line(std::string_view s, int line, int& slot, ProgramReport& report) {

@@ -80,6 +80,10 @@ class WindowLanguage final : public Language, public StaircaseWriter {
     }
     return made;
   }
+  [[nodiscard]] Result<SequenceRead> read(std::string_view, const sequence::Sequence&,
+                                          const Catalog&) const override {
+    return fail(FaultKind::text, "Line 1: no block can hold this.");
+  }
   [[nodiscard]] Result<std::string> write_staircase(const StaircasePlan& plan,
                                                     const Catalog& catalog) const override {
     if (auto fine = check_staircase(plan, catalog); !fine) return fail(fine.error());

@@ -12,6 +12,7 @@
 #include "core/devices/arcus/program_language.h"
 #include "core/devices/arcus/program_start.h"
 #include "core/devices/arcus/program_watch.h"
+#include "core/devices/arcus/sequence_reader.h"
 #include "core/devices/arcus/sequence_writer.h"
 
 namespace hw::arcus {
@@ -229,6 +230,11 @@ Result<Rehearsal> ProgramLanguage::rehearse(std::string_view text, const Rehears
 Result<SequenceText> ProgramLanguage::write(const sequence::Sequence& sequence,
                                             const Catalog& catalog) const {
   return write_sequence(sequence, catalog, dialect_);
+}
+
+Result<SequenceRead> ProgramLanguage::read(std::string_view text, const sequence::Sequence& frame,
+                                           const Catalog& catalog) const {
+  return read_sequence(text, frame, catalog, dialect_);
 }
 
 }  // namespace hw::arcus

@@ -25,6 +25,8 @@ class ProgramLanguage final : public Language {
                                            const RehearseOptions& options) const override;
   [[nodiscard]] Result<SequenceText> write(const sequence::Sequence& sequence,
                                            const Catalog& catalog) const override;
+  [[nodiscard]] Result<SequenceRead> read(std::string_view text, const sequence::Sequence& frame,
+                                          const Catalog& catalog) const override;
 
  private:
   const language::Dialect& dialect_;

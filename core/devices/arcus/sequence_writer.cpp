@@ -8,6 +8,7 @@
 
 #include "core/device/sequence_draft.h"
 #include "core/device/told_speeds.h"
+#include "core/devices/arcus/sequence_statements.h"
 
 namespace hw::arcus {
 namespace {
@@ -15,8 +16,6 @@ namespace {
 namespace seq = sequence;  // its names are those of commands too
 
 constexpr double largest_radius = 134'216'773;  // PMX manual ch. 5, DXF converter
-constexpr int pen_up_sub = 1, pen_down_sub = 2;
-constexpr int first_counter = 49;  // those from V50 on are kept in flash
 constexpr int indent = 2;
 
 /// Whether ABS or INC may be said in them.
@@ -139,9 +138,10 @@ class Writer {
   Result<> write(const seq::Repeat& l);
   Result<> write(const seq::Custom& c) {
     draft_.lines(c.text);
-    draft_.nothing_known();
-    told_.doubt();
-    mode_ = Mode::unknown;
+    const TextEffects does = effects_of(c.text, dialect_);
+    if (does.moves) draft_.nothing_known();
+    if (does.speeds) told_.doubt();
+    if (does.mode) mode_ = Mode::unknown;
     return {};
   }
   Result<> write(const seq::Contour& c);
@@ -170,12 +170,12 @@ class Writer {
   }
   Result<> write_routine(bool down) {
     if (!(down ? calls_down_ : calls_up_)) return {};
-    if (auto begun = draft_.begin_routine(down ? "Pen down" : "Pen up"); !begun) return begun;
+    if (auto begun = draft_.begin_routine(routine_name(down)); !begun) return begun;
     draft_.nothing_known();
     draft_.change_speeds({});
     told_ = {};
     mode_ = Mode::unknown;
-    draft_.line(fmt::format("SUB {}", down ? pen_down_sub : pen_up_sub));
+    draft_.line(fmt::format("SUB {} ; {}", down ? pen_down_sub : pen_up_sub, routine_name(down)));
     const seq::StepList& steps = down ? draft_.sequence.pen_down : draft_.sequence.pen_up;
     auto written = write_steps(*this, draft_, steps);
     draft_.line("ENDSUB");

@@ -9,6 +9,9 @@
 
 namespace hw::arcus {
 
+inline constexpr int pen_up_sub = 1, pen_down_sub = 2;
+inline constexpr int first_counter = 49;  ///< those from V50 on are kept in flash
+
 [[nodiscard]] Result<SequenceText> write_sequence(const sequence::Sequence& sequence, const Catalog& catalog,
                                                   const language::Dialect& dialect);
 

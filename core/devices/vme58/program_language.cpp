@@ -2,6 +2,7 @@
 
 #include "core/devices/vme58/program_check.h"
 #include "core/devices/vme58/program_rehearsal.h"
+#include "core/devices/vme58/sequence_reader.h"
 #include "core/devices/vme58/sequence_writer.h"
 #include "core/devices/vme58/staircase_text.h"
 
@@ -20,6 +21,10 @@ class CommandStrings final : public Language, public StaircaseWriter {
   [[nodiscard]] Result<SequenceText> write(const sequence::Sequence& sequence,
                                            const Catalog& catalog) const override {
     return write_sequence(sequence, catalog);
+  }
+  [[nodiscard]] Result<SequenceRead> read(std::string_view text, const sequence::Sequence& frame,
+                                          const Catalog& catalog) const override {
+    return read_sequence(text, frame, catalog);
   }
   [[nodiscard]] Result<std::string> write_staircase(const StaircasePlan& plan,
                                                     const Catalog& catalog) const override {

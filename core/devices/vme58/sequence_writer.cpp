@@ -10,6 +10,7 @@
 #include "core/devices/vme58/catalog.h"
 #include "core/devices/vme58/contour_recording.h"
 #include "core/devices/vme58/facts.h"
+#include "core/devices/vme58/sequence_commands.h"
 
 namespace hw::vme58 {
 namespace {
@@ -89,7 +90,7 @@ class Writer {
   }
   Result<> write(const seq::Pen& p) {
     const seq::StepList& steps = p.down ? draft_.sequence.pen_down : draft_.sequence.pen_up;
-    if (auto begun = draft_.begin_routine(p.down ? "Pen down" : "Pen up"); !begun) return begun;
+    if (auto begun = draft_.begin_routine(routine_name(p.down)); !begun) return begun;
     auto written = write_steps(*this, draft_, steps);
     draft_.end_routine();
     return written;
@@ -98,9 +99,12 @@ class Writer {
   Result<> write(const seq::Repeat& l);
   Result<> write(const seq::Custom& c) {
     draft_.lines(c.text);
-    draft_.line("AA");
-    draft_.nothing_known();
-    for (ToldSpeeds& told : told_) told.doubt();
+    const TextEffects does = effects_of(c.text);
+    if (does.addresses) draft_.line("AA");
+    if (does.moves) draft_.nothing_known();
+    if (does.records) ++recorded_;
+    if (does.speeds)
+      for (ToldSpeeds& told : told_) told.doubt();
     return {};
   }
   Result<> write(const seq::Contour& c);

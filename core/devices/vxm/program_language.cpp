@@ -2,6 +2,7 @@
 
 #include "core/devices/vxm/program_analysis.h"
 #include "core/devices/vxm/program_rehearsal.h"
+#include "core/devices/vxm/sequence_reader.h"
 #include "core/devices/vxm/sequence_writer.h"
 
 namespace hw::vxm {
@@ -21,6 +22,10 @@ class VxmLanguage final : public Language {
   [[nodiscard]] Result<SequenceText> write(const sequence::Sequence& sequence,
                                            const Catalog& catalog) const override {
     return write_sequence(sequence, catalog);
+  }
+  [[nodiscard]] Result<SequenceRead> read(std::string_view text, const sequence::Sequence& frame,
+                                          const Catalog& catalog) const override {
+    return read_sequence(text, frame, catalog);
   }
 };
 

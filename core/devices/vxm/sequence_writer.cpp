@@ -8,13 +8,13 @@
 #include "core/device/sequence_draft.h"
 #include "core/device/told_speeds.h"
 #include "core/devices/vxm/facts.h"
+#include "core/devices/vxm/sequence_commands.h"
 
 namespace hw::vxm {
 namespace {
 
 namespace seq = sequence;  // its names are those of commands too
 
-constexpr std::array<int, 4> output_on{5, 15, 17, 19}, output_off{4, 14, 16, 18};  // U commands (App. B)
 constexpr std::string_view limits_are_told =
     "A limit that is met for a moment only is told with limit switches (O) set to 1 or 3.";
 constexpr double longest_delay_ms = 24.0 * 3600 * 1000;
@@ -102,7 +102,8 @@ class Writer {
   Result<> write(const seq::Repeat& l);
   Result<> write(const seq::Custom& c) {
     draft_.lines(c.text);
-    for (ToldSpeeds& told : told_) told.doubt();
+    if (may_set_speeds(c.text))
+      for (ToldSpeeds& told : told_) told.doubt();
     return {};
   }
   Result<> write(const seq::Contour& c);
@@ -221,7 +222,7 @@ Result<> Writer::write(const seq::MoveOnInput& m) {
 
 Result<> Writer::write(const seq::Pen& p) {
   const seq::StepList& steps = p.down ? draft_.sequence.pen_down : draft_.sequence.pen_up;
-  const std::string name = p.down ? "Pen down" : "Pen up";
+  const std::string name(routine_name(p.down));
   const auto write_them = [&] {
     if (auto begun = draft_.begin_routine(name); !begun) return begun;
     auto written = write_steps(*this, draft_, steps);

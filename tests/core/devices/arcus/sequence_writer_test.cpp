@@ -6,6 +6,7 @@
 #include "core/devices/dmx_k_sa/catalog.h"
 #include "core/devices/pmx_4ex_sa/catalog.h"
 #include "core/devices/pmx_4ex_sa/program_language.h"
+#include "tests/core/device/read_back.h"
 
 namespace hw::arcus {
 namespace {
@@ -21,6 +22,7 @@ struct ArcusSequence : testing::Test {
     auto text = write_sequence(s, *pmx_4ex_sa::make_catalog({}), language::pmx_4ex_sa());
     if (!text) return text.error().what;
     remarks = text->remarks;
+    expect_reads_back(pmx_4ex_sa::program_language(), text->text, s, *pmx_4ex_sa::make_catalog({}));
     return text->text;
   }
   static seq::Move to(double x, double y) {
@@ -50,7 +52,7 @@ TEST_F(ArcusSequence, ADrawingIsWhatTheMakersConverterMakesOfIt) {
                    {to(27023, 41834)}}),
             "; Tool off: output 1 off\n"
             "HSPD=10000\nLSPD=100\nACC=100\nGOSUB 1\nABS\nX0Y0\nX26164Y34325\nWAITX\nWAITY\nGOSUB 2\n"
-            "X27023Y41834\nEND\nSUB 1\nDO1=0\nENDSUB\nSUB 2\nDO1=1\nENDSUB\n");
+            "X27023Y41834\nEND\nSUB 1 ; Pen up\nDO1=0\nENDSUB\nSUB 2 ; Pen down\nDO1=1\nENDSUB\n");
 }
 
 // PMX manual ch. 10, ARC: from (0,1000) by (1000,0) is clockwise from 90 to 180 degrees.

@@ -5,6 +5,8 @@
 
 #include "core/devices/vme58/catalog.h"
 #include "core/devices/vme58/program_check.h"
+#include "core/devices/vme58/program_language.h"
+#include "tests/core/device/read_back.h"
 
 namespace hw::vme58 {
 namespace {
@@ -22,6 +24,7 @@ struct Vme58Sequence : testing::Test {
     for (const Problem& p : check_program(text->text).problems)
       EXPECT_FALSE(p.error) << "line " << p.line + 1 << ": " << p.sentence << "\n" << text->text;
     remarks = text->remarks;
+    expect_reads_back(program_language(), text->text, s, *make_catalog({}));
     return text->text;
   }
   static seq::Move to(double x, double y) {

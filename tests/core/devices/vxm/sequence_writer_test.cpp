@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 
 #include "core/devices/vxm/catalog.h"
+#include "core/devices/vxm/program_language.h"
+#include "tests/core/device/read_back.h"
 
 namespace hw::vxm {
 namespace {
@@ -22,6 +24,7 @@ struct VxmSequence : testing::Test {
     auto text = write_sequence(s, *make_catalog({{"motors", "4"}}));
     if (!text) return text.error().what;
     remarks = text->remarks;
+    expect_reads_back(program_language(), text->text, s, *make_catalog({{"motors", "4"}}));
     return text->text;
   }
   static seq::Move to(double first, bool relative = false) {

@@ -1,0 +1,51 @@
+#pragma once
+// Program texts as statements, for what goes from steps to texts and back.
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "core/device/sequence_reading.h"
+#include "core/devices/arcus/language/dialect.h"
+#include "core/devices/arcus/language/parser.h"
+
+namespace hw::arcus {
+
+using Statements = std::vector<language::Statement>;
+
+inline bool is_number(const language::Operand& o) { return o.kind == language::Operand::Kind::number; }
+inline bool is_number(const language::Operand& o, std::int32_t n) { return is_number(o) && o.number == n; }
+
+/// ABS or INC decides where it goes.
+inline bool goes_by_mode(language::Opcode op) {
+  return op >= language::Opcode::move && op <= language::Opcode::circle_counterclockwise;
+}
+
+/// V1=0, WHILE V1<10, ..., V1=V1+1, ENDWHILE, where nothing else of the text has to do with that variable.
+struct CountedLoop {
+  int times = 1, variable = 0;
+  std::size_t set = 0, head = 0, count = 0, end = 0;  ///< places of its statements
+};
+
+/// A text without mistakes.
+struct StatementText {
+  Statements statements;
+  /// By statement; of a head of a block (WHILE, IF, ELSEIF, ELSE) the one that ends its block, else itself.
+  std::vector<std::size_t> end_of;
+  std::vector<std::optional<CountedLoop>> counted;  ///< by statement, where one of it is
+  std::vector<Stretch> lines;                       ///< of the text, without their ends
+
+  StatementText(std::string_view text, const language::Dialect& dialect);
+  [[nodiscard]] const language::Instruction& at(std::size_t i) const { return statements[i].instruction; }
+  /// From its first character to the end of its line, remark included.
+  [[nodiscard]] Stretch stretch(std::size_t i) const;
+};
+
+[[nodiscard]] Deeds deeds_of(std::string_view text, const language::Dialect& dialect);
+
+/// What lines in the middle of a program may leave otherwise.
+struct TextEffects {
+  bool moves = false, speeds = false, mode = false;
+};
+[[nodiscard]] TextEffects effects_of(std::string_view text, const language::Dialect& dialect);
+
+}  // namespace hw::arcus

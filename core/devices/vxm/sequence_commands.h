@@ -1,0 +1,40 @@
+#pragma once
+// Program texts as the commands that they store, for what goes from steps to texts and back.
+#include <array>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "core/device/sequence_reading.h"
+#include "core/device/text_remarks.h"
+#include "core/devices/vxm/program.h"
+
+namespace hw::vxm {
+
+struct PlacedCommand {
+  Command command;
+  Stretch at;
+};
+
+struct PlacedProgram {
+  std::vector<PlacedCommand> commands;
+  Stretch at;             ///< from its heading to the next one
+  std::string_view name;  ///< the remark behind its heading
+};
+
+struct CommandText {
+  std::array<std::optional<PlacedProgram>, program_count> programs;
+  TextRemarks remarks;  ///< but those behind headings
+
+  /// The fault names the line of what is no part of a program, or a mistake.
+  static Result<CommandText> read(std::string_view text);
+
+ private:
+  explicit CommandText(std::string_view text) : remarks(text) {}
+};
+
+[[nodiscard]] Deeds deeds_of(std::string_view text);
+/// Of lines in the middle of a program.
+[[nodiscard]] bool may_set_speeds(std::string_view text);
+
+}  // namespace hw::vxm
