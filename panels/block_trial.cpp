@@ -43,21 +43,26 @@ void BlockTrial::forget() {
   ends_ = false;
 }
 
-void BlockTrial::follow(Frame& f, const SequenceText& written) {
+void BlockTrial::follow(Frame& f, const std::shared_ptr<const WrittenBlocks>& written) {
   const Rehearsals::Outcome* outcome = rehearsals_.of(0);
-  if (outcome && outcome->number != taken_ && outcome->text == text_) {
+  if (outcome && outcome->number != taken_) {
     taken_ = outcome->number;
-    take(f, *outcome);
+    if (outcome->text == tried_->text.text) take(f, *outcome);
   }
-  if (written.text == text_ || rehearsals_.under_way(0)) return;
-  text_ = written.text;
-  step_of_line_ = written.step_of_line;
-  if (text_.empty()) return forget();
+  if (written == tried_ || rehearsals_.under_way(0)) return;
+  const bool same = tried_ && written->problem.empty() && written->text.text == tried_->text.text;
+  tried_ = written;
+  if (same) {  // but not of the same blocks
+    if (outcome && outcome->text == tried_->text.text) take(f, *outcome);
+    return;
+  }
+  if (!written->problem.empty() || written->text.text.empty()) return forget();
   RehearseOptions wish;
   wish.track_every_s = block_seen_every_s;
   wish.for_seconds = tried_for_s;
   Desk& desk = f.tab.desk();
-  rehearsals_.start(*desk.language(), text_, wish, desk.state_of(f.now), f.bench, f.catalog, desk.worker());
+  rehearsals_.start(*desk.language(), written->text.text, wish, desk.state_of(f.now), f.bench, f.catalog,
+                    desk.worker());
   f.ui.wake_in(0);
 }
 
@@ -73,8 +78,7 @@ void BlockTrial::take(Frame& f, const Rehearsals::Outcome& outcome) {
   forget();
   if (!outcome.result) return;
   const Rehearsal& r = *outcome.result;
-  std::vector<int> steps = lines_of_commands(f.tab.desk().language()->analyse(outcome.text, 0), 0);
-  for (int& line : steps) line = line >= 0 && ix(line) < step_of_line_.size() ? step_of_line_[ix(line)] : -1;
+  const std::vector<int>& steps = tried_->step_of_command;
   for (const double s : seconds_of(r, steps)) times_.push_back(s > 0 ? fmt::format("{:.1f} s", s) : "");
   ends_ = r.finished;
   total_ = r.finished         ? std::string(format_duration(r.duration_s).view())

@@ -6,18 +6,18 @@
 #include <string_view>
 #include <vector>
 
-#include "core/device/sequence_text.h"
 #include "core/drawing/tool_path.h"
 #include "gui/frame.h"
 #include "gui/rehearsals.h"
+#include "panels/block_work.h"
 #include "panels/path_canvas.h"
 
 namespace hw::panels {
 
 class BlockTrial {
  public:
-  /// Once a frame; an empty text: the blocks cannot be written, nothing is known of them.
-  void follow(gui::Frame& frame, const SequenceText& written);
+  /// Once a frame. Of blocks that cannot be written nothing is known.
+  void follow(gui::Frame& frame, const std::shared_ptr<const WrittenBlocks>& written);
   /// "2.3 s", of the step as SequenceText counts them; empty: not known, or it takes no time of its own.
   [[nodiscard]] std::string_view time_of(std::size_t step) const;
   /// "1 min 28.7 s", or why there is no time; empty: not known.
@@ -29,15 +29,13 @@ class BlockTrial {
   [[nodiscard]] int clicked_step() const;
 
  private:
-  void start(gui::Frame& frame, const SequenceText& written);
   void take(gui::Frame& frame, const gui::Rehearsals::Outcome& outcome);
   void forget();
 
   gui::Rehearsals rehearsals_;
-  std::string text_;                ///< that is being tried, or was
-  std::vector<int> step_of_line_;   ///< of it
-  int taken_ = 0;                   ///< Rehearsals::Outcome::number
-  std::vector<std::string> times_;  ///< by step
+  std::shared_ptr<const WrittenBlocks> tried_;  ///< what is being tried, or was
+  int taken_ = 0;                               ///< Rehearsals::Outcome::number
+  std::vector<std::string> times_;              ///< by step
   std::string total_;
   bool ends_ = false;
   std::shared_ptr<const drawing::ToolPath> path_;

@@ -100,7 +100,7 @@ std::string_view DrawingTab::why_not() const {
 }
 
 void DrawingTab::to_blocks(Frame& f) {
-  f.tab.desk().blocks.editor.load(job_.made()->conversion.sequence);
+  f.tab.desk().blocks.became(job_.made()->conversion.sequence);
   f.show_panel("blocks");
 }
 

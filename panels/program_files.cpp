@@ -136,17 +136,26 @@ void Program::draw_file_buttons(Frame& f) {
 }
 
 void Program::draw_more(Frame& f) {
-  static constexpr std::array<std::string_view, 6> names = {
-      "Save as", "New text", "Find", "Comment lines or back", "Load from controller", "Empty in controller"};
+  static constexpr std::array<std::string_view, 7> names = {"Save as",
+                                                            "New text",
+                                                            "Find",
+                                                            "Comment lines or back",
+                                                            "Show as blocks",
+                                                            "Load from controller",
+                                                            "Empty in controller"};
   Desk& desk = f.tab.desk();
-  const std::size_t many = f.catalog.program.capacity > 0 ? names.size() : 4;  // else it keeps none
+  const std::size_t many = f.catalog.program.capacity > 0 ? names.size() : 5;  // else it keeps none
   switch (menu(f.ui, "program/more", "More", std::span(names.data(), many))) {
     case 0: ask_save(f); break;
     case 1: ask_or_empty(f); break;
     case 2: editor_.editor(desk.texts.chosen()).ask_find(); break;
     case 3: editor_.editor(desk.texts.chosen()).toggle_comment(); break;
-    case 4: start(f, ProgramJob::Goal::fetch); break;
-    case 5: asking_clear_ = true; break;
+    case 4:
+      desk.blocks.text_wanted = true;
+      f.show_panel("blocks");
+      break;
+    case 5: start(f, ProgramJob::Goal::fetch); break;
+    case 6: asking_clear_ = true; break;
     default: break;
   }
 }

@@ -131,10 +131,10 @@ class FieldLines {
   void steps(std::string_view, sequence::StepList&) {}  // rows of their own
 
  private:
-  [[nodiscard]] std::string label(std::string_view key) const { return sequence::label_of_field(key, of_); }
+  [[nodiscard]] FixedText<64> label(std::string_view key) const { return sequence::label_of_field(key, of_); }
   ImVec2 begin(std::string_view key, const std::string* of_axis = nullptr) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const std::string words = of_axis ? *of_axis : label(key);
+    const FixedText<64> words = of_axis ? FixedText<64>(*of_axis) : label(key);
     draw_text_line(f_.ui, at.x, at.x + f_.ui.px(label_width - 8), at.y + f_.ui.px(16), Face::body,
                    f_.ui[Tone::ink2], words);
     const ImVec2 field(at.x + f_.ui.px(label_width), at.y);
@@ -184,13 +184,15 @@ class FieldLines {
     end(at);
   }
   void choose_axis(std::string_view key, int& value, bool or_all) {
-    std::vector<std::string_view> names;
-    for (const sequence::Axis& axis : of_.axes) names.push_back(axis.name);
-    if (or_all) names.push_back("all");
-    const int last = static_cast<int>(names.size()) - 1;
+    std::array<std::string_view, max_axes + 1> names;
+    std::size_t many = 0;
+    for (const sequence::Axis& axis : of_.axes)
+      if (many < max_axes) names[many++] = axis.name;
+    if (or_all) names[many++] = "all";
+    const int last = static_cast<int>(many) - 1;
     const ImVec2 at = begin(key);
-    const int picked =
-        segment(f_.ui, Path("{}/{}", path_, key), names, value < 0 ? last : value, {.cell_width = 36});
+    const int picked = segment(f_.ui, Path("{}/{}", path_, key), std::span(names.data(), many),
+                               value < 0 ? last : value, {.cell_width = 36});
     if (picked >= 0) {
       const int now = or_all && picked == last ? -1 : picked;
       changed_ = changed_ || now != value;
@@ -207,13 +209,34 @@ class FieldLines {
   bool changed_ = false, all_lines_ = false;
 };
 
+sequence::Step::Body without_steps(const sequence::Step::Body& body) {
+  if (const auto* loop = std::get_if<sequence::Repeat>(&body)) return sequence::Repeat{loop->times, {}};
+  const auto* contour = std::get_if<sequence::Contour>(&body);
+  if (!contour) return body;
+  sequence::Contour frame;
+  frame.x = contour->x, frame.y = contour->y, frame.lead_in = contour->lead_in;
+  frame.ends_ramped = contour->ends_ramped, frame.own = contour->own;
+  return frame;
+}
+
+sequence::Step::Body with_steps_of(const sequence::Step::Body& body, sequence::Step::Body frame) {
+  if (auto* loop = std::get_if<sequence::Repeat>(&frame))
+    loop->steps = std::get<sequence::Repeat>(body).steps;
+  if (auto* contour = std::get_if<sequence::Contour>(&frame))
+    contour->steps = std::get<sequence::Contour>(body).steps;
+  return frame;
+}
+
 }  // namespace
 
-bool StepForm::draw(Frame& f, std::string_view path, sequence::Step::Body& body, const sequence::Sequence& of,
-                    float width) {
+std::optional<sequence::Step::Body> StepForm::draw(Frame& f, std::string_view path,
+                                                   const sequence::Step::Body& body,
+                                                   const sequence::Sequence& of, float width) {
+  if (!at_hand_) at_hand_ = without_steps(body);
   FieldLines lines(f, path, of, numbers_, width);
-  std::visit([&lines](auto& b) { fields(lines, b); }, body);
-  return lines.changed();
+  std::visit([&lines](auto& b) { fields(lines, b); }, *at_hand_);
+  if (!lines.changed()) return std::nullopt;
+  return with_steps_of(body, *at_hand_);
 }
 
 }  // namespace hw::panels

@@ -332,5 +332,72 @@ TEST_F(BlocksTest, OpeningAsksBeforeChangesGo) {
   std::filesystem::remove(file);
 }
 
+TEST_F(BlocksTest, TheTextBecomesBlocks) {
+  EXPECT_THAT(s.reason("blocks/from_text"), HasSubstr("The program is empty"));
+  const std::string program =
+      "; to and fro\nABS\nV49=0\nWHILE V49<3\n  X100\n  V49=V49+1\nENDWHILE\nV1=MSTX\nEND\n";
+  s.tab.desk().texts.set_text(0, program);
+  s.stage.frames(2);
+  s.click("blocks/from_text");
+  s.stage.frames(3);
+  EXPECT_EQ(s.value("blocks/1"), "to and fro");
+  EXPECT_EQ(s.value("blocks/2"), "3 times");
+  EXPECT_EQ(s.value("blocks/3"), "X 100");
+  EXPECT_EQ(s.value("blocks/4"), "blocks have no variables");
+  EXPECT_THAT(text(), HasSubstr("V1=MSTX\nEND\n"));
+  EXPECT_THAT(s.toast(), HasSubstr("The text is 4 blocks now"));
+  s.click("blocks/undo");
+  EXPECT_EQ(s.stage.find("blocks/1"), nullptr);
+  EXPECT_EQ(s.tab.desk().texts.text(0), program);
+}
+
+TEST_F(BlocksTest, BlocksWithChangesAreNotReplacedByATextWithoutBeingAsked) {
+  s.click("blocks/add/delay");
+  s.tab.desk().texts.set_text(0, "X100\nEND\n");
+  s.stage.frames(2);
+  s.click("blocks/from_text");
+  s.click("blocks/replace_all/no");
+  EXPECT_EQ(text(), "DELAY=500\nEND\n");
+  s.click("blocks/from_text");
+  s.click("blocks/replace_all/yes");
+  s.stage.frames(3);
+  EXPECT_EQ(text(), "ABS\nX100\nEND\n");
+  EXPECT_THAT(s.toast(),
+              HasSubstr("Line 1 goes to a place or by a distance, as the controller has been set"));
+  s.click("blocks/undo");
+  EXPECT_EQ(text(), "DELAY=500\nEND\n");
+}
+
+TEST_F(BlocksTest, ATextThatIsNoBlocksSaysWhereAndLeavesThemAlone) {
+  s.click("blocks/add/delay");
+  s.tab.desk().texts.set_text(0, "X100\nGOSUB 5\nEND\nSUB 5\nX0\nENDSUB\n");
+  s.tab.desk().blocks.text_wanted = true;  // as the program editor's menu has it
+  s.stage.frames(3);
+  s.click("blocks/replace_all/yes");
+  s.stage.frames(3);
+  EXPECT_THAT(s.toast(), HasSubstr("Line 4: a subroutine. Blocks have none but those of the tool."));
+  EXPECT_EQ(text(), "DELAY=500\nEND\n");
+}
+
+TEST_F(BlocksTest, OfThousandsThoseInSightAreDrawn) {
+  sequence::Sequence many = s.tab.desk().blocks.editor.sequence();
+  for (int i = 0; i < 5000; ++i) many.steps.push_back({sequence::Delay{10.0 + i}});
+  s.tab.desk().blocks.editor.load(many);
+  s.stage.frames(4);
+  EXPECT_EQ(s.value("blocks/1"), "10 ms");
+  EXPECT_EQ(s.stage.find("blocks/200"), nullptr);
+  EXPECT_LT(s.stage.surface.screen().registry().widgets().size(), 400u);
+  s.click("blocks/2");
+  s.type("blocks/2/ms", "77");
+  s.stage.frames(2);
+  EXPECT_THAT(text(), HasSubstr("DELAY=10\nDELAY=77\nDELAY=12\n"));
+  const ImVec2 in_list = s.stage.find("blocks/3")->rect.centre();
+  s.stage.push(gui::InputEvent::mouse_move(in_list.x, in_list.y, s.stage.now_s));
+  s.stage.push(gui::InputEvent::wheel(0, -10'000, s.stage.now_s));
+  s.stage.frames(4);
+  EXPECT_EQ(s.value("blocks/5000"), "5009 ms");
+  EXPECT_TRUE(s.stage.find("blocks/end"));
+}
+
 }  // namespace
 }  // namespace hw::panels
