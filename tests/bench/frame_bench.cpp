@@ -1,13 +1,15 @@
-// One frame of the whole console outside of GL, with four live controllers; what a frame at rest takes from
-// the heap; and the anchor: ImGui's own demo window with a table of 600 cells and 60 buttons, in the same
-// run.
+// One frame of the whole console outside of GL, with four live controllers, and with five and five thousand
+// blocks; what a frame at rest takes from the heap; and the anchor: ImGui's own demo window with a table of
+// 600 cells and 60 buttons, in the same run.
 #include <ctime>
 
 #include <benchmark/benchmark.h>
 
 #include "core/device/registry.h"
+#include "core/sequence/editor.h"
 #include "core/session/session.h"
 #include "core/time/virtual_scheduler.h"
+#include "gui/automation.h"
 #include "gui/console.h"
 #include "gui/offscreen.h"
 #include "gui/outside.h"
@@ -23,9 +25,9 @@ const ImVec2 window_size(1440, 900);
 constexpr Duration frame_time{16'666'667};
 
 struct Screenful {
-  Screenful() {
+  explicit Screenful(const char* address = "vxm@emulator,motors=4", int controllers = 4) {
     count_imgui_allocations();
-    for (int i = 0; i < 4; ++i) (void)console.open("vxm@emulator,motors=4");
+    for (int i = 0; i < controllers; ++i) (void)console.open(address);
     run(600);  // connected, and everything that is made once is made
   }
   ~Screenful() {
@@ -80,6 +82,48 @@ void console_frame_at_rest(benchmark::State& state) {
   time_frames(state, screen);
 }
 BENCHMARK(console_frame_at_rest)->UseManualTime()->Unit(benchmark::kMicrosecond);
+
+/// Blocks as they are looked at: the first move is chosen and its fields are open.
+struct BlocksShown : Screenful {
+  explicit BlocksShown(int count) : Screenful("pmx-4ex-sa@emulator", 1) {
+    sequence::Editor& editor = blocks();
+    sequence::Sequence s = editor.sequence();
+    s.steps = {{sequence::Speed{{20'000, 100, 100}}}};
+    for (int i = 1; i < count; ++i) s.steps.push_back({move_to(i)});
+    editor.load(std::move(s));
+    console.show_panel("blocks");
+    run(60);
+    (void)hand.click("blocks/2");
+    run(600);
+  }
+  static sequence::Move move_to(int place) {
+    sequence::Move move;
+    move.to[0] = place % 1000, move.to[1] = place % 7;
+    return move;
+  }
+  sequence::Editor& blocks() { return console.tabs().front()->desk().blocks.editor; }
+  gui::Automation hand{surface, [this] { pass(), draw(); }, [this] { return seconds(time.now()); }};
+};
+
+void blocks_at_rest(benchmark::State& state) {
+  BlocksShown shown(static_cast<int>(state.range(0)));
+  time_frames(state, shown);
+}
+BENCHMARK(blocks_at_rest)->Arg(5)->Arg(5000)->UseManualTime()->Unit(benchmark::kMicrosecond);
+
+/// The frame in which one of them is changed, by a hand as fast as the frames.
+void blocks_typed_in(benchmark::State& state) {
+  BlocksShown shown(static_cast<int>(state.range(0)));
+  int place = 0;
+  for (auto _ : state) {
+    shown.pass();
+    const double began = processor_s();
+    shown.blocks().replace({1}, BlocksShown::move_to(++place));
+    shown.draw();
+    state.SetIterationTime(processor_s() - began);
+  }
+}
+BENCHMARK(blocks_typed_in)->Arg(5)->Arg(5000)->UseManualTime()->Unit(benchmark::kMicrosecond);
 
 void cells_and_buttons() {
   ImGui::Begin("table");
