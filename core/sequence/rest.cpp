@@ -1,0 +1,300 @@
+#include "core/sequence/rest.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "core/base/index.h"
+#include "core/sequence/steps_in.h"
+#include "core/sequence/words.h"
+
+namespace hw::sequence {
+namespace {
+
+constexpr int most_rounds = 100'000;  // times steps: a longer loop leaves what it moves by unknown
+
+/// How things stand behind some steps.
+struct Standing {
+  struct Axis {
+    bool moved = false, by_routine = false;
+    std::optional<double> at;  ///< none: not known
+    int lost_by = -1;          ///< the step of the list that left it where nobody knows
+  };
+  std::array<Axis, max_axes> axes;
+  Speeds speeds;
+  OwnSpeeds of_travel;          ///< of the latest motion with the tool up
+  std::vector<Output> outputs;  ///< in the order in which they were switched
+  std::map<int, bool> power;    ///< of motors, by axis
+  bool tool_down = false;
+};
+
+Speeds over(Speeds below, const Speeds& above) {
+  if (above.high != 0) below.high = above.high;
+  if (above.low != 0) below.low = above.low;
+  if (above.ramp_ms != 0) below.ramp_ms = above.ramp_ms;
+  return below;
+}
+
+/// Goes through steps and keeps how things stand.
+class Pass {
+ public:
+  explicit Pass(const Sequence& sequence) : of_(sequence) {}
+
+  void list(const StepList& steps) {
+    for (const Step& step : steps)
+      if (!step.skipped) std::visit([this](const auto& body) { take(body); }, step.body);
+  }
+  void step(const Step& step, int place) {
+    place_ = place;
+    if (!step.skipped) std::visit([this](const auto& body) { take(body); }, step.body);
+  }
+  Standing standing;
+
+ private:
+  template <class Other>
+  void take(const Other&) {}  // waits and comments leave nothing behind; own text is the tool's alone
+  void take(const Speed& s) {
+    if (!in_routine_) standing.speeds = over(standing.speeds, s.speeds);
+  }
+  void take(const Move& m) {
+    for (int a = 0; a < axis_count(); ++a) {
+      if (!m.to[ix(a)]) continue;
+      const auto& from = axis(a).at;
+      set(a, !m.relative ? m.to[ix(a)] : from ? std::optional(*from + *m.to[ix(a)]) : std::nullopt);
+    }
+    if (!standing.tool_down && !in_routine_) standing.of_travel = m.own;
+  }
+  void take(const Arc& arc) {
+    const auto x = axis(0).at, y = axis(1).at;
+    if (!x || !y) return lose(0), lose(1);
+    const double turn = arc.degrees / 180 * std::numbers::pi, dx = *x - arc.x, dy = *y - arc.y;
+    const bool circle = std::fmod(arc.degrees, 360) == 0;
+    set(0, circle ? *x : arc.x + dx * std::cos(turn) - dy * std::sin(turn));
+    set(1, circle ? *y : arc.y + dx * std::sin(turn) + dy * std::cos(turn));
+  }
+  void take(const Contour& c) {
+    set(0, c.x), set(1, c.y);
+    for (const Step& step : c.steps) {
+      if (step.skipped) continue;
+      if (const auto* move = std::get_if<Move>(&step.body)) take(*move);
+      if (const auto* arc = std::get_if<Arc>(&step.body)) take(*arc);
+      if (const auto* output = std::get_if<Output>(&step.body)) take(*output);
+    }
+    if (c.ends_ramped) lose(0), lose(1);  // it runs on along its last direction
+  }
+  void take(const Jog& j) { lose(j.axis); }
+  void take(const Home& h) { lose(h.axis); }
+  void take(const MoveOnInput& m) { lose(m.axis); }
+  void take(const Stop& s) {
+    for (int a = 0; a < axis_count(); ++a)
+      if ((s.axis < 0 || s.axis == a) && axis(a).moved) lose(a);
+  }
+  void take(const Output& o) {
+    if (in_routine_) return;  // the tool's own: they go with it
+    std::erase_if(standing.outputs,
+                  [&o](const Output& before) { return o.output < 0 || before.output == o.output; });
+    standing.outputs.push_back(o);
+  }
+  void take(const Enable& e) { standing.power[e.axis] = e.on; }
+  void take(const Pen& p) {
+    standing.tool_down = p.down;
+    if (in_routine_) return;
+    in_routine_ = true;
+    list(p.down ? of_.pen_down : of_.pen_up);
+    in_routine_ = false;
+  }
+  void take(const Repeat& loop) {
+    if (static_cast<double>(loop.times) * count_steps(loop.steps) <= most_rounds) {
+      for (int n = 0; n < loop.times; ++n) list(loop.steps);
+      return;
+    }
+    list(loop.steps);
+    for (int a = 0; a < axis_count(); ++a)
+      if (axis(a).moved) lose(a);
+    list(loop.steps);  // what it sends to a place stands there behind any round
+  }
+
+  [[nodiscard]] int axis_count() const { return static_cast<int>(of_.axes.size()); }
+  Standing::Axis& axis(int a) { return standing.axes[ix(a)]; }
+  void set(int a, std::optional<double> at) {
+    Standing::Axis& axis = this->axis(a);
+    axis.moved = true, axis.by_routine = axis.by_routine || in_routine_;
+    axis.at = at;
+    if (!at && axis.lost_by < 0) axis.lost_by = place_;
+    if (at) axis.lost_by = -1;
+  }
+  void lose(int a) { set(a, std::nullopt); }
+
+  const Sequence& of_;
+  bool in_routine_ = false;
+  int place_ = -1;
+};
+
+template <class Body>
+bool has(const StepList& steps) {
+  return std::any_of(steps.begin(), steps.end(), [](const Step& step) {
+    const StepList* inner = steps_in(step);
+    return !step.skipped && (std::holds_alternative<Body>(step.body) || (inner && has<Body>(*inner)));
+  });
+}
+
+/// Numbers of all outputs that its steps switch on; -1: all of them at once.
+void collect_outputs(const StepList& steps, std::set<int>& found) {
+  for (const Step& step : steps) {
+    const auto* output = std::get_if<Output>(&step.body);
+    if (output && !step.skipped && (output->output < 0 ? output->value != 0 : output->on))
+      found.insert(output->output < 0 ? -1 : output->output);
+    if (const StepList* inner = steps_in(step)) collect_outputs(*inner, found);
+  }
+}
+
+/// Writes the steps that lead there.
+class Leading {
+ public:
+  Leading(const Sequence& whole, const Standing& wanted, Sequence& into)
+      : whole_(whole), wanted_(wanted), into_(into), has_tool_(has<Pen>(whole.steps)) {}
+
+  void write(std::size_t step) {
+    add(Comment{fmt::format("From step {} on.", step + 1)});
+    if (has_tool_) add(Pen{false});
+    // Where no step speaks of a tool, it may be any of the outputs.
+    std::set<int> outputs;
+    if (!has_tool_) collect_outputs(whole_.steps, outputs);
+    for (const int output : outputs) add(Output{output, false, 0});
+    if (has_tool_) switch_outputs();
+    for (const auto& [axis, on] : wanted_.power) add(Enable{axis, on});
+    if (wanted_.speeds != Speeds{}) add(Speed{wanted_.speeds});
+    go();
+    if (!has_tool_) switch_outputs();
+    if (wanted_.tool_down) add(Pen{true});
+    set_what_the_tool_moves();
+  }
+
+ private:
+  void add(Step::Body body) { into_.steps.push_back({std::move(body)}); }
+  void switch_outputs() {
+    for (const Output& output : wanted_.outputs) add(output);
+  }
+  void go() {
+    Move move;
+    move.own = wanted_.of_travel;
+    for (std::size_t a = 0; a < whole_.axes.size(); ++a)
+      if (!wanted_.axes[a].by_routine) move.to[a] = wanted_.axes[a].at;
+    add_move(move);
+  }
+  void add_move(const Move& move) {
+    if (std::none_of(move.to.begin(), move.to.end(), [](const auto& to) { return to.has_value(); })) return;
+    add(move);
+    add(WaitMotion{});
+  }
+  /// An axis of the tool's own routines that other steps have moved as well.
+  void set_what_the_tool_moves() {
+    Pass so_far(whole_);
+    so_far.list(into_.steps);
+    Move move;
+    for (std::size_t a = 0; a < whole_.axes.size(); ++a) {
+      const Standing::Axis& wanted = wanted_.axes[a];
+      if (wanted.by_routine && wanted.at && wanted.at != so_far.standing.axes[a].at) move.to[a] = wanted.at;
+    }
+    add_move(move);
+  }
+
+  const Sequence& whole_;
+  const Standing& wanted_;
+  Sequence& into_;
+  const bool has_tool_;
+};
+
+tl::unexpected<Fault> cannot(std::string what, std::string advice) {
+  return fail(FaultKind::refused, std::move(what), "Nothing was begun.", std::move(advice));
+}
+
+/// Why the tool cannot be lifted from wherever it is.
+std::string_view why_no_lift(const Sequence& sequence) {
+  if (!has<Pen>(sequence.steps)) return {};
+  for (const StepList* routine : {&sequence.pen_up, &sequence.pen_down})
+    for (const Step& step : *routine)
+      if (const auto* move = std::get_if<Move>(&step.body); move && move->relative && !step.skipped)
+        return "The tool is lifted by a distance, not to a place: nobody knows whether it is up.";
+  return {};
+}
+
+}  // namespace
+
+Result<Rest> rest_from(const Sequence& sequence, std::size_t step) {
+  if (const std::string_view why = why_no_lift(sequence); !why.empty())
+    return cannot(std::string(why), "Let it be moved to a place, up and down.");
+  Pass before(sequence);
+  for (std::size_t i = 0; i < step; ++i) {
+    const Step& passed = sequence.steps[i];
+    const auto* loop = std::get_if<Repeat>(&passed.body);
+    if (loop && loop->times == 0 && !passed.skipped)
+      return cannot(fmt::format("Step {} repeats for ever: step {} is never reached.", i + 1, step + 1), "");
+    if (has<Custom>({passed}))
+      return cannot(fmt::format("What step {} ({} {}) leaves behind is not known.", i + 1,
+                                title_of(passed.body), summary_of(passed.body, sequence)),
+                    fmt::format("Begin at step {}, or before it.", i + 1));
+    before.step(passed, static_cast<int>(i));
+  }
+  const Standing& standing = before.standing;
+  Rest rest;
+  for (std::size_t a = 0; a < sequence.axes.size(); ++a) {
+    const Standing::Axis& axis = standing.axes[a];
+    rest.start[a] = axis.at;
+    if (!axis.moved || axis.at || axis.by_routine) continue;
+    const Step::Body& lost = sequence.steps[ix(axis.lost_by)].body;
+    return cannot(fmt::format("Nobody knows where {} stands before step {}: step {} ({} {}) leaves it where "
+                              "its machine decides.",
+                              sequence.axes[a].name, step + 1, axis.lost_by + 1, title_of(lost),
+                              summary_of(lost, sequence)),
+                  fmt::format("Begin at step {}, or behind a step that sends {} to a place.",
+                              axis.lost_by + 1, sequence.axes[a].name));
+  }
+  rest.sequence.unit = sequence.unit, rest.sequence.axes = sequence.axes;
+  rest.sequence.pen_up = sequence.pen_up, rest.sequence.pen_down = sequence.pen_down;
+  Leading(sequence, standing, rest.sequence).write(step);
+  rest.leading = rest.sequence.steps.size();
+  const auto begin = sequence.steps.begin(), from = begin + static_cast<std::ptrdiff_t>(step);
+  rest.leaves_homing_out = has<Home>(StepList(begin, from));
+  rest.sequence.steps.insert(rest.sequence.steps.end(), from, sequence.steps.end());
+  return rest;
+}
+
+Result<std::size_t> step_to_begin_at(const Sequence& sequence, int counted) {
+  int first = 0;
+  for (std::size_t i = 0; i < sequence.steps.size(); ++i) {
+    const Step& step = sequence.steps[i];
+    const StepList* inner = steps_in(step);
+    const int size = 1 + (inner ? count_steps(*inner) : 0);
+    if (counted >= first + size || counted < first) {
+      first += size;
+      continue;
+    }
+    if (counted > first && std::holds_alternative<Repeat>(step.body))
+      return cannot(fmt::format("It lies within the loop of step {}: nobody knows how many of its rounds "
+                                "have been made.",
+                                i + 1),
+                    "Begin in front of the loop or behind it.");
+    return i;
+  }
+  return cannot("No step draws this.", "Click a line that is drawn by a step.");
+}
+
+std::string words_of_leading(const Rest& rest) {
+  std::string all;
+  for (std::size_t i = 0; i < rest.leading; ++i) {
+    const Step::Body& body = rest.sequence.steps[i].body;
+    if (std::holds_alternative<Comment>(body) || std::holds_alternative<WaitMotion>(body)) continue;
+    const bool places = std::holds_alternative<Move>(body) && rest.sequence.unit != "steps";
+    all += fmt::format("{}{} {}{}{}.", all.empty() ? "" : " ", title_of(body),
+                       summary_of(body, rest.sequence), places ? " " : "", places ? rest.sequence.unit : "");
+  }
+  return all;
+}
+
+}  // namespace hw::sequence

@@ -1,0 +1,138 @@
+// From a step on: what leads there, and what nobody can know.
+#include "core/sequence/rest.h"
+
+#include <gmock/gmock.h>
+
+namespace hw::sequence {
+namespace {
+
+using ::testing::HasSubstr;
+
+Move to(std::optional<double> x, std::optional<double> y, std::optional<double> z = {}) {
+  Move m;
+  m.to[0] = x, m.to[1] = y, m.to[2] = z;
+  return m;
+}
+Move by(double x) {
+  Move m = to(x, {});
+  m.relative = true;
+  return m;
+}
+Sequence of(StepList steps) {
+  Sequence s;
+  s.unit = "mm";
+  s.axes = {{"X", 100}, {"Y", 100}, {"Z", 100}};
+  s.steps = std::move(steps);
+  return s;
+}
+/// A pen that an output lowers, and two squares.
+Sequence drawn() {
+  Sequence s = of({{Speed{{20, 1, 100}}},
+                   {Pen{false}},
+                   {to(10, 10)},
+                   {Pen{true}},
+                   {to(20, {})},
+                   {to({}, 20)},
+                   {Pen{false}},
+                   {to(0, 0)}});
+  s.pen_up = {{Output{3, false}}};
+  s.pen_down = {{Output{3, true}}, {Delay{200}}};
+  return s;
+}
+template <class Body>
+const Body* leading(const Rest& rest, int nth = 0) {
+  for (std::size_t i = 0; i < rest.leading; ++i)
+    if (const auto* body = std::get_if<Body>(&rest.sequence.steps[i].body); body && nth-- == 0) return body;
+  return nullptr;
+}
+
+TEST(Rest, ComesToItsBeginningWithTheToolUpAndLowersItThere) {
+  const auto rest = rest_from(drawn(), 5);
+  ASSERT_TRUE(rest) << rest.error().sentence();
+  EXPECT_EQ(words_of_leading(*rest),
+            "Tool up. Speed 20 from 1 mm/s, 100 ms. Move to X 20, Y 10 mm. Tool down.");
+  EXPECT_EQ(rest->start[0], 20);
+  EXPECT_EQ(rest->start[1], 10);
+  const StepList& steps = rest->sequence.steps;
+  ASSERT_EQ(steps.size(), rest->leading + 3);
+  EXPECT_EQ(steps[rest->leading], drawn().steps[5]);
+  EXPECT_EQ(steps.back(), drawn().steps.back());
+  EXPECT_EQ(rest->sequence.pen_down, drawn().pen_down);
+}
+
+TEST(Rest, DoesNotLowerAToolThatIsUpThere) {
+  const auto rest = rest_from(drawn(), 7);
+  ASSERT_TRUE(rest);
+  EXPECT_EQ(words_of_leading(*rest), "Tool up. Speed 20 from 1 mm/s, 100 ms. Move to X 20, Y 20 mm.");
+}
+
+TEST(Rest, FollowsDistancesArcsAndRounds) {
+  Sequence s = of({{to(10, 0)}, {Repeat{3, {{by(5)}}}}, {Arc{0, 0, 90, {}}}, {to(0, 0)}});
+  const auto rest = rest_from(s, 3);
+  ASSERT_TRUE(rest) << rest.error().sentence();
+  EXPECT_NEAR(*rest->start[0], 0, 1e-9);
+  EXPECT_NEAR(*rest->start[1], 25, 1e-9);
+  EXPECT_FALSE(rest->start[2]) << "nothing has moved it";
+  EXPECT_FALSE(leading<Move>(*rest)->to[2]);
+}
+
+TEST(Rest, WhereNoToolIsSpokenOfOutputsAreOffOnTheWay) {
+  Sequence s = of({{Output{2, true}}, {to(10, 0)}, {to(20, 0)}, {Output{2, false}}});
+  const auto rest = rest_from(s, 2);
+  ASSERT_TRUE(rest);
+  EXPECT_EQ(words_of_leading(*rest), "Output 2 off. Move to X 10, Y 0 mm. Output 2 on.");
+  EXPECT_EQ(*leading<Output>(*rest, 1), (Output{2, true}));
+}
+
+TEST(Rest, AnAxisOfTheToolIsLiftedBeforeTheWayAndComesDownBehindIt) {
+  Sequence s = of({{Pen{false}}, {to(10, 10)}, {Pen{true}}, {to({}, {}, -3)}, {to(30, 10)}});
+  s.pen_up = {{to({}, {}, 5)}};
+  s.pen_down = {{to({}, {}, -1)}};
+  const auto rest = rest_from(s, 4);
+  ASSERT_TRUE(rest) << rest.error().sentence();
+  EXPECT_EQ(words_of_leading(*rest), "Tool up. Move to X 10, Y 10 mm. Tool down. Move to Z \u22123 mm.");
+  s.pen_up = {{by(5)}};
+  EXPECT_THAT(rest_from(s, 4).error().sentence(), HasSubstr("lifted by a distance"));
+}
+
+TEST(Rest, RefusesWhatNobodyCanKnow) {
+  const auto why = [](Sequence s, std::size_t step) {
+    const auto rest = rest_from(s, step);
+    return rest ? "" : rest.error().sentence();
+  };
+  EXPECT_THAT(why(of({{by(5)}, {to(1, 1)}}), 1), HasSubstr("step 1 (Move by X 5)"));
+  EXPECT_THAT(why(of({{Home{1}}, {to(1, {})}}), 1), HasSubstr("where Y stands before step 2"));
+  EXPECT_EQ(why(of({{Home{1}}, {to(1, 1)}, {to(2, 2)}}), 2), "") << "it was sent to a place since";
+  EXPECT_THAT(why(of({{Repeat{0, {{by(5)}}}}, {to(1, 1)}}), 1), HasSubstr("never reached"));
+  EXPECT_THAT(why(of({{to(1, 1)}, {Custom{"", "X5"}}, {to(1, {})}}), 2), HasSubstr("step 2 (Own text X5)"));
+}
+
+TEST(Rest, TellsThatHomingIsLeftOut) {
+  const Sequence s = of({{Home{0}}, {to(1, 1)}, {to(2, 2)}});
+  EXPECT_TRUE(rest_from(s, 2)->leaves_homing_out);
+  EXPECT_FALSE(rest_from(s, 0)->leaves_homing_out);
+}
+
+TEST(Rest, ALongLoopThatSendsToPlacesIsFollowedAndOneByDistancesIsNot) {
+  const Sequence places = of({{Repeat{1'000'000, {{to(3, 0)}, {to(4, 0)}}}}, {to(9, 9)}});
+  ASSERT_TRUE(rest_from(places, 1));
+  EXPECT_EQ(rest_from(places, 1)->start[0], 4);
+  const Sequence distances = of({{to(0, 0)}, {Repeat{1'000'000, {{by(3)}}}}, {to(9, 9)}});
+  EXPECT_FALSE(rest_from(distances, 2));
+}
+
+TEST(Rest, BeginsAtAStepOfTheListAndNeverWithinALoop) {
+  Contour c;
+  c.steps = {{to(1, 0)}, {to(2, 0)}};
+  const Sequence s = of({{to(0, 0)}, {Repeat{2, {{by(1)}, {by(2)}}}}, {c}, {to(5, 5)}});
+  EXPECT_EQ(*step_to_begin_at(s, 0), 0u);
+  EXPECT_THAT(step_to_begin_at(s, 3).error().sentence(), HasSubstr("within the loop of step 2"));
+  EXPECT_EQ(*step_to_begin_at(s, 1), 1u);
+  EXPECT_EQ(*step_to_begin_at(s, 6), 2u) << "a contour goes in one";
+  EXPECT_EQ(*step_to_begin_at(s, 7), 3u);
+  EXPECT_FALSE(step_to_begin_at(s, 8));
+  EXPECT_FALSE(step_to_begin_at(s, -1));
+}
+
+}  // namespace
+}  // namespace hw::sequence
