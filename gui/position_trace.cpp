@@ -1,5 +1,6 @@
 #include "gui/position_trace.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace hw::gui {
@@ -22,7 +23,24 @@ bool find_place(const Snapshot& now, PositionTrace::Place& place) {
 
 }  // namespace
 
+/// A switch may act over some way: the place where it began to is the one that ends the travel.
+void PositionTrace::meet(const AxisState& axis, Followed& f) {
+  if (std::exchange(f.counted_since, axis.trust.since) != axis.trust.since ||
+      std::exchange(f.in_counts, axis.in_counts) != axis.in_counts)
+    f.met = {};
+  const bool was_homing = std::exchange(f.homing, axis.activity == Activity::homing);
+  if (!axis.position_known || axis.trust.doubtful()) return;
+  if (axis.limits_known && axis.limit_minus)
+    f.met.minus = std::max(f.met.minus.value_or(axis.position), axis.position);
+  if (axis.limits_known && axis.limit_plus)
+    f.met.plus = std::min(f.met.plus.value_or(axis.position), axis.position);
+  const bool came_home = was_homing && axis.activity == Activity::idle && axis.ended_by == EndedBy::target;
+  if (axis.home || came_home) f.met.home = axis.position;
+}
+
 void PositionTrace::follow(const Snapshot& now) {
+  for (int i = 0; now.link.connected() && i < now.axis_count; ++i)
+    meet(now.axes[static_cast<std::size_t>(i)], followed_[static_cast<std::size_t>(i)]);
   Place place;
   if (!find_place(now, place)) {
     broken_ = true;

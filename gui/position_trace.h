@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <deque>
+#include <optional>
 
 #include "core/device/snapshot.h"
 
@@ -16,6 +17,12 @@ class PositionTrace {
     Instant at{};
     bool goes_on = false;  ///< from the place before: nothing was unknown in between
   };
+  /// Where an axis has met its switches, as its counter counts now: on the way in it stood there first. Gone
+  /// when the count is set anew, for then they lie elsewhere.
+  struct Met {
+    std::optional<Steps> minus, plus;  ///< travel limits
+    std::optional<Steps> home;         ///< its switch, or where it came to rest behind its homing
+  };
   /// Once a frame: kept where an axis has moved since the last place.
   void follow(const Snapshot& now);
   /// Oldest first. The oldest go when it becomes long.
@@ -26,8 +33,17 @@ class PositionTrace {
   /// Grows with clear().
   [[nodiscard]] std::uint64_t begun() const { return begun_; }
   void clear();
+  [[nodiscard]] const Met& met(AxisId axis) const { return followed_[axis.index].met; }
 
  private:
+  struct Followed {
+    Met met;
+    Instant counted_since{};
+    bool in_counts = false, homing = false;
+  };
+  void meet(const AxisState& axis, Followed& followed);
+
+  std::array<Followed, max_axes> followed_{};
   std::deque<Place> places_;
   std::uint64_t count_ = 0, begun_ = 0;
   bool broken_ = true;

@@ -60,5 +60,37 @@ TEST_F(PositionTraceTest, ACountThatIsSetAnewIsNoWay) {
   EXPECT_TRUE(trace.places().back().goes_on);
 }
 
+TEST_F(PositionTraceTest, ALimitIsWhereItsSwitchBeganToAct) {
+  now.axes[0].limits_known = true;
+  EXPECT_FALSE(trace.met(AxisId{0}).plus);
+  at(400, 0);
+  now.axes[0].limit_plus = true;
+  at(410, 0), at(425, 0);
+  now.axes[0].limit_plus = false;
+  at(300, 0);
+  EXPECT_EQ(trace.met(AxisId{0}).plus, Steps(410));
+  EXPECT_FALSE(trace.met(AxisId{0}).minus);
+  EXPECT_FALSE(trace.met(AxisId{1}).plus);
+  now.axes[0].trust.settle(Trust::set, Instant(Millis(9)));
+  at(0, 0);
+  EXPECT_FALSE(trace.met(AxisId{0}).plus) << "the count is another one";
+}
+
+TEST_F(PositionTraceTest, HomeIsWhereAHomingHasEnded) {
+  now.axes[1].activity = Activity::homing;
+  at(0, -70);
+  now.axes[1].activity = Activity::idle;
+  now.axes[1].ended_by = EndedBy::stop;
+  at(0, -80);
+  EXPECT_FALSE(trace.met(AxisId{1}).home) << "it was stopped on the way";
+  now.axes[1].activity = Activity::homing;
+  at(0, -90);
+  now.axes[1].activity = Activity::idle;
+  now.axes[1].ended_by = EndedBy::target;
+  now.axes[1].trust.settle(Trust::homed, Instant(Millis(9)));
+  at(0, 0);
+  EXPECT_EQ(trace.met(AxisId{1}).home, Steps(0));
+}
+
 }  // namespace
 }  // namespace hw::gui
