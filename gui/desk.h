@@ -15,6 +15,7 @@
 #include "gui/command_help.h"
 #include "gui/position_trace.h"
 #include "gui/program_job.h"
+#include "gui/program_source.h"
 #include "gui/program_texts.h"
 #include "gui/rehearsals.h"
 #include "gui/run_follower.h"
@@ -33,6 +34,7 @@ class Desk {
   TrafficLog traffic;
   ProgramTexts texts;
   BlockList blocks;
+  ProgramSource source;
   ProgramJob job;
   Rehearsals rehearsals;
   RunFollower follower;
