@@ -36,7 +36,11 @@ class Sight {
     Change change;
     change.moved = before.position_known && before.position != position;
     const Sign sign = way > 0 ? Sign::plus : Sign::minus;
-    change.begun = change.moved && at - seen.moved_at >= to_see_standstill;
+    // The last step of a slow ramp may come as late as the first of another motion: the next one tells.
+    const bool stood = at - seen.moved_at >= to_see_standstill;
+    const bool one_more = std::abs(way) <= 1 && seen.went == sign;
+    change.begun = change.moved && (stood ? !one_more : seen.crept);
+    if (change.moved) seen.crept = stood && one_more;
     change.reversed = change.moved && seen.went && seen.went != sign;
     if (change.moved) seen.went = sign;
     if (change.moved || !before.position_known) seen.moved_at = at;  // what was seen once only may turn
@@ -68,6 +72,7 @@ class Sight {
     Instant read_at{}, moved_at{};
     std::optional<Sign> went;
     double speed = 0;
+    bool crept = false;  ///< by a single step, after it had stood
   };
   const Scheduler& scheduler_;
   std::array<Seen, max_motors> seen_{};
