@@ -1,5 +1,6 @@
 #include "core/drawing/dxf_blocks.h"
 
+#include <algorithm>
 #include <cmath>
 #include <istream>
 #include <numbers>
@@ -36,11 +37,17 @@ class Collector : public DL_CreationAdapter {
   void addLayer(const DL_LayerData& layer) override {
     constexpr int frozen = 1;
     const bool off = layer.off || getAttributes().getColor() < 0;
+    if ((layer.flags & frozen) != 0) file_.frozen.insert(layer.name);
     file_.layers.push_back({layer.name, (layer.flags & frozen) == 0 && !off});
   }
   void addBlock(const DL_BlockData& block) override {
     end_of_pieces();
-    find_scanned({"BLOCK"});
+    name_ = "BLOCK", left_out_ = false, taken_ = nullptr;
+    if (find_scanned(name_) && scanned_[current_].no_number != 0) {  // nobody knows where it would lie
+      leave_out(no_number(scanned_[current_]));
+      into_ = &without_place_;
+      return;
+    }
     into_ = &file_.blocks[block.name];
     into_->base = {block.bpx, block.bpy};
   }
@@ -83,9 +90,10 @@ class Collector : public DL_CreationAdapter {
     const std::optional<bool> mirrored = is_mirrored();
     if (!mirrored) return leave_out("it does not lie in the plane of the drawing");
     const double side = *mirrored ? -e.ratio : e.ratio;
-    double end = e.angle2;
-    while (end <= e.angle1 && end < e.angle1 + 7) end += 2 * std::numbers::pi;
-    put(Ellipse{{e.cx, e.cy}, {e.mx, e.my}, {-e.my * side, e.mx * side}, e.angle1, end});
+    constexpr double turn = 2 * std::numbers::pi;
+    double sweep = std::fmod(e.angle2 - e.angle1, turn);
+    if (sweep <= 1e-9) sweep += turn;
+    put(Ellipse{{e.cx, e.cy}, {e.mx, e.my}, {-e.my * side, e.mx * side}, e.angle1, e.angle1 + sweep});
   }
 
   void addPolyline(const DL_PolylineData& p) override {
@@ -123,6 +131,7 @@ class Collector : public DL_CreationAdapter {
     const std::optional<bool> mirrored = is_mirrored();
     if (!mirrored) return leave_out("it does not lie in the plane of the drawing");
     if (i.sx == 0 || i.sy == 0) return leave_out("its scale is 0");
+    if (left_out_) return;
     const Point along = at_angle(i.angle);
     const Affine turned{along.x * i.sx, along.y * i.sx, -along.y * i.sy, along.x * i.sy, i.ipx, i.ipy};
     DxfInsert insert;
@@ -207,8 +216,15 @@ class Collector : public DL_CreationAdapter {
     name_ = name;
     layer_ = getAttributes().getLayer();  // of a polyline's points there is another one
     left_out_ = false;
-    if (current_ < scanned_.size() && scanned_[current_].on_sheet)
-      leave_out("it stands on the sheet, not in the model");
+    if (current_ >= scanned_.size()) return;
+    const ScannedEntity& e = scanned_[current_];
+    if (e.on_sheet) leave_out("it stands on the sheet, not in the model");
+    if (e.hidden) leave_out("it is hidden in the file");
+    if (e.no_number != 0) leave_out(no_number(e));
+    if (e.miscounted) leave_out("it has another number of parts than it says");
+  }
+  static std::string no_number(const ScannedEntity& e) {
+    return fmt::format("what stands in line {} is no number", e.no_number);
   }
   void not_drawn(std::string_view name, std::string_view why) {
     begin(name);
@@ -275,6 +291,7 @@ class Collector : public DL_CreationAdapter {
 
   DxfFile& file_;
   const std::vector<ScannedEntity>& scanned_;
+  DxfBlock without_place_;
   DxfBlock* into_ = &file_.model;
   DxfEntity* taken_ = nullptr;  ///< what of the current entity has been taken, if anything
   std::size_t next_ = 0, current_ = 0;
@@ -288,6 +305,12 @@ class Collector : public DL_CreationAdapter {
 };
 
 }  // namespace
+
+bool LessName::operator()(std::string_view a, std::string_view b) const {
+  const auto small = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+  return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(),
+                                      [&](char x, char y) { return small(x) < small(y); });
+}
 
 Result<DxfFile> read_blocks(std::string_view text, const std::vector<ScannedEntity>& scanned,
                             const std::string& name) {

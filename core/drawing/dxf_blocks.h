@@ -1,6 +1,7 @@
 #pragma once
 // A DXF file as it stands: blocks of shapes and inserts of blocks, before they are put where they are seen.
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,9 +28,16 @@ struct DxfBlock {
   Point base;
   std::vector<DxfEntity> entities;
 };
+/// Names are the same in capitals and in small letters.
+struct LessName {
+  using is_transparent = void;
+  bool operator()(std::string_view a, std::string_view b) const;
+};
 struct DxfFile {
   std::vector<Layer> layers;
-  std::map<std::string, DxfBlock, std::less<>> blocks;
+  std::set<std::string, LessName>
+      frozen;  ///< layers: what is inserted on one is hidden with all that is in it
+  std::map<std::string, DxfBlock, LessName> blocks;
   DxfBlock model;
   std::vector<LeftOut> left_out;
   int unit = 0;  ///< $INSUNITS

@@ -56,10 +56,11 @@ class InsertPlacing {
   /// `outermost`: the insert of the model that all of this belongs to.
   void place(const DxfBlock& block, const Affine& affine, const std::string& layer,
              const DxfEntity* outermost, int depth) {
+    const bool frozen = outermost && file_.frozen.contains(layer);
     for (const DxfEntity& entity : block.entities) {
       if (curves_ > most_curves) return;
-      const std::string& own =
-          entity.layer == "0" ? layer : entity.layer;  // what lies on 0 goes with its insert
+      // What lies on 0 goes with its insert; and all of what is frozen.
+      const std::string& own = entity.layer == "0" || frozen ? layer : entity.layer;
       const DxfEntity& told = outermost ? *outermost : entity;
       if (!entity.shapes.empty()) draw_path(entity, affine, own, told);
       for (const DxfInsert& insert : entity.inserts) place_insert(insert, affine, own, told, depth);
@@ -72,10 +73,21 @@ class InsertPlacing {
     path.entity = told.number, path.line = told.line;
     for (const Shape& shape : entity.shapes) draw(moved(shape, affine), tolerance_, path.curves);
     for (std::size_t i = 1; i < path.curves.size(); ++i) path.curves[i].from = path.curves[i - 1].to;
-    if (!is_finite(path.curves)) return leave_out(told, "a coordinate is no number");
+    double length = 0;
+    for (const Curve& curve : path.curves) length += curve.length();
+    if (!std::isfinite(length) || !is_finite(path.curves)) return leave_out(told, "it is too large");
+    if (length == 0 && entity.name != "POINT") return leave_out(told, "it has no length");
+    close(path, length);
     path.layer = layer_of(layer);
     curves_ += path.curves.size();
     drawing_.paths.push_back(std::move(path));
+  }
+  /// Ends that only rounding keeps apart.
+  static void close(Path& path, double length) {
+    constexpr double rounding = 1e-9;
+    const Point begin = path.curves.front().from;
+    Point& end = path.curves.back().to;
+    if (std::hypot(end.x - begin.x, end.y - begin.y) <= rounding * length) end = begin;
   }
 
   void place_insert(const DxfInsert& insert, const Affine& affine, const std::string& layer,
@@ -88,13 +100,15 @@ class InsertPlacing {
     if (depth >= deepest_insert) return leave_out(told, fmt::format("blocks stand in blocks {} deep", depth));
     open_.push_back(&block->second);
     const Affine to_base{1, 0, 0, 1, -block->second.base.x, -block->second.base.y};
-    for (int r = 0; r < insert.rows && curves_ <= most_curves; ++r)
-      for (int c = 0; c < insert.columns && curves_ <= most_curves; ++c) {
+    const std::size_t before = curves_;
+    bool draws = true;  // where one copy draws nothing, none does
+    for (int r = 0; r < insert.rows && draws; ++r)
+      for (int c = 0; c < insert.columns && draws; ++c) {
         Affine copy = insert.place;
         copy.e += c * insert.column.x + r * insert.row.x;
         copy.f += c * insert.column.y + r * insert.row.y;
-        if (block->second.entities.empty()) return open_.pop_back();
         place(block->second, affine.after(copy).after(to_base), layer, &told, depth + 1);
+        draws = curves_ > before && curves_ <= most_curves;
       }
     open_.pop_back();
   }
@@ -113,7 +127,7 @@ class InsertPlacing {
   DxfFile& file_;
   const Tolerance& tolerance_;
   Drawing& drawing_;
-  std::map<std::string, int, std::less<>> layers_;
+  std::map<std::string, int, LessName> layers_;
   std::vector<const DxfBlock*> open_;  ///< from the model to here
   std::size_t curves_ = 0;
 };
@@ -121,15 +135,18 @@ class InsertPlacing {
 }  // namespace
 
 /// The parser reads the same line for ever when it is longer than its buffer. No number and no name is: what
-/// is cut is a text.
+/// is cut is a text. And it knows no name that blanks stand around.
 static constexpr std::size_t longest_parsed_line = 1000;
 
-static std::string with_short_lines(std::string_view text) {
+static std::string with_plain_lines(std::string_view text) {
   std::string out;
   out.reserve(text.size());
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
-    out.append(text.substr(0, std::min(end, longest_parsed_line))) += '\n';
+    std::string_view line = text.substr(0, std::min(end, longest_parsed_line));
+    const std::size_t first = std::min(line.find_first_not_of(" \t\r"), line.size());
+    line = line.substr(first, line.find_last_not_of(" \t\r") + 1 - first);
+    out.append(line) += '\n';
     text.remove_prefix(std::min(end + 1, text.size()));
   }
   return out;
@@ -138,9 +155,9 @@ static std::string with_short_lines(std::string_view text) {
 Result<Drawing> read_dxf(std::string_view text, const std::string& name, const Tolerance& tolerance) {
   auto scanned = scan_dxf(text, name);
   if (!scanned) return fail(scanned.error());
-  std::string shortened;
-  if (scanned->longest_line > longest_parsed_line)
-    scanned->text = shortened = with_short_lines(scanned->text);
+  std::string plain;
+  if (scanned->longest_line > longest_parsed_line || scanned->padded_names)
+    scanned->text = plain = with_plain_lines(scanned->text);
   auto file = read_blocks(scanned->text, scanned->entities, name);
   if (!file) return fail(file.error());
   Drawing drawing;

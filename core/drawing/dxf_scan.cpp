@@ -1,6 +1,9 @@
 #include "core/drawing/dxf_scan.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
 
 #include <fmt/core.h>
 
@@ -18,7 +21,8 @@ class Pairs {
   struct Pair {
     int code = -1;  ///< -1: no number
     std::string_view value;
-    int line = 0;  ///< of the value
+    int line = 0;         ///< of the value
+    bool padded = false;  ///< the value, by blanks
   };
   bool next(Pair& pair) {
     if (rest_.empty()) return false;
@@ -26,6 +30,7 @@ class Pairs {
     if (rest_.empty() && pair.code < 0) return false;
     pair.value = take_line();
     pair.line = line_;
+    pair.padded = padded_;
     return true;
   }
   [[nodiscard]] std::string_view rest() const { return rest_; }
@@ -38,23 +43,52 @@ class Pairs {
     longest_line_ = std::max(longest_line_, end);
     rest_.remove_prefix(std::min(end + 1, rest_.size()));
     ++line_;
+    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+    const std::size_t size = line.size();
     const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
     while (!line.empty() && blank(line.back())) line.remove_suffix(1);
     while (!line.empty() && blank(line.front())) line.remove_prefix(1);
+    padded_ = line.size() != size;
     return line;
   }
   std::string_view rest_;
   std::size_t longest_line_ = 0;
   int line_ = 0;
+  bool padded_ = false;  ///< the last line
 };
 
-/// The parser makes room for as many as an entity says that it has.
+/// The parser makes room for as many as an entity says that it has, and takes as many.
 struct Count {
   std::string_view entity;
   int code;
+  int part;  ///< with which each of them begins; -1: it is not counted
 };
-constexpr Count counts[] = {{"LWPOLYLINE", 90}, {"SPLINE", 72}, {"SPLINE", 73}, {"SPLINE", 74},
-                            {"LEADER", 76},     {"HATCH", 91},  {"HATCH", 93},  {"LTYPE", 73}};
+constexpr std::array counts{Count{"LWPOLYLINE", 90, 10}, Count{"SPLINE", 72, 40}, Count{"SPLINE", 73, 10},
+                            Count{"SPLINE", 74, 11},     Count{"LEADER", 76, -1}, Count{"HATCH", 91, -1},
+                            Count{"HATCH", 93, -1},      Count{"LTYPE", 73, -1}};
+
+/// A group of that code is a length, a coordinate, an angle, a scale.
+bool is_measure(int code) {
+  return (code >= 10 && code < 60) || (code >= 140 && code < 150) || (code >= 210 && code < 240);
+}
+
+/// Of an entity, a block, a layer, a variable.
+bool is_name(int code) { return code == 0 || code == 2 || code == 8 || code == 9; }
+
+/// As the parser reads them: some countries write a comma, and what is too small is 0.
+bool is_number(std::string_view text) {
+  if (text.starts_with('+')) text.remove_prefix(1);
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (end == text.data() + text.size() && error == std::errc()) return std::isfinite(value);
+  if (error == std::errc::result_out_of_range)
+    return text.find("e-") != text.npos || text.find("E-") != text.npos;
+  const std::size_t comma = text.find(',');
+  if (comma == text.npos) return false;
+  std::string with_point(text);
+  with_point[comma] = '.';
+  return is_number(with_point);
+}
 
 class Scan {
  public:
@@ -65,6 +99,7 @@ class Scan {
     Pairs::Pair pair;
     bool ends = false;
     for (; !ends && pairs.next(pair); ++pairs_) {
+      padded_names_ = padded_names_ || (pair.padded && is_name(pair.code));
       if (pair.code < 0)
         return wrong(pair.line - 1, "a group code was expected here, a whole number", "Is it a DXF file?");
       if (pair.code == 0) {
@@ -81,7 +116,7 @@ class Scan {
     if (!ends)
       return fail(FaultKind::text, fmt::format("{} is cut off: it does not end with EOF.", name_),
                   std::string(nothing_taken), "Save or copy it again.");
-    return ScannedDxf{std::move(found_), pairs.longest_line(),
+    return ScannedDxf{std::move(found_), pairs.longest_line(), padded_names_,
                       text.substr(0, text.size() - pairs.rest().size())};
   }
 
@@ -90,26 +125,50 @@ class Scan {
     name_of_entity_ = pair.value;
     began_at_line_ = pair.line;
     began_at_pair_ = pairs_;
-    declared_ = 0;
+    counted_ = std::any_of(counts.begin(), counts.end(),
+                           [&](const Count& count) { return count.entity == pair.value; });
+    declared_.fill(0), parts_.fill(0);
     awaits_section_name_ = pair.value == "SECTION";
     const bool draws = section_ == "ENTITIES" || section_ == "BLOCKS";
     in_entity_ = draws && !awaits_section_name_ && pair.value != "ENDSEC";
-    if (in_entity_) found_.push_back({pair.value, pair.line, false});
+    if (in_entity_) {
+      if (pair.value != "VERTEX") owner_ = found_.size();
+      found_.push_back({pair.value, pair.line});
+    }
     if (pair.value == "ENDSEC") section_ = {};
   }
   void take(const Pairs::Pair& pair) {
-    if (pair.code == 67 && in_entity_) found_.back().on_sheet = pair.value == "1";
-    for (const Count& count : counts)
-      if (count.code == pair.code && count.entity == name_of_entity_) {
-        const auto declared = whole_number<std::int64_t>(pair.value);
-        declared_ = std::max(declared_, declared ? (*declared < 0 ? most : *declared) : most);
-      }
+    if (counted_) count(pair);
+    if (!in_entity_) return;
+    ScannedEntity& owner = found_[std::min(owner_, found_.size() - 1)];
+    if (is_measure(pair.code)) {
+      if (owner.no_number == 0 && !is_number(pair.value)) owner.no_number = pair.line;
+    } else if (pair.code == 67) {
+      found_.back().on_sheet = pair.value == "1";
+    } else if (pair.code == 60) {
+      found_.back().hidden = pair.value == "1";
+    }
   }
-  Result<> entity_ends() const {
-    if (declared_ <= pairs_ - began_at_pair_) return {};
-    return wrong(began_at_line_,
-                 fmt::format("{} says that it has more parts than there are", name_of_entity_),
-                 "The file is damaged.");
+  void count(const Pairs::Pair& pair) {
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+      if (counts[i].entity != name_of_entity_) continue;
+      if (counts[i].part == pair.code) ++parts_[i];
+      if (counts[i].code != pair.code) continue;
+      const auto declared = whole_number<std::int64_t>(pair.value);
+      declared_[i] = std::max(declared_[i], declared ? (*declared < 0 ? most : *declared) : most);
+    }
+  }
+  Result<> entity_ends() {
+    if (!counted_) return {};
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+      if (counts[i].entity != name_of_entity_) continue;
+      if (declared_[i] > pairs_ - began_at_pair_)
+        return wrong(began_at_line_,
+                     fmt::format("{} says that it has more parts than there are", name_of_entity_),
+                     "The file is damaged.");
+      if (in_entity_ && counts[i].part >= 0 && declared_[i] != parts_[i]) found_.back().miscounted = true;
+    }
+    return {};
   }
   [[nodiscard]] tl::unexpected<Fault> wrong(int line, std::string what, std::string advice) const {
     return fail(FaultKind::text, fmt::format("{}, line {}: {}.", name_, line, what),
@@ -120,8 +179,10 @@ class Scan {
   const std::string& name_;
   std::vector<ScannedEntity> found_;
   std::string_view section_, name_of_entity_;
-  bool awaits_section_name_ = false, in_entity_ = false;
-  std::int64_t pairs_ = 0, began_at_pair_ = 0, declared_ = 0;
+  bool awaits_section_name_ = false, in_entity_ = false, counted_ = false, padded_names_ = false;
+  std::size_t owner_ = 0;  ///< in found_: who has the values; of a point its polyline
+  std::int64_t pairs_ = 0, began_at_pair_ = 0;
+  std::array<std::int64_t, counts.size()> declared_{}, parts_{};
   int began_at_line_ = 0;
 };
 
@@ -133,10 +194,12 @@ Result<ScannedDxf> scan_dxf(std::string_view text, const std::string& name) {
                 fmt::format("{} has {} MB; more than {} are not read.", name, text.size() / 1'000'000,
                             largest_dxf / 1'000'000),
                 std::string(nothing_taken), "Save the part that is to be drawn as a file of its own.");
+  if (text.empty())
+    return fail(FaultKind::text, fmt::format("{} is empty.", name), {}, "Save or copy it again.");
   if (text.starts_with("AutoCAD Binary DXF"))
     return fail(FaultKind::text, fmt::format("{} is a binary DXF file.", name), std::string(nothing_taken),
                 "Save it as a DXF file in text form (ASCII), R12 for instance.");
-  if (text.starts_with("AC10") && text.find('\n') == text.npos)
+  if (text.starts_with("AC10"))
     return fail(FaultKind::text, fmt::format("{} is a DWG file.", name), std::string(nothing_taken),
                 "Save it as DXF.");
   // For the parser a line ends there: it would see other names than are seen here.

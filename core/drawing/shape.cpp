@@ -113,7 +113,8 @@ Ellipse arc_of(Point centre, double radius, double begin_degrees, double end_deg
 
 Shape bulged(Point from, Point to, double bulge) {
   const Point way{to.x - from.x, to.y - from.y};
-  if (bulge == 0 || size(way) == 0) return Line{from, to};
+  constexpr double rounding = 1e-8;  // its centre would be so far away that its ends are less exact
+  if (std::fabs(bulge) < rounding || size(way) == 0) return Line{from, to};
   const double angle = 4 * std::atan(bulge);
   const double ahead = (1 / bulge - bulge) / 4;  // of the centre, to the left of the middle of the way
   const Point centre{(from.x + to.x) / 2 - way.y * ahead, (from.y + to.y) / 2 + way.x * ahead};

@@ -50,7 +50,7 @@ struct Tolerance {
 /// Part of a circle.
 Ellipse arc_of(Point centre, double radius, double begin_degrees, double end_degrees);
 /// From one point of a polyline to the next; `bulge`: the tangent of a quarter of the arc's angle. A line
-/// where that is 0.
+/// where that is 0, or so little that nobody could tell.
 Shape bulged(Point from, Point to, double bulge);
 Shape moved(const Shape& shape, const Affine& affine);
 /// What is wrong with its numbers, or empty.

@@ -106,6 +106,13 @@ Result<std::string> read_file(const fs::path& path, std::uintmax_t largest) {
   if (::fstat(file.get(), &about) != 0)
     return fail(FaultKind::port, fmt::format("{} cannot be read: {}.", name, reason_of(errno)));
   if (S_ISDIR(about.st_mode)) return fail(FaultKind::port, fmt::format("{} is a folder.", name));
+  const auto too_large = [&] {
+    return fail(
+        FaultKind::text,
+        fmt::format("{} is larger than {} kB, too large for what it should be.", name, largest / 1000),
+        "It was not opened.");
+  };
+  if (S_ISREG(about.st_mode) && static_cast<std::uintmax_t>(about.st_size) > largest) return too_large();
   std::string bytes;
   char block[16384];
   for (;;) {
@@ -114,11 +121,7 @@ Result<std::string> read_file(const fs::path& path, std::uintmax_t largest) {
     if (n < 0) return fail(FaultKind::port, fmt::format("{} cannot be read: {}.", name, reason_of(errno)));
     if (n == 0) return bytes;
     bytes.append(block, static_cast<std::size_t>(n));
-    if (bytes.size() > largest)
-      return fail(
-          FaultKind::text,
-          fmt::format("{} is larger than {} kB, too large for what it should be.", name, largest / 1000),
-          "It was not opened.");
+    if (bytes.size() > largest) return too_large();
   }
 }
 

@@ -1,65 +1,87 @@
-// Drawings that other software has written: what is read agrees with what that software itself reads in them
-// (files/expected.txt, made by make_files.py).
-#include <fstream>
-#include <sstream>
+// Drawings that other software has written, and one of our own for each corner of the format: what is read
+// agrees with what ezdxf reads in them, and nothing that is left out goes unsaid.
+#include <algorithm>
+#include <map>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "core/drawing/dxf_reader.h"
+#include "dxf_table.h"
 
 namespace hw::drawing {
+
+static void PrintTo(const ExpectedDrawing& e, std::ostream* out) { *out << name_of(e); }
+
 namespace {
 
-const std::string folder = HW_TEST_DIR "/core/drawing/files/";
+constexpr Tolerance fine{1e-5};
 
-struct Expected {
-  std::string name;
-  std::size_t paths = 0;
-  double length = 0, left = 0, bottom = 0, right = 0, top = 0;
-  bool exact = false;
-};
-std::ostream& operator<<(std::ostream& out, const Expected& e) { return out << e.name; }
-
-std::vector<Expected> expected() {
-  std::vector<Expected> all;
-  std::ifstream in(folder + "expected.txt");
-  for (std::string line; std::getline(in, line);) {
-    if (line.starts_with('#')) continue;
-    std::istringstream words(line);
-    Expected e;
-    std::string exact;
-    words >> e.name >> e.paths >> e.length >> e.left >> e.bottom >> e.right >> e.top >> exact;
-    e.exact = exact == "exact";
-    all.push_back(e);
+class DxfFiles : public testing::TestWithParam<ExpectedDrawing> {
+ protected:
+  /// Without what frozen and switched off layers hide.
+  static Drawing shown(Drawing drawing) {
+    std::erase_if(drawing.paths, [&](const Path& path) {
+      return !drawing.layers[static_cast<std::size_t>(path.layer)].shown;
+    });
+    return drawing;
   }
-  return all;
-}
+  static void expect_left_out(const Drawing& drawing, const std::vector<std::string>& expected) {
+    std::map<int, std::string> told;  // in the order of the file
+    for (const LeftOut& l : drawing.left_out)
+      told[l.entity] += fmt::format("{} {} {}: {}", l.entity, l.what, l.line, l.why);
+    std::vector<std::string> rows;
+    for (const auto& [entity, row] : told) rows.push_back(row);
+    ASSERT_EQ(rows.size(), expected.size()) << testing::PrintToString(rows);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const bool with_reason = expected[i].find(':') != std::string::npos;
+      EXPECT_EQ(with_reason ? rows[i] : rows[i].substr(0, rows[i].find(':')), expected[i]);
+    }
+  }
+};
 
-class DxfFiles : public testing::TestWithParam<Expected> {};
-
-TEST_P(DxfFiles, AreReadAsTheirOwnProgramReadsThem) {
-  const Expected& e = GetParam();
-  std::ifstream in(folder + e.name, std::ios::binary);
-  std::stringstream text;
-  text << in.rdbuf();
-  const Tolerance tolerance{1e-5};
-  const auto drawing = read_dxf(text.str(), e.name, tolerance);
-  ASSERT_TRUE(drawing) << drawing.error().sentence();
-  for (const LeftOut& l : drawing->left_out)
-    ADD_FAILURE() << l.what << " of line " << l.line << ": " << l.why;
-  EXPECT_EQ(drawing->paths.size(), e.paths);
-  const double within = e.exact ? 1e-6 : 10 * tolerance.chord;
-  EXPECT_NEAR(length_of(*drawing), e.length, e.exact ? within : 1e-5 * e.length);
-  const Box box = box_of(*drawing);
+TEST_P(DxfFiles, AreReadAsOthersReadThem) {
+  const ExpectedDrawing& e = GetParam();
+  const std::string text = text_of(e.file);
+  const auto read = read_dxf(text, e.file.filename().string(), fine);
+  if (!e.refused.empty()) {
+    ASSERT_FALSE(read);
+    EXPECT_THAT(read.error().sentence(), testing::HasSubstr(e.refused));
+    return;
+  }
+  ASSERT_TRUE(read) << read.error().sentence();
+  expect_left_out(*read, e.left_out);
+  const Drawing drawing = shown(*read);
+  EXPECT_EQ(drawing.paths.size(), e.paths);
+  EXPECT_EQ(drawing.unit, e.unit == "none" ? "" : e.unit);
+  const double within = e.exact ? 1e-6 : 10 * fine.chord;
+  EXPECT_NEAR(length_of(drawing), e.length, e.exact ? within : 1e-5 * e.length);
+  const Box box = box_of(drawing);
+  EXPECT_EQ(box.empty, e.paths == 0);
   EXPECT_NEAR(box.low.x, e.left, within);
   EXPECT_NEAR(box.low.y, e.bottom, within);
   EXPECT_NEAR(box.high.x, e.right, within);
   EXPECT_NEAR(box.high.y, e.top, within);
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, DxfFiles, testing::ValuesIn(expected()), [](const auto& info) {
-  return info.param.name.substr(0, info.param.name.find('.'));
-});
+INSTANTIATE_TEST_SUITE_P(Each, DxfFiles, testing::ValuesIn(expected_drawings()),
+                         [](const auto& info) { return name_of(info.param); });
+
+TEST(DxfTable, HoldsEveryFile) {
+  const std::vector<ExpectedDrawing> all = expected_drawings();
+  std::size_t files = 0, own = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(std::filesystem::path(HW_TEST_DIR) /
+                                                                         "core/drawing/files"))
+    if (entry.path().extension() == ".dxf") {
+      ++files;
+      own += entry.path().parent_path().filename() == "own" ? 1 : 0;
+      EXPECT_TRUE(std::any_of(all.begin(), all.end(), [&](const ExpectedDrawing& e) {
+        return std::filesystem::equivalent(e.file, entry.path());
+      })) << entry.path();
+    }
+  EXPECT_EQ(files, all.size());
+  EXPECT_GE(own, 40u);
+}
 
 }  // namespace
 }  // namespace hw::drawing

@@ -317,7 +317,7 @@ INSTANTIATE_TEST_SUITE_P(
     Each, DxfBad,
     testing::Values(BadFile{"CutOff", section("ENTITIES", line(0, 0, 1, 1)),
                             "a.dxf is cut off: it does not end with EOF."},
-                    BadFile{"Empty", "", "cut off"},
+                    BadFile{"Empty", "", "a.dxf is empty."},
                     BadFile{"Binary", std::string("AutoCAD Binary DXF\r\n\x1a\0", 22), "binary DXF"},
                     BadFile{"Picture", "\x89PNG\r\n\x1a\n....", "line 1: a group code was expected here"},
                     BadFile{"ZeroByte",
