@@ -1,7 +1,9 @@
 #include "core/drawing/chains.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
+#include <limits>
 #include <utility>
 
 #include "core/base/index.h"
@@ -64,8 +66,7 @@ class Joining {
   }
   void use(std::size_t i) {
     used_[i] = true;
-    ends_.remove(open_[i]->curves.front().from, static_cast<int>(i));
-    ends_.remove(open_[i]->curves.back().to, static_cast<int>(i));
+    ends_.remove(static_cast<int>(i));
   }
 
   const std::vector<const Path*>& open_;
@@ -85,16 +86,13 @@ std::vector<Chain> nearest_first(std::vector<Chain> chains, Point here, const Pr
     else
       entries.push_back({chains[i].begin(), owner, 0}), entries.push_back({chains[i].end(), owner, -1});
   }
-  NearPoints near(entries);
+  NearPoints near(std::move(entries));
   std::vector<Chain> ordered;
   ordered.reserve(chains.size());
   while (const NearPoints::Entry* next = near.nearest(here)) {
-    const int owner = next->owner, place = next->place;
-    Chain& chain = chains[ix(owner)];
-    if (chain.closed())
-      for (const Curve& c : chain.curves) near.remove(c.from, owner);
-    else
-      near.remove(chain.begin(), owner), near.remove(chain.end(), owner);
+    const int place = next->place;
+    Chain& chain = chains[ix(next->owner)];
+    near.remove(next->owner);
     if (place < 0)
       turn_round(chain);
     else if (place > 0)
@@ -114,7 +112,13 @@ std::vector<Chain> nearest_first(std::vector<Chain> chains, Point here, const Pr
 /// Parts of the order are turned round as long as that makes the way shorter (2-opt, with the ends nearby).
 class Turning {
  public:
-  Turning(std::vector<Chain>& chains, Point begin) : chains_(chains), begin_(begin), ends_(entries(chains)) {
+  Turning(std::vector<Chain>& chains, Point begin) : chains_(chains), begin_(begin) {
+    const NearPoints ends(entries(chains));
+    near_begin_ = near(ends, begin, -1);
+    for (std::size_t i = 0; i < chains.size(); ++i) {
+      near_.push_back(near(ends, chains[i].begin(), static_cast<int>(i)));
+      near_.push_back(near(ends, chains[i].end(), static_cast<int>(i)));
+    }
     for (std::size_t i = 0; i < chains.size(); ++i)
       order_.push_back(static_cast<int>(i)), place_.push_back(static_cast<int>(i));
     turned_.resize(chains.size(), 0);
@@ -145,6 +149,17 @@ class Turning {
  private:
   static constexpr int most_passes = 12;
   static constexpr std::size_t neighbours = 10;
+  /// Chains with an end nearby, the nearest first; -1: there are no more.
+  using Near = std::array<int, neighbours>;
+
+  static Near near(const NearPoints& ends, Point from, int owner) {
+    std::array<const NearPoints::Entry*, neighbours> found{};
+    const std::size_t count = ends.nearest(from, owner, found);
+    Near near;
+    near.fill(-1);
+    for (std::size_t i = 0; i < count; ++i) near[i] = found[i]->owner;
+    return near;
+  }
 
   static std::vector<NearPoints::Entry> entries(const std::vector<Chain>& chains) {
     std::vector<NearPoints::Entry> all;
@@ -170,22 +185,24 @@ class Turning {
     return place < size() ? distance(from, enters(place)) : 0;
   }
 
+  /// Of the end at which the tool leaves that place.
+  [[nodiscard]] const Near& near_where_it_leaves(int place) const {
+    if (place < 0) return near_begin_;
+    const int i = order_[ix(place)];
+    return near_[2 * ix(i) + (turned_[ix(i)] ? 0 : 1)];
+  }
   bool improve(int i) {
     const double now = distance(leaves(i), enters(i + 1));
     double most = least_gain;
     int best = i;
-    std::size_t seen = 0;
-    ends_.around(
-        leaves(i),
-        [&](const NearPoints::Entry& e) {
-          ++seen;
-          const int j = place_[ix(e.owner)];
-          if (j <= i + 1) return;
-          const double before = now + way_into(j + 1, leaves(j));
-          const double after = distance(leaves(i), leaves(j)) + way_into(j + 1, enters(i + 1));
-          if (before - after > most) most = before - after, best = j;
-        },
-        [&](double closest) { return closest >= now || seen > neighbours; });
+    for (const int chain : near_where_it_leaves(i)) {
+      if (chain < 0) break;
+      const int j = place_[ix(chain)];
+      if (j <= i + 1) continue;
+      const double before = now + way_into(j + 1, leaves(j));
+      const double after = distance(leaves(i), leaves(j)) + way_into(j + 1, enters(i + 1));
+      if (before - after > most) most = before - after, best = j;
+    }
     if (best == i) return false;
     turn(i + 1, best);
     return true;
@@ -202,7 +219,8 @@ class Turning {
   static constexpr double least_gain = 1e-9;
   std::vector<Chain>& chains_;
   Point begin_;
-  NearPoints ends_;
+  Near near_begin_{};
+  std::vector<Near> near_;  ///< of the begin and of the end of each chain
   std::vector<int> order_, place_;
   std::vector<std::uint8_t> turned_;
 };
