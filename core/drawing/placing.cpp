@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+
+#include "core/drawing/near_points.h"
 
 namespace hw::drawing {
 namespace {
@@ -57,14 +60,15 @@ class Draw {
       travel(corner);
   }
   void chain(const Chain& c) {
-    if (on_the_way_ && is_long(c)) return contours(c);
+    const std::vector<Curve> curves = told_apart(c);
+    if (on_the_way_ && !curves.empty()) return contours(curves);
     travel(c.begin());
     add(Pen{true});
-    if (is_long(c)) {
+    if (!curves.empty()) {
       if (tool_.going == Going::contours)
-        contours(c);
+        contours(curves);
       else
-        along(c);
+        along(curves);
       add(WaitMotion{});
     }
     add(Pen{false});
@@ -72,8 +76,36 @@ class Draw {
 
  private:
   void add(Step::Body body) { s_.steps.push_back({std::move(body)}); }
-  static bool is_long(const Chain& c) {
-    return std::any_of(c.curves.begin(), c.curves.end(), [](const Curve& k) { return k.length() > 0; });
+  /// What of it the machine can tell apart: lines that end on another step than they begin on, and arcs that
+  /// are more than such a line.
+  [[nodiscard]] std::vector<Curve> told_apart(const Chain& c) const {
+    std::vector<Curve> curves;
+    Point at = c.begin();
+    for (Curve curve : c.curves) {
+      curve.from = at;
+      if (is_straight(curve)) curve = {Curve::Kind::line, at, curve.to, {}, 0};
+      if (curve.kind == Curve::Kind::line && same_step(at, curve.to)) continue;
+      at = curve.to;
+      curves.push_back(curve);
+    }
+    return curves;
+  }
+  [[nodiscard]] bool is_straight(const Curve& arc) const {
+    const double radius = std::hypot(arc.from.x - arc.centre.x, arc.from.y - arc.centre.y);
+    const double quarter = std::sin(arc.degrees / 720 * std::numbers::pi);  // of its angle
+    return 2 * radius * quarter * quarter <= std::max(tool_.tolerance, half_step());
+  }
+  [[nodiscard]] double half_step() const {
+    double finest = std::numeric_limits<double>::infinity();
+    for (const Axis& axis : s_.axes) finest = std::min(finest, 0.5 / axis.per_unit);
+    return s_.axes.empty() ? 0 : finest;
+  }
+  [[nodiscard]] bool same_step(Point a, Point b) const {
+    if (s_.axes.size() < 2) return a == b;
+    const auto same = [&](std::size_t axis, double from, double to) {
+      return std::round(from * s_.axes[axis].per_unit) == std::round(to * s_.axes[axis].per_unit);
+    };
+    return same(0, a.x, b.x) && same(1, a.y, b.y);
   }
   void travel(Point to) {
     if (tool_.going == Going::stairs)
@@ -91,11 +123,10 @@ class Draw {
     if (to.y != at_.y || !at_known_) add(second);
     at_ = to, at_known_ = true;
   }
-  void along(const Chain& c) {
-    for (const Curve& curve : c.curves) {
-      if (curve.length() == 0) continue;
+  void along(const std::vector<Curve>& curves) {
+    for (const Curve& curve : curves) {
       if (curve.kind == Curve::Kind::arc && tool_.going == Going::arcs) {
-        Arc arc{curve.centre.x, curve.centre.y, curve.degrees, {}};
+        Arc arc = on_steps(curve);
         if (tool_.cutting != Speeds{}) arc.own = tool_.cutting;
         add(arc);
       } else if (tool_.going == Going::stairs) {
@@ -122,36 +153,54 @@ class Draw {
   }
   /// With the tool on the way: a lead-in, on, the chain, off and a ramp. Else from rest to rest at its full
   /// speed. A long chain is more than one of them.
-  void contours(const Chain& c) {
-    StepList pieces;
-    for (const Curve& curve : c.curves) {
-      if (curve.length() == 0) continue;
-      Move line = move_to(curve.to, {});
-      if (curve.kind == Curve::Kind::line)
-        pieces.push_back({line});
-      else
-        pieces.push_back({Arc{curve.centre.x, curve.centre.y, curve.degrees, {}}});
-    }
-    Point begin = c.begin();
-    std::size_t curve = 0;
-    for (std::size_t first = 0; first < pieces.size(); first += ix_of(tool_.contour_pieces)) {
-      const std::size_t end = std::min(first + ix_of(tool_.contour_pieces), pieces.size());
+  void contours(const std::vector<Curve>& curves) {
+    const std::size_t most = ix_of(tool_.contour_pieces);
+    for (std::size_t first = 0; first < curves.size(); first += most) {
       Contour part;
-      part.x = begin.x, part.y = begin.y;
+      part.x = curves[first].from.x, part.y = curves[first].from.y;
       if (tool_.cutting != Speeds{}) part.own = tool_.cutting;
       if (on_the_way_) {
         part.lead_in = tool_.cutting.high * tool_.cutting.ramp_ms / 2000;
         part.steps = s_.pen_down;
       }
       part.ends_ramped = on_the_way_;
-      part.steps.insert(part.steps.end(), pieces.begin() + static_cast<std::ptrdiff_t>(first),
-                        pieces.begin() + static_cast<std::ptrdiff_t>(end));
+      for (std::size_t n = first; n < std::min(first + most, curves.size()); ++n)
+        part.steps.push_back(piece_of(curves[n]));
       if (on_the_way_) part.steps.insert(part.steps.end(), s_.pen_up.begin(), s_.pen_up.end());
-      for (std::size_t n = first; n < end; ++curve)
-        if (c.curves[curve].length() > 0) begin = c.curves[curve].to, ++n;
       add(std::move(part));
     }
-    at_ = c.end();
+    at_ = curves.back().to;
+  }
+  [[nodiscard]] Step piece_of(const Curve& curve) const {
+    if (curve.kind == Curve::Kind::line) return {move_to(curve.to, {})};
+    return {on_steps(curve)};
+  }
+  /// Controllers take a centre on a step. It is one nearby from which both ends are as far as can be, so that
+  /// the arc ends where it should.
+  [[nodiscard]] Arc on_steps(const Curve& curve) const {
+    Arc arc{curve.centre.x, curve.centre.y, curve.degrees, {}};
+    const bool whole = std::fabs(curve.degrees) >= 360;
+    if (whole || s_.axes.size() < 2 || s_.axes[0].per_unit != s_.axes[1].per_unit) return arc;
+    const double steps = s_.axes[0].per_unit;
+    const auto rounded = [steps](Point p) { return Point{std::round(p.x * steps), std::round(p.y * steps)}; };
+    const Point from = rounded(curve.from), to = rounded(curve.to), near = rounded(curve.centre);
+    constexpr int around = 2;
+    constexpr double weight_of_shift = 0.05;
+    double least = std::numeric_limits<double>::infinity();
+    Point best = near;
+    for (int dx = -around; dx <= around; ++dx)
+      for (int dy = -around; dy <= around; ++dy) {
+        const Point centre{near.x + dx, near.y + dy};
+        const double beside_end = distance(centre, from) - distance(centre, to);
+        const double shift = distance(centre, {curve.centre.x * steps, curve.centre.y * steps});
+        const double worth = beside_end * beside_end + weight_of_shift * shift * shift;
+        if (worth < least) least = worth, best = centre;
+      }
+    const double begin = std::atan2(from.y - best.y, from.x - best.x);
+    const double turn = (std::atan2(to.y - best.y, to.x - best.x) - begin) / std::numbers::pi * 180;
+    arc.x = best.x / steps, arc.y = best.y / steps;
+    arc.degrees = turn + 360 * std::round((curve.degrees - turn) / 360);
+    return arc;
   }
   static std::size_t ix_of(int n) { return static_cast<std::size_t>(std::max(n, 1)); }
 
@@ -195,10 +244,16 @@ void chords(const Curve& curve, double tolerance, const std::function<void(Point
   put(curve.to);
 }
 
-void draw_chains(const std::vector<Chain>& chains, const Tool& tool, Sequence& sequence) {
+std::vector<std::size_t> draw_chains(const std::vector<Chain>& chains, const Tool& tool, Sequence& sequence) {
   Draw draw(tool, sequence);
   draw.begin();
-  for (const Chain& chain : chains) draw.chain(chain);
+  std::vector<std::size_t> begins;
+  begins.reserve(chains.size());
+  for (const Chain& chain : chains) {
+    begins.push_back(sequence.steps.size());
+    draw.chain(chain);
+  }
+  return begins;
 }
 
 void draw_frame(const Box& box, const Tool& tool, Sequence& sequence) {

@@ -39,8 +39,9 @@ struct Tool {
 /// Where the tool has to be, or `way` between, told from the begin on. Lines longer than nothing only.
 void chords(const Curve& curve, double tolerance, const std::function<void(Point)>& put);
 /// The first two axes go along the chains in their order; the tool is lowered and raised by the sequence's
-/// own routines, which stay as they are.
-void draw_chains(const std::vector<Chain>& chains, const Tool& tool, sequence::Sequence& sequence);
+/// own routines, which stay as they are. Returns at which of the sequence's steps each chain begins.
+std::vector<std::size_t> draw_chains(const std::vector<Chain>& chains, const Tool& tool,
+                                     sequence::Sequence& sequence);
 /// Once around it with the tool up, from its lower left corner back to there.
 void draw_frame(const Box& box, const Tool& tool, sequence::Sequence& sequence);
 

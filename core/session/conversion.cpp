@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/drawing/dxf_reader.h"
+#include "core/drawing/dxf_scan.h"
 #include "core/session/user_files.h"
 
 namespace hw {
@@ -100,8 +101,7 @@ double finest_chord(const ConversionOptions& o) {
 
 // Splines and ellipses are flattened as they are read: again, finer, where the file's unit asks for that.
 Result<drawing::Drawing> read_drawing(const std::filesystem::path& path, const ConversionOptions& o) {
-  constexpr std::uintmax_t largest = std::uintmax_t{400} << 20;
-  const auto file = read_file(path, largest);
+  const auto file = read_file(path, drawing::largest_dxf);
   if (!file) return fail(file.error());
   const double finest = finest_chord(o);
   drawing::Tolerance tolerance{finest};
@@ -165,7 +165,7 @@ Result<Conversion> convert(const drawing::Drawing& whole, const Catalog& catalog
   tool.contour_pieces = std::max(1, catalog.contour_size / entries_of_a_piece - 2);
   made.frame = made.sequence;
   drawing::draw_frame(made.box, tool, made.frame);
-  drawing::draw_chains(made.chains, tool, made.sequence);
+  made.begins = drawing::draw_chains(made.chains, tool, made.sequence);
   return made;
 }
 

@@ -33,6 +33,7 @@ struct Conversion {
   sequence::Sequence frame;            ///< once around it with the tool up
   drawing::Affine placed;              ///< from the drawing to the sequence
   std::vector<drawing::Chain> chains;  ///< as they are drawn, in `unit`
+  std::vector<std::size_t> begins;     ///< at which of the sequence's steps each of them begins
   drawing::Box box;
   drawing::Going going = drawing::Going::lines;
   double tolerance = 0;

@@ -175,6 +175,30 @@ TEST(Placing, AContourLeadsInWhereItsToolIsSwitchedOnTheWay) {
   EXPECT_FALSE(std::get<Contour>(s.steps[4].body).ends_ramped);
 }
 
+TEST(Placing, PiecesThatEndOnTheStepWhereTheyBeginAreNotDrawn) {
+  Sequence s;
+  s.axes = {{"X", 10}, {"Y", 10}};
+  Tool tool;
+  tool.going = Going::contours;
+  const auto c = chain({straight({0, 0}, {0.02, 0.01}), straight({0.02, 0.01}, {3, 0}),
+                        quarter({3, 0}, {3, 0.02}, {3, 0.01}, 180), straight({3, 0.02}, {3, 4})});
+  draw_chains({c}, tool, s);
+  EXPECT_EQ(words(s), "up to x0 y0 wait down contour2 wait up");
+  s.steps.clear();
+  draw_chains({chain({quarter({1, 1}, {1, 1}, {1.01, 1}, 360)})}, tool, s);
+  EXPECT_EQ(words(s), "up to x1 y1 wait down up") << "as small as a dot";
+}
+
+// Its centre may be further away than a controller can count.
+TEST(Placing, AnArcThatIsStraightWithinTheToleranceIsALine) {
+  Tool tool;
+  tool.going = Going::arcs;
+  const double flat = 0.001;  // degrees
+  const Point centre{5, 5 / std::tan(flat / 2 / 180 * std::acos(-1))};
+  EXPECT_EQ(drawn({chain({quarter({0, 0}, {10, 0}, centre, flat)})}, tool),
+            "up to x0 y0 wait down to x10 y0 wait up");
+}
+
 TEST(Placing, ALongChainIsSeveralContours) {
   std::vector<Curve> curves;
   for (int n = 0; n < 100; ++n) curves.push_back(straight({double(n), 0}, {double(n + 1), double(n % 2)}));

@@ -2,17 +2,16 @@
 // its tool down.
 #include "core/session/conversion.h"
 
-#include <cmath>
+#include <fstream>
 
 #include <gmock/gmock.h>
 
-#include "core/device/registry.h"
 #include "core/drawing/dxf_reader.h"
+#include "emulator_drawing.h"
 
 namespace hw {
 namespace {
 
-using drawing::Point;
 using testing::HasSubstr;
 
 std::string pairs(std::initializer_list<std::pair<int, std::string_view>> all) {
@@ -57,99 +56,21 @@ drawing::Drawing read() {
   return read ? *read : drawing::Drawing();
 }
 
-double beside(Point p, Point a, Point b) {
-  const double dx = b.x - a.x, dy = b.y - a.y, squares = dx * dx + dy * dy;
-  const double t = squares > 0 ? std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / squares, 0.0, 1.0) : 0;
-  return std::hypot(p.x - a.x - t * dx, p.y - a.y - t * dy);
-}
-
-struct ConversionTest : testing::TestWithParam<const char*> {
-  ConversionTest() : type(*find_device_type(GetParam())), catalog(*type.make_catalog({})) {
-    out = static_cast<int>(catalog.outputs.size()) - 1;  // of a VME58 one that contours switch
-    for (int a : {0, 1}) o.axes.push_back({catalog.axes[static_cast<std::size_t>(a)].name, per_unit});
+struct ConversionTest : testing::TestWithParam<const char*>, EmulatorDrawing {
+  ConversionTest() : EmulatorDrawing(GetParam()) {
     o.layers = {"cut"};
     if (!catalog.can.one_axis_at_a_time) o.layers.push_back("round");  // of a VXM they would not fit
-    o.tolerance = catalog.can.one_axis_at_a_time ? 0.15 : 0.02;
-    o.cutting = {4, 0.5, 100}, o.travel = {8, 0.5, 100};
-    if (type.model == "vxm") o.cutting.low = o.travel.low = 0;
-    o.pen_down = {{sequence::Output{catalog.output_number(ix_of(out)), true}}};
-    o.pen_up = {{sequence::Output{catalog.output_number(ix_of(out)), false}}};
   }
-  static std::size_t ix_of(int n) { return static_cast<std::size_t>(n); }
-  /// Drawn by the emulator.
-  void draw() {
-    const auto converted = convert(read(), catalog, o);
-    ASSERT_TRUE(converted) << converted.error().sentence();
-    made = *converted;
-    const auto text = type.language().write(made.sequence, catalog);
-    ASSERT_TRUE(text) << text.error().sentence();
-    RehearseOptions options;
-    options.track_every_s = 0.001;
-    options.device = catalog.made_from;
-    const auto done = type.language().rehearse(text->text, options);
-    ASSERT_TRUE(done) << done.error().sentence() << "\n" << text->text;
-    ASSERT_TRUE(done->finished) << done->error << "\n" << text->text;
-    rehearsal = *done;
-  }
-  Point at(std::size_t n) const {
-    const auto& p = rehearsal.track[n].position;
-    return {static_cast<double>(p[0]) / per_unit, static_cast<double>(p[1]) / per_unit};
-  }
-  bool down(std::size_t n) const { return (rehearsal.track[n].outputs >> out & 1u) != 0; }
-  /// With the tool down; for a dot that may take no time.
-  double nearest_pass(Point to, bool dot) const {
-    double nearest = 1e9;
-    for (std::size_t n = 1; n < rehearsal.track.size(); ++n)
-      if (dot || down(n) || down(n - 1)) nearest = std::min(nearest, beside(to, at(n - 1), at(n)));
-    return nearest;
-  }
-  /// Some outputs are on when the power comes.
-  std::size_t first_up() const {
-    std::size_t n = 0;
-    while (n < rehearsal.track.size() && down(n)) ++n;
-    return n;
-  }
-  double off_the_drawing(Point p) const {
-    double nearest = 1e9;
-    for (const drawing::Chain& chain : made.chains)
-      for (const drawing::Curve& curve : chain.curves) {
-        Point from = curve.from;
-        drawing::chords(curve, 0.0005, [&](Point to) {
-          nearest = std::min(nearest, beside(p, from, to));
-          from = to;
-        });
-      }
-    return nearest;
-  }
-
-  static constexpr double per_unit = 200;
-  const DeviceType& type;
-  const Catalog catalog;
-  int out;
-  ConversionOptions o;
-  Conversion made;
-  Rehearsal rehearsal;
 };
 INSTANTIATE_TEST_SUITE_P(Every, ConversionTest, testing::Values("vxm", "pmx-4ex-sa", "vme58"),
                          [](const auto& info) { return std::string(info.param).substr(0, 3); });
 
 TEST_P(ConversionTest, TheToolGoesThroughEveryVertexAndNowhereElse) {
-  ASSERT_NO_FATAL_FAILURE(draw());
+  ASSERT_NO_FATAL_FAILURE(draw(read()));
   EXPECT_EQ(made.chains.size(), o.layers.size() == 1 ? 2u : 4u) << "the line and the polyline touch";
-  const double step = 1.5 / per_unit;  // half of one in each axis, and the way between two looks
-  for (const drawing::Chain& chain : made.chains)
-    for (const drawing::Curve& curve : chain.curves) {
-      for (const Point end : {curve.from, curve.to})
-        EXPECT_LE(nearest_pass(end, curve.length() == 0), step) << end.x << ", " << end.y;
-    }
-  int seen = 0;
-  for (std::size_t n = first_up(); n < rehearsal.track.size(); n += 7) {
-    if (!down(n)) continue;
-    ++seen;
-    ASSERT_LE(off_the_drawing(at(n)), *o.tolerance + step) << n << ": " << at(n).x << ", " << at(n).y;
-  }
-  EXPECT_GT(seen, 100);
-  EXPECT_EQ(rehearsal.outputs.at(std::to_string(catalog.output_number(ix_of(out)))), 0) << "the tool is up";
+  expect_every_vertex();
+  expect_nothing_beside();
+  EXPECT_EQ(rehearsal.outputs.at(std::to_string(output_number())), 0) << "the tool is up";
 }
 
 TEST_P(ConversionTest, ADrawingThatLeavesTheTableSaysWhere) {
@@ -176,6 +97,38 @@ TEST_P(ConversionTest, WhatIsMissingIsAskedFor) {
   EXPECT_THAT(convert(none, catalog, o).error().sentence(), HasSubstr("does not say in which unit"));
   o.axes.pop_back();
   EXPECT_THAT(refusal(), HasSubstr("A drawing needs two axes; 1 is given."));
+}
+
+TEST_P(ConversionTest, WhatIsOutOfTheReachOfItsCountersIsRefusedByItsStep) {
+  const auto refusal = [&](drawing::Curve curve) {
+    drawing::Drawing far;
+    far.unit = "mm", far.layers = {{"0", true}};
+    far.paths = {{{curve}, 1, 2, 0}};
+    o.layers.clear();
+    const auto converted = convert(far, catalog, o);
+    EXPECT_TRUE(converted);
+    const auto written = type.language().write(converted->sequence, catalog);
+    return written ? written->text : written.error().sentence();
+  };
+  const double reach = static_cast<double>(catalog.position_max.value) / per_unit;
+  const auto line = drawing::Curve::Kind::line;
+  EXPECT_THAT(refusal({line, {0, 0}, {reach + 1, 0}, {}, 0}),
+              testing::ContainsRegex("[Ss]tep [0-9]+.*goes from"));
+  EXPECT_THAT(refusal({line, {0, 0}, {1e30, 0}, {}, 0}), testing::ContainsRegex("[Ss]tep [0-9]+.*goes from"));
+  if (going_of(catalog) != drawing::Going::arcs) return;
+  const double radius = reach - 2;
+  EXPECT_THAT(refusal({drawing::Curve::Kind::arc, {radius, 0}, {0, radius}, {0, 0}, 90}),
+              HasSubstr("134216773 is the largest"));
+}
+
+TEST(Conversion, AFileOfHalfAGigabyteIsNotRead) {
+  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "large.dxf";
+  std::ofstream(file) << drawing_text();
+  std::filesystem::resize_file(file, 500'000'000);  // of holes
+  const auto drawing = read_drawing(file, {});
+  std::filesystem::remove(file);
+  ASSERT_FALSE(drawing);
+  EXPECT_THAT(drawing.error().sentence(), HasSubstr("large.dxf is larger than 256000 kB"));
 }
 
 TEST_P(ConversionTest, StairsNeedATolerance) {
