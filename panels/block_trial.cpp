@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "core/base/index.h"
+#include "core/device/step_times.h"
 #include "core/device/track_path.h"
 #include "gui/tab.h"
 #include "gui/units_format.h"
@@ -15,25 +16,6 @@ using namespace gui;
 namespace {
 
 constexpr double tried_for_s = 600, block_seen_every_s = 0.02;
-
-/// By step: how long the program was at it, from the event of one command to that of the next.
-std::vector<double> seconds_of(const Rehearsal& r, const std::vector<int>& step_of_command) {
-  std::vector<double> all;
-  int step = -1;
-  double since = 0;
-  const auto until = [&](double t) {
-    if (step >= 0) all[ix(step)] += t - since;
-    since = t;
-  };
-  for (const RehearsedEvent& e : r.events) {
-    if (e.slot != 0 || e.command < 0 || ix(e.command) >= step_of_command.size()) continue;
-    until(e.t);
-    step = step_of_command[ix(e.command)];
-    if (step >= 0 && all.size() <= ix(step)) all.resize(ix(step) + 1, 0);
-  }
-  until(r.duration_s);
-  return all;
-}
 
 }  // namespace
 
@@ -79,7 +61,7 @@ void BlockTrial::take(Frame& f, const Rehearsals::Outcome& outcome) {
   if (!outcome.result) return;
   const Rehearsal& r = *outcome.result;
   const std::vector<int>& steps = tried_->step_of_command;
-  for (const double s : seconds_of(r, steps)) times_.push_back(s > 0 ? fmt::format("{:.1f} s", s) : "");
+  for (const double s : seconds_of_parts(r, steps)) times_.push_back(s > 0 ? fmt::format("{:.1f} s", s) : "");
   ends_ = r.finished;
   total_ = r.finished         ? std::string(format_duration(r.duration_s).view())
            : !r.error.empty() ? r.error

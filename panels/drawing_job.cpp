@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/index.h"
+#include "core/device/step_times.h"
+#include "core/device/track_path.h"
 #include "core/drawing/sequence_path.h"
+#include "core/sequence/steps_in.h"
 #include "gui/console.h"
 #include "gui/tab.h"
 #include "gui/units_format.h"
@@ -15,11 +19,39 @@ namespace {
 
 constexpr double tried_for = 24 * 3600;
 
+/// The chain that each step is of, a step as SequenceText counts them; -1: it stands before all.
+std::vector<int> chains_of_steps(const Conversion& made) {
+  std::vector<int> chains;
+  int chain = -1;
+  for (std::size_t i = 0; i < made.sequence.steps.size(); ++i) {
+    while (ix(chain + 1) < made.begins.size() && made.begins[ix(chain + 1)] <= i) ++chain;
+    const sequence::Step& step = made.sequence.steps[i];
+    const sequence::StepList* inner = steps_in(step);
+    chains.insert(chains.end(), 1 + ix(inner ? count_steps(*inner) : 0), chain);
+  }
+  return chains;
+}
+
+/// The path that the sequence says; each run with its chain.
+std::shared_ptr<const drawing::ToolPath> path_of(const Conversion& made, drawing::Point scale) {
+  drawing::ToolPath path = sequence_path(made.sequence, scale);
+  for (drawing::ToolPath::Run& run : path.runs) {
+    const auto next = std::upper_bound(made.begins.begin(), made.begins.end(),
+                                       static_cast<std::size_t>(std::max(run.source, 0)));
+    run.source = static_cast<int>(next - made.begins.begin()) - 1;
+  }
+  return std::make_shared<const drawing::ToolPath>(std::move(path));
+}
+
 /// All that a drawing becomes. Long.
 Result<DrawingJob::Made> make(const drawing::Drawing& drawing, const Catalog& catalog,
                               const Language& language, const ConversionOptions& options,
-                              drawing::Point scale) {
-  auto converted = convert(drawing, catalog, options);
+                              drawing::Point scale, std::atomic<float>& ordered) {
+  auto converted = convert(drawing, catalog, options, [&](double done) {
+    ordered = static_cast<float>(done);
+    return true;
+  });
+  ordered = 1;
   if (!converted) return fail(converted.error());
   auto written = language.write(converted->sequence, catalog);
   if (!written) return fail(written.error());
@@ -32,15 +64,25 @@ Result<DrawingJob::Made> make(const drawing::Drawing& drawing, const Catalog& ca
     made.pieces = std::make_shared<const Pieces>(std::move(*pieces));
   else
     made.no_pieces = pieces.error().sentence();
-  made.path = std::make_shared<const drawing::ToolPath>(sequence_path(made.conversion.sequence, scale));
-  for (const Problem& p : language.analyse(made.written.text, 0).problems)
+  made.path = path_of(made.conversion, scale);
+  const ProgramReport report = language.analyse(made.written.text, 0);
+  for (const Problem& p : report.problems)
     if (p.error && made.problem.empty()) made.problem = p.sentence;
   if (!made.problem.empty()) return made;
   RehearseOptions rehearse;
   rehearse.device = catalog.made_from;
   rehearse.for_seconds = tried_for;
-  if (const auto done = language.rehearse(made.written.text, rehearse); done && done->finished)
-    made.duration_s = done->duration_s;
+  const auto done = language.rehearse(made.written.text, rehearse);
+  if (!done || !done->finished) return made;
+  made.duration_s = done->duration_s;
+  const std::vector<int> chain_of_step = chains_of_steps(made.conversion);
+  std::vector<int> parts = lines_of_commands(report, 0);
+  for (int& part : parts) {
+    const int step =
+        part >= 0 && ix(part) < made.written.step_of_line.size() ? made.written.step_of_line[ix(part)] : -1;
+    part = step >= 0 && ix(step) < chain_of_step.size() ? chain_of_step[ix(step)] : -1;
+  }
+  made.chain_seconds = seconds_of_parts(*done, parts);
   return made;
 }
 
@@ -72,6 +114,12 @@ void DrawingJob::take(Result<Drawing> read, const std::filesystem::path& file, C
   ++version_;
 }
 
+std::string_view DrawingJob::busy_with() const {
+  if (reading_) return "reading the file";
+  if (!converting_) return {};
+  return *ordered_ < 1 ? "putting it into order" : "rehearsing it";
+}
+
 void DrawingJob::follow(Frame& f, const ConversionOptions& wanted, std::uint64_t version) {
   const Language* language = f.tab.desk().language();
   const auto units = [&](std::size_t axis) {
@@ -79,6 +127,7 @@ void DrawingJob::follow(Frame& f, const ConversionOptions& wanted, std::uint64_t
     const int place = axis < wanted.axes.size() ? f.catalog.find_axis(wanted.axes[axis].name) : -1;
     return steps * from_steps(Steps(1), f.tab.unit(AxisId{static_cast<std::uint8_t>(std::max(0, place))}));
   };
+  if (busy()) f.ui.wake_in(0.1);  // the bar moves
   const drawing::Point scale{units(0), units(1)};
   if (std::exchange(scale_, scale) != scale) old_ = true;
   // What was flattened more coarsely than is wanted now is read again.
@@ -87,19 +136,22 @@ void DrawingJob::follow(Frame& f, const ConversionOptions& wanted, std::uint64_t
   wanted_ = version;
   old_ = false;
   converting_ = true;
-  f.tab.desk().worker().run([drawing = drawing_, catalog = f.catalog, language, wanted,
-                             scale] { return make(*drawing, catalog, *language, wanted, scale); },
-                            [this](Result<Made> made) {
-                              converting_ = false;
-                              ++version_;
-                              if (old_) return;  // of the drawing before
-                              made_.reset(), fault_.clear();
-                              if (made)
-                                made_ = std::make_shared<const Made>(std::move(*made));
-                              else
-                                fault_ = made.error().sentence();
-                            },
-                            alive_);
+  *ordered_ = 0;
+  f.tab.desk().worker().run(
+      [drawing = drawing_, catalog = f.catalog, language, wanted, scale, ordered = ordered_] {
+        return make(*drawing, catalog, *language, wanted, scale, *ordered);
+      },
+      [this](Result<Made> made) {
+        converting_ = false;
+        ++version_;
+        if (old_) return;  // of the drawing before
+        made_.reset(), fault_.clear();
+        if (made)
+          made_ = std::make_shared<const Made>(std::move(*made));
+        else
+          fault_ = made.error().sentence();
+      },
+      alive_);
   f.ui.wake_in(0);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // A drawing file on its way to a program: read, converted, written and rehearsed by the worker, anew whenever
 // what is wanted of it has changed.
+#include <atomic>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -24,7 +25,8 @@ class DrawingJob {
     std::optional<double> duration_s;
     std::shared_ptr<const Pieces> pieces;
     std::string no_pieces;                          ///< why there are none
-    std::shared_ptr<const drawing::ToolPath> path;  ///< in the units of the axes
+    std::vector<double> chain_seconds;              ///< of the chains that the rehearsal has listed
+    std::shared_ptr<const drawing::ToolPath> path;  ///< in the units of the axes; a source is a chain
   };
 
   /// The file is read, and converted as is wanted then.
@@ -40,6 +42,10 @@ class DrawingJob {
   [[nodiscard]] std::shared_ptr<const Made> shared_made() const { return made_; }
   [[nodiscard]] const std::string& fault() const { return fault_; }
   [[nodiscard]] bool busy() const { return reading_ || converting_; }
+  /// What of it is done, from 0 to 1, while it is put into order; 1: that is behind it.
+  [[nodiscard]] float ordered() const { return *ordered_; }
+  /// What it is at; empty: nothing.
+  [[nodiscard]] std::string_view busy_with() const;
   /// Units of the axes in a mm.
   [[nodiscard]] drawing::Point scale() const { return scale_; }
   /// Grows with each result.
@@ -57,6 +63,8 @@ class DrawingJob {
   drawing::Point scale_;
   double read_chord_ = 0;  ///< finest_chord() with which the file was read
   std::uint64_t wanted_ = 0, version_ = 0;
+  /// Set by the worker, which may outlive this.
+  std::shared_ptr<std::atomic<float>> ordered_ = std::make_shared<std::atomic<float>>(0.0f);
   std::shared_ptr<int> alive_ = std::make_shared<int>(0);
 };
 

@@ -113,7 +113,7 @@ void DrawingRun::draw_progress(Frame& f) {
                            ? static_cast<double>(now.step) / static_cast<double>(steps)
                            : static_cast<double>(now.done) / static_cast<double>(now.total);
   gap(f.ui, 8);
-  meter(f.ui, "drawing/progress", "Progress", static_cast<float>(std::min(share, 1.0)),
+  meter(f.ui, "drawing/cut_progress", "Progress", static_cast<float>(std::min(share, 1.0)),
         {.tone = Tone::motion, .old = !now.running, .words = progress_});
   gap(f.ui, 4);
   wrapped(f.ui, Face::small, Tone::ink2, progress_);

@@ -1,7 +1,7 @@
 #pragma once
 // The drawing on the machine: cut in pieces that fit into the controller, held, stopped, and gone on with
 // from the start of what was being drawn then. Ids: `drawing/cut`, `drawing/cut_on`, `drawing/hold`,
-// `drawing/stop`, `drawing/progress`, `drawing/ask_cut`.
+// `drawing/stop`, `drawing/cut_progress`, `drawing/ask_cut`.
 #include <memory>
 #include <string>
 #include <string_view>

@@ -11,6 +11,7 @@
 #include "gui/units_format.h"
 #include "gui/widgets/button.h"
 #include "gui/widgets/message.h"
+#include "gui/widgets/slider.h"
 #include "gui/widgets/text.h"
 #include "panels/lines.h"
 #include "panels/measures.h"
@@ -20,7 +21,7 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-constexpr float drawing_side = 288, both_width = 620;
+constexpr float drawing_side = 288, both_width = 620, both_height = 480, chains_height = 200;
 constexpr std::size_t most_left_out = 40;
 
 std::string in_mm(double v) { return fmt::format("{} mm", format_number(v, 1).view()); }
@@ -38,8 +39,21 @@ void DrawingTab::draw(Frame& f) {
   const float height = (f.ui.px(f.area.bottom()) - top.y) / f.ui.scale;
   const bool side = f.area.width >= both_width;
   const float width = f.area.width - (side ? drawing_side : 0);
+  settings_ = settings_ && !side;
+  if (!settings_) draw_picture(f, width, height);
+  if (side || settings_) {
+    ImGui::SetCursorScreenPos(ImVec2(f.ui.px(f.area.x + (side ? width : 0)), top.y));
+    draw_side(f, height);
+  }
+  draw_dialogs(f);
+}
+
+/// And below it the chains, where there is room for both.
+void DrawingTab::draw_picture(Frame& f, float width, float height) {
+  const DrawingJob::Made* made = job_.made();
+  const bool table = made && height >= both_height;
   PathSubject subject;
-  if (const DrawingJob::Made* made = job_.made()) subject.path = made->path;
+  if (made) subject.path = made->path;
   subject.none = job_.busy()      ? "It is being worked out."
                  : job_.drawing() ? "Nothing of it can be drawn as it is wanted."
                                   : "Open a DXF file, or let one fall on the window.";
@@ -47,19 +61,18 @@ void DrawingTab::draw(Frame& f) {
     return AxisId{static_cast<std::uint8_t>(options_.axes()[direction])};
   };
   if (f.catalog.axes.size() > 1) subject.right = axis(0), subject.up = axis(1);
-  if (const auto& table = options_.wanted().table) {
+  if (const auto& limits = options_.wanted().table) {
     const drawing::Point scale = job_.scale();
-    subject.table.add({table->low.x * scale.x, table->low.y * scale.y});
-    subject.table.add({table->high.x * scale.x, table->high.y * scale.y});
+    subject.table.add({limits->low.x * scale.x, limits->low.y * scale.y});
+    subject.table.add({limits->high.x * scale.x, limits->high.y * scale.y});
   }
-  settings_ = settings_ && !side;
-  if (!settings_) canvas_.draw(f, "drawing/view", subject, width, height);
-  take_origin();
-  if (side || settings_) {
-    ImGui::SetCursorScreenPos(ImVec2(f.ui.px(f.area.x + (side ? width : 0)), top.y));
-    draw_side(f, height);
-  }
-  draw_dialogs(f);
+  if (table) subject.lit = chains_table_.chosen();
+  const ImVec2 top = ImGui::GetCursorScreenPos();
+  canvas_.draw(f, "drawing/view", subject, width, height - (table ? chains_height : 0));
+  take_click();
+  if (!table) return;
+  ImGui::SetCursorScreenPos(ImVec2(top.x, top.y + f.ui.px(height - chains_height)));
+  chains_table_.draw(f, *job_.drawing(), made->conversion, made->chain_seconds, width, chains_height);
 }
 
 void DrawingTab::open(Frame& f, const std::filesystem::path& path) {
@@ -104,11 +117,14 @@ void DrawingTab::to_blocks(Frame& f) {
   f.show_panel("blocks");
 }
 
-/// What was clicked lies at 0, 0 from now on.
-void DrawingTab::take_origin() {
-  const auto& place = canvas_.clicked_place();
+/// What was clicked lies at 0, 0 from now on, or is the chain that is chosen.
+void DrawingTab::take_click() {
   const DrawingJob::Made* made = job_.made();
-  if (!place || !made || job_.busy() || !options_.wants_origin()) return;
+  if (!made || job_.busy()) return;
+  if (const auto& hit = canvas_.clicked(); hit && !options_.wants_origin())
+    chains_table_.choose(made->path->runs[hit->run].source);
+  const auto& place = canvas_.clicked_place();
+  if (!place || !options_.wants_origin()) return;
   const drawing::Point scale = job_.scale();
   options_.set_origin(made->conversion.placed.undone({place->x / scale.x, place->y / scale.y}));
 }
@@ -183,7 +199,12 @@ void DrawingTab::draw_side(Frame& f, float height) {
 
 void DrawingTab::draw_facts(Frame& f) {
   Ui& ui = f.ui;
-  section_title(ui, "Time", job_.busy() ? "working it out" : "");
+  section_title(ui, "Time", job_.busy_with());
+  // Always there: what is to be clicked below must not move while something is worked out.
+  const float share = job_.busy() ? job_.ordered() : job_.made() ? 1.0f : 0.0f;
+  meter(ui, "drawing/progress", "Done", share,
+        {.tone = job_.busy() ? Tone::motion : Tone::ink2, .words = job_.busy_with()});
+  gap(ui, 8);
   const DrawingJob::Made* made = job_.made();
   const std::string& wrong = made ? made->problem : job_.fault();
   if (!wrong.empty()) {

@@ -1,13 +1,14 @@
 #pragma once
 // A drawing file: what it shows, where it comes to lie, what the tool does along it, and the program that
 // comes of it. Ids: `drawing/open`, `drawing/to_blocks`, `drawing/to_program`, `drawing/frame`,
-// `drawing/off`, `drawing/fit`, `drawing/settings`, `drawing/view`, `drawing/problem`, `drawing/time`,
-// `drawing/left_out`; the settings: see DrawingOptions; cutting it: see DrawingRun.
+// `drawing/off`, `drawing/fit`, `drawing/settings`, `drawing/view`, `drawing/problem`, `drawing/progress`,
+// `drawing/time`, `drawing/left_out`; the settings: see DrawingOptions; cutting it: see DrawingRun.
 #include <filesystem>
 #include <string>
 
 #include "gui/panel.h"
 #include "gui/widgets/file_dialog.h"
+#include "panels/drawing_chains.h"
 #include "panels/drawing_job.h"
 #include "panels/drawing_options.h"
 #include "panels/drawing_run.h"
@@ -23,6 +24,7 @@ class DrawingTab final : public gui::Panel {
   void open(gui::Frame& frame, const std::filesystem::path& path);
   void say();
   void draw_toolbar(gui::Frame& frame);
+  void draw_picture(gui::Frame& frame, float width, float height);
   void draw_side(gui::Frame& frame, float height);
   void draw_facts(gui::Frame& frame);
   void draw_run(gui::Frame& frame);
@@ -31,13 +33,14 @@ class DrawingTab final : public gui::Panel {
   void to_blocks(gui::Frame& frame);
   void ask_or_put(gui::Frame& frame, std::string text);
   void put(gui::Frame& frame);
-  void take_origin();
+  void take_click();
   [[nodiscard]] std::string_view why_not() const;
 
   DrawingJob job_;
   DrawingOptions options_;
   DrawingRun run_;
   PathCanvas canvas_;
+  DrawingChains chains_table_;
   gui::FileDialog open_;
   std::uint64_t said_ = ~std::uint64_t{0};  ///< DrawingJob::version() that the words are of
   std::string time_, drawn_, travel_, saved_, size_, chains_, left_out_title_;

@@ -74,6 +74,51 @@ TEST_F(DrawingTabTest, LayersScaleAndToolChangeTheProgram) {
   EXPECT_THAT(text, HasSubstr("X4000Y2000"));
 }
 
+TEST_F(DrawingTabTest, AnAxisLowersTheToolAndAnOutputSwitchesItThen) {
+  drop();
+  two_hundred_pulses_in_a_mm();
+  s.click("drawing/tool_axis");
+  EXPECT_FALSE(s.stage.find("drawing/tool_axis/X")) << "it draws";
+  s.click("drawing/tool_axis/Z");
+  s.type("drawing/tool_axis/per_unit", "100");
+  s.type("drawing/tool_axis/down", "-2");
+  s.type("drawing/tool_axis/up", "3.5");
+  s.type("drawing/wait_on", "250");
+  s.click("drawing/tool");
+  s.click("drawing/tool/DO2");
+  s.stage.frames(6);
+  s.click("drawing/to_program");
+  const std::string text = s.tab.desk().texts.text(0);
+  std::size_t at = 0;
+  for (const char* part :
+       {"SUB 1", "DO2=0", "Z350", "WAITZ", "SUB 2", "Z-200", "WAITZ", "DO2=1", "DELAY=250"}) {
+    at = text.find(part, at);
+    ASSERT_NE(at, std::string::npos) << part << " in its turn in " << text;
+  }
+  s.click("drawing/along_y");
+  s.click("drawing/along_y/Z");
+  s.stage.frames(6);
+  EXPECT_FALSE(s.stage.find("drawing/tool_axis/down")) << "Z draws now";
+}
+
+TEST_F(DrawingTabTest, TheChainsAreListedInTheirOrder) {
+  drop();
+  two_hundred_pulses_in_a_mm();
+  s.stage.frames(6);
+  EXPECT_THAT(s.value("drawing/chain/1"), HasSubstr("30.0 mm, 14.1 mm to it")) << "the corner, from 10, 10";
+  EXPECT_THAT(s.value("drawing/chain/2"), HasSubstr("12.6 mm"));
+  EXPECT_THAT(s.value("drawing/chain/2"), testing::Not(HasSubstr("?"))) << "it has been rehearsed";
+  EXPECT_FALSE(s.stage.find("drawing/chain/3"));
+}
+
+TEST_F(DrawingTabTest, ABarTellsHowFarItIs) {
+  s.tab.desk().dropped["drawing"].push_back(file);
+  s.stage.frames(1);
+  EXPECT_NE(s.value("drawing/progress"), "");
+  s.stage.frames(6);
+  EXPECT_EQ(s.value("drawing/progress"), "") << "it is done";
+}
+
 TEST_F(DrawingTabTest, WhatIsNoNumberIsNoScale) {
   drop();
   two_hundred_pulses_in_a_mm();
