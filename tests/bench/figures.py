@@ -128,6 +128,19 @@ def path():
     row("a path of a million lines, sharp again", f"{sharp:.0f} ms", "within 150 ms", sharp < 150)
 
 
+def drawing():
+    lines = bench("drawing_", 5)
+    for kind, what in ((0, "lines"), (1, "curves of all kinds")):
+        read, parsed = (lines[f"{name}/mixed:{kind}"]["cpu_time"] for name in ("drawing_read", "drawing_parsed_by_dxflib"))
+        row(f"a drawing of 100,000 {what} read", f"{read:.0f} ms = {read / parsed:.2f} x dxflib's own parse", "at most 1.5 x",
+            read / parsed <= 1.5)
+    for kind, what in enumerate(("open ones", "open ones, one far away", "rings", "all on one line")):
+        line = lines[f"drawing_ordered/kind:{kind}"]
+        row(f"20,000 chains ordered: {what}",
+            f"{line['cpu_time']:.0f} ms, way {100 * line['way']:.1f} %, {line['reports']:.0f} reports, {line['longest_silence_ms']:.0f} ms apart at most",
+            "under 2,000 ms", line["cpu_time"] < 2000)
+
+
 def terminal():
     for name, line in sorted(bench("traffic_into").items(), key=lambda i: int(i[0].split("/")[1])):
         rate = line["bytes_per_second"] / 1e6
@@ -208,7 +221,7 @@ def window():
 
 
 FIGURES = {"wire": wire, "poll": poll, "stop": stop, "emulation": emulation, "language": language, "bus": bus, "board": board,
-           "frame": frame, "path": path, "terminal": terminal, "window": window}
+           "frame": frame, "path": path, "drawing": drawing, "terminal": terminal, "window": window}
 
 if __name__ == "__main__":
     wanted = sys.argv[1:]
