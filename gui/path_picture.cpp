@@ -10,6 +10,7 @@ namespace {
 
 using drawing::PathView;
 using drawing::Point;
+using drawing::Point3;
 using drawing::ToolPath;
 
 /// How much of each pixel lines cover, of 255: what lies over itself covers no more than once.
@@ -118,7 +119,7 @@ class Stroke {
   Stroke(const PathView& view, Coverage& coverage, double arrow_every, double arrow)
       : view_(view), coverage_(coverage), arrow_every_(arrow_every), arrow_(arrow) {}
   /// `points`: of the path; a run that goes on where the one before ended draws on.
-  void run(const std::vector<Point>& points, const ToolPath::Run& run) {
+  void run(const std::vector<Point3>& points, const ToolPath::Run& run) {
     constexpr double apart = 0.35;
     if (run.first != end_) {
       lift();

@@ -314,8 +314,7 @@ void Contour::draw_preview(Frame& f, float width, float height) {
     PathSubject subject;
     subject.path = path_;
     subject.none = "Nothing to draw yet.";
-    subject.right = AxisId{static_cast<std::uint8_t>(first_)};
-    subject.up = AxisId{static_cast<std::uint8_t>(second_)};
+    subject.axes = {AxisId{static_cast<std::uint8_t>(first_)}, AxisId{static_cast<std::uint8_t>(second_)}};
     subject.words = facts_;
     return canvas_.draw(f, "contour/view", subject, width, height);
   }

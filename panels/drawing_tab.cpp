@@ -60,11 +60,11 @@ void DrawingTab::draw_picture(Frame& f, float width, float height) {
   const auto axis = [&](std::size_t direction) {
     return AxisId{static_cast<std::uint8_t>(options_.axes()[direction])};
   };
-  if (f.catalog.axes.size() > 1) subject.right = axis(0), subject.up = axis(1);
+  if (f.catalog.axes.size() > 1) subject.axes = {axis(0), axis(1)};
   if (const auto& limits = options_.wanted().table) {
     const drawing::Point scale = job_.scale();
-    subject.table.add({limits->low.x * scale.x, limits->low.y * scale.y});
-    subject.table.add({limits->high.x * scale.x, limits->high.y * scale.y});
+    subject.table.add(drawing::Point3(limits->low.x * scale.x, limits->low.y * scale.y));
+    subject.table.add(drawing::Point3(limits->high.x * scale.x, limits->high.y * scale.y));
   }
   if (table) subject.lit = chains_table_.chosen();
   const ImVec2 top = ImGui::GetCursorScreenPos();

@@ -1,19 +1,14 @@
 #pragma once
-// The path: where the rehearsed program goes in two axes, and where they have really been. Ids:
-// `path/simulate`, `path/right`, `path/up`, `path/tool`, `path/fit`, `path/nearer`, `path/further`,
-// `path/forget`, `path/save`, `path/view`, `path/hit`, `path/measure`, `path/show_line`.
-#include <filesystem>
-#include <memory>
+// The path: where the rehearsed program goes in two or three axes, and where they have really been. Ids:
+// `path/simulate`, `path/fit`, `path/nearer`, `path/further`, `path/forget`, `path/save`, `path/view`,
+// `path/hit`, `path/measure`, `path/show_line`; the axes: see PathChoice.
 #include <string>
-#include <string_view>
-#include <vector>
 
-#include "core/device/track_path.h"
-#include "gui/desk.h"
 #include "gui/panel.h"
-#include "gui/units_format.h"
-#include "gui/widgets/file_dialog.h"
 #include "panels/path_canvas.h"
+#include "panels/path_choice.h"
+#include "panels/path_export.h"
+#include "panels/program_path.h"
 
 namespace hw::panels {
 
@@ -22,37 +17,27 @@ class ToolPath final : public gui::Panel {
   void draw(gui::Frame& frame) override;
 
  private:
-  /// What the path was made of: made anew when it differs.
-  struct Made {
-    int rehearsal = 0, slot = -1;
-    TrackAxes axes;
-    bool operator==(const Made&) const = default;
+  /// A line of the rehearsed text, and what is said of it or of what was clicked.
+  struct Hit {
+    int line = -1;
+    std::string words;
   };
-  void make(const gui::Frame& frame);
-  void work_out(gui::Frame& frame);
-  void take(std::shared_ptr<const drawing::ToolPath> path, const gui::DisplayUnit& right,
-            const gui::DisplayUnit& up);
-  [[nodiscard]] std::string place_text(const gui::Frame& frame, drawing::Point place) const;
+  [[nodiscard]] std::string place_text(const gui::Frame& frame, drawing::Point3 place) const;
   void say_hit(gui::Frame& frame);
   void say_measure(const gui::Frame& frame);
   void follow_caret(const gui::Frame& frame);
-  [[nodiscard]] int lit_line(const gui::Frame& frame) const;
   void draw_toolbar(gui::Frame& frame);
-  void draw_choices(gui::Frame& frame, float top);
   void draw_legend(gui::Frame& frame, float height);
   void draw_hit(gui::Frame& frame, float width);
-  void save(gui::Frame& frame, const std::filesystem::path& file);
+  void draw_dialogs(gui::Frame& frame);
+  void draw_hit_links(gui::Frame& frame, float& right_px, float y_px);
 
-  std::vector<std::string_view> axis_names_, tool_names_;
-  int right_ = 0, up_ = 1, tool_ = 0;  ///< tool: 0 none, else output tool_ - 1
-  Made made_;
-  std::shared_ptr<const drawing::ToolPath> path_;
-  std::vector<int> line_of_command_;
-  std::string size_, way_on_, way_off_, time_, hit_;
-  int hit_line_ = -1, caret_line_ = -1;
+  PathChoice choice_;
+  ProgramPath program_;
   PathCanvas canvas_;
-  gui::FileDialog save_;
-  std::shared_ptr<int> alive_ = std::make_shared<int>(0);
+  PathExport export_;
+  Hit hit_;
+  int caret_line_ = -1;
 };
 
 }  // namespace hw::panels

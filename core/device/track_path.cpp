@@ -27,11 +27,11 @@ class LineAtTime {
   int line_ = -1;
 };
 
-drawing::Point point_of(const RehearsedPlace& place, const TrackAxes& axes) {
+drawing::Point3 point_of(const RehearsedPlace& place, const TrackAxes& axes) {
   const auto at = [&place](const TrackAxes::Axis& axis) {
     return static_cast<double>(place.position[ix(axis.place)]) * axis.units_per_step;
   };
-  return {at(axes.right), at(axes.up)};
+  return {at(axes.right), at(axes.up), axes.third ? at(*axes.third) : 0};
 }
 
 }  // namespace
@@ -45,7 +45,7 @@ drawing::ToolPath track_path(const Rehearsal& rehearsal, const TrackAxes& axes, 
   };
   for (std::size_t i = 1; i < rehearsal.track.size(); ++i) {
     const RehearsedPlace &from = rehearsal.track[i - 1], &to = rehearsal.track[i];
-    const drawing::Point a = point_of(from, axes), b = point_of(to, axes);
+    const drawing::Point3 a = point_of(from, axes), b = point_of(to, axes);
     if (a == b) continue;
     path.go(a, b, tool_on(from), lines.before(to.t));
   }

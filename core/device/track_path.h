@@ -1,5 +1,6 @@
 #pragma once
-// The track of a rehearsal as the way of a tool in two of its axes.
+// The track of a rehearsal as the way of a tool in two or three of its axes.
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct TrackAxes {
     bool operator==(const Axis&) const = default;
   };
   Axis right, up;
+  std::optional<Axis> third = {};
   int tool_output = -1;  ///< bit of RehearsedPlace::outputs that switches the tool; -1: none, it is always on
   bool operator==(const TrackAxes&) const = default;
 };

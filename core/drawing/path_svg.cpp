@@ -12,7 +12,7 @@ bool known_to_svg(std::string_view unit) { return unit == "mm" || unit == "cm" |
 }  // namespace
 
 std::string path_svg(const ToolPath& path, std::string_view unit) {
-  const Box& box = path.bounds;
+  const Box3& box = path.bounds;
   const double width = box.high.x - box.low.x, height = box.high.y - box.low.y;
   const double air = std::max({width, height, 1e-6}) * 0.02;
   const double w = width + 2 * air, h = height + 2 * air;

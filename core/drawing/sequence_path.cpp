@@ -1,5 +1,6 @@
 #include "core/drawing/sequence_path.h"
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -12,8 +13,10 @@ namespace {
 constexpr double chord_of_radius = 1e-4;
 
 class Walk {
+  using Places = std::array<double, max_axes>;
+
  public:
-  explicit Walk(Point scale) : scale_(scale) {}
+  explicit Walk(const SequenceAxes& axes) : axes_(axes), at_(axes.begin) {}
 
   void steps(const sequence::StepList& list, int source) {
     for (std::size_t i = 0; i < list.size(); ++i) {
@@ -30,22 +33,23 @@ class Walk {
   void take(const sequence::Pen& pen) { tool_on_ = pen.down; }
   void take(const sequence::Repeat& loop) { steps(loop.steps, source_); }
   void take(const sequence::Move& m) {
-    const auto to = [&m](std::size_t axis, double from) {
-      return !m.to[axis] ? from : m.relative ? from + *m.to[axis] : *m.to[axis];
-    };
-    go({to(0, at_.x), to(1, at_.y)});
+    Places to = at_;
+    for (std::size_t a = 0; a < to.size(); ++a)
+      if (m.to[a]) to[a] = m.relative ? to[a] + *m.to[a] : *m.to[a];
+    go(to);
   }
   void take(const sequence::Arc& a) {
-    const double radius = std::hypot(at_.x - a.x, at_.y - a.y);
-    const Curve curve{Curve::Kind::arc, at_, {}, {a.x, a.y}, a.degrees};
-    if (radius > 0) chords(with_end(curve), radius * chord_of_radius, [this](Point to) { go(to); });
+    const double radius = std::hypot(at_[0] - a.x, at_[1] - a.y);
+    const Curve curve{Curve::Kind::arc, {at_[0], at_[1]}, {}, {a.x, a.y}, a.degrees};
+    if (radius > 0) chords(with_end(curve), radius * chord_of_radius, [this](Point to) { go(in_plane(to)); });
   }
   void take(const sequence::Contour& c) {
-    const ToolPath part = contour_path(c, scale_);
+    const ToolPath part = contour_path(c, {1, 1});
+    const auto place = [this](Point3 p) { return in_plane({p.x, p.y}); };
     for (const ToolPath::Run& run : part.runs)
       for (std::size_t i = run.first + 1; i < run.first + run.size; ++i)
-        path.go(part.points[i - 1], part.points[i], run.tool_on, source_);
-    if (!part.points.empty()) at_ = {part.points.back().x / scale_.x, part.points.back().y / scale_.y};
+        path.go(seen(place(part.points[i - 1])), seen(place(part.points[i])), run.tool_on, source_);
+    if (!part.points.empty()) at_ = place(part.points.back());
   }
   static Curve with_end(Curve curve) {
     const double turn = curve.degrees / 180 * std::numbers::pi;
@@ -54,14 +58,24 @@ class Walk {
                 curve.centre.y + x * std::sin(turn) + y * std::cos(turn)};
     return curve;
   }
-  void go(Point to) {
-    if (to != at_) path.go(scaled(at_), scaled(to), tool_on_, source_);
+  void go(const Places& to) {
+    const Point3 a = seen(at_), b = seen(to);
+    if (a != b) path.go(a, b, tool_on_, source_);
     at_ = to;
   }
-  [[nodiscard]] Point scaled(Point p) const { return {p.x * scale_.x, p.y * scale_.y}; }
+  /// Arcs and contours are of the first two axes.
+  [[nodiscard]] Places in_plane(Point p) const {
+    Places to = at_;
+    to[0] = p.x, to[1] = p.y;
+    return to;
+  }
+  [[nodiscard]] Point3 seen(const Places& at) const {
+    const auto on = [&at](int axis) { return axis < 0 ? 0 : at[static_cast<std::size_t>(axis)]; };
+    return {on(axes_.right) * axes_.scale.x, on(axes_.up) * axes_.scale.y, on(axes_.third) * axes_.scale.z};
+  }
 
-  const Point scale_;
-  Point at_;
+  const SequenceAxes axes_;
+  Places at_;
   bool tool_on_ = false;
   int source_ = -1;
 };
@@ -77,8 +91,8 @@ bool has_pen(const sequence::StepList& list) {
 
 }  // namespace
 
-ToolPath sequence_path(const sequence::Sequence& sequence, Point scale) {
-  Walk walk(scale);
+ToolPath sequence_path_in(const sequence::Sequence& sequence, const SequenceAxes& axes) {
+  Walk walk(axes);
   if (!has_pen(sequence.steps)) {  // no tool is spoken of: all of it is work
     sequence::StepList steps = sequence.steps;
     steps.insert(steps.begin(), {sequence::Pen{true}});

@@ -7,24 +7,29 @@ namespace hw::drawing {
 namespace {
 
 /// Whether c goes on from b as b came from a: beside the line by no more than a millionth of the way.
-bool straight_on(Point a, Point b, Point c) {
-  const double ux = b.x - a.x, uy = b.y - a.y, vx = c.x - b.x, vy = c.y - b.y;
-  const double along = ux * vx + uy * vy;
-  return along > 0 && std::fabs(ux * vy - uy * vx) <= 1e-6 * along;
+bool straight_on(Point3 a, Point3 b, Point3 c) {
+  const Point3 u = b - a, v = c - b;
+  const double along = dot(u, v);
+  const Point3 aside{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
+  return along > 0 && dot(aside, aside) <= 1e-12 * along * along;
 }
 
-/// The point of a line that lies nearest to p.
-Point nearest_on(Point a, Point b, Point p) {
+/// How far along a line, from 0 to 1, its point lies that is nearest to p.
+double nearest_on(Point a, Point b, Point p) {
   const double dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
-  if (square == 0) return a;
-  const double t = std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / square, 0.0, 1.0);
-  return {a.x + t * dx, a.y + t * dy};
+  return square == 0 ? 0 : std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / square, 0.0, 1.0);
+}
+
+/// What lies so far along the picture of a line: its far half is shorter there than its near one.
+Point3 on_line(Point3 a, Point3 b, double along_px, const PathView& view) {
+  const double at_a = view.projection().depth(a), at_b = view.projection().depth(b);
+  return a + (b - a) * (along_px * at_a / ((1 - along_px) * at_b + along_px * at_a));
 }
 
 }  // namespace
 
-void ToolPath::go(Point from, Point to, bool tool_on, int source) {
-  (tool_on ? way_on : way_off) += std::hypot(to.x - from.x, to.y - from.y);
+void ToolPath::go(Point3 from, Point3 to, bool tool_on, int source) {
+  (tool_on ? way_on : way_off) += length(to - from);
   bounds.add(from), bounds.add(to);
   const bool joins = !points.empty() && points.back() == from;
   if (!joins) points.push_back(from);
@@ -40,40 +45,6 @@ void ToolPath::go(Point from, Point to, bool tool_on, int source) {
   ++runs.back().size;
 }
 
-PathView::PathView(const Box& box, double width_px, double height_px, bool equal)
-    : width_px_(std::max(width_px, 1.0)), height_px_(std::max(height_px, 1.0)) {
-  constexpr double air = 0.06;
-  if (box.empty) return;
-  centre_ = {(box.low.x + box.high.x) / 2, (box.low.y + box.high.y) / 2};
-  const double whole = std::max({box.high.x - box.low.x, box.high.y - box.low.y, 1e-9});
-  const auto shown = [&](double size, double px) {
-    return std::max(size, equal ? 1e-9 : whole * 1e-3) * (1 + 2 * air) / px;
-  };
-  per_px_ = {shown(box.high.x - box.low.x, width_px_), shown(box.high.y - box.low.y, height_px_)};
-  if (equal) per_px_.x = per_px_.y = std::max(per_px_.x, per_px_.y);
-}
-
-void PathView::pan(double right_px, double down_px) {
-  centre_.x -= right_px * per_px_.x;
-  centre_.y += down_px * per_px_.y;
-}
-
-void PathView::zoom(Point about_px, double factor) {
-  const Point kept = from_px(about_px);
-  const double least = 1e-12 * std::max({std::fabs(centre_.x), std::fabs(centre_.y), 1e-3});
-  const double smaller = std::min(per_px_.x, per_px_.y) / factor;
-  if (!(factor > 0) || smaller < least || std::max(per_px_.x, per_px_.y) / factor > 1e12) return;
-  per_px_ = {per_px_.x / factor, per_px_.y / factor};
-  const Point there = from_px(about_px);
-  centre_ = {centre_.x + kept.x - there.x, centre_.y + kept.y - there.y};
-}
-
-void PathView::resize(double width_px, double height_px) {
-  const double smaller = std::min(std::max(width_px, 1.0) / width_px_, std::max(height_px, 1.0) / height_px_);
-  width_px_ = std::max(width_px, 1.0), height_px_ = std::max(height_px, 1.0);
-  per_px_ = {per_px_.x / smaller, per_px_.y / smaller};
-}
-
 std::optional<PathHit> nearest(const ToolPath& path, const PathView& view, Point px, double within_px) {
   std::optional<PathHit> best;
   double least = within_px;
@@ -85,14 +56,52 @@ std::optional<PathHit> nearest(const ToolPath& path, const PathView& view, Point
       const bool far = std::min(a.x, b.x) > px.x + least || std::max(a.x, b.x) < px.x - least ||
                        std::min(a.y, b.y) > px.y + least || std::max(a.y, b.y) < px.y - least;
       if (!far) {
-        const Point on = nearest_on(a, b, px);
-        const double distance = std::hypot(on.x - px.x, on.y - px.y);
-        if (distance <= least) least = distance, best = PathHit{r, view.from_px(on)};
+        const double t = nearest_on(a, b, px);
+        const double distance = std::hypot(a.x + t * (b.x - a.x) - px.x, a.y + t * (b.y - a.y) - px.y);
+        if (distance <= least)
+          least = distance, best = PathHit{r, on_line(path.points[i - 1], path.points[i], t, view)};
       }
       a = b;
     }
   }
   return best;
+}
+
+namespace {
+
+/// Ends when it has become longer than `most_points`.
+ToolPath with_gaps_of(double gap, const ToolPath& path, std::size_t most_points) {
+  ToolPath few;
+  Point3 at;
+  std::size_t end = path.points.size();  // of the run before; of none yet
+  for (const ToolPath::Run& run : path.runs) {
+    if (run.first != end) at = path.points[run.first];
+    end = run.first + run.size - 1;
+    for (std::size_t i = run.first + 1; i <= end; ++i) {
+      if (length(path.points[i] - at) < gap) continue;
+      few.go(at, path.points[i], run.tool_on, -1);
+      at = path.points[i];
+    }
+    if (few.points.size() > most_points) break;
+  }
+  return few;
+}
+
+}  // namespace
+
+ToolPath coarser(const ToolPath& path, std::size_t most_points) {
+  double gap = length(path.bounds.size()) / 1000;
+  for (;; gap *= 2) {
+    ToolPath few = with_gaps_of(gap, path, most_points);
+    if (few.points.size() <= most_points || !(gap > 0)) return few;
+  }
+}
+
+ToolPath flattened(const ToolPath& path, const Projection& projection) {
+  ToolPath flat = path;
+  flat.bounds = {};
+  for (Point3& p : flat.points) flat.bounds.add(p = projection.on_plane(p));
+  return flat;
 }
 
 }  // namespace hw::drawing

@@ -67,6 +67,24 @@ TEST(PathPicture, ArrowsTellTheDirection) {
   EXPECT_EQ(before, 0);
 }
 
+TEST(PathPicture, InPerspectiveLinesStandWhereTheViewSays) {
+  drawing::ToolPath path;
+  path.go({0, 0, 0}, {100, 0, 0}, true, 0);
+  path.go({100, 0, 0}, {100, 80, 60}, false, 0);
+  const drawing::PathView view(path.bounds, drawing::Projection(path.bounds, drawing::looking::iso, true),
+                               200, 200, true);
+  const Picture picture = path_picture(std::array{PathLayer{&path, {crimson, grey, 2, 2, 0, 0}}}, view);
+  const auto alpha = [&](drawing::Point3 p) {
+    const drawing::Point px = view.to_px(p);
+    return picture.pixels[static_cast<std::size_t>(static_cast<int>(px.y) * 200 + static_cast<int>(px.x))] >>
+               IM_COL32_A_SHIFT &
+           255;
+  };
+  EXPECT_GT(alpha({30, 0, 0}), 150u);
+  EXPECT_GT(alpha({100, 40, 30}), 150u);
+  EXPECT_EQ(alpha({50, 60, 0}), 0u);
+}
+
 TEST(PathPicture, WhatReachesFarBeyondIsCutAtTheEdge) {
   drawing::ToolPath path;
   path.go({-1e12, 50}, {1e12, 50}, true, 0);

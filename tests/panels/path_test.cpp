@@ -104,8 +104,12 @@ TEST_F(PathTest, ArrowsWithAltMoveTheViewAndJogNothing) {
   ASSERT_TRUE(s.stage.hand.key("shift+Tab"));  // the ring shows where keys go
   ASSERT_TRUE(s.stage.hand.key("alt+right"));
   s.stage.frames(2);
-  s.click_at(in_view(half - 40, 0));
+  const std::string before = s.value("path/hit");
+  s.stage.now_s += 1;
+  s.stage.frames(1);
+  s.click_at(in_view(half - 40, -half / 2));
   EXPECT_THAT(s.value("path/hit"), HasSubstr("Line 2"));
+  EXPECT_NE(s.value("path/hit"), before) << "a hit of its own, further up";
   EXPECT_TRUE(s.sent.empty());
 }
 

@@ -52,21 +52,32 @@ TEST(TrackPath, APmxGoesStraightWithTheToolThatItsOutputSwitches) {
   EXPECT_NEAR(path.bounds.high.x, 4, 1e-9);
   EXPECT_NEAR(path.bounds.high.y, 1, 1e-9);
   for (const auto& run : path.runs) {
-    const drawing::Point a = path.points[run.first], b = path.points[run.first + run.size - 1];
+    const drawing::Point3 a = path.points[run.first], b = path.points[run.first + run.size - 1];
     const int line = b.x < a.x ? 10 : a.x < 2 - 1e-3 ? 4 : 7;
     EXPECT_EQ(run.source, line) << a.x << " to " << b.x;
     EXPECT_EQ(run.tool_on, line == 7);
   }
 }
 
+TEST(TrackPath, AThirdAxisGoesIntoTheDepth) {
+  TrackAxes axes = first_two();
+  axes.third = TrackAxes::Axis{2, 0.01};
+  const auto path =
+      path_of("pmx-4ex-sa",
+              "ABS\nHSPD=5000\nLSPD=100\nACC=100\nX2000Y1000\nWAITX\nZ-300\nWAITZ\nX0Y0\nWAITX\nEND\n", axes);
+  EXPECT_EQ(path.bounds.low, (drawing::Point3{0, 0, -3}));
+  EXPECT_EQ(path.points.back(), (drawing::Point3{0, 0, -3}));
+  EXPECT_NEAR(path.way_on, 2 * std::hypot(2000, 1000) + 3, 5);
+}
+
 TEST(TrackPath, AContourOfABoardIsRoundFromItsBeginOn) {
   const auto path = path_of(
       "vme58", "AA\nVL1000,1000;\nMT1000,0; GO\nWA\nCV500;\nCD1000,0;\nCR0,0,6.283185307;\nCK\nCX\nWA\n",
       first_two());
-  for (const drawing::Point& p : path.points)
+  for (const drawing::Point3& p : path.points)
     EXPECT_TRUE(p.y == 0 || std::fabs(std::hypot(p.x, p.y) - 1000) < 3) << p.x << "," << p.y;
   for (std::size_t i = 1; i < path.points.size(); ++i) {
-    const drawing::Point a = path.points[i - 1], b = path.points[i];
+    const drawing::Point3 a = path.points[i - 1], b = path.points[i];
     if (a.y != 0 || b.y != 0) EXPECT_LT(std::hypot(b.x - a.x, b.y - a.y), 120) << a.x << "," << a.y;
   }
 }

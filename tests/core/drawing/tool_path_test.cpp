@@ -15,7 +15,7 @@ TEST(ToolPath, WhatGoesStraightOnIsOneLine) {
   for (int i = 0; i < 100; ++i) path.go({i * 1.0, i * 2.0}, {i + 1.0, i * 2.0 + 2}, true, 3);
   path.go({100, 200}, {100, 150}, true, 3);
   ASSERT_EQ(path.runs.size(), 1u);
-  EXPECT_EQ(path.points, (std::vector<Point>{{0, 0}, {100, 200}, {100, 150}}));
+  EXPECT_EQ(path.points, (std::vector<Point3>{{0, 0}, {100, 200}, {100, 150}}));
   EXPECT_NEAR(path.way_on, 100 * std::sqrt(5) + 50, 1e-9);
 }
 
@@ -41,60 +41,6 @@ TEST(ToolPath, ToolAndLineBeginRunsOfTheirOwn) {
   EXPECT_DOUBLE_EQ(path.way_on, 3);
 }
 
-Box box_of(Point a, Point b) {
-  Box box;
-  box.add(a), box.add(b);
-  return box;
-}
-
-TEST(PathView, ShowsAllOfABoxWithEqualScales) {
-  const PathView view(box_of({-10, 0}, {30, 20}), 400, 400, true);
-  EXPECT_DOUBLE_EQ(view.per_px().x, view.per_px().y);
-  const Point low = view.to_px({-10, 0}), high = view.to_px({30, 20});
-  EXPECT_GT(low.x, 0);
-  EXPECT_LT(high.x, 400);
-  EXPECT_GT(high.y, 0);
-  EXPECT_LT(low.y, 400) << "y goes upwards";
-  EXPECT_NEAR((low.x + high.x) / 2, 200, 1e-9);
-}
-
-TEST(PathView, WhatLiesUnderThePointerStaysThereWhenItComesNearer) {
-  PathView view(box_of({0, 0}, {100, 100}), 500, 300, true);
-  const Point kept = view.from_px({37, 211});
-  for (int i = 0; i < 30; ++i) view.zoom({37, 211}, 1.25);
-  EXPECT_NEAR(view.from_px({37, 211}).x, kept.x, 1e-9);
-  EXPECT_NEAR(view.from_px({37, 211}).y, kept.y, 1e-9);
-  const Point before = view.to_px(kept);
-  view.pan(5, -3);
-  EXPECT_NEAR(view.to_px(kept).x, before.x + 5, 1e-6);
-  EXPECT_NEAR(view.to_px(kept).y, before.y - 3, 1e-6);
-}
-
-TEST(PathView, ZoomingEndsWhereNumbersDo) {
-  PathView view(box_of({0, 0}, {100, 100}), 500, 300, true);
-  for (int i = 0; i < 1000; ++i) view.zoom({250, 150}, 2);
-  EXPECT_GT(view.per_px().x, 0);
-  for (int i = 0; i < 1000; ++i) view.zoom({250, 150}, 0.5);
-  EXPECT_LT(view.per_px().x, 1e13);
-  view.zoom({250, 150}, 0);
-  view.zoom({250, 150}, -1);
-  EXPECT_GT(view.per_px().x, 0);
-}
-
-TEST(PathView, TheSamePartIsShownInAnotherSize) {
-  PathView view(box_of({0, 0}, {100, 50}), 500, 300, true);
-  view.resize(1000, 600);
-  const PathView fresh(box_of({0, 0}, {100, 50}), 1000, 600, true);
-  EXPECT_NEAR(view.to_px({100, 50}).x, fresh.to_px({100, 50}).x, 1e-9);
-  EXPECT_NEAR(view.to_px({0, 0}).y, fresh.to_px({0, 0}).y, 1e-9);
-}
-
-TEST(PathView, APointHasAViewToo) {
-  const PathView view(box_of({5, 5}, {5, 5}), 500, 300, false);
-  EXPECT_NEAR(view.to_px({5, 5}).x, 250, 1e-6);
-  EXPECT_GT(view.per_px().y, 0);
-}
-
 TEST(ToolPath, TheNearestPartIsFound) {
   ToolPath path;
   path.go({0, 0}, {100, 0}, true, 7);
@@ -107,6 +53,52 @@ TEST(ToolPath, TheNearestPartIsFound) {
   EXPECT_NEAR(hit->at.x, 100, 1e-9);
   EXPECT_NEAR(hit->at.y, 25, 1e-9);
   EXPECT_FALSE(nearest(path, view, {on_second.x - 9, on_second.y}, 8));
+}
+
+TEST(ToolPath, TheNearestPartIsFoundInPerspective) {
+  ToolPath path;
+  path.go({0, 0, 0}, {100, 0, 0}, true, 7);
+  path.go({100, 0, 0}, {100, 0, 50}, true, 8);  // upwards: seen from the top it is all but a point
+  for (const Looking& from : {looking::iso, looking::front, Looking{-30, 10}}) {
+    const PathView view(path.bounds, Projection(path.bounds, from, true), 400, 400, true);
+    const Point px = view.to_px({100, 0, 20});
+    const auto hit = nearest(path, view, {px.x - 3, px.y}, 8);
+    ASSERT_TRUE(hit);
+    EXPECT_EQ(path.runs[hit->run].source, 8);
+    EXPECT_NEAR(hit->at.x, 100, 1e-9);
+    EXPECT_NEAR(view.to_px(hit->at).y, px.y, 3)
+        << "it lies where the pointer is, though its far half is short";
+  }
+}
+
+TEST(ToolPath, AFewLinesShowTheSameWay) {
+  ToolPath path;
+  for (int i = 0; i < 50'000; ++i) {
+    const double a = i * 1e-3, b = (i + 1) * 1e-3;
+    path.go({100 * std::cos(a), 100 * std::sin(a), i * 1e-3},
+            {100 * std::cos(b), 100 * std::sin(b), (i + 1) * 1e-3}, i % 1000 < 900, i);
+  }
+  const ToolPath few = coarser(path, 2000);
+  EXPECT_LE(few.points.size(), 2000u);
+  EXPECT_GT(few.points.size(), 200u);
+  EXPECT_NEAR(few.bounds.high.z, path.bounds.high.z, 1);
+  EXPECT_NEAR(few.bounds.low.x, path.bounds.low.x, 1);
+  EXPECT_NEAR(few.way_off / (few.way_on + few.way_off), 0.1, 0.03);
+  ToolPath square;
+  square.go({0, 0}, {1, 0}, true, 0), square.go({1, 0}, {1, 1}, false, 1);
+  EXPECT_EQ(coarser(square, 2000).points, square.points);
+  EXPECT_TRUE(coarser(ToolPath(), 2000).points.empty());
+}
+
+TEST(ToolPath, FlattenedItIsAsItLooks) {
+  ToolPath path;
+  path.go({0, 0, 0}, {10, 20, 30}, true, 4);
+  const Projection front(path.bounds, looking::front, true);
+  const ToolPath flat = flattened(path, front);
+  EXPECT_EQ(flat.runs.front().source, 4);
+  EXPECT_EQ(flat.points.back(), Point3(front.on_plane({10, 20, 30})));
+  EXPECT_EQ(flat.bounds.size().z, 0);
+  EXPECT_EQ(flattened(path, Projection()).points.back(), (Point3{10, 20}));
 }
 
 TEST(PathSvg, IsAsLargeAsThePathAndTheRightWayUp) {

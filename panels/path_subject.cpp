@@ -1,0 +1,31 @@
+#include "panels/path_subject.h"
+
+#include "gui/tab.h"
+#include "gui/units_format.h"
+
+namespace hw::panels {
+
+using namespace gui;
+
+drawing::Point3 place_of(const Tab& tab, const std::array<Steps, max_axes>& position, const PathAxes& axes) {
+  const auto on = [&](AxisId a) { return from_steps(position[a.index], tab.unit(a)); };
+  return {on(axes.right), on(axes.up), axes.third ? on(*axes.third) : 0};
+}
+
+std::optional<drawing::Point3> place_now(const Frame& f, const PathAxes& axes) {
+  std::array<Steps, max_axes> position{};
+  for (const std::optional<AxisId> axis : {std::optional(axes.right), std::optional(axes.up), axes.third}) {
+    if (!axis) continue;
+    const AxisState& state = f.now.axes[axis->index];
+    if (!f.connected() || !state.position_known) return std::nullopt;
+    position[axis->index] = state.position;
+  }
+  return place_of(f.tab, position, axes);
+}
+
+bool one_unit(const Tab& tab, const PathAxes& axes) {
+  const std::string& name = tab.unit(axes.right).name;
+  return name == tab.unit(axes.up).name && (!axes.third || name == tab.unit(*axes.third).name);
+}
+
+}  // namespace hw::panels
