@@ -137,6 +137,10 @@ void DrawingTab::ask_or_put(Frame& f, std::string text) {
 
 void DrawingTab::put(Frame& f) {
   ProgramTexts& texts = f.tab.desk().texts;
+  const DrawingJob::Made* made = job_.made();
+  if (made && made->written.text == to_put_)
+    f.tab.desk().source.put(
+        {std::make_shared<const sequence::Sequence>(made->conversion.sequence), made->written});
   texts.set_text(texts.chosen(), std::exchange(to_put_, {}));
   f.show_panel("program");
 }

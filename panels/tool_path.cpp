@@ -13,7 +13,9 @@
 #include "gui/widgets/text.h"
 #include "panels/lines.h"
 #include "panels/measures.h"
+#include "panels/overwrite_question.h"
 #include "panels/path.h"
+#include "panels/run_bar.h"
 
 namespace hw::panels {
 
@@ -25,6 +27,7 @@ constexpr float hit_height = 36, legend_width = 248;
 }  // namespace
 
 void ToolPath::draw(Frame& f) {
+  say_what_came(f);
   if (program_.follow(f, choice_.track_axes(f.tab))) {
     hit_ = {};
     canvas_.measure(canvas_.measured().on);  // its ends were in the axes and units of before
@@ -34,7 +37,8 @@ void ToolPath::draw(Frame& f) {
   if (f.ui.keyboard.pressed(Command::simulate)) f.tab.desk().rehearse(f.now, f.bench);
   draw_toolbar(f);
   const ImVec2 top = ImGui::GetCursorScreenPos();
-  const float height = (f.ui.px(f.area.bottom()) - top.y) / f.ui.scale;
+  const float asked = overwrite_question_height(f), bottom = f.ui.px(f.area.bottom()) - asked;
+  const float height = (bottom - top.y) / f.ui.scale;
   const bool side = f.area.width >= 620;
   const float width = f.area.width - (side ? legend_width : 0);
   const int at_work = program_.line_at_work(f);
@@ -45,6 +49,7 @@ void ToolPath::draw(Frame& f) {
                      : "Simulate shows where the program goes. What moves leaves a trace.";
   subject.axes = choice_.axes();
   subject.lit = at_work >= 0 ? at_work : hit_.line;
+  subject.wanted_at = run_from_.goes_to(f, subject.axes);
   canvas_.draw(f, "path/view", subject, width, height - hit_height);
   if (canvas_.clicked() || canvas_.passed()) say_hit(f);
   if (canvas_.measured().on) say_measure(f);
@@ -53,6 +58,7 @@ void ToolPath::draw(Frame& f) {
     ImGui::SetCursorScreenPos(ImVec2(f.ui.px(f.area.x + width), top.y));
     draw_legend(f, height);
   }
+  if (asked > 0) draw_overwrite_question(f, bottom, asked);
   draw_dialogs(f);
 }
 
@@ -60,6 +66,7 @@ void ToolPath::draw_dialogs(Frame& f) {
   const PathAxes axes = choice_.axes();
   const bool equal = one_unit(f.tab, axes);
   export_.draw_dialog(f, {program_.path(), canvas_.projection(), equal, f.tab.unit(axes.right).name});
+  run_from_.draw_dialog(f, "path");
 }
 
 // ---- what is said of it
@@ -233,6 +240,13 @@ void ToolPath::draw_hit_links(Frame& f, float& right, float y) {
     desk.wanted_line = hit_.line;
     f.show_panel("program");
   }
+  const std::string* text = program_.text(f);
+  const WrittenSequence* source =
+      text && old.empty() ? desk.source.of(*text, desk.blocks, desk.language(), f.catalog) : nullptr;
+  if (!pressed("path/run_here", "Run from here", old.empty() ? why_not_run_from(f, source) : old)) return;
+  const std::vector<int>& steps = source->written.step_of_line;
+  const auto line = static_cast<std::size_t>(hit_.line);
+  run_from_.ask(f, *source->sequence, line < steps.size() ? steps[line] : -1);
 }
 
 }  // namespace hw::panels

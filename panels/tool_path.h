@@ -1,7 +1,7 @@
 #pragma once
 // The path: where the rehearsed program goes in two or three axes, and where they have really been. Ids:
 // `path/simulate`, `path/fit`, `path/nearer`, `path/further`, `path/forget`, `path/save`, `path/view`,
-// `path/hit`, `path/measure`, `path/show_line`; the axes: see PathChoice.
+// `path/hit`, `path/measure`, `path/show_line`, `path/run_here`; the axes: see PathChoice.
 #include <string>
 
 #include "gui/panel.h"
@@ -9,6 +9,7 @@
 #include "panels/path_choice.h"
 #include "panels/path_export.h"
 #include "panels/program_path.h"
+#include "panels/run_from.h"
 
 namespace hw::panels {
 
@@ -29,13 +30,14 @@ class ToolPath final : public gui::Panel {
   void draw_toolbar(gui::Frame& frame);
   void draw_legend(gui::Frame& frame, float height);
   void draw_hit(gui::Frame& frame, float width);
-  void draw_dialogs(gui::Frame& frame);
   void draw_hit_links(gui::Frame& frame, float& right_px, float y_px);
+  void draw_dialogs(gui::Frame& frame);
 
   PathChoice choice_;
   ProgramPath program_;
   PathCanvas canvas_;
   PathExport export_;
+  RunFrom run_from_;
   Hit hit_;
   int caret_line_ = -1;
 };

@@ -331,7 +331,10 @@ Answer dialog(Ui& ui, std::string_view id, bool& open, const Dialog& what) {
   if (ImGui::IsWindowAppearing()) ui.focus.move_to(child(buffer, id, "no"));
   text(ui, Face::title_bold, Tone::ink, what.title);
   gap(ui, 8);
+  const ImVec2 from = ImGui::GetCursorScreenPos();
   wrapped(ui, Face::body, Tone::ink2, what.sentences, 432);
+  show(ui, {child(buffer, id, "says"), Kind::text, what.title, what.sentences},
+       {from, ImVec2(from.x + ui.px(432), ImGui::GetCursorScreenPos().y)});
   gap(ui, 16);
   Answer answer = Answer::none;
   const ButtonOptions no{.style = ButtonStyle::outlined};

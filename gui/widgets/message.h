@@ -48,7 +48,7 @@ struct Dialog {
 };
 enum class Answer : std::uint8_t { none, yes, no };
 /// Modal while `open`; Esc is no. The focus stands on no, so Enter by accident does nothing.
-/// Ids: `id/yes`, `id/no`.
+/// Ids: `id/yes`, `id/no`, `id/says`.
 Answer dialog(Ui& ui, std::string_view id, bool& open, const Dialog& what);
 
 /// The frame of a modal window, centred; true: draw its content, then end_modal(). Width and height logical;

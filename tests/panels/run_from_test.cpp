@@ -1,0 +1,145 @@
+// Running the rest of a program from a place on its path.
+#include "panels/run_from.h"
+
+#include "core/device/registry.h"
+#include "panels/tool_path.h"
+#include "tests/panels/panel_stage.h"
+
+namespace hw::panels {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+sequence::Move to(std::size_t axis, double place) {
+  sequence::Move m;
+  m.to[axis] = place;
+  return m;
+}
+
+struct RunFromTest : ::testing::Test {
+  RunFromTest() {
+    s.now.axis_count = 2;
+    for (AxisState& a : s.now.axes) a.position_known = true, a.activity = Activity::idle;
+    s.stage.frames(2);
+    sequence::Sequence square;
+    square.axes = {{"1", 1}, {"2", 1}};
+    square.steps = {{sequence::Speed{{2000, 0, 0}}},
+                    {sequence::Pen{false}},
+                    {to(0, 0)},
+                    {sequence::Pen{true}},
+                    {to(0, 400)},
+                    {to(1, 400)},
+                    {to(0, 0)}};
+    square.pen_up = {{sequence::Output{1, false}}};
+    square.pen_down = {{sequence::Output{1, true}}};
+    s.tab.desk().blocks.editor.load(square);
+  }
+  void rehearse(std::string text) {
+    s.tab.desk().texts.set_text(0, std::move(text));
+    s.stage.frames(2);
+    s.click("path/simulate");
+    s.stage.frames(4);
+  }
+  std::string of_blocks() {
+    const auto written = type.language().write(s.tab.desk().blocks.editor.sequence(), s.catalog);
+    EXPECT_TRUE(written) << written.error().sentence();
+    return written ? written->text : "";
+  }
+  /// On the side that goes up at the right.
+  void click_on_second_side() {
+    const gui::Rect r = s.stage.find("path/view")->rect;
+    const auto half = static_cast<float>(200 / std::stod(s.value("path/view")));
+    s.click_at(ImVec2(r.centre().x + half, r.centre().y));
+  }
+  const DeviceType& type = *find_device_type("vxm");
+  ToolPath panel;
+  test::PanelStage s{panel, 864, 620, 1, gui::Tier::wide, true, *type.make_catalog({}), &type.language()};
+};
+
+TEST_F(RunFromTest, TellsTheWayThereAndDoesNothingBeforeItIsAgreedTo) {
+  rehearse(of_blocks());
+  s.now.axes[0].position = Steps(250);
+  s.stage.frames(2);
+  s.click("path/fit");
+  s.stage.frames(2);
+  click_on_second_side();
+  ASSERT_THAT(s.value("path/hit"), HasSubstr("IA2M400"));
+  s.click("path/run_here");
+  const std::string asked = s.value("path/run_from/says");
+  EXPECT_THAT(asked, HasSubstr("The axes stand at 1 250 steps"));
+  EXPECT_THAT(asked, HasSubstr("First: Tool up. Speed 2000 steps/s. Move to 1 400. Tool down."));
+  EXPECT_THAT(asked, HasSubstr("Then step 6, Move to 2 400, and all behind it."));
+  EXPECT_THAT(asked, Not(HasSubstr("No step speaks of a tool")));
+  EXPECT_TRUE(s.sent.empty());
+  const std::string before = s.tab.desk().texts.text(0);
+  s.click("path/run_from/no");
+  EXPECT_TRUE(s.sent.empty());
+  EXPECT_EQ(s.tab.desk().texts.text(0), before);
+}
+
+TEST_F(RunFromTest, RunsTheRestBehindTheWayThere) {
+  rehearse(of_blocks());
+  click_on_second_side();
+  s.click("path/run_here");
+  s.click("path/run_from/yes");
+  s.stage.frames(4);
+  const std::string& text = s.tab.desk().texts.text(0);
+  const auto up = text.find("U4"), there = text.find("IA1M400"), down = text.find("U5"),
+             rest = text.find("IA2M400");
+  EXPECT_TRUE(up < there && there < down && down < rest && rest != std::string::npos) << text;
+  EXPECT_FALSE(s.sent.empty()) << "it is on its way into the controller";
+  // And from a place in that again.
+  s.stage.frames(4);
+  s.sent.clear();
+  s.tab.desk().job.give_up();
+  s.settle(Fate::failed, "no");
+  s.stage.frames(4);
+  s.click("path/fit");
+  s.stage.frames(2);
+  click_on_second_side();
+  EXPECT_THAT(s.reason("path/run_here"), Not(HasSubstr("of no blocks")));
+}
+
+TEST_F(RunFromTest, ATextThatIsOfNoBlocksIsNotBegunInTheMiddle) {
+  rehearse("I1M400,\nI2M400,\nI1M-400,\n");
+  click_on_second_side();
+  ASSERT_THAT(s.value("path/hit"), HasSubstr("Line 2"));
+  EXPECT_THAT(s.reason("path/run_here"), HasSubstr("This text is of no blocks"));
+}
+
+TEST_F(RunFromTest, WithinALoopItIsRefusedWithTheReason) {
+  sequence::Sequence s3 = s.tab.desk().blocks.editor.sequence();
+  sequence::StepList round(s3.steps.begin() + 4, s3.steps.end());
+  s3.steps.erase(s3.steps.begin() + 4, s3.steps.end());
+  s3.steps.push_back({sequence::Repeat{3, round}});
+  s.tab.desk().blocks.editor.load(s3);
+  rehearse(of_blocks());
+  click_on_second_side();
+  s.click("path/run_here");
+  EXPECT_THAT(s.toast(), HasSubstr("within the loop of step 5"));
+  EXPECT_FALSE(s.stage.find("path/run_from/yes"));
+  EXPECT_TRUE(s.sent.empty());
+}
+
+TEST_F(RunFromTest, AStopWhileItIsAskedIsNotOverrun) {
+  rehearse(of_blocks());
+  click_on_second_side();
+  s.click("path/run_here");
+  s.tab.desk().stopped();
+  s.click("path/run_from/yes");
+  EXPECT_THAT(s.toast(), HasSubstr("A stop came first"));
+  EXPECT_TRUE(s.sent.empty());
+}
+
+TEST_F(RunFromTest, WhatRunsNowIsNotReplaced) {
+  rehearse(of_blocks());
+  click_on_second_side();
+  s.now.program.owned = true;
+  s.now.program.run = RunState::running;
+  s.stage.frames(2);
+  EXPECT_THAT(s.reason("path/run_here"), HasSubstr("A program is running"));
+}
+
+}  // namespace
+}  // namespace hw::panels
