@@ -43,6 +43,65 @@ void million_lines_picture(benchmark::State& state) {
 }
 BENCHMARK(million_lines_picture)->ArgName("zoom")->Arg(1)->Arg(4)->Arg(32)->Unit(benchmark::kMillisecond);
 
+/// The same drawing on the flank of a hill, from a corner.
+drawing::ToolPath on_a_hill() {
+  drawing::ToolPath path = small_curves();
+  path.bounds = {};
+  for (drawing::Point3& p : path.points) {
+    p.z = 60 * std::sin(p.x / 130) * std::sin(p.y / 70);
+    path.bounds.add(p);
+  }
+  return path;
+}
+drawing::PathView from_a_corner(const drawing::ToolPath& path) {
+  const drawing::Projection projection(path.bounds, drawing::looking::iso, true);
+  return drawing::PathView(path.bounds, projection, canvas_width, canvas_height, true);
+}
+
+void million_lines_in_perspective(benchmark::State& state) {
+  const drawing::ToolPath path = on_a_hill();
+  drawing::PathView view = from_a_corner(path);
+  view.zoom({canvas_width / 2, canvas_height / 2}, static_cast<double>(state.range(0)));
+  for (auto _ : state) benchmark::DoNotOptimize(picture_of(path, view));
+}
+BENCHMARK(million_lines_in_perspective)
+    ->ArgName("zoom")
+    ->Arg(1)
+    ->Arg(4)
+    ->Arg(32)
+    ->Unit(benchmark::kMillisecond);
+
+void few_of_a_million(benchmark::State& state) {
+  const drawing::ToolPath path = on_a_hill();
+  for (auto _ : state) benchmark::DoNotOptimize(coarser(path, 2500));
+}
+BENCHMARK(few_of_a_million)->Unit(benchmark::kMillisecond);
+
+/// While it is turned: as the path canvas draws it then.
+void frame_with_few_lines(benchmark::State& state) {
+  const drawing::ToolPath path = on_a_hill(), few = coarser(path, 2500);
+  drawing::PathView view = from_a_corner(path);
+  gui::Offscreen surface(1440, 900, 1, true, gui::Renderer::gl);
+  double now = 0, turn = 0;
+  for (auto _ : state) {
+    turn += 2;
+    view.look(view.projection().turned({turn, 30}), path.bounds.centre());
+    surface.frame(now += 1.0 / 60, [&](gui::Ui&) {
+      ImDrawList* list = ImGui::GetBackgroundDrawList();
+      for (const drawing::ToolPath::Run& run : few.runs) {
+        for (std::size_t i = run.first; i < run.first + run.size; ++i) {
+          const drawing::Point px = view.to_px(few.points[i]);
+          list->PathLineTo(ImVec2(static_cast<float>(px.x), static_cast<float>(px.y)));
+        }
+        list->PathStroke(IM_COL32_WHITE, 0, 2);
+      }
+    });
+    surface.draw_with_gl();
+  }
+  state.SetLabel(std::string(surface.renderer()));
+}
+BENCHMARK(frame_with_few_lines)->Unit(benchmark::kMillisecond)->UseRealTime();
+
 void frame_with_picture(benchmark::State& state) {
   const drawing::ToolPath path = small_curves();
   const auto picture = std::make_shared<const gui::Picture>(picture_of(path, whole(path)));
