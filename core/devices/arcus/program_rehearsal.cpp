@@ -81,7 +81,7 @@ class Rehearsing {
       std::optional<Instant> next =
           emulator_.next_event();  // each turn of an axis is one: extremes are exact
       for (const auto& other : {hands_.next(), track_.next()})
-        if (other) next = std::min(next.value_or(last), *other);
+        if (other) next = std::min(next.value_or(*other), *other);
       if (!next || *next > last) return out_of_time(last, trace);
       now_ = std::max(now_, *next);
       emulator_.advance_to(now_);

@@ -10,7 +10,7 @@ namespace hw::arcus {
 namespace {
 
 /// How it is talked to changes no program.
-bool changes_programs(const ParamInfo& info) {
+bool acts_on_programs(const ParamInfo& info) {
   return info.group != "Communication" || info.mnemonic == "TOC";
 }
 
@@ -27,7 +27,7 @@ void set_up(Controller& controller, const ControllerState& state, const Catalog&
   for (const bool loops : {false, true})
     each_setting(controller.model(), [&](Setting id, int place, std::size_t param) {
       const auto value = state.param(param);
-      if (value && loops == (id == Setting::loop) && changes_programs(catalog.params[param]))
+      if (value && loops == (id == Setting::loop) && acts_on_programs(catalog.params[param]))
         (void)controller.write_setting(id, *value, place);
     });
 }
@@ -120,7 +120,7 @@ void begin_like(ArcusEmulator& emulator, const ControllerState& state, const Cat
 
 std::vector<RehearsedAssumption> assumptions(const ControllerState& state, const Catalog& catalog,
                                              std::uint32_t moved, const language::Program& program) {
-  std::vector<RehearsedAssumption> all = unknown_params(state, catalog, moved, changes_programs);
+  std::vector<RehearsedAssumption> all = unknown_params(state, catalog, moved, acts_on_programs);
   for (RehearsedAssumption& a : unknown_surroundings(state, catalog, moved)) all.push_back(std::move(a));
   const int mode = catalog.find_readout("MM");
   if (mode >= 0 && !state.now.readouts_known.test(ix(mode))) all.push_back({"MM", "absolute"});

@@ -9,7 +9,7 @@ namespace {
 constexpr std::int64_t couples_all_but_0 = -5;  // a number has no minus zero
 
 /// The line rate changes no program, and the second name of a motor's type is known by the first.
-bool changes_programs(const ParamInfo& info) { return info.readable; }
+bool acts_on_programs(const ParamInfo& info) { return info.readable; }
 
 std::string set_word(const ParamInfo& info, std::int64_t value) {
   const std::string number = std::to_string(value);
@@ -23,7 +23,7 @@ void set_up(VxmEmulator& emulator, const ControllerState& state, const Catalog& 
   for (std::size_t i = 0; i < catalog.params.size(); ++i) {
     const ParamInfo& info = catalog.params[i];
     const auto value = state.param(i);
-    if (value && *value != info.fallback && changes_programs(info))
+    if (value && *value != info.fallback && acts_on_programs(info))
       emulator.receive(set_word(info, *value) + "\r");
   }
 }
@@ -64,7 +64,7 @@ void begin_like(VxmEmulator& emulator, const ControllerState& state, const Catal
 
 std::vector<RehearsedAssumption> assumptions(const ControllerState& state, const Catalog& catalog,
                                              std::uint32_t moved) {
-  std::vector<RehearsedAssumption> all = unknown_params(state, catalog, moved, changes_programs);
+  std::vector<RehearsedAssumption> all = unknown_params(state, catalog, moved, acts_on_programs);
   for (RehearsedAssumption& a : unknown_surroundings(state, catalog, moved)) all.push_back(std::move(a));
   const int mode = catalog.find_param("DM");
   if (mode >= 0 && (state.param(ix(mode)).value_or(0) & mode_program_4_first) != 0)

@@ -137,6 +137,15 @@ TEST_P(ArcusRehearsal, AValueThatTheRegisterCannotHoldIsAnErrorOfTheProgram) {
   EXPECT_EQ(any_is_on->outputs.at("2"), 1);
 }
 
+TEST_P(ArcusRehearsal, OneThatWaitsForEverEndsWhileItsTrackIsKept) {
+  RehearseOptions options;
+  options.for_seconds = 2, options.track_every_s = 0.3;
+  options.bench_toml = "[[at]]\nt = 1.9\ninput = [1, true]\n";
+  const auto r = find_device_type(GetParam())->language().rehearse("WHILE DI2=0\nENDWHILE\nEND\n", options);
+  ASSERT_TRUE(r) << r.error().sentence();
+  EXPECT_EQ(r->duration_s, 2);
+}
+
 TEST_P(ArcusRehearsal, SaysWhyAProgramStoppedInError) {
   const auto why = [&](const char* text, const char* bench = "") {
     RehearseOptions options;
