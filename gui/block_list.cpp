@@ -26,17 +26,12 @@ void BlockList::opened(std::filesystem::path path, sequence::Sequence sequence) 
 
 void BlockList::became(sequence::Sequence sequence) {
   editor.exchange(std::move(sequence));
-  name({});
+  file_.clear();
   ++files_;
 }
 
-void BlockList::name(std::filesystem::path path) {
-  file_ = std::move(path);
-  file_name_ = file_.filename().string();
-}
-
 void BlockList::saved(std::filesystem::path path, std::uint64_t version) {
-  name(std::move(path));
+  file_ = std::move(path);
   in_file_ = version;
   ++files_;
 }
@@ -56,7 +51,7 @@ Result<> BlockList::restore(const std::vector<UnsavedText>& texts) {
     auto sequence = sequence::read_sequence(t.text, "The blocks of last time");
     if (!sequence) return fail(sequence.error());
     editor.load(std::move(*sequence));
-    name(t.path);  // the name only: what the file holds is not known, so they count as edited
+    file_ = t.path;  // the name only: what the file holds is not known, so they count as edited
   }
   return {};
 }

@@ -17,11 +17,8 @@ class BlockList {
   explicit BlockList(const Catalog& catalog);
 
   sequence::Editor editor;
-  /// The chosen program's text is to become the blocks: their panel sees to it when it is drawn next.
-  bool text_wanted = false;
 
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }
-  [[nodiscard]] const std::string& file_name() const { return file_name_; }
   /// Differs from its file, or is in none.
   [[nodiscard]] bool edited() const;
   void opened(std::filesystem::path path, sequence::Sequence sequence);
@@ -43,10 +40,7 @@ class BlockList {
   Result<> restore(const std::vector<UnsavedText>& texts);
 
  private:
-  void name(std::filesystem::path path);
-
   std::filesystem::path file_;
-  std::string file_name_;      ///< without its folder
   std::uint64_t in_file_ = 0;  ///< Editor::version() that the file holds
   std::uint64_t files_ = 0;    ///< how often it was opened or saved
 };

@@ -1,5 +1,7 @@
 #include "panels/block_files.h"
 
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "core/sequence/sequence_file.h"
@@ -73,9 +75,11 @@ void BlockFiles::draw(Frame& f) {
   const ButtonOptions look{.style = ButtonStyle::quiet, .height = 40};
   const float width = ui.px(button_width(ui, "Open", look)) + ui.px(button_width(ui, "Save", look));
   const float x = ui.px(f.area.right() - 8) - width;
-  if (!blocks.file_name().empty())
+  if (std::exchange(named_at_, blocks.changes()) != blocks.changes())
+    name_ = blocks.file().filename().string();
+  if (!name_.empty())
     draw_text_line(ui, ImGui::GetCursorScreenPos().x + ui.px(8), x - ui.px(8), y + ui.px(20), Face::body_bold,
-                   ui[blocks.edited() ? Tone::warn : Tone::ink], blocks.file_name());
+                   ui[blocks.edited() ? Tone::warn : Tone::ink], name_);
   ImGui::SetCursorScreenPos(ImVec2(x, y));
   if (button(ui, "blocks/open", "Open", look).clicked) ask_open();
   ImGui::SameLine(0, 0);

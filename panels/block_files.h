@@ -1,6 +1,8 @@
 #pragma once
 // Blocks and their file. Ids: `blocks/open`, `blocks/save`, `blocks/discard`.
+#include <cstdint>
 #include <filesystem>
+#include <string>
 
 #include "gui/frame.h"
 #include "gui/widgets/file_dialog.h"
@@ -25,6 +27,8 @@ class BlockFiles {
   gui::FileDialog open_, save_;
   std::filesystem::path to_open_;  ///< asked about
   bool asking_open_ = false;
+  std::string name_;                            ///< of the file, without its folder
+  std::uint64_t named_at_ = ~std::uint64_t{0};  ///< BlockList::changes() then
 };
 
 }  // namespace hw::panels

@@ -50,7 +50,6 @@ void Blocks::follow(Frame& f) {
   editor_ = &f.tab.desk().blocks.editor;
   if (std::exchange(chosen_.loads, editor_->loads()) != editor_->loads()) choose(std::nullopt);
   files_.follow(f);
-  if (std::exchange(f.tab.desk().blocks.text_wanted, false)) from_text_.start(f);
   use_keys(f);
   if (rows_.follow(*editor_)) chosen_.row = rows_.row_of(chosen_.path);
   work_.follow(f, *editor_);

@@ -12,6 +12,7 @@
 #include "gui/widgets/text.h"
 #include "panels/lines.h"
 #include "panels/program.h"
+#include "panels/text_to_blocks.h"
 
 namespace hw::panels {
 
@@ -150,10 +151,7 @@ void Program::draw_more(Frame& f) {
     case 1: ask_or_empty(f); break;
     case 2: editor_.editor(desk.texts.chosen()).ask_find(); break;
     case 3: editor_.editor(desk.texts.chosen()).toggle_comment(); break;
-    case 4:
-      desk.blocks.text_wanted = true;
-      f.show_panel("blocks");
-      break;
+    case 4: TextToBlocks::show(f); break;
     case 5: start(f, ProgramJob::Goal::fetch); break;
     case 6: asking_clear_ = true; break;
     default: break;

@@ -40,6 +40,16 @@ void TextToBlocks::start(Frame& f) {
   if (!asking_) read(f);
 }
 
+void TextToBlocks::show(Frame& f) {
+  if (!f.tab.desk().blocks.edited()) {
+    read(f);
+    return f.show_panel("blocks");
+  }
+  f.show_panel("blocks", "blocks/from_text");
+  f.toast(Mood::plain,
+          "The blocks have changes that are in no file. From the text asks before it replaces them.");
+}
+
 void TextToBlocks::read(Frame& f) {
   if (const auto why = why_not(f); !why.empty()) return f.toast(Mood::warn, std::string(why));
   Desk& desk = f.tab.desk();

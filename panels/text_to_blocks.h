@@ -14,6 +14,8 @@ class TextToBlocks {
   /// Asks first where blocks have changes that are in no file. What came of it is said as a toast.
   void start(gui::Frame& frame);
   void draw_dialog(gui::Frame& frame);
+  /// From another panel: leads to the blocks, which ask where they have such changes.
+  static void show(gui::Frame& frame);
 
  private:
   static void read(gui::Frame& frame);

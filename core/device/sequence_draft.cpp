@@ -93,9 +93,7 @@ tl::unexpected<Fault> SequenceDraft::refuse(std::string_view why) const {
 }
 
 tl::unexpected<Fault> SequenceDraft::refuse_own_speed() const {
-  return refuse(
-      "a step before it has changed the speed, and none says what it is otherwise. Put a speed step in "
-      "front.");
+  return refuse(std::string(no_own_speed) + " Put a speed step in front.");
 }
 
 std::optional<std::vector<std::size_t>> refused_step(std::string_view what) {

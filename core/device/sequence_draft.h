@@ -129,6 +129,9 @@ constexpr std::string_view routine_name(bool down) { return down ? "Pen down" : 
 
 /// "arc", as files call it.
 std::string_view kind_of(const sequence::Step& step);
+/// What refuse_own_speed() says.
+inline constexpr std::string_view no_own_speed =
+    "a step before it has changed the speed, and none says what it is otherwise.";
 /// Whose refusal it is, by the places of the lists that it stands in; none: that of no step of the list.
 std::optional<std::vector<std::size_t>> refused_step(std::string_view what);
 

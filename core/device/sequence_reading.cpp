@@ -170,12 +170,15 @@ class Proof {
     }
     return true;
   }
+  /// Once: then that place is taken.
   static bool leave_between(const Spot& spot, const Deed& deed) {
+    if (deed.at.begin == deed.at.end) return false;
     spot.list->insert(spot.list->begin() + static_cast<std::ptrdiff_t>(spot.i),
                       own_text("no block says this by itself", deed.at));
     return true;
   }
   bool leave_refused(std::string_view refusal) {
+    if (refusal.find(no_own_speed) != refusal.npos && leave_speeds()) return true;
     const auto path = refused_step(refusal);
     if (!path) return false;
     Spot spot{&read_.steps, 0, false};
@@ -190,11 +193,7 @@ class Proof {
   }
   bool leave_what_differs(const Deed* our, const Deed* their, const SequenceText& written) {
     constexpr std::string_view why = "blocks would write it otherwise";
-    if ((our && our->speed) || (their && their->speed)) {
-      bool any = false;
-      for (ReadSteps* list : lists()) any = leave_speeds(*list) || any;
-      if (any) return true;
-    }
+    if (((our && our->speed) || (their && their->speed)) && leave_speeds()) return true;
     if (our) {
       const Spot spot = spot_of(our->at.begin);
       if (leave(spot, why) || (!spot.taken && leave_between(spot, *our))) return true;
@@ -205,6 +204,12 @@ class Proof {
     if (!their) return false;
     int step = written.step_of_line[ix(line_of(written.text, their->at.begin))];
     return step >= 0 && leave(numbered(read_.steps, step), why);
+  }
+  /// All of them: then motions have none, and nothing is said in front of them. False: there are none.
+  bool leave_speeds() {
+    bool any = false;
+    for (ReadSteps* list : lists()) any = leave_speeds(*list) || any;
+    return any;
   }
   static bool leave_speeds(ReadSteps& list) {
     bool any = false;

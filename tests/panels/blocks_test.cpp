@@ -371,8 +371,8 @@ TEST_F(BlocksTest, BlocksWithChangesAreNotReplacedByATextWithoutBeingAsked) {
 TEST_F(BlocksTest, ATextThatIsNoBlocksSaysWhereAndLeavesThemAlone) {
   s.click("blocks/add/delay");
   s.tab.desk().texts.set_text(0, "X100\nGOSUB 5\nEND\nSUB 5\nX0\nENDSUB\n");
-  s.tab.desk().blocks.text_wanted = true;  // as the program editor's menu has it
-  s.stage.frames(3);
+  s.stage.frames(2);
+  s.click("blocks/from_text");
   s.click("blocks/replace_all/yes");
   s.stage.frames(3);
   EXPECT_THAT(s.toast(), HasSubstr("Line 4: a subroutine. Blocks have none but those of the tool."));

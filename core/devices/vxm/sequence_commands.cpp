@@ -91,7 +91,7 @@ Deeds deeds_of(std::string_view text) {
     if (slot > 0) {
       Deed head;
       head.text = fmt::format("PM{}", slot);
-      if (!commands.empty()) head.at.begin = begins[ix(commands.front().place.line)];
+      if (!commands.empty()) head.at.begin = head.at.end = begins[ix(commands.front().place.line)];
       deeds.push_back(std::move(head));
     }
     for (const StoredCommand& s : commands) {

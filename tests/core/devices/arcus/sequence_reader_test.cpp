@@ -42,8 +42,9 @@ TEST_F(ArcusReading, TheManualsLoopIsOne) {
 TEST_F(ArcusReading, WhatNoBlockHoldsStaysItsOwnText) {
   EXPECT_EQ(blocks("ABS\nX100\nIF DI1=1\n  X200 ; there\n  V1=V1+1\nENDIF\nV2=MSTX\nDO1=1\nEND\n"),
             "Move to X 1\nown: IF DI1=1\n  X200 ; there\n  V1=V1+1\nENDIF\nV2=MSTX\nOutput 1 on\n");
-  EXPECT_EQ(blocks("ABS\nXV1\nX100\nEND\n"), "own: XV1\nMove to X 1\n");
-  EXPECT_EQ(blocks("ABS\nX100Z5\nX200\nEND\n"), "own: X100Z5\nMove to X 2\n") << "Z is none of their axes";
+  EXPECT_EQ(blocks("ABS\nXV1\nX100\nEND\n"), "own: ABS\nXV1\nMove to X 1\n");
+  EXPECT_EQ(blocks("ABS\nX100Z5\nX200\nEND\n"), "own: ABS\nX100Z5\nMove to X 2\n")
+      << "Z is none of their axes";
 }
 
 TEST_F(ArcusReading, ADecisionOnAnInputIsABlock) {

@@ -45,8 +45,11 @@ TEST_F(VxmReading, AConditionTakesItsCommandAlong) {
 }
 
 TEST_F(VxmReading, OtherProgramsAreLoopsWaitsAndTheTool) {
-  EXPECT_EQ(blocks("PM-0\nJM1,JM2\nI1M4\nPM-1\nP-10,U22,L0\nPM-2\nI2M2\nLA3\n"),
-            "Wait for input until input 2 is on\nLoop 3 times\n  Move by 2 0.01\nMove by 1 0.01\n");
+  EXPECT_EQ(blocks("PM-0\nJM1\nLM0,JM2,I1M4,L0\nPM-1\nP-10,U22,L0\nPM-2\nI2M2\nLA3\n"),
+            "Wait for input until input 2 is on\nLoop for ever\n  Loop 3 times\n    Move by 2 0.01\n"
+            "  Move by 1 0.01\n");
+  EXPECT_THAT(blocks("PM-0\nI1M4\nJM1\nPM-1\nI2M2\nLA3\n"), StartsWith("Line 5: "))
+      << "of blocks it would be no program of its own";
   EXPECT_EQ(blocks("PM-1\nI1M0\nI2M0\nPM-0\nJM1\n"),
             "Line 5: program 1 is more than a loop or a wait. Blocks have no other programs.");
   EXPECT_EQ(blocks("PM-1\nI1M4\nPM-0\nI1M5\n"), "Line 1: no block runs program 1.");
