@@ -60,8 +60,8 @@ void TextToBlocks::read(Frame& f) {
       },
       [&console = f.console, &tab = f.tab](Result<SequenceRead> read) {
         if (!read) return console.toast(tab, Mood::warn, read.error().sentence(), &tab.desk().texts);
-        tab.desk().blocks.became(std::move(read->sequence));
         console.toast(tab, Mood::ok, what_came(*read));
+        tab.desk().blocks.became(std::move(read->sequence));
       },
       desk.alive());
   f.ui.wake_in(0);
