@@ -44,8 +44,8 @@ Result<> write_picture(const PathExport::What& what, const std::filesystem::path
 
 }  // namespace
 
-void PathExport::draw_button(Frame& f, bool can) {
-  if (button(f.ui, "path/save", "Save picture",
+void PathExport::draw_button(Frame& f, std::string_view label, bool can) {
+  if (button(f.ui, "path/save", label,
              {.style = ButtonStyle::quiet,
               .disabled = can ? "" : "There is no path yet.",
               .tip = "As SVG in the units of the axes, or as PNG.",

@@ -2,6 +2,7 @@
 // A path kept as a picture. Ids: `path/save` and those of the dialog for a file.
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "core/drawing/tool_path.h"
 #include "gui/frame.h"
@@ -18,7 +19,7 @@ class PathExport {
     std::string unit;                               ///< that of lengths; empty: there is none
   };
   /// At ImGui's cursor.
-  void draw_button(gui::Frame& frame, bool can);
+  void draw_button(gui::Frame& frame, std::string_view label, bool can);
   void draw_dialog(gui::Frame& frame, const What& what);
 
  private:

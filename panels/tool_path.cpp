@@ -148,11 +148,13 @@ void ToolPath::draw_toolbar(Frame& f) {
   if (tool("path/fit", "Fit", "Shows all of it. On the picture: 0, or a double click.")) canvas_.fit();
   if (tool("path/nearer", "+", "Nearer. On the picture: +, or the wheel.")) canvas_.zoom(1.5);
   if (tool("path/further", "\u2212", "Further away. On the picture: -, or the wheel.")) canvas_.zoom(1 / 1.5);
-  if (f.area.width >= 700 && tool("path/forget", "Forget trace", "Where the axes have been so far."))
+  const bool brief = f.area.width < 780;
+  if (f.area.width >= 700 &&
+      tool("path/forget", brief ? "Forget" : "Forget trace", "Forgets where the axes have been so far."))
     desk.trace.clear();
   ImGui::SameLine(0, 0);
   ImGui::SetCursorScreenPos(ImVec2(ImGui::GetCursorScreenPos().x, top.y + ui.px(8)));
-  export_.draw_button(f, program_.path() != nullptr);
+  export_.draw_button(f, brief ? "Save" : "Save picture", program_.path() != nullptr);
   end_toolbar(f, top);
 }
 

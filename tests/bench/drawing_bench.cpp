@@ -85,7 +85,7 @@ void drawing_read(benchmark::State& state) {
 BENCHMARK(drawing_read)->ArgName("mixed")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
 
 /// Open ones all over the table; the same with one that lies far away; rings of 12 corners; all on one line.
-enum Kind : std::int64_t { open, one_far_away, rings, on_a_line };
+enum Kind : std::int64_t { open_ends, one_far_away, rings, on_a_line };
 
 std::vector<drawing::Chain> chains_of(Kind kind) {
   std::mt19937 random(1);
@@ -129,7 +129,7 @@ void drawing_ordered(benchmark::State& state) {
 }
 BENCHMARK(drawing_ordered)
     ->ArgName("kind")
-    ->Arg(open)
+    ->Arg(open_ends)
     ->Arg(one_far_away)
     ->Arg(rings)
     ->Arg(on_a_line)
