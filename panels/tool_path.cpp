@@ -181,7 +181,7 @@ void ToolPath::draw_legend(Frame& f, float height) {
   entry(Tone::motion, 1, false, "has been there");
   entry(Tone::motion, 3, false, "line at work, or clicked");
   entry(Tone::warn, 1, false, f.bench.present ? "limit switch on the bench" : "limit switch, as met");
-  entry(Tone::ok, 1, false, f.bench.present ? "home switch on the bench" : "home, as met");
+  entry(Tone::ok, 1, false, f.bench.present ? "home, on the bench" : "home, as met");
   group_line(ui);
   section_title(ui, "This path", f.tab.desk().rehearsals.under_way(program_.slot()) ? "working it out" : "");
   if (!program_.rehearsed()) {
