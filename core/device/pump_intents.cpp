@@ -325,7 +325,8 @@ Task<Result<>> Pump::perform_beside_pieces(const IntentBody& body) {
     pieces_.hold(holds);
     const RunState run = draft_.program.run;
     const bool at_work = draft_.program.owned && (holds ? run == RunState::running : run == RunState::held);
-    if (!at_work || !catalog_.can.outputs_while_held) co_return Result<>();
+    const bool can_hold = catalog_.can.single_step || catalog_.program.threads > 0;
+    if (!at_work || !can_hold || !catalog_.can.outputs_while_held) co_return Result<>();
   }
   co_return co_await perform_guarding_tool(body);
 }

@@ -22,13 +22,6 @@ bool has_speeds(const Body& body) {
   return std::is_same_v<Body, seq::Speed>;
 }
 
-bool uses_tool(const seq::StepList& steps) {
-  return std::any_of(steps.begin(), steps.end(), [](const seq::Step& step) {
-    const seq::StepList* inner = steps_in(step);
-    return !step.skipped && (std::holds_alternative<seq::Pen>(step.body) || (inner && uses_tool(*inner)));
-  });
-}
-
 }  // namespace
 
 std::string_view kind_of(const seq::Step& step) { return seq::kind_names[step.body.index()]; }
@@ -133,7 +126,7 @@ void SequenceDraft::lines(std::string_view text, std::string_view mark) {
 }
 
 Result<> SequenceDraft::tool_line(std::string_view mark, std::string_view aside) {
-  if (!uses_tool(sequence.steps)) return {};
+  if (!uses_tool(sequence)) return {};
   const ToolOff tool = tool_off_of(sequence, static_cast<int>(catalog.outputs.size()));
   for (const ToolOutput& o : tool)
     if (o.on && catalog.can.stop_clears_outputs)

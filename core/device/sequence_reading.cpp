@@ -7,6 +7,8 @@
 
 #include "core/base/index.h"
 #include "core/device/sequence_draft.h"
+#include "core/device/snapshot.h"
+#include "core/device/tool_off.h"
 
 namespace hw {
 namespace {
@@ -230,8 +232,20 @@ class Proof {
 
 }  // namespace
 
+/// Its routines say it, and it is written of them again.
+static void leave_out_tool_line(sequence::Sequence& sequence) {
+  if (!uses_tool(sequence)) return;
+  const std::string line = tool_off_line(tool_off_of(sequence, max_outputs));
+  std::erase_if(sequence.steps, [&line](const sequence::Step& step) {
+    const auto* comment = std::get_if<sequence::Comment>(&step.body);
+    return comment && comment->text == line;
+  });
+}
+
 Result<SequenceRead> prove(ReadText read, std::string_view text, const ReadingLanguage& language) {
-  return Proof(std::move(read), text, language).run();
+  auto proved = Proof(std::move(read), text, language).run();
+  if (proved) leave_out_tool_line(proved->sequence);
+  return proved;
 }
 
 namespace {

@@ -65,7 +65,16 @@ bool read_list(std::string_view text, ToolOff& tool) {
   }
 }
 
+bool any_pen(const sequence::StepList& steps) {
+  return std::any_of(steps.begin(), steps.end(), [](const sequence::Step& step) {
+    const sequence::StepList* inner = steps_in(step);
+    return !step.skipped && (std::holds_alternative<sequence::Pen>(step.body) || (inner && any_pen(*inner)));
+  });
+}
+
 }  // namespace
+
+bool uses_tool(const sequence::Sequence& sequence) { return any_pen(sequence.steps); }
 
 ToolOff tool_off_of(const sequence::Sequence& sequence, int outputs) {
   std::map<int, bool> up, down;

@@ -22,6 +22,7 @@ struct ToolOutput {
 };
 using ToolOff = std::vector<ToolOutput>;
 
+bool uses_tool(const sequence::Sequence& sequence);
 /// The outputs that "pen down" leaves one way and "pen up" the other.
 ToolOff tool_off_of(const sequence::Sequence& sequence, int outputs);
 /// As a line of a program, without the mark of a comment.

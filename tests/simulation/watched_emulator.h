@@ -31,6 +31,7 @@ class WatchedEmulator final : public test::EmulatorAround, public BusTarget {
     for (auto next = inner_->next_event(); next && *next<now&& * next> reached_;
          next = inner_->next_event()) {
       inner_->advance_to(reached_ = *next);
+      look_at_bench();  // a program may switch an output for a moment
       look_at_machine();
     }
     inner_->advance_to(reached_ = now);
