@@ -177,7 +177,7 @@ TEST_P(ToolGuardTest, ATextThatSaysItInNoKnownWayIsNotTaken) {
   bad.replace(at, 7, "the lamp ");
   const IntentFate fate = perform(intent::LoadProgram(0, bad));
   EXPECT_EQ(fate.fate, Fate::refused);
-  EXPECT_THAT(std::string(fate.sentence.view()), HasSubstr("Line 1"));
+  EXPECT_THAT(std::string(fate.sentence.view()), HasSubstr("does not say how the tool is switched off"));
 }
 
 }  // namespace

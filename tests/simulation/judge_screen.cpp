@@ -154,6 +154,7 @@ void Judge::judge_limits(int device) {
 }
 
 void Judge::bench_is(int device, const BenchView& view) {
+  if (ix(device) >= devices_.size()) return;  // nobody has opened it yet
   DeviceCase& d = at(device);
   const Instant now = scheduler_.now();
   const DeviceCase::Bench stand{view.inputs_operated | view.buttons << 16, view.outputs};

@@ -35,6 +35,7 @@ class WatchedEmulator final : public test::EmulatorAround, public BusTarget {
       look_at_machine();
     }
     inner_->advance_to(reached_ = now);
+    look_at_bench();
     look_at_machine();
   }
   Result<> operate(const BenchCommand& command) override {

@@ -25,8 +25,8 @@ class Writer {
 
   Result<SequenceText> run() {
     if (auto found = draft_.find_axes(); !found) return fail(found.error());
-    if (auto said = draft_.tool_line("# "); !said) return fail(said.error());
     draft_.line("AA");
+    if (auto said = draft_.tool_line("# "); !said) return fail(said.error());
     if (auto written = write_steps(*this, draft_, draft_.sequence.steps); !written)
       return fail(written.error());
     return std::move(draft_).finish();
