@@ -133,8 +133,9 @@ class Language {
   /// place in the sequence's own list. Long: for a worker thread.
   [[nodiscard]] virtual Result<Pieces> in_pieces(const sequence::Sequence& sequence, const Catalog& catalog,
                                                  int from_step = 0) const;
-  /// Steps in the unit and axes of `frame` that write() makes the same program of: what they cannot hold stays
-  /// text of the controller's own. The fault names the line where that does not help. Long: for a worker.
+  /// Steps in the unit and axes of `frame` that write() makes the same program of: what they cannot hold
+  /// stays text of the controller's own. The fault names the line where that does not help. Long: for a
+  /// worker.
   [[nodiscard]] virtual Result<SequenceRead> read(std::string_view text, const sequence::Sequence& frame,
                                                   const Catalog& catalog) const = 0;
 };
