@@ -13,6 +13,7 @@ Result<> PieceRun::begin(const intent::RunInPieces& wish) {
     return fail(FaultKind::refused, "Something runs or moves.", "Nothing was sent.", "Stop it first.");
   pieces_ = wish.pieces;
   piece_ = step_ = 0;
+  restarts_ = draft_.restarts;
   draft_.pieces = PiecesState();
   draft_.pieces.running = true;
   draft_.pieces.total = static_cast<std::int32_t>(pieces_->all.size());
@@ -27,8 +28,10 @@ bool PieceRun::at_rest() const {
 
 const IntentBody* PieceRun::due(std::uint64_t rounds) const {
   if (!running() || rounds < shows_in_ || !draft_.link.connected() || !at_rest()) return nullptr;
-  if (draft_.pieces.held && step_ == 0) return nullptr;
-  return &pieces_->all[piece_].does[step_];
+  const Piece& piece = pieces_->all[piece_];
+  const bool asked_for = step_ >= piece.does.size();  // the next round shows what has come of it
+  if (asked_for || (draft_.pieces.held && step_ == 0) || draft_.restarts != restarts_) return nullptr;
+  return &piece.does[step_];
 }
 
 void PieceRun::done(std::uint64_t shows_in) {
@@ -47,7 +50,12 @@ void PieceRun::show_step() {
 }
 
 std::string PieceRun::watch(std::uint64_t rounds) {
-  if (!running() || step_ == 0) return {};
+  if (!running()) return {};
+  if (draft_.restarts != restarts_) {
+    end();
+    return "The controller was switched off and on, or reset, while pieces were under way. Nothing follows.";
+  }
+  if (step_ == 0) return {};
   show_step();
   if (step_ < pieces_->all[piece_].does.size()) return {};
   if (rounds < shows_in_ || !at_rest()) return {};
@@ -69,6 +77,9 @@ std::string PieceRun::why_not_whole(const Piece& piece) const {
     const AxisState& axis = draft_.axes[end.axis.index];
     if (axis.error != AxisError::none)
       return fmt::format("ended with an error of {}.", catalog_.axes[end.axis.index].name);
+    if (axis.trust.doubtful())
+      return fmt::format("has left {} where its position is not to be trusted.",
+                         catalog_.axes[end.axis.index].name);
     const bool counts_as_written = !axis.in_counts && axis.loop == Loop::none && axis.position_known;
     if (counts_as_written && axis.position != end.value)
       return fmt::format("has left {} at {}, and it ends at {}.", catalog_.axes[end.axis.index].name,

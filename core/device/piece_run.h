@@ -41,6 +41,7 @@ class PieceRun {
   std::shared_ptr<const Pieces> pieces_;
   std::size_t piece_ = 0, step_ = 0;  ///< of its `does`
   std::uint64_t shows_in_ = 0;
+  std::uint32_t restarts_ = 0;  ///< of the controller, when they were begun
 };
 
 }  // namespace hw

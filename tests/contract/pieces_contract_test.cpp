@@ -184,6 +184,19 @@ TEST_P(PiecesContractTest, AChainThatFitsNowhereIsLiftedOnItsWay) {
   EXPECT_EQ(axis().position, Steps(at_));
 }
 
+TEST_P(PiecesContractTest, NothingFollowsAPowerCut) {
+  const auto pieces = long_one();
+  must(intent::RunInPieces(pieces));
+  ASSERT_TRUE(run_until([this] { return is_on(); }, seconds(60)));
+  operate(bench::PowerCycle());
+  run(seconds(60));
+  EXPECT_FALSE(now().pieces.running);
+  const Steps there = axis().position;
+  run(seconds(30));
+  EXPECT_EQ(axis().position, there);
+  EXPECT_LT(now().pieces.done, now().pieces.total);
+}
+
 TEST_P(PiecesContractTest, WhatIsLeftBeginsWhereTheToolWasUp) {
   add_chains(3, 4);
   int down = 0;
