@@ -20,6 +20,16 @@ Result<> PieceRun::begin(const intent::RunInPieces& wish) {
   return {};
 }
 
+Result<> PieceRun::allows(const IntentBody& body) const {
+  const auto is = [&body](auto... kinds) { return (std::holds_alternative<decltype(kinds)>(body) || ...); };
+  using namespace intent;
+  const bool disturbs = is(SetPosition(0), SetEncoder(0), LoadProgram(0, {}), ClearProgram(0), RunProgram(0),
+                           FeedMoves({}), SingleStep());
+  if (!running() || !disturbs) return {};
+  return fail(FaultKind::refused, "A sequence is under way in pieces, and this would disturb the next one.",
+              "Nothing was sent.", "Stop it first.");
+}
+
 bool PieceRun::at_rest() const {
   const ProgramState& p = draft_.program;
   const bool runs = p.owned && p.run != RunState::idle && p.run != RunState::error;

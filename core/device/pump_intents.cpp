@@ -320,6 +320,7 @@ Task<Result<>> Pump::perform_guarding_tool(const IntentBody& body) {
 
 Task<Result<>> Pump::perform_beside_pieces(const IntentBody& body) {
   if (const auto* wish = std::get_if<intent::RunInPieces>(&body)) co_return pieces_.begin(*wish);
+  if (auto may = pieces_.allows(body); !may) co_return may;
   const bool holds = std::holds_alternative<intent::Pause>(body);
   if (pieces_.running() && (holds || std::holds_alternative<intent::Resume>(body))) {
     pieces_.hold(holds);

@@ -197,6 +197,16 @@ TEST_P(PiecesContractTest, NothingFollowsAPowerCut) {
   EXPECT_LT(now().pieces.done, now().pieces.total);
 }
 
+TEST_P(PiecesContractTest, NothingMovesItsOriginMeanwhile) {
+  must(intent::RunInPieces(long_one()));
+  ASSERT_TRUE(run_until([this] { return is_on(); }, seconds(60)));
+  const IntentFate zero = perform(intent::SetPosition(0));
+  EXPECT_EQ(zero.fate, Fate::refused);
+  EXPECT_THAT(std::string(zero.sentence.view()), HasSubstr("in pieces"));
+  ASSERT_TRUE(ends());
+  EXPECT_EQ(axis().position, Steps(at_));
+}
+
 TEST_P(PiecesContractTest, WhatIsLeftBeginsWhereTheToolWasUp) {
   add_chains(3, 4);
   int down = 0;
