@@ -306,51 +306,6 @@ Task<> Pump::perform_next() {
   publish();
 }
 
-Task<Result<>> Pump::perform_guarding_tool(const IntentBody& body) {
-  auto may = tool_.begin(body);
-  if (!may) co_return may;
-  if (std::holds_alternative<intent::Resume>(body)) {
-    auto back = co_await bring_tool_back();
-    if (!back) co_return back;
-  }
-  auto performed = co_await guarded("command", driver_->perform(body));
-  if (performed) tool_.done(body);
-  co_return performed;
-}
-
-Task<Result<>> Pump::perform_beside_pieces(const IntentBody& body) {
-  if (const auto* wish = std::get_if<intent::RunInPieces>(&body)) co_return pieces_.begin(*wish);
-  if (auto may = pieces_.allows(body); !may) co_return may;
-  const bool holds = std::holds_alternative<intent::Pause>(body);
-  if (pieces_.running() && (holds || std::holds_alternative<intent::Resume>(body))) {
-    pieces_.hold(holds);
-    const RunState run = draft_.program.run;
-    const bool at_work = draft_.program.owned && (holds ? run == RunState::running : run == RunState::held);
-    const bool can_hold = catalog_.can.single_step || catalog_.program.threads > 0;
-    if (!at_work || !can_hold || !catalog_.can.outputs_while_held) co_return Result<>();
-  }
-  co_return co_await perform_guarding_tool(body);
-}
-
-/// A stop that comes meanwhile has ended them.
-Task<> Pump::perform_piece(const IntentBody& body) {
-  const IntentBody asked = body;  // theirs may go with them
-  count_program_change(Intent(0, asked));
-  auto performed = co_await perform_guarding_tool(asked);
-  if (!pieces_.running()) co_return;
-  if (performed)
-    pieces_.done(rounds_.want(scheduler_.now()));
-  else
-    pieces_end(performed.error().sentence());
-  publish();
-}
-
-void Pump::pieces_end(std::string why) {
-  pieces_.end();
-  ways_.notify(Notice(Notice::Kind::error, scheduler_.now(), std::move(why)));
-  publish();
-}
-
 TextMeaning Pump::meaning_of(const std::string& text) const {
   return driver_->meaning_of(intent::SendText(text));
 }

@@ -50,46 +50,6 @@ StopOrder& Pump::ask(StopOrder order) {
   return asked;
 }
 
-/// After a round: what ends by itself, by its error, by a hold or by somebody else's stop leaves the tool off
-/// too.
-void Pump::watch_tool() {
-  if (desk_.any()) return;
-  switch (tool_.watch(draft_, rounds_.ended())) {
-    case ToolGuard::Wish::nothing: return;
-    case ToolGuard::Wish::look: return tool_.looks_by(rounds_.want(scheduler_.now()), scheduler_.now());
-    case ToolGuard::Wish::switch_off: return switch_tool_off();
-    case ToolGuard::Wish::stop:
-      ways_.notify(Notice(Notice::Kind::warning, scheduler_.now(),
-                          "A limit switch was met with the tool on, so everything was stopped and the tool "
-                          "switched off."));
-      return post_stop(StopOrder());
-  }
-}
-
-void Pump::switch_tool_off() {
-  const bool held = draft_.program.run == RunState::held;
-  if (held) tool_.note_hold(draft_);
-  ways_.notify(Notice(
-      Notice::Kind::warning, scheduler_.now(),
-      fmt::format("{} with the tool on: {} was switched off.{}",
-                  held ? "The program is held" : "The program has ended", tool_outputs_words(tool_.outputs()),
-                  held ? " It comes on again when it goes on." : "")));
-  desk_.ask_tool(tool_.outputs());
-  wake_.notify();
-}
-
-/// What a hold has switched off, before what was cut goes on.
-Task<Result<>> Pump::bring_tool_back() {
-  const ToolOff held = tool_.of_hold();
-  for (const ToolOutput& o : held) {
-    const IntentBody on = intent::SetOutput(o.number, o.on);
-    auto set = co_await guarded("tool", driver_->perform(on));
-    if (!set) co_return set;
-  }
-  tool_.forget_hold();
-  co_return Result<>();
-}
-
 /// Nothing that was asked for before a stop goes out behind it, here or to all controllers of the wire.
 void Pump::drop_what_waits() {
   refuse_queued(stopped_first);

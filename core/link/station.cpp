@@ -115,6 +115,7 @@ Task<Result<>> Station::outwait(Priority priority) {
 
 Task<Result<>> Station::clean_by(Unmistakable asked, Priority priority) {
   constexpr Duration first_patience = Millis(600);
+  constexpr Duration patience_of_a_stop = Millis(250);  // then it is said again
   auto silent = co_await wait_for_silence();
   if (!silent) co_return silent;
   Transaction question = std::move(asked.question);
@@ -124,8 +125,10 @@ Task<Result<>> Station::clean_by(Unmistakable asked, Priority priority) {
   question.priority = priority;
   question.own_question = true;
   question.on_dirty_line = true;
-  const bool soon = may_be_silent || priority == Priority::stop || statistics_.misses_in_a_row < 2;
-  question.patience = soon ? first_patience : OwedAnswers::longest_delay;
+  const bool soon = may_be_silent || statistics_.misses_in_a_row < 2;
+  question.patience = priority == Priority::stop ? patience_of_a_stop
+                      : soon                     ? first_patience
+                                                 : OwedAnswers::longest_delay;
   auto answer = co_await send(std::move(question));
   if (!answer && answer.error().kind == FaultKind::no_answer && may_be_silent) {
     doubt(look);

@@ -79,7 +79,10 @@ void resume(Stage& stage, const Step& s) { stage.move(s.device, Judge::all_axes,
 void step(Stage& stage, const Step& s) {
   stage.move(s.device, Judge::all_axes, Steps(), intent::SingleStep());
 }
-void clear(Stage& stage, const Step& s) { stage.send(s.device, intent::ClearProgram(whole(s, 0))); }
+void clear(Stage& stage, const Step& s) {
+  stage.send(s.device, intent::ClearProgram(whole(s, 0)));
+  stage.judge().program_loaded(s.device, stage.sent(), false);
+}
 void upload(Stage& stage, const Step& s) { stage.send(s.device, intent::UploadProgram(whole(s, 0))); }
 
 // ---- the rest

@@ -81,6 +81,14 @@ void Motions::goes_elsewhere(int axis, Steps target) {
   minds_[ix(axis)].wanted = Activity::moving;
 }
 
+void Motions::another_begins(int axis) {
+  AxisMind& mind = minds_[ix(axis)];
+  mind.ours = false;
+  mind.with = 0;
+  mind.wanted = Activity::idle;
+  console_.draft.axes[axis].has_target = false;
+}
+
 void Motions::stopping(int axis, bool at_once) {
   for (int i = 0; i < console_.axes(); ++i) {
     if ((axis >= 0 && i != axis) || !console_.draft.axis_moves(i)) continue;
@@ -193,11 +201,8 @@ void Motions::show_ended(int index) {
   if (was_moving) axis.ended_by = how_it_ended(index);
   if (was_moving && mind.wanted == Activity::homing && axis.ended_by == EndedBy::target)
     axis.trust.settle(Trust::homed, console_.scheduler.now());
-  mind.ours = false;
-  mind.with = 0;
-  mind.wanted = Activity::idle;
+  another_begins(index);
   mind.ended_by = EndedBy::nothing;
-  axis.has_target = false;
 }
 
 void Motions::restarted(unsigned moved) {

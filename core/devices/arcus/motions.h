@@ -21,6 +21,8 @@ class Motions {
   void goes_to(int axis, Steps target, Pps speed);
   /// The target was changed on the way.
   void goes_elsewhere(int axis, Steps target);
+  /// Somebody else's motion of that axis: whatever the console had begun there has ended.
+  void another_begins(int axis);
   /// Those that move are being stopped; -1: all axes.
   void stopping(int axis, bool at_once);
   /// Axes that move together end together.

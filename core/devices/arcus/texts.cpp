@@ -124,8 +124,12 @@ void Texts::overhear(const std::string& text) {
 }
 
 // What is true only when the controller has taken it.
-void Texts::note_done(std::string_view text) {
-  if (bare_text(text) == "STORE") setup_.is_stored();
+void Texts::note_done(std::string_view command) {
+  if (command == "STORE") setup_.is_stored();
+  // It takes a move only of an axis that stands: whatever the console had begun there is over.
+  if (!arcus::may_move(console_.forms, command) || takes_target_away(command)) return;
+  const int named = console_.axes() == 1 ? 0 : axis_named_in(console_.forms, command);
+  if (named >= 0) motions_.another_begins(named);
 }
 
 // What the user's own text changes is read afresh, not guessed.

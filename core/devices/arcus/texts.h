@@ -33,7 +33,7 @@ class Texts {
 
  private:
   Task<Result<std::string>> say(std::string text, Priority priority, Duration patience);
-  void note_done(std::string_view text);
+  void note_done(std::string_view command);
   void note_sent(std::string_view as_typed);
   void note_stop(std::string_view text);
 

@@ -1,0 +1,93 @@
+// What cuts: the tool that a program switches, and drawings that are performed piece by piece.
+#include <fmt/core.h>
+
+#include "core/device/pump_job.h"
+
+namespace hw {
+
+/// After a round: what ends by itself, by its error, by a hold or by somebody else's stop leaves the tool off
+/// too.
+void Pump::watch_tool() {
+  if (desk_.any()) return;
+  switch (tool_.watch(draft_, rounds_.ended())) {
+    case ToolGuard::Wish::nothing: return;
+    case ToolGuard::Wish::look: return tool_.looks_by(rounds_.want(scheduler_.now()), scheduler_.now());
+    case ToolGuard::Wish::switch_off: return switch_tool_off();
+    case ToolGuard::Wish::stop:
+      ways_.notify(Notice(Notice::Kind::warning, scheduler_.now(),
+                          "A limit switch was met with the tool on, so everything was stopped and the tool "
+                          "switched off."));
+      return post_stop(StopOrder());
+  }
+}
+
+void Pump::switch_tool_off() {
+  const bool held = draft_.program.run == RunState::held;
+  if (held) tool_.note_hold(draft_);
+  ways_.notify(Notice(
+      Notice::Kind::warning, scheduler_.now(),
+      fmt::format("{} with the tool on: {} was switched off.{}",
+                  held ? "The program is held" : "The program has ended", tool_outputs_words(tool_.outputs()),
+                  held ? " It comes on again when it goes on." : "")));
+  desk_.ask_tool(tool_.outputs());
+  wake_.notify();
+}
+
+/// What a hold has switched off, before what was cut goes on.
+Task<Result<>> Pump::bring_tool_back() {
+  const ToolOff held = tool_.of_hold();
+  for (const ToolOutput& o : held) {
+    const IntentBody on = intent::SetOutput(o.number, o.on);
+    auto set = co_await guarded("tool", driver_->perform(on));
+    if (!set) co_return set;
+  }
+  tool_.forget_hold();
+  co_return Result<>();
+}
+
+Task<Result<>> Pump::perform_guarding_tool(const IntentBody& body) {
+  auto may = tool_.begin(body);
+  if (!may) co_return may;
+  if (std::holds_alternative<intent::Resume>(body)) {
+    auto back = co_await bring_tool_back();
+    if (!back) co_return back;
+  }
+  auto performed = co_await guarded("command", driver_->perform(body));
+  if (performed) tool_.done(body);
+  co_return performed;
+}
+
+Task<Result<>> Pump::perform_beside_pieces(const IntentBody& body) {
+  if (const auto* wish = std::get_if<intent::RunInPieces>(&body)) co_return pieces_.begin(*wish);
+  if (auto may = pieces_.allows(body); !may) co_return may;
+  const bool holds = std::holds_alternative<intent::Pause>(body);
+  if (pieces_.running() && (holds || std::holds_alternative<intent::Resume>(body))) {
+    pieces_.hold(holds);
+    const RunState run = draft_.program.run;
+    const bool at_work = draft_.program.owned && (holds ? run == RunState::running : run == RunState::held);
+    const bool can_hold = catalog_.can.single_step || catalog_.program.threads > 0;
+    if (!at_work || !can_hold || !catalog_.can.outputs_while_held) co_return Result<>();
+  }
+  co_return co_await perform_guarding_tool(body);
+}
+
+/// A stop that comes meanwhile has ended them.
+Task<> Pump::perform_piece(const IntentBody& body) {
+  const IntentBody asked = body;  // theirs may go with them
+  count_program_change(Intent(0, asked));
+  auto performed = co_await perform_guarding_tool(asked);
+  if (!pieces_.running()) co_return;
+  if (performed)
+    pieces_.done(rounds_.want(scheduler_.now()));
+  else
+    pieces_end(performed.error().sentence());
+  publish();
+}
+
+void Pump::pieces_end(std::string why) {
+  pieces_.end();
+  ways_.notify(Notice(Notice::Kind::error, scheduler_.now(), std::move(why)));
+  publish();
+}
+
+}  // namespace hw
