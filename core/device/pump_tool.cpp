@@ -54,6 +54,8 @@ Task<Result<>> Pump::perform_guarding_tool(const IntentBody& body) {
   }
   auto performed = co_await guarded("command", driver_->perform(body));
   if (performed) tool_.done(body);
+  const bool refused = !performed && performed.error().kind == FaultKind::refused;
+  if (refused && draft_.slots_torn == 0) tool_.refused(body);
   co_return performed;
 }
 

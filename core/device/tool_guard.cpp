@@ -76,6 +76,12 @@ void ToolGuard::done(const IntentBody& intent) {
   gather();
 }
 
+void ToolGuard::refused(const IntentBody& intent) {
+  if (!std::holds_alternative<intent::LoadProgram>(intent)) return;
+  loading_.reset();
+  gather();
+}
+
 /// A text that has come half way may have left some of the one before.
 void ToolGuard::gather() {
   all_.clear();

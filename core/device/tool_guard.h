@@ -23,6 +23,8 @@ class ToolGuard {
   [[nodiscard]] Result<> begin(const IntentBody& intent);
   /// It has been done.
   void done(const IntentBody& intent);
+  /// It was refused, and the programs in the controller are what they were.
+  void refused(const IntentBody& intent);
 
   /// Of all programs that may be in the controller.
   [[nodiscard]] const ToolOff& outputs() const { return all_; }

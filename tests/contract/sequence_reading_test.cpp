@@ -108,8 +108,9 @@ TEST_P(SequenceReadingTest, IsTheSameProgramAsBlocksOrRefusedByLine) {
   EXPECT_EQ(is.outputs, was.outputs);
   EXPECT_EQ(is.sent_to_host, was.sent_to_host);
   ASSERT_EQ(is.axes.size(), was.axes.size());
-  if (was.finished)
+  if (was.finished) {
     EXPECT_NEAR(is.duration_s, was.duration_s, 0.02 + 0.001 * was.duration_s) << written->text;
+  }
   for (std::size_t a = 0; a < was.axes.size(); ++a) {
     EXPECT_EQ(is.axes[a].minimum, was.axes[a].minimum) << written->text;
     EXPECT_EQ(is.axes[a].maximum, was.axes[a].maximum) << written->text;
