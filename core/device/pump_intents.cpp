@@ -139,9 +139,14 @@ void Pump::hold_jog(const Intent& intent) {
 // Halting one of several threads leaves the motion alone, and a stop of one axis the others: what else is
 // held stays guarded.
 void Pump::release_jogs(const StopOrder& order) {
-  if (order.what == StopOrder::What::program && catalog_.program.threads > 0) return;
-  if (order.what == StopOrder::What::words) return;
-  jogs_.stop(order.what == StopOrder::What::program ? -1 : order.axis);
+  using What = StopOrder::What;
+  const TextMeaning& said = order.meaning;
+  if (order.what == What::program && catalog_.program.threads > 0) return;
+  if (order.what == What::words && !said.stops_here()) return;
+  if (order.what != What::words) return jogs_.stop(order.what == What::program ? -1 : order.axis);
+  if (said.stops == TextMeaning::Stops::all) return jogs_.stop(-1);
+  for (int axis = 0; axis < draft_.axis_count; ++axis)
+    if (axis == said.axis || (said.axes >> axis & 1u) != 0) jogs_.stop(axis);
 }
 
 /// The hand's jog, if it still waits for its turn: it has moved nothing, so nothing is stopped.

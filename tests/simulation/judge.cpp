@@ -139,7 +139,7 @@ void Judge::stop_asked(int device, std::uint32_t axes, StopKind kind, bool by_ha
   for (int a = 0; a < max_axes; ++a) {
     if ((axes >> a & 1u) == 0) continue;
     AxisCase& axis = d.axes[static_cast<std::size_t>(a)];
-    axis.stopped = Stopped{scheduler_.now(), axis.truth.ramp, !prompt()};
+    axis.stopped = Stopped{scheduler_.now(), axis.truth.ramp, !prompt(), d.truth.program};
   }
 }
 

@@ -150,7 +150,8 @@ class Judge final : public Witness {
   struct Stopped {
     Instant at{};
     Duration ramp{};
-    bool doubtful = false;  ///< the wire was not prompt then
+    bool doubtful = false;    ///< the wire was not prompt then
+    bool of_program = false;  ///< one ran, and moved it perhaps
   };
   struct AxisCase {
     AxisTruth truth;
@@ -249,7 +250,7 @@ class Judge final : public Witness {
   void judge_stops(int device);
   void judge_kill(int device);
   [[nodiscard]] Instant latest_stop(int device, const AxisCase& axis) const;
-  [[nodiscard]] Instant carries_a_stop(int device) const;
+  [[nodiscard]] Instant carries_a_stop(const Stopped& stopped) const;
   [[nodiscard]] bool prompt() const;
   [[nodiscard]] Duration lateness() const;
 

@@ -120,9 +120,9 @@ std::optional<bool> Judge::was_whole(const DeviceCase& d, int a, std::int64_t ma
 }
 
 // What ends a stored program takes steps (hold, ramp, end), each behind what was seen of the one before.
-Instant Judge::carries_a_stop(int device) const {
+Instant Judge::carries_a_stop(const Stopped& stopped) const {
   const Instant out = faults_.carries_since(scheduler_.now());
-  return at(device).truth.program ? std::max(out, faults_.in.hurt()) : out;
+  return stopped.of_program ? std::max(out, faults_.in.hurt()) : out;
 }
 
 void Judge::judge_stops(int device) {
@@ -132,7 +132,7 @@ void Judge::judge_stops(int device) {
     const AxisCase& axis = d.axes[ix(a)];
     if (!axis.stopped || !axis.truth.moving || excused(d, a)) continue;
     if (now <= latest_stop(device, axis) + axis.stopped->ramp) continue;
-    const Instant carries = carries_a_stop(device);
+    const Instant carries = carries_a_stop(*axis.stopped);
     const bool hurt = carries >= axis.stopped->at;
     accuse("stop",
            fmt::format(
@@ -149,7 +149,7 @@ Instant Judge::latest_stop(int device, const AxisCase& axis) const {
   const Duration bound = (doubtful ? stop_on_doubtful_wire : stop_when_prompt_) + neighbours;
   const std::optional<Instant>& seen = at(device).first_connected;
   const Duration after_hurt = seen && *seen < axis.stopped->at ? stop_after_hurt : stop_of_the_unseen;
-  return std::max(axis.stopped->at + bound, carries_a_stop(device) + after_hurt);
+  return std::max(axis.stopped->at + bound, carries_a_stop(*axis.stopped) + after_hurt);
 }
 
 /// Nothing has been wrong with the wire for a while.

@@ -213,7 +213,7 @@ bool may_set_counter(std::string_view text) {
 }
 
 bool may_set_target(std::string_view text) {
-  if (text.starts_with("CLR") || text.starts_with("ABORT")) return true;
+  if (text.starts_with("CLR") || ends_motion(text)) return true;
   const std::string_view name = text.substr(0, text.find('='));
   return name.size() != text.size() && name.size() <= 3 && name.starts_with("SL");
 }
