@@ -3,6 +3,7 @@
 // refuses with a sentence.
 #include <chrono>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
@@ -194,6 +195,8 @@ struct Sample {
 /// Feeds a list of moves into the controller's buffer as places become free; see MoveListFacts. A stop ends
 /// it.
 struct FeedMoves {
+  /// In a row: where that axis stands when the list begins; its own speed.
+  static constexpr std::int64_t as_it_is = std::numeric_limits<std::int64_t>::min();
   std::vector<std::vector<std::int64_t>> rows;
   bool despite_doubt = false;
   explicit FeedMoves(std::vector<std::vector<std::int64_t>> r) : rows(std::move(r)) {}

@@ -1,5 +1,7 @@
 #include "core/device/piece_run.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "core/base/index.h"
@@ -16,6 +18,8 @@ Result<> PieceRun::begin(const intent::RunInPieces& wish) {
   restarts_ = draft_.restarts;
   draft_.pieces = PiecesState();
   draft_.pieces.running = true;
+  draft_.pieces.draws = std::any_of(pieces_->all.begin(), pieces_->all.end(),
+                                    [](const Piece& piece) { return piece.draws >= 0; });
   draft_.pieces.total = static_cast<std::int32_t>(pieces_->all.size());
   return {};
 }
@@ -36,16 +40,18 @@ bool PieceRun::at_rest() const {
   return !runs && !draft_.any_axis_moving() && !draft_.working && !draft_.feed.running;
 }
 
-const IntentBody* PieceRun::due(std::uint64_t rounds) const {
+const IntentBody* PieceRun::due(std::uint64_t rounds, Instant now) const {
   if (!running() || rounds < shows_in_ || !draft_.link.connected() || !at_rest()) return nullptr;
+  if (now < not_before_) return nullptr;
   const Piece& piece = pieces_->all[piece_];
   const bool asked_for = step_ >= piece.does.size();  // the next round shows what has come of it
   if (asked_for || (draft_.pieces.held && step_ == 0) || draft_.restarts != restarts_) return nullptr;
-  return &piece.does[step_];
+  return &piece.does[step_].what;
 }
 
-void PieceRun::done(std::uint64_t shows_in) {
+void PieceRun::done(std::uint64_t shows_in, Instant now) {
   shows_in_ = shows_in;
+  not_before_ = now + pieces_->all[piece_].does[step_].then;
   ++step_;
 }
 
@@ -55,7 +61,10 @@ void PieceRun::show_step() {
   const bool threads = catalog_.program.threads > 0;
   const int command = threads ? draft_.threads.front().line : draft_.program.command;
   const bool told = draft_.program.owned && command >= 0 && ix(command) < piece.step_of_command.size();
-  const int step = told ? piece.step_of_command[ix(command)] : -1;
+  int step = told ? piece.step_of_command[ix(command)] : -1;
+  const bool draws = piece.draws >= 0 && step_ == ix(piece.draws) + 1;
+  const int row = draws ? std::min(draft_.feed.sent, static_cast<int>(piece.step_of_row.size())) - 1 : -1;
+  if (row >= 0) step = piece.step_of_row[ix(row)];
   draft_.pieces.step = std::max({draft_.pieces.step, piece.first_step, step});
 }
 
@@ -100,7 +109,7 @@ std::string PieceRun::why_not_whole(const Piece& piece) const {
 
 void PieceRun::end() {
   pieces_.reset();
-  draft_.pieces.running = draft_.pieces.held = false;
+  draft_.pieces.running = draft_.pieces.held = draft_.pieces.draws = false;
 }
 
 }  // namespace hw

@@ -21,9 +21,9 @@ class PieceRun {
   [[nodiscard]] Result<> allows(const IntentBody& body) const;
   /// What the controller is to do now; null: nothing, or it is not known to be at rest. `rounds`: that have
   /// ended.
-  [[nodiscard]] const IntentBody* due(std::uint64_t rounds) const;
+  [[nodiscard]] const IntentBody* due(std::uint64_t rounds, Instant now) const;
   /// It was asked for; what has come of it shows in that round and those behind it.
-  void done(std::uint64_t shows_in);
+  void done(std::uint64_t shows_in, Instant now);
   /// After a round: a piece that has not come to its own end is followed by nothing. The sentence that says
   /// so; empty: all is well.
   [[nodiscard]] std::string watch(std::uint64_t rounds);
@@ -43,6 +43,7 @@ class PieceRun {
   std::shared_ptr<const Pieces> pieces_;
   std::size_t piece_ = 0, step_ = 0;  ///< of its `does`
   std::uint64_t shows_in_ = 0;
+  Instant not_before_{};
   std::uint32_t restarts_ = 0;  ///< of the controller, when they were begun
 };
 

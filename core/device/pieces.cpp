@@ -146,7 +146,7 @@ class Cutter {
     Piece made;
     made.first_step = static_cast<int>(begin);
     made.step_of_command = steps_of_commands(text, begin, end);
-    made.does = {intent::LoadProgram(0, std::move(text.text)), intent::RunProgram(0)};
+    made.does = {{intent::LoadProgram(0, std::move(text.text))}, {intent::RunProgram(0)}};
     for (std::size_t a = 0; a < sequence_.axes.size(); ++a)
       if (const auto place = before_[end].at[a]; place)
         if (const int axis = catalog_.find_axis(sequence_.axes[a].name); axis >= 0)
@@ -198,13 +198,17 @@ class Cutter {
 
 }  // namespace
 
+Result<> has_step(const seq::Sequence& sequence, int step) {
+  if (sequence.steps.empty()) return fail(FaultKind::text, "It has no steps.", "Nothing was written.");
+  if (step >= 0 && ix(step) < sequence.steps.size()) return {};
+  return fail(FaultKind::text,
+              fmt::format("There is no step {}: it has {}.", step + 1, sequence.steps.size()),
+              "Nothing was written.");
+}
+
 Result<Pieces> cut_by_text(const Language& language, const seq::Sequence& sequence, const Catalog& catalog,
                            int from_step) {
-  if (sequence.steps.empty()) return fail(FaultKind::text, "It has no steps.", "Nothing was written.");
-  if (from_step < 0 || ix(from_step) >= sequence.steps.size())
-    return fail(FaultKind::text,
-                fmt::format("There is no step {}: it has {}.", from_step + 1, sequence.steps.size()),
-                "Nothing was written.");
+  if (auto has = has_step(sequence, from_step); !has) return fail(has.error());
   return Cutter(language, sequence, catalog).run(ix(from_step));
 }
 

@@ -1,33 +1,47 @@
 #pragma once
 // A sequence cut where its tool is up, or can be lifted, into pieces that its controller can hold: each is
 // whole by itself, begins and ends with the tool off, and waits for the one before.
+#include <string>
 #include <vector>
 
 #include "core/base/result.h"
 #include "core/device/catalog.h"
 #include "core/device/intent.h"
+#include "core/device/tool_off.h"
 #include "core/sequence/sequence.h"
+#include "core/time/clock.h"
 
 namespace hw {
 
 class Language;
 
+struct PieceAct {
+  IntentBody what;
+  Duration then{};  ///< passes behind it
+};
+
 struct Piece {
-  std::vector<IntentBody> does;     ///< one after the other, each once the controller is at rest
+  std::vector<PieceAct> does;       ///< one after the other, each once the controller is at rest
   std::vector<AxisTarget> ends_at;  ///< where that is known
   int first_step = 0;               ///< place of its first step in the sequence's own list
   /// The same of each command that the controller stores, where it runs one program; -1: of none of them.
   std::vector<int> step_of_command;
+  int draws = -1;                ///< which of `does` is the list of moves that draws; -1: a program does
+  std::vector<int> step_of_row;  ///< of that list
 };
 
 struct Pieces {
   std::vector<Piece> all;
-  int lifts = 0;  ///< so often the tool is lifted within what it draws in one go
+  int lifts = 0;       ///< so often the tool is lifted within what it draws in one go
+  ToolOff tool;        ///< of what they switch act by act; a program's text says it by itself
+  std::string remark;  ///< what is to be known before; may be empty
 };
 
 /// By the language's own texts: as many steps in a piece as fit into its program memory. `from_step`: see
 /// Language::in_pieces().
 Result<Pieces> cut_by_text(const Language& language, const sequence::Sequence& sequence,
-                           const Catalog& catalog, int from_step = 0);
+                           const Catalog& catalog, int from_step);
+/// Why it cannot begin there.
+Result<> has_step(const sequence::Sequence& sequence, int step);
 
 }  // namespace hw

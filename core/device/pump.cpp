@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include "core/device/pump_job.h"
+#include "core/device/refusals.h"
 
 namespace hw {
 namespace {
@@ -270,7 +271,7 @@ Task<> Pump::serve() {
     } else if (!desk_.any() && !jobs_.empty()) {
       co_await perform_next();
       rounds_.look_often(scheduler_.now());
-    } else if (const IntentBody* piece = pieces_.due(rounds_.ended()); piece && !desk_.any() && !leaves()) {
+    } else if (const IntentBody* piece = pieces_.due(rounds_.ended(), scheduler_.now()); piece && !desk_.any() && !leaves()) {
       co_await perform_piece(*piece);
       rounds_.look_often(scheduler_.now());
     } else if (scheduler_.now() < rounds_.next()) {

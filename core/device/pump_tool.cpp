@@ -22,7 +22,7 @@ void Pump::watch_tool() {
 }
 
 void Pump::switch_tool_off() {
-  const bool held = draft_.program.run == RunState::held;
+  const bool held = draft_.program.run == RunState::held || draft_.pieces.draws;
   if (held) tool_.note_hold(draft_);
   ways_.notify(Notice(
       Notice::Kind::warning, scheduler_.now(),
@@ -60,11 +60,18 @@ Task<Result<>> Pump::perform_guarding_tool(const IntentBody& body) {
 }
 
 Task<Result<>> Pump::perform_beside_pieces(const IntentBody& body) {
-  if (const auto* wish = std::get_if<intent::RunInPieces>(&body)) co_return pieces_.begin(*wish);
+  if (const auto* wish = std::get_if<intent::RunInPieces>(&body)) {
+    auto begun = pieces_.begin(*wish);
+    if (begun) tool_.pieces_begin(wish->pieces->tool);
+    co_return begun;
+  }
   if (auto may = pieces_.allows(body); !may) co_return may;
   const bool holds = std::holds_alternative<intent::Pause>(body);
   if (pieces_.running() && (holds || std::holds_alternative<intent::Resume>(body))) {
+    if (!holds && draft_.pieces.draws)
+      if (auto back = co_await bring_tool_back(); !back) co_return back;
     pieces_.hold(holds);
+    if (draft_.pieces.draws) co_return Result<>();
     const RunState run = draft_.program.run;
     const bool at_work = draft_.program.owned && (holds ? run == RunState::running : run == RunState::held);
     const bool can_hold = catalog_.can.single_step || catalog_.program.threads > 0;
@@ -80,7 +87,7 @@ Task<> Pump::perform_piece(const IntentBody& body) {
   auto performed = co_await perform_guarding_tool(asked);
   if (!pieces_.running()) co_return;
   if (performed)
-    pieces_.done(rounds_.want(scheduler_.now()));
+    pieces_.done(rounds_.want(scheduler_.now()), scheduler_.now());
   else
     pieces_end(performed.error().sentence());
   publish();

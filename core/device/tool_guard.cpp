@@ -9,6 +9,7 @@ namespace hw {
 namespace {
 
 constexpr int attempts = 5;
+constexpr int place_of_pieces = -2;
 
 template <class... Kinds>
 bool is_any_of(const IntentBody& body) {
@@ -104,14 +105,23 @@ bool ToolGuard::is_off(const Snapshot& now) const {
                      [&](const ToolOutput& o) { return is_on(o.number, now) == o.on; });
 }
 
+void ToolGuard::pieces_begin(const ToolOff& tool) {
+  by_place_[place_of_pieces] = tool;
+  at_work_ = at_work_ || !tool.empty();
+  forget_hold();
+  gather();
+}
+
 /// In a hold the motion that has begun goes on to its end, with the tool.
 ToolGuard::Cause ToolGuard::cause(const Snapshot& now) {
   const std::uint32_t limits = limits_shown(now), met = limits & ~std::exchange(limits_, limits);
-  if (program_goes_on(now.program)) {
+  const bool feed_is_held = now.pieces.held && now.feed.running;
+  if (program_goes_on(now.program) || (now.pieces.draws && !feed_is_held)) {
     const bool was_at_work = std::exchange(at_work_, true);
     return was_at_work && met != 0 ? Cause::limit : Cause::none;
   }
-  const bool moves_on = now.program.run == RunState::held && (now.any_axis_moving() || now.working);
+  const bool held = now.program.run == RunState::held || feed_is_held;
+  const bool moves_on = held && (now.any_axis_moving() || now.working);
   return at_work_ && !moves_on ? Cause::rests : Cause::none;
 }
 
@@ -129,7 +139,9 @@ ToolGuard::Wish ToolGuard::watch(const Snapshot& now, std::uint64_t rounds) {
   if (judged == Cause::limit) return is_off(now) ? Wish::nothing : Wish::stop;
   if (seen != Cause::rests) return Wish::nothing;  // it goes on
   if (!is_off(now)) return Wish::switch_off;
+  if (now.any_axis_moving()) return Wish::nothing;  // what a part of it has begun may switch it on again
   at_work_ = false;
+  if (!now.pieces.draws && by_place_.erase(place_of_pieces) > 0) gather();
   return Wish::nothing;
 }
 

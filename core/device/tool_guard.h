@@ -50,6 +50,9 @@ class ToolGuard {
   /// Of the order that switches it off, by a whole round behind everything else that was to stop.
   [[nodiscard]] StopProgress progress(const StopOrder& order, const Snapshot& now) const;
 
+  /// Acts one by one that switch it (Snapshot::pieces).
+  void pieces_begin(const ToolOff& tool);
+
   // ---- a hold: what was cut goes on where it was held
   /// It is being switched off in one; what is on now comes on again with the program.
   void note_hold(const Snapshot& now);

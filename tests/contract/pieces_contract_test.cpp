@@ -84,7 +84,9 @@ TEST_P(PiecesContractTest, EachPieceFitsAndBeginsWhereTheOneBeforeEnds) {
   for (const Piece& piece : pieces->all) {
     EXPECT_GT(piece.first_step, step);
     step = piece.first_step;
-    const auto& text = std::get<intent::LoadProgram>(piece.does.front()).text;
+    const auto* load = std::get_if<intent::LoadProgram>(&piece.does.front().what);
+    if (!load) continue;  // moves, one by one
+    const std::string& text = load->text;
     const ProgramReport report = GetParam()->language().analyse(text, 0);
     EXPECT_FALSE(report.has_errors()) << text;
     for (const auto& [slot, cost] : report.cost) EXPECT_TRUE(capacity == 0 || cost <= capacity) << cost;
@@ -177,8 +179,10 @@ TEST_P(PiecesContractTest, AChainThatFitsNowhereIsLiftedOnItsWay) {
   add_chains(1, session->catalog().program.capacity > 1000 ? 1500 : 120);
   const auto pieces = cut();
   ASSERT_TRUE(pieces);
-  ASSERT_GT(pieces->all.size(), 1u);
-  EXPECT_GT(pieces->lifts, 0);
+  if (pieces->all.front().draws < 0) {  // else it goes on while it is sent
+    ASSERT_GT(pieces->all.size(), 1u);
+    EXPECT_GT(pieces->lifts, 0);
+  }
   must(intent::RunInPieces(pieces));
   ASSERT_TRUE(ends(seconds(1800)));
   EXPECT_EQ(axis().position, Steps(at_));
@@ -219,6 +223,51 @@ TEST_P(PiecesContractTest, WhatIsLeftBeginsWhereTheToolWasUp) {
   must(intent::RunInPieces(rest));
   ASSERT_TRUE(ends());
   EXPECT_EQ(axis().position, Steps(at_));
+}
+
+// Drawn in one go, at the pace of a serial line: the tool never stands still on its way.
+TEST_P(PiecesContractTest, ABufferNeverRunsDryOnTheWay) {
+  TearDown();
+  session.reset();
+  open(make_wire_opener(), ",wire=real");
+  if (session->catalog().move_list.columns.empty()) GTEST_SKIP() << "it has no buffer for moves";
+  constexpr int arcs = 5000, radius = 20;
+  s_.axes = {{"X", 1}, {"Y", 1}};
+  seq::Move start;
+  start.to[0] = 0, start.to[1] = 0;
+  s_.steps.push_back({start});
+  s_.steps.push_back({seq::WaitMotion{}});
+  s_.steps.push_back({seq::Pen{true}});
+  for (int a = 0; a < arcs; ++a) {  // a wave along X and back
+    const int way = a < arcs / 2 ? 1 : -1;
+    at_ += 2 * radius * way;
+    seq::Arc arc;
+    arc.x = at_ - radius * way, arc.y = 0, arc.degrees = a % 2 == 0 ? 180 : -180;
+    s_.steps.push_back({arc});
+  }
+  s_.steps.push_back({seq::WaitMotion{}});
+  s_.steps.push_back({seq::Pen{false}});
+  const auto pieces = cut();
+  ASSERT_TRUE(pieces);
+  ASSERT_EQ(pieces->all.size(), 1u);
+  must(intent::RunInPieces(pieces));
+  ASSERT_TRUE(run_until([this] { return now().feed.sent > 1; }, seconds(60)));
+  Duration longest_rest{};
+  Instant moved_at = time.now();
+  std::array<Steps, 2> there{};
+  ASSERT_TRUE(run_until(
+      [&] {
+        if (const std::array<Steps, 2> here{load_of(0), load_of(1)}; std::exchange(there, here) != here)
+          moved_at = time.now();
+        if (is_on() && now().feed.running && now().feed.sent > 2)
+          longest_rest = std::max(longest_rest, time.now() - moved_at);
+        return !now().pieces.running;
+      },
+      seconds(40'000)));
+  EXPECT_LT(longest_rest, Millis(20)) << "a step takes less";
+  EXPECT_FALSE(is_on());
+  EXPECT_EQ(now().axes[0].position, Steps(at_));
+  EXPECT_EQ(now().pieces.done, 1) << told();
 }
 
 TEST_P(PiecesContractTest, AFaultNamesTheStepOfTheWholeSequence) {

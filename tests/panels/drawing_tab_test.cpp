@@ -223,7 +223,7 @@ TEST_F(DrawingTabTest, CuttingIsAskedAboutFirst) {
   const auto* asked = s.last<intent::RunInPieces>();
   ASSERT_TRUE(asked);
   ASSERT_EQ(asked->pieces->all.size(), 1u);
-  EXPECT_THAT(std::get<intent::LoadProgram>(asked->pieces->all[0].does[0]).text,
+  EXPECT_THAT(std::get<intent::LoadProgram>(asked->pieces->all[0].does[0].what).text,
               HasSubstr("Tool off: output 2 off"));
 }
 
@@ -232,7 +232,7 @@ TEST_F(DrawingTabTest, WhatWasStoppedGoesOnFromItsChain) {
   s.click("drawing/cut");
   s.click("drawing/ask_cut/yes");
   s.settle(Fate::done);
-  s.now.pieces = {true, false, 3, 7, 6};
+  s.now.pieces = {true, false, false, 3, 7, 6};
   s.stage.frames(3);
   EXPECT_FALSE(s.stage.find("drawing/cut"));
   s.click("drawing/hold");

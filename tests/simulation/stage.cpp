@@ -200,6 +200,7 @@ Task<> Stage::close_and_look(std::shared_ptr<SessionGroup> group, int call) {
 }
 
 void Stage::send(int device, IntentBody body) {
+  sent_ = 0;
   Session* s = session(device);
   if (s == nullptr) return;
   const bool keep_alive = std::holds_alternative<intent::JogKeepAlive>(body);

@@ -1,11 +1,15 @@
 #include "core/devices/arcus/move_list.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <fmt/core.h>
 
 namespace hw::arcus {
 namespace {
 
 constexpr int most_per_round = 8;  // so that the round of status is not kept waiting
+constexpr double status_takes_part = 1.3;
 
 }  // namespace
 
@@ -16,8 +20,9 @@ Result<> MoveList::accepts(const intent::FeedMoves& wish) const {
                 "Nothing was sent.");
   for (std::size_t row = 0; row < wish.rows.size(); ++row)
     for (std::size_t c = 0; c < columns.size(); ++c)
-      if (wish.rows[row].size() != columns.size() || wish.rows[row][c] < columns[c].minimum ||
-          wish.rows[row][c] > columns[c].maximum)
+      if (wish.rows[row].size() != columns.size() ||
+          (wish.rows[row][c] != intent::FeedMoves::as_it_is &&
+           (wish.rows[row][c] < columns[c].minimum || wish.rows[row][c] > columns[c].maximum)))
         return fail(FaultKind::refused,
                     fmt::format("Move {} of the list cannot be sent: {} goes from {} to {}.", row + 1,
                                 columns[c].label, columns[c].minimum, columns[c].maximum),
@@ -29,14 +34,25 @@ Task<Result<>> MoveList::switch_buffer_on() {
   auto on = co_await talk_.command("BO", Priority::intent);
   if (!on && on.error().kind == FaultKind::refused)
     on.error().advice = "Buffered moves need StepNLoop of X, Y and Z switched off.";
-  if (!on) co_return on;
+  if (!on || console_.draft.pieces.running) co_return on;
   console_.tell(Notice::Kind::info,
                 "Buffered mode was switched on for the list. It stays on until you switch it off.");
   co_return Result<>();
 }
 
 void MoveList::begin(std::vector<std::vector<std::int64_t>> rows) {
+  const auto& columns = console_.catalog.move_list.columns;
+  const auto own_speed = std::llround(console_.draft.axes[0].own_speed.value);
+  for (std::vector<std::int64_t>& row : rows)
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      const int axis = columns[c].of_axis;
+      const std::int64_t now = axis >= 0 ? console_.draft.axes[axis].position.value : own_speed;
+      if (row[c] == intent::FeedMoves::as_it_is) row[c] = std::max(now, columns[c].minimum);
+    }
   to_feed_.assign(std::make_move_iterator(rows.begin()), std::make_move_iterator(rows.end()));
+  for (std::size_t a = 0; a < behind_.size(); ++a) behind_[a] = console_.draft.axes[a].position.value;
+  if (row_takes_ == Duration::zero() && talk_.is_open()) row_takes_ = talk_.station()->wire_time(40);
+  slowed_ = 0;
   console_.draft.feed.running = !to_feed_.empty();
   console_.draft.feed.sent = 0;
   console_.draft.feed.total = static_cast<std::int32_t>(to_feed_.size());
@@ -45,7 +61,11 @@ void MoveList::begin(std::vector<std::vector<std::int64_t>> rows) {
 // A move is taken from the list before it is sent: whatever comes back, it is not sent twice. Only a buffer
 // that was full has not taken it.
 Task<Result<>> MoveList::feed(std::function<void()> moves) {
-  for (int n = 0; n < most_per_round && !to_feed_.empty() && buffer_free_ > 0; ++n) {
+  if (console_.draft.pieces.held) co_return Result<>();
+  // A round of status takes as long as a few moves: that is made good before the buffer runs dry.
+  const bool runs_dry = 2 * buffer_free_ > console_.catalog.move_list.depth;
+  const int most = runs_dry ? console_.catalog.move_list.depth : most_per_round;
+  for (int n = 0; n < most && !to_feed_.empty() && buffer_free_ > 0; ++n) {
     if (!buffer_on_) {
       end();
       console_.tell(Notice::Kind::warning,
@@ -54,7 +74,8 @@ Task<Result<>> MoveList::feed(std::function<void()> moves) {
     }
     const std::vector<std::int64_t> row = std::move(to_feed_.front());
     to_feed_.pop_front();
-    const std::string text = fmt::format("I{}:{}:{}:{}", row[0], row[1], row[2], row[3]);
+    const std::string text = fmt::format("I{}:{}:{}:{}", row[0], row[1], row[2], speed_of(row));
+    const Instant asked_at = console_.scheduler.now();
     auto reply = co_await talk_.exchange(text, Priority::intent, Millis(200));
     if (reply && reply->text == console_.model().refusal(Refusal::buffer_full)) {
       to_feed_.push_front(row);
@@ -66,13 +87,35 @@ Task<Result<>> MoveList::feed(std::function<void()> moves) {
       broken_off(std::move(why));
       co_return Result<>();
     }
+    row_took(console_.scheduler.now() - asked_at);
+    std::copy_n(row.begin(), behind_.size(), behind_.begin());
     --buffer_free_;
     ++console_.draft.feed.sent;
     moves();
   }
-  if (to_feed_.empty()) console_.draft.feed.running = false;
+  if (!to_feed_.empty()) co_return Result<>();
+  if (console_.draft.feed.running && slowed_ > 0)
+    console_.tell(
+        Notice::Kind::info,
+        fmt::format("{} of {} moves went slower than asked: on this wire one takes {} ms to be sent, "
+                    "and none may be over sooner.",
+                    slowed_, console_.draft.feed.total, row_takes_ / Millis(1)));
+  console_.draft.feed.running = false;
   co_return Result<>();
 }
+
+std::int64_t MoveList::speed_of(const std::vector<std::int64_t>& row) {
+  if (!console_.draft.pieces.running || to_feed_.empty()) return row[3];
+  double way = 0;
+  for (std::size_t a = 0; a < behind_.size(); ++a)
+    way = std::hypot(way, static_cast<double>(row[a] - behind_[a]));
+  const double at_least_s = status_takes_part * seconds(row_takes_);
+  if (way >= at_least_s * static_cast<double>(row[3])) return row[3];
+  ++slowed_;
+  return std::max(static_cast<std::int64_t>(way / at_least_s), std::int64_t{1});
+}
+
+void MoveList::row_took(Duration time) { row_takes_ = std::max(time, row_takes_ - row_takes_ / 16); }
 
 void MoveList::broken_off(Fault why) {
   const int sent = console_.draft.feed.sent;

@@ -1,5 +1,6 @@
 #pragma once
 // A list of moves, fed into the controller's buffer as its places become free.
+#include <array>
 #include <deque>
 #include <functional>
 #include <vector>
@@ -20,6 +21,7 @@ class MoveList {
   [[nodiscard]] Result<> accepts(const intent::FeedMoves& wish) const;
   [[nodiscard]] bool buffer_is_on() const { return buffer_on_; }
   Task<Result<>> switch_buffer_on();
+  /// From where the axes stand.
   void begin(std::vector<std::vector<std::int64_t>> rows);
   /// As many as there are places for; `moves` is told of each.
   Task<Result<>> feed(std::function<void()> moves);
@@ -27,12 +29,18 @@ class MoveList {
 
  private:
   void broken_off(Fault why);
+  /// Of pieces: no faster than the next moves can be sent.
+  [[nodiscard]] std::int64_t speed_of(const std::vector<std::int64_t>& row);
+  void row_took(Duration time);
 
   const Console& console_;
   Conversation& talk_;
   std::deque<std::vector<std::int64_t>> to_feed_;
   int buffer_free_ = 0;
   bool buffer_on_ = false;
+  std::array<std::int64_t, 3> behind_{};  ///< where the latest row ends
+  Duration row_takes_{};                  ///< with its answer, on this wire
+  int slowed_ = 0;
 };
 
 }  // namespace hw::arcus

@@ -9,6 +9,7 @@
 #include "core/device/planned_hands.h"
 #include "core/device/track_keeper.h"
 #include "core/devices/arcus/language/compiler.h"
+#include "core/devices/arcus/move_stream.h"
 #include "core/devices/arcus/program_language.h"
 #include "core/devices/arcus/program_start.h"
 #include "core/devices/arcus/program_watch.h"
@@ -230,6 +231,24 @@ Result<Rehearsal> ProgramLanguage::rehearse(std::string_view text, const Rehears
 Result<SequenceText> ProgramLanguage::write(const sequence::Sequence& sequence,
                                             const Catalog& catalog) const {
   return write_sequence(sequence, catalog, dialect_);
+}
+
+Result<Pieces> ProgramLanguage::in_pieces(const sequence::Sequence& sequence, const Catalog& catalog,
+                                          int from_step) const {
+  if (auto has = has_step(sequence, from_step); !has) return fail(has.error());
+  if (!catalog.move_list.columns.empty()) {
+    const auto whole = write(sequence, catalog);
+    if (!whole) return fail(whole.error());
+    const ProgramReport report = analyse(whole->text, 0);
+    const bool fits = std::all_of(report.cost.begin(), report.cost.end(),
+                                  [&](const auto& c) { return c.second <= catalog.program.capacity; });
+    if (!fits) {
+      auto moves = stream_moves(sequence, catalog, from_step);
+      if (!moves) return fail(moves.error());
+      if (*moves) return std::move(**moves);
+    }
+  }
+  return cut_by_text(*this, sequence, catalog, from_step);
 }
 
 Result<SequenceRead> ProgramLanguage::read(std::string_view text, const sequence::Sequence& frame,

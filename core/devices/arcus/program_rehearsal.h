@@ -25,6 +25,9 @@ class ProgramLanguage final : public Language {
                                            const RehearseOptions& options) const override;
   [[nodiscard]] Result<SequenceText> write(const sequence::Sequence& sequence,
                                            const Catalog& catalog) const override;
+  /// What fits into program memory is a program; of what does not, straight lines go through the buffer.
+  [[nodiscard]] Result<Pieces> in_pieces(const sequence::Sequence& sequence, const Catalog& catalog,
+                                         int from_step) const override;
   [[nodiscard]] Result<SequenceRead> read(std::string_view text, const sequence::Sequence& frame,
                                           const Catalog& catalog) const override;
 

@@ -26,6 +26,12 @@ tl::unexpected<Fault> rejected_by_board(std::string_view text) {
 
 // ---- registers
 
+tl::unexpected<Fault> Readings::nobody_answers() {
+  wire_.count_miss();
+  return fail(FaultKind::garbled, "No board answers any more: every byte of the window reads FF.",
+              "Nothing was repeated.", "Look at the crate's power and at the board.");
+}
+
 Task<Result<Registers>> Readings::read_registers(Priority priority, bool ask_for_data) {
   std::vector<BusCycle>& cycles = wire_.burst();
   if (ask_for_data)
@@ -44,11 +50,7 @@ Task<Result<Registers>> Readings::read_registers(Priority priority, bool ask_for
   const bool ones =
       std::all_of(cycles.begin() + static_cast<std::ptrdiff_t>(first), cycles.end(),
                   [](const BusCycle& c) { return c.value == (c.width == 1 ? 0xFFu : 0xFFFFu); });
-  if (ones) {
-    wire_.count_miss();
-    co_return fail(FaultKind::garbled, "No board answers any more: every byte of the window reads FF.",
-                   "Nothing was repeated.", "Look at the crate's power and at the board.");
-  }
+  if (ones) co_return nobody_answers();
   if (word(1) != word(2) || !is_index(word(1)) || word(3) != word(4) || !is_index(word(3)))
     co_return fail(FaultKind::garbled, "The indexes of the rings make no sense.", "They are read again.");
   Registers r;
@@ -90,18 +92,22 @@ Task<Result<>> Readings::read_axes(Priority priority, Copy copy) {
   std::vector<BusCycle>& cycles = wire_.burst();
   if (copy == Copy::ask) {
     cycles.push_back(BusCycle::store(1, reg::control, wire_.enabled() | control::update_data));
+    cycles.push_back(BusCycle::read(1, reg::control));
     auto asked = co_await wire_.run(cycles, priority);
     if (!asked) co_return asked;
+    if (cycles.back().value == 0xFF) co_return nobody_answers();  // and nobody has heard it
   }
   const Instant give_up = wire_.now() + update_patience;
   const int whole = whole_.next(axes());
   Duration look = first_look_;
+  Instant looked_at;
   for (;;) {
     auto paused = co_await wire_.pause(std::exchange(look, copy_look));
     if (!paused) co_return paused;
     cycles.clear();
     cycles.push_back(BusCycle::read(1, reg::control));
     for (int i = 0; i < axes(); ++i) append_axis_reads(cycles, i, i == whole ? axis_values : live_values);
+    looked_at = wire_.now();
     auto done = co_await wire_.run(cycles, priority);
     if (!done) co_return done;
     if ((cycles.front().value & control::update_data) == 0) break;
@@ -113,7 +119,7 @@ Task<Result<>> Readings::read_axes(Priority priority, Copy copy) {
     }
   }
   take_values(cycles);
-  listener_.axes_read(whole, wire_.now());
+  listener_.axes_read(whole, looked_at);  // the copy is no newer
   seen_ = true;
   co_return Result<>();
 }
