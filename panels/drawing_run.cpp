@@ -1,6 +1,7 @@
 #include "panels/drawing_run.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -34,7 +35,10 @@ std::string said_first(const Pieces& pieces, const Catalog& catalog, std::string
   if (pieces.lifts > 0)
     said += fmt::format("\nThe tool is lifted {} time{} within what it draws in one go.", pieces.lifts,
                         pieces.lifts == 1 ? "" : "s");
-  if (catalog.program.capacity > 0)
+  const bool by_programs =
+      std::any_of(pieces.all.begin(), pieces.all.end(), [](const Piece& piece) { return piece.draws < 0; });
+  if (!pieces.remark.empty()) said += fmt::format("\n{}", pieces.remark);
+  if (catalog.program.capacity > 0 && pieces.remark.empty() && by_programs)
     said += fmt::format("\nWhat the controller holds as {} 0 is replaced.", catalog.program.slot_word);
   if (!tool.empty()) said += fmt::format("\n{}", tool);
   return said;
@@ -95,6 +99,23 @@ void DrawingRun::draw_while_running(Frame& f) {
   ImGui::SameLine(0, f.ui.px(8));
   if (button(f.ui, "drawing/stop", "Stop", {.icon = Icon::stop, .height = 40, .stops = true}).clicked)
     f.send(intent::Stop());
+  if (f.now.pieces.draws) draw_override(f);
+}
+
+void DrawingRun::draw_override(Frame& f) {
+  double percent = f.now.pieces.percent;
+  speed_.clear();
+  fmt::format_to(std::back_inserter(speed_), "Speed: {:.0f} % of what was asked for", percent);
+  gap(f.ui, 8);
+  wrapped(f.ui, Face::small, Tone::ink2, speed_);
+  const SliderOptions o{.min = 10,
+                        .max = 200,
+                        .step = 10,
+                        .normal = 100,
+                        .tip = "Holds for what is sent from now on.",
+                        .value_text = speed_};
+  if (slider(f.ui, "drawing/override", "Speed", percent, o))
+    f.send(intent::OverrideSpeed(static_cast<int>(std::lround(percent))));
 }
 
 /// By steps of the drawing where they are known: pieces differ in length.

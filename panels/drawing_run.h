@@ -29,6 +29,7 @@ class DrawingRun {
   void ask(gui::Frame& frame, Made made, Cut pieces, std::string question);
   void ask_to_go_on(gui::Frame& frame);
   void draw_while_running(gui::Frame& frame);
+  void draw_override(gui::Frame& frame);
   void draw_start(gui::Frame& frame, const Wanted& wanted);
   void draw_progress(gui::Frame& frame);
   void cut(gui::Frame& frame);
@@ -45,7 +46,7 @@ class DrawingRun {
   Made cut_;              ///< the latest that was begun
   IntentId begun_ = 0;    ///< whose fate is not known yet
   bool working_ = false;  ///< out what is left
-  std::string progress_;
+  std::string progress_, speed_;
   std::shared_ptr<int> alive_ = std::make_shared<int>(0);
 };
 

@@ -208,6 +208,11 @@ struct RunInPieces {
   bool despite_doubt = false;
   explicit RunInPieces(std::shared_ptr<const Pieces> p) : pieces(std::move(p)) {}
 };
+/// Of what goes through the controller's buffer in pieces, from the next move on that is sent.
+struct OverrideSpeed {
+  int percent;  ///< of the speeds that were asked for, 10 to 200
+  explicit OverrideSpeed(int p) : percent(p) {}
+};
 /// The maker's own text, framing added by the driver, no waiting.
 struct SendText {
   std::string text;
@@ -227,7 +232,7 @@ using IntentBody =
                  intent::ReadParams, intent::ReadAnalog, intent::Store, intent::SelectProgram,
                  intent::LoadProgram, intent::UploadProgram, intent::ClearProgram, intent::RunProgram,
                  intent::Pause, intent::Resume, intent::SingleStep, intent::HaltProgram, intent::Act,
-                 intent::SetVariable, intent::Watch, intent::Sample, intent::FeedMoves, intent::RunInPieces,
+                 intent::SetVariable, intent::Watch, intent::Sample, intent::FeedMoves, intent::RunInPieces, intent::OverrideSpeed,
                  intent::SendText, intent::Reset, intent::Reconnect, intent::ReadAgain>;
 
 /// Of an intent that may close a servo loop; null: of no other.

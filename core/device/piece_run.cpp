@@ -34,6 +34,20 @@ Result<> PieceRun::allows(const IntentBody& body) const {
               "Nothing was sent.", "Stop it first.");
 }
 
+Result<> PieceRun::override_speed(int percent) {
+  constexpr int least = 10, most = 200;
+  if (percent < least || percent > most)
+    return fail(FaultKind::refused, fmt::format("The speed goes from {} to {} percent.", least, most),
+                "Nothing was changed.");
+  if (!draft_.pieces.draws)
+    return fail(FaultKind::refused,
+                "Nothing goes through the controller's buffer now, and a program runs at the speeds that "
+                "stand in it.",
+                "Nothing was changed.");
+  draft_.pieces.percent = percent;
+  return {};
+}
+
 bool PieceRun::at_rest() const {
   const ProgramState& p = draft_.program;
   const bool runs = p.owned && p.run != RunState::idle && p.run != RunState::error;

@@ -28,6 +28,7 @@ class PieceRun {
   /// so; empty: all is well.
   [[nodiscard]] std::string watch(std::uint64_t rounds);
 
+  [[nodiscard]] Result<> override_speed(int percent);
   /// The next piece waits.
   void hold(bool on) { draft_.pieces.held = on && running(); }
   /// Nothing follows any more.

@@ -65,6 +65,8 @@ Task<Result<>> Pump::perform_beside_pieces(const IntentBody& body) {
     if (begun) tool_.pieces_begin(wish->pieces->tool);
     co_return begun;
   }
+  if (const auto* wish = std::get_if<intent::OverrideSpeed>(&body))
+    co_return pieces_.override_speed(wish->percent);
   if (auto may = pieces_.allows(body); !may) co_return may;
   const bool holds = std::holds_alternative<intent::Pause>(body);
   if (pieces_.running() && (holds || std::holds_alternative<intent::Resume>(body))) {

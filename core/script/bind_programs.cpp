@@ -69,6 +69,11 @@ int run_in_pieces(Call& call) {
   return perform(call, intent::RunInPieces(std::make_shared<const Pieces>(std::move(*pieces))));
 }
 
+int override_speed(Call& call) {
+  const std::int64_t percent = call.whole(1, "percent");
+  return perform(call, intent::OverrideSpeed(static_cast<int>(std::clamp<std::int64_t>(percent, 0, 1000))));
+}
+
 // With a number: that thread only, where programs run in several.
 template <class Verb>
 int of_thread(Call& call) {
@@ -108,6 +113,7 @@ constexpr Function program_table[] = {
     {"load", load},
     {"rehearse", rehearse},
     {"run", run},
+    {"override_speed", override_speed},
     {"run_in_pieces", run_in_pieces},
     {"pause", of_thread<intent::Pause>},
     {"resume", of_thread<intent::Resume>},

@@ -270,6 +270,55 @@ TEST_P(PiecesContractTest, ABufferNeverRunsDryOnTheWay) {
   EXPECT_EQ(now().pieces.done, 1) << told();
 }
 
+TEST_P(PiecesContractTest, AHeldBufferHasItsToolOffAndGoesOn) {
+  if (session->catalog().move_list.columns.empty()) GTEST_SKIP() << "it has no buffer for moves";
+  add_chains(1, 3000);
+  must(intent::RunInPieces(cut()));
+  ASSERT_TRUE(run_until([this] { return is_on() && now().feed.sent > 100; }, seconds(60)));
+  must(intent::Pause());
+  ASSERT_TRUE(run_until([this] { return !now().any_axis_moving() && !is_on(); }, seconds(60)));
+  const Steps held = axis().position;
+  EXPECT_LT(held, Steps(at_));
+  run(seconds(5));
+  EXPECT_EQ(axis().position, held);
+  EXPECT_FALSE(is_on());
+  must(intent::Resume());
+  ASSERT_TRUE(run_until([&] { return axis().position > held; }, seconds(10)));
+  EXPECT_TRUE(is_on());
+  ASSERT_TRUE(ends());
+  EXPECT_EQ(axis().position, Steps(at_));
+  EXPECT_FALSE(is_on());
+}
+
+TEST_P(PiecesContractTest, AStopInTheMiddleOfABufferSwitchesItsToolOff) {
+  if (session->catalog().move_list.columns.empty()) GTEST_SKIP() << "it has no buffer for moves";
+  add_chains(1, 3000);
+  must(intent::RunInPieces(cut()));
+  ASSERT_TRUE(run_until([this] { return is_on() && now().feed.sent > 100; }, seconds(60)));
+  must(intent::Stop());
+  ASSERT_TRUE(run_until([this] { return !now().any_axis_moving() && !is_on(); }, seconds(5)));
+  run(seconds(30));
+  EXPECT_FALSE(now().pieces.running);
+  EXPECT_FALSE(is_on());
+  EXPECT_LT(axis().position, Steps(at_));
+}
+
+TEST_P(PiecesContractTest, TheSpeedOfABufferCanBeOverridden) {
+  EXPECT_EQ(perform(intent::OverrideSpeed(50)).fate, Fate::refused) << "nothing is under way";
+  if (session->catalog().move_list.columns.empty()) GTEST_SKIP() << "it has no buffer for moves";
+  add_chains(1, 3000);
+  must(intent::RunInPieces(cut()));
+  ASSERT_TRUE(run_until([this] { return now().feed.sent > 300; }, seconds(60)));
+  const double full = axis().speed.value;
+  must(intent::OverrideSpeed(50));
+  EXPECT_EQ(perform(intent::OverrideSpeed(5)).fate, Fate::refused);
+  const int behind = now().feed.sent + 100;  // what is in the buffer goes as it was sent
+  ASSERT_TRUE(run_until([&] { return now().feed.sent > behind; }, seconds(60)));
+  EXPECT_NEAR(axis().speed.value, full / 2, full / 20);
+  ASSERT_TRUE(ends());
+  EXPECT_EQ(axis().position, Steps(at_));
+}
+
 TEST_P(PiecesContractTest, AFaultNamesTheStepOfTheWholeSequence) {
   add_chains(3, 2);
   s_.steps.push_back({seq::Output{99, true}});

@@ -232,7 +232,7 @@ TEST_F(DrawingTabTest, WhatWasStoppedGoesOnFromItsChain) {
   s.click("drawing/cut");
   s.click("drawing/ask_cut/yes");
   s.settle(Fate::done);
-  s.now.pieces = {true, false, false, 3, 7, 6};
+  s.now.pieces = {true, false, false, 3, 7, 6, 100};
   s.stage.frames(3);
   EXPECT_FALSE(s.stage.find("drawing/cut"));
   s.click("drawing/hold");

@@ -105,12 +105,16 @@ Task<Result<>> MoveList::feed(std::function<void()> moves) {
 }
 
 std::int64_t MoveList::speed_of(const std::vector<std::int64_t>& row) {
-  if (!console_.draft.pieces.running || to_feed_.empty()) return row[3];
+  if (!console_.draft.pieces.running) return row[3];
+  const ActionField& column = console_.catalog.move_list.columns[3];
+  const std::int64_t speed =
+      std::clamp(row[3] * console_.draft.pieces.percent / 100, column.minimum, column.maximum);
+  if (to_feed_.empty()) return speed;
   double way = 0;
   for (std::size_t a = 0; a < behind_.size(); ++a)
     way = std::hypot(way, static_cast<double>(row[a] - behind_[a]));
   const double at_least_s = status_takes_part * seconds(row_takes_);
-  if (way >= at_least_s * static_cast<double>(row[3])) return row[3];
+  if (way >= at_least_s * static_cast<double>(speed)) return speed;
   ++slowed_;
   return std::max(static_cast<std::int64_t>(way / at_least_s), std::int64_t{1});
 }
