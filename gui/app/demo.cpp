@@ -1,12 +1,14 @@
 #include "gui/app/demo.h"
 
 #include <filesystem>
+#include <fstream>
 
 #include <fmt/core.h>
 
 #include "core/device/registry.h"
 #include "core/script/runner.h"
 #include "gui/app/cli.h"
+#include "gui/app/demo_drawing.h"
 #include "gui/app/output.h"
 #include "gui/app/script_stage.h"
 #include "gui/app/wiring.h"
@@ -89,6 +91,26 @@ picture("pmx-draws")
 must(p:wait(120))
 print(string.format("  drawn in %.1f s, the pen is at %d, %d", hw.now() - began, p:position("X"), p:position("Y")))
 
+print("The same one cuts a drawing, with output 1 for its laser.")
+ui.click("tab/drawing")
+ui.click("drawing/open")
+ui.type("file/path", hw.args[3] .. "\n")
+hw.sleep(0.5)
+ui.click("drawing/tool")
+ui.click("drawing/tool/DO1")
+ui.type("drawing/cut_speed", "20\n")
+ui.type("drawing/travel_speed", "60\n")
+hw.sleep(0.5)
+print(string.format("  %s mm to cut, %s", ui.value("drawing/drawn"), ui.value("drawing/time")))
+began = hw.now()
+ui.click("drawing/cut")
+ui.click("drawing/ask_cut/yes")
+hw.sleep(25)
+print(string.format("  %s, X %d, Y %d", ui.value("drawing/cut_progress"), p:position("X"), p:position("Y")))
+picture("pmx-cuts")
+must(p:wait(300))
+print(string.format("  cut in %.1f s, the laser is %s", hw.now() - began, p:output(1) and "on" or "off"))
+
 print("Four Arcus DMX-K-SA with closed loops on one line.")
 local m = must(hw.open("dmx-k-sa@emulator,id=01-04"))
 for _, id in ipairs{"01", "02", "03", "04"} do must(m.devices[id]:send("EO=1")) end
@@ -147,7 +169,10 @@ int headless_demo(const std::string& pictures) {
   options.path = "demo.lua";
   const DeviceType* pmx = find_device_type("pmx-4ex-sa");
   const auto catalog = pmx->make_catalog({});
-  options.args = {pictures, catalog->program.example};
+  const std::string drawing = pictures + "/plate.dxf";
+  if (!(std::ofstream(drawing) << demo_drawing()))
+    return complain(fmt::format("The drawing {} cannot be written.", drawing));
+  options.args = {pictures, catalog->program.example, drawing};
   options.opener = wire_opener();
   options.print = print_of_script;
   options.log = [](std::string_view line) { print_result("{}\n", line); };

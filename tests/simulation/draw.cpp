@@ -155,6 +155,7 @@ class Artist {
       const std::int64_t where = slot();
       std::string text = random_.one_of(facts_.programs);
       if (tool_.percent(30)) text = tool_.one_of(facts_.tool_programs);
+      if (tool_.percent(20)) draw_pieces(at + Millis(tool_.mostly_small(10, 4000)), on);
       put(at, "load", on, {where}, std::move(text));
       return put(at + Millis(random_.mostly_small(10, 4000)), "run", on, {where});
     }
@@ -164,6 +165,15 @@ class Artist {
     if (draw <= 85) return put(at, "step", on);
     if (draw <= 92) return put(at, "upload", on, {slot()});
     put(at, "clear", on, {slot()});
+  }
+  /// What does not fit into the memory of a PMX goes through its buffer.
+  void draw_pieces(Millis at, int on) {
+    put(at, "pieces", on,
+        {tool_.between(1, 12), tool_.percent(50) ? tool_.between(60, 120) : tool_.between(2, 20)});
+    if (tool_.percent(40)) put(at + Millis(tool_.between(500, 5000)), "pause", on);
+    if (tool_.percent(40)) put(at + Millis(tool_.between(3000, 8000)), "resume", on);
+    if (tool_.percent(30))
+      put(at + Millis(tool_.between(500, 6000)), "override_speed", on, {tool_.between(5, 210)});
   }
   /// Nothing reaches a board that neither obeys its mailbox nor reads its ring.
   std::string harmless(Random& random) {

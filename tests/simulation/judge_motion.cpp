@@ -56,7 +56,8 @@ void Judge::keep_excuses(DeviceCase& d) const {
     if (fate != nullptr && fate->fate == Fate::refused) return true;  // nothing was sent
     const bool waits =
         e.id != 0 && d.session && (fate ? fate->fate == Fate::pending : !d.session->known().forgotten(e.id));
-    if (waits || (d.truth.moving() & e.axes) != 0 || d.truth.program) e.alive = now;
+    const bool in_pieces = d.session && d.session->known().pieces.running && e.axes == all_axes;
+    if (waits || in_pieces || (d.truth.moving() & e.axes) != 0 || d.truth.program) e.alive = now;
     const Instant hurt = std::max(faults_.out.hurt(), faults_.in.hurt());
     if (hurt != Instant{}) e.alive = std::max(e.alive, std::min(now, hurt + line_is_cleaned));
     return now - e.alive > excuse_lasts + questions_between_motions * lateness();

@@ -3,6 +3,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/device/language.h"
+#include "core/device/pieces.h"
 #include "core/device/registry.h"
 #include "tests/simulation/faulty_stream.h"
 #include "tests/simulation/faulty_window.h"
@@ -226,6 +228,36 @@ IntentId Stage::move(int device, std::uint32_t axes, Steps distance, IntentBody 
   judge_.intent_sent(device, id);
   judge_.motion_asked(device, axes, id, distance, homes);
   return sent_ = id;
+}
+
+void Stage::run_in_pieces(int device, int ways, int lines) {
+  namespace seq = sequence;
+  Session* s = session(device);
+  if (s == nullptr) return;
+  const int output = s->catalog().output_number(static_cast<std::size_t>(facts_.tool_output));
+  seq::Sequence drawing;
+  drawing.axes = {{s->catalog().axes[0].name, 1}};
+  drawing.pen_up = {{seq::Output{output, false}}};
+  drawing.pen_down = {{seq::Output{output, true}}};
+  drawing.steps = {{seq::Pen{false}}, {seq::Speed{{3000, 0, 100}}}};
+  double at = 0;
+  const auto go_on = [&](double by) {
+    seq::Move move;
+    move.to[0] = at += by;
+    drawing.steps.push_back({move});
+    drawing.steps.push_back({seq::WaitMotion{}});
+  };
+  for (int way = 0; way < ways; ++way) {
+    go_on(100);
+    drawing.steps.push_back({seq::Pen{true}});
+    for (int line = 0; line < lines; ++line) go_on(20);
+    drawing.steps.push_back({seq::Pen{false}});
+  }
+  auto pieces = s->type().language().in_pieces(drawing, s->catalog());
+  if (!pieces) return;
+  move(device, Judge::all_axes, Steps(),
+       intent::RunInPieces(std::make_shared<const Pieces>(std::move(*pieces))));
+  judge_.program_loaded(device, sent_, true);
 }
 
 void Stage::stop(int device, std::uint32_t axes, StopKind kind, IntentBody body) {

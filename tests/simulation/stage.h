@@ -37,6 +37,8 @@ class Stage {
   void type(int device, std::string text);
   /// The same; it may move those axes. `distance`: of one that no other move of the plan has, or 0.
   IntentId move(int device, std::uint32_t axes, Steps distance, IntentBody body);
+  /// Ways of the first axis with its tool on, `lines` times 20 steps each, however long that is.
+  void run_in_pieces(int device, int ways, int lines);
   void stop(int device, std::uint32_t axes, StopKind kind, IntentBody body);
   void stop_all_devices(bool at_once);
   enum class LetGo : std::uint8_t { by_hand, never };

@@ -74,6 +74,10 @@ void load(Stage& stage, const Step& s) {
 void run(Stage& stage, const Step& s) {
   stage.move(s.device, Judge::all_axes, Steps(), intent::RunProgram(whole(s, 0)));
 }
+void pieces(Stage& stage, const Step& s) { stage.run_in_pieces(s.device, whole(s, 0), whole(s, 1)); }
+void override_speed(Stage& stage, const Step& s) {
+  stage.send(s.device, intent::OverrideSpeed(whole(s, 0)));
+}
 void pause(Stage& stage, const Step& s) { stage.send(s.device, intent::Pause()); }
 void resume(Stage& stage, const Step& s) { stage.move(s.device, Judge::all_axes, Steps(), intent::Resume()); }
 void step(Stage& stage, const Step& s) {
@@ -147,6 +151,8 @@ constexpr Verb verbs[] = {
     {"home", 3, action, home, true},                // AXIS SIGN MODE
     {"load", 1, action, load},                // SLOT "TEXT"
     {"run", 1, action, run},                  // SLOT
+    {"pieces", 2, action, pieces},            // WAYS LINES
+    {"override_speed", 1, action, override_speed},  // PERCENT
     {"pause", 0, action, pause},
     {"resume", 0, action, resume},
     {"step", 0, action, step},

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -52,7 +53,7 @@ void MoveList::begin(std::vector<std::vector<std::int64_t>> rows) {
   to_feed_.assign(std::make_move_iterator(rows.begin()), std::make_move_iterator(rows.end()));
   for (std::size_t a = 0; a < behind_.size(); ++a) behind_[a] = console_.draft.axes[a].position.value;
   if (row_takes_ == Duration::zero() && talk_.is_open()) row_takes_ = talk_.station()->wire_time(40);
-  slowed_ = 0;
+  if (console_.draft.pieces.step < 0) slow_is_told_ = false;  // the first of all
   console_.draft.feed.running = !to_feed_.empty();
   console_.draft.feed.sent = 0;
   console_.draft.feed.total = static_cast<std::int32_t>(to_feed_.size());
@@ -64,7 +65,7 @@ Task<Result<>> MoveList::feed(std::function<void()> moves) {
   if (console_.draft.pieces.held) co_return Result<>();
   // A round of status takes as long as a few moves: that is made good before the buffer runs dry.
   const bool runs_dry = 2 * buffer_free_ > console_.catalog.move_list.depth;
-  const int most = runs_dry ? console_.catalog.move_list.depth : most_per_round;
+  const int most = runs_dry ? 2 * most_per_round : most_per_round;
   for (int n = 0; n < most && !to_feed_.empty() && buffer_free_ > 0; ++n) {
     if (!buffer_on_) {
       end();
@@ -94,12 +95,6 @@ Task<Result<>> MoveList::feed(std::function<void()> moves) {
     moves();
   }
   if (!to_feed_.empty()) co_return Result<>();
-  if (console_.draft.feed.running && slowed_ > 0)
-    console_.tell(
-        Notice::Kind::info,
-        fmt::format("{} of {} moves went slower than asked: on this wire one takes {} ms to be sent, "
-                    "and none may be over sooner.",
-                    slowed_, console_.draft.feed.total, row_takes_ / Millis(1)));
   console_.draft.feed.running = false;
   co_return Result<>();
 }
@@ -115,7 +110,12 @@ std::int64_t MoveList::speed_of(const std::vector<std::int64_t>& row) {
     way = std::hypot(way, static_cast<double>(row[a] - behind_[a]));
   const double at_least_s = status_takes_part * seconds(row_takes_);
   if (way >= at_least_s * static_cast<double>(speed)) return speed;
-  ++slowed_;
+  if (!std::exchange(slow_is_told_, true))
+    console_.tell(
+        Notice::Kind::info,
+        fmt::format("Short lines go slower than asked: on this wire one takes {} ms to be sent, and "
+                    "none may be over sooner.",
+                    row_takes_ / Millis(1)));
   return std::max(static_cast<std::int64_t>(way / at_least_s), std::int64_t{1});
 }
 

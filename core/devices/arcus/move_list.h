@@ -40,7 +40,7 @@ class MoveList {
   bool buffer_on_ = false;
   std::array<std::int64_t, 3> behind_{};  ///< where the latest row ends
   Duration row_takes_{};                  ///< with its answer, on this wire
-  int slowed_ = 0;
+  bool slow_is_told_ = false;
 };
 
 }  // namespace hw::arcus
