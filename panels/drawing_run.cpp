@@ -123,7 +123,10 @@ void DrawingRun::draw_progress(Frame& f) {
   const PiecesState& now = f.now.pieces;
   if (now.total == 0) return;
   progress_.clear();
-  const char* what = was_stopped(now) ? "Stopped in" : now.held ? "Held before" : "At";
+  const char* what = was_stopped(now) ? "Stopped in"
+                     : !now.held      ? "At"
+                     : now.draws      ? "Held in"
+                                      : "Held before";
   if (now.done == now.total)
     fmt::format_to(std::back_inserter(progress_), "All {} pieces are done", now.total);
   else

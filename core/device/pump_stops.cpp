@@ -117,8 +117,10 @@ void Pump::stop_was_sent(StopOrder& order, Result<std::string> sent) {
   if (cut) return;  // it is due again behind the one that came
   order.confirmed = sent.has_value();
   const bool connected_now = connected();
-  order.sent = sent || order.times_sent >= attempts_in_a_row || !connected_now;
+  const bool tool = order.what == What::tool;  // not in a row: what stops the motion may be needed first
+  order.sent = sent || tool || order.times_sent >= attempts_in_a_row || !connected_now;
   if (sent) return;
+  if (tool) --order.times_sent;  // only what was sent can be in vain
   const bool no_such_program = order.what == What::program && sent.error().kind == FaultKind::refused;
   if (no_such_program || (order.sent && connected_now && !nobody_answers())) stop_failed(order, sent.error());
   if (no_such_program) close_stop(order);
@@ -146,6 +148,7 @@ void Pump::look_at_stops() {
   const bool tool_shows = desk_.only_tool();
   for (auto at = orders.begin(); at != orders.end();) {
     StopOrder& order = *at++;
+    if (order.what == StopOrder::What::tool && !order.confirmed) order.sent = false;
     if (order.sent && (order.what != StopOrder::What::tool || tool_shows)) look_at_stop(order);
   }
 }

@@ -166,8 +166,10 @@ class Artist {
     if (draw <= 92) return put(at, "upload", on, {slot()});
     put(at, "clear", on, {slot()});
   }
-  /// What does not fit into the memory of a PMX goes through its buffer.
+  /// What does not fit into the memory of a PMX goes through its buffer. A long program fills the queue of a
+  /// board, which then reads its ring no more.
   void draw_pieces(Millis at, int on) {
+    if (plan_.options.find("deaf") != std::string::npos) return;
     put(at, "pieces", on,
         {tool_.between(1, 12), tool_.percent(50) ? tool_.between(60, 120) : tool_.between(2, 20)});
     if (tool_.percent(40)) put(at + Millis(tool_.between(500, 5000)), "pause", on);

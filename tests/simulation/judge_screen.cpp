@@ -237,7 +237,7 @@ void Judge::judge_tool(int device) {
   const Instant now = scheduler_.now();
   const bool on = !d.benches.empty() && (d.benches.back().second.second >> facts_.tool_output & 1u) != 0;
   const bool rests = !d.truth.program && d.truth.moving() == 0;
-  const bool in_pieces = d.session->known().pieces.running;
+  const bool in_pieces = d.session->known().pieces.running && d.session->known().feed.running;
   if ((d.truth.program || in_pieces) && tool.guarded) tool.by_hand = false;
   if (!d.truth.powered) tool.by_hand = true;
   const Instant carries = std::max({faults_.carries_since(now), faults_.in.hurt(), faults_.out.hurt()});

@@ -37,9 +37,8 @@ class Streamer {
     if (auto found = draft_.find_axes(); !found) return fail(found.error());
     pieces_.tool = tool_off_of(draft_.sequence, static_cast<int>(draft_.catalog.outputs.size()));
     pieces_.remark =
-        "It goes through the controller's buffer. Where lines are so short that the next could not be sent "
-        "in "
-        "time, they go slower.";
+        "It goes through the controller's buffer. Lines so short that the next could not be sent in time go "
+        "slower.";
     ramps_are_automatic();
     const seq::StepList& steps = draft_.sequence.steps;
     for (std::size_t i = 0; i < steps.size() && !unfit_; ++i) {
