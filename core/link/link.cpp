@@ -159,7 +159,9 @@ void Link::start_next() {
 }
 
 Duration Link::patience_for(const Station& station, const Transaction& t) const {
-  const Duration late = t.impatient ? Duration::zero() : station.lateness();
+  const bool is_stop = t.priority == Priority::stop && !t.own_question;  // said again rather than waited for
+  const Duration most = t.impatient ? Duration::zero() : is_stop ? longest_wait_of_a_stop : Duration::max();
+  const Duration late = std::min(station.lateness(), most);
   const bool all_silent = silent_in_a_row_ > 2 * static_cast<int>(station_count());  // it is slow, or dead
   if (!t.prompt || station_count() < 2 || prompt_answers_ < prompt_answers_needed || all_silent)
     return t.patience + late;

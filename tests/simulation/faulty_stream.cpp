@@ -90,7 +90,7 @@ class FaultyStream final : public Stream, public Stream::Listener {
   void babble() {
     const Instant now = scheduler_.now();
     if (now >= faults_.babbles_until) return;
-    faults_.in.held_until(now);
+    faults_.in.talked_into(now);
     babble_.arm(now + Millis(10));
     if (listener_ != nullptr) listener_->bytes_arrived("U*U*U*U*U*");
   }
