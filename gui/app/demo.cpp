@@ -92,6 +92,8 @@ must(p:wait(120))
 print(string.format("  drawn in %.1f s, the pen is at %d, %d", hw.now() - began, p:position("X"), p:position("Y")))
 
 print("The same one cuts a drawing, with output 1 for its laser.")
+ui.click("tab/path")
+ui.click("path/forget")
 ui.click("tab/drawing")
 ui.click("drawing/open")
 ui.type("file/path", hw.args[3] .. "\n")
@@ -101,7 +103,7 @@ ui.click("drawing/tool/DO1")
 ui.type("drawing/cut_speed", "20\n")
 ui.type("drawing/travel_speed", "60\n")
 hw.sleep(0.5)
-print(string.format("  %s mm to cut, %s", ui.value("drawing/drawn"), ui.value("drawing/time")))
+print(string.format("  %s to cut, %s", ui.value("drawing/drawn"), ui.value("drawing/time")))
 began = hw.now()
 ui.click("drawing/cut")
 ui.click("drawing/ask_cut/yes")
@@ -170,7 +172,7 @@ int headless_demo(const std::string& pictures) {
   const DeviceType* pmx = find_device_type("pmx-4ex-sa");
   const auto catalog = pmx->make_catalog({});
   const std::string drawing = pictures + "/plate.dxf";
-  if (!(std::ofstream(drawing) << demo_drawing()))
+  if (!(std::ofstream(drawing) << demo_drawing))
     return complain(fmt::format("The drawing {} cannot be written.", drawing));
   options.args = {pictures, catalog->program.example, drawing};
   options.opener = wire_opener();

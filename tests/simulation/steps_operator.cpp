@@ -75,9 +75,7 @@ void run(Stage& stage, const Step& s) {
   stage.move(s.device, Judge::all_axes, Steps(), intent::RunProgram(whole(s, 0)));
 }
 void pieces(Stage& stage, const Step& s) { stage.run_in_pieces(s.device, whole(s, 0), whole(s, 1)); }
-void override_speed(Stage& stage, const Step& s) {
-  stage.send(s.device, intent::OverrideSpeed(whole(s, 0)));
-}
+void override_speed(Stage& stage, const Step& s) { stage.send(s.device, intent::OverrideSpeed(whole(s, 0))); }
 void pause(Stage& stage, const Step& s) { stage.send(s.device, intent::Pause()); }
 void resume(Stage& stage, const Step& s) { stage.move(s.device, Judge::all_axes, Steps(), intent::Resume()); }
 void step(Stage& stage, const Step& s) {
