@@ -254,6 +254,22 @@ TEST_F(DrawingTabTest, WhatWasStoppedGoesOnFromItsChain) {
   EXPECT_LE(asked->pieces->all.front().first_step, 6);
 }
 
+TEST_F(DrawingTabTest, TheSpeedChangesWhereItIsDrawnMoveByMove) {
+  drop();
+  s.now.pieces.running = true;
+  s.now.pieces.total = 3;
+  s.stage.frames(3);
+  EXPECT_FALSE(s.stage.find("drawing/override"));
+  s.now.pieces.draws = true;
+  s.now.pieces.percent = 150;
+  s.stage.frames(3);
+  ASSERT_TRUE(s.stage.find("drawing/override"));
+  s.click("drawing/override");  // its middle
+  const auto* asked = s.last<intent::OverrideSpeed>();
+  ASSERT_TRUE(asked);
+  EXPECT_NEAR(asked->percent, 105, 5);
+}
+
 TEST_F(VxmDrawingTabTest, StairsWithinTheTolerance) {
   drop();
   s.type("drawing/per_unit/1", "10");

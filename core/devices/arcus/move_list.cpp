@@ -35,9 +35,12 @@ Task<Result<>> MoveList::switch_buffer_on() {
   auto on = co_await talk_.command("BO", Priority::intent);
   if (!on && on.error().kind == FaultKind::refused)
     on.error().advice = "Buffered moves need StepNLoop of X, Y and Z switched off.";
-  if (!on || console_.draft.pieces.running) co_return on;
-  console_.tell(Notice::Kind::info,
-                "Buffered mode was switched on for the list. It stays on until you switch it off.");
+  if (!on) co_return on;
+  console_.tell(
+      Notice::Kind::info,
+      console_.draft.pieces.running
+          ? "Buffered mode is on while this is drawn. After a stop it stays on until you switch it off."
+          : "Buffered mode was switched on for the list. It stays on until you switch it off.");
   co_return Result<>();
 }
 
