@@ -995,8 +995,19 @@ class Examples(Case):
             self.assertEqual((axes["X"]["position"], axes["X"]["min"], axes["X"]["max"]), (0, 0, 20000))
             self.assertEqual((axes["Y"]["position"], axes["Y"]["min"], axes["Y"]["max"]), (0, -10000, 10000))
 
+    def test_plate_drawn(self):
+        result = run("convert", self.FOLDER / "plate.dxf", "--for", "pmx-4ex-sa", "-o", self.folder / "drawn.prg",
+                     "--per-unit", "100", "--pen-output", "1", "--cut-speed", "20", "--travel-speed", "60")
+        self.expect(result, 0)
+        result = run("simulate", self.folder / "drawn.prg", "--for", "pmx-4ex-sa", "--json")
+        self.expect(result, 0)
+        dry = json.loads(result.stdout)
+        self.assertTrue(dry["finished"], dry)
+        self.assertEqual((dry["axes"]["X"]["min"], dry["axes"]["X"]["max"]), (0, 10000))
+        self.assertEqual((dry["axes"]["Y"]["min"], dry["axes"]["Y"]["max"]), (0, 6000))
+
     def test_every_file_is_tried(self):
-        tried = {"raster.vxm", "slide.toml", "plate.prg", "shuttle.prg", "circle.vme", "servo.toml"}
+        tried = {"raster.vxm", "slide.toml", "plate.prg", "plate.dxf", "shuttle.prg", "circle.vme", "servo.toml"}
         self.assertEqual({f.name for f in self.FOLDER.iterdir()}, tried)
 
 
