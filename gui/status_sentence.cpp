@@ -201,6 +201,15 @@ Said say_program(const StatusFacts& f) {
   return {};
 }
 
+Said say_pieces(const StatusFacts& f) {
+  const PiecesState& p = f.now.pieces;
+  if (!p.running) return {};
+  if (p.held)
+    return say(Mood::warn, fmt::format("Held at piece {} of {}. Go on, or stop it.", p.done + 1, p.total));
+  return say(Mood::motion,
+             fmt::format("Piece {} of {} is under way. Esc stops everything.", p.done + 1, p.total));
+}
+
 /// One of several programs is in error, whatever the others do.
 Said say_failed(const StatusFacts& f) {
   if (f.failed.empty()) return {};
@@ -318,8 +327,9 @@ int unset_before_moving(const Catalog& catalog, const Snapshot& now, AxisId want
 }
 
 StatusSentence status_sentence(const StatusFacts& facts) {
-  for (const auto part : {say_link, say_error, say_late, say_failed, say_motion, say_program, say_notice,
-                          say_unset, say_position, say_slip, say_servo, say_limit, say_stale, say_unsaved})
+  for (const auto part :
+       {say_link, say_error, say_late, say_failed, say_motion, say_program, say_pieces, say_notice, say_unset,
+        say_position, say_slip, say_servo, say_limit, say_stale, say_unsaved})
     if (Said said = part(facts)) return std::move(*said);
   return say(Mood::plain, "Idle. Hold a jog button, type where to go, or run a program.");
 }

@@ -52,6 +52,16 @@ TEST_F(StatusSentenceTest, Idle) {
   EXPECT_EQ(say().mood, Mood::plain);
 }
 
+TEST_F(StatusSentenceTest, BetweenTwoMotionsOfADrawingItIsNotIdle) {
+  now.pieces.running = true;
+  now.pieces.done = 12;
+  now.pieces.total = 800;
+  EXPECT_EQ(say().text, "Piece 13 of 800 is under way. Esc stops everything.");
+  EXPECT_EQ(say().mood, Mood::motion);
+  now.pieces.held = true;
+  EXPECT_EQ(say().text, "Held at piece 13 of 800. Go on, or stop it.");
+}
+
 TEST_F(StatusSentenceTest, ASlipIsSaidWhileNothingMoves) {
   now.axes[1].slipped = true;
   EXPECT_EQ(say().mood, Mood::warn);

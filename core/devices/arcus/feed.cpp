@@ -18,8 +18,10 @@ Task<Result<>> Feed::start(intent::FeedMoves wish) {
 
 Task<Result<>> Feed::go_on() {
   std::function<void()> moves = [this] {
+    const bool begins = !console_.draft.any_axis_moving();
     for (int axis = 0; axis < 3 && axis < console_.axes(); ++axis)
       motions_.begun(axis, Activity::moving, status_.round_began());
+    if (begins) console_.changed();  // the next round of status is a few moves away
   };
   co_return co_await list_.feed(std::move(moves));
 }
