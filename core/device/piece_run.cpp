@@ -29,6 +29,12 @@ Result<> PieceRun::allows(const IntentBody& body) const {
   using namespace intent;
   const bool disturbs = is(SetPosition(0), SetEncoder(0), LoadProgram(0, {}), ClearProgram(0), RunProgram(0),
                            FeedMoves({}), SingleStep());
+  const bool moves = std::holds_alternative<MoveTo>(body) || std::holds_alternative<MoveBy>(body) ||
+                     std::holds_alternative<JogStart>(body) || std::holds_alternative<Home>(body);
+  if (running() && moves && draft_.pieces.draws && step_ > 0)
+    return fail(FaultKind::refused,
+                "A piece is being drawn, and would go on from elsewhere with its tool on.",
+                "Nothing was sent.", "Stop it first.");
   if (!running() || !disturbs) return {};
   return fail(FaultKind::refused, "A sequence is under way in pieces, and this would disturb the next one.",
               "Nothing was sent.", "Stop it first.");

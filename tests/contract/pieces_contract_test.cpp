@@ -282,6 +282,7 @@ TEST_P(PiecesContractTest, AHeldBufferHasItsToolOffAndGoesOn) {
   run(seconds(5));
   EXPECT_EQ(axis().position, held);
   EXPECT_FALSE(is_on());
+  EXPECT_EQ(perform(intent::MoveBy({{id(0), Steps(500)}})).fate, Fate::refused);
   must(intent::Resume());
   ASSERT_TRUE(run_until([&] { return axis().position > held; }, seconds(10)));
   EXPECT_TRUE(is_on());
