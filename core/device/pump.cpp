@@ -271,7 +271,8 @@ Task<> Pump::serve() {
     } else if (!desk_.any() && !jobs_.empty()) {
       co_await perform_next();
       rounds_.look_often(scheduler_.now());
-    } else if (const IntentBody* piece = pieces_.due(rounds_.ended(), scheduler_.now()); piece && !desk_.any() && !leaves()) {
+    } else if (const IntentBody* piece = pieces_.due(rounds_.ended(), scheduler_.now());
+               piece && !desk_.any() && !leaves()) {
       co_await perform_piece(*piece);
       rounds_.look_often(scheduler_.now());
     } else if (scheduler_.now() < rounds_.next()) {
