@@ -47,8 +47,8 @@ void PathBackdrop::follow(Frame& f, const PathSubject& s, const drawing::ToolPat
   f.tab.desk().worker().run(
       [next, trace, meant, of_trace]() mutable {
         static const drawing::ToolPath none;
-        const auto layer = [](const SharedPath& path, const PathLook& look) {
-          return PathLayer{path ? path.get() : &none, look};
+        const auto layer = [](const SharedPath& path, const PathLook& drawn) {
+          return PathLayer{path ? path.get() : &none, drawn};
         };
         const std::array layers{layer(next.commanded, meant), layer(next.path, next.look),
                                 PathLayer{&trace, of_trace}};

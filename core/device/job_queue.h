@@ -20,6 +20,7 @@ struct Job {
   TextMeaning meaning;                ///< of a text
   std::uint64_t line_epoch = 0;       ///< Line::epoch() when it was asked for, of a text to all of them
   std::uint32_t restarts_before = 0;  ///< of the controller, as far as was known
+  std::uint64_t first_round = 0;      ///< of status that begins after it was asked for
   bool is_query = false;
   std::string text;
   Duration patience{};
@@ -54,6 +55,8 @@ class JobQueue {
   /// All that wait, for whoever refuses them.
   [[nodiscard]] std::deque<std::unique_ptr<Job>> take_all() { return std::exchange(waiting_, {}); }
 
+  /// Not of an empty queue.
+  [[nodiscard]] const Job& next() const { return *waiting_.front(); }
   /// The next one's turn; it lasts until end().
   std::unique_ptr<Job> begin() {
     auto job = std::move(waiting_.front());

@@ -118,6 +118,7 @@ class Pump {
   void post_stop(StopOrder order);
   StopOrder& ask(StopOrder order);
   void watch_tool();
+  [[nodiscard]] bool tool_is_seen_first() const;
   void switch_tool_off();
   Task<Result<>> bring_tool_back();
   void drop_what_waits();

@@ -4,6 +4,11 @@
 #include "core/device/pump_job.h"
 
 namespace hw {
+/// The next job waits for a round that shows whether a program that may have its tool on still runs.
+bool Pump::tool_is_seen_first() const {
+  if (desk_.any() || jobs_.empty() || !tool_.is_seen_before(jobs_.next().intent.body)) return false;
+  return tool_.looks() || rounds_.ended() < jobs_.next().first_round;
+}
 
 /// After a round: what ends by itself, by its error, by a hold or by somebody else's stop leaves the tool off
 /// too.

@@ -32,10 +32,12 @@ class Rounds {
   /// Somebody waits for the first one that begins after this; its number, which ended() reaches when it is
   /// over.
   std::uint64_t want(Instant now) {
-    wanted_ = std::max(wanted_, begun_ + 1);
+    wanted_ = std::max(wanted_, next_number());
     next_ = now;
-    return begun_ + 1;
+    return next_number();
   }
+  /// Of the first one that begins after this.
+  [[nodiscard]] std::uint64_t next_number() const { return begun_ + 1; }
   [[nodiscard]] bool one_is_wanted() const { return wanted_ > begun_; }
   [[nodiscard]] std::uint64_t ended() const { return ended_; }
 

@@ -65,6 +65,12 @@ Result<> ToolGuard::begin(const IntentBody& intent) {
   return {};
 }
 
+bool ToolGuard::is_seen_before(const IntentBody& intent) const {
+  return at_work_ &&
+         is_any_of<intent::LoadProgram, intent::UploadProgram, intent::ClearProgram, intent::Store,
+                   intent::ReadParams, intent::ReadAgain, intent::RunInPieces>(intent);
+}
+
 void ToolGuard::done(const IntentBody& intent) {
   if (const auto* load = std::get_if<intent::LoadProgram>(&intent)) {
     if (load->slot < 0) by_place_.clear();

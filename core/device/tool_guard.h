@@ -34,6 +34,8 @@ class ToolGuard {
     return !all_.empty() && (at_work_ || !is_off(now));
   }
   [[nodiscard]] bool at_work() const { return at_work_; }
+  /// It keeps the wire for seconds, in which nobody would see that a program has ended with its tool on.
+  [[nodiscard]] bool is_seen_before(const IntentBody& intent) const;
 
   enum class Wish : std::uint8_t {
     nothing,

@@ -36,26 +36,26 @@ struct Speed {
 struct Move {
   Places to;
   bool relative = false;
-  OwnSpeeds own;
+  OwnSpeeds own{};
   bool operator==(const Move&) const = default;
 };
 /// In the first two axes, around a centre.
 struct Arc {
   double x = 0, y = 0;
   double degrees = 360;  ///< counterclockwise; 360 and -360 are circles
-  OwnSpeeds own;
+  OwnSpeeds own{};
   bool operator==(const Arc&) const = default;
 };
 struct Jog {
   int axis = 0;
   Sign direction = Sign::plus;
-  OwnSpeeds own;
+  OwnSpeeds own{};
   bool operator==(const Jog&) const = default;
 };
 struct Home {
   int axis = 0;
   Sign direction = Sign::minus;
-  OwnSpeeds own;
+  OwnSpeeds own{};
   bool operator==(const Home&) const = default;
 };
 struct Stop {
@@ -87,7 +87,7 @@ struct MoveOnInput {
   double to = 0;                ///< of a move
   Sign direction = Sign::plus;  ///< of a jog or homing
   bool stops_first = false;     ///< what moves there is stopped before
-  OwnSpeeds own;
+  OwnSpeeds own{};
   bool operator==(const MoveOnInput&) const = default;
 };
 struct Output {
@@ -121,7 +121,7 @@ struct Contour {
   double x = 0, y = 0;      ///< where it begins
   double lead_in = 0;       ///< so far before that, in its first direction, it sets off
   bool ends_ramped = true;  ///< on along its last direction; false: at once
-  OwnSpeeds own;
+  OwnSpeeds own{};
   StepList steps;
   bool operator==(const Contour&) const;
 };

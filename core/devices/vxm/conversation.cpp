@@ -200,6 +200,7 @@ Task<Result<std::string>> Conversation::ask(std::string question, AnswerShape an
   t.stranger = answer.stranger;
   t.patience = answer.patience;
   t.look = answer.look;
+  t.may_be_silent = answer.perhaps;
   co_return co_await exchange(std::move(t));
 }
 

@@ -38,34 +38,24 @@ void VxmEmulator::receive(std::string_view bytes) {
   after();
 }
 
-/// With the quirk `overrun` a reply leaves when its last byte would have: a host that talks meanwhile blocks
-/// it.
+/// With the quirk `overrun` a reply leaves byte by byte: a host that talks meanwhile blocks it.
 void VxmEmulator::pace_replies() {
-  if (box_.replied > 0) {
-    constexpr std::int64_t bits_per_byte = 10;
-    const auto bits = static_cast<std::int64_t>(box_.out.size()) * bits_per_byte;
-    answering_until_ = std::max(now_, answering_until_) + Duration(bits * 1'000'000'000 / box_.rate());
-  }
-  box_.replied = 0;
-  if (now_ < answering_until_) {
-    held_back_ += box_.out;
-    box_.out.clear();
-  }
+  constexpr Duration::rep ns_of_a_byte = 10'000'000'000;  // at 1 baud
+  const Duration byte_time(std::exchange(box_.replied, 0) > 0 ? ns_of_a_byte / box_.rate() : 0);
+  answering_until_ = std::max(now_, answering_until_);
+  for (const char c : std::exchange(box_.out, {})) held_back_.push_back({answering_until_ += byte_time, c});
 }
 
 void VxmEmulator::take_output(std::string& sink) {
-  if (!held_back_.empty() && now_ >= answering_until_) sink += std::exchange(held_back_, {});
-  if (!held_back_.empty()) {
-    held_back_ += box_.out;
-  } else {
-    sink += box_.out;
-  }
-  box_.out.clear();
+  for (; !held_back_.empty() && held_back_.front().leaves <= now_; held_back_.pop_front())
+    sink += held_back_.front().byte;
+  if (held_back_.empty()) sink += std::exchange(box_.out, {});
+  for (const char c : std::exchange(box_.out, {})) held_back_.push_back({answering_until_, c});
 }
 
 std::optional<Instant> VxmEmulator::next_event() const {
   auto next = box_.next_event();
-  if (!held_back_.empty() && (!next || answering_until_ < *next)) next = answering_until_;
+  if (!held_back_.empty() && (!next || held_back_.front().leaves < *next)) next = held_back_.front().leaves;
   return next;
 }
 

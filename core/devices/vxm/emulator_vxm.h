@@ -1,6 +1,7 @@
 #pragma once
 // The emulator as its owner sees it: a controller, its Slave, the hands on both, and what left over the wire.
 #include <array>
+#include <deque>
 #include <memory>
 #include <string>
 #include <vector>
@@ -68,7 +69,11 @@ class VxmEmulator final : public Emulator {
     [[nodiscard]] bool gives_power() const { return switched_on && !breaker_out; }
   };
   std::array<Supply, 2> supplies_{};  ///< of the controller, of its Slave
-  std::string held_back_;             ///< quirk overrun: the reply that is being sent
+  struct Held {
+    Instant leaves;
+    char byte;
+  };
+  std::deque<Held> held_back_;  ///< quirk overrun: the reply that is being sent, and what comes behind it
   Instant answering_until_{};
   std::uint64_t memory_loads_ = 0;
   mutable std::vector<TriggerPulse> pulses_;

@@ -33,7 +33,7 @@ TextMeaning meaning_of(std::string_view text, const Listening& now, bool own_mov
   const Piece* last = last_command_of(pieces);
   TextMeaning meaning;
   meaning.stops = stopped_by(commands, now, own_move);
-  meaning.end_is_told = !last || !last->answer;  // by a prompt
+  meaning.end_is_told = !last || !last->answer || last->answer->perhaps;  // by a prompt
   const bool at_rest = !now.running && !commands.empty() && is_letter(commands.back(), 'D');
   if (at_rest && meaning.is_stop()) meaning.end_is_told = false;
   const bool nothing_comes =

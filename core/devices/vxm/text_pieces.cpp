@@ -14,11 +14,22 @@ namespace {
 
 AnswerShape line_answer() { return {ReplyShape::line(), before_number}; }
 
+std::optional<AnswerShape> answer_shape(const TextCommand& c, const Listening& now);
+
+std::optional<AnswerShape> answer_if_it_has_ended(const TextCommand& c, Listening now) {
+  constexpr Duration at_once = Millis(60);
+  if (!std::exchange(now.running, false)) return std::nullopt;
+  auto answer = answer_shape(c, now);
+  if (answer) answer->perhaps = true, answer->patience = at_once;
+  return answer;
+}
+
 std::optional<AnswerShape> answer_shape(const TextCommand& c, const Listening& now) {
-  if (!now.takes(c)) return std::nullopt;
+  if (!now.takes(c)) return answer_if_it_has_ended(c, now);
   if (c.verb == Verb::get || c.verb == Verb::ask_selected || c.verb == Verb::ask_associate)
     return line_answer();
-  if (c.verb == Verb::word && c.name == "lst") return AnswerShape{ReplyShape::until_quiet(listing_quiet_ms)};
+  if (c.verb == Verb::word && c.name == "lst")
+    return AnswerShape{ReplyShape::until_quiet(listing_quiet_ms), before_listing};
   if (c.verb == Verb::word && c.name == "rsm")
     return AnswerShape{ReplyShape::bytes(1), before_prompt, store_patience};
   if (c.verb != Verb::letter) return std::nullopt;

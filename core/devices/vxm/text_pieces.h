@@ -23,6 +23,8 @@ struct AnswerShape {
   std::size_t (*stranger)(std::string_view) = nullptr;
   Duration patience = usual_patience;
   Look look = Look::any;
+  /// Only if the program has ended since it was last seen to run; else it is dropped.
+  bool perhaps = false;
 };
 
 /// At most the last command of it is answered, so it may go out at once.

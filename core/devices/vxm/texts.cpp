@@ -163,8 +163,12 @@ Task<Texts::RawAnswer> Texts::send_pieces(std::string text, Duration patience, P
       AnswerShape answer = *piece.answer;
       const Duration wanted = &piece == last ? patience : usual_patience;
       const bool is_stop = priority == Priority::stop;  // it is sent again when it is not confirmed
-      answer.patience = std::max(answer.patience, is_stop ? std::min(wanted, longest_confirmation) : wanted);
+      if (!answer.perhaps)
+        answer.patience =
+            std::max(answer.patience, is_stop ? std::min(wanted, longest_confirmation) : wanted);
       reply = co_await talk_.ask(piece.text, answer, priority);
+      if (!reply && answer.perhaps && reply.error().kind == FaultKind::no_answer) continue;
+      if (reply && answer.perhaps) all.dropped.clear();
     } else {
       reply = co_await talk_.ask(piece.text, {ReplyShape::nothing()}, priority);
     }

@@ -78,7 +78,9 @@ TEST(TrackPath, AContourOfABoardIsRoundFromItsBeginOn) {
     EXPECT_TRUE(p.y == 0 || std::fabs(std::hypot(p.x, p.y) - 1000) < 3) << p.x << "," << p.y;
   for (std::size_t i = 1; i < path.points.size(); ++i) {
     const drawing::Point3 a = path.points[i - 1], b = path.points[i];
-    if (a.y != 0 || b.y != 0) EXPECT_LT(std::hypot(b.x - a.x, b.y - a.y), 120) << a.x << "," << a.y;
+    if (a.y != 0 || b.y != 0) {
+      EXPECT_LT(std::hypot(b.x - a.x, b.y - a.y), 120) << a.x << "," << a.y;
+    }
   }
 }
 

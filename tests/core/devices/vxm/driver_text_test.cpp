@@ -46,6 +46,19 @@ TEST_F(VxmDriverText, WhileAProgramRunsOnlyWhatIsTakenThenIsWaitedFor) {
   EXPECT_TRUE(listens());
 }
 
+TEST_F(VxmDriverText, AQuestionRightBehindAProgramIsHeardOut) {
+  EXPECT_EQ(send("PM-0,I1M400,R"), "");
+  int length_ms = 0;
+  for (; unsolicited() != "^" && length_ms < 2000; ++length_ms) run(0.001);
+  for (int ms = length_ms - 20; ms < length_ms + 20; ++ms) {
+    EXPECT_EQ(send("R"), "");
+    run(ms * 0.001);
+    (void)query("lst");
+    run(0.3);
+    EXPECT_TRUE(listens()) << "asked " << ms << " ms after R";
+  }
+}
+
 TEST_F(VxmDriverText, EchoStaysOff) {
   EXPECT_EQ(send("E"), "");
   EXPECT_TRUE(told("Echo stays off"));
