@@ -125,7 +125,9 @@ class Judge final : public Witness {
   void program_loaded(int device, IntentId id, bool of_tool) {
     at(device).tool.loading.emplace_back(id, of_tool);
   }
-  void output_set(int device) { at(device).tool.by_hand = true; }
+  void output_set(int device) { at(device).tool.by_hand = true, at(device).tool.run_asked = false; }
+  /// Of a program, or of what is left of it.
+  void run_asked(int device) { at(device).tool.run_asked = true; }
   void restarted(int device);
   void others_talk(int device);
   int call_begun(std::string what, Duration longest);
@@ -194,9 +196,10 @@ class Judge final : public Witness {
     std::deque<Intended> intents;
     struct Tool {
       std::vector<std::pair<IntentId, bool>> loading;  ///< whether it is a program of it
-      bool guarded = false;  ///< a program of it was loaded last, and not by an earlier session
-      bool clouded = false;  ///< nobody knows which programs are its own
-      bool by_hand = true;   ///< since the latest run its output was switched by something else
+      bool guarded = false;    ///< a program of it was loaded last, and not by an earlier session
+      bool clouded = false;    ///< nobody knows which programs are its own
+      bool by_hand = true;     ///< since the latest run its output was switched by something else
+      bool run_asked = false;  ///< since it was switched by hand: not every program that runs is a move
       Instant rests_since{};
     } tool;
     std::map<std::int64_t, int> made;  ///< whole ways of that distance

@@ -237,8 +237,10 @@ void Judge::judge_tool(int device) {
   const Instant now = scheduler_.now();
   const bool on = !d.benches.empty() && (d.benches.back().second.second >> facts_.tool_output & 1u) != 0;
   const bool rests = !d.truth.program && d.truth.moving() == 0;
-  const bool in_pieces = d.session->known().pieces.running && d.session->known().feed.running;
-  if ((d.truth.program || in_pieces) && tool.guarded) tool.by_hand = false;
+  const Snapshot& shown = d.session->known();
+  const bool in_pieces = shown.pieces.running && (d.truth.program || shown.feed.running);
+  if (in_pieces) tool.guarded = true;
+  if (in_pieces || (d.truth.program && tool.guarded && tool.run_asked)) tool.by_hand = false;
   if (!d.truth.powered) tool.by_hand = true;
   const Instant carries = std::max({faults_.carries_since(now), faults_.in.hurt(), faults_.out.hurt()});
   if (!on || !rests || !d.session->known().link.connected()) tool.rests_since = now;

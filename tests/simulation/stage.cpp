@@ -261,7 +261,6 @@ void Stage::run_in_pieces(int device, int ways, int lines) {
         machines_[static_cast<std::size_t>(device)].settings.merge(words_of(load->text));
   move(device, Judge::all_axes, Steps(),
        intent::RunInPieces(std::make_shared<const Pieces>(std::move(*pieces))));
-  judge_.program_loaded(device, sent_, true);
 }
 
 void Stage::stop(int device, std::uint32_t axes, StopKind kind, IntentBody body) {

@@ -72,13 +72,18 @@ void load(Stage& stage, const Step& s) {
   stage.judge().program_loaded(s.device, stage.sent(), s.text.find("Tool off:") != s.text.npos);
 }
 void run(Stage& stage, const Step& s) {
+  stage.judge().run_asked(s.device);
   stage.move(s.device, Judge::all_axes, Steps(), intent::RunProgram(whole(s, 0)));
 }
 void pieces(Stage& stage, const Step& s) { stage.run_in_pieces(s.device, whole(s, 0), whole(s, 1)); }
 void override_speed(Stage& stage, const Step& s) { stage.send(s.device, intent::OverrideSpeed(whole(s, 0))); }
 void pause(Stage& stage, const Step& s) { stage.send(s.device, intent::Pause()); }
-void resume(Stage& stage, const Step& s) { stage.move(s.device, Judge::all_axes, Steps(), intent::Resume()); }
+void resume(Stage& stage, const Step& s) {
+  stage.judge().run_asked(s.device);
+  stage.move(s.device, Judge::all_axes, Steps(), intent::Resume());
+}
 void step(Stage& stage, const Step& s) {
+  stage.judge().run_asked(s.device);
   stage.move(s.device, Judge::all_axes, Steps(), intent::SingleStep());
 }
 void clear(Stage& stage, const Step& s) {
@@ -92,6 +97,7 @@ void upload(Stage& stage, const Step& s) { stage.send(s.device, intent::UploadPr
 void type(Stage& stage, const Step& s) { stage.type(s.device, s.text); }
 /// A text that may move what it likes.
 void type_motion(Stage& stage, const Step& s) {
+  stage.judge().run_asked(s.device);
   stage.move(s.device, Judge::all_axes, Steps(), intent::SendText(s.text));
 }
 void query(Stage& stage, const Step& s) { stage.query(s.device, s.text, Millis(s.number(0))); }

@@ -57,7 +57,8 @@ Task<Result<>> Moves::move(std::vector<AxisTarget> wish, Pps speed, bool relativ
     const int axis = t.axis.index;
     if (auto may = console_.has_axis(axis); !may) co_return may;
     std::int64_t here = console_.draft.axes[axis].position.value;
-    if (relative != *incremental) {  // else the mode takes the number as it is
+    // Else the mode takes the number as it is, and where it was seen to rest is where it begins.
+    if (relative != *incremental || console_.draft.axis_moves(axis)) {
       auto read = co_await ask_position(axis);
       if (!read) co_return fail(read.error());
       here = *read;
