@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -64,11 +65,14 @@ void DrawingRun::draw_start(Frame& f, const Wanted& wanted) {
   const std::string_view now = working_ ? "It is being worked out." : why_not_now(f);
   const bool any = wanted.made && wanted.made->pieces;
   const ButtonOptions options{.icon = Icon::play,
-                              .disabled = any ? now : wanted.why_not,
+                              .disabled = any || wanted.in_work ? now : wanted.why_not,
                               .tip = any ? wanted.made->written.tool : std::string_view(),
                               .height = 40,
-                              .moving = true};
-  if (button(f.ui, "drawing/cut", "Cut", options).clicked) {
+                              .moving = true,
+                              .on = waits_};
+  waits_ = button(f.ui, "drawing/cut", "Cut", options).clicked || waits_;
+  const bool asks = !wanted.in_work && std::exchange(waits_, false);
+  if (asks && any && now.empty()) {
     const std::string time = wanted.time.empty() ? "" : fmt::format(" and takes {}", wanted.time);
     asked_.goes_on = false;
     ask(f, wanted.made, wanted.made->pieces,

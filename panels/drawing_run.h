@@ -18,6 +18,7 @@ class DrawingRun {
     std::shared_ptr<const DrawingJob::Made> made;  ///< null: there is nothing to be cut
     std::string_view why_not;                      ///< why that is so, or it has no pieces
     std::string_view time;                         ///< how long it takes; may be empty
+    bool in_work = false;                          ///< it is being worked out: a click waits for it
   };
   /// At ImGui's cursor, over the width of the column.
   void draw(gui::Frame& frame, const Wanted& wanted);
@@ -46,6 +47,7 @@ class DrawingRun {
   Made cut_;              ///< the latest that was begun
   IntentId begun_ = 0;    ///< whose fate is not known yet
   bool working_ = false;  ///< out what is left
+  bool waits_ = false;    ///< what was clicked
   std::string progress_, speed_;
   std::shared_ptr<int> alive_ = std::make_shared<int>(0);
 };

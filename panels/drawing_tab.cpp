@@ -112,6 +112,27 @@ std::string_view DrawingTab::why_not() const {
   return {};
 }
 
+std::string_view DrawingTab::why_no_use(Use use) const {
+  if (job_.drawing() && job_.busy()) return {};
+  if (const auto why = why_not(); !why.empty()) return why;
+  return use == Use::program ? std::string_view(job_.made()->problem) : std::string_view();
+}
+
+void DrawingTab::draw_use(Frame& f, Use use, std::string_view id, std::string_view label,
+                          ButtonOptions look) {
+  look.disabled = why_no_use(use);
+  look.on = wanted_ == use;
+  if (button(f.ui, id, label, look).clicked) wanted_ = use;
+}
+
+void DrawingTab::use(Frame& f, Use use) {
+  if (!why_no_use(use).empty()) return;
+  if (use == Use::program) return ask_or_put(f, job_.made()->written.text);
+  if (use == Use::frame) return ask_or_put(f, job_.made()->frame);
+  asking_blocks_ = f.tab.desk().blocks.edited();
+  if (!asking_blocks_) to_blocks(f);
+}
+
 void DrawingTab::to_blocks(Frame& f) {
   f.tab.desk().blocks.became(job_.made()->conversion.sequence);
   f.show_panel("blocks");
@@ -149,31 +170,19 @@ void DrawingTab::put(Frame& f) {
 
 void DrawingTab::draw_toolbar(Frame& f) {
   Ui& ui = f.ui;
-  Desk& desk = f.tab.desk();
+  if (wanted_ != Use::nothing && !job_.busy()) use(f, std::exchange(wanted_, Use::nothing));
   const ImVec2 top = begin_toolbar(f);
   ButtonOptions look;
   look.height = 40;
   if (button(ui, "drawing/open", "Open DXF", look).clicked)
     open_.ask_open("Open a drawing", open_.folder(), {".dxf"});
-  look.disabled = why_not();
   ImGui::SameLine(0, ui.px(8));
-  if (button(ui, "drawing/to_blocks", "To the blocks", look).clicked) {
-    asking_blocks_ = desk.blocks.edited();
-    if (!asking_blocks_) to_blocks(f);
-  }
-  if (look.disabled.empty() && job_.made() && !job_.made()->problem.empty())
-    look.disabled = job_.made()->problem;
+  draw_use(f, Use::blocks, "drawing/to_blocks", "To the blocks", look);
   ImGui::SameLine(0, ui.px(8));
-  if (button(ui, "drawing/to_program", "To the program", look).clicked)
-    ask_or_put(f, job_.made()->written.text);
+  draw_use(f, Use::program, "drawing/to_program", "To the program", look);
   ImGui::SameLine(0, 0);
-  if (button(ui, "drawing/frame", "Frame",
-             {.style = ButtonStyle::quiet,
-              .disabled = why_not(),
-              .tip = "A program that goes once around it with the tool off.",
-              .height = 40})
-          .clicked)
-    ask_or_put(f, job_.made()->frame);
+  look.style = ButtonStyle::quiet, look.tip = "A program that goes once around it with the tool off.";
+  draw_use(f, Use::frame, "drawing/frame", "Frame", look);
   ImGui::SameLine(0, 0);
   if (button(ui, "drawing/fit", "Fit", {.style = ButtonStyle::quiet, .height = 40}).clicked) canvas_.fit();
   if (f.area.width < both_width) {
@@ -239,7 +248,8 @@ void DrawingTab::draw_facts(Frame& f) {
 }
 
 void DrawingTab::draw_run(Frame& f) {
-  DrawingRun::Wanted wanted{job_.busy() ? nullptr : job_.shared_made(), why_not(), time_};
+  DrawingRun::Wanted wanted{job_.busy() ? nullptr : job_.shared_made(), why_not(), time_,
+                            job_.drawing() && job_.busy()};
   if (wanted.made && !wanted.made->pieces) wanted.why_not = wanted.made->no_pieces;
   run_.draw(f, wanted);
   group_line(f.ui);

@@ -3,10 +3,12 @@
 // comes of it. Ids: `drawing/open`, `drawing/to_blocks`, `drawing/to_program`, `drawing/frame`,
 // `drawing/off`, `drawing/fit`, `drawing/settings`, `drawing/view`, `drawing/problem`, `drawing/progress`,
 // `drawing/time`, `drawing/left_out`; the settings: see DrawingOptions; cutting it: see DrawingRun.
+#include <cstdint>
 #include <filesystem>
 #include <string>
 
 #include "gui/panel.h"
+#include "gui/widgets/button.h"
 #include "gui/widgets/file_dialog.h"
 #include "panels/drawing_chains.h"
 #include "panels/drawing_job.h"
@@ -30,6 +32,12 @@ class DrawingTab final : public gui::Panel {
   void draw_run(gui::Frame& frame);
   void draw_left_out(gui::Frame& frame);
   void draw_dialogs(gui::Frame& frame);
+  /// What a click is for; it waits while the drawing is being worked out, as a field that it left began that.
+  enum class Use : std::uint8_t { nothing, blocks, program, frame };
+  void draw_use(gui::Frame& frame, Use use, std::string_view id, std::string_view label,
+                gui::ButtonOptions look);
+  [[nodiscard]] std::string_view why_no_use(Use use) const;
+  void use(gui::Frame& frame, Use use);
   void to_blocks(gui::Frame& frame);
   void ask_or_put(gui::Frame& frame, std::string text);
   void put(gui::Frame& frame);
@@ -46,6 +54,7 @@ class DrawingTab final : public gui::Panel {
   std::string time_, drawn_, travel_, saved_, size_, chains_, left_out_title_;
   std::vector<std::string> left_out_;
   std::string off_, to_put_;
+  Use wanted_ = Use::nothing;
   bool asking_blocks_ = false, asking_program_ = false;
   bool settings_ = false;  ///< without room for both: they take the picture's place
 };

@@ -74,6 +74,25 @@ TEST_F(DrawingTabTest, LayersScaleAndToolChangeTheProgram) {
   EXPECT_THAT(text, HasSubstr("X4000Y2000"));
 }
 
+TEST_F(DrawingTabTest, AClickThatEndsAFieldWaitsForWhatItChanges) {
+  drop();
+  two_hundred_pulses_in_a_mm();
+  s.stage.frames(6);
+  const auto in_the_field = [this](const char* field, std::string_view digits) {
+    s.click(field);
+    for (const char c : digits) s.stage.push(gui::InputEvent::text(static_cast<unsigned>(c), s.stage.now_s));
+    s.stage.frames(2);
+  };
+  in_the_field("drawing/per_unit/X", "100");
+  s.click_at(s.stage.find("drawing/to_program")->rect.centre());
+  s.stage.frames(6);
+  EXPECT_THAT(s.tab.desk().texts.text(0), HasSubstr("X3000Y2000")) << "30 mm of 100 pulses";
+  in_the_field("drawing/per_unit/X", "50");
+  s.click_at(s.stage.find("drawing/cut")->rect.centre());
+  s.stage.frames(6);
+  EXPECT_TRUE(s.stage.find("drawing/ask_cut/yes"));
+}
+
 TEST_F(DrawingTabTest, AnAxisLowersTheToolAndAnOutputSwitchesItThen) {
   drop();
   two_hundred_pulses_in_a_mm();
