@@ -108,22 +108,27 @@ void draw_floor(const PathGround& g) {
 }
 
 void draw_origin(const PathGround& g) {
-  constexpr double part = 0.18;  // of what is shown
+  constexpr double part = 0.25;  // of what is shown
   const Frame& f = g.frame;
   const PathAxes& axes = g.subject.axes;
-  const Point3 size = g.box.size() * part;
-  const double fallback = std::max({size.x, size.y, size.z});
+  const Point3 size = g.box.size();
+  const double reach = std::max({size.x, size.y, size.z}) * part;
   const auto arm = [&](Point3 end, AxisId axis) {
     const ImVec2 from = g.at({}), to = g.at(end);
     ImGui::GetWindowDrawList()->AddLine(from, to, f.ui[Tone::ink2], 2 * f.ui.hair());
-    if (distance(from, to) > f.ui.px(12))
-      draw_text(f.ui, ImVec2(to.x + f.ui.px(4), to.y - f.ui.line(Face::small)), Face::small, f.ui[Tone::ink2],
-                axis_and_unit(f, axis));
+    const float length = distance(from, to);
+    if (length < f.ui.px(12)) return;
+    // Its name goes on where it ends.
+    const Path name = axis_and_unit(f, axis);
+    const float w = std::ceil(text_width(f.ui, Face::small, name)), h = f.ui.line(Face::small);
+    const ImVec2 way((to.x - from.x) / length, (to.y - from.y) / length);
+    const ImVec2 middle(to.x + way.x * (w / 2 + f.ui.px(6)), to.y + way.y * (h / 2 + f.ui.px(4)));
+    draw_text(f.ui, ImVec2(std::floor(middle.x - w / 2), std::floor(middle.y - h / 2)), Face::small,
+              f.ui[Tone::ink2], name);
   };
-  const auto reach = [&](double own) { return own > 0 ? own : fallback; };
-  arm({reach(size.x), 0, 0}, axes.right);
-  arm({0, reach(size.y), 0}, axes.up);
-  arm({0, 0, reach(size.z)}, *axes.third);
+  arm({reach, 0, 0}, axes.right);
+  arm({0, reach, 0}, axes.up);
+  arm({0, 0, reach}, *axes.third);
 }
 
 }  // namespace
