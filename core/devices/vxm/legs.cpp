@@ -96,6 +96,7 @@ void Legs::show_leg(const Leg& leg) {
 
 Task<Result<>> Legs::settle() {
   if (hold_.is_to_be_released()) {
+    if (ramp_.is_expected()) co_return Result<>();  // its stop ends it before it begins
     auto released = co_await hold_switch_.say("H", false, Priority::intent);
     if (!released) co_return released;
   }

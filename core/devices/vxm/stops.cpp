@@ -67,6 +67,7 @@ Task<Result<>> Stops::stop_leg(const StopOrder& order) {
   if (!concerned) co_return Result<>();
   under_way_.job().note_stop();
   show_stopping();
+  if (hold_switch_.keeps_our_move()) co_return co_await kills_.kill(true);  // H would let it begin
   if (order.at_once) co_return co_await kills_.kill(false);
   co_return co_await ramp_down();
 }
@@ -112,7 +113,7 @@ StopProgress Stops::progress(const StopOrder& order) {
   if (under_way_.job().active()) {
     if (!under_way_.job().concerns(order)) return StopProgress::stands();
     if (under_way_.job().is_leg_over()) return StopProgress::wait();  // the next round reads where it ended
-    return order.at_once ? StopProgress::again() : ramp_.watch();
+    return order.at_once || hold_switch_.keeps_our_move() ? StopProgress::again() : ramp_.watch();
   }
   if (under_way_.program_runs() && order.what != StopOrder::What::jog)
     return order.at_once ? StopProgress::again() : ramp_.watch_program();
