@@ -1,5 +1,6 @@
 #include "panels/program.h"
 
+#include "core/device/registry.h"
 #include "tests/core/session/folder.h"
 #include "tests/panels/panel_stage.h"
 
@@ -115,6 +116,28 @@ TEST_F(ProgramTest, TooLongIsSaidByMeterAndRefusedByRun) {
   EXPECT_TRUE(s.sent.empty());
   EXPECT_THAT(s.toast(), HasSubstr("2 too many. Shorten it."));
   EXPECT_EQ(texts().text(0), "A,B,C,D,E,F,G,H,J,K,M");
+}
+
+struct PmxProgramTest : ::testing::Test {
+  const DeviceType& type = *find_device_type("pmx-4ex-sa");
+  Program panel;
+  test::PanelStage s{panel, 864, 480, 1, gui::Tier::wide, true, *type.make_catalog({}), &type.language()};
+};
+
+TEST_F(PmxProgramTest, WhatIsShownAsBlocksBecomesThem) {
+  const gui::BlockList& blocks = s.tab.desk().blocks;
+  s.tab.desk().texts.set_text(0, "ABS\nX100\nWAITX\nEND\n");
+  s.click("program/more");
+  s.click("program/more/Show as blocks");
+  s.stage.frames(4);
+  ASSERT_EQ(blocks.editor.shared()->steps.size(), 2u) << s.toast();
+  EXPECT_THAT(s.toast(), HasSubstr("The text is 2 blocks now"));
+  s.tab.desk().texts.set_text(0, "X200\nEND\n");
+  s.click("program/more");
+  s.click("program/more/Show as blocks");
+  s.stage.frames(4);
+  EXPECT_THAT(s.toast(), HasSubstr("have changes that are in no file")) << "they ask first";
+  EXPECT_EQ(blocks.editor.shared()->steps.size(), 2u);
 }
 
 TEST_F(ProgramTest, SlotsKeepTheirOwnTexts) {
