@@ -43,6 +43,11 @@ std::shared_ptr<const drawing::ToolPath> path_of(const Conversion& made, drawing
   return std::make_shared<const drawing::ToolPath>(std::move(path));
 }
 
+std::optional<double> without_ramps(const Conversion& made, const ConversionOptions& options) {
+  if (!(options.cutting.high > 0) || !(options.travel.high > 0)) return std::nullopt;
+  return made.drawn / options.cutting.high + made.way / options.travel.high;
+}
+
 /// All that a drawing becomes. Long.
 Result<DrawingJob::Made> make(const drawing::Drawing& drawing, const Catalog& catalog,
                               const Language& language, const ConversionOptions& options,
@@ -58,6 +63,7 @@ Result<DrawingJob::Made> make(const drawing::Drawing& drawing, const Catalog& ca
   auto frame = language.write(converted->frame, catalog);
   if (!frame) return fail(frame.error());
   DrawingJob::Made made;
+  made.at_least_s = without_ramps(*converted, options);
   made.conversion = std::move(*converted), made.written = std::move(*written);
   made.frame = std::move(frame->text);
   if (auto pieces = language.in_pieces(made.conversion.sequence, catalog))

@@ -20,9 +20,10 @@ class DrawingJob {
   struct Made {
     Conversion conversion;
     SequenceText written;
-    std::string frame;    ///< text that goes once around it with the tool off
-    std::string problem;  ///< of the text: it does not fit; empty: none
-    std::optional<double> duration_s;
+    std::string frame;                 ///< text that goes once around it with the tool off
+    std::string problem;               ///< of the text: it does not fit; empty: none
+    std::optional<double> duration_s;  ///< as rehearsed
+    std::optional<double> at_least_s;  ///< without ramps, where the speeds are asked for
     std::shared_ptr<const Pieces> pieces;
     std::string no_pieces;                          ///< why there are none
     std::vector<double> chain_seconds;              ///< of the chains that the rehearsal has listed

@@ -95,7 +95,10 @@ void DrawingTab::say() {
   const DrawingJob::Made* made = job_.made();
   if (!made) return;
   const Conversion& c = made->conversion;
-  time_ = made->duration_s ? std::string(format_duration(*made->duration_s).view()) : "";
+  if (made->duration_s)
+    time_ = format_duration(*made->duration_s).view();
+  else if (made->at_least_s)
+    time_ = fmt::format("at least {}", format_duration(*made->at_least_s).view());
   drawn_ = in_mm(c.drawn), travel_ = in_mm(c.way);
   if (c.way_as_drawn > c.way) saved_ = in_mm(c.way_as_drawn - c.way);
   size_ = fmt::format("{} \u00d7 {} mm", format_number(c.box.high.x - c.box.low.x, 3).view(),
@@ -233,7 +236,7 @@ void DrawingTab::draw_facts(Frame& f) {
     gap(ui, 8);
   }
   if (made) {
-    if (!time_.empty()) key_value(ui, "drawing/time", "Rehearsed", time_);
+    if (!time_.empty()) key_value(ui, "drawing/time", made->duration_s ? "Rehearsed" : "Takes", time_);
     key_value(ui, "drawing/drawn", "Tool on", drawn_);
     key_value(ui, "drawing/travel", "Tool off", travel_);
     if (!saved_.empty()) key_value(ui, "drawing/saved", "Saved by the order", saved_, Tone::ok);

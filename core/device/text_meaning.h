@@ -25,7 +25,8 @@ struct TextMeaning {
   Answered answered = Answered::at_once;
   bool end_is_told = false;  ///< the controller tells by itself when what it began is over
   bool changes_programs = false;
-  bool restarts = false;  ///< the controller begins anew
+  bool runs_program = false;  ///< starts a stored one, or lets one go on
+  bool restarts = false;      ///< the controller begins anew
   For whom = For::this_one;
   int address = -1;
 

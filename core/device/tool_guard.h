@@ -21,6 +21,8 @@ class ToolGuard {
   /// Before a driver is asked for it. Refused: a text whose tool is not understood, and a hold where the tool
   /// would stay on in it.
   [[nodiscard]] Result<> begin(const IntentBody& intent);
+  /// By a text of the user's.
+  void program_may_run() { at_work_ = at_work_ || !all_.empty(); }
   /// It has been done.
   void done(const IntentBody& intent);
   /// It was refused, and the programs in the controller are what they were.

@@ -97,8 +97,9 @@ void Judge::rested(int device, int a) {
   if (made == 0) return;
   const auto is_program = [](const Excuse& e) { return e.axes == all_axes; };  // its ways are its own
   if (std::any_of(d.excuses.begin(), d.excuses.end(), is_program)) return;
+  const Instant began = d.axes[ix(a)].began_moving;
   for (const Excuse& e : d.excuses)
-    if ((e.axes >> a & 1u) != 0 && e.distance.value == made && ++d.made[made] > 1 &&
+    if ((e.axes >> a & 1u) != 0 && e.distance.value == made && e.asked <= began && ++d.made[made] > 1 &&
         faults_.out.hurt() < e.asked)
       accuse("once", fmt::format("Device {}: axis {} makes a way of {} twice, which was asked for once.",
                                  device, a, made));

@@ -261,6 +261,10 @@ bool ends_program(std::string_view text) {
   return decode_number(value) == 0;
 }
 
+bool runs_program(std::string_view text) {
+  return text.starts_with("GS") || (thread_named_in(text) && !ends_program(text));
+}
+
 bool has_bit(std::int64_t word, int bit) { return bit != no_bit && (word >> bit & 1) != 0; }
 
 // Decision AMB-133: accelerating, constant and decelerating are the lowest three bits of both tables.

@@ -94,6 +94,8 @@ std::optional<int> thread_named_in(std::string_view text);
 /// Commands that end motion (STOP, ABORT), or a program (SR0=0).
 bool ends_motion(std::string_view text);
 bool ends_program(std::string_view text);
+/// Starts one (SR0=1, GS0), or lets one go on.
+bool runs_program(std::string_view text);
 
 /// Bits of a status word.
 bool has_bit(std::int64_t word, int bit);

@@ -32,6 +32,7 @@ TextMeaning meaning_of(const Forms& forms, const intent::SendText& wish, Address
   meaning.end_is_told = addressing.tells_end;
   // A line of the program memory: SA[line]=[code].
   meaning.changes_programs = word.starts_with("SA") && word.find('=') != word.npos;
+  meaning.runs_program = runs_program(text);
   return meaning;
 }
 

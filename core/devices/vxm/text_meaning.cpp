@@ -41,6 +41,10 @@ TextMeaning meaning_of(std::string_view text, const Listening& now, bool own_mov
   if (meaning.end_is_told)
     meaning.answered = nothing_comes ? TextMeaning::Answered::never : TextMeaning::Answered::later;
   meaning.changes_programs = std::any_of(commands.begin(), commands.end(), changes_programs);
+  meaning.runs_program =
+      !now.halted && std::any_of(commands.begin(), commands.end(), [](const TextCommand& c) {
+        return is_letter(c, 'R') || is_letter(c, 'G') || is_letter(c, 'H');
+      });
   meaning.restarts =
       std::any_of(commands.begin(), commands.end(), [](const TextCommand& c) { return is_word(c, "res"); });
   return meaning;

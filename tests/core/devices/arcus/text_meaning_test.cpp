@@ -66,6 +66,9 @@ TEST(ArcusTextMeaning, ALineOfTheProgramMemoryChangesPrograms) {
   EXPECT_TRUE(typed_to_dmx("SA12=PX").changes_programs);
   EXPECT_FALSE(typed_to_dmx("SA12").changes_programs);
   EXPECT_FALSE(typed_to_dmx("SR0=1").changes_programs);
+  for (const char* text : {"SR0=1", "SR1=3", "GS0"}) EXPECT_TRUE(typed_to_dmx(text).runs_program) << text;
+  for (const char* text : {"SR0=0", "SA12=PX", "X100", "DO2=1"})
+    EXPECT_FALSE(typed_to_dmx(text).runs_program) << text;
 }
 
 }  // namespace

@@ -70,6 +70,12 @@ TEST(VxmTextMeaning, NothingAnswersWhatTheStateDrops) {
   EXPECT_EQ(meaning("K", halted).answered, Answered::at_once);
 }
 
+TEST(VxmTextMeaning, KnowsWhatRunsPrograms) {
+  for (const char* text : {"R", "PM-0,I1M400,R", "G", "H"}) EXPECT_TRUE(meaning(text).runs_program) << text;
+  for (const char* text : {"X", "I1M400,", "setM1M4,", "K"}) EXPECT_FALSE(meaning(text).runs_program) << text;
+  EXPECT_FALSE(meaning("R", halted).runs_program);
+}
+
 TEST(VxmTextMeaning, KnowsWhatChangesPrograms) {
   for (const char* text : {"PM-0,", "I1M400,", "C", "del", "res", "V,L0,"})
     EXPECT_TRUE(meaning(text).changes_programs) << text;
