@@ -238,7 +238,8 @@ void Judge::judge_tool(int device) {
   const bool on = !d.benches.empty() && (d.benches.back().second.second >> facts_.tool_output & 1u) != 0;
   const bool rests = !d.truth.program && d.truth.moving() == 0;
   const Snapshot& shown = d.session->known();
-  const bool in_pieces = shown.pieces.running && (d.truth.program || shown.feed.running);
+  const bool begun = shown.pieces.running && shown.pieces.step >= 0;  // the first has got there
+  const bool in_pieces = begun && (d.truth.program || shown.feed.running);
   if (in_pieces) tool.guarded = true;
   if (in_pieces || (d.truth.program && tool.guarded && tool.run_asked)) tool.by_hand = false;
   if (!d.truth.powered) tool.by_hand = true;
