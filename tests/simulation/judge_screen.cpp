@@ -139,7 +139,8 @@ void Judge::judge_limits(int device) {
   bench_is(device, view);
   judge_lines(device);
   const std::uint32_t operated = view.limits_minus | view.limits_plus;
-  if (operated != 0 && d.tool.guarded) d.stop_drawn = now;  // with the tool on, the console stops all
+  constexpr Duration two_rounds = std::chrono::seconds(1);  // in which it shows that the tool is on
+  if (operated != 0 && d.tool.guarded) d.stop_drawn = now + two_rounds;  // then the console stops all
   for (int a = 0; a < std::min(shown.axis_count, d.truth.axis_count); ++a) {
     AxisCase& axis = d.axes[ix(a)];
     if ((operated >> a & 1u) != 0) axis.limit_operated = now;
