@@ -196,10 +196,11 @@ class Judge final : public Witness {
     std::deque<Intended> intents;
     struct Tool {
       std::vector<std::pair<IntentId, bool>> loading;  ///< whether it is a program of it
-      bool guarded = false;    ///< a program of it was loaded last, and not by an earlier session
-      bool clouded = false;    ///< nobody knows which programs are its own
-      bool by_hand = true;     ///< since the latest run its output was switched by something else
-      bool run_asked = false;  ///< since it was switched by hand: not every program that runs is a move
+      bool guarded = false;      ///< a program of it was loaded last, and not by an earlier session
+      bool half_loaded = false;  ///< one of it, perhaps
+      bool clouded = false;      ///< nobody knows which programs are its own
+      bool by_hand = true;       ///< since the latest run its output was switched by something else
+      bool run_asked = false;    ///< since it was switched by hand: not every program that runs is a move
       Instant rests_since{};
     } tool;
     std::map<std::int64_t, int> made;  ///< whole ways of that distance

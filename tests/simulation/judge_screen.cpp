@@ -37,7 +37,10 @@ void Judge::judge_fates(int device) {
                          fate->sentence.view()));
     if (fate->fate == Fate::failed) d.told += fate->sentence.view();
     for (const auto& [id, of_tool] : d.tool.loading)
-      if (id == i.id && fate->fate == Fate::done) d.tool.guarded = of_tool;
+      if (id == i.id && fate->fate == Fate::done)
+        d.tool.guarded = of_tool, d.tool.half_loaded = false;
+      else if (id == i.id)
+        d.tool.half_loaded = d.tool.half_loaded || of_tool;
     std::erase_if(d.tool.loading, [&](const auto& load) { return load.first == i.id; });
     judge_text(device, i, fate->fate);
     return true;
@@ -140,7 +143,8 @@ void Judge::judge_limits(int device) {
   judge_lines(device);
   const std::uint32_t operated = view.limits_minus | view.limits_plus;
   constexpr Duration two_rounds = std::chrono::seconds(1);  // in which it shows that the tool is on
-  if (operated != 0 && d.tool.guarded) d.stop_drawn = now + two_rounds;  // then the console stops all
+  if (operated != 0 && (d.tool.guarded || d.tool.half_loaded))
+    d.stop_drawn = now + two_rounds;  // then the console stops all
   for (int a = 0; a < std::min(shown.axis_count, d.truth.axis_count); ++a) {
     AxisCase& axis = d.axes[ix(a)];
     if ((operated >> a & 1u) != 0) axis.limit_operated = now;
