@@ -20,7 +20,7 @@ struct Job {
   TextMeaning meaning;                ///< of a text
   std::uint64_t line_epoch = 0;       ///< Line::epoch() when it was asked for, of a text to all of them
   std::uint32_t restarts_before = 0;  ///< of the controller, as far as was known
-  std::uint64_t first_round = 0;      ///< of status that begins after it was asked for
+  std::uint64_t first_round = 0;      ///< that it waits for; see Pump::tool_is_seen_first()
   bool is_query = false;
   std::string text;
   Duration patience{};

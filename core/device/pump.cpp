@@ -268,9 +268,7 @@ Task<> Pump::serve() {
     if (StopOrder* stop = desk_.due()) {
       co_await send_stop(*stop);
       rounds_.due_at(scheduler_.now() + driver_->moving_period());
-    } else if (tool_is_seen_first()) {
-      co_await run_round();
-    } else if (!desk_.any() && !jobs_.empty()) {
+    } else if (!desk_.any() && !jobs_.empty() && !tool_is_seen_first()) {
       co_await perform_next();
       rounds_.look_often(scheduler_.now());
     } else if (const IntentBody* piece = pieces_.due(rounds_.ended(), scheduler_.now());

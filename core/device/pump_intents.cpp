@@ -127,7 +127,7 @@ Task<> Pump::pass_on(Intent intent, Pump& other) {
 void Pump::enqueue(std::unique_ptr<Job> job) {
   if (ways_.line) job->line_epoch = ways_.line->epoch();
   job->restarts_before = draft_.restarts;
-  job->first_round = rounds_.next_number();
+  job->first_round = tool_.is_seen_before(job->intent.body) ? rounds_.want(scheduler_.now()) : 0;
   jobs_.push(std::move(job));
   wake_.notify();
 }

@@ -4,10 +4,14 @@
 #include "core/device/pump_job.h"
 
 namespace hw {
-/// The next job waits for a round that shows whether a program that may have its tool on still runs.
+
+/// The next job waits for a round that shows whether a program that may have its tool on still runs; but not
+/// for ever for one that does not tell.
 bool Pump::tool_is_seen_first() const {
-  if (desk_.any() || jobs_.empty() || !tool_.is_seen_before(jobs_.next().intent.body)) return false;
-  return tool_.looks() || rounds_.ended() < jobs_.next().first_round;
+  constexpr std::uint64_t enough_rounds = 3;
+  if (!tool_.is_seen_before(jobs_.next().intent.body)) return false;
+  const std::uint64_t since = jobs_.next().first_round;
+  return rounds_.ended() < since + (tool_.looks() ? enough_rounds : 0);
 }
 
 /// After a round: what ends by itself, by its error, by a hold or by somebody else's stop leaves the tool off

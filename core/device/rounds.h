@@ -32,12 +32,10 @@ class Rounds {
   /// Somebody waits for the first one that begins after this; its number, which ended() reaches when it is
   /// over.
   std::uint64_t want(Instant now) {
-    wanted_ = std::max(wanted_, next_number());
+    wanted_ = std::max(wanted_, begun_ + 1);
     next_ = now;
-    return next_number();
+    return begun_ + 1;
   }
-  /// Of the first one that begins after this.
-  [[nodiscard]] std::uint64_t next_number() const { return begun_ + 1; }
   [[nodiscard]] bool one_is_wanted() const { return wanted_ > begun_; }
   [[nodiscard]] std::uint64_t ended() const { return ended_; }
 

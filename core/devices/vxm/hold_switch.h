@@ -17,7 +17,7 @@ class HoldSwitch {
   /// Says this, behind which the hold is on, or off. H is a switch: it is said only when it changes what is
   /// wanted.
   Task<Result<>> say(std::string text, bool on, Priority priority);
-  /// A hold that was left on stands before a command of a move of ours, which has moved nothing yet.
+  /// A hold that was left on stands before a command of a move of ours: nothing turns.
   [[nodiscard]] bool keeps_our_move() const { return hold_.is_to_be_released(); }
   /// Before anything is run: whether it is on is known afterwards.
   Task<Result<>> settle();

@@ -20,6 +20,7 @@ std::optional<AnswerShape> answer_if_it_has_ended(const TextCommand& c, Listenin
   constexpr Duration at_once = Millis(60);
   if (!std::exchange(now.running, false)) return std::nullopt;
   auto answer = answer_shape(c, now);
+  if (answer && answer->stranger == before_prompt) return std::nullopt;  // it would be the program's own
   if (answer) answer->perhaps = true, answer->patience = at_once;
   return answer;
 }

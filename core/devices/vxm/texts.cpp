@@ -167,13 +167,14 @@ Task<Texts::RawAnswer> Texts::send_pieces(std::string text, Duration patience, P
         answer.patience =
             std::max(answer.patience, is_stop ? std::min(wanted, longest_confirmation) : wanted);
       reply = co_await talk_.ask(piece.text, answer, priority);
-      if (!reply && answer.perhaps && reply.error().kind == FaultKind::no_answer) continue;
       if (reply && answer.perhaps) all.dropped.clear();
     } else {
       reply = co_await talk_.ask(piece.text, {ReplyShape::nothing()}, priority);
     }
     const bool was_sent = reply || reply.error().kind != FaultKind::stopped;
     if (was_sent) note_taken(piece);
+    const bool may_be_silent = piece.answer && piece.answer->perhaps;
+    if (!reply && may_be_silent && reply.error().kind == FaultKind::no_answer) continue;
     if (!reply) {
       if (was_sent && piece.kills) under_way_.kill_not_confirmed(EndedBy::abort);
       if (was_sent && piece.stores) console_.draft.unsaved_setup = console_.draft.unsaved_programs = true;

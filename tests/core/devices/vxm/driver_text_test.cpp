@@ -59,6 +59,16 @@ TEST_F(VxmDriverText, AQuestionRightBehindAProgramIsHeardOut) {
   }
 }
 
+TEST_F(VxmDriverText, WhatIsTakenBeforeADroppedQuestionIsKnown) {
+  EXPECT_EQ(send("PM-0,I1M2000,I1M-9000,R"), "");
+  run(0.2);
+  EXPECT_EQ(send("H"), "");
+  ASSERT_TRUE(run_until([&] { return latest.program.run == RunState::held; }, 5));
+  EXPECT_EQ(send("H,lst"), "");
+  run(0.3);
+  EXPECT_EQ(latest.program.run, RunState::running);
+}
+
 TEST_F(VxmDriverText, EchoStaysOff) {
   EXPECT_EQ(send("E"), "");
   EXPECT_TRUE(told("Echo stays off"));
