@@ -92,8 +92,7 @@ Task<> Pump::let_end() {
     const bool has_wire = station_ && station_->is_open();
     const bool never_seen = rounds_.ended() == 0 && !connected();
     const bool owes = never_seen ? has_wire && !desk_.all_were_sent(times_blind) : desk_.any();
-    const bool seen = rounds_.ended() >= last_look && draft_.link.state == LinkState::good;
-    const bool looks = connected() && last_look > 0 && !seen && now < looked_by;
+    const bool looks = connected() && last_look > 0 && !has_seen(last_look) && now < looked_by;
     const bool clears = connected() && driver_->clears_up();
     if (!(owes || looks || clears) || now >= given_up) co_return;
     co_await published_.wait_until(looks ? looked_by : given_up);

@@ -60,6 +60,10 @@ class Pump {
   Task<> refresh();
   /// Hurries the next round of status; its number, which rounds_ended() reaches when it is over.
   std::uint64_t want_round();
+  /// It is over, or a later one, and what that asked for was told.
+  [[nodiscard]] bool has_seen(std::uint64_t round) const {
+    return rounds_.ended() >= round && draft_.link.state == LinkState::good;
+  }
   [[nodiscard]] std::uint64_t rounds_ended() const { return rounds_.ended(); }
 
   /// What the controller itself cannot tell, and its emulator can.

@@ -201,7 +201,7 @@ Task<Result<>> Session::wait_until_idle(Duration patience) {
       round.reset();
     else if (!round)
       round = pump_.want_round();
-    const bool fresh = round && pump_.rounds_ended() >= *round;
+    const bool fresh = round && pump_.has_seen(*round);
     const bool running =
         (s.program.run != RunState::idle && s.program.run != RunState::error) || s.pieces.running;
     in_pieces = in_pieces || s.pieces.running;
