@@ -46,6 +46,7 @@ Task<Result<>> Opening::greet() {
     if (!again && again.error().kind != FaultKind::no_answer) co_return fail(again.error());
     if (again && read_greeting(*again).is_a_vxm()) greeting = read_greeting(*again);
   }
+  if (talk_.station() && talk_.station()->is_dirty()) presence_.left_local(Presence::LeftLocal::perhaps);
   talk_.set_echoes(greeting.echo);
   if (greeting.state == jog_idle || greeting.state == jog_moving)
     co_return co_await found_local(greeting.state);

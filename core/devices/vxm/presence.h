@@ -1,6 +1,7 @@
 #pragma once
 // Whether and how the controller listens, as far as is known: on-line or in Local mode, halted by an error,
 // restarted.
+#include <algorithm>
 #include <cstdint>
 #include <utility>
 
@@ -38,10 +39,12 @@ class Presence {
   }
   /// Whatever mode it is in, on-line is wanted.
   void wants_on_line() { stay_local_ = false; }
-  /// A stop has put it on-line before anybody could count that as a restart; or nobody heard where it was. Of
-  /// one that was never found before, Local mode is no sign of any.
+  /// F was sent before anybody could count Local mode as a restart; or nobody heard where it was. Of one that
+  /// was never found before, Local mode is no sign of any.
   enum class LeftLocal : std::uint8_t { no, perhaps, yes };
-  void left_local(LeftLocal left) { left_local_ = found_before_ ? left : LeftLocal::no; }
+  void left_local(LeftLocal left) {
+    if (found_before_) left_local_ = std::max(left_local_, left);
+  }
   LeftLocal take_left_local() { return std::exchange(left_local_, LeftLocal::no); }
 
   // ---- found before, and restarted since

@@ -54,9 +54,9 @@ Task<Result<>> Restarts::may_have_left_local() {
   knowledge_.forget();
   console_.tell(
       Notice::Kind::warning,
-      "The stop put the controller on-line (F), and its answers were missing: whether it was switched "
-      "off and on is not known. All positions read zero. Look where the axes stand, and find home "
-      "before the next absolute move.");
+      "F put the controller on-line, and answers were missing or late: whether it was switched off and on "
+      "is not known. All positions read zero. Look where the axes stand, and find home before the next "
+      "absolute move.");
   co_return Result<>();
 }
 
