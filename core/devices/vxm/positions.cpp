@@ -24,7 +24,7 @@ void Positions::show(int index, Steps position) {
   AxisState& axis = console_.draft.axes[index];
   const Sight::Change change = sight_.saw(index, axis, position, talk_.asked_at());
   const bool program_runs = under_way_.program_runs(), moves = under_way_.job().active();
-  if (program_runs && (change.begun || change.reversed)) program_has_begun_a_way(change.reversed);
+  if (program_runs && (change.begun || change.reversed)) program_has_begun_a_way(change);
   if (program_runs && !moves) {  // what a program moves shows by its positions only
     constexpr Duration seems_moving = Millis(150);
     const bool turns = sight_.has_turned_within(seems_moving, index);
@@ -42,9 +42,9 @@ void Positions::show(int index, Steps position) {
 }
 
 /// None of what is held does.
-void Positions::program_has_begun_a_way(bool reversed) {
+void Positions::program_has_begun_a_way(const Sight::Change& way) {
   hold_.something_begins();
-  if (reversed) ramp_.saw_one_turn_round();
+  if (way.reversed) ramp_.saw_one_turn_round(way.since);
   if (ramp_.is_expected() || hold_.is_known()) return;
   hold_.is_seen_off();
 }

@@ -32,7 +32,7 @@ class Positions {
   void are_zero();
 
  private:
-  void program_has_begun_a_way(bool reversed);
+  void program_has_begun_a_way(const Sight::Change& way);
 
   const Console& console_;
   Conversation& talk_;

@@ -51,9 +51,9 @@ void Ramp::was_held() {
   hold_.expect_nothing_to_begin();
 }
 
-void Ramp::saw_one_turn_round() {
+void Ramp::saw_one_turn_round(Instant since) {
   constexpr Duration shown_by_then = Millis(150);  // what had begun when the hold was told
-  if (state_ && console_.scheduler.now() - state_->began > shown_by_then) state_->reversed = true;
+  if (state_ && since - state_->began > shown_by_then) state_->reversed = true;
 }
 
 // Held before a command, or nothing has turned since D: what moves slower than a step in that time has no

@@ -33,8 +33,8 @@ class Ramp {
   [[nodiscard]] bool must_be_seen_first() const;
   /// What it was to stop stands.
   [[nodiscard]] bool is_over() const { return state_ && state_->over; }
-  /// A motor goes the other way: what is held does not.
-  void saw_one_turn_round();
+  /// A motor goes the other way, since then at the earliest: what is held does not.
+  void saw_one_turn_round(Instant since);
   StopProgress watch_program();
 
  private:

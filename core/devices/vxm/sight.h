@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "core/base/index.h"
 #include "core/base/units.h"
@@ -22,6 +23,7 @@ class Sight {
     bool moved = false;
     bool begun = false;     ///< from a standstill
     bool reversed = false;  ///< it went the other way before
+    Instant since{};        ///< all of that after this: the reading before was asked for then
   };
 
   explicit Sight(const Scheduler& scheduler) : scheduler_(scheduler) {}
@@ -32,8 +34,8 @@ class Sight {
     const double way = static_cast<double>((position - before.position).value);
     if (before.position_known && at > before.seen_at)
       seen.speed = std::abs(way) / seconds(at - before.seen_at);
-    seen.read_at = at;
     Change change;
+    change.since = std::exchange(seen.read_at, at);
     change.moved = before.position_known && before.position != position;
     const Sign sign = way > 0 ? Sign::plus : Sign::minus;
     // The last step of a slow ramp may come as late as the first of another motion: the next one tells.
