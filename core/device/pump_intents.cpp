@@ -273,7 +273,7 @@ Task<> Pump::perform_next() {
     ways_.line->for_each_but(*this, [&](Pump& other) {
       other.hear_text_to_all(std::get<intent::SendText>(job->intent.body).text, job->meaning);
     });
-  if (performed && job->meaning.runs_program) tool_.program_may_run();
+  if (performed && job->meaning.runs_program) tool_.program_may_run(draft_);
   if (performed && job->is_query) {
     job->since = texts_.next();
     job->reply = co_await guarded("question", driver_->query(job->text, job->patience));

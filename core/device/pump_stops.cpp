@@ -241,7 +241,7 @@ void Pump::hear_text_to_all(const std::string& text, const TextMeaning& meaning)
     if (station_) station_->preempt();
   }
   driver_->overhear(text);
-  if (meaning.runs_program) tool_.program_may_run();
+  if (meaning.runs_program) tool_.program_may_run(draft_);
   if (meaning.changes_programs) {
     ++draft_.program_changes;
     draft_.program_changed_by = 0;

@@ -55,7 +55,7 @@ Task<Result<>> Pump::bring_tool_back() {
 }
 
 Task<Result<>> Pump::perform_guarding_tool(const IntentBody& body) {
-  auto may = tool_.begin(body);
+  auto may = tool_.begin(body, draft_);
   if (!may) co_return may;
   if (std::holds_alternative<intent::Resume>(body)) {
     auto back = co_await bring_tool_back();
@@ -71,7 +71,7 @@ Task<Result<>> Pump::perform_guarding_tool(const IntentBody& body) {
 Task<Result<>> Pump::perform_beside_pieces(const IntentBody& body) {
   if (const auto* wish = std::get_if<intent::RunInPieces>(&body)) {
     auto begun = pieces_.begin(*wish);
-    if (begun) tool_.pieces_begin(wish->pieces->tool);
+    if (begun) tool_.pieces_begin(wish->pieces->tool, draft_);
     co_return begun;
   }
   if (const auto* wish = std::get_if<intent::OverrideSpeed>(&body))

@@ -35,7 +35,17 @@ std::uint32_t limits_shown(const Snapshot& now) {
 
 }  // namespace
 
-Result<> ToolGuard::begin(const IntentBody& intent) {
+/// Limits that were met before are none of what begins now.
+void ToolGuard::goes_to_work(const Snapshot& now) {
+  at_work_ = true;
+  limits_ = limits_shown(now);
+}
+
+void ToolGuard::program_may_run(const Snapshot& now) {
+  if (!at_work_ && !all_.empty()) goes_to_work(now);
+}
+
+Result<> ToolGuard::begin(const IntentBody& intent, const Snapshot& now) {
   if (const auto* load = std::get_if<intent::LoadProgram>(&intent)) {
     auto tool = tool_off_in(load->text);
     if (!tool) {
@@ -59,7 +69,7 @@ Result<> ToolGuard::begin(const IntentBody& intent) {
                             catalog_.short_name, tool_outputs_words(all_)),
                 "Nothing was sent.", "Stop ends the run with the tool off.");
   } else if (!all_.empty() && is_any_of<intent::RunProgram, intent::Resume, intent::SingleStep>(intent)) {
-    at_work_ = true;
+    goes_to_work(now);
     if (std::holds_alternative<intent::RunProgram>(intent)) forget_hold();
   }
   return {};
@@ -111,9 +121,9 @@ bool ToolGuard::is_off(const Snapshot& now) const {
                      [&](const ToolOutput& o) { return is_on(o.number, now) == o.on; });
 }
 
-void ToolGuard::pieces_begin(const ToolOff& tool) {
+void ToolGuard::pieces_begin(const ToolOff& tool, const Snapshot& now) {
   by_place_[place_of_pieces] = tool;
-  at_work_ = at_work_ || !tool.empty();
+  if (!tool.empty()) goes_to_work(now);
   forget_hold();
   gather();
 }

@@ -20,9 +20,9 @@ class ToolGuard {
 
   /// Before a driver is asked for it. Refused: a text whose tool is not understood, and a hold where the tool
   /// would stay on in it.
-  [[nodiscard]] Result<> begin(const IntentBody& intent);
+  [[nodiscard]] Result<> begin(const IntentBody& intent, const Snapshot& now);
   /// By a text of the user's.
-  void program_may_run() { at_work_ = at_work_ || !all_.empty(); }
+  void program_may_run(const Snapshot& now);
   /// It has been done.
   void done(const IntentBody& intent);
   /// It was refused, and the programs in the controller are what they were.
@@ -55,7 +55,7 @@ class ToolGuard {
   [[nodiscard]] StopProgress progress(const StopOrder& order, const Snapshot& now) const;
 
   /// Acts one by one that switch it (Snapshot::pieces).
-  void pieces_begin(const ToolOff& tool);
+  void pieces_begin(const ToolOff& tool, const Snapshot& now);
 
   // ---- a hold: what was cut goes on where it was held
   /// It is being switched off in one; what is on now comes on again with the program.
@@ -66,6 +66,7 @@ class ToolGuard {
 
  private:
   enum class Cause : std::uint8_t { none, rests, limit };
+  void goes_to_work(const Snapshot& now);
   [[nodiscard]] Cause cause(const Snapshot& now);
   [[nodiscard]] std::optional<bool> is_on(int number, const Snapshot& now) const;
   [[nodiscard]] int place_of(int slot) const { return catalog_.program.threads > 0 ? 0 : slot; }
@@ -76,7 +77,7 @@ class ToolGuard {
   std::optional<ToolOff> loading_;
   ToolOff all_, held_;
   bool at_work_ = false;
-  std::uint32_t limits_ = 0;  ///< that showed in the latest round
+  std::uint32_t limits_ = 0;  ///< that showed in the latest round, or when it went to work
   std::uint64_t look_ = 0;    ///< the round that shows what `cause_` has to be judged by; 0: none
   Instant asked_at_{};
   Cause cause_ = Cause::none;

@@ -156,6 +156,20 @@ TEST_P(ToolGuardTest, ALimitThatIsMetWithItOffIsThePrograms) {
   EXPECT_EQ(told().find("with the tool on"), std::string::npos);
 }
 
+TEST_P(ToolGuardTest, ALimitThatWasMetBeforeIsNoneOfTheRun) {
+  if (axes() < 2) GTEST_SKIP() << "its only axis is the one of the program";
+  place(1, Steps(-500), Steps(50'000));
+  (void)perform(intent::MoveBy({{id(1), Steps(-2000)}}));
+  ASSERT_TRUE(becomes_idle(seconds(60)));
+  ASSERT_EQ(load_of(1), Steps(-500));
+  add_cut(8'000);
+  add(seq::Pen{false});
+  session->send(intent::LoadProgram(0, text()));  // no round of status between the two
+  must(intent::RunProgram(0));
+  expect_off_at_rest();
+  EXPECT_EQ(load(), Steps(8'000)) << told();
+}
+
 TEST_P(ToolGuardTest, ALostLinkSwitchesItOffWhenItIsBack) {
   add_cut(60'000);
   add_way(0);
