@@ -24,6 +24,12 @@ void Knowledge::doubt() {
   slots_.doubt_all();
 }
 
+void Knowledge::may_be_of_before() {
+  nameplate_.forget();
+  parameters_.forget();
+  slots_.doubt_all();
+}
+
 void Knowledge::forget() {
   nameplate_.forget();
   parameters_.forget();

@@ -18,6 +18,8 @@ class Knowledge {
   Task<Result<>> catch_up();
   /// It is read again.
   void doubt();
+  /// It may have restarted: all is read again, but what the console has left in it is still to be taken back.
+  void may_be_of_before();
   /// The controller has restarted: what is not stored is gone.
   void forget();
 

@@ -51,7 +51,7 @@ Task<Result<>> Restarts::may_have_left_local() {
     zero = zero && console_.draft.axes[i].position == Steps(0);
   if (!zero) co_return Result<>();
   stands_since(Doubt::unheard);
-  knowledge_.forget();
+  knowledge_.may_be_of_before();
   console_.tell(
       Notice::Kind::warning,
       "F put the controller on-line, and answers were missing or late: whether it was switched off and on "
