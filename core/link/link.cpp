@@ -187,7 +187,10 @@ void Link::finish(Result<std::string> result) {
   deadline_.disarm();
   const Instant now = scheduler_.now();
   if (done->its_turn && result) done->station.heard_at_ = now;
-  if (done->is_question() && result) done->station.answered_at_ = now;
+  if (done->is_question() && result) {
+    done->station.answered_at_ = now;
+    done->station.owed_.take(done->transaction.look, now);
+  }
   if (done->its_turn)
     done->station.count_burst(result.has_value());
   else

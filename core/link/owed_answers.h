@@ -22,6 +22,11 @@ class OwedAnswers {
   static constexpr Duration longest_delay = std::chrono::seconds(3);
 
   void add(Look look, Instant now) { until_[static_cast<std::size_t>(look)] = now + longest_delay; }
+  /// One of this look was taken for the answer that was waited for. It may be one of those that are owed, and
+  /// its own still come.
+  void take(Look look, Instant now) {
+    if (now < until_[0] || now < until_[static_cast<std::size_t>(look)]) add(look, now);
+  }
   /// The beginning of one has come: its end does not look like it.
   void tear(Instant now) { torn_until_ = now + longest_delay; }
   void add(const OwedAnswers& more) {

@@ -58,6 +58,22 @@ TEST_F(DirtyLineTest, ALateAnswerIsNotTakenForTheNext) {
   EXPECT_EQ(station.times_cleaned(), 1u);
 }
 
+TEST_F(DirtyLineTest, WhatMayBeALateAnswerLeavesItsOwnOwed) {
+  miss();
+  time.run_for(Millis(2500));
+  Answer greeting;
+  auto t = with_look("X", ReplyShape::line(), number);
+  t.on_dirty_line = true;
+  asio::co_spawn(io, ask(station, std::move(t), greeting), asio::detached);
+  time.run_for(Duration::zero());
+  arrive("4\r");
+  EXPECT_TRUE(greeting.came && greeting.result);
+  time.run_for(std::chrono::seconds(2));
+  EXPECT_TRUE(station.is_dirty()) << "the one that was given up may have been this";
+  time.run_for(std::chrono::seconds(1));
+  EXPECT_FALSE(station.is_dirty()) << "nothing comes so late";
+}
+
 TEST_F(DirtyLineTest, WhatComesBeforeTheLineIsSilentDelaysTheQuestion) {
   miss();
   Answer next;
