@@ -69,6 +69,7 @@ void Judge::opened(std::vector<std::shared_ptr<Session>> sessions) {
     const MachineTruth& truth = devices_[i].truth;
     devices_[i].stands_unseen =
         truth.program && truth.moving() == 0 && truth.axis_count > facts_.axes_seen_at_work;
+    devices_[i].goes_on_unseen = {};
     for (AxisCase& axis : devices_[i].axes) axis.restarted.reset();  // of what was before it knows nothing
   }
 }

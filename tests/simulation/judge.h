@@ -210,6 +210,7 @@ class Judge final : public Witness {
     bool ever_restarted = false;
     bool subroutine_called = false;
     bool stands_unseen = false;  ///< a program that a tab has found at rest, where not all axes can be seen
+    Instant goes_on_unseen{};    ///< first, since then
     Instant unconnected_since{};
     std::optional<Instant> first_connected;  ///< since it was opened
     // Inputs and outputs: how the bench stood, and how each stand of it is shown when the wire is good.

@@ -18,7 +18,7 @@ void Judge::machine_is(int device, const MachineTruth& truth) {
   DeviceCase& d = at(device);
   if (truth.program || truth.moving() != 0) d.moved_last = scheduler_.now();
   d.truth = truth;
-  if (!truth.program) d.stands_unseen = false;
+  if (!truth.program) d.stands_unseen = false, d.goes_on_unseen = {};
   for (int a = 0; a < truth.axis_count; ++a) {
     AxisCase& axis = d.axes[ix(a)];
     const AxisTruth was = axis.truth;
@@ -74,7 +74,10 @@ void Judge::began(int device, int a) {
   if (!d.session || excused(d, a)) return;
   const AxisCase& axis = d.axes[ix(a)];
   const Instant now = scheduler_.now();
-  if (std::exchange(d.stands_unseen, false)) {  // what was to hold it may let it go on
+  // What was to hold it may let it go on, from one command to the next, until it is killed.
+  constexpr Duration longest_unseen = std::chrono::seconds(8);
+  if (d.stands_unseen && d.goes_on_unseen == Instant{}) d.goes_on_unseen = now;
+  if (d.stands_unseen && now < d.goes_on_unseen + longest_unseen) {
     for (AxisCase& each : d.axes)
       if (each.stopped) each.stopped->at = now;
     return;
