@@ -7,8 +7,10 @@ worktree, and the search has to find each of them. By hand; it takes about an ho
 """
 import os
 import re
+import shutil
 import subprocess
 import sys
+import tempfile
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -19,10 +21,10 @@ SCRATCH = ROOT / "build-planted"
 SOON, AT_MOST = 2000, 20000  # sessions of a simulated minute
 
 
-def find_function(folder, signature):
+def find_function(root, folder, signature):
     """Its file, and where its body begins and ends there. A fault that no longer applies fails."""
     found = []
-    for path in sorted((SCRATCH / "core" / folder).rglob("*.[ch]*")):
+    for path in sorted((root / "core" / folder).rglob("*.[ch]*")):
         text = path.read_text()
         for match in re.finditer(re.escape(signature), text):
             begin = text.find("{", match.end())
@@ -39,9 +41,9 @@ def find_function(folder, signature):
     return found[0]
 
 
-def plant(fault):
+def plant(fault, root):
     for folder, signature, old, new in fault["edits"]:
-        path, begin, end = find_function(folder, signature)
+        path, begin, end = find_function(root, folder, signature)
         text = path.read_text()
         body = text[begin:end]
         if old == "{":  # at its beginning
@@ -51,6 +53,16 @@ def plant(fault):
         else:
             body = body.replace(old, new)
         path.write_text(text[:begin] + body + text[end:])
+
+
+def check(faults):
+    """On a copy of the sources: neither a worktree nor a compiler is needed."""
+    for fault in faults:
+        with tempfile.TemporaryDirectory() as copy:
+            for folder in {edit[0] for edit in fault["edits"]}:
+                shutil.copytree(ROOT / "core" / folder, Path(copy) / "core" / folder)
+            plant(fault, Path(copy))
+    print(f"{len(faults)} faults apply.")
 
 
 def restore():
@@ -120,19 +132,16 @@ def main(words):
     at_most = SOON if "--soon" in words else AT_MOST
     names = [word for word in words if not word.startswith("--")]
     faults = [fault for fault in FAULTS if not names or fault["name"] in names]
-    prepare()
-    for fault in faults:
-        plant(fault)
-        restore()
+    check(faults)
     if only_check:
-        print(f"{len(faults)} faults apply.")
         return
+    prepare()
     honest = keep(build(), "honest")
     soon = late = 0
     with ThreadPoolExecutor(max_workers=os.cpu_count()) as players:
         played = []
         for number, fault in enumerate(faults):  # the next is built while those before are played
-            plant(fault)
+            plant(fault, SCRATCH)
             binary = keep(build(), f"planted-{number}")
             restore()
             played.append(players.submit(search_models, binary, honest, fault["models"], at_most))

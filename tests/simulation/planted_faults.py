@@ -44,12 +44,14 @@ FAULTS = [
           ("device", "Pump::jog_failed(", "{", "if (true) return;")),
     # ---- the pump: what is asked
     fault("a motion is made again when it was not answered", ("pmx-4ex-sa", "dmx-k-sa"),
-          ("device", "Pump::perform_next(", 'performed = co_await guarded("command", driver_->perform(job->intent.body));',
-           'for (int n = 0; n < 2 && (n == 0 || (!performed && performed.error().kind == FaultKind::no_answer)); ++n)'
-           ' performed = co_await guarded("command", driver_->perform(job->intent.body));')),
+          ("device", "Pump::perform_guarding_tool(", 'auto performed = co_await guarded("command", driver_->perform(body));',
+           'Result<> performed;'
+           ' for (int n = 0; n < 2 && (n == 0 || (!performed && performed.error().kind == FaultKind::no_answer)); ++n)'
+           ' performed = co_await guarded("command", driver_->perform(body));')),
     fault("a motion is made twice", ALL,
-          ("device", "Pump::perform_next(", 'performed = co_await guarded("command", driver_->perform(job->intent.body));',
-           'for (int n = 0; n < 2; ++n) performed = co_await guarded("command", driver_->perform(job->intent.body));')),
+          ("device", "Pump::perform_guarding_tool(", 'auto performed = co_await guarded("command", driver_->perform(body));',
+           'Result<> performed;'
+           ' for (int n = 0; n < 2; ++n) performed = co_await guarded("command", driver_->perform(body));')),
     fault("the queue outlives a loss", ALL,
           ("device", "Pump::refuse_queued(", "{", "if (draft_.link.state == LinkState::lost) return;")),
     fault("a fate is not told", ALL,
