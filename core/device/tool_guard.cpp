@@ -35,14 +35,13 @@ std::uint32_t limits_shown(const Snapshot& now) {
 
 }  // namespace
 
-/// Limits that were met before are none of what begins now.
+/// Limits that were met before are none of what begins now; but those of what is at work already are its own.
 void ToolGuard::goes_to_work(const Snapshot& now) {
-  at_work_ = true;
-  limits_ = limits_shown(now);
+  if (!std::exchange(at_work_, true)) limits_ = limits_shown(now);
 }
 
 void ToolGuard::program_may_run(const Snapshot& now) {
-  if (!at_work_ && !all_.empty()) goes_to_work(now);
+  if (!all_.empty()) goes_to_work(now);
 }
 
 Result<> ToolGuard::begin(const IntentBody& intent, const Snapshot& now) {
