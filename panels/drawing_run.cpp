@@ -103,7 +103,7 @@ void DrawingRun::draw_while_running(Frame& f) {
   ImGui::SameLine(0, f.ui.px(8));
   if (button(f.ui, "drawing/stop", "Stop", {.icon = Icon::stop, .height = 40, .stops = true}).clicked)
     f.send(intent::Stop());
-  if (f.now.pieces.draws) draw_override(f);
+  if (f.now.pieces.speed_can_change) draw_override(f);
 }
 
 void DrawingRun::draw_override(Frame& f) {
@@ -116,7 +116,8 @@ void DrawingRun::draw_override(Frame& f) {
                         .max = 200,
                         .step = 10,
                         .normal = 100,
-                        .tip = "Holds for what is sent from now on.",
+                        .tip = f.now.pieces.draws ? "Holds for what is sent from now on."
+                                                  : "Holds from the next piece on.",
                         .value_text = speed_};
   if (slider(f.ui, "drawing/override", "Speed", percent, o))
     f.send(intent::OverrideSpeed(static_cast<int>(std::lround(percent))));

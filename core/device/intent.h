@@ -208,7 +208,7 @@ struct RunInPieces {
   bool despite_doubt = false;
   explicit RunInPieces(std::shared_ptr<const Pieces> p) : pieces(std::move(p)) {}
 };
-/// Of what goes through the controller's buffer in pieces, from the next move on that is sent.
+/// Of what is done in pieces: from the next move on that goes into the controller's buffer, or the next piece.
 struct OverrideSpeed {
   int percent;  ///< of the speeds that were asked for, 10 to 200
   explicit OverrideSpeed(int p) : percent(p) {}

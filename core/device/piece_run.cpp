@@ -20,6 +20,7 @@ Result<> PieceRun::begin(const intent::RunInPieces& wish) {
   draft_.pieces.running = true;
   draft_.pieces.draws = std::any_of(pieces_->all.begin(), pieces_->all.end(),
                                     [](const Piece& piece) { return piece.draws >= 0; });
+  draft_.pieces.speed_can_change = draft_.pieces.draws || pieces_->text_at;
   draft_.pieces.total = static_cast<std::int32_t>(pieces_->all.size());
   return {};
 }
@@ -45,11 +46,18 @@ Result<> PieceRun::override_speed(int percent) {
   if (percent < least || percent > most)
     return fail(FaultKind::refused, fmt::format("The speed goes from {} to {} percent.", least, most),
                 "Nothing was changed.");
-  if (!draft_.pieces.draws)
+  if (!draft_.pieces.speed_can_change)
     return fail(FaultKind::refused,
-                "Nothing goes through the controller's buffer now, and a program runs at the speeds that "
-                "stand in it.",
+                "Nothing is under way in pieces whose speed could be changed: a program runs at the speeds "
+                "that stand in it.",
                 "Nothing was changed.");
+  if (!draft_.pieces.draws) {
+    const std::size_t next = step_ == 0 ? piece_ : piece_ + 1;
+    if (next == pieces_->all.size())
+      return fail(FaultKind::refused, "The last piece is at work, at the speeds that stand in it.",
+                  "Nothing was changed.");
+    if (auto text = pieces_->text_at(pieces_->all[next], percent); !text) return fail(text.error());
+  }
   draft_.pieces.percent = percent;
   return {};
 }
@@ -67,6 +75,14 @@ const IntentBody* PieceRun::due(std::uint64_t rounds, Instant now) const {
   const bool asked_for = step_ >= piece.does.size();  // the next round shows what has come of it
   if (asked_for || (draft_.pieces.held && step_ == 0) || draft_.restarts != restarts_) return nullptr;
   return &piece.does[step_].what;
+}
+
+Result<IntentBody> PieceRun::at_speed(const IntentBody& due) const {
+  const auto* load = std::get_if<intent::LoadProgram>(&due);
+  if (!load || !pieces_->text_at || draft_.pieces.percent == 100) return due;
+  auto text = pieces_->text_at(pieces_->all[piece_], draft_.pieces.percent);
+  if (!text) return fail(text.error());
+  return IntentBody(intent::LoadProgram(load->slot, std::move(*text)));
 }
 
 void PieceRun::done(std::uint64_t shows_in, Instant now) {
@@ -129,7 +145,7 @@ std::string PieceRun::why_not_whole(const Piece& piece) const {
 
 void PieceRun::end() {
   pieces_.reset();
-  draft_.pieces.running = draft_.pieces.held = draft_.pieces.draws = false;
+  draft_.pieces.running = draft_.pieces.held = draft_.pieces.draws = draft_.pieces.speed_can_change = false;
 }
 
 }  // namespace hw

@@ -22,12 +22,15 @@ class PieceRun {
   /// What the controller is to do now; null: nothing, or it is not known to be at rest. `rounds`: that have
   /// ended.
   [[nodiscard]] const IntentBody* due(std::uint64_t rounds, Instant now) const;
+  /// The same at the speeds that are wanted now.
+  [[nodiscard]] Result<IntentBody> at_speed(const IntentBody& due) const;
   /// It was asked for; what has come of it shows in that round and those behind it.
   void done(std::uint64_t shows_in, Instant now);
   /// After a round: a piece that has not come to its own end is followed by nothing. The sentence that says
   /// so; empty: all is well.
   [[nodiscard]] std::string watch(std::uint64_t rounds);
 
+  /// Of the moves that are sent from now on, or of the next piece.
   [[nodiscard]] Result<> override_speed(int percent);
   /// The next piece waits.
   void hold(bool on) { draft_.pieces.held = on && running(); }

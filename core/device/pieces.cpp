@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include <fmt/format.h>
 
 #include "core/base/index.h"
 #include "core/device/language.h"
+#include "core/device/told_speeds.h"
 #include "core/sequence/steps_in.h"
 
 namespace hw {
@@ -58,6 +60,46 @@ struct Standing {
   }
 };
 
+/// The steps at that share of their speeds, as near to it as the controller goes.
+class Faster {
+ public:
+  Faster(const seq::Sequence& sequence, const Catalog& catalog, int percent) : share_(percent / 100.0) {
+    for (const seq::Axis& axis : sequence.axes) {
+      most_ = std::min(most_, catalog.jog_speed_max.value / axis.per_unit);
+      least_ = std::max(least_, 1 / axis.per_unit);
+    }
+  }
+  void steps(seq::StepList& list) const {
+    for (seq::Step& step : list) {
+      std::visit([this](auto& body) { change(body); }, step.body);
+      if (seq::StepList* inner = seq::steps_in(step)) steps(*inner);
+    }
+  }
+
+ private:
+  template <class Body>
+  void change(Body& body) const {
+    if constexpr (std::is_same_v<Body, seq::Speed>) change(body.speeds);
+    if constexpr (requires { body.own; }) {
+      if (!body.own) return;
+      const double before = body.own->high;
+      change(*body.own);
+      if constexpr (requires { body.lead_in; })  // its ramp takes as long as before
+        if (before != 0) body.lead_in *= body.own->high / before;
+    }
+  }
+  /// One that is beyond the bounds already stays there: whether it can be is the writer's to say.
+  void change(seq::Speeds& speeds) const {
+    if (speeds.high == 0) return;
+    const double high = speeds.high * share_;
+    speeds.high = std::clamp(high, std::min(least_, speeds.high), std::max(most_, speeds.high));
+    speeds.low = std::min(speeds.low, speeds.high);
+  }
+
+  double share_, least_ = 0, most_ = std::numeric_limits<double>::infinity();
+};
+
+/// What it is asked again while the pieces are under way (text_at) changes nothing in it.
 class Cutter {
  public:
   Cutter(const Language& language, const seq::Sequence& sequence, const Catalog& catalog)
@@ -86,6 +128,17 @@ class Cutter {
     }
     return std::move(pieces_);
   }
+  [[nodiscard]] Result<std::string> text_at(const Piece& made, int percent) const {
+    seq::Sequence p = piece(ix(made.first_step), ix(made.end_step));
+    Faster(p, catalog_, percent).steps(p.steps);
+    auto text = language_.write(p, catalog_);
+    if (!text) return fail(text.error());
+    if (fits(text->text)) return std::move(text->text);
+    return fail(FaultKind::refused,
+                fmt::format("At {} percent of its speeds the next piece does not fit into the controller.",
+                            percent),
+                "Nothing was sent.");
+  }
 
  private:
   [[nodiscard]] std::size_t size() const { return sequence_.steps.size(); }
@@ -111,8 +164,10 @@ class Cutter {
 
   [[nodiscard]] bool fits(std::size_t begin, std::size_t end) const {
     const auto text = language_.write(piece(begin, end), catalog_);
-    if (!text) return false;
-    const ProgramReport report = language_.analyse(text->text, 0);
+    return text && fits(text->text);
+  }
+  [[nodiscard]] bool fits(const std::string& text) const {
+    const ProgramReport report = language_.analyse(text, 0);
     const int capacity = catalog_.program.capacity;
     return !report.has_errors() &&
            (capacity == 0 || std::all_of(report.cost.begin(), report.cost.end(),
@@ -144,7 +199,7 @@ class Cutter {
 
   void add(std::size_t begin, std::size_t end, SequenceText text) {
     Piece made;
-    made.first_step = static_cast<int>(begin);
+    made.first_step = static_cast<int>(begin), made.end_step = static_cast<int>(end);
     made.step_of_command = steps_of_commands(text, begin, end);
     made.does = {{intent::LoadProgram(0, std::move(text.text))}, {intent::RunProgram(0)}};
     for (std::size_t a = 0; a < sequence_.axes.size(); ++a)
@@ -188,8 +243,8 @@ class Cutter {
 
   static constexpr std::size_t longest_fed = 250;  ///< steps: as far as a stop throws it back
   const Language& language_;
-  const seq::Sequence& sequence_;
-  const Catalog& catalog_;
+  const seq::Sequence sequence_;
+  const Catalog catalog_;
   std::vector<Standing> before_;  ///< each step, and behind the last
   seq::Sequence frame_;           ///< without steps
   std::size_t latest_size_ = 0;
@@ -209,7 +264,11 @@ Result<> has_step(const seq::Sequence& sequence, int step) {
 Result<Pieces> cut_by_text(const Language& language, const seq::Sequence& sequence, const Catalog& catalog,
                            int from_step) {
   if (auto has = has_step(sequence, from_step); !has) return fail(has.error());
-  return Cutter(language, sequence, catalog).run(ix(from_step));
+  const auto cutter = std::make_shared<Cutter>(language, sequence, catalog);
+  auto pieces = cutter->run(ix(from_step));
+  if (pieces && says_speeds(sequence.steps))
+    pieces->text_at = [cutter](const Piece& piece, int percent) { return cutter->text_at(piece, percent); };
+  return pieces;
 }
 
 Result<Pieces> Language::in_pieces(const seq::Sequence& sequence, const Catalog& catalog,

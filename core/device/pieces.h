@@ -1,6 +1,7 @@
 #pragma once
 // A sequence cut where its tool is up, or can be lifted, into pieces that its controller can hold: each is
 // whole by itself, begins and ends with the tool off, and waits for the one before.
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,7 @@ struct Piece {
   std::vector<PieceAct> does;       ///< one after the other, each once the controller is at rest
   std::vector<AxisTarget> ends_at;  ///< where that is known
   int first_step = 0;               ///< place of its first step in the sequence's own list
+  int end_step = 0;                 ///< behind its last one, where a program draws it
   /// The same of each command that the controller stores, where it runs one program; -1: of none of them.
   std::vector<int> step_of_command;
   int draws = -1;                ///< which of `does` is the list of moves that draws; -1: a program does
@@ -35,6 +37,9 @@ struct Pieces {
   int lifts = 0;       ///< so often the tool is lifted within what it draws in one go
   ToolOff tool;        ///< of what they switch act by act; a program's text says it by itself
   std::string remark;  ///< what is to be known before; may be empty
+  /// The program of a piece at that share of the speeds that stand in it, as near as the controller goes.
+  /// Null: none says any speed, or moves go through the controller's buffer.
+  std::function<Result<std::string>(const Piece& piece, int percent)> text_at;
 };
 
 /// By the language's own texts: as many steps in a piece as fit into its program memory. `from_step`: see

@@ -93,9 +93,10 @@ Task<Result<>> Pump::perform_beside_pieces(const IntentBody& body) {
 
 /// A stop that comes meanwhile has ended them.
 Task<> Pump::perform_piece(const IntentBody& body) {
-  const IntentBody asked = body;  // theirs may go with them
-  count_program_change(Intent(0, asked));
-  auto performed = co_await perform_guarding_tool(asked);
+  const auto asked = pieces_.at_speed(body);  // a copy: theirs may go with them
+  if (!asked) co_return pieces_end(asked.error().sentence());
+  count_program_change(Intent(0, *asked));
+  auto performed = co_await perform_guarding_tool(*asked);
   if (!pieces_.running()) co_return;
   if (performed)
     pieces_.done(rounds_.want(scheduler_.now()), scheduler_.now());

@@ -320,6 +320,28 @@ TEST_P(PiecesContractTest, TheSpeedOfABufferCanBeOverridden) {
   EXPECT_EQ(axis().position, Steps(at_));
 }
 
+TEST_P(PiecesContractTest, TheSpeedOfTheNextProgramCanBeOverridden) {
+  const auto first = long_one();
+  if (first->all.front().draws >= 0) GTEST_SKIP() << "its moves go through a buffer";
+  constexpr int way = 40'000, ramps = 3'000;
+  add_way(at_ += way);
+  const auto pieces = cut();
+  must(intent::RunInPieces(pieces));
+  ASSERT_GT(pieces->all.size(), 1u);
+  ASSERT_TRUE(run_until([this] { return is_on(); }, seconds(60)));
+  EXPECT_EQ(perform(intent::OverrideSpeed(5)).fate, Fate::refused);
+  EXPECT_EQ(now().pieces.percent, 100);
+  must(intent::OverrideSpeed(50));
+  ASSERT_TRUE(run_until([&] { return load_of(0) >= Steps(at_ - way + ramps); }, seconds(900)));
+  const Instant from = time.now();
+  ASSERT_TRUE(run_until([&] { return load_of(0) >= Steps(at_ - ramps); }, seconds(60)));
+  const double took = std::chrono::duration<double>(time.now() - from).count();
+  EXPECT_NEAR(took, (way - 2 * ramps) / 2000.0, 0.5) << "half of 4000 steps/s";
+  EXPECT_EQ(perform(intent::OverrideSpeed(100)).fate, Fate::refused) << "it is the last";
+  ASSERT_TRUE(ends());
+  EXPECT_EQ(axis().position, Steps(at_)) << told();
+}
+
 TEST_P(PiecesContractTest, AFaultNamesTheStepOfTheWholeSequence) {
   add_chains(3, 2);
   s_.steps.push_back({seq::Output{99, true}});

@@ -273,13 +273,13 @@ TEST_F(DrawingTabTest, WhatWasStoppedGoesOnFromItsChain) {
   EXPECT_LE(asked->pieces->all.front().first_step, 6);
 }
 
-TEST_F(DrawingTabTest, TheSpeedChangesWhereItIsDrawnMoveByMove) {
+TEST_F(DrawingTabTest, TheSpeedChangesWhereThatIsTaken) {
   drop();
   s.now.pieces.running = true;
   s.now.pieces.total = 3;
   s.stage.frames(3);
   EXPECT_FALSE(s.stage.find("drawing/override"));
-  s.now.pieces.draws = true;
+  s.now.pieces.speed_can_change = true;
   s.now.pieces.percent = 150;
   s.stage.frames(3);
   ASSERT_TRUE(s.stage.find("drawing/override"));
