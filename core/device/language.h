@@ -90,13 +90,19 @@ struct Rehearsal {
   std::map<std::string, int> outputs_at_first;  ///< as power-up leaves them; those that are missing: off
   std::string sent_to_host;
   std::map<std::string, int> program_size;  ///< "0" -> 14
-  std::vector<RehearsedEvent> events;
+  std::vector<RehearsedEvent> events;  ///< in order of time; at most `most_events`, and one that says so
   int moves = 0;
   bool limit_touched = false;
   bool endless = false;              ///< it goes round in a loop that nothing leaves; `error` names its line
   std::vector<RehearsedStop> stops;  ///< in order of time; at most 200
   std::vector<RehearsedAssumption> assumptions;
   std::vector<RehearsedPlace> track;  ///< in order of time, where it was asked for
+
+  static constexpr std::size_t most_events = 200'000;
+  void add(RehearsedEvent event) {
+    if (events.size() == most_events) event = {event.t, "more events, not listed", -1, -1};
+    if (events.size() <= most_events) events.push_back(std::move(event));
+  }
 };
 struct ControllerState;
 struct RehearseOptions {

@@ -19,7 +19,6 @@
 namespace hw::arcus {
 namespace {
 
-constexpr std::size_t most_events = 10'000;
 constexpr int run_it = 1;
 
 class Rehearsing {
@@ -131,9 +130,7 @@ class Rehearsing {
   }
 
   void event(Controller::Trace& t) {
-    if (result_.events.size() == most_events) t.what = "more events, not listed";
-    if (result_.events.size() <= most_events)
-      result_.events.push_back({seconds(t.at), std::move(t.what), 0, t.line});
+    result_.add({seconds(t.at), std::move(t.what), 0, t.line});
   }
 
   Rehearsal finish() {

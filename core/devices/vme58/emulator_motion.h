@@ -145,6 +145,8 @@ class Motion {
   void jam(int axis, bool on);
   /// The load jumps by encoder counts; tracking follows it.
   void slip(int axis, std::int64_t counts);
+  /// The encoder's count alone; the load stays where it is.
+  void set_encoder(int axis, std::int64_t count);
   /// Where the counter has been since measure_from_here(), and the counts that were made.
   [[nodiscard]] const Span& span(int axis) const { return axes_[ix(axis)].span; }
   void measure_from_here();

@@ -84,6 +84,11 @@ void Motion::slip(int a, std::int64_t counts) {
   schedule_updates();
 }
 
+void Motion::set_encoder(int a, std::int64_t count) {
+  bring_up_to_date();
+  axes_[ix(a)].set_encoder(count);
+}
+
 void Motion::look(BenchView& view) const {
   for (int a = 0; a < most_axes; ++a) {
     const motion::Plant& plant = axes_[ix(a)].plant;

@@ -22,7 +22,6 @@
 namespace hw::vme58 {
 namespace {
 
-constexpr std::size_t most_events = 10'000;
 constexpr int from_nowhere = -1;  ///< source of what the rehearsal itself sends
 
 int line_of(std::string_view text, std::size_t at) {
@@ -90,7 +89,7 @@ class Rehearsing {
       put(command + "\n");
       (void)take_replies();
     }
-    hold_lines(emulator_, from);
+    stand_like(emulator_, from);
   }
 
   void begin() {
@@ -215,9 +214,7 @@ class Rehearsing {
     }
   }
   void event(const Note& note, std::string what) {
-    if (result_.events.size() == most_events) what = "more events, not listed";
-    if (result_.events.size() <= most_events)
-      result_.events.push_back({seconds(note.at.time_since_epoch()), std::move(what), 0, -1});
+    result_.add({seconds(note.at.time_since_epoch()), std::move(what), 0, note.source});
   }
 
   Rehearsal finish() {

@@ -72,7 +72,10 @@ std::vector<std::string> text_to_begin_like(const ControllerState& state, const 
   return all;
 }
 
-void hold_lines(Vme58Emulator& emulator, const ControllerState& state) {
+void stand_like(Vme58Emulator& emulator, const ControllerState& state) {
+  for (int i = 0; i < state.now.axis_count; ++i)
+    if (const AxisState& axis = state.now.axes[ix(i)]; axis.has_encoder && axis.loop == Loop::none)
+      emulator.board().motion().set_encoder(i, axis.encoder.value);
   for (int line = 0; line < io_lines; ++line)
     if (!emulator.board().io().is_output(line) && (state.now.inputs_known >> line & 1u) != 0)
       (void)emulator.operate(bench::Input(line + 1, (state.now.inputs >> line & 1u) == 0));

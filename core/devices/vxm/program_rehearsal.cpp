@@ -18,7 +18,6 @@
 namespace hw::vxm {
 namespace {
 
-constexpr std::size_t most_events = 10'000;
 constexpr int most_breaths = 100'000;  // in a row, a millisecond each
 
 std::string error_sentence(char letter) {
@@ -169,9 +168,7 @@ class Rehearsing {
   }
 
   void event(Instant t, std::string what, int slot, int command) {
-    if (result_.events.size() == most_events) what = "more events, not listed", slot = command = -1;
-    if (result_.events.size() <= most_events)
-      result_.events.push_back({seconds(t), std::move(what), slot, command});
+    result_.add({seconds(t), std::move(what), slot, command});
   }
 
   void collect() {
@@ -182,7 +179,7 @@ class Rehearsing {
     }
     trace_.clear();
     note_lines();
-    if (result_.events.size() > most_events) box.trace = nullptr;
+    if (result_.events.size() > Rehearsal::most_events) box.trace = nullptr;
     result_.moves = box.moves_begun();
     emulator_.take_output(result_.sent_to_host);
     if (box.limit_was_hit()) result_.limit_touched = true;

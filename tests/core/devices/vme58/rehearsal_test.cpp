@@ -268,6 +268,26 @@ TEST(Vme58Rehearsal, BeginsFromTheBoardAsItIs) {
   EXPECT_EQ(r.assumptions[0].name, "UUX") << "no board tells its user units";
 }
 
+TEST(Vme58Rehearsal, AStepAxisBeginsWithItsEncoderWhereItStands) {
+  RehearseOptions options;
+  options.device = {{"variant", "4E"}};
+  auto state = known_board(make_catalog(options.device).value());
+  state->now.axes[0].has_encoder = true;
+  state->now.axes[0].encoder = Steps(37);
+  options.from = state;
+  const Rehearsal r = rehearse("AX RE", options);
+  EXPECT_THAT(r.sent_to_host, HasSubstr("37"));
+  EXPECT_EQ(r.axes.at(0).begin, 0);
+}
+
+TEST(Vme58Rehearsal, AnEventNamesTheCommandThatIsAtWork) {
+  const Rehearsal r = rehearse("AX VL1000 AC10000\nMR100 GO\nMR-100 GO ID\n");
+  std::vector<int> begun;
+  for (const RehearsedEvent& e : r.events)
+    if (e.what == "X moves") begun.push_back(e.command);
+  EXPECT_THAT(begun, testing::ElementsAre(4, 6)) << "both GO";
+}
+
 TEST(Vme58Rehearsal, NamesWhatNobodyCouldTell) {
   const Catalog catalog = make_catalog({}).value();
   auto state = known_board(catalog);
