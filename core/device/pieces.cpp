@@ -110,8 +110,7 @@ class Cutter {
       before_.push_back(before_.back());
       before_.back().behind(step);
     }
-    frame_ = sequence;
-    frame_.steps.clear();
+    frame_ = seq::frame_of(sequence);
   }
 
   Result<Pieces> run(std::size_t from) {

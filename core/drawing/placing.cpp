@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/drawing/near_points.h"
+#include "core/sequence/chords.h"
 
 namespace hw::drawing {
 namespace {
@@ -231,14 +232,10 @@ Box box_of(const std::vector<Chain>& chains) {
 
 void chords(const Curve& curve, double tolerance, const std::function<void(Point)>& put) {
   if (curve.kind == Curve::Kind::arc) {
-    const double rx = curve.from.x - curve.centre.x, ry = curve.from.y - curve.centre.y;
-    const double radius = std::hypot(rx, ry), sweep = curve.degrees / 180 * std::numbers::pi;
-    const double widest = 2 * std::acos(std::clamp(1 - tolerance / radius, -0.5, 1.0));
-    const double wanted = widest > 0 ? std::ceil(std::fabs(sweep) / widest) : 1e6;
-    const int count = static_cast<int>(std::clamp(wanted, 1.0, 1e6));
-    for (int n = 1; n < count; ++n) {
-      const double angle = std::atan2(ry, rx) + sweep * n / count;
-      put({curve.centre.x + radius * std::cos(angle), curve.centre.y + radius * std::sin(angle)});
+    const Chords chords(curve.from.x - curve.centre.x, curve.from.y - curve.centre.y, curve.degrees, tolerance);
+    for (int n = 1; n < chords.count(); ++n) {
+      const auto [dx, dy] = chords.end(n);
+      put({curve.centre.x + dx, curve.centre.y + dy});
     }
   }
   put(curve.to);

@@ -38,13 +38,6 @@ int depth_of(const StepList& steps) {
   return deepest + 1;
 }
 
-/// All that is no step.
-Sequence frame_of(const Sequence& s) {
-  Sequence frame;
-  frame.unit = s.unit, frame.axes = s.axes, frame.pen_up = s.pen_up, frame.pen_down = s.pen_down;
-  return frame;
-}
-
 void collect(const StepList& steps, StepPath& path, std::vector<StepRow>& rows) {
   for (std::size_t i = 0; i < steps.size(); ++i) {
     path.push_back(i);

@@ -255,8 +255,7 @@ Result<Rest> rest_from(const Sequence& sequence, std::size_t step) {
                   fmt::format("Begin at step {}, or behind a step that sends {} to a place.",
                               axis.lost_by + 1, sequence.axes[a].name));
   }
-  rest.sequence.unit = sequence.unit, rest.sequence.axes = sequence.axes;
-  rest.sequence.pen_up = sequence.pen_up, rest.sequence.pen_down = sequence.pen_down;
+  rest.sequence = frame_of(sequence);
   Leading(sequence, standing, rest.sequence).write(step);
   rest.leading = rest.sequence.steps.size();
   const auto begin = sequence.steps.begin(), from = begin + static_cast<std::ptrdiff_t>(step);

@@ -157,9 +157,14 @@ struct Axis {
 struct Sequence {
   std::string unit = "steps";
   std::vector<Axis> axes;
+  /// How far chords may lie beside an arc that goes through a buffer of straight moves. 0: half a step.
+  double tolerance = 0;
   StepList pen_up, pen_down;
   StepList steps;
   bool operator==(const Sequence&) const = default;
 };
+
+/// All of it that is no step.
+inline Sequence frame_of(const Sequence& s) { return {s.unit, s.axes, s.tolerance, s.pen_up, s.pen_down, {}}; }
 
 }  // namespace hw::sequence

@@ -263,6 +263,7 @@ Result<Sequence> read_sequence(std::string_view text, const std::string& name) {
         fmt::format("{} is no sequence of version {} ({} = {}).", name, version, version_key, version),
         "Nothing was taken from the file.", "Choose a file that was saved here.");
   reader.text("unit", sequence.unit);
+  reader.positive("tolerance", sequence.tolerance);
   if (const toml::node* axes = reader.find("axes")) read_axes(*axes, sequence.axes, file);
   if (const toml::node* up = reader.find("pen_up")) sequence.pen_up = read_steps(*up, file, 1);
   if (const toml::node* down = reader.find("pen_down")) sequence.pen_down = read_steps(*down, file, 1);

@@ -89,6 +89,7 @@ std::string write_sequence(const Sequence& sequence) {
   for (const Axis& axis : sequence.axes)
     out += fmt::format("  {{ name = {}, per_unit = {} }},\n", toml_quoted(axis.name), axis.per_unit);
   out += "]\n";
+  if (sequence.tolerance != 0) out += fmt::format("tolerance = {}\n", sequence.tolerance);
   const auto list = [&](const char* name, const StepList& steps) {
     out += fmt::format("{} = ", name);
     write_steps(out, steps, sequence, 1);

@@ -157,6 +157,7 @@ Result<Conversion> convert(const drawing::Drawing& whole, const Catalog& catalog
   made.sequence.unit = o.unit;
   made.sequence.axes = o.axes;
   made.sequence.pen_up = o.pen_up, made.sequence.pen_down = o.pen_down;
+  if (made.going == Going::arcs) made.sequence.tolerance = o.tolerance.value_or(0);
   drawing::Tool tool;
   tool.going = made.going, tool.tolerance = made.tolerance;
   tool.cutting = o.cutting, tool.travel = o.travel;

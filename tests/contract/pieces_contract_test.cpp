@@ -270,6 +270,24 @@ TEST_P(PiecesContractTest, ABufferNeverRunsDryOnTheWay) {
   EXPECT_EQ(now().pieces.done, 1) << told();
 }
 
+TEST_P(PiecesContractTest, ASequenceSaysHowCloseChordsLieToItsArcs) {
+  if (session->catalog().move_list.columns.empty()) GTEST_SKIP() << "it has no buffer for moves";
+  s_.axes = {{"X", 10}, {"Y", 10}};
+  seq::Move start;
+  start.to[0] = 100, start.to[1] = 0;
+  s_.steps.push_back({start});
+  s_.steps.push_back({seq::Pen{true}});
+  s_.steps.push_back({seq::Arc{0, 0, 360, {}}});
+  s_.steps.push_back({seq::Pen{false}});
+  const auto moves = [this] {
+    const auto pieces = cut();
+    return pieces ? pieces->all.front().step_of_row.size() : 0;
+  };
+  EXPECT_EQ(moves(), 100u) << "of 1000 pulses, half a pulse beside it: 3.6 degrees each";
+  s_.tolerance = 5;  // 50 pulses
+  EXPECT_EQ(moves(), 10u);
+}
+
 TEST_P(PiecesContractTest, AHeldBufferHasItsToolOffAndGoesOn) {
   if (session->catalog().move_list.columns.empty()) GTEST_SKIP() << "it has no buffer for moves";
   add_chains(1, 3000);

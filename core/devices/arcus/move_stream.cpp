@@ -2,19 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "core/device/sequence_draft.h"
+#include "core/sequence/chords.h"
 
 namespace hw::arcus {
 namespace {
 
 namespace seq = sequence;  // its names are those of commands too
 
-constexpr double tolerance = 0.5;  // pulses, of a chord
 constexpr int buffer_axes = 3;
 
 /// Where the tool was up last.
@@ -62,6 +61,12 @@ class Streamer {
   using Row = std::vector<std::int64_t>;
   static constexpr std::int64_t as_it_is = intent::FeedMoves::as_it_is;
 
+  /// Of a chord, in pulses of the plane.
+  [[nodiscard]] double tolerance() const {
+    constexpr double half_a_pulse = 0.5;
+    const seq::Sequence& s = draft_.sequence;
+    return std::max(half_a_pulse, s.tolerance * s.axes[0].per_unit);
+  }
   [[nodiscard]] bool emits() const { return ix(place_) >= from_; }
   Result<> unfit() { return unfit_ = true, Result<>(); }
   template <class Other>
@@ -99,13 +104,11 @@ class Streamer {
     const auto cx = draft_.position(0, a.x), cy = draft_.position(1, a.y);
     if (!cx || !cy) return fail(!cx ? cx.error() : cy.error());
     const auto dx = static_cast<double>(*x - *cx), dy = static_cast<double>(*y - *cy);
-    const double radius = std::hypot(dx, dy), turn = a.degrees / 180 * std::numbers::pi;
-    const double most = 2 * std::acos(std::max(1 - tolerance / std::max(radius, tolerance), 0.0));
-    const int chords = std::max(static_cast<int>(std::ceil(std::fabs(turn) / most)), 1);
-    for (int n = 1; n <= chords; ++n) {
-      const double angle = std::atan2(dy, dx) + turn * n / chords;
-      draft_.stands(0, *cx + std::llround(radius * std::cos(angle)));
-      draft_.stands(1, *cy + std::llround(radius * std::sin(angle)));
+    const seq::Chords chords(dx, dy, a.degrees, tolerance());
+    for (int n = 1; n <= chords.count(); ++n) {
+      const auto [to_x, to_y] = chords.end(n);
+      draft_.stands(0, *cx + std::llround(to_x));
+      draft_.stands(1, *cy + std::llround(to_y));
       if (auto added = add_row(Row(buffer_axes + 1, as_it_is), a.own); !added) return added;
     }
     return {};
