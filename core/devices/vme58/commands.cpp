@@ -52,6 +52,7 @@ Task<Result<>> Commands::say(std::string text, Priority priority) {
   if (!settled) co_return settled;
   const int end_before = conversation_.end();
   auto written = co_await conversation_.write(text, priority);
+  if (!written && conversation_.took_back()) written.error().kind = FaultKind::refused;
   if (!written)
     co_return fail(conversation_.end() == end_before ? written.error() : when_put(written.error()));
   const auto bad = co_await readings_.was_rejected(priority);

@@ -99,22 +99,27 @@ bool Conversation::is_taken_up_to(int output_get) {
 }
 
 // Text from `from` on that the board has not come to is made blank: it does nothing then, wherever the board
-// stands in it.
-Task<Result<>> Conversation::withdraw(Priority priority, int from) {
+// stands in it. True: it had come to none of it.
+Task<Result<bool>> Conversation::withdraw(Priority priority, int from) {
   const auto get = co_await wire_.read_index(at::output_get_index, priority);
   if (!get) co_return fail(get.error());
   const int begin = waiting(put_, *get) < waiting(put_, from) ? *get : from;
   std::vector<BusCycle>& cycles = wire_.burst();
   for (int i = begin; i != put_; i = advanced(i, 1))
     cycles.push_back(BusCycle::store(2, static_cast<std::uint16_t>(at::output_buffer + 2 * i), ' '));
-  if (cycles.empty()) co_return Result<>();
+  if (cycles.empty()) co_return false;
   selection_.lose();
   if (owed_) owed_->greeting_asked.reset();  // it may have stood there
-  co_return co_await wire_.run(cycles, priority);
+  auto done = co_await wire_.run(cycles, priority);
+  if (!done) co_return fail(done.error());
+  const auto stands = co_await wire_.read_index(at::output_get_index, priority);
+  if (!stands) co_return fail(stands.error());
+  co_return waiting(put_, *stands) >= waiting(put_, from);
 }
 
 Task<Result<>> Conversation::withdraw_all(Priority priority) {
-  co_return co_await withdraw(priority, advanced(put_, 1 - ring_cells));
+  const auto withdrawn = co_await withdraw(priority, advanced(put_, 1 - ring_cells));
+  co_return withdrawn ? Result<>() : fail(withdrawn.error());
 }
 
 Task<Result<>> Conversation::select_again(Priority priority) {
@@ -127,6 +132,7 @@ Task<Result<>> Conversation::select_again(Priority priority) {
 
 Task<Result<>> Conversation::write(std::string text, Priority priority, WhenStuck when_stuck) {
   const Instant give_up = wire_.now() + (priority == Priority::stop ? stop_patience : taking_patience);
+  taken_back_ = false;
   auto is_put = co_await put(text, priority);
   while (is_put && !*is_put && wire_.now() < give_up) {
     auto paused = co_await wire_.pause(ring_look);
@@ -147,8 +153,9 @@ Task<Result<>> Conversation::write(std::string text, Priority priority, WhenStuc
   if (taken) co_return Result<>();
   const bool waits = *is_put && when_stuck == WhenStuck::leave;
   if (*is_put && !waits) {
-    auto withdrawn = co_await withdraw(priority, begin);
-    if (!withdrawn) co_return withdrawn;
+    const auto withdrawn = co_await withdraw(priority, begin);
+    if (!withdrawn) co_return fail(withdrawn.error());
+    taken_back_ = *withdrawn;
   }
   co_return fail(FaultKind::no_answer,
                  "The board takes no command now: a command queue is full, or it waits in WQ.",

@@ -46,6 +46,8 @@ class Conversation {
   /// Returns when the board has taken it. Text that would wait behind a full queue and act at an unexpected
   /// time is taken back, unless it may wait.
   Task<Result<>> write(std::string text, Priority priority, WhenStuck when_stuck = WhenStuck::withdraw);
+  /// What write() gave up was taken back before the board came to any of it.
+  [[nodiscard]] bool took_back() const { return taken_back_; }
   /// The board stands at the axis that the user's text has selected, also after text was taken back.
   Task<Result<>> select_again(Priority priority);
   /// All that was put has been taken.
@@ -79,7 +81,7 @@ class Conversation {
   struct Owed {
     std::optional<Instant> greeting_asked;  ///< WY was put behind it then
   };
-  Task<Result<>> withdraw(Priority priority, int from);
+  Task<Result<bool>> withdraw(Priority priority, int from);
   Task<Result<>> fetch(int input_put, Priority priority);
   Task<Result<>> fetch_all(Priority priority);
   Task<Result<>> let_owed_go(Priority priority);
@@ -97,6 +99,7 @@ class Conversation {
   int put_ = 0, get_ = 0;  ///< the host's two indexes
   bool known_ = false, on_its_way_ = false;
   bool in_wq_ = false;  ///< WQ was put, and the board was not seen to read on
+  bool taken_back_ = false;
   bool echo_ = false;
   std::string received_;             ///< characters that are no whole reply yet
   std::deque<std::string> replies_;  ///< whole ones that nobody has taken
