@@ -58,6 +58,21 @@ void Bus::stop_all() {
   for (std::size_t i = 0; i < members.size(); ++i) members[i]->stopped_with(stops[i]);
 }
 
+void Bus::tell_pieces(const IntentBody& wish) {
+  for (Tab* member : members)
+    if (member->now().pieces.running) member->send(wish);
+}
+
+const PiecesState& Bus::pieces() const {
+  const PiecesState* latest = &front().now().pieces;
+  for (const Tab* member : members) {
+    const PiecesState& pieces = member->now().pieces;
+    if (pieces.running) return pieces;
+    if (latest->total == 0) latest = &pieces;
+  }
+  return *latest;
+}
+
 State worst_state(const Tab& tab) {
   if (!tab.bus) return worst_state(tab.now(), tab.clock());
   const Tab& worst = tab.bus->worst();

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/device/intent.h"
+#include "core/device/snapshot.h"
 #include "gui/widgets/state_word.h"
 
 namespace hw {
@@ -32,6 +34,10 @@ struct Bus {
   /// How many answer.
   [[nodiscard]] std::size_t connected() const;
   void stop_all();
+  /// To each that is at pieces: a hold, its end, another speed.
+  void tell_pieces(const IntentBody& wish);
+  /// Of the one that is at them, or was last.
+  [[nodiscard]] const PiecesState& pieces() const;
 };
 
 /// "01, 02 and 03".

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/base/index.h"
+#include "core/device/pieces_together.h"
 #include "core/device/step_times.h"
 #include "core/device/track_path.h"
 #include "core/drawing/sequence_path.h"
@@ -48,38 +49,22 @@ std::optional<double> without_ramps(const Conversion& made, const ConversionOpti
   return made.drawn / options.cutting.high + made.way / options.travel.high;
 }
 
-/// All that a drawing becomes. Long.
-Result<DrawingJob::Made> make(const drawing::Drawing& drawing, const Catalog& catalog,
-                              const Language& language, const ConversionOptions& options,
-                              drawing::Point scale, std::atomic<float>& ordered) {
-  auto converted = convert(drawing, catalog, options, [&](double done) {
-    ordered = static_cast<float>(done);
-    return true;
-  });
-  ordered = 1;
-  if (!converted) return fail(converted.error());
-  auto written = language.write(converted->sequence, catalog);
+/// The text of a controller that draws by itself, and how long it takes.
+Result<> write(DrawingJob::Made& made, const Catalog& catalog, const Language& language) {
+  auto written = language.write(made.conversion.sequence, catalog);
   if (!written) return fail(written.error());
-  auto frame = language.write(converted->frame, catalog);
+  auto frame = language.write(made.conversion.frame, catalog);
   if (!frame) return fail(frame.error());
-  DrawingJob::Made made;
-  made.at_least_s = without_ramps(*converted, options);
-  made.conversion = std::move(*converted), made.written = std::move(*written);
-  made.frame = std::move(frame->text);
-  if (auto pieces = language.in_pieces(made.conversion.sequence, catalog))
-    made.pieces = std::make_shared<const Pieces>(std::move(*pieces));
-  else
-    made.no_pieces = pieces.error().sentence();
-  made.path = path_of(made.conversion, scale);
+  made.written = std::move(*written), made.frame = std::move(frame->text);
   const ProgramReport report = language.analyse(made.written.text, 0);
   for (const Problem& p : report.problems)
     if (p.error && made.problem.empty()) made.problem = p.sentence;
-  if (!made.problem.empty()) return made;
+  if (!made.problem.empty()) return {};
   RehearseOptions rehearse;
   rehearse.device = catalog.made_from;
   rehearse.for_seconds = tried_for;
   const auto done = language.rehearse(made.written.text, rehearse);
-  if (!done || !done->finished) return made;
+  if (!done || !done->finished) return {};
   made.duration_s = done->duration_s;
   const std::vector<int> chain_of_step = chains_of_steps(made.conversion);
   std::vector<int> parts = lines_of_commands(report, 0);
@@ -89,10 +74,49 @@ Result<DrawingJob::Made> make(const drawing::Drawing& drawing, const Catalog& ca
     part = step >= 0 && ix(step) < chain_of_step.size() ? chain_of_step[ix(step)] : -1;
   }
   made.chain_seconds = seconds_of_parts(*done, parts);
+  return {};
+}
+
+/// All that a drawing becomes. Long.
+Result<DrawingJob::Made> make(const drawing::Drawing& drawing, const Catalog& catalog,
+                              const Language* language, const ConversionOptions& options,
+                              drawing::Point scale, std::atomic<float>& ordered) {
+  auto converted = convert(drawing, catalog, options, [&](double done) {
+    ordered = static_cast<float>(done);
+    return true;
+  });
+  ordered = 1;
+  if (!converted) return fail(converted.error());
+  DrawingJob::Made made;
+  made.at_least_s = without_ramps(*converted, options);
+  made.conversion = std::move(*converted);
+  if (language)
+    if (auto text = write(made, catalog, *language); !text) return fail(text.error());
+  if (auto parts = parts_of(made.conversion.sequence, catalog, language, 0))
+    made.parts = std::move(*parts);
+  else
+    made.no_pieces = parts.error().sentence();
+  if (!language && !made.parts.empty()) made.written.remarks.push_back(made.parts.front()->remark);
+  made.path = path_of(made.conversion, scale);
   return made;
 }
 
 }  // namespace
+
+Result<Parts> parts_of(const sequence::Sequence& sequence, const Catalog& catalog, const Language* language,
+                       int from_step) {
+  Parts parts;
+  if (language) {
+    auto pieces = language->in_pieces(sequence, catalog, from_step);
+    if (!pieces) return fail(pieces.error());
+    parts.push_back(std::make_shared<const Pieces>(std::move(*pieces)));
+    return parts;
+  }
+  auto together = pieces_together(sequence, catalog, from_step);
+  if (!together) return fail(together.error());
+  for (Pieces& pieces : *together) parts.push_back(std::make_shared<const Pieces>(std::move(pieces)));
+  return parts;
+}
 
 void DrawingJob::open(Frame& f, const std::filesystem::path& file, const ConversionOptions& wanted) {
   if (reading_)
@@ -126,15 +150,11 @@ std::string_view DrawingJob::busy_with() const {
   return *ordered_ < 1 ? "putting it into order" : "rehearsing it";
 }
 
-void DrawingJob::follow(Frame& f, const ConversionOptions& wanted, std::uint64_t version) {
+void DrawingJob::follow(Frame& f, const ConversionOptions& wanted, std::uint64_t version,
+                        drawing::Point scale) {
   const Language* language = f.tab.desk().language();
-  const auto units = [&](std::size_t axis) {
-    const double steps = axis < wanted.axes.size() ? wanted.axes[axis].per_unit : 1;
-    const int place = axis < wanted.axes.size() ? f.catalog.find_axis(wanted.axes[axis].name) : -1;
-    return steps * from_steps(Steps(1), f.tab.unit(AxisId{static_cast<std::uint8_t>(std::max(0, place))}));
-  };
+  const bool together = f.catalog.axes.size() > f.tab.catalog().axes.size();
   if (busy()) f.ui.wake_in(0.1);  // the bar moves
-  const drawing::Point scale{units(0), units(1)};
   if (std::exchange(scale_, scale) != scale) old_ = true;
   // What was flattened more coarsely than is wanted now is read again.
   if (drawing_ && !reading_ && finest_chord(wanted) < read_chord_) return open(f, file_, wanted);
@@ -144,9 +164,8 @@ void DrawingJob::follow(Frame& f, const ConversionOptions& wanted, std::uint64_t
   converting_ = true;
   *ordered_ = 0;
   f.tab.desk().worker().run(
-      [drawing = drawing_, catalog = f.catalog, language, wanted, scale, ordered = ordered_] {
-        return make(*drawing, catalog, *language, wanted, scale, *ordered);
-      },
+      [drawing = drawing_, catalog = f.catalog, language = together ? nullptr : language, wanted, scale,
+       ordered = ordered_] { return make(*drawing, catalog, language, wanted, scale, *ordered); },
       [this](Result<Made> made) {
         converting_ = false;
         ++version_;

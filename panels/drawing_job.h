@@ -15,25 +15,32 @@
 
 namespace hw::panels {
 
+/// What each controller does, in the order of the axes that draw; one alone: its own.
+using Parts = std::vector<std::shared_ptr<const Pieces>>;
+/// `language` null: controllers of one axis each draw together, see catalog_together().
+Result<Parts> parts_of(const sequence::Sequence& sequence, const Catalog& catalog, const Language* language,
+                       int from_step);
+
 class DrawingJob {
  public:
   struct Made {
     Conversion conversion;
-    SequenceText written;
-    std::string frame;                 ///< text that goes once around it with the tool off
-    std::string problem;               ///< of the text: it does not fit; empty: none
-    std::optional<double> duration_s;  ///< as rehearsed
-    std::optional<double> at_least_s;  ///< without ramps, where the speeds are asked for
-    std::shared_ptr<const Pieces> pieces;
-    std::string no_pieces;                          ///< why there are none
-    std::vector<double> chain_seconds;              ///< of the chains that the rehearsal has listed
+    SequenceText written;               ///< empty: several controllers draw it, and there is no one program
+    std::string frame;                  ///< text that goes once around it with the tool off
+    std::string problem;                ///< of the text: it does not fit; empty: none
+    std::optional<double> duration_s;   ///< as rehearsed
+    std::optional<double> at_least_s;   ///< without ramps, where the speeds are asked for
+    Parts parts;                        ///< empty: it has no pieces
+    std::string no_pieces;              ///< why
+    std::vector<double> chain_seconds;  ///< of the chains that the rehearsal has listed
     std::shared_ptr<const drawing::ToolPath> path;  ///< in the units of the axes; a source is a chain
   };
 
   /// The file is read, and converted as is wanted then.
   void open(gui::Frame& frame, const std::filesystem::path& file, const ConversionOptions& wanted);
-  /// Once a frame; `version` changes with `wanted`.
-  void follow(gui::Frame& frame, const ConversionOptions& wanted, std::uint64_t version);
+  /// Once a frame; `version` changes with `wanted`. `scale`: units of the axes in a mm.
+  void follow(gui::Frame& frame, const ConversionOptions& wanted, std::uint64_t version,
+              drawing::Point scale);
 
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }
   /// Null: none has been opened.

@@ -4,9 +4,9 @@
 
 #include "core/base/index.h"
 #include "gui/area.h"
-#include "gui/tab.h"
 #include "gui/widgets/choice.h"
 #include "gui/widgets/text.h"
+#include "panels/drawn_together.h"
 #include "panels/path.h"
 
 namespace hw::panels {
@@ -16,7 +16,7 @@ using namespace gui;
 static constexpr std::array<std::string_view, 4> file_units{"mm", "in", "cm", "m"};
 
 double steps_in_mm(const Frame& f, int axis) {
-  const DisplayUnit& unit = f.tab.unit(AxisId{static_cast<std::uint8_t>(axis)});
+  const DisplayUnit& unit = unit_of_axis(f, axis);
   const bool known = unit.real && unit.name == "mm" && unit.per_step > 0;
   return known ? 1 / unit.per_step : 100;
 }

@@ -6,12 +6,14 @@
 
 #include <fmt/format.h>
 
+#include "core/device/piece_sync.h"
 #include "gui/console.h"
 #include "gui/tab.h"
 #include "gui/widgets/button.h"
 #include "gui/widgets/message.h"
 #include "gui/widgets/slider.h"
 #include "gui/widgets/text.h"
+#include "panels/drawn_together.h"
 
 namespace hw::panels {
 
@@ -53,7 +55,7 @@ std::string in_pieces(std::size_t count) {
 
 void DrawingRun::draw(Frame& f, const Wanted& wanted) {
   say_what_came(f);
-  if (f.now.pieces.running)
+  if (pieces_of(f).running)
     draw_while_running(f);
   else
     draw_start(f, wanted);
@@ -63,7 +65,7 @@ void DrawingRun::draw(Frame& f, const Wanted& wanted) {
 
 void DrawingRun::draw_start(Frame& f, const Wanted& wanted) {
   const std::string_view now = working_ ? "It is being worked out." : why_not_now(f);
-  const bool any = wanted.made && wanted.made->pieces;
+  const bool any = wanted.made && !wanted.made->parts.empty();
   const ButtonOptions options{.icon = Icon::play,
                               .disabled = any || wanted.in_work ? now : wanted.why_not,
                               .tip = any ? wanted.made->written.tool : std::string_view(),
@@ -75,10 +77,10 @@ void DrawingRun::draw_start(Frame& f, const Wanted& wanted) {
   if (asks && any && now.empty()) {
     const std::string time = wanted.time.empty() ? "" : fmt::format(" and takes {}", wanted.time);
     asked_.goes_on = false;
-    ask(f, wanted.made, wanted.made->pieces,
-        fmt::format("It goes {}{}.", in_pieces(wanted.made->pieces->all.size()), time));
+    ask(f, wanted.made, wanted.made->parts,
+        fmt::format("It goes {}{}.", in_pieces(wanted.made->parts.front()->all.size()), time));
   }
-  if (!cut_ || !was_stopped(f.now.pieces)) return;
+  if (!cut_ || !was_stopped(pieces_of(f))) return;
   ImGui::SameLine(0, f.ui.px(8));
   const ButtonOptions on{
       .disabled = cut_ != wanted.made ? "The drawing has changed since." : now,
@@ -89,43 +91,55 @@ void DrawingRun::draw_start(Frame& f, const Wanted& wanted) {
 }
 
 void DrawingRun::draw_while_running(Frame& f) {
-  const bool held = f.now.pieces.held;
+  const bool held = pieces_of(f).held;
   const ButtonOptions hold{.icon = held ? Icon::play : Icon::pause,
                            .tip = held ? "" : "Ends what it is at where it can, and begins nothing new.",
                            .height = 40,
                            .moving = held};
   if (button(f.ui, "drawing/hold", held ? "Go on" : "Hold", hold).clicked) {
     if (held)
-      f.send(intent::Resume());
+      tell(f, intent::Resume());
     else
-      f.send(intent::Pause());
+      tell(f, intent::Pause());
   }
   ImGui::SameLine(0, f.ui.px(8));
-  if (button(f.ui, "drawing/stop", "Stop", {.icon = Icon::stop, .height = 40, .stops = true}).clicked)
-    f.send(intent::Stop());
-  if (f.now.pieces.speed_can_change) draw_override(f);
+  if (button(f.ui, "drawing/stop", "Stop", {.icon = Icon::stop, .height = 40, .stops = true}).clicked) {
+    if (draws_together(f))
+      f.tab.bus->stop_all();
+    else
+      f.send(intent::Stop());
+  }
+  if (pieces_of(f).speed_can_change) draw_override(f);
+}
+
+/// Whoever is at it.
+void DrawingRun::tell(Frame& f, const IntentBody& wish) {
+  if (draws_together(f))
+    f.tab.bus->tell_pieces(wish);
+  else
+    f.send(wish);
 }
 
 void DrawingRun::draw_override(Frame& f) {
-  double percent = f.now.pieces.percent;
+  double percent = pieces_of(f).percent;
   speed_.clear();
   fmt::format_to(std::back_inserter(speed_), "Speed: {:.0f} % of what was asked for", percent);
   gap(f.ui, 8);
   wrapped(f.ui, Face::small, Tone::ink2, speed_);
-  const SliderOptions o{.min = 10,
-                        .max = 200,
-                        .step = 10,
-                        .normal = 100,
-                        .tip = f.now.pieces.draws ? "Holds for what is sent from now on."
-                                                  : "Holds from the next piece on.",
-                        .value_text = speed_};
+  const SliderOptions o{
+      .min = 10,
+      .max = 200,
+      .step = 10,
+      .normal = 100,
+      .tip = pieces_of(f).draws ? "Holds for what is sent from now on." : "Holds from the next piece on.",
+      .value_text = speed_};
   if (slider(f.ui, "drawing/override", "Speed", percent, o))
-    f.send(intent::OverrideSpeed(static_cast<int>(std::lround(percent))));
+    tell(f, intent::OverrideSpeed(static_cast<int>(std::lround(percent))));
 }
 
 /// By steps of the drawing where they are known: pieces differ in length.
 void DrawingRun::draw_progress(Frame& f) {
-  const PiecesState& now = f.now.pieces;
+  const PiecesState& now = pieces_of(f);
   if (now.total == 0) return;
   progress_.clear();
   const char* what = was_stopped(now) ? "Stopped in"
@@ -150,36 +164,36 @@ void DrawingRun::draw_progress(Frame& f) {
 
 // ---- what is asked, and what comes of it
 
-void DrawingRun::ask(Frame& f, Made made, Cut pieces, std::string question) {
-  asked_.question = std::move(question) + said_first(*pieces, f.catalog, made->written.tool);
-  asked_.made = std::move(made), asked_.pieces = std::move(pieces);
+void DrawingRun::ask(Frame& f, Made made, Parts parts, std::string question) {
+  asked_.question = std::move(question) + said_first(*parts.front(), f.catalog, made->written.tool);
+  asked_.made = std::move(made), asked_.parts = std::move(parts);
   asked_.go_ahead = f.tab.desk().until_stopped();
   asked_.open = true;
 }
 
 /// What is left is cut anew: from the start of what was being drawn.
 void DrawingRun::ask_to_go_on(Frame& f) {
-  const Language* language = f.tab.desk().language();
-  if (!language) return;
+  const Language* language = draws_together(f) ? nullptr : f.tab.desk().language();
   working_ = true;
-  const int step = f.now.pieces.step;
+  const int step = pieces_of(f).step;
   f.tab.desk().worker().run([made = cut_, catalog = f.catalog, language,
-                             step] { return language->in_pieces(made->conversion.sequence, catalog, step); },
-                            [this, &console = f.console](Result<Pieces> left) {
+                             step] { return parts_of(made->conversion.sequence, catalog, language, step); },
+                            [this, &console = f.console](Result<Parts> left) {
                               working_ = false;
                               if (!left) return console.toast(Mood::fault, left.error().sentence());
-                              left_ = std::make_shared<const Pieces>(std::move(*left));
+                              left_ = std::move(*left);
                             },
                             alive_);
   f.ui.wake_in(0);
 }
 
 void DrawingRun::draw_dialog(Frame& f) {
-  if (const Cut left = std::exchange(left_, nullptr); left && was_stopped(f.now.pieces)) {
+  if (Parts left = std::exchange(left_, {}); !left.empty() && was_stopped(pieces_of(f))) {
     asked_.goes_on = true;
-    ask(f, cut_, left,
+    std::string question =
         fmt::format("The tool goes to the start of what was being drawn, off, and draws the rest {}.",
-                    in_pieces(left->all.size())));
+                    in_pieces(left.front()->all.size()));
+    ask(f, cut_, std::move(left), std::move(question));
   }
   if (!asked_.open) return;
   const Dialog what{.title = asked_.goes_on ? "Go on with the drawing?" : "Cut the drawing?",
@@ -194,14 +208,27 @@ void DrawingRun::cut(Frame& f) {
   if (asked_.go_ahead.expired()) return f.toast(Mood::warn, "A stop came first. Nothing was begun.");
   if (const std::string_view why = why_not_now(f); !why.empty()) return f.toast(Mood::warn, std::string(why));
   cut_ = asked_.made;
-  begun_ = f.send_and_watch(intent::RunInPieces(asked_.pieces));
+  begun_.clear();
+  const Parts& parts = asked_.parts;
+  if (!draws_together(f)) {
+    begun_.push_back({&f.tab, f.send_and_watch(intent::RunInPieces(parts.front()))});
+    return;
+  }
+  auto seats = PieceSync::seats(parts.size());
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const int axis = f.catalog.find_axis(cut_->conversion.sequence.axes[i].name);
+    Tab& owner = owner_of(f, axis);
+    begun_.push_back({&owner, owner.send(intent::RunInPieces(parts[i], std::move(seats[i])))});
+  }
 }
 
 void DrawingRun::say_what_came(Frame& f) {
-  const IntentFate* fate = f.now.fate_of(begun_);
-  if (!fate || fate->fate == Fate::pending) return;
-  begun_ = 0;
-  if (fate->fate != Fate::done) f.toast(Mood::fault, std::string(fate->sentence.view()));
+  std::erase_if(begun_, [&f](const Begun& begun) {
+    const IntentFate* fate = begun.by->now().fate_of(begun.id);
+    if (!fate || fate->fate == Fate::pending) return false;
+    if (fate->fate != Fate::done) f.toast(Mood::fault, std::string(fate->sentence.view()));
+    return true;
+  });
 }
 
 }  // namespace hw::panels

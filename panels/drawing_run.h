@@ -26,11 +26,11 @@ class DrawingRun {
 
  private:
   using Made = std::shared_ptr<const DrawingJob::Made>;
-  using Cut = std::shared_ptr<const Pieces>;
-  void ask(gui::Frame& frame, Made made, Cut pieces, std::string question);
+  void ask(gui::Frame& frame, Made made, Parts parts, std::string question);
   void ask_to_go_on(gui::Frame& frame);
   void draw_while_running(gui::Frame& frame);
   void draw_override(gui::Frame& frame);
+  void tell(gui::Frame& frame, const IntentBody& wish);
   void draw_start(gui::Frame& frame, const Wanted& wanted);
   void draw_progress(gui::Frame& frame);
   void cut(gui::Frame& frame);
@@ -38,16 +38,20 @@ class DrawingRun {
 
   struct Asked {
     Made made;
-    Cut pieces;
+    Parts parts;
     std::string question;
     std::weak_ptr<void> go_ahead;  ///< a stop while the question stands takes it away
     bool open = false, goes_on = false;
   } asked_;
-  Cut left_;              ///< what was left, worked out
-  Made cut_;              ///< the latest that was begun
-  IntentId begun_ = 0;    ///< whose fate is not known yet
-  bool working_ = false;  ///< out what is left
-  bool waits_ = false;    ///< what was clicked
+  Parts left_;  ///< what was left, worked out
+  Made cut_;    ///< the latest that was begun
+  struct Begun {
+    gui::Tab* by;
+    IntentId id;
+  };
+  std::vector<Begun> begun_;  ///< whose fate is not known yet
+  bool working_ = false;      ///< out what is left
+  bool waits_ = false;        ///< what was clicked
   std::string progress_, speed_;
   std::shared_ptr<int> alive_ = std::make_shared<int>(0);
 };

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "core/device/pieces_together.h"
 #include "gui/area.h"
 #include "gui/tab.h"
 #include "gui/units_format.h"
@@ -13,6 +14,7 @@
 #include "gui/widgets/message.h"
 #include "gui/widgets/slider.h"
 #include "gui/widgets/text.h"
+#include "panels/drawn_together.h"
 #include "panels/lines.h"
 #include "panels/measures.h"
 
@@ -28,11 +30,23 @@ std::string in_mm(double v) { return fmt::format("{} mm", format_number(v, 1).vi
 
 }  // namespace
 
-void DrawingTab::draw(Frame& f) {
+static std::optional<Catalog> catalog_of(const Bus& bus) {
+  std::vector<const Catalog*> all;
+  for (const Tab* member : bus.members) all.push_back(&member->catalog());
+  return catalog_together(all);
+}
+
+void DrawingTab::draw(Frame& own) {
+  if (own.tab.bus && !together_) together_ = catalog_of(*own.tab.bus);
+  Frame f{own, own.tab, together_ ? *together_ : own.catalog, own.now, own.bench};
+  draw_all(f);
+}
+
+void DrawingTab::draw_all(Frame& f) {
   options_.begin(f);
   for (const auto& path : f.tab.desk().take_dropped("drawing")) open(f, path);
   options_.settle(f, job_.drawing());
-  job_.follow(f, options_.wanted(), options_.version());
+  job_.follow(f, options_.wanted(), options_.version(), scale_of(f));
   say();
   draw_toolbar(f);
   const ImVec2 top = ImGui::GetCursorScreenPos();
@@ -48,10 +62,19 @@ void DrawingTab::draw(Frame& f) {
   draw_dialogs(f);
 }
 
-/// And below it the chains, where there is room for both.
-void DrawingTab::draw_picture(Frame& f, float width, float height) {
+/// Units of the axes in a mm. Several controllers draw in mm.
+drawing::Point DrawingTab::scale_of(const Frame& f) const {
+  const ConversionOptions& wanted = options_.wanted();
+  const auto units = [&](std::size_t direction) {
+    if (draws_together(f) || direction >= wanted.axes.size()) return 1.0;
+    const AxisId axis{static_cast<std::uint8_t>(options_.axes()[direction])};
+    return wanted.axes[direction].per_unit * from_steps(Steps(1), f.tab.unit(axis));
+  };
+  return {units(0), units(1)};
+}
+
+PathSubject DrawingTab::subject_of(const Frame& f) {
   const DrawingJob::Made* made = job_.made();
-  const bool table = made && height >= both_height;
   PathSubject subject;
   if (made) subject.path = made->path;
   subject.none = job_.busy()      ? "It is being worked out."
@@ -61,11 +84,31 @@ void DrawingTab::draw_picture(Frame& f, float width, float height) {
     return AxisId{static_cast<std::uint8_t>(options_.axes()[direction])};
   };
   if (f.catalog.axes.size() > 1) subject.axes = {axis(0), axis(1)};
-  if (const auto& limits = options_.wanted().table) {
+  const ConversionOptions& wanted = options_.wanted();
+  if (const auto& limits = wanted.table) {
     const drawing::Point scale = job_.scale();
     subject.table.add(drawing::Point3(limits->low.x * scale.x, limits->low.y * scale.y));
     subject.table.add(drawing::Point3(limits->high.x * scale.x, limits->high.y * scale.y));
   }
+  if (!draws_together(f) || wanted.axes.size() < 2) return subject;
+  subject.own = OwnPlane{"mm", {}, {}};
+  std::array<double, 2> here{};
+  for (const std::size_t d : {0, 1}) {
+    const Tab& owner = owner_of(f, options_.axes()[d]);
+    const AxisState& state = owner.now().axes[0];
+    if (!owner.now().link.connected() || !state.position_known) return subject;
+    here[d] = static_cast<double>(state.position.value) / wanted.axes[d].per_unit;
+  }
+  here_ = fmt::format("{:.3f}, {:.3f} mm", here[0], here[1]);
+  subject.own->here = drawing::Point3(here[0], here[1]), subject.own->here_words = here_;
+  return subject;
+}
+
+/// And below it the chains, where there is room for both.
+void DrawingTab::draw_picture(Frame& f, float width, float height) {
+  const DrawingJob::Made* made = job_.made();
+  const bool table = made && height >= both_height;
+  PathSubject subject = subject_of(f);
   if (table) subject.lit = chains_table_.chosen();
   const ImVec2 top = ImGui::GetCursorScreenPos();
   canvas_.draw(f, "drawing/view", subject, width, height - (table ? chains_height : 0));
@@ -105,7 +148,9 @@ void DrawingTab::say() {
                       format_number(c.box.high.y - c.box.low.y, 3).view());
   if (!c.off_the_table.empty())
     off_ = fmt::format("{} of {} chains leave the table.", c.off_the_table.size(), c.chains.size());
-  chains_ = fmt::format("{}, {} lines", c.chains.size(), made->written.step_of_line.size());
+  chains_ = fmt::format("{}", c.chains.size());
+  if (const auto lines = made->written.step_of_line.size(); lines > 0)
+    chains_ += fmt::format(", {} lines", lines);
 }
 
 std::string_view DrawingTab::why_not() const {
@@ -118,6 +163,7 @@ std::string_view DrawingTab::why_not() const {
 std::string_view DrawingTab::why_no_use(Use use) const {
   if (job_.drawing() && job_.busy()) return {};
   if (const auto why = why_not(); !why.empty()) return why;
+  if (together_) return "Several controllers draw it together: there is no one text for them.";
   return use == Use::program ? std::string_view(job_.made()->problem) : std::string_view();
 }
 
@@ -253,7 +299,7 @@ void DrawingTab::draw_facts(Frame& f) {
 void DrawingTab::draw_run(Frame& f) {
   DrawingRun::Wanted wanted{job_.busy() ? nullptr : job_.shared_made(), why_not(), time_,
                             job_.drawing() && job_.busy()};
-  if (wanted.made && !wanted.made->pieces) wanted.why_not = wanted.made->no_pieces;
+  if (wanted.made && wanted.made->parts.empty()) wanted.why_not = wanted.made->no_pieces;
   run_.draw(f, wanted);
   group_line(f.ui);
 }

@@ -23,6 +23,9 @@ class DrawingTab final : public gui::Panel {
   void draw(gui::Frame& frame) override;
 
  private:
+  void draw_all(gui::Frame& frame);
+  [[nodiscard]] PathSubject subject_of(const gui::Frame& frame);
+  [[nodiscard]] drawing::Point scale_of(const gui::Frame& frame) const;
   void open(gui::Frame& frame, const std::filesystem::path& path);
   void say();
   void draw_toolbar(gui::Frame& frame);
@@ -44,6 +47,7 @@ class DrawingTab final : public gui::Panel {
   void take_click();
   [[nodiscard]] std::string_view why_not() const;
 
+  std::optional<Catalog> together_;  ///< of all on the bus; none: this controller draws by itself
   DrawingJob job_;
   DrawingOptions options_;
   DrawingRun run_;
@@ -53,7 +57,7 @@ class DrawingTab final : public gui::Panel {
   std::uint64_t said_ = ~std::uint64_t{0};  ///< DrawingJob::version() that the words are of
   std::string time_, drawn_, travel_, saved_, size_, chains_, left_out_title_;
   std::vector<std::string> left_out_;
-  std::string off_, to_put_;
+  std::string off_, to_put_, here_;
   Use wanted_ = Use::nothing;
   bool asking_blocks_ = false, asking_program_ = false;
   bool settings_ = false;  ///< without room for both: they take the picture's place

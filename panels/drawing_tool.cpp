@@ -62,11 +62,6 @@ bool DrawingTool::draw(Frame& f, const std::array<int, 2>& drawing_axes) {
     changed |= wait_on_.draw(f, "drawing/wait_on", "Wait when on", 0, "ms");
     changed |= wait_off_.draw(f, "drawing/wait_off", "Wait when off", 0, "ms");
   }
-  if (output_ > 0) {
-    wrapped(ui, Face::small, Tone::warn,
-            "A stop ends the motion and leaves the output as it is: switch it off by hand.");
-    gap(ui, 4);
-  }
   changed |= cut_speed_.draw(f, "drawing/cut_speed", "Tool on", 0, "mm/s");
   changed |= travel_speed_.draw(f, "drawing/travel_speed", "Tool off", 0, "mm/s");
   return changed;

@@ -43,7 +43,7 @@ bool has_signals(const Tab& t) {
 }
 bool has_programs(const Tab& t) { return t.catalog().program.slots > 0; }
 bool goes_in_a_plane(const Tab& t) { return t.catalog().axes.size() > 1; }
-bool cuts_drawings(const Tab& t) { return has_programs(t) && goes_in_a_plane(t); }
+bool cuts_drawings(const Tab& t) { return has_programs(t) && (goes_in_a_plane(t) || t.bus != nullptr); }
 bool has_parameters(const Tab& t) { return !t.catalog().params.empty(); }
 bool controls(const Tab& t) { return has_control(t.catalog()); }
 bool has_variables(const Tab& t) { return t.catalog().variables.count > 0; }

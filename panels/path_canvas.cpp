@@ -29,7 +29,7 @@ drawing::Box3 all_of(const Frame& f, const PathSubject& s, const drawing::ToolPa
   for (const auto& path : {s.path, s.commanded})
     if (path) box.add(path->bounds);
   box.add(s.table);
-  const Point3 here = place_now(f, s.axes).value_or(Point3());
+  const Point3 here = place_now(f, s).value_or(Point3());
   box.add(here);
   if (s.wanted_at) box.add(*s.wanted_at);
   if (s.axes.third) box.add(Point3());
@@ -59,7 +59,7 @@ void PathCanvas::draw(Frame& f, std::string_view id, const PathSubject& subject,
       ImVec2(corner.x + ui.px(flat ? left_margin : right_margin), corner.y + ui.px(flat ? top_margin : row)),
       ImVec2(whole.max.x - ui.px(right_margin), whole.max.y - ui.px(flat ? bottom_margin : right_margin))};
   if (in.width() >= ui.px(40) && in.height() >= ui.px(40)) {
-    trace_.follow(f, subject.axes);
+    if (!subject.own) trace_.follow(f, subject.axes);
     place(f, subject, in);
     touch(f, id, subject, in);
     backdrop_.follow(f, subject, trace_.path(), view_, grip_.turned);
@@ -67,7 +67,7 @@ void PathCanvas::draw(Frame& f, std::string_view id, const PathSubject& subject,
     draw_grid(ground);
     list->PushClipRect(in.min, in.max, true);
     draw_table(ground);
-    draw_travel(ground);
+    if (!subject.own) draw_travel(ground);
     backdrop_.draw(f, in, subject, view_);
     draw_lit(ground);
     draw_trace(ground, trace_.path(), backdrop_.traced(view_));
@@ -82,7 +82,7 @@ void PathCanvas::draw(Frame& f, std::string_view id, const PathSubject& subject,
 }
 
 void PathCanvas::place(Frame& f, const PathSubject& s, const Rect& in) {
-  const bool equal = one_unit(f.tab, s.axes), flat = !s.axes.third;
+  const bool equal = one_unit(f.tab, s), flat = !s.axes.third;
   const bool another = s.path && s.path != fitted_to_;
   const bool resized = view_.width_px() != in.width() || view_.height_px() != in.height();
   all_ = all_of(f, s, trace_.path());
@@ -105,7 +105,7 @@ void PathCanvas::touch(Frame& f, std::string_view id, const PathSubject& s, cons
   ImGui::SetCursorScreenPos(in.min);
   const Path scale("{} {} a pixel",
                    format_number(view_.per_px().x, decimals_of(view_.per_px().x / 1000)).view(),
-                   f.tab.unit(s.axes.right).name);
+                   unit_name(f.tab, s, s.axes.right));
   const Path looked("turned {:.0f}, tilted {:.0f}, {}", looking_.turn, looking_.tilt, scale.view());
   const std::string_view said = !s.words.empty() ? s.words : view_.flat() ? scale.view() : looked.view();
   const Touch t = gui::touch(ui, {id, Kind::slider, "Path", said}, ImVec2(in.width(), in.height()));

@@ -27,8 +27,8 @@ double step_over(double range, float px, float apart_px) {
 
 bool is_zero(double v, double step) { return std::fabs(v) < step * 1e-6; }
 
-Path axis_and_unit(const Frame& f, AxisId axis) {
-  return Path("{} {}", f.catalog.axes[axis.index].name, f.tab.unit(axis).name);
+Path axis_and_unit(const PathGround& g, AxisId axis) {
+  return Path("{} {}", g.frame.catalog.axes[axis.index].name, unit_name(g.frame.tab, g.subject, axis));
 }
 
 void draw_rulers(const PathGround& g) {
@@ -56,9 +56,9 @@ void draw_rulers(const PathGround& g) {
                       ui[Tone::ink3], format_number(v, decimals_of(up)));
   }
   draw_text_right(ui, ImVec2(in.max.x + ui.px(8), in.max.y + ui.px(4)), Face::small, ui[Tone::ink2],
-                  axis_and_unit(f, g.subject.axes.right));
+                  axis_and_unit(g, g.subject.axes.right));
   draw_text_line(ui, whole.min.x + ui.px(8), in.min.x - ui.px(4), in.min.y + ui.px(4), Face::small,
-                 ui[Tone::ink2], axis_and_unit(f, g.subject.axes.up));
+                 ui[Tone::ink2], axis_and_unit(g, g.subject.axes.up));
 }
 
 float distance(ImVec2 a, ImVec2 b) { return std::hypot(b.x - a.x, b.y - a.y); }
@@ -119,7 +119,7 @@ void draw_origin(const PathGround& g) {
     const float length = distance(from, to);
     if (length < f.ui.px(12)) return;
     // Its name goes on where it ends.
-    const Path name = axis_and_unit(f, axis);
+    const Path name = axis_and_unit(g, axis);
     const float w = std::ceil(text_width(f.ui, Face::small, name)), h = f.ui.line(Face::small);
     const ImVec2 way((to.x - from.x) / length, (to.y - from.y) / length);
     const ImVec2 middle(to.x + way.x * (w / 2 + f.ui.px(6)), to.y + way.y * (h / 2 + f.ui.px(4)));

@@ -52,7 +52,7 @@ void draw_lit(const PathGround& g) {
   constexpr std::size_t most_points = 4000;
   ImDrawList* list = ImGui::GetWindowDrawList();
   const Ui& ui = g.frame.ui;
-  const auto here = place_now(g.frame, g.subject.axes);
+  const auto here = place_now(g.frame, g.subject);
   if (here && g.subject.wanted_at) {
     for (const Point3& p : way_there(g, *here, *g.subject.wanted_at)) list->PathLineTo(g.at(p));
     list->PathStroke(ui[Tone::warn], 0, 2 * ui.hair());
@@ -150,16 +150,27 @@ void draw_travel(const PathGround& g) {
 
 // ---- the tool
 
+static Path place_words(const Frame& f, const PathAxes& axes, bool doubtful) {
+  const auto written = [&f](AxisId a) {
+    return format_with_unit(f.now.axes[a.index].position, f.tab.unit(a));
+  };
+  const Path third("{}{}", axes.third ? ", " : "",
+                   axes.third ? written(*axes.third).view() : std::string_view());
+  return Path("{}, {}{}{}", written(axes.right).view(), written(axes.up).view(), third.view(),
+              doubtful ? "?" : "");
+}
+
 void draw_here(const PathGround& g, std::string_view id) {
   Frame& f = g.frame;
   const PathAxes& axes = g.subject.axes;
-  const auto here = place_now(f, axes);
+  const auto here = place_now(f, g.subject);
   if (!here) return;
   Ui& ui = f.ui;
   const auto not_sure = [&f](AxisId axis) {
     return f.now.axes[axis.index].trust.doubtful() || is_old(f.now, axis.index, f.clock);
   };
-  const bool doubtful = not_sure(axes.right) || not_sure(axes.up) || (axes.third && not_sure(*axes.third));
+  const bool doubtful =
+      !g.subject.own && (not_sure(axes.right) || not_sure(axes.up) || (axes.third && not_sure(*axes.third)));
   const ImVec2 p = g.at(*here);
   ImDrawList* list = ImGui::GetWindowDrawList();
   const ImU32 colour = ui[doubtful ? Tone::ink3 : Tone::motion], faint = with_alpha(colour, 0.45f);
@@ -176,13 +187,7 @@ void draw_here(const PathGround& g, std::string_view id) {
                   ui.hair());
   }
   list->AddCircle(p, ui.px(6), colour, 0, 2 * ui.hair());
-  const auto written = [&f](AxisId a) {
-    return format_with_unit(f.now.axes[a.index].position, f.tab.unit(a));
-  };
-  const Path third("{}{}", axes.third ? ", " : "",
-                   axes.third ? written(*axes.third).view() : std::string_view());
-  const Path value("{}, {}{}{}", written(axes.right).view(), written(axes.up).view(), third.view(),
-                   doubtful ? "?" : "");
+  const Path value = g.subject.own ? Path("{}", g.subject.own->here_words) : place_words(f, axes, doubtful);
   show(ui, {Path("{}/here", id), Kind::text, "The tool is here", value},
        {ImVec2(p.x - ui.px(6), p.y - ui.px(6)), ImVec2(p.x + ui.px(6), p.y + ui.px(6))});
 }

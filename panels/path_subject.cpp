@@ -23,6 +23,16 @@ std::optional<drawing::Point3> place_now(const Frame& f, const PathAxes& axes) {
   return place_of(f.tab, position, axes);
 }
 
+std::optional<drawing::Point3> place_now(const Frame& f, const PathSubject& s) {
+  return s.own ? s.own->here : place_now(f, s.axes);
+}
+
+bool one_unit(const Tab& tab, const PathSubject& s) { return s.own || one_unit(tab, s.axes); }
+
+std::string_view unit_name(const Tab& tab, const PathSubject& s, AxisId axis) {
+  return s.own ? s.own->unit : std::string_view(tab.unit(axis).name);
+}
+
 bool one_unit(const Tab& tab, const PathAxes& axes) {
   const std::string& name = tab.unit(axes.right).name;
   return name == tab.unit(axes.up).name && (!axes.third || name == tab.unit(*axes.third).name);

@@ -17,6 +17,14 @@ struct PathAxes {
   bool operator==(const PathAxes&) const = default;
 };
 
+/// Of axes that belong to several controllers: all is in one unit, and of the machine only its place is
+/// shown.
+struct OwnPlane {
+  std::string_view unit;
+  std::optional<drawing::Point3> here;  ///< none: not known
+  std::string_view here_words;
+};
+
 /// All of it in the units of the axes.
 struct PathSubject {
   std::shared_ptr<const drawing::ToolPath> path;            ///< null: none
@@ -27,13 +35,17 @@ struct PathSubject {
   drawing::Box3 table = {};     ///< where the tool gets; empty: not known
   std::string_view words = {};  ///< what it comes to, for scripts; empty: how it is looked at
   std::optional<drawing::Point3> wanted_at = {};  ///< where the tool is asked to go from where it is
+  std::optional<OwnPlane> own = {};               ///< none: the axes are this controller's
 };
 
 drawing::Point3 place_of(const gui::Tab& tab, const std::array<Steps, max_axes>& position,
                          const PathAxes& axes);
 /// None: not known.
 std::optional<drawing::Point3> place_now(const gui::Frame& frame, const PathAxes& axes);
+std::optional<drawing::Point3> place_now(const gui::Frame& frame, const PathSubject& subject);
 /// Their positions count in one unit, so that a circle is one.
 bool one_unit(const gui::Tab& tab, const PathAxes& axes);
+bool one_unit(const gui::Tab& tab, const PathSubject& subject);
+std::string_view unit_name(const gui::Tab& tab, const PathSubject& subject, AxisId axis);
 
 }  // namespace hw::panels

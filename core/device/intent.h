@@ -15,6 +15,7 @@
 namespace hw {
 
 struct Pieces;
+class PieceSeat;
 
 using IntentId = std::uint64_t;
 
@@ -205,10 +206,13 @@ struct FeedMoves {
 /// the place of what is left.
 struct RunInPieces {
   std::shared_ptr<const Pieces> pieces;
+  std::shared_ptr<PieceSeat> seat;  ///< among those that do theirs together with it; null: it is alone
   bool despite_doubt = false;
-  explicit RunInPieces(std::shared_ptr<const Pieces> p) : pieces(std::move(p)) {}
+  explicit RunInPieces(std::shared_ptr<const Pieces> p, std::shared_ptr<PieceSeat> s = {})
+      : pieces(std::move(p)), seat(std::move(s)) {}
 };
-/// Of what is done in pieces: from the next move on that goes into the controller's buffer, or the next piece.
+/// Of what is done in pieces: from the next move on that goes into the controller's buffer, or the next
+/// piece.
 struct OverrideSpeed {
   int percent;  ///< of the speeds that were asked for, 10 to 200
   explicit OverrideSpeed(int p) : percent(p) {}

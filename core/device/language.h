@@ -90,7 +90,7 @@ struct Rehearsal {
   std::map<std::string, int> outputs_at_first;  ///< as power-up leaves them; those that are missing: off
   std::string sent_to_host;
   std::map<std::string, int> program_size;  ///< "0" -> 14
-  std::vector<RehearsedEvent> events;  ///< in order of time; at most `most_events`, and one that says so
+  std::vector<RehearsedEvent> events;       ///< in order of time; at most `most_events`, and one that says so
   int moves = 0;
   bool limit_touched = false;
   bool endless = false;              ///< it goes round in a loop that nothing leaves; `error` names its line

@@ -1,6 +1,7 @@
 #include "core/device/piece_run.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -13,13 +14,15 @@ Result<> PieceRun::begin(const intent::RunInPieces& wish) {
     return fail(FaultKind::refused, "There are no pieces.", "Nothing was sent.");
   if (!running() && !at_rest())
     return fail(FaultKind::refused, "Something runs or moves.", "Nothing was sent.", "Stop it first.");
-  pieces_ = wish.pieces;
-  piece_ = step_ = 0;
+  end();  // what is left of another one
+  pieces_ = wish.pieces, seat_ = wish.seat;
+  if (seat_) seat_->take(wake_);
+  piece_ = step_ = acts_before_ = 0;
   restarts_ = draft_.restarts;
   draft_.pieces = PiecesState();
   draft_.pieces.running = true;
-  draft_.pieces.draws = std::any_of(pieces_->all.begin(), pieces_->all.end(),
-                                    [](const Piece& piece) { return piece.draws >= 0; });
+  draft_.pieces.draws = seat_ || std::any_of(pieces_->all.begin(), pieces_->all.end(),
+                                             [](const Piece& piece) { return piece.draws >= 0; });
   draft_.pieces.speed_can_change = draft_.pieces.draws || pieces_->text_at;
   draft_.pieces.total = static_cast<std::int32_t>(pieces_->all.size());
   return {};
@@ -68,16 +71,36 @@ bool PieceRun::at_rest() const {
   return !runs && !draft_.any_axis_moving() && !draft_.working && !draft_.feed.running;
 }
 
-const IntentBody* PieceRun::due(std::uint64_t rounds, Instant now) const {
+const IntentBody* PieceRun::due(std::uint64_t rounds, Instant now) {
   if (!running() || rounds < shows_in_ || !draft_.link.connected() || !at_rest()) return nullptr;
-  if (now < not_before_) return nullptr;
-  const Piece& piece = pieces_->all[piece_];
-  const bool asked_for = step_ >= piece.does.size();  // the next round shows what has come of it
-  if (asked_for || (draft_.pieces.held && step_ == 0) || draft_.restarts != restarts_) return nullptr;
-  return &piece.does[step_].what;
+  if (now < not_before_ || draft_.restarts != restarts_) return nullptr;
+  const std::vector<PieceAct>& does = pieces_->all[piece_].does;
+  while (step_ < does.size() && may_begin()) {  // behind the last the next round shows what has come of it
+    if (does[step_].what) return &*does[step_].what;
+    not_before_ = now + does[step_++].then;
+    if (now < not_before_) break;
+  }
+  return nullptr;
+}
+
+bool PieceRun::may_begin() {
+  if (!seat_) return step_ > 0 || !draft_.pieces.held;
+  seat_->has_done(acts_before_ + step_);
+  return seat_->may_begin(acts_before_ + step_);
+}
+
+void PieceRun::hold(bool on) {
+  if (seat_ && on) seat_->hold();
+  if (seat_ && !on) seat_->go_on();
+  draft_.pieces.held = running() && (seat_ ? seat_->is_held() : on);
 }
 
 Result<IntentBody> PieceRun::at_speed(const IntentBody& due) const {
+  if (const auto* move = std::get_if<intent::MoveTo>(&due); move && seat_ && move->speed.value > 0) {
+    const double speed = move->speed.value * draft_.pieces.percent / 100;
+    const Pps possible(std::clamp(speed, catalog_.jog_speed_min.value, catalog_.jog_speed_max.value));
+    return IntentBody(intent::MoveTo(move->targets, possible));
+  }
   const auto* load = std::get_if<intent::LoadProgram>(&due);
   if (!load || !pieces_->text_at || draft_.pieces.percent == 100) return due;
   auto text = pieces_->text_at(pieces_->all[piece_], draft_.pieces.percent);
@@ -101,51 +124,85 @@ void PieceRun::show_step() {
   const bool draws = piece.draws >= 0 && step_ == ix(piece.draws) + 1;
   const int row = draws ? std::min(draft_.feed.sent, static_cast<int>(piece.step_of_row.size())) - 1 : -1;
   if (row >= 0) step = piece.step_of_row[ix(row)];
+  if (step_ <= piece.step_of_act.size()) step = piece.step_of_act[step_ - 1];
   draft_.pieces.step = std::max({draft_.pieces.step, piece.first_step, step});
 }
 
 std::string PieceRun::watch(std::uint64_t rounds) {
   if (!running()) return {};
+  if (seat_ && seat_->has_ended()) return end(), std::string();  // whoever has ended it has said why
   if (draft_.restarts != restarts_) {
     end();
     return "The controller was switched off and on, or reset, while pieces were under way. Nothing follows.";
   }
+  show_others();
   if (step_ == 0) return {};
   show_step();
-  if (step_ < pieces_->all[piece_].does.size()) return {};
+  const Piece& piece = pieces_->all[piece_];
   if (rounds < shows_in_ || !at_rest()) return {};
-  std::string why = why_not_whole(pieces_->all[piece_]);
-  if (!why.empty()) {
-    why = fmt::format("Piece {} of {} {} Nothing follows it.", piece_ + 1, pieces_->all.size(), why);
-    end();
-    return why;
-  }
-  step_ = 0;
+  if (std::string why = why_not_done(piece); !why.empty()) return end_because(why);
+  if (step_ < piece.does.size()) return {};
+  if (std::string why = why_not_whole(piece); !why.empty()) return end_because(why);
+  acts_before_ += std::exchange(step_, 0);
+  if (seat_) seat_->has_done(acts_before_);
   draft_.pieces.done = static_cast<std::int32_t>(++piece_);
-  if (piece_ == pieces_->all.size()) end();
+  if (piece_ < pieces_->all.size()) return {};
+  if (seat_) seat_->finish();
+  end();
   return {};
+}
+
+void PieceRun::show_others() {
+  if (!seat_) return;
+  draft_.pieces.held = seat_->is_held();
+  draft_.pieces.rests = seat_->rests();
+}
+
+std::string PieceRun::end_because(std::string_view what) {
+  std::string why =
+      fmt::format("Piece {} of {} {} Nothing follows it.", piece_ + 1, pieces_->all.size(), what);
+  end();
+  return why;
 }
 
 std::string PieceRun::why_not_whole(const Piece& piece) const {
   if (draft_.program.run == RunState::error) return "ended in an error.";
-  for (const AxisTarget& end : piece.ends_at) {
-    const AxisState& axis = draft_.axes[end.axis.index];
-    if (axis.error != AxisError::none)
-      return fmt::format("ended with an error of {}.", catalog_.axes[end.axis.index].name);
-    if (axis.trust.doubtful())
-      return fmt::format("has left {} where its position is not to be trusted.",
-                         catalog_.axes[end.axis.index].name);
-    const bool counts_as_written = !axis.in_counts && axis.loop == Loop::none && axis.position_known;
-    if (counts_as_written && axis.position != end.value)
-      return fmt::format("has left {} at {}, and it ends at {}.", catalog_.axes[end.axis.index].name,
-                         axis.position.value, end.value.value);
+  for (const AxisTarget& end : piece.ends_at)
+    if (std::string why = why_not_there(end); !why.empty()) return why;
+  return {};
+}
+
+/// Of the latest act, where it was a move: the tool may go on from there.
+std::string PieceRun::why_not_done(const Piece& piece) const {
+  const auto& what = piece.does[step_ - 1].what;
+  const auto* move = what ? std::get_if<intent::MoveTo>(&*what) : nullptr;
+  if (!move) return {};
+  for (const AxisTarget& end : move->targets) {
+    const EndedBy by = draft_.axes[end.axis.index].ended_by;
+    if (by == EndedBy::limit)
+      return fmt::format("has met a limit of {}.", catalog_.axes[end.axis.index].name);
+    if (std::string why = why_not_there(end); !why.empty()) return why;
   }
+  return {};
+}
+
+std::string PieceRun::why_not_there(const AxisTarget& end) const {
+  const AxisState& axis = draft_.axes[end.axis.index];
+  const std::string& name = catalog_.axes[end.axis.index].name;
+  if (axis.error != AxisError::none) return fmt::format("ended with an error of {}.", name);
+  if (axis.trust.doubtful()) return fmt::format("has left {} where its position is not to be trusted.", name);
+  const bool counts_as_written = !axis.in_counts && axis.loop == Loop::none && axis.position_known;
+  if (counts_as_written && axis.position != end.value)
+    return fmt::format("has left {} at {}, and it ends at {}.", name, axis.position.value, end.value.value);
   return {};
 }
 
 void PieceRun::end() {
   pieces_.reset();
-  draft_.pieces.running = draft_.pieces.held = draft_.pieces.draws = draft_.pieces.speed_can_change = false;
+  if (seat_) seat_->leave();
+  seat_.reset();
+  PiecesState& shown = draft_.pieces;
+  shown.running = shown.held = shown.rests = shown.draws = shown.speed_can_change = false;
 }
 
 }  // namespace hw

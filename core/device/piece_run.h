@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "core/device/piece_sync.h"
 #include "core/device/pieces.h"
 #include "core/device/snapshot.h"
 
@@ -11,8 +12,10 @@ namespace hw {
 
 class PieceRun {
  public:
-  /// `draft`: shows how far it has come.
-  PieceRun(const Catalog& catalog, Snapshot& draft) : catalog_(catalog), draft_(draft) {}
+  /// `draft`: shows how far it has come. `wake` is notified when something may be due.
+  PieceRun(const Catalog& catalog, Snapshot& draft, Event& wake)
+      : catalog_(catalog), draft_(draft), wake_(wake) {}
+  ~PieceRun() { end(); }
 
   /// Takes the place of what is left of another one, behind the piece that is at work.
   [[nodiscard]] Result<> begin(const intent::RunInPieces& wish);
@@ -21,7 +24,7 @@ class PieceRun {
   [[nodiscard]] Result<> allows(const IntentBody& body) const;
   /// What the controller is to do now; null: nothing, or it is not known to be at rest. `rounds`: that have
   /// ended.
-  [[nodiscard]] const IntentBody* due(std::uint64_t rounds, Instant now) const;
+  [[nodiscard]] const IntentBody* due(std::uint64_t rounds, Instant now);
   /// The same at the speeds that are wanted now.
   [[nodiscard]] Result<IntentBody> at_speed(const IntentBody& due) const;
   /// It was asked for; what has come of it shows in that round and those behind it.
@@ -33,19 +36,27 @@ class PieceRun {
   /// Of the moves that are sent from now on, or of the next piece.
   [[nodiscard]] Result<> override_speed(int percent);
   /// The next piece waits.
-  void hold(bool on) { draft_.pieces.held = on && running(); }
+  void hold(bool on);
   /// Nothing follows any more.
   void end();
 
  private:
   [[nodiscard]] bool at_rest() const;
+  [[nodiscard]] bool may_begin();
   void show_step();
+  void show_others();
   [[nodiscard]] std::string why_not_whole(const Piece& piece) const;
+  [[nodiscard]] std::string why_not_there(const AxisTarget& end) const;
+  [[nodiscard]] std::string why_not_done(const Piece& piece) const;
+  std::string end_because(std::string_view what);
 
   const Catalog& catalog_;
   Snapshot& draft_;
+  Event& wake_;
   std::shared_ptr<const Pieces> pieces_;
+  std::shared_ptr<PieceSeat> seat_;   ///< null: nobody else does his together with these
   std::size_t piece_ = 0, step_ = 0;  ///< of its `does`
+  std::size_t acts_before_ = 0;       ///< of the pieces that are done
   std::uint64_t shows_in_ = 0;
   Instant not_before_{};
   std::uint32_t restarts_ = 0;  ///< of the controller, when they were begun

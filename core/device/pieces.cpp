@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/base/index.h"
+#include "core/device/act_writer.h"
 #include "core/device/language.h"
 #include "core/device/told_speeds.h"
 #include "core/sequence/steps_in.h"
@@ -116,8 +117,7 @@ class Cutter {
   Result<Pieces> run(std::size_t from) {
     // All of it, so that a fault names the step that the user sees.
     if (auto whole = language_.write(sequence_, catalog_); !whole) return fail(whole.error());
-    while (from > 0 && before_[from].tool_down) --from;
-    for (std::size_t begin = from; begin < size();) {
+    for (std::size_t begin = last_tool_up(sequence_.steps, from); begin < size();) {
       const auto end = end_of_piece(begin);
       if (!end) return fail(end.error());
       auto text = language_.write(piece(begin, *end), catalog_);
@@ -133,10 +133,10 @@ class Cutter {
     auto text = language_.write(p, catalog_);
     if (!text) return fail(text.error());
     if (fits(text->text)) return std::move(text->text);
-    return fail(FaultKind::refused,
-                fmt::format("At {} percent of its speeds the next piece does not fit into the controller.",
-                            percent),
-                "Nothing was sent.");
+    return fail(
+        FaultKind::refused,
+        fmt::format("At {} percent of its speeds the next piece does not fit into the controller.", percent),
+        "Nothing was sent.");
   }
 
  private:

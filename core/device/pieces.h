@@ -2,6 +2,7 @@
 // A sequence cut where its tool is up, or can be lifted, into pieces that its controller can hold: each is
 // whole by itself, begins and ends with the tool off, and waits for the one before.
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,8 +18,8 @@ namespace hw {
 class Language;
 
 struct PieceAct {
-  IntentBody what;
-  Duration then{};  ///< passes behind it
+  std::optional<IntentBody> what;  ///< none: only others have something to do, see PieceSync
+  Duration then{};                 ///< passes behind it
 };
 
 struct Piece {
@@ -30,6 +31,7 @@ struct Piece {
   std::vector<int> step_of_command;
   int draws = -1;                ///< which of `does` is the list of moves that draws; -1: a program does
   std::vector<int> step_of_row;  ///< of that list
+  std::vector<int> step_of_act;  ///< of each of `does`, where several controllers do theirs together
 };
 
 struct Pieces {

@@ -121,6 +121,7 @@ struct PiecesState {
   bool running = false;
   bool held = false;                 ///< the next piece waits until it is resumed
   bool draws = false;                ///< act by act, without a program: its tool may be on between them
+  bool rests = false;                ///< held, and nothing of it is under way here or elsewhere
   bool speed_can_change = false;     ///< intent::OverrideSpeed is taken
   std::int32_t done = 0, total = 0;  ///< pieces
   std::int32_t step = -1;            ///< of the sequence's own list: that is at work, or was last; -1: none

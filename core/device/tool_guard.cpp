@@ -130,12 +130,12 @@ void ToolGuard::pieces_begin(const ToolOff& tool, const Snapshot& now) {
 /// In a hold the motion that has begun goes on to its end, with the tool.
 ToolGuard::Cause ToolGuard::cause(const Snapshot& now) {
   const std::uint32_t limits = limits_shown(now), met = limits & ~std::exchange(limits_, limits);
-  const bool feed_is_held = now.pieces.held && now.feed.running;
-  if (program_goes_on(now.program) || (now.pieces.draws && !feed_is_held)) {
+  const bool acts_are_held = now.pieces.held && (now.feed.running || now.pieces.rests);
+  if (program_goes_on(now.program) || (now.pieces.draws && !acts_are_held)) {
     const bool was_at_work = std::exchange(at_work_, true);
     return was_at_work && met != 0 ? Cause::limit : Cause::none;
   }
-  const bool held = now.program.run == RunState::held || feed_is_held;
+  const bool held = now.program.run == RunState::held || acts_are_held;
   const bool moves_on = held && (now.any_axis_moving() || now.working);
   return at_work_ && !moves_on ? Cause::rests : Cause::none;
 }

@@ -232,7 +232,8 @@ Box box_of(const std::vector<Chain>& chains) {
 
 void chords(const Curve& curve, double tolerance, const std::function<void(Point)>& put) {
   if (curve.kind == Curve::Kind::arc) {
-    const Chords chords(curve.from.x - curve.centre.x, curve.from.y - curve.centre.y, curve.degrees, tolerance);
+    const Chords chords(curve.from.x - curve.centre.x, curve.from.y - curve.centre.y, curve.degrees,
+                        tolerance);
     for (int n = 1; n < chords.count(); ++n) {
       const auto [dx, dy] = chords.end(n);
       put({curve.centre.x + dx, curve.centre.y + dy});

@@ -55,28 +55,40 @@ int run(Call& call) {
   return perform(call, std::move(wish));
 }
 
+Task<Answer> run_together(std::shared_ptr<SessionGroup> bus, sequence::Sequence sequence, int from) {
+  co_return answer_of(co_await bus->run_together(std::move(sequence), from));
+}
+
 /// A sequence of any length. Returns when the first piece is to begin; wait() tells of the end.
 int run_in_pieces(Call& call) {
-  const SessionPtr& session = session_of(call);
-  const std::string text = call.text(1, "sequence");
-  if (!session->type().language) return call.refuse("This controller has no language for programs.");
-  const auto sequence = sequence::read_sequence(text, "The sequence");
+  auto sequence = sequence::read_sequence(call.text(1, "sequence"), "The sequence");
   if (!sequence) return call.refuse(sequence.error().sentence());
   const std::int64_t step = call.has(2) ? call.whole(2, "step") : 1;
   const int from = static_cast<int>(std::clamp<std::int64_t>(step - 1, -1, 1'000'000'000));
+  if (const auto bus = bus_of(call)) return call.wait(run_together(bus, std::move(*sequence), from));
+  const SessionPtr& session = session_of(call);
+  if (!session->type().language) return call.refuse("This controller has no language for programs.");
   auto pieces = session->type().language().in_pieces(*sequence, session->catalog(), from);
   if (!pieces) return call.refuse(pieces.error().sentence());
   return perform(call, intent::RunInPieces(std::make_shared<const Pieces>(std::move(*pieces))));
 }
 
+Task<Answer> tell_together(std::shared_ptr<SessionGroup> bus, IntentBody wish) {
+  co_return answer_of(co_await bus->tell_together(std::move(wish)));
+}
+
 int override_speed(Call& call) {
   const std::int64_t percent = call.whole(1, "percent");
-  return perform(call, intent::OverrideSpeed(static_cast<int>(std::clamp<std::int64_t>(percent, 0, 1000))));
+  intent::OverrideSpeed wish(static_cast<int>(std::clamp<std::int64_t>(percent, 0, 1000)));
+  if (const auto bus = bus_of(call)) return call.wait(tell_together(bus, wish));
+  return perform(call, wish);
 }
 
 // With a number: that thread only, where programs run in several.
 template <class Verb>
 int of_thread(Call& call) {
+  if constexpr (!std::is_same_v<Verb, intent::HaltProgram>)
+    if (const auto bus = bus_of(call); bus && !call.has(1)) return call.wait(tell_together(bus, Verb()));
   const int threads = session_of(call)->catalog().program.threads;
   if (!call.has(1)) return perform(call, Verb());
   const std::int64_t thread = call.whole(1, "thread");

@@ -182,6 +182,7 @@ int push_whole_status(lua_State* L, const Snapshot& known) {
   if (known.pieces.total > 0) {
     set_whole(L, "pieces", known.pieces.total);
     set_whole(L, "pieces_done", known.pieces.done);
+    set_flag(L, "in_pieces", known.pieces.running);
     set_whole(L, "step", known.pieces.step + 1);
   }
   set_flag(L, "unsaved_setup", known.unsaved_setup);

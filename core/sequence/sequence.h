@@ -165,6 +165,8 @@ struct Sequence {
 };
 
 /// All of it that is no step.
-inline Sequence frame_of(const Sequence& s) { return {s.unit, s.axes, s.tolerance, s.pen_up, s.pen_down, {}}; }
+inline Sequence frame_of(const Sequence& s) {
+  return {s.unit, s.axes, s.tolerance, s.pen_up, s.pen_down, {}};
+}
 
 }  // namespace hw::sequence

@@ -2,6 +2,10 @@
 
 #include <fmt/core.h>
 
+#include "core/base/index.h"
+#include "core/device/piece_sync.h"
+#include "core/device/pieces_together.h"
+
 namespace hw {
 
 // All before any begins.
@@ -57,15 +61,49 @@ std::vector<IntentId> SessionGroup::post_stop(bool at_once) {
   return ids;
 }
 
+Task<Result<>> SessionGroup::outcomes(std::vector<Asked> all) {
+  Result<> first;
+  for (const Asked& asked : all) {
+    auto one = co_await members_[asked.member]->outcome(asked.id);
+    if (first && !one) first = std::move(one);
+  }
+  co_return first;
+}
+
 Task<Result<>> SessionGroup::perform_stop(bool at_once) {
   const auto self = shared_from_this();
-  const std::vector<IntentId> ids = post_stop(at_once);
-  Result<> all;
-  for (std::size_t i = 0; i < ids.size(); ++i) {
-    auto stopped = co_await members_[i]->outcome(ids[i]);
-    if (all && !stopped) all = std::move(stopped);
+  std::vector<Asked> all;
+  for (const IntentId id : post_stop(at_once)) all.push_back({all.size(), id});
+  co_return co_await outcomes(std::move(all));
+}
+
+Task<Result<>> SessionGroup::run_together(sequence::Sequence sequence, int from_step) {
+  const auto self = shared_from_this();
+  std::vector<const Catalog*> catalogs;
+  for (const auto& member : members_) catalogs.push_back(&member->catalog());
+  const auto bus = catalog_together(catalogs);
+  if (!bus)
+    co_return fail(FaultKind::refused, "These controllers cannot do a sequence together.",
+                   "Nothing was sent.");
+  auto parts = pieces_together(sequence, *bus, from_step);
+  if (!parts) co_return fail(parts.error());
+  auto seats = PieceSync::seats(parts->size());
+  std::vector<Asked> begun;
+  for (std::size_t i = 0; i < parts->size(); ++i) {
+    const std::size_t member = ix(find(sequence.axes[i].name));
+    intent::RunInPieces part(std::make_shared<const Pieces>(std::move((*parts)[i])), std::move(seats[i]));
+    begun.push_back({member, members_[member]->post(std::move(part))});
   }
-  co_return all;
+  co_return co_await outcomes(std::move(begun));
+}
+
+Task<Result<>> SessionGroup::tell_together(IntentBody wish) {
+  const auto self = shared_from_this();
+  std::vector<Asked> all;
+  for (std::size_t i = 0; i < members_.size(); ++i)
+    if (members_[i]->known().pieces.running) all.push_back({i, members_[i]->post(wish)});
+  if (all.empty()) co_return fail(FaultKind::refused, "They do nothing together now.", "Nothing was sent.");
+  co_return co_await outcomes(std::move(all));
 }
 
 namespace {

@@ -31,6 +31,11 @@ class SessionGroup : public std::enable_shared_from_this<SessionGroup> {
   std::vector<IntentId> post_stop(bool at_once);
   /// And resumes with the first thing that went wrong.
   Task<Result<>> perform_stop(bool at_once);
+  /// A sequence whose axes are ids of theirs, from the place of one of its steps on. Resumes when all who
+  /// take part have begun, or with the reason why one does not: then none does.
+  Task<Result<>> run_together(sequence::Sequence sequence, int from_step);
+  /// Those who are at it: a hold, its end, another speed.
+  Task<Result<>> tell_together(IntentBody wish);
   /// Resumes when nothing moves or runs any more on any of them.
   Task<Result<>> wait_until_idle(Duration patience);
   /// Resumes when each answers, or with the reason why the first that does not.
@@ -39,6 +44,12 @@ class SessionGroup : public std::enable_shared_from_this<SessionGroup> {
 
  private:
   void stop_wire(bool at_once) const;
+  /// The first thing that went wrong with any of them, once all have come to their end.
+  struct Asked {
+    std::size_t member;
+    IntentId id;
+  };
+  Task<Result<>> outcomes(std::vector<Asked> all);
 
   SessionGroup(Scheduler& scheduler, Address address) : scheduler_(scheduler), address_(std::move(address)) {}
 

@@ -4,9 +4,12 @@
 
 #include <fmt/format.h>
 
+#include "core/device/pieces_together.h"
+#include "core/device/registry.h"
 #include "core/device/sequence_draft.h"
 #include "core/drawing/dxf_reader.h"
 #include "core/sequence/sequence_file.h"
+#include "core/session/address.h"
 #include "core/session/conversion.h"
 #include "core/session/user_files.h"
 #include "gui/app/cli.h"
@@ -162,6 +165,42 @@ Result<ConversionOptions> read_options(const Given& given, const Catalog& catalo
   return o;
 }
 
+/// --id 01-02: controllers of one axis each that share a wire and draw together. No language is theirs.
+Result<MeantFor> read_who_draws(const Given& given) {
+  auto meant = read_for(given);
+  if (!meant || !given.has("id")) return meant;
+  const auto address = Address::parse(fmt::format("{}@emulator,id={}", given.one("for"), given.one("id")));
+  if (!address) return fail(address.error());
+  std::vector<Catalog> catalogs;
+  for (const Address& device : address->devices()) {
+    auto catalog = find_device_type(device.model)->make_catalog(device.options);
+    if (!catalog) return fail(catalog.error());
+    catalogs.push_back(std::move(*catalog));
+  }
+  std::vector<const Catalog*> all;
+  for (const Catalog& catalog : catalogs) all.push_back(&catalog);
+  auto together = catalog_together(all);
+  if (!together)
+    return fail(
+        FaultKind::text,
+        fmt::format("--id {}: only several controllers of one axis each draw together.", given.one("id")), {},
+        "Write --for dmx-k-sa --id 01-02, for instance.");
+  if (!given.one("output").ends_with(".toml"))
+    return fail(FaultKind::text, "Several controllers have no one program.", {},
+                "Write the sequence: -o OUT.toml. A script runs it with bus:run_in_pieces(text).");
+  return MeantFor{nullptr, std::move(*together)};
+}
+
+/// The text of it where there is one; at least, that it can be done.
+Result<SequenceText> write(const sequence::Sequence& sequence, const MeantFor& meant) {
+  if (meant.language) return meant.language->write(sequence, meant.catalog);
+  const auto parts = pieces_together(sequence, meant.catalog, 0);
+  if (!parts) return fail(parts.error());
+  SequenceText none;
+  none.remarks.push_back(parts->front().remark);
+  return none;
+}
+
 struct Made {
   Conversion conversion;
   SequenceText written;
@@ -207,8 +246,19 @@ void print_words(const Made& m) {
 
 }  // namespace
 
+static void try_it(Made& made, const MeantFor& meant) {
+  for (const Problem& p : meant.language->analyse(made.written.text, 0).problems) {
+    if (!p.error) continue;
+    made.problems.push_back(p.sentence);
+    write_aside(p.sentence);
+  }
+  RehearseOptions rehearse;
+  rehearse.device = meant.catalog.made_from;
+  if (auto done = meant.language->rehearse(made.written.text, rehearse)) made.rehearsal = std::move(*done);
+}
+
 static int convert_drawing(const Given& given) {
-  const auto meant = read_for(given);
+  const auto meant = read_who_draws(given);
   if (!meant) return complain(meant.error(), status_of(meant.error()));
   const auto options = read_options(given, meant->catalog);
   if (!options) return complain(options.error(), usage);
@@ -221,7 +271,7 @@ static int convert_drawing(const Given& given) {
   auto converted = convert(*drawing, meant->catalog, *options);
   if (!converted) return complain(converted.error());
   if (given.has("frame")) converted->sequence = converted->frame;
-  auto written = meant->language->write(converted->sequence, meant->catalog);
+  auto written = write(converted->sequence, *meant);
   if (!written) return complain(written.error());
   for (const std::string& remark : written->remarks) write_aside(remark);
   if (!written->tool.empty()) write_aside(written->tool);
@@ -233,13 +283,7 @@ static int convert_drawing(const Given& given) {
   if (auto kept = write_file(out, as_sequence ? write_sequence(converted->sequence) : written->text); !kept)
     return complain(kept.error());
   Made made{std::move(*converted), std::move(*written), *drawing, {}, {}};
-  for (const Problem& p : meant->language->analyse(made.written.text, 0).problems) {
-    if (p.error) made.problems.push_back(p.sentence);
-    if (p.error) write_aside(p.sentence);
-  }
-  RehearseOptions rehearse;
-  rehearse.device = meant->catalog.made_from;
-  if (auto done = meant->language->rehearse(made.written.text, rehearse)) made.rehearsal = std::move(*done);
+  if (meant->language) try_it(made, *meant);
   if (given.has("json"))
     print_json(made, meant->catalog);
   else
@@ -274,6 +318,7 @@ const Subcommand convert_subcommand{
      {"pen-axis", "A:DOWN:UP", "moves the tool down and up"},
      {"pen-delay", "MS", "until the tool has acted"},
      {"variant", "V", "of the controller"},
+     {"id", "IDS", "01-02: these draw together, an axis each"},
      {"json", "", "a report as JSON"}},
     convert_drawing,
 };

@@ -84,7 +84,7 @@ TEST_P(PiecesContractTest, EachPieceFitsAndBeginsWhereTheOneBeforeEnds) {
   for (const Piece& piece : pieces->all) {
     EXPECT_GT(piece.first_step, step);
     step = piece.first_step;
-    const auto* load = std::get_if<intent::LoadProgram>(&piece.does.front().what);
+    const auto* load = std::get_if<intent::LoadProgram>(&*piece.does.front().what);
     if (!load) continue;  // moves, one by one
     const std::string& text = load->text;
     const ProgramReport report = GetParam()->language().analyse(text, 0);

@@ -242,7 +242,7 @@ TEST_F(DrawingTabTest, CuttingIsAskedAboutFirst) {
   const auto* asked = s.last<intent::RunInPieces>();
   ASSERT_TRUE(asked);
   ASSERT_EQ(asked->pieces->all.size(), 1u);
-  EXPECT_THAT(std::get<intent::LoadProgram>(asked->pieces->all[0].does[0].what).text,
+  EXPECT_THAT(std::get<intent::LoadProgram>(*asked->pieces->all[0].does[0].what).text,
               HasSubstr("Tool off: output 2 off"));
 }
 

@@ -1077,6 +1077,17 @@ class Convert(Case):
         self.assertIn("TEXT 2 was left out", result.stderr)
         self.assertEqual(json.loads(result.stdout)["left_out"][0]["what"], "TEXT")
 
+    def test_two_on_a_bus_draw_together(self):
+        file = self.drawing(self.line(0, 0, 5, 5))
+        result = self.convert(file, "dmx-k-sa", "--id", "01-02", "--per-unit", "100", "--pen-output", "1", out="both.toml")
+        self.expect(result, 0, "come to rest at each corner")
+        self.assertEqual(json.loads(result.stdout)["duration_s"], None)
+        text = (self.folder / "both.toml").read_text()
+        self.assertIn('name = "01"', text)
+        self.assertIn('name = "02"', text)
+        self.expect(self.convert(file, "dmx-k-sa", "--id", "01-02"), 2, "-o OUT.toml")
+        self.expect(self.convert(file, "pmx-4ex-sa", "--id", "00-01", out="both.toml"), 2, "of one axis each")
+
     def test_what_cannot_be_converted_is_1(self):
         file = self.drawing(self.line(0, 0, 5, 5), header="")
         self.expect(self.convert(file, "pmx-4ex-sa"), 1, "does not say in which unit")

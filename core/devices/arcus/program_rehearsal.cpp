@@ -129,9 +129,7 @@ class Rehearsing {
     axis.maximum = std::max(axis.maximum, position);
   }
 
-  void event(Controller::Trace& t) {
-    result_.add({seconds(t.at), std::move(t.what), 0, t.line});
-  }
+  void event(Controller::Trace& t) { result_.add({seconds(t.at), std::move(t.what), 0, t.line}); }
 
   Rehearsal finish() {
     result_.duration_s = seconds(now_);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "core/base/index.h"
 #include "core/devices/arcus/language/arithmetic.h"
 
@@ -183,8 +185,8 @@ ProgramWatch::Unfinished ProgramWatch::unfinished(bool nothing_comes) {
   for (int a = controller_.axes(); a-- > 0;)
     if (controller_.moving(a)) {
       line = sent_by_[ix(a)];
-      result.sentence = std::string("Axis ") + controller_.model().axis_letters[ix(a)] +
-                        " was still moving when the rehearsal ended";
+      result.sentence = fmt::format("Axis {} was still moving when the rehearsal ended",
+                                    controller_.model().axis_letters[ix(a)]);
       if (const int by = source_line(line); by >= 0)
         result.sentence += "; line " + std::to_string(by + 1) + " sent it on its way";
       result.sentence += ".";

@@ -19,6 +19,87 @@ std::vector<std::size_t> begins_of_lines(std::string_view text) {
   return begins;
 }
 
+/// Commands and headings of a text, where they stand in it.
+class Placer {
+ public:
+  Placer(std::string_view text, const Analysis& analysis, CommandText& out)
+      : text_(text), analysis_(analysis), begins_(begins_of_lines(text)), out_(out) {}
+
+  void place_commands() {
+    for (const auto& [slot, commands] : analysis_.programs) {
+      if (commands.empty() && slot == 0 && !analysis_.has_headings) continue;
+      PlacedProgram& program = out_.programs[ix(slot)].emplace();
+      for (const StoredCommand& s : commands) {
+        program.commands.push_back({s.command, stretch(s.place)});
+        stored_.push_back(program.commands.back().at);
+      }
+      program.at.end = text_.size();
+    }
+  }
+  /// What stands beside the commands: headings, remarks, and what no block can hold.
+  Result<> read_lines() {
+    for (std::size_t line = 0; line < analysis_.report.lines.size(); ++line) {
+      any_ = heading_ = false;
+      for (const Token& token : analysis_.report.lines[line].tokens) {
+        const Stretch at{begins_[line] + ix(token.begin), begins_[line] + ix(token.end)};
+        if (token.kind == TokenKind::comment)
+          remark(at);
+        else if (auto read = word(at); !read)
+          return read;
+      }
+    }
+    return {};
+  }
+  /// A command that a remark follows ends at its last character.
+  void end_commands() {
+    for (auto& program : out_.programs) {
+      if (!program) continue;
+      for (PlacedCommand& c : program->commands) {
+        std::string_view word = text_.substr(c.at.begin, c.at.end - c.at.begin);
+        word = word.substr(0, std::min(word.find(';'), word.size()));
+        while (word.ends_with(' ')) word.remove_suffix(1);
+        c.at.end = c.at.begin + word.size();
+      }
+    }
+  }
+
+ private:
+  [[nodiscard]] Stretch stretch(const Place& p) const {
+    const std::size_t begin = begins_[ix(p.line)] + ix(p.column);
+    return {begin, begin + ix(p.length)};
+  }
+  void remark(const Stretch& at) {
+    if (heading_)
+      out_.programs[ix(slot_)]->name = text_.substr(at.begin, at.end - at.begin);
+    else
+      out_.remarks.add(at, any_);
+  }
+  Result<> word(const Stretch& at) {
+    any_ = true;
+    const bool is_stored =
+        std::any_of(stored_.begin(), stored_.end(), [&at](const Stretch& s) { return s.covers(at.begin); });
+    const std::string_view said = text_.substr(at.begin, at.end - at.begin);
+    if (is_stored || said == "E" || said == "F" || said == "G") return {};  // on-line: the console sees to it
+    if (!said.starts_with("PM"))
+      return no_block_for(text_, at.begin, fmt::format("{} acts at once. Blocks are programs.", said));
+    if (!std::exchange(heading_, true)) begin_program(said.back() - '0', at.begin);
+    return {};
+  }
+  void begin_program(int next, std::size_t begin) {
+    if (out_.programs[ix(slot_)] && slot_ != next) out_.programs[ix(slot_)]->at.end = begin;
+    slot_ = next;
+    out_.programs[ix(slot_)]->at = {begin, text_.size()};
+  }
+
+  std::string_view text_;
+  const Analysis& analysis_;
+  const std::vector<std::size_t> begins_;
+  CommandText& out_;
+  std::vector<Stretch> stored_;  ///< in the order of the text
+  int slot_ = 0;
+  bool any_ = false, heading_ = false;  ///< of the line at hand, so far
+};
+
 }  // namespace
 
 Result<CommandText> CommandText::read(std::string_view text) {
@@ -28,58 +109,11 @@ Result<CommandText> CommandText::read(std::string_view text) {
     if (p.error)
       return fail(FaultKind::text, fmt::format("Line {}: {}", p.line + 1, p.sentence),
                   "The blocks are as they were.");
-  const std::vector<std::size_t> begins = begins_of_lines(text);
   CommandText out(text);
-  std::vector<Stretch> stored;  // in the order of the text
-  const auto stretch = [&begins](const Place& p) {
-    const std::size_t begin = begins[ix(p.line)] + ix(p.column);
-    return Stretch{begin, begin + ix(p.length)};
-  };
-  for (const auto& [slot, commands] : analysis.programs) {
-    if (commands.empty() && slot == 0 && !analysis.has_headings) continue;
-    PlacedProgram& program = out.programs[ix(slot)].emplace();
-    for (const StoredCommand& s : commands) {
-      program.commands.push_back({s.command, stretch(s.place)});
-      stored.push_back(program.commands.back().at);
-    }
-    program.at.end = text.size();
-  }
-  int slot = 0;
-  for (std::size_t line = 0; line < analysis.report.lines.size(); ++line) {
-    bool any = false, heading = false;
-    for (const Token& token : analysis.report.lines[line].tokens) {
-      const Stretch at{begins[line] + ix(token.begin), begins[line] + ix(token.end)};
-      const std::string_view word = text.substr(at.begin, at.end - at.begin);
-      if (token.kind == TokenKind::comment) {
-        if (heading)
-          out.programs[ix(slot)]->name = word;
-        else
-          out.remarks.add(at, any);
-        continue;
-      }
-      any = true;
-      const auto same =
-          std::find_if(stored.begin(), stored.end(), [&at](const Stretch& s) { return s.covers(at.begin); });
-      if (same != stored.end()) continue;
-      if (word == "E" || word == "F" || word == "G") continue;  // on-line: the console sees to it
-      if (!word.starts_with("PM"))
-        return no_block_for(text, at.begin, fmt::format("{} acts at once. Blocks are programs.", word));
-      const int next = word.back() - '0';
-      if (heading || std::exchange(heading, true)) continue;
-      if (out.programs[ix(slot)] && slot != next) out.programs[ix(slot)]->at.end = at.begin;
-      slot = next;
-      out.programs[ix(slot)]->at = {at.begin, text.size()};
-    }
-  }
-  // A command that a remark follows ends at its last character.
-  for (auto& program : out.programs)
-    if (program)
-      for (PlacedCommand& c : program->commands) {
-        std::string_view word = text.substr(c.at.begin, c.at.end - c.at.begin);
-        word = word.substr(0, std::min(word.find(';'), word.size()));
-        while (word.ends_with(' ')) word.remove_suffix(1);
-        c.at.end = c.at.begin + word.size();
-      }
+  Placer placer(text, analysis, out);
+  placer.place_commands();
+  if (auto read = placer.read_lines(); !read) return fail(read.error());
+  placer.end_commands();
   return out;
 }
 

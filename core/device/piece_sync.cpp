@@ -1,0 +1,64 @@
+#include "core/device/piece_sync.h"
+
+#include <algorithm>
+
+namespace hw {
+
+std::vector<std::shared_ptr<PieceSeat>> PieceSync::seats(std::size_t members) {
+  const auto sync = std::make_shared<PieceSync>();
+  sync->members_.resize(members);
+  std::vector<std::shared_ptr<PieceSeat>> all;
+  for (std::size_t i = 0; i < members; ++i) all.push_back(std::make_shared<PieceSeat>(sync, i));
+  return all;
+}
+
+void PieceSync::wake_all() const {
+  for (const Member& member : members_)
+    if (member.wake) member.wake->notify();
+}
+
+bool PieceSync::all_have_done(std::size_t acts) const {
+  return std::all_of(members_.begin(), members_.end(),
+                     [acts](const Member& m) { return m.here && m.done >= acts; });
+}
+
+PieceSeat::~PieceSeat() {
+  if (!finished_) sync_->ended_ = true;
+}
+
+void PieceSeat::leave() {
+  me().wake = nullptr;
+  if (!finished_ && !sync_->ended_.exchange(true)) sync_->wake_all();
+}
+
+void PieceSeat::has_done(std::size_t acts) {
+  if (acts == me().done && acts > 0) return;
+  me().done = acts;
+  if (sync_->all_have_done(acts)) sync_->wake_all();
+}
+
+bool PieceSeat::may_begin(std::size_t act) {
+  if (sync_->ended_) return false;
+  if (act < sync_->begun_) return true;
+  if (is_held() || !sync_->all_have_done(act)) return false;
+  sync_->begun_ = act + 1;
+  return true;
+}
+
+void PieceSeat::hold() {
+  for (PieceSync::Member& member : sync_->members_) member.held = true;
+}
+
+void PieceSeat::go_on() {
+  me().held = false;
+  if (!is_held()) sync_->wake_all();
+}
+
+bool PieceSeat::is_held() const {
+  return std::any_of(sync_->members_.begin(), sync_->members_.end(),
+                     [](const PieceSync::Member& m) { return m.held; });
+}
+
+bool PieceSeat::rests() const { return is_held() && sync_->all_have_done(sync_->begun_); }
+
+}  // namespace hw

@@ -1,0 +1,70 @@
+#pragma once
+// Controllers on one wire that do their pieces together: none begins an act before all have ended the one
+// before, a hold holds all, and what ends for one ends for all. Io thread only, but for the destructor.
+#include <atomic>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "core/time/scheduler.h"
+
+namespace hw {
+
+class PieceSeat;
+
+class PieceSync {
+ public:
+  [[nodiscard]] static std::vector<std::shared_ptr<PieceSeat>> seats(std::size_t members);
+
+ private:
+  friend class PieceSeat;
+  struct Member {
+    bool here = false;     ///< it takes part
+    std::size_t done = 0;  ///< acts, all pieces counted through
+    bool held = false;
+    Event* wake = nullptr;
+  };
+  void wake_all() const;
+  [[nodiscard]] bool all_have_done(std::size_t acts) const;
+
+  std::vector<Member> members_;
+  std::size_t begun_ = 0;  ///< acts, by whoever was first
+  std::atomic<bool> ended_ = false;
+};
+
+/// The place of one of them. Left or dropped before finish(), it ends all: whether its intent was refused, a
+/// stop came before it, or its run has ended early.
+class PieceSeat {
+ public:
+  PieceSeat(std::shared_ptr<PieceSync> sync, std::size_t place) : sync_(std::move(sync)), place_(place) {}
+  ~PieceSeat();
+  PieceSeat(const PieceSeat&) = delete;
+  PieceSeat& operator=(const PieceSeat&) = delete;
+
+  /// `wake` is notified when others have come so far that there may be something to do.
+  void take(Event& wake) { me().here = true, me().wake = &wake; }
+  void leave();
+  /// So many acts have ended here.
+  void has_done(std::size_t acts);
+  /// It is the turn of that act, counted from 0: all others have begun it, or are as far.
+  [[nodiscard]] bool may_begin(std::size_t act);
+  /// All of it has ended here.
+  void finish() { finished_ = true; }
+  [[nodiscard]] bool has_ended() const { return sync_->ended_; }
+
+  void hold();
+  /// The last one that says so lets all go on.
+  void go_on();
+  [[nodiscard]] bool is_held() const;
+  /// Held, and nobody is at anything.
+  [[nodiscard]] bool rests() const;
+
+ private:
+  [[nodiscard]] PieceSync::Member& me() { return sync_->members_[place_]; }
+
+  std::shared_ptr<PieceSync> sync_;
+  std::size_t place_;
+  bool finished_ = false;
+};
+
+}  // namespace hw

@@ -1,0 +1,147 @@
+#include "core/device/pieces_together.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/device/act_writer.h"
+
+namespace hw {
+
+namespace seq = sequence;  // its names are those of commands too
+
+namespace {
+
+constexpr AxisId own_axis{0};
+
+class TogetherWriter final : public ActWriter {
+ public:
+  using ActWriter::ActWriter;
+
+  Result<std::vector<Pieces>> run() {
+    const auto members = ix(draft_.axis_count());
+    parts_.resize(members), open_.resize(members), stood_.resize(members);
+    if (auto written = write_all(); !written) return fail(written.error());
+    if (parts_.front().all.empty())
+      return fail(FaultKind::text, "There is nothing in it that could be done.", "Nothing was written.");
+    // The output that switches it is the first one's.
+    parts_.front().tool = tool_off_of(draft_.sequence, static_cast<int>(draft_.catalog.outputs.size()));
+    for (Pieces& part : parts_)
+      part.remark =
+          "Each controller goes by itself: lines are straight as far as all of them begin at once, which is "
+          "a "
+          "transaction apart, and come to rest at each corner.";
+    return std::move(parts_);
+  }
+
+ private:
+  Result<> unfit() override {
+    return draft_.refuse("controllers on a bus do together only moves, arcs as chords, outputs and delays.");
+  }
+  [[nodiscard]] bool can_move(int) const override { return true; }
+
+  Result<> speeds(const seq::Speeds& said) override {
+    for (int a = 0; a < draft_.axis_count(); ++a) {
+      auto steps = draft_.speeds(a, said);
+      if (!steps) return fail(steps.error());
+      if (steps->low != 0) set(a, "LSPD", steps->low);
+      if (steps->ramp_ms != 0) set(a, "ACC", std::max<std::int64_t>(std::llround(steps->ramp_ms), 1));
+    }
+    return {};
+  }
+  /// Each as fast as it has to be for all to come there together.
+  Result<> go(const seq::OwnSpeeds& own) override {
+    std::vector<std::optional<IntentBody>> acts(parts_.size());
+    const double length = length_of_way();
+    bool any = false;
+    for (int a = 0; a < draft_.axis_count(); ++a) {
+      const auto to = draft_.at(a), from = stood_[ix(a)];
+      const auto speeds = draft_.speeds_of(a, own);
+      if (!speeds) return fail(speeds.error());
+      if (!emits() || !to || to == from) continue;
+      stood_[ix(a)] = to;
+      const double share = length > 0 && from ? std::fabs(in_units(a, *to - *from)) / length : 1;
+      double pps = static_cast<double>(speeds->high) * share;
+      if (pps > 0) pps = std::max(pps, draft_.catalog.jog_speed_min.value);
+      acts[ix(a)] = intent::MoveTo({{own_axis, Steps(*to)}}, Pps(std::round(pps)));
+      any = true;
+    }
+    if (any) add(std::move(acts));
+    return {};
+  }
+  void act(IntentBody what) override { add_one(0, std::move(what)); }
+  Result<> pause(Duration time) override {
+    if (open_.front().does.empty()) return unfit();
+    open_.front().does.back().then += time;
+    return {};
+  }
+  void set(int member, const std::string& parameter, std::int64_t value) {
+    if (draft_.catalog.find_param(parameter) >= 0) add_one(member, intent::SetParam(parameter, value, true));
+  }
+  void end_piece() override {
+    if (open_.front().does.empty()) return;
+    for (int a = 0; a < draft_.axis_count(); ++a) {
+      Piece& piece = open_[ix(a)];
+      if (const auto at = draft_.at(a)) piece.ends_at.push_back({own_axis, Steps(*at)});
+      parts_[ix(a)].all.push_back(std::exchange(piece, {}));
+    }
+  }
+
+  void add(std::vector<std::optional<IntentBody>> acts) {
+    for (std::size_t m = 0; m < acts.size(); ++m) {
+      if (open_[m].does.empty()) open_[m].first_step = place();
+      open_[m].does.push_back({std::move(acts[m])});
+      open_[m].step_of_act.push_back(place());
+    }
+  }
+  void add_one(int member, IntentBody what) {
+    std::vector<std::optional<IntentBody>> acts(parts_.size());
+    acts[ix(member)] = std::move(what);
+    add(std::move(acts));
+  }
+  [[nodiscard]] double in_units(int axis, std::int64_t steps) const {
+    return static_cast<double>(steps) / draft_.sequence.axes[ix(axis)].per_unit;
+  }
+  /// 0: not known.
+  [[nodiscard]] double length_of_way() const {
+    double squares = 0;
+    for (int a = 0; a < draft_.axis_count(); ++a) {
+      const auto to = draft_.at(a), from = stood_[ix(a)];
+      if (to.has_value() != from.has_value()) return 0;
+      if (to) squares += std::pow(in_units(a, *to - *from), 2);
+    }
+    return std::sqrt(squares);
+  }
+
+  std::vector<Pieces> parts_;                       ///< of each member
+  std::vector<Piece> open_;                         ///< the piece of each that is being written
+  std::vector<std::optional<std::int64_t>> stood_;  ///< each, behind the acts so far
+};
+
+}  // namespace
+
+std::optional<Catalog> catalog_together(std::span<const Catalog* const> members) {
+  const bool fit = members.size() >= 2 && std::all_of(members.begin(), members.end(), [](const Catalog* c) {
+                     return c->axes.size() == 1 && c->addressed();
+                   });
+  if (!fit) return std::nullopt;
+  Catalog bus = *members.front();
+  bus.axes.clear();
+  for (const Catalog* member : members) {
+    bus.axes.push_back(member->axes.front());
+    bus.axes.back().name = member->id();
+  }
+  bus.can.interpolates = true;  // by speeds that let all come to the end of a line together
+  return bus;
+}
+
+Result<std::vector<Pieces>> pieces_together(const seq::Sequence& sequence, const Catalog& bus,
+                                            int from_step) {
+  if (auto has = has_step(sequence, from_step); !has) return fail(has.error());
+  if (sequence.axes.size() < 2)
+    return fail(FaultKind::text, "Its axes are on one controller: it can do them by itself.",
+                "Nothing was written.");
+  return TogetherWriter(sequence, bus, last_tool_up(sequence.steps, ix(from_step))).run();
+}
+
+}  // namespace hw
