@@ -114,9 +114,10 @@ def search(binary, honest, model, at_most):
     return None
 
 
-def search_models(binary, honest, models, at_most):
+def search_models(name, binary, honest, models, at_most):
     found = next(filter(None, (search(binary, honest, model, at_most) for model in models)), None)
     binary.unlink()
+    print(f"{name:36} " + (f"{found[0]:6} sessions: {found[1]}" if found else "NOT FOUND"), flush=True)
     return found
 
 
@@ -144,12 +145,11 @@ def main(words):
             plant(fault, SCRATCH)
             binary = keep(build(), f"planted-{number}")
             restore()
-            played.append(players.submit(search_models, binary, honest, fault["models"], at_most))
-        for fault, result in zip(faults, played):
+            played.append(players.submit(search_models, fault["name"], binary, honest, fault["models"], at_most))
+        for result in played:
             found = result.result()
             soon += bool(found and found[0] <= SOON)
             late += bool(found and found[0] > SOON)
-            print(f"{fault['name']:36} " + (f"{found[0]:6} sessions: {found[1]}" if found else "NOT FOUND"), flush=True)
     print(f"{soon} of {len(faults)} found within {SOON} sessions, {late} more within {AT_MOST}.")
     sys.exit(soon + late != len(faults))
 
