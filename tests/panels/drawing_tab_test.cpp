@@ -251,7 +251,8 @@ TEST_F(DrawingTabTest, WhatWasStoppedGoesOnFromItsChain) {
   s.click("drawing/cut");
   s.click("drawing/ask_cut/yes");
   s.settle(Fate::done);
-  s.now.pieces = {true, false, false, 3, 7, 6, 100};
+  s.now.pieces.running = true;
+  s.now.pieces.done = 3, s.now.pieces.total = 7, s.now.pieces.step = 6;
   s.stage.frames(3);
   EXPECT_FALSE(s.stage.find("drawing/cut"));
   s.click("drawing/hold");

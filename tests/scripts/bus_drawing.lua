@@ -107,14 +107,15 @@ y.bench:place(1, {plus = 1000})
 hw.check(c:run_in_pieces(two_chains))
 hw.sleep(20)
 hw.check(not runs() and not x:output(1), "a limit ends it with the tool off")
-hw.check(c:stop())
-hw.check(c:wait(20))
+local ok, why = c:wait(20)
+hw.check(not ok and why:find("limit switch", 1, true), tostring(why))
 
 -- One that cannot take part: none begins.
 y.bench:place(1, {plus = 100000})
+y:send("CLR") -- the error that a limit leaves
 hw.check(c:jog("02", "-"))
 hw.sleep(0.3)
-local ok, why = c:run_in_pieces(two_chains)
+ok, why = c:run_in_pieces(two_chains)
 hw.check(not ok and why:find("Something runs or moves", 1, true), tostring(why))
 hw.sleep(3)
 hw.check(not runs(), "the other has not begun either")

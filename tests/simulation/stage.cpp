@@ -257,7 +257,7 @@ void Stage::run_in_pieces(int device, int ways, int lines) {
   if (!pieces) return;
   for (const Piece& piece : pieces->all)
     for (const PieceAct& act : piece.does)
-      if (const auto* load = std::get_if<intent::LoadProgram>(&act.what))
+      if (const auto* load = act.what ? std::get_if<intent::LoadProgram>(&*act.what) : nullptr)
         machines_[static_cast<std::size_t>(device)].settings.merge(words_of(load->text));
   move(device, Judge::all_axes, Steps(),
        intent::RunInPieces(std::make_shared<const Pieces>(std::move(*pieces))));

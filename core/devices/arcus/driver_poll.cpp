@@ -26,7 +26,8 @@ Task<Result<>> ArcusDriver::poll(Round round) {
   if (!returned) co_return returned;
   auto fed = co_await work_.feed.go_on();
   if (!fed) co_return fed;
-  if (known_.lines.are_due() || known_.watch.in_doubt() || !console_.draft.any_axis_moving() ||
+  const bool wanted = round == Round::everything;
+  if (known_.lines.are_due() || wanted || known_.watch.in_doubt() || !console_.draft.any_axis_moving() ||
       round_ % io_every == 0) {
     auto io = co_await known_.lines.read(Priority::poll);
     if (!io) co_return io;
