@@ -6,6 +6,7 @@
 #include "core/base/index.h"
 #include "gui/area.h"
 #include "gui/units_format.h"
+#include "gui/widgets/button.h"
 #include "gui/widgets/row.h"
 #include "gui/widgets/text.h"
 #include "panels/path.h"
@@ -15,7 +16,7 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-constexpr float chain_row = 32;
+constexpr float chain_row = 32, bar_height = 40;
 constexpr std::array<Column, 6> chain_columns{{{"", 44, true},
                                                {"layer"},
                                                {"made of"},
@@ -45,9 +46,44 @@ Path made_of(const drawing::Chain& chain) {
 
 }  // namespace
 
-void DrawingChains::draw(Frame& f, const drawing::Drawing& drawing, const Conversion& made,
-                         const std::vector<double>& seconds, float width, float height) {
+int DrawingChains::may_be_left_out(const Conversion& made) const {
+  return ix(chosen_) < made.chains.size() ? chosen_ : made.box_around;
+}
+
+DrawingChains::Wish DrawingChains::draw_bar(Frame& f, const Shown& s, float width) {
   Ui& ui = f.ui;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const int out = may_be_left_out(s.made);
+  const Path said = out < 0          ? Path("Choose a chain here or in the picture.")
+                    : out == chosen_ ? Path("Chain {} is chosen.", out + 1)
+                                     : Path("Chain {} is a box around all else: a margin?", out + 1);
+  Wish wish = Wish::nothing;
+  ButtonOptions leave{.height = 28};
+  if (s.busy) leave.disabled = "It is being worked out.";
+  if (out < 0) leave.disabled = "No chain is chosen.";
+  ButtonOptions all{.style = ButtonStyle::quiet, .height = 28};
+  if (s.busy) all.disabled = "It is being worked out.";
+  if (s.all) all.disabled = "Nothing was left out.";
+  const float right = ui.px(width) - ui.px(8);
+  const float draw_all = ui.px(button_width(ui, "Draw all", all)),
+              leave_out = ui.px(button_width(ui, "Leave out", leave));
+  ImGui::SetCursorScreenPos(ImVec2(at.x + right - draw_all, at.y + ui.px(6)));
+  if (button(ui, "drawing/draw_all", "Draw all", all).clicked) wish = Wish::draw_all;
+  ImGui::SetCursorScreenPos(ImVec2(at.x + right - draw_all - ui.px(8) - leave_out, at.y + ui.px(6)));
+  if (button(ui, "drawing/leave_out", "Leave out", leave).clicked) wish = Wish::leave_out;
+  draw_text_line(ui, at.x + ui.px(16), at.x + right - draw_all - leave_out - ui.px(16), at.y + ui.px(26),
+                 Face::small, ui[Tone::ink2], said);
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(bar_height)));
+  return wish;
+}
+
+DrawingChains::Wish DrawingChains::draw(Frame& f, const Shown& shown, float width, float height) {
+  const drawing::Drawing& drawing = shown.drawing;
+  const Conversion& made = shown.made;
+  const std::vector<double>& seconds = shown.seconds;
+  Ui& ui = f.ui;
+  const Wish wish = draw_bar(f, shown, width);
+  height -= bar_height;
   begin_part(ui, "drawing/chains_table", ui.px(width), ui.px(height), Tone::panel, 16);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const Columns columns(ui, chain_columns, at.x, at.x + ImGui::GetContentRegionAvail().x);
@@ -78,6 +114,7 @@ void DrawingChains::draw(Frame& f, const drawing::Drawing& drawing, const Conver
     }
   clipper.End();
   end_part();
+  return wish;
 }
 
 }  // namespace hw::panels

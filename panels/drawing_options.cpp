@@ -23,7 +23,7 @@ void DrawingOptions::settle(const Frame& f, const drawing::Drawing* drawing) {
   ConversionOptions o;
   place_.put(f, o);
   tool_.put(f, o);
-  o.keep_order = keep_order_;
+  o.keep_order = keep_order_, o.without = without_;
   if (drawing && !left_out_.empty())
     for (const drawing::Layer& layer : drawing->layers)
       if (layer.shown && std::find(left_out_.begin(), left_out_.end(), layer.name) == left_out_.end())

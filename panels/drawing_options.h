@@ -20,7 +20,14 @@ class DrawingOptions {
   /// As the controller and the units of its axes suggest, before anybody has chosen.
   void begin(const gui::Frame& frame);
   /// Of another file.
-  void forget_file() { left_out_.clear(), set_origin({}); }
+  void forget_file() { left_out_.clear(), without_.clear(), set_origin({}); }
+  /// Places in Drawing::paths.
+  void leave_out(const std::vector<int>& paths) {
+    without_.insert(without_.end(), paths.begin(), paths.end());
+    changed_ = true;
+  }
+  void draw_all() { without_.clear(), changed_ = true; }
+  [[nodiscard]] bool draws_all() const { return without_.empty(); }
   [[nodiscard]] bool wants_origin() const { return place_.wants_origin(); }
   /// A place of the drawing.
   void set_origin(drawing::Point of_drawing) { place_.set_origin(of_drawing), changed_ = true; }
@@ -38,6 +45,7 @@ class DrawingOptions {
   DrawingTool tool_;
   bool keep_order_ = false;
   std::vector<std::string> left_out_;  ///< layers
+  std::vector<int> without_;           ///< paths
   ConversionOptions wanted_;
   std::uint64_t version_ = 1;
 };

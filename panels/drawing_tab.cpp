@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "core/base/index.h"
 #include "core/device/pieces_together.h"
 #include "gui/area.h"
 #include "gui/tab.h"
@@ -23,7 +24,7 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-constexpr float drawing_side = 288, both_width = 620, both_height = 480, chains_height = 200;
+constexpr float drawing_side = 288, both_width = 620, both_height = 480, chains_height = 216;
 constexpr std::size_t most_left_out = 40;
 
 std::string in_mm(double v) { return fmt::format("{} mm", format_number(v, 1).view()); }
@@ -115,7 +116,16 @@ void DrawingTab::draw_picture(Frame& f, float width, float height) {
   take_click();
   if (!table) return;
   ImGui::SetCursorScreenPos(ImVec2(top.x, top.y + f.ui.px(height - chains_height)));
-  chains_table_.draw(f, *job_.drawing(), made->conversion, made->chain_seconds, width, chains_height);
+  const DrawingChains::Shown shown{*job_.drawing(), made->conversion, made->chain_seconds, job_.busy(),
+                                   options_.draws_all()};
+  const int out = chains_table_.may_be_left_out(made->conversion);
+  const auto wish = chains_table_.draw(f, shown, width, chains_height);
+  if (wish == DrawingChains::Wish::nothing) return;
+  chains_table_.choose(-1);
+  if (wish == DrawingChains::Wish::leave_out)
+    options_.leave_out(made->conversion.chains[ix(out)].paths);
+  else
+    options_.draw_all();
 }
 
 void DrawingTab::open(Frame& f, const std::filesystem::path& path) {

@@ -12,7 +12,9 @@
 namespace hw::drawing {
 namespace {
 
-Chain chain_of(const Path& path) { return {path.curves, path.layer, path.entity, path.line}; }
+Chain chain_of(const Path& path, int place) {
+  return {path.curves, path.layer, path.entity, path.line, {place}};
+}
 
 void begin_at(Chain& closed, std::size_t curve) {
   std::rotate(closed.curves.begin(), closed.curves.begin() + static_cast<std::ptrdiff_t>(curve),
@@ -25,11 +27,16 @@ bool is_ring(const Path& path) { return path.closed() || path.curves.front().fro
 /// Ends that nothing is joined to yet.
 class Joining {
  public:
-  Joining(const std::vector<const Path*>& open, double touching)
-      : open_(open), touching_(touching), ends_(entries(open)), used_(open.size(), false) {}
+  /// `open`: places in Drawing::paths.
+  Joining(const std::vector<Path>& paths, const std::vector<int>& open, double touching)
+      : paths_(paths),
+        open_(open),
+        touching_(touching),
+        ends_(entries(paths, open)),
+        used_(open.size(), false) {}
 
   Chain grow(std::size_t first) {
-    Chain chain = chain_of(*open_[first]);
+    Chain chain = chain_at(first);
     use(first);
     while (extend(chain)) {
     }
@@ -44,24 +51,28 @@ class Joining {
   [[nodiscard]] bool used(std::size_t i) const { return used_[i]; }
 
  private:
-  static std::vector<NearPoints::Entry> entries(const std::vector<const Path*>& open) {
+  static std::vector<NearPoints::Entry> entries(const std::vector<Path>& paths,
+                                                const std::vector<int>& open) {
     std::vector<NearPoints::Entry> all;
     for (std::size_t i = 0; i < open.size(); ++i) {
-      all.push_back({open[i]->curves.front().from, static_cast<int>(i), 0});
-      all.push_back({open[i]->curves.back().to, static_cast<int>(i), 1});
+      const std::vector<Curve>& curves = paths[ix(open[i])].curves;
+      all.push_back({curves.front().from, static_cast<int>(i), 0});
+      all.push_back({curves.back().to, static_cast<int>(i), 1});
     }
     return all;
   }
+  [[nodiscard]] Chain chain_at(std::size_t i) const { return chain_of(paths_[ix(open_[i])], open_[i]); }
   bool extend(Chain& chain) {
     const NearPoints::Entry* next = ends_.nearest(chain.end());
     if (!next || distance(next->at, chain.end()) > touching_) return false;
     const auto owner = static_cast<std::size_t>(next->owner);
     const bool from_its_end = next->place == 1;
-    Chain more = chain_of(*open_[owner]);
+    Chain more = chain_at(owner);
     if (from_its_end) turn_round(more);
     use(owner);
     more.curves.front().from = chain.end();
     chain.curves.insert(chain.curves.end(), more.curves.begin(), more.curves.end());
+    chain.paths.push_back(more.paths.front());
     return true;
   }
   void use(std::size_t i) {
@@ -69,7 +80,8 @@ class Joining {
     ends_.remove(static_cast<int>(i));
   }
 
-  const std::vector<const Path*>& open_;
+  const std::vector<Path>& paths_;
+  const std::vector<int>& open_;
   double touching_;
   NearPoints ends_;
   std::vector<bool> used_;
@@ -254,22 +266,54 @@ void turn_round(Chain& chain) {
   }
 }
 
-std::vector<Chain> join(const Drawing& drawing, double touching) {
-  std::vector<const Path*> open;
+std::vector<Chain> join(const Drawing& drawing, double touching, const std::vector<int>& without) {
+  std::vector<bool> wanted(drawing.paths.size(), true);
+  for (const int path : without)
+    if (ix(path) < wanted.size()) wanted[ix(path)] = false;
+  std::vector<int> open;
   std::vector<Chain> chains;
-  for (const Path& path : drawing.paths) {
-    if (path.curves.empty() || !drawing.layers[ix(path.layer)].shown) continue;
+  for (std::size_t i = 0; i < drawing.paths.size(); ++i) {
+    const Path& path = drawing.paths[i];
+    if (!wanted[i] || path.curves.empty() || !drawing.layers[ix(path.layer)].shown) continue;
     if (is_ring(path))
-      chains.push_back(chain_of(path));
+      chains.push_back(chain_of(path, static_cast<int>(i)));
     else
-      open.push_back(&path);
+      open.push_back(static_cast<int>(i));
   }
-  Joining joining(open, touching);
+  Joining joining(drawing.paths, open, touching);
   for (std::size_t i = 0; i < open.size(); ++i)
     if (!joining.used(i)) chains.push_back(joining.grow(i));
   std::stable_sort(chains.begin(), chains.end(),
                    [](const Chain& a, const Chain& b) { return a.entity < b.entity; });
   return chains;
+}
+
+/// Of four lines along the axes.
+static bool is_rectangle(const Chain& chain) {
+  constexpr std::size_t sides = 4;
+  return chain.closed() && chain.curves.size() == sides &&
+         std::all_of(chain.curves.begin(), chain.curves.end(), [](const Curve& c) {
+           return c.kind == Curve::Kind::line && (c.from.x == c.to.x) != (c.from.y == c.to.y);
+         });
+}
+
+int box_around(const std::vector<Chain>& chains) {
+  std::vector<Box> boxes(chains.size());
+  int widest = -1;
+  const auto width = [&boxes](int i) { return boxes[ix(i)].high.x - boxes[ix(i)].low.x; };
+  for (int i = 0; ix(i) < chains.size(); ++i) {
+    for (const Curve& curve : chains[ix(i)].curves) boxes[ix(i)].add(curve);
+    if (is_rectangle(chains[ix(i)]) && (widest < 0 || width(i) > width(widest))) widest = i;
+  }
+  if (widest < 0 || chains.size() < 2) return -1;
+  const Box& around = boxes[ix(widest)];
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const Box& box = boxes[i];
+    const bool within = box.low.x > around.low.x && box.low.y > around.low.y && box.high.x < around.high.x &&
+                        box.high.y < around.high.y;
+    if (i != ix(widest) && !within) return -1;
+  }
+  return widest;
 }
 
 double way_between(const std::vector<Chain>& chains, Point begin) {

@@ -12,15 +12,19 @@ struct Chain {
   std::vector<Curve> curves;
   int layer = 0;  ///< of its first path
   int entity = 0, line = 0;
+  std::vector<int> paths;  ///< places in Drawing::paths
   [[nodiscard]] Point begin() const { return curves.front().from; }
   [[nodiscard]] Point end() const { return curves.back().to; }
   [[nodiscard]] bool closed() const { return curves.size() > 1 && begin() == end(); }
 };
 
 void turn_round(Chain& chain);
-/// The paths of layers that are shown. Ends no further apart than `touching` are joined, in the order of the
-/// file; where a gap is bridged the next curve begins where the last one ends.
-std::vector<Chain> join(const Drawing& drawing, double touching);
+/// A box of four lines around all the others, as margins are: its place; -1: there is none.
+int box_around(const std::vector<Chain>& chains);
+/// The paths of layers that are shown, but those at `without` in Drawing::paths. Ends no further apart than
+/// `touching` are joined, in the order of the file; where a gap is bridged the next curve begins where the
+/// last one ends.
+std::vector<Chain> join(const Drawing& drawing, double touching, const std::vector<int>& without = {});
 
 /// From `begin` to the first, and from each to the next.
 double way_between(const std::vector<Chain>& chains, Point begin);

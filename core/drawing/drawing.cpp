@@ -36,14 +36,16 @@ void Box::add(Point p) {
   empty = false;
 }
 
+void Box::add(const Curve& curve) {
+  add(curve.from);
+  add(curve.to);
+  if (curve.kind == Curve::Kind::arc) add_quarters(*this, curve);
+}
+
 Box box_of(const Drawing& drawing) {
   Box box;
   for (const Path& path : drawing.paths)
-    for (const Curve& curve : path.curves) {
-      box.add(curve.from);
-      box.add(curve.to);
-      if (curve.kind == Curve::Kind::arc) add_quarters(box, curve);
-    }
+    for (const Curve& curve : path.curves) box.add(curve);
   return box;
 }
 

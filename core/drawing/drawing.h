@@ -47,6 +47,7 @@ struct Box {
   Point low, high;
   bool empty = true;
   void add(Point p);
+  void add(const Curve& curve);
 };
 
 struct Drawing {

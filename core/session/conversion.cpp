@@ -140,7 +140,7 @@ Result<Conversion> convert(const drawing::Drawing& whole, const Catalog& catalog
   if (!chosen) return fail(chosen.error());
 
   made.tolerance = *tolerance;
-  made.chains = drawing::join(*chosen, o.touching / *scale);
+  made.chains = drawing::join(*chosen, o.touching / *scale, o.without);
   if (made.chains.empty()) return refuse("There is nothing in the drawing that could be drawn.");
   drawing::Placing placing = o.placing;
   placing.scale = *scale;
@@ -151,6 +151,7 @@ Result<Conversion> convert(const drawing::Drawing& whole, const Catalog& catalog
     made.way = drawing::way_between(made.chains, {});
   }
   made.box = drawing::box_of(made.chains);
+  made.box_around = drawing::box_around(made.chains);
   made.drawn = length_of(made.chains);
   if (o.table) made.off_the_table = off_the(*o.table, made.chains);
 

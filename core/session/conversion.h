@@ -19,6 +19,7 @@ struct ConversionOptions {
   std::string drawing_unit;          ///< where the file does not say it; else empty
   std::vector<sequence::Axis> axes;  ///< the first goes along the drawing's X
   std::vector<std::string> layers;   ///< none: those that are shown
+  std::vector<int> without;          ///< places in Drawing::paths that are left out
   drawing::Placing placing;          ///< its scale comes from the units
   double touching = 0.001;           ///< ends so near are joined, in `unit`
   std::optional<double> tolerance;   ///< of chords and stairs, in `unit`; none: half a step
@@ -35,6 +36,7 @@ struct Conversion {
   std::vector<drawing::Chain> chains;  ///< as they are drawn, in `unit`
   std::vector<std::size_t> begins;     ///< at which of the sequence's steps each of them begins
   drawing::Box box;
+  int box_around = -1;  ///< of all else, as margins are: its place in `chains`; -1: there is none
   drawing::Going going = drawing::Going::lines;
   double tolerance = 0;
   double drawn = 0;                        ///< length of all chains

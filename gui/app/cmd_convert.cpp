@@ -201,6 +201,18 @@ Result<SequenceText> write(const sequence::Sequence& sequence, const MeantFor& m
   return none;
 }
 
+Result<> leave_out(const drawing::Drawing& drawing, const Given& given, ConversionOptions& o) {
+  for (const std::string& entity : given.all("without")) {
+    const std::size_t before = o.without.size();
+    for (std::size_t i = 0; i < drawing.paths.size(); ++i)
+      if (std::to_string(drawing.paths[i].entity) == entity) o.without.push_back(static_cast<int>(i));
+    if (o.without.size() == before)
+      return fail(FaultKind::port,
+                  fmt::format("--without {}: the file has no such entity that is drawn.", entity));
+  }
+  return {};
+}
+
 struct Made {
   Conversion conversion;
   SequenceText written;
@@ -260,7 +272,7 @@ static void try_it(Made& made, const MeantFor& meant) {
 static int convert_drawing(const Given& given) {
   const auto meant = read_who_draws(given);
   if (!meant) return complain(meant.error(), status_of(meant.error()));
-  const auto options = read_options(given, meant->catalog);
+  auto options = read_options(given, meant->catalog);
   if (!options) return complain(options.error(), usage);
   if (!given.has("output")) return complain("It is not said where to write it. Add -o OUT.", usage);
   const std::string& path = given.words[0];
@@ -268,6 +280,7 @@ static int convert_drawing(const Given& given) {
   if (!drawing) return complain(drawing.error());
   for (const drawing::LeftOut& l : drawing->left_out)
     write_aside(fmt::format("{}:{}: {} {} was left out: {}", path, l.line, l.what, l.entity, l.why));
+  if (auto found = leave_out(*drawing, given, *options); !found) return complain(found.error());
   auto converted = convert(*drawing, meant->catalog, *options);
   if (!converted) return complain(converted.error());
   if (given.has("frame")) converted->sequence = converted->frame;
@@ -300,6 +313,7 @@ const Subcommand convert_subcommand{
      {"unit", "UNIT", "of the drawing, where it does not say: mm, in, cm ..."},
      {"inch", "", "lengths of these options are inches, not mm"},
      {"layer", "NAME", "only this layer", true},
+     {"without", "N", "not entity N of the file (1, 2 ...), as a margin", true},
      {"axes", "X,Y", "the axes that draw"},
      {"per-unit", "N[,N]", "steps of them in a mm"},
      {"origin", "WHERE", "as-drawn, lower-left, or X,Y of the drawing"},

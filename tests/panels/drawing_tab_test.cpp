@@ -120,6 +120,36 @@ TEST_F(DrawingTabTest, AnAxisLowersTheToolAndAnOutputSwitchesItThen) {
   EXPECT_FALSE(s.stage.find("drawing/tool_axis/down")) << "Z draws now";
 }
 
+TEST_F(DrawingTabTest, AChainIsLeftOutAndDrawnAgain) {
+  drop();
+  EXPECT_THAT(s.reason("drawing/leave_out"), HasSubstr("No chain is chosen"));
+  EXPECT_THAT(s.reason("drawing/draw_all"), HasSubstr("Nothing was left out"));
+  s.click("drawing/chain/2");
+  s.click("drawing/leave_out");
+  s.stage.frames(6);
+  EXPECT_EQ(s.value("drawing/drawn"), "30.0 mm") << "without the circle";
+  EXPECT_FALSE(s.stage.find("drawing/chain/2"));
+  s.click("drawing/draw_all");
+  s.stage.frames(6);
+  EXPECT_EQ(s.value("drawing/drawn"), "42.6 mm");
+}
+
+TEST_F(DrawingTabTest, AMarginIsLeftOutWithOneClick) {
+  std::string with_margin(square_and_text);
+  const std::string end = "0\nENDSEC\n0\nEOF\n";
+  with_margin.resize(with_margin.size() - end.size());
+  for (const char* side : {"0\n20\n0\n11\n90\n21\n0", "90\n20\n0\n11\n90\n21\n60",
+                           "90\n20\n60\n11\n0\n21\n60", "0\n20\n60\n11\n0\n21\n0"})
+    with_margin += std::string("0\nLINE\n8\ncut\n10\n") + side + "\n";
+  ASSERT_TRUE(write_file(file, with_margin + end));
+  drop();
+  EXPECT_EQ(s.value("drawing/size"), "90.000 x 60.000 mm");
+  s.click("drawing/leave_out");
+  s.stage.frames(6);
+  EXPECT_EQ(s.value("drawing/size"), "20.000 x 10.000 mm");
+  EXPECT_EQ(s.value("drawing/drawn"), "42.6 mm");
+}
+
 TEST_F(DrawingTabTest, TheChainsAreListedInTheirOrder) {
   drop();
   two_hundred_pulses_in_a_mm();

@@ -1077,6 +1077,13 @@ class Convert(Case):
         self.assertIn("TEXT 2 was left out", result.stderr)
         self.assertEqual(json.loads(result.stdout)["left_out"][0]["what"], "TEXT")
 
+    def test_an_entity_is_left_out(self):
+        file = self.drawing(self.line(0, 0, 5, 5) + self.line(20, 0, 20, 30))
+        result = self.convert(file, "pmx-4ex-sa", "--per-unit", "100", "--without", "2")
+        self.expect(result, 0)
+        self.assertEqual(json.loads(result.stdout)["box"], [0, 0, 5, 5])
+        self.expect(self.convert(file, "pmx-4ex-sa", "--without", "7"), 1, "no such entity")
+
     def test_two_on_a_bus_draw_together(self):
         file = self.drawing(self.line(0, 0, 5, 5))
         result = self.convert(file, "dmx-k-sa", "--id", "01-02", "--per-unit", "100", "--pen-output", "1", out="both.toml")

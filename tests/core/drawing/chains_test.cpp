@@ -47,6 +47,36 @@ TEST(Chains, EndsThatTouchAreJoinedWhicheverWayTheyAreDrawn) {
   expect_connected(chains);
 }
 
+std::vector<Path> box_from(Point low, Point high) {
+  const Point right{high.x, low.y}, left{low.x, high.y};
+  return {path_from(low, right), path_from(right, high), path_from(high, left), path_from(left, low)};
+}
+
+TEST(Chains, ABoxAroundAllElseIsFoundAndCanBeLeftOut) {
+  std::vector<Path> paths = {path_from({10, 10}, {20, 15})};
+  for (const Path& side : box_from({0, 0}, {100, 50})) paths.push_back(side);
+  for (const Path& side : box_from({30, 10}, {40, 20})) paths.push_back(side);
+  const Drawing drawing = drawing_of(paths);
+  const auto chains = join(drawing, 0.001);
+  ASSERT_EQ(chains.size(), 3u);
+  ASSERT_EQ(box_around(chains), 1);
+  EXPECT_THAT(chains[1].paths, testing::UnorderedElementsAre(1, 2, 3, 4));
+  const auto rest = join(drawing, 0.001, chains[1].paths);
+  ASSERT_EQ(rest.size(), 2u);
+  EXPECT_EQ(box_around(rest), -1) << "the line lies beside the other one";
+  EXPECT_EQ(box_around({chains[1]}), -1) << "around nothing";
+}
+
+TEST(Chains, NothingElseIsABoxAroundAll) {
+  std::vector<Path> paths = box_from({0, 0}, {100, 50});
+  paths.push_back(path_from({90, 10}, {110, 10}));
+  EXPECT_EQ(box_around(join(drawing_of(paths), 0.001)), -1) << "a line leaves it";
+  paths = box_from({0, 0}, {100, 50});
+  paths[1].curves[0].to.x = paths[2].curves[0].from.x = 101;
+  paths.push_back(path_from({10, 10}, {20, 10}));
+  EXPECT_EQ(box_around(join(drawing_of(paths), 0.001)), -1) << "a side is slanted";
+}
+
 TEST(Chains, AnArcThatIsTurnedRoundGoesTheOtherWay) {
   Path arc;
   arc.curves = {{Curve::Kind::arc, {2, 0}, {0, 0}, {1, 0}, 180}};
