@@ -1078,7 +1078,7 @@ class Convert(Case):
         self.assertEqual(json.loads(result.stdout)["left_out"][0]["what"], "TEXT")
 
     def test_an_entity_is_left_out(self):
-        file = self.drawing(self.line(0, 0, 5, 5) + self.line(20, 0, 20, 30))
+        file = self.drawing(self.line(0, 0, 5, 5), self.line(20, 0, 20, 30))
         result = self.convert(file, "pmx-4ex-sa", "--per-unit", "100", "--without", "2")
         self.expect(result, 0)
         self.assertEqual(json.loads(result.stdout)["box"], [0, 0, 5, 5])
