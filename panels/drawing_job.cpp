@@ -1,6 +1,7 @@
 #include "panels/drawing_job.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "core/base/index.h"
@@ -77,6 +78,17 @@ Result<> write(DrawingJob::Made& made, const Catalog& catalog, const Language& l
   return {};
 }
 
+/// Of controllers that draw together; a piece is a chain.
+void time_together(DrawingJob::Made& made, const Catalog& catalog) {
+  made.written.remarks.push_back(made.parts.front()->remark);
+  std::vector<Pieces> parts;
+  for (const auto& part : made.parts) parts.push_back(*part);
+  std::vector<double> seconds = least_seconds(parts, catalog);
+  if (seconds.size() != made.conversion.chains.size()) return;
+  made.at_least_s = std::accumulate(seconds.begin(), seconds.end(), 0.0);
+  made.chain_seconds = std::move(seconds);
+}
+
 /// All that a drawing becomes. Long.
 Result<DrawingJob::Made> make(const drawing::Drawing& drawing, const Catalog& catalog,
                               const Language* language, const ConversionOptions& options,
@@ -96,7 +108,7 @@ Result<DrawingJob::Made> make(const drawing::Drawing& drawing, const Catalog& ca
     made.parts = std::move(*parts);
   else
     made.no_pieces = parts.error().sentence();
-  if (!language && !made.parts.empty()) made.written.remarks.push_back(made.parts.front()->remark);
+  if (!language && !made.parts.empty()) time_together(made, catalog);
   made.path = path_of(made.conversion, scale);
   return made;
 }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/device/act_writer.h"
+#include "core/motion/profile.h"
 
 namespace hw {
 
@@ -13,6 +14,7 @@ namespace seq = sequence;  // its names are those of commands too
 namespace {
 
 constexpr AxisId own_axis{0};
+constexpr std::string_view low_speed_param = "LSPD", ramp_param = "ACC";
 
 class TogetherWriter final : public ActWriter {
  public:
@@ -44,8 +46,8 @@ class TogetherWriter final : public ActWriter {
     for (int a = 0; a < draft_.axis_count(); ++a) {
       auto steps = draft_.speeds(a, said);
       if (!steps) return fail(steps.error());
-      if (steps->low != 0) set(a, "LSPD", steps->low);
-      if (steps->ramp_ms != 0) set(a, "ACC", std::max<std::int64_t>(std::llround(steps->ramp_ms), 1));
+      if (steps->low != 0) set(a, low_speed_param, steps->low);
+      if (steps->ramp_ms != 0) set(a, ramp_param, std::max<std::int64_t>(std::llround(steps->ramp_ms), 1));
     }
     return {};
   }
@@ -75,8 +77,9 @@ class TogetherWriter final : public ActWriter {
     open_.front().does.back().then += time;
     return {};
   }
-  void set(int member, const std::string& parameter, std::int64_t value) {
-    if (draft_.catalog.find_param(parameter) >= 0) add_one(member, intent::SetParam(parameter, value, true));
+  void set(int member, std::string_view parameter, std::int64_t value) {
+    if (draft_.catalog.find_param(parameter) >= 0)
+      add_one(member, intent::SetParam(std::string(parameter), value, true));
   }
   void end_piece() override {
     if (open_.front().does.empty()) return;
@@ -118,7 +121,60 @@ class TogetherWriter final : public ActWriter {
   std::vector<std::optional<std::int64_t>> stood_;  ///< each, behind the acts so far
 };
 
+/// One of those who do it, while it is timed.
+class Timed {
+ public:
+  explicit Timed(const Catalog& catalog)
+      : low_(fallback(catalog, low_speed_param)), ramp_ms_(fallback(catalog, ramp_param)) {}
+  /// None: nobody knows.
+  std::optional<double> seconds(const IntentBody& what) {
+    if (const auto* set = std::get_if<intent::SetParam>(&what)) {
+      if (set->mnemonic == low_speed_param) low_ = set->value;
+      if (set->mnemonic == ramp_param) ramp_ms_ = set->value;
+    }
+    const auto* move = std::get_if<intent::MoveTo>(&what);
+    if (!move) return 0;
+    const std::int64_t to = move->targets.front().value.value;
+    const auto from = std::exchange(at_, to);
+    if (!(move->speed.value > 0)) return std::nullopt;
+    if (!from || *from == to) return 0;
+    const double low = std::min(static_cast<double>(low_), move->speed.value);
+    const double accel =
+        std::max(1.0, move->speed.value - low) / std::max(0.001, static_cast<double>(ramp_ms_) / 1000);
+    const motion::Ramp ramp(accel, accel, Pps(low));
+    const auto way = motion::Profile::index(Instant(), std::abs(to - *from), move->speed, ramp);
+    return hw::seconds(way.end() - way.start());
+  }
+
+ private:
+  static std::int64_t fallback(const Catalog& catalog, std::string_view param) {
+    const int place = catalog.find_param(param);
+    return place < 0 ? 0 : catalog.params[ix(place)].fallback;
+  }
+  std::int64_t low_, ramp_ms_;
+  std::optional<std::int64_t> at_;
+};
+
 }  // namespace
+
+std::vector<double> least_seconds(const std::vector<Pieces>& parts, const Catalog& bus) {
+  std::vector<Timed> members(parts.size(), Timed(bus));
+  std::vector<double> all;
+  for (std::size_t p = 0; p < parts.front().all.size(); ++p) {
+    all.push_back(0);
+    for (std::size_t i = 0; i < parts.front().all[p].does.size(); ++i) {
+      double longest = 0;
+      for (std::size_t m = 0; m < parts.size(); ++m) {
+        const PieceAct& act = parts[m].all[p].does[i];
+        const auto takes = act.what ? members[m].seconds(*act.what) : 0;
+        if (!takes) return {};
+        longest = std::max(longest, *takes + seconds(act.then));
+      }
+      all.back() += longest;
+    }
+  }
+  return all;
+}
 
 std::optional<Catalog> catalog_together(std::span<const Catalog* const> members) {
   const bool fit = members.size() >= 2 && std::all_of(members.begin(), members.end(), [](const Catalog* c) {

@@ -21,4 +21,8 @@ namespace hw {
 [[nodiscard]] Result<std::vector<Pieces>> pieces_together(const sequence::Sequence& sequence,
                                                           const Catalog& bus, int from_step);
 
+/// How long each piece takes at least: its motions with their ramps, and delays, without what a wire adds.
+/// Empty: some go at the controllers' own speed. What no step says of ramps is taken as from the factory.
+[[nodiscard]] std::vector<double> least_seconds(const std::vector<Pieces>& parts, const Catalog& bus);
+
 }  // namespace hw

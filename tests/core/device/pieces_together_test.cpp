@@ -67,6 +67,20 @@ TEST_F(PiecesTogetherTest, EachGoesAsFastAsItTakesToBeThereTogether) {
   EXPECT_TRUE(both[1].tool.empty());
 }
 
+TEST_F(PiecesTogetherTest, ItTakesAsLongAsTheLongestOfEachAct) {
+  s.steps[1] = {seq::Speed{{10, 1, 100}}};
+  s.steps.push_back({seq::Pen{true}});
+  go(0, 20);  // 2 s at 10 mm/s, and its ramps
+  s.steps.push_back({seq::Delay{500}});
+  go(5, 20);
+  s.steps.push_back({seq::Pen{false}});
+  const auto seconds = least_seconds(parts(), bus);
+  ASSERT_EQ(seconds.size(), 1u);
+  EXPECT_NEAR(seconds[0], 2 + 0.5 + 0.5 + 4 * 0.045, 0.02) << "a ramp from 1 to 10 costs 45 ms";
+  s.steps[1] = {seq::Pen{false}};
+  EXPECT_TRUE(least_seconds(parts(), bus).empty()) << "at speeds that nobody has said";
+}
+
 TEST_F(PiecesTogetherTest, OneThatStaysHasNothingToDo) {
   s.steps.push_back({seq::Pen{true}});
   go(0, 5);
