@@ -85,6 +85,7 @@ const IntentBody* PieceRun::due(std::uint64_t rounds, Instant now) {
 
 bool PieceRun::may_begin() {
   if (!seat_) return step_ > 0 || !draft_.pieces.held;
+  if (seen_ < shows_in_) return false;  // the round that was to show it has failed
   seat_->has_done(acts_before_ + step_);
   return seat_->may_begin(acts_before_ + step_);
 }
@@ -129,6 +130,7 @@ void PieceRun::show_step() {
 }
 
 std::string PieceRun::watch(std::uint64_t rounds) {
+  seen_ = rounds;
   if (!running()) return {};
   if (seat_ && seat_->has_ended()) return end(), std::string();  // whoever has ended it has said why
   if (draft_.restarts != restarts_) {

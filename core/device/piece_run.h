@@ -54,10 +54,10 @@ class PieceRun {
   Snapshot& draft_;
   Event& wake_;
   std::shared_ptr<const Pieces> pieces_;
-  std::shared_ptr<PieceSeat> seat_;   ///< null: nobody else does his together with these
-  std::size_t piece_ = 0, step_ = 0;  ///< of its `does`
-  std::size_t acts_before_ = 0;       ///< of the pieces that are done
-  std::uint64_t shows_in_ = 0;
+  std::shared_ptr<PieceSeat> seat_;        ///< null: nobody else does his together with these
+  std::size_t piece_ = 0, step_ = 0;       ///< of its `does`
+  std::size_t acts_before_ = 0;            ///< of the pieces that are done
+  std::uint64_t shows_in_ = 0, seen_ = 0;  ///< rounds: that shows what was asked for; that was watched last
   Instant not_before_{};
   std::uint32_t restarts_ = 0;  ///< of the controller, when they were begun
 };

@@ -19,7 +19,7 @@ void PieceSync::wake_all() const {
 
 bool PieceSync::all_have_done(std::size_t acts) const {
   return std::all_of(members_.begin(), members_.end(),
-                     [acts](const Member& m) { return m.here && m.done >= acts; });
+                     [acts](const Member& m) { return m.done && *m.done >= acts; });
 }
 
 PieceSeat::~PieceSeat() {
@@ -32,7 +32,7 @@ void PieceSeat::leave() {
 }
 
 void PieceSeat::has_done(std::size_t acts) {
-  if (acts == me().done && acts > 0) return;
+  if (me().done == acts) return;  // it was told, and nobody is woken for it twice
   me().done = acts;
   if (sync_->all_have_done(acts)) sync_->wake_all();
 }

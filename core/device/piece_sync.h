@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/time/scheduler.h"
@@ -19,8 +20,7 @@ class PieceSync {
  private:
   friend class PieceSeat;
   struct Member {
-    bool here = false;     ///< it takes part
-    std::size_t done = 0;  ///< acts, all pieces counted through
+    std::optional<std::size_t> done;  ///< acts, all pieces counted through; none: it does not take part yet
     bool held = false;
     Event* wake = nullptr;
   };
@@ -42,7 +42,7 @@ class PieceSeat {
   PieceSeat& operator=(const PieceSeat&) = delete;
 
   /// `wake` is notified when others have come so far that there may be something to do.
-  void take(Event& wake) { me().here = true, me().wake = &wake; }
+  void take(Event& wake) { me().wake = &wake; }
   void leave();
   /// So many acts have ended here.
   void has_done(std::size_t acts);

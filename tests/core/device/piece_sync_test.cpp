@@ -25,6 +25,7 @@ TEST_F(PieceSyncTest, NoneBeginsBeforeAllAreThere) {
   first.has_done(0);
   EXPECT_FALSE(first.may_begin(0));
   second.take(wake);
+  second.has_done(0);
   EXPECT_TRUE(first.may_begin(0)) << "it stands before the first act too";
 }
 
