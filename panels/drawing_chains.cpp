@@ -16,7 +16,7 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-constexpr float chain_row = 32, bar_height = 40;
+constexpr float chain_row = 32;
 constexpr std::array<Column, 6> chain_columns{{{"", 44, true},
                                                {"layer"},
                                                {"made of"},
@@ -71,7 +71,7 @@ DrawingChains::Wish DrawingChains::draw_bar(Frame& f, const Shown& s, float widt
   if (button(ui, "drawing/draw_all", "Draw all", all).clicked) wish = Wish::draw_all;
   ImGui::SetCursorScreenPos(ImVec2(at.x + right - draw_all - ui.px(8) - leave_out, at.y + ui.px(6)));
   if (button(ui, "drawing/leave_out", "Leave out", leave).clicked) wish = Wish::leave_out;
-  draw_text_line(ui, at.x + ui.px(16), at.x + right - draw_all - leave_out - ui.px(16), at.y + ui.px(26),
+  draw_text_line(ui, at.x + ui.px(16), at.x + right - draw_all - leave_out - ui.px(16), at.y + ui.px(24),
                  Face::small, ui[Tone::ink2], said);
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(bar_height)));
   return wish;
@@ -84,6 +84,7 @@ DrawingChains::Wish DrawingChains::draw(Frame& f, const Shown& shown, float widt
   Ui& ui = f.ui;
   const Wish wish = draw_bar(f, shown, width);
   height -= bar_height;
+  if (height <= 0) return wish;
   begin_part(ui, "drawing/chains_table", ui.px(width), ui.px(height), Tone::panel, 16);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const Columns columns(ui, chain_columns, at.x, at.x + ImGui::GetContentRegionAvail().x);

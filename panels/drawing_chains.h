@@ -20,7 +20,9 @@ class DrawingChains {
     bool all;                            ///< nothing was left out
   };
   enum class Wish : std::uint8_t { nothing, leave_out, draw_all };
-  /// At ImGui's cursor, logical size. Leaves out what may_be_left_out() tells.
+  static constexpr float bar_height = 40;
+  /// At ImGui's cursor, logical size; in bar_height without the list. Leaves out what may_be_left_out()
+  /// tells.
   Wish draw(gui::Frame& frame, const Shown& shown, float width, float height);
   /// The chain that is chosen, else the box around all others; -1: none.
   [[nodiscard]] int may_be_left_out(const Conversion& made) const;

@@ -24,7 +24,8 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-constexpr float drawing_side = 288, both_width = 620, both_height = 480, chains_height = 216;
+constexpr float drawing_side = 288, both_width = 620, both_height = 480, chains_height = 216,
+                bar_and_picture = 240;
 constexpr std::size_t most_left_out = 40;
 
 std::string in_mm(double v) { return fmt::format("{} mm", format_number(v, 1).view()); }
@@ -105,21 +106,24 @@ PathSubject DrawingTab::subject_of(const Frame& f) {
   return subject;
 }
 
-/// And below it the chains, where there is room for both.
+/// And below it the chains, where there is room for both, or at least for what can be done with one of them.
 void DrawingTab::draw_picture(Frame& f, float width, float height) {
   const DrawingJob::Made* made = job_.made();
-  const bool table = made && height >= both_height;
+  const float chains = !made                       ? 0
+                       : height >= both_height     ? chains_height
+                       : height >= bar_and_picture ? DrawingChains::bar_height
+                                                   : 0;
   PathSubject subject = subject_of(f);
-  if (table) subject.lit = chains_table_.chosen();
+  if (chains > 0) subject.lit = chains_table_.chosen();
   const ImVec2 top = ImGui::GetCursorScreenPos();
-  canvas_.draw(f, "drawing/view", subject, width, height - (table ? chains_height : 0));
+  canvas_.draw(f, "drawing/view", subject, width, height - chains);
   take_click();
-  if (!table) return;
-  ImGui::SetCursorScreenPos(ImVec2(top.x, top.y + f.ui.px(height - chains_height)));
+  if (chains == 0) return;
+  ImGui::SetCursorScreenPos(ImVec2(top.x, top.y + f.ui.px(height - chains)));
   const DrawingChains::Shown shown{*job_.drawing(), made->conversion, made->chain_seconds, job_.busy(),
                                    options_.draws_all()};
   const int out = chains_table_.may_be_left_out(made->conversion);
-  const auto wish = chains_table_.draw(f, shown, width, chains_height);
+  const auto wish = chains_table_.draw(f, shown, width, chains);
   if (wish == DrawingChains::Wish::nothing) return;
   chains_table_.choose(-1);
   if (wish == DrawingChains::Wish::leave_out)

@@ -73,8 +73,8 @@ class TogetherWriter final : public ActWriter {
   }
   void act(IntentBody what) override { add_one(0, std::move(what)); }
   Result<> pause(Duration time) override {
-    if (open_.front().does.empty()) return unfit();
-    open_.front().does.back().then += time;
+    add(std::vector<std::optional<IntentBody>>(parts_.size()));  // behind what any of them has done
+    open_.front().does.back().then = time;
     return {};
   }
   void set(int member, std::string_view parameter, std::int64_t value) {

@@ -100,6 +100,17 @@ TEST_F(PiecesTogetherTest, WhatIsLeftBeginsWithTheToolUpWhereItWas) {
   EXPECT_THAT(acts_of(both[1]), ElementsAre("-", "to 4000 at 1000", "-", "to 0 at 800", "-"));
 }
 
+TEST_F(PiecesTogetherTest, ADelayBeginsWhenAllHaveEnded) {
+  s.steps.push_back({seq::Pen{true}});
+  go(0, 5);
+  s.steps.push_back({seq::Delay{200}});
+  s.steps.push_back({seq::Pen{false}});
+  const auto both = parts();
+  EXPECT_THAT(acts_of(both[0]), ElementsAre("off", "to 0 at 1000", "on", "-", "-", "off"));
+  EXPECT_EQ(both[0].all[0].does[3].then, Duration{});
+  EXPECT_EQ(both[0].all[0].does[4].then, Millis(200));
+}
+
 TEST_F(PiecesTogetherTest, AnArcBecomesChords) {
   go(10, 0);
   s.steps.push_back({seq::Pen{true}});
