@@ -71,7 +71,7 @@ DrawingChains::Wish DrawingChains::draw_bar(Frame& f, const Shown& s, float widt
   if (button(ui, "drawing/draw_all", "Draw all", all).clicked) wish = Wish::draw_all;
   ImGui::SetCursorScreenPos(ImVec2(at.x + right - draw_all - ui.px(8) - leave_out, at.y + ui.px(6)));
   if (button(ui, "drawing/leave_out", "Leave out", leave).clicked) wish = Wish::leave_out;
-  draw_text_line(ui, at.x + ui.px(16), at.x + right - draw_all - leave_out - ui.px(16), at.y + ui.px(24),
+  draw_text_line(ui, at.x + ui.px(16), at.x + right - draw_all - leave_out - ui.px(16), at.y + ui.px(21),
                  Face::small, ui[Tone::ink2], said);
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(bar_height)));
   return wish;
