@@ -40,12 +40,14 @@ void draw_rulers(const PathGround& g) {
   const auto tone = [&](double v, double step) { return ui[is_zero(v, step) ? Tone::edge : Tone::line]; };
   const double across = step_over(high.x - low.x, in.width(), ui.px(90)),
                up = step_over(high.y - low.y, in.height(), ui.px(50));
+  const float name_begins =
+      whole.max.x - text_width(ui, Face::small, axis_and_unit(g, g.subject.axes.right)) - ui.px(16);
   for (double v = std::ceil(low.x / across) * across; v <= high.x; v += across) {
     const float x = std::floor(g.at({v, 0}).x);
     list->AddRectFilled(ImVec2(x, in.min.y), ImVec2(x + ui.hair(), in.max.y), tone(v, across));
     const NumberText number = format_number(v, decimals_of(across));
     const float w = std::ceil(text_width(ui, Face::small, number));
-    if (x + w / 2 < whole.max.x - ui.px(52))
+    if (x + w / 2 < name_begins)
       draw_text(ui, ImVec2(x - w / 2, in.max.y + ui.px(4)), Face::small, ui[Tone::ink3], number);
   }
   for (double v = std::ceil(low.y / up) * up; v <= high.y; v += up) {
