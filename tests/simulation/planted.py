@@ -99,23 +99,24 @@ def play(binary, model, seed, seeds, until_failure):
     return (int(found[1]), found[2]) if found else None
 
 
-def search(binary, honest, model, at_most):
+def search(binary, honest, model, first, last):
     """How many sessions it takes to find something that the honest build does not do, and what."""
-    seed = 1
-    while seed <= at_most:
-        seeds = (SOON if seed <= SOON else at_most) - seed + 1
-        found = play(binary, model, seed, seeds, True)
+    seed = first
+    while seed <= last:
+        found = play(binary, model, seed, last - seed + 1, True)
         if not found:
-            seed += seeds
-        elif play(honest, model, found[0], 1, False):
-            seed = found[0] + 1
-        else:
+            return None
+        if not play(honest, model, found[0], 1, False):
             return found
+        seed = found[0] + 1
     return None
 
 
 def search_models(name, binary, honest, models, at_most):
-    found = next(filter(None, (search(binary, honest, model, at_most) for model in models)), None)
+    """The first sessions of all models come before the later ones of any."""
+    stretches = [(1, SOON)] + ([(SOON + 1, at_most)] if at_most > SOON else [])
+    searches = (search(binary, honest, model, *stretch) for stretch in stretches for model in models)
+    found = next(filter(None, searches), None)
     binary.unlink()
     print(f"{name:36} " + (f"{found[0]:6} sessions: {found[1]}" if found else "NOT FOUND"), flush=True)
     return found
