@@ -72,3 +72,17 @@ hw.check(c:pause(0))
 same(c:query("SASTAT0"), "2", "paused")
 hw.check(c:resume(0) and c:halt(0))
 same(c:query("SASTAT0"), "0", "halted")
+
+-- What is read while it moves is read for whoever asks: no line is left out.
+hw.check(c:stop() and c:wait(20))
+c:send("EO=15")
+hw.check(c:move_by{X = 20000})
+for _ = 1, 50 do
+  hw.sleep(0.013)
+  local input, why = c:input(1)
+  hw.check(input ~= nil, why)
+  local output, why_not = c:output(1)
+  hw.check(output ~= nil, why_not)
+end
+hw.check(c:status("X").moving, "and it moves")
+hw.check(c:stop() and c:wait(20))
