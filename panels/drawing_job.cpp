@@ -13,6 +13,7 @@
 #include "gui/console.h"
 #include "gui/tab.h"
 #include "gui/units_format.h"
+#include "panels/drawn_together.h"
 
 namespace hw::panels {
 
@@ -165,7 +166,7 @@ std::string_view DrawingJob::busy_with() const {
 void DrawingJob::follow(Frame& f, const ConversionOptions& wanted, std::uint64_t version,
                         drawing::Point scale) {
   const Language* language = f.tab.desk().language();
-  const bool together = f.catalog.axes.size() > f.tab.catalog().axes.size();
+  const bool together = draws_together(f);
   if (busy()) f.ui.wake_in(0.1);  // the bar moves
   if (std::exchange(scale_, scale) != scale) old_ = true;
   // What was flattened more coarsely than is wanted now is read again.

@@ -29,7 +29,7 @@ class DrawingJob {
     std::string frame;                  ///< text that goes once around it with the tool off
     std::string problem;                ///< of the text: it does not fit; empty: none
     std::optional<double> duration_s;   ///< as rehearsed
-    std::optional<double> at_least_s;   ///< without ramps, where the speeds are asked for
+    std::optional<double> at_least_s;   ///< by the speeds that are asked for; together: with ramps
     Parts parts;                        ///< empty: it has no pieces
     std::string no_pieces;              ///< why
     std::vector<double> chain_seconds;  ///< of the chains that the rehearsal has listed

@@ -6,7 +6,7 @@
 
 namespace hw {
 
-/// The step behind which the tool was up last, before `from`.
+/// The last place, `from` or one before it, to which the steps come with the tool up.
 [[nodiscard]] std::size_t last_tool_up(const sequence::StepList& steps, std::size_t from);
 
 class ActWriter {

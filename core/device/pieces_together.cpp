@@ -30,9 +30,8 @@ class TogetherWriter final : public ActWriter {
     parts_.front().tool = tool_off_of(draft_.sequence, static_cast<int>(draft_.catalog.outputs.size()));
     for (Pieces& part : parts_)
       part.remark =
-          "Each controller goes by itself: lines are straight as far as all of them begin at once, which is "
-          "a "
-          "transaction apart, and come to rest at each corner.";
+          "Each controller goes by itself and comes to rest at each corner. Lines are straight but for the "
+          "transaction that lies between their starts.";
     return std::move(parts_);
   }
 
