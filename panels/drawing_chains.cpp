@@ -54,9 +54,9 @@ DrawingChains::Wish DrawingChains::draw_bar(Frame& f, const Shown& s, float widt
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const int out = may_be_left_out(s.made);
-  const Path said = out < 0          ? Path("Choose a chain here or in the picture.")
+  const Path said = out < 0          ? Path("Choose a chain with a click.")
                     : out == chosen_ ? Path("Chain {} is chosen.", out + 1)
-                                     : Path("Chain {} is a box around all else: a margin?", out + 1);
+                                     : Path("Chain {} is a box around all: a margin?", out + 1);
   Wish wish = Wish::nothing;
   ButtonOptions leave{.height = 28};
   if (s.busy) leave.disabled = "It is being worked out.";
