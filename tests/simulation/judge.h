@@ -219,6 +219,7 @@ class Judge final : public Witness {
       std::uint32_t values = 0, known = 0;
     };
     std::deque<std::pair<Instant, Bench>> benches;
+    std::uint32_t limits = 0;  ///< a bit for each axis that stands at one
     std::map<Bench, std::array<Lines, 2>> looks;
     std::array<Lines, 2> lines;
     Instant lines_unread{};

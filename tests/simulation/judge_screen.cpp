@@ -147,7 +147,6 @@ void Judge::judge_limits(int device) {
     d.stop_drawn = now + two_rounds;  // then the console stops all
   for (int a = 0; a < std::min(shown.axis_count, d.truth.axis_count); ++a) {
     AxisCase& axis = d.axes[ix(a)];
-    if ((operated >> a & 1u) != 0) axis.limit_operated = now;
     if ((view.jammed >> a & 1u) != 0) axis.jammed = now;
     const AxisState& s = shown.axes[ix(a)];
     if (!shown.link.connected() || !s.limits_known || !(s.limit_minus || s.limit_plus)) continue;
@@ -164,6 +163,10 @@ void Judge::bench_is(int device, const BenchView& view) {
   const Instant now = scheduler_.now();
   const DeviceCase::Bench stand{view.inputs_operated | view.buttons << 16, view.outputs};
   if (d.benches.empty() || d.benches.back().second != stand) d.benches.emplace_back(now, stand);
+  const std::uint32_t operated = view.limits_minus | view.limits_plus;
+  for (std::size_t a = 0; a < d.axes.size(); ++a)
+    if (((operated | d.limits) >> a & 1u) != 0) d.axes[a].limit_operated = now;  // or until now
+  d.limits = operated;
   while (d.benches.size() > 1 && d.benches[1].first < now - line_shows - 2 * lateness())
     d.benches.pop_front();
 }

@@ -41,7 +41,7 @@ FAULTS = [
     fault("letting go is not heard", ALL,
           ("device", "Pump::post(", "{", "if (std::holds_alternative<intent::JogStop>(intent.body)) return;")),
     fault("a jog that may have begun goes on", ALL,
-          ("device", "Pump::jog_failed(", "{", "if (true) return;")),
+          ("device", "Pump::jog_failed(", "post_stop(std::move(lets_go));", "jog_not_begun(intent);")),
     # ---- the pump: what is asked
     fault("a motion is made again when it was not answered", ("pmx-4ex-sa", "dmx-k-sa"),
           ("device", "Pump::perform_guarding_tool(", 'auto performed = co_await guarded("command", driver_->perform(body));',
@@ -120,7 +120,8 @@ FAULTS = [
           ("devices/vme58", "AllStop::send(", "mailbox_deaf_ || by_mail_alone_ || !any_moves()", "by_mail_alone_")),
     fault("VME58: a late reply is the next one's", "vme58",
           ("devices/vme58", "Conversation::let_owed_go(", "{", NOTHING_DONE),
-          ("devices/vme58", "Conversation::converse(", "!fits(form, reply)", "false")),
+          ("devices/vme58", "Conversation::ask_several(", "converse(std::move(closed), count, priority, form, Millis(200), true)",
+           "converse(std::string(text), count, priority, form, Millis(200), false)")),
     fault("VME58: what waits in the ring outlives a stop", "vme58",
           ("devices/vme58", "Conversation::withdraw_all(", "{", NOTHING_DONE),
           ("devices/vme58", "Mailbox::mail_past_ring(", "if (mailed) mailed = co_await mail(word);", ";")),

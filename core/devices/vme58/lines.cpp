@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include "core/base/index.h"
 #include "core/devices/vme58/catalog.h"
 
 namespace hw::vme58 {
@@ -73,17 +74,30 @@ Task<Result<>> Lines::set_line(int line, bool on, std::uint32_t mask) {
 
 Task<Result<>> Lines::switch_tool_off(ToolOff tool) {
   if (auto may = commands_.may_talk(); !may) co_return may;
-  std::string text;
+  std::string lines, text;
   for (const ToolOutput& o : tool) {
     const int auxiliary = o.number - first_auxiliary;
-    text += auxiliary >= 0 ? selection_.addressed(auxiliary, o.on ? "AN" : "AF")
-                           : fmt::format("{}{}\n", o.on ? "BL" : "BH", o.number);
+    if (auxiliary >= 0)
+      text += selection_.addressed(auxiliary, o.on ? "AN" : "AF");
+    else
+      lines += fmt::format("{}{}{}", lines.empty() ? "" : " ", o.on ? "BL" : "BH", o.number);
   }
+  if (!lines.empty()) text += through_free_queue(std::move(lines));
   auto sent = co_await commands_.say(std::move(text), Priority::stop);
   if (!sent) co_return sent;
   for (const ToolOutput& o : tool)
     if (o.number >= first_auxiliary) know_auxiliary(o.number - first_auxiliary, o.on);
   co_return sent;
+}
+
+std::string Lines::through_free_queue(std::string text) const {
+  const auto rests = [this](int axis) { return draft_.axes[ix(axis)].activity == Activity::idle; };
+  const Context& context = selection_.context();
+  const bool selected_rests = context.mode == where::single ? rests(context.axis) : !draft_.any_axis_moving();
+  int axis = 0;
+  while (axis < draft_.axis_count && !rests(axis)) ++axis;
+  if (selected_rests || axis == draft_.axis_count) return text + "\n";
+  return selection_.addressed(axis, text);
 }
 
 void Lines::know_auxiliary(int axis, bool on) {

@@ -24,13 +24,14 @@ class Lines {
   /// Bit per line that is high.
   void take(std::uint16_t levels);
   Task<Result<>> set(intent::SetOutput wish);
-  /// Into queues that a stop has emptied.
+  /// Through the queue of an axis that rests: elsewhere it would wait for the end of the motion.
   Task<Result<>> switch_tool_off(ToolOff tool);
   /// The auxiliary output of an axis: nothing in the window tells of it.
   void know_auxiliary(int axis, bool on);
   void as_from_factory();
 
  private:
+  [[nodiscard]] std::string through_free_queue(std::string text) const;
   Task<Result<>> set_auxiliary(int axis, bool on, std::uint32_t mask);
   Task<Result<>> set_line(int line, bool on, std::uint32_t mask);
 

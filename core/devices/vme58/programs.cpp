@@ -49,7 +49,7 @@ Task<Result<>> Programs::run() {
   motions_.program_begins();
   ProgramState& p = draft_.program;
   p.run = RunState::running;
-  flawed_ = false;
+  ends_by_ = EndedBy::target;
   p.owned = true;
   p.slot = 0;
   p.ended_by = EndedBy::nothing;
@@ -101,26 +101,24 @@ Task<Result<>> Programs::watch() {
   const auto worked_off = co_await questions_.is_worked_off();
   if (!worked_off) co_return fail(worked_off.error());
   if (!*worked_off) co_return Result<>();
-  if (flawed_) {
-    end(EndedBy::error);
-    co_return Result<>();
-  }
-  const bool limit = motions_.met_limit();
-  if (!limit) motions_.come_home();
-  end(limit ? EndedBy::limit : EndedBy::target);
+  if (ends_by_ == EndedBy::target && motions_.met_limit()) ends_by_ = EndedBy::limit;
+  if (ends_by_ == EndedBy::target) motions_.come_home();
+  end(ends_by_);
   co_return Result<>();
 }
 
 void Programs::note_stop(const TextCommand& command) {
   if (!is_running() || !command.fact || !stops_motion(command.fact->op)) return;
-  end(command.is(Op::KL) ? EndedBy::abort : EndedBy::stop);
+  if (!command.is(Op::ST)) return end(command.is(Op::KL) ? EndedBy::abort : EndedBy::stop);
+  feed_.end();
+  if (ends_by_ == EndedBy::target) ends_by_ = EndedBy::stop;
 }
 
 void Programs::queued_was_rejected(std::string& words) {
   if (!is_running()) return;
   rejection_ = words + " The program did not do all that it says.";
   words = rejection_;
-  flawed_ = true;
+  ends_by_ = EndedBy::error;
 }
 
 /// Nobody has seen how it ended, or it will not.

@@ -33,7 +33,8 @@ class Programs {
   /// Once a round: it has ended when all of it has been taken, every queue is empty and nothing moves.
   Task<Result<>> watch();
   void end(EndedBy ended_by);
-  /// A stop of the user's own words: nothing of it is fed behind this.
+  /// A stop of the user's own words: nothing of it is fed behind this. ST empties one queue; the others go
+  /// on.
   void note_stop(const TextCommand& command);
   /// What had waited in a queue was rejected; `words` say so.
   void queued_was_rejected(std::string& words);
@@ -57,7 +58,7 @@ class Programs {
   Feed& feed_;
   Snapshot& draft_;
   std::string text_;
-  bool flawed_ = false;  ///< a command of it was rejected when its turn came
+  EndedBy ends_by_ = EndedBy::target;  ///< once its queues are empty
   std::string rejection_;
 };
 
