@@ -255,10 +255,17 @@ void Stage::run_in_pieces(int device, int ways, int lines) {
   }
   auto pieces = s->type().language().in_pieces(drawing, s->catalog());
   if (!pieces) return;
+  Words& settings = machines_[static_cast<std::size_t>(device)].settings;
   for (const Piece& piece : pieces->all)
     for (const PieceAct& act : piece.does)
       if (const auto* load = act.what ? std::get_if<intent::LoadProgram>(&*act.what) : nullptr)
-        machines_[static_cast<std::size_t>(device)].settings.merge(words_of(load->text));
+        settings.merge(words_of(load->text));
+  for (const Step& step : plan_.steps) {
+    if (step.verb != "override_speed" || step.device != device || !pieces->text_at) continue;
+    for (const Piece& piece : pieces->all)
+      if (const auto text = pieces->text_at(piece, static_cast<int>(step.number(0))))
+        settings.merge(words_of(*text));
+  }
   move(device, Judge::all_axes, Steps(),
        intent::RunInPieces(std::make_shared<const Pieces>(std::move(*pieces))));
 }

@@ -74,20 +74,26 @@ void RestartWatch::look_at_counters(const Look& look, bool was_silent) {
   constexpr double between_two_looks = 1;  // s, and more where the wire was slow
   const double elapsed = between_two_looks + seconds(console_.scheduler.now() - before->seen_at);
   Change all;
-  bool stands_at_zero = true;
+  bool stands_at_zero = true, others_at_zero = true, others_came_there = false;  // than those sent away
   for (int i = 0; i < console_.draft.axis_count; ++i) {
     const AxisState& axis = console_.draft.axes[i];
-    stands_at_zero = stands_at_zero && !stood_->axes[ix(i)].then.runs && axis.position == Steps(0) &&
-                     axis.encoder == Steps(0);
-    all.add(change_of(axis, before->axes[ix(i)], elapsed, targets_stay));
+    const bool at_zero =
+        !stood_->axes[ix(i)].then.runs && axis.position == Steps(0) && axis.encoder == Steps(0);
+    const Change change = change_of(axis, before->axes[ix(i)], elapsed, targets_stay);
+    const bool sent_away = before->axes[ix(i)].sent_away;
+    stands_at_zero = stands_at_zero && at_zero;
+    others_at_zero = others_at_zero && (at_zero || sent_away);
+    others_came_there = others_came_there || (!sent_away && change.nearer);
+    all.add(change);
   }
   // A program that has come to zero and to its end, all unseen, is less likely than the other.
   all.nearer = all.nearer || (all.may_be_nearer && before->program_ran);
   const bool a_program_did = was_silent && before->program_ran;
   const bool unseen_at_zero = silent && stands_at_zero;
   const bool came_there = (all.nearer || all.may_be_nearer) && (unseen_at_zero || a_program_did);
-  if (came_there || (unseen_at_zero && before->program_ran))
-    be_in_doubt(InDoubt{*before, stands_at_zero, !unexplained || !all.nearer});
+  const bool others_did = silent && others_at_zero && others_came_there;
+  if (came_there || others_did || (unseen_at_zero && before->program_ran))
+    be_in_doubt(InDoubt{*before, stands_at_zero || others_did, !unexplained || !all.nearer});
   if (unexplained && stands_at_zero && all.jumped && !a_program_may)
     return ways_.restarted("All positions read zero, and nothing that was sent does that", before->moved());
 }
