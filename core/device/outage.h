@@ -58,6 +58,11 @@ class Outage {
   }
   /// The next one is not waited for.
   void hurry() { at_once_ = on_; }
+  /// Nor with a stop that is asked for now; and nobody knows what has begun to run meanwhile.
+  void hurry_with_a_stop() {
+    hurry();
+    may_run_ = may_run_ || on_;
+  }
   [[nodiscard]] bool hurries() const { return at_once_; }
   [[nodiscard]] Duration back_off() const {
     constexpr Millis steps[] = {Millis(250), Millis(500), Millis(1000), Millis(2000), Millis(5000)};

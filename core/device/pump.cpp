@@ -288,7 +288,7 @@ Round Pump::next_round() const {
   const auto& stops = desk_.orders();
   const bool confirmed = std::all_of(stops.begin(), stops.end(), [](const auto& o) { return o.confirmed; });
   const bool prompt = stops.empty() || !station_->is_dirty();  // else its questions take seconds
-  if (rounds_.one_is_wanted() && confirmed && (prompt || tool_.looks())) return Round::everything;
+  if (rounds_.one_is_wanted() && confirmed && prompt) return Round::everything;
   return stops.empty() ? Round::usual : desk_.only_tool() ? Round::everything : Round::stopping;
 }
 

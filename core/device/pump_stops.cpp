@@ -32,7 +32,7 @@ void Pump::post_stop(StopOrder order) {
   if (!another) drop_what_waits();
   const StopOrder* sending = desk_.sending();
   if (station_ && !(sending && sending->outlasts(asked))) station_->preempt();
-  outage_.hurry();
+  outage_.hurry_with_a_stop();
   publish();
   wake_.notify();
 }
