@@ -19,6 +19,13 @@
 #include "gui/tab.h"
 #include "gui/toasts.h"
 
+namespace hw {
+struct RehearsedTogether;  // core/session/rehearse_together.h
+namespace sequence {
+struct Sequence;
+}
+}  // namespace hw
+
 namespace hw::gui {
 
 enum class Command : std::uint8_t;
@@ -127,6 +134,10 @@ class Console {
   [[nodiscard]] Toasts& toasts() { return toasts_; }
   /// The open controller that uses this port; null: none.
   [[nodiscard]] const Tab* open_at(std::string_view where) const;
+  /// For a worker: a sequence that the controllers of a bus do together, from how they stand now. Null: no
+  /// controllers are behind their tabs.
+  using Together = std::function<Result<RehearsedTogether>(const sequence::Sequence&)>;
+  [[nodiscard]] Together rehearsal_of(const Bus& bus) const;
   /// The object behind a page, made when it is first shown.
   [[nodiscard]] Page& page_object(std::string_view id);
 

@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include "core/session/rehearse_together.h"
 #include "core/session/session_group.h"
 #include "gui/console.h"
 #include "gui/outside.h"
@@ -51,6 +52,17 @@ void Console::join(std::vector<Tab*> members, std::string name, std::shared_ptr<
   Tab& first = *bus->members.front();
   first.choose_jog(first.jog_step(), first.jog_speed());
   activate(first);
+}
+
+Console::Together Console::rehearsal_of(const Bus& bus) const {
+  if (!bus.group) return nullptr;
+  std::vector<ControllerState> states;
+  for (Tab* member : bus.members) states.push_back(member->desk().state_of(member->now()));
+  return [states = std::move(states), address = bus.group->address(),
+          opener = outside_->open_wire](const sequence::Sequence& sequence) {
+    constexpr Duration at_most = std::chrono::hours(1);  // some seconds of the worker
+    return rehearse_together(sequence, address, states, opener, at_most);
+  };
 }
 
 bool Console::is_face(const Tab& tab) { return !tab.bus || &tab.bus->front() == &tab; }

@@ -10,6 +10,7 @@
 #include "core/device/track_path.h"
 #include "core/drawing/sequence_path.h"
 #include "core/sequence/steps_in.h"
+#include "core/session/rehearse_together.h"
 #include "gui/console.h"
 #include "gui/tab.h"
 #include "gui/units_format.h"
@@ -80,8 +81,18 @@ Result<> write(DrawingJob::Made& made, const Catalog& catalog, const Language& l
 }
 
 /// Of controllers that draw together; a piece is a chain.
-void time_together(DrawingJob::Made& made, const Catalog& catalog) {
+void time_together(DrawingJob::Made& made, const Catalog& catalog, const Console::Together& rehearse) {
   made.written.remarks.push_back(made.parts.front()->remark);
+  if (rehearse) {
+    auto done = rehearse(made.conversion.sequence);
+    if (done) {
+      made.duration_s = done->duration_s;
+      made.chain_seconds = std::move(done->piece_seconds);
+      return;
+    }
+    made.written.remarks.insert(made.written.remarks.begin(),
+                                "It was not rehearsed to its end: " + done.error().sentence());
+  }
   std::vector<Pieces> parts;
   for (const auto& part : made.parts) parts.push_back(*part);
   std::vector<double> seconds = least_seconds(parts, catalog);
@@ -92,8 +103,9 @@ void time_together(DrawingJob::Made& made, const Catalog& catalog) {
 
 /// All that a drawing becomes. Long.
 Result<DrawingJob::Made> make(const drawing::Drawing& drawing, const Catalog& catalog,
-                              const Language* language, const ConversionOptions& options,
-                              drawing::Point scale, std::atomic<float>& ordered) {
+                              const Language* language, const Console::Together& together,
+                              const ConversionOptions& options, drawing::Point scale,
+                              std::atomic<float>& ordered) {
   auto converted = convert(drawing, catalog, options, [&](double done) {
     ordered = static_cast<float>(done);
     return true;
@@ -109,7 +121,7 @@ Result<DrawingJob::Made> make(const drawing::Drawing& drawing, const Catalog& ca
     made.parts = std::move(*parts);
   else
     made.no_pieces = parts.error().sentence();
-  if (!language && !made.parts.empty()) time_together(made, catalog);
+  if (!language && !made.parts.empty()) time_together(made, catalog, together);
   made.path = path_of(made.conversion, scale);
   return made;
 }
@@ -177,8 +189,9 @@ void DrawingJob::follow(Frame& f, const ConversionOptions& wanted, std::uint64_t
   converting_ = true;
   *ordered_ = 0;
   f.tab.desk().worker().run(
-      [drawing = drawing_, catalog = f.catalog, language = together ? nullptr : language, wanted, scale,
-       ordered = ordered_] { return make(*drawing, catalog, language, wanted, scale, *ordered); },
+      [drawing = drawing_, catalog = f.catalog, language = together ? nullptr : language,
+       rehearse = together ? f.console.rehearsal_of(*f.tab.bus) : nullptr, wanted, scale,
+       ordered = ordered_] { return make(*drawing, catalog, language, rehearse, wanted, scale, *ordered); },
       [this](Result<Made> made) {
         converting_ = false;
         ++version_;

@@ -87,6 +87,10 @@ class EmulatorHost::Device final : public BenchAccess {
     view.present = true;
     view.unplugged = host_.unplugged_;
   }
+  void begin_like(const ControllerState& state, const Catalog& catalog) override {
+    host_.advance(host_.emulator_time());
+    emulator_->begin_like(state, catalog);
+  }
   [[nodiscard]] const Emulator& emulator() const override {
     host_.advance(host_.emulator_time());
     return *emulator_;

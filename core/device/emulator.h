@@ -16,6 +16,9 @@
 
 namespace hw {
 
+struct Catalog;
+struct ControllerState;
+
 class Emulator {
  public:
   virtual ~Emulator() = default;
@@ -44,6 +47,9 @@ class Emulator {
   /// Non-volatile memory as text, to be kept in a file; and back. `store_count` of it goes up at each store.
   [[nodiscard]] virtual std::string save_memory() const = 0;
   virtual Result<> load_memory(std::string_view text) = 0;
+  /// Freshly switched on, it stands from here on as is known of a controller like it; what `state` does not
+  /// tell stays. Only of devices that share a wire: the others are rehearsed by their language.
+  virtual void begin_like(const ControllerState&, const Catalog&) {}
   /// Changes at each write to non-volatile memory.
   [[nodiscard]] virtual std::uint64_t memory_version() const = 0;
 

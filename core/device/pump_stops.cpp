@@ -169,6 +169,7 @@ void Pump::look_at_stop(StopOrder& order) {
       if (progress.why) stop_failed(order, *progress.why);
       if (progress.why && tool)
         ways_.notify(Notice(Notice::Kind::error, scheduler_.now(), progress.why->sentence()));
+      if (tool) tool_.give_up();
       return close_stop(order);
     case StopProgress::Now::stands:
       if (!order.told) set_fate(order.intent, Fate::done);

@@ -175,6 +175,11 @@ StopProgress ToolGuard::progress(const StopOrder& order, const Snapshot& now) co
   return StopProgress::stands();
 }
 
+void ToolGuard::give_up() {
+  at_work_ = false;
+  look_ = 0;
+}
+
 void ToolGuard::note_hold(const Snapshot& now) {
   for (const ToolOutput& o : all_)
     if (const ToolOutput used{o.number, !o.on};

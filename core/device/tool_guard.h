@@ -53,6 +53,8 @@ class ToolGuard {
 
   /// Of the order that switches it off, by a whole round behind everything else that was to stop.
   [[nodiscard]] StopProgress progress(const StopOrder& order, const Snapshot& now) const;
+  /// It could not be switched off, and that was said: nothing more is tried until a program is at work again.
+  void give_up();
 
   /// Acts one by one that switch it (Snapshot::pieces).
   void pieces_begin(const ToolOff& tool, const Snapshot& now);

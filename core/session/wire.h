@@ -14,6 +14,8 @@
 namespace hw {
 
 class Emulator;
+struct Catalog;
+struct ControllerState;
 
 /// The bench of an emulator in this process. Io thread only.
 class BenchAccess {
@@ -22,6 +24,8 @@ class BenchAccess {
   /// Device and wire faults alike (Unplug, Garble, Drop are done on the wire).
   virtual Result<> operate(const BenchCommand& command) = 0;
   virtual void look(BenchView& view) const = 0;
+  /// See Emulator::begin_like().
+  virtual void begin_like(const ControllerState& state, const Catalog& catalog) = 0;
   /// At present time; for the record of trigger pulses.
   [[nodiscard]] virtual const Emulator& emulator() const = 0;
   /// Called (io thread) when something of look() may have changed by itself or by operate().

@@ -11,10 +11,12 @@
 #include "core/sequence/sequence_file.h"
 #include "core/session/address.h"
 #include "core/session/conversion.h"
+#include "core/session/rehearse_together.h"
 #include "core/session/user_files.h"
 #include "gui/app/cli.h"
 #include "gui/app/output.h"
 #include "gui/app/program_file.h"
+#include "gui/app/wiring.h"
 
 namespace hw::app {
 namespace {
@@ -269,6 +271,21 @@ static void try_it(Made& made, const MeantFor& meant) {
   if (auto done = meant.language->rehearse(made.written.text, rehearse)) made.rehearsal = std::move(*done);
 }
 
+static void try_together(Made& made, const Given& given) {
+  constexpr Duration at_most = std::chrono::hours(10);
+  const auto bus =
+      Address::parse(fmt::format("{}@emulator,id={},wire=real", given.one("for"), given.one("id")));
+  if (!bus) return;
+  const auto done = rehearse_together(made.conversion.sequence, *bus, {}, wire_opener(), at_most);
+  if (done) {
+    made.rehearsal.finished = true;
+    made.rehearsal.duration_s = done->duration_s;
+    return;
+  }
+  made.written.remarks.push_back("It was not rehearsed: " + done.error().sentence());
+  write_aside(made.written.remarks.back());
+}
+
 static int convert_drawing(const Given& given) {
   const auto meant = read_who_draws(given);
   if (!meant) return complain(meant.error(), status_of(meant.error()));
@@ -296,7 +313,10 @@ static int convert_drawing(const Given& given) {
   if (auto kept = write_file(out, as_sequence ? write_sequence(converted->sequence) : written->text); !kept)
     return complain(kept.error());
   Made made{std::move(*converted), std::move(*written), *drawing, {}, {}};
-  if (meant->language) try_it(made, *meant);
+  if (meant->language)
+    try_it(made, *meant);
+  else
+    try_together(made, given);
   if (given.has("json"))
     print_json(made, meant->catalog);
   else

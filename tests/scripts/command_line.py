@@ -1087,8 +1087,11 @@ class Convert(Case):
     def test_two_on_a_bus_draw_together(self):
         file = self.drawing(self.line(0, 0, 5, 5))
         result = self.convert(file, "dmx-k-sa", "--id", "01-02", "--per-unit", "100", "--pen-output", "1", out="both.toml")
-        self.expect(result, 0, "comes to rest at each corner")
+        self.expect(result, 0, "comes to rest at each corner", "It was not rehearsed: DO1 stays on")
         self.assertEqual(json.loads(result.stdout)["duration_s"], None)
+        result = self.convert(file, "dmx-k-sa", "--id", "01-02", "--per-unit", "100", "--pen-output", "2", "--cut-speed", "5",
+                              "--travel-speed", "10", out="both.toml")
+        self.assertGreater(json.loads(result.stdout)["duration_s"], 1)
         text = (self.folder / "both.toml").read_text()
         self.assertIn('name = "01"', text)
         self.assertIn('name = "02"', text)

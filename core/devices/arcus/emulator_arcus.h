@@ -37,6 +37,7 @@ class ArcusEmulator final : public Emulator {
   [[nodiscard]] int rate() const override { return controller_.rate(); }
   [[nodiscard]] std::string save_memory() const override { return controller_.saved_text(); }
   Result<> load_memory(std::string_view text) override;
+  void begin_like(const ControllerState& state, const Catalog& catalog) override;
   [[nodiscard]] std::uint64_t memory_version() const override {
     return controller_.flash().stores + memory_loads_;
   }

@@ -98,6 +98,10 @@ std::bitset<language::variables> read_first(const language::Program& program) {
 
 }  // namespace
 
+void ArcusEmulator::begin_like(const ControllerState& state, const Catalog& catalog) {
+  arcus::begin_like(*this, state, catalog);
+}
+
 void begin_like(ArcusEmulator& emulator, const ControllerState& state, const Catalog& catalog) {
   Controller& controller = emulator.controller();
   const Snapshot& now = state.now;

@@ -22,6 +22,9 @@ for _, w in ipairs(ui.list()) do
   end
 end
 
+local takes = ui.value("drawing/time")
+hw.check(takes and not takes:find("at least", 1, true), "emulators have drawn it beforehand: " .. tostring(takes))
+
 local function cut_until_on()
   while not x:output(1) do hw.sleep(0.05) end
   hw.sleep(0.5)
