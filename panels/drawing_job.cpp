@@ -143,6 +143,23 @@ Result<Parts> parts_of(const sequence::Sequence& sequence, const Catalog& catalo
   return parts;
 }
 
+std::optional<double> DrawingJob::seconds_left(const Made& made, int step, int percent) {
+  const std::vector<std::size_t>& begins = made.conversion.begins;
+  if (made.chain_seconds.empty() || made.chain_seconds.size() != begins.size() || percent <= 0)
+    return std::nullopt;
+  const std::size_t at = ix(std::max(step, 0));
+  double left = 0;
+  for (std::size_t chain = 0; chain < begins.size(); ++chain) {
+    const std::size_t end =
+        chain + 1 < begins.size() ? begins[chain + 1] : made.conversion.sequence.steps.size();
+    if (at >= end) continue;
+    const double share =
+        at <= begins[chain] ? 1.0 : static_cast<double>(end - at) / static_cast<double>(end - begins[chain]);
+    left += share * made.chain_seconds[chain];
+  }
+  return left * 100 / percent;
+}
+
 void DrawingJob::open(Frame& f, const std::filesystem::path& file, const ConversionOptions& wanted) {
   if (reading_)
     return f.toast(Mood::plain, "Another drawing is being read. Open this one again when it is there.");

@@ -36,6 +36,9 @@ class DrawingJob {
     std::shared_ptr<const drawing::ToolPath> path;  ///< in the units of the axes; a source is a chain
   };
 
+  /// From a step of its sequence on, at that share of its speeds; none: it was not rehearsed.
+  [[nodiscard]] static std::optional<double> seconds_left(const Made& made, int step, int percent);
+
   /// The file is read, and converted as is wanted then.
   void open(gui::Frame& frame, const std::filesystem::path& file, const ConversionOptions& wanted);
   /// Once a frame; `version` changes with `wanted`. `scale`: units of the axes in a mm.

@@ -9,6 +9,7 @@
 #include "core/device/piece_sync.h"
 #include "gui/console.h"
 #include "gui/tab.h"
+#include "gui/units_format.h"
 #include "gui/widgets/button.h"
 #include "gui/widgets/message.h"
 #include "gui/widgets/slider.h"
@@ -150,6 +151,9 @@ void DrawingRun::draw_progress(Frame& f) {
     fmt::format_to(std::back_inserter(progress_), "All {} pieces are done", now.total);
   else
     fmt::format_to(std::back_inserter(progress_), "{} piece {} of {}", what, now.done + 1, now.total);
+  if (const auto left =
+          cut_ && now.running ? DrawingJob::seconds_left(*cut_, now.step, now.percent) : std::nullopt)
+    fmt::format_to(std::back_inserter(progress_), ", {} left", format_duration(*left).view());
   const auto steps = cut_ ? cut_->conversion.sequence.steps.size() : 0;
   const double share = now.done == now.total ? 1
                        : steps > 0 && now.step > 0

@@ -157,7 +157,11 @@ void DrawingTab::say() {
   else if (made->at_least_s)
     time_ = fmt::format("at least {}", format_duration(*made->at_least_s).view());
   drawn_ = in_mm(c.drawn), travel_ = in_mm(c.way);
-  if (c.way_as_drawn > c.way) saved_ = in_mm(c.way_as_drawn - c.way);
+  if (const double saved = c.way_as_drawn - c.way; saved > 0) {
+    saved_ = in_mm(saved);
+    if (const double speed = options_.wanted().travel.high; speed > 0)
+      saved_ += fmt::format(", {} s", format_number(saved / speed, 1).view());
+  }
   size_ = fmt::format("{} \u00d7 {} mm", format_number(c.box.high.x - c.box.low.x, 3).view(),
                       format_number(c.box.high.y - c.box.low.y, 3).view());
   if (!c.off_the_table.empty())

@@ -304,6 +304,29 @@ TEST_F(DrawingTabTest, WhatWasStoppedGoesOnFromItsChain) {
   EXPECT_LE(asked->pieces->all.front().first_step, 6);
 }
 
+TEST_F(DrawingTabTest, HowLongItStillTakesIsTold) {
+  drop();
+  two_hundred_pulses_in_a_mm();
+  s.stage.frames(6);
+  s.click("drawing/cut");
+  s.click("drawing/ask_cut/yes");
+  s.settle(Fate::done);
+  s.now.pieces.running = true;
+  s.now.pieces.total = 1, s.now.pieces.step = 0;
+  s.stage.frames(3);
+  EXPECT_THAT(s.value("drawing/cut_progress"), HasSubstr(" s left"));
+
+  DrawingJob::Made made;
+  made.conversion.begins = {0, 4};
+  made.conversion.sequence.steps.resize(8);
+  EXPECT_FALSE(DrawingJob::seconds_left(made, 0, 100)) << "it was not rehearsed";
+  made.chain_seconds = {10, 20};
+  EXPECT_DOUBLE_EQ(*DrawingJob::seconds_left(made, -1, 100), 30);
+  EXPECT_DOUBLE_EQ(*DrawingJob::seconds_left(made, 2, 100), 25);
+  EXPECT_DOUBLE_EQ(*DrawingJob::seconds_left(made, 6, 100), 10);
+  EXPECT_DOUBLE_EQ(*DrawingJob::seconds_left(made, 6, 50), 20);
+}
+
 TEST_F(DrawingTabTest, TheSpeedChangesWhereThatIsTaken) {
   drop();
   s.now.pieces.running = true;
