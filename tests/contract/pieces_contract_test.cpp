@@ -270,6 +270,25 @@ TEST_P(PiecesContractTest, ABufferNeverRunsDryOnTheWay) {
   EXPECT_EQ(now().pieces.done, 1) << told();
 }
 
+TEST_P(PiecesContractTest, ABufferIsDrawnWithTheRampsThatAreSaid) {
+  if (session->catalog().move_list.columns.empty()) GTEST_SKIP() << "it has no buffer for moves";
+  s_.steps = {{seq::Pen{false}}, {seq::Speed{{4000, 150, 80}}}};
+  add_chains(1, 1500);  // more than a program holds
+  const auto pieces = cut();
+  ASSERT_TRUE(pieces);
+  std::vector<std::int64_t> set;
+  for (const Piece& piece : pieces->all)
+    for (const PieceAct& act : piece.does)
+      if (const auto* param = act.what ? std::get_if<intent::SetParam>(&*act.what) : nullptr) {
+        EXPECT_GE(session->catalog().find_param(param->mnemonic), 0) << param->mnemonic;
+        set.push_back(param->value);
+      }
+  EXPECT_THAT(set, testing::IsSupersetOf({std::int64_t{150}, std::int64_t{80}}));
+  must(intent::RunInPieces(pieces));
+  ASSERT_TRUE(ends());
+  EXPECT_EQ(axis().position, Steps(at_)) << told();
+}
+
 TEST_P(PiecesContractTest, ASequenceSaysHowCloseChordsLieToItsArcs) {
   if (session->catalog().move_list.columns.empty()) GTEST_SKIP() << "it has no buffer for moves";
   s_.axes = {{"X", 10}, {"Y", 10}};

@@ -170,7 +170,8 @@ class Artist {
   /// board, which then reads its ring no more.
   void draw_pieces(Millis at, int on) {
     if (plan_.options.find("deaf") != std::string::npos) return;
-    put(at, "pieces", on,
+    const char* verb = devices_ > 1 && tool_.percent(60) ? "together" : "pieces";
+    put(at, verb, on,
         {tool_.between(1, 12), tool_.percent(50) ? tool_.between(60, 120) : tool_.between(2, 20)});
     if (tool_.percent(40)) put(at + Millis(tool_.between(500, 5000)), "pause", on);
     if (tool_.percent(40)) put(at + Millis(tool_.between(3000, 8000)), "resume", on);

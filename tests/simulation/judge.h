@@ -126,6 +126,7 @@ class Judge final : public Witness {
     at(device).tool.loading.emplace_back(id, of_tool);
   }
   void output_set(int device) { at(device).tool.by_hand = true, at(device).tool.run_asked = false; }
+  void draws_with_tool(int device) { at(device).tool.draws = true; }
   /// Of a program, or of what is left of it.
   void run_asked(int device) { at(device).tool.run_asked = true; }
   void restarted(int device);
@@ -199,6 +200,7 @@ class Judge final : public Witness {
       bool guarded = false;      ///< a program of it was loaded last, and not by an earlier session
       bool half_loaded = false;  ///< one of it, perhaps
       bool clouded = false;      ///< nobody knows which programs are its own
+      bool draws = false;        ///< act by act, in what several controllers draw together
       bool by_hand = true;       ///< since the latest run its output was switched by something else
       bool run_asked = false;    ///< since it was switched by hand: not every program that runs is a move
       Instant rests_since{};

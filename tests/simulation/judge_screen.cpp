@@ -247,7 +247,8 @@ void Judge::judge_tool(int device) {
   const bool rests = !d.truth.program && d.truth.moving() == 0;
   const Snapshot& shown = d.session->known();
   const bool begun = shown.pieces.running && shown.pieces.step >= 0;  // the first has got there
-  const bool in_pieces = begun && (d.truth.program || shown.feed.running);
+  const bool in_pieces =
+      begun && (d.truth.program || shown.feed.running || (tool.draws && shown.pieces.draws));
   if (in_pieces) tool.guarded = true;
   if (in_pieces || (d.truth.program && tool.guarded && tool.run_asked)) tool.by_hand = false;
   if (!d.truth.powered) tool.by_hand = true;

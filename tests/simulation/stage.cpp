@@ -5,6 +5,7 @@
 
 #include "core/device/language.h"
 #include "core/device/pieces.h"
+#include "core/device/pieces_together.h"
 #include "core/device/registry.h"
 #include "tests/simulation/faulty_stream.h"
 #include "tests/simulation/faulty_window.h"
@@ -230,20 +231,19 @@ IntentId Stage::move(int device, std::uint32_t axes, Steps distance, IntentBody 
   return sent_ = id;
 }
 
-void Stage::run_in_pieces(int device, int ways, int lines) {
+/// Ways of 100 steps of the first axis, half as far of the next, and as many lines of 20 with the tool on.
+static sequence::Sequence chains(const std::vector<std::string>& axes, int output, int ways, int lines) {
   namespace seq = sequence;
-  Session* s = session(device);
-  if (s == nullptr) return;
-  const int output = s->catalog().output_number(static_cast<std::size_t>(facts_.tool_output));
   seq::Sequence drawing;
-  drawing.axes = {{s->catalog().axes[0].name, 1}};
+  for (const std::string& name : axes) drawing.axes.push_back({name, 1});
   drawing.pen_up = {{seq::Output{output, false}}};
   drawing.pen_down = {{seq::Output{output, true}}};
   drawing.steps = {{seq::Pen{false}}, {seq::Speed{{3000, 0, 100}}}};
   double at = 0;
   const auto go_on = [&](double by) {
     seq::Move move;
-    move.to[0] = at += by;
+    at += by;
+    for (std::size_t axis = 0; axis < axes.size(); ++axis) move.to[axis] = at / static_cast<double>(1 + axis);
     drawing.steps.push_back({move});
     drawing.steps.push_back({seq::WaitMotion{}});
   };
@@ -253,6 +253,14 @@ void Stage::run_in_pieces(int device, int ways, int lines) {
     for (int line = 0; line < lines; ++line) go_on(20);
     drawing.steps.push_back({seq::Pen{false}});
   }
+  return drawing;
+}
+
+void Stage::run_in_pieces(int device, int ways, int lines) {
+  Session* s = session(device);
+  if (s == nullptr) return;
+  const int output = s->catalog().output_number(static_cast<std::size_t>(facts_.tool_output));
+  const sequence::Sequence drawing = chains({s->catalog().axes[0].name}, output, ways, lines);
   auto pieces = s->type().language().in_pieces(drawing, s->catalog());
   if (!pieces) return;
   Words& settings = machines_[static_cast<std::size_t>(device)].settings;
@@ -268,6 +276,30 @@ void Stage::run_in_pieces(int device, int ways, int lines) {
   }
   move(device, Judge::all_axes, Steps(),
        intent::RunInPieces(std::make_shared<const Pieces>(std::move(*pieces))));
+}
+
+static Task<> begin_together(std::shared_ptr<SessionGroup> group, sequence::Sequence drawing) {
+  (void)co_await group->run_together(std::move(drawing), 0);
+}
+
+void Stage::run_together(int ways, int lines) {
+  constexpr int drawers = 2;
+  if (!group_ || devices() < drawers) return;
+  const Catalog& first = session(0)->catalog();
+  const std::vector<const Catalog*> catalogs{&first, &session(1)->catalog()};
+  const auto bus = catalog_together(catalogs);
+  const int output = first.output_number(static_cast<std::size_t>(facts_.tool_output));
+  sequence::Sequence drawing = chains({bus->axes[0].name, bus->axes[1].name}, output, ways, lines);
+  const std::vector<Pieces> parts = must(pieces_together(drawing, *bus, 0));
+  for (int device = 0; device < drawers; ++device) {
+    for (const Piece& piece : parts[static_cast<std::size_t>(device)].all)
+      for (const PieceAct& act : piece.does)
+        if (const auto* set = act.what ? std::get_if<intent::SetParam>(&*act.what) : nullptr)
+          machines_[static_cast<std::size_t>(device)].settings.merge(words_of(std::to_string(set->value)));
+    judge_.motion_asked(device, Judge::all_axes, 0, Steps());
+  }
+  judge_.draws_with_tool(0);
+  asio::co_spawn(time_.executor(), begin_together(group_, std::move(drawing)), asio::detached);
 }
 
 void Stage::stop(int device, std::uint32_t axes, StopKind kind, IntentBody body) {

@@ -39,6 +39,8 @@ class Stage {
   IntentId move(int device, std::uint32_t axes, Steps distance, IntentBody body);
   /// Ways of the first axis with its tool on, `lines` times 20 steps each, however long that is.
   void run_in_pieces(int device, int ways, int lines);
+  /// The same, which the first two of a bus draw together; the tool is the first one's.
+  void run_together(int ways, int lines);
   void stop(int device, std::uint32_t axes, StopKind kind, IntentBody body);
   void stop_all_devices(bool at_once);
   enum class LetGo : std::uint8_t { by_hand, never };

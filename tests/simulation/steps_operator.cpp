@@ -76,6 +76,7 @@ void run(Stage& stage, const Step& s) {
   stage.move(s.device, Judge::all_axes, Steps(), intent::RunProgram(whole(s, 0)));
 }
 void pieces(Stage& stage, const Step& s) { stage.run_in_pieces(s.device, whole(s, 0), whole(s, 1)); }
+void together(Stage& stage, const Step& s) { stage.run_together(whole(s, 0), whole(s, 1)); }
 void override_speed(Stage& stage, const Step& s) { stage.send(s.device, intent::OverrideSpeed(whole(s, 0))); }
 void pause(Stage& stage, const Step& s) { stage.send(s.device, intent::Pause()); }
 void resume(Stage& stage, const Step& s) {
@@ -156,6 +157,7 @@ constexpr Verb verbs[] = {
     {"load", 1, action, load},                // SLOT "TEXT"
     {"run", 1, action, run},                  // SLOT
     {"pieces", 2, action, pieces},            // WAYS LINES
+    {"together", 2, action, together},        // WAYS LINES
     {"override_speed", 1, action, override_speed},  // PERCENT
     {"pause", 0, action, pause},
     {"resume", 0, action, resume},

@@ -297,6 +297,8 @@ class Controller {
   [[nodiscard]] Sign load_way(int axis, Sign way) const;
   [[nodiscard]] bool home_active(int axis) const;
   [[nodiscard]] bool limit_active(int axis, Sign side) const;
+  /// X's bit counts for all axes (decision AMB-089).
+  [[nodiscard]] bool limits_inverted() const { return inverted(model_->polarity.limit, 0); }
   [[nodiscard]] bool alarm_active(int axis) const;
   [[nodiscard]] bool latch_input_active(int axis) const;
   [[nodiscard]] bool sync_condition(int axis, std::int64_t encoder) const;

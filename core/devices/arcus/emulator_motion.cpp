@@ -152,7 +152,7 @@ void Controller::plan_axis(Motion& m, int a) {
   const Axis& axis = axes_[ix(a)];
   const Sign side = sign_of(way), load = load_way(a, side);
   if (!limit_active(a, side)) {
-    if (inverted(model_->polarity.limit, a))
+    if (limits_inverted())
       mark(m, a, way, axis.plant.turns_until_limit_released(side, load));
     else if (side == load)
       mark(m, a, way, axis.plant.turns_until_limit(side));

@@ -253,7 +253,7 @@ Refusal Controller::change_speed(int a, std::int64_t wanted) {
   bring_up_to_date();
   Motion* m = motion_of(a);
   const bool turns = m != nullptr && axes_[ix(a)].then_target.has_value();
-  if (m == nullptr || (m->stopping && !turns) ||
+  if (wanted < 1 || m == nullptr || (m->stopping && !turns) ||
       (m->kind != MotionKind::target && m->kind != MotionKind::jog))
     return Refusal::speed;
   const SpeedOrder o = order(a);

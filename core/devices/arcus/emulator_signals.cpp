@@ -27,7 +27,7 @@ bool Controller::home_active(int a) const {
 
 /// The limit bit of the first axis rules them all (table 6.2).
 bool Controller::limit_active(int a, Sign side) const {
-  return axes_[ix(a)].plant.limit_operated(side) != inverted(model_->polarity.limit, 0);
+  return axes_[ix(a)].plant.limit_operated(side) != limits_inverted();
 }
 
 bool Controller::alarm_active(int a) const {

@@ -46,7 +46,7 @@ class Streamer final : public ActWriter {
   Result<> speeds(const seq::Speeds& said) override {
     auto steps = draft_.speeds(0, said);
     if (!steps) return fail(steps.error());
-    if (steps->low != 0) set("LSPD", steps->low);
+    if (steps->low != 0) set("LS", steps->low);
     if (steps->ramp_ms != 0) set("ACC", std::max<std::int64_t>(std::llround(steps->ramp_ms), 1));
     return {};
   }
@@ -84,7 +84,6 @@ class Streamer final : public ActWriter {
     piece_.does.push_back({std::move(what)});
   }
   void set(const std::string& parameter, std::int64_t value) {
-    if (draft_.catalog.find_param(parameter) < 0) return;
     flush();
     piece_.does.push_back({intent::SetParam(parameter, value, true)});  // also for what begins later
   }

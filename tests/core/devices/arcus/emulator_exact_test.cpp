@@ -29,6 +29,17 @@ TEST(ArcusExact, ALimitStopsOnItsPulse) {
   EXPECT_EQ(rig.ask("MSTX"), "0");
 }
 
+// The limit polarity of X counts for all axes (decision AMB-089).
+TEST(ArcusExact, ALimitActsWhateverThePolarityOfItsOwnAxis) {
+  Rig rig(Which::pmx);
+  AxisPlace place;
+  place.plus = Steps(777);
+  rig.place(1, place);
+  rig.ok("POY=3"), rig.ok("Y5000");
+  rig.run_to_rest(1);
+  EXPECT_EQ(rig.ask("PY"), "777");
+}
+
 TEST(ArcusExact, ALimitInAnInterpolatedMoveStopsAllOfIt) {
   Rig rig(Which::pmx);
   AxisPlace place;
