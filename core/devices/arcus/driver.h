@@ -65,6 +65,7 @@ class ArcusDriver final : public Driver {
   void restarted(std::string_view how_it_shows, unsigned moved);
 
   // ---- driver_poll.cpp
+  [[nodiscard]] bool is_at_work() const;
   Task<Result<>> read_at_rest();
   void show_worst();
 

@@ -26,9 +26,8 @@ Task<Result<>> ArcusDriver::poll(Round round) {
   if (!returned) co_return returned;
   auto fed = co_await work_.feed.go_on();
   if (!fed) co_return fed;
-  const bool wanted = round == Round::everything;
-  if (known_.lines.are_due() || wanted || known_.watch.in_doubt() || !console_.draft.any_axis_moving() ||
-      round_ % io_every == 0) {
+  const bool wanted = round == Round::everything, at_work = is_at_work();
+  if (known_.lines.are_due() || wanted || known_.watch.in_doubt() || !at_work || round_ % io_every == 0) {
     auto io = co_await known_.lines.read(Priority::poll);
     if (!io) co_return io;
     auto threads = co_await known_.threads.read(false, Priority::poll);
@@ -38,13 +37,19 @@ Task<Result<>> ArcusDriver::poll(Round round) {
   }
   auto watched = co_await known_.readouts.read_watched();
   if (!watched) co_return watched;
-  if (!console_.draft.any_axis_moving()) {
+  if (!at_work) {
     auto rest = co_await read_at_rest();
     if (!rest) co_return rest;
   }
   known_.setup.show_own_speeds();
   show_worst();
   co_return Result<>();
+}
+
+/// Between two acts of a drawing the next one waits for no more than where all stand.
+bool ArcusDriver::is_at_work() const {
+  const PiecesState& pieces = console_.draft.pieces;
+  return console_.draft.any_axis_moving() || (pieces.running && pieces.draws && !pieces.held);
 }
 
 // A little of each a round: readouts nobody looks at, one analog input, some parameters.
