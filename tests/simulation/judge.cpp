@@ -164,7 +164,9 @@ void Judge::jog_let_go(int device, AxisId axis, IntentId jog, Duration after) {
   d.axes[axis.index].stopped->at += after;
 }
 
-void Judge::position_set(int device, std::uint32_t axes) {
+void Judge::position_set(int device, std::uint32_t axes, IntentId id) {
+  for (Intended& asked : at(device).intents)
+    if (asked.id == id) asked.counts_anew = axes;
   for (int a = 0; a < max_axes; ++a) {
     if ((axes >> a & 1u) == 0) continue;
     AxisCase& axis = at(device).axes[static_cast<std::size_t>(a)];

@@ -120,7 +120,8 @@ class Judge final : public Witness {
   void anything_asked(int device) { at(device).stop_drawn = scheduler_.now(); }
   /// The hand has gone; the console knows it at once, or `after` (the dead-man).
   void jog_let_go(int device, AxisId axis, IntentId jog, Duration after);
-  void position_set(int device, std::uint32_t axes);
+  /// Now, or when it is done: behind a stop that waits it may be a while.
+  void position_set(int device, std::uint32_t axes, IntentId id);
   /// A program is being loaded, of a tool or not: from its end on the console minds that tool.
   void program_loaded(int device, IntentId id, bool of_tool) {
     at(device).tool.loading.emplace_back(id, of_tool);
@@ -187,6 +188,7 @@ class Judge final : public Witness {
     Instant at;
     std::string text;                          ///< that was typed
     std::size_t heard = 0;                     ///< bytes that the controller had received then
+    std::uint32_t counts_anew = 0;             ///< axes whose position it sets
     std::optional<Instant> stands_since = {};  ///< of a stop: nothing moves or runs, and the wire carries
   };
   struct DeviceCase {

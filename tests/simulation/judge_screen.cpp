@@ -43,6 +43,8 @@ void Judge::judge_fates(int device) {
         d.tool.half_loaded = d.tool.half_loaded || of_tool;
     std::erase_if(d.tool.loading, [&](const auto& load) { return load.first == i.id; });
     judge_text(device, i, fate->fate);
+    for (std::size_t a = 0; fate->fate == Fate::done && a < d.axes.size(); ++a)
+      if ((i.counts_anew >> a & 1u) != 0) d.axes[a].restarted.reset();
     return true;
   });
   if (d.intents.empty()) return;

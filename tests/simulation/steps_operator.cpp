@@ -109,12 +109,12 @@ void must_connect(Stage& stage, const Step& s) { stage.must_connect(s.device); }
 void run_in_vain(Stage& stage, const Step& s) { stage.send(s.device, intent::RunProgram(whole(s, 0))); }
 void script(Stage& stage, const Step& s) { stage.script(s.device, s.text); }
 void set_position(Stage& stage, const Step& s) {
-  stage.judge().position_set(s.device, axes_of(whole(s, 0)));
   stage.send(s.device, intent::SetPosition(whole(s, 0), Steps(s.number(1))));
+  stage.judge().position_set(s.device, axes_of(whole(s, 0)), stage.sent());
 }
 void trust(Stage& stage, const Step& s) {
-  stage.judge().position_set(s.device, axes_of(whole(s, 0)));
   stage.send(s.device, intent::TrustPosition(axis(s, 0)));
+  stage.judge().position_set(s.device, axes_of(whole(s, 0)), stage.sent());
 }
 void set_param(Stage& stage, const Step& s) {
   stage.send(s.device, intent::SetParam(s.text, s.number(0), true));
