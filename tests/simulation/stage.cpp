@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/device/language.h"
+#include "core/device/piece_sync.h"
 #include "core/device/pieces.h"
 #include "core/device/pieces_together.h"
 #include "core/device/registry.h"
@@ -278,28 +279,25 @@ void Stage::run_in_pieces(int device, int ways, int lines) {
        intent::RunInPieces(std::make_shared<const Pieces>(std::move(*pieces))));
 }
 
-static Task<> begin_together(std::shared_ptr<SessionGroup> group, sequence::Sequence drawing) {
-  (void)co_await group->run_together(std::move(drawing), 0);
-}
-
 void Stage::run_together(int ways, int lines) {
-  constexpr int drawers = 2;
-  if (!group_ || devices() < drawers) return;
+  constexpr std::size_t drawers = 2;
+  if (!group_ || machines_.size() < drawers) return;
   const Catalog& first = session(0)->catalog();
   const std::vector<const Catalog*> catalogs{&first, &session(1)->catalog()};
   const auto bus = catalog_together(catalogs);
   const int output = first.output_number(static_cast<std::size_t>(facts_.tool_output));
-  sequence::Sequence drawing = chains({bus->axes[0].name, bus->axes[1].name}, output, ways, lines);
-  const std::vector<Pieces> parts = must(pieces_together(drawing, *bus, 0));
-  for (int device = 0; device < drawers; ++device) {
-    for (const Piece& piece : parts[static_cast<std::size_t>(device)].all)
+  const auto drawing = chains({bus->axes[0].name, bus->axes[1].name}, output, ways, lines);
+  std::vector<Pieces> parts = must(pieces_together(drawing, *bus, 0));
+  auto seats = PieceSync::seats(drawers);
+  judge_.draws_with_tool(0);
+  for (std::size_t i = 0; i < drawers; ++i) {
+    for (const Piece& piece : parts[i].all)
       for (const PieceAct& act : piece.does)
         if (const auto* set = act.what ? std::get_if<intent::SetParam>(&*act.what) : nullptr)
-          machines_[static_cast<std::size_t>(device)].settings.merge(words_of(std::to_string(set->value)));
-    judge_.motion_asked(device, Judge::all_axes, 0, Steps());
+          machines_[i].settings.merge(words_of(std::to_string(set->value)));
+    move(static_cast<int>(i), Judge::all_axes, Steps(),
+         intent::RunInPieces(std::make_shared<const Pieces>(std::move(parts[i])), std::move(seats[i])));
   }
-  judge_.draws_with_tool(0);
-  asio::co_spawn(time_.executor(), begin_together(group_, std::move(drawing)), asio::detached);
 }
 
 void Stage::stop(int device, std::uint32_t axes, StopKind kind, IntentBody body) {
