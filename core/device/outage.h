@@ -58,7 +58,7 @@ class Outage {
   }
   /// The next one is not waited for.
   void hurry() { at_once_ = on_; }
-  /// Nor with a stop that is asked for now; and nobody knows what has begun to run meanwhile.
+  /// The same for a stop that is asked for now. Nobody knows what has begun to run since the loss.
   void hurry_with_a_stop() {
     hurry();
     may_run_ = may_run_ || on_;
