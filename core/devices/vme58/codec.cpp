@@ -28,11 +28,13 @@ std::vector<std::string_view> split(std::string_view text, char at) {
 }  // namespace
 
 void append_text(std::vector<BusCycle>& cycles, std::string_view text, int put) {
+  int to = put;
   for (const char c : text) {
-    cycles.push_back(BusCycle::store(2, cell(at::output_buffer, put), static_cast<unsigned char>(c)));
-    put = advanced(put, 1);
+    cycles.push_back(BusCycle::store(2, cell(at::output_buffer, to), static_cast<unsigned char>(c)));
+    to = advanced(to, 1);
   }
-  cycles.push_back(BusCycle::store(2, at::output_put_index, static_cast<std::uint32_t>(put)));
+  for (int i = put; i != to; i = advanced(i, 1))
+    cycles.push_back(BusCycle::read(2, cell(at::output_buffer, i)));
 }
 
 void append_reply_reads(std::vector<BusCycle>& cycles, int get, int count) {

@@ -24,7 +24,7 @@ constexpr int advanced(int index, int by) { return (index + by) & (ring_cells - 
 /// An index as the board may show it; anything else was garbled, or no board is there.
 constexpr bool is_index(std::uint32_t value) { return value < static_cast<std::uint32_t>(ring_cells); }
 
-/// Cycles that put `text` into the command ring from `put` on and then publish it. It fits: see room().
+/// Cycles that put `text` into the command ring from `put` on and then read it back. It fits: see room().
 void append_text(std::vector<BusCycle>& cycles, std::string_view text, int put);
 /// Cycles that read `count` characters of the reply ring from `get` on.
 void append_reply_reads(std::vector<BusCycle>& cycles, int get, int count);

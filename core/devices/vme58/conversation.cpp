@@ -1,6 +1,7 @@
 #include "core/devices/vme58/conversation.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include <fmt/core.h>
@@ -70,19 +71,35 @@ Task<Result<bool>> Conversation::put(std::string text, Priority priority) {
   const auto get = co_await wire_.read_index(at::output_get_index, priority);
   if (!get) co_return fail(get.error());
   if (room(put_, *get) < static_cast<int>(text.size())) co_return false;
+  auto stands = co_await fill(text, put_, priority);
+  if (!stands) co_return fail(stands.error());
   std::vector<BusCycle>& cycles = wire_.burst();
+  const int end = advanced(put_, static_cast<int>(text.size()));
   // Where a stranger has spoiled the host's other index the board takes nothing.
   cycles.push_back(BusCycle::store(2, at::input_get_index, static_cast<std::uint32_t>(get_)));
-  append_text(cycles, text, put_);
-  auto done = co_await wire_.run(cycles, priority);
-  if (!done) co_return fail(done.error());
+  cycles.push_back(BusCycle::store(2, at::output_put_index, static_cast<std::uint32_t>(end)));
+  auto published = co_await wire_.run(cycles, priority);
+  if (!published) co_return fail(published.error());
   on_its_way_ = true;
   in_wq_ = in_wq_ || text.find("WQ") != text.npos;
-  put_ = advanced(put_, static_cast<int>(text.size()));
+  put_ = end;
   last_sent_ = text;
   if (priority != Priority::poll) last_said_ = text;
   wire_.record(Way::sent, priority, text);
   co_return true;
+}
+
+// A silent bus swallows what is stored and says nothing. Half a text is another command ("AR MR-44024"
+// without its AR moves the axis that was selected before), so the board is told of a text only when all of it
+// stands.
+Task<Result<>> Conversation::fill(std::string_view text, int from, Priority priority) {
+  std::vector<BusCycle>& cycles = wire_.burst();
+  append_text(cycles, text, from);
+  auto done = co_await wire_.run(cycles, priority);
+  if (!done) co_return done;
+  if (reply_text(std::span(cycles).subspan(text.size())) == text) co_return Result<>();
+  co_return fail(FaultKind::garbled, "What was put into the command ring does not stand there.",
+                 "The bus has lost it.", "Look at the bus, and say it again.");
 }
 
 Task<Result<bool>> Conversation::is_taken(Priority priority) {
@@ -104,14 +121,12 @@ Task<Result<bool>> Conversation::withdraw(Priority priority, int from) {
   const auto get = co_await wire_.read_index(at::output_get_index, priority);
   if (!get) co_return fail(get.error());
   const int begin = waiting(put_, *get) < waiting(put_, from) ? *get : from;
-  std::vector<BusCycle>& cycles = wire_.burst();
-  for (int i = begin; i != put_; i = advanced(i, 1))
-    cycles.push_back(BusCycle::store(2, static_cast<std::uint16_t>(at::output_buffer + 2 * i), ' '));
-  if (cycles.empty()) co_return false;
+  const std::string blanks(static_cast<std::size_t>(waiting(put_, begin)), ' ');
+  if (blanks.empty()) co_return false;
   selection_.lose();
   if (owed_) owed_->greeting_asked.reset();  // it may have stood there
-  auto done = co_await wire_.run(cycles, priority);
-  if (!done) co_return fail(done.error());
+  auto filled = co_await fill(blanks, begin, priority);
+  if (!filled) co_return fail(filled.error());
   const auto stands = co_await wire_.read_index(at::output_get_index, priority);
   if (!stands) co_return fail(stands.error());
   co_return waiting(put_, *stands) >= waiting(put_, from);

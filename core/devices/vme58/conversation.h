@@ -9,6 +9,7 @@
 #include <deque>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/device/script_texts.h"
@@ -81,6 +82,7 @@ class Conversation {
   struct Owed {
     std::optional<Instant> greeting_asked;  ///< WY was put behind it then
   };
+  Task<Result<>> fill(std::string_view text, int from, Priority priority);
   Task<Result<bool>> withdraw(Priority priority, int from);
   Task<Result<>> fetch(int input_put, Priority priority);
   Task<Result<>> fetch_all(Priority priority);

@@ -20,19 +20,19 @@ TEST(Vme58Ring, CountsCellsThatWrap) {
   EXPECT_FALSE(is_index(0xFFFF));
 }
 
-TEST(Vme58Ring, TextGoesIntoTheLowBytesOfCellsAndIsPublishedAtTheEnd) {
+TEST(Vme58Ring, TextGoesIntoTheLowBytesOfCellsAndIsReadBack) {
   std::vector<BusCycle> cycles;
   append_text(cycles, "AX", 255);
-  ASSERT_EQ(cycles.size(), 3u);
+  ASSERT_EQ(cycles.size(), 4u);
   EXPECT_EQ(cycles[0].offset, 0x804 + 2 * 255);
   EXPECT_EQ(cycles[0].value, 0x41u);
   EXPECT_EQ(cycles[1].offset, 0x804) << "cut by the end of the buffer";
   EXPECT_EQ(cycles[1].value, 0x58u);
-  EXPECT_EQ(cycles[2].offset, 0x800);
-  EXPECT_EQ(cycles[2].value, 1u);
-  for (const BusCycle& c : cycles) {
-    EXPECT_TRUE(c.write);
-    EXPECT_EQ(c.width, 2);
+  EXPECT_EQ(cycles[2].offset, cycles[0].offset);
+  EXPECT_EQ(cycles[3].offset, cycles[1].offset);
+  for (std::size_t i = 0; i < cycles.size(); ++i) {
+    EXPECT_EQ(cycles[i].write, i < 2);
+    EXPECT_EQ(cycles[i].width, 2);
   }
 }
 
