@@ -49,10 +49,8 @@ StopOrder* StopDesk::due() {
 
 bool StopDesk::another_waits(const StopOrder& order) const {
   return std::any_of(orders_.begin(), orders_.end(), [&](const StopOrder& other) {
-    const bool waits_for_this = order.outlasts(other) && other.what == StopOrder::What::tool;
-    const bool goes_first =
-        !waits_for_this && (other.times_sent == 0 ? !order.covers(other) : other.outlasts(order));
-    return &other != &order && !other.sent && goes_first;
+    const bool goes_first = other.times_sent == 0 || other.outlasts(order);
+    return &other != &order && !other.sent && goes_first && !order.outlasts(other);
   });
 }
 

@@ -107,7 +107,8 @@ class StopDesk {
   /// The next to be sent: of those that were sent least often the latest, unless an older one outlasts it.
   /// Null: all have been.
   [[nodiscard]] StopOrder* due();
-  /// One of the others has not gone out at all, or goes first as often as it is sent again.
+  /// One of the others has not gone out at all, or goes first as often as it is sent again. Never so of two
+  /// for each other.
   [[nodiscard]] bool another_waits(const StopOrder& order) const;
   [[nodiscard]] bool all_were_sent(int times) const;
   /// One is being sent, or is about to be for the first time.

@@ -39,7 +39,7 @@ Task<Result<>> Stops::send(const StopOrder& order, Duration patience) {
   using What = StopOrder::What;
   if (order.what == What::broadcast) co_return co_await stop_line(order.at_once);
   if (order.what == What::program) co_return co_await halt_program(order.thread, patience);
-  co_return co_await stop_axes(order.axis, order.at_once, order.what == What::jog, patience);
+  co_return co_await stop_axes(order, patience);
 }
 
 // A stop for all devices of the line, by the same words as the stop of each, which follows: on a line that
@@ -54,19 +54,25 @@ Task<Result<>> Stops::stop_line(bool at_once) {
   co_return all;
 }
 
-// What a jog moves stops alone: programs, and axes that they move, go on.
-Task<Result<>> Stops::stop_axes(int axis, bool at_once, bool motion_only, Duration patience) {
+// What a jog moves stops alone: programs, and axes that they move, go on. The joystick is asked for when all
+// that is to stop was told so: next time, where that was not understood, or another stop waits.
+Task<Result<>> Stops::stop_axes(const StopOrder& order, Duration patience) {
   list_.end();
-  const std::string_view form = at_once ? console_.forms.abort : console_.forms.stop;
-  const bool all = axis < 0 || console_.axes() == 1;
+  const std::string_view form = order.at_once ? console_.forms.abort : console_.forms.stop;
+  const int axis = console_.axes() == 1 ? -1 : order.axis;
+  const bool motion_only = order.what == StopOrder::What::jog;
   const std::string word =
-      all ? std::string(form.substr(0, form.find('a'))) : fill(console_.forms, form, axis);
-  motions_.stopping(all ? -1 : axis, at_once);
-  if (motion_only) co_return co_await talk_.command(word, Priority::stop, patience);
-  if (all) co_return co_await stop_all(word, patience);
-  auto said = co_await talk_.command(word, Priority::stop, patience);
-  if (!said && said.error().kind != FaultKind::refused)
-    co_return said;  // the next time asks for the joystick
+      axis < 0 ? std::string(form.substr(0, form.find('a'))) : fill(console_.forms, form, axis);
+  motions_.stopping(axis, order.at_once);
+  Result<> said;
+  if (axis < 0 && !motion_only)
+    said = co_await stop_all(word, patience);
+  else
+    said = co_await talk_.command(word, Priority::stop, patience);
+  const bool understood = said || said.error().kind == FaultKind::refused;
+  if (motion_only || !understood) co_return said;
+  if (order.in_haste)
+    co_return fail(FaultKind::stopped, "Another stop waits.", "The joystick was not asked for.");
   auto released = co_await release_joystick(axis, word);
   co_return said ? released : said;
 }
@@ -97,9 +103,6 @@ Task<Result<>> Stops::stop_all(std::string word, Duration patience) {
     auto said = co_await talk_.command(word, Priority::stop, patience);
     note(std::move(said));
   }
-  if (!all && all.error().kind != FaultKind::refused) co_return all;  // the next time asks for the joystick
-  auto released = co_await release_joystick(-1, word);
-  note(std::move(released));
   co_return all;
 }
 

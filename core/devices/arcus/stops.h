@@ -30,7 +30,7 @@ class Stops {
  private:
   Task<Result<>> send(const StopOrder& order, Duration patience);
   Task<Result<>> stop_line(bool at_once);
-  Task<Result<>> stop_axes(int axis, bool at_once, bool motion_only, Duration patience);
+  Task<Result<>> stop_axes(const StopOrder& order, Duration patience);
   Task<Result<>> stop_all(std::string word, Duration patience);
   Task<Result<>> halt_thread(int thread, Duration patience);
   Task<Result<>> halt_program(int thread, Duration patience);

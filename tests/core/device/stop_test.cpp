@@ -70,12 +70,25 @@ TEST_F(StopDeskTest, TellsWhichHasNotGoneOutAtAll) {
   StopOrder& first = ask(intent::Stop(1));
   EXPECT_FALSE(desk.another_waits(first)) << "it is alone";
   StopOrder& second = ask(intent::Stop(2));
+  first.times_sent = 1;
   EXPECT_TRUE(desk.another_waits(first));
   second.times_sent = 2;
   EXPECT_FALSE(desk.another_waits(first)) << "it is said again";
   EXPECT_FALSE(desk.all_were_sent(2));
   first.times_sent = 3;
   EXPECT_TRUE(desk.all_were_sent(2));
+}
+
+TEST_F(StopDeskTest, OfTwoThatStopTheSameOneWaitsForTheOtherAtMost) {
+  StopOrder& first = ask(intent::Stop(-1));
+  StopOrder& second = ask(intent::Stop(-1));
+  first.times_sent = second.times_sent = 1;
+  second.at_once = false;
+  EXPECT_EQ(desk.due(), &first);
+  EXPECT_FALSE(desk.another_waits(first));
+  EXPECT_FALSE(desk.another_waits(second));
+  first.times_sent = 2;
+  EXPECT_FALSE(desk.another_waits(second));
 }
 
 TEST_F(StopDeskTest, TheToolIsSwitchedOffBehindWhateverStops) {
