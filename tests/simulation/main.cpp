@@ -1,6 +1,7 @@
 // hw_simulation: plays an operator against the real sessions, links and drivers, with a judge. Usage: below.
 #include <chrono>
 #include <csignal>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <map>
@@ -113,8 +114,11 @@ void show(const Finding& finding) {
 void keep(const Plan& plan, const std::string& folder, std::uint64_t seed) {
   const std::string law = plan.finding.substr(0, plan.finding.find(':'));
   const std::string path = fmt::format("{}/{}-{}-{}.plan", folder, plan.model, law, seed);
-  std::ofstream(path) << plan.written();
-  std::cout << "  kept as " << path << "\n";
+  std::error_code cannot_be_made;  // then it cannot be written either
+  std::filesystem::create_directories(folder, cannot_be_made);
+  std::ofstream file(path);
+  file << plan.written() << std::flush;
+  std::cout << (file ? "  kept as " : "  not kept, it cannot be written: ") << path << "\n";
 }
 
 void examine(Plan plan, const Finding& finding, const Options& options, std::uint64_t seed) {
