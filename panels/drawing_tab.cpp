@@ -185,9 +185,10 @@ std::string_view DrawingTab::why_no_use(Use use) const {
   return use == Use::program ? std::string_view(job_.made()->problem) : std::string_view();
 }
 
-void DrawingTab::draw_use(Frame& f, Use use, std::string_view id, std::string_view label,
+void DrawingTab::draw_use(Frame& f, Use use, std::string_view id, std::string_view label, float gap,
                           ButtonOptions look) {
   look.disabled = why_no_use(use);
+  next_in_toolbar(f, gap, button_width(f.ui, label, look));
   look.on = wanted_ == use;
   if (button(f.ui, id, label, look).clicked) wanted_ = use;
 }
@@ -243,25 +244,22 @@ void DrawingTab::draw_toolbar(Frame& f) {
   look.height = 40;
   if (button(ui, "drawing/open", "Open DXF", look).clicked)
     open_.ask_open("Open a drawing", open_.folder(), {".dxf"});
-  ImGui::SameLine(0, ui.px(8));
-  draw_use(f, Use::blocks, "drawing/to_blocks", "To the blocks", look);
-  ImGui::SameLine(0, ui.px(8));
-  draw_use(f, Use::program, "drawing/to_program", "To the program", look);
-  ImGui::SameLine(0, 0);
+  draw_use(f, Use::blocks, "drawing/to_blocks", "To the blocks", 8, look);
+  draw_use(f, Use::program, "drawing/to_program", "To the program", 8, look);
   look.style = ButtonStyle::quiet, look.tip = "A program that goes once around it with the tool off.";
-  draw_use(f, Use::frame, "drawing/frame", "Frame", look);
-  ImGui::SameLine(0, 0);
-  if (button(ui, "drawing/fit", "Fit", {.style = ButtonStyle::quiet, .height = 40}).clicked) canvas_.fit();
+  draw_use(f, Use::frame, "drawing/frame", "Frame", 0, look);
+  look.tip = {};
+  next_in_toolbar(f, 0, button_width(ui, "Fit", look));
+  if (button(ui, "drawing/fit", "Fit", look).clicked) canvas_.fit();
   if (f.area.width < both_width) {
-    ImGui::SameLine(0, 0);
-    if (button(ui, "drawing/settings", settings_ ? "Drawing" : "Settings",
-               {.style = ButtonStyle::quiet, .height = 40})
-            .clicked)
-      settings_ = !settings_;
+    const std::string_view other = settings_ ? "Drawing" : "Settings";
+    next_in_toolbar(f, 0, button_width(ui, other, look));
+    if (button(ui, "drawing/settings", other, look).clicked) settings_ = !settings_;
   }
   const std::string name = job_.file().filename().string();
-  draw_text_line(ui, ImGui::GetItemRectMax().x + ui.px(16), ui.px(f.area.right() - 16), top.y + ui.px(28),
-                 Face::body_bold, ui[Tone::ink], name);
+  const ImVec2 end = ImGui::GetItemRectMax();
+  draw_text_line(ui, end.x + ui.px(16), ui.px(f.area.right() - 16), end.y - ui.px(20), Face::body_bold,
+                 ui[Tone::ink], name);
   end_toolbar(f, top);
 }
 

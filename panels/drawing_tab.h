@@ -37,7 +37,7 @@ class DrawingTab final : public gui::Panel {
   void draw_dialogs(gui::Frame& frame);
   /// What a click is for; it waits while the drawing is being worked out, as a field that it left began that.
   enum class Use : std::uint8_t { nothing, blocks, program, frame };
-  void draw_use(gui::Frame& frame, Use use, std::string_view id, std::string_view label,
+  void draw_use(gui::Frame& frame, Use use, std::string_view id, std::string_view label, float gap,
                 gui::ButtonOptions look);
   [[nodiscard]] std::string_view why_no_use(Use use) const;
   void use(gui::Frame& frame, Use use);

@@ -1,5 +1,7 @@
 #include "panels/lines.h"
 
+#include <algorithm>
+
 #include "gui/tab.h"
 #include "panels/measures.h"
 
@@ -27,8 +29,14 @@ ImVec2 begin_toolbar(const Frame& f) {
   return corner;
 }
 
+void next_in_toolbar(const Frame& f, float gap, float width) {
+  const ImVec2 last = ImGui::GetItemRectMax();
+  if (last.x + f.ui.px(gap + width + 8) <= f.ui.px(f.area.right())) return ImGui::SameLine(0, f.ui.px(gap));
+  ImGui::SetCursorScreenPos(ImVec2(f.ui.px(f.area.x + 16), last.y + f.ui.px(8)));
+}
+
 void end_toolbar(const Frame& f, ImVec2 corner) {
-  const float bottom = corner.y + f.ui.px(toolbar_height);
+  const float bottom = std::max(corner.y + f.ui.px(toolbar_height), ImGui::GetItemRectMax().y + f.ui.px(8));
   draw_line_across(f, bottom - f.ui.hair());
   ImGui::SetCursorScreenPos(ImVec2(corner.x, bottom));
 }
