@@ -13,6 +13,7 @@
 #include "gui/widgets/button.h"
 #include "gui/widgets/message.h"
 #include "gui/widgets/text.h"
+#include "panels/lines.h"
 
 namespace hw::panels {
 
@@ -71,16 +72,18 @@ void BlockFiles::save(Frame& f, const std::filesystem::path& path) {
 void BlockFiles::draw(Frame& f) {
   Ui& ui = f.ui;
   const BlockList& blocks = f.tab.desk().blocks;
-  const float y = ImGui::GetCursorScreenPos().y;
   const ButtonOptions look{.style = ButtonStyle::quiet, .height = 40};
-  const float width = ui.px(button_width(ui, "Open", look)) + ui.px(button_width(ui, "Save", look));
-  const float x = ui.px(f.area.right() - 8) - width;
+  const float width = button_width(ui, "Open", look) + button_width(ui, "Save", look);
+  next_in_toolbar(f, 0, width);
+  const ImVec2 next = ImGui::GetCursorScreenPos();
+  const bool own_row = next.y > ImGui::GetItemRectMax().y;
+  const float x = own_row ? next.x : ui.px(f.area.right() - 8 - width);
   if (std::exchange(named_at_, blocks.changes()) != blocks.changes())
     name_ = blocks.file().filename().string();
-  if (!name_.empty())
-    draw_text_line(ui, ImGui::GetCursorScreenPos().x + ui.px(8), x - ui.px(8), y + ui.px(20), Face::body_bold,
+  if (!name_.empty() && !own_row)
+    draw_text_line(ui, next.x + ui.px(8), x - ui.px(8), next.y + ui.px(20), Face::body_bold,
                    ui[blocks.edited() ? Tone::warn : Tone::ink], name_);
-  ImGui::SetCursorScreenPos(ImVec2(x, y));
+  ImGui::SetCursorScreenPos(ImVec2(x, next.y));
   if (button(ui, "blocks/open", "Open", look).clicked) ask_open();
   ImGui::SameLine(0, 0);
   if (button(ui, "blocks/save", "Save", look).clicked) ask_save(f);

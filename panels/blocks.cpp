@@ -60,23 +60,20 @@ void Blocks::draw_toolbar(Frame& f) {
   Ui& ui = f.ui;
   const ImVec2 at = begin_toolbar(f);
   run_.draw(f, work_.written()->text, work_.why_none(*editor_));
-  const auto next = [&ui](float gap) { ImGui::SameLine(0, ui.px(gap)); };
-  next(8);
   const ButtonOptions from_text{.disabled = TextToBlocks::why_not(f),
                                 .tip = "Makes blocks of the text in the program editor.",
                                 .height = 40};
+  next_in_toolbar(f, 8, button_width(ui, "From the text", from_text));
   if (button(ui, "blocks/from_text", "From the text", from_text).clicked) from_text_.start(f);
-  next(16);
-  const auto step_back = [&](const char* id, const char* label, std::string_view why_not) {
+  const auto step_back = [&](float gap, const char* id, const char* label, std::string_view why_not) {
     const ButtonOptions look{.style = ButtonStyle::quiet, .disabled = why_not, .height = 40};
+    next_in_toolbar(f, gap, button_width(ui, label, look));
     return button(ui, id, label, look).clicked;
   };
-  if (step_back("blocks/undo", "Undo", editor_->can_undo() ? "" : "Nothing to take back."))
+  if (step_back(16, "blocks/undo", "Undo", editor_->can_undo() ? "" : "Nothing to take back."))
     editor_->undo(), choose(chosen_.path);
-  next(0);
-  if (step_back("blocks/redo", "Redo", editor_->can_redo() ? "" : "Nothing was taken back."))
+  if (step_back(0, "blocks/redo", "Redo", editor_->can_redo() ? "" : "Nothing was taken back."))
     editor_->redo(), choose(chosen_.path);
-  next(0);
   files_.draw(f);
   end_toolbar(f, at);
 }

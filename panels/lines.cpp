@@ -30,9 +30,13 @@ ImVec2 begin_toolbar(const Frame& f) {
 }
 
 void next_in_toolbar(const Frame& f, float gap, float width) {
-  const ImVec2 last = ImGui::GetItemRectMax();
-  if (last.x + f.ui.px(gap + width + 8) <= f.ui.px(f.area.right())) return ImGui::SameLine(0, f.ui.px(gap));
-  ImGui::SetCursorScreenPos(ImVec2(f.ui.px(f.area.x + 16), last.y + f.ui.px(8)));
+  constexpr float half = 20;  // of a button
+  const Ui& ui = f.ui;
+  const ImVec2 from = ImGui::GetItemRectMin(), to = ImGui::GetItemRectMax();
+  const float middle = (from.y + to.y) / 2;
+  const bool fits = to.x + ui.px(gap + width + 8) <= ui.px(f.area.right());
+  ImGui::SetCursorScreenPos(fits ? ImVec2(to.x + ui.px(gap), middle - ui.px(half))
+                                 : ImVec2(ui.px(f.area.x + 16), middle + ui.px(half + 8)));
 }
 
 void end_toolbar(const Frame& f, ImVec2 corner) {

@@ -141,20 +141,19 @@ void ToolPath::draw_toolbar(Frame& f) {
     desk.rehearse(f.now, f.bench);
   choice_.draw(f, top.y);
   const auto tool = [&](const char* id, const char* label, std::string_view tip) {
-    ImGui::SameLine(0, 0);
-    ImGui::SetCursorScreenPos(ImVec2(ImGui::GetCursorScreenPos().x, top.y + ui.px(8)));
-    return button(ui, id, label, {.style = ButtonStyle::quiet, .tip = tip, .height = 40}).clicked;
+    const ButtonOptions look{.style = ButtonStyle::quiet, .tip = tip, .height = 40};
+    next_in_toolbar(f, 0, button_width(ui, label, look));
+    return button(ui, id, label, look).clicked;
   };
   if (tool("path/fit", "Fit", "Shows all of it. On the picture: 0, or a double click.")) canvas_.fit();
   if (tool("path/nearer", "+", "Nearer. On the picture: +, or the wheel.")) canvas_.zoom(1.5);
   if (tool("path/further", "\u2212", "Further away. On the picture: -, or the wheel.")) canvas_.zoom(1 / 1.5);
   const bool brief = f.area.width < 780;
-  if (f.area.width >= 700 &&
-      tool("path/forget", brief ? "Forget" : "Forget trace", "Forgets where the axes have been so far."))
+  if (tool("path/forget", brief ? "Forget" : "Forget trace", "Forgets where the axes have been so far."))
     desk.trace.clear();
-  ImGui::SameLine(0, 0);
-  ImGui::SetCursorScreenPos(ImVec2(ImGui::GetCursorScreenPos().x, top.y + ui.px(8)));
-  export_.draw_button(f, brief ? "Save" : "Save picture", program_.path() != nullptr);
+  const std::string_view save = brief ? "Save" : "Save picture";
+  next_in_toolbar(f, 0, button_width(ui, save, {.style = ButtonStyle::quiet}));
+  export_.draw_button(f, save, program_.path() != nullptr);
   end_toolbar(f, top);
 }
 
