@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Builds the benchmarks and prints every figure of the README with its budget, as ratios of one run. Takes some minutes,
+# Builds the benchmarks and prints every figure of the manual with its budget, as ratios of one run. Takes some minutes,
 # and a quiet machine: with other work on it wall-clock figures mean little.
 #   tests/bench/figures.sh [NAME...]     only figures whose name contains one of the words
 set -euo pipefail
